@@ -1,0 +1,44 @@
+/* Gnomon: 3D mathematics and software rendering in freestanding C99.
+ *
+ * This header includes all of them; each can also be included alone.
+ *
+ *   status.h      what functions say about their input
+ *   scalar.h      square root and trigonometry, the same on every target
+ *   vec.h         vectors of two to four components
+ *   mat.h         3x3 and 4x4 matrices
+ *   transform.h   transforms: a matrix together with its analytic inverse
+ *   projection.h  projections and the viewport, as transforms
+ *   surface.h     colour and depth images in the caller's memory, and clears
+ *   texture.h     images that shaders read
+ *   pipeline.h    shaders and the state of a draw
+ *   draw.h        meshes, the workspace and the draw itself
+ *   shaders.h     ready-made shaders
+ *
+ * Conventions, for every function whose name does not say otherwise:
+ *
+ *   matrices      column-major storage, float m[column][row], column vectors: the
+ *                 bytes of an OpenGL uniform
+ *   angles        radians
+ *   space         right-handed; clip space as in OpenGL, -w <= x, y, z <= w
+ *   windows       y points up, row 0 is the bottom row, pixel centres at +0.5
+ *   depth         0 is near, 1 is far, unless a depth range says otherwise
+ *   memory        the caller's; the library allocates nothing and keeps no pointer
+ *   aliasing      outputs must not overlap inputs unless a contract says they may
+ *   arithmetic    IEEE binary32, rounded to nearest, in the order written
+ */
+#ifndef GNOMON_H
+#define GNOMON_H
+
+#include "gnomon/draw.h"
+#include "gnomon/mat.h"
+#include "gnomon/pipeline.h"
+#include "gnomon/projection.h"
+#include "gnomon/scalar.h"
+#include "gnomon/shaders.h"
+#include "gnomon/status.h"
+#include "gnomon/surface.h"
+#include "gnomon/texture.h"
+#include "gnomon/transform.h"
+#include "gnomon/vec.h"
+
+#endif

@@ -1,0 +1,24 @@
+/* How the library's symbols are declared: C linkage, and the only visible
+ * symbols of a shared library that is otherwise hidden. */
+#ifndef GNOMON_API_H
+#define GNOMON_API_H
+
+#if defined(__FAST_MATH__) && !defined(GN_ALLOW_FAST_MATH)
+#error "Gnomon's results are exact only without -ffast-math; define GN_ALLOW_FAST_MATH to give that up."
+#endif
+
+#ifdef __cplusplus
+#define GN_BEGIN extern "C" {
+#define GN_END }
+#else
+#define GN_BEGIN
+#define GN_END
+#endif
+
+#if defined(__GNUC__)
+#define GN_API __attribute__((visibility("default")))
+#else
+#define GN_API
+#endif
+
+#endif

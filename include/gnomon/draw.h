@@ -1,0 +1,91 @@
+/* Drawing: a mesh goes through a pipeline into a target. */
+#ifndef GNOMON_DRAW_H
+#define GNOMON_DRAW_H
+
+#include "pipeline.h"
+
+/* One array of vertex attributes, in the caller's memory. Components that the
+ * array lacks are 0, 0, 0, 1; so is all of an attribute without data. */
+typedef struct gn_attribute {
+    const float *data;   /* the first vertex's first component; null: absent */
+    uint32_t components; /* 1 to 4 where there is data */
+    uint32_t stride;     /* bytes from vertex to vertex, a multiple of 4; 0: tightly packed */
+} gn_attribute;
+
+typedef enum gn_index_format {
+    GN_INDEX_NONE = 0, /* vertices are taken in order */
+    GN_INDEX_UINT8,
+    GN_INDEX_UINT16,
+    GN_INDEX_UINT32
+} gn_index_format;
+
+/* Vertices and the order to take them in. Elements first to first + count - 1
+ * are drawn: of the indices where there are any, otherwise of the vertices.
+ * What is left over after the last whole triangle is not drawn. */
+typedef struct gn_mesh {
+    gn_attribute attribute[GN_MAX_ATTRIBUTES];
+    uint32_t vertex_count; /* vertices in the attribute arrays */
+    const void *indices;   /* null for GN_INDEX_NONE; aligned to its element */
+    gn_index_format index_format;
+    uint32_t first;
+    uint32_t count;
+} gn_mesh;
+
+/* Memory the library may use during a draw; nothing in it outlives the call.
+ * Any alignment. More memory than the minimum saves vertex shading: with
+ * gn_workspace_size(vertex_count, varying_count) each vertex of an indexed mesh
+ * is shaded once, with less the draw is made in parts and the pixels are the same. */
+typedef struct gn_workspace {
+    void *memory;
+    size_t size; /* bytes */
+} gn_workspace;
+
+/* Bytes of one vertex between the stages, apart from its varyings: clip position,
+ * window position, snapped position, outcode. */
+#define GN_WORKSPACE_VERTEX_SIZE 44
+
+/* gn_workspace_size as a constant expression, for static arrays. A second batch
+ * of GN_LANES vertices is the clipper's; 64 bytes are for alignment. */
+#define GN_WORKSPACE_SIZE(vertex_count, varying_count)                                             \
+    (((((size_t)(vertex_count) + GN_LANES - 1) / GN_LANES +                                        \
+       ((vertex_count) == 0 ? 2 : 1)) *                                                            \
+      ((GN_WORKSPACE_VERTEX_SIZE + 4 * (size_t)(varying_count)) * GN_LANES)) +                     \
+     64)
+
+GN_BEGIN
+
+/* Workspace bytes with which a mesh of that many vertices is shaded in one go.
+ * With vertex_count 0, the least a draw with that many varyings needs.
+ * SIZE_MAX where the size would not fit a size_t. */
+GN_API size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count);
+
+/* The first fault of a mesh: GN_NULL_POINTER (mesh, or indices that its index
+ * format asks for), GN_INVALID_ENUM (index format), GN_MISALIGNED (indices or
+ * attribute data), GN_INVALID_ATTRIBUTE (components or stride),
+ * GN_INDEX_OUT_OF_RANGE (first + count beyond vertex_count without indices, or an
+ * index at or beyond vertex_count; the indices themselves must hold first + count
+ * elements, which cannot be checked). */
+GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
+
+/* Draws a mesh. Checks the target, the pipeline, the mesh (gn_target_check,
+ * gn_pipeline_check, gn_mesh_check), then that the target's colour has a fragment
+ * shader (GN_NO_SHADER) and that the workspace is there (GN_NULL_POINTER) and
+ * holds at least gn_workspace_size(0, varying_count) bytes
+ * (GN_WORKSPACE_TOO_SMALL); on a fault nothing is drawn.
+ *
+ * Triangles are drawn in order. Positions are clipped to -w <= x, y, z <= w and
+ * mapped to window coordinates; vertices snap to 1/256 pixel; a pixel is covered
+ * where its centre lies inside, or on a left edge or a horizontal bottom edge, so
+ * that triangles sharing an edge never both cover a pixel on it. A triangle with
+ * a vertex that is not finite, or whose distance to a clipping plane is not, is
+ * not drawn. OpenGL 4.5 chapters 10 to 17; the order of every operation is the
+ * reference rasterizer's, so that results are equal bit for bit.
+ *
+ * Precondition: the FPU rounds to nearest. The target must not overlap the mesh,
+ * the workspace, textures or uniforms. */
+GN_API gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline,
+                         const gn_mesh *mesh, const gn_workspace *workspace);
+
+GN_END
+
+#endif

@@ -1,0 +1,64 @@
+/* Matrices of 3x3 and 4x4 floats, column-major: m[column][row], the bytes of a
+ * GL uniform. Vectors are columns, so A*B applied to v applies B first.
+ *
+ * Pointers must be valid; a result may be the same object as an operand, since
+ * it is written after everything was read. Results follow IEEE binary32 in the
+ * order written, NaN and infinity included. A sum of n products has an error of
+ * at most n * 2^-24 times the sum of their magnitudes, barring underflow. */
+#ifndef GNOMON_MAT_H
+#define GNOMON_MAT_H
+
+#include "api.h"
+#include "vec.h"
+
+typedef struct gn_mat3 {
+    float m[3][3];
+} gn_mat3;
+
+typedef struct gn_mat4 {
+    float m[4][4];
+} gn_mat4;
+
+GN_BEGIN
+
+/* The identity. */
+GN_API void gn_mat3_identity(gn_mat3 *result);
+GN_API void gn_mat4_identity(gn_mat4 *result);
+
+/* The product a*b. Every column of it is a times that column of b, in the order
+ * of gn_mat3_multiply_vec3 and gn_mat4_multiply_vec4. */
+GN_API void gn_mat3_multiply(const gn_mat3 *a, const gn_mat3 *b, gn_mat3 *result);
+GN_API void gn_mat4_multiply(const gn_mat4 *a, const gn_mat4 *b, gn_mat4 *result);
+
+/* The product m*v: (c0*x + c1*y) + c2*z and ((c0*x + c1*y) + c2*z) + c3*w with
+ * c0 to c3 the columns of m, in this order of operations (the GLSL compiler's
+ * the pictures are compared with). */
+GN_API gn_vec3 gn_mat3_multiply_vec3(const gn_mat3 *m, gn_vec3 v);
+GN_API gn_vec4 gn_mat4_multiply_vec4(const gn_mat4 *m, gn_vec4 v);
+
+/* The point m * (v, 1) without its w: right for affine matrices, whose last row
+ * is (0, 0, 0, 1). Nothing is divided; for projections use
+ * gn_mat4_multiply_vec4. */
+GN_API gn_vec3 gn_mat4_transform_point(const gn_mat4 *m, gn_vec3 v);
+
+/* The direction m * (v, 0) without its w: the translation does not act on it.
+ * Normals need the normal matrix instead (transform.h). */
+GN_API gn_vec3 gn_mat4_transform_direction(const gn_mat4 *m, gn_vec3 v);
+
+/* Rows and columns exchanged. */
+GN_API void gn_mat3_transpose(const gn_mat3 *m, gn_mat3 *result);
+GN_API void gn_mat4_transpose(const gn_mat4 *m, gn_mat4 *result);
+
+/* The determinant: by cofactors of the first column, and by Laplace expansion
+ * over the 2x2 minors of the first and the last two columns. The error is at
+ * most 6 (3x3) and 9 (4x4) times 2^-24 times the permanent of the magnitudes
+ * (the determinant with every term taken positive), barring underflow. */
+GN_API float gn_mat3_determinant(const gn_mat3 *m);
+GN_API float gn_mat4_determinant(const gn_mat4 *m);
+
+/* The upper-left 3x3 part: what m does to directions. */
+GN_API void gn_mat4_upper_left(const gn_mat4 *m, gn_mat3 *result);
+
+GN_END
+
+#endif

@@ -1,0 +1,90 @@
+/* Surfaces: images in the caller's memory that draws and clears write to.
+ *
+ * Row 0 is the bottom row, as in OpenGL. The row stride is signed, so that a
+ * top-down image is the same surface: point `pixels` at the image's last row
+ * and give a negative stride.
+ *
+ * A pixel is one value, never bytes, so that a surface means the same on every
+ * byte order:
+ *
+ *   format            element      bits
+ *   GN_FORMAT_RGBA8   uint32_t     red 0-7, green 8-15, blue 16-23, alpha 24-31
+ *   GN_FORMAT_RGBA32F 4 x float    red, green, blue, alpha
+ *   GN_FORMAT_D16     uint16_t     depth * 65535
+ *   GN_FORMAT_D24     uint32_t     depth * 16777215 in bits 0-23, the rest 0
+ *   GN_FORMAT_D32F    float        depth
+ *
+ * On a little-endian machine GN_FORMAT_RGBA8 is the bytes R, G, B, A. */
+#ifndef GNOMON_SURFACE_H
+#define GNOMON_SURFACE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "api.h"
+#include "status.h"
+
+/* The largest width or height of a surface, texture or viewport, in pixels. */
+#define GN_MAX_SIZE 16384
+
+typedef enum gn_format {
+    GN_FORMAT_NONE = 0, /* no surface here */
+    GN_FORMAT_RGBA8,
+    GN_FORMAT_RGBA32F,
+    GN_FORMAT_D16,
+    GN_FORMAT_D24,
+    GN_FORMAT_D32F
+} gn_format;
+
+typedef struct gn_surface {
+    void *pixels;         /* the leftmost pixel of row 0, the bottom row */
+    ptrdiff_t row_stride; /* bytes from a row to the one above it */
+    uint32_t width;       /* in pixels, 1 to GN_MAX_SIZE */
+    uint32_t height;
+    gn_format format; /* GN_FORMAT_NONE: an absent surface, the rest is not looked at */
+} gn_surface;
+
+/* What a draw writes to. A zeroed member is an absent surface; at least one
+ * must be there, and both have the same size. The two must not overlap. */
+typedef struct gn_target {
+    gn_surface color; /* GN_FORMAT_RGBA8 or GN_FORMAT_RGBA32F */
+    gn_surface depth; /* GN_FORMAT_D16, GN_FORMAT_D24 or GN_FORMAT_D32F */
+} gn_target;
+
+GN_BEGIN
+
+/* Bytes of one pixel of a format; 0 for GN_FORMAT_NONE and for no format. */
+GN_API size_t gn_format_size(gn_format format);
+
+/* A surface over tightly packed memory, row 0 first. Nothing is checked here. */
+GN_API gn_surface gn_surface_bottom_up(void *memory, gn_format format, uint32_t width,
+                                       uint32_t height);
+
+/* The same over memory whose first row is the top one, as image files have it. */
+GN_API gn_surface gn_surface_top_down(void *memory, gn_format format, uint32_t width,
+                                      uint32_t height);
+
+/* The first fault of a target, in this order: a null pointer (GN_NULL_POINTER),
+ * no surface at all (GN_NO_SURFACE); then for colour and for depth: a format
+ * that does not belong there (GN_INVALID_FORMAT), a size of 0 or above
+ * GN_MAX_SIZE (GN_INVALID_SIZE), null pixels (GN_NULL_POINTER), pixels or stride
+ * not a multiple of the element's size (GN_MISALIGNED), a stride shorter than a
+ * row (GN_INVALID_STRIDE); last, sizes that differ (GN_SIZE_MISMATCH). */
+GN_API gn_status gn_target_check(const gn_target *target);
+
+/* Fills a colour surface with one colour (OpenGL 4.5 section 17.4.3). In
+ * GN_FORMAT_RGBA8 a channel becomes round-half-even(c * 255), the product being
+ * rounded to binary32 first; 0 below 0 and for NaN, 255 from 1 up. In
+ * GN_FORMAT_RGBA32F it is stored as it is.
+ * A bad surface gives the statuses of gn_target_check. */
+GN_API gn_status gn_clear_color(const gn_surface *surface, float red, float green, float blue,
+                                float alpha);
+
+/* Fills a depth surface with one depth, clamped to 0..1 (NaN becomes 0).
+ * GN_FORMAT_D16 and D24 hold round-half-even(depth * (2^n - 1)), computed exactly.
+ * A bad surface gives the statuses of gn_target_check. */
+GN_API gn_status gn_clear_depth(const gn_surface *surface, float depth);
+
+GN_END
+
+#endif

@@ -1,0 +1,112 @@
+/* Validation of what a draw is given: the first fault, named. */
+#include "gnomon/draw.h"
+
+static bool is_finite(float x)
+{
+    return x - x == 0.0f;
+}
+
+static gn_status check_viewport(const gn_viewport *v)
+{
+    const float limit = (float)GN_MAX_SIZE;
+
+    if (!v->set)
+        return GN_OK;
+    if (!is_finite(v->x) || !is_finite(v->y) || !is_finite(v->width) || !is_finite(v->height))
+        return GN_NOT_FINITE;
+    if (v->width < 0.0f || v->height < 0.0f || v->width > limit || v->height > limit ||
+        v->x < -limit || v->y < -limit || v->x > limit || v->y > limit)
+        return GN_INVALID_VIEWPORT;
+    return GN_OK;
+}
+
+static gn_status check_depth_range(const gn_depth_range *r)
+{
+    if (!r->set)
+        return GN_OK;
+    if (!is_finite(r->z_near) || !is_finite(r->z_far))
+        return GN_NOT_FINITE;
+    if (r->z_near < 0.0f || r->z_near > 1.0f || r->z_far < 0.0f || r->z_far > 1.0f)
+        return GN_OUT_OF_RANGE;
+    return GN_OK;
+}
+
+gn_status gn_pipeline_check(const gn_pipeline *pipeline)
+{
+    gn_status status;
+
+    if (!pipeline)
+        return GN_NULL_POINTER;
+    if (!pipeline->vertex_shader)
+        return GN_NO_SHADER;
+    if (pipeline->varying_count > GN_MAX_VARYINGS)
+        return GN_TOO_MANY_VARYINGS;
+    for (uint32_t n = 0; n < pipeline->varying_count; ++n) {
+        if ((unsigned)pipeline->interpolation[n] > GN_FLAT)
+            return GN_INVALID_ENUM;
+    }
+    if ((unsigned)pipeline->topology > GN_TRIANGLE_FAN ||
+        (unsigned)pipeline->provoking_vertex > GN_PROVOKING_FIRST ||
+        (unsigned)pipeline->cull > GN_CULL_FRONT_AND_BACK ||
+        (unsigned)pipeline->front_face > GN_FRONT_CLOCKWISE)
+        return GN_INVALID_ENUM;
+    status = check_viewport(&pipeline->viewport);
+    if (status)
+        return status;
+    status = check_depth_range(&pipeline->depth_range);
+    if (status)
+        return status;
+    if ((unsigned)pipeline->depth_function > GN_ALWAYS)
+        return GN_INVALID_ENUM;
+    return GN_OK;
+}
+
+/* The largest of the indices that are drawn. */
+static uint32_t largest_index(const gn_mesh *mesh)
+{
+    uint32_t largest = 0;
+
+    for (uint32_t i = 0; i < mesh->count; ++i) {
+        const size_t at = (size_t)mesh->first + i;
+        const uint32_t index = mesh->index_format == GN_INDEX_UINT8
+                                   ? ((const uint8_t *)mesh->indices)[at]
+                               : mesh->index_format == GN_INDEX_UINT16
+                                   ? ((const uint16_t *)mesh->indices)[at]
+                                   : ((const uint32_t *)mesh->indices)[at];
+        if (index > largest)
+            largest = index;
+    }
+    return largest;
+}
+
+gn_status gn_mesh_check(const gn_mesh *mesh)
+{
+    if (!mesh)
+        return GN_NULL_POINTER;
+    if ((unsigned)mesh->index_format > GN_INDEX_UINT32)
+        return GN_INVALID_ENUM;
+
+    const bool indexed = mesh->index_format != GN_INDEX_NONE;
+    if (indexed && !mesh->indices && mesh->count > 0)
+        return GN_NULL_POINTER;
+    if ((mesh->index_format == GN_INDEX_UINT16 && (uintptr_t)mesh->indices % 2 != 0) ||
+        (mesh->index_format == GN_INDEX_UINT32 && (uintptr_t)mesh->indices % 4 != 0))
+        return GN_MISALIGNED;
+
+    for (int a = 0; a < GN_MAX_ATTRIBUTES; ++a) {
+        const gn_attribute *attribute = &mesh->attribute[a];
+
+        if (!attribute->data)
+            continue;
+        if ((uintptr_t)attribute->data % 4 != 0)
+            return GN_MISALIGNED;
+        if (attribute->components < 1 || attribute->components > 4 || attribute->stride % 4 != 0)
+            return GN_INVALID_ATTRIBUTE;
+    }
+    if (mesh->count == 0)
+        return GN_OK;
+    if (indexed ? largest_index(mesh) >= mesh->vertex_count
+                : mesh->count > mesh->vertex_count || mesh->first > mesh->vertex_count - mesh->count)
+        return GN_INDEX_OUT_OF_RANGE;
+    return GN_OK;
+}

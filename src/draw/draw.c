@@ -1,0 +1,236 @@
+/* The draw: validates, then runs the stages over the mesh in parts that fit the
+ * workspace. */
+#include "gnomon/draw.h"
+
+#include "../fragment/fragment.h"
+#include "../geometry/geometry.h"
+
+/* Batches must be aligned for their floats; a cache line serves lanes best. */
+#define BATCH_ALIGNMENT 64
+
+size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count)
+{
+    const uint64_t batches =
+        ((uint64_t)vertex_count + GN_LANES - 1) / GN_LANES + (vertex_count == 0 ? 2 : 1);
+    const uint64_t batch = (GN_WORKSPACE_VERTEX_SIZE + 4 * (uint64_t)varying_count) * GN_LANES;
+
+    /* 2^28 batches of less than 2^39 bytes do not overflow where varying_count is
+     * within its limit; beyond it nothing can be drawn. */
+    if (varying_count > GN_MAX_VARYINGS || batches * batch > SIZE_MAX - BATCH_ALIGNMENT)
+        return SIZE_MAX;
+    return (size_t)(batches * batch) + BATCH_ALIGNMENT;
+}
+
+/* Where the vertices of a part come from. The elements of a draw are its indices,
+ * or its vertices where it has none. If a part is `shared`, its slots are the vertices
+ * base, base + 1, ... and an element finds its slot by its index; otherwise slot i is
+ * the part's element i, shaded as often as it occurs. */
+typedef struct draw_part {
+    bool shared;
+    uint32_t base;
+    uint32_t first_element; /* of the part, from the mesh's first */
+} draw_part;
+
+typedef struct draw_state {
+    const gn_pipeline *pipeline;
+    const gn_mesh *mesh;
+    vertex_store store;
+    uint32_t capacity; /* batches for vertices; the one after them is the clipper's */
+    viewport_transform viewport;
+    setup_state setup;
+    fragment_state fragment;
+} draw_state;
+
+static uint32_t element_vertex(const gn_mesh *mesh, uint32_t element)
+{
+    const size_t at = (size_t)mesh->first + element;
+
+    switch (mesh->index_format) {
+    case GN_INDEX_UINT8:
+        return ((const uint8_t *)mesh->indices)[at];
+    case GN_INDEX_UINT16:
+        return ((const uint16_t *)mesh->indices)[at];
+    case GN_INDEX_UINT32:
+        return ((const uint32_t *)mesh->indices)[at];
+    default:
+        return (uint32_t)at;
+    }
+}
+
+/* The vertex in a slot of a part. A fan's part keeps the fan's first element in
+ * slot 0. */
+static uint32_t slot_vertex(const draw_state *draw, const draw_part *part, uint32_t slot)
+{
+    if (part->shared)
+        return part->base + slot;
+    if (draw->pipeline->topology == GN_TRIANGLE_FAN && slot == 0)
+        return element_vertex(draw->mesh, 0);
+    return element_vertex(draw->mesh, part->first_element + slot);
+}
+
+static void shade_vertices(const draw_state *draw, const draw_part *part, uint32_t slot_count)
+{
+    float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES];
+    uint32_t vertex_id[GN_LANES];
+    gn_vertex_input input;
+    gn_vertex_output output;
+
+    input.attribute = (const float(*)[4][GN_LANES])attribute;
+    input.vertex_id = vertex_id;
+    for (uint32_t slot = 0; slot < slot_count; slot += GN_LANES) {
+        vertex_batch *batch = vertex_batch_of(&draw->store, slot);
+        const uint32_t count = slot_count - slot < GN_LANES ? slot_count - slot : GN_LANES;
+
+        for (uint32_t l = 0; l < GN_LANES; ++l)
+            vertex_id[l] = slot_vertex(draw, part, slot + (l < count ? l : count - 1));
+        gn_fetch_attributes(draw->mesh, vertex_id, attribute);
+        input.count = count;
+        output.position = batch->clip;
+        output.varying = batch->varying;
+        draw->pipeline->vertex_shader(draw->pipeline->uniforms, &input, &output);
+        gn_transform_batch(&draw->viewport, batch);
+    }
+}
+
+static uint32_t outcode_of(const draw_state *draw, uint32_t slot)
+{
+    return vertex_batch_of(&draw->store, slot)->outcode[slot % GN_LANES];
+}
+
+static void rasterize(draw_state *draw, const vertex_triangle *triangle)
+{
+    raster_triangle raster;
+
+    if (gn_setup_triangle(&draw->setup, &draw->store, triangle, &raster))
+        gn_cover_triangle(&raster, gn_shade_block, &draw->fragment);
+}
+
+static void draw_triangle(draw_state *draw, const vertex_triangle *triangle)
+{
+    const uint32_t a = outcode_of(draw, triangle->slot[0]);
+    const uint32_t b = outcode_of(draw, triangle->slot[1]);
+    const uint32_t c = outcode_of(draw, triangle->slot[2]);
+
+    if (a & b & c)
+        return;
+    if (!(a | b | c)) {
+        rasterize(draw, triangle);
+        return;
+    }
+
+    vertex_triangle clipped[CLIP_MAX_POLYGON - 2];
+    const uint32_t count = gn_clip_triangle(draw->pipeline, &draw->viewport, &draw->store,
+                                            draw->capacity, a | b | c, triangle, clipped);
+    for (uint32_t i = 0; i < count; ++i)
+        rasterize(draw, &clipped[i]);
+}
+
+/* Shades a part's vertices and draws triangles first to first + count - 1. */
+static void draw_part_triangles(draw_state *draw, const draw_part *part, uint32_t slot_count,
+                                uint32_t first, uint32_t count)
+{
+    const gn_pipeline *p = draw->pipeline;
+
+    shade_vertices(draw, part, slot_count);
+    for (uint32_t i = first; i < first + count; ++i) {
+        vertex_triangle t = gn_assemble_triangle(p->topology, p->provoking_vertex, i);
+        uint32_t *const element[4] = {&t.slot[0], &t.slot[1], &t.slot[2], &t.provoking};
+
+        for (int n = 0; n < 4; ++n) {
+            if (part->shared)
+                *element[n] = element_vertex(draw->mesh, *element[n]) - part->base;
+            else if (p->topology != GN_TRIANGLE_FAN || *element[n] != 0)
+                *element[n] -= part->first_element;
+        }
+        draw_triangle(draw, &t);
+    }
+}
+
+/* Draws by elements, as many triangles at a time as the workspace has slots for. */
+static void draw_by_elements(draw_state *draw, uint32_t triangle_count)
+{
+    const gn_topology topology = draw->pipeline->topology;
+    const uint32_t slots = draw->capacity * GN_LANES;
+    const uint32_t step = topology == GN_TRIANGLES ? slots / 3 : slots - 2;
+
+    for (uint32_t first = 0; first < triangle_count; first += step) {
+        const uint32_t count = triangle_count - first < step ? triangle_count - first : step;
+        draw_part part;
+
+        part.shared = false;
+        part.base = 0;
+        part.first_element = topology == GN_TRIANGLES ? 3 * first : first;
+        draw_part_triangles(draw, &part, topology == GN_TRIANGLES ? 3 * count : count + 2, first,
+                            count);
+    }
+}
+
+/* Shades the range of vertices that the elements name once, where it fits the
+ * workspace and is no longer than the elements. */
+static bool draw_shared(draw_state *draw, uint32_t triangle_count)
+{
+    const gn_mesh *mesh = draw->mesh;
+    uint32_t low = UINT32_MAX;
+    uint32_t high = 0;
+
+    if (mesh->index_format == GN_INDEX_NONE)
+        return false;
+    for (uint32_t i = 0; i < mesh->count; ++i) {
+        const uint32_t vertex = element_vertex(mesh, i);
+
+        low = vertex < low ? vertex : low;
+        high = vertex > high ? vertex : high;
+    }
+    if (high - low >= mesh->count || (high - low) / GN_LANES >= draw->capacity)
+        return false;
+
+    draw_part part;
+    part.shared = true;
+    part.base = low;
+    part.first_element = 0;
+    draw_part_triangles(draw, &part, high - low + 1, 0, triangle_count);
+    return true;
+}
+
+gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
+                  const gn_workspace *workspace)
+{
+    gn_status status = gn_target_check(target);
+
+    if (!status)
+        status = gn_pipeline_check(pipeline);
+    if (!status)
+        status = gn_mesh_check(mesh);
+    if (status)
+        return status;
+    if (target->color.format != GN_FORMAT_NONE && !pipeline->fragment_shader)
+        return GN_NO_SHADER;
+    if (!workspace || !workspace->memory)
+        return GN_NULL_POINTER;
+    if (workspace->size < gn_workspace_size(0, pipeline->varying_count))
+        return GN_WORKSPACE_TOO_SMALL;
+
+    const uint32_t triangle_count = gn_triangle_count(pipeline->topology, mesh->count);
+    const gn_surface *any =
+        target->color.format != GN_FORMAT_NONE ? &target->color : &target->depth;
+    const size_t skip = (0 - (uintptr_t)workspace->memory) & (BATCH_ALIGNMENT - 1);
+    const size_t batch_size = vertex_batch_size(pipeline->varying_count);
+    const size_t batches = (workspace->size - skip) / batch_size;
+    draw_state draw;
+
+    draw.pipeline = pipeline;
+    draw.mesh = mesh;
+    draw.store.memory = (unsigned char *)workspace->memory + skip;
+    draw.store.batch_size = batch_size;
+    draw.capacity = batches - 1 < UINT32_MAX / GN_LANES / 2 ? (uint32_t)(batches - 1)
+                                                            : UINT32_MAX / GN_LANES / 2;
+    draw.viewport = gn_viewport_transform(pipeline, any->width, any->height);
+    draw.setup.pipeline = pipeline;
+    draw.setup.width = any->width;
+    draw.setup.height = any->height;
+    draw.fragment = gn_fragment_state(target, pipeline);
+
+    if (triangle_count > 0 && !draw_shared(&draw, triangle_count))
+        draw_by_elements(&draw, triangle_count);
+    return GN_OK;
+}

@@ -1,0 +1,32 @@
+/* The statuses in words. */
+#include "gnomon/status.h"
+
+/* Fixed-width text, since a table of pointers would need relocation. */
+static const char texts[GN_STATUS_COUNT][64] = {
+    "no error",
+    "a required pointer is null",
+    "a number is NaN or infinite",
+    "a number is out of range",
+    "a direction has no length, or two directions are parallel",
+    "the matrix is singular",
+    "an enumeration field holds none of its values",
+    "a width or height is zero or too large",
+    "the format does not fit its use",
+    "the row stride is shorter than a row",
+    "memory or a stride is not aligned to its element",
+    "the surfaces of the target differ in size",
+    "the target has neither colour nor depth",
+    "the pipeline lacks a shader",
+    "the pipeline has too many varyings",
+    "an attribute has a bad component count or stride",
+    "the viewport has a negative or too large size or origin",
+    "an index or range lies outside the vertex arrays",
+    "the workspace is too small",
+};
+
+const char *gn_status_text(gn_status status)
+{
+    if ((unsigned)status >= GN_STATUS_COUNT)
+        return "unknown status";
+    return texts[status];
+}

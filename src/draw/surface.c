@@ -1,0 +1,187 @@
+/* Surfaces: construction, validation and clears. */
+#include "gnomon/surface.h"
+
+#include "../fragment/fragment.h"
+
+size_t gn_format_size(gn_format format)
+{
+    switch (format) {
+    case GN_FORMAT_RGBA8:
+    case GN_FORMAT_D24:
+    case GN_FORMAT_D32F:
+        return 4;
+    case GN_FORMAT_RGBA32F:
+        return 16;
+    case GN_FORMAT_D16:
+        return 2;
+    default:
+        return 0;
+    }
+}
+
+gn_surface gn_surface_bottom_up(void *memory, gn_format format, uint32_t width, uint32_t height)
+{
+    gn_surface s;
+
+    s.pixels = memory;
+    s.row_stride = (ptrdiff_t)(width * gn_format_size(format));
+    s.width = width;
+    s.height = height;
+    s.format = format;
+    return s;
+}
+
+gn_surface gn_surface_top_down(void *memory, gn_format format, uint32_t width, uint32_t height)
+{
+    gn_surface s = gn_surface_bottom_up(memory, format, width, height);
+
+    if (memory && height > 0)
+        s.pixels = (unsigned char *)memory + (ptrdiff_t)(height - 1) * s.row_stride;
+    s.row_stride = -s.row_stride;
+    return s;
+}
+
+static bool is_color_format(gn_format format)
+{
+    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F;
+}
+
+static bool is_depth_format(gn_format format)
+{
+    return format == GN_FORMAT_D16 || format == GN_FORMAT_D24 || format == GN_FORMAT_D32F;
+}
+
+static gn_status check_surface(const gn_surface *s, bool format_fits)
+{
+    const size_t element = s->format == GN_FORMAT_D16 ? 2 : 4;
+    const size_t stride = s->row_stride < 0 ? 0 - (size_t)s->row_stride : (size_t)s->row_stride;
+
+    if (!format_fits)
+        return GN_INVALID_FORMAT;
+    if (s->width == 0 || s->width > GN_MAX_SIZE || s->height == 0 || s->height > GN_MAX_SIZE)
+        return GN_INVALID_SIZE;
+    if (!s->pixels)
+        return GN_NULL_POINTER;
+    if ((uintptr_t)s->pixels % element != 0 || stride % element != 0)
+        return GN_MISALIGNED;
+    if (stride < s->width * gn_format_size(s->format) && s->height > 1)
+        return GN_INVALID_STRIDE;
+    return GN_OK;
+}
+
+gn_status gn_target_check(const gn_target *target)
+{
+    gn_status status = GN_OK;
+
+    if (!target)
+        return GN_NULL_POINTER;
+
+    const bool color = target->color.format != GN_FORMAT_NONE;
+    const bool depth = target->depth.format != GN_FORMAT_NONE;
+    if (!color && !depth)
+        return GN_NO_SURFACE;
+    if (color)
+        status = check_surface(&target->color, is_color_format(target->color.format));
+    if (depth && !status)
+        status = check_surface(&target->depth, is_depth_format(target->depth.format));
+    if (!status && color && depth &&
+        (target->color.width != target->depth.width || target->color.height != target->depth.height))
+        status = GN_SIZE_MISMATCH;
+    return status;
+}
+
+/* What the reference's clear makes of a channel; unlike a fragment's conversion it
+ * saturates before rounding. */
+static uint32_t clear_unorm8(float c)
+{
+    if (!(c > 0.0f))
+        return 0;
+    if (c >= 1.0f)
+        return 255;
+    return (uint32_t)gn_unorm8(lanes_splat(c)).v[0];
+}
+
+gn_status gn_clear_color(const gn_surface *surface, float red, float green, float blue,
+                         float alpha)
+{
+    if (!surface)
+        return GN_NULL_POINTER;
+
+    const gn_status status = check_surface(surface, is_color_format(surface->format));
+    if (status)
+        return status;
+
+    const uint32_t packed = clear_unorm8(red) | clear_unorm8(green) << 8 |
+                            clear_unorm8(blue) << 16 | clear_unorm8(alpha) << 24;
+    for (uint32_t y = 0; y < surface->height; ++y) {
+        void *const row = surface_row(surface, y);
+
+        if (surface->format == GN_FORMAT_RGBA8) {
+            uint32_t *const out = row;
+            for (uint32_t x = 0; x < surface->width; ++x)
+                out[x] = packed;
+        } else {
+            float *const out = row;
+            for (uint32_t x = 0; x < surface->width; ++x) {
+                out[4 * x] = red;
+                out[4 * x + 1] = green;
+                out[4 * x + 2] = blue;
+                out[4 * x + 3] = alpha;
+            }
+        }
+    }
+    return GN_OK;
+}
+
+/* round-half-even(depth * scale) without rounding the product: a float in (0, 1) is
+ * mantissa * 2^-shift, and the product of mantissa and scale has at most 48 bits. */
+static uint32_t scale_exactly(float depth, uint32_t scale)
+{
+    uint32_t shift = 0;
+
+    while (depth < 8388608.0f && shift < 64) {
+        depth *= 2.0f;
+        ++shift;
+    }
+    const uint64_t product = (uint64_t)(uint32_t)depth * scale;
+    if (shift > 48)
+        return 0; /* below 2^48 * 2^-49 */
+
+    const uint64_t whole = product >> shift;
+    const uint64_t rest = product - (whole << shift);
+    const uint64_t half = shift > 0 ? (uint64_t)1 << (shift - 1) : 1;
+    const bool up = shift > 0 && (rest > half || (rest == half && (whole & 1)));
+    return (uint32_t)(whole + up);
+}
+
+gn_status gn_clear_depth(const gn_surface *surface, float depth)
+{
+    if (!surface)
+        return GN_NULL_POINTER;
+
+    const gn_status status = check_surface(surface, is_depth_format(surface->format));
+    if (status)
+        return status;
+
+    const float z = !(depth > 0.0f) ? 0.0f : depth > 1.0f ? 1.0f : depth;
+    const uint32_t d16 = scale_exactly(z, 65535);
+    const uint32_t d24 = scale_exactly(z, 16777215);
+    for (uint32_t y = 0; y < surface->height; ++y) {
+        void *const row = surface_row(surface, y);
+
+        for (uint32_t x = 0; x < surface->width; ++x) {
+            switch (surface->format) {
+            case GN_FORMAT_D16:
+                ((uint16_t *)row)[x] = (uint16_t)d16;
+                break;
+            case GN_FORMAT_D24:
+                ((uint32_t *)row)[x] = d24;
+                break;
+            default:
+                ((float *)row)[x] = z;
+                break;
+            }
+        }
+    }
+    return GN_OK;
+}

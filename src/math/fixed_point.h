@@ -1,0 +1,49 @@
+/* 64-bit fixed-point arithmetic from 32-bit products, which every target has
+ * without a support library. "Q64" is an unsigned fraction in units of 2^-64. */
+#ifndef GNOMON_MATH_FIXED_POINT_H
+#define GNOMON_MATH_FIXED_POINT_H
+
+#include <stdint.h>
+
+#include "bits.h"
+
+/* floor(a * b / 2^64): the product of two Q64 fractions, low by less than one
+ * unit. The middle sum is at most 2 * (2^32 - 1) + (2^32 - 1)^2 < 2^64. */
+static inline uint64_t gn_multiply_high(uint64_t a, uint64_t b)
+{
+    uint64_t a_low = a & 0xFFFFFFFFu, a_high = a >> 32;
+    uint64_t b_low = b & 0xFFFFFFFFu, b_high = b >> 32;
+    uint64_t cross = a_high * b_low + (a_low * b_low >> 32);
+    uint64_t middle = a_low * b_high + (cross & 0xFFFFFFFFu);
+    return a_high * b_high + (cross >> 32) + (middle >> 32);
+}
+
+/* The number of zeros above the highest set bit; 63 for both 1 and 0. */
+static inline unsigned gn_leading_zeros(uint64_t x)
+{
+    unsigned zeros = 0;
+    for (unsigned step = 32; step > 0; step >>= 1) {
+        if (x >> (64 - step) == 0) {
+            zeros += step;
+            x <<= step;
+        }
+    }
+    return zeros;
+}
+
+/* The float nearest to significand * 2^(-64 - shift), for a significand of at
+ * least 2^62 and a result in the normal range. No tie is looked for: the caller's
+ * numbers are irrational. A carry out of the fraction runs into the exponent,
+ * which is what rounding up to a power of two means. */
+static inline float gn_round_to_float(uint64_t significand, unsigned shift, uint32_t sign)
+{
+    if (significand >> 63 == 0) {
+        significand <<= 1;
+        shift += 1;
+    }
+    /* 24 bits remain, the highest of which adds one to the exponent field. */
+    uint32_t rounded = (uint32_t)((significand >> 40) + (significand >> 39 & 1));
+    return gn_float_from_bits((((uint32_t)125 - shift) << 23) + rounded + sign);
+}
+
+#endif

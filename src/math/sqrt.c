@@ -1,0 +1,83 @@
+/* Square root: the processor's instruction where IEEE 754 makes it exact, and
+ * digit by digit in integers elsewhere. Both give the same bits. */
+#include <gnomon/scalar.h>
+
+#include <stdint.h>
+
+#include "bits.h"
+#include "sqrt.h"
+
+float gn_sqrt_integer(float x)
+{
+    uint32_t bits = gn_float_bits(x);
+    if ((bits & ~GN_SIGN_BIT) == 0 || bits == GN_EXPONENT_BITS) {
+        return x; /* both zeros, infinity */
+    }
+    if (bits > GN_EXPONENT_BITS) {
+        return gn_float_from_bits(GN_NAN_BITS); /* NaN, or a sign bit */
+    }
+
+    /* x = significand * 2^(exponent - 150), 2^23 <= significand < 2^24. */
+    int32_t exponent = (int32_t)(bits >> 23);
+    uint32_t significand = bits & GN_FRACTION_BITS;
+    if (exponent == 0) {
+        exponent = 1;
+        while (significand < GN_HIDDEN_BIT) {
+            significand <<= 1;
+            exponent -= 1;
+        }
+    } else {
+        significand |= GN_HIDDEN_BIT;
+    }
+
+    /* With s = significand, doubled where that makes the power of two even,
+     * the root is floor(sqrt(s * 2^25)) in 25 bits, found from the top: root is
+     * the prefix, remainder the rest of s * 2^25 under its square. s * 2^25 has
+     * 50 bits at most; two of them come down a step. 2^48 <= s * 2^25 makes the
+     * first of the 25 bits a one. */
+    if ((exponent & 1) == 0) {
+        significand <<= 1;
+    }
+    uint32_t digits = significand << 7; /* the next bits of s are on top */
+    uint32_t root = 0, remainder = 0;
+    for (int step = 0; step < 25; ++step) {
+        uint32_t trial = root << 2 | 1;
+        remainder = remainder << 2 | digits >> 30;
+        digits <<= 2;
+        root <<= 1;
+        if (remainder >= trial) {
+            remainder -= trial;
+            root |= 1;
+        }
+    }
+
+    /* Round the 25th bit away. A root of 25 bits ending in one squares to 50
+     * bits, more than s has, so the exact root is never the tie itself. */
+    uint32_t rounded = (root >> 1) + (root & 1);
+    uint32_t result_exponent = (uint32_t)((exponent + 127) >> 1) - 1;
+    return gn_float_from_bits((result_exponent << 23) + rounded);
+}
+
+float gn_sqrt(float x)
+{
+#if defined(__GNUC__) && defined(__SSE2__)
+    /* The builtin is the instruction, unlike __builtin_sqrtf, which also calls
+     * the library's function to set errno. */
+    typedef float lanes __attribute__((__vector_size__(16)));
+    lanes value = {x, 0.0f, 0.0f, 0.0f};
+    if (!(x >= 0.0f)) {
+        return gn_float_from_bits(GN_NAN_BITS);
+    }
+    value = __builtin_ia32_sqrtss(value);
+    return value[0];
+#elif defined(__GNUC__) && defined(__aarch64__)
+    float root;
+    if (!(x >= 0.0f)) {
+        return gn_float_from_bits(GN_NAN_BITS);
+    }
+    __asm__("fsqrt %s0, %s1" : "=w"(root) : "w"(x));
+    return root;
+#else
+    return gn_sqrt_integer(x);
+#endif
+}

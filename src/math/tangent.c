@@ -1,0 +1,61 @@
+/* Tangent: the quotient of the fixed-point sine and cosine, rounded once. */
+#include <gnomon/scalar.h>
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "angle.h"
+#include "bits.h"
+
+/* The float nearest to numerator / denominator * 2^exponent, for two numbers of
+ * [2^62, 2^64), by long division: the quotient's 24 bits and the next one, which
+ * decides the rounding (the quotient is irrational, so it is never a tie).
+ * Halving them first leaves the sign bit free for the doubled remainder and
+ * costs 2^-62 of relative error each. */
+static float quotient_to_float(uint64_t numerator, uint64_t denominator, int exponent,
+                               uint32_t sign)
+{
+    uint64_t remainder = numerator >> 1, divisor = denominator >> 1;
+    /* Of either size: bring the quotient into [1, 2). The ratio is within
+     * 1/4 .. 4, so two steps at most on either side. */
+    while (remainder < divisor) {
+        remainder <<= 1;
+        exponent -= 1;
+    }
+    while (remainder >> 1 >= divisor) {
+        divisor <<= 1;
+        exponent += 1;
+    }
+    uint32_t quotient = 0;
+    for (int step = 0; step < 25; ++step) {
+        quotient <<= 1;
+        if (remainder >= divisor) {
+            remainder -= divisor;
+            quotient |= 1;
+        }
+        remainder <<= 1;
+    }
+    uint32_t rounded = (quotient >> 1) + (quotient & 1);
+    return gn_float_from_bits(((uint32_t)(exponent + 126) << 23) + rounded + sign);
+}
+
+float gn_tan(float x)
+{
+    uint32_t sign = gn_float_bits(x) & GN_SIGN_BIT;
+    uint32_t magnitude = gn_float_bits(x) & ~GN_SIGN_BIT;
+    if (magnitude >= GN_EXPONENT_BITS) {
+        return gn_float_from_bits(GN_NAN_BITS);
+    }
+    if (magnitude < GN_SMALL_ANGLE_BITS) {
+        return x;
+    }
+    gn_reduced_angle angle = gn_reduce_angle(magnitude);
+    uint64_t sine = gn_fixed_sine(&angle), cosine = gn_fixed_cosine(&angle);
+    if (angle.negative) {
+        sign ^= GN_SIGN_BIT;
+    }
+    if ((angle.quadrant & 1) != 0) { /* tan(pi/2 + r) = -cos r / sin r */
+        return quotient_to_float(cosine, sine, (int)angle.shift, sign ^ GN_SIGN_BIT);
+    }
+    return quotient_to_float(sine, cosine, -(int)angle.shift, sign);
+}

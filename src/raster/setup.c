@@ -1,0 +1,211 @@
+/* Triangle set-up: winding and culling, edge functions with the tie rule folded
+ * in, and the planes of depth, 1/w and the varyings. Coverage is decided on
+ * snapped coordinates in integers (exact), attributes on the unsnapped ones
+ * (OpenGL 4.5 section 14.6.1; Pineda 1988 for edge functions). */
+#include "raster.h"
+
+#if (-1 >> 1) != -1
+#error "right shifts of negative numbers must round down"
+#endif
+
+/* Beyond this a snapped coordinate is not one of a vertex inside a viewport:
+ * GN_MAX_SIZE on either side of an origin within GN_MAX_SIZE. Within it
+ * everything below stays under 2^52. */
+#define SNAPPED_LIMIT (2 * GN_MAX_SIZE * 256 + 256)
+
+/* The vertices in the order of the edges, gathered from their batches. */
+typedef struct setup_vertices {
+    const vertex_batch *batch[3];
+    uint32_t lane[3];
+    int64_t x[3], y[3]; /* snapped */
+} setup_vertices;
+
+static void gather_vertex(setup_vertices *v, int i, const vertex_store *store, uint32_t slot)
+{
+    v->batch[i] = vertex_batch_of(store, slot);
+    v->lane[i] = slot % GN_LANES;
+    v->x[i] = v->batch[i]->snapped[0][v->lane[i]];
+    v->y[i] = v->batch[i]->snapped[1][v->lane[i]];
+}
+
+static bool snapped_in_range(const setup_vertices *v)
+{
+    for (int i = 0; i < 3; ++i) {
+        if (v->x[i] > SNAPPED_LIMIT || v->x[i] < -SNAPPED_LIMIT || v->y[i] > SNAPPED_LIMIT ||
+            v->y[i] < -SNAPPED_LIMIT)
+            return false;
+    }
+    return true;
+}
+
+static bool is_culled(const gn_pipeline *pipeline, bool clockwise)
+{
+    const bool front = clockwise == (pipeline->front_face == GN_FRONT_CLOCKWISE);
+
+    switch (pipeline->cull) {
+    case GN_CULL_BACK:
+        return !front;
+    case GN_CULL_FRONT:
+        return front;
+    case GN_CULL_FRONT_AND_BACK:
+        return true;
+    default:
+        return false;
+    }
+}
+
+static int64_t least(int64_t a, int64_t b, int64_t c)
+{
+    const int64_t d = a < b ? a : b;
+    return d < c ? d : c;
+}
+
+static int64_t greatest(int64_t a, int64_t b, int64_t c)
+{
+    const int64_t d = a > b ? a : b;
+    return d > c ? d : c;
+}
+
+static int32_t clamp_to(int64_t x, int64_t low, int64_t high)
+{
+    return (int32_t)(x < low ? low : x > high ? high : x);
+}
+
+/* Pixels whose centre (256 * px in snapped coordinates) lies between the extremes. */
+static bool bound(const setup_state *state, const setup_vertices *v, raster_triangle *out)
+{
+    const int64_t min_x = (least(v->x[0], v->x[1], v->x[2]) + 255) >> 8;
+    const int64_t min_y = (least(v->y[0], v->y[1], v->y[2]) + 255) >> 8;
+    const int64_t max_x = greatest(v->x[0], v->x[1], v->x[2]) >> 8;
+    const int64_t max_y = greatest(v->y[0], v->y[1], v->y[2]) >> 8;
+    const int64_t right = (int64_t)state->width - 1;
+    const int64_t top = (int64_t)state->height - 1;
+
+    if (min_x > max_x || min_y > max_y || max_x < 0 || max_y < 0 || min_x > right || min_y > top)
+        return false;
+    out->min_x = clamp_to(min_x, 0, right);
+    out->min_y = clamp_to(min_y, 0, top);
+    out->max_x = clamp_to(max_x, 0, right);
+    out->max_y = clamp_to(max_y, 0, top);
+    return true;
+}
+
+/* A pixel is inside where C - 256*dx*px + 256*dy*py > 0, C having 1 added on edges
+ * that own their ties. With integers, C + 256*k > 0 is floor((C - 1) / 256) + k >= 0,
+ * which leaves steps small enough for 32 bits within a block. */
+static void set_up_edges(const setup_vertices *v, raster_triangle *out)
+{
+    for (int i = 0; i < 3; ++i) {
+        const int j = i == 2 ? 0 : i + 1;
+        const int64_t dx = v->y[i] - v->y[j];
+        const int64_t dy = v->x[i] - v->x[j];
+        const int64_t owns_ties = dx < 0 || (dx == 0 && dy > 0);
+        const int64_t c = dx * v->x[i] - dy * v->y[i] + owns_ties;
+
+        out->edge[i].constant = (c - 1) >> 8;
+        out->edge[i].per_x = (int32_t)dx;
+        out->edge[i].per_y = (int32_t)dy;
+    }
+}
+
+/* Window differences of the vertices, divided by the triangle's area. */
+typedef struct plane_basis {
+    float x0, y0; /* vertex 0, from the pixel's centre */
+    float dx01, dy01, dx20, dy20;
+} plane_basis;
+
+static plane_basis make_basis(const setup_vertices *v)
+{
+    const float x0 = v->batch[0]->window[0][v->lane[0]];
+    const float y0 = v->batch[0]->window[1][v->lane[0]];
+    const float dx01 = x0 - v->batch[1]->window[0][v->lane[1]];
+    const float dy01 = y0 - v->batch[1]->window[1][v->lane[1]];
+    const float dx20 = v->batch[2]->window[0][v->lane[2]] - x0;
+    const float dy20 = v->batch[2]->window[1][v->lane[2]] - y0;
+    const float one_over_area = 1.0f / (dx01 * dy20 - dx20 * dy01);
+    plane_basis b;
+
+    b.x0 = x0 - 0.5f;
+    b.y0 = y0 - 0.5f;
+    b.dx01 = dx01 * one_over_area;
+    b.dy01 = dy01 * one_over_area;
+    b.dx20 = dx20 * one_over_area;
+    b.dy20 = dy20 * one_over_area;
+    return b;
+}
+
+static attribute_plane make_plane(const plane_basis *b, float a0, float a1, float a2)
+{
+    const float da01 = a0 - a1;
+    const float da20 = a2 - a0;
+    attribute_plane p;
+
+    p.per_x = da01 * b->dy20 - da20 * b->dy01;
+    p.per_y = da20 * b->dx01 - da01 * b->dx20;
+    p.origin = a0 - (p.per_x * b->x0 + p.per_y * b->y0);
+    return p;
+}
+
+static void set_up_planes(const gn_pipeline *pipeline, const setup_vertices *v,
+                          const vertex_batch *provoking, uint32_t provoking_lane,
+                          raster_triangle *out)
+{
+    const plane_basis basis = make_basis(v);
+    float w[3];
+
+    for (int i = 0; i < 3; ++i)
+        w[i] = v->batch[i]->window[3][v->lane[i]];
+    out->depth = make_plane(&basis, v->batch[0]->window[2][v->lane[0]],
+                            v->batch[1]->window[2][v->lane[1]],
+                            v->batch[2]->window[2][v->lane[2]]);
+    out->one_over_w = make_plane(&basis, w[0], w[1], w[2]);
+
+    for (uint32_t n = 0; n < pipeline->varying_count; ++n) {
+        float a[3];
+
+        for (int i = 0; i < 3; ++i)
+            a[i] = v->batch[i]->varying[n][v->lane[i]];
+        switch (pipeline->interpolation[n]) {
+        case GN_FLAT:
+            out->varying[n].origin = provoking->varying[n][provoking_lane];
+            out->varying[n].per_x = 0.0f;
+            out->varying[n].per_y = 0.0f;
+            break;
+        case GN_NOPERSPECTIVE:
+            out->varying[n] = make_plane(&basis, a[0], a[1], a[2]);
+            break;
+        default:
+            out->varying[n] = make_plane(&basis, a[0] * w[0], a[1] * w[1], a[2] * w[2]);
+            break;
+        }
+    }
+}
+
+bool gn_setup_triangle(const setup_state *state, const vertex_store *store,
+                       const vertex_triangle *triangle, raster_triangle *out)
+{
+    const gn_pipeline *pipeline = state->pipeline;
+    setup_vertices v;
+
+    for (int i = 0; i < 3; ++i)
+        gather_vertex(&v, i, store, triangle->slot[i]);
+    if (!snapped_in_range(&v))
+        return false;
+
+    const int64_t area =
+        (v.x[0] - v.x[1]) * (v.y[2] - v.y[0]) - (v.x[2] - v.x[0]) * (v.y[0] - v.y[1]);
+    if (area == 0 || is_culled(pipeline, area > 0) || !bound(state, &v, out))
+        return false;
+
+    /* Inside is to one side of every edge only in one winding; the provoking vertex
+     * keeps its place. */
+    if (area < 0) {
+        const bool first = pipeline->provoking_vertex == GN_PROVOKING_FIRST;
+        gather_vertex(&v, first ? 1 : 0, store, triangle->slot[first ? 2 : 1]);
+        gather_vertex(&v, first ? 2 : 1, store, triangle->slot[first ? 1 : 0]);
+    }
+    set_up_edges(&v, out);
+    set_up_planes(pipeline, &v, vertex_batch_of(store, triangle->provoking),
+                  triangle->provoking % GN_LANES, out);
+    return true;
+}
