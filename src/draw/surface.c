@@ -92,13 +92,9 @@ gn_status gn_target_check(const gn_target *target)
 
 /* What the reference's clear makes of a channel; unlike a fragment's conversion it
  * saturates before rounding. */
-static uint32_t clear_unorm8(float c)
+static lanes_f saturate(float c)
 {
-    if (!(c > 0.0f))
-        return 0;
-    if (c >= 1.0f)
-        return 255;
-    return (uint32_t)gn_unorm8(lanes_splat(c)).v[0];
+    return lanes_splat(!(c > 0.0f) ? 0.0f : c >= 1.0f ? 1.0f : c);
 }
 
 gn_status gn_clear_color(const gn_surface *surface, float red, float green, float blue,
@@ -111,15 +107,16 @@ gn_status gn_clear_color(const gn_surface *surface, float red, float green, floa
     if (status)
         return status;
 
-    const uint32_t packed = clear_unorm8(red) | clear_unorm8(green) << 8 |
-                            clear_unorm8(blue) << 16 | clear_unorm8(alpha) << 24;
+    int32_t packed[GN_LANES];
+    lanes_i_store(packed, lanes_pack_unorm8(saturate(red), saturate(green), saturate(blue),
+                                            saturate(alpha)));
     for (uint32_t y = 0; y < surface->height; ++y) {
         void *const row = surface_row(surface, y);
 
         if (surface->format == GN_FORMAT_RGBA8) {
-            uint32_t *const out = row;
+            int32_t *const out = row;
             for (uint32_t x = 0; x < surface->width; ++x)
-                out[x] = packed;
+                out[x] = packed[0];
         } else {
             float *const out = row;
             for (uint32_t x = 0; x < surface->width; ++x) {

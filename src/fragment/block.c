@@ -48,15 +48,10 @@ void gn_shade_block(void *context, const raster_triangle *triangle, int32_t x, i
 {
     const fragment_state *state = context;
     const gn_pipeline *pipeline = state->pipeline;
-    lanes_i column, row;
-
-    GN_EACH_LANE(l)
-    {
-        column.v[l] = x + l % BLOCK_SIZE;
-        row.v[l] = y + l / BLOCK_SIZE;
-    }
-    const lanes_f pixel_x = lanes_to_float(column);
-    const lanes_f pixel_y = lanes_to_float(row);
+    static const int32_t columns[GN_LANES] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+    static const int32_t rows[GN_LANES] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+    const lanes_f pixel_x = lanes_to_float(lanes_i_add(lanes_i_splat(x), lanes_i_load(columns)));
+    const lanes_f pixel_y = lanes_to_float(lanes_i_add(lanes_i_splat(y), lanes_i_load(rows)));
 
     if (state->depth.enabled) {
         coverage = gn_test_depth(&state->depth, &state->target->depth, x, y, coverage,

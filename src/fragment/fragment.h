@@ -44,9 +44,12 @@ lanes_i gn_quantize_depth(gn_format format, lanes_f depth);
 void gn_write_color(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
                     float (*color)[GN_LANES]);
 
-/* A channel as 0..255: round-half-even(c * 255), saturated. NaN and values too
- * large for a 32-bit integer give 0, as the reference's conversion does. */
-lanes_i gn_unorm8(lanes_f channel);
+/* Whether all of the block at (x, y) lies on a surface, so that it may be loaded and
+ * stored whole; blocks hang over the right and the top edge of odd sizes. */
+static inline bool surface_holds_block(const gn_surface *surface, int32_t x, int32_t y)
+{
+    return (uint32_t)x + BLOCK_SIZE <= surface->width && (uint32_t)y + BLOCK_SIZE <= surface->height;
+}
 
 /* The memory of row y of a surface. */
 static inline unsigned char *surface_row(const gn_surface *surface, uint32_t y)

@@ -18,12 +18,14 @@ static block_edge make_block_edge(const edge_function *edge)
 {
     const int32_t along_x = -edge->per_x * (BLOCK_SIZE - 1);
     const int32_t along_y = edge->per_y * (BLOCK_SIZE - 1);
+    int32_t offset[GN_LANES];
     block_edge b;
 
     b.least = (along_x < 0 ? along_x : 0) + (along_y < 0 ? along_y : 0);
     b.greatest = (along_x > 0 ? along_x : 0) + (along_y > 0 ? along_y : 0);
     GN_EACH_LANE(l)
-    b.offset.v[l] = edge->per_y * (l / BLOCK_SIZE) - edge->per_x * (l % BLOCK_SIZE);
+    offset[l] = edge->per_y * (l / BLOCK_SIZE) - edge->per_x * (l % BLOCK_SIZE);
+    b.offset = lanes_i_load(offset);
     return b;
 }
 

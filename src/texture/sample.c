@@ -36,11 +36,7 @@ static lanes_f fraction_of(lanes_f a)
 /* Into 0..n-1, whatever came before. */
 static lanes_i clamp_texel(lanes_i i, uint32_t n)
 {
-    const lanes_i low = lanes_i_splat(0);
-    const lanes_i high = lanes_i_splat((int32_t)n - 1);
-
-    i = lanes_i_select(lanes_i_greater(i, low), i, low);
-    return lanes_i_select(lanes_i_greater(high, i), i, high);
+    return lanes_i_clamp(i, lanes_i_splat(0), lanes_i_splat((int32_t)n - 1));
 }
 
 static lanes_i wrap_nearest(gn_wrap wrap, lanes_f coordinate, uint32_t n)
@@ -94,24 +90,30 @@ static tap_pair wrap_linear(gn_wrap wrap, lanes_f coordinate, uint32_t n)
     return t;
 }
 
-static void fetch(const gn_texture *texture, lanes_i s, lanes_i t, lanes_f texel[4])
+static void fetch(const gn_texture *texture, lanes_i column, lanes_i row, lanes_f texel[4])
 {
     const unsigned char *const texels = texture->texels;
+    int32_t s[GN_LANES], t[GN_LANES];
+    float channel[4][GN_LANES];
 
+    lanes_i_store(s, column);
+    lanes_i_store(t, row);
     GN_EACH_LANE(l)
     {
-        const unsigned char *const row = texels + (ptrdiff_t)t.v[l] * texture->row_stride;
+        const void *const line = texels + (ptrdiff_t)t[l] * texture->row_stride;
 
         if (texture->format == GN_FORMAT_RGBA8) {
-            const uint32_t packed = ((const uint32_t *)(const void *)row)[s.v[l]];
+            const uint32_t packed = ((const uint32_t *)line)[s[l]];
             for (int c = 0; c < 4; ++c)
-                texel[c].v[l] = (float)(packed >> 8 * c & 0xFF) * (float)(1.0 / 255.0);
+                channel[c][l] = (float)(packed >> 8 * c & 0xFF) * (float)(1.0 / 255.0);
         } else {
-            const float *const in = (const float *)(const void *)row + 4 * s.v[l];
+            const float *const in = (const float *)line + 4 * s[l];
             for (int c = 0; c < 4; ++c)
-                texel[c].v[l] = in[c];
+                channel[c][l] = in[c];
         }
     }
+    for (int c = 0; c < 4; ++c)
+        texel[c] = lanes_load(channel[c]);
 }
 
 static void sample_nearest(const gn_texture *texture, const gn_sampler *sampler, lanes_f s,
@@ -143,26 +145,26 @@ static void sample_linear(const gn_texture *texture, const gn_sampler *sampler, 
 }
 
 /* Where the texture is minified: the squared length of a quad's longer derivative,
- * in texels, is above 1. All four fragments of a quad decide as its first does. */
-static lanes_m minified(const gn_texture *texture, lanes_f s, lanes_f t)
+ * in texels, is above 1, or NaN. All four fragments of a quad decide as its first does. */
+static lanes_m minified(const gn_texture *texture, const float *s, const float *t)
 {
     const float width = (float)texture->width;
     const float height = (float)texture->height;
-    lanes_m m;
+    uint32_t bits = 0;
 
-    GN_EACH_LANE(l)
-    {
-        const int first = l & ~5; /* lanes 0, 2, 8 and 10 begin quads */
-        const float dsdx = (s.v[first + 1] - s.v[first]) * width;
-        const float dtdx = (t.v[first + 1] - t.v[first]) * height;
-        const float dsdy = (s.v[first + 4] - s.v[first]) * width;
-        const float dtdy = (t.v[first + 4] - t.v[first]) * height;
+    for (int quad = 0; quad < 4; ++quad) {
+        const int first = quad / 2 * 8 + quad % 2 * 2;
+        const float dsdx = (s[first + 1] - s[first]) * width;
+        const float dtdx = (t[first + 1] - t[first]) * height;
+        const float dsdy = (s[first + 4] - s[first]) * width;
+        const float dtdy = (t[first + 4] - t[first]) * height;
         const float along_x = dsdx * dsdx + dtdx * dtdx;
         const float along_y = dsdy * dsdy + dtdy * dtdy;
 
-        m.v[l] = along_x > 1.0f || along_y > 1.0f ? UINT32_MAX : 0;
+        if (!(along_x <= 1.0f && along_y <= 1.0f))
+            bits |= 0x33u << first;
     }
-    return m;
+    return lanes_from_bits(bits);
 }
 
 void gn_sample_2d(const gn_texture *texture, const gn_sampler *sampler, const float s[GN_LANES],
@@ -184,7 +186,7 @@ void gn_sample_2d(const gn_texture *texture, const gn_sampler *sampler, const fl
             lanes_store(texel[c], magnify_linear ? linear[c] : nearest[c]);
         return;
     }
-    lanes_m use_linear = minified(texture, u, v);
+    lanes_m use_linear = minified(texture, s, t);
     if (magnify_linear)
         use_linear = lanes_not(use_linear);
     for (int c = 0; c < 4; ++c)

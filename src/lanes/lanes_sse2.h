@@ -1,0 +1,247 @@
+/* Lanes in four SSE2 registers. Conversions give INT32_MIN where out of range, and
+ * min and max are built from compares, so that all bits are those of lanes_portable.h.
+ * Precondition: MXCSR in its initial state (round to nearest, denormals kept). */
+#ifndef GN_LANES_LANES_SSE2_H
+#define GN_LANES_LANES_SSE2_H
+
+#include <emmintrin.h>
+
+typedef struct lanes_f {
+    __m128 q[4];
+} lanes_f;
+
+typedef struct lanes_i {
+    __m128i q[4];
+} lanes_i;
+
+typedef struct lanes_m {
+    __m128i q[4];
+} lanes_m;
+
+/* r.q[n] = EXPRESSION for each of the four registers. */
+#define LANES_EACH_REGISTER(type, EXPRESSION)                                                      \
+    type r;                                                                                        \
+    {                                                                                              \
+        enum { n = 0 };                                                                            \
+        r.q[n] = EXPRESSION;                                                                       \
+    }                                                                                              \
+    {                                                                                              \
+        enum { n = 1 };                                                                            \
+        r.q[n] = EXPRESSION;                                                                       \
+    }                                                                                              \
+    {                                                                                              \
+        enum { n = 2 };                                                                            \
+        r.q[n] = EXPRESSION;                                                                       \
+    }                                                                                              \
+    {                                                                                              \
+        enum { n = 3 };                                                                            \
+        r.q[n] = EXPRESSION;                                                                       \
+    }                                                                                              \
+    return r
+
+static inline lanes_f lanes_load(const float p[GN_LANES])
+{
+    LANES_EACH_REGISTER(lanes_f, _mm_loadu_ps(p + 4 * n));
+}
+
+static inline void lanes_store(float *p, lanes_f a)
+{
+    _mm_storeu_ps(p, a.q[0]);
+    _mm_storeu_ps(p + 4, a.q[1]);
+    _mm_storeu_ps(p + 8, a.q[2]);
+    _mm_storeu_ps(p + 12, a.q[3]);
+}
+
+static inline lanes_f lanes_splat(float a)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm_set1_ps(a));
+}
+
+static inline lanes_f lanes_add(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm_add_ps(a.q[n], b.q[n]));
+}
+
+static inline lanes_f lanes_sub(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm_sub_ps(a.q[n], b.q[n]));
+}
+
+static inline lanes_f lanes_mul(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm_mul_ps(a.q[n], b.q[n]));
+}
+
+static inline lanes_f lanes_div(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm_div_ps(a.q[n], b.q[n]));
+}
+
+static inline lanes_m lanes_greater(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_m, _mm_castps_si128(_mm_cmplt_ps(b.q[n], a.q[n])));
+}
+
+static inline lanes_m lanes_greater_or_equal(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_m, _mm_castps_si128(_mm_cmple_ps(b.q[n], a.q[n])));
+}
+
+static inline lanes_m lanes_equal(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_m, _mm_castps_si128(_mm_cmpeq_ps(a.q[n], b.q[n])));
+}
+
+static inline lanes_m lanes_and(lanes_m a, lanes_m b)
+{
+    LANES_EACH_REGISTER(lanes_m, _mm_and_si128(a.q[n], b.q[n]));
+}
+
+static inline lanes_m lanes_not(lanes_m a)
+{
+    LANES_EACH_REGISTER(lanes_m, _mm_xor_si128(a.q[n], _mm_set1_epi32(-1)));
+}
+
+static inline uint32_t lanes_bits(lanes_m a)
+{
+    return (uint32_t)(_mm_movemask_ps(_mm_castsi128_ps(a.q[0])) |
+                      _mm_movemask_ps(_mm_castsi128_ps(a.q[1])) << 4 |
+                      _mm_movemask_ps(_mm_castsi128_ps(a.q[2])) << 8 |
+                      _mm_movemask_ps(_mm_castsi128_ps(a.q[3])) << 12);
+}
+
+static inline lanes_m lanes_from_bits(uint32_t bits)
+{
+    const __m128i all = _mm_set1_epi32((int)bits);
+
+    LANES_EACH_REGISTER(
+        lanes_m, _mm_cmpeq_epi32(
+                     _mm_and_si128(all, _mm_set_epi32(8 << 4 * n, 4 << 4 * n, 2 << 4 * n, 1 << 4 * n)),
+                     _mm_set_epi32(8 << 4 * n, 4 << 4 * n, 2 << 4 * n, 1 << 4 * n)));
+}
+
+static inline lanes_f lanes_select(lanes_m m, lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f,
+                        _mm_or_ps(_mm_and_ps(_mm_castsi128_ps(m.q[n]), a.q[n]),
+                                  _mm_andnot_ps(_mm_castsi128_ps(m.q[n]), b.q[n])));
+}
+
+static inline lanes_i lanes_i_splat(int32_t a)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm_set1_epi32(a));
+}
+
+static inline lanes_i lanes_i_load(const int32_t p[GN_LANES])
+{
+    LANES_EACH_REGISTER(lanes_i, _mm_loadu_si128((const __m128i *)(const void *)(p + 4 * n)));
+}
+
+static inline void lanes_i_store(int32_t *p, lanes_i a)
+{
+    _mm_storeu_si128((__m128i *)(void *)p, a.q[0]);
+    _mm_storeu_si128((__m128i *)(void *)(p + 4), a.q[1]);
+    _mm_storeu_si128((__m128i *)(void *)(p + 8), a.q[2]);
+    _mm_storeu_si128((__m128i *)(void *)(p + 12), a.q[3]);
+}
+
+static inline lanes_i lanes_i_add(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm_add_epi32(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm_or_si128(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_and(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm_and_si128(a.q[n], b.q[n]));
+}
+
+static inline lanes_m lanes_i_greater(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_m, _mm_cmpgt_epi32(a.q[n], b.q[n]));
+}
+
+static inline lanes_m lanes_i_equal(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_m, _mm_cmpeq_epi32(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_select(lanes_m m, lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i,
+                        _mm_or_si128(_mm_and_si128(m.q[n], a.q[n]), _mm_andnot_si128(m.q[n], b.q[n])));
+}
+
+static inline lanes_i lanes_m_as_int(lanes_m a)
+{
+    LANES_EACH_REGISTER(lanes_i, a.q[n]);
+}
+
+static inline uint32_t lanes_i_sign_bits(lanes_i a)
+{
+    return (uint32_t)(_mm_movemask_ps(_mm_castsi128_ps(a.q[0])) |
+                      _mm_movemask_ps(_mm_castsi128_ps(a.q[1])) << 4 |
+                      _mm_movemask_ps(_mm_castsi128_ps(a.q[2])) << 8 |
+                      _mm_movemask_ps(_mm_castsi128_ps(a.q[3])) << 12);
+}
+
+static inline lanes_f lanes_to_float(lanes_i a)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm_cvtepi32_ps(a.q[n]));
+}
+
+static inline lanes_i lanes_as_int(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm_castps_si128(a.q[n]));
+}
+
+static inline lanes_i lanes_truncate(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm_cvttps_epi32(a.q[n]));
+}
+
+static inline lanes_i lanes_round(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm_cvtps_epi32(a.q[n]));
+}
+
+/* Rounds four pixels and transposes their bytes; the packs saturate. */
+static inline __m128i lanes_sse2_pack(__m128 red, __m128 green, __m128 blue, __m128 alpha)
+{
+    const __m128 scale = _mm_set1_ps(255.0f);
+    const __m128i rg = _mm_packs_epi32(_mm_cvtps_epi32(_mm_mul_ps(red, scale)),
+                                       _mm_cvtps_epi32(_mm_mul_ps(green, scale)));
+    const __m128i ba = _mm_packs_epi32(_mm_cvtps_epi32(_mm_mul_ps(blue, scale)),
+                                       _mm_cvtps_epi32(_mm_mul_ps(alpha, scale)));
+    const __m128i planes = _mm_packus_epi16(rg, ba);
+    const __m128i even = _mm_unpacklo_epi8(planes, _mm_srli_si128(planes, 4));
+    const __m128i odd = _mm_unpacklo_epi8(_mm_srli_si128(planes, 8), _mm_srli_si128(planes, 12));
+
+    return _mm_unpacklo_epi16(even, odd);
+}
+
+static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
+{
+    LANES_EACH_REGISTER(lanes_i,
+                        lanes_sse2_pack(red.q[n], green.q[n], blue.q[n], alpha.q[n]));
+}
+
+static inline lanes_i lanes_i_load_block(const unsigned char *memory, ptrdiff_t stride)
+{
+    LANES_EACH_REGISTER(lanes_i,
+                        _mm_loadu_si128((const __m128i *)(const void *)(memory + n * stride)));
+}
+
+static inline void lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, lanes_i a)
+{
+    _mm_storeu_si128((__m128i *)(void *)memory, a.q[0]);
+    _mm_storeu_si128((__m128i *)(void *)(memory + stride), a.q[1]);
+    _mm_storeu_si128((__m128i *)(void *)(memory + 2 * stride), a.q[2]);
+    _mm_storeu_si128((__m128i *)(void *)(memory + 3 * stride), a.q[3]);
+}
+
+#endif

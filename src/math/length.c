@@ -1,0 +1,156 @@
+/* Lengths and normalisation. A squared length of 2^-100 to 2^120 has lost
+ * nothing that matters: the squares were no larger, and one that underflowed was
+ * below 2^-26 * 2^-100 and its error 2^-150. Beyond those limits the vector is
+ * multiplied by 2^96 or 2^-96, exactly or with errors as small, which brings any
+ * float between them: 2^-149 * 2^96 squared is 2^-106, a normal float, and
+ * 2^128 * 2^-96 squared 2^64. A factor of the length is undone in the end; a
+ * direction does not need it. */
+#include "length.h"
+
+#include <gnomon/scalar.h>
+
+#include <stdbool.h>
+
+#include "bits.h"
+
+#define SQUARE_SMALL 0x1p-100f
+#define SQUARE_LARGE 0x1p120f
+#define SCALE_UP 0x1p96f
+#define SCALE_DOWN 0x1p-96f
+
+/* The factor a vector of this squared length needs first; 1 where none. NaN,
+ * which no scaling changes, needs none. */
+static float scale_for(float square)
+{
+    if (square < SQUARE_SMALL) {
+        return SCALE_UP;
+    }
+    return square > SQUARE_LARGE ? SCALE_DOWN : 1.0f;
+}
+
+/* The inverse of a factor of scale_for, exactly. */
+static float unscale_for(float scale)
+{
+    if (scale == 1.0f) {
+        return 1.0f;
+    }
+    return scale == SCALE_UP ? SCALE_DOWN : SCALE_UP;
+}
+
+static bool is_infinite(float x)
+{
+    return (gn_float_bits(x) & ~GN_SIGN_BIT) == GN_EXPONENT_BITS;
+}
+
+float gn_vec2_length(gn_vec2 v)
+{
+    if (is_infinite(v.x) || is_infinite(v.y)) {
+        return gn_float_from_bits(GN_EXPONENT_BITS);
+    }
+    float square = gn_vec2_dot(v, v);
+    float scale = scale_for(square);
+    if (scale != 1.0f) {
+        v = gn_vec2_scale(v, scale);
+        square = gn_vec2_dot(v, v);
+    }
+    return gn_sqrt(square) * unscale_for(scale);
+}
+
+float gn_vec3_length(gn_vec3 v)
+{
+    if (is_infinite(v.x) || is_infinite(v.y) || is_infinite(v.z)) {
+        return gn_float_from_bits(GN_EXPONENT_BITS);
+    }
+    float square = gn_vec3_dot(v, v);
+    float scale = scale_for(square);
+    if (scale != 1.0f) {
+        v = gn_vec3_scale(v, scale);
+        square = gn_vec3_dot(v, v);
+    }
+    return gn_sqrt(square) * unscale_for(scale);
+}
+
+float gn_vec4_length(gn_vec4 v)
+{
+    if (is_infinite(v.x) || is_infinite(v.y) || is_infinite(v.z) || is_infinite(v.w)) {
+        return gn_float_from_bits(GN_EXPONENT_BITS);
+    }
+    float square = gn_vec4_dot(v, v);
+    float scale = scale_for(square);
+    if (scale != 1.0f) {
+        v = gn_vec4_scale(v, scale);
+        square = gn_vec4_dot(v, v);
+    }
+    return gn_sqrt(square) * unscale_for(scale);
+}
+
+gn_status gn_vec2_normalize(gn_vec2 v, gn_vec2 *result)
+{
+    if (!result) {
+        return GN_NULL_POINTER;
+    }
+    if (!gn_is_finite(v.x) || !gn_is_finite(v.y)) {
+        return GN_NOT_FINITE;
+    }
+    v = gn_vec2_scale(v, scale_for(gn_vec2_dot(v, v)));
+    float square = gn_vec2_dot(v, v);
+    if (square == 0.0f) {
+        return GN_DEGENERATE;
+    }
+    *result = gn_vec2_scale(v, 1.0f / gn_sqrt(square));
+    return GN_OK;
+}
+
+/* The finite v scaled so that its square can be taken, and that square. */
+static gn_status prepare_vec3(gn_vec3 *v, float *square)
+{
+    if (!gn_is_finite(v->x) || !gn_is_finite(v->y) || !gn_is_finite(v->z)) {
+        return GN_NOT_FINITE;
+    }
+    *v = gn_vec3_scale(*v, scale_for(gn_vec3_dot(*v, *v)));
+    *square = gn_vec3_dot(*v, *v);
+    return *square == 0.0f ? GN_DEGENERATE : GN_OK;
+}
+
+gn_status gn_vec3_normalize(gn_vec3 v, gn_vec3 *result)
+{
+    float square;
+    if (!result) {
+        return GN_NULL_POINTER;
+    }
+    gn_status status = prepare_vec3(&v, &square);
+    if (status == GN_OK) {
+        *result = gn_vec3_scale(v, 1.0f / gn_sqrt(square));
+    }
+    return status;
+}
+
+gn_status gn_vec3_unit(gn_vec3 v, gn_vec3 *result)
+{
+    float square;
+    gn_status status = prepare_vec3(&v, &square);
+    if (status == GN_OK) {
+        float length = gn_sqrt(square);
+        result->x = v.x / length;
+        result->y = v.y / length;
+        result->z = v.z / length;
+    }
+    return status;
+}
+
+gn_status gn_vec4_normalize(gn_vec4 v, gn_vec4 *result)
+{
+    if (!result) {
+        return GN_NULL_POINTER;
+    }
+    if (!gn_is_finite(v.x) || !gn_is_finite(v.y) || !gn_is_finite(v.z) || !gn_is_finite(v.w)) {
+        return GN_NOT_FINITE;
+    }
+    v = gn_vec4_scale(v, scale_for(gn_vec4_dot(v, v)));
+    float square = gn_vec4_dot(v, v);
+    if (square == 0.0f) {
+        return GN_DEGENERATE;
+    }
+    *result = gn_vec4_scale(v, 1.0f / gn_sqrt(square));
+    return GN_OK;
+}

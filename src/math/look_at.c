@@ -1,0 +1,78 @@
+/* The view of a camera at one point that looks at another. */
+#include "bits.h"
+#include "length.h"
+#include "transform.h"
+
+/* The square of the sine below which up counts as parallel to the view. */
+#define PARALLEL_SQUARED 0x1p-40f
+
+/* side = forward x up, of length one and across forward. The cross product of
+ * two nearly parallel vectors is off by their rounding, 2 u over the sine of
+ * their angle, along forward too; taking that part out once leaves 6 u. */
+static gn_status side_of(gn_vec3 forward, gn_vec3 up, gn_vec3 *side)
+{
+    gn_status status = gn_vec3_unit(up, &up);
+    if (status != GN_OK) {
+        return status;
+    }
+    gn_vec3 across = gn_vec3_cross(forward, up);
+    if (gn_vec3_dot(across, across) <= PARALLEL_SQUARED) {
+        return GN_DEGENERATE;
+    }
+    gn_vec3_unit(across, &across);
+    across = gn_vec3_subtract(across, gn_vec3_scale(forward, gn_vec3_dot(across, forward)));
+    return gn_vec3_unit(across, side);
+}
+
+/* Bound, with u = 2^-24. Each row has a squared length within 7 u of 1 (unit);
+ * side and forward are within 6 u of perpendicular, and the cross product upward
+ * = side x forward, its rounding and its normalisation leave 3.2 u against
+ * either. R R^T - I therefore has entries of at most 7 u and row sums of at most
+ * 17 u, which bounds the eigenvalues and thus the entries of R^T R - I too.
+ * The translation t = -R*eye is rounded three times, 3 u * |eye|_1 at most, which
+ * is the error of R*eye + t; R^T*t + eye adds 17 u * |eye|_1 to sqrt(3) times
+ * that. */
+gn_status gn_look_at_rh(gn_vec3 eye, gn_vec3 target, gn_vec3 up, gn_transform *result)
+{
+    gn_vec3 forward, side, upward;
+    if (!result) {
+        return GN_NULL_POINTER;
+    }
+    if (!gn_vec3_is_finite(eye) || !gn_vec3_is_finite(target) || !gn_vec3_is_finite(up)) {
+        return GN_NOT_FINITE;
+    }
+    gn_vec3 view = gn_vec3_subtract(target, eye);
+    if (!gn_vec3_is_finite(view)) {
+        return GN_OUT_OF_RANGE;
+    }
+    gn_status status = gn_vec3_unit(view, &forward);
+    if (status == GN_OK) {
+        status = side_of(forward, up, &side);
+    }
+    if (status == GN_OK) {
+        status = gn_vec3_unit(gn_vec3_cross(side, forward), &upward);
+    }
+    if (status != GN_OK) {
+        return status;
+    }
+    const gn_vec3 origin = {0.0f, 0.0f, 0.0f}; /* 0 - x is no negative zero */
+    gn_vec3 backward = gn_vec3_subtract(origin, forward);
+    gn_vec3 moved = {0.0f - gn_vec3_dot(side, eye), 0.0f - gn_vec3_dot(upward, eye),
+                     0.0f - gn_vec3_dot(backward, eye)};
+    if (!gn_vec3_is_finite(moved)) {
+        return GN_OUT_OF_RANGE;
+    }
+
+    /* The camera's axes are the columns of the inverse, so the rows of the view.
+     * The inverse of the translation t = -R*eye is -R^T*t, which is the eye. */
+    gn_transform placed;
+    gn_transform_from_rotation(side, upward, backward, &placed);
+    gn_transform_invert(&placed, result);
+    result->matrix.m[3][0] = moved.x;
+    result->matrix.m[3][1] = moved.y;
+    result->matrix.m[3][2] = moved.z;
+    result->inverse.m[3][0] = eye.x;
+    result->inverse.m[3][1] = eye.y;
+    result->inverse.m[3][2] = eye.z;
+    return GN_OK;
+}

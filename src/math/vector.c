@@ -1,0 +1,101 @@
+/* Vector arithmetic, component by component. */
+#include <gnomon/vec.h>
+
+gn_vec2 gn_vec2_add(gn_vec2 a, gn_vec2 b)
+{
+    gn_vec2 sum = {a.x + b.x, a.y + b.y};
+    return sum;
+}
+
+gn_vec3 gn_vec3_add(gn_vec3 a, gn_vec3 b)
+{
+    gn_vec3 sum = {a.x + b.x, a.y + b.y, a.z + b.z};
+    return sum;
+}
+
+gn_vec4 gn_vec4_add(gn_vec4 a, gn_vec4 b)
+{
+    gn_vec4 sum = {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
+    return sum;
+}
+
+gn_vec2 gn_vec2_subtract(gn_vec2 a, gn_vec2 b)
+{
+    gn_vec2 difference = {a.x - b.x, a.y - b.y};
+    return difference;
+}
+
+gn_vec3 gn_vec3_subtract(gn_vec3 a, gn_vec3 b)
+{
+    gn_vec3 difference = {a.x - b.x, a.y - b.y, a.z - b.z};
+    return difference;
+}
+
+gn_vec4 gn_vec4_subtract(gn_vec4 a, gn_vec4 b)
+{
+    gn_vec4 difference = {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w};
+    return difference;
+}
+
+gn_vec2 gn_vec2_scale(gn_vec2 v, float factor)
+{
+    gn_vec2 product = {v.x * factor, v.y * factor};
+    return product;
+}
+
+gn_vec3 gn_vec3_scale(gn_vec3 v, float factor)
+{
+    gn_vec3 product = {v.x * factor, v.y * factor, v.z * factor};
+    return product;
+}
+
+gn_vec4 gn_vec4_scale(gn_vec4 v, float factor)
+{
+    gn_vec4 product = {v.x * factor, v.y * factor, v.z * factor, v.w * factor};
+    return product;
+}
+
+float gn_vec2_dot(gn_vec2 a, gn_vec2 b)
+{
+    return a.y * b.y + a.x * b.x;
+}
+
+float gn_vec3_dot(gn_vec3 a, gn_vec3 b)
+{
+    return (a.z * b.z + a.y * b.y) + a.x * b.x;
+}
+
+float gn_vec4_dot(gn_vec4 a, gn_vec4 b)
+{
+    return ((a.w * b.w + a.z * b.z) + a.y * b.y) + a.x * b.x;
+}
+
+float gn_vec2_cross(gn_vec2 a, gn_vec2 b)
+{
+    return a.x * b.y - a.y * b.x;
+}
+
+gn_vec3 gn_vec3_cross(gn_vec3 a, gn_vec3 b)
+{
+    gn_vec3 product = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    return product;
+}
+
+gn_vec2 gn_vec2_lerp(gn_vec2 a, gn_vec2 b, float t)
+{
+    gn_vec2 between = {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
+    return between;
+}
+
+gn_vec3 gn_vec3_lerp(gn_vec3 a, gn_vec3 b, float t)
+{
+    gn_vec3 between = {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t};
+    return between;
+}
+
+gn_vec4 gn_vec4_lerp(gn_vec4 a, gn_vec4 b, float t)
+{
+    gn_vec4 between = {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t,
+                       a.w + (b.w - a.w) * t};
+    return between;
+}

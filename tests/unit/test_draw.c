@@ -1,0 +1,321 @@
+/* The draw: its statuses, which leave everything untouched, and small pictures
+ * worked out by hand. */
+#include <string.h>
+
+#include "unit.h"
+
+enum { SIZE = 8 };
+
+typedef struct canvas {
+    uint32_t color[SIZE * SIZE];
+    uint32_t depth[SIZE * SIZE];
+    gn_target target;
+    gn_color_uniforms uniforms;
+    gn_pipeline pipeline;
+    gn_mesh mesh;
+    unsigned char memory[GN_WORKSPACE_SIZE(64, GN_SHADER_VARYINGS)];
+    gn_workspace workspace;
+} canvas;
+
+static canvas c;
+
+static const float white[16] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+
+/* A cleared canvas of 8x8 on which NDC x, y in -1..1 is 0..8 pixels. */
+static void reset(const float *positions, uint32_t vertex_count, gn_topology topology)
+{
+    memset(&c, 0, sizeof c);
+    c.target.color = gn_surface_bottom_up(c.color, GN_FORMAT_RGBA8, SIZE, SIZE);
+    c.target.depth = gn_surface_bottom_up(c.depth, GN_FORMAT_D24, SIZE, SIZE);
+    for (int i = 0; i < 4; ++i)
+        c.uniforms.clip_from_model.m[i][i] = 1.0f;
+    assert_int_equal(gn_clear_color(&c.target.color, 0, 0, 0, 0), GN_OK);
+    assert_int_equal(gn_clear_depth(&c.target.depth, 1.0f), GN_OK);
+    assert_int_equal(gn_use_vertex_color(&c.pipeline, &c.uniforms), GN_OK);
+    c.pipeline.topology = topology;
+    c.mesh.attribute[GN_ATTRIBUTE_POSITION].data = positions;
+    c.mesh.attribute[GN_ATTRIBUTE_POSITION].components = 4;
+    c.mesh.attribute[GN_ATTRIBUTE_COLOR].data = white;
+    c.mesh.attribute[GN_ATTRIBUTE_COLOR].components = 4;
+    c.mesh.vertex_count = vertex_count;
+    c.mesh.count = vertex_count;
+    c.workspace.memory = c.memory;
+    c.workspace.size = sizeof c.memory;
+}
+
+static gn_status draw(void)
+{
+    return gn_draw(&c.target, &c.pipeline, &c.mesh, &c.workspace);
+}
+
+static int covered(void)
+{
+    int n = 0;
+
+    for (int i = 0; i < SIZE * SIZE; ++i)
+        n += c.color[i] != 0;
+    return n;
+}
+
+static const float square[16] = {-1, -1, 0, 1, 1, -1, 0, 1, -1, 1, 0, 1, 1, 1, 0, 1};
+
+static void faults_touch_nothing(void **state)
+{
+    (void)state;
+    static canvas before;
+
+    reset(square, 4, GN_TRIANGLE_STRIP);
+    before = c;
+
+#define EXPECT(status)                                                                             \
+    do {                                                                                           \
+        assert_int_equal(draw(), status);                                                          \
+        assert_memory_equal(c.color, before.color, sizeof c.color);                                \
+        assert_memory_equal(c.depth, before.depth, sizeof c.depth);                                \
+        c = before;                                                                                \
+    } while (0)
+
+    c.target.color.width = 0;
+    EXPECT(GN_INVALID_SIZE);
+    c.pipeline.vertex_shader = NULL;
+    EXPECT(GN_NO_SHADER);
+    c.pipeline.fragment_shader = NULL;
+    EXPECT(GN_NO_SHADER);
+    c.mesh.count = 5;
+    EXPECT(GN_INDEX_OUT_OF_RANGE);
+    c.workspace.memory = NULL;
+    EXPECT(GN_NULL_POINTER);
+    c.workspace.size = gn_workspace_size(0, c.pipeline.varying_count) - 1;
+    EXPECT(GN_WORKSPACE_TOO_SMALL);
+#undef EXPECT
+    assert_int_equal(gn_draw(NULL, &c.pipeline, &c.mesh, &c.workspace), GN_NULL_POINTER);
+    assert_int_equal(gn_draw(&c.target, NULL, &c.mesh, &c.workspace), GN_NULL_POINTER);
+    assert_int_equal(gn_draw(&c.target, &c.pipeline, NULL, &c.workspace), GN_NULL_POINTER);
+    assert_int_equal(gn_draw(&c.target, &c.pipeline, &c.mesh, NULL), GN_NULL_POINTER);
+}
+
+static void a_square_covers_everything(void **state)
+{
+    (void)state;
+    reset(square, 4, GN_TRIANGLE_STRIP);
+    assert_int_equal(draw(), GN_OK);
+    for (int i = 0; i < SIZE * SIZE; ++i)
+        assert_int_equal(c.color[i], 0xFFFFFFFFu);
+
+    /* The last, incomplete triangle and fewer than three vertices draw nothing. */
+    reset(square, 4, GN_TRIANGLES);
+    assert_int_equal(draw(), GN_OK);
+    assert_int_equal(covered(), SIZE * (SIZE - 1) / 2);
+    c.mesh.count = 2;
+    c.pipeline.topology = GN_TRIANGLE_FAN;
+    assert_int_equal(draw(), GN_OK);
+    assert_int_equal(covered(), SIZE * (SIZE - 1) / 2);
+}
+
+/* Pixel centres lie on the diagonal: the triangle to whose left edge it belongs
+ * owns them. Window (0,0) (8,0) (0,8) has the diagonal as its right edge, the other
+ * half has it on the left. */
+static void ties_belong_to_left_and_bottom_edges(void **state)
+{
+    (void)state;
+    static const float lower[12] = {-1, -1, 0, 1, 1, -1, 0, 1, -1, 1, 0, 1};
+    static const float upper[12] = {1, -1, 0, 1, 1, 1, 0, 1, -1, 1, 0, 1};
+
+    reset(upper, 3, GN_TRIANGLES);
+    assert_int_equal(draw(), GN_OK);
+    const int upper_count = covered();
+    reset(lower, 3, GN_TRIANGLES);
+    assert_int_equal(draw(), GN_OK);
+    assert_int_equal(upper_count + covered(), SIZE * SIZE);
+    assert_int_equal(c.color[0 * SIZE + 7], 0);
+
+    /* Pixel centres 1.5 to 4.5: those at 1.5 are covered, those at 4.5 are not. */
+    static const float inner[16] = {-0.625f, -0.625f, 0, 1, 0.125f,  -0.625f, 0, 1,
+                                    -0.625f, 0.125f,  0, 1, 0.125f, 0.125f,  0, 1};
+    reset(inner, 4, GN_TRIANGLE_STRIP);
+    assert_int_equal(draw(), GN_OK);
+    for (int y = 0; y < SIZE; ++y) {
+        for (int x = 0; x < SIZE; ++x) {
+            const int inside = x >= 1 && x < 4 && y >= 1 && y < 4;
+            assert_int_equal(c.color[y * SIZE + x], inside ? 0xFFFFFFFFu : 0);
+        }
+    }
+}
+
+static void winding_and_culling(void **state)
+{
+    (void)state;
+    const struct {
+        gn_cull cull;
+        gn_front_face front;
+        bool drawn;
+    } cases[] = {
+        {GN_CULL_NONE, GN_FRONT_COUNTER_CLOCKWISE, true},
+        {GN_CULL_BACK, GN_FRONT_COUNTER_CLOCKWISE, true},
+        {GN_CULL_FRONT, GN_FRONT_COUNTER_CLOCKWISE, false},
+        {GN_CULL_BACK, GN_FRONT_CLOCKWISE, false},
+        {GN_CULL_FRONT, GN_FRONT_CLOCKWISE, true},
+        {GN_CULL_FRONT_AND_BACK, GN_FRONT_CLOCKWISE, false},
+    };
+
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        reset(square, 4, GN_TRIANGLE_STRIP); /* counter-clockwise */
+        c.pipeline.cull = cases[i].cull;
+        c.pipeline.front_face = cases[i].front;
+        assert_int_equal(draw(), GN_OK);
+        assert_int_equal(covered(), cases[i].drawn ? SIZE * SIZE : 0);
+    }
+}
+
+static void flat_takes_the_provoking_vertex(void **state)
+{
+    (void)state;
+    static const float colors[16] = {1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1, 1, 1, 0, 1};
+
+    for (int first = 0; first < 2; ++first) {
+        reset(square, 4, GN_TRIANGLE_STRIP);
+        c.mesh.attribute[GN_ATTRIBUTE_COLOR].data = colors;
+        c.pipeline.provoking_vertex = first ? GN_PROVOKING_FIRST : GN_PROVOKING_LAST;
+        for (int n = 0; n < 4; ++n)
+            c.pipeline.interpolation[n] = GN_FLAT;
+        assert_int_equal(draw(), GN_OK);
+        /* OpenGL 4.5 table 13.2: vertex i + 2, or i, of a strip's triangle i. */
+        assert_int_equal(c.color[0], first ? 0xFF0000FFu : 0xFFFF0000u);
+        assert_int_equal(c.color[SIZE * SIZE - 1], first ? 0xFF00FF00u : 0xFF00FFFFu);
+    }
+}
+
+/* Stored depth is 0.5; squares at window depth 0.25, 0.5 and 0.75 are tested. */
+static void depth_functions(void **state)
+{
+    (void)state;
+    const struct {
+        gn_compare function;
+        bool passes[3];
+    } cases[] = {
+        {GN_LESS, {true, false, false}},
+        {GN_NEVER, {false, false, false}},
+        {GN_EQUAL, {false, true, false}},
+        {GN_LESS_OR_EQUAL, {true, true, false}},
+        {GN_GREATER, {false, false, true}},
+        {GN_NOT_EQUAL, {true, false, true}},
+        {GN_GREATER_OR_EQUAL, {false, true, true}},
+        {GN_ALWAYS, {true, true, true}},
+    };
+    const gn_format formats[] = {GN_FORMAT_D16, GN_FORMAT_D24, GN_FORMAT_D32F};
+    const uint32_t values[3][3] = {{16384, 32768, 49151},
+                                   {4194304, 8388608, 12582911},
+                                   {0x3E800000u, 0x3F000000u, 0x3F400000u}};
+
+    for (size_t f = 0; f < 3; ++f) {
+        for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+            for (int depth = 0; depth < 3; ++depth) {
+                float positions[16];
+                uint16_t low;
+
+                memcpy(positions, square, sizeof positions);
+                for (int v = 0; v < 4; ++v)
+                    positions[4 * v + 2] = (float)(depth - 1) * 0.5f;
+                reset(positions, 4, GN_TRIANGLE_STRIP);
+                c.target.depth = gn_surface_bottom_up(c.depth, formats[f], SIZE, SIZE);
+                c.pipeline.depth_test = true;
+                c.pipeline.depth_function = cases[i].function;
+                assert_int_equal(gn_clear_depth(&c.target.depth, 0.5f), GN_OK);
+                assert_int_equal(draw(), GN_OK);
+                const bool passes = cases[i].passes[depth];
+                assert_int_equal(covered(), passes ? SIZE * SIZE : 0);
+                memcpy(&low, c.depth, sizeof low);
+                assert_int_equal(f == 0 ? low : c.depth[0], values[f][passes ? depth : 1]);
+            }
+        }
+    }
+}
+
+static void depth_is_written_only_when_asked(void **state)
+{
+    (void)state;
+    reset(square, 4, GN_TRIANGLE_STRIP);
+    assert_int_equal(draw(), GN_OK);
+    assert_int_equal(c.depth[0], 0xFFFFFF); /* the test is off: OpenGL 4.5 section 17.3.5 */
+    c.pipeline.depth_test = true;
+    c.pipeline.depth_write_disabled = true;
+    assert_int_equal(draw(), GN_OK);
+    assert_int_equal(c.depth[0], 0xFFFFFF);
+    c.pipeline.depth_write_disabled = false;
+    c.pipeline.depth_range.set = true;
+    c.pipeline.depth_range.z_near = 0.0f;
+    c.pipeline.depth_range.z_far = 0.0f;
+    assert_int_equal(draw(), GN_OK);
+    assert_int_equal(c.depth[0], 0);
+}
+
+/* Depth alone, without colour or a fragment shader, and colour alone. */
+static void one_surface_is_enough(void **state)
+{
+    (void)state;
+    reset(square, 4, GN_TRIANGLE_STRIP);
+    c.target.color.format = GN_FORMAT_NONE;
+    c.pipeline.fragment_shader = NULL;
+    c.pipeline.depth_test = true;
+    assert_int_equal(draw(), GN_OK);
+    assert_int_equal(covered(), 0);
+    assert_int_equal(c.depth[0], 8388608);
+
+    reset(square, 4, GN_TRIANGLE_STRIP);
+    c.target.depth.format = GN_FORMAT_NONE;
+    c.pipeline.depth_test = true;
+    assert_int_equal(draw(), GN_OK);
+    assert_int_equal(covered(), SIZE * SIZE);
+}
+
+static void indices_of_every_width(void **state)
+{
+    (void)state;
+    static const uint8_t bytes[4] = {9, 0, 1, 3};
+    static const uint16_t shorts[4] = {9, 0, 1, 3};
+    static const uint32_t words[4] = {9, 0, 1, 3};
+    const void *indices[3] = {bytes, shorts, words};
+
+    for (int i = 0; i < 3; ++i) {
+        reset(square, 4, GN_TRIANGLES);
+        c.mesh.index_format = (gn_index_format)(GN_INDEX_UINT8 + i);
+        c.mesh.indices = indices[i];
+        c.mesh.first = 1;
+        c.mesh.count = 3;
+        assert_int_equal(draw(), GN_OK);
+        assert_int_equal(covered(), SIZE * (SIZE + 1) / 2);
+        assert_int_equal(c.color[SIZE - 1], 0xFFFFFFFFu);
+        assert_int_equal(c.color[SIZE * (SIZE - 1)], 0);
+    }
+}
+
+static void a_triangle_through_the_eye_is_clipped(void **state)
+{
+    (void)state;
+    /* The third vertex is behind the eye. A point with the weight c of that vertex has
+     * z = -2c and w = 1 - 2c, in front of the near plane for c <= 1/4; its NDC y is
+     * (4c - 1) / (1 - 2c), from -1 to 0, and |x| <= (y + 3) / 2 covers the width. */
+    static const float positions[12] = {-1, -1, 0, 1, 1, -1, 0, 1, 0, 3, -2, -1};
+
+    reset(positions, 3, GN_TRIANGLES);
+    assert_int_equal(draw(), GN_OK);
+    for (int i = 0; i < SIZE * SIZE; ++i)
+        assert_int_equal(c.color[i], i < SIZE * SIZE / 2 ? 0xFFFFFFFFu : 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(faults_touch_nothing),
+        cmocka_unit_test(a_square_covers_everything),
+        cmocka_unit_test(ties_belong_to_left_and_bottom_edges),
+        cmocka_unit_test(winding_and_culling),
+        cmocka_unit_test(flat_takes_the_provoking_vertex),
+        cmocka_unit_test(depth_functions),
+        cmocka_unit_test(depth_is_written_only_when_asked),
+        cmocka_unit_test(one_surface_is_enough),
+        cmocka_unit_test(indices_of_every_width),
+        cmocka_unit_test(a_triangle_through_the_eye_is_clipped),
+    };
+    return cmocka_run_group_tests_name("draw", tests, NULL, NULL);
+}

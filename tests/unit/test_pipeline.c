@@ -1,0 +1,212 @@
+/* Every fault of a pipeline and of a mesh, and workspace sizes. */
+#include <math.h>
+#include <string.h>
+
+#include "unit.h"
+
+static void no_vertices(const void *uniforms, const gn_vertex_input *in, gn_vertex_output *out)
+{
+    (void)uniforms;
+    (void)in;
+    (void)out;
+}
+
+static gn_pipeline good_pipeline(void)
+{
+    gn_pipeline p;
+
+    memset(&p, 0, sizeof p);
+    p.vertex_shader = no_vertices;
+    return p;
+}
+
+static void zero_state_is_valid(void **state)
+{
+    (void)state;
+    const gn_pipeline p = good_pipeline();
+
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+    assert_int_equal(gn_pipeline_check(NULL), GN_NULL_POINTER);
+}
+
+static void pipeline_faults(void **state)
+{
+    (void)state;
+    gn_pipeline p = good_pipeline();
+
+    p.vertex_shader = NULL;
+    assert_int_equal(gn_pipeline_check(&p), GN_NO_SHADER);
+    p = good_pipeline();
+    p.varying_count = GN_MAX_VARYINGS + 1;
+    assert_int_equal(gn_pipeline_check(&p), GN_TOO_MANY_VARYINGS);
+    p = good_pipeline();
+    p.varying_count = 3;
+    p.interpolation[2] = (gn_interpolation)3;
+    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    p.varying_count = 2;
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+
+    p = good_pipeline();
+    p.topology = (gn_topology)3;
+    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    p = good_pipeline();
+    p.provoking_vertex = (gn_provoking_vertex)2;
+    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    p = good_pipeline();
+    p.cull = (gn_cull)4;
+    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    p = good_pipeline();
+    p.front_face = (gn_front_face)2;
+    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    p = good_pipeline();
+    p.depth_function = (gn_compare)8;
+    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+}
+
+static void viewport_faults(void **state)
+{
+    (void)state;
+    gn_pipeline p = good_pipeline();
+
+    p.viewport.width = NAN;
+    assert_int_equal(gn_pipeline_check(&p), GN_OK); /* not set, not looked at */
+    p.viewport.set = true;
+    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
+    p.viewport.width = -1.0f;
+    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_VIEWPORT);
+    p.viewport.width = (float)GN_MAX_SIZE;
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+    p.viewport.height = (float)GN_MAX_SIZE + 1.0f;
+    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_VIEWPORT);
+    p.viewport.height = 1.0f;
+    p.viewport.x = -(float)GN_MAX_SIZE - 1.0f;
+    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_VIEWPORT);
+    p.viewport.x = 0.0f;
+    p.viewport.y = INFINITY;
+    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
+}
+
+static void depth_range_faults(void **state)
+{
+    (void)state;
+    gn_pipeline p = good_pipeline();
+
+    p.depth_range.z_near = NAN;
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+    p.depth_range.set = true;
+    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
+    p.depth_range.z_near = 1.0f;
+    p.depth_range.z_far = 0.25f;
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+    p.depth_range.z_far = 1.5f;
+    assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
+    p.depth_range.z_far = -0.5f;
+    assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
+}
+
+static const float positions[8] = {0};
+
+static gn_mesh good_mesh(void)
+{
+    gn_mesh m;
+
+    memset(&m, 0, sizeof m);
+    m.attribute[0].data = positions;
+    m.attribute[0].components = 2;
+    m.vertex_count = 4;
+    m.count = 4;
+    return m;
+}
+
+static void mesh_faults(void **state)
+{
+    (void)state;
+    static const uint32_t indices[4] = {0, 1, 2, 3};
+    gn_mesh m = good_mesh();
+
+    assert_int_equal(gn_mesh_check(&m), GN_OK);
+    assert_int_equal(gn_mesh_check(NULL), GN_NULL_POINTER);
+    m.index_format = (gn_index_format)4;
+    assert_int_equal(gn_mesh_check(&m), GN_INVALID_ENUM);
+    m.index_format = GN_INDEX_UINT16;
+    assert_int_equal(gn_mesh_check(&m), GN_NULL_POINTER);
+    m.indices = (const char *)indices + 1;
+    assert_int_equal(gn_mesh_check(&m), GN_MISALIGNED);
+    m.index_format = GN_INDEX_UINT32;
+    m.indices = (const char *)indices + 2;
+    assert_int_equal(gn_mesh_check(&m), GN_MISALIGNED);
+
+    m = good_mesh();
+    m.attribute[3].data = (const float *)(const void *)((const char *)positions + 1);
+    m.attribute[3].components = 1;
+    assert_int_equal(gn_mesh_check(&m), GN_MISALIGNED);
+    m.attribute[3].data = positions;
+    m.attribute[3].components = 0;
+    assert_int_equal(gn_mesh_check(&m), GN_INVALID_ATTRIBUTE);
+    m.attribute[3].components = 5;
+    assert_int_equal(gn_mesh_check(&m), GN_INVALID_ATTRIBUTE);
+    m.attribute[3].components = 4;
+    m.attribute[3].stride = 6;
+    assert_int_equal(gn_mesh_check(&m), GN_INVALID_ATTRIBUTE);
+}
+
+static void ranges_and_indices(void **state)
+{
+    (void)state;
+    static const uint8_t bytes[6] = {0, 1, 2, 3, 4, 200};
+    static const uint16_t shorts[6] = {0, 1, 2, 3, 4, 60000};
+    static const uint32_t words[6] = {0, 1, 2, 3, 4, UINT32_MAX};
+    const void *indices[3] = {bytes, shorts, words};
+    gn_mesh m = good_mesh();
+
+    m.count = 5;
+    assert_int_equal(gn_mesh_check(&m), GN_INDEX_OUT_OF_RANGE);
+    m.first = 4;
+    m.count = 0;
+    assert_int_equal(gn_mesh_check(&m), GN_OK);
+    m.first = 1;
+    m.count = 4;
+    assert_int_equal(gn_mesh_check(&m), GN_INDEX_OUT_OF_RANGE);
+    m.first = UINT32_MAX;
+    m.count = 2;
+    assert_int_equal(gn_mesh_check(&m), GN_INDEX_OUT_OF_RANGE);
+
+    for (int i = 0; i < 3; ++i) {
+        m = good_mesh();
+        m.index_format = (gn_index_format)(GN_INDEX_UINT8 + i);
+        m.indices = indices[i];
+        m.count = 4;
+        assert_int_equal(gn_mesh_check(&m), GN_OK);
+        m.count = 5;
+        assert_int_equal(gn_mesh_check(&m), GN_INDEX_OUT_OF_RANGE);
+        m.vertex_count = 5;
+        assert_int_equal(gn_mesh_check(&m), GN_OK);
+        m.first = 1;
+        assert_int_equal(gn_mesh_check(&m), GN_INDEX_OUT_OF_RANGE);
+    }
+}
+
+static void workspace_sizes(void **state)
+{
+    (void)state;
+    const uint32_t counts[] = {0, 1, 15, 16, 17, 1000, 100000};
+
+    for (size_t i = 0; i < sizeof counts / sizeof *counts; ++i) {
+        for (uint32_t v = 0; v <= GN_MAX_VARYINGS; v += 8) {
+            assert_int_equal(gn_workspace_size(counts[i], v), GN_WORKSPACE_SIZE(counts[i], v));
+            assert_true(gn_workspace_size(counts[i], v) >= gn_workspace_size(0, v));
+        }
+    }
+    assert_int_equal(gn_workspace_size(1, GN_MAX_VARYINGS + 1), SIZE_MAX);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(zero_state_is_valid), cmocka_unit_test(pipeline_faults),
+        cmocka_unit_test(viewport_faults),     cmocka_unit_test(depth_range_faults),
+        cmocka_unit_test(mesh_faults),         cmocka_unit_test(ranges_and_indices),
+        cmocka_unit_test(workspace_sizes),
+    };
+    return cmocka_run_group_tests_name("pipeline", tests, NULL, NULL);
+}

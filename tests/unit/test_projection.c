@@ -1,0 +1,227 @@
+/* Projections and the viewport: where the corners of the view volume go, there
+ * and back, each status, results left untouched. cglm gives the second opinion. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "unit.h"
+
+#define CGLM_ALL_UNALIGNED
+#include <cglm/cglm.h>
+
+static void assert_near(const gn_mat4 *got, const gn_mat4 *expected, float tolerance)
+{
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            assert_float_equal(got->m[column][row], expected->m[column][row], tolerance);
+}
+
+/* The point goes to ndc, and from there, with the w it got, back to itself. */
+static void assert_projected(const gn_transform *transform, float x, float y, float z,
+                             float ndc_x, float ndc_y, float ndc_z)
+{
+    const gn_vec4 point = {x, y, z, 1.0f};
+    gn_vec4 clip = gn_mat4_multiply_vec4(&transform->matrix, point);
+    assert_float_equal(clip.x / clip.w, ndc_x, 2e-6f);
+    assert_float_equal(clip.y / clip.w, ndc_y, 2e-6f);
+    assert_float_equal(clip.z / clip.w, ndc_z, 2e-6f);
+    gn_vec4 back = gn_mat4_multiply_vec4(&transform->inverse, clip);
+    assert_float_equal(back.x, x, 2e-5f);
+    assert_float_equal(back.y, y, 2e-5f);
+    assert_float_equal(back.z, z, 2e-5f);
+    assert_float_equal(back.w, 1.0f, 2e-6f);
+}
+
+static gn_transform marked(void)
+{
+    gn_transform transform;
+    memset(&transform, 0x5A, sizeof transform);
+    return transform;
+}
+
+static void assert_untouched(const gn_transform *transform)
+{
+    gn_transform expected = marked();
+    assert_memory_equal(transform, &expected, sizeof expected);
+}
+
+static void orthographic(void **state)
+{
+    (void)state;
+    gn_mat4 expected;
+    gn_transform t;
+    assert_int_equal(gn_orthographic_rh_no(-2, 6, -1, 3, 0.5f, 20, &t), GN_OK);
+    glm_ortho_rh_no(-2, 6, -1, 3, 0.5f, 20, expected.m);
+    assert_near(&t.matrix, &expected, 1e-6f);
+    assert_projected(&t, -2, -1, -0.5f, -1, -1, -1);
+    assert_projected(&t, 6, 3, -20, 1, 1, 1);
+    assert_projected(&t, 2, 1, -10.25f, 0, 0, 0);
+    /* Planes in the other order, and behind the eye. */
+    assert_int_equal(gn_orthographic_rh_no(6, -2, 3, -1, 20, -3, &t), GN_OK);
+    assert_projected(&t, 6, 3, -20, -1, -1, -1);
+    assert_projected(&t, -2, -1, 3, 1, 1, 1);
+    /* Centred: no negative zero in the inverse. */
+    assert_int_equal(gn_orthographic_rh_no(-1, 1, -1, 1, -1, 1, &t), GN_OK);
+    assert_false(signbit(t.matrix.m[3][0]) || signbit(t.inverse.m[3][0]));
+}
+
+static void frustum(void **state)
+{
+    (void)state;
+    gn_mat4 expected;
+    gn_transform t;
+    assert_int_equal(gn_frustum_rh_no(-0.2f, 0.6f, -0.1f, 0.3f, 0.5f, 20, &t), GN_OK);
+    glm_frustum_rh_no(-0.2f, 0.6f, -0.1f, 0.3f, 0.5f, 20, expected.m);
+    assert_near(&t.matrix, &expected, 1e-6f);
+    assert_projected(&t, -0.2f, -0.1f, -0.5f, -1, -1, -1);
+    assert_projected(&t, 0.6f, 0.3f, -0.5f, 1, 1, -1);
+    assert_projected(&t, 24, 12, -20, 1, 1, 1);
+    /* Depth the other way round. */
+    assert_int_equal(gn_frustum_rh_no(-0.2f, 0.6f, -0.1f, 0.3f, 20, 0.5f, &t), GN_OK);
+    assert_projected(&t, -0.2f, -0.1f, -20, -1, -1, -1);
+    assert_projected(&t, 0.015f, 0.0075f, -0.5f, 1, 1, 1);
+}
+
+static void perspective(void **state)
+{
+    (void)state;
+    gn_mat4 expected;
+    gn_transform t;
+    for (float fov = 0.1f; fov < 3.0f; fov += 0.3f) {
+        assert_int_equal(gn_perspective_rh_no(fov, 1.5f, 0.5f, 200, &t), GN_OK);
+        glm_perspective_rh_no(fov, 1.5f, 0.5f, 200, expected.m);
+        assert_near(&t.matrix, &expected, 3e-6f);
+    }
+    /* A right angle from bottom to top: y = z is the border. */
+    assert_int_equal(gn_perspective_rh_no(0.5f * GN_PI, 2, 1, 10, &t), GN_OK);
+    assert_projected(&t, 2, 1, -1, 1, 1, -1);
+    assert_projected(&t, -20, -10, -10, -1, -1, 1);
+    assert_int_equal(gn_perspective_rh_no(0.5f * GN_PI, 2, 10, 1, &t), GN_OK);
+    assert_projected(&t, 2, 1, -1, 1, 1, 1);
+    /* The widest angle a float can hold. */
+    assert_int_equal(gn_perspective_rh_no(nextafterf(GN_PI, 0.0f), 1, 1, 10, &t), GN_OK);
+}
+
+static void viewport(void **state)
+{
+    (void)state;
+    gn_transform t;
+    assert_int_equal(gn_viewport_no(10, 20, 640, 480, 0, 1, &t), GN_OK);
+    assert_projected(&t, -1, -1, -1, 10, 20, 0);
+    assert_projected(&t, 1, 1, 1, 650, 500, 1);
+    assert_projected(&t, 0, 0, 0, 330, 260, 0.5f);
+    assert_int_equal(gn_viewport_no(-3.5f, 0, 1, 1, 0.75f, 0.25f, &t), GN_OK);
+    assert_projected(&t, -1, 0, -1, -3.5f, 0.5f, 0.75f);
+    assert_projected(&t, 1, 0, 1, -2.5f, 0.5f, 0.25f);
+}
+
+/* The reference computes 0.5 * (f - n) and 0.5 * (n + f) in double. */
+static void viewport_depth_is_the_rasterizers(void **state)
+{
+    (void)state;
+    uint32_t random = 1;
+    for (int i = 0; i < 10000; ++i) {
+        float range[2];
+        for (int j = 0; j < 2; ++j) {
+            random = random * 1664525u + 1013904223u;
+            range[j] = ldexpf((float)(random >> 8), -24 - (int)(random >> 3 & 31));
+        }
+        if (range[0] == range[1])
+            continue;
+        gn_transform t;
+        assert_int_equal(gn_viewport_no(0, 0, 5, 3, range[0], range[1], &t), GN_OK);
+        assert_true(t.matrix.m[2][2] == (float)(0.5 * ((double)range[1] - (double)range[0])));
+        assert_true(t.matrix.m[3][2] == (float)(0.5 * ((double)range[0] + (double)range[1])));
+    }
+}
+
+static void numbers_must_be_finite(void **state)
+{
+    (void)state;
+    const float bad[3] = {NAN, INFINITY, -INFINITY};
+    gn_transform t = marked();
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            float n[6] = {-1, 1, -1, 1, 1, 10}, v[6] = {0, 0, 8, 8, 0, 1};
+            float p[4] = {1, 1, 1, 10};
+            n[i] = v[i] = p[i % 4] = bad[j];
+            assert_int_equal(gn_orthographic_rh_no(n[0], n[1], n[2], n[3], n[4], n[5], &t),
+                             GN_NOT_FINITE);
+            assert_int_equal(gn_frustum_rh_no(n[0], n[1], n[2], n[3], n[4], n[5], &t),
+                             GN_NOT_FINITE);
+            assert_int_equal(gn_viewport_no(v[0], v[1], v[2], v[3], v[4], v[5], &t),
+                             GN_NOT_FINITE);
+            assert_int_equal(gn_perspective_rh_no(p[0], p[1], p[2], p[3], &t), GN_NOT_FINITE);
+        }
+    }
+    assert_untouched(&t);
+}
+
+static void volumes_must_have_an_extent(void **state)
+{
+    (void)state;
+    gn_transform t = marked();
+    assert_int_equal(gn_orthographic_rh_no(2, 2, -1, 1, 1, 10, &t), GN_SINGULAR);
+    assert_int_equal(gn_orthographic_rh_no(-1, 1, 0, -0.0f, 1, 10, &t), GN_SINGULAR);
+    assert_int_equal(gn_orthographic_rh_no(-1, 1, -1, 1, 3, 3, &t), GN_SINGULAR);
+    assert_int_equal(gn_frustum_rh_no(2, 2, -1, 1, 1, 10, &t), GN_SINGULAR);
+    assert_int_equal(gn_frustum_rh_no(-1, 1, 0, -0.0f, 1, 10, &t), GN_SINGULAR);
+    assert_int_equal(gn_frustum_rh_no(-1, 1, -1, 1, 3, 3, &t), GN_SINGULAR);
+    assert_int_equal(gn_perspective_rh_no(1, 1, 3, 3, &t), GN_SINGULAR);
+    assert_int_equal(gn_viewport_no(0, 0, 8, 8, 0.5f, 0.5f, &t), GN_SINGULAR);
+    assert_int_equal(gn_viewport_no(0, 0, 0, 8, 0, 1, &t), GN_INVALID_VIEWPORT);
+    assert_int_equal(gn_viewport_no(0, 0, 8, -1, 0, 1, &t), GN_INVALID_VIEWPORT);
+    assert_untouched(&t);
+}
+
+static void numbers_must_be_in_range(void **state)
+{
+    (void)state;
+    gn_transform t = marked();
+    assert_int_equal(gn_frustum_rh_no(-1, 1, -1, 1, 0, 10, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_frustum_rh_no(-1, 1, -1, 1, 1, -10, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_perspective_rh_no(0, 1, 1, 10, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_perspective_rh_no(-1, 1, 1, 10, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_perspective_rh_no(GN_PI, 1, 1, 10, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_perspective_rh_no(1, 0, 1, 10, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_perspective_rh_no(1, -2, 1, 10, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_perspective_rh_no(1, 1, 0, 10, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_perspective_rh_no(1, 1, 1, 0, &t), GN_OUT_OF_RANGE);
+    /* Overflow on the way, and reciprocals that are no normal float. */
+    assert_int_equal(gn_orthographic_rh_no(-FLT_MAX, FLT_MAX, -1, 1, 1, 10, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_orthographic_rh_no(0, 1e-45f, -1, 1, 1, 10, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_orthographic_rh_no(3e38f, 2e38f, -1, 1, 1, 10, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_frustum_rh_no(3e38f, 2e38f, -1, 1, 1, 10, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_frustum_rh_no(-1, 1, -1, 1, 3e38f, 2e38f, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_frustum_rh_no(-1, 1, -1, 1, 1e-45f, 1, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_perspective_rh_no(1e-44f, 1, 1, 10, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_perspective_rh_no(1, 1e-44f, 1, 10, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_viewport_no(0, 0, 1e-44f, 1, 0, 1, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_viewport_no(0, 0, 1, 1, 0, FLT_MAX, &t), GN_OUT_OF_RANGE);
+    assert_untouched(&t);
+}
+
+static void results_are_needed(void **state)
+{
+    (void)state;
+    assert_int_equal(gn_orthographic_rh_no(-1, 1, -1, 1, 1, 10, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_frustum_rh_no(-1, 1, -1, 1, 1, 10, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_perspective_rh_no(1, 1, 1, 10, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_viewport_no(0, 0, 8, 8, 0, 1, NULL), GN_NULL_POINTER);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(orthographic),
+        cmocka_unit_test(frustum),
+        cmocka_unit_test(perspective),
+        cmocka_unit_test(viewport),
+        cmocka_unit_test(viewport_depth_is_the_rasterizers),
+        cmocka_unit_test(numbers_must_be_finite),
+        cmocka_unit_test(volumes_must_have_an_extent),
+        cmocka_unit_test(numbers_must_be_in_range),
+        cmocka_unit_test(results_are_needed),
+    };
+    return cmocka_run_group_tests_name("projection", tests, NULL, NULL);
+}

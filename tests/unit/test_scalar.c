@@ -1,0 +1,156 @@
+/* Scalar functions: special values, agreement with the C library's double
+ * results, and of the two square roots with each other. All 2^32 inputs are
+ * tests/exhaustive's. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "unit.h"
+
+#include "../../src/math/sqrt.h"
+
+enum { STRIDE = 65537 }; /* of bit patterns: 65,535 floats of every class */
+
+static uint32_t bits_of(float x)
+{
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+static float from_bits(uint32_t bits)
+{
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+static void assert_same_bits(float got, float expected)
+{
+    assert_int_equal(bits_of(got), bits_of(expected));
+}
+
+static void assert_canonical_nan(float got)
+{
+    assert_int_equal(bits_of(got), 0x7FC00000);
+}
+
+/* Correctly rounded wherever the double result decides it; else its neighbour. */
+static void assert_rounds(float got, double exact)
+{
+    float below = (float)(exact - exact * 0x1p-50), above = (float)(exact + exact * 0x1p-50);
+    assert_true(got == below || got == above);
+}
+
+static void square_roots_are_exact(void **state)
+{
+    (void)state;
+    assert_same_bits(gn_sqrt(0.0f), 0.0f);
+    assert_same_bits(gn_sqrt(-0.0f), -0.0f);
+    assert_same_bits(gn_sqrt(INFINITY), INFINITY);
+    assert_same_bits(gn_sqrt(144.0f), 12.0f);
+    assert_same_bits(gn_sqrt(0x1p-148f), 0x1p-74f);
+    assert_canonical_nan(gn_sqrt(-1.0f));
+    assert_canonical_nan(gn_sqrt(-0x1p-149f));
+    assert_canonical_nan(gn_sqrt(-INFINITY));
+    assert_canonical_nan(gn_sqrt(NAN));
+    assert_canonical_nan(gn_sqrt(-NAN));
+    for (uint64_t i = 0; i < 0x7F800000; i += STRIDE) {
+        float x = from_bits((uint32_t)i);
+        assert_same_bits(gn_sqrt(x), (float)sqrt((double)x));
+    }
+}
+
+static void integer_square_root_is_the_same(void **state)
+{
+    (void)state;
+    for (uint64_t i = 0; i < (uint64_t)1 << 32; i += STRIDE) {
+        float x = from_bits((uint32_t)i);
+        assert_same_bits(gn_sqrt_integer(x), gn_sqrt(x));
+    }
+    assert_same_bits(gn_sqrt_integer(-0.0f), -0.0f);
+    assert_same_bits(gn_sqrt_integer(INFINITY), INFINITY);
+    assert_same_bits(gn_sqrt_integer(FLT_MAX), (float)sqrt((double)FLT_MAX));
+    assert_canonical_nan(gn_sqrt_integer(-1.0f));
+}
+
+static void angles_without_a_value_give_nan(void **state)
+{
+    (void)state;
+    const float inputs[] = {INFINITY, -INFINITY, NAN, -NAN};
+    for (size_t i = 0; i < sizeof inputs / sizeof inputs[0]; ++i) {
+        float sine, cosine;
+        gn_sincos(inputs[i], &sine, &cosine);
+        assert_canonical_nan(sine);
+        assert_canonical_nan(cosine);
+        assert_canonical_nan(gn_sin(inputs[i]));
+        assert_canonical_nan(gn_cos(inputs[i]));
+        assert_canonical_nan(gn_tan(inputs[i]));
+    }
+}
+
+static void small_angles_keep_their_bits(void **state)
+{
+    (void)state;
+    const float inputs[] = {0.0f, -0.0f, 0x1p-149f, -0x1p-149f, 0x1p-126f, 0x1.fffffep-13f};
+    for (size_t i = 0; i < sizeof inputs / sizeof inputs[0]; ++i) {
+        assert_same_bits(gn_sin(inputs[i]), inputs[i]);
+        assert_same_bits(gn_tan(inputs[i]), inputs[i]);
+        assert_same_bits(gn_cos(inputs[i]), 1.0f);
+    }
+}
+
+/* Exact values to 40 digits, from a computer algebra system's pi: what the
+ * float GN_PI misses pi by is the sine, and so on. */
+static void known_values(void **state)
+{
+    (void)state;
+    assert_same_bits(gn_sin(GN_PI), -8.7422776573475857731e-8f);
+    assert_same_bits(gn_cos(GN_PI), -1.0f);
+    assert_same_bits(gn_tan(GN_PI), 8.7422776573475857731e-8f);
+    assert_same_bits(gn_cos(0.5f * GN_PI), -4.3711388286737928865e-8f);
+    assert_same_bits(gn_tan(0.5f * GN_PI), -22877332.428856459f);
+    assert_same_bits(gn_sin(1.0f), 0.84147098480789650665f);
+    assert_same_bits(gn_cos(1.0f), 0.54030230586813971740f);
+    assert_same_bits(gn_tan(1.0f), 1.5574077246549022305f);
+    assert_same_bits(gn_sin(-1.0f), -0.84147098480789650665f);
+    assert_same_bits(gn_cos(-1.0f), 0.54030230586813971740f);
+    assert_same_bits(gn_tan(-1.0f), -1.5574077246549022305f);
+}
+
+static void angles_of_every_size(void **state)
+{
+    (void)state;
+    for (uint64_t i = 0; i < (uint64_t)1 << 32; i += STRIDE) {
+        float x = from_bits((uint32_t)i), sine, cosine;
+        if (!isfinite(x)) {
+            continue;
+        }
+        if (fabsf(x) >= 0x1p-12f) {
+            assert_rounds(gn_sin(x), sin((double)x));
+            assert_rounds(gn_tan(x), tan((double)x));
+        }
+        assert_rounds(gn_cos(x), cos((double)x));
+        gn_sincos(x, &sine, &cosine);
+        assert_same_bits(sine, gn_sin(x));
+        assert_same_bits(cosine, gn_cos(x));
+    }
+    /* The largest float, and the one next to a multiple of pi/2. */
+    assert_rounds(gn_sin(FLT_MAX), sin((double)FLT_MAX));
+    assert_rounds(gn_sin(from_bits(0x6F79BE45)), sin((double)from_bits(0x6F79BE45)));
+    assert_rounds(gn_cos(from_bits(0x6F79BE45)), cos((double)from_bits(0x6F79BE45)));
+    assert_rounds(gn_tan(from_bits(0x6F79BE45)), tan((double)from_bits(0x6F79BE45)));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(square_roots_are_exact),
+        cmocka_unit_test(integer_square_root_is_the_same),
+        cmocka_unit_test(angles_without_a_value_give_nan),
+        cmocka_unit_test(small_angles_keep_their_bits),
+        cmocka_unit_test(known_values),
+        cmocka_unit_test(angles_of_every_size),
+    };
+    return cmocka_run_group_tests_name("scalar", tests, NULL, NULL);
+}

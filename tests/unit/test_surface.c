@@ -1,0 +1,221 @@
+/* Surfaces: construction, every fault of a target, clears of every format. */
+#include <math.h>
+#include <string.h>
+
+#include "unit.h"
+
+enum { WIDTH = 5, HEIGHT = 3 };
+
+static uint32_t words[WIDTH * HEIGHT * 4];
+
+static void format_sizes(void **state)
+{
+    (void)state;
+    assert_int_equal(gn_format_size(GN_FORMAT_NONE), 0);
+    assert_int_equal(gn_format_size(GN_FORMAT_RGBA8), 4);
+    assert_int_equal(gn_format_size(GN_FORMAT_RGBA32F), 16);
+    assert_int_equal(gn_format_size(GN_FORMAT_D16), 2);
+    assert_int_equal(gn_format_size(GN_FORMAT_D24), 4);
+    assert_int_equal(gn_format_size(GN_FORMAT_D32F), 4);
+    assert_int_equal(gn_format_size((gn_format)99), 0);
+}
+
+static void constructors_place_row_zero(void **state)
+{
+    (void)state;
+    const gn_surface up = gn_surface_bottom_up(words, GN_FORMAT_RGBA8, WIDTH, HEIGHT);
+    const gn_surface down = gn_surface_top_down(words, GN_FORMAT_RGBA8, WIDTH, HEIGHT);
+
+    assert_ptr_equal(up.pixels, words);
+    assert_int_equal(up.row_stride, WIDTH * 4);
+    assert_int_equal(up.width, WIDTH);
+    assert_int_equal(up.height, HEIGHT);
+    assert_int_equal(up.format, GN_FORMAT_RGBA8);
+    assert_ptr_equal(down.pixels, words + WIDTH * (HEIGHT - 1));
+    assert_int_equal(down.row_stride, -WIDTH * 4);
+    assert_null(gn_surface_top_down(NULL, GN_FORMAT_RGBA8, WIDTH, HEIGHT).pixels);
+}
+
+static gn_target good_target(void)
+{
+    static uint32_t depth[WIDTH * HEIGHT];
+    gn_target t;
+
+    t.color = gn_surface_bottom_up(words, GN_FORMAT_RGBA8, WIDTH, HEIGHT);
+    t.depth = gn_surface_bottom_up(depth, GN_FORMAT_D24, WIDTH, HEIGHT);
+    return t;
+}
+
+static void target_faults(void **state)
+{
+    (void)state;
+    gn_target t = good_target();
+    const gn_surface absent = {0};
+
+    assert_int_equal(gn_target_check(&t), GN_OK);
+    assert_int_equal(gn_target_check(NULL), GN_NULL_POINTER);
+
+    t.color = absent;
+    assert_int_equal(gn_target_check(&t), GN_OK);
+    t.depth = absent;
+    assert_int_equal(gn_target_check(&t), GN_NO_SURFACE);
+
+    t = good_target();
+    t.color.format = GN_FORMAT_D24;
+    assert_int_equal(gn_target_check(&t), GN_INVALID_FORMAT);
+    t.color.format = (gn_format)77;
+    assert_int_equal(gn_target_check(&t), GN_INVALID_FORMAT);
+
+    t = good_target();
+    t.depth.format = GN_FORMAT_RGBA8;
+    assert_int_equal(gn_target_check(&t), GN_INVALID_FORMAT);
+
+    t = good_target();
+    t.color.width = 0;
+    assert_int_equal(gn_target_check(&t), GN_INVALID_SIZE);
+    t.color.width = GN_MAX_SIZE + 1;
+    assert_int_equal(gn_target_check(&t), GN_INVALID_SIZE);
+
+    t = good_target();
+    t.depth.height = 0;
+    assert_int_equal(gn_target_check(&t), GN_INVALID_SIZE);
+
+    t = good_target();
+    t.depth.pixels = NULL;
+    assert_int_equal(gn_target_check(&t), GN_NULL_POINTER);
+
+    t = good_target();
+    t.color.pixels = (unsigned char *)words + 2;
+    assert_int_equal(gn_target_check(&t), GN_MISALIGNED);
+
+    t = good_target();
+    t.color.row_stride = WIDTH * 4 + 2;
+    assert_int_equal(gn_target_check(&t), GN_MISALIGNED);
+
+    t = good_target();
+    t.color.row_stride = WIDTH * 4 - 4;
+    assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
+    t.color.row_stride = -(WIDTH * 4 - 4);
+    assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
+
+    t = good_target();
+    t.depth.height = HEIGHT - 1;
+    assert_int_equal(gn_target_check(&t), GN_SIZE_MISMATCH);
+}
+
+static void clear_color_packs_by_value(void **state)
+{
+    (void)state;
+    const gn_surface s = gn_surface_bottom_up(words, GN_FORMAT_RGBA8, WIDTH, HEIGHT);
+
+    memset(words, 0, sizeof words);
+    assert_int_equal(gn_clear_color(&s, 1.0f, 0.5f, 0.25f, 0.0f), GN_OK);
+    for (int i = 0; i < WIDTH * HEIGHT; ++i)
+        assert_int_equal(words[i], 0x004080FFu);
+    assert_int_equal(words[WIDTH * HEIGHT], 0);
+
+    assert_int_equal(gn_clear_color(&s, -1.0f, NAN, INFINITY, -INFINITY), GN_OK);
+    assert_int_equal(words[0], 0x00FF0000u);
+}
+
+static void clear_color_keeps_floats(void **state)
+{
+    (void)state;
+    const gn_surface s = gn_surface_bottom_up(words, GN_FORMAT_RGBA32F, WIDTH, HEIGHT);
+    const float *p = (const float *)(const void *)words;
+
+    assert_int_equal(gn_clear_color(&s, -3.5f, 1e30f, 0.125f, 2.0f), GN_OK);
+    for (int i = 0; i < WIDTH * HEIGHT; ++i) {
+        assert_true(p[4 * i] == -3.5f && p[4 * i + 1] == 1e30f);
+        assert_true(p[4 * i + 2] == 0.125f && p[4 * i + 3] == 2.0f);
+    }
+}
+
+static void clear_respects_the_stride(void **state)
+{
+    (void)state;
+    uint32_t padded[HEIGHT * 8];
+    gn_surface s = gn_surface_bottom_up(padded, GN_FORMAT_RGBA8, WIDTH, HEIGHT);
+
+    memset(padded, 0x55, sizeof padded);
+    s.row_stride = 8 * 4;
+    assert_int_equal(gn_clear_color(&s, 0, 0, 0, 0), GN_OK);
+    for (int y = 0; y < HEIGHT; ++y) {
+        for (int x = 0; x < 8; ++x)
+            assert_int_equal(padded[8 * y + x], x < WIDTH ? 0 : 0x55555555u);
+    }
+}
+
+static uint32_t cleared_depth(gn_format format, float depth)
+{
+    uint32_t memory[1] = {0};
+    const gn_surface s = gn_surface_bottom_up(memory, format, 1, 1);
+    uint16_t low;
+
+    assert_int_equal(gn_clear_depth(&s, depth), GN_OK);
+    memcpy(&low, memory, sizeof low);
+    return format == GN_FORMAT_D16 ? low : memory[0];
+}
+
+/* The reference is a double, which holds the product of a float and 2^24 - 1
+ * exactly, rounded by the C library. */
+static void clear_depth_rounds_exactly(void **state)
+{
+    (void)state;
+    uint32_t random = 12345;
+
+    for (int i = 0; i < 100000; ++i) {
+        random = random * 1664525u + 1013904223u;
+        float z = (float)(random >> 8) / 16777216.0f;
+        if (i % 3 == 1)
+            z = ((float)(random % 65535) + 0.5f) / 65535.0f;
+        if (i % 3 == 2)
+            z = ldexpf(z, -(int)(random % 40));
+        assert_int_equal(cleared_depth(GN_FORMAT_D16, z), (uint32_t)nearbyint((double)z * 65535.0));
+        assert_int_equal(cleared_depth(GN_FORMAT_D24, z),
+                         (uint32_t)nearbyint((double)z * 16777215.0));
+    }
+}
+
+static void clear_depth_clamps(void **state)
+{
+    (void)state;
+    assert_int_equal(cleared_depth(GN_FORMAT_D16, 2.0f), 65535);
+    assert_int_equal(cleared_depth(GN_FORMAT_D24, 1.0f), 16777215);
+    assert_int_equal(cleared_depth(GN_FORMAT_D24, -1.0f), 0);
+    assert_int_equal(cleared_depth(GN_FORMAT_D24, NAN), 0);
+    assert_int_equal(cleared_depth(GN_FORMAT_D24, 1e-40f), 0);
+    assert_int_equal(cleared_depth(GN_FORMAT_D32F, 0.5f), 0x3F000000u);
+    assert_int_equal(cleared_depth(GN_FORMAT_D32F, -0.0f), 0);
+    assert_int_equal(cleared_depth(GN_FORMAT_D32F, INFINITY), 0x3F800000u);
+}
+
+static void clear_faults(void **state)
+{
+    (void)state;
+    gn_surface s = gn_surface_bottom_up(words, GN_FORMAT_RGBA8, WIDTH, HEIGHT);
+
+    assert_int_equal(gn_clear_color(NULL, 0, 0, 0, 0), GN_NULL_POINTER);
+    assert_int_equal(gn_clear_depth(NULL, 0), GN_NULL_POINTER);
+    assert_int_equal(gn_clear_depth(&s, 0), GN_INVALID_FORMAT);
+    s.format = GN_FORMAT_D32F;
+    assert_int_equal(gn_clear_color(&s, 0, 0, 0, 0), GN_INVALID_FORMAT);
+    s.width = 0;
+    assert_int_equal(gn_clear_depth(&s, 0), GN_INVALID_SIZE);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(format_sizes),
+        cmocka_unit_test(constructors_place_row_zero),
+        cmocka_unit_test(target_faults),
+        cmocka_unit_test(clear_color_packs_by_value),
+        cmocka_unit_test(clear_color_keeps_floats),
+        cmocka_unit_test(clear_respects_the_stride),
+        cmocka_unit_test(clear_depth_rounds_exactly),
+        cmocka_unit_test(clear_depth_clamps),
+        cmocka_unit_test(clear_faults),
+    };
+    return cmocka_run_group_tests_name("surface", tests, NULL, NULL);
+}

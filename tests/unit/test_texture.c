@@ -1,0 +1,223 @@
+/* Textures: every fault, wrapping and filtering by hand-worked cases, and
+ * coordinates that are not finite. */
+#include <math.h>
+#include <string.h>
+
+#include "unit.h"
+
+/* Texel (x, y) of the test image is (x, y, 0, 1) in 1/255. */
+enum { WIDTH = 4, HEIGHT = 3 };
+
+static uint32_t image[WIDTH * HEIGHT];
+
+static gn_texture test_texture(void)
+{
+    gn_texture t = {0};
+
+    for (uint32_t y = 0; y < HEIGHT; ++y) {
+        for (uint32_t x = 0; x < WIDTH; ++x)
+            image[y * WIDTH + x] = x * 10 | y * 10 << 8 | 0xFF000000u;
+    }
+    t.texels = image;
+    t.row_stride = WIDTH * 4;
+    t.width = WIDTH;
+    t.height = HEIGHT;
+    t.format = GN_FORMAT_RGBA8;
+    return t;
+}
+
+static void texture_faults(void **state)
+{
+    (void)state;
+    gn_texture t = test_texture();
+
+    assert_int_equal(gn_texture_check(&t), GN_OK);
+    t.row_stride = -t.row_stride;
+    assert_int_equal(gn_texture_check(&t), GN_OK);
+    assert_int_equal(gn_texture_check(NULL), GN_NULL_POINTER);
+    t = test_texture();
+    t.texels = NULL;
+    assert_int_equal(gn_texture_check(&t), GN_NULL_POINTER);
+    t = test_texture();
+    t.format = GN_FORMAT_D16;
+    assert_int_equal(gn_texture_check(&t), GN_INVALID_FORMAT);
+    t = test_texture();
+    t.width = 0;
+    assert_int_equal(gn_texture_check(&t), GN_INVALID_SIZE);
+    t.width = GN_MAX_SIZE + 1;
+    assert_int_equal(gn_texture_check(&t), GN_INVALID_SIZE);
+    t = test_texture();
+    t.height = 0;
+    assert_int_equal(gn_texture_check(&t), GN_INVALID_SIZE);
+    t = test_texture();
+    t.texels = (const char *)image + 1;
+    assert_int_equal(gn_texture_check(&t), GN_MISALIGNED);
+    t = test_texture();
+    t.row_stride = 18;
+    assert_int_equal(gn_texture_check(&t), GN_MISALIGNED);
+    t.row_stride = 12;
+    assert_int_equal(gn_texture_check(&t), GN_INVALID_STRIDE);
+}
+
+static void sampler_faults(void **state)
+{
+    (void)state;
+    gn_sampler s = {0};
+
+    assert_int_equal(gn_sampler_check(&s), GN_OK);
+    assert_int_equal(gn_sampler_check(NULL), GN_NULL_POINTER);
+    s.wrap_s = (gn_wrap)9;
+    assert_int_equal(gn_sampler_check(&s), GN_INVALID_ENUM);
+    memset(&s, 0, sizeof s);
+    s.wrap_t = (gn_wrap)-1;
+    assert_int_equal(gn_sampler_check(&s), GN_INVALID_ENUM);
+    memset(&s, 0, sizeof s);
+    s.magnify = (gn_magnify)2;
+    assert_int_equal(gn_sampler_check(&s), GN_INVALID_ENUM);
+    memset(&s, 0, sizeof s);
+    s.minify = (gn_minify)3;
+    assert_int_equal(gn_sampler_check(&s), GN_INVALID_ENUM);
+}
+
+/* Red and green of lane 0, in texels of the test image. */
+static void sample_one(const gn_sampler *sampler, float s, float t, float *x, float *y)
+{
+    const gn_texture texture = test_texture();
+    float sx[GN_LANES], ty[GN_LANES];
+    float texel[4][GN_LANES];
+
+    for (int l = 0; l < GN_LANES; ++l) {
+        sx[l] = s;
+        ty[l] = t;
+    }
+    gn_sample_2d(&texture, sampler, sx, ty, texel);
+    for (int l = 1; l < GN_LANES; ++l)
+        assert_true(texel[0][l] == texel[0][0] && texel[1][l] == texel[1][0]);
+    assert_true(fabsf(texel[3][0] - 1.0f) < 1e-6f && texel[2][0] == 0.0f);
+    *x = texel[0][0] * 25.5f;
+    *y = texel[1][0] * 25.5f;
+}
+
+static void nearest_repeat_and_clamp(void **state)
+{
+    (void)state;
+    gn_sampler sampler = {0};
+    float x, y;
+
+    sampler.magnify = GN_MAGNIFY_NEAREST;
+    sampler.minify = GN_MINIFY_NEAREST;
+    sample_one(&sampler, 0.30f, 0.40f, &x, &y);
+    assert_true(fabsf(x - 1.0f) < 1e-5f && fabsf(y - 1.0f) < 1e-5f);
+    sample_one(&sampler, 1.80f, -0.10f, &x, &y);
+    assert_true(fabsf(x - 3.0f) < 1e-5f && fabsf(y - 2.0f) < 1e-5f);
+    sampler.wrap_s = GN_WRAP_CLAMP_TO_EDGE;
+    sampler.wrap_t = GN_WRAP_CLAMP_TO_EDGE;
+    sample_one(&sampler, 1.80f, -0.10f, &x, &y);
+    assert_true(fabsf(x - 3.0f) < 1e-5f && fabsf(y) < 1e-5f);
+}
+
+static void linear_repeat_and_clamp(void **state)
+{
+    (void)state;
+    gn_sampler sampler = {0};
+    float x, y;
+
+    /* Between texels 1 and 2 across, on texel 1 up. */
+    sampler.minify = GN_MINIFY_LINEAR;
+    sample_one(&sampler, 0.5f, 0.5f, &x, &y);
+    assert_true(fabsf(x - 1.5f) < 1e-5f && fabsf(y - 1.0f) < 1e-5f);
+    /* At the seam: half texel 3, half texel 0; a third of the way up. */
+    sample_one(&sampler, 1.0f, 1.0f, &x, &y);
+    assert_true(fabsf(x - 1.5f) < 1e-5f && fabsf(y - 1.0f) < 1e-5f);
+    sampler.wrap_s = GN_WRAP_CLAMP_TO_EDGE;
+    sampler.wrap_t = GN_WRAP_CLAMP_TO_EDGE;
+    sample_one(&sampler, 1.0f, 0.0f, &x, &y);
+    assert_true(fabsf(x - 3.0f) < 1e-5f && fabsf(y) < 1e-5f);
+}
+
+/* Filters differ, and derivatives decide: half a texel a fragment magnifies, two
+ * minify. */
+static void derivatives_choose_the_filter(void **state)
+{
+    (void)state;
+    const gn_texture texture = test_texture();
+    gn_sampler sampler = {0};
+    float texel[4][GN_LANES];
+
+    sampler.magnify = GN_MAGNIFY_LINEAR;
+    sampler.minify = GN_MINIFY_NEAREST;
+    for (int step = 0; step < 2; ++step) {
+        const float ds = step ? 2.0f / WIDTH : 0.5f / WIDTH;
+        float s[GN_LANES], t[GN_LANES];
+
+        for (int l = 0; l < GN_LANES; ++l) {
+            s[l] = 0.5f + ds * (float)(l % 4);
+            t[l] = 0.5f;
+        }
+        gn_sample_2d(&texture, &sampler, s, t, texel);
+        assert_true(fabsf(texel[0][0] * 25.5f - (step ? 2.0f : 1.5f)) < 1e-5f);
+    }
+}
+
+static void negative_stride_flips(void **state)
+{
+    (void)state;
+    gn_texture texture = test_texture();
+    gn_sampler sampler = {0};
+    float s[GN_LANES], t[GN_LANES], texel[4][GN_LANES];
+
+    sampler.magnify = GN_MAGNIFY_NEAREST;
+    texture.texels = image + WIDTH * (HEIGHT - 1);
+    texture.row_stride = -texture.row_stride;
+    for (int l = 0; l < GN_LANES; ++l)
+        s[l] = t[l] = 0.1f;
+    gn_sample_2d(&texture, &sampler, s, t, texel);
+    assert_true(fabsf(texel[1][0] * 25.5f - 2.0f) < 1e-5f);
+}
+
+/* Run under the address sanitizer, this shows that nothing outside is read. */
+static void hostile_coordinates_read_inside(void **state)
+{
+    (void)state;
+    const float hostile[] = {NAN,    INFINITY, -INFINITY, 1e30f, -1e30f,       3e9f,
+                             -3e9f,  1e-45f,   -1e-45f,   -0.0f, 0.99999994f, -5e-8f,
+                             2147483648.0f, -2147483648.0f, 16777216.0f, 8388607.5f};
+    const size_t count = sizeof hostile / sizeof *hostile;
+
+    for (uint32_t size = 1; size <= WIDTH; ++size) {
+        gn_texture texture = test_texture();
+        texture.width = size;
+        for (uint32_t kind = 0; kind < 24; ++kind) {
+            gn_sampler sampler;
+            float texel[4][GN_LANES];
+
+            sampler.wrap_s = kind & 1 ? GN_WRAP_REPEAT : GN_WRAP_CLAMP_TO_EDGE;
+            sampler.wrap_t = kind & 2 ? GN_WRAP_REPEAT : GN_WRAP_CLAMP_TO_EDGE;
+            sampler.magnify = kind & 4 ? GN_MAGNIFY_NEAREST : GN_MAGNIFY_LINEAR;
+            sampler.minify = (gn_minify)(kind / 8);
+            for (size_t i = 0; i < count; ++i) {
+                float s[GN_LANES], t[GN_LANES];
+
+                for (size_t l = 0; l < GN_LANES; ++l) {
+                    s[l] = hostile[(i + l) % count];
+                    t[l] = hostile[(i * l) % count];
+                }
+                gn_sample_2d(&texture, &sampler, s, t, texel);
+            }
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(texture_faults),
+        cmocka_unit_test(sampler_faults),
+        cmocka_unit_test(nearest_repeat_and_clamp),
+        cmocka_unit_test(linear_repeat_and_clamp),
+        cmocka_unit_test(derivatives_choose_the_filter),
+        cmocka_unit_test(negative_stride_flips),
+        cmocka_unit_test(hostile_coordinates_read_inside),
+    };
+    return cmocka_run_group_tests_name("texture", tests, NULL, NULL);
+}
