@@ -60,44 +60,55 @@ setup: ## install what building and testing needs (Debian, as root)
 library: $(BUILD)/libgnomon.a $(BUILD)/libgnomon.so ## the library, static and shared
 
 $(BUILD)/libgnomon.a: $(call objects,$(LIBRARY_SOURCES))
-	$(AR) rcs $@ $^
+	@echo '  AR $@'
+	@$(AR) rcs $@ $^
 
 $(BUILD)/libgnomon.so: $(call objects,$(LIBRARY_SOURCES))
-	$(CC) $(CFLAGS) -shared -nostdlib -Wl,-z,defs -Wl,-soname,libgnomon.so.0 $^ -o $@
+	@echo '  LD $@'
+	@$(CC) $(CFLAGS) -shared -nostdlib -Wl,-z,defs -Wl,-soname,libgnomon.so.0 $^ -o $@
 
 $(BUILD)/src/%.o: src/%.c Makefile
 	@mkdir -p $(@D)
-	$(CC) $(LIBRARY_FLAGS) $(SANITIZE) -MMD -MP -c $< -o $@
+	@echo '  CC $<'
+	@$(CC) $(LIBRARY_FLAGS) $(SANITIZE) -MMD -MP -c $< -o $@
 
 $(BUILD)/%.o: %.c Makefile
 	@mkdir -p $(@D)
-	$(CC) $(PROGRAM_FLAGS) $(EXTRA_FLAGS) -MMD -MP -c $< -o $@
+	@echo '  CC $<'
+	@$(CC) $(PROGRAM_FLAGS) $(EXTRA_FLAGS) -MMD -MP -c $< -o $@
 
 $(BUILD)/tests/theft/%.o $(BUILD)/tests/property/%.o: EXTRA_FLAGS = $(THEFT_CFLAGS) -Itests/parity
 
 # Programs
 
 $(BUILD)/gnomon: $(call objects,$(COMMAND_SOURCES) $(SCENE_SOURCES) $(OSMESA_SOURCES)) $(BUILD)/libgnomon.a
-	$(CC) $(CFLAGS) $(SANITIZE) $^ -o $@ -lassimp -lpng -lOSMesa -lm
+	@echo '  LD $@'
+	@$(CC) $(CFLAGS) $(SANITIZE) $^ -o $@ -lassimp -lpng -lstb -lOSMesa -lm
 
 $(BUILD)/parity: $(call objects,$(PARITY_SOURCES) $(SCENE_SOURCES) $(OSMESA_SOURCES)) $(BUILD)/libgnomon.a
-	$(CC) $(CFLAGS) $(SANITIZE) $^ -o $@ -lOSMesa -lm
+	@echo '  LD $@'
+	@$(CC) $(CFLAGS) $(SANITIZE) $^ -o $@ -lOSMesa -lm
 
 $(BUILD)/unit-tests: $(call objects,$(UNIT_SOURCES)) $(BUILD)/libgnomon.a
-	$(CC) $(CFLAGS) $(SANITIZE) $^ -o $@ -lcmocka -lm
+	@echo '  LD $@'
+	@$(CC) $(CFLAGS) $(SANITIZE) $^ -o $@ -lcmocka -lm
 
 $(BUILD)/theft-selftest: $(call objects,$(THEFT_SOURCES)) $(BUILD)/tests/theft/selftest.o
-	$(CC) $(CFLAGS) $(SANITIZE) $^ -o $@ -lcmocka -lm
+	@echo '  LD $@'
+	@$(CC) $(CFLAGS) $(SANITIZE) $^ -o $@ -lcmocka -lm
 
 $(BUILD)/property-tests: $(call objects,$(PROPERTY_SOURCES) $(THEFT_SOURCES) $(SCENE_SOURCES) \
 		$(filter-out tests/parity/gate.c,$(PARITY_SOURCES))) $(BUILD)/libgnomon.a
-	$(CC) $(CFLAGS) $(SANITIZE) $^ -o $@ $(THEFT_LIBS) -lm
+	@echo '  LD $@'
+	@$(CC) $(CFLAGS) $(SANITIZE) $^ -o $@ $(THEFT_LIBS) -lm
 
 $(BUILD)/bench: $(call objects,$(BENCH_SOURCES) $(SCENE_SOURCES) $(OSMESA_SOURCES)) $(BUILD)/libgnomon.a
-	$(CC) $(CFLAGS) $^ -o $@ -lOSMesa -lm
+	@echo '  LD $@'
+	@$(CC) $(CFLAGS) $^ -o $@ -lOSMesa -lm
 
 $(BUILD)/exhaustive: $(call objects,$(EXHAUSTIVE_SOURCES)) $(BUILD)/libgnomon.a
-	$(CC) $(CFLAGS) $^ -o $@ -lmpfr -lm
+	@echo '  LD $@'
+	@$(CC) $(CFLAGS) $^ -o $@ -lmpfr -lm
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
 

@@ -2,11 +2,12 @@
  * the convention: `rh` is a right-handed view space in which the camera looks
  * along -z, `no` is OpenGL's clip space, -w <= z <= w (negative one to one).
  *
- * Statuses and E as in transform.h: |E| is at most u on the diagonal; off it,
- * matrix * inverse is within u times the magnitude of the matrix's entry in the
- * same row (scales aside) and inverse * matrix within 2 u times that of the
- * inverse's. Where a number computed on the way would overflow, or a reciprocal
- * would not be a normal float, the status is GN_OUT_OF_RANGE.
+ * Statuses, E and u as in transform.h. With |.| entry by entry, every transform
+ * here keeps |E| <= u |M| |M^-1|, and u |M^-1| |M| with the factors exchanged,
+ * barring underflow: no entry of either product is off by more than one rounding
+ * of the terms it is summed from. Where a number computed on the way would
+ * overflow, or a reciprocal would not be a normal float, the status is
+ * GN_OUT_OF_RANGE.
  *
  * (z_near and z_far, because a widespread system header defines `near` and
  * `far`.) */

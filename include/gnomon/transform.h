@@ -44,17 +44,18 @@ GN_API gn_status gn_rotate_y(float radians, gn_transform *result);
 GN_API gn_status gn_rotate_z(float radians, gn_transform *result);
 
 /* Turns about an axis through the origin, of any length but zero (Rodrigues'
- * formula on the normalised axis). The inverse is the transpose. |E| <= 64 u on
- * the diagonal and 101 u off it (proved with Gappa for an axis whose length is
- * within 8 u of 1). GN_DEGENERATE where the axis is zero. */
+ * formula on the normalised axis). The inverse is the transpose. |E| <= 50 u on
+ * the diagonal and 36 u off it, of which 28 u and 14 u come from the length of the
+ * rounded axis, and lengths are kept within 60 u. GN_DEGENERATE where the axis is
+ * zero. */
 GN_API gn_status gn_rotate_axis(gn_vec3 axis, float radians, gn_transform *result);
 
 /* The view of a camera: world coordinates to coordinates in which the camera
  * stands at the origin, looks along -z, and has `up` in the half plane of +y
  * (right-handed). The inverse places the camera in the world; its translation is
  * the eye, exactly.
- * |E| <= 16 u in the upper-left 3x3 and 32 u * (|eye.x| + |eye.y| + |eye.z|) in the
- * translation.
+ * |E| <= 17 u in the upper-left 3x3 and 23 u * (|eye.x| + |eye.y| + |eye.z|) in the
+ * translation, barring underflow.
  * GN_DEGENERATE where the target is the eye, up is zero, or up is parallel to the
  * view: the sine of the angle between them is at most 2^-20, where the rounding
  * of the input alone decides what is up. GN_OUT_OF_RANGE where target - eye or
@@ -64,7 +65,10 @@ GN_API gn_status gn_look_at_rh(gn_vec3 eye, gn_vec3 target, gn_vec3 up, gn_trans
 /* b followed by a, as with matrices: matrix = a.matrix * b.matrix, inverse =
  * b.inverse * a.inverse. The result may be a or b. With |.| entry by entry and
  * Ea, Eb the operands' E, to first order
- *   |E| <= 8 u |A||B||B^-1||A^-1| + |A| |Eb| |A^-1| + |Ea|.
+ *   |E| <= 8 u |A||B||B^-1||A^-1| + |A| |Eb| |A^-1| + |Ea|
+ * and, the factors exchanged,
+ *   |E| <= 8 u |B^-1||A^-1||A||B| + |B^-1| |Ea| |B| + |Eb|,
+ * barring underflow.
  * GN_NOT_FINITE where an operand is not finite, GN_OUT_OF_RANGE where a product
  * overflows. */
 GN_API gn_status gn_transform_compose(const gn_transform *a, const gn_transform *b,

@@ -55,8 +55,9 @@ GN_API gn_vec3 gn_vec3_cross(gn_vec3 a, gn_vec3 b);
 
 /* The Euclidean length, gn_sqrt(dot(v, v)). A vector whose square would
  * overflow or lose bits to underflow is scaled by a power of two first, so the
- * relative error is at most 3.5 * 2^-24 wherever the length is a normal float.
- * An infinite component gives infinity, a NaN otherwise NaN. */
+ * relative error is at most 3.5 * 2^-24 wherever the length is a normal float. An
+ * infinite component, or a length beyond the largest float, gives infinity; a NaN
+ * otherwise gives NaN. */
 GN_API float gn_vec2_length(gn_vec2 v);
 GN_API float gn_vec3_length(gn_vec3 v);
 GN_API float gn_vec4_length(gn_vec4 v);

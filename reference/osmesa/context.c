@@ -1,0 +1,148 @@
+/* The GL context: the environment Mesa reads, creation, version. */
+#include "gl.h"
+
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What OSMesa calls the window; nothing is drawn to it. */
+#define WINDOW_SIZE 16
+static unsigned char window[WINDOW_SIZE * WINDOW_SIZE * 4];
+
+bool reference_fail(char *error, size_t error_size, const char *format, ...)
+{
+    if (error_size) {
+        va_list arguments;
+
+        va_start(arguments, format);
+        vsnprintf(error, error_size, format, arguments);
+        va_end(arguments);
+    }
+    return false;
+}
+
+bool reference_check(const char *doing, char *error, size_t error_size)
+{
+    const GLenum code = glGetError();
+    const char *name = code == GL_INVALID_ENUM                    ? "invalid enum"
+                       : code == GL_INVALID_VALUE                 ? "invalid value"
+                       : code == GL_INVALID_OPERATION             ? "invalid operation"
+                       : code == GL_INVALID_FRAMEBUFFER_OPERATION ? "invalid framebuffer operation"
+                       : code == GL_OUT_OF_MEMORY                 ? "out of memory"
+                                                                  : "unknown error";
+
+    return code == GL_NO_ERROR ||
+           reference_fail(error, error_size, "OpenGL: %s (0x%04x) while %s", name, code, doing);
+}
+
+/* Mesa reads these once, when the first context is created. The pinned ones decide
+ * about bits; LP_NUM_THREADS does not, but 0 keeps all work in the calling thread,
+ * whose CPU time is then the whole cost. */
+static void set_environment(reference_profile profile)
+{
+    if (profile == REFERENCE_PINNED) {
+        setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+        setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 1);
+        setenv("GALLIVM_PERF", "no_quad_lod,no_aos_sampling", 1);
+        setenv("LP_NUM_THREADS", "0", 1);
+    } else {
+        setenv("LP_NUM_THREADS", "0", 0);
+    }
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+}
+
+/* "22.3.6" from "4.5 (Core Profile) Mesa 22.3.6". */
+static void read_version(reference *r)
+{
+    const char *text = (const char *)glGetString(GL_VERSION);
+    const char *mesa = text ? strstr(text, "Mesa ") : NULL;
+    const char *renderer = (const char *)glGetString(GL_RENDERER);
+
+    snprintf(r->version, sizeof r->version, "%s", mesa ? mesa + 5 : text ? text : "unknown");
+    snprintf(r->renderer, sizeof r->renderer, "%s", renderer ? renderer : "unknown");
+}
+
+reference *reference_create(reference_profile profile, char *error, size_t error_size)
+{
+    static const int attributes[] = {OSMESA_FORMAT,
+                                     OSMESA_RGBA,
+                                     OSMESA_PROFILE,
+                                     OSMESA_CORE_PROFILE,
+                                     OSMESA_CONTEXT_MAJOR_VERSION,
+                                     4,
+                                     OSMESA_CONTEXT_MINOR_VERSION,
+                                     5,
+                                     0};
+    static bool created;
+    reference *r;
+
+    if (created) {
+        reference_fail(error, error_size, "a process can have one reference only");
+        return NULL;
+    }
+    created = true;
+    set_environment(profile);
+    r = calloc(1, sizeof *r);
+    if (!r) {
+        reference_fail(error, error_size, "out of memory");
+        return NULL;
+    }
+    r->context = OSMesaCreateContextAttribs(attributes, NULL);
+    if (!r->context) {
+        reference_fail(error, error_size, "OSMesa gives no OpenGL 4.5 core context");
+        free(r);
+        return NULL;
+    }
+    if (!OSMesaMakeCurrent(r->context, window, GL_UNSIGNED_BYTE, WINDOW_SIZE, WINDOW_SIZE)) {
+        reference_fail(error, error_size, "OSMesa cannot make its context current");
+        reference_destroy(r);
+        return NULL;
+    }
+    read_version(r);
+    if (profile == REFERENCE_PINNED && strncmp(r->renderer, "llvmpipe", 8) != 0) {
+        reference_fail(error, error_size, "OSMesa draws with %s, the reference is llvmpipe",
+                       r->renderer);
+        reference_destroy(r);
+        return NULL;
+    }
+    glGenVertexArrays(1, &r->vertex_array);
+    glBindVertexArray(r->vertex_array);
+    glDisable(GL_DITHER);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    return r;
+}
+
+void reference_destroy(reference *r)
+{
+    if (!r) {
+        return;
+    }
+    for (int i = 0; i < FRAMEBUFFER_CACHE_SIZE; ++i) {
+        framebuffer_destroy(&r->framebuffers[i]);
+    }
+    for (int i = 0; i < VERTEX_COLOR_PROGRAMS; ++i) {
+        glDeleteProgram(r->vertex_color_programs[i]);
+    }
+    for (int i = 0; i < SCENE_SHADER_COUNT; ++i) {
+        glDeleteProgram(r->lit_programs[i]);
+    }
+    glDeleteVertexArrays(1, &r->vertex_array);
+    OSMesaDestroyContext(r->context);
+    free(r);
+}
+
+const char *reference_mesa_version(const reference *r)
+{
+    return r->version;
+}
+
+const char *reference_renderer(const reference *r)
+{
+    return r->renderer;
+}
+
+bool reference_is_contract_version(const reference *r)
+{
+    return !strncmp(r->version, "22.3.", 5);
+}

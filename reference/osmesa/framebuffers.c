@@ -1,0 +1,96 @@
+/* Framebuffer objects for scenes, the last few of them kept. */
+#include "gl.h"
+
+#include <string.h>
+
+static GLenum gl_format(gn_format format)
+{
+    switch (format) {
+    case GN_FORMAT_RGBA8:
+        return GL_RGBA8;
+    case GN_FORMAT_RGBA32F:
+        return GL_RGBA32F;
+    case GN_FORMAT_D16:
+        return GL_DEPTH_COMPONENT16;
+    case GN_FORMAT_D24:
+        return GL_DEPTH_COMPONENT24;
+    case GN_FORMAT_D32F:
+        return GL_DEPTH_COMPONENT32F;
+    case GN_FORMAT_NONE:
+        break;
+    }
+    return GL_NONE;
+}
+
+static GLuint attach(GLenum attachment, gn_format format, uint32_t width, uint32_t height)
+{
+    GLuint name = 0;
+
+    if (format != GN_FORMAT_NONE) {
+        glGenRenderbuffers(1, &name);
+        glBindRenderbuffer(GL_RENDERBUFFER, name);
+        glRenderbufferStorage(GL_RENDERBUFFER, gl_format(format), (GLsizei)width, (GLsizei)height);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, name);
+    }
+    return name;
+}
+
+bool framebuffer_create(framebuffer *f, const scene *s, char *error, size_t error_size)
+{
+    GLenum status;
+
+    memset(f, 0, sizeof *f);
+    f->width = s->width;
+    f->height = s->height;
+    f->color_format = s->color_format;
+    f->depth_format = s->depth_format;
+    glGenFramebuffers(1, &f->name);
+    glBindFramebuffer(GL_FRAMEBUFFER, f->name);
+    f->color = attach(GL_COLOR_ATTACHMENT0, s->color_format, s->width, s->height);
+    f->depth = attach(GL_DEPTH_ATTACHMENT, s->depth_format, s->width, s->height);
+    if (!f->color) {
+        glDrawBuffer(GL_NONE);
+        glReadBuffer(GL_NONE);
+    }
+    status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE) {
+        framebuffer_destroy(f);
+        reference_check("making a framebuffer", error, error_size);
+        return reference_fail(error, error_size, "OpenGL: incomplete framebuffer (0x%04x)", status);
+    }
+    return reference_check("making a framebuffer", error, error_size);
+}
+
+void framebuffer_destroy(framebuffer *f)
+{
+    glDeleteFramebuffers(1, &f->name);
+    glDeleteRenderbuffers(1, &f->color);
+    glDeleteRenderbuffers(1, &f->depth);
+    memset(f, 0, sizeof *f);
+}
+
+framebuffer *reference_framebuffer(reference *r, const scene *s, char *error, size_t error_size)
+{
+    framebuffer *oldest = &r->framebuffers[0];
+
+    r->uses++;
+    for (int i = 0; i < FRAMEBUFFER_CACHE_SIZE; ++i) {
+        framebuffer *f = &r->framebuffers[i];
+
+        if (f->name && f->width == s->width && f->height == s->height &&
+            f->color_format == s->color_format && f->depth_format == s->depth_format) {
+            f->last_use = r->uses;
+            glBindFramebuffer(GL_FRAMEBUFFER, f->name);
+            return f;
+        }
+        if (f->last_use < oldest->last_use) {
+            oldest = f;
+        }
+    }
+    framebuffer_destroy(oldest);
+    if (!framebuffer_create(oldest, s, error, error_size)) {
+        return NULL;
+    }
+    oldest->last_use = r->uses;
+    return oldest;
+}

@@ -1,0 +1,68 @@
+/* What the files of the reference share: the GL entry points, the state of a
+ * reference, and the steps from a scene to its pixels. */
+#ifndef OSMESA_GL_H
+#define OSMESA_GL_H
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/osmesa.h>
+#include <GL/glcorearb.h>
+
+#include "osmesa.h"
+
+/* Framebuffers kept for the next scene of their size and formats. */
+#define FRAMEBUFFER_CACHE_SIZE 16
+
+/* Variants of the vertex-colour program: three qualifiers to the power of four. */
+#define VERTEX_COLOR_PROGRAMS 81
+
+typedef struct framebuffer {
+    GLuint name;
+    GLuint color, depth; /* renderbuffers */
+    uint32_t width, height;
+    gn_format color_format, depth_format;
+    uint64_t last_use;
+} framebuffer;
+
+struct reference {
+    OSMesaContext context;
+    char version[32];
+    char renderer[128];
+    GLuint vertex_array;
+    GLuint vertex_color_programs[VERTEX_COLOR_PROGRAMS];
+    GLuint lit_programs[SCENE_SHADER_COUNT];
+    framebuffer framebuffers[FRAMEBUFFER_CACHE_SIZE];
+    uint64_t uses;
+};
+
+/* A draw's mesh and texture in GL objects. */
+typedef struct uploaded_draw {
+    GLuint vertices;
+    GLuint indices;
+    GLuint texture;
+    GLuint program;
+    size_t offset[4]; /* of the attributes in `vertices` */
+} uploaded_draw;
+
+/* Puts a formatted reason into error. Returns false. */
+bool reference_fail(char *error, size_t error_size, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* False, with a reason that names `doing`, where GL has an error. */
+bool reference_check(const char *doing, char *error, size_t error_size);
+
+/* The GL program of a draw, made when it is first asked for; 0 with the compiler's log in error. */
+GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t error_size);
+
+/* The bound framebuffer of a scene; null with the reason in error. */
+framebuffer *reference_framebuffer(reference *r, const scene *s, char *error, size_t error_size);
+bool framebuffer_create(framebuffer *f, const scene *s, char *error, size_t error_size);
+void framebuffer_destroy(framebuffer *f);
+
+/* Steps of drawing: the draws' data into GL objects (null with the reason in error), the
+ * clears, one draw's state and draw call, and the objects' end. */
+uploaded_draw *reference_upload(reference *r, const scene *s, char *error, size_t error_size);
+void reference_clear(const scene *s);
+void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u);
+void reference_discard(uploaded_draw *draws, size_t count);
+
+#endif

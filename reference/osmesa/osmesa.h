@@ -1,0 +1,40 @@
+/* The reference rasterizer: a scene drawn through OpenGL by OSMesa.
+ *
+ * The pinned profile makes Mesa's generated code the same on every x86 machine: the
+ * llvmpipe driver, SSE4.1 without fused multiply-add, the accurate texture path, no
+ * shader cache. It is set in the environment before the first context is created.
+ * The host profile leaves the machine's own instruction set, for measuring speed. */
+#ifndef OSMESA_REFERENCE_H
+#define OSMESA_REFERENCE_H
+
+#include "scene.h"
+
+typedef enum reference_profile { REFERENCE_PINNED, REFERENCE_HOST } reference_profile;
+
+typedef struct reference reference;
+
+/* One a process: Mesa reads its environment once, and the context is current in the thread
+ * that made it. Null on failure, with the reason in error. */
+reference *reference_create(reference_profile profile, char *error, size_t error_size);
+void reference_destroy(reference *r);
+
+/* "22.3.6" and the like, from GL_VERSION; and GL_RENDERER. */
+const char *reference_mesa_version(const reference *r);
+const char *reference_renderer(const reference *r);
+
+/* Whether the version is one the contract of bit equality is made for: 22.3.x. */
+bool reference_is_contract_version(const reference *r);
+
+/* Draws a scene into an allocated frame. False with the reason (a GL error, a shader log, an
+ * incomplete framebuffer) in error. */
+bool reference_draw(reference *r, const scene *s, scene_frame *frame, char *error,
+                    size_t error_size);
+
+/* For measuring: uploads a scene once, draws it any number of times and waits for the end
+ * of each frame; nothing is read back. The scene must stay unchanged until the release. */
+typedef struct reference_prepared reference_prepared;
+reference_prepared *reference_prepare(reference *r, const scene *s, char *error, size_t error_size);
+void reference_draw_prepared(reference *r, reference_prepared *p);
+void reference_release(reference *r, reference_prepared *p);
+
+#endif

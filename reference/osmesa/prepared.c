@@ -1,0 +1,54 @@
+/* Scenes prepared for measuring: uploaded once, drawn many times, never read back. */
+#include "gl.h"
+
+#include <stdlib.h>
+
+struct reference_prepared {
+    const scene *scene; /* the caller's, for state and uniforms */
+    framebuffer target; /* its own, out of reach of the cache's limit */
+    uploaded_draw *draws;
+};
+
+reference_prepared *reference_prepare(reference *r, const scene *s, char *error, size_t error_size)
+{
+    reference_prepared *p = calloc(1, sizeof *p);
+
+    if (!p) {
+        reference_fail(error, error_size, "out of memory");
+        return NULL;
+    }
+    p->scene = s;
+    if (!framebuffer_create(&p->target, s, error, error_size)) {
+        free(p);
+        return NULL;
+    }
+    p->draws = reference_upload(r, s, error, error_size);
+    if (!p->draws) {
+        framebuffer_destroy(&p->target);
+        free(p);
+        return NULL;
+    }
+    return p;
+}
+
+void reference_draw_prepared(reference *r, reference_prepared *p)
+{
+    (void)r;
+    glBindFramebuffer(GL_FRAMEBUFFER, p->target.name);
+    reference_clear(p->scene);
+    for (size_t i = 0; i < p->scene->draw_count; ++i) {
+        reference_issue(p->scene, &p->scene->draws[i], &p->draws[i]);
+    }
+    glFinish();
+}
+
+void reference_release(reference *r, reference_prepared *p)
+{
+    (void)r;
+    if (!p) {
+        return;
+    }
+    reference_discard(p->draws, p->scene->draw_count);
+    framebuffer_destroy(&p->target);
+    free(p);
+}

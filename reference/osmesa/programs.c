@@ -1,0 +1,202 @@
+/* The GLSL twins of the ready-made shaders. Their expressions are written in the order
+ * of operations of the library's; attributes and uniforms have fixed locations. */
+#include "gl.h"
+
+#include <string.h>
+
+static const char vertex_head[] = "#version 450 core\n"
+                                  "layout(location = 0) in vec4 position;\n"
+                                  "layout(location = 1) in vec4 color;\n"
+                                  "layout(location = 2) in vec4 normal;\n"
+                                  "layout(location = 3) in vec4 texcoord;\n"
+                                  "layout(location = 0) uniform mat4 clip_from_model;\n"
+                                  "layout(location = 1) uniform mat3 normal_matrix;\n"
+                                  "layout(location = 2) uniform vec3 light_direction;\n"
+                                  "layout(location = 3) uniform vec3 ambient;\n"
+                                  "layout(location = 4) uniform vec3 diffuse;\n"
+                                  "vec4 lit()\n"
+                                  "{\n"
+                                  "    vec3 n = normalize(normal_matrix * normal.xyz);\n"
+                                  "    float d = max(dot(n, light_direction), 0.0);\n"
+                                  "    return vec4(color.rgb * (ambient + diffuse * d), color.a);\n"
+                                  "}\n";
+
+/* Four scalars, since each may have a qualifier of its own. */
+static const char vertex_color_varyings[] = "%s %s float red;\n"
+                                            "%s %s float green;\n"
+                                            "%s %s float blue;\n"
+                                            "%s %s float alpha;\n";
+
+static const char vertex_color_main[] = "void main()\n"
+                                        "{\n"
+                                        "    gl_Position = clip_from_model * position;\n"
+                                        "    red = color.r;\n"
+                                        "    green = color.g;\n"
+                                        "    blue = color.b;\n"
+                                        "    alpha = color.a;\n"
+                                        "}\n";
+
+static const char vertex_color_fragment_main[] = "layout(location = 0) out vec4 result;\n"
+                                                 "void main()\n"
+                                                 "{\n"
+                                                 "    result = vec4(red, green, blue, alpha);\n"
+                                                 "}\n";
+
+static const char flat_vertex[] = "flat out vec4 shade;\n"
+                                  "void main()\n"
+                                  "{\n"
+                                  "    gl_Position = clip_from_model * position;\n"
+                                  "    shade = lit();\n"
+                                  "}\n";
+
+static const char flat_fragment[] = "#version 450 core\n"
+                                    "flat in vec4 shade;\n"
+                                    "layout(location = 0) out vec4 result;\n"
+                                    "void main() { result = shade; }\n";
+
+static const char gouraud_vertex[] = "smooth out vec4 shade;\n"
+                                     "void main()\n"
+                                     "{\n"
+                                     "    gl_Position = clip_from_model * position;\n"
+                                     "    shade = lit();\n"
+                                     "}\n";
+
+static const char gouraud_fragment[] = "#version 450 core\n"
+                                       "smooth in vec4 shade;\n"
+                                       "layout(location = 0) out vec4 result;\n"
+                                       "void main() { result = shade; }\n";
+
+static const char textured_vertex[] = "smooth out vec4 shade;\n"
+                                      "smooth out vec2 coordinates;\n"
+                                      "void main()\n"
+                                      "{\n"
+                                      "    gl_Position = clip_from_model * position;\n"
+                                      "    shade = lit();\n"
+                                      "    coordinates = texcoord.st;\n"
+                                      "}\n";
+
+static const char textured_fragment[] =
+    "#version 450 core\n"
+    "smooth in vec4 shade;\n"
+    "smooth in vec2 coordinates;\n"
+    "layout(binding = 0) uniform sampler2D image;\n"
+    "layout(location = 0) out vec4 result;\n"
+    "void main() { result = shade * texture(image, coordinates); }\n";
+
+static GLuint compile(GLenum stage, const char *head, const char *body, char *error,
+                      size_t error_size)
+{
+    const char *parts[2] = {head, body};
+    const GLuint shader = glCreateShader(stage);
+    GLint compiled = 0;
+
+    glShaderSource(shader, 2, parts, NULL);
+    glCompileShader(shader);
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (!compiled) {
+        char log[1024] = "";
+
+        glGetShaderInfoLog(shader, sizeof log, NULL, log);
+        reference_fail(error, error_size, "a GLSL shader does not compile: %s", log);
+        glDeleteShader(shader);
+        return 0;
+    }
+    return shader;
+}
+
+static GLuint link_program(const char *vertex_body, const char *fragment_head,
+                           const char *fragment_body, char *error, size_t error_size)
+{
+    const GLuint vertex = compile(GL_VERTEX_SHADER, vertex_head, vertex_body, error, error_size);
+    const GLuint fragment =
+        vertex ? compile(GL_FRAGMENT_SHADER, fragment_head, fragment_body, error, error_size) : 0;
+    GLuint program = 0;
+
+    if (vertex && fragment) {
+        GLint linked = 0;
+
+        program = glCreateProgram();
+        glAttachShader(program, vertex);
+        glAttachShader(program, fragment);
+        glLinkProgram(program);
+        glGetProgramiv(program, GL_LINK_STATUS, &linked);
+        if (!linked) {
+            char log[1024] = "";
+
+            glGetProgramInfoLog(program, sizeof log, NULL, log);
+            reference_fail(error, error_size, "a GLSL program does not link: %s", log);
+            glDeleteProgram(program);
+            program = 0;
+        }
+    }
+    glDeleteShader(vertex);
+    glDeleteShader(fragment);
+    return program;
+}
+
+static const char *qualifier(gn_interpolation interpolation)
+{
+    switch (interpolation) {
+    case GN_NOPERSPECTIVE:
+        return "noperspective";
+    case GN_FLAT:
+        return "flat";
+    case GN_SMOOTH:
+        break;
+    }
+    return "smooth";
+}
+
+static GLuint link_vertex_color(const gn_interpolation *i, char *error, size_t error_size)
+{
+    char vertex[1024];
+    char fragment[1024];
+    size_t used;
+
+    used = (size_t)snprintf(vertex, sizeof vertex, vertex_color_varyings, qualifier(i[0]), "out",
+                            qualifier(i[1]), "out", qualifier(i[2]), "out", qualifier(i[3]), "out");
+    snprintf(vertex + used, sizeof vertex - used, "%s", vertex_color_main);
+    used = (size_t)snprintf(fragment, sizeof fragment, vertex_color_varyings, qualifier(i[0]), "in",
+                            qualifier(i[1]), "in", qualifier(i[2]), "in", qualifier(i[3]), "in");
+    snprintf(fragment + used, sizeof fragment - used, "%s", vertex_color_fragment_main);
+    return link_program(vertex, "#version 450 core\n", fragment, error, error_size);
+}
+
+GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t error_size)
+{
+    GLuint *program = &r->lit_programs[d->shader < SCENE_SHADER_COUNT ? d->shader : 0];
+
+    switch (d->shader) {
+    case SCENE_VERTEX_COLOR: {
+        int variant = 0;
+
+        for (int c = 0; c < 4; ++c) {
+            variant = 3 * variant + (int)d->state.interpolation[c] % 3;
+        }
+        program = &r->vertex_color_programs[variant];
+        if (!*program) {
+            *program = link_vertex_color(d->state.interpolation, error, error_size);
+        }
+        break;
+    }
+    case SCENE_FLAT:
+        if (!*program) {
+            *program = link_program(flat_vertex, flat_fragment, "", error, error_size);
+        }
+        break;
+    case SCENE_GOURAUD:
+        if (!*program) {
+            *program = link_program(gouraud_vertex, gouraud_fragment, "", error, error_size);
+        }
+        break;
+    case SCENE_TEXTURED_GOURAUD:
+        if (!*program) {
+            *program = link_program(textured_vertex, textured_fragment, "", error, error_size);
+        }
+        break;
+    case SCENE_SHADER_COUNT:
+        reference_fail(error, error_size, "a draw has no shader");
+        return 0;
+    }
+    return *program;
+}

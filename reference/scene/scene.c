@@ -1,0 +1,249 @@
+/* Scenes as data: creating, filling, copying and freeing them. */
+#include "scene.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene_memory.h"
+
+static void out_of_memory(size_t count, size_t size)
+{
+    fprintf(stderr, "scene: no memory for %zu elements of %zu bytes\n", count, size);
+    exit(EXIT_FAILURE);
+}
+
+void *scene_allocate(size_t count, size_t size)
+{
+    void *memory = calloc(count ? count : 1, size ? size : 1);
+
+    if (!memory) {
+        out_of_memory(count, size);
+    }
+    return memory;
+}
+
+void *scene_reallocate(void *memory, size_t count, size_t size)
+{
+    void *moved = NULL;
+
+    if (!size || count <= SIZE_MAX / size) {
+        const size_t bytes = count * size;
+
+        moved = realloc(memory, bytes ? bytes : 1);
+    }
+    if (!moved) {
+        out_of_memory(count, size);
+    }
+    return moved;
+}
+
+static size_t index_size(gn_index_format format)
+{
+    switch (format) {
+    case GN_INDEX_UINT8:
+        return 1;
+    case GN_INDEX_UINT16:
+        return 2;
+    case GN_INDEX_UINT32:
+        return 4;
+    case GN_INDEX_NONE:
+        break;
+    }
+    return 0;
+}
+
+scene *scene_create(uint32_t width, uint32_t height, gn_format color, gn_format depth)
+{
+    scene *s = scene_allocate(1, sizeof *s);
+
+    s->width = width;
+    s->height = height;
+    s->color_format = color;
+    s->depth_format = depth;
+    s->clear_depth = 1.0f;
+    return s;
+}
+
+static void free_draw(scene_draw *d)
+{
+    for (int a = 0; a < GN_MAX_ATTRIBUTES; ++a) {
+        free((void *)d->mesh.attribute[a].data);
+    }
+    free((void *)d->mesh.indices);
+    free((void *)d->uniforms.texture.texels);
+}
+
+void scene_free(scene *s)
+{
+    if (!s) {
+        return;
+    }
+    for (size_t i = 0; i < s->draw_count; ++i) {
+        free_draw(&s->draws[i]);
+    }
+    free(s->draws);
+    free(s);
+}
+
+scene_draw *scene_add_draw(scene *s)
+{
+    /* The list holds a power of two of draws, or none. */
+    if ((s->draw_count & (s->draw_count - 1)) == 0) {
+        const size_t capacity = s->draw_count ? 2 * s->draw_count : 1;
+
+        s->draws = scene_reallocate(s->draws, capacity, sizeof *s->draws);
+    }
+
+    scene_draw *d = &s->draws[s->draw_count++];
+
+    memset(d, 0, sizeof *d);
+    gn_mat4_identity(&d->uniforms.light.clip_from_model);
+    gn_mat3_identity(&d->uniforms.light.normal_matrix);
+    return d;
+}
+
+void scene_remove_draw(scene *s, size_t index)
+{
+    if (index >= s->draw_count) {
+        return;
+    }
+    free_draw(&s->draws[index]);
+    s->draw_count--;
+    memmove(&s->draws[index], &s->draws[index + 1], (s->draw_count - index) * sizeof *s->draws);
+    /* Keeps to the rule of scene_add_draw: at a power of two the list is exactly full. */
+    if (s->draw_count && (s->draw_count & (s->draw_count - 1)) == 0) {
+        s->draws = scene_reallocate(s->draws, s->draw_count, sizeof *s->draws);
+    }
+}
+
+void scene_set_attribute(scene_draw *d, gn_shader_attribute attribute, const float *data,
+                         uint32_t components, uint32_t vertex_count)
+{
+    gn_attribute *a = &d->mesh.attribute[attribute];
+    const size_t count = (size_t)components * vertex_count;
+    float *copy = scene_allocate(count, sizeof *copy);
+
+    if (count) {
+        memcpy(copy, data, count * sizeof *copy);
+    }
+    free((void *)a->data);
+    a->data = copy;
+    a->components = components;
+    a->stride = 0;
+    d->mesh.vertex_count = vertex_count;
+    if (attribute == GN_ATTRIBUTE_POSITION && d->mesh.index_format == GN_INDEX_NONE) {
+        d->mesh.first = 0;
+        d->mesh.count = vertex_count;
+    }
+}
+
+void scene_set_indices(scene_draw *d, const uint32_t *indices, uint32_t count,
+                       gn_index_format format)
+{
+    void *copy = format == GN_INDEX_NONE ? NULL : scene_allocate(count, index_size(format));
+
+    for (uint32_t i = 0; copy && i < count; ++i) {
+        switch (format) {
+        case GN_INDEX_UINT8:
+            ((uint8_t *)copy)[i] = (uint8_t)indices[i];
+            break;
+        case GN_INDEX_UINT16:
+            ((uint16_t *)copy)[i] = (uint16_t)indices[i];
+            break;
+        case GN_INDEX_UINT32:
+            ((uint32_t *)copy)[i] = indices[i];
+            break;
+        case GN_INDEX_NONE:
+            break;
+        }
+    }
+    free((void *)d->mesh.indices);
+    d->mesh.indices = copy;
+    d->mesh.index_format = format;
+    d->mesh.first = 0;
+    d->mesh.count = copy ? count : d->mesh.vertex_count;
+    d->index_count = copy ? count : 0;
+}
+
+void scene_set_texture(scene_draw *d, const void *texels, uint32_t width, uint32_t height,
+                       gn_format format)
+{
+    gn_texture *t = &d->uniforms.texture;
+    const size_t row = width * gn_format_size(format);
+    void *copy = scene_allocate(height, row);
+
+    if (row && height) {
+        memcpy(copy, texels, row * height);
+    }
+    free((void *)t->texels);
+    t->texels = copy;
+    t->row_stride = (ptrdiff_t)row;
+    t->width = width;
+    t->height = height;
+    t->format = format;
+}
+
+/* The attribute as one tightly packed array, whatever its stride. */
+static void copy_attribute(gn_attribute *to, const gn_attribute *from, uint32_t vertex_count)
+{
+    const size_t size = from->components * sizeof(float);
+    const size_t stride = from->stride ? from->stride : size;
+    float *copy = scene_allocate(vertex_count, size);
+
+    for (uint32_t v = 0; v < vertex_count; ++v) {
+        memcpy(copy + (size_t)v * from->components, (const char *)from->data + v * stride, size);
+    }
+    to->data = copy;
+    to->components = from->components;
+    to->stride = 0;
+}
+
+scene *scene_copy(const scene *s)
+{
+    scene *copy = scene_create(s->width, s->height, s->color_format, s->depth_format);
+
+    memcpy(copy->clear_color, s->clear_color, sizeof copy->clear_color);
+    copy->clear_depth = s->clear_depth;
+    for (size_t i = 0; i < s->draw_count; ++i) {
+        const scene_draw *from = &s->draws[i];
+        const gn_texture *texture = &from->uniforms.texture;
+        const size_t index_bytes = from->index_count * index_size(from->mesh.index_format);
+        scene_draw *to = scene_add_draw(copy);
+
+        *to = *from;
+        for (int a = 0; a < GN_MAX_ATTRIBUTES; ++a) {
+            if (from->mesh.attribute[a].data) {
+                copy_attribute(&to->mesh.attribute[a], &from->mesh.attribute[a],
+                               from->mesh.vertex_count);
+            }
+        }
+        if (from->mesh.indices) {
+            void *indices = scene_allocate(1, index_bytes);
+
+            memcpy(indices, from->mesh.indices, index_bytes);
+            to->mesh.indices = indices;
+        }
+        if (texture->texels) {
+            to->uniforms.texture.texels = NULL;
+            scene_set_texture(to, texture->texels, texture->width, texture->height,
+                              texture->format);
+        }
+    }
+    return copy;
+}
+
+uint64_t scene_triangle_count(const scene *s)
+{
+    uint64_t triangles = 0;
+
+    for (size_t i = 0; i < s->draw_count; ++i) {
+        const uint32_t count = s->draws[i].mesh.count;
+
+        if (s->draws[i].state.topology == GN_TRIANGLES) {
+            triangles += count / 3;
+        } else if (count > 2) {
+            triangles += count - 2;
+        }
+    }
+    return triangles;
+}

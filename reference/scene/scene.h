@@ -1,0 +1,117 @@
+/* Scenes: what both sides draw. A scene is data alone: a target, clears and a list
+ * of draws, each with its state, mesh, shader and uniforms, in the library's own
+ * public types. reference/scene/ draws it with the library, reference/osmesa/ with
+ * OpenGL; neither knows of the other. */
+#ifndef SCENE_H
+#define SCENE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <gnomon.h>
+
+/* The ready-made shader of a draw. */
+typedef enum scene_shader {
+    SCENE_VERTEX_COLOR = 0,
+    SCENE_FLAT,
+    SCENE_GOURAUD,
+    SCENE_TEXTURED_GOURAUD,
+    SCENE_SHADER_COUNT
+} scene_shader;
+
+typedef struct scene_draw {
+    scene_shader shader;
+
+    /* State. The shader, uniforms and varying_count members are not looked at: the
+     * drawing side sets them. With SCENE_VERTEX_COLOR, interpolation[0..3] is
+     * honoured (red, green, blue, alpha); other shaders bring their own. */
+    gn_pipeline state;
+
+    /* The pointers of the mesh and of uniforms.texture are the scene's own memory. */
+    gn_mesh mesh;
+    uint32_t index_count; /* elements behind mesh.indices, 0 where there are none */
+
+    /* clip_from_model serves every shader, the light all but SCENE_VERTEX_COLOR, the
+     * texture and sampler SCENE_TEXTURED_GOURAUD alone. */
+    gn_textured_uniforms uniforms;
+} scene_draw;
+
+typedef struct scene {
+    uint32_t width, height;
+    gn_format color_format; /* GN_FORMAT_RGBA8, GN_FORMAT_RGBA32F */
+    gn_format depth_format; /* GN_FORMAT_NONE, D16, D24, D32F */
+    float clear_color[4];
+    float clear_depth;
+    scene_draw *draws;
+    size_t draw_count;
+} scene;
+
+/* A drawn frame, bottom row first, tightly packed, in the formats of surface.h. */
+typedef struct scene_frame {
+    uint32_t width, height;
+    gn_format color_format, depth_format;
+    void *color;
+    void *depth; /* null for GN_FORMAT_NONE */
+} scene_frame;
+
+/* How two frames of one size and format differ. Bits are compared, except that two
+ * NaN are equal. */
+typedef struct scene_difference {
+    uint64_t color_pixels; /* pixels with any channel different */
+    uint64_t depth_pixels;
+    uint64_t pixels;          /* with a difference in colour or depth */
+    uint64_t coverage_pixels; /* pixels one side has drawn on and the other has not: the
+                                 value is still the clear value on exactly one side */
+    double color_largest;     /* largest difference of a channel, RGBA8: in steps of 1/255 */
+    double depth_largest;     /* D16, D24: in steps of the format; D32F: as a number */
+    uint32_t x, y;            /* the first differing pixel, where pixels > 0 */
+} scene_difference;
+
+/* An empty scene with one allocated draw list; grows by scene_add_draw. All memory of a
+ * scene is owned by it and freed by scene_free. Allocation failure ends the program with
+ * a message: scenes are a test's data. */
+scene *scene_create(uint32_t width, uint32_t height, gn_format color, gn_format depth);
+void scene_free(scene *s);
+scene *scene_copy(const scene *s);
+
+/* A new zeroed draw at the end of the list; its clip_from_model and normal_matrix are
+ * identities. The pointer is good until the next scene_add_draw. */
+scene_draw *scene_add_draw(scene *s);
+void scene_remove_draw(scene *s, size_t index);
+
+/* Copy data into a draw's mesh; earlier data is freed. Attributes are tightly packed, and all
+ * of a mesh hold the same number of vertices. The position (without indices) and the indices
+ * make the draw one of all their elements; change mesh.first and mesh.count afterwards. */
+void scene_set_attribute(scene_draw *d, gn_shader_attribute attribute, const float *data,
+                         uint32_t components, uint32_t vertex_count);
+void scene_set_indices(scene_draw *d, const uint32_t *indices, uint32_t count,
+                       gn_index_format format);
+
+/* Copies a texture into a draw, t growing with the row, tightly packed. */
+void scene_set_texture(scene_draw *d, const void *texels, uint32_t width, uint32_t height,
+                       gn_format format);
+
+/* Triangles the draws submit, before clipping. */
+uint64_t scene_triangle_count(const scene *s);
+
+/* The scene as text that replays it bit for bit, and back (scene_text.h says how it reads).
+ * scene_write is false where writing failed. scene_read returns null and puts a message with
+ * the line number into error. */
+bool scene_write(const scene *s, FILE *out);
+scene *scene_read(FILE *in, char *error, size_t error_size);
+
+/* A zeroed frame for a scene; false where memory is short. */
+bool scene_frame_allocate(scene_frame *frame, const scene *s);
+void scene_frame_free(scene_frame *frame);
+
+/* Draws with the library. workspace_bytes 0: enough to shade each vertex once; otherwise
+ * exactly that much. The status is the first that is not GN_OK, with which drawing ends. */
+gn_status scene_draw_library(const scene *s, scene_frame *frame, size_t workspace_bytes);
+
+/* Compares. Clear values of the scene decide what counts as drawn. */
+scene_difference scene_compare(const scene *s, const scene_frame *ours,
+                               const scene_frame *reference);
+
+#endif

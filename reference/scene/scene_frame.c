@@ -1,0 +1,222 @@
+/* Frames: the pixels of a drawn scene, and how two of them differ. */
+#include "scene.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool scene_frame_allocate(scene_frame *frame, const scene *s)
+{
+    const size_t pixels = (size_t)s->width * s->height;
+    const size_t color_size = gn_format_size(s->color_format);
+    const size_t depth_size = gn_format_size(s->depth_format);
+
+    memset(frame, 0, sizeof *frame);
+    frame->width = s->width;
+    frame->height = s->height;
+    frame->color_format = s->color_format;
+    frame->depth_format = s->depth_format;
+    frame->color = color_size ? calloc(pixels, color_size) : NULL;
+    frame->depth = depth_size ? calloc(pixels, depth_size) : NULL;
+    if ((color_size && !frame->color) || (depth_size && !frame->depth)) {
+        scene_frame_free(frame);
+        return false;
+    }
+    return true;
+}
+
+void scene_frame_free(scene_frame *frame)
+{
+    free(frame->color);
+    free(frame->depth);
+    frame->color = NULL;
+    frame->depth = NULL;
+}
+
+/* A pixel of any format as up to four channels of bits. */
+typedef struct pixel {
+    uint32_t channel[4];
+    int count;
+} pixel;
+
+static pixel load_pixel(const void *pixels, gn_format format, size_t index)
+{
+    pixel p = {{0, 0, 0, 0}, 1};
+    uint32_t word;
+    uint16_t half;
+
+    switch (format) {
+    case GN_FORMAT_RGBA8:
+        memcpy(&word, (const char *)pixels + 4 * index, sizeof word);
+        p.count = 4;
+        for (int c = 0; c < 4; ++c) {
+            p.channel[c] = word >> (8 * c) & 255;
+        }
+        break;
+    case GN_FORMAT_RGBA32F:
+        p.count = 4;
+        memcpy(p.channel, (const char *)pixels + 16 * index, sizeof p.channel);
+        break;
+    case GN_FORMAT_D16:
+        memcpy(&half, (const char *)pixels + 2 * index, sizeof half);
+        p.channel[0] = half;
+        break;
+    case GN_FORMAT_D24:
+    case GN_FORMAT_D32F:
+        memcpy(&p.channel[0], (const char *)pixels + 4 * index, sizeof p.channel[0]);
+        break;
+    case GN_FORMAT_NONE:
+        p.count = 0;
+        break;
+    }
+    return p;
+}
+
+static bool is_float_format(gn_format format)
+{
+    return format == GN_FORMAT_RGBA32F || format == GN_FORMAT_D32F;
+}
+
+static float float_of(uint32_t bits)
+{
+    float f;
+
+    memcpy(&f, &bits, sizeof f);
+    return f;
+}
+
+static uint32_t bits_of(float f)
+{
+    uint32_t bits;
+
+    memcpy(&bits, &f, sizeof bits);
+    return bits;
+}
+
+static bool equal_channels(uint32_t a, uint32_t b, bool is_float)
+{
+    return a == b || (is_float && isnan(float_of(a)) && isnan(float_of(b)));
+}
+
+static bool equal_pixels(const pixel *a, const pixel *b, bool is_float)
+{
+    for (int c = 0; c < a->count; ++c) {
+        if (!equal_channels(a->channel[c], b->channel[c], is_float)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The largest distance of two pixels' channels: infinite between NaN and a number. */
+static double distance(const pixel *a, const pixel *b, bool is_float)
+{
+    double largest = 0.0;
+
+    for (int c = 0; c < a->count; ++c) {
+        const uint32_t x = a->channel[c];
+        const uint32_t y = b->channel[c];
+        double d;
+
+        if (equal_channels(x, y, is_float)) {
+            continue;
+        }
+        d = is_float ? fabs((double)float_of(x) - (double)float_of(y))
+                     : fabs((double)x - (double)y);
+        if (!(d <= largest)) {
+            largest = isnan(d) ? HUGE_VAL : d;
+        }
+    }
+    return largest;
+}
+
+/* The clear values, from OpenGL's conversion rules rather than from either side. */
+static pixel clear_color_pixel(const scene *s)
+{
+    pixel p = {{0, 0, 0, 0}, 4};
+
+    for (int c = 0; c < 4; ++c) {
+        const float v = s->clear_color[c];
+
+        if (s->color_format == GN_FORMAT_RGBA32F) {
+            p.channel[c] = bits_of(v);
+        } else {
+            p.channel[c] = !(v > 0.0f) ? 0 : v >= 1.0f ? 255 : (uint32_t)lrintf(v * 255.0f);
+        }
+    }
+    return p;
+}
+
+static pixel clear_depth_pixel(const scene *s)
+{
+    const float z = !(s->clear_depth > 0.0f) ? 0.0f : s->clear_depth > 1.0f ? 1.0f : s->clear_depth;
+    pixel p = {{0, 0, 0, 0}, 1};
+
+    switch (s->depth_format) {
+    case GN_FORMAT_D16:
+        p.channel[0] = (uint32_t)lrint((double)z * 65535.0);
+        break;
+    case GN_FORMAT_D24:
+        p.channel[0] = (uint32_t)lrint((double)z * 16777215.0);
+        break;
+    default:
+        p.channel[0] = bits_of(z);
+        break;
+    }
+    return p;
+}
+
+scene_difference scene_compare(const scene *s, const scene_frame *ours,
+                               const scene_frame *reference)
+{
+    const bool has_color = ours->color != NULL;
+    const bool has_depth = ours->depth != NULL;
+    const bool float_color = is_float_format(ours->color_format);
+    const bool float_depth = is_float_format(ours->depth_format);
+    const pixel clear_color = clear_color_pixel(s);
+    const pixel clear_depth = clear_depth_pixel(s);
+    const size_t pixels = (size_t)ours->width * ours->height;
+    scene_difference d;
+
+    memset(&d, 0, sizeof d);
+    if ((!has_color ||
+         !memcmp(ours->color, reference->color, pixels * gn_format_size(ours->color_format))) &&
+        (!has_depth ||
+         !memcmp(ours->depth, reference->depth, pixels * gn_format_size(ours->depth_format)))) {
+        return d;
+    }
+    for (size_t i = 0; i < pixels; ++i) {
+        bool drawn[2] = {false, false};
+        bool color_differs = false;
+        bool depth_differs = false;
+
+        if (has_color) {
+            const pixel a = load_pixel(ours->color, ours->color_format, i);
+            const pixel b = load_pixel(reference->color, ours->color_format, i);
+            const double largest = distance(&a, &b, float_color);
+
+            color_differs = !equal_pixels(&a, &b, float_color);
+            d.color_largest = largest > d.color_largest ? largest : d.color_largest;
+            drawn[0] |= !equal_pixels(&a, &clear_color, float_color);
+            drawn[1] |= !equal_pixels(&b, &clear_color, float_color);
+        }
+        if (has_depth) {
+            const pixel a = load_pixel(ours->depth, ours->depth_format, i);
+            const pixel b = load_pixel(reference->depth, ours->depth_format, i);
+            const double largest = distance(&a, &b, float_depth);
+
+            depth_differs = !equal_pixels(&a, &b, float_depth);
+            d.depth_largest = largest > d.depth_largest ? largest : d.depth_largest;
+            drawn[0] |= !equal_pixels(&a, &clear_depth, float_depth);
+            drawn[1] |= !equal_pixels(&b, &clear_depth, float_depth);
+        }
+        if ((color_differs || depth_differs) && d.pixels++ == 0) {
+            d.x = (uint32_t)(i % ours->width);
+            d.y = (uint32_t)(i / ours->width);
+        }
+        d.color_pixels += color_differs;
+        d.depth_pixels += depth_differs;
+        d.coverage_pixels += drawn[0] != drawn[1];
+    }
+    return d;
+}

@@ -1,0 +1,83 @@
+/* A scene drawn by the library. */
+#include "scene.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene_memory.h"
+
+/* Sets the draw's ready-made shader; the uniforms must outlive the draw call. */
+static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d,
+                            const gn_color_uniforms *color)
+{
+    gn_status status = GN_INVALID_ENUM;
+
+    switch (d->shader) {
+    case SCENE_VERTEX_COLOR:
+        status = gn_use_vertex_color(pipeline, color);
+        memcpy(pipeline->interpolation, d->state.interpolation, 4 * sizeof(gn_interpolation));
+        break;
+    case SCENE_FLAT:
+        status = gn_use_flat(pipeline, &d->uniforms.light);
+        break;
+    case SCENE_GOURAUD:
+        status = gn_use_gouraud(pipeline, &d->uniforms.light);
+        break;
+    case SCENE_TEXTURED_GOURAUD:
+        status = gn_use_textured_gouraud(pipeline, &d->uniforms);
+        break;
+    case SCENE_SHADER_COUNT:
+        break;
+    }
+    return status;
+}
+
+static gn_status draw_one(const gn_target *target, const scene_draw *d,
+                          const gn_workspace *workspace)
+{
+    gn_color_uniforms color;
+    gn_pipeline pipeline = d->state;
+    gn_status status;
+
+    color.clip_from_model = d->uniforms.light.clip_from_model;
+    status = use_shader(&pipeline, d, &color);
+    if (status == GN_OK) {
+        status = gn_draw(target, &pipeline, &d->mesh, workspace);
+    }
+    return status;
+}
+
+gn_status scene_draw_library(const scene *s, scene_frame *frame, size_t workspace_bytes)
+{
+    gn_workspace workspace = {NULL, workspace_bytes};
+    gn_status status = GN_OK;
+    gn_target target;
+
+    memset(&target, 0, sizeof target);
+    if (s->color_format != GN_FORMAT_NONE) {
+        target.color = gn_surface_bottom_up(frame->color, s->color_format, s->width, s->height);
+        status = gn_clear_color(&target.color, s->clear_color[0], s->clear_color[1],
+                                s->clear_color[2], s->clear_color[3]);
+    }
+    if (status == GN_OK && s->depth_format != GN_FORMAT_NONE) {
+        target.depth = gn_surface_bottom_up(frame->depth, s->depth_format, s->width, s->height);
+        status = gn_clear_depth(&target.depth, s->clear_depth);
+    }
+
+    if (workspace_bytes == 0) {
+        uint32_t vertices = 0;
+
+        for (size_t i = 0; i < s->draw_count; ++i) {
+            if (s->draws[i].mesh.vertex_count > vertices) {
+                vertices = s->draws[i].mesh.vertex_count;
+            }
+        }
+        workspace.size = gn_workspace_size(vertices, GN_SHADER_VARYINGS);
+    }
+    workspace.memory = scene_reallocate(NULL, workspace.size, 1);
+    for (size_t i = 0; status == GN_OK && i < s->draw_count; ++i) {
+        status = draw_one(&target, &s->draws[i], &workspace);
+    }
+    free(workspace.memory);
+    return status;
+}

@@ -1,0 +1,80 @@
+/* The names that the text of a scene has for the values of enumerations. */
+#include "scene_text.h"
+
+#include <stddef.h>
+#include <string.h>
+
+/* In the order of the values. */
+static const char *const shader_names[] = {"vertex-color", "flat", "gouraud", "textured-gouraud"};
+static const char *const format_names[] = {"none", "rgba8", "rgba32f", "d16", "d24", "d32f"};
+static const char *const topology_names[] = {"triangles", "triangle-strip", "triangle-fan"};
+static const char *const provoking_names[] = {"last", "first"};
+static const char *const cull_names[] = {"none", "back", "front", "front-and-back"};
+static const char *const front_face_names[] = {"counter-clockwise", "clockwise"};
+static const char *const compare_names[] = {
+    "less",  "never", "equal", "less-or-equal", "greater", "not-equal", "greater-or-equal",
+    "always"};
+static const char *const interpolation_names[] = {"smooth", "noperspective", "flat"};
+static const char *const index_names[] = {"none", "uint8", "uint16", "uint32"};
+static const char *const attribute_names[] = {"position", "color", "normal", "texcoord"};
+static const char *const switch_names[] = {"off", "on"};
+static const char *const wrap_names[] = {"repeat", "clamp-to-edge"};
+static const char *const magnify_names[] = {"linear", "nearest"};
+static const char *const minify_names[] = {"nearest-mipmap-linear", "nearest", "linear"};
+
+static const char *const *names_of(text_names set, int *count)
+{
+#define CASE(constant, names)                                                                      \
+    case constant:                                                                                 \
+        *count = (int)(sizeof names / sizeof *names);                                              \
+        return names
+
+    switch (set) {
+        CASE(TEXT_SHADER, shader_names);
+        CASE(TEXT_FORMAT, format_names);
+        CASE(TEXT_TOPOLOGY, topology_names);
+        CASE(TEXT_PROVOKING, provoking_names);
+        CASE(TEXT_CULL, cull_names);
+        CASE(TEXT_FRONT_FACE, front_face_names);
+        CASE(TEXT_COMPARE, compare_names);
+        CASE(TEXT_INTERPOLATION, interpolation_names);
+        CASE(TEXT_INDEX, index_names);
+        CASE(TEXT_ATTRIBUTE, attribute_names);
+        CASE(TEXT_SWITCH, switch_names);
+        CASE(TEXT_WRAP, wrap_names);
+        CASE(TEXT_MAGNIFY, magnify_names);
+        CASE(TEXT_MINIFY, minify_names);
+    }
+#undef CASE
+    *count = 0;
+    return NULL;
+}
+
+int text_name_count(text_names set)
+{
+    int count;
+
+    names_of(set, &count);
+    return count;
+}
+
+const char *text_name(text_names set, int value)
+{
+    int count;
+    const char *const *names = names_of(set, &count);
+
+    return value >= 0 && value < count ? names[value] : "invalid";
+}
+
+int text_value(text_names set, const char *name)
+{
+    int count;
+    const char *const *names = names_of(set, &count);
+
+    for (int value = 0; value < count; ++value) {
+        if (!strcmp(name, names[value])) {
+            return value;
+        }
+    }
+    return -1;
+}

@@ -1,0 +1,57 @@
+/* Scenes as text: one keyword with its values a line, bulk data as bare values.
+ *
+ *   gnomon-scene 1
+ *   size 64 48
+ *   color-format rgba8
+ *   depth-format d24
+ *   clear-color 0x0p+0 0x0p+0 0x0p+0 0x1p+0
+ *   clear-depth 0x1p+0
+ *   draw vertex-color
+ *     topology triangles
+ *     ...
+ *     vertices 3
+ *     position 3
+ *       (3 times 3 floats)
+ *     indices uint8 3
+ *       0 1 2
+ *     elements 0 3
+ *     texture rgba8 2 2
+ *       ff0000ff ...
+ *   end-draw
+ *   end-scene
+ *
+ * Floats are C's hexadecimal floats, which are exact; a NaN is nan:7fc00000, its bits.
+ * Texels are the hexadecimal words of surface.h, RGBA32F as four words of bits. Keywords
+ * of a draw may stand in any order, except that attributes follow `vertices`; those left
+ * out have the values of scene_add_draw. From # to the end of the line is a comment. */
+#ifndef SCENE_TEXT_H
+#define SCENE_TEXT_H
+
+/* The sets of names the text has for enumerations. */
+typedef enum text_names {
+    TEXT_SHADER,
+    TEXT_FORMAT,
+    TEXT_TOPOLOGY,
+    TEXT_PROVOKING,
+    TEXT_CULL,
+    TEXT_FRONT_FACE,
+    TEXT_COMPARE,
+    TEXT_INTERPOLATION,
+    TEXT_INDEX,
+    TEXT_ATTRIBUTE,
+    TEXT_SWITCH,
+    TEXT_WRAP,
+    TEXT_MAGNIFY,
+    TEXT_MINIFY
+} text_names;
+
+/* How many names a set has; those of the values from 0 on. */
+int text_name_count(text_names set);
+
+/* The name of a value, "invalid" where it has none. */
+const char *text_name(text_names set, int value);
+
+/* The value of a name, -1 where there is none. */
+int text_value(text_names set, const char *name);
+
+#endif

@@ -1,0 +1,38 @@
+/* One scene drawn by the library and by the reference, compared. */
+#ifndef PARITY_COMPARE_H
+#define PARITY_COMPARE_H
+
+#include "osmesa.h"
+#include "scene.h"
+
+typedef struct comparer {
+    reference *reference;
+    bool coverage_only;    /* colour and depth may differ: not the contract's Mesa */
+    bool small_workspaces; /* try them on every scene rather than on two of three */
+} comparer;
+
+/* What became of a scene. The frames are empty (null) where the status is a fault. */
+typedef struct comparison {
+    gn_status status;             /* the library's */
+    scene_difference reference;   /* ours and the reference's */
+    scene_difference workspace;   /* ours with less and with more workspace */
+    uint64_t drawn;               /* pixels the reference drew on */
+    scene_frame ours, theirs;
+} comparison;
+
+/* Draws and compares; the number chooses the size of the smaller workspace. False with
+ * a reason where the reference could not draw. compare_free frees the frames. */
+bool compare_scene(const comparer *c, const scene *s, uint64_t number, comparison *result,
+                   char *error, size_t error_size);
+void compare_free(comparison *result);
+
+/* Whether the scene fails the gate. */
+bool compare_fails(const comparer *c, const comparison *result);
+
+/* Pixels that differ, in whatever way; at least 1 where the library reports a fault. */
+uint64_t compare_count(const comparison *result);
+
+/* Prints both values of the first `limit` differing pixels to stdout. */
+void compare_print_pixels(const comparison *result, uint64_t limit);
+
+#endif

@@ -1,0 +1,153 @@
+/* The classes of random scenes: their names, and one scene of a class. */
+#include "generate.h"
+
+#include <string.h>
+
+#include "generate_parts.h"
+
+const char *scene_class_name(scene_class c)
+{
+    switch (c) {
+    case CLASS_TINY:
+        return "tiny";
+    case CLASS_SLIVERS:
+        return "slivers";
+    case CLASS_TIES:
+        return "ties";
+    case CLASS_HUGE:
+        return "huge";
+    case CLASS_OFFSCREEN:
+        return "offscreen";
+    case CLASS_BEHIND:
+        return "behind";
+    case CLASS_NEAR_CROSSING:
+        return "near-crossing";
+    case CLASS_DEGENERATE:
+        return "degenerate";
+    case CLASS_MESHES:
+        return "meshes";
+    case CLASS_PILES:
+        return "piles";
+    case CLASS_STRIPS:
+        return "strips";
+    case CLASS_FRAMEBUFFERS:
+        return "framebuffers";
+    case CLASS_DEPTH_STATE:
+        return "depth-state";
+    case CLASS_CULLING:
+        return "culling";
+    case CLASS_INTERPOLATION:
+        return "interpolation";
+    case CLASS_INDEXED:
+        return "indexed";
+    case CLASS_LIT:
+        return "lit";
+    case CLASS_TEXTURED:
+        return "textured";
+    case CLASS_FLOAT_COLOR:
+        return "float-color";
+    case CLASS_COLOR_RANGE:
+        return "color-range";
+    case CLASS_MIXED:
+        return "mixed";
+    case CLASS_COUNT:
+        break;
+    }
+    return "";
+}
+
+scene_class scene_class_of(const char *name)
+{
+    int c = 0;
+    while (c < CLASS_COUNT && strcmp(name, scene_class_name((scene_class)c)) != 0)
+        c++;
+    return (scene_class)c;
+}
+
+/* A scene of separate triangles under common state. */
+static void generate_triangles(builder *b, void (*shape)(builder *, uint32_t))
+{
+    builder_common_target(b);
+    builder_common_state(b);
+    shape(b, builder_triangle_count(b));
+    builder_draw(b);
+}
+
+scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
+{
+    /* The name and not the position in the enumeration, so that a new class leaves
+     * the scenes of the others as they are. */
+    uint64_t mix = seed;
+    for (const char *name = scene_class_name(c); *name; name++)
+        mix = random_splitmix(&mix) ^ (unsigned char)*name;
+    mix = random_splitmix(&mix) ^ number;
+
+    builder b;
+    builder_begin(&b, random_splitmix(&mix));
+    switch (c) {
+    case CLASS_TINY:
+        generate_triangles(&b, shape_tiny);
+        break;
+    case CLASS_SLIVERS:
+        generate_triangles(&b, shape_slivers);
+        break;
+    case CLASS_TIES:
+        generate_triangles(&b, shape_ties);
+        break;
+    case CLASS_HUGE:
+        generate_triangles(&b, shape_huge);
+        break;
+    case CLASS_OFFSCREEN:
+        generate_triangles(&b, shape_offscreen);
+        break;
+    case CLASS_BEHIND:
+        generate_triangles(&b, shape_behind);
+        break;
+    case CLASS_NEAR_CROSSING:
+        generate_triangles(&b, shape_near_crossing);
+        break;
+    case CLASS_DEGENERATE:
+        generate_triangles(&b, shape_degenerate);
+        break;
+    case CLASS_MESHES:
+        generate_meshes(&b);
+        break;
+    case CLASS_PILES:
+        generate_piles(&b);
+        break;
+    case CLASS_STRIPS:
+        generate_strips(&b);
+        break;
+    case CLASS_FRAMEBUFFERS:
+        generate_framebuffers(&b);
+        break;
+    case CLASS_DEPTH_STATE:
+        generate_depth_state(&b);
+        break;
+    case CLASS_CULLING:
+        generate_culling(&b);
+        break;
+    case CLASS_INTERPOLATION:
+        generate_interpolation(&b);
+        break;
+    case CLASS_INDEXED:
+        generate_indexed(&b);
+        break;
+    case CLASS_LIT:
+        generate_lit(&b);
+        break;
+    case CLASS_TEXTURED:
+        generate_textured(&b);
+        break;
+    case CLASS_FLOAT_COLOR:
+        generate_float_color(&b);
+        break;
+    case CLASS_COLOR_RANGE:
+        generate_color_range(&b);
+        break;
+    default:
+        generate_mixed(&b);
+        break;
+    }
+    return builder_end(&b);
+}

@@ -1,0 +1,42 @@
+/* Random scenes for the comparison with the reference, by class. A scene is a pure
+ * function of seed, class and number. */
+#ifndef PARITY_GENERATE_H
+#define PARITY_GENERATE_H
+
+#include "scene.h"
+
+typedef enum scene_class {
+    CLASS_TINY,          /* triangles smaller than a few pixels */
+    CLASS_SLIVERS,       /* long and thin */
+    CLASS_TIES,          /* vertices and edges on pixel centres and their halves */
+    CLASS_HUGE,          /* up to 1e5 pixels and more */
+    CLASS_OFFSCREEN,     /* mostly outside the view volume, some on its border */
+    CLASS_BEHIND,        /* some w below 0 */
+    CLASS_NEAR_CROSSING, /* a camera inside its scene */
+    CLASS_DEGENERATE,    /* no area, repeated and collinear vertices, w = 0 */
+    CLASS_MESHES,        /* shared edges: grids and fans around points */
+    CLASS_PILES,         /* overlapping, depth tested, equal depths, interpenetrating */
+    CLASS_STRIPS,        /* strips and fans, leftover vertices */
+    CLASS_FRAMEBUFFERS,  /* odd sizes, fractional viewports */
+    CLASS_DEPTH_STATE,   /* formats, functions, write mask, ranges */
+    CLASS_CULLING,       /* culling, winding, provoking vertex */
+    CLASS_INTERPOLATION, /* smooth, noperspective, flat, w differing strongly */
+    CLASS_INDEXED,       /* 8, 16 and 32 bit indices, offsets, unused vertices */
+    CLASS_LIT,           /* flat and Gouraud shading under rotations */
+    CLASS_TEXTURED,      /* textures of all sizes, formats, wraps and filters */
+    CLASS_FLOAT_COLOR,   /* RGBA32F */
+    CLASS_COLOR_RANGE,   /* colours outside 0..1 in RGBA8 */
+    CLASS_MIXED,         /* several draws of several of the above */
+    CLASS_COUNT
+} scene_class;
+
+/* "tiny" and so on. */
+const char *scene_class_name(scene_class c);
+
+/* The class of that name, CLASS_COUNT where there is none. */
+scene_class scene_class_of(const char *name);
+
+/* The caller frees the scene. */
+scene *generate_scene(uint64_t seed, scene_class c, uint64_t number);
+
+#endif

@@ -1,0 +1,61 @@
+/* The generators of the classes, and the shapes they share. Shapes add vertices and
+ * indices to the draw in the making, under the state it has. */
+#ifndef PARITY_GENERATE_PARTS_H
+#define PARITY_GENERATE_PARTS_H
+
+#include "builder.h"
+
+/* How the position of a vertex is chosen. */
+typedef enum placement {
+    PLACE_ANYWHERE, /* any float in and a little around the viewport, w from 1/4 to 4 */
+    PLACE_AFFINE,   /* the same with w = 1 */
+    PLACE_INSIDE,   /* within the view volume */
+    PLACE_TIES,     /* multiples of 1, 1/2, 1/4, 1/256 or 1/512 pixel, w a power of two */
+    PLACE_CLIP,     /* clip coordinates within -2..2, w of any sign */
+    PLACE_COUNT
+} placement;
+
+void shape_place(builder *b, vertex *v, placement p);
+
+/* Separate triangles, one shape each. */
+void shape_triangles(builder *b, placement p, uint32_t count);
+void shape_tiny(builder *b, uint32_t count);
+void shape_slivers(builder *b, uint32_t count);
+void shape_ties(builder *b, uint32_t count);
+void shape_huge(builder *b, uint32_t count);
+void shape_offscreen(builder *b, uint32_t count);
+void shape_behind(builder *b, uint32_t count);
+void shape_near_crossing(builder *b, uint32_t count);
+void shape_degenerate(builder *b, uint32_t count);
+
+/* Indexed triangles over a grid with random diagonals, its inner vertices moved, and
+ * triangles around a point. Windings are all the same where nothing crosses. */
+void shape_grid(builder *b, uint32_t columns, uint32_t rows);
+void shape_hub(builder *b, uint32_t spokes);
+
+/* Layers that overlap over much of the viewport: equal depths, common planes,
+ * interpenetrating. */
+void shape_pile(builder *b, uint32_t count);
+
+/* A strip that winds through the viewport, or a fan; the topology is set. */
+void shape_strip(builder *b, uint32_t triangles);
+
+/* Random indices over few vertices; the topology stays. */
+void shape_random_indices(builder *b, placement p, uint32_t vertices, uint32_t triangles);
+
+/* One class each, from the target on. */
+void generate_meshes(builder *b);
+void generate_piles(builder *b);
+void generate_strips(builder *b);
+void generate_framebuffers(builder *b);
+void generate_depth_state(builder *b);
+void generate_culling(builder *b);
+void generate_interpolation(builder *b);
+void generate_indexed(builder *b);
+void generate_lit(builder *b);
+void generate_textured(builder *b);
+void generate_float_color(builder *b);
+void generate_color_range(builder *b);
+void generate_mixed(builder *b);
+
+#endif

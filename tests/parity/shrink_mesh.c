@@ -1,0 +1,221 @@
+/* Shrinking meshes: plain triangles in place of strips, fans and indices; fewer
+ * triangles; fewer attributes. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "shrink_parts.h"
+
+static void *allocated(size_t count, size_t size)
+{
+    void *memory = malloc(count > 0 ? count * size : 1);
+    if (!memory) {
+        fprintf(stderr, "shrink: out of memory\n");
+        exit(EXIT_FAILURE);
+    }
+    return memory;
+}
+
+static uint32_t index_at(const gn_mesh *mesh, uint32_t i)
+{
+    switch (mesh->index_format) {
+    case GN_INDEX_UINT8:
+        return ((const uint8_t *)mesh->indices)[i];
+    case GN_INDEX_UINT16:
+        return ((const uint16_t *)mesh->indices)[i];
+    case GN_INDEX_UINT32:
+        return ((const uint32_t *)mesh->indices)[i];
+    default:
+        return i;
+    }
+}
+
+mesh_selection mesh_select_all(const gn_mesh *mesh)
+{
+    const mesh_selection all = {NULL,        mesh->vertex_count, true,
+                                mesh->first, mesh->count,        (1u << GN_MAX_ATTRIBUTES) - 1};
+    return all;
+}
+
+static void copy_attribute(const gn_mesh *from, int attribute, const mesh_selection *selection,
+                           scene_draw *to)
+{
+    const gn_attribute *a = &from->attribute[attribute];
+    if (!a->data || !(selection->attributes >> attribute & 1))
+        return;
+    const size_t stride = a->stride ? a->stride : a->components * sizeof(float);
+    float *data = allocated((size_t)selection->vertex_count * a->components, sizeof *data);
+    for (uint32_t i = 0; i < selection->vertex_count; i++) {
+        const size_t vertex = selection->vertices ? selection->vertices[i] : i;
+        memcpy(data + (size_t)i * a->components, (const char *)a->data + vertex * stride,
+               a->components * sizeof *data);
+    }
+    scene_set_attribute(to, (gn_shader_attribute)attribute, data, a->components,
+                        selection->vertex_count);
+    free(data);
+}
+
+static void copy_draw(scene *to, const scene_draw *from, const mesh_selection *selection)
+{
+    scene_draw *d = scene_add_draw(to);
+    d->shader = from->shader;
+    d->state = from->state;
+    d->uniforms.light = from->uniforms.light;
+    d->uniforms.sampler = from->uniforms.sampler;
+    for (int a = 0; a < GN_MAX_ATTRIBUTES; a++)
+        copy_attribute(&from->mesh, a, selection, d);
+    if (selection->keep_indices && from->mesh.index_format != GN_INDEX_NONE) {
+        uint32_t *indices = allocated(from->index_count, sizeof *indices);
+        for (uint32_t i = 0; i < from->index_count; i++)
+            indices[i] = index_at(&from->mesh, i);
+        scene_set_indices(d, indices, from->index_count, from->mesh.index_format);
+        free(indices);
+    }
+    d->mesh.vertex_count = selection->vertex_count;
+    d->mesh.first = selection->first;
+    d->mesh.count = selection->count;
+    const gn_texture *t = &from->uniforms.texture;
+    if (t->texels && from->shader == SCENE_TEXTURED_GOURAUD)
+        scene_set_texture(d, t->texels, t->width, t->height, t->format);
+}
+
+scene *copy_with_selection(const scene *s, size_t draw, const mesh_selection *selection)
+{
+    scene *copy = scene_create(s->width, s->height, s->color_format, s->depth_format);
+    memcpy(copy->clear_color, s->clear_color, sizeof copy->clear_color);
+    copy->clear_depth = s->clear_depth;
+    for (size_t i = 0; i < s->draw_count; i++) {
+        const mesh_selection all = mesh_select_all(&s->draws[i].mesh);
+        copy_draw(copy, &s->draws[i], i == draw ? selection : &all);
+    }
+    return copy;
+}
+
+/* The drawn elements of a mesh one after the other, without indices. */
+static bool remove_indices(shrinking *s, size_t draw)
+{
+    const gn_mesh *mesh = &s->best->draws[draw].mesh;
+    if (mesh->index_format == GN_INDEX_NONE && mesh->first == 0 &&
+        mesh->count == mesh->vertex_count)
+        return false;
+    uint32_t *vertices = allocated(mesh->count, sizeof *vertices);
+    for (uint32_t i = 0; i < mesh->count; i++)
+        vertices[i] = index_at(mesh, mesh->first + i);
+    mesh_selection selection = {vertices, mesh->count, false, 0, mesh->count, ~0u};
+    const bool kept = shrink_try(s, copy_with_selection(s->best, draw, &selection));
+    free(vertices);
+    return kept;
+}
+
+/* Separate triangles with the provoking vertex where it was; needs no indices. */
+static bool separate_triangles(shrinking *s, size_t draw)
+{
+    const scene_draw *d = &s->best->draws[draw];
+    if (d->state.topology == GN_TRIANGLES || d->mesh.index_format != GN_INDEX_NONE ||
+        d->mesh.count < 3)
+        return false;
+    const bool first_provokes = d->state.provoking_vertex == GN_PROVOKING_FIRST;
+    const uint32_t count = 3 * (d->mesh.count - 2);
+    uint32_t *vertices = allocated(count, sizeof *vertices);
+    for (uint32_t i = 0; i < d->mesh.count - 2; i++) {
+        const uint32_t e = d->mesh.first + i;
+        uint32_t corner[3] = {e, e + 1, e + 2};
+        if (d->state.topology == GN_TRIANGLE_FAN) {
+            /* In a fan the first vertex that provokes is the second of the three. */
+            corner[0] = first_provokes ? e + 1 : d->mesh.first;
+            corner[1] = first_provokes ? e + 2 : e + 1;
+            corner[2] = first_provokes ? d->mesh.first : e + 2;
+        } else if (i & 1) {
+            corner[0] = first_provokes ? e : e + 1;
+            corner[1] = first_provokes ? e + 2 : e;
+            corner[2] = first_provokes ? e + 1 : e + 2;
+        }
+        memcpy(vertices + 3 * i, corner, sizeof corner);
+    }
+    mesh_selection selection = {vertices, count, false, 0, count, ~0u};
+    scene *candidate = copy_with_selection(s->best, draw, &selection);
+    candidate->draws[draw].state.topology = GN_TRIANGLES;
+    free(vertices);
+    return shrink_try(s, candidate);
+}
+
+/* The best scene without `length` drawn elements of a draw from `start` on. Where there
+ * are indices, only the two ends can go. */
+static scene *without_elements(const scene *s, size_t draw, uint32_t start, uint32_t length)
+{
+    const gn_mesh *mesh = &s->draws[draw].mesh;
+    const uint32_t left = mesh->count - length;
+    if (mesh->index_format != GN_INDEX_NONE) {
+        mesh_selection selection = mesh_select_all(mesh);
+        selection.first = start == 0 ? mesh->first + length : mesh->first;
+        selection.count = left;
+        return copy_with_selection(s, draw, &selection);
+    }
+    uint32_t *vertices = allocated(left, sizeof *vertices);
+    for (uint32_t i = 0; i < left; i++)
+        vertices[i] = mesh->first + (i < start ? i : i + length);
+    const mesh_selection selection = {vertices, left, false, 0, left, ~0u};
+    scene *copy = copy_with_selection(s, draw, &selection);
+    free(vertices);
+    return copy;
+}
+
+/* Leaves out triangles: half of them, a quarter, down to each alone. Strips lose an
+ * even number of vertices, so that the windings stay. */
+static bool remove_triangles(shrinking *s, size_t draw)
+{
+    bool progress = false;
+    const gn_mesh *mesh = &s->best->draws[draw].mesh;
+    const gn_topology topology = s->best->draws[draw].state.topology;
+    const uint32_t unit = topology == GN_TRIANGLES        ? 3
+                          : topology == GN_TRIANGLE_STRIP ? 2
+                                                          : 1;
+    for (uint32_t chunk = mesh->count / unit; chunk > 0; chunk /= 2) {
+        uint32_t start = 0;
+        mesh = &s->best->draws[draw].mesh;
+        while (start < mesh->count && s->attempts > 0) {
+            uint32_t length = chunk * unit;
+            if (length > mesh->count - start)
+                length = mesh->count - start;
+            const bool end = start == 0 || start + length == mesh->count;
+            /* Fewer than three elements are no triangle: that is for the pass over draws. */
+            if (mesh->count - length < 3 || (mesh->index_format != GN_INDEX_NONE && !end)) {
+                start += length;
+                continue;
+            }
+            if (shrink_try(s, without_elements(s->best, draw, start, length)))
+                progress = true;
+            else
+                start += length;
+            mesh = &s->best->draws[draw].mesh;
+        }
+    }
+    return progress;
+}
+
+static bool remove_attributes(shrinking *s, size_t draw)
+{
+    bool progress = false;
+    for (int a = 0; a < GN_MAX_ATTRIBUTES; a++) {
+        const gn_mesh *mesh = &s->best->draws[draw].mesh;
+        if (!mesh->attribute[a].data || a == GN_ATTRIBUTE_POSITION)
+            continue;
+        mesh_selection selection = mesh_select_all(mesh);
+        selection.attributes &= ~(1u << a);
+        if (shrink_try(s, copy_with_selection(s->best, draw, &selection)))
+            progress = true;
+    }
+    return progress;
+}
+
+bool shrink_meshes(shrinking *s)
+{
+    bool progress = false;
+    for (size_t i = 0; i < s->best->draw_count; i++) {
+        progress = remove_triangles(s, i) || progress;
+        progress = remove_indices(s, i) || progress;
+        progress = separate_triangles(s, i) || progress;
+        progress = remove_triangles(s, i) || progress;
+        progress = remove_attributes(s, i) || progress;
+    }
+    return progress;
+}

@@ -1,0 +1,40 @@
+/* Between the passes of shrinking: the best scene so far, and copies of a scene with
+ * one draw changed. */
+#ifndef PARITY_SHRINK_PARTS_H
+#define PARITY_SHRINK_PARTS_H
+
+#include "shrink.h"
+
+typedef struct shrinking {
+    scene *best;
+    shrink_predicate *fails;
+    void *context;
+    unsigned attempts; /* left */
+} shrinking;
+
+/* Takes the candidate and makes it the best scene where it fails, else frees it. */
+bool shrink_try(shrinking *s, scene *candidate);
+
+/* The part of a mesh to keep. */
+typedef struct mesh_selection {
+    const uint32_t *vertices; /* of the old arrays, in their new order; null: all */
+    uint32_t vertex_count;
+    bool keep_indices; /* with all vertices only */
+    uint32_t first, count;
+    unsigned attributes; /* bit a: attribute a is kept */
+} mesh_selection;
+
+/* All of a mesh. */
+mesh_selection mesh_select_all(const gn_mesh *mesh);
+
+/* A copy of the scene in which a draw has the selected part of its mesh. */
+scene *copy_with_selection(const scene *s, size_t draw, const mesh_selection *selection);
+
+/* Passes: each tries its simplifications on the best scene, true where one was kept. */
+bool shrink_draws(shrinking *s);
+bool shrink_meshes(shrinking *s);
+bool shrink_state(shrinking *s);
+bool shrink_target(shrinking *s);
+bool shrink_numbers(shrinking *s);
+
+#endif

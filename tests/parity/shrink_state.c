@@ -1,0 +1,288 @@
+/* Shrinking state, target and numbers: each member on its own to what a zeroed one
+ * means, the target to the pixels that matter, numbers to fewer bits. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "shrink_parts.h"
+
+/* Sets one member, counted by `step`, of the scene to its simplest value. False where it
+ * has that value; *last where there is no such member. */
+static bool simplify_scene(scene *s, unsigned step, bool *last)
+{
+    switch (step) {
+    case 0: {
+        const bool change = s->depth_format != GN_FORMAT_NONE;
+        s->depth_format = GN_FORMAT_NONE;
+        return change;
+    }
+    case 1: {
+        const bool change = s->color_format != GN_FORMAT_RGBA8;
+        s->color_format = GN_FORMAT_RGBA8;
+        return change;
+    }
+    case 2: {
+        const float zero[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+        const bool change = memcmp(s->clear_color, zero, sizeof zero) != 0;
+        memcpy(s->clear_color, zero, sizeof zero);
+        return change;
+    }
+    case 3: {
+        const bool change = s->clear_depth != 1.0f;
+        s->clear_depth = 1.0f;
+        return change;
+    }
+    default:
+        *last = true;
+        return false;
+    }
+}
+
+/* The same for a draw. */
+static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
+{
+    gn_pipeline *p = &d->state;
+    bool change = false;
+    switch (step) {
+    case 0:
+        change = d->shader != SCENE_VERTEX_COLOR;
+        d->shader = SCENE_VERTEX_COLOR;
+        return change;
+    case 1:
+        change = d->shader > SCENE_GOURAUD;
+        d->shader = change ? SCENE_GOURAUD : d->shader;
+        return change;
+    case 2:
+        change = p->depth_test;
+        p->depth_test = false;
+        return change;
+    case 3:
+        change = p->depth_function != GN_LESS;
+        p->depth_function = GN_LESS;
+        return change;
+    case 4:
+        change = p->depth_write_disabled;
+        p->depth_write_disabled = false;
+        return change;
+    case 5:
+        change = p->depth_range.set;
+        memset(&p->depth_range, 0, sizeof p->depth_range);
+        return change;
+    case 6:
+        change = p->viewport.set;
+        memset(&p->viewport, 0, sizeof p->viewport);
+        return change;
+    case 7:
+        change = p->cull != GN_CULL_NONE;
+        p->cull = GN_CULL_NONE;
+        return change;
+    case 8:
+        change = p->front_face != GN_FRONT_COUNTER_CLOCKWISE;
+        p->front_face = GN_FRONT_COUNTER_CLOCKWISE;
+        return change;
+    case 9:
+        change = p->provoking_vertex != GN_PROVOKING_LAST;
+        p->provoking_vertex = GN_PROVOKING_LAST;
+        return change;
+    case 10:
+    case 11:
+    case 12:
+    case 13:
+        change = p->interpolation[step - 10] != GN_SMOOTH;
+        p->interpolation[step - 10] = GN_SMOOTH;
+        return change;
+    case 14:
+        change = d->uniforms.sampler.magnify != GN_MAGNIFY_NEAREST ||
+                 d->uniforms.sampler.minify != GN_MINIFY_NEAREST;
+        d->uniforms.sampler.magnify = GN_MAGNIFY_NEAREST;
+        d->uniforms.sampler.minify = GN_MINIFY_NEAREST;
+        return change && d->shader == SCENE_TEXTURED_GOURAUD;
+    default:
+        *last = true;
+        return false;
+    }
+}
+
+bool shrink_state(shrinking *s)
+{
+    bool progress = false, last = false;
+    for (unsigned step = 0; !last; step++) {
+        scene *candidate = scene_copy(s->best);
+        if (simplify_scene(candidate, step, &last))
+            progress = shrink_try(s, candidate) || progress;
+        else
+            scene_free(candidate);
+    }
+    for (size_t i = 0; i < s->best->draw_count; i++) {
+        last = false;
+        for (unsigned step = 0; !last; step++) {
+            scene *candidate = scene_copy(s->best);
+            if (simplify_draw(&candidate->draws[i], step, &last))
+                progress = shrink_try(s, candidate) || progress;
+            else
+                scene_free(candidate);
+        }
+    }
+    return progress;
+}
+
+/* A part of the target, under viewports that put everything where it was. */
+static scene *cropped(const scene *s, uint32_t x, uint32_t y, uint32_t width, uint32_t height)
+{
+    scene *copy = scene_copy(s);
+    for (size_t i = 0; i < copy->draw_count; i++) {
+        gn_viewport *v = &copy->draws[i].state.viewport;
+        if (!v->set) {
+            const gn_viewport whole = {true, 0.0f, 0.0f, (float)s->width, (float)s->height};
+            *v = whole;
+        }
+        v->x -= (float)x;
+        v->y -= (float)y;
+    }
+    copy->width = width;
+    copy->height = height;
+    return copy;
+}
+
+/* Cuts columns and rows off at the four sides: half, a quarter, down to one. */
+bool shrink_target(shrinking *s)
+{
+    bool progress = false;
+    uint32_t chunk = s->best->width > s->best->height ? s->best->width : s->best->height;
+    for (chunk = (chunk + 1) / 2; chunk > 0; chunk /= 2)
+        for (int side = 0; side < 4; side++) {
+            const uint32_t w = s->best->width, h = s->best->height;
+            if ((side < 2 ? w : h) <= chunk)
+                continue;
+            const uint32_t x = side == 0 ? chunk : 0, y = side == 2 ? chunk : 0;
+            if (shrink_try(s, cropped(s->best, x, y, side < 2 ? w - chunk : w,
+                                      side < 2 ? h : h - chunk))) {
+                progress = true;
+                side--;
+            }
+        }
+    return progress;
+}
+
+static float with_bits(float x, int bits)
+{
+    uint32_t pattern;
+    memcpy(&pattern, &x, sizeof pattern);
+    pattern &= ~UINT32_C(0) << (23 - bits);
+    memcpy(&x, &pattern, sizeof x);
+    return x;
+}
+
+/* Setting positions makes a mesh without indices one of all its vertices. */
+static void replace_attribute(scene_draw *d, int a, const float *data, uint32_t components)
+{
+    const uint32_t first = d->mesh.first, count = d->mesh.count;
+    scene_set_attribute(d, (gn_shader_attribute)a, data, components, d->mesh.vertex_count);
+    d->mesh.first = first;
+    d->mesh.count = count;
+}
+
+/* The best scene with attribute a of a draw simplified in one vertex, or in all of them
+ * where vertex is UINT32_MAX: cut to `bits` bits, or for bits < 0 set to one. Null
+ * where nothing changes. */
+static scene *simpler_attribute(const scene *s, size_t draw, int a, uint32_t vertex, int bits)
+{
+    const gn_mesh *mesh = &s->draws[draw].mesh;
+    const gn_attribute *from = &mesh->attribute[a];
+    if (!from->data)
+        return NULL;
+    const size_t count = (size_t)mesh->vertex_count * from->components;
+    float *data = malloc(count > 0 ? count * sizeof *data : 1);
+    if (!data)
+        return NULL;
+    memcpy(data, from->data, count * sizeof *data);
+    for (size_t i = 0; i < count; i++)
+        if (vertex == UINT32_MAX || i / from->components == vertex)
+            data[i] = bits < 0 ? 1.0f : with_bits(data[i], bits);
+    scene *copy = NULL;
+    if (memcmp(data, from->data, count * sizeof *data) != 0) {
+        copy = scene_copy(s);
+        replace_attribute(&copy->draws[draw], a, data, from->components);
+    }
+    free(data);
+    return copy;
+}
+
+static bool simplify_attribute(shrinking *s, size_t draw, int a)
+{
+    static const int bits[] = {-1, 0, 2, 4, 8, 12, 16};
+    bool progress = false;
+    const uint32_t vertices = s->best->draws[draw].mesh.vertex_count;
+    const uint32_t single = vertices <= 12 ? vertices : 0;
+    for (size_t b = a == GN_ATTRIBUTE_POSITION ? 1 : 0; b < sizeof bits / sizeof *bits; b++) {
+        scene *candidate = simpler_attribute(s->best, draw, a, UINT32_MAX, bits[b]);
+        if (candidate && shrink_try(s, candidate))
+            return true;
+    }
+    for (uint32_t v = 0; v < single; v++)
+        for (size_t b = 1; b < sizeof bits / sizeof *bits; b++) {
+            scene *candidate = simpler_attribute(s->best, draw, a, v, bits[b]);
+            if (candidate && shrink_try(s, candidate)) {
+                progress = true;
+                break;
+            }
+        }
+    return progress;
+}
+
+/* Clip coordinates as the positions, the identity as the matrix. */
+static bool apply_matrix(shrinking *s, size_t draw)
+{
+    const scene_draw *d = &s->best->draws[draw];
+    const gn_attribute *from = &d->mesh.attribute[GN_ATTRIBUTE_POSITION];
+    const gn_mat4 *m = &d->uniforms.light.clip_from_model;
+    gn_mat4 identity = {{{0}}};
+    for (int i = 0; i < 4; i++)
+        identity.m[i][i] = 1.0f;
+    if (!from->data || memcmp(m, &identity, sizeof identity) == 0)
+        return false;
+    float *data = malloc(d->mesh.vertex_count * 4 * sizeof *data);
+    if (!data)
+        return false;
+    for (uint32_t i = 0; i < d->mesh.vertex_count; i++) {
+        float p[4] = {0.0f, 0.0f, 0.0f, 1.0f};
+        memcpy(p, from->data + (size_t)i * from->components, from->components * sizeof *p);
+        for (int row = 0; row < 4; row++)
+            data[4 * i + (uint32_t)row] =
+                ((m->m[0][row] * p[0] + m->m[1][row] * p[1]) + m->m[2][row] * p[2]) +
+                m->m[3][row] * p[3];
+    }
+    scene *copy = scene_copy(s->best);
+    copy->draws[draw].uniforms.light.clip_from_model = identity;
+    replace_attribute(&copy->draws[draw], GN_ATTRIBUTE_POSITION, data, 4);
+    free(data);
+    return shrink_try(s, copy);
+}
+
+static bool simplify_texture(shrinking *s, size_t draw)
+{
+    const gn_texture *t = &s->best->draws[draw].uniforms.texture;
+    bool progress = false;
+    if (s->best->draws[draw].shader != SCENE_TEXTURED_GOURAUD || !t->texels)
+        return false;
+    while (t->height > 1) { /* the lower half */
+        scene *copy = scene_copy(s->best);
+        scene_set_texture(&copy->draws[draw], t->texels, t->width, t->height / 2, t->format);
+        if (!shrink_try(s, copy))
+            break;
+        progress = true;
+        t = &s->best->draws[draw].uniforms.texture;
+    }
+    return progress;
+}
+
+bool shrink_numbers(shrinking *s)
+{
+    bool progress = false;
+    for (size_t i = 0; i < s->best->draw_count; i++) {
+        progress = apply_matrix(s, i) || progress;
+        progress = simplify_texture(s, i) || progress;
+        for (int a = 0; a <= GN_ATTRIBUTE_TEXCOORD; a++)
+            progress = simplify_attribute(s, i, a) || progress;
+    }
+    return progress;
+}

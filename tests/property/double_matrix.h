@@ -1,0 +1,75 @@
+/* 4x4 matrices in double, in which products of stored floats are exact but for
+ * 2^-50 of their terms, and bounds on them entry by entry. */
+#ifndef DOUBLE_MATRIX_H
+#define DOUBLE_MATRIX_H
+
+#include <math.h>
+#include <stdbool.h>
+
+#include <gnomon/mat.h>
+
+#define U 0x1p-24 /* half a last place of 1, the unit of the bounds */
+#define SLACK (1.0 + 0x1p-20) /* what a first-order bound leaves out */
+
+typedef struct matrix {
+    double m[4][4];
+} matrix;
+
+static inline matrix widened(const gn_mat4 *a)
+{
+    matrix wide;
+    for (int i = 0; i < 16; ++i)
+        wide.m[i / 4][i % 4] = (double)a->m[i / 4][i % 4];
+    return wide;
+}
+
+static inline matrix magnitudes(matrix a)
+{
+    for (int i = 0; i < 16; ++i)
+        a.m[i / 4][i % 4] = fabs(a.m[i / 4][i % 4]);
+    return a;
+}
+
+static inline matrix product(matrix a, matrix b)
+{
+    matrix c;
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            c.m[column][row] = 0.0;
+            for (int k = 0; k < 4; ++k)
+                c.m[column][row] += a.m[k][row] * b.m[column][k];
+        }
+    }
+    return c;
+}
+
+/* a + factor * b */
+static inline matrix sum(matrix a, double factor, matrix b)
+{
+    for (int i = 0; i < 16; ++i)
+        a.m[i / 4][i % 4] += factor * b.m[i / 4][i % 4];
+    return a;
+}
+
+static inline matrix scaled(double factor, matrix a)
+{
+    for (int i = 0; i < 16; ++i)
+        a.m[i / 4][i % 4] *= factor;
+    return a;
+}
+
+static inline matrix identity(void)
+{
+    const matrix one = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+    return one;
+}
+
+static inline bool within(matrix error, matrix bound)
+{
+    for (int i = 0; i < 16; ++i)
+        if (!(fabs(error.m[i / 4][i % 4]) <= bound.m[i / 4][i % 4] * SLACK))
+            return false;
+    return true;
+}
+
+#endif

@@ -1,0 +1,248 @@
+/* Properties over the random scenes of the parity gate, without a reference: a picture
+ * depends on the scene alone, not on memory, workspace or rows; scenes survive being
+ * written; failing ones shrink. */
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "generate.h"
+#include "properties_draw.h"
+#include "random.h"
+#include "shrink.h"
+
+typedef struct instance {
+    scene_class class;
+    uint64_t number;
+    uint64_t choice; /* what a property needs beside the scene */
+} instance;
+
+static enum theft_alloc_res make_instance(struct theft *t, void *env, void **output)
+{
+    (void)env;
+    instance *i = malloc(sizeof *i);
+    if (!i)
+        return THEFT_ALLOC_ERROR;
+    i->class = (scene_class)theft_random_choice(t, CLASS_COUNT);
+    i->number = theft_random_bits(t, 20);
+    i->choice = theft_random_bits(t, 16);
+    *output = i;
+    return THEFT_ALLOC_OK;
+}
+
+static void print_instance(FILE *f, const void *argument, void *env)
+{
+    const instance *i = argument;
+    (void)env;
+    fprintf(f, "%s scene %" PRIu64 " of seed 0, choice %" PRIu64 "\n", scene_class_name(i->class),
+            i->number, i->choice);
+}
+
+static scene *scene_of(const instance *i)
+{
+    return generate_scene(0, i->class, i->number);
+}
+
+static scene_frame frame_of(const scene *s)
+{
+    scene_frame frame;
+    if (!scene_frame_allocate(&frame, s)) {
+        fprintf(stderr, "properties: out of memory\n");
+        exit(EXIT_FAILURE);
+    }
+    return frame;
+}
+
+/* Draws both scenes, each with its workspace, and compares the bits. */
+static bool same_picture(const scene *a, size_t workspace_a, const scene *b, size_t workspace_b)
+{
+    scene_frame frame_a = frame_of(a), frame_b = frame_of(b);
+    const bool same = scene_draw_library(a, &frame_a, workspace_a) == GN_OK &&
+                      scene_draw_library(b, &frame_b, workspace_b) == GN_OK &&
+                      scene_compare(a, &frame_a, &frame_b).pixels == 0;
+    scene_frame_free(&frame_a);
+    scene_frame_free(&frame_b);
+    return same;
+}
+
+static enum theft_trial_res verdict(bool pass)
+{
+    return pass ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
+}
+
+static enum theft_trial_res any_workspace(struct theft *t, void *argument)
+{
+    const instance *i = argument;
+    scene *s = scene_of(i);
+    (void)t;
+    const size_t least = gn_workspace_size(0, GN_SHADER_VARYINGS);
+    const bool same = same_picture(s, 0, s, least + (i->choice & 3 ? i->choice : 0));
+    scene_free(s);
+    return verdict(same);
+}
+
+static enum theft_trial_res drawn_twice(struct theft *t, void *argument)
+{
+    scene *s = scene_of(argument), *again = scene_of(argument);
+    (void)t;
+    const bool same = same_picture(s, 0, again, 0);
+    scene_free(s);
+    scene_free(again);
+    return verdict(same);
+}
+
+static enum theft_trial_res survives_text(struct theft *t, void *argument)
+{
+    char error[256];
+    scene *s = scene_of(argument), *back = NULL;
+    FILE *text = tmpfile();
+    (void)t;
+    if (!text)
+        return THEFT_TRIAL_ERROR;
+    if (scene_write(s, text)) {
+        rewind(text);
+        back = scene_read(text, error, sizeof error);
+    }
+    fclose(text);
+    const bool same = back && scene_triangle_count(s) == scene_triangle_count(back) &&
+                      same_picture(s, 0, back, 0);
+    scene_free(s);
+    scene_free(back);
+    return verdict(same);
+}
+
+/* The draws of a scene into surfaces whose first row in memory is the top one. */
+static bool draw_top_down(const scene *s, scene_frame *frame)
+{
+    gn_target target;
+    memset(&target, 0, sizeof target);
+    target.color =
+        gn_surface_top_down(frame->color, s->color_format, s->width, s->height);
+    bool good = gn_clear_color(&target.color, s->clear_color[0], s->clear_color[1],
+                               s->clear_color[2], s->clear_color[3]) == GN_OK;
+    if (s->depth_format != GN_FORMAT_NONE) {
+        target.depth = gn_surface_top_down(frame->depth, s->depth_format, s->width, s->height);
+        good = good && gn_clear_depth(&target.depth, s->clear_depth) == GN_OK;
+    }
+    for (size_t i = 0; i < s->draw_count && good; i++) {
+        const scene_draw *d = &s->draws[i];
+        const gn_color_uniforms color = {d->uniforms.light.clip_from_model};
+        gn_pipeline p = d->state;
+        switch (d->shader) {
+        case SCENE_FLAT:
+            good = gn_use_flat(&p, &d->uniforms.light) == GN_OK;
+            break;
+        case SCENE_GOURAUD:
+            good = gn_use_gouraud(&p, &d->uniforms.light) == GN_OK;
+            break;
+        case SCENE_TEXTURED_GOURAUD:
+            good = gn_use_textured_gouraud(&p, &d->uniforms) == GN_OK;
+            break;
+        default:
+            good = gn_use_vertex_color(&p, &color) == GN_OK;
+            memcpy(p.interpolation, d->state.interpolation, 4 * sizeof *p.interpolation);
+            break;
+        }
+        const size_t size = gn_workspace_size(d->mesh.vertex_count, GN_SHADER_VARYINGS);
+        const gn_workspace workspace = {malloc(size), size};
+        good = good && workspace.memory && gn_draw(&target, &p, &d->mesh, &workspace) == GN_OK;
+        free(workspace.memory);
+    }
+    return good;
+}
+
+static bool rows_reversed(const void *a, const void *b, gn_format format, uint32_t width,
+                          uint32_t height)
+{
+    const size_t row = width * gn_format_size(format);
+    for (uint32_t y = 0; y < height && row > 0; y++)
+        if (memcmp((const char *)a + row * y, (const char *)b + row * (height - 1 - y), row) != 0)
+            return false;
+    return true;
+}
+
+static enum theft_trial_res rows_either_way(struct theft *t, void *argument)
+{
+    scene *s = scene_of(argument);
+    scene_frame up = frame_of(s), down = frame_of(s);
+    (void)t;
+    const bool same = scene_draw_library(s, &up, 0) == GN_OK && draw_top_down(s, &down) &&
+                      rows_reversed(up.color, down.color, s->color_format, s->width, s->height) &&
+                      rows_reversed(up.depth, down.depth, s->depth_format, s->width, s->height);
+    scene_frame_free(&up);
+    scene_frame_free(&down);
+    scene_free(s);
+    return verdict(same);
+}
+
+typedef struct pixel_place {
+    uint32_t x, y;
+} pixel_place;
+
+static bool same_pixel(const void *a, const void *b, gn_format format, size_t at)
+{
+    const size_t size = gn_format_size(format);
+    return size == 0 ||
+           memcmp((const char *)a + at * size, (const char *)b + at * size, size) == 0;
+}
+
+/* The planted fault: something is drawn on a pixel. */
+static bool covers_pixel(const scene *s, void *context)
+{
+    const pixel_place *p = context;
+    if (p->x >= s->width || p->y >= s->height)
+        return false;
+    scene empty = *s;
+    empty.draw_count = 0;
+    scene_frame drawn = frame_of(s), cleared = frame_of(s);
+    const size_t at = (size_t)p->y * s->width + p->x;
+    const bool covered = scene_draw_library(s, &drawn, 0) == GN_OK &&
+                         scene_draw_library(&empty, &cleared, 0) == GN_OK &&
+                         (!same_pixel(drawn.color, cleared.color, s->color_format, at) ||
+                          !same_pixel(drawn.depth, cleared.depth, s->depth_format, at));
+    scene_frame_free(&drawn);
+    scene_frame_free(&cleared);
+    return covered;
+}
+
+static enum theft_trial_res failing_scene_shrinks(struct theft *t, void *argument)
+{
+    const instance *i = argument;
+    scene *s = scene_of(i);
+    random_source r = random_seed(i->choice);
+    pixel_place p = {0, 0};
+    (void)t;
+    bool found = false;
+    for (int attempt = 0; attempt < 40 && !found; attempt++) {
+        p.x = random_below(&r, s->width);
+        p.y = random_below(&r, s->height);
+        found = covers_pixel(s, &p);
+    }
+    if (!found) {
+        scene_free(s);
+        return THEFT_TRIAL_SKIP;
+    }
+    scene *small = shrink_scene(s, covers_pixel, &p, 5000);
+    const bool good = covers_pixel(small, &p) && small->draw_count == 1 &&
+                      scene_triangle_count(small) == 1 && !small->draws[0].state.depth_test &&
+                      small->draws[0].mesh.index_format == GN_INDEX_NONE;
+    scene_free(small);
+    scene_free(s);
+    return verdict(good);
+}
+
+int properties_scenes(uint64_t seed, size_t trials)
+{
+    const struct theft_type_info scenes = {.alloc = make_instance,
+                                           .free = theft_generic_free_cb,
+                                           .print = print_instance,
+                                           .autoshrink_config = {.enable = true}};
+    return draw_property("any workspace gives the same picture", any_workspace, &scenes, seed,
+                         trials) +
+           draw_property("a frame drawn twice is the same", drawn_twice, &scenes, seed, trials) +
+           draw_property("top-down surfaces hold the same picture", rows_either_way, &scenes,
+                         seed, trials) +
+           draw_property("a scene survives being written", survives_text, &scenes, seed,
+                         trials) +
+           draw_property("a failing scene shrinks to one triangle", failing_scene_shrinks,
+                         &scenes, seed, trials / 10 + 1);
+}

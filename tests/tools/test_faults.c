@@ -1,0 +1,269 @@
+/* The gnomon command on bad input: exit status, one clear line, nothing left behind. */
+#define _POSIX_C_SOURCE 200809L
+#include "runner.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static int lines(const char *text)
+{
+    int count = 0;
+    for (; *text != '\0'; text++)
+        count += *text == '\n';
+    return count;
+}
+
+static bool ends_with_newline(const char *text)
+{
+    size_t length = strlen(text);
+    return length > 0 && text[length - 1] == '\n';
+}
+
+/* One line on standard error that begins with gnomon and holds both texts, nothing on
+ * standard output, no new file. */
+static void expect(int status, const char *arguments, const char *first, const char *second)
+{
+    runner_mark();
+    run r = gnomon("%s", arguments);
+    bool good = r.status == status && lines(r.error) == 1 && ends_with_newline(r.error) &&
+                strncmp(r.error, "gnomon", 6) == 0 && strstr(r.error, first) != NULL &&
+                strstr(r.error, second) != NULL && r.out[0] == '\0';
+    if (!good)
+        fail_msg("gnomon %s\n  status %d, expected %d with '%s' and '%s'\n  stderr: %s"
+                 "  stdout: %s", arguments, r.status, status, first, second, r.error, r.out);
+    if (new_files() != 0)
+        fail_msg("gnomon %s: files are left", arguments);
+}
+
+static void help_is_printed(void **state)
+{
+    static const char commands[][16] = {"", "render ", "compare ", "demo "};
+    static const char must_have[][3][24] = {{"render", "compare", "demo"},
+                                            {"--depth", "--orthographic", "--shader gouraud"},
+                                            {"OSMesa", "Exit status", "--eye"},
+                                            {"teapot", "--picture", "--tessellation"}};
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        run r = gnomon("%s--help", commands[i]);
+        assert_int_equal(r.status, 0);
+        assert_string_equal(r.error, "");
+        assert_true(lines(r.out) > 10);
+        for (int k = 0; k < 3; k++)
+            assert_non_null(strstr(r.out, must_have[i][k]));
+        for (char *line = strtok(r.out, "\n"); line != NULL; line = strtok(NULL, "\n"))
+            assert_true(strlen(line) <= 90);
+    }
+    run r = shell("\"$GNOMON\" render --help >/dev/full");
+    assert_int_equal(r.status, 1);
+    assert_non_null(strstr(r.error, "standard output"));
+}
+
+static void usage_errors_are_status_2(void **state)
+{
+    (void)state;
+    write_text("square.obj", square_obj);
+    expect(2, "", "no command", "--help");
+    expect(2, "paint", "'paint'", "no such command");
+    expect(2, "render", "no model", "render --help");
+    expect(2, "render square.obj", "no output", "-o OUT.png");
+    expect(2, "render square.obj other.obj -o a.png", "'other.obj'", "one model");
+    expect(2, "render square.obj -o a.png --nonsense", "'--nonsense'", "unknown option");
+    expect(2, "render square.obj -o a.png -q", "'-q'", "unknown option");
+    expect(2, "render square.obj -o a.png --picture b.png", "'--picture'", "unknown option");
+    expect(2, "render square.obj -o", "'-o'", "no value");
+    expect(2, "render square.obj -o a.png --eye", "'--eye'", "no value");
+    expect(2, "render square.obj -o ''", "-o", "a file name");
+    expect(2, "render square.obj -o a.png --size 100", "--size '100'", "WIDTHxHEIGHT");
+    expect(2, "render square.obj -o a.png --size 100x", "--size", "WIDTHxHEIGHT");
+    expect(2, "render square.obj -o a.png --size -5x5", "--size", "WIDTHxHEIGHT");
+    expect(2, "render square.obj -o a.png --size 5x5x5", "--size", "WIDTHxHEIGHT");
+    expect(2, "render square.obj -o a.png --eye 1,2", "--eye '1,2'", "X,Y,Z");
+    expect(2, "render square.obj -o a.png --eye 1,2,3,4", "--eye", "X,Y,Z");
+    expect(2, "render square.obj -o a.png --target 1,nan,3", "--target", "X,Y,Z");
+    expect(2, "render square.obj -o a.png --up 1,2,1e99", "--up", "X,Y,Z");
+    expect(2, "render square.obj -o a.png --light here", "--light 'here'", "X,Y,Z");
+    expect(2, "render square.obj -o a.png --fov wide", "--fov 'wide'", "degrees");
+    expect(2, "render square.obj -o a.png --orthographic 2m", "--orthographic", "height");
+    expect(2, "render square.obj -o a.png --shader phong", "--shader 'phong'", "gouraud");
+    expect(2, "render square.obj -o a.png --background red", "--background", "#rrggbb");
+    expect(2, "render square.obj -o a.png --background 12345", "--background", "#rrggbb");
+    expect(2, "render square.obj -o a.png --fov 40 --orthographic 2", "--fov", "exclude");
+    expect(2, "render square.obj -o a.png --texture a.png --shader flat", "--texture",
+           "--shader textured");
+    expect(2, "compare", "no model", "compare --help");
+    expect(2, "compare square.obj --depth d.png", "'--depth'", "unknown option");
+    expect(2, "demo square.obj", "'square.obj'", "no model");
+    expect(2, "demo --tessellation many", "--tessellation 'many'", "whole number");
+}
+
+static void impossible_values_are_status_1(void **state)
+{
+    (void)state;
+    write_text("square.obj", square_obj);
+    expect(1, "render square.obj -o a.png --size 0x5", "--size", "16384");
+    expect(1, "render square.obj -o a.png --size 5x0", "--size", "16384");
+    expect(1, "render square.obj -o a.png --size 16385x5", "--size", "16384");
+    expect(1, "render square.obj -o a.png --size 5x99999999999999999999", "--size", "16384");
+    expect(1, "render square.obj -o a.png --eye 1,2,3 --target 1,2,3", "--eye", "target");
+    expect(1, "render square.obj -o a.png --eye 0,0,0", "--eye", "target");
+    expect(1, "render square.obj -o a.png --eye 0,0,5 --up 0,0,1", "--up", "parallel");
+    expect(1, "render square.obj -o a.png --eye 0,0,5 --up 0,0,-3", "--up", "parallel");
+    expect(1, "render square.obj -o a.png --up 0,0,0", "--up", "zero");
+    expect(1, "render square.obj -o a.png --fov 0", "--fov", "180");
+    expect(1, "render square.obj -o a.png --fov -10", "--fov", "180");
+    expect(1, "render square.obj -o a.png --fov 180", "--fov", "180");
+    expect(1, "render square.obj -o a.png --orthographic 0", "--orthographic", "above 0");
+    expect(1, "render square.obj -o a.png --light 0,0,0", "--light", "zero");
+    expect(1, "render square.obj -o a.png --eye 3e38,3e38,3e38 --target -3e38,0,0", "camera",
+           "impossible");
+    expect(1, "compare square.obj --size 0x0", "--size", "16384");
+    expect(1, "demo --size 0x0", "--size", "16384");
+    expect(1, "demo --tessellation 0", "--tessellation", "128");
+    expect(1, "demo --tessellation 1000", "--tessellation", "128");
+}
+
+static void bad_models_are_named(void **state)
+{
+    (void)state;
+    expect(1, "render nothing.obj -o a.png", "nothing.obj", "No such file");
+    mkdir(path_of("folder.obj"), 0777);
+    expect(1, "render folder.obj -o a.png", "folder.obj", "directory");
+    write_text("empty.obj", "");
+    expect(1, "render empty.obj -o a.png", "empty.obj", "Assimp");
+    write_text("noise.xyzzy", "this is no model of any kind\n");
+    expect(1, "render noise.xyzzy -o a.png", "noise.xyzzy", "Assimp");
+    write_text("noise.ply", "ply\nformat ascii 1.0\nelement vertex 99999999\n\001\002\n");
+    expect(1, "render noise.ply -o a.png", "noise.ply", "");
+    write_text("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nl 2 3\n");
+    expect(1, "render points.obj -o a.png", "points.obj", "triangles");
+    write_text("infinite.obj", "v 0 0 0\nv 1 0 0\nv 0 inf 0\nf 1 2 3\n");
+    expect(1, "render infinite.obj -o a.png", "infinite.obj", "finite");
+    expect(1, "compare nothing.obj -o a.png", "nothing.obj", "No such file");
+    write_text("line\nbreak.obj", "");
+    expect(1, "render 'line\nbreak.obj' -o a.png", "line break.obj", "Assimp");
+}
+
+static void bad_textures_are_named(void **state)
+{
+    (void)state;
+    write_text("square.obj", square_obj);
+    write_text("noise.png", "this is no image");
+    write_text("bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    expect(1, "render square.obj -o a.png --texture none.png", "none.png", "No such file");
+    expect(1, "render square.obj -o a.png --texture noise.png", "noise.png", "texture");
+    expect(1, "render square.obj -o a.png --texture .", ".", "directory");
+    expect(1, "render bare.obj -o a.png --texture noise.png", "bare.obj", "coordinates");
+    expect(1, "render bare.obj -o a.png --shader textured", "bare.obj", "coordinates");
+    expect(1, "render square.obj -o a.png --shader textured", "square.obj", "--texture");
+
+    write_text("named.mtl", "newmtl skin\nKd 1 0 0\nmap_Kd gone.png\n");
+    char named[1024] = "mtllib named.mtl\nusemtl skin\n";
+    strcat(named, square_obj);
+    write_text("named.obj", named);
+    expect(1, "render named.obj -o a.png", "named.obj", "gone.png");
+    expect(1, "render named.obj -o a.png", "No such file", "--shader gouraud");
+    expect(1, "compare named.obj -o a.png", "named.obj", "gone.png");
+    write_text("gone.png", "this is no image either");
+    expect(1, "render named.obj -o a.png", "named.obj", "gone.png");
+    remove_file("gone.png");
+    run r = gnomon("render named.obj -o a.png --shader gouraud --size 8x8");
+    assert_int_equal(r.status, 0);
+    assert_true(exists("a.png"));
+    remove_file("a.png");
+
+    write_text("head.obj", square_obj);
+    write_text("head_diffuse.png", "this is no image");
+    expect(1, "render head.obj -o a.png", "head_diffuse.png", "texture");
+}
+
+static void outputs_are_whole_or_absent(void **state)
+{
+    static const char old[] = "what was there before";
+    (void)state;
+    write_text("square.obj", square_obj);
+    write_text("kept.png", old);
+    expect(1, "render nothing.obj -o kept.png", "nothing.obj", "");
+    expect(1, "render square.obj -o nowhere/a.png", "nowhere/a.png", "No such file");
+    mkdir(path_of("folder.png"), 0777);
+    expect(1, "render square.obj -o folder.png", "folder.png", "directory");
+    expect(1, "render square.obj -o square.obj", "square.obj", "overwritten");
+    expect(1, "render square.obj -o ./square.obj", "square.obj", "overwritten");
+    expect(1, "compare square.obj -o ./square.obj", "square.obj", "overwritten");
+    expect(1, "render square.obj -o a.png --depth a.png", "a.png", "both");
+    expect(1, "demo -o a.png --picture a.png", "a.png", "both");
+    expect(1, "render square.obj -o a.png --depth nowhere/d.png", "nowhere/d.png",
+           "No such file");
+    expect(1, "render square.obj -o kept.png --depth nowhere/d.png", "nowhere/d.png",
+           "No such file");
+    expect(1, "render square.obj -o /dev/full", "/dev/full", "No space");
+
+    /* A signal in the middle of writing: the limit of the file's size, in blocks of 512. */
+    runner_mark();
+    run r = shell("(ulimit -f 1; exec \"$GNOMON\" render square.obj -o kept.png --size "
+                  "2000x2000 --background 123456 --orthographic 3)");
+    assert_int_not_equal(r.status, 0);
+    assert_int_equal(new_files(), 0);
+    /* The same as an error, not a signal. */
+    r = shell("(trap '' XFSZ; ulimit -f 1; exec \"$GNOMON\" render square.obj -o kept.png "
+              "--size 2000x2000 --orthographic 3)");
+    assert_int_equal(r.status, 1);
+    assert_non_null(strstr(r.error, "kept.png"));
+    assert_int_equal(lines(r.error), 1);
+    assert_int_equal(new_files(), 0);
+
+    char text[64] = "";
+    FILE *file = fopen(path_of("kept.png"), "rb");
+    assert_non_null(file);
+    assert_non_null(fgets(text, sizeof text, file));
+    fclose(file);
+    assert_string_equal(text, old);
+}
+
+static void outputs_replace_what_was_there(void **state)
+{
+    struct stat status;
+    (void)state;
+    write_text("square.obj", square_obj);
+    write_text("old.png", "old");
+    chmod(path_of("old.png"), 0640);
+    run r = shell("ln -sf old.png link.png && \"$GNOMON\" render square.obj -o link.png "
+                  "--size 4x4");
+    assert_int_equal(r.status, 0);
+    assert_int_equal(lstat(path_of("link.png"), &status), 0);
+    assert_true(S_ISLNK(status.st_mode));
+    picture p = picture_read("old.png");
+    assert_int_equal(p.width, 4);
+    picture_free(&p);
+    assert_int_equal(stat(path_of("old.png"), &status), 0);
+    assert_int_equal(status.st_mode & 0777, 0640);
+
+    r = shell("umask 027; \"$GNOMON\" render square.obj -o fresh.png --size 4x4");
+    assert_int_equal(r.status, 0);
+    assert_int_equal(stat(path_of("fresh.png"), &status), 0);
+    assert_int_equal(status.st_mode & 0777, 0640);
+
+    r = gnomon("render square.obj -o /dev/null --size 4x4");
+    assert_int_equal(r.status, 0);
+    assert_int_equal(stat("/dev/null", &status), 0);
+    assert_true(S_ISCHR(status.st_mode));
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(help_is_printed),
+        cmocka_unit_test(usage_errors_are_status_2),
+        cmocka_unit_test(impossible_values_are_status_1),
+        cmocka_unit_test(bad_models_are_named),
+        cmocka_unit_test(bad_textures_are_named),
+        cmocka_unit_test(outputs_are_whole_or_absent),
+        cmocka_unit_test(outputs_replace_what_was_there),
+    };
+    runner_start(argc, argv);
+    int failed = cmocka_run_group_tests_name("command, faults", tests, NULL, NULL);
+    runner_end();
+    return failed != 0;
+}

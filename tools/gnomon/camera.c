@@ -1,0 +1,132 @@
+/* Placing the camera and its clipping planes. */
+#include "camera.h"
+
+#include <math.h>
+
+#include "report.h"
+
+/* Room around a framed sphere, and around it in depth. */
+#define FRAME_MARGIN 1.02
+#define DEPTH_MARGIN 1.01
+
+/* The nearest plane, as a fraction of the sphere and of the farthest plane, where the eye
+ * is inside the sphere. */
+#define NEAREST_OF_RADIUS 1e-3
+#define NEAREST_OF_FAR 1e-4
+
+/* The least distance from the middle to either clipping plane, as a fraction of the middle's
+ * distance, so that the planes stay apart as floats when the eye is far away. */
+#define THINNEST_SLICE 1e-4
+
+static const double degree = 3.14159265358979323846 / 180.0;
+
+/* Where the eye goes, as seen from the target: forward is +z, or -y for models whose up is
+ * z, turned a little to the right and lifted. Any length. */
+static gn_vec3 default_direction(gn_vec3 up)
+{
+    gn_vec3 forward = {0.0f, 0.0f, 1.0f};
+    gn_vec3 right;
+    if (gn_vec3_normalize(up, &up) != GN_OK)
+        return forward;
+    if (fabsf(up.z) > 0.9f)
+        forward = (gn_vec3){0.0f, -1.0f, 0.0f};
+    right = gn_vec3_cross(up, forward);
+    if (gn_vec3_normalize(right, &right) != GN_OK)
+        return forward;
+    forward = gn_vec3_cross(right, up);
+    return gn_vec3_add(gn_vec3_add(forward, gn_vec3_scale(right, 0.4f)),
+                       gn_vec3_scale(up, 0.25f));
+}
+
+static bool is_zero(gn_vec3 v)
+{
+    return v.x == 0.0f && v.y == 0.0f && v.z == 0.0f;
+}
+
+static int check(const camera_options *asked)
+{
+    if (asked->orthographic && !(asked->orthographic_height > 0.0f))
+        return report_fault("--orthographic", "impossible camera: the height must be above 0");
+    if (!(asked->fov_degrees > 0.0f && asked->fov_degrees < 180.0f))
+        return report_fault("--fov",
+                            "impossible camera: the angle must be above 0 and below 180 degrees");
+    if (is_zero(asked->up))
+        return report_fault("--up", "impossible camera: the vector is zero");
+    return 0;
+}
+
+/* Distance from which a sphere of radius 1 just fits into the narrower of both angles. */
+static double framing_distance(double fov_degrees, double aspect)
+{
+    double half = 0.5 * fov_degrees * degree;
+    if (aspect < 1.0)
+        half = atan(tan(half) * aspect);
+    return FRAME_MARGIN / sin(half);
+}
+
+int camera_place(const camera_options *asked, const bounding_sphere *sphere, uint32_t width,
+                 uint32_t height, camera *result)
+{
+    int fault = check(asked);
+    if (fault != 0)
+        return fault;
+
+    double aspect = (double)width / (double)height;
+    gn_vec3 center = {(float)sphere->center[0], (float)sphere->center[1],
+                      (float)sphere->center[2]};
+    gn_vec3 target = asked->target_given ? asked->target : center;
+    gn_vec3 eye = asked->eye;
+    gn_vec3 up = asked->up;
+
+    if (!asked->eye_given) {
+        gn_vec3 direction = {0.0f, 0.0f, 1.0f};
+        gn_vec3_normalize(default_direction(up), &direction);
+        double distance = 2.0 * sphere->radius;
+        if (!asked->orthographic)
+            distance = sphere->radius * framing_distance((double)asked->fov_degrees, aspect);
+        eye = gn_vec3_add(target, gn_vec3_scale(direction, (float)distance));
+    }
+    if (asked->eye_given && eye.x == target.x && eye.y == target.y && eye.z == target.z)
+        return report_fault("--eye", "impossible camera: the eye is where the target is");
+
+    gn_transform view;
+    gn_status status = gn_look_at_rh(eye, target, up, &view);
+    if (status == GN_DEGENERATE && !asked->up_given) {
+        /* Straight from above or below: the top of the picture is then away from +z. */
+        up = (gn_vec3){0.0f, 0.0f, -1.0f};
+        status = gn_look_at_rh(eye, target, up, &view);
+    }
+    if (status == GN_DEGENERATE)
+        return report_fault("--up", "impossible camera: the vector is parallel to the view");
+    if (status != GN_OK)
+        return report_fault("camera", "impossible for this model: %s", gn_status_text(status));
+
+    double middle = -(double)gn_mat4_transform_point(&view.matrix, center).z;
+    double half = fmax(sphere->radius * DEPTH_MARGIN, fabs(middle) * THINNEST_SLICE);
+    double z_near = middle - half;
+    double z_far = middle + half;
+    gn_transform projection;
+    if (asked->orthographic) {
+        float half_height = 0.5f * asked->orthographic_height;
+        float half_width = (float)((double)half_height * aspect);
+        status = gn_orthographic_rh_no(-half_width, half_width, -half_height, half_height,
+                                       (float)z_near, (float)z_far, &projection);
+    } else {
+        z_near = fmax(z_near, fmax(sphere->radius * NEAREST_OF_RADIUS, z_far * NEAREST_OF_FAR));
+        if (!(z_far > z_near))
+            z_far = z_near * 2.0; /* everything is behind the eye */
+        status = gn_perspective_rh_no((float)((double)asked->fov_degrees * degree),
+                                      (float)aspect, (float)z_near, (float)z_far, &projection);
+    }
+    gn_transform clip;
+    if (status == GN_OK)
+        status = gn_transform_compose(&projection, &view, &clip);
+    if (status != GN_OK)
+        return report_fault("camera", "impossible for this model: %s", gn_status_text(status));
+
+    gn_vec3 light = {-0.35f, 0.5f, 1.0f};
+    gn_vec3_normalize(gn_mat4_transform_direction(&view.inverse, light), &light);
+    result->clip_from_world = clip.matrix;
+    result->light_direction = light;
+    return 0;
+}

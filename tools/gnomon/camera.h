@@ -1,0 +1,26 @@
+/* The camera: from what was asked for and where the model is to a matrix. */
+#ifndef CAMERA_H
+#define CAMERA_H
+
+#include <gnomon.h>
+
+#include "options.h"
+
+/* A ball that holds everything drawn; radius > 0. */
+typedef struct bounding_sphere {
+    double center[3];
+    double radius;
+} bounding_sphere;
+
+typedef struct camera {
+    gn_mat4 clip_from_world;
+    gn_vec3 light_direction; /* over the viewer's left shoulder, world space, unit length */
+} camera;
+
+/* Places the camera. What is not given frames the sphere: the target is its centre, the
+ * eye stands in front (+z), a little to the right and above, where the whole sphere fits
+ * into the picture. 0, or EXIT_FAULT with the reason printed. */
+int camera_place(const camera_options *asked, const bounding_sphere *sphere, uint32_t width,
+                 uint32_t height, camera *result);
+
+#endif

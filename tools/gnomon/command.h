@@ -1,0 +1,16 @@
+/* The commands. Each takes its argument list, argv[0] being its own name, and returns the
+ * exit status. */
+#ifndef COMMAND_H
+#define COMMAND_H
+
+int command_render(int argc, char **argv);
+int command_compare(int argc, char **argv);
+int command_demo(int argc, char **argv);
+
+/* The part of --help that render and compare share: camera, light, shaders, colours. */
+void print_picture_help(void);
+
+/* Flushes standard output. The status, or EXIT_FAULT where output was lost. */
+int finish_output(int status);
+
+#endif

@@ -1,0 +1,150 @@
+/* The library's picture beside OSMesa's. */
+#include "comparison.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <osmesa.h>
+
+#include "output.h"
+#include "png_write.h"
+#include "report.h"
+
+/* How differences are made visible: the least one is a clear grey already. */
+#define DIFFERENCE_BASE 79
+#define DIFFERENCE_STEP 16
+
+static void print_difference(const scene_difference *d, uint64_t pixels)
+{
+    printf("colour: %" PRIu64 " of %" PRIu64 " pixels differ", d->color_pixels, pixels);
+    if (d->color_pixels > 0)
+        printf(", by at most %g/255", d->color_largest);
+    printf("\ndepth:  %" PRIu64 " of %" PRIu64 " pixels differ", d->depth_pixels, pixels);
+    if (d->depth_pixels > 0)
+        printf(", by at most %g", d->depth_largest);
+    printf("\n");
+    if (d->pixels > 0)
+        printf("first difference at x %u, y %u (from the lower left); %" PRIu64
+               " pixels are drawn by one side only\n",
+               (unsigned)d->x, (unsigned)d->y, d->coverage_pixels);
+}
+
+int comparison_make(const scene *s, comparison *result)
+{
+    char error[512] = "";
+    memset(result, 0, sizeof *result);
+    if (!scene_frame_allocate(&result->ours, s) || !scene_frame_allocate(&result->reference, s))
+        return report_fault("--size", "not enough memory for two pictures of %ux%u pixels",
+                            (unsigned)s->width, (unsigned)s->height);
+    gn_status status = scene_draw_library(s, &result->ours, 0);
+    if (status != GN_OK)
+        return report_fault("drawing", "%s", gn_status_text(status));
+
+    reference *mesa = reference_create(REFERENCE_PINNED, error, sizeof error);
+    if (mesa == NULL)
+        return report_fault("OSMesa", "%s", error);
+    bool drawn = reference_draw(mesa, s, &result->reference, error, sizeof error);
+    if (drawn) {
+        printf("reference: OSMesa %s, %s\n", reference_mesa_version(mesa),
+               reference_renderer(mesa));
+        if (!reference_is_contract_version(mesa))
+            printf("note: equal pictures are promised for Mesa 22.3 only\n");
+    }
+    reference_destroy(mesa);
+    if (!drawn)
+        return report_fault("OSMesa", "%s", error);
+
+    result->difference = scene_compare(s, &result->ours, &result->reference);
+    print_difference(&result->difference, (uint64_t)s->width * s->height);
+    return 0;
+}
+
+static const uint32_t *color_row(const scene_frame *frame, uint32_t y)
+{
+    return (const uint32_t *)frame->color + (size_t)(frame->height - 1 - y) * frame->width;
+}
+
+static uint8_t channel(uint32_t pixel, int index)
+{
+    return (uint8_t)(pixel >> (8 * index));
+}
+
+static void put_rgb(uint32_t pixel, uint8_t *bytes)
+{
+    for (int i = 0; i < 3; i++)
+        bytes[i] = channel(pixel, i);
+}
+
+static void put_difference(uint32_t a, uint32_t b, bool depth_differs, uint8_t *bytes)
+{
+    bool visible = false;
+    for (int i = 0; i < 3; i++) {
+        int difference = (int)channel(a, i) - (int)channel(b, i);
+        if (difference < 0)
+            difference = -difference;
+        int shown = difference == 0 ? 0 : DIFFERENCE_BASE + DIFFERENCE_STEP * difference;
+        bytes[i] = (uint8_t)(shown > 255 ? 255 : shown);
+        visible = visible || difference != 0;
+    }
+    if (!visible && (a != b || depth_differs)) {
+        bytes[0] = bytes[2] = 255;
+        bytes[1] = 0;
+    }
+}
+
+static void triptych_row(const void *context, uint32_t y, uint8_t *row)
+{
+    const comparison *c = context;
+    size_t width = c->ours.width;
+    const uint32_t *ours = color_row(&c->ours, y);
+    const uint32_t *theirs = color_row(&c->reference, y);
+    size_t first = (size_t)(c->ours.height - 1 - y) * width;
+    const unsigned char *depth_a = (const unsigned char *)c->ours.depth + first * sizeof(float);
+    const unsigned char *depth_b =
+        (const unsigned char *)c->reference.depth + first * sizeof(float);
+    for (size_t x = 0; x < width; x++) {
+        bool depth_differs =
+            memcmp(depth_a + x * sizeof(float), depth_b + x * sizeof(float), sizeof(float)) != 0;
+        put_rgb(ours[x], row + 3 * x);
+        put_rgb(theirs[x], row + 3 * (width + x));
+        put_difference(ours[x], theirs[x], depth_differs, row + 3 * (2 * width + x));
+    }
+}
+
+static void picture_row(const void *context, uint32_t y, uint8_t *row)
+{
+    const comparison *c = context;
+    const uint32_t *ours = color_row(&c->ours, y);
+    for (size_t x = 0; x < c->ours.width; x++)
+        put_rgb(ours[x], row + 3 * x);
+}
+
+static int write_rows(const comparison *c, const char *path, uint32_t width, png_row *row)
+{
+    output file;
+    int fault = output_open(&file, path);
+    if (fault != 0)
+        return fault;
+    fault = png_write(&file, PNG_RGB8, width, c->ours.height, row, c);
+    if (fault == 0)
+        fault = output_commit(&file);
+    output_abandon(&file);
+    return fault;
+}
+
+int comparison_write_triptych(const comparison *c, const char *path)
+{
+    return write_rows(c, path, 3 * c->ours.width, triptych_row);
+}
+
+int comparison_write_picture(const comparison *c, const char *path)
+{
+    return write_rows(c, path, c->ours.width, picture_row);
+}
+
+void comparison_free(comparison *c)
+{
+    scene_frame_free(&c->ours);
+    scene_frame_free(&c->reference);
+}

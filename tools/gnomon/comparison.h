@@ -1,0 +1,27 @@
+/* Drawing a scene twice, with the library and with OSMesa, and reporting what differs. */
+#ifndef COMPARISON_H
+#define COMPARISON_H
+
+#include <scene.h>
+
+typedef struct comparison {
+    scene_frame ours;
+    scene_frame reference;
+    scene_difference difference;
+} comparison;
+
+/* Draws both and prints, on standard output, the Mesa version and how many pixels differ in
+ * colour and depth, and by how much. 0, or EXIT_FAULT with the reason printed; free with
+ * comparison_free either way. */
+int comparison_make(const scene *s, comparison *result);
+
+/* Writes ours, OSMesa's and the difference side by side: black where all is equal, otherwise
+ * the channels' differences amplified, magenta where only alpha or depth differ. */
+int comparison_write_triptych(const comparison *c, const char *path);
+
+/* Writes ours alone. */
+int comparison_write_picture(const comparison *c, const char *path);
+
+void comparison_free(comparison *c);
+
+#endif

@@ -1,0 +1,144 @@
+/* gnomon demo: the teapot, drawn by the library and by OSMesa. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "command.h"
+#include "comparison.h"
+#include "output.h"
+#include "picture.h"
+#include "report.h"
+#include "teapot.h"
+
+static const char usage[] =
+    "gnomon demo [-o OUT.png] [OPTION...]: draw the Utah teapot, tessellated from Newell's\n"
+    "Bezier patches, with Gnomon and with OSMesa, and count the pixels that are not the same\n"
+    "bit for bit. Exit status 0: none, 1: some.\n"
+    "\n"
+    "  gnomon demo\n"
+    "  gnomon demo --picture teapot.png --tessellation 32 --size 1600x1200\n"
+    "\n"
+    "  -o, --output OUT.png    Gnomon's picture, OSMesa's, and the difference side by side;\n"
+    "                          gnomon-demo.png\n"
+    "  --picture OUT.png       Gnomon's picture alone\n"
+    "  --size WxH              in pixels, up to 16384x16384; 800x600\n"
+    "  --tessellation N        segments along each side of a patch, 1 to 128; 16\n";
+
+static const float background[4] = {0.933f, 0.925f, 0.906f, 1.0f};
+static const float glaze[4] = {0.80f, 0.46f, 0.31f, 1.0f};
+
+/* The shadow is a disc on the ground, dark in the middle and of the background's colour at
+ * its edge, so that no edge is seen. */
+#define SHADOW_SEGMENTS 64
+#define SHADOW_RINGS 16
+
+static bool create_shadow(model *result)
+{
+    memset(result, 0, sizeof *result);
+    result->parts = calloc(1, sizeof *result->parts);
+    if (result->parts == NULL)
+        return false;
+    result->part_count = 1;
+    model_part *part = result->parts;
+    uint32_t columns = SHADOW_SEGMENTS + 1;
+    if (!model_part_allocate(part, columns * (SHADOW_RINGS + 1),
+                             SHADOW_SEGMENTS * SHADOW_RINGS * 6, false)) {
+        model_free(result);
+        return false;
+    }
+    part->index_count = 0;
+    for (uint32_t ring = 0; ring <= SHADOW_RINGS; ring++) {
+        double r = (double)ring / SHADOW_RINGS;
+        double fade = (1.0 - r * r) * (1.0 - r * r);
+        for (uint32_t i = 0; i <= SHADOW_SEGMENTS; i++) {
+            double angle = 2.0 * 3.14159265358979323846 * (i % SHADOW_SEGMENTS) / SHADOW_SEGMENTS;
+            size_t v = (size_t)ring * columns + i;
+            part->positions[3 * v] = (float)(0.25 + 3.3 * r * cos(angle));
+            part->positions[3 * v + 1] = -0.01f;
+            part->positions[3 * v + 2] = (float)(-0.25 + 2.7 * r * sin(angle));
+            for (size_t c = 0; c < 3; c++)
+                part->colors[4 * v + c] = background[c] * (float)(1.0 - 0.62 * fade);
+            part->colors[4 * v + 3] = 1.0f;
+            if (ring == 0 || i == 0)
+                continue;
+            uint32_t d = (uint32_t)v;
+            uint32_t corners[6] = {d, d - 1, d - columns, d - 1, d - 1 - columns, d - columns};
+            memcpy(part->indices + part->index_count, corners, sizeof corners);
+            part->index_count += 6;
+        }
+    }
+    return true;
+}
+
+static int describe(const options *o, scene **result)
+{
+    static const bounding_sphere sphere = {{0.2, 1.45, 0.0}, 3.6};
+    camera_options asked = o->camera;
+    camera view;
+    model teapot;
+    model shadow;
+    gn_vec3 light = {-0.4f, 0.75f, 0.7f};
+    *result = NULL;
+    asked.eye_given = asked.target_given = true;
+    asked.eye = (gn_vec3){3.4f, 4.6f, 8.6f};
+    asked.target = (gn_vec3){0.2f, 1.35f, 0.0f};
+    asked.fov_degrees = 35.0f;
+    gn_vec3_normalize(light, &light);
+    int fault = camera_place(&asked, &sphere, o->width, o->height, &view);
+    if (fault != 0)
+        return fault;
+    if (!teapot_create(o->tessellation, glaze, &teapot))
+        return report_fault("teapot", "not enough memory");
+    if (!create_shadow(&shadow)) {
+        model_free(&teapot);
+        return report_fault("teapot", "not enough memory");
+    }
+    scene *s = scene_create(o->width, o->height, GN_FORMAT_RGBA8, GN_FORMAT_D32F);
+    memcpy(s->clear_color, background, sizeof s->clear_color);
+    s->clear_depth = 1.0f;
+    picture_add_part(s, shadow.parts, SCENE_VERTEX_COLOR, &view, light);
+    scene_draw *pot = picture_add_part(s, teapot.parts, SCENE_GOURAUD, &view, light);
+    pot->uniforms.light.ambient = (gn_vec3){0.30f, 0.31f, 0.36f};
+    pot->uniforms.light.diffuse = (gn_vec3){0.82f, 0.78f, 0.72f};
+    model_free(&shadow);
+    model_free(&teapot);
+    *result = s;
+    return 0;
+}
+
+int command_demo(int argc, char **argv)
+{
+    options o;
+    int status;
+    options_result result = options_parse(COMMAND_DEMO, argc, argv, &o, &status);
+    if (result == OPTIONS_HELP) {
+        fputs(usage, stdout);
+        return finish_output(0);
+    }
+    if (result == OPTIONS_WRONG)
+        return status;
+    if (o.output == NULL)
+        o.output = "gnomon-demo.png";
+    if (o.picture_output != NULL && output_same_file(o.output, o.picture_output))
+        return report_fault(o.output, "cannot be both the comparison and the picture");
+
+    scene *s = NULL;
+    int fault = describe(&o, &s);
+    if (fault != 0)
+        return fault;
+    comparison c;
+    picture_print_summary("teapot", s);
+    fault = comparison_make(s, &c);
+    if (fault == 0)
+        fault = comparison_write_triptych(&c, o.output);
+    if (fault == 0)
+        printf("%s: Gnomon, OSMesa, difference\n", o.output);
+    if (fault == 0 && o.picture_output != NULL)
+        fault = comparison_write_picture(&c, o.picture_output);
+    if (fault == 0 && c.difference.pixels > 0)
+        fault = EXIT_FAULT;
+    comparison_free(&c);
+    scene_free(s);
+    return finish_output(fault);
+}

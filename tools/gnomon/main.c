@@ -1,0 +1,82 @@
+/* The gnomon command: dispatch and the overview. */
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "command.h"
+#include "report.h"
+
+static const char overview[] =
+    "gnomon: 3D models to pictures, by a software renderer whose every pixel is checked.\n"
+    "\n"
+    "  gnomon render MODEL -o OUT.png   draw a model\n"
+    "  gnomon compare MODEL             draw it with OSMesa as well and count the pixels\n"
+    "                                   that differ\n"
+    "  gnomon demo                      do that with a teapot, which needs no model\n"
+    "\n"
+    "gnomon COMMAND --help explains a command and has examples. To see something at once:\n"
+    "\n"
+    "  gnomon demo --picture teapot.png\n"
+    "\n"
+    "Results go to standard output, errors to standard error, one line each, with the file\n"
+    "or option they are about. Exit status: 0 success (compare, demo: the pictures are\n"
+    "equal), 1 something is wrong with the input (or the pictures differ), 2 the command\n"
+    "line is not understood. An output file appears whole or not at all.\n";
+
+static const char picture_help[] =
+    "Camera (without any of these the whole model is framed, seen from +z, a little from\n"
+    "the right and from above; what is not given is chosen to fit the rest):\n"
+    "  --eye X,Y,Z             where the camera is\n"
+    "  --target X,Y,Z          what it looks at; the middle of the model\n"
+    "  --up X,Y,Z              what is up in the picture; 0,1,0. With 0,0,1, for models\n"
+    "                          made that way, the view is from -y\n"
+    "  --fov DEGREES           angle seen from bottom to top; 40\n"
+    "  --orthographic HEIGHT   parallel projection; HEIGHT in the model's units is seen\n"
+    "                          from bottom to top\n"
+    "\n"
+    "Look:\n"
+    "  --shader NAME           textured  lit, under a texture\n"
+    "                          gouraud   lit at the vertices\n"
+    "                          flat      lit triangle by triangle\n"
+    "                          color     the colours as they are, without light\n"
+    "                          Without it: textured where there is a texture, else gouraud\n"
+    "  --texture FILE          the texture to use; PNG, TGA, JPEG and what else stb_image\n"
+    "                          reads. Otherwise the one the material names, or\n"
+    "                          MODEL_diffuse.tga, .png or .jpg beside MODEL.obj\n"
+    "  --light X,Y,Z           direction towards the light; over the viewer's left shoulder\n"
+    "  --background COLOR      #rrggbb or #rrggbbaa (the # may be left out); #edeeef\n"
+    "\n"
+    "Colours are the vertices', else the material's, else light grey; a texture takes the\n"
+    "place of the material's colour. Missing normals are computed, smooth over the model.\n"
+    "A texture that the material names but that is not there is an error; go on without it\n"
+    "with --shader gouraud.\n";
+
+void print_picture_help(void)
+{
+    fputs(picture_help, stdout);
+}
+
+int finish_output(int status)
+{
+    if (fflush(stdout) != 0 || ferror(stdout) != 0)
+        return report_fault("standard output", "cannot be written: %s", strerror(errno));
+    return status;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc < 2)
+        return report_usage("", "no command");
+    if (strcmp(argv[1], "render") == 0)
+        return command_render(argc - 1, argv + 1);
+    if (strcmp(argv[1], "compare") == 0)
+        return command_compare(argc - 1, argv + 1);
+    if (strcmp(argv[1], "demo") == 0)
+        return command_demo(argc - 1, argv + 1);
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
+        strcmp(argv[1], "help") == 0) {
+        fputs(overview, stdout);
+        return finish_output(0);
+    }
+    return report_usage("", "'%s': no such command", argv[1]);
+}

@@ -1,0 +1,289 @@
+/* Parsing of the command line. */
+#include "options.h"
+
+#include <ctype.h>
+#include <getopt.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gnomon/surface.h>
+
+#include "report.h"
+
+#define DEFAULT_FOV_DEGREES 40.0f
+#define DEFAULT_TESSELLATION 16
+#define MAX_TESSELLATION 128
+
+enum {
+    OPTION_SIZE = 256,
+    OPTION_EYE,
+    OPTION_TARGET,
+    OPTION_UP,
+    OPTION_FOV,
+    OPTION_ORTHOGRAPHIC,
+    OPTION_SHADER,
+    OPTION_BACKGROUND,
+    OPTION_DEPTH,
+    OPTION_LIGHT,
+    OPTION_TEXTURE,
+    OPTION_PICTURE,
+    OPTION_TESSELLATION
+};
+
+#define MODEL_COMMANDS (COMMAND_RENDER | COMMAND_COMPARE)
+#define ALL_COMMANDS (COMMAND_RENDER | COMMAND_COMPARE | COMMAND_DEMO)
+
+static const struct {
+    char name[16];
+    bool takes_value;
+    int value;
+    int commands;
+} option_table[] = {
+    {"help", false, 'h', ALL_COMMANDS},
+    {"output", true, 'o', ALL_COMMANDS},
+    {"size", true, OPTION_SIZE, ALL_COMMANDS},
+    {"eye", true, OPTION_EYE, MODEL_COMMANDS},
+    {"target", true, OPTION_TARGET, MODEL_COMMANDS},
+    {"up", true, OPTION_UP, MODEL_COMMANDS},
+    {"fov", true, OPTION_FOV, MODEL_COMMANDS},
+    {"orthographic", true, OPTION_ORTHOGRAPHIC, MODEL_COMMANDS},
+    {"shader", true, OPTION_SHADER, MODEL_COMMANDS},
+    {"background", true, OPTION_BACKGROUND, MODEL_COMMANDS},
+    {"light", true, OPTION_LIGHT, MODEL_COMMANDS},
+    {"texture", true, OPTION_TEXTURE, MODEL_COMMANDS},
+    {"depth", true, OPTION_DEPTH, COMMAND_RENDER},
+    {"picture", true, OPTION_PICTURE, COMMAND_DEMO},
+    {"tessellation", true, OPTION_TESSELLATION, COMMAND_DEMO},
+};
+
+#define OPTION_COUNT (sizeof option_table / sizeof option_table[0])
+
+const char *options_command_name(command which)
+{
+    switch (which) {
+    case COMMAND_RENDER:
+        return "render";
+    case COMMAND_COMPARE:
+        return "compare";
+    default:
+        return "demo";
+    }
+}
+
+/* A finite float at *text, which then points behind it. */
+static bool parse_float(const char **text, float *result)
+{
+    char *end;
+    if (isspace((unsigned char)**text))
+        return false;
+    double value = strtod(*text, &end);
+    *result = (float)value;
+    if (end == *text || !isfinite(*result))
+        return false;
+    *text = end;
+    return true;
+}
+
+static bool parse_single(const char *text, float *result)
+{
+    return parse_float(&text, result) && *text == '\0';
+}
+
+static bool parse_vector(const char *text, gn_vec3 *result)
+{
+    return parse_float(&text, &result->x) && *text++ == ',' && parse_float(&text, &result->y) &&
+           *text++ == ',' && parse_float(&text, &result->z) && *text == '\0';
+}
+
+/* A whole number of digits alone; beyond 32 bits it is UINT32_MAX. */
+static bool parse_count(const char **text, uint32_t *result)
+{
+    uint64_t value = 0;
+    if (!isdigit((unsigned char)**text))
+        return false;
+    for (; isdigit((unsigned char)**text); (*text)++) {
+        value = value * 10 + (uint64_t)(**text - '0');
+        if (value > UINT32_MAX)
+            value = UINT32_MAX;
+    }
+    *result = (uint32_t)value;
+    return true;
+}
+
+static bool parse_size(const char *text, uint32_t *width, uint32_t *height)
+{
+    return parse_count(&text, width) && (*text == 'x' || *text == 'X') && *++text != '\0' &&
+           parse_count(&text, height) && *text == '\0';
+}
+
+/* #rrggbb or #rrggbbaa, the # may be left out since shells take it for a comment. */
+static bool parse_color(const char *text, float color[4])
+{
+    if (*text == '#')
+        text++;
+    size_t length = strlen(text);
+    if ((length != 6 && length != 8) || strspn(text, "0123456789abcdefABCDEF") != length)
+        return false;
+    color[3] = 1.0f;
+    for (size_t i = 0; i < length / 2; i++) {
+        char digits[3] = {text[2 * i], text[2 * i + 1], '\0'};
+        color[i] = (float)strtoul(digits, NULL, 16) / 255.0f;
+    }
+    return true;
+}
+
+static bool parse_shading(const char *text, shading *result)
+{
+    static const char names[][16] = {"color", "flat", "gouraud", "textured"};
+    for (int i = 0; i < 4; i++) {
+        if (strcmp(text, names[i]) == 0) {
+            *result = (shading)(SHADING_COLOR + i);
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The value of one option. Null: taken; otherwise what it should have looked like. */
+static const char *take_value(int option, const char *text, options *o)
+{
+    static const char vector_form[] = "three numbers X,Y,Z";
+    camera_options *camera = &o->camera;
+    switch (option) {
+    case 'o':
+        o->output = text;
+        return *text != '\0' ? NULL : "a file name";
+    case OPTION_DEPTH:
+        o->depth_output = text;
+        return *text != '\0' ? NULL : "a file name";
+    case OPTION_PICTURE:
+        o->picture_output = text;
+        return *text != '\0' ? NULL : "a file name";
+    case OPTION_TEXTURE:
+        o->texture = text;
+        return *text != '\0' ? NULL : "a file name";
+    case OPTION_SIZE:
+        return parse_size(text, &o->width, &o->height) ? NULL : "WIDTHxHEIGHT, as in 800x600";
+    case OPTION_EYE:
+        camera->eye_given = true;
+        return parse_vector(text, &camera->eye) ? NULL : vector_form;
+    case OPTION_TARGET:
+        camera->target_given = true;
+        return parse_vector(text, &camera->target) ? NULL : vector_form;
+    case OPTION_UP:
+        camera->up_given = true;
+        return parse_vector(text, &camera->up) ? NULL : vector_form;
+    case OPTION_FOV:
+        camera->fov_given = true;
+        return parse_single(text, &camera->fov_degrees) ? NULL : "a number of degrees";
+    case OPTION_ORTHOGRAPHIC:
+        camera->orthographic = true;
+        return parse_single(text, &camera->orthographic_height) ? NULL : "a height";
+    case OPTION_LIGHT:
+        o->light_given = true;
+        return parse_vector(text, &o->light) ? NULL : vector_form;
+    case OPTION_SHADER:
+        return parse_shading(text, &o->shading) ? NULL : "flat, color, gouraud or textured";
+    case OPTION_BACKGROUND:
+        return parse_color(text, o->background) ? NULL : "#rrggbb or #rrggbbaa";
+    default:
+        return parse_count(&text, &o->tessellation) && *text == '\0' ? NULL : "a whole number";
+    }
+}
+
+/* What is wrong with options that are well-formed one by one. 0: nothing. */
+static int check(command which, const options *o)
+{
+    const char *name = options_command_name(which);
+    if (which == COMMAND_RENDER && o->output == NULL)
+        return report_usage(name, "no output file; give one with -o OUT.png");
+    if (o->camera.orthographic && o->camera.fov_given)
+        return report_usage(name, "--fov and --orthographic exclude each other");
+    if (o->texture != NULL && o->shading != SHADING_AUTOMATIC && o->shading != SHADING_TEXTURED)
+        return report_usage(name, "--texture is for --shader textured");
+    if (o->width < 1 || o->width > GN_MAX_SIZE || o->height < 1 || o->height > GN_MAX_SIZE)
+        return report_fault("--size", "impossible size; width and height are 1 to %d pixels",
+                            GN_MAX_SIZE);
+    if (o->tessellation < 1 || o->tessellation > MAX_TESSELLATION)
+        return report_fault("--tessellation", "impossible; it is 1 to %d", MAX_TESSELLATION);
+    return 0;
+}
+
+static void set_defaults(command which, options *o)
+{
+    static const float background[4] = {0.9294118f, 0.9333333f, 0.9372549f, 1.0f};
+    memset(o, 0, sizeof *o);
+    o->width = which == COMMAND_DEMO ? 800 : 1024;
+    o->height = which == COMMAND_DEMO ? 600 : 1024;
+    o->camera.up.y = 1.0f;
+    o->camera.fov_degrees = DEFAULT_FOV_DEGREES;
+    memcpy(o->background, background, sizeof background);
+    o->tessellation = DEFAULT_TESSELLATION;
+}
+
+options_result options_parse(command which, int argc, char **argv, options *result,
+                             int *exit_status)
+{
+    const char *name = options_command_name(which);
+    struct option long_options[OPTION_COUNT + 1];
+    size_t count = 0;
+    memset(long_options, 0, sizeof long_options);
+    for (size_t i = 0; i < OPTION_COUNT; i++) {
+        if ((option_table[i].commands & (int)which) == 0)
+            continue;
+        long_options[count].name = option_table[i].name;
+        long_options[count].has_arg =
+            option_table[i].takes_value ? required_argument : no_argument;
+        long_options[count].val = option_table[i].value;
+        count++;
+    }
+
+    set_defaults(which, result);
+    *exit_status = EXIT_USAGE;
+    opterr = 0;
+    optind = 1;
+    for (;;) {
+        /* A lone letter that is unknown leaves optind at its word, hence the copy. */
+        int word = optind < argc ? optind : argc - 1;
+        int option = getopt_long(argc, argv, ":ho:", long_options, NULL);
+        if (option == -1)
+            break;
+        if (option == 'h')
+            return OPTIONS_HELP;
+        if (option == ':' || option == '?') {
+            const char *why = option == ':' ? "no value after" : "unknown option";
+            if (option == '?' && optopt != 0 && optopt != 'o' && optopt > 255)
+                why = "no value belongs to";
+            report_usage(name, "%s '%s'", why, argv[optind > word ? optind - 1 : word]);
+            return OPTIONS_WRONG;
+        }
+        const char *expected = take_value(option, optarg, result);
+        if (expected != NULL) {
+            const char *option_name = "-o";
+            for (size_t i = 0; i < count; i++) {
+                if (option != 'o' && long_options[i].val == option)
+                    option_name = long_options[i].name;
+            }
+            report_usage(name, "%s%s '%s': not %s", option == 'o' ? "" : "--", option_name,
+                         optarg, expected);
+            return OPTIONS_WRONG;
+        }
+    }
+
+    int model_count = argc - optind;
+    if (which == COMMAND_DEMO && model_count > 0) {
+        report_usage(name, "'%s': the demonstration takes no model", argv[optind]);
+        return OPTIONS_WRONG;
+    }
+    if (which != COMMAND_DEMO && model_count != 1) {
+        if (model_count == 0)
+            report_usage(name, "no model file");
+        else
+            report_usage(name, "'%s': one model at a time", argv[optind + 1]);
+        return OPTIONS_WRONG;
+    }
+    result->model = which == COMMAND_DEMO ? NULL : argv[optind];
+    *exit_status = check(which, result);
+    return *exit_status == 0 ? OPTIONS_READY : OPTIONS_WRONG;
+}

@@ -1,0 +1,55 @@
+/* The command line as data. */
+#ifndef OPTIONS_H
+#define OPTIONS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include <gnomon/vec.h>
+
+typedef enum command { COMMAND_RENDER = 1, COMMAND_COMPARE = 2, COMMAND_DEMO = 4 } command;
+
+typedef enum shading {
+    SHADING_AUTOMATIC = 0, /* textured where there is a texture, otherwise Gouraud */
+    SHADING_COLOR,
+    SHADING_FLAT,
+    SHADING_GOURAUD,
+    SHADING_TEXTURED
+} shading;
+
+/* The camera as asked for; what is not given is chosen by camera_place. */
+typedef struct camera_options {
+    bool eye_given, target_given, up_given, fov_given, orthographic;
+    gn_vec3 eye, target, up;
+    float fov_degrees;
+    float orthographic_height; /* world units from the lower to the upper edge */
+} camera_options;
+
+typedef struct options {
+    const char *model;
+    const char *output;
+    const char *depth_output;
+    const char *picture_output;
+    const char *texture;
+    uint32_t width, height;
+    shading shading;
+    camera_options camera;
+    float background[4];
+    bool light_given;
+    gn_vec3 light; /* towards the light, world space, any length but 0 */
+    uint32_t tessellation;
+} options;
+
+typedef enum options_result { OPTIONS_READY, OPTIONS_HELP, OPTIONS_WRONG } options_result;
+
+/* The command's name as typed. */
+const char *options_command_name(command which);
+
+/* Reads argv[1...], argv[0] being the command's name. OPTIONS_HELP: --help was given.
+ * OPTIONS_WRONG: the reason has been printed, *exit_status is EXIT_USAGE for what is no
+ * valid command line and EXIT_FAULT for a value that is impossible. Strings point into
+ * argv. */
+options_result options_parse(command which, int argc, char **argv, options *result,
+                             int *exit_status);
+
+#endif

@@ -1,0 +1,160 @@
+/* Files written beside their place and renamed at the end. */
+#define _XOPEN_SOURCE 700
+#include "output.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "report.h"
+
+/* What the signal handler removes. A slot is written only while its signals are blocked. */
+static char *pending[OUTPUT_LIMIT];
+
+static const int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ};
+#define SIGNAL_COUNT (sizeof ending_signals / sizeof ending_signals[0])
+
+static void remove_pending(int number)
+{
+    for (int i = 0; i < OUTPUT_LIMIT; i++) {
+        if (pending[i] != NULL)
+            unlink(pending[i]);
+    }
+    signal(number, SIG_DFL);
+    raise(number);
+}
+
+static void exchange_pending(char *from, char *to)
+{
+    sigset_t blocked;
+    sigset_t previous;
+    sigemptyset(&blocked);
+    for (size_t i = 0; i < SIGNAL_COUNT; i++)
+        sigaddset(&blocked, ending_signals[i]);
+    sigprocmask(SIG_BLOCK, &blocked, &previous);
+    for (int i = 0; i < OUTPUT_LIMIT; i++) {
+        if (pending[i] == from) {
+            pending[i] = to;
+            break;
+        }
+    }
+    sigprocmask(SIG_SETMASK, &previous, NULL);
+}
+
+static void handle_signals(void)
+{
+    struct sigaction action;
+    struct sigaction previous;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = remove_pending;
+    for (size_t i = 0; i < SIGNAL_COUNT; i++) {
+        /* What was ignored on purpose, as under nohup, stays ignored. */
+        if (sigaction(ending_signals[i], NULL, &previous) == 0 &&
+            previous.sa_handler == SIG_DFL)
+            sigaction(ending_signals[i], &action, NULL);
+    }
+}
+
+static void release(output *o)
+{
+    free(o->final);
+    free(o->temporary);
+    memset(o, 0, sizeof *o);
+}
+
+int output_open(output *o, const char *path)
+{
+    struct stat status;
+    bool exists = stat(path, &status) == 0;
+    memset(o, 0, sizeof *o);
+    o->path = path;
+    if (exists && S_ISDIR(status.st_mode))
+        return report_fault(path, "cannot be written: it is a directory");
+    if (exists && !S_ISREG(status.st_mode)) {
+        o->file = fopen(path, "wb");
+        return o->file != NULL ? 0
+                               : report_fault(path, "cannot be written: %s", strerror(errno));
+    }
+    if (exists && access(path, W_OK) != 0)
+        return report_fault(path, "cannot be written: %s", strerror(errno));
+
+    static const char suffix[] = ".XXXXXX";
+    o->final = exists ? realpath(path, NULL) : strdup(path);
+    if (o->final != NULL)
+        o->temporary = malloc(strlen(o->final) + sizeof suffix);
+    if (o->temporary == NULL) {
+        release(o);
+        return report_fault(path, "cannot be written: not enough memory");
+    }
+    strcpy(o->temporary, o->final);
+    strcat(o->temporary, suffix);
+
+    handle_signals();
+    int descriptor = mkstemp(o->temporary);
+    if (descriptor < 0) {
+        int reason = errno;
+        release(o);
+        return report_fault(path, "cannot be written: %s", strerror(reason));
+    }
+    exchange_pending(NULL, o->temporary);
+
+    mode_t mask = umask(0);
+    umask(mask);
+    mode_t mode = exists ? (status.st_mode & 0777) : (0666 & ~mask);
+    o->file = fdopen(descriptor, "wb");
+    if (o->file == NULL || fchmod(descriptor, mode) != 0) {
+        int reason = errno;
+        if (o->file == NULL)
+            close(descriptor);
+        output_abandon(o);
+        return report_fault(path, "cannot be written: %s", strerror(reason));
+    }
+    return 0;
+}
+
+int output_commit(output *o)
+{
+    const char *path = o->path;
+    bool good = fflush(o->file) == 0 && ferror(o->file) == 0;
+    int reason = errno;
+    if (fclose(o->file) != 0 && good) {
+        good = false;
+        reason = errno;
+    }
+    o->file = NULL;
+    if (good && o->temporary != NULL && rename(o->temporary, o->final) != 0) {
+        good = false;
+        reason = errno;
+    }
+    if (good && o->temporary != NULL)
+        exchange_pending(o->temporary, NULL);
+    if (good)
+        release(o);
+    else
+        output_abandon(o);
+    return good ? 0 : report_fault(path, "cannot be written: %s", strerror(reason));
+}
+
+void output_abandon(output *o)
+{
+    if (o->file != NULL)
+        fclose(o->file);
+    if (o->temporary != NULL) {
+        unlink(o->temporary);
+        exchange_pending(o->temporary, NULL);
+    }
+    release(o);
+}
+
+bool output_same_file(const char *a, const char *b)
+{
+    struct stat status_a;
+    struct stat status_b;
+    if (strcmp(a, b) == 0)
+        return true;
+    return stat(a, &status_a) == 0 && stat(b, &status_b) == 0 && S_ISREG(status_a.st_mode) &&
+           status_a.st_dev == status_b.st_dev && status_a.st_ino == status_b.st_ino;
+}

@@ -1,0 +1,32 @@
+/* Output files that are there whole or not at all: written beside their final place under
+ * another name, and renamed when everything has succeeded. */
+#ifndef OUTPUT_H
+#define OUTPUT_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+typedef struct output {
+    const char *path; /* as the user wrote it, for messages */
+    char *final;      /* what is replaced: the path with symbolic links followed */
+    char *temporary;  /* null where the path is no regular file (a pipe, /dev/null) */
+    FILE *file;
+} output;
+
+/* Starts an output file. 0, or EXIT_FAULT with the reason printed and nothing left to clean
+ * up. Between open and commit or abandon, a signal that ends the program removes the
+ * temporary file. At most OUTPUT_LIMIT files are open at a time. */
+#define OUTPUT_LIMIT 4
+int output_open(output *o, const char *path);
+
+/* Flushes, closes and renames. 0, or EXIT_FAULT with the reason printed; the temporary file
+ * is gone either way. */
+int output_commit(output *o);
+
+/* Closes and removes. Harmless after commit and on a zeroed output. */
+void output_abandon(output *o);
+
+/* Whether both names lead to one file, that exists or would be made. */
+bool output_same_file(const char *a, const char *b);
+
+#endif

@@ -1,0 +1,195 @@
+/* gnomon render: a model to a PNG. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <gnomon.h>
+
+#include "command.h"
+#include "output.h"
+#include "picture.h"
+#include "png_write.h"
+#include "report.h"
+
+static const char usage[] =
+    "gnomon render MODEL -o OUT.png [OPTION...]: draw a model.\n"
+    "\n"
+    "MODEL is any file Assimp reads: OBJ, PLY, STL, glTF, FBX, Collada, 3DS and more.\n"
+    "\n"
+    "  gnomon render bunny.obj -o bunny.png\n"
+    "  gnomon render head.obj -o head.png --size 1920x1080 --eye 0,0.5,3 --fov 35\n"
+    "  gnomon render part.stl -o part.png --up 0,0,1 --orthographic 120 --shader flat\n"
+    "  gnomon render head.obj -o head.png --background 00000000 --depth head_depth.png\n"
+    "\n"
+    "  -o, --output OUT.png    the picture, PNG with alpha\n"
+    "  --depth OUT.png         also the depth, 16-bit grey: 0 at the near plane, 65535 at\n"
+    "                          the far plane, which enclose the model closely\n"
+    "  --size WxH              in pixels, up to 16384x16384; 1024x1024\n"
+    "\n";
+
+/* A picture in memory, top row first as PNG has it. */
+typedef struct canvas {
+    uint32_t width;
+    uint32_t *color;
+    float *depth;
+} canvas;
+
+static void color_row(const void *context, uint32_t y, uint8_t *row)
+{
+    const canvas *c = context;
+    const uint32_t *pixels = c->color + (size_t)y * c->width;
+    for (size_t x = 0; x < c->width; x++) {
+        for (size_t channel = 0; channel < 4; channel++)
+            row[4 * x + channel] = (uint8_t)(pixels[x] >> (8 * channel));
+    }
+}
+
+static void depth_row(const void *context, uint32_t y, uint8_t *row)
+{
+    const canvas *c = context;
+    const float *pixels = c->depth + (size_t)y * c->width;
+    for (size_t x = 0; x < c->width; x++) {
+        /* The surface holds 0 to 1, so this is at most 65535. */
+        uint32_t grey = (uint32_t)((double)pixels[x] * 65535.0 + 0.5);
+        row[2 * x] = (uint8_t)(grey >> 8);
+        row[2 * x + 1] = (uint8_t)grey;
+    }
+}
+
+static gn_status use_shader(const scene_draw *draw, gn_pipeline *pipeline,
+                            gn_color_uniforms *color)
+{
+    const gn_light_uniforms *light = &draw->uniforms.light;
+    switch (draw->shader) {
+    case SCENE_VERTEX_COLOR:
+        color->clip_from_model = light->clip_from_model;
+        return gn_use_vertex_color(pipeline, color);
+    case SCENE_FLAT:
+        return gn_use_flat(pipeline, light);
+    case SCENE_GOURAUD:
+        return gn_use_gouraud(pipeline, light);
+    default:
+        return gn_use_textured_gouraud(pipeline, &draw->uniforms);
+    }
+}
+
+static gn_status draw_scene(const scene *s, const gn_target *target,
+                            const gn_workspace *workspace)
+{
+    gn_status status = gn_clear_color(&target->color, s->clear_color[0], s->clear_color[1],
+                                      s->clear_color[2], s->clear_color[3]);
+    if (status == GN_OK)
+        status = gn_clear_depth(&target->depth, s->clear_depth);
+    for (size_t i = 0; i < s->draw_count && status == GN_OK; i++) {
+        gn_pipeline pipeline = s->draws[i].state;
+        gn_color_uniforms color;
+        status = use_shader(s->draws + i, &pipeline, &color);
+        if (status == GN_OK)
+            status = gn_draw(target, &pipeline, &s->draws[i].mesh, workspace);
+    }
+    return status;
+}
+
+/* Enough to shade every vertex once. */
+static size_t workspace_size(const scene *s)
+{
+    size_t size = gn_workspace_size(0, GN_SHADER_VARYINGS);
+    for (size_t i = 0; i < s->draw_count; i++) {
+        size_t wanted = gn_workspace_size(s->draws[i].mesh.vertex_count, GN_SHADER_VARYINGS);
+        if (wanted > size)
+            size = wanted;
+    }
+    return size;
+}
+
+static int draw_canvas(const scene *s, canvas *c)
+{
+    size_t pixels = (size_t)s->width * s->height;
+    gn_workspace workspace = {NULL, workspace_size(s)};
+    c->width = s->width;
+    c->color = malloc(pixels * sizeof *c->color);
+    c->depth = malloc(pixels * sizeof *c->depth);
+    workspace.memory = malloc(workspace.size);
+    gn_status status = GN_OK;
+    int fault = 0;
+    if (c->color == NULL || c->depth == NULL || workspace.memory == NULL) {
+        fault = report_fault("--size", "not enough memory for %ux%u pixels", (unsigned)s->width,
+                             (unsigned)s->height);
+    } else {
+        gn_target target = {
+            gn_surface_top_down(c->color, GN_FORMAT_RGBA8, s->width, s->height),
+            gn_surface_top_down(c->depth, GN_FORMAT_D32F, s->width, s->height)};
+        status = draw_scene(s, &target, &workspace);
+    }
+    free(workspace.memory);
+    if (status != GN_OK)
+        fault = report_fault("drawing", "%s", gn_status_text(status));
+    return fault;
+}
+
+/* Both files or neither. */
+static int write_files(const options *o, const canvas *c)
+{
+    output color;
+    output depth = {NULL, NULL, NULL, NULL};
+    int fault = output_open(&color, o->output);
+    if (fault != 0)
+        return fault;
+    fault = png_write(&color, PNG_RGBA8, c->width, o->height, color_row, c);
+    if (fault == 0 && o->depth_output != NULL) {
+        fault = output_open(&depth, o->depth_output);
+        if (fault == 0)
+            fault = png_write(&depth, PNG_GREY16, c->width, o->height, depth_row, c);
+        if (fault == 0)
+            fault = output_commit(&depth);
+    }
+    if (fault == 0)
+        fault = output_commit(&color);
+    output_abandon(&depth);
+    output_abandon(&color);
+    return fault;
+}
+
+static int check_names(const options *o)
+{
+    if (output_same_file(o->output, o->model) ||
+        (o->depth_output != NULL && output_same_file(o->depth_output, o->model)))
+        return report_fault(o->model, "would be overwritten by the picture");
+    if (o->texture != NULL && (output_same_file(o->output, o->texture) ||
+                               (o->depth_output != NULL &&
+                                output_same_file(o->depth_output, o->texture))))
+        return report_fault(o->texture, "would be overwritten by the picture");
+    if (o->depth_output != NULL && output_same_file(o->output, o->depth_output))
+        return report_fault(o->output, "cannot be both the picture and the depth");
+    return 0;
+}
+
+int command_render(int argc, char **argv)
+{
+    options o;
+    int status;
+    options_result result = options_parse(COMMAND_RENDER, argc, argv, &o, &status);
+    if (result == OPTIONS_HELP) {
+        fputs(usage, stdout);
+        print_picture_help();
+        return finish_output(0);
+    }
+    if (result == OPTIONS_WRONG)
+        return status;
+
+    scene *s = NULL;
+    canvas c = {0, NULL, NULL};
+    int fault = check_names(&o);
+    if (fault == 0)
+        fault = picture_describe(&o, &s);
+    if (fault == 0)
+        fault = draw_canvas(s, &c);
+    if (fault == 0)
+        fault = write_files(&o, &c);
+    if (fault == 0)
+        picture_print_summary(o.output, s);
+    free(c.color);
+    free(c.depth);
+    if (s != NULL)
+        scene_free(s);
+    return fault == 0 ? finish_output(0) : fault;
+}
