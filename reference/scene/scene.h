@@ -106,8 +106,15 @@ scene *scene_read(FILE *in, char *error, size_t error_size);
 bool scene_frame_allocate(scene_frame *frame, const scene *s);
 void scene_frame_free(scene_frame *frame);
 
-/* Draws with the library. workspace_bytes 0: enough to shade each vertex once; otherwise
- * exactly that much. The status is the first that is not GN_OK, with which drawing ends. */
+/* Bytes of workspace with which every draw of the scene shades each vertex once. */
+size_t scene_workspace_size(const scene *s);
+
+/* Clears and draws with the library, in the caller's workspace. The status is the first
+ * that is not GN_OK. */
+gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame,
+                                  const gn_workspace *workspace);
+
+/* The same in a workspace of its own, of scene_workspace_size where workspace_bytes is 0. */
 gn_status scene_draw_library(const scene *s, scene_frame *frame, size_t workspace_bytes);
 
 /* Compares. Clear values of the scene decide what counts as drawn. */

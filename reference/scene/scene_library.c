@@ -47,9 +47,21 @@ static gn_status draw_one(const gn_target *target, const scene_draw *d,
     return status;
 }
 
-gn_status scene_draw_library(const scene *s, scene_frame *frame, size_t workspace_bytes)
+size_t scene_workspace_size(const scene *s)
 {
-    gn_workspace workspace = {NULL, workspace_bytes};
+    uint32_t vertices = 0;
+
+    for (size_t i = 0; i < s->draw_count; ++i) {
+        if (s->draws[i].mesh.vertex_count > vertices) {
+            vertices = s->draws[i].mesh.vertex_count;
+        }
+    }
+    return gn_workspace_size(vertices, GN_SHADER_VARYINGS);
+}
+
+gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame,
+                                  const gn_workspace *workspace)
+{
     gn_status status = GN_OK;
     gn_target target;
 
@@ -63,21 +75,19 @@ gn_status scene_draw_library(const scene *s, scene_frame *frame, size_t workspac
         target.depth = gn_surface_bottom_up(frame->depth, s->depth_format, s->width, s->height);
         status = gn_clear_depth(&target.depth, s->clear_depth);
     }
-
-    if (workspace_bytes == 0) {
-        uint32_t vertices = 0;
-
-        for (size_t i = 0; i < s->draw_count; ++i) {
-            if (s->draws[i].mesh.vertex_count > vertices) {
-                vertices = s->draws[i].mesh.vertex_count;
-            }
-        }
-        workspace.size = gn_workspace_size(vertices, GN_SHADER_VARYINGS);
-    }
-    workspace.memory = scene_reallocate(NULL, workspace.size, 1);
     for (size_t i = 0; status == GN_OK && i < s->draw_count; ++i) {
-        status = draw_one(&target, &s->draws[i], &workspace);
+        status = draw_one(&target, &s->draws[i], workspace);
     }
+    return status;
+}
+
+gn_status scene_draw_library(const scene *s, scene_frame *frame, size_t workspace_bytes)
+{
+    gn_workspace workspace;
+
+    workspace.size = workspace_bytes ? workspace_bytes : scene_workspace_size(s);
+    workspace.memory = scene_reallocate(NULL, workspace.size, 1);
+    const gn_status status = scene_draw_in_workspace(s, frame, &workspace);
     free(workspace.memory);
     return status;
 }

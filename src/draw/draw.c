@@ -37,6 +37,7 @@ typedef struct draw_state {
     vertex_store store;
     uint32_t capacity; /* batches for vertices; the one after them is the clipper's */
     viewport_transform viewport;
+    bool is_quad;
     setup_state setup;
     fragment_state fragment;
 } draw_state;
@@ -68,12 +69,14 @@ static uint32_t slot_vertex(const draw_state *draw, const draw_part *part, uint3
     return element_vertex(draw->mesh, part->first_element + slot);
 }
 
-static void shade_vertices(const draw_state *draw, const draw_part *part, uint32_t slot_count)
+/* Shades a part's vertices. Gives the union of their outcodes. */
+static uint32_t shade_vertices(const draw_state *draw, const draw_part *part, uint32_t slot_count)
 {
     float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES];
     uint32_t vertex_id[GN_LANES];
     gn_vertex_input input;
     gn_vertex_output output;
+    uint32_t outcodes = 0;
 
     input.attribute = (const float(*)[4][GN_LANES])attribute;
     input.vertex_id = vertex_id;
@@ -89,7 +92,10 @@ static void shade_vertices(const draw_state *draw, const draw_part *part, uint32
         output.varying = batch->varying;
         draw->pipeline->vertex_shader(draw->pipeline->uniforms, &input, &output);
         gn_transform_batch(&draw->viewport, batch);
+        for (uint32_t l = 0; l < count; ++l)
+            outcodes |= batch->outcode[l];
     }
+    return outcodes;
 }
 
 static uint32_t outcode_of(const draw_state *draw, uint32_t slot)
@@ -125,15 +131,16 @@ static void draw_triangle(draw_state *draw, const vertex_triangle *triangle)
         rasterize(draw, &clipped[i]);
 }
 
-/* Shades a part's vertices and draws triangles first to first + count - 1. */
-static void draw_part_triangles(draw_state *draw, const draw_part *part, uint32_t slot_count,
-                                uint32_t first, uint32_t count)
+/* Draws triangles first to first + count - 1, whose vertices are shaded. */
+static void draw_part_triangles(draw_state *draw, const draw_part *part, uint32_t first,
+                                uint32_t count)
 {
     const gn_pipeline *p = draw->pipeline;
 
-    shade_vertices(draw, part, slot_count);
     for (uint32_t i = first; i < first + count; ++i) {
-        vertex_triangle t = gn_assemble_triangle(p->topology, p->provoking_vertex, i);
+        vertex_triangle t = draw->is_quad
+                                ? gn_assemble_quad(i)
+                                : gn_assemble_triangle(p->topology, p->provoking_vertex, i);
         uint32_t *const element[4] = {&t.slot[0], &t.slot[1], &t.slot[2], &t.provoking};
 
         for (int n = 0; n < 4; ++n) {
@@ -146,22 +153,61 @@ static void draw_part_triangles(draw_state *draw, const draw_part *part, uint32_
     }
 }
 
-/* Draws by elements, as many triangles at a time as the workspace has slots for. */
+static bool has_flat_varying(const gn_pipeline *pipeline)
+{
+    for (uint32_t n = 0; n < pipeline->varying_count; ++n) {
+        if (pipeline->interpolation[n] == GN_FLAT)
+            return true;
+    }
+    return false;
+}
+
+/* What depends on the outcodes of all vertices of a draw: culling (setup.c), and that a
+ * fan of four vertices without indices, none clipped, is taken as a quad, which can show only where the
+ * first vertex would provoke and nothing is flat. */
+static void resolve_outcodes(draw_state *draw, uint32_t outcodes)
+{
+    const gn_pipeline *p = draw->pipeline;
+
+    draw->setup.any_clipped = outcodes != 0;
+    draw->is_quad = outcodes == 0 && draw->mesh->count == 4 &&
+                    draw->mesh->index_format == GN_INDEX_NONE && p->topology == GN_TRIANGLE_FAN &&
+                    p->provoking_vertex == GN_PROVOKING_FIRST && !has_flat_varying(p);
+}
+
+/* The part that begins with a triangle's elements, each shaded for itself. */
+static draw_part elements_part(const draw_state *draw, uint32_t first)
+{
+    draw_part part;
+
+    part.shared = false;
+    part.base = 0;
+    part.first_element = draw->pipeline->topology == GN_TRIANGLES ? 3 * first : first;
+    return part;
+}
+
+/* Draws by elements, as many triangles at a time as the workspace has slots for. With
+ * several parts a walk before tells whether any vertex is clipped, where that matters. */
 static void draw_by_elements(draw_state *draw, uint32_t triangle_count)
 {
-    const gn_topology topology = draw->pipeline->topology;
+    const bool separate = draw->pipeline->topology == GN_TRIANGLES;
     const uint32_t slots = draw->capacity * GN_LANES;
-    const uint32_t step = topology == GN_TRIANGLES ? slots / 3 : slots - 2;
+    const uint32_t step = separate ? slots / 3 : slots - 2;
+    const bool one_part = triangle_count <= step;
+    uint32_t outcodes = 0;
 
-    for (uint32_t first = 0; first < triangle_count; first += step) {
-        const uint32_t count = triangle_count - first < step ? triangle_count - first : step;
-        draw_part part;
+    for (int walk = one_part || draw->pipeline->cull == GN_CULL_NONE; walk < 2; ++walk) {
+        for (uint32_t first = 0; first < triangle_count; first += step) {
+            const uint32_t left = triangle_count - first;
+            const uint32_t count = left < step ? left : step;
+            const draw_part part = elements_part(draw, first);
 
-        part.shared = false;
-        part.base = 0;
-        part.first_element = topology == GN_TRIANGLES ? 3 * first : first;
-        draw_part_triangles(draw, &part, topology == GN_TRIANGLES ? 3 * count : count + 2, first,
-                            count);
+            outcodes |= shade_vertices(draw, &part, separate ? 3 * count : count + 2);
+            if (walk == 0)
+                continue;
+            resolve_outcodes(draw, outcodes);
+            draw_part_triangles(draw, &part, first, count);
+        }
     }
 }
 
@@ -188,7 +234,8 @@ static bool draw_shared(draw_state *draw, uint32_t triangle_count)
     part.shared = true;
     part.base = low;
     part.first_element = 0;
-    draw_part_triangles(draw, &part, high - low + 1, 0, triangle_count);
+    resolve_outcodes(draw, shade_vertices(draw, &part, high - low + 1));
+    draw_part_triangles(draw, &part, 0, triangle_count);
     return true;
 }
 
@@ -228,6 +275,8 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
     draw.setup.pipeline = pipeline;
     draw.setup.width = any->width;
     draw.setup.height = any->height;
+    draw.setup.any_clipped = false;
+    draw.is_quad = false;
     draw.fragment = gn_fragment_state(target, pipeline);
 
     if (triangle_count > 0 && !draw_shared(&draw, triangle_count))

@@ -37,3 +37,10 @@ vertex_triangle gn_assemble_triangle(gn_topology topology, gn_provoking_vertex p
     t.provoking = t.slot[first ? 0 : 2];
     return t;
 }
+
+vertex_triangle gn_assemble_quad(uint32_t i)
+{
+    const vertex_triangle t = {{0, i + 1, i + 2}, 0};
+
+    return t;
+}

@@ -47,6 +47,10 @@ uint32_t gn_triangle_count(gn_topology topology, uint32_t count);
 vertex_triangle gn_assemble_triangle(gn_topology topology, gn_provoking_vertex provoking,
                                      uint32_t i);
 
+/* Triangle i, 0 or 1, of a fan of four vertices as the reference splits a quad, with
+ * the vertex of slot 0 first. */
+vertex_triangle gn_assemble_quad(uint32_t i);
+
 /* Clips a triangle to the planes set in `planes`. New vertices are written to the
  * batch `scratch`, whole (clip, window, snapped, varyings). Gives the number of
  * triangles written to `out`, 0 to CLIP_MAX_POLYGON - 2. */

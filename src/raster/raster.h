@@ -36,6 +36,7 @@ typedef struct raster_triangle {
 typedef struct setup_state {
     const gn_pipeline *pipeline;
     uint32_t width, height; /* of the target */
+    bool any_clipped;       /* some vertex of the draw is outside the view volume */
 } setup_state;
 
 /* False where the triangle is culled, degenerate or covers no pixel of the target;

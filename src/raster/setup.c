@@ -54,6 +54,23 @@ static bool is_culled(const gn_pipeline *pipeline, bool clockwise)
     }
 }
 
+/* The reference culls a second time, by the area of the unsnapped window coordinates,
+ * where a draw has vertices outside the view volume; the two disagree on slivers. No
+ * area counts as back-facing. */
+static bool is_culled_unsnapped(const gn_pipeline *pipeline, const setup_vertices *v)
+{
+    float x[3], y[3];
+
+    for (int i = 0; i < 3; ++i) {
+        x[i] = v->batch[i]->window[0][v->lane[i]];
+        y[i] = v->batch[i]->window[1][v->lane[i]];
+    }
+    const float area = (x[0] - x[2]) * (y[1] - y[2]) - (y[0] - y[2]) * (x[1] - x[2]);
+    const bool front_clockwise = pipeline->front_face == GN_FRONT_CLOCKWISE;
+
+    return is_culled(pipeline, area == 0.0f ? !front_clockwise : area < 0.0f);
+}
+
 static int64_t least(int64_t a, int64_t b, int64_t c)
 {
     const int64_t d = a < b ? a : b;
@@ -195,6 +212,8 @@ bool gn_setup_triangle(const setup_state *state, const vertex_store *store,
     const int64_t area =
         (v.x[0] - v.x[1]) * (v.y[2] - v.y[0]) - (v.x[2] - v.x[0]) * (v.y[0] - v.y[1]);
     if (area == 0 || is_culled(pipeline, area > 0) || !bound(state, &v, out))
+        return false;
+    if (state->any_clipped && pipeline->cull != GN_CULL_NONE && is_culled_unsnapped(pipeline, &v))
         return false;
 
     /* Inside is to one side of every edge only in one winding; the provoking vertex

@@ -50,8 +50,7 @@ scene *builder_end(builder *b)
     return b->scene;
 }
 
-void builder_target(builder *b, uint32_t width, uint32_t height, gn_format color,
-                    gn_format depth)
+void builder_target(builder *b, uint32_t width, uint32_t height, gn_format color, gn_format depth)
 {
     static const float clear_depths[] = {1.0f, 1.0f, 1.0f, 0.75f};
     random_source *r = &b->random;
@@ -129,8 +128,7 @@ static void expand_indices(builder *b)
 {
     const uint32_t count = b->index_count, old = b->vertex_count;
     for (uint32_t i = 0; i < count; i++) {
-        b->vertices =
-            grown(b->vertices, b->vertex_count, &b->vertex_capacity, sizeof *b->vertices);
+        b->vertices = grown(b->vertices, b->vertex_count, &b->vertex_capacity, sizeof *b->vertices);
         b->vertices[b->vertex_count++] = b->vertices[b->indices[i]];
     }
     memmove(b->vertices, b->vertices + old, count * sizeof *b->vertices);
@@ -156,8 +154,7 @@ static void add_margins(builder *b)
     for (uint32_t i = 0; i < extra; i++)
         builder_vertex(b);
     memmove(b->vertices + b->lead, b->vertices, (b->vertex_count - extra) * sizeof *b->vertices);
-    const uint32_t margins[2][2] = {{0, b->lead},
-                                    {b->vertex_count - b->trail, b->vertex_count}};
+    const uint32_t margins[2][2] = {{0, b->lead}, {b->vertex_count - b->trail, b->vertex_count}};
     for (int m = 0; m < 2; m++)
         for (uint32_t i = margins[m][0]; i < margins[m][1]; i++)
             for (int c = 0; c < 3; c++)
@@ -190,8 +187,7 @@ void builder_draw(builder *b)
     if (b->index_format != GN_INDEX_NONE && b->index_count == 0)
         for (uint32_t i = 0; i < b->vertex_count; i++)
             builder_index(b, i);
-    const uint32_t count =
-        b->index_format == GN_INDEX_NONE ? b->vertex_count : b->index_count;
+    const uint32_t count = b->index_format == GN_INDEX_NONE ? b->vertex_count : b->index_count;
     if (b->lead + b->trail > 0)
         add_margins(b);
 
@@ -200,8 +196,7 @@ void builder_draw(builder *b)
     d->state = b->state;
     d->uniforms.light = b->uniforms.light;
     d->uniforms.sampler = b->uniforms.sampler;
-    set_attribute(b, d, GN_ATTRIBUTE_POSITION, offsetof(vertex, position),
-                  b->position_components);
+    set_attribute(b, d, GN_ATTRIBUTE_POSITION, offsetof(vertex, position), b->position_components);
     set_attribute(b, d, GN_ATTRIBUTE_COLOR, offsetof(vertex, color), b->color_components);
     if (b->shader != SCENE_VERTEX_COLOR)
         set_attribute(b, d, GN_ATTRIBUTE_NORMAL, offsetof(vertex, normal), 3);

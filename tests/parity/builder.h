@@ -40,8 +40,7 @@ void builder_begin(builder *b, uint64_t seed);
 scene *builder_end(builder *b);
 
 /* A target of the given size with random clear values. */
-void builder_target(builder *b, uint32_t width, uint32_t height, gn_format color,
-                    gn_format depth);
+void builder_target(builder *b, uint32_t width, uint32_t height, gn_format color, gn_format depth);
 
 /* A target of 16 to 128 pixels a side, RGBA8, any depth format or none; half of the
  * time its sides are powers of two, on which every placement is exact. */

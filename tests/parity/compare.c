@@ -38,8 +38,8 @@ bool compare_scene(const comparer *c, const scene *s, uint64_t number, compariso
                    char *error, size_t error_size)
 {
     memset(result, 0, sizeof *result);
-    bool allocated = scene_frame_allocate(&result->ours, s) &&
-                     scene_frame_allocate(&result->theirs, s);
+    bool allocated =
+        scene_frame_allocate(&result->ours, s) && scene_frame_allocate(&result->theirs, s);
     if (!allocated) {
         snprintf(error, error_size, "no memory for a frame of %" PRIu32 "x%" PRIu32, s->width,
                  s->height);
@@ -92,8 +92,7 @@ static void print_pixel(const scene_frame *f, size_t i)
     }
     case GN_FORMAT_RGBA32F: {
         const float *p = (const float *)f->color + 4 * i;
-        printf("color %.9g %.9g %.9g %.9g", (double)p[0], (double)p[1], (double)p[2],
-               (double)p[3]);
+        printf("color %.9g %.9g %.9g %.9g", (double)p[0], (double)p[1], (double)p[2], (double)p[3]);
         break;
     }
     default:

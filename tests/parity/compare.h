@@ -13,10 +13,10 @@ typedef struct comparer {
 
 /* What became of a scene. The frames are empty (null) where the status is a fault. */
 typedef struct comparison {
-    gn_status status;             /* the library's */
-    scene_difference reference;   /* ours and the reference's */
-    scene_difference workspace;   /* ours with less and with more workspace */
-    uint64_t drawn;               /* pixels the reference drew on */
+    gn_status status;           /* the library's */
+    scene_difference reference; /* ours and the reference's */
+    scene_difference workspace; /* ours with less and with more workspace */
+    uint64_t drawn;             /* pixels the reference drew on */
     scene_frame ours, theirs;
 } comparison;
 

@@ -60,8 +60,7 @@ static void print_help(void)
            "classes:",
            DEFAULT_SCENES, DEFAULT_SEED);
     for (int c = 0; c < CLASS_COUNT; c++)
-        printf("%s %s", c % 7 == 0 && c > 0 ? "\n        " : "",
-               scene_class_name((scene_class)c));
+        printf("%s %s", c % 7 == 0 && c > 0 ? "\n        " : "", scene_class_name((scene_class)c));
     printf("\n");
 }
 
@@ -136,8 +135,8 @@ static void report_failure(scene_class c, uint64_t number, const comparison *r)
         fprintf(stderr,
                 "colour %" PRIu64 ", depth %" PRIu64 ", coverage %" PRIu64
                 " differ, first at (%" PRIu32 ", %" PRIu32 ")\n",
-                r->reference.color_pixels, r->reference.depth_pixels,
-                r->reference.coverage_pixels, r->reference.x, r->reference.y);
+                r->reference.color_pixels, r->reference.depth_pixels, r->reference.coverage_pixels,
+                r->reference.x, r->reference.y);
 }
 
 static void add_totals(totals *sum, const totals *t)
@@ -250,8 +249,8 @@ static void keep_failure(gate *g)
         fprintf(stderr, "parity: cannot write %s: %s\n", name, strerror(errno));
     } else {
         fprintf(stderr,
-                "parity: kept the smallest failing scene, %" PRIu32 "x%" PRIu32
-                " with %" PRIu64 " triangles; replay it with: parity --replay %s\n",
+                "parity: kept the smallest failing scene, %" PRIu32 "x%" PRIu32 " with %" PRIu64
+                " triangles; replay it with: parity --replay %s\n",
                 small->width, small->height, scene_triangle_count(small), name);
     }
     scene_free(small);
@@ -307,8 +306,8 @@ static bool replay(const gate *g)
         printf("%" PRIu64 " differ: colour %" PRIu64 " (at most %g), depth %" PRIu64
                " (at most %g), coverage %" PRIu64 "; %" PRIu64 " depend on the workspace\n",
                r.reference.pixels, r.reference.color_pixels, r.reference.color_largest,
-               r.reference.depth_pixels, r.reference.depth_largest,
-               r.reference.coverage_pixels, r.workspace.pixels);
+               r.reference.depth_pixels, r.reference.depth_largest, r.reference.coverage_pixels,
+               r.workspace.pixels);
         if (r.reference.pixels > 0)
             compare_print_pixels(&r, 8);
     }

@@ -236,10 +236,9 @@ void generate_indexed(builder *b)
     builder_common_target(b);
     for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
         builder_common_state(b);
-        b->state.topology = random_chance(r, 60) ? GN_TRIANGLES
-                                                 : (gn_topology)random_below(r, 3);
-        const uint32_t vertices = random_chance(r, 70) ? 3 + random_below(r, 40)
-                                                       : 200 + random_below(r, 400);
+        b->state.topology = random_chance(r, 60) ? GN_TRIANGLES : (gn_topology)random_below(r, 3);
+        const uint32_t vertices =
+            random_chance(r, 70) ? 3 + random_below(r, 40) : 200 + random_below(r, 400);
         const placement p = (placement)random_below(r, PLACE_COUNT);
         shape_random_indices(b, p, vertices, builder_triangle_count(b));
         const gn_index_format formats[] = {GN_INDEX_UINT8, GN_INDEX_UINT16, GN_INDEX_UINT32};

@@ -64,8 +64,8 @@ static gn_viewport random_viewport(builder *b)
 
 void generate_framebuffers(builder *b)
 {
-    static const uint32_t sizes[] = {1,  1,  2,  3,  4,  5,   7,   8,   9,   13,  15, 16, 17,
-                                     31, 33, 63, 64, 65, 100, 127, 129, 200, 255, 257};
+    static const uint32_t sizes[] = {1,  1,  2,  3,  4,  5,  7,   8,   9,   13,  15,  16,
+                                     17, 31, 33, 63, 64, 65, 100, 127, 129, 200, 255, 257};
     static const gn_format depths[] = {GN_FORMAT_NONE, GN_FORMAT_D16, GN_FORMAT_D24,
                                        GN_FORMAT_D32F};
     random_source *r = &b->random;
@@ -117,8 +117,8 @@ static gn_depth_range random_depth_range(builder *b)
 
 void generate_depth_state(builder *b)
 {
-    static const gn_format depths[] = {GN_FORMAT_D16,  GN_FORMAT_D24,  GN_FORMAT_D32F,
-                                       GN_FORMAT_D16,  GN_FORMAT_D24,  GN_FORMAT_D32F,
+    static const gn_format depths[] = {GN_FORMAT_D16,  GN_FORMAT_D24, GN_FORMAT_D32F,
+                                       GN_FORMAT_D16,  GN_FORMAT_D24, GN_FORMAT_D32F,
                                        GN_FORMAT_D32F, GN_FORMAT_NONE};
     random_source *r = &b->random;
     builder_common_target(b);

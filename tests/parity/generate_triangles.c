@@ -41,8 +41,8 @@ void shape_place(builder *b, vertex *v, placement p)
         builder_place(b, v, viewport_x(b, 0.2f), viewport_y(b, 0.2f), device_depth(b), 1.0f);
         break;
     case PLACE_INSIDE:
-        builder_place(b, v, viewport_x(b, -0.001f), viewport_y(b, -0.001f),
-                      0.99f * device_depth(b), random_octave(r, -2, 1));
+        builder_place(b, v, viewport_x(b, -0.001f), viewport_y(b, -0.001f), 0.99f * device_depth(b),
+                      random_octave(r, -2, 1));
         break;
     case PLACE_TIES: {
         const float grain = tie_grain(r);
@@ -147,10 +147,12 @@ void shape_huge(builder *b, uint32_t count)
 {
     random_source *r = &b->random;
     for (uint32_t i = 0; i < count; i++) {
-        /* Mostly to 1e5 pixels; beyond 2^23 neighbouring floats are pixels apart. */
+        /* Mostly to 1e5 pixels; beyond 2^23 neighbouring floats are pixels apart. Out of
+         * contract beyond 2^35: clipping an edge twice then leaves vertices so far from
+         * the viewport that their snapped coordinates overflow. */
         const float size = random_chance(r, 85)   ? random_octave(r, 8, 16)
                            : random_chance(r, 80) ? random_octave(r, 17, 26)
-                                                  : random_octave(r, 27, 100);
+                                                  : random_octave(r, 27, 34);
         const bool affine = random_chance(r, 50);
         for (int k = 0; k < 3; k++) {
             const bool small = random_chance(r, 20);
@@ -260,8 +262,8 @@ void shape_degenerate(builder *b, uint32_t count)
             const int32_t dx = random_between(r, -1, 1), dy = random_between(r, -1, 1);
             for (int n = 0; n < 3; n++) {
                 const float t = (float)random_between(r, -20, 20) * 0.5f;
-                builder_place(b, &v[n], x + (float)dx * t, y + (float)dy * t,
-                              device_depth(b), random_power(r, -2, 2));
+                builder_place(b, &v[n], x + (float)dx * t, y + (float)dy * t, device_depth(b),
+                              random_power(r, -2, 2));
             }
             break;
         }

@@ -166,9 +166,7 @@ static bool remove_triangles(shrinking *s, size_t draw)
     bool progress = false;
     const gn_mesh *mesh = &s->best->draws[draw].mesh;
     const gn_topology topology = s->best->draws[draw].state.topology;
-    const uint32_t unit = topology == GN_TRIANGLES        ? 3
-                          : topology == GN_TRIANGLE_STRIP ? 2
-                                                          : 1;
+    const uint32_t unit = topology == GN_TRIANGLES ? 3 : topology == GN_TRIANGLE_STRIP ? 2 : 1;
     for (uint32_t chunk = mesh->count / unit; chunk > 0; chunk /= 2) {
         uint32_t start = 0;
         mesh = &s->best->draws[draw].mesh;

@@ -93,10 +93,14 @@ static void make_hub(mesh *m, random_source *r, uint32_t per_side)
             const int32_t along_x = (int32_t)((uint32_t)(m->x1 - m->x0) * i / per_side);
             const int32_t along_y = (int32_t)((uint32_t)(m->y1 - m->y0) * i / per_side);
             int32_t *p = m->position[m->vertex_count++];
-            p[0] = side == 0 ? m->x0 + along_x : side == 1 ? m->x1 : side == 2 ? m->x1 - along_x
-                                                                               : m->x0;
-            p[1] = side == 0 ? m->y0 : side == 1 ? m->y0 + along_y : side == 2 ? m->y1
-                                                                               : m->y1 - along_y;
+            p[0] = side == 0   ? m->x0 + along_x
+                   : side == 1 ? m->x1
+                   : side == 2 ? m->x1 - along_x
+                               : m->x0;
+            p[1] = side == 0   ? m->y0
+                   : side == 1 ? m->y0 + along_y
+                   : side == 2 ? m->y1
+                               : m->y1 - along_y;
         }
     for (uint32_t i = 0; i < 4 * per_side; i++)
         add_triangle(m, 0, 1 + i, 1 + (i + 1) % (4 * per_side), random_below(r, 3));
@@ -145,8 +149,9 @@ static void print_mesh(FILE *f, const void *instance, void *env)
 {
     const mesh *m = instance;
     (void)env;
-    fprintf(f, "target %" PRIu32 "x%" PRIu32 ", outline (%" PRId32 ", %" PRId32 ") to (%" PRId32
-               ", %" PRId32 "), all in 1/256 pixel\n",
+    fprintf(f,
+            "target %" PRIu32 "x%" PRIu32 ", outline (%" PRId32 ", %" PRId32 ") to (%" PRId32
+            ", %" PRId32 "), all in 1/256 pixel\n",
             m->width, m->height, m->x0, m->y0, m->x1, m->y1);
     for (uint32_t i = 0; i < m->triangle_count; i++) {
         for (int k = 0; k < 3; k++) {
@@ -187,15 +192,12 @@ static enum theft_trial_res shared_edges_once(struct theft *t, void *instance)
     float position[MAX_VERTICES][4];
     const float half_width = (float)m->width * 0.5f, half_height = (float)m->height * 0.5f;
     for (uint32_t i = 0; i < m->vertex_count; i++) {
-        position[i][0] =
-            ((float)m->position[i][0] / 256.0f - half_width) / half_width * m->w[i];
-        position[i][1] =
-            ((float)m->position[i][1] / 256.0f - half_height) / half_height * m->w[i];
+        position[i][0] = ((float)m->position[i][0] / 256.0f - half_width) / half_width * m->w[i];
+        position[i][1] = ((float)m->position[i][1] / 256.0f - half_height) / half_height * m->w[i];
         position[i][2] = 0.0f;
         position[i][3] = m->w[i];
     }
-    gn_target target = {gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, m->width, m->height),
-                        {0}};
+    gn_target target = {gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, m->width, m->height), {0}};
     gn_pipeline pipeline;
     memset(&pipeline, 0, sizeof pipeline);
     pipeline.vertex_shader = pass_position;
@@ -233,6 +235,8 @@ int properties_edges(uint64_t seed, size_t trials)
                                            .free = theft_generic_free_cb,
                                            .print = print_mesh,
                                            .autoshrink_config = {.enable = true}};
-    return draw_property("shared edges are drawn once and only once", shared_edges_once, &meshes,
-                         seed, trials);
+    const struct theft_run_config config = {.name = "shared edges are drawn once and only once",
+                                            .prop1 = shared_edges_once,
+                                            .type_info = {&meshes}};
+    return property_run(config, seed, trials);
 }

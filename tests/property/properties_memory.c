@@ -95,8 +95,8 @@ static void print_hostile(FILE *f, const void *instance, void *env)
             h->height, h->top_down ? "top-down" : "bottom-up", (double)h->viewport.x,
             (double)h->viewport.y, (double)h->viewport.width, (double)h->viewport.height);
     for (uint32_t i = 0; i < 3 * h->triangle_count; i++)
-        fprintf(f, "  %.9g %.9g %.9g %.9g\n", (double)h->position[i][0],
-                (double)h->position[i][1], (double)h->position[i][2], (double)h->position[i][3]);
+        fprintf(f, "  %.9g %.9g %.9g %.9g\n", (double)h->position[i][0], (double)h->position[i][1],
+                (double)h->position[i][2], (double)h->position[i][3]);
 }
 
 /* A surface in the middle of guarded memory. */
@@ -136,10 +136,10 @@ static bool in_viewport(const gn_viewport *v, uint32_t x, uint32_t y)
            cy <= (double)v->height + slack;
 }
 
-/* Every byte that is not of a pixel in the viewport must be as `before`; with
- * `untouched`, all others too. */
+/* Every byte that is not of a pixel must be as `before`; with `clipped`, those of
+ * pixels outside the viewport too; with `untouched`, all. */
 static bool guards_hold(const guarded *g, const unsigned char *before, const hostile *h,
-                        bool untouched)
+                        bool untouched, bool clipped)
 {
     if (!g->memory)
         return true;
@@ -152,11 +152,10 @@ static bool guards_hold(const guarded *g, const unsigned char *before, const hos
     memcpy(expected, before, g->size);
     for (uint32_t y = 0; y < h->height; y++)
         for (uint32_t x = 0; x < h->width; x++) {
-            if (!in_viewport(&h->viewport, x, y))
+            if (clipped && !in_viewport(&h->viewport, x, y))
                 continue;
             const ptrdiff_t at = (unsigned char *)g->surface.pixels - g->memory +
-                                 g->surface.row_stride * (ptrdiff_t)y +
-                                 (ptrdiff_t)(x * pixel);
+                                 g->surface.row_stride * (ptrdiff_t)y + (ptrdiff_t)(x * pixel);
             memcpy(expected + at, g->memory + at, pixel);
         }
     const bool hold = memcmp(g->memory, expected, g->size) == 0;
@@ -164,11 +163,13 @@ static bool guards_hold(const guarded *g, const unsigned char *before, const hos
     return hold;
 }
 
-static bool is_finite(const float position[3][4])
+/* Whether all vertices are finite, a w of +infinity aside: such a vertex may lie inside
+ * all planes, at the middle of the view, and is then drawn. */
+static bool is_drawable(const float position[3][4])
 {
     for (int v = 0; v < 3; v++)
         for (int c = 0; c < 4; c++)
-            if (!isfinite(position[v][c]))
+            if (!isfinite(position[v][c]) && !(c == 3 && position[v][c] > 0.0f))
                 return false;
     return true;
 }
@@ -223,6 +224,17 @@ static bool draw_guarded(const hostile *h, const guarded *color, const guarded *
     return status == GN_OK;
 }
 
+/* Beyond such magnitudes a clip against z may move x and y by pixels: as the reference
+ * does, the pixels are then drawn wherever they are within the target. */
+static bool is_ordinary(const float position[3][4])
+{
+    for (int v = 0; v < 3; v++)
+        for (int c = 0; c < 4; c++)
+            if (!(fabsf(position[v][c]) <= 4.0f))
+                return false;
+    return true;
+}
+
 static enum theft_trial_res writes_stay_inside(struct theft *t, void *instance)
 {
     const hostile *h = instance;
@@ -231,7 +243,8 @@ static enum theft_trial_res writes_stay_inside(struct theft *t, void *instance)
     bool hold = true;
     for (uint32_t i = 0; i < h->triangle_count && hold; i++) {
         unsigned char *before[2];
-        const bool finite = is_finite(&h->position[3 * i]);
+        const bool drawable = is_drawable(&h->position[3 * i]);
+        const bool ordinary = is_ordinary(&h->position[3 * i]);
         for (int k = 0; k < 2; k++) {
             before[k] = malloc(surface[k].size + 1);
             if (before[k] && surface[k].memory)
@@ -239,7 +252,7 @@ static enum theft_trial_res writes_stay_inside(struct theft *t, void *instance)
         }
         hold = before[0] && before[1] && draw_guarded(h, &surface[0], &surface[1], i);
         for (int k = 0; k < 2; k++) {
-            hold = hold && guards_hold(&surface[k], before[k], h, !finite);
+            hold = hold && guards_hold(&surface[k], before[k], h, !drawable, ordinary);
             free(before[k]);
         }
     }
@@ -254,6 +267,8 @@ int properties_memory(uint64_t seed, size_t trials)
                                              .free = theft_generic_free_cb,
                                              .print = print_hostile,
                                              .autoshrink_config = {.enable = true}};
-    return draw_property("draws stay inside viewport and target", writes_stay_inside, &hostiles,
-                         seed, trials);
+    const struct theft_run_config config = {.name = "draws stay inside viewport and target",
+                                            .prop1 = writes_stay_inside,
+                                            .type_info = {&hostiles}};
+    return property_run(config, seed, trials);
 }

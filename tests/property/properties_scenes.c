@@ -115,8 +115,7 @@ static bool draw_top_down(const scene *s, scene_frame *frame)
 {
     gn_target target;
     memset(&target, 0, sizeof target);
-    target.color =
-        gn_surface_top_down(frame->color, s->color_format, s->width, s->height);
+    target.color = gn_surface_top_down(frame->color, s->color_format, s->width, s->height);
     bool good = gn_clear_color(&target.color, s->clear_color[0], s->clear_color[1],
                                s->clear_color[2], s->clear_color[3]) == GN_OK;
     if (s->depth_format != GN_FORMAT_NONE) {
@@ -181,8 +180,7 @@ typedef struct pixel_place {
 static bool same_pixel(const void *a, const void *b, gn_format format, size_t at)
 {
     const size_t size = gn_format_size(format);
-    return size == 0 ||
-           memcmp((const char *)a + at * size, (const char *)b + at * size, size) == 0;
+    return size == 0 || memcmp((const char *)a + at * size, (const char *)b + at * size, size) == 0;
 }
 
 /* The planted fault: something is drawn on a pixel. */
@@ -236,13 +234,22 @@ int properties_scenes(uint64_t seed, size_t trials)
                                            .free = theft_generic_free_cb,
                                            .print = print_instance,
                                            .autoshrink_config = {.enable = true}};
-    return draw_property("any workspace gives the same picture", any_workspace, &scenes, seed,
-                         trials) +
-           draw_property("a frame drawn twice is the same", drawn_twice, &scenes, seed, trials) +
-           draw_property("top-down surfaces hold the same picture", rows_either_way, &scenes,
-                         seed, trials) +
-           draw_property("a scene survives being written", survives_text, &scenes, seed,
-                         trials) +
-           draw_property("a failing scene shrinks to one triangle", failing_scene_shrinks,
-                         &scenes, seed, trials / 10 + 1);
+    const struct {
+        const char *name;
+        theft_propfun1 *property;
+        size_t trials;
+    } properties[] = {
+        {"any workspace gives the same picture", any_workspace, trials},
+        {"a frame drawn twice is the same", drawn_twice, trials},
+        {"top-down surfaces hold the same picture", rows_either_way, trials},
+        {"a scene survives being written", survives_text, trials},
+        {"a failing scene shrinks to one triangle", failing_scene_shrinks, trials / 10 + 1},
+    };
+    int failed = 0;
+    for (size_t i = 0; i < sizeof properties / sizeof *properties; i++) {
+        const struct theft_run_config config = {
+            .name = properties[i].name, .prop1 = properties[i].property, .type_info = {&scenes}};
+        failed += property_run(config, seed, properties[i].trials);
+    }
+    return failed;
 }

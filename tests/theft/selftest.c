@@ -127,6 +127,21 @@ struct theft_run_config quiet_config(struct observed *seen, theft_propfun1 *prop
     };
 }
 
+enum theft_trial_res prop_at_most_1000(struct theft *t, void *arg)
+{
+    struct observed *seen = theft_hook_get_env(t);
+    seen->calls++;
+    return *(uint64_t *)arg > 1000 ? THEFT_TRIAL_FAIL : THEFT_TRIAL_PASS;
+}
+
+enum theft_trial_res prop_false(struct theft *t, void *arg)
+{
+    struct observed *seen = theft_hook_get_env(t);
+    (void)arg;
+    seen->calls++;
+    return THEFT_TRIAL_FAIL;
+}
+
 /* The stream */
 
 static enum theft_trial_res prop_bits(struct theft *t, void *arg)
@@ -282,13 +297,6 @@ static void time_seeds_differ(void **state)
 
 /* The ready generators */
 
-static enum theft_trial_res prop_false(struct theft *t, void *arg)
-{
-    (void)t;
-    (void)arg;
-    return THEFT_TRIAL_FAIL;
-}
-
 /* The type of a ready generator is known to the test by its size and kind. */
 static enum theft_hook_counterexample_res
 check_simplest(const struct theft_hook_counterexample_info *info, void *env)
@@ -301,7 +309,7 @@ check_simplest(const struct theft_hook_counterexample_info *info, void *env)
     return THEFT_HOOK_COUNTEREXAMPLE_CONTINUE;
 }
 
-/* Under a property that is always false every ready generator shrinks to zero or the empty array. */
+/* Under a property that is always false every ready generator shrinks to zero or an empty array. */
 static void ready_generators_shrink_to_zero(void **state)
 {
     static const struct {
@@ -465,6 +473,7 @@ int main(int count, char **words)
         }
     }
     printf("seed %" PRIu64 "\n", base_seed);
-    const int failures = run_stream_tests() + run_loop_tests() + run_shrink_tests();
+    const int failures = run_stream_tests() + run_loop_tests() + run_shrink_tests()
+        + run_autoshrink_tests();
     return failures != 0;
 }

@@ -17,8 +17,8 @@ extern theft_seed base_seed;
 /* Instances handed out and not yet freed; tests end with 0. */
 extern int live_instances;
 
-/* What the hooks of quiet_config saw. `shrunk` and `shrunk_count` are filled from the arguments by
- * the test's own counterexample hook or by the ready ones below. */
+/* What happened in a run. The hooks of quiet_config fill `report`, `finished`, `counterexamples`,
+ * `failing_seed` and, from arguments that are numbers, `shrunk`; the rest is the tests' own. */
 struct observed {
     struct theft_run_report report;
     size_t counterexamples;
@@ -40,6 +40,9 @@ struct theft_run_config quiet_config(struct observed *seen, theft_propfun1 *prop
 extern const struct theft_type_info number_autoshrink;
 extern const struct theft_type_info number_tactics;
 
+/* Properties that count their calls; the first fails above 1000. */
+theft_propfun1 prop_at_most_1000, prop_false;
+
 /* Frees an instance made by malloc and counts it. */
 void counted_free(void *instance, void *env);
 void *counted_malloc(size_t size);
@@ -48,5 +51,6 @@ void *counted_malloc(size_t size);
 int run_stream_tests(void);
 int run_loop_tests(void);
 int run_shrink_tests(void);
+int run_autoshrink_tests(void);
 
 #endif

@@ -58,8 +58,8 @@ static enum theft_alloc_res hand_over(const void *value, size_t size, void **out
         fprintf(f, "%" PRIdMAX, value);                                                           \
     }
 
-/* Within a limit: L * 2^-digits times m or -1 - m, as for the signed integers. Else: the bit pattern
- * without the sign, then the sign. */
+/* Within a limit: L * 2^-digits times m or -1 - m, as for the signed integers. Else: the bit
+ * pattern without the sign, then the sign. */
 #define DEFINE_FLOATING(name, type, pattern, digits)                                              \
     static enum theft_alloc_res alloc_##name(struct theft *t, void *env, void **output)           \
     {                                                                                             \

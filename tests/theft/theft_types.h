@@ -1,5 +1,6 @@
 /* Types of the property runner: callbacks for generated arguments, hooks, configuration. Names,
- * values and order follow the public interface of theft 0.4, so that a test compiles against either. */
+ * values and order follow the public interface of theft 0.4, so that a test compiles against
+ * either. */
 #ifndef THEFT_TYPES_H
 #define THEFT_TYPES_H
 
@@ -142,7 +143,8 @@ struct theft_type_info {
     void *env;
 };
 
-/* Hooks, in the order a run meets them. ERROR from any of them ends the run with THEFT_RUN_ERROR. */
+/* Hooks, in the order a run meets them. ERROR from any of them ends the run with
+ * THEFT_RUN_ERROR. */
 
 /* Before the first trial. */
 enum theft_hook_run_pre_res {

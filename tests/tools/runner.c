@@ -78,7 +78,7 @@ run shell(const char *line)
 {
     run result;
     char full[4096];
-    snprintf(full, sizeof full, "cd '%s' && { %s\n} >.out 2>.error </dev/null", directory, line);
+    snprintf(full, sizeof full, "cd '%s' && exec >.out 2>.error </dev/null; %s", directory, line);
     int status = system(full);
     result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     read_back(".out", result.out, sizeof result.out);

@@ -135,8 +135,8 @@ static void bad_models_are_named(void **state)
     expect(1, "render empty.obj -o a.png", "empty.obj", "Assimp");
     write_text("noise.xyzzy", "this is no model of any kind\n");
     expect(1, "render noise.xyzzy -o a.png", "noise.xyzzy", "Assimp");
-    write_text("noise.ply", "ply\nformat ascii 1.0\nelement vertex 99999999\n\001\002\n");
-    expect(1, "render noise.ply -o a.png", "noise.ply", "");
+    write_text("noise.ply", "ply\nformat ascii 1.0\nelement vertex 3\n");
+    expect(1, "render noise.ply -o a.png", "noise.ply", "header");
     write_text("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nl 2 3\n");
     expect(1, "render points.obj -o a.png", "points.obj", "triangles");
     write_text("infinite.obj", "v 0 0 0\nv 1 0 0\nv 0 inf 0\nf 1 2 3\n");
@@ -155,6 +155,10 @@ static void bad_textures_are_named(void **state)
     expect(1, "render square.obj -o a.png --texture none.png", "none.png", "No such file");
     expect(1, "render square.obj -o a.png --texture noise.png", "noise.png", "texture");
     expect(1, "render square.obj -o a.png --texture .", ".", "directory");
+    /* 8x8 texels of 24 bits are announced, one is there. */
+    static const uint8_t short_tga[21] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 8, 0, 8, 0, 24, 0};
+    write_bytes("short.tga", short_tga, sizeof short_tga);
+    expect(1, "render square.obj -o a.png --texture short.tga", "short.tga", "cut short");
     expect(1, "render bare.obj -o a.png --texture noise.png", "bare.obj", "coordinates");
     expect(1, "render bare.obj -o a.png --shader textured", "bare.obj", "coordinates");
     expect(1, "render square.obj -o a.png --shader textured", "square.obj", "--texture");

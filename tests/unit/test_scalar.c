@@ -100,8 +100,7 @@ static void small_angles_keep_their_bits(void **state)
     }
 }
 
-/* Exact values to 40 digits, from a computer algebra system's pi: what the
- * float GN_PI misses pi by is the sine, and so on. */
+/* Decimals of the exact values; what the float GN_PI misses pi by is its sine. */
 static void known_values(void **state)
 {
     (void)state;
@@ -142,6 +141,32 @@ static void angles_of_every_size(void **state)
     assert_rounds(gn_tan(from_bits(0x6F79BE45)), tan((double)from_bits(0x6F79BE45)));
 }
 
+/* The arguments whose exact results come closest to the middle between two
+ * floats, 2^-52 to 2^-56 of themselves, from an enumeration of all floats with
+ * MPFR, which also gave the results. */
+static void hardest_to_round(void **state)
+{
+    (void)state;
+    assert_same_bits(gn_sin(0x1.487e0cp+103f), 0x1.287508p-2f);
+    assert_same_bits(gn_sin(0x1.33333p+13f), -0x1.63f4bap-2f);
+    assert_same_bits(gn_sin(0x1.95f654p+44f), -0x1.fcf42ep-1f);
+    assert_same_bits(gn_sin(0x1.524856p+80f), -0x1.ff5702p-1f);
+    assert_same_bits(gn_sin(0x1.e35bc6p+7f), 0x1.c5b4acp-3f);
+    assert_same_bits(gn_sin(0x1.a3eda6p+116f), -0x1.f511dcp-1f);
+    assert_same_bits(gn_cos(0x1.2b9622p+67f), 0x1.f0285ep-1f);
+    assert_same_bits(gn_cos(0x1.3170fp+63f), 0x1.fe2976p-1f);
+    assert_same_bits(gn_cos(0x1.887814p+51f), 0x1.84bec4p-1f);
+    assert_same_bits(gn_cos(0x1.96344ep+117f), 0x1.f8a9b4p-1f);
+    assert_same_bits(gn_cos(0x1.20ffccp-7f), 0x1.fffae8p-1f);
+    assert_same_bits(gn_cos(0x1.e072ecp+67f), 0x1.b598acp-2f);
+    assert_same_bits(gn_tan(0x1.fa6748p+64f), 0x1.a0d918p+0f);
+    assert_same_bits(gn_tan(0x1.b0e75cp+59f), 0x1.4d7fdap-2f);
+    assert_same_bits(gn_tan(0x1.296846p+111f), 0x1.d06d3p+0f);
+    assert_same_bits(gn_tan(0x1.78b08cp+11f), 0x1.c9f41cp-1f);
+    assert_same_bits(gn_tan(0x1.5ce84cp+124f), 0x1.958db6p-1f);
+    assert_same_bits(gn_tan(0x1.02e9bap+2f), 0x1.453662p+0f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -151,6 +176,7 @@ int main(void)
         cmocka_unit_test(small_angles_keep_their_bits),
         cmocka_unit_test(known_values),
         cmocka_unit_test(angles_of_every_size),
+        cmocka_unit_test(hardest_to_round),
     };
     return cmocka_run_group_tests_name("scalar", tests, NULL, NULL);
 }

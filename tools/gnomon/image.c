@@ -2,10 +2,9 @@
 #include "image.h"
 
 #include <errno.h>
-#include <limits.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include <gnomon/surface.h>
 #include <stb/stb_image.h>
@@ -35,10 +34,66 @@ static bool check_size(int width, int height, const char **reason)
     return false;
 }
 
-static bool finish(stbi_uc *pixels, int width, int height, image *result, const char **reason)
+/* Where stb_image reads from. It takes what lies behind the end for zeros without a word, so
+ * it is noted that it wanted more than there was. */
+typedef struct source {
+    const uint8_t *bytes;
+    size_t size;
+    size_t position;
+    bool ran_out;
+} source;
+
+/* Reads of this size are stb_image filling its buffer, which may end early. */
+#define BUFFER_SIZE 128
+
+static int source_read(void *user, char *data, int size)
 {
-    if (pixels == NULL) {
+    source *s = user;
+    size_t left = s->size - s->position;
+    size_t count = (size_t)size < left ? (size_t)size : left;
+    memcpy(data, s->bytes + s->position, count);
+    s->position += count;
+    if (count == 0 || (count < (size_t)size && size != BUFFER_SIZE))
+        s->ran_out = true;
+    return (int)count;
+}
+
+static void source_skip(void *user, int distance)
+{
+    source *s = user;
+    size_t left = s->size - s->position;
+    if (distance > 0 && (size_t)distance > left)
+        s->position = s->size;
+    else
+        s->position += (size_t)distance; /* backwards too, modulo the range of size_t */
+}
+
+static int source_at_end(void *user)
+{
+    const source *s = user;
+    return s->position >= s->size;
+}
+
+bool image_decode(const uint8_t *bytes, size_t size, image *result, const char **reason)
+{
+    static const stbi_io_callbacks callbacks = {source_read, source_skip, source_at_end};
+    source s = {bytes, size, 0, false};
+    int width = 0;
+    int height = 0;
+    int channels;
+    memset(result, 0, sizeof *result);
+    if (stbi_info_from_callbacks(&callbacks, &s, &width, &height, &channels) == 0) {
         *reason = decoder_reason();
+        return false;
+    }
+    if (!check_size(width, height, reason))
+        return false;
+    s = (source){bytes, size, 0, false};
+    stbi_set_flip_vertically_on_load(1);
+    stbi_uc *pixels = stbi_load_from_callbacks(&callbacks, &s, &width, &height, &channels, 4);
+    if (pixels == NULL || s.ran_out) {
+        *reason = pixels == NULL ? decoder_reason() : "the file is cut short";
+        stbi_image_free(pixels);
         return false;
     }
     pack(pixels, (size_t)width * (size_t)height);
@@ -48,54 +103,49 @@ static bool finish(stbi_uc *pixels, int width, int height, image *result, const 
     return true;
 }
 
-bool image_read(const char *path, image *result, const char **reason)
+/* A whole file, allocated. Null with the reason otherwise. */
+static uint8_t *read_file(const char *path, size_t *size, const char **reason)
 {
-    int width = 0;
-    int height = 0;
-    int channels;
-    struct stat status;
-    memset(result, 0, sizeof *result);
-    if (stat(path, &status) == 0 && S_ISDIR(status.st_mode)) {
-        *reason = "it is a directory";
-        return false;
-    }
+    uint8_t *bytes = NULL;
+    size_t capacity = 1 << 16;
     FILE *file = fopen(path, "rb");
+    *size = 0;
     if (file == NULL) {
         *reason = strerror(errno);
-        return false;
+        return NULL;
     }
-    bool known = stbi_info_from_file(file, &width, &height, &channels) != 0;
-    if (!known)
-        *reason = decoder_reason();
-    bool good = known && check_size(width, height, reason);
-    if (good) {
-        stbi_set_flip_vertically_on_load(1);
-        stbi_uc *pixels = stbi_load_from_file(file, &width, &height, &channels, 4);
-        good = finish(pixels, width, height, result, reason);
+    for (;;) {
+        uint8_t *larger = realloc(bytes, capacity);
+        if (larger == NULL) {
+            *reason = "not enough memory";
+            break;
+        }
+        bytes = larger;
+        *size += fread(bytes + *size, 1, capacity - *size, file);
+        if (*size < capacity) {
+            if (ferror(file) == 0) {
+                fclose(file);
+                return bytes;
+            }
+            *reason = strerror(errno);
+            break;
+        }
+        capacity *= 2;
     }
+    free(bytes);
     fclose(file);
-    return good;
+    return NULL;
 }
 
-bool image_decode(const uint8_t *bytes, size_t size, image *result, const char **reason)
+bool image_read(const char *path, image *result, const char **reason)
 {
-    int width = 0;
-    int height = 0;
-    int channels;
-    memset(result, 0, sizeof *result);
-    if (size > INT_MAX) {
-        *reason = "the image is too large";
+    size_t size;
+    uint8_t *bytes = read_file(path, &size, reason);
+    if (bytes == NULL)
         return false;
-    }
-    if (stbi_info_from_memory(bytes, (int)size, &width, &height, &channels) == 0) {
-        *reason = decoder_reason();
-        return false;
-    }
-    if (!check_size(width, height, reason))
-        return false;
-    stbi_set_flip_vertically_on_load(1);
-    return finish(stbi_load_from_memory(bytes, (int)size, &width, &height, &channels, 4), width,
-                  height, result, reason);
+    bool good = image_decode(bytes, size, result, reason);
+    free(bytes);
+    return good;
 }
 
 void image_free(image *i)

@@ -243,19 +243,38 @@ static const char *convert(const struct aiScene *file, model *m)
     return wrong;
 }
 
+/* Assimp 5.2 reads a PLY header for ever that does not end. Looks for the end within the first
+ * 64 KiB, where it is in any other PLY file. */
+static bool is_endless_ply(FILE *file)
+{
+    static const char end[] = "end_header";
+    size_t length = sizeof end - 1;
+    char *text = malloc(1 << 16);
+    bool found = text == NULL;
+    size_t size = text != NULL ? fread(text, 1, 1 << 16, file) : 0;
+    bool is_ply = size >= 3 && memcmp(text, "ply", 3) == 0;
+    for (size_t i = 0; is_ply && i + length <= size && !found; i++)
+        found = memcmp(text + i, end, length) == 0;
+    free(text);
+    return is_ply && !found;
+}
+
 int model_read(const char *path, model *result)
 {
     memset(result, 0, sizeof *result);
 
-    /* Assimp's own words for these are worse. */
+    /* What Assimp itself says to the first two is less clear. */
     struct stat status;
     FILE *probe = fopen(path, "rb");
     if (probe == NULL)
         return report_fault(path, "cannot be read: %s", strerror(errno));
     bool is_directory = fstat(fileno(probe), &status) == 0 && S_ISDIR(status.st_mode);
+    bool endless = !is_directory && is_endless_ply(probe);
     fclose(probe);
     if (is_directory)
         return report_fault(path, "cannot be read: it is a directory");
+    if (endless)
+        return report_fault(path, "cannot be read: the header of this PLY file has no end");
 
     unsigned int steps = aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
                          aiProcess_PreTransformVertices | aiProcess_GenUVCoords |

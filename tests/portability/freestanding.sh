@@ -1,0 +1,65 @@
+#!/bin/sh
+# The library is freestanding: linked with -nostdlib -Wl,-z,defs it has no undefined
+# symbol and no writable data, with every compiler found and at several levels of
+# optimisation; the flags of users who ask for fast mathematics do not reach it; its
+# headers compile alone, as C99 and as C++.
+# usage: freestanding.sh BUILD-DIRECTORY   (from the root of the project)
+set -eu
+build=$1/freestanding
+warnings="-Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror"
+own="-ffreestanding -fvisibility=hidden -fPIC -fno-math-errno -fno-stack-protector -fno-fast-math -ffp-contract=off"
+passed=0
+failed=0
+
+check() { # check NAME COMPILER FLAGS...
+    name=$1
+    compiler=$2
+    shift 2
+    directory=$build/$name
+    rm -rf "$directory"
+    mkdir -p "$directory"
+    ok=yes
+    for source in src/*/*.c; do
+        object=$directory/$(echo "$source" | tr '/' '_').o
+        # shellcheck disable=SC2086
+        "$compiler" -std=c99 -pedantic $warnings "$@" -Iinclude $own -c "$source" -o "$object" || ok=no
+    done
+    "$compiler" -shared -nostdlib -Wl,-z,defs "$directory"/*.o -o "$directory/libgnomon.so" || ok=no
+    undefined=$(nm -D -u "$directory/libgnomon.so" | wc -l)
+    writable=$(size -A "$directory/libgnomon.so" |
+        awk '/^\.(data|bss|data\.rel\.ro|tdata|tbss)/ { n += $2 } END { print n + 0 }')
+    echo "$name: undefined symbols: $undefined, data+bss bytes: $writable"
+    if [ $ok = yes ] && [ "$undefined" -eq 0 ] && [ "$writable" -eq 0 ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+    fi
+}
+
+header() { # header NAME COMMAND...
+    name=$1
+    shift
+    if "$@"; then
+        passed=$((passed + 1))
+    else
+        echo "$name: does not compile"
+        failed=$((failed + 1))
+    fi
+}
+
+command -v gcc >/dev/null && check gcc-O2 gcc -O2 && check gcc-O0 gcc -O0 && check gcc-Os gcc -Os &&
+    check gcc-Ofast gcc -Ofast -march=haswell
+command -v clang >/dev/null && check clang-O2 clang -O2
+check portable-lanes "${CC:-cc}" -O2 -DGN_PORTABLE_LANES
+
+for file in include/gnomon.h include/gnomon/*.h; do
+    include=${file#include/}
+    printf '#include <%s>\ntypedef int not_empty;\n' "$include" >"$build/one.c"
+    header "$include as C99" "${CC:-cc}" -std=c99 -pedantic $warnings -Iinclude -c "$build/one.c" -o "$build/one.o"
+    if command -v g++ >/dev/null; then
+        header "$include as C++" g++ -x c++ -std=c++98 -pedantic $warnings -Wno-long-long -Wno-variadic-macros \
+            -Iinclude -c "$build/one.c" -o "$build/one.o"
+    fi
+done
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]

@@ -1,0 +1,188 @@
+/* The comparison on pictures that do differ: the library draws both, and what stands in for
+ * OSMesa here changes chosen pixels. */
+#define _POSIX_C_SOURCE 200809L
+#include "runner.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <comparison.h>
+#include <osmesa.h>
+
+/* What is done to the second picture. */
+static bool change_color;
+static bool change_alpha;
+static bool change_depth;
+static bool refuse;
+
+struct reference {
+    int unused;
+};
+
+reference *reference_create(reference_profile profile, char *error, size_t error_size)
+{
+    static reference only;
+    (void)profile;
+    (void)error;
+    (void)error_size;
+    return &only;
+}
+
+void reference_destroy(reference *r)
+{
+    (void)r;
+}
+
+const char *reference_mesa_version(const reference *r)
+{
+    (void)r;
+    return "0.0";
+}
+
+const char *reference_renderer(const reference *r)
+{
+    (void)r;
+    return "stand-in";
+}
+
+bool reference_is_contract_version(const reference *r)
+{
+    (void)r;
+    return false;
+}
+
+bool reference_draw(reference *r, const scene *s, scene_frame *frame, char *error,
+                    size_t error_size)
+{
+    (void)r;
+    if (refuse) {
+        snprintf(error, error_size, "it refuses");
+        return false;
+    }
+    if (scene_draw_library(s, frame, 0) != GN_OK)
+        return false;
+    uint32_t *color = frame->color;
+    float *depth = frame->depth;
+    if (change_color)
+        color[2 * frame->width + 3] += 5 << 8; /* green, x 3, y 2 from below */
+    if (change_alpha)
+        color[4] -= 7u << 24;
+    if (change_depth)
+        depth[5] = 0.25f;
+    return true;
+}
+
+static scene *empty_scene(void)
+{
+    scene *s = scene_create(10, 6, GN_FORMAT_RGBA8, GN_FORMAT_D32F);
+    for (int i = 0; i < 4; i++)
+        s->clear_color[i] = i == 3 ? 1.0f : 0.2f;
+    s->clear_depth = 1.0f;
+    return s;
+}
+
+/* Makes a comparison and returns what it prints. */
+static const char *printed(comparison *c, const scene *s)
+{
+    static char text[2048];
+    fflush(stdout);
+    int saved = dup(STDOUT_FILENO);
+    FILE *file = tmpfile();
+    assert_non_null(file);
+    dup2(fileno(file), STDOUT_FILENO);
+    int fault = comparison_make(s, c);
+    fflush(stdout);
+    dup2(saved, STDOUT_FILENO);
+    close(saved);
+    rewind(file);
+    text[fread(text, 1, sizeof text - 1, file)] = '\0';
+    fclose(file);
+    assert_int_equal(fault, refuse ? 1 : 0);
+    return text;
+}
+
+static void differences_are_counted_and_shown(void **state)
+{
+    (void)state;
+    scene *s = empty_scene();
+    comparison c;
+    change_color = change_alpha = change_depth = true;
+    const char *text = printed(&c, s);
+    assert_non_null(strstr(text, "colour: 2 of 60 pixels differ, by at most 7/255\n"));
+    assert_non_null(strstr(text, "depth:  1 of 60 pixels differ, by at most 0.75\n"));
+    assert_non_null(strstr(text, "x 4, y 0"));
+    assert_non_null(strstr(text, "22.3"));
+    assert_int_equal(c.difference.pixels, 3);
+    assert_int_equal(comparison_write_triptych(&c, path_of("t.png")), 0);
+    assert_int_equal(comparison_write_picture(&c, path_of("p.png")), 0);
+    comparison_free(&c);
+    scene_free(s);
+
+    picture p = picture_read("t.png");
+    assert_int_equal(p.width, 30);
+    assert_int_equal(p.height, 6);
+    for (uint32_t y = 0; y < 6; y++) {
+        for (uint32_t x = 0; x < 10; x++) {
+            bool green = x == 3 && y == 3;
+            bool magenta = y == 5 && (x == 4 || x == 5);
+            assert_int_equal(pixel(&p, x, y), 0x333333ff);
+            assert_int_equal(pixel(&p, 10 + x, y), green ? 0x333833ff : 0x333333ff);
+            uint32_t shown = pixel(&p, 20 + x, y);
+            if (green)
+                assert_true((shown & 0xff00ffff) == 0xff && (shown >> 16 & 255) > 64);
+            else
+                assert_int_equal(shown, magenta ? 0xff00ffff : 0x000000ff);
+        }
+    }
+    picture_free(&p);
+    p = picture_read("p.png");
+    assert_int_equal(p.width, 10);
+    assert_int_equal(pixel(&p, 3, 3), 0x333333ff);
+    picture_free(&p);
+}
+
+static void equal_pictures_are_black(void **state)
+{
+    (void)state;
+    scene *s = empty_scene();
+    comparison c;
+    change_color = change_alpha = change_depth = false;
+    const char *text = printed(&c, s);
+    assert_non_null(strstr(text, "colour: 0 of 60 pixels differ\n"));
+    assert_non_null(strstr(text, "depth:  0 of 60 pixels differ\n"));
+    assert_int_equal(comparison_write_triptych(&c, path_of("t.png")), 0);
+    comparison_free(&c);
+    scene_free(s);
+    picture p = picture_read("t.png");
+    for (uint32_t y = 0; y < 6; y++) {
+        for (uint32_t x = 20; x < 30; x++)
+            assert_int_equal(pixel(&p, x, y), 0x000000ff);
+    }
+    picture_free(&p);
+}
+
+static void a_failing_reference_is_an_error(void **state)
+{
+    (void)state;
+    scene *s = empty_scene();
+    comparison c;
+    refuse = true;
+    assert_string_equal(printed(&c, s), "");
+    refuse = false;
+    comparison_free(&c);
+    scene_free(s);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(differences_are_counted_and_shown),
+        cmocka_unit_test(equal_pictures_are_black),
+        cmocka_unit_test(a_failing_reference_is_an_error),
+    };
+    runner_start(argc, argv);
+    int failed = cmocka_run_group_tests_name("command, comparison", tests, NULL, NULL);
+    runner_end();
+    return failed != 0;
+}

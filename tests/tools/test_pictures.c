@@ -1,0 +1,414 @@
+/* The pictures of the gnomon command, read back: what is expected follows from the models. */
+#include "runner.h"
+
+#include <stb/stb_image_write.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A square whose vertices bring a colour. */
+static const char red_square[] = "v -1 -1 0 1 0 0\nv 1 -1 0 1 0 0\nv 1 1 0 1 0 0\nv -1 1 0 1 0 0\n"
+                                 "f 1 2 3\nf 1 3 4\n";
+
+static picture render(const char *model, const char *flags)
+{
+    run r = gnomon("render %s -o a.png %s", model, flags);
+    if (r.status != 0 || r.error[0] != '\0')
+        fail_msg("gnomon render %s %s: status %d, %s", model, flags, r.status, r.error);
+    return picture_read("a.png");
+}
+
+static void expect_near(uint32_t got, uint32_t expected, int tolerance, const char *where)
+{
+    for (int shift = 0; shift < 32; shift += 8) {
+        int difference = (int)(got >> shift & 255) - (int)(expected >> shift & 255);
+        if (abs(difference) > tolerance)
+            fail_msg("%s: %08x, expected %08x", where, (unsigned)got, (unsigned)expected);
+    }
+}
+
+static void expect_all(const picture *p, uint32_t color)
+{
+    for (uint32_t y = 0; y < p->height; y++) {
+        for (uint32_t x = 0; x < p->width; x++)
+            assert_int_equal(pixel(p, x, y), color);
+    }
+}
+
+static void vertex_colors_fill_the_picture(void **state)
+{
+    (void)state;
+    write_text("red.obj", red_square);
+    picture p = render("red.obj", FRONT " --shader color --size 37x37");
+    assert_int_equal(p.width, 37);
+    assert_int_equal(p.height, 37);
+    expect_all(&p, 0xff0000ff);
+    picture_free(&p);
+    p = render("red.obj", FRONT " --light 0,0,1 --size 16x8 --shader flat");
+    assert_int_equal(p.width, 16);
+    assert_int_equal(p.height, 8);
+    /* 16 wide is twice the square: a quarter of the width on either side is empty. */
+    assert_int_equal(pixel(&p, 3, 4), 0xedeeefff);
+    assert_int_equal(pixel(&p, 4, 4), 0xff0000ff);
+    assert_int_equal(pixel(&p, 11, 4), 0xff0000ff);
+    assert_int_equal(pixel(&p, 12, 4), 0xedeeefff);
+    picture_free(&p);
+}
+
+static void background_is_what_was_asked_for(void **state)
+{
+    (void)state;
+    write_text("red.obj", red_square);
+    picture p = render("red.obj", "--eye 0,0,5 --target 0,0,9 --size 9x5 --background "
+                                  "'#12345678'");
+    expect_all(&p, 0x12345678);
+    picture_free(&p);
+    p = render("red.obj", "--eye 0,0,5 --target 0,0,9 --size 9x5 --background ABCDEF");
+    expect_all(&p, 0xabcdefff);
+    picture_free(&p);
+}
+
+static void top_row_is_the_top(void **state)
+{
+    (void)state;
+    write_text("upper.obj", "v -1 0 0 0 0 1\nv 0 0 0 0 0 1\nv 0 1 0 0 0 1\nv -1 1 0 0 0 1\n"
+                            "f 1 2 3\nf 1 3 4\n");
+    picture p = render("upper.obj", FRONT " --shader color --size 20x20 --background ffffff");
+    for (uint32_t y = 0; y < 20; y++) {
+        for (uint32_t x = 0; x < 20; x++)
+            assert_int_equal(pixel(&p, x, y), x < 10 && y < 10 ? 0x0000ffff : 0xffffffff);
+    }
+    picture_free(&p);
+    /* Seen from behind, left is right; with up reversed, top is bottom. */
+    p = render("upper.obj", "--eye 0,0,-5 --target 0,0,0 --orthographic 2 --shader color"
+                            " --size 20x20 --background ffffff");
+    assert_int_equal(pixel(&p, 15, 5), 0x0000ffff);
+    assert_int_equal(pixel(&p, 5, 5), 0xffffffff);
+    picture_free(&p);
+    p = render("upper.obj", FRONT " --up 0,-1,0 --shader color --size 20x20"
+                            " --background ffffff");
+    assert_int_equal(pixel(&p, 15, 15), 0x0000ffff);
+    assert_int_equal(pixel(&p, 5, 5), 0xffffffff);
+    picture_free(&p);
+}
+
+static void perspective_sees_the_angle_asked_for(void **state)
+{
+    (void)state;
+    write_text("red.obj", red_square);
+    /* From distance 2, 90 degrees see 4 units: the square is the middle half. */
+    picture p = render("red.obj", "--eye 0,0,2 --target 0,0,0 --fov 90 --shader color"
+                                  " --size 40x40");
+    for (uint32_t y = 0; y < 40; y++) {
+        for (uint32_t x = 0; x < 40; x++) {
+            bool inside = x >= 10 && x < 30 && y >= 10 && y < 30;
+            assert_int_equal(pixel(&p, x, y), inside ? 0xff0000ff : 0xedeeefff);
+        }
+    }
+    picture_free(&p);
+}
+
+static void framing_shows_the_whole_model(void **state)
+{
+    static const char flags[][64] = {"--size 60x60", "--size 120x40", "--size 40x120",
+                                     "--size 60x60 --fov 120", "--size 60x60 --up 0,0,1"};
+    (void)state;
+    /* Far from the origin and small, so that only framing finds it. */
+    write_text("cube.obj", "v 99 49 -3\nv 101 49 -3\nv 101 51 -3\nv 99 51 -3\n"
+                           "v 99 49 -1\nv 101 49 -1\nv 101 51 -1\nv 99 51 -1\n"
+                           "f 5 6 7 8\nf 1 4 3 2\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    for (int i = 0; i < 5; i++) {
+        picture p = render("cube.obj", flags[i]);
+        uint32_t drawn = 0;
+        for (uint32_t y = 0; y < p.height; y++) {
+            for (uint32_t x = 0; x < p.width; x++) {
+                if (pixel(&p, x, y) == 0xedeeefff)
+                    continue;
+                drawn++;
+                assert_true(x > 0 && y > 0 && x + 1 < p.width && y + 1 < p.height);
+            }
+        }
+        assert_int_not_equal(pixel(&p, p.width / 2, p.height / 2), 0xedeeefff);
+        uint32_t least = p.width < p.height ? p.width : p.height;
+        assert_true(drawn > least * least / 8);
+        picture_free(&p);
+    }
+}
+
+static void depth_is_16_bit_grey(void **state)
+{
+    (void)state;
+    write_text("red.obj", red_square);
+    run r = gnomon("render red.obj -o a.png --depth d.png " FRONT " --size 12x10");
+    assert_int_equal(r.status, 0);
+    picture p = picture_read_grey16("d.png");
+    assert_int_equal(p.width, 12);
+    assert_int_equal(p.height, 10);
+    /* The square is in the middle between the planes; beside it is the clear value. */
+    for (uint32_t y = 0; y < 10; y++) {
+        assert_int_equal(p.grey[y * 12], 65535);
+        assert_true(abs((int)p.grey[y * 12 + 6] - 32768) <= 2);
+    }
+    picture_free(&p);
+    /* Nearer is darker, and on top is on top: the left half stands in front. */
+    write_text("steps.obj", "v -1 -1 1 1 1 0\nv 0 -1 1 1 1 0\nv 0 1 1 1 1 0\nv -1 1 1 1 1 0\n"
+                            "v -1 -1 -1 0 1 1\nv 1 -1 -1 0 1 1\nv 1 1 -1 0 1 1\nv -1 1 -1 0 1 1\n"
+                            "f 1 2 3 4\nf 5 6 7 8\n");
+    r = gnomon("render steps.obj -o a.png --depth d.png --shader color " FRONT " --size 8x8");
+    assert_int_equal(r.status, 0);
+    p = picture_read_grey16("d.png");
+    /* z = 1 and -1 in a sphere of radius sqrt(3) and 1 % more: 0.5 -+ 1/(2*1.7494). */
+    assert_true(abs((int)p.grey[8 * 3 + 1] - 14037) <= 2);
+    assert_true(abs((int)p.grey[8 * 3 + 6] - 51498) <= 2);
+    picture_free(&p);
+    p = picture_read("a.png");
+    assert_int_equal(pixel(&p, 1, 3), 0xffff00ff);
+    assert_int_equal(pixel(&p, 6, 3), 0x00ffffff);
+    picture_free(&p);
+}
+
+/* 64x64, top left red, top right green, bottom left blue, bottom right white. */
+static const uint8_t quadrants[4][3] = {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {255, 255, 255}};
+
+static void expect_quadrants(const char *flags, int tolerance)
+{
+    picture p = render("square.obj", flags);
+    for (uint32_t i = 0; i < 4; i++) {
+        const uint8_t *q = quadrants[i];
+        uint32_t color = (uint32_t)q[0] << 24 | (uint32_t)q[1] << 16 | (uint32_t)q[2] << 8 | 255;
+        expect_near(pixel(&p, i % 2 * 50 + 25, i / 2 * 50 + 25), color, tolerance, flags);
+    }
+    picture_free(&p);
+}
+
+static void write_quadrants_tga(const char *name)
+{
+    /* Type 10, run-length encoded; rows from the bottom; blue, green, red. */
+    uint8_t bytes[18 + 64 * 2 * 4] = {0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 64, 0, 64, 0, 24, 0};
+    uint8_t *next = bytes + 18;
+    for (int row = 0; row < 64; row++) {
+        for (int half = 0; half < 2; half++) {
+            const uint8_t *q = quadrants[(row < 32 ? 2 : 0) + half];
+            *next++ = 0x80 | 31;
+            *next++ = q[2];
+            *next++ = q[1];
+            *next++ = q[0];
+        }
+    }
+    write_bytes(name, bytes, sizeof bytes);
+}
+
+static void textures_stand_upright(void **state)
+{
+    uint8_t texels[64 * 64 * 3];
+    (void)state;
+    write_text("square.obj", square_obj);
+    for (int i = 0; i < 64 * 64; i++)
+        memcpy(texels + 3 * i, quadrants[(i / 64 < 32 ? 0 : 2) + (i % 64 < 32 ? 0 : 1)], 3);
+
+    stbi_write_png(path_of("t.png"), 64, 64, 3, texels, 0);
+    stbi_write_jpg(path_of("t.jpg"), 64, 64, 3, texels, 95);
+    write_quadrants_tga("t.tga");
+    expect_quadrants(FRONT " --light 0,0,1 --size 100x100 --texture t.png", 0);
+    expect_quadrants(FRONT " --light 0,0,1 --size 100x100 --texture t.tga", 0);
+    expect_quadrants(FRONT " --light 0,0,1 --size 100x100 --texture t.jpg", 8);
+
+    /* Without --texture and without a material: by the model's name. */
+    picture p = render("square.obj", FRONT " --light 0,0,1 --size 10x10");
+    expect_all(&p, 0xccccccff);
+    picture_free(&p);
+    write_quadrants_tga("square_diffuse.tga");
+    expect_quadrants(FRONT " --light 0,0,1 --size 100x100", 0);
+    p = render("square.obj", FRONT " --light 0,0,1 --size 10x10 --shader gouraud");
+    expect_all(&p, 0xccccccff);
+    picture_free(&p);
+    remove_file("square_diffuse.tga");
+}
+
+/* A glTF file with everything inside: the square, and a texture of two texels, red above
+ * green. */
+static const char square_gltf[] =
+    "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
+    "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,"
+    "\"TEXCOORD_0\":1},\"indices\":2,\"material\":0}]}],\"materials\":[{"
+    "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
+    "\"textures\":[{\"source\":0}],\"images\":[{\"mimeType\":\"image/png\",\"uri\":"
+    "\"data:image/png;base64,"
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAACCAIAAAAW4yFwAAAADklEQVR4nGP4zwAE/xkACP8B/0AhLC4AAAAASUVO"
+    "RK5CYII="
+    "\"}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\","
+    "\"min\":[-1,-1,0],\"max\":[1,1,0]},{\"bufferView\":1,\"componentType\":5126,\"count\":4,"
+    "\"type\":\"VEC2\"},{\"bufferView\":2,\"componentType\":5123,\"count\":6,"
+    "\"type\":\"SCALAR\"}],\"bufferViews\":[{\"buffer\":0,\"byteOffset\":0,\"byteLength\":48},"
+    "{\"buffer\":0,\"byteOffset\":48,\"byteLength\":32},{\"buffer\":0,\"byteOffset\":80,"
+    "\"byteLength\":12}],\"buffers\":[{\"byteLength\":92,\"uri\":"
+    "\"data:application/octet-stream;base64,"
+    "AACAvwAAgL8AAAAAAACAPwAAgL8AAAAAAACAPwAAgD8AAAAAAACAvwAAgD8AAAAAAAAAAAAAgD8AAIA/AACAPwAA"
+    "gD8AAAAAAAAAAAAAAAAAAAEAAgAAAAIAAwA="
+    "\"}]}";
+
+static void textures_inside_the_model_are_used(void **state)
+{
+    (void)state;
+    write_text("square.gltf", square_gltf);
+    picture p = render("square.gltf", FRONT " --light 0,0,1 --size 40x40");
+    expect_near(pixel(&p, 20, 10), 0xff0000ff, 8, "red above");
+    expect_near(pixel(&p, 20, 30), 0x00ff00ff, 8, "green below");
+    picture_free(&p);
+}
+
+static void materials_are_followed(void **state)
+{
+    (void)state;
+    /* The left half has a colour, the right half a texture, whose path has a backslash. */
+    run r = shell("mkdir -p skins");
+    assert_int_equal(r.status, 0);
+    static const uint8_t green[3] = {0, 255, 0};
+    stbi_write_png(path_of("skins/green.png"), 1, 1, 3, green, 0);
+    write_text("two.mtl", "newmtl plain\nKd 1 0 1\nnewmtl skin\nKd 0 0 0\n"
+                          "map_Kd skins\\green.png\n");
+    write_text("two.obj", "mtllib two.mtl\n"
+                          "v -1 -1 0\nv 0 -1 0\nv 0 1 0\nv -1 1 0\nv 1 -1 0\nv 1 1 0\n"
+                          "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n"
+                          "usemtl plain\nf 1/1/1 2/2/1 3/3/1 4/4/1\n"
+                          "usemtl skin\nf 2/1/1 5/2/1 6/3/1 3/4/1\n");
+    picture p = render("two.obj", FRONT " --light 0,0,1 --size 10x10");
+    for (uint32_t y = 0; y < 10; y++) {
+        for (uint32_t x = 0; x < 10; x++)
+            assert_int_equal(pixel(&p, x, y), x < 5 ? 0xff00ffff : 0x00ff00ff);
+    }
+    picture_free(&p);
+}
+
+static void missing_normals_are_smooth(void **state)
+{
+    /* The corner normals of a cube are its diagonals, however its faces are cut into
+     * triangles, when corners are weighted by angle; here the top is cut the other way. */
+    static const char shared[] = "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n"
+                                 "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+                                 "f 5 6 7\nf 5 7 8\nf 1 4 3\nf 1 3 2\nf 1 2 6\nf 1 6 5\n"
+                                 "f 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\nf 4 1 5\nf 4 5 8\n";
+    /* The same front face with vertices of its own. */
+    static const char split[] = "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n"
+                                "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+                                "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+                                "f 9 10 11 12\nf 1 4 3 2\nf 1 2 6 5\n"
+                                "f 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+    (void)state;
+    write_text("shared.obj", shared);
+    write_text("split.obj", split);
+    for (int i = 0; i < 2; i++) {
+        picture p = render(i == 0 ? "shared.obj" : "split.obj",
+                           FRONT " --light 1,1,1 --size 256x256 --shader gouraud");
+        /* Grey 0.8 times ambient 0.25 + diffuse 0.75 * N.L, with N.L = 1, 1/3, < 0. */
+        expect_near(pixel(&p, 255, 0), 0xccccccff, 2, "N.L = 1");
+        expect_near(pixel(&p, 0, 0), 0x666666ff, 2, "N.L = 1/3");
+        expect_near(pixel(&p, 255, 255), 0x666666ff, 2, "N.L = 1/3");
+        expect_near(pixel(&p, 0, 255), 0x333333ff, 2, "N.L < 0");
+        picture_free(&p);
+    }
+}
+
+static void flat_shows_facets(void **state)
+{
+    (void)state;
+    /* A roof: two faces at right angles that share an edge, seen from the front. */
+    write_text("roof.obj", "v -1 -1 -1\nv 0 -1 0\nv 0 1 0\nv -1 1 -1\nv 1 -1 -1\nv 1 1 -1\n"
+                           "f 1 2 3 4\nf 2 5 6 3\n");
+    picture p = render("roof.obj", FRONT " --light -1,0,1 --size 20x20 --shader flat");
+    for (uint32_t y = 0; y < 20; y++) {
+        for (uint32_t x = 0; x < 20; x++)
+            assert_int_equal(pixel(&p, x, y), x < 10 ? 0xccccccff : 0x333333ff);
+    }
+    picture_free(&p);
+    /* Gouraud has the ridge's mean normal instead: (0, 0, 1), N.L = sqrt(1/2). */
+    p = render("roof.obj", FRONT " --light -1,0,1 --size 200x200 --shader gouraud");
+    expect_near(pixel(&p, 100, 100), 0x9f9f9fff, 3, "ridge");
+    picture_free(&p);
+}
+
+static void summary_says_what_was_drawn(void **state)
+{
+    (void)state;
+    write_text("red.obj", red_square);
+    run r = gnomon("render red.obj -o a.png --size 12x34");
+    assert_string_equal(r.out, "a.png: 12x34, 2 triangles, Gouraud\n");
+}
+
+static void compare_finds_equal_pictures(void **state)
+{
+    (void)state;
+    write_text("red.obj", red_square);
+    remove_file("c.png");
+    run r = gnomon("compare red.obj --size 50x40 -o c.png");
+    if (r.status != 0)
+        fail_msg("status %d\n%s%s", r.status, r.out, r.error);
+    assert_non_null(strstr(r.out, "colour: 0 of 2000 pixels differ\n"));
+    assert_non_null(strstr(r.out, "depth:  0 of 2000 pixels differ\n"));
+    assert_non_null(strstr(r.out, "OSMesa"));
+    picture p = picture_read("c.png");
+    assert_int_equal(p.width, 150);
+    assert_int_equal(p.height, 40);
+    uint32_t drawn = 0;
+    for (uint32_t y = 0; y < 40; y++) {
+        for (uint32_t x = 0; x < 50; x++) {
+            drawn += pixel(&p, x, y) != 0xedeeefff;
+            assert_int_equal(pixel(&p, x, y), pixel(&p, 50 + x, y));
+            assert_int_equal(pixel(&p, 100 + x, y), 0x000000ff);
+        }
+    }
+    assert_true(drawn > 200);
+    /* The left third is what render draws. */
+    picture alone = render("red.obj", "--size 50x40");
+    for (uint32_t y = 0; y < 40; y++) {
+        for (uint32_t x = 0; x < 50; x++)
+            assert_int_equal(pixel(&p, x, y), pixel(&alone, x, y));
+    }
+    picture_free(&alone);
+    picture_free(&p);
+}
+
+static void demo_needs_no_file(void **state)
+{
+    (void)state;
+    run r = gnomon("demo --size 160x120 --picture pot.png --tessellation 5");
+    if (r.status != 0)
+        fail_msg("status %d\n%s%s", r.status, r.out, r.error);
+    assert_non_null(strstr(r.out, "colour: 0 of 19200 pixels differ\n"));
+    assert_non_null(strstr(r.out, "depth:  0 of 19200 pixels differ\n"));
+    picture triptych = picture_read("gnomon-demo.png");
+    picture alone = picture_read("pot.png");
+    assert_int_equal(triptych.width, 480);
+    assert_int_equal(triptych.height, 120);
+    assert_int_equal(alone.width, 160);
+    for (uint32_t y = 0; y < 120; y++) {
+        for (uint32_t x = 0; x < 160; x++)
+            assert_int_equal(pixel(&triptych, x, y), pixel(&alone, x, y));
+    }
+    picture_free(&triptych);
+    picture_free(&alone);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(vertex_colors_fill_the_picture),
+        cmocka_unit_test(background_is_what_was_asked_for),
+        cmocka_unit_test(top_row_is_the_top),
+        cmocka_unit_test(perspective_sees_the_angle_asked_for),
+        cmocka_unit_test(framing_shows_the_whole_model),
+        cmocka_unit_test(depth_is_16_bit_grey),
+        cmocka_unit_test(textures_stand_upright),
+        cmocka_unit_test(textures_inside_the_model_are_used),
+        cmocka_unit_test(materials_are_followed),
+        cmocka_unit_test(missing_normals_are_smooth),
+        cmocka_unit_test(flat_shows_facets),
+        cmocka_unit_test(summary_says_what_was_drawn),
+        cmocka_unit_test(compare_finds_equal_pictures),
+        cmocka_unit_test(demo_needs_no_file),
+    };
+    runner_start(argc, argv);
+    int failed = cmocka_run_group_tests_name("command, pictures", tests, NULL, NULL);
+    runner_end();
+    return failed != 0;
+}

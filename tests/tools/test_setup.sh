@@ -1,0 +1,90 @@
+#!/bin/sh
+# tools/setup.sh against stand-ins for dpkg-query, apt-get and id: nothing is installed.
+# usage: test_setup.sh [PATH_OF_SETUP]
+set -u
+setup=$(realpath "${1:-$(dirname "$0")/../../tools/setup.sh}")
+directory=$(mktemp -d)
+trap 'rm -rf "$directory"' EXIT
+passed=0
+failed=0
+
+# stand_in NAME BODY: a command that comes before the real one.
+stand_in() {
+    printf '#!/bin/sh\n%s\n' "$2" >"$directory/bin/$1"
+    chmod +x "$directory/bin/$1"
+}
+
+begin() {
+    rm -rf "$directory/bin" "$directory/calls"
+    mkdir "$directory/bin"
+    : >"$directory/calls"
+    stand_in apt-get 'echo "apt-get $* [$DEBIAN_FRONTEND]" >>'"$directory/calls"
+    stand_in dpkg-query 'for last; do :; done
+case " $MISSING " in *" $last "*) echo "no package $last" >&2; exit 1 ;; esac
+echo installed'
+    stand_in id 'echo "$USER_ID"'
+}
+
+# run MISSING USER_ID: leaves status, out and error.
+run() {
+    MISSING=$1 USER_ID=$2 PATH="$directory/bin:$PATH" sh "$setup" >"$directory/out" \
+        2>"$directory/error"
+    status=$?
+}
+
+# check WHAT CONDITION...
+check() {
+    what=$1
+    shift
+    if "$@"; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: $what" >&2
+        sed 's/^/    /' "$directory/out" "$directory/error" "$directory/calls" >&2
+    fi
+}
+
+begin
+run "" 1000
+check "all there: success" [ "$status" = 0 ]
+check "all there: nothing is called" [ ! -s "$directory/calls" ]
+
+begin
+run "libpng-dev libstb-dev" 1000
+check "no root: status 1" [ "$status" = 1 ]
+check "no root: the packages, and no others" grep -q -- \
+    "--no-install-recommends libpng-dev libstb-dev\$" "$directory/error"
+check "no root: one line" [ "$(wc -l <"$directory/error")" = 1 ]
+check "no root: nothing is called" [ ! -s "$directory/calls" ]
+
+begin
+run "libpng-dev libstb-dev" 0
+check "root: success" [ "$status" = 0 ]
+check "root: update, then install" [ "$(sed 's/.* \(update\|install\).*/\1/' \
+    "$directory/calls" | tr '\n' ' ')" = "update install " ]
+check "root: what is missing is installed" grep -q \
+    "install libpng-dev libstb-dev \[noninteractive\]" "$directory/calls"
+check "root: waits for the lock" [ "$(grep -c 'DPkg::Lock::Timeout=900' "$directory/calls")" = 2 ]
+check "root: no recommendations" grep -q -- "--no-install-recommends install" "$directory/calls"
+
+begin
+stand_in apt-get 'echo "the archive burns"; exit 100'
+run "libpng-dev" 0
+check "apt fails: status 1" [ "$status" = 1 ]
+check "apt fails: its words are shown" grep -q "the archive burns" "$directory/error"
+
+# Not Debian: a PATH that has neither tool.
+begin
+rm "$directory/bin/dpkg-query" "$directory/bin/apt-get"
+for tool in sh echo head mktemp rm cat; do
+    ln -s "$(command -v $tool)" "$directory/bin/$tool" 2>/dev/null
+done
+PATH="$directory/bin" "$directory/bin/sh" "$setup" >"$directory/out" 2>"$directory/error"
+status=$?
+check "no Debian: status 1" [ "$status" = 1 ]
+check "no Debian: says so, with the packages" grep -q "no Debian.*libosmesa6-dev" \
+    "$directory/error"
+
+echo "setup: $passed passed, $failed failed"
+[ "$failed" = 0 ]

@@ -1,0 +1,237 @@
+/* The teapot's shape: what is known of it without our own pictures. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+
+#include <teapot.h>
+
+#define LEVEL 6u
+#define PATCH_VERTICES ((LEVEL + 1) * (LEVEL + 1))
+#define PATCHES 32u
+
+/* In the order of the patches: 12 of rim and body, 4 of the handle, 4 of the spout, 12 of lid
+ * and bottom. */
+#define HANDLE 12u
+#define LID 20u
+#define BOTTOM 28u
+
+static const float color[4] = {0.1f, 0.2f, 0.3f, 0.4f};
+static model teapot;
+
+static int setup(void **state)
+{
+    (void)state;
+    return teapot_create(LEVEL, color, &teapot) ? 0 : 1;
+}
+
+static int teardown(void **state)
+{
+    (void)state;
+    model_free(&teapot);
+    return 0;
+}
+
+static const float *position(size_t vertex)
+{
+    return teapot.parts->positions + 3 * vertex;
+}
+
+static const float *normal(size_t vertex)
+{
+    return teapot.parts->normals + 3 * vertex;
+}
+
+static bool is_revolved(size_t vertex)
+{
+    size_t patch = vertex / PATCH_VERTICES;
+    return patch < HANDLE || patch >= LID;
+}
+
+/* Whether some vertex has that position and normal. */
+static bool is_there(const float p[3], const float n[3])
+{
+    for (size_t v = 0; v < PATCHES * PATCH_VERTICES; v++) {
+        float worst = 0.0f;
+        for (size_t c = 0; c < 3; c++) {
+            worst = fmaxf(worst, fabsf(position(v)[c] - p[c]));
+            worst = fmaxf(worst, fabsf(normal(v)[c] - n[c]));
+        }
+        if (worst < 1e-5f)
+            return true;
+    }
+    return false;
+}
+
+static void it_is_as_large_as_published(void **state)
+{
+    float low[3] = {9.0f, 9.0f, 9.0f};
+    float high[3] = {-9.0f, -9.0f, -9.0f};
+    (void)state;
+    assert_int_equal(teapot.part_count, 1);
+    assert_int_equal(teapot.parts->vertex_count, PATCHES * PATCH_VERTICES);
+    /* Two triangles a cell, but one where it touches a pole: in 8 patches. */
+    assert_int_equal(model_triangle_count(&teapot), PATCHES * LEVEL * LEVEL * 2 - 8 * LEVEL);
+    for (size_t v = 0; v < teapot.parts->vertex_count; v++) {
+        for (size_t c = 0; c < 3; c++) {
+            low[c] = fminf(low[c], position(v)[c]);
+            high[c] = fmaxf(high[c], position(v)[c]);
+        }
+        assert_memory_equal(teapot.parts->colors + 4 * v, color, sizeof color);
+    }
+    /* Lid's top, table, body's half width 2 at its widest; handle at -3, spout at 3.5. */
+    assert_true(low[1] == 0.0f && high[1] == 3.15f);
+    assert_true(fabsf(high[2] - 2.0f) < 0.01f && fabsf(low[2] + 2.0f) < 0.01f);
+    assert_true(low[0] < -2.9f && low[0] >= -3.0f);
+    assert_true(high[0] > 3.4f && high[0] < 3.525f);
+}
+
+static void it_is_symmetric(void **state)
+{
+    (void)state;
+    for (size_t v = 0; v < teapot.parts->vertex_count; v++) {
+        const float *p = position(v);
+        const float *n = normal(v);
+        float mirrored_p[3] = {p[0], p[1], -p[2]};
+        float mirrored_n[3] = {n[0], n[1], -n[2]};
+        assert_true(is_there(mirrored_p, mirrored_n));
+        if (!is_revolved(v))
+            continue;
+        float turned_p[3] = {p[2], p[1], -p[0]};
+        float turned_n[3] = {n[2], n[1], -n[0]};
+        assert_true(is_there(turned_p, turned_n));
+    }
+}
+
+/* Newell's quarter arcs are close to circles, so normals of what is revolved lie in the plane
+ * through the axis, nearly. */
+static void normals_are_unit_and_radial(void **state)
+{
+    (void)state;
+    for (size_t v = 0; v < teapot.parts->vertex_count; v++) {
+        const float *p = position(v);
+        const float *n = normal(v);
+        assert_true(fabsf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] - 1.0f) < 1e-5f);
+        float radius = hypotf(p[0], p[2]);
+        if (!is_revolved(v))
+            continue;
+        if (radius > 1e-3f)
+            assert_true(fabsf(n[0] * p[2] - n[2] * p[0]) / radius < 0.05f);
+        else
+            assert_true(fabsf(n[1]) > 0.9999f);
+    }
+}
+
+static void poles_point_up_and_down(void **state)
+{
+    int top = 0;
+    int bottom = 0;
+    (void)state;
+    for (size_t v = 0; v < teapot.parts->vertex_count; v++) {
+        const float *p = position(v);
+        if (p[0] != 0.0f || p[2] != 0.0f)
+            continue;
+        if (p[1] == 3.15f) {
+            top++;
+            assert_true(normal(v)[1] > 0.9999f);
+        }
+        if (p[1] == 0.0f) {
+            bottom++;
+            assert_true(normal(v)[1] < -0.9999f);
+        }
+    }
+    assert_int_equal(top, 4 * (LEVEL + 1));
+    assert_int_equal(bottom, 4 * (LEVEL + 1));
+}
+
+/* No degenerate triangle, and each one's own normal is on the side of its vertices'. */
+static void triangles_face_outwards(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < teapot.parts->index_count; i += 3) {
+        const uint32_t *t = teapot.parts->indices + i;
+        float a[3];
+        float b[3];
+        float cross[3];
+        float length = 0.0f;
+        for (int c = 0; c < 3; c++) {
+            a[c] = position(t[1])[c] - position(t[0])[c];
+            b[c] = position(t[2])[c] - position(t[0])[c];
+        }
+        for (int c = 0; c < 3; c++) {
+            cross[c] = a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
+            length += cross[c] * cross[c];
+        }
+        length = sqrtf(length);
+        assert_true(length > 1e-6f);
+        for (int k = 0; k < 3; k++) {
+            float cosine = 0.0f;
+            for (int c = 0; c < 3; c++)
+                cosine += cross[c] / length * normal(t[k])[c];
+            assert_true(cosine > 0.1f);
+        }
+    }
+    /* The bottom looks down, and with it the whole is the right way out. */
+    for (size_t v = BOTTOM * PATCH_VERTICES; v < PATCHES * PATCH_VERTICES; v++)
+        assert_true(normal(v)[1] < 0.1f);
+}
+
+static int compare_edges(const void *a, const void *b)
+{
+    return memcmp(a, b, 6 * sizeof(float));
+}
+
+/* Rim, body and bottom are one sheet: every edge but the rim's inner one belongs to two
+ * triangles, by the bits of the positions. */
+static void seams_are_closed(void **state)
+{
+    size_t count = 0;
+    float(*edges)[6] = calloc(teapot.parts->index_count, sizeof *edges);
+    (void)state;
+    assert_non_null(edges);
+    for (size_t i = 0; i < teapot.parts->index_count; i++) {
+        uint32_t from = teapot.parts->indices[i];
+        uint32_t to = teapot.parts->indices[i / 3 * 3 + (i + 1) % 3];
+        size_t patch = from / PATCH_VERTICES;
+        if (patch >= HANDLE && patch < BOTTOM)
+            continue;
+        float ends[2][3];
+        for (int c = 0; c < 3; c++) {
+            ends[0][c] = position(from)[c] + 0.0f; /* +0 for -0 */
+            ends[1][c] = position(to)[c] + 0.0f;
+        }
+        bool swapped = memcmp(ends[0], ends[1], sizeof ends[0]) > 0;
+        memcpy(edges[count], ends[swapped], sizeof ends[0]);
+        memcpy(edges[count] + 3, ends[!swapped], sizeof ends[0]);
+        count++;
+    }
+    qsort(edges, count, sizeof *edges, compare_edges);
+    size_t open = 0;
+    for (size_t first = 0, last; first < count; first = last) {
+        for (last = first + 1; last < count; last++) {
+            if (compare_edges(edges[first], edges[last]) != 0)
+                break;
+        }
+        assert_true(last - first <= 2);
+        open += last - first == 1;
+    }
+    free(edges);
+    assert_int_equal(open, 4 * LEVEL);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(it_is_as_large_as_published),
+        cmocka_unit_test(it_is_symmetric),
+        cmocka_unit_test(normals_are_unit_and_radial),
+        cmocka_unit_test(poles_point_up_and_down),
+        cmocka_unit_test(triangles_face_outwards),
+        cmocka_unit_test(seams_are_closed),
+    };
+    return cmocka_run_group_tests_name("teapot", tests, setup, teardown) != 0;
+}
