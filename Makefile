@@ -24,10 +24,8 @@ OSMESA_SOURCES = $(sort $(wildcard reference/osmesa/*.c))
 COMMAND_SOURCES = $(sort $(wildcard tools/gnomon/*.c))
 BENCH_SOURCES = $(sort $(wildcard tools/bench/*.c))
 PARITY_SOURCES = $(sort $(wildcard tests/parity/*.c))
-UNIT_SOURCES = $(sort $(wildcard tests/unit/*.c))
 PROPERTY_SOURCES = $(sort $(wildcard tests/property/*.c))
 EXHAUSTIVE_SOURCES = $(sort $(wildcard tests/exhaustive/*.c))
-HEADERS = $(sort $(wildcard include/*.h include/gnomon/*.h))
 
 # The property runner: libtheft where there is one, otherwise our own.
 THEFT_FOUND := $(shell $(PKG_CONFIG) --exists libtheft 2>/dev/null && echo yes)
@@ -38,7 +36,7 @@ THEFT_SOURCES =
 else
 THEFT_CFLAGS = -Itests/theft
 THEFT_LIBS =
-THEFT_SOURCES = $(sort $(filter-out tests/theft/selftest.c,$(wildcard tests/theft/*.c)))
+THEFT_SOURCES = $(sort $(wildcard tests/theft/theft_*.c))
 endif
 
 objects = $(patsubst %.c,$(BUILD)/%.o,$(1))
@@ -65,7 +63,7 @@ $(BUILD)/libgnomon.a: $(call objects,$(LIBRARY_SOURCES))
 
 $(BUILD)/libgnomon.so: $(call objects,$(LIBRARY_SOURCES))
 	@echo '  LD $@'
-	@$(CC) $(CFLAGS) -shared -nostdlib -Wl,-z,defs -Wl,-soname,libgnomon.so.0 $^ -o $@
+	@$(CC) $(CFLAGS) $(SANITIZE) -shared -nostdlib -Wl,-z,defs -Wl,-soname,libgnomon.so.0 $^ -o $@
 
 $(BUILD)/src/%.o: src/%.c Makefile
 	@mkdir -p $(@D)
@@ -77,38 +75,142 @@ $(BUILD)/%.o: %.c Makefile
 	@echo '  CC $<'
 	@$(CC) $(PROGRAM_FLAGS) $(EXTRA_FLAGS) -MMD -MP -c $< -o $@
 
-$(BUILD)/tests/theft/%.o $(BUILD)/tests/property/%.o: EXTRA_FLAGS = $(THEFT_CFLAGS) -Itests/parity
+$(BUILD)/tests/theft/%.o: EXTRA_FLAGS = -Itests/theft
+$(BUILD)/tests/property/%.o: EXTRA_FLAGS = $(THEFT_CFLAGS) -Itests/parity
+$(BUILD)/tests/tools/%.o: EXTRA_FLAGS = -Itools/gnomon
 
 # Programs
 
-$(BUILD)/gnomon: $(call objects,$(COMMAND_SOURCES) $(SCENE_SOURCES) $(OSMESA_SOURCES)) $(BUILD)/libgnomon.a
-	@echo '  LD $@'
-	@$(CC) $(CFLAGS) $(SANITIZE) $^ -o $@ -lassimp -lpng -lstb -lOSMesa -lm
+REFERENCE_OBJECTS = $(call objects,$(SCENE_SOURCES) $(OSMESA_SOURCES))
+LINK = @echo '  LD $@' && $(CC) $(CFLAGS) $(SANITIZE) $^ -o $@
 
-$(BUILD)/parity: $(call objects,$(PARITY_SOURCES) $(SCENE_SOURCES) $(OSMESA_SOURCES)) $(BUILD)/libgnomon.a
-	@echo '  LD $@'
-	@$(CC) $(CFLAGS) $(SANITIZE) $^ -o $@ -lOSMesa -lm
+$(BUILD)/gnomon: $(call objects,$(COMMAND_SOURCES)) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
+	$(LINK) -lassimp -lpng -lstb -lOSMesa -lm
 
-$(BUILD)/unit-tests: $(call objects,$(UNIT_SOURCES)) $(BUILD)/libgnomon.a
-	@echo '  LD $@'
-	@$(CC) $(CFLAGS) $(SANITIZE) $^ -o $@ -lcmocka -lm
+$(BUILD)/bench: $(call objects,$(BENCH_SOURCES)) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
+	$(LINK) -lOSMesa -lm
 
-$(BUILD)/theft-selftest: $(call objects,$(THEFT_SOURCES)) $(BUILD)/tests/theft/selftest.o
-	@echo '  LD $@'
-	@$(CC) $(CFLAGS) $(SANITIZE) $^ -o $@ -lcmocka -lm
-
-$(BUILD)/property-tests: $(call objects,$(PROPERTY_SOURCES) $(THEFT_SOURCES) $(SCENE_SOURCES) \
-		$(filter-out tests/parity/gate.c,$(PARITY_SOURCES))) $(BUILD)/libgnomon.a
-	@echo '  LD $@'
-	@$(CC) $(CFLAGS) $(SANITIZE) $^ -o $@ $(THEFT_LIBS) -lm
-
-$(BUILD)/bench: $(call objects,$(BENCH_SOURCES) $(SCENE_SOURCES) $(OSMESA_SOURCES)) $(BUILD)/libgnomon.a
-	@echo '  LD $@'
-	@$(CC) $(CFLAGS) $^ -o $@ -lOSMesa -lm
+$(BUILD)/parity: $(call objects,$(PARITY_SOURCES)) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
+	$(LINK) -lOSMesa -lm
 
 $(BUILD)/exhaustive: $(call objects,$(EXHAUSTIVE_SOURCES)) $(BUILD)/libgnomon.a
-	@echo '  LD $@'
-	@$(CC) $(CFLAGS) $^ -o $@ -lmpfr -lm
+	$(LINK) -lmpfr -lm
+
+$(BUILD)/property-tests: $(call objects,$(PROPERTY_SOURCES) $(THEFT_SOURCES) $(SCENE_SOURCES) \
+		$(filter-out tests/parity/gate.c tests/parity/compare.c,$(PARITY_SOURCES))) \
+		$(BUILD)/libgnomon.a
+	$(LINK) $(THEFT_LIBS) -lm
+
+$(BUILD)/theft-selftest: $(call objects,$(sort $(wildcard tests/theft/*.c)))
+	$(LINK) -lcmocka -lm
+
+UNIT_TESTS = $(patsubst tests/unit/%.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c))
+
+$(UNIT_TESTS): $(BUILD)/%: $(BUILD)/tests/unit/%.o $(BUILD)/libgnomon.a
+	$(LINK) -lcmocka -lm
+
+RUNNER = $(BUILD)/tests/tools/runner.o
+TOOL_TESTS = $(BUILD)/test_faults $(BUILD)/test_pictures $(BUILD)/test_comparison $(BUILD)/test_teapot
+
+$(BUILD)/test_faults $(BUILD)/test_pictures: $(BUILD)/test_%: $(BUILD)/tests/tools/test_%.o $(RUNNER)
+	$(LINK) -lcmocka -lpng -lstb -lm
+
+$(BUILD)/test_comparison: $(BUILD)/tests/tools/test_comparison.o $(RUNNER) \
+		$(call objects,$(addprefix tools/gnomon/,comparison.c png_write.c output.c report.c)) \
+		$(call objects,$(SCENE_SOURCES)) $(BUILD)/libgnomon.a
+	$(LINK) -lcmocka -lpng -lm
+
+$(BUILD)/test_teapot: $(BUILD)/tests/tools/test_teapot.o \
+		$(call objects,$(addprefix tools/gnomon/,teapot.c model.c normals.c report.c)) \
+		$(BUILD)/libgnomon.a
+	$(LINK) -lassimp -lcmocka -lm
+
+# What people run
+
+.PHONY: demo
+demo: ## set up, then draw the teapot with Gnomon and with OSMesa and compare
+demo: all
+	@$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png --picture $(BUILD)/teapot.png
+
+SCENES ?= 20000
+SEED ?= 1
+FRAMES ?= 15
+
+.PHONY: parity
+parity: $(BUILD)/parity ## random scenes against OSMesa, bit for bit: SCENES=20000 SEED=1
+	@$(BUILD)/parity --scenes $(SCENES) --seed $(SEED) --keep $(BUILD)/parity-failure.scene
+
+.PHONY: exhaustive
+exhaustive: $(BUILD)/exhaustive ## the scalar functions on all 2^32 arguments against MPFR
+	@$(BUILD)/exhaustive
+
+.PHONY: bench
+bench: $(BUILD)/bench ## speed beside OSMesa's, as ratios: FRAMES=15
+	@$(BUILD)/bench --frames $(FRAMES)
+
+.PHONY: check-freestanding
+check-freestanding: ## no undefined symbols, no writable data, headers alone
+	@tests/portability/freestanding.sh $(BUILD)
+
+# The everyday gate. The same programs are built three times: as they are, under the
+# sanitizers, and with lanes in plain C.
+
+TEST_SEED ?= $(shell date +%s)
+CHECKED = $(BUILD)/sanitized
+CHECKED_FLAGS = BUILD=$(CHECKED) CFLAGS='-O1 -g' \
+	SANITIZE='-fsanitize=address,undefined -fno-sanitize-recover=all'
+PLAIN = $(BUILD)/portable
+PLAIN_FLAGS = BUILD=$(PLAIN) CFLAGS='$(CFLAGS) -DGN_PORTABLE_LANES'
+
+unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
+
+.PHONY: test-programs
+test-programs: $(UNIT_TESTS) $(BUILD)/property-tests $(BUILD)/parity
+
+.PHONY: test
+test: ## everything, in a few minutes; ends on "N passed, N failed"
+	@$(MAKE) --no-print-directory -j2 all test-programs $(TOOL_TESTS) $(BUILD)/theft-selftest \
+		$(BUILD)/exhaustive $(BUILD)/bench
+	@$(MAKE) --no-print-directory -j2 $(CHECKED_FLAGS) test-programs
+	@$(MAKE) --no-print-directory -j2 $(PLAIN_FLAGS) $(PLAIN)/parity $(PLAIN)/test_texture $(PLAIN)/test_draw
+	@LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0 tests/run.sh \
+		$(call unit_steps,$(BUILD),) \
+		'theft=$(BUILD)/theft-selftest' \
+		'properties=$(BUILD)/property-tests --seed $(TEST_SEED)' \
+		'scalar functions=$(BUILD)/exhaustive --stride 9973' \
+		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes 2100 --keep $(BUILD)/parity-failure.scene' \
+		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
+		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
+		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \
+		'command, comparison=$(BUILD)/test_comparison $(BUILD)/gnomon' \
+		'teapot=$(BUILD)/test_teapot' \
+		'set-up=sh tests/tools/test_setup.sh' \
+		'benchmark runs=$(BUILD)/bench --frames 1 --scene S6' \
+		'freestanding=tests/portability/freestanding.sh $(BUILD)' \
+		'embedding=tests/embed/readme.sh $(BUILD)' \
+		$(call unit_steps,$(CHECKED),sanitized ) \
+		'sanitized properties=$(CHECKED)/property-tests --seed $(TEST_SEED) --trials 100' \
+		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 315 --keep $(BUILD)/parity-failure.scene' \
+		'portable lanes, textures=$(PLAIN)/test_texture' \
+		'portable lanes, draws=$(PLAIN)/test_draw' \
+		'portable lanes, parity=$(PLAIN)/parity --seed $(TEST_SEED) --scenes 630 --keep $(BUILD)/parity-failure.scene'
+
+# Installation
+
+.PHONY: install
+install: library ## headers, library and pkg-config file: PREFIX=/usr/local DESTDIR=
+	@install -d $(DESTDIR)$(PREFIX)/include/gnomon $(DESTDIR)$(PREFIX)/lib/pkgconfig
+	@install -m 644 include/gnomon.h $(DESTDIR)$(PREFIX)/include/
+	@install -m 644 include/gnomon/*.h $(DESTDIR)$(PREFIX)/include/gnomon/
+	@install -m 644 $(BUILD)/libgnomon.a $(DESTDIR)$(PREFIX)/lib/
+	@install -m 755 $(BUILD)/libgnomon.so $(DESTDIR)$(PREFIX)/lib/libgnomon.so.0
+	@ln -sf libgnomon.so.0 $(DESTDIR)$(PREFIX)/lib/libgnomon.so
+	@printf 'prefix=%s\nName: Gnomon\nDescription: 3D mathematics and software rendering\nVersion: 0.1.0\nCflags: -I$${prefix}/include\nLibs: -L$${prefix}/lib -lgnomon\n' \
+		'$(PREFIX)' >$(DESTDIR)$(PREFIX)/lib/pkgconfig/gnomon.pc
+
+.PHONY: format
+format: ## clang-format over all C
+	@git ls-files '*.c' '*.h' | xargs clang-format -i
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
 

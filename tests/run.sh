@@ -1,9 +1,8 @@
 #!/bin/sh
-# Runs the test programs named on the command line, each `NAME=COMMAND`, and adds up
-# what they say: CMocka's "N test(s)." lines and lines "N passed, N failed". A program
-# that exits non-zero without naming a failure, or that names no test at all, counts as
-# one failure; one that only exits 0 with a line "NAME: ok" counts as one pass.
-# The last line is the sum.
+# Runs the steps named on the command line, each `NAME=COMMAND`, and adds up their tests:
+# CMocka's "N test(s)." lines, lines "N passed, N failed" and lines "properties: ... PASS"
+# or "FAIL". A step that names no test counts as one, by its exit status; one that exits
+# non-zero without naming a failure counts as one failure. The last line is the sum.
 set -u
 passed=0
 failed=0
@@ -22,7 +21,10 @@ for step in "$@"; do
         /^\[  PASSED  \] [0-9]+ test/ { p += $4; n = 1 }
         /^\[  FAILED  \] [0-9]+ test/ { f += $4; n = 1 }
         /^[0-9]+ passed, [0-9]+ failed$/ { p += $1; f += $3; n = 1 }
-        /: ok$/ { p += 1; n = 1 }
+        /passed, [0-9]+ failed$/ && !/^[0-9]/ && match($0, /[0-9]+ passed, [0-9]+ failed$/) {
+            split(substr($0, RSTART), w, /[ ,]+/); p += w[1]; f += w[3]; n = 1 }
+        /^properties: .*PASS/ { p += 1; n = 1 }
+        /^properties: .*FAIL/ { f += 1; n = 1 }
         END { print p + 0, f + 0, n + 0 }')
     p=${counts%% *}
     rest=${counts#* }
@@ -31,7 +33,9 @@ for step in "$@"; do
     if [ "$status" -ne 0 ] && [ "$f" -eq 0 ]; then
         echo "$name: exit status $status"
         f=1
-    elif [ "$seen" -eq 0 ] || [ $((p + f)) -eq 0 ]; then
+    elif [ "$seen" -eq 0 ]; then
+        p=1
+    elif [ $((p + f)) -eq 0 ]; then
         echo "$name: no test was run"
         f=1
     fi

@@ -137,8 +137,10 @@ void shape_strip(builder *b, uint32_t triangles)
     const gn_viewport view = builder_viewport(b);
     const bool fan = random_chance(r, 50);
     b->state.topology = fan ? GN_TRIANGLE_FAN : GN_TRIANGLE_STRIP;
-    const uint32_t leftover = random_below(r, 20);
-    const uint32_t count = leftover == 0 ? random_below(r, 3) : triangles + 2;
+    /* Too few for a triangle now and then; often four, which the reference may draw as
+     * a quadrilateral. */
+    const uint32_t kind = random_below(r, 20);
+    const uint32_t count = kind == 0 ? random_below(r, 3) : kind < 5 ? 4 : triangles + 2;
     const bool walk = random_chance(r, 60);
     float x = view.x + 0.5f * view.width, y = view.y + 0.5f * view.height;
     for (uint32_t i = 0; i < count; i++) {
@@ -218,7 +220,7 @@ void generate_strips(builder *b)
 {
     random_source *r = &b->random;
     builder_common_target(b);
-    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
         builder_common_state(b);
         const bool flat = random_chance(r, 50);
         for (int i = 0; flat && i < 4; i++)

@@ -152,10 +152,13 @@ void generate_culling(builder *b)
         const bool flat = random_chance(r, 60);
         for (int i = 0; flat && i < 4; i++)
             b->state.interpolation[i] = GN_FLAT;
-        if (random_chance(r, 40))
-            shape_strip(b, 1 + builder_triangle_count(b) / 2);
+        const uint32_t kind = random_below(r, 10), count = 1 + builder_triangle_count(b) / 2;
+        if (kind < 3)
+            shape_strip(b, count);
+        else if (kind < 6) /* so thin that snapping may turn them over */
+            shape_slivers(b, count);
         else
-            any_shape(b, 1 + builder_triangle_count(b) / 2);
+            any_shape(b, count);
         builder_draw(b);
     }
 }

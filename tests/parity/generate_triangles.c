@@ -96,7 +96,7 @@ void shape_slivers(builder *b, uint32_t count)
         const bool vertical = random_chance(r, 50);
         const float x1 = along && vertical ? x0 + random_octave(r, -9, 0) : viewport_x(b, 0.2f);
         const float y1 = along && !vertical ? y0 + random_octave(r, -9, 0) : viewport_y(b, 0.2f);
-        const float t = random_float(r, -0.1f, 1.1f), thickness = random_octave(r, -9, 0);
+        const float t = random_float(r, -0.1f, 1.1f), thickness = random_octave(r, -12, 0);
         const float x2 = x0 + (x1 - x0) * t + random_float(r, -thickness, thickness);
         const float y2 = y0 + (y1 - y0) * t + random_float(r, -thickness, thickness);
         const bool affine = random_chance(r, 50);
@@ -231,13 +231,15 @@ void shape_near_crossing(builder *b, uint32_t count)
     }
 }
 
-/* A clip position of w = 0 which is not the origin: a point at infinity. */
-static void place_at_infinity(builder *b, vertex *v)
+/* A clip position of w = 0 which is not the origin: a point at infinity. On an axis or
+ * a coordinate plane for one vertex of a triangle at most: an edge between two such may
+ * go through the origin, and a clipped vertex of 0, 0, 0, 0 is out of contract. */
+static void place_at_infinity(builder *b, vertex *v, bool on_axis)
 {
     random_source *r = &b->random;
     do {
         for (int c = 0; c < 3; c++)
-            v->position[c] = random_chance(r, 30) ? 0.0f : random_float(r, -1.0f, 1.0f);
+            v->position[c] = on_axis && random_chance(r, 50) ? 0.0f : random_float(r, -1.0f, 1.0f);
     } while (v->position[0] == 0.0f && v->position[1] == 0.0f && v->position[2] == 0.0f);
     v->position[3] = 0.0f;
 }
@@ -276,13 +278,13 @@ void shape_degenerate(builder *b, uint32_t count)
             break;
         }
         case 3:
-            place_at_infinity(b, &v[k]);
+            place_at_infinity(b, &v[k], random_chance(r, 60));
             if (random_chance(r, 30))
-                place_at_infinity(b, &v[other]);
+                place_at_infinity(b, &v[other], false);
             break;
         case 4: /* at w = 0 all of them */
             for (int n = 0; n < 3; n++)
-                place_at_infinity(b, &v[n]);
+                place_at_infinity(b, &v[n], n == 0 && random_chance(r, 50));
             break;
         case 5: /* of no extent in depth or seen from the side */
             for (int n = 0; n < 3; n++)
