@@ -21,21 +21,27 @@ size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count)
     return (size_t)(batches * batch) + BATCH_ALIGNMENT;
 }
 
-/* Where the vertices of a part come from. The elements of a draw are its indices,
- * or its vertices where it has none. If a part is `shared`, its slots are the vertices
- * base, base + 1, ... and an element finds its slot by its index; otherwise slot i is
- * the part's element i, shaded as often as it occurs. */
-typedef struct draw_part {
+/* Where vertices are kept. The elements of a draw are its indices, or its vertices
+ * where it has none. If `shared`, the slots are the vertices base, base + 1, ... and an
+ * element finds its slot by its index; otherwise they are consecutive elements of the
+ * draw from `first_element` on, each shaded for itself. */
+typedef struct slot_map {
     bool shared;
     uint32_t base;
-    uint32_t first_element; /* of the part, from the mesh's first */
-} draw_part;
+    uint32_t first_element;
+} slot_map;
+
+/* The reference takes a draw in segments of this many elements, and some of its
+ * decisions depend on all vertices of a segment (resolve_outcodes). */
+#define SEGMENT_ELEMENTS 4096
+#define SEGMENT_INDICES 1024
 
 typedef struct draw_state {
     const gn_pipeline *pipeline;
     const gn_mesh *mesh;
     vertex_store store;
     uint32_t capacity; /* batches for vertices; the one after them is the clipper's */
+    slot_map map;
     viewport_transform viewport;
     bool is_quad;
     setup_state setup;
@@ -58,19 +64,28 @@ static uint32_t element_vertex(const gn_mesh *mesh, uint32_t element)
     }
 }
 
-/* The vertex in a slot of a part. A fan's part keeps the fan's first element in
- * slot 0. */
-static uint32_t slot_vertex(const draw_state *draw, const draw_part *part, uint32_t slot)
+/* The vertex in a slot. A fan keeps its first element in slot 0 whichever others are
+ * there. */
+static uint32_t slot_vertex(const draw_state *draw, uint32_t slot)
 {
-    if (part->shared)
-        return part->base + slot;
+    if (draw->map.shared)
+        return draw->map.base + slot;
     if (draw->pipeline->topology == GN_TRIANGLE_FAN && slot == 0)
         return element_vertex(draw->mesh, 0);
-    return element_vertex(draw->mesh, part->first_element + slot);
+    return element_vertex(draw->mesh, draw->map.first_element + slot);
 }
 
-/* Shades a part's vertices. Gives the union of their outcodes. */
-static uint32_t shade_vertices(const draw_state *draw, const draw_part *part, uint32_t slot_count)
+static uint32_t element_slot(const draw_state *draw, uint32_t element)
+{
+    if (draw->map.shared)
+        return element_vertex(draw->mesh, element) - draw->map.base;
+    if (draw->pipeline->topology == GN_TRIANGLE_FAN && element == 0)
+        return 0;
+    return element - draw->map.first_element;
+}
+
+/* Shades the vertices of the first slots. Gives the union of their outcodes. */
+static uint32_t shade_slots(const draw_state *draw, uint32_t slot_count)
 {
     float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES];
     uint32_t vertex_id[GN_LANES];
@@ -85,7 +100,7 @@ static uint32_t shade_vertices(const draw_state *draw, const draw_part *part, ui
         const uint32_t count = slot_count - slot < GN_LANES ? slot_count - slot : GN_LANES;
 
         for (uint32_t l = 0; l < GN_LANES; ++l)
-            vertex_id[l] = slot_vertex(draw, part, slot + (l < count ? l : count - 1));
+            vertex_id[l] = slot_vertex(draw, slot + (l < count ? l : count - 1));
         gn_fetch_attributes(draw->mesh, vertex_id, attribute);
         input.count = count;
         output.position = batch->clip;
@@ -132,8 +147,7 @@ static void draw_triangle(draw_state *draw, const vertex_triangle *triangle)
 }
 
 /* Draws triangles first to first + count - 1, whose vertices are shaded. */
-static void draw_part_triangles(draw_state *draw, const draw_part *part, uint32_t first,
-                                uint32_t count)
+static void draw_triangles(draw_state *draw, uint32_t first, uint32_t count)
 {
     const gn_pipeline *p = draw->pipeline;
 
@@ -141,14 +155,10 @@ static void draw_part_triangles(draw_state *draw, const draw_part *part, uint32_
         vertex_triangle t = draw->is_quad
                                 ? gn_assemble_quad(i)
                                 : gn_assemble_triangle(p->topology, p->provoking_vertex, i);
-        uint32_t *const element[4] = {&t.slot[0], &t.slot[1], &t.slot[2], &t.provoking};
 
-        for (int n = 0; n < 4; ++n) {
-            if (part->shared)
-                *element[n] = element_vertex(draw->mesh, *element[n]) - part->base;
-            else if (p->topology != GN_TRIANGLE_FAN || *element[n] != 0)
-                *element[n] -= part->first_element;
-        }
+        for (int n = 0; n < 3; ++n)
+            t.slot[n] = element_slot(draw, t.slot[n]);
+        t.provoking = element_slot(draw, t.provoking);
         draw_triangle(draw, &t);
     }
 }
@@ -162,9 +172,9 @@ static bool has_flat_varying(const gn_pipeline *pipeline)
     return false;
 }
 
-/* What depends on the outcodes of all vertices of a draw: culling (setup.c), and that a
- * fan of four vertices without indices, none clipped, is taken as a quad, which can show only where the
- * first vertex would provoke and nothing is flat. */
+/* What depends on the outcodes of all vertices of a segment: culling (setup.c), and that
+ * a fan of four vertices without indices, none clipped, is taken as a quad, which can
+ * show only where the first vertex would provoke and nothing is flat. */
 static void resolve_outcodes(draw_state *draw, uint32_t outcodes)
 {
     const gn_pipeline *p = draw->pipeline;
@@ -175,45 +185,61 @@ static void resolve_outcodes(draw_state *draw, uint32_t outcodes)
                     p->provoking_vertex == GN_PROVOKING_FIRST && !has_flat_varying(p);
 }
 
-/* The part that begins with a triangle's elements, each shaded for itself. */
-static draw_part elements_part(const draw_state *draw, uint32_t first)
+/* Triangles that a number of elements make, from any triangle on. */
+static uint32_t triangles_of(const draw_state *draw, uint32_t elements)
 {
-    draw_part part;
-
-    part.shared = false;
-    part.base = 0;
-    part.first_element = draw->pipeline->topology == GN_TRIANGLES ? 3 * first : first;
-    return part;
+    return draw->pipeline->topology == GN_TRIANGLES ? elements / 3 : elements - 2;
 }
 
-/* Draws by elements, as many triangles at a time as the workspace has slots for. With
- * several parts a walk before tells whether any vertex is clipped, where that matters. */
-static void draw_by_elements(draw_state *draw, uint32_t triangle_count)
+/* Shades the elements of triangles first to first + count - 1, each for itself. */
+static uint32_t shade_elements(draw_state *draw, uint32_t first, uint32_t count)
 {
     const bool separate = draw->pipeline->topology == GN_TRIANGLES;
-    const uint32_t slots = draw->capacity * GN_LANES;
-    const uint32_t step = separate ? slots / 3 : slots - 2;
-    const bool one_part = triangle_count <= step;
+
+    draw->map.first_element = separate ? 3 * first : first;
+    return shade_slots(draw, separate ? 3 * count : count + 2);
+}
+
+/* Draws a segment as many triangles at a time as the workspace has slots for. With
+ * several parts a walk before tells whether any vertex is clipped, where that matters. */
+static void draw_segment(draw_state *draw, uint32_t first, uint32_t count)
+{
+    const uint32_t step = triangles_of(draw, draw->capacity * GN_LANES);
+    const uint32_t end = first + count;
     uint32_t outcodes = 0;
 
-    for (int walk = one_part || draw->pipeline->cull == GN_CULL_NONE; walk < 2; ++walk) {
-        for (uint32_t first = 0; first < triangle_count; first += step) {
-            const uint32_t left = triangle_count - first;
-            const uint32_t count = left < step ? left : step;
-            const draw_part part = elements_part(draw, first);
+    if (count > step && draw->pipeline->cull != GN_CULL_NONE) {
+        for (uint32_t i = first; i < end; i += step)
+            outcodes |= shade_elements(draw, i, end - i < step ? end - i : step);
+    }
+    for (uint32_t i = first; i < end; i += step) {
+        const uint32_t part = end - i < step ? end - i : step;
 
-            outcodes |= shade_vertices(draw, &part, separate ? 3 * count : count + 2);
-            if (walk == 0)
-                continue;
-            resolve_outcodes(draw, outcodes);
-            draw_part_triangles(draw, &part, first, count);
-        }
+        outcodes |= shade_elements(draw, i, part);
+        resolve_outcodes(draw, outcodes);
+        draw_triangles(draw, i, part);
     }
 }
 
-/* Shades the range of vertices that the elements name once, where it fits the
- * workspace and is no longer than the elements. */
-static bool draw_shared(draw_state *draw, uint32_t triangle_count)
+/* The union of outcodes over the elements of triangles first to first + count - 1, where
+ * the vertices of the whole draw are shaded. */
+static uint32_t segment_outcodes(const draw_state *draw, uint32_t first, uint32_t count)
+{
+    uint32_t outcodes = 0;
+
+    for (uint32_t i = first; i < first + count; ++i) {
+        const vertex_triangle t =
+            gn_assemble_triangle(draw->pipeline->topology, draw->pipeline->provoking_vertex, i);
+
+        for (int n = 0; n < 3; ++n)
+            outcodes |= outcode_of(draw, element_slot(draw, t.slot[n]));
+    }
+    return outcodes;
+}
+
+/* Whether the range of vertices that the elements name fits the workspace and is no
+ * longer than the elements; then it is shaded once for the whole draw. */
+static bool map_shared(draw_state *draw, uint32_t *slot_count)
 {
     const gn_mesh *mesh = draw->mesh;
     uint32_t low = UINT32_MAX;
@@ -227,16 +253,32 @@ static bool draw_shared(draw_state *draw, uint32_t triangle_count)
         low = vertex < low ? vertex : low;
         high = vertex > high ? vertex : high;
     }
-    if (high - low >= mesh->count || (high - low) / GN_LANES >= draw->capacity)
-        return false;
+    draw->map.shared = high - low < mesh->count && (high - low) / GN_LANES < draw->capacity;
+    draw->map.base = low;
+    *slot_count = high - low + 1;
+    return draw->map.shared;
+}
 
-    draw_part part;
-    part.shared = true;
-    part.base = low;
-    part.first_element = 0;
-    resolve_outcodes(draw, shade_vertices(draw, &part, high - low + 1));
-    draw_part_triangles(draw, &part, 0, triangle_count);
-    return true;
+static void draw_segments(draw_state *draw)
+{
+    const bool indexed = draw->mesh->index_format != GN_INDEX_NONE;
+    const uint32_t total = gn_triangle_count(draw->pipeline->topology, draw->mesh->count);
+    const uint32_t step = triangles_of(draw, indexed ? SEGMENT_INDICES : SEGMENT_ELEMENTS);
+    uint32_t slot_count = 0;
+    uint32_t outcodes = 0;
+
+    if (total > 0 && map_shared(draw, &slot_count))
+        outcodes = shade_slots(draw, slot_count);
+    for (uint32_t first = 0; first < total; first += step) {
+        const uint32_t count = total - first < step ? total - first : step;
+
+        if (!draw->map.shared) {
+            draw_segment(draw, first, count);
+            continue;
+        }
+        resolve_outcodes(draw, outcodes ? segment_outcodes(draw, first, count) : 0);
+        draw_triangles(draw, first, count);
+    }
 }
 
 gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
@@ -257,7 +299,6 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
     if (workspace->size < gn_workspace_size(0, pipeline->varying_count))
         return GN_WORKSPACE_TOO_SMALL;
 
-    const uint32_t triangle_count = gn_triangle_count(pipeline->topology, mesh->count);
     const gn_surface *any =
         target->color.format != GN_FORMAT_NONE ? &target->color : &target->depth;
     const size_t skip = (0 - (uintptr_t)workspace->memory) & (BATCH_ALIGNMENT - 1);
@@ -271,6 +312,9 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
     draw.store.batch_size = batch_size;
     draw.capacity = batches - 1 < UINT32_MAX / GN_LANES / 2 ? (uint32_t)(batches - 1)
                                                             : UINT32_MAX / GN_LANES / 2;
+    draw.map.shared = false;
+    draw.map.base = 0;
+    draw.map.first_element = 0;
     draw.viewport = gn_viewport_transform(pipeline, any->width, any->height);
     draw.setup.pipeline = pipeline;
     draw.setup.width = any->width;
@@ -279,7 +323,6 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
     draw.is_quad = false;
     draw.fragment = gn_fragment_state(target, pipeline);
 
-    if (triangle_count > 0 && !draw_shared(&draw, triangle_count))
-        draw_by_elements(&draw, triangle_count);
+    draw_segments(&draw);
     return GN_OK;
 }

@@ -22,6 +22,10 @@ void shape_triangles(builder *b, placement p, uint32_t count);
 void shape_tiny(builder *b, uint32_t count);
 void shape_slivers(builder *b, uint32_t count);
 void shape_ties(builder *b, uint32_t count);
+
+/* So thin that snapping turns them over, or gives them an area. */
+void shape_turning(builder *b, uint32_t count);
+
 void shape_huge(builder *b, uint32_t count);
 void shape_offscreen(builder *b, uint32_t count);
 void shape_behind(builder *b, uint32_t count);

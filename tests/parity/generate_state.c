@@ -153,12 +153,15 @@ void generate_culling(builder *b)
         for (int i = 0; flat && i < 4; i++)
             b->state.interpolation[i] = GN_FLAT;
         const uint32_t kind = random_below(r, 10), count = 1 + builder_triangle_count(b) / 2;
-        if (kind < 3)
+        if (kind < 3) {
             shape_strip(b, count);
-        else if (kind < 6) /* so thin that snapping may turn them over */
-            shape_slivers(b, count);
-        else
+        } else if (kind < 6) {
+            shape_turning(b, count);
+            /* The reference culls otherwise where some vertex of a draw is outside. */
+            shape_triangles(b, PLACE_ANYWHERE, random_below(r, 2));
+        } else {
             any_shape(b, count);
+        }
         builder_draw(b);
     }
 }

@@ -109,6 +109,47 @@ void shape_slivers(builder *b, uint32_t count)
     }
 }
 
+static float snapped(float window)
+{
+    return rintf((window - 0.5f) * 256.0f);
+}
+
+/* Twice the area, counter-clockwise positive. */
+static float area_of(float p[3][2])
+{
+    return (p[0][0] - p[2][0]) * (p[1][1] - p[2][1]) - (p[0][1] - p[2][1]) * (p[1][0] - p[2][0]);
+}
+
+void shape_turning(builder *b, uint32_t count)
+{
+    random_source *r = &b->random;
+    for (uint32_t i = 0; i < count; i++) {
+        float p[3][2], s[3][2];
+        bool turned = false;
+        for (int attempt = 0; attempt < 100 && !turned; attempt++) {
+            const bool middle = random_chance(r, 50); /* no area until it is snapped */
+            const float t = middle ? 0.5f : random_unit(r);
+            for (int k = 0; k < 2; k++) {
+                p[k][0] = on_grain(viewport_x(b, -0.02f), 256.0f);
+                p[k][1] = on_grain(viewport_y(b, -0.02f), 256.0f);
+            }
+            for (int c = 0; c < 2; c++) {
+                const float off = middle ? 0.0f : random_float(r, -0.004f, 0.004f);
+                p[2][c] = p[0][c] + (p[1][c] - p[0][c]) * t + off;
+            }
+            for (int k = 0; k < 3; k++)
+                for (int c = 0; c < 2; c++)
+                    s[k][c] = snapped(p[k][c]);
+            const float area = area_of(p), snapped_area = area_of(s);
+            turned = (area > 0.0f && snapped_area < 0.0f) ||
+                     (area <= 0.0f && snapped_area > 0.0f) ||
+                     (area == 0.0f && snapped_area != 0.0f);
+        }
+        for (int k = 0; k < 3; k++)
+            builder_place(b, builder_vertex(b), p[k][0], p[k][1], device_depth(b), 1.0f);
+    }
+}
+
 /* Triangles in pairs that share an edge, so that a tie drawn twice or not at all
  * shows; vertices close together half of the time, so that there are many ties. */
 void shape_ties(builder *b, uint32_t count)
