@@ -78,6 +78,7 @@ $(BUILD)/%.o: %.c Makefile
 $(BUILD)/tests/theft/%.o: EXTRA_FLAGS = -Itests/theft
 $(BUILD)/tests/property/%.o: EXTRA_FLAGS = $(THEFT_CFLAGS) -Itests/parity
 $(BUILD)/tests/tools/%.o: EXTRA_FLAGS = -Itools/gnomon
+$(BUILD)/tests/exhaustive/%.o: EXTRA_FLAGS = -DGN_REFERENCE_MPFR
 
 # Programs
 

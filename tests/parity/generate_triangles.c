@@ -120,6 +120,12 @@ static float area_of(float p[3][2])
     return (p[0][0] - p[2][0]) * (p[1][1] - p[2][1]) - (p[0][1] - p[2][1]) * (p[1][0] - p[2][0]);
 }
 
+static bool in_viewport(const builder *b, const float p[2])
+{
+    const gn_viewport v = builder_viewport(b);
+    return p[0] > v.x && p[0] < v.x + v.width && p[1] > v.y && p[1] < v.y + v.height;
+}
+
 void shape_turning(builder *b, uint32_t count)
 {
     random_source *r = &b->random;
@@ -129,10 +135,13 @@ void shape_turning(builder *b, uint32_t count)
         for (int attempt = 0; attempt < 100 && !turned; attempt++) {
             const bool middle = random_chance(r, 50); /* no area until it is snapped */
             const float t = middle ? 0.5f : random_unit(r);
-            for (int k = 0; k < 2; k++) {
-                p[k][0] = on_grain(viewport_x(b, -0.02f), 256.0f);
-                p[k][1] = on_grain(viewport_y(b, -0.02f), 256.0f);
-            }
+            /* The long side goes through the centre of a pixel, or just by it. */
+            const float centre[2] = {floorf(viewport_x(b, -0.2f)) + 0.5f,
+                                     floorf(viewport_y(b, -0.2f)) + 0.5f};
+            p[0][0] = on_grain(viewport_x(b, -0.02f), 256.0f);
+            p[0][1] = on_grain(viewport_y(b, -0.02f), 256.0f);
+            for (int c = 0; c < 2; c++)
+                p[1][c] = 2.0f * centre[c] - p[0][c] + (float)random_between(r, -1, 1) / 256.0f;
             for (int c = 0; c < 2; c++) {
                 const float off = middle ? 0.0f : random_float(r, -0.004f, 0.004f);
                 p[2][c] = p[0][c] + (p[1][c] - p[0][c]) * t + off;
@@ -141,9 +150,9 @@ void shape_turning(builder *b, uint32_t count)
                 for (int c = 0; c < 2; c++)
                     s[k][c] = snapped(p[k][c]);
             const float area = area_of(p), snapped_area = area_of(s);
-            turned = (area > 0.0f && snapped_area < 0.0f) ||
-                     (area <= 0.0f && snapped_area > 0.0f) ||
-                     (area == 0.0f && snapped_area != 0.0f);
+            turned = in_viewport(b, p[1]) && ((area > 0.0f && snapped_area < 0.0f) ||
+                                              (area <= 0.0f && snapped_area > 0.0f) ||
+                                              (area == 0.0f && snapped_area != 0.0f));
         }
         for (int k = 0; k < 3; k++)
             builder_place(b, builder_vertex(b), p[k][0], p[k][1], device_depth(b), 1.0f);

@@ -1,0 +1,31 @@
+#!/bin/sh
+# The README's program compiles as it stands, with warnings as errors, draws, and is no
+# longer than it says: about thirty lines.
+# usage: readme.sh BUILD-DIRECTORY   (from the root of the project)
+set -eu
+directory=$1/embed
+mkdir -p "$directory"
+awk '/^```c$/ { inside = 1; next } /^```$/ { if (inside) exit } inside' README.md >"$directory/triangle.c"
+lines=$(grep -c . "$directory/triangle.c")
+[ "$lines" -le 40 ] || { echo "the README's program has $lines lines"; exit 1; }
+"${CC:-cc}" -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude "$directory/triangle.c" "$1/libgnomon.a" -o "$directory/triangle"
+message=$("$directory/triangle" 2>&1 >"$directory/triangle.rgba")
+size=$(wc -c <"$directory/triangle.rgba")
+colors=$(od -An -v -tx4 -w4 "$directory/triangle.rgba" | sort -u | wc -l)
+echo "README's program: $lines lines, \"$message\", $size bytes, $colors colours"
+[ "$message" = "no error" ] && [ "$size" -eq 307200 ] && [ "$colors" -gt 1000 ]
+
+# The installed library serves a program that finds it through pkg-config.
+prefix=$(cd "$directory" && pwd)/installed
+rm -rf "$prefix"
+make -s install BUILD="$1" PREFIX="$prefix"
+if command -v pkg-config >/dev/null; then
+    flags=$(PKG_CONFIG_PATH=$prefix/lib/pkgconfig pkg-config --cflags --libs gnomon)
+else
+    flags="-I$prefix/include -L$prefix/lib -lgnomon"
+fi
+# shellcheck disable=SC2086
+"${CC:-cc}" -std=c99 "$directory/triangle.c" $flags -Wl,-rpath,"$prefix/lib" -o "$directory/installed-triangle"
+"$directory/installed-triangle" 2>/dev/null | cmp - "$directory/triangle.rgba"
+echo "installed through pkg-config: same picture"
+echo "2 passed, 0 failed"

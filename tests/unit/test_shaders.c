@@ -1,0 +1,179 @@
+/* The ready-made shaders: what they set, what they refuse, and their formulas at a
+ * vertex and a fragment. */
+#include <math.h>
+#include <string.h>
+
+#include "unit.h"
+
+static gn_textured_uniforms uniforms;
+static const uint32_t texels[4] = {0xFF0000FFu, 0xFF00FF00u, 0xFFFF0000u, 0x80FFFFFFu};
+
+static void reset(void)
+{
+    memset(&uniforms, 0, sizeof uniforms);
+    for (int i = 0; i < 4; ++i)
+        uniforms.light.clip_from_model.m[i][i] = 2.0f;
+    for (int i = 0; i < 3; ++i)
+        uniforms.light.normal_matrix.m[i][i] = 1.0f;
+    uniforms.light.light_direction.z = 1.0f;
+    uniforms.light.ambient.x = uniforms.light.ambient.y = uniforms.light.ambient.z = 0.25f;
+    uniforms.light.diffuse.x = uniforms.light.diffuse.y = uniforms.light.diffuse.z = 0.5f;
+    uniforms.texture.texels = texels;
+    uniforms.texture.row_stride = 8;
+    uniforms.texture.width = 2;
+    uniforms.texture.height = 2;
+    uniforms.texture.format = GN_FORMAT_RGBA8;
+    uniforms.sampler.magnify = GN_MAGNIFY_NEAREST;
+}
+
+static void null_pointers(void **state)
+{
+    (void)state;
+    gn_color_uniforms color = {{{{0}}}};
+    gn_pipeline p;
+
+    reset();
+    assert_int_equal(gn_use_vertex_color(NULL, &color), GN_NULL_POINTER);
+    assert_int_equal(gn_use_vertex_color(&p, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_use_flat(NULL, &uniforms.light), GN_NULL_POINTER);
+    assert_int_equal(gn_use_flat(&p, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_use_gouraud(NULL, &uniforms.light), GN_NULL_POINTER);
+    assert_int_equal(gn_use_gouraud(&p, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_use_textured_gouraud(NULL, &uniforms), GN_NULL_POINTER);
+    assert_int_equal(gn_use_textured_gouraud(&p, NULL), GN_NULL_POINTER);
+}
+
+static void bad_textures_leave_the_pipeline(void **state)
+{
+    (void)state;
+    gn_pipeline p, before;
+
+    reset();
+    memset(&p, 0, sizeof p);
+    before = p;
+    uniforms.texture.width = 0;
+    assert_int_equal(gn_use_textured_gouraud(&p, &uniforms), GN_INVALID_SIZE);
+    assert_memory_equal(&p, &before, sizeof p);
+    reset();
+    uniforms.sampler.wrap_t = (gn_wrap)7;
+    assert_int_equal(gn_use_textured_gouraud(&p, &uniforms), GN_INVALID_ENUM);
+    assert_memory_equal(&p, &before, sizeof p);
+}
+
+static void only_shader_fields_are_set(void **state)
+{
+    (void)state;
+    gn_pipeline p;
+
+    reset();
+    memset(&p, 0, sizeof p);
+    p.topology = GN_TRIANGLE_FAN;
+    p.cull = GN_CULL_FRONT;
+    p.depth_test = true;
+    assert_int_equal(gn_use_flat(&p, &uniforms.light), GN_OK);
+    assert_int_equal(p.interpolation[3], GN_FLAT);
+    assert_int_equal(gn_use_textured_gouraud(&p, &uniforms), GN_OK);
+    assert_int_equal(p.varying_count, GN_SHADER_VARYINGS);
+    for (uint32_t n = 0; n < p.varying_count; ++n)
+        assert_int_equal(p.interpolation[n], GN_SMOOTH);
+    assert_ptr_equal(p.uniforms, &uniforms);
+    assert_int_equal(p.topology, GN_TRIANGLE_FAN);
+    assert_int_equal(p.cull, GN_CULL_FRONT);
+    assert_true(p.depth_test);
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+}
+
+static void shade_vertex(const gn_pipeline *p, const float normal[3], float position[4],
+                         float varying[GN_SHADER_VARYINGS])
+{
+    static float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES];
+    static float positions[4][GN_LANES], varyings[GN_MAX_VARYINGS][GN_LANES];
+    uint32_t id[GN_LANES] = {0};
+    gn_vertex_input in;
+    gn_vertex_output out;
+
+    for (int l = 0; l < GN_LANES; ++l) {
+        for (int c = 0; c < 4; ++c) {
+            attribute[GN_ATTRIBUTE_POSITION][c][l] = (float)(c + 1);
+            attribute[GN_ATTRIBUTE_COLOR][c][l] = 0.5f;
+            attribute[GN_ATTRIBUTE_NORMAL][c][l] = c < 3 ? normal[c] : 1.0f;
+            attribute[GN_ATTRIBUTE_TEXCOORD][c][l] = 0.125f * (float)c;
+        }
+    }
+    in.attribute = (const float(*)[4][GN_LANES])attribute;
+    in.vertex_id = id;
+    in.count = GN_LANES;
+    out.position = positions;
+    out.varying = varyings;
+    p->vertex_shader(p->uniforms, &in, &out);
+    for (int l = 0; l < GN_LANES; ++l) {
+        for (int c = 0; c < 4; ++c) {
+            assert_true(positions[c][l] == positions[c][0]);
+            position[c] = positions[c][l];
+        }
+        for (uint32_t n = 0; n < p->varying_count; ++n)
+            varying[n] = varyings[n][l];
+    }
+}
+
+static void light_follows_the_cosine(void **state)
+{
+    (void)state;
+    /* N.L is 1, 0.6 (a normal of length 5), 0 and negative, which gives 0. */
+    static const float normals[4][3] = {{0, 0, 1}, {4, 0, 3}, {1, 0, 0}, {0, 0, -2}};
+    static const float lit[4] = {0.75f, 0.55f, 0.25f, 0.25f};
+    gn_pipeline p;
+    float position[4], varying[GN_SHADER_VARYINGS];
+
+    reset();
+    memset(&p, 0, sizeof p);
+    assert_int_equal(gn_use_textured_gouraud(&p, &uniforms), GN_OK);
+    for (int i = 0; i < 4; ++i) {
+        shade_vertex(&p, normals[i], position, varying);
+        for (int c = 0; c < 4; ++c)
+            assert_true(position[c] == 2.0f * (float)(c + 1));
+        for (int c = 0; c < 3; ++c)
+            assert_true(fabsf(varying[c] - 0.5f * lit[i]) < 1e-6f);
+        assert_true(varying[3] == 0.5f);
+        assert_true(varying[4] == 0.0f && varying[5] == 0.125f);
+    }
+}
+
+static void texture_multiplies_every_channel(void **state)
+{
+    (void)state;
+    static float varying[GN_SHADER_VARYINGS][GN_LANES], color[4][GN_LANES];
+    gn_pipeline p;
+    gn_fragment_input in;
+    gn_fragment_output out;
+
+    reset();
+    memset(&p, 0, sizeof p);
+    assert_int_equal(gn_use_textured_gouraud(&p, &uniforms), GN_OK);
+    for (int l = 0; l < GN_LANES; ++l) {
+        for (int c = 0; c < 4; ++c)
+            varying[c][l] = 0.5f;
+        varying[4][l] = varying[5][l] = 0.75f; /* the last texel: white, half transparent */
+    }
+    in.varying = (const float(*)[GN_LANES])varying;
+    in.coverage = 0xFFFF;
+    in.x = in.y = 0;
+    out.color = color;
+    p.fragment_shader(p.uniforms, &in, &out);
+    for (int l = 0; l < GN_LANES; ++l) {
+        assert_true(fabsf(color[0][l] - 0.5f) < 1e-6f && fabsf(color[2][l] - 0.5f) < 1e-6f);
+        assert_true(fabsf(color[3][l] - 0.5f * 128.0f / 255.0f) < 1e-6f);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(null_pointers),
+        cmocka_unit_test(bad_textures_leave_the_pipeline),
+        cmocka_unit_test(only_shader_fields_are_set),
+        cmocka_unit_test(light_follows_the_cosine),
+        cmocka_unit_test(texture_multiplies_every_channel),
+    };
+    return cmocka_run_group_tests_name("shaders", tests, NULL, NULL);
+}
