@@ -20,6 +20,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #if defined(GN_REFERENCE_MPFR)
 #include <mpfr.h>
@@ -145,6 +146,7 @@ static bool correctly_rounded(reference which, float x, float *value)
 /* The number of misrounded inputs; undecided ones are counted apart. */
 static uint64_t check(const struct checked *checked, uint64_t first, uint64_t stride)
 {
+    const bool terminal = isatty(STDERR_FILENO);
     uint64_t inputs = 0, misrounded = 0, undecided = 0, next_report = 0;
     for (uint64_t i = first; i < (uint64_t)1 << 32; i += stride) {
         float x = from_bits((uint32_t)i);
@@ -158,12 +160,15 @@ static uint64_t check(const struct checked *checked, uint64_t first, uint64_t st
                         (double)got, (double)expected);
             }
         }
-        if (i >= next_report) {
+        if (i >= next_report && terminal) {
             fprintf(stderr, "\r%s: %3u %%", checked->name, (unsigned)(i * 100 >> 32));
             next_report = i + ((uint64_t)1 << 25);
+        } else if (i >= next_report) {
+            fprintf(stderr, "%s: %u %%\n", checked->name, (unsigned)(i * 100 >> 32));
+            next_report = i + ((uint64_t)1 << 30);
         }
     }
-    fprintf(stderr, "\r%s: 100 %%\n", checked->name);
+    fprintf(stderr, terminal ? "\r%s: 100 %%\n" : "%s: 100 %%\n", checked->name);
     printf("%s: %" PRIu64 " inputs, %" PRIu64 " misrounded", checked->name, inputs, misrounded);
     if (undecided > 0) {
         printf(", %" PRIu64 " undecided", undecided);
