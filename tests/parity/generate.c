@@ -36,6 +36,8 @@ const char *scene_class_name(scene_class c)
         return "depth-state";
     case CLASS_CULLING:
         return "culling";
+    case CLASS_SEGMENTS:
+        return "segments";
     case CLASS_INTERPOLATION:
         return "interpolation";
     case CLASS_INDEXED:
@@ -126,6 +128,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_CULLING:
         generate_culling(&b);
+        break;
+    case CLASS_SEGMENTS:
+        generate_segments(&b);
         break;
     case CLASS_INTERPOLATION:
         generate_interpolation(&b);

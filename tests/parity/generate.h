@@ -20,6 +20,7 @@ typedef enum scene_class {
     CLASS_FRAMEBUFFERS,  /* odd sizes, fractional viewports */
     CLASS_DEPTH_STATE,   /* formats, functions, write mask, ranges */
     CLASS_CULLING,       /* culling, winding, provoking vertex */
+    CLASS_SEGMENTS,      /* slivers in draws longer than the reference takes at once */
     CLASS_INTERPOLATION, /* smooth, noperspective, flat, w differing strongly */
     CLASS_INDEXED,       /* 8, 16 and 32 bit indices, offsets, unused vertices */
     CLASS_LIT,           /* flat and Gouraud shading under rotations */

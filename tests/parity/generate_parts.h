@@ -54,6 +54,7 @@ void generate_strips(builder *b);
 void generate_framebuffers(builder *b);
 void generate_depth_state(builder *b);
 void generate_culling(builder *b);
+void generate_segments(builder *b);
 void generate_interpolation(builder *b);
 void generate_indexed(builder *b);
 void generate_lit(builder *b);
