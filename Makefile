@@ -133,12 +133,12 @@ demo: ## set up, then draw the teapot with Gnomon and with OSMesa and compare
 demo: all
 	@$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png --picture $(BUILD)/teapot.png
 
-SCENES ?= 20000
+SCENES ?= 20100
 SEED ?= 1
 FRAMES ?= 15
 
 .PHONY: parity
-parity: $(BUILD)/parity ## random scenes against OSMesa, bit for bit: SCENES=20000 SEED=1
+parity: $(BUILD)/parity ## random scenes against OSMesa, bit for bit: SCENES=20100 SEED=1
 	@$(BUILD)/parity --scenes $(SCENES) --seed $(SEED) --keep $(BUILD)/parity-failure.scene
 
 .PHONY: exhaustive

@@ -76,10 +76,12 @@ GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
  * Triangles are drawn in order. Positions are clipped to -w <= x, y, z <= w and
  * mapped to window coordinates; vertices snap to 1/256 pixel; a pixel is covered
  * where its centre lies inside, or on a left edge or a horizontal bottom edge, so
- * that triangles sharing an edge never both cover a pixel on it. A triangle with
- * a vertex that is not finite, or whose distance to a clipping plane is not, is
- * not drawn. OpenGL 4.5 chapters 10 to 17; the order of every operation is the
- * reference rasterizer's, so that results are equal bit for bit.
+ * that triangles sharing an edge never both cover a pixel on it. A triangle with a
+ * vertex whose x, y or z is not finite or whose w is NaN is not drawn; nor is one that
+ * has a vertex more than 32,768 pixels from the origin left after clipping, which takes
+ * coordinates so large that clipping loses their digits. OpenGL 4.5 chapters 10 to 17;
+ * the order of every operation is the reference rasterizer's, so that results are equal
+ * bit for bit (reference/RULES.md).
  *
  * Precondition: the FPU rounds to nearest. The target must not overlap the mesh,
  * the workspace, textures or uniforms. */
