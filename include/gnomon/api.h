@@ -4,7 +4,8 @@
 #define GNOMON_API_H
 
 #if defined(__FAST_MATH__) && !defined(GN_ALLOW_FAST_MATH)
-#error "Gnomon's results are exact only without -ffast-math; define GN_ALLOW_FAST_MATH to give that up."
+#error                                                                                             \
+    "Gnomon's results are exact only without -ffast-math; define GN_ALLOW_FAST_MATH to give that up."
 #endif
 
 #ifdef __cplusplus

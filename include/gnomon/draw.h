@@ -47,8 +47,7 @@ typedef struct gn_workspace {
 /* gn_workspace_size as a constant expression, for static arrays. A second batch
  * of GN_LANES vertices is the clipper's; 64 bytes are for alignment. */
 #define GN_WORKSPACE_SIZE(vertex_count, varying_count)                                             \
-    (((((size_t)(vertex_count) + GN_LANES - 1) / GN_LANES +                                        \
-       ((vertex_count) == 0 ? 2 : 1)) *                                                            \
+    (((((size_t)(vertex_count) + GN_LANES - 1) / GN_LANES + ((vertex_count) == 0 ? 2 : 1)) *       \
       ((GN_WORKSPACE_VERTEX_SIZE + 4 * (size_t)(varying_count)) * GN_LANES)) +                     \
      64)
 
@@ -85,8 +84,8 @@ GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
  *
  * Precondition: the FPU rounds to nearest. The target must not overlap the mesh,
  * the workspace, textures or uniforms. */
-GN_API gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline,
-                         const gn_mesh *mesh, const gn_workspace *workspace);
+GN_API gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
+                         const gn_workspace *workspace);
 
 GN_END
 

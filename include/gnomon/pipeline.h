@@ -43,10 +43,7 @@ typedef enum gn_cull {
 } gn_cull;
 
 /* The winding of front faces in y-up window coordinates. */
-typedef enum gn_front_face {
-    GN_FRONT_COUNTER_CLOCKWISE = 0,
-    GN_FRONT_CLOCKWISE
-} gn_front_face;
+typedef enum gn_front_face { GN_FRONT_COUNTER_CLOCKWISE = 0, GN_FRONT_CLOCKWISE } gn_front_face;
 
 /* Passes where `incoming depth FUNCTION stored depth` holds. */
 typedef enum gn_compare {
@@ -62,9 +59,9 @@ typedef enum gn_compare {
 
 /* How a varying gets its value at a fragment (OpenGL 4.5 section 14.6.1). */
 typedef enum gn_interpolation {
-    GN_SMOOTH = 0,     /* perspective-correct */
-    GN_NOPERSPECTIVE,  /* linear in window coordinates */
-    GN_FLAT            /* the provoking vertex's value */
+    GN_SMOOTH = 0,    /* perspective-correct */
+    GN_NOPERSPECTIVE, /* linear in window coordinates */
+    GN_FLAT           /* the provoking vertex's value */
 } gn_interpolation;
 
 typedef struct gn_viewport {

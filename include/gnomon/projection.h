@@ -32,8 +32,8 @@ GN_API gn_status gn_orthographic_rh_no(float left, float right, float bottom, fl
  * within 4 u (3 m + n) / |z_far - z_near|, n being the plane's own distance and m
  * the other's. GN_OUT_OF_RANGE where z_near or z_far is not positive,
  * GN_SINGULAR where two opposite planes coincide. */
-GN_API gn_status gn_frustum_rh_no(float left, float right, float bottom, float top,
-                                  float z_near, float z_far, gn_transform *result);
+GN_API gn_status gn_frustum_rh_no(float left, float right, float bottom, float top, float z_near,
+                                  float z_far, gn_transform *result);
 
 /* The symmetric frustum of a camera that sees fov_y radians from bottom to top
  * and `aspect` times as far from left to right, in the plane. Planes as in
@@ -48,8 +48,8 @@ GN_API gn_status gn_perspective_rh_no(float fov_y, float aspect, float z_near, f
  * offset of the rasterizer's viewport (OpenGL 4.5 core, section 13.6.1), bit for
  * bit. GN_INVALID_VIEWPORT where width or height is not positive, GN_SINGULAR
  * where the depth range is empty; it may be reversed and lie anywhere. */
-GN_API gn_status gn_viewport_no(float x, float y, float width, float height,
-                                float depth_near, float depth_far, gn_transform *result);
+GN_API gn_status gn_viewport_no(float x, float y, float width, float height, float depth_near,
+                                float depth_far, gn_transform *result);
 
 GN_END
 

@@ -8,25 +8,26 @@
 
 typedef enum gn_status {
     GN_OK = 0,
-    GN_NULL_POINTER,          /* a pointer that must be given is null */
-    GN_NOT_FINITE,            /* a number is NaN or infinite */
-    GN_OUT_OF_RANGE,          /* a number lies outside what the contract allows */
-    GN_DEGENERATE,            /* a direction of length zero, or two that are parallel */
-    GN_SINGULAR,              /* a matrix without an inverse */
-    GN_INVALID_ENUM,          /* an enumeration field holds none of its values */
-    GN_INVALID_SIZE,          /* a width or height of zero or above GN_MAX_SIZE */
-    GN_INVALID_FORMAT,        /* a surface or texture format that does not fit its use */
-    GN_INVALID_STRIDE,        /* a row stride shorter than a row */
-    GN_MISALIGNED,            /* memory or a stride not aligned to the element it holds */
-    GN_SIZE_MISMATCH,         /* the surfaces of a target differ in size */
-    GN_NO_SURFACE,            /* a target without colour and depth */
-    GN_NO_SHADER,             /* a pipeline without a vertex shader, or without the fragment shader its colour surface needs */
-    GN_TOO_MANY_VARYINGS,     /* more than GN_MAX_VARYINGS */
-    GN_INVALID_ATTRIBUTE,     /* an attribute with more than four components or a bad stride */
-    GN_INVALID_VIEWPORT,      /* a viewport of negative size, or beyond GN_MAX_SIZE */
-    GN_INDEX_OUT_OF_RANGE,    /* an index names a vertex the arrays do not have */
-    GN_WORKSPACE_TOO_SMALL,   /* below the minimum; the size queries say how much is needed */
-    GN_STATUS_COUNT           /* the number of values, not a status */
+    GN_NULL_POINTER,   /* a pointer that must be given is null */
+    GN_NOT_FINITE,     /* a number is NaN or infinite */
+    GN_OUT_OF_RANGE,   /* a number lies outside what the contract allows */
+    GN_DEGENERATE,     /* a direction of length zero, or two that are parallel */
+    GN_SINGULAR,       /* a matrix without an inverse */
+    GN_INVALID_ENUM,   /* an enumeration field holds none of its values */
+    GN_INVALID_SIZE,   /* a width or height of zero or above GN_MAX_SIZE */
+    GN_INVALID_FORMAT, /* a surface or texture format that does not fit its use */
+    GN_INVALID_STRIDE, /* a row stride shorter than a row */
+    GN_MISALIGNED,     /* memory or a stride not aligned to the element it holds */
+    GN_SIZE_MISMATCH,  /* the surfaces of a target differ in size */
+    GN_NO_SURFACE,     /* a target without colour and depth */
+    GN_NO_SHADER, /* a pipeline without a vertex shader, or without the fragment shader its colour
+                     surface needs */
+    GN_TOO_MANY_VARYINGS,   /* more than GN_MAX_VARYINGS */
+    GN_INVALID_ATTRIBUTE,   /* an attribute with more than four components or a bad stride */
+    GN_INVALID_VIEWPORT,    /* a viewport of negative size, or beyond GN_MAX_SIZE */
+    GN_INDEX_OUT_OF_RANGE,  /* an index names a vertex the arrays do not have */
+    GN_WORKSPACE_TOO_SMALL, /* below the minimum; the size queries say how much is needed */
+    GN_STATUS_COUNT         /* the number of values, not a status */
 } gn_status;
 
 GN_BEGIN

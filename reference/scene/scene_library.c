@@ -59,8 +59,7 @@ size_t scene_workspace_size(const scene *s)
     return gn_workspace_size(vertices, GN_SHADER_VARYINGS);
 }
 
-gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame,
-                                  const gn_workspace *workspace)
+gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame, const gn_workspace *workspace)
 {
     gn_status status = GN_OK;
     gn_target target;

@@ -68,11 +68,10 @@ static uint32_t largest_index(const gn_mesh *mesh)
 
     for (uint32_t i = 0; i < mesh->count; ++i) {
         const size_t at = (size_t)mesh->first + i;
-        const uint32_t index = mesh->index_format == GN_INDEX_UINT8
-                                   ? ((const uint8_t *)mesh->indices)[at]
-                               : mesh->index_format == GN_INDEX_UINT16
-                                   ? ((const uint16_t *)mesh->indices)[at]
-                                   : ((const uint32_t *)mesh->indices)[at];
+        const uint32_t index =
+            mesh->index_format == GN_INDEX_UINT8    ? ((const uint8_t *)mesh->indices)[at]
+            : mesh->index_format == GN_INDEX_UINT16 ? ((const uint16_t *)mesh->indices)[at]
+                                                    : ((const uint32_t *)mesh->indices)[at];
         if (index > largest)
             largest = index;
     }
@@ -105,8 +104,9 @@ gn_status gn_mesh_check(const gn_mesh *mesh)
     }
     if (mesh->count == 0)
         return GN_OK;
-    if (indexed ? largest_index(mesh) >= mesh->vertex_count
-                : mesh->count > mesh->vertex_count || mesh->first > mesh->vertex_count - mesh->count)
+    if (indexed
+            ? largest_index(mesh) >= mesh->vertex_count
+            : mesh->count > mesh->vertex_count || mesh->first > mesh->vertex_count - mesh->count)
         return GN_INDEX_OUT_OF_RANGE;
     return GN_OK;
 }

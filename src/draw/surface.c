@@ -85,7 +85,8 @@ gn_status gn_target_check(const gn_target *target)
     if (depth && !status)
         status = check_surface(&target->depth, is_depth_format(target->depth.format));
     if (!status && color && depth &&
-        (target->color.width != target->depth.width || target->color.height != target->depth.height))
+        (target->color.width != target->depth.width ||
+         target->color.height != target->depth.height))
         status = GN_SIZE_MISMATCH;
     return status;
 }
@@ -97,8 +98,7 @@ static lanes_f saturate(float c)
     return lanes_splat(!(c > 0.0f) ? 0.0f : c >= 1.0f ? 1.0f : c);
 }
 
-gn_status gn_clear_color(const gn_surface *surface, float red, float green, float blue,
-                         float alpha)
+gn_status gn_clear_color(const gn_surface *surface, float red, float green, float blue, float alpha)
 {
     if (!surface)
         return GN_NULL_POINTER;
@@ -108,8 +108,8 @@ gn_status gn_clear_color(const gn_surface *surface, float red, float green, floa
         return status;
 
     int32_t packed[GN_LANES];
-    lanes_i_store(packed, lanes_pack_unorm8(saturate(red), saturate(green), saturate(blue),
-                                            saturate(alpha)));
+    lanes_i_store(
+        packed, lanes_pack_unorm8(saturate(red), saturate(green), saturate(blue), saturate(alpha)));
     for (uint32_t y = 0; y < surface->height; ++y) {
         void *const row = surface_row(surface, y);
 

@@ -23,8 +23,7 @@ static lanes_f interpolate(const attribute_plane *plane, lanes_f x, lanes_f y)
 static void interpolate_varyings(const gn_pipeline *pipeline, const raster_triangle *triangle,
                                  lanes_f x, lanes_f y, float (*varying)[GN_LANES])
 {
-    const lanes_f w =
-        lanes_div(lanes_splat(1.0f), interpolate(&triangle->one_over_w, x, y));
+    const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(&triangle->one_over_w, x, y));
 
     for (uint32_t n = 0; n < pipeline->varying_count; ++n) {
         const attribute_plane *plane = &triangle->varying[n];

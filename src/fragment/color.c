@@ -19,8 +19,7 @@ static void write_rgba8(const gn_surface *surface, int32_t x, int32_t y, uint32_
 
     int32_t pixel[GN_LANES];
     lanes_i_store(pixel, pixels);
-    GN_EACH_LANE(l)
-    {
+    GN_EACH_LANE (l) {
         if (coverage >> l & 1u) {
             void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
             ((int32_t *)row)[x + l % BLOCK_SIZE] = pixel[l];
@@ -31,8 +30,7 @@ static void write_rgba8(const gn_surface *surface, int32_t x, int32_t y, uint32_
 static void write_rgba32f(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
                           float (*color)[GN_LANES])
 {
-    GN_EACH_LANE(l)
-    {
+    GN_EACH_LANE (l) {
         if (coverage >> l & 1u) {
             const uint32_t row = (uint32_t)(y + l / BLOCK_SIZE);
             float *out = (float *)(void *)surface_row(surface, row) + 4 * (x + l % BLOCK_SIZE);

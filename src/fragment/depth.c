@@ -21,17 +21,15 @@ depth_state gn_depth_state(const gn_target *target, const gn_pipeline *pipeline)
 
 lanes_i gn_quantize_depth(gn_format format, lanes_f depth)
 {
-    const lanes_f z =
-        lanes_max(lanes_min(depth, lanes_splat(1.0f)), lanes_splat(0.0f));
+    const lanes_f z = lanes_max(lanes_min(depth, lanes_splat(1.0f)), lanes_splat(0.0f));
 
     switch (format) {
     case GN_FORMAT_D16:
         /* In [128, 129) the last place is 2^-16: the addition rounds to 16 bits,
          * which are then the lowest of the float's. */
-        return lanes_i_and(
-            lanes_as_int(lanes_add(lanes_mul(z, lanes_splat(65535.0f / 65536.0f)),
-                                   lanes_splat(128.0f))),
-            lanes_i_splat(0xFFFF));
+        return lanes_i_and(lanes_as_int(lanes_add(lanes_mul(z, lanes_splat(65535.0f / 65536.0f)),
+                                                  lanes_splat(128.0f))),
+                           lanes_i_splat(0xFFFF));
     case GN_FORMAT_D24:
         return lanes_round(lanes_mul(z, lanes_splat(16777215.0f)));
     default:
@@ -44,8 +42,7 @@ static lanes_i load_covered(const gn_surface *surface, int32_t x, int32_t y, uin
 {
     int32_t depth[GN_LANES] = {0};
 
-    GN_EACH_LANE(l)
-    {
+    GN_EACH_LANE (l) {
         const void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
         const int32_t column = x + l % BLOCK_SIZE;
 
@@ -62,8 +59,7 @@ static void store_covered(const gn_surface *surface, int32_t x, int32_t y, uint3
     int32_t depth[GN_LANES];
 
     lanes_i_store(depth, value);
-    GN_EACH_LANE(l)
-    {
+    GN_EACH_LANE (l) {
         void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
         const int32_t column = x + l % BLOCK_SIZE;
 

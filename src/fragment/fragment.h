@@ -48,7 +48,8 @@ void gn_write_color(const gn_surface *surface, int32_t x, int32_t y, uint32_t co
  * stored whole; blocks hang over the right and the top edge of odd sizes. */
 static inline bool surface_holds_block(const gn_surface *surface, int32_t x, int32_t y)
 {
-    return (uint32_t)x + BLOCK_SIZE <= surface->width && (uint32_t)y + BLOCK_SIZE <= surface->height;
+    return (uint32_t)x + BLOCK_SIZE <= surface->width &&
+           (uint32_t)y + BLOCK_SIZE <= surface->height;
 }
 
 /* The memory of row y of a surface. */

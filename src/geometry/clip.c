@@ -10,8 +10,8 @@ typedef struct clipper {
     const gn_pipeline *pipeline;
     const viewport_transform *viewport;
     const vertex_store *store;
-    uint32_t scratch;  /* batch of the new vertices */
-    uint32_t used;     /* lanes of it in use */
+    uint32_t scratch; /* batch of the new vertices */
+    uint32_t used;    /* lanes of it in use */
 } clipper;
 
 typedef struct polygon {

@@ -31,19 +31,16 @@ viewport_transform gn_viewport_transform(const gn_pipeline *pipeline, uint32_t t
 
 static void compute_outcodes(vertex_batch *batch)
 {
-    GN_EACH_LANE(l)
-    {
+    GN_EACH_LANE (l) {
         const float x = batch->clip[0][l];
         const float y = batch->clip[1][l];
         const float z = batch->clip[2][l];
         const float w = batch->clip[3][l];
 
-        batch->outcode[l] = (uint32_t) !(x <= w) << CLIP_RIGHT |
-                            (uint32_t) !(0.0f <= x + w) << CLIP_LEFT |
-                            (uint32_t) !(y <= w) << CLIP_TOP |
-                            (uint32_t) !(0.0f <= y + w) << CLIP_BOTTOM |
-                            (uint32_t) !(0.0f <= z + w) << CLIP_NEAR |
-                            (uint32_t) !(z <= w) << CLIP_FAR;
+        batch->outcode[l] =
+            (uint32_t) !(x <= w) << CLIP_RIGHT | (uint32_t) !(0.0f <= x + w) << CLIP_LEFT |
+            (uint32_t) !(y <= w) << CLIP_TOP | (uint32_t) !(0.0f <= y + w) << CLIP_BOTTOM |
+            (uint32_t) !(0.0f <= z + w) << CLIP_NEAR | (uint32_t) !(z <= w) << CLIP_FAR;
     }
 }
 

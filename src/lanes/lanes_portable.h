@@ -20,43 +20,50 @@ typedef struct lanes_m {
 static inline lanes_f lanes_load(const float p[GN_LANES])
 {
     lanes_f r;
-    GN_EACH_LANE(l) r.v[l] = p[l];
+    GN_EACH_LANE (l)
+        r.v[l] = p[l];
     return r;
 }
 
 static inline void lanes_store(float *p, lanes_f a)
 {
-    GN_EACH_LANE(l) p[l] = a.v[l];
+    GN_EACH_LANE (l)
+        p[l] = a.v[l];
 }
 
 static inline lanes_f lanes_splat(float a)
 {
     lanes_f r;
-    GN_EACH_LANE(l) r.v[l] = a;
+    GN_EACH_LANE (l)
+        r.v[l] = a;
     return r;
 }
 
 static inline lanes_f lanes_add(lanes_f a, lanes_f b)
 {
-    GN_EACH_LANE(l) a.v[l] = a.v[l] + b.v[l];
+    GN_EACH_LANE (l)
+        a.v[l] = a.v[l] + b.v[l];
     return a;
 }
 
 static inline lanes_f lanes_sub(lanes_f a, lanes_f b)
 {
-    GN_EACH_LANE(l) a.v[l] = a.v[l] - b.v[l];
+    GN_EACH_LANE (l)
+        a.v[l] = a.v[l] - b.v[l];
     return a;
 }
 
 static inline lanes_f lanes_mul(lanes_f a, lanes_f b)
 {
-    GN_EACH_LANE(l) a.v[l] = a.v[l] * b.v[l];
+    GN_EACH_LANE (l)
+        a.v[l] = a.v[l] * b.v[l];
     return a;
 }
 
 static inline lanes_f lanes_div(lanes_f a, lanes_f b)
 {
-    GN_EACH_LANE(l) a.v[l] = a.v[l] / b.v[l];
+    GN_EACH_LANE (l)
+        a.v[l] = a.v[l] / b.v[l];
     return a;
 }
 
@@ -64,33 +71,38 @@ static inline lanes_f lanes_div(lanes_f a, lanes_f b)
 static inline lanes_m lanes_greater(lanes_f a, lanes_f b)
 {
     lanes_m r;
-    GN_EACH_LANE(l) r.v[l] = a.v[l] > b.v[l] ? UINT32_MAX : 0;
+    GN_EACH_LANE (l)
+        r.v[l] = a.v[l] > b.v[l] ? UINT32_MAX : 0;
     return r;
 }
 
 static inline lanes_m lanes_greater_or_equal(lanes_f a, lanes_f b)
 {
     lanes_m r;
-    GN_EACH_LANE(l) r.v[l] = a.v[l] >= b.v[l] ? UINT32_MAX : 0;
+    GN_EACH_LANE (l)
+        r.v[l] = a.v[l] >= b.v[l] ? UINT32_MAX : 0;
     return r;
 }
 
 static inline lanes_m lanes_equal(lanes_f a, lanes_f b)
 {
     lanes_m r;
-    GN_EACH_LANE(l) r.v[l] = a.v[l] == b.v[l] ? UINT32_MAX : 0;
+    GN_EACH_LANE (l)
+        r.v[l] = a.v[l] == b.v[l] ? UINT32_MAX : 0;
     return r;
 }
 
 static inline lanes_m lanes_and(lanes_m a, lanes_m b)
 {
-    GN_EACH_LANE(l) a.v[l] &= b.v[l];
+    GN_EACH_LANE (l)
+        a.v[l] &= b.v[l];
     return a;
 }
 
 static inline lanes_m lanes_not(lanes_m a)
 {
-    GN_EACH_LANE(l) a.v[l] = ~a.v[l];
+    GN_EACH_LANE (l)
+        a.v[l] = ~a.v[l];
     return a;
 }
 
@@ -98,73 +110,84 @@ static inline lanes_m lanes_not(lanes_m a)
 static inline uint32_t lanes_bits(lanes_m a)
 {
     uint32_t r = 0;
-    GN_EACH_LANE(l) r |= (a.v[l] & 1u) << l;
+    GN_EACH_LANE (l)
+        r |= (a.v[l] & 1u) << l;
     return r;
 }
 
 static inline lanes_f lanes_select(lanes_m m, lanes_f a, lanes_f b)
 {
     lanes_f r;
-    GN_EACH_LANE(l) r.v[l] = m.v[l] ? a.v[l] : b.v[l];
+    GN_EACH_LANE (l)
+        r.v[l] = m.v[l] ? a.v[l] : b.v[l];
     return r;
 }
 
 static inline lanes_i lanes_i_splat(int32_t a)
 {
     lanes_i r;
-    GN_EACH_LANE(l) r.v[l] = a;
+    GN_EACH_LANE (l)
+        r.v[l] = a;
     return r;
 }
 
 static inline lanes_i lanes_i_load(const int32_t *p)
 {
     lanes_i r;
-    GN_EACH_LANE(l) r.v[l] = p[l];
+    GN_EACH_LANE (l)
+        r.v[l] = p[l];
     return r;
 }
 
 static inline void lanes_i_store(int32_t *p, lanes_i a)
 {
-    GN_EACH_LANE(l) p[l] = a.v[l];
+    GN_EACH_LANE (l)
+        p[l] = a.v[l];
 }
 
 /* Wraps around, as unsigned arithmetic does. */
 static inline lanes_i lanes_i_add(lanes_i a, lanes_i b)
 {
-    GN_EACH_LANE(l) a.v[l] = (int32_t)((uint32_t)a.v[l] + (uint32_t)b.v[l]);
+    GN_EACH_LANE (l)
+        a.v[l] = (int32_t)((uint32_t)a.v[l] + (uint32_t)b.v[l]);
     return a;
 }
 
 static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
 {
-    GN_EACH_LANE(l) a.v[l] |= b.v[l];
+    GN_EACH_LANE (l)
+        a.v[l] |= b.v[l];
     return a;
 }
 
 static inline lanes_i lanes_i_and(lanes_i a, lanes_i b)
 {
-    GN_EACH_LANE(l) a.v[l] &= b.v[l];
+    GN_EACH_LANE (l)
+        a.v[l] &= b.v[l];
     return a;
 }
 
 static inline lanes_m lanes_i_greater(lanes_i a, lanes_i b)
 {
     lanes_m r;
-    GN_EACH_LANE(l) r.v[l] = a.v[l] > b.v[l] ? UINT32_MAX : 0;
+    GN_EACH_LANE (l)
+        r.v[l] = a.v[l] > b.v[l] ? UINT32_MAX : 0;
     return r;
 }
 
 static inline lanes_m lanes_i_equal(lanes_i a, lanes_i b)
 {
     lanes_m r;
-    GN_EACH_LANE(l) r.v[l] = a.v[l] == b.v[l] ? UINT32_MAX : 0;
+    GN_EACH_LANE (l)
+        r.v[l] = a.v[l] == b.v[l] ? UINT32_MAX : 0;
     return r;
 }
 
 static inline lanes_i lanes_i_select(lanes_m m, lanes_i a, lanes_i b)
 {
     lanes_i r;
-    GN_EACH_LANE(l) r.v[l] = m.v[l] ? a.v[l] : b.v[l];
+    GN_EACH_LANE (l)
+        r.v[l] = m.v[l] ? a.v[l] : b.v[l];
     return r;
 }
 
@@ -172,14 +195,16 @@ static inline lanes_i lanes_i_select(lanes_m m, lanes_i a, lanes_i b)
 static inline uint32_t lanes_i_sign_bits(lanes_i a)
 {
     uint32_t r = 0;
-    GN_EACH_LANE(l) r |= ((uint32_t)a.v[l] >> 31) << l;
+    GN_EACH_LANE (l)
+        r |= ((uint32_t)a.v[l] >> 31) << l;
     return r;
 }
 
 static inline lanes_f lanes_to_float(lanes_i a)
 {
     lanes_f r;
-    GN_EACH_LANE(l) r.v[l] = (float)a.v[l];
+    GN_EACH_LANE (l)
+        r.v[l] = (float)a.v[l];
     return r;
 }
 
@@ -187,8 +212,7 @@ static inline lanes_f lanes_to_float(lanes_i a)
 static inline lanes_i lanes_truncate(lanes_f a)
 {
     lanes_i r;
-    GN_EACH_LANE(l)
-    {
+    GN_EACH_LANE (l) {
         const int inside = a.v[l] > -2147483648.0f && a.v[l] < 2147483648.0f;
         const int32_t t = (int32_t)(inside ? a.v[l] : 0.0f);
         r.v[l] = inside ? t : INT32_MIN;
@@ -201,8 +225,7 @@ static inline lanes_i lanes_truncate(lanes_f a)
 static inline lanes_i lanes_round(lanes_f a)
 {
     lanes_i r;
-    GN_EACH_LANE(l)
-    {
+    GN_EACH_LANE (l) {
         const int inside = a.v[l] > -2147483648.0f && a.v[l] < 2147483648.0f;
         const float x = inside ? a.v[l] : 0.0f;
         const int32_t t = (int32_t)x;
@@ -219,8 +242,7 @@ static inline lanes_i lanes_round(lanes_f a)
 static inline lanes_i lanes_as_int(lanes_f a)
 {
     lanes_i r;
-    GN_EACH_LANE(l)
-    {
+    GN_EACH_LANE (l) {
         union {
             float f;
             int32_t i;
@@ -234,7 +256,8 @@ static inline lanes_i lanes_as_int(lanes_f a)
 static inline lanes_i lanes_m_as_int(lanes_m a)
 {
     lanes_i r;
-    GN_EACH_LANE(l) r.v[l] = a.v[l] ? -1 : 0;
+    GN_EACH_LANE (l)
+        r.v[l] = a.v[l] ? -1 : 0;
     return r;
 }
 
@@ -242,7 +265,8 @@ static inline lanes_i lanes_m_as_int(lanes_m a)
 static inline lanes_m lanes_from_bits(uint32_t bits)
 {
     lanes_m r;
-    GN_EACH_LANE(l) r.v[l] = bits >> l & 1u ? UINT32_MAX : 0;
+    GN_EACH_LANE (l)
+        r.v[l] = bits >> l & 1u ? UINT32_MAX : 0;
     return r;
 }
 
@@ -255,8 +279,7 @@ static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue
 
     for (int c = 0; c < 4; ++c) {
         const lanes_i i = lanes_round(lanes_mul(channel[c], lanes_splat(255.0f)));
-        GN_EACH_LANE(l)
-        {
+        GN_EACH_LANE (l) {
             const uint32_t byte = (uint32_t)(i.v[l] < 0 ? 0 : i.v[l] > 255 ? 255 : i.v[l]);
             r.v[l] = (int32_t)((uint32_t)r.v[l] | byte << 8 * c);
         }
@@ -268,14 +291,15 @@ static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue
 static inline lanes_i lanes_i_load_block(const unsigned char *memory, ptrdiff_t stride)
 {
     lanes_i r;
-    GN_EACH_LANE(l)
-    r.v[l] = ((const int32_t *)(const void *)(memory + (l / 4) * stride))[l % 4];
+    GN_EACH_LANE (l)
+        r.v[l] = ((const int32_t *)(const void *)(memory + (l / 4) * stride))[l % 4];
     return r;
 }
 
 static inline void lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, lanes_i a)
 {
-    GN_EACH_LANE(l)((int32_t *)(void *)(memory + (l / 4) * stride))[l % 4] = a.v[l];
+    GN_EACH_LANE (l)
+        ((int32_t *)(void *)(memory + (l / 4) * stride))[l % 4] = a.v[l];
 }
 
 #endif

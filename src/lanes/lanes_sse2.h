@@ -115,16 +115,15 @@ static inline lanes_m lanes_from_bits(uint32_t bits)
     const __m128i all = _mm_set1_epi32((int)bits);
 
     LANES_EACH_REGISTER(
-        lanes_m, _mm_cmpeq_epi32(
-                     _mm_and_si128(all, _mm_set_epi32(8 << 4 * n, 4 << 4 * n, 2 << 4 * n, 1 << 4 * n)),
-                     _mm_set_epi32(8 << 4 * n, 4 << 4 * n, 2 << 4 * n, 1 << 4 * n)));
+        lanes_m, _mm_cmpeq_epi32(_mm_and_si128(all, _mm_set_epi32(8 << 4 * n, 4 << 4 * n,
+                                                                  2 << 4 * n, 1 << 4 * n)),
+                                 _mm_set_epi32(8 << 4 * n, 4 << 4 * n, 2 << 4 * n, 1 << 4 * n)));
 }
 
 static inline lanes_f lanes_select(lanes_m m, lanes_f a, lanes_f b)
 {
-    LANES_EACH_REGISTER(lanes_f,
-                        _mm_or_ps(_mm_and_ps(_mm_castsi128_ps(m.q[n]), a.q[n]),
-                                  _mm_andnot_ps(_mm_castsi128_ps(m.q[n]), b.q[n])));
+    LANES_EACH_REGISTER(lanes_f, _mm_or_ps(_mm_and_ps(_mm_castsi128_ps(m.q[n]), a.q[n]),
+                                           _mm_andnot_ps(_mm_castsi128_ps(m.q[n]), b.q[n])));
 }
 
 static inline lanes_i lanes_i_splat(int32_t a)
@@ -172,8 +171,8 @@ static inline lanes_m lanes_i_equal(lanes_i a, lanes_i b)
 
 static inline lanes_i lanes_i_select(lanes_m m, lanes_i a, lanes_i b)
 {
-    LANES_EACH_REGISTER(lanes_i,
-                        _mm_or_si128(_mm_and_si128(m.q[n], a.q[n]), _mm_andnot_si128(m.q[n], b.q[n])));
+    LANES_EACH_REGISTER(
+        lanes_i, _mm_or_si128(_mm_and_si128(m.q[n], a.q[n]), _mm_andnot_si128(m.q[n], b.q[n])));
 }
 
 static inline lanes_i lanes_m_as_int(lanes_m a)
@@ -226,8 +225,7 @@ static inline __m128i lanes_sse2_pack(__m128 red, __m128 green, __m128 blue, __m
 
 static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
 {
-    LANES_EACH_REGISTER(lanes_i,
-                        lanes_sse2_pack(red.q[n], green.q[n], blue.q[n], alpha.q[n]));
+    LANES_EACH_REGISTER(lanes_i, lanes_sse2_pack(red.q[n], green.q[n], blue.q[n], alpha.q[n]));
 }
 
 static inline lanes_i lanes_i_load_block(const unsigned char *memory, ptrdiff_t stride)

@@ -87,30 +87,30 @@ static uint64_t squared(const gn_reduced_angle *angle)
 uint64_t gn_fixed_sine(const gn_reduced_angle *angle)
 {
     uint64_t z = squared(angle), z_high = z >> 32;
-    uint64_t sum = 0x98;                                          /* 1/19! */
-    sum = 0xCA96u - (z_high * sum >> 32);                         /* 1/17! */
-    sum = 0xD73F9Fu - (z_high * sum >> 32);                       /* 1/15! */
-    sum = 0xB092309Du - (z_high * sum >> 32);                     /* 1/13! */
-    sum = 0x0000006B99159FD5u - (z_high * sum >> 32);             /* 1/11! */
-    sum = 0x00002E3BC74AAD8Eu - gn_multiply_high(z, sum);         /* 1/9! */
-    sum = 0x000D00D00D00D00Du - gn_multiply_high(z, sum);         /* 1/7! */
-    sum = 0x0222222222222222u - gn_multiply_high(z, sum);         /* 1/5! */
-    sum = 0x2AAAAAAAAAAAAAABu - gn_multiply_high(z, sum);         /* 1/3! */
-    sum = 0xFFFFFFFFFFFFFFFFu - gn_multiply_high(z, sum);         /* 1 */
+    uint64_t sum = 0x98;                                  /* 1/19! */
+    sum = 0xCA96u - (z_high * sum >> 32);                 /* 1/17! */
+    sum = 0xD73F9Fu - (z_high * sum >> 32);               /* 1/15! */
+    sum = 0xB092309Du - (z_high * sum >> 32);             /* 1/13! */
+    sum = 0x0000006B99159FD5u - (z_high * sum >> 32);     /* 1/11! */
+    sum = 0x00002E3BC74AAD8Eu - gn_multiply_high(z, sum); /* 1/9! */
+    sum = 0x000D00D00D00D00Du - gn_multiply_high(z, sum); /* 1/7! */
+    sum = 0x0222222222222222u - gn_multiply_high(z, sum); /* 1/5! */
+    sum = 0x2AAAAAAAAAAAAAABu - gn_multiply_high(z, sum); /* 1/3! */
+    sum = 0xFFFFFFFFFFFFFFFFu - gn_multiply_high(z, sum); /* 1 */
     return gn_multiply_high(angle->significand, sum);
 }
 
 uint64_t gn_fixed_cosine(const gn_reduced_angle *angle)
 {
     uint64_t z = squared(angle), z_high = z >> 32;
-    uint64_t sum = 0xB41;                                         /* 1/18! */
-    sum = 0x000D73FAu - (z_high * sum >> 32);                     /* 1/16! */
-    sum = 0x0C9CBA54u - (z_high * sum >> 32);                     /* 1/14! */
-    sum = 0x00000008F76C77FCu - (z_high * sum >> 32);             /* 1/12! */
-    sum = 0x0000049F93EDDE28u - gn_multiply_high(z, sum);         /* 1/10! */
-    sum = 0x0001A01A01A01A02u - gn_multiply_high(z, sum);         /* 1/8! */
-    sum = 0x005B05B05B05B05Bu - gn_multiply_high(z, sum);         /* 1/6! */
-    sum = 0x0AAAAAAAAAAAAAABu - gn_multiply_high(z, sum);         /* 1/4! */
-    sum = 0x8000000000000000u - gn_multiply_high(z, sum);         /* 1/2! */
-    return 0xFFFFFFFFFFFFFFFFu - gn_multiply_high(z, sum);        /* 1 */
+    uint64_t sum = 0xB41;                                  /* 1/18! */
+    sum = 0x000D73FAu - (z_high * sum >> 32);              /* 1/16! */
+    sum = 0x0C9CBA54u - (z_high * sum >> 32);              /* 1/14! */
+    sum = 0x00000008F76C77FCu - (z_high * sum >> 32);      /* 1/12! */
+    sum = 0x0000049F93EDDE28u - gn_multiply_high(z, sum);  /* 1/10! */
+    sum = 0x0001A01A01A01A02u - gn_multiply_high(z, sum);  /* 1/8! */
+    sum = 0x005B05B05B05B05Bu - gn_multiply_high(z, sum);  /* 1/6! */
+    sum = 0x0AAAAAAAAAAAAAABu - gn_multiply_high(z, sum);  /* 1/4! */
+    sum = 0x8000000000000000u - gn_multiply_high(z, sum);  /* 1/2! */
+    return 0xFFFFFFFFFFFFFFFFu - gn_multiply_high(z, sum); /* 1 */
 }

@@ -38,8 +38,8 @@ gn_vec4 gn_mat4_multiply_vec4(const gn_mat4 *m, gn_vec4 v)
 {
     float product[4];
     for (int row = 0; row < 4; ++row) {
-        product[row] = ((m->m[0][row] * v.x + m->m[1][row] * v.y) + m->m[2][row] * v.z) +
-                       m->m[3][row] * v.w;
+        product[row] =
+            ((m->m[0][row] * v.x + m->m[1][row] * v.y) + m->m[2][row] * v.z) + m->m[3][row] * v.w;
     }
     gn_vec4 result = {product[0], product[1], product[2], product[3]};
     return result;
@@ -48,8 +48,7 @@ gn_vec4 gn_mat4_multiply_vec4(const gn_mat4 *m, gn_vec4 v)
 gn_vec3 gn_mat4_transform_point(const gn_mat4 *m, gn_vec3 v)
 {
     gn_vec3 direction = gn_mat4_transform_direction(m, v);
-    gn_vec3 point = {direction.x + m->m[3][0], direction.y + m->m[3][1],
-                     direction.z + m->m[3][2]};
+    gn_vec3 point = {direction.x + m->m[3][0], direction.y + m->m[3][1], direction.z + m->m[3][2]};
     return point;
 }
 

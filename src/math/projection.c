@@ -21,8 +21,8 @@ static bool all_finite(const float *numbers, int count)
     return finite;
 }
 
-gn_status gn_orthographic_rh_no(float left, float right, float bottom, float top,
-                                float z_near, float z_far, gn_transform *result)
+gn_status gn_orthographic_rh_no(float left, float right, float bottom, float top, float z_near,
+                                float z_far, gn_transform *result)
 {
     const float numbers[6] = {left, right, bottom, top, z_near, z_far};
     if (!result) {
@@ -82,8 +82,8 @@ static gn_status write_perspective(float x_scale, float y_scale, float skew_x, f
     return GN_OK;
 }
 
-gn_status gn_frustum_rh_no(float left, float right, float bottom, float top,
-                           float z_near, float z_far, gn_transform *result)
+gn_status gn_frustum_rh_no(float left, float right, float bottom, float top, float z_near,
+                           float z_far, gn_transform *result)
 {
     const float numbers[6] = {left, right, bottom, top, z_near, z_far};
     if (!result) {
@@ -99,9 +99,8 @@ gn_status gn_frustum_rh_no(float left, float right, float bottom, float top,
         return GN_SINGULAR;
     }
     float width = right - left, height = top - bottom;
-    return write_perspective(2.0f * z_near / width, 2.0f * z_near / height,
-                             (right + left) / width, (top + bottom) / height, z_near, z_far,
-                             result);
+    return write_perspective(2.0f * z_near / width, 2.0f * z_near / height, (right + left) / width,
+                             (top + bottom) / height, z_near, z_far, result);
 }
 
 gn_status gn_perspective_rh_no(float fov_y, float aspect, float z_near, float z_far,

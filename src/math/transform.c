@@ -82,8 +82,7 @@ gn_status gn_transform_identity(gn_transform *result)
     return GN_OK;
 }
 
-gn_status gn_transform_compose(const gn_transform *a, const gn_transform *b,
-                               gn_transform *result)
+gn_status gn_transform_compose(const gn_transform *a, const gn_transform *b, gn_transform *result)
 {
     gn_transform product;
     if (!a || !b || !result) {

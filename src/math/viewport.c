@@ -8,8 +8,8 @@
  * them to float. A sum of two floats rounded to double and then to float is the
  * sum rounded to float (53 >= 2 * 24 + 2), and halving is exact, so float
  * arithmetic gives the same bits, barring denormals. */
-gn_status gn_viewport_no(float x, float y, float width, float height,
-                         float depth_near, float depth_far, gn_transform *result)
+gn_status gn_viewport_no(float x, float y, float width, float height, float depth_near,
+                         float depth_far, gn_transform *result)
 {
     if (!result) {
         return GN_NULL_POINTER;

@@ -9,8 +9,8 @@
 #define EDGE_LIMIT ((int64_t)1 << 28)
 
 typedef struct block_edge {
-    lanes_i offset;    /* from the block's lower left pixel to each of its pixels */
-    int32_t least;     /* the extremes of offset */
+    lanes_i offset; /* from the block's lower left pixel to each of its pixels */
+    int32_t least;  /* the extremes of offset */
     int32_t greatest;
 } block_edge;
 
@@ -23,8 +23,8 @@ static block_edge make_block_edge(const edge_function *edge)
 
     b.least = (along_x < 0 ? along_x : 0) + (along_y < 0 ? along_y : 0);
     b.greatest = (along_x > 0 ? along_x : 0) + (along_y > 0 ? along_y : 0);
-    GN_EACH_LANE(l)
-    offset[l] = edge->per_y * (l / BLOCK_SIZE) - edge->per_x * (l % BLOCK_SIZE);
+    GN_EACH_LANE (l)
+        offset[l] = edge->per_y * (l / BLOCK_SIZE) - edge->per_x * (l % BLOCK_SIZE);
     b.offset = lanes_i_load(offset);
     return b;
 }
@@ -85,8 +85,8 @@ void gn_cover_triangle(const raster_triangle *triangle, block_function *block, v
                         const int64_t v = value[i] > EDGE_LIMIT    ? EDGE_LIMIT
                                           : value[i] < -EDGE_LIMIT ? -EDGE_LIMIT
                                                                    : value[i];
-                        sign = lanes_i_or(
-                            sign, lanes_i_add(lanes_i_splat((int32_t)v), edge[i].offset));
+                        sign = lanes_i_or(sign,
+                                          lanes_i_add(lanes_i_splat((int32_t)v), edge[i].offset));
                     }
                     coverage &= ~lanes_i_sign_bits(sign);
                 }

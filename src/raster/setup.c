@@ -173,8 +173,7 @@ static void set_up_planes(const gn_pipeline *pipeline, const setup_vertices *v,
     for (int i = 0; i < 3; ++i)
         w[i] = v->batch[i]->window[3][v->lane[i]];
     out->depth = make_plane(&basis, v->batch[0]->window[2][v->lane[0]],
-                            v->batch[1]->window[2][v->lane[1]],
-                            v->batch[2]->window[2][v->lane[2]]);
+                            v->batch[1]->window[2][v->lane[1]], v->batch[2]->window[2][v->lane[2]]);
     out->one_over_w = make_plane(&basis, w[0], w[1], w[2]);
 
     for (uint32_t n = 0; n < pipeline->varying_count; ++n) {

@@ -44,8 +44,7 @@ static lanes_i wrap_nearest(gn_wrap wrap, lanes_f coordinate, uint32_t n)
     const lanes_f size = lanes_splat((float)n);
 
     if (wrap == GN_WRAP_REPEAT && is_power_of_two(n))
-        return lanes_i_and(lanes_floor(lanes_mul(coordinate, size)),
-                           lanes_i_splat((int32_t)n - 1));
+        return lanes_i_and(lanes_floor(lanes_mul(coordinate, size)), lanes_i_splat((int32_t)n - 1));
     if (wrap == GN_WRAP_REPEAT) {
         /* The largest float below 1 keeps the product below n. */
         const lanes_f fraction =
@@ -73,15 +72,13 @@ static tap_pair wrap_linear(gn_wrap wrap, lanes_f coordinate, uint32_t n)
         const lanes_i below = lanes_floor(c);
 
         t.weight = fraction_of(c);
-        t.first = clamp_texel(
-            lanes_i_select(lanes_i_greater(lanes_i_splat(0), below), last, below), n);
+        t.first =
+            clamp_texel(lanes_i_select(lanes_i_greater(lanes_i_splat(0), below), last, below), n);
         t.second = lanes_i_add(t.first, lanes_i_splat(1));
-        t.second =
-            lanes_i_select(lanes_i_greater(t.second, last), lanes_i_splat(0), t.second);
+        t.second = lanes_i_select(lanes_i_greater(t.second, last), lanes_i_splat(0), t.second);
     } else {
-        const lanes_f c =
-            lanes_max(lanes_sub(lanes_min(lanes_mul(coordinate, size), size), half),
-                      lanes_splat(0.0f));
+        const lanes_f c = lanes_max(lanes_sub(lanes_min(lanes_mul(coordinate, size), size), half),
+                                    lanes_splat(0.0f));
 
         t.weight = fraction_of(c);
         t.first = clamp_texel(lanes_floor(c), n);
@@ -98,8 +95,7 @@ static void fetch(const gn_texture *texture, lanes_i column, lanes_i row, lanes_
 
     lanes_i_store(s, column);
     lanes_i_store(t, row);
-    GN_EACH_LANE(l)
-    {
+    GN_EACH_LANE (l) {
         const void *const line = texels + (ptrdiff_t)t[l] * texture->row_stride;
 
         if (texture->format == GN_FORMAT_RGBA8) {

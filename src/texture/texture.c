@@ -18,8 +18,8 @@ gn_status gn_texture_check(const gn_texture *texture)
 
     const size_t element = element_size(texture->format);
     const size_t row = texture->width * gn_format_size(texture->format);
-    const size_t stride = texture->row_stride < 0 ? 0 - (size_t)texture->row_stride
-                                                  : (size_t)texture->row_stride;
+    const size_t stride =
+        texture->row_stride < 0 ? 0 - (size_t)texture->row_stride : (size_t)texture->row_stride;
     if ((uintptr_t)texture->texels % element != 0 || stride % element != 0)
         return GN_MISALIGNED;
     if (stride < row && texture->height > 1)

@@ -8,7 +8,7 @@
 
 #include <gnomon/mat.h>
 
-#define U 0x1p-24 /* half a last place of 1, the unit of the bounds */
+#define U 0x1p-24             /* half a last place of 1, the unit of the bounds */
 #define SLACK (1.0 + 0x1p-20) /* what a first-order bound leaves out */
 
 typedef struct matrix {

@@ -14,16 +14,16 @@
  * property and the shrunk counterexamples; returns how many properties failed. */
 int properties_math(uint64_t seed, size_t trials);
 
-static inline enum theft_hook_run_pre_res property_quiet_pre(
-    const struct theft_hook_run_pre_info *info, void *env)
+static inline enum theft_hook_run_pre_res
+property_quiet_pre(const struct theft_hook_run_pre_info *info, void *env)
 {
     (void)info;
     (void)env;
     return THEFT_HOOK_RUN_PRE_CONTINUE;
 }
 
-static inline enum theft_hook_trial_post_res property_quiet_post(
-    const struct theft_hook_trial_post_info *info, void *env)
+static inline enum theft_hook_trial_post_res
+property_quiet_post(const struct theft_hook_trial_post_info *info, void *env)
 {
     (void)info;
     (void)env;
@@ -31,15 +31,15 @@ static inline enum theft_hook_trial_post_res property_quiet_post(
 }
 
 /* Later failures of the same property seldom say more than the first. */
-static inline enum theft_hook_trial_pre_res property_stop_at_failure(
-    const struct theft_hook_trial_pre_info *info, void *env)
+static inline enum theft_hook_trial_pre_res
+property_stop_at_failure(const struct theft_hook_trial_pre_info *info, void *env)
 {
     (void)env;
     return info->failures > 0 ? THEFT_HOOK_TRIAL_PRE_HALT : THEFT_HOOK_TRIAL_PRE_CONTINUE;
 }
 
-static inline enum theft_hook_run_post_res property_report(
-    const struct theft_hook_run_post_info *info, void *env)
+static inline enum theft_hook_run_post_res
+property_report(const struct theft_hook_run_post_info *info, void *env)
 {
     *(struct theft_run_report *)env = info->report;
     return THEFT_HOOK_RUN_POST_CONTINUE;

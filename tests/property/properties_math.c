@@ -36,8 +36,10 @@ static matrix stated_bound(const struct made *made, bool inverse_first)
     case LOOK_AT:
         for (int column = 0; column < 3; ++column)
             for (int row = 0; row < 3; ++row)
-                bound.m[column][row] =
-                    (made->kind == LOOK_AT ? 17.0 : column == row ? 50.0 : 36.0) * U;
+                bound.m[column][row] = (made->kind == LOOK_AT ? 17.0
+                                        : column == row       ? 50.0
+                                                              : 36.0) *
+                                       U;
         for (int row = 0; row < 3 && made->kind == LOOK_AT; ++row)
             bound.m[3][row] = 23.0 * U * eye;
         return bound;
@@ -171,8 +173,8 @@ static enum theft_trial_res rotations_keep_lengths(struct theft *t, void *arg)
     const matrix m = widened(&made->transform.matrix);
     double squares = 0.0, length = sqrt(dot_in_double(v, v));
     for (int row = 0; row < 3; ++row) {
-        double r = m.m[0][row] * (double)v.x + m.m[1][row] * (double)v.y +
-                   m.m[2][row] * (double)v.z;
+        double r =
+            m.m[0][row] * (double)v.x + m.m[1][row] * (double)v.y + m.m[2][row] * (double)v.z;
         squares += r * r;
     }
     double bound = (made->kind == ROTATE_AXIS ? 60.0 : 1.0) * U;
@@ -243,8 +245,9 @@ static bool length_is(float got, const double *v, int count)
     double length = sqrt(square);
     if (length < 0x1p-126)
         return true;
-    return length >= 0x1p128 ? isinf(got) : fabs((double)got - length) <= 3.5 * U * length ||
-           (isinf(got) && length > 0x1.fffff0p127);
+    return length >= 0x1p128 ? isinf(got)
+                             : fabs((double)got - length) <= 3.5 * U * length ||
+                                   (isinf(got) && length > 0x1.fffff0p127);
 }
 
 static enum theft_trial_res lengths_and_directions(struct theft *t, void *arg)
@@ -329,14 +332,13 @@ static enum theft_trial_res products_and_determinants(struct theft *t, void *arg
         dot += wide_b.m[0][k] * wide_b.m[1][k];
         terms += fabs(wide_b.m[0][k] * wide_b.m[1][k]);
     }
-    return verdict(
-        within(sum(widened(&ab), -1.0, product(wide, wide_b)),
-               scaled(4.0 * U, product(magnitudes(wide), magnitudes(wide_b)))) &&
-        fabs((double)gn_vec4_dot(v, w) - dot) <= 4.0 * U * terms * SLACK &&
-        fabs((double)gn_mat3_determinant(&a3) - determinant(&wide, 3, false)) <=
-            6.0 * U * determinant(&wide, 3, true) * SLACK &&
-        fabs((double)gn_mat4_determinant(&a) - determinant(&wide, 4, false)) <=
-            9.0 * U * determinant(&wide, 4, true) * SLACK);
+    return verdict(within(sum(widened(&ab), -1.0, product(wide, wide_b)),
+                          scaled(4.0 * U, product(magnitudes(wide), magnitudes(wide_b)))) &&
+                   fabs((double)gn_vec4_dot(v, w) - dot) <= 4.0 * U * terms * SLACK &&
+                   fabs((double)gn_mat3_determinant(&a3) - determinant(&wide, 3, false)) <=
+                       6.0 * U * determinant(&wide, 3, true) * SLACK &&
+                   fabs((double)gn_mat4_determinant(&a) - determinant(&wide, 4, false)) <=
+                       9.0 * U * determinant(&wide, 4, true) * SLACK);
 }
 
 static int inverse_properties(uint64_t seed, size_t trials)
@@ -368,25 +370,35 @@ int properties_math(uint64_t seed, size_t trials)
     const struct theft_type_info moderate_info = random_floats(&moderate);
     const struct theft_type_info float_info = random_floats(NULL);
     const struct theft_run_config properties[] = {
-        {.name = "compose: inverse", .prop2 = composition_has_inverse,
+        {.name = "compose: inverse",
+         .prop2 = composition_has_inverse,
          .type_info = {&any_info, &any_info}},
-        {.name = "compose with the inversion: identity", .prop1 = inversion_undoes,
+        {.name = "compose with the inversion: identity",
+         .prop1 = inversion_undoes,
          .type_info = {&any_info}},
-        {.name = "compose: associative", .prop3 = composition_is_associative,
+        {.name = "compose: associative",
+         .prop3 = composition_is_associative,
          .type_info = {&any_info, &any_info, &any_info}},
-        {.name = "normal matrix: perpendicular", .prop1 = normals_stay_perpendicular,
+        {.name = "normal matrix: perpendicular",
+         .prop1 = normals_stay_perpendicular,
          .type_info = {&affine_info}},
-        {.name = "rotations: length", .prop1 = rotations_keep_lengths,
+        {.name = "rotations: length",
+         .prop1 = rotations_keep_lengths,
          .type_info = {&rotation_info}},
-        {.name = "frustum, perspective: depth planes", .prop1 = depth_planes_are_kept,
+        {.name = "frustum, perspective: depth planes",
+         .prop1 = depth_planes_are_kept,
          .type_info = {&perspective_info}},
-        {.name = "orthographic: box to cube", .prop1 = boxes_go_to_the_cube,
+        {.name = "orthographic: box to cube",
+         .prop1 = boxes_go_to_the_cube,
          .type_info = {&box_info}},
-        {.name = "sqrt, sin, cos, tan: rounding", .prop1 = scalars_round_correctly,
+        {.name = "sqrt, sin, cos, tan: rounding",
+         .prop1 = scalars_round_correctly,
          .type_info = {&float_info}},
-        {.name = "vectors: length and direction", .prop1 = lengths_and_directions,
+        {.name = "vectors: length and direction",
+         .prop1 = lengths_and_directions,
          .type_info = {&float_info}},
-        {.name = "matrices: product, dot, determinant", .prop1 = products_and_determinants,
+        {.name = "matrices: product, dot, determinant",
+         .prop1 = products_and_determinants,
          .type_info = {&moderate_info}},
     };
     int failed = inverse_properties(seed, trials);

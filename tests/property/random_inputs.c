@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const kind_names[KINDS] = {
-    "translate", "scale",        "rotate x", "rotate y",    "rotate z", "rotate axis",
-    "look at",   "orthographic", "frustum",  "perspective", "viewport"};
+const char *const kind_names[KINDS] = {"translate", "scale",       "rotate x", "rotate y",
+                                       "rotate z",  "rotate axis", "look at",  "orthographic",
+                                       "frustum",   "perspective", "viewport"};
 
 /* Simplest first: 1, then short fractions near it. */
 static float random_number(struct theft *t, int exponents)

@@ -117,13 +117,14 @@ struct theft_run_config quiet_config(struct observed *seen, theft_propfun1 *prop
         .type_info = {type},
         .name = "selftest",
         .seed = base_seed,
-        .hooks = {
-            .run_pre = quiet_run_pre,
-            .run_post = keep_report,
-            .trial_post = quiet_trial_post,
-            .counterexample = keep_number,
-            .env = seen,
-        },
+        .hooks =
+            {
+                .run_pre = quiet_run_pre,
+                .run_post = keep_report,
+                .trial_post = quiet_trial_post,
+                .counterexample = keep_number,
+                .env = seen,
+            },
     };
 }
 
@@ -259,8 +260,8 @@ static enum theft_trial_res prop_even(struct theft *t, void *arg)
             return THEFT_TRIAL_FAIL;
         }
     }
-    const bool edges = theft_random_choice(t, 0) == 0 && theft_random_choice(t, 1) == 0
-        && theft_random_choice(t, UINT64_MAX) < UINT64_MAX;
+    const bool edges = theft_random_choice(t, 0) == 0 && theft_random_choice(t, 1) == 0 &&
+                       theft_random_choice(t, UINT64_MAX) < UINT64_MAX;
     return edges ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
 }
 
@@ -316,14 +317,22 @@ static void ready_generators_shrink_to_zero(void **state)
         enum theft_builtin_type_info type;
         size_t size;
     } rows[] = {
-        {THEFT_BUILTIN_bool, sizeof(bool)},        {THEFT_BUILTIN_uint, sizeof(unsigned)},
-        {THEFT_BUILTIN_uint8_t, 1},                {THEFT_BUILTIN_uint16_t, 2},
-        {THEFT_BUILTIN_uint32_t, 4},               {THEFT_BUILTIN_uint64_t, 8},
-        {THEFT_BUILTIN_size_t, sizeof(size_t)},    {THEFT_BUILTIN_int, sizeof(int)},
-        {THEFT_BUILTIN_int8_t, 1},                 {THEFT_BUILTIN_int16_t, 2},
-        {THEFT_BUILTIN_int32_t, 4},                {THEFT_BUILTIN_int64_t, 8},
-        {THEFT_BUILTIN_float, sizeof(float)},      {THEFT_BUILTIN_double, sizeof(double)},
-        {THEFT_BUILTIN_char_ARRAY, 1},             {THEFT_BUILTIN_uint8_t_ARRAY, 1},
+        {THEFT_BUILTIN_bool, sizeof(bool)},
+        {THEFT_BUILTIN_uint, sizeof(unsigned)},
+        {THEFT_BUILTIN_uint8_t, 1},
+        {THEFT_BUILTIN_uint16_t, 2},
+        {THEFT_BUILTIN_uint32_t, 4},
+        {THEFT_BUILTIN_uint64_t, 8},
+        {THEFT_BUILTIN_size_t, sizeof(size_t)},
+        {THEFT_BUILTIN_int, sizeof(int)},
+        {THEFT_BUILTIN_int8_t, 1},
+        {THEFT_BUILTIN_int16_t, 2},
+        {THEFT_BUILTIN_int32_t, 4},
+        {THEFT_BUILTIN_int64_t, 8},
+        {THEFT_BUILTIN_float, sizeof(float)},
+        {THEFT_BUILTIN_double, sizeof(double)},
+        {THEFT_BUILTIN_char_ARRAY, 1},
+        {THEFT_BUILTIN_uint8_t_ARRAY, 1},
     };
     (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
@@ -473,7 +482,7 @@ int main(int count, char **words)
         }
     }
     printf("seed %" PRIu64 "\n", base_seed);
-    const int failures = run_stream_tests() + run_loop_tests() + run_shrink_tests()
-        + run_autoshrink_tests();
+    const int failures =
+        run_stream_tests() + run_loop_tests() + run_shrink_tests() + run_autoshrink_tests();
     return failures != 0;
 }

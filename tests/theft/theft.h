@@ -23,8 +23,8 @@
 enum theft_run_res theft_run(const struct theft_run_config *cfg);
 
 /* Makes the instance that `seed` gives, prints it to `f` and frees it. */
-enum theft_generate_res theft_generate(FILE *f, theft_seed seed,
-                                       const struct theft_type_info *info, void *hook_env);
+enum theft_generate_res theft_generate(FILE *f, theft_seed seed, const struct theft_type_info *info,
+                                       void *hook_env);
 
 /* Random bits, for alloc callbacks, shrink callbacks and properties. A request is the unit that
  * autoshrinking changes: ask for one decision at a time and for no more bits than it needs. While

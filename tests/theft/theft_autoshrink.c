@@ -89,8 +89,7 @@ static bool replay_candidate(struct shrinker *s, struct argument *argument)
 {
     struct theft *t = s->t;
     runner_stream_seed(&t->stream, t->trial.seed);
-    const enum theft_alloc_res result =
-        runner_make_argument(t, s->type, &s->candidate, argument);
+    const enum theft_alloc_res result = runner_make_argument(t, s->type, &s->candidate, argument);
     if (t->stream.out_of_memory) {
         s->stopped = STEP_NO_MEMORY;
     } else if (result == THEFT_ALLOC_ERROR) {
@@ -123,8 +122,7 @@ static bool try_candidate(struct shrinker *s)
         return false;
     }
     step = runner_attempt_made(t, s->index, s->pass,
-                               usable ? THEFT_SHRINK_POST_SHRUNK
-                                      : THEFT_SHRINK_POST_SHRINK_FAILED,
+                               usable ? THEFT_SHRINK_POST_SHRUNK : THEFT_SHRINK_POST_SHRINK_FAILED,
                                usable ? argument.instance : NULL);
     if (step != STEP_NEXT) {
         s->stopped = step;
@@ -211,8 +209,7 @@ static void zero_blocks(struct shrinker *s)
 /* Tries one value at request i; on success the present value there is at most this one. */
 static bool try_value(struct shrinker *s, size_t i, uint64_t value)
 {
-    if (i >= present(s)->count || present(s)->requests[i].value <= value
-        || !start_candidate(s)) {
+    if (i >= present(s)->count || present(s)->requests[i].value <= value || !start_candidate(s)) {
         return false;
     }
     s->candidate.requests[i].value = value;
@@ -295,8 +292,8 @@ static void shorten_sequences(struct shrinker *s)
         const uint64_t length = present(s)->requests[i].value;
         size_t elements = length < most ? (size_t)length : most;
         while (elements > 0 && running(s)) {
-            if (i >= present(s)->count || present(s)->requests[i].value < elements
-                || !shorten_by(s, i, elements, size)) {
+            if (i >= present(s)->count || present(s)->requests[i].value < elements ||
+                !shorten_by(s, i, elements, size)) {
                 elements /= 2;
             }
         }
@@ -356,12 +353,23 @@ static void move_values(struct shrinker *s)
 static void run_pass(struct shrinker *s)
 {
     switch ((enum pass)s->pass) {
-    case PASS_REMOVE: remove_blocks(s); break;
-    case PASS_ZERO: zero_blocks(s); break;
-    case PASS_LOWER: lower_values(s); break;
-    case PASS_SHORTEN: shorten_sequences(s); break;
-    case PASS_MOVE: move_values(s); break;
-    case PASS_COUNT: break;
+    case PASS_REMOVE:
+        remove_blocks(s);
+        break;
+    case PASS_ZERO:
+        zero_blocks(s);
+        break;
+    case PASS_LOWER:
+        lower_values(s);
+        break;
+    case PASS_SHORTEN:
+        shorten_sequences(s);
+        break;
+    case PASS_MOVE:
+        move_values(s);
+        break;
+    case PASS_COUNT:
+        break;
     }
 }
 

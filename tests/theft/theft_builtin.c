@@ -27,61 +27,61 @@ static enum theft_alloc_res hand_over(const void *value, size_t size, void **out
     return THEFT_ALLOC_OK;
 }
 
-#define DEFINE_UNSIGNED(name, type)                                                               \
-    static enum theft_alloc_res alloc_##name(struct theft *t, void *env, void **output)           \
-    {                                                                                             \
-        const type value = (type)(env != NULL ? theft_random_choice(t, *(const type *)env)        \
-                                              : number_of_any_width(t, 8 * sizeof(type)));        \
-        return hand_over(&value, sizeof value, output);                                           \
-    }                                                                                             \
-    static void print_##name(FILE *f, const void *instance, void *env)                            \
-    {                                                                                             \
-        const uintmax_t value = *(const type *)instance;                                          \
-        (void)env;                                                                                \
-        fprintf(f, "%" PRIuMAX " (0x%" PRIxMAX ")", value, value);                                \
+#define DEFINE_UNSIGNED(name, type)                                                                \
+    static enum theft_alloc_res alloc_##name(struct theft *t, void *env, void **output)            \
+    {                                                                                              \
+        const type value = (type)(env != NULL ? theft_random_choice(t, *(const type *)env)         \
+                                              : number_of_any_width(t, 8 * sizeof(type)));         \
+        return hand_over(&value, sizeof value, output);                                            \
+    }                                                                                              \
+    static void print_##name(FILE *f, const void *instance, void *env)                             \
+    {                                                                                              \
+        const uintmax_t value = *(const type *)instance;                                           \
+        (void)env;                                                                                 \
+        fprintf(f, "%" PRIuMAX " (0x%" PRIxMAX ")", value, value);                                 \
     }
 
 /* Magnitude m, then sign: m or -1 - m, which reaches every value of the type and shrinks to 0. */
-#define DEFINE_SIGNED(name, type)                                                                 \
-    static enum theft_alloc_res alloc_##name(struct theft *t, void *env, void **output)           \
-    {                                                                                             \
-        const int64_t magnitude =                                                                 \
-            (int64_t)(env != NULL ? theft_random_choice(t, (uint64_t)*(const type *)env)          \
-                                  : number_of_any_width(t, 8 * sizeof(type) - 1));                \
-        const type value = (type)(theft_random_bits(t, 1) != 0 ? -1 - magnitude : magnitude);     \
-        return hand_over(&value, sizeof value, output);                                           \
-    }                                                                                             \
-    static void print_##name(FILE *f, const void *instance, void *env)                            \
-    {                                                                                             \
-        const intmax_t value = *(const type *)instance;                                           \
-        (void)env;                                                                                \
-        fprintf(f, "%" PRIdMAX, value);                                                           \
+#define DEFINE_SIGNED(name, type)                                                                  \
+    static enum theft_alloc_res alloc_##name(struct theft *t, void *env, void **output)            \
+    {                                                                                              \
+        const int64_t magnitude =                                                                  \
+            (int64_t)(env != NULL ? theft_random_choice(t, (uint64_t) * (const type *)env)         \
+                                  : number_of_any_width(t, 8 * sizeof(type) - 1));                 \
+        const type value = (type)(theft_random_bits(t, 1) != 0 ? -1 - magnitude : magnitude);      \
+        return hand_over(&value, sizeof value, output);                                            \
+    }                                                                                              \
+    static void print_##name(FILE *f, const void *instance, void *env)                             \
+    {                                                                                              \
+        const intmax_t value = *(const type *)instance;                                            \
+        (void)env;                                                                                 \
+        fprintf(f, "%" PRIdMAX, value);                                                            \
     }
 
 /* Within a limit: L * 2^-digits times m or -1 - m, as for the signed integers. Else: the bit
  * pattern without the sign, then the sign. */
-#define DEFINE_FLOATING(name, type, pattern, digits)                                              \
-    static enum theft_alloc_res alloc_##name(struct theft *t, void *env, void **output)           \
-    {                                                                                             \
-        type value;                                                                               \
-        if (env != NULL) {                                                                        \
-            const type step = (type)1 / (type)(UINT64_C(1) << (digits));                          \
-            const type magnitude = (type)theft_random_bits(t, digits);                            \
-            const bool negative = theft_random_bits(t, 1) != 0;                                   \
-            value = *(const type *)env * (step * (negative ? -1 - magnitude : magnitude));        \
-        } else {                                                                                  \
-            const unsigned sign_bit = 8 * sizeof(pattern) - 1;                                    \
-            pattern bits = (pattern)theft_random_bits(t, (uint8_t)sign_bit);                      \
-            bits |= (pattern)((pattern)theft_random_bits(t, 1) << sign_bit);                      \
-            memcpy(&value, &bits, sizeof value);                                                  \
-        }                                                                                         \
-        return hand_over(&value, sizeof value, output);                                           \
-    }                                                                                             \
-    static void print_##name(FILE *f, const void *instance, void *env)                            \
-    {                                                                                             \
-        const double value = (double)*(const type *)instance;                                     \
-        (void)env;                                                                                \
-        fprintf(f, "%.17g (%a)", value, value);                                                   \
+#define DEFINE_FLOATING(name, type, pattern, digits)                                               \
+    static enum theft_alloc_res alloc_##name(struct theft *t, void *env, void **output)            \
+    {                                                                                              \
+        type value;                                                                                \
+        if (env != NULL) {                                                                         \
+            const type step = (type)1 / (type)(UINT64_C(1) << (digits));                           \
+            const type magnitude = (type)theft_random_bits(t, digits);                             \
+            const bool negative = theft_random_bits(t, 1) != 0;                                    \
+            value = *(const type *)env * (step * (negative ? -1 - magnitude : magnitude));         \
+        } else {                                                                                   \
+            const unsigned sign_bit = 8 * sizeof(pattern) - 1;                                     \
+            pattern bits = (pattern)theft_random_bits(t, (uint8_t)sign_bit);                       \
+            bits |= (pattern)((pattern)theft_random_bits(t, 1) << sign_bit);                       \
+            memcpy(&value, &bits, sizeof value);                                                   \
+        }                                                                                          \
+        return hand_over(&value, sizeof value, output);                                            \
+    }                                                                                              \
+    static void print_##name(FILE *f, const void *instance, void *env)                             \
+    {                                                                                              \
+        const double value = (double)*(const type *)instance;                                      \
+        (void)env;                                                                                 \
+        fprintf(f, "%.17g (%a)", value, value);                                                    \
     }
 
 DEFINE_UNSIGNED(uint, unsigned)
@@ -157,10 +157,10 @@ static void print_array(FILE *f, const void *instance, void *env)
     fputc('"', f);
 }
 
-#define TYPE_INFO(name)                                                                           \
-    {                                                                                             \
-        .alloc = alloc_##name, .free = theft_generic_free_cb, .print = print_##name,              \
-        .autoshrink_config = {.enable = true},                                                    \
+#define TYPE_INFO(name)                                                                            \
+    {                                                                                              \
+        .alloc = alloc_##name, .free = theft_generic_free_cb, .print = print_##name,               \
+        .autoshrink_config = {.enable = true},                                                     \
     }
 
 const struct theft_type_info *theft_get_builtin_type_info(enum theft_builtin_type_info type)

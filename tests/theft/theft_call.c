@@ -41,8 +41,7 @@ void runner_release_argument(const struct theft_type_info *info, struct argument
     argument->live = false;
 }
 
-static theft_hash argument_hash(const struct theft_type_info *info,
-                                const struct argument *argument)
+static theft_hash argument_hash(const struct theft_type_info *info, const struct argument *argument)
 {
     if (!info->autoshrink_config.enable) {
         return info->hash(argument->instance, info->env);
@@ -76,14 +75,22 @@ static enum theft_trial_res call_directly(struct theft *t)
     const struct theft_run_config *c = &t->config;
     void **a = t->trial.instances;
     switch (t->arity) {
-    case 1: return c->prop1(t, a[0]);
-    case 2: return c->prop2(t, a[0], a[1]);
-    case 3: return c->prop3(t, a[0], a[1], a[2]);
-    case 4: return c->prop4(t, a[0], a[1], a[2], a[3]);
-    case 5: return c->prop5(t, a[0], a[1], a[2], a[3], a[4]);
-    case 6: return c->prop6(t, a[0], a[1], a[2], a[3], a[4], a[5]);
-    case 7: return c->prop7(t, a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
-    default: return THEFT_TRIAL_ERROR;
+    case 1:
+        return c->prop1(t, a[0]);
+    case 2:
+        return c->prop2(t, a[0], a[1]);
+    case 3:
+        return c->prop3(t, a[0], a[1], a[2]);
+    case 4:
+        return c->prop4(t, a[0], a[1], a[2], a[3]);
+    case 5:
+        return c->prop5(t, a[0], a[1], a[2], a[3], a[4]);
+    case 6:
+        return c->prop6(t, a[0], a[1], a[2], a[3], a[4], a[5]);
+    case 7:
+        return c->prop7(t, a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
+    default:
+        return THEFT_TRIAL_ERROR;
     }
 }
 

@@ -61,9 +61,8 @@ static void run_child(struct theft *t, int pipe_end, enum theft_trial_res (*call
         .arity = t->arity,
         .args = t->trial.instances,
     };
-    if (t->config.hooks.fork_post == NULL
-        || t->config.hooks.fork_post(&info, t->config.hooks.env)
-            == THEFT_HOOK_FORK_POST_CONTINUE) {
+    if (t->config.hooks.fork_post == NULL ||
+        t->config.hooks.fork_post(&info, t->config.hooks.env) == THEFT_HOOK_FORK_POST_CONTINUE) {
         result = call(t);
     }
     fflush(NULL);

@@ -102,8 +102,7 @@ void runner_hash_set_free(struct hash_set *set);
  * With `replay` NULL an argument is made from the generator. On any result but OK nothing is left
  * in *argument. OK with t->stream.discarded hands the instance over, to be released unused. */
 enum theft_alloc_res runner_make_argument(struct theft *t, const struct theft_type_info *info,
-                                          const struct bit_pool *replay,
-                                          struct argument *argument);
+                                          const struct bit_pool *replay, struct argument *argument);
 void runner_release_argument(const struct theft_type_info *info, struct argument *argument);
 enum step runner_remember_arguments(struct theft *t, struct hash_set *set);
 enum theft_trial_res runner_call_property(struct theft *t);

@@ -34,8 +34,7 @@ bool runner_pool_append(struct bit_pool *pool, struct bit_request request)
         if (capacity > SIZE_MAX / sizeof *pool->requests) {
             return false;
         }
-        struct bit_request *grown =
-            realloc(pool->requests, capacity * sizeof *pool->requests);
+        struct bit_request *grown = realloc(pool->requests, capacity * sizeof *pool->requests);
         if (grown == NULL) {
             return false;
         }

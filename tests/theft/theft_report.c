@@ -11,11 +11,16 @@ static const char *name_or_default(const char *name)
 const char *theft_trial_res_str(enum theft_trial_res res)
 {
     switch (res) {
-    case THEFT_TRIAL_PASS: return "PASS";
-    case THEFT_TRIAL_FAIL: return "FAIL";
-    case THEFT_TRIAL_SKIP: return "SKIP";
-    case THEFT_TRIAL_DUP: return "DUP";
-    case THEFT_TRIAL_ERROR: return "ERROR";
+    case THEFT_TRIAL_PASS:
+        return "PASS";
+    case THEFT_TRIAL_FAIL:
+        return "FAIL";
+    case THEFT_TRIAL_SKIP:
+        return "SKIP";
+    case THEFT_TRIAL_DUP:
+        return "DUP";
+    case THEFT_TRIAL_ERROR:
+        return "ERROR";
     }
     return "(invalid trial result)";
 }
@@ -23,12 +28,18 @@ const char *theft_trial_res_str(enum theft_trial_res res)
 const char *theft_run_res_str(enum theft_run_res res)
 {
     switch (res) {
-    case THEFT_RUN_PASS: return "PASS";
-    case THEFT_RUN_FAIL: return "FAIL";
-    case THEFT_RUN_SKIP: return "SKIP";
-    case THEFT_RUN_ERROR: return "ERROR";
-    case THEFT_RUN_ERROR_MEMORY: return "ERROR_MEMORY";
-    case THEFT_RUN_ERROR_BAD_ARGS: return "ERROR_BAD_ARGS";
+    case THEFT_RUN_PASS:
+        return "PASS";
+    case THEFT_RUN_FAIL:
+        return "FAIL";
+    case THEFT_RUN_SKIP:
+        return "SKIP";
+    case THEFT_RUN_ERROR:
+        return "ERROR";
+    case THEFT_RUN_ERROR_MEMORY:
+        return "ERROR_MEMORY";
+    case THEFT_RUN_ERROR_BAD_ARGS:
+        return "ERROR_BAD_ARGS";
     }
     return "(invalid run result)";
 }
@@ -190,8 +201,8 @@ void runner_print_argument(FILE *f, const struct theft_type_info *info,
     if ((mode & THEFT_AUTOSHRINK_PRINT_BIT_POOL) != 0) {
         print_bits(f, &argument->pool);
     }
-    if ((mode & THEFT_AUTOSHRINK_PRINT_REQUESTS) != 0
-        || (mode == THEFT_AUTOSHRINK_PRINT_DEFAULT && info->print == NULL)) {
+    if ((mode & THEFT_AUTOSHRINK_PRINT_REQUESTS) != 0 ||
+        (mode == THEFT_AUTOSHRINK_PRINT_DEFAULT && info->print == NULL)) {
         print_requests(f, &argument->pool);
     }
 }

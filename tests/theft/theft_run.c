@@ -38,8 +38,8 @@ static const char *fault_of(const struct theft_run_config *c)
         if (info != NULL && info->alloc == NULL) {
             return "a type_info has no alloc callback";
         }
-        if (info != NULL && info->autoshrink_config.enable
-            && (info->shrink != NULL || info->hash != NULL)) {
+        if (info != NULL && info->autoshrink_config.enable &&
+            (info->shrink != NULL || info->hash != NULL)) {
             return "a type_info has both autoshrinking and a shrink or hash callback";
         }
     }
@@ -94,9 +94,13 @@ static enum step call_gen_args_pre(struct theft *t)
         return STEP_NEXT;
     }
     switch (t->config.hooks.gen_args_pre(&info, t->config.hooks.env)) {
-    case THEFT_HOOK_GEN_ARGS_PRE_CONTINUE: return STEP_NEXT;
-    case THEFT_HOOK_GEN_ARGS_PRE_HALT: return STEP_HALT;
-    default: runner_complain(t, "the gen_args_pre hook returned an error"); return STEP_ERROR;
+    case THEFT_HOOK_GEN_ARGS_PRE_CONTINUE:
+        return STEP_NEXT;
+    case THEFT_HOOK_GEN_ARGS_PRE_HALT:
+        return STEP_HALT;
+    default:
+        runner_complain(t, "the gen_args_pre hook returned an error");
+        return STEP_ERROR;
     }
 }
 
@@ -116,9 +120,13 @@ static enum step call_trial_pre(struct theft *t)
         return STEP_NEXT;
     }
     switch (t->config.hooks.trial_pre(&info, t->config.hooks.env)) {
-    case THEFT_HOOK_TRIAL_PRE_CONTINUE: return STEP_NEXT;
-    case THEFT_HOOK_TRIAL_PRE_HALT: return STEP_HALT;
-    default: runner_complain(t, "the trial_pre hook returned an error"); return STEP_ERROR;
+    case THEFT_HOOK_TRIAL_PRE_CONTINUE:
+        return STEP_NEXT;
+    case THEFT_HOOK_TRIAL_PRE_HALT:
+        return STEP_HALT;
+    default:
+        runner_complain(t, "the trial_pre hook returned an error");
+        return STEP_ERROR;
     }
 }
 
@@ -134,8 +142,8 @@ static enum step call_counterexample(struct theft *t)
         .type_info = (struct theft_type_info **)t->config.type_info,
         .args = t->trial.instances,
     };
-    if (t->config.hooks.counterexample(&info, t->config.hooks.env)
-        != THEFT_HOOK_COUNTEREXAMPLE_CONTINUE) {
+    if (t->config.hooks.counterexample(&info, t->config.hooks.env) !=
+        THEFT_HOOK_COUNTEREXAMPLE_CONTINUE) {
         runner_complain(t, "the counterexample hook returned an error");
         return STEP_ERROR;
     }
@@ -336,8 +344,8 @@ enum theft_run_res theft_run(const struct theft_run_config *cfg)
     return result;
 }
 
-enum theft_generate_res theft_generate(FILE *f, theft_seed seed,
-                                       const struct theft_type_info *info, void *hook_env)
+enum theft_generate_res theft_generate(FILE *f, theft_seed seed, const struct theft_type_info *info,
+                                       void *hook_env)
 {
     if (f == NULL || info == NULL || info->alloc == NULL) {
         return THEFT_GENERATE_ERROR_BAD_ARGS;

@@ -59,9 +59,9 @@ enum step runner_attempt_made(struct theft *t, uint8_t index, uint32_t tactic,
         .tactic = tactic,
         .state = state,
     };
-    if (t->config.hooks.shrink_post != NULL
-        && t->config.hooks.shrink_post(&info, t->config.hooks.env)
-            != THEFT_HOOK_SHRINK_POST_CONTINUE) {
+    if (t->config.hooks.shrink_post != NULL &&
+        t->config.hooks.shrink_post(&info, t->config.hooks.env) !=
+            THEFT_HOOK_SHRINK_POST_CONTINUE) {
         runner_complain(t, "the shrink_post hook returned an error");
         return STEP_ERROR;
     }
@@ -167,8 +167,7 @@ static enum step try_tactic(struct theft *t, uint8_t index, uint32_t tactic, boo
             return STEP_ERROR;
         }
         candidate.live = true;
-        step = runner_attempt_made(t, index, tactic, THEFT_SHRINK_POST_SHRUNK,
-                                   candidate.instance);
+        step = runner_attempt_made(t, index, tactic, THEFT_SHRINK_POST_SHRUNK, candidate.instance);
         if (step != STEP_NEXT) {
             runner_release_argument(type, &candidate);
             return step;
@@ -218,8 +217,8 @@ enum step runner_shrink(struct theft *t)
         successes = t->trial.successful_shrinks;
         for (uint8_t i = 0; i < t->arity; i++) {
             const enum step step = t->config.type_info[i]->autoshrink_config.enable
-                ? runner_autoshrink(t, i)
-                : shrink_by_tactics(t, i);
+                                       ? runner_autoshrink(t, i)
+                                       : shrink_by_tactics(t, i);
             if (step == STEP_HALT) {
                 return STEP_NEXT;
             }

@@ -20,8 +20,8 @@ typedef struct run {
 /* A decoded PNG, top row first. 16-bit grey or 8-bit RGBA, whatever the file's own kind. */
 typedef struct picture {
     uint32_t width, height;
-    uint8_t *rgba;   /* from picture_read */
-    uint16_t *grey;  /* from picture_read_grey16 */
+    uint8_t *rgba;  /* from picture_read */
+    uint16_t *grey; /* from picture_read_grey16 */
 } picture;
 
 /* Makes the directory and finds the command: the environment variable GNOMON or the program's

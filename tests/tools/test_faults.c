@@ -33,7 +33,8 @@ static void expect(int status, const char *arguments, const char *first, const c
                 strstr(r.error, second) != NULL && r.out[0] == '\0';
     if (!good)
         fail_msg("gnomon %s\n  status %d, expected %d with '%s' and '%s'\n  stderr: %s"
-                 "  stdout: %s", arguments, r.status, status, first, second, r.error, r.out);
+                 "  stdout: %s",
+                 arguments, r.status, status, first, second, r.error, r.out);
     if (new_files() != 0)
         fail_msg("gnomon %s: files are left", arguments);
 }
@@ -198,8 +199,7 @@ static void outputs_are_whole_or_absent(void **state)
     expect(1, "compare square.obj -o ./square.obj", "square.obj", "overwritten");
     expect(1, "render square.obj -o a.png --depth a.png", "a.png", "both");
     expect(1, "demo -o a.png --picture a.png", "a.png", "both");
-    expect(1, "render square.obj -o a.png --depth nowhere/d.png", "nowhere/d.png",
-           "No such file");
+    expect(1, "render square.obj -o a.png --depth nowhere/d.png", "nowhere/d.png", "No such file");
     expect(1, "render square.obj -o kept.png --depth nowhere/d.png", "nowhere/d.png",
            "No such file");
     expect(1, "render square.obj -o /dev/full", "/dev/full", "No space");

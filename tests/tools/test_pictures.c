@@ -86,7 +86,7 @@ static void top_row_is_the_top(void **state)
     assert_int_equal(pixel(&p, 5, 5), 0xffffffff);
     picture_free(&p);
     p = render("upper.obj", FRONT " --up 0,-1,0 --shader color --size 20x20"
-                            " --background ffffff");
+                                  " --background ffffff");
     assert_int_equal(pixel(&p, 15, 15), 0x0000ffff);
     assert_int_equal(pixel(&p, 5, 5), 0xffffffff);
     picture_free(&p);

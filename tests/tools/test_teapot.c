@@ -226,12 +226,9 @@ static void seams_are_closed(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_is_as_large_as_published),
-        cmocka_unit_test(it_is_symmetric),
-        cmocka_unit_test(normals_are_unit_and_radial),
-        cmocka_unit_test(poles_point_up_and_down),
-        cmocka_unit_test(triangles_face_outwards),
-        cmocka_unit_test(seams_are_closed),
+        cmocka_unit_test(it_is_as_large_as_published), cmocka_unit_test(it_is_symmetric),
+        cmocka_unit_test(normals_are_unit_and_radial), cmocka_unit_test(poles_point_up_and_down),
+        cmocka_unit_test(triangles_face_outwards),     cmocka_unit_test(seams_are_closed),
     };
     return cmocka_run_group_tests_name("teapot", tests, setup, teardown) != 0;
 }

@@ -130,7 +130,7 @@ static void ties_belong_to_left_and_bottom_edges(void **state)
     assert_int_equal(c.color[0 * SIZE + 7], 0);
 
     /* Pixel centres 1.5 to 4.5: those at 1.5 are covered, those at 4.5 are not. */
-    static const float inner[16] = {-0.625f, -0.625f, 0, 1, 0.125f,  -0.625f, 0, 1,
+    static const float inner[16] = {-0.625f, -0.625f, 0, 1, 0.125f, -0.625f, 0, 1,
                                     -0.625f, 0.125f,  0, 1, 0.125f, 0.125f,  0, 1};
     reset(inner, 4, GN_TRIANGLE_STRIP);
     assert_int_equal(draw(), GN_OK);

@@ -17,8 +17,8 @@ static void assert_near(const gn_mat4 *got, const gn_mat4 *expected, float toler
 }
 
 /* The point goes to ndc, and from there, with the w it got, back to itself. */
-static void assert_projected(const gn_transform *transform, float x, float y, float z,
-                             float ndc_x, float ndc_y, float ndc_z)
+static void assert_projected(const gn_transform *transform, float x, float y, float z, float ndc_x,
+                             float ndc_y, float ndc_z)
 {
     const gn_vec4 point = {x, y, z, 1.0f};
     gn_vec4 clip = gn_mat4_multiply_vec4(&transform->matrix, point);
@@ -149,8 +149,7 @@ static void numbers_must_be_finite(void **state)
                              GN_NOT_FINITE);
             assert_int_equal(gn_frustum_rh_no(n[0], n[1], n[2], n[3], n[4], n[5], &t),
                              GN_NOT_FINITE);
-            assert_int_equal(gn_viewport_no(v[0], v[1], v[2], v[3], v[4], v[5], &t),
-                             GN_NOT_FINITE);
+            assert_int_equal(gn_viewport_no(v[0], v[1], v[2], v[3], v[4], v[5], &t), GN_NOT_FINITE);
             assert_int_equal(gn_perspective_rh_no(p[0], p[1], p[2], p[3], &t), GN_NOT_FINITE);
         }
     }

@@ -179,8 +179,9 @@ static void negative_stride_flips(void **state)
 static void hostile_coordinates_read_inside(void **state)
 {
     (void)state;
-    const float hostile[] = {NAN,    INFINITY, -INFINITY, 1e30f, -1e30f,       3e9f,
-                             -3e9f,  1e-45f,   -1e-45f,   -0.0f, 0.99999994f, -5e-8f,
+    const float hostile[] = {NAN,           INFINITY,       -INFINITY,   1e30f,
+                             -1e30f,        3e9f,           -3e9f,       1e-45f,
+                             -1e-45f,       -0.0f,          0.99999994f, -5e-8f,
                              2147483648.0f, -2147483648.0f, 16777216.0f, 8388607.5f};
     const size_t count = sizeof hostile / sizeof *hostile;
 

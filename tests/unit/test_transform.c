@@ -157,8 +157,9 @@ static void rotation_about_any_axis(void **state)
     assert_int_equal(gn_rotate_axis(diagonal, 2.0f * GN_PI / 3.0f, &t), GN_OK);
     assert_point(&t, x, 0.0f, 1.0f, 0.0f);
 
-    const gn_vec3 directions[] = {{1, 0, 0}, {0, -2, 0}, {0, 0, 1e-30f}, {1, -2, 3},
-                                  {-0.1f, 0.7f, 0.2f}, {1e-45f, 0, 1e-45f}, {3e38f, -3e38f, 1e38f}};
+    const gn_vec3 directions[] = {
+        {1, 0, 0},           {0, -2, 0},          {0, 0, 1e-30f},        {1, -2, 3},
+        {-0.1f, 0.7f, 0.2f}, {1e-45f, 0, 1e-45f}, {3e38f, -3e38f, 1e38f}};
     for (size_t i = 0; i < sizeof directions / sizeof directions[0]; ++i) {
         for (float angle = -7.0f; angle < 7.0f; angle += 0.37f) {
             /* cglm squares in float: give it the direction in a size it can take. */

@@ -62,7 +62,8 @@ static void add_quads(scene *s)
  * `across` pixels wide: its outline is at the angle whose sine is 1 / distance. */
 static void add_sphere(scene *s, uint32_t n, float across)
 {
-    static const int axes[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {2, 1, 0}, {0, 2, 1}};
+    static const int axes[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
+                                   {1, 0, 2}, {2, 1, 0}, {0, 2, 1}};
     const uint32_t side = n + 1;
     const uint32_t vertices = 6 * side * side;
     const float tangent = across / SIZE;

@@ -34,8 +34,7 @@ static gn_vec3 default_direction(gn_vec3 up)
     if (gn_vec3_normalize(right, &right) != GN_OK)
         return forward;
     forward = gn_vec3_cross(right, up);
-    return gn_vec3_add(gn_vec3_add(forward, gn_vec3_scale(right, 0.4f)),
-                       gn_vec3_scale(up, 0.25f));
+    return gn_vec3_add(gn_vec3_add(forward, gn_vec3_scale(right, 0.4f)), gn_vec3_scale(up, 0.25f));
 }
 
 static bool is_zero(gn_vec3 v)
@@ -72,8 +71,7 @@ int camera_place(const camera_options *asked, const bounding_sphere *sphere, uin
         return fault;
 
     double aspect = (double)width / (double)height;
-    gn_vec3 center = {(float)sphere->center[0], (float)sphere->center[1],
-                      (float)sphere->center[2]};
+    gn_vec3 center = {(float)sphere->center[0], (float)sphere->center[1], (float)sphere->center[2]};
     gn_vec3 target = asked->target_given ? asked->target : center;
     gn_vec3 eye = asked->eye;
     gn_vec3 up = asked->up;
@@ -115,8 +113,8 @@ int camera_place(const camera_options *asked, const bounding_sphere *sphere, uin
         z_near = fmax(z_near, fmax(sphere->radius * NEAREST_OF_RADIUS, z_far * NEAREST_OF_FAR));
         if (!(z_far > z_near))
             z_far = z_near * 2.0; /* everything is behind the eye */
-        status = gn_perspective_rh_no((float)((double)asked->fov_degrees * degree),
-                                      (float)aspect, (float)z_near, (float)z_far, &projection);
+        status = gn_perspective_rh_no((float)((double)asked->fov_degrees * degree), (float)aspect,
+                                      (float)z_near, (float)z_far, &projection);
     }
     gn_transform clip;
     if (status == GN_OK)

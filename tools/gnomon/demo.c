@@ -42,8 +42,8 @@ static bool create_shadow(model *result)
     result->part_count = 1;
     model_part *part = result->parts;
     uint32_t columns = SHADOW_SEGMENTS + 1;
-    if (!model_part_allocate(part, columns * (SHADOW_RINGS + 1),
-                             SHADOW_SEGMENTS * SHADOW_RINGS * 6, false)) {
+    if (!model_part_allocate(part, columns * (SHADOW_RINGS + 1), SHADOW_SEGMENTS * SHADOW_RINGS * 6,
+                             false)) {
         model_free(result);
         return false;
     }

@@ -20,8 +20,8 @@ static void pack(uint8_t *bytes, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         const uint8_t *b = bytes + 4 * i;
-        uint32_t texel = (uint32_t)b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 |
-                         (uint32_t)b[3] << 24;
+        uint32_t texel =
+            (uint32_t)b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
         memcpy(bytes + 4 * i, &texel, sizeof texel);
     }
 }

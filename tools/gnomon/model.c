@@ -24,7 +24,7 @@
 /* A mesh of the file, as far as it decides which part it goes to. */
 typedef struct mesh_kind {
     bool has_colors;
-    int texcoord_channel; /* -1: none */
+    int texcoord_channel;    /* -1: none */
     struct aiString texture; /* empty: none */
 } mesh_kind;
 
@@ -224,8 +224,8 @@ static const char *convert(const struct aiScene *file, model *m)
         model_part *part = m->parts + p;
         if (counts[2 * p] > UINT32_MAX || counts[2 * p + 1] > UINT32_MAX)
             wrong = "it has more vertices than 32 bits count";
-        else if (!model_part_allocate(part, (uint32_t)counts[2 * p],
-                                      (uint32_t)counts[2 * p + 1], part->has_texcoords))
+        else if (!model_part_allocate(part, (uint32_t)counts[2 * p], (uint32_t)counts[2 * p + 1],
+                                      part->has_texcoords))
             wrong = no_memory;
         part->vertex_count = 0;
         part->index_count = 0;

@@ -10,8 +10,8 @@
 
 /* The texture a material names: a file beside the model, or an image inside it. */
 typedef struct model_texture {
-    char *name;      /* as the material has it; null: none */
-    uint8_t *bytes;  /* an image file's contents, where the model carries it; else null */
+    char *name;     /* as the material has it; null: none */
+    uint8_t *bytes; /* an image file's contents, where the model carries it; else null */
     size_t size;
 } model_texture;
 

@@ -233,8 +233,7 @@ options_result options_parse(command which, int argc, char **argv, options *resu
         if ((option_table[i].commands & (int)which) == 0)
             continue;
         long_options[count].name = option_table[i].name;
-        long_options[count].has_arg =
-            option_table[i].takes_value ? required_argument : no_argument;
+        long_options[count].has_arg = option_table[i].takes_value ? required_argument : no_argument;
         long_options[count].val = option_table[i].value;
         count++;
     }
@@ -265,8 +264,8 @@ options_result options_parse(command which, int argc, char **argv, options *resu
                 if (option != 'o' && long_options[i].val == option)
                     option_name = long_options[i].name;
             }
-            report_usage(name, "%s%s '%s': not %s", option == 'o' ? "" : "--", option_name,
-                         optarg, expected);
+            report_usage(name, "%s%s '%s': not %s", option == 'o' ? "" : "--", option_name, optarg,
+                         expected);
             return OPTIONS_WRONG;
         }
     }

@@ -52,8 +52,7 @@ static void handle_signals(void)
     action.sa_handler = remove_pending;
     for (size_t i = 0; i < SIGNAL_COUNT; i++) {
         /* What was ignored on purpose, as under nohup, stays ignored. */
-        if (sigaction(ending_signals[i], NULL, &previous) == 0 &&
-            previous.sa_handler == SIG_DFL)
+        if (sigaction(ending_signals[i], NULL, &previous) == 0 && previous.sa_handler == SIG_DFL)
             sigaction(ending_signals[i], &action, NULL);
     }
 }
@@ -75,8 +74,7 @@ int output_open(output *o, const char *path)
         return report_fault(path, "cannot be written: it is a directory");
     if (exists && !S_ISREG(status.st_mode)) {
         o->file = fopen(path, "wb");
-        return o->file != NULL ? 0
-                               : report_fault(path, "cannot be written: %s", strerror(errno));
+        return o->file != NULL ? 0 : report_fault(path, "cannot be written: %s", strerror(errno));
     }
     if (exists && access(path, W_OK) != 0)
         return report_fault(path, "cannot be written: %s", strerror(errno));

@@ -122,8 +122,7 @@ scene_draw *picture_add_part(scene *s, const model_part *part, scene_shader shad
     if (shader != SCENE_VERTEX_COLOR)
         scene_set_attribute(draw, GN_ATTRIBUTE_NORMAL, part->normals, 3, part->vertex_count);
     if (shader == SCENE_TEXTURED_GOURAUD)
-        scene_set_attribute(draw, GN_ATTRIBUTE_TEXCOORD, part->texcoords, 2,
-                            part->vertex_count);
+        scene_set_attribute(draw, GN_ATTRIBUTE_TEXCOORD, part->texcoords, 2, part->vertex_count);
     scene_set_indices(draw, part->indices, part->index_count, GN_INDEX_UINT32);
     return draw;
 }
@@ -168,8 +167,10 @@ static int add_parts(const options *o, model *m, const camera *view, gn_vec3 lig
     if (!textured && (o->texture != NULL || o->shading == SHADING_TEXTURED)) {
         if (!has_texcoords)
             return report_fault(o->model, "has no texture coordinates, so no texture fits it");
-        return report_fault(o->model, "names no texture and there is no %s beside it;"
-                            " give one with --texture FILE", "MODEL_diffuse.tga, .png or .jpg");
+        return report_fault(o->model,
+                            "names no texture and there is no %s beside it;"
+                            " give one with --texture FILE",
+                            "MODEL_diffuse.tga, .png or .jpg");
     }
     return 0;
 }

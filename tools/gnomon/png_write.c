@@ -33,8 +33,8 @@ int png_write(output *o, png_kind kind, uint32_t width, uint32_t height, png_row
                                       PNG_COLOR_TYPE_GRAY};
     /* Written before setjmp alone, so that they hold their values after longjmp. */
     uint8_t *bytes = malloc((size_t)width * 4);
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, (png_voidp)o->path,
-                                              on_error, on_warning);
+    png_structp png =
+        png_create_write_struct(PNG_LIBPNG_VER_STRING, (png_voidp)o->path, on_error, on_warning);
     png_infop info = png != NULL ? png_create_info_struct(png) : NULL;
     if (bytes == NULL || info == NULL) {
         png_destroy_write_struct(&png, &info);

@@ -55,8 +55,7 @@ static void depth_row(const void *context, uint32_t y, uint8_t *row)
     }
 }
 
-static gn_status use_shader(const scene_draw *draw, gn_pipeline *pipeline,
-                            gn_color_uniforms *color)
+static gn_status use_shader(const scene_draw *draw, gn_pipeline *pipeline, gn_color_uniforms *color)
 {
     const gn_light_uniforms *light = &draw->uniforms.light;
     switch (draw->shader) {
@@ -72,8 +71,7 @@ static gn_status use_shader(const scene_draw *draw, gn_pipeline *pipeline,
     }
 }
 
-static gn_status draw_scene(const scene *s, const gn_target *target,
-                            const gn_workspace *workspace)
+static gn_status draw_scene(const scene *s, const gn_target *target, const gn_workspace *workspace)
 {
     gn_status status = gn_clear_color(&target->color, s->clear_color[0], s->clear_color[1],
                                       s->clear_color[2], s->clear_color[3]);
@@ -115,9 +113,8 @@ static int draw_canvas(const scene *s, canvas *c)
         fault = report_fault("--size", "not enough memory for %ux%u pixels", (unsigned)s->width,
                              (unsigned)s->height);
     } else {
-        gn_target target = {
-            gn_surface_top_down(c->color, GN_FORMAT_RGBA8, s->width, s->height),
-            gn_surface_top_down(c->depth, GN_FORMAT_D32F, s->width, s->height)};
+        gn_target target = {gn_surface_top_down(c->color, GN_FORMAT_RGBA8, s->width, s->height),
+                            gn_surface_top_down(c->depth, GN_FORMAT_D32F, s->width, s->height)};
         status = draw_scene(s, &target, &workspace);
     }
     free(workspace.memory);
@@ -154,9 +151,9 @@ static int check_names(const options *o)
     if (output_same_file(o->output, o->model) ||
         (o->depth_output != NULL && output_same_file(o->depth_output, o->model)))
         return report_fault(o->model, "would be overwritten by the picture");
-    if (o->texture != NULL && (output_same_file(o->output, o->texture) ||
-                               (o->depth_output != NULL &&
-                                output_same_file(o->depth_output, o->texture))))
+    if (o->texture != NULL &&
+        (output_same_file(o->output, o->texture) ||
+         (o->depth_output != NULL && output_same_file(o->depth_output, o->texture))))
         return report_fault(o->texture, "would be overwritten by the picture");
     if (o->depth_output != NULL && output_same_file(o->output, o->depth_output))
         return report_fault(o->output, "cannot be both the picture and the depth");

@@ -7,8 +7,8 @@
 /* Longer than any path with a reason behind it; what is longer is cut. */
 #define LINE_SIZE 8192
 
-static void print_line(const char *prefix, const char *what, const char *suffix,
-                       const char *format, va_list arguments)
+static void print_line(const char *prefix, const char *what, const char *suffix, const char *format,
+                       va_list arguments)
 {
     char reason[LINE_SIZE];
     char line[2 * LINE_SIZE];

@@ -13,6 +13,7 @@
 #define POINT_COUNT 306
 #define PATCH_COUNT 32
 
+/* clang-format off */
 static const double points[POINT_COUNT][3] = {
     /* 0: rim */
     {1.4, 0, 2.4}, {1.4, -0.784, 2.4}, {0.784, -1.4, 2.4}, {0, -1.4, 2.4}, {1.3375, 0, 2.53125},
@@ -97,8 +98,10 @@ static const double points[POINT_COUNT][3] = {
     {0.84, -1.5, 0.15}, {1.5, -0.84, 0.15}, {0.84, -1.5, 0.075}, {1.5, -0.84, 0.075},
     {0.798, -1.425, 0}, {1.425, -0.798, 0},
 };
+/* clang-format on */
 
 /* Four rows of four points; the row is u, the column v. */
+/* clang-format off */
 static const uint16_t patches[PATCH_COUNT][16] = {
     /* rim */
     {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15},
@@ -141,6 +144,7 @@ static const uint16_t patches[PATCH_COUNT][16] = {
     {269, 269, 269, 269, 290, 297, 298, 299, 287, 294, 295, 296, 284, 291, 292, 293},
     {269, 269, 269, 269, 299, 304, 305, 278, 296, 302, 303, 274, 293, 300, 301, 270},
 };
+/* clang-format on */
 
 /* Bernstein's cubic polynomials and their derivatives at t. */
 static void basis(double t, double value[4], double slope[4])
@@ -262,8 +266,7 @@ bool teapot_create(uint32_t level, const float color[4], model *result)
             for (uint32_t j = 0; j <= level; j++, vertex++) {
                 double position[3];
                 double normal[3];
-                surface_point(patches[p], (double)i / level, (double)j / level, position,
-                              normal);
+                surface_point(patches[p], (double)i / level, (double)j / level, position, normal);
                 store(position, part->positions + 3 * vertex);
                 store(normal, part->normals + 3 * vertex);
                 memcpy(part->colors + 4 * vertex, color, 4 * sizeof *color);
