@@ -11,6 +11,7 @@
  *   surface.h     colour and depth images in the caller's memory, and clears
  *   texture.h     images that shaders read
  *   pipeline.h    shaders and the state of a draw
+ *   backend.h     instruction sets
  *   draw.h        meshes, the workspace and the draw itself
  *   shaders.h     ready-made shaders
  *
@@ -29,6 +30,7 @@
 #ifndef GNOMON_H
 #define GNOMON_H
 
+#include "gnomon/backend.h"
 #include "gnomon/draw.h"
 #include "gnomon/mat.h"
 #include "gnomon/pipeline.h"

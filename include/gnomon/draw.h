@@ -2,6 +2,7 @@
 #ifndef GNOMON_DRAW_H
 #define GNOMON_DRAW_H
 
+#include "backend.h"
 #include "pipeline.h"
 
 /* One array of vertex attributes, in the caller's memory. Components that the
@@ -37,7 +38,8 @@ typedef struct gn_mesh {
  * is shaded once, with less the draw is made in parts and the pixels are the same. */
 typedef struct gn_workspace {
     void *memory;
-    size_t size; /* bytes */
+    size_t size;        /* bytes */
+    gn_backend backend; /* GN_BACKEND_AUTO: the fastest; the pixels are the same */
 } gn_workspace;
 
 /* Bytes of one vertex between the stages, apart from its varyings: clip position,
@@ -70,7 +72,8 @@ GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
  * gn_pipeline_check, gn_mesh_check), then that the target's colour has a fragment
  * shader (GN_NO_SHADER) and that the workspace is there (GN_NULL_POINTER) and
  * holds at least gn_workspace_size(0, varying_count) bytes
- * (GN_WORKSPACE_TOO_SMALL); on a fault nothing is drawn.
+ * (GN_WORKSPACE_TOO_SMALL), and that its back end is available
+ * (GN_BACKEND_UNAVAILABLE); on a fault nothing is drawn.
  *
  * Triangles are drawn in order. Positions are clipped to -w <= x, y, z <= w and
  * mapped to window coordinates; vertices snap to 1/256 pixel; a pixel is covered

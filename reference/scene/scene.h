@@ -115,7 +115,8 @@ gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame,
                                   const gn_workspace *workspace);
 
 /* The same in a workspace of its own, of scene_workspace_size where workspace_bytes is 0. */
-gn_status scene_draw_library(const scene *s, scene_frame *frame, size_t workspace_bytes);
+gn_status scene_draw_library(const scene *s, scene_frame *frame, size_t workspace_bytes,
+                             gn_backend backend);
 
 /* Compares. Clear values of the scene decide what counts as drawn. */
 scene_difference scene_compare(const scene *s, const scene_frame *ours,

@@ -80,12 +80,14 @@ gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame, const gn_w
     return status;
 }
 
-gn_status scene_draw_library(const scene *s, scene_frame *frame, size_t workspace_bytes)
+gn_status scene_draw_library(const scene *s, scene_frame *frame, size_t workspace_bytes,
+                             gn_backend backend)
 {
     gn_workspace workspace;
 
     workspace.size = workspace_bytes ? workspace_bytes : scene_workspace_size(s);
     workspace.memory = scene_reallocate(NULL, workspace.size, 1);
+    workspace.backend = backend;
     const gn_status status = scene_draw_in_workspace(s, frame, &workspace);
     free(workspace.memory);
     return status;

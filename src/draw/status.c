@@ -22,6 +22,7 @@ static const char texts[GN_STATUS_COUNT][64] = {
     "the viewport has a negative or too large size or origin",
     "an index or range lies outside the vertex arrays",
     "the workspace is too small",
+    "the library or the processor does not have this back end",
 };
 
 const char *gn_status_text(gn_status status)

@@ -1,7 +1,7 @@
 /* Surfaces: construction, validation and clears. */
 #include "gnomon/surface.h"
 
-#include "../fragment/fragment.h"
+#include "../fragment/types.h"
 
 size_t gn_format_size(gn_format format)
 {

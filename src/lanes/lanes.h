@@ -3,13 +3,16 @@
  * lanes_portable.h, and the other forms give the same bits.
  *
  *   load store splat              memory and constants
+ *   columns rows                  the terms of a plane over a block
  *   add sub mul div               one IEEE operation a lane
  *   greater greater_or_equal equal, and not, select, bits, from_bits, sign_bits
+ *   min max                       the second operand where either is NaN
  *   truncate round floor          to integers; to_float and as_int back and across
  *   pack_unorm8                   colours
  *   load_block store_block        the 4x4 lanes of a block in rows of memory
  *
- * GN_PORTABLE_LANES asks for the plain C form where there would be another. */
+ * A back end (backends/) says which form it is made of, GN_LANES_PORTABLE or
+ * GN_LANES_AVX2; other files get what every processor of the target has. */
 #ifndef GN_LANES_LANES_H
 #define GN_LANES_LANES_H
 
@@ -20,26 +23,26 @@
 
 #define GN_EACH_LANE(l) for (int l = 0; l < GN_LANES; ++l)
 
+/* For functions whose arguments are constants where they are called: one version of the
+ * text, a version of the code for each state. What is seldom needed there stays out of line. */
+#if defined(__GNUC__)
+#define GN_INLINE static inline __attribute__((always_inline))
+#define GN_OUT_OF_LINE static __attribute__((noinline))
+#else
+#define GN_INLINE static inline
+#define GN_OUT_OF_LINE static
+#endif
+
 /* All lanes set, as lanes_bits gives it. */
 #define GN_ALL_LANES 0xFFFFu
 
-#if defined(__SSE2__) && !defined(GN_PORTABLE_LANES)
+#if defined(GN_LANES_AVX2)
+#include "lanes_avx2.h"
+#elif defined(__SSE2__) && !defined(GN_LANES_PORTABLE)
 #include "lanes_sse2.h"
 #else
 #include "lanes_portable.h"
 #endif
-
-/* The smaller of two: b where either is NaN, as the reference's instructions have it. */
-static inline lanes_f lanes_min(lanes_f a, lanes_f b)
-{
-    return lanes_select(lanes_greater(b, a), a, b);
-}
-
-/* The larger of two: b where either is NaN. */
-static inline lanes_f lanes_max(lanes_f a, lanes_f b)
-{
-    return lanes_select(lanes_greater(a, b), a, b);
-}
 
 /* Into low..high. */
 static inline lanes_i lanes_i_clamp(lanes_i a, lanes_i low, lanes_i high)

@@ -39,6 +39,23 @@ static inline lanes_f lanes_splat(float a)
     return r;
 }
 
+/* Over a 4x4 block: per_x * (x + column) + origin, and per_y * (y + row). */
+static inline lanes_f lanes_columns(float per_x, float x, float origin)
+{
+    lanes_f r;
+    GN_EACH_LANE (l)
+        r.v[l] = per_x * (x + (float)(l % 4)) + origin;
+    return r;
+}
+
+static inline lanes_f lanes_rows(float per_y, float y)
+{
+    lanes_f r;
+    GN_EACH_LANE (l)
+        r.v[l] = per_y * (y + (float)(l / 4));
+    return r;
+}
+
 static inline lanes_f lanes_add(lanes_f a, lanes_f b)
 {
     GN_EACH_LANE (l)
@@ -121,6 +138,18 @@ static inline lanes_f lanes_select(lanes_m m, lanes_f a, lanes_f b)
     GN_EACH_LANE (l)
         r.v[l] = m.v[l] ? a.v[l] : b.v[l];
     return r;
+}
+
+/* The smaller of two: b where either is NaN or both are zero, as MINPS has it. */
+static inline lanes_f lanes_min(lanes_f a, lanes_f b)
+{
+    return lanes_select(lanes_greater(b, a), a, b);
+}
+
+/* The larger of two: b where either is NaN or both are zero. */
+static inline lanes_f lanes_max(lanes_f a, lanes_f b)
+{
+    return lanes_select(lanes_greater(a, b), a, b);
 }
 
 static inline lanes_i lanes_i_splat(int32_t a)

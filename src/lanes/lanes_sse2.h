@@ -1,6 +1,6 @@
-/* Lanes in four SSE2 registers. Conversions give INT32_MIN where out of range, and
- * min and max are built from compares, so that all bits are those of lanes_portable.h.
- * Precondition: MXCSR in its initial state (round to nearest, denormals kept). */
+/* Lanes in four SSE2 registers. Conversions give INT32_MIN where out of range, so that all bits are
+ * those of lanes_portable.h. Precondition: MXCSR in its initial state (round to nearest, denormals
+ * kept). */
 #ifndef GN_LANES_LANES_SSE2_H
 #define GN_LANES_LANES_SSE2_H
 
@@ -55,6 +55,19 @@ static inline void lanes_store(float *p, lanes_f a)
 static inline lanes_f lanes_splat(float a)
 {
     LANES_EACH_REGISTER(lanes_f, _mm_set1_ps(a));
+}
+
+static inline lanes_f lanes_columns(float per_x, float x, float origin)
+{
+    const __m128 column = _mm_add_ps(_mm_set1_ps(x), _mm_setr_ps(0.0f, 1.0f, 2.0f, 3.0f));
+    const __m128 value = _mm_add_ps(_mm_mul_ps(_mm_set1_ps(per_x), column), _mm_set1_ps(origin));
+
+    LANES_EACH_REGISTER(lanes_f, value);
+}
+
+static inline lanes_f lanes_rows(float per_y, float y)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm_set1_ps(per_y * (y + (float)n)));
 }
 
 static inline lanes_f lanes_add(lanes_f a, lanes_f b)
@@ -124,6 +137,16 @@ static inline lanes_f lanes_select(lanes_m m, lanes_f a, lanes_f b)
 {
     LANES_EACH_REGISTER(lanes_f, _mm_or_ps(_mm_and_ps(_mm_castsi128_ps(m.q[n]), a.q[n]),
                                            _mm_andnot_ps(_mm_castsi128_ps(m.q[n]), b.q[n])));
+}
+
+static inline lanes_f lanes_min(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm_min_ps(a.q[n], b.q[n]));
+}
+
+static inline lanes_f lanes_max(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm_max_ps(a.q[n], b.q[n]));
 }
 
 static inline lanes_i lanes_i_splat(int32_t a)

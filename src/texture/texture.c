@@ -1,5 +1,5 @@
-/* Textures and samplers: what may be sampled. */
-#include "gnomon/texture.h"
+/* Textures and samplers: what may be sampled, and sampling for callers. */
+#include "sample.h"
 
 static size_t element_size(gn_format format)
 {
@@ -37,4 +37,10 @@ gn_status gn_sampler_check(const gn_sampler *sampler)
         (unsigned)sampler->minify > GN_MINIFY_LINEAR)
         return GN_INVALID_ENUM;
     return GN_OK;
+}
+
+void gn_sample_2d(const gn_texture *texture, const gn_sampler *sampler, const float s[GN_LANES],
+                  const float t[GN_LANES], float texel[4][GN_LANES])
+{
+    sample_2d(texture, sampler, s, t, texel);
 }

@@ -5,14 +5,14 @@
 #include <math.h>
 #include <string.h>
 
-/* The scene in a workspace of the least size or a little above, against `ours`. */
-static bool compare_workspace(const scene *s, size_t extra, comparison *result)
+/* The scene in a workspace of that size and on that back end, against `ours`. */
+static bool compare_variant(const scene *s, size_t workspace, gn_backend backend,
+                            comparison *result)
 {
     scene_frame frame;
     if (!scene_frame_allocate(&frame, s))
         return false;
-    const size_t least = gn_workspace_size(0, GN_SHADER_VARYINGS);
-    result->status = scene_draw_library(s, &frame, least + extra);
+    result->status = scene_draw_library(s, &frame, workspace, backend);
     if (result->status == GN_OK && result->workspace.pixels == 0)
         result->workspace = scene_compare(s, &frame, &result->ours);
     scene_frame_free(&frame);
@@ -27,7 +27,7 @@ static bool count_drawn(const scene *s, comparison *result)
     empty.draw_count = 0;
     if (!scene_frame_allocate(&frame, s))
         return false;
-    result->status = scene_draw_library(&empty, &frame, 0);
+    result->status = scene_draw_library(&empty, &frame, 0, GN_BACKEND_AUTO);
     if (result->status == GN_OK)
         result->drawn = scene_compare(s, &frame, &result->theirs).pixels;
     scene_frame_free(&frame);
@@ -45,12 +45,17 @@ bool compare_scene(const comparer *c, const scene *s, uint64_t number, compariso
                  s->height);
         return false;
     }
-    result->status = scene_draw_library(s, &result->ours, 0);
+    result->status = scene_draw_library(s, &result->ours, 0, GN_BACKEND_AUTO);
+    const size_t least = gn_workspace_size(0, GN_SHADER_VARYINGS);
     /* A batch more, or any number of bytes: whole meshes, parts of them, or one by one. */
     if (result->status == GN_OK && (c->small_workspaces || number % 3 == 0))
-        allocated = compare_workspace(s, 0, result);
+        allocated = compare_variant(s, least, GN_BACKEND_AUTO, result);
     if (result->status == GN_OK && allocated && (c->small_workspaces || number % 3 == 1))
-        allocated = compare_workspace(s, (size_t)(number * 619 % 20011), result);
+        allocated =
+            compare_variant(s, least + (size_t)(number * 619 % 20011), GN_BACKEND_AUTO, result);
+    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; b++)
+        if (result->status == GN_OK && allocated && gn_backend_available((gn_backend)b))
+            allocated = compare_variant(s, 0, (gn_backend)b, result);
     if (!allocated) {
         snprintf(error, error_size, "no memory for a frame of %" PRIu32 "x%" PRIu32, s->width,
                  s->height);

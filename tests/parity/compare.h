@@ -15,7 +15,7 @@ typedef struct comparer {
 typedef struct comparison {
     gn_status status;           /* the library's */
     scene_difference reference; /* ours and the reference's */
-    scene_difference workspace; /* ours with less and with more workspace */
+    scene_difference workspace; /* ours with other workspaces and back ends */
     uint64_t drawn;             /* pixels the reference drew on */
     scene_frame ours, theirs;
 } comparison;

@@ -131,7 +131,7 @@ static void report_failure(scene_class c, uint64_t number, const comparison *r)
     if (r->status != GN_OK)
         fprintf(stderr, "the library says: %s\n", gn_status_text(r->status));
     else if (r->workspace.pixels > 0)
-        fprintf(stderr, "%" PRIu64 " pixels depend on the workspace\n", r->workspace.pixels);
+        fprintf(stderr, "%" PRIu64 " pixels depend on workspace or back end\n", r->workspace.pixels);
     else
         fprintf(stderr,
                 "colour %" PRIu64 ", depth %" PRIu64 ", coverage %" PRIu64
@@ -216,7 +216,7 @@ static void run_class(gate *g, scene_class c, uint64_t count)
            scene_class_name(c), t.scenes, t.triangles, t.pixels, t.drawn, t.color, t.depth);
     if (t.coverage + t.workspace + t.faults > 0)
         printf("  of %s: %" PRIu64 " differ in coverage, %" PRIu64
-               " depend on the workspace, %" PRIu64 " scenes were refused\n",
+               " depend on workspace or back end, %" PRIu64 " scenes were refused\n",
                scene_class_name(c), t.coverage, t.workspace, t.faults);
     if (t.scenes > 0 && t.drawn == 0) {
         fprintf(stderr, "parity: %s drew on no pixel at all: nothing was tested\n",
@@ -316,7 +316,7 @@ static bool replay(const gate *g)
                s->width, s->height, s->draw_count, scene_triangle_count(s), r.drawn,
                gn_status_text(r.status));
         printf("%" PRIu64 " differ: colour %" PRIu64 " (at most %g), depth %" PRIu64
-               " (at most %g), coverage %" PRIu64 "; %" PRIu64 " depend on the workspace\n",
+               " (at most %g), coverage %" PRIu64 "; %" PRIu64 " depend on workspace or back end\n",
                r.reference.pixels, r.reference.color_pixels, r.reference.color_largest,
                r.reference.depth_pixels, r.reference.depth_largest, r.reference.coverage_pixels,
                r.workspace.pixels);

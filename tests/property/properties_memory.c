@@ -218,7 +218,7 @@ static bool draw_guarded(const hostile *h, const guarded *color, const guarded *
     unsigned char *least_memory = malloc(least);
     if (!least_memory)
         return false;
-    const gn_workspace workspace = {least_memory, least};
+    const gn_workspace workspace = {least_memory, least, GN_BACKEND_AUTO};
     const gn_status status = gn_draw(&target, &pipeline, &mesh, &workspace);
     free(least_memory);
     return status == GN_OK;

@@ -56,8 +56,8 @@ static scene_frame frame_of(const scene *s)
 static bool same_picture(const scene *a, size_t workspace_a, const scene *b, size_t workspace_b)
 {
     scene_frame frame_a = frame_of(a), frame_b = frame_of(b);
-    const bool same = scene_draw_library(a, &frame_a, workspace_a) == GN_OK &&
-                      scene_draw_library(b, &frame_b, workspace_b) == GN_OK &&
+    const bool same = scene_draw_library(a, &frame_a, workspace_a, GN_BACKEND_AUTO) == GN_OK &&
+                      scene_draw_library(b, &frame_b, workspace_b, GN_BACKEND_AUTO) == GN_OK &&
                       scene_compare(a, &frame_a, &frame_b).pixels == 0;
     scene_frame_free(&frame_a);
     scene_frame_free(&frame_b);
@@ -142,7 +142,7 @@ static bool draw_top_down(const scene *s, scene_frame *frame)
             break;
         }
         const size_t size = gn_workspace_size(d->mesh.vertex_count, GN_SHADER_VARYINGS);
-        const gn_workspace workspace = {malloc(size), size};
+        const gn_workspace workspace = {malloc(size), size, GN_BACKEND_AUTO};
         good = good && workspace.memory && gn_draw(&target, &p, &d->mesh, &workspace) == GN_OK;
         free(workspace.memory);
     }
@@ -164,7 +164,7 @@ static enum theft_trial_res rows_either_way(struct theft *t, void *argument)
     scene *s = scene_of(argument);
     scene_frame up = frame_of(s), down = frame_of(s);
     (void)t;
-    const bool same = scene_draw_library(s, &up, 0) == GN_OK && draw_top_down(s, &down) &&
+    const bool same = scene_draw_library(s, &up, 0, GN_BACKEND_AUTO) == GN_OK && draw_top_down(s, &down) &&
                       rows_reversed(up.color, down.color, s->color_format, s->width, s->height) &&
                       rows_reversed(up.depth, down.depth, s->depth_format, s->width, s->height);
     scene_frame_free(&up);
@@ -193,8 +193,8 @@ static bool covers_pixel(const scene *s, void *context)
     empty.draw_count = 0;
     scene_frame drawn = frame_of(s), cleared = frame_of(s);
     const size_t at = (size_t)p->y * s->width + p->x;
-    const bool covered = scene_draw_library(s, &drawn, 0) == GN_OK &&
-                         scene_draw_library(&empty, &cleared, 0) == GN_OK &&
+    const bool covered = scene_draw_library(s, &drawn, 0, GN_BACKEND_AUTO) == GN_OK &&
+                         scene_draw_library(&empty, &cleared, 0, GN_BACKEND_AUTO) == GN_OK &&
                          (!same_pixel(drawn.color, cleared.color, s->color_format, at) ||
                           !same_pixel(drawn.depth, cleared.depth, s->depth_format, at));
     scene_frame_free(&drawn);

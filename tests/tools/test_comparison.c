@@ -60,7 +60,7 @@ bool reference_draw(reference *r, const scene *s, scene_frame *frame, char *erro
         snprintf(error, error_size, "it refuses");
         return false;
     }
-    if (scene_draw_library(s, frame, 0) != GN_OK)
+    if (scene_draw_library(s, frame, 0, GN_BACKEND_AUTO) != GN_OK)
         return false;
     uint32_t *color = frame->color;
     float *depth = frame->depth;

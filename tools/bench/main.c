@@ -61,6 +61,7 @@ static int measure(reference *r, int index, int frames)
     char error[512] = "";
 
     workspace.size = scene_workspace_size(s);
+    workspace.backend = GN_BACKEND_AUTO;
     workspace.memory = malloc(workspace.size);
     reference_prepared *prepared = reference_prepare(r, s, error, sizeof error);
     if (!prepared)

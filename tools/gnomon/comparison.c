@@ -37,7 +37,7 @@ int comparison_make(const scene *s, comparison *result)
     if (!scene_frame_allocate(&result->ours, s) || !scene_frame_allocate(&result->reference, s))
         return report_fault("--size", "not enough memory for two pictures of %ux%u pixels",
                             (unsigned)s->width, (unsigned)s->height);
-    gn_status status = scene_draw_library(s, &result->ours, 0);
+    gn_status status = scene_draw_library(s, &result->ours, 0, GN_BACKEND_AUTO);
     if (status != GN_OK)
         return report_fault("drawing", "%s", gn_status_text(status));
 

@@ -102,7 +102,7 @@ static size_t workspace_size(const scene *s)
 static int draw_canvas(const scene *s, canvas *c)
 {
     size_t pixels = (size_t)s->width * s->height;
-    gn_workspace workspace = {NULL, workspace_size(s)};
+    gn_workspace workspace = {NULL, workspace_size(s), GN_BACKEND_AUTO};
     c->width = s->width;
     c->color = malloc(pixels * sizeof *c->color);
     c->depth = malloc(pixels * sizeof *c->depth);

@@ -1,11 +1,14 @@
 /* Outcodes, the perspective division, the viewport and snapping
  * (OpenGL 4.5 section 13.6), for a batch of vertices. */
-#include "geometry.h"
+#ifndef GN_GEOMETRY_VIEWPORT_H
+#define GN_GEOMETRY_VIEWPORT_H
+
+#include "types.h"
 
 #include "../lanes/lanes.h"
 
-viewport_transform gn_viewport_transform(const gn_pipeline *pipeline, uint32_t target_width,
-                                         uint32_t target_height)
+static inline viewport_transform
+viewport_transform_of(const gn_pipeline *pipeline, uint32_t target_width, uint32_t target_height)
 {
     const gn_viewport *v = &pipeline->viewport;
     const float x = v->set ? v->x : 0.0f;
@@ -44,7 +47,7 @@ static void compute_outcodes(vertex_batch *batch)
     }
 }
 
-void gn_transform_batch(const viewport_transform *viewport, vertex_batch *batch)
+static inline void transform_batch(const viewport_transform *viewport, vertex_batch *batch)
 {
     const lanes_f one_over_w = lanes_div(lanes_splat(1.0f), lanes_load(batch->clip[3]));
 
@@ -62,3 +65,5 @@ void gn_transform_batch(const viewport_transform *viewport, vertex_batch *batch)
     }
     lanes_store(batch->window[3], one_over_w);
 }
+
+#endif

@@ -2,7 +2,10 @@
  * in, and the planes of depth, 1/w and the varyings. Coverage is decided on
  * snapped coordinates in integers (exact), attributes on the unsnapped ones
  * (OpenGL 4.5 section 14.6.1; Pineda 1988 for edge functions). */
-#include "raster.h"
+#ifndef GN_RASTER_SETUP_H
+#define GN_RASTER_SETUP_H
+
+#include "types.h"
 
 #if (-1 >> 1) != -1
 #error "right shifts of negative numbers must round down"
@@ -197,8 +200,10 @@ static void set_up_planes(const gn_pipeline *pipeline, const setup_vertices *v,
     }
 }
 
-bool gn_setup_triangle(const setup_state *state, const vertex_store *store,
-                       const vertex_triangle *triangle, raster_triangle *out)
+/* False where the triangle is culled, degenerate or covers no pixel of the target;
+ * `out` is then unspecified. */
+static inline bool setup_triangle(const setup_state *state, const vertex_store *store,
+                                  const vertex_triangle *triangle, raster_triangle *out)
 {
     const gn_pipeline *pipeline = state->pipeline;
     setup_vertices v;
@@ -227,3 +232,5 @@ bool gn_setup_triangle(const setup_state *state, const vertex_store *store,
                   triangle->provoking % GN_LANES, out);
     return true;
 }
+
+#endif

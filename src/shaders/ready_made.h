@@ -1,9 +1,16 @@
-/* The ready-made shaders: vertex colour, flat, Gouraud and textured Gouraud. */
+/* The ready-made shaders over lanes: vertex colour, lit, textured. Compiled for each
+ * back end, and once for the functions a pipeline points to (shaders.c). */
+#ifndef GN_SHADERS_READY_MADE_H
+#define GN_SHADERS_READY_MADE_H
+
 #include "gnomon/shaders.h"
 
 #include "../lanes/lanes.h"
 
 #include "gnomon/scalar.h"
+
+#include "../texture/sample.h"
+#include "shaders.h"
 
 /* Varyings, in this order: the colour, then the texture coordinates. */
 enum { VARYING_RED, VARYING_ALPHA = 3, VARYING_S, VARYING_T, VARYING_END };
@@ -13,7 +20,8 @@ enum { VARYING_RED, VARYING_ALPHA = 3, VARYING_S, VARYING_T, VARYING_END };
 #endif
 
 /* column[0]*x + column[1]*y + column[2]*z + column[3]*w, from left to right. */
-static void transform_position(const gn_mat4 *m, const float (*p)[GN_LANES], float (*out)[GN_LANES])
+static inline void transform_position(const gn_mat4 *m, const float (*p)[GN_LANES],
+                                      float (*out)[GN_LANES])
 {
     for (int row = 0; row < 4; ++row) {
         GN_EACH_LANE (l)
@@ -23,7 +31,7 @@ static void transform_position(const gn_mat4 *m, const float (*p)[GN_LANES], flo
     }
 }
 
-static void copy_color(const float (*color)[GN_LANES], float (*out)[GN_LANES])
+static inline void copy_color(const float (*color)[GN_LANES], float (*out)[GN_LANES])
 {
     for (int c = 0; c < 4; ++c) {
         GN_EACH_LANE (l)
@@ -31,8 +39,8 @@ static void copy_color(const float (*color)[GN_LANES], float (*out)[GN_LANES])
     }
 }
 
-static void shade_vertex_color(const void *uniforms, const gn_vertex_input *input,
-                               gn_vertex_output *output)
+static inline void shade_vertex_color(const void *uniforms, const gn_vertex_input *input,
+                                      gn_vertex_output *output)
 {
     const gn_color_uniforms *u = uniforms;
 
@@ -41,7 +49,8 @@ static void shade_vertex_color(const void *uniforms, const gn_vertex_input *inpu
     copy_color(input->attribute[GN_ATTRIBUTE_COLOR], &output->varying[VARYING_RED]);
 }
 
-static void shade_lit(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)
+static inline void shade_lit(const void *uniforms, const gn_vertex_input *input,
+                             gn_vertex_output *output)
 {
     const gn_light_uniforms *u = uniforms;
     const float(*normal)[GN_LANES] = input->attribute[GN_ATTRIBUTE_NORMAL];
@@ -70,8 +79,8 @@ static void shade_lit(const void *uniforms, const gn_vertex_input *input, gn_ver
     }
 }
 
-static void shade_lit_textured(const void *uniforms, const gn_vertex_input *input,
-                               gn_vertex_output *output)
+static inline void shade_lit_textured(const void *uniforms, const gn_vertex_input *input,
+                                      gn_vertex_output *output)
 {
     const gn_textured_uniforms *u = uniforms;
 
@@ -82,67 +91,25 @@ static void shade_lit_textured(const void *uniforms, const gn_vertex_input *inpu
     }
 }
 
-static void shade_color(const void *uniforms, const gn_fragment_input *input,
-                        gn_fragment_output *output)
+static inline void shade_color(const void *uniforms, const gn_fragment_input *input,
+                               gn_fragment_output *output)
 {
     (void)uniforms;
     copy_color(&input->varying[VARYING_RED], output->color);
 }
 
-static void shade_textured(const void *uniforms, const gn_fragment_input *input,
-                           gn_fragment_output *output)
+static inline void shade_textured(const void *uniforms, const gn_fragment_input *input,
+                                  gn_fragment_output *output)
 {
     const gn_textured_uniforms *u = uniforms;
     float texel[4][GN_LANES];
 
-    gn_sample_2d(&u->texture, &u->sampler, input->varying[VARYING_S], input->varying[VARYING_T],
-                 texel);
+    sample_2d(&u->texture, &u->sampler, input->varying[VARYING_S], input->varying[VARYING_T],
+              texel);
     for (int c = 0; c < 4; ++c) {
         GN_EACH_LANE (l)
             output->color[c][l] = input->varying[c][l] * texel[c][l];
     }
 }
 
-static gn_status use(gn_pipeline *pipeline, const void *uniforms, gn_vertex_shader *vertex,
-                     gn_fragment_shader *fragment, uint32_t varying_count,
-                     gn_interpolation interpolation)
-{
-    if (!pipeline || !uniforms)
-        return GN_NULL_POINTER;
-    pipeline->vertex_shader = vertex;
-    pipeline->fragment_shader = fragment;
-    pipeline->uniforms = uniforms;
-    pipeline->varying_count = varying_count;
-    for (uint32_t n = 0; n < varying_count; ++n)
-        pipeline->interpolation[n] = interpolation;
-    return GN_OK;
-}
-
-gn_status gn_use_vertex_color(gn_pipeline *pipeline, const gn_color_uniforms *uniforms)
-{
-    return use(pipeline, uniforms, shade_vertex_color, shade_color, VARYING_ALPHA + 1, GN_SMOOTH);
-}
-
-gn_status gn_use_flat(gn_pipeline *pipeline, const gn_light_uniforms *uniforms)
-{
-    return use(pipeline, uniforms, shade_lit, shade_color, VARYING_ALPHA + 1, GN_FLAT);
-}
-
-gn_status gn_use_gouraud(gn_pipeline *pipeline, const gn_light_uniforms *uniforms)
-{
-    return use(pipeline, uniforms, shade_lit, shade_color, VARYING_ALPHA + 1, GN_SMOOTH);
-}
-
-gn_status gn_use_textured_gouraud(gn_pipeline *pipeline, const gn_textured_uniforms *uniforms)
-{
-    gn_status status;
-
-    if (!pipeline || !uniforms)
-        return GN_NULL_POINTER;
-    status = gn_texture_check(&uniforms->texture);
-    if (!status)
-        status = gn_sampler_check(&uniforms->sampler);
-    if (status)
-        return status;
-    return use(pipeline, uniforms, shade_lit_textured, shade_textured, VARYING_END, GN_SMOOTH);
-}
+#endif

@@ -1,17 +1,20 @@
 /* Primitive assembly: which elements make triangle i of a topology, in the order
  * in which the reference hands them to triangle set-up. The provoking vertex
  * comes last or first, and later stages keep it there. */
-#include "geometry.h"
+#ifndef GN_GEOMETRY_ASSEMBLE_H
+#define GN_GEOMETRY_ASSEMBLE_H
 
-uint32_t gn_triangle_count(gn_topology topology, uint32_t count)
+#include "types.h"
+
+static inline uint32_t triangle_count(gn_topology topology, uint32_t count)
 {
     if (topology == GN_TRIANGLES)
         return count / 3;
     return count < 3 ? 0 : count - 2;
 }
 
-vertex_triangle gn_assemble_triangle(gn_topology topology, gn_provoking_vertex provoking,
-                                     uint32_t i)
+static inline vertex_triangle assemble_triangle(gn_topology topology, gn_provoking_vertex provoking,
+                                                uint32_t i)
 {
     const bool first = provoking == GN_PROVOKING_FIRST;
     const uint32_t odd = i & 1;
@@ -38,9 +41,11 @@ vertex_triangle gn_assemble_triangle(gn_topology topology, gn_provoking_vertex p
     return t;
 }
 
-vertex_triangle gn_assemble_quad(uint32_t i)
+static inline vertex_triangle assemble_quad(uint32_t i)
 {
     const vertex_triangle t = {{0, i + 1, i + 2}, 0};
 
     return t;
 }
+
+#endif

@@ -1,6 +1,9 @@
 /* Sampling a 2D texture at the 16 fragments of a block: level-of-detail decision,
  * wrapping, fetch and filter (OpenGL 4.5 sections 8.14 and 8.15), in the order of
  * operations of the reference rasterizer. */
+#ifndef GN_TEXTURE_SAMPLE_H
+#define GN_TEXTURE_SAMPLE_H
+
 #include <stdbool.h>
 
 #include "gnomon/texture.h"
@@ -163,8 +166,9 @@ static lanes_m minified(const gn_texture *texture, const float *s, const float *
     return lanes_from_bits(bits);
 }
 
-void gn_sample_2d(const gn_texture *texture, const gn_sampler *sampler, const float s[GN_LANES],
-                  const float t[GN_LANES], float texel[4][GN_LANES])
+static inline void sample_2d(const gn_texture *texture, const gn_sampler *sampler,
+                             const float s[GN_LANES], const float t[GN_LANES],
+                             float texel[4][GN_LANES])
 {
     const bool magnify_linear = sampler->magnify == GN_MAGNIFY_LINEAR;
     const bool minify_linear = sampler->minify == GN_MINIFY_LINEAR;
@@ -188,3 +192,5 @@ void gn_sample_2d(const gn_texture *texture, const gn_sampler *sampler, const fl
     for (int c = 0; c < 4; ++c)
         lanes_store(texel[c], lanes_select(use_linear, linear[c], nearest[c]));
 }
+
+#endif

@@ -2,9 +2,9 @@
  * fragments.
  *
  *   setup      three vertices -> edge functions and attribute planes
- *   coverage   edge functions -> 4x4 blocks with a mask of covered pixels */
-#ifndef GN_RASTER_RASTER_H
-#define GN_RASTER_RASTER_H
+ *   coverage   edge functions -> runs of 4x4 blocks with a mask of covered pixels */
+#ifndef GN_RASTER_TYPES_H
+#define GN_RASTER_TYPES_H
 
 #include "../geometry/vertex_store.h"
 
@@ -39,15 +39,10 @@ typedef struct setup_state {
     bool any_clipped;       /* some vertex of the draw is outside the view volume */
 } setup_state;
 
-/* False where the triangle is culled, degenerate or covers no pixel of the target;
- * `out` is then unspecified. */
-bool gn_setup_triangle(const setup_state *state, const vertex_store *store,
-                       const vertex_triangle *triangle, raster_triangle *out);
-
-/* Calls `block` for every 4x4 block with covered pixels, from the bottom up and from
- * left to right. x and y are multiples of 4, bit l of coverage is lane l. */
-typedef void block_function(void *context, const raster_triangle *triangle, int32_t x, int32_t y,
-                            uint32_t coverage);
-void gn_cover_triangle(const raster_triangle *triangle, block_function *block, void *context);
+/* Called for runs of `count` neighbouring 4x4 blocks in a row, the first at (x, y),
+ * multiples of 4; bit l of coverage is lane l, the same in every block. More than one
+ * block is only called for where all pixels are covered. */
+typedef void run_function(const void *context, const raster_triangle *triangle, int32_t x,
+                          int32_t y, uint32_t count, uint32_t coverage);
 
 #endif

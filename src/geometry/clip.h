@@ -2,7 +2,10 @@
  * clipping (1974) in homogeneous coordinates (Blinn and Newell 1978), plane after
  * plane. There is no guard band, so that what is inside the volume keeps its
  * vertices and nothing reaches the rasterizer from beyond the viewport. */
-#include "geometry.h"
+#ifndef GN_GEOMETRY_CLIP_H
+#define GN_GEOMETRY_CLIP_H
+
+#include "viewport.h"
 
 #include "../lanes/lanes.h"
 
@@ -114,10 +117,11 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
     return out->count >= 3;
 }
 
-uint32_t gn_clip_triangle(const gn_pipeline *pipeline, const viewport_transform *viewport,
-                          const vertex_store *store, uint32_t scratch, uint32_t planes,
-                          const vertex_triangle *triangle,
-                          vertex_triangle out[CLIP_MAX_POLYGON - 2])
+static inline uint32_t clip_triangle(const gn_pipeline *pipeline,
+                                     const viewport_transform *viewport, const vertex_store *store,
+                                     uint32_t scratch, uint32_t planes,
+                                     const vertex_triangle *triangle,
+                                     vertex_triangle out[CLIP_MAX_POLYGON - 2])
 {
     clipper c = {pipeline, viewport, store, scratch, 0};
     polygon polygons[2];
@@ -137,7 +141,7 @@ uint32_t gn_clip_triangle(const gn_pipeline *pipeline, const viewport_transform 
             result = swap;
         }
     }
-    gn_transform_batch(viewport, vertex_batch_at(store, scratch));
+    transform_batch(viewport, vertex_batch_at(store, scratch));
 
     /* A fan whose first polygon vertex takes the provoking vertex's place. */
     const bool first = pipeline->provoking_vertex == GN_PROVOKING_FIRST;
@@ -150,3 +154,5 @@ uint32_t gn_clip_triangle(const gn_pipeline *pipeline, const viewport_transform 
     }
     return in->count - 2;
 }
+
+#endif

@@ -1,8 +1,11 @@
 /* Vertex fetch: attribute arrays of the caller into structures of arrays. */
-#include "geometry.h"
+#ifndef GN_GEOMETRY_FETCH_H
+#define GN_GEOMETRY_FETCH_H
 
-void gn_fetch_attributes(const gn_mesh *mesh, const uint32_t vertex_id[GN_LANES],
-                         float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
+#include "types.h"
+
+static inline void fetch_attributes(const gn_mesh *mesh, const uint32_t vertex_id[GN_LANES],
+                                    float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
 {
     for (uint32_t a = 0; a < GN_MAX_ATTRIBUTES; ++a) {
         const gn_attribute *source = &mesh->attribute[a];
@@ -19,3 +22,5 @@ void gn_fetch_attributes(const gn_mesh *mesh, const uint32_t vertex_id[GN_LANES]
         }
     }
 }
+
+#endif

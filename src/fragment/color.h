@@ -1,0 +1,69 @@
+/* Colours into a surface's format and memory. */
+#ifndef GN_FRAGMENT_COLOR_H
+#define GN_FRAGMENT_COLOR_H
+
+#include "types.h"
+
+/* Pixel by pixel, for blocks that hang over the surface's edge. */
+GN_OUT_OF_LINE void store_covered_pixels(const gn_surface *surface, int32_t x, int32_t y,
+                                         uint32_t coverage, lanes_i pixels)
+{
+    int32_t pixel[GN_LANES];
+
+    lanes_i_store(pixel, pixels);
+    GN_EACH_LANE (l) {
+        if (coverage >> l & 1u) {
+            void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
+            ((int32_t *)row)[x + l % BLOCK_SIZE] = pixel[l];
+        }
+    }
+}
+
+GN_INLINE void write_rgba8(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
+                           const lanes_f color[4])
+{
+    lanes_i pixels = lanes_pack_unorm8(color[0], color[1], color[2], color[3]);
+
+    if (surface_holds_block(surface, x, y)) {
+        unsigned char *const memory = surface_row(surface, (uint32_t)y) + 4 * x;
+
+        if (coverage != GN_ALL_LANES)
+            pixels = lanes_i_select(lanes_from_bits(coverage), pixels,
+                                    lanes_i_load_block(memory, surface->row_stride));
+        lanes_i_store_block(memory, surface->row_stride, pixels);
+        return;
+    }
+
+    store_covered_pixels(surface, x, y, coverage, pixels);
+}
+
+static inline void write_rgba32f(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
+                                 const lanes_f color[4])
+{
+    float channel[4][GN_LANES];
+
+    for (int c = 0; c < 4; ++c)
+        lanes_store(channel[c], color[c]);
+    GN_EACH_LANE (l) {
+        if (coverage >> l & 1u) {
+            const uint32_t row = (uint32_t)(y + l / BLOCK_SIZE);
+            float *out = (float *)(void *)surface_row(surface, row) + 4 * (x + l % BLOCK_SIZE);
+
+            for (int c = 0; c < 4; ++c)
+                out[c] = channel[c][l];
+        }
+    }
+}
+
+/* Converts a block's red, green, blue and alpha to the surface's format and writes the
+ * covered pixels. */
+GN_INLINE void write_color(const gn_surface *surface, gn_format format, int32_t x, int32_t y,
+                           uint32_t coverage, const lanes_f color[4])
+{
+    if (format == GN_FORMAT_RGBA8)
+        write_rgba8(surface, x, y, coverage, color);
+    else
+        write_rgba32f(surface, x, y, coverage, color);
+}
+
+#endif

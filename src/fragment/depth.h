@@ -1,0 +1,120 @@
+/* The depth test (OpenGL 4.5 section 17.3.5), on the values the format holds. */
+#ifndef GN_FRAGMENT_DEPTH_H
+#define GN_FRAGMENT_DEPTH_H
+
+#include "types.h"
+
+static inline depth_state depth_state_of(const gn_pipeline *pipeline)
+{
+    const gn_compare f = pipeline->depth_function;
+    depth_state s;
+
+    s.question = f == GN_NEVER || f == GN_ALWAYS            ? DEPTH_ALWAYS
+                 : f == GN_EQUAL || f == GN_NOT_EQUAL       ? DEPTH_EQUAL
+                 : f == GN_LESS || f == GN_GREATER_OR_EQUAL ? DEPTH_LESS
+                                                            : DEPTH_GREATER;
+    s.inverted =
+        f == GN_NEVER || f == GN_NOT_EQUAL || f == GN_GREATER_OR_EQUAL || f == GN_LESS_OR_EQUAL;
+    s.write = !pipeline->depth_write_disabled;
+    return s;
+}
+
+/* Depths as a format holds them, in the low bits: D16 and D24 rounded, D32F as the
+ * float's bits, which order as integers do. Clamped to 0..1. */
+GN_INLINE lanes_i quantize_depth(gn_format format, lanes_f depth)
+{
+    const lanes_f z = lanes_max(lanes_min(depth, lanes_splat(1.0f)), lanes_splat(0.0f));
+
+    switch (format) {
+    case GN_FORMAT_D16:
+        /* In [128, 129) the last place is 2^-16: the addition rounds to 16 bits,
+         * which are then the lowest of the float's. */
+        return lanes_i_and(lanes_as_int(lanes_add(lanes_mul(z, lanes_splat(65535.0f / 65536.0f)),
+                                                  lanes_splat(128.0f))),
+                           lanes_i_splat(0xFFFF));
+    case GN_FORMAT_D24:
+        return lanes_round(lanes_mul(z, lanes_splat(16777215.0f)));
+    default:
+        return lanes_as_int(z);
+    }
+}
+
+/* Pixel by pixel: D16, and blocks that hang over the surface's edge. */
+GN_OUT_OF_LINE lanes_i load_covered_depth(const gn_surface *surface, int32_t x, int32_t y,
+                                          uint32_t coverage)
+{
+    int32_t depth[GN_LANES] = {0};
+
+    GN_EACH_LANE (l) {
+        const void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
+        const int32_t column = x + l % BLOCK_SIZE;
+
+        if (coverage >> l & 1u)
+            depth[l] = surface->format == GN_FORMAT_D16 ? ((const uint16_t *)row)[column]
+                                                        : ((const int32_t *)row)[column];
+    }
+    return lanes_i_load(depth);
+}
+
+GN_OUT_OF_LINE void store_covered_depth(const gn_surface *surface, int32_t x, int32_t y,
+                                        uint32_t coverage, lanes_i value)
+{
+    int32_t depth[GN_LANES];
+
+    lanes_i_store(depth, value);
+    GN_EACH_LANE (l) {
+        void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
+        const int32_t column = x + l % BLOCK_SIZE;
+
+        if (!(coverage >> l & 1u))
+            continue;
+        if (surface->format == GN_FORMAT_D16)
+            ((uint16_t *)row)[column] = (uint16_t)depth[l];
+        else
+            ((int32_t *)row)[column] = depth[l];
+    }
+}
+
+/* Where incoming passes against stored. */
+GN_INLINE uint32_t compare_depth(const depth_state *state, lanes_i incoming, lanes_i stored)
+{
+    uint32_t bits = GN_ALL_LANES;
+
+    if (state->question == DEPTH_LESS)
+        bits = lanes_bits(lanes_i_greater(stored, incoming));
+    else if (state->question == DEPTH_GREATER)
+        bits = lanes_bits(lanes_i_greater(incoming, stored));
+    else if (state->question == DEPTH_EQUAL)
+        bits = lanes_bits(lanes_i_equal(incoming, stored));
+    return state->inverted ? ~bits : bits;
+}
+
+/* Tests a block's depths against a surface of the given format and writes those that
+ * pass, where the state says so. Gives the part of coverage that passed. */
+GN_INLINE uint32_t test_depth(const depth_state *state, const gn_surface *surface, gn_format format,
+                              int32_t x, int32_t y, uint32_t coverage, lanes_f depth)
+{
+    const lanes_i incoming = quantize_depth(format, depth);
+
+    if (format == GN_FORMAT_D16 || !surface_holds_block(surface, x, y)) {
+        const lanes_i stored = load_covered_depth(surface, x, y, coverage);
+        const uint32_t passed = coverage & compare_depth(state, incoming, stored);
+
+        if (state->write)
+            store_covered_depth(surface, x, y, passed, incoming);
+        return passed;
+    }
+
+    unsigned char *const memory = surface_row(surface, (uint32_t)y) + 4 * x;
+    const lanes_i stored = lanes_i_load_block(memory, surface->row_stride);
+    const uint32_t passed = coverage & compare_depth(state, incoming, stored);
+
+    if (state->write && passed == GN_ALL_LANES)
+        lanes_i_store_block(memory, surface->row_stride, incoming);
+    else if (state->write && passed)
+        lanes_i_store_block(memory, surface->row_stride,
+                            lanes_i_select(lanes_from_bits(passed), incoming, stored));
+    return passed;
+}
+
+#endif

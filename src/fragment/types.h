@@ -1,0 +1,46 @@
+/* The fragment stages: from blocks of covered fragments to the surfaces.
+ *
+ *   depth   depth test and depth write
+ *   color   conversion to the colour format and write
+ *   block   interpolates, runs depth, the fragment shader and colour
+ *
+ * State is resolved once a draw, into the run_function (raster/types.h) that the
+ * blocks are handed to. */
+#ifndef GN_FRAGMENT_TYPES_H
+#define GN_FRAGMENT_TYPES_H
+
+#include "../lanes/lanes.h"
+#include "../raster/types.h"
+
+/* What of incoming and stored depth is asked; `inverted` asks for the contrary. Stored
+ * forms order as integers, so that these make all eight functions. */
+typedef enum depth_question { DEPTH_ALWAYS, DEPTH_EQUAL, DEPTH_LESS, DEPTH_GREATER } depth_question;
+
+typedef struct depth_state {
+    depth_question question;
+    bool inverted;
+    bool write;
+} depth_state;
+
+typedef struct fragment_state {
+    const gn_pipeline *pipeline;
+    gn_surface color; /* GN_FORMAT_NONE: no colour */
+    gn_surface depth; /* GN_FORMAT_NONE: no test */
+    depth_state test;
+} fragment_state;
+
+/* Whether all of the block at (x, y) lies on a surface, so that it may be loaded and
+ * stored whole; blocks hang over the right and the top edge of odd sizes. */
+static inline bool surface_holds_block(const gn_surface *surface, int32_t x, int32_t y)
+{
+    return (uint32_t)x + BLOCK_SIZE <= surface->width &&
+           (uint32_t)y + BLOCK_SIZE <= surface->height;
+}
+
+/* The memory of row y of a surface. */
+static inline unsigned char *surface_row(const gn_surface *surface, uint32_t y)
+{
+    return (unsigned char *)surface->pixels + (ptrdiff_t)y * surface->row_stride;
+}
+
+#endif

@@ -1,0 +1,35 @@
+/* The geometry stages: from a mesh to triangles in window coordinates.
+ *
+ *   fetch      attribute arrays -> structure of arrays, 16 vertices at a time
+ *   viewport   clip space -> outcodes, window coordinates, snapped coordinates
+ *   assemble   topology -> triangles of vertices
+ *   clip       a triangle across the view volume -> triangles inside it */
+#ifndef GN_GEOMETRY_TYPES_H
+#define GN_GEOMETRY_TYPES_H
+
+#include "vertex_store.h"
+
+/* window = ndc * scale + translate, for x, y, z. */
+typedef struct viewport_transform {
+    float scale[3];
+    float translate[3];
+} viewport_transform;
+
+/* Clipping planes, in the order they are clipped against. Bit p of an outcode is
+ * set where the vertex is outside plane p, a NaN counting as outside. */
+typedef enum clip_plane {
+    CLIP_RIGHT,  /* x <= w */
+    CLIP_LEFT,   /* -w <= x */
+    CLIP_TOP,    /* y <= w */
+    CLIP_BOTTOM, /* -w <= y */
+    CLIP_NEAR,   /* -w <= z */
+    CLIP_FAR,    /* z <= w */
+    CLIP_PLANE_COUNT
+} clip_plane;
+
+/* A plane adds at most one vertex to a convex polygon, so that 3 + 6 are usual.
+ * Rounding can make it slightly concave; a polygon beyond this limit, or needing
+ * more new vertices than a batch holds, is not drawn. */
+#define CLIP_MAX_POLYGON 12
+
+#endif

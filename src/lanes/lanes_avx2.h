@@ -1,0 +1,261 @@
+/* Lanes in two AVX2 registers, two rows of a block each. The same bits as
+ * lanes_portable.h; see there for what each operation does. */
+#ifndef GN_LANES_LANES_AVX2_H
+#define GN_LANES_LANES_AVX2_H
+
+#include <immintrin.h>
+
+typedef struct lanes_f {
+    __m256 q[2];
+} lanes_f;
+
+typedef struct lanes_i {
+    __m256i q[2];
+} lanes_i;
+
+typedef struct lanes_m {
+    __m256i q[2];
+} lanes_m;
+
+/* r.q[n] = EXPRESSION for both registers. */
+#define LANES_EACH_REGISTER(type, EXPRESSION)                                                      \
+    type r;                                                                                        \
+    {                                                                                              \
+        enum { n = 0 };                                                                            \
+        r.q[n] = EXPRESSION;                                                                       \
+    }                                                                                              \
+    {                                                                                              \
+        enum { n = 1 };                                                                            \
+        r.q[n] = EXPRESSION;                                                                       \
+    }                                                                                              \
+    return r
+
+static inline lanes_f lanes_load(const float p[GN_LANES])
+{
+    LANES_EACH_REGISTER(lanes_f, _mm256_loadu_ps(p + 8 * n));
+}
+
+static inline void lanes_store(float *p, lanes_f a)
+{
+    _mm256_storeu_ps(p, a.q[0]);
+    _mm256_storeu_ps(p + 8, a.q[1]);
+}
+
+static inline lanes_f lanes_splat(float a)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm256_set1_ps(a));
+}
+
+static inline lanes_f lanes_columns(float per_x, float x, float origin)
+{
+    const __m256 column = _mm256_add_ps(_mm256_set1_ps(x), _mm256_setr_ps(0, 1, 2, 3, 0, 1, 2, 3));
+    const __m256 value =
+        _mm256_add_ps(_mm256_mul_ps(_mm256_set1_ps(per_x), column), _mm256_set1_ps(origin));
+
+    LANES_EACH_REGISTER(lanes_f, value);
+}
+
+static inline lanes_f lanes_rows(float per_y, float y)
+{
+    LANES_EACH_REGISTER(lanes_f,
+                        _mm256_mul_ps(_mm256_set1_ps(per_y),
+                                      _mm256_add_ps(_mm256_set1_ps(y + (float)(2 * n)),
+                                                    _mm256_setr_ps(0, 0, 0, 0, 1, 1, 1, 1))));
+}
+
+static inline lanes_f lanes_add(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm256_add_ps(a.q[n], b.q[n]));
+}
+
+static inline lanes_f lanes_sub(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm256_sub_ps(a.q[n], b.q[n]));
+}
+
+static inline lanes_f lanes_mul(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm256_mul_ps(a.q[n], b.q[n]));
+}
+
+static inline lanes_f lanes_div(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm256_div_ps(a.q[n], b.q[n]));
+}
+
+static inline lanes_m lanes_greater(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_m, _mm256_castps_si256(_mm256_cmp_ps(a.q[n], b.q[n], _CMP_GT_OQ)));
+}
+
+static inline lanes_m lanes_greater_or_equal(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_m, _mm256_castps_si256(_mm256_cmp_ps(a.q[n], b.q[n], _CMP_GE_OQ)));
+}
+
+static inline lanes_m lanes_equal(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_m, _mm256_castps_si256(_mm256_cmp_ps(a.q[n], b.q[n], _CMP_EQ_OQ)));
+}
+
+static inline lanes_m lanes_and(lanes_m a, lanes_m b)
+{
+    LANES_EACH_REGISTER(lanes_m, _mm256_and_si256(a.q[n], b.q[n]));
+}
+
+static inline lanes_m lanes_not(lanes_m a)
+{
+    LANES_EACH_REGISTER(lanes_m, _mm256_xor_si256(a.q[n], _mm256_set1_epi32(-1)));
+}
+
+static inline uint32_t lanes_bits(lanes_m a)
+{
+    return (uint32_t)(_mm256_movemask_ps(_mm256_castsi256_ps(a.q[0])) |
+                      _mm256_movemask_ps(_mm256_castsi256_ps(a.q[1])) << 8);
+}
+
+static inline lanes_m lanes_from_bits(uint32_t bits)
+{
+    const __m256i all = _mm256_set1_epi32((int)bits);
+    const __m256i one = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+
+    LANES_EACH_REGISTER(
+        lanes_m, _mm256_cmpeq_epi32(_mm256_and_si256(_mm256_srli_epi32(all, 8 * n), one), one));
+}
+
+static inline lanes_f lanes_select(lanes_m m, lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm256_blendv_ps(b.q[n], a.q[n], _mm256_castsi256_ps(m.q[n])));
+}
+
+static inline lanes_f lanes_min(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm256_min_ps(a.q[n], b.q[n]));
+}
+
+static inline lanes_f lanes_max(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm256_max_ps(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_splat(int32_t a)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_set1_epi32(a));
+}
+
+static inline lanes_i lanes_i_load(const int32_t p[GN_LANES])
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_loadu_si256((const __m256i *)(const void *)(p + 8 * n)));
+}
+
+static inline void lanes_i_store(int32_t *p, lanes_i a)
+{
+    _mm256_storeu_si256((__m256i *)(void *)p, a.q[0]);
+    _mm256_storeu_si256((__m256i *)(void *)(p + 8), a.q[1]);
+}
+
+static inline lanes_i lanes_i_add(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_add_epi32(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_or_si256(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_and(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_and_si256(a.q[n], b.q[n]));
+}
+
+static inline lanes_m lanes_i_greater(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_m, _mm256_cmpgt_epi32(a.q[n], b.q[n]));
+}
+
+static inline lanes_m lanes_i_equal(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_m, _mm256_cmpeq_epi32(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_select(lanes_m m, lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_blendv_epi8(b.q[n], a.q[n], m.q[n]));
+}
+
+static inline lanes_i lanes_m_as_int(lanes_m a)
+{
+    LANES_EACH_REGISTER(lanes_i, a.q[n]);
+}
+
+static inline uint32_t lanes_i_sign_bits(lanes_i a)
+{
+    return (uint32_t)(_mm256_movemask_ps(_mm256_castsi256_ps(a.q[0])) |
+                      _mm256_movemask_ps(_mm256_castsi256_ps(a.q[1])) << 8);
+}
+
+static inline lanes_f lanes_to_float(lanes_i a)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm256_cvtepi32_ps(a.q[n]));
+}
+
+static inline lanes_i lanes_as_int(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_castps_si256(a.q[n]));
+}
+
+static inline lanes_i lanes_truncate(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_cvttps_epi32(a.q[n]));
+}
+
+static inline lanes_i lanes_round(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_cvtps_epi32(a.q[n]));
+}
+
+/* Rounds eight pixels and transposes their bytes within each half; the packs saturate. */
+static inline __m256i lanes_avx2_pack(__m256 red, __m256 green, __m256 blue, __m256 alpha)
+{
+    const __m256 scale = _mm256_set1_ps(255.0f);
+    const __m256i rg = _mm256_packs_epi32(_mm256_cvtps_epi32(_mm256_mul_ps(red, scale)),
+                                          _mm256_cvtps_epi32(_mm256_mul_ps(green, scale)));
+    const __m256i ba = _mm256_packs_epi32(_mm256_cvtps_epi32(_mm256_mul_ps(blue, scale)),
+                                          _mm256_cvtps_epi32(_mm256_mul_ps(alpha, scale)));
+    const __m256i order = _mm256_setr_epi8(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15, 0,
+                                           4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
+
+    return _mm256_shuffle_epi8(_mm256_packus_epi16(rg, ba), order);
+}
+
+static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
+{
+    LANES_EACH_REGISTER(lanes_i, lanes_avx2_pack(red.q[n], green.q[n], blue.q[n], alpha.q[n]));
+}
+
+/* Two rows of four values. */
+static inline __m256i lanes_avx2_load_rows(const unsigned char *memory, ptrdiff_t stride)
+{
+    const __m128i low = _mm_loadu_si128((const __m128i *)(const void *)memory);
+    const __m128i high = _mm_loadu_si128((const __m128i *)(const void *)(memory + stride));
+
+    return _mm256_inserti128_si256(_mm256_castsi128_si256(low), high, 1);
+}
+
+static inline lanes_i lanes_i_load_block(const unsigned char *memory, ptrdiff_t stride)
+{
+    LANES_EACH_REGISTER(lanes_i, lanes_avx2_load_rows(memory + 2 * n * stride, stride));
+}
+
+static inline void lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, lanes_i a)
+{
+    for (int n = 0; n < 2; ++n) {
+        unsigned char *const row = memory + 2 * n * stride;
+
+        _mm_storeu_si128((__m128i *)(void *)row, _mm256_castsi256_si128(a.q[n]));
+        _mm_storeu_si128((__m128i *)(void *)(row + stride), _mm256_extracti128_si256(a.q[n], 1));
+    }
+}
+
+#endif
