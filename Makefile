@@ -153,15 +153,12 @@ bench: $(BUILD)/bench ## speed beside OSMesa's, as ratios: FRAMES=15
 check-freestanding: ## no undefined symbols, no writable data, headers alone
 	@tests/portability/freestanding.sh $(BUILD)
 
-# The everyday gate. The same programs are built three times: as they are, under the
-# sanitizers, and with lanes in plain C.
+# The everyday gate. The tests are built twice, as they are and under the sanitizers.
 
 TEST_SEED ?= $(shell date +%s)
 CHECKED = $(BUILD)/sanitized
 CHECKED_FLAGS = BUILD=$(CHECKED) CFLAGS='-O1 -g' \
 	SANITIZE='-fsanitize=address,undefined -fno-sanitize-recover=all'
-PLAIN = $(BUILD)/portable
-PLAIN_FLAGS = BUILD=$(PLAIN) CFLAGS='$(CFLAGS) -DGN_PORTABLE_LANES'
 
 unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 
@@ -173,13 +170,12 @@ test: ## everything, in a few minutes; ends on "N passed, N failed"
 	@$(MAKE) --no-print-directory -j2 all test-programs $(TOOL_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/bench
 	@$(MAKE) --no-print-directory -j2 $(CHECKED_FLAGS) test-programs
-	@$(MAKE) --no-print-directory -j2 $(PLAIN_FLAGS) $(PLAIN)/parity $(PLAIN)/test_texture $(PLAIN)/test_draw
 	@LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0 tests/run.sh \
 		$(call unit_steps,$(BUILD),) \
 		'theft=$(BUILD)/theft-selftest' \
 		'properties=$(BUILD)/property-tests --seed $(TEST_SEED)' \
 		'scalar functions=$(BUILD)/exhaustive --stride 9973' \
-		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes 2100 --keep $(BUILD)/parity-failure.scene' \
+		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes 4400 --keep $(BUILD)/parity-failure.scene' \
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
 		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \
@@ -191,10 +187,7 @@ test: ## everything, in a few minutes; ends on "N passed, N failed"
 		'embedding=tests/embed/readme.sh $(BUILD)' \
 		$(call unit_steps,$(CHECKED),sanitized ) \
 		'sanitized properties=$(CHECKED)/property-tests --seed $(TEST_SEED) --trials 100' \
-		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 315 --keep $(BUILD)/parity-failure.scene' \
-		'portable lanes, textures=$(PLAIN)/test_texture' \
-		'portable lanes, draws=$(PLAIN)/test_draw' \
-		'portable lanes, parity=$(PLAIN)/parity --seed $(TEST_SEED) --scenes 630 --keep $(BUILD)/parity-failure.scene'
+		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 440 --keep $(BUILD)/parity-failure.scene'
 
 # Installation
 

@@ -122,12 +122,28 @@ static uint32_t outcode_of(const draw_state *draw, uint32_t slot)
     return vertex_batch_of(&draw->store, slot)->outcode[slot % GN_LANES];
 }
 
+/* Most triangles of a fine mesh lie in one block and many cover no pixel: their
+ * attributes are not set up before that is known. */
 static void rasterize(draw_state *draw, const vertex_triangle *triangle)
 {
+    setup_vertices vertices;
     raster_triangle raster;
 
-    if (setup_triangle(&draw->setup, &draw->store, triangle, &raster))
-        cover_triangle(&raster, draw->shade_run, &draw->fragment);
+    if (!setup_edges(&draw->setup, &draw->store, triangle, &vertices, &raster))
+        return;
+    if (is_one_block(&raster)) {
+        const int32_t x = raster.min_x & ~(BLOCK_SIZE - 1);
+        const int32_t y = raster.min_y & ~(BLOCK_SIZE - 1);
+        const uint32_t coverage = cover_block(&raster, x, y);
+
+        if (coverage) {
+            setup_planes(draw->pipeline, &vertices, &raster);
+            draw->shade_run(&draw->fragment, &raster, x, y, 1, coverage);
+        }
+        return;
+    }
+    setup_planes(draw->pipeline, &vertices, &raster);
+    cover_triangle(&raster, draw->shade_run, &draw->fragment);
 }
 
 static void draw_triangle(draw_state *draw, const vertex_triangle *triangle)

@@ -3,7 +3,7 @@
  * lanes_portable.h, and the other forms give the same bits.
  *
  *   load store splat              memory and constants
- *   columns rows                  the terms of a plane over a block
+ *   columns rows plane            the terms of a plane over a block
  *   add sub mul div               one IEEE operation a lane
  *   greater greater_or_equal equal, and not, select, bits, from_bits, sign_bits
  *   min max                       the second operand where either is NaN

@@ -143,6 +143,18 @@ static inline lanes_i lanes_i_splat(int32_t a)
     LANES_EACH_REGISTER(lanes_i, _mm256_set1_epi32(a));
 }
 
+static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
+{
+    const __m256i column = _mm256_setr_epi32(0, 1, 2, 3, 0, 1, 2, 3);
+    const __m256i row = _mm256_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1);
+
+    LANES_EACH_REGISTER(
+        lanes_i,
+        _mm256_add_epi32(_mm256_mullo_epi32(_mm256_set1_epi32(per_column), column),
+                         _mm256_mullo_epi32(_mm256_set1_epi32(per_row),
+                                            _mm256_add_epi32(row, _mm256_set1_epi32(2 * n)))));
+}
+
 static inline lanes_i lanes_i_load(const int32_t p[GN_LANES])
 {
     LANES_EACH_REGISTER(lanes_i, _mm256_loadu_si256((const __m256i *)(const void *)(p + 8 * n)));

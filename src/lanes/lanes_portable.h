@@ -160,6 +160,15 @@ static inline lanes_i lanes_i_splat(int32_t a)
     return r;
 }
 
+/* Over a 4x4 block: per_column * column + per_row * row. */
+static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
+{
+    lanes_i r;
+    GN_EACH_LANE (l)
+        r.v[l] = per_column * (l % 4) + per_row * (l / 4);
+    return r;
+}
+
 static inline lanes_i lanes_i_load(const int32_t *p)
 {
     lanes_i r;

@@ -154,6 +154,13 @@ static inline lanes_i lanes_i_splat(int32_t a)
     LANES_EACH_REGISTER(lanes_i, _mm_set1_epi32(a));
 }
 
+static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
+{
+    const __m128i columns = _mm_setr_epi32(0, per_column, 2 * per_column, 3 * per_column);
+
+    LANES_EACH_REGISTER(lanes_i, _mm_add_epi32(columns, _mm_set1_epi32(n * per_row)));
+}
+
 static inline lanes_i lanes_i_load(const int32_t p[GN_LANES])
 {
     LANES_EACH_REGISTER(lanes_i, _mm_loadu_si128((const __m128i *)(const void *)(p + 4 * n)));

@@ -21,14 +21,11 @@ static block_edge make_block_edge(const edge_function *edge)
 {
     const int32_t along_x = -edge->per_x * (BLOCK_SIZE - 1);
     const int32_t along_y = edge->per_y * (BLOCK_SIZE - 1);
-    int32_t offset[GN_LANES];
     block_edge b;
 
     b.least = (along_x < 0 ? along_x : 0) + (along_y < 0 ? along_y : 0);
     b.greatest = (along_x > 0 ? along_x : 0) + (along_y > 0 ? along_y : 0);
-    GN_EACH_LANE (l)
-        offset[l] = edge->per_y * (l / BLOCK_SIZE) - edge->per_x * (l % BLOCK_SIZE);
-    b.offset = lanes_i_load(offset);
+    b.offset = lanes_i_plane(-edge->per_x, edge->per_y);
     return b;
 }
 
@@ -153,6 +150,33 @@ static inline void cover_row(const raster_triangle *t, const block_edge edge[3],
     }
 }
 
+static inline edge_values values_at(const raster_triangle *t, int32_t x, int32_t y)
+{
+    edge_values e;
+
+    for (int i = 0; i < 3; ++i)
+        e.v[i] =
+            t->edge[i].constant - (int64_t)t->edge[i].per_x * x + (int64_t)t->edge[i].per_y * y;
+    return e;
+}
+
+/* Whether the bounds of a triangle lie in one block. */
+static inline bool is_one_block(const raster_triangle *t)
+{
+    return t->min_x / BLOCK_SIZE == t->max_x / BLOCK_SIZE &&
+           t->min_y / BLOCK_SIZE == t->max_y / BLOCK_SIZE;
+}
+
+/* The covered pixels of the block at (x, y). */
+static inline uint32_t cover_block(const raster_triangle *triangle, int32_t x, int32_t y)
+{
+    block_edge edge[3];
+
+    for (int i = 0; i < 3; ++i)
+        edge[i] = make_block_edge(&triangle->edge[i]);
+    return bounds_mask(triangle, x, y) & edge_mask(edge, values_at(triangle, x, y));
+}
+
 /* Calls `run` for every block with covered pixels, from the bottom up and from left to
  * right. */
 static inline void cover_triangle(const raster_triangle *triangle, run_function *run,
@@ -165,15 +189,8 @@ static inline void cover_triangle(const raster_triangle *triangle, run_function 
     for (int i = 0; i < 3; ++i)
         edge[i] = make_block_edge(&triangle->edge[i]);
 
-    for (int32_t y = bottom; y <= triangle->max_y; y += BLOCK_SIZE) {
-        edge_values e;
-
-        for (int i = 0; i < 3; ++i) {
-            const edge_function *f = &triangle->edge[i];
-            e.v[i] = f->constant - (int64_t)f->per_x * left + (int64_t)f->per_y * y;
-        }
-        cover_row(triangle, edge, e, left, y, run, context);
-    }
+    for (int32_t y = bottom; y <= triangle->max_y; y += BLOCK_SIZE)
+        cover_row(triangle, edge, values_at(triangle, left, y), left, y, run, context);
 }
 
 #endif

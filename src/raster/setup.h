@@ -14,16 +14,18 @@
 /* Beyond this a snapped coordinate is not one of a vertex inside a viewport:
  * GN_MAX_SIZE on either side of an origin within GN_MAX_SIZE. Within it
  * everything below stays under 2^52. */
-#define SNAPPED_LIMIT (2 * GN_MAX_SIZE * 256 + 256)
+#define SNAPPED_LIMIT (2u * GN_MAX_SIZE * 256 + 256)
 
-/* The vertices in the order of the edges, gathered from their batches. */
+/* The vertices in the order of the edges, found in their batches. */
 typedef struct setup_vertices {
     const vertex_batch *batch[3];
     uint32_t lane[3];
-    int64_t x[3], y[3]; /* snapped */
+    int32_t x[3], y[3]; /* snapped */
+    const vertex_batch *provoking;
+    uint32_t provoking_lane;
 } setup_vertices;
 
-static void gather_vertex(setup_vertices *v, int i, const vertex_store *store, uint32_t slot)
+static inline void gather_vertex(setup_vertices *v, int i, const vertex_store *store, uint32_t slot)
 {
     v->batch[i] = vertex_batch_of(store, slot);
     v->lane[i] = slot % GN_LANES;
@@ -31,14 +33,32 @@ static void gather_vertex(setup_vertices *v, int i, const vertex_store *store, u
     v->y[i] = v->batch[i]->snapped[1][v->lane[i]];
 }
 
-static bool snapped_in_range(const setup_vertices *v)
+static inline void exchange_vertices(setup_vertices *v, int i, int j)
 {
+    const vertex_batch *const batch = v->batch[i];
+    const uint32_t lane = v->lane[i];
+    const int32_t x = v->x[i];
+    const int32_t y = v->y[i];
+
+    v->batch[i] = v->batch[j];
+    v->lane[i] = v->lane[j];
+    v->x[i] = v->x[j];
+    v->y[i] = v->y[j];
+    v->batch[j] = batch;
+    v->lane[j] = lane;
+    v->x[j] = x;
+    v->y[j] = y;
+}
+
+static inline bool snapped_in_range(const setup_vertices *v)
+{
+    uint32_t beyond = 0;
+
     for (int i = 0; i < 3; ++i) {
-        if (v->x[i] > SNAPPED_LIMIT || v->x[i] < -SNAPPED_LIMIT || v->y[i] > SNAPPED_LIMIT ||
-            v->y[i] < -SNAPPED_LIMIT)
-            return false;
+        beyond |= (uint32_t)v->x[i] + SNAPPED_LIMIT > 2 * SNAPPED_LIMIT;
+        beyond |= (uint32_t)v->y[i] + SNAPPED_LIMIT > 2 * SNAPPED_LIMIT;
     }
-    return true;
+    return !beyond;
 }
 
 static bool is_culled(const gn_pipeline *pipeline, bool clockwise)
@@ -74,57 +94,51 @@ static bool is_culled_unsnapped(const gn_pipeline *pipeline, const setup_vertice
     return is_culled(pipeline, area == 0.0f ? !front_clockwise : area < 0.0f);
 }
 
-static int64_t least(int64_t a, int64_t b, int64_t c)
+static inline int32_t least(int32_t a, int32_t b, int32_t c)
 {
-    const int64_t d = a < b ? a : b;
+    const int32_t d = a < b ? a : b;
     return d < c ? d : c;
 }
 
-static int64_t greatest(int64_t a, int64_t b, int64_t c)
+static inline int32_t greatest(int32_t a, int32_t b, int32_t c)
 {
-    const int64_t d = a > b ? a : b;
+    const int32_t d = a > b ? a : b;
     return d > c ? d : c;
 }
 
-static int32_t clamp_to(int64_t x, int64_t low, int64_t high)
+/* Pixels whose centre (256 * px in snapped coordinates) lies between the extremes, and
+ * in the target. */
+static inline bool bound(const setup_state *state, const setup_vertices *v, raster_triangle *out)
 {
-    return (int32_t)(x < low ? low : x > high ? high : x);
-}
+    const int32_t min_x = (least(v->x[0], v->x[1], v->x[2]) + 255) >> 8;
+    const int32_t min_y = (least(v->y[0], v->y[1], v->y[2]) + 255) >> 8;
+    const int32_t max_x = greatest(v->x[0], v->x[1], v->x[2]) >> 8;
+    const int32_t max_y = greatest(v->y[0], v->y[1], v->y[2]) >> 8;
+    const int32_t right = (int32_t)state->width - 1;
+    const int32_t top = (int32_t)state->height - 1;
 
-/* Pixels whose centre (256 * px in snapped coordinates) lies between the extremes. */
-static bool bound(const setup_state *state, const setup_vertices *v, raster_triangle *out)
-{
-    const int64_t min_x = (least(v->x[0], v->x[1], v->x[2]) + 255) >> 8;
-    const int64_t min_y = (least(v->y[0], v->y[1], v->y[2]) + 255) >> 8;
-    const int64_t max_x = greatest(v->x[0], v->x[1], v->x[2]) >> 8;
-    const int64_t max_y = greatest(v->y[0], v->y[1], v->y[2]) >> 8;
-    const int64_t right = (int64_t)state->width - 1;
-    const int64_t top = (int64_t)state->height - 1;
-
-    if (min_x > max_x || min_y > max_y || max_x < 0 || max_y < 0 || min_x > right || min_y > top)
-        return false;
-    out->min_x = clamp_to(min_x, 0, right);
-    out->min_y = clamp_to(min_y, 0, top);
-    out->max_x = clamp_to(max_x, 0, right);
-    out->max_y = clamp_to(max_y, 0, top);
-    return true;
+    out->min_x = min_x < 0 ? 0 : min_x;
+    out->min_y = min_y < 0 ? 0 : min_y;
+    out->max_x = max_x > right ? right : max_x;
+    out->max_y = max_y > top ? top : max_y;
+    return out->min_x <= out->max_x && out->min_y <= out->max_y;
 }
 
 /* A pixel is inside where C - 256*dx*px + 256*dy*py > 0, C having 1 added on edges
  * that own their ties. With integers, C + 256*k > 0 is floor((C - 1) / 256) + k >= 0,
  * which leaves steps small enough for 32 bits within a block. */
-static void set_up_edges(const setup_vertices *v, raster_triangle *out)
+static inline void make_edges(const setup_vertices *v, raster_triangle *out)
 {
     for (int i = 0; i < 3; ++i) {
         const int j = i == 2 ? 0 : i + 1;
-        const int64_t dx = v->y[i] - v->y[j];
-        const int64_t dy = v->x[i] - v->x[j];
-        const int64_t owns_ties = dx < 0 || (dx == 0 && dy > 0);
-        const int64_t c = dx * v->x[i] - dy * v->y[i] + owns_ties;
+        const int32_t dx = v->y[i] - v->y[j];
+        const int32_t dy = v->x[i] - v->x[j];
+        const int32_t owns_ties = dx < 0 || (dx == 0 && dy > 0);
+        const int64_t c = (int64_t)dx * v->x[i] - (int64_t)dy * v->y[i] + owns_ties;
 
         out->edge[i].constant = (c - 1) >> 8;
-        out->edge[i].per_x = (int32_t)dx;
-        out->edge[i].per_y = (int32_t)dy;
+        out->edge[i].per_x = dx;
+        out->edge[i].per_y = dy;
     }
 }
 
@@ -134,7 +148,7 @@ typedef struct plane_basis {
     float dx01, dy01, dx20, dy20;
 } plane_basis;
 
-static plane_basis make_basis(const setup_vertices *v)
+static inline plane_basis make_basis(const setup_vertices *v)
 {
     const float x0 = v->batch[0]->window[0][v->lane[0]];
     const float y0 = v->batch[0]->window[1][v->lane[0]];
@@ -154,7 +168,7 @@ static plane_basis make_basis(const setup_vertices *v)
     return b;
 }
 
-static attribute_plane make_plane(const plane_basis *b, float a0, float a1, float a2)
+static inline attribute_plane make_plane(const plane_basis *b, float a0, float a1, float a2)
 {
     const float da01 = a0 - a1;
     const float da20 = a2 - a0;
@@ -166,9 +180,9 @@ static attribute_plane make_plane(const plane_basis *b, float a0, float a1, floa
     return p;
 }
 
-static void set_up_planes(const gn_pipeline *pipeline, const setup_vertices *v,
-                          const vertex_batch *provoking, uint32_t provoking_lane,
-                          raster_triangle *out)
+/* The planes of depth, 1/w and the varyings. */
+static inline void setup_planes(const gn_pipeline *pipeline, const setup_vertices *v,
+                                raster_triangle *out)
 {
     const plane_basis basis = make_basis(v);
     float w[3];
@@ -186,7 +200,7 @@ static void set_up_planes(const gn_pipeline *pipeline, const setup_vertices *v,
             a[i] = v->batch[i]->varying[n][v->lane[i]];
         switch (pipeline->interpolation[n]) {
         case GN_FLAT:
-            out->varying[n].origin = provoking->varying[n][provoking_lane];
+            out->varying[n].origin = v->provoking->varying[n][v->provoking_lane];
             out->varying[n].per_x = 0.0f;
             out->varying[n].per_y = 0.0f;
             break;
@@ -200,36 +214,35 @@ static void set_up_planes(const gn_pipeline *pipeline, const setup_vertices *v,
     }
 }
 
-/* False where the triangle is culled, degenerate or covers no pixel of the target;
- * `out` is then unspecified. */
-static inline bool setup_triangle(const setup_state *state, const vertex_store *store,
-                                  const vertex_triangle *triangle, raster_triangle *out)
+/* Bounds and edges. False where the triangle is culled, degenerate or has no pixel of
+ * the target in its bounds; `out` is then unspecified. */
+static inline bool setup_edges(const setup_state *state, const vertex_store *store,
+                               const vertex_triangle *triangle, setup_vertices *v,
+                               raster_triangle *out)
 {
     const gn_pipeline *pipeline = state->pipeline;
-    setup_vertices v;
 
     for (int i = 0; i < 3; ++i)
-        gather_vertex(&v, i, store, triangle->slot[i]);
-    if (!snapped_in_range(&v))
+        gather_vertex(v, i, store, triangle->slot[i]);
+    if (!snapped_in_range(v))
         return false;
 
-    const int64_t area =
-        (v.x[0] - v.x[1]) * (v.y[2] - v.y[0]) - (v.x[2] - v.x[0]) * (v.y[0] - v.y[1]);
-    if (area == 0 || is_culled(pipeline, area > 0) || !bound(state, &v, out))
+    const int64_t area = (int64_t)(v->x[0] - v->x[1]) * (v->y[2] - v->y[0]) -
+                         (int64_t)(v->x[2] - v->x[0]) * (v->y[0] - v->y[1]);
+    if (area == 0 || is_culled(pipeline, area > 0) || !bound(state, v, out))
         return false;
-    if (state->any_clipped && pipeline->cull != GN_CULL_NONE && is_culled_unsnapped(pipeline, &v))
+    if (state->any_clipped && pipeline->cull != GN_CULL_NONE && is_culled_unsnapped(pipeline, v))
         return false;
 
     /* Inside is to one side of every edge only in one winding; the provoking vertex
      * keeps its place. */
     if (area < 0) {
         const bool first = pipeline->provoking_vertex == GN_PROVOKING_FIRST;
-        gather_vertex(&v, first ? 1 : 0, store, triangle->slot[first ? 2 : 1]);
-        gather_vertex(&v, first ? 2 : 1, store, triangle->slot[first ? 1 : 0]);
+        exchange_vertices(v, first ? 1 : 0, first ? 2 : 1);
     }
-    set_up_edges(&v, out);
-    set_up_planes(pipeline, &v, vertex_batch_of(store, triangle->provoking),
-                  triangle->provoking % GN_LANES, out);
+    v->provoking = vertex_batch_of(store, triangle->provoking);
+    v->provoking_lane = triangle->provoking % GN_LANES;
+    make_edges(v, out);
     return true;
 }
 

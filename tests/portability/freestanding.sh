@@ -50,7 +50,7 @@ header() { # header NAME COMMAND...
 command -v gcc >/dev/null && check gcc-O2 gcc -O2 && check gcc-O0 gcc -O0 && check gcc-Os gcc -Os &&
     check gcc-Ofast gcc -Ofast -march=haswell
 command -v clang >/dev/null && check clang-O2 clang -O2
-check portable-lanes "${CC:-cc}" -O2 -DGN_PORTABLE_LANES
+check only-portable "${CC:-cc}" -O2 -DGN_ONLY_PORTABLE
 
 for file in include/gnomon.h include/gnomon/*.h; do
     include=${file#include/}

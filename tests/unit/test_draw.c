@@ -87,6 +87,8 @@ static void faults_touch_nothing(void **state)
     EXPECT(GN_NULL_POINTER);
     c.workspace.size = gn_workspace_size(0, c.pipeline.varying_count) - 1;
     EXPECT(GN_WORKSPACE_TOO_SMALL);
+    c.workspace.backend = GN_BACKEND_COUNT;
+    EXPECT(GN_BACKEND_UNAVAILABLE);
 #undef EXPECT
     assert_int_equal(gn_draw(NULL, &c.pipeline, &c.mesh, &c.workspace), GN_NULL_POINTER);
     assert_int_equal(gn_draw(&c.target, NULL, &c.mesh, &c.workspace), GN_NULL_POINTER);
@@ -289,6 +291,36 @@ static void indices_of_every_width(void **state)
     }
 }
 
+static void back_ends_have_names_and_agree(void **state)
+{
+    (void)state;
+    static canvas first;
+    const gn_backend best = gn_backend_best();
+
+    assert_true(best > GN_BACKEND_AUTO && best < GN_BACKEND_COUNT);
+    assert_true(gn_backend_available(best));
+    assert_true(gn_backend_available(GN_BACKEND_AUTO));
+    assert_true(gn_backend_available(GN_BACKEND_PORTABLE));
+    assert_false(gn_backend_available(GN_BACKEND_COUNT));
+    assert_false(gn_backend_available((gn_backend)-1));
+    assert_string_equal(gn_backend_name(GN_BACKEND_PORTABLE), "portable");
+    assert_string_equal(gn_backend_name(GN_BACKEND_COUNT), "unknown");
+    for (int b = GN_BACKEND_AUTO; b < GN_BACKEND_COUNT; ++b) {
+        reset(square, 4, GN_TRIANGLE_STRIP);
+        c.workspace.backend = (gn_backend)b;
+        c.pipeline.depth_test = true;
+        if (!gn_backend_available((gn_backend)b)) {
+            assert_int_equal(draw(), GN_BACKEND_UNAVAILABLE);
+            continue;
+        }
+        assert_int_equal(draw(), GN_OK);
+        if (b == GN_BACKEND_AUTO)
+            first = c;
+        assert_memory_equal(c.color, first.color, sizeof c.color);
+        assert_memory_equal(c.depth, first.depth, sizeof c.depth);
+    }
+}
+
 static void a_triangle_through_the_eye_is_clipped(void **state)
 {
     (void)state;
@@ -315,6 +347,7 @@ int main(void)
         cmocka_unit_test(depth_is_written_only_when_asked),
         cmocka_unit_test(one_surface_is_enough),
         cmocka_unit_test(indices_of_every_width),
+        cmocka_unit_test(back_ends_have_names_and_agree),
         cmocka_unit_test(a_triangle_through_the_eye_is_clipped),
     };
     return cmocka_run_group_tests_name("draw", tests, NULL, NULL);
