@@ -59,11 +59,11 @@ library: $(BUILD)/libgnomon.a $(BUILD)/libgnomon.so ## the library, static and s
 
 $(BUILD)/libgnomon.a: $(call objects,$(LIBRARY_SOURCES))
 	@echo '  AR $@'
-	@$(AR) rcs $@ $^
+	@rm -f $@ && $(AR) rcs $@ $^
 
 $(BUILD)/libgnomon.so: $(call objects,$(LIBRARY_SOURCES))
 	@echo '  LD $@'
-	@$(CC) $(CFLAGS) $(SANITIZE) -shared -nostdlib -Wl,-z,defs -Wl,-soname,libgnomon.so.0 $^ -o $@
+	@$(CC) $(CFLAGS) $(FLOAT_FLAGS) $(SANITIZE) -shared -nostdlib -Wl,-z,defs -Wl,-soname,libgnomon.so.0 $^ -o $@
 
 $(BUILD)/src/%.o: src/%.c Makefile
 	@mkdir -p $(@D)
@@ -83,7 +83,7 @@ $(BUILD)/tests/exhaustive/%.o: EXTRA_FLAGS = -DGN_REFERENCE_MPFR
 # Programs
 
 REFERENCE_OBJECTS = $(call objects,$(SCENE_SOURCES) $(OSMESA_SOURCES))
-LINK = @echo '  LD $@' && $(CC) $(CFLAGS) $(SANITIZE) $^ -o $@
+LINK = @echo '  LD $@' && $(CC) $(CFLAGS) $(FLOAT_FLAGS) $(SANITIZE) $^ -o $@
 
 $(BUILD)/gnomon: $(call objects,$(COMMAND_SOURCES)) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
 	$(LINK) -lassimp -lpng -lstb -lOSMesa -lm
@@ -129,8 +129,14 @@ $(BUILD)/test_teapot: $(BUILD)/tests/tools/test_teapot.o \
 # What people run
 
 .PHONY: demo
-demo: ## set up, then draw the teapot with Gnomon and with OSMesa and compare
+demo: ## draw the teapot with Gnomon and with OSMesa and compare
 demo: all
+
+# In `make setup demo` and `make setup test` nothing begins before the set-up is done,
+# whatever -j says.
+all demo test library: | $(filter setup,$(MAKECMDGOALS))
+
+demo:
 	@$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png --picture $(BUILD)/teapot.png
 
 SCENES ?= 20100

@@ -3,11 +3,6 @@
 #ifndef GNOMON_API_H
 #define GNOMON_API_H
 
-#if defined(__FAST_MATH__) && !defined(GN_ALLOW_FAST_MATH)
-#error                                                                                             \
-    "Gnomon's results are exact only without -ffast-math; define GN_ALLOW_FAST_MATH to give that up."
-#endif
-
 #ifdef __cplusplus
 #define GN_BEGIN extern "C" {
 #define GN_END }

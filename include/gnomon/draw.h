@@ -33,9 +33,11 @@ typedef struct gn_mesh {
 } gn_mesh;
 
 /* Memory the library may use during a draw; nothing in it outlives the call.
- * Any alignment. More memory than the minimum saves vertex shading: with
- * gn_workspace_size(vertex_count, varying_count) each vertex of an indexed mesh
- * is shaded once, with less the draw is made in parts and the pixels are the same. */
+ * Any alignment. More memory than the minimum saves vertex shading: where the range of
+ * vertices that the indices name fits, and is no longer than the indices drawn, each
+ * vertex of it is shaded once, named or not. gn_workspace_size(vertex_count,
+ * varying_count) is enough for that. Otherwise the draw is made in parts, vertices are
+ * shaded for each index, and the pixels are the same. */
 typedef struct gn_workspace {
     void *memory;
     size_t size;        /* bytes */
@@ -46,8 +48,9 @@ typedef struct gn_workspace {
  * window position, snapped position, outcode. */
 #define GN_WORKSPACE_VERTEX_SIZE 44
 
-/* gn_workspace_size as a constant expression, for static arrays. A second batch
- * of GN_LANES vertices is the clipper's; 64 bytes are for alignment. */
+/* gn_workspace_size as a constant expression, for static arrays, where the size fits a
+ * size_t and varying_count its limit. A second batch of GN_LANES vertices is the
+ * clipper's; 64 bytes are for alignment. */
 #define GN_WORKSPACE_SIZE(vertex_count, varying_count)                                             \
     (((((size_t)(vertex_count) + GN_LANES - 1) / GN_LANES + ((vertex_count) == 0 ? 2 : 1)) *       \
       ((GN_WORKSPACE_VERTEX_SIZE + 4 * (size_t)(varying_count)) * GN_LANES)) +                     \
@@ -57,15 +60,16 @@ GN_BEGIN
 
 /* Workspace bytes with which a mesh of that many vertices is shaded in one go.
  * With vertex_count 0, the least a draw with that many varyings needs.
- * SIZE_MAX where the size would not fit a size_t. */
+ * SIZE_MAX where the size would not fit a size_t or varying_count is above
+ * GN_MAX_VARYINGS. */
 GN_API size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count);
 
-/* The first fault of a mesh: GN_NULL_POINTER (mesh, or indices that its index
- * format asks for), GN_INVALID_ENUM (index format), GN_MISALIGNED (indices or
- * attribute data), GN_INVALID_ATTRIBUTE (components or stride),
- * GN_INDEX_OUT_OF_RANGE (first + count beyond vertex_count without indices, or an
- * index at or beyond vertex_count; the indices themselves must hold first + count
- * elements, which cannot be checked). */
+/* The first fault of a mesh: GN_NULL_POINTER (mesh), GN_INVALID_ENUM (index format),
+ * GN_NULL_POINTER (indices that its index format asks for, unless count is 0),
+ * GN_MISALIGNED (indices); then for each attribute with data in turn GN_MISALIGNED or
+ * GN_INVALID_ATTRIBUTE (components or stride); last GN_INDEX_OUT_OF_RANGE (first + count
+ * beyond vertex_count without indices, or an index at or beyond vertex_count; the
+ * indices themselves must hold first + count elements, which cannot be checked). */
 GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
 
 /* Draws a mesh. Checks the target, the pipeline, the mesh (gn_target_check,
@@ -78,15 +82,18 @@ GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
  * Triangles are drawn in order. Positions are clipped to -w <= x, y, z <= w and
  * mapped to window coordinates; vertices snap to 1/256 pixel; a pixel is covered
  * where its centre lies inside, or on a left edge or a horizontal bottom edge, so
- * that triangles sharing an edge never both cover a pixel on it. A triangle with a
- * vertex whose x, y or z is not finite or whose w is NaN is not drawn; nor is one that
- * has a vertex more than 32,768 pixels from the origin left after clipping, which takes
- * coordinates so large that clipping loses their digits. OpenGL 4.5 chapters 10 to 17;
- * the order of every operation is the reference rasterizer's, so that results are equal
- * bit for bit (reference/RULES.md).
+ * that triangles sharing an edge never both cover a pixel on it. OpenGL 4.5 chapters 10
+ * to 17; the order of every operation is the reference rasterizer's, so that results
+ * are equal bit for bit (reference/RULES.md). Not drawn are triangles
+ * - with a vertex whose x, y or z is not finite or whose w is NaN,
+ * - to be clipped, with a vertex whose distance w +- x, y or z to a plane they cross
+ *   is not finite,
+ * - with a vertex left more than 32,768 pixels from the origin after clipping, which
+ *   takes coordinates so large that clipping loses their digits.
  *
- * Precondition: the FPU rounds to nearest. The target must not overlap the mesh,
- * the workspace, textures or uniforms. */
+ * Preconditions: the FPU rounds to nearest, keeps denormals and has its exceptions
+ * masked, as a C program starts. The target must not overlap the mesh, the workspace,
+ * textures or uniforms. */
 GN_API gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
                          const gn_workspace *workspace);
 

@@ -14,6 +14,7 @@
  *   GN_FORMAT_D24     uint32_t     depth * 16777215 in bits 0-23, the rest 0
  *   GN_FORMAT_D32F    float        depth
  *
+ * Pixels and strides are aligned to a uint16_t for GN_FORMAT_D16, to 4 bytes otherwise.
  * On a little-endian machine GN_FORMAT_RGBA8 is the bytes R, G, B, A. */
 #ifndef GNOMON_SURFACE_H
 #define GNOMON_SURFACE_H
@@ -68,8 +69,9 @@ GN_API gn_surface gn_surface_top_down(void *memory, gn_format format, uint32_t w
  * no surface at all (GN_NO_SURFACE); then for colour and for depth: a format
  * that does not belong there (GN_INVALID_FORMAT), a size of 0 or above
  * GN_MAX_SIZE (GN_INVALID_SIZE), null pixels (GN_NULL_POINTER), pixels or stride
- * not a multiple of the element's size (GN_MISALIGNED), a stride shorter than a
- * row (GN_INVALID_STRIDE); last, sizes that differ (GN_SIZE_MISMATCH). */
+ * not aligned (GN_MISALIGNED), a stride shorter than a row, or so long that the rows
+ * do not fit memory (GN_INVALID_STRIDE; with one row the stride does not matter); last, sizes that
+ * differ (GN_SIZE_MISMATCH). */
 GN_API gn_status gn_target_check(const gn_target *target);
 
 /* Fills a colour surface with one colour (OpenGL 4.5 section 17.4.3). In

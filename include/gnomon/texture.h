@@ -47,9 +47,9 @@ typedef struct gn_sampler {
 GN_BEGIN
 
 /* The first fault of a texture: null pointer or texels (GN_NULL_POINTER),
- * format (GN_INVALID_FORMAT), size (GN_INVALID_SIZE), texels or stride not a
- * multiple of the element's size (GN_MISALIGNED), stride shorter than a row
- * (GN_INVALID_STRIDE). */
+ * format (GN_INVALID_FORMAT), size (GN_INVALID_SIZE), texels or stride not aligned to 4
+ * bytes (GN_MISALIGNED), stride shorter than a row or so long that the rows do not fit
+ * memory (GN_INVALID_STRIDE; with one row it does not matter). */
 GN_API gn_status gn_texture_check(const gn_texture *texture);
 
 /* GN_NULL_POINTER, or GN_INVALID_ENUM where a field holds none of its values. */

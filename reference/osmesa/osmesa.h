@@ -25,10 +25,6 @@ const char *reference_renderer(const reference *r);
 /* Whether the version is one the contract of bit equality is made for: 22.3.x. */
 bool reference_is_contract_version(const reference *r);
 
-/* The name of the known Mesa defect that a scene runs into, null where there is none. Such
- * scenes prove nothing: they are counted and reported, not compared. */
-const char *reference_defect(const scene *s);
-
 /* Draws a scene into an allocated frame. False with the reason (a GL error, a shader log, an
  * incomplete framebuffer) in error. */
 bool reference_draw(reference *r, const scene *s, scene_frame *frame, char *error,

@@ -1,10 +1,7 @@
 /* Validation of what a draw is given: the first fault, named. */
 #include "gnomon/draw.h"
 
-static bool is_finite(float x)
-{
-    return x - x == 0.0f;
-}
+#include "../math/bits.h"
 
 static gn_status check_viewport(const gn_viewport *v)
 {
@@ -12,7 +9,8 @@ static gn_status check_viewport(const gn_viewport *v)
 
     if (!v->set)
         return GN_OK;
-    if (!is_finite(v->x) || !is_finite(v->y) || !is_finite(v->width) || !is_finite(v->height))
+    if (!gn_is_finite(v->x) || !gn_is_finite(v->y) || !gn_is_finite(v->width) ||
+        !gn_is_finite(v->height))
         return GN_NOT_FINITE;
     if (v->width < 0.0f || v->height < 0.0f || v->width > limit || v->height > limit ||
         v->x < -limit || v->y < -limit || v->x > limit || v->y > limit)
@@ -24,7 +22,7 @@ static gn_status check_depth_range(const gn_depth_range *r)
 {
     if (!r->set)
         return GN_OK;
-    if (!is_finite(r->z_near) || !is_finite(r->z_far))
+    if (!gn_is_finite(r->z_near) || !gn_is_finite(r->z_far))
         return GN_NOT_FINITE;
     if (r->z_near < 0.0f || r->z_near > 1.0f || r->z_far < 0.0f || r->z_far > 1.0f)
         return GN_OUT_OF_RANGE;

@@ -13,8 +13,7 @@ size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count)
         ((uint64_t)vertex_count + GN_LANES - 1) / GN_LANES + (vertex_count == 0 ? 2 : 1);
     const uint64_t batch = (GN_WORKSPACE_VERTEX_SIZE + 4 * (uint64_t)varying_count) * GN_LANES;
 
-    /* 2^28 batches of less than 2^39 bytes do not overflow where varying_count is
-     * within its limit; beyond it nothing can be drawn. */
+    /* At most 2^28 batches of 2752 bytes, where varying_count is within its limit. */
     if (varying_count > GN_MAX_VARYINGS || batches * batch > SIZE_MAX - BATCH_ALIGNMENT)
         return SIZE_MAX;
     return (size_t)(batches * batch) + BATCH_ALIGNMENT;

@@ -228,12 +228,13 @@ static void draw_segment(draw_state *draw, uint32_t first, uint32_t count)
     uint32_t outcodes = 0;
 
     if (count > step && draw->pipeline->cull != GN_CULL_NONE) {
-        for (uint32_t i = first; i < end; i += step)
-            outcodes |= shade_elements(draw, i, end - i < step ? end - i : step);
+        for (uint32_t i = first, part; i < end; i += part) {
+            part = end - i < step ? end - i : step;
+            outcodes |= shade_elements(draw, i, part);
+        }
     }
-    for (uint32_t i = first; i < end; i += step) {
-        const uint32_t part = end - i < step ? end - i : step;
-
+    for (uint32_t i = first, part; i < end; i += part) {
+        part = end - i < step ? end - i : step;
         outcodes |= shade_elements(draw, i, part);
         resolve_outcodes(draw, outcodes);
         draw_triangles(draw, i, part);
@@ -288,9 +289,8 @@ static void draw_segments(draw_state *draw)
 
     if (total > 0 && map_shared(draw, &slot_count))
         outcodes = shade_slots(draw, slot_count);
-    for (uint32_t first = 0; first < total; first += step) {
-        const uint32_t count = total - first < step ? total - first : step;
-
+    for (uint32_t first = 0, count; first < total; first += count) {
+        count = total - first < step ? total - first : step;
         if (!draw->map.shared) {
             draw_segment(draw, first, count);
             continue;

@@ -35,7 +35,7 @@ gn_surface gn_surface_top_down(void *memory, gn_format format, uint32_t width, u
 {
     gn_surface s = gn_surface_bottom_up(memory, format, width, height);
 
-    if (memory && height > 0)
+    if (memory && height > 0 && height <= GN_MAX_SIZE && width <= GN_MAX_SIZE)
         s.pixels = (unsigned char *)memory + (ptrdiff_t)(height - 1) * s.row_stride;
     s.row_stride = -s.row_stride;
     return s;
@@ -64,7 +64,8 @@ static gn_status check_surface(const gn_surface *s, bool format_fits)
         return GN_NULL_POINTER;
     if ((uintptr_t)s->pixels % element != 0 || stride % element != 0)
         return GN_MISALIGNED;
-    if (stride < s->width * gn_format_size(s->format) && s->height > 1)
+    if (s->height > 1 && (stride < s->width * gn_format_size(s->format) ||
+                          stride > (size_t)PTRDIFF_MAX / (s->height - 1)))
         return GN_INVALID_STRIDE;
     return GN_OK;
 }

@@ -51,7 +51,7 @@ GN_OUT_OF_LINE lanes_i load_covered_depth(const gn_surface *surface, int32_t x, 
 
         if (coverage >> l & 1u)
             depth[l] = surface->format == GN_FORMAT_D16 ? ((const uint16_t *)row)[column]
-                                                        : ((const int32_t *)row)[column];
+                                                        : ((const stored_word *)row)[column];
     }
     return lanes_i_load(depth);
 }
@@ -71,7 +71,7 @@ GN_OUT_OF_LINE void store_covered_depth(const gn_surface *surface, int32_t x, in
         if (surface->format == GN_FORMAT_D16)
             ((uint16_t *)row)[column] = (uint16_t)depth[l];
         else
-            ((int32_t *)row)[column] = depth[l];
+            ((stored_word *)row)[column] = depth[l];
     }
 }
 

@@ -8,10 +8,10 @@
 #include "viewport.h"
 
 #include "../lanes/lanes.h"
+#include "../math/bits.h"
 
 typedef struct clipper {
     const gn_pipeline *pipeline;
-    const viewport_transform *viewport;
     const vertex_store *store;
     uint32_t scratch; /* batch of the new vertices */
     uint32_t used;    /* lanes of it in use */
@@ -35,11 +35,6 @@ static float plane_distance(const vertex_store *store, uint32_t slot, uint32_t p
     return positive ? coordinate + w : w - coordinate;
 }
 
-static bool is_finite(float x)
-{
-    return x - x == 0.0f;
-}
-
 /* The parameter of the new vertex between `from` and `to` in window x (or y where
  * the clip x agree): noperspective varyings are linear there. */
 static float window_parameter(const vertex_batch *from, uint32_t from_lane, const vertex_batch *to,
@@ -57,8 +52,8 @@ static float window_parameter(const vertex_batch *from, uint32_t from_lane, cons
     return t;
 }
 
-/* A new vertex at from + t * (to - from). Flat varyings are left for the provoking
- * vertex of the whole triangle. */
+/* A new vertex at from + t * (to - from). What flat varyings get is not used: theirs is
+ * the provoking vertex of the whole triangle. */
 static uint32_t interpolate_vertex(clipper *c, uint32_t from, uint32_t to, float t)
 {
     const vertex_batch *p = vertex_batch_of(c->store, from);
@@ -88,14 +83,14 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
     float previous_distance = plane_distance(c->store, previous, plane);
 
     out->count = 0;
-    if (!is_finite(previous_distance))
+    if (!gn_is_finite(previous_distance))
         return false;
 
     for (uint32_t n = 1; n <= in->count; ++n) {
         const uint32_t current = in->slot[n == in->count ? 0 : n];
         const float distance = plane_distance(c->store, current, plane);
 
-        if (!is_finite(distance) || out->count > CLIP_MAX_POLYGON - 2 || c->used == GN_LANES)
+        if (!gn_is_finite(distance) || out->count > CLIP_MAX_POLYGON - 2 || c->used == GN_LANES)
             return false;
         if (previous_distance >= 0.0f)
             out->slot[out->count++] = previous;
@@ -123,7 +118,7 @@ static inline uint32_t clip_triangle(const gn_pipeline *pipeline,
                                      const vertex_triangle *triangle,
                                      vertex_triangle out[CLIP_MAX_POLYGON - 2])
 {
-    clipper c = {pipeline, viewport, store, scratch, 0};
+    clipper c = {pipeline, store, scratch, 0};
     polygon polygons[2];
     polygon *in = &polygons[0];
     polygon *result = &polygons[1];

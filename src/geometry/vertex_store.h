@@ -13,7 +13,7 @@ typedef struct vertex_batch {
     float clip[4][GN_LANES];      /* clip space */
     float window[4][GN_LANES];    /* window coordinates x, y, z and 1 / clip w */
     int32_t snapped[2][GN_LANES]; /* window x, y minus half a pixel, in 1/256 pixel */
-    uint32_t outcode[GN_LANES];   /* bit p: outside plane p of clip.h */
+    uint32_t outcode[GN_LANES];   /* bit p: outside clip_plane p */
     float varying[][GN_LANES];    /* as many as the pipeline has */
 } vertex_batch;
 

@@ -4,10 +4,13 @@
  *
  *   load store splat              memory and constants
  *   columns rows plane            the terms of a plane over a block
- *   add sub mul div               one IEEE operation a lane
- *   greater greater_or_equal equal, and not, select, bits, from_bits, sign_bits
- *   min max                       the second operand where either is NaN
+ *   add sub mul div min max       one IEEE operation a lane; min and max give their
+ *                                 second operand where either is NaN
+ *   greater and not select        masks, and bits and sign_bits of them
+ *   from_bits m_as_int
  *   truncate round floor          to integers; to_float and as_int back and across
+ *   i_add i_or i_and i_greater    integers, which wrap around
+ *   i_equal i_select i_clamp
  *   pack_unorm8                   colours
  *   load_block store_block        the 4x4 lanes of a block in rows of memory
  *
@@ -16,10 +19,25 @@
 #ifndef GN_LANES_LANES_H
 #define GN_LANES_LANES_H
 
+#include <float.h>
 #include <stddef.h>
 #include <stdint.h>
 
 #include "gnomon/texture.h"
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "The library's bits are exact only with -fno-fast-math, after all other flags."
+#endif
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
+#error "Floats must be evaluated as floats: on 32-bit x86 compile with -msse2 -mfpmath=sse."
+#endif
+
+/* Depth of every 32-bit format is handled as integers, floats by their bits. */
+#if defined(__GNUC__)
+typedef int32_t __attribute__((may_alias)) stored_word;
+#else
+typedef int32_t stored_word;
+#endif
 
 #define GN_EACH_LANE(l) for (int l = 0; l < GN_LANES; ++l)
 
@@ -51,12 +69,15 @@ static inline lanes_i lanes_i_clamp(lanes_i a, lanes_i low, lanes_i high)
     return lanes_i_select(lanes_i_greater(a, high), high, a);
 }
 
-/* The largest integer not above a, for |a| < 2^31; otherwise INT32_MIN. A mask, taken
- * as an integer, is -1 where it is set. */
+/* The largest integer not above a; INT32_MIN where a is NaN or out of range. A mask,
+ * taken as an integer, is -1 where it is set. */
 static inline lanes_i lanes_floor(lanes_f a)
 {
     const lanes_i t = lanes_truncate(a);
-    return lanes_i_add(t, lanes_m_as_int(lanes_greater(lanes_to_float(t), a)));
+    const lanes_m above = lanes_and(lanes_greater(lanes_to_float(t), a),
+                                    lanes_i_greater(t, lanes_i_splat(INT32_MIN)));
+
+    return lanes_i_add(t, lanes_m_as_int(above));
 }
 
 #endif

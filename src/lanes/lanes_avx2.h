@@ -88,16 +88,6 @@ static inline lanes_m lanes_greater(lanes_f a, lanes_f b)
     LANES_EACH_REGISTER(lanes_m, _mm256_castps_si256(_mm256_cmp_ps(a.q[n], b.q[n], _CMP_GT_OQ)));
 }
 
-static inline lanes_m lanes_greater_or_equal(lanes_f a, lanes_f b)
-{
-    LANES_EACH_REGISTER(lanes_m, _mm256_castps_si256(_mm256_cmp_ps(a.q[n], b.q[n], _CMP_GE_OQ)));
-}
-
-static inline lanes_m lanes_equal(lanes_f a, lanes_f b)
-{
-    LANES_EACH_REGISTER(lanes_m, _mm256_castps_si256(_mm256_cmp_ps(a.q[n], b.q[n], _CMP_EQ_OQ)));
-}
-
 static inline lanes_m lanes_and(lanes_m a, lanes_m b)
 {
     LANES_EACH_REGISTER(lanes_m, _mm256_and_si256(a.q[n], b.q[n]));

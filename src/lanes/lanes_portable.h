@@ -93,22 +93,6 @@ static inline lanes_m lanes_greater(lanes_f a, lanes_f b)
     return r;
 }
 
-static inline lanes_m lanes_greater_or_equal(lanes_f a, lanes_f b)
-{
-    lanes_m r;
-    GN_EACH_LANE (l)
-        r.v[l] = a.v[l] >= b.v[l] ? UINT32_MAX : 0;
-    return r;
-}
-
-static inline lanes_m lanes_equal(lanes_f a, lanes_f b)
-{
-    lanes_m r;
-    GN_EACH_LANE (l)
-        r.v[l] = a.v[l] == b.v[l] ? UINT32_MAX : 0;
-    return r;
-}
-
 static inline lanes_m lanes_and(lanes_m a, lanes_m b)
 {
     GN_EACH_LANE (l)
@@ -330,14 +314,14 @@ static inline lanes_i lanes_i_load_block(const unsigned char *memory, ptrdiff_t 
 {
     lanes_i r;
     GN_EACH_LANE (l)
-        r.v[l] = ((const int32_t *)(const void *)(memory + (l / 4) * stride))[l % 4];
+        r.v[l] = ((const stored_word *)(const void *)(memory + (l / 4) * stride))[l % 4];
     return r;
 }
 
 static inline void lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, lanes_i a)
 {
     GN_EACH_LANE (l)
-        ((int32_t *)(void *)(memory + (l / 4) * stride))[l % 4] = a.v[l];
+        ((stored_word *)(void *)(memory + (l / 4) * stride))[l % 4] = a.v[l];
 }
 
 #endif

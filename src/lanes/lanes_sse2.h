@@ -95,16 +95,6 @@ static inline lanes_m lanes_greater(lanes_f a, lanes_f b)
     LANES_EACH_REGISTER(lanes_m, _mm_castps_si128(_mm_cmplt_ps(b.q[n], a.q[n])));
 }
 
-static inline lanes_m lanes_greater_or_equal(lanes_f a, lanes_f b)
-{
-    LANES_EACH_REGISTER(lanes_m, _mm_castps_si128(_mm_cmple_ps(b.q[n], a.q[n])));
-}
-
-static inline lanes_m lanes_equal(lanes_f a, lanes_f b)
-{
-    LANES_EACH_REGISTER(lanes_m, _mm_castps_si128(_mm_cmpeq_ps(a.q[n], b.q[n])));
-}
-
 static inline lanes_m lanes_and(lanes_m a, lanes_m b)
 {
     LANES_EACH_REGISTER(lanes_m, _mm_and_si128(a.q[n], b.q[n]));

@@ -36,7 +36,7 @@ typedef struct raster_triangle {
 typedef struct setup_state {
     const gn_pipeline *pipeline;
     uint32_t width, height; /* of the target */
-    bool any_clipped;       /* some vertex of the draw is outside the view volume */
+    bool any_clipped;       /* some vertex of the segment is outside the view volume */
 } setup_state;
 
 /* Called for runs of `count` neighbouring 4x4 blocks in a row, the first at (x, y),

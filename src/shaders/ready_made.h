@@ -15,9 +15,7 @@
 /* Varyings, in this order: the colour, then the texture coordinates. */
 enum { VARYING_RED, VARYING_ALPHA = 3, VARYING_S, VARYING_T, VARYING_END };
 
-#if 6 != GN_SHADER_VARYINGS
-#error "GN_SHADER_VARYINGS is what the textured shader uses"
-#endif
+typedef char shader_varyings_are_as_stated[VARYING_END == GN_SHADER_VARYINGS ? 1 : -1];
 
 /* column[0]*x + column[1]*y + column[2]*z + column[3]*w, from left to right. */
 static inline void transform_position(const gn_mat4 *m, const float (*p)[GN_LANES],

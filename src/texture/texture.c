@@ -22,7 +22,8 @@ gn_status gn_texture_check(const gn_texture *texture)
         texture->row_stride < 0 ? 0 - (size_t)texture->row_stride : (size_t)texture->row_stride;
     if ((uintptr_t)texture->texels % element != 0 || stride % element != 0)
         return GN_MISALIGNED;
-    if (stride < row && texture->height > 1)
+    if (texture->height > 1 &&
+        (stride < row || stride > (size_t)PTRDIFF_MAX / (texture->height - 1)))
         return GN_INVALID_STRIDE;
     return GN_OK;
 }

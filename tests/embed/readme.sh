@@ -6,6 +6,10 @@ set -eu
 directory=$1/embed
 mkdir -p "$directory"
 awk '/^```c$/ { inside = 1; next } /^```$/ { if (inside) exit } inside' README.md >"$directory/triangle.c"
+if grep -n '@[A-Z]*@' README.md; then
+    echo "the README has a place that was not filled in"
+    exit 1
+fi
 lines=$(grep -c . "$directory/triangle.c")
 [ "$lines" -le 40 ] || { echo "the README's program has $lines lines"; exit 1; }
 "${CC:-cc}" -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude "$directory/triangle.c" "$1/libgnomon.a" -o "$directory/triangle"

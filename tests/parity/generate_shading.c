@@ -148,14 +148,16 @@ static void *random_texels(builder *b, uint32_t count, gn_format format)
     return texels;
 }
 
-/* Coordinates of the drawn vertices: within the texture, repeated, far away, or on
- * texel borders and centres, where the nearest filter and the weights tie. */
+/* Coordinates of the drawn vertices: within the texture, repeated, far away, beyond the
+ * integers, not finite, or on texel borders and centres, where the nearest filter and the weights
+ * tie. */
 static void random_texcoords(builder *b)
 {
     random_source *r = &b->random;
     const float size[2] = {(float)b->uniforms.texture.width, (float)b->uniforms.texture.height};
-    const uint32_t kind = random_below(r, 5);
+    const uint32_t kind = random_below(r, 6);
     const float extent = random_octave(r, -3, 6);
+    const int32_t octave = random_between(r, 20, 60);
     for (uint32_t i = 0; i < b->vertex_count; i++)
         for (int c = 0; c < 2; c++) {
             float *s = &b->vertices[i].texcoord[c];
@@ -167,6 +169,10 @@ static void random_texcoords(builder *b)
                 *s = (float)random_between(r, -6, 20) * 0.5f / size[c];
             else if (kind == 4)
                 *s = *s * 1.5f - 0.25f;
+            else if (kind == 5 && random_chance(r, 5))
+                *s = random_chance(r, 50) ? NAN : random_chance(r, 50) ? INFINITY : -INFINITY;
+            else if (kind == 5)
+                *s = (random_chance(r, 50) ? 1.0f : -1.0f) * random_octave(r, octave, octave);
         }
 }
 

@@ -164,7 +164,8 @@ static enum theft_trial_res rows_either_way(struct theft *t, void *argument)
     scene *s = scene_of(argument);
     scene_frame up = frame_of(s), down = frame_of(s);
     (void)t;
-    const bool same = scene_draw_library(s, &up, 0, GN_BACKEND_AUTO) == GN_OK && draw_top_down(s, &down) &&
+    const bool same = scene_draw_library(s, &up, 0, GN_BACKEND_AUTO) == GN_OK &&
+                      draw_top_down(s, &down) &&
                       rows_reversed(up.color, down.color, s->color_format, s->width, s->height) &&
                       rows_reversed(up.depth, down.depth, s->depth_format, s->width, s->height);
     scene_frame_free(&up);

@@ -33,6 +33,8 @@ static void constructors_place_row_zero(void **state)
     assert_int_equal(up.format, GN_FORMAT_RGBA8);
     assert_ptr_equal(down.pixels, words + WIDTH * (HEIGHT - 1));
     assert_int_equal(down.row_stride, -WIDTH * 4);
+    assert_ptr_equal(gn_surface_top_down(words, GN_FORMAT_RGBA32F, UINT32_MAX, UINT32_MAX).pixels,
+                     words);
     assert_null(gn_surface_top_down(NULL, GN_FORMAT_RGBA8, WIDTH, HEIGHT).pixels);
 }
 
@@ -96,6 +98,12 @@ static void target_faults(void **state)
     t.color.row_stride = WIDTH * 4 - 4;
     assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
     t.color.row_stride = -(WIDTH * 4 - 4);
+    assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
+
+    t = good_target();
+    t.color.row_stride = PTRDIFF_MAX - 3;
+    assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
+    t.color.row_stride = PTRDIFF_MIN;
     assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
 
     t = good_target();

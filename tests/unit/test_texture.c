@@ -175,6 +175,32 @@ static void negative_stride_flips(void **state)
     assert_true(fabsf(texel[1][0] * 25.5f - 2.0f) < 1e-5f);
 }
 
+/* Beyond the integers: repeated power-of-two sizes read texel 0, clamped ones the texel
+ * that RULES.md names. */
+static void coordinates_beyond_the_integers(void **state)
+{
+    (void)state;
+    const float far_away[] = {3e9f, -3e9f, 1e30f, -1e30f, INFINITY, -INFINITY};
+    gn_sampler sampler = {0};
+    float x, y;
+
+    sampler.magnify = GN_MAGNIFY_NEAREST;
+    sampler.minify = GN_MINIFY_NEAREST;
+    for (size_t i = 0; i < sizeof far_away / sizeof *far_away; ++i) {
+        sample_one(&sampler, far_away[i], 0.5f, &x, &y);
+        assert_true(x == 0.0f);
+    }
+    sampler.magnify = GN_MAGNIFY_LINEAR;
+    sampler.minify = GN_MINIFY_LINEAR;
+    sample_one(&sampler, -3e9f, 0.5f, &x, &y);
+    assert_true(x == 0.0f);
+    sampler.wrap_s = GN_WRAP_CLAMP_TO_EDGE;
+    sample_one(&sampler, -INFINITY, 0.5f, &x, &y);
+    assert_true(x == 0.0f);
+    sample_one(&sampler, INFINITY, 0.5f, &x, &y);
+    assert_true(fabsf(x - 3.0f) < 1e-5f);
+}
+
 /* Run under the address sanitizer, this shows that nothing outside is read. */
 static void hostile_coordinates_read_inside(void **state)
 {
@@ -218,6 +244,7 @@ int main(void)
         cmocka_unit_test(linear_repeat_and_clamp),
         cmocka_unit_test(derivatives_choose_the_filter),
         cmocka_unit_test(negative_stride_flips),
+        cmocka_unit_test(coordinates_beyond_the_integers),
         cmocka_unit_test(hostile_coordinates_read_inside),
     };
     return cmocka_run_group_tests_name("texture", tests, NULL, NULL);
