@@ -109,8 +109,12 @@ void scene_frame_free(scene_frame *frame);
 /* Bytes of workspace with which every draw of the scene shades each vertex once. */
 size_t scene_workspace_size(const scene *s);
 
-/* Clears and draws with the library, in the caller's workspace. The status is the first
- * that is not GN_OK. */
+/* Clears and draws with the library, into surfaces of the scene's size and formats, which may
+ * be top-down, and in the caller's workspace. The status is the first that is not GN_OK. */
+gn_status scene_draw_to_target(const scene *s, const gn_target *target,
+                               const gn_workspace *workspace);
+
+/* The same into a frame. */
 gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame,
                                   const gn_workspace *workspace);
 

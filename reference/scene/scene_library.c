@@ -59,25 +59,36 @@ size_t scene_workspace_size(const scene *s)
     return gn_workspace_size(vertices, GN_SHADER_VARYINGS);
 }
 
-gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame, const gn_workspace *workspace)
+gn_status scene_draw_to_target(const scene *s, const gn_target *target,
+                               const gn_workspace *workspace)
 {
     gn_status status = GN_OK;
+
+    if (s->color_format != GN_FORMAT_NONE) {
+        status = gn_clear_color(&target->color, s->clear_color[0], s->clear_color[1],
+                                s->clear_color[2], s->clear_color[3]);
+    }
+    if (status == GN_OK && s->depth_format != GN_FORMAT_NONE) {
+        status = gn_clear_depth(&target->depth, s->clear_depth);
+    }
+    for (size_t i = 0; status == GN_OK && i < s->draw_count; ++i) {
+        status = draw_one(target, &s->draws[i], workspace);
+    }
+    return status;
+}
+
+gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame, const gn_workspace *workspace)
+{
     gn_target target;
 
     memset(&target, 0, sizeof target);
     if (s->color_format != GN_FORMAT_NONE) {
         target.color = gn_surface_bottom_up(frame->color, s->color_format, s->width, s->height);
-        status = gn_clear_color(&target.color, s->clear_color[0], s->clear_color[1],
-                                s->clear_color[2], s->clear_color[3]);
     }
-    if (status == GN_OK && s->depth_format != GN_FORMAT_NONE) {
+    if (s->depth_format != GN_FORMAT_NONE) {
         target.depth = gn_surface_bottom_up(frame->depth, s->depth_format, s->width, s->height);
-        status = gn_clear_depth(&target.depth, s->clear_depth);
     }
-    for (size_t i = 0; status == GN_OK && i < s->draw_count; ++i) {
-        status = draw_one(&target, &s->draws[i], workspace);
-    }
-    return status;
+    return scene_draw_to_target(s, &target, workspace);
 }
 
 gn_status scene_draw_library(const scene *s, scene_frame *frame, size_t workspace_bytes,

@@ -99,6 +99,48 @@ static lanes_f saturate(float c)
     return lanes_splat(!(c > 0.0f) ? 0.0f : c >= 1.0f ? 1.0f : c);
 }
 
+/* Fills every row with four words over and over. */
+static void fill_words(const gn_surface *surface, const int32_t pattern[4])
+{
+    const size_t count = surface->width * gn_format_size(surface->format) / 4;
+    const int32_t a = pattern[0];
+    const int32_t b = pattern[1];
+    const int32_t c = pattern[2];
+    const int32_t d = pattern[3];
+
+    for (uint32_t y = 0; y < surface->height; ++y) {
+        stored_word *const row = (stored_word *)(void *)surface_row(surface, y);
+        size_t i = 0;
+
+        for (; i + 4 <= count; i += 4) {
+            row[i] = a;
+            row[i + 1] = b;
+            row[i + 2] = c;
+            row[i + 3] = d;
+        }
+        for (; i < count; ++i)
+            row[i] = pattern[i % 4];
+    }
+}
+
+static void fill_halves(const gn_surface *surface, uint16_t value)
+{
+    for (uint32_t y = 0; y < surface->height; ++y) {
+        uint16_t *const row = (uint16_t *)(void *)surface_row(surface, y);
+
+        for (uint32_t x = 0; x < surface->width; ++x)
+            row[x] = value;
+    }
+}
+
+static int32_t bits_of(float f)
+{
+    int32_t bits[GN_LANES];
+
+    lanes_i_store(bits, lanes_as_int(lanes_splat(f)));
+    return bits[0];
+}
+
 gn_status gn_clear_color(const gn_surface *surface, float red, float green, float blue, float alpha)
 {
     if (!surface)
@@ -108,25 +150,16 @@ gn_status gn_clear_color(const gn_surface *surface, float red, float green, floa
     if (status)
         return status;
 
-    int32_t packed[GN_LANES];
-    lanes_i_store(
-        packed, lanes_pack_unorm8(saturate(red), saturate(green), saturate(blue), saturate(alpha)));
-    for (uint32_t y = 0; y < surface->height; ++y) {
-        void *const row = surface_row(surface, y);
+    if (surface->format == GN_FORMAT_RGBA8) {
+        int32_t packed[GN_LANES];
 
-        if (surface->format == GN_FORMAT_RGBA8) {
-            int32_t *const out = row;
-            for (uint32_t x = 0; x < surface->width; ++x)
-                out[x] = packed[0];
-        } else {
-            float *const out = row;
-            for (uint32_t x = 0; x < surface->width; ++x) {
-                out[4 * x] = red;
-                out[4 * x + 1] = green;
-                out[4 * x + 2] = blue;
-                out[4 * x + 3] = alpha;
-            }
-        }
+        lanes_i_store(packed, lanes_pack_unorm8(saturate(red), saturate(green), saturate(blue),
+                                                saturate(alpha)));
+        fill_words(surface, packed);
+    } else {
+        const int32_t channels[4] = {bits_of(red), bits_of(green), bits_of(blue), bits_of(alpha)};
+
+        fill_words(surface, channels);
     }
     return GN_OK;
 }
@@ -162,24 +195,14 @@ gn_status gn_clear_depth(const gn_surface *surface, float depth)
         return status;
 
     const float z = !(depth > 0.0f) ? 0.0f : depth > 1.0f ? 1.0f : depth;
-    const uint32_t d16 = scale_exactly(z, 65535);
-    const uint32_t d24 = scale_exactly(z, 16777215);
-    for (uint32_t y = 0; y < surface->height; ++y) {
-        void *const row = surface_row(surface, y);
+    if (surface->format == GN_FORMAT_D16) {
+        fill_halves(surface, (uint16_t)scale_exactly(z, 65535));
+    } else {
+        const int32_t word =
+            surface->format == GN_FORMAT_D24 ? (int32_t)scale_exactly(z, 16777215) : bits_of(z);
+        const int32_t pattern[4] = {word, word, word, word};
 
-        for (uint32_t x = 0; x < surface->width; ++x) {
-            switch (surface->format) {
-            case GN_FORMAT_D16:
-                ((uint16_t *)row)[x] = (uint16_t)d16;
-                break;
-            case GN_FORMAT_D24:
-                ((uint32_t *)row)[x] = d24;
-                break;
-            default:
-                ((float *)row)[x] = z;
-                break;
-            }
-        }
+        fill_words(surface, pattern);
     }
     return GN_OK;
 }

@@ -9,6 +9,7 @@
 
 #include <comparison.h>
 #include <osmesa.h>
+#include <output.h>
 
 /* What is done to the second picture. */
 static bool change_color;
@@ -91,7 +92,7 @@ static const char *printed(comparison *c, const scene *s)
     FILE *file = tmpfile();
     assert_non_null(file);
     dup2(fileno(file), STDOUT_FILENO);
-    int fault = comparison_make(s, c);
+    int fault = comparison_make(s, GN_BACKEND_AUTO, c);
     fflush(stdout);
     dup2(saved, STDOUT_FILENO);
     close(saved);
@@ -113,6 +114,7 @@ static void differences_are_counted_and_shown(void **state)
     assert_non_null(strstr(text, "depth:  1 of 60 pixels differ, by at most 0.75\n"));
     assert_non_null(strstr(text, "x 4, y 0"));
     assert_non_null(strstr(text, "22.3"));
+    assert_non_null(strstr(text, "; 3 pixels are drawn by one side only\n"));
     assert_int_equal(c.difference.pixels, 3);
     assert_int_equal(comparison_write_triptych(&c, path_of("t.png")), 0);
     assert_int_equal(comparison_write_picture(&c, path_of("p.png")), 0);
@@ -140,6 +142,43 @@ static void differences_are_counted_and_shown(void **state)
     assert_int_equal(p.width, 10);
     assert_int_equal(pixel(&p, 3, 3), 0x333333ff);
     picture_free(&p);
+}
+
+static void one_pixel_is_singular(void **state)
+{
+    (void)state;
+    scene *s = empty_scene();
+    comparison c;
+    change_color = true;
+    change_alpha = change_depth = false;
+    const char *text = printed(&c, s);
+    assert_non_null(strstr(text, "; 1 pixel is drawn by one side only\n"));
+    comparison_free(&c);
+    scene_free(s);
+}
+
+/* A finished file has no name yet, so that several can appear together. */
+static void finished_outputs_appear_when_renamed(void **state)
+{
+    char path[512];
+    output o;
+    (void)state;
+    snprintf(path, sizeof path, "%s", path_of("finished"));
+    for (int abandoned = 0; abandoned < 2; abandoned++) {
+        runner_mark();
+        assert_int_equal(output_open(&o, path), 0);
+        assert_true(fputs("all of it", o.file) >= 0);
+        assert_int_equal(output_finish(&o), 0);
+        assert_null(o.file);
+        assert_false(exists("finished"));
+        if (!abandoned) {
+            assert_int_equal(output_rename(&o), 0);
+            assert_true(exists("finished"));
+            remove_file("finished");
+        }
+        output_abandon(&o);
+        assert_int_equal(new_files(), 0);
+    }
 }
 
 static void equal_pictures_are_black(void **state)
@@ -178,7 +217,9 @@ int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(differences_are_counted_and_shown),
+        cmocka_unit_test(one_pixel_is_singular),
         cmocka_unit_test(equal_pictures_are_black),
+        cmocka_unit_test(finished_outputs_appear_when_renamed),
         cmocka_unit_test(a_failing_reference_is_an_error),
     };
     runner_start(argc, argv);

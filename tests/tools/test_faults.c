@@ -43,8 +43,8 @@ static void help_is_printed(void **state)
 {
     static const char commands[][16] = {"", "render ", "compare ", "demo "};
     static const char must_have[][3][24] = {{"render", "compare", "demo"},
-                                            {"--depth", "--orthographic", "--shader gouraud"},
-                                            {"OSMesa", "Exit status", "--eye"},
+                                            {"--depth", "--orthographic", "--backend NAME"},
+                                            {"_compared.png", "--backend NAME", "--eye"},
                                             {"teapot", "--picture", "--tessellation"}};
     (void)state;
     for (int i = 0; i < 4; i++) {
@@ -94,6 +94,10 @@ static void usage_errors_are_status_2(void **state)
     expect(2, "render square.obj -o a.png --fov 40 --orthographic 2", "--fov", "exclude");
     expect(2, "render square.obj -o a.png --texture a.png --shader flat", "--texture",
            "--shader textured");
+    expect(2, "render square.obj -o a.png --backend mmx", "--backend 'mmx'", "portable, sse2");
+    expect(2, "compare square.obj --backend ''", "--backend ''", "portable, sse2");
+    expect(2, "compare square.obj --backend unknown", "--backend", "portable, sse2");
+    expect(2, "demo --backend auto", "'--backend'", "unknown option");
     expect(2, "compare", "no model", "compare --help");
     expect(2, "compare square.obj --depth d.png", "'--depth'", "unknown option");
     expect(2, "demo square.obj", "'square.obj'", "no model");
@@ -199,10 +203,17 @@ static void outputs_are_whole_or_absent(void **state)
     expect(1, "compare square.obj -o ./square.obj", "square.obj", "overwritten");
     expect(1, "render square.obj -o a.png --depth a.png", "a.png", "both");
     expect(1, "demo -o a.png --picture a.png", "a.png", "both");
+    expect(1, "compare square.obj --texture square_compared.png", "square_compared.png",
+           "overwritten");
     expect(1, "render square.obj -o a.png --depth nowhere/d.png", "nowhere/d.png", "No such file");
     expect(1, "render square.obj -o kept.png --depth nowhere/d.png", "nowhere/d.png",
            "No such file");
     expect(1, "render square.obj -o /dev/full", "/dev/full", "No space");
+    /* So small that the disk is found full only when the file is closed. */
+    expect(1, "render square.obj -o /dev/full --depth d.png --size 8x8", "/dev/full", "No space");
+    expect(1, "render square.obj -o a.png --depth /dev/full --size 8x8", "/dev/full", "No space");
+    expect(1, "render square.obj -o kept.png --depth /dev/full --size 8x8", "/dev/full",
+           "No space");
 
     /* A signal in the middle of writing: the limit of the file's size, in blocks of 512. */
     runner_mark();
@@ -224,6 +235,116 @@ static void outputs_are_whole_or_absent(void **state)
     assert_non_null(fgets(text, sizeof text, file));
     fclose(file);
     assert_string_equal(text, old);
+}
+
+static void one_file_has_many_names(void **state)
+{
+    (void)state;
+    write_text("square.obj", square_obj);
+    mkdir(path_of("below"), 0777);
+    run r = shell("ln -sfn . here; ln -sf square.obj other.obj");
+    assert_int_equal(r.status, 0);
+    /* None of the pictures is there yet. */
+    expect(1, "render square.obj -o same.png --depth ./same.png", "same.png", "both");
+    expect(1, "render square.obj -o same.png --depth below/../same.png", "same.png", "both");
+    expect(1, "render square.obj -o here/same.png --depth \"$PWD/same.png\"", "same.png", "both");
+    expect(1, "demo --picture ./gnomon-demo.png", "gnomon-demo.png", "both");
+    expect(1, "render square.obj -o other.obj", "square.obj", "overwritten");
+
+    /* One name in two directories is two files, and so are two names in one. */
+    r = gnomon("render square.obj -o two.png --depth below/two.png --size 4x4");
+    assert_int_equal(r.status, 0);
+    assert_true(exists("two.png") && exists("below/two.png"));
+    r = gnomon("render square.obj -o one.png --depth ./three.png --size 4x4");
+    assert_int_equal(r.status, 0);
+    assert_true(exists("one.png") && exists("three.png"));
+
+    /* Now that both are there. */
+    expect(1, "render square.obj -o two.png --depth ./two.png", "two.png", "both");
+    r = gnomon("render square.obj -o two.png --depth below/two.png --size 4x4");
+    assert_int_equal(r.status, 0);
+}
+
+/* One back end or the other may be missing here, but then it says so. */
+static void every_backend_gives_the_same_picture(void **state)
+{
+    static const char names[][16] = {"auto", "portable", "sse2", "avx2"};
+    (void)state;
+    write_text("square.obj", square_obj);
+    run r = gnomon("render square.obj -o auto.png --size 61x47");
+    assert_int_equal(r.status, 0);
+    for (int i = 0; i < 4; i++) {
+        char first[64];
+        remove_file("named.png");
+        r = gnomon("render square.obj -o named.png --size 61x47 --backend %s", names[i]);
+        if (r.status == 0) {
+            r = shell("cmp auto.png named.png");
+            assert_int_equal(r.status, 0);
+            r = gnomon("compare square.obj -o named.png --size 61x47 --backend %s", names[i]);
+            assert_int_equal(r.status, 0);
+            continue;
+        }
+        assert_true(i > 1);
+        snprintf(first, sizeof first, "--backend: %s is not available", names[i]);
+        for (int k = 0; k < 2; k++) {
+            char line[128];
+            snprintf(line, sizeof line, "%s square.obj -o named.png --backend %s",
+                     k == 0 ? "render" : "compare", names[i]);
+            expect(1, line, first, "processor");
+        }
+    }
+}
+
+static void write_grid(const char *name, int size)
+{
+    FILE *file = fopen(path_of(name), "w");
+    assert_non_null(file);
+    for (int i = 0; i < size * size; i++)
+        fprintf(file, "v %d %d 0\n", i % size, i / size);
+    for (int i = size + 1; i < size * size; i++) {
+        if (i % size != 0)
+            fprintf(file, "f %d %d %d %d\n", i - size, i - size + 1, i + 1, i);
+    }
+    assert_int_equal(fclose(file), 0);
+}
+
+/* Runs with from `least` MiB of address space on. Every run succeeds or ends with the command's
+ * own line. The number of those that did not succeed. */
+static int count_failures(const char *arguments, int least)
+{
+    int failures = 0;
+    for (int extra = 0; extra <= 96; extra += 6) {
+        char line[256];
+        snprintf(line, sizeof line, "ulimit -c 0 -v %d; exec \"$GNOMON\" %s",
+                 1024 * (least + extra), arguments);
+        run r = shell(line);
+        if (r.status == 0)
+            continue;
+        failures++;
+        size_t length = strlen(r.error);
+        size_t start = length > 0 ? length - 1 : 0;
+        while (start > 0 && r.error[start - 1] != '\n')
+            start--;
+        if (r.status != 1 || !ends_with_newline(r.error) ||
+            strncmp(r.error + start, "gnomon: ", 8) != 0 || strstr(r.error, "can read: std::"))
+            fail_msg("%s: status %d, %s", line, r.status, r.error);
+    }
+    return failures;
+}
+
+static void short_memory_is_said(void **state)
+{
+    (void)state;
+    int least = 16;
+    for (; least < 4096; least += 16) {
+        char line[128];
+        snprintf(line, sizeof line, "ulimit -v %d; exec \"$GNOMON\" --help", 1024 * least);
+        if (shell(line).status == 0)
+            break;
+    }
+    write_grid("grid.obj", 200);
+    assert_true(count_failures("demo -o m.png --tessellation 128 --size 64x64", least) > 2);
+    assert_true(count_failures("render grid.obj -o m.png --size 64x64", least) > 2);
 }
 
 static void outputs_replace_what_was_there(void **state)
@@ -265,6 +386,9 @@ int main(int argc, char **argv)
         cmocka_unit_test(bad_textures_are_named),
         cmocka_unit_test(outputs_are_whole_or_absent),
         cmocka_unit_test(outputs_replace_what_was_there),
+        cmocka_unit_test(one_file_has_many_names),
+        cmocka_unit_test(every_backend_gives_the_same_picture),
+        cmocka_unit_test(short_memory_is_said),
     };
     runner_start(argc, argv);
     int failed = cmocka_run_group_tests_name("command, faults", tests, NULL, NULL);

@@ -333,6 +333,9 @@ static void summary_says_what_was_drawn(void **state)
     write_text("red.obj", red_square);
     run r = gnomon("render red.obj -o a.png --size 12x34");
     assert_string_equal(r.out, "a.png: 12x34, 2 triangles, Gouraud\n");
+    write_text("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    r = gnomon("render one.obj -o a.png --size 9x9 --shader flat");
+    assert_string_equal(r.out, "a.png: 9x9, 1 triangle, flat\n");
 }
 
 static void compare_finds_equal_pictures(void **state)
@@ -346,6 +349,7 @@ static void compare_finds_equal_pictures(void **state)
     assert_non_null(strstr(r.out, "colour: 0 of 2000 pixels differ\n"));
     assert_non_null(strstr(r.out, "depth:  0 of 2000 pixels differ\n"));
     assert_non_null(strstr(r.out, "OSMesa"));
+    assert_non_null(strstr(r.out, "\nc.png: Gnomon, OSMesa, difference\n"));
     picture p = picture_read("c.png");
     assert_int_equal(p.width, 150);
     assert_int_equal(p.height, 40);
@@ -366,6 +370,27 @@ static void compare_finds_equal_pictures(void **state)
     }
     picture_free(&alone);
     picture_free(&p);
+}
+
+static void compare_names_its_picture_after_the_model(void **state)
+{
+    (void)state;
+    run r = shell("mkdir -p models.d");
+    write_text("models.d/red.v2.obj", red_square);
+    r = gnomon("compare models.d/red.v2.obj --size 20x10");
+    if (r.status != 0)
+        fail_msg("status %d\n%s%s", r.status, r.out, r.error);
+    assert_non_null(strstr(r.out, "\nred.v2_compared.png: Gnomon, OSMesa, difference\n"));
+    assert_false(exists("models.d/red.v2_compared.png"));
+    picture p = picture_read("red.v2_compared.png");
+    assert_int_equal(p.width, 60);
+    assert_int_equal(p.height, 10);
+    picture_free(&p);
+    /* With -o there is that picture alone. */
+    remove_file("red.v2_compared.png");
+    r = gnomon("compare models.d/red.v2.obj --size 20x10 -o c.png");
+    assert_int_equal(r.status, 0);
+    assert_false(exists("red.v2_compared.png"));
 }
 
 static void demo_needs_no_file(void **state)
@@ -405,6 +430,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(flat_shows_facets),
         cmocka_unit_test(summary_says_what_was_drawn),
         cmocka_unit_test(compare_finds_equal_pictures),
+        cmocka_unit_test(compare_names_its_picture_after_the_model),
         cmocka_unit_test(demo_needs_no_file),
     };
     runner_start(argc, argv);

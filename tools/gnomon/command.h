@@ -7,7 +7,8 @@ int command_render(int argc, char **argv);
 int command_compare(int argc, char **argv);
 int command_demo(int argc, char **argv);
 
-/* The part of --help that render and compare share: camera, light, shaders, colours. */
+/* The part of --help that render and compare share: camera, light, shaders, colours,
+ * back end. */
 void print_picture_help(void);
 
 /* Flushes standard output. The status, or EXIT_FAULT where output was lost. */

@@ -1,5 +1,7 @@
 /* gnomon compare: a model drawn by the library and by OSMesa. */
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "command.h"
 #include "comparison.h"
@@ -17,9 +19,51 @@ static const char usage[] =
     "\n"
     "  -o, --output OUT.png    one picture, three times as wide: Gnomon's, OSMesa's, and the\n"
     "                          difference, black where all is equal, otherwise amplified,\n"
-    "                          magenta where only alpha or depth differ\n"
+    "                          magenta where only alpha or depth differ. Without -o it is\n"
+    "                          MODEL's name and _compared.png, bunny_compared.png for\n"
+    "                          models/bunny.obj, in the current directory\n"
     "  --size WxH              in pixels, up to 16384x16384; 1024x1024\n"
     "\n";
+
+/* "bunny_compared.png" for "models/bunny.obj", allocated. Null where there is no memory. */
+static char *default_output(const char *model_path)
+{
+    static const char ending[] = "_compared.png";
+    const char *slash = strrchr(model_path, '/');
+    const char *name = slash != NULL ? slash + 1 : model_path;
+    size_t length = picture_stem_length(model_path) - (size_t)(name - model_path);
+    char *path = malloc(length + sizeof ending);
+    if (path == NULL)
+        return NULL;
+    memcpy(path, name, length);
+    strcpy(path + length, ending);
+    return path;
+}
+
+static int compare(const options *o, const char *output_path)
+{
+    if (output_same_file(output_path, o->model))
+        return report_fault(o->model, "would be overwritten by the picture");
+    if (o->texture != NULL && output_same_file(output_path, o->texture))
+        return report_fault(o->texture, "would be overwritten by the picture");
+
+    scene *s = NULL;
+    int fault = picture_describe(o, &s);
+    if (fault != 0)
+        return fault;
+    comparison c;
+    picture_print_summary(o->model, s);
+    fault = comparison_make(s, o->backend, &c);
+    if (fault == 0)
+        fault = comparison_write_triptych(&c, output_path);
+    if (fault == 0)
+        printf("%s: Gnomon, OSMesa, difference\n", output_path);
+    if (fault == 0 && c.difference.pixels > 0)
+        fault = EXIT_FAULT;
+    comparison_free(&c);
+    scene_free(s);
+    return finish_output(fault);
+}
 
 int command_compare(int argc, char **argv)
 {
@@ -33,23 +77,10 @@ int command_compare(int argc, char **argv)
     }
     if (result == OPTIONS_WRONG)
         return status;
-    if (o.output != NULL && output_same_file(o.output, o.model))
-        return report_fault(o.model, "would be overwritten by the picture");
-    if (o.output != NULL && o.texture != NULL && output_same_file(o.output, o.texture))
-        return report_fault(o.texture, "would be overwritten by the picture");
-
-    scene *s = NULL;
-    int fault = picture_describe(&o, &s);
-    if (fault != 0)
-        return fault;
-    comparison c;
-    picture_print_summary(o.model, s);
-    fault = comparison_make(s, &c);
-    if (fault == 0 && o.output != NULL)
-        fault = comparison_write_triptych(&c, o.output);
-    if (fault == 0 && c.difference.pixels > 0)
-        fault = EXIT_FAULT;
-    comparison_free(&c);
-    scene_free(s);
-    return finish_output(fault);
+    if (o.output != NULL)
+        return compare(&o, o.output);
+    char *path = default_output(o.model);
+    int fault = path != NULL ? compare(&o, path) : report_fault(o.model, "not enough memory");
+    free(path);
+    return fault;
 }

@@ -26,18 +26,19 @@ static void print_difference(const scene_difference *d, uint64_t pixels)
     printf("\n");
     if (d->pixels > 0)
         printf("first difference at x %u, y %u (from the lower left); %" PRIu64
-               " pixels are drawn by one side only\n",
-               (unsigned)d->x, (unsigned)d->y, d->coverage_pixels);
+               " pixel%s drawn by one side only\n",
+               (unsigned)d->x, (unsigned)d->y, d->coverage_pixels,
+               d->coverage_pixels == 1 ? " is" : "s are");
 }
 
-int comparison_make(const scene *s, comparison *result)
+int comparison_make(const scene *s, gn_backend backend, comparison *result)
 {
     char error[512] = "";
     memset(result, 0, sizeof *result);
     if (!scene_frame_allocate(&result->ours, s) || !scene_frame_allocate(&result->reference, s))
         return report_fault("--size", "not enough memory for two pictures of %ux%u pixels",
                             (unsigned)s->width, (unsigned)s->height);
-    gn_status status = scene_draw_library(s, &result->ours, 0, GN_BACKEND_AUTO);
+    gn_status status = scene_draw_library(s, &result->ours, 0, backend);
     if (status != GN_OK)
         return report_fault("drawing", "%s", gn_status_text(status));
 
@@ -128,7 +129,9 @@ static int write_rows(const comparison *c, const char *path, uint32_t width, png
         return fault;
     fault = png_write(&file, PNG_RGB8, width, c->ours.height, row, c);
     if (fault == 0)
-        fault = output_commit(&file);
+        fault = output_finish(&file);
+    if (fault == 0)
+        fault = output_rename(&file);
     output_abandon(&file);
     return fault;
 }

@@ -10,10 +10,10 @@ typedef struct comparison {
     scene_difference difference;
 } comparison;
 
-/* Draws both and prints, on standard output, the Mesa version and how many pixels differ in
- * colour and depth, and by how much. 0, or EXIT_FAULT with the reason printed; free with
- * comparison_free either way. */
-int comparison_make(const scene *s, comparison *result);
+/* Draws both, ours with the given back end, and prints, on standard output, the Mesa version and
+ * how many pixels differ in colour and depth, and by how much. 0, or EXIT_FAULT with the reason
+ * printed; free with comparison_free either way. */
+int comparison_make(const scene *s, gn_backend backend, comparison *result);
 
 /* Writes ours, OSMesa's and the difference side by side: black where all is equal, otherwise
  * the channels' differences amplified, magenta where only alpha or depth differ. */

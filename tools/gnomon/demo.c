@@ -129,7 +129,7 @@ int command_demo(int argc, char **argv)
         return fault;
     comparison c;
     picture_print_summary("teapot", s);
-    fault = comparison_make(s, &c);
+    fault = comparison_make(s, GN_BACKEND_AUTO, &c);
     if (fault == 0)
         fault = comparison_write_triptych(&c, o.output);
     if (fault == 0)

@@ -1,7 +1,11 @@
 /* The gnomon command: dispatch and the overview. */
 #include <errno.h>
+#include <signal.h>
+#include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "command.h"
 #include "report.h"
@@ -46,6 +50,10 @@ static const char picture_help[] =
     "  --light X,Y,Z           direction towards the light; over the viewer's left shoulder\n"
     "  --background COLOR      #rrggbb or #rrggbbaa (the # may be left out); #edeeef\n"
     "\n"
+    "Speed:\n"
+    "  --backend NAME          the instruction set to draw with: auto, portable, sse2 or\n"
+    "                          avx2; auto, the fastest there is. All give the same pixels\n"
+    "\n"
     "Colours are the vertices', else the material's, else light grey; a texture takes the\n"
     "place of the material's colour. Missing normals are computed, smooth over the model.\n"
     "A texture that the material names but that is not there is an error; go on without it\n"
@@ -63,7 +71,26 @@ int finish_output(int status)
     return status;
 }
 
-int main(int argc, char **argv)
+/* Where memory is short, a scene's allocation calls exit, and a C++ library whose exception
+ * nobody catches calls abort. The user still gets the command's own line and exit status. */
+static const char ended_early[] = "gnomon: memory: most likely not enough; had to end early\n";
+static bool finished;
+
+static void explain_exit(void)
+{
+    if (!finished)
+        fputs(ended_early, stderr);
+}
+
+static void explain_abort(int number)
+{
+    (void)number;
+    ssize_t written = write(STDERR_FILENO, ended_early, sizeof ended_early - 1);
+    (void)written;
+    _exit(EXIT_FAULT);
+}
+
+static int run(int argc, char **argv)
 {
     if (argc < 2)
         return report_usage("", "no command");
@@ -79,4 +106,13 @@ int main(int argc, char **argv)
         return finish_output(0);
     }
     return report_usage("", "'%s': no such command", argv[1]);
+}
+
+int main(int argc, char **argv)
+{
+    atexit(explain_exit);
+    signal(SIGABRT, explain_abort);
+    int status = run(argc, argv);
+    finished = true;
+    return status;
 }

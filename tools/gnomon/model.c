@@ -280,6 +280,8 @@ int model_read(const char *path, model *result)
                          aiProcess_PreTransformVertices | aiProcess_GenUVCoords |
                          aiProcess_TransformUVCoords;
     const struct aiScene *file = aiImportFile(path, steps);
+    if (file == NULL && strstr(aiGetErrorString(), "bad_alloc") != NULL)
+        return report_fault(path, "cannot be read: not enough memory");
     if (file == NULL)
         return report_fault(path, "is no model that Assimp can read: %s", aiGetErrorString());
     const char *wrong = convert(file, result);

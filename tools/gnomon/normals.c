@@ -77,7 +77,7 @@ static bool is_normal(const float *n)
 /* Adds each triangle's weighted normal to the sums of its three corners. */
 static void add_faces(const model_part *part, double *sums)
 {
-    for (uint32_t i = 0; i + 2 < part->index_count; i += 3) {
+    for (size_t i = 0; i + 2 < part->index_count; i += 3) {
         const uint32_t *v = part->indices + i;
         const float *corner[3];
         double normal[3];

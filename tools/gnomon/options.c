@@ -27,6 +27,7 @@ enum {
     OPTION_DEPTH,
     OPTION_LIGHT,
     OPTION_TEXTURE,
+    OPTION_BACKEND,
     OPTION_PICTURE,
     OPTION_TESSELLATION
 };
@@ -52,6 +53,7 @@ static const struct {
     {"background", true, OPTION_BACKGROUND, MODEL_COMMANDS},
     {"light", true, OPTION_LIGHT, MODEL_COMMANDS},
     {"texture", true, OPTION_TEXTURE, MODEL_COMMANDS},
+    {"backend", true, OPTION_BACKEND, MODEL_COMMANDS},
     {"depth", true, OPTION_DEPTH, COMMAND_RENDER},
     {"picture", true, OPTION_PICTURE, COMMAND_DEMO},
     {"tessellation", true, OPTION_TESSELLATION, COMMAND_DEMO},
@@ -145,6 +147,17 @@ static bool parse_shading(const char *text, shading *result)
     return false;
 }
 
+static bool parse_backend(const char *text, gn_backend *result)
+{
+    for (int i = 0; i < GN_BACKEND_COUNT; i++) {
+        if (strcmp(text, gn_backend_name((gn_backend)i)) == 0) {
+            *result = (gn_backend)i;
+            return true;
+        }
+    }
+    return false;
+}
+
 /* The value of one option. Null: taken; otherwise what it should have looked like. */
 static const char *take_value(int option, const char *text, options *o)
 {
@@ -185,6 +198,8 @@ static const char *take_value(int option, const char *text, options *o)
         return parse_vector(text, &o->light) ? NULL : vector_form;
     case OPTION_SHADER:
         return parse_shading(text, &o->shading) ? NULL : "flat, color, gouraud or textured";
+    case OPTION_BACKEND:
+        return parse_backend(text, &o->backend) ? NULL : "auto, portable, sse2 or avx2";
     case OPTION_BACKGROUND:
         return parse_color(text, o->background) ? NULL : "#rrggbb or #rrggbbaa";
     default:
@@ -202,6 +217,11 @@ static int check(command which, const options *o)
         return report_usage(name, "--fov and --orthographic exclude each other");
     if (o->texture != NULL && o->shading != SHADING_AUTOMATIC && o->shading != SHADING_TEXTURED)
         return report_usage(name, "--texture is for --shader textured");
+    if (!gn_backend_available(o->backend))
+        return report_fault("--backend",
+                            "%s is not available: the processor or this build of the "
+                            "library lacks it",
+                            gn_backend_name(o->backend));
     if (o->width < 1 || o->width > GN_MAX_SIZE || o->height < 1 || o->height > GN_MAX_SIZE)
         return report_fault("--size", "impossible size; width and height are 1 to %d pixels",
                             GN_MAX_SIZE);

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include <gnomon/backend.h>
 #include <gnomon/vec.h>
 
 typedef enum command { COMMAND_RENDER = 1, COMMAND_COMPARE = 2, COMMAND_DEMO = 4 } command;
@@ -38,6 +39,7 @@ typedef struct options {
     bool light_given;
     gn_vec3 light; /* towards the light, world space, any length but 0 */
     uint32_t tessellation;
+    gn_backend backend; /* one that is available */
 } options;
 
 typedef enum options_result { OPTIONS_READY, OPTIONS_HELP, OPTIONS_WRONG } options_result;

@@ -113,9 +113,16 @@ int output_open(output *o, const char *path)
     return 0;
 }
 
-int output_commit(output *o)
+/* EXIT_FAULT, the output abandoned. */
+static int fail(output *o, int reason)
 {
     const char *path = o->path;
+    output_abandon(o);
+    return report_fault(path, "cannot be written: %s", strerror(reason));
+}
+
+int output_finish(output *o)
+{
     bool good = fflush(o->file) == 0 && ferror(o->file) == 0;
     int reason = errno;
     if (fclose(o->file) != 0 && good) {
@@ -123,17 +130,18 @@ int output_commit(output *o)
         reason = errno;
     }
     o->file = NULL;
-    if (good && o->temporary != NULL && rename(o->temporary, o->final) != 0) {
-        good = false;
-        reason = errno;
-    }
-    if (good && o->temporary != NULL)
+    return good ? 0 : fail(o, reason);
+}
+
+int output_rename(output *o)
+{
+    if (o->temporary != NULL) {
+        if (rename(o->temporary, o->final) != 0)
+            return fail(o, errno);
         exchange_pending(o->temporary, NULL);
-    if (good)
-        release(o);
-    else
-        output_abandon(o);
-    return good ? 0 : report_fault(path, "cannot be written: %s", strerror(reason));
+    }
+    release(o);
+    return 0;
 }
 
 void output_abandon(output *o)
@@ -147,12 +155,38 @@ void output_abandon(output *o)
     release(o);
 }
 
+static const char *base_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash != NULL ? slash + 1 : path;
+}
+
+/* stat of the directory a path's last name is in. */
+static bool stat_directory(const char *path, struct stat *status)
+{
+    char *directory = strdup(path);
+    if (directory == NULL)
+        return false;
+    size_t length = (size_t)(base_name(path) - path);
+    directory[length] = '\0';
+    bool good = stat(length > 0 ? directory : ".", status) == 0;
+    free(directory);
+    return good;
+}
+
 bool output_same_file(const char *a, const char *b)
 {
     struct stat status_a;
     struct stat status_b;
     if (strcmp(a, b) == 0)
         return true;
-    return stat(a, &status_a) == 0 && stat(b, &status_b) == 0 && S_ISREG(status_a.st_mode) &&
-           status_a.st_dev == status_b.st_dev && status_a.st_ino == status_b.st_ino;
+    bool exists_a = stat(a, &status_a) == 0;
+    bool exists_b = stat(b, &status_b) == 0;
+    if (exists_a != exists_b)
+        return false;
+    if (exists_a ? !S_ISREG(status_a.st_mode)
+                 : strcmp(base_name(a), base_name(b)) != 0 || !stat_directory(a, &status_a) ||
+                       !stat_directory(b, &status_b))
+        return false;
+    return status_a.st_dev == status_b.st_dev && status_a.st_ino == status_b.st_ino;
 }

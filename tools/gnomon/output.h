@@ -14,19 +14,24 @@ typedef struct output {
 } output;
 
 /* Starts an output file. 0, or EXIT_FAULT with the reason printed and nothing left to clean
- * up. Between open and commit or abandon, a signal that ends the program removes the
+ * up. Between open and rename or abandon, a signal that ends the program removes the
  * temporary file. At most OUTPUT_LIMIT files are open at a time. */
 #define OUTPUT_LIMIT 4
 int output_open(output *o, const char *path);
 
-/* Flushes, closes and renames. 0, or EXIT_FAULT with the reason printed; the temporary file
- * is gone either way. */
-int output_commit(output *o);
+/* Flushes and closes: all bytes are then in the temporary file. 0, or EXIT_FAULT with the
+ * reason printed and the temporary file gone. */
+int output_finish(output *o);
 
-/* Closes and removes. Harmless after commit and on a zeroed output. */
+/* Gives a finished file its final name. 0, or EXIT_FAULT with the reason printed; the
+ * temporary file is gone either way. */
+int output_rename(output *o);
+
+/* Closes and removes. Harmless after rename and on a zeroed output. */
 void output_abandon(output *o);
 
-/* Whether both names lead to one file, that exists or would be made. */
+/* Whether both names lead to one file, that exists or would be made: then by its directory and
+ * its name in it. */
 bool output_same_file(const char *a, const char *b);
 
 #endif

@@ -30,15 +30,20 @@ static char *beside_model(const char *model_path, const char *name)
     return path;
 }
 
+size_t picture_stem_length(const char *model_path)
+{
+    const char *slash = strrchr(model_path, '/');
+    const char *name = slash != NULL ? slash + 1 : model_path;
+    const char *dot = strrchr(name, '.');
+    return dot != NULL && dot > name ? (size_t)(dot - model_path) : strlen(model_path);
+}
+
 /* MODEL without its extension + "_diffuse" + tga, png or jpg, allocated, where there is such
  * a file; otherwise null. */
 static char *conventional_texture(const char *model_path)
 {
     static const char endings[][16] = {"_diffuse.tga", "_diffuse.png", "_diffuse.jpg"};
-    const char *slash = strrchr(model_path, '/');
-    const char *dot = strrchr(model_path, '.');
-    size_t stem = dot != NULL && (slash == NULL || dot > slash + 1) ? (size_t)(dot - model_path)
-                                                                    : strlen(model_path);
+    size_t stem = picture_stem_length(model_path);
     char *path = malloc(stem + sizeof endings[0]);
     if (path == NULL)
         return NULL;
@@ -213,6 +218,7 @@ void picture_print_summary(const char *name, const scene *s)
         if (s->draws[i].shader > most)
             most = s->draws[i].shader;
     }
-    printf("%s: %ux%u, %llu triangles, %s\n", name, (unsigned)s->width, (unsigned)s->height,
-           (unsigned long long)scene_triangle_count(s), words[most]);
+    unsigned long long triangles = scene_triangle_count(s);
+    printf("%s: %ux%u, %llu triangle%s, %s\n", name, (unsigned)s->width, (unsigned)s->height,
+           triangles, triangles == 1 ? "" : "s", words[most]);
 }

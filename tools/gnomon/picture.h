@@ -16,6 +16,9 @@ int picture_describe(const options *o, scene **result);
 scene_draw *picture_add_part(scene *s, const model_part *part, scene_shader shader,
                              const camera *view, gn_vec3 light_direction);
 
+/* Length of a model's path without its extension. */
+size_t picture_stem_length(const char *model_path);
+
 /* "out.png: 1024x1024, 2492 triangles, textured" on standard output. */
 void picture_print_summary(const char *name, const scene *s);
 

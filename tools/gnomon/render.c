@@ -55,54 +55,10 @@ static void depth_row(const void *context, uint32_t y, uint8_t *row)
     }
 }
 
-static gn_status use_shader(const scene_draw *draw, gn_pipeline *pipeline, gn_color_uniforms *color)
-{
-    const gn_light_uniforms *light = &draw->uniforms.light;
-    switch (draw->shader) {
-    case SCENE_VERTEX_COLOR:
-        color->clip_from_model = light->clip_from_model;
-        return gn_use_vertex_color(pipeline, color);
-    case SCENE_FLAT:
-        return gn_use_flat(pipeline, light);
-    case SCENE_GOURAUD:
-        return gn_use_gouraud(pipeline, light);
-    default:
-        return gn_use_textured_gouraud(pipeline, &draw->uniforms);
-    }
-}
-
-static gn_status draw_scene(const scene *s, const gn_target *target, const gn_workspace *workspace)
-{
-    gn_status status = gn_clear_color(&target->color, s->clear_color[0], s->clear_color[1],
-                                      s->clear_color[2], s->clear_color[3]);
-    if (status == GN_OK)
-        status = gn_clear_depth(&target->depth, s->clear_depth);
-    for (size_t i = 0; i < s->draw_count && status == GN_OK; i++) {
-        gn_pipeline pipeline = s->draws[i].state;
-        gn_color_uniforms color;
-        status = use_shader(s->draws + i, &pipeline, &color);
-        if (status == GN_OK)
-            status = gn_draw(target, &pipeline, &s->draws[i].mesh, workspace);
-    }
-    return status;
-}
-
-/* Enough to shade every vertex once. */
-static size_t workspace_size(const scene *s)
-{
-    size_t size = gn_workspace_size(0, GN_SHADER_VARYINGS);
-    for (size_t i = 0; i < s->draw_count; i++) {
-        size_t wanted = gn_workspace_size(s->draws[i].mesh.vertex_count, GN_SHADER_VARYINGS);
-        if (wanted > size)
-            size = wanted;
-    }
-    return size;
-}
-
-static int draw_canvas(const scene *s, canvas *c)
+static int draw_canvas(const scene *s, gn_backend backend, canvas *c)
 {
     size_t pixels = (size_t)s->width * s->height;
-    gn_workspace workspace = {NULL, workspace_size(s), GN_BACKEND_AUTO};
+    gn_workspace workspace = {NULL, scene_workspace_size(s), backend};
     c->width = s->width;
     c->color = malloc(pixels * sizeof *c->color);
     c->depth = malloc(pixels * sizeof *c->depth);
@@ -115,7 +71,7 @@ static int draw_canvas(const scene *s, canvas *c)
     } else {
         gn_target target = {gn_surface_top_down(c->color, GN_FORMAT_RGBA8, s->width, s->height),
                             gn_surface_top_down(c->depth, GN_FORMAT_D32F, s->width, s->height)};
-        status = draw_scene(s, &target, &workspace);
+        status = scene_draw_to_target(s, &target, &workspace);
     }
     free(workspace.memory);
     if (status != GN_OK)
@@ -123,7 +79,8 @@ static int draw_canvas(const scene *s, canvas *c)
     return fault;
 }
 
-/* Both files or neither. */
+/* Both files or neither: neither takes its name before both are complete on disk. What is no
+ * regular file has no such moment, and cannot be taken back. */
 static int write_files(const options *o, const canvas *c)
 {
     output color;
@@ -136,11 +93,15 @@ static int write_files(const options *o, const canvas *c)
         fault = output_open(&depth, o->depth_output);
         if (fault == 0)
             fault = png_write(&depth, PNG_GREY16, c->width, o->height, depth_row, c);
-        if (fault == 0)
-            fault = output_commit(&depth);
     }
     if (fault == 0)
-        fault = output_commit(&color);
+        fault = output_finish(&color);
+    if (fault == 0 && o->depth_output != NULL)
+        fault = output_finish(&depth);
+    if (fault == 0)
+        fault = output_rename(&color);
+    if (fault == 0 && o->depth_output != NULL)
+        fault = output_rename(&depth);
     output_abandon(&depth);
     output_abandon(&color);
     return fault;
@@ -179,7 +140,7 @@ int command_render(int argc, char **argv)
     if (fault == 0)
         fault = picture_describe(&o, &s);
     if (fault == 0)
-        fault = draw_canvas(s, &c);
+        fault = draw_canvas(s, o.backend, &c);
     if (fault == 0)
         fault = write_files(&o, &c);
     if (fault == 0)
