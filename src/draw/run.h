@@ -18,6 +18,8 @@
 typedef struct slot_map {
     bool shared;
     uint32_t base;
+    uint32_t shaded;   /* slots of a shared draw that are shaded, in whole batches */
+    uint32_t outcodes; /* the union of theirs */
     uint32_t first_element;
 } slot_map;
 
@@ -88,8 +90,9 @@ static void run_vertex_shader(const gn_pipeline *pipeline, const gn_vertex_input
         pipeline->vertex_shader(pipeline->uniforms, input, output);
 }
 
-/* Shades the vertices of the first slots. Gives the union of their outcodes. */
-static uint32_t shade_slots(const draw_state *draw, uint32_t slot_count)
+/* Shades the vertices of slots `from`, the first of a batch, to slot_count - 1. Gives the
+ * union of their outcodes. */
+static uint32_t shade_slots(const draw_state *draw, uint32_t from, uint32_t slot_count)
 {
     float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES];
     uint32_t vertex_id[GN_LANES];
@@ -99,7 +102,8 @@ static uint32_t shade_slots(const draw_state *draw, uint32_t slot_count)
 
     input.attribute = (const float(*)[4][GN_LANES])attribute;
     input.vertex_id = vertex_id;
-    for (uint32_t slot = 0; slot < slot_count; slot += GN_LANES) {
+    fetch_defaults(draw->mesh, attribute);
+    for (uint32_t slot = from; slot < slot_count; slot += GN_LANES) {
         vertex_batch *batch = vertex_batch_of(&draw->store, slot);
         const uint32_t count = slot_count - slot < GN_LANES ? slot_count - slot : GN_LANES;
 
@@ -216,7 +220,7 @@ static uint32_t shade_elements(draw_state *draw, uint32_t first, uint32_t count)
     const bool separate = draw->pipeline->topology == GN_TRIANGLES;
 
     draw->map.first_element = separate ? 3 * first : first;
-    return shade_slots(draw, separate ? 3 * count : count + 2);
+    return shade_slots(draw, 0, separate ? 3 * count : count + 2);
 }
 
 /* Draws a segment as many triangles at a time as the workspace has slots for. With
@@ -241,8 +245,8 @@ static void draw_segment(draw_state *draw, uint32_t first, uint32_t count)
     }
 }
 
-/* The union of outcodes over the elements of triangles first to first + count - 1, where
- * the vertices of the whole draw are shaded. */
+/* The union of outcodes over the elements of triangles first to first + count - 1, whose
+ * vertices are shaded. */
 static uint32_t segment_outcodes(const draw_state *draw, uint32_t first, uint32_t count)
 {
     uint32_t outcodes = 0;
@@ -255,6 +259,37 @@ static uint32_t segment_outcodes(const draw_state *draw, uint32_t first, uint32_
             outcodes |= outcode_of(draw, element_slot(draw, t.slot[n]));
     }
     return outcodes;
+}
+
+/* Whole batches that hold every slot the elements of these triangles name. */
+static uint32_t segment_slots(const draw_state *draw, uint32_t first, uint32_t count)
+{
+    const bool separate = draw->pipeline->topology == GN_TRIANGLES;
+    const uint32_t start = separate ? 3 * first : first;
+    const uint32_t end = separate ? 3 * (first + count) : first + count + 2;
+    uint32_t last = element_slot(draw, 0);
+
+    for (uint32_t i = start; i < end; ++i) {
+        const uint32_t slot = element_slot(draw, i);
+        last = slot > last ? slot : last;
+    }
+    return (last / GN_LANES + 1) * GN_LANES;
+}
+
+/* Draws a segment of a shared draw. Vertices are shaded up to the last one it names, each
+ * once in the draw, while they are still near in the cache. */
+static void draw_shared_segment(draw_state *draw, uint32_t first, uint32_t count,
+                                uint32_t slot_count)
+{
+    const uint32_t wanted = segment_slots(draw, first, count);
+    const uint32_t end = wanted < slot_count ? wanted : slot_count;
+
+    if (end > draw->map.shaded) {
+        draw->map.outcodes |= shade_slots(draw, draw->map.shaded, end);
+        draw->map.shaded = end;
+    }
+    resolve_outcodes(draw, draw->map.outcodes ? segment_outcodes(draw, first, count) : 0);
+    draw_triangles(draw, first, count);
 }
 
 /* Whether the range of vertices that the elements name fits the workspace and is no
@@ -285,18 +320,14 @@ static void draw_segments(draw_state *draw)
     const uint32_t total = triangle_count(draw->pipeline->topology, draw->mesh->count);
     const uint32_t step = triangles_of(draw, indexed ? SEGMENT_INDICES : SEGMENT_ELEMENTS);
     uint32_t slot_count = 0;
-    uint32_t outcodes = 0;
+    const bool shared = total > 0 && map_shared(draw, &slot_count);
 
-    if (total > 0 && map_shared(draw, &slot_count))
-        outcodes = shade_slots(draw, slot_count);
     for (uint32_t first = 0, count; first < total; first += count) {
         count = total - first < step ? total - first : step;
-        if (!draw->map.shared) {
+        if (shared)
+            draw_shared_segment(draw, first, count, slot_count);
+        else
             draw_segment(draw, first, count);
-            continue;
-        }
-        resolve_outcodes(draw, outcodes ? segment_outcodes(draw, first, count) : 0);
-        draw_triangles(draw, first, count);
     }
 }
 
@@ -312,6 +343,8 @@ static void run_draw(const draw_job *job)
     draw.capacity = job->capacity;
     draw.map.shared = false;
     draw.map.base = 0;
+    draw.map.shaded = 0;
+    draw.map.outcodes = 0;
     draw.map.first_element = 0;
     draw.viewport = viewport_transform_of(job->pipeline, any->width, any->height);
     draw.is_quad = false;

@@ -25,12 +25,24 @@ typedef struct setup_vertices {
     uint32_t provoking_lane;
 } setup_vertices;
 
-static inline void gather_vertex(setup_vertices *v, int i, const vertex_store *store, uint32_t slot)
+static inline bool is_beyond(int32_t snapped)
 {
-    v->batch[i] = vertex_batch_of(store, slot);
-    v->lane[i] = slot % GN_LANES;
-    v->x[i] = v->batch[i]->snapped[0][v->lane[i]];
-    v->y[i] = v->batch[i]->snapped[1][v->lane[i]];
+    return (uint32_t)snapped + SNAPPED_LIMIT > 2 * SNAPPED_LIMIT;
+}
+
+/* False where the vertex is beyond SNAPPED_LIMIT. */
+static inline bool gather_vertex(setup_vertices *v, int i, const vertex_store *store, uint32_t slot)
+{
+    const vertex_batch *batch = vertex_batch_of(store, slot);
+    const uint32_t lane = slot % GN_LANES;
+    const int32_t x = batch->snapped[0][lane];
+    const int32_t y = batch->snapped[1][lane];
+
+    v->batch[i] = batch;
+    v->lane[i] = lane;
+    v->x[i] = x;
+    v->y[i] = y;
+    return !is_beyond(x) && !is_beyond(y);
 }
 
 static inline void exchange_vertices(setup_vertices *v, int i, int j)
@@ -48,17 +60,6 @@ static inline void exchange_vertices(setup_vertices *v, int i, int j)
     v->lane[j] = lane;
     v->x[j] = x;
     v->y[j] = y;
-}
-
-static inline bool snapped_in_range(const setup_vertices *v)
-{
-    uint32_t beyond = 0;
-
-    for (int i = 0; i < 3; ++i) {
-        beyond |= (uint32_t)v->x[i] + SNAPPED_LIMIT > 2 * SNAPPED_LIMIT;
-        beyond |= (uint32_t)v->y[i] + SNAPPED_LIMIT > 2 * SNAPPED_LIMIT;
-    }
-    return !beyond;
 }
 
 static bool is_culled(const gn_pipeline *pipeline, bool clockwise)
@@ -222,10 +223,10 @@ static inline bool setup_edges(const setup_state *state, const vertex_store *sto
 {
     const gn_pipeline *pipeline = state->pipeline;
 
-    for (int i = 0; i < 3; ++i)
-        gather_vertex(v, i, store, triangle->slot[i]);
-    if (!snapped_in_range(v))
-        return false;
+    for (int i = 0; i < 3; ++i) {
+        if (!gather_vertex(v, i, store, triangle->slot[i]))
+            return false;
+    }
 
     const int64_t area = (int64_t)(v->x[0] - v->x[1]) * (v->y[2] - v->y[0]) -
                          (int64_t)(v->x[2] - v->x[0]) * (v->y[0] - v->y[1]);
