@@ -6,21 +6,6 @@
 
 #define ATTRIBUTES 4
 
-static size_t index_size(gn_index_format format)
-{
-    switch (format) {
-    case GN_INDEX_UINT8:
-        return 1;
-    case GN_INDEX_UINT16:
-        return 2;
-    case GN_INDEX_UINT32:
-        return 4;
-    case GN_INDEX_NONE:
-        break;
-    }
-    return 0;
-}
-
 /* Draws that Mesa 22.3 loses where the third triangle has no height (reference/RULES.md);
  * through an index buffer it draws them. */
 static bool is_nine_vertices(const scene_draw *d)
@@ -132,7 +117,8 @@ static void upload_vertices(const scene_draw *d, uploaded_draw *u)
         glBufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)(mesh->count * sizeof *indices), indices,
                      GL_STATIC_DRAW);
     } else if (mesh->index_format != GN_INDEX_NONE) {
-        const size_t bytes = ((size_t)mesh->first + mesh->count) * index_size(mesh->index_format);
+        const size_t bytes =
+            ((size_t)mesh->first + mesh->count) * scene_index_size(mesh->index_format);
 
         glGenBuffers(1, &u->indices);
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, u->indices);
@@ -310,9 +296,9 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
     } else if (mesh->index_format == GN_INDEX_NONE) {
         glDrawArrays(topology(d->state.topology), (GLint)mesh->first, (GLsizei)mesh->count);
     } else {
-        glDrawElements(topology(d->state.topology), (GLsizei)mesh->count,
-                       index_type(mesh->index_format),
-                       (const void *)(uintptr_t)(mesh->first * index_size(mesh->index_format)));
+        glDrawElements(
+            topology(d->state.topology), (GLsizei)mesh->count, index_type(mesh->index_format),
+            (const void *)(uintptr_t)(mesh->first * scene_index_size(mesh->index_format)));
     }
 }
 

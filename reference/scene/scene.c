@@ -37,7 +37,7 @@ void *scene_reallocate(void *memory, size_t count, size_t size)
     return moved;
 }
 
-static size_t index_size(gn_index_format format)
+size_t scene_index_size(gn_index_format format)
 {
     switch (format) {
     case GN_INDEX_UINT8:
@@ -140,7 +140,7 @@ void scene_set_attribute(scene_draw *d, gn_shader_attribute attribute, const flo
 void scene_set_indices(scene_draw *d, const uint32_t *indices, uint32_t count,
                        gn_index_format format)
 {
-    void *copy = format == GN_INDEX_NONE ? NULL : scene_allocate(count, index_size(format));
+    void *copy = format == GN_INDEX_NONE ? NULL : scene_allocate(count, scene_index_size(format));
 
     for (uint32_t i = 0; copy && i < count; ++i) {
         switch (format) {
@@ -207,7 +207,7 @@ scene *scene_copy(const scene *s)
     for (size_t i = 0; i < s->draw_count; ++i) {
         const scene_draw *from = &s->draws[i];
         const gn_texture *texture = &from->uniforms.texture;
-        const size_t index_bytes = from->index_count * index_size(from->mesh.index_format);
+        const size_t index_bytes = from->index_count * scene_index_size(from->mesh.index_format);
         scene_draw *to = scene_add_draw(copy);
 
         *to = *from;

@@ -93,6 +93,9 @@ void scene_set_indices(scene_draw *d, const uint32_t *indices, uint32_t count,
 void scene_set_texture(scene_draw *d, const void *texels, uint32_t width, uint32_t height,
                        gn_format format);
 
+/* Bytes of an index; 0 for GN_INDEX_NONE. */
+size_t scene_index_size(gn_index_format format);
+
 /* Triangles the draws submit, before clipping. */
 uint64_t scene_triangle_count(const scene *s);
 
