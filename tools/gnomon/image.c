@@ -12,6 +12,8 @@
 static const char *decoder_reason(void)
 {
     const char *reason = stbi_failure_reason();
+    if (reason != NULL && strcmp(reason, "outofmem") == 0)
+        return "not enough memory";
     return reason != NULL ? reason : "no image";
 }
 
