@@ -8,7 +8,7 @@
 
 static void out_of_memory(size_t count, size_t size)
 {
-    fprintf(stderr, "scene: no memory for %zu elements of %zu bytes\n", count, size);
+    fprintf(stderr, "scene: not enough memory for %zu elements of %zu bytes\n", count, size);
     exit(EXIT_FAILURE);
 }
 
