@@ -56,9 +56,10 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
     if (workspace->size < gn_workspace_size(0, pipeline->varying_count))
         return GN_WORKSPACE_TOO_SMALL;
 
-    const gn_backend backend =
-        workspace->backend == GN_BACKEND_AUTO ? gn_backend_best() : workspace->backend;
-    if (!gn_backend_available(backend))
+    gn_backend backend = workspace->backend;
+    if (backend == GN_BACKEND_AUTO)
+        backend = gn_backend_best();
+    else if (!gn_backend_available(backend))
         return GN_BACKEND_UNAVAILABLE;
 
     const size_t skip = (0 - (uintptr_t)workspace->memory) & (BATCH_ALIGNMENT - 1);

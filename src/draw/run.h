@@ -195,7 +195,7 @@ static bool has_flat_varying(const gn_pipeline *pipeline)
     return false;
 }
 
-/* What depends on the outcodes of all vertices of a segment: culling (setup.c), and that
+/* What depends on the outcodes of all vertices of a segment: culling (setup.h), and that
  * a fan of four vertices without indices, none clipped, is taken as a quad, which can
  * show only where the first vertex would provoke and nothing is flat. */
 static void resolve_outcodes(draw_state *draw, uint32_t outcodes)
@@ -288,7 +288,9 @@ static void draw_shared_segment(draw_state *draw, uint32_t first, uint32_t count
         draw->map.outcodes |= shade_slots(draw, draw->map.shaded, end);
         draw->map.shaded = end;
     }
-    resolve_outcodes(draw, draw->map.outcodes ? segment_outcodes(draw, first, count) : 0);
+    /* With indices there is no quad, so that culling alone asks. */
+    if (draw->map.outcodes && draw->pipeline->cull != GN_CULL_NONE)
+        resolve_outcodes(draw, segment_outcodes(draw, first, count));
     draw_triangles(draw, first, count);
 }
 

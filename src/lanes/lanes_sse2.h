@@ -1,6 +1,6 @@
-/* Lanes in four SSE2 registers. Conversions give INT32_MIN where out of range, so that all bits are
- * those of lanes_portable.h. Precondition: MXCSR in its initial state (round to nearest, denormals
- * kept). */
+/* Lanes in four SSE2 registers. Conversions give INT32_MIN where out of range, so that
+ * all bits are those of lanes_portable.h. Precondition: MXCSR in its initial state (round
+ * to nearest, denormals kept). */
 #ifndef GN_LANES_LANES_SSE2_H
 #define GN_LANES_LANES_SSE2_H
 

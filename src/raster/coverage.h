@@ -1,5 +1,5 @@
-/* Coverage: the pixels of a triangle, found in blocks of 4x4 and runs of them. Edge values at the
- * corner of a block are exact in 64 bits; within it 32 bits are enough. */
+/* Coverage: the pixels of a triangle, found in blocks of 4x4 and runs of them. Edge
+ * values at the corner of a block are exact in 64 bits; within it 32 bits are enough. */
 #ifndef GN_RASTER_COVERAGE_H
 #define GN_RASTER_COVERAGE_H
 

@@ -79,8 +79,8 @@ static bool is_culled(const gn_pipeline *pipeline, bool clockwise)
 }
 
 /* The reference culls a second time, by the area of the unsnapped window coordinates,
- * where a segment of a draw has vertices outside the view volume; the two disagree on slivers. No
- * area counts as back-facing. */
+ * where a segment of a draw has vertices outside the view volume; the two disagree on
+ * slivers. No area counts as back-facing. */
 static bool is_culled_unsnapped(const gn_pipeline *pipeline, const setup_vertices *v)
 {
     float x[3], y[3];

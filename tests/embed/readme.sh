@@ -1,6 +1,6 @@
 #!/bin/sh
 # The README's program compiles as it stands, with warnings as errors, draws, and is no
-# longer than it says: about thirty lines.
+# longer than it says: about thirty lines. Every file the documentation names is there.
 # usage: readme.sh BUILD-DIRECTORY   (from the root of the project)
 set -eu
 directory=$1/embed
@@ -10,6 +10,10 @@ if grep -n '@[A-Z]*@' README.md; then
     echo "the README has a place that was not filled in"
     exit 1
 fi
+grep -hoE '`(include|src|reference|tests|tools)/[A-Za-z0-9_./]*`' README.md reference/RULES.md |
+    tr -d '`' | sort -u | while read -r named; do
+    [ -e "$named" ] || { echo "the documentation names $named, which is not there"; exit 1; }
+done
 lines=$(grep -c . "$directory/triangle.c")
 [ "$lines" -le 40 ] || { echo "the README's program has $lines lines"; exit 1; }
 "${CC:-cc}" -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude "$directory/triangle.c" "$1/libgnomon.a" -o "$directory/triangle"
