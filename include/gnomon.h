@@ -12,6 +12,7 @@
  *   texture.h     images that shaders read
  *   pipeline.h    shaders and the state of a draw
  *   backend.h     instruction sets
+ *   parallel.h    threads, which are the caller's
  *   draw.h        meshes, the workspace and the draw itself
  *   shaders.h     ready-made shaders
  *
@@ -33,6 +34,7 @@
 #include "gnomon/backend.h"
 #include "gnomon/draw.h"
 #include "gnomon/mat.h"
+#include "gnomon/parallel.h"
 #include "gnomon/pipeline.h"
 #include "gnomon/projection.h"
 #include "gnomon/scalar.h"

@@ -3,6 +3,7 @@
 #define GNOMON_DRAW_H
 
 #include "backend.h"
+#include "parallel.h"
 #include "pipeline.h"
 
 /* One array of vertex attributes, in the caller's memory. Components that the
@@ -40,8 +41,11 @@ typedef struct gn_mesh {
  * shaded for each index, and the pixels are the same. */
 typedef struct gn_workspace {
     void *memory;
-    size_t size;        /* bytes */
-    gn_backend backend; /* GN_BACKEND_AUTO: the fastest; the pixels are the same */
+    size_t size;           /* bytes */
+    gn_backend backend;    /* GN_BACKEND_AUTO: the fastest; the pixels are the same */
+    gn_parallel *parallel; /* null: the calling thread alone; the pixels are the same */
+    void *user;            /* for parallel */
+    size_t needed;         /* written with GN_WORKSPACE_TOO_SMALL: the least size there is */
 } gn_workspace;
 
 /* Bytes of one vertex between the stages, apart from its varyings: clip position,
@@ -76,7 +80,7 @@ GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
  * gn_pipeline_check, gn_mesh_check), then that the target's colour has a fragment
  * shader (GN_NO_SHADER) and that the workspace is there (GN_NULL_POINTER) and
  * holds at least gn_workspace_size(0, varying_count) bytes
- * (GN_WORKSPACE_TOO_SMALL), and that its back end is available
+ * (GN_WORKSPACE_TOO_SMALL, and workspace->needed says how many), and that its back end is available
  * (GN_BACKEND_UNAVAILABLE); on a fault nothing is drawn.
  *
  * Triangles are drawn in order. Positions are clipped to -w <= x, y, z <= w and
@@ -95,7 +99,7 @@ GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
  * masked, as a C program starts. The target must not overlap the mesh, the workspace,
  * textures or uniforms. */
 GN_API gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
-                         const gn_workspace *workspace);
+                         gn_workspace *workspace);
 
 GN_END
 

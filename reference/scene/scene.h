@@ -114,12 +114,10 @@ size_t scene_workspace_size(const scene *s);
 
 /* Clears and draws with the library, into surfaces of the scene's size and formats, which may
  * be top-down, and in the caller's workspace. The status is the first that is not GN_OK. */
-gn_status scene_draw_to_target(const scene *s, const gn_target *target,
-                               const gn_workspace *workspace);
+gn_status scene_draw_to_target(const scene *s, const gn_target *target, gn_workspace *workspace);
 
 /* The same into a frame. */
-gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame,
-                                  const gn_workspace *workspace);
+gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame, gn_workspace *workspace);
 
 /* The same in a workspace of its own, of scene_workspace_size where workspace_bytes is 0. */
 gn_status scene_draw_library(const scene *s, scene_frame *frame, size_t workspace_bytes,

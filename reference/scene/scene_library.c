@@ -32,8 +32,7 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d,
     return status;
 }
 
-static gn_status draw_one(const gn_target *target, const scene_draw *d,
-                          const gn_workspace *workspace)
+static gn_status draw_one(const gn_target *target, const scene_draw *d, gn_workspace *workspace)
 {
     gn_color_uniforms color;
     gn_pipeline pipeline = d->state;
@@ -59,8 +58,7 @@ size_t scene_workspace_size(const scene *s)
     return gn_workspace_size(vertices, GN_SHADER_VARYINGS);
 }
 
-gn_status scene_draw_to_target(const scene *s, const gn_target *target,
-                               const gn_workspace *workspace)
+gn_status scene_draw_to_target(const scene *s, const gn_target *target, gn_workspace *workspace)
 {
     gn_status status = GN_OK;
 
@@ -77,7 +75,7 @@ gn_status scene_draw_to_target(const scene *s, const gn_target *target,
     return status;
 }
 
-gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame, const gn_workspace *workspace)
+gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame, gn_workspace *workspace)
 {
     gn_target target;
 
@@ -94,7 +92,7 @@ gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame, const gn_w
 gn_status scene_draw_library(const scene *s, scene_frame *frame, size_t workspace_bytes,
                              gn_backend backend)
 {
-    gn_workspace workspace;
+    gn_workspace workspace = {0};
 
     workspace.size = workspace_bytes ? workspace_bytes : scene_workspace_size(s);
     workspace.memory = scene_reallocate(NULL, workspace.size, 1);

@@ -39,7 +39,7 @@ static void run_on(gn_backend backend, const draw_job *job)
 }
 
 gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
-                  const gn_workspace *workspace)
+                  gn_workspace *workspace)
 {
     gn_status status = gn_target_check(target);
 
@@ -53,8 +53,11 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
         return GN_NO_SHADER;
     if (!workspace || !workspace->memory)
         return GN_NULL_POINTER;
-    if (workspace->size < gn_workspace_size(0, pipeline->varying_count))
+    const size_t least = gn_workspace_size(0, pipeline->varying_count);
+    if (workspace->size < least) {
+        workspace->needed = least;
         return GN_WORKSPACE_TOO_SMALL;
+    }
 
     gn_backend backend = workspace->backend;
     if (backend == GN_BACKEND_AUTO)

@@ -208,7 +208,7 @@ static enum theft_trial_res shared_edges_once(struct theft *t, void *instance)
     one.vertex_count = m->vertex_count;
     one.index_format = GN_INDEX_UINT32;
     one.count = 3;
-    const gn_workspace workspace = {memory, sizeof memory, GN_BACKEND_AUTO};
+    gn_workspace workspace = {.memory = memory, .size = sizeof memory};
     memset(covered, 0, sizeof covered);
     for (uint32_t i = 0; i < m->triangle_count; i++) {
         memset(pixels, 0, sizeof pixels);

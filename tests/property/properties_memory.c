@@ -218,7 +218,7 @@ static bool draw_guarded(const hostile *h, const guarded *color, const guarded *
     unsigned char *least_memory = malloc(least);
     if (!least_memory)
         return false;
-    const gn_workspace workspace = {least_memory, least, GN_BACKEND_AUTO};
+    gn_workspace workspace = {.memory = least_memory, .size = least};
     const gn_status status = gn_draw(&target, &pipeline, &mesh, &workspace);
     free(least_memory);
     return status == GN_OK;

@@ -142,7 +142,7 @@ static bool draw_top_down(const scene *s, scene_frame *frame)
             break;
         }
         const size_t size = gn_workspace_size(d->mesh.vertex_count, GN_SHADER_VARYINGS);
-        const gn_workspace workspace = {malloc(size), size, GN_BACKEND_AUTO};
+        gn_workspace workspace = {.memory = malloc(size), .size = size};
         good = good && workspace.memory && gn_draw(&target, &p, &d->mesh, &workspace) == GN_OK;
         free(workspace.memory);
     }

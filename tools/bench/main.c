@@ -57,7 +57,7 @@ static int measure(reference *r, int index, int frames)
     const char *name = bench_scene_name(index);
     scene *s = bench_scene(index);
     scene_frame frame;
-    gn_workspace workspace;
+    gn_workspace workspace = {0};
     char error[512] = "";
 
     workspace.size = scene_workspace_size(s);

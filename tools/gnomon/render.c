@@ -58,7 +58,7 @@ static void depth_row(const void *context, uint32_t y, uint8_t *row)
 static int draw_canvas(const scene *s, gn_backend backend, canvas *c)
 {
     size_t pixels = (size_t)s->width * s->height;
-    gn_workspace workspace = {NULL, scene_workspace_size(s), backend};
+    gn_workspace workspace = {.size = scene_workspace_size(s), .backend = backend};
     c->width = s->width;
     c->color = malloc(pixels * sizeof *c->color);
     c->depth = malloc(pixels * sizeof *c->depth);
