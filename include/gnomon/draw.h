@@ -48,17 +48,21 @@ typedef struct gn_workspace {
     size_t needed;         /* written with GN_WORKSPACE_TOO_SMALL: the least size there is */
 } gn_workspace;
 
-/* Bytes of one vertex between the stages, apart from its varyings: clip position,
- * window position, snapped position, outcode. */
-#define GN_WORKSPACE_VERTEX_SIZE 44
+/* Bytes of one vertex between the stages: window, snapped and clip coordinates, outcode,
+ * and the varyings in rows of four. */
+#define GN_WORKSPACE_VERTEX_SIZE(varying_count) (48 + 16 * (((size_t)(varying_count) + 3) / 4))
+
+/* Bytes of what is under way: sixteen triangles and the vertices that clipping makes. */
+#define GN_WORKSPACE_TASK_SIZE(varying_count)                                                      \
+    (2112 + 192 * (size_t)(varying_count) + 32 * GN_WORKSPACE_VERTEX_SIZE(varying_count))
 
 /* gn_workspace_size as a constant expression, for static arrays, where the size fits a
- * size_t and varying_count its limit. A second batch of GN_LANES vertices is the
- * clipper's; 64 bytes are for alignment. */
+ * size_t and varying_count its limit. Vertices come in batches; 64 bytes are for
+ * alignment. */
 #define GN_WORKSPACE_SIZE(vertex_count, varying_count)                                             \
-    (((((size_t)(vertex_count) + GN_LANES - 1) / GN_LANES + ((vertex_count) == 0 ? 2 : 1)) *       \
-      ((GN_WORKSPACE_VERTEX_SIZE + 4 * (size_t)(varying_count)) * GN_LANES)) +                     \
-     64)
+    (64 + GN_WORKSPACE_TASK_SIZE(varying_count) +                                                  \
+     ((vertex_count) == 0 ? 1 : ((size_t)(vertex_count) + GN_LANES - 1) / GN_LANES) * GN_LANES *   \
+         GN_WORKSPACE_VERTEX_SIZE(varying_count))
 
 GN_BEGIN
 
@@ -67,6 +71,13 @@ GN_BEGIN
  * SIZE_MAX where the size would not fit a size_t or varying_count is above
  * GN_MAX_VARYINGS. */
 GN_API size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count);
+
+/* Workspace bytes with which a mesh of that many vertices, without indices as many as are
+ * drawn, and triangles is best drawn on several threads. With less memory there are fewer
+ * triangles to a round, down to some hundreds; with less than that, or with
+ * gn_workspace_size alone, the calling thread draws alone. SIZE_MAX as above. */
+GN_API size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count,
+                                         uint32_t varying_count);
 
 /* The first fault of a mesh: GN_NULL_POINTER (mesh), GN_INVALID_ENUM (index format),
  * GN_NULL_POINTER (indices that its index format asks for, unless count is 0),

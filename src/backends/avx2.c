@@ -17,9 +17,9 @@
 #define GN_LANES_AVX2
 #include "../draw/run.h"
 
-void gn_run_avx2(const draw_job *job)
+gn_status gn_run_avx2(const draw_job *job)
 {
-    run_draw(job);
+    return run_draw(job);
 }
 
 #if defined(__clang__)

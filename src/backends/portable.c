@@ -3,7 +3,7 @@
 
 #include "../draw/run.h"
 
-void gn_run_portable(const draw_job *job)
+gn_status gn_run_portable(const draw_job *job)
 {
-    run_draw(job);
+    return run_draw(job);
 }

@@ -6,8 +6,8 @@
 #if GN_HAVE_SSE2
 #include "../draw/run.h"
 
-void gn_run_sse2(const draw_job *job)
+gn_status gn_run_sse2(const draw_job *job)
 {
-    run_draw(job);
+    return run_draw(job);
 }
 #endif

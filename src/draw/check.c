@@ -1,5 +1,5 @@
 /* Validation of what a draw is given: the first fault, named. */
-#include "gnomon/draw.h"
+#include "check.h"
 
 #include "../math/bits.h"
 
@@ -76,7 +76,7 @@ static uint32_t largest_index(const gn_mesh *mesh)
     return largest;
 }
 
-gn_status gn_mesh_check(const gn_mesh *mesh)
+gn_status gn_check_mesh_but_indices(const gn_mesh *mesh)
 {
     if (!mesh)
         return GN_NULL_POINTER;
@@ -100,11 +100,20 @@ gn_status gn_mesh_check(const gn_mesh *mesh)
         if (attribute->components < 1 || attribute->components > 4 || attribute->stride % 4 != 0)
             return GN_INVALID_ATTRIBUTE;
     }
-    if (mesh->count == 0)
-        return GN_OK;
-    if (indexed
-            ? largest_index(mesh) >= mesh->vertex_count
-            : mesh->count > mesh->vertex_count || mesh->first > mesh->vertex_count - mesh->count)
+    if (!indexed && mesh->count > 0 &&
+        (mesh->count > mesh->vertex_count || mesh->first > mesh->vertex_count - mesh->count))
+        return GN_INDEX_OUT_OF_RANGE;
+    return GN_OK;
+}
+
+gn_status gn_mesh_check(const gn_mesh *mesh)
+{
+    const gn_status status = gn_check_mesh_but_indices(mesh);
+
+    if (status)
+        return status;
+    if (mesh->index_format != GN_INDEX_NONE && mesh->count > 0 &&
+        largest_index(mesh) >= mesh->vertex_count)
         return GN_INDEX_OUT_OF_RANGE;
     return GN_OK;
 }

@@ -1,40 +1,141 @@
-/* The draw: validates, chooses a back end and hands it the job. */
+/* The draw: validates, divides the workspace, chooses a back end and hands it the job. */
 #include "gnomon/draw.h"
 
 #include "../backends/have.h"
+#include "../geometry/assemble.h"
+#include "check.h"
 #include "job.h"
 
-/* Batches must be aligned for their floats; a cache line serves lanes best. */
-#define BATCH_ALIGNMENT 64
+/* A cache line. */
+#define WORKSPACE_ALIGNMENT 64
+
+/* Triangles of a round, about: enough to be worth three meetings of the threads, few
+ * enough for their vertices and lists to stay in the cache. */
+#define ROUND_TRIANGLES 65536
+
+/* Offsets of vertices are 32 bits; a round number below that. */
+#define MEMORY_LIMIT ((uint64_t)UINT32_MAX - 65535)
+
+static uint64_t vertices_size(uint32_t vertex_count, uint32_t varying_count)
+{
+    const uint64_t batches = vertex_count == 0 ? 1 : ((uint64_t)vertex_count - 1) / GN_LANES + 1;
+
+    return batches * GN_LANES * vertex_stride(varying_count);
+}
+
+static size_t as_size(uint64_t size)
+{
+    return size < SIZE_MAX ? (size_t)size : SIZE_MAX;
+}
 
 size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count)
 {
-    const uint64_t batches =
-        ((uint64_t)vertex_count + GN_LANES - 1) / GN_LANES + (vertex_count == 0 ? 2 : 1);
-    const uint64_t batch = (GN_WORKSPACE_VERTEX_SIZE + 4 * (uint64_t)varying_count) * GN_LANES;
-
-    /* At most 2^28 batches of 2752 bytes, where varying_count is within its limit. */
-    if (varying_count > GN_MAX_VARYINGS || batches * batch > SIZE_MAX - BATCH_ALIGNMENT)
+    if (varying_count > GN_MAX_VARYINGS)
         return SIZE_MAX;
-    return (size_t)(batches * batch) + BATCH_ALIGNMENT;
+    return as_size(WORKSPACE_ALIGNMENT + scratch_size(varying_count) +
+                   vertices_size(vertex_count, varying_count));
 }
 
-static void run_on(gn_backend backend, const draw_job *job)
+/* Lists that hold a segment's triangles, the last of them never full. */
+static uint32_t lists_per_segment(uint32_t triangles)
+{
+    return triangles / GN_LANES + 1;
+}
+
+static uint64_t segment_size(uint32_t triangles)
+{
+    return sizeof(segment_lists) + (uint64_t)lists_per_segment(triangles) * sizeof(triangle_list);
+}
+
+size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count,
+                                  uint32_t varying_count)
+{
+    const uint32_t round = triangle_count < ROUND_TRIANGLES ? triangle_count : ROUND_TRIANGLES;
+    const uint32_t shortest = triangles_of(GN_TRIANGLES, SEGMENT_INDICES);
+    const uint32_t longest = triangles_of(GN_TRIANGLE_STRIP, SEGMENT_ELEMENTS);
+
+    if (varying_count > GN_MAX_VARYINGS)
+        return SIZE_MAX;
+    /* As many of the shortest segments as make a round, and one of the longest. */
+    return as_size(WORKSPACE_ALIGNMENT + MAX_TASKS * (uint64_t)scratch_size(varying_count) +
+                   (round / shortest + 1) * segment_size(shortest) + segment_size(longest) +
+                   vertices_size(vertex_count, varying_count));
+}
+
+/* Segments of a round that the memory beyond the tasks' scratch has room for, beside the
+ * vertices: of a draw whose vertices are all kept, or of those segments alone. */
+static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
+{
+    const gn_mesh *mesh = job->mesh;
+    const bool indexed = mesh->index_format != GN_INDEX_NONE;
+    const uint32_t elements = indexed ? SEGMENT_INDICES : SEGMENT_ELEMENTS;
+    const uint32_t varyings = job->pipeline->varying_count;
+    const uint64_t lists = segment_size(triangles_of(job->pipeline->topology, elements));
+    const uint64_t kept = vertices_size(indexed ? mesh->vertex_count : mesh->count, varyings);
+
+    if (memory >= kept + lists)
+        return (memory - kept) / lists;
+    return memory / (lists + vertices_size(elements, varyings));
+}
+
+/* Divides the memory for tasks, if that is asked for and possible. Gives the bytes taken
+ * before the vertices. */
+static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
+{
+    const uint32_t varyings = job->pipeline->varying_count;
+    const uint32_t elements =
+        job->mesh->index_format != GN_INDEX_NONE ? SEGMENT_INDICES : SEGMENT_ELEMENTS;
+    const uint32_t step = triangles_of(job->pipeline->topology, elements);
+    const uint32_t total = triangle_count(job->pipeline->topology, job->mesh->count);
+    const uint64_t scratch = MAX_TASKS * (uint64_t)scratch_size(varyings);
+    uint64_t segments = available < scratch ? 0 : round_segments_in(job, available - scratch);
+
+    segments = segments < total / step + 1 ? segments : total / step + 1;
+    segments = segments < ROUND_TRIANGLES / step + 1 ? segments : ROUND_TRIANGLES / step + 1;
+    if (!job->parallel || segments == 0) {
+        job->parallel = NULL;
+        return scratch_size(varyings);
+    }
+    job->segment_count = (uint32_t)segments;
+    job->lists_per_segment = lists_per_segment(step);
+    job->segments = (segment_lists *)(void *)(job->memory + scratch);
+    job->lists = (triangle_list *)(void *)(job->segments + segments);
+
+    const uint64_t end = scratch + segments * segment_size(step);
+    return (uint32_t)(end + WORKSPACE_ALIGNMENT - 1) & ~(uint32_t)(WORKSPACE_ALIGNMENT - 1);
+}
+
+static void divide_workspace(draw_job *job, const gn_workspace *workspace)
+{
+    const size_t skip = (0 - (uintptr_t)workspace->memory) & (WORKSPACE_ALIGNMENT - 1);
+    const uint64_t given = workspace->size - skip;
+    const uint64_t available = given < MEMORY_LIMIT ? given : MEMORY_LIMIT;
+    const uint64_t batch = (uint64_t)GN_LANES * vertex_stride(job->pipeline->varying_count);
+
+    job->memory = (unsigned char *)workspace->memory + skip;
+    job->parallel = workspace->parallel;
+    job->user = workspace->user;
+    job->segments = NULL;
+    job->segment_count = 0;
+    job->lists = NULL;
+    job->lists_per_segment = 0;
+    job->vertices = divide_for_tasks(job, available);
+    job->capacity = (uint32_t)((available - job->vertices) / batch * GN_LANES);
+}
+
+static gn_status run_on(gn_backend backend, const draw_job *job)
 {
     switch (backend) {
 #if GN_HAVE_AVX2
     case GN_BACKEND_AVX2:
-        gn_run_avx2(job);
-        break;
+        return gn_run_avx2(job);
 #endif
 #if GN_HAVE_SSE2
     case GN_BACKEND_SSE2:
-        gn_run_sse2(job);
-        break;
+        return gn_run_sse2(job);
 #endif
     default:
-        gn_run_portable(job);
-        break;
+        return gn_run_portable(job);
     }
 }
 
@@ -46,7 +147,7 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
     if (!status)
         status = gn_pipeline_check(pipeline);
     if (!status)
-        status = gn_mesh_check(mesh);
+        status = gn_check_mesh_but_indices(mesh);
     if (status)
         return status;
     if (target->color.format != GN_FORMAT_NONE && !pipeline->fragment_shader)
@@ -65,18 +166,10 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
     else if (!gn_backend_available(backend))
         return GN_BACKEND_UNAVAILABLE;
 
-    const size_t skip = (0 - (uintptr_t)workspace->memory) & (BATCH_ALIGNMENT - 1);
-    const size_t batch_size = vertex_batch_size(pipeline->varying_count);
-    const size_t batches = (workspace->size - skip) / batch_size - 1;
-    const uint32_t limit = UINT32_MAX / GN_LANES / 2;
     draw_job job;
-
     job.target = target;
     job.pipeline = pipeline;
     job.mesh = mesh;
-    job.store.memory = (unsigned char *)workspace->memory + skip;
-    job.store.batch_size = batch_size;
-    job.capacity = batches < limit ? (uint32_t)batches : limit;
-    run_on(backend, &job);
-    return GN_OK;
+    divide_workspace(&job, workspace);
+    return run_on(backend, &job);
 }

@@ -1,21 +1,71 @@
-/* A checked draw, as a back end gets it. */
+/* A checked draw, as a back end gets it, and how its workspace is divided. */
 #ifndef GN_DRAW_JOB_H
 #define GN_DRAW_JOB_H
 
-#include "../geometry/vertex_store.h"
+#include "../raster/types.h"
 
+/* Tasks that a step of a draw is divided into at most, each with scratch of its own. */
+#define MAX_TASKS 32
+
+/* New vertices that a task keeps, so that the pieces of several clipped triangles are set
+ * up together. */
+#define CLIP_SCRATCH (2 * CLIP_MAX_VERTICES)
+
+/* The reference takes a draw in segments of this many elements, and some of its
+ * decisions depend on all vertices of a segment (resolve_segment). */
+#define SEGMENT_ELEMENTS 4096
+#define SEGMENT_INDICES 1024
+
+/* The triangles of a segment that can be seen, in consecutive lists. */
+typedef struct segment_lists {
+    uint32_t list_count;
+    uint32_t triangle_count;
+    int32_t min_y, max_y; /* of their bounds */
+    uint64_t area;        /* the sum of their bounds' */
+} segment_lists;
+
+/* The workspace from an aligned address on: the scratch of tasks, then for a draw with
+ * tasks the segments of a round and their lists, then vertices. */
 typedef struct draw_job {
     const gn_target *target;
     const gn_pipeline *pipeline;
     const gn_mesh *mesh;
-    vertex_store store;
-    uint32_t capacity; /* batches for vertices; the one after them is the clipper's */
+    unsigned char *memory; /* vertices are named by their offset from here */
+    uint32_t vertices;     /* offset of the first */
+    uint32_t capacity;     /* vertices there is room for, a multiple of GN_LANES */
+
+    gn_parallel *parallel; /* null: one task, no segments kept */
+    void *user;
+    segment_lists *segments; /* of a round */
+    uint32_t segment_count;
+    triangle_list *lists;
+    uint32_t lists_per_segment;
 } draw_job;
 
-/* The whole of a draw, one function a back end; those the target's instruction set
- * does not have are not defined. */
-void gn_run_portable(const draw_job *job);
-void gn_run_sse2(const draw_job *job);
-void gn_run_avx2(const draw_job *job);
+/* Bytes of a task's scratch: a list, its batch, new vertices. */
+static inline uint32_t scratch_batch_offset(void)
+{
+    return (uint32_t)(sizeof(triangle_list) + 63) & ~63u;
+}
+
+static inline uint32_t scratch_vertices_offset(uint32_t varying_count)
+{
+    return scratch_batch_offset() + ((uint32_t)(triangle_batch_size(varying_count) + 63) & ~63u);
+}
+
+static inline uint32_t scratch_size(uint32_t varying_count)
+{
+    const uint32_t size =
+        scratch_vertices_offset(varying_count) + CLIP_SCRATCH * vertex_stride(varying_count);
+
+    return (size + 63) & ~63u;
+}
+
+/* The whole of a draw, one function a back end; those the target's instruction set does
+ * not have are not defined. GN_INDEX_OUT_OF_RANGE, and nothing is drawn, where an index is
+ * at or beyond the mesh's vertex_count. */
+gn_status gn_run_portable(const draw_job *job);
+gn_status gn_run_sse2(const draw_job *job);
+gn_status gn_run_avx2(const draw_job *job);
 
 #endif

@@ -28,30 +28,32 @@ static inline fragment_state fragment_state_of(const gn_target *target, const gn
     return s;
 }
 
-/* The plane's value in every lane of the block at (x, y): per_y * y + (per_x * x + origin),
+/* Plane n's value in every lane of the block at (x, y): per_y * y + (per_x * x + origin),
  * in this order. */
-GN_INLINE lanes_f interpolate(const attribute_plane *plane, float x, float y)
+GN_INLINE lanes_f interpolate(raster_triangle triangle, uint32_t n, float x, float y)
 {
-    return lanes_add(lanes_rows(plane->per_y, y), lanes_columns(plane->per_x, x, plane->origin));
+    const attribute_plane plane = triangle_plane(triangle, n);
+
+    return lanes_add(lanes_rows(plane.per_y, y), lanes_columns(plane.per_x, x, plane.origin));
 }
 
-GN_INLINE lanes_f interpolate_varying(const gn_pipeline *pipeline, const raster_triangle *triangle,
+GN_INLINE lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_triangle triangle,
                                       uint32_t n, float x, float y, lanes_f w)
 {
-    const attribute_plane *plane = &triangle->varying[n];
+    const uint32_t plane = VARYING_PLANES + n;
 
     switch (pipeline->interpolation[n]) {
     case GN_FLAT:
-        return lanes_splat(plane->origin);
+        return lanes_splat(triangle_plane(triangle, plane).origin);
     case GN_NOPERSPECTIVE:
-        return interpolate(plane, x, y);
+        return interpolate(triangle, plane, x, y);
     default:
-        return lanes_mul(interpolate(plane, x, y), w);
+        return lanes_mul(interpolate(triangle, plane, x, y), w);
     }
 }
 
-static inline void run_shader(const gn_pipeline *pipeline, const raster_triangle *triangle,
-                              int32_t x, int32_t y, uint32_t coverage, lanes_f w, lanes_f out[4])
+static inline void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, int32_t x,
+                              int32_t y, uint32_t coverage, lanes_f w, lanes_f out[4])
 {
     float varying[GN_MAX_VARYINGS][GN_LANES];
     float color[4][GN_LANES];
@@ -73,7 +75,7 @@ static inline void run_shader(const gn_pipeline *pipeline, const raster_triangle
         out[c] = lanes_load(color[c]);
 }
 
-GN_INLINE void shade_block(const fragment_state *state, const raster_triangle *triangle, int32_t x,
+GN_INLINE void shade_block(const fragment_state *state, raster_triangle triangle, int32_t x,
                            int32_t y, uint32_t coverage, gn_format depth_format,
                            gn_format color_format, fragment_source source)
 {
@@ -83,17 +85,17 @@ GN_INLINE void shade_block(const fragment_state *state, const raster_triangle *t
 
     if (depth_format != GN_FORMAT_NONE) {
         coverage = test_depth(&state->test, &state->depth, depth_format, x, y, coverage,
-                              interpolate(&triangle->depth, px, py));
+                              interpolate(triangle, DEPTH_PLANE, px, py));
         if (!coverage)
             return;
     }
     if (color_format == GN_FORMAT_NONE)
         return;
 
-    const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(&triangle->one_over_w, px, py));
+    const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(triangle, ONE_OVER_W_PLANE, px, py));
     if (source == SOURCE_COLOR) {
         for (int c = 0; c < 4; ++c)
-            color[c] = lanes_mul(interpolate(&triangle->varying[c], px, py), w);
+            color[c] = lanes_mul(interpolate(triangle, VARYING_PLANES + (uint32_t)c, px, py), w);
     } else {
         run_shader(state->pipeline, triangle, x, y, coverage, w, color);
     }
@@ -102,7 +104,7 @@ GN_INLINE void shade_block(const fragment_state *state, const raster_triangle *t
 
 /* A run_function for one state; the context is a fragment_state. */
 #define GN_RUN_FUNCTION(name, depth_format, color_format, source)                                  \
-    static void name(const void *context, const raster_triangle *triangle, int32_t x, int32_t y,   \
+    static void name(const void *context, raster_triangle triangle, int32_t x, int32_t y,          \
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \

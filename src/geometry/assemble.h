@@ -1,4 +1,4 @@
-/* Primitive assembly: which elements make triangle i of a topology, in the order
+/* Primitive assembly: which elements make the triangles of a topology, in the order
  * in which the reference hands them to triangle set-up. The provoking vertex
  * comes last or first, and later stages keep it there. */
 #ifndef GN_GEOMETRY_ASSEMBLE_H
@@ -13,39 +13,69 @@ static inline uint32_t triangle_count(gn_topology topology, uint32_t count)
     return count < 3 ? 0 : count - 2;
 }
 
-static inline vertex_triangle assemble_triangle(gn_topology topology, gn_provoking_vertex provoking,
-                                                uint32_t i)
+/* Triangles that a number of elements make, from any triangle on. */
+static inline uint32_t triangles_of(gn_topology topology, uint32_t elements)
 {
-    const bool first = provoking == GN_PROVOKING_FIRST;
-    const uint32_t odd = i & 1;
-    vertex_triangle t;
+    return topology == GN_TRIANGLES ? elements / 3 : elements - 2;
+}
+
+/* The elements of triangles `first` to first + count - 1 are first_element to
+ * first_element + element_count - 1, and for a fan the draw's first one too. */
+static inline uint32_t first_element(gn_topology topology, uint32_t first)
+{
+    return topology == GN_TRIANGLES ? 3 * first : first;
+}
+
+static inline uint32_t element_count(gn_topology topology, uint32_t count)
+{
+    return topology == GN_TRIANGLES ? 3 * count : count + 2;
+}
+
+/* Elements that sixteen triangles need. */
+#define ASSEMBLE_MAX_ELEMENTS (3 * GN_LANES)
+
+/* Assembles group->count triangles from `first` on. `element` holds the vertices of the
+ * elements from first_element on, but for a fan the first is the draw's first one. Of a
+ * fan taken as a quad the triangles are (0, i+1, i+2) whichever vertex provokes. */
+static inline void assemble_triangles(gn_topology topology, bool provoking_first, bool is_quad,
+                                      uint32_t first, const uint32_t *element,
+                                      triangle_group *group)
+{
+    uint32_t *const a = group->vertex[0];
+    uint32_t *const b = group->vertex[1];
+    uint32_t *const c = group->vertex[2];
+    const uint32_t count = group->count;
 
     switch (topology) {
     case GN_TRIANGLE_STRIP:
-        t.slot[0] = first ? i : i + odd;
-        t.slot[1] = first ? i + 1 + odd : i + 1 - odd;
-        t.slot[2] = first ? i + 2 - odd : i + 2;
+        for (uint32_t l = 0; l < count; ++l) {
+            const uint32_t odd = (first + l) & 1;
+            a[l] = element[provoking_first ? l : l + odd];
+            b[l] = element[provoking_first ? l + 1 + odd : l + 1 - odd];
+            c[l] = element[provoking_first ? l + 2 - odd : l + 2];
+        }
         break;
     case GN_TRIANGLE_FAN:
-        t.slot[0] = first ? i + 1 : 0;
-        t.slot[1] = first ? i + 2 : i + 1;
-        t.slot[2] = first ? 0 : i + 2;
+        for (uint32_t l = 0; l < count; ++l) {
+            const bool centre_first = is_quad || !provoking_first;
+            a[l] = element[centre_first ? 0 : l + 1];
+            b[l] = element[centre_first ? l + 1 : l + 2];
+            c[l] = element[centre_first ? l + 2 : 0];
+        }
         break;
     default:
-        t.slot[0] = 3 * i;
-        t.slot[1] = 3 * i + 1;
-        t.slot[2] = 3 * i + 2;
+        for (uint32_t l = 0; l < count; ++l) {
+            a[l] = element[3 * l];
+            b[l] = element[3 * l + 1];
+            c[l] = element[3 * l + 2];
+        }
         break;
     }
-    t.provoking = t.slot[first ? 0 : 2];
-    return t;
-}
-
-static inline vertex_triangle assemble_quad(uint32_t i)
-{
-    const vertex_triangle t = {{0, i + 1, i + 2}, 0};
-
-    return t;
+    for (uint32_t l = count; l < GN_LANES; ++l) {
+        a[l] = a[0];
+        b[l] = b[0];
+        c[l] = c[0];
+    }
 }
 
 #endif

@@ -12,24 +12,24 @@
 
 typedef struct clipper {
     const gn_pipeline *pipeline;
-    const vertex_store *store;
-    uint32_t scratch; /* batch of the new vertices */
-    uint32_t used;    /* lanes of it in use */
+    const viewport_transform *viewport;
+    unsigned char *memory; /* of all vertices */
+    uint32_t scratch;      /* offset of CLIP_MAX_VERTICES new ones */
+    uint32_t used;         /* of them */
 } clipper;
 
 typedef struct polygon {
-    uint32_t slot[CLIP_MAX_POLYGON];
+    uint32_t vertex[CLIP_MAX_POLYGON];
     uint32_t count;
 } polygon;
 
 /* The signed distance a0*x + a1*y + a2*z + a3*w to a plane: not negative inside.
  * The terms of value zero are left out: they can change neither the sum nor, the
  * coordinates being finite, make it NaN. */
-static float plane_distance(const vertex_store *store, uint32_t slot, uint32_t plane)
+static float plane_distance(const stored_vertex *v, uint32_t plane)
 {
-    const vertex_batch *batch = vertex_batch_of(store, slot);
-    const float coordinate = batch->clip[plane / 2][slot % GN_LANES];
-    const float w = batch->clip[3][slot % GN_LANES];
+    const float coordinate = v->clip[plane / 2];
+    const float w = v->clip[3];
     const bool positive = plane == CLIP_LEFT || plane == CLIP_BOTTOM || plane == CLIP_NEAR;
 
     return positive ? coordinate + w : w - coordinate;
@@ -37,15 +37,13 @@ static float plane_distance(const vertex_store *store, uint32_t slot, uint32_t p
 
 /* The parameter of the new vertex between `from` and `to` in window x (or y where
  * the clip x agree): noperspective varyings are linear there. */
-static float window_parameter(const vertex_batch *from, uint32_t from_lane, const vertex_batch *to,
-                              uint32_t to_lane, const vertex_batch *made, uint32_t made_lane,
-                              float t)
+static float window_parameter(const stored_vertex *from, const stored_vertex *to, const stored_vertex *made, float t)
 {
     for (int c = 0; c < 2; ++c) {
-        if (to->clip[c][to_lane] != from->clip[c][from_lane]) {
-            const float p = from->clip[c][from_lane] / from->clip[3][from_lane];
-            const float q = to->clip[c][to_lane] / to->clip[3][to_lane];
-            const float d = made->clip[c][made_lane] / made->clip[3][made_lane];
+        if (to->clip[c] != from->clip[c]) {
+            const float p = from->clip[c] / from->clip[3];
+            const float q = to->clip[c] / to->clip[3];
+            const float d = made->clip[c] / made->clip[3];
             return (d - p) / (q - p);
         }
     }
@@ -56,44 +54,44 @@ static float window_parameter(const vertex_batch *from, uint32_t from_lane, cons
  * the provoking vertex of the whole triangle. */
 static uint32_t interpolate_vertex(clipper *c, uint32_t from, uint32_t to, float t)
 {
-    const vertex_batch *p = vertex_batch_of(c->store, from);
-    const vertex_batch *q = vertex_batch_of(c->store, to);
-    vertex_batch *made = vertex_batch_at(c->store, c->scratch);
-    const uint32_t i = from % GN_LANES;
-    const uint32_t j = to % GN_LANES;
-    const uint32_t k = c->used++;
+    const uint32_t stride = vertex_stride(c->pipeline->varying_count);
+    const uint32_t offset = c->scratch + c->used++ * stride;
+    const stored_vertex *p = vertex_at(c->memory, from);
+    const stored_vertex *q = vertex_at(c->memory, to);
+    stored_vertex *made = vertex_at(c->memory, offset);
 
     for (int n = 0; n < 4; ++n)
-        made->clip[n][k] = p->clip[n][i] + t * (q->clip[n][j] - p->clip[n][i]);
+        made->clip[n] = p->clip[n] + t * (q->clip[n] - p->clip[n]);
 
-    const float linear = window_parameter(p, i, q, j, made, k, t);
+    const float linear = window_parameter(p, q, made, t);
     for (uint32_t v = 0; v < c->pipeline->varying_count; ++v) {
         const float s = c->pipeline->interpolation[v] == GN_NOPERSPECTIVE ? linear : t;
-        made->varying[v][k] = p->varying[v][i] + s * (q->varying[v][j] - p->varying[v][i]);
+        made->varying[v] = p->varying[v] + s * (q->varying[v] - p->varying[v]);
     }
-    return c->scratch * GN_LANES + k;
+    return offset;
 }
 
 /* Clips a polygon to one plane; false where nothing is left, a distance is not finite
- * or a limit of CLIP_MAX_POLYGON is reached. The new vertex of an edge is measured
- * from its end nearer the plane, where t is small. */
+ * or a limit (CLIP_MAX_POLYGON, CLIP_MAX_VERTICES) is reached. The new vertex of an edge
+ * is measured from its end nearer the plane, where t is small. */
 static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon *out)
 {
-    uint32_t previous = in->slot[0];
-    float previous_distance = plane_distance(c->store, previous, plane);
+    uint32_t previous = in->vertex[0];
+    float previous_distance = plane_distance(vertex_at(c->memory, previous), plane);
 
     out->count = 0;
     if (!gn_is_finite(previous_distance))
         return false;
 
     for (uint32_t n = 1; n <= in->count; ++n) {
-        const uint32_t current = in->slot[n == in->count ? 0 : n];
-        const float distance = plane_distance(c->store, current, plane);
+        const uint32_t current = in->vertex[n == in->count ? 0 : n];
+        const float distance = plane_distance(vertex_at(c->memory, current), plane);
 
-        if (!gn_is_finite(distance) || out->count > CLIP_MAX_POLYGON - 2 || c->used == GN_LANES)
+        if (!gn_is_finite(distance) || out->count > CLIP_MAX_POLYGON - 2 ||
+            c->used == CLIP_MAX_VERTICES)
             return false;
         if (previous_distance >= 0.0f)
-            out->slot[out->count++] = previous;
+            out->vertex[out->count++] = previous;
 
         if ((distance < 0.0f) != (previous_distance < 0.0f)) {
             const float span = distance - previous_distance;
@@ -102,7 +100,7 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
             const float inside = leaving ? previous_distance : distance;
             const bool from_current = leaving == (outside < inside);
 
-            out->slot[out->count++] =
+            out->vertex[out->count++] =
                 from_current ? interpolate_vertex(c, current, previous, distance / span)
                              : interpolate_vertex(c, previous, current, -previous_distance / span);
         }
@@ -112,42 +110,60 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
     return out->count >= 3;
 }
 
-static inline uint32_t clip_triangle(const gn_pipeline *pipeline,
-                                     const viewport_transform *viewport, const vertex_store *store,
-                                     uint32_t scratch, uint32_t planes,
-                                     const vertex_triangle *triangle,
-                                     vertex_triangle out[CLIP_MAX_POLYGON - 2])
+/* Window coordinates of the new vertices, which are inside, whatever rounding says. */
+static void place_new_vertices(const clipper *c)
 {
-    clipper c = {pipeline, store, scratch, 0};
+    const uint32_t stride = vertex_stride(c->pipeline->varying_count);
+    uint32_t offset[GN_LANES];
+    lanes_i row[4];
+    lanes_f clip[4];
+
+    GN_EACH_LANE (l)
+        offset[l] = c->scratch + (uint32_t)l * stride + VERTEX_CLIP;
+    lanes_i_gather_rows(c->memory, offset, row);
+    for (int n = 0; n < 4; ++n)
+        clip[n] = lanes_as_float(row[n]);
+    place_vertices(c->viewport, clip, c->memory + c->scratch, stride);
+    for (uint32_t n = 0; n < c->used; ++n)
+        vertex_at(c->memory, c->scratch + n * stride)->outcode = 0;
+}
+
+/* Clips a triangle to the planes of its outcodes into a group of triangles, which may be
+ * empty. New vertices are in the clipper's scratch until the next call. */
+static inline void clip_triangle(clipper *c, uint32_t planes, const uint32_t triangle[3],
+                                 triangle_group *out)
+{
     polygon polygons[2];
     polygon *in = &polygons[0];
     polygon *result = &polygons[1];
 
+    c->used = 0;
+    out->count = 0;
     in->count = 3;
     for (int n = 0; n < 3; ++n)
-        in->slot[n] = triangle->slot[n];
+        in->vertex[n] = triangle[n];
 
     for (uint32_t plane = 0; plane < CLIP_PLANE_COUNT; ++plane) {
         if (planes >> plane & 1u) {
-            if (!clip_to_plane(&c, plane, in, result))
-                return 0;
+            if (!clip_to_plane(c, plane, in, result))
+                return;
             polygon *const swap = in;
             in = result;
             result = swap;
         }
     }
-    transform_batch(viewport, vertex_batch_at(store, scratch));
+    place_new_vertices(c);
 
     /* A fan whose first polygon vertex takes the provoking vertex's place. */
-    const bool first = pipeline->provoking_vertex == GN_PROVOKING_FIRST;
-    for (uint32_t n = 2; n < in->count; ++n) {
-        vertex_triangle *t = &out[n - 2];
-        t->slot[0] = first ? in->slot[0] : in->slot[n - 1];
-        t->slot[1] = first ? in->slot[n - 1] : in->slot[n];
-        t->slot[2] = first ? in->slot[n] : in->slot[0];
-        t->provoking = triangle->provoking;
+    const bool first = c->pipeline->provoking_vertex == GN_PROVOKING_FIRST;
+    out->count = in->count - 2;
+    for (uint32_t l = 0; l < GN_LANES; ++l) {
+        const uint32_t n = l < out->count ? l + 2 : 2;
+
+        out->vertex[0][l] = in->vertex[first ? 0 : n - 1];
+        out->vertex[1][l] = in->vertex[first ? n - 1 : n];
+        out->vertex[2][l] = in->vertex[first ? n : 0];
     }
-    return in->count - 2;
 }
 
 #endif

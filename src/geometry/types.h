@@ -2,7 +2,7 @@
  *
  *   fetch      attribute arrays -> structure of arrays, 16 vertices at a time
  *   viewport   clip space -> outcodes, window coordinates, snapped coordinates
- *   assemble   topology -> triangles of vertices
+ *   assemble   topology -> triangles of vertices, 16 at a time
  *   clip       a triangle across the view volume -> triangles inside it */
 #ifndef GN_GEOMETRY_TYPES_H
 #define GN_GEOMETRY_TYPES_H
@@ -14,6 +14,13 @@ typedef struct viewport_transform {
     float scale[3];
     float translate[3];
 } viewport_transform;
+
+/* Up to sixteen triangles as offsets of their vertices, corner by corner, in the order
+ * that decides the low bits of their attributes. Lanes beyond `count` repeat others. */
+typedef struct triangle_group {
+    uint32_t vertex[3][GN_LANES];
+    uint32_t count;
+} triangle_group;
 
 /* Clipping planes, in the order they are clipped against. Bit p of an outcode is
  * set where the vertex is outside plane p, a NaN counting as outside. */
@@ -29,7 +36,8 @@ typedef enum clip_plane {
 
 /* A plane adds at most one vertex to a convex polygon, so that 3 + 6 are usual.
  * Rounding can make it slightly concave; a polygon beyond this limit, or needing
- * more new vertices than a batch holds, is not drawn. */
+ * more new vertices than the other, is not drawn. */
 #define CLIP_MAX_POLYGON 12
+#define CLIP_MAX_VERTICES GN_LANES
 
 #endif

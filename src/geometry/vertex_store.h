@@ -1,6 +1,6 @@
-/* Vertices between the stages: batches of sixteen, each a structure of arrays, as
- * the vertex shader wrote them. A vertex is named by its slot: batch slot / 16,
- * lane slot % 16. */
+/* Vertices between the stages: records in the workspace, named by their offset in it.
+ * Rows of four words, so that stages which work on 16 vertices at a time gather and
+ * scatter them by transposing. */
 #ifndef GN_GEOMETRY_VERTEX_STORE_H
 #define GN_GEOMETRY_VERTEX_STORE_H
 
@@ -9,39 +9,33 @@
 
 #include "gnomon/draw.h"
 
-typedef struct vertex_batch {
-    float clip[4][GN_LANES];      /* clip space */
-    float window[4][GN_LANES];    /* window coordinates x, y, z and 1 / clip w */
-    int32_t snapped[2][GN_LANES]; /* window x, y minus half a pixel, in 1/256 pixel */
-    uint32_t outcode[GN_LANES];   /* bit p: outside clip_plane p */
-    float varying[][GN_LANES];    /* as many as the pipeline has */
-} vertex_batch;
+typedef struct stored_vertex {
+    float window[4];    /* window coordinates x, y, z and 1 / clip w */
+    int32_t snapped[2]; /* window x, y minus half a pixel, in 1/256 pixel */
+    uint32_t outcode;   /* bit p: outside clip_plane p */
+    uint32_t unused;
+    float clip[4];   /* clip space */
+    float varying[]; /* as many as the pipeline has, in rows of four */
+} stored_vertex;
 
-typedef struct vertex_store {
-    unsigned char *memory;
-    size_t batch_size; /* bytes */
-} vertex_store;
+/* Offsets of a vertex's rows in it. */
+enum {
+    VERTEX_WINDOW = offsetof(stored_vertex, window),
+    VERTEX_SNAPPED = offsetof(stored_vertex, snapped),
+    VERTEX_CLIP = offsetof(stored_vertex, clip),
+    VERTEX_VARYING = offsetof(stored_vertex, varying),
+    VERTEX_ROW = 16
+};
 
-/* A triangle as three slots, in the order that decides the low bits of its
- * attributes, and the slot flat varyings come from. */
-typedef struct vertex_triangle {
-    uint32_t slot[3];
-    uint32_t provoking;
-} vertex_triangle;
-
-static inline size_t vertex_batch_size(uint32_t varying_count)
+/* Bytes from a vertex to the next. */
+static inline uint32_t vertex_stride(uint32_t varying_count)
 {
-    return sizeof(vertex_batch) + varying_count * sizeof(float[GN_LANES]);
+    return VERTEX_VARYING + (varying_count + 3) / 4 * VERTEX_ROW;
 }
 
-static inline vertex_batch *vertex_batch_at(const vertex_store *store, uint32_t batch)
+static inline stored_vertex *vertex_at(unsigned char *memory, uint32_t offset)
 {
-    return (vertex_batch *)(void *)(store->memory + batch * store->batch_size);
-}
-
-static inline vertex_batch *vertex_batch_of(const vertex_store *store, uint32_t slot)
-{
-    return vertex_batch_at(store, slot / GN_LANES);
+    return (stored_vertex *)(void *)(memory + offset);
 }
 
 #endif

@@ -1,5 +1,5 @@
 /* Outcodes, the perspective division, the viewport and snapping
- * (OpenGL 4.5 section 13.6), for a batch of vertices. */
+ * (OpenGL 4.5 section 13.6), for sixteen vertices. */
 #ifndef GN_GEOMETRY_VIEWPORT_H
 #define GN_GEOMETRY_VIEWPORT_H
 
@@ -32,38 +32,54 @@ viewport_transform_of(const gn_pipeline *pipeline, uint32_t target_width, uint32
     return t;
 }
 
-static void compute_outcodes(vertex_batch *batch)
+/* Bit `plane` where a <= b does not hold. */
+static inline lanes_i outside_bit(lanes_f a, lanes_f b, clip_plane plane)
 {
-    GN_EACH_LANE (l) {
-        const float x = batch->clip[0][l];
-        const float y = batch->clip[1][l];
-        const float z = batch->clip[2][l];
-        const float w = batch->clip[3][l];
-
-        batch->outcode[l] =
-            (uint32_t) !(x <= w) << CLIP_RIGHT | (uint32_t) !(0.0f <= x + w) << CLIP_LEFT |
-            (uint32_t) !(y <= w) << CLIP_TOP | (uint32_t) !(0.0f <= y + w) << CLIP_BOTTOM |
-            (uint32_t) !(0.0f <= z + w) << CLIP_NEAR | (uint32_t) !(z <= w) << CLIP_FAR;
-    }
+    return lanes_i_and(lanes_m_as_int(lanes_not(lanes_less_equal(a, b))),
+                       lanes_i_splat(1 << plane));
 }
 
-static inline void transform_batch(const viewport_transform *viewport, vertex_batch *batch)
+static inline lanes_i outcodes_of(const lanes_f clip[4])
 {
-    const lanes_f one_over_w = lanes_div(lanes_splat(1.0f), lanes_load(batch->clip[3]));
+    const lanes_f zero = lanes_splat(0.0f);
+    const lanes_f w = clip[3];
+    lanes_i code = outside_bit(clip[0], w, CLIP_RIGHT);
 
-    compute_outcodes(batch);
+    code = lanes_i_or(code, outside_bit(zero, lanes_add(clip[0], w), CLIP_LEFT));
+    code = lanes_i_or(code, outside_bit(clip[1], w, CLIP_TOP));
+    code = lanes_i_or(code, outside_bit(zero, lanes_add(clip[1], w), CLIP_BOTTOM));
+    code = lanes_i_or(code, outside_bit(zero, lanes_add(clip[2], w), CLIP_NEAR));
+    return lanes_i_or(code, outside_bit(clip[2], w, CLIP_FAR));
+}
+
+/* Writes window, snapped and clip coordinates and outcodes of the sixteen vertices at
+ * `first`, `stride` bytes apart. Gives the outcodes. */
+static inline lanes_i place_vertices(const viewport_transform *viewport, const lanes_f clip[4],
+                                     unsigned char *first, uint32_t stride)
+{
+    const lanes_f one_over_w = lanes_div(lanes_splat(1.0f), clip[3]);
+    lanes_i window[4], snapped[4], position[4];
+
     for (int c = 0; c < 3; ++c) {
-        const lanes_f ndc = lanes_mul(lanes_load(batch->clip[c]), one_over_w);
-        const lanes_f window = lanes_add(lanes_mul(ndc, lanes_splat(viewport->scale[c])),
-                                         lanes_splat(viewport->translate[c]));
+        const lanes_f ndc = lanes_mul(clip[c], one_over_w);
+        const lanes_f coordinate = lanes_add(lanes_mul(ndc, lanes_splat(viewport->scale[c])),
+                                             lanes_splat(viewport->translate[c]));
 
-        lanes_store(batch->window[c], window);
+        window[c] = lanes_as_int(coordinate);
         if (c < 2) {
-            const lanes_f centred = lanes_sub(window, lanes_splat(0.5f));
-            lanes_i_store(batch->snapped[c], lanes_round(lanes_mul(centred, lanes_splat(256.0f))));
+            const lanes_f centred = lanes_sub(coordinate, lanes_splat(0.5f));
+            snapped[c] = lanes_round(lanes_mul(centred, lanes_splat(256.0f)));
         }
     }
-    lanes_store(batch->window[3], one_over_w);
+    window[3] = lanes_as_int(one_over_w);
+    snapped[2] = outcodes_of(clip);
+    snapped[3] = lanes_i_splat(0);
+    for (int c = 0; c < 4; ++c)
+        position[c] = lanes_as_int(clip[c]);
+    lanes_i_scatter_rows(first + VERTEX_WINDOW, stride, window);
+    lanes_i_scatter_rows(first + VERTEX_SNAPPED, stride, snapped);
+    lanes_i_scatter_rows(first + VERTEX_CLIP, stride, position);
+    return snapped[2];
 }
 
 #endif

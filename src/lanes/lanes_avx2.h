@@ -88,6 +88,11 @@ static inline lanes_m lanes_greater(lanes_f a, lanes_f b)
     LANES_EACH_REGISTER(lanes_m, _mm256_castps_si256(_mm256_cmp_ps(a.q[n], b.q[n], _CMP_GT_OQ)));
 }
 
+static inline lanes_m lanes_less_equal(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_m, _mm256_castps_si256(_mm256_cmp_ps(a.q[n], b.q[n], _CMP_LE_OQ)));
+}
+
 static inline lanes_m lanes_and(lanes_m a, lanes_m b)
 {
     LANES_EACH_REGISTER(lanes_m, _mm256_and_si256(a.q[n], b.q[n]));
@@ -161,6 +166,36 @@ static inline lanes_i lanes_i_add(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, _mm256_add_epi32(a.q[n], b.q[n]));
 }
 
+static inline lanes_i lanes_i_sub(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_sub_epi32(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_mul(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_mullo_epi32(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_slli_epi32(a.q[n], count));
+}
+
+static inline lanes_i lanes_i_shift_right(lanes_i a, int count)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_srai_epi32(a.q[n], count));
+}
+
+static inline lanes_i lanes_i_min(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_min_epi32(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_max_epi32(a.q[n], b.q[n]));
+}
+
 static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, _mm256_or_si256(a.q[n], b.q[n]));
@@ -205,6 +240,11 @@ static inline lanes_f lanes_to_float(lanes_i a)
 static inline lanes_i lanes_as_int(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_i, _mm256_castps_si256(a.q[n]));
+}
+
+static inline lanes_f lanes_as_float(lanes_i a)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm256_castsi256_ps(a.q[n]));
 }
 
 static inline lanes_i lanes_truncate(lanes_f a)
@@ -257,6 +297,60 @@ static inline void lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, 
 
         _mm_storeu_si128((__m128i *)(void *)row, _mm256_castsi256_si128(a.q[n]));
         _mm_storeu_si128((__m128i *)(void *)(row + stride), _mm256_extracti128_si256(a.q[n], 1));
+    }
+}
+
+/* Rows l and l + 4 in the halves of a register. */
+static inline __m256 lanes_avx2_row_pair(const unsigned char *memory, const uint32_t *offset)
+{
+    const __m128 low = _mm_loadu_ps((const float *)(const void *)(memory + offset[0]));
+    const __m128 high = _mm_loadu_ps((const float *)(const void *)(memory + offset[4]));
+
+    return _mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1);
+}
+
+/* Transposes 4x4 words in each half. */
+static inline void lanes_avx2_transpose(__m256 r[4])
+{
+    const __m256d a = _mm256_castps_pd(_mm256_unpacklo_ps(r[0], r[1]));
+    const __m256d b = _mm256_castps_pd(_mm256_unpackhi_ps(r[0], r[1]));
+    const __m256d c = _mm256_castps_pd(_mm256_unpacklo_ps(r[2], r[3]));
+    const __m256d d = _mm256_castps_pd(_mm256_unpackhi_ps(r[2], r[3]));
+
+    r[0] = _mm256_castpd_ps(_mm256_unpacklo_pd(a, c));
+    r[1] = _mm256_castpd_ps(_mm256_unpackhi_pd(a, c));
+    r[2] = _mm256_castpd_ps(_mm256_unpacklo_pd(b, d));
+    r[3] = _mm256_castpd_ps(_mm256_unpackhi_pd(b, d));
+}
+
+static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32_t offset[GN_LANES],
+                                       lanes_i out[4])
+{
+    for (int n = 0; n < 2; ++n) {
+        __m256 r[4];
+
+        for (int l = 0; l < 4; ++l)
+            r[l] = lanes_avx2_row_pair(memory, offset + 8 * n + l);
+        lanes_avx2_transpose(r);
+        for (int c = 0; c < 4; ++c)
+            out[c].q[n] = _mm256_castps_si256(r[c]);
+    }
+}
+
+static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, const lanes_i in[4])
+{
+    for (int n = 0; n < 2; ++n) {
+        __m256 r[4];
+
+        for (int c = 0; c < 4; ++c)
+            r[c] = _mm256_castsi256_ps(in[c].q[n]);
+        lanes_avx2_transpose(r);
+        for (int l = 0; l < 4; ++l) {
+            unsigned char *const row = memory + (size_t)(8 * n + l) * stride;
+
+            _mm_storeu_ps((float *)(void *)row, _mm256_castps256_ps128(r[l]));
+            _mm_storeu_ps((float *)(void *)(row + 4 * stride), _mm256_extractf128_ps(r[l], 1));
+        }
     }
 }
 

@@ -4,6 +4,10 @@
 #ifndef GN_LANES_LANES_PORTABLE_H
 #define GN_LANES_LANES_PORTABLE_H
 
+#if (-1 >> 1) != -1
+#error "right shifts of negative numbers must round down"
+#endif
+
 typedef struct lanes_f {
     float v[GN_LANES];
 } lanes_f;
@@ -93,6 +97,15 @@ static inline lanes_m lanes_greater(lanes_f a, lanes_f b)
     return r;
 }
 
+/* a <= b; false where either is NaN. */
+static inline lanes_m lanes_less_equal(lanes_f a, lanes_f b)
+{
+    lanes_m r;
+    GN_EACH_LANE (l)
+        r.v[l] = a.v[l] <= b.v[l] ? UINT32_MAX : 0;
+    return r;
+}
+
 static inline lanes_m lanes_and(lanes_m a, lanes_m b)
 {
     GN_EACH_LANE (l)
@@ -172,6 +185,51 @@ static inline lanes_i lanes_i_add(lanes_i a, lanes_i b)
 {
     GN_EACH_LANE (l)
         a.v[l] = (int32_t)((uint32_t)a.v[l] + (uint32_t)b.v[l]);
+    return a;
+}
+
+static inline lanes_i lanes_i_sub(lanes_i a, lanes_i b)
+{
+    GN_EACH_LANE (l)
+        a.v[l] = (int32_t)((uint32_t)a.v[l] - (uint32_t)b.v[l]);
+    return a;
+}
+
+/* The low 32 bits of the products. */
+static inline lanes_i lanes_i_mul(lanes_i a, lanes_i b)
+{
+    GN_EACH_LANE (l)
+        a.v[l] = (int32_t)((uint32_t)a.v[l] * (uint32_t)b.v[l]);
+    return a;
+}
+
+/* By a constant, of bits. */
+static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
+{
+    GN_EACH_LANE (l)
+        a.v[l] = (int32_t)((uint32_t)a.v[l] << count);
+    return a;
+}
+
+/* By a constant, of two's complement numbers: rounds down. */
+static inline lanes_i lanes_i_shift_right(lanes_i a, int count)
+{
+    GN_EACH_LANE (l)
+        a.v[l] = a.v[l] >> count;
+    return a;
+}
+
+static inline lanes_i lanes_i_min(lanes_i a, lanes_i b)
+{
+    GN_EACH_LANE (l)
+        a.v[l] = a.v[l] < b.v[l] ? a.v[l] : b.v[l];
+    return a;
+}
+
+static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
+{
+    GN_EACH_LANE (l)
+        a.v[l] = a.v[l] > b.v[l] ? a.v[l] : b.v[l];
     return a;
 }
 
@@ -275,6 +333,21 @@ static inline lanes_i lanes_as_int(lanes_f a)
     return r;
 }
 
+/* The floats of the bits. */
+static inline lanes_f lanes_as_float(lanes_i a)
+{
+    lanes_f r;
+    GN_EACH_LANE (l) {
+        union {
+            int32_t i;
+            float f;
+        } bits;
+        bits.i = a.v[l];
+        r.v[l] = bits.f;
+    }
+    return r;
+}
+
 static inline lanes_i lanes_m_as_int(lanes_m a)
 {
     lanes_i r;
@@ -322,6 +395,28 @@ static inline void lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, 
 {
     GN_EACH_LANE (l)
         ((stored_word *)(void *)(memory + (l / 4) * stride))[l % 4] = a.v[l];
+}
+
+/* Sixteen rows of four words, each at an offset of its own: word c of row l is lane l of
+ * out[c]. */
+static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32_t offset[GN_LANES],
+                                       lanes_i out[4])
+{
+    GN_EACH_LANE (l) {
+        const stored_word *const row = (const stored_word *)(const void *)(memory + offset[l]);
+        for (int c = 0; c < 4; ++c)
+            out[c].v[l] = row[c];
+    }
+}
+
+/* The contrary, into rows `stride` bytes apart. */
+static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, const lanes_i in[4])
+{
+    GN_EACH_LANE (l) {
+        stored_word *const row = (stored_word *)(void *)(memory + (size_t)l * stride);
+        for (int c = 0; c < 4; ++c)
+            row[c] = in[c].v[l];
+    }
 }
 
 #endif

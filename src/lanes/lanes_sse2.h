@@ -95,6 +95,11 @@ static inline lanes_m lanes_greater(lanes_f a, lanes_f b)
     LANES_EACH_REGISTER(lanes_m, _mm_castps_si128(_mm_cmplt_ps(b.q[n], a.q[n])));
 }
 
+static inline lanes_m lanes_less_equal(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_m, _mm_castps_si128(_mm_cmple_ps(a.q[n], b.q[n])));
+}
+
 static inline lanes_m lanes_and(lanes_m a, lanes_m b)
 {
     LANES_EACH_REGISTER(lanes_m, _mm_and_si128(a.q[n], b.q[n]));
@@ -169,6 +174,53 @@ static inline lanes_i lanes_i_add(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, _mm_add_epi32(a.q[n], b.q[n]));
 }
 
+static inline lanes_i lanes_i_sub(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm_sub_epi32(a.q[n], b.q[n]));
+}
+
+/* Unsigned products of 64 bits, two at a time: the low halves are those of signed ones. */
+static inline __m128i lanes_sse2_mul(__m128i a, __m128i b)
+{
+    const __m128i even = _mm_mul_epu32(a, b);
+    const __m128i odd = _mm_mul_epu32(_mm_srli_epi64(a, 32), _mm_srli_epi64(b, 32));
+
+    return _mm_unpacklo_epi32(_mm_shuffle_epi32(even, _MM_SHUFFLE(0, 0, 2, 0)),
+                              _mm_shuffle_epi32(odd, _MM_SHUFFLE(0, 0, 2, 0)));
+}
+
+static inline lanes_i lanes_i_mul(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, lanes_sse2_mul(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm_slli_epi32(a.q[n], count));
+}
+
+static inline lanes_i lanes_i_shift_right(lanes_i a, int count)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm_srai_epi32(a.q[n], count));
+}
+
+static inline __m128i lanes_sse2_select(__m128i mask, __m128i a, __m128i b)
+{
+    return _mm_or_si128(_mm_and_si128(mask, a), _mm_andnot_si128(mask, b));
+}
+
+static inline lanes_i lanes_i_min(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i,
+                        lanes_sse2_select(_mm_cmpgt_epi32(b.q[n], a.q[n]), a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i,
+                        lanes_sse2_select(_mm_cmpgt_epi32(a.q[n], b.q[n]), a.q[n], b.q[n]));
+}
+
 static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_or_si128(a.q[n], b.q[n]));
@@ -218,6 +270,11 @@ static inline lanes_i lanes_as_int(lanes_f a)
     LANES_EACH_REGISTER(lanes_i, _mm_castps_si128(a.q[n]));
 }
 
+static inline lanes_f lanes_as_float(lanes_i a)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm_castsi128_ps(a.q[n]));
+}
+
 static inline lanes_i lanes_truncate(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_cvttps_epi32(a.q[n]));
@@ -260,6 +317,34 @@ static inline void lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, 
     _mm_storeu_si128((__m128i *)(void *)(memory + stride), a.q[1]);
     _mm_storeu_si128((__m128i *)(void *)(memory + 2 * stride), a.q[2]);
     _mm_storeu_si128((__m128i *)(void *)(memory + 3 * stride), a.q[3]);
+}
+
+/* Rows n * 4 to n * 4 + 3, transposed. */
+static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32_t offset[GN_LANES],
+                                       lanes_i out[4])
+{
+    for (int n = 0; n < 4; ++n) {
+        __m128 r[4];
+
+        for (int l = 0; l < 4; ++l)
+            r[l] = _mm_loadu_ps((const float *)(const void *)(memory + offset[4 * n + l]));
+        _MM_TRANSPOSE4_PS(r[0], r[1], r[2], r[3]);
+        for (int c = 0; c < 4; ++c)
+            out[c].q[n] = _mm_castps_si128(r[c]);
+    }
+}
+
+static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, const lanes_i in[4])
+{
+    for (int n = 0; n < 4; ++n) {
+        __m128 r[4];
+
+        for (int c = 0; c < 4; ++c)
+            r[c] = _mm_castsi128_ps(in[c].q[n]);
+        _MM_TRANSPOSE4_PS(r[0], r[1], r[2], r[3]);
+        for (int l = 0; l < 4; ++l)
+            _mm_storeu_ps((float *)(void *)(memory + (size_t)(4 * n + l) * stride), r[l]);
+    }
 }
 
 #endif

@@ -1,5 +1,7 @@
-/* Coverage: the pixels of a triangle, found in blocks of 4x4 and runs of them. Edge
- * values at the corner of a block are exact in 64 bits; within it 32 bits are enough. */
+/* Coverage: the pixels of a triangle, found in blocks of 4x4 and runs of them. Small
+ * triangles have edge functions that fit 32 bits and are walked block by block; large ones
+ * have them exact in 64 bits at the corner of a block, and gallop over what is empty or
+ * whole. */
 #ifndef GN_RASTER_COVERAGE_H
 #define GN_RASTER_COVERAGE_H
 
@@ -7,190 +9,236 @@
 
 #include "../lanes/lanes.h"
 
+/* Pixels of the block at (x, y) inside the rectangle, which it begins in. */
+static uint32_t overhang_mask(const pixel_rectangle *r, int32_t x, int32_t y)
+{
+    uint32_t columns = 0xF;
+    uint32_t rows = GN_ALL_LANES;
+
+    if (x + (BLOCK_SIZE - 1) > r->max_x)
+        columns >>= x + (BLOCK_SIZE - 1) - r->max_x;
+    if (y + (BLOCK_SIZE - 1) > r->max_y)
+        rows >>= BLOCK_SIZE * (y + (BLOCK_SIZE - 1) - r->max_y);
+    return columns * 0x1111u & rows;
+}
+
+/* The lanes of an edge function over a block whose lower left pixel has the value v. */
+static inline lanes_i edge_values(int32_t v, int32_t per_x, int32_t per_y)
+{
+    return lanes_i_add(lanes_i_splat(v), lanes_i_plane(-per_x, per_y));
+}
+
+/* A small triangle. Pixels outside its bounds are outside an edge too, so that only what
+ * hangs over the target's part is masked. */
+static inline void cover_small(const pixel_rectangle *target, const triangle_batch *batch,
+                               const triangle_list *list, uint32_t lane, run_function *run,
+                               const void *context)
+{
+    const raster_triangle triangle = {&batch->plane[0][0][lane]};
+    const int32_t left = batch->origin[0][lane];
+    const int32_t max_x = list->bounds[BOUNDS_MAX_X][lane];
+    const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
+    lanes_i row[3];
+
+    for (int i = 0; i < 3; ++i) {
+        const edge_lanes *edge = &batch->edge[i];
+        row[i] = edge_values(edge->start[lane], edge->per_x[lane], edge->per_y[lane]);
+    }
+    for (int32_t y = batch->origin[1][lane];; y += BLOCK_SIZE) {
+        lanes_i value[3] = {row[0], row[1], row[2]};
+
+        for (int32_t x = left;; x += BLOCK_SIZE) {
+            uint32_t coverage =
+                GN_ALL_LANES &
+                ~lanes_i_sign_bits(lanes_i_or(lanes_i_or(value[0], value[1]), value[2]));
+
+            if (x + (BLOCK_SIZE - 1) > target->max_x || y + (BLOCK_SIZE - 1) > target->max_y)
+                coverage &= overhang_mask(target, x, y);
+            if (coverage)
+                run(context, triangle, x, y, 1, coverage);
+            if (x + BLOCK_SIZE > max_x)
+                break;
+            for (int i = 0; i < 3; ++i)
+                value[i] =
+                    lanes_i_sub(value[i], lanes_i_splat(BLOCK_SIZE * batch->edge[i].per_x[lane]));
+        }
+        if (y + BLOCK_SIZE > max_y)
+            return;
+        for (int i = 0; i < 3; ++i)
+            row[i] = lanes_i_add(row[i], lanes_i_splat(BLOCK_SIZE * batch->edge[i].per_y[lane]));
+    }
+}
+
 /* Above every change of an edge function within a block, 3 * (|per_x| + |per_y|),
  * the differences being below 2^25. A value clamped to it keeps its sign there. */
 #define EDGE_LIMIT ((int64_t)1 << 28)
 
-typedef struct block_edge {
-    lanes_i offset; /* from the block's lower left pixel to each of its pixels */
-    int32_t least;  /* the extremes of offset */
+/* An edge function of a large triangle. */
+typedef struct large_edge {
+    int64_t constant; /* at the target's pixel (0, 0) */
+    int32_t per_x, per_y;
+    int32_t least; /* the extremes over a block, from its lower left pixel */
     int32_t greatest;
-} block_edge;
+    lanes_i offset; /* from there to each of its pixels */
+} large_edge;
 
-static block_edge make_block_edge(const edge_function *edge)
+static large_edge make_large_edge(const triangle_batch *batch, int edge, uint32_t lane)
 {
-    const int32_t along_x = -edge->per_x * (BLOCK_SIZE - 1);
-    const int32_t along_y = edge->per_y * (BLOCK_SIZE - 1);
-    block_edge b;
+    const int32_t per_x = batch->edge[edge].per_x[lane];
+    const int32_t per_y = batch->edge[edge].per_y[lane];
+    const int32_t along_x = -per_x * (BLOCK_SIZE - 1);
+    const int32_t along_y = per_y * (BLOCK_SIZE - 1);
+    const int32_t owns_ties = per_x < 0 || (per_x == 0 && per_y > 0);
+    large_edge e;
 
-    b.least = (along_x < 0 ? along_x : 0) + (along_y < 0 ? along_y : 0);
-    b.greatest = (along_x > 0 ? along_x : 0) + (along_y > 0 ? along_y : 0);
-    b.offset = lanes_i_plane(-edge->per_x, edge->per_y);
-    return b;
-}
-
-/* Pixels of the block at (x, y) inside the triangle's bounds. */
-static uint32_t bounds_mask(const raster_triangle *t, int32_t x, int32_t y)
-{
-    uint32_t columns = 0xF;
-    uint32_t rows = 0xFFFF;
-
-    if (x < t->min_x)
-        columns &= 0xFu << (t->min_x - x);
-    if (x + 3 > t->max_x)
-        columns &= 0xFu >> (x + 3 - t->max_x);
-    if (y < t->min_y)
-        rows &= 0xFFFFu << 4 * (t->min_y - y);
-    if (y + 3 > t->max_y)
-        rows &= 0xFFFFu >> 4 * (y + 3 - t->max_y);
-    return (columns & 0xF) * 0x1111u & rows & GN_ALL_LANES;
+    e.constant = ((int64_t)per_x * batch->snapped[edge][0][lane] -
+                  (int64_t)per_y * batch->snapped[edge][1][lane] + owns_ties - 1) >>
+                 8;
+    e.per_x = per_x;
+    e.per_y = per_y;
+    e.least = (along_x < 0 ? along_x : 0) + (along_y < 0 ? along_y : 0);
+    e.greatest = (along_x > 0 ? along_x : 0) + (along_y > 0 ? along_y : 0);
+    e.offset = edge_values(0, per_x, per_y);
+    return e;
 }
 
 /* The values of the three edge functions at the lower left pixel of a block. */
-typedef struct edge_values {
+typedef struct corner_values {
     int64_t v[3];
-} edge_values;
+} corner_values;
+
+static inline corner_values values_at(const large_edge edge[3], int32_t x, int32_t y)
+{
+    corner_values c;
+
+    for (int i = 0; i < 3; ++i)
+        c.v[i] = edge[i].constant - (int64_t)edge[i].per_x * x + (int64_t)edge[i].per_y * y;
+    return c;
+}
 
 /* The values `blocks` blocks further to the right. */
-static inline edge_values step_right(const raster_triangle *t, edge_values e, int32_t blocks)
+static inline corner_values step_right(const large_edge edge[3], corner_values c, int32_t blocks)
 {
     for (int i = 0; i < 3; ++i)
-        e.v[i] -= (int64_t)t->edge[i].per_x * (blocks * BLOCK_SIZE);
-    return e;
+        c.v[i] -= (int64_t)edge[i].per_x * (blocks * BLOCK_SIZE);
+    return c;
 }
 
 /* No pixel of the block is inside. With `rising`, only edges that it would leave
  * behind further to the right are asked, so that blocks to the left are outside too. */
-static inline bool is_outside(const raster_triangle *t, const block_edge edge[3], edge_values e,
-                              bool rising)
+static inline bool is_outside(const large_edge edge[3], corner_values c, bool rising)
 {
     bool outside = false;
 
     for (int i = 0; i < 3; ++i)
-        outside |= e.v[i] + edge[i].greatest < 0 && (!rising || t->edge[i].per_x < 0);
+        outside |= c.v[i] + edge[i].greatest < 0 && (!rising || edge[i].per_x < 0);
     return outside;
 }
 
-static inline bool is_inside(const block_edge edge[3], edge_values e)
+static inline bool is_inside(const large_edge edge[3], corner_values c)
 {
-    return e.v[0] + edge[0].least >= 0 && e.v[1] + edge[1].least >= 0 &&
-           e.v[2] + edge[2].least >= 0;
+    return c.v[0] + edge[0].least >= 0 && c.v[1] + edge[1].least >= 0 &&
+           c.v[2] + edge[2].least >= 0;
 }
 
 /* How many blocks from the present one on, which is inside, are inside as well, up to
  * `limit`: triangles are convex, so that two blocks inside have none between that is not. */
-static inline int32_t count_inside(const raster_triangle *t, const block_edge edge[3],
-                                   edge_values e, int32_t limit)
+static inline int32_t count_inside(const large_edge edge[3], corner_values c, int32_t limit)
 {
     int32_t count = 1;
 
     for (int32_t stride = 64; stride > 0; stride /= 2) {
-        while (count + stride <= limit && is_inside(edge, step_right(t, e, count + stride - 1)))
+        while (count + stride <= limit && is_inside(edge, step_right(edge, c, count + stride - 1)))
             count += stride;
     }
     return count;
 }
 
 /* How many blocks from the present one on are certainly outside, up to `limit`. */
-static inline int32_t count_outside(const raster_triangle *t, const block_edge edge[3],
-                                    edge_values e, int32_t limit)
+static inline int32_t count_outside(const large_edge edge[3], corner_values c, int32_t limit)
 {
     int32_t count = 0;
 
     for (int32_t stride = 64; stride > 0; stride /= 2) {
         while (count + stride <= limit &&
-               is_outside(t, edge, step_right(t, e, count + stride - 1), true))
+               is_outside(edge, step_right(edge, c, count + stride - 1), true))
             count += stride;
     }
     return count;
 }
 
-static inline uint32_t edge_mask(const block_edge edge[3], edge_values e)
+static inline uint32_t edge_mask(const large_edge edge[3], corner_values c)
 {
     lanes_i sign = lanes_i_splat(0);
 
     for (int i = 0; i < 3; ++i) {
-        const int64_t v = e.v[i] > EDGE_LIMIT    ? EDGE_LIMIT
-                          : e.v[i] < -EDGE_LIMIT ? -EDGE_LIMIT
-                                                 : e.v[i];
+        const int64_t v = c.v[i] > EDGE_LIMIT    ? EDGE_LIMIT
+                          : c.v[i] < -EDGE_LIMIT ? -EDGE_LIMIT
+                                                 : c.v[i];
         sign = lanes_i_or(sign, lanes_i_add(lanes_i_splat((int32_t)v), edge[i].offset));
     }
-    return ~lanes_i_sign_bits(sign);
+    return GN_ALL_LANES & ~lanes_i_sign_bits(sign);
 }
 
-/* One row of blocks, from the block at (left, y) with the values e. */
-static inline void cover_row(const raster_triangle *t, const block_edge edge[3], edge_values e,
-                             int32_t left, int32_t y, run_function *run, const void *context)
+/* One row of blocks, from the block at (left, y) to the pixel max_x. */
+static inline void cover_row(const pixel_rectangle *target, const large_edge edge[3], int32_t left,
+                             int32_t max_x, int32_t y, raster_triangle triangle, run_function *run,
+                             const void *context)
 {
-    int32_t blocks = (t->max_x - left) / BLOCK_SIZE + 1;
-    int32_t skip = is_outside(t, edge, e, true) ? count_outside(t, edge, e, blocks) : 0;
+    corner_values c = values_at(edge, left, y);
+    int32_t blocks = (max_x - left) / BLOCK_SIZE + 1;
+    int32_t skip = is_outside(edge, c, true) ? count_outside(edge, c, blocks) : 0;
     int32_t x = left;
 
     while (blocks > skip) {
-        e = step_right(t, e, skip);
+        c = step_right(edge, c, skip);
         x += skip * BLOCK_SIZE;
         blocks -= skip;
-        if (is_outside(t, edge, e, false))
+        if (is_outside(edge, c, false))
             return;
 
-        const uint32_t bounds = bounds_mask(t, x, y);
+        const uint32_t overhang = overhang_mask(target, x, y);
         skip = 1;
-        if (!is_inside(edge, e)) {
-            const uint32_t coverage = bounds & edge_mask(edge, e);
+        if (!is_inside(edge, c)) {
+            const uint32_t coverage = overhang & edge_mask(edge, c);
             if (coverage)
-                run(context, t, x, y, 1, coverage);
-        } else if (bounds != GN_ALL_LANES) {
-            run(context, t, x, y, 1, bounds);
+                run(context, triangle, x, y, 1, coverage);
+        } else if (overhang != GN_ALL_LANES) {
+            run(context, triangle, x, y, 1, overhang);
         } else {
-            /* The last block of a row may hang over the bounds. */
-            const int32_t whole = (t->max_x + 1 - x) / BLOCK_SIZE;
-            skip = whole > 1 ? count_inside(t, edge, e, whole) : 1;
-            run(context, t, x, y, (uint32_t)skip, GN_ALL_LANES);
+            /* The last block of a row may hang over the target. */
+            const int32_t whole = (target->max_x + 1 - x) / BLOCK_SIZE;
+            skip = count_inside(edge, c, blocks < whole ? blocks : whole);
+            run(context, triangle, x, y, (uint32_t)skip, GN_ALL_LANES);
         }
     }
 }
 
-static inline edge_values values_at(const raster_triangle *t, int32_t x, int32_t y)
+static inline void cover_large(const pixel_rectangle *target, const triangle_batch *batch,
+                               const triangle_list *list, uint32_t lane, run_function *run,
+                               const void *context)
 {
-    edge_values e;
+    const raster_triangle triangle = {&batch->plane[0][0][lane]};
+    const int32_t left = list->bounds[BOUNDS_MIN_X][lane] & ~(BLOCK_SIZE - 1);
+    const int32_t bottom = list->bounds[BOUNDS_MIN_Y][lane] & ~(BLOCK_SIZE - 1);
+    large_edge edge[3];
 
     for (int i = 0; i < 3; ++i)
-        e.v[i] =
-            t->edge[i].constant - (int64_t)t->edge[i].per_x * x + (int64_t)t->edge[i].per_y * y;
-    return e;
+        edge[i] = make_large_edge(batch, i, lane);
+    for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += BLOCK_SIZE)
+        cover_row(target, edge, left, list->bounds[BOUNDS_MAX_X][lane], y, triangle, run, context);
 }
 
-/* Whether the bounds of a triangle lie in one block. */
-static inline bool is_one_block(const raster_triangle *t)
-{
-    return t->min_x / BLOCK_SIZE == t->max_x / BLOCK_SIZE &&
-           t->min_y / BLOCK_SIZE == t->max_y / BLOCK_SIZE;
-}
-
-/* The covered pixels of the block at (x, y). */
-static inline uint32_t cover_block(const raster_triangle *triangle, int32_t x, int32_t y)
-{
-    block_edge edge[3];
-
-    for (int i = 0; i < 3; ++i)
-        edge[i] = make_block_edge(&triangle->edge[i]);
-    return bounds_mask(triangle, x, y) & edge_mask(edge, values_at(triangle, x, y));
-}
-
-/* Calls `run` for every block with covered pixels, from the bottom up and from left to
- * right. */
-static inline void cover_triangle(const raster_triangle *triangle, run_function *run,
+/* Calls `run` for every block with covered pixels of the triangle in a lane of a list, from
+ * the bottom up and from left to right. */
+static inline void cover_triangle(const pixel_rectangle *target, const triangle_batch *batch,
+                                  const triangle_list *list, uint32_t lane, run_function *run,
                                   const void *context)
 {
-    const int32_t left = triangle->min_x & ~(BLOCK_SIZE - 1);
-    const int32_t bottom = triangle->min_y & ~(BLOCK_SIZE - 1);
-    block_edge edge[3];
-
-    for (int i = 0; i < 3; ++i)
-        edge[i] = make_block_edge(&triangle->edge[i]);
-
-    for (int32_t y = bottom; y <= triangle->max_y; y += BLOCK_SIZE)
-        cover_row(triangle, edge, values_at(triangle, left, y), left, y, run, context);
+    if (batch->large >> lane & 1u)
+        cover_large(target, batch, list, lane, run, context);
+    else
+        cover_small(target, batch, list, lane, run, context);
 }
 
 #endif

@@ -1,250 +1,181 @@
-/* Triangle set-up: winding and culling, edge functions with the tie rule folded
- * in, and the planes of depth, 1/w and the varyings. Coverage is decided on
- * snapped coordinates in integers (exact), attributes on the unsnapped ones
- * (OpenGL 4.5 section 14.6.1; Pineda 1988 for edge functions). */
+/* Triangle set-up, sixteen at a time: edge functions with the tie rule folded in, and the
+ * planes of depth, 1/w and the varyings. Coverage is decided on snapped coordinates in
+ * integers (exact), attributes on the unsnapped ones (OpenGL 4.5 section 14.6.1; Pineda
+ * 1988 for edge functions). */
 #ifndef GN_RASTER_SETUP_H
 #define GN_RASTER_SETUP_H
 
-#include "types.h"
+#include "cull.h"
 
-#if (-1 >> 1) != -1
-#error "right shifts of negative numbers must round down"
-#endif
-
-/* Beyond this a snapped coordinate is not one of a vertex inside a viewport:
- * GN_MAX_SIZE on either side of an origin within GN_MAX_SIZE. Within it
- * everything below stays under 2^52. */
-#define SNAPPED_LIMIT (2u * GN_MAX_SIZE * 256 + 256)
-
-/* The vertices in the order of the edges, found in their batches. */
-typedef struct setup_vertices {
-    const vertex_batch *batch[3];
-    uint32_t lane[3];
-    int32_t x[3], y[3]; /* snapped */
-    const vertex_batch *provoking;
-    uint32_t provoking_lane;
-} setup_vertices;
-
-static inline bool is_beyond(int32_t snapped)
+/* The pixel from which a triangle's blocks are laid. Columns start at a multiple of four, so
+ * that the blocks of neighbouring triangles load what was stored; rows at an even one, so
+ * that blocks are made of whole quads, if the highest block then stays in the part of the
+ * target that is drawn: the rows above may be another thread's, and the part ends at a
+ * multiple of four or with the target. */
+static inline void place_blocks(const pixel_rectangle *target, const triangle_list *list,
+                                lanes_i origin[2])
 {
-    return (uint32_t)snapped + SNAPPED_LIMIT > 2 * SNAPPED_LIMIT;
-}
+    const lanes_i min_y = lanes_i_load(list->bounds[BOUNDS_MIN_Y]);
+    const lanes_i max_y = lanes_i_load(list->bounds[BOUNDS_MAX_Y]);
+    const lanes_i to_block = lanes_i_splat(~(BLOCK_SIZE - 1));
+    const lanes_i even = lanes_i_and(min_y, lanes_i_splat(~1));
+    const lanes_i highest = lanes_i_add(even, lanes_i_and(lanes_i_sub(max_y, even), to_block));
+    const lanes_m leaves =
+        lanes_i_greater(highest, lanes_i_splat(target->max_y - (BLOCK_SIZE - 1)));
 
-/* False where the vertex is beyond SNAPPED_LIMIT. */
-static inline bool gather_vertex(setup_vertices *v, int i, const vertex_store *store, uint32_t slot)
-{
-    const vertex_batch *batch = vertex_batch_of(store, slot);
-    const uint32_t lane = slot % GN_LANES;
-    const int32_t x = batch->snapped[0][lane];
-    const int32_t y = batch->snapped[1][lane];
-
-    v->batch[i] = batch;
-    v->lane[i] = lane;
-    v->x[i] = x;
-    v->y[i] = y;
-    return !is_beyond(x) && !is_beyond(y);
-}
-
-static inline void exchange_vertices(setup_vertices *v, int i, int j)
-{
-    const vertex_batch *const batch = v->batch[i];
-    const uint32_t lane = v->lane[i];
-    const int32_t x = v->x[i];
-    const int32_t y = v->y[i];
-
-    v->batch[i] = v->batch[j];
-    v->lane[i] = v->lane[j];
-    v->x[i] = v->x[j];
-    v->y[i] = v->y[j];
-    v->batch[j] = batch;
-    v->lane[j] = lane;
-    v->x[j] = x;
-    v->y[j] = y;
-}
-
-static bool is_culled(const gn_pipeline *pipeline, bool clockwise)
-{
-    const bool front = clockwise == (pipeline->front_face == GN_FRONT_CLOCKWISE);
-
-    switch (pipeline->cull) {
-    case GN_CULL_BACK:
-        return !front;
-    case GN_CULL_FRONT:
-        return front;
-    case GN_CULL_FRONT_AND_BACK:
-        return true;
-    default:
-        return false;
-    }
-}
-
-/* The reference culls a second time, by the area of the unsnapped window coordinates,
- * where a segment of a draw has vertices outside the view volume; the two disagree on
- * slivers. No area counts as back-facing. */
-static bool is_culled_unsnapped(const gn_pipeline *pipeline, const setup_vertices *v)
-{
-    float x[3], y[3];
-
-    for (int i = 0; i < 3; ++i) {
-        x[i] = v->batch[i]->window[0][v->lane[i]];
-        y[i] = v->batch[i]->window[1][v->lane[i]];
-    }
-    const float area = (x[0] - x[2]) * (y[1] - y[2]) - (y[0] - y[2]) * (x[1] - x[2]);
-    const bool front_clockwise = pipeline->front_face == GN_FRONT_CLOCKWISE;
-
-    return is_culled(pipeline, area == 0.0f ? !front_clockwise : area < 0.0f);
-}
-
-static inline int32_t least(int32_t a, int32_t b, int32_t c)
-{
-    const int32_t d = a < b ? a : b;
-    return d < c ? d : c;
-}
-
-static inline int32_t greatest(int32_t a, int32_t b, int32_t c)
-{
-    const int32_t d = a > b ? a : b;
-    return d > c ? d : c;
-}
-
-/* Pixels whose centre (256 * px in snapped coordinates) lies between the extremes, and
- * in the target. */
-static inline bool bound(const setup_state *state, const setup_vertices *v, raster_triangle *out)
-{
-    const int32_t min_x = (least(v->x[0], v->x[1], v->x[2]) + 255) >> 8;
-    const int32_t min_y = (least(v->y[0], v->y[1], v->y[2]) + 255) >> 8;
-    const int32_t max_x = greatest(v->x[0], v->x[1], v->x[2]) >> 8;
-    const int32_t max_y = greatest(v->y[0], v->y[1], v->y[2]) >> 8;
-    const int32_t right = (int32_t)state->width - 1;
-    const int32_t top = (int32_t)state->height - 1;
-
-    out->min_x = min_x < 0 ? 0 : min_x;
-    out->min_y = min_y < 0 ? 0 : min_y;
-    out->max_x = max_x > right ? right : max_x;
-    out->max_y = max_y > top ? top : max_y;
-    return out->min_x <= out->max_x && out->min_y <= out->max_y;
+    origin[0] = lanes_i_and(lanes_i_load(list->bounds[BOUNDS_MIN_X]), to_block);
+    origin[1] = lanes_i_select(leaves, lanes_i_and(min_y, to_block), even);
 }
 
 /* A pixel is inside where C - 256*dx*px + 256*dy*py > 0, C having 1 added on edges
- * that own their ties. With integers, C + 256*k > 0 is floor((C - 1) / 256) + k >= 0,
- * which leaves steps small enough for 32 bits within a block. */
-static inline void make_edges(const setup_vertices *v, raster_triangle *out)
+ * that own their ties. With integers, C + 256*k > 0 is floor((C - 1) / 256) + k >= 0. */
+static inline void setup_edges(const pixel_rectangle *target, const unsigned char *memory,
+                               const triangle_list *list, triangle_batch *batch)
 {
+    const lanes_i zero = lanes_i_splat(0);
+    lanes_i x[3], y[3], origin[2];
+
+    for (int i = 0; i < 3; ++i) {
+        lanes_i row[4];
+        gather_row(memory, list->vertex[i], VERTEX_SNAPPED, row);
+        x[i] = row[0];
+        y[i] = row[1];
+        lanes_i_store(batch->snapped[i][0], x[i]);
+        lanes_i_store(batch->snapped[i][1], y[i]);
+    }
+    const lanes_i extent = lanes_i_max(lanes_i_sub(greatest_of(x), least_of(x)),
+                                       lanes_i_sub(greatest_of(y), least_of(y)));
+    batch->large = lanes_bits(lanes_i_greater(extent, lanes_i_splat(SMALL_EXTENT - 1)));
+    place_blocks(target, list, origin);
+    lanes_i_store(batch->origin[0], origin[0]);
+    lanes_i_store(batch->origin[1], origin[1]);
+
+    const lanes_i left = lanes_i_shift_left(origin[0], 8);
+    const lanes_i bottom = lanes_i_shift_left(origin[1], 8);
     for (int i = 0; i < 3; ++i) {
         const int j = i == 2 ? 0 : i + 1;
-        const int32_t dx = v->y[i] - v->y[j];
-        const int32_t dy = v->x[i] - v->x[j];
-        const int32_t owns_ties = dx < 0 || (dx == 0 && dy > 0);
-        const int64_t c = (int64_t)dx * v->x[i] - (int64_t)dy * v->y[i] + owns_ties;
+        const lanes_i dx = lanes_i_sub(y[i], y[j]);
+        const lanes_i dy = lanes_i_sub(x[i], x[j]);
+        const lanes_m level = lanes_and(lanes_i_equal(dx, zero), lanes_i_greater(dy, zero));
+        const lanes_i owns_ties =
+            lanes_i_or(lanes_m_as_int(lanes_i_greater(zero, dx)), lanes_m_as_int(level));
+        const lanes_i c = lanes_i_sub(lanes_i_mul(dx, lanes_i_sub(x[i], left)),
+                                      lanes_i_mul(dy, lanes_i_sub(y[i], bottom)));
 
-        out->edge[i].constant = (c - 1) >> 8;
-        out->edge[i].per_x = dx;
-        out->edge[i].per_y = dy;
+        /* The mask is -1 where ties are owned: C - 1 is c - 1 - mask. */
+        lanes_i_store(
+            batch->edge[i].start,
+            lanes_i_shift_right(lanes_i_sub(lanes_i_add(c, lanes_i_splat(-1)), owns_ties), 8));
+        lanes_i_store(batch->edge[i].per_x, dx);
+        lanes_i_store(batch->edge[i].per_y, dy);
     }
 }
 
 /* Window differences of the vertices, divided by the triangle's area. */
 typedef struct plane_basis {
-    float x0, y0; /* vertex 0, from the pixel's centre */
-    float dx01, dy01, dx20, dy20;
+    lanes_f x0, y0; /* vertex 0, from the pixel's centre */
+    lanes_f dx01, dy01, dx20, dy20;
 } plane_basis;
 
-static inline plane_basis make_basis(const setup_vertices *v)
+static inline plane_basis make_basis(const lanes_f x[3], const lanes_f y[3])
 {
-    const float x0 = v->batch[0]->window[0][v->lane[0]];
-    const float y0 = v->batch[0]->window[1][v->lane[0]];
-    const float dx01 = x0 - v->batch[1]->window[0][v->lane[1]];
-    const float dy01 = y0 - v->batch[1]->window[1][v->lane[1]];
-    const float dx20 = v->batch[2]->window[0][v->lane[2]] - x0;
-    const float dy20 = v->batch[2]->window[1][v->lane[2]] - y0;
-    const float one_over_area = 1.0f / (dx01 * dy20 - dx20 * dy01);
+    const lanes_f half = lanes_splat(0.5f);
+    const lanes_f dx01 = lanes_sub(x[0], x[1]);
+    const lanes_f dy01 = lanes_sub(y[0], y[1]);
+    const lanes_f dx20 = lanes_sub(x[2], x[0]);
+    const lanes_f dy20 = lanes_sub(y[2], y[0]);
+    const lanes_f one_over_area =
+        lanes_div(lanes_splat(1.0f), lanes_sub(lanes_mul(dx01, dy20), lanes_mul(dx20, dy01)));
     plane_basis b;
 
-    b.x0 = x0 - 0.5f;
-    b.y0 = y0 - 0.5f;
-    b.dx01 = dx01 * one_over_area;
-    b.dy01 = dy01 * one_over_area;
-    b.dx20 = dx20 * one_over_area;
-    b.dy20 = dy20 * one_over_area;
+    b.x0 = lanes_sub(x[0], half);
+    b.y0 = lanes_sub(y[0], half);
+    b.dx01 = lanes_mul(dx01, one_over_area);
+    b.dy01 = lanes_mul(dy01, one_over_area);
+    b.dx20 = lanes_mul(dx20, one_over_area);
+    b.dy20 = lanes_mul(dy20, one_over_area);
     return b;
 }
 
-static inline attribute_plane make_plane(const plane_basis *b, float a0, float a1, float a2)
+static inline void make_plane(const plane_basis *b, const lanes_f a[3],
+                              float plane[PLANE_TERMS][GN_LANES])
 {
-    const float da01 = a0 - a1;
-    const float da20 = a2 - a0;
-    attribute_plane p;
+    const lanes_f da01 = lanes_sub(a[0], a[1]);
+    const lanes_f da20 = lanes_sub(a[2], a[0]);
+    const lanes_f per_x = lanes_sub(lanes_mul(da01, b->dy20), lanes_mul(da20, b->dy01));
+    const lanes_f per_y = lanes_sub(lanes_mul(da20, b->dx01), lanes_mul(da01, b->dx20));
+    const lanes_f at_zero = lanes_add(lanes_mul(per_x, b->x0), lanes_mul(per_y, b->y0));
 
-    p.per_x = da01 * b->dy20 - da20 * b->dy01;
-    p.per_y = da20 * b->dx01 - da01 * b->dx20;
-    p.origin = a0 - (p.per_x * b->x0 + p.per_y * b->y0);
-    return p;
+    lanes_store(plane[PLANE_ORIGIN], lanes_sub(a[0], at_zero));
+    lanes_store(plane[PLANE_PER_X], per_x);
+    lanes_store(plane[PLANE_PER_Y], per_y);
 }
 
-/* The planes of depth, 1/w and the varyings. */
-static inline void setup_planes(const gn_pipeline *pipeline, const setup_vertices *v,
-                                raster_triangle *out)
+static inline void make_flat_plane(const unsigned char *memory, const triangle_list *list,
+                                   uint32_t varying, float plane[PLANE_TERMS][GN_LANES])
 {
-    const plane_basis basis = make_basis(v);
-    float w[3];
+    GN_EACH_LANE (l) {
+        const uint32_t lane = (uint32_t)l < list->count ? (uint32_t)l : 0;
+        const stored_vertex *v = (const stored_vertex *)(const void *)(memory + list->provoking[lane]);
 
-    for (int i = 0; i < 3; ++i)
-        w[i] = v->batch[i]->window[3][v->lane[i]];
-    out->depth = make_plane(&basis, v->batch[0]->window[2][v->lane[0]],
-                            v->batch[1]->window[2][v->lane[1]], v->batch[2]->window[2][v->lane[2]]);
-    out->one_over_w = make_plane(&basis, w[0], w[1], w[2]);
-
-    for (uint32_t n = 0; n < pipeline->varying_count; ++n) {
-        float a[3];
-
-        for (int i = 0; i < 3; ++i)
-            a[i] = v->batch[i]->varying[n][v->lane[i]];
-        switch (pipeline->interpolation[n]) {
-        case GN_FLAT:
-            out->varying[n].origin = v->provoking->varying[n][v->provoking_lane];
-            out->varying[n].per_x = 0.0f;
-            out->varying[n].per_y = 0.0f;
-            break;
-        case GN_NOPERSPECTIVE:
-            out->varying[n] = make_plane(&basis, a[0], a[1], a[2]);
-            break;
-        default:
-            out->varying[n] = make_plane(&basis, a[0] * w[0], a[1] * w[1], a[2] * w[2]);
-            break;
-        }
+        plane[PLANE_ORIGIN][l] = v->varying[varying];
+        plane[PLANE_PER_X][l] = 0.0f;
+        plane[PLANE_PER_Y][l] = 0.0f;
     }
 }
 
-/* Bounds and edges. False where the triangle is culled, degenerate or has no pixel of
- * the target in its bounds; `out` is then unspecified. */
-static inline bool setup_edges(const setup_state *state, const vertex_store *store,
-                               const vertex_triangle *triangle, setup_vertices *v,
-                               raster_triangle *out)
+/* The planes of depth, 1/w and the varyings, four of which share a row of a vertex. */
+static inline void setup_planes(const gn_pipeline *pipeline, const unsigned char *memory,
+                                const triangle_list *list, triangle_batch *batch)
 {
-    const gn_pipeline *pipeline = state->pipeline;
+    lanes_i row[3][4];
+    lanes_f x[3], y[3], z[3], w[3];
 
     for (int i = 0; i < 3; ++i) {
-        if (!gather_vertex(v, i, store, triangle->slot[i]))
-            return false;
+        gather_row(memory, list->vertex[i], VERTEX_WINDOW, row[i]);
+        x[i] = lanes_as_float(row[i][0]);
+        y[i] = lanes_as_float(row[i][1]);
+        z[i] = lanes_as_float(row[i][2]);
+        w[i] = lanes_as_float(row[i][3]);
     }
+    const plane_basis basis = make_basis(x, y);
+    make_plane(&basis, z, batch->plane[DEPTH_PLANE]);
+    make_plane(&basis, w, batch->plane[ONE_OVER_W_PLANE]);
 
-    const int64_t area = (int64_t)(v->x[0] - v->x[1]) * (v->y[2] - v->y[0]) -
-                         (int64_t)(v->x[2] - v->x[0]) * (v->y[0] - v->y[1]);
-    if (area == 0 || is_culled(pipeline, area > 0) || !bound(state, v, out))
-        return false;
-    if (state->any_clipped && pipeline->cull != GN_CULL_NONE && is_culled_unsnapped(pipeline, v))
-        return false;
+    for (uint32_t n = 0; n < pipeline->varying_count; ++n) {
+        float(*const plane)[GN_LANES] = batch->plane[VARYING_PLANES + n];
+        lanes_f a[3];
 
-    /* Inside is to one side of every edge only in one winding; the provoking vertex
-     * keeps its place. */
-    if (area < 0) {
-        const bool first = pipeline->provoking_vertex == GN_PROVOKING_FIRST;
-        exchange_vertices(v, first ? 1 : 0, first ? 2 : 1);
+        if (n % 4 == 0) {
+            for (int i = 0; i < 3; ++i)
+                gather_row(memory, list->vertex[i], VERTEX_VARYING + n / 4 * VERTEX_ROW, row[i]);
+        }
+        if (pipeline->interpolation[n] == GN_FLAT) {
+            make_flat_plane(memory, list, n, plane);
+            continue;
+        }
+        for (int i = 0; i < 3; ++i) {
+            a[i] = lanes_as_float(row[i][n % 4]);
+            if (pipeline->interpolation[n] == GN_SMOOTH)
+                a[i] = lanes_mul(a[i], w[i]);
+        }
+        make_plane(&basis, a, plane);
     }
-    v->provoking = vertex_batch_of(store, triangle->provoking);
-    v->provoking_lane = triangle->provoking % GN_LANES;
-    make_edges(v, out);
-    return true;
+}
+
+/* Sets up the triangles of a list; lanes beyond its count are made equal to the first. */
+static inline void setup_triangles(const gn_pipeline *pipeline, const pixel_rectangle *target,
+                                   const unsigned char *memory, triangle_list *list,
+                                   triangle_batch *batch)
+{
+    for (uint32_t l = list->count; l < GN_LANES; ++l) {
+        for (int i = 0; i < 3; ++i)
+            list->vertex[i][l] = list->vertex[i][0];
+        for (int b = 0; b < BOUNDS_COUNT; ++b)
+            list->bounds[b][l] = list->bounds[b][0];
+    }
+    setup_edges(target, memory, list, batch);
+    setup_planes(pipeline, memory, list, batch);
 }
 
 #endif

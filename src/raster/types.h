@@ -1,15 +1,43 @@
 /* The raster stages: from triangles in window coordinates to blocks of covered
  * fragments.
  *
- *   setup      three vertices -> edge functions and attribute planes
+ *   cull       16 triangles -> those that can be seen, with their bounds in pixels
+ *   setup      16 triangles -> edge functions and attribute planes
  *   coverage   edge functions -> runs of 4x4 blocks with a mask of covered pixels */
 #ifndef GN_RASTER_TYPES_H
 #define GN_RASTER_TYPES_H
 
-#include "../geometry/vertex_store.h"
+#include "../geometry/types.h"
 
 /* Blocks are 4x4 pixels: lane l is the pixel (x + l % 4, y + l / 4). */
 #define BLOCK_SIZE 4
+
+/* Beyond this a snapped coordinate is not one of a vertex inside a viewport:
+ * GN_MAX_SIZE on either side of an origin within GN_MAX_SIZE. Within it the area of a
+ * triangle and its edge functions stay under 2^52. */
+#define SNAPPED_LIMIT (2 * GN_MAX_SIZE * 256 + 256)
+
+/* Triangles whose snapped extents are below this have areas below 2^29, and edge
+ * functions, asked in their bounds and a block around, that fit 32 bits with ease. */
+#define SMALL_EXTENT (1 << 14)
+
+/* Pixels, inclusive. */
+typedef struct pixel_rectangle {
+    int32_t min_x, min_y, max_x, max_y;
+} pixel_rectangle;
+
+enum { BOUNDS_MIN_X, BOUNDS_MIN_Y, BOUNDS_MAX_X, BOUNDS_MAX_Y, BOUNDS_COUNT };
+
+/* Up to sixteen triangles that can be seen, in order. The vertices are those of the group
+ * they come from, or, where `clipped` has the lane's bit, of a triangle still to be
+ * clipped to its visible part. */
+typedef struct triangle_list {
+    uint32_t count;
+    uint32_t clipped;
+    uint32_t vertex[3][GN_LANES];           /* wound so that inside is left of every edge */
+    uint32_t provoking[GN_LANES];           /* the vertex flat varyings come from */
+    int32_t bounds[BOUNDS_COUNT][GN_LANES]; /* pixels whose centres may be inside */
+} triangle_list;
 
 /* An attribute's plane in window coordinates: its value at the pixel (x, y) is
  * per_y * y + (per_x * x + origin). */
@@ -17,32 +45,51 @@ typedef struct attribute_plane {
     float origin, per_x, per_y;
 } attribute_plane;
 
-/* An edge function: the pixel (x, y) is inside where
- * constant - per_x * x + per_y * y >= 0. Ties are folded into the constant. */
-typedef struct edge_function {
-    int64_t constant;
-    int32_t per_x, per_y;
-} edge_function;
+/* Planes of a triangle: depth, 1/w, and the varyings, smooth ones divided by w. */
+enum { DEPTH_PLANE, ONE_OVER_W_PLANE, VARYING_PLANES };
+enum { PLANE_ORIGIN, PLANE_PER_X, PLANE_PER_Y, PLANE_TERMS };
 
+/* An edge function: the pixel (x, y) is inside where
+ * start - per_x * (x - origin x) + per_y * (y - origin y) >= 0. Ties are folded in. */
+typedef struct edge_lanes {
+    int32_t start[GN_LANES]; /* unspecified for large triangles, which need 64 bits */
+    int32_t per_x[GN_LANES];
+    int32_t per_y[GN_LANES];
+} edge_lanes;
+
+/* The triangles of a list, set up. */
+typedef struct triangle_batch {
+    uint32_t large; /* bit l: an extent is SMALL_EXTENT or more */
+    int32_t origin[2][GN_LANES];
+    int32_t snapped[3][2][GN_LANES];
+    edge_lanes edge[3];
+    float plane[][PLANE_TERMS][GN_LANES];
+} triangle_batch;
+
+static inline size_t triangle_batch_size(uint32_t varying_count)
+{
+    return sizeof(triangle_batch) +
+           (VARYING_PLANES + varying_count) * sizeof(float[PLANE_TERMS][GN_LANES]);
+}
+
+/* A triangle as its fragments see it: its planes in a batch, from its lane on. */
 typedef struct raster_triangle {
-    int32_t min_x, min_y, max_x, max_y; /* pixels, inclusive, inside the target */
-    edge_function edge[3];
-    attribute_plane depth;
-    attribute_plane one_over_w;
-    attribute_plane varying[GN_MAX_VARYINGS]; /* smooth ones divided by w */
+    const float *planes;
 } raster_triangle;
 
-/* What triangle set-up needs of a draw. */
-typedef struct setup_state {
-    const gn_pipeline *pipeline;
-    uint32_t width, height; /* of the target */
-    bool any_clipped;       /* some vertex of the segment is outside the view volume */
-} setup_state;
+static inline attribute_plane triangle_plane(raster_triangle t, uint32_t n)
+{
+    const float *const p = t.planes + n * (PLANE_TERMS * GN_LANES);
+    const attribute_plane plane = {p[PLANE_ORIGIN * GN_LANES], p[PLANE_PER_X * GN_LANES],
+                                   p[PLANE_PER_Y * GN_LANES]};
+
+    return plane;
+}
 
 /* Called for runs of `count` neighbouring 4x4 blocks in a row, the first at (x, y),
- * multiples of 4; bit l of coverage is lane l, the same in every block. More than one
+ * multiples of 2; bit l of coverage is lane l, the same in every block. More than one
  * block is only called for where all pixels are covered. */
-typedef void run_function(const void *context, const raster_triangle *triangle, int32_t x,
-                          int32_t y, uint32_t count, uint32_t coverage);
+typedef void run_function(const void *context, raster_triangle triangle, int32_t x, int32_t y,
+                          uint32_t count, uint32_t coverage);
 
 #endif

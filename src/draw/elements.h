@@ -1,0 +1,107 @@
+/* The elements of a draw: which vertices they are, and where those are kept. */
+#ifndef GN_DRAW_ELEMENTS_H
+#define GN_DRAW_ELEMENTS_H
+
+#include "state.h"
+
+/* The vertices that elements first to first + count - 1 name. */
+static inline void read_elements(const gn_mesh *mesh, uint32_t first, uint32_t count,
+                                 uint32_t *vertex)
+{
+    const size_t at = (size_t)mesh->first + first;
+
+    switch (mesh->index_format) {
+    case GN_INDEX_UINT8:
+        for (uint32_t i = 0; i < count; ++i)
+            vertex[i] = ((const uint8_t *)mesh->indices)[at + i];
+        break;
+    case GN_INDEX_UINT16:
+        for (uint32_t i = 0; i < count; ++i)
+            vertex[i] = ((const uint16_t *)mesh->indices)[at + i];
+        break;
+    case GN_INDEX_UINT32:
+        for (uint32_t i = 0; i < count; ++i)
+            vertex[i] = ((const uint32_t *)mesh->indices)[at + i];
+        break;
+    default:
+        for (uint32_t i = 0; i < count; ++i)
+            vertex[i] = (uint32_t)(at + i);
+        break;
+    }
+}
+
+typedef struct index_range {
+    uint32_t low, high;
+} index_range;
+
+static inline index_range join_ranges(index_range a, index_range b)
+{
+    const index_range r = {a.low < b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
+
+    return r;
+}
+
+/* The least and the greatest vertex that elements first to first + count - 1 name; of
+ * none, an empty range. Unsigned order is the signed one of numbers less 2^31. */
+static index_range find_range(const gn_mesh *mesh, uint32_t first, uint32_t count)
+{
+    const lanes_i bias = lanes_i_splat(INT32_MIN);
+    lanes_i low = lanes_i_splat(INT32_MAX);
+    lanes_i high = lanes_i_splat(INT32_MIN);
+    int32_t lows[GN_LANES], highs[GN_LANES];
+    index_range range = {UINT32_MAX, 0};
+    uint32_t done = 0;
+
+    if (mesh->index_format == GN_INDEX_UINT32) {
+        const int32_t *indices = (const int32_t *)mesh->indices + mesh->first + first;
+
+        for (; count - done >= GN_LANES; done += GN_LANES) {
+            const lanes_i index = lanes_i_add(lanes_i_load(indices + done), bias);
+            low = lanes_i_min(low, index);
+            high = lanes_i_max(high, index);
+        }
+    }
+    lanes_i_store(lows, lanes_i_add(low, bias));
+    lanes_i_store(highs, lanes_i_add(high, bias));
+    GN_EACH_LANE (l) {
+        const index_range lane = {(uint32_t)lows[l], (uint32_t)highs[l]};
+        range = join_ranges(range, lane);
+    }
+    while (done < count) {
+        uint32_t vertex[GN_LANES];
+        const uint32_t part = count - done < GN_LANES ? count - done : GN_LANES;
+
+        read_elements(mesh, first + done, part, vertex);
+        for (uint32_t i = 0; i < part; ++i) {
+            const index_range one = {vertex[i], vertex[i]};
+            range = join_ranges(range, one);
+        }
+        done += part;
+    }
+    return range;
+}
+
+/* Where the vertices of elements first to first + count - 1 are kept; of a fan, the first
+ * is the draw's first element instead. */
+static inline void locate_elements(const draw_state *draw, uint32_t first, uint32_t count,
+                                   uint32_t *offset)
+{
+    const uint32_t vertices = draw->job->vertices;
+    const uint32_t stride = draw->stride;
+    const bool is_fan = draw->pipeline->topology == GN_TRIANGLE_FAN;
+
+    if (draw->map.shared) {
+        read_elements(draw->mesh, first, count, offset);
+        if (is_fan)
+            read_elements(draw->mesh, 0, 1, offset);
+        for (uint32_t i = 0; i < count; ++i)
+            offset[i] = vertices + (offset[i] - draw->map.base) * stride;
+    } else {
+        for (uint32_t i = 0; i < count; ++i)
+            offset[i] = vertices + (first + i - draw->map.first) * stride;
+        if (is_fan)
+            offset[0] = vertices;
+    }
+}
+
+#endif

@@ -1,0 +1,81 @@
+/* What the stages of a draw share: its state resolved once, and where vertices are. */
+#ifndef GN_DRAW_STATE_H
+#define GN_DRAW_STATE_H
+
+#include "../fragment/block.h"
+#include "../geometry/assemble.h"
+#include "../geometry/viewport.h"
+#include "../raster/cull.h"
+#include "job.h"
+
+/* Where vertices are kept. The elements of a draw are its indices, or its vertices
+ * where it has none. If `shared`, slot n holds the vertex base + n and an element finds
+ * its slot by its index; otherwise slots hold consecutive elements of the draw from
+ * `first` on, each shaded for itself, but for a fan slot 0 holds the draw's first. */
+typedef struct slot_map {
+    bool shared;
+    uint32_t base;
+    uint32_t count;    /* slots of a shared draw */
+    uint32_t shaded;   /* of them, in whole batches */
+    uint32_t outcodes; /* the union of theirs */
+    uint32_t first;
+} slot_map;
+
+typedef struct draw_state {
+    const draw_job *job;
+    const gn_pipeline *pipeline;
+    const gn_mesh *mesh;
+    uint32_t stride; /* bytes from vertex to vertex */
+    slot_map map;
+    viewport_transform viewport;
+    cull_state cull;
+    fragment_state fragment;
+    run_function *shade_run;
+} draw_state;
+
+static inline draw_state draw_state_of(const draw_job *job)
+{
+    const gn_surface *any =
+        job->target->color.format != GN_FORMAT_NONE ? &job->target->color : &job->target->depth;
+    const slot_map nothing = {false, 0, 0, 0, 0, 0};
+    draw_state draw;
+
+    draw.job = job;
+    draw.pipeline = job->pipeline;
+    draw.mesh = job->mesh;
+    draw.stride = vertex_stride(job->pipeline->varying_count);
+    draw.map = nothing;
+    draw.viewport = viewport_transform_of(job->pipeline, any->width, any->height);
+    draw.cull = cull_state_of(job->pipeline, any->width, any->height);
+    draw.fragment = fragment_state_of(job->target, job->pipeline);
+    draw.shade_run = run_function_of(&draw.fragment);
+    return draw;
+}
+
+/* Slots to shade, in whole batches or all, for this vertex of a shared draw to be among
+ * them. */
+static inline uint32_t slots_up_to(const slot_map *map, uint32_t vertex)
+{
+    const uint32_t named = ((vertex - map->base) / GN_LANES + 1) * GN_LANES;
+
+    return named < map->count ? named : map->count;
+}
+
+/* Elements of a segment, and triangles that they make. */
+static inline uint32_t segment_elements(const gn_mesh *mesh)
+{
+    return mesh->index_format != GN_INDEX_NONE ? SEGMENT_INDICES : SEGMENT_ELEMENTS;
+}
+
+static inline uint32_t segment_triangles(gn_topology topology, const gn_mesh *mesh)
+{
+    return triangles_of(topology, segment_elements(mesh));
+}
+
+/* The scratch of a task. */
+static inline unsigned char *task_scratch(const draw_state *draw, uint32_t task)
+{
+    return draw->job->memory + (size_t)task * scratch_size(draw->pipeline->varying_count);
+}
+
+#endif

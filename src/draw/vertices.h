@@ -1,0 +1,91 @@
+/* Vertex shading: slots of the workspace filled, sixteen at a time. */
+#ifndef GN_DRAW_VERTICES_H
+#define GN_DRAW_VERTICES_H
+
+#include "../geometry/fetch.h"
+#include "elements.h"
+
+static void run_vertex_shader(const gn_pipeline *pipeline, const gn_vertex_input *input,
+                              gn_vertex_output *output)
+{
+    if (pipeline->vertex_shader == gn_shade_lit)
+        shade_lit(pipeline->uniforms, input, output);
+    else if (pipeline->vertex_shader == gn_shade_vertex_color)
+        shade_vertex_color(pipeline->uniforms, input, output);
+    else if (pipeline->vertex_shader == gn_shade_lit_textured)
+        shade_lit_textured(pipeline->uniforms, input, output);
+    else
+        pipeline->vertex_shader(pipeline->uniforms, input, output);
+}
+
+/* The vertices of sixteen slots of which `count` are wanted; the others repeat the last. */
+static inline void slot_vertices(const draw_state *draw, uint32_t slot, uint32_t count,
+                                 uint32_t vertex[GN_LANES])
+{
+    if (draw->map.shared) {
+        for (uint32_t l = 0; l < count; ++l)
+            vertex[l] = draw->map.base + slot + l;
+    } else {
+        read_elements(draw->mesh, draw->map.first + slot, count, vertex);
+        if (draw->pipeline->topology == GN_TRIANGLE_FAN && slot == 0)
+            read_elements(draw->mesh, 0, 1, vertex);
+    }
+    for (uint32_t l = count; l < GN_LANES; ++l)
+        vertex[l] = vertex[count - 1];
+}
+
+/* Writes what a shader gave for sixteen vertices to their slots. Gives their outcodes. */
+static inline lanes_i store_vertices(const draw_state *draw, const gn_vertex_output *output,
+                                     uint32_t slot)
+{
+    const uint32_t varyings = draw->pipeline->varying_count;
+    unsigned char *const first =
+        draw->job->memory + draw->job->vertices + (size_t)slot * draw->stride;
+    lanes_f clip[4];
+
+    for (int c = 0; c < 4; ++c)
+        clip[c] = lanes_load(output->position[c]);
+    for (uint32_t n = 0; n < varyings; n += 4) {
+        lanes_i row[4];
+
+        for (uint32_t c = 0; c < 4; ++c)
+            row[c] = n + c < varyings ? lanes_as_int(lanes_load(output->varying[n + c]))
+                                      : lanes_i_splat(0);
+        lanes_i_scatter_rows(first + VERTEX_VARYING + n / 4 * VERTEX_ROW, draw->stride, row);
+    }
+    return place_vertices(&draw->viewport, clip, first, draw->stride);
+}
+
+/* Shades slots `from`, the first of a batch, to end - 1. A task's batch of triangles
+ * lends its memory to what the shader gives. Gives the union of their outcodes. */
+static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from, uint32_t end)
+{
+    float(*const staging)[GN_LANES] =
+        (float(*)[GN_LANES])(void *)(task_scratch(draw, task) + scratch_batch_offset());
+    float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES];
+    uint32_t vertex_id[GN_LANES];
+    int32_t outcode[GN_LANES];
+    lanes_i outcodes = lanes_i_splat(0);
+    gn_vertex_input input;
+    gn_vertex_output output;
+    uint32_t all = 0;
+
+    input.attribute = (const float(*)[4][GN_LANES])attribute;
+    input.vertex_id = vertex_id;
+    output.position = staging;
+    output.varying = staging + 4;
+    fetch_defaults(draw->mesh, attribute);
+    for (uint32_t slot = from; slot < end; slot += GN_LANES) {
+        input.count = end - slot < GN_LANES ? end - slot : GN_LANES;
+        slot_vertices(draw, slot, input.count, vertex_id);
+        fetch_attributes(draw->mesh, vertex_id, attribute);
+        run_vertex_shader(draw->pipeline, &input, &output);
+        outcodes = lanes_i_or(outcodes, store_vertices(draw, &output, slot));
+    }
+    lanes_i_store(outcode, outcodes);
+    GN_EACH_LANE (l)
+        all |= (uint32_t)outcode[l];
+    return all;
+}
+
+#endif

@@ -1,0 +1,221 @@
+/* One task's work on triangles whose vertices are shaded: assembled, culled and clipped
+ * into a list, which is set up and drawn when it is full, or kept. */
+#ifndef GN_DRAW_WORKER_H
+#define GN_DRAW_WORKER_H
+
+#include "../geometry/assemble.h"
+#include "../geometry/clip.h"
+#include "../raster/coverage.h"
+#include "../raster/setup.h"
+#include "elements.h"
+
+typedef struct worker {
+    const draw_state *draw;
+    cull_state cull; /* with the task's part of the target */
+    bool is_quad;
+    bool keeps; /* lists are kept, in consecutive memory, rather than drawn */
+    triangle_list *list;
+    triangle_batch *batch;
+    clipper clipper;
+    uint32_t clip_vertices; /* offset of CLIP_SCRATCH vertices */
+    uint32_t clip_used;
+} worker;
+
+static inline void start_list(triangle_list *list)
+{
+    list->count = 0;
+    list->clipped = 0;
+}
+
+static worker make_worker(const draw_state *draw, uint32_t task)
+{
+    const uint32_t varyings = draw->pipeline->varying_count;
+    unsigned char *const scratch = task_scratch(draw, task);
+    worker w;
+
+    w.draw = draw;
+    w.cull = draw->cull;
+    w.is_quad = false;
+    w.keeps = false;
+    w.list = (triangle_list *)(void *)scratch;
+    w.batch = (triangle_batch *)(void *)(scratch + scratch_batch_offset());
+    w.clipper.pipeline = draw->pipeline;
+    w.clipper.viewport = &draw->viewport;
+    w.clipper.memory = draw->job->memory;
+    w.clipper.scratch = 0;
+    w.clipper.used = 0;
+    w.clip_vertices = (uint32_t)(scratch - draw->job->memory) + scratch_vertices_offset(varyings);
+    w.clip_used = 0;
+    start_list(w.list);
+    return w;
+}
+
+/* Sets up and draws the list, and starts it anew. */
+static void draw_list(worker *w)
+{
+    const draw_state *draw = w->draw;
+
+    if (w->list->count > 0) {
+        setup_triangles(draw->pipeline, &w->cull.target, draw->job->memory, w->list, w->batch);
+        for (uint32_t l = 0; l < w->list->count; ++l)
+            cover_triangle(&w->cull.target, w->batch, w->list, l, draw->shade_run, &draw->fragment);
+    }
+    start_list(w->list);
+}
+
+static inline void finish_if_full(worker *w)
+{
+    if (w->list->count < GN_LANES)
+        return;
+    if (w->keeps)
+        start_list(++w->list);
+    else
+        draw_list(w);
+}
+
+/* Adds a triangle that is to be clipped later, with the bounds of its pieces. */
+static void keep_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking,
+                          const cull_result *pieces)
+{
+    triangle_list *const list = w->list;
+    const uint32_t n = list->count++;
+    bool first = true;
+
+    for (int i = 0; i < 3; ++i)
+        list->vertex[i][n] = vertex[i];
+    list->provoking[n] = provoking;
+    list->clipped |= 1u << n;
+    for (uint32_t l = 0; l < GN_LANES; ++l) {
+        if (!(pieces->drawn >> l & 1u))
+            continue;
+        for (int b = 0; b < BOUNDS_COUNT; ++b) {
+            const int32_t one = pieces->bounds[b][l];
+            int32_t *const all = &list->bounds[b][n];
+            const bool wider = b < BOUNDS_MAX_X ? one < *all : one > *all;
+            if (first || wider)
+                *all = one;
+        }
+        first = false;
+    }
+    finish_if_full(w);
+}
+
+/* Clips a triangle and adds what is left of it. */
+static void add_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking)
+{
+    unsigned char *const memory = w->draw->job->memory;
+    triangle_group pieces;
+    cull_result result;
+    uint32_t planes = 0;
+
+    /* What the list's triangles use of the new vertices must last until it is drawn. */
+    if (!w->keeps && w->clip_used + CLIP_MAX_VERTICES > CLIP_SCRATCH)
+        draw_list(w);
+    if (w->keeps || w->list->count == 0)
+        w->clip_used = 0;
+    w->clipper.scratch = w->clip_vertices + w->clip_used * w->draw->stride;
+    for (int i = 0; i < 3; ++i)
+        planes |= vertex_at(memory, vertex[i])->outcode;
+    clip_triangle(&w->clipper, planes, vertex, &pieces);
+    w->clip_used += w->clipper.used;
+    if (pieces.count == 0)
+        return;
+
+    cull_triangles(&w->cull, memory, &pieces, &result);
+    if (w->keeps && result.drawn) {
+        keep_crossing(w, vertex, provoking, &result);
+        return;
+    }
+    for (uint32_t l = 0; l < pieces.count; ++l) {
+        if (result.drawn >> l & 1u) {
+            append_triangle(&w->cull, &pieces, &result, l, provoking, w->list);
+            finish_if_full(w);
+        }
+    }
+}
+
+static inline void add_group(worker *w, const triangle_group *group)
+{
+    const uint32_t *const provoking = group->vertex[w->cull.provoking_first ? 0 : 2];
+    cull_result result;
+
+    cull_triangles(&w->cull, w->draw->job->memory, group, &result);
+    for (uint32_t bits = result.drawn | result.crossing, l = 0; bits; bits >>= 1, ++l) {
+        if (!(bits & 1u))
+            continue;
+        if (result.crossing >> l & 1u) {
+            const uint32_t vertex[3] = {group->vertex[0][l], group->vertex[1][l],
+                                        group->vertex[2][l]};
+            add_crossing(w, vertex, provoking[l]);
+        } else {
+            append_triangle(&w->cull, group, &result, l, provoking[l], w->list);
+            finish_if_full(w);
+        }
+    }
+}
+
+/* Where the vertices of up to sixteen triangles from `first` on are kept. Gives how many. */
+static inline uint32_t locate_group(const draw_state *draw, uint32_t first, uint32_t count,
+                                    uint32_t offset[ASSEMBLE_MAX_ELEMENTS])
+{
+    const gn_topology topology = draw->pipeline->topology;
+    const uint32_t elements = element_count(topology, count);
+
+    locate_elements(draw, first_element(topology, first), elements, offset);
+    return elements;
+}
+
+/* Adds triangles first to first + count - 1. */
+static void add_triangles(worker *w, uint32_t first, uint32_t count)
+{
+    uint32_t offset[ASSEMBLE_MAX_ELEMENTS];
+    triangle_group group;
+
+    for (uint32_t done = 0; done < count; done += group.count) {
+        group.count = count - done < GN_LANES ? count - done : GN_LANES;
+        locate_group(w->draw, first + done, group.count, offset);
+        assemble_triangles(w->draw->pipeline->topology, w->cull.provoking_first, w->is_quad,
+                           first + done, offset, &group);
+        add_group(w, &group);
+    }
+}
+
+static bool has_flat_varying(const gn_pipeline *pipeline)
+{
+    for (uint32_t n = 0; n < pipeline->varying_count; ++n) {
+        if (pipeline->interpolation[n] == GN_FLAT)
+            return true;
+    }
+    return false;
+}
+
+/* What depends on the outcodes of all vertices of a segment: culling (cull_unsnapped), and
+ * that a fan of four vertices without indices, none clipped, is taken as a quad, which can
+ * show only where the first vertex would provoke and nothing is flat. */
+static void resolve_segment(worker *w, uint32_t outcodes)
+{
+    const gn_pipeline *p = w->draw->pipeline;
+
+    w->cull.asks_unsnapped = outcodes != 0 && p->cull != GN_CULL_NONE;
+    w->is_quad = outcodes == 0 && w->draw->mesh->count == 4 &&
+                 w->draw->mesh->index_format == GN_INDEX_NONE && p->topology == GN_TRIANGLE_FAN &&
+                 p->provoking_vertex == GN_PROVOKING_FIRST && !has_flat_varying(p);
+}
+
+/* The union of outcodes over triangles first to first + count - 1, whose vertices are
+ * shaded. */
+static uint32_t segment_outcodes(const draw_state *draw, uint32_t first, uint32_t count)
+{
+    uint32_t offset[ASSEMBLE_MAX_ELEMENTS];
+    uint32_t outcodes = 0;
+
+    for (uint32_t done = 0, part; done < count; done += part) {
+        part = count - done < GN_LANES ? count - done : GN_LANES;
+        const uint32_t elements = locate_group(draw, first + done, part, offset);
+        for (uint32_t i = 0; i < elements; ++i)
+            outcodes |= vertex_at(draw->job->memory, offset[i])->outcode;
+    }
+    return outcodes;
+}
+
+#endif

@@ -1,0 +1,204 @@
+/* Culling, sixteen triangles at a time: winding, the bounds in pixels, and what cannot be
+ * seen is out before anything else is computed. Decided on snapped coordinates in
+ * integers, which is exact. */
+#ifndef GN_RASTER_CULL_H
+#define GN_RASTER_CULL_H
+
+#include "types.h"
+
+#include "../lanes/lanes.h"
+
+/* What culling needs of a draw. */
+typedef struct cull_state {
+    pixel_rectangle target;
+    bool drop_clockwise, drop_counter_clockwise;
+    bool front_clockwise;
+    bool provoking_first;
+    bool asks_unsnapped; /* cull_unsnapped */
+} cull_state;
+
+/* Of sixteen triangles, bit by bit: those to draw, those of them that are clockwise and
+ * those that cross the boundary of the view volume, which are yet to be clipped and of
+ * which nothing else is known. */
+typedef struct cull_result {
+    uint32_t drawn, clockwise, crossing;
+    int32_t bounds[BOUNDS_COUNT][GN_LANES];
+} cull_result;
+
+static inline cull_state cull_state_of(const gn_pipeline *p, uint32_t width, uint32_t height)
+{
+    const bool front_clockwise = p->front_face == GN_FRONT_CLOCKWISE;
+    const bool drop_back = p->cull == GN_CULL_BACK || p->cull == GN_CULL_FRONT_AND_BACK;
+    const bool drop_front = p->cull == GN_CULL_FRONT || p->cull == GN_CULL_FRONT_AND_BACK;
+    cull_state s;
+
+    s.target.min_x = 0;
+    s.target.min_y = 0;
+    s.target.max_x = (int32_t)width - 1;
+    s.target.max_y = (int32_t)height - 1;
+    s.front_clockwise = front_clockwise;
+    s.drop_clockwise = front_clockwise ? drop_front : drop_back;
+    s.drop_counter_clockwise = front_clockwise ? drop_back : drop_front;
+    s.provoking_first = p->provoking_vertex == GN_PROVOKING_FIRST;
+    s.asks_unsnapped = false;
+    return s;
+}
+
+/* A row of four words of sixteen vertices, as structure of arrays. */
+static inline void gather_row(const unsigned char *memory, const uint32_t vertex[GN_LANES],
+                              uint32_t row, lanes_i out[4])
+{
+    lanes_i_gather_rows(memory + row, vertex, out);
+}
+
+/* Twice the signed areas' signs in integers: exact, and where the extents are small in 32
+ * bits. y points up and differences of y are negated, so that a positive area is a
+ * clockwise triangle. */
+static inline lanes_i area_signs(const lanes_i x[3], const lanes_i y[3], uint32_t large)
+{
+    const lanes_i area = lanes_i_sub(lanes_i_mul(lanes_i_sub(x[0], x[1]), lanes_i_sub(y[2], y[0])),
+                                     lanes_i_mul(lanes_i_sub(x[2], x[0]), lanes_i_sub(y[0], y[1])));
+    int32_t sign[GN_LANES], px[3][GN_LANES], py[3][GN_LANES];
+
+    if (!large)
+        return area;
+    lanes_i_store(sign, area);
+    for (int i = 0; i < 3; ++i) {
+        lanes_i_store(px[i], x[i]);
+        lanes_i_store(py[i], y[i]);
+    }
+    GN_EACH_LANE (l) {
+        if (large >> l & 1u) {
+            const int64_t exact = ((int64_t)px[0][l] - px[1][l]) * ((int64_t)py[2][l] - py[0][l]) -
+                                  ((int64_t)px[2][l] - px[0][l]) * ((int64_t)py[0][l] - py[1][l]);
+            sign[l] = (exact > 0) - (exact < 0);
+        }
+    }
+    return lanes_i_load(sign);
+}
+
+/* The reference culls a second time, by the area of the unsnapped window coordinates,
+ * where a segment of a draw has vertices outside the view volume; the two disagree on
+ * slivers. No area counts as back-facing. Bits of those that stay. */
+GN_OUT_OF_LINE uint32_t cull_unsnapped(const cull_state *state, const unsigned char *memory,
+                                       const triangle_group *group)
+{
+    lanes_f x[3], y[3];
+
+    for (int i = 0; i < 3; ++i) {
+        lanes_i row[4];
+        gather_row(memory, group->vertex[i], VERTEX_WINDOW, row);
+        x[i] = lanes_as_float(row[0]);
+        y[i] = lanes_as_float(row[1]);
+    }
+    const lanes_f area = lanes_sub(lanes_mul(lanes_sub(x[0], x[2]), lanes_sub(y[1], y[2])),
+                                   lanes_mul(lanes_sub(y[0], y[2]), lanes_sub(x[1], x[2])));
+    const lanes_i magnitude = lanes_i_and(lanes_as_int(area), lanes_i_splat(INT32_MAX));
+    const uint32_t none = lanes_bits(lanes_i_equal(magnitude, lanes_i_splat(0)));
+    const uint32_t negative = lanes_bits(lanes_greater(lanes_splat(0.0f), area));
+    const uint32_t clockwise = state->front_clockwise ? negative : negative | none;
+
+    return (state->drop_clockwise ? 0 : clockwise) |
+           (state->drop_counter_clockwise ? 0 : ~clockwise);
+}
+
+static inline lanes_i least_of(const lanes_i a[3])
+{
+    return lanes_i_min(lanes_i_min(a[0], a[1]), a[2]);
+}
+
+static inline lanes_i greatest_of(const lanes_i a[3])
+{
+    return lanes_i_max(lanes_i_max(a[0], a[1]), a[2]);
+}
+
+/* Pixels whose centre (256 * p in snapped coordinates) lies between the extremes, and in
+ * the target. Gives the bits of triangles with any. */
+static inline uint32_t find_bounds(const pixel_rectangle *target, lanes_i min_x, lanes_i min_y,
+                                   lanes_i max_x, lanes_i max_y,
+                                   int32_t bounds[BOUNDS_COUNT][GN_LANES])
+{
+    const lanes_i up = lanes_i_splat(255);
+
+    min_x = lanes_i_shift_right(lanes_i_add(min_x, up), 8);
+    min_y = lanes_i_shift_right(lanes_i_add(min_y, up), 8);
+    max_x = lanes_i_shift_right(max_x, 8);
+    max_y = lanes_i_shift_right(max_y, 8);
+    min_x = lanes_i_max(min_x, lanes_i_splat(target->min_x));
+    min_y = lanes_i_max(min_y, lanes_i_splat(target->min_y));
+    max_x = lanes_i_min(max_x, lanes_i_splat(target->max_x));
+    max_y = lanes_i_min(max_y, lanes_i_splat(target->max_y));
+    lanes_i_store(bounds[BOUNDS_MIN_X], min_x);
+    lanes_i_store(bounds[BOUNDS_MIN_Y], min_y);
+    lanes_i_store(bounds[BOUNDS_MAX_X], max_x);
+    lanes_i_store(bounds[BOUNDS_MAX_Y], max_y);
+    return ~lanes_bits(lanes_i_greater(min_x, max_x)) & ~lanes_bits(lanes_i_greater(min_y, max_y));
+}
+
+static inline void cull_triangles(const cull_state *state, const unsigned char *memory,
+                                  const triangle_group *group, cull_result *result)
+{
+    const uint32_t lanes = GN_ALL_LANES >> (GN_LANES - group->count);
+    lanes_i row[3][4], x[3], y[3];
+
+    for (int i = 0; i < 3; ++i) {
+        gather_row(memory, group->vertex[i], VERTEX_SNAPPED, row[i]);
+        x[i] = row[i][0];
+        y[i] = row[i][1];
+    }
+    const lanes_i zero = lanes_i_splat(0);
+    const lanes_i all_out = lanes_i_and(lanes_i_and(row[0][2], row[1][2]), row[2][2]);
+    const lanes_i any_out = lanes_i_or(lanes_i_or(row[0][2], row[1][2]), row[2][2]);
+    const uint32_t visible = lanes & lanes_bits(lanes_i_equal(all_out, zero));
+    const uint32_t inside = lanes_bits(lanes_i_equal(any_out, zero));
+
+    result->crossing = visible & ~inside;
+
+    const lanes_i min_x = least_of(x);
+    const lanes_i min_y = least_of(y);
+    const lanes_i max_x = greatest_of(x);
+    const lanes_i max_y = greatest_of(y);
+    const lanes_i limit = lanes_i_splat(SNAPPED_LIMIT);
+    const lanes_i least = lanes_i_min(min_x, min_y);
+    const lanes_i greatest = lanes_i_max(max_x, max_y);
+    const uint32_t beyond = lanes_bits(lanes_i_greater(greatest, limit)) |
+                            lanes_bits(lanes_i_greater(lanes_i_splat(-SNAPPED_LIMIT), least));
+    uint32_t drawn = visible & inside & ~beyond;
+
+    drawn &= find_bounds(&state->target, min_x, min_y, max_x, max_y, result->bounds);
+
+    const lanes_i extent = lanes_i_max(lanes_i_sub(max_x, min_x), lanes_i_sub(max_y, min_y));
+    const uint32_t large = lanes_bits(lanes_i_greater(extent, lanes_i_splat(SMALL_EXTENT - 1)));
+    const lanes_i area = area_signs(x, y, large & drawn);
+
+    result->clockwise = lanes_bits(lanes_i_greater(area, zero));
+    drawn &= ~lanes_bits(lanes_i_equal(area, zero));
+    if (state->drop_clockwise)
+        drawn &= ~result->clockwise;
+    if (state->drop_counter_clockwise)
+        drawn &= result->clockwise;
+    if (state->asks_unsnapped && drawn)
+        drawn &= cull_unsnapped(state, memory, group);
+    result->drawn = drawn;
+}
+
+/* Adds the triangle in a lane of a group to a list that has room. Inside is to one side of
+ * every edge only in one winding; the provoking vertex keeps its place. */
+static inline void append_triangle(const cull_state *state, const triangle_group *group,
+                                   const cull_result *result, uint32_t lane, uint32_t provoking,
+                                   triangle_list *list)
+{
+    const uint32_t n = list->count++;
+    const uint32_t reversed = ~result->clockwise >> lane & 1u;
+    const uint32_t a = state->provoking_first ? 1 : 0;
+    const uint32_t kept = state->provoking_first ? 0 : 2;
+
+    list->vertex[kept][n] = group->vertex[kept][lane];
+    list->vertex[a][n] = group->vertex[a + reversed][lane];
+    list->vertex[a + 1][n] = group->vertex[a + 1 - reversed][lane];
+    list->provoking[n] = provoking;
+    for (int b = 0; b < BOUNDS_COUNT; ++b)
+        list->bounds[b][n] = result->bounds[b][lane];
+}
+
+#endif
