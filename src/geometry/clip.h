@@ -37,7 +37,8 @@ static float plane_distance(const stored_vertex *v, uint32_t plane)
 
 /* The parameter of the new vertex between `from` and `to` in window x (or y where
  * the clip x agree): noperspective varyings are linear there. */
-static float window_parameter(const stored_vertex *from, const stored_vertex *to, const stored_vertex *made, float t)
+static float window_parameter(const stored_vertex *from, const stored_vertex *to,
+                              const stored_vertex *made, float t)
 {
     for (int c = 0; c < 2; ++c) {
         if (to->clip[c] != from->clip[c]) {

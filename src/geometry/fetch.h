@@ -24,8 +24,34 @@ static inline void fetch_defaults(const gn_mesh *mesh,
     }
 }
 
+/* Whether rows of four words from each of the vertices lie in the attribute's array, and
+ * its offsets fit 32 bits: all but the last vertices of shorter attributes. */
+static inline bool has_whole_rows(const gn_attribute *source, size_t stride, uint32_t vertex_count,
+                                  const uint32_t vertex[GN_LANES])
+{
+    const uint64_t end = (uint64_t)(vertex_count - 1) * stride + source->components;
+    uint32_t last = 0;
+
+    GN_EACH_LANE (l)
+        last = vertex[l] > last ? vertex[l] : last;
+    return end <= UINT32_MAX / sizeof(float) && (uint64_t)last * stride + 4 <= end;
+}
+
+static inline void fetch_rows(const gn_attribute *source, size_t stride,
+                              const uint32_t vertex[GN_LANES], float out[4][GN_LANES])
+{
+    uint32_t offset[GN_LANES];
+    lanes_i row[4];
+
+    GN_EACH_LANE (l)
+        offset[l] = vertex[l] * (uint32_t)(stride * sizeof(float));
+    lanes_i_gather_rows((const unsigned char *)source->data, offset, row);
+    for (uint32_t c = 0; c < source->components; ++c)
+        lanes_store(out[c], lanes_as_float(row[c]));
+}
+
 /* Sixteen vertices' attributes, as far as the arrays have them. */
-static inline void fetch_attributes(const gn_mesh *mesh, const uint32_t vertex_id[GN_LANES],
+static inline void fetch_attributes(const gn_mesh *mesh, const uint32_t vertex[GN_LANES],
                                     float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
 {
     for (uint32_t a = 0; a < GN_MAX_ATTRIBUTES; ++a) {
@@ -33,9 +59,15 @@ static inline void fetch_attributes(const gn_mesh *mesh, const uint32_t vertex_i
         const uint32_t components = array_components(source);
         const size_t stride = source->stride ? source->stride / sizeof(float) : components;
 
+        if (components == 0)
+            continue;
+        if (has_whole_rows(source, stride, mesh->vertex_count, vertex)) {
+            fetch_rows(source, stride, vertex, attribute[a]);
+            continue;
+        }
         for (uint32_t c = 0; c < components; ++c) {
             GN_EACH_LANE (l)
-                attribute[a][c][l] = source->data[vertex_id[l] * stride + c];
+                attribute[a][c][l] = source->data[vertex[l] * stride + c];
         }
     }
 }

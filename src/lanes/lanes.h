@@ -4,13 +4,17 @@
  *
  *   load store splat              memory and constants
  *   columns rows plane            the terms of a plane over a block
- *   add sub mul div min max       one IEEE operation a lane; min and max give their
+ *   add sub mul div sqrt min max  one IEEE operation a lane; min and max give their
  *                                 second operand where either is NaN
- *   greater and not select        masks, and bits and sign_bits of them
+ *   greater less_equal and not    masks, and bits and sign_bits of them
+ *   select
  *   from_bits m_as_int
- *   truncate round floor          to integers; to_float and as_int back and across
- *   i_add i_or i_and i_greater    integers, which wrap around
- *   i_equal i_select i_clamp
+ *   truncate round floor          to integers; to_float, as_int, as_float back and across
+ *   i_add i_sub i_mul i_or i_and  integers, which wrap around
+ *   i_shift_left i_shift_right
+ *   i_min i_max i_clamp i_select
+ *   i_greater i_equal
+ *   i_gather_rows i_scatter_rows  rows of four words, one a lane, and four lanes_i
  *   pack_unorm8                   colours
  *   load_block store_block        the 4x4 lanes of a block in rows of memory
  *

@@ -83,6 +83,11 @@ static inline lanes_f lanes_div(lanes_f a, lanes_f b)
     LANES_EACH_REGISTER(lanes_f, _mm256_div_ps(a.q[n], b.q[n]));
 }
 
+static inline lanes_f lanes_sqrt(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm256_sqrt_ps(a.q[n]));
+}
+
 static inline lanes_m lanes_greater(lanes_f a, lanes_f b)
 {
     LANES_EACH_REGISTER(lanes_m, _mm256_castps_si256(_mm256_cmp_ps(a.q[n], b.q[n], _CMP_GT_OQ)));

@@ -4,6 +4,8 @@
 #ifndef GN_LANES_LANES_PORTABLE_H
 #define GN_LANES_LANES_PORTABLE_H
 
+#include "gnomon/scalar.h"
+
 #if (-1 >> 1) != -1
 #error "right shifts of negative numbers must round down"
 #endif
@@ -85,6 +87,14 @@ static inline lanes_f lanes_div(lanes_f a, lanes_f b)
 {
     GN_EACH_LANE (l)
         a.v[l] = a.v[l] / b.v[l];
+    return a;
+}
+
+/* Correctly rounded; some NaN where a is negative or NaN. */
+static inline lanes_f lanes_sqrt(lanes_f a)
+{
+    GN_EACH_LANE (l)
+        a.v[l] = gn_sqrt(a.v[l]);
     return a;
 }
 

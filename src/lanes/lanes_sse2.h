@@ -90,6 +90,11 @@ static inline lanes_f lanes_div(lanes_f a, lanes_f b)
     LANES_EACH_REGISTER(lanes_f, _mm_div_ps(a.q[n], b.q[n]));
 }
 
+static inline lanes_f lanes_sqrt(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm_sqrt_ps(a.q[n]));
+}
+
 static inline lanes_m lanes_greater(lanes_f a, lanes_f b)
 {
     LANES_EACH_REGISTER(lanes_m, _mm_castps_si128(_mm_cmplt_ps(b.q[n], a.q[n])));

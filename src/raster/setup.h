@@ -116,7 +116,8 @@ static inline void make_flat_plane(const unsigned char *memory, const triangle_l
 {
     GN_EACH_LANE (l) {
         const uint32_t lane = (uint32_t)l < list->count ? (uint32_t)l : 0;
-        const stored_vertex *v = (const stored_vertex *)(const void *)(memory + list->provoking[lane]);
+        const stored_vertex *v =
+            (const stored_vertex *)(const void *)(memory + list->provoking[lane]);
 
         plane[PLANE_ORIGIN][l] = v->varying[varying];
         plane[PLANE_PER_X][l] = 0.0f;

@@ -47,6 +47,21 @@ static inline void shade_vertex_color(const void *uniforms, const gn_vertex_inpu
     copy_color(input->attribute[GN_ATTRIBUTE_COLOR], &output->varying[VARYING_RED]);
 }
 
+/* a[0]*x + a[1]*y + a[2]*z, from left to right. */
+static inline lanes_f sum_of_products(float a0, lanes_f x, float a1, lanes_f y, float a2, lanes_f z)
+{
+    return lanes_add(lanes_add(lanes_mul(lanes_splat(a0), x), lanes_mul(lanes_splat(a1), y)),
+                     lanes_mul(lanes_splat(a2), z));
+}
+
+static inline void light_channel(const float color[GN_LANES], float ambient, float diffuse,
+                                 lanes_f lit, float out[GN_LANES])
+{
+    const lanes_f light = lanes_add(lanes_splat(ambient), lanes_mul(lanes_splat(diffuse), lit));
+
+    lanes_store(out, lanes_mul(lanes_load(color), light));
+}
+
 static inline void shade_lit(const void *uniforms, const gn_vertex_input *input,
                              gn_vertex_output *output)
 {
@@ -54,27 +69,30 @@ static inline void shade_lit(const void *uniforms, const gn_vertex_input *input,
     const float(*normal)[GN_LANES] = input->attribute[GN_ATTRIBUTE_NORMAL];
     const float(*color)[GN_LANES] = input->attribute[GN_ATTRIBUTE_COLOR];
     const gn_mat3 *m = &u->normal_matrix;
+    const gn_vec3 *light = &u->light_direction;
+    lanes_f n[3];
 
     transform_position(&u->clip_from_model, input->attribute[GN_ATTRIBUTE_POSITION],
                        output->position);
-    GN_EACH_LANE (l) {
-        const float x = normal[0][l];
-        const float y = normal[1][l];
-        const float z = normal[2][l];
-        const float nx = (m->m[0][0] * x + m->m[1][0] * y) + m->m[2][0] * z;
-        const float ny = (m->m[0][1] * x + m->m[1][1] * y) + m->m[2][1] * z;
-        const float nz = (m->m[0][2] * x + m->m[1][2] * y) + m->m[2][2] * z;
-        const float scale = 1.0f / gn_sqrt((nz * nz + ny * ny) + nx * nx);
-        const float cosine =
-            (nz * scale * u->light_direction.z + ny * scale * u->light_direction.y) +
-            nx * scale * u->light_direction.x;
-        const float lit = cosine > 0.0f ? cosine : 0.0f;
+    for (int row = 0; row < 3; ++row)
+        n[row] = sum_of_products(m->m[0][row], lanes_load(normal[0]), m->m[1][row],
+                                 lanes_load(normal[1]), m->m[2][row], lanes_load(normal[2]));
 
-        output->varying[0][l] = color[0][l] * (u->ambient.x + u->diffuse.x * lit);
-        output->varying[1][l] = color[1][l] * (u->ambient.y + u->diffuse.y * lit);
-        output->varying[2][l] = color[2][l] * (u->ambient.z + u->diffuse.z * lit);
+    /* z first, as the reference sums dot products. */
+    const lanes_f squared =
+        lanes_add(lanes_add(lanes_mul(n[2], n[2]), lanes_mul(n[1], n[1])), lanes_mul(n[0], n[0]));
+    const lanes_f scale = lanes_div(lanes_splat(1.0f), lanes_sqrt(squared));
+    const lanes_f cosine =
+        sum_of_products(light->z, lanes_mul(n[2], scale), light->y, lanes_mul(n[1], scale),
+                        light->x, lanes_mul(n[0], scale));
+    const lanes_f zero = lanes_splat(0.0f);
+    const lanes_f lit = lanes_select(lanes_greater(cosine, zero), cosine, zero);
+
+    light_channel(color[0], u->ambient.x, u->diffuse.x, lit, output->varying[0]);
+    light_channel(color[1], u->ambient.y, u->diffuse.y, lit, output->varying[1]);
+    light_channel(color[2], u->ambient.z, u->diffuse.z, lit, output->varying[2]);
+    GN_EACH_LANE (l)
         output->varying[3][l] = color[3][l];
-    }
 }
 
 static inline void shade_lit_textured(const void *uniforms, const gn_vertex_input *input,
