@@ -202,9 +202,9 @@ static void add_list(worker *w, const triangle_list *from)
                              lanes_bits(lanes_i_greater(lanes_i_splat(part->min_y), max_y));
     uint32_t bits = ~outside & (GN_ALL_LANES >> (GN_LANES - from->count));
 
-    for (uint32_t l = 0; bits; bits >>= 1, ++l) {
-        if (!(bits & 1u))
-            continue;
+    for (; bits; bits &= bits - 1) {
+        const uint32_t l = first_lane(bits);
+
         if (from->clipped >> l & 1u) {
             const uint32_t vertex[3] = {from->vertex[0][l], from->vertex[1][l], from->vertex[2][l]};
             add_crossing(w, vertex, from->provoking[l]);

@@ -85,9 +85,9 @@ static void keep_crossing(worker *w, const uint32_t vertex[3], uint32_t provokin
         list->vertex[i][n] = vertex[i];
     list->provoking[n] = provoking;
     list->clipped |= 1u << n;
-    for (uint32_t l = 0; l < GN_LANES; ++l) {
-        if (!(pieces->drawn >> l & 1u))
-            continue;
+    for (uint32_t bits = pieces->drawn; bits; bits &= bits - 1) {
+        const uint32_t l = first_lane(bits);
+
         for (int b = 0; b < BOUNDS_COUNT; ++b) {
             const int32_t one = pieces->bounds[b][l];
             int32_t *const all = &list->bounds[b][n];
@@ -126,29 +126,28 @@ static void add_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking
         keep_crossing(w, vertex, provoking, &result);
         return;
     }
-    for (uint32_t l = 0; l < pieces.count; ++l) {
-        if (result.drawn >> l & 1u) {
-            append_triangle(&w->cull, &pieces, &result, l, provoking, w->list);
-            finish_if_full(w);
-        }
+    for (uint32_t bits = result.drawn; bits; bits &= bits - 1) {
+        append_triangle(&w->cull, &pieces, &result, first_lane(bits), provoking, w->list);
+        finish_if_full(w);
     }
 }
 
 static inline void add_group(worker *w, const triangle_group *group)
 {
-    const uint32_t *const provoking = group->vertex[w->cull.provoking_first ? 0 : 2];
+    const uint32_t provoking_corner = w->cull.provoking_first ? 0 : 2;
     cull_result result;
 
     cull_triangles(&w->cull, w->draw->job->memory, group, &result);
-    for (uint32_t bits = result.drawn | result.crossing, l = 0; bits; bits >>= 1, ++l) {
-        if (!(bits & 1u))
-            continue;
+    for (uint32_t bits = result.drawn | result.crossing; bits; bits &= bits - 1) {
+        const uint32_t l = first_lane(bits);
+        const uint32_t provoking = group_vertex(group, provoking_corner, l);
+
         if (result.crossing >> l & 1u) {
-            const uint32_t vertex[3] = {group->vertex[0][l], group->vertex[1][l],
-                                        group->vertex[2][l]};
-            add_crossing(w, vertex, provoking[l]);
+            const uint32_t vertex[3] = {group_vertex(group, 0, l), group_vertex(group, 1, l),
+                                        group_vertex(group, 2, l)};
+            add_crossing(w, vertex, provoking);
         } else {
-            append_triangle(&w->cull, group, &result, l, provoking[l], w->list);
+            append_triangle(&w->cull, group, &result, l, provoking, w->list);
             finish_if_full(w);
         }
     }
@@ -168,7 +167,7 @@ static inline uint32_t locate_group(const draw_state *draw, uint32_t first, uint
 /* Adds triangles first to first + count - 1. */
 static void add_triangles(worker *w, uint32_t first, uint32_t count)
 {
-    uint32_t offset[ASSEMBLE_MAX_ELEMENTS];
+    uint32_t offset[ASSEMBLE_MAX_ELEMENTS] = {0};
     triangle_group group;
 
     for (uint32_t done = 0; done < count; done += group.count) {

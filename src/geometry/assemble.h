@@ -35,46 +35,39 @@ static inline uint32_t element_count(gn_topology topology, uint32_t count)
 #define ASSEMBLE_MAX_ELEMENTS (3 * GN_LANES)
 
 /* Assembles group->count triangles from `first` on. `element` holds the vertices of the
- * elements from first_element on, but for a fan the first is the draw's first one. Of a
- * fan taken as a quad the triangles are (0, i+1, i+2) whichever vertex provokes. */
+ * elements from first_element on, but for a fan the first is the draw's first one; all of
+ * its places hold vertices, and it must last as long as the group. Of a fan taken as a quad
+ * the triangles are (0, i+1, i+2) whichever vertex provokes. */
 static inline void assemble_triangles(gn_topology topology, bool provoking_first, bool is_quad,
-                                      uint32_t first, const uint32_t *element,
+                                      uint32_t first, const uint32_t element[ASSEMBLE_MAX_ELEMENTS],
                                       triangle_group *group)
 {
-    uint32_t *const a = group->vertex[0];
-    uint32_t *const b = group->vertex[1];
-    uint32_t *const c = group->vertex[2];
-    const uint32_t count = group->count;
+    uint32_t *const a = group->made[0];
+    uint32_t *const b = group->made[1];
+    uint32_t *const c = group->made[2];
+    const bool centre_first = is_quad || !provoking_first;
 
-    switch (topology) {
-    case GN_TRIANGLE_STRIP:
-        for (uint32_t l = 0; l < count; ++l) {
-            const uint32_t odd = (first + l) & 1;
+    if (topology == GN_TRIANGLES) {
+        group->step = 3;
+        for (int i = 0; i < 3; ++i)
+            group->corner[i] = element + i;
+        return;
+    }
+    group->step = 1;
+    for (int i = 0; i < 3; ++i)
+        group->corner[i] = group->made[i];
+    for (uint32_t l = 0; l < GN_LANES; ++l) {
+        const uint32_t odd = (first + l) & 1;
+
+        if (topology == GN_TRIANGLE_STRIP) {
             a[l] = element[provoking_first ? l : l + odd];
             b[l] = element[provoking_first ? l + 1 + odd : l + 1 - odd];
             c[l] = element[provoking_first ? l + 2 - odd : l + 2];
-        }
-        break;
-    case GN_TRIANGLE_FAN:
-        for (uint32_t l = 0; l < count; ++l) {
-            const bool centre_first = is_quad || !provoking_first;
+        } else {
             a[l] = element[centre_first ? 0 : l + 1];
             b[l] = element[centre_first ? l + 1 : l + 2];
             c[l] = element[centre_first ? l + 2 : 0];
         }
-        break;
-    default:
-        for (uint32_t l = 0; l < count; ++l) {
-            a[l] = element[3 * l];
-            b[l] = element[3 * l + 1];
-            c[l] = element[3 * l + 2];
-        }
-        break;
-    }
-    for (uint32_t l = count; l < GN_LANES; ++l) {
-        a[l] = a[0];
-        b[l] = b[0];
-        c[l] = c[0];
     }
 }
 

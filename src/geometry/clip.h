@@ -121,7 +121,7 @@ static void place_new_vertices(const clipper *c)
 
     GN_EACH_LANE (l)
         offset[l] = c->scratch + (uint32_t)l * stride + VERTEX_CLIP;
-    lanes_i_gather_rows(c->memory, offset, row);
+    lanes_i_gather_rows(c->memory, offset, 1, row);
     for (int n = 0; n < 4; ++n)
         clip[n] = lanes_as_float(row[n]);
     place_vertices(c->viewport, clip, c->memory + c->scratch, stride);
@@ -158,12 +158,15 @@ static inline void clip_triangle(clipper *c, uint32_t planes, const uint32_t tri
     /* A fan whose first polygon vertex takes the provoking vertex's place. */
     const bool first = c->pipeline->provoking_vertex == GN_PROVOKING_FIRST;
     out->count = in->count - 2;
+    out->step = 1;
+    for (int n = 0; n < 3; ++n)
+        out->corner[n] = out->made[n];
     for (uint32_t l = 0; l < GN_LANES; ++l) {
         const uint32_t n = l < out->count ? l + 2 : 2;
 
-        out->vertex[0][l] = in->vertex[first ? 0 : n - 1];
-        out->vertex[1][l] = in->vertex[first ? n - 1 : n];
-        out->vertex[2][l] = in->vertex[first ? n : 0];
+        out->made[0][l] = in->vertex[first ? 0 : n - 1];
+        out->made[1][l] = in->vertex[first ? n - 1 : n];
+        out->made[2][l] = in->vertex[first ? n : 0];
     }
 }
 

@@ -24,16 +24,13 @@ static inline void fetch_defaults(const gn_mesh *mesh,
     }
 }
 
-/* Whether rows of four words from each of the vertices lie in the attribute's array, and
- * its offsets fit 32 bits: all but the last vertices of shorter attributes. */
+/* Whether rows of four words from every vertex up to `last` lie in the attribute's array,
+ * and its offsets fit 32 bits: all but the last vertices of shorter attributes. */
 static inline bool has_whole_rows(const gn_attribute *source, size_t stride, uint32_t vertex_count,
-                                  const uint32_t vertex[GN_LANES])
+                                  uint32_t last)
 {
     const uint64_t end = (uint64_t)(vertex_count - 1) * stride + source->components;
-    uint32_t last = 0;
 
-    GN_EACH_LANE (l)
-        last = vertex[l] > last ? vertex[l] : last;
     return end <= UINT32_MAX / sizeof(float) && (uint64_t)last * stride + 4 <= end;
 }
 
@@ -45,7 +42,7 @@ static inline void fetch_rows(const gn_attribute *source, size_t stride,
 
     GN_EACH_LANE (l)
         offset[l] = vertex[l] * (uint32_t)(stride * sizeof(float));
-    lanes_i_gather_rows((const unsigned char *)source->data, offset, row);
+    lanes_i_gather_rows((const unsigned char *)source->data, offset, 1, row);
     for (uint32_t c = 0; c < source->components; ++c)
         lanes_store(out[c], lanes_as_float(row[c]));
 }
@@ -54,6 +51,10 @@ static inline void fetch_rows(const gn_attribute *source, size_t stride,
 static inline void fetch_attributes(const gn_mesh *mesh, const uint32_t vertex[GN_LANES],
                                     float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
 {
+    uint32_t last = 0;
+
+    GN_EACH_LANE (l)
+        last = vertex[l] > last ? vertex[l] : last;
     for (uint32_t a = 0; a < GN_MAX_ATTRIBUTES; ++a) {
         const gn_attribute *source = &mesh->attribute[a];
         const uint32_t components = array_components(source);
@@ -61,7 +62,7 @@ static inline void fetch_attributes(const gn_mesh *mesh, const uint32_t vertex[G
 
         if (components == 0)
             continue;
-        if (has_whole_rows(source, stride, mesh->vertex_count, vertex)) {
+        if (has_whole_rows(source, stride, mesh->vertex_count, last)) {
             fetch_rows(source, stride, vertex, attribute[a]);
             continue;
         }

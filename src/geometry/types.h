@@ -15,12 +15,20 @@ typedef struct viewport_transform {
     float translate[3];
 } viewport_transform;
 
-/* Up to sixteen triangles as offsets of their vertices, corner by corner, in the order
- * that decides the low bits of their attributes. Lanes beyond `count` repeat others. */
+/* Up to sixteen triangles as offsets of their vertices, in the order that decides the low
+ * bits of their attributes: corner[i][l * step] is vertex i of triangle l. Lanes beyond
+ * `count` hold offsets too. */
 typedef struct triangle_group {
-    uint32_t vertex[3][GN_LANES];
+    const uint32_t *corner[3];
+    uint32_t step; /* 1 or 3 */
     uint32_t count;
+    uint32_t made[3][GN_LANES]; /* what the corners point to where nothing else serves */
 } triangle_group;
+
+static inline uint32_t group_vertex(const triangle_group *group, uint32_t corner, uint32_t lane)
+{
+    return group->corner[corner][lane * group->step];
+}
 
 /* Clipping planes, in the order they are clipped against. Bit p of an outcode is
  * set where the vertex is outside plane p, a NaN counting as outside. */

@@ -58,6 +58,22 @@ typedef int32_t stored_word;
 /* All lanes set, as lanes_bits gives it. */
 #define GN_ALL_LANES 0xFFFFu
 
+/* The lowest lane of those set, of which there must be one. The builtin is an instruction
+ * on these targets; on others it may be a call. */
+static inline uint32_t first_lane(uint32_t bits)
+{
+#if defined(__GNUC__) &&                                                                           \
+    (defined(__x86_64__) || defined(__i386__) || defined(__aarch64__) || defined(__wasm__))
+    return (uint32_t)__builtin_ctz(bits);
+#else
+    uint32_t lane = 0;
+
+    while (!(bits >> lane & 1u))
+        ++lane;
+    return lane;
+#endif
+}
+
 #if defined(GN_LANES_AVX2)
 #include "lanes_avx2.h"
 #elif defined(__SSE2__) && !defined(GN_LANES_PORTABLE)

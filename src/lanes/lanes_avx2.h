@@ -306,10 +306,11 @@ static inline void lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, 
 }
 
 /* Rows l and l + 4 in the halves of a register. */
-static inline __m256 lanes_avx2_row_pair(const unsigned char *memory, const uint32_t *offset)
+static inline __m256 lanes_avx2_row_pair(const unsigned char *memory, const uint32_t *offset,
+                                         uint32_t step)
 {
     const __m128 low = _mm_loadu_ps((const float *)(const void *)(memory + offset[0]));
-    const __m128 high = _mm_loadu_ps((const float *)(const void *)(memory + offset[4]));
+    const __m128 high = _mm_loadu_ps((const float *)(const void *)(memory + offset[4 * step]));
 
     return _mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1);
 }
@@ -328,14 +329,14 @@ static inline void lanes_avx2_transpose(__m256 r[4])
     r[3] = _mm256_castpd_ps(_mm256_unpackhi_pd(b, d));
 }
 
-static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32_t offset[GN_LANES],
-                                       lanes_i out[4])
+static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32_t *offset,
+                                       uint32_t step, lanes_i out[4])
 {
     for (int n = 0; n < 2; ++n) {
         __m256 r[4];
 
         for (int l = 0; l < 4; ++l)
-            r[l] = lanes_avx2_row_pair(memory, offset + 8 * n + l);
+            r[l] = lanes_avx2_row_pair(memory, offset + (uint32_t)(8 * n + l) * step, step);
         lanes_avx2_transpose(r);
         for (int c = 0; c < 4; ++c)
             out[c].q[n] = _mm256_castps_si256(r[c]);

@@ -407,13 +407,14 @@ static inline void lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, 
         ((stored_word *)(void *)(memory + (l / 4) * stride))[l % 4] = a.v[l];
 }
 
-/* Sixteen rows of four words, each at an offset of its own: word c of row l is lane l of
+/* Sixteen rows of four words, row l at offset[l * step]: word c of row l is lane l of
  * out[c]. */
-static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32_t offset[GN_LANES],
-                                       lanes_i out[4])
+static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32_t *offset,
+                                       uint32_t step, lanes_i out[4])
 {
     GN_EACH_LANE (l) {
-        const stored_word *const row = (const stored_word *)(const void *)(memory + offset[l]);
+        const stored_word *const row =
+            (const stored_word *)(const void *)(memory + offset[(uint32_t)l * step]);
         for (int c = 0; c < 4; ++c)
             out[c].v[l] = row[c];
     }

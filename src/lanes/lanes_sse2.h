@@ -325,14 +325,15 @@ static inline void lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, 
 }
 
 /* Rows n * 4 to n * 4 + 3, transposed. */
-static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32_t offset[GN_LANES],
-                                       lanes_i out[4])
+static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32_t *offset,
+                                       uint32_t step, lanes_i out[4])
 {
     for (int n = 0; n < 4; ++n) {
         __m128 r[4];
 
         for (int l = 0; l < 4; ++l)
-            r[l] = _mm_loadu_ps((const float *)(const void *)(memory + offset[4 * n + l]));
+            r[l] = _mm_loadu_ps(
+                (const float *)(const void *)(memory + offset[(uint32_t)(4 * n + l) * step]));
         _MM_TRANSPOSE4_PS(r[0], r[1], r[2], r[3]);
         for (int c = 0; c < 4; ++c)
             out[c].q[n] = _mm_castps_si128(r[c]);

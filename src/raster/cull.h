@@ -44,11 +44,14 @@ static inline cull_state cull_state_of(const gn_pipeline *p, uint32_t width, uin
     return s;
 }
 
-/* A row of four words of sixteen vertices, as structure of arrays. */
-static inline void gather_row(const unsigned char *memory, const uint32_t vertex[GN_LANES],
-                              uint32_t row, lanes_i out[4])
+/* A row of four words of one corner of sixteen triangles, as structure of arrays. */
+static inline void gather_corner(const unsigned char *memory, const triangle_group *group,
+                                 int corner, uint32_t row, lanes_i out[4])
 {
-    lanes_i_gather_rows(memory + row, vertex, out);
+    if (group->step == 3)
+        lanes_i_gather_rows(memory + row, group->corner[corner], 3, out);
+    else
+        lanes_i_gather_rows(memory + row, group->corner[corner], 1, out);
 }
 
 /* Twice the signed areas' signs in integers: exact, and where the extents are small in 32
@@ -87,7 +90,7 @@ GN_OUT_OF_LINE uint32_t cull_unsnapped(const cull_state *state, const unsigned c
 
     for (int i = 0; i < 3; ++i) {
         lanes_i row[4];
-        gather_row(memory, group->vertex[i], VERTEX_WINDOW, row);
+        gather_corner(memory, group, i, VERTEX_WINDOW, row);
         x[i] = lanes_as_float(row[0]);
         y[i] = lanes_as_float(row[1]);
     }
@@ -142,7 +145,7 @@ static inline void cull_triangles(const cull_state *state, const unsigned char *
     lanes_i row[3][4], x[3], y[3];
 
     for (int i = 0; i < 3; ++i) {
-        gather_row(memory, group->vertex[i], VERTEX_SNAPPED, row[i]);
+        gather_corner(memory, group, i, VERTEX_SNAPPED, row[i]);
         x[i] = row[i][0];
         y[i] = row[i][1];
     }
@@ -193,9 +196,9 @@ static inline void append_triangle(const cull_state *state, const triangle_group
     const uint32_t a = state->provoking_first ? 1 : 0;
     const uint32_t kept = state->provoking_first ? 0 : 2;
 
-    list->vertex[kept][n] = group->vertex[kept][lane];
-    list->vertex[a][n] = group->vertex[a + reversed][lane];
-    list->vertex[a + 1][n] = group->vertex[a + 1 - reversed][lane];
+    list->vertex[kept][n] = group_vertex(group, kept, lane);
+    list->vertex[a][n] = group_vertex(group, a + reversed, lane);
+    list->vertex[a + 1][n] = group_vertex(group, a + 1 - reversed, lane);
     list->provoking[n] = provoking;
     for (int b = 0; b < BOUNDS_COUNT; ++b)
         list->bounds[b][n] = result->bounds[b][lane];

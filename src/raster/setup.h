@@ -37,7 +37,7 @@ static inline void setup_edges(const pixel_rectangle *target, const unsigned cha
 
     for (int i = 0; i < 3; ++i) {
         lanes_i row[4];
-        gather_row(memory, list->vertex[i], VERTEX_SNAPPED, row);
+        lanes_i_gather_rows(memory + VERTEX_SNAPPED, list->vertex[i], 1, row);
         x[i] = row[0];
         y[i] = row[1];
         lanes_i_store(batch->snapped[i][0], x[i]);
@@ -129,11 +129,12 @@ static inline void make_flat_plane(const unsigned char *memory, const triangle_l
 static inline void setup_planes(const gn_pipeline *pipeline, const unsigned char *memory,
                                 const triangle_list *list, triangle_batch *batch)
 {
+    const unsigned char *const varyings = memory + VERTEX_VARYING;
     lanes_i row[3][4];
     lanes_f x[3], y[3], z[3], w[3];
 
     for (int i = 0; i < 3; ++i) {
-        gather_row(memory, list->vertex[i], VERTEX_WINDOW, row[i]);
+        lanes_i_gather_rows(memory + VERTEX_WINDOW, list->vertex[i], 1, row[i]);
         x[i] = lanes_as_float(row[i][0]);
         y[i] = lanes_as_float(row[i][1]);
         z[i] = lanes_as_float(row[i][2]);
@@ -149,7 +150,7 @@ static inline void setup_planes(const gn_pipeline *pipeline, const unsigned char
 
         if (n % 4 == 0) {
             for (int i = 0; i < 3; ++i)
-                gather_row(memory, list->vertex[i], VERTEX_VARYING + n / 4 * VERTEX_ROW, row[i]);
+                lanes_i_gather_rows(varyings + n / 4 * VERTEX_ROW, list->vertex[i], 1, row[i]);
         }
         if (pipeline->interpolation[n] == GN_FLAT) {
             make_flat_plane(memory, list, n, plane);

@@ -17,16 +17,26 @@ enum { VARYING_RED, VARYING_ALPHA = 3, VARYING_S, VARYING_T, VARYING_END };
 
 typedef char shader_varyings_are_as_stated[VARYING_END == GN_SHADER_VARYINGS ? 1 : -1];
 
+/* a[0]*x + a[1]*y + a[2]*z, from left to right. */
+static inline lanes_f sum_of_products(float a0, lanes_f x, float a1, lanes_f y, float a2, lanes_f z)
+{
+    return lanes_add(lanes_add(lanes_mul(lanes_splat(a0), x), lanes_mul(lanes_splat(a1), y)),
+                     lanes_mul(lanes_splat(a2), z));
+}
+
 /* column[0]*x + column[1]*y + column[2]*z + column[3]*w, from left to right. */
 static inline void transform_position(const gn_mat4 *m, const float (*p)[GN_LANES],
                                       float (*out)[GN_LANES])
 {
-    for (int row = 0; row < 4; ++row) {
-        GN_EACH_LANE (l)
-            out[row][l] =
-                ((m->m[0][row] * p[0][l] + m->m[1][row] * p[1][l]) + m->m[2][row] * p[2][l]) +
-                m->m[3][row] * p[3][l];
-    }
+    const lanes_f x = lanes_load(p[0]);
+    const lanes_f y = lanes_load(p[1]);
+    const lanes_f z = lanes_load(p[2]);
+    const lanes_f w = lanes_load(p[3]);
+
+    for (int row = 0; row < 4; ++row)
+        lanes_store(out[row],
+                    lanes_add(sum_of_products(m->m[0][row], x, m->m[1][row], y, m->m[2][row], z),
+                              lanes_mul(lanes_splat(m->m[3][row]), w)));
 }
 
 static inline void copy_color(const float (*color)[GN_LANES], float (*out)[GN_LANES])
@@ -45,13 +55,6 @@ static inline void shade_vertex_color(const void *uniforms, const gn_vertex_inpu
     transform_position(&u->clip_from_model, input->attribute[GN_ATTRIBUTE_POSITION],
                        output->position);
     copy_color(input->attribute[GN_ATTRIBUTE_COLOR], &output->varying[VARYING_RED]);
-}
-
-/* a[0]*x + a[1]*y + a[2]*z, from left to right. */
-static inline lanes_f sum_of_products(float a0, lanes_f x, float a1, lanes_f y, float a2, lanes_f z)
-{
-    return lanes_add(lanes_add(lanes_mul(lanes_splat(a0), x), lanes_mul(lanes_splat(a1), y)),
-                     lanes_mul(lanes_splat(a2), z));
 }
 
 static inline void light_channel(const float color[GN_LANES], float ambient, float diffuse,
