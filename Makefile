@@ -22,6 +22,7 @@ LIBRARY_SOURCES = $(sort $(wildcard src/*/*.c))
 SCENE_SOURCES = $(sort $(wildcard reference/scene/*.c))
 OSMESA_SOURCES = $(sort $(wildcard reference/osmesa/*.c))
 COMMAND_SOURCES = $(sort $(wildcard tools/gnomon/*.c))
+THREADS_SOURCES = $(sort $(wildcard tools/threads/*.c))
 BENCH_SOURCES = $(sort $(wildcard tools/bench/*.c))
 PARITY_SOURCES = $(sort $(wildcard tests/parity/*.c))
 PROPERTY_SOURCES = $(sort $(wildcard tests/property/*.c))
@@ -107,8 +108,10 @@ $(BUILD)/theft-selftest: $(call objects,$(sort $(wildcard tests/theft/*.c)))
 
 UNIT_TESTS = $(patsubst tests/unit/%.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c))
 
+$(BUILD)/test_threads: $(call objects,$(THREADS_SOURCES))
+
 $(UNIT_TESTS): $(BUILD)/%: $(BUILD)/tests/unit/%.o $(BUILD)/libgnomon.a
-	$(LINK) -lcmocka -lm
+	$(LINK) -lcmocka -lm -pthread
 
 RUNNER = $(BUILD)/tests/tools/runner.o
 TOOL_TESTS = $(BUILD)/test_faults $(BUILD)/test_pictures $(BUILD)/test_comparison $(BUILD)/test_teapot
