@@ -92,8 +92,8 @@ $(BUILD)/gnomon: $(call objects,$(COMMAND_SOURCES)) $(REFERENCE_OBJECTS) $(BUILD
 $(BUILD)/bench: $(call objects,$(BENCH_SOURCES)) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
 	$(LINK) -lOSMesa -lm
 
-$(BUILD)/parity: $(call objects,$(PARITY_SOURCES)) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
-	$(LINK) -lOSMesa -lm
+$(BUILD)/parity: $(call objects,$(PARITY_SOURCES) $(THREADS_SOURCES)) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
+	$(LINK) -lOSMesa -lm -pthread
 
 $(BUILD)/exhaustive: $(call objects,$(EXHAUSTIVE_SOURCES)) $(BUILD)/libgnomon.a
 	$(LINK) -lmpfr -lm

@@ -109,6 +109,9 @@ scene *scene_read(FILE *in, char *error, size_t error_size);
 bool scene_frame_allocate(scene_frame *frame, const scene *s);
 void scene_frame_free(scene_frame *frame);
 
+/* The scalar varyings of the shader that has most of them, for sizing a workspace. */
+#define SCENE_VARYINGS GN_SHADER_VARYINGS
+
 /* Bytes of workspace with which every draw of the scene shades each vertex once. */
 size_t scene_workspace_size(const scene *s);
 

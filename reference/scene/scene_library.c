@@ -55,7 +55,7 @@ size_t scene_workspace_size(const scene *s)
             vertices = s->draws[i].mesh.vertex_count;
         }
     }
-    return gn_workspace_size(vertices, GN_SHADER_VARYINGS);
+    return gn_workspace_size(vertices, SCENE_VARYINGS);
 }
 
 gn_status scene_draw_to_target(const scene *s, const gn_target *target, gn_workspace *workspace)

@@ -1,22 +1,99 @@
-/* Drawing a scene on both sides and with several workspaces, and comparing. */
+/* Drawing a scene on both sides, with several workspaces, back ends and numbers of threads,
+ * and comparing. */
 #include "compare.h"
 
 #include <inttypes.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-/* The scene in a workspace of that size and on that back end, against `ours`. */
-static bool compare_variant(const scene *s, size_t workspace, gn_backend backend,
-                            comparison *result)
+bool compare_start(comparer *c)
+{
+    static const uint32_t threads[COMPARE_POOLS] = {1, 2, 3, 8};
+    for (int i = 0; i < COMPARE_POOLS; i++) {
+        c->pools[i] = thread_pool_create(threads[i]);
+        if (!c->pools[i])
+            return false;
+    }
+    return true;
+}
+
+void compare_stop(comparer *c)
+{
+    for (int i = 0; i < COMPARE_POOLS; i++)
+        thread_pool_destroy(c->pools[i]);
+}
+
+/* How a scene is drawn, where the pixels must not depend on it. */
+typedef struct variant {
+    size_t workspace; /* bytes; 0: scene_workspace_size */
+    gn_backend backend;
+    thread_pool *pool; /* null: the calling thread alone */
+} variant;
+
+/* The scene drawn that way, against `ours`; the first difference of several is kept. False
+ * where there is no memory. */
+static bool compare_variant(const scene *s, const variant *v, comparison *result,
+                            scene_difference *difference)
 {
     scene_frame frame;
-    if (!scene_frame_allocate(&frame, s))
-        return false;
-    result->status = scene_draw_library(s, &frame, workspace, backend);
-    if (result->status == GN_OK && result->workspace.pixels == 0)
-        result->workspace = scene_compare(s, &frame, &result->ours);
+    gn_workspace workspace = {0};
+    if (result->status != GN_OK)
+        return true;
+    workspace.size = v->workspace ? v->workspace : scene_workspace_size(s);
+    workspace.memory = malloc(workspace.size);
+    workspace.backend = v->backend;
+    workspace.parallel = v->pool ? thread_pool_run : NULL;
+    workspace.user = v->pool;
+    const bool allocated = scene_frame_allocate(&frame, s) && workspace.memory;
+    if (allocated)
+        result->status = scene_draw_in_workspace(s, &frame, &workspace);
+    if (allocated && result->status == GN_OK && difference->pixels == 0)
+        *difference = scene_compare(s, &frame, &result->ours);
+    free(workspace.memory);
     scene_frame_free(&frame);
-    return true;
+    return allocated;
+}
+
+/* A batch more, or any number of bytes: whole meshes, parts of them, or one by one. */
+static size_t odd_workspace(uint64_t number)
+{
+    return gn_workspace_size(0, SCENE_VARYINGS) + (size_t)(number * 619 % 20011);
+}
+
+static bool compare_workspaces(const comparer *c, const scene *s, uint64_t number,
+                               comparison *result)
+{
+    const variant least = {gn_workspace_size(0, SCENE_VARYINGS), GN_BACKEND_AUTO, NULL};
+    const variant odd = {odd_workspace(number), GN_BACKEND_AUTO, NULL};
+    bool allocated = true;
+    if (c->everything || number % 3 == 0)
+        allocated = compare_variant(s, &least, result, &result->workspace);
+    if (allocated && (c->everything || number % 3 == 1))
+        allocated = compare_variant(s, &odd, result, &result->workspace);
+    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; b++) {
+        const variant whole = {0, (gn_backend)b, NULL};
+        if (allocated && gn_backend_available((gn_backend)b))
+            allocated = compare_variant(s, &whole, result, &result->workspace);
+    }
+    return allocated;
+}
+
+/* One number of threads a scene; every fourth run of four scenes in an odd workspace, and
+ * runs of sixteen on the back ends in turn. */
+static bool compare_threads(const comparer *c, const scene *s, uint64_t number, comparison *result)
+{
+    const int backends = GN_BACKEND_COUNT - GN_BACKEND_PORTABLE;
+    const gn_backend turn =
+        (gn_backend)(GN_BACKEND_PORTABLE + (int)(number / 16 % (uint64_t)backends));
+    bool allocated = true;
+    for (uint64_t i = 0; i < COMPARE_POOLS; i++) {
+        const variant v = {number / COMPARE_POOLS % 4 == 3 ? odd_workspace(number) : 0,
+                           gn_backend_available(turn) ? turn : GN_BACKEND_AUTO, c->pools[i]};
+        if (allocated && (c->everything || i == number % COMPARE_POOLS))
+            allocated = compare_variant(s, &v, result, &result->threads);
+    }
+    return allocated;
 }
 
 /* Pixels of the reference that are not as a clear leaves them. */
@@ -40,22 +117,11 @@ bool compare_scene(const comparer *c, const scene *s, uint64_t number, compariso
     memset(result, 0, sizeof *result);
     bool allocated =
         scene_frame_allocate(&result->ours, s) && scene_frame_allocate(&result->theirs, s);
-    if (!allocated) {
-        snprintf(error, error_size, "no memory for a frame of %" PRIu32 "x%" PRIu32, s->width,
-                 s->height);
-        return false;
-    }
-    result->status = scene_draw_library(s, &result->ours, 0, GN_BACKEND_AUTO);
-    const size_t least = gn_workspace_size(0, GN_SHADER_VARYINGS);
-    /* A batch more, or any number of bytes: whole meshes, parts of them, or one by one. */
-    if (result->status == GN_OK && (c->small_workspaces || number % 3 == 0))
-        allocated = compare_variant(s, least, GN_BACKEND_AUTO, result);
-    if (result->status == GN_OK && allocated && (c->small_workspaces || number % 3 == 1))
+    if (allocated) {
+        result->status = scene_draw_library(s, &result->ours, 0, GN_BACKEND_AUTO);
         allocated =
-            compare_variant(s, least + (size_t)(number * 619 % 20011), GN_BACKEND_AUTO, result);
-    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; b++)
-        if (result->status == GN_OK && allocated && gn_backend_available((gn_backend)b))
-            allocated = compare_variant(s, 0, (gn_backend)b, result);
+            compare_workspaces(c, s, number, result) && compare_threads(c, s, number, result);
+    }
     if (!allocated) {
         snprintf(error, error_size, "no memory for a frame of %" PRIu32 "x%" PRIu32, s->width,
                  s->height);
@@ -77,13 +143,14 @@ void compare_free(comparison *result)
 
 bool compare_fails(const comparer *c, const comparison *result)
 {
-    return result->status != GN_OK || result->workspace.pixels > 0 ||
+    return result->status != GN_OK || result->workspace.pixels > 0 || result->threads.pixels > 0 ||
            (c->coverage_only ? result->reference.coverage_pixels : result->reference.pixels) > 0;
 }
 
 uint64_t compare_count(const comparison *result)
 {
-    return result->reference.pixels + result->workspace.pixels + (result->status != GN_OK);
+    return result->reference.pixels + result->workspace.pixels + result->threads.pixels +
+           (result->status != GN_OK);
 }
 
 static void print_pixel(const scene_frame *f, size_t i)

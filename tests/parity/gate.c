@@ -23,12 +23,12 @@ typedef struct options {
     uint64_t scenes, seed, first;
     scene_class only; /* CLASS_COUNT: all */
     const char *keep, *replay;
-    bool small_workspaces;
+    bool everything;
 } options;
 
 typedef struct totals {
     uint64_t scenes, failing_scenes, triangles, pixels, drawn;
-    uint64_t color, depth, coverage, workspace, faults, differ;
+    uint64_t color, depth, coverage, workspace, threads, faults, differ;
 } totals;
 
 typedef struct gate {
@@ -43,7 +43,7 @@ typedef struct gate {
 static void print_help(void)
 {
     printf("usage: parity [--scenes N] [--seed S] [--class NAME] [--first K] [--keep FILE]\n"
-           "              [--small-workspace]\n"
+           "              [--everything]\n"
            "       parity --replay FILE\n"
            "\n"
            "Draws random scenes with the library and with the pinned reference (OSMesa,\n"
@@ -56,8 +56,9 @@ static void print_help(void)
            "  --first K           from scene number K of each class on (0)\n"
            "  --keep FILE         where the smallest failing scene goes\n"
            "                      (" DEFAULT_KEEP ")\n"
-           "  --small-workspace   every scene also in the smallest workspace and in one between;\n"
-           "                      without it two of three scenes in one of them\n"
+           "  --everything        every scene in the smallest workspace, in one between, and with\n"
+           "                      1, 2, 3 and 8 threads; without it two of three scenes in one\n"
+           "                      of the two, and with one number of threads\n"
            "  --replay FILE       compares that scene and prints the differing pixels\n"
            "\n"
            "classes:",
@@ -86,8 +87,8 @@ static bool parse_options(int argc, char **argv, options *o)
     *o = (options){DEFAULT_SCENES, DEFAULT_SEED, 0, CLASS_COUNT, DEFAULT_KEEP, NULL, false};
     for (int i = 1; i < argc; i++) {
         const char *name = argv[i];
-        if (strcmp(name, "--small-workspace") == 0) {
-            o->small_workspaces = true;
+        if (strcmp(name, "--everything") == 0) {
+            o->everything = true;
             continue;
         }
         uint64_t *number = strcmp(name, "--scenes") == 0  ? &o->scenes
@@ -135,6 +136,8 @@ static void report_failure(scene_class c, uint64_t number, const comparison *r)
     else if (r->workspace.pixels > 0)
         fprintf(stderr, "%" PRIu64 " pixels depend on workspace or back end\n",
                 r->workspace.pixels);
+    else if (r->threads.pixels > 0)
+        fprintf(stderr, "%" PRIu64 " pixels depend on threads\n", r->threads.pixels);
     else
         fprintf(stderr,
                 "colour %" PRIu64 ", depth %" PRIu64 ", coverage %" PRIu64
@@ -154,6 +157,7 @@ static void add_totals(totals *sum, const totals *t)
     sum->depth += t->depth;
     sum->coverage += t->coverage;
     sum->workspace += t->workspace;
+    sum->threads += t->threads;
     sum->faults += t->faults;
     sum->differ += t->differ;
 }
@@ -168,6 +172,7 @@ static void count_scene(totals *t, const scene *s, const comparison *r)
     t->depth += r->reference.depth_pixels;
     t->coverage += r->reference.coverage_pixels;
     t->workspace += r->workspace.pixels;
+    t->threads += r->threads.pixels;
     t->faults += r->status != GN_OK;
     t->differ += compare_count(r);
 }
@@ -211,10 +216,11 @@ static void run_class(gate *g, scene_class c, uint64_t count)
     printf("%-14s %7" PRIu64 " %9" PRIu64 " %11" PRIu64 " %11" PRIu64 " %8" PRIu64 " %8" PRIu64
            "\n",
            scene_class_name(c), t.scenes, t.triangles, t.pixels, t.drawn, t.color, t.depth);
-    if (t.coverage + t.workspace + t.faults > 0)
+    if (t.coverage + t.workspace + t.threads + t.faults > 0)
         printf("  of %s: %" PRIu64 " differ in coverage, %" PRIu64
-               " depend on workspace or back end, %" PRIu64 " scenes were refused\n",
-               scene_class_name(c), t.coverage, t.workspace, t.faults);
+               " depend on workspace or back end, %" PRIu64 " on threads, %" PRIu64
+               " scenes were refused\n",
+               scene_class_name(c), t.coverage, t.workspace, t.threads, t.faults);
     if (t.scenes >= ENOUGH_SCENES && t.drawn == 0) {
         fprintf(stderr, "parity: %s drew on no pixel at all: nothing was tested\n",
                 scene_class_name(c));
@@ -230,7 +236,7 @@ static bool still_fails(const scene *s, void *context)
     char error[512];
     comparison r;
     comparer every = g->comparer;
-    every.small_workspaces = true;
+    every.everything = true;
     const bool fails =
         compare_scene(&every, s, 1, &r, error, sizeof error) && compare_fails(&every, &r);
     compare_free(&r);
@@ -299,7 +305,7 @@ static bool replay(const gate *g)
         return false;
     }
     comparer every = g->comparer;
-    every.small_workspaces = true;
+    every.everything = true;
     comparison r;
     bool passes = false;
     if (!compare_scene(&every, s, 1, &r, error, sizeof error)) {
@@ -311,10 +317,11 @@ static bool replay(const gate *g)
                s->width, s->height, s->draw_count, scene_triangle_count(s), r.drawn,
                gn_status_text(r.status));
         printf("%" PRIu64 " differ: colour %" PRIu64 " (at most %g), depth %" PRIu64
-               " (at most %g), coverage %" PRIu64 "; %" PRIu64 " depend on workspace or back end\n",
+               " (at most %g), coverage %" PRIu64 "; %" PRIu64
+               " depend on workspace or back end, %" PRIu64 " on threads\n",
                r.reference.pixels, r.reference.color_pixels, r.reference.color_largest,
                r.reference.depth_pixels, r.reference.depth_largest, r.reference.coverage_pixels,
-               r.workspace.pixels);
+               r.workspace.pixels, r.threads.pixels);
         if (r.reference.pixels > 0)
             compare_print_pixels(&r, 8);
     }
@@ -340,7 +347,11 @@ int main(int argc, char **argv)
         fprintf(stderr, "parity: no reference, so nothing can be proved: %s\n", error);
         return EXIT_FAILURE;
     }
-    g.comparer.small_workspaces = g.options.small_workspaces;
+    if (!compare_start(&g.comparer)) {
+        fprintf(stderr, "parity: threads cannot be started\n");
+        return EXIT_FAILURE;
+    }
+    g.comparer.everything = g.options.everything;
     g.comparer.coverage_only = !reference_is_contract_version(g.comparer.reference);
     g.last_progress = time(NULL);
     printf("Mesa %s, %s; seed %" PRIu64 "\n", reference_mesa_version(g.comparer.reference),
@@ -350,6 +361,7 @@ int main(int argc, char **argv)
                "coverage fail, all others are reported.\n");
     fflush(stdout);
     const bool passes = g.options.replay ? replay(&g) : run_all(&g);
+    compare_stop(&g.comparer);
     reference_destroy(g.comparer.reference);
     scene_free(g.failing);
     return passes ? EXIT_SUCCESS : EXIT_FAILURE;
