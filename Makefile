@@ -81,6 +81,15 @@ $(BUILD)/tests/property/%.o: EXTRA_FLAGS = $(THEFT_CFLAGS) -Itests/parity
 $(BUILD)/tests/tools/%.o: EXTRA_FLAGS = -Itools/gnomon
 $(BUILD)/tests/exhaustive/%.o: EXTRA_FLAGS = -DGN_REFERENCE_MPFR
 
+# A shader of a user's, once per instruction set (reference/scene/phong.c). What sqrtf does to
+# errno and what comparisons do to the exception flags keep the compiler from vectorising.
+VECTORISE = -fno-math-errno -fno-trapping-math
+$(BUILD)/reference/scene/phong_baseline.o: EXTRA_FLAGS = $(VECTORISE)
+ifneq ($(findstring x86_64,$(shell $(CC) -dumpmachine)),)
+$(BUILD)/reference/scene/phong_avx2.o: EXTRA_FLAGS = $(VECTORISE) -mavx2
+$(BUILD)/reference/scene/phong_avx512.o: EXTRA_FLAGS = $(VECTORISE) -mavx512f -mprefer-vector-width=512
+endif
+
 # Programs
 
 REFERENCE_OBJECTS = $(call objects,$(SCENE_SOURCES) $(OSMESA_SOURCES))

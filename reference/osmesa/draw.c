@@ -182,7 +182,7 @@ uploaded_draw *reference_upload(reference *r, const scene *s, char *error, size_
             return NULL;
         }
         upload_vertices(d, &draws[i]);
-        if (d->shader == SCENE_TEXTURED_GOURAUD) {
+        if (scene_shader_is_textured(d->shader)) {
             upload_texture(&d->uniforms.texture, &d->uniforms.sampler, &draws[i]);
         }
     }
@@ -278,6 +278,10 @@ static void set_uniforms(const scene_draw *d)
                     light->light_direction.z);
         glUniform3f(3, light->ambient.x, light->ambient.y, light->ambient.z);
         glUniform3f(4, light->diffuse.x, light->diffuse.y, light->diffuse.z);
+    }
+    if (d->shader == SCENE_PHONG) {
+        glUniformMatrix4fv(5, 1, GL_FALSE, &d->view_from_model.m[0][0]);
+        glUniform3f(6, d->specular.x, d->specular.y, d->specular.z);
     }
 }
 

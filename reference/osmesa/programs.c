@@ -1,5 +1,5 @@
-/* The GLSL twins of the ready-made shaders. Their expressions are written in the order
- * of operations of the library's; attributes and uniforms have fixed locations. */
+/* The GLSL twins of the ready-made shaders and of phong.h. Their expressions are written in the
+ * order of operations of the library's; attributes and uniforms have fixed locations. */
 #include "gl.h"
 
 #include <string.h>
@@ -82,6 +82,45 @@ static const char textured_fragment[] =
     "layout(binding = 0) uniform sampler2D image;\n"
     "layout(location = 0) out vec4 result;\n"
     "void main() { result = shade * texture(image, coordinates); }\n";
+
+static const char phong_vertex[] = "layout(location = 5) uniform mat4 view_from_model;\n"
+                                   "smooth out vec3 turned_normal;\n"
+                                   "smooth out vec3 to_eye;\n"
+                                   "smooth out vec2 coordinates;\n"
+                                   "void main()\n"
+                                   "{\n"
+                                   "    gl_Position = clip_from_model * position;\n"
+                                   "    turned_normal = normal_matrix * normal.xyz;\n"
+                                   "    to_eye = -(view_from_model * position).xyz;\n"
+                                   "    coordinates = texcoord.st;\n"
+                                   "}\n";
+
+static const char phong_fragment[] =
+    "#version 450 core\n"
+    "smooth in vec3 turned_normal;\n"
+    "smooth in vec3 to_eye;\n"
+    "smooth in vec2 coordinates;\n"
+    "layout(location = 2) uniform vec3 light_direction;\n"
+    "layout(location = 3) uniform vec3 ambient;\n"
+    "layout(location = 4) uniform vec3 diffuse;\n"
+    "layout(location = 6) uniform vec3 specular;\n"
+    "layout(binding = 0) uniform sampler2D image;\n"
+    "layout(location = 0) out vec4 result;\n"
+    "void main()\n"
+    "{\n"
+    "    vec4 texel = texture(image, coordinates);\n"
+    "    vec3 n = normalize(turned_normal);\n"
+    "    vec3 v = normalize(to_eye);\n"
+    "    vec3 r = reflect(-light_direction, n);\n"
+    "    float lit = max(dot(n, light_direction), 0.0);\n"
+    "    float power = max(dot(r, v), 0.0);\n"
+    "    power = power * power;\n"
+    "    power = power * power;\n"
+    "    power = power * power;\n"
+    "    power = power * power;\n"
+    "    power = power * power;\n"
+    "    result = vec4(texel.rgb * (ambient + diffuse * lit) + specular * power, texel.a);\n"
+    "}\n";
 
 static GLuint compile(GLenum stage, const char *head, const char *body, char *error,
                       size_t error_size)
@@ -192,6 +231,11 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
     case SCENE_TEXTURED_GOURAUD:
         if (!*program) {
             *program = link_program(textured_vertex, textured_fragment, "", error, error_size);
+        }
+        break;
+    case SCENE_PHONG:
+        if (!*program) {
+            *program = link_program(phong_vertex, phong_fragment, "", error, error_size);
         }
         break;
     case SCENE_SHADER_COUNT:

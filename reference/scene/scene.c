@@ -98,6 +98,7 @@ scene_draw *scene_add_draw(scene *s)
 
     memset(d, 0, sizeof *d);
     gn_mat4_identity(&d->uniforms.light.clip_from_model);
+    gn_mat4_identity(&d->view_from_model);
     gn_mat3_identity(&d->uniforms.light.normal_matrix);
     return d;
 }

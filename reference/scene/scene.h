@@ -12,14 +12,20 @@
 
 #include <gnomon.h>
 
-/* The ready-made shader of a draw. */
+/* The shader of a draw, ready-made but for the last. */
 typedef enum scene_shader {
     SCENE_VERTEX_COLOR = 0,
     SCENE_FLAT,
     SCENE_GOURAUD,
     SCENE_TEXTURED_GOURAUD,
+    SCENE_PHONG, /* no ready-made one: a user's (phong.h) */
     SCENE_SHADER_COUNT
 } scene_shader;
+
+static inline bool scene_shader_is_textured(scene_shader shader)
+{
+    return shader == SCENE_TEXTURED_GOURAUD || shader == SCENE_PHONG;
+}
 
 typedef struct scene_draw {
     scene_shader shader;
@@ -34,8 +40,12 @@ typedef struct scene_draw {
     uint32_t index_count; /* elements behind mesh.indices, 0 where there are none */
 
     /* clip_from_model serves every shader, the light all but SCENE_VERTEX_COLOR, the
-     * texture and sampler SCENE_TEXTURED_GOURAUD alone. */
+     * texture and sampler the textured shaders. */
     gn_textured_uniforms uniforms;
+
+    /* Of SCENE_PHONG alone. */
+    gn_mat4 view_from_model;
+    gn_vec3 specular;
 } scene_draw;
 
 typedef struct scene {
@@ -76,8 +86,8 @@ scene *scene_create(uint32_t width, uint32_t height, gn_format color, gn_format 
 void scene_free(scene *s);
 scene *scene_copy(const scene *s);
 
-/* A new zeroed draw at the end of the list; its clip_from_model and normal_matrix are
- * identities. The pointer is good until the next scene_add_draw. */
+/* A new zeroed draw at the end of the list; its clip_from_model, view_from_model and
+ * normal_matrix are identities. The pointer is good until the next scene_add_draw. */
 scene_draw *scene_add_draw(scene *s);
 void scene_remove_draw(scene *s, size_t index);
 
@@ -110,7 +120,7 @@ bool scene_frame_allocate(scene_frame *frame, const scene *s);
 void scene_frame_free(scene_frame *frame);
 
 /* The scalar varyings of the shader that has most of them, for sizing a workspace. */
-#define SCENE_VARYINGS GN_SHADER_VARYINGS
+#define SCENE_VARYINGS 8
 
 /* Bytes of workspace with which every draw of the scene shades each vertex once. */
 size_t scene_workspace_size(const scene *s);

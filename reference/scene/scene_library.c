@@ -4,17 +4,39 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "phong.h"
 #include "scene_memory.h"
 
-/* Sets the draw's ready-made shader; the uniforms must outlive the draw call. */
-static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d,
-                            const gn_color_uniforms *color)
+typedef char scene_varyings_are_as_stated
+    [PHONG_VARYINGS == SCENE_VARYINGS && GN_SHADER_VARYINGS <= SCENE_VARYINGS ? 1 : -1];
+
+static phong_uniforms phong_uniforms_of(const scene_draw *d)
+{
+    const gn_light_uniforms *light = &d->uniforms.light;
+    const phong_uniforms u = {
+        light->clip_from_model, d->view_from_model, light->normal_matrix, light->light_direction,
+        light->ambient,         light->diffuse,     d->specular,          d->uniforms.texture,
+        d->uniforms.sampler};
+
+    return u;
+}
+
+/* Uniforms that a scene has in another form. */
+typedef struct other_uniforms {
+    gn_color_uniforms color;
+    phong_uniforms phong;
+} other_uniforms;
+
+/* Sets the draw's shader; the uniforms must outlive the draw call. */
+static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backend backend,
+                            other_uniforms *other)
 {
     gn_status status = GN_INVALID_ENUM;
 
     switch (d->shader) {
     case SCENE_VERTEX_COLOR:
-        status = gn_use_vertex_color(pipeline, color);
+        other->color.clip_from_model = d->uniforms.light.clip_from_model;
+        status = gn_use_vertex_color(pipeline, &other->color);
         memcpy(pipeline->interpolation, d->state.interpolation, 4 * sizeof(gn_interpolation));
         break;
     case SCENE_FLAT:
@@ -26,6 +48,10 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d,
     case SCENE_TEXTURED_GOURAUD:
         status = gn_use_textured_gouraud(pipeline, &d->uniforms);
         break;
+    case SCENE_PHONG:
+        other->phong = phong_uniforms_of(d);
+        status = phong_use(pipeline, &other->phong, backend);
+        break;
     case SCENE_SHADER_COUNT:
         break;
     }
@@ -34,12 +60,10 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d,
 
 static gn_status draw_one(const gn_target *target, const scene_draw *d, gn_workspace *workspace)
 {
-    gn_color_uniforms color;
+    other_uniforms other;
     gn_pipeline pipeline = d->state;
-    gn_status status;
+    gn_status status = use_shader(&pipeline, d, workspace->backend, &other);
 
-    color.clip_from_model = d->uniforms.light.clip_from_model;
-    status = use_shader(&pipeline, d, &color);
     if (status == GN_OK) {
         status = gn_draw(target, &pipeline, &d->mesh, workspace);
     }

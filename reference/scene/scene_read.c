@@ -267,8 +267,10 @@ static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
     return true;
 }
 
-static bool read_uniforms(reader *r, const char *keyword, gn_textured_uniforms *u)
+static bool read_uniforms(reader *r, const char *keyword, scene_draw *d)
 {
+    gn_textured_uniforms *u = &d->uniforms;
+
     if (!strcmp(keyword, "clip-from-model")) {
         read_floats(r, &u->light.clip_from_model.m[0][0], 16);
     } else if (!strcmp(keyword, "normal-matrix")) {
@@ -279,6 +281,10 @@ static bool read_uniforms(reader *r, const char *keyword, gn_textured_uniforms *
         u->light.ambient = read_vec3(r);
     } else if (!strcmp(keyword, "diffuse")) {
         u->light.diffuse = read_vec3(r);
+    } else if (!strcmp(keyword, "view-from-model")) {
+        read_floats(r, &d->view_from_model.m[0][0], 16);
+    } else if (!strcmp(keyword, "specular")) {
+        d->specular = read_vec3(r);
     } else if (!strcmp(keyword, "sampler")) {
         u->sampler.wrap_s = (gn_wrap)read_name(r, TEXT_WRAP);
         u->sampler.wrap_t = (gn_wrap)read_name(r, TEXT_WRAP);
@@ -332,7 +338,7 @@ static void read_draw(reader *r, scene *s)
         }
         if (!*keyword) {
             fail(r, "the text ends within a draw");
-        } else if (!read_state(r, keyword, &d->state) && !read_uniforms(r, keyword, &d->uniforms) &&
+        } else if (!read_state(r, keyword, &d->state) && !read_uniforms(r, keyword, d) &&
                    !read_mesh(r, keyword, d)) {
             fail(r, "'%s' is no keyword of a draw", keyword);
         }

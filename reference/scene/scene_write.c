@@ -102,8 +102,10 @@ static void write_state(FILE *out, const gn_pipeline *p)
             text_name(TEXT_INTERPOLATION, (int)p->interpolation[3]));
 }
 
-static void write_uniforms(FILE *out, const gn_textured_uniforms *u)
+static void write_uniforms(FILE *out, const scene_draw *d)
 {
+    const gn_textured_uniforms *u = &d->uniforms;
+    const float specular[3] = {d->specular.x, d->specular.y, d->specular.z};
     const float direction[3] = {u->light.light_direction.x, u->light.light_direction.y,
                                 u->light.light_direction.z};
     const float ambient[3] = {u->light.ambient.x, u->light.ambient.y, u->light.ambient.z};
@@ -114,6 +116,10 @@ static void write_uniforms(FILE *out, const gn_textured_uniforms *u)
     write_floats(out, "  light-direction", direction, 3);
     write_floats(out, "  ambient", ambient, 3);
     write_floats(out, "  diffuse", diffuse, 3);
+    if (d->shader == SCENE_PHONG) {
+        write_floats(out, "  view-from-model", &d->view_from_model.m[0][0], 16);
+        write_floats(out, "  specular", specular, 3);
+    }
     fprintf(out, "  sampler %s %s %s %s\n", text_name(TEXT_WRAP, (int)u->sampler.wrap_s),
             text_name(TEXT_WRAP, (int)u->sampler.wrap_t),
             text_name(TEXT_MAGNIFY, (int)u->sampler.magnify),
@@ -135,7 +141,7 @@ bool scene_write(const scene *s, FILE *out)
 
         fprintf(out, "draw %s\n", text_name(TEXT_SHADER, (int)d->shader));
         write_state(out, &d->state);
-        write_uniforms(out, &d->uniforms);
+        write_uniforms(out, d);
         fprintf(out, "  vertices %" PRIu32 "\n", d->mesh.vertex_count);
         for (int a = 0; a < text_name_count(TEXT_ATTRIBUTE); ++a) {
             if (d->mesh.attribute[a].data) {

@@ -196,17 +196,19 @@ void builder_draw(builder *b)
     d->state = b->state;
     d->uniforms.light = b->uniforms.light;
     d->uniforms.sampler = b->uniforms.sampler;
+    d->view_from_model = b->view_from_model;
+    d->specular = b->specular;
     set_attribute(b, d, GN_ATTRIBUTE_POSITION, offsetof(vertex, position), b->position_components);
     set_attribute(b, d, GN_ATTRIBUTE_COLOR, offsetof(vertex, color), b->color_components);
     if (b->shader != SCENE_VERTEX_COLOR)
         set_attribute(b, d, GN_ATTRIBUTE_NORMAL, offsetof(vertex, normal), 3);
-    if (b->shader == SCENE_TEXTURED_GOURAUD)
+    if (scene_shader_is_textured(b->shader))
         set_attribute(b, d, GN_ATTRIBUTE_TEXCOORD, offsetof(vertex, texcoord), 2);
     if (b->index_format != GN_INDEX_NONE)
         scene_set_indices(d, b->indices, b->index_count, b->index_format);
     d->mesh.first = b->lead;
     d->mesh.count = count;
-    if (b->shader == SCENE_TEXTURED_GOURAUD)
+    if (scene_shader_is_textured(b->shader))
         scene_set_texture(d, b->uniforms.texture.texels, b->uniforms.texture.width,
                           b->uniforms.texture.height, b->uniforms.texture.format);
     reset_draw(b);

@@ -21,6 +21,8 @@ typedef struct builder {
     gn_pipeline state;
     scene_shader shader;
     gn_textured_uniforms uniforms;
+    gn_mat4 view_from_model;
+    gn_vec3 specular;
     gn_index_format index_format; /* GN_INDEX_NONE: vertices are repeated as indices say */
     uint32_t color_components;    /* 0: the attribute is absent */
     uint32_t position_components;

@@ -46,6 +46,8 @@ const char *scene_class_name(scene_class c)
         return "lit";
     case CLASS_TEXTURED:
         return "textured";
+    case CLASS_PHONG:
+        return "phong";
     case CLASS_FLOAT_COLOR:
         return "float-color";
     case CLASS_COLOR_RANGE:
@@ -143,6 +145,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_TEXTURED:
         generate_textured(&b);
+        break;
+    case CLASS_PHONG:
+        generate_phong(&b);
         break;
     case CLASS_FLOAT_COLOR:
         generate_float_color(&b);

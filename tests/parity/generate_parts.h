@@ -59,6 +59,7 @@ void generate_interpolation(builder *b);
 void generate_indexed(builder *b);
 void generate_lit(builder *b);
 void generate_textured(builder *b);
+void generate_phong(builder *b);
 void generate_float_color(builder *b);
 void generate_color_range(builder *b);
 void generate_mixed(builder *b);

@@ -43,6 +43,7 @@ static void random_camera(builder *b)
     projection.m[2][2] = (z_far + z_near) / (z_near - z_far);
     projection.m[2][3] = -1.0f;
     projection.m[3][2] = 2.0f * z_far * z_near / (z_near - z_far);
+    b->view_from_model = view;
     b->uniforms.light.clip_from_model = product(&projection, &view);
 }
 
@@ -176,36 +177,60 @@ static void random_texcoords(builder *b)
         }
 }
 
-void generate_textured(builder *b)
+/* A draw with that shader and a random texture. */
+static void add_textured(builder *b, scene_shader shader, gn_format format)
 {
     static const uint32_t sizes[] = {1, 1, 2, 3, 4, 5, 7, 8, 16, 20, 32, 37, 50, 64};
+    random_source *r = &b->random;
+    builder_common_state(b);
+    b->shader = shader;
+    random_light(b);
+    if (random_chance(r, 65)) {
+        random_camera(b);
+        add_body(b);
+    } else {
+        const placement places[] = {PLACE_ANYWHERE, PLACE_AFFINE, PLACE_TIES, PLACE_CLIP};
+        shape_triangles(b, places[random_below(r, 4)], builder_triangle_count(b));
+    }
+    gn_texture *t = &b->uniforms.texture;
+    t->width = sizes[random_below(r, 14)];
+    t->height = random_chance(r, 40) ? t->width : sizes[random_below(r, 14)];
+    t->format = random_chance(r, 70) ? GN_FORMAT_RGBA8 : GN_FORMAT_RGBA32F;
+    if (format != GN_FORMAT_NONE)
+        t->format = format;
+    void *texels = random_texels(b, t->width * t->height, t->format);
+    t->texels = texels;
+    b->uniforms.sampler.wrap_s = (gn_wrap)random_below(r, 2);
+    b->uniforms.sampler.wrap_t = (gn_wrap)random_below(r, 2);
+    b->uniforms.sampler.magnify = (gn_magnify)random_below(r, 2);
+    b->uniforms.sampler.minify = (gn_minify)random_below(r, 3);
+    random_texcoords(b);
+    builder_draw(b);
+    free(texels);
+}
+
+void generate_textured(builder *b)
+{
     random_source *r = &b->random;
     builder_common_target(b);
     if (random_chance(r, 15))
         b->scene->color_format = GN_FORMAT_RGBA32F;
+    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--)
+        add_textured(b, SCENE_TEXTURED_GOURAUD, GN_FORMAT_NONE);
+}
+
+/* The power of 32 may be denormal, which the contract leaves out: it is added to a texel,
+ * that in a target of floats must not be 0, as bytes often are. */
+void generate_phong(builder *b)
+{
+    random_source *r = &b->random;
+    builder_common_target(b);
+    const bool floats = random_chance(r, 25);
+    if (floats)
+        b->scene->color_format = GN_FORMAT_RGBA32F;
     for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
-        builder_common_state(b);
-        b->shader = SCENE_TEXTURED_GOURAUD;
-        random_light(b);
-        if (random_chance(r, 65)) {
-            random_camera(b);
-            add_body(b);
-        } else {
-            const placement places[] = {PLACE_ANYWHERE, PLACE_AFFINE, PLACE_TIES, PLACE_CLIP};
-            shape_triangles(b, places[random_below(r, 4)], builder_triangle_count(b));
-        }
-        gn_texture *t = &b->uniforms.texture;
-        t->width = sizes[random_below(r, 14)];
-        t->height = random_chance(r, 40) ? t->width : sizes[random_below(r, 14)];
-        t->format = random_chance(r, 70) ? GN_FORMAT_RGBA8 : GN_FORMAT_RGBA32F;
-        void *texels = random_texels(b, t->width * t->height, t->format);
-        t->texels = texels;
-        b->uniforms.sampler.wrap_s = (gn_wrap)random_below(r, 2);
-        b->uniforms.sampler.wrap_t = (gn_wrap)random_below(r, 2);
-        b->uniforms.sampler.magnify = (gn_magnify)random_below(r, 2);
-        b->uniforms.sampler.minify = (gn_minify)random_below(r, 3);
-        random_texcoords(b);
-        builder_draw(b);
-        free(texels);
+        gn_mat4_identity(&b->view_from_model);
+        b->specular = (gn_vec3){random_unit(r), random_unit(r), random_octave(r, -2, 2)};
+        add_textured(b, SCENE_PHONG, floats ? GN_FORMAT_RGBA32F : GN_FORMAT_NONE);
     }
 }

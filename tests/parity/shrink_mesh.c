@@ -61,6 +61,8 @@ static void copy_draw(scene *to, const scene_draw *from, const mesh_selection *s
     d->state = from->state;
     d->uniforms.light = from->uniforms.light;
     d->uniforms.sampler = from->uniforms.sampler;
+    d->view_from_model = from->view_from_model;
+    d->specular = from->specular;
     for (int a = 0; a < GN_MAX_ATTRIBUTES; a++)
         copy_attribute(&from->mesh, a, selection, d);
     if (selection->keep_indices && from->mesh.index_format != GN_INDEX_NONE) {
@@ -74,7 +76,7 @@ static void copy_draw(scene *to, const scene_draw *from, const mesh_selection *s
     d->mesh.first = selection->first;
     d->mesh.count = selection->count;
     const gn_texture *t = &from->uniforms.texture;
-    if (t->texels && from->shader == SCENE_TEXTURED_GOURAUD)
+    if (t->texels && scene_shader_is_textured(from->shader))
         scene_set_texture(d, t->texels, t->width, t->height, t->format);
 }
 

@@ -95,7 +95,7 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
                  d->uniforms.sampler.minify != GN_MINIFY_NEAREST;
         d->uniforms.sampler.magnify = GN_MAGNIFY_NEAREST;
         d->uniforms.sampler.minify = GN_MINIFY_NEAREST;
-        return change && d->shader == SCENE_TEXTURED_GOURAUD;
+        return change && scene_shader_is_textured(d->shader);
     default:
         *last = true;
         return false;
@@ -262,7 +262,7 @@ static bool simplify_texture(shrinking *s, size_t draw)
 {
     const gn_texture *t = &s->best->draws[draw].uniforms.texture;
     bool progress = false;
-    if (s->best->draws[draw].shader != SCENE_TEXTURED_GOURAUD || !t->texels)
+    if (!scene_shader_is_textured(s->best->draws[draw].shader) || !t->texels)
         return false;
     while (t->height > 1) { /* the lower half */
         scene *copy = scene_copy(s->best);

@@ -74,7 +74,7 @@ static enum theft_trial_res any_workspace(struct theft *t, void *argument)
     const instance *i = argument;
     scene *s = scene_of(i);
     (void)t;
-    const size_t least = gn_workspace_size(0, GN_SHADER_VARYINGS);
+    const size_t least = gn_workspace_size(0, SCENE_VARYINGS);
     const bool same = same_picture(s, 0, s, least + (i->choice & 3 ? i->choice : 0));
     scene_free(s);
     return verdict(same);
@@ -110,42 +110,18 @@ static enum theft_trial_res survives_text(struct theft *t, void *argument)
     return verdict(same);
 }
 
-/* The draws of a scene into surfaces whose first row in memory is the top one. */
+/* A scene drawn into surfaces whose first row in memory is the top one. */
 static bool draw_top_down(const scene *s, scene_frame *frame)
 {
     gn_target target;
     memset(&target, 0, sizeof target);
     target.color = gn_surface_top_down(frame->color, s->color_format, s->width, s->height);
-    bool good = gn_clear_color(&target.color, s->clear_color[0], s->clear_color[1],
-                               s->clear_color[2], s->clear_color[3]) == GN_OK;
-    if (s->depth_format != GN_FORMAT_NONE) {
+    if (s->depth_format != GN_FORMAT_NONE)
         target.depth = gn_surface_top_down(frame->depth, s->depth_format, s->width, s->height);
-        good = good && gn_clear_depth(&target.depth, s->clear_depth) == GN_OK;
-    }
-    for (size_t i = 0; i < s->draw_count && good; i++) {
-        const scene_draw *d = &s->draws[i];
-        const gn_color_uniforms color = {d->uniforms.light.clip_from_model};
-        gn_pipeline p = d->state;
-        switch (d->shader) {
-        case SCENE_FLAT:
-            good = gn_use_flat(&p, &d->uniforms.light) == GN_OK;
-            break;
-        case SCENE_GOURAUD:
-            good = gn_use_gouraud(&p, &d->uniforms.light) == GN_OK;
-            break;
-        case SCENE_TEXTURED_GOURAUD:
-            good = gn_use_textured_gouraud(&p, &d->uniforms) == GN_OK;
-            break;
-        default:
-            good = gn_use_vertex_color(&p, &color) == GN_OK;
-            memcpy(p.interpolation, d->state.interpolation, 4 * sizeof *p.interpolation);
-            break;
-        }
-        const size_t size = gn_workspace_size(d->mesh.vertex_count, GN_SHADER_VARYINGS);
-        gn_workspace workspace = {.memory = malloc(size), .size = size};
-        good = good && workspace.memory && gn_draw(&target, &p, &d->mesh, &workspace) == GN_OK;
-        free(workspace.memory);
-    }
+    const size_t size = scene_workspace_size(s);
+    gn_workspace workspace = {.memory = malloc(size), .size = size};
+    const bool good = workspace.memory && scene_draw_to_target(s, &target, &workspace) == GN_OK;
+    free(workspace.memory);
     return good;
 }
 

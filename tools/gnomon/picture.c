@@ -212,7 +212,7 @@ int picture_describe(const options *o, scene **result)
 void picture_print_summary(const char *name, const scene *s)
 {
     static const char words[SCENE_SHADER_COUNT][16] = {"vertex colours", "flat", "Gouraud",
-                                                       "textured"};
+                                                       "textured", "Phong"};
     scene_shader most = SCENE_VERTEX_COLOR;
     for (size_t i = 0; i < s->draw_count; i++) {
         if (s->draws[i].shader > most)

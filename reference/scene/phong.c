@@ -1,0 +1,35 @@
+/* The choice of Phong's shaders for a pipeline. A user who wants speed compiles a shader
+ * once per instruction set and takes the one of the back end that will run it, since the
+ * processor can then run it too: the library cannot make a user's function wider. */
+#include "phong.h"
+
+#include <string.h>
+
+gn_vertex_shader phong_vertex_baseline, phong_vertex_avx2, phong_vertex_avx512;
+gn_fragment_shader phong_fragment_baseline, phong_fragment_avx2, phong_fragment_avx512;
+
+gn_status phong_use(gn_pipeline *pipeline, const phong_uniforms *uniforms, gn_backend backend)
+{
+    const char *name = gn_backend_name(backend == GN_BACKEND_AUTO ? gn_backend_best() : backend);
+    gn_status status = gn_texture_check(&uniforms->texture);
+
+    if (status == GN_OK)
+        status = gn_sampler_check(&uniforms->sampler);
+    if (status != GN_OK)
+        return status;
+    if (strcmp(name, "avx512") == 0) {
+        pipeline->vertex_shader = phong_vertex_avx512;
+        pipeline->fragment_shader = phong_fragment_avx512;
+    } else if (strcmp(name, "avx2") == 0) {
+        pipeline->vertex_shader = phong_vertex_avx2;
+        pipeline->fragment_shader = phong_fragment_avx2;
+    } else {
+        pipeline->vertex_shader = phong_vertex_baseline;
+        pipeline->fragment_shader = phong_fragment_baseline;
+    }
+    pipeline->uniforms = uniforms;
+    pipeline->varying_count = PHONG_VARYINGS;
+    for (int n = 0; n < PHONG_VARYINGS; ++n)
+        pipeline->interpolation[n] = GN_SMOOTH;
+    return GN_OK;
+}
