@@ -98,8 +98,8 @@ LINK = @echo '  LD $@' && $(CC) $(CFLAGS) $(FLOAT_FLAGS) $(SANITIZE) $^ -o $@
 $(BUILD)/gnomon: $(call objects,$(COMMAND_SOURCES)) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
 	$(LINK) -lassimp -lpng -lstb -lOSMesa -lm
 
-$(BUILD)/bench: $(call objects,$(BENCH_SOURCES)) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
-	$(LINK) -lOSMesa -lm
+$(BUILD)/bench: $(call objects,$(BENCH_SOURCES) $(THREADS_SOURCES)) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
+	$(LINK) -lOSMesa -lm -pthread
 
 $(BUILD)/parity: $(call objects,$(PARITY_SOURCES) $(THREADS_SOURCES)) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
 	$(LINK) -lOSMesa -lm -pthread

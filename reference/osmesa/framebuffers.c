@@ -22,20 +22,30 @@ static GLenum gl_format(gn_format format)
     return GL_NONE;
 }
 
-static GLuint attach(GLenum attachment, gn_format format, uint32_t width, uint32_t height)
+static GLuint attach(GLenum attachment, GLenum format, uint32_t width, uint32_t height)
 {
     GLuint name = 0;
 
-    if (format != GN_FORMAT_NONE) {
+    if (format != GL_NONE) {
         glGenRenderbuffers(1, &name);
         glBindRenderbuffer(GL_RENDERBUFFER, name);
-        glRenderbufferStorage(GL_RENDERBUFFER, gl_format(format), (GLsizei)width, (GLsizei)height);
+        glRenderbufferStorage(GL_RENDERBUFFER, format, (GLsizei)width, (GLsizei)height);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, name);
     }
     return name;
 }
 
-bool framebuffer_create(framebuffer *f, const scene *s, char *error, size_t error_size)
+static GLuint attach_depth(const scene *s, reference_depth depth)
+{
+    if (s->depth_format != GN_FORMAT_NONE && depth == REFERENCE_DEPTH_24_STENCIL_8)
+        return attach(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8, s->width, s->height);
+    if (s->depth_format != GN_FORMAT_NONE && depth == REFERENCE_DEPTH_FLOAT)
+        return attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, s->width, s->height);
+    return attach(GL_DEPTH_ATTACHMENT, gl_format(s->depth_format), s->width, s->height);
+}
+
+bool framebuffer_create(framebuffer *f, const scene *s, reference_depth depth, char *error,
+                        size_t error_size)
 {
     GLenum status;
 
@@ -46,8 +56,8 @@ bool framebuffer_create(framebuffer *f, const scene *s, char *error, size_t erro
     f->depth_format = s->depth_format;
     glGenFramebuffers(1, &f->name);
     glBindFramebuffer(GL_FRAMEBUFFER, f->name);
-    f->color = attach(GL_COLOR_ATTACHMENT0, s->color_format, s->width, s->height);
-    f->depth = attach(GL_DEPTH_ATTACHMENT, s->depth_format, s->width, s->height);
+    f->color = attach(GL_COLOR_ATTACHMENT0, gl_format(s->color_format), s->width, s->height);
+    f->depth = attach_depth(s, depth);
     if (!f->color) {
         glDrawBuffer(GL_NONE);
         glReadBuffer(GL_NONE);
@@ -88,7 +98,7 @@ framebuffer *reference_framebuffer(reference *r, const scene *s, char *error, si
         }
     }
     framebuffer_destroy(oldest);
-    if (!framebuffer_create(oldest, s, error, error_size)) {
+    if (!framebuffer_create(oldest, s, REFERENCE_DEPTH_OF_SCENE, error, error_size)) {
         return NULL;
     }
     oldest->last_use = r->uses;

@@ -55,7 +55,8 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
 
 /* The bound framebuffer of a scene; null with the reason in error. */
 framebuffer *reference_framebuffer(reference *r, const scene *s, char *error, size_t error_size);
-bool framebuffer_create(framebuffer *f, const scene *s, char *error, size_t error_size);
+bool framebuffer_create(framebuffer *f, const scene *s, reference_depth depth, char *error,
+                        size_t error_size);
 void framebuffer_destroy(framebuffer *f);
 
 /* Steps of drawing: the draws' data into GL objects (null with the reason in error), the

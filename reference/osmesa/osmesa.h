@@ -30,10 +30,18 @@ bool reference_is_contract_version(const reference *r);
 bool reference_draw(reference *r, const scene *s, scene_frame *frame, char *error,
                     size_t error_size);
 
+/* The depth buffer of a scene that is measured. */
+typedef enum reference_depth {
+    REFERENCE_DEPTH_OF_SCENE,
+    REFERENCE_DEPTH_24_STENCIL_8, /* what OSMesa gives a window that asks for nothing else */
+    REFERENCE_DEPTH_FLOAT
+} reference_depth;
+
 /* For measuring: uploads a scene once, draws it any number of times and waits for the end
  * of each frame; nothing is read back. The scene must stay unchanged until the release. */
 typedef struct reference_prepared reference_prepared;
-reference_prepared *reference_prepare(reference *r, const scene *s, char *error, size_t error_size);
+reference_prepared *reference_prepare(reference *r, const scene *s, reference_depth depth,
+                                      char *error, size_t error_size);
 void reference_draw_prepared(reference *r, reference_prepared *p);
 void reference_release(reference *r, reference_prepared *p);
 

@@ -9,7 +9,8 @@ struct reference_prepared {
     uploaded_draw *draws;
 };
 
-reference_prepared *reference_prepare(reference *r, const scene *s, char *error, size_t error_size)
+reference_prepared *reference_prepare(reference *r, const scene *s, reference_depth depth,
+                                      char *error, size_t error_size)
 {
     reference_prepared *p = calloc(1, sizeof *p);
 
@@ -18,7 +19,7 @@ reference_prepared *reference_prepare(reference *r, const scene *s, char *error,
         return NULL;
     }
     p->scene = s;
-    if (!framebuffer_create(&p->target, s, error, error_size)) {
+    if (!framebuffer_create(&p->target, s, depth, error, error_size)) {
         free(p);
         return NULL;
     }

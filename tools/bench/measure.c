@@ -1,0 +1,253 @@
+/* Interleaved measuring and the check of the frames. */
+#include "measure.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Rows compared at a time: frames of 8192 pixels a side need not be held here. */
+#define BAND_ROWS 64
+
+#define MOST_LINES (3 + 2 * GN_BACKEND_COUNT)
+
+/* One line of the table in the making. */
+typedef struct line {
+    renderer *renderer;
+    gn_backend backend;
+    double cpu[MAX_FRAMES], wall[MAX_FRAMES];
+    record record;
+} line;
+
+typedef struct lines {
+    line *line;
+    int count;
+} lines;
+
+static bool fail(const char *name, const renderer *r)
+{
+    fprintf(stderr, "\nbench: %s, %s: %s\n", name, renderer_kind_name(r->kind), r->text);
+    return false;
+}
+
+static bool wants_threads(const measure_options *o, uint32_t threads)
+{
+    return o->scale ? threads == 1 : o->threads == 0 || o->threads == threads;
+}
+
+static bool wants_renderer(const measure_options *o, renderer_kind kind)
+{
+    switch (kind) {
+    case RENDERER_SHIPPED:
+        return !o->scale && wants_threads(o, 1);
+    case RENDERER_TUNED:
+        return wants_threads(o, 1);
+    case RENDERER_TUNED_2:
+        return wants_threads(o, 2);
+    default:
+        return true;
+    }
+}
+
+static bool wants_backend(const measure_options *o, gn_backend backend)
+{
+    if (!gn_backend_available(backend))
+        return false;
+    if (o->backend != GN_BACKEND_AUTO)
+        return backend == o->backend;
+    return !o->scale || backend == gn_backend_best();
+}
+
+bool family_start(family *f, const measure_options *o)
+{
+    memset(f, 0, sizeof *f);
+    for (int kind = 0; kind < RENDERER_COUNT; ++kind) {
+        renderer *r = &f->renderers[kind];
+
+        if (wants_renderer(o, (renderer_kind)kind) && !renderer_start(r, (renderer_kind)kind)) {
+            family_stop(f);
+            return fail("start", r);
+        }
+    }
+    return true;
+}
+
+void family_stop(family *f)
+{
+    for (int kind = 0; kind < RENDERER_COUNT; ++kind)
+        renderer_stop(&f->renderers[kind]);
+}
+
+static void add_line(lines *l, const bench_scene *b, renderer *r, const char *name,
+                     gn_backend backend, uint32_t threads)
+{
+    line *added = &l->line[l->count++];
+
+    memset(added, 0, sizeof *added);
+    added->renderer = r;
+    added->backend = backend;
+    snprintf(added->record.scene, sizeof added->record.scene, "%s", b->name);
+    snprintf(added->record.renderer, sizeof added->record.renderer, "%s", name);
+    snprintf(added->record.backend, sizeof added->record.backend, "%s",
+             backend == GN_BACKEND_AUTO ? "host" : gn_backend_name(backend));
+    added->record.threads = threads;
+}
+
+static void add_lines(lines *l, family *f, const measure_options *o, const bench_scene *b)
+{
+    renderer *r = f->renderers;
+
+    if (wants_renderer(o, RENDERER_SHIPPED))
+        add_line(l, b, &r[RENDERER_SHIPPED], "llvmpipe", GN_BACKEND_AUTO, 1);
+    if (wants_renderer(o, RENDERER_TUNED))
+        add_line(l, b, &r[RENDERER_TUNED], "llvmpipe tuned", GN_BACKEND_AUTO, 1);
+    if (wants_renderer(o, RENDERER_TUNED_2))
+        add_line(l, b, &r[RENDERER_TUNED_2], "llvmpipe tuned", GN_BACKEND_AUTO, 2);
+    for (int backend = GN_BACKEND_PORTABLE; backend < GN_BACKEND_COUNT; ++backend) {
+        for (uint32_t threads = 1; threads <= 2; ++threads) {
+            if (wants_backend(o, (gn_backend)backend) && wants_threads(o, threads))
+                add_line(l, b, &r[RENDERER_GNOMON], "gnomon", (gn_backend)backend, threads);
+        }
+    }
+}
+
+static bool load(family *f, const bench_scene *b)
+{
+    for (int kind = 0; kind < RENDERER_COUNT; ++kind) {
+        renderer *r = &f->renderers[kind];
+
+        if (r->process != 0 && !renderer_load(r, b))
+            return fail(b->name, r);
+    }
+    f->is_contract = f->renderers[RENDERER_PINNED].is_contract;
+    return true;
+}
+
+static void progress(const bench_scene *b, const char *doing, int done, int of)
+{
+    fprintf(stderr, "\rbench: %s, %s %d of %d   ", b->name, doing, done, of);
+}
+
+static void end_progress(void)
+{
+    fprintf(stderr, "\r%60s\r", "");
+}
+
+static bool measure_frames(lines *l, const bench_scene *b, int frames)
+{
+    for (int i = 0; i < frames; ++i) {
+        progress(b, "frame", i + 1, frames);
+        for (int n = 0; n < l->count; ++n) {
+            line *at = &l->line[n];
+
+            if (!renderer_draw(at->renderer, at->backend, at->record.threads, &at->cpu[i],
+                               &at->wall[i]))
+                return fail(b->name, at->renderer);
+        }
+    }
+    return true;
+}
+
+/* The difference of the frames that both have drawn, band by band. */
+static bool count_differing(const bench_scene *b, renderer *ours, renderer *pinned,
+                            uint64_t *differing)
+{
+    scene *band = scene_create(b->side, BAND_ROWS, GN_FORMAT_RGBA8, GN_FORMAT_D24);
+    scene_frame a, c;
+    bool good = scene_frame_allocate(&a, band);
+
+    good = scene_frame_allocate(&c, band) && good;
+    if (!good)
+        fprintf(stderr, "\nbench: %s: out of memory\n", b->name);
+    for (uint32_t y = 0; good && y < b->side; y += BAND_ROWS) {
+        a.height = c.height = b->side - y < BAND_ROWS ? b->side - y : BAND_ROWS;
+        if (!renderer_rows(ours, y, &a))
+            good = fail(b->name, ours);
+        else if (!renderer_rows(pinned, y, &c))
+            good = fail(b->name, pinned);
+        else
+            *differing += scene_compare(band, &a, &c).pixels;
+    }
+    scene_frame_free(&a);
+    scene_frame_free(&c);
+    scene_free(band);
+    return good;
+}
+
+/* Compiles shaders and touches memory, too, before anything is timed. */
+static bool check_frames(lines *l, const bench_scene *b, renderer *pinned)
+{
+    if (!renderer_frame(pinned, GN_BACKEND_AUTO, 1))
+        return fail(b->name, pinned);
+    for (int n = 0; n < l->count; ++n) {
+        line *at = &l->line[n];
+
+        progress(b, "check", n + 1, l->count);
+        if (!renderer_frame(at->renderer, at->backend, at->record.threads))
+            return fail(b->name, at->renderer);
+        if (!count_differing(b, at->renderer, pinned, &at->record.differing))
+            return false;
+    }
+    return true;
+}
+
+static int compare_doubles(const void *a, const void *b)
+{
+    const double x = *(const double *)a;
+    const double y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+static double median(double *values, int count)
+{
+    qsort(values, (size_t)count, sizeof *values, compare_doubles);
+    return count % 2 ? values[count / 2] : 0.5 * (values[count / 2 - 1] + values[count / 2]);
+}
+
+static double time_of(const record *r)
+{
+    return r->threads == 1 ? r->cpu_ms : r->wall_ms;
+}
+
+static void summarize(lines *l, int frames)
+{
+    double tuned[3] = {0.0, 0.0, 0.0}; /* by number of threads */
+
+    for (int n = 0; n < l->count; ++n) {
+        record *r = &l->line[n].record;
+
+        r->cpu_ms = median(l->line[n].cpu, frames);
+        r->wall_ms = median(l->line[n].wall, frames);
+        if (strcmp(r->renderer, "llvmpipe tuned") == 0)
+            tuned[r->threads] = time_of(r);
+    }
+    for (int n = 0; n < l->count; ++n) {
+        record *r = &l->line[n].record;
+
+        r->ratio = tuned[r->threads] / time_of(r);
+    }
+}
+
+bool measure_scene(family *f, const measure_options *o, const bench_scene *b, record_list *list)
+{
+    lines l = {calloc(MOST_LINES, sizeof(line)), 0};
+
+    if (!l.line) {
+        fprintf(stderr, "bench: out of memory\n");
+        return false;
+    }
+    add_lines(&l, f, o, b);
+    const bool good = load(f, b) && check_frames(&l, b, &f->renderers[RENDERER_PINNED]) &&
+                      measure_frames(&l, b, o->frames);
+    end_progress();
+    if (good) {
+        summarize(&l, o->frames);
+        for (int n = 0; n < l.count; ++n) {
+            record_print(stdout, &l.line[n].record);
+            record_add(list, &l.line[n].record);
+        }
+        fflush(stdout);
+    }
+    free(l.line);
+    return good;
+}
