@@ -79,7 +79,7 @@ size_t scene_workspace_size(const scene *s)
             vertices = s->draws[i].mesh.vertex_count;
         }
     }
-    return gn_workspace_size(vertices, SCENE_VARYINGS);
+    return gn_workspace_size_parallel(vertices, triangles, SCENE_VARYINGS);
 }
 
 gn_status scene_draw_to_target(const scene *s, const gn_target *target, gn_workspace *workspace)

@@ -1,4 +1,4 @@
-/* Blocks of fragments: depth, varyings, shader, colour. One function, made into one
+/* Fragments, 16 at a time: depth, varyings, shader, colour. One function, made into one
  * for each common state by constant arguments, so that nothing that is constant over
  * a draw is asked in its blocks. */
 #ifndef GN_FRAGMENT_BLOCK_H
@@ -8,12 +8,20 @@
 
 #include "color.h"
 #include "depth.h"
+#include "planes.h"
 
 /* What computes a fragment's colour. */
 typedef enum fragment_source {
     SOURCE_SHADER, /* the pipeline's fragment shader */
     SOURCE_COLOR   /* varyings 0 to 3, smooth: gn_shade_color without the call */
 } fragment_source;
+
+/* What is constant over a draw. */
+typedef struct fragment_kind {
+    gn_format depth_format; /* GN_FORMAT_NONE: no test */
+    gn_format color_format; /* GN_FORMAT_NONE: no colour */
+    fragment_source source;
+} fragment_kind;
 
 static inline fragment_state fragment_state_of(const gn_target *target, const gn_pipeline *pipeline)
 {
@@ -28,27 +36,18 @@ static inline fragment_state fragment_state_of(const gn_target *target, const gn
     return s;
 }
 
-/* Plane n's value in every lane of the block at (x, y): per_y * y + (per_x * x + origin),
- * in this order. */
-GN_INLINE lanes_f interpolate(raster_triangle triangle, uint32_t n, float x, float y)
+static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_triangle triangle,
+                                          uint32_t n, float x, float y, lanes_f w)
 {
-    const attribute_plane plane = triangle_plane(triangle, n);
-
-    return lanes_add(lanes_rows(plane.per_y, y), lanes_columns(plane.per_x, x, plane.origin));
-}
-
-GN_INLINE lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_triangle triangle,
-                                      uint32_t n, float x, float y, lanes_f w)
-{
-    const uint32_t plane = VARYING_PLANES + n;
+    const attribute_plane plane = triangle_plane(triangle, VARYING_PLANES + n);
 
     switch (pipeline->interpolation[n]) {
     case GN_FLAT:
-        return lanes_splat(triangle_plane(triangle, plane).origin);
+        return lanes_splat(plane.origin);
     case GN_NOPERSPECTIVE:
-        return interpolate(triangle, plane, x, y);
+        return plane_in_block(plane, x, y);
     default:
-        return lanes_mul(interpolate(triangle, plane, x, y), w);
+        return lanes_mul(plane_in_block(plane, x, y), w);
     }
 }
 
@@ -75,32 +74,91 @@ static inline void run_shader(const gn_pipeline *pipeline, raster_triangle trian
         out[c] = lanes_load(color[c]);
 }
 
-GN_INLINE void shade_block(const fragment_state *state, raster_triangle triangle, int32_t x,
-                           int32_t y, uint32_t coverage, gn_format depth_format,
-                           gn_format color_format, fragment_source source)
+GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const fragment_place *at,
+                     raster_triangle triangle, uint32_t coverage)
 {
-    const float px = (float)x;
-    const float py = (float)y;
     lanes_f color[4];
 
-    if (depth_format != GN_FORMAT_NONE) {
-        coverage = test_depth(&state->test, &state->depth, depth_format, x, y, coverage,
-                              interpolate(triangle, DEPTH_PLANE, px, py));
+    if (kind.depth_format != GN_FORMAT_NONE) {
+        coverage = test_depth(&state->test, &state->depth, kind.depth_format, at, coverage,
+                              interpolate(at, triangle, DEPTH_PLANE));
         if (!coverage)
             return;
     }
-    if (color_format == GN_FORMAT_NONE)
+    if (kind.color_format == GN_FORMAT_NONE)
         return;
 
-    const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(triangle, ONE_OVER_W_PLANE, px, py));
-    if (source == SOURCE_COLOR) {
-        for (int c = 0; c < 4; ++c)
-            color[c] = lanes_mul(interpolate(triangle, VARYING_PLANES + (uint32_t)c, px, py), w);
+    const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
+    if (kind.source == SOURCE_COLOR) {
+        for (uint32_t c = 0; c < 4; ++c)
+            color[c] = lanes_mul(interpolate(at, triangle, VARYING_PLANES + c), w);
     } else {
-        run_shader(state->pipeline, triangle, x, y, coverage, w, color);
+        run_shader(state->pipeline, triangle, at->x, at->y, coverage, w, color);
     }
-    write_color(&state->color, color_format, x, y, coverage, color);
+    write_color(&state->color, kind.color_format, at, coverage, color);
 }
+
+/* Neighbouring blocks in a row. */
+GN_INLINE void shade_blocks(const fragment_state *state, fragment_kind kind,
+                            raster_triangle triangle, int32_t x, int32_t y, uint32_t count,
+                            uint32_t coverage)
+{
+    fragment_place at;
+
+    at.shape = SHAPE_BLOCK;
+    at.y = y;
+    for (uint32_t i = 0; i < count; ++i) {
+        at.x = x + (int32_t)i * BLOCK_SIZE;
+        at.color = pixel_memory(&state->color, kind.color_format, at.x, y);
+        at.depth = pixel_memory(&state->depth, kind.depth_format, at.x, y);
+        shade(state, kind, &at, triangle, coverage);
+    }
+}
+
+/* Whether the library interpolates the attribute for this kind. */
+GN_INLINE bool is_used(fragment_kind kind, uint32_t attribute)
+{
+    if (attribute == DEPTH_PLANE)
+        return kind.depth_format != GN_FORMAT_NONE;
+    return kind.color_format != GN_FORMAT_NONE;
+}
+
+/* Covered blocks, as many as make whole rows of 16 pixels. */
+GN_INLINE void shade_rows(const fragment_state *state, fragment_kind kind, raster_triangle triangle,
+                          int32_t x, int32_t y, uint32_t count)
+{
+    const int32_t end = x + (int32_t)count * BLOCK_SIZE;
+    column_terms columns;
+    row_terms rows;
+    fragment_place at;
+
+    for (uint32_t n = 0; n < RUN_ATTRIBUTES; ++n) {
+        if (is_used(kind, n))
+            set_row_terms(&rows, n, triangle_plane(triangle, n), y);
+    }
+    at.shape = SHAPE_ROW;
+    at.columns = &columns;
+    for (at.x = x; at.x < end; at.x += GN_LANES) {
+        for (uint32_t n = 0; n < RUN_ATTRIBUTES; ++n) {
+            if (is_used(kind, n))
+                columns.value[n] = columns_from(triangle_plane(triangle, n), at.x);
+        }
+        at.color = pixel_memory(&state->color, kind.color_format, at.x, y);
+        at.depth = pixel_memory(&state->depth, kind.depth_format, at.x, y);
+        for (int32_t row = 0; row < BLOCK_SIZE; ++row) {
+            at.y = y + row;
+            at.row = rows.value[row];
+            shade(state, kind, &at, triangle, GN_ALL_LANES);
+            if (kind.color_format != GN_FORMAT_NONE)
+                at.color += state->color.row_stride;
+            if (kind.depth_format != GN_FORMAT_NONE)
+                at.depth += state->depth.row_stride;
+        }
+    }
+}
+
+/* Blocks that make a row of 16 pixels. */
+#define BLOCKS_IN_ROW (GN_LANES / BLOCK_SIZE)
 
 /* A run_function for one state; the context is a fragment_state. */
 #define GN_RUN_FUNCTION(name, depth_format, color_format, source)                                  \
@@ -108,19 +166,46 @@ GN_INLINE void shade_block(const fragment_state *state, raster_triangle triangle
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \
+        const fragment_kind kind = {depth_format, color_format, source};                           \
                                                                                                    \
-        for (uint32_t i = 0; i < count; ++i)                                                       \
-            shade_block(state, triangle, x + (int32_t)i * BLOCK_SIZE, y, coverage, depth_format,   \
-                        color_format, source);                                                     \
+        shade_blocks(state, kind, triangle, x, y, count, coverage);                                \
+    }
+
+/* The same for what is drawn in rows where it can be. Kept apart from the rows, single
+ * blocks, of which small triangles have most, begin with little ado. */
+#define GN_RUN_ROWS_FUNCTION(name, depth_format, color_format, source)                             \
+    GN_OUT_OF_LINE void name##_long(const fragment_state *state, raster_triangle triangle,         \
+                                    int32_t x, int32_t y, uint32_t count)                          \
+    {                                                                                              \
+        const fragment_kind kind = {depth_format, color_format, source};                           \
+        const uint32_t whole = count - count % BLOCKS_IN_ROW;                                      \
+                                                                                                   \
+        shade_rows(state, kind, triangle, x, y, whole);                                            \
+        if (whole < count)                                                                         \
+            shade_blocks(state, kind, triangle, x + (int32_t)whole * BLOCK_SIZE, y, count - whole, \
+                         GN_ALL_LANES);                                                            \
+    }                                                                                              \
+    static void name(const void *context, raster_triangle triangle, int32_t x, int32_t y,          \
+                     uint32_t count, uint32_t coverage)                                            \
+    {                                                                                              \
+        const fragment_state *state = (const fragment_state *)context;                             \
+        const fragment_kind kind = {depth_format, color_format, source};                           \
+                                                                                                   \
+        if (count > 1)                                                                             \
+            name##_long(state, triangle, x, y, count);                                             \
+        else                                                                                       \
+            shade_blocks(state, kind, triangle, x, y, 1, coverage);                                \
     }
 
 GN_RUN_FUNCTION(run_any, state->depth.format, state->color.format, SOURCE_SHADER)
 GN_RUN_FUNCTION(run_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_SHADER)
 GN_RUN_FUNCTION(run_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_SHADER)
 GN_RUN_FUNCTION(run_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_SHADER)
-GN_RUN_FUNCTION(run_color_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_COLOR)
-GN_RUN_FUNCTION(run_color_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_COLOR)
-GN_RUN_FUNCTION(run_color_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_COLOR)
+GN_RUN_ROWS_FUNCTION(run_color_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_COLOR)
+GN_RUN_ROWS_FUNCTION(run_color_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_COLOR)
+GN_RUN_ROWS_FUNCTION(run_color_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_COLOR)
+GN_RUN_ROWS_FUNCTION(run_depth_d24, GN_FORMAT_D24, GN_FORMAT_NONE, SOURCE_SHADER)
+GN_RUN_ROWS_FUNCTION(run_depth_d32f, GN_FORMAT_D32F, GN_FORMAT_NONE, SOURCE_SHADER)
 
 /* The function that draws blocks under a state. */
 static inline run_function *run_function_of(const fragment_state *state)
@@ -130,6 +215,10 @@ static inline run_function *run_function_of(const fragment_state *state)
 
     for (uint32_t n = 0; n < 4; ++n)
         color = color && n < p->varying_count && p->interpolation[n] == GN_SMOOTH;
+    if (state->color.format == GN_FORMAT_NONE)
+        return state->depth.format == GN_FORMAT_D24    ? run_depth_d24
+               : state->depth.format == GN_FORMAT_D32F ? run_depth_d32f
+                                                       : run_any;
     if (state->color.format != GN_FORMAT_RGBA8)
         return run_any;
     switch (state->depth.format) {

@@ -2,7 +2,7 @@
 #ifndef GN_FRAGMENT_COLOR_H
 #define GN_FRAGMENT_COLOR_H
 
-#include "types.h"
+#include "planes.h"
 
 /* Pixel by pixel, for blocks that hang over the surface's edge. */
 GN_OUT_OF_LINE void store_covered_pixels(const gn_surface *surface, int32_t x, int32_t y,
@@ -19,22 +19,19 @@ GN_OUT_OF_LINE void store_covered_pixels(const gn_surface *surface, int32_t x, i
     }
 }
 
-GN_INLINE void write_rgba8(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
+GN_INLINE void write_rgba8(const gn_surface *surface, const fragment_place *at, uint32_t coverage,
                            const lanes_f color[4])
 {
     lanes_i pixels = lanes_pack_unorm8(color[0], color[1], color[2], color[3]);
 
-    if (surface_holds_block(surface, x, y)) {
-        unsigned char *const memory = surface_row(surface, (uint32_t)y) + 4 * x;
-
-        if (coverage != GN_ALL_LANES)
-            pixels = lanes_i_select(lanes_from_bits(coverage), pixels,
-                                    lanes_i_load_block(memory, surface->row_stride));
-        lanes_i_store_block(memory, surface->row_stride, pixels);
+    if (at->shape == SHAPE_BLOCK && !surface_holds_block(surface, at->x, at->y)) {
+        store_covered_pixels(surface, at->x, at->y, coverage, pixels);
         return;
     }
-
-    store_covered_pixels(surface, x, y, coverage, pixels);
+    if (coverage != GN_ALL_LANES)
+        pixels = lanes_i_select(lanes_from_bits(coverage), pixels,
+                                load_words(at->shape, at->color, surface->row_stride));
+    store_words(at->shape, at->color, surface->row_stride, pixels);
 }
 
 static inline void write_rgba32f(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
@@ -55,15 +52,15 @@ static inline void write_rgba32f(const gn_surface *surface, int32_t x, int32_t y
     }
 }
 
-/* Converts a block's red, green, blue and alpha to the surface's format and writes the
- * covered pixels. */
-GN_INLINE void write_color(const gn_surface *surface, gn_format format, int32_t x, int32_t y,
+/* Converts red, green, blue and alpha to the surface's format and writes the covered
+ * pixels. Rows lie on the surface and are GN_FORMAT_RGBA8. */
+GN_INLINE void write_color(const gn_surface *surface, gn_format format, const fragment_place *at,
                            uint32_t coverage, const lanes_f color[4])
 {
     if (format == GN_FORMAT_RGBA8)
-        write_rgba8(surface, x, y, coverage, color);
+        write_rgba8(surface, at, coverage, color);
     else
-        write_rgba32f(surface, x, y, coverage, color);
+        write_rgba32f(surface, at->x, at->y, coverage, color);
 }
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef GN_FRAGMENT_DEPTH_H
 #define GN_FRAGMENT_DEPTH_H
 
-#include "types.h"
+#include "planes.h"
 
 static inline depth_state depth_state_of(const gn_pipeline *pipeline)
 {
@@ -89,31 +89,32 @@ GN_INLINE uint32_t compare_depth(const depth_state *state, lanes_i incoming, lan
     return state->inverted ? ~bits : bits;
 }
 
-/* Tests a block's depths against a surface of the given format and writes those that
- * pass, where the state says so. Gives the part of coverage that passed. */
+/* Tests depths against a surface of the given format and writes those that pass, where the
+ * state says so. Gives the part of coverage that passed. Rows lie on the surface, whose
+ * values have 32 bits. */
 GN_INLINE uint32_t test_depth(const depth_state *state, const gn_surface *surface, gn_format format,
-                              int32_t x, int32_t y, uint32_t coverage, lanes_f depth)
+                              const fragment_place *at, uint32_t coverage, lanes_f depth)
 {
     const lanes_i incoming = quantize_depth(format, depth);
 
-    if (format == GN_FORMAT_D16 || !surface_holds_block(surface, x, y)) {
-        const lanes_i stored = load_covered_depth(surface, x, y, coverage);
+    if (at->shape == SHAPE_BLOCK &&
+        (format == GN_FORMAT_D16 || !surface_holds_block(surface, at->x, at->y))) {
+        const lanes_i stored = load_covered_depth(surface, at->x, at->y, coverage);
         const uint32_t passed = coverage & compare_depth(state, incoming, stored);
 
         if (state->write)
-            store_covered_depth(surface, x, y, passed, incoming);
+            store_covered_depth(surface, at->x, at->y, passed, incoming);
         return passed;
     }
 
-    unsigned char *const memory = surface_row(surface, (uint32_t)y) + 4 * x;
-    const lanes_i stored = lanes_i_load_block(memory, surface->row_stride);
+    const lanes_i stored = load_words(at->shape, at->depth, surface->row_stride);
     const uint32_t passed = coverage & compare_depth(state, incoming, stored);
 
     if (state->write && passed == GN_ALL_LANES)
-        lanes_i_store_block(memory, surface->row_stride, incoming);
+        store_words(at->shape, at->depth, surface->row_stride, incoming);
     else if (state->write && passed)
-        lanes_i_store_block(memory, surface->row_stride,
-                            lanes_i_select(lanes_from_bits(passed), incoming, stored));
+        store_words(at->shape, at->depth, surface->row_stride,
+                    lanes_i_select(lanes_from_bits(passed), incoming, stored));
     return passed;
 }
 

@@ -1,5 +1,6 @@
 /* The fragment stages: from blocks of covered fragments to the surfaces.
  *
+ *   planes  attributes at the fragments
  *   depth   depth test and depth write
  *   color   conversion to the colour format and write
  *   block   interpolates, runs depth, the fragment shader and colour
@@ -29,6 +30,13 @@ typedef struct fragment_state {
     depth_state test;
 } fragment_state;
 
+/* Where lane l is. A row saves most of the work where nothing is asked of neighbouring
+ * rows; shaders are handed blocks, for their derivatives. */
+typedef enum fragment_shape {
+    SHAPE_BLOCK, /* (x + l % 4, y + l / 4) */
+    SHAPE_ROW    /* (x + l, y) */
+} fragment_shape;
+
 /* Whether all of the block at (x, y) lies on a surface, so that it may be loaded and
  * stored whole; blocks hang over the right and the top edge of odd sizes. */
 static inline bool surface_holds_block(const gn_surface *surface, int32_t x, int32_t y)
@@ -41,6 +49,30 @@ static inline bool surface_holds_block(const gn_surface *surface, int32_t x, int
 static inline unsigned char *surface_row(const gn_surface *surface, uint32_t y)
 {
     return (unsigned char *)surface->pixels + (ptrdiff_t)y * surface->row_stride;
+}
+
+/* The memory of a pixel on a surface of the given format, null where there is none. */
+GN_INLINE unsigned char *pixel_memory(const gn_surface *surface, gn_format format, int32_t x,
+                                      int32_t y)
+{
+    const int32_t size = format == GN_FORMAT_RGBA32F ? 16 : format == GN_FORMAT_D16 ? 2 : 4;
+
+    return format == GN_FORMAT_NONE ? 0 : surface_row(surface, (uint32_t)y) + x * size;
+}
+
+/* The 32-bit values of the lanes from `memory` on, in rows `stride` bytes apart. */
+GN_INLINE lanes_i load_words(fragment_shape shape, const unsigned char *memory, ptrdiff_t stride)
+{
+    return shape == SHAPE_ROW ? lanes_i_load((const stored_word *)(const void *)memory)
+                              : lanes_i_load_block(memory, stride);
+}
+
+GN_INLINE void store_words(fragment_shape shape, unsigned char *memory, ptrdiff_t stride, lanes_i a)
+{
+    if (shape == SHAPE_ROW)
+        lanes_i_store((stored_word *)(void *)memory, a);
+    else
+        lanes_i_store_block(memory, stride, a);
 }
 
 #endif

@@ -155,12 +155,12 @@ static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
                                             _mm256_add_epi32(row, _mm256_set1_epi32(2 * n)))));
 }
 
-static inline lanes_i lanes_i_load(const int32_t p[GN_LANES])
+static inline lanes_i lanes_i_load(const stored_word *p)
 {
     LANES_EACH_REGISTER(lanes_i, _mm256_loadu_si256((const __m256i *)(const void *)(p + 8 * n)));
 }
 
-static inline void lanes_i_store(int32_t *p, lanes_i a)
+static inline void lanes_i_store(stored_word *p, lanes_i a)
 {
     _mm256_storeu_si256((__m256i *)(void *)p, a.q[0]);
     _mm256_storeu_si256((__m256i *)(void *)(p + 8), a.q[1]);

@@ -176,7 +176,7 @@ static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
     return r;
 }
 
-static inline lanes_i lanes_i_load(const int32_t *p)
+static inline lanes_i lanes_i_load(const stored_word *p)
 {
     lanes_i r;
     GN_EACH_LANE (l)
@@ -184,7 +184,7 @@ static inline lanes_i lanes_i_load(const int32_t *p)
     return r;
 }
 
-static inline void lanes_i_store(int32_t *p, lanes_i a)
+static inline void lanes_i_store(stored_word *p, lanes_i a)
 {
     GN_EACH_LANE (l)
         p[l] = a.v[l];

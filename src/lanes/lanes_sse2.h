@@ -161,12 +161,12 @@ static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
     LANES_EACH_REGISTER(lanes_i, _mm_add_epi32(columns, _mm_set1_epi32(n * per_row)));
 }
 
-static inline lanes_i lanes_i_load(const int32_t p[GN_LANES])
+static inline lanes_i lanes_i_load(const stored_word *p)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_loadu_si128((const __m128i *)(const void *)(p + 4 * n)));
 }
 
-static inline void lanes_i_store(int32_t *p, lanes_i a)
+static inline void lanes_i_store(stored_word *p, lanes_i a)
 {
     _mm_storeu_si128((__m128i *)(void *)p, a.q[0]);
     _mm_storeu_si128((__m128i *)(void *)(p + 4), a.q[1]);

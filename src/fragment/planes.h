@@ -1,0 +1,61 @@
+/* Attributes at fragments: the planes of a triangle and their values over lanes. */
+#ifndef GN_FRAGMENT_PLANES_H
+#define GN_FRAGMENT_PLANES_H
+
+#include "types.h"
+
+/* The plane's value in every lane of the block at (x, y): per_y * y + (per_x * x + origin),
+ * in this order. */
+GN_INLINE lanes_f plane_in_block(attribute_plane plane, float x, float y)
+{
+    return lanes_add(lanes_rows(plane.per_y, y), lanes_columns(plane.per_x, x, plane.origin));
+}
+
+/* The attributes that the library itself interpolates over long runs, varyings among them
+ * as many as it knows a use for. */
+#define RUN_ATTRIBUTES (VARYING_PLANES + 4)
+
+/* The two terms of a value: per_y * y for the rows of a run of blocks and per_x * x + origin
+ * for 16 of its columns, so that every pixel takes but their sum. */
+typedef struct row_terms {
+    float value[BLOCK_SIZE][RUN_ATTRIBUTES];
+} row_terms;
+
+typedef struct column_terms {
+    lanes_f value[RUN_ATTRIBUTES];
+} column_terms;
+
+GN_INLINE void set_row_terms(row_terms *terms, uint32_t attribute, attribute_plane plane, int32_t y)
+{
+    for (int32_t row = 0; row < BLOCK_SIZE; ++row)
+        terms->value[row][attribute] = plane.per_y * (float)(y + row);
+}
+
+GN_INLINE lanes_f columns_from(attribute_plane plane, int32_t x)
+{
+    static const float number[GN_LANES] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    const lanes_f column = lanes_add(lanes_splat((float)x), lanes_load(number));
+
+    return lanes_add(lanes_mul(lanes_splat(plane.per_x), column), lanes_splat(plane.origin));
+}
+
+/* Sixteen fragments, the first at (x, y). */
+typedef struct fragment_place {
+    fragment_shape shape;
+    int32_t x, y;
+    unsigned char *color, *depth; /* the first one's memory; null: no such surface */
+
+    /* Of a row. */
+    const column_terms *columns;
+    const float *row; /* row_terms of y */
+} fragment_place;
+
+GN_INLINE lanes_f interpolate(const fragment_place *at, raster_triangle triangle,
+                              uint32_t attribute)
+{
+    if (at->shape == SHAPE_ROW)
+        return lanes_add(lanes_splat(at->row[attribute]), at->columns->value[attribute]);
+    return plane_in_block(triangle_plane(triangle, attribute), (float)at->x, (float)at->y);
+}
+
+#endif
