@@ -2,6 +2,7 @@
 #include "gnomon/surface.h"
 
 #include "../fragment/types.h"
+#include "fill.h"
 
 size_t gn_format_size(gn_format format)
 {
@@ -99,37 +100,61 @@ static lanes_f saturate(float c)
     return lanes_splat(!(c > 0.0f) ? 0.0f : c >= 1.0f ? 1.0f : c);
 }
 
-/* Fills every row with four words over and over. */
-static void fill_words(const gn_surface *surface, const int32_t pattern[4])
+/* A surface's memory in pieces without gaps: all of it, lowest address first, where rows
+ * follow each other tightly, otherwise each row. */
+typedef struct surface_spans {
+    unsigned char *first;
+    ptrdiff_t stride;
+    uint32_t count;
+    size_t size; /* bytes */
+} surface_spans;
+
+static surface_spans spans_of(const gn_surface *surface)
 {
-    const size_t count = surface->width * gn_format_size(surface->format) / 4;
-    const int32_t a = pattern[0];
-    const int32_t b = pattern[1];
-    const int32_t c = pattern[2];
-    const int32_t d = pattern[3];
+    const size_t row = surface->width * gn_format_size(surface->format);
+    const bool down = surface->row_stride < 0;
+    surface_spans s;
 
-    for (uint32_t y = 0; y < surface->height; ++y) {
-        stored_word *const row = (stored_word *)(void *)surface_row(surface, y);
-        size_t i = 0;
-
-        for (; i + 4 <= count; i += 4) {
-            row[i] = a;
-            row[i + 1] = b;
-            row[i + 2] = c;
-            row[i + 3] = d;
-        }
-        for (; i < count; ++i)
-            row[i] = pattern[i % 4];
+    s.first = surface_row(surface, 0);
+    s.stride = surface->row_stride;
+    s.count = surface->height;
+    s.size = row;
+    if (s.stride == (ptrdiff_t)row || s.stride == -(ptrdiff_t)row) {
+        s.first = surface_row(surface, down ? surface->height - 1 : 0);
+        s.count = 1;
+        s.size = row * surface->height;
     }
+    return s;
+}
+
+/* Fills with the first four words of the pattern over and over. */
+static void fill_surface(const gn_surface *surface, const int32_t pattern[GN_LANES])
+{
+    const surface_spans spans = spans_of(surface);
+
+    for (uint32_t i = 0; i < spans.count; ++i)
+        fill_words((stored_word *)(void *)(spans.first + (ptrdiff_t)i * spans.stride),
+                   spans.size / 4, pattern);
 }
 
 static void fill_halves(const gn_surface *surface, uint16_t value)
 {
-    for (uint32_t y = 0; y < surface->height; ++y) {
-        uint16_t *const row = (uint16_t *)(void *)surface_row(surface, y);
+    const surface_spans spans = spans_of(surface);
+    int32_t pattern[GN_LANES];
 
-        for (uint32_t x = 0; x < surface->width; ++x)
-            row[x] = value;
+    GN_EACH_LANE (l)
+        pattern[l] = (int32_t)(value | (uint32_t)value << 16);
+    for (uint32_t i = 0; i < spans.count; ++i) {
+        uint16_t *half = (uint16_t *)(void *)(spans.first + (ptrdiff_t)i * spans.stride);
+        size_t count = spans.size / 2;
+
+        if ((uintptr_t)half % 4 != 0) {
+            *half++ = value;
+            --count;
+        }
+        fill_words((stored_word *)(void *)half, count / 2, pattern);
+        if (count % 2 != 0)
+            half[count - 1] = value;
     }
 }
 
@@ -155,11 +180,14 @@ gn_status gn_clear_color(const gn_surface *surface, float red, float green, floa
 
         lanes_i_store(packed, lanes_pack_unorm8(saturate(red), saturate(green), saturate(blue),
                                                 saturate(alpha)));
-        fill_words(surface, packed);
+        fill_surface(surface, packed);
     } else {
-        const int32_t channels[4] = {bits_of(red), bits_of(green), bits_of(blue), bits_of(alpha)};
+        const float channel[4] = {red, green, blue, alpha};
+        int32_t pattern[GN_LANES];
 
-        fill_words(surface, channels);
+        GN_EACH_LANE (l)
+            pattern[l] = bits_of(channel[l % 4]);
+        fill_surface(surface, pattern);
     }
     return GN_OK;
 }
@@ -200,9 +228,10 @@ gn_status gn_clear_depth(const gn_surface *surface, float depth)
     } else {
         const int32_t word =
             surface->format == GN_FORMAT_D24 ? (int32_t)scale_exactly(z, 16777215) : bits_of(z);
-        const int32_t pattern[4] = {word, word, word, word};
+        int32_t pattern[GN_LANES];
 
-        fill_words(surface, pattern);
+        lanes_i_store(pattern, lanes_i_splat(word));
+        fill_surface(surface, pattern);
     }
     return GN_OK;
 }

@@ -198,6 +198,58 @@ static void clear_depth_clamps(void **state)
     assert_int_equal(cleared_depth(GN_FORMAT_D32F, INFINITY), 0x3F800000u);
 }
 
+/* What a clear of `format` to white, or to depth 1, puts into byte i of a row. */
+static unsigned char cleared_byte(gn_format format, size_t i)
+{
+    static const unsigned char one[4] = {0, 0, 0x80, 0x3F};
+
+    if (format == GN_FORMAT_RGBA32F || format == GN_FORMAT_D32F)
+        return one[i % 4];
+    return format == GN_FORMAT_D24 && i % 4 == 3 ? 0 : 0xFF;
+}
+
+/* Widths and heights on both sides of what is filled at a time, rows tight and with a gap,
+ * upwards and downwards, memory as little aligned as may be; not a byte beside them. */
+static void clear_fills_its_pixels_alone(void **state)
+{
+    (void)state;
+    static const uint32_t widths[] = {1, 2, 15, 16, 17, 63, 255, 1023, 1024, 1025, 2050};
+    static unsigned char memory[3 * (2050 * 16 + 8) + 16];
+
+    for (int f = GN_FORMAT_RGBA8; f <= GN_FORMAT_D32F; ++f) {
+        const gn_format format = (gn_format)f;
+        const size_t element = format == GN_FORMAT_D16 ? 2 : 4;
+
+        for (uint32_t kind = 0; kind < 8 * sizeof widths / sizeof *widths; ++kind) {
+            const uint32_t width = widths[kind / 8];
+            const uint32_t height = kind & 1 ? 3 : 1;
+            const size_t row = width * gn_format_size(format);
+            const size_t stride = row + (kind & 2 ? element : 0);
+            const size_t start = 4 + element;
+            gn_surface s = gn_surface_bottom_up(memory + start, format, width, height);
+
+            s.row_stride = (ptrdiff_t)stride;
+            if (kind & 4) {
+                s.pixels = memory + start + stride * (height - 1);
+                s.row_stride = -(ptrdiff_t)stride;
+            }
+            memset(memory, 0x55, sizeof memory);
+            if (format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F)
+                assert_int_equal(gn_clear_color(&s, 1, 1, 1, 1), GN_OK);
+            else
+                assert_int_equal(gn_clear_depth(&s, 1), GN_OK);
+            for (size_t i = 0; i < start + stride * height + 16; ++i) {
+                const bool inside =
+                    i >= start && i < start + stride * height && (i - start) % stride < row;
+                const unsigned char wanted =
+                    inside ? cleared_byte(format, (i - start) % stride) : 0x55;
+                if (memory[i] != wanted)
+                    fail_msg("format %d, width %u, kind %u: byte %zu", f, width, kind, i);
+            }
+        }
+    }
+}
+
 static void clear_faults(void **state)
 {
     (void)state;
@@ -223,6 +275,7 @@ int main(void)
         cmocka_unit_test(clear_respects_the_stride),
         cmocka_unit_test(clear_depth_rounds_exactly),
         cmocka_unit_test(clear_depth_clamps),
+        cmocka_unit_test(clear_fills_its_pixels_alone),
         cmocka_unit_test(clear_faults),
     };
     return cmocka_run_group_tests_name("surface", tests, NULL, NULL);

@@ -1,0 +1,30 @@
+/* Filling memory with a value over and over: what clears are made of. */
+#ifndef GN_DRAW_FILL_H
+#define GN_DRAW_FILL_H
+
+#include "../lanes/lanes.h"
+
+/* From this many words on a string instruction pays: it fills whole cache lines without
+ * reading them, at up to twice the speed of 16-byte stores, after a start of 30 ns. */
+#define STRING_WORDS 1024
+
+/* Fills with one word where all of `pattern`, which repeats every four words, are equal. */
+static inline void fill_words(stored_word *memory, size_t count, const int32_t pattern[GN_LANES])
+{
+    const lanes_i value = lanes_i_load(pattern);
+    size_t i = 0;
+
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__))
+    if (count >= STRING_WORDS && pattern[0] == pattern[1] && pattern[0] == pattern[2] &&
+        pattern[0] == pattern[3]) {
+        __asm__ volatile("rep stosl" : "+D"(memory), "+c"(count) : "a"(pattern[0]) : "memory");
+        return;
+    }
+#endif
+    for (; i + GN_LANES <= count; i += GN_LANES)
+        lanes_i_store(memory + i, value);
+    for (; i < count; ++i)
+        memory[i] = pattern[i % GN_LANES];
+}
+
+#endif
