@@ -6,6 +6,7 @@
  *   scalar.h      square root and trigonometry, the same on every target
  *   vec.h         vectors of two to four components
  *   mat.h         3x3 and 4x4 matrices
+ *   bulk.h        arrays of vectors by one matrix
  *   transform.h   transforms: a matrix together with its analytic inverse
  *   projection.h  projections and the viewport, as transforms
  *   surface.h     colour and depth images in the caller's memory, and clears
@@ -32,6 +33,7 @@
 #define GNOMON_H
 
 #include "gnomon/backend.h"
+#include "gnomon/bulk.h"
 #include "gnomon/draw.h"
 #include "gnomon/mat.h"
 #include "gnomon/parallel.h"

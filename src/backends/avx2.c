@@ -3,6 +3,7 @@
 #include "have.h"
 
 #include "../draw/job.h"
+#include "../math/bulk_job.h"
 
 #if GN_HAVE_AVX2
 #include <immintrin.h>
@@ -16,10 +17,16 @@
 
 #define GN_LANES_AVX2
 #include "../draw/run.h"
+#include "../math/bulk.h"
 
 gn_status gn_run_avx2(const draw_job *job)
 {
     return run_draw(job);
+}
+
+void gn_bulk_avx2(const bulk_job *job)
+{
+    run_bulk(job);
 }
 
 #if defined(__clang__)

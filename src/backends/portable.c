@@ -2,8 +2,14 @@
 #define GN_LANES_PORTABLE
 
 #include "../draw/run.h"
+#include "../math/bulk.h"
 
 gn_status gn_run_portable(const draw_job *job)
 {
     return run_draw(job);
+}
+
+void gn_bulk_portable(const bulk_job *job)
+{
+    run_bulk(job);
 }

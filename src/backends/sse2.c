@@ -2,12 +2,19 @@
 #include "have.h"
 
 #include "../draw/job.h"
+#include "../math/bulk_job.h"
 
 #if GN_HAVE_SSE2
 #include "../draw/run.h"
+#include "../math/bulk.h"
 
 gn_status gn_run_sse2(const draw_job *job)
 {
     return run_draw(job);
+}
+
+void gn_bulk_sse2(const bulk_job *job)
+{
+    run_bulk(job);
 }
 #endif

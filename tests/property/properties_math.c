@@ -341,6 +341,100 @@ static enum theft_trial_res products_and_determinants(struct theft *t, void *arg
                        9.0 * U * determinant(&wide, 4, true) * SLACK);
 }
 
+/* Many vectors by one matrix, on every back end: the bits of the function for one vector,
+ * for any bits of the operands; a NaN may be another. */
+
+static bool same_floats(const float *a, const float *b, size_t count)
+{
+    for (size_t i = 0; i < count; ++i)
+        if (memcmp(&a[i], &b[i], sizeof a[i]) != 0 && !(isnan(a[i]) && isnan(b[i])))
+            return false;
+    return true;
+}
+
+static bool bulk_vec4(const gn_mat4 *m, const float *floats, size_t count, gn_backend backend)
+{
+    gn_vec4 v[2 * FLOATS / 4], result[2 * FLOATS / 4], one[2 * FLOATS / 4];
+    float memory[4][2 * FLOATS / 4];
+    float *const to[4] = {memory[0], memory[1], memory[2], memory[3]};
+    const float *const from[4] = {memory[0], memory[1], memory[2], memory[3]};
+    memcpy(v, floats, sizeof v);
+    for (size_t i = 0; i < count; ++i) {
+        one[i] = gn_mat4_multiply_vec4(m, v[i]);
+        for (size_t k = 0; k < 4; ++k)
+            memory[k][i] = floats[4 * i + k];
+    }
+    if (gn_mat4_multiply_vec4_packed(m, v, result, count, backend) != GN_OK ||
+        gn_mat4_multiply_vec4_arrays(m, from, to, count, backend) != GN_OK ||
+        !same_floats(&result[0].x, &one[0].x, 4 * count))
+        return false;
+    for (size_t i = 0; i < count; ++i) {
+        const gn_vec4 r = {memory[0][i], memory[1][i], memory[2][i], memory[3][i]};
+        if (!same_floats(&r.x, &one[i].x, 4))
+            return false;
+    }
+    return true;
+}
+
+static bool bulk_vec3(const gn_mat4 *m, const float *floats, size_t count, int function,
+                      gn_backend backend)
+{
+    gn_vec3 v[2 * FLOATS / 3], result[2 * FLOATS / 3], one[2 * FLOATS / 3];
+    float memory[3][2 * FLOATS / 3];
+    float *const to[3] = {memory[0], memory[1], memory[2]};
+    const float *const from[3] = {memory[0], memory[1], memory[2]};
+    gn_mat3 part;
+    gn_status packed, arrays;
+    gn_mat4_upper_left(m, &part);
+    memcpy(v, floats, sizeof v);
+    for (size_t i = 0; i < count; ++i) {
+        one[i] = function == 0   ? gn_mat4_transform_point(m, v[i])
+                 : function == 1 ? gn_mat4_transform_direction(m, v[i])
+                                 : gn_mat3_multiply_vec3(&part, v[i]);
+        for (size_t k = 0; k < 3; ++k)
+            memory[k][i] = floats[3 * i + k];
+    }
+    if (function == 0) {
+        packed = gn_mat4_transform_point_packed(m, v, result, count, backend);
+        arrays = gn_mat4_transform_point_arrays(m, from, to, count, backend);
+    } else if (function == 1) {
+        packed = gn_mat4_transform_direction_packed(m, v, result, count, backend);
+        arrays = gn_mat4_transform_direction_arrays(m, from, to, count, backend);
+    } else {
+        packed = gn_mat3_multiply_vec3_packed(&part, v, result, count, backend);
+        arrays = gn_mat3_multiply_vec3_arrays(&part, from, to, count, backend);
+    }
+    if (packed != GN_OK || arrays != GN_OK || !same_floats(&result[0].x, &one[0].x, 3 * count))
+        return false;
+    for (size_t i = 0; i < count; ++i) {
+        const gn_vec3 r = {memory[0][i], memory[1][i], memory[2][i]};
+        if (!same_floats(&r.x, &one[i].x, 3))
+            return false;
+    }
+    return true;
+}
+
+static enum theft_trial_res bulk_is_single(struct theft *t, void *arg1, void *arg2, void *arg3)
+{
+    gn_mat4 m;
+    float floats[2 * FLOATS];
+    memcpy(&m, arg1, sizeof m);
+    memcpy(floats, arg2, FLOATS * sizeof *floats);
+    memcpy(floats + FLOATS, arg3, FLOATS * sizeof *floats);
+    const size_t four = 2 * FLOATS / 4 - theft_random_bits(t, 4);
+    const size_t three = 2 * FLOATS / 3 - theft_random_bits(t, 4);
+    for (gn_backend backend = GN_BACKEND_AUTO; backend < GN_BACKEND_COUNT; ++backend) {
+        if (!gn_backend_available(backend))
+            continue;
+        if (!bulk_vec4(&m, floats, four, backend))
+            return THEFT_TRIAL_FAIL;
+        for (int function = 0; function < 3; ++function)
+            if (!bulk_vec3(&m, floats, three, function, backend))
+                return THEFT_TRIAL_FAIL;
+    }
+    return THEFT_TRIAL_PASS;
+}
+
 static int inverse_properties(uint64_t seed, size_t trials)
 {
     int failed = 0;
@@ -400,6 +494,12 @@ int properties_math(uint64_t seed, size_t trials)
         {.name = "matrices: product, dot, determinant",
          .prop1 = products_and_determinants,
          .type_info = {&moderate_info}},
+        {.name = "bulk: the bits of one vector",
+         .prop3 = bulk_is_single,
+         .type_info = {&float_info, &float_info, &float_info}},
+        {.name = "bulk, moderate numbers: the bits of one vector",
+         .prop3 = bulk_is_single,
+         .type_info = {&moderate_info, &moderate_info, &moderate_info}},
     };
     int failed = inverse_properties(seed, trials);
     for (size_t i = 0; i < sizeof properties / sizeof properties[0]; ++i)

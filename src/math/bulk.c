@@ -1,0 +1,240 @@
+/* Many vectors by one matrix: whole blocks of lanes by a back end in place, and what is
+ * left over as one block more in memory of its own. */
+#include <gnomon/bulk.h>
+
+#include <gnomon/texture.h>
+
+#include "../backends/have.h"
+#include "bulk_job.h"
+
+static bool library_holds(gn_backend backend)
+{
+    switch (backend) {
+    case GN_BACKEND_AUTO:
+    case GN_BACKEND_PORTABLE:
+        return true;
+    case GN_BACKEND_SSE2:
+        return GN_HAVE_SSE2;
+    case GN_BACKEND_AVX2:
+        return GN_HAVE_AVX2;
+    default:
+        return false;
+    }
+}
+
+static gn_backend choose(gn_backend backend, size_t count)
+{
+    if (backend != GN_BACKEND_AUTO)
+        return backend;
+    if (count >= GN_BULK_ASK)
+        return gn_backend_best();
+    return GN_HAVE_SSE2 ? GN_BACKEND_SSE2 : GN_BACKEND_PORTABLE;
+}
+
+static void run_blocks(gn_backend backend, const bulk_job *job)
+{
+    switch (backend) {
+#if GN_HAVE_AVX2
+    case GN_BACKEND_AVX2:
+        gn_bulk_avx2(job);
+        break;
+#endif
+#if GN_HAVE_SSE2
+    case GN_BACKEND_SSE2:
+        gn_bulk_sse2(job);
+        break;
+#endif
+    default:
+        gn_bulk_portable(job);
+        break;
+    }
+}
+
+/* The last `rest` vectors, fewer than a block, where the job's pointers are. */
+static void run_rest(gn_backend backend, bulk_job *job, size_t rest)
+{
+    const int components = job->kind == BULK_VEC4 ? 4 : 3;
+    const int arrays = job->packed ? 1 : components;
+    const size_t floats = job->packed ? rest * (size_t)components : rest;
+    float block[4 * GN_LANES];
+    float *to[4];
+
+    for (int i = 0; i < 4 * GN_LANES; ++i)
+        block[i] = 0.0f;
+    for (int array = 0; array < arrays; ++array) {
+        float *own = block + array * GN_LANES;
+
+        for (size_t i = 0; i < floats; ++i)
+            own[i] = job->v[array][i];
+        to[array] = job->result[array];
+        job->v[array] = job->result[array] = own;
+    }
+    job->count = GN_LANES;
+    run_blocks(backend, job);
+    for (int array = 0; array < arrays; ++array)
+        for (size_t i = 0; i < floats; ++i)
+            to[array][i] = job->result[array][i];
+}
+
+static void run(gn_backend backend, bulk_job *job, size_t count)
+{
+    const size_t rest = count % GN_LANES;
+    const int components = job->kind == BULK_VEC4 ? 4 : 3;
+    const int arrays = job->packed ? 1 : components;
+
+    backend = choose(backend, count);
+    job->count = count - rest;
+    if (job->count > 0)
+        run_blocks(backend, job);
+    if (rest > 0) {
+        for (int i = 0; i < arrays; ++i) {
+            job->v[i] += job->packed ? job->count * (size_t)components : job->count;
+            job->result[i] += job->packed ? job->count * (size_t)components : job->count;
+        }
+        run_rest(backend, job, rest);
+    }
+}
+
+static bool take_mat4(bulk_job *job, bulk_kind kind, const gn_mat4 *m)
+{
+    if (!m)
+        return false;
+    job->kind = kind;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            job->m[column][row] = m->m[column][row];
+    return true;
+}
+
+/* Only the part that BULK_DIRECTION reads. */
+static bool take_mat3(bulk_job *job, const gn_mat3 *m)
+{
+    if (!m)
+        return false;
+    job->kind = BULK_DIRECTION;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
+            job->m[column][row] = m->m[column][row];
+    return true;
+}
+
+static gn_status run_packed(bulk_job *job, const float *v, float *result, size_t count,
+                            gn_backend backend)
+{
+    if (count > 0 && (!v || !result))
+        return GN_NULL_POINTER;
+    if (!library_holds(backend))
+        return GN_BACKEND_UNAVAILABLE;
+    if (count > 0) {
+        job->packed = true;
+        job->v[0] = v;
+        job->result[0] = result;
+        run(backend, job, count);
+    }
+    return GN_OK;
+}
+
+static gn_status run_arrays(bulk_job *job, const float *const *v, float *const *result,
+                            size_t count, gn_backend backend)
+{
+    const int components = job->kind == BULK_VEC4 ? 4 : 3;
+
+    if (count > 0) {
+        if (!v || !result)
+            return GN_NULL_POINTER;
+        for (int i = 0; i < components; ++i) {
+            if (!v[i] || !result[i])
+                return GN_NULL_POINTER;
+            job->v[i] = v[i];
+            job->result[i] = result[i];
+        }
+    }
+    if (!library_holds(backend))
+        return GN_BACKEND_UNAVAILABLE;
+    if (count > 0) {
+        job->packed = false;
+        run(backend, job, count);
+    }
+    return GN_OK;
+}
+
+gn_status gn_mat4_multiply_vec4_packed(const gn_mat4 *m, const gn_vec4 *v, gn_vec4 *result,
+                                       size_t count, gn_backend backend)
+{
+    bulk_job job;
+
+    if (!take_mat4(&job, BULK_VEC4, m))
+        return GN_NULL_POINTER;
+    return run_packed(&job, (const float *)v, (float *)result, count, backend);
+}
+
+gn_status gn_mat4_multiply_vec4_arrays(const gn_mat4 *m, const float *const v[4],
+                                       float *const result[4], size_t count, gn_backend backend)
+{
+    bulk_job job;
+
+    if (!take_mat4(&job, BULK_VEC4, m))
+        return GN_NULL_POINTER;
+    return run_arrays(&job, v, result, count, backend);
+}
+
+gn_status gn_mat4_transform_point_packed(const gn_mat4 *m, const gn_vec3 *v, gn_vec3 *result,
+                                         size_t count, gn_backend backend)
+{
+    bulk_job job;
+
+    if (!take_mat4(&job, BULK_POINT, m))
+        return GN_NULL_POINTER;
+    return run_packed(&job, (const float *)v, (float *)result, count, backend);
+}
+
+gn_status gn_mat4_transform_point_arrays(const gn_mat4 *m, const float *const v[3],
+                                         float *const result[3], size_t count, gn_backend backend)
+{
+    bulk_job job;
+
+    if (!take_mat4(&job, BULK_POINT, m))
+        return GN_NULL_POINTER;
+    return run_arrays(&job, v, result, count, backend);
+}
+
+gn_status gn_mat4_transform_direction_packed(const gn_mat4 *m, const gn_vec3 *v, gn_vec3 *result,
+                                             size_t count, gn_backend backend)
+{
+    bulk_job job;
+
+    if (!take_mat4(&job, BULK_DIRECTION, m))
+        return GN_NULL_POINTER;
+    return run_packed(&job, (const float *)v, (float *)result, count, backend);
+}
+
+gn_status gn_mat4_transform_direction_arrays(const gn_mat4 *m, const float *const v[3],
+                                             float *const result[3], size_t count,
+                                             gn_backend backend)
+{
+    bulk_job job;
+
+    if (!take_mat4(&job, BULK_DIRECTION, m))
+        return GN_NULL_POINTER;
+    return run_arrays(&job, v, result, count, backend);
+}
+
+gn_status gn_mat3_multiply_vec3_packed(const gn_mat3 *m, const gn_vec3 *v, gn_vec3 *result,
+                                       size_t count, gn_backend backend)
+{
+    bulk_job job;
+
+    if (!take_mat3(&job, m))
+        return GN_NULL_POINTER;
+    return run_packed(&job, (const float *)v, (float *)result, count, backend);
+}
+
+gn_status gn_mat3_multiply_vec3_arrays(const gn_mat3 *m, const float *const v[3],
+                                       float *const result[3], size_t count, gn_backend backend)
+{
+    bulk_job job;
+
+    if (!take_mat3(&job, m))
+        return GN_NULL_POINTER;
+    return run_arrays(&job, v, result, count, backend);
+}

@@ -1,0 +1,29 @@
+/* Many vectors by one matrix, as a back end gets them. */
+#ifndef GN_MATH_BULK_JOB_H
+#define GN_MATH_BULK_JOB_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef enum bulk_kind {
+    BULK_VEC4,     /* four components: ((c0*x + c1*y) + c2*z) + c3*w */
+    BULK_POINT,    /* three: ((c0*x + c1*y) + c2*z) + c3 */
+    BULK_DIRECTION /* three: (c0*x + c1*y) + c2*z */
+} bulk_kind;
+
+typedef struct bulk_job {
+    bulk_kind kind;
+    bool packed;       /* all in v[0] and result[0], one vector after the other */
+    float m[4][4];     /* [column][row] */
+    const float *v[4]; /* [component] */
+    float *result[4];  /* [component] */
+    size_t count;      /* of vectors, a multiple of GN_LANES */
+} bulk_job;
+
+/* One function a back end; those the target's instruction set does not have are not
+ * defined. */
+void gn_bulk_portable(const bulk_job *job);
+void gn_bulk_sse2(const bulk_job *job);
+void gn_bulk_avx2(const bulk_job *job);
+
+#endif

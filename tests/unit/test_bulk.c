@@ -1,0 +1,261 @@
+/* Many vectors by one matrix: every function against the one for a single vector, at all
+ * lengths around a block and all alignments, on every back end, in place and not; nothing
+ * else is written; each status. */
+#include <stdio.h>
+#include <string.h>
+
+#include "unit.h"
+
+#define LENGTHS 68
+#define ALIGNMENTS 8
+#define MARGIN 16
+#define ROOM (4 * LENGTHS + ALIGNMENTS + 2 * MARGIN)
+
+static const gn_mat4 m4 = {{{0.3f, -1.7f, 2.9f, 0.11f},
+                            {1.3f, 0.7f, -0.2f, 5.1f},
+                            {-3.1f, 1e-3f, 0.9f, 7.7f},
+                            {10.1f, -20.3f, 30.7f, 1.9f}}};
+static const gn_mat3 m3 = {{{0.7f, -0.1f, 2.3f}, {1e-2f, 3.3f, -1.9f}, {0.6f, 0.4f, 0.2f}}};
+
+enum function { VEC4, POINT, DIRECTION, VEC3, FUNCTIONS };
+
+static int components_of(enum function function)
+{
+    return function == VEC4 ? 4 : 3;
+}
+
+/* What the function for one vector makes of v. */
+static void one(enum function function, const float v[4], float result[4])
+{
+    const gn_vec3 v3 = {v[0], v[1], v[2]};
+    const gn_vec4 v4 = {v[0], v[1], v[2], v[3]};
+    const gn_vec4 r4 = gn_mat4_multiply_vec4(&m4, v4);
+    const gn_vec3 r3 = function == POINT       ? gn_mat4_transform_point(&m4, v3)
+                       : function == DIRECTION ? gn_mat4_transform_direction(&m4, v3)
+                                               : gn_mat3_multiply_vec3(&m3, v3);
+    const float of_four[4] = {r4.x, r4.y, r4.z, r4.w}, of_three[4] = {r3.x, r3.y, r3.z, 0.0f};
+
+    memcpy(result, function == VEC4 ? of_four : of_three, 4 * sizeof *result);
+}
+
+static gn_status packed(enum function function, const float *v, float *result, size_t count,
+                        gn_backend backend)
+{
+    const gn_vec3 *v3 = (const gn_vec3 *)v;
+    gn_vec3 *r3 = (gn_vec3 *)result;
+
+    switch (function) {
+    case VEC4:
+        return gn_mat4_multiply_vec4_packed(&m4, (const gn_vec4 *)v, (gn_vec4 *)result, count,
+                                            backend);
+    case POINT:
+        return gn_mat4_transform_point_packed(&m4, v3, r3, count, backend);
+    case DIRECTION:
+        return gn_mat4_transform_direction_packed(&m4, v3, r3, count, backend);
+    default:
+        return gn_mat3_multiply_vec3_packed(&m3, v3, r3, count, backend);
+    }
+}
+
+static gn_status arrays(enum function function, const float *const *v, float *const *result,
+                        size_t count, gn_backend backend)
+{
+    switch (function) {
+    case VEC4:
+        return gn_mat4_multiply_vec4_arrays(&m4, v, result, count, backend);
+    case POINT:
+        return gn_mat4_transform_point_arrays(&m4, v, result, count, backend);
+    case DIRECTION:
+        return gn_mat4_transform_direction_arrays(&m4, v, result, count, backend);
+    default:
+        return gn_mat3_multiply_vec3_arrays(&m3, v, result, count, backend);
+    }
+}
+
+static void fill(float *memory, size_t count, float first)
+{
+    for (size_t i = 0; i < count; ++i)
+        memory[i] = first + (float)(i * 37 % 101) * 0.13f;
+}
+
+/* Where component i of vector k of `count` lies, in floats: the arrays of a structure lie
+ * one after the other. */
+static size_t place(bool is_packed, int components, size_t count, size_t k, int i)
+{
+    return is_packed ? k * (size_t)components + (size_t)i : (size_t)i * count + k;
+}
+
+static void compare(enum function function, bool is_packed, size_t count, size_t alignment,
+                    bool in_place, gn_backend backend)
+{
+    const int components = components_of(function);
+    const size_t floats = count * (size_t)components;
+    float source[ROOM], operand[ROOM], target[ROOM], expected[ROOM];
+    gn_status status;
+
+    fill(source, ROOM, -7.0f);
+    fill(target, ROOM, 100.0f);
+    memcpy(operand, source, sizeof operand);
+    float *v = operand + MARGIN + alignment;
+    float *result = in_place ? v : target + MARGIN + (alignment * 3) % ALIGNMENTS;
+    float *const whole = in_place ? operand : target;
+    memcpy(expected, whole, sizeof expected);
+    for (size_t k = 0; k < count; ++k) {
+        float from[4] = {0}, to[4];
+
+        for (int i = 0; i < components; ++i)
+            from[i] = v[place(is_packed, components, count, k, i)];
+        one(function, from, to);
+        for (int i = 0; i < components; ++i)
+            expected[(size_t)(result - whole) + place(is_packed, components, count, k, i)] = to[i];
+    }
+
+    if (is_packed) {
+        status = packed(function, v, result, count, backend);
+    } else {
+        const float *from[4] = {v, v + count, v + 2 * count, v + 3 * count};
+        float *to[4] = {result, result + count, result + 2 * count, result + 3 * count};
+
+        status = arrays(function, from, to, count, backend);
+    }
+    assert_int_equal(status, GN_OK);
+    assert_true(floats + 2 * MARGIN <= ROOM);
+    if (memcmp(whole, expected, sizeof expected) != 0)
+        fail_msg("function %d, %s, %zu vectors, alignment %zu%s, back end %s", (int)function,
+                 is_packed ? "packed" : "arrays", count, alignment, in_place ? ", in place" : "",
+                 gn_backend_name(backend));
+    if (!in_place)
+        assert_memory_equal(operand, source, sizeof operand);
+}
+
+static void bits_of_the_single_functions(void **state)
+{
+    (void)state;
+    for (gn_backend backend = GN_BACKEND_AUTO; backend < GN_BACKEND_COUNT; ++backend) {
+        if (!gn_backend_available(backend))
+            continue;
+        for (int which = 0; which < 4 * FUNCTIONS; ++which)
+            for (size_t count = 0; count < LENGTHS; ++count)
+                for (size_t alignment = 0; alignment < ALIGNMENTS; ++alignment)
+                    compare((enum function)(which / 4), which & 1, count, alignment, which & 2,
+                            backend);
+    }
+}
+
+/* The result arrays are the operand's in another order. */
+static void arrays_exchanged(void **state)
+{
+    (void)state;
+    for (gn_backend backend = GN_BACKEND_AUTO; backend < GN_BACKEND_COUNT; ++backend) {
+        float memory[4][LENGTHS], before[4][LENGTHS];
+        const float *v[4] = {memory[0], memory[1], memory[2], memory[3]};
+        float *result[4] = {memory[2], memory[0], memory[3], memory[1]};
+
+        if (!gn_backend_available(backend))
+            continue;
+        fill(memory[0], 4 * LENGTHS, 1.0f);
+        memcpy(before, memory, sizeof before);
+        assert_int_equal(gn_mat4_multiply_vec4_arrays(&m4, v, result, LENGTHS, backend), GN_OK);
+        for (int k = 0; k < LENGTHS; ++k) {
+            const float from[4] = {before[0][k], before[1][k], before[2][k], before[3][k]};
+            float to[4];
+
+            one(VEC4, from, to);
+            for (int i = 0; i < 4; ++i)
+                assert_true(result[i][k] == to[i]);
+        }
+    }
+}
+
+/* The matrix lies where the results go. */
+static void matrix_in_the_result(void **state)
+{
+    (void)state;
+    for (gn_backend backend = GN_BACKEND_AUTO; backend < GN_BACKEND_COUNT; ++backend) {
+        float result[LENGTHS][4], v[LENGTHS][4], to[4];
+
+        if (!gn_backend_available(backend))
+            continue;
+        fill(v[0], 4 * LENGTHS, 1.0f);
+        memcpy(result, &m4, sizeof m4);
+        assert_int_equal(gn_mat4_multiply_vec4_packed((const gn_mat4 *)result[0],
+                                                      (const gn_vec4 *)v[0], (gn_vec4 *)result[0],
+                                                      LENGTHS, backend),
+                         GN_OK);
+        for (int k = 0; k < LENGTHS; ++k) {
+            one(VEC4, v[k], to);
+            assert_memory_equal(result[k], to, sizeof to);
+        }
+    }
+}
+
+/* Long enough for the automatic choice to ask the processor. */
+static void long_arrays(void **state)
+{
+    (void)state;
+    static gn_vec3 v[GN_BULK_ASK + 5], result[GN_BULK_ASK + 5];
+
+    fill(&v[0].x, 3 * (GN_BULK_ASK + 5), -3.0f);
+    assert_int_equal(
+        gn_mat4_transform_point_packed(&m4, v, result, GN_BULK_ASK + 5, GN_BACKEND_AUTO), GN_OK);
+    for (size_t i = 0; i < GN_BULK_ASK + 5; ++i) {
+        const gn_vec3 expected = gn_mat4_transform_point(&m4, v[i]);
+
+        assert_memory_equal(&result[i], &expected, sizeof expected);
+    }
+}
+
+static void faults(void **state)
+{
+    (void)state;
+    const gn_backend none = GN_BACKEND_COUNT, any = GN_BACKEND_AUTO;
+    float x[3] = {1, 2, 3}, untouched[3] = {1, 2, 3};
+    gn_vec4 v4 = {1, 2, 3, 4};
+    gn_vec3 v3 = {1, 2, 3};
+    const float *v[4] = {x, x, x, x};
+    float *result[4] = {x, x, x, x};
+
+    assert_int_equal(gn_mat4_multiply_vec4_packed(NULL, &v4, &v4, 1, any), GN_NULL_POINTER);
+    assert_int_equal(gn_mat4_multiply_vec4_packed(&m4, NULL, &v4, 1, any), GN_NULL_POINTER);
+    assert_int_equal(gn_mat4_multiply_vec4_packed(&m4, &v4, NULL, 1, any), GN_NULL_POINTER);
+    assert_int_equal(gn_mat4_transform_point_packed(NULL, &v3, &v3, 1, any), GN_NULL_POINTER);
+    assert_int_equal(gn_mat4_transform_direction_packed(NULL, &v3, &v3, 1, any), GN_NULL_POINTER);
+    assert_int_equal(gn_mat3_multiply_vec3_packed(NULL, &v3, &v3, 1, any), GN_NULL_POINTER);
+    assert_int_equal(gn_mat4_multiply_vec4_arrays(NULL, v, result, 3, any), GN_NULL_POINTER);
+    assert_int_equal(gn_mat4_transform_point_arrays(NULL, v, result, 3, any), GN_NULL_POINTER);
+    assert_int_equal(gn_mat4_transform_direction_arrays(NULL, v, result, 3, any), GN_NULL_POINTER);
+    assert_int_equal(gn_mat3_multiply_vec3_arrays(NULL, v, result, 3, any), GN_NULL_POINTER);
+    assert_int_equal(gn_mat3_multiply_vec3_arrays(&m3, NULL, result, 3, any), GN_NULL_POINTER);
+    assert_int_equal(gn_mat3_multiply_vec3_arrays(&m3, v, NULL, 3, any), GN_NULL_POINTER);
+    for (int i = 0; i < 4; ++i) {
+        v[i] = NULL;
+        assert_int_equal(gn_mat4_multiply_vec4_arrays(&m4, v, result, 3, any), GN_NULL_POINTER);
+        v[i] = x;
+        result[i] = NULL;
+        assert_int_equal(gn_mat4_multiply_vec4_arrays(&m4, v, result, 3, any), GN_NULL_POINTER);
+        result[i] = x;
+    }
+
+    for (enum function function = VEC4; function < FUNCTIONS; ++function) {
+        assert_int_equal(packed(function, NULL, NULL, 0, any), GN_OK);
+        assert_int_equal(arrays(function, NULL, NULL, 0, any), GN_OK);
+        assert_int_equal(packed(function, NULL, NULL, 0, none), GN_BACKEND_UNAVAILABLE);
+        assert_int_equal(packed(function, &v4.x, &v4.x, 1, none), GN_BACKEND_UNAVAILABLE);
+        assert_int_equal(arrays(function, v, result, 3, none), GN_BACKEND_UNAVAILABLE);
+    }
+    assert_memory_equal(x, untouched, sizeof x);
+    assert_true(v4.x == 1 && v4.y == 2 && v4.z == 3 && v4.w == 4);
+    assert_true(v3.x == 1 && v3.y == 2 && v3.z == 3);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bits_of_the_single_functions),
+        cmocka_unit_test(arrays_exchanged),
+        cmocka_unit_test(matrix_in_the_result),
+        cmocka_unit_test(long_arrays),
+        cmocka_unit_test(faults),
+    };
+    return cmocka_run_group_tests_name("bulk", tests, NULL, NULL);
+}
