@@ -122,7 +122,8 @@ void scene_frame_free(scene_frame *frame);
 /* The scalar varyings of the shader that has most of them, for sizing a workspace. */
 #define SCENE_VARYINGS 8
 
-/* Bytes of workspace with which every draw of the scene shades each vertex once. */
+/* Bytes of workspace with which every draw of the scene shades each vertex once, and may
+ * run on several threads. */
 size_t scene_workspace_size(const scene *s);
 
 /* Clears and draws with the library, into surfaces of the scene's size and formats, which may

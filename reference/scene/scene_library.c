@@ -73,10 +73,16 @@ static gn_status draw_one(const gn_target *target, const scene_draw *d, gn_works
 size_t scene_workspace_size(const scene *s)
 {
     uint32_t vertices = 0;
+    uint32_t triangles = 0;
 
     for (size_t i = 0; i < s->draw_count; ++i) {
-        if (s->draws[i].mesh.vertex_count > vertices) {
-            vertices = s->draws[i].mesh.vertex_count;
+        const gn_mesh *mesh = &s->draws[i].mesh;
+
+        if (mesh->vertex_count > vertices) {
+            vertices = mesh->vertex_count;
+        }
+        if (mesh->count > triangles) {
+            triangles = mesh->count; /* at most, of a strip */
         }
     }
     return gn_workspace_size_parallel(vertices, triangles, SCENE_VARYINGS);

@@ -115,12 +115,16 @@ GN_INLINE void shade_blocks(const fragment_state *state, fragment_kind kind,
     }
 }
 
-/* Whether the library interpolates the attribute for this kind. */
-GN_INLINE bool is_used(fragment_kind kind, uint32_t attribute)
+/* The attributes that the library interpolates for a kind of fragments: from the first on,
+ * up to the end. */
+GN_INLINE uint32_t first_attribute(fragment_kind kind)
 {
-    if (attribute == DEPTH_PLANE)
-        return kind.depth_format != GN_FORMAT_NONE;
-    return kind.color_format != GN_FORMAT_NONE;
+    return kind.depth_format != GN_FORMAT_NONE ? DEPTH_PLANE : ONE_OVER_W_PLANE;
+}
+
+GN_INLINE uint32_t end_attribute(fragment_kind kind)
+{
+    return kind.color_format != GN_FORMAT_NONE ? RUN_ATTRIBUTES : ONE_OVER_W_PLANE;
 }
 
 /* Covered blocks, as many as make whole rows of 16 pixels. */
@@ -132,17 +136,13 @@ GN_INLINE void shade_rows(const fragment_state *state, fragment_kind kind, raste
     row_terms rows;
     fragment_place at;
 
-    for (uint32_t n = 0; n < RUN_ATTRIBUTES; ++n) {
-        if (is_used(kind, n))
-            set_row_terms(&rows, n, triangle_plane(triangle, n), y);
-    }
+    for (uint32_t n = first_attribute(kind); n < end_attribute(kind); ++n)
+        set_row_terms(&rows, n, triangle_plane(triangle, n), y);
     at.shape = SHAPE_ROW;
     at.columns = &columns;
     for (at.x = x; at.x < end; at.x += GN_LANES) {
-        for (uint32_t n = 0; n < RUN_ATTRIBUTES; ++n) {
-            if (is_used(kind, n))
-                columns.value[n] = columns_from(triangle_plane(triangle, n), at.x);
-        }
+        for (uint32_t n = first_attribute(kind); n < end_attribute(kind); ++n)
+            columns.value[n] = columns_from(triangle_plane(triangle, n), at.x);
         at.color = pixel_memory(&state->color, kind.color_format, at.x, y);
         at.depth = pixel_memory(&state->depth, kind.depth_format, at.x, y);
         for (int32_t row = 0; row < BLOCK_SIZE; ++row) {
