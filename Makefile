@@ -175,7 +175,7 @@ check-freestanding: ## no undefined symbols, no writable data, headers alone
 
 TEST_SEED ?= $(shell date +%s)
 CHECKED = $(BUILD)/sanitized
-CHECKED_FLAGS = BUILD=$(CHECKED) CFLAGS='-O1 -g' \
+CHECKED_FLAGS = BUILD=$(CHECKED) CFLAGS='-O1 -g -fno-inline' \
 	SANITIZE='-fsanitize=address,undefined -fno-sanitize-recover=all'
 
 unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')

@@ -46,8 +46,12 @@ typedef int32_t stored_word;
 #define GN_EACH_LANE(l) for (int l = 0; l < GN_LANES; ++l)
 
 /* For functions whose arguments are constants where they are called: one version of the
- * text, a version of the code for each state. What is seldom needed there stays out of line. */
-#if defined(__GNUC__)
+ * text, a version of the code for each state. What is seldom needed there stays out of line.
+ * With a sanitizer's checks in every lane the code would grow beyond what compilers bear. */
+#if defined(__GNUC__) && defined(__SANITIZE_ADDRESS__)
+#define GN_INLINE static inline
+#define GN_OUT_OF_LINE static __attribute__((noinline))
+#elif defined(__GNUC__)
 #define GN_INLINE static inline __attribute__((always_inline))
 #define GN_OUT_OF_LINE static __attribute__((noinline))
 #else
