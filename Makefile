@@ -154,6 +154,7 @@ demo:
 SCENES ?= 20100
 SEED ?= 1
 FRAMES ?= 15
+SCALE_FRAMES ?= 5
 
 .PHONY: parity
 parity: $(BUILD)/parity ## random scenes against OSMesa, bit for bit: SCENES=20100 SEED=1
@@ -165,7 +166,11 @@ exhaustive: $(BUILD)/exhaustive ## the scalar functions on all 2^32 arguments ag
 
 .PHONY: bench
 bench: $(BUILD)/bench ## speed beside OSMesa's, as ratios: FRAMES=15
-	@$(BUILD)/bench --frames $(FRAMES)
+	@$(BUILD)/bench --frames $(FRAMES) --json $(BUILD)/bench.json
+
+.PHONY: bench-scale
+bench-scale: $(BUILD)/bench ## how the cost grows with triangles and pixels: SCALE_FRAMES=5
+	@$(BUILD)/bench --scale --frames $(SCALE_FRAMES) --json $(BUILD)/bench-scale.json
 
 .PHONY: check-freestanding
 check-freestanding: ## no undefined symbols, no writable data, headers alone
@@ -200,7 +205,8 @@ test: ## everything, in a few minutes; ends on "N passed, N failed"
 		'command, comparison=$(BUILD)/test_comparison $(BUILD)/gnomon' \
 		'teapot=$(BUILD)/test_teapot' \
 		'set-up=sh tests/tools/test_setup.sh' \
-		'benchmark runs=$(BUILD)/bench --frames 1 --scene S6' \
+		'benchmark, clears=$(BUILD)/bench --frames 1 --scene S6 | grep ": 0 differing"' \
+		'benchmark, a shader=$(BUILD)/bench --frames 1 --scene S4 | grep ": 0 differing"' \
 		'freestanding=tests/portability/freestanding.sh $(BUILD)' \
 		'embedding=tests/embed/readme.sh $(BUILD)' \
 		$(call unit_steps,$(CHECKED),sanitized ) \

@@ -32,15 +32,16 @@ static const char help[] =
     "shader; S6 only clears.\n"
     "\n"
     "Renderers: llvmpipe is as shipped, with a depth buffer of 24 bits and a stencil of 8;\n"
-    "llvmpipe tuned has no stencil, and malloc keeps the memory that a frame frees. Both\n"
-    "use the machine's own instruction set, without the pinned reference's limits, so that\n"
-    "some of their pixels differ from its.\n"
+    "llvmpipe tuned has one of 32-bit floats, which is its fastest, and malloc keeps the\n"
+    "memory that a frame frees. Both use the machine's own instruction set, without the\n"
+    "pinned reference's limits, so that some of their pixels differ from its (those counted\n"
+    "are of a depth buffer of 24 bits).\n"
     "\n"
     "ratio: the tuned llvmpipe's time over this one's, both with the same number of threads;\n"
     "above 1, this one is faster. It is CPU time of the process with one thread and wall time\n"
     "with two. differing: pixels that are not the pinned reference's, in colour or depth. A\n"
-    "frame of less than 50 ms is drawn once more before it is timed, since the other\n"
-    "renderers have taken its place in the caches.\n";
+    "frame of less than 50 ms is drawn for 5 ms before it is timed, at least once, since the\n"
+    "other renderers have taken its place in the caches.\n";
 
 typedef struct options {
     measure_options measure;

@@ -4,6 +4,8 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
+#include <unistd.h>
 
 /* Rows compared at a time: frames of 8192 pixels a side need not be held here. */
 #define BAND_ROWS 64
@@ -25,7 +27,7 @@ typedef struct lines {
 
 static bool fail(const char *name, const renderer *r)
 {
-    fprintf(stderr, "\nbench: %s, %s: %s\n", name, renderer_kind_name(r->kind), r->text);
+    fprintf(stderr, "bench: %s, %s: %s\n", name, renderer_kind_name(r->kind), r->text);
     return false;
 }
 
@@ -122,14 +124,25 @@ static bool load(family *f, const bench_scene *b)
     return true;
 }
 
+/* On a terminal one line that changes, elsewhere a line every few seconds. */
 static void progress(const bench_scene *b, const char *doing, int done, int of)
 {
-    fprintf(stderr, "\rbench: %s, %s %d of %d   ", b->name, doing, done, of);
+    static time_t last;
+    const time_t now = time(NULL);
+
+    if (isatty(STDERR_FILENO))
+        fprintf(stderr, "\rbench: %s, %s %d of %d   ", b->name, doing, done, of);
+    else if (now - last >= 5)
+        fprintf(stderr, "bench: %s, %s %d of %d\n", b->name, doing, done, of);
+    else
+        return;
+    last = now;
 }
 
 static void end_progress(void)
 {
-    fprintf(stderr, "\r%60s\r", "");
+    if (isatty(STDERR_FILENO))
+        fprintf(stderr, "\r%60s\r", "");
 }
 
 static bool measure_frames(lines *l, const bench_scene *b, int frames)
@@ -157,7 +170,7 @@ static bool count_differing(const bench_scene *b, renderer *ours, renderer *pinn
 
     good = scene_frame_allocate(&c, band) && good;
     if (!good)
-        fprintf(stderr, "\nbench: %s: out of memory\n", b->name);
+        fprintf(stderr, "bench: %s: out of memory\n", b->name);
     for (uint32_t y = 0; good && y < b->side; y += BAND_ROWS) {
         a.height = c.height = b->side - y < BAND_ROWS ? b->side - y : BAND_ROWS;
         if (!renderer_rows(ours, y, &a))
