@@ -172,6 +172,14 @@ bench: $(BUILD)/bench ## speed beside OSMesa's, as ratios: FRAMES=15
 bench-scale: $(BUILD)/bench ## how the cost grows with triangles and pixels: SCALE_FRAMES=5
 	@$(BUILD)/bench --scale --frames $(SCALE_FRAMES) --json $(BUILD)/bench-scale.json
 
+.PHONY: bench-plot
+bench-plot: $(BUILD)/bench ## pictures of bench's and bench-scale's last results, as SVG
+	@test -f $(BUILD)/bench.json || $(MAKE) --no-print-directory bench
+	@test -f $(BUILD)/bench-scale.json || $(MAKE) --no-print-directory bench-scale
+	@$(BUILD)/bench --plot $(BUILD)/bench.json --svg $(BUILD)/bench.svg
+	@$(BUILD)/bench --plot $(BUILD)/bench-scale.json --svg $(BUILD)/bench-scale.svg
+	@echo '$(BUILD)/bench.svg, $(BUILD)/bench-scale.svg'
+
 .PHONY: check-freestanding
 check-freestanding: ## no undefined symbols, no writable data, headers alone
 	@tests/portability/freestanding.sh $(BUILD)

@@ -7,10 +7,12 @@
 #include <string.h>
 
 #include "measure.h"
+#include "plot.h"
 
 static const char help[] =
     "usage: bench [--frames N] [--scene NAME] [--backend NAME] [--threads N] [--json FILE]\n"
     "       bench --scale [--frames N] [--scene NAME] [--json FILE]\n"
+    "       bench --plot FILE --svg FILE\n"
     "\n"
     "Draws scenes with Gnomon and with OSMesa's llvmpipe, frame by frame in turn, and prints\n"
     "the medians of their times. Exit status 1 where a frame of Gnomon's is not, pixel by\n"
@@ -25,6 +27,8 @@ static const char help[] =
     "  --scale         how the cost grows: spheres of a thousand to 4 million triangles, and\n"
     "                  targets of 256 to 8192 pixels a side; Gnomon's best back end and the\n"
     "                  tuned llvmpipe, one thread\n"
+    "  --plot FILE     draws what --json wrote\n"
+    "  --svg FILE      where to\n"
     "\n"
     "Scenes, 1024x1024, RGBA8 and D24: S1 fills 64 screens with four colours interpolated, S2\n"
     "with a bilinear texture too; S3 and S5 are spheres of 200 thousand and a million\n"
@@ -45,7 +49,7 @@ static const char help[] =
 
 typedef struct options {
     measure_options measure;
-    const char *scene, *json;
+    const char *scene, *json, *plot, *svg;
 } options;
 
 static int usage_error(const char *what, const char *value)
@@ -91,6 +95,10 @@ static int parse_value(options *o, const char *name, const char *value)
         o->scene = value;
     } else if (strcmp(name, "--json") == 0) {
         o->json = value;
+    } else if (strcmp(name, "--plot") == 0) {
+        o->plot = value;
+    } else if (strcmp(name, "--svg") == 0) {
+        o->svg = value;
     } else {
         return usage_error("unknown option", name);
     }
@@ -154,6 +162,21 @@ static bool has_scene(const options *o)
     return found;
 }
 
+/* The last lines; false where pixels differ that must not. */
+static bool report(const family *f, const record_list *list)
+{
+    const renderer *tuned = f->renderers[RENDERER_TUNED].process ? &f->renderers[RENDERER_TUNED]
+                                                                 : &f->renderers[RENDERER_TUNED_2];
+    const uint64_t differing = gnomon_differing(list);
+
+    printf("Gnomon beside %s\n", tuned->text);
+    printf("bench: Gnomon's frames beside the pinned reference's: %" PRIu64 " differing\n",
+           differing);
+    if (!f->is_contract)
+        printf("This is not Mesa 22.3, for which bit equality is promised.\n");
+    return differing == 0 || !f->is_contract;
+}
+
 static int measure(const options *o)
 {
     family f;
@@ -163,20 +186,10 @@ static int measure(const options *o)
         return EXIT_FAILURE;
     bool good = run(o, &f, &list);
     if (good) {
-        const uint64_t differing = gnomon_differing(&list);
-
-        printf("Gnomon beside %s\n", f.renderers[RENDERER_TUNED].process
-                                         ? f.renderers[RENDERER_TUNED].text
-                                         : f.renderers[RENDERER_TUNED_2].text);
-        printf("bench: Gnomon's frames beside the pinned reference's: %" PRIu64 " differing\n",
-               differing);
-        if (!f.is_contract)
-            printf("This is not Mesa 22.3, for which bit equality is promised.\n");
-        good = differing == 0 || !f.is_contract;
+        good = report(&f, &list);
+        good = (!o->json || record_write(&list, o->json)) && good;
     }
     family_stop(&f);
-    if (good && o->json)
-        good = record_write(&list, o->json);
     record_free(&list);
     return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
@@ -198,6 +211,10 @@ int main(int argc, char **argv)
     const int fault = parse_options(argc, argv, &o);
     if (fault)
         return fault;
+    if (!o.plot != !o.svg)
+        return usage_error("--plot and --svg", "go together");
+    if (o.plot)
+        return plot(o.plot, o.svg) ? EXIT_SUCCESS : EXIT_FAILURE;
     if (!has_scene(&o))
         return usage_error("no scene", o.scene);
     signal(SIGPIPE, SIG_IGN); /* a child that has ended is told by the failing write */
