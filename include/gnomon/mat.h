@@ -56,6 +56,15 @@ GN_API void gn_mat4_transpose(const gn_mat4 *m, gn_mat4 *result);
 GN_API float gn_mat3_determinant(const gn_mat3 *m);
 GN_API float gn_mat4_determinant(const gn_mat4 *m);
 
+/* The inverse of a rotation R followed by a translation t: R^T and -R^T*t. Nothing checks
+ * that m is such a matrix, and nothing is divided. The last row of m is not read; that of
+ * the result is (0, 0, 0, 1) where t is finite. The translation is
+ * 0 - ((c0*t.x + c1*t.y) + c2*t.z) with c0 to c2 the columns of R^T.
+ * With u = 2^-24 and D = R*R^T - I, what the stored floats of R lack to be a rotation,
+ * m * result - I is D, and at most |D||t| + 3 u |R||R^T||t| in the translation;
+ * result * m - I is R^T*R - I, and at most 3 u |R^T||t|; both barring underflow. */
+GN_API void gn_mat4_invert_rigid(const gn_mat4 *m, gn_mat4 *result);
+
 /* The upper-left 3x3 part: what m does to directions. */
 GN_API void gn_mat4_upper_left(const gn_mat4 *m, gn_mat3 *result);
 

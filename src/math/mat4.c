@@ -2,6 +2,8 @@
  * compilers call memcpy. */
 #include <gnomon/mat.h>
 
+#include "../lanes/quad.h"
+
 static void copy(gn_mat4 *to, const gn_mat4 *from)
 {
     for (int column = 0; column < 4; ++column) {
@@ -20,44 +22,59 @@ void gn_mat4_identity(gn_mat4 *result)
     }
 }
 
+/* (c0*x + c1*y) + c2*z, of components spread over quads. */
+static quad_f combine3(const quad_f c[3], const quad_f spread[3])
+{
+    const quad_f xy = quad_add(quad_mul(c[0], spread[0]), quad_mul(c[1], spread[1]));
+    return quad_add(xy, quad_mul(c[2], spread[2]));
+}
+
+static quad_f combine4(const quad_f c[4], const quad_f spread[4])
+{
+    return quad_add(combine3(c, spread), quad_mul(c[3], spread[3]));
+}
+
+static void load_columns(const gn_mat4 *m, quad_f columns[4])
+{
+    for (int column = 0; column < 4; ++column) {
+        columns[column] = quad_load(m->m[column]);
+    }
+}
+
 void gn_mat4_multiply(const gn_mat4 *a, const gn_mat4 *b, gn_mat4 *result)
 {
-    gn_mat4 product;
+    quad_f left[4], right[4];
+    load_columns(a, left);
+    load_columns(b, right);
     for (int column = 0; column < 4; ++column) {
-        const float *v = b->m[column];
-        for (int row = 0; row < 4; ++row) {
-            product.m[column][row] =
-                ((a->m[0][row] * v[0] + a->m[1][row] * v[1]) + a->m[2][row] * v[2]) +
-                a->m[3][row] * v[3];
-        }
+        quad_f spread[4];
+        quad_spread(right[column], spread);
+        quad_store(result->m[column], combine4(left, spread));
     }
-    copy(result, &product);
 }
 
 gn_vec4 gn_mat4_multiply_vec4(const gn_mat4 *m, gn_vec4 v)
 {
-    float product[4];
-    for (int row = 0; row < 4; ++row) {
-        product[row] =
-            ((m->m[0][row] * v.x + m->m[1][row] * v.y) + m->m[2][row] * v.z) + m->m[3][row] * v.w;
-    }
-    gn_vec4 result = {product[0], product[1], product[2], product[3]};
-    return result;
+    quad_f columns[4], spread[4];
+    load_columns(m, columns);
+    quad_spread_vec4(v, spread);
+    return quad_to_vec4(combine4(columns, spread));
 }
 
 gn_vec3 gn_mat4_transform_point(const gn_mat4 *m, gn_vec3 v)
 {
-    gn_vec3 direction = gn_mat4_transform_direction(m, v);
-    gn_vec3 point = {direction.x + m->m[3][0], direction.y + m->m[3][1], direction.z + m->m[3][2]};
-    return point;
+    quad_f columns[4], spread[3];
+    load_columns(m, columns);
+    quad_spread_vec3(v, spread);
+    return quad_to_vec3(quad_add(combine3(columns, spread), columns[3]));
 }
 
 gn_vec3 gn_mat4_transform_direction(const gn_mat4 *m, gn_vec3 v)
 {
-    gn_vec3 direction = {(m->m[0][0] * v.x + m->m[1][0] * v.y) + m->m[2][0] * v.z,
-                         (m->m[0][1] * v.x + m->m[1][1] * v.y) + m->m[2][1] * v.z,
-                         (m->m[0][2] * v.x + m->m[1][2] * v.y) + m->m[2][2] * v.z};
-    return direction;
+    quad_f columns[4], spread[3];
+    load_columns(m, columns);
+    quad_spread_vec3(v, spread);
+    return quad_to_vec3(combine3(columns, spread));
 }
 
 void gn_mat4_transpose(const gn_mat4 *m, gn_mat4 *result)
@@ -69,6 +86,21 @@ void gn_mat4_transpose(const gn_mat4 *m, gn_mat4 *result)
         }
     }
     copy(result, &transposed);
+}
+
+/* The columns of R^T are the rows of R. Their last entries are 0, which leaves the 1; 0 - x
+ * is no negative zero. */
+void gn_mat4_invert_rigid(const gn_mat4 *m, gn_mat4 *result)
+{
+    const quad_f origin = quad_set(0.0f, 0.0f, 0.0f, 1.0f);
+    quad_f columns[4], spread[4];
+    load_columns(m, columns);
+    quad_spread(columns[3], spread);
+    quad_transpose3(&columns[0], &columns[1], &columns[2]);
+    for (int column = 0; column < 3; ++column) {
+        quad_store(result->m[column], columns[column]);
+    }
+    quad_store(result->m[3], quad_sub(origin, combine3(columns, spread)));
 }
 
 /* The minor of rows i and j in two columns. */

@@ -127,6 +127,41 @@ static enum theft_trial_res composition_is_associative(struct theft *t, void *ar
                           scaled(16.0 * U, product(ic, product(ib, ia)))));
 }
 
+/* R^T to the bit, and the translation within its bounds, for a rotation and the numbers
+ * of another transform as its translation. */
+static enum theft_trial_res rigid_inverse_is_inverse(struct theft *t, void *arg1, void *arg2)
+{
+    gn_transform both = ((struct made *)arg1)->transform;
+    const float *offset = ((struct made *)arg2)->numbers;
+    (void)t;
+    for (int i = 0; i < 3; ++i)
+        both.matrix.m[3][i] = offset[i];
+    gn_mat4_invert_rigid(&both.matrix, &both.inverse);
+    const matrix forward = error_of(&both, false), backward = error_of(&both, true);
+    const matrix m = magnitudes(widened(&both.matrix));
+    double turned[3] = {0.0}; /* |R^T||t| */
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            if (both.inverse.m[column][row] != both.matrix.m[row][column])
+                return THEFT_TRIAL_FAIL;
+            turned[column] += m.m[column][row] * m.m[3][row];
+        }
+        if (both.inverse.m[column][3] != 0.0f)
+            return THEFT_TRIAL_FAIL;
+    }
+    if (both.inverse.m[3][3] != 1.0f)
+        return THEFT_TRIAL_FAIL;
+    for (int row = 0; row < 3; ++row) {
+        double bound = 0.0;
+        for (int k = 0; k < 3; ++k)
+            bound += fabs(forward.m[k][row]) * m.m[3][k] + 3.0 * U * m.m[k][row] * turned[k];
+        if (!(fabs(forward.m[3][row]) <= bound * SLACK) ||
+            !(fabs(backward.m[3][row]) <= 3.0 * U * turned[row] * SLACK))
+            return THEFT_TRIAL_FAIL;
+    }
+    return THEFT_TRIAL_PASS;
+}
+
 /* What transforms do. */
 
 /* A small integer, exact in every product below. */
@@ -473,6 +508,9 @@ int properties_math(uint64_t seed, size_t trials)
         {.name = "compose: associative",
          .prop3 = composition_is_associative,
          .type_info = {&any_info, &any_info, &any_info}},
+        {.name = "rigid inverse: inverse",
+         .prop2 = rigid_inverse_is_inverse,
+         .type_info = {&rotation_info, &any_info}},
         {.name = "normal matrix: perpendicular",
          .prop1 = normals_stay_perpendicular,
          .type_info = {&affine_info}},

@@ -1,6 +1,7 @@
 /* Matrices: products, transposes and determinants in small integers, where every
  * operation is exact; the order of summation; results over operands. cglm gives
  * the second opinion. */
+#include <math.h>
 #include <string.h>
 
 #include "unit.h"
@@ -194,6 +195,63 @@ static void determinants(void **state)
     assert_true(gn_mat4_determinant(&singular) == 0.0f);
 }
 
+/* A turn that takes axes to axes, where every operation is exact. */
+static void rigid_inverses(void **state)
+{
+    (void)state;
+    const gn_mat4 m = {{{0, 1, 0, 0}, {0, 0, -1, 0}, {-1, 0, 0, 0}, {3, -5, 7, 1}}};
+    const gn_mat4 expected = {{{0, 0, -1, 0}, {1, 0, 0, 0}, {0, -1, 0, 0}, {5, 7, 3, 1}}};
+    gn_mat4 one, product, inverse, left = m, unread = m;
+    gn_mat4_identity(&one);
+    gn_mat4_invert_rigid(&m, &inverse);
+    assert_mat4(&inverse, &expected);
+    gn_mat4_multiply(&m, &inverse, &product);
+    assert_mat4(&product, &one);
+    gn_mat4_multiply(&inverse, &m, &product);
+    assert_mat4(&product, &one);
+
+    gn_mat4_invert_rigid(&left, &left);
+    assert_mat4(&left, &expected);
+    for (int column = 0; column < 4; ++column)
+        unread.m[column][3] = NAN;
+    gn_mat4_invert_rigid(&unread, &inverse);
+    assert_mat4(&inverse, &expected);
+
+    /* Without a translation there is none, and no negative zero. */
+    gn_mat4_invert_rigid(&one, &inverse);
+    assert_memory_equal(&inverse, &one, sizeof one);
+
+    gn_mat4 turned, theirs;
+    vec3 axis = {1.0f, -2.0f, 0.5f}, offset = {10.0f, 0.1f, -3.0f};
+    for (float angle = -7.0f; angle < 7.0f; angle += 0.37f) {
+        glm_rotate_make(turned.m, angle, axis);
+        for (int row = 0; row < 3; ++row)
+            turned.m[3][row] = offset[row];
+        theirs = turned;
+        glm_inv_tr(theirs.m);
+        gn_mat4_invert_rigid(&turned, &inverse);
+        for (int column = 0; column < 4; ++column)
+            for (int row = 0; row < 4; ++row)
+                assert_float_equal(inverse.m[column][row], theirs.m[column][row], 1e-5f);
+    }
+}
+
+/* The columns of R^T against t are 1 and half a last place, in the order of the contract. */
+static void rigid_inverses_are_summed_in_order(void **state)
+{
+    (void)state;
+    const float entries[3] = {0x1p-24f, 0x1p-24f, 1.0f};
+    for (int row = 0; row < 3; ++row) {
+        gn_mat4 m = {{{0}}}, inverse;
+        for (int i = 0; i < 3; ++i) {
+            m.m[row][i] = entries[i];
+            m.m[3][i] = 1.0f;
+        }
+        gn_mat4_invert_rigid(&m, &inverse);
+        assert_true(inverse.m[3][row] == -(1.0f + 0x1p-23f));
+    }
+}
+
 static void upper_left(void **state)
 {
     (void)state;
@@ -214,6 +272,8 @@ int main(void)
         cmocka_unit_test(products_are_summed_from_the_first_column),
         cmocka_unit_test(transposed),
         cmocka_unit_test(determinants),
+        cmocka_unit_test(rigid_inverses),
+        cmocka_unit_test(rigid_inverses_are_summed_in_order),
         cmocka_unit_test(upper_left),
     };
     return cmocka_run_group_tests_name("mat", tests, NULL, NULL);
