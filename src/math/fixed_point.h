@@ -1,5 +1,6 @@
-/* 64-bit fixed-point arithmetic from 32-bit products, which every target has
- * without a support library. "Q64" is an unsigned fraction in units of 2^-64. */
+/* 64-bit fixed-point arithmetic: from 32-bit products, which every target has
+ * without a support library, and in the instructions of 64-bit processors known to
+ * have them. "Q64" is an unsigned fraction in units of 2^-64. */
 #ifndef GNOMON_MATH_FIXED_POINT_H
 #define GNOMON_MATH_FIXED_POINT_H
 
@@ -9,7 +10,7 @@
 
 /* floor(a * b / 2^64): the product of two Q64 fractions, low by less than one
  * unit. The middle sum is at most 2 * (2^32 - 1) + (2^32 - 1)^2 < 2^64. */
-static inline uint64_t gn_multiply_high(uint64_t a, uint64_t b)
+static inline uint64_t gn_multiply_high_portable(uint64_t a, uint64_t b)
 {
     uint64_t a_low = a & 0xFFFFFFFFu, a_high = a >> 32;
     uint64_t b_low = b & 0xFFFFFFFFu, b_high = b >> 32;
@@ -19,7 +20,7 @@ static inline uint64_t gn_multiply_high(uint64_t a, uint64_t b)
 }
 
 /* The number of zeros above the highest set bit; 63 for both 1 and 0. */
-static inline unsigned gn_leading_zeros(uint64_t x)
+static inline unsigned gn_leading_zeros_portable(uint64_t x)
 {
     unsigned zeros = 0;
     for (unsigned step = 32; step > 0; step >>= 1) {
@@ -30,6 +31,34 @@ static inline unsigned gn_leading_zeros(uint64_t x)
     }
     return zeros;
 }
+
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__aarch64__)) && !defined(GN_ONLY_PORTABLE)
+
+__extension__ typedef unsigned __int128 gn_wide;
+
+static inline uint64_t gn_multiply_high(uint64_t a, uint64_t b)
+{
+    return (uint64_t)((gn_wide)a * b >> 64);
+}
+
+static inline unsigned gn_leading_zeros(uint64_t x)
+{
+    return (unsigned)__builtin_clzll(x | 1);
+}
+
+#else
+
+static inline uint64_t gn_multiply_high(uint64_t a, uint64_t b)
+{
+    return gn_multiply_high_portable(a, b);
+}
+
+static inline unsigned gn_leading_zeros(uint64_t x)
+{
+    return gn_leading_zeros_portable(x);
+}
+
+#endif
 
 /* The float nearest to significand * 2^(-64 - shift), for a significand of at
  * least 2^62 and a result in the normal range. No tie is looked for: the caller's

@@ -7,6 +7,7 @@
 
 #include "unit.h"
 
+#include "../../src/math/fixed_point.h"
 #include "../../src/math/sqrt.h"
 
 enum { STRIDE = 65537 }; /* of bit patterns: 65,535 floats of every class */
@@ -72,6 +73,25 @@ static void integer_square_root_is_the_same(void **state)
     assert_same_bits(gn_sqrt_integer(INFINITY), INFINITY);
     assert_same_bits(gn_sqrt_integer(FLT_MAX), (float)sqrt((double)FLT_MAX));
     assert_canonical_nan(gn_sqrt_integer(-1.0f));
+}
+
+/* The processor's products and zeros, and those of any other. */
+static void fixed_point_is_the_same(void **state)
+{
+    (void)state;
+    uint64_t a = 1, b = 0x9E3779B97F4A7C15u;
+    assert_true(gn_multiply_high(UINT64_MAX, UINT64_MAX) == UINT64_MAX - 1);
+    assert_true(gn_multiply_high_portable(UINT64_MAX, UINT64_MAX) == UINT64_MAX - 1);
+    assert_int_equal(gn_leading_zeros_portable(0), 63);
+    assert_int_equal(gn_leading_zeros(0), 63);
+    for (int i = 0; i < 10000; ++i) {
+        /* A generator of Knuth's (MMIX), and what its top bits leave of it. */
+        a = a * 6364136223846793005u + 1442695040888963407u;
+        b = (b ^ a) >> (a >> 58);
+        assert_true(gn_multiply_high(a, b) == gn_multiply_high_portable(a, b));
+        assert_int_equal(gn_leading_zeros(b), gn_leading_zeros_portable(b));
+        b = b * 2862933555777941757u + 3037000493u;
+    }
 }
 
 static void angles_without_a_value_give_nan(void **state)
@@ -172,6 +192,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(square_roots_are_exact),
         cmocka_unit_test(integer_square_root_is_the_same),
+        cmocka_unit_test(fixed_point_is_the_same),
         cmocka_unit_test(angles_without_a_value_give_nan),
         cmocka_unit_test(small_angles_keep_their_bits),
         cmocka_unit_test(known_values),
