@@ -14,7 +14,7 @@ WARNINGS = -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror
 # reassociate floating-point operations, and bits would change.
 FLOAT_FLAGS = -fno-fast-math -ffp-contract=off
 LIBRARY_FLAGS = -std=c99 -pedantic $(WARNINGS) $(CFLAGS) -ffreestanding -fvisibility=hidden \
-	-fPIC -Iinclude -fno-math-errno -fno-stack-protector $(FLOAT_FLAGS)
+	-fPIC -Iinclude -fno-math-errno -fno-stack-protector $(EMULATE) $(FLOAT_FLAGS)
 PROGRAM_FLAGS = -std=c11 -pedantic -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Wshadow -Werror \
 	$(CFLAGS) $(FLOAT_FLAGS) -Iinclude -Ireference/scene -Ireference/osmesa $(SANITIZE)
 
@@ -184,6 +184,16 @@ bench-plot: $(BUILD)/bench ## pictures of bench's and bench-scale's last results
 check-freestanding: ## no undefined symbols, no writable data, headers alone
 	@tests/portability/freestanding.sh $(BUILD)
 
+# All back ends on x86, those of instruction sets it lacks made of SIMDe's emulation of them.
+EMULATED = $(BUILD)/emulated
+EMULATED_FLAGS = BUILD=$(EMULATED) CFLAGS='-O2 -g' \
+	EMULATE='-Itests/portability -DGN_LANES_INTRINSICS_HEADER="<emulated.h>" -Wno-psabi'
+
+.PHONY: parity-emulated
+parity-emulated: ## the parity gate with AVX-512, NEON and WebAssembly emulated, on x86
+	@$(MAKE) --no-print-directory $(EMULATED_FLAGS) $(EMULATED)/parity
+	@$(EMULATED)/parity --scenes $(SCENES) --seed $(SEED) --keep $(BUILD)/parity-failure.scene
+
 # The everyday gate. The tests are built twice, as they are and under the sanitizers.
 
 TEST_SEED ?= $(shell date +%s)
@@ -201,12 +211,14 @@ test: ## everything, in a few minutes; ends on "N passed, N failed"
 	@$(MAKE) --no-print-directory -j2 all test-programs $(TOOL_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/bench
 	@$(MAKE) --no-print-directory -j2 $(CHECKED_FLAGS) test-programs
+	@$(MAKE) --no-print-directory -j2 $(EMULATED_FLAGS) $(EMULATED)/parity
 	@LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0 tests/run.sh \
 		$(call unit_steps,$(BUILD),) \
 		'theft=$(BUILD)/theft-selftest' \
 		'properties=$(BUILD)/property-tests --seed $(TEST_SEED)' \
 		'scalar functions=$(BUILD)/exhaustive --stride 9973' \
 		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes 4400 --keep $(BUILD)/parity-failure.scene' \
+		'parity, back ends emulated=$(EMULATED)/parity --seed $(TEST_SEED) --scenes 880 --keep $(BUILD)/parity-failure.scene' \
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
 		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \

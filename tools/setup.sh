@@ -4,7 +4,7 @@
 set -eu
 
 packages="pkg-config clang g++ libpng-dev libosmesa6-dev libcglm-dev libcmocka-dev
-libassimp-dev libstb-dev libmpfr-dev"
+libassimp-dev libstb-dev libmpfr-dev libsimde-dev"
 
 say() { echo "setup: $*"; }
 fail() { echo "setup: $*" >&2; exit 1; }

@@ -12,6 +12,9 @@ typedef enum gn_backend {
     GN_BACKEND_PORTABLE, /* plain C */
     GN_BACKEND_SSE2,
     GN_BACKEND_AVX2,
+    GN_BACKEND_AVX512, /* F, BW, DQ and VL */
+    GN_BACKEND_NEON,   /* 64-bit Arm */
+    GN_BACKEND_WASM_SIMD128,
     GN_BACKEND_COUNT /* the number of values, not a back end */
 } gn_backend;
 

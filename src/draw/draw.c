@@ -126,6 +126,18 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
 static gn_status run_on(gn_backend backend, const draw_job *job)
 {
     switch (backend) {
+#if GN_HAVE_WASM_SIMD128
+    case GN_BACKEND_WASM_SIMD128:
+        return gn_run_wasm_simd128(job);
+#endif
+#if GN_HAVE_NEON
+    case GN_BACKEND_NEON:
+        return gn_run_neon(job);
+#endif
+#if GN_HAVE_AVX512
+    case GN_BACKEND_AVX512:
+        return gn_run_avx512(job);
+#endif
 #if GN_HAVE_AVX2
     case GN_BACKEND_AVX2:
         return gn_run_avx2(job);

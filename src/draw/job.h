@@ -67,5 +67,8 @@ static inline uint32_t scratch_size(uint32_t varying_count)
 gn_status gn_run_portable(const draw_job *job);
 gn_status gn_run_sse2(const draw_job *job);
 gn_status gn_run_avx2(const draw_job *job);
+gn_status gn_run_avx512(const draw_job *job);
+gn_status gn_run_neon(const draw_job *job);
+gn_status gn_run_wasm_simd128(const draw_job *job);
 
 #endif

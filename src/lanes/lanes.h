@@ -18,8 +18,10 @@
  *   pack_unorm8                   colours
  *   load_block store_block        the 4x4 lanes of a block in rows of memory
  *
- * A back end (backends/) says which form it is made of, GN_LANES_PORTABLE or
- * GN_LANES_AVX2; other files get what every processor of the target has. */
+ * A back end (backends/) says which form it is made of: GN_LANES_PORTABLE, _AVX2, _AVX512,
+ * _NEON or _WASM_SIMD128; with none of them it is SSE2 or portable, what every processor
+ * of the target has. GN_LANES_INTRINSICS_HEADER is a header that stands in for the
+ * intrinsics of the last three where the target has not got them (tests/portability). */
 #ifndef GN_LANES_LANES_H
 #define GN_LANES_LANES_H
 
@@ -78,8 +80,14 @@ static inline uint32_t first_lane(uint32_t bits)
 #endif
 }
 
-#if defined(GN_LANES_AVX2)
+#if defined(GN_LANES_AVX512)
+#include "lanes_avx512.h"
+#elif defined(GN_LANES_AVX2)
 #include "lanes_avx2.h"
+#elif defined(GN_LANES_NEON)
+#include "lanes_neon.h"
+#elif defined(GN_LANES_WASM_SIMD128)
+#include "lanes_wasm.h"
 #elif defined(__SSE2__) && !defined(GN_LANES_PORTABLE)
 #include "lanes_sse2.h"
 #else

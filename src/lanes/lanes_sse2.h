@@ -6,6 +6,8 @@
 
 #include <emmintrin.h>
 
+#include "four_registers.h"
+
 typedef struct lanes_f {
     __m128 q[4];
 } lanes_f;
@@ -17,27 +19,6 @@ typedef struct lanes_i {
 typedef struct lanes_m {
     __m128i q[4];
 } lanes_m;
-
-/* r.q[n] = EXPRESSION for each of the four registers. */
-#define LANES_EACH_REGISTER(type, EXPRESSION)                                                      \
-    type r;                                                                                        \
-    {                                                                                              \
-        enum { n = 0 };                                                                            \
-        r.q[n] = EXPRESSION;                                                                       \
-    }                                                                                              \
-    {                                                                                              \
-        enum { n = 1 };                                                                            \
-        r.q[n] = EXPRESSION;                                                                       \
-    }                                                                                              \
-    {                                                                                              \
-        enum { n = 2 };                                                                            \
-        r.q[n] = EXPRESSION;                                                                       \
-    }                                                                                              \
-    {                                                                                              \
-        enum { n = 3 };                                                                            \
-        r.q[n] = EXPRESSION;                                                                       \
-    }                                                                                              \
-    return r
 
 static inline lanes_f lanes_load(const float p[GN_LANES])
 {

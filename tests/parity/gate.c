@@ -266,9 +266,19 @@ static void keep_failure(gate *g)
     scene_free(small);
 }
 
+static void print_backends(void)
+{
+    printf("back ends:");
+    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; b++)
+        if (gn_backend_available((gn_backend)b))
+            printf(" %s", gn_backend_name((gn_backend)b));
+    printf("\n");
+}
+
 static bool run_all(gate *g)
 {
     const options *o = &g->options;
+    print_backends();
     printf("%-14s %7s %9s %11s %11s %8s %8s\n", "class", "scenes", "triangles", "pixels",
            "drawn on", "colour", "depth");
     for (int c = 0; c < CLASS_COUNT; c++) {

@@ -1,0 +1,14 @@
+/* The stages over the registers of 64-bit Arm's Advanced SIMD. */
+#include "have.h"
+
+#include "../draw/job.h"
+
+#if GN_HAVE_NEON
+#define GN_LANES_NEON
+#include "../draw/run.h"
+
+gn_status gn_run_neon(const draw_job *job)
+{
+    return run_draw(job);
+}
+#endif

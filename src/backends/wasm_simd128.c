@@ -1,0 +1,16 @@
+/* The stages over WebAssembly's 128-bit vectors. A module is valid on a machine as a
+ * whole or not at all, so that the choice falls where the program is compiled
+ * (-msimd128). */
+#include "have.h"
+
+#include "../draw/job.h"
+
+#if GN_HAVE_WASM_SIMD128
+#define GN_LANES_WASM_SIMD128
+#include "../draw/run.h"
+
+gn_status gn_run_wasm_simd128(const draw_job *job)
+{
+    return run_draw(job);
+}
+#endif

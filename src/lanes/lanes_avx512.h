@@ -1,0 +1,346 @@
+/* Lanes in one AVX-512 register, the rows of a block in its four parts of 128 bits, and
+ * masks in mask registers (AVX-512 F, BW and DQ). The same bits as lanes_portable.h; see
+ * there for what each operation does. Conversions give INT32_MIN where out of range, and
+ * min and max their second operand where either is NaN (Intel SDM volume 1, section
+ * 11.5.2). */
+#ifndef GN_LANES_LANES_AVX512_H
+#define GN_LANES_LANES_AVX512_H
+
+#if defined(GN_LANES_INTRINSICS_HEADER)
+#include GN_LANES_INTRINSICS_HEADER
+#else
+#include <immintrin.h>
+#endif
+
+typedef struct lanes_f {
+    __m512 q;
+} lanes_f;
+
+typedef struct lanes_i {
+    __m512i q;
+} lanes_i;
+
+typedef struct lanes_m {
+    __mmask16 q;
+} lanes_m;
+
+static inline lanes_f lanes_avx512_f(__m512 q)
+{
+    const lanes_f r = {q};
+    return r;
+}
+
+static inline lanes_i lanes_avx512_i(__m512i q)
+{
+    const lanes_i r = {q};
+    return r;
+}
+
+static inline lanes_m lanes_avx512_m(uint32_t q)
+{
+    const lanes_m r = {(__mmask16)q};
+    return r;
+}
+
+static inline lanes_f lanes_load(const float p[GN_LANES])
+{
+    return lanes_avx512_f(_mm512_loadu_ps(p));
+}
+
+static inline void lanes_store(float *p, lanes_f a)
+{
+    _mm512_storeu_ps(p, a.q);
+}
+
+static inline lanes_f lanes_splat(float a)
+{
+    return lanes_avx512_f(_mm512_set1_ps(a));
+}
+
+static inline lanes_f lanes_columns(float per_x, float x, float origin)
+{
+    const __m512 column = _mm512_add_ps(
+        _mm512_set1_ps(x), _mm512_setr_ps(0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3));
+
+    return lanes_avx512_f(
+        _mm512_add_ps(_mm512_mul_ps(_mm512_set1_ps(per_x), column), _mm512_set1_ps(origin)));
+}
+
+static inline lanes_f lanes_rows(float per_y, float y)
+{
+    const __m512 row = _mm512_add_ps(
+        _mm512_set1_ps(y), _mm512_setr_ps(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3));
+
+    return lanes_avx512_f(_mm512_mul_ps(_mm512_set1_ps(per_y), row));
+}
+
+static inline lanes_f lanes_add(lanes_f a, lanes_f b)
+{
+    return lanes_avx512_f(_mm512_add_ps(a.q, b.q));
+}
+
+static inline lanes_f lanes_sub(lanes_f a, lanes_f b)
+{
+    return lanes_avx512_f(_mm512_sub_ps(a.q, b.q));
+}
+
+static inline lanes_f lanes_mul(lanes_f a, lanes_f b)
+{
+    return lanes_avx512_f(_mm512_mul_ps(a.q, b.q));
+}
+
+static inline lanes_f lanes_div(lanes_f a, lanes_f b)
+{
+    return lanes_avx512_f(_mm512_div_ps(a.q, b.q));
+}
+
+static inline lanes_f lanes_sqrt(lanes_f a)
+{
+    return lanes_avx512_f(_mm512_sqrt_ps(a.q));
+}
+
+static inline lanes_m lanes_greater(lanes_f a, lanes_f b)
+{
+    return lanes_avx512_m(_mm512_cmp_ps_mask(a.q, b.q, _CMP_GT_OQ));
+}
+
+static inline lanes_m lanes_less_equal(lanes_f a, lanes_f b)
+{
+    return lanes_avx512_m(_mm512_cmp_ps_mask(a.q, b.q, _CMP_LE_OQ));
+}
+
+static inline lanes_m lanes_and(lanes_m a, lanes_m b)
+{
+    return lanes_avx512_m((uint32_t)a.q & b.q);
+}
+
+static inline lanes_m lanes_not(lanes_m a)
+{
+    return lanes_avx512_m(a.q ^ GN_ALL_LANES);
+}
+
+static inline uint32_t lanes_bits(lanes_m a)
+{
+    return a.q;
+}
+
+static inline lanes_m lanes_from_bits(uint32_t bits)
+{
+    return lanes_avx512_m(bits);
+}
+
+static inline lanes_f lanes_select(lanes_m m, lanes_f a, lanes_f b)
+{
+    return lanes_avx512_f(_mm512_mask_blend_ps(m.q, b.q, a.q));
+}
+
+static inline lanes_f lanes_min(lanes_f a, lanes_f b)
+{
+    return lanes_avx512_f(_mm512_min_ps(a.q, b.q));
+}
+
+static inline lanes_f lanes_max(lanes_f a, lanes_f b)
+{
+    return lanes_avx512_f(_mm512_max_ps(a.q, b.q));
+}
+
+static inline lanes_i lanes_i_splat(int32_t a)
+{
+    return lanes_avx512_i(_mm512_set1_epi32(a));
+}
+
+static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
+{
+    const __m512i column = _mm512_setr_epi32(0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3);
+    const __m512i row = _mm512_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3);
+
+    return lanes_avx512_i(
+        _mm512_add_epi32(_mm512_mullo_epi32(_mm512_set1_epi32(per_column), column),
+                         _mm512_mullo_epi32(_mm512_set1_epi32(per_row), row)));
+}
+
+static inline lanes_i lanes_i_load(const int32_t p[GN_LANES])
+{
+    return lanes_avx512_i(_mm512_loadu_si512(p));
+}
+
+static inline void lanes_i_store(int32_t *p, lanes_i a)
+{
+    _mm512_storeu_si512(p, a.q);
+}
+
+static inline lanes_i lanes_i_add(lanes_i a, lanes_i b)
+{
+    return lanes_avx512_i(_mm512_add_epi32(a.q, b.q));
+}
+
+static inline lanes_i lanes_i_sub(lanes_i a, lanes_i b)
+{
+    return lanes_avx512_i(_mm512_sub_epi32(a.q, b.q));
+}
+
+static inline lanes_i lanes_i_mul(lanes_i a, lanes_i b)
+{
+    return lanes_avx512_i(_mm512_mullo_epi32(a.q, b.q));
+}
+
+static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
+{
+    return lanes_avx512_i(_mm512_sll_epi32(a.q, _mm_cvtsi32_si128(count)));
+}
+
+static inline lanes_i lanes_i_shift_right(lanes_i a, int count)
+{
+    return lanes_avx512_i(_mm512_sra_epi32(a.q, _mm_cvtsi32_si128(count)));
+}
+
+static inline lanes_i lanes_i_min(lanes_i a, lanes_i b)
+{
+    return lanes_avx512_i(_mm512_min_epi32(a.q, b.q));
+}
+
+static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
+{
+    return lanes_avx512_i(_mm512_max_epi32(a.q, b.q));
+}
+
+static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
+{
+    return lanes_avx512_i(_mm512_or_si512(a.q, b.q));
+}
+
+static inline lanes_i lanes_i_and(lanes_i a, lanes_i b)
+{
+    return lanes_avx512_i(_mm512_and_si512(a.q, b.q));
+}
+
+static inline lanes_m lanes_i_greater(lanes_i a, lanes_i b)
+{
+    return lanes_avx512_m(_mm512_cmpgt_epi32_mask(a.q, b.q));
+}
+
+static inline lanes_m lanes_i_equal(lanes_i a, lanes_i b)
+{
+    return lanes_avx512_m(_mm512_cmpeq_epi32_mask(a.q, b.q));
+}
+
+static inline lanes_i lanes_i_select(lanes_m m, lanes_i a, lanes_i b)
+{
+    return lanes_avx512_i(_mm512_mask_blend_epi32(m.q, b.q, a.q));
+}
+
+static inline lanes_i lanes_m_as_int(lanes_m a)
+{
+    return lanes_avx512_i(_mm512_movm_epi32(a.q));
+}
+
+static inline uint32_t lanes_i_sign_bits(lanes_i a)
+{
+    return _mm512_movepi32_mask(a.q);
+}
+
+static inline lanes_f lanes_to_float(lanes_i a)
+{
+    return lanes_avx512_f(_mm512_cvtepi32_ps(a.q));
+}
+
+static inline lanes_i lanes_as_int(lanes_f a)
+{
+    return lanes_avx512_i(_mm512_castps_si512(a.q));
+}
+
+static inline lanes_f lanes_as_float(lanes_i a)
+{
+    return lanes_avx512_f(_mm512_castsi512_ps(a.q));
+}
+
+static inline lanes_i lanes_truncate(lanes_f a)
+{
+    return lanes_avx512_i(_mm512_cvttps_epi32(a.q));
+}
+
+static inline lanes_i lanes_round(lanes_f a)
+{
+    return lanes_avx512_i(_mm512_cvtps_epi32(a.q));
+}
+
+/* The packs saturate, and interleave within each row of the block; there the bytes are
+ * then transposed. */
+static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
+{
+    const __m512 scale = _mm512_set1_ps(255.0f);
+    const __m512i rg = _mm512_packs_epi32(_mm512_cvtps_epi32(_mm512_mul_ps(red.q, scale)),
+                                          _mm512_cvtps_epi32(_mm512_mul_ps(green.q, scale)));
+    const __m512i ba = _mm512_packs_epi32(_mm512_cvtps_epi32(_mm512_mul_ps(blue.q, scale)),
+                                          _mm512_cvtps_epi32(_mm512_mul_ps(alpha.q, scale)));
+    const __m512i order = _mm512_set4_epi32(0x0F0B0703, 0x0E0A0602, 0x0D090501, 0x0C080400);
+
+    return lanes_avx512_i(_mm512_shuffle_epi8(_mm512_packus_epi16(rg, ba), order));
+}
+
+static inline __m128i lanes_avx512_load_row(const unsigned char *memory)
+{
+    return _mm_loadu_si128((const __m128i *)(const void *)memory);
+}
+
+static inline lanes_i lanes_i_load_block(const unsigned char *memory, ptrdiff_t stride)
+{
+    __m512i r = _mm512_castsi128_si512(lanes_avx512_load_row(memory));
+
+    r = _mm512_inserti32x4(r, lanes_avx512_load_row(memory + stride), 1);
+    r = _mm512_inserti32x4(r, lanes_avx512_load_row(memory + 2 * stride), 2);
+    return lanes_avx512_i(_mm512_inserti32x4(r, lanes_avx512_load_row(memory + 3 * stride), 3));
+}
+
+static inline void lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, lanes_i a)
+{
+    _mm_storeu_si128((__m128i *)(void *)memory, _mm512_castsi512_si128(a.q));
+    _mm_storeu_si128((__m128i *)(void *)(memory + stride), _mm512_extracti32x4_epi32(a.q, 1));
+    _mm_storeu_si128((__m128i *)(void *)(memory + 2 * stride), _mm512_extracti32x4_epi32(a.q, 2));
+    _mm_storeu_si128((__m128i *)(void *)(memory + 3 * stride), _mm512_extracti32x4_epi32(a.q, 3));
+}
+
+/* Transposes 4x4 words in each part of 128 bits. */
+static inline void lanes_avx512_transpose(__m512i r[4])
+{
+    const __m512i a = _mm512_unpacklo_epi32(r[0], r[1]);
+    const __m512i b = _mm512_unpackhi_epi32(r[0], r[1]);
+    const __m512i c = _mm512_unpacklo_epi32(r[2], r[3]);
+    const __m512i d = _mm512_unpackhi_epi32(r[2], r[3]);
+
+    r[0] = _mm512_unpacklo_epi64(a, c);
+    r[1] = _mm512_unpackhi_epi64(a, c);
+    r[2] = _mm512_unpacklo_epi64(b, d);
+    r[3] = _mm512_unpackhi_epi64(b, d);
+}
+
+static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32_t *offset,
+                                       uint32_t step, lanes_i out[4])
+{
+    __m512i r[4];
+
+    for (uint32_t l = 0; l < 4; ++l) {
+        const uint32_t *const at = offset + l * step;
+
+        r[l] = _mm512_castsi128_si512(lanes_avx512_load_row(memory + at[0]));
+        r[l] = _mm512_inserti32x4(r[l], lanes_avx512_load_row(memory + at[4 * step]), 1);
+        r[l] = _mm512_inserti32x4(r[l], lanes_avx512_load_row(memory + at[8 * step]), 2);
+        r[l] = _mm512_inserti32x4(r[l], lanes_avx512_load_row(memory + at[12 * step]), 3);
+    }
+    lanes_avx512_transpose(r);
+    for (int c = 0; c < 4; ++c)
+        out[c].q = r[c];
+}
+
+static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, const lanes_i in[4])
+{
+    __m512i r[4];
+
+    for (int c = 0; c < 4; ++c)
+        r[c] = in[c].q;
+    lanes_avx512_transpose(r);
+    for (size_t l = 0; l < 4; ++l)
+        lanes_i_store_block(memory + l * stride, (ptrdiff_t)(4 * stride), lanes_avx512_i(r[l]));
+}
+
+#endif

@@ -1,0 +1,344 @@
+/* Lanes in four of WebAssembly's 128-bit vectors. The same bits as lanes_portable.h; see
+ * there for what each operation does. Conversions to integers saturate and make NaN 0 here,
+ * so they are put together with a comparison; pmin(a, b) is b < a ? b : a and pmax(a, b) is
+ * a < b ? b : a, which with the operands exchanged are min and max (WebAssembly
+ * specification, section 4.3.3). */
+#ifndef GN_LANES_LANES_WASM_H
+#define GN_LANES_LANES_WASM_H
+
+#if defined(GN_LANES_INTRINSICS_HEADER)
+#include GN_LANES_INTRINSICS_HEADER
+#else
+#include <wasm_simd128.h>
+#endif
+
+#include "four_registers.h"
+
+typedef struct lanes_f {
+    v128_t q[4];
+} lanes_f;
+
+typedef struct lanes_i {
+    v128_t q[4];
+} lanes_i;
+
+typedef struct lanes_m {
+    v128_t q[4];
+} lanes_m;
+
+static inline lanes_f lanes_load(const float p[GN_LANES])
+{
+    LANES_EACH_REGISTER(lanes_f, wasm_v128_load(p + 4 * n));
+}
+
+static inline void lanes_store(float *p, lanes_f a)
+{
+    wasm_v128_store(p, a.q[0]);
+    wasm_v128_store(p + 4, a.q[1]);
+    wasm_v128_store(p + 8, a.q[2]);
+    wasm_v128_store(p + 12, a.q[3]);
+}
+
+static inline lanes_f lanes_splat(float a)
+{
+    LANES_EACH_REGISTER(lanes_f, wasm_f32x4_splat(a));
+}
+
+static inline lanes_f lanes_columns(float per_x, float x, float origin)
+{
+    const v128_t column = wasm_f32x4_add(wasm_f32x4_splat(x), wasm_f32x4_make(0, 1, 2, 3));
+    const v128_t value =
+        wasm_f32x4_add(wasm_f32x4_mul(wasm_f32x4_splat(per_x), column), wasm_f32x4_splat(origin));
+
+    LANES_EACH_REGISTER(lanes_f, value);
+}
+
+static inline lanes_f lanes_rows(float per_y, float y)
+{
+    LANES_EACH_REGISTER(lanes_f, wasm_f32x4_splat(per_y * (y + (float)n)));
+}
+
+static inline lanes_f lanes_add(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, wasm_f32x4_add(a.q[n], b.q[n]));
+}
+
+static inline lanes_f lanes_sub(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, wasm_f32x4_sub(a.q[n], b.q[n]));
+}
+
+static inline lanes_f lanes_mul(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, wasm_f32x4_mul(a.q[n], b.q[n]));
+}
+
+static inline lanes_f lanes_div(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, wasm_f32x4_div(a.q[n], b.q[n]));
+}
+
+static inline lanes_f lanes_sqrt(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, wasm_f32x4_sqrt(a.q[n]));
+}
+
+static inline lanes_m lanes_greater(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_m, wasm_f32x4_gt(a.q[n], b.q[n]));
+}
+
+static inline lanes_m lanes_less_equal(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_m, wasm_f32x4_le(a.q[n], b.q[n]));
+}
+
+static inline lanes_m lanes_and(lanes_m a, lanes_m b)
+{
+    LANES_EACH_REGISTER(lanes_m, wasm_v128_and(a.q[n], b.q[n]));
+}
+
+static inline lanes_m lanes_not(lanes_m a)
+{
+    LANES_EACH_REGISTER(lanes_m, wasm_v128_not(a.q[n]));
+}
+
+static inline uint32_t lanes_wasm_bits(const v128_t q[4])
+{
+    return (uint32_t)wasm_i32x4_bitmask(q[0]) | (uint32_t)wasm_i32x4_bitmask(q[1]) << 4 |
+           (uint32_t)wasm_i32x4_bitmask(q[2]) << 8 | (uint32_t)wasm_i32x4_bitmask(q[3]) << 12;
+}
+
+static inline uint32_t lanes_bits(lanes_m a)
+{
+    return lanes_wasm_bits(a.q);
+}
+
+static inline lanes_m lanes_from_bits(uint32_t bits)
+{
+    const v128_t all = wasm_i32x4_splat((int32_t)bits);
+
+    LANES_EACH_REGISTER(lanes_m,
+                        wasm_i32x4_ne(wasm_v128_and(all, wasm_i32x4_make(1 << 4 * n, 2 << 4 * n,
+                                                                         4 << 4 * n, 8 << 4 * n)),
+                                      wasm_i32x4_splat(0)));
+}
+
+static inline lanes_f lanes_select(lanes_m m, lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, wasm_v128_bitselect(a.q[n], b.q[n], m.q[n]));
+}
+
+static inline lanes_f lanes_min(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, wasm_f32x4_pmin(b.q[n], a.q[n]));
+}
+
+static inline lanes_f lanes_max(lanes_f a, lanes_f b)
+{
+    LANES_EACH_REGISTER(lanes_f, wasm_f32x4_pmax(b.q[n], a.q[n]));
+}
+
+static inline lanes_i lanes_i_splat(int32_t a)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_i32x4_splat(a));
+}
+
+static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
+{
+    const v128_t columns =
+        wasm_i32x4_mul(wasm_i32x4_splat(per_column), wasm_i32x4_make(0, 1, 2, 3));
+
+    LANES_EACH_REGISTER(lanes_i, wasm_i32x4_add(columns, wasm_i32x4_splat(n * per_row)));
+}
+
+static inline lanes_i lanes_i_load(const int32_t p[GN_LANES])
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_v128_load(p + 4 * n));
+}
+
+static inline void lanes_i_store(int32_t *p, lanes_i a)
+{
+    wasm_v128_store(p, a.q[0]);
+    wasm_v128_store(p + 4, a.q[1]);
+    wasm_v128_store(p + 8, a.q[2]);
+    wasm_v128_store(p + 12, a.q[3]);
+}
+
+static inline lanes_i lanes_i_add(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_i32x4_add(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_sub(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_i32x4_sub(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_mul(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_i32x4_mul(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_i32x4_shl(a.q[n], (uint32_t)count));
+}
+
+static inline lanes_i lanes_i_shift_right(lanes_i a, int count)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_i32x4_shr(a.q[n], (uint32_t)count));
+}
+
+static inline lanes_i lanes_i_min(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_i32x4_min(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_i32x4_max(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_v128_or(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_and(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_v128_and(a.q[n], b.q[n]));
+}
+
+static inline lanes_m lanes_i_greater(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_m, wasm_i32x4_gt(a.q[n], b.q[n]));
+}
+
+static inline lanes_m lanes_i_equal(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_m, wasm_i32x4_eq(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_select(lanes_m m, lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_v128_bitselect(a.q[n], b.q[n], m.q[n]));
+}
+
+static inline lanes_i lanes_m_as_int(lanes_m a)
+{
+    LANES_EACH_REGISTER(lanes_i, a.q[n]);
+}
+
+static inline uint32_t lanes_i_sign_bits(lanes_i a)
+{
+    return lanes_wasm_bits(a.q);
+}
+
+static inline lanes_f lanes_to_float(lanes_i a)
+{
+    LANES_EACH_REGISTER(lanes_f, wasm_f32x4_convert_i32x4(a.q[n]));
+}
+
+static inline lanes_i lanes_as_int(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_i, a.q[n]);
+}
+
+/* INT32_MIN where a is NaN or 2^31 and above; below -2^31 that is what saturation gives. */
+static inline v128_t lanes_wasm_truncate(v128_t a)
+{
+    return wasm_v128_bitselect(wasm_i32x4_trunc_sat_f32x4(a), wasm_i32x4_splat(INT32_MIN),
+                               wasm_f32x4_lt(a, wasm_f32x4_splat(2147483648.0f)));
+}
+
+static inline lanes_f lanes_as_float(lanes_i a)
+{
+    LANES_EACH_REGISTER(lanes_f, a.q[n]);
+}
+
+static inline lanes_i lanes_truncate(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_i, lanes_wasm_truncate(a.q[n]));
+}
+
+static inline lanes_i lanes_round(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_i, lanes_wasm_truncate(wasm_f32x4_nearest(a.q[n])));
+}
+
+static inline v128_t lanes_wasm_unorm8(v128_t a)
+{
+    return lanes_wasm_truncate(wasm_f32x4_nearest(wasm_f32x4_mul(a, wasm_f32x4_splat(255.0f))));
+}
+
+/* Rounds four pixels and transposes their bytes; narrowing saturates. */
+static inline v128_t lanes_wasm_pack(v128_t red, v128_t green, v128_t blue, v128_t alpha)
+{
+    const v128_t rg = wasm_i16x8_narrow_i32x4(lanes_wasm_unorm8(red), lanes_wasm_unorm8(green));
+    const v128_t ba = wasm_i16x8_narrow_i32x4(lanes_wasm_unorm8(blue), lanes_wasm_unorm8(alpha));
+    const v128_t planes = wasm_u8x16_narrow_i16x8(rg, ba);
+
+    return wasm_i8x16_shuffle(planes, planes, 0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
+}
+
+static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
+{
+    LANES_EACH_REGISTER(lanes_i, lanes_wasm_pack(red.q[n], green.q[n], blue.q[n], alpha.q[n]));
+}
+
+static inline lanes_i lanes_i_load_block(const unsigned char *memory, ptrdiff_t stride)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_v128_load(memory + n * stride));
+}
+
+static inline void lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, lanes_i a)
+{
+    wasm_v128_store(memory, a.q[0]);
+    wasm_v128_store(memory + stride, a.q[1]);
+    wasm_v128_store(memory + 2 * stride, a.q[2]);
+    wasm_v128_store(memory + 3 * stride, a.q[3]);
+}
+
+/* Transposes 4x4 words. */
+static inline void lanes_wasm_transpose(v128_t r[4])
+{
+    const v128_t a = wasm_i32x4_shuffle(r[0], r[1], 0, 4, 1, 5);
+    const v128_t b = wasm_i32x4_shuffle(r[0], r[1], 2, 6, 3, 7);
+    const v128_t c = wasm_i32x4_shuffle(r[2], r[3], 0, 4, 1, 5);
+    const v128_t d = wasm_i32x4_shuffle(r[2], r[3], 2, 6, 3, 7);
+
+    r[0] = wasm_i32x4_shuffle(a, c, 0, 1, 4, 5);
+    r[1] = wasm_i32x4_shuffle(a, c, 2, 3, 6, 7);
+    r[2] = wasm_i32x4_shuffle(b, d, 0, 1, 4, 5);
+    r[3] = wasm_i32x4_shuffle(b, d, 2, 3, 6, 7);
+}
+
+static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32_t *offset,
+                                       uint32_t step, lanes_i out[4])
+{
+    for (uint32_t n = 0; n < 4; ++n) {
+        v128_t r[4];
+
+        for (uint32_t l = 0; l < 4; ++l)
+            r[l] = wasm_v128_load(memory + offset[(4 * n + l) * step]);
+        lanes_wasm_transpose(r);
+        for (int c = 0; c < 4; ++c)
+            out[c].q[n] = r[c];
+    }
+}
+
+static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, const lanes_i in[4])
+{
+    for (size_t n = 0; n < 4; ++n) {
+        v128_t r[4];
+
+        for (int c = 0; c < 4; ++c)
+            r[c] = in[c].q[n];
+        lanes_wasm_transpose(r);
+        for (size_t l = 0; l < 4; ++l)
+            wasm_v128_store(memory + (4 * n + l) * stride, r[l]);
+    }
+}
+
+#endif

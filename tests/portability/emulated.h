@@ -1,0 +1,92 @@
+/* Intrinsics that the machine of the tests need not have, emulated by SIMDe: given to the
+ * library as GN_LANES_INTRINSICS_HEADER, it has the back ends of AVX-512, NEON and
+ * WebAssembly on any x86. What SIMDe 0.7.4 lacks is made here of SSE2 instructions after
+ * the manuals. */
+#ifndef PORTABILITY_EMULATED_H
+#define PORTABILITY_EMULATED_H
+
+#if !defined(__SSE2__)
+#error "Emulation is for x86: elsewhere the stand-ins below would have to be others."
+#endif
+
+#define SIMDE_ENABLE_NATIVE_ALIASES
+
+#if defined(GN_LANES_AVX512)
+#include <simde/x86/avx512.h>
+
+typedef simde__mmask16 __mmask16;
+
+/* Intel SDM volume 2: VCVTTPS2DQ, VCVTPS2DQ and VCVTDQ2PS do in each lane what the
+ * forms of SSE2 do. */
+static inline __m512i emulated_cvttps(__m512 a)
+{
+    simde__m512_private in = simde__m512_to_private(a);
+    simde__m512i_private out;
+
+    for (int n = 0; n < 4; ++n)
+        out.m128i[n] = _mm_cvttps_epi32(in.m128[n]);
+    return simde__m512i_from_private(out);
+}
+
+static inline __m512i emulated_cvtps(__m512 a)
+{
+    simde__m512_private in = simde__m512_to_private(a);
+    simde__m512i_private out;
+
+    for (int n = 0; n < 4; ++n)
+        out.m128i[n] = _mm_cvtps_epi32(in.m128[n]);
+    return simde__m512i_from_private(out);
+}
+
+static inline __m512 emulated_cvtepi32(__m512i a)
+{
+    simde__m512i_private in = simde__m512i_to_private(a);
+    simde__m512_private out;
+
+    for (int n = 0; n < 4; ++n)
+        out.m128[n] = _mm_cvtepi32_ps(in.m128i[n]);
+    return simde__m512_from_private(out);
+}
+
+#define _mm512_cvttps_epi32(a) emulated_cvttps(a)
+#define _mm512_cvtps_epi32(a) emulated_cvtps(a)
+#define _mm512_cvtepi32_ps(a) emulated_cvtepi32(a)
+
+#elif defined(GN_LANES_NEON)
+#include <simde/arm/neon.h>
+
+static inline float32x4_t emulated_div(float32x4_t a, float32x4_t b)
+{
+    simde_float32x4_private x = simde_float32x4_to_private(a);
+    simde_float32x4_private y = simde_float32x4_to_private(b);
+
+    x.m128 = _mm_div_ps(x.m128, y.m128);
+    return simde_float32x4_from_private(x);
+}
+
+/* Arm ARM, FPToFixed with FPRounding_TIEEVEN: saturates, NaN gives 0. */
+static inline int32x4_t emulated_cvtn(float32x4_t a)
+{
+    simde_float32x4_private in = simde_float32x4_to_private(a);
+    simde_int32x4_private out;
+    const __m128i high = _mm_castps_si128(_mm_cmpge_ps(in.m128, _mm_set1_ps(2147483648.0f)));
+    const __m128i number = _mm_castps_si128(_mm_cmpord_ps(in.m128, in.m128));
+
+    out.m128i = _mm_and_si128(_mm_xor_si128(_mm_cvtps_epi32(in.m128), high), number);
+    return simde_int32x4_from_private(out);
+}
+
+static inline uint8x16_t emulated_qmovun_high(uint8x8_t low, int16x8_t high)
+{
+    return simde_vcombine_u8(low, simde_vqmovun_s16(high));
+}
+
+#define vdivq_f32(a, b) emulated_div(a, b)
+#define vcvtnq_s32_f32(a) emulated_cvtn(a)
+#define vqmovun_high_s16(low, high) emulated_qmovun_high(low, high)
+
+#elif defined(GN_LANES_WASM_SIMD128)
+#include <simde/wasm/simd128.h>
+#endif
+
+#endif
