@@ -83,6 +83,12 @@ void shape_grid(builder *b, uint32_t columns, uint32_t rows)
         }
 }
 
+void shape_any_grid(builder *b, uint32_t most)
+{
+    const uint32_t columns = 1 + random_below(&b->random, most);
+    shape_grid(b, columns, 1 + random_below(&b->random, most));
+}
+
 void shape_hub(builder *b, uint32_t spokes)
 {
     random_source *r = &b->random;
@@ -154,7 +160,8 @@ void shape_strip(builder *b, uint32_t triangles)
             x = floorf(x * 2.0f) * 0.5f;
             y = floorf(y * 2.0f) * 0.5f;
         }
-        builder_place(b, v, x, y, random_float(r, -1.0f, 1.0f), random_power(r, -1, 1));
+        const float z = random_float(r, -1.0f, 1.0f);
+        builder_place(b, v, x, y, z, random_power(r, -1, 1));
     }
 }
 
@@ -184,7 +191,7 @@ void generate_meshes(builder *b)
     for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
         builder_common_state(b);
         if (random_chance(r, 65))
-            shape_grid(b, 1 + random_below(r, 9), 1 + random_below(r, 9));
+            shape_any_grid(b, 9);
         else
             shape_hub(b, 3 + random_below(r, 40));
         b->index_format = random_index_format(b);

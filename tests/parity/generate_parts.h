@@ -35,6 +35,9 @@ void shape_degenerate(builder *b, uint32_t count);
 /* Indexed triangles over a grid with random diagonals, its inner vertices moved, and
  * triangles around a point. Windings are all the same where nothing crosses. */
 void shape_grid(builder *b, uint32_t columns, uint32_t rows);
+
+/* A grid of 1 to `most` columns and as many rows at most. */
+void shape_any_grid(builder *b, uint32_t most);
 void shape_hub(builder *b, uint32_t spokes);
 
 /* Layers that overlap over much of the viewport: equal depths, common planes,

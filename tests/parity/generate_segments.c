@@ -54,9 +54,9 @@ void generate_segments(builder *b)
         const float noise = 0.003f;
         const float x = i == outside ? 3.0f * (float)b->scene->width : l.x + t * l.along_x;
 
-        builder_place(b, builder_vertex(b), x + random_float(r, -noise, noise),
-                      l.y + t * l.along_y + random_float(r, -noise, noise),
-                      random_float(r, -0.9f, 0.9f), 1.0f);
+        vertex *v = builder_vertex(b);
+        const float dx = random_float(r, -noise, noise), dy = random_float(r, -noise, noise);
+        builder_place(b, v, x + dx, l.y + t * l.along_y + dy, random_float(r, -0.9f, 0.9f), 1.0f);
         if (indexed)
             builder_index(b, i);
     }

@@ -53,8 +53,11 @@ static void random_light(builder *b)
     const gn_mat3 turn = builder_rotation(b);
     const bool strong = random_chance(r, 30);
     b->uniforms.light.light_direction = (gn_vec3){turn.m[0][0], turn.m[0][1], turn.m[0][2]};
-    b->uniforms.light.ambient = (gn_vec3){random_unit(r), random_unit(r), random_unit(r)};
-    b->uniforms.light.diffuse = (gn_vec3){random_unit(r), random_unit(r), random_unit(r)};
+    float color[6];
+    for (int i = 0; i < 6; i++)
+        color[i] = random_unit(r);
+    b->uniforms.light.ambient = (gn_vec3){color[0], color[1], color[2]};
+    b->uniforms.light.diffuse = (gn_vec3){color[3], color[4], color[5]};
     if (strong)
         b->uniforms.light.diffuse.y *= 8.0f;
 }
@@ -172,8 +175,10 @@ static void random_texcoords(builder *b)
                 *s = *s * 1.5f - 0.25f;
             else if (kind == 5 && random_chance(r, 5))
                 *s = random_chance(r, 50) ? NAN : random_chance(r, 50) ? INFINITY : -INFINITY;
-            else if (kind == 5)
-                *s = (random_chance(r, 50) ? 1.0f : -1.0f) * random_octave(r, octave, octave);
+            else if (kind == 5) {
+                const float sign = random_sign(r);
+                *s = sign * random_octave(r, octave, octave);
+            }
         }
 }
 
@@ -190,7 +195,8 @@ static void add_textured(builder *b, scene_shader shader, gn_format format)
         add_body(b);
     } else {
         const placement places[] = {PLACE_ANYWHERE, PLACE_AFFINE, PLACE_TIES, PLACE_CLIP};
-        shape_triangles(b, places[random_below(r, 4)], builder_triangle_count(b));
+        const placement place = places[random_below(r, 4)];
+        shape_triangles(b, place, builder_triangle_count(b));
     }
     gn_texture *t = &b->uniforms.texture;
     t->width = sizes[random_below(r, 14)];
@@ -230,7 +236,9 @@ void generate_phong(builder *b)
         b->scene->color_format = GN_FORMAT_RGBA32F;
     for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
         gn_mat4_identity(&b->view_from_model);
-        b->specular = (gn_vec3){random_unit(r), random_unit(r), random_octave(r, -2, 2)};
+        b->specular.x = random_unit(r);
+        b->specular.y = random_unit(r);
+        b->specular.z = random_octave(r, -2, 2);
         add_textured(b, SCENE_PHONG, floats ? GN_FORMAT_RGBA32F : GN_FORMAT_NONE);
     }
 }

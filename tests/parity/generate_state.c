@@ -80,7 +80,7 @@ void generate_framebuffers(builder *b)
         if (random_chance(r, 50) || b->state.viewport.width == 0.0f)
             any_shape(b, 1 + builder_triangle_count(b) / 2);
         else
-            shape_grid(b, 1 + random_below(r, 5), 1 + random_below(r, 5));
+            shape_any_grid(b, 5);
         builder_draw(b);
     }
 }
@@ -251,17 +251,18 @@ void generate_float_color(builder *b)
  * the range, and magnitudes at which an integer conversion overflows. */
 static float edge_color(random_source *r)
 {
+    const float sign = random_sign(r);
     switch (random_below(r, 6)) {
     case 0:
         return ((float)random_between(r, -2, 258) + 0.5f) / 255.0f;
     case 1:
         return (float)random_between(r, -2, 257) / 255.0f;
     case 2:
-        return (random_chance(r, 50) ? 1.0f : -1.0f) * random_octave(r, 0, 40);
+        return sign * random_octave(r, 0, 40);
     case 3:
         return random_float(r, -1.0f, 2.0f);
     case 4:
-        return (random_chance(r, 50) ? 1.0f : -1.0f) * random_octave(r, -40, -1);
+        return sign * random_octave(r, -40, -1);
     default:
         return random_unit(r);
     }
@@ -309,7 +310,7 @@ static void mixed_draw(builder *b)
                        (b->state.viewport.width == 0.0f || b->state.viewport.height == 0.0f);
     switch (empty ? 5 : random_below(r, 8)) {
     case 0:
-        shape_grid(b, 1 + random_below(r, 6), 1 + random_below(r, 6));
+        shape_any_grid(b, 6);
         break;
     case 1:
         shape_hub(b, 3 + random_below(r, 20));

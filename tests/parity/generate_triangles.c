@@ -33,16 +33,22 @@ static float on_grain(float coordinate, float grain)
     return floorf(coordinate * grain) / grain;
 }
 
+/* Within a margin of the viewport, at depths to +-depth. */
+static void place_in_viewport(builder *b, vertex *v, float margin, float depth, float w)
+{
+    const float x = viewport_x(b, margin), y = viewport_y(b, margin);
+    builder_place(b, v, x, y, depth * device_depth(b), w);
+}
+
 void shape_place(builder *b, vertex *v, placement p)
 {
     random_source *r = &b->random;
     switch (p) {
     case PLACE_AFFINE:
-        builder_place(b, v, viewport_x(b, 0.2f), viewport_y(b, 0.2f), device_depth(b), 1.0f);
+        place_in_viewport(b, v, 0.2f, 1.0f, 1.0f);
         break;
     case PLACE_INSIDE:
-        builder_place(b, v, viewport_x(b, -0.001f), viewport_y(b, -0.001f), 0.99f * device_depth(b),
-                      random_octave(r, -2, 1));
+        place_in_viewport(b, v, -0.001f, 0.99f, random_octave(r, -2, 1));
         break;
     case PLACE_TIES: {
         const float grain = tie_grain(r);
@@ -59,8 +65,7 @@ void shape_place(builder *b, vertex *v, placement p)
             v->position[3] = fabsf(v->position[3]);
         break;
     default:
-        builder_place(b, v, viewport_x(b, 0.3f), viewport_y(b, 0.3f), 1.2f * device_depth(b),
-                      random_octave(r, -2, 1));
+        place_in_viewport(b, v, 0.3f, 1.2f, random_octave(r, -2, 1));
         break;
     }
 }
@@ -79,11 +84,12 @@ void shape_tiny(builder *b, uint32_t count)
         const float size = random_chance(r, 50) ? random_octave(r, -7, 0) : random_octave(r, 0, 2);
         const float z = device_depth(b);
         const bool affine = random_chance(r, 50);
-        for (int k = 0; k < 3; k++)
-            builder_place(b, builder_vertex(b), x + random_float(r, -size, size),
-                          y + random_float(r, -size, size),
-                          z + 0.01f * random_float(r, -1.0f, 1.0f),
-                          affine ? 1.0f : random_octave(r, -2, 1));
+        for (int k = 0; k < 3; k++) {
+            vertex *v = builder_vertex(b);
+            const float dx = random_float(r, -size, size), dy = random_float(r, -size, size);
+            const float dz = 0.01f * random_float(r, -1.0f, 1.0f);
+            builder_place(b, v, x + dx, y + dy, z + dz, affine ? 1.0f : random_octave(r, -2, 1));
+        }
     }
 }
 
@@ -102,10 +108,12 @@ void shape_slivers(builder *b, uint32_t count)
         const bool affine = random_chance(r, 50);
         const float corner[3][2] = {{x0, y0}, {x1, y1}, {x2, y2}};
         const uint32_t turn = random_below(r, 3);
-        for (uint32_t k = 0; k < 3; k++)
-            builder_place(b, builder_vertex(b), corner[(k + turn) % 3][0],
-                          corner[(k + turn) % 3][1], device_depth(b),
-                          affine ? 1.0f : random_octave(r, -2, 1));
+        for (uint32_t k = 0; k < 3; k++) {
+            const float *at = corner[(k + turn) % 3];
+            vertex *v = builder_vertex(b);
+            const float z = device_depth(b);
+            builder_place(b, v, at[0], at[1], z, affine ? 1.0f : random_octave(r, -2, 1));
+        }
     }
 }
 
@@ -136,8 +144,8 @@ void shape_turning(builder *b, uint32_t count)
             const bool middle = random_chance(r, 50); /* no area until it is snapped */
             const float t = middle ? 0.5f : random_unit(r);
             /* The long side goes through the centre of a pixel, or just by it. */
-            const float centre[2] = {floorf(viewport_x(b, -0.2f)) + 0.5f,
-                                     floorf(viewport_y(b, -0.2f)) + 0.5f};
+            const float x = viewport_x(b, -0.2f), y = viewport_y(b, -0.2f);
+            const float centre[2] = {floorf(x) + 0.5f, floorf(y) + 0.5f};
             p[0][0] = on_grain(viewport_x(b, -0.02f), 256.0f);
             p[0][1] = on_grain(viewport_y(b, -0.02f), 256.0f);
             for (int c = 0; c < 2; c++)
@@ -154,8 +162,10 @@ void shape_turning(builder *b, uint32_t count)
                                               (area <= 0.0f && snapped_area > 0.0f) ||
                                               (area == 0.0f && snapped_area != 0.0f));
         }
-        for (int k = 0; k < 3; k++)
-            builder_place(b, builder_vertex(b), p[k][0], p[k][1], device_depth(b), 1.0f);
+        for (int k = 0; k < 3; k++) {
+            vertex *v = builder_vertex(b);
+            builder_place(b, v, p[k][0], p[k][1], device_depth(b), 1.0f);
+        }
     }
 }
 
@@ -184,8 +194,8 @@ void shape_ties(builder *b, uint32_t count)
                 y = y0;
             corner[k] = *builder_vertex(b);
             b->vertex_count--;
-            builder_place(b, &corner[k], x, y, (float)random_between(r, -4, 4) * 0.25f,
-                          shared_w ? w : random_power(r, -3, 3));
+            const float z = (float)random_between(r, -4, 4) * 0.25f;
+            builder_place(b, &corner[k], x, y, z, shared_w ? w : random_power(r, -3, 3));
         }
         static const int order[6] = {0, 1, 2, 2, 1, 3};
         for (uint32_t k = 0; k < (i + 1 < count ? 6u : 3u); k++)
@@ -207,9 +217,11 @@ void shape_huge(builder *b, uint32_t count)
         for (int k = 0; k < 3; k++) {
             const bool small = random_chance(r, 20);
             const float extent = small ? 50.0f : size;
-            builder_place(b, builder_vertex(b), random_float(r, -extent, extent),
-                          random_float(r, -extent, extent), device_depth(b),
-                          affine ? 1.0f : random_octave(r, -4, 3));
+            vertex *v = builder_vertex(b);
+            const float x = random_float(r, -extent, extent);
+            const float y = random_float(r, -extent, extent);
+            const float z = device_depth(b);
+            builder_place(b, v, x, y, z, affine ? 1.0f : random_octave(r, -4, 3));
         }
     }
 }
@@ -226,17 +238,17 @@ void shape_offscreen(builder *b, uint32_t count)
         for (int k = 0; k < 3; k++) {
             const float w = affine ? random_power(r, -1, 1) : random_octave(r, -2, 1);
             vertex *p = builder_vertex(b);
-            builder_place(b, p, viewport_x(b, kind == 0 ? 3.0f : 0.5f),
-                          viewport_y(b, kind == 0 ? 3.0f : 0.5f), 2.0f * device_depth(b), w);
+            place_in_viewport(b, p, kind == 0 ? 3.0f : 0.5f, 2.0f, w);
             /* All vertices beyond one plane, on it, or one or two of them within. */
             if (kind == 1)
                 p->position[axis] = side * w * random_float(r, 1.0f, 3.0f);
             else if (kind == 2 && random_chance(r, 60))
                 p->position[axis] = side * w;
-            else if (kind == 3 && random_chance(r, 60))
-                builder_place(b, p, v.x + v.width * (float)random_between(r, -1, 2),
-                              v.y + v.height * (float)random_between(r, -1, 2),
-                              (float)random_between(r, -2, 2), w);
+            else if (kind == 3 && random_chance(r, 60)) {
+                const float x = v.x + v.width * (float)random_between(r, -1, 2);
+                const float y = v.y + v.height * (float)random_between(r, -1, 2);
+                builder_place(b, p, x, y, (float)random_between(r, -2, 2), w);
+            }
         }
     }
 }
@@ -314,7 +326,8 @@ void shape_degenerate(builder *b, uint32_t count)
             const int32_t dx = random_between(r, -1, 1), dy = random_between(r, -1, 1);
             for (int n = 0; n < 3; n++) {
                 const float t = (float)random_between(r, -20, 20) * 0.5f;
-                builder_place(b, &v[n], x + (float)dx * t, y + (float)dy * t, device_depth(b),
+                const float z = device_depth(b);
+                builder_place(b, &v[n], x + (float)dx * t, y + (float)dy * t, z,
                               random_power(r, -2, 2));
             }
             break;
@@ -322,9 +335,11 @@ void shape_degenerate(builder *b, uint32_t count)
         case 2: { /* no area once snapped to 1/256 pixel, or nearly none */
             const float x = on_grain(viewport_x(b, 0.0f), 2.0f);
             const float y = on_grain(viewport_y(b, 0.0f), 2.0f);
-            for (int n = 0; n < 3; n++)
-                builder_place(b, &v[n], x + random_float(r, -0.006f, 0.006f),
-                              y + random_float(r, -0.006f, 0.006f), device_depth(b), 1.0f);
+            for (int n = 0; n < 3; n++) {
+                const float dx = random_float(r, -0.006f, 0.006f);
+                const float dy = random_float(r, -0.006f, 0.006f);
+                builder_place(b, &v[n], x + dx, y + dy, device_depth(b), 1.0f);
+            }
             break;
         }
         case 3:

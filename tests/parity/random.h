@@ -1,6 +1,8 @@
 /* A small random number generator for scenes: xoshiro256** (Blackman and Vigna
  * 2018), seeded through splitmix64 (Steele, Lea and Flood 2014). The same numbers
- * on every machine, so that a scene is a pure function of what seeds it. */
+ * on every machine, so that a scene is a pure function of what seeds it. For that no
+ * expression may draw two of them: C leaves the order to the compiler, but in initializers
+ * of several declarators, after && and ||, and in conditions. */
 #ifndef PARITY_RANDOM_H
 #define PARITY_RANDOM_H
 
@@ -87,10 +89,17 @@ static inline float random_power(random_source *r, int32_t lowest, int32_t highe
     return power;
 }
 
+/* 1 or -1. */
+static inline float random_sign(random_source *r)
+{
+    return random_chance(r, 50) ? 1.0f : -1.0f;
+}
+
 /* A magnitude spread evenly over the octaves from 2^lowest to 2^(highest + 1). */
 static inline float random_octave(random_source *r, int32_t lowest, int32_t highest)
 {
-    return random_power(r, lowest, highest) * random_float(r, 1.0f, 2.0f);
+    const float power = random_power(r, lowest, highest);
+    return power * random_float(r, 1.0f, 2.0f);
 }
 
 #endif
