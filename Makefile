@@ -14,7 +14,7 @@ WARNINGS = -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror
 # reassociate floating-point operations, and bits would change.
 FLOAT_FLAGS = -fno-fast-math -ffp-contract=off
 LIBRARY_FLAGS = -std=c99 -pedantic $(WARNINGS) $(CFLAGS) -ffreestanding -fvisibility=hidden \
-	-fPIC -Iinclude -fno-math-errno -fno-stack-protector $(EMULATE) $(FLOAT_FLAGS)
+	-fPIC -Iinclude -fno-math-errno -fno-stack-protector $(FLOAT_FLAGS)
 PROGRAM_FLAGS = -std=c11 -pedantic -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Wshadow -Werror \
 	$(CFLAGS) $(FLOAT_FLAGS) -Iinclude -Ireference/scene -Ireference/osmesa $(SANITIZE)
 
@@ -53,6 +53,10 @@ help: ## this list
 setup: ## install what building and testing needs (Debian, as root)
 	@tools/setup.sh
 
+.PHONY: setup-cross
+setup-cross: ## install compilers and emulators for `make cross` and `make size` (Debian, as root)
+	@tools/setup-cross.sh
+
 # The library
 
 .PHONY: library
@@ -78,6 +82,7 @@ $(BUILD)/%.o: %.c Makefile
 
 $(BUILD)/tests/theft/%.o: EXTRA_FLAGS = -Itests/theft
 $(BUILD)/tests/property/%.o: EXTRA_FLAGS = $(THEFT_CFLAGS) -Itests/parity
+$(BUILD)/tests/portability/%.o: EXTRA_FLAGS = -Itests/parity
 $(BUILD)/tests/tools/%.o: EXTRA_FLAGS = -Itools/gnomon
 $(BUILD)/tests/exhaustive/%.o: EXTRA_FLAGS = -DGN_REFERENCE_MPFR
 
@@ -104,6 +109,21 @@ $(BUILD)/bench: $(call objects,$(BENCH_SOURCES) $(THREADS_SOURCES)) $(REFERENCE_
 $(BUILD)/parity: $(call objects,$(PARITY_SOURCES) $(THREADS_SOURCES)) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
 	$(LINK) -lOSMesa -lm -pthread
 
+# The same program with AVX-512, NEON and WebAssembly's vectors emulated, which on x86 some
+# processor lacks: of the library, what knows which back ends there are is compiled again.
+EMULATED_SOURCES = src/draw/draw.c $(addprefix src/backends/,choose.c avx512.c neon.c wasm_simd128.c)
+
+$(BUILD)/parity-emulated: $(call objects,$(PARITY_SOURCES)) $(REFERENCE_OBJECTS) \
+		$(patsubst %.c,$(BUILD)/emulated/%.o,$(EMULATED_SOURCES)) \
+		$(call objects,$(filter-out $(EMULATED_SOURCES),$(LIBRARY_SOURCES)))
+	$(LINK) -lOSMesa -lm
+
+$(BUILD)/emulated/src/%.o: src/%.c Makefile
+	@mkdir -p $(@D)
+	@echo '  CC $<, emulated'
+	@$(CC) $(LIBRARY_FLAGS) -Itests/portability -DGN_LANES_INTRINSICS_HEADER='<emulated.h>' \
+		-Wno-psabi -O1 $(SANITIZE) -MMD -MP -c $< -o $@
+
 $(BUILD)/exhaustive: $(call objects,$(EXHAUSTIVE_SOURCES)) $(BUILD)/libgnomon.a
 	$(LINK) -lmpfr -lm
 
@@ -111,6 +131,11 @@ $(BUILD)/property-tests: $(call objects,$(PROPERTY_SOURCES) $(THEFT_SOURCES) $(S
 		$(filter-out tests/parity/gate.c tests/parity/compare.c,$(PARITY_SOURCES))) \
 		$(BUILD)/libgnomon.a
 	$(LINK) $(THEFT_LIBS) -lm
+
+# Of objects alone: the archiver may not know the target's.
+$(BUILD)/hashes: $(call objects,tests/portability/hashes.c $(SCENE_SOURCES) $(LIBRARY_SOURCES) \
+		$(filter-out tests/parity/gate.c tests/parity/compare.c tests/parity/shrink%,$(PARITY_SOURCES)))
+	$(LINK) -lm
 
 $(BUILD)/theft-selftest: $(call objects,$(sort $(wildcard tests/theft/*.c)))
 	$(LINK) -lcmocka -lm
@@ -146,7 +171,7 @@ demo: all
 
 # In `make setup demo` and `make setup test` nothing begins before the set-up is done,
 # whatever -j says.
-all demo test library: | $(filter setup,$(MAKECMDGOALS))
+all demo test library cross size: | $(filter setup setup-cross,$(MAKECMDGOALS))
 
 demo:
 	@$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png --picture $(BUILD)/teapot.png
@@ -184,15 +209,13 @@ bench-plot: $(BUILD)/bench ## pictures of bench's and bench-scale's last results
 check-freestanding: ## no undefined symbols, no writable data, headers alone
 	@tests/portability/freestanding.sh $(BUILD)
 
-# All back ends on x86, those of instruction sets it lacks made of SIMDe's emulation of them.
-EMULATED = $(BUILD)/emulated
-EMULATED_FLAGS = BUILD=$(EMULATED) CFLAGS='-O2 -g' \
-	EMULATE='-Itests/portability -DGN_LANES_INTRINSICS_HEADER="<emulated.h>" -Wno-psabi'
-
 .PHONY: parity-emulated
-parity-emulated: ## the parity gate with AVX-512, NEON and WebAssembly emulated, on x86
-	@$(MAKE) --no-print-directory $(EMULATED_FLAGS) $(EMULATED)/parity
-	@$(EMULATED)/parity --scenes $(SCENES) --seed $(SEED) --keep $(BUILD)/parity-failure.scene
+parity-emulated: $(BUILD)/parity-emulated ## the gate over all back ends, SIMDe emulating what the processor lacks
+	@$(BUILD)/parity-emulated --scenes $(SCENES) --seed $(SEED) --keep $(BUILD)/parity-failure.scene
+
+.PHONY: cross
+cross: ## the parity suite's scenes on other processors and WebAssembly: equal hashes
+	@tests/portability/cross.sh $(BUILD)
 
 # The everyday gate. The tests are built twice, as they are and under the sanitizers.
 
@@ -209,16 +232,15 @@ test-programs: $(UNIT_TESTS) $(BUILD)/property-tests $(BUILD)/parity
 .PHONY: test
 test: ## everything, in a few minutes; ends on "N passed, N failed"
 	@$(MAKE) --no-print-directory -j2 all test-programs $(TOOL_TESTS) $(BUILD)/theft-selftest \
-		$(BUILD)/exhaustive $(BUILD)/bench
+		$(BUILD)/exhaustive $(BUILD)/bench $(BUILD)/parity-emulated
 	@$(MAKE) --no-print-directory -j2 $(CHECKED_FLAGS) test-programs
-	@$(MAKE) --no-print-directory -j2 $(EMULATED_FLAGS) $(EMULATED)/parity
 	@LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0 tests/run.sh \
 		$(call unit_steps,$(BUILD),) \
 		'theft=$(BUILD)/theft-selftest' \
 		'properties=$(BUILD)/property-tests --seed $(TEST_SEED)' \
 		'scalar functions=$(BUILD)/exhaustive --stride 9973' \
 		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes 4400 --keep $(BUILD)/parity-failure.scene' \
-		'parity, back ends emulated=$(EMULATED)/parity --seed $(TEST_SEED) --scenes 880 --keep $(BUILD)/parity-failure.scene' \
+		'parity, back ends emulated=$(BUILD)/parity-emulated --seed $(TEST_SEED) --scenes 880 --keep $(BUILD)/parity-failure.scene' \
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
 		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \
@@ -228,6 +250,7 @@ test: ## everything, in a few minutes; ends on "N passed, N failed"
 		'benchmark, clears=$(BUILD)/bench --frames 1 --scene S6 | grep ": 0 differing"' \
 		'benchmark, a shader=$(BUILD)/bench --frames 1 --scene S4 | grep ": 0 differing"' \
 		'freestanding=tests/portability/freestanding.sh $(BUILD)' \
+		'other machines=tests/portability/cross.sh $(BUILD) --scenes 110 aarch64 wasm wasm-simd128' \
 		'embedding=tests/embed/readme.sh $(BUILD)' \
 		$(call unit_steps,$(CHECKED),sanitized ) \
 		'sanitized properties=$(CHECKED)/property-tests --seed $(TEST_SEED) --trials 100' \

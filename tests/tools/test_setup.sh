@@ -77,7 +77,7 @@ check "apt fails: its words are shown" grep -q "the archive burns" "$directory/e
 # Not Debian: a PATH that has neither tool.
 begin
 rm "$directory/bin/dpkg-query" "$directory/bin/apt-get"
-for tool in sh echo head mktemp rm cat; do
+for tool in sh echo dirname head mktemp rm cat; do
     ln -s "$(command -v $tool)" "$directory/bin/$tool" 2>/dev/null
 done
 PATH="$directory/bin" "$directory/bin/sh" "$setup" >"$directory/out" 2>"$directory/error"

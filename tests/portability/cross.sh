@@ -1,0 +1,134 @@
+#!/bin/sh
+# The pictures are the same on every machine: builds the library for other processors, draws
+# the parity suite's scenes there (hashes.c), in an emulator or under Node, and compares the
+# hashes of every back end with those drawn here in plain C. A target whose tools are absent is
+# named and passed over. No library uses a fused operation, and as a WebAssembly module it
+# imports nothing.
+# usage: cross.sh BUILD-DIRECTORY [--scenes N] [TARGET...]   (from the root of the project)
+set -eu
+export MAKEFLAGS=
+build=$1/cross
+scenes=440
+shift
+if [ "${1:-}" = --scenes ]; then
+    scenes=$2
+    shift 2
+fi
+passed=0
+failed=0
+mkdir -p "$build"
+
+# describe TARGET: its compiler, flags, what runs its programs, its disassembler and the
+# instructions that fuse. Those flags let a careless compiler fuse.
+describe() {
+    flags=-O2
+    case $1 in
+    aarch64)
+        compiler=aarch64-linux-gnu-gcc
+        runner="qemu-aarch64 -L /usr/aarch64-linux-gnu"
+        disassembler=aarch64-linux-gnu-objdump
+        fused='[[:space:]]fn?m(add|sub|l[as])'
+        ;;
+    armhf)
+        compiler=arm-linux-gnueabihf-gcc
+        flags="-O2 -mfpu=neon-vfpv4"
+        runner="qemu-arm -L /usr/arm-linux-gnueabihf"
+        disassembler=arm-linux-gnueabihf-objdump
+        fused='[[:space:]]vfn?m[as]'
+        ;;
+    s390x) # big-endian; C's standard modes would evaluate floats as doubles
+        compiler=s390x-linux-gnu-gcc
+        flags="-O2 -march=z14 -fexcess-precision=fast"
+        runner="qemu-s390x -L /usr/s390x-linux-gnu"
+        disassembler=s390x-linux-gnu-objdump
+        fused='[[:space:]](m[as][de]br|[vw]fn?m[as][sd]b)'
+        ;;
+    wasm | wasm-simd128)
+        compiler="clang-19 --target=wasm32-wasi"
+        runner="node --no-warnings tests/portability/wasi.mjs"
+        disassembler=""
+        [ "$1" = wasm ] || flags="-O2 -msimd128"
+        ;;
+    *)
+        echo "cross.sh: unknown target '$1'" >&2
+        exit 2
+        ;;
+    esac
+}
+
+have() { # the first absent of the commands, in `absent`
+    absent=""
+    for command in "$@"; do
+        command -v "${command%% *}" >/dev/null 2>&1 || { absent=${command%% *}; return 1; }
+    done
+}
+
+pass() {
+    echo "$1"
+    passed=$((passed + 1))
+}
+
+fail() {
+    echo "$1"
+    failed=$((failed + 1))
+}
+
+hashes_differ() { # hashes_differ FILE: says which
+    awk -v scenes="$here_scenes" -v frames="$here_frames" '
+        $1 == "scenes" && $2 != scenes { text = text "; the generator made other scenes" }
+        $1 != "scenes" && $2 != frames { text = text "; " $1 " drew other pixels" }
+        END {
+            if (NR < 2) text = "; no hash was printed"
+            print substr(text, 3)
+            exit text == ""
+        }' "$1"
+}
+
+backends() { awk '$1 != "scenes" { printf "%s%s", sep, $1; sep = " and " }' "$1"; }
+
+${MAKE:-make} -s -j2 BUILD="$(dirname "$build")" "$(dirname "$build")/hashes" >"$build/log" 2>&1 ||
+    { cat "$build/log"; echo "cross: 0 passed, 1 failed"; exit 1; }
+"$(dirname "$build")/hashes" --scenes "$scenes" >"$build/here"
+here_scenes=$(awk '$1 == "scenes" { print $2 }' "$build/here")
+here_frames=$(awk '$1 == "portable" { print $2 }' "$build/here")
+if differences=$(hashes_differ "$build/here"); then
+    fail "here: $differences"
+else
+    pass "here: $(backends "$build/here"): hash $here_frames of $scenes scenes"
+fi
+
+for target in ${*:-aarch64 armhf s390x wasm wasm-simd128}; do
+    describe "$target"
+    directory=$build/$target
+    if ! have "$compiler" "$runner" ${disassembler:+"$disassembler"}; then
+        echo "$target: not run, since $absent is absent: 'make setup-cross' installs it"
+        continue
+    fi
+    if ! ${MAKE:-make} -s -j2 BUILD="$directory" CC="$compiler" CFLAGS="$flags" \
+        "$directory/hashes" >"$build/log" 2>&1; then
+        cat "$build/log"
+        fail "$target: does not build"
+        continue
+    fi
+    # shellcheck disable=SC2086
+    if ! $runner "$directory/hashes" --scenes "$scenes" >"$directory/printed" 2>"$build/log"; then
+        cat "$build/log"
+        fail "$target: the program fails"
+        continue
+    fi
+    if differences=$(hashes_differ "$directory/printed"); then
+        fail "$target: $differences"
+    else
+        pass "$target (${runner%% *}): $(backends "$directory/printed"): hash equal"
+    fi
+    if [ -n "$disassembler" ]; then
+        count=$(find "$directory/src" -name '*.o' -exec "$disassembler" -d {} + | grep -c -E "$fused") || true
+        [ "$count" -eq 0 ] || fail "$target: $count fused operations"
+    elif ! find "$directory/src" -name '*.o' -exec clang-19 --target=wasm32 -nostdlib \
+        -Wl,--no-entry,--export-dynamic,--strip-all -o "$directory/gnomon.wasm" {} + ||
+        ! node tests/portability/imports.mjs "$directory/gnomon.wasm"; then
+        fail "$target: the library alone is no module without imports"
+    fi
+done
+echo "cross: $passed passed, $failed failed"
+[ "$failed" -eq 0 ]

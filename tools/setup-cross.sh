@@ -1,0 +1,16 @@
+#!/bin/sh
+# Installs from Debian's packages what `make cross` and `make size` need to build for other
+# machines and to run there: compilers, C libraries for test programs, and emulators, more than
+# 1 GB in all. Does nothing where everything is there.
+set -eu
+self=setup-cross
+. "$(dirname "$0")/debian.sh"
+
+node=nodejs
+if command -v node >/dev/null 2>&1; then
+    node=""
+fi
+
+install_packages "gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-arm-linux-gnueabihf
+libc6-dev-armhf-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross qemu-user clang-19 lld-19
+wasi-libc libclang-rt-19-dev-wasm32 gcc-arm-none-eabi qemu-system-arm $node" "$@"
