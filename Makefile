@@ -113,16 +113,16 @@ $(BUILD)/parity: $(call objects,$(PARITY_SOURCES) $(THREADS_SOURCES)) $(REFERENC
 # processor lacks: of the library, what knows which back ends there are is compiled again.
 EMULATED_SOURCES = src/draw/draw.c $(addprefix src/backends/,choose.c avx512.c neon.c wasm_simd128.c)
 
-$(BUILD)/parity-emulated: $(call objects,$(PARITY_SOURCES)) $(REFERENCE_OBJECTS) \
+$(BUILD)/parity-emulated: $(call objects,$(PARITY_SOURCES) $(THREADS_SOURCES)) $(REFERENCE_OBJECTS) \
 		$(patsubst %.c,$(BUILD)/emulated/%.o,$(EMULATED_SOURCES)) \
 		$(call objects,$(filter-out $(EMULATED_SOURCES),$(LIBRARY_SOURCES)))
-	$(LINK) -lOSMesa -lm
+	$(LINK) -lOSMesa -lm -pthread
 
 $(BUILD)/emulated/src/%.o: src/%.c Makefile
 	@mkdir -p $(@D)
 	@echo '  CC $<, emulated'
 	@$(CC) $(LIBRARY_FLAGS) -Itests/portability -DGN_LANES_INTRINSICS_HEADER='<emulated.h>' \
-		-Wno-psabi -O1 $(SANITIZE) -MMD -MP -c $< -o $@
+		-DGN_SMALLEST_TASKS 		-Wno-psabi -O1 $(SANITIZE) -MMD -MP -c $< -o $@
 
 $(BUILD)/exhaustive: $(call objects,$(EXHAUSTIVE_SOURCES)) $(BUILD)/libgnomon.a
 	$(LINK) -lmpfr -lm
@@ -221,7 +221,7 @@ cross: ## the parity suite's scenes on other processors and WebAssembly: equal h
 
 TEST_SEED ?= $(shell date +%s)
 CHECKED = $(BUILD)/sanitized
-CHECKED_FLAGS = BUILD=$(CHECKED) CFLAGS='-O1 -g -fno-inline' \
+CHECKED_FLAGS = BUILD=$(CHECKED) CFLAGS='-O1 -g -fno-inline -DGN_SMALLEST_TASKS' \
 	SANITIZE='-fsanitize=address,undefined -fno-sanitize-recover=all'
 
 unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')

@@ -13,11 +13,18 @@
 #include "vertices.h"
 #include "worker.h"
 
-/* What makes a task worth handing to another thread. */
+/* What makes a task worth handing to another thread. Tests divide small scenes too. */
+#if defined(GN_SMALLEST_TASKS)
+#define TASK_ELEMENTS 8
+#define TASK_SLOTS GN_LANES
+#define TASK_TRIANGLES 4
+#define TASK_PIXELS 16
+#else
 #define TASK_ELEMENTS 65536
 #define TASK_SLOTS 512
 #define TASK_TRIANGLES 256
 #define TASK_PIXELS 16384
+#endif
 
 /* A step's items, divided into tasks of `size`. */
 typedef struct task_range {

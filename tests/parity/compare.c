@@ -79,6 +79,12 @@ static bool compare_workspaces(const comparer *c, const scene *s, uint64_t numbe
     return allocated;
 }
 
+/* The least that serves several threads, and more: from a segment to a round up. */
+static size_t odd_threads_workspace(uint64_t number)
+{
+    return gn_workspace_size_parallel(0, 0, SCENE_VARYINGS) + (size_t)(number * 619 % 100003);
+}
+
 /* One number of threads a scene; every fourth run of four scenes in an odd workspace, and
  * runs of sixteen on the back ends in turn. */
 static bool compare_threads(const comparer *c, const scene *s, uint64_t number, comparison *result)
@@ -88,7 +94,7 @@ static bool compare_threads(const comparer *c, const scene *s, uint64_t number, 
         (gn_backend)(GN_BACKEND_PORTABLE + (int)(number / 16 % (uint64_t)backends));
     bool allocated = true;
     for (uint64_t i = 0; i < COMPARE_POOLS; i++) {
-        const variant v = {number / COMPARE_POOLS % 4 == 3 ? odd_workspace(number) : 0,
+        const variant v = {number / COMPARE_POOLS % 4 == 3 ? odd_threads_workspace(number) : 0,
                            gn_backend_available(turn) ? turn : GN_BACKEND_AUTO, c->pools[i]};
         if (allocated && (c->everything || i == number % COMPARE_POOLS))
             allocated = compare_variant(s, &v, result, &result->threads);

@@ -48,6 +48,17 @@ static inline __m512 emulated_cvtepi32(__m512i a)
     return simde__m512_from_private(out);
 }
 
+/* VPSRAD does in each part of 128 bits what PSRAD does. */
+static inline __m512i emulated_sra(__m512i a, __m128i count)
+{
+    simde__m512i_private in = simde__m512i_to_private(a);
+
+    for (int n = 0; n < 4; ++n)
+        in.m128i[n] = _mm_sra_epi32(in.m128i[n], count);
+    return simde__m512i_from_private(in);
+}
+
+#define _mm512_sra_epi32(a, count) emulated_sra(a, count)
 #define _mm512_cvttps_epi32(a) emulated_cvttps(a)
 #define _mm512_cvtps_epi32(a) emulated_cvtps(a)
 #define _mm512_cvtepi32_ps(a) emulated_cvtepi32(a)
@@ -61,6 +72,14 @@ static inline float32x4_t emulated_div(float32x4_t a, float32x4_t b)
     simde_float32x4_private y = simde_float32x4_to_private(b);
 
     x.m128 = _mm_div_ps(x.m128, y.m128);
+    return simde_float32x4_from_private(x);
+}
+
+static inline float32x4_t emulated_sqrt(float32x4_t a)
+{
+    simde_float32x4_private x = simde_float32x4_to_private(a);
+
+    x.m128 = _mm_sqrt_ps(x.m128);
     return simde_float32x4_from_private(x);
 }
 
@@ -82,6 +101,7 @@ static inline uint8x16_t emulated_qmovun_high(uint8x8_t low, int16x8_t high)
 }
 
 #define vdivq_f32(a, b) emulated_div(a, b)
+#define vsqrtq_f32(a) emulated_sqrt(a)
 #define vcvtnq_s32_f32(a) emulated_cvtn(a)
 #define vqmovun_high_s16(low, high) emulated_qmovun_high(low, high)
 
