@@ -8,6 +8,16 @@
 gn_vertex_shader phong_vertex_baseline, phong_vertex_avx2, phong_vertex_avx512;
 gn_fragment_shader phong_fragment_baseline, phong_fragment_avx2, phong_fragment_avx512;
 
+/* The back end may be an emulated one. */
+static bool processor_has_avx512(void)
+{
+#if defined(__x86_64__) && defined(__GNUC__)
+    return __builtin_cpu_supports("avx512f");
+#else
+    return false;
+#endif
+}
+
 gn_status phong_use(gn_pipeline *pipeline, const phong_uniforms *uniforms, gn_backend backend)
 {
     const char *name = gn_backend_name(backend == GN_BACKEND_AUTO ? gn_backend_best() : backend);
@@ -17,7 +27,7 @@ gn_status phong_use(gn_pipeline *pipeline, const phong_uniforms *uniforms, gn_ba
         status = gn_sampler_check(&uniforms->sampler);
     if (status != GN_OK)
         return status;
-    if (strcmp(name, "avx512") == 0) {
+    if (strcmp(name, "avx512") == 0 && processor_has_avx512()) {
         pipeline->vertex_shader = phong_vertex_avx512;
         pipeline->fragment_shader = phong_fragment_avx512;
     } else if (strcmp(name, "avx2") == 0) {
