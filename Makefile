@@ -217,6 +217,10 @@ parity-emulated: $(BUILD)/parity-emulated ## the gate over all back ends, SIMDe 
 cross: ## the parity suite's scenes on other processors and WebAssembly: equal hashes
 	@tests/portability/cross.sh $(BUILD)
 
+.PHONY: size
+size: $(BUILD)/libgnomon.a ## bytes of the library in a microcontroller's program, which is run
+	@tests/portability/size.sh $(BUILD)
+
 # The everyday gate. The tests are built twice, as they are and under the sanitizers.
 
 TEST_SEED ?= $(shell date +%s)

@@ -35,10 +35,10 @@
 #error "The library's bits are exact only with -fno-fast-math, after all other flags."
 #endif
 #if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
-#error "Floats must be evaluated as floats: -msse2 -mfpmath=sse (x86), -fexcess-precision=fast (s390x)."
+#error "Floats must be floats: -msse2 -mfpmath=sse on x86, -fexcess-precision=fast on s390x."
 #endif
 #if defined(__wasm_simd128__) && defined(__clang_major__) && __clang_major__ < 16
-#error "Clang 14 moves the loads of -msimd128's splats past stores to the same place; 16 does not."
+#error "Clang 14 moves loads past stores with -msimd128 (splats of what is loaded); 16 does not."
 #endif
 
 /* Depth of every 32-bit format is handled as integers, floats by their bits. */

@@ -56,6 +56,13 @@ describe() {
     esac
 }
 
+# Whether the compiler has a C library to link with.
+links() {
+    # shellcheck disable=SC2086
+    echo '#include <stdio.h>
+int main(void) { return puts("") < 0; }' | $compiler -x c - -o "$build/links" >/dev/null 2>&1
+}
+
 have() { # the first absent of the commands, in `absent`
     absent=""
     for command in "$@"; do
@@ -102,6 +109,10 @@ for target in ${*:-aarch64 armhf s390x wasm wasm-simd128}; do
     directory=$build/$target
     if ! have "$compiler" "$runner" ${disassembler:+"$disassembler"}; then
         echo "$target: not run, since $absent is absent: 'make setup-cross' installs it"
+        continue
+    fi
+    if ! links; then
+        echo "$target: not run, since $compiler has no C library: 'make setup-cross' installs it"
         continue
     fi
     if ! ${MAKE:-make} -s -j2 BUILD="$directory" CC="$compiler" CFLAGS="$flags" \

@@ -1,0 +1,244 @@
+/* A program for a Cortex-M4 without an operating system or a C library: draws two cubes, one
+ * of them through the near plane, in a workspace of 16 KiB. `make size` measures what of the
+ * library such a program holds, and runs it in an emulator; built for a hosted machine it
+ * prints the same hash.
+ *
+ *   TEXTURED  1: a texture with the nearest filter under light, 0: vertex colours
+ *   DEPTH     the depth format, GN_FORMAT_D16 or GN_FORMAT_NONE */
+#include <gnomon.h>
+
+#ifndef TEXTURED
+#define TEXTURED 1
+#endif
+#ifndef DEPTH
+#define DEPTH GN_FORMAT_D16
+#endif
+
+enum { SIZE = 64, TEXTURE_SIZE = 16, CORNERS = 36 };
+
+static uint32_t color[SIZE * SIZE];
+static uint16_t depth[SIZE * SIZE];
+static unsigned char workspace_memory[16384];
+static float position[CORNERS][3], attribute[CORNERS][3], texcoord[CORNERS][2];
+
+/* The cube's 12 triangles, outward sides counter-clockwise. */
+static void make_cube(void)
+{
+    static const unsigned char corner[6] = {0, 1, 3, 0, 3, 2};
+
+    for (int face = 0; face < 6; ++face) {
+        const int axis = face % 3;
+        const float side = face < 3 ? 1.0f : -1.0f;
+
+        for (int k = 0; k < 6; ++k) {
+            const int n = 6 * face + k;
+            const float u = corner[k] & 1 ? 1.0f : -1.0f;
+            const float v = corner[k] & 2 ? 1.0f : -1.0f;
+
+            position[n][axis] = side;
+            position[n][(axis + 1) % 3] = u * side;
+            position[n][(axis + 2) % 3] = v;
+            for (int c = 0; c < 3; ++c)
+                attribute[n][c] =
+                    TEXTURED ? (c == axis ? side : 0.0f) : (position[n][c] + 1.0f) / 2;
+            texcoord[n][0] = u + 1.0f;
+            texcoord[n][1] = v + 1.0f;
+        }
+    }
+}
+
+/* Turned about y by the angle of 3, 4 and 5, then moved away, then a near plane at 0.5 and a
+ * far one at 10. */
+static gn_mat4 camera(float away)
+{
+    const float sine = 0.6f, cosine = 0.8f, zoom = 1.5f;
+    const float a = -10.5f / 9.5f, b = -10.0f / 9.5f;
+    gn_mat4 m;
+
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            m.m[column][row] = 0.0f;
+    m.m[0][0] = zoom * cosine;
+    m.m[2][0] = zoom * sine;
+    m.m[1][1] = zoom;
+    m.m[0][2] = a * -sine;
+    m.m[2][2] = a * cosine;
+    m.m[3][2] = a * -away + b;
+    m.m[0][3] = sine;
+    m.m[2][3] = -cosine;
+    m.m[3][3] = away;
+    return m;
+}
+
+static gn_status draw_cube(const gn_target *target, float away)
+{
+    static uint32_t texels[TEXTURE_SIZE * TEXTURE_SIZE];
+    static gn_mesh mesh;
+    static gn_pipeline pipeline;
+    gn_workspace workspace = {workspace_memory, sizeof workspace_memory, GN_BACKEND_AUTO, 0, 0, 0};
+    gn_status status;
+
+    mesh.attribute[GN_ATTRIBUTE_POSITION].data = position[0];
+    mesh.attribute[GN_ATTRIBUTE_POSITION].components = 3;
+    mesh.vertex_count = CORNERS;
+    mesh.count = CORNERS;
+    pipeline.depth_test = DEPTH != GN_FORMAT_NONE;
+    pipeline.cull = GN_CULL_BACK;
+#if TEXTURED
+    static gn_textured_uniforms uniforms;
+
+    for (uint32_t i = 0; i < TEXTURE_SIZE * TEXTURE_SIZE; ++i)
+        texels[i] = (i ^ i / TEXTURE_SIZE) & 4 ? 0xFF2040FFu : 0xFFFFFFFFu - 0x000301u * i;
+    uniforms.texture.texels = texels;
+    uniforms.texture.row_stride = TEXTURE_SIZE * 4;
+    uniforms.texture.width = uniforms.texture.height = TEXTURE_SIZE;
+    uniforms.texture.format = GN_FORMAT_RGBA8;
+    uniforms.sampler.magnify = GN_MAGNIFY_NEAREST;
+    uniforms.sampler.minify = GN_MINIFY_NEAREST;
+    uniforms.light.clip_from_model = camera(away);
+    for (int i = 0; i < 3; ++i)
+        uniforms.light.normal_matrix.m[i][i] = 1.0f;
+    uniforms.light.light_direction.x = 0.6f;
+    uniforms.light.light_direction.z = 0.8f;
+    uniforms.light.ambient.x = uniforms.light.ambient.y = uniforms.light.ambient.z = 0.3f;
+    uniforms.light.diffuse.x = uniforms.light.diffuse.y = uniforms.light.diffuse.z = 0.7f;
+    mesh.attribute[GN_ATTRIBUTE_NORMAL].data = attribute[0];
+    mesh.attribute[GN_ATTRIBUTE_NORMAL].components = 3;
+    mesh.attribute[GN_ATTRIBUTE_TEXCOORD].data = texcoord[0];
+    mesh.attribute[GN_ATTRIBUTE_TEXCOORD].components = 2;
+    status = gn_use_textured_gouraud(&pipeline, &uniforms);
+#else
+    static gn_color_uniforms uniforms;
+
+    (void)texels;
+    uniforms.clip_from_model = camera(away);
+    mesh.attribute[GN_ATTRIBUTE_COLOR].data = attribute[0];
+    mesh.attribute[GN_ATTRIBUTE_COLOR].components = 3;
+    status = gn_use_vertex_color(&pipeline, &uniforms);
+#endif
+    return status ? status : gn_draw(target, &pipeline, &mesh, &workspace);
+}
+
+static gn_status draw(void)
+{
+    static gn_target target;
+    gn_status status;
+
+    make_cube();
+    target.color = gn_surface_bottom_up(color, GN_FORMAT_RGBA8, SIZE, SIZE);
+    status = gn_clear_color(&target.color, 0.1f, 0.2f, 0.3f, 1.0f);
+    if (DEPTH != GN_FORMAT_NONE) {
+        target.depth = gn_surface_bottom_up(depth, DEPTH, SIZE, SIZE);
+        if (!status)
+            status = gn_clear_depth(&target.depth, 1.0f);
+    }
+    if (!status)
+        status = draw_cube(&target, 3.5f);
+    return status ? status : draw_cube(&target, 1.5f);
+}
+
+/* FNV-1a over the pixels as numbers; 0 where drawing failed or drew nothing. */
+static uint32_t picture(void)
+{
+    uint32_t hash = 0x811C9DC5u, drawn = 0;
+
+    if (draw())
+        return 0;
+    for (int i = 0; i < SIZE * SIZE; ++i) {
+        const uint32_t word[2] = {color[i], depth[i]};
+
+        drawn += color[i] != color[0];
+        for (int n = 0; n < 8; ++n)
+            hash = (hash ^ (word[n / 4] >> 8 * (n % 4) & 255)) * 0x01000193u;
+    }
+    return drawn ? hash : 0;
+}
+
+static void to_text(uint32_t value, char text[11])
+{
+    for (int n = 0; n < 8; ++n)
+        text[n] = "0123456789abcdef"[value >> (28 - 4 * n) & 15];
+    text[8] = '\n';
+    text[9] = 0;
+}
+
+#if defined(__arm__) && !defined(__linux__)
+
+/* The ends of what the linker script lays out. */
+extern uint32_t bss_begin[], bss_end[], stack_top[];
+
+/* What compilers may call without a C library. */
+void *memset(void *to, int value, __SIZE_TYPE__ count);
+void *memcpy(void *restrict to, const void *restrict from, __SIZE_TYPE__ count);
+
+void *memset(void *to, int value, __SIZE_TYPE__ count)
+{
+    for (unsigned char *p = to; count > 0; --count)
+        *p++ = (unsigned char)value;
+    return to;
+}
+
+void *memcpy(void *restrict to, const void *restrict from, __SIZE_TYPE__ count)
+{
+    unsigned char *p = to;
+    const unsigned char *q = from;
+
+    for (; count > 0; --count)
+        *p++ = *q++;
+    return to;
+}
+
+/* Arm's semihosting: the debugger, or here the emulator, does what is asked. */
+static void ask_host(int operation, const void *argument)
+{
+    register int r0 __asm__("r0") = operation;
+    register const void *r1 __asm__("r1") = argument;
+
+    __asm__ volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
+}
+
+#define STACK_PAINT 0xA5A5A5A5u
+
+void run(void);
+
+/* Prints the hash and the bytes of stack used, then ends the emulator. */
+void run(void)
+{
+    char text[11];
+    uint32_t *p = bss_begin;
+
+    *(volatile uint32_t *)0xE000ED88u |= 0xFu << 20; /* CPACR: the floating-point unit */
+    __asm__ volatile("dsb\n isb" ::: "memory");
+    while (p < bss_end)
+        *p++ = 0;
+    for (p = bss_end; p < (uint32_t *)__builtin_frame_address(0) - 16; ++p)
+        *p = STACK_PAINT;
+    to_text(picture(), text);
+    ask_host(0x04, text);
+    for (p = bss_end; *p == STACK_PAINT; ++p) {
+    }
+    to_text((uint32_t)(stack_top - p) * 4, text);
+    ask_host(0x04, text);
+    ask_host(0x18, (const void *)0x20026);
+    for (;;) {
+    }
+}
+
+/* The vector table: where the stack begins, and what runs at reset. */
+__attribute__((section(".vectors"), used)) static const struct {
+    uint32_t *stack;
+    void (*reset)(void);
+} vectors = {stack_top, run};
+
+#else
+#include <stdio.h>
+
+int main(void)
+{
+    char text[11];
+
+    to_text(picture(), text);
+    fputs(text, stdout);
+    return 0;
+}
+#endif
