@@ -8,6 +8,8 @@ CFLAGS ?= -O3 -g
 PREFIX ?= /usr/local
 BUILD ?= build
 
+MACHINE := $(firstword $(subst -, ,$(shell $(CC) -dumpmachine 2>/dev/null)))
+
 WARNINGS = -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror
 
 # The library's own flags come after the user's: without them a compiler may fuse or
@@ -118,11 +120,44 @@ $(BUILD)/parity-emulated: $(call objects,$(PARITY_SOURCES) $(THREADS_SOURCES)) $
 		$(call objects,$(filter-out $(EMULATED_SOURCES),$(LIBRARY_SOURCES)))
 	$(LINK) -lOSMesa -lm -pthread
 
+EMULATE = -Itests/portability -DGN_LANES_INTRINSICS_HEADER='<emulated.h>' -Wno-psabi -O1
+
 $(BUILD)/emulated/src/%.o: src/%.c Makefile
 	@mkdir -p $(@D)
 	@echo '  CC $<, emulated'
-	@$(CC) $(LIBRARY_FLAGS) -Itests/portability -DGN_LANES_INTRINSICS_HEADER='<emulated.h>' \
-		-DGN_SMALLEST_TASKS 		-Wno-psabi -O1 $(SANITIZE) -MMD -MP -c $< -o $@
+	@$(CC) $(LIBRARY_FLAGS) $(EMULATE) -DGN_SMALLEST_TASKS $(SANITIZE) -MMD -MP -c $< -o $@
+
+# The forms of lanes that the compiler can make, one object each.
+ifeq ($(MACHINE),x86_64)
+LANES_FORMS = portable sse2 avx2 avx512 emulated_avx512 emulated_neon emulated_wasm_simd128
+else ifeq ($(MACHINE),aarch64)
+LANES_FORMS = portable neon
+else
+LANES_FORMS = portable
+endif
+
+$(BUILD)/lanes/portable.o: FORM_FLAGS = -DGN_LANES_PORTABLE
+$(BUILD)/lanes/avx2.o: FORM_FLAGS = -DGN_LANES_AVX2 -mavx2
+$(BUILD)/lanes/avx512.o: FORM_FLAGS = -DGN_LANES_AVX512 -mavx512f -mavx512bw -mavx512dq -mavx512vl
+$(BUILD)/lanes/neon.o: FORM_FLAGS = -DGN_LANES_NEON
+$(BUILD)/lanes/wasm_simd128.o: FORM_FLAGS = -DGN_LANES_WASM_SIMD128
+$(BUILD)/lanes/emulated_avx512.o: FORM_FLAGS = -DGN_LANES_AVX512 $(EMULATE)
+$(BUILD)/lanes/emulated_neon.o: FORM_FLAGS = -DGN_LANES_NEON $(EMULATE)
+$(BUILD)/lanes/emulated_wasm_simd128.o: FORM_FLAGS = -DGN_LANES_WASM_SIMD128 $(EMULATE)
+
+LANES_OBJECTS = $(patsubst %,$(BUILD)/lanes/%.o,$(LANES_FORMS))
+
+$(LANES_OBJECTS): $(BUILD)/lanes/%.o: tests/portability/lanes_form.c Makefile
+	@mkdir -p $(@D)
+	@echo '  CC $<, $*'
+	@$(CC) $(LIBRARY_FLAGS) -Isrc/lanes $(FORM_FLAGS) -DLANES_FORM=$* $(SANITIZE) -MMD -MP -c $< -o $@
+
+$(BUILD)/tests/portability/test_lanes.o: EXTRA_FLAGS = -Itests/parity \
+	-DLANES_FORMS='$(foreach form,$(LANES_FORMS),FORM($(form)))'
+
+$(BUILD)/test-lanes: $(BUILD)/tests/portability/test_lanes.o $(LANES_OBJECTS) \
+		$(BUILD)/src/backends/choose.o
+	$(LINK) -lm
 
 $(BUILD)/exhaustive: $(call objects,$(EXHAUSTIVE_SOURCES)) $(BUILD)/libgnomon.a
 	$(LINK) -lmpfr -lm
@@ -228,6 +263,9 @@ CHECKED = $(BUILD)/sanitized
 CHECKED_FLAGS = BUILD=$(CHECKED) CFLAGS='-O1 -g -fno-inline -DGN_SMALLEST_TASKS' \
 	SANITIZE='-fsanitize=address,undefined -fno-sanitize-recover=all'
 
+EMULATED_PARITY = $(if $(filter x86_64,$(MACHINE)),$(BUILD)/parity-emulated)
+comma = ,
+
 unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 
 .PHONY: test-programs
@@ -236,15 +274,16 @@ test-programs: $(UNIT_TESTS) $(BUILD)/property-tests $(BUILD)/parity
 .PHONY: test
 test: ## everything, in a few minutes; ends on "N passed, N failed"
 	@$(MAKE) --no-print-directory -j2 all test-programs $(TOOL_TESTS) $(BUILD)/theft-selftest \
-		$(BUILD)/exhaustive $(BUILD)/bench $(BUILD)/parity-emulated
+		$(BUILD)/exhaustive $(BUILD)/bench $(BUILD)/test-lanes $(EMULATED_PARITY)
 	@$(MAKE) --no-print-directory -j2 $(CHECKED_FLAGS) test-programs
 	@LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0 tests/run.sh \
 		$(call unit_steps,$(BUILD),) \
+		'lanes=$(BUILD)/test-lanes $(TEST_SEED)' \
 		'theft=$(BUILD)/theft-selftest' \
 		'properties=$(BUILD)/property-tests --seed $(TEST_SEED)' \
 		'scalar functions=$(BUILD)/exhaustive --stride 9973' \
 		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes 4400 --keep $(BUILD)/parity-failure.scene' \
-		'parity, back ends emulated=$(BUILD)/parity-emulated --seed $(TEST_SEED) --scenes 880 --keep $(BUILD)/parity-failure.scene' \
+		$(if $(EMULATED_PARITY),'parity$(comma) back ends emulated=$(EMULATED_PARITY) --seed $(TEST_SEED) --scenes 880 --keep $(BUILD)/parity-failure.scene') \
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
 		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \

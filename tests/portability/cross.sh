@@ -2,7 +2,8 @@
 # The pictures are the same on every machine: builds the library for other processors, draws
 # the parity suite's scenes there (hashes.c), in an emulator or under Node, and compares the
 # hashes of every back end with those drawn here in plain C. A target whose tools are absent is
-# named and passed over. No library uses a fused operation, and as a WebAssembly module it
+# named and passed over. Where there are forms of lanes of a target's own, their operations are
+# tested there as well (test_lanes.c). No library uses a fused operation, and as a WebAssembly module it
 # imports nothing.
 # usage: cross.sh BUILD-DIRECTORY [--scenes N] [TARGET...]   (from the root of the project)
 set -eu
@@ -22,9 +23,11 @@ mkdir -p "$build"
 # instructions that fuse. Those flags let a careless compiler fuse.
 describe() {
     flags=-O2
+    forms=""
     case $1 in
     aarch64)
         compiler=aarch64-linux-gnu-gcc
+        forms="portable neon"
         runner="qemu-aarch64 -L /usr/aarch64-linux-gnu"
         disassembler=aarch64-linux-gnu-objdump
         fused='[[:space:]]fn?m(add|sub|l[as])'
@@ -47,7 +50,7 @@ describe() {
         compiler="clang-19 --target=wasm32-wasi"
         runner="node --no-warnings tests/portability/wasi.mjs"
         disassembler=""
-        [ "$1" = wasm ] || flags="-O2 -msimd128"
+        [ "$1" = wasm ] || { flags="-O2 -msimd128"; forms="portable wasm_simd128"; }
         ;;
     *)
         echo "cross.sh: unknown target '$1'" >&2
@@ -116,7 +119,7 @@ for target in ${*:-aarch64 armhf s390x wasm wasm-simd128}; do
         continue
     fi
     if ! ${MAKE:-make} -s -j2 BUILD="$directory" CC="$compiler" CFLAGS="$flags" \
-        "$directory/hashes" >"$build/log" 2>&1; then
+        LANES_FORMS="$forms" "$directory/hashes" ${forms:+"$directory/test-lanes"} >"$build/log" 2>&1; then
         cat "$build/log"
         fail "$target: does not build"
         continue
@@ -131,6 +134,11 @@ for target in ${*:-aarch64 armhf s390x wasm wasm-simd128}; do
         fail "$target: $differences"
     else
         pass "$target (${runner%% *}): $(backends "$directory/printed"): hash equal"
+    fi
+    # shellcheck disable=SC2086
+    if [ -n "$forms" ] && ! $runner "$directory/test-lanes" >"$build/log" 2>&1; then
+        cat "$build/log"
+        fail "$target: the operations of lanes differ"
     fi
     if [ -n "$disassembler" ]; then
         count=$(find "$directory/src" -name '*.o' -exec "$disassembler" -d {} + | grep -c -E "$fused") || true

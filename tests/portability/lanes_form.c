@@ -1,0 +1,132 @@
+/* The operations of lanes in one form. A new operation is a line in run_form. */
+#include "lanes_test.h"
+
+#include "lanes.h"
+
+typedef struct recorder {
+    lanes_output *out;
+    int count;
+} recorder;
+
+static uint32_t *recorded(recorder *r, const char *operation)
+{
+    lanes_output *out = &r->out[r->count++];
+
+    out->operation = operation;
+    return out->word;
+}
+
+static void record_i(recorder *r, const char *operation, lanes_i value)
+{
+    int32_t lane[GN_LANES];
+    uint32_t *word = recorded(r, operation);
+
+    lanes_i_store(lane, value);
+    GN_EACH_LANE (l)
+        word[l] = (uint32_t)lane[l];
+}
+
+static void record_f(recorder *r, const char *operation, lanes_f value)
+{
+    union {
+        float f[GN_LANES];
+        uint32_t bits[GN_LANES];
+    } lane;
+    uint32_t *word = recorded(r, operation);
+
+    lanes_store(lane.f, value);
+    GN_EACH_LANE (l)
+        word[l] = lane.f[l] != lane.f[l] ? 0x7FC00000u : lane.bits[l];
+}
+
+static void record_word(recorder *r, const char *operation, uint32_t value)
+{
+    uint32_t *word = recorded(r, operation);
+
+    GN_EACH_LANE (l)
+        word[l] = value;
+}
+
+static void record_m(recorder *r, const char *operation, lanes_m value)
+{
+    record_word(r, operation, lanes_bits(value));
+    record_i(r, operation, lanes_m_as_int(value));
+}
+
+/* A block of words in memory, and whether the bytes between its rows are as they were. */
+static void record_memory(recorder *r, const char *operation, const unsigned char *memory,
+                          const unsigned char *before)
+{
+    uint32_t *word = recorded(r, operation);
+    uint32_t changed = 0;
+
+    GN_EACH_LANE (l) {
+        const unsigned char *p = memory + l / 4 * LANES_STRIDE + l % 4 * 4;
+
+        word[l] =
+            (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
+    }
+    for (int i = 0; i < LANES_MEMORY; ++i)
+        changed += i % LANES_STRIDE >= 16 && memory[i] != before[i];
+    record_word(r, operation, changed);
+}
+
+#define JOINED(a, b) a##b
+#define NAMED(prefix, name) JOINED(prefix, name)
+#define RUN_FORM NAMED(run_, LANES_FORM)
+
+lanes_form RUN_FORM;
+
+int RUN_FORM(const lanes_input *in, lanes_output out[LANES_OPERATIONS_MAX])
+{
+    const lanes_f a = lanes_load(in->a), b = lanes_load(in->b);
+    const lanes_f c = lanes_load(in->c), d = lanes_load(in->d);
+    const lanes_i i = lanes_i_load(in->i), j = lanes_i_load(in->j);
+    const lanes_m m = lanes_from_bits(in->bits);
+    union { /* of words, for their alignment */
+        unsigned char bytes[LANES_MEMORY];
+        int32_t word[LANES_MEMORY / 4];
+    } memory;
+    recorder r = {out, 0};
+
+    record_f(&r, "load", a);
+    record_f(&r, "splat", lanes_splat(in->x));
+    record_f(&r, "columns", lanes_columns(in->x, in->pixel, in->z));
+    record_f(&r, "rows", lanes_rows(in->x, in->pixel));
+    record_f(&r, "add", lanes_add(a, b));
+    record_f(&r, "sub", lanes_sub(a, b));
+    record_f(&r, "mul", lanes_mul(a, b));
+    record_f(&r, "div", lanes_div(a, b));
+    record_f(&r, "mul, add", lanes_add(lanes_mul(a, b), c));
+    record_f(&r, "min", lanes_min(a, b));
+    record_f(&r, "max", lanes_max(a, b));
+    record_m(&r, "greater", lanes_greater(a, b));
+    record_m(&r, "from_bits", m);
+    record_m(&r, "not", lanes_not(m));
+    record_m(&r, "and", lanes_and(m, lanes_greater(a, b)));
+    record_f(&r, "select", lanes_select(m, a, b));
+    record_f(&r, "to_float", lanes_to_float(i));
+    record_i(&r, "as_int", lanes_as_int(lanes_select(lanes_greater(a, a), b, lanes_to_float(i))));
+    record_i(&r, "truncate", lanes_truncate(a));
+    record_i(&r, "round", lanes_round(a));
+    record_i(&r, "floor", lanes_floor(a));
+    record_i(&r, "i_load", i);
+    record_i(&r, "i_splat", lanes_i_splat(in->low));
+    record_i(&r, "i_plane", lanes_i_plane(in->per_column, in->per_row));
+    record_i(&r, "i_add", lanes_i_add(i, j));
+    record_i(&r, "i_or", lanes_i_or(i, j));
+    record_i(&r, "i_and", lanes_i_and(i, j));
+    record_m(&r, "i_greater", lanes_i_greater(i, j));
+    record_m(&r, "i_equal", lanes_i_equal(i, j));
+    record_i(&r, "i_select", lanes_i_select(m, i, j));
+    record_i(&r, "i_clamp", lanes_i_clamp(i, lanes_i_splat(in->low), lanes_i_splat(in->high)));
+    record_word(&r, "i_sign_bits", lanes_i_sign_bits(i));
+    record_i(&r, "pack_unorm8", lanes_pack_unorm8(a, b, c, d));
+
+    for (int n = 0; n < LANES_MEMORY; ++n)
+        memory.bytes[n] = in->memory[n];
+    record_i(&r, "i_load_block", lanes_i_load_block(memory.bytes, LANES_STRIDE));
+    lanes_i_store_block(memory.bytes, LANES_STRIDE, i);
+    record_memory(&r, "i_store_block", memory.bytes, in->memory);
+    return r.count;
+}

@@ -1,0 +1,31 @@
+/* Every operation of lanes, in every form, on the same inputs. lanes_form.c is compiled once
+ * for each form, LANES_FORM being its name; test_lanes.c compares. */
+#ifndef PORTABILITY_LANES_TEST_H
+#define PORTABILITY_LANES_TEST_H
+
+#include <stdint.h>
+
+#include "gnomon/texture.h"
+
+enum { LANES_OPERATIONS_MAX = 96, LANES_STRIDE = 28, LANES_MEMORY = 3 * LANES_STRIDE + 16 };
+
+typedef struct lanes_input {
+    float a[GN_LANES], b[GN_LANES], c[GN_LANES], d[GN_LANES];
+    int32_t i[GN_LANES], j[GN_LANES];
+    float x, z;
+    float pixel; /* a whole number, exact with the columns and rows of a block added */
+    int32_t low, high, per_column, per_row; /* low <= high; the last two within 2^24 */
+    uint32_t bits;
+    unsigned char memory[LANES_MEMORY]; /* of a block of words, LANES_STRIDE bytes a row */
+} lanes_input;
+
+/* What an operation gave, as bits; all NaN are one. */
+typedef struct lanes_output {
+    const char *operation;
+    uint32_t word[GN_LANES];
+} lanes_output;
+
+/* Runs all operations; gives their number. */
+typedef int lanes_form(const lanes_input *in, lanes_output out[LANES_OPERATIONS_MAX]);
+
+#endif
