@@ -87,6 +87,9 @@ $(BUILD)/tests/property/%.o: EXTRA_FLAGS = $(THEFT_CFLAGS) -Itests/parity
 $(BUILD)/tests/portability/%.o: EXTRA_FLAGS = -Itests/parity
 $(BUILD)/tests/tools/%.o: EXTRA_FLAGS = -Itools/gnomon
 $(BUILD)/tests/exhaustive/%.o: EXTRA_FLAGS = -DGN_REFERENCE_MPFR
+ifneq ($(findstring x86_64,$(shell $(CC) -dumpmachine)),)
+$(BUILD)/tools/bench/maths_cglm_best.o: EXTRA_FLAGS = -mavx2 -mfma
+endif
 
 # A shader of a user's, once per instruction set (reference/scene/phong.c). What sqrtf does to
 # errno and what comparisons do to the exception flags keep the compiler from vectorising.

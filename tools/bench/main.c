@@ -6,12 +6,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "maths.h"
 #include "measure.h"
 #include "plot.h"
 
 static const char help[] =
     "usage: bench [--frames N] [--scene NAME] [--backend NAME] [--threads N] [--json FILE]\n"
     "       bench --scale [--frames N] [--scene NAME] [--json FILE]\n"
+    "       bench --maths\n"
     "       bench --plot FILE --svg FILE\n"
     "\n"
     "Draws scenes with Gnomon and with OSMesa's llvmpipe, frame by frame in turn, and prints\n"
@@ -27,6 +29,7 @@ static const char help[] =
     "  --scale         how the cost grows: spheres of a thousand to 4 million triangles, and\n"
     "                  targets of 256 to 8192 pixels a side; Gnomon's best back end and the\n"
     "                  tuned llvmpipe, one thread\n"
+    "  --maths         only the mathematics, beside cglm's, which without this comes last\n"
     "  --plot FILE     draws what --json wrote\n"
     "  --svg FILE      where to\n"
     "\n"
@@ -46,6 +49,8 @@ static const char help[] =
     "with two. differing: pixels that are not the pinned reference's, in colour or depth. A\n"
     "frame of less than 50 ms is drawn for 5 ms before it is timed, at least once, since the\n"
     "other renderers have taken its place in the caches.\n";
+
+#define MATHS_REPEATS 101
 
 typedef struct options {
     measure_options measure;
@@ -185,6 +190,8 @@ static int measure(const options *o)
     if (!family_start(&f, &o->measure))
         return EXIT_FAILURE;
     bool good = run(o, &f, &list);
+    if (good && !o->scene && !o->measure.scale)
+        good = bench_maths(stdout, MATHS_REPEATS) == EXIT_SUCCESS;
     if (good) {
         good = report(&f, &list);
         good = (!o->json || record_write(&list, o->json)) && good;
@@ -204,6 +211,8 @@ int main(int argc, char **argv)
             return EXIT_SUCCESS;
         }
     }
+    if (argc == 2 && strcmp(argv[1], "--maths") == 0)
+        return bench_maths(stdout, MATHS_REPEATS);
     /* How the benchmark starts itself as a renderer (renderer.c). */
     if (argc == 3 && strcmp(argv[1], "--renderer") == 0 &&
         renderer_kind_of(argv[2]) != RENDERER_COUNT)

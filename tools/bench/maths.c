@@ -1,0 +1,243 @@
+/* The table of the mathematics: every operation timed over the library, and over cglm and
+ * the C library with the target's instructions and with the machine's, in turn. */
+#include "maths.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "maths_passes.h"
+
+#define MAX_REPEATS 1000
+#define SHORTEST 200e3 /* nanoseconds of a timing, which the clock's own time is little of */
+
+enum contestant { OURS, BASELINE, BEST, CONTESTANTS };
+
+/* What is printed, and how many operations a pass is. */
+static const struct {
+    const char *name;
+    int count;
+    bool bulk;   /* measured on every back end */
+    bool arrays; /* Gnomon's vectors are a structure of arrays */
+} operations[MATHS_OPERATIONS] = {
+    [MATHS_MULTIPLY] = {"mat4 * mat4", MATHS_FEW, false, false},
+    [MATHS_INVERT_RIGID] = {"mat4 rigid inverse", MATHS_FEW, false, false},
+    [MATHS_INVERT] = {"mat4 inverse", MATHS_FEW, false, false},
+    [MATHS_MULTIPLY_VECTOR] = {"mat4 * vec4", MATHS_FEW, false, false},
+    [MATHS_BULK_PACKED] = {"10000 vec4, packed", MATHS_MANY, true, false},
+    [MATHS_BULK_ARRAYS] = {"10000 vec4, arrays", MATHS_MANY, true, true},
+    [MATHS_POINTS_PACKED] = {"10000 points, packed", MATHS_MANY, true, false},
+    [MATHS_POINTS_ARRAYS] = {"10000 points, arrays", MATHS_MANY, true, true},
+    [MATHS_SINE] = {"sin", MATHS_FEW, false, false},
+    [MATHS_SINE_COSINE] = {"sin and cos", MATHS_FEW, false, false},
+    [MATHS_SQUARE_ROOT] = {"sqrt", MATHS_FEW, false, false},
+};
+
+static double cpu_nanoseconds(void)
+{
+    struct timespec t;
+
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
+}
+
+static int compare_doubles(const void *a, const void *b)
+{
+    const double x = *(const double *)a;
+    const double y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+static double median(double *values, int count)
+{
+    qsort(values, (size_t)count, sizeof *values, compare_doubles);
+    return count % 2 ? values[count / 2] : 0.5 * (values[count / 2 - 1] + values[count / 2]);
+}
+
+/* -1 to 1, from a sequence that is the same in every run (Numerical Recipes' generator). */
+static float number(uint32_t *state)
+{
+    *state = *state * 1664525u + 1013904223u;
+    return (float)(int32_t)*state * 0x1p-31f;
+}
+
+static void fill(maths_data *d, maths_operation operation, bool arrays)
+{
+    const size_t components = operation >= MATHS_POINTS_PACKED ? 3 : 4;
+    uint32_t state = 1;
+
+    for (int i = 0; i < MATHS_FEW; ++i) {
+        const gn_vec3 axis = {number(&state), number(&state), 1.0f};
+        gn_transform turn;
+
+        gn_rotate_axis(axis, 3.0f * number(&state), &turn);
+        for (int k = 0; k < 16; ++k) {
+            /* Far from singular. */
+            d->a[i][k / 4][k % 4] = number(&state) + (k % 5 == 0 ? 3.0f : 0.0f);
+            d->b[i][k / 4][k % 4] = number(&state);
+            d->rigid[i][k / 4][k % 4] = turn.matrix.m[k / 4][k % 4];
+        }
+        for (int k = 0; k < 4; ++k) {
+            d->v[i][k] = number(&state);
+            d->rigid[i][3][k] = k < 3 ? number(&state) : 1.0f;
+        }
+        d->x[i] = 8.0f + 7.9f * number(&state);
+    }
+    for (size_t i = 0; i < MATHS_MANY; ++i)
+        for (size_t k = 0; k < components; ++k)
+            d->many[arrays ? k * MATHS_MANY + i : i * components + k] = number(&state);
+}
+
+/* The results of a pass, vectors packed; returns how many. */
+static size_t results(const maths_data *d, maths_operation operation, bool arrays, float *out)
+{
+    const size_t components = operation >= MATHS_POINTS_PACKED ? 3 : 4;
+    const float *from = NULL;
+    size_t count = 0;
+
+    switch (operation) {
+    case MATHS_MULTIPLY:
+    case MATHS_INVERT:
+        from = d->product[0][0];
+        count = 16 * MATHS_FEW;
+        break;
+    case MATHS_INVERT_RIGID:
+        from = d->rigid[0][0];
+        count = 16 * MATHS_FEW;
+        break;
+    case MATHS_MULTIPLY_VECTOR:
+        from = d->moved[0];
+        count = 4 * MATHS_FEW;
+        break;
+    case MATHS_SINE:
+        from = d->sine;
+        count = MATHS_FEW;
+        break;
+    case MATHS_SINE_COSINE:
+        from = d->cosine;
+        count = MATHS_FEW;
+        break;
+    case MATHS_SQUARE_ROOT:
+        from = d->root;
+        count = MATHS_FEW;
+        break;
+    default:
+        from = d->many_moved;
+        count = components * MATHS_MANY;
+        break;
+    }
+    for (size_t i = 0; i < count; ++i)
+        out[i] = from[arrays ? i % components * MATHS_MANY + i / components : i];
+    return count;
+}
+
+/* Whether both compute the same thing: one pass of each from the same numbers. */
+static bool agree(maths_data *ours, maths_data *theirs, maths_operation operation, maths_pass *our,
+                  maths_pass *their)
+{
+    static float a[4 * MATHS_MANY], b[4 * MATHS_MANY];
+
+    fill(ours, operation, operations[operation].arrays);
+    fill(theirs, operation, false);
+    our(ours);
+    their(theirs);
+    const size_t count = results(ours, operation, operations[operation].arrays, a);
+    results(theirs, operation, false, b);
+    for (size_t i = 0; i < count; ++i)
+        if (!(fabsf(a[i] - b[i]) <= 1e-5f))
+            return false;
+    return true;
+}
+
+static double time_passes(maths_pass *pass, maths_data *d, int passes)
+{
+    const double start = cpu_nanoseconds();
+
+    for (int i = 0; i < passes; ++i)
+        pass(d);
+    return cpu_nanoseconds() - start;
+}
+
+static void print_number(FILE *out, const char *format, double number)
+{
+    char text[32] = "-"; /* where there is nothing to measure */
+
+    if (number > 0.0)
+        snprintf(text, sizeof text, format, number);
+    fprintf(out, " %10s", text);
+}
+
+/* One line: the medians of interleaved timings, and the others' over ours. */
+static int measure(FILE *out, maths_operation operation, gn_backend backend, int repeats)
+{
+    static maths_data data[2]; /* ours, theirs */
+    static double times[CONTESTANTS][MAX_REPEATS];
+    maths_pass *const pass[CONTESTANTS] = {maths_gnomon(operation), maths_cglm_baseline(operation),
+                                           maths_cglm_best(operation)};
+    double medians[CONTESTANTS] = {0.0};
+    int passes[CONTESTANTS] = {0};
+    char name[64];
+
+    snprintf(name, sizeof name, operations[operation].bulk ? "%s, %s" : "%s",
+             operations[operation].name, gn_backend_name(backend));
+    fprintf(stderr, "\rbench: %-40s", name);
+    data[0].backend = backend;
+    for (int c = BASELINE; c < CONTESTANTS; ++c) {
+        if (pass[OURS] && pass[c] && !agree(&data[0], &data[1], operation, pass[OURS], pass[c])) {
+            fprintf(stderr, "\rbench: %s: results disagree\n", name);
+            return EXIT_FAILURE;
+        }
+    }
+    fill(&data[0], operation, operations[operation].arrays);
+    fill(&data[1], operation, false);
+    for (int c = 0; c < CONTESTANTS; ++c)
+        for (passes[c] = 1; pass[c] && time_passes(pass[c], &data[c != OURS], passes[c]) < SHORTEST;
+             passes[c] *= 2)
+            ;
+    for (int i = 0; i < repeats; ++i)
+        for (int c = 0; c < CONTESTANTS; ++c)
+            if (pass[c])
+                times[c][i] = time_passes(pass[c], &data[c != OURS], passes[c]) / passes[c] /
+                              operations[operation].count;
+    fprintf(stderr, "\r%50s\r", "");
+    fprintf(out, "%-32s", name);
+    for (int c = 0; c < CONTESTANTS; ++c) {
+        medians[c] = pass[c] ? median(times[c], repeats) : 0.0;
+        print_number(out, "%.3f", medians[c]);
+    }
+    for (int c = BASELINE; c < CONTESTANTS; ++c)
+        print_number(out, "%.2f", pass[OURS] ? medians[c] / medians[OURS] : 0.0);
+    fputc('\n', out);
+    fflush(out);
+    return EXIT_SUCCESS;
+}
+
+int bench_maths(FILE *out, int repeats)
+{
+    int status = EXIT_SUCCESS;
+
+    if (repeats < 1 || repeats > MAX_REPEATS) {
+        fprintf(stderr, "bench: 1 to %d repeats\n", MAX_REPEATS);
+        return EXIT_FAILURE;
+    }
+    fprintf(out,
+            "CPU nanoseconds an operation (a vector, in bulk), median of %d timings. Beside cglm,\n"
+            "compiled into the loop, and the C library's sin, cos and sqrt: with the instructions\n"
+            "every processor of the target has, and with AVX2 and FMA. Ratios: their time over\n"
+            "Gnomon's; above 1 Gnomon is faster.\n",
+            repeats);
+    fprintf(out, "%-32s %10s %10s %10s %10s %10s\n", "operation", "Gnomon", "cglm", "cglm AVX2",
+            "ratio", "ratio AVX2");
+    for (int o = 0; o < MATHS_OPERATIONS && status == EXIT_SUCCESS; ++o) {
+        if (!operations[o].bulk) {
+            status = measure(out, (maths_operation)o, GN_BACKEND_AUTO, repeats);
+            continue;
+        }
+        for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT && status == EXIT_SUCCESS; ++b)
+            if (gn_backend_available((gn_backend)b))
+                status = measure(out, (maths_operation)o, (gn_backend)b, repeats);
+    }
+    return status;
+}

@@ -1,0 +1,96 @@
+/* The passes over cglm and the C library, compiled once for each set of instructions. */
+#ifndef BENCH_MATHS_CGLM_H
+#define BENCH_MATHS_CGLM_H
+
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+#include <cglm/cglm.h>
+
+#include "maths_passes.h"
+
+/* As aligned as the arrays are (maths_passes.h), and as cglm's types are. */
+static vec4 *aligned(float (*columns)[4])
+{
+    return (vec4 *)(void *)columns;
+}
+
+static void multiply(maths_data *d)
+{
+    for (int i = 0; i < MATHS_FEW; ++i)
+        glm_mat4_mul(aligned(d->a[i]), aligned(d->b[i]), aligned(d->product[i]));
+}
+
+static void invert_rigid(maths_data *d)
+{
+    for (int i = 0; i < MATHS_FEW; ++i)
+        glm_inv_tr(aligned(d->rigid[i]));
+}
+
+static void invert(maths_data *d)
+{
+    for (int i = 0; i < MATHS_FEW; ++i)
+        glm_mat4_inv(aligned(d->a[i]), aligned(d->product[i]));
+}
+
+static void multiply_vector(maths_data *d)
+{
+    for (int i = 0; i < MATHS_FEW; ++i)
+        glm_mat4_mulv(aligned(d->a[i]), d->v[i], d->moved[i]);
+}
+
+/* In a copy that no result can change, the matrix stays in registers. */
+static void bulk(maths_data *d)
+{
+    CGLM_ALIGN_MAT mat4 m;
+
+    memcpy(m, d->a[0], sizeof m);
+    for (size_t i = 0; i < MATHS_MANY; ++i)
+        glm_mat4_mulv(m, d->many + 4 * i, d->many_moved + 4 * i);
+}
+
+static void points(maths_data *d)
+{
+    CGLM_ALIGN_MAT mat4 m;
+
+    memcpy(m, d->a[0], sizeof m);
+    for (size_t i = 0; i < MATHS_MANY; ++i)
+        glm_mat4_mulv3(m, d->many + 3 * i, 1.0f, d->many_moved + 3 * i);
+}
+
+static void sine(maths_data *d)
+{
+    for (int i = 0; i < MATHS_FEW; ++i)
+        d->sine[i] = sinf(d->x[i]);
+}
+
+static void sine_cosine(maths_data *d)
+{
+    for (int i = 0; i < MATHS_FEW; ++i) {
+        d->sine[i] = sinf(d->x[i]);
+        d->cosine[i] = cosf(d->x[i]);
+    }
+}
+
+static void square_root(maths_data *d)
+{
+    for (int i = 0; i < MATHS_FEW; ++i)
+        d->root[i] = sqrtf(d->x[i]);
+}
+
+static maths_pass *const passes[MATHS_OPERATIONS] = {
+    [MATHS_MULTIPLY] = multiply,
+    [MATHS_INVERT_RIGID] = invert_rigid,
+    [MATHS_INVERT] = invert,
+    [MATHS_MULTIPLY_VECTOR] = multiply_vector,
+    [MATHS_BULK_PACKED] = bulk,
+    [MATHS_BULK_ARRAYS] = bulk,
+    [MATHS_POINTS_PACKED] = points,
+    [MATHS_POINTS_ARRAYS] = points,
+    [MATHS_SINE] = sine,
+    [MATHS_SINE_COSINE] = sine_cosine,
+    [MATHS_SQUARE_ROOT] = square_root,
+};
+
+#endif

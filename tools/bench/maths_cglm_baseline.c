@@ -1,0 +1,7 @@
+/* cglm with the instructions every processor of the target has. */
+#include "maths_cglm.h"
+
+maths_pass *maths_cglm_baseline(maths_operation operation)
+{
+    return passes[operation];
+}

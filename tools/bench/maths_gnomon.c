@@ -1,0 +1,95 @@
+/* The passes over the library. */
+#include "maths_passes.h"
+
+/* A gn_mat4 is these bytes (mat.h). */
+static gn_mat4 *matrix(float (*columns)[4])
+{
+    return (gn_mat4 *)columns;
+}
+
+static void multiply(maths_data *d)
+{
+    for (int i = 0; i < MATHS_FEW; ++i)
+        gn_mat4_multiply(matrix(d->a[i]), matrix(d->b[i]), matrix(d->product[i]));
+}
+
+static void invert_rigid(maths_data *d)
+{
+    for (int i = 0; i < MATHS_FEW; ++i)
+        gn_mat4_invert_rigid(matrix(d->rigid[i]), matrix(d->rigid[i]));
+}
+
+static void multiply_vector(maths_data *d)
+{
+    const gn_vec4 *v = (const gn_vec4 *)d->v[0];
+    gn_vec4 *moved = (gn_vec4 *)d->moved[0];
+
+    for (int i = 0; i < MATHS_FEW; ++i)
+        moved[i] = gn_mat4_multiply_vec4(matrix(d->a[i]), v[i]);
+}
+
+static void bulk_packed(maths_data *d)
+{
+    gn_mat4_multiply_vec4_packed(matrix(d->a[0]), (const gn_vec4 *)d->many,
+                                 (gn_vec4 *)d->many_moved, MATHS_MANY, d->backend);
+}
+
+static void bulk_arrays(maths_data *d)
+{
+    const float *v[4] = {d->many, d->many + MATHS_MANY, d->many + 2 * MATHS_MANY,
+                         d->many + 3 * MATHS_MANY};
+    float *moved[4] = {d->many_moved, d->many_moved + MATHS_MANY, d->many_moved + 2 * MATHS_MANY,
+                       d->many_moved + 3 * MATHS_MANY};
+
+    gn_mat4_multiply_vec4_arrays(matrix(d->a[0]), v, moved, MATHS_MANY, d->backend);
+}
+
+static void points_packed(maths_data *d)
+{
+    gn_mat4_transform_point_packed(matrix(d->a[0]), (const gn_vec3 *)d->many,
+                                   (gn_vec3 *)d->many_moved, MATHS_MANY, d->backend);
+}
+
+static void points_arrays(maths_data *d)
+{
+    const float *v[3] = {d->many, d->many + MATHS_MANY, d->many + 2 * MATHS_MANY};
+    float *moved[3] = {d->many_moved, d->many_moved + MATHS_MANY, d->many_moved + 2 * MATHS_MANY};
+
+    gn_mat4_transform_point_arrays(matrix(d->a[0]), v, moved, MATHS_MANY, d->backend);
+}
+
+static void sine(maths_data *d)
+{
+    for (int i = 0; i < MATHS_FEW; ++i)
+        d->sine[i] = gn_sin(d->x[i]);
+}
+
+static void sine_cosine(maths_data *d)
+{
+    for (int i = 0; i < MATHS_FEW; ++i)
+        gn_sincos(d->x[i], &d->sine[i], &d->cosine[i]);
+}
+
+static void square_root(maths_data *d)
+{
+    for (int i = 0; i < MATHS_FEW; ++i)
+        d->root[i] = gn_sqrt(d->x[i]);
+}
+
+maths_pass *maths_gnomon(maths_operation operation)
+{
+    static maths_pass *const passes[MATHS_OPERATIONS] = {
+        [MATHS_MULTIPLY] = multiply,
+        [MATHS_INVERT_RIGID] = invert_rigid,
+        [MATHS_MULTIPLY_VECTOR] = multiply_vector,
+        [MATHS_BULK_PACKED] = bulk_packed,
+        [MATHS_BULK_ARRAYS] = bulk_arrays,
+        [MATHS_POINTS_PACKED] = points_packed,
+        [MATHS_POINTS_ARRAYS] = points_arrays,
+        [MATHS_SINE] = sine,
+        [MATHS_SINE_COSINE] = sine_cosine,
+        [MATHS_SQUARE_ROOT] = square_root,
+    };
+
+    return passes[operation];
+}

@@ -1,0 +1,53 @@
+/* The operations of the mathematics benchmark, as passes over arrays that are too many for
+ * registers and, but for those in bulk, few enough for the nearest cache. A pass is called
+ * through a pointer, so that compilers can neither hoist its work nor drop it. */
+#ifndef BENCH_MATHS_PASSES_H
+#define BENCH_MATHS_PASSES_H
+
+#include <stdalign.h>
+
+#include <gnomon.h>
+
+#define MATHS_FEW 64     /* matrices, vectors and numbers of a pass */
+#define MATHS_MANY 10000 /* vectors of a pass in bulk */
+
+typedef enum maths_operation {
+    MATHS_MULTIPLY,
+    MATHS_INVERT_RIGID,
+    MATHS_INVERT,
+    MATHS_MULTIPLY_VECTOR,
+    MATHS_BULK_PACKED,
+    MATHS_BULK_ARRAYS,
+    MATHS_POINTS_PACKED,
+    MATHS_POINTS_ARRAYS,
+    MATHS_SINE,
+    MATHS_SINE_COSINE,
+    MATHS_SQUARE_ROOT,
+    MATHS_OPERATIONS
+} maths_operation;
+
+/* Aligned as cglm likes it best. */
+typedef struct maths_data {
+    alignas(64) float a[MATHS_FEW][4][4]; /* matrices: [column][row] */
+    alignas(64) float b[MATHS_FEW][4][4];
+    alignas(64) float product[MATHS_FEW][4][4];
+    alignas(64) float rigid[MATHS_FEW][4][4]; /* rotations and translations, inverted in place */
+    alignas(64) float v[MATHS_FEW][4];
+    alignas(64) float moved[MATHS_FEW][4];
+    alignas(64) float x[MATHS_FEW]; /* arguments of the scalar functions */
+    alignas(64) float sine[MATHS_FEW];
+    alignas(64) float cosine[MATHS_FEW];
+    alignas(64) float root[MATHS_FEW];
+    alignas(4096) float many[4 * MATHS_MANY]; /* packed, or one component after the other */
+    alignas(4096) float many_moved[4 * MATHS_MANY];
+    gn_backend backend; /* of Gnomon's passes in bulk */
+} maths_data;
+
+typedef void maths_pass(maths_data *data);
+
+/* The pass of an operation, or null where there is none to compare. */
+maths_pass *maths_gnomon(maths_operation operation);
+maths_pass *maths_cglm_baseline(maths_operation operation);
+maths_pass *maths_cglm_best(maths_operation operation); /* null where it was not compiled */
+
+#endif
