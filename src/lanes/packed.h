@@ -1,13 +1,72 @@
-/* Lanes of packed vectors: GN_LANES vectors of three or four floats each, one after the
- * other in memory, to a register set per component and back. Which lane a vector comes to
- * is the form's own; storing puts it where loading found it. Loads and stores touch these
- * vectors alone. */
+/* Lanes of packed vectors.
+ *
+ *   quad                    four floats, in each group of four lanes
+ *   spread                  each lane of a group in all of the group: spread[i] holds lane i
+ *   load_vec3 store_vec3    GN_LANES vectors of three floats, one after the other in memory,
+ *                           to and from the lanes of a component each; nothing else is read
+ *                           or written */
 #ifndef GN_LANES_PACKED_H
 #define GN_LANES_PACKED_H
 
 #include "lanes.h"
 
-#if defined(GN_LANES_AVX2)
+#if defined(GN_LANES_AVX512)
+
+static inline lanes_f lanes_quad(const float p[4])
+{
+    return lanes_avx512_f(_mm512_broadcast_f32x4(_mm_loadu_ps(p)));
+}
+
+static inline void lanes_spread(lanes_f a, lanes_f spread[4])
+{
+    spread[0].q = _mm512_permute_ps(a.q, 0x00);
+    spread[1].q = _mm512_permute_ps(a.q, 0x55);
+    spread[2].q = _mm512_permute_ps(a.q, 0xAA);
+    spread[3].q = _mm512_permute_ps(a.q, 0xFF);
+}
+
+/* INDEX(l, i) in lane l. */
+#define PACKED_INDICES(INDEX, i)                                                                   \
+    _mm512_setr_epi32(INDEX(0, i), INDEX(1, i), INDEX(2, i), INDEX(3, i), INDEX(4, i),             \
+                      INDEX(5, i), INDEX(6, i), INDEX(7, i), INDEX(8, i), INDEX(9, i),             \
+                      INDEX(10, i), INDEX(11, i), INDEX(12, i), INDEX(13, i), INDEX(14, i),        \
+                      INDEX(15, i))
+
+/* Component i of vector l is number 3 * l + i of three registers. Two operands are indexed
+ * as 0 to 15 and 16 to 31: it comes from the first two registers, and then stays, or is
+ * taken from the third. */
+#define PACKED_FROM_TWO(l, i) (3 * (l) + (i) < 32 ? 3 * (l) + (i) : 0)
+#define PACKED_FROM_THIRD(l, i) (3 * (l) + (i) < 32 ? (l) : 3 * (l) + (i)-16)
+
+static inline void lanes_load_vec3(const float *p, lanes_f v[3])
+{
+    const __m512 a = _mm512_loadu_ps(p), b = _mm512_loadu_ps(p + 16), c = _mm512_loadu_ps(p + 32);
+    const __m512 x = _mm512_permutex2var_ps(a, PACKED_INDICES(PACKED_FROM_TWO, 0), b);
+    const __m512 y = _mm512_permutex2var_ps(a, PACKED_INDICES(PACKED_FROM_TWO, 1), b);
+    const __m512 z = _mm512_permutex2var_ps(a, PACKED_INDICES(PACKED_FROM_TWO, 2), b);
+
+    v[0].q = _mm512_permutex2var_ps(x, PACKED_INDICES(PACKED_FROM_THIRD, 0), c);
+    v[1].q = _mm512_permutex2var_ps(y, PACKED_INDICES(PACKED_FROM_THIRD, 1), c);
+    v[2].q = _mm512_permutex2var_ps(z, PACKED_INDICES(PACKED_FROM_THIRD, 2), c);
+}
+
+/* The other way: lane l of register r is component (16 * r + l) % 3, x and y first. */
+#define PACKED_FROM_XY(l, r) ((16 * (r) + (l)) / 3 + ((16 * (r) + (l)) % 3 == 1 ? 16 : 0))
+#define PACKED_FROM_Z(l, r) ((16 * (r) + (l)) % 3 == 2 ? (16 * (r) + (l)) / 3 + 16 : (l))
+
+static inline void lanes_store_vec3(float *p, lanes_f v[3])
+{
+    const __m512 x = v[0].q, y = v[1].q, z = v[2].q;
+    const __m512 a = _mm512_permutex2var_ps(x, PACKED_INDICES(PACKED_FROM_XY, 0), y);
+    const __m512 b = _mm512_permutex2var_ps(x, PACKED_INDICES(PACKED_FROM_XY, 1), y);
+    const __m512 c = _mm512_permutex2var_ps(x, PACKED_INDICES(PACKED_FROM_XY, 2), y);
+
+    _mm512_storeu_ps(p, _mm512_permutex2var_ps(a, PACKED_INDICES(PACKED_FROM_Z, 0), z));
+    _mm512_storeu_ps(p + 16, _mm512_permutex2var_ps(b, PACKED_INDICES(PACKED_FROM_Z, 1), z));
+    _mm512_storeu_ps(p + 32, _mm512_permutex2var_ps(c, PACKED_INDICES(PACKED_FROM_Z, 2), z));
+}
+
+#elif defined(GN_LANES_AVX2)
 
 static inline lanes_f lanes_quad(const float p[4])
 {
@@ -65,7 +124,45 @@ static inline void lanes_store_vec3(float *p, lanes_f v[3])
     }
 }
 
-#elif defined(__SSE2__) && !defined(GN_LANES_PORTABLE)
+#elif defined(GN_LANES_NEON)
+
+static inline lanes_f lanes_quad(const float p[4])
+{
+    LANES_EACH_REGISTER(lanes_f, vld1q_f32(p));
+}
+
+static inline void lanes_spread(lanes_f a, lanes_f spread[4])
+{
+    for (int n = 0; n < 4; ++n) {
+        spread[0].q[n] = vdupq_n_f32(vgetq_lane_f32(a.q[n], 0));
+        spread[1].q[n] = vdupq_n_f32(vgetq_lane_f32(a.q[n], 1));
+        spread[2].q[n] = vdupq_n_f32(vgetq_lane_f32(a.q[n], 2));
+        spread[3].q[n] = vdupq_n_f32(vgetq_lane_f32(a.q[n], 3));
+    }
+}
+
+static inline void lanes_load_vec3(const float *p, lanes_f v[3])
+{
+    for (int n = 0; n < 4; ++n) {
+        const float32x4x3_t xyz = vld3q_f32(p + 12 * n);
+
+        for (int i = 0; i < 3; ++i)
+            v[i].q[n] = xyz.val[i];
+    }
+}
+
+static inline void lanes_store_vec3(float *p, lanes_f v[3])
+{
+    for (int n = 0; n < 4; ++n) {
+        float32x4x3_t xyz;
+
+        for (int i = 0; i < 3; ++i)
+            xyz.val[i] = v[i].q[n];
+        vst3q_f32(p + 12 * n, xyz);
+    }
+}
+
+#elif defined(__SSE2__) && !defined(GN_LANES_PORTABLE) && !defined(GN_LANES_WASM_SIMD128)
 
 static inline lanes_f lanes_quad(const float p[4])
 {
@@ -113,33 +210,49 @@ static inline void lanes_store_vec3(float *p, lanes_f v[3])
 
 #else
 
+/* Through memory, over any lanes. */
+
 static inline lanes_f lanes_quad(const float p[4])
 {
-    lanes_f r;
+    float quads[GN_LANES];
+
     GN_EACH_LANE (l)
-        r.v[l] = p[l % 4];
-    return r;
+        quads[l] = p[l % 4];
+    return lanes_load(quads);
 }
 
 static inline void lanes_spread(lanes_f a, lanes_f spread[4])
 {
-    for (int i = 0; i < 4; ++i)
+    float lanes[GN_LANES], spread_lanes[GN_LANES];
+
+    lanes_store(lanes, a);
+    for (int i = 0; i < 4; ++i) {
         GN_EACH_LANE (l)
-            spread[i].v[l] = a.v[l - l % 4 + i];
+            spread_lanes[l] = lanes[l - l % 4 + i];
+        spread[i] = lanes_load(spread_lanes);
+    }
 }
 
 static inline void lanes_load_vec3(const float *p, lanes_f v[3])
 {
-    GN_EACH_LANE (l)
-        for (int i = 0; i < 3; ++i)
-            v[i].v[l] = p[3 * l + i];
+    float component[GN_LANES];
+
+    for (int i = 0; i < 3; ++i) {
+        GN_EACH_LANE (l)
+            component[l] = p[3 * l + i];
+        v[i] = lanes_load(component);
+    }
 }
 
 static inline void lanes_store_vec3(float *p, lanes_f v[3])
 {
-    GN_EACH_LANE (l)
-        for (int i = 0; i < 3; ++i)
-            p[3 * l + i] = v[i].v[l];
+    float component[GN_LANES];
+
+    for (int i = 0; i < 3; ++i) {
+        lanes_store(component, v[i]);
+        GN_EACH_LANE (l)
+            p[3 * l + i] = component[l];
+    }
 }
 
 #endif

@@ -9,7 +9,8 @@
 #include "gnomon/vec.h"
 
 #if defined(__GNUC__) && !defined(GN_ONLY_PORTABLE) &&                                             \
-    (defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__))
+    (defined(__SSE2_MATH__) || (defined(__aarch64__) && !defined(__AARCH64EB__)) ||                \
+     defined(__wasm_simd128__))
 
 typedef float quad_f __attribute__((__vector_size__(16)));
 

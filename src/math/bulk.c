@@ -7,51 +7,53 @@
 #include "../backends/have.h"
 #include "bulk_job.h"
 
-static bool library_holds(gn_backend backend)
+typedef void bulk_function(const bulk_job *job);
+
+/* Null where the library does not hold the back end. */
+static bulk_function *function_of(gn_backend backend, size_t count)
 {
+    if (backend == GN_BACKEND_AUTO && count >= GN_BULK_ASK)
+        backend = gn_backend_best();
     switch (backend) {
     case GN_BACKEND_AUTO:
-    case GN_BACKEND_PORTABLE:
-        return true;
-    case GN_BACKEND_SSE2:
-        return GN_HAVE_SSE2;
-    case GN_BACKEND_AVX2:
-        return GN_HAVE_AVX2;
-    default:
-        return false;
-    }
-}
-
-static gn_backend choose(gn_backend backend, size_t count)
-{
-    if (backend != GN_BACKEND_AUTO)
-        return backend;
-    if (count >= GN_BULK_ASK)
-        return gn_backend_best();
-    return GN_HAVE_SSE2 ? GN_BACKEND_SSE2 : GN_BACKEND_PORTABLE;
-}
-
-static void run_blocks(gn_backend backend, const bulk_job *job)
-{
-    switch (backend) {
-#if GN_HAVE_AVX2
-    case GN_BACKEND_AVX2:
-        gn_bulk_avx2(job);
-        break;
+#if GN_HAVE_SSE2
+        return gn_bulk_sse2;
+#elif GN_HAVE_NEON && !GN_HAVE_EMULATED
+        return gn_bulk_neon;
+#elif GN_HAVE_WASM_SIMD128 && !GN_HAVE_EMULATED
+        return gn_bulk_wasm_simd128;
+#else
+        return gn_bulk_portable;
 #endif
+    case GN_BACKEND_PORTABLE:
+        return gn_bulk_portable;
 #if GN_HAVE_SSE2
     case GN_BACKEND_SSE2:
-        gn_bulk_sse2(job);
-        break;
+        return gn_bulk_sse2;
+#endif
+#if GN_HAVE_AVX2
+    case GN_BACKEND_AVX2:
+        return gn_bulk_avx2;
+#endif
+#if GN_HAVE_AVX512
+    case GN_BACKEND_AVX512:
+        return gn_bulk_avx512;
+#endif
+#if GN_HAVE_NEON
+    case GN_BACKEND_NEON:
+        return gn_bulk_neon;
+#endif
+#if GN_HAVE_WASM_SIMD128
+    case GN_BACKEND_WASM_SIMD128:
+        return gn_bulk_wasm_simd128;
 #endif
     default:
-        gn_bulk_portable(job);
-        break;
+        return NULL;
     }
 }
 
 /* The last `rest` vectors, fewer than a block, where the job's pointers are. */
-static void run_rest(gn_backend backend, bulk_job *job, size_t rest)
+static void run_rest(bulk_function *run_blocks, bulk_job *job, size_t rest)
 {
     const int components = job->kind == BULK_VEC4 ? 4 : 3;
     const int arrays = job->packed ? 1 : components;
@@ -70,28 +72,27 @@ static void run_rest(gn_backend backend, bulk_job *job, size_t rest)
         job->v[array] = job->result[array] = own;
     }
     job->count = GN_LANES;
-    run_blocks(backend, job);
+    run_blocks(job);
     for (int array = 0; array < arrays; ++array)
         for (size_t i = 0; i < floats; ++i)
             to[array][i] = job->result[array][i];
 }
 
-static void run(gn_backend backend, bulk_job *job, size_t count)
+static void run(bulk_function *run_blocks, bulk_job *job, size_t count)
 {
     const size_t rest = count % GN_LANES;
     const int components = job->kind == BULK_VEC4 ? 4 : 3;
     const int arrays = job->packed ? 1 : components;
 
-    backend = choose(backend, count);
     job->count = count - rest;
     if (job->count > 0)
-        run_blocks(backend, job);
+        run_blocks(job);
     if (rest > 0) {
         for (int i = 0; i < arrays; ++i) {
             job->v[i] += job->packed ? job->count * (size_t)components : job->count;
             job->result[i] += job->packed ? job->count * (size_t)components : job->count;
         }
-        run_rest(backend, job, rest);
+        run_rest(run_blocks, job, rest);
     }
 }
 
@@ -121,15 +122,17 @@ static bool take_mat3(bulk_job *job, const gn_mat3 *m)
 static gn_status run_packed(bulk_job *job, const float *v, float *result, size_t count,
                             gn_backend backend)
 {
+    bulk_function *const run_blocks = function_of(backend, count);
+
     if (count > 0 && (!v || !result))
         return GN_NULL_POINTER;
-    if (!library_holds(backend))
+    if (!run_blocks)
         return GN_BACKEND_UNAVAILABLE;
     if (count > 0) {
         job->packed = true;
         job->v[0] = v;
         job->result[0] = result;
-        run(backend, job, count);
+        run(run_blocks, job, count);
     }
     return GN_OK;
 }
@@ -137,6 +140,7 @@ static gn_status run_packed(bulk_job *job, const float *v, float *result, size_t
 static gn_status run_arrays(bulk_job *job, const float *const *v, float *const *result,
                             size_t count, gn_backend backend)
 {
+    bulk_function *const run_blocks = function_of(backend, count);
     const int components = job->kind == BULK_VEC4 ? 4 : 3;
 
     if (count > 0) {
@@ -149,11 +153,11 @@ static gn_status run_arrays(bulk_job *job, const float *const *v, float *const *
             job->result[i] = result[i];
         }
     }
-    if (!library_holds(backend))
+    if (!run_blocks)
         return GN_BACKEND_UNAVAILABLE;
     if (count > 0) {
         job->packed = false;
-        run(backend, job, count);
+        run(run_blocks, job, count);
     }
     return GN_OK;
 }

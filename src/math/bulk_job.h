@@ -25,5 +25,8 @@ typedef struct bulk_job {
 void gn_bulk_portable(const bulk_job *job);
 void gn_bulk_sse2(const bulk_job *job);
 void gn_bulk_avx2(const bulk_job *job);
+void gn_bulk_avx512(const bulk_job *job);
+void gn_bulk_neon(const bulk_job *job);
+void gn_bulk_wasm_simd128(const bulk_job *job);
 
 #endif
