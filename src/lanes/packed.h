@@ -19,10 +19,10 @@ static inline lanes_f lanes_quad(const float p[4])
 
 static inline void lanes_spread(lanes_f a, lanes_f spread[4])
 {
-    spread[0].q = _mm512_permute_ps(a.q, 0x00);
-    spread[1].q = _mm512_permute_ps(a.q, 0x55);
-    spread[2].q = _mm512_permute_ps(a.q, 0xAA);
-    spread[3].q = _mm512_permute_ps(a.q, 0xFF);
+    spread[0].q = _mm512_shuffle_ps(a.q, a.q, 0x00);
+    spread[1].q = _mm512_shuffle_ps(a.q, a.q, 0x55);
+    spread[2].q = _mm512_shuffle_ps(a.q, a.q, 0xAA);
+    spread[3].q = _mm512_shuffle_ps(a.q, a.q, 0xFF);
 }
 
 /* INDEX(l, i) in lane l. */
