@@ -116,7 +116,7 @@ $(BUILD)/parity: $(call objects,$(PARITY_SOURCES) $(THREADS_SOURCES)) $(REFERENC
 
 # The same program with AVX-512, NEON and WebAssembly's vectors emulated, which on x86 some
 # processor lacks: of the library, what knows which back ends there are is compiled again.
-EMULATED_SOURCES = src/draw/draw.c $(addprefix src/backends/,choose.c avx512.c neon.c wasm_simd128.c)
+EMULATED_SOURCES = src/draw/draw.c src/math/bulk.c $(addprefix src/backends/,choose.c avx512.c neon.c wasm_simd128.c)
 
 $(BUILD)/parity-emulated: $(call objects,$(PARITY_SOURCES) $(THREADS_SOURCES)) $(REFERENCE_OBJECTS) \
 		$(patsubst %.c,$(BUILD)/emulated/%.o,$(EMULATED_SOURCES)) \

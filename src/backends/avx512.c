@@ -3,6 +3,7 @@
 #include "have.h"
 
 #include "../draw/job.h"
+#include "../math/bulk_job.h"
 
 #if GN_HAVE_AVX512
 
@@ -20,10 +21,16 @@
 
 #define GN_LANES_AVX512
 #include "../draw/run.h"
+#include "../math/bulk.h"
 
 gn_status gn_run_avx512(const draw_job *job)
 {
     return run_draw(job);
+}
+
+void gn_bulk_avx512(const bulk_job *job)
+{
+    run_bulk(job);
 }
 
 #if !defined(GN_LANES_INTRINSICS_HEADER)

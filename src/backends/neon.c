@@ -2,13 +2,20 @@
 #include "have.h"
 
 #include "../draw/job.h"
+#include "../math/bulk_job.h"
 
 #if GN_HAVE_NEON
 #define GN_LANES_NEON
 #include "../draw/run.h"
+#include "../math/bulk.h"
 
 gn_status gn_run_neon(const draw_job *job)
 {
     return run_draw(job);
+}
+
+void gn_bulk_neon(const bulk_job *job)
+{
+    run_bulk(job);
 }
 #endif

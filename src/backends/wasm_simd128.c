@@ -4,13 +4,20 @@
 #include "have.h"
 
 #include "../draw/job.h"
+#include "../math/bulk_job.h"
 
 #if GN_HAVE_WASM_SIMD128
 #define GN_LANES_WASM_SIMD128
 #include "../draw/run.h"
+#include "../math/bulk.h"
 
 gn_status gn_run_wasm_simd128(const draw_job *job)
 {
     return run_draw(job);
+}
+
+void gn_bulk_wasm_simd128(const bulk_job *job)
+{
+    run_bulk(job);
 }
 #endif
