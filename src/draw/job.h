@@ -16,12 +16,17 @@
 #define SEGMENT_ELEMENTS 4096
 #define SEGMENT_INDICES 1024
 
+/* Rows of the target, inclusive. */
+typedef struct pixel_rows {
+    int32_t min, max;
+} pixel_rows;
+
 /* The triangles of a segment that can be seen, in consecutive lists. */
 typedef struct segment_lists {
     uint32_t list_count;
     uint32_t triangle_count;
-    int32_t min_y, max_y; /* of their bounds */
-    uint64_t area;        /* the sum of their bounds' */
+    pixel_rows rows; /* of their bounds */
+    uint64_t area;   /* the sum of their bounds' */
 } segment_lists;
 
 /* The workspace from an aligned address on: the scratch of tasks, then for a draw with
@@ -39,6 +44,7 @@ typedef struct draw_job {
     segment_lists *segments; /* of a round */
     uint32_t segment_count;
     triangle_list *lists;
+    pixel_rows *list_rows; /* of the bounds in each */
     uint32_t lists_per_segment;
 } draw_job;
 

@@ -22,8 +22,8 @@
 #else
 #define TASK_ELEMENTS 65536
 #define TASK_SLOTS 512
-#define TASK_TRIANGLES 256
-#define TASK_PIXELS 16384
+#define TASK_TRIANGLES 1024
+#define TASK_PIXELS 32768
 #endif
 
 /* A step's items, divided into tasks of `size`. */
@@ -36,7 +36,7 @@ typedef struct round_state {
     task_range items;
     uint32_t first; /* triangles of the round */
     uint32_t count;
-    pixel_rectangle rows; /* of the target, divided into strips of strip_rows */
+    pixel_rows rows; /* of the target, divided into strips of strip_rows */
     int32_t strip_rows;
 } round_state;
 
@@ -145,26 +145,35 @@ static uint32_t shade_round(round_state *round)
     return map->outcodes;
 }
 
-/* Sums up the lists of a segment. */
-static void measure_segment(segment_lists *segment, const triangle_list *lists)
+static inline pixel_rows join_rows(pixel_rows a, pixel_rows b)
 {
+    const pixel_rows r = {a.min < b.min ? a.min : b.min, a.max > b.max ? a.max : b.max};
+
+    return r;
+}
+
+/* Sums up the lists of a segment. */
+static void measure_segment(segment_lists *segment, const triangle_list *lists,
+                            pixel_rows *list_rows)
+{
+    const pixel_rows none = {INT32_MAX, -1};
+
     segment->triangle_count = 0;
-    segment->min_y = INT32_MAX;
-    segment->max_y = -1;
+    segment->rows = none;
     segment->area = 0;
     for (uint32_t n = 0; n < segment->list_count; ++n) {
         const triangle_list *list = &lists[n];
 
-        segment->triangle_count += list->count;
+        list_rows[n] = none;
         for (uint32_t l = 0; l < list->count; ++l) {
-            const int32_t min_y = list->bounds[BOUNDS_MIN_Y][l];
-            const int32_t max_y = list->bounds[BOUNDS_MAX_Y][l];
+            const pixel_rows rows = {list->bounds[BOUNDS_MIN_Y][l], list->bounds[BOUNDS_MAX_Y][l]};
             const int32_t width = list->bounds[BOUNDS_MAX_X][l] - list->bounds[BOUNDS_MIN_X][l] + 1;
 
-            segment->min_y = min_y < segment->min_y ? min_y : segment->min_y;
-            segment->max_y = max_y > segment->max_y ? max_y : segment->max_y;
-            segment->area += (uint64_t)((uint32_t)width * (uint32_t)(max_y - min_y + 1));
+            list_rows[n] = join_rows(list_rows[n], rows);
+            segment->area += (uint64_t)((uint32_t)width * (uint32_t)(rows.max - rows.min + 1));
         }
+        segment->triangle_count += list->count;
+        segment->rows = join_rows(segment->rows, list_rows[n]);
     }
 }
 
@@ -177,7 +186,8 @@ static void cull_segment(const round_state *round, uint32_t task, uint32_t segme
     const uint32_t rest = round->count - skipped;
     const uint32_t first = round->first + skipped;
     const uint32_t count = rest < step ? rest : step;
-    triangle_list *const lists = job->lists + (size_t)segment * job->lists_per_segment;
+    const size_t first_list = (size_t)segment * job->lists_per_segment;
+    triangle_list *const lists = job->lists + first_list;
     segment_lists *const kept = &job->segments[segment];
     worker w = make_worker(draw, task);
 
@@ -187,7 +197,7 @@ static void cull_segment(const round_state *round, uint32_t task, uint32_t segme
     resolve_segment(&w, draw->map.outcodes ? segment_outcodes(draw, first, count) : 0);
     add_triangles(&w, first, count);
     kept->list_count = (uint32_t)(w.list - lists) + (w.list->count > 0);
-    measure_segment(kept, lists);
+    measure_segment(kept, lists, job->list_rows + first_list);
 }
 
 static void cull_task(void *context, uint32_t task)
@@ -199,38 +209,58 @@ static void cull_task(void *context, uint32_t task)
         cull_segment(round, task, items.first + i);
 }
 
-/* Adds the triangles of a list that reach into the worker's part of the target. */
-static void add_list(worker *w, const triangle_list *from)
+/* Adds a triangle of a list that reaches into the worker's part of the target. */
+static inline void add_listed(worker *w, const triangle_list *from, uint32_t l)
 {
     const pixel_rectangle *part = &w->cull.target;
+    triangle_list *const list = w->list;
+    const uint32_t n = list->count++;
+    const int32_t low = from->bounds[BOUNDS_MIN_Y][l];
+    const int32_t high = from->bounds[BOUNDS_MAX_Y][l];
+
+    for (int i = 0; i < 3; ++i)
+        list->vertex[i][n] = from->vertex[i][l];
+    list->provoking[n] = from->provoking[l];
+    list->bounds[BOUNDS_MIN_X][n] = from->bounds[BOUNDS_MIN_X][l];
+    list->bounds[BOUNDS_MAX_X][n] = from->bounds[BOUNDS_MAX_X][l];
+    list->bounds[BOUNDS_MIN_Y][n] = low > part->min_y ? low : part->min_y;
+    list->bounds[BOUNDS_MAX_Y][n] = high < part->max_y ? high : part->max_y;
+    finish_if_full(w);
+}
+
+/* Draws the triangles of a list that reach into the worker's part of the target: a list
+ * all of which lies in it as it is, from others what does. */
+static void add_list(worker *w, const triangle_list *from, pixel_rows rows)
+{
+    const pixel_rectangle *part = &w->cull.target;
+
+    if (from->count == GN_LANES && !from->clipped && rows.min >= part->min_y &&
+        rows.max <= part->max_y) {
+        draw_list(w);
+        draw_triangles(w, from);
+        return;
+    }
     const lanes_i min_y = lanes_i_load(from->bounds[BOUNDS_MIN_Y]);
     const lanes_i max_y = lanes_i_load(from->bounds[BOUNDS_MAX_Y]);
     const uint32_t outside = lanes_bits(lanes_i_greater(min_y, lanes_i_splat(part->max_y))) |
                              lanes_bits(lanes_i_greater(lanes_i_splat(part->min_y), max_y));
-    uint32_t bits = ~outside & (GN_ALL_LANES >> (GN_LANES - from->count));
 
-    for (; bits; bits &= bits - 1) {
+    for (uint32_t bits = ~outside & (GN_ALL_LANES >> (GN_LANES - from->count)); bits;
+         bits &= bits - 1) {
         const uint32_t l = first_lane(bits);
 
         if (from->clipped >> l & 1u) {
             const uint32_t vertex[3] = {from->vertex[0][l], from->vertex[1][l], from->vertex[2][l]};
             add_crossing(w, vertex, from->provoking[l]);
-            continue;
+        } else {
+            add_listed(w, from, l);
         }
-        triangle_list *const list = w->list;
-        const uint32_t n = list->count++;
-        const int32_t low = from->bounds[BOUNDS_MIN_Y][l];
-        const int32_t high = from->bounds[BOUNDS_MAX_Y][l];
-
-        for (int i = 0; i < 3; ++i)
-            list->vertex[i][n] = from->vertex[i][l];
-        list->provoking[n] = from->provoking[l];
-        list->bounds[BOUNDS_MIN_X][n] = from->bounds[BOUNDS_MIN_X][l];
-        list->bounds[BOUNDS_MAX_X][n] = from->bounds[BOUNDS_MAX_X][l];
-        list->bounds[BOUNDS_MIN_Y][n] = low > part->min_y ? low : part->min_y;
-        list->bounds[BOUNDS_MAX_Y][n] = high < part->max_y ? high : part->max_y;
-        finish_if_full(w);
     }
+}
+
+static inline bool rows_meet(pixel_rows rows, const pixel_rectangle *part)
+{
+    return rows.min <= part->max_y && rows.max >= part->min_y;
 }
 
 static void strip_task(void *context, uint32_t task)
@@ -244,19 +274,21 @@ static void strip_task(void *context, uint32_t task)
     pixel_rectangle *const part = &w.cull.target;
     const int32_t top = part->max_y;
 
-    part->min_y = round->rows.min_y + (int32_t)task * round->strip_rows;
+    part->min_y = round->rows.min + (int32_t)task * round->strip_rows;
     part->max_y = part->min_y + round->strip_rows - 1;
     part->max_y = part->max_y < top ? part->max_y : top;
     /* Clipped triangles are of segments in which culling asks, if it does in any. */
     w.cull.asks_unsnapped = draw->pipeline->cull != GN_CULL_NONE;
     for (uint32_t s = 0; s < segments; ++s) {
         const segment_lists *segment = &job->segments[s];
-        const triangle_list *lists = job->lists + (size_t)s * job->lists_per_segment;
+        const size_t first_list = (size_t)s * job->lists_per_segment;
 
-        if (segment->min_y > part->max_y || segment->max_y < part->min_y)
+        if (!rows_meet(segment->rows, part))
             continue;
-        for (uint32_t n = 0; n < segment->list_count; ++n)
-            add_list(&w, &lists[n]);
+        for (size_t n = first_list; n < first_list + segment->list_count; ++n) {
+            if (rows_meet(job->list_rows[n], part))
+                add_list(&w, &job->lists[n], job->list_rows[n]);
+        }
     }
     draw_list(&w);
 }
@@ -266,23 +298,22 @@ static void strip_task(void *context, uint32_t task)
 static void draw_strips(round_state *round, uint32_t segments)
 {
     const segment_lists *all = round->draw->job->segments;
-    uint64_t worth = 0;
+    const pixel_rows none = {INT32_MAX, -1};
+    uint64_t area = 0;
+    uint64_t triangles = 0;
 
-    round->rows = round->draw->cull.target;
-    round->rows.min_y = INT32_MAX;
-    round->rows.max_y = -1;
+    round->rows = none;
     for (uint32_t s = 0; s < segments; ++s) {
-        worth += all[s].area / TASK_PIXELS + all[s].triangle_count / (TASK_TRIANGLES / 4);
-        if (all[s].min_y < round->rows.min_y)
-            round->rows.min_y = all[s].min_y;
-        if (all[s].max_y > round->rows.max_y)
-            round->rows.max_y = all[s].max_y;
+        area += all[s].area;
+        triangles += all[s].triangle_count;
+        round->rows = join_rows(round->rows, all[s].rows);
     }
-    if (round->rows.max_y < 0)
+    if (round->rows.max < 0)
         return;
-    round->rows.min_y &= ~(BLOCK_SIZE - 1);
+    round->rows.min &= ~(BLOCK_SIZE - 1);
 
-    const uint32_t blocks = (uint32_t)(round->rows.max_y - round->rows.min_y) / BLOCK_SIZE + 1;
+    const uint64_t worth = area / TASK_PIXELS + triangles / TASK_TRIANGLES;
+    const uint32_t blocks = (uint32_t)(round->rows.max - round->rows.min) / BLOCK_SIZE + 1;
     const uint32_t wanted = worth < MAX_TASKS - 1 ? (uint32_t)worth + 1 : MAX_TASKS;
     const uint32_t strip_blocks = (blocks + wanted - 1) / wanted;
 

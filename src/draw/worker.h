@@ -50,15 +50,22 @@ static worker make_worker(const draw_state *draw, uint32_t task)
     return w;
 }
 
-/* Sets up and draws the list, and starts it anew. */
-static void draw_list(worker *w)
+/* Sets up and draws the triangles of a list whose lanes are all filled. */
+static void draw_triangles(worker *w, const triangle_list *list)
 {
     const draw_state *draw = w->draw;
 
+    setup_triangles(draw->pipeline, &w->cull.target, draw->job->memory, list, w->batch);
+    for (uint32_t l = 0; l < list->count; ++l)
+        cover_triangle(&w->cull.target, w->batch, list, l, draw->shade_run, &draw->fragment);
+}
+
+/* Draws what is in the worker's list, and starts it anew. */
+static void draw_list(worker *w)
+{
     if (w->list->count > 0) {
-        setup_triangles(draw->pipeline, &w->cull.target, draw->job->memory, w->list, w->batch);
-        for (uint32_t l = 0; l < w->list->count; ++l)
-            cover_triangle(&w->cull.target, w->batch, w->list, l, draw->shade_run, &draw->fragment);
+        fill_list(w->list);
+        draw_triangles(w, w->list);
     }
     start_list(w->list);
 }

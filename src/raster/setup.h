@@ -165,10 +165,8 @@ static inline void setup_planes(const gn_pipeline *pipeline, const unsigned char
     }
 }
 
-/* Sets up the triangles of a list; lanes beyond its count are made equal to the first. */
-static inline void setup_triangles(const gn_pipeline *pipeline, const pixel_rectangle *target,
-                                   const unsigned char *memory, triangle_list *list,
-                                   triangle_batch *batch)
+/* Makes the lanes beyond a list's count equal to its first. */
+static inline void fill_list(triangle_list *list)
 {
     for (uint32_t l = list->count; l < GN_LANES; ++l) {
         for (int i = 0; i < 3; ++i)
@@ -176,6 +174,13 @@ static inline void setup_triangles(const gn_pipeline *pipeline, const pixel_rect
         for (int b = 0; b < BOUNDS_COUNT; ++b)
             list->bounds[b][l] = list->bounds[b][0];
     }
+}
+
+/* Sets up the triangles of a list whose lanes are all filled. */
+static inline void setup_triangles(const gn_pipeline *pipeline, const pixel_rectangle *target,
+                                   const unsigned char *memory, const triangle_list *list,
+                                   triangle_batch *batch)
+{
     setup_edges(target, memory, list, batch);
     setup_planes(pipeline, memory, list, batch);
 }
