@@ -1,4 +1,4 @@
-/* Many vectors by one matrix: whole blocks of lanes by a back end in place, and what is
+/* Many vectors or matrices: whole blocks of lanes by a back end in place, and what is
  * left over as one block more in memory of its own. */
 #include <gnomon/bulk.h>
 
@@ -158,6 +158,28 @@ static gn_status run_arrays(bulk_job *job, const float *const *v, float *const *
     if (count > 0) {
         job->packed = false;
         run(run_blocks, job, count);
+    }
+    return GN_OK;
+}
+
+gn_status gn_mat4_multiply_packed(const gn_mat4 *a, const gn_mat4 *b, gn_mat4 *result, size_t count,
+                                  gn_backend backend)
+{
+    bulk_function *const run_blocks = function_of(backend, 4 * count);
+    bulk_job job;
+
+    if (count > 0 && (!a || !b || !result))
+        return GN_NULL_POINTER;
+    if (!run_blocks)
+        return GN_BACKEND_UNAVAILABLE;
+    if (count > 0) {
+        job.kind = BULK_MATRIX;
+        job.packed = true;
+        job.left = a->m[0];
+        job.v[0] = b->m[0];
+        job.result[0] = result->m[0];
+        job.count = count;
+        run_blocks(&job);
     }
     return GN_OK;
 }

@@ -1,4 +1,4 @@
-/* Many vectors by one matrix, a block of lanes at a time: the text of every back end. The
+/* Many vectors and matrices, a block of lanes at a time: the text of every back end. The
  * order of operations is that of the functions for one vector (mat4.c). */
 #ifndef GN_MATH_BULK_H
 #define GN_MATH_BULK_H
@@ -76,6 +76,16 @@ GN_INLINE void bulk_packed_vec3(const bulk_job *job, bulk_kind kind)
 }
 
 /* As many vectors as there are groups of four lanes, each against whole columns. */
+GN_INLINE lanes_f bulk_columns(lanes_f c0, lanes_f c1, lanes_f c2, lanes_f c3, lanes_f vectors)
+{
+    lanes_f v[4];
+
+    lanes_spread(vectors, v);
+    const lanes_f xy = lanes_add(lanes_mul(c0, v[0]), lanes_mul(c1, v[1]));
+    const lanes_f xyz = lanes_add(xy, lanes_mul(c2, v[2]));
+    return lanes_add(xyz, lanes_mul(c3, v[3]));
+}
+
 static void bulk_packed_vec4(const bulk_job *job)
 {
     const lanes_f c0 = lanes_quad(job->m[0]), c1 = lanes_quad(job->m[1]);
@@ -83,19 +93,30 @@ static void bulk_packed_vec4(const bulk_job *job)
     const float *from = job->v[0];
     float *to = job->result[0];
 
-    for (size_t at = 0, end = 4 * job->count; at < end; at += GN_LANES) {
-        lanes_f v[4];
+    for (size_t at = 0, end = 4 * job->count; at < end; at += GN_LANES)
+        lanes_store(to + at, bulk_columns(c0, c1, c2, c3, lanes_load(from + at)));
+}
 
-        lanes_spread(lanes_load(from + at), v);
-        const lanes_f xy = lanes_add(lanes_mul(c0, v[0]), lanes_mul(c1, v[1]));
-        const lanes_f xyz = lanes_add(xy, lanes_mul(c2, v[2]));
-        lanes_store(to + at, lanes_add(xyz, lanes_mul(c3, v[3])));
+/* The lanes hold a matrix. */
+static void bulk_packed_mat4(const bulk_job *job)
+{
+    const float *left = job->left, *from = job->v[0];
+    float *to = job->result[0];
+
+    for (size_t at = 0, end = 16 * job->count; at < end; at += 16) {
+        const lanes_f c0 = lanes_quad(left + at), c1 = lanes_quad(left + at + 4);
+        const lanes_f c2 = lanes_quad(left + at + 8), c3 = lanes_quad(left + at + 12);
+
+        lanes_store(to + at, bulk_columns(c0, c1, c2, c3, lanes_load(from + at)));
     }
 }
 
 static void run_bulk(const bulk_job *job)
 {
     switch (job->kind) {
+    case BULK_MATRIX:
+        bulk_packed_mat4(job);
+        break;
     case BULK_VEC4:
         if (job->packed)
             bulk_packed_vec4(job);

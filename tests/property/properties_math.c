@@ -449,6 +449,21 @@ static bool bulk_vec3(const gn_mat4 *m, const float *floats, size_t count, int f
     return true;
 }
 
+static bool bulk_mat4(const float *floats, gn_backend backend)
+{
+    gn_mat4 a[2], b[2], result[2], one;
+    memcpy(a, floats, sizeof a);
+    memcpy(b, floats + FLOATS, sizeof b);
+    if (gn_mat4_multiply_packed(a, b, result, 2, backend) != GN_OK)
+        return false;
+    for (int i = 0; i < 2; ++i) {
+        gn_mat4_multiply(&a[i], &b[i], &one);
+        if (!same_floats(result[i].m[0], one.m[0], 16))
+            return false;
+    }
+    return true;
+}
+
 static enum theft_trial_res bulk_is_single(struct theft *t, void *arg1, void *arg2, void *arg3)
 {
     gn_mat4 m;
@@ -461,7 +476,7 @@ static enum theft_trial_res bulk_is_single(struct theft *t, void *arg1, void *ar
     for (gn_backend backend = GN_BACKEND_AUTO; backend < GN_BACKEND_COUNT; ++backend) {
         if (!gn_backend_available(backend))
             continue;
-        if (!bulk_vec4(&m, floats, four, backend))
+        if (!bulk_vec4(&m, floats, four, backend) || !bulk_mat4(floats, backend))
             return THEFT_TRIAL_FAIL;
         for (int function = 0; function < 3; ++function)
             if (!bulk_vec3(&m, floats, three, function, backend))

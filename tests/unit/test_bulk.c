@@ -167,6 +167,37 @@ static void arrays_exchanged(void **state)
     }
 }
 
+enum { MATRICES = 9 };
+
+/* At every alignment, into a third array, over the left and over the right operands. */
+static void many_matrices(void **state)
+{
+    (void)state;
+    for (gn_backend backend = GN_BACKEND_AUTO; backend < GN_BACKEND_COUNT; ++backend) {
+        for (int which = 0; which < 3 * ALIGNMENTS * (MATRICES + 1); ++which) {
+            const int target = which % 3, alignment = which / 3 % ALIGNMENTS;
+            const size_t count = (size_t)(which / 3 / ALIGNMENTS);
+            float memory[3][16 * MATRICES + ALIGNMENTS], expected[3][16 * MATRICES + ALIGNMENTS];
+            gn_mat4 *matrices[3], product;
+
+            if (!gn_backend_available(backend))
+                continue;
+            fill(memory[0], 3 * (16 * MATRICES + ALIGNMENTS), 1.0f);
+            memcpy(expected, memory, sizeof expected);
+            for (int i = 0; i < 3; ++i)
+                matrices[i] = (gn_mat4 *)(memory[i] + alignment);
+            for (size_t i = 0; i < count; ++i) {
+                gn_mat4_multiply(&matrices[0][i], &matrices[1][i], &product);
+                memcpy(expected[target] + alignment + 16 * i, &product, sizeof product);
+            }
+            assert_int_equal(
+                gn_mat4_multiply_packed(matrices[0], matrices[1], matrices[target], count, backend),
+                GN_OK);
+            assert_memory_equal(memory, expected, sizeof memory);
+        }
+    }
+}
+
 /* The matrix lies where the results go. */
 static void matrix_in_the_result(void **state)
 {
@@ -236,6 +267,14 @@ static void faults(void **state)
         result[i] = x;
     }
 
+    gn_mat4 a = m4, b = m4;
+    assert_int_equal(gn_mat4_multiply_packed(NULL, &b, &a, 1, any), GN_NULL_POINTER);
+    assert_int_equal(gn_mat4_multiply_packed(&a, NULL, &a, 1, any), GN_NULL_POINTER);
+    assert_int_equal(gn_mat4_multiply_packed(&a, &b, NULL, 1, any), GN_NULL_POINTER);
+    assert_int_equal(gn_mat4_multiply_packed(&a, &b, &a, 1, none), GN_BACKEND_UNAVAILABLE);
+    assert_int_equal(gn_mat4_multiply_packed(NULL, NULL, NULL, 0, any), GN_OK);
+    assert_memory_equal(&a, &m4, sizeof a);
+
     for (enum function function = VEC4; function < FUNCTIONS; ++function) {
         assert_int_equal(packed(function, NULL, NULL, 0, any), GN_OK);
         assert_int_equal(arrays(function, NULL, NULL, 0, any), GN_OK);
@@ -253,6 +292,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bits_of_the_single_functions),
         cmocka_unit_test(arrays_exchanged),
+        cmocka_unit_test(many_matrices),
         cmocka_unit_test(matrix_in_the_result),
         cmocka_unit_test(long_arrays),
         cmocka_unit_test(faults),

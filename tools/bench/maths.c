@@ -22,6 +22,7 @@ static const struct {
     bool arrays; /* Gnomon's vectors are a structure of arrays */
 } operations[MATHS_OPERATIONS] = {
     [MATHS_MULTIPLY] = {"mat4 * mat4", MATHS_FEW, false, false},
+    [MATHS_MULTIPLY_PACKED] = {"64 mat4 * mat4", MATHS_FEW, true, false},
     [MATHS_INVERT_RIGID] = {"mat4 rigid inverse", MATHS_FEW, false, false},
     [MATHS_INVERT] = {"mat4 inverse", MATHS_FEW, false, false},
     [MATHS_MULTIPLY_VECTOR] = {"mat4 * vec4", MATHS_FEW, false, false},
@@ -99,6 +100,7 @@ static size_t results(const maths_data *d, maths_operation operation, bool array
 
     switch (operation) {
     case MATHS_MULTIPLY:
+    case MATHS_MULTIPLY_PACKED:
     case MATHS_INVERT:
         from = d->product[0][0];
         count = 16 * MATHS_FEW;

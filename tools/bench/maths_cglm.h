@@ -81,6 +81,7 @@ static void square_root(maths_data *d)
 
 static maths_pass *const passes[MATHS_OPERATIONS] = {
     [MATHS_MULTIPLY] = multiply,
+    [MATHS_MULTIPLY_PACKED] = multiply,
     [MATHS_INVERT_RIGID] = invert_rigid,
     [MATHS_INVERT] = invert,
     [MATHS_MULTIPLY_VECTOR] = multiply_vector,

@@ -13,6 +13,12 @@ static void multiply(maths_data *d)
         gn_mat4_multiply(matrix(d->a[i]), matrix(d->b[i]), matrix(d->product[i]));
 }
 
+static void multiply_packed(maths_data *d)
+{
+    gn_mat4_multiply_packed(matrix(d->a[0]), matrix(d->b[0]), matrix(d->product[0]), MATHS_FEW,
+                            d->backend);
+}
+
 static void invert_rigid(maths_data *d)
 {
     for (int i = 0; i < MATHS_FEW; ++i)
@@ -80,6 +86,7 @@ maths_pass *maths_gnomon(maths_operation operation)
 {
     static maths_pass *const passes[MATHS_OPERATIONS] = {
         [MATHS_MULTIPLY] = multiply,
+        [MATHS_MULTIPLY_PACKED] = multiply_packed,
         [MATHS_INVERT_RIGID] = invert_rigid,
         [MATHS_MULTIPLY_VECTOR] = multiply_vector,
         [MATHS_BULK_PACKED] = bulk_packed,

@@ -13,6 +13,7 @@
 
 typedef enum maths_operation {
     MATHS_MULTIPLY,
+    MATHS_MULTIPLY_PACKED,
     MATHS_INVERT_RIGID,
     MATHS_INVERT,
     MATHS_MULTIPLY_VECTOR,
