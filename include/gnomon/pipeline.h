@@ -100,6 +100,9 @@ typedef struct gn_fragment_input {
     const float (*varying)[GN_LANES]; /* [varying][lane] */
     uint32_t coverage;                /* bit l: lane l is covered and passed early tests */
     int32_t x, y;                     /* window coordinates of lane 0, multiples of 4 */
+
+    /* gn_sample_2d in the form of the back end that runs the shader; the same result. */
+    gn_sample_2d_function *sample_2d;
 } gn_fragment_input;
 
 /* Output of a fragment shader: color[channel][lane], red, green, blue, alpha.

@@ -44,6 +44,11 @@ typedef struct gn_sampler {
     gn_minify minify;
 } gn_sampler;
 
+/* The type of gn_sample_2d. */
+typedef void gn_sample_2d_function(const gn_texture *texture, const gn_sampler *sampler,
+                                   const float s[GN_LANES], const float t[GN_LANES],
+                                   float texel[4][GN_LANES]);
+
 GN_BEGIN
 
 /* The first fault of a texture: null pointer or texels (GN_NULL_POINTER),

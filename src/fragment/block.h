@@ -5,6 +5,7 @@
 #define GN_FRAGMENT_BLOCK_H
 
 #include "../shaders/ready_made.h"
+#include "../texture/sample.h"
 
 #include "color.h"
 #include "depth.h"
@@ -13,7 +14,8 @@
 /* What computes a fragment's colour. */
 typedef enum fragment_source {
     SOURCE_SHADER, /* the pipeline's fragment shader */
-    SOURCE_COLOR   /* varyings 0 to 3, smooth: gn_shade_color without the call */
+    SOURCE_COLOR,  /* varyings 0 to 3, smooth: gn_shade_color without the call */
+    SOURCE_TEXTURE /* and 4 and 5: gn_shade_textured without the call */
 } fragment_source;
 
 /* What is constant over a draw. */
@@ -65,19 +67,26 @@ static inline void run_shader(const gn_pipeline *pipeline, raster_triangle trian
     input.coverage = coverage;
     input.x = x;
     input.y = y;
+    input.sample_2d = sample_2d;
     output.color = color;
-    if (pipeline->fragment_shader == gn_shade_textured)
-        shade_textured(pipeline->uniforms, &input, &output);
-    else
-        pipeline->fragment_shader(pipeline->uniforms, &input, &output);
+    pipeline->fragment_shader(pipeline->uniforms, &input, &output);
     for (int c = 0; c < 4; ++c)
         out[c] = lanes_load(color[c]);
+}
+
+GN_INLINE void sample_texture(const gn_textured_uniforms *uniforms, const fragment_place *at,
+                              raster_triangle triangle, lanes_f w, lanes_f texel[4])
+{
+    const lanes_f s = lanes_mul(interpolate(at, triangle, VARYING_PLANES + VARYING_S), w);
+    const lanes_f t = lanes_mul(interpolate(at, triangle, VARYING_PLANES + VARYING_T), w);
+
+    sample(&uniforms->texture, &uniforms->sampler, &s, &t, texel);
 }
 
 GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const fragment_place *at,
                      raster_triangle triangle, uint32_t coverage)
 {
-    lanes_f color[4];
+    lanes_f color[4], texel[4];
 
     if (kind.depth_format != GN_FORMAT_NONE) {
         coverage = test_depth(&state->test, &state->depth, kind.depth_format, at, coverage,
@@ -89,11 +98,16 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
         return;
 
     const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
-    if (kind.source == SOURCE_COLOR) {
-        for (uint32_t c = 0; c < 4; ++c)
-            color[c] = lanes_mul(interpolate(at, triangle, VARYING_PLANES + c), w);
-    } else {
+    if (kind.source == SOURCE_SHADER) {
         run_shader(state->pipeline, triangle, at->x, at->y, coverage, w, color);
+    } else {
+        if (kind.source == SOURCE_TEXTURE)
+            sample_texture(state->pipeline->uniforms, at, triangle, w, texel);
+        for (uint32_t c = 0; c < 4; ++c) {
+            color[c] = lanes_mul(interpolate(at, triangle, VARYING_PLANES + c), w);
+            if (kind.source == SOURCE_TEXTURE)
+                color[c] = lanes_mul(color[c], texel[c]);
+        }
     }
     write_color(&state->color, kind.color_format, at, coverage, color);
 }
@@ -107,6 +121,8 @@ GN_INLINE void shade_blocks(const fragment_state *state, fragment_kind kind,
 
     at.shape = SHAPE_BLOCK;
     at.y = y;
+    at.columns = 0;
+    at.row = 0;
     for (uint32_t i = 0; i < count; ++i) {
         at.x = x + (int32_t)i * BLOCK_SIZE;
         at.color = pixel_memory(&state->color, kind.color_format, at.x, y);
@@ -124,7 +140,9 @@ GN_INLINE uint32_t first_attribute(fragment_kind kind)
 
 GN_INLINE uint32_t end_attribute(fragment_kind kind)
 {
-    return kind.color_format != GN_FORMAT_NONE ? RUN_ATTRIBUTES : ONE_OVER_W_PLANE;
+    if (kind.color_format == GN_FORMAT_NONE)
+        return ONE_OVER_W_PLANE;
+    return VARYING_PLANES + (kind.source == SOURCE_TEXTURE ? VARYING_END : VARYING_S);
 }
 
 /* Covered blocks, as many as make whole rows of 16 pixels. */
@@ -160,6 +178,19 @@ GN_INLINE void shade_rows(const fragment_state *state, fragment_kind kind, raste
 /* Blocks that make a row of 16 pixels. */
 #define BLOCKS_IN_ROW (GN_LANES / BLOCK_SIZE)
 
+/* Covered blocks, in rows as far as they go. */
+GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster_triangle triangle,
+                         int32_t x, int32_t y, uint32_t count)
+{
+    const gn_textured_uniforms *textured = state->pipeline->uniforms;
+    const bool in_rows = kind.source != SOURCE_TEXTURE || has_one_filter(&textured->sampler);
+    const uint32_t whole = in_rows ? count - count % BLOCKS_IN_ROW : 0;
+
+    shade_rows(state, kind, triangle, x, y, whole);
+    shade_blocks(state, kind, triangle, x + (int32_t)whole * BLOCK_SIZE, y, count - whole,
+                 GN_ALL_LANES);
+}
+
 /* A run_function for one state; the context is a fragment_state. */
 #define GN_RUN_FUNCTION(name, depth_format, color_format, source)                                  \
     static void name(const void *context, raster_triangle triangle, int32_t x, int32_t y,          \
@@ -178,12 +209,8 @@ GN_INLINE void shade_rows(const fragment_state *state, fragment_kind kind, raste
                                     int32_t x, int32_t y, uint32_t count)                          \
     {                                                                                              \
         const fragment_kind kind = {depth_format, color_format, source};                           \
-        const uint32_t whole = count - count % BLOCKS_IN_ROW;                                      \
                                                                                                    \
-        shade_rows(state, kind, triangle, x, y, whole);                                            \
-        if (whole < count)                                                                         \
-            shade_blocks(state, kind, triangle, x + (int32_t)whole * BLOCK_SIZE, y, count - whole, \
-                         GN_ALL_LANES);                                                            \
+        shade_run(state, kind, triangle, x, y, count);                                             \
     }                                                                                              \
     static void name(const void *context, raster_triangle triangle, int32_t x, int32_t y,          \
                      uint32_t count, uint32_t coverage)                                            \
@@ -204,17 +231,31 @@ GN_RUN_FUNCTION(run_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_SHADER)
 GN_RUN_ROWS_FUNCTION(run_color_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_COLOR)
 GN_RUN_ROWS_FUNCTION(run_color_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_COLOR)
 GN_RUN_ROWS_FUNCTION(run_color_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_COLOR)
+GN_RUN_ROWS_FUNCTION(run_texture_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_TEXTURE)
+GN_RUN_ROWS_FUNCTION(run_texture_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_TEXTURE)
+GN_RUN_ROWS_FUNCTION(run_texture_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_TEXTURE)
 GN_RUN_ROWS_FUNCTION(run_depth_d24, GN_FORMAT_D24, GN_FORMAT_NONE, SOURCE_SHADER)
 GN_RUN_ROWS_FUNCTION(run_depth_d32f, GN_FORMAT_D32F, GN_FORMAT_NONE, SOURCE_SHADER)
+
+static inline fragment_source source_of(const gn_pipeline *p)
+{
+    const bool texture = p->fragment_shader == gn_shade_textured;
+    const uint32_t varyings = texture ? VARYING_END : VARYING_ALPHA + 1;
+
+    if ((!texture && p->fragment_shader != gn_shade_color) || p->varying_count < varyings)
+        return SOURCE_SHADER;
+    for (uint32_t n = 0; n < varyings; ++n) {
+        if (p->interpolation[n] != GN_SMOOTH)
+            return SOURCE_SHADER;
+    }
+    return texture ? SOURCE_TEXTURE : SOURCE_COLOR;
+}
 
 /* The function that draws blocks under a state. */
 static inline run_function *run_function_of(const fragment_state *state)
 {
-    const gn_pipeline *p = state->pipeline;
-    bool color = p->fragment_shader == gn_shade_color;
+    const fragment_source source = source_of(state->pipeline);
 
-    for (uint32_t n = 0; n < 4; ++n)
-        color = color && n < p->varying_count && p->interpolation[n] == GN_SMOOTH;
     if (state->color.format == GN_FORMAT_NONE)
         return state->depth.format == GN_FORMAT_D24    ? run_depth_d24
                : state->depth.format == GN_FORMAT_D32F ? run_depth_d32f
@@ -223,11 +264,17 @@ static inline run_function *run_function_of(const fragment_state *state)
         return run_any;
     switch (state->depth.format) {
     case GN_FORMAT_NONE:
-        return color ? run_color_rgba8 : run_rgba8;
+        return source == SOURCE_COLOR     ? run_color_rgba8
+               : source == SOURCE_TEXTURE ? run_texture_rgba8
+                                          : run_rgba8;
     case GN_FORMAT_D24:
-        return color ? run_color_rgba8_d24 : run_rgba8_d24;
+        return source == SOURCE_COLOR     ? run_color_rgba8_d24
+               : source == SOURCE_TEXTURE ? run_texture_rgba8_d24
+                                          : run_rgba8_d24;
     case GN_FORMAT_D32F:
-        return color ? run_color_rgba8_d32f : run_rgba8_d32f;
+        return source == SOURCE_COLOR     ? run_color_rgba8_d32f
+               : source == SOURCE_TEXTURE ? run_texture_rgba8_d32f
+                                          : run_rgba8_d32f;
     default:
         return run_any;
     }

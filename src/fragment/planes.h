@@ -2,6 +2,8 @@
 #ifndef GN_FRAGMENT_PLANES_H
 #define GN_FRAGMENT_PLANES_H
 
+#include "gnomon/shaders.h"
+
 #include "types.h"
 
 /* The plane's value in every lane of the block at (x, y): per_y * y + (per_x * x + origin),
@@ -13,7 +15,7 @@ GN_INLINE lanes_f plane_in_block(attribute_plane plane, float x, float y)
 
 /* The attributes that the library itself interpolates over long runs, varyings among them
  * as many as it knows a use for. */
-#define RUN_ATTRIBUTES (VARYING_PLANES + 4)
+#define RUN_ATTRIBUTES (VARYING_PLANES + GN_SHADER_VARYINGS)
 
 /* The two terms of a value: per_y * y for the rows of a run of blocks and per_x * x + origin
  * for 16 of its columns, so that every pixel takes but their sum. */

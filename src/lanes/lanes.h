@@ -9,13 +9,16 @@
  *   greater less_equal and not    masks, and bits and sign_bits of them
  *   select
  *   from_bits m_as_int
- *   truncate round floor          to integers; to_float, as_int, as_float back and across
+ *   truncate round                to integers; to_float, as_int, as_float back and across
+ *   floor                         stays a float
  *   i_add i_sub i_mul i_or i_and  integers, which wrap around
  *   i_shift_left i_shift_right
  *   i_min i_max i_clamp i_select
  *   i_greater i_equal
+ *   i_multiply_short              of 16 bits
+ *   i_gather i_gather_pairs       words of memory by index
  *   i_gather_rows i_scatter_rows  rows of four words, one a lane, and four lanes_i
- *   pack_unorm8                   colours
+ *   pack_unorm8 unpack_unorm8     colours
  *   load_block store_block        the 4x4 lanes of a block in rows of memory
  *
  * A back end (backends/) says which form it is made of: GN_LANES_PORTABLE, _AVX2, _AVX512,
@@ -52,12 +55,14 @@ typedef int32_t stored_word;
 
 /* For functions whose arguments are constants where they are called: one version of the
  * text, a version of the code for each state. What is seldom needed there stays out of line.
- * With a sanitizer's checks in every lane the code would grow beyond what compilers bear. */
-#if defined(__GNUC__) && defined(__SANITIZE_ADDRESS__)
+ * Where operations are loops, or have a sanitizer's checks in every lane, so much code would
+ * take compilers minutes. */
+#if defined(__GNUC__)
+#if defined(GN_LANES_PORTABLE) || defined(__SANITIZE_ADDRESS__)
 #define GN_INLINE static inline
-#define GN_OUT_OF_LINE static __attribute__((noinline))
-#elif defined(__GNUC__)
+#else
 #define GN_INLINE static inline __attribute__((always_inline))
+#endif
 #define GN_OUT_OF_LINE static __attribute__((noinline))
 #else
 #define GN_INLINE static inline
@@ -102,17 +107,6 @@ static inline lanes_i lanes_i_clamp(lanes_i a, lanes_i low, lanes_i high)
 {
     a = lanes_i_select(lanes_i_greater(low, a), low, a);
     return lanes_i_select(lanes_i_greater(a, high), high, a);
-}
-
-/* The largest integer not above a; INT32_MIN where a is NaN or out of range. A mask,
- * taken as an integer, is -1 where it is set. */
-static inline lanes_i lanes_floor(lanes_f a)
-{
-    const lanes_i t = lanes_truncate(a);
-    const lanes_m above = lanes_and(lanes_greater(lanes_to_float(t), a),
-                                    lanes_i_greater(t, lanes_i_splat(INT32_MIN)));
-
-    return lanes_i_add(t, lanes_m_as_int(above));
 }
 
 #endif

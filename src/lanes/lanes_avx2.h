@@ -201,6 +201,11 @@ static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, _mm256_max_epi32(a.q[n], b.q[n]));
 }
 
+static inline lanes_i lanes_i_multiply_short(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_madd_epi16(a.q[n], b.q[n]));
+}
+
 static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, _mm256_or_si256(a.q[n], b.q[n]));
@@ -255,6 +260,11 @@ static inline lanes_f lanes_as_float(lanes_i a)
 static inline lanes_i lanes_truncate(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_i, _mm256_cvttps_epi32(a.q[n]));
+}
+
+static inline lanes_f lanes_floor(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm256_floor_ps(a.q[n]));
 }
 
 static inline lanes_i lanes_round(lanes_f a)
@@ -357,6 +367,66 @@ static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, co
             _mm_storeu_ps((float *)(void *)row, _mm256_castps256_ps128(r[l]));
             _mm_storeu_ps((float *)(void *)(row + 4 * stride), _mm256_extractf128_ps(r[l], 1));
         }
+    }
+}
+
+/* A byte above the lowest is converted where it stands, and the factor is smaller by the
+ * same power of two, which changes no rounding. */
+static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
+{
+    const float scale = (float)(1.0 / 255.0) / (float)(1 << 8 * (channel % 3));
+    const __m256i byte = _mm256_set1_epi32(0xFF << 8 * (channel % 3));
+
+    if (channel == 3) {
+        LANES_EACH_REGISTER(lanes_f,
+                            _mm256_mul_ps(_mm256_cvtepi32_ps(_mm256_srli_epi32(packed.q[n], 24)),
+                                          _mm256_set1_ps(scale)));
+    }
+    LANES_EACH_REGISTER(lanes_f,
+                        _mm256_mul_ps(_mm256_cvtepi32_ps(_mm256_and_si256(packed.q[n], byte)),
+                                      _mm256_set1_ps(scale)));
+}
+
+/* Loads of single words measure faster than the gather instruction on some processors and
+ * no slower on others. */
+static inline __m256i lanes_avx2_gather(const stored_word *base, const int32_t *index)
+{
+    return _mm256_setr_epi32(base[index[0]], base[index[1]], base[index[2]], base[index[3]],
+                             base[index[4]], base[index[5]], base[index[6]], base[index[7]]);
+}
+
+static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
+{
+    int32_t at[GN_LANES];
+
+    lanes_i_store(at, index);
+    LANES_EACH_REGISTER(lanes_i, lanes_avx2_gather(base, at + 8 * n));
+}
+
+/* Two pairs of words. */
+static inline __m128 lanes_avx2_pairs(const stored_word *base, const int32_t *index)
+{
+    const __m128 low =
+        _mm_castsi128_ps(_mm_loadl_epi64((const __m128i *)(const void *)(base + index[0])));
+
+    return _mm_loadh_pi(low, (const __m64 *)(const void *)(base + index[1]));
+}
+
+static inline void lanes_i_gather_pairs(const stored_word *base, lanes_i index, lanes_i *first,
+                                        lanes_i *second)
+{
+    int32_t at[GN_LANES];
+
+    lanes_i_store(at, index);
+    for (int n = 0; n < 2; ++n) {
+        const int32_t *const i = at + 8 * n;
+        const __m256 a = _mm256_insertf128_ps(_mm256_castps128_ps256(lanes_avx2_pairs(base, i)),
+                                              lanes_avx2_pairs(base, i + 4), 1);
+        const __m256 b = _mm256_insertf128_ps(_mm256_castps128_ps256(lanes_avx2_pairs(base, i + 2)),
+                                              lanes_avx2_pairs(base, i + 6), 1);
+
+        first->q[n] = _mm256_castps_si256(_mm256_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)));
+        second->q[n] = _mm256_castps_si256(_mm256_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1)));
     }
 }
 

@@ -204,6 +204,11 @@ static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
     return lanes_avx512_i(_mm512_max_epi32(a.q, b.q));
 }
 
+static inline lanes_i lanes_i_multiply_short(lanes_i a, lanes_i b)
+{
+    return lanes_avx512_i(_mm512_madd_epi16(a.q, b.q));
+}
+
 static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
 {
     return lanes_avx512_i(_mm512_or_si512(a.q, b.q));
@@ -257,6 +262,11 @@ static inline lanes_f lanes_as_float(lanes_i a)
 static inline lanes_i lanes_truncate(lanes_f a)
 {
     return lanes_avx512_i(_mm512_cvttps_epi32(a.q));
+}
+
+static inline lanes_f lanes_floor(lanes_f a)
+{
+    return lanes_avx512_f(_mm512_roundscale_ps(a.q, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC));
 }
 
 static inline lanes_i lanes_round(lanes_f a)
@@ -341,6 +351,63 @@ static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, co
     lanes_avx512_transpose(r);
     for (size_t l = 0; l < 4; ++l)
         lanes_i_store_block(memory + l * stride, (ptrdiff_t)(4 * stride), lanes_avx512_i(r[l]));
+}
+
+/* A byte above the lowest is converted where it stands, and the factor is smaller by the
+ * same power of two, which changes no rounding. */
+static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
+{
+    const float scale = (float)(1.0 / 255.0) / (float)(1 << 8 * (channel % 3));
+    const __m512i byte = _mm512_set1_epi32(0xFF << 8 * (channel % 3));
+    const __m512i in_place =
+        channel == 3 ? _mm512_srli_epi32(packed.q, 24) : _mm512_and_si512(packed.q, byte);
+
+    return lanes_avx512_f(_mm512_mul_ps(_mm512_cvtepi32_ps(in_place), _mm512_set1_ps(scale)));
+}
+
+static inline __m512i lanes_avx512_join(__m128i a, __m128i b, __m128i c, __m128i d)
+{
+    const __m512i r = _mm512_inserti32x4(_mm512_castsi128_si512(a), b, 1);
+
+    return _mm512_inserti32x4(_mm512_inserti32x4(r, c, 2), d, 3);
+}
+
+static inline __m128i lanes_avx512_words(const stored_word *base, const int32_t *index)
+{
+    return _mm_setr_epi32(base[index[0]], base[index[1]], base[index[2]], base[index[3]]);
+}
+
+static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
+{
+    int32_t at[GN_LANES];
+
+    lanes_i_store(at, index);
+    return lanes_avx512_i(
+        lanes_avx512_join(lanes_avx512_words(base, at), lanes_avx512_words(base, at + 4),
+                          lanes_avx512_words(base, at + 8), lanes_avx512_words(base, at + 12)));
+}
+
+/* Two pairs of words. */
+static inline __m128i lanes_avx512_pairs(const stored_word *base, const int32_t *index)
+{
+    return _mm_unpacklo_epi64(_mm_loadl_epi64((const __m128i *)(const void *)(base + index[0])),
+                              _mm_loadl_epi64((const __m128i *)(const void *)(base + index[1])));
+}
+
+static inline void lanes_i_gather_pairs(const stored_word *base, lanes_i index, lanes_i *first,
+                                        lanes_i *second)
+{
+    int32_t at[GN_LANES];
+
+    lanes_i_store(at, index);
+    const __m512 a = _mm512_castsi512_ps(
+        lanes_avx512_join(lanes_avx512_pairs(base, at), lanes_avx512_pairs(base, at + 4),
+                          lanes_avx512_pairs(base, at + 8), lanes_avx512_pairs(base, at + 12)));
+    const __m512 b = _mm512_castsi512_ps(
+        lanes_avx512_join(lanes_avx512_pairs(base, at + 2), lanes_avx512_pairs(base, at + 6),
+                          lanes_avx512_pairs(base, at + 10), lanes_avx512_pairs(base, at + 14)));
+    first->q = _mm512_castps_si512(_mm512_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)));
+    second->q = _mm512_castps_si512(_mm512_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1)));
 }
 
 #endif

@@ -210,6 +210,11 @@ static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, vmaxq_s32(a.q[n], b.q[n]));
 }
 
+static inline lanes_i lanes_i_multiply_short(lanes_i a, lanes_i b)
+{
+    return lanes_i_mul(a, b);
+}
+
 static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, vorrq_s32(a.q[n], b.q[n]));
@@ -275,6 +280,11 @@ static inline lanes_f lanes_as_float(lanes_i a)
 static inline lanes_i lanes_truncate(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_i, lanes_neon_converted(a.q[n], vcvtq_s32_f32(a.q[n])));
+}
+
+static inline lanes_f lanes_floor(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, vrndmq_f32(a.q[n]));
 }
 
 static inline lanes_i lanes_round(lanes_f a)
@@ -360,6 +370,42 @@ static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, co
         for (size_t l = 0; l < 4; ++l)
             vst1q_u8(memory + (4 * n + l) * stride, vreinterpretq_u8_s32(r[l]));
     }
+}
+
+static inline float32x4_t lanes_neon_unpack(int32x4_t packed, int channel)
+{
+    const uint32x4_t shifted = vshlq_u32(vreinterpretq_u32_s32(packed), vdupq_n_s32(-8 * channel));
+
+    return vmulq_n_f32(vcvtq_f32_u32(vandq_u32(shifted, vdupq_n_u32(0xFF))), (float)(1.0 / 255.0));
+}
+
+static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
+{
+    LANES_EACH_REGISTER(lanes_f, lanes_neon_unpack(packed.q[n], channel));
+}
+
+static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
+{
+    int32_t word[GN_LANES];
+
+    lanes_i_store(word, index);
+    GN_EACH_LANE (l)
+        word[l] = base[word[l]];
+    return lanes_i_load(word);
+}
+
+static inline void lanes_i_gather_pairs(const stored_word *base, lanes_i index, lanes_i *first,
+                                        lanes_i *second)
+{
+    int32_t at[GN_LANES], next[GN_LANES];
+
+    lanes_i_store(at, index);
+    GN_EACH_LANE (l) {
+        next[l] = base[at[l] + 1];
+        at[l] = base[at[l]];
+    }
+    *first = lanes_i_load(at);
+    *second = lanes_i_load(next);
 }
 
 #endif

@@ -243,6 +243,14 @@ static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
     return a;
 }
 
+/* a * b. Precondition: a is in 0..32767, b in -32768..32767. */
+static inline lanes_i lanes_i_multiply_short(lanes_i a, lanes_i b)
+{
+    GN_EACH_LANE (l)
+        a.v[l] *= b.v[l];
+    return a;
+}
+
 static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
 {
     GN_EACH_LANE (l)
@@ -326,6 +334,17 @@ static inline lanes_i lanes_round(lanes_f a)
         r.v[l] = inside ? t + up - down : INT32_MIN;
     }
     return r;
+}
+
+/* The largest integer not above a, a zero of either sign; NaN and infinities as they are. */
+static inline lanes_f lanes_floor(lanes_f a)
+{
+    GN_EACH_LANE (l) {
+        const int inside = a.v[l] > -2147483648.0f && a.v[l] < 2147483648.0f;
+        const float t = (float)(int32_t)(inside ? a.v[l] : 0.0f);
+        a.v[l] = inside ? t - (float)(t > a.v[l]) : a.v[l];
+    }
+    return a;
 }
 
 /* The bits of the floats. */
@@ -427,6 +446,33 @@ static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, co
         stored_word *const row = (stored_word *)(void *)(memory + (size_t)l * stride);
         for (int c = 0; c < 4; ++c)
             row[c] = in[c].v[l];
+    }
+}
+
+/* Channel 0 to 3 of packed colours, byte * (1/255). */
+static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
+{
+    lanes_f r;
+    GN_EACH_LANE (l)
+        r.v[l] = (float)((uint32_t)packed.v[l] >> 8 * channel & 0xFF) * (float)(1.0 / 255.0);
+    return r;
+}
+
+/* base[index]. */
+static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
+{
+    GN_EACH_LANE (l)
+        index.v[l] = base[index.v[l]];
+    return index;
+}
+
+/* base[index] and base[index + 1]. */
+static inline void lanes_i_gather_pairs(const stored_word *base, lanes_i index, lanes_i *first,
+                                        lanes_i *second)
+{
+    GN_EACH_LANE (l) {
+        first->v[l] = base[index.v[l]];
+        second->v[l] = base[index.v[l] + 1];
     }
 }
 

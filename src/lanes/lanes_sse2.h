@@ -207,6 +207,11 @@ static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
                         lanes_sse2_select(_mm_cmpgt_epi32(a.q[n], b.q[n]), a.q[n], b.q[n]));
 }
 
+static inline lanes_i lanes_i_multiply_short(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm_madd_epi16(a.q[n], b.q[n]));
+}
+
 static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_or_si128(a.q[n], b.q[n]));
@@ -264,6 +269,21 @@ static inline lanes_f lanes_as_float(lanes_i a)
 static inline lanes_i lanes_truncate(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_cvttps_epi32(a.q[n]));
+}
+
+static inline __m128 lanes_sse2_floor(__m128 a)
+{
+    const __m128i truncated = _mm_cvttps_epi32(a);
+    const __m128 t = _mm_cvtepi32_ps(truncated);
+    const __m128 below = _mm_sub_ps(t, _mm_and_ps(_mm_cmplt_ps(a, t), _mm_set1_ps(1.0f)));
+    const __m128 beyond = _mm_castsi128_ps(_mm_cmpeq_epi32(truncated, _mm_set1_epi32(INT32_MIN)));
+
+    return _mm_or_ps(_mm_and_ps(beyond, a), _mm_andnot_ps(beyond, below));
+}
+
+static inline lanes_f lanes_floor(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, lanes_sse2_floor(a.q[n]));
 }
 
 static inline lanes_i lanes_round(lanes_f a)
@@ -331,6 +351,58 @@ static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, co
         _MM_TRANSPOSE4_PS(r[0], r[1], r[2], r[3]);
         for (int l = 0; l < 4; ++l)
             _mm_storeu_ps((float *)(void *)(memory + (size_t)(4 * n + l) * stride), r[l]);
+    }
+}
+
+/* A byte above the lowest is converted where it stands, and the factor is smaller by the
+ * same power of two, which changes no rounding. */
+static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
+{
+    const float scale = (float)(1.0 / 255.0) / (float)(1 << 8 * (channel % 3));
+    const __m128i byte = _mm_set1_epi32(0xFF << 8 * (channel % 3));
+
+    if (channel == 3) {
+        LANES_EACH_REGISTER(lanes_f, _mm_mul_ps(_mm_cvtepi32_ps(_mm_srli_epi32(packed.q[n], 24)),
+                                                _mm_set1_ps(scale)));
+    }
+    LANES_EACH_REGISTER(
+        lanes_f, _mm_mul_ps(_mm_cvtepi32_ps(_mm_and_si128(packed.q[n], byte)), _mm_set1_ps(scale)));
+}
+
+static inline __m128i lanes_sse2_gather(const stored_word *base, const int32_t *index)
+{
+    return _mm_setr_epi32(base[index[0]], base[index[1]], base[index[2]], base[index[3]]);
+}
+
+static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
+{
+    int32_t at[GN_LANES];
+
+    lanes_i_store(at, index);
+    LANES_EACH_REGISTER(lanes_i, lanes_sse2_gather(base, at + 4 * n));
+}
+
+/* Two pairs of words. */
+static inline __m128 lanes_sse2_pairs(const stored_word *base, const int32_t *index)
+{
+    const __m128 low =
+        _mm_castsi128_ps(_mm_loadl_epi64((const __m128i *)(const void *)(base + index[0])));
+
+    return _mm_loadh_pi(low, (const __m64 *)(const void *)(base + index[1]));
+}
+
+static inline void lanes_i_gather_pairs(const stored_word *base, lanes_i index, lanes_i *first,
+                                        lanes_i *second)
+{
+    int32_t at[GN_LANES];
+
+    lanes_i_store(at, index);
+    for (int n = 0; n < 4; ++n) {
+        const __m128 a = lanes_sse2_pairs(base, at + 4 * n);
+        const __m128 b = lanes_sse2_pairs(base, at + 4 * n + 2);
+
+        first->q[n] = _mm_castps_si128(_mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)));
+        second->q[n] = _mm_castps_si128(_mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1)));
     }
 }
 

@@ -200,6 +200,11 @@ static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, wasm_i32x4_max(a.q[n], b.q[n]));
 }
 
+static inline lanes_i lanes_i_multiply_short(lanes_i a, lanes_i b)
+{
+    return lanes_i_mul(a, b);
+}
+
 static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, wasm_v128_or(a.q[n], b.q[n]));
@@ -260,6 +265,11 @@ static inline lanes_f lanes_as_float(lanes_i a)
 static inline lanes_i lanes_truncate(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_i, lanes_wasm_truncate(a.q[n]));
+}
+
+static inline lanes_f lanes_floor(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, wasm_f32x4_floor(a.q[n]));
 }
 
 static inline lanes_i lanes_round(lanes_f a)
@@ -339,6 +349,43 @@ static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, co
         for (size_t l = 0; l < 4; ++l)
             wasm_v128_store(memory + (4 * n + l) * stride, r[l]);
     }
+}
+
+static inline v128_t lanes_wasm_unpack(v128_t packed, int channel)
+{
+    const v128_t byte =
+        wasm_v128_and(wasm_u32x4_shr(packed, (uint32_t)(8 * channel)), wasm_i32x4_splat(0xFF));
+
+    return wasm_f32x4_mul(wasm_f32x4_convert_i32x4(byte), wasm_f32x4_splat((float)(1.0 / 255.0)));
+}
+
+static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
+{
+    LANES_EACH_REGISTER(lanes_f, lanes_wasm_unpack(packed.q[n], channel));
+}
+
+static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
+{
+    int32_t word[GN_LANES];
+
+    lanes_i_store(word, index);
+    GN_EACH_LANE (l)
+        word[l] = base[word[l]];
+    return lanes_i_load(word);
+}
+
+static inline void lanes_i_gather_pairs(const stored_word *base, lanes_i index, lanes_i *first,
+                                        lanes_i *second)
+{
+    int32_t at[GN_LANES], next[GN_LANES];
+
+    lanes_i_store(at, index);
+    GN_EACH_LANE (l) {
+        next[l] = base[at[l] + 1];
+        at[l] = base[at[l]];
+    }
+    *first = lanes_i_load(at);
+    *second = lanes_i_load(next);
 }
 
 #endif

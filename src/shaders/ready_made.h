@@ -1,4 +1,4 @@
-/* The ready-made shaders over lanes: vertex colour, lit, textured. Compiled for each
+/* The ready-made vertex shaders over lanes: vertex colour, lit, textured. Compiled for each
  * back end, and once for the functions a pipeline points to (shaders.c). */
 #ifndef GN_SHADERS_READY_MADE_H
 #define GN_SHADERS_READY_MADE_H
@@ -9,7 +9,6 @@
 
 #include "gnomon/scalar.h"
 
-#include "../texture/sample.h"
 #include "shaders.h"
 
 /* Varyings, in this order: the colour, then the texture coordinates. */
@@ -107,27 +106,6 @@ static inline void shade_lit_textured(const void *uniforms, const gn_vertex_inpu
     GN_EACH_LANE (l) {
         output->varying[VARYING_S][l] = input->attribute[GN_ATTRIBUTE_TEXCOORD][0][l];
         output->varying[VARYING_T][l] = input->attribute[GN_ATTRIBUTE_TEXCOORD][1][l];
-    }
-}
-
-static inline void shade_color(const void *uniforms, const gn_fragment_input *input,
-                               gn_fragment_output *output)
-{
-    (void)uniforms;
-    copy_color(&input->varying[VARYING_RED], output->color);
-}
-
-static inline void shade_textured(const void *uniforms, const gn_fragment_input *input,
-                                  gn_fragment_output *output)
-{
-    const gn_textured_uniforms *u = uniforms;
-    float texel[4][GN_LANES];
-
-    sample_2d(&u->texture, &u->sampler, input->varying[VARYING_S], input->varying[VARYING_T],
-              texel);
-    for (int c = 0; c < 4; ++c) {
-        GN_EACH_LANE (l)
-            output->color[c][l] = input->varying[c][l] * texel[c][l];
     }
 }
 

@@ -21,13 +21,22 @@ void gn_shade_lit_textured(const void *uniforms, const gn_vertex_input *input,
 void gn_shade_color(const void *uniforms, const gn_fragment_input *input,
                     gn_fragment_output *output)
 {
-    shade_color(uniforms, input, output);
+    (void)uniforms;
+    copy_color(&input->varying[VARYING_RED], output->color);
 }
 
 void gn_shade_textured(const void *uniforms, const gn_fragment_input *input,
                        gn_fragment_output *output)
 {
-    shade_textured(uniforms, input, output);
+    const gn_textured_uniforms *u = uniforms;
+    float texel[4][GN_LANES];
+
+    input->sample_2d(&u->texture, &u->sampler, input->varying[VARYING_S], input->varying[VARYING_T],
+                     texel);
+    for (int c = 0; c < 4; ++c) {
+        GN_EACH_LANE (l)
+            output->color[c][l] = input->varying[c][l] * texel[c][l];
+    }
 }
 
 static gn_status use(gn_pipeline *pipeline, const void *uniforms, gn_vertex_shader *vertex,

@@ -1,103 +1,36 @@
-/* Sampling a 2D texture at the 16 fragments of a block: level-of-detail decision,
- * wrapping, fetch and filter (OpenGL 4.5 sections 8.14 and 8.15), in the order of
- * operations of the reference rasterizer. */
+/* Sampling a 2D texture at 16 fragments: level-of-detail decision, fetch and filter
+ * (OpenGL 4.5 sections 8.14 and 8.15), in the order of operations of the reference
+ * rasterizer. */
 #ifndef GN_TEXTURE_SAMPLE_H
 #define GN_TEXTURE_SAMPLE_H
 
-#include <stdbool.h>
+#include "wrap.h"
 
-#include "gnomon/texture.h"
-
-#include "../lanes/lanes.h"
-
-/* Texel numbers along one dimension and the weight of the second. */
-typedef struct tap_pair {
-    lanes_i first, second;
-    lanes_f weight;
-} tap_pair;
-
-static bool is_power_of_two(uint32_t n)
+/* Whether texels are 32-bit words that a word's index finds in lanes: the distance of rows
+ * is then of 16 bits and the index, as rows have 15 bits, below 2^30. */
+static inline bool has_word_texels(const gn_texture *texture)
 {
-    return (n & (n - 1)) == 0;
+    return texture->format == GN_FORMAT_RGBA8 && texture->row_stride >= -32768 * 4 &&
+           texture->row_stride <= 32767 * 4;
 }
 
-/* floor as a float, for any value. From 2^23 up a float is an integer. */
-static lanes_f floor_of(lanes_f a)
+static inline lanes_i word_index(const gn_texture *texture, lanes_i column, lanes_i row)
 {
-    const lanes_f limit = lanes_splat(8388608.0f);
-    const lanes_m small =
-        lanes_and(lanes_greater(limit, a), lanes_greater(a, lanes_sub(lanes_splat(0.0f), limit)));
+    const lanes_i words_per_row = lanes_i_splat((int32_t)(texture->row_stride / 4));
 
-    return lanes_select(small, lanes_to_float(lanes_floor(a)), a);
+    return lanes_i_add(lanes_i_multiply_short(row, words_per_row), column);
 }
 
-static lanes_f fraction_of(lanes_f a)
-{
-    return lanes_sub(a, floor_of(a));
-}
-
-/* Into 0..n-1, whatever came before. */
-static lanes_i clamp_texel(lanes_i i, uint32_t n)
-{
-    return lanes_i_clamp(i, lanes_i_splat(0), lanes_i_splat((int32_t)n - 1));
-}
-
-static lanes_i wrap_nearest(gn_wrap wrap, lanes_f coordinate, uint32_t n)
-{
-    const lanes_f size = lanes_splat((float)n);
-
-    if (wrap == GN_WRAP_REPEAT && is_power_of_two(n))
-        return lanes_i_and(lanes_floor(lanes_mul(coordinate, size)), lanes_i_splat((int32_t)n - 1));
-    if (wrap == GN_WRAP_REPEAT) {
-        /* The largest float below 1 keeps the product below n. */
-        const lanes_f fraction =
-            lanes_min(fraction_of(coordinate), lanes_splat(1.0f - 1.0f / 16777216.0f));
-        return clamp_texel(lanes_truncate(lanes_mul(fraction, size)), n);
-    }
-    return clamp_texel(lanes_truncate(lanes_mul(coordinate, size)), n);
-}
-
-static tap_pair wrap_linear(gn_wrap wrap, lanes_f coordinate, uint32_t n)
-{
-    const lanes_f half = lanes_splat(0.5f);
-    const lanes_f size = lanes_splat((float)n);
-    const lanes_i last = lanes_i_splat((int32_t)n - 1);
-    tap_pair t;
-
-    if (wrap == GN_WRAP_REPEAT && is_power_of_two(n)) {
-        const lanes_f c = lanes_sub(lanes_mul(coordinate, size), half);
-
-        t.weight = fraction_of(c);
-        t.first = lanes_i_and(lanes_floor(c), last);
-        t.second = lanes_i_and(lanes_i_add(t.first, lanes_i_splat(1)), last);
-    } else if (wrap == GN_WRAP_REPEAT) {
-        const lanes_f c = lanes_sub(lanes_mul(fraction_of(coordinate), size), half);
-        const lanes_i below = lanes_floor(c);
-
-        t.weight = fraction_of(c);
-        t.first =
-            clamp_texel(lanes_i_select(lanes_i_greater(lanes_i_splat(0), below), last, below), n);
-        t.second = lanes_i_add(t.first, lanes_i_splat(1));
-        t.second = lanes_i_select(lanes_i_greater(t.second, last), lanes_i_splat(0), t.second);
-    } else {
-        const lanes_f c = lanes_max(lanes_sub(lanes_min(lanes_mul(coordinate, size), size), half),
-                                    lanes_splat(0.0f));
-
-        t.weight = fraction_of(c);
-        t.first = clamp_texel(lanes_floor(c), n);
-        t.second = clamp_texel(lanes_i_add(t.first, lanes_i_splat(1)), n);
-    }
-    return t;
-}
-
-static void fetch(const gn_texture *texture, lanes_i column, lanes_i row, lanes_f texel[4])
+/* Texel by texel, for every texture. */
+GN_OUT_OF_LINE void fetch_any(const gn_texture *texture, const lanes_i *column, const lanes_i *row,
+                              lanes_f texel[4])
 {
     const unsigned char *const texels = texture->texels;
     int32_t s[GN_LANES], t[GN_LANES];
     float channel[4][GN_LANES];
 
-    lanes_i_store(s, column);
-    lanes_i_store(t, row);
+    lanes_i_store(s, *column);
+    lanes_i_store(t, *row);
     GN_EACH_LANE (l) {
         const void *const line = texels + (ptrdiff_t)t[l] * texture->row_stride;
 
@@ -115,37 +48,94 @@ static void fetch(const gn_texture *texture, lanes_i column, lanes_i row, lanes_
         texel[c] = lanes_load(channel[c]);
 }
 
-static void sample_nearest(const gn_texture *texture, const gn_sampler *sampler, lanes_f s,
-                           lanes_f t, lanes_f texel[4])
+GN_OUT_OF_LINE void sample_nearest(const gn_texture *texture, const gn_sampler *sampler,
+                                   const lanes_f *s, const lanes_f *t, lanes_f texel[4])
 {
-    fetch(texture, wrap_nearest(sampler->wrap_s, s, texture->width),
-          wrap_nearest(sampler->wrap_t, t, texture->height), texel);
+    const lanes_i column = wrap_nearest(sampler->wrap_s, *s, texture->width);
+    const lanes_i row = wrap_nearest(sampler->wrap_t, *t, texture->height);
+
+    if (!has_word_texels(texture)) {
+        fetch_any(texture, &column, &row, texel);
+        return;
+    }
+    const lanes_i packed =
+        lanes_i_gather((const stored_word *)texture->texels, word_index(texture, column, row));
+    for (int c = 0; c < 4; ++c)
+        texel[c] = lanes_unpack_unorm8(packed, c);
 }
 
-static lanes_f mix(lanes_f weight, lanes_f a, lanes_f b)
+static inline lanes_f mix(lanes_f weight, lanes_f a, lanes_f b)
 {
     return lanes_add(a, lanes_mul(weight, lanes_sub(b, a)));
 }
 
-static void sample_linear(const gn_texture *texture, const gn_sampler *sampler, lanes_f s,
-                          lanes_f t, lanes_f texel[4])
-{
-    const tap_pair u = wrap_linear(sampler->wrap_s, s, texture->width);
-    const tap_pair v = wrap_linear(sampler->wrap_t, t, texture->height);
-    lanes_f corner[4][4];
+/* The four texels around a coordinate, in the order they are mixed in. */
+enum { CORNER_00, CORNER_10, CORNER_01, CORNER_11, CORNER_COUNT };
 
-    fetch(texture, u.first, v.first, corner[0]);
-    fetch(texture, u.second, v.first, corner[1]);
-    fetch(texture, u.first, v.second, corner[2]);
-    fetch(texture, u.second, v.second, corner[3]);
+GN_OUT_OF_LINE void sample_linear_any(const gn_texture *texture, const gn_sampler *sampler,
+                                      const texel_pair *u, const texel_pair *v, lanes_f texel[4])
+{
+    const lanes_i right = second_texel(sampler->wrap_s, u);
+    const lanes_i above = second_texel(sampler->wrap_t, v);
+    lanes_f corner[CORNER_COUNT][4];
+
+    fetch_any(texture, &u->first, &v->first, corner[CORNER_00]);
+    fetch_any(texture, &right, &v->first, corner[CORNER_10]);
+    fetch_any(texture, &u->first, &above, corner[CORNER_01]);
+    fetch_any(texture, &right, &above, corner[CORNER_11]);
     for (int c = 0; c < 4; ++c)
-        texel[c] = mix(v.weight, mix(u.weight, corner[0][c], corner[1][c]),
-                       mix(u.weight, corner[2][c], corner[3][c]));
+        texel[c] = mix(v->weight, mix(u->weight, corner[CORNER_00][c], corner[CORNER_10][c]),
+                       mix(u->weight, corner[CORNER_01][c], corner[CORNER_11][c]));
+}
+
+/* The words of the four texels. Where no lane is at an end, the texels of a row are
+ * neighbours in memory. */
+static inline void fetch_corners(const gn_texture *texture, const gn_sampler *sampler,
+                                 const texel_pair *u, const texel_pair *v,
+                                 lanes_i corner[CORNER_COUNT])
+{
+    const stored_word *const words = texture->texels;
+    const lanes_i index = word_index(texture, u->first, v->first);
+    const lanes_i at_end = lanes_i_or(lanes_m_as_int(u->at_end), lanes_m_as_int(v->at_end));
+
+    if (lanes_i_sign_bits(at_end) == 0) {
+        lanes_i_gather_pairs(words, index, &corner[CORNER_00], &corner[CORNER_10]);
+        lanes_i_gather_pairs(words + texture->row_stride / 4, index, &corner[CORNER_01],
+                             &corner[CORNER_11]);
+    } else {
+        const lanes_i right = second_texel(sampler->wrap_s, u);
+        const lanes_i above = second_texel(sampler->wrap_t, v);
+
+        corner[CORNER_00] = lanes_i_gather(words, index);
+        corner[CORNER_10] = lanes_i_gather(words, word_index(texture, right, v->first));
+        corner[CORNER_01] = lanes_i_gather(words, word_index(texture, u->first, above));
+        corner[CORNER_11] = lanes_i_gather(words, word_index(texture, right, above));
+    }
+}
+
+GN_OUT_OF_LINE void sample_linear(const gn_texture *texture, const gn_sampler *sampler,
+                                  const lanes_f *s, const lanes_f *t, lanes_f texel[4])
+{
+    const texel_pair u = wrap_linear(sampler->wrap_s, *s, texture->width);
+    const texel_pair v = wrap_linear(sampler->wrap_t, *t, texture->height);
+    lanes_i corner[CORNER_COUNT];
+
+    if (!has_word_texels(texture)) {
+        sample_linear_any(texture, sampler, &u, &v, texel);
+        return;
+    }
+    fetch_corners(texture, sampler, &u, &v, corner);
+    for (int c = 0; c < 4; ++c)
+        texel[c] = mix(v.weight,
+                       mix(u.weight, lanes_unpack_unorm8(corner[CORNER_00], c),
+                           lanes_unpack_unorm8(corner[CORNER_10], c)),
+                       mix(u.weight, lanes_unpack_unorm8(corner[CORNER_01], c),
+                           lanes_unpack_unorm8(corner[CORNER_11], c)));
 }
 
 /* Where the texture is minified: the squared length of a quad's longer derivative,
  * in texels, is above 1, or NaN. All four fragments of a quad decide as its first does. */
-static lanes_m minified(const gn_texture *texture, const float *s, const float *t)
+static inline uint32_t minified_lanes(const gn_texture *texture, const float *s, const float *t)
 {
     const float width = (float)texture->width;
     const float height = (float)texture->height;
@@ -163,34 +153,67 @@ static lanes_m minified(const gn_texture *texture, const float *s, const float *
         if (!(along_x <= 1.0f && along_y <= 1.0f))
             bits |= 0x33u << first;
     }
-    return lanes_from_bits(bits);
+    return bits;
 }
 
-static inline void sample_2d(const gn_texture *texture, const gn_sampler *sampler,
-                             const float s[GN_LANES], const float t[GN_LANES],
-                             float texel[4][GN_LANES])
+/* Whether both filters are one, so that nothing is asked of neighbouring fragments. */
+static inline bool has_one_filter(const gn_sampler *sampler)
 {
-    const bool magnify_linear = sampler->magnify == GN_MAGNIFY_LINEAR;
-    const bool minify_linear = sampler->minify == GN_MINIFY_LINEAR;
-    const lanes_f u = lanes_load(s);
-    const lanes_f v = lanes_load(t);
+    return (sampler->magnify == GN_MAGNIFY_LINEAR) == (sampler->minify == GN_MINIFY_LINEAR);
+}
+
+/* The lanes, as bits, that the linear filter serves. */
+static inline uint32_t linear_lanes(const gn_texture *texture, const gn_sampler *sampler,
+                                    const lanes_f *s, const lanes_f *t)
+{
+    float u[GN_LANES], v[GN_LANES];
+
+    if (has_one_filter(sampler))
+        return sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
+    lanes_store(u, *s);
+    lanes_store(v, *t);
+    const uint32_t minified = minified_lanes(texture, u, v);
+    return sampler->minify == GN_MINIFY_LINEAR ? minified : ~minified & GN_ALL_LANES;
+}
+
+GN_OUT_OF_LINE void sample_both(const gn_texture *texture, const gn_sampler *sampler,
+                                const lanes_f *s, const lanes_f *t, uint32_t linear_lanes,
+                                lanes_f texel[4])
+{
+    const lanes_m use_linear = lanes_from_bits(linear_lanes);
     lanes_f linear[4], nearest[4];
 
-    if (magnify_linear || minify_linear)
-        sample_linear(texture, sampler, u, v, linear);
-    if (!magnify_linear || !minify_linear)
-        sample_nearest(texture, sampler, u, v, nearest);
-
-    if (magnify_linear == minify_linear) {
-        for (int c = 0; c < 4; ++c)
-            lanes_store(texel[c], magnify_linear ? linear[c] : nearest[c]);
-        return;
-    }
-    lanes_m use_linear = minified(texture, s, t);
-    if (magnify_linear)
-        use_linear = lanes_not(use_linear);
+    sample_linear(texture, sampler, s, t, linear);
+    sample_nearest(texture, sampler, s, t, nearest);
     for (int c = 0; c < 4; ++c)
-        lanes_store(texel[c], lanes_select(use_linear, linear[c], nearest[c]));
+        texel[c] = lanes_select(use_linear, linear[c], nearest[c]);
+}
+
+/* The lanes are a block's, or of any shape where has_one_filter. */
+static inline void sample(const gn_texture *texture, const gn_sampler *sampler, const lanes_f *s,
+                          const lanes_f *t, lanes_f texel[4])
+{
+    const uint32_t linear = linear_lanes(texture, sampler, s, t);
+
+    if (linear == GN_ALL_LANES)
+        sample_linear(texture, sampler, s, t, texel);
+    else if (linear == 0)
+        sample_nearest(texture, sampler, s, t, texel);
+    else
+        sample_both(texture, sampler, s, t, linear, texel);
+}
+
+/* A gn_sample_2d_function. */
+static void sample_2d(const gn_texture *texture, const gn_sampler *sampler, const float s[GN_LANES],
+                      const float t[GN_LANES], float texel[4][GN_LANES])
+{
+    const lanes_f u = lanes_load(s);
+    const lanes_f v = lanes_load(t);
+    lanes_f out[4];
+
+    sample(texture, sampler, &u, &v, out);
+    for (int c = 0; c < 4; ++c)
+        lanes_store(texel[c], out[c]);
 }
 
 #endif

@@ -58,6 +58,45 @@ static inline __m512i emulated_sra(__m512i a, __m128i count)
     return simde__m512i_from_private(in);
 }
 
+/* VPMADDWD does in each part of 128 bits what PMADDWD does; SIMDe 0.7.4 has the name as a
+ * macro of another number of arguments. */
+static inline __m512i emulated_madd(__m512i a, __m512i b)
+{
+    simde__m512i_private x = simde__m512i_to_private(a);
+    simde__m512i_private y = simde__m512i_to_private(b);
+
+    for (int n = 0; n < 4; ++n)
+        x.m128i[n] = _mm_madd_epi16(x.m128i[n], y.m128i[n]);
+    return simde__m512i_from_private(x);
+}
+
+/* VRNDSCALEPS to whole numbers, downward, the only form that is asked for; SIMDe 0.7.4 gives
+ * 20.5 for 20.5. From 2^31 up, and for NaN, the conversion gives INT32_MIN. */
+static inline __m512 emulated_floor(__m512 a)
+{
+    simde__m512_private x = simde__m512_to_private(a);
+
+    for (int n = 0; n < 4; ++n) {
+        const __m128i whole = _mm_cvttps_epi32(x.m128[n]);
+        const __m128 t = _mm_cvtepi32_ps(whole);
+        const __m128 up = _mm_and_ps(_mm_cmplt_ps(x.m128[n], t), _mm_set1_ps(1.0f));
+        const __m128 kept = _mm_castsi128_ps(_mm_cmpeq_epi32(whole, _mm_set1_epi32(INT32_MIN)));
+
+        x.m128[n] = _mm_or_ps(_mm_and_ps(kept, x.m128[n]), _mm_andnot_ps(kept, _mm_sub_ps(t, up)));
+    }
+    return simde__m512_from_private(x);
+}
+
+#undef _mm512_roundscale_ps
+#define _mm512_roundscale_ps(a, downward) emulated_floor(a)
+#undef _mm512_madd_epi16
+#define _mm512_madd_epi16(a, b) emulated_madd(a, b)
+#ifndef _MM_FROUND_TO_NEG_INF
+#define _MM_FROUND_TO_NEG_INF SIMDE_MM_FROUND_TO_NEG_INF
+#endif
+#ifndef _MM_FROUND_NO_EXC
+#define _MM_FROUND_NO_EXC SIMDE_MM_FROUND_NO_EXC
+#endif
 #define _mm512_sra_epi32(a, count) emulated_sra(a, count)
 #define _mm512_cvttps_epi32(a) emulated_cvttps(a)
 #define _mm512_cvtps_epi32(a) emulated_cvtps(a)

@@ -71,6 +71,32 @@ static void record_memory(recorder *r, const char *operation, const unsigned cha
     record_word(r, operation, changed);
 }
 
+static void record_gathers(recorder *r, const lanes_input *in)
+{
+    const lanes_i index = lanes_i_and(lanes_i_load(in->i), lanes_i_splat(GN_LANES - 2));
+    uint32_t offset[3 * GN_LANES];
+    lanes_i first, second, row[4];
+    int32_t rows[GN_LANES][5] = {{0}};
+
+    record_i(r, "i_gather", lanes_i_gather(in->j, index));
+    lanes_i_gather_pairs(in->j, index, &first, &second);
+    record_i(r, "i_gather_pairs, first", first);
+    record_i(r, "i_gather_pairs, second", second);
+    for (int n = 0; n < 3 * GN_LANES; ++n)
+        offset[n] = ((uint32_t)in->j[n / 3] >> n % 3) % 13 * 4;
+    for (uint32_t step = 1; step <= 3; step += 2) {
+        lanes_i_gather_rows((const unsigned char *)in->i, offset, step, row);
+        for (int c = 0; c < 4; ++c)
+            record_i(r, step == 1 ? "i_gather_rows" : "i_gather_rows of three", row[c]);
+    }
+    lanes_i_scatter_rows((unsigned char *)&rows[0][0], sizeof rows[0], row);
+    for (int c = 0; c < 5; ++c) {
+        uint32_t *word = recorded(r, "i_scatter_rows");
+        GN_EACH_LANE (l)
+            word[l] = (uint32_t)rows[l][c];
+    }
+}
+
 #define JOINED(a, b) a##b
 #define NAMED(prefix, name) JOINED(prefix, name)
 #define RUN_FORM NAMED(run_, LANES_FORM)
@@ -97,10 +123,12 @@ int RUN_FORM(const lanes_input *in, lanes_output out[LANES_OPERATIONS_MAX])
     record_f(&r, "sub", lanes_sub(a, b));
     record_f(&r, "mul", lanes_mul(a, b));
     record_f(&r, "div", lanes_div(a, b));
+    record_f(&r, "sqrt", lanes_sqrt(a));
     record_f(&r, "mul, add", lanes_add(lanes_mul(a, b), c));
     record_f(&r, "min", lanes_min(a, b));
     record_f(&r, "max", lanes_max(a, b));
     record_m(&r, "greater", lanes_greater(a, b));
+    record_m(&r, "less_equal", lanes_less_equal(a, b));
     record_m(&r, "from_bits", m);
     record_m(&r, "not", lanes_not(m));
     record_m(&r, "and", lanes_and(m, lanes_greater(a, b)));
@@ -109,11 +137,21 @@ int RUN_FORM(const lanes_input *in, lanes_output out[LANES_OPERATIONS_MAX])
     record_i(&r, "as_int", lanes_as_int(lanes_select(lanes_greater(a, a), b, lanes_to_float(i))));
     record_i(&r, "truncate", lanes_truncate(a));
     record_i(&r, "round", lanes_round(a));
-    record_i(&r, "floor", lanes_floor(a));
+    record_f(&r, "floor, a zero of either sign", lanes_add(lanes_floor(a), lanes_splat(0.0f)));
     record_i(&r, "i_load", i);
     record_i(&r, "i_splat", lanes_i_splat(in->low));
     record_i(&r, "i_plane", lanes_i_plane(in->per_column, in->per_row));
     record_i(&r, "i_add", lanes_i_add(i, j));
+    record_i(&r, "i_sub", lanes_i_sub(i, j));
+    record_i(&r, "i_mul", lanes_i_mul(i, j));
+    record_i(&r, "i_multiply_short",
+             lanes_i_multiply_short(lanes_i_and(i, lanes_i_splat(0x7FFF)),
+                                    lanes_i_shift_right(lanes_i_shift_left(j, 16), 16)));
+    record_i(&r, "i_shift_left", lanes_i_shift_left(i, 8));
+    record_i(&r, "i_shift_right", lanes_i_shift_right(i, 8));
+    record_i(&r, "i_min", lanes_i_min(i, j));
+    record_i(&r, "i_max", lanes_i_max(i, j));
+    record_f(&r, "as_float", lanes_as_float(lanes_as_int(a)));
     record_i(&r, "i_or", lanes_i_or(i, j));
     record_i(&r, "i_and", lanes_i_and(i, j));
     record_m(&r, "i_greater", lanes_i_greater(i, j));
@@ -122,6 +160,11 @@ int RUN_FORM(const lanes_input *in, lanes_output out[LANES_OPERATIONS_MAX])
     record_i(&r, "i_clamp", lanes_i_clamp(i, lanes_i_splat(in->low), lanes_i_splat(in->high)));
     record_word(&r, "i_sign_bits", lanes_i_sign_bits(i));
     record_i(&r, "pack_unorm8", lanes_pack_unorm8(a, b, c, d));
+    record_f(&r, "unpack_unorm8, 0", lanes_unpack_unorm8(i, 0));
+    record_f(&r, "unpack_unorm8, 1", lanes_unpack_unorm8(i, 1));
+    record_f(&r, "unpack_unorm8, 2", lanes_unpack_unorm8(i, 2));
+    record_f(&r, "unpack_unorm8, 3", lanes_unpack_unorm8(i, 3));
+    record_gathers(&r, in);
 
     for (int n = 0; n < LANES_MEMORY; ++n)
         memory.bytes[n] = in->memory[n];

@@ -1,5 +1,5 @@
-/* Textures: every fault, wrapping and filtering by hand-worked cases, and
- * coordinates that are not finite. */
+/* Textures: every fault, wrapping and filtering by hand-worked cases, coordinates that are
+ * not finite, and what shaders are handed. */
 #include <math.h>
 #include <string.h>
 
@@ -235,6 +235,123 @@ static void hostile_coordinates_read_inside(void **state)
     }
 }
 
+/* A shader that samples by both functions and counts lanes that differ, NaN being equal to
+ * NaN. Coordinates are the varyings and, in every fourth block, hostile. */
+typedef struct comparison {
+    gn_texture texture;
+    gn_sampler sampler;
+    uint32_t *lanes, *different;
+} comparison;
+
+static void pass_attributes(const void *uniforms, const gn_vertex_input *input,
+                            gn_vertex_output *output)
+{
+    (void)uniforms;
+    for (int l = 0; l < GN_LANES; ++l) {
+        for (int c = 0; c < 4; ++c)
+            output->position[c][l] = input->attribute[0][c][l];
+        for (int c = 0; c < 2; ++c)
+            output->varying[c][l] = input->attribute[1][c][l];
+    }
+}
+
+static void compare_samplers(const void *uniforms, const gn_fragment_input *input,
+                             gn_fragment_output *output)
+{
+    static const float hostile[] = {NAN, INFINITY, -INFINITY, 3e9f, -3e9f, 0.0f, -0.0f, 1.0f};
+    const comparison *u = uniforms;
+    const bool is_hostile = (input->x + input->y) / 4 % 4 == 3;
+    float s[GN_LANES], t[GN_LANES], texel[4][GN_LANES];
+
+    for (int l = 0; l < GN_LANES; ++l) {
+        s[l] = is_hostile ? hostile[l % 8] : input->varying[0][l];
+        t[l] = is_hostile ? hostile[(l / 2 + input->y / 4) % 8] : input->varying[1][l];
+    }
+    gn_sample_2d(&u->texture, &u->sampler, s, t, texel);
+    input->sample_2d(&u->texture, &u->sampler, s, t, output->color);
+    for (int l = 0; l < 4 * GN_LANES; ++l) {
+        const float a = texel[l / GN_LANES][l % GN_LANES];
+        const float b = output->color[l / GN_LANES][l % GN_LANES];
+        *u->different += memcmp(&a, &b, sizeof a) != 0 && !(isnan(a) && isnan(b));
+    }
+    *u->lanes += GN_LANES;
+}
+
+static void compare_on(gn_backend backend, const comparison *c)
+{
+    static const float position[] = {-1, -1, 3, -1, -1, 3};
+    static const float coordinates[] = {-1.7f, -0.6f, 5.1f, 0.3f, -1.1f, 3.2f};
+    static uint32_t pixels[24 * 24];
+    static char memory[16384];
+    gn_target target = {0};
+    gn_pipeline pipeline = {0};
+    gn_mesh mesh = {0};
+    gn_workspace workspace = {0};
+
+    target.color = gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, 24, 24);
+    pipeline.vertex_shader = pass_attributes;
+    pipeline.fragment_shader = compare_samplers;
+    pipeline.uniforms = c;
+    pipeline.varying_count = 2;
+    mesh.attribute[0].data = position;
+    mesh.attribute[0].components = 2;
+    mesh.attribute[1].data = coordinates;
+    mesh.attribute[1].components = 2;
+    mesh.vertex_count = mesh.count = 3;
+    workspace.memory = memory;
+    workspace.size = sizeof memory;
+    workspace.backend = backend;
+    assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+}
+
+/* What a shader is handed is gn_sample_2d, for every kind of texture and sampler: sizes that
+ * are powers of two and not, texels of both formats, rows upside down, and rows further apart
+ * than 16 bits count texels. */
+static void shaders_sample_the_same(void **state)
+{
+    (void)state;
+    enum { ROWS = 8, FAR = 40000 };
+    static float texels[ROWS * FAR];
+    static const uint32_t sizes[][2] = {{8, 4}, {7, 5}, {1, 8}, {16, 3}};
+    uint32_t random = 1;
+
+    for (size_t i = 0; i < sizeof texels / sizeof *texels; ++i) {
+        random = random * 1664525u + 1013904223u;
+        texels[i] = (float)(random >> 8) / 16777216.0f;
+    }
+    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b) {
+        if (!gn_backend_available((gn_backend)b))
+            continue;
+        for (uint32_t kind = 0; kind < 24 * 4 * 6; ++kind) {
+            const uint32_t shape = kind / 24 % 4;
+            const uint32_t layout = kind / 96;
+            uint32_t lanes = 0, different = 0;
+            comparison c;
+
+            c.lanes = &lanes;
+            c.different = &different;
+            c.sampler.wrap_s = kind & 1 ? GN_WRAP_REPEAT : GN_WRAP_CLAMP_TO_EDGE;
+            c.sampler.wrap_t = kind & 2 ? GN_WRAP_REPEAT : GN_WRAP_CLAMP_TO_EDGE;
+            c.sampler.magnify = kind & 4 ? GN_MAGNIFY_NEAREST : GN_MAGNIFY_LINEAR;
+            c.sampler.minify = (gn_minify)(kind % 24 / 8);
+            c.texture.format = layout & 1 ? GN_FORMAT_RGBA32F : GN_FORMAT_RGBA8;
+            c.texture.width = sizes[shape][0];
+            c.texture.height = sizes[shape][1];
+            c.texture.row_stride = (layout < 4 ? 100 : FAR) * (ptrdiff_t)sizeof(float);
+            c.texture.texels = texels;
+            if (layout / 2 == 1) {
+                c.texture.texels = texels + (c.texture.height - 1) * 100;
+                c.texture.row_stride = -c.texture.row_stride;
+            }
+            assert_int_equal(gn_texture_check(&c.texture), GN_OK);
+            compare_on((gn_backend)b, &c);
+            if (lanes < 24 * 24 || different > 0)
+                fail_msg("%s, kind %u: %u lanes, %u channels differ",
+                         gn_backend_name((gn_backend)b), kind, lanes, different);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -246,6 +363,7 @@ int main(void)
         cmocka_unit_test(negative_stride_flips),
         cmocka_unit_test(coordinates_beyond_the_integers),
         cmocka_unit_test(hostile_coordinates_read_inside),
+        cmocka_unit_test(shaders_sample_the_same),
     };
     return cmocka_run_group_tests_name("texture", tests, NULL, NULL);
 }
