@@ -51,7 +51,7 @@ header() { # header NAME COMMAND...
 }
 
 command -v gcc >/dev/null && check gcc-O2 gcc -O2 && check gcc-O0 gcc -O0 && check gcc-Os gcc -Os &&
-    check gcc-Ofast gcc -Ofast -march=haswell && check gcc-avx512 gcc -O3 -march=skylake-avx512 -ffp-contract=fast
+    check gcc-Ofast gcc -Ofast -march=skylake-avx512 -ffp-contract=fast
 command -v clang >/dev/null && check clang-O2 clang -O2
 check only-portable "${CC:-cc}" -O2 -DGN_ONLY_PORTABLE
 
