@@ -271,12 +271,12 @@ static void one_file_has_many_names(void **state)
 /* One back end or the other may be missing here, but then it says so. */
 static void every_backend_gives_the_same_picture(void **state)
 {
-    static const char names[][16] = {"auto", "portable", "sse2", "avx2"};
+    static const char names[][16] = {"auto", "portable", "sse2", "avx2", "avx512", "neon"};
     (void)state;
     write_text("square.obj", square_obj);
     run r = gnomon("render square.obj -o auto.png --size 61x47");
     assert_int_equal(r.status, 0);
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 6; i++) {
         char first[128];
         remove_file("named.png");
         r = gnomon("render square.obj -o named.png --size 61x47 --backend %s", names[i]);
@@ -290,7 +290,7 @@ static void every_backend_gives_the_same_picture(void **state)
         assert_true(i > 1);
         snprintf(first, sizeof first, "--backend: %s is not available", names[i]);
         for (int k = 0; k < 2; k++) {
-            char line[128];
+            char line[160];
             snprintf(line, sizeof line, "%s square.obj -o named.png --backend %s",
                      k == 0 ? "render" : "compare", names[i]);
             expect(1, line, first, "processor");
@@ -361,7 +361,7 @@ static void short_memory_is_said(void **state)
     int least = 16;
     (void)state;
     for (; least < 4096; least += 16) {
-        char line[128];
+        char line[160];
         snprintf(line, sizeof line, "ulimit -v %d; exec \"$GNOMON\" --help", 1024 * least);
         if (shell(line).status == 0)
             break;

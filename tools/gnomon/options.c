@@ -199,7 +199,9 @@ static const char *take_value(int option, const char *text, options *o)
     case OPTION_SHADER:
         return parse_shading(text, &o->shading) ? NULL : "flat, color, gouraud or textured";
     case OPTION_BACKEND:
-        return parse_backend(text, &o->backend) ? NULL : "auto, portable, sse2 or avx2";
+        return parse_backend(text, &o->backend)
+                   ? NULL
+                   : "auto, portable, sse2, avx2, avx512, neon or wasm-simd128";
     case OPTION_BACKGROUND:
         return parse_color(text, o->background) ? NULL : "#rrggbb or #rrggbbaa";
     default:
