@@ -22,9 +22,13 @@
 #else
 #define TASK_ELEMENTS 65536
 #define TASK_SLOTS 512
-#define TASK_TRIANGLES 1024
+#define TASK_TRIANGLES 512
 #define TASK_PIXELS 32768
 #endif
+
+/* Triangles across the edge of two strips are set up in both: more strips than these cost
+ * more than they spread. */
+#define MAX_STRIPS 16
 
 /* A step's items, divided into tasks of `size`. */
 typedef struct task_range {
@@ -314,7 +318,7 @@ static void draw_strips(round_state *round, uint32_t segments)
 
     const uint64_t worth = area / TASK_PIXELS + triangles / TASK_TRIANGLES;
     const uint32_t blocks = (uint32_t)(round->rows.max - round->rows.min) / BLOCK_SIZE + 1;
-    const uint32_t wanted = worth < MAX_TASKS - 1 ? (uint32_t)worth + 1 : MAX_TASKS;
+    const uint32_t wanted = worth < MAX_STRIPS - 1 ? (uint32_t)worth + 1 : MAX_STRIPS;
     const uint32_t strip_blocks = (blocks + wanted - 1) / wanted;
 
     round->strip_rows = (int32_t)(strip_blocks * BLOCK_SIZE);

@@ -1,9 +1,14 @@
 /* The pool: tasks are claimed one by one from an atomic counter. A frame makes hundreds
  * of short calls, so that threads without work look for more for a while before they
  * sleep: to wake a thread takes longer than most calls do. */
+#if defined(__linux__) && !defined(_GNU_SOURCE)
+#define _GNU_SOURCE /* processor affinity */
+#endif
+
 #include "pool.h"
 
 #include <pthread.h>
+#include <sched.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -157,6 +162,33 @@ static void *run_thread(void *argument)
     return NULL;
 }
 
+/* Gives every thread but the caller's a processor of its own, other than the caller's at
+ * the moment. A kernel that wakes a thread tends to put it where the waker runs, and with
+ * calls this short takes many frames to find that another processor is idle. */
+static void spread(thread_pool *pool)
+{
+#if defined(__linux__)
+    const int here = sched_getcpu();
+    cpu_set_t allowed;
+    uint32_t placed = 0;
+
+    if (!pool->spins || here < 0 || sched_getaffinity(0, sizeof allowed, &allowed) != 0)
+        return;
+    for (int i = 1; i < CPU_SETSIZE && placed < pool->started; ++i) {
+        const int processor = (here + i) % CPU_SETSIZE;
+        cpu_set_t one;
+
+        if (!CPU_ISSET(processor, &allowed))
+            continue;
+        CPU_ZERO(&one);
+        CPU_SET(processor, &one);
+        pthread_setaffinity_np(pool->threads[placed++], sizeof one, &one);
+    }
+#else
+    (void)pool;
+#endif
+}
+
 thread_pool *thread_pool_create(uint32_t threads)
 {
     const long processors = sysconf(_SC_NPROCESSORS_ONLN);
@@ -185,6 +217,7 @@ thread_pool *thread_pool_create(uint32_t threads)
             return NULL;
         }
     }
+    spread(pool);
     return pool;
 }
 
