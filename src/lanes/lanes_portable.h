@@ -10,6 +10,10 @@
 #error "right shifts of negative numbers must round down"
 #endif
 
+/* Operations are loops without branches or calls, which compilers can make vector
+ * instructions of, where there are any: floats are compared with constants by their bits,
+ * since a comparison of floats may have to set a flag for each lane that reaches it, and
+ * masks select by and and or. */
 typedef struct lanes_f {
     float v[GN_LANES];
 } lanes_f;
@@ -22,6 +26,39 @@ typedef struct lanes_i {
 typedef struct lanes_m {
     uint32_t v[GN_LANES];
 } lanes_m;
+
+/* Bit l of lane l. */
+static const uint32_t lanes_lane_bit[GN_LANES] = {
+    1u << 0, 1u << 1, 1u << 2,  1u << 3,  1u << 4,  1u << 5,  1u << 6,  1u << 7,
+    1u << 8, 1u << 9, 1u << 10, 1u << 11, 1u << 12, 1u << 13, 1u << 14, 1u << 15};
+
+static inline int32_t lane_as_int(float a)
+{
+    union {
+        float f;
+        int32_t i;
+    } bits;
+
+    bits.f = a;
+    return bits.i;
+}
+
+static inline float lane_as_float(int32_t a)
+{
+    union {
+        int32_t i;
+        float f;
+    } bits;
+
+    bits.i = a;
+    return bits.f;
+}
+
+/* All ones where true. */
+static inline int32_t lane_mask(int truth)
+{
+    return -truth;
+}
 
 static inline lanes_f lanes_load(const float p[GN_LANES])
 {
@@ -135,7 +172,7 @@ static inline uint32_t lanes_bits(lanes_m a)
 {
     uint32_t r = 0;
     GN_EACH_LANE (l)
-        r |= (a.v[l] & 1u) << l;
+        r |= a.v[l] & lanes_lane_bit[l];
     return r;
 }
 
@@ -143,7 +180,8 @@ static inline lanes_f lanes_select(lanes_m m, lanes_f a, lanes_f b)
 {
     lanes_f r;
     GN_EACH_LANE (l)
-        r.v[l] = m.v[l] ? a.v[l] : b.v[l];
+        r.v[l] = lane_as_float((lane_as_int(a.v[l]) & (int32_t)m.v[l]) |
+                               (lane_as_int(b.v[l]) & (int32_t)~m.v[l]));
     return r;
 }
 
@@ -285,7 +323,7 @@ static inline lanes_i lanes_i_select(lanes_m m, lanes_i a, lanes_i b)
 {
     lanes_i r;
     GN_EACH_LANE (l)
-        r.v[l] = m.v[l] ? a.v[l] : b.v[l];
+        r.v[l] = (a.v[l] & (int32_t)m.v[l]) | (b.v[l] & (int32_t)~m.v[l]);
     return r;
 }
 
@@ -294,7 +332,7 @@ static inline uint32_t lanes_i_sign_bits(lanes_i a)
 {
     uint32_t r = 0;
     GN_EACH_LANE (l)
-        r |= ((uint32_t)a.v[l] >> 31) << l;
+        r |= (uint32_t)(a.v[l] >> 31) & lanes_lane_bit[l];
     return r;
 }
 
@@ -306,32 +344,35 @@ static inline lanes_f lanes_to_float(lanes_i a)
     return r;
 }
 
+/* The bits of 2^23 and 2^31, which order as the floats do. */
+#define LANE_BITS_2_23 0x4B000000
+#define LANE_BITS_2_31 0x4F000000
+
 /* Toward zero; INT32_MIN where NaN or out of range. */
 static inline lanes_i lanes_truncate(lanes_f a)
 {
     lanes_i r;
     GN_EACH_LANE (l) {
-        const int inside = a.v[l] > -2147483648.0f && a.v[l] < 2147483648.0f;
-        const int32_t t = (int32_t)(inside ? a.v[l] : 0.0f);
-        r.v[l] = inside ? t : INT32_MIN;
+        const int32_t bits = lane_as_int(a.v[l]);
+        const int32_t inside = lane_mask((bits & INT32_MAX) < LANE_BITS_2_31);
+        r.v[l] = (int32_t)lane_as_float(bits & inside) | (~inside & INT32_MIN);
     }
     return r;
 }
 
-/* To nearest, halves to even; INT32_MIN where NaN or out of range. The
- * remainder a - trunc(a) is exact, and where |a| >= 2^23 it is 0. */
+/* To nearest, halves to even; INT32_MIN where NaN or out of range. From 2^23 on, floats
+ * are integers; between it and 2^24 the last place is 1, so that adding 2^23 rounds. */
 static inline lanes_i lanes_round(lanes_f a)
 {
     lanes_i r;
     GN_EACH_LANE (l) {
-        const int inside = a.v[l] > -2147483648.0f && a.v[l] < 2147483648.0f;
-        const float x = inside ? a.v[l] : 0.0f;
-        const int32_t t = (int32_t)x;
-        const float rest = x - (float)t;
-        const int32_t odd = t & 1;
-        const int32_t up = (rest > 0.5f) | ((rest == 0.5f) & odd);
-        const int32_t down = (rest < -0.5f) | ((rest == -0.5f) & odd);
-        r.v[l] = inside ? t + up - down : INT32_MIN;
+        const int32_t bits = lane_as_int(a.v[l]);
+        const int32_t magnitude = bits & INT32_MAX;
+        const int32_t inside = lane_mask(magnitude < LANE_BITS_2_31);
+        const int32_t fraction = lane_mask(magnitude < LANE_BITS_2_23);
+        const float rounder = lane_as_float((LANE_BITS_2_23 & fraction) | (bits & INT32_MIN));
+        const float rounded = (lane_as_float(bits & inside) + rounder) - rounder;
+        r.v[l] = (int32_t)rounded | (~inside & INT32_MIN);
     }
     return r;
 }
@@ -351,14 +392,8 @@ static inline lanes_f lanes_floor(lanes_f a)
 static inline lanes_i lanes_as_int(lanes_f a)
 {
     lanes_i r;
-    GN_EACH_LANE (l) {
-        union {
-            float f;
-            int32_t i;
-        } bits;
-        bits.f = a.v[l];
-        r.v[l] = bits.i;
-    }
+    GN_EACH_LANE (l)
+        r.v[l] = lane_as_int(a.v[l]);
     return r;
 }
 
@@ -366,14 +401,8 @@ static inline lanes_i lanes_as_int(lanes_f a)
 static inline lanes_f lanes_as_float(lanes_i a)
 {
     lanes_f r;
-    GN_EACH_LANE (l) {
-        union {
-            int32_t i;
-            float f;
-        } bits;
-        bits.i = a.v[l];
-        r.v[l] = bits.f;
-    }
+    GN_EACH_LANE (l)
+        r.v[l] = lane_as_float(a.v[l]);
     return r;
 }
 
@@ -381,7 +410,7 @@ static inline lanes_i lanes_m_as_int(lanes_m a)
 {
     lanes_i r;
     GN_EACH_LANE (l)
-        r.v[l] = a.v[l] ? -1 : 0;
+        r.v[l] = (int32_t)a.v[l];
     return r;
 }
 
@@ -390,24 +419,29 @@ static inline lanes_m lanes_from_bits(uint32_t bits)
 {
     lanes_m r;
     GN_EACH_LANE (l)
-        r.v[l] = bits >> l & 1u ? UINT32_MAX : 0;
+        r.v[l] = bits & lanes_lane_bit[l] ? UINT32_MAX : 0;
     return r;
+}
+
+/* A channel as lanes_pack_unorm8 has it. The bits order as the floats do, negative ones below
+ * zero; clamped to 0..255, adding 2^23 rounds and leaves the integer in the low bits. */
+static inline uint32_t lane_unorm8(float channel)
+{
+    int32_t bits = lane_as_int(channel * 255.0f);
+
+    bits &= lane_mask(bits < LANE_BITS_2_31) & ~(bits >> 31);
+    bits = bits < 0x437F0000 ? bits : 0x437F0000;
+    return (uint32_t)lane_as_int(lane_as_float(bits) + 8388608.0f) & 0xFFu;
 }
 
 /* Channels as round-half-even(c * 255) saturated to 0..255 and packed, the first in the
  * low byte. NaN and products beyond the 32-bit integers give 0. */
 static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
 {
-    const lanes_f channel[4] = {red, green, blue, alpha};
-    lanes_i r = lanes_i_splat(0);
-
-    for (int c = 0; c < 4; ++c) {
-        const lanes_i i = lanes_round(lanes_mul(channel[c], lanes_splat(255.0f)));
-        GN_EACH_LANE (l) {
-            const uint32_t byte = (uint32_t)(i.v[l] < 0 ? 0 : i.v[l] > 255 ? 255 : i.v[l]);
-            r.v[l] = (int32_t)((uint32_t)r.v[l] | byte << 8 * c);
-        }
-    }
+    lanes_i r;
+    GN_EACH_LANE (l)
+        r.v[l] = (int32_t)(lane_unorm8(red.v[l]) | lane_unorm8(green.v[l]) << 8 |
+                           lane_unorm8(blue.v[l]) << 16 | lane_unorm8(alpha.v[l]) << 24);
     return r;
 }
 
