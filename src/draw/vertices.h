@@ -2,13 +2,16 @@
 #ifndef GN_DRAW_VERTICES_H
 #define GN_DRAW_VERTICES_H
 
+#include "../backends/have.h"
 #include "../geometry/fetch.h"
 #include "elements.h"
 
 static void run_vertex_shader(const gn_pipeline *pipeline, const gn_vertex_input *input,
                               gn_vertex_output *output)
 {
-    if (pipeline->vertex_shader == gn_shade_lit)
+    if (!GN_SPECIALISED)
+        pipeline->vertex_shader(pipeline->uniforms, input, output);
+    else if (pipeline->vertex_shader == gn_shade_lit)
         shade_lit(pipeline->uniforms, input, output);
     else if (pipeline->vertex_shader == gn_shade_vertex_color)
         shade_vertex_color(pipeline->uniforms, input, output);

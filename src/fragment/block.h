@@ -4,6 +4,7 @@
 #ifndef GN_FRAGMENT_BLOCK_H
 #define GN_FRAGMENT_BLOCK_H
 
+#include "../backends/have.h"
 #include "../shaders/ready_made.h"
 #include "../texture/sample.h"
 
@@ -67,7 +68,7 @@ static inline void run_shader(const gn_pipeline *pipeline, raster_triangle trian
     input.coverage = coverage;
     input.x = x;
     input.y = y;
-    input.sample_2d = sample_2d;
+    input.sample_2d = GN_SPECIALISED ? sample_2d : gn_sample_2d;
     output.color = color;
     pipeline->fragment_shader(pipeline->uniforms, &input, &output);
     for (int c = 0; c < 4; ++c)
@@ -256,6 +257,8 @@ static inline run_function *run_function_of(const fragment_state *state)
 {
     const fragment_source source = source_of(state->pipeline);
 
+    if (!GN_SPECIALISED)
+        return run_any;
     if (state->color.format == GN_FORMAT_NONE)
         return state->depth.format == GN_FORMAT_D24    ? run_depth_d24
                : state->depth.format == GN_FORMAT_D32F ? run_depth_d32f
