@@ -89,7 +89,9 @@ static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
     const uint32_t step = triangles_of(job->pipeline->topology, elements);
     const uint32_t total = triangle_count(job->pipeline->topology, job->mesh->count);
     const uint64_t scratch = MAX_TASKS * (uint64_t)scratch_size(varyings);
-    uint64_t segments = available < scratch ? 0 : round_segments_in(job, available - scratch);
+    /* Rounding the end of the lists up may take so much more. */
+    const uint64_t taken = scratch + WORKSPACE_ALIGNMENT - 1;
+    uint64_t segments = available < taken ? 0 : round_segments_in(job, available - taken);
 
     segments = segments < total / step + 1 ? segments : total / step + 1;
     segments = segments < ROUND_TRIANGLES / step + 1 ? segments : ROUND_TRIANGLES / step + 1;

@@ -44,14 +44,15 @@ typedef struct round_state {
     int32_t strip_rows;
 } round_state;
 
-/* Runs a step: `least` items or more to a task. Gives the number of tasks. */
+/* Runs a step of `count` items, more than none: `least` or more to a task. Gives the number
+ * of tasks. */
 static uint32_t run_tasks(round_state *round, gn_task *task, uint32_t first, uint32_t count,
                           uint32_t least)
 {
     const draw_job *job = round->draw->job;
-    const uint32_t even = (count + MAX_TASKS - 1) / MAX_TASKS;
+    const uint32_t even = (count - 1) / MAX_TASKS + 1;
     const uint32_t size = even > least ? even : least;
-    const uint32_t tasks = (count + size - 1) / size;
+    const uint32_t tasks = (count - 1) / size + 1;
 
     round->items.first = first;
     round->items.count = count;

@@ -1,5 +1,6 @@
 /* The draw: its statuses, which leave everything untouched, and small pictures
  * worked out by hand. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "unit.h"
@@ -321,6 +322,44 @@ static void back_ends_have_names_and_agree(void **state)
     }
 }
 
+static void on_this_thread(void *user, gn_task *task, void *context, uint32_t count)
+{
+    (void)user;
+    for (uint32_t i = 0; i < count; ++i)
+        task(context, i);
+}
+
+/* From the smallest workspace to one for threads, some leave hardly a byte beside what is
+ * divided first. What follows a workspace is not touched. */
+static void every_workspace_serves_threads(void **state)
+{
+    (void)state;
+    enum { VARYINGS = 4, GUARD = 2048 };
+    static const uint8_t indices[4] = {0, 1, 2, 3};
+    static unsigned char guard[GUARD];
+    const size_t least = gn_workspace_size(0, VARYINGS);
+    const size_t most = gn_workspace_size_parallel(4, 2, VARYINGS);
+    unsigned char *memory = malloc(most + GUARD);
+
+    assert_non_null(memory);
+    for (int indexed = 0; indexed < 2; ++indexed) {
+        reset(square, 4, GN_TRIANGLE_STRIP);
+        c.mesh.indices = indexed ? indices : NULL;
+        c.mesh.index_format = indexed ? GN_INDEX_UINT8 : GN_INDEX_NONE;
+        c.workspace.memory = memory;
+        c.workspace.backend = GN_BACKEND_PORTABLE;
+        c.workspace.parallel = on_this_thread;
+        memset(memory, 0, most + GUARD);
+        for (c.workspace.size = least; c.workspace.size <= most; c.workspace.size += 4) {
+            memset(c.color, 0, sizeof c.color);
+            assert_int_equal(draw(), GN_OK);
+            assert_int_equal(covered(), SIZE * SIZE);
+            assert_memory_equal(memory + c.workspace.size, guard, GUARD);
+        }
+    }
+    free(memory);
+}
+
 static void a_triangle_through_the_eye_is_clipped(void **state)
 {
     (void)state;
@@ -348,6 +387,7 @@ int main(void)
         cmocka_unit_test(one_surface_is_enough),
         cmocka_unit_test(indices_of_every_width),
         cmocka_unit_test(back_ends_have_names_and_agree),
+        cmocka_unit_test(every_workspace_serves_threads),
         cmocka_unit_test(a_triangle_through_the_eye_is_clipped),
     };
     return cmocka_run_group_tests_name("draw", tests, NULL, NULL);
