@@ -15,7 +15,6 @@
  *   i_shift_left i_shift_right
  *   i_min i_max i_clamp i_select
  *   i_greater i_equal
- *   i_multiply_short              of 16 bits
  *   i_gather i_gather_pairs       words of memory by index
  *   i_gather_rows i_scatter_rows  rows of four words, one a lane, and four lanes_i
  *   pack_unorm8 unpack_unorm8     colours

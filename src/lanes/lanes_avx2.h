@@ -201,11 +201,6 @@ static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, _mm256_max_epi32(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_multiply_short(lanes_i a, lanes_i b)
-{
-    LANES_EACH_REGISTER(lanes_i, _mm256_madd_epi16(a.q[n], b.q[n]));
-}
-
 static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, _mm256_or_si256(a.q[n], b.q[n]));

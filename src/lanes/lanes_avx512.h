@@ -204,11 +204,6 @@ static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
     return lanes_avx512_i(_mm512_max_epi32(a.q, b.q));
 }
 
-static inline lanes_i lanes_i_multiply_short(lanes_i a, lanes_i b)
-{
-    return lanes_avx512_i(_mm512_madd_epi16(a.q, b.q));
-}
-
 static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
 {
     return lanes_avx512_i(_mm512_or_si512(a.q, b.q));

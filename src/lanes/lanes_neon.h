@@ -210,11 +210,6 @@ static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, vmaxq_s32(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_multiply_short(lanes_i a, lanes_i b)
-{
-    return lanes_i_mul(a, b);
-}
-
 static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, vorrq_s32(a.q[n], b.q[n]));

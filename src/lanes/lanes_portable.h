@@ -281,14 +281,6 @@ static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
     return a;
 }
 
-/* a * b. Precondition: a is in 0..32767, b in -32768..32767. */
-static inline lanes_i lanes_i_multiply_short(lanes_i a, lanes_i b)
-{
-    GN_EACH_LANE (l)
-        a.v[l] *= b.v[l];
-    return a;
-}
-
 static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
 {
     GN_EACH_LANE (l)

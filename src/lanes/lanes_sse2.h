@@ -207,11 +207,6 @@ static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
                         lanes_sse2_select(_mm_cmpgt_epi32(a.q[n], b.q[n]), a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_multiply_short(lanes_i a, lanes_i b)
-{
-    LANES_EACH_REGISTER(lanes_i, _mm_madd_epi16(a.q[n], b.q[n]));
-}
-
 static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_or_si128(a.q[n], b.q[n]));

@@ -200,11 +200,6 @@ static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, wasm_i32x4_max(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_multiply_short(lanes_i a, lanes_i b)
-{
-    return lanes_i_mul(a, b);
-}
-
 static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, wasm_v128_or(a.q[n], b.q[n]));

@@ -6,19 +6,19 @@
 
 #include "wrap.h"
 
-/* Whether texels are 32-bit words that a word's index finds in lanes: the distance of rows
- * is then of 16 bits and the index, as rows have 15 bits, below 2^30. */
+/* Whether texels are 32-bit words with an index of 32 bits: rows are then at most 2^16 words
+ * apart, of which there are at most 2^14. */
 static inline bool has_word_texels(const gn_texture *texture)
 {
-    return texture->format == GN_FORMAT_RGBA8 && texture->row_stride >= -32768 * 4 &&
-           texture->row_stride <= 32767 * 4;
+    return texture->format == GN_FORMAT_RGBA8 && texture->row_stride >= -(1 << 18) &&
+           texture->row_stride <= 1 << 18;
 }
 
 static inline lanes_i word_index(const gn_texture *texture, lanes_i column, lanes_i row)
 {
     const lanes_i words_per_row = lanes_i_splat((int32_t)(texture->row_stride / 4));
 
-    return lanes_i_add(lanes_i_multiply_short(row, words_per_row), column);
+    return lanes_i_add(lanes_i_mul(row, words_per_row), column);
 }
 
 /* Texel by texel, for every texture. */
@@ -113,6 +113,16 @@ static inline void fetch_corners(const gn_texture *texture, const gn_sampler *sa
     }
 }
 
+GN_INLINE lanes_f mix_corners(const lanes_i corner[CORNER_COUNT], int channel, lanes_f u, lanes_f v)
+{
+    const lanes_f below = mix(u, lanes_unpack_unorm8(corner[CORNER_00], channel),
+                              lanes_unpack_unorm8(corner[CORNER_10], channel));
+    const lanes_f above = mix(u, lanes_unpack_unorm8(corner[CORNER_01], channel),
+                              lanes_unpack_unorm8(corner[CORNER_11], channel));
+
+    return mix(v, below, above);
+}
+
 GN_OUT_OF_LINE void sample_linear(const gn_texture *texture, const gn_sampler *sampler,
                                   const lanes_f *s, const lanes_f *t, lanes_f texel[4])
 {
@@ -125,12 +135,10 @@ GN_OUT_OF_LINE void sample_linear(const gn_texture *texture, const gn_sampler *s
         return;
     }
     fetch_corners(texture, sampler, &u, &v, corner);
-    for (int c = 0; c < 4; ++c)
-        texel[c] = mix(v.weight,
-                       mix(u.weight, lanes_unpack_unorm8(corner[CORNER_00], c),
-                           lanes_unpack_unorm8(corner[CORNER_10], c)),
-                       mix(u.weight, lanes_unpack_unorm8(corner[CORNER_01], c),
-                           lanes_unpack_unorm8(corner[CORNER_11], c)));
+    texel[0] = mix_corners(corner, 0, u.weight, v.weight);
+    texel[1] = mix_corners(corner, 1, u.weight, v.weight);
+    texel[2] = mix_corners(corner, 2, u.weight, v.weight);
+    texel[3] = mix_corners(corner, 3, u.weight, v.weight);
 }
 
 /* Where the texture is minified: the squared length of a quad's longer derivative,

@@ -58,18 +58,6 @@ static inline __m512i emulated_sra(__m512i a, __m128i count)
     return simde__m512i_from_private(in);
 }
 
-/* VPMADDWD does in each part of 128 bits what PMADDWD does; SIMDe 0.7.4 has the name as a
- * macro of another number of arguments. */
-static inline __m512i emulated_madd(__m512i a, __m512i b)
-{
-    simde__m512i_private x = simde__m512i_to_private(a);
-    simde__m512i_private y = simde__m512i_to_private(b);
-
-    for (int n = 0; n < 4; ++n)
-        x.m128i[n] = _mm_madd_epi16(x.m128i[n], y.m128i[n]);
-    return simde__m512i_from_private(x);
-}
-
 /* VRNDSCALEPS to whole numbers, downward, the only form that is asked for; SIMDe 0.7.4 gives
  * 20.5 for 20.5. From 2^31 up, and for NaN, the conversion gives INT32_MIN. */
 static inline __m512 emulated_floor(__m512 a)
@@ -89,8 +77,6 @@ static inline __m512 emulated_floor(__m512 a)
 
 #undef _mm512_roundscale_ps
 #define _mm512_roundscale_ps(a, downward) emulated_floor(a)
-#undef _mm512_madd_epi16
-#define _mm512_madd_epi16(a, b) emulated_madd(a, b)
 #ifndef _MM_FROUND_TO_NEG_INF
 #define _MM_FROUND_TO_NEG_INF SIMDE_MM_FROUND_TO_NEG_INF
 #endif

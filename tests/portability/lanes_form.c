@@ -144,9 +144,6 @@ int RUN_FORM(const lanes_input *in, lanes_output out[LANES_OPERATIONS_MAX])
     record_i(&r, "i_add", lanes_i_add(i, j));
     record_i(&r, "i_sub", lanes_i_sub(i, j));
     record_i(&r, "i_mul", lanes_i_mul(i, j));
-    record_i(&r, "i_multiply_short",
-             lanes_i_multiply_short(lanes_i_and(i, lanes_i_splat(0x7FFF)),
-                                    lanes_i_shift_right(lanes_i_shift_left(j, 16), 16)));
     record_i(&r, "i_shift_left", lanes_i_shift_left(i, 8));
     record_i(&r, "i_shift_right", lanes_i_shift_right(i, 8));
     record_i(&r, "i_min", lanes_i_min(i, j));

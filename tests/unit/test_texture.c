@@ -310,7 +310,7 @@ static void compare_on(gn_backend backend, const comparison *c)
 static void shaders_sample_the_same(void **state)
 {
     (void)state;
-    enum { ROWS = 8, FAR = 40000 };
+    enum { ROWS = 8, FAR = 70000 };
     static float texels[ROWS * FAR];
     static const uint32_t sizes[][2] = {{8, 4}, {7, 5}, {1, 8}, {16, 3}};
     uint32_t random = 1;
