@@ -6,14 +6,19 @@
 
 #include "gnomon/scalar.h"
 
+/* Operations are loops without branches or calls, which compilers can make vector
+ * instructions of, where there are any. Floats are compared with constants by their bits, and
+ * masks select by and and or. gcc unrolls loops of 16 before it looks for vectors, and then
+ * finds few; asked to unroll less, it does so afterwards, when there are four of each. */
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__)
+#undef GN_EACH_LANE
+#define GN_EACH_LANE(l) _Pragma("GCC unroll 4") for (int l = 0; l < GN_LANES; ++l)
+#endif
+
 #if (-1 >> 1) != -1
 #error "right shifts of negative numbers must round down"
 #endif
 
-/* Operations are loops without branches or calls, which compilers can make vector
- * instructions of, where there are any: floats are compared with constants by their bits,
- * since a comparison of floats may have to set a flag for each lane that reaches it, and
- * masks select by and and or. */
 typedef struct lanes_f {
     float v[GN_LANES];
 } lanes_f;
@@ -188,13 +193,17 @@ static inline lanes_f lanes_select(lanes_m m, lanes_f a, lanes_f b)
 /* The smaller of two: b where either is NaN or both are zero, as MINPS has it. */
 static inline lanes_f lanes_min(lanes_f a, lanes_f b)
 {
-    return lanes_select(lanes_greater(b, a), a, b);
+    GN_EACH_LANE (l)
+        a.v[l] = b.v[l] > a.v[l] ? a.v[l] : b.v[l];
+    return a;
 }
 
 /* The larger of two: b where either is NaN or both are zero. */
 static inline lanes_f lanes_max(lanes_f a, lanes_f b)
 {
-    return lanes_select(lanes_greater(a, b), a, b);
+    GN_EACH_LANE (l)
+        a.v[l] = a.v[l] > b.v[l] ? a.v[l] : b.v[l];
+    return a;
 }
 
 static inline lanes_i lanes_i_splat(int32_t a)
@@ -336,7 +345,8 @@ static inline lanes_f lanes_to_float(lanes_i a)
     return r;
 }
 
-/* The bits of 2^23 and 2^31, which order as the floats do. */
+/* The bits of 255, 2^23 and 2^31, which order as the floats do. */
+#define LANE_BITS_255 0x437F0000
 #define LANE_BITS_2_23 0x4B000000
 #define LANE_BITS_2_31 0x4F000000
 
@@ -346,8 +356,8 @@ static inline lanes_i lanes_truncate(lanes_f a)
     lanes_i r;
     GN_EACH_LANE (l) {
         const int32_t bits = lane_as_int(a.v[l]);
-        const int32_t inside = lane_mask((bits & INT32_MAX) < LANE_BITS_2_31);
-        r.v[l] = (int32_t)lane_as_float(bits & inside) | (~inside & INT32_MIN);
+        const int32_t outside = lane_mask((bits & INT32_MAX) >= LANE_BITS_2_31);
+        r.v[l] = (int32_t)lane_as_float(bits & ~outside) | (outside & INT32_MIN);
     }
     return r;
 }
@@ -360,11 +370,11 @@ static inline lanes_i lanes_round(lanes_f a)
     GN_EACH_LANE (l) {
         const int32_t bits = lane_as_int(a.v[l]);
         const int32_t magnitude = bits & INT32_MAX;
-        const int32_t inside = lane_mask(magnitude < LANE_BITS_2_31);
-        const int32_t fraction = lane_mask(magnitude < LANE_BITS_2_23);
-        const float rounder = lane_as_float((LANE_BITS_2_23 & fraction) | (bits & INT32_MIN));
-        const float rounded = (lane_as_float(bits & inside) + rounder) - rounder;
-        r.v[l] = (int32_t)rounded | (~inside & INT32_MIN);
+        const int32_t outside = lane_mask(magnitude >= LANE_BITS_2_31);
+        const int32_t integer = lane_mask(magnitude >= LANE_BITS_2_23);
+        const float rounder = lane_as_float((LANE_BITS_2_23 & ~integer) | (bits & INT32_MIN));
+        const float rounded = (lane_as_float(bits & ~outside) + rounder) - rounder;
+        r.v[l] = (int32_t)rounded | (outside & INT32_MIN);
     }
     return r;
 }
@@ -415,15 +425,16 @@ static inline lanes_m lanes_from_bits(uint32_t bits)
     return r;
 }
 
-/* A channel as lanes_pack_unorm8 has it. The bits order as the floats do, negative ones below
- * zero; clamped to 0..255, adding 2^23 rounds and leaves the integer in the low bits. */
+/* A channel as lanes_pack_unorm8 has it. From 0 to 255, adding 2^23 rounds and leaves the
+ * integer in the low bits; as unsigned numbers the bits of all that gives 0 are greater. */
 static inline uint32_t lane_unorm8(float channel)
 {
-    int32_t bits = lane_as_int(channel * 255.0f);
+    const float scaled = channel * 255.0f;
+    const int32_t bits = lane_as_int(scaled);
+    const int32_t none = lane_mask((uint32_t)bits >= LANE_BITS_2_31);
+    const int32_t full = lane_mask(bits > LANE_BITS_255);
 
-    bits &= lane_mask(bits < LANE_BITS_2_31) & ~(bits >> 31);
-    bits = bits < 0x437F0000 ? bits : 0x437F0000;
-    return (uint32_t)lane_as_int(lane_as_float(bits) + 8388608.0f) & 0xFFu;
+    return (uint32_t)((lane_as_int(scaled + 8388608.0f) | full) & ~none) & 0xFFu;
 }
 
 /* Channels as round-half-even(c * 255) saturated to 0..255 and packed, the first in the
