@@ -111,7 +111,8 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
     return out->count >= 3;
 }
 
-/* Window coordinates of the new vertices, which are inside, whatever rounding says. */
+/* Window coordinates of the new vertices, which are inside, whatever rounding says. Lanes
+ * beyond them repeat the first, so that nothing is read that was not written. */
 static void place_new_vertices(const clipper *c)
 {
     const uint32_t stride = vertex_stride(c->pipeline->varying_count);
@@ -119,8 +120,13 @@ static void place_new_vertices(const clipper *c)
     lanes_i row[4];
     lanes_f clip[4];
 
-    GN_EACH_LANE (l)
-        offset[l] = c->scratch + (uint32_t)l * stride + VERTEX_CLIP;
+    if (c->used == 0)
+        return;
+    GN_EACH_LANE (l) {
+        const uint32_t n = (uint32_t)l < c->used ? (uint32_t)l : 0;
+
+        offset[l] = c->scratch + n * stride + VERTEX_CLIP;
+    }
     lanes_i_gather_rows(c->memory, offset, 1, row);
     for (int n = 0; n < 4; ++n)
         clip[n] = lanes_as_float(row[n]);
