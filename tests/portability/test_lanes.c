@@ -1,5 +1,6 @@
 /* Compares the forms of lanes, given by the Makefile as LANES_FORMS, with the portable one,
- * operation by operation: on special values and random bits. */
+ * operation by operation, and its conversions with their definitions in doubles: on special
+ * values and random bits. */
 #include <float.h>
 #include <inttypes.h>
 #include <math.h>
@@ -118,6 +119,95 @@ static void print_difference(const named_form *form, const lanes_input *in,
            in->j[l], (double)in->x, (double)in->z, (double)in->pixel, in->bits);
 }
 
+/* The conversions as lanes_portable.h states them. */
+static uint32_t integer_of(double (*whole)(double), float a)
+{
+    return a > -2147483648.0f && a < 2147483648.0f ? (uint32_t)(int32_t)whole((double)a)
+                                                   : (uint32_t)INT32_MIN;
+}
+
+static uint32_t byte_of(float channel)
+{
+    const float scaled = channel * 255.0f;
+
+    if (!(scaled > 0.0f && scaled < 2147483648.0f))
+        return 0;
+    return scaled > 255.0f ? 255 : (uint32_t)nearbyint((double)scaled);
+}
+
+static uint32_t pixel_of(const lanes_input *in, int l)
+{
+    return byte_of(in->a[l]) | byte_of(in->b[l]) << 8 | byte_of(in->c[l]) << 16 |
+           byte_of(in->d[l]) << 24;
+}
+
+typedef enum defined_operation { TRUNCATE, ROUND, FLOOR, PACK_UNORM8, DEFINED } defined_operation;
+
+static const char *const defined_names[DEFINED] = {"truncate", "round", "floor", "pack_unorm8"};
+
+static uint32_t definition(defined_operation operation, const lanes_input *in, int l)
+{
+    switch (operation) {
+    case TRUNCATE:
+        return integer_of(trunc, in->a[l]);
+    case ROUND:
+        return integer_of(nearbyint, in->a[l]);
+    case FLOOR:
+        return integer_of(floor, in->a[l]);
+    default:
+        return pixel_of(in, l);
+    }
+}
+
+/* Whether an operation of the portable form gives what is defined; the first lane that does
+ * not is reported. */
+static bool as_defined(defined_operation operation, const lanes_input *in,
+                       const lanes_output *given, int operations)
+{
+    int k = 0;
+
+    while (k < operations && strcmp(given[k].operation, defined_names[operation]) != 0)
+        k++;
+    if (k == operations) {
+        printf("portable: no operation is named %s\n", defined_names[operation]);
+        return false;
+    }
+    for (int l = 0; l < GN_LANES; l++) {
+        const uint32_t wanted = definition(operation, in, l);
+
+        if (given[k].word[l] == wanted)
+            continue;
+        printf("portable, %s of a %a b %a c %a d %a: %08" PRIx32 ", by definition %08" PRIx32 "\n",
+               given[k].operation, (double)in->a[l], (double)in->b[l], (double)in->c[l],
+               (double)in->d[l], given[k].word[l], wanted);
+        return false;
+    }
+    return true;
+}
+
+/* The number of conversions of the portable form that are not as defined. */
+static int test_definitions(uint64_t seed)
+{
+    bool differs[DEFINED] = {false};
+    random_source r = random_seed(seed);
+    int failed = 0;
+
+    for (int n = 0; n < TRIALS; n++) {
+        lanes_output given[LANES_OPERATIONS_MAX];
+        lanes_input in;
+
+        make_input(&in, &r);
+        const int operations = run_portable(&in, given);
+        for (defined_operation d = TRUNCATE; d < DEFINED; d++) {
+            if (differs[d] || as_defined(d, &in, given, operations))
+                continue;
+            differs[d] = true;
+            failed++;
+        }
+    }
+    return failed;
+}
+
 /* The number of operations that differ from the portable form's, each reported once. */
 static int test_form(const named_form *form, uint64_t seed, int *operations)
 {
@@ -149,9 +239,13 @@ static int test_form(const named_form *form, uint64_t seed, int *operations)
 int main(int argc, char **argv)
 {
     const uint64_t seed = argc > 1 ? strtoull(argv[1], NULL, 0) : 1;
-    int passed = 0, failed = 0;
 
     printf("lanes: %d inputs, seed %" PRIu64 "\n", TRIALS, seed);
+
+    int failed = test_definitions(seed);
+    int passed = DEFINED - failed;
+
+    printf("portable: %d of %d conversions are not as defined\n", failed, DEFINED);
     for (int f = 0; f < FORM_COUNT; f++) {
         if (forms[f].run == run_portable)
             continue;
