@@ -60,8 +60,10 @@ GN_OUT_OF_LINE void sample_nearest(const gn_texture *texture, const gn_sampler *
     }
     const lanes_i packed =
         lanes_i_gather((const stored_word *)texture->texels, word_index(texture, column, row));
-    for (int c = 0; c < 4; ++c)
-        texel[c] = lanes_unpack_unorm8(packed, c);
+    texel[0] = lanes_unpack_unorm8(packed, 0);
+    texel[1] = lanes_unpack_unorm8(packed, 1);
+    texel[2] = lanes_unpack_unorm8(packed, 2);
+    texel[3] = lanes_unpack_unorm8(packed, 3);
 }
 
 static inline lanes_f mix(lanes_f weight, lanes_f a, lanes_f b)
@@ -113,6 +115,7 @@ static inline void fetch_corners(const gn_texture *texture, const gn_sampler *sa
     }
 }
 
+/* One channel of the four texels, mixed. The channel is a constant. */
 GN_INLINE lanes_f mix_corners(const lanes_i corner[CORNER_COUNT], int channel, lanes_f u, lanes_f v)
 {
     const lanes_f below = mix(u, lanes_unpack_unorm8(corner[CORNER_00], channel),
