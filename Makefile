@@ -297,6 +297,7 @@ test: ## everything, in a few minutes; ends on "N passed, N failed"
 		'benchmark, a shader=$(BUILD)/bench --frames 1 --scene S4 | grep ": 0 differing"' \
 		'freestanding=tests/portability/freestanding.sh $(BUILD)' \
 		'other machines=tests/portability/cross.sh $(BUILD) --scenes 110 aarch64 wasm wasm-simd128' \
+		'little code=tests/portability/cross.sh $(BUILD) --scenes 330 small' \
 		'embedding=tests/embed/readme.sh $(BUILD)' \
 		$(call unit_steps,$(CHECKED),sanitized ) \
 		'sanitized properties=$(CHECKED)/property-tests --seed $(TEST_SEED) --trials 100' \

@@ -1,5 +1,6 @@
 /* Threads: the caller's. The library starts none and takes no locks; it hands out tasks
- * that touch disjoint memory, through a function of the caller's. */
+ * that touch disjoint memory, through a function of the caller's. Compiled with GN_SMALL it
+ * does not call that function. */
 #ifndef GNOMON_PARALLEL_H
 #define GNOMON_PARALLEL_H
 

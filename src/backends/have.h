@@ -1,18 +1,9 @@
-/* What is compiled: which back ends for this target, and how much code of each. Compilers
- * that cannot switch the instruction set within a program get the portable one alone.
- * GN_LANES_INTRINSICS_HEADER names a header that emulates intrinsics the target does not
- * have, for tests: then the back ends that are made of them are there too. */
+/* Which back ends are compiled for this target. Compilers that cannot switch the
+ * instruction set within a program get the portable one alone. GN_LANES_INTRINSICS_HEADER
+ * names a header that emulates intrinsics the target does not have, for tests: then the
+ * back ends that are made of them are there too. */
 #ifndef GN_BACKENDS_HAVE_H
 #define GN_BACKENDS_HAVE_H
-
-/* Whether the common states of a draw have code of their own, made from the same text, and a
- * back end its own form of the ready-made shaders and of sampling. With GN_SMALL one form of
- * each serves all. The pixels are the same. */
-#if defined(GN_SMALL)
-#define GN_SPECIALISED 0
-#else
-#define GN_SPECIALISED 1
-#endif
 
 #if defined(GN_LANES_INTRINSICS_HEADER)
 #define GN_HAVE_EMULATED 1

@@ -3,6 +3,7 @@
 
 #include "../backends/have.h"
 #include "../geometry/assemble.h"
+#include "../lanes/small.h"
 #include "check.h"
 #include "job.h"
 
@@ -91,7 +92,10 @@ static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
     const uint64_t scratch = MAX_TASKS * (uint64_t)scratch_size(varyings);
     /* Rounding the end of the lists up may take so much more. */
     const uint64_t taken = scratch + WORKSPACE_ALIGNMENT - 1;
-    uint64_t segments = available < taken ? 0 : round_segments_in(job, available - taken);
+    uint64_t segments = 0;
+
+    if (GN_HAVE_TASKS && available >= taken)
+        segments = round_segments_in(job, available - taken);
 
     segments = segments < total / step + 1 ? segments : total / step + 1;
     segments = segments < ROUND_TRIANGLES / step + 1 ? segments : ROUND_TRIANGLES / step + 1;
@@ -114,11 +118,11 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
 {
     const size_t skip = (0 - (uintptr_t)workspace->memory) & (WORKSPACE_ALIGNMENT - 1);
     const uint64_t given = workspace->size - skip;
-    const uint64_t available = given < MEMORY_LIMIT ? given : MEMORY_LIMIT;
-    const uint64_t batch = (uint64_t)GN_LANES * vertex_stride(job->pipeline->varying_count);
+    const uint32_t available = (uint32_t)(given < MEMORY_LIMIT ? given : MEMORY_LIMIT);
+    const uint32_t batch = GN_LANES * vertex_stride(job->pipeline->varying_count);
 
     job->memory = (unsigned char *)workspace->memory + skip;
-    job->parallel = workspace->parallel;
+    job->parallel = GN_HAVE_TASKS ? workspace->parallel : NULL;
     job->user = workspace->user;
     job->segments = NULL;
     job->segment_count = 0;
@@ -126,7 +130,7 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     job->list_rows = NULL;
     job->lists_per_segment = 0;
     job->vertices = divide_for_tasks(job, available);
-    job->capacity = (uint32_t)((available - job->vertices) / batch * GN_LANES);
+    job->capacity = (available - job->vertices) / batch * GN_LANES;
 }
 
 static gn_status run_on(gn_backend backend, const draw_job *job)

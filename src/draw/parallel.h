@@ -93,7 +93,7 @@ static index_range find_range_of(draw_state *draw, uint32_t first, uint32_t coun
     round_state round;
     index_range all = {UINT32_MAX, 0};
 
-    if (!draw->job->parallel || count <= TASK_ELEMENTS)
+    if (!GN_HAVE_TASKS || !draw->job->parallel || count <= TASK_ELEMENTS)
         return find_range(draw->mesh, first, count);
     round.draw = draw;
     const uint32_t tasks = run_tasks(&round, range_task, first, count, TASK_ELEMENTS);
@@ -194,8 +194,9 @@ static void cull_segment(const round_state *round, uint32_t task, uint32_t segme
     const size_t first_list = (size_t)segment * job->lists_per_segment;
     triangle_list *const lists = job->lists + first_list;
     segment_lists *const kept = &job->segments[segment];
-    worker w = make_worker(draw, task);
+    worker w;
 
+    start_worker(&w, draw, task);
     w.keeps = true;
     w.list = lists;
     start_list(lists);
@@ -275,7 +276,9 @@ static void strip_task(void *context, uint32_t task)
     const draw_job *job = draw->job;
     const uint32_t step = segment_triangles(draw->pipeline->topology, draw->mesh);
     const uint32_t segments = (round->count + step - 1) / step;
-    worker w = make_worker(draw, task);
+    worker w;
+
+    start_worker(&w, draw, task);
     pixel_rectangle *const part = &w.cull.target;
     const int32_t top = part->max_y;
 

@@ -67,8 +67,9 @@ static void run_serial(draw_state *draw)
     const gn_topology topology = draw->pipeline->topology;
     const uint32_t total = triangle_count(topology, draw->mesh->count);
     const uint32_t step = segment_triangles(topology, draw->mesh);
-    worker w = make_worker(draw, 0);
+    worker w;
 
+    start_worker(&w, draw, 0);
     for (uint32_t first = 0, count; first < total; first += count) {
         count = total - first < step ? total - first : step;
         if (draw->map.shared)
@@ -92,8 +93,9 @@ static void map_slots(draw_state *draw, index_range range)
 
 static inline gn_status run_draw(const draw_job *job)
 {
-    draw_state draw = draw_state_of(job);
+    draw_state draw;
 
+    set_draw_state(&draw, job);
     if (job->mesh->index_format != GN_INDEX_NONE && job->mesh->count > 0) {
         const index_range range = find_range_of(&draw, 0, job->mesh->count);
 
@@ -102,7 +104,7 @@ static inline gn_status run_draw(const draw_job *job)
         map_slots(&draw, range);
     }
     if (triangle_count(job->pipeline->topology, job->mesh->count) > 0) {
-        if (round_segments(&draw) > 0)
+        if (GN_HAVE_TASKS && round_segments(&draw) > 0)
             run_parallel(&draw);
         else
             run_serial(&draw);

@@ -33,23 +33,22 @@ typedef struct draw_state {
     run_function *shade_run;
 } draw_state;
 
-static inline draw_state draw_state_of(const draw_job *job)
+static inline void set_draw_state(draw_state *draw, const draw_job *job)
 {
     const gn_surface *any =
         job->target->color.format != GN_FORMAT_NONE ? &job->target->color : &job->target->depth;
-    const slot_map nothing = {false, 0, 0, 0, 0, 0};
-    draw_state draw;
 
-    draw.job = job;
-    draw.pipeline = job->pipeline;
-    draw.mesh = job->mesh;
-    draw.stride = vertex_stride(job->pipeline->varying_count);
-    draw.map = nothing;
-    draw.viewport = viewport_transform_of(job->pipeline, any->width, any->height);
-    draw.cull = cull_state_of(job->pipeline, any->width, any->height);
-    draw.fragment = fragment_state_of(job->target, job->pipeline);
-    draw.shade_run = run_function_of(&draw.fragment);
-    return draw;
+    draw->job = job;
+    draw->pipeline = job->pipeline;
+    draw->mesh = job->mesh;
+    draw->stride = vertex_stride(job->pipeline->varying_count);
+    draw->map.shared = false;
+    draw->map.shaded = 0;
+    draw->map.outcodes = 0;
+    draw->viewport = viewport_transform_of(job->pipeline, any->width, any->height);
+    draw->cull = cull_state_of(job->pipeline, any->width, any->height);
+    draw->fragment = fragment_state_of(job->target, job->pipeline);
+    draw->shade_run = run_function_of(&draw->fragment);
 }
 
 /* Slots to shade, in whole batches or all, for this vertex of a shared draw to be among

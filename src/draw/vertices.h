@@ -2,7 +2,6 @@
 #ifndef GN_DRAW_VERTICES_H
 #define GN_DRAW_VERTICES_H
 
-#include "../backends/have.h"
 #include "../geometry/fetch.h"
 #include "elements.h"
 

@@ -27,27 +27,25 @@ static inline void start_list(triangle_list *list)
     list->clipped = 0;
 }
 
-static worker make_worker(const draw_state *draw, uint32_t task)
+static void start_worker(worker *w, const draw_state *draw, uint32_t task)
 {
     const uint32_t varyings = draw->pipeline->varying_count;
     unsigned char *const scratch = task_scratch(draw, task);
-    worker w;
 
-    w.draw = draw;
-    w.cull = draw->cull;
-    w.is_quad = false;
-    w.keeps = false;
-    w.list = (triangle_list *)(void *)scratch;
-    w.batch = (triangle_batch *)(void *)(scratch + scratch_batch_offset());
-    w.clipper.pipeline = draw->pipeline;
-    w.clipper.viewport = &draw->viewport;
-    w.clipper.memory = draw->job->memory;
-    w.clipper.scratch = 0;
-    w.clipper.used = 0;
-    w.clip_vertices = (uint32_t)(scratch - draw->job->memory) + scratch_vertices_offset(varyings);
-    w.clip_used = 0;
-    start_list(w.list);
-    return w;
+    w->draw = draw;
+    w->cull = draw->cull;
+    w->is_quad = false;
+    w->keeps = false;
+    w->list = (triangle_list *)(void *)scratch;
+    w->batch = (triangle_batch *)(void *)(scratch + scratch_batch_offset());
+    w->clipper.pipeline = draw->pipeline;
+    w->clipper.viewport = &draw->viewport;
+    w->clipper.memory = draw->job->memory;
+    w->clipper.scratch = 0;
+    w->clipper.used = 0;
+    w->clip_vertices = (uint32_t)(scratch - draw->job->memory) + scratch_vertices_offset(varyings);
+    w->clip_used = 0;
+    start_list(w->list);
 }
 
 /* Sets up and draws the triangles of a list whose lanes are all filled. */
@@ -174,9 +172,11 @@ static inline uint32_t locate_group(const draw_state *draw, uint32_t first, uint
 /* Adds triangles first to first + count - 1. */
 static void add_triangles(worker *w, uint32_t first, uint32_t count)
 {
-    uint32_t offset[ASSEMBLE_MAX_ELEMENTS] = {0};
+    uint32_t offset[ASSEMBLE_MAX_ELEMENTS];
     triangle_group group;
 
+    for (int i = 0; i < ASSEMBLE_MAX_ELEMENTS; ++i)
+        offset[i] = 0;
     for (uint32_t done = 0; done < count; done += group.count) {
         group.count = count - done < GN_LANES ? count - done : GN_LANES;
         locate_group(w->draw, first + done, group.count, offset);

@@ -4,7 +4,6 @@
 #ifndef GN_FRAGMENT_BLOCK_H
 #define GN_FRAGMENT_BLOCK_H
 
-#include "../backends/have.h"
 #include "../shaders/ready_made.h"
 #include "../texture/sample.h"
 

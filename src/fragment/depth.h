@@ -43,12 +43,13 @@ GN_INLINE lanes_i quantize_depth(gn_format format, lanes_f depth)
 GN_OUT_OF_LINE lanes_i load_covered_depth(const gn_surface *surface, int32_t x, int32_t y,
                                           uint32_t coverage)
 {
-    int32_t depth[GN_LANES] = {0};
+    int32_t depth[GN_LANES];
 
     GN_EACH_LANE (l) {
         const void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
         const int32_t column = x + l % BLOCK_SIZE;
 
+        depth[l] = 0;
         if (coverage >> l & 1u)
             depth[l] = surface->format == GN_FORMAT_D16 ? ((const uint16_t *)row)[column]
                                                         : ((const stored_word *)row)[column];

@@ -22,8 +22,9 @@
  *
  * A back end (backends/) says which form it is made of: GN_LANES_PORTABLE, _AVX2, _AVX512,
  * _NEON or _WASM_SIMD128; with none of them it is SSE2 or portable, what every processor
- * of the target has. GN_LANES_INTRINSICS_HEADER is a header that stands in for the
- * intrinsics of the last three where the target has not got them (tests/portability). */
+ * of the target has. The portable form may be called with addresses (calls.h).
+ * GN_LANES_INTRINSICS_HEADER is a header that stands in for the intrinsics of the last three where
+ * the target has not got them (tests/portability). */
 #ifndef GN_LANES_LANES_H
 #define GN_LANES_LANES_H
 
@@ -32,6 +33,8 @@
 #include <stdint.h>
 
 #include "gnomon/texture.h"
+
+#include "small.h"
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "The library's bits are exact only with -fno-fast-math, after all other flags."
@@ -99,6 +102,9 @@ static inline uint32_t first_lane(uint32_t bits)
 #include "lanes_sse2.h"
 #else
 #include "lanes_portable.h"
+#if GN_LANES_CALLED
+#include "calls.h"
+#endif
 #endif
 
 /* Into low..high. */

@@ -42,8 +42,8 @@ GN_INLINE void bulk_arrays(const bulk_job *job, bulk_kind kind)
 {
     const int components = kind == BULK_VEC4 ? 4 : 3;
     const bulk_matrix own = bulk_own_matrix(job);
-    const float *from[4] = {NULL, NULL, NULL, NULL};
-    float *to[4] = {NULL, NULL, NULL, NULL};
+    const float *from[4];
+    float *to[4];
 
     for (int i = 0; i < components; ++i) {
         from[i] = job->v[i];

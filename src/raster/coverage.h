@@ -82,24 +82,22 @@ typedef struct large_edge {
     lanes_i offset; /* from there to each of its pixels */
 } large_edge;
 
-static large_edge make_large_edge(const triangle_batch *batch, int edge, uint32_t lane)
+static void set_large_edge(large_edge *e, const triangle_batch *batch, int edge, uint32_t lane)
 {
     const int32_t per_x = batch->edge[edge].per_x[lane];
     const int32_t per_y = batch->edge[edge].per_y[lane];
     const int32_t along_x = -per_x * (BLOCK_SIZE - 1);
     const int32_t along_y = per_y * (BLOCK_SIZE - 1);
     const int32_t owns_ties = per_x < 0 || (per_x == 0 && per_y > 0);
-    large_edge e;
 
-    e.constant = ((int64_t)per_x * batch->snapped[edge][0][lane] -
-                  (int64_t)per_y * batch->snapped[edge][1][lane] + owns_ties - 1) >>
-                 8;
-    e.per_x = per_x;
-    e.per_y = per_y;
-    e.least = (along_x < 0 ? along_x : 0) + (along_y < 0 ? along_y : 0);
-    e.greatest = (along_x > 0 ? along_x : 0) + (along_y > 0 ? along_y : 0);
-    e.offset = edge_values(0, per_x, per_y);
-    return e;
+    e->constant = ((int64_t)per_x * batch->snapped[edge][0][lane] -
+                   (int64_t)per_y * batch->snapped[edge][1][lane] + owns_ties - 1) >>
+                  8;
+    e->per_x = per_x;
+    e->per_y = per_y;
+    e->least = (along_x < 0 ? along_x : 0) + (along_y < 0 ? along_y : 0);
+    e->greatest = (along_x > 0 ? along_x : 0) + (along_y > 0 ? along_y : 0);
+    e->offset = edge_values(0, per_x, per_y);
 }
 
 /* The values of the three edge functions at the lower left pixel of a block. */
@@ -224,7 +222,7 @@ static inline void cover_large(const pixel_rectangle *target, const triangle_bat
     large_edge edge[3];
 
     for (int i = 0; i < 3; ++i)
-        edge[i] = make_large_edge(batch, i, lane);
+        set_large_edge(&edge[i], batch, i, lane);
     for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += BLOCK_SIZE)
         cover_row(target, edge, left, list->bounds[BOUNDS_MAX_X][lane], y, triangle, run, context);
 }

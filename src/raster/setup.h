@@ -77,7 +77,7 @@ typedef struct plane_basis {
     lanes_f dx01, dy01, dx20, dy20;
 } plane_basis;
 
-static inline plane_basis make_basis(const lanes_f x[3], const lanes_f y[3])
+static inline void set_basis(plane_basis *b, const lanes_f x[3], const lanes_f y[3])
 {
     const lanes_f half = lanes_splat(0.5f);
     const lanes_f dx01 = lanes_sub(x[0], x[1]);
@@ -86,15 +86,13 @@ static inline plane_basis make_basis(const lanes_f x[3], const lanes_f y[3])
     const lanes_f dy20 = lanes_sub(y[2], y[0]);
     const lanes_f one_over_area =
         lanes_div(lanes_splat(1.0f), lanes_sub(lanes_mul(dx01, dy20), lanes_mul(dx20, dy01)));
-    plane_basis b;
 
-    b.x0 = lanes_sub(x[0], half);
-    b.y0 = lanes_sub(y[0], half);
-    b.dx01 = lanes_mul(dx01, one_over_area);
-    b.dy01 = lanes_mul(dy01, one_over_area);
-    b.dx20 = lanes_mul(dx20, one_over_area);
-    b.dy20 = lanes_mul(dy20, one_over_area);
-    return b;
+    b->x0 = lanes_sub(x[0], half);
+    b->y0 = lanes_sub(y[0], half);
+    b->dx01 = lanes_mul(dx01, one_over_area);
+    b->dy01 = lanes_mul(dy01, one_over_area);
+    b->dx20 = lanes_mul(dx20, one_over_area);
+    b->dy20 = lanes_mul(dy20, one_over_area);
 }
 
 static inline void make_plane(const plane_basis *b, const lanes_f a[3],
@@ -132,6 +130,7 @@ static inline void setup_planes(const gn_pipeline *pipeline, const unsigned char
     const unsigned char *const varyings = memory + VERTEX_VARYING;
     lanes_i row[3][4];
     lanes_f x[3], y[3], z[3], w[3];
+    plane_basis basis;
 
     for (int i = 0; i < 3; ++i) {
         lanes_i_gather_rows(memory + VERTEX_WINDOW, list->vertex[i], 1, row[i]);
@@ -140,7 +139,7 @@ static inline void setup_planes(const gn_pipeline *pipeline, const unsigned char
         z[i] = lanes_as_float(row[i][2]);
         w[i] = lanes_as_float(row[i][3]);
     }
-    const plane_basis basis = make_basis(x, y);
+    set_basis(&basis, x, y);
     make_plane(&basis, z, batch->plane[DEPTH_PLANE]);
     make_plane(&basis, w, batch->plane[ONE_OVER_W_PLANE]);
 

@@ -62,9 +62,11 @@ static inline texel_pair wrap_linear(gn_wrap wrap, lanes_f coordinate, uint32_t 
     const lanes_f whole = lanes_floor(c);
     const lanes_i texel = lanes_truncate(whole);
     t.weight = lanes_sub(c, whole);
-    t.first = masked ? lanes_i_and(texel, last)
-                     : lanes_i_select(lanes_i_greater(lanes_i_splat(0), texel), last, texel);
-    t.at_end = lanes_i_equal(t.first, last);
+    const lanes_i first =
+        masked ? lanes_i_and(texel, last)
+               : lanes_i_select(lanes_i_greater(lanes_i_splat(0), texel), last, texel);
+    t.first = first;
+    t.at_end = lanes_i_equal(first, last);
     return t;
 }
 

@@ -1,7 +1,8 @@
 #!/bin/sh
 # The pictures are the same on every machine: builds the library for other processors, draws
 # the parity suite's scenes there (hashes.c), in an emulator or under Node, and compares the
-# hashes of every back end with those drawn here in plain C. A target whose tools are absent is
+# hashes of every back end with those drawn here in plain C. `small` is this machine, with the
+# library as GN_SMALL makes it. A target whose tools are absent is
 # named and passed over. Where there are forms of lanes of a target's own, their operations are
 # tested there as well (test_lanes.c). No library uses a fused operation, and as a WebAssembly module it
 # imports nothing.
@@ -51,6 +52,13 @@ describe() {
         runner="node --no-warnings tests/portability/wasi.mjs"
         disassembler=""
         [ "$1" = wasm ] || { flags="-O2 -msimd128"; forms="portable wasm_simd128"; }
+        ;;
+    small) # this machine's, with little code
+        compiler=${CC:-cc}
+        flags="-Os -DGN_SMALL -DGN_ONLY_PORTABLE"
+        runner=env
+        disassembler=objdump
+        fused='[[:space:]]vfn?m(add|sub)'
         ;;
     *)
         echo "cross.sh: unknown target '$1'" >&2
@@ -107,7 +115,7 @@ else
     pass "here: $(backends "$build/here"): hash $here_frames of $scenes scenes"
 fi
 
-for target in ${*:-aarch64 armhf s390x wasm wasm-simd128}; do
+for target in ${*:-small aarch64 armhf s390x wasm wasm-simd128}; do
     describe "$target"
     directory=$build/$target
     if ! have "$compiler" "$runner" ${disassembler:+"$disassembler"}; then

@@ -1,0 +1,107 @@
+/* The operations of the portable lanes as functions that are handed addresses, for little
+ * code: handing over 64 bytes by value takes more than most operations do, at every call.
+ * An operand is the array in it, whose address C takes by itself, also of what another
+ * operation returned: that lasts to the end of the expression (C11 6.2.4; GCC and Clang
+ * have it so in C99 too). Operations that are not here go by value. */
+#ifndef GN_LANES_CALLS_H
+#define GN_LANES_CALLS_H
+
+#define GN_ELEMENT_lanes_f float
+#define GN_ELEMENT_lanes_i int32_t
+#define GN_ELEMENT_lanes_m uint32_t
+
+/* Result, name and operands. */
+#define GN_LANES_CALLS(UNARY, BINARY, SELECT, CONSTANT)                                            \
+    BINARY(lanes_f, add, lanes_f)                                                                  \
+    BINARY(lanes_f, sub, lanes_f)                                                                  \
+    BINARY(lanes_f, mul, lanes_f)                                                                  \
+    BINARY(lanes_f, div, lanes_f)                                                                  \
+    UNARY(lanes_f, sqrt, lanes_f)                                                                  \
+    BINARY(lanes_f, min, lanes_f)                                                                  \
+    BINARY(lanes_f, max, lanes_f)                                                                  \
+    BINARY(lanes_m, greater, lanes_f)                                                              \
+    BINARY(lanes_m, less_equal, lanes_f)                                                           \
+    BINARY(lanes_m, and, lanes_m)                                                                  \
+    UNARY(lanes_m, not, lanes_m)                                                                   \
+    UNARY(uint32_t, bits, lanes_m)                                                                 \
+    SELECT(lanes_f, select)                                                                        \
+    UNARY(lanes_i, m_as_int, lanes_m)                                                              \
+    UNARY(lanes_i, truncate, lanes_f)                                                              \
+    UNARY(lanes_i, round, lanes_f)                                                                 \
+    UNARY(lanes_f, floor, lanes_f)                                                                 \
+    UNARY(lanes_f, to_float, lanes_i)                                                              \
+    UNARY(lanes_i, as_int, lanes_f)                                                                \
+    UNARY(lanes_f, as_float, lanes_i)                                                              \
+    BINARY(lanes_i, i_add, lanes_i)                                                                \
+    BINARY(lanes_i, i_sub, lanes_i)                                                                \
+    BINARY(lanes_i, i_mul, lanes_i)                                                                \
+    BINARY(lanes_i, i_or, lanes_i)                                                                 \
+    BINARY(lanes_i, i_and, lanes_i)                                                                \
+    CONSTANT(lanes_i, i_shift_left, lanes_i)                                                       \
+    CONSTANT(lanes_i, i_shift_right, lanes_i)                                                      \
+    BINARY(lanes_i, i_min, lanes_i)                                                                \
+    BINARY(lanes_i, i_max, lanes_i)                                                                \
+    SELECT(lanes_i, i_select)                                                                      \
+    BINARY(lanes_m, i_greater, lanes_i)                                                            \
+    BINARY(lanes_m, i_equal, lanes_i)                                                              \
+    UNARY(uint32_t, i_sign_bits, lanes_i)                                                          \
+    CONSTANT(lanes_f, unpack_unorm8, lanes_i)
+
+#define GN_DECLARE_UNARY(result, name, type) result gn_lanes_##name(const GN_ELEMENT_##type *a);
+#define GN_DECLARE_BINARY(result, name, type)                                                      \
+    result gn_lanes_##name(const GN_ELEMENT_##type *a, const GN_ELEMENT_##type *b);
+#define GN_DECLARE_SELECT(type, name)                                                              \
+    type gn_lanes_##name(const uint32_t *m, const GN_ELEMENT_##type *a, const GN_ELEMENT_##type *b);
+#define GN_DECLARE_CONSTANT(result, name, type)                                                    \
+    result gn_lanes_##name(const GN_ELEMENT_##type *a, int b);
+
+GN_LANES_CALLS(GN_DECLARE_UNARY, GN_DECLARE_BINARY, GN_DECLARE_SELECT, GN_DECLARE_CONSTANT)
+void gn_lanes_store(float *p, const float *a);
+void gn_lanes_i_store(stored_word *p, const int32_t *a);
+void gn_lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, const int32_t *a);
+lanes_i gn_lanes_pack_unorm8(const float *red, const float *green, const float *blue,
+                             const float *alpha);
+
+#if !defined(GN_LANES_CALLS_DEFINE)
+#define lanes_store(p, a) gn_lanes_store(p, (a).v)
+#define lanes_add(a, b) gn_lanes_add((a).v, (b).v)
+#define lanes_sub(a, b) gn_lanes_sub((a).v, (b).v)
+#define lanes_mul(a, b) gn_lanes_mul((a).v, (b).v)
+#define lanes_div(a, b) gn_lanes_div((a).v, (b).v)
+#define lanes_sqrt(a) gn_lanes_sqrt((a).v)
+#define lanes_min(a, b) gn_lanes_min((a).v, (b).v)
+#define lanes_max(a, b) gn_lanes_max((a).v, (b).v)
+#define lanes_greater(a, b) gn_lanes_greater((a).v, (b).v)
+#define lanes_less_equal(a, b) gn_lanes_less_equal((a).v, (b).v)
+#define lanes_and(a, b) gn_lanes_and((a).v, (b).v)
+#define lanes_not(a) gn_lanes_not((a).v)
+#define lanes_bits(a) gn_lanes_bits((a).v)
+#define lanes_select(m, a, b) gn_lanes_select((m).v, (a).v, (b).v)
+#define lanes_m_as_int(a) gn_lanes_m_as_int((a).v)
+#define lanes_truncate(a) gn_lanes_truncate((a).v)
+#define lanes_round(a) gn_lanes_round((a).v)
+#define lanes_floor(a) gn_lanes_floor((a).v)
+#define lanes_to_float(a) gn_lanes_to_float((a).v)
+#define lanes_as_int(a) gn_lanes_as_int((a).v)
+#define lanes_as_float(a) gn_lanes_as_float((a).v)
+#define lanes_i_store(p, a) gn_lanes_i_store(p, (a).v)
+#define lanes_i_add(a, b) gn_lanes_i_add((a).v, (b).v)
+#define lanes_i_sub(a, b) gn_lanes_i_sub((a).v, (b).v)
+#define lanes_i_mul(a, b) gn_lanes_i_mul((a).v, (b).v)
+#define lanes_i_or(a, b) gn_lanes_i_or((a).v, (b).v)
+#define lanes_i_and(a, b) gn_lanes_i_and((a).v, (b).v)
+#define lanes_i_shift_left(a, count) gn_lanes_i_shift_left((a).v, count)
+#define lanes_i_shift_right(a, count) gn_lanes_i_shift_right((a).v, count)
+#define lanes_i_min(a, b) gn_lanes_i_min((a).v, (b).v)
+#define lanes_i_max(a, b) gn_lanes_i_max((a).v, (b).v)
+#define lanes_i_select(m, a, b) gn_lanes_i_select((m).v, (a).v, (b).v)
+#define lanes_i_greater(a, b) gn_lanes_i_greater((a).v, (b).v)
+#define lanes_i_equal(a, b) gn_lanes_i_equal((a).v, (b).v)
+#define lanes_i_sign_bits(a) gn_lanes_i_sign_bits((a).v)
+#define lanes_i_store_block(memory, stride, a) gn_lanes_i_store_block(memory, stride, (a).v)
+#define lanes_pack_unorm8(red, green, blue, alpha)                                                 \
+    gn_lanes_pack_unorm8((red).v, (green).v, (blue).v, (alpha).v)
+#define lanes_unpack_unorm8(packed, channel) gn_lanes_unpack_unorm8((packed).v, channel)
+#endif
+
+#endif
