@@ -6,7 +6,7 @@
  *   scalar.h      square root and trigonometry, the same on every target
  *   vec.h         vectors of two to four components
  *   mat.h         3x3 and 4x4 matrices
- *   bulk.h        arrays of vectors by one matrix
+ *   bulk.h        arrays of vectors by one matrix, and of matrices
  *   transform.h   transforms: a matrix together with its analytic inverse
  *   projection.h  projections and the viewport, as transforms
  *   surface.h     colour and depth images in the caller's memory, and clears

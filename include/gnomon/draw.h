@@ -34,10 +34,11 @@ typedef struct gn_mesh {
 } gn_mesh;
 
 /* Memory the library may use during a draw; nothing in it outlives the call.
- * Any alignment. More memory than the minimum saves vertex shading: where the range of
- * vertices that the indices name fits, and is no longer than the indices drawn, each
- * vertex of it is shaded once, named or not. gn_workspace_size(vertex_count,
- * varying_count) is enough for that. Otherwise the draw is made in parts, vertices are
+ * Any alignment; of more than 4 GiB the rest is not used. More memory than the minimum saves
+ * vertex shading: where the range of vertices that the indices name fits, and is no longer
+ * than the indices drawn, each vertex of it is shaded once, named or not.
+ * gn_workspace_size(vertex_count, varying_count) is enough for that on the calling thread,
+ * gn_workspace_size_parallel on several. Otherwise the draw is made in parts, vertices are
  * shaded for each index, and the pixels are the same. */
 typedef struct gn_workspace {
     void *memory;
@@ -57,7 +58,7 @@ typedef struct gn_workspace {
     (2112 + 192 * (size_t)(varying_count) + 32 * GN_WORKSPACE_VERTEX_SIZE(varying_count))
 
 /* gn_workspace_size as a constant expression, for static arrays, where the size fits a
- * size_t and varying_count its limit. Vertices come in batches; 64 bytes are for
+ * size_t and varying_count its limit. Vertices come sixteen at a time; 64 bytes are for
  * alignment. */
 #define GN_WORKSPACE_SIZE(vertex_count, varying_count)                                             \
     (64 + GN_WORKSPACE_TASK_SIZE(varying_count) +                                                  \
@@ -66,16 +67,19 @@ typedef struct gn_workspace {
 
 GN_BEGIN
 
-/* Workspace bytes with which a mesh of that many vertices is shaded in one go.
- * With vertex_count 0, the least a draw with that many varyings needs.
+/* Workspace bytes with which the calling thread shades each vertex of a mesh of that many
+ * once. With vertex_count 0, the least a draw with that many varyings needs.
  * SIZE_MAX where the size would not fit a size_t or varying_count is above
  * GN_MAX_VARYINGS. */
 GN_API size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count);
 
-/* Workspace bytes with which a mesh of that many vertices, without indices as many as are
- * drawn, and triangles is best drawn on several threads. With less memory there are fewer
- * triangles to a round, down to some hundreds; with less than that, or with
- * gn_workspace_size alone, the calling thread draws alone. SIZE_MAX as above. */
+/* Workspace bytes with which a mesh of that many vertices (without indices, as many as are
+ * drawn) and triangles is best drawn on several threads. They draw in rounds of some 65,000
+ * triangles: first the vertices are shaded, then what can be seen is found, then rows of the
+ * target are drawn. With less memory rounds are shorter, down to some hundreds of triangles,
+ * and where not all vertices fit beside them, they are shaded for each index. With less
+ * than such a round takes, some hundred kilobytes, the calling thread draws alone.
+ * SIZE_MAX as above. */
 GN_API size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count,
                                          uint32_t varying_count);
 
@@ -90,9 +94,10 @@ GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
 /* Draws a mesh. Checks the target, the pipeline, the mesh (gn_target_check,
  * gn_pipeline_check, gn_mesh_check), then that the target's colour has a fragment
  * shader (GN_NO_SHADER) and that the workspace is there (GN_NULL_POINTER) and
- * holds at least gn_workspace_size(0, varying_count) bytes
- * (GN_WORKSPACE_TOO_SMALL, and workspace->needed says how many), and that its back end is available
- * (GN_BACKEND_UNAVAILABLE); on a fault nothing is drawn.
+ * holds at least gn_workspace_size(0, varying_count) bytes (GN_WORKSPACE_TOO_SMALL, and
+ * workspace->needed says how many), and that its back end is available
+ * (GN_BACKEND_UNAVAILABLE). An index at or beyond vertex_count is found last. On a fault
+ * nothing is drawn.
  *
  * Triangles are drawn in order. Positions are clipped to -w <= x, y, z <= w and
  * mapped to window coordinates; vertices snap to 1/256 pixel; a pixel is covered

@@ -77,8 +77,8 @@ typedef struct gn_depth_range {
     float z_far;  /* window depth of NDC z = 1, in 0..1 */
 } gn_depth_range;
 
-/* Input of a vertex shader: one batch of vertices. Lanes beyond `count` repeat
- * the last vertex, so that a shader may simply run over all GN_LANES; what it
+/* Input of a vertex shader: up to 16 vertices. Lanes beyond `count` repeat
+ * the last of them, so that a shader may simply run over all GN_LANES; what it
  * gives there is not used. */
 typedef struct gn_vertex_input {
     const float (*attribute)[4][GN_LANES]; /* [attribute][component][lane] */
@@ -99,7 +99,7 @@ typedef struct gn_vertex_output {
 typedef struct gn_fragment_input {
     const float (*varying)[GN_LANES]; /* [varying][lane] */
     uint32_t coverage;                /* bit l: lane l is covered and passed early tests */
-    int32_t x, y;                     /* window coordinates of lane 0, multiples of 4 */
+    int32_t x, y;                     /* window coordinates of lane 0: x a multiple of 4, y of 2 */
 
     /* gn_sample_2d in the form of the back end that runs the shader; the same result. */
     gn_sample_2d_function *sample_2d;
@@ -112,8 +112,8 @@ typedef struct gn_fragment_output {
 } gn_fragment_output;
 
 /* Shaders are plain functions over 16 lanes; `uniforms` is the pipeline's
- * pointer, handed through. They may be called any number of times and must
- * have no side effects. */
+ * pointer, handed through. They may be called any number of times, with a workspace's
+ * `parallel` on several threads at once, and must have no side effects. */
 typedef void gn_vertex_shader(const void *uniforms, const gn_vertex_input *input,
                               gn_vertex_output *output);
 typedef void gn_fragment_shader(const void *uniforms, const gn_fragment_input *input,

@@ -15,8 +15,8 @@
 
 #include "surface.h"
 
-/* Fragments, vertices and texture samples are processed this many at a time,
- * as structures of arrays. */
+/* Vertices, triangles, fragments and texture samples are processed this many at a
+ * time, as structures of arrays. */
 #define GN_LANES 16
 
 typedef enum gn_wrap { GN_WRAP_REPEAT = 0, GN_WRAP_CLAMP_TO_EDGE } gn_wrap;

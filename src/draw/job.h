@@ -30,7 +30,7 @@ typedef struct segment_lists {
 } segment_lists;
 
 /* The workspace from an aligned address on: the scratch of tasks, then for a draw with
- * tasks the segments of a round and their lists, then vertices. */
+ * tasks the segments of a round, their lists and the rows of those, then vertices. */
 typedef struct draw_job {
     const gn_target *target;
     const gn_pipeline *pipeline;
@@ -48,7 +48,7 @@ typedef struct draw_job {
     uint32_t lists_per_segment;
 } draw_job;
 
-/* Bytes of a task's scratch: a list, its batch, new vertices. */
+/* A task's scratch: a triangle_list, its triangle_batch, new vertices. */
 static inline uint32_t scratch_batch_offset(void)
 {
     return (uint32_t)(sizeof(triangle_list) + 63) & ~63u;

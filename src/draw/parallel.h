@@ -1,9 +1,10 @@
 /* Running a draw in tasks on the caller's threads, round by round of whole segments:
  *
- *   vertices   batches of vertices, divided evenly
- *   segments   culled and clipped, each into lists of its own
+ *   vertices   divided evenly, by sixteens
+ *   segments   culled, each into lists of its own; what crosses the view volume is clipped
+ *              for its bounds alone
  *   strips     rows of the target: every strip draws, in order, the triangles of all lists
- *              that reach into it
+ *              that reach into it, and clips those that cross again
  *
  * A step begins when the one before has ended and its tasks write to disjoint memory, so
  * there are no locks, and what a pixel gets depends on the order of triangles alone. */
@@ -111,7 +112,7 @@ static void shade_task(void *context, uint32_t task)
     *outcodes = shade_slots(round->draw, task, items.first, items.first + items.count);
 }
 
-/* Shades slots first, that of a batch, to end - 1. Gives the union of outcodes. */
+/* Shades slots first, a multiple of sixteen, to end - 1. Gives the union of outcodes. */
 static uint32_t shade_in_tasks(round_state *round, uint32_t first, uint32_t end)
 {
     uint32_t outcodes = 0;

@@ -16,7 +16,7 @@ typedef struct slot_map {
     bool shared;
     uint32_t base;
     uint32_t count;    /* slots of a shared draw */
-    uint32_t shaded;   /* of them, in whole batches */
+    uint32_t shaded;   /* of them, a multiple of sixteen or all */
     uint32_t outcodes; /* the union of theirs */
     uint32_t first;
 } slot_map;
@@ -51,8 +51,8 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     draw->shade_run = run_function_of(&draw->fragment);
 }
 
-/* Slots to shade, in whole batches or all, for this vertex of a shared draw to be among
- * them. */
+/* Slots to shade, a multiple of sixteen or all, for this vertex of a shared draw to be
+ * among them. */
 static inline uint32_t slots_up_to(const slot_map *map, uint32_t vertex)
 {
     const uint32_t named = ((vertex - map->base) / GN_LANES + 1) * GN_LANES;

@@ -58,7 +58,7 @@ static inline lanes_i store_vertices(const draw_state *draw, const gn_vertex_out
     return place_vertices(&draw->viewport, clip, first, draw->stride);
 }
 
-/* Shades slots `from`, the first of a batch, to end - 1. A task's batch of triangles
+/* Shades slots `from`, a multiple of sixteen, to end - 1. The triangle_batch of the task
  * lends its memory to what the shader gives. Gives the union of their outcodes. */
 static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from, uint32_t end)
 {

@@ -12,7 +12,7 @@ static inline uint32_t array_components(const gn_attribute *attribute)
     return attribute->data ? attribute->components : 0;
 }
 
-/* What arrays lack, 0, 0, 0, 1, which stays as it is from batch to batch. */
+/* What arrays lack, 0, 0, 0, 1, which fetch_attributes leaves as it is. */
 static inline void fetch_defaults(const gn_mesh *mesh,
                                   float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
 {

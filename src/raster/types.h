@@ -34,7 +34,7 @@ enum { BOUNDS_MIN_X, BOUNDS_MIN_Y, BOUNDS_MAX_X, BOUNDS_MAX_Y, BOUNDS_COUNT };
 typedef struct triangle_list {
     uint32_t count;
     uint32_t clipped;
-    uint32_t vertex[3][GN_LANES];           /* wound so that inside is left of every edge */
+    uint32_t vertex[3][GN_LANES];           /* clockwise: inside is right of every edge */
     uint32_t provoking[GN_LANES];           /* the vertex flat varyings come from */
     int32_t bounds[BOUNDS_COUNT][GN_LANES]; /* pixels whose centres may be inside */
 } triangle_list;
@@ -86,9 +86,9 @@ static inline attribute_plane triangle_plane(raster_triangle t, uint32_t n)
     return plane;
 }
 
-/* Called for runs of `count` neighbouring 4x4 blocks in a row, the first at (x, y),
- * multiples of 2; bit l of coverage is lane l, the same in every block. More than one
- * block is only called for where all pixels are covered. */
+/* Called for runs of `count` neighbouring 4x4 blocks in a row, the first at (x, y), x a
+ * multiple of 4 and y of 2; bit l of coverage is lane l, the same in every block. More than
+ * one block is only called for where all pixels are covered. */
 typedef void run_function(const void *context, raster_triangle triangle, int32_t x, int32_t y,
                           uint32_t count, uint32_t coverage);
 

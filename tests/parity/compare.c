@@ -55,7 +55,7 @@ static bool compare_variant(const scene *s, const variant *v, comparison *result
     return allocated;
 }
 
-/* A batch more, or any number of bytes: whole meshes, parts of them, or one by one. */
+/* The least and some kilobytes: room for whole small meshes, for parts of larger ones. */
 static size_t odd_workspace(uint64_t number)
 {
     return gn_workspace_size(0, SCENE_VARYINGS) + (size_t)(number * 619 % 20011);

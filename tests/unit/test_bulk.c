@@ -1,4 +1,4 @@
-/* Many vectors by one matrix: every function against the one for a single vector, at all
+/* Many vectors and matrices: every function against the one for a single product, at all
  * lengths around a block and all alignments, on every back end, in place and not; nothing
  * else is written; each status. */
 #include <stdio.h>

@@ -360,6 +360,55 @@ static void every_workspace_serves_threads(void **state)
     free(memory);
 }
 
+static bool places_are_aligned;
+
+/* Red and green say which pixel a lane is. */
+static void paint_places(const void *uniforms, const gn_fragment_input *input,
+                         gn_fragment_output *output)
+{
+    (void)uniforms;
+    places_are_aligned = places_are_aligned && input->x % 4 == 0 && input->y % 2 == 0;
+    for (int l = 0; l < GN_LANES; ++l) {
+        output->color[0][l] = (float)(input->x + l % 4) / 255.0f;
+        output->color[1][l] = (float)(input->y + l / 4) / 255.0f;
+        output->color[2][l] = 0.0f;
+        output->color[3][l] = 1.0f;
+    }
+}
+
+/* From every row on, small blocks and, on a target of its own, large ones. */
+static void shaders_know_their_pixels(void **state)
+{
+    (void)state;
+    enum { SIDE = 200 };
+    static uint32_t pixels[SIDE * SIDE];
+    float positions[12] = {0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 1};
+
+    for (int i = 0; i < 40; ++i) {
+        const int side = i < 20 ? SIZE : SIDE;
+        int drawn = 0;
+
+        positions[1] = positions[5] = -1.0f + 0.0975f * (float)(i % 20);
+        positions[9] = positions[1] + (i % 3 ? 0.4f : 1.4f);
+        reset(positions, 3, GN_TRIANGLES);
+        memset(pixels, 0, sizeof pixels);
+        c.target.color =
+            gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, (uint32_t)side, (uint32_t)side);
+        c.target.depth.format = GN_FORMAT_NONE;
+        c.pipeline.fragment_shader = paint_places;
+        places_are_aligned = true;
+        assert_int_equal(draw(), GN_OK);
+        assert_true(places_are_aligned);
+        for (int p = 0; p < side * side; ++p) {
+            if (pixels[p]) {
+                assert_int_equal(pixels[p], 0xFF000000u + (uint32_t)(p / side << 8 | p % side));
+                ++drawn;
+            }
+        }
+        assert_true(drawn > 0);
+    }
+}
+
 static void a_triangle_through_the_eye_is_clipped(void **state)
 {
     (void)state;
@@ -388,6 +437,7 @@ int main(void)
         cmocka_unit_test(indices_of_every_width),
         cmocka_unit_test(back_ends_have_names_and_agree),
         cmocka_unit_test(every_workspace_serves_threads),
+        cmocka_unit_test(shaders_know_their_pixels),
         cmocka_unit_test(a_triangle_through_the_eye_is_clipped),
     };
     return cmocka_run_group_tests_name("draw", tests, NULL, NULL);
