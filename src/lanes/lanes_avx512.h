@@ -261,7 +261,7 @@ static inline lanes_i lanes_truncate(lanes_f a)
 
 static inline lanes_f lanes_floor(lanes_f a)
 {
-    return lanes_avx512_f(_mm512_roundscale_ps(a.q, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC));
+    return lanes_avx512_f(_mm512_floor_ps(a.q));
 }
 
 static inline lanes_i lanes_round(lanes_f a)
