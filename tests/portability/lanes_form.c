@@ -137,7 +137,8 @@ int RUN_FORM(const lanes_input *in, lanes_output out[LANES_OPERATIONS_MAX])
     record_i(&r, "as_int", lanes_as_int(lanes_select(lanes_greater(a, a), b, lanes_to_float(i))));
     record_i(&r, "truncate", lanes_truncate(a));
     record_i(&r, "round", lanes_round(a));
-    record_f(&r, "floor, a zero of either sign", lanes_add(lanes_floor(a), lanes_splat(0.0f)));
+    /* A zero may have either sign. */
+    record_f(&r, "floor", lanes_add(lanes_floor(a), lanes_splat(0.0f)));
     record_i(&r, "i_load", i);
     record_i(&r, "i_splat", lanes_i_splat(in->low));
     record_i(&r, "i_plane", lanes_i_plane(in->per_column, in->per_row));

@@ -126,6 +126,16 @@ static uint32_t integer_of(double (*whole)(double), float a)
                                                    : (uint32_t)INT32_MIN;
 }
 
+/* A float's bits, as they are recorded: of a zero of either sign, those of the positive. */
+static uint32_t floor_of(float a)
+{
+    const float whole = floorf(a) + 0.0f;
+    uint32_t bits;
+
+    memcpy(&bits, &whole, sizeof bits);
+    return isnan(a) ? 0x7FC00000u : bits;
+}
+
 static uint32_t byte_of(float channel)
 {
     const float scaled = channel * 255.0f;
@@ -153,7 +163,7 @@ static uint32_t definition(defined_operation operation, const lanes_input *in, i
     case ROUND:
         return integer_of(nearbyint, in->a[l]);
     case FLOOR:
-        return integer_of(floor, in->a[l]);
+        return floor_of(in->a[l]);
     default:
         return pixel_of(in, l);
     }

@@ -158,6 +158,7 @@ static void texture_multiplies_every_channel(void **state)
     in.varying = (const float(*)[GN_LANES])varying;
     in.coverage = 0xFFFF;
     in.x = in.y = 0;
+    in.sample_2d = gn_sample_2d;
     out.color = color;
     p.fragment_shader(p.uniforms, &in, &out);
     for (int l = 0; l < GN_LANES; ++l) {
