@@ -56,7 +56,7 @@ describe() {
     small) # this machine's, with little code
         compiler=${CC:-cc}
         flags="-Os -DGN_SMALL -DGN_ONLY_PORTABLE"
-        runner=env
+        runner="env"
         disassembler=objdump
         fused='[[:space:]]vfn?m(add|sub)'
         ;;

@@ -1,9 +1,10 @@
 #!/bin/sh
 # The library is freestanding: linked with -nostdlib -Wl,-z,defs it has no undefined
 # symbol and no writable data, with every compiler found and at several levels of
-# optimisation; the flags of users who ask for fast mathematics do not reach it: no
-# multiplication is fused with an addition, of the processors that can, and AVX-512's back
-# end is always compiled for one; its headers compile alone, as C99 and as C++.
+# optimisation, nor has it on a microcontroller; the flags of users who ask for fast
+# mathematics do not reach it: no multiplication is fused with an addition, of the processors
+# that can, and AVX-512's back end is always compiled for one; its headers compile alone, as
+# C99 and as C++.
 # usage: freestanding.sh BUILD-DIRECTORY   (from the root of the project)
 set -eu
 build=$1/freestanding
@@ -39,6 +40,32 @@ check() { # check NAME COMPILER FLAGS...
     fi
 }
 
+# A Cortex-M4, whose compiler calls memcpy and memset for little: nothing is undefined but its
+# own routines for floats and 64-bit integers.
+check_microcontroller() { # check_microcontroller NAME FLAGS...
+    name=$1
+    shift
+    directory=$build/$name
+    rm -rf "$directory"
+    mkdir -p "$directory"
+    ok=yes
+    for source in src/*/*.c; do
+        object=$directory/$(echo "$source" | tr '/' '_').o
+        # shellcheck disable=SC2086
+        arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -std=c99 -pedantic $warnings "$@" -Iinclude $own \
+            -fno-pic -c "$source" -o "$object" || ok=no
+    done
+    arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -nostdlib -r "$directory"/*.o -lgcc -o "$directory/library" || ok=no
+    undefined=$(arm-none-eabi-nm -u "$directory/library" | awk '{ text = text " " $2 } END { print text }')
+    writable=$(arm-none-eabi-size "$directory/library" | awk 'NR == 2 { print $2 + $3 }')
+    echo "$name: undefined symbols:${undefined:- 0}, data+bss bytes: $writable"
+    if [ $ok = yes ] && [ -z "$undefined" ] && [ "$writable" -eq 0 ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+    fi
+}
+
 header() { # header NAME COMMAND...
     name=$1
     shift
@@ -54,6 +81,12 @@ command -v gcc >/dev/null && check gcc-O2 gcc -O2 && check gcc-O0 gcc -O0 && che
     check gcc-Ofast gcc -Ofast -march=skylake-avx512 -ffp-contract=fast
 command -v clang >/dev/null && check clang-O2 clang -O2
 check only-portable "${CC:-cc}" -O2 -DGN_ONLY_PORTABLE
+if command -v arm-none-eabi-gcc >/dev/null; then
+    check_microcontroller cortex-m4-O2 -O2
+    check_microcontroller cortex-m4-small -Os -DGN_SMALL
+else
+    echo "cortex-m4: not compiled, since arm-none-eabi-gcc is absent: 'make setup-cross' installs it"
+fi
 
 for file in include/gnomon.h include/gnomon/*.h; do
     include=${file#include/}

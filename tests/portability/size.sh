@@ -1,12 +1,15 @@
 #!/bin/sh
 # How much a microcontroller's program holds of the library: compiled at -Os for a Cortex-M4,
-# with software and hardware floats, and linked so that only what microcontroller.c reaches
-# stays, with the compiler's own routines for floats. The same program then draws in an
-# emulator, in a workspace of 16 KiB, and its picture is compared with one drawn here.
+# with software and hardware floats, with and without GN_SMALL, and linked so that only what
+# microcontroller.c reaches stays, with the compiler's own routines for floats. The same
+# program then draws in an emulator, in a workspace of 16 KiB, and its picture is compared with
+# one drawn here; the stack is what it changed of the paint. Fails where a picture differs, a
+# symbol is undefined, there is writable data, or with GN_SMALL the text is too long.
 # usage: size.sh BUILD-DIRECTORY   (from the root of the project)
 set -eu
+archive=$1/libgnomon.a
 build=$1/size
-goal=32768
+goal=32768 # of text, with GN_SMALL
 compiler=arm-none-eabi-gcc
 passed=0
 failed=0
@@ -50,27 +53,36 @@ program() {
     $compiler $common "$@" $own $sections -c tests/portability/microcontroller.c -o "$object.o"
 }
 
-# measure LIBRARY VARYINGS LABEL PROGRAM-NAME FLAGS...: a row of the table.
+# measure LIBRARY PROGRAM-NAME LABEL VARYINGS FLAGS...: a row of the table.
 measure() {
-    from=$1 varyings=$2 label=$3
-    shift 3
-    program "$from" "$@"
-    shift
+    from=$1 scene=$2 label=$3 varyings=$4
+    shift 4
+    program "$from" "$scene" "$@"
     roots=$(arm-none-eabi-nm -u "$object.o" | awk '$2 ~ /^gn_/ { printf " -Wl,-u,%s", $2 }')
     # shellcheck disable=SC2086
     $compiler "$@" -nostdlib -r $roots -Wl,--gc-sections "$build/$from"/*.o -lgcc -o "$object.library"
     undefined=$(arm-none-eabi-nm -u "$object.library" | awk '{ printf "%s%s", sep, $2; sep = " " }')
+    notes=""
+    stack=-
+    [ -z "$here" ] || run "$@"
+    # shellcheck disable=SC2046
     set -- $(arm-none-eabi-size "$object.library" | tail -1)
-    note=""
-    [ "$1" -le $goal ] || note="above $goal"
-    printf '%-44s %7d %5d %5d %9d  %-12s %s\n' "$label" "$1" "$2" "$3" "$(least "$varyings")" \
-        "${undefined:-none}" "$note"
+    case $from in
+    *-small) [ "$1" -le $goal ] || notes="$notes; text above $goal" ;;
+    esac
+    [ "$2" -eq 0 ] && [ "$3" -eq 0 ] || notes="$notes; data"
+    [ -z "$undefined" ] || notes="$notes; undefined: $undefined"
+    printf '%-46s %7d %5d %5d %10d %6s%s\n' "$label" "$1" "$2" "$3" "$(least "$varyings")" "$stack" "${notes:+  ${notes#; }}"
+    if [ -z "$notes" ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+    fi
 }
 
-# draws LIBRARY NAME FLAGS...: runs the program that `measure` compiled.
-draws() {
-    from=$1 object=$build/$1-$2 label="$1, $2"
-    shift 2
+# run FLAGS...: runs the program that `measure` compiled and compares its picture; `stack` is
+# then what it used.
+run() {
     # shellcheck disable=SC2086
     $compiler "$@" -nostdlib -Wl,--gc-sections -T tests/portability/microcontroller.ld \
         "$object.o" "$build/$from"/*.o -lgcc -o "$object.elf"
@@ -78,49 +90,37 @@ draws() {
         -semihosting-config enable=on,target=native -kernel "$object.elf" >"$object.printed" 2>&1 || true
     hash=$(head -n 1 "$object.printed")
     if [ "$hash" = "$here" ] && [ "$hash" != 00000000 ]; then
-        passed=$((passed + 1))
-        echo "$label: drawn in a workspace of 16 KiB, hash $hash equal;" \
-            "stack $(printf %d "0x$(sed -n 2p "$object.printed")") bytes"
+        stack=$(printf %d "0x$(sed -n 2p "$object.printed")")
     else
-        failed=$((failed + 1))
-        echo "$label: hash '$hash', here '$here'"
+        notes="$notes; picture '$hash', here '$here'"
     fi
+}
+
+# draw_here FLAGS...: the picture's hash in `here`.
+draw_here() {
+    ${CC:-cc} -std=c99 -O2 -fno-fast-math -ffp-contract=off -Iinclude "$@" \
+        tests/portability/microcontroller.c "$archive" -o "$build/here"
+    here=$("$build/here")
 }
 
 soft="-mcpu=cortex-m4 -mthumb -mfloat-abi=soft"
 hard="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16"
 color="-DTEXTURED=0 -DDEPTH=GN_FORMAT_NONE"
 
-printf '%-44s %7s %5s %5s %9s  %s\n' "library in a program, bytes" text data bss workspace undefined
+here=""
+if ! command -v qemu-system-arm >/dev/null 2>&1; then
+    echo "not run, since qemu-system-arm is absent: 'make setup-cross' installs it"
+fi
+printf '%-46s %7s %5s %5s %10s %6s\n' "library in a program, bytes" text data bss workspace stack
 # shellcheck disable=SC2086
 for kind in "soft:$soft" "hard:$hard" "soft-small:$soft -DGN_SMALL" "hard-small:$hard -DGN_SMALL"; do
     name=${kind%%:*}
     flags=${kind#*:}
-    case $name in
-    *-small) grep -qw GN_SMALL src/*/*.h || continue ;;
-    esac
     library "$name" $flags
-    measure "$name" 4 "$name: vertex colours, no depth" color $flags $color
-    measure "$name" 6 "$name: nearest texture, light, D16" texture $flags
-done
-
-if ! command -v qemu-system-arm >/dev/null 2>&1; then
-    echo "not run, since qemu-system-arm is absent: 'make setup-cross' installs it"
-    exit 0
-fi
-# shellcheck disable=SC2086
-for scene in color texture; do
-    [ $scene = texture ] && own_flags="" || own_flags=$color
-    ${CC:-cc} -std=c99 -O2 -fno-fast-math -ffp-contract=off -Iinclude $own_flags \
-        tests/portability/microcontroller.c "$1/libgnomon.a" -o "$build/here"
-    here=$("$build/here")
-    for linked in "$build"/*-$scene.library; do
-        kind=$(basename "$linked" "-$scene.library")
-        case $kind in
-        soft*) draws "$kind" $scene $soft ;;
-        *) draws "$kind" $scene $hard ;;
-        esac
-    done
+    ! command -v qemu-system-arm >/dev/null 2>&1 || draw_here $color
+    measure "$name" color "$name: vertex colours, no depth" 4 $flags $color
+    ! command -v qemu-system-arm >/dev/null 2>&1 || draw_here
+    measure "$name" texture "$name: nearest texture, light, D16" 6 $flags
 done
 echo "size: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]
