@@ -52,6 +52,20 @@ size_t scene_index_size(gn_index_format format)
     return 0;
 }
 
+uint32_t scene_vertex_of(const gn_mesh *mesh, uint32_t i)
+{
+    switch (mesh->index_format) {
+    case GN_INDEX_UINT8:
+        return ((const uint8_t *)mesh->indices)[i];
+    case GN_INDEX_UINT16:
+        return ((const uint16_t *)mesh->indices)[i];
+    case GN_INDEX_UINT32:
+        return ((const uint32_t *)mesh->indices)[i];
+    default:
+        return i;
+    }
+}
+
 scene *scene_create(uint32_t width, uint32_t height, gn_format color, gn_format depth)
 {
     scene *s = scene_allocate(1, sizeof *s);

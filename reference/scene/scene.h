@@ -106,6 +106,9 @@ void scene_set_texture(scene_draw *d, const void *texels, uint32_t width, uint32
 /* Bytes of an index; 0 for GN_INDEX_NONE. */
 size_t scene_index_size(gn_index_format format);
 
+/* The vertex that element i of a mesh names, counted from the indices' first. */
+uint32_t scene_vertex_of(const gn_mesh *mesh, uint32_t i);
+
 /* Triangles the draws submit, before clipping. */
 uint64_t scene_triangle_count(const scene *s);
 

@@ -47,12 +47,7 @@ static void write_indices(FILE *out, const scene_draw *d)
     fprintf(out, "  indices %s %" PRIu32, text_name(TEXT_INDEX, (int)mesh->index_format),
             d->index_count);
     for (uint32_t i = 0; i < d->index_count; ++i) {
-        const uint32_t index =
-            mesh->index_format == GN_INDEX_UINT8    ? ((const uint8_t *)mesh->indices)[i]
-            : mesh->index_format == GN_INDEX_UINT16 ? ((const uint16_t *)mesh->indices)[i]
-                                                    : ((const uint32_t *)mesh->indices)[i];
-
-        fprintf(out, "%s%" PRIu32, i % 12 ? " " : "\n    ", index);
+        fprintf(out, "%s%" PRIu32, i % 12 ? " " : "\n    ", scene_vertex_of(mesh, i));
     }
     fputc('\n', out);
 }

@@ -15,20 +15,6 @@ static void *allocated(size_t count, size_t size)
     return memory;
 }
 
-static uint32_t index_at(const gn_mesh *mesh, uint32_t i)
-{
-    switch (mesh->index_format) {
-    case GN_INDEX_UINT8:
-        return ((const uint8_t *)mesh->indices)[i];
-    case GN_INDEX_UINT16:
-        return ((const uint16_t *)mesh->indices)[i];
-    case GN_INDEX_UINT32:
-        return ((const uint32_t *)mesh->indices)[i];
-    default:
-        return i;
-    }
-}
-
 mesh_selection mesh_select_all(const gn_mesh *mesh)
 {
     const mesh_selection all = {NULL,        mesh->vertex_count, true,
@@ -68,7 +54,7 @@ static void copy_draw(scene *to, const scene_draw *from, const mesh_selection *s
     if (selection->keep_indices && from->mesh.index_format != GN_INDEX_NONE) {
         uint32_t *indices = allocated(from->index_count, sizeof *indices);
         for (uint32_t i = 0; i < from->index_count; i++)
-            indices[i] = index_at(&from->mesh, i);
+            indices[i] = scene_vertex_of(&from->mesh, i);
         scene_set_indices(d, indices, from->index_count, from->mesh.index_format);
         free(indices);
     }
@@ -101,7 +87,7 @@ static bool remove_indices(shrinking *s, size_t draw)
         return false;
     uint32_t *vertices = allocated(mesh->count, sizeof *vertices);
     for (uint32_t i = 0; i < mesh->count; i++)
-        vertices[i] = index_at(mesh, mesh->first + i);
+        vertices[i] = scene_vertex_of(mesh, mesh->first + i);
     mesh_selection selection = {vertices, mesh->count, false, 0, mesh->count, ~0u};
     const bool kept = shrink_try(s, copy_with_selection(s->best, draw, &selection));
     free(vertices);

@@ -59,20 +59,6 @@ static void add_pixels(hash *h, const void *pixels, gn_format format, size_t cou
     }
 }
 
-static uint32_t index_at(const gn_mesh *mesh, uint32_t i)
-{
-    switch (mesh->index_format) {
-    case GN_INDEX_UINT8:
-        return ((const uint8_t *)mesh->indices)[i];
-    case GN_INDEX_UINT16:
-        return ((const uint16_t *)mesh->indices)[i];
-    case GN_INDEX_UINT32:
-        return ((const uint32_t *)mesh->indices)[i];
-    default:
-        return i;
-    }
-}
-
 /* What a scene is drawn from, as far as generators could make it differently. */
 static void add_scene(hash *h, const scene *s)
 {
@@ -92,7 +78,7 @@ static void add_scene(hash *h, const scene *s)
                 add_floats(h, in->data, (size_t)in->components * d->mesh.vertex_count);
         }
         for (uint32_t i = 0; i < d->index_count; i++)
-            add_word(h, index_at(&d->mesh, i));
+            add_word(h, scene_vertex_of(&d->mesh, i));
         if (t->texels)
             add_pixels(h, t->texels, t->format, (size_t)t->width * t->height);
     }

@@ -8,6 +8,7 @@
 #include <time.h>
 
 #include "maths_passes.h"
+#include "median.h"
 
 #define MAX_REPEATS 1000
 #define SHORTEST 200e3 /* nanoseconds of a timing, which the clock's own time is little of */
@@ -41,20 +42,6 @@ static double cpu_nanoseconds(void)
 
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
     return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
-}
-
-static int compare_doubles(const void *a, const void *b)
-{
-    const double x = *(const double *)a;
-    const double y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
-static double median(double *values, int count)
-{
-    qsort(values, (size_t)count, sizeof *values, compare_doubles);
-    return count % 2 ? values[count / 2] : 0.5 * (values[count / 2 - 1] + values[count / 2]);
 }
 
 /* -1 to 1, from a sequence that is the same in every run (Numerical Recipes' generator). */

@@ -7,6 +7,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "median.h"
+
 /* Rows compared at a time: frames of 8192 pixels a side need not be held here. */
 #define BAND_ROWS 64
 
@@ -201,20 +203,6 @@ static bool check_frames(lines *l, const bench_scene *b, renderer *pinned)
             return false;
     }
     return true;
-}
-
-static int compare_doubles(const void *a, const void *b)
-{
-    const double x = *(const double *)a;
-    const double y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
-static double median(double *values, int count)
-{
-    qsort(values, (size_t)count, sizeof *values, compare_doubles);
-    return count % 2 ? values[count / 2] : 0.5 * (values[count / 2 - 1] + values[count / 2]);
 }
 
 static double time_of(const record *r)
