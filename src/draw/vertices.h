@@ -37,8 +37,8 @@ static inline void slot_vertices(const draw_state *draw, uint32_t slot, uint32_t
 }
 
 /* Writes what a shader gave for sixteen vertices to their slots. Gives their outcodes. */
-static inline lanes_i store_vertices(const draw_state *draw, const gn_vertex_output *output,
-                                     uint32_t slot)
+GN_STEP lanes_i store_vertices(const draw_state *draw, const gn_vertex_output *output,
+                               uint32_t slot)
 {
     const uint32_t varyings = draw->pipeline->varying_count;
     unsigned char *const first =

@@ -106,7 +106,7 @@ static void keep_crossing(worker *w, const uint32_t vertex[3], uint32_t provokin
 }
 
 /* Clips a triangle and adds what is left of it. */
-static void add_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking)
+GN_OUT_OF_LINE void add_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking)
 {
     unsigned char *const memory = w->draw->job->memory;
     triangle_group pieces;

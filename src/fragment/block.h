@@ -53,8 +53,8 @@ static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_tr
     }
 }
 
-static inline void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, int32_t x,
-                              int32_t y, uint32_t coverage, lanes_f w, lanes_f out[4])
+GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, int32_t x, int32_t y,
+                        uint32_t coverage, lanes_f w, lanes_f out[4])
 {
     float varying[GN_MAX_VARYINGS][GN_LANES];
     float color[4][GN_LANES];

@@ -113,7 +113,7 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
 
 /* Window coordinates of the new vertices, which are inside, whatever rounding says. Lanes
  * beyond them repeat the first, so that nothing is read that was not written. */
-static void place_new_vertices(const clipper *c)
+GN_STEP void place_new_vertices(const clipper *c)
 {
     const uint32_t stride = vertex_stride(c->pipeline->varying_count);
     uint32_t offset[GN_LANES];

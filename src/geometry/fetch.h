@@ -48,8 +48,8 @@ static inline void fetch_rows(const gn_attribute *source, size_t stride,
 }
 
 /* Sixteen vertices' attributes, as far as the arrays have them. */
-static inline void fetch_attributes(const gn_mesh *mesh, const uint32_t vertex[GN_LANES],
-                                    float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
+GN_STEP void fetch_attributes(const gn_mesh *mesh, const uint32_t vertex[GN_LANES],
+                              float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
 {
     uint32_t last = 0;
 

@@ -39,7 +39,7 @@ static inline lanes_i outside_bit(lanes_f a, lanes_f b, clip_plane plane)
                        lanes_i_splat(1 << plane));
 }
 
-static inline lanes_i outcodes_of(const lanes_f clip[4])
+GN_STEP lanes_i outcodes_of(const lanes_f clip[4])
 {
     const lanes_f zero = lanes_splat(0.0f);
     const lanes_f w = clip[3];

@@ -58,9 +58,11 @@ typedef int32_t stored_word;
 /* For functions whose arguments are constants where they are called: one version of the
  * text, a version of the code for each state. What is seldom needed there stays out of line.
  * Where operations are loops, or have a sanitizer's checks in every lane, so much code would
- * take compilers minutes. */
+ * take compilers minutes. With GN_SMALL there is one version, a step as those below. */
 #if defined(__GNUC__)
-#if defined(GN_LANES_PORTABLE) || defined(__SANITIZE_ADDRESS__)
+#if GN_IS_SMALL
+#define GN_INLINE static __attribute__((noinline, unused))
+#elif defined(GN_LANES_PORTABLE) || defined(__SANITIZE_ADDRESS__)
 #define GN_INLINE static inline
 #else
 #define GN_INLINE static inline __attribute__((always_inline))
@@ -69,6 +71,15 @@ typedef int32_t stored_word;
 #else
 #define GN_INLINE static inline
 #define GN_OUT_OF_LINE static
+#endif
+
+/* For the steps of long functions, inline but with GN_SMALL: compilers give every value of
+ * lanes in a function a place of its own in its frame, so that one long function takes more
+ * stack than any of its steps. */
+#if GN_IS_SMALL && defined(__GNUC__)
+#define GN_STEP static __attribute__((noinline, unused))
+#else
+#define GN_STEP static inline
 #endif
 
 /* All lanes set, as lanes_bits gives it. */

@@ -57,7 +57,7 @@ static inline void gather_corner(const unsigned char *memory, const triangle_gro
 /* Twice the signed areas' signs in integers: exact, and where the extents are small in 32
  * bits. y points up and differences of y are negated, so that a positive area is a
  * clockwise triangle. */
-static inline lanes_i area_signs(const lanes_i x[3], const lanes_i y[3], uint32_t large)
+GN_STEP lanes_i area_signs(const lanes_i x[3], const lanes_i y[3], uint32_t large)
 {
     const lanes_i area = lanes_i_sub(lanes_i_mul(lanes_i_sub(x[0], x[1]), lanes_i_sub(y[2], y[0])),
                                      lanes_i_mul(lanes_i_sub(x[2], x[0]), lanes_i_sub(y[0], y[1])));
@@ -117,9 +117,8 @@ static inline lanes_i greatest_of(const lanes_i a[3])
 
 /* Pixels whose centre (256 * p in snapped coordinates) lies between the extremes, and in
  * the target. Gives the bits of triangles with any. */
-static inline uint32_t find_bounds(const pixel_rectangle *target, lanes_i min_x, lanes_i min_y,
-                                   lanes_i max_x, lanes_i max_y,
-                                   int32_t bounds[BOUNDS_COUNT][GN_LANES])
+GN_STEP uint32_t find_bounds(const pixel_rectangle *target, lanes_i min_x, lanes_i min_y,
+                             lanes_i max_x, lanes_i max_y, int32_t bounds[BOUNDS_COUNT][GN_LANES])
 {
     const lanes_i up = lanes_i_splat(255);
 
@@ -138,8 +137,9 @@ static inline uint32_t find_bounds(const pixel_rectangle *target, lanes_i min_x,
     return ~lanes_bits(lanes_i_greater(min_x, max_x)) & ~lanes_bits(lanes_i_greater(min_y, max_y));
 }
 
-static inline void cull_triangles(const cull_state *state, const unsigned char *memory,
-                                  const triangle_group *group, cull_result *result)
+/* Culling but for what cull_unsnapped says. */
+GN_STEP void cull_snapped(const cull_state *state, const unsigned char *memory,
+                          const triangle_group *group, cull_result *result)
 {
     const uint32_t lanes = GN_ALL_LANES >> (GN_LANES - group->count);
     lanes_i row[3][4], x[3], y[3];
@@ -180,9 +180,15 @@ static inline void cull_triangles(const cull_state *state, const unsigned char *
         drawn &= ~result->clockwise;
     if (state->drop_counter_clockwise)
         drawn &= result->clockwise;
-    if (state->asks_unsnapped && drawn)
-        drawn &= cull_unsnapped(state, memory, group);
     result->drawn = drawn;
+}
+
+static inline void cull_triangles(const cull_state *state, const unsigned char *memory,
+                                  const triangle_group *group, cull_result *result)
+{
+    cull_snapped(state, memory, group, result);
+    if (state->asks_unsnapped && result->drawn)
+        result->drawn &= cull_unsnapped(state, memory, group);
 }
 
 /* Adds the triangle in a lane of a group to a list that has room. Inside is to one side of

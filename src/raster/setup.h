@@ -12,8 +12,8 @@
  * that blocks are made of whole quads, if the highest block then stays in the part of the
  * target that is drawn: the rows above may be another thread's, and the part ends at a
  * multiple of four or with the target. */
-static inline void place_blocks(const pixel_rectangle *target, const triangle_list *list,
-                                lanes_i origin[2])
+GN_STEP void place_blocks(const pixel_rectangle *target, const triangle_list *list,
+                          lanes_i origin[2])
 {
     const lanes_i min_y = lanes_i_load(list->bounds[BOUNDS_MIN_Y]);
     const lanes_i max_y = lanes_i_load(list->bounds[BOUNDS_MAX_Y]);
