@@ -65,6 +65,11 @@ GN_API gn_surface gn_surface_bottom_up(void *memory, gn_format format, uint32_t 
 GN_API gn_surface gn_surface_top_down(void *memory, gn_format format, uint32_t width,
                                       uint32_t height);
 
+/* Rows first to first + count - 1 of a surface, as a surface of its own: what divides a clear
+ * among threads. Of rows the surface does not have, and of a null pointer, a zeroed surface,
+ * which is absent. */
+GN_API gn_surface gn_surface_rows(const gn_surface *surface, uint32_t first, uint32_t count);
+
 /* The first fault of a target, in this order: a null pointer (GN_NULL_POINTER),
  * no surface at all (GN_NO_SURFACE); then for colour and for depth: a format
  * that does not belong there (GN_INVALID_FORMAT), a size of 0 or above

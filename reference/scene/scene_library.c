@@ -88,17 +88,60 @@ size_t scene_workspace_size(const scene *s)
     return gn_workspace_size_parallel(vertices, triangles, SCENE_VARYINGS);
 }
 
-gn_status scene_draw_to_target(const scene *s, const gn_target *target, gn_workspace *workspace)
+/* Bands of rows that a clear is divided into where there are threads. */
+#define CLEAR_BANDS 8
+
+typedef struct clear {
+    const scene *scene;
+    const gn_target *target;
+    gn_status status[CLEAR_BANDS];
+} clear;
+
+static gn_status clear_rows(const clear *c, uint32_t first, uint32_t count)
 {
+    const scene *s = c->scene;
+    const gn_surface color = gn_surface_rows(&c->target->color, first, count);
+    const gn_surface depth = gn_surface_rows(&c->target->depth, first, count);
     gn_status status = GN_OK;
 
     if (s->color_format != GN_FORMAT_NONE) {
-        status = gn_clear_color(&target->color, s->clear_color[0], s->clear_color[1],
-                                s->clear_color[2], s->clear_color[3]);
+        status = gn_clear_color(&color, s->clear_color[0], s->clear_color[1], s->clear_color[2],
+                                s->clear_color[3]);
     }
     if (status == GN_OK && s->depth_format != GN_FORMAT_NONE) {
-        status = gn_clear_depth(&target->depth, s->clear_depth);
+        status = gn_clear_depth(&depth, s->clear_depth);
     }
+    return status;
+}
+
+static void clear_band(void *context, uint32_t band)
+{
+    clear *c = context;
+    const uint32_t height = c->scene->height;
+    const uint32_t first = height * band / CLEAR_BANDS;
+
+    c->status[band] = clear_rows(c, first, height * (band + 1) / CLEAR_BANDS - first);
+}
+
+static gn_status clear_target(const scene *s, const gn_target *target,
+                              const gn_workspace *workspace)
+{
+    clear c = {s, target, {GN_OK}};
+
+    if (!workspace->parallel || s->height < CLEAR_BANDS) {
+        return clear_rows(&c, 0, s->height);
+    }
+    workspace->parallel(workspace->user, clear_band, &c, CLEAR_BANDS);
+    for (int i = 1; i < CLEAR_BANDS && c.status[0] == GN_OK; ++i) {
+        c.status[0] = c.status[i];
+    }
+    return c.status[0];
+}
+
+gn_status scene_draw_to_target(const scene *s, const gn_target *target, gn_workspace *workspace)
+{
+    gn_status status = clear_target(s, target, workspace);
+
     for (size_t i = 0; status == GN_OK && i < s->draw_count; ++i) {
         status = draw_one(target, &s->draws[i], workspace);
     }

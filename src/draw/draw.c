@@ -43,10 +43,15 @@ static uint32_t lists_per_segment(uint32_t triangles)
     return triangles / GN_LANES + 1;
 }
 
+static uint32_t rows_per_segment(uint32_t triangles)
+{
+    return (lists_per_segment(triangles) - 1) / GN_LANES + 1;
+}
+
 static uint64_t segment_size(uint32_t triangles)
 {
-    return sizeof(segment_lists) +
-           (uint64_t)lists_per_segment(triangles) * (sizeof(triangle_list) + sizeof(pixel_rows));
+    return sizeof(segment_lists) + (uint64_t)lists_per_segment(triangles) * sizeof(triangle_list) +
+           (uint64_t)rows_per_segment(triangles) * sizeof(list_rows);
 }
 
 size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count,
@@ -107,8 +112,8 @@ static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
     job->lists_per_segment = lists_per_segment(step);
     job->segments = (segment_lists *)(void *)(job->memory + scratch);
     job->lists = (triangle_list *)(void *)(job->segments + segments);
-    job->list_rows =
-        (pixel_rows *)(void *)(job->lists + segments * (uint64_t)job->lists_per_segment);
+    job->rows_per_segment = rows_per_segment(step);
+    job->rows = (list_rows *)(void *)(job->lists + segments * (uint64_t)job->lists_per_segment);
 
     const uint64_t end = scratch + segments * segment_size(step);
     return (uint32_t)(end + WORKSPACE_ALIGNMENT - 1) & ~(uint32_t)(WORKSPACE_ALIGNMENT - 1);
@@ -127,8 +132,9 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     job->segments = NULL;
     job->segment_count = 0;
     job->lists = NULL;
-    job->list_rows = NULL;
+    job->rows = NULL;
     job->lists_per_segment = 0;
+    job->rows_per_segment = 0;
     job->vertices = divide_for_tasks(job, available);
     job->capacity = (available - job->vertices) / batch * GN_LANES;
 }

@@ -30,17 +30,6 @@ static inline void read_elements(const gn_mesh *mesh, uint32_t first, uint32_t c
     }
 }
 
-typedef struct index_range {
-    uint32_t low, high;
-} index_range;
-
-static inline index_range join_ranges(index_range a, index_range b)
-{
-    const index_range r = {a.low < b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
-
-    return r;
-}
-
 /* The least and the greatest vertex that elements first to first + count - 1 name; of
  * none, an empty range. Unsigned order is the signed one of numbers less 2^31. */
 static index_range find_range(const gn_mesh *mesh, uint32_t first, uint32_t count)
@@ -79,6 +68,46 @@ static index_range find_range(const gn_mesh *mesh, uint32_t first, uint32_t coun
         done += part;
     }
     return range;
+}
+
+/* Divides the draw's indices into parts. */
+static inline void divide_indices(index_parts *parts, uint32_t count)
+{
+    const uint32_t even = (count - 1) / INDEX_PARTS + 1;
+
+    parts->size = even > SEGMENT_INDICES ? even : SEGMENT_INDICES;
+    parts->count = (count - 1) / parts->size + 1;
+}
+
+/* Finds what each of parts first to first + count - 1 names. */
+static void scan_parts(draw_state *draw, uint32_t first, uint32_t count)
+{
+    index_parts *const parts = &draw->parts;
+
+    for (uint32_t p = first; p < first + count; ++p) {
+        const uint32_t skipped = p * parts->size;
+        const uint32_t rest = draw->mesh->count - skipped;
+
+        parts->range[p] = find_range(draw->mesh, skipped, rest < parts->size ? rest : parts->size);
+    }
+}
+
+/* Makes of what each part names what it and those before it name. Gives what all do. */
+static index_range join_parts(index_parts *parts)
+{
+    for (uint32_t p = 1; p < parts->count; ++p)
+        parts->range[p] = join_ranges(parts->range[p - 1], parts->range[p]);
+    return parts->range[parts->count - 1];
+}
+
+/* Slots to shade, a multiple of sixteen or all, before elements below `end` of a shared draw
+ * can be assembled. */
+static inline uint32_t slots_before(const draw_state *draw, uint32_t end)
+{
+    const index_range *named = &draw->parts.range[(end - 1) / draw->parts.size];
+    const uint32_t slots = ((named->high - draw->map.base) / GN_LANES + 1) * GN_LANES;
+
+    return slots < draw->map.count ? slots : draw->map.count;
 }
 
 /* Where the vertices of elements first to first + count - 1 are kept; of a fan, the first

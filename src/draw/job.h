@@ -26,8 +26,16 @@ typedef struct segment_lists {
     uint32_t list_count;
     uint32_t triangle_count;
     pixel_rows rows; /* of their bounds */
-    uint64_t area;   /* the sum of their bounds' */
+    uint32_t area;   /* about the sum of their bounds', each counted up to LARGEST_AREA */
 } segment_lists;
+
+/* As much as makes a draw worth all strips. The sum of a segment fits 32 bits. */
+#define LARGEST_AREA (1 << 19)
+
+/* The rows of the bounds of sixteen lists; of a list that is not there, none. */
+typedef struct list_rows {
+    int32_t min[GN_LANES], max[GN_LANES];
+} list_rows;
 
 /* The workspace from an aligned address on: the scratch of tasks, then for a draw with
  * tasks the segments of a round, their lists and the rows of those, then vertices. */
@@ -44,8 +52,8 @@ typedef struct draw_job {
     segment_lists *segments; /* of a round */
     uint32_t segment_count;
     triangle_list *lists;
-    pixel_rows *list_rows; /* of the bounds in each */
-    uint32_t lists_per_segment;
+    list_rows *rows; /* of the lists */
+    uint32_t lists_per_segment, rows_per_segment;
 } draw_job;
 
 /* A task's scratch: a triangle_list, its triangle_batch, new vertices. */

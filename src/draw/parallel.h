@@ -79,28 +79,25 @@ static task_range task_items(const round_state *round, uint32_t task)
     return r;
 }
 
-static void range_task(void *context, uint32_t task)
+static void scan_task(void *context, uint32_t task)
 {
     const round_state *round = context;
     const task_range items = task_items(round, task);
-    index_range *result = (index_range *)(void *)task_scratch(round->draw, task);
 
-    *result = find_range(round->draw->mesh, items.first, items.count);
+    scan_parts(round->draw, items.first, items.count);
 }
 
-/* find_range, where there are threads on them. */
-static index_range find_range_of(draw_state *draw, uint32_t first, uint32_t count)
+/* scan_parts for all parts, where there are threads on them. */
+static void scan_in_tasks(draw_state *draw)
 {
+    const uint32_t parts = draw->parts.count;
     round_state round;
-    index_range all = {UINT32_MAX, 0};
 
-    if (!GN_HAVE_TASKS || !draw->job->parallel || count <= TASK_ELEMENTS)
-        return find_range(draw->mesh, first, count);
     round.draw = draw;
-    const uint32_t tasks = run_tasks(&round, range_task, first, count, TASK_ELEMENTS);
-    for (uint32_t i = 0; i < tasks; ++i)
-        all = join_ranges(all, *(const index_range *)(const void *)task_scratch(draw, i));
-    return all;
+    if (GN_HAVE_TASKS && draw->job->parallel)
+        run_tasks(&round, scan_task, 0, parts, (TASK_ELEMENTS - 1) / draw->parts.size + 1);
+    else
+        scan_parts(draw, 0, parts);
 }
 
 static void shade_task(void *context, uint32_t task)
@@ -143,7 +140,7 @@ static uint32_t shade_round(round_state *round)
         return shade_in_tasks(round, 0, elements);
     }
     if (map->shaded < map->count) {
-        const uint32_t end = slots_up_to(map, find_range_of(draw, first, elements).high);
+        const uint32_t end = slots_before(draw, first + elements);
 
         map->outcodes |= shade_in_tasks(round, map->shaded, end);
         map->shaded = end > map->shaded ? end : map->shaded;
@@ -158,29 +155,58 @@ static inline pixel_rows join_rows(pixel_rows a, pixel_rows b)
     return r;
 }
 
-/* Sums up the lists of a segment. */
-static void measure_segment(segment_lists *segment, const triangle_list *lists,
-                            pixel_rows *list_rows)
+static pixel_rows rows_of_list(const triangle_list *list)
+{
+    pixel_rows rows = {INT32_MAX, -1};
+
+    GN_EACH_LANE (l) {
+        const pixel_rows one = {list->bounds[BOUNDS_MIN_Y][l], list->bounds[BOUNDS_MAX_Y][l]};
+        rows = join_rows(rows, one);
+    }
+    return rows;
+}
+
+/* The areas of the bounds of a list's triangles, each up to LARGEST_AREA. */
+static lanes_i areas_of_list(const triangle_list *list)
+{
+    const lanes_i one = lanes_i_splat(1);
+    const lanes_i width = lanes_i_sub(lanes_i_load(list->bounds[BOUNDS_MAX_X]),
+                                      lanes_i_load(list->bounds[BOUNDS_MIN_X]));
+    const lanes_i height = lanes_i_sub(lanes_i_load(list->bounds[BOUNDS_MAX_Y]),
+                                       lanes_i_load(list->bounds[BOUNDS_MIN_Y]));
+
+    return lanes_i_min(lanes_i_mul(lanes_i_add(width, one), lanes_i_add(height, one)),
+                       lanes_i_splat(LARGEST_AREA));
+}
+
+/* Sums up the lists of a segment, all of whose lanes are filled. */
+static void measure_segment(segment_lists *segment, const triangle_list *lists, list_rows *groups)
 {
     const pixel_rows none = {INT32_MAX, -1};
+    lanes_i areas = lanes_i_splat(0);
+    int32_t area[GN_LANES];
 
     segment->triangle_count = 0;
     segment->rows = none;
-    segment->area = 0;
     for (uint32_t n = 0; n < segment->list_count; ++n) {
-        const triangle_list *list = &lists[n];
+        const uint32_t l = n % GN_LANES;
+        list_rows *const group = &groups[n / GN_LANES];
+        const pixel_rows rows = rows_of_list(&lists[n]);
 
-        list_rows[n] = none;
-        for (uint32_t l = 0; l < list->count; ++l) {
-            const pixel_rows rows = {list->bounds[BOUNDS_MIN_Y][l], list->bounds[BOUNDS_MAX_Y][l]};
-            const int32_t width = list->bounds[BOUNDS_MAX_X][l] - list->bounds[BOUNDS_MIN_X][l] + 1;
-
-            list_rows[n] = join_rows(list_rows[n], rows);
-            segment->area += (uint64_t)((uint32_t)width * (uint32_t)(rows.max - rows.min + 1));
+        if (l == 0) {
+            lanes_i_store(group->min, lanes_i_splat(none.min));
+            lanes_i_store(group->max, lanes_i_splat(none.max));
         }
-        segment->triangle_count += list->count;
-        segment->rows = join_rows(segment->rows, list_rows[n]);
+        group->min[l] = rows.min;
+        group->max[l] = rows.max;
+        segment->rows = join_rows(segment->rows, rows);
+        segment->triangle_count += lists[n].count;
+        areas = lanes_i_add(areas, areas_of_list(&lists[n]));
     }
+    lanes_i_store(area, areas);
+    segment->area = 0;
+    GN_EACH_LANE (l)
+        segment->area += (uint32_t)area[l];
 }
 
 static void cull_segment(const round_state *round, uint32_t task, uint32_t segment)
@@ -204,7 +230,9 @@ static void cull_segment(const round_state *round, uint32_t task, uint32_t segme
     resolve_segment(&w, draw->map.outcodes ? segment_outcodes(draw, first, count) : 0);
     add_triangles(&w, first, count);
     kept->list_count = (uint32_t)(w.list - lists) + (w.list->count > 0);
-    measure_segment(kept, lists, job->list_rows + first_list);
+    if (w.list->count > 0)
+        fill_list(w.list);
+    measure_segment(kept, lists, job->rows + (size_t)segment * job->rows_per_segment);
 }
 
 static void cull_task(void *context, uint32_t task)
@@ -235,25 +263,29 @@ static inline void add_listed(worker *w, const triangle_list *from, uint32_t l)
     finish_if_full(w);
 }
 
+/* The lanes whose rows, min to max, reach into a part of the target. */
+static inline uint32_t lanes_in_part(const pixel_rectangle *part, const int32_t *min,
+                                     const int32_t *max)
+{
+    return ~(lanes_bits(lanes_i_greater(lanes_i_load(min), lanes_i_splat(part->max_y))) |
+             lanes_bits(lanes_i_greater(lanes_i_splat(part->min_y), lanes_i_load(max))));
+}
+
 /* Draws the triangles of a list that reach into the worker's part of the target: a list
  * all of which lies in it as it is, from others what does. */
-static void add_list(worker *w, const triangle_list *from, pixel_rows rows)
+static void add_list(worker *w, const triangle_list *from, bool lies_inside)
 {
     const pixel_rectangle *part = &w->cull.target;
+    const int32_t(*const bounds)[GN_LANES] = from->bounds;
 
-    if (from->count == GN_LANES && !from->clipped && rows.min >= part->min_y &&
-        rows.max <= part->max_y) {
+    if (lies_inside && from->count == GN_LANES && !from->clipped) {
         draw_list(w);
         draw_triangles(w, from);
         return;
     }
-    const lanes_i min_y = lanes_i_load(from->bounds[BOUNDS_MIN_Y]);
-    const lanes_i max_y = lanes_i_load(from->bounds[BOUNDS_MAX_Y]);
-    const uint32_t outside = lanes_bits(lanes_i_greater(min_y, lanes_i_splat(part->max_y))) |
-                             lanes_bits(lanes_i_greater(lanes_i_splat(part->min_y), max_y));
-
-    for (uint32_t bits = ~outside & (GN_ALL_LANES >> (GN_LANES - from->count)); bits;
-         bits &= bits - 1) {
+    for (uint32_t bits = lanes_in_part(part, bounds[BOUNDS_MIN_Y], bounds[BOUNDS_MAX_Y]) &
+                         (GN_ALL_LANES >> (GN_LANES - from->count));
+         bits; bits &= bits - 1) {
         const uint32_t l = first_lane(bits);
 
         if (from->clipped >> l & 1u) {
@@ -265,9 +297,23 @@ static void add_list(worker *w, const triangle_list *from, pixel_rows rows)
     }
 }
 
-static inline bool rows_meet(pixel_rows rows, const pixel_rectangle *part)
+/* Draws what of a segment's lists reaches into the worker's part of the target. */
+static void draw_segment_part(worker *w, const segment_lists *segment, const triangle_list *lists,
+                              const list_rows *rows)
 {
-    return rows.min <= part->max_y && rows.max >= part->min_y;
+    const pixel_rectangle *part = &w->cull.target;
+
+    if (segment->rows.min > part->max_y || segment->rows.max < part->min_y)
+        return;
+    for (uint32_t first = 0; first < segment->list_count; first += GN_LANES, ++rows) {
+        for (uint32_t bits = lanes_in_part(part, rows->min, rows->max) & GN_ALL_LANES; bits;
+             bits &= bits - 1) {
+            const uint32_t l = first_lane(bits);
+            const bool inside = rows->min[l] >= part->min_y && rows->max[l] <= part->max_y;
+
+            add_list(w, &lists[first + l], inside);
+        }
+    }
 }
 
 static void strip_task(void *context, uint32_t task)
@@ -288,17 +334,9 @@ static void strip_task(void *context, uint32_t task)
     part->max_y = part->max_y < top ? part->max_y : top;
     /* Clipped triangles are of segments in which culling asks, if it does in any. */
     w.cull.asks_unsnapped = draw->pipeline->cull != GN_CULL_NONE;
-    for (uint32_t s = 0; s < segments; ++s) {
-        const segment_lists *segment = &job->segments[s];
-        const size_t first_list = (size_t)s * job->lists_per_segment;
-
-        if (!rows_meet(segment->rows, part))
-            continue;
-        for (size_t n = first_list; n < first_list + segment->list_count; ++n) {
-            if (rows_meet(job->list_rows[n], part))
-                add_list(&w, &job->lists[n], job->list_rows[n]);
-        }
-    }
+    for (uint32_t s = 0; s < segments; ++s)
+        draw_segment_part(&w, &job->segments[s], job->lists + (size_t)s * job->lists_per_segment,
+                          job->rows + (size_t)s * job->rows_per_segment);
     draw_list(&w);
 }
 

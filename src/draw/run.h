@@ -39,17 +39,16 @@ static void draw_segment(draw_state *draw, worker *w, uint32_t first, uint32_t c
     }
 }
 
-/* Draws a segment of a shared draw. Vertices are shaded up to the last one it names, each
- * once in the draw, while they are still near in the cache. */
+/* Draws a segment of a shared draw. Vertices are shaded up to the last one that its
+ * part of the indices names, each once in the draw. */
 static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uint32_t count)
 {
     const gn_topology topology = draw->pipeline->topology;
     slot_map *const map = &draw->map;
 
     if (map->shaded < map->count) {
-        const index_range range =
-            find_range(draw->mesh, first_element(topology, first), element_count(topology, count));
-        const uint32_t end = slots_up_to(map, range.high);
+        const uint32_t end =
+            slots_before(draw, first_element(topology, first) + element_count(topology, count));
 
         if (end > map->shaded) {
             map->outcodes |= shade_slots(draw, 0, map->shaded, end);
@@ -97,7 +96,9 @@ static inline gn_status run_draw(const draw_job *job)
 
     set_draw_state(&draw, job);
     if (job->mesh->index_format != GN_INDEX_NONE && job->mesh->count > 0) {
-        const index_range range = find_range_of(&draw, 0, job->mesh->count);
+        divide_indices(&draw.parts, job->mesh->count);
+        scan_in_tasks(&draw);
+        const index_range range = join_parts(&draw.parts);
 
         if (range.high >= job->mesh->vertex_count)
             return GN_INDEX_OUT_OF_RANGE;

@@ -21,12 +21,35 @@ typedef struct slot_map {
     uint32_t first;
 } slot_map;
 
+/* Vertices low to high. */
+typedef struct index_range {
+    uint32_t low, high;
+} index_range;
+
+static inline index_range join_ranges(index_range a, index_range b)
+{
+    const index_range r = {a.low < b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
+
+    return r;
+}
+
+/* Vertices are shaded a part of the indices ahead: in parts this many, they are still near
+ * in the cache when triangles are made of them. */
+#define INDEX_PARTS (GN_SPECIALISED ? 128 : 8)
+
+/* The draw's indices in parts of `size`, and what each part and those before it name. */
+typedef struct index_parts {
+    uint32_t size, count;
+    index_range range[INDEX_PARTS];
+} index_parts;
+
 typedef struct draw_state {
     const draw_job *job;
     const gn_pipeline *pipeline;
     const gn_mesh *mesh;
     uint32_t stride; /* bytes from vertex to vertex */
     slot_map map;
+    index_parts parts; /* of a draw with indices */
     viewport_transform viewport;
     cull_state cull;
     fragment_state fragment;
@@ -49,15 +72,6 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     draw->cull = cull_state_of(job->pipeline, any->width, any->height);
     draw->fragment = fragment_state_of(job->target, job->pipeline);
     draw->shade_run = run_function_of(&draw->fragment);
-}
-
-/* Slots to shade, a multiple of sixteen or all, for this vertex of a shared draw to be
- * among them. */
-static inline uint32_t slots_up_to(const slot_map *map, uint32_t vertex)
-{
-    const uint32_t named = ((vertex - map->base) / GN_LANES + 1) * GN_LANES;
-
-    return named < map->count ? named : map->count;
 }
 
 /* Elements of a segment, and triangles that they make. */

@@ -42,6 +42,18 @@ gn_surface gn_surface_top_down(void *memory, gn_format format, uint32_t width, u
     return s;
 }
 
+gn_surface gn_surface_rows(const gn_surface *surface, uint32_t first, uint32_t count)
+{
+    gn_surface s = gn_surface_bottom_up(0, GN_FORMAT_NONE, 0, 0);
+
+    if (surface && surface->pixels && first < surface->height && count <= surface->height - first) {
+        s = *surface;
+        s.pixels = surface_row(surface, first);
+        s.height = count;
+    }
+    return s;
+}
+
 static bool is_color_format(gn_format format)
 {
     return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F;

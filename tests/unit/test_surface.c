@@ -48,6 +48,38 @@ static gn_target good_target(void)
     return t;
 }
 
+static void rows_are_a_surface(void **state)
+{
+    (void)state;
+    for (int down = 0; down < 2; ++down) {
+        const gn_surface all = down ? gn_surface_top_down(words, GN_FORMAT_D32F, WIDTH, HEIGHT)
+                                    : gn_surface_bottom_up(words, GN_FORMAT_D32F, WIDTH, HEIGHT);
+        const gn_surface band = gn_surface_rows(&all, 1, 2);
+        const size_t lowest = down ? HEIGHT - 3 : 1;
+
+        assert_int_equal(band.width, WIDTH);
+        assert_int_equal(band.height, 2);
+        memset(words, 0, sizeof words);
+        assert_int_equal(gn_clear_depth(&band, 1.0f), GN_OK);
+        for (size_t i = 0; i < sizeof words / sizeof *words; ++i)
+            assert_int_equal(words[i],
+                             i >= lowest * WIDTH && i < (lowest + 2) * WIDTH ? 0x3F800000u : 0u);
+    }
+}
+
+static void rows_beyond_a_surface_are_absent(void **state)
+{
+    (void)state;
+    const gn_surface all = gn_surface_bottom_up(words, GN_FORMAT_D32F, WIDTH, HEIGHT);
+
+    assert_int_equal(gn_surface_rows(&all, HEIGHT - 1, 1).format, GN_FORMAT_D32F);
+    assert_int_equal(gn_surface_rows(&all, HEIGHT - 1, 2).format, GN_FORMAT_NONE);
+    assert_int_equal(gn_surface_rows(&all, HEIGHT, 0).format, GN_FORMAT_NONE);
+    assert_int_equal(gn_surface_rows(&all, UINT32_MAX, 2).format, GN_FORMAT_NONE);
+    assert_int_equal(gn_surface_rows(&all, 1, UINT32_MAX).format, GN_FORMAT_NONE);
+    assert_int_equal(gn_surface_rows(NULL, 0, 1).format, GN_FORMAT_NONE);
+}
+
 static void target_faults(void **state)
 {
     (void)state;
@@ -269,6 +301,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(format_sizes),
         cmocka_unit_test(constructors_place_row_zero),
+        cmocka_unit_test(rows_are_a_surface),
+        cmocka_unit_test(rows_beyond_a_surface_are_absent),
         cmocka_unit_test(target_faults),
         cmocka_unit_test(clear_color_packs_by_value),
         cmocka_unit_test(clear_color_keeps_floats),
