@@ -24,7 +24,7 @@ GN_BEGIN
  * can run it. GN_BACKEND_AUTO always is; other values are not. */
 GN_API bool gn_backend_available(gn_backend backend);
 
-/* The fastest available. Asking the processor takes a microsecond on some virtual
+/* The fastest available. Asking the processor takes 20 microseconds on some virtual
  * machines: a program with many small draws asks once and names the answer in its
  * workspace. */
 GN_API gn_backend gn_backend_best(void);

@@ -139,31 +139,36 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     job->capacity = (available - job->vertices) / batch * GN_LANES;
 }
 
-static gn_status run_on(gn_backend backend, const draw_job *job)
+typedef gn_status run_job(const draw_job *job);
+
+/* Null where the library does not hold the back end. */
+static run_job *run_of(gn_backend backend)
 {
     switch (backend) {
 #if GN_HAVE_WASM_SIMD128
     case GN_BACKEND_WASM_SIMD128:
-        return gn_run_wasm_simd128(job);
+        return gn_run_wasm_simd128;
 #endif
 #if GN_HAVE_NEON
     case GN_BACKEND_NEON:
-        return gn_run_neon(job);
+        return gn_run_neon;
 #endif
 #if GN_HAVE_AVX512
     case GN_BACKEND_AVX512:
-        return gn_run_avx512(job);
+        return gn_run_avx512;
 #endif
 #if GN_HAVE_AVX2
     case GN_BACKEND_AVX2:
-        return gn_run_avx2(job);
+        return gn_run_avx2;
 #endif
 #if GN_HAVE_SSE2
     case GN_BACKEND_SSE2:
-        return gn_run_sse2(job);
+        return gn_run_sse2;
 #endif
+    case GN_BACKEND_PORTABLE:
+        return gn_run_portable;
     default:
-        return gn_run_portable(job);
+        return 0;
     }
 }
 
@@ -188,10 +193,9 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
         return GN_WORKSPACE_TOO_SMALL;
     }
 
-    gn_backend backend = workspace->backend;
-    if (backend == GN_BACKEND_AUTO)
-        backend = gn_backend_best();
-    else if (!gn_backend_available(backend))
+    const bool any = workspace->backend == GN_BACKEND_AUTO;
+    run_job *const run = run_of(any ? gn_backend_best() : workspace->backend);
+    if (!run)
         return GN_BACKEND_UNAVAILABLE;
 
     draw_job job;
@@ -199,5 +203,5 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
     job.pipeline = pipeline;
     job.mesh = mesh;
     divide_workspace(&job, workspace);
-    return run_on(backend, &job);
+    return run(&job);
 }
