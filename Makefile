@@ -227,6 +227,11 @@ parity: $(BUILD)/parity ## random scenes against OSMesa, bit for bit: SCENES=201
 exhaustive: $(BUILD)/exhaustive ## the scalar functions on all 2^32 arguments against MPFR
 	@$(BUILD)/exhaustive
 
+.PHONY: prove
+prove: ## error bounds proved by Gappa, from the text of the C sources
+	@tests/proof/test_prove.sh
+	@tests/proof/prove.sh
+
 .PHONY: bench
 bench: $(BUILD)/bench ## speed beside OSMesa's, as ratios: FRAMES=15
 	@$(BUILD)/bench --frames $(FRAMES) --json $(BUILD)/bench.json
@@ -285,6 +290,7 @@ test: ## everything, in a few minutes; ends on "N passed, N failed"
 		'theft=$(BUILD)/theft-selftest' \
 		'properties=$(BUILD)/property-tests --seed $(TEST_SEED)' \
 		'scalar functions=$(BUILD)/exhaustive --stride 9973' \
+		'proofs=tests/proof/prove.sh -q' \
 		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes 4400 --keep $(BUILD)/parity-failure.scene' \
 		$(if $(EMULATED_PARITY),'parity$(comma) back ends emulated=$(EMULATED_PARITY) --seed $(TEST_SEED) --scenes 880 --keep $(BUILD)/parity-failure.scene') \
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \

@@ -130,10 +130,15 @@ gn_status gn_vec3_unit(gn_vec3 v, gn_vec3 *result)
     float square;
     gn_status status = prepare_vec3(&v, &square);
     if (status == GN_OK) {
-        float length = gn_sqrt(square);
-        result->x = v.x / length;
-        result->y = v.y / length;
-        result->z = v.z / length;
+        /* Kernel: unit. */
+        const float length = gn_sqrt(square);
+        const float x = v.x / length;
+        const float y = v.y / length;
+        const float z = v.z / length;
+        /* End of kernel. */
+        result->x = x;
+        result->y = y;
+        result->z = z;
     }
     return status;
 }

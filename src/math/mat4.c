@@ -25,8 +25,11 @@ void gn_mat4_identity(gn_mat4 *result)
 /* (c0*x + c1*y) + c2*z, of components spread over quads. */
 static quad_f combine3(const quad_f c[3], const quad_f spread[3])
 {
+    /* Kernel: combine3. */
     const quad_f xy = quad_add(quad_mul(c[0], spread[0]), quad_mul(c[1], spread[1]));
-    return quad_add(xy, quad_mul(c[2], spread[2]));
+    const quad_f xyz = quad_add(xy, quad_mul(c[2], spread[2]));
+    /* End of kernel. */
+    return xyz;
 }
 
 static quad_f combine4(const quad_f c[4], const quad_f spread[4])
@@ -100,7 +103,11 @@ void gn_mat4_invert_rigid(const gn_mat4 *m, gn_mat4 *result)
     for (int column = 0; column < 3; ++column) {
         quad_store(result->m[column], columns[column]);
     }
-    quad_store(result->m[3], quad_sub(origin, combine3(columns, spread)));
+    const quad_f turned = combine3(columns, spread);
+    /* Kernel: rigid. */
+    const quad_f back = quad_sub(origin, turned);
+    /* End of kernel. */
+    quad_store(result->m[3], back);
 }
 
 /* The minor of rows i and j in two columns. */

@@ -56,7 +56,15 @@ static gn_status write_perspective(float x_scale, float y_scale, float skew_x, f
     if (!gn_has_reciprocal(x_scale) || !gn_has_reciprocal(y_scale) || !gn_has_reciprocal(d)) {
         return GN_OUT_OF_RANGE;
     }
-    const float inverse_column[4] = {skew_x / x_scale, skew_y / y_scale, c, c / d};
+    /* Kernel: perspective. */
+    const float inverse_x = 1.0f / x_scale;
+    const float inverse_y = 1.0f / y_scale;
+    const float inverse_d = 1.0f / d;
+    const float back_x = skew_x / x_scale;
+    const float back_y = skew_y / y_scale;
+    const float back_w = c / d;
+    /* End of kernel. */
+    const float inverse_column[4] = {back_x, back_y, c, back_w};
     const float skews[2] = {skew_x, skew_y};
     if (!all_finite(inverse_column, 4) || !all_finite(skews, 2)) {
         return GN_OUT_OF_RANGE;
@@ -71,14 +79,14 @@ static gn_status write_perspective(float x_scale, float y_scale, float skew_x, f
     matrix->m[2][3] = -1.0f;
     matrix->m[3][2] = d;
     matrix->m[3][3] = 0.0f;
-    inverse->m[0][0] = 1.0f / x_scale;
-    inverse->m[1][1] = 1.0f / y_scale;
+    inverse->m[0][0] = inverse_x;
+    inverse->m[1][1] = inverse_y;
     inverse->m[2][2] = 0.0f;
-    inverse->m[2][3] = 1.0f / d;
-    inverse->m[3][0] = inverse_column[0];
-    inverse->m[3][1] = inverse_column[1];
+    inverse->m[2][3] = inverse_d;
+    inverse->m[3][0] = back_x;
+    inverse->m[3][1] = back_y;
     inverse->m[3][2] = -1.0f;
-    inverse->m[3][3] = inverse_column[3];
+    inverse->m[3][3] = back_w;
     return GN_OK;
 }
 

@@ -62,7 +62,10 @@ float gn_vec2_dot(gn_vec2 a, gn_vec2 b)
 
 float gn_vec3_dot(gn_vec3 a, gn_vec3 b)
 {
-    return (a.z * b.z + a.y * b.y) + a.x * b.x;
+    /* Kernel: dot. */
+    const float sum = (a.z * b.z + a.y * b.y) + a.x * b.x;
+    /* End of kernel. */
+    return sum;
 }
 
 float gn_vec4_dot(gn_vec4 a, gn_vec4 b)
