@@ -156,6 +156,10 @@ gn_status gn_vec4_normalize(gn_vec4 v, gn_vec4 *result)
     if (square == 0.0f) {
         return GN_DEGENERATE;
     }
-    *result = gn_vec4_scale(v, 1.0f / gn_sqrt(square));
+    const float length = gn_sqrt(square);
+    result->x = v.x / length;
+    result->y = v.y / length;
+    result->z = v.z / length;
+    result->w = v.w / length;
     return GN_OK;
 }
