@@ -20,8 +20,8 @@ static const char help[] =
     "scalar functions one unit in the last place. Inputs of magnitudes 1/8 to 16 and, every\n"
     "second one, small whole numbers, powers of two and neighbours.\n"
     "The other library is closer where its mean error is smaller than ours by a twentieth (two\n"
-    "orders of the same sum differ by less) and by four standard errors, or its largest by a\n"
-    "third.\n"
+    "orders of the same sum differ by less) and by four standard errors, or its largest is less\n"
+    "than half of ours.\n"
     "\n"
     "  --seed S     what the inputs are made from; printed first (default: the time)\n"
     "  --inputs N   for each function (default 200000)\n"
@@ -70,7 +70,7 @@ static int other_is_closer(const struct measured *m)
         return 0;
     return (own_mean - other_mean > 4.0 * standard_error &&
             own_mean - other_mean > 0.05 * other_mean) ||
-           m->own_largest > 4.0 / 3.0 * m->other_largest;
+           m->own_largest > 2.0 * m->other_largest;
 }
 
 static int parse(const char *text, uint64_t *number)

@@ -248,9 +248,9 @@ static const struct row rows[] = {
     ROW(length2, "vec2 length", 2, 1, 60, 2, 2),
     ROW(length3, "vec3 length", 3, 1, 60, 2.5, 2.5),
     ROW(length4, "vec4 length", 4, 1, 60, 3, 3),
-    ROW(normalize2, "vec2 normalize", 2, 2, 60, 4, 4),
-    ROW(normalize3, "vec3 normalize", 3, 3, 60, 4.5, 4.5),
-    ROW(normalize4, "vec4 normalize", 4, 4, 60, 4, 4),
+    ROW(normalize2, "vec2 normalize", 2, 2, 45, 4, 4),
+    ROW(normalize3, "vec3 normalize", 3, 3, 45, 4.5, 4.5),
+    ROW(normalize4, "vec4 normalize", 4, 4, 45, 4, 4),
     ROW(lerp, "vec3 lerp", 7, 3, 30, 3, 3),
 };
 
