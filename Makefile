@@ -192,7 +192,7 @@ UNIT_TESTS = $(patsubst tests/unit/%.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c
 $(BUILD)/test_threads: $(call objects,$(THREADS_SOURCES))
 
 $(UNIT_TESTS): $(BUILD)/%: $(BUILD)/tests/unit/%.o $(BUILD)/libgnomon.a
-	$(LINK) -lcmocka -lm -pthread
+	$(LINK) -lcmocka -lmpfr -lm -pthread
 
 RUNNER = $(BUILD)/tests/tools/runner.o
 TOOL_TESTS = $(BUILD)/test_faults $(BUILD)/test_pictures $(BUILD)/test_comparison $(BUILD)/test_teapot
