@@ -86,7 +86,6 @@ $(BUILD)/tests/theft/%.o: EXTRA_FLAGS = -Itests/theft
 $(BUILD)/tests/property/%.o: EXTRA_FLAGS = $(THEFT_CFLAGS) -Itests/parity
 $(BUILD)/tests/portability/%.o: EXTRA_FLAGS = -Itests/parity
 $(BUILD)/tests/tools/%.o: EXTRA_FLAGS = -Itools/gnomon
-$(BUILD)/tests/exhaustive/%.o: EXTRA_FLAGS = -DGN_REFERENCE_MPFR
 ifneq ($(findstring x86_64,$(shell $(CC) -dumpmachine)),)
 $(BUILD)/tools/bench/maths_cglm_best.o: EXTRA_FLAGS = -mavx2 -mfma
 endif
@@ -163,7 +162,7 @@ $(BUILD)/test-lanes: $(BUILD)/tests/portability/test_lanes.o $(LANES_OBJECTS) \
 	$(LINK) -lm
 
 $(BUILD)/exhaustive: $(call objects,$(EXHAUSTIVE_SOURCES)) $(BUILD)/libgnomon.a
-	$(LINK) -lmpfr -lm
+	$(LINK) -lmpfr -lm -pthread
 
 $(BUILD)/property-tests: $(call objects,$(PROPERTY_SOURCES) $(THEFT_SOURCES) $(SCENE_SOURCES) \
 		$(filter-out tests/parity/gate.c tests/parity/compare.c,$(PARITY_SOURCES))) \
@@ -183,7 +182,7 @@ UNIT_TESTS = $(patsubst tests/unit/%.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c
 $(BUILD)/test_threads: $(call objects,$(THREADS_SOURCES))
 
 $(UNIT_TESTS): $(BUILD)/%: $(BUILD)/tests/unit/%.o $(BUILD)/libgnomon.a
-	$(LINK) -lcmocka -lm -pthread
+	$(LINK) -lcmocka -lmpfr -lm -pthread
 
 RUNNER = $(BUILD)/tests/tools/runner.o
 TOOL_TESTS = $(BUILD)/test_faults $(BUILD)/test_pictures $(BUILD)/test_comparison $(BUILD)/test_teapot
