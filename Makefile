@@ -88,7 +88,6 @@ $(BUILD)/tests/property/%.o: EXTRA_FLAGS = $(THEFT_CFLAGS) -Itests/parity
 $(BUILD)/tests/portability/%.o: EXTRA_FLAGS = -Itests/parity
 $(BUILD)/tests/tools/%.o: EXTRA_FLAGS = -Itools/gnomon
 $(BUILD)/tests/differential/%.o: EXTRA_FLAGS = -Itests/accuracy
-$(BUILD)/tests/exhaustive/%.o: EXTRA_FLAGS = -DGN_REFERENCE_MPFR
 ifneq ($(findstring x86_64,$(shell $(CC) -dumpmachine)),)
 $(BUILD)/tools/bench/maths_cglm_best.o: EXTRA_FLAGS = -mavx2 -mfma
 endif
@@ -165,7 +164,7 @@ $(BUILD)/test-lanes: $(BUILD)/tests/portability/test_lanes.o $(LANES_OBJECTS) \
 	$(LINK) -lm
 
 $(BUILD)/exhaustive: $(call objects,$(EXHAUSTIVE_SOURCES)) $(BUILD)/libgnomon.a
-	$(LINK) -lmpfr -lm
+	$(LINK) -lmpfr -lm -pthread
 
 $(BUILD)/property-tests: $(call objects,$(PROPERTY_SOURCES) $(THEFT_SOURCES) $(SCENE_SOURCES) \
 		$(filter-out tests/parity/gate.c tests/parity/compare.c,$(PARITY_SOURCES))) \
