@@ -46,9 +46,24 @@ GN_API gn_vec3 gn_mat4_transform_point(const gn_mat4 *m, gn_vec3 v);
  * Normals need the normal matrix instead (transform.h). */
 GN_API gn_vec3 gn_mat4_transform_direction(const gn_mat4 *m, gn_vec3 v);
 
+/* The matrix whose rows are stored one after the other, as Direct3D and most text does, and the
+ * rows of a matrix so stored. A row-vector convention's matrix is the transpose of the one for
+ * columns, so its rows stored one after the other are m as it is: copy those bytes instead. */
+GN_API void gn_mat3_from_rows(const float rows[9], gn_mat3 *result);
+GN_API void gn_mat4_from_rows(const float rows[16], gn_mat4 *result);
+GN_API void gn_mat3_to_rows(const gn_mat3 *m, float rows[9]);
+GN_API void gn_mat4_to_rows(const gn_mat4 *m, float rows[16]);
+
+/* The affine matrix that does to directions what `upper_left` does and leaves the origin. */
+GN_API void gn_mat4_from_mat3(const gn_mat3 *upper_left, gn_mat4 *result);
+
 /* Rows and columns exchanged. */
 GN_API void gn_mat3_transpose(const gn_mat3 *m, gn_mat3 *result);
 GN_API void gn_mat4_transpose(const gn_mat4 *m, gn_mat4 *result);
+
+/* The sum of the diagonal: (m00 + m11) + m22 and (m00 + m11) + (m22 + m33). */
+GN_API float gn_mat3_trace(const gn_mat3 *m);
+GN_API float gn_mat4_trace(const gn_mat4 *m);
 
 /* The determinant: by cofactors of the first column, and by Laplace expansion
  * over the 2x2 minors of the first and the last two columns. The error is at
