@@ -112,6 +112,11 @@ GN_API gn_status gn_vec2_normalize(gn_vec2 v, gn_vec2 *result);
 GN_API gn_status gn_vec3_normalize(gn_vec3 v, gn_vec3 *result);
 GN_API gn_status gn_vec4_normalize(gn_vec4 v, gn_vec4 *result);
 
+/* The angle between two directions, 0 to pi, to within 10 * 2^-24 radians wherever it lies:
+ * W. Kahan's 2 atan2(|a - b|, |a + b|) of the unit vectors. GN_NULL_POINTER, GN_NOT_FINITE
+ * and GN_DEGENERATE (either is zero) leave the result untouched. */
+GN_API gn_status gn_vec3_angle(gn_vec3 a, gn_vec3 b, float *radians);
+
 /* a + (b - a) * t, component by component: linear interpolation from a at t = 0
  * (exactly) to b at t = 1 (within a rounding of b - a). t is not clamped. */
 GN_API gn_vec2 gn_vec2_lerp(gn_vec2 a, gn_vec2 b, float t);
