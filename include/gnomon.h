@@ -9,7 +9,11 @@
  *   quat.h        rotations as quaternions
  *   bulk.h        arrays of vectors by one matrix, and of matrices
  *   transform.h   transforms: a matrix together with its analytic inverse
- *   projection.h  projections and the viewport, as transforms
+ *   inverse.h     inverses of bare matrices of known kinds
+ *   decompose.h   a model matrix into translation, rotation and scale
+ *   projection.h  projections and viewports, as transforms
+ *   conventions.h OpenGL, Direct3D and Vulkan, and from one to another
+ *   project.h     points to the window and back
  *   surface.h     colour and depth images in the caller's memory, and clears
  *   texture.h     images that shaders read
  *   pipeline.h    shaders and the state of a draw
@@ -35,10 +39,14 @@
 
 #include "gnomon/backend.h"
 #include "gnomon/bulk.h"
+#include "gnomon/conventions.h"
+#include "gnomon/decompose.h"
 #include "gnomon/draw.h"
+#include "gnomon/inverse.h"
 #include "gnomon/mat.h"
 #include "gnomon/parallel.h"
 #include "gnomon/pipeline.h"
+#include "gnomon/project.h"
 #include "gnomon/projection.h"
 #include "gnomon/quat.h"
 #include "gnomon/scalar.h"
