@@ -9,6 +9,8 @@
  *   bulk.h        arrays of vectors by one matrix, and of matrices
  *   transform.h   transforms: a matrix together with its analytic inverse
  *   projection.h  projections and the viewport, as transforms
+ *   culling.h     planes of a view volume; boxes and spheres against them
+ *   ray.h         rays through pixels, against triangles and boxes
  *   surface.h     colour and depth images in the caller's memory, and clears
  *   texture.h     images that shaders read
  *   pipeline.h    shaders and the state of a draw
@@ -34,11 +36,13 @@
 
 #include "gnomon/backend.h"
 #include "gnomon/bulk.h"
+#include "gnomon/culling.h"
 #include "gnomon/draw.h"
 #include "gnomon/mat.h"
 #include "gnomon/parallel.h"
 #include "gnomon/pipeline.h"
 #include "gnomon/projection.h"
+#include "gnomon/ray.h"
 #include "gnomon/scalar.h"
 #include "gnomon/shaders.h"
 #include "gnomon/status.h"
