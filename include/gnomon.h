@@ -8,7 +8,11 @@
  *   mat.h         3x3 and 4x4 matrices
  *   bulk.h        arrays of vectors by one matrix, and of matrices
  *   transform.h   transforms: a matrix together with its analytic inverse
- *   projection.h  projections and the viewport, as transforms
+ *   inverse.h     inverses of bare matrices of known kinds
+ *   decompose.h   a model matrix into translation, rotation and scale
+ *   projection.h  projections and viewports, as transforms
+ *   conventions.h OpenGL, Direct3D and Vulkan, and from one to another
+ *   project.h     points to the window and back
  *   culling.h     planes of a view volume; boxes and spheres against them
  *   ray.h         rays through pixels, against triangles and boxes
  *   surface.h     colour and depth images in the caller's memory, and clears
@@ -36,11 +40,15 @@
 
 #include "gnomon/backend.h"
 #include "gnomon/bulk.h"
+#include "gnomon/conventions.h"
 #include "gnomon/culling.h"
+#include "gnomon/decompose.h"
 #include "gnomon/draw.h"
+#include "gnomon/inverse.h"
 #include "gnomon/mat.h"
 #include "gnomon/parallel.h"
 #include "gnomon/pipeline.h"
+#include "gnomon/project.h"
 #include "gnomon/projection.h"
 #include "gnomon/ray.h"
 #include "gnomon/scalar.h"

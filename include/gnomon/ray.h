@@ -36,7 +36,8 @@ GN_BEGIN
 /* The ray from the near plane through the centre of a pixel, (column + 0.5, row + 0.5) in the
  * window, of direction one long. The matrix to clip space is projection * view; the viewport
  * (projection.h) says whether row 0 is at the bottom or at the top, the name which depth of
- * clip space is near: -1 (no), 0 (zo), 1 (reversed). Infinite projections need no other
+ * clip space is near: -1 (no), 0 (zo), or 1 (reversed, of
+ * either). Infinite projections need no other
  * function. Column and row may be fractions, and outside the window. Only the inverses are
  * read. A composed projection * view does with the identity as view, but then the direction
  * loses what the eye's coordinates exceed the near distance by.
@@ -60,14 +61,10 @@ GN_API gn_status gn_ray_through_pixel_no(const gn_transform *projection, const g
 GN_API gn_status gn_ray_through_pixel_zo(const gn_transform *projection, const gn_transform *view,
                                          const gn_transform *viewport, float column, float row,
                                          gn_ray *result);
-GN_API gn_status gn_ray_through_pixel_no_reversed(const gn_transform *projection,
-                                                  const gn_transform *view,
-                                                  const gn_transform *viewport, float column,
-                                                  float row, gn_ray *result);
-GN_API gn_status gn_ray_through_pixel_zo_reversed(const gn_transform *projection,
-                                                  const gn_transform *view,
-                                                  const gn_transform *viewport, float column,
-                                                  float row, gn_ray *result);
+GN_API gn_status gn_ray_through_pixel_reversed(const gn_transform *projection,
+                                               const gn_transform *view,
+                                               const gn_transform *viewport, float column,
+                                               float row, gn_ray *result);
 
 /* Whether the ray meets the triangle, and where (T. Moeller and B. Trumbore, Fast, minimum
  * storage ray/triangle intersection, 1997); either side counts, or only the front, which sees

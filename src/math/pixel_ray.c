@@ -73,17 +73,9 @@ gn_status gn_ray_through_pixel_zo(const gn_transform *projection, const gn_trans
     return through_pixel(projection, view, viewport, column, row, 0.0f, 1.0f, result);
 }
 
-/* Near is at 1 for both depths. */
-gn_status gn_ray_through_pixel_no_reversed(const gn_transform *projection, const gn_transform *view,
-                                           const gn_transform *viewport, float column, float row,
-                                           gn_ray *result)
-{
-    return through_pixel(projection, view, viewport, column, row, 1.0f, -1.0f, result);
-}
-
-gn_status gn_ray_through_pixel_zo_reversed(const gn_transform *projection, const gn_transform *view,
-                                           const gn_transform *viewport, float column, float row,
-                                           gn_ray *result)
+gn_status gn_ray_through_pixel_reversed(const gn_transform *projection, const gn_transform *view,
+                                        const gn_transform *viewport, float column, float row,
+                                        gn_ray *result)
 {
     return through_pixel(projection, view, viewport, column, row, 1.0f, -1.0f, result);
 }
