@@ -71,9 +71,9 @@ GN_API gn_status gn_frustum_planes_zo(const gn_mat4 *clip_from_space,
  * or _zo has written. GN_OUTSIDE: some plane has all of it behind it. GN_INSIDE: none has any.
  * Each is said where the distance to the plane exceeds 16 u times the magnitudes it is a sum
  * of: |normal.x x| + |normal.y y| + |normal.z z| + |offset|, the coordinates being the largest
- * of the box or the center's, plus the radius, and every coefficient taken 2^-120 larger.
- * What is outside the volume but behind no plane with all of it, as past one of the edges, is
- * GN_INTERSECTING.
+ * of the box or the center's, plus the radius, every coefficient taken 2^-120 larger; unless
+ * that sum overflows. What is outside the volume but behind no plane with all of it, as past
+ * one of the edges, is GN_INTERSECTING.
  * What is no box, and a center or radius that is not finite, or a radius below zero:
  * GN_INTERSECTING. Pointers must be valid. */
 GN_API gn_containment gn_cull_box(const gn_plane planes[GN_PLANE_COUNT], const gn_box *box);

@@ -36,21 +36,21 @@ GN_BEGIN
 /* The ray from the near plane through the centre of a pixel, (column + 0.5, row + 0.5) in the
  * window, of direction one long. The matrix to clip space is projection * view; the viewport
  * (projection.h) says whether row 0 is at the bottom or at the top, the name which depth of
- * clip space is near: -1 (no), 0 (zo), or 1 (reversed, of
- * either). Infinite projections need no other
- * function. Column and row may be fractions, and outside the window. Only the inverses are
- * read. A composed projection * view does with the identity as view, but then the direction
- * loses what the eye's coordinates exceed the near distance by.
+ * clip space is near: -1 (no), 0 (zo), or 1 (reversed, of either). Infinite projections need
+ * no other function. Column and row may be fractions, and outside the window. Only the
+ * inverses are read. A composed projection * view does with the identity as view, but then the
+ * direction loses what the eye's coordinates exceed the near distance by.
  *
- * With p = (column + 0.5, row + 0.5), N = |S^-1| (p, 1) for the viewport S and
+ * Over the stored inverses, with p = (column + 0.5, row + 0.5), N = |S^-1| (p, 1) for the viewport S and
  * H = |P^-1| (N.x, N.y, 1, 1) for the projection P, both matrices' entries and p taken
  * positive, the origin o in view space is off by at most e = 8 u (H + |o| H.w) / w, w being the
  * fourth component of P^-1 times the clip coordinates; the direction in view space before it
  * has its length, c - c.w o for the third column c of P^-1, by g = |c.w| e + 3 u (|c| + |c.w o|);
  * and with L the upper-left 3x3 of V^-1 for the view V, t its translation, in the world the origin
  * by |L| e + 4 u (|L||o| + |t|), the direction by twice the length of
- * |L| (g + 4 u |c - c.w o|) over that of L (c - c.w o), and 6 u. For a perspective and a view
- * of projection.h and transform.h the latter stays below 32 u inside the window.
+ * |L| (g + 4 u |c - c.w o|) over that of L (c - c.w o), and 6 u. Inside a window at x = y = 0,
+ * a perspective that sees no more than a right angle and a view that keeps lengths have a
+ * direction within 32 u.
  *
  * GN_NULL_POINTER, GN_NOT_FINITE; GN_BEHIND_EYE where the near plane lies behind the eye,
  * GN_OUT_OF_RANGE where it lies at infinity or a number overflows, GN_DEGENERATE where the
@@ -70,7 +70,7 @@ GN_API gn_status gn_ray_through_pixel_reversed(const gn_transform *projection,
  * storage ray/triangle intersection, 1997); either side counts, or only the front, which sees
  * a, b, c counterclockwise.
  * With |x, y, z| the determinant of three vectors, d the direction and
- *   D = |b - a, d, c - a|,  t = |c - a, a - origin, b - a| / D,
+ *   D = |b - a, d, c - a|,  t = |c - a, origin - a, b - a| / D,
  *   u = |origin - a, d, c - a| / D,  v = |d, origin - a, b - a| / D,
  * each is off by at most 7.5 u (Q + q P) / (|D| - 7.5 u P) + u q, where P and Q are the
  * determinants D and of the numerator with every term taken positive and q is the quotient's
@@ -87,10 +87,11 @@ GN_API bool gn_ray_hits_triangle_front(const gn_ray *ray, gn_vec3 a, gn_vec3 b, 
  * and J. T. Kajiya, Ray tracing complex scenes, 1986; the tolerance: T. Ize, Robust BVH ray
  * traversal, 2013). Conservative: never false for a ray that meets the box; true for one that
  * misses it only where it leaves the last slab but one less than 12 u of its t, and 2^-146,
- * before it enters the last. Both t are within 2 u of themselves, and enter is 0 where the
- * origin is inside; beyond the largest float they are infinite. A component of the direction
- * that is zero asks the origin to lie in that slab, so a direction of zero asks it to lie in
- * the box, with leave infinite. Bounds of the box may be infinite.
+ * before it enters the last, or where those t exceed 2^127. Both t are within 2 u of
+ * themselves, and enter is 0 where the origin is inside; beyond the largest float they are
+ * infinite. A component of the direction that is zero asks the origin to lie in that slab, so
+ * a direction of zero asks it to lie in the box, with leave infinite. Bounds of the box may be
+ * infinite.
  * False where the ray is not finite, or a min is NaN or exceeds its max. */
 GN_API bool gn_ray_hits_box(const gn_ray *ray, const gn_box *box, gn_ray_span *span);
 
