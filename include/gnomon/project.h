@@ -35,9 +35,9 @@ GN_API gn_status gn_project(const gn_transform *to_clip, const gn_transform *vie
                             gn_vec3 point, gn_vec3 *window);
 
 /* The point with these window coordinates, depth in z, by the inverses that the
- * transforms hold. GN_BEHIND_EYE where it lies behind the eye, as for depths
- * beyond those of the view volume it may; GN_OUT_OF_RANGE where it lies at infinity, as it
- * does at the far plane of an infinite projection. */
+ * transforms hold. GN_BEHIND_EYE where no point before the eye has this depth: it
+ * may lie beyond the view volume, or at infinity, as the far plane of an infinite
+ * projection does. */
 GN_API gn_status gn_unproject(const gn_transform *to_clip, const gn_transform *viewport,
                               gn_vec3 window, gn_vec3 *point);
 
