@@ -7,7 +7,8 @@
  * radius another u of both: 7 u s + 4.5 u radius. 8 u (s + radius) covers either, the rounding
  * of s included. A coefficient below 2^-126 is off by as much as 2^-150, and so is a product;
  * that is what adding 2^-120 to each magnitude covers, the 8 u of which are 2^-141.
- * Where a distance overflows s does too, and no comparison with infinity or NaN holds. */
+ * Where a distance overflows, or a coordinate is infinite, so does s, and no comparison with
+ * infinity or NaN holds. */
 #include "box.h"
 #include "transform.h"
 
@@ -33,7 +34,7 @@ static float uncertainty(const gn_plane *plane, gn_vec3 magnitude, float radius)
 gn_containment gn_cull_box(const gn_plane planes[GN_PLANE_COUNT], const gn_box *box)
 {
     const gn_vec3 low = box->min, high = box->max;
-    if (!gn_vec3_is_finite(low) || !gn_vec3_is_finite(high) || !gn_box_is_ordered(box)) {
+    if (!gn_box_is_ordered(box)) {
         return GN_INTERSECTING;
     }
     const gn_vec3 magnitude = {gn_larger(gn_magnitude(low.x), gn_magnitude(high.x)),

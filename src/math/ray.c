@@ -72,7 +72,7 @@ bool gn_ray_hits_box(const gn_ray *ray, const gn_box *box, gn_ray_span *span)
         !clip_to_slab(o.z, d.z, box->min.z, box->max.z, &found)) {
         return false;
     }
-    if (found.leave < 0.0f || found.enter > found.leave * (1.0f + 0x1p-21f) + 0x1p-147f) {
+    if (found.enter > found.leave * (1.0f + 0x1p-21f) + 0x1p-147f) {
         return false;
     }
     found.leave = gn_larger(found.leave, found.enter);

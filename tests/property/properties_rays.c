@@ -226,10 +226,38 @@ static gn_ray some_ray(struct theft *t, const float *f, gn_box *box)
     return ray;
 }
 
+/* A ray that meets an edge or a corner at t = (1 + j * 2^-shift) * scale exactly, though the
+ * differences of the coordinates are no floats; or misses it by some u. Of the three slabs it
+ * enters some and leaves the others there. */
+static gn_ray touching_ray(struct theft *t, gn_box *box)
+{
+    float *const low = &box->min.x, *const high = &box->max.x;
+    gn_ray ray;
+    float *const origin = &ray.origin.x, *const direction = &ray.direction.x;
+    const bool tiny = theft_random_bits(t, 2) == 3;
+    const float space = tiny ? 0x1p-35f : 1.0f, speed = tiny ? 0x1p115f : 1.0f;
+    const int shift = 18 + (int)theft_random_bits(t, 4);
+    const float j = (float)theft_random_bits(t, 12);
+    const float miss = theft_random_bits(t, 1) ? (float)theft_random_bits(t, 6) * 0x1p-24f : 0.0f;
+    const int leaves = (int)theft_random_bits(t, 8) % 3;
+    for (int k = 0; k < 3; ++k) {
+        const float d = 1.0f + (float)theft_random_bits(t, 12);
+        const float edge = ldexpf(j * d, -shift) - (k == leaves ? d * miss : 0.0f);
+        const bool mirrored = theft_random_bits(t, 1) != 0;
+        const bool leave = k == leaves || theft_random_bits(t, 1) != 0;
+        const float sign = mirrored ? -space : space, size = leave ? -9000.0f : 9000.0f;
+        origin[k] = -d * sign;
+        direction[k] = (mirrored ? -d : d) * speed;
+        low[k] = fminf(edge * sign, size * sign);
+        high[k] = fmaxf(edge * sign, size * sign);
+    }
+    return ray;
+}
+
 static enum theft_trial_res boxes_are_hit(struct theft *t, void *arg)
 {
     gn_box box;
-    const gn_ray ray = some_ray(t, arg, &box);
+    const gn_ray ray = theft_random_bits(t, 1) ? touching_ray(t, &box) : some_ray(t, arg, &box);
     const triple o = widened3(ray.origin), d = widened3(ray.direction);
     const triple low = widened3(box.min), high = widened3(box.max);
     wide enter = 0.0L, leave = INFINITY;
@@ -251,7 +279,7 @@ static enum theft_trial_res boxes_are_hit(struct theft *t, void *arg)
     if (!hits)
         return verdict(span.enter == -1.0f && !(possible && leave >= 0.0L && enter <= leave));
     const wide near_miss = enter - leave;
-    if (!possible || leave < -0x1p-149L || !(span.enter <= span.leave) ||
+    if (!possible || !(span.enter <= span.leave) ||
         !(enter > 0x1p127L || leave == INFINITY ||
           near_miss <= 12.0L * WIDE_U * fabsl(leave) + 0x1p-146L))
         return THEFT_TRIAL_FAIL;

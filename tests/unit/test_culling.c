@@ -232,6 +232,24 @@ static void spheres_by_hand(void **state)
             fail_msg("case %zu", i);
 }
 
+/* A normal of (0.75 * 2^-149, 0, 1), whose x is rounded to 2^-149, at x = 2^127: the distance
+ * is (0.75 - 0.875) * 2^-22, the sum of the stored numbers (1 - 0.875) * 2^-22. The other five
+ * bounds are far away. */
+static void underflow_decides_nothing(void **state)
+{
+    (void)state;
+    const gn_mat4 m = {
+        {{0, 0, 0x1.8p-75f, 0}, {0, 0, 0, 0}, {0, 0, 0x1p75f, 0}, {0, 0, -0x1.cp52f, 0x1p100f}}};
+    const gn_vec3 point = {0x1p127f, 0, 0};
+    const gn_box box = {point, point};
+    gn_plane planes[GN_PLANE_COUNT];
+    assert_int_equal(gn_frustum_planes_zo(&m, planes), GN_OK);
+    assert_true(planes[GN_PLANE_NEAR].normal.x == 0x1p-149f);
+    assert_true(planes[GN_PLANE_NEAR].offset == -0x1.cp-23f);
+    assert_int_equal(gn_cull_box(planes, &box), GN_INTERSECTING);
+    assert_int_equal(gn_cull_sphere(planes, point, 0.0f), GN_INTERSECTING);
+}
+
 /* cglm's planes, right for OpenGL's depth, and its box test, which knows no tolerance. */
 static void cglm_agrees(void **state)
 {
@@ -287,6 +305,13 @@ static void transformed_boxes(void **state)
     assert_int_equal(gn_mat4_transform_box(&m, &box, &box), GN_OK);
     assert_memory_equal(&box, &result, sizeof box);
 
+    /* 0.75 * 2^-149, and its negative, are no floats. */
+    const gn_mat4 tiny = {
+        {{0x1.8p-75f, 0, 0, 0}, {0, -0x1.8p-75f, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 1}}};
+    const gn_box small = {{0x1p-75f, 0x1p-75f, 0}, {0x1p-75f, 0x1p-75f, 0}};
+    assert_int_equal(gn_mat4_transform_box(&tiny, &small, &result), GN_OK);
+    assert_true(result.min.x <= 0 && result.max.x > 0 && result.min.y < 0 && result.max.y >= 0);
+
     vec3 corners[2] = {{-1, -2, -3}, {3, 2, 1}}, expected[2];
     const gn_vec3 axis = {1, 2, -2};
     const gn_box other = {{-1, -2, -3}, {3, 2, 1}};
@@ -337,6 +362,7 @@ int main(void)
         cmocka_unit_test(bad_matrices_are_named),
         cmocka_unit_test(boxes_by_hand),
         cmocka_unit_test(spheres_by_hand),
+        cmocka_unit_test(underflow_decides_nothing),
         cmocka_unit_test(cglm_agrees),
         cmocka_unit_test(transformed_boxes),
         cmocka_unit_test(bad_boxes_are_named),

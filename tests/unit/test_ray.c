@@ -154,7 +154,7 @@ static void triangles_by_hand(void **state)
         {{{0.5f, 1, INFINITY}, {0, 0, -1}}, false, false, 0, 0, 0},
         {{{0.5f, 1, 3}, {0, NAN, -1}}, false, false, 0, 0, 0},
         {{{0.5f, 1, 3}, {0, 0, -INFINITY}}, false, false, 0, 0, 0},
-        {{{0.5f, 1, FLT_MAX}, {0, 0, -0.25f}}, false, false, 0, 0, 0}, /* t overflows */
+        {{{0.5f, 1, 1e38f}, {0, 0, -0.01f}}, false, false, 0, 0, 0}, /* t overflows */
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         gn_ray_hit hit = {-1, -1, -1}, front = hit;
@@ -215,6 +215,8 @@ static void boxes_by_hand(void **state)
         {{{2, 2, 2}, {0, 0, 0}}, true, 0, INFINITY}, /* a point */
         {{{0, 2, 2}, {0, 0, 0}}, false, 0, 0},
         {{{0, 2, NAN}, {1, 0, 0}}, false, 0, 0},
+        {{{NAN, 2, 2}, {1, 0, 0}}, false, 0, 0},
+        {{{2, 2, 2}, {0, NAN, 0}}, false, 0, 0},
         {{{0, 2, 2}, {INFINITY, 0, 0}}, false, 0, 0},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
