@@ -26,18 +26,25 @@ GN_BEGIN
  * is zero or negative: the point lies in the plane of the eye or behind it. */
 GN_API gn_status gn_clip_to_ndc(gn_vec4 clip, gn_vec3 *ndc);
 
-/* The window coordinates, depth in z, of a point: to_clip is its matrix to clip
+/* The window coordinates, depth in z, of a point p: to_clip is its matrix M to clip
  * space (projection * view for points of the world), viewport one of
- * projection.h's. With gn_viewport_no and gn_mat4_multiply_vec4 in the vertex
- * shader, x, y and z are those of the rasterizer bit for bit, barring clipping
- * and snapping. Statuses of gn_clip_to_ndc. */
+ * projection.h's, scale and offset. With gn_viewport_no and
+ * gn_mat4_multiply_vec4 in the vertex shader, x, y and z are those of the
+ * rasterizer bit for bit, barring clipping and snapping. With c = M (p, 1) and
+ * e = 4 u |M| (|p|, 1), coordinate i is to first order within
+ *   |scale_i| (e_i + |c_i / w| e_w) / w + 4 u |scale_i c_i / w| + u |offset_i|,
+ * barring underflow. Statuses of gn_clip_to_ndc. */
 GN_API gn_status gn_project(const gn_transform *to_clip, const gn_transform *viewport,
                             gn_vec3 point, gn_vec3 *window);
 
 /* The point with these window coordinates, depth in z, by the inverses that the
- * transforms hold. GN_BEHIND_EYE where no point before the eye has this depth: it
- * may lie beyond the view volume, or at infinity, as the far plane of an infinite
- * projection does. */
+ * transforms hold. With n = scale * window + offset of the viewport's inverse, N
+ * to_clip's, q = N (n, 1) and
+ *   e = |N| (2 u |scale * window| + u |offset|, 0) + 4 u |N| (|n|, 1),
+ * coordinate i is to first order within (e_i + |q_i / w| e_w) / w + 2 u |q_i / w|,
+ * barring underflow. GN_BEHIND_EYE where no point before the eye has this depth:
+ * it may lie beyond the view volume, or at infinity, as the far plane of an
+ * infinite projection does. */
 GN_API gn_status gn_unproject(const gn_transform *to_clip, const gn_transform *viewport,
                               gn_vec3 window, gn_vec3 *point);
 

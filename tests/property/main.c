@@ -6,7 +6,6 @@
 
 #include "properties.h"
 #include "properties_draw.h"
-#include "properties_geometry.h"
 
 static const char help[] =
     "usage: property-tests [--seed S] [--trials N]\n"
@@ -46,9 +45,10 @@ int main(int argc, char **argv)
     }
     printf("properties: seed %" PRIu64 "\n", seed);
     fflush(stdout);
-    const int failed = properties_math(seed, (size_t)trials) +
-                       properties_geometry(seed, (size_t)trials) +
-                       properties_rays(seed, (size_t)trials) +
-                       properties_draw(seed, trials < 10 ? 1 : (size_t)(trials / 10));
+    const int failed =
+        properties_math(seed, (size_t)trials) + properties_geometry(seed, (size_t)trials) +
+        properties_rays(seed, (size_t)trials) + properties_models(seed, (size_t)trials) +
+        properties_projections(seed, (size_t)trials) +
+        properties_draw(seed, trials < 10 ? 1 : (size_t)(trials / 10));
     return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

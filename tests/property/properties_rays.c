@@ -9,7 +9,6 @@
 
 #include "double_matrix.h"
 #include "properties.h"
-#include "properties_geometry.h"
 #include "random_inputs.h"
 
 typedef long double wide;
