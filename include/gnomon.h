@@ -14,6 +14,8 @@
  *   projection.h  projections and viewports, as transforms
  *   conventions.h OpenGL, Direct3D and Vulkan, and from one to another
  *   project.h     points to the window and back
+ *   culling.h     planes of a view volume; boxes and spheres against them
+ *   ray.h         rays through pixels, against triangles and boxes
  *   surface.h     colour and depth images in the caller's memory, and clears
  *   texture.h     images that shaders read
  *   pipeline.h    shaders and the state of a draw
@@ -40,6 +42,7 @@
 #include "gnomon/backend.h"
 #include "gnomon/bulk.h"
 #include "gnomon/conventions.h"
+#include "gnomon/culling.h"
 #include "gnomon/decompose.h"
 #include "gnomon/draw.h"
 #include "gnomon/inverse.h"
@@ -49,6 +52,7 @@
 #include "gnomon/project.h"
 #include "gnomon/projection.h"
 #include "gnomon/quat.h"
+#include "gnomon/ray.h"
 #include "gnomon/scalar.h"
 #include "gnomon/shaders.h"
 #include "gnomon/status.h"

@@ -25,24 +25,30 @@ static bool same(const float *got, const float *expected, size_t count)
 }
 
 /* Sum, difference and product of two floats, rounded once: a double holds the product exactly
- * and the sum in enough bits that rounding it again changes nothing (53 >= 2 * 24 + 2). */
+ * and the sum in enough bits that rounding it again changes nothing (53 >= 2 * 24 + 2).
+ * Negating changes the sign's bit. */
 static enum theft_trial_res components_round_once(struct theft *t, void *arg)
 {
     const float *f = arg;
     const gn_vec2 a2 = {f[0], f[1]}, b2 = {f[4], f[5]};
     const gn_vec3 a3 = {f[0], f[1], f[2]}, b3 = {f[4], f[5], f[6]};
     const gn_vec4 a4 = {f[0], f[1], f[2], f[3]}, b4 = {f[4], f[5], f[6], f[7]};
-    const gn_vec2 r2[3] = {gn_vec2_add(a2, b2), gn_vec2_subtract(a2, b2), gn_vec2_scale(a2, f[8])};
-    const gn_vec3 r3[3] = {gn_vec3_add(a3, b3), gn_vec3_subtract(a3, b3), gn_vec3_scale(a3, f[8])};
-    const gn_vec4 r4[3] = {gn_vec4_add(a4, b4), gn_vec4_subtract(a4, b4), gn_vec4_scale(a4, f[8])};
-    float expected[3][4];
+    const gn_vec2 r2[5] = {gn_vec2_add(a2, b2), gn_vec2_subtract(a2, b2), gn_vec2_scale(a2, f[8]),
+                           gn_vec2_multiply(a2, b2), gn_vec2_negate(a2)};
+    const gn_vec3 r3[5] = {gn_vec3_add(a3, b3), gn_vec3_subtract(a3, b3), gn_vec3_scale(a3, f[8]),
+                           gn_vec3_multiply(a3, b3), gn_vec3_negate(a3)};
+    const gn_vec4 r4[5] = {gn_vec4_add(a4, b4), gn_vec4_subtract(a4, b4), gn_vec4_scale(a4, f[8]),
+                           gn_vec4_multiply(a4, b4), gn_vec4_negate(a4)};
+    float expected[5][4];
     (void)t;
     for (int i = 0; i < 4; ++i) {
         expected[0][i] = (float)((double)f[i] + (double)f[4 + i]);
         expected[1][i] = (float)((double)f[i] - (double)f[4 + i]);
         expected[2][i] = (float)((double)f[i] * (double)f[8]);
+        expected[3][i] = (float)((double)f[i] * (double)f[4 + i]);
+        expected[4][i] = copysignf(f[i], signbit(f[i]) ? 1.0f : -1.0f);
     }
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 5; ++i)
         if (!same(&r2[i].x, expected[i], 2) || !same(&r3[i].x, expected[i], 3) ||
             !same(&r4[i].x, expected[i], 4))
             return THEFT_TRIAL_FAIL;
@@ -114,6 +120,87 @@ static enum theft_trial_res interpolation(struct theft *t, void *arg)
             return THEFT_TRIAL_FAIL;
     }
     return THEFT_TRIAL_PASS;
+}
+
+/* Clamped to two bounds in order: neither number beyond them nor any other but itself. */
+static bool clamped(const float *got, const float *v, float low, float high, int count)
+{
+    for (int i = 0; i < count; ++i)
+        if (got[i] != (v[i] < low ? low : v[i] > high ? high : v[i]))
+            return false;
+    return true;
+}
+
+static enum theft_trial_res clamping(struct theft *t, void *arg)
+{
+    const float *f = arg;
+    const gn_vec2 v2 = {f[0], f[1]};
+    const gn_vec3 v3 = {f[0], f[1], f[2]};
+    const gn_vec4 v4 = {f[0], f[1], f[2], f[3]};
+    const float low = f[4] < f[5] ? f[4] : f[5], high = f[4] < f[5] ? f[5] : f[4];
+    const gn_vec2 r2 = gn_vec2_clamp(v2, low, high);
+    const gn_vec3 r3 = gn_vec3_clamp(v3, low, high);
+    const gn_vec4 r4 = gn_vec4_clamp(v4, low, high);
+    (void)t;
+    return verdict(clamped(&r2.x, f, low, high, 2) && clamped(&r3.x, f, low, high, 3) &&
+                   clamped(&r4.x, f, low, high, 4));
+}
+
+/* v - 2 (n.v) n within (2 count + 4) u |v|. Refraction away from the angle where it ends, in
+ * double: with eta <= 2 and k >= 1/16, n.v is off by (count + 1) u, k by 47 u, its root by
+ * 2 * 47 u and eta (n.v) by 10 u, and three more roundings of numbers up to 4. */
+static bool bent(const float *reflected, const float *refracted, const float *v, const float *n,
+                 float eta, int count)
+{
+    double along = 0.0, length = 0.0;
+    for (int i = 0; i < count; ++i) {
+        along += (double)n[i] * (double)v[i];
+        length += (double)v[i] * (double)v[i];
+    }
+    const double e = (double)eta, k = 1.0 - e * e * (1.0 - along * along);
+    for (int i = 0; i < count; ++i) {
+        const double mirror = (double)v[i] - 2.0 * along * (double)n[i];
+        const double through = e * (double)v[i] - (e * along + sqrt(fabs(k))) * (double)n[i];
+        if (!(fabs((double)reflected[i] - mirror) <= (2 * count + 4) * U * sqrt(length) * SLACK) ||
+            (k >= 0.0625 && !(fabs((double)refracted[i] - through) <= 128.0 * U)) ||
+            (k <= -0.0625 && refracted[i] != 0.0f))
+            return false;
+    }
+    return true;
+}
+
+static enum theft_trial_res reflection_and_refraction(struct theft *t, void *arg)
+{
+    const float *f = arg;
+    gn_vec2 v2 = {f[0], f[1]}, n2 = {f[4], f[5]};
+    gn_vec3 v3 = {f[0], f[1], f[2]}, n3 = {f[4], f[5], f[6]};
+    gn_vec4 v4 = {f[0], f[1], f[2], f[3]}, n4 = {f[4], f[5], f[6], f[7]};
+    const float eta = 0.5f + fabsf(remainderf(f[8], 3.0f));
+    (void)t;
+    gn_vec2_normalize(v2, &v2);
+    gn_vec2_normalize(n2, &n2);
+    gn_vec3_normalize(v3, &v3);
+    gn_vec3_normalize(n3, &n3);
+    gn_vec4_normalize(v4, &v4);
+    gn_vec4_normalize(n4, &n4);
+    const gn_vec2 back2 = gn_vec2_reflect(v2, n2), through2 = gn_vec2_refract(v2, n2, eta);
+    const gn_vec3 back3 = gn_vec3_reflect(v3, n3), through3 = gn_vec3_refract(v3, n3, eta);
+    const gn_vec4 back4 = gn_vec4_reflect(v4, n4), through4 = gn_vec4_refract(v4, n4, eta);
+    return verdict(bent(&back2.x, &through2.x, &v2.x, &n2.x, eta, 2) &&
+                   bent(&back3.x, &through3.x, &v3.x, &n3.x, eta, 3) &&
+                   bent(&back4.x, &through4.x, &v4.x, &n4.x, eta, 4));
+}
+
+/* The identity quaternion times any is that one; the product of two with the scalar product. */
+static enum theft_trial_res quaternions_as_vectors(struct theft *t, void *arg)
+{
+    const float *f = arg;
+    const gn_quat one = gn_quat_identity(), a = {f[0], f[1], f[2], f[3]};
+    const gn_quat b = {f[4], f[5], f[6], f[7]};
+    const gn_quat left = gn_quat_multiply(one, a), right = gn_quat_multiply(a, one);
+    (void)t;
+    return verdict(same(&left.x, f, 4) && same(&right.x, f, 4) &&
+                   dot_is(gn_quat_dot(a, b), f, f + 4, 4));
 }
 
 /* Transposing moves bits, and twice leaves them where they were. */
@@ -199,14 +286,21 @@ int properties_vectors(uint64_t seed, size_t trials)
     struct choice moderate = {0, 0, 20};
     const struct theft_type_info any = random_floats(NULL), some = random_floats(&moderate);
     const struct theft_run_config properties[] = {
-        {.name = "vectors: add, subtract, scale round once",
+        {.name = "vectors: components round once",
          .prop1 = components_round_once,
          .type_info = {&any}},
-        {.name = "vectors, moderate numbers: add, subtract, scale round once",
+        {.name = "vectors, moderate numbers: components round once",
          .prop1 = components_round_once,
          .type_info = {&some}},
         {.name = "vectors: dot and cross", .prop1 = products_of_vectors, .type_info = {&some}},
         {.name = "vectors: lerp", .prop1 = interpolation, .type_info = {&some}},
+        {.name = "vectors: clamp", .prop1 = clamping, .type_info = {&some}},
+        {.name = "vectors: reflect and refract",
+         .prop1 = reflection_and_refraction,
+         .type_info = {&some}},
+        {.name = "quaternions: identity and dot",
+         .prop1 = quaternions_as_vectors,
+         .type_info = {&some}},
         {.name = "matrices: transpose", .prop1 = transposition, .type_info = {&any}},
         {.name = "matrices: products, transposed",
          .prop1 = products_of_matrices,
