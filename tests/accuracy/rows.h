@@ -48,11 +48,13 @@ struct table {
     size_t count;
 };
 
-extern const struct table scalar_rows, vector_rows, matrix_rows, transform_rows, projection_rows;
+extern const struct table scalar_rows, vector_rows, matrix_rows, transform_rows, projection_rows,
+    quaternion_rows;
 
 #define ALL_TABLES                                                                                 \
     {                                                                                              \
-        &scalar_rows, &vector_rows, &matrix_rows, &transform_rows, &projection_rows                \
+        &scalar_rows, &vector_rows, &matrix_rows, &transform_rows, &projection_rows,               \
+            &quaternion_rows                                                                       \
     }
 
 /* Inputs of a kind. */

@@ -216,6 +216,89 @@ EXACT(determinant4)
     exact->value[0] = minor_of(in, 4, 0, 0, exact->scale);
 }
 
+OWN(trace)
+{
+    const gn_mat4 m = mat4_of(in);
+    return put(gn_mat4_trace(&m), out);
+}
+OTHER(trace)
+{
+    *out = glm_mat4_trace((vec4 *)in);
+}
+EXACT(trace)
+{
+    for (int i = 0; i < 4; ++i) {
+        exact->value[0] += (wide)in[5 * i];
+        exact->scale[0] += fabsl((wide)in[5 * i]);
+    }
+}
+
+/* The general inverse, ours 2 u in the Frobenius norm and more with the condition (mat.h), which
+ * is kept below 2^20 here, 2^-48 * 2^20 being 2^-28. An entry of cglm's is a minor of n - 1
+ * columns over the determinant: off, like those (2 u and 5 u; 6 u and 9 u), by so much of the
+ * permanents, and by 3 u of itself, to first order in a determinant's error. */
+static void exact_inverse(const float *in, int n, struct exact *exact)
+{
+    wide norm = 0.0L, permanent, minor_permanent;
+    const wide determinant = minor_of(in, n, 0, 0, &permanent);
+    for (int i = 0; i < n * n; ++i) {
+        const int column = i / n, row = i % n;
+        const wide minor = minor_of(in, n, 1u << row, 1u << column, &minor_permanent);
+        exact->value[i] = ((row + column) % 2 == 0 ? minor : -minor) / determinant;
+        norm += exact->value[i] * exact->value[i];
+        exact->other_scale[i] =
+            (minor_permanent + fabsl(exact->value[i]) * permanent) / fabsl(determinant);
+    }
+    for (int i = 0; i < n * n; ++i)
+        exact->scale[i] = sqrtl(norm);
+}
+
+/* Determinants not too small beside their terms for cglm's to have some digits. */
+static void regular(float *in, int n)
+{
+    wide permanent;
+    const wide determinant = minor_of(in, n, 0, 0, &permanent);
+    for (int i = 0; i < n && !(fabsl(determinant) > 0x1p-10L * permanent); ++i)
+        for (int k = 0; k < n; ++k)
+            in[n * i + k] = i == k ? 2.0f : (float)(i - 2 * k) * 0.25f;
+}
+static void regular3(float *in)
+{
+    regular(in, 3);
+}
+static void regular4(float *in)
+{
+    regular(in, 4);
+}
+
+OWN(invert3)
+{
+    gn_mat3 m = mat3_of(in);
+    return gn_mat3_invert(&m, &m, NULL) == GN_OK && put_matrix(&m, out, sizeof m);
+}
+OTHER(invert3)
+{
+    glm_mat3_inv((vec3 *)in, (vec3 *)out);
+}
+EXACT(invert3)
+{
+    exact_inverse(in, 3, exact);
+}
+
+OWN(invert4)
+{
+    gn_mat4 m = mat4_of(in);
+    return gn_mat4_invert(&m, &m, NULL) == GN_OK && put_matrix(&m, out, sizeof m);
+}
+OTHER(invert4)
+{
+    glm_mat4_inv((vec4 *)in, (vec4 *)out);
+}
+EXACT(invert4)
+{
+    exact_inverse(in, 4, exact);
+}
+
 /* A rotation of the first three numbers' axis by the fourth, then the translation by the rest,
  * as floats of their own: what the rigid inverse is for. */
 static void prepare_rigid(float *in)
@@ -266,6 +349,9 @@ static const struct row rows[] = {
     ROW(transpose4, "mat4 transpose", 16, 16, 120, NULL, 0, 0),
     ROW(determinant3, "mat3 determinant", 9, 1, 25, NULL, 6, 6),
     ROW(determinant4, "mat4 determinant", 16, 1, 20, NULL, 9, 9),
+    ROW(trace, "mat4 trace", 16, 1, 60, NULL, 3, 3),
+    ROW(invert3, "mat3 invert", 9, 9, 3, regular3, 2.25, 10),
+    ROW(invert4, "mat4 invert", 16, 16, 3, regular4, 2.25, 14),
     ROW(rigid, "mat4 rigid inverse", 7, 16, 50, prepare_rigid, 3, 3),
 };
 

@@ -1,9 +1,16 @@
 /* Projections beside cglm's, every entry relative to itself, and the perspective inverse. Left
- * out for what cglm makes of it: frustum planes with a depth of zero to one. */
+ * out for what cglm makes of it: left-handed frusta that are not symmetric, and the planes of a
+ * frustum with a depth of zero to one. */
 #include <string.h>
 
 #define CGLM_ALL_UNALIGNED
 #include <cglm/cglm.h>
+#include <cglm/clipspace/ortho_lh_no.h>
+#include <cglm/clipspace/ortho_lh_zo.h>
+#include <cglm/clipspace/ortho_rh_zo.h>
+#include <cglm/clipspace/persp_lh_no.h>
+#include <cglm/clipspace/persp_lh_zo.h>
+#include <cglm/clipspace/persp_rh_zo.h>
 
 #include "rows.h"
 #include "wide.h"
@@ -142,6 +149,62 @@ EXACT(perspective_inverse)
     exact_matrix(m, exact);
 }
 
+/* The other conventions: depth of 0..1 instead of -1..1, and z for -z, of the matrix to -1..1
+ * whose planes are in[planes] and the next. */
+static void exact_convention(const float *in, int planes, bool zero_to_one, bool left,
+                             void (*exact_rh_no)(const float *, struct exact *),
+                             struct exact *exact)
+{
+    const wide near = (wide)in[planes], far = (wide)in[planes + 1];
+    exact_rh_no(in, exact);
+    if (zero_to_one && exact->value[11] == 0.0L) {
+        relative(exact, 10, -1.0L / (far - near));
+        relative(exact, 14, -near / (far - near));
+    } else if (zero_to_one) {
+        relative(exact, 10, -far / (far - near));
+        relative(exact, 14, -far * near / (far - near));
+    }
+    for (int row = 0; row < 4 && left; ++row)
+        relative(exact, 8 + row, -exact->value[8 + row]);
+}
+
+/* cglm gives left-handed frusta the skew of right-handed ones: only symmetric ones can be
+ * compared. */
+static void prepare_symmetric(float *in)
+{
+    prepare_frustum(in);
+    in[0] = fabsf(in[0]) + 0.125f;
+    in[1] = -in[0];
+    in[2] = fabsf(in[2]) + 0.125f;
+    in[3] = -in[2];
+}
+
+#define BOX in[0], in[1], in[2], in[3], in[4], in[5]
+#define CONVENTION(kind, cglm_kind, convention, planes, zero_to_one, left, ...)                    \
+    static bool own_##kind##_##convention(const float *in, float *out)                             \
+    {                                                                                              \
+        gn_transform t;                                                                            \
+        return put_matrix(gn_##kind##_##convention(__VA_ARGS__, &t), &t.matrix, out);              \
+    }                                                                                              \
+    static void other_##kind##_##convention(float *in, float *out)                                 \
+    {                                                                                              \
+        glm_##cglm_kind##_##convention(__VA_ARGS__, (vec4 *)out);                                  \
+    }                                                                                              \
+    static void exact_##kind##_##convention(const float *in, struct exact *exact)                  \
+    {                                                                                              \
+        exact_convention(in, planes, zero_to_one, left, exact_##kind, exact);                      \
+    }
+
+CONVENTION(orthographic, ortho, rh_zo, 4, true, false, BOX)
+CONVENTION(orthographic, ortho, lh_no, 4, false, true, BOX)
+CONVENTION(orthographic, ortho, lh_zo, 4, true, true, BOX)
+CONVENTION(frustum, frustum, rh_zo, 4, true, false, BOX)
+CONVENTION(frustum, frustum, lh_no, 4, false, true, BOX)
+CONVENTION(frustum, frustum, lh_zo, 4, true, true, BOX)
+CONVENTION(perspective, perspective, rh_zo, 2, true, false, in[0], in[1], in[2], in[3])
+CONVENTION(perspective, perspective, lh_no, 2, false, true, in[0], in[1], in[2], in[3])
+CONVENTION(perspective, perspective, lh_zo, 2, true, true, in[0], in[1], in[2], in[3])
+
 #define ROW(name, text, inputs, exponents, prepare, own_bound, other_bound)                        \
     {                                                                                              \
         text, inputs, 16, exponents, prepare, own_##name, other_##name, exact_##name, own_bound,   \
@@ -153,6 +216,15 @@ static const struct row rows[] = {
     ROW(frustum, "frustum rh no", 6, 20, prepare_frustum, 3, 4),
     ROW(perspective, "perspective rh no", 4, 20, prepare_perspective, 3, 4),
     ROW(perspective_inverse, "perspective rh no, inverse", 4, 20, prepare_perspective, 7, -1),
+    ROW(orthographic_rh_zo, "orthographic rh zo", 6, 30, prepare_box, 3, 4),
+    ROW(orthographic_lh_no, "orthographic lh no", 6, 30, prepare_box, 3, 4),
+    ROW(orthographic_lh_zo, "orthographic lh zo", 6, 30, prepare_box, 3, 4),
+    ROW(frustum_rh_zo, "frustum rh zo", 6, 20, prepare_frustum, 3, 4),
+    ROW(frustum_lh_no, "frustum lh no", 6, 20, prepare_symmetric, 3, 4),
+    ROW(frustum_lh_zo, "frustum lh zo", 6, 20, prepare_symmetric, 3, 4),
+    ROW(perspective_rh_zo, "perspective rh zo", 4, 20, prepare_perspective, 3, 4),
+    ROW(perspective_lh_no, "perspective lh no", 4, 20, prepare_perspective, 3, 4),
+    ROW(perspective_lh_zo, "perspective lh zo", 4, 20, prepare_perspective, 3, 4),
 };
 
 const struct table projection_rows = {rows, sizeof rows / sizeof rows[0]};
