@@ -63,7 +63,9 @@ GN_API gn_status gn_quat_to_mat3(gn_quat q, gn_mat3 *result);
 GN_API gn_status gn_quat_to_mat4(gn_quat q, gn_mat4 *result);
 
 /* The vector rotated by a unit quaternion, v + (w * t + u x t) with u = (x, y, z) and
- * t = 2 * (u x v): within (4 e + 12 u) |v| where q's length is within e of 1. */
+ * t = (2 / dot(q, q)) * (u x v), or 2 * (u x v) where q is zero: within 22 u |v| of what the
+ * rotation of q's direction gives, for any q whose square and its reciprocal are
+ * normal floats. */
 GN_API gn_vec3 gn_quat_rotate(gn_quat q, gn_vec3 v);
 
 /* The Hamilton product: the rotation b followed by a. Every component is a sum of four

@@ -65,10 +65,12 @@ gn_status gn_quat_normalize(gn_quat q, gn_quat *result)
     return status;
 }
 
-/* q v q* = v + 2 w (u x v) + 2 u x (u x v), for |q| = 1. */
+/* q v q^-1 = v + 2 (w (u x v) + u x (u x v)) / |q|^2: what a unit quaternion's rounding leaves of
+ * its length does not stretch the vector. */
 gn_vec3 gn_quat_rotate(gn_quat q, gn_vec3 v)
 {
     const gn_vec3 u = {q.x, q.y, q.z};
-    gn_vec3 t = gn_vec3_scale(gn_vec3_cross(u, v), 2.0f);
+    const float square = gn_quat_dot(q, q);
+    const gn_vec3 t = gn_vec3_scale(gn_vec3_cross(u, v), square > 0.0f ? 2.0f / square : 2.0f);
     return gn_vec3_add(v, gn_vec3_add(gn_vec3_scale(t, q.w), gn_vec3_cross(u, t)));
 }

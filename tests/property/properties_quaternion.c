@@ -278,7 +278,7 @@ static enum theft_trial_res products_compose(struct theft *t, void *arg)
         return THEFT_TRIAL_FAIL;
     const struct wide4 w = wide_vec(v), once = rotated(rotation(b), w);
     const gn_vec3 turned = gn_quat_rotate(b, v);
-    const long double bound = (4.0L * 5.5L + 12.0L) * UL * length(w);
+    const long double bound = 22.0L * UL * length(w);
     if (!(length(combined(1.0L, wide_vec(turned), -1.0L, once)) <= bound))
         return THEFT_TRIAL_FAIL;
     /* b and then a; the product of unit quaternions is off by 8 u, twice that in the vector, and
