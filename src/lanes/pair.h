@@ -3,6 +3,8 @@
 #ifndef GN_LANES_PAIR_H
 #define GN_LANES_PAIR_H
 
+#include <stdbool.h>
+
 #include "quad.h"
 
 #if defined(__GNUC__) && defined(__SSE2_MATH__) && !defined(GN_ONLY_PORTABLE)
@@ -76,6 +78,11 @@ static inline quad_f pair_round(pair_d a, pair_d b)
     return (quad_f)_mm_unpacklo_ps(_mm_cvtpd_ps(a), _mm_cvtpd_ps(b));
 }
 
+static inline bool quad_has_nan(quad_f a)
+{
+    return _mm_movemask_ps(_mm_cmpunord_ps((__m128)a, (__m128)a)) != 0;
+}
+
 #else
 
 typedef struct pair_d {
@@ -145,6 +152,14 @@ static inline void pair_load(const float a[4], const float b[4], pair_d pairs[4]
 static inline quad_f pair_round(pair_d a, pair_d b)
 {
     return quad_set((float)a.first, (float)b.first, (float)a.second, (float)b.second);
+}
+
+static inline bool quad_has_nan(quad_f a)
+{
+    float x[4];
+
+    quad_store(x, a);
+    return x[0] != x[0] || x[1] != x[1] || x[2] != x[2] || x[3] != x[3];
 }
 
 #endif

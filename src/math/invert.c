@@ -17,6 +17,13 @@
 #error "Floats must be floats: -msse2 -mfpmath=sse on x86, -fexcess-precision=fast on s390x."
 #endif
 
+/* Kept out of what is done always, which then fits the registers. */
+#if defined(__GNUC__)
+#define RARELY static __attribute__((noinline, cold))
+#else
+#define RARELY static
+#endif
+
 /* A 4x4 determinant whose terms cancel further than this is summed again. */
 #define CANCELLED 0x1p24
 
@@ -83,7 +90,7 @@ static split minor_exactly(const float *left, const float *right, int i, int j)
  * sum of the terms' magnitudes and to first order in v^2: a term leaves out v^2 of itself,
  * and 7 v^2 in the roundings of its rest, of at most 3 v; the six sums round rests of at most
  * 4 v T and 9 v T: 8 + 6 * 13 = 86 v^2 T < 2^-99 T. */
-static double determinant_again(const gn_mat4 *m)
+RARELY double determinant_again(const gn_mat4 *m)
 {
     static const unsigned char rows[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
                                              {1, 2, 0, 3}, {3, 1, 0, 2}, {2, 3, 0, 1}};
@@ -141,15 +148,12 @@ static inline double norm_by_columns(const pair_d even[4], const pair_d odd[4])
 }
 
 /* Infinity less itself is NaN, all else zero. */
-static bool are_finite(const quad_f columns[4])
+static inline bool are_finite(const quad_f columns[4])
 {
-    float zeros[4];
-    quad_f sum = quad_sub(columns[0], columns[0]);
-    for (int column = 1; column < 4; ++column) {
-        sum = quad_add(sum, quad_sub(columns[column], columns[column]));
-    }
-    quad_store(zeros, sum);
-    return zeros[0] == 0.0f && zeros[1] == 0.0f && zeros[2] == 0.0f && zeros[3] == 0.0f;
+    const quad_f first = quad_sub(columns[0], columns[0]),
+                 second = quad_sub(columns[1], columns[1]);
+    const quad_f third = quad_sub(columns[2], columns[2]), last = quad_sub(columns[3], columns[3]);
+    return !quad_has_nan(quad_add(quad_add(first, second), quad_add(third, last)));
 }
 
 /* N m = I makes the rows n0 to n3 of N, but for their length, the vector products of three

@@ -98,19 +98,17 @@ static gn_quat between(gn_vec3 a, gn_vec3 b)
     return q;
 }
 
-/* A direction across the unit vector a: the part of v that is, taken out twice, which leaves
- * no more along a than rounding does; or if v is along a, or nothing, of the coordinate axis
- * furthest from a. */
+/* A direction across the unit vector a: what of v is, or, where v is nothing or mostly along a,
+ * of a coordinate axis that is not. At least half of a length is left, so rounding leaves little
+ * along a. */
 static gn_vec3 across(gn_vec3 a, gn_vec3 v)
 {
-    gn_vec3 x = {1.0f, 0.0f, 0.0f}, y = {0.0f, 1.0f, 0.0f}, z = {0.0f, 0.0f, 1.0f}, n;
+    gn_vec3 y = {0.0f, 1.0f, 0.0f}, z = {0.0f, 0.0f, 1.0f}, n;
     if (gn_vec3_unit(v, &n) != GN_OK || gn_magnitude(gn_vec3_dot(a, n)) > 0.5f) {
-        n = gn_magnitude(a.x) <= 0.6f ? x : gn_magnitude(a.y) <= 0.6f ? y : z;
+        n = gn_magnitude(a.y) <= 0.6f ? y : z;
     }
-    for (int i = 0; i < 2; ++i) {
-        n = gn_vec3_subtract(n, gn_vec3_scale(a, gn_vec3_dot(a, n)));
-        gn_vec3_unit(n, &n);
-    }
+    n = gn_vec3_subtract(n, gn_vec3_scale(a, gn_vec3_dot(a, n)));
+    gn_vec3_unit(n, &n);
     return n;
 }
 

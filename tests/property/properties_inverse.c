@@ -322,6 +322,25 @@ static enum theft_trial_res singular_matrices_are_named(struct theft *t, void *a
     return THEFT_TRIAL_PASS;
 }
 
+/* Two columns that differ by a power of two, of numbers whose products of products do not fit a
+ * double: the sums leave their rounding. */
+static enum theft_trial_res parallel_columns_are_named(struct theft *t, void *arg)
+{
+    const float *floats = arg;
+    for (int size = 3; size <= 4; ++size) {
+        float m[16], result[16], condition;
+        const int from = (int)(theft_random_bits(t, 8) % (unsigned)size);
+        const int to = (from + 1 + (int)(theft_random_bits(t, 8) % (unsigned)(size - 1))) % size;
+        const float factor = ldexpf(1.0f, (int)theft_random_bits(t, 4) - 8);
+        memcpy(m, floats, sizeof m);
+        for (int row = 0; row < size; ++row)
+            m[to * size + row] = factor * m[from * size + row];
+        if (invert(m, size, result, &condition) != GN_SINGULAR)
+            return THEFT_TRIAL_FAIL;
+    }
+    return THEFT_TRIAL_PASS;
+}
+
 /* Of any bits there is a status, and with GN_OK numbers. */
 static enum theft_trial_res any_bits_have_an_answer(struct theft *t, void *arg)
 {
@@ -388,7 +407,8 @@ int properties_inverse(uint64_t seed, size_t trials)
 {
     int any4[2] = {4, 70}, any3[2] = {3, 70}, good[2] = {4, 50};
     struct choice ordinary = {.first = 0, .last = KINDS, .exponents = 8};
-    struct choice near_one = {.exponents = 2};
+    struct choice near_one = {.exponents = 2}, moderate = {.exponents = 8};
+    const struct theft_type_info moderate_info = random_floats(&moderate);
     const struct theft_type_info any4_info = matrices(any4), any3_info = matrices(any3);
     const struct theft_type_info good_info = matrices(good);
     const struct theft_type_info near_one_info = random_floats(&near_one);
@@ -410,6 +430,9 @@ int properties_inverse(uint64_t seed, size_t trials)
         {.name = "inverse: singular matrices",
          .prop1 = singular_matrices_are_named,
          .type_info = {&near_one_info}},
+        {.name = "inverse: parallel columns",
+         .prop1 = parallel_columns_are_named,
+         .type_info = {&moderate_info}},
         {.name = "inverse: any bits", .prop1 = any_bits_have_an_answer, .type_info = {&float_info}},
         {.name = "inverse: of transforms, the analytic one",
          .prop1 = inverse_is_analytic,
