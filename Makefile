@@ -28,6 +28,7 @@ THREADS_SOURCES = $(sort $(wildcard tools/threads/*.c))
 BENCH_SOURCES = $(sort $(wildcard tools/bench/*.c))
 PARITY_SOURCES = $(sort $(wildcard tests/parity/*.c))
 PROPERTY_SOURCES = $(sort $(wildcard tests/property/*.c))
+ACCURACY_SOURCES = $(sort $(wildcard tests/accuracy/*.c))
 EXHAUSTIVE_SOURCES = $(sort $(wildcard tests/exhaustive/*.c))
 
 # The property runner: libtheft where there is one, otherwise our own.
@@ -86,7 +87,7 @@ $(BUILD)/tests/theft/%.o: EXTRA_FLAGS = -Itests/theft
 $(BUILD)/tests/property/%.o: EXTRA_FLAGS = $(THEFT_CFLAGS) -Itests/parity
 $(BUILD)/tests/portability/%.o: EXTRA_FLAGS = -Itests/parity
 $(BUILD)/tests/tools/%.o: EXTRA_FLAGS = -Itools/gnomon
-$(BUILD)/tests/exhaustive/%.o: EXTRA_FLAGS = -DGN_REFERENCE_MPFR
+$(BUILD)/tests/differential/%.o: EXTRA_FLAGS = -Itests/accuracy
 ifneq ($(findstring x86_64,$(shell $(CC) -dumpmachine)),)
 $(BUILD)/tools/bench/maths_cglm_best.o: EXTRA_FLAGS = -mavx2 -mfma
 endif
@@ -163,7 +164,7 @@ $(BUILD)/test-lanes: $(BUILD)/tests/portability/test_lanes.o $(LANES_OBJECTS) \
 	$(LINK) -lm
 
 $(BUILD)/exhaustive: $(call objects,$(EXHAUSTIVE_SOURCES)) $(BUILD)/libgnomon.a
-	$(LINK) -lmpfr -lm
+	$(LINK) -lmpfr -lm -pthread
 
 $(BUILD)/property-tests: $(call objects,$(PROPERTY_SOURCES) $(THEFT_SOURCES) $(SCENE_SOURCES) \
 		$(filter-out tests/parity/gate.c tests/parity/compare.c,$(PARITY_SOURCES))) \
@@ -178,12 +179,19 @@ $(BUILD)/hashes: $(call objects,tests/portability/hashes.c $(SCENE_SOURCES) $(LI
 $(BUILD)/theft-selftest: $(call objects,$(sort $(wildcard tests/theft/*.c)))
 	$(LINK) -lcmocka -lm
 
+$(BUILD)/accuracy: $(call objects,$(ACCURACY_SOURCES)) $(BUILD)/libgnomon.a
+	$(LINK) -lm
+
+$(BUILD)/test_cglm: $(BUILD)/tests/differential/test_cglm.o \
+		$(call objects,$(filter-out %/main.c,$(ACCURACY_SOURCES))) $(BUILD)/libgnomon.a
+	$(LINK) -lcmocka -lm
+
 UNIT_TESTS = $(patsubst tests/unit/%.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c))
 
 $(BUILD)/test_threads: $(call objects,$(THREADS_SOURCES))
 
 $(UNIT_TESTS): $(BUILD)/%: $(BUILD)/tests/unit/%.o $(BUILD)/libgnomon.a
-	$(LINK) -lcmocka -lm -pthread
+	$(LINK) -lcmocka -lmpfr -lm -pthread
 
 RUNNER = $(BUILD)/tests/tools/runner.o
 TOOL_TESTS = $(BUILD)/test_faults $(BUILD)/test_pictures $(BUILD)/test_comparison $(BUILD)/test_teapot
@@ -226,6 +234,17 @@ parity: $(BUILD)/parity ## random scenes against OSMesa, bit for bit: SCENES=201
 .PHONY: exhaustive
 exhaustive: $(BUILD)/exhaustive ## the scalar functions on all 2^32 arguments against MPFR
 	@$(BUILD)/exhaustive
+
+INPUTS ?= 200000
+
+.PHONY: accuracy
+accuracy: $(BUILD)/accuracy ## errors of functions beside cglm's: SEED=1 INPUTS=200000
+	@$(BUILD)/accuracy --seed $(SEED) --inputs $(INPUTS)
+
+.PHONY: prove
+prove: ## error bounds proved by Gappa, from the text of the C sources
+	@tests/proof/test_prove.sh
+	@tests/proof/prove.sh
 
 .PHONY: bench
 bench: $(BUILD)/bench ## speed beside OSMesa's, as ratios: FRAMES=15
@@ -272,12 +291,12 @@ comma = ,
 unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 
 .PHONY: test-programs
-test-programs: $(UNIT_TESTS) $(BUILD)/property-tests $(BUILD)/parity
+test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity
 
 .PHONY: test
 test: ## everything, in a few minutes; ends on "N passed, N failed"
 	@$(MAKE) --no-print-directory -j2 all test-programs $(TOOL_TESTS) $(BUILD)/theft-selftest \
-		$(BUILD)/exhaustive $(BUILD)/bench $(BUILD)/test-lanes $(EMULATED_PARITY)
+		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/bench $(BUILD)/test-lanes $(EMULATED_PARITY)
 	@$(MAKE) --no-print-directory -j2 $(CHECKED_FLAGS) test-programs
 	@LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0 tests/run.sh \
 		$(call unit_steps,$(BUILD),) \
@@ -285,6 +304,10 @@ test: ## everything, in a few minutes; ends on "N passed, N failed"
 		'theft=$(BUILD)/theft-selftest' \
 		'properties=$(BUILD)/property-tests --seed $(TEST_SEED)' \
 		'scalar functions=$(BUILD)/exhaustive --stride 9973' \
+		'accuracy=$(BUILD)/accuracy --seed $(TEST_SEED) --inputs 20000' \
+		'differential=$(BUILD)/test_cglm $(TEST_SEED)' \
+		'a property for every function=tests/coverage.sh' \
+		'proofs=tests/proof/prove.sh -q' \
 		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes 4400 --keep $(BUILD)/parity-failure.scene' \
 		$(if $(EMULATED_PARITY),'parity$(comma) back ends emulated=$(EMULATED_PARITY) --seed $(TEST_SEED) --scenes 880 --keep $(BUILD)/parity-failure.scene') \
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
@@ -300,6 +323,7 @@ test: ## everything, in a few minutes; ends on "N passed, N failed"
 		'little code=tests/portability/cross.sh $(BUILD) --scenes 330 small' \
 		'embedding=tests/embed/readme.sh $(BUILD)' \
 		$(call unit_steps,$(CHECKED),sanitized ) \
+		'sanitized differential=$(CHECKED)/test_cglm $(TEST_SEED)' \
 		'sanitized properties=$(CHECKED)/property-tests --seed $(TEST_SEED) --trials 100' \
 		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 440 --keep $(BUILD)/parity-failure.scene'
 

@@ -6,9 +6,16 @@
  *   scalar.h      square root and trigonometry, the same on every target
  *   vec.h         vectors of two to four components
  *   mat.h         3x3 and 4x4 matrices
+ *   quat.h        rotations as quaternions
  *   bulk.h        arrays of vectors by one matrix, and of matrices
  *   transform.h   transforms: a matrix together with its analytic inverse
- *   projection.h  projections and the viewport, as transforms
+ *   inverse.h     inverses of bare matrices of known kinds
+ *   decompose.h   a model matrix into translation, rotation and scale
+ *   projection.h  projections and viewports, as transforms
+ *   conventions.h OpenGL, Direct3D and Vulkan, and from one to another
+ *   project.h     points to the window and back
+ *   culling.h     planes of a view volume; boxes and spheres against them
+ *   ray.h         rays through pixels, against triangles and boxes
  *   surface.h     colour and depth images in the caller's memory, and clears
  *   texture.h     images that shaders read
  *   pipeline.h    shaders and the state of a draw
@@ -34,11 +41,18 @@
 
 #include "gnomon/backend.h"
 #include "gnomon/bulk.h"
+#include "gnomon/conventions.h"
+#include "gnomon/culling.h"
+#include "gnomon/decompose.h"
 #include "gnomon/draw.h"
+#include "gnomon/inverse.h"
 #include "gnomon/mat.h"
 #include "gnomon/parallel.h"
 #include "gnomon/pipeline.h"
+#include "gnomon/project.h"
 #include "gnomon/projection.h"
+#include "gnomon/quat.h"
+#include "gnomon/ray.h"
 #include "gnomon/scalar.h"
 #include "gnomon/shaders.h"
 #include "gnomon/status.h"

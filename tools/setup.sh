@@ -6,4 +6,4 @@ self=setup
 . "$(dirname "$0")/debian.sh"
 
 install_packages "pkg-config clang g++ libpng-dev libosmesa6-dev libcglm-dev libcmocka-dev
-libassimp-dev libstb-dev libmpfr-dev libsimde-dev" "$@"
+libassimp-dev libstb-dev libmpfr-dev libsimde-dev gappa" "$@"

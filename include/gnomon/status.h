@@ -28,6 +28,7 @@ typedef enum gn_status {
     GN_INDEX_OUT_OF_RANGE,  /* an index names a vertex the arrays do not have */
     GN_WORKSPACE_TOO_SMALL, /* below the minimum; the size queries say how much is needed */
     GN_BACKEND_UNAVAILABLE, /* a back end the library or the processor does not have */
+    GN_BEHIND_EYE,          /* a point in the plane of the eye or behind it */
     GN_STATUS_COUNT         /* the number of values, not a status */
 } gn_status;
 

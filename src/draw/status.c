@@ -23,6 +23,7 @@ static const char texts[GN_STATUS_COUNT][64] = {
     "an index or range lies outside the vertex arrays",
     "the workspace is too small",
     "the library or the processor does not have this back end",
+    "the point lies in the plane of the eye or behind it",
 };
 
 const char *gn_status_text(gn_status status)

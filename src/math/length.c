@@ -84,6 +84,21 @@ float gn_vec4_length(gn_vec4 v)
     return gn_sqrt(square) * unscale_for(scale);
 }
 
+float gn_vec2_distance(gn_vec2 a, gn_vec2 b)
+{
+    return gn_vec2_length(gn_vec2_subtract(b, a));
+}
+
+float gn_vec3_distance(gn_vec3 a, gn_vec3 b)
+{
+    return gn_vec3_length(gn_vec3_subtract(b, a));
+}
+
+float gn_vec4_distance(gn_vec4 a, gn_vec4 b)
+{
+    return gn_vec4_length(gn_vec4_subtract(b, a));
+}
+
 gn_status gn_vec2_normalize(gn_vec2 v, gn_vec2 *result)
 {
     if (!result) {
@@ -130,10 +145,15 @@ gn_status gn_vec3_unit(gn_vec3 v, gn_vec3 *result)
     float square;
     gn_status status = prepare_vec3(&v, &square);
     if (status == GN_OK) {
-        float length = gn_sqrt(square);
-        result->x = v.x / length;
-        result->y = v.y / length;
-        result->z = v.z / length;
+        /* Kernel: unit. */
+        const float length = gn_sqrt(square);
+        const float x = v.x / length;
+        const float y = v.y / length;
+        const float z = v.z / length;
+        /* End of kernel. */
+        result->x = x;
+        result->y = y;
+        result->z = z;
     }
     return status;
 }
@@ -151,6 +171,10 @@ gn_status gn_vec4_normalize(gn_vec4 v, gn_vec4 *result)
     if (square == 0.0f) {
         return GN_DEGENERATE;
     }
-    *result = gn_vec4_scale(v, 1.0f / gn_sqrt(square));
+    const float length = gn_sqrt(square);
+    result->x = v.x / length;
+    result->y = v.y / length;
+    result->z = v.z / length;
+    result->w = v.w / length;
     return GN_OK;
 }

@@ -1,4 +1,5 @@
-/* The view of a camera at one point that looks at another. */
+/* Views: a camera at one point that looks at another or in a direction, in a space
+ * of either hand. */
 #include "bits.h"
 #include "length.h"
 #include "transform.h"
@@ -32,19 +33,9 @@ static gn_status side_of(gn_vec3 forward, gn_vec3 up, gn_vec3 *side)
  * The translation t = -R*eye is rounded three times, 3 u * |eye|_1 at most, which
  * is the error of R*eye + t; R^T*t + eye adds 17 u * |eye|_1 to sqrt(3) times
  * that. */
-gn_status gn_look_at_rh(gn_vec3 eye, gn_vec3 target, gn_vec3 up, gn_transform *result)
+static gn_status look(gn_vec3 eye, gn_vec3 view, gn_vec3 up, bool left_handed, gn_transform *result)
 {
     gn_vec3 forward, side, upward;
-    if (!result) {
-        return GN_NULL_POINTER;
-    }
-    if (!gn_vec3_is_finite(eye) || !gn_vec3_is_finite(target) || !gn_vec3_is_finite(up)) {
-        return GN_NOT_FINITE;
-    }
-    gn_vec3 view = gn_vec3_subtract(target, eye);
-    if (!gn_vec3_is_finite(view)) {
-        return GN_OUT_OF_RANGE;
-    }
     gn_status status = gn_vec3_unit(view, &forward);
     if (status == GN_OK) {
         status = side_of(forward, up, &side);
@@ -55,10 +46,13 @@ gn_status gn_look_at_rh(gn_vec3 eye, gn_vec3 target, gn_vec3 up, gn_transform *r
     if (status != GN_OK) {
         return status;
     }
+    /* z is forward in a left-handed space and backward in a right-handed one; the
+     * cross product, whose formula knows no hand, points to the left in the first. */
     const gn_vec3 origin = {0.0f, 0.0f, 0.0f}; /* 0 - x is no negative zero */
-    gn_vec3 backward = gn_vec3_subtract(origin, forward);
-    gn_vec3 moved = {0.0f - gn_vec3_dot(side, eye), 0.0f - gn_vec3_dot(upward, eye),
-                     0.0f - gn_vec3_dot(backward, eye)};
+    const gn_vec3 x = left_handed ? gn_vec3_subtract(origin, side) : side;
+    const gn_vec3 z = left_handed ? forward : gn_vec3_subtract(origin, forward);
+    gn_vec3 moved = {0.0f - gn_vec3_dot(x, eye), 0.0f - gn_vec3_dot(upward, eye),
+                     0.0f - gn_vec3_dot(z, eye)};
     if (!gn_vec3_is_finite(moved)) {
         return GN_OUT_OF_RANGE;
     }
@@ -66,7 +60,7 @@ gn_status gn_look_at_rh(gn_vec3 eye, gn_vec3 target, gn_vec3 up, gn_transform *r
     /* The camera's axes are the columns of the inverse, so the rows of the view.
      * The inverse of the translation t = -R*eye is -R^T*t, which is the eye. */
     gn_transform placed;
-    gn_transform_from_rotation(side, upward, backward, &placed);
+    gn_transform_from_rotation(x, upward, z, &placed);
     gn_transform_invert(&placed, result);
     result->matrix.m[3][0] = moved.x;
     result->matrix.m[3][1] = moved.y;
@@ -75,4 +69,52 @@ gn_status gn_look_at_rh(gn_vec3 eye, gn_vec3 target, gn_vec3 up, gn_transform *r
     result->inverse.m[3][1] = eye.y;
     result->inverse.m[3][2] = eye.z;
     return GN_OK;
+}
+
+static gn_status look_at(gn_vec3 eye, gn_vec3 target, gn_vec3 up, bool left_handed,
+                         gn_transform *result)
+{
+    if (!result) {
+        return GN_NULL_POINTER;
+    }
+    if (!gn_vec3_is_finite(eye) || !gn_vec3_is_finite(target) || !gn_vec3_is_finite(up)) {
+        return GN_NOT_FINITE;
+    }
+    const gn_vec3 view = gn_vec3_subtract(target, eye);
+    if (!gn_vec3_is_finite(view)) {
+        return GN_OUT_OF_RANGE;
+    }
+    return look(eye, view, up, left_handed, result);
+}
+
+static gn_status look_to(gn_vec3 eye, gn_vec3 direction, gn_vec3 up, bool left_handed,
+                         gn_transform *result)
+{
+    if (!result) {
+        return GN_NULL_POINTER;
+    }
+    if (!gn_vec3_is_finite(eye) || !gn_vec3_is_finite(direction) || !gn_vec3_is_finite(up)) {
+        return GN_NOT_FINITE;
+    }
+    return look(eye, direction, up, left_handed, result);
+}
+
+gn_status gn_look_at_rh(gn_vec3 eye, gn_vec3 target, gn_vec3 up, gn_transform *result)
+{
+    return look_at(eye, target, up, false, result);
+}
+
+gn_status gn_look_at_lh(gn_vec3 eye, gn_vec3 target, gn_vec3 up, gn_transform *result)
+{
+    return look_at(eye, target, up, true, result);
+}
+
+gn_status gn_look_to_rh(gn_vec3 eye, gn_vec3 direction, gn_vec3 up, gn_transform *result)
+{
+    return look_to(eye, direction, up, false, result);
+}
+
+gn_status gn_look_to_lh(gn_vec3 eye, gn_vec3 direction, gn_vec3 up, gn_transform *result)
+{
+    return look_to(eye, direction, up, true, result);
 }

@@ -25,8 +25,11 @@ void gn_mat4_identity(gn_mat4 *result)
 /* (c0*x + c1*y) + c2*z, of components spread over quads. */
 static quad_f combine3(const quad_f c[3], const quad_f spread[3])
 {
+    /* Kernel: combine3. */
     const quad_f xy = quad_add(quad_mul(c[0], spread[0]), quad_mul(c[1], spread[1]));
-    return quad_add(xy, quad_mul(c[2], spread[2]));
+    const quad_f xyz = quad_add(xy, quad_mul(c[2], spread[2]));
+    /* End of kernel. */
+    return xyz;
 }
 
 static quad_f combine4(const quad_f c[4], const quad_f spread[4])
@@ -77,6 +80,24 @@ gn_vec3 gn_mat4_transform_direction(const gn_mat4 *m, gn_vec3 v)
     return quad_to_vec3(combine3(columns, spread));
 }
 
+void gn_mat4_from_rows(const float rows[16], gn_mat4 *result)
+{
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            result->m[column][row] = rows[4 * row + column];
+        }
+    }
+}
+
+void gn_mat4_to_rows(const gn_mat4 *m, float rows[16])
+{
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            rows[4 * row + column] = m->m[column][row];
+        }
+    }
+}
+
 void gn_mat4_transpose(const gn_mat4 *m, gn_mat4 *result)
 {
     gn_mat4 transposed;
@@ -100,7 +121,16 @@ void gn_mat4_invert_rigid(const gn_mat4 *m, gn_mat4 *result)
     for (int column = 0; column < 3; ++column) {
         quad_store(result->m[column], columns[column]);
     }
-    quad_store(result->m[3], quad_sub(origin, combine3(columns, spread)));
+    const quad_f turned = combine3(columns, spread);
+    /* Kernel: rigid. */
+    const quad_f back = quad_sub(origin, turned);
+    /* End of kernel. */
+    quad_store(result->m[3], back);
+}
+
+float gn_mat4_trace(const gn_mat4 *m)
+{
+    return (m->m[0][0] + m->m[1][1]) + (m->m[2][2] + m->m[3][3]);
 }
 
 /* The minor of rows i and j in two columns. */
@@ -129,6 +159,16 @@ void gn_mat4_upper_left(const gn_mat4 *m, gn_mat3 *result)
     for (int column = 0; column < 3; ++column) {
         for (int row = 0; row < 3; ++row) {
             result->m[column][row] = m->m[column][row];
+        }
+    }
+}
+
+void gn_mat4_from_mat3(const gn_mat3 *upper_left, gn_mat4 *result)
+{
+    gn_mat4_identity(result);
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            result->m[column][row] = upper_left->m[column][row];
         }
     }
 }

@@ -1,18 +1,12 @@
-/* Orthographic and perspective projections. Every inverse is made from the
- * stored entries of its matrix, so that |E| <= u |M| |M^-1| (projection.h): on
- * the diagonal stands a * fl(1/a), off it a * fl(b/a) - b or
- * fl(1/a) * b - fl(b/a). */
-#include <gnomon/projection.h>
+/* The matrix of perspective projections, which differ in hand and depth. */
+#include "projection.h"
 
-#include <gnomon/scalar.h>
+#include <gnomon/inverse.h>
 
 #include "bits.h"
 #include "transform.h"
 
-/* The largest float below pi. */
-#define BELOW_PI 0x1.921fb4p+1f
-
-static bool all_finite(const float *numbers, int count)
+bool gn_all_finite(const float *numbers, int count)
 {
     bool finite = true;
     for (int i = 0; i < count; ++i) {
@@ -21,105 +15,54 @@ static bool all_finite(const float *numbers, int count)
     return finite;
 }
 
-gn_status gn_orthographic_rh_no(float left, float right, float bottom, float top, float z_near,
-                                float z_far, gn_transform *result)
+/* Clip z = a w + b and clip w = t, t being the distance before the camera, so that
+ * depth is a + b / t: `first` where t = first, `second` where t = second. With d =
+ * second - first,
+ *   no   a = (second + first) / d,  b = -2 second first / d;
+ *   zo   a = second / d,            b = -second first / d.
+ * Reversed, the near plane is the second. At infinity these become 1 and -2 near,
+ * 1 and -near; reversed -1 and 2 near, 0 and near. */
+static void depth_coefficients(unsigned depth, float z_near, float z_far, float *a, float *b)
 {
-    const float numbers[6] = {left, right, bottom, top, z_near, z_far};
-    if (!result) {
-        return GN_NULL_POINTER;
+    const bool zero_to_one = (depth & GN_DEPTH_ZO) != 0,
+               reversed = (depth & GN_DEPTH_REVERSED) != 0;
+    if ((depth & GN_DEPTH_INFINITE) != 0) {
+        const float near_offset = zero_to_one ? z_near : 2.0f * z_near;
+        *a = !reversed ? 1.0f : zero_to_one ? 0.0f : -1.0f;
+        *b = reversed ? near_offset : -near_offset;
+        return;
     }
-    if (!all_finite(numbers, 6)) {
-        return GN_NOT_FINITE;
-    }
-    if (left == right || bottom == top || z_near == z_far) {
-        return GN_SINGULAR;
-    }
-    float width = right - left, height = top - bottom, depth = z_far - z_near;
-    gn_vec3 scale = {2.0f / width, 2.0f / height, -2.0f / depth};
-    gn_vec3 offset = {0.0f - (right + left) / width, 0.0f - (top + bottom) / height,
-                      0.0f - (z_far + z_near) / depth};
-    return gn_transform_from_scale_offset(scale, offset, result);
+    const float first = reversed ? z_far : z_near, second = reversed ? z_near : z_far;
+    const float difference = second - first;
+    *a = zero_to_one ? second / difference : (second + first) / difference;
+    *b = zero_to_one ? -(*a * first) : -(second / difference * (2.0f * first));
 }
 
-/* The perspective matrix with x_scale, y_scale on the diagonal, the skew of an
- * asymmetric frustum in the third column, and the depth rows of rh_no:
- *   clip z = c*z + d, clip w = -z,
- *   c = -(z_far + z_near) / (z_far - z_near),
- *   d = -2 z_far z_near / (z_far - z_near).
- * Inverted: z = -w', x = (x' + skew_x * w') / x_scale, 1 = (z' + c * w') / d. */
-static gn_status write_perspective(float x_scale, float y_scale, float skew_x, float skew_y,
-                                   float z_near, float z_far, gn_transform *result)
-{
-    float depth = z_far - z_near;
-    float c = -((z_far + z_near) / depth);
-    float d = -(z_far / depth * (2.0f * z_near));
-    if (!gn_has_reciprocal(x_scale) || !gn_has_reciprocal(y_scale) || !gn_has_reciprocal(d)) {
-        return GN_OUT_OF_RANGE;
-    }
-    const float inverse_column[4] = {skew_x / x_scale, skew_y / y_scale, c, c / d};
-    const float skews[2] = {skew_x, skew_y};
-    if (!all_finite(inverse_column, 4) || !all_finite(skews, 2)) {
-        return GN_OUT_OF_RANGE;
-    }
-    gn_transform_clear(result);
-    gn_mat4 *matrix = &result->matrix, *inverse = &result->inverse;
-    matrix->m[0][0] = x_scale;
-    matrix->m[1][1] = y_scale;
-    matrix->m[2][0] = skew_x;
-    matrix->m[2][1] = skew_y;
-    matrix->m[2][2] = c;
-    matrix->m[2][3] = -1.0f;
-    matrix->m[3][2] = d;
-    matrix->m[3][3] = 0.0f;
-    inverse->m[0][0] = 1.0f / x_scale;
-    inverse->m[1][1] = 1.0f / y_scale;
-    inverse->m[2][2] = 0.0f;
-    inverse->m[2][3] = 1.0f / d;
-    inverse->m[3][0] = inverse_column[0];
-    inverse->m[3][1] = inverse_column[1];
-    inverse->m[3][2] = -1.0f;
-    inverse->m[3][3] = inverse_column[3];
-    return GN_OK;
-}
-
-gn_status gn_frustum_rh_no(float left, float right, float bottom, float top, float z_near,
-                           float z_far, gn_transform *result)
-{
-    const float numbers[6] = {left, right, bottom, top, z_near, z_far};
-    if (!result) {
-        return GN_NULL_POINTER;
-    }
-    if (!all_finite(numbers, 6)) {
-        return GN_NOT_FINITE;
-    }
-    if (!(z_near > 0.0f) || !(z_far > 0.0f)) {
-        return GN_OUT_OF_RANGE;
-    }
-    if (left == right || bottom == top || z_near == z_far) {
-        return GN_SINGULAR;
-    }
-    float width = right - left, height = top - bottom;
-    return write_perspective(2.0f * z_near / width, 2.0f * z_near / height, (right + left) / width,
-                             (top + bottom) / height, z_near, z_far, result);
-}
-
-gn_status gn_perspective_rh_no(float fov_y, float aspect, float z_near, float z_far,
+/* Of z = hand * t, so clip z = hand * a * z + b, clip w = hand * z. */
+gn_status gn_write_perspective(float hand, unsigned depth, float x_scale, float y_scale,
+                               float skew_x, float skew_y, float z_near, float z_far,
                                gn_transform *result)
 {
-    const float numbers[4] = {fov_y, aspect, z_near, z_far};
-    if (!result) {
-        return GN_NULL_POINTER;
-    }
-    if (!all_finite(numbers, 4)) {
-        return GN_NOT_FINITE;
-    }
-    if (!(fov_y > 0.0f) || !(fov_y <= BELOW_PI) || !(aspect > 0.0f) || !(z_near > 0.0f) ||
-        !(z_far > 0.0f)) {
+    gn_mat4 matrix, inverse;
+    float a, b;
+    depth_coefficients(depth, z_near, z_far, &a, &b);
+    gn_mat4_identity(&matrix);
+    matrix.m[0][0] = x_scale;
+    matrix.m[1][1] = y_scale;
+    matrix.m[2][0] = hand < 0.0f ? skew_x : 0.0f - skew_x;
+    matrix.m[2][1] = hand < 0.0f ? skew_y : 0.0f - skew_y;
+    matrix.m[2][2] = hand < 0.0f ? 0.0f - a : a;
+    matrix.m[2][3] = hand;
+    matrix.m[3][2] = b;
+    matrix.m[3][3] = 0.0f;
+    if (gn_mat4_invert_perspective(&matrix, &inverse) != GN_OK) {
         return GN_OUT_OF_RANGE;
     }
-    if (z_near == z_far) {
-        return GN_SINGULAR;
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            result->matrix.m[column][row] = matrix.m[column][row];
+            result->inverse.m[column][row] = inverse.m[column][row];
+        }
     }
-    float y_scale = 1.0f / gn_tan(0.5f * fov_y);
-    return write_perspective(y_scale / aspect, y_scale, 0.0f, 0.0f, z_near, z_far, result);
+    return GN_OK;
 }

@@ -54,14 +54,14 @@ gn_status gn_rotate_z(float radians, gn_transform *result)
 
 /* Rodrigues: R = c I + (1 - c) n n^T + s [n]x.
  *
- * Bound, with u = 2^-24. Rounding, for the stored n, to first order: s and c are
- * off by u/2, t = 1 - c by another u, each product by u of itself and the sum by
- * u, which adds up to 6 u on the diagonal (at n_i = 1, t = 2) and less than 4 u
- * off it. The rows r of a rotation have the length 1, so R R^T differs from I by
- * at most 6 u * (sum |r_ik| + sum |r_jk|) <= 12 sqrt(3) u < 21 u. Axis: let
- * |n|^2 = 1 + v, |v| <= 7 u. R takes n to (1 + t v) n and scales the plane across
- * it by 1 + s^2 v / 2, so R R^T differs from I by 2 t v n n^T + s^2 v (I - n n^T):
- * 28 u on the diagonal and 14 u off it. In all 49 u and 35 u. */
+ * Bound, with u = 2^-24; Gappa proves it from the lines of the kernel below
+ * (tests/proof). For the stored n, s and c, rounding adds 4 u to an entry on the
+ * diagonal and 4.51 u off it, and as R's rows and columns have the length 1, twice
+ * the root of 4^2 + 2 * 4.51^2, 15.1 u, to R R^T and R^T R. Exactly computed, with
+ * |n|^2 = 1 + v, |v| <= 7 u (gn_vec3_unit), and s^2 + c^2 = 1 + w, |w| <= 2 u, they
+ * differ from I by v (t^2 n_i^2 + s^2) + w (1 - n_i^2) on the diagonal and
+ * n_i n_j (t^2 v - w) off it: 30 u and 15 u. Lengths: half of a row's sum,
+ * 46 + 2 * 31. */
 gn_status gn_rotate_axis(gn_vec3 axis, float radians, gn_transform *result)
 {
     gn_vec3 n;
@@ -77,12 +77,25 @@ gn_status gn_rotate_axis(gn_vec3 axis, float radians, gn_transform *result)
     }
     float s, c;
     gn_sincos(radians, &s, &c);
-    float t = 1.0f - c;
-    float tx = t * n.x, ty = t * n.y, tz = t * n.z;
-    float sx = s * n.x, sy = s * n.y, sz = s * n.z;
-    gn_vec3 x = {tx * n.x + c, tx * n.y + sz, tx * n.z - sy};
-    gn_vec3 y = {ty * n.x - sz, ty * n.y + c, ty * n.z + sx};
-    gn_vec3 z = {tz * n.x + sy, tz * n.y - sx, tz * n.z + c};
+    /* Kernel: rodrigues. */
+    const float t = 1.0f - c;
+    const float tx = t * n.x;
+    const float ty = t * n.y;
+    const float tz = t * n.z;
+    const float sx = s * n.x;
+    const float sy = s * n.y;
+    const float sz = s * n.z;
+    const float xx = tx * n.x + c;
+    const float xy = tx * n.y + sz;
+    const float xz = tx * n.z - sy;
+    const float yx = ty * n.x - sz;
+    const float yy = ty * n.y + c;
+    const float yz = ty * n.z + sx;
+    const float zx = tz * n.x + sy;
+    const float zy = tz * n.y - sx;
+    const float zz = tz * n.z + c;
+    /* End of kernel. */
+    const gn_vec3 x = {xx, xy, xz}, y = {yx, yy, yz}, z = {zx, zy, zz};
     gn_transform_from_rotation(x, y, z, result);
     return GN_OK;
 }

@@ -13,6 +13,15 @@
 /* Every property of a suite over `trials` random inputs. Prints one line a
  * property and the shrunk counterexamples; returns how many properties failed. */
 int properties_math(uint64_t seed, size_t trials);
+int properties_scalar(uint64_t seed, size_t trials);
+int properties_vectors(uint64_t seed, size_t trials);
+int properties_inverse(uint64_t seed, size_t trials);
+int properties_linear(uint64_t seed, size_t trials);
+int properties_quaternion(uint64_t seed, size_t trials);
+int properties_models(uint64_t seed, size_t trials);
+int properties_projections(uint64_t seed, size_t trials);
+int properties_geometry(uint64_t seed, size_t trials);
+int properties_rays(uint64_t seed, size_t trials);
 
 static inline enum theft_hook_run_pre_res
 property_quiet_pre(const struct theft_hook_run_pre_info *info, void *env)

@@ -37,8 +37,8 @@ static matrix stated_bound(const struct made *made, bool inverse_first)
         for (int column = 0; column < 3; ++column)
             for (int row = 0; row < 3; ++row)
                 bound.m[column][row] = (made->kind == LOOK_AT ? 17.0
-                                        : column == row       ? 50.0
-                                                              : 36.0) *
+                                        : column == row       ? 46.0
+                                                              : 31.0) *
                                        U;
         for (int row = 0; row < 3 && made->kind == LOOK_AT; ++row)
             bound.m[3][row] = 23.0 * U * eye;
@@ -212,7 +212,7 @@ static enum theft_trial_res rotations_keep_lengths(struct theft *t, void *arg)
             m.m[0][row] * (double)v.x + m.m[1][row] * (double)v.y + m.m[2][row] * (double)v.z;
         squares += r * r;
     }
-    double bound = (made->kind == ROTATE_AXIS ? 60.0 : 1.0) * U;
+    double bound = (made->kind == ROTATE_AXIS ? 54.0 : 1.0) * U;
     return verdict(fabs(sqrt(squares) - length) <= bound * SLACK * length + 0x1p-48);
 }
 

@@ -10,7 +10,7 @@ const char *const kind_names[KINDS] = {"translate", "scale",       "rotate x", "
                                        "frustum",   "perspective", "viewport"};
 
 /* Simplest first: 1, then short fractions near it. */
-static float random_number(struct theft *t, int exponents)
+float random_number(struct theft *t, int exponents)
 {
     int exponent = (int)(theft_random_bits(t, 7) % (unsigned)(exponents + 1));
     bool small = theft_random_bits(t, 1) != 0, negative = theft_random_bits(t, 1) != 0;

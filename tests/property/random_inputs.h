@@ -40,6 +40,9 @@ struct made {
 
 enum { FLOATS = 32 };
 
+/* A number of 2^-exponents to 2^exponents in magnitude. */
+float random_number(struct theft *t, int exponents);
+
 /* Instances are struct made: one of the kinds chosen, of numbers its constructor
  * accepts. The choice must outlive the runs. */
 struct theft_type_info random_transforms(struct choice *choice);

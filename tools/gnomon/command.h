@@ -6,6 +6,7 @@
 int command_render(int argc, char **argv);
 int command_compare(int argc, char **argv);
 int command_demo(int argc, char **argv);
+int command_transform(int argc, char **argv);
 
 /* The part of --help that render and compare share: camera, light, shaders, colours,
  * back end. */

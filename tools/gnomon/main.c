@@ -17,6 +17,8 @@ static const char overview[] =
     "  gnomon compare MODEL             draw it with OSMesa as well and count the pixels\n"
     "                                   that differ\n"
     "  gnomon demo                      do that with a teapot, which needs no model\n"
+    "  gnomon transform < SETUP         where points are at every stage: local, world, view,\n"
+    "                                   clip, NDC and pixel coordinates\n"
     "\n"
     "gnomon COMMAND --help explains a command and has examples. To see something at once:\n"
     "\n"
@@ -25,7 +27,8 @@ static const char overview[] =
     "Results go to standard output, errors to standard error, one line each, with the file\n"
     "or option they are about. Exit status: 0 success (compare, demo: the pictures are\n"
     "equal), 1 something is wrong with the input (or the pictures differ), 2 the command\n"
-    "line is not understood. An output file appears whole or not at all.\n";
+    "line, or transform's text, is not understood. An output file appears whole or not at\n"
+    "all.\n";
 
 static const char picture_help[] =
     "Camera (without any of these the whole model is framed, seen from +z, a little from\n"
@@ -101,6 +104,8 @@ static int run(int argc, char **argv)
         return command_compare(argc - 1, argv + 1);
     if (strcmp(argv[1], "demo") == 0)
         return command_demo(argc - 1, argv + 1);
+    if (strcmp(argv[1], "transform") == 0)
+        return command_transform(argc - 1, argv + 1);
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
         strcmp(argv[1], "help") == 0) {
         fputs(overview, stdout);

@@ -1,0 +1,28 @@
+/* What the functions of boxes share. */
+#ifndef GNOMON_MATH_BOX_H
+#define GNOMON_MATH_BOX_H
+
+#include <gnomon/culling.h>
+
+#include <stdbool.h>
+
+#include "bits.h"
+
+/* The larger and the smaller of two floats that are not NaN. */
+static inline float gn_larger(float a, float b)
+{
+    return a > b ? a : b;
+}
+
+static inline float gn_smaller(float a, float b)
+{
+    return a < b ? a : b;
+}
+
+/* No min exceeds its max. False with a NaN. */
+static inline bool gn_box_is_ordered(const gn_box *box)
+{
+    return box->min.x <= box->max.x && box->min.y <= box->max.y && box->min.z <= box->max.z;
+}
+
+#endif

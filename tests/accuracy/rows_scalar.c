@@ -1,0 +1,110 @@
+/* Scalar functions beside the C library's, which cglm calls, in units in the last place. Ours
+ * are correctly rounded, atan2 and pow within 0.5000001; of the C library's no bound is promised
+ * (other_bound -1). */
+#include "rows.h"
+#include "wide.h"
+
+/* One unit in the last place of x, in units of u. */
+static void in_ulps(struct exact *exact, wide x)
+{
+    int exponent;
+    frexpl(x, &exponent);
+    absolute(exact, 0, x, x == 0.0L ? 0.0L : ldexpl(1.0L, exponent < -125 ? -125 : exponent));
+}
+
+#define FUNCTION(name)                                                                             \
+    static bool own_##name(const float *in, float *out)                                            \
+    {                                                                                              \
+        return put(gn_##name(in[0]), out);                                                         \
+    }                                                                                              \
+    static void other_##name(float *in, float *out)                                                \
+    {                                                                                              \
+        *out = name##f(in[0]);                                                                     \
+    }                                                                                              \
+    static void exact_##name(const float *in, struct exact *exact)                                 \
+    {                                                                                              \
+        in_ulps(exact, name##l((wide)in[0]));                                                      \
+    }
+
+FUNCTION(sqrt)
+FUNCTION(sin)
+FUNCTION(cos)
+FUNCTION(tan)
+FUNCTION(asin)
+FUNCTION(acos)
+FUNCTION(atan)
+FUNCTION(exp2)
+FUNCTION(exp)
+FUNCTION(log2)
+FUNCTION(log)
+
+OWN(rsqrt)
+{
+    return put(gn_rsqrt(in[0]), out);
+}
+OTHER(rsqrt)
+{
+    *out = 1.0f / sqrtf(in[0]);
+}
+EXACT(rsqrt)
+{
+    in_ulps(exact, 1.0L / sqrtl((wide)in[0]));
+}
+
+OWN(atan2)
+{
+    return put(gn_atan2(in[0], in[1]), out);
+}
+OTHER(atan2)
+{
+    *out = atan2f(in[0], in[1]);
+}
+EXACT(atan2)
+{
+    in_ulps(exact, atan2l((wide)in[0], (wide)in[1]));
+}
+
+OWN(pow)
+{
+    return put(gn_pow(in[0], in[1]), out);
+}
+OTHER(pow)
+{
+    *out = powf(in[0], in[1]);
+}
+EXACT(pow)
+{
+    in_ulps(exact, powl((wide)in[0], (wide)in[1]));
+}
+
+static void positive(float *in)
+{
+    in[0] = in[0] == 0.0f ? 1.0f : fabsf(in[0]);
+}
+
+static void at_most_1(float *in)
+{
+    in[0] = remainderf(in[0], 2.0f);
+}
+
+/* Powers that are no infinity: of 2^-121 to 2^121, 40 at most. */
+static void prepare_pow(float *in)
+{
+    positive(in);
+    in[1] = remainderf(in[1], 242.0f / (fabsf(log2f(in[0])) + 6.0f));
+}
+
+#define ROW(name, inputs, prepare, exponents)                                                      \
+    {                                                                                              \
+#name, inputs, 1, exponents, prepare, own_##name, other_##name, exact_##name, 0.5000001, -1.0    \
+    }
+
+static const struct row rows[] = {
+    ROW(sqrt, 1, positive, 120), ROW(sin, 1, NULL, 30),        ROW(cos, 1, NULL, 30),
+    ROW(tan, 1, NULL, 30),       ROW(asin, 1, at_most_1, 10),  ROW(acos, 1, at_most_1, 10),
+    ROW(atan, 1, NULL, 30),      ROW(atan2, 2, NULL, 30),      ROW(rsqrt, 1, positive, 120),
+    ROW(exp2, 1, NULL, 5),       ROW(exp, 1, NULL, 5),         ROW(log2, 1, positive, 120),
+    ROW(log, 1, positive, 120),  ROW(pow, 2, prepare_pow, 20),
+};
+
+const struct table scalar_rows = {rows, sizeof rows / sizeof rows[0]};

@@ -1,0 +1,257 @@
+/* Vectors beside cglm's. Bounds count roundings, u each: n of a dot product of n components
+ * (vec.h), so n/2 + 1 of its root, and 2 more of the product with a reciprocal or 1 of a
+ * division by it (vec4, both libraries). */
+#define CGLM_ALL_UNALIGNED
+#include <cglm/cglm.h>
+
+#include "rows.h"
+#include "wide.h"
+
+OWN(add)
+{
+    return put_vec3(gn_vec3_add(vec3_of(in), vec3_of(in + 3)), out);
+}
+OTHER(add)
+{
+    glm_vec3_add(in, in + 3, out);
+}
+EXACT(add)
+{
+    for (int i = 0; i < 3; ++i)
+        relative(exact, i, (wide)in[i] + (wide)in[3 + i]);
+}
+
+OWN(subtract)
+{
+    return put_vec3(gn_vec3_subtract(vec3_of(in), vec3_of(in + 3)), out);
+}
+OTHER(subtract)
+{
+    glm_vec3_sub(in, in + 3, out);
+}
+EXACT(subtract)
+{
+    for (int i = 0; i < 3; ++i)
+        relative(exact, i, (wide)in[i] - (wide)in[3 + i]);
+}
+
+OWN(scale)
+{
+    return put_vec3(gn_vec3_scale(vec3_of(in), in[3]), out);
+}
+OTHER(scale)
+{
+    glm_vec3_scale(in, in[3], out);
+}
+EXACT(scale)
+{
+    for (int i = 0; i < 3; ++i)
+        relative(exact, i, (wide)in[i] * (wide)in[3]);
+}
+
+/* Products of n components. */
+OWN(dot2)
+{
+    return put(gn_vec2_dot(vec2_of(in), vec2_of(in + 2)), out);
+}
+OTHER(dot2)
+{
+    *out = glm_vec2_dot(in, in + 2);
+}
+EXACT(dot2)
+{
+    exact->value[0] = sum_of_products(in, 1, in + 2, 1, 2, exact->scale);
+}
+
+OWN(dot3)
+{
+    return put(gn_vec3_dot(vec3_of(in), vec3_of(in + 3)), out);
+}
+OTHER(dot3)
+{
+    *out = glm_vec3_dot(in, in + 3);
+}
+EXACT(dot3)
+{
+    exact->value[0] = sum_of_products(in, 1, in + 3, 1, 3, exact->scale);
+}
+
+OWN(dot4)
+{
+    return put(gn_vec4_dot(vec4_of(in), vec4_of(in + 4)), out);
+}
+OTHER(dot4)
+{
+    *out = glm_vec4_dot(in, in + 4);
+}
+EXACT(dot4)
+{
+    exact->value[0] = sum_of_products(in, 1, in + 4, 1, 4, exact->scale);
+}
+
+OWN(cross2)
+{
+    return put(gn_vec2_cross(vec2_of(in), vec2_of(in + 2)), out);
+}
+OTHER(cross2)
+{
+    *out = glm_vec2_cross(in, in + 2);
+}
+EXACT(cross2)
+{
+    const wide first = (wide)in[0] * (wide)in[3], second = (wide)in[1] * (wide)in[2];
+    absolute(exact, 0, first - second, fabsl(first) + fabsl(second));
+}
+
+OWN(cross3)
+{
+    return put_vec3(gn_vec3_cross(vec3_of(in), vec3_of(in + 3)), out);
+}
+OTHER(cross3)
+{
+    glm_vec3_cross(in, in + 3, out);
+}
+EXACT(cross3)
+{
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const wide first = (wide)in[j] * (wide)in[3 + k], second = (wide)in[k] * (wide)in[3 + j];
+        absolute(exact, i, first - second, fabsl(first) + fabsl(second));
+    }
+}
+
+OWN(length2)
+{
+    return put(gn_vec2_length(vec2_of(in)), out);
+}
+OTHER(length2)
+{
+    *out = glm_vec2_norm(in);
+}
+EXACT(length2)
+{
+    relative(exact, 0, wide_length(in, 2));
+}
+
+OWN(length3)
+{
+    return put(gn_vec3_length(vec3_of(in)), out);
+}
+OTHER(length3)
+{
+    *out = glm_vec3_norm(in);
+}
+EXACT(length3)
+{
+    relative(exact, 0, wide_length(in, 3));
+}
+
+OWN(length4)
+{
+    return put(gn_vec4_length(vec4_of(in)), out);
+}
+OTHER(length4)
+{
+    *out = glm_vec4_norm(in);
+}
+EXACT(length4)
+{
+    relative(exact, 0, wide_length(in, 4));
+}
+
+/* Directions: every component relative to itself, which none may be too small for: 2^-45 to
+ * 2^45 come out above 2^-91, and are not scaled down on the way (length.c). */
+static void exact_direction(const float *in, int count, struct exact *exact)
+{
+    for (int i = 0; i < count; ++i)
+        relative(exact, i, (wide)in[i] / wide_length(in, count));
+}
+
+OWN(normalize2)
+{
+    gn_vec2 r;
+    if (gn_vec2_normalize(vec2_of(in), &r) != GN_OK)
+        return false;
+    out[0] = r.x;
+    out[1] = r.y;
+    return true;
+}
+OTHER(normalize2)
+{
+    glm_vec2_normalize_to(in, out);
+}
+EXACT(normalize2)
+{
+    exact_direction(in, 2, exact);
+}
+
+OWN(normalize3)
+{
+    gn_vec3 r;
+    return gn_vec3_normalize(vec3_of(in), &r) == GN_OK && put_vec3(r, out);
+}
+OTHER(normalize3)
+{
+    glm_vec3_normalize_to(in, out);
+}
+EXACT(normalize3)
+{
+    exact_direction(in, 3, exact);
+}
+
+OWN(normalize4)
+{
+    gn_vec4 r;
+    return gn_vec4_normalize(vec4_of(in), &r) == GN_OK && put_vec4(r, out);
+}
+OTHER(normalize4)
+{
+    glm_vec4_normalize_to(in, out);
+}
+EXACT(normalize4)
+{
+    exact_direction(in, 4, exact);
+}
+
+/* The change b - a is rounded twice more, the sum once. */
+OWN(lerp)
+{
+    return put_vec3(gn_vec3_lerp(vec3_of(in), vec3_of(in + 3), in[6]), out);
+}
+OTHER(lerp)
+{
+    glm_vec3_lerp(in, in + 3, in[6], out);
+}
+EXACT(lerp)
+{
+    for (int i = 0; i < 3; ++i) {
+        const wide change = ((wide)in[3 + i] - (wide)in[i]) * (wide)in[6];
+        absolute(exact, i, (wide)in[i] + change, fabsl((wide)in[i]) + fabsl(change));
+    }
+}
+
+#define ROW(name, text, inputs, outputs, exponents, own_bound, other_bound)                        \
+    {                                                                                              \
+        text, inputs, outputs, exponents, NULL, own_##name, other_##name, exact_##name, own_bound, \
+            other_bound                                                                            \
+    }
+
+static const struct row rows[] = {
+    ROW(add, "vec3 add", 6, 3, 60, 1, 1),
+    ROW(subtract, "vec3 subtract", 6, 3, 60, 1, 1),
+    ROW(scale, "vec3 scale", 4, 3, 60, 1, 1),
+    ROW(dot2, "vec2 dot", 4, 1, 60, 2, 2),
+    ROW(dot3, "vec3 dot", 6, 1, 60, 3, 3),
+    ROW(dot4, "vec4 dot", 8, 1, 60, 4, 4),
+    ROW(cross2, "vec2 cross", 4, 1, 60, 2, 2),
+    ROW(cross3, "vec3 cross", 6, 3, 60, 2, 2),
+    ROW(length2, "vec2 length", 2, 1, 60, 2, 2),
+    ROW(length3, "vec3 length", 3, 1, 60, 2.5, 2.5),
+    ROW(length4, "vec4 length", 4, 1, 60, 3, 3),
+    ROW(normalize2, "vec2 normalize", 2, 2, 45, 4, 4),
+    ROW(normalize3, "vec3 normalize", 3, 3, 45, 4.5, 4.5),
+    ROW(normalize4, "vec4 normalize", 4, 4, 45, 4, 4),
+    ROW(lerp, "vec3 lerp", 7, 3, 30, 3, 3),
+};
+
+const struct table vector_rows = {rows, sizeof rows / sizeof rows[0]};

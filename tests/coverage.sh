@@ -1,0 +1,48 @@
+#!/bin/sh
+# Lists the public functions of the mathematics that no property test (tests/property) and no
+# exhaustive test (tests/exhaustive) calls. usage: coverage.sh [DIRECTORY]
+# DIRECTORY holds include/, tests/ (default: this repository). Headers are all but those of
+# drawing. Ends with "functions: N called
+# by a property or an exhaustive test, N not". Exit status 1 where there are such.
+set -eu
+cd "${1:-$(dirname "$0")/..}"
+headers=$(ls include/gnomon/*.h | grep -v -E \
+    '/(api|backend|draw|parallel|pipeline|shaders|status|surface|texture)\.h$')
+
+# Comments and texts are taken out first: to name a function is not to call it. A table of
+# functions names it without a parenthesis, so any use of the name counts.
+awk '
+FNR == 1 { header = FILENAME ~ /^include\// }
+{
+    gsub(/"([^"\\]|\\.)*"/, "")
+    if (commented) {
+        if (!match($0, /\*\//)) next
+        $0 = substr($0, RSTART + 2)
+        commented = 0
+    }
+    while (match($0, /\/\*/)) {
+        before = substr($0, 1, RSTART - 1)
+        rest = substr($0, RSTART + 2)
+        if (!match(rest, /\*\//)) { $0 = before; commented = 1; break }
+        $0 = before " " substr(rest, RSTART + 2)
+    }
+    if (header) {
+        if ($0 ~ /^GN_API /) { declared = 1 }
+        if (declared && match($0, /gn_[a-z0-9_]+\(/)) {
+            functions[++count] = substr($0, RSTART, RLENGTH - 1)
+            where[count] = FILENAME
+            declared = 0
+        }
+        next
+    }
+    while (match($0, /gn_[a-z0-9_]+/)) {
+        used[substr($0, RSTART, RLENGTH)] = 1
+        $0 = substr($0, RSTART + RLENGTH)
+    }
+}
+END {
+    for (i = 1; i <= count; ++i)
+        if (!(functions[i] in used)) { ++missing; print where[i] ": " functions[i] }
+    printf "functions: %d called by a property or an exhaustive test, %d not\n", count - missing, missing
+    exit missing > 0 || count == 0
+}' $headers tests/property/*.c tests/property/*.h tests/exhaustive/*.c

@@ -1,0 +1,141 @@
+/* The reference is the C library's double result d, whose error is below one part in 2^51
+ * (glibc states at most 1 ulp for each of these functions). Where d * (1 - 2^-50) and
+ * d * (1 + 2^-50) round to the same float, so does the exact value; else MPFR decides, and
+ * for one magnitude in 2^14 it does in any case, which checks this filter. The values at x
+ * and -x are taken from one evaluation where the mathematics says so: that is no assumption
+ * about the functions under test. */
+#include "references.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+#include <mpfr.h>
+
+#define NAN_BITS 0x7FC00000u
+#define SIGN_BIT 0x80000000u
+
+/* Enough for every result not to be rounded to a middle between two floats that it is not. */
+enum { PRECISION = 160 };
+
+static double pi_times(double x, double numerator)
+{
+    return x * (numerator / 3.14159265358979323846);
+}
+
+/* Where there is no value the library would also set errno, which takes its time. */
+static double double_sqrt(double x)
+{
+    return x < 0.0 ? NAN : sqrt(x);
+}
+
+static double double_asin(double x)
+{
+    return fabs(x) > 1.0 ? NAN : asin(x);
+}
+
+static double double_acos(double x)
+{
+    return fabs(x) > 1.0 ? NAN : acos(x);
+}
+
+static double double_degrees(double x)
+{
+    return pi_times(x, 180.0);
+}
+
+static double double_radians(double x)
+{
+    return x * (3.14159265358979323846 / 180.0);
+}
+
+static int wide_degrees(mpfr_t result, mpfr_srcptr x, mpfr_rnd_t mode)
+{
+    mpfr_t pi;
+    mpfr_init2(pi, PRECISION);
+    mpfr_const_pi(pi, MPFR_RNDN);
+    mpfr_mul_ui(result, x, 180, mode);
+    int inexact = mpfr_div(result, result, pi, mode);
+    mpfr_clear(pi);
+    return inexact;
+}
+
+static int wide_radians(mpfr_t result, mpfr_srcptr x, mpfr_rnd_t mode)
+{
+    mpfr_t pi;
+    mpfr_init2(pi, PRECISION);
+    mpfr_const_pi(pi, MPFR_RNDN);
+    mpfr_mul(result, x, pi, mode);
+    int inexact = mpfr_div_ui(result, result, 180, mode);
+    mpfr_clear(pi);
+    return inexact;
+}
+
+typedef enum symmetry { NEITHER, ODD, EVEN } symmetry;
+
+static const struct definition {
+    double (*narrow)(double);
+    int (*wide)(mpfr_t, mpfr_srcptr, mpfr_rnd_t);
+    symmetry symmetry;
+} definitions[REFERENCE_COUNT] = {
+    [REFERENCE_SQRT] = {double_sqrt, mpfr_sqrt, NEITHER},
+    [REFERENCE_SIN] = {sin, mpfr_sin, ODD},
+    [REFERENCE_COS] = {cos, mpfr_cos, EVEN},
+    [REFERENCE_TAN] = {tan, mpfr_tan, ODD},
+    [REFERENCE_ASIN] = {double_asin, mpfr_asin, ODD},
+    [REFERENCE_ACOS] = {double_acos, mpfr_acos, NEITHER},
+    [REFERENCE_ATAN] = {atan, mpfr_atan, ODD},
+    [REFERENCE_DEGREES] = {double_degrees, wide_degrees, ODD},
+    [REFERENCE_RADIANS] = {double_radians, wide_radians, ODD},
+};
+
+static uint32_t canonical(float value)
+{
+    return isnan(value) ? NAN_BITS : bits_of(value);
+}
+
+/* mpfr_get_flt rounds to a denormal once, too. */
+static uint32_t decide(const struct definition *function, float x)
+{
+    mpfr_t wide;
+    mpfr_init2(wide, PRECISION);
+    mpfr_set_flt(wide, x, MPFR_RNDN);
+    function->wide(wide, wide, MPFR_RNDN);
+    uint32_t bits = canonical(mpfr_get_flt(wide, MPFR_RNDN));
+    mpfr_clear(wide);
+    return bits;
+}
+
+static uint64_t evaluate(const struct definition *function, const uint32_t magnitudes[],
+                         unsigned count, uint32_t sign, uint32_t values[])
+{
+    double d[BLOCK];
+    uint64_t decided = 0;
+    for (unsigned i = 0; i < count; ++i) {
+        d[i] = function->narrow((double)from_bits(magnitudes[i] | sign));
+    }
+    for (unsigned i = 0; i < count; ++i) {
+        float low = (float)(d[i] * (1.0 - 0x1p-50)), high = (float)(d[i] * (1.0 + 0x1p-50));
+        bool agreed = bits_of(low) == bits_of(high) || isnan(d[i]);
+        values[i] = canonical(high);
+        if (!agreed || magnitudes[i] % 16384 == 0) {
+            values[i] = decide(function, from_bits(magnitudes[i] | sign));
+            ++decided;
+        }
+    }
+    return decided;
+}
+
+uint64_t reference_values(reference which, const uint32_t magnitudes[], unsigned count,
+                          uint32_t positive[], uint32_t negative[])
+{
+    const struct definition *function = &definitions[which];
+    uint64_t decided = evaluate(function, magnitudes, count, 0, positive);
+    if (function->symmetry == NEITHER) {
+        return decided + evaluate(function, magnitudes, count, SIGN_BIT, negative);
+    }
+    for (unsigned i = 0; i < count; ++i) {
+        bool flip = function->symmetry == ODD && positive[i] != NAN_BITS;
+        negative[i] = positive[i] ^ (flip ? SIGN_BIT : 0);
+    }
+    return decided;
+}

@@ -1,0 +1,119 @@
+/* Properties of the scalar functions, for any bits of the arguments, beside the C library's in
+ * double: what make exhaustive shows for all arguments of one, and functions of two. */
+#include <math.h>
+#include <string.h>
+
+#include <gnomon.h>
+
+#include "double_matrix.h"
+#include "properties.h"
+#include "random_inputs.h"
+
+/* Whether `got` is a float that the exact value rounds to, which `near` is within
+ * `relative` of; signs of zeros and infinities too. */
+static bool rounds(float got, double near, double relative)
+{
+    if (isnan(near) || isinf(near) || near == 0.0)
+        return isnan(near) ? isnan(got) : got == (float)near && !signbit(got) == !signbit(near);
+    return got == (float)(near - near * relative) || got == (float)(near + near * relative);
+}
+
+/* The library's functions are within 2^-52. */
+static enum theft_trial_res functions_of_one(struct theft *t, void *arg)
+{
+    const float *floats = arg;
+    (void)t;
+    for (int i = 0; i < FLOATS; ++i) {
+        const float x = floats[i];
+        const double wide = (double)x, error = 0x1p-50;
+        if (!rounds(gn_rsqrt(x), 1.0 / sqrt(wide), error) ||
+            !rounds(gn_exp2(x), exp2(wide), error) || !rounds(gn_exp(x), exp(wide), error) ||
+            !rounds(gn_log2(x), log2(wide), error) || !rounds(gn_log(x), log(wide), error))
+            return THEFT_TRIAL_FAIL;
+    }
+    return THEFT_TRIAL_PASS;
+}
+
+/* gn_pow is within 10^-7 units in the last place of correct rounding, less than 2^-46. */
+static enum theft_trial_res functions_of_two(struct theft *t, void *arg)
+{
+    const float *f = arg;
+    (void)t;
+    for (int i = 0; i + 1 < FLOATS; ++i)
+        if (!rounds(gn_pow(f[i], f[i + 1]), pow((double)f[i], (double)f[i + 1]), 0x1p-46) ||
+            !rounds(gn_atan2(f[i], f[i + 1]), atan2((double)f[i], (double)f[i + 1]), 0x1p-50))
+            return THEFT_TRIAL_FAIL;
+    return THEFT_TRIAL_PASS;
+}
+
+/* The same bits, or any NaN for a NaN. */
+static bool same(float got, float expected)
+{
+    return memcmp(&got, &expected, sizeof got) == 0 || (isnan(got) && isnan(expected));
+}
+
+/* x - floor(x) in double is exact or, as a sum rounded to float again, as if rounded once. */
+static float fraction_of(float x)
+{
+    const float fraction = (float)((double)x - floor((double)x));
+    return fraction < 1.0f || isnan(fraction) ? fraction : 1.0f - 0x1p-24f;
+}
+
+static enum theft_trial_res whole_numbers(struct theft *t, void *arg)
+{
+    const float *floats = arg;
+    (void)t;
+    for (int i = 0; i < FLOATS; ++i) {
+        const float x = floats[i];
+        if (!same(gn_floor(x), floorf(x)) || !same(gn_ceil(x), ceilf(x)) ||
+            !same(gn_round(x), roundf(x)) || !same(gn_fract(x), fraction_of(x)))
+            return THEFT_TRIAL_FAIL;
+    }
+    return THEFT_TRIAL_PASS;
+}
+
+static enum theft_trial_res between_two(struct theft *t, void *arg)
+{
+    const float *f = arg;
+    (void)t;
+    for (int i = 0; i + 2 < FLOATS; ++i) {
+        const float a = f[i], b = f[i + 1], x = f[i + 2];
+        const float low = a < b ? a : b, high = a < b ? b : a;
+        const float weight = fabsf(remainderf(x, 2.0f));
+        const double size = fmax(fabs((double)a), fabs((double)b));
+        const double mixed = (double)a * (1.0 - (double)weight) + (double)b * (double)weight;
+        if (gn_clamp(x, low, high) != (x < low    ? low
+                                       : x > high ? high
+                                                  : x) ||
+            !(fabs((double)gn_mix(a, b, weight) - mixed) <= 0x1.84p-23 * size + 0x1p-149) ||
+            gn_mix(a, b, 0.0f) != a || gn_mix(a, b, 1.0f) != b)
+            return THEFT_TRIAL_FAIL;
+    }
+    return THEFT_TRIAL_PASS;
+}
+
+int properties_scalar(uint64_t seed, size_t trials)
+{
+    struct choice moderate = {0, 0, 7}, wide = {0, 0, 100};
+    const struct theft_type_info any = random_floats(NULL), some = random_floats(&moderate);
+    const struct theft_type_info finite = random_floats(&wide);
+    const struct theft_run_config properties[] = {
+        {.name = "rsqrt, exp, log: rounding", .prop1 = functions_of_one, .type_info = {&any}},
+        {.name = "rsqrt, exp, log of moderate numbers: rounding",
+         .prop1 = functions_of_one,
+         .type_info = {&some}},
+        {.name = "pow, atan2: rounding", .prop1 = functions_of_two, .type_info = {&any}},
+        {.name = "pow, atan2 of moderate numbers: rounding",
+         .prop1 = functions_of_two,
+         .type_info = {&some}},
+        {.name = "floor, ceil, round, fract", .prop1 = whole_numbers, .type_info = {&any}},
+        {.name = "floor, ceil, round, fract of moderate numbers",
+         .prop1 = whole_numbers,
+         .type_info = {&some}},
+        {.name = "clamp, mix", .prop1 = between_two, .type_info = {&finite}},
+    };
+    int failed = 0;
+    for (size_t i = 0; i < sizeof properties / sizeof properties[0]; ++i)
+        failed += property_run(properties[i], seed, trials);
+    return failed;
+}

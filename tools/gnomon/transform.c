@@ -1,0 +1,106 @@
+/* gnomon transform: the coordinates of points at every stage of the pipeline. */
+#include "transform.h"
+
+#include <errno.h>
+#include <string.h>
+
+#include "command.h"
+#include "report.h"
+
+static const char usage[] =
+    "gnomon transform [--matrices] < SETUP: where points are at every stage of the pipeline:\n"
+    "local, world, view, clip and normalised device coordinates (NDC), and pixels. Points\n"
+    "behind the eye or outside the view volume are named as such.\n"
+    "\n"
+    "  gnomon transform < setup.txt\n"
+    "  gnomon transform --matrices setup.txt\n"
+    "\n"
+    "  --matrices    view, projection and their inverses too, as the convention writes them:\n"
+    "                for column vectors, or (direct3d) for row vectors\n"
+    "\n"
+    "SETUP holds one statement a line, in any order; what follows # is a comment:\n"
+    "  convention opengl       right-handed, the camera looks along -z, depth -1..1,\n"
+    "                          pixel rows from the bottom\n"
+    "  convention direct3d     left-handed, along +z, 0..1, rows from the top\n"
+    "  convention vulkan       right-handed, along -z, 0..1, clip y down, rows from the top\n"
+    "  screen WIDTH HEIGHT     in pixels\n"
+    "  scale X Y Z             the model: scaled (or by one factor), then turned by each\n"
+    "  rotate X Y Z DEGREES    rotate about its axis, in order, then moved\n"
+    "  translate X Y Z\n"
+    "  position X Y Z          the camera's place in the world; 0 0 0\n"
+    "  target X Y Z            what it looks at; straight ahead in z\n"
+    "  up X Y Z                what is up; 0 1 0\n"
+    "  right X Y Z             right, up and forward instead of target: the camera's axes,\n"
+    "  forward X Y Z           perpendicular, of any length\n"
+    "  perspective DEGREES     what is seen: the angle from bottom to top,\n"
+    "  frustum L R B T         or a rectangle at the near distance,\n"
+    "  orthographic L R B T    or a box\n"
+    "  near DISTANCE           before the camera\n"
+    "  far DISTANCE            or: far infinite\n"
+    "  depth reversed          near has the greater depth; or: depth plain\n"
+    "  point X Y Z             a point of the model; as many as you like\n"
+    "\n"
+    "convention, screen, near, far and one of perspective, frustum and orthographic have to\n"
+    "be there. Pixel (i, j) is the square from (i, j) to (i + 1, j + 1), its centre at +0.5;\n"
+    "the third pixel coordinate is the depth. Numbers have the nine digits that give the\n"
+    "32-bit float back.\n"
+    "\n"
+    "Exit status: 0, or 2 where the setup or the command line is wrong, and then nothing is\n"
+    "printed but the file, the line and what is wrong with it.\n";
+
+/* The setup's file, "-" being standard input, and whether matrices are asked for. */
+static int parse(int argc, char **argv, const char **path, bool *with_matrices, bool *help)
+{
+    for (int i = 1; i < argc; i++) {
+        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0)
+            *help = true;
+        else if (strcmp(argv[i], "--matrices") == 0)
+            *with_matrices = true;
+        else if (argv[i][0] == '-' && argv[i][1] != '\0')
+            return report_usage("transform", "'%s': unknown option", argv[i]);
+        else if (*path != NULL)
+            return report_usage("transform", "'%s': only one setup", argv[i]);
+        else
+            *path = argv[i];
+    }
+    return 0;
+}
+
+static int read_setup(const char *path, setup *s)
+{
+    if (path == NULL || strcmp(path, "-") == 0)
+        return transform_read(stdin, "standard input", s);
+    FILE *in = fopen(path, "r");
+    if (in == NULL)
+        return transform_fault(path, 0, "%s", strerror(errno));
+    int fault = transform_read(in, path, s);
+    fclose(in);
+    return fault;
+}
+
+int command_transform(int argc, char **argv)
+{
+    const char *path = NULL;
+    bool with_matrices = false, help = false;
+    int fault = parse(argc, argv, &path, &with_matrices, &help);
+    if (fault != 0)
+        return fault;
+    if (help) {
+        fputs(usage, stdout);
+        return finish_output(0);
+    }
+    setup s;
+    places p;
+    memset(&s, 0, sizeof s);
+    memset(&p, 0, sizeof p);
+    fault = read_setup(path, &s);
+    if (fault == 0 && s.points.count == 0 && !with_matrices)
+        fault = transform_fault(s.file, 0, "no point");
+    if (fault == 0)
+        fault = transform_compute(&s, &p);
+    if (fault == 0)
+        transform_print(&s, &p, with_matrices);
+    transform_places_free(&p);
+    transform_setup_free(&s);
+    return fault == 0 ? finish_output(0) : fault;
+}

@@ -1,0 +1,252 @@
+/* Matrices of a setup, and its points at every stage. */
+#include "transform.h"
+
+#include <stdlib.h>
+
+#include "report.h"
+
+#define RADIANS_PER_DEGREE 0.017453292519943295
+
+typedef gn_status finite_perspective(float, float, float, float, gn_transform *);
+typedef gn_status infinite_perspective(float, float, float, gn_transform *);
+typedef gn_status finite_box(float, float, float, float, float, float, gn_transform *);
+typedef gn_status infinite_frustum(float, float, float, float, float, gn_transform *);
+
+/* By convention, and whether depth is reversed. */
+static finite_perspective *const perspectives[3][2] = {
+    {gn_perspective_rh_no, gn_perspective_rh_no_reversed},
+    {gn_perspective_lh_zo, gn_perspective_lh_zo_reversed},
+    {gn_perspective_rh_zo, gn_perspective_rh_zo_reversed},
+};
+static infinite_perspective *const infinite_perspectives[3][2] = {
+    {gn_perspective_rh_no_infinite, gn_perspective_rh_no_infinite_reversed},
+    {gn_perspective_lh_zo_infinite, gn_perspective_lh_zo_infinite_reversed},
+    {gn_perspective_rh_zo_infinite, gn_perspective_rh_zo_infinite_reversed},
+};
+static finite_box *const orthographics[3][2] = {
+    {gn_orthographic_rh_no, gn_orthographic_rh_no_reversed},
+    {gn_orthographic_lh_zo, gn_orthographic_lh_zo_reversed},
+    {gn_orthographic_rh_zo, gn_orthographic_rh_zo_reversed},
+};
+static finite_box *const frusta[3][2] = {
+    {gn_frustum_rh_no, gn_frustum_rh_no_reversed},
+    {gn_frustum_lh_zo, gn_frustum_lh_zo_reversed},
+    {gn_frustum_rh_zo, gn_frustum_rh_zo_reversed},
+};
+static infinite_frustum *const infinite_frusta[3][2] = {
+    {gn_frustum_rh_no_infinite, gn_frustum_rh_no_infinite_reversed},
+    {gn_frustum_lh_zo_infinite, gn_frustum_lh_zo_infinite_reversed},
+    {gn_frustum_rh_zo_infinite, gn_frustum_rh_zo_infinite_reversed},
+};
+
+static float radians(float degrees)
+{
+    return (float)((double)degrees * RADIANS_PER_DEGREE);
+}
+
+static int status_fault(const setup *s, unsigned long line, const char *what, gn_status status)
+{
+    return status == GN_OK ? 0
+                           : transform_fault(s->file, line, "%s: %s", what, gn_status_text(status));
+}
+
+/* The vector of a statement, or what it is without one. */
+static gn_vec3 vector(const setup *s, keyword which, float x, float y, float z)
+{
+    const float *n = s->given[which].number;
+    gn_vec3 given = {n[0], n[1], n[2]}, otherwise = {x, y, z};
+    return s->given[which].line > 0 ? given : otherwise;
+}
+
+/* T R S, the rotations one after another. */
+static int make_model(const setup *s, gn_transform *model)
+{
+    const gn_vec3 scale = vector(s, KEYWORD_SCALE, 1.0f, 1.0f, 1.0f), none = {0.0f, 0.0f, 0.0f};
+    const gn_vec3 offset = vector(s, KEYWORD_TRANSLATE, 0.0f, 0.0f, 0.0f);
+    gn_transform rotation, next;
+    gn_mat3 turn;
+    gn_transform_identity(&rotation);
+    for (size_t i = 0; i < s->rotations.count; i++) {
+        const statement *r = &s->rotations.all[i];
+        const gn_vec3 axis = {r->number[0], r->number[1], r->number[2]};
+        gn_status status = gn_rotate_axis(axis, radians(r->number[3]), &next);
+        if (status == GN_OK)
+            status = gn_transform_compose(&next, &rotation, &rotation);
+        if (status != GN_OK)
+            return status_fault(s, r->line, "rotate", status);
+    }
+    gn_mat4_upper_left(&rotation.matrix, &turn);
+    if (scale.x == 0.0f || scale.y == 0.0f || scale.z == 0.0f)
+        return transform_fault(s->file, s->given[KEYWORD_SCALE].line, "scale: a factor is zero");
+    int fault =
+        status_fault(s, s->given[KEYWORD_SCALE].line, "scale", gn_trs(none, &turn, scale, model));
+    return fault != 0 ? fault
+                      : status_fault(s, s->given[KEYWORD_TRANSLATE].line, "translate",
+                                     gn_trs(offset, &turn, scale, model));
+}
+
+/* From right, up and forward, made one long. */
+static int make_view_of_axes(const setup *s, gn_vec3 position, gn_transform *view)
+{
+    static const keyword names[3] = {KEYWORD_RIGHT, KEYWORD_UP, KEYWORD_FORWARD};
+    const float ahead = s->convention == CONVENTION_DIRECT3D ? 1.0f : -1.0f;
+    gn_vec3 axis[3];
+    gn_transform camera;
+    for (int i = 0; i < 3; i++) {
+        gn_status status = gn_vec3_normalize(vector(s, names[i], 0.0f, 0.0f, 0.0f), &axis[i]);
+        if (status != GN_OK)
+            return status_fault(s, s->given[names[i]].line, transform_keyword(names[i]), status);
+    }
+    const unsigned long line = s->given[KEYWORD_FORWARD].line;
+    axis[2] = gn_vec3_scale(axis[2], ahead);
+    const float hand = gn_vec3_dot(gn_vec3_cross(axis[0], axis[1]), axis[2]);
+    gn_status status = gn_frame_orthonormal(axis[0], axis[1], axis[2], position, &camera);
+    if (status == GN_OUT_OF_RANGE)
+        return transform_fault(s->file, line,
+                               "right, up and forward are not perpendicular to each other");
+    if (status == GN_OK && hand < 0.0f)
+        return transform_fault(s->file, line,
+                               "forward is opposite to what right and up make in a "
+                               "%s-handed world",
+                               ahead > 0.0f ? "left" : "right");
+    if (status == GN_OK)
+        status = gn_transform_invert(&camera, view);
+    return status_fault(s, line, "camera", status);
+}
+
+static int make_view(const setup *s, gn_transform *view)
+{
+    const bool left_handed = s->convention == CONVENTION_DIRECT3D;
+    const gn_vec3 position = vector(s, KEYWORD_POSITION, 0.0f, 0.0f, 0.0f);
+    const gn_vec3 up = vector(s, KEYWORD_UP, 0.0f, 1.0f, 0.0f);
+    const gn_vec3 target = vector(s, KEYWORD_TARGET, 0.0f, 0.0f, 0.0f);
+    const gn_vec3 ahead = {0.0f, 0.0f, left_handed ? 1.0f : -1.0f};
+    if (s->given[KEYWORD_RIGHT].line > 0)
+        return make_view_of_axes(s, position, view);
+    if (s->given[KEYWORD_TARGET].line > 0)
+        return status_fault(s, s->given[KEYWORD_TARGET].line, "target",
+                            left_handed ? gn_look_at_lh(position, target, up, view)
+                                        : gn_look_at_rh(position, target, up, view));
+    return status_fault(s, s->given[KEYWORD_UP].line, "up",
+                        left_handed ? gn_look_to_lh(position, ahead, up, view)
+                                    : gn_look_to_rh(position, ahead, up, view));
+}
+
+static int projection_fault(const setup *s, keyword which, gn_status status)
+{
+    const char *why = gn_status_text(status);
+    if (status == GN_SINGULAR)
+        why = "two opposite planes, such as near and far, are the same";
+    else if (status == GN_OUT_OF_RANGE && which == KEYWORD_PERSPECTIVE)
+        why = "the angle is not within 0 to 180 degrees, or near or far not above 0";
+    else if (status == GN_OUT_OF_RANGE && which == KEYWORD_FRUSTUM)
+        why = "near or far is not above 0, or a number is out of range";
+    return transform_fault(s->file, s->given[which].line, "%s: %s", transform_keyword(which), why);
+}
+
+static int make_projection(const setup *s, gn_transform *projection)
+{
+    const statement *g = s->given;
+    const float z_near = g[KEYWORD_NEAR].number[0], z_far = g[KEYWORD_FAR].number[0];
+    const int c = s->convention, r = s->reversed;
+    keyword which = KEYWORD_PERSPECTIVE;
+    while (g[which].line == 0)
+        which++;
+    const float *n = g[which].number;
+    gn_status status;
+    if (which == KEYWORD_ORTHOGRAPHIC) {
+        status = orthographics[c][r](n[0], n[1], n[2], n[3], z_near, z_far, projection);
+    } else if (which == KEYWORD_FRUSTUM) {
+        status = s->infinite ? infinite_frusta[c][r](n[0], n[1], n[2], n[3], z_near, projection)
+                             : frusta[c][r](n[0], n[1], n[2], n[3], z_near, z_far, projection);
+    } else {
+        const float fov = radians(n[0]);
+        const float aspect = g[KEYWORD_SCREEN].number[0] / g[KEYWORD_SCREEN].number[1];
+        status = s->infinite ? infinite_perspectives[c][r](fov, aspect, z_near, projection)
+                             : perspectives[c][r](fov, aspect, z_near, z_far, projection);
+    }
+    if (status == GN_OK && s->convention == CONVENTION_VULKAN) {
+        gn_transform flip;
+        gn_flip_y(&flip);
+        status = gn_transform_compose(&flip, projection, projection);
+    }
+    return status == GN_OK ? 0 : projection_fault(s, which, status);
+}
+
+static int make_viewport(const setup *s, gn_transform *viewport)
+{
+    const float *size = s->given[KEYWORD_SCREEN].number;
+    gn_status status =
+        s->convention == CONVENTION_OPENGL
+            ? gn_viewport_no(0.0f, 0.0f, size[0], size[1], 0.0f, 1.0f, viewport)
+        : s->convention == CONVENTION_VULKAN
+            ? gn_viewport_zo(0.0f, 0.0f, size[0], size[1], 0.0f, 1.0f, viewport)
+            : gn_viewport_zo_y_down(0.0f, 0.0f, size[0], size[1], 0.0f, 1.0f, viewport);
+    return status_fault(s, s->given[KEYWORD_SCREEN].line, "screen", status);
+}
+
+/* Which bounds the clip coordinates exceed. Vulkan's clip y points down; reversed depth has
+ * near where far is otherwise. */
+static unsigned outside(const setup *s, gn_vec4 c)
+{
+    const unsigned low = s->reversed ? OUTSIDE_FAR : OUTSIDE_NEAR;
+    const unsigned high = s->reversed ? OUTSIDE_NEAR : OUTSIDE_FAR;
+    const float up = s->convention == CONVENTION_VULKAN ? -c.y : c.y;
+    const float least = s->convention == CONVENTION_OPENGL ? -c.w : 0.0f;
+    return (c.x < -c.w ? OUTSIDE_LEFT : 0u) | (c.x > c.w ? OUTSIDE_RIGHT : 0u) |
+           (up < -c.w ? OUTSIDE_BOTTOM : 0u) | (up > c.w ? OUTSIDE_TOP : 0u) |
+           (c.z < least ? low : 0u) | (c.z > c.w ? high : 0u);
+}
+
+static int compute_place(const setup *s, const statement *point, const places *p,
+                         const gn_transform *model, const gn_transform *viewport, place *result)
+{
+    const gn_vec3 local = {point->number[0], point->number[1], point->number[2]};
+    result->local = local;
+    result->world = gn_mat4_transform_point(&model->matrix, local);
+    result->view = gn_mat4_transform_point(&p->view.matrix, result->world);
+    const gn_vec4 view = {result->view.x, result->view.y, result->view.z, 1.0f};
+    result->clip = gn_mat4_multiply_vec4(&p->projection.matrix, view);
+    switch (gn_clip_to_ndc(result->clip, &result->ndc)) {
+    case GN_OK:
+        result->division = DIVIDED;
+        result->pixel = gn_mat4_transform_point(&viewport->matrix, result->ndc);
+        break;
+    case GN_BEHIND_EYE:
+        result->division = result->clip.w < 0.0f ? BEHIND_EYE : IN_EYE_PLANE;
+        break;
+    case GN_OUT_OF_RANGE:
+        result->division = TOO_LARGE;
+        break;
+    default:
+        return transform_fault(s->file, point->line, "point: its coordinates overflow");
+    }
+    result->outside = outside(s, result->clip);
+    return 0;
+}
+
+int transform_compute(const setup *s, places *result)
+{
+    gn_transform model, viewport;
+    int fault = make_model(s, &model);
+    if (fault == 0)
+        fault = make_view(s, &result->view);
+    if (fault == 0)
+        fault = make_projection(s, &result->projection);
+    if (fault == 0)
+        fault = make_viewport(s, &viewport);
+    if (fault != 0)
+        return fault;
+    result->all = calloc(s->points.count + 1, sizeof *result->all);
+    if (result->all == NULL)
+        return report_fault(s->file, "not enough memory");
+    for (; fault == 0 && result->count < s->points.count; result->count++)
+        fault = compute_place(s, &s->points.all[result->count], result, &model, &viewport,
+                              &result->all[result->count]);
+    return fault;
+}
+
+void transform_places_free(places *p)
+{
+    free(p->all);
+}

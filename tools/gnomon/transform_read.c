@@ -1,0 +1,232 @@
+/* The text of gnomon transform: one statement a line. */
+#include "transform.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "report.h"
+
+enum { LINE_SIZE = 1024, MAX_WORDS = 8 };
+
+/* Statements of numbers alone: how many there are, or may be. */
+static const struct {
+    char word[16];
+    int least, most;
+} keywords[KEYWORD_COUNT] = {
+    {"screen", 2, 2},      {"scale", 1, 3},        {"translate", 3, 3}, {"position", 3, 3},
+    {"target", 3, 3},      {"right", 3, 3},        {"up", 3, 3},        {"forward", 3, 3},
+    {"perspective", 1, 1}, {"orthographic", 4, 4}, {"frustum", 4, 4},   {"near", 1, 1},
+    {"far", 1, 1},         {"convention", 1, 1},   {"depth", 1, 1},
+};
+
+/* One line, cut into words. */
+typedef struct words {
+    unsigned long line;
+    int count;
+    char *word[MAX_WORDS];
+} words;
+
+const char *transform_keyword(keyword which)
+{
+    return keywords[which].word;
+}
+
+int transform_fault(const char *file, unsigned long line, const char *format, ...)
+{
+    char what[LINE_SIZE], why[2 * LINE_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(why, sizeof why, format, arguments);
+    va_end(arguments);
+    if (line > 0)
+        snprintf(what, sizeof what, "%s:%lu", file, line);
+    else
+        snprintf(what, sizeof what, "%s", file);
+    report_fault(what, "%s", why);
+    return EXIT_USAGE;
+}
+
+static int read_number(const setup *s, const words *w, int index, float *result)
+{
+    char *end;
+    const char *text = w->word[index];
+    *result = strtof(text, &end);
+    if (end == text || *end != '\0')
+        return transform_fault(s->file, w->line, "%s: '%s' is no number", w->word[0], text);
+    if (!isfinite(*result))
+        return transform_fault(s->file, w->line, "%s: '%s' is no finite 32-bit number", w->word[0],
+                               text);
+    return 0;
+}
+
+static int read_numbers(const setup *s, const words *w, int least, int most, statement *result)
+{
+    int given = w->count - 1, fault = 0;
+    if (given != least && given != most) {
+        char or_least[16] = "";
+        if (least != most)
+            snprintf(or_least, sizeof or_least, "%d or ", least);
+        return transform_fault(s->file, w->line, "%s takes %s%d number%s, not %d", w->word[0],
+                               or_least, most, most == 1 ? "" : "s", given);
+    }
+    for (int i = 0; i < given && fault == 0; i++)
+        fault = read_number(s, w, i + 1, &result->number[i]);
+    for (int i = given; i < most; i++)
+        result->number[i] = result->number[0];
+    result->line = w->line;
+    return fault;
+}
+
+/* A statement that may stand as often as one likes. */
+static int add_numbers(const setup *s, const words *w, int count, statements *list)
+{
+    if ((list->count & (list->count - 1)) == 0) { /* full: the capacity is a power of two */
+        size_t capacity = list->count == 0 ? 1 : 2 * list->count;
+        statement *grown = realloc(list->all, capacity * sizeof *grown);
+        if (grown == NULL)
+            return report_fault(s->file, "not enough memory");
+        list->all = grown;
+    }
+    memset(&list->all[list->count], 0, sizeof *list->all);
+    return read_numbers(s, w, count, count, &list->all[list->count++]);
+}
+
+static int read_name(const setup *s, const words *w, const char *const *names, int count,
+                     int *result)
+{
+    char known[64] = "";
+    for (int i = 0; i < count && w->count == 2; i++) {
+        if (strcmp(w->word[1], names[i]) == 0) {
+            *result = i;
+            return 0;
+        }
+    }
+    for (int i = 0; i < count; i++) {
+        strcat(known, i == 0 ? "" : i + 1 < count ? ", " : " or ");
+        strcat(known, names[i]);
+    }
+    return transform_fault(s->file, w->line, "%s is %s", w->word[0], known);
+}
+
+static int read_single(setup *s, const words *w, keyword which)
+{
+    static const char *const conventions[] = {"opengl", "direct3d", "vulkan"};
+    static const char *const depths[] = {"plain", "reversed"};
+    statement *to = &s->given[which];
+    int value = 0, fault;
+    if (to->line > 0)
+        return transform_fault(s->file, w->line, "%s stands in line %lu already", w->word[0],
+                               to->line);
+    to->line = w->line;
+    switch (which) {
+    case KEYWORD_CONVENTION:
+        fault = read_name(s, w, conventions, 3, &value);
+        s->convention = (convention)value;
+        return fault;
+    case KEYWORD_DEPTH:
+        fault = read_name(s, w, depths, 2, &value);
+        s->reversed = value == 1;
+        return fault;
+    case KEYWORD_FAR:
+        s->infinite = w->count == 2 && strcmp(w->word[1], "infinite") == 0;
+        return s->infinite ? 0 : read_numbers(s, w, 1, 1, to);
+    default:
+        return read_numbers(s, w, keywords[which].least, keywords[which].most, to);
+    }
+}
+
+static int read_statement(setup *s, const words *w)
+{
+    if (strcmp(w->word[0], "point") == 0)
+        return add_numbers(s, w, 3, &s->points);
+    if (strcmp(w->word[0], "rotate") == 0)
+        return add_numbers(s, w, 4, &s->rotations);
+    for (int i = 0; i < KEYWORD_COUNT; i++)
+        if (strcmp(w->word[0], keywords[i].word) == 0)
+            return read_single(s, w, (keyword)i);
+    return transform_fault(s->file, w->line, "'%s' is no statement", w->word[0]);
+}
+
+/* Cuts the line, which ends at # where there is one. */
+static int cut(const setup *s, char *text, words *w)
+{
+    char *c = text;
+    text[strcspn(text, "#")] = '\0';
+    for (w->count = 0;;) {
+        while (isspace((unsigned char)*c))
+            *c++ = '\0';
+        if (*c == '\0')
+            return 0;
+        if (w->count == MAX_WORDS)
+            return transform_fault(s->file, w->line, "%s: too many words", w->word[0]);
+        w->word[w->count++] = c;
+        while (*c != '\0' && !isspace((unsigned char)*c))
+            c++;
+    }
+}
+
+/* What the text as a whole lacks or says twice. */
+static int check(const setup *s)
+{
+    static const keyword needed[] = {KEYWORD_CONVENTION, KEYWORD_SCREEN, KEYWORD_NEAR, KEYWORD_FAR};
+    const statement *g = s->given;
+    keyword projection = KEYWORD_COUNT;
+    for (size_t i = 0; i < sizeof needed / sizeof needed[0]; i++)
+        if (g[needed[i]].line == 0)
+            return transform_fault(s->file, 0, "no %s", keywords[needed[i]].word);
+    for (int i = KEYWORD_PERSPECTIVE; i <= KEYWORD_FRUSTUM; i++) {
+        if (g[i].line > 0 && projection != KEYWORD_COUNT)
+            return transform_fault(s->file, g[i].line, "%s, but line %lu says %s already",
+                                   keywords[i].word, g[projection].line, keywords[projection].word);
+        if (g[i].line > 0)
+            projection = (keyword)i;
+    }
+    if (projection == KEYWORD_COUNT)
+        return transform_fault(s->file, 0, "no perspective, orthographic or frustum");
+    if (projection == KEYWORD_ORTHOGRAPHIC && s->infinite)
+        return transform_fault(s->file, g[KEYWORD_FAR].line, "far: orthographic is not infinite");
+    for (int i = 0; i < 2; i++) {
+        float size = g[KEYWORD_SCREEN].number[i];
+        if (!(size >= 1.0f && size <= (float)GN_MAX_SIZE) || size != floorf(size))
+            return transform_fault(s->file, g[KEYWORD_SCREEN].line,
+                                   "screen: width and height are 1 to %d pixels", GN_MAX_SIZE);
+    }
+    const unsigned long axis =
+        g[KEYWORD_RIGHT].line > 0 ? g[KEYWORD_RIGHT].line : g[KEYWORD_FORWARD].line;
+    if (axis > 0 && g[KEYWORD_TARGET].line > 0)
+        return transform_fault(s->file, g[KEYWORD_TARGET].line,
+                               "target, but line %lu gives the camera's axes", axis);
+    if (axis > 0 &&
+        (g[KEYWORD_RIGHT].line == 0 || g[KEYWORD_UP].line == 0 || g[KEYWORD_FORWARD].line == 0))
+        return transform_fault(s->file, axis, "the camera's axes are right, up and forward");
+    return 0;
+}
+
+int transform_read(FILE *in, const char *file, setup *result)
+{
+    char text[LINE_SIZE];
+    words w = {0, 0, {NULL}};
+    int fault = 0;
+    result->file = file;
+    while (fault == 0 && fgets(text, sizeof text, in) != NULL) {
+        w.line++;
+        if (strlen(text) + 1 == sizeof text && text[sizeof text - 2] != '\n')
+            return transform_fault(file, w.line, "a line of more than %d characters",
+                                   LINE_SIZE - 2);
+        fault = cut(result, text, &w);
+        if (fault == 0 && w.count > 0)
+            fault = read_statement(result, &w);
+    }
+    if (fault == 0 && ferror(in))
+        return report_fault(file, "cannot be read");
+    return fault != 0 ? fault : check(result);
+}
+
+void transform_setup_free(setup *s)
+{
+    free(s->rotations.all);
+    free(s->points.all);
+}
