@@ -124,6 +124,7 @@ static void opengl(void **state)
         char text[1024];
         section(r.out, i, text, sizeof text);
         assert_null(strstr(text, "outside"));
+        assert_int_equal(strstr(text, "in column") == NULL, i == 2); /* on the window's edge */
     }
 }
 
