@@ -196,6 +196,25 @@ static void models_and_boxes(void **state)
     expect_point(&r, 2, &second);
     /* (0, 0, 400), (0, 0, 400), (0, -400, 0): far below. No w is below 1. */
     expect_words(&r, 3, "outside the view volume: bottom\n", true);
+
+    /* A quarter turn about -y takes x to z; 30 degrees about z, x to (cos 30, sin 30). */
+    static const expected third = {
+        {0, 2, 1}, {0, 2, -10}, {0, 0.2f, 0.2f, 1}, {0, 0.2f, 0.2f}, {100, 60, 0.6f}};
+    static const expected fourth = {{0.8660254f, 0.5f, 1},
+                                    {0.8660254f, 0.5f, -10},
+                                    {0.17320508f, 0.05f, 0.2f, 1},
+                                    {0.17320508f, 0.05f, 0.2f},
+                                    {117.320508f, 52.5f, 0.6f}};
+    r = transform("convention opengl\nscreen 200 100\nrotate 0 -1 0 450\nposition 0 0 11\n"
+                  "orthographic -5 5 -10 10\nnear 4\nfar 14\npoint 1 2 0\n",
+                  "");
+    expect_good(&r);
+    expect_point(&r, 1, &third);
+    r = transform("convention opengl\nscreen 200 100\nrotate 0 0 2 30\nposition 0 0 11\n"
+                  "orthographic -5 5 -10 10\nnear 4\nfar 14\npoint 1 0 1\n",
+                  "");
+    expect_good(&r);
+    expect_point(&r, 1, &fourth);
 }
 
 /* The same camera by target, by axes of other lengths, and in a left-handed world: at
