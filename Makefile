@@ -194,9 +194,13 @@ $(UNIT_TESTS): $(BUILD)/%: $(BUILD)/tests/unit/%.o $(BUILD)/libgnomon.a
 	$(LINK) -lcmocka -lmpfr -lm -pthread
 
 RUNNER = $(BUILD)/tests/tools/runner.o
-TOOL_TESTS = $(BUILD)/test_faults $(BUILD)/test_pictures $(BUILD)/test_comparison $(BUILD)/test_teapot
+TOOL_TESTS = $(BUILD)/test_faults $(BUILD)/test_pictures $(BUILD)/test_comparison $(BUILD)/test_teapot \
+	$(BUILD)/test_transform_command
 
 $(BUILD)/test_faults $(BUILD)/test_pictures: $(BUILD)/test_%: $(BUILD)/tests/tools/test_%.o $(RUNNER)
+	$(LINK) -lcmocka -lpng -lstb -lm
+
+$(BUILD)/test_transform_command: $(BUILD)/tests/tools/test_transform.o $(RUNNER)
 	$(LINK) -lcmocka -lpng -lstb -lm
 
 $(BUILD)/test_comparison: $(BUILD)/tests/tools/test_comparison.o $(RUNNER) \
@@ -314,6 +318,7 @@ test: ## everything, in a few minutes; ends on "N passed, N failed"
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
 		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \
 		'command, comparison=$(BUILD)/test_comparison $(BUILD)/gnomon' \
+		'command, transform=$(BUILD)/test_transform_command $(BUILD)/gnomon' \
 		'teapot=$(BUILD)/test_teapot' \
 		'set-up=sh tests/tools/test_setup.sh' \
 		'benchmark, clears=$(BUILD)/bench --frames 1 --scene S6 | grep ": 0 differing"' \

@@ -1,6 +1,7 @@
 /* Matrices of a setup, and its points at every stage. */
 #include "transform.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "report.h"
@@ -58,6 +59,45 @@ static gn_vec3 vector(const setup *s, keyword which, float x, float y, float z)
     return s->given[which].line > 0 ? given : otherwise;
 }
 
+/* About the coordinate axis k, whose component has this sign; quarter turns exactly. */
+static gn_status rotate_coordinate_axis(int k, float sign, float degrees, gn_transform *result)
+{
+    static const float quarter_sines[4] = {0.0f, 1.0f, 0.0f, -1.0f};
+    const float rest = fmodf(degrees, 360.0f), quarters = rest / 90.0f;
+    const gn_vec3 none = {0.0f, 0.0f, 0.0f};
+    float m[3][3] = {{0.0f}}, sine, cosine;
+    if (fmodf(rest, 90.0f) == 0.0f) {
+        const int quarter = ((int)quarters + 4) % 4;
+        sine = quarter_sines[quarter];
+        cosine = quarter_sines[(quarter + 1) % 4];
+    } else {
+        gn_sincos(radians(degrees), &sine, &cosine);
+    }
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    m[k][k] = 1.0f;
+    m[i][i] = m[j][j] = cosine;
+    m[i][j] = sign * sine;
+    m[j][i] = -sign * sine;
+    const gn_vec3 x = {m[0][0], m[0][1], m[0][2]}, y = {m[1][0], m[1][1], m[1][2]};
+    const gn_vec3 z = {m[2][0], m[2][1], m[2][2]};
+    return gn_frame_orthonormal(x, y, z, none, result);
+}
+
+static gn_status rotate(const float n[4], gn_transform *result)
+{
+    const gn_vec3 axis = {n[0], n[1], n[2]};
+    int last = 0, components = 0;
+    for (int k = 0; k < 3; k++) {
+        if (n[k] != 0.0f) {
+            last = k;
+            components++;
+        }
+    }
+    return components == 1
+               ? rotate_coordinate_axis(last, n[last] > 0.0f ? 1.0f : -1.0f, n[3], result)
+               : gn_rotate_axis(axis, radians(n[3]), result);
+}
+
 /* T R S, the rotations one after another. */
 static int make_model(const setup *s, gn_transform *model)
 {
@@ -68,8 +108,7 @@ static int make_model(const setup *s, gn_transform *model)
     gn_transform_identity(&rotation);
     for (size_t i = 0; i < s->rotations.count; i++) {
         const statement *r = &s->rotations.all[i];
-        const gn_vec3 axis = {r->number[0], r->number[1], r->number[2]};
-        gn_status status = gn_rotate_axis(axis, radians(r->number[3]), &next);
+        gn_status status = rotate(r->number, &next);
         if (status == GN_OK)
             status = gn_transform_compose(&next, &rotation, &rotation);
         if (status != GN_OK)
@@ -209,8 +248,11 @@ static int compute_place(const setup *s, const statement *point, const places *p
     result->clip = gn_mat4_multiply_vec4(&p->projection.matrix, view);
     switch (gn_clip_to_ndc(result->clip, &result->ndc)) {
     case GN_OK:
-        result->division = DIVIDED;
         result->pixel = gn_mat4_transform_point(&viewport->matrix, result->ndc);
+        result->division =
+            isfinite(result->pixel.x) && isfinite(result->pixel.y) && isfinite(result->pixel.z)
+                ? DIVIDED
+                : TOO_LARGE;
         break;
     case GN_BEHIND_EYE:
         result->division = result->clip.w < 0.0f ? BEHIND_EYE : IN_EYE_PLANE;

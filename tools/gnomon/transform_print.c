@@ -52,7 +52,16 @@ static void print_outside(unsigned outside)
         printf("\n");
 }
 
-static void print_place(const place *p, size_t number)
+/* The far edges of the window belong to no pixel. */
+static void print_pixel(const place *p, const float size[2])
+{
+    print_vector("pixel", p->pixel, "");
+    if (p->outside == 0 && p->pixel.x < size[0] && p->pixel.y < size[1])
+        printf("   in column %.0f, row %.0f", floor((double)p->pixel.x), floor((double)p->pixel.y));
+    printf("\n");
+}
+
+static void print_place(const place *p, size_t number, const float size[2])
 {
     printf("point %zu\n", number);
     print_vector("local", p->local, "\n");
@@ -64,11 +73,7 @@ static void print_place(const place *p, size_t number)
     switch (p->division) {
     case DIVIDED:
         print_vector("NDC", p->ndc, "\n");
-        print_vector("pixel", p->pixel, "");
-        if (p->outside == 0)
-            printf("   in column %.0f, row %.0f", floor((double)p->pixel.x),
-                   floor((double)p->pixel.y));
-        printf("\n");
+        print_pixel(p, size);
         print_outside(p->outside);
         break;
     case IN_EYE_PLANE:
@@ -90,5 +95,5 @@ void transform_print(const setup *s, const places *p, bool with_matrices)
     if (p->count > 0)
         printf("        %16s %16s %16s %16s\n", "x", "y", "z", "w");
     for (size_t i = 0; i < p->count; i++)
-        print_place(&p->all[i], i + 1);
+        print_place(&p->all[i], i + 1, s->given[KEYWORD_SCREEN].number);
 }
