@@ -43,9 +43,9 @@ GN_API gn_status gn_mat4_invert_trs(const gn_mat4 *m, gn_mat4 *result);
 
 /* Of an affine matrix: the adjugate of L divided by its determinant, and
  * -L^-1 t. Products are taken exactly (as pairs of floats), so that every entry
- * of L^-1 is within 8 u of itself, whatever the condition of L:
- *   m * result   |E| <= 8 u |L||L^-1|, and 11 u |L||L^-1||t| in the translation;
- *   result * m   |E| <= 8 u |L^-1||L|, and 3 u |L^-1||t|.
+ * of L^-1 is within 9 u of itself, whatever the condition of L:
+ *   m * result   |E| <= 9 u |L||L^-1|, and 12 u |L||L^-1||t| in the translation;
+ *   result * m   |E| <= 9 u |L^-1||L|, and 3 u |L^-1||t|.
  * GN_SINGULAR where the determinant is zero or cannot be told from it: where it
  * is at most 3 u times the permanent of |L|, so that a change of the entries by
  * half their last place could make it zero. */

@@ -47,7 +47,7 @@ static inline gn_pair gn_exact_product(float a, float b)
     return product;
 }
 
-/* a + b with an error of 4 u^2 |a| + 4 u^2 |b|, u = 2^-24. */
+/* a + b with an error of 3 u^2 (|a| + |b|), u = 2^-24. */
 static inline gn_pair gn_pair_add(gn_pair a, gn_pair b)
 {
     const gn_pair sum = gn_exact_sum(a.high, b.high);
@@ -55,18 +55,19 @@ static inline gn_pair gn_pair_add(gn_pair a, gn_pair b)
     return gn_exact_sum(sum.high, sum.low + lows);
 }
 
-/* a * b - c * d. The high part is within u of itself, however much cancels, the
- * pair within 4 u^2 (|a b| + |c d|): where the products are within a factor of two of each
- * other the difference of their high parts is exact, that of their low parts is
- * kept exactly, and what cancels between the two leaves nothing to round. */
+/* a * b - c * d, within 4 u^2 (|a b| + |c d|) and the high part within 2 u of itself,
+ * however much cancels. Where the products p, q are within a factor of two of each
+ * other the difference of their high parts is exact. That of their low parts is at
+ * most 2^24 of the smallest unit they can have, thus exact too, unless p and q lie
+ * on both sides of a power of two and one is a product of two fractions near 2; such
+ * p and q differ by 2^24 times what is then lost. */
 static inline gn_pair gn_exact_minor(float a, float b, float c, float d)
 {
     const gn_pair p = gn_exact_product(a, b), q = gn_exact_product(c, d);
     const gn_pair highs = gn_exact_sum(p.high, -q.high);
-    const gn_pair lows = gn_exact_sum(p.low, -q.low);
-    const gn_pair sum = gn_exact_sum(highs.high, lows.high);
-    const float rest = highs.low + lows.low;
-    return gn_exact_sum(sum.high, sum.low + rest);
+    const float lows = p.low - q.low;
+    const gn_pair sum = gn_exact_sum(highs.high, lows);
+    return gn_exact_sum(sum.high, sum.low + highs.low);
 }
 
 #endif

@@ -84,12 +84,11 @@ gn_status gn_mat4_invert_trs(const gn_mat4 *m, gn_mat4 *result)
 /* The inverse of a finite matrix: the adjugate over the determinant, of the columns
  * scaled to about 1, whose inverse has its rows scaled by the same powers.
  *
- * Bound. The high part of a cofactor is within u of itself. The determinant is a
- * sum of three products a * C: exact but for 4 u^2 of the terms of C and 2 u^2
- * for a times the low part of C; the two sums add 8 u^2 of all terms, which
- * together are the permanent p: less than 14 u^2 p in all, which for a
- * determinant above 3 u p is 4.7 u of it. Rounded to one float: u. The quotient is
- * rounded once: 1 + 4.7 + 1 + 1 < 8. */
+ * Bound. The high part of a cofactor is within 2 u of itself. The determinant is a
+ * sum of three products a C: exact but for 4 u^2 of the terms of C, 3 u^2 for the
+ * part with C's low part, and 6 u^2 for the two sums (adding to 0 is exact); all terms
+ * together are the permanent p. 13 u^2 p is 4.4 u of a determinant above 3 u p.
+ * Rounded to one float: u. The quotient is rounded once: 2 + 4.4 + 1 + 1 < 9. */
 static gn_status invert3(const gn_mat3 *m, gn_mat3 *result)
 {
     float c[3][3], power[3];
