@@ -6,6 +6,7 @@
  *   scalar.h      square root and trigonometry, the same on every target
  *   vec.h         vectors of two to four components
  *   mat.h         3x3 and 4x4 matrices
+ *   quat.h        rotations as quaternions
  *   bulk.h        arrays of vectors by one matrix, and of matrices
  *   transform.h   transforms: a matrix together with its analytic inverse
  *   inverse.h     inverses of bare matrices of known kinds
@@ -47,6 +48,7 @@
 #include "gnomon/pipeline.h"
 #include "gnomon/project.h"
 #include "gnomon/projection.h"
+#include "gnomon/quat.h"
 #include "gnomon/scalar.h"
 #include "gnomon/shaders.h"
 #include "gnomon/status.h"

@@ -1,7 +1,17 @@
 /* Vectors of two, three and four floats: plain structs passed by value, as
  * columns. Every operation is IEEE binary32, one rounding each, in the order
  * its contract writes, so results are the same on every target; NaN and
- * infinity pass through by IEEE rules except where a status is returned. */
+ * infinity pass through by IEEE rules except where a contract says otherwise.
+ *
+ *   add subtract multiply negate scale     arithmetic, component by component
+ *   minimum maximum clamp                  selection, component by component
+ *   dot cross                              products (cross: vec2, vec3)
+ *   length distance normalize              lengths and directions
+ *   angle                                  between directions (vec3)
+ *   lerp                                   between points
+ *   reflect refract                        rays at a surface
+ *
+ * Each is gn_vec2_, gn_vec3_ and gn_vec4_ unless the table says which. */
 #ifndef GNOMON_VEC_H
 #define GNOMON_VEC_H
 
@@ -32,10 +42,35 @@ GN_API gn_vec2 gn_vec2_subtract(gn_vec2 a, gn_vec2 b);
 GN_API gn_vec3 gn_vec3_subtract(gn_vec3 a, gn_vec3 b);
 GN_API gn_vec4 gn_vec4_subtract(gn_vec4 a, gn_vec4 b);
 
+/* a * b, component by component. */
+GN_API gn_vec2 gn_vec2_multiply(gn_vec2 a, gn_vec2 b);
+GN_API gn_vec3 gn_vec3_multiply(gn_vec3 a, gn_vec3 b);
+GN_API gn_vec4 gn_vec4_multiply(gn_vec4 a, gn_vec4 b);
+
+/* -v: the sign of every component changed, of zeros and NaN too. */
+GN_API gn_vec2 gn_vec2_negate(gn_vec2 v);
+GN_API gn_vec3 gn_vec3_negate(gn_vec3 v);
+GN_API gn_vec4 gn_vec4_negate(gn_vec4 v);
+
 /* v * factor, component by component. */
 GN_API gn_vec2 gn_vec2_scale(gn_vec2 v, float factor);
 GN_API gn_vec3 gn_vec3_scale(gn_vec3 v, float factor);
 GN_API gn_vec4 gn_vec4_scale(gn_vec4 v, float factor);
+
+/* The lesser and the greater component of a and b: a < b ? a : b and a > b ? a : b, so of
+ * zeros b's. Where one is NaN the other, as in GLSL as the reference computes it. */
+GN_API gn_vec2 gn_vec2_minimum(gn_vec2 a, gn_vec2 b);
+GN_API gn_vec3 gn_vec3_minimum(gn_vec3 a, gn_vec3 b);
+GN_API gn_vec4 gn_vec4_minimum(gn_vec4 a, gn_vec4 b);
+GN_API gn_vec2 gn_vec2_maximum(gn_vec2 a, gn_vec2 b);
+GN_API gn_vec3 gn_vec3_maximum(gn_vec3 a, gn_vec3 b);
+GN_API gn_vec4 gn_vec4_maximum(gn_vec4 a, gn_vec4 b);
+
+/* Every component brought between low and high: the lesser of high and the greater of v
+ * and low. NaN gives low; low > high gives high. */
+GN_API gn_vec2 gn_vec2_clamp(gn_vec2 v, float low, float high);
+GN_API gn_vec3 gn_vec3_clamp(gn_vec3 v, float low, float high);
+GN_API gn_vec4 gn_vec4_clamp(gn_vec4 v, float low, float high);
 
 /* The scalar product. The products are summed from the last component to the
  * first, y + x, (z + y) + x, ((w + z) + y) + x: the order of the GLSL compiler
@@ -62,6 +97,12 @@ GN_API float gn_vec2_length(gn_vec2 v);
 GN_API float gn_vec3_length(gn_vec3 v);
 GN_API float gn_vec4_length(gn_vec4 v);
 
+/* length(b - a), with a relative error of at most 4.5 * 2^-24 of the exact distance of
+ * points whose difference does not overflow, wherever it is a normal float. */
+GN_API float gn_vec2_distance(gn_vec2 a, gn_vec2 b);
+GN_API float gn_vec3_distance(gn_vec3 a, gn_vec3 b);
+GN_API float gn_vec4_distance(gn_vec4 a, gn_vec4 b);
+
 /* The vector of length one in the direction of v, v * (1 / length(v)). Any
  * finite vector but zero has one: the very small and the very large are scaled
  * by a power of two first. The length of the result is within 5.5 * 2^-24 of 1.
@@ -71,11 +112,35 @@ GN_API gn_status gn_vec2_normalize(gn_vec2 v, gn_vec2 *result);
 GN_API gn_status gn_vec3_normalize(gn_vec3 v, gn_vec3 *result);
 GN_API gn_status gn_vec4_normalize(gn_vec4 v, gn_vec4 *result);
 
+/* The angle between two directions, 0 to pi, to within 10 * 2^-24 radians wherever it lies:
+ * W. Kahan's 2 atan2(|a - b|, |a + b|) of the unit vectors. GN_NULL_POINTER, GN_NOT_FINITE
+ * and GN_DEGENERATE (either is zero) leave the result untouched. */
+GN_API gn_status gn_vec3_angle(gn_vec3 a, gn_vec3 b, float *radians);
+
 /* a + (b - a) * t, component by component: linear interpolation from a at t = 0
  * (exactly) to b at t = 1 (within a rounding of b - a). t is not clamped. */
 GN_API gn_vec2 gn_vec2_lerp(gn_vec2 a, gn_vec2 b, float t);
 GN_API gn_vec3 gn_vec3_lerp(gn_vec3 a, gn_vec3 b, float t);
 GN_API gn_vec4 gn_vec4_lerp(gn_vec4 a, gn_vec4 b, float t);
+
+/* The direction v reflected at a surface of unit normal: v - (dot(normal, v) * normal) * 2,
+ * GLSL's reflect in the operations of the compiler the pictures are compared with. A normal of
+ * another length reflects wrongly. Error at most (2 n + 4) * 2^-24 * |v|, with n components,
+ * barring underflow. */
+GN_API gn_vec2 gn_vec2_reflect(gn_vec2 v, gn_vec2 normal);
+GN_API gn_vec3 gn_vec3_reflect(gn_vec3 v, gn_vec3 normal);
+GN_API gn_vec4 gn_vec4_reflect(gn_vec4 v, gn_vec4 normal);
+
+/* The unit direction v refracted at a surface of unit normal, which it comes from the side
+ * of (dot(normal, v) < 0); eta is the ratio of the refractive indices, the side v comes from over
+ * the other. GLSL's refract, in its specification's operations: with d = dot(normal, v) and k = 1 -
+ * eta * (eta * (1 - d * d)), eta * v - (eta * d + sqrt(k)) * normal, or zero where k < 0: total
+ * internal reflection. With u = 2^-24, k is off by at most (10 eta^2 + 1) u, and where it is more
+ * than twice that, the result by at most (8 eta + 4) u + (6 eta^2 + 1) u / sqrt(k), barring
+ * underflow. */
+GN_API gn_vec2 gn_vec2_refract(gn_vec2 v, gn_vec2 normal, float eta);
+GN_API gn_vec3 gn_vec3_refract(gn_vec3 v, gn_vec3 normal, float eta);
+GN_API gn_vec4 gn_vec4_refract(gn_vec4 v, gn_vec4 normal, float eta);
 
 GN_END
 

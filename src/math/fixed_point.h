@@ -61,9 +61,9 @@ static inline unsigned gn_leading_zeros(uint64_t x)
 #endif
 
 /* The float nearest to significand * 2^(-64 - shift), for a significand of at
- * least 2^62 and a result in the normal range. No tie is looked for: the caller's
- * numbers are irrational. A carry out of the fraction runs into the exponent,
- * which is what rounding up to a power of two means. */
+ * least 2^62 and a result in the normal range; shift is modulo 2^32. No tie is looked for: the
+ * caller's numbers are irrational. A carry out of the fraction runs into the exponent, which is
+ * what rounding up to a power of two means. */
 static inline float gn_round_to_float(uint64_t significand, unsigned shift, uint32_t sign)
 {
     if (significand >> 63 == 0) {
@@ -73,6 +73,30 @@ static inline float gn_round_to_float(uint64_t significand, unsigned shift, uint
     /* 24 bits remain, the highest of which adds one to the exponent field. */
     uint32_t rounded = (uint32_t)((significand >> 40) + (significand >> 39 & 1));
     return gn_float_from_bits((((uint32_t)125 - shift) << 23) + rounded + sign);
+}
+
+/* The float nearest to significand * 2^(-64 - shift), for any significand but zero
+ * and any result: denormal, zero or infinite as it comes. A number that lies between
+ * significand and significand + 1 is rounded right too, ties included: what looks
+ * like a tie is above it. */
+static inline float gn_round_to_any_float(uint64_t significand, int shift, uint32_t sign)
+{
+    unsigned zeros = gn_leading_zeros(significand);
+    significand <<= zeros;
+    shift += (int)zeros; /* the value is in [2^(-1 - shift), 2^-shift) */
+    if (shift < -128) {
+        return gn_float_from_bits(GN_EXPONENT_BITS | sign);
+    }
+    if (shift <= 125) {
+        return gn_round_to_float(significand, (unsigned)shift, sign);
+    }
+    /* Denormal, in units of 2^-149. */
+    unsigned dropped = (unsigned)shift - 125 + 40;
+    if (dropped > 64) {
+        return gn_float_from_bits(sign);
+    }
+    uint64_t doubled = significand >> (dropped - 1);
+    return gn_float_from_bits((uint32_t)((doubled + 1) >> 1) | sign);
 }
 
 #endif

@@ -84,6 +84,21 @@ float gn_vec4_length(gn_vec4 v)
     return gn_sqrt(square) * unscale_for(scale);
 }
 
+float gn_vec2_distance(gn_vec2 a, gn_vec2 b)
+{
+    return gn_vec2_length(gn_vec2_subtract(b, a));
+}
+
+float gn_vec3_distance(gn_vec3 a, gn_vec3 b)
+{
+    return gn_vec3_length(gn_vec3_subtract(b, a));
+}
+
+float gn_vec4_distance(gn_vec4 a, gn_vec4 b)
+{
+    return gn_vec4_length(gn_vec4_subtract(b, a));
+}
+
 gn_status gn_vec2_normalize(gn_vec2 v, gn_vec2 *result)
 {
     if (!result) {

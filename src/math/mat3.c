@@ -41,6 +41,24 @@ gn_vec3 gn_mat3_multiply_vec3(const gn_mat3 *m, gn_vec3 v)
     return product;
 }
 
+void gn_mat3_from_rows(const float rows[9], gn_mat3 *result)
+{
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            result->m[column][row] = rows[3 * row + column];
+        }
+    }
+}
+
+void gn_mat3_to_rows(const gn_mat3 *m, float rows[9])
+{
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            rows[3 * row + column] = m->m[column][row];
+        }
+    }
+}
+
 void gn_mat3_transpose(const gn_mat3 *m, gn_mat3 *result)
 {
     gn_mat3 transposed;
@@ -50,6 +68,11 @@ void gn_mat3_transpose(const gn_mat3 *m, gn_mat3 *result)
         }
     }
     copy(result, &transposed);
+}
+
+float gn_mat3_trace(const gn_mat3 *m)
+{
+    return (m->m[0][0] + m->m[1][1]) + m->m[2][2];
 }
 
 float gn_mat3_determinant(const gn_mat3 *m)

@@ -77,6 +77,24 @@ gn_vec3 gn_mat4_transform_direction(const gn_mat4 *m, gn_vec3 v)
     return quad_to_vec3(combine3(columns, spread));
 }
 
+void gn_mat4_from_rows(const float rows[16], gn_mat4 *result)
+{
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            result->m[column][row] = rows[4 * row + column];
+        }
+    }
+}
+
+void gn_mat4_to_rows(const gn_mat4 *m, float rows[16])
+{
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            rows[4 * row + column] = m->m[column][row];
+        }
+    }
+}
+
 void gn_mat4_transpose(const gn_mat4 *m, gn_mat4 *result)
 {
     gn_mat4 transposed;
@@ -101,6 +119,11 @@ void gn_mat4_invert_rigid(const gn_mat4 *m, gn_mat4 *result)
         quad_store(result->m[column], columns[column]);
     }
     quad_store(result->m[3], quad_sub(origin, combine3(columns, spread)));
+}
+
+float gn_mat4_trace(const gn_mat4 *m)
+{
+    return (m->m[0][0] + m->m[1][1]) + (m->m[2][2] + m->m[3][3]);
 }
 
 /* The minor of rows i and j in two columns. */
@@ -129,6 +152,16 @@ void gn_mat4_upper_left(const gn_mat4 *m, gn_mat3 *result)
     for (int column = 0; column < 3; ++column) {
         for (int row = 0; row < 3; ++row) {
             result->m[column][row] = m->m[column][row];
+        }
+    }
+}
+
+void gn_mat4_from_mat3(const gn_mat3 *upper_left, gn_mat4 *result)
+{
+    gn_mat4_identity(result);
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            result->m[column][row] = upper_left->m[column][row];
         }
     }
 }

@@ -37,6 +37,42 @@ gn_vec4 gn_vec4_subtract(gn_vec4 a, gn_vec4 b)
     return difference;
 }
 
+gn_vec2 gn_vec2_multiply(gn_vec2 a, gn_vec2 b)
+{
+    gn_vec2 product = {a.x * b.x, a.y * b.y};
+    return product;
+}
+
+gn_vec3 gn_vec3_multiply(gn_vec3 a, gn_vec3 b)
+{
+    gn_vec3 product = {a.x * b.x, a.y * b.y, a.z * b.z};
+    return product;
+}
+
+gn_vec4 gn_vec4_multiply(gn_vec4 a, gn_vec4 b)
+{
+    gn_vec4 product = {a.x * b.x, a.y * b.y, a.z * b.z, a.w * b.w};
+    return product;
+}
+
+gn_vec2 gn_vec2_negate(gn_vec2 v)
+{
+    gn_vec2 opposite = {-v.x, -v.y};
+    return opposite;
+}
+
+gn_vec3 gn_vec3_negate(gn_vec3 v)
+{
+    gn_vec3 opposite = {-v.x, -v.y, -v.z};
+    return opposite;
+}
+
+gn_vec4 gn_vec4_negate(gn_vec4 v)
+{
+    gn_vec4 opposite = {-v.x, -v.y, -v.z, -v.w};
+    return opposite;
+}
+
 gn_vec2 gn_vec2_scale(gn_vec2 v, float factor)
 {
     gn_vec2 product = {v.x * factor, v.y * factor};

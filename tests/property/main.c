@@ -48,6 +48,9 @@ int main(int argc, char **argv)
     const int failed = properties_math(seed, (size_t)trials) +
                        properties_models(seed, (size_t)trials) +
                        properties_projections(seed, (size_t)trials) +
+                       properties_inverse(seed, (size_t)trials) +
+                       properties_linear(seed, (size_t)trials) +
+                       properties_quaternion(seed, (size_t)trials) +
                        properties_draw(seed, trials < 10 ? 1 : (size_t)(trials / 10));
     return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -15,6 +15,9 @@
 int properties_math(uint64_t seed, size_t trials);
 int properties_models(uint64_t seed, size_t trials);
 int properties_projections(uint64_t seed, size_t trials);
+int properties_inverse(uint64_t seed, size_t trials);
+int properties_linear(uint64_t seed, size_t trials);
+int properties_quaternion(uint64_t seed, size_t trials);
 
 static inline enum theft_hook_run_pre_res
 property_quiet_pre(const struct theft_hook_run_pre_info *info, void *env)

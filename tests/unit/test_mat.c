@@ -252,6 +252,44 @@ static void rigid_inverses_are_summed_in_order(void **state)
     }
 }
 
+static void traces(void **state)
+{
+    (void)state;
+    const gn_mat3 lost3 = {{{1, 0, 0}, {0, 0x1p-24f, 0}, {0, 0, 0x1p-24f}}};
+    const gn_mat4 kept4 = {{{1, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0x1p-24f, 0}, {0, 0, 0, 0x1p-24f}}};
+    assert_true(gn_mat3_trace(&p3) == 2.0f + 3.0f + 7.0f);
+    assert_true(gn_mat4_trace(&p4) == 2.0f + 3.0f + 7.0f + 8.0f);
+    assert_true(gn_mat3_trace(&lost3) == 1.0f);
+    assert_true(gn_mat4_trace(&kept4) == 1.0f + 0x1p-23f);
+}
+
+static void rows(void **state)
+{
+    (void)state;
+    float numbers[16], back[16];
+    gn_mat3 m3;
+    gn_mat4 m4;
+    for (int i = 0; i < 16; ++i)
+        numbers[i] = (float)i;
+    gn_mat3_from_rows(numbers, &m3);
+    gn_mat4_from_rows(numbers, &m4);
+    assert_true(m3.m[2][0] == 2.0f && m3.m[0][2] == 6.0f && m3.m[1][1] == 4.0f);
+    assert_true(m4.m[3][0] == 3.0f && m4.m[0][3] == 12.0f && m4.m[1][2] == 9.0f);
+    gn_mat3_to_rows(&m3, back);
+    assert_memory_equal(back, numbers, 9 * sizeof(float));
+    gn_mat4_to_rows(&m4, back);
+    assert_memory_equal(back, numbers, sizeof numbers);
+}
+
+static void extended(void **state)
+{
+    (void)state;
+    const gn_mat4 expected = {{{2, 0, 1, 0}, {-1, 3, 4, 0}, {5, -2, 7, 0}, {0, 0, 0, 1}}};
+    gn_mat4 m;
+    gn_mat4_from_mat3(&p3, &m);
+    assert_mat4(&m, &expected);
+}
+
 static void upper_left(void **state)
 {
     (void)state;
@@ -274,6 +312,9 @@ int main(void)
         cmocka_unit_test(determinants),
         cmocka_unit_test(rigid_inverses),
         cmocka_unit_test(rigid_inverses_are_summed_in_order),
+        cmocka_unit_test(traces),
+        cmocka_unit_test(rows),
+        cmocka_unit_test(extended),
         cmocka_unit_test(upper_left),
     };
     return cmocka_run_group_tests_name("mat", tests, NULL, NULL);

@@ -35,6 +35,122 @@ static void sums_and_differences(void **state)
     assert_vec4(gn_vec4_subtract(a4, b4), -3.0f, -2.5f, 4.0f, 6.0f);
 }
 
+static void multiplied_and_negated(void **state)
+{
+    (void)state;
+    assert_vec2(gn_vec2_multiply(a2, b2), 4.0f, -1.0f);
+    assert_vec3(gn_vec3_multiply(a3, b3), 4.0f, -1.0f, -3.0f);
+    assert_vec4(gn_vec4_multiply(a4, b4), 4.0f, -1.0f, -3.0f, 16.0f);
+    assert_vec2(gn_vec2_negate(a2), -1.0f, 2.0f);
+    assert_vec3(gn_vec3_negate(a3), -1.0f, 2.0f, -3.0f);
+    assert_vec4(gn_vec4_negate(a4), -1.0f, 2.0f, -3.0f, -8.0f);
+    const gn_vec2 zeros = {0.0f, -0.0f};
+    assert_true(signbit(gn_vec2_negate(zeros).x) && !signbit(gn_vec2_negate(zeros).y));
+}
+
+static void selected(void **state)
+{
+    (void)state;
+    assert_vec2(gn_vec2_minimum(a2, b2), 1.0f, -2.0f);
+    assert_vec3(gn_vec3_minimum(a3, b3), 1.0f, -2.0f, -1.0f);
+    assert_vec4(gn_vec4_minimum(a4, b4), 1.0f, -2.0f, -1.0f, 2.0f);
+    assert_vec2(gn_vec2_maximum(a2, b2), 4.0f, 0.5f);
+    assert_vec3(gn_vec3_maximum(a3, b3), 4.0f, 0.5f, 3.0f);
+    assert_vec4(gn_vec4_maximum(a4, b4), 4.0f, 0.5f, 3.0f, 8.0f);
+    assert_vec2(gn_vec2_clamp(a2, -1.0f, 0.5f), 0.5f, -1.0f);
+    assert_vec3(gn_vec3_clamp(a3, -1.0f, 2.0f), 1.0f, -1.0f, 2.0f);
+    assert_vec4(gn_vec4_clamp(a4, -3.0f, 3.0f), 1.0f, -2.0f, 3.0f, 3.0f);
+    assert_vec2(gn_vec2_clamp(a2, 3.0f, 2.0f), 2.0f, 2.0f);
+
+    /* Zeros and NaN: the second zero, the number. */
+    const gn_vec4 a = {0.0f, -0.0f, NAN, 5.0f}, b = {-0.0f, 0.0f, 5.0f, NAN};
+    const gn_vec4 least = gn_vec4_minimum(a, b), most = gn_vec4_maximum(a, b);
+    assert_vec4(least, 0.0f, 0.0f, 5.0f, 5.0f);
+    assert_vec4(most, 0.0f, 0.0f, 5.0f, 5.0f);
+    assert_true(signbit(least.x) && !signbit(least.y) && signbit(most.x) && !signbit(most.y));
+    const gn_vec3 wild = {NAN, INFINITY, -INFINITY}, none = {NAN, NAN, NAN};
+    assert_vec3(gn_vec3_clamp(wild, -1.0f, 2.0f), -1.0f, 2.0f, -1.0f);
+    assert_true(isnan(gn_vec3_minimum(none, none).y) && isnan(gn_vec3_maximum(none, none).z));
+}
+
+static void distances(void **state)
+{
+    (void)state;
+    const gn_vec2 from2 = {1.0f, 2.0f}, to2 = {4.0f, -2.0f};
+    const gn_vec3 from3 = {1.0f, 2.0f, 3.0f}, to3 = {3.0f, 5.0f, -3.0f};
+    const gn_vec4 from4 = {1.0f, 2.0f, 3.0f, 4.0f}, to4 = {2.0f, -3.0f, 10.0f, 9.0f};
+    assert_true(gn_vec2_distance(from2, to2) == 5.0f && gn_vec2_distance(to2, from2) == 5.0f);
+    assert_true(gn_vec3_distance(from3, to3) == 7.0f && gn_vec3_distance(from3, from3) == 0.0f);
+    assert_true(gn_vec4_distance(from4, to4) == 10.0f);
+}
+
+static void angles(void **state)
+{
+    (void)state;
+    const gn_vec3 x = {1e-30f, 0.0f, 0.0f}, y = {0.0f, 3e38f, 0.0f}, back = {-2.0f, 0.0f, 0.0f};
+    const gn_vec3 near_x = {1.0f, 0x1p-20f, 0.0f}, near_back = {-1.0f, 0.0f, 0x1p-20f};
+    const gn_vec3 zero = {0.0f, 0.0f, 0.0f}, nan = {NAN, 0.0f, 0.0f};
+    float angle = 5.0f;
+    assert_int_equal(gn_vec3_angle(zero, x, &angle), GN_DEGENERATE);
+    assert_int_equal(gn_vec3_angle(x, zero, &angle), GN_DEGENERATE);
+    assert_int_equal(gn_vec3_angle(nan, zero, &angle), GN_NOT_FINITE);
+    assert_int_equal(gn_vec3_angle(zero, nan, &angle), GN_NOT_FINITE);
+    assert_true(angle == 5.0f);
+    assert_int_equal(gn_vec3_angle(x, y, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_vec3_angle(x, y, &angle), GN_OK);
+    assert_float_equal(angle, 0.5f * GN_PI, 1e-6f);
+    assert_int_equal(gn_vec3_angle(x, x, &angle), GN_OK);
+    assert_true(angle == 0.0f);
+    assert_int_equal(gn_vec3_angle(x, back, &angle), GN_OK);
+    assert_float_equal(angle, GN_PI, 1e-6f);
+    /* Where the arccosine of the dot product gives 0 or pi. */
+    assert_int_equal(gn_vec3_angle(x, near_x, &angle), GN_OK);
+    assert_float_equal(angle, 0x1p-20f, 1e-7f);
+    assert_int_equal(gn_vec3_angle(x, near_back, &angle), GN_OK);
+    assert_float_equal(angle, GN_PI - 0x1p-20f, 3e-7f);
+}
+
+/* A floor, and a slope of 3, 4, 5. */
+static void reflected(void **state)
+{
+    (void)state;
+    const gn_vec2 v2 = {3.0f, -2.0f}, up2 = {0.0f, 1.0f};
+    const gn_vec3 v3 = {3.0f, -2.0f, 5.0f}, up3 = {0.0f, 1.0f, 0.0f};
+    const gn_vec4 v4 = {3.0f, -2.0f, 5.0f, 7.0f}, up4 = {0.0f, 0.0f, 0.0f, -1.0f};
+    const gn_vec3 slope = {0.6f, 0.8f, 0.0f}, down = {0.0f, -1.0f, 0.0f};
+    assert_vec2(gn_vec2_reflect(v2, up2), 3.0f, 2.0f);
+    assert_vec3(gn_vec3_reflect(v3, up3), 3.0f, 2.0f, 5.0f);
+    assert_vec4(gn_vec4_reflect(v4, up4), 3.0f, -2.0f, 5.0f, -7.0f);
+    const gn_vec3 off = gn_vec3_reflect(down, slope);
+    assert_float_equal(off.x, 0.96f, 1e-7f);
+    assert_float_equal(off.y, 0.28f, 1e-7f);
+    assert_true(off.z == 0.0f);
+}
+
+static void refracted(void **state)
+{
+    (void)state;
+    const gn_vec2 v2 = {0.6f, -0.8f}, up2 = {0.0f, 1.0f};
+    const gn_vec3 v3 = {0.0f, -0.8f, 0.6f}, up3 = {0.0f, 1.0f, 0.0f};
+    const gn_vec4 v4 = {0.6f, 0.0f, 0.0f, -0.8f}, up4 = {0.0f, 0.0f, 0.0f, 1.0f};
+    const gn_vec3 straight = {0.0f, -1.0f, 0.0f};
+    /* Snell: sine 0.6 to 0.8 at 4/3, to 0.36 at 0.6, and beyond 1 at 2. */
+    gn_vec2 r2 = gn_vec2_refract(v2, up2, 4.0f / 3.0f);
+    assert_float_equal(r2.x, 0.8f, 1e-6f);
+    assert_float_equal(r2.y, -0.6f, 1e-6f);
+    gn_vec3 r3 = gn_vec3_refract(v3, up3, 0.6f);
+    assert_float_equal(r3.z, 0.36f, 1e-6f);
+    assert_float_equal(r3.y, -sqrtf(1.0f - 0.36f * 0.36f), 1e-6f);
+    assert_true(r3.x == 0.0f);
+    gn_vec4 r4 = gn_vec4_refract(v4, up4, 4.0f / 3.0f);
+    assert_float_equal(r4.x, 0.8f, 1e-6f);
+    assert_float_equal(r4.w, -0.6f, 1e-6f);
+    assert_vec3(gn_vec3_refract(straight, up3, 1.7f), 0.0f, -1.0f, 0.0f);
+    assert_vec2(gn_vec2_refract(v2, up2, 2.0f), 0.0f, 0.0f);
+    assert_vec3(gn_vec3_refract(v3, up3, 2.0f), 0.0f, 0.0f, 0.0f);
+    assert_vec4(gn_vec4_refract(v4, up4, 2.0f), 0.0f, 0.0f, 0.0f, 0.0f);
+}
+
 static void scaled(void **state)
 {
     (void)state;
@@ -176,6 +292,12 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sums_and_differences),
+        cmocka_unit_test(multiplied_and_negated),
+        cmocka_unit_test(selected),
+        cmocka_unit_test(distances),
+        cmocka_unit_test(angles),
+        cmocka_unit_test(reflected),
+        cmocka_unit_test(refracted),
         cmocka_unit_test(scaled),
         cmocka_unit_test(products),
         cmocka_unit_test(products_are_summed_from_the_last),

@@ -25,6 +25,12 @@ static void invert_rigid(maths_data *d)
         gn_mat4_invert_rigid(matrix(d->rigid[i]), matrix(d->rigid[i]));
 }
 
+static void invert(maths_data *d)
+{
+    for (int i = 0; i < MATHS_FEW; ++i)
+        gn_mat4_invert(matrix(d->a[i]), matrix(d->product[i]), NULL);
+}
+
 static void multiply_vector(maths_data *d)
 {
     const gn_vec4 *v = (const gn_vec4 *)d->v[0];
@@ -88,6 +94,7 @@ maths_pass *maths_gnomon(maths_operation operation)
         [MATHS_MULTIPLY] = multiply,
         [MATHS_MULTIPLY_PACKED] = multiply_packed,
         [MATHS_INVERT_RIGID] = invert_rigid,
+        [MATHS_INVERT] = invert,
         [MATHS_MULTIPLY_VECTOR] = multiply_vector,
         [MATHS_BULK_PACKED] = bulk_packed,
         [MATHS_BULK_ARRAYS] = bulk_arrays,

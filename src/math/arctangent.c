@@ -1,0 +1,185 @@
+/* Arctangents: the quotient by Newton's iteration, brought to at most 1/8 by the
+ * addition theorem, the series, and one rounding. */
+#include "arctangent.h"
+
+#include <gnomon/scalar.h>
+
+#include "bits.h"
+#include "fixed_point.h"
+
+/* 2^127 / divisor, for a divisor D = divisor * 2^-64 of at least 1/2: 1/D in units of
+ * 2^-63. It is never too large, and low by less than 7 units.
+ * The straight line that starts is off by 1/17 at most, and a step squares the error:
+ * after four, 17^-16 < 2^-65. Such a step, R (2 - D R), gives at most 1/D; both
+ * products are cut, and the complement stands for 2 - D R less one unit, so that the
+ * factor is low by less than one unit of 2^-63 (the product it comes from is cut, too),
+ * R, in [1, 2], by two of those, and the product by one more of twice the size:
+ * less than 6, and the squared error. */
+static uint64_t reciprocal(uint64_t divisor)
+{
+    const uint64_t start = 0x6969696969696969u; /* 48/17 - 2 */
+    const uint64_t slope = 0xF0F0F0F0F0F0F0F1u; /* 32/17 */
+    uint64_t inverse = start - gn_multiply_high(divisor, slope);
+    for (int step = 0; step < 4; ++step) {
+        inverse = gn_multiply_high(inverse, ~gn_multiply_high(divisor, inverse)) << 1;
+    }
+    return inverse;
+}
+
+/* The arctangent of r = quotient * 2^(-63 - shift) <= 0.1251, in the quotient's units,
+ * by r (1 - z/3 + z^2/5 - ...) with z = r^2 < 2^-5.99.
+ * Horner's rule in Q64: a step adds 1.5 units of error (coefficient, product) to 1/60 of
+ * what came before, and z, off by 1.3 units (both cuts), adds 0.5: in all less than
+ * 3 units of 2^-64, with the leading 1 a unit short. The four last coefficients have 32
+ * bits: 2 units of 2^-32, by z^6. What is left out is less than z^10/21 < 2^-64.2. With
+ * the last product's cut, the relative error is below 5 * 2^-64 + 2^-62 for a quotient
+ * of 2^62 and more. */
+static uint64_t fixed_arctangent(uint64_t quotient, unsigned shift)
+{
+    static const uint64_t coefficient[5] = {
+        0x1745D1745D1745D1u, /* 1/11 */
+        0x1C71C71C71C71C72u, /* 1/9 */
+        0x2492492492492492u, /* 1/7 */
+        0x3333333333333333u, /* 1/5 */
+        0x5555555555555555u, /* 1/3 */
+    };
+    uint64_t r = shift > 64 ? 0 : quotient >> (shift - 1);
+    uint64_t z = gn_multiply_high(r, r), z_high = z >> 32;
+    uint64_t sum = 0x0D79435Eu;               /* 1/19 */
+    sum = 0x0F0F0F0Fu - (z_high * sum >> 32); /* 1/17 */
+    sum = 0x11111111u - (z_high * sum >> 32); /* 1/15 */
+    sum = 0x13B13B14u - (z_high * sum >> 32); /* 1/13 */
+    sum <<= 32;
+    for (int i = 0; i < 5; ++i) {
+        sum = coefficient[i] - gn_multiply_high(z, sum);
+    }
+    return gn_multiply_high(quotient, 0xFFFFFFFFFFFFFFFFu - gn_multiply_high(z, sum));
+}
+
+/* With t the smaller of y and x over the larger, and j = 4t rounded,
+ *   atan t = atan(j/4) + atan r,   r = (t - j/4) / (1 + t j/4) = (4y - jx) / (4x + jy),
+ * |r| <= 1/8.
+ *
+ * Where j = 0, r = t is a quotient of two exact numbers: its relative error is that of the
+ * reciprocal, 7 * 2^-63, and a cut, 2^-62; with the series' 9 * 2^-64 less than
+ * 27 * 2^-64. All these errors but the coefficients', which z multiplies, have one sign:
+ * below 2^-33, where z is nothing, the result is less than t.
+ *
+ * Otherwise the numerator, less than 2^63 in magnitude, is exact modulo 2^64 but for what
+ * leaves y and x on the right: in units of 2^-64, with x >= 2^63, at most 2 of the
+ * denominator's 2^65 (y, doubled) and j/2 of its 2^65 (x), so r is off by less than
+ * 2^-63. The denominator's cuts (5 units of 2^62 and more) and the errors of the above
+ * are for an r of at most 1/8: 20/8 + 27/8 units of 2^-64. With r's own, the table's and the cuts
+ * less than 10 units of 2^-64, of an angle of at least 0.124: 2^-57.6.
+ *
+ * From the y axis and from the negative x axis, angles are sums in units of 2^-62: less
+ * than 5 units (the above, in quarters, and two cuts and two constants) of at
+ * least pi/4: 2^-59. */
+float gn_round_arctangent(uint64_t y, uint64_t x, int exponent, bool left, uint32_t sign)
+{
+    static const uint64_t atan_of_quarters[5] = {
+        0, 0x3EB6EBF25901BAC5u, 0x76B19C1586ED3DA3u, 0xA4BC7D1934F70924u, 0xC90FDAA22168C235u,
+    };
+    const uint64_t pi = 0xC90FDAA22168C235u, half_pi = 0x6487ED5110B4611Au; /* * 2^-62 */
+
+    unsigned y_zeros = gn_leading_zeros(y), x_zeros = gn_leading_zeros(x);
+    y <<= y_zeros;
+    x <<= x_zeros;
+    exponent += (int)x_zeros - (int)y_zeros;
+    bool steep = exponent > 0 || (exponent == 0 && y > x);
+    if (steep) {
+        uint64_t other = x;
+        x = y;
+        y = other;
+        exponent = -exponent;
+    }
+
+    /* t = y/x * 2^-shift, and y/x is between 1/2 and 2. */
+    unsigned shift = (unsigned)-exponent, j = 0;
+    if (shift < 4) { /* to the nearest quarter, by 28 bits */
+        uint32_t y_high = (uint32_t)(y >> shift >> 36), x_high = (uint32_t)(x >> 36);
+        for (uint32_t odd = 1; odd < 8; odd += 2) {
+            j += 8 * y_high >= odd * x_high;
+        }
+    }
+    bool below = false;
+    if (j > 0) {
+        uint64_t shifted = y >> shift;
+        uint64_t numerator = 2 * shifted - j * (x >> 1);      /* a half of it */
+        uint64_t denominator = (x >> 1) + j * (shifted >> 3); /* an eighth */
+        below = numerator >> 63 != 0;
+        if (below) {
+            numerator = 0 - numerator;
+        }
+        y_zeros = gn_leading_zeros(numerator);
+        x_zeros = gn_leading_zeros(denominator);
+        y = numerator << y_zeros;
+        x = denominator << x_zeros;
+        shift = 2 + y_zeros - x_zeros;
+    }
+
+    uint64_t quotient = gn_multiply_high(y, reciprocal(x));
+    uint64_t small = fixed_arctangent(quotient, shift);
+    if (j == 0 && !steep && !left) {
+        return gn_round_to_any_float(small, (int)shift - 1, sign);
+    }
+    small = shift > 64 ? 0 : small >> (shift - 1);
+    uint64_t angle = below ? atan_of_quarters[j] - small : atan_of_quarters[j] + small;
+    if (!steep && !left) {
+        return gn_round_to_any_float(angle, 0, sign);
+    }
+    angle >>= 2;
+    if (steep) {
+        angle = half_pi - angle;
+    }
+    if (left) {
+        angle = pi - angle;
+    }
+    return gn_round_to_any_float(angle, -2, sign);
+}
+
+/* A finite number's magnitude: significand * 2^(exponent - 150). */
+static uint64_t significand_of(uint32_t magnitude, int *exponent)
+{
+    *exponent = (int)(magnitude >> 23);
+    if (*exponent == 0) {
+        *exponent = 1;
+        return magnitude;
+    }
+    return (magnitude & GN_FRACTION_BITS) | GN_HIDDEN_BIT;
+}
+
+float gn_atan2(float y, float x)
+{
+    const uint32_t one = 0x3F800000u;
+    uint32_t sign = gn_float_bits(y) & GN_SIGN_BIT;
+    bool left = (gn_float_bits(x) & GN_SIGN_BIT) != 0;
+    uint32_t y_magnitude = gn_float_bits(y) & ~GN_SIGN_BIT;
+    uint32_t x_magnitude = gn_float_bits(x) & ~GN_SIGN_BIT;
+    if (y_magnitude > GN_EXPONENT_BITS || x_magnitude > GN_EXPONENT_BITS) {
+        return gn_float_from_bits(GN_NAN_BITS);
+    }
+    if (y_magnitude == GN_EXPONENT_BITS && x_magnitude == GN_EXPONENT_BITS) {
+        y_magnitude = x_magnitude = one;
+    }
+    if (y_magnitude == 0 || x_magnitude == GN_EXPONENT_BITS) {
+        return gn_float_from_bits((left ? GN_PI_BITS : 0) | sign);
+    }
+    if (x_magnitude == 0 || y_magnitude == GN_EXPONENT_BITS) {
+        return gn_float_from_bits(GN_HALF_PI_BITS | sign);
+    }
+    int y_exponent, x_exponent;
+    uint64_t y_significand = significand_of(y_magnitude, &y_exponent);
+    uint64_t x_significand = significand_of(x_magnitude, &x_exponent);
+    return gn_round_arctangent(y_significand, x_significand, y_exponent - x_exponent, left, sign);
+}
+
+/* Below 2^-12, x^3/3 is less than half of x's last place. */
+float gn_atan(float x)
+{
+    const uint32_t small = 0x39800000u;
+    if ((gn_float_bits(x) & ~GN_SIGN_BIT) < small) {
+        return x;
+    }
+    return gn_atan2(x, 1.0f);
+}

@@ -1,0 +1,42 @@
+/* Degrees and radians: one product of 64 bits, rounded once. */
+#include <gnomon/scalar.h>
+
+#include <stdint.h>
+
+#include "bits.h"
+#include "fixed_point.h"
+
+/* x * factor * 2^-scale. The factor is rounded, 2^-64.8 of it, and the product cut,
+ * 2^-62: its relative error is below 2^-61.7. The exact products stay 2^-50 of
+ * themselves away from ties. */
+static float scaled(float x, uint64_t factor, int scale)
+{
+    uint32_t bits = gn_float_bits(x), sign = bits & GN_SIGN_BIT, magnitude = bits ^ sign;
+    if (magnitude > GN_EXPONENT_BITS) {
+        return gn_float_from_bits(GN_NAN_BITS);
+    }
+    if (magnitude == 0 || magnitude == GN_EXPONENT_BITS) {
+        return x;
+    }
+    int exponent = (int)(magnitude >> 23);
+    uint64_t significand = magnitude & GN_FRACTION_BITS;
+    if (exponent == 0) {
+        exponent = 1;
+    } else {
+        significand |= GN_HIDDEN_BIT;
+    }
+    /* x = (significand << zeros) * 2^(exponent - 150 - zeros). */
+    unsigned zeros = gn_leading_zeros(significand);
+    uint64_t product = gn_multiply_high(significand << zeros, factor);
+    return gn_round_to_any_float(product, scale + 22 + (int)zeros - exponent, sign);
+}
+
+float gn_degrees(float radians)
+{
+    return scaled(radians, 0xE52EE0D31E0FBDC3u, 58); /* 180/pi */
+}
+
+float gn_radians(float degrees)
+{
+    return scaled(degrees, 0x8EFA351294E9C8AEu, 69); /* pi/180 */
+}

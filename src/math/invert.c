@@ -1,0 +1,290 @@
+/* The general inverses of 3x3 and 4x4 matrices: the adjugate over the determinant, in
+ * double. This is the one file of the library that computes in double.
+ *
+ * The product of two floats is exact in double, 48 bits, so a 2x2 minor is rounded
+ * once, by v = 2^-53 of itself. No product of four floats is above 2^512 or, if not zero,
+ * below 2^-596: nothing overflows or underflows before the result is rounded to
+ * float, whatever the scale of the matrix. */
+#include <gnomon/mat.h>
+
+#include <float.h>
+#include <stdbool.h>
+
+#include "../lanes/pair.h"
+#include "bits.h"
+
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
+#error "Floats must be floats: -msse2 -mfpmath=sse on x86, -fexcess-precision=fast on s390x."
+#endif
+
+/* Kept out of what is done always, which then fits the registers. */
+#if defined(__GNUC__)
+#define RARELY static __attribute__((noinline, cold))
+#else
+#define RARELY static
+#endif
+
+/* A 4x4 determinant whose terms cancel further than this is summed again. */
+#define CANCELLED 0x1p24
+
+/* And one that is not above this part of their magnitudes then counts as zero: the second
+ * sum is within 2^-99 of it, so what is above is within 2^-27 of itself. */
+#define NOTHING 0x1p-72
+
+/* The same of a 3x3 determinant, whose sum is within 2^-51 of its terms. */
+#define NOTHING3 0x1p-48
+
+static double magnitude(double x)
+{
+    return x < 0.0 ? -x : x;
+}
+
+/* The product of two norms as a float, or infinity. */
+static float condition_of(double norm_before, double norm_after)
+{
+    double product = norm_before * norm_after;
+    return product <= (double)FLT_MAX ? (float)product : gn_float_from_bits(GN_EXPONENT_BITS);
+}
+
+/* An unevaluated sum, |rest| <= 2^-53 |value|. */
+typedef struct split {
+    double value, rest;
+} split;
+
+/* a + b, exactly (D. E. Knuth, The Art of Computer Programming 2, 4.2.2, theorem B). */
+static split add_exactly(double a, double b)
+{
+    split sum;
+    sum.value = a + b;
+    double other = sum.value - a;
+    sum.rest = (a - (sum.value - other)) + (b - other);
+    return sum;
+}
+
+/* The upper 26 bits of x (T. J. Dekker, A floating-point technique for extending the
+ * available precision, Numerische Mathematik 18, 1971). */
+static double upper_half(double x)
+{
+    double scaled = 0x1.0000002p27 * x; /* 2^27 + 1 */
+    return scaled - (scaled - x);
+}
+
+/* a * b, exactly, from the products of halves (the same). */
+static split multiply_exactly(double a, double b)
+{
+    split product;
+    double a_high = upper_half(a), b_high = upper_half(b);
+    double a_low = a - a_high, b_low = b - b_high;
+    product.value = a * b;
+    product.rest =
+        ((a_high * b_high - product.value) + a_high * b_low + a_low * b_high) + a_low * b_low;
+    return product;
+}
+
+static split minor_exactly(const float *left, const float *right, int i, int j)
+{
+    return add_exactly((double)left[i] * (double)right[j], -((double)left[j] * (double)right[i]));
+}
+
+/* The Laplace expansion of gn_mat4_determinant with twice the digits. With v = 2^-53, T the
+ * sum of the terms' magnitudes and to first order in v^2: a term leaves out v^2 of itself,
+ * and 7 v^2 in the roundings of its rest, of at most 3 v; the six sums round rests of at most
+ * 4 v T and 9 v T: 8 + 6 * 13 = 86 v^2 T < 2^-99 T. */
+RARELY double determinant_again(const gn_mat4 *m)
+{
+    static const unsigned char rows[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
+                                             {1, 2, 0, 3}, {3, 1, 0, 2}, {2, 3, 0, 1}};
+    double value = 0.0, rest = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        split first = minor_exactly(m->m[0], m->m[1], rows[i][0], rows[i][1]);
+        split last = minor_exactly(m->m[2], m->m[3], rows[i][2], rows[i][3]);
+        split term = multiply_exactly(first.value, last.value);
+        split sum = add_exactly(value, term.value);
+        term.rest += first.value * last.rest + first.rest * last.value;
+        value = sum.value;
+        rest += sum.rest + term.rest;
+    }
+    return value + rest;
+}
+
+/* left[i] * right[j] - left[j] * right[i]. */
+static inline pair_d minors(const pair_d left[4], const pair_d right[4], int i, int j)
+{
+    return pair_sub(pair_mul(left[i], right[j]), pair_mul(left[j], right[i]));
+}
+
+/* x*p - y*q + z*r */
+static inline pair_d combine(pair_d x, pair_d p, pair_d y, pair_d q, pair_d z, pair_d r)
+{
+    return pair_add(pair_sub(pair_mul(x, p), pair_mul(y, q)), pair_mul(z, r));
+}
+
+/* The larger of both numbers. */
+static inline double largest(pair_d pair)
+{
+    return pair_first(pair_larger(pair, pair_swap(pair)));
+}
+
+/* The largest sum of magnitudes in a row: of a matrix whose row i is in left[i] and right[i], */
+static inline double norm_by_rows(const pair_d left[4], const pair_d right[4])
+{
+    pair_d most = pair_set(0.0);
+    for (int i = 0; i < 4; ++i) {
+        pair_d row = pair_add(pair_magnitude(left[i]), pair_magnitude(right[i]));
+        most = pair_larger(most, pair_add(row, pair_swap(row)));
+    }
+    return pair_first(most);
+}
+
+/* and of one whose column i is. */
+static inline double norm_by_columns(const pair_d even[4], const pair_d odd[4])
+{
+    pair_d first = pair_magnitude(even[0]), second = pair_magnitude(odd[0]);
+    for (int i = 1; i < 4; ++i) {
+        first = pair_add(first, pair_magnitude(even[i]));
+        second = pair_add(second, pair_magnitude(odd[i]));
+    }
+    return largest(pair_larger(first, second));
+}
+
+/* Infinity less itself is NaN, all else zero. */
+static inline bool are_finite(const quad_f columns[4])
+{
+    const quad_f first = quad_sub(columns[0], columns[0]),
+                 second = quad_sub(columns[1], columns[1]);
+    const quad_f third = quad_sub(columns[2], columns[2]), last = quad_sub(columns[3], columns[3]);
+    return !quad_has_nan(quad_add(quad_add(first, second), quad_add(third, last)));
+}
+
+/* N m = I makes the rows n0 to n3 of N, but for their length, the vector products of three
+ * columns: with s and t the minors of the columns a, b and c, d, n0 is b times t, n1 a times
+ * t, n2 d times s and n3 c times s, with alternating signs. So the first two columns and the
+ * last two take the same steps, side by side: a pair holds (a, c), (b, d) or (s, t).
+ *
+ * Bound, with v = 2^-53 and the singular values s1 >= s2 >= s3 >= s4: an entry of the
+ * adjugate is three products of an entry and a minor, off by at most 4 v of their magnitudes:
+ * in all, in the Frobenius norm, by sqrt(2) * 2 s1 * sqrt(6) s1 s2 * 4 v < 2^5 s1^2 s2 v. Its
+ * norm is at least s1 s2 s3, which leaves 2^-48 s1/s3. The determinant is off by
+ * 6 v of its terms, 2^-26.4 of itself where CANCELLED lets it stand, 2^-27 otherwise; the rest
+ * is the rounding to float, 2^-24. */
+gn_status gn_mat4_invert(const gn_mat4 *m, gn_mat4 *result, float *condition)
+{
+    const quad_f zero = quad_set(0.0f, 0.0f, 0.0f, 0.0f); /* x + 0 is no negative zero */
+    pair_d ac[4], bd[4];
+    quad_f columns[4];
+    if (!m || !result) {
+        return GN_NULL_POINTER;
+    }
+    pair_load(m->m[0], m->m[2], ac);
+    pair_load(m->m[1], m->m[3], bd);
+    const pair_d st01 = minors(ac, bd, 0, 1), ts01 = pair_swap(st01);
+    const pair_d st02 = minors(ac, bd, 0, 2), ts02 = pair_swap(st02);
+    const pair_d st03 = minors(ac, bd, 0, 3), ts03 = pair_swap(st03);
+    const pair_d ts12 = pair_swap(minors(ac, bd, 1, 2));
+    const pair_d ts13 = pair_swap(minors(ac, bd, 1, 3));
+    const pair_d ts23 = pair_swap(minors(ac, bd, 2, 3));
+
+    /* Half of the terms of the determinant in each place. */
+    const pair_d first = pair_mul(st01, ts23), second = pair_mul(st02, ts13);
+    const pair_d third = pair_mul(st03, ts12);
+    double determinant = pair_sum(pair_add(pair_sub(first, second), third));
+    double terms = pair_sum(
+        pair_add(pair_add(pair_magnitude(first), pair_magnitude(second)), pair_magnitude(third)));
+    if (!(terms <= DBL_MAX)) {
+        return GN_NOT_FINITE; /* every entry is a factor, and infinity times zero is NaN */
+    }
+    if (!(magnitude(determinant) * CANCELLED > terms)) {
+        determinant = determinant_again(m);
+        if (!(magnitude(determinant) > terms * NOTHING)) {
+            return GN_SINGULAR;
+        }
+    }
+
+    const double factor = 1.0 / determinant;
+    const pair_d plus = pair_set(factor), minus = pair_set(-factor);
+    pair_d even[4], odd[4]; /* rows 0 and 2, and 1 and 3, of each column of the inverse */
+    even[0] = pair_mul(combine(bd[1], ts23, bd[2], ts13, bd[3], ts12), plus);
+    odd[0] = pair_mul(combine(ac[1], ts23, ac[2], ts13, ac[3], ts12), minus);
+    even[1] = pair_mul(combine(bd[0], ts23, bd[2], ts03, bd[3], ts02), minus);
+    odd[1] = pair_mul(combine(ac[0], ts23, ac[2], ts03, ac[3], ts02), plus);
+    even[2] = pair_mul(combine(bd[0], ts13, bd[1], ts03, bd[3], ts01), plus);
+    odd[2] = pair_mul(combine(ac[0], ts13, ac[1], ts03, ac[3], ts01), minus);
+    even[3] = pair_mul(combine(bd[0], ts12, bd[1], ts02, bd[2], ts01), minus);
+    odd[3] = pair_mul(combine(ac[0], ts12, ac[1], ts02, ac[2], ts01), plus);
+    for (int i = 0; i < 4; ++i) {
+        columns[i] = pair_round(even[i], odd[i]);
+    }
+    if (!are_finite(columns)) {
+        return GN_OUT_OF_RANGE;
+    }
+    for (int i = 0; i < 4; ++i) {
+        quad_store(result->m[i], quad_add(columns[i], zero));
+    }
+    if (condition) {
+        *condition = condition_of(norm_by_rows(ac, bd), norm_by_columns(even, odd));
+    }
+    return GN_OK;
+}
+
+/* As above; of [column][row]. */
+static double norm3(double m[3][3])
+{
+    double most = 0.0;
+    for (int row = 0; row < 3; ++row) {
+        double sum = magnitude(m[0][row]) + magnitude(m[1][row]) + magnitude(m[2][row]);
+        most = sum > most ? sum : most;
+    }
+    return most;
+}
+
+/* The cofactors are minors here, rounded once. The determinant is off by 4 v of its terms,
+ * which are at most s1 times the norm of the cofactors, sqrt(3) s1 s2: with the roundings
+ * of the division below 2^-50 s1/s3 of itself. */
+gn_status gn_mat3_invert(const gn_mat3 *m, gn_mat3 *result, float *condition)
+{
+    double before[3][3], after[3][3];
+    bool finite = true;
+    if (!m || !result) {
+        return GN_NULL_POINTER;
+    }
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            before[column][row] = (double)m->m[column][row];
+        }
+    }
+    for (int row = 0; row < 3; ++row) {
+        const double *left = before[(row + 1) % 3], *right = before[(row + 2) % 3];
+        for (int column = 0; column < 3; ++column) {
+            int i = (column + 1) % 3, j = (column + 2) % 3;
+            after[column][row] = left[i] * right[j] - left[j] * right[i];
+        }
+    }
+    double x = before[0][0] * after[0][0], y = before[0][1] * after[1][0];
+    double z = before[0][2] * after[2][0];
+    double determinant = x + y + z, terms = magnitude(x) + magnitude(y) + magnitude(z);
+    if (!(terms <= DBL_MAX)) {
+        return GN_NOT_FINITE;
+    }
+    if (!(magnitude(determinant) > terms * NOTHING3)) {
+        return GN_SINGULAR;
+    }
+    double factor = 1.0 / determinant;
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            after[column][row] *= factor;
+            finite = finite && gn_is_finite((float)after[column][row]);
+        }
+    }
+    if (!finite) {
+        return GN_OUT_OF_RANGE;
+    }
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            result->m[column][row] = (float)after[column][row] + 0.0f; /* no negative zero */
+        }
+    }
+    if (condition) {
+        *condition = condition_of(norm3(before), norm3(after));
+    }
+    return GN_OK;
+}

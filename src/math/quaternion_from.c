@@ -1,0 +1,156 @@
+/* Quaternions from an axis, a matrix, two directions, a view. */
+#include <gnomon/scalar.h>
+#include <gnomon/transform.h>
+
+#include <stdbool.h>
+
+#include "bits.h"
+#include "length.h"
+#include "quaternion.h"
+#include "transform.h"
+
+/* How far a matrix may be from a rotation, in an entry of m^T*m - I. */
+#define ROTATION_TOLERANCE 0x1p-10f
+
+/* Directions whose cosine is below this turn by more than a third of a turn. */
+#define OBTUSE -0.5f
+
+gn_status gn_quat_from_axis_angle(gn_vec3 axis, float radians, gn_quat *result)
+{
+    gn_vec3 n;
+    float s, c;
+    if (!result) {
+        return GN_NULL_POINTER;
+    }
+    if (!gn_is_finite(radians)) {
+        return GN_NOT_FINITE;
+    }
+    gn_status status = gn_vec3_unit(axis, &n);
+    if (status != GN_OK) {
+        return status;
+    }
+    gn_sincos(0.5f * radians, &s, &c);
+    const gn_quat q = {n.x * s, n.y * s, n.z * s, c};
+    *result = q;
+    return GN_OK;
+}
+
+static gn_vec3 column_of(const gn_mat3 *m, int column)
+{
+    const gn_vec3 v = {m->m[column][0], m->m[column][1], m->m[column][2]};
+    return v;
+}
+
+static bool is_rotation(const gn_mat3 *m)
+{
+    bool rotation = gn_mat3_determinant(m) > 0.0f;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            float lack = gn_vec3_dot(column_of(m, i), column_of(m, j)) - (i == j ? 1.0f : 0.0f);
+            rotation = rotation && gn_magnitude(lack) <= ROTATION_TOLERANCE;
+        }
+    }
+    return rotation;
+}
+
+/* For q = (x, y, z, w) of length one, sums and differences of m's entries are 4 q w, 4 q x,
+ * 4 q y and 4 q z (S. W. Shepperd, Quaternion from rotation matrix, Journal of Guidance and
+ * Control 1, 1978). The largest of the squares among them is at least 1, so that column
+ * is the one to normalise; each is within what its entries lack. */
+gn_status gn_quat_from_mat3(const gn_mat3 *m, gn_quat *result)
+{
+    if (!m || !result) {
+        return GN_NULL_POINTER;
+    }
+    const gn_vec3 x = column_of(m, 0), y = column_of(m, 1), z = column_of(m, 2);
+    if (!gn_vec3_is_finite(x) || !gn_vec3_is_finite(y) || !gn_vec3_is_finite(z)) {
+        return GN_NOT_FINITE;
+    }
+    if (!is_rotation(m)) {
+        return GN_OUT_OF_RANGE;
+    }
+    const gn_quat by_w = {y.z - z.y, z.x - x.z, x.y - y.x, (x.x + y.y) + (z.z + 1.0f)};
+    const gn_quat by_x = {(x.x - y.y) + (1.0f - z.z), x.y + y.x, z.x + x.z, y.z - z.y};
+    const gn_quat by_y = {x.y + y.x, (y.y - x.x) + (1.0f - z.z), y.z + z.y, z.x - x.z};
+    const gn_quat by_z = {z.x + x.z, y.z + z.y, (z.z - x.x) + (1.0f - y.y), x.y - y.x};
+    gn_quat most = by_w;
+    float square = by_w.w;
+    if (by_x.x > square) {
+        square = by_x.x;
+        most = by_x;
+    }
+    if (by_y.y > square) {
+        square = by_y.y;
+        most = by_y;
+    }
+    if (by_z.z > square) {
+        most = by_z;
+    }
+    return gn_quat_normalize(most, result);
+}
+
+/* (a x b, 1 + a.b) is twice the cosine of half the angle, times the rotation. */
+static gn_quat between(gn_vec3 a, gn_vec3 b)
+{
+    const gn_vec3 cross = gn_vec3_cross(a, b);
+    gn_quat q = {cross.x, cross.y, cross.z, 1.0f + gn_vec3_dot(a, b)};
+    gn_quat_normalize(q, &q);
+    return q;
+}
+
+/* A direction across the unit vector a: the part of v that is, taken out twice, which leaves
+ * no more along a than rounding does; or if v is along a, or nothing, of the coordinate axis
+ * furthest from a. */
+static gn_vec3 across(gn_vec3 a, gn_vec3 v)
+{
+    gn_vec3 x = {1.0f, 0.0f, 0.0f}, y = {0.0f, 1.0f, 0.0f}, z = {0.0f, 0.0f, 1.0f}, n;
+    if (gn_vec3_unit(v, &n) != GN_OK || gn_magnitude(gn_vec3_dot(a, n)) > 0.5f) {
+        n = gn_magnitude(a.x) <= 0.6f ? x : gn_magnitude(a.y) <= 0.6f ? y : z;
+    }
+    for (int i = 0; i < 2; ++i) {
+        n = gn_vec3_subtract(n, gn_vec3_scale(a, gn_vec3_dot(a, n)));
+        gn_vec3_unit(n, &n);
+    }
+    return n;
+}
+
+/* Near opposite directions 1 + a.b is mostly rounding. A half turn about an axis across a takes
+ * a to -a, which is near b; a x b is that axis, as far as there is one. */
+gn_status gn_quat_from_directions(gn_vec3 from, gn_vec3 to, gn_quat *result)
+{
+    gn_vec3 a, b;
+    if (!result) {
+        return GN_NULL_POINTER;
+    }
+    gn_status status = gn_vec3_unit(from, &a);
+    gn_status other = gn_vec3_unit(to, &b);
+    if (status == GN_NOT_FINITE || other == GN_NOT_FINITE) {
+        return GN_NOT_FINITE;
+    }
+    if (status != GN_OK || other != GN_OK) {
+        return GN_DEGENERATE;
+    }
+    if (gn_vec3_dot(a, b) >= OBTUSE) {
+        *result = between(a, b);
+        return GN_OK;
+    }
+    const gn_vec3 axis = across(a, gn_vec3_cross(a, b));
+    const gn_quat half_turn = {axis.x, axis.y, axis.z, 0.0f};
+    return gn_quat_normalize(gn_quat_multiply(between(gn_vec3_negate(a), b), half_turn), result);
+}
+
+gn_status gn_quat_look_rh(gn_vec3 forward, gn_vec3 up, gn_quat *result)
+{
+    const gn_vec3 origin = {0.0f, 0.0f, 0.0f};
+    gn_transform view;
+    gn_mat3 orientation;
+    if (!result) {
+        return GN_NULL_POINTER;
+    }
+    gn_status status = gn_look_at_rh(origin, forward, up, &view);
+    if (status != GN_OK) {
+        return status;
+    }
+    gn_mat4_upper_left(&view.inverse, &orientation);
+    return gn_quat_from_mat3(&orientation, result);
+}

@@ -1,0 +1,78 @@
+/* To whole numbers, by the bits of the fraction: those below the one of weight 1. */
+#include <gnomon/scalar.h>
+
+#include <stdint.h>
+
+#include "bits.h"
+
+#define ONE_BITS 0x3F800000u
+#define WHOLE_BITS 0x4B000000u /* 2^23: from here on all are whole */
+
+/* The bits of 1 <= |x| < 2^23 that are worth less than 1. */
+static uint32_t fraction_of(uint32_t magnitude)
+{
+    return GN_FRACTION_BITS >> ((magnitude >> 23) - 127);
+}
+
+static float whole_already(float x)
+{
+    return x != x ? gn_float_from_bits(GN_NAN_BITS) : x;
+}
+
+/* A carry out of the fraction runs into the exponent: the next power of two. */
+float gn_floor(float x)
+{
+    uint32_t bits = gn_float_bits(x), sign = bits & GN_SIGN_BIT, magnitude = bits ^ sign;
+    if (magnitude >= WHOLE_BITS || magnitude == 0) {
+        return whole_already(x);
+    }
+    if (magnitude < ONE_BITS) {
+        return gn_float_from_bits(sign != 0 ? sign | ONE_BITS : 0);
+    }
+    uint32_t fraction = fraction_of(magnitude);
+    if (sign != 0) {
+        bits += fraction;
+    }
+    return gn_float_from_bits(bits & ~fraction);
+}
+
+float gn_ceil(float x)
+{
+    uint32_t bits = gn_float_bits(x), sign = bits & GN_SIGN_BIT, magnitude = bits ^ sign;
+    if (magnitude >= WHOLE_BITS || magnitude == 0) {
+        return whole_already(x);
+    }
+    if (magnitude < ONE_BITS) {
+        return gn_float_from_bits(sign != 0 ? sign : ONE_BITS);
+    }
+    uint32_t fraction = fraction_of(magnitude);
+    if (sign == 0) {
+        bits += fraction;
+    }
+    return gn_float_from_bits(bits & ~fraction);
+}
+
+float gn_round(float x)
+{
+    const uint32_t half = 0x3F000000u;
+    uint32_t bits = gn_float_bits(x), sign = bits & GN_SIGN_BIT, magnitude = bits ^ sign;
+    if (magnitude >= WHOLE_BITS) {
+        return whole_already(x);
+    }
+    if (magnitude < ONE_BITS) {
+        return gn_float_from_bits(magnitude < half ? sign : sign | ONE_BITS);
+    }
+    uint32_t fraction = fraction_of(magnitude);
+    return gn_float_from_bits((bits + (fraction >> 1) + 1) & ~fraction);
+}
+
+/* The difference is exact except where -1/2 < x < 0. There the rounded 1 + x may be 1. */
+float gn_fract(float x)
+{
+    const uint32_t below_one = ONE_BITS - 1;
+    if (!gn_is_finite(x)) {
+        return gn_float_from_bits(GN_NAN_BITS);
+    }
+    float fraction = x - gn_floor(x);
+    return fraction < 1.0f ? fraction : gn_float_from_bits(below_one);
+}

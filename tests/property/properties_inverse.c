@@ -1,0 +1,422 @@
+/* Properties of the general inverses: of matrices of every kind, condition and scale, against
+ * inverses in long double. Bounds are those of mat.h. */
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gnomon.h>
+
+#include "double_matrix.h"
+#include "properties.h"
+#include "random_inputs.h"
+
+static enum theft_trial_res verdict(bool holds)
+{
+    return holds ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
+}
+
+/* Matrices with known singular values: left * diagonal * right, the outer two orthogonal, in
+ * double, rounded to float. */
+
+/* Which of the singular values are large; between, they fall evenly. */
+enum spectrum { EVEN, ONE_LARGE, TWO_LARGE, ONE_SMALL, SPECTRA };
+
+struct made_matrix {
+    enum spectrum spectrum;
+    int tenths;   /* log10 of the condition, in tenths */
+    int exponent; /* of two: the scale */
+    gn_mat4 m;
+};
+
+/* Reflections at random planes; none for zero bits. */
+static void turn(struct theft *t, double m[4][4], bool columns, int size)
+{
+    for (int i = 0; i < size; ++i) {
+        double v[4] = {0.0}, square = 0.0;
+        for (int k = 0; k < size; ++k) {
+            v[k] = (double)theft_random_bits(t, 20) * 0x1p-20 - (k == i ? 0.0 : 0.5);
+            square += v[k] * v[k];
+        }
+        for (int row = 0; row < size && square > 0.0; ++row) {
+            double dot = 0.0;
+            for (int k = 0; k < size; ++k)
+                dot += v[k] * (columns ? m[row][k] : m[k][row]);
+            for (int k = 0; k < size; ++k)
+                *(columns ? &m[row][k] : &m[k][row]) -= 2.0 * dot / square * v[k];
+        }
+    }
+}
+
+static double singular_value(enum spectrum spectrum, int i, int size, double condition)
+{
+    switch (spectrum) {
+    case ONE_LARGE:
+        return i == 0 ? 1.0 : 1.0 / condition;
+    case TWO_LARGE:
+        return i < 2 ? 1.0 : 1.0 / condition;
+    case ONE_SMALL:
+        return i < size - 1 ? 1.0 : 1.0 / condition;
+    default:
+        return pow(condition, -(double)i / (size - 1));
+    }
+}
+
+/* The last row and column stay those of the identity for a size of 3. */
+static void make_spectral(struct theft *t, struct made_matrix *made, int size, int most_tenths)
+{
+    double m[4][4] = {{0.0}};
+    made->spectrum = (enum spectrum)(theft_random_bits(t, 8) % SPECTRA);
+    made->tenths = (int)(theft_random_bits(t, 8) % (unsigned)(most_tenths + 1));
+    /* 2^-66 to 2^66: 1e-20 to 1e20 */
+    made->exponent = (int)(theft_random_bits(t, 8) % 67) * (theft_random_bits(t, 1) ? -1 : 1);
+    for (int i = 0; i < size; ++i)
+        m[i][i] = singular_value(made->spectrum, i, size, pow(10.0, 0.1 * made->tenths));
+    turn(t, m, false, size);
+    turn(t, m, true, size);
+    gn_mat4_identity(&made->m);
+    for (int i = 0; i < size * size; ++i)
+        made->m.m[i / size][i % size] = (float)(m[i / size][i % size] * ldexp(1.0, made->exponent));
+}
+
+static enum theft_alloc_res alloc_matrix(struct theft *t, void *env, void **output)
+{
+    const int *parameters = env; /* size, log10 of the largest condition in tenths */
+    struct made_matrix *made = malloc(sizeof *made);
+    if (made == NULL)
+        return THEFT_ALLOC_ERROR;
+    make_spectral(t, made, parameters[0], parameters[1]);
+    *output = made;
+    return THEFT_ALLOC_OK;
+}
+
+static void print_matrix(FILE *f, const void *instance, void *env)
+{
+    const struct made_matrix *made = instance;
+    (void)env;
+    fprintf(f, "spectrum %d, condition 10^%.1f, scale 2^%d, columns\n", (int)made->spectrum,
+            0.1 * made->tenths, made->exponent);
+    for (int i = 0; i < 16; ++i)
+        fprintf(f, "%a%c", (double)made->m.m[i / 4][i % 4], i % 4 == 3 ? '\n' : ' ');
+}
+
+/* Inverses in long double, of the leading part. */
+
+struct wide {
+    long double m[4][4];
+};
+
+static struct wide wide_of(const float *columns, int size)
+{
+    struct wide w = {{{0.0L}}};
+    for (int i = 0; i < size * size; ++i)
+        w.m[i / size][i % size] = (long double)columns[i];
+    return w;
+}
+
+/* Gauss and Jordan, with the largest remaining entry as pivot; false where there is none. */
+static bool invert_wide(struct wide a, int size, struct wide *inverse)
+{
+    int rows[4], columns[4];
+    for (int step = 0; step < size; ++step) {
+        int p = step, q = step;
+        for (int i = step; i < size; ++i)
+            for (int j = step; j < size; ++j)
+                if (fabsl(a.m[i][j]) > fabsl(a.m[p][q]))
+                    p = i, q = j;
+        if (a.m[p][q] == 0.0L)
+            return false;
+        rows[step] = q;
+        columns[step] = p;
+        for (int k = 0; k < size; ++k) {
+            long double x = a.m[p][k];
+            a.m[p][k] = a.m[step][k];
+            a.m[step][k] = x;
+        }
+        for (int k = 0; k < size; ++k) {
+            long double x = a.m[k][q];
+            a.m[k][q] = a.m[k][step];
+            a.m[k][step] = x;
+        }
+        const long double pivot = a.m[step][step];
+        a.m[step][step] = 1.0L;
+        for (int k = 0; k < size; ++k)
+            a.m[step][k] /= pivot;
+        for (int i = 0; i < size; ++i) {
+            const long double factor = a.m[i][step];
+            if (i == step)
+                continue;
+            a.m[i][step] = 0.0L;
+            for (int k = 0; k < size; ++k)
+                a.m[i][k] -= factor * a.m[step][k];
+        }
+    }
+    for (int step = size - 1; step >= 0; --step) {
+        for (int k = 0; k < size; ++k) {
+            long double x = a.m[rows[step]][k];
+            a.m[rows[step]][k] = a.m[step][k];
+            a.m[step][k] = x;
+        }
+        for (int k = 0; k < size; ++k) {
+            long double x = a.m[k][columns[step]];
+            a.m[k][columns[step]] = a.m[k][step];
+            a.m[k][step] = x;
+        }
+    }
+    *inverse = a;
+    return true;
+}
+
+static long double frobenius(const struct wide *a, const struct wide *less, int size)
+{
+    long double squares = 0.0L;
+    for (int i = 0; i < size * size; ++i) {
+        long double x = a->m[i / size][i % size] - (less ? less->m[i / size][i % size] : 0.0L);
+        squares += x * x;
+    }
+    return sqrtl(squares);
+}
+
+static long double infinity_norm(const struct wide *a, int size)
+{
+    long double most = 0.0L;
+    for (int row = 0; row < size; ++row) {
+        long double sum = 0.0L;
+        for (int column = 0; column < size; ++column)
+            sum += fabsl(a->m[column][row]);
+        most = fmaxl(most, sum);
+    }
+    return most;
+}
+
+static gn_status invert(const float *columns, int size, float *result, float *condition)
+{
+    return size == 3 ? gn_mat3_invert((const gn_mat3 *)(const void *)columns,
+                                      (gn_mat3 *)(void *)result, condition)
+                     : gn_mat4_invert((const gn_mat4 *)(const void *)columns,
+                                      (gn_mat4 *)(void *)result, condition);
+}
+
+/* The matrix as its size's columns, one after the other. */
+static void columns_of(const struct made_matrix *made, int size, float columns[16])
+{
+    for (int i = 0; i < size * size; ++i)
+        columns[i] = made->m.m[i / size][i % size];
+}
+
+/* The singular values of the rounded matrix are others, so the ratio of the extremes comes from
+ * the inverse: the Frobenius norms' product is no less, and at most `size` times as much. */
+static enum theft_trial_res inverse_is_exact(const struct made_matrix *made, int size)
+{
+    float m[16], got[16], condition;
+    struct wide exact, result;
+    columns_of(made, size, m);
+    const struct wide before = wide_of(m, size);
+    if (!invert_wide(before, size, &exact))
+        return THEFT_TRIAL_SKIP;
+    const long double ratio = frobenius(&before, NULL, size) * frobenius(&exact, NULL, size);
+    if (ratio > 1e10L)
+        return THEFT_TRIAL_SKIP;
+    if (invert(m, size, got, &condition) != GN_OK)
+        return THEFT_TRIAL_FAIL;
+    result = wide_of(got, size);
+    const long double error = frobenius(&result, &exact, size) / frobenius(&exact, NULL, size);
+    const long double bound = 0x1p-23L + 0x1p-48L * ratio;
+    const long double expected = infinity_norm(&before, size) * infinity_norm(&exact, size);
+    for (int i = 0; i < size * size; ++i)
+        if (got[i] == 0.0f && signbit(got[i]))
+            return THEFT_TRIAL_FAIL;
+    return verdict(error <= bound && (ratio > 1e5L || error <= 1e-6L) && condition >= 1.0f &&
+                   fabsl((long double)condition - expected) <= 2.0L * size * bound * expected &&
+                   (long double)condition <= ratio * size &&
+                   ratio <= (long double)condition * size * 1.001L);
+}
+
+static enum theft_trial_res inverse4_is_exact(struct theft *t, void *arg)
+{
+    (void)t;
+    return inverse_is_exact(arg, 4);
+}
+
+static enum theft_trial_res inverse3_is_exact(struct theft *t, void *arg)
+{
+    (void)t;
+    return inverse_is_exact(arg, 3);
+}
+
+/* m * inverse and inverse * m are the identity but for the error of the inverse, and rows and
+ * columns may be exchanged before or after. */
+static enum theft_trial_res inverse_works_both_ways(struct theft *t, void *arg)
+{
+    const struct made_matrix *made = arg;
+    gn_mat4 inverse, again;
+    (void)t;
+    if (gn_mat4_invert(&made->m, &inverse, NULL) != GN_OK)
+        return THEFT_TRIAL_FAIL;
+    const matrix m = widened(&made->m), n = widened(&inverse);
+    double norm_m = 0.0, norm_n = 0.0;
+    for (int i = 0; i < 16; ++i) {
+        norm_m += m.m[i / 4][i % 4] * m.m[i / 4][i % 4];
+        norm_n += n.m[i / 4][i % 4] * n.m[i / 4][i % 4];
+    }
+    const double ratio = sqrt(norm_m) * sqrt(norm_n), bound = 0x1p-23 + 0x1p-48 * ratio;
+    const matrix left = sum(product(m, n), -1.0, identity());
+    const matrix right = sum(product(n, m), -1.0, identity());
+    gn_mat4_transpose(&made->m, &again);
+    if (gn_mat4_invert(&again, &again, NULL) != GN_OK)
+        return THEFT_TRIAL_FAIL;
+    gn_mat4_transpose(&again, &again);
+    const matrix difference = sum(widened(&again), -1.0, n);
+    for (int i = 0; i < 16; ++i)
+        if (!(fabs(left.m[i / 4][i % 4]) <= bound * ratio * SLACK) ||
+            !(fabs(right.m[i / 4][i % 4]) <= bound * ratio * SLACK) ||
+            !(fabs(difference.m[i / 4][i % 4]) <= 2.0 * bound * sqrt(norm_n) * SLACK))
+            return THEFT_TRIAL_FAIL;
+    return THEFT_TRIAL_PASS;
+}
+
+/* A power of two times m has that part of the inverse, to the bit, and the same condition. */
+static enum theft_trial_res inverse_knows_no_scale(struct theft *t, void *arg)
+{
+    struct made_matrix scaled_up = *(struct made_matrix *)arg;
+    gn_mat4 inverse, other;
+    float condition, same;
+    const int exponent = (int)theft_random_bits(t, 5) - 16;
+    if (gn_mat4_invert(&scaled_up.m, &inverse, &condition) != GN_OK)
+        return THEFT_TRIAL_FAIL;
+    for (int i = 0; i < 16; ++i)
+        scaled_up.m.m[i / 4][i % 4] = ldexpf(scaled_up.m.m[i / 4][i % 4], exponent);
+    if (gn_mat4_invert(&scaled_up.m, &other, &same) != GN_OK)
+        return THEFT_TRIAL_FAIL;
+    for (int i = 0; i < 16; ++i)
+        inverse.m[i / 4][i % 4] = ldexpf(inverse.m[i / 4][i % 4], -exponent);
+    return verdict(memcmp(&inverse, &other, sizeof other) == 0 && condition == same);
+}
+
+/* The last column is a sum of whole multiples of the others, or nothing. */
+static enum theft_trial_res singular_matrices_are_named(struct theft *t, void *arg)
+{
+    (void)arg;
+    for (int size = 3; size <= 4; ++size) {
+        float m[16], result[16], marked[16], condition = 5.0f;
+        const int exponent = (int)theft_random_bits(t, 7) - 64;
+        const int which = (int)(theft_random_bits(t, 8) % (unsigned)size);
+        for (int i = 0; i < 16; ++i) {
+            m[i] = (float)theft_random_bits(t, 10) - 512.0f;
+            result[i] = marked[i] = 7.0f;
+        }
+        for (int row = 0; row < size; ++row)
+            m[which * size + row] = 0.0f;
+        for (int column = 0; column < size; ++column) {
+            const float factor = (float)theft_random_bits(t, 5) - 16.0f;
+            for (int row = 0; row < size && column != which; ++row)
+                m[which * size + row] += factor * m[column * size + row];
+        }
+        for (int i = 0; i < 16; ++i)
+            m[i] = ldexpf(m[i], exponent);
+        if (invert(m, size, result, &condition) != GN_SINGULAR || condition != 5.0f ||
+            memcmp(result, marked, sizeof result) != 0)
+            return THEFT_TRIAL_FAIL;
+    }
+    return THEFT_TRIAL_PASS;
+}
+
+/* Of any bits there is a status, and with GN_OK numbers. */
+static enum theft_trial_res any_bits_have_an_answer(struct theft *t, void *arg)
+{
+    const float *floats = arg;
+    (void)t;
+    for (int size = 3; size <= 4; ++size) {
+        float result[16], marked[16], condition = 5.0f;
+        bool finite = true, written = false;
+        for (int i = 0; i < 16; ++i)
+            result[i] = marked[i] = 7.0f;
+        for (int i = 0; i < size * size; ++i)
+            finite = finite && isfinite(floats[i]);
+        const gn_status status = invert(floats, size, result, &condition);
+        written = memcmp(result, marked, sizeof result) != 0 || condition != 5.0f;
+        if ((status == GN_NOT_FINITE) == finite || (status == GN_OK) != written)
+            return THEFT_TRIAL_FAIL;
+        for (int i = 0; i < size * size; ++i)
+            if (!isfinite(result[i]))
+                return THEFT_TRIAL_FAIL;
+        if (status == GN_OK && !(condition >= 1.0f))
+            return THEFT_TRIAL_FAIL;
+    }
+    return THEFT_TRIAL_PASS;
+}
+
+/* Transforms have analytic inverses. The general inverse of the stored matrix is within its own
+ * error of the exact one, and that within E of the analytic. */
+static enum theft_trial_res inverse_is_analytic(struct theft *t, void *arg)
+{
+    const gn_transform *transform = &((struct made *)arg)->transform;
+    gn_mat4 inverse;
+    (void)t;
+    const gn_status status = gn_mat4_invert(&transform->matrix, &inverse, NULL);
+    if (status != GN_OK)
+        return THEFT_TRIAL_FAIL;
+    const matrix m = widened(&transform->matrix), n = widened(&inverse);
+    const matrix analytic = widened(&transform->inverse);
+    const matrix lack = sum(product(m, analytic), -1.0, identity());
+    double norm_m = 0.0, norm_n = 0.0;
+    for (int i = 0; i < 16; ++i) {
+        norm_m += m.m[i / 4][i % 4] * m.m[i / 4][i % 4];
+        norm_n += n.m[i / 4][i % 4] * n.m[i / 4][i % 4];
+    }
+    const double own = (0x1p-23 + 0x1p-48 * sqrt(norm_m) * sqrt(norm_n)) * sqrt(norm_n);
+    const matrix allowed = product(magnitudes(n), magnitudes(lack));
+    for (int i = 0; i < 16; ++i)
+        if (!(fabs(n.m[i / 4][i % 4] - analytic.m[i / 4][i % 4]) <=
+              (own + 2.0 * allowed.m[i / 4][i % 4]) * SLACK))
+            return THEFT_TRIAL_FAIL;
+    return THEFT_TRIAL_PASS;
+}
+
+static struct theft_type_info matrices(int parameters[2])
+{
+    struct theft_type_info info = {.alloc = alloc_matrix,
+                                   .free = theft_generic_free_cb,
+                                   .print = print_matrix,
+                                   .autoshrink_config = {.enable = true},
+                                   .env = parameters};
+    return info;
+}
+
+int properties_inverse(uint64_t seed, size_t trials)
+{
+    int any4[2] = {4, 70}, any3[2] = {3, 70}, good[2] = {4, 50};
+    struct choice ordinary = {.first = 0, .last = KINDS, .exponents = 8};
+    struct choice near_one = {.exponents = 2};
+    const struct theft_type_info any4_info = matrices(any4), any3_info = matrices(any3);
+    const struct theft_type_info good_info = matrices(good);
+    const struct theft_type_info near_one_info = random_floats(&near_one);
+    const struct theft_type_info float_info = random_floats(NULL);
+    const struct theft_type_info transform_info = random_transforms(&ordinary);
+    const struct theft_run_config properties[] = {
+        {.name = "mat4 inverse: exact within bound",
+         .prop1 = inverse4_is_exact,
+         .type_info = {&any4_info}},
+        {.name = "mat3 inverse: exact within bound",
+         .prop1 = inverse3_is_exact,
+         .type_info = {&any3_info}},
+        {.name = "mat4 inverse: both ways, transposed",
+         .prop1 = inverse_works_both_ways,
+         .type_info = {&good_info}},
+        {.name = "mat4 inverse: any scale, the same bits",
+         .prop1 = inverse_knows_no_scale,
+         .type_info = {&good_info}},
+        {.name = "inverse: singular matrices",
+         .prop1 = singular_matrices_are_named,
+         .type_info = {&near_one_info}},
+        {.name = "inverse: any bits", .prop1 = any_bits_have_an_answer, .type_info = {&float_info}},
+        {.name = "inverse: of transforms, the analytic one",
+         .prop1 = inverse_is_analytic,
+         .type_info = {&transform_info}},
+    };
+    int failed = 0;
+    for (size_t i = 0; i < sizeof properties / sizeof properties[0]; ++i)
+        failed += property_run(properties[i], seed, trials);
+    return failed;
+}
