@@ -1,5 +1,6 @@
 /* The parts of a model matrix T R S: where it stands, how it is turned and how
- * large it is. gn_trs (transform.h) puts them together again. */
+ * large it is. gn_trs (transform.h) puts them together again; gn_quat_from_mat3 and
+ * gn_quat_to_mat3 (quat.h) lead from the rotation to a quaternion and back. */
 #ifndef GNOMON_DECOMPOSE_H
 #define GNOMON_DECOMPOSE_H
 

@@ -41,14 +41,13 @@ GN_BEGIN
  * GN_SINGULAR where a column is zero. */
 GN_API gn_status gn_mat4_invert_trs(const gn_mat4 *m, gn_mat4 *result);
 
-/* Of an affine matrix: the adjugate of L divided by its determinant, and
- * -L^-1 t. Products are taken exactly (as pairs of floats), so that every entry
- * of L^-1 is within 8 u of itself, whatever the condition of L:
- *   m * result   |E| <= 8 u |L||L^-1|, and 11 u |L||L^-1||t| in the translation;
- *   result * m   |E| <= 8 u |L^-1||L|, and 3 u |L^-1||t|.
- * GN_SINGULAR where the determinant is zero or cannot be told from it: where it
- * is at most 3 u times the permanent of |L|, so that a change of the entries by
- * half their last place could make it zero. */
+/* Of an affine matrix: gn_mat3_invert of L (adjugate over determinant, in double),
+ * and -L^-1 t. With k the permanent of |L| over the magnitude of its determinant
+ * and v = u + 2^-50 k, every entry of L^-1 is within v of itself (2 u up to
+ * k = 2^26):
+ *   m * result   |E| <= v |L||L^-1|, and (v + 3 u) |L||L^-1||t| in the translation;
+ *   result * m   |E| <= v |L^-1||L|, and 3 u |L^-1||t|.
+ * GN_SINGULAR where k is above 2^48. */
 GN_API gn_status gn_mat4_invert_affine(const gn_mat4 *m, gn_mat4 *result);
 
 /* Of a scale on the diagonal and an offset in the last column: 1 / scale and

@@ -1,8 +1,9 @@
 /* Inverses of bare matrices, from their entries. */
 #include <gnomon/inverse.h>
 
+#include <stddef.h>
+
 #include "bits.h"
-#include "exact.h"
 #include "transform.h"
 
 /* The power of two that brings the largest of three finite numbers to 1 .. 2, or
@@ -81,65 +82,17 @@ gn_status gn_mat4_invert_trs(const gn_mat4 *m, gn_mat4 *result)
     return write_affine(&inverse, offset_of(m), result);
 }
 
-/* The inverse of a finite matrix: the adjugate over the determinant, of the columns
- * scaled to about 1, whose inverse has its rows scaled by the same powers.
- *
- * Bound. The high part of a cofactor is within u of itself. The determinant is a
- * sum of three products a * C: exact but for 4 u^2 of the terms of C and 2 u^2
- * for a times the low part of C; the two sums add 8 u^2 of all terms, which
- * together are the permanent p: less than 14 u^2 p in all, which for a
- * determinant above 3 u p is 4.7 u of it. Rounded to one float: u. The quotient is
- * rounded once: 1 + 4.7 + 1 + 1 < 8. */
-static gn_status invert3(const gn_mat3 *m, gn_mat3 *result)
-{
-    float c[3][3], power[3];
-    gn_pair cofactor[3][3];
-    for (int column = 0; column < 3; ++column) {
-        power[column] = power_for(m->m[column]);
-        for (int row = 0; row < 3; ++row) {
-            c[column][row] = m->m[column][row] * power[column];
-        }
-    }
-    for (int column = 0; column < 3; ++column) {
-        const float *next = c[(column + 1) % 3], *last = c[(column + 2) % 3];
-        for (int row = 0; row < 3; ++row) {
-            const int i = (row + 1) % 3, j = (row + 2) % 3;
-            cofactor[column][row] = gn_exact_minor(next[i], last[j], next[j], last[i]);
-        }
-    }
-
-    gn_pair determinant = {0.0f, 0.0f};
-    float permanent = 0.0f;
-    for (int row = 0; row < 3; ++row) {
-        const int i = (row + 1) % 3, j = (row + 2) % 3;
-        gn_pair term = gn_exact_product(c[0][row], cofactor[0][row].high);
-        term.low += c[0][row] * cofactor[0][row].low;
-        determinant = gn_pair_add(determinant, term);
-        permanent += gn_magnitude(c[0][row]) *
-                     (gn_magnitude(c[1][i] * c[2][j]) + gn_magnitude(c[1][j] * c[2][i]));
-    }
-    if (!(gn_magnitude(determinant.high) > 0x1.8p-23f * permanent)) {
-        return GN_SINGULAR;
-    }
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) {
-            result->m[row][column] = cofactor[column][row].high / determinant.high * power[column];
-        }
-    }
-    return GN_OK;
-}
-
 gn_status gn_mat4_invert_affine(const gn_mat4 *m, gn_mat4 *result)
 {
     gn_mat3 linear, inverse;
     if (!m || !result) {
         return GN_NULL_POINTER;
     }
-    gn_mat4_upper_left(m, &linear);
-    if (!is_finite3(&linear) || !gn_vec3_is_finite(offset_of(m))) {
+    if (!gn_vec3_is_finite(offset_of(m))) {
         return GN_NOT_FINITE;
     }
-    const gn_status status = invert3(&linear, &inverse);
+    gn_mat4_upper_left(m, &linear);
+    const gn_status status = gn_mat3_invert(&linear, &inverse, NULL);
     return status == GN_OK ? write_affine(&inverse, offset_of(m), result) : status;
 }
 
@@ -150,15 +103,11 @@ gn_status gn_mat4_normal_matrix(const gn_mat4 *m, gn_mat3 *result)
         return GN_NULL_POINTER;
     }
     gn_mat4_upper_left(m, &linear);
-    if (!is_finite3(&linear)) {
-        return GN_NOT_FINITE;
+    const gn_status status = gn_mat3_invert(&linear, &inverse, NULL);
+    if (status == GN_OK) {
+        gn_mat3_transpose(&inverse, result);
     }
-    const gn_status status = invert3(&linear, &inverse);
-    if (status != GN_OK || !is_finite3(&inverse)) {
-        return status != GN_OK ? status : GN_OUT_OF_RANGE;
-    }
-    gn_mat3_transpose(&inverse, result);
-    return GN_OK;
+    return status;
 }
 
 gn_status gn_mat4_invert_orthographic(const gn_mat4 *m, gn_mat4 *result)

@@ -20,7 +20,7 @@ static enum theft_trial_res verdict(bool holds)
 /* Random models. */
 
 /* The parts of a model matrix, and a general 3x3 matrix, now and then nearly or
- * exactly singular. */
+ * exactly singular, or with a minor in which all leading digits cancel. */
 struct model {
     gn_vec3 translation, scale;
     gn_mat3 rotation, linear;
@@ -58,6 +58,8 @@ static enum theft_alloc_res make(struct theft *t, void *env, void **output)
             model->rotation.m[1][row] = -model->rotation.m[1][row];
         for (int column = 0; column < 3; ++column)
             m[column][row] = random_number(t, shape == 0 ? choice->exponents : 3);
+        if (shape == 1 && row < 2)
+            m[1][row] = p * m[0][row];
         if (shape >= 2)
             m[2][row] = p * m[0][row] + q * m[1][row] + apart * m[2][row];
         for (int column = 0; column < 3 && shape == 3; ++column)
@@ -264,8 +266,8 @@ static double exact_inverse(const gn_mat3 *a, long double inverse[3][3])
     return (double)(fabsl(determinant) / permanent);
 }
 
-/* Every entry within 8 u of itself, and singular exactly where the determinant is at most
- * 3 u of the permanent (a thousandth of that is left open). */
+/* Every entry within u + 2^-50 k of itself, and singular where k is above 2^48, a
+ * sixteenth of which is left to the rounding of the determinant. */
 static enum theft_trial_res affine_maps_have_inverses(struct theft *t, void *arg)
 {
     const struct model *model = arg;
@@ -279,6 +281,7 @@ static enum theft_trial_res affine_maps_have_inverses(struct theft *t, void *arg
     gn_mat3 normal;
     (void)t;
     const double regular = exact_inverse(l, exact);
+    const double entry = U + 0x1p-50 / regular;
     const gn_status status = gn_mat4_invert_affine(&m, &inverse);
     if (gn_affine(l, offset, &map) != status ||
         gn_frame_general(column_of(l, 0), column_of(l, 1), column_of(l, 2), offset, &frame) !=
@@ -286,21 +289,22 @@ static enum theft_trial_res affine_maps_have_inverses(struct theft *t, void *arg
         gn_mat4_normal_matrix(&m, &normal) != status)
         return THEFT_TRIAL_FAIL;
     if (status != GN_OK)
-        return verdict(status == GN_SINGULAR && !(regular > 3.003 * U));
-    if (regular < 2.997 * U || memcmp(&map.inverse, &inverse, sizeof inverse) != 0 ||
+        return verdict(status == GN_SINGULAR && !(regular > 0x1.1p-48));
+    if (regular < 0x0.fp-48 || memcmp(&map.inverse, &inverse, sizeof inverse) != 0 ||
         memcmp(&map.matrix, &m, sizeof m) != 0 || memcmp(&frame, &map, sizeof frame) != 0)
         return THEFT_TRIAL_FAIL;
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column) {
             const long double e = exact[row][column];
-            if (!(fabsl((long double)inverse.m[row][column] - e) <= 8.0L * U * fabsl(e)) ||
+            if (!(fabsl((long double)inverse.m[row][column] - e) <=
+                  (long double)(entry * SLACK) * fabsl(e)) ||
                 normal.m[column][row] != inverse.m[row][column])
                 return THEFT_TRIAL_FAIL;
         }
     const matrix size = magnitudes(upper(widened(&m)));
     const matrix inverse_size = magnitudes(upper(widened(&inverse)));
-    bounds.forward = scaled(8.0 * U, product(size, inverse_size));
-    bounds.backward = scaled(8.0 * U, product(inverse_size, size));
+    bounds.forward = scaled(entry, product(size, inverse_size));
+    bounds.backward = scaled(entry, product(inverse_size, size));
     return verdict(inverts_affinely(&m, &inverse, &bounds));
 }
 

@@ -56,6 +56,8 @@ static void orthonormal(void **state)
         assert_int_equal(gn_frame_orthonormal(n[0], n[1], n[2], n[3], &t), GN_NOT_FINITE);
     }
     assert_int_equal(gn_frame_orthonormal(longer, y_axis, z_axis, offset, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_frame_orthonormal(y_axis, longer, z_axis, offset, &t), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_frame_orthonormal(y_axis, z_axis, longer, offset, &t), GN_OUT_OF_RANGE);
     assert_int_equal(gn_frame_orthonormal(tilted, y_axis, z_axis, offset, &t), GN_OUT_OF_RANGE);
     assert_int_equal(gn_frame_orthonormal(z_axis, y_axis, tilted, offset, &t), GN_OUT_OF_RANGE);
     assert_int_equal(gn_frame_orthonormal(y_axis, z_axis, tilted, offset, &t), GN_OUT_OF_RANGE);

@@ -158,13 +158,12 @@ static void nearly_singular_matrices(void **state)
         assert_true(inverse.m[1][1] == 1 / s && inverse.m[1][0] == -1 / s &&
                     inverse.m[0][0] == (1 + s) / s && inverse.m[2][2] == 1);
     }
-    const float least = 0x1p-23f;
-    const gn_mat4 lost = {{{1, 1, 0, 0}, {1, 1 + least, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
-    const gn_mat4 kept = {{{1, 1, 0, 0}, {1, 1 + 4 * least, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+    const gn_mat4 kept = {{{1, 1, 0, 0}, {1, 1 + 0x1p-23f, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+    const gn_mat4 lost = {{{1, 2, 3, 0}, {4, 5, 6, 0}, {7, 8, 9, 0}, {0, 0, 0, 1}}};
     gn_mat4 inverse;
     assert_int_equal(gn_mat4_invert_affine(&lost, &inverse), GN_SINGULAR);
     assert_int_equal(gn_mat4_invert_affine(&kept, &inverse), GN_OK);
-    assert_true(inverse.m[1][1] == 0x1p21f);
+    assert_true(inverse.m[1][1] == 0x1p23f);
 }
 
 /* Scales from the smallest to the largest with a reciprocal, and beyond. */

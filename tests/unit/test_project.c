@@ -90,6 +90,13 @@ static void points_without_a_window(void **state)
     assert_int_equal(gn_unproject(&projection, &viewport, beyond, &result), GN_BEHIND_EYE);
     assert_int_equal(gn_unproject(&projection, &viewport, last, &result), GN_BEHIND_EYE);
     assert_int_equal(gn_unproject(&projection, &viewport, infinite, &result), GN_NOT_FINITE);
+    const gn_vec3 large = {0x1p126f, 0x1p126f, 0x1p126f}, four = {4, 4, 4};
+    assert_int_equal(gn_scale(large, &bad), GN_OK);
+    assert_int_equal(gn_project(&bad, &viewport, four, &result), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_project(&viewport, &bad, four, &result), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_transform_invert(&bad, &bad), GN_OK);
+    assert_int_equal(gn_unproject(&bad, &viewport, large, &result), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_unproject(&projection, &bad, four, &result), GN_OUT_OF_RANGE);
     bad = projection;
     bad.matrix.m[1][1] = bad.inverse.m[1][1] = NAN;
     assert_int_equal(gn_project(&bad, &viewport, behind, &result), GN_NOT_FINITE);
@@ -132,6 +139,27 @@ static void division(void **state)
     assert_vector(ndc, 1, -2, 0.5f, 0);
 }
 
+/* The expression of the rasterizer (src/geometry/viewport.h). */
+static void bits_of_the_rasterizer(void **state)
+{
+    (void)state;
+    gn_transform projection, viewport;
+    assert_int_equal(gn_frustum_rh_no(-0.3f, 0.4f, -0.2f, 0.35f, 0.5f, 20, &projection), GN_OK);
+    assert_int_equal(gn_viewport_no(3.25f, 7, 641, 479, 0.1f, 0.9f, &viewport), GN_OK);
+    for (float step = 0.0f; step < 10.0f; step += 0.0371f) {
+        const gn_vec3 point = {step - 3.7f, 1.3f - step, -0.1f - step};
+        const gn_vec4 homogeneous = {point.x, point.y, point.z, 1.0f};
+        const gn_vec4 clip = gn_mat4_multiply_vec4(&projection.matrix, homogeneous);
+        const float one_over_w = 1.0f / clip.w, c[3] = {clip.x, clip.y, clip.z};
+        gn_vec3 window;
+        assert_int_equal(gn_project(&projection, &viewport, point, &window), GN_OK);
+        const float got[3] = {window.x, window.y, window.z};
+        for (int i = 0; i < 3; ++i)
+            assert_true(got[i] ==
+                        c[i] * one_over_w * viewport.matrix.m[i][i] + viewport.matrix.m[3][i]);
+    }
+}
+
 static void cglm_agrees(void **state)
 {
     (void)state;
@@ -169,11 +197,9 @@ static void cglm_agrees(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(in_each_convention),
-        cmocka_unit_test(pixel_centres),
-        cmocka_unit_test(points_without_a_window),
-        cmocka_unit_test(division),
-        cmocka_unit_test(cglm_agrees),
+        cmocka_unit_test(in_each_convention),      cmocka_unit_test(pixel_centres),
+        cmocka_unit_test(points_without_a_window), cmocka_unit_test(division),
+        cmocka_unit_test(bits_of_the_rasterizer),  cmocka_unit_test(cglm_agrees),
     };
     return cmocka_run_group_tests_name("project", tests, NULL, NULL);
 }
