@@ -60,6 +60,20 @@ static inline unsigned gn_leading_zeros(uint64_t x)
 
 #endif
 
+/* A positive, finite float, given by its bits, as significand * 2^(exponent - 23) with a
+ * significand of [2^23, 2^24), which is returned. */
+static inline uint32_t gn_normal_significand(uint32_t bits, int *exponent)
+{
+    uint32_t fraction = bits & GN_FRACTION_BITS;
+    if (bits >= GN_HIDDEN_BIT) {
+        *exponent = (int)(bits >> 23) - 127;
+        return fraction | GN_HIDDEN_BIT;
+    }
+    unsigned zeros = gn_leading_zeros(fraction) - 40;
+    *exponent = -126 - (int)zeros;
+    return fraction << zeros;
+}
+
 /* The float nearest to significand * 2^(-64 - shift), for a significand of at
  * least 2^62 and a result in the normal range; shift is modulo 2^32. No tie is looked for: the
  * caller's numbers are irrational. A carry out of the fraction runs into the exponent, which is
