@@ -38,30 +38,6 @@ GN_API void gn_sincos(float x, float *sine, float *cosine);
  * infinities give NaN. */
 GN_API float gn_tan(float x);
 
-/* 2 to the power of x. Correctly rounded, to infinity and through the denormal
- * numbers to +0. -infinity gives +0, +infinity itself, NaN gives NaN. */
-GN_API float gn_exp2(float x);
-
-/* e to the power of x; the rest as above. */
-GN_API float gn_exp(float x);
-
-/* The logarithm of x to base 2. Correctly rounded, exact for powers of two. Both
- * zeros give -infinity, 1 gives +0, +infinity itself, negative numbers and NaN give
- * NaN. */
-GN_API float gn_log2(float x);
-
-/* The natural logarithm of x; the rest as above, but for the powers of two. */
-GN_API float gn_log(float x);
-
-/* x to the power of y. Within 0.5000001 units in the last place of the exact value: rounded
- * once, to infinity and through the denormal numbers to zero (whose last place is 2^-149),
- * from a value whose relative error is below 2^-49.9. What is a float is given exactly; of the
- * two floats beside the middle between them, the even one. Special values are those of C99's
- * annex F: 1 where x is 1 or y is zero, even if the other is NaN; NaN for a negative, finite x
- * other than zero and a finite y that is no integer; negative results only where x is
- * negative or -0 and y an odd integer. */
-GN_API float gn_pow(float x, float y);
-
 /* The arcsine of x, in [-pi/2, pi/2]. Correctly rounded. -0 gives -0; what is outside
  * [-1, 1], and NaN, gives NaN. */
 GN_API float gn_asin(float x);
@@ -76,12 +52,12 @@ GN_API float gn_atan(float x);
 
 /* The angle of the vector (x, y) from the positive x axis, in [-pi, pi], with the sign of
  * y. Within 0.500000001 units in the last place of the exact angle (it is rounded once,
- * from a value whose relative error is below 2^-57), and correctly rounded where it is denormal,
- * or below 2^-26 and x > 0. Zeros and infinities are those of C99's annex F: with y = +0,
- * x > 0 or x = +0 gives +0, x < 0 or x = -0 gives pi; with x = +0 or -0, y > 0 gives pi/2;
- * for finite y > 0, x = +infinity gives +0 and x = -infinity pi; y = +infinity gives pi/2
- * for finite x, pi/4 for x = +infinity and 3pi/4 for x = -infinity; -y gives the negative
- * of all these. NaN in either gives NaN. */
+ * from a value whose relative error is below 2^-57), and correctly rounded where it is
+ * below 2^-26 and x > 0, denormal results among them. Zeros and infinities are those of C99's annex
+ * F: with y = +0, x > 0 or x = +0 gives +0, x < 0 or x = -0 gives pi; with x = +0 or -0, y > 0
+ * gives pi/2; for finite y > 0, x = +infinity gives +0 and x = -infinity pi; y = +infinity gives
+ * pi/2 for finite x, pi/4 for x = +infinity and 3pi/4 for x = -infinity; -y gives the negative of
+ * all these. NaN in either gives NaN. */
 GN_API float gn_atan2(float y, float x);
 
 /* The largest whole number not above x. Exact. -0 gives -0, the infinities themselves; NaN
@@ -119,6 +95,30 @@ GN_API float gn_degrees(float radians);
 /* And the other way, x * pi/180. Correctly rounded, denormal results too. -0 gives -0, the
  * infinities themselves; NaN gives NaN. */
 GN_API float gn_radians(float degrees);
+
+/* 2 to the power of x. Correctly rounded, to infinity and through the denormal
+ * numbers to +0. -infinity gives +0, +infinity itself, NaN gives NaN. */
+GN_API float gn_exp2(float x);
+
+/* e to the power of x; the rest as above. */
+GN_API float gn_exp(float x);
+
+/* The logarithm of x to base 2. Correctly rounded, exact for powers of two. Both
+ * zeros give -infinity, 1 gives +0, +infinity itself, negative numbers and NaN give
+ * NaN. */
+GN_API float gn_log2(float x);
+
+/* The natural logarithm of x; the rest as above, but for the powers of two. */
+GN_API float gn_log(float x);
+
+/* x to the power of y. Within 0.5000001 units in the last place of the exact value: rounded
+ * once, to infinity and through the denormal numbers to zero (whose last place is 2^-149),
+ * from a value whose relative error is below 2^-49.9. What is a float is given exactly; of the
+ * two floats beside the middle between them, the even one. Special values are those of C99's
+ * annex F: 1 where x is 1 or y is zero, even if the other is NaN; NaN for a negative, finite x
+ * other than zero and a finite y that is no integer; negative results only where x is
+ * negative or -0 and y an odd integer. */
+GN_API float gn_pow(float x, float y);
 
 GN_END
 

@@ -51,8 +51,10 @@ static sides sides_of(uint32_t magnitude)
     return result;
 }
 
-/* Below 2^-12, x^3/6 is less than half of x's last place. The quotient's relative error
- * moves the angle by no more of itself, so it is right to 2^-57. */
+/* Below 2^-12, x^3/6 is less than half of x's last place. The quotient's relative error,
+ * 2^-60, moves the angle by no more of itself: it is right to 2^-57.3. The exact arcsines of
+ * floats stay 2^-53.6 and more of themselves away from the middle between two floats
+ * (enumerated with MPFR). */
 float gn_asin(float x)
 {
     const uint32_t small = 0x39800000u;
@@ -71,7 +73,9 @@ float gn_asin(float x)
     return gn_round_arctangent(s.sine, s.cosine, s.shift - 1, false, sign);
 }
 
-/* pi/2 lies 2^-25.9 from the nearest tie: below 2^-26, x makes no difference. */
+/* pi/2 lies 2^-25.9 from the nearest tie: below 2^-26, x makes no difference. As above; but
+ * the hardest cases, 2^-57.2 and 2^-54.6 of themselves from a tie, are for |x| < 2^-11, where
+ * the angle is right to 2^-58.8. */
 float gn_acos(float x)
 {
     const uint32_t small = 0x32800000u;

@@ -63,7 +63,7 @@ static uint64_t fixed_arctangent(uint64_t quotient, unsigned shift)
  * Where j = 0, r = t is a quotient of two exact numbers: its relative error is that of the
  * reciprocal, 7 * 2^-63, and a cut, 2^-62; with the series' 9 * 2^-64 less than
  * 27 * 2^-64. All these errors but the coefficients', which z multiplies, have one sign:
- * below 2^-33, where z is nothing, the result is less than t.
+ * below 2^-33, where z is zero, the result is less than t.
  *
  * Otherwise the numerator, less than 2^63 in magnitude, is exact modulo 2^64 but for what
  * leaves y and x on the right: in units of 2^-64, with x >= 2^63, at most 2 of the
@@ -138,17 +138,6 @@ float gn_round_arctangent(uint64_t y, uint64_t x, int exponent, bool left, uint3
     return gn_round_to_any_float(angle, -2, sign);
 }
 
-/* A finite number's magnitude: significand * 2^(exponent - 150). */
-static uint64_t significand_of(uint32_t magnitude, int *exponent)
-{
-    *exponent = (int)(magnitude >> 23);
-    if (*exponent == 0) {
-        *exponent = 1;
-        return magnitude;
-    }
-    return (magnitude & GN_FRACTION_BITS) | GN_HIDDEN_BIT;
-}
-
 float gn_atan2(float y, float x)
 {
     const uint32_t one = 0x3F800000u;
@@ -169,12 +158,13 @@ float gn_atan2(float y, float x)
         return gn_float_from_bits(GN_HALF_PI_BITS | sign);
     }
     int y_exponent, x_exponent;
-    uint64_t y_significand = significand_of(y_magnitude, &y_exponent);
-    uint64_t x_significand = significand_of(x_magnitude, &x_exponent);
+    uint32_t y_significand = gn_normal_significand(y_magnitude, &y_exponent);
+    uint32_t x_significand = gn_normal_significand(x_magnitude, &x_exponent);
     return gn_round_arctangent(y_significand, x_significand, y_exponent - x_exponent, left, sign);
 }
 
-/* Below 2^-12, x^3/3 is less than half of x's last place. */
+/* Below 2^-12, x^3/3 is less than half of x's last place. From there on the exact arctangents
+ * of floats stay 2^-55.1 and more of themselves away from ties (enumerated with MPFR). */
 float gn_atan(float x)
 {
     const uint32_t small = 0x39800000u;

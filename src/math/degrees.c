@@ -18,17 +18,10 @@ static float scaled(float x, uint64_t factor, int scale)
     if (magnitude == 0 || magnitude == GN_EXPONENT_BITS) {
         return x;
     }
-    int exponent = (int)(magnitude >> 23);
-    uint64_t significand = magnitude & GN_FRACTION_BITS;
-    if (exponent == 0) {
-        exponent = 1;
-    } else {
-        significand |= GN_HIDDEN_BIT;
-    }
-    /* x = (significand << zeros) * 2^(exponent - 150 - zeros). */
-    unsigned zeros = gn_leading_zeros(significand);
-    uint64_t product = gn_multiply_high(significand << zeros, factor);
-    return gn_round_to_any_float(product, scale + 22 + (int)zeros - exponent, sign);
+    int exponent;
+    uint32_t significand = gn_normal_significand(magnitude, &exponent);
+    uint64_t product = gn_multiply_high((uint64_t)significand << 40, factor);
+    return gn_round_to_any_float(product, scale - 65 - exponent, sign);
 }
 
 float gn_degrees(float radians)

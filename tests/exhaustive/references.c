@@ -1,5 +1,6 @@
 /* The reference is the C library's double result d, whose error is below one part in 2^51
- * (glibc states at most 1 ulp for each of these functions). Where d * (1 - 2^-50) and
+ * (glibc states at most 1 ulp for each of its functions here, and a division or a
+ * product by pi adds half of one). Where d * (1 - 2^-50) and
  * d * (1 + 2^-50) round to the same float, so does the exact value; else MPFR decides, and
  * for one magnitude in 2^14 it does in any case, which checks this filter. The values at x
  * and -x are taken from one evaluation where the mathematics says so: that is no assumption
@@ -17,15 +18,25 @@
 /* Enough for every result not to be rounded to a middle between two floats that it is not. */
 enum { PRECISION = 160 };
 
-static double pi_times(double x, double numerator)
-{
-    return x * (numerator / 3.14159265358979323846);
-}
-
 /* Where there is no value the library would also set errno, which takes its time. */
 static double double_sqrt(double x)
 {
     return x < 0.0 ? NAN : sqrt(x);
+}
+
+static double double_rsqrt(double x)
+{
+    return x < 0.0 ? NAN : 1.0 / sqrt(x);
+}
+
+static double double_log2(double x)
+{
+    return x < 0.0 ? NAN : log2(x);
+}
+
+static double double_log(double x)
+{
+    return x < 0.0 ? NAN : log(x);
 }
 
 static double double_asin(double x)
@@ -40,12 +51,18 @@ static double double_acos(double x)
 
 static double double_degrees(double x)
 {
-    return pi_times(x, 180.0);
+    return x * (180.0 / 3.14159265358979323846);
 }
 
 static double double_radians(double x)
 {
     return x * (3.14159265358979323846 / 180.0);
+}
+
+/* MPFR gives +infinity for both zeros; IEEE 754 has the sign. */
+static int wide_rsqrt(mpfr_t result, mpfr_srcptr x, mpfr_rnd_t mode)
+{
+    return mpfr_zero_p(x) ? mpfr_ui_div(result, 1, x, mode) : mpfr_rec_sqrt(result, x, mode);
 }
 
 static int wide_degrees(mpfr_t result, mpfr_srcptr x, mpfr_rnd_t mode)
@@ -78,12 +95,17 @@ static const struct definition {
     symmetry symmetry;
 } definitions[REFERENCE_COUNT] = {
     [REFERENCE_SQRT] = {double_sqrt, mpfr_sqrt, NEITHER},
+    [REFERENCE_RSQRT] = {double_rsqrt, wide_rsqrt, NEITHER},
     [REFERENCE_SIN] = {sin, mpfr_sin, ODD},
     [REFERENCE_COS] = {cos, mpfr_cos, EVEN},
     [REFERENCE_TAN] = {tan, mpfr_tan, ODD},
     [REFERENCE_ASIN] = {double_asin, mpfr_asin, ODD},
     [REFERENCE_ACOS] = {double_acos, mpfr_acos, NEITHER},
     [REFERENCE_ATAN] = {atan, mpfr_atan, ODD},
+    [REFERENCE_EXP2] = {exp2, mpfr_exp2, NEITHER},
+    [REFERENCE_EXP] = {exp, mpfr_exp, NEITHER},
+    [REFERENCE_LOG2] = {double_log2, mpfr_log2, NEITHER},
+    [REFERENCE_LOG] = {double_log, mpfr_log, NEITHER},
     [REFERENCE_DEGREES] = {double_degrees, wide_degrees, ODD},
     [REFERENCE_RADIANS] = {double_radians, wide_radians, ODD},
 };

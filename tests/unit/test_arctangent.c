@@ -118,6 +118,34 @@ static void arctangent_is_rounded(void **state)
     assert_canonical_nan(gn_atan(-NAN));
 }
 
+/* The arguments whose exact results come closest to the middle between two floats, to 2^-50
+ * or less of themselves, from an enumeration of all floats with MPFR, which also gave the
+ * results. */
+static void hardest_to_round(void **state)
+{
+    (void)state;
+    assert_same_bits(gn_asin(0x1.107434p-1f), 0x1.1f4b64p-1f);
+    assert_same_bits(gn_asin(0x1.cbf43cp-4f), 0x1.cced1cp-4f);
+    assert_same_bits(gn_asin(0x1.0f2b38p-5f), 0x1.0f37e6p-5f);
+    assert_same_bits(gn_asin(0x1.d12edp-12f), 0x1.d12ed2p-12f);
+    assert_same_bits(gn_asin(0x1.6fe272p-2f), 0x1.784bf4p-2f);
+    assert_same_bits(gn_acos(0x1.04c444p-12f), 0x1.920f6ap+0f);
+    assert_same_bits(gn_acos(0x1.110b46p-26f), 0x1.921fb6p+0f);
+    assert_same_bits(gn_acos(0x1.145f36p-6f), 0x1.8dce2cp+0f);
+    assert_same_bits(gn_acos(0x1.fa5036p-9f), 0x1.91228ep+0f);
+    assert_same_bits(gn_acos(-0x1.80d99ap-7f), 0x1.95216cp+0f);
+    assert_same_bits(gn_acos(-0x1.3abeeap-10f), 0x1.926e66p+0f);
+    assert_same_bits(gn_acos(-0x1.cd19a2p-3f), 0x1.cc4282p+0f);
+    assert_same_bits(gn_acos(-0x1.dbfe6ep-3f), 0x1.ce2c16p+0f);
+    assert_same_bits(gn_atan(0x1.1ad646p-4f), 0x1.1a6386p-4f);
+    assert_same_bits(gn_atan(0x1.f83792p-9f), 0x1.f836fp-9f);
+    assert_same_bits(gn_atan(0x1.ac6ff4p-10f), 0x1.ac6fdcp-10f);
+    assert_same_bits(gn_atan(0x1.e00a3p+25f), 0x1.921fb6p+0f);
+    assert_same_bits(gn_atan(0x1.e00a2ep+25f), 0x1.921fb4p+0f);
+    assert_same_bits(gn_atan(0x1.6afe3ap+1f), 0x1.3b5652p+0f);
+    assert_same_bits(gn_atan(0x1.4f7476p-11f), 0x1.4f7474p-11f);
+}
+
 /* C99, F.9.1.4. */
 static void angles_of_zeros_and_infinities(void **state)
 {
@@ -273,6 +301,7 @@ int main(void)
         cmocka_unit_test(arcsine_is_rounded),
         cmocka_unit_test(arccosine_is_rounded),
         cmocka_unit_test(arctangent_is_rounded),
+        cmocka_unit_test(hardest_to_round),
         cmocka_unit_test(angles_of_zeros_and_infinities),
         cmocka_unit_test(angles_of_random_vectors),
         cmocka_unit_test(angles_of_structured_vectors),
