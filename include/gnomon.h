@@ -3,7 +3,7 @@
  * This header includes all of them; each can also be included alone.
  *
  *   status.h      what functions say about their input
- *   scalar.h      square root and trigonometry, the same on every target
+ *   scalar.h      square roots, trigonometry, exponentials, the same on every target
  *   vec.h         vectors of two to four components
  *   mat.h         3x3 and 4x4 matrices
  *   quat.h        rotations as quaternions
