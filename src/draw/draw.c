@@ -139,36 +139,34 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     job->capacity = (available - job->vertices) / batch * GN_LANES;
 }
 
-typedef gn_status run_job(const draw_job *job);
-
-/* Null where the library does not hold the back end. */
-static run_job *run_of(gn_backend backend)
+/* Calls, not a choice of function: some compilers make a table of that, to be relocated. */
+static gn_status run_on(gn_backend backend, const draw_job *job)
 {
     switch (backend) {
 #if GN_HAVE_WASM_SIMD128
     case GN_BACKEND_WASM_SIMD128:
-        return gn_run_wasm_simd128;
+        return gn_run_wasm_simd128(job);
 #endif
 #if GN_HAVE_NEON
     case GN_BACKEND_NEON:
-        return gn_run_neon;
+        return gn_run_neon(job);
 #endif
 #if GN_HAVE_AVX512
     case GN_BACKEND_AVX512:
-        return gn_run_avx512;
+        return gn_run_avx512(job);
 #endif
 #if GN_HAVE_AVX2
     case GN_BACKEND_AVX2:
-        return gn_run_avx2;
+        return gn_run_avx2(job);
 #endif
 #if GN_HAVE_SSE2
     case GN_BACKEND_SSE2:
-        return gn_run_sse2;
+        return gn_run_sse2(job);
 #endif
     case GN_BACKEND_PORTABLE:
-        return gn_run_portable;
+        return gn_run_portable(job);
     default:
-        return 0;
+        return GN_BACKEND_UNAVAILABLE;
     }
 }
 
@@ -193,15 +191,11 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
         return GN_WORKSPACE_TOO_SMALL;
     }
 
-    const bool any = workspace->backend == GN_BACKEND_AUTO;
-    run_job *const run = run_of(any ? gn_backend_best() : workspace->backend);
-    if (!run)
-        return GN_BACKEND_UNAVAILABLE;
-
     draw_job job;
     job.target = target;
     job.pipeline = pipeline;
     job.mesh = mesh;
     divide_workspace(&job, workspace);
-    return run(&job);
+    return run_on(workspace->backend == GN_BACKEND_AUTO ? gn_backend_best() : workspace->backend,
+                  &job);
 }
