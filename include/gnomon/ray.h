@@ -41,8 +41,8 @@ GN_BEGIN
  * inverses are read. A composed projection * view does with the identity as view, but then the
  * direction loses what the eye's coordinates exceed the near distance by.
  *
- * Over the stored inverses, with p = (column + 0.5, row + 0.5), N = |S^-1| (p, 1) for the viewport S and
- * H = |P^-1| (N.x, N.y, 1, 1) for the projection P, both matrices' entries and p taken
+ * Over the stored inverses, with p = (column + 0.5, row + 0.5), N = |S^-1| (p, 1) for the viewport
+ * S and H = |P^-1| (N.x, N.y, 1, 1) for the projection P, both matrices' entries and p taken
  * positive, the origin o in view space is off by at most e = 8 u (H + |o| H.w) / w, w being the
  * fourth component of P^-1 times the clip coordinates; the direction in view space before it
  * has its length, c - c.w o for the third column c of P^-1, by g = |c.w| e + 3 u (|c| + |c.w o|);

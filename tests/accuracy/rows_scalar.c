@@ -96,7 +96,8 @@ static void prepare_pow(float *in)
 
 #define ROW(name, inputs, prepare, exponents)                                                      \
     {                                                                                              \
-#name, inputs, 1, exponents, prepare, own_##name, other_##name, exact_##name, 0.5000001, -1.0    \
+#name, inputs, 1, exponents, prepare, own_##name, other_##name, exact_##name, 0.5000001,   \
+            -1.0                                                                                   \
     }
 
 static const struct row rows[] = {
