@@ -327,6 +327,7 @@ test: ## everything, in a few minutes; ends on "N passed, N failed"
 		'other machines=tests/portability/cross.sh $(BUILD) --scenes 110 aarch64 wasm wasm-simd128' \
 		'little code=tests/portability/cross.sh $(BUILD) --scenes 330 small' \
 		'embedding=tests/embed/readme.sh $(BUILD)' \
+		'embedding with CMake=tests/embed/cmake.sh $(BUILD)' \
 		$(call unit_steps,$(CHECKED),sanitized ) \
 		'sanitized differential=$(CHECKED)/test_cglm $(TEST_SEED)' \
 		'sanitized properties=$(CHECKED)/property-tests --seed $(TEST_SEED) --trials 100' \
