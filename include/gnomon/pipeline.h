@@ -7,6 +7,7 @@
  *   cull                 CULL_FACE with CullFace        nothing is culled
  *   front_face           FrontFace                      counter-clockwise
  *   viewport             Viewport                       the whole target
+ *   scissor              SCISSOR_TEST with Scissor      off
  *   depth_range          DepthRange                     0 to 1
  *   depth_test           DEPTH_TEST                     off
  *   depth_function       DepthFunc                      GN_LESS
@@ -70,6 +71,14 @@ typedef struct gn_viewport {
     float width, height;
 } gn_viewport;
 
+/* Only pixels x to x + width - 1, y to y + height - 1 are drawn; of an empty rectangle, or
+ * one beside the target, none. All values are valid. */
+typedef struct gn_scissor {
+    bool set; /* false: the whole target, the other fields are not looked at */
+    int32_t x, y;
+    uint32_t width, height;
+} gn_scissor;
+
 /* z_near may be above z_far: a reversed range. */
 typedef struct gn_depth_range {
     bool set;     /* false: 0 to 1 */
@@ -132,6 +141,7 @@ typedef struct gn_pipeline {
     gn_front_face front_face;
     gn_viewport viewport;
     gn_depth_range depth_range;
+    gn_scissor scissor;
 
     bool depth_test;
     gn_compare depth_function;

@@ -209,6 +209,7 @@ void reference_clear(const scene *s)
 {
     GLbitfield mask = 0;
 
+    glDisable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
     if (s->color_format != GN_FORMAT_NONE) {
         glClearColor(s->clear_color[0], s->clear_color[1], s->clear_color[2], s->clear_color[3]);
@@ -219,6 +220,12 @@ void reference_clear(const scene *s)
         mask |= GL_DEPTH_BUFFER_BIT;
     }
     glClear(mask);
+}
+
+/* OpenGL's sizes are signed. No origin lies so far below 0 that the difference shows. */
+static GLsizei clamped_size(uint32_t size)
+{
+    return (GLsizei)(size < INT32_MAX ? size : INT32_MAX);
 }
 
 static void set_state(const scene *s, const gn_pipeline *p)
@@ -241,6 +248,11 @@ static void set_state(const scene *s, const gn_pipeline *p)
         glDepthRangeIndexed(0, (double)p->depth_range.z_near, (double)p->depth_range.z_far);
     } else {
         glDepthRangeIndexed(0, 0.0, 1.0);
+    }
+    switch_capability(GL_SCISSOR_TEST, p->scissor.set);
+    if (p->scissor.set) {
+        glScissor(p->scissor.x, p->scissor.y, clamped_size(p->scissor.width),
+                  clamped_size(p->scissor.height));
     }
     switch_capability(GL_DEPTH_TEST, p->depth_test);
     glDepthFunc(depth_function(p->depth_function));

@@ -96,6 +96,10 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         d->uniforms.sampler.magnify = GN_MAGNIFY_NEAREST;
         d->uniforms.sampler.minify = GN_MINIFY_NEAREST;
         return change && scene_shader_is_textured(d->shader);
+    case 15:
+        change = p->scissor.set;
+        memset(&p->scissor, 0, sizeof p->scissor);
+        return change;
     default:
         *last = true;
         return false;
@@ -137,6 +141,8 @@ static scene *cropped(const scene *s, uint32_t x, uint32_t y, uint32_t width, ui
         }
         v->x -= (float)x;
         v->y -= (float)y;
+        copy->draws[i].state.scissor.x -= (int32_t)x;
+        copy->draws[i].state.scissor.y -= (int32_t)y;
     }
     copy->width = width;
     copy->height = height;
