@@ -228,6 +228,21 @@ static GLsizei clamped_size(uint32_t size)
     return (GLsizei)(size < INT32_MAX ? size : INT32_MAX);
 }
 
+/* Without a clamp the old call, which needs no extension. */
+static void set_polygon_offset(const gn_polygon_offset *p)
+{
+    typedef void offset_clamp(GLfloat factor, GLfloat units, GLfloat clamp);
+    offset_clamp *const with_clamp =
+        (offset_clamp *)OSMesaGetProcAddress("glPolygonOffsetClampEXT");
+
+    switch_capability(GL_POLYGON_OFFSET_FILL, p->set);
+    if (p->set && with_clamp) {
+        with_clamp(p->factor, p->units, p->clamp);
+    } else if (p->set) {
+        glPolygonOffset(p->factor, p->units);
+    }
+}
+
 static void set_state(const scene *s, const gn_pipeline *p)
 {
     const gn_viewport *v = &p->viewport;
@@ -254,6 +269,7 @@ static void set_state(const scene *s, const gn_pipeline *p)
         glScissor(p->scissor.x, p->scissor.y, clamped_size(p->scissor.width),
                   clamped_size(p->scissor.height));
     }
+    set_polygon_offset(&p->polygon_offset);
     switch_capability(GL_DEPTH_TEST, p->depth_test);
     glDepthFunc(depth_function(p->depth_function));
     glDepthMask(!p->depth_write_disabled);

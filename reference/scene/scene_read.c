@@ -272,6 +272,11 @@ static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
         p->scissor.y = read_integer(r);
         p->scissor.width = read_number(r, 10, UINT32_MAX);
         p->scissor.height = read_number(r, 10, UINT32_MAX);
+    } else if (!strcmp(keyword, "polygon-offset")) {
+        p->polygon_offset.set = true;
+        p->polygon_offset.factor = read_float(r);
+        p->polygon_offset.units = read_float(r);
+        p->polygon_offset.clamp = read_float(r);
     } else if (!strcmp(keyword, "depth-test")) {
         p->depth_test = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "depth-function")) {

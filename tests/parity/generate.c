@@ -54,6 +54,8 @@ const char *scene_class_name(scene_class c)
         return "color-range";
     case CLASS_SCISSOR:
         return "scissor";
+    case CLASS_OFFSET:
+        return "offset";
     case CLASS_MIXED:
         return "mixed";
     case CLASS_COUNT:
@@ -159,6 +161,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_SCISSOR:
         generate_scissor(&b);
+        break;
+    case CLASS_OFFSET:
+        generate_offset(&b);
         break;
     default:
         generate_mixed(&b);

@@ -1,4 +1,4 @@
-/* What bounds drawing in window and clip space: the scissor. */
+/* What bounds drawing in window and clip space, the scissor and more, and what moves depth. */
 #include "generate_parts.h"
 
 gn_scissor random_scissor(builder *b)
@@ -65,6 +65,60 @@ void generate_scissor(builder *b)
             shape_any(b, count);
             break;
         }
+        builder_draw(b);
+    }
+}
+
+static float offset_number(builder *b)
+{
+    random_source *r = &b->random;
+    switch (random_below(r, 4)) {
+    case 0:
+        return 0.0f;
+    case 1:
+        return random_sign(r);
+    case 2: {
+        const float sign = random_sign(r);
+        return sign * random_octave(r, -4, 4);
+    }
+    default:
+        return (float)random_between(r, -40, 40) * 0.25f;
+    }
+}
+
+gn_polygon_offset random_polygon_offset(builder *b)
+{
+    random_source *r = &b->random;
+    gn_polygon_offset o = {true, 0.0f, 0.0f, 0.0f};
+    o.factor = offset_number(b);
+    o.units = offset_number(b);
+    if (random_chance(r, 40))
+        o.units *= random_octave(r, 0, 20); /* much of a depth range of 24 bits */
+    if (random_chance(r, 40)) {
+        const float sign = random_sign(r);
+        o.clamp = sign * random_octave(r, -16, -2);
+    }
+    return o;
+}
+
+void generate_offset(builder *b)
+{
+    static const gn_format depths[] = {GN_FORMAT_D16, GN_FORMAT_D24, GN_FORMAT_D32F};
+    random_source *r = &b->random;
+    builder_common_target(b);
+    b->scene->depth_format = depths[random_below(r, 3)];
+    for (uint32_t draws = 1 + random_below(r, 4); draws > 0; draws--) {
+        builder_common_state(b);
+        b->state.depth_test = true;
+        b->state.depth_function = random_chance(r, 30) ? GN_ALWAYS : GN_LESS;
+        if (random_chance(r, 30))
+            b->state.depth_range = random_depth_range(b);
+        if (random_chance(r, 85))
+            b->state.polygon_offset = random_polygon_offset(b);
+        if (random_chance(r, 50))
+            shape_pile(b, 1 + builder_triangle_count(b) / 3);
+        else
+            shape_any(b, 1 + builder_triangle_count(b) / 3);
         builder_draw(b);
     }
 }
