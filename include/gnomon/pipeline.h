@@ -7,7 +7,10 @@
  *   cull                 CULL_FACE with CullFace        nothing is culled
  *   front_face           FrontFace                      counter-clockwise
  *   viewport             Viewport                       the whole target
+ *   scissor              SCISSOR_TEST with Scissor      off
  *   depth_range          DepthRange                     0 to 1
+ *   polygon_offset       POLYGON_OFFSET_FILL with        off
+ *                        PolygonOffsetClamp
  *   depth_test           DEPTH_TEST                     off
  *   depth_function       DepthFunc                      GN_LESS
  *   depth_write_disabled not DepthMask                  depth is written
@@ -70,12 +73,30 @@ typedef struct gn_viewport {
     float width, height;
 } gn_viewport;
 
+/* Only pixels x to x + width - 1, y to y + height - 1 are drawn; of an empty rectangle, or
+ * one beside the target, none. All values are valid. */
+typedef struct gn_scissor {
+    bool set; /* false: the whole target, the other fields are not looked at */
+    int32_t x, y;
+    uint32_t width, height;
+} gn_scissor;
+
 /* z_near may be above z_far: a reversed range. */
 typedef struct gn_depth_range {
     bool set;     /* false: 0 to 1 */
     float z_near; /* window depth of NDC z = -1, in 0..1 */
     float z_far;  /* window depth of NDC z = 1, in 0..1 */
 } gn_depth_range;
+
+/* Added to the depth of a triangle's fragments is slope * factor + step * units, where slope is
+ * the greater of |dz/dx| and |dz/dy| and step is 2 / (2^n - 1) for a format of n bits and 2^(e -
+ * 23) for GN_FORMAT_D32F, e being the exponent of the triangle's largest depth. */
+typedef struct gn_polygon_offset {
+    bool set; /* false: nothing is added, the other fields are not looked at */
+    float factor;
+    float units;
+    float clamp; /* above 0: the most that is added; below 0: the least */
+} gn_polygon_offset;
 
 /* Input of a vertex shader: up to 16 vertices. Lanes beyond `count` repeat
  * the last of them, so that a shader may simply run over all GN_LANES; what it
@@ -132,6 +153,8 @@ typedef struct gn_pipeline {
     gn_front_face front_face;
     gn_viewport viewport;
     gn_depth_range depth_range;
+    gn_scissor scissor;
+    gn_polygon_offset polygon_offset;
 
     bool depth_test;
     gn_compare depth_function;
@@ -145,7 +168,7 @@ GN_BEGIN
  * GN_INVALID_ENUM (an enumeration), GN_NOT_FINITE or GN_INVALID_VIEWPORT (a
  * viewport number that is not finite; a size below 0 or above GN_MAX_SIZE, an
  * origin beyond +-GN_MAX_SIZE), GN_NOT_FINITE or GN_OUT_OF_RANGE (a depth range
- * outside 0..1). */
+ * outside 0..1), GN_NOT_FINITE (a number of the polygon offset). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
 
 GN_END

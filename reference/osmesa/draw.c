@@ -209,6 +209,7 @@ void reference_clear(const scene *s)
 {
     GLbitfield mask = 0;
 
+    glDisable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
     if (s->color_format != GN_FORMAT_NONE) {
         glClearColor(s->clear_color[0], s->clear_color[1], s->clear_color[2], s->clear_color[3]);
@@ -219,6 +220,27 @@ void reference_clear(const scene *s)
         mask |= GL_DEPTH_BUFFER_BIT;
     }
     glClear(mask);
+}
+
+/* OpenGL's sizes are signed. No origin lies so far below 0 that the difference shows. */
+static GLsizei clamped_size(uint32_t size)
+{
+    return (GLsizei)(size < INT32_MAX ? size : INT32_MAX);
+}
+
+/* Without a clamp the old call, which needs no extension. */
+static void set_polygon_offset(const gn_polygon_offset *p)
+{
+    typedef void offset_clamp(GLfloat factor, GLfloat units, GLfloat clamp);
+    offset_clamp *const with_clamp =
+        (offset_clamp *)OSMesaGetProcAddress("glPolygonOffsetClampEXT");
+
+    switch_capability(GL_POLYGON_OFFSET_FILL, p->set);
+    if (p->set && with_clamp) {
+        with_clamp(p->factor, p->units, p->clamp);
+    } else if (p->set) {
+        glPolygonOffset(p->factor, p->units);
+    }
 }
 
 static void set_state(const scene *s, const gn_pipeline *p)
@@ -242,6 +264,12 @@ static void set_state(const scene *s, const gn_pipeline *p)
     } else {
         glDepthRangeIndexed(0, 0.0, 1.0);
     }
+    switch_capability(GL_SCISSOR_TEST, p->scissor.set);
+    if (p->scissor.set) {
+        glScissor(p->scissor.x, p->scissor.y, clamped_size(p->scissor.width),
+                  clamped_size(p->scissor.height));
+    }
+    set_polygon_offset(&p->polygon_offset);
     switch_capability(GL_DEPTH_TEST, p->depth_test);
     glDepthFunc(depth_function(p->depth_function));
     glDepthMask(!p->depth_write_disabled);

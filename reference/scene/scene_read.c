@@ -85,6 +85,21 @@ static uint32_t read_number(reader *r, int base, uint32_t largest)
     return (uint32_t)value;
 }
 
+static int32_t read_integer(reader *r)
+{
+    const char *text = next(r);
+    long long value;
+    char *end;
+
+    errno = 0;
+    value = strtoll(text, &end, 10);
+    if (end == text || *end || errno || value < INT32_MIN || value > INT32_MAX) {
+        fail(r, "an integer of 32 bits expected, not '%s'", text);
+        return 0;
+    }
+    return (int32_t)value;
+}
+
 static int read_name(reader *r, text_names set)
 {
     const char *text = next(r);
@@ -251,6 +266,17 @@ static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
         p->depth_range.set = true;
         p->depth_range.z_near = read_float(r);
         p->depth_range.z_far = read_float(r);
+    } else if (!strcmp(keyword, "scissor")) {
+        p->scissor.set = true;
+        p->scissor.x = read_integer(r);
+        p->scissor.y = read_integer(r);
+        p->scissor.width = read_number(r, 10, UINT32_MAX);
+        p->scissor.height = read_number(r, 10, UINT32_MAX);
+    } else if (!strcmp(keyword, "polygon-offset")) {
+        p->polygon_offset.set = true;
+        p->polygon_offset.factor = read_float(r);
+        p->polygon_offset.units = read_float(r);
+        p->polygon_offset.clamp = read_float(r);
     } else if (!strcmp(keyword, "depth-test")) {
         p->depth_test = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "depth-function")) {

@@ -87,6 +87,16 @@ static void write_state(FILE *out, const gn_pipeline *p)
     if (p->depth_range.set) {
         write_floats(out, "  depth-range", range, 2);
     }
+    if (p->scissor.set) {
+        fprintf(out, "  scissor %" PRId32 " %" PRId32 " %" PRIu32 " %" PRIu32 "\n", p->scissor.x,
+                p->scissor.y, p->scissor.width, p->scissor.height);
+    }
+    if (p->polygon_offset.set) {
+        const float offset[3] = {p->polygon_offset.factor, p->polygon_offset.units,
+                                 p->polygon_offset.clamp};
+
+        write_floats(out, "  polygon-offset", offset, 3);
+    }
     fprintf(out, "  depth-test %s\n", text_name(TEXT_SWITCH, p->depth_test));
     fprintf(out, "  depth-function %s\n", text_name(TEXT_COMPARE, (int)p->depth_function));
     fprintf(out, "  depth-write %s\n", text_name(TEXT_SWITCH, !p->depth_write_disabled));

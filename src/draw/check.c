@@ -29,6 +29,13 @@ static gn_status check_depth_range(const gn_depth_range *r)
     return GN_OK;
 }
 
+static gn_status check_polygon_offset(const gn_polygon_offset *o)
+{
+    if (o->set && (!gn_is_finite(o->factor) || !gn_is_finite(o->units) || !gn_is_finite(o->clamp)))
+        return GN_NOT_FINITE;
+    return GN_OK;
+}
+
 gn_status gn_pipeline_check(const gn_pipeline *pipeline)
 {
     gn_status status;
@@ -52,6 +59,9 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
     if (status)
         return status;
     status = check_depth_range(&pipeline->depth_range);
+    if (status)
+        return status;
+    status = check_polygon_offset(&pipeline->polygon_offset);
     if (status)
         return status;
     if ((unsigned)pipeline->depth_function > GN_ALWAYS)

@@ -327,11 +327,12 @@ static void strip_task(void *context, uint32_t task)
 
     start_worker(&w, draw, task);
     pixel_rectangle *const part = &w.cull.target;
-    const int32_t top = part->max_y;
+    const pixel_rows all = {part->min_y, part->max_y};
+    const int32_t low = round->rows.min + (int32_t)task * round->strip_rows;
+    const int32_t high = low + round->strip_rows - 1;
 
-    part->min_y = round->rows.min + (int32_t)task * round->strip_rows;
-    part->max_y = part->min_y + round->strip_rows - 1;
-    part->max_y = part->max_y < top ? part->max_y : top;
+    part->min_y = low > all.min ? low : all.min;
+    part->max_y = high < all.max ? high : all.max;
     /* Clipped triangles are of segments in which culling asks, if it does in any. */
     w.cull.asks_unsnapped = draw->pipeline->cull != GN_CULL_NONE;
     for (uint32_t s = 0; s < segments; ++s)

@@ -6,6 +6,7 @@
 #include "../geometry/assemble.h"
 #include "../geometry/viewport.h"
 #include "../raster/cull.h"
+#include "../raster/offset.h"
 #include "job.h"
 
 /* Where vertices are kept. The elements of a draw are its indices, or its vertices
@@ -52,6 +53,7 @@ typedef struct draw_state {
     index_parts parts; /* of a draw with indices */
     viewport_transform viewport;
     cull_state cull;
+    offset_state offset;
     fragment_state fragment;
     run_function *shade_run;
 } draw_state;
@@ -71,6 +73,8 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     draw->viewport = viewport_transform_of(job->pipeline, any->width, any->height);
     draw->cull = cull_state_of(job->pipeline, any->width, any->height);
     draw->fragment = fragment_state_of(job->target, job->pipeline);
+    draw->offset =
+        offset_state_of(job->pipeline, draw->fragment.depth.format, draw->fragment.moves_depth);
     draw->shade_run = run_function_of(&draw->fragment);
 }
 

@@ -53,7 +53,8 @@ static void draw_triangles(worker *w, const triangle_list *list)
 {
     const draw_state *draw = w->draw;
 
-    setup_triangles(draw->pipeline, &w->cull.target, draw->job->memory, list, w->batch);
+    setup_triangles(draw->pipeline, &draw->offset, &w->cull.target, draw->job->memory, list,
+                    w->batch);
     for (uint32_t l = 0; l < list->count; ++l)
         cover_triangle(&w->cull.target, w->batch, list, l, draw->shade_run, &draw->fragment);
 }

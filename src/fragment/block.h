@@ -23,6 +23,7 @@ typedef struct fragment_kind {
     gn_format depth_format; /* GN_FORMAT_NONE: no test */
     gn_format color_format; /* GN_FORMAT_NONE: no colour */
     fragment_source source;
+    bool moves_depth; /* move_depth */
 } fragment_kind;
 
 static inline fragment_state fragment_state_of(const gn_target *target, const gn_pipeline *pipeline)
@@ -35,6 +36,7 @@ static inline fragment_state fragment_state_of(const gn_target *target, const gn
     if (!pipeline->depth_test)
         s.depth.format = GN_FORMAT_NONE;
     s.test = depth_state_of(pipeline);
+    s.moves_depth = pipeline->polygon_offset.set && s.depth.format != GN_FORMAT_NONE;
     return s;
 }
 
@@ -83,14 +85,25 @@ GN_INLINE void sample_texture(const gn_textured_uniforms *uniforms, const fragme
     sample(&uniforms->texture, &uniforms->sampler, &s, &t, texel);
 }
 
+/* Adds the triangle's polygon offset. */
+GN_INLINE lanes_f move_depth(const fragment_state *state, raster_triangle triangle, lanes_f depth)
+{
+    const uint32_t offset = VARYING_PLANES + state->pipeline->varying_count;
+
+    return lanes_add(depth, lanes_splat(triangle_origin(triangle, offset)));
+}
+
 GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const fragment_place *at,
                      raster_triangle triangle, uint32_t coverage)
 {
     lanes_f color[4], texel[4];
 
     if (kind.depth_format != GN_FORMAT_NONE) {
-        coverage = test_depth(&state->test, &state->depth, kind.depth_format, at, coverage,
-                              interpolate(at, triangle, DEPTH_PLANE));
+        lanes_f depth = interpolate(at, triangle, DEPTH_PLANE);
+
+        if (kind.moves_depth)
+            depth = move_depth(state, triangle, depth);
+        coverage = test_depth(&state->test, &state->depth, kind.depth_format, at, coverage, depth);
         if (!coverage)
             return;
     }
@@ -197,7 +210,7 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \
-        const fragment_kind kind = {depth_format, color_format, source};                           \
+        const fragment_kind kind = {depth_format, color_format, source, false};                    \
                                                                                                    \
         shade_blocks(state, kind, triangle, x, y, count, coverage);                                \
     }
@@ -208,7 +221,7 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
     GN_OUT_OF_LINE void name##_long(const fragment_state *state, raster_triangle triangle,         \
                                     int32_t x, int32_t y, uint32_t count)                          \
     {                                                                                              \
-        const fragment_kind kind = {depth_format, color_format, source};                           \
+        const fragment_kind kind = {depth_format, color_format, source, false};                    \
                                                                                                    \
         shade_run(state, kind, triangle, x, y, count);                                             \
     }                                                                                              \
@@ -216,7 +229,7 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \
-        const fragment_kind kind = {depth_format, color_format, source};                           \
+        const fragment_kind kind = {depth_format, color_format, source, false};                    \
                                                                                                    \
         if (count > 1)                                                                             \
             name##_long(state, triangle, x, y, count);                                             \
@@ -237,6 +250,16 @@ GN_RUN_ROWS_FUNCTION(run_texture_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SO
 GN_RUN_ROWS_FUNCTION(run_depth_d24, GN_FORMAT_D24, GN_FORMAT_NONE, SOURCE_SHADER)
 GN_RUN_ROWS_FUNCTION(run_depth_d32f, GN_FORMAT_D32F, GN_FORMAT_NONE, SOURCE_SHADER)
 
+/* What no other does, for all formats. */
+static void run_moved(const void *context, raster_triangle triangle, int32_t x, int32_t y,
+                      uint32_t count, uint32_t coverage)
+{
+    const fragment_state *state = (const fragment_state *)context;
+    const fragment_kind kind = {state->depth.format, state->color.format, SOURCE_SHADER, true};
+
+    shade_blocks(state, kind, triangle, x, y, count, coverage);
+}
+
 static inline fragment_source source_of(const gn_pipeline *p)
 {
     const bool texture = p->fragment_shader == gn_shade_textured;
@@ -256,6 +279,8 @@ static inline run_function *run_function_of(const fragment_state *state)
 {
     const fragment_source source = source_of(state->pipeline);
 
+    if (state->moves_depth)
+        return run_moved;
     if (!GN_SPECIALISED)
         return run_any;
     if (state->color.format == GN_FORMAT_NONE)

@@ -9,17 +9,40 @@
 
 #include "../lanes/lanes.h"
 
-/* Pixels of the block at (x, y) inside the rectangle, which it begins in. */
+/* Pixels of the block at (x, y) inside the rectangle, which it reaches into. */
 static uint32_t overhang_mask(const pixel_rectangle *r, int32_t x, int32_t y)
 {
     uint32_t columns = 0xF;
     uint32_t rows = GN_ALL_LANES;
 
+    if (x < r->min_x)
+        columns &= columns << (r->min_x - x);
+    if (y < r->min_y)
+        rows &= rows << BLOCK_SIZE * (r->min_y - y);
     if (x + (BLOCK_SIZE - 1) > r->max_x)
-        columns >>= x + (BLOCK_SIZE - 1) - r->max_x;
+        columns &= 0xFu >> (x + (BLOCK_SIZE - 1) - r->max_x);
     if (y + (BLOCK_SIZE - 1) > r->max_y)
-        rows >>= BLOCK_SIZE * (y + (BLOCK_SIZE - 1) - r->max_y);
+        rows &= GN_ALL_LANES >> BLOCK_SIZE * (y + (BLOCK_SIZE - 1) - r->max_y);
     return columns * 0x1111u & rows;
+}
+
+/* Where blocks must begin, from `first` on `count` places, to lie in a span of pixels. */
+typedef struct block_span {
+    int32_t first;
+    uint32_t count;
+} block_span;
+
+static inline block_span blocks_inside(int32_t min, int32_t max)
+{
+    const int32_t last = max - (BLOCK_SIZE - 1);
+    const block_span span = {min, last < min ? 0 : (uint32_t)(last - min) + 1};
+
+    return span;
+}
+
+static inline bool begins_outside(block_span span, int32_t at)
+{
+    return (uint32_t)at - (uint32_t)span.first >= span.count;
 }
 
 /* The lanes of an edge function over a block whose lower left pixel has the value v. */
@@ -38,6 +61,8 @@ static inline void cover_small(const pixel_rectangle *target, const triangle_bat
     const int32_t left = batch->origin[0][lane];
     const int32_t max_x = list->bounds[BOUNDS_MAX_X][lane];
     const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
+    const block_span columns = blocks_inside(target->min_x, target->max_x);
+    const block_span rows = blocks_inside(target->min_y, target->max_y);
     lanes_i row[3];
 
     for (int i = 0; i < 3; ++i) {
@@ -52,7 +77,7 @@ static inline void cover_small(const pixel_rectangle *target, const triangle_bat
                 GN_ALL_LANES &
                 ~lanes_i_sign_bits(lanes_i_or(lanes_i_or(value[0], value[1]), value[2]));
 
-            if (x + (BLOCK_SIZE - 1) > target->max_x || y + (BLOCK_SIZE - 1) > target->max_y)
+            if (begins_outside(columns, x) || begins_outside(rows, y))
                 coverage &= overhang_mask(target, x, y);
             if (coverage)
                 run(context, triangle, x, y, 1, coverage);

@@ -25,6 +25,24 @@ typedef struct cull_result {
     int32_t bounds[BOUNDS_COUNT][GN_LANES];
 } cull_result;
 
+/* The pixels of a target that a scissor lets be drawn. With none, the maxima lie below the
+ * minima. */
+static inline pixel_rectangle scissored_target(const gn_scissor *scissor, uint32_t width,
+                                               uint32_t height)
+{
+    const int64_t left = scissor->set ? scissor->x : 0;
+    const int64_t bottom = scissor->set ? scissor->y : 0;
+    const int64_t right = scissor->set ? left + scissor->width : width;
+    const int64_t top = scissor->set ? bottom + scissor->height : height;
+    pixel_rectangle r;
+
+    r.min_x = (int32_t)(left < 0 ? 0 : left < width ? left : width);
+    r.min_y = (int32_t)(bottom < 0 ? 0 : bottom < height ? bottom : height);
+    r.max_x = (int32_t)(right < 0 ? 0 : right < width ? right : width) - 1;
+    r.max_y = (int32_t)(top < 0 ? 0 : top < height ? top : height) - 1;
+    return r;
+}
+
 static inline cull_state cull_state_of(const gn_pipeline *p, uint32_t width, uint32_t height)
 {
     const bool front_clockwise = p->front_face == GN_FRONT_CLOCKWISE;
@@ -32,10 +50,7 @@ static inline cull_state cull_state_of(const gn_pipeline *p, uint32_t width, uin
     const bool drop_front = p->cull == GN_CULL_FRONT || p->cull == GN_CULL_FRONT_AND_BACK;
     cull_state s;
 
-    s.target.min_x = 0;
-    s.target.min_y = 0;
-    s.target.max_x = (int32_t)width - 1;
-    s.target.max_y = (int32_t)height - 1;
+    s.target = scissored_target(&p->scissor, width, height);
     s.front_clockwise = front_clockwise;
     s.drop_clockwise = front_clockwise ? drop_front : drop_back;
     s.drop_counter_clockwise = front_clockwise ? drop_back : drop_front;

@@ -6,6 +6,7 @@
 #define GN_RASTER_SETUP_H
 
 #include "cull.h"
+#include "offset.h"
 
 /* The pixel from which a triangle's blocks are laid. Columns start at a multiple of four, so
  * that the blocks of neighbouring triangles load what was stored; rows at an even one, so
@@ -124,8 +125,9 @@ static inline void make_flat_plane(const unsigned char *memory, const triangle_l
 }
 
 /* The planes of depth, 1/w and the varyings, four of which share a row of a vertex. */
-static inline void setup_planes(const gn_pipeline *pipeline, const unsigned char *memory,
-                                const triangle_list *list, triangle_batch *batch)
+static inline void setup_planes(const gn_pipeline *pipeline, const offset_state *offset,
+                                const unsigned char *memory, const triangle_list *list,
+                                triangle_batch *batch)
 {
     const unsigned char *const varyings = memory + VERTEX_VARYING;
     lanes_i row[3][4];
@@ -141,6 +143,9 @@ static inline void setup_planes(const gn_pipeline *pipeline, const unsigned char
     }
     set_basis(&basis, x, y);
     make_plane(&basis, z, batch->plane[DEPTH_PLANE]);
+    if (offset->moves)
+        lanes_store(batch->plane[VARYING_PLANES + pipeline->varying_count][PLANE_ORIGIN],
+                    offset_depths(offset, x, y, z));
     make_plane(&basis, w, batch->plane[ONE_OVER_W_PLANE]);
 
     for (uint32_t n = 0; n < pipeline->varying_count; ++n) {
@@ -176,12 +181,12 @@ static inline void fill_list(triangle_list *list)
 }
 
 /* Sets up the triangles of a list whose lanes are all filled. */
-static inline void setup_triangles(const gn_pipeline *pipeline, const pixel_rectangle *target,
-                                   const unsigned char *memory, const triangle_list *list,
-                                   triangle_batch *batch)
+static inline void setup_triangles(const gn_pipeline *pipeline, const offset_state *offset,
+                                   const pixel_rectangle *target, const unsigned char *memory,
+                                   const triangle_list *list, triangle_batch *batch)
 {
     setup_edges(target, memory, list, batch);
-    setup_planes(pipeline, memory, list, batch);
+    setup_planes(pipeline, offset, memory, list, batch);
 }
 
 #endif

@@ -57,7 +57,8 @@ typedef struct edge_lanes {
     int32_t per_y[GN_LANES];
 } edge_lanes;
 
-/* The triangles of a list, set up. */
+/* The triangles of a list, set up. After the varyings' planes come, where fragments are to add
+ * one, polygon offsets in the place of another plane's origin. */
 typedef struct triangle_batch {
     uint32_t large; /* bit l: an extent is SMALL_EXTENT or more */
     int32_t origin[2][GN_LANES];
@@ -69,7 +70,8 @@ typedef struct triangle_batch {
 static inline size_t triangle_batch_size(uint32_t varying_count)
 {
     return sizeof(triangle_batch) +
-           (VARYING_PLANES + varying_count) * sizeof(float[PLANE_TERMS][GN_LANES]);
+           (VARYING_PLANES + varying_count) * sizeof(float[PLANE_TERMS][GN_LANES]) +
+           sizeof(float[GN_LANES]);
 }
 
 /* A triangle as its fragments see it: its planes in a batch, from its lane on. */
@@ -84,6 +86,11 @@ static inline attribute_plane triangle_plane(raster_triangle t, uint32_t n)
                                    p[PLANE_PER_Y * GN_LANES]};
 
     return plane;
+}
+
+static inline float triangle_origin(raster_triangle t, uint32_t n)
+{
+    return t.planes[n * (PLANE_TERMS * GN_LANES) + PLANE_ORIGIN * GN_LANES];
 }
 
 /* Called for runs of `count` neighbouring 4x4 blocks in a row, the first at (x, y), x a

@@ -50,6 +50,14 @@ void shape_strip(builder *b, uint32_t triangles);
 /* Random indices over few vertices; the topology stays. */
 void shape_random_indices(builder *b, placement p, uint32_t vertices, uint32_t triangles);
 
+/* Triangles of one of the shapes. */
+void shape_any(builder *b, uint32_t count);
+
+/* A range and a scissor to try things with; set. */
+gn_depth_range random_depth_range(builder *b);
+gn_scissor random_scissor(builder *b);
+gn_polygon_offset random_polygon_offset(builder *b);
+
 /* One class each, from the target on. */
 void generate_meshes(builder *b);
 void generate_piles(builder *b);
@@ -65,6 +73,8 @@ void generate_textured(builder *b);
 void generate_phong(builder *b);
 void generate_float_color(builder *b);
 void generate_color_range(builder *b);
+void generate_scissor(builder *b);
+void generate_offset(builder *b);
 void generate_mixed(builder *b);
 
 #endif

@@ -12,7 +12,7 @@ static void any_triangles(builder *b, uint32_t count)
 }
 
 /* One of the shapes of separate triangles. */
-static void any_shape(builder *b, uint32_t count)
+void shape_any(builder *b, uint32_t count)
 {
     shape_function *const shapes[] = {any_triangles, shape_ties,   shape_behind,
                                       shape_tiny,    shape_huge,   shape_near_crossing,
@@ -78,14 +78,14 @@ void generate_framebuffers(builder *b)
         if (random_chance(r, 70))
             b->state.viewport = random_viewport(b);
         if (random_chance(r, 50) || b->state.viewport.width == 0.0f)
-            any_shape(b, 1 + builder_triangle_count(b) / 2);
+            shape_any(b, 1 + builder_triangle_count(b) / 2);
         else
             shape_any_grid(b, 5);
         builder_draw(b);
     }
 }
 
-static gn_depth_range random_depth_range(builder *b)
+gn_depth_range random_depth_range(builder *b)
 {
     random_source *r = &b->random;
     gn_depth_range range = {true, 0.0f, 1.0f};
@@ -135,7 +135,7 @@ void generate_depth_state(builder *b)
         if (random_chance(r, 60))
             shape_pile(b, 1 + builder_triangle_count(b) / 3);
         else
-            any_shape(b, 1 + builder_triangle_count(b) / 3);
+            shape_any(b, 1 + builder_triangle_count(b) / 3);
         builder_draw(b);
     }
 }
@@ -160,7 +160,7 @@ void generate_culling(builder *b)
             /* The reference culls otherwise where some vertex of a draw is outside. */
             shape_triangles(b, PLACE_ANYWHERE, random_below(r, 2));
         } else {
-            any_shape(b, count);
+            shape_any(b, count);
         }
         builder_draw(b);
     }
@@ -215,7 +215,7 @@ void generate_interpolation(builder *b)
         if (random_interpolation(b) || random_chance(r, 50))
             shape_across_one_axis(b, count);
         else
-            any_shape(b, count);
+            shape_any(b, count);
         builder_draw(b);
     }
 }
@@ -238,7 +238,7 @@ void generate_float_color(builder *b)
         if (noperspective)
             shape_across_one_axis(b, count);
         else
-            any_shape(b, count);
+            shape_any(b, count);
         const float scale = random_chance(r, 50) ? 1.0f : random_octave(r, -20, 20);
         for (uint32_t i = 0; i < b->vertex_count; i++)
             for (int c = 0; c < 4; c++)
@@ -297,6 +297,10 @@ static void mixed_draw(builder *b)
         b->state.viewport = random_viewport(b);
     if (random_chance(r, 30))
         b->state.depth_range = random_depth_range(b);
+    if (random_chance(r, 20))
+        b->state.scissor = random_scissor(b);
+    if (random_chance(r, 20))
+        b->state.polygon_offset = random_polygon_offset(b);
     b->state.cull = (gn_cull)(random_chance(r, 40) ? random_below(r, 3) : 0);
     b->state.front_face = (gn_front_face)random_below(r, 2);
     b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
@@ -329,7 +333,7 @@ static void mixed_draw(builder *b)
         shape_degenerate(b, count);
         break;
     default:
-        any_shape(b, count);
+        shape_any(b, count);
         break;
     }
     b->lead = random_chance(r, 20) ? random_below(r, 9) : 0;

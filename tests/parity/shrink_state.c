@@ -96,6 +96,26 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         d->uniforms.sampler.magnify = GN_MAGNIFY_NEAREST;
         d->uniforms.sampler.minify = GN_MINIFY_NEAREST;
         return change && scene_shader_is_textured(d->shader);
+    case 16:
+        change = p->polygon_offset.set;
+        memset(&p->polygon_offset, 0, sizeof p->polygon_offset);
+        return change;
+    case 17:
+        change = p->polygon_offset.clamp != 0.0f;
+        p->polygon_offset.clamp = 0.0f;
+        return change;
+    case 18:
+        change = p->polygon_offset.factor != 0.0f;
+        p->polygon_offset.factor = 0.0f;
+        return change;
+    case 19:
+        change = p->polygon_offset.units != 0.0f;
+        p->polygon_offset.units = 0.0f;
+        return change;
+    case 15:
+        change = p->scissor.set;
+        memset(&p->scissor, 0, sizeof p->scissor);
+        return change;
     default:
         *last = true;
         return false;
@@ -137,6 +157,8 @@ static scene *cropped(const scene *s, uint32_t x, uint32_t y, uint32_t width, ui
         }
         v->x -= (float)x;
         v->y -= (float)y;
+        copy->draws[i].state.scissor.x -= (int32_t)x;
+        copy->draws[i].state.scissor.y -= (int32_t)y;
     }
     copy->width = width;
     copy->height = height;

@@ -104,6 +104,32 @@ static void depth_range_faults(void **state)
     assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
 }
 
+static void any_scissor_is_valid(void **state)
+{
+    (void)state;
+    gn_pipeline p = good_pipeline();
+
+    p.scissor = (gn_scissor){true, INT32_MIN, INT32_MAX, UINT32_MAX, 0};
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+}
+
+static void polygon_offset_faults(void **state)
+{
+    (void)state;
+    gn_pipeline p = good_pipeline();
+
+    p.polygon_offset.factor = NAN;
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+    p.polygon_offset.set = true;
+    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
+    p.polygon_offset = (gn_polygon_offset){true, 1.0f, INFINITY, 0.0f};
+    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
+    p.polygon_offset = (gn_polygon_offset){true, 1.0f, 1.0f, NAN};
+    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
+    p.polygon_offset.clamp = -0.5f;
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+}
+
 static const float positions[8] = {0};
 
 static gn_mesh good_mesh(void)
@@ -203,10 +229,11 @@ static void workspace_sizes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(zero_state_is_valid), cmocka_unit_test(pipeline_faults),
-        cmocka_unit_test(viewport_faults),     cmocka_unit_test(depth_range_faults),
-        cmocka_unit_test(mesh_faults),         cmocka_unit_test(ranges_and_indices),
-        cmocka_unit_test(workspace_sizes),
+        cmocka_unit_test(zero_state_is_valid),   cmocka_unit_test(pipeline_faults),
+        cmocka_unit_test(viewport_faults),       cmocka_unit_test(depth_range_faults),
+        cmocka_unit_test(mesh_faults),           cmocka_unit_test(ranges_and_indices),
+        cmocka_unit_test(workspace_sizes),       cmocka_unit_test(any_scissor_is_valid),
+        cmocka_unit_test(polygon_offset_faults),
     };
     return cmocka_run_group_tests_name("pipeline", tests, NULL, NULL);
 }

@@ -1,0 +1,79 @@
+/* Polygon offset (OpenGL 4.5 section 14.6.5): what is added to depths for the slope of their
+ * triangle and in steps of the depth format. */
+#ifndef GN_RASTER_OFFSET_H
+#define GN_RASTER_OFFSET_H
+
+#include "types.h"
+
+#include "../lanes/lanes.h"
+
+typedef struct offset_state {
+    bool moves;    /* fragments add an offset, if only 0 */
+    bool floating; /* a step is one of the triangle's greatest depth */
+    float factor;
+    float units; /* times the step of the format, where that is a constant */
+    float clamp; /* above 0 the most, below 0 the least */
+} offset_state;
+
+/* Of a format with 16 or 24 bits the reference takes twice the smallest step. */
+static inline offset_state offset_state_of(const gn_pipeline *pipeline, gn_format depth_format,
+                                           bool moves)
+{
+    const gn_polygon_offset *p = &pipeline->polygon_offset;
+    const float steps = depth_format == GN_FORMAT_D16   ? 65535.0f / 2.0f
+                        : depth_format == GN_FORMAT_D24 ? 16777215.0f / 2.0f
+                                                        : 1.0f;
+    offset_state s;
+
+    s.moves = moves;
+    s.floating = depth_format == GN_FORMAT_D32F;
+    s.factor = p->set ? p->factor : 0.0f;
+    s.units = p->set ? p->units / steps : 0.0f;
+    s.clamp = p->set ? p->clamp : 0.0f;
+    return s;
+}
+
+static inline lanes_f magnitude_of(lanes_f a)
+{
+    return lanes_as_float(lanes_i_and(lanes_as_int(a), lanes_i_splat(INT32_MAX)));
+}
+
+/* 2^(e - 23) for the exponent e of a depth that is not negative; 0 where that is denormal. */
+static inline lanes_f float_step(lanes_f depth)
+{
+    const lanes_i exponent = lanes_i_and(lanes_as_int(depth), lanes_i_splat(0x7F800000));
+    const lanes_i step = lanes_i_add(exponent, lanes_i_splat(-(23 << 23)));
+
+    return lanes_as_float(lanes_i_max(step, lanes_i_splat(0)));
+}
+
+/* The offsets of sixteen triangles with these window coordinates. */
+GN_STEP lanes_f offset_depths(const offset_state *offset, const lanes_f x[3], const lanes_f y[3],
+                              const lanes_f z[3])
+{
+    const lanes_f dx01 = lanes_sub(x[0], x[1]);
+    const lanes_f dy01 = lanes_sub(y[0], y[1]);
+    const lanes_f dz01 = lanes_sub(z[0], z[1]);
+    const lanes_f dx20 = lanes_sub(x[2], x[0]);
+    const lanes_f dy20 = lanes_sub(y[2], y[0]);
+    const lanes_f dz20 = lanes_sub(z[2], z[0]);
+    const lanes_f one_over_area =
+        lanes_div(lanes_splat(1.0f), lanes_sub(lanes_mul(dx01, dy20), lanes_mul(dx20, dy01)));
+    const lanes_f per_x = lanes_sub(lanes_mul(dz01, dy20), lanes_mul(dz20, dy01));
+    const lanes_f per_y = lanes_sub(lanes_mul(dz20, dx01), lanes_mul(dz01, dx20));
+    const lanes_f slope = lanes_max(magnitude_of(lanes_mul(per_x, one_over_area)),
+                                    magnitude_of(lanes_mul(per_y, one_over_area)));
+    lanes_f steps = lanes_splat(offset->units);
+
+    if (offset->floating)
+        steps = lanes_mul(float_step(lanes_max(lanes_max(z[0], z[1]), z[2])), steps);
+
+    const lanes_f sum = lanes_add(steps, lanes_mul(slope, lanes_splat(offset->factor)));
+    if (offset->clamp > 0.0f)
+        return lanes_min(sum, lanes_splat(offset->clamp));
+    if (offset->clamp < 0.0f)
+        return lanes_max(sum, lanes_splat(offset->clamp));
+    return sum;
+}
+
+#endif

@@ -1,0 +1,124 @@
+/* What bounds drawing in window and clip space, the scissor and more, and what moves depth. */
+#include "generate_parts.h"
+
+gn_scissor random_scissor(builder *b)
+{
+    random_source *r = &b->random;
+    const int32_t width = (int32_t)b->scene->width, height = (int32_t)b->scene->height;
+    gn_scissor s = {true, 0, 0, (uint32_t)width, (uint32_t)height};
+    switch (random_below(r, 8)) {
+    case 0: /* a few pixels */
+        s.x = random_between(r, 0, width - 1);
+        s.y = random_between(r, 0, height - 1);
+        s.width = random_below(r, 7);
+        s.height = random_below(r, 7);
+        break;
+    case 1: /* over some sides of the target, or beside it */
+        s.x = random_between(r, -width, width + 4);
+        s.y = random_between(r, -height, height + 4);
+        s.width = random_below(r, 2 * b->scene->width);
+        s.height = random_below(r, 2 * b->scene->height);
+        break;
+    case 2: /* as large as there are */
+        s.x = random_between(r, -8, width);
+        s.y = random_between(r, -8, height);
+        s.width = random_chance(r, 50) ? INT32_MAX / 2 : 16384;
+        s.height = random_chance(r, 50) ? INT32_MAX / 2 : 16384;
+        break;
+    case 3: /* a column or a row */
+        s.x = random_between(r, 0, width - 1);
+        s.y = random_between(r, 0, height - 1);
+        if (random_chance(r, 50)) {
+            s.x = 0;
+            s.height = 1 + random_below(r, 2);
+        } else {
+            s.y = 0;
+            s.width = 1 + random_below(r, 2);
+        }
+        break;
+    default:
+        s.x = random_between(r, 0, width - 1);
+        s.y = random_between(r, 0, height - 1);
+        s.width = 1 + random_below(r, (uint32_t)(width - s.x));
+        s.height = 1 + random_below(r, (uint32_t)(height - s.y));
+        break;
+    }
+    return s;
+}
+
+void generate_scissor(builder *b)
+{
+    random_source *r = &b->random;
+    builder_common_target(b);
+    for (uint32_t draws = 1 + random_below(r, 4); draws > 0; draws--) {
+        builder_common_state(b);
+        b->state.scissor = random_scissor(b);
+        const uint32_t count = builder_triangle_count(b);
+        switch (random_below(r, 4)) {
+        case 0:
+            shape_any_grid(b, 6);
+            break;
+        case 1:
+            shape_pile(b, 1 + count / 4);
+            break;
+        default:
+            shape_any(b, count);
+            break;
+        }
+        builder_draw(b);
+    }
+}
+
+static float offset_number(builder *b)
+{
+    random_source *r = &b->random;
+    switch (random_below(r, 4)) {
+    case 0:
+        return 0.0f;
+    case 1:
+        return random_sign(r);
+    case 2: {
+        const float sign = random_sign(r);
+        return sign * random_octave(r, -4, 4);
+    }
+    default:
+        return (float)random_between(r, -40, 40) * 0.25f;
+    }
+}
+
+gn_polygon_offset random_polygon_offset(builder *b)
+{
+    random_source *r = &b->random;
+    gn_polygon_offset o = {true, 0.0f, 0.0f, 0.0f};
+    o.factor = offset_number(b);
+    o.units = offset_number(b);
+    if (random_chance(r, 40))
+        o.units *= random_octave(r, 0, 20); /* much of a depth range of 24 bits */
+    if (random_chance(r, 40)) {
+        const float sign = random_sign(r);
+        o.clamp = sign * random_octave(r, -16, -2);
+    }
+    return o;
+}
+
+void generate_offset(builder *b)
+{
+    static const gn_format depths[] = {GN_FORMAT_D16, GN_FORMAT_D24, GN_FORMAT_D32F};
+    random_source *r = &b->random;
+    builder_common_target(b);
+    b->scene->depth_format = depths[random_below(r, 3)];
+    for (uint32_t draws = 1 + random_below(r, 4); draws > 0; draws--) {
+        builder_common_state(b);
+        b->state.depth_test = true;
+        b->state.depth_function = random_chance(r, 30) ? GN_ALWAYS : GN_LESS;
+        if (random_chance(r, 30))
+            b->state.depth_range = random_depth_range(b);
+        if (random_chance(r, 85))
+            b->state.polygon_offset = random_polygon_offset(b);
+        if (random_chance(r, 50))
+            shape_pile(b, 1 + builder_triangle_count(b) / 3);
+        else
+            shape_any(b, 1 + builder_triangle_count(b) / 3);
+        builder_draw(b);
+    }
+}
