@@ -12,6 +12,7 @@
  *   depth_function       DepthFunc                      GN_LESS
  *   depth_write_disabled not DepthMask                  depth is written
  *   interpolation        smooth, noperspective, flat    smooth
+ *   color_write_disabled not ColorMask                  every channel is written
  *
  * As in OpenGL, depth is written only where the depth test is on. */
 #ifndef GNOMON_PIPELINE_H
@@ -56,6 +57,15 @@ typedef enum gn_compare {
     GN_GREATER_OR_EQUAL,
     GN_ALWAYS
 } gn_compare;
+
+/* Channels of a colour, as bits. */
+typedef enum gn_channel {
+    GN_CHANNEL_RED = 1,
+    GN_CHANNEL_GREEN = 2,
+    GN_CHANNEL_BLUE = 4,
+    GN_CHANNEL_ALPHA = 8,
+    GN_CHANNEL_ALL = 15
+} gn_channel;
 
 /* How a varying gets its value at a fragment (OpenGL 4.5 section 14.6.1). */
 typedef enum gn_interpolation {
@@ -136,6 +146,8 @@ typedef struct gn_pipeline {
     bool depth_test;
     gn_compare depth_function;
     bool depth_write_disabled;
+
+    uint32_t color_write_disabled; /* GN_CHANNEL_RED and so on, or'ed */
 } gn_pipeline;
 
 GN_BEGIN
@@ -145,7 +157,8 @@ GN_BEGIN
  * GN_INVALID_ENUM (an enumeration), GN_NOT_FINITE or GN_INVALID_VIEWPORT (a
  * viewport number that is not finite; a size below 0 or above GN_MAX_SIZE, an
  * origin beyond +-GN_MAX_SIZE), GN_NOT_FINITE or GN_OUT_OF_RANGE (a depth range
- * outside 0..1). */
+ * outside 0..1), GN_INVALID_ENUM (depth function), GN_OUT_OF_RANGE (color_write_disabled
+ * has bits beyond GN_CHANNEL_ALL). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
 
 GN_END

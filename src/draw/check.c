@@ -56,6 +56,8 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
         return status;
     if ((unsigned)pipeline->depth_function > GN_ALWAYS)
         return GN_INVALID_ENUM;
+    if (pipeline->color_write_disabled > GN_CHANNEL_ALL)
+        return GN_OUT_OF_RANGE;
     return GN_OK;
 }
 

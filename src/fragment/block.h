@@ -7,7 +7,7 @@
 #include "../shaders/ready_made.h"
 #include "../texture/sample.h"
 
-#include "color.h"
+#include "combine.h"
 #include "depth.h"
 #include "planes.h"
 
@@ -23,6 +23,7 @@ typedef struct fragment_kind {
     gn_format depth_format; /* GN_FORMAT_NONE: no test */
     gn_format color_format; /* GN_FORMAT_NONE: no colour */
     fragment_source source;
+    bool replaces; /* colours are written as they are */
 } fragment_kind;
 
 static inline fragment_state fragment_state_of(const gn_target *target, const gn_pipeline *pipeline)
@@ -35,6 +36,7 @@ static inline fragment_state fragment_state_of(const gn_target *target, const gn
     if (!pipeline->depth_test)
         s.depth.format = GN_FORMAT_NONE;
     s.test = depth_state_of(pipeline);
+    s.combine = color_state_of(pipeline);
     return s;
 }
 
@@ -109,7 +111,10 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
                 color[c] = lanes_mul(color[c], texel[c]);
         }
     }
-    write_color(&state->color, kind.color_format, at, coverage, color);
+    if (kind.replaces)
+        write_color(&state->color, kind.color_format, at, coverage, color);
+    else
+        combine_color(&state->combine, &state->color, kind.color_format, at, coverage, color);
 }
 
 /* Neighbouring blocks in a row. */
@@ -192,12 +197,12 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
 }
 
 /* A run_function for one state; the context is a fragment_state. */
-#define GN_RUN_FUNCTION(name, depth_format, color_format, source)                                  \
+#define GN_RUN_FUNCTION(name, depth_format, color_format, source, replaces)                        \
     static void name(const void *context, raster_triangle triangle, int32_t x, int32_t y,          \
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \
-        const fragment_kind kind = {depth_format, color_format, source};                           \
+        const fragment_kind kind = {depth_format, color_format, source, replaces};                 \
                                                                                                    \
         shade_blocks(state, kind, triangle, x, y, count, coverage);                                \
     }
@@ -208,7 +213,7 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
     GN_OUT_OF_LINE void name##_long(const fragment_state *state, raster_triangle triangle,         \
                                     int32_t x, int32_t y, uint32_t count)                          \
     {                                                                                              \
-        const fragment_kind kind = {depth_format, color_format, source};                           \
+        const fragment_kind kind = {depth_format, color_format, source, true};                     \
                                                                                                    \
         shade_run(state, kind, triangle, x, y, count);                                             \
     }                                                                                              \
@@ -216,7 +221,7 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \
-        const fragment_kind kind = {depth_format, color_format, source};                           \
+        const fragment_kind kind = {depth_format, color_format, source, true};                     \
                                                                                                    \
         if (count > 1)                                                                             \
             name##_long(state, triangle, x, y, count);                                             \
@@ -224,10 +229,11 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
             shade_blocks(state, kind, triangle, x, y, 1, coverage);                                \
     }
 
-GN_RUN_FUNCTION(run_any, state->depth.format, state->color.format, SOURCE_SHADER)
-GN_RUN_FUNCTION(run_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_SHADER)
-GN_RUN_FUNCTION(run_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_SHADER)
-GN_RUN_FUNCTION(run_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_SHADER)
+GN_RUN_FUNCTION(run_any, state->depth.format, state->color.format, SOURCE_SHADER,
+                state->combine.replaces)
+GN_RUN_FUNCTION(run_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_SHADER, true)
+GN_RUN_FUNCTION(run_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_SHADER, true)
+GN_RUN_FUNCTION(run_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_SHADER, true)
 GN_RUN_ROWS_FUNCTION(run_color_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_COLOR)
 GN_RUN_ROWS_FUNCTION(run_color_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_COLOR)
 GN_RUN_ROWS_FUNCTION(run_color_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_COLOR)
@@ -262,7 +268,7 @@ static inline run_function *run_function_of(const fragment_state *state)
         return state->depth.format == GN_FORMAT_D24    ? run_depth_d24
                : state->depth.format == GN_FORMAT_D32F ? run_depth_d32f
                                                        : run_any;
-    if (state->color.format != GN_FORMAT_RGBA8)
+    if (state->color.format != GN_FORMAT_RGBA8 || !state->combine.replaces)
         return run_any;
     switch (state->depth.format) {
     case GN_FORMAT_NONE:

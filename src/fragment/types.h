@@ -3,6 +3,7 @@
  *   planes  attributes at the fragments
  *   depth   depth test and depth write
  *   color   conversion to the colour format and write
+ *   combine colours combined with those of the surface
  *   block   interpolates, runs depth, the fragment shader and colour
  *
  * State is resolved once a draw, into the run_function (raster/types.h) that the
@@ -23,11 +24,19 @@ typedef struct depth_state {
     bool write;
 } depth_state;
 
+/* What becomes of a fragment's colour. */
+typedef struct color_state {
+    bool replaces;        /* it is written as it is, all of it */
+    uint32_t written;     /* channels: GN_CHANNEL_RED and so on */
+    int32_t written_bits; /* of a pixel of GN_FORMAT_RGBA8 */
+} color_state;
+
 typedef struct fragment_state {
     const gn_pipeline *pipeline;
     gn_surface color; /* GN_FORMAT_NONE: no colour */
     gn_surface depth; /* GN_FORMAT_NONE: no test */
     depth_state test;
+    color_state combine;
 } fragment_state;
 
 /* Where lane l is. A row saves most of the work where nothing is asked of neighbouring

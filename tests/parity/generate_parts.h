@@ -65,6 +65,10 @@ void generate_textured(builder *b);
 void generate_phong(builder *b);
 void generate_float_color(builder *b);
 void generate_color_range(builder *b);
+void generate_color_mask(builder *b);
 void generate_mixed(builder *b);
+
+/* What mixed draws have of the classes of colours combined with those of the target. */
+void mix_color_state(builder *b);
 
 #endif

@@ -96,6 +96,10 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         d->uniforms.sampler.magnify = GN_MAGNIFY_NEAREST;
         d->uniforms.sampler.minify = GN_MINIFY_NEAREST;
         return change && scene_shader_is_textured(d->shader);
+    case 15:
+        change = p->color_write_disabled != 0;
+        p->color_write_disabled = 0;
+        return change;
     default:
         *last = true;
         return false;

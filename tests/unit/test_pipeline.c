@@ -63,6 +63,17 @@ static void pipeline_faults(void **state)
     assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
 }
 
+static void color_state_faults(void **state)
+{
+    (void)state;
+    gn_pipeline p = good_pipeline();
+
+    p.color_write_disabled = GN_CHANNEL_ALL;
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+    p.color_write_disabled = GN_CHANNEL_ALL + 1;
+    assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
+}
+
 static void viewport_faults(void **state)
 {
     (void)state;
@@ -204,9 +215,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(zero_state_is_valid), cmocka_unit_test(pipeline_faults),
-        cmocka_unit_test(viewport_faults),     cmocka_unit_test(depth_range_faults),
-        cmocka_unit_test(mesh_faults),         cmocka_unit_test(ranges_and_indices),
-        cmocka_unit_test(workspace_sizes),
+        cmocka_unit_test(color_state_faults),  cmocka_unit_test(viewport_faults),
+        cmocka_unit_test(depth_range_faults),  cmocka_unit_test(mesh_faults),
+        cmocka_unit_test(ranges_and_indices),  cmocka_unit_test(workspace_sizes),
     };
     return cmocka_run_group_tests_name("pipeline", tests, NULL, NULL);
 }
