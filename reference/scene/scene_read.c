@@ -274,6 +274,15 @@ static bool read_color_state(reader *r, const char *keyword, gn_pipeline *p)
         for (unsigned c = 0; c < 4; ++c) {
             p->color_write_disabled |= read_name(r, TEXT_SWITCH) == 0 ? 1u << c : 0;
         }
+    } else if (!strcmp(keyword, "blend")) {
+        p->blend.enabled = true;
+        p->blend.equation = (gn_blend_equation)read_name(r, TEXT_EQUATION);
+        p->blend.source = (gn_blend_factor)read_name(r, TEXT_FACTOR);
+        p->blend.destination = (gn_blend_factor)read_name(r, TEXT_FACTOR);
+        p->blend.alpha_equation = (gn_blend_equation)read_name(r, TEXT_EQUATION);
+        p->blend.alpha_source = (gn_blend_factor)read_name(r, TEXT_FACTOR);
+        p->blend.alpha_destination = (gn_blend_factor)read_name(r, TEXT_FACTOR);
+        read_floats(r, p->blend.constant, 4);
     } else {
         return false;
     }

@@ -107,6 +107,15 @@ static void write_color_state(FILE *out, const gn_pipeline *p)
         }
         fputc('\n', out);
     }
+    if (p->blend.enabled) {
+        fprintf(out, "  blend %s %s %s %s %s %s", text_name(TEXT_EQUATION, (int)p->blend.equation),
+                text_name(TEXT_FACTOR, (int)p->blend.source),
+                text_name(TEXT_FACTOR, (int)p->blend.destination),
+                text_name(TEXT_EQUATION, (int)p->blend.alpha_equation),
+                text_name(TEXT_FACTOR, (int)p->blend.alpha_source),
+                text_name(TEXT_FACTOR, (int)p->blend.alpha_destination));
+        write_floats(out, "", p->blend.constant, 4);
+    }
 }
 
 static void write_uniforms(FILE *out, const scene_draw *d)

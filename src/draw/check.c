@@ -29,6 +29,21 @@ static gn_status check_depth_range(const gn_depth_range *r)
     return GN_OK;
 }
 
+static gn_status check_blend(const gn_blend *b)
+{
+    if ((unsigned)b->equation > GN_EQUATION_MAX || (unsigned)b->alpha_equation > GN_EQUATION_MAX ||
+        (unsigned)b->source > GN_FACTOR_SOURCE_ALPHA_SATURATE ||
+        (unsigned)b->destination > GN_FACTOR_SOURCE_ALPHA_SATURATE ||
+        (unsigned)b->alpha_source > GN_FACTOR_SOURCE_ALPHA_SATURATE ||
+        (unsigned)b->alpha_destination > GN_FACTOR_SOURCE_ALPHA_SATURATE)
+        return GN_INVALID_ENUM;
+    for (int c = 0; b->enabled && c < 4; ++c) {
+        if (!gn_is_finite(b->constant[c]))
+            return GN_NOT_FINITE;
+    }
+    return GN_OK;
+}
+
 gn_status gn_pipeline_check(const gn_pipeline *pipeline)
 {
     gn_status status;
@@ -58,7 +73,7 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
         return GN_INVALID_ENUM;
     if (pipeline->color_write_disabled > GN_CHANNEL_ALL)
         return GN_OUT_OF_RANGE;
-    return GN_OK;
+    return check_blend(&pipeline->blend);
 }
 
 /* The largest of the indices that are drawn. */

@@ -1,7 +1,9 @@
-/* Colours combined with those of the surface: write masks (OpenGL 4.5 section 17.4.2). */
+/* Colours combined with those of the surface: blending, and write masks (OpenGL 4.5
+ * section 17.4.2). */
 #ifndef GN_FRAGMENT_COMBINE_H
 #define GN_FRAGMENT_COMBINE_H
 
+#include "blend.h"
 #include "color.h"
 
 static inline color_state color_state_of(const gn_pipeline *pipeline)
@@ -14,7 +16,8 @@ static inline color_state color_state_of(const gn_pipeline *pipeline)
         if (s.written >> c & 1u)
             s.written_bits |= (int32_t)(0xFFu << 8 * c);
     }
-    s.replaces = s.written == GN_CHANNEL_ALL;
+    set_blend_state(&s, &pipeline->blend);
+    s.replaces = s.written == GN_CHANNEL_ALL && !s.blends;
     return s;
 }
 
@@ -42,6 +45,8 @@ GN_INLINE void combine_rgba8(const color_state *state, const gn_surface *surface
                                 : load_covered_pixels(surface, at->x, at->y, coverage);
     lanes_i pixels = lanes_pack_unorm8(color[0], color[1], color[2], color[3]);
 
+    if (state->blends)
+        pixels = blend_pixels(state, pixels, there);
     pixels = lanes_i_or(lanes_i_and(pixels, lanes_i_splat(state->written_bits)),
                         lanes_i_and(there, lanes_i_splat(~state->written_bits)));
     if (!whole) {
@@ -53,13 +58,35 @@ GN_INLINE void combine_rgba8(const color_state *state, const gn_surface *surface
     store_words(at->shape, at->color, surface->row_stride, pixels);
 }
 
+/* The four channels of pixels of GN_FORMAT_RGBA32F; 0 where not covered. */
+static inline void load_rgba32f(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
+                                lanes_f color[4])
+{
+    float channel[4][GN_LANES];
+
+    GN_EACH_LANE (l) {
+        const bool covered = coverage >> l & 1u;
+        const uint32_t row = (uint32_t)(y + (covered ? l / BLOCK_SIZE : 0));
+        const float *in = (const float *)(const void *)surface_row(surface, row) +
+                          4 * (x + (covered ? l % BLOCK_SIZE : 0));
+
+        for (int c = 0; c < 4; ++c)
+            channel[c][l] = covered ? in[c] : 0.0f;
+    }
+    for (int c = 0; c < 4; ++c)
+        color[c] = lanes_load(channel[c]);
+}
+
 static inline void combine_rgba32f(const color_state *state, const gn_surface *surface, int32_t x,
                                    int32_t y, uint32_t coverage, const lanes_f color[4])
 {
     float channel[4][GN_LANES];
+    lanes_f there[4];
 
+    if (state->blends)
+        load_rgba32f(surface, x, y, coverage, there);
     for (int c = 0; c < 4; ++c)
-        lanes_store(channel[c], color[c]);
+        lanes_store(channel[c], state->blends ? blend_float(state, color, there, c) : color[c]);
     GN_EACH_LANE (l) {
         if (coverage >> l & 1u) {
             const uint32_t row = (uint32_t)(y + l / BLOCK_SIZE);

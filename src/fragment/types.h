@@ -3,7 +3,8 @@
  *   planes  attributes at the fragments
  *   depth   depth test and depth write
  *   color   conversion to the colour format and write
- *   combine colours combined with those of the surface
+ *   blend   colours blended with those of the surface
+ *   combine and written channel by channel
  *   block   interpolates, runs depth, the fragment shader and colour
  *
  * State is resolved once a draw, into the run_function (raster/types.h) that the
@@ -24,11 +25,23 @@ typedef struct depth_state {
     bool write;
 } depth_state;
 
+/* How one group of channels is blended, no member of it GN_.._DEFAULT. */
+typedef struct blend_rule {
+    gn_blend_equation equation;
+    gn_blend_factor source, destination;
+} blend_rule;
+
 /* What becomes of a fragment's colour. */
 typedef struct color_state {
     bool replaces;        /* it is written as it is, all of it */
     uint32_t written;     /* channels: GN_CHANNEL_RED and so on */
     int32_t written_bits; /* of a pixel of GN_FORMAT_RGBA8 */
+    bool blends;
+    blend_rule color, alpha;
+    /* Of floats: (source + destination) * factor; a term without a product with zero. */
+    bool factors_last, drops_source, drops_destination;
+    const float *constant;
+    int32_t constant_byte[4];
 } color_state;
 
 typedef struct fragment_state {

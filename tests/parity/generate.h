@@ -29,6 +29,8 @@ typedef enum scene_class {
     CLASS_FLOAT_COLOR,   /* RGBA32F */
     CLASS_COLOR_RANGE,   /* colours outside 0..1 in RGBA8 */
     CLASS_COLOR_MASK,    /* channels that are not written */
+    CLASS_BLEND,         /* factors, equations, separate alpha, constants */
+    CLASS_FLOAT_BLEND,   /* the same in RGBA32F */
     CLASS_MIXED,         /* several draws of several of the above */
     CLASS_COUNT
 } scene_class;

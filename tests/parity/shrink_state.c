@@ -100,6 +100,40 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         change = p->color_write_disabled != 0;
         p->color_write_disabled = 0;
         return change;
+    case 16:
+        change = p->blend.enabled;
+        memset(&p->blend, 0, sizeof p->blend);
+        return change;
+    case 17:
+        change = p->blend.equation != GN_EQUATION_DEFAULT;
+        p->blend.equation = GN_EQUATION_DEFAULT;
+        return change;
+    case 18:
+        change = p->blend.alpha_equation != GN_EQUATION_DEFAULT;
+        p->blend.alpha_equation = GN_EQUATION_DEFAULT;
+        return change;
+    case 19:
+        change = p->blend.source != GN_FACTOR_DEFAULT;
+        p->blend.source = GN_FACTOR_DEFAULT;
+        return change;
+    case 20:
+        change = p->blend.destination != GN_FACTOR_DEFAULT;
+        p->blend.destination = GN_FACTOR_DEFAULT;
+        return change;
+    case 21:
+        change = p->blend.alpha_source != GN_FACTOR_DEFAULT;
+        p->blend.alpha_source = GN_FACTOR_DEFAULT;
+        return change;
+    case 22:
+        change = p->blend.alpha_destination != GN_FACTOR_DEFAULT;
+        p->blend.alpha_destination = GN_FACTOR_DEFAULT;
+        return change;
+    case 23:
+        for (int c = 0; c < 4; c++) {
+            change = change || p->blend.constant[c] != 0.0f;
+            p->blend.constant[c] = 0.0f;
+        }
+        return change;
     default:
         *last = true;
         return false;

@@ -72,6 +72,40 @@ static void color_state_faults(void **state)
     assert_int_equal(gn_pipeline_check(&p), GN_OK);
     p.color_write_disabled = GN_CHANNEL_ALL + 1;
     assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
+
+    for (int member = 0; member < 6; ++member) {
+        p = good_pipeline();
+        gn_blend *b = &p.blend;
+        const int last = member < 2 ? GN_EQUATION_MAX : GN_FACTOR_SOURCE_ALPHA_SATURATE;
+        for (int value = last; value <= last + 1; ++value) {
+            switch (member) {
+            case 0:
+                b->equation = (gn_blend_equation)value;
+                break;
+            case 1:
+                b->alpha_equation = (gn_blend_equation)value;
+                break;
+            case 2:
+                b->source = (gn_blend_factor)value;
+                break;
+            case 3:
+                b->destination = (gn_blend_factor)value;
+                break;
+            case 4:
+                b->alpha_source = (gn_blend_factor)value;
+                break;
+            default:
+                b->alpha_destination = (gn_blend_factor)value;
+                break;
+            }
+            assert_int_equal(gn_pipeline_check(&p), value == last ? GN_OK : GN_INVALID_ENUM);
+        }
+    }
+    p = good_pipeline();
+    p.blend.constant[3] = INFINITY;
+    assert_int_equal(gn_pipeline_check(&p), GN_OK); /* not enabled, not looked at */
+    p.blend.enabled = true;
+    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
 }
 
 static void viewport_faults(void **state)
