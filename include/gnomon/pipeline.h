@@ -17,6 +17,8 @@
  *   blend's factors      BlendFunc, BlendFuncSeparate   source one, destination zero
  *   blend's equations    BlendEquation, ..Separate      GN_EQUATION_ADD
  *   blend.constant       BlendColor                     0, 0, 0, 0
+ *   color_logic          COLOR_LOGIC_OP                 off
+ *   logic_operation      LogicOp                        GN_LOGIC_COPY
  *
  * As in OpenGL, depth is written only where the depth test is on. */
 #ifndef GNOMON_PIPELINE_H
@@ -113,6 +115,27 @@ typedef struct gn_blend {
     float constant[4]; /* red, green, blue, alpha */
 } gn_blend;
 
+/* What becomes of the bits s of a fragment's colour and d of the surface's (OpenGL 4.5
+ * section 17.3.9). */
+typedef enum gn_logic_operation {
+    GN_LOGIC_COPY = 0,      /* s */
+    GN_LOGIC_CLEAR,         /* 0 */
+    GN_LOGIC_AND,           /* s & d */
+    GN_LOGIC_AND_REVERSE,   /* s & ~d */
+    GN_LOGIC_AND_INVERTED,  /* ~s & d */
+    GN_LOGIC_NOOP,          /* d */
+    GN_LOGIC_XOR,           /* s ^ d */
+    GN_LOGIC_OR,            /* s | d */
+    GN_LOGIC_NOR,           /* ~(s | d) */
+    GN_LOGIC_EQUIVALENT,    /* ~(s ^ d) */
+    GN_LOGIC_INVERT,        /* ~d */
+    GN_LOGIC_OR_REVERSE,    /* s | ~d */
+    GN_LOGIC_COPY_INVERTED, /* ~s */
+    GN_LOGIC_OR_INVERTED,   /* ~s | d */
+    GN_LOGIC_NAND,          /* ~(s & d) */
+    GN_LOGIC_SET            /* all ones */
+} gn_logic_operation;
+
 /* How a varying gets its value at a fragment (OpenGL 4.5 section 14.6.1). */
 typedef enum gn_interpolation {
     GN_SMOOTH = 0,    /* perspective-correct */
@@ -195,6 +218,8 @@ typedef struct gn_pipeline {
 
     uint32_t color_write_disabled; /* GN_CHANNEL_RED and so on, or'ed */
     gn_blend blend;
+    bool color_logic; /* where set nothing is blended; floats stay as they are */
+    gn_logic_operation logic_operation;
 } gn_pipeline;
 
 GN_BEGIN
@@ -206,7 +231,7 @@ GN_BEGIN
  * origin beyond +-GN_MAX_SIZE), GN_NOT_FINITE or GN_OUT_OF_RANGE (a depth range
  * outside 0..1), GN_INVALID_ENUM (depth function), GN_OUT_OF_RANGE (color_write_disabled
  * has bits beyond GN_CHANNEL_ALL), GN_INVALID_ENUM or GN_NOT_FINITE (blend; the constant
- * only where it is enabled). */
+ * only where it is enabled), GN_INVALID_ENUM (logic operation). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
 
 GN_END

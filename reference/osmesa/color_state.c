@@ -76,6 +76,21 @@ static void set_blend(const gn_blend *b)
     glBlendColor(b->constant[0], b->constant[1], b->constant[2], b->constant[3]);
 }
 
+static void set_logic(bool enabled, gn_logic_operation operation)
+{
+    static const GLenum names[] = {GL_COPY,          GL_CLEAR,       GL_AND,    GL_AND_REVERSE,
+                                   GL_AND_INVERTED,  GL_NOOP,        GL_XOR,    GL_OR,
+                                   GL_NOR,           GL_EQUIV,       GL_INVERT, GL_OR_REVERSE,
+                                   GL_COPY_INVERTED, GL_OR_INVERTED, GL_NAND,   GL_SET};
+
+    if (enabled) {
+        glEnable(GL_COLOR_LOGIC_OP);
+        glLogicOp(names[operation]);
+    } else {
+        glDisable(GL_COLOR_LOGIC_OP);
+    }
+}
+
 void reference_set_color_state(const gn_pipeline *p)
 {
     const uint32_t written = ~p->color_write_disabled;
@@ -83,4 +98,5 @@ void reference_set_color_state(const gn_pipeline *p)
     glColorMask((written & GN_CHANNEL_RED) != 0, (written & GN_CHANNEL_GREEN) != 0,
                 (written & GN_CHANNEL_BLUE) != 0, (written & GN_CHANNEL_ALPHA) != 0);
     set_blend(&p->blend);
+    set_logic(p->color_logic, p->logic_operation);
 }

@@ -283,6 +283,9 @@ static bool read_color_state(reader *r, const char *keyword, gn_pipeline *p)
         p->blend.alpha_source = (gn_blend_factor)read_name(r, TEXT_FACTOR);
         p->blend.alpha_destination = (gn_blend_factor)read_name(r, TEXT_FACTOR);
         read_floats(r, p->blend.constant, 4);
+    } else if (!strcmp(keyword, "logic-operation")) {
+        p->color_logic = true;
+        p->logic_operation = (gn_logic_operation)read_name(r, TEXT_LOGIC);
     } else {
         return false;
     }

@@ -42,6 +42,10 @@ static const char *const factor_names[] = {"default",
 static const char *const equation_names[] = {"default",          "add", "subtract",
                                              "reverse-subtract", "min", "max"};
 
+static const char *const logic_names[] = {
+    "copy", "clear",      "and",    "and-reverse", "and-inverted",  "noop",        "xor",  "or",
+    "nor",  "equivalent", "invert", "or-reverse",  "copy-inverted", "or-inverted", "nand", "set"};
+
 static const char *const *names_of(text_names set, int *count)
 {
 #define CASE(constant, names)                                                                      \
@@ -66,6 +70,7 @@ static const char *const *names_of(text_names set, int *count)
         CASE(TEXT_MINIFY, minify_names);
         CASE(TEXT_FACTOR, factor_names);
         CASE(TEXT_EQUATION, equation_names);
+        CASE(TEXT_LOGIC, logic_names);
     }
 #undef CASE
     *count = 0;

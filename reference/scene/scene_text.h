@@ -44,7 +44,8 @@ typedef enum text_names {
     TEXT_MAGNIFY,
     TEXT_MINIFY,
     TEXT_FACTOR,
-    TEXT_EQUATION
+    TEXT_EQUATION,
+    TEXT_LOGIC
 } text_names;
 
 /* How many names a set has; those of the values from 0 on. */

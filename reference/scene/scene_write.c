@@ -116,6 +116,9 @@ static void write_color_state(FILE *out, const gn_pipeline *p)
                 text_name(TEXT_FACTOR, (int)p->blend.alpha_destination));
         write_floats(out, "", p->blend.constant, 4);
     }
+    if (p->color_logic) {
+        fprintf(out, "  logic-operation %s\n", text_name(TEXT_LOGIC, (int)p->logic_operation));
+    }
 }
 
 static void write_uniforms(FILE *out, const scene_draw *d)

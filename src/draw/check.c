@@ -73,7 +73,12 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
         return GN_INVALID_ENUM;
     if (pipeline->color_write_disabled > GN_CHANNEL_ALL)
         return GN_OUT_OF_RANGE;
-    return check_blend(&pipeline->blend);
+    status = check_blend(&pipeline->blend);
+    if (status)
+        return status;
+    if ((unsigned)pipeline->logic_operation > GN_LOGIC_SET)
+        return GN_INVALID_ENUM;
+    return GN_OK;
 }
 
 /* The largest of the indices that are drawn. */

@@ -31,7 +31,6 @@ static inline void set_blend_state(color_state *s, const gn_blend *blend)
     lanes_f constant[4];
     int32_t packed[GN_LANES];
 
-    s->blends = blend->enabled;
     s->color.equation = equation_or(blend->equation, GN_EQUATION_ADD);
     s->color.source = factor_or(blend->source, GN_FACTOR_ONE);
     s->color.destination = factor_or(blend->destination, GN_FACTOR_ZERO);

@@ -1,10 +1,11 @@
-/* Colours combined with those of the surface: blending, and write masks (OpenGL 4.5
- * section 17.4.2). */
+/* Colours combined with those of the surface: blending or a logical operation, then
+ * write masks (OpenGL 4.5 section 17.4.2). */
 #ifndef GN_FRAGMENT_COMBINE_H
 #define GN_FRAGMENT_COMBINE_H
 
 #include "blend.h"
 #include "color.h"
+#include "logic.h"
 
 static inline color_state color_state_of(const gn_pipeline *pipeline)
 {
@@ -17,7 +18,10 @@ static inline color_state color_state_of(const gn_pipeline *pipeline)
             s.written_bits |= (int32_t)(0xFFu << 8 * c);
     }
     set_blend_state(&s, &pipeline->blend);
-    s.replaces = s.written == GN_CHANNEL_ALL && !s.blends;
+    set_logic_state(&s, pipeline->logic_operation);
+    s.is_logical = pipeline->color_logic;
+    s.blends = pipeline->blend.enabled && !s.is_logical;
+    s.replaces = s.written == GN_CHANNEL_ALL && !s.blends && !s.is_logical;
     return s;
 }
 
@@ -47,6 +51,8 @@ GN_INLINE void combine_rgba8(const color_state *state, const gn_surface *surface
 
     if (state->blends)
         pixels = blend_pixels(state, pixels, there);
+    else if (state->is_logical)
+        pixels = operate_on_bits(state, pixels, there);
     pixels = lanes_i_or(lanes_i_and(pixels, lanes_i_splat(state->written_bits)),
                         lanes_i_and(there, lanes_i_splat(~state->written_bits)));
     if (!whole) {

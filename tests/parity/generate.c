@@ -58,6 +58,8 @@ const char *scene_class_name(scene_class c)
         return "blend";
     case CLASS_FLOAT_BLEND:
         return "float-blend";
+    case CLASS_LOGIC:
+        return "logic";
     case CLASS_MIXED:
         return "mixed";
     case CLASS_COUNT:
@@ -169,6 +171,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_FLOAT_BLEND:
         generate_float_blend(&b);
+        break;
+    case CLASS_LOGIC:
+        generate_logic(&b);
         break;
     default:
         generate_mixed(&b);

@@ -1,4 +1,5 @@
-/* Colours combined with those of the target: write masks and blending. */
+/* Colours combined with those of the target: write masks, blending and logical
+ * operations. */
 #include "generate_parts.h"
 
 /* Channels that are not written: mostly one to three. */
@@ -138,10 +139,36 @@ void generate_float_blend(builder *b)
     }
 }
 
+static void random_logic(builder *b)
+{
+    b->state.color_logic = true;
+    b->state.logic_operation = (gn_logic_operation)random_below(&b->random, 16);
+}
+
+void generate_logic(builder *b)
+{
+    random_source *r = &b->random;
+    color_target(b);
+    if (random_chance(r, 15))
+        b->scene->color_format = GN_FORMAT_RGBA32F;
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+        builder_common_state(b);
+        random_logic(b);
+        if (random_chance(r, 10))
+            random_blend(b);
+        if (random_chance(r, 20))
+            random_mask(b);
+        color_draw(b, 1 + builder_triangle_count(b) / 2);
+        builder_draw(b);
+    }
+}
+
 void mix_color_state(builder *b)
 {
     if (random_chance(&b->random, 10))
         random_mask(b);
     if (random_chance(&b->random, 20))
         random_blend(b);
+    if (random_chance(&b->random, 5))
+        random_logic(b);
 }

@@ -134,6 +134,15 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
             p->blend.constant[c] = 0.0f;
         }
         return change;
+    case 24:
+        change = p->color_logic;
+        p->color_logic = false;
+        p->logic_operation = GN_LOGIC_COPY;
+        return change;
+    case 25:
+        change = p->logic_operation != GN_LOGIC_COPY;
+        p->logic_operation = GN_LOGIC_COPY;
+        return change;
     default:
         *last = true;
         return false;

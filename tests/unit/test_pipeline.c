@@ -106,6 +106,12 @@ static void color_state_faults(void **state)
     assert_int_equal(gn_pipeline_check(&p), GN_OK); /* not enabled, not looked at */
     p.blend.enabled = true;
     assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
+
+    p = good_pipeline();
+    p.logic_operation = GN_LOGIC_SET;
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+    p.logic_operation = (gn_logic_operation)16;
+    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
 }
 
 static void viewport_faults(void **state)
