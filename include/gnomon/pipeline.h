@@ -15,6 +15,13 @@
  *   depth_function       DepthFunc                      GN_LESS
  *   depth_write_disabled not DepthMask                  depth is written
  *   interpolation        smooth, noperspective, flat    smooth
+ *   color_write_disabled not ColorMask                  every channel is written
+ *   blend.enabled        BLEND                          off
+ *   blend's factors      BlendFunc, BlendFuncSeparate   source one, destination zero
+ *   blend's equations    BlendEquation, ..Separate      GN_EQUATION_ADD
+ *   blend.constant       BlendColor                     0, 0, 0, 0
+ *   color_logic          COLOR_LOGIC_OP                 off
+ *   logic_operation      LogicOp                        GN_LOGIC_COPY
  *
  * As in OpenGL, depth is written only where the depth test is on. */
 #ifndef GNOMON_PIPELINE_H
@@ -59,6 +66,78 @@ typedef enum gn_compare {
     GN_GREATER_OR_EQUAL,
     GN_ALWAYS
 } gn_compare;
+
+/* Channels of a colour, as bits. */
+typedef enum gn_channel {
+    GN_CHANNEL_RED = 1,
+    GN_CHANNEL_GREEN = 2,
+    GN_CHANNEL_BLUE = 4,
+    GN_CHANNEL_ALPHA = 8,
+    GN_CHANNEL_ALL = 15
+} gn_channel;
+
+/* What a colour is multiplied by in blending (OpenGL 4.5 table 17.2). */
+typedef enum gn_blend_factor {
+    GN_FACTOR_DEFAULT = 0, /* the source's: one; the destination's: zero; of alpha: the colour's */
+    GN_FACTOR_ZERO,
+    GN_FACTOR_ONE,
+    GN_FACTOR_SOURCE_COLOR,
+    GN_FACTOR_ONE_MINUS_SOURCE_COLOR,
+    GN_FACTOR_DESTINATION_COLOR,
+    GN_FACTOR_ONE_MINUS_DESTINATION_COLOR,
+    GN_FACTOR_SOURCE_ALPHA,
+    GN_FACTOR_ONE_MINUS_SOURCE_ALPHA,
+    GN_FACTOR_DESTINATION_ALPHA,
+    GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA,
+    GN_FACTOR_CONSTANT_COLOR,
+    GN_FACTOR_ONE_MINUS_CONSTANT_COLOR,
+    GN_FACTOR_CONSTANT_ALPHA,
+    GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA,
+    GN_FACTOR_SOURCE_ALPHA_SATURATE /* min(source alpha, 1 - destination alpha); of alpha: one */
+} gn_blend_factor;
+
+/* How source and destination, times their factors, become one (table 17.1). */
+typedef enum gn_blend_equation {
+    GN_EQUATION_DEFAULT = 0, /* GN_EQUATION_ADD; of alpha: the colour's */
+    GN_EQUATION_ADD,
+    GN_EQUATION_SUBTRACT,         /* source - destination */
+    GN_EQUATION_REVERSE_SUBTRACT, /* destination - source */
+    GN_EQUATION_MIN,              /* of the two themselves, without factors */
+    GN_EQUATION_MAX
+} gn_blend_equation;
+
+/* Blending: a fragment's colour, the source, with the surface's, the destination. Alpha goes
+ * by the three members of its own, where they are not zero. In GN_FORMAT_RGBA8 the source and
+ * the constant are converted first, and results saturate. */
+typedef struct gn_blend {
+    bool enabled; /* false: the other fields do not matter */
+    gn_blend_equation equation;
+    gn_blend_factor source, destination;
+    gn_blend_equation alpha_equation;
+    gn_blend_factor alpha_source, alpha_destination;
+    float constant[4]; /* red, green, blue, alpha */
+} gn_blend;
+
+/* What becomes of the bits s of a fragment's colour and d of the surface's (OpenGL 4.5
+ * section 17.3.9). */
+typedef enum gn_logic_operation {
+    GN_LOGIC_COPY = 0,      /* s */
+    GN_LOGIC_CLEAR,         /* 0 */
+    GN_LOGIC_AND,           /* s & d */
+    GN_LOGIC_AND_REVERSE,   /* s & ~d */
+    GN_LOGIC_AND_INVERTED,  /* ~s & d */
+    GN_LOGIC_NOOP,          /* d */
+    GN_LOGIC_XOR,           /* s ^ d */
+    GN_LOGIC_OR,            /* s | d */
+    GN_LOGIC_NOR,           /* ~(s | d) */
+    GN_LOGIC_EQUIVALENT,    /* ~(s ^ d) */
+    GN_LOGIC_INVERT,        /* ~d */
+    GN_LOGIC_OR_REVERSE,    /* s | ~d */
+    GN_LOGIC_COPY_INVERTED, /* ~s */
+    GN_LOGIC_OR_INVERTED,   /* ~s | d */
+    GN_LOGIC_NAND,          /* ~(s & d) */
+    GN_LOGIC_SET            /* all ones */
+} gn_logic_operation;
 
 /* How a varying gets its value at a fragment (OpenGL 4.5 section 14.6.1). */
 typedef enum gn_interpolation {
@@ -159,6 +238,11 @@ typedef struct gn_pipeline {
     bool depth_test;
     gn_compare depth_function;
     bool depth_write_disabled;
+
+    uint32_t color_write_disabled; /* GN_CHANNEL_RED and so on, or'ed */
+    gn_blend blend;
+    bool color_logic; /* where set nothing is blended; floats stay as they are */
+    gn_logic_operation logic_operation;
 } gn_pipeline;
 
 GN_BEGIN
@@ -168,7 +252,10 @@ GN_BEGIN
  * GN_INVALID_ENUM (an enumeration), GN_NOT_FINITE or GN_INVALID_VIEWPORT (a
  * viewport number that is not finite; a size below 0 or above GN_MAX_SIZE, an
  * origin beyond +-GN_MAX_SIZE), GN_NOT_FINITE or GN_OUT_OF_RANGE (a depth range
- * outside 0..1), GN_NOT_FINITE (a number of the polygon offset). */
+ * outside 0..1), GN_NOT_FINITE (a number of the polygon offset),
+ * GN_INVALID_ENUM (depth function), GN_OUT_OF_RANGE (color_write_disabled
+ * has bits beyond GN_CHANNEL_ALL), GN_INVALID_ENUM or GN_NOT_FINITE (blend; the constant
+ * only where it is enabled), GN_INVALID_ENUM (logic operation). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
 
 GN_END

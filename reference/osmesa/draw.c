@@ -211,6 +211,7 @@ void reference_clear(const scene *s)
 
     glDisable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     if (s->color_format != GN_FORMAT_NONE) {
         glClearColor(s->clear_color[0], s->clear_color[1], s->clear_color[2], s->clear_color[3]);
         mask |= GL_COLOR_BUFFER_BIT;
@@ -273,6 +274,7 @@ static void set_state(const scene *s, const gn_pipeline *p)
     switch_capability(GL_DEPTH_TEST, p->depth_test);
     glDepthFunc(depth_function(p->depth_function));
     glDepthMask(!p->depth_write_disabled);
+    reference_set_color_state(p);
 }
 
 static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u)

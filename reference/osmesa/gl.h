@@ -66,4 +66,7 @@ void reference_clear(const scene *s);
 void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u);
 void reference_discard(uploaded_draw *draws, size_t count);
 
+/* Sets how colours go into the framebuffer. */
+void reference_set_color_state(const gn_pipeline *p);
+
 #endif

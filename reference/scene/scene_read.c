@@ -293,6 +293,31 @@ static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
     return true;
 }
 
+static bool read_color_state(reader *r, const char *keyword, gn_pipeline *p)
+{
+    if (!strcmp(keyword, "color-mask")) {
+        p->color_write_disabled = 0;
+        for (unsigned c = 0; c < 4; ++c) {
+            p->color_write_disabled |= read_name(r, TEXT_SWITCH) == 0 ? 1u << c : 0;
+        }
+    } else if (!strcmp(keyword, "blend")) {
+        p->blend.enabled = true;
+        p->blend.equation = (gn_blend_equation)read_name(r, TEXT_EQUATION);
+        p->blend.source = (gn_blend_factor)read_name(r, TEXT_FACTOR);
+        p->blend.destination = (gn_blend_factor)read_name(r, TEXT_FACTOR);
+        p->blend.alpha_equation = (gn_blend_equation)read_name(r, TEXT_EQUATION);
+        p->blend.alpha_source = (gn_blend_factor)read_name(r, TEXT_FACTOR);
+        p->blend.alpha_destination = (gn_blend_factor)read_name(r, TEXT_FACTOR);
+        read_floats(r, p->blend.constant, 4);
+    } else if (!strcmp(keyword, "logic-operation")) {
+        p->color_logic = true;
+        p->logic_operation = (gn_logic_operation)read_name(r, TEXT_LOGIC);
+    } else {
+        return false;
+    }
+    return true;
+}
+
 static bool read_uniforms(reader *r, const char *keyword, scene_draw *d)
 {
     gn_textured_uniforms *u = &d->uniforms;
@@ -364,8 +389,8 @@ static void read_draw(reader *r, scene *s)
         }
         if (!*keyword) {
             fail(r, "the text ends within a draw");
-        } else if (!read_state(r, keyword, &d->state) && !read_uniforms(r, keyword, d) &&
-                   !read_mesh(r, keyword, d)) {
+        } else if (!read_state(r, keyword, &d->state) && !read_color_state(r, keyword, &d->state) &&
+                   !read_uniforms(r, keyword, d) && !read_mesh(r, keyword, d)) {
             fail(r, "'%s' is no keyword of a draw", keyword);
         }
     }

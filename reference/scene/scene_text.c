@@ -23,6 +23,29 @@ static const char *const wrap_names[] = {"repeat", "clamp-to-edge"};
 static const char *const magnify_names[] = {"linear", "nearest"};
 static const char *const minify_names[] = {"nearest-mipmap-linear", "nearest", "linear"};
 
+static const char *const factor_names[] = {"default",
+                                           "zero",
+                                           "one",
+                                           "source-color",
+                                           "one-minus-source-color",
+                                           "destination-color",
+                                           "one-minus-destination-color",
+                                           "source-alpha",
+                                           "one-minus-source-alpha",
+                                           "destination-alpha",
+                                           "one-minus-destination-alpha",
+                                           "constant-color",
+                                           "one-minus-constant-color",
+                                           "constant-alpha",
+                                           "one-minus-constant-alpha",
+                                           "source-alpha-saturate"};
+static const char *const equation_names[] = {"default",          "add", "subtract",
+                                             "reverse-subtract", "min", "max"};
+
+static const char *const logic_names[] = {
+    "copy", "clear",      "and",    "and-reverse", "and-inverted",  "noop",        "xor",  "or",
+    "nor",  "equivalent", "invert", "or-reverse",  "copy-inverted", "or-inverted", "nand", "set"};
+
 static const char *const *names_of(text_names set, int *count)
 {
 #define CASE(constant, names)                                                                      \
@@ -45,6 +68,9 @@ static const char *const *names_of(text_names set, int *count)
         CASE(TEXT_WRAP, wrap_names);
         CASE(TEXT_MAGNIFY, magnify_names);
         CASE(TEXT_MINIFY, minify_names);
+        CASE(TEXT_FACTOR, factor_names);
+        CASE(TEXT_EQUATION, equation_names);
+        CASE(TEXT_LOGIC, logic_names);
     }
 #undef CASE
     *count = 0;

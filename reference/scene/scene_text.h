@@ -42,7 +42,10 @@ typedef enum text_names {
     TEXT_SWITCH,
     TEXT_WRAP,
     TEXT_MAGNIFY,
-    TEXT_MINIFY
+    TEXT_MINIFY,
+    TEXT_FACTOR,
+    TEXT_EQUATION,
+    TEXT_LOGIC
 } text_names;
 
 /* How many names a set has; those of the values from 0 on. */

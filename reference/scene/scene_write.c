@@ -107,6 +107,30 @@ static void write_state(FILE *out, const gn_pipeline *p)
             text_name(TEXT_INTERPOLATION, (int)p->interpolation[3]));
 }
 
+/* Nothing of what is as OpenGL has it at first. */
+static void write_color_state(FILE *out, const gn_pipeline *p)
+{
+    if (p->color_write_disabled) {
+        fputs("  color-mask", out);
+        for (unsigned c = 0; c < 4; ++c) {
+            fprintf(out, " %s", text_name(TEXT_SWITCH, !(p->color_write_disabled >> c & 1u)));
+        }
+        fputc('\n', out);
+    }
+    if (p->blend.enabled) {
+        fprintf(out, "  blend %s %s %s %s %s %s", text_name(TEXT_EQUATION, (int)p->blend.equation),
+                text_name(TEXT_FACTOR, (int)p->blend.source),
+                text_name(TEXT_FACTOR, (int)p->blend.destination),
+                text_name(TEXT_EQUATION, (int)p->blend.alpha_equation),
+                text_name(TEXT_FACTOR, (int)p->blend.alpha_source),
+                text_name(TEXT_FACTOR, (int)p->blend.alpha_destination));
+        write_floats(out, "", p->blend.constant, 4);
+    }
+    if (p->color_logic) {
+        fprintf(out, "  logic-operation %s\n", text_name(TEXT_LOGIC, (int)p->logic_operation));
+    }
+}
+
 static void write_uniforms(FILE *out, const scene_draw *d)
 {
     const gn_textured_uniforms *u = &d->uniforms;
@@ -146,6 +170,7 @@ bool scene_write(const scene *s, FILE *out)
 
         fprintf(out, "draw %s\n", text_name(TEXT_SHADER, (int)d->shader));
         write_state(out, &d->state);
+        write_color_state(out, &d->state);
         write_uniforms(out, d);
         fprintf(out, "  vertices %" PRIu32 "\n", d->mesh.vertex_count);
         for (int a = 0; a < text_name_count(TEXT_ATTRIBUTE); ++a) {

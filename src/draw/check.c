@@ -36,6 +36,21 @@ static gn_status check_polygon_offset(const gn_polygon_offset *o)
     return GN_OK;
 }
 
+static gn_status check_blend(const gn_blend *b)
+{
+    if ((unsigned)b->equation > GN_EQUATION_MAX || (unsigned)b->alpha_equation > GN_EQUATION_MAX ||
+        (unsigned)b->source > GN_FACTOR_SOURCE_ALPHA_SATURATE ||
+        (unsigned)b->destination > GN_FACTOR_SOURCE_ALPHA_SATURATE ||
+        (unsigned)b->alpha_source > GN_FACTOR_SOURCE_ALPHA_SATURATE ||
+        (unsigned)b->alpha_destination > GN_FACTOR_SOURCE_ALPHA_SATURATE)
+        return GN_INVALID_ENUM;
+    for (int c = 0; b->enabled && c < 4; ++c) {
+        if (!gn_is_finite(b->constant[c]))
+            return GN_NOT_FINITE;
+    }
+    return GN_OK;
+}
+
 gn_status gn_pipeline_check(const gn_pipeline *pipeline)
 {
     gn_status status;
@@ -65,6 +80,13 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
     if (status)
         return status;
     if ((unsigned)pipeline->depth_function > GN_ALWAYS)
+        return GN_INVALID_ENUM;
+    if (pipeline->color_write_disabled > GN_CHANNEL_ALL)
+        return GN_OUT_OF_RANGE;
+    status = check_blend(&pipeline->blend);
+    if (status)
+        return status;
+    if ((unsigned)pipeline->logic_operation > GN_LOGIC_SET)
         return GN_INVALID_ENUM;
     return GN_OK;
 }

@@ -7,7 +7,7 @@
 #include "../shaders/ready_made.h"
 #include "../texture/sample.h"
 
-#include "color.h"
+#include "combine.h"
 #include "depth.h"
 #include "planes.h"
 
@@ -23,7 +23,7 @@ typedef struct fragment_kind {
     gn_format depth_format; /* GN_FORMAT_NONE: no test */
     gn_format color_format; /* GN_FORMAT_NONE: no colour */
     fragment_source source;
-    bool moves_depth; /* move_depth */
+    bool whole; /* everything that the state says is asked, in shade_whole */
 } fragment_kind;
 
 static inline fragment_state fragment_state_of(const gn_target *target, const gn_pipeline *pipeline)
@@ -37,6 +37,7 @@ static inline fragment_state fragment_state_of(const gn_target *target, const gn
         s.depth.format = GN_FORMAT_NONE;
     s.test = depth_state_of(pipeline);
     s.moves_depth = pipeline->polygon_offset.set && s.depth.format != GN_FORMAT_NONE;
+    s.combine = color_state_of(pipeline);
     return s;
 }
 
@@ -93,17 +94,48 @@ GN_INLINE lanes_f move_depth(const fragment_state *state, raster_triangle triang
     return lanes_add(depth, lanes_splat(triangle_origin(triangle, offset)));
 }
 
+/* Depth, where there is a test. Gives the part of coverage that passed. */
+GN_INLINE uint32_t test_whole(const fragment_state *state, const fragment_place *at,
+                              uint32_t coverage, lanes_f depth)
+{
+    if (state->depth.format == GN_FORMAT_NONE)
+        return coverage;
+    return test_depth(&state->test, &state->depth, state->depth.format, at, coverage, depth);
+}
+
+/* All that a state may ask of a block. */
+GN_OUT_OF_LINE void shade_whole(const fragment_state *state, const fragment_place *at,
+                                raster_triangle triangle, uint32_t coverage)
+{
+    lanes_f depth = interpolate(at, triangle, DEPTH_PLANE);
+    lanes_f color[4];
+
+    if (state->moves_depth)
+        depth = move_depth(state, triangle, depth);
+    coverage = test_whole(state, at, coverage, depth);
+    if (!coverage || state->color.format == GN_FORMAT_NONE)
+        return;
+
+    const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
+    run_shader(state->pipeline, triangle, at->x, at->y, coverage, w, color);
+    if (state->combine.replaces)
+        write_color(&state->color, state->color.format, at, coverage, color);
+    else
+        combine_color(&state->combine, &state->color, state->color.format, at, coverage, color);
+}
+
 GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const fragment_place *at,
                      raster_triangle triangle, uint32_t coverage)
 {
     lanes_f color[4], texel[4];
 
+    if (kind.whole) {
+        shade_whole(state, at, triangle, coverage);
+        return;
+    }
     if (kind.depth_format != GN_FORMAT_NONE) {
-        lanes_f depth = interpolate(at, triangle, DEPTH_PLANE);
-
-        if (kind.moves_depth)
-            depth = move_depth(state, triangle, depth);
-        coverage = test_depth(&state->test, &state->depth, kind.depth_format, at, coverage, depth);
+        coverage = test_depth(&state->test, &state->depth, kind.depth_format, at, coverage,
+                              interpolate(at, triangle, DEPTH_PLANE));
         if (!coverage)
             return;
     }
@@ -237,7 +269,6 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
             shade_blocks(state, kind, triangle, x, y, 1, coverage);                                \
     }
 
-GN_RUN_FUNCTION(run_any, state->depth.format, state->color.format, SOURCE_SHADER)
 GN_RUN_FUNCTION(run_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_SHADER)
 GN_RUN_FUNCTION(run_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_SHADER)
 GN_RUN_FUNCTION(run_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_SHADER)
@@ -250,9 +281,9 @@ GN_RUN_ROWS_FUNCTION(run_texture_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SO
 GN_RUN_ROWS_FUNCTION(run_depth_d24, GN_FORMAT_D24, GN_FORMAT_NONE, SOURCE_SHADER)
 GN_RUN_ROWS_FUNCTION(run_depth_d32f, GN_FORMAT_D32F, GN_FORMAT_NONE, SOURCE_SHADER)
 
-/* What no other does, for all formats. */
-static void run_moved(const void *context, raster_triangle triangle, int32_t x, int32_t y,
-                      uint32_t count, uint32_t coverage)
+/* All states that have no function of their own. */
+static void run_any(const void *context, raster_triangle triangle, int32_t x, int32_t y,
+                    uint32_t count, uint32_t coverage)
 {
     const fragment_state *state = (const fragment_state *)context;
     const fragment_kind kind = {state->depth.format, state->color.format, SOURCE_SHADER, true};
@@ -279,15 +310,13 @@ static inline run_function *run_function_of(const fragment_state *state)
 {
     const fragment_source source = source_of(state->pipeline);
 
-    if (state->moves_depth)
-        return run_moved;
-    if (!GN_SPECIALISED)
+    if (!GN_SPECIALISED || state->moves_depth)
         return run_any;
     if (state->color.format == GN_FORMAT_NONE)
         return state->depth.format == GN_FORMAT_D24    ? run_depth_d24
                : state->depth.format == GN_FORMAT_D32F ? run_depth_d32f
                                                        : run_any;
-    if (state->color.format != GN_FORMAT_RGBA8)
+    if (state->color.format != GN_FORMAT_RGBA8 || !state->combine.replaces)
         return run_any;
     switch (state->depth.format) {
     case GN_FORMAT_NONE:

@@ -3,6 +3,9 @@
  *   planes  attributes at the fragments
  *   depth   depth test and depth write
  *   color   conversion to the colour format and write
+ *   blend   colours blended with those of the surface
+ *   logic   and their bits combined
+ *   combine and written channel by channel
  *   block   interpolates, runs depth, the fragment shader and colour
  *
  * State is resolved once a draw, into the run_function (raster/types.h) that the
@@ -23,12 +26,33 @@ typedef struct depth_state {
     bool write;
 } depth_state;
 
+/* How one group of channels is blended, no member of it GN_.._DEFAULT. */
+typedef struct blend_rule {
+    gn_blend_equation equation;
+    gn_blend_factor source, destination;
+} blend_rule;
+
+/* What becomes of a fragment's colour. */
+typedef struct color_state {
+    bool replaces;           /* it is written as it is, all of it */
+    uint32_t written;        /* channels: GN_CHANNEL_RED and so on */
+    int32_t written_bits;    /* of a pixel of GN_FORMAT_RGBA8 */
+    bool blends, is_logical; /* at most one */
+    blend_rule color, alpha;
+    /* Of floats: (source + destination) * factor; a term without a product with zero. */
+    bool factors_last, drops_source, drops_destination;
+    const float *constant;
+    int32_t constant_byte[4];
+    int32_t logic[4]; /* all ones or zeros: the result of bits 0 0, 0 1, 1 0 and 1 1 */
+} color_state;
+
 typedef struct fragment_state {
     const gn_pipeline *pipeline;
     gn_surface color; /* GN_FORMAT_NONE: no colour */
     gn_surface depth; /* GN_FORMAT_NONE: no test */
     depth_state test;
     bool moves_depth; /* polygon offset */
+    color_state combine;
 } fragment_state;
 
 /* Where lane l is. A row saves most of the work where nothing is asked of neighbouring

@@ -56,6 +56,14 @@ const char *scene_class_name(scene_class c)
         return "scissor";
     case CLASS_OFFSET:
         return "offset";
+    case CLASS_COLOR_MASK:
+        return "color-mask";
+    case CLASS_BLEND:
+        return "blend";
+    case CLASS_FLOAT_BLEND:
+        return "float-blend";
+    case CLASS_LOGIC:
+        return "logic";
     case CLASS_MIXED:
         return "mixed";
     case CLASS_COUNT:
@@ -164,6 +172,18 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_OFFSET:
         generate_offset(&b);
+        break;
+    case CLASS_COLOR_MASK:
+        generate_color_mask(&b);
+        break;
+    case CLASS_BLEND:
+        generate_blend(&b);
+        break;
+    case CLASS_FLOAT_BLEND:
+        generate_float_blend(&b);
+        break;
+    case CLASS_LOGIC:
+        generate_logic(&b);
         break;
     default:
         generate_mixed(&b);

@@ -30,6 +30,10 @@ typedef enum scene_class {
     CLASS_COLOR_RANGE,   /* colours outside 0..1 in RGBA8 */
     CLASS_SCISSOR,       /* a rectangle of pixels, in blocks and strips, empty, outside */
     CLASS_OFFSET,        /* polygon offset */
+    CLASS_COLOR_MASK,    /* channels that are not written */
+    CLASS_BLEND,         /* factors, equations, separate alpha, constants */
+    CLASS_FLOAT_BLEND,   /* the same in RGBA32F */
+    CLASS_LOGIC,         /* logical operations on colours */
     CLASS_MIXED,         /* several draws of several of the above */
     CLASS_COUNT
 } scene_class;

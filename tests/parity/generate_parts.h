@@ -75,6 +75,13 @@ void generate_float_color(builder *b);
 void generate_color_range(builder *b);
 void generate_scissor(builder *b);
 void generate_offset(builder *b);
+void generate_color_mask(builder *b);
+void generate_blend(builder *b);
+void generate_float_blend(builder *b);
+void generate_logic(builder *b);
 void generate_mixed(builder *b);
+
+/* What mixed draws have of the classes of colours combined with those of the target. */
+void mix_color_state(builder *b);
 
 #endif

@@ -337,6 +337,7 @@ static void mixed_draw(builder *b)
         break;
     }
     b->lead = random_chance(r, 20) ? random_below(r, 9) : 0;
+    mix_color_state(b);
     builder_draw(b);
 }
 

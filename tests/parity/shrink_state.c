@@ -96,25 +96,72 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         d->uniforms.sampler.magnify = GN_MAGNIFY_NEAREST;
         d->uniforms.sampler.minify = GN_MINIFY_NEAREST;
         return change && scene_shader_is_textured(d->shader);
-    case 16:
+    case 15:
         change = p->polygon_offset.set;
         memset(&p->polygon_offset, 0, sizeof p->polygon_offset);
         return change;
-    case 17:
+    case 16:
         change = p->polygon_offset.clamp != 0.0f;
         p->polygon_offset.clamp = 0.0f;
         return change;
-    case 18:
+    case 17:
         change = p->polygon_offset.factor != 0.0f;
         p->polygon_offset.factor = 0.0f;
         return change;
-    case 19:
+    case 18:
         change = p->polygon_offset.units != 0.0f;
         p->polygon_offset.units = 0.0f;
         return change;
-    case 15:
+    case 19:
         change = p->scissor.set;
         memset(&p->scissor, 0, sizeof p->scissor);
+        return change;
+    case 20:
+        change = p->color_write_disabled != 0;
+        p->color_write_disabled = 0;
+        return change;
+    case 21:
+        change = p->blend.enabled;
+        memset(&p->blend, 0, sizeof p->blend);
+        return change;
+    case 22:
+        change = p->blend.equation != GN_EQUATION_DEFAULT;
+        p->blend.equation = GN_EQUATION_DEFAULT;
+        return change;
+    case 23:
+        change = p->blend.alpha_equation != GN_EQUATION_DEFAULT;
+        p->blend.alpha_equation = GN_EQUATION_DEFAULT;
+        return change;
+    case 24:
+        change = p->blend.source != GN_FACTOR_DEFAULT;
+        p->blend.source = GN_FACTOR_DEFAULT;
+        return change;
+    case 25:
+        change = p->blend.destination != GN_FACTOR_DEFAULT;
+        p->blend.destination = GN_FACTOR_DEFAULT;
+        return change;
+    case 26:
+        change = p->blend.alpha_source != GN_FACTOR_DEFAULT;
+        p->blend.alpha_source = GN_FACTOR_DEFAULT;
+        return change;
+    case 27:
+        change = p->blend.alpha_destination != GN_FACTOR_DEFAULT;
+        p->blend.alpha_destination = GN_FACTOR_DEFAULT;
+        return change;
+    case 28:
+        for (int c = 0; c < 4; c++) {
+            change = change || p->blend.constant[c] != 0.0f;
+            p->blend.constant[c] = 0.0f;
+        }
+        return change;
+    case 29:
+        change = p->color_logic;
+        p->color_logic = false;
+        p->logic_operation = GN_LOGIC_COPY;
+        return change;
+    case 30:
+        change = p->logic_operation != GN_LOGIC_COPY;
+        p->logic_operation = GN_LOGIC_COPY;
         return change;
     default:
         *last = true;

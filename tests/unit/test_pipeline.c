@@ -63,6 +63,57 @@ static void pipeline_faults(void **state)
     assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
 }
 
+static void color_state_faults(void **state)
+{
+    (void)state;
+    gn_pipeline p = good_pipeline();
+
+    p.color_write_disabled = GN_CHANNEL_ALL;
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+    p.color_write_disabled = GN_CHANNEL_ALL + 1;
+    assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
+
+    for (int member = 0; member < 6; ++member) {
+        p = good_pipeline();
+        gn_blend *b = &p.blend;
+        const int last = member < 2 ? GN_EQUATION_MAX : GN_FACTOR_SOURCE_ALPHA_SATURATE;
+        for (int value = last; value <= last + 1; ++value) {
+            switch (member) {
+            case 0:
+                b->equation = (gn_blend_equation)value;
+                break;
+            case 1:
+                b->alpha_equation = (gn_blend_equation)value;
+                break;
+            case 2:
+                b->source = (gn_blend_factor)value;
+                break;
+            case 3:
+                b->destination = (gn_blend_factor)value;
+                break;
+            case 4:
+                b->alpha_source = (gn_blend_factor)value;
+                break;
+            default:
+                b->alpha_destination = (gn_blend_factor)value;
+                break;
+            }
+            assert_int_equal(gn_pipeline_check(&p), value == last ? GN_OK : GN_INVALID_ENUM);
+        }
+    }
+    p = good_pipeline();
+    p.blend.constant[3] = INFINITY;
+    assert_int_equal(gn_pipeline_check(&p), GN_OK); /* not enabled, not looked at */
+    p.blend.enabled = true;
+    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
+
+    p = good_pipeline();
+    p.logic_operation = GN_LOGIC_SET;
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+    p.logic_operation = (gn_logic_operation)16;
+    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+}
+
 static void viewport_faults(void **state)
 {
     (void)state;
@@ -229,11 +280,16 @@ static void workspace_sizes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(zero_state_is_valid),   cmocka_unit_test(pipeline_faults),
-        cmocka_unit_test(viewport_faults),       cmocka_unit_test(depth_range_faults),
-        cmocka_unit_test(mesh_faults),           cmocka_unit_test(ranges_and_indices),
-        cmocka_unit_test(workspace_sizes),       cmocka_unit_test(any_scissor_is_valid),
+        cmocka_unit_test(zero_state_is_valid),
+        cmocka_unit_test(pipeline_faults),
+        cmocka_unit_test(viewport_faults),
+        cmocka_unit_test(depth_range_faults),
+        cmocka_unit_test(mesh_faults),
+        cmocka_unit_test(ranges_and_indices),
+        cmocka_unit_test(workspace_sizes),
+        cmocka_unit_test(any_scissor_is_valid),
         cmocka_unit_test(polygon_offset_faults),
+        cmocka_unit_test(color_state_faults),
     };
     return cmocka_run_group_tests_name("pipeline", tests, NULL, NULL);
 }

@@ -1,0 +1,237 @@
+/* Blending (OpenGL 4.5 section 17.3.6): of bytes, and of floats. The order of operations is
+ * the reference's (reference/RULES.md). */
+#ifndef GN_FRAGMENT_BLEND_H
+#define GN_FRAGMENT_BLEND_H
+
+#include "planes.h"
+
+static inline gn_blend_factor factor_or(gn_blend_factor f, gn_blend_factor other)
+{
+    return f == GN_FACTOR_DEFAULT ? other : f;
+}
+
+static inline gn_blend_equation equation_or(gn_blend_equation e, gn_blend_equation other)
+{
+    return e == GN_EQUATION_DEFAULT ? other : e;
+}
+
+/* Least and greatest take no factor, as if both were one. */
+static inline bool takes_factors(const blend_rule *r)
+{
+    return r->equation != GN_EQUATION_MIN && r->equation != GN_EQUATION_MAX;
+}
+
+static inline bool has_one_factor(const blend_rule *r)
+{
+    return r->source == r->destination || !takes_factors(r);
+}
+
+static inline void set_blend_state(color_state *s, const gn_blend *blend)
+{
+    lanes_f constant[4];
+    int32_t packed[GN_LANES];
+
+    s->color.equation = equation_or(blend->equation, GN_EQUATION_ADD);
+    s->color.source = factor_or(blend->source, GN_FACTOR_ONE);
+    s->color.destination = factor_or(blend->destination, GN_FACTOR_ZERO);
+    s->alpha.equation = equation_or(blend->alpha_equation, s->color.equation);
+    s->alpha.source = factor_or(blend->alpha_source, s->color.source);
+    s->alpha.destination = factor_or(blend->alpha_destination, s->color.destination);
+    s->factors_last = has_one_factor(&s->color) && has_one_factor(&s->alpha);
+    const bool both = takes_factors(&s->color) && takes_factors(&s->alpha);
+    s->drops_source =
+        both && s->color.source == GN_FACTOR_ZERO && s->alpha.source == GN_FACTOR_ZERO;
+    s->drops_destination =
+        both && s->color.destination == GN_FACTOR_ZERO && s->alpha.destination == GN_FACTOR_ZERO;
+    s->constant = blend->constant;
+    for (int c = 0; c < 4; ++c) /* saturated, as a clear's is */
+        constant[c] = lanes_max(lanes_min(lanes_splat(blend->constant[c]), lanes_splat(1.0f)),
+                                lanes_splat(0.0f));
+    lanes_i_store(packed, lanes_pack_unorm8(constant[0], constant[1], constant[2], constant[3]));
+    for (int c = 0; c < 4; ++c)
+        s->constant_byte[c] = packed[0] >> 8 * c & 0xFF;
+}
+
+static inline const blend_rule *rule_of(const color_state *state, int channel)
+{
+    return channel < 3 ? &state->color : &state->alpha;
+}
+
+/* Every second factor is one minus the factor before it, one itself among them. */
+static inline bool is_one_minus(gn_blend_factor f)
+{
+    return ((unsigned)f & 1u) == 0;
+}
+
+/* A channel's source or destination and what factors may take of them, 0 to 255 each. */
+typedef struct blend_bytes {
+    lanes_i source[4], destination[4];
+} blend_bytes;
+
+static inline lanes_i factor_byte(const color_state *state, const blend_bytes *b,
+                                  gn_blend_factor factor, int channel)
+{
+    const lanes_i full = lanes_i_splat(255);
+    lanes_i value;
+
+    switch (factor) {
+    case GN_FACTOR_SOURCE_COLOR:
+    case GN_FACTOR_ONE_MINUS_SOURCE_COLOR:
+        value = b->source[channel];
+        break;
+    case GN_FACTOR_DESTINATION_COLOR:
+    case GN_FACTOR_ONE_MINUS_DESTINATION_COLOR:
+        value = b->destination[channel];
+        break;
+    case GN_FACTOR_SOURCE_ALPHA:
+    case GN_FACTOR_ONE_MINUS_SOURCE_ALPHA:
+        value = b->source[3];
+        break;
+    case GN_FACTOR_DESTINATION_ALPHA:
+    case GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA:
+        value = b->destination[3];
+        break;
+    case GN_FACTOR_CONSTANT_COLOR:
+    case GN_FACTOR_ONE_MINUS_CONSTANT_COLOR:
+        value = lanes_i_splat(state->constant_byte[channel]);
+        break;
+    case GN_FACTOR_CONSTANT_ALPHA:
+    case GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA:
+        value = lanes_i_splat(state->constant_byte[3]);
+        break;
+    case GN_FACTOR_SOURCE_ALPHA_SATURATE:
+        return channel == 3 ? full
+                            : lanes_i_min(b->source[3], lanes_i_sub(full, b->destination[3]));
+    default:
+        value = lanes_i_splat(0);
+        break;
+    }
+    return is_one_minus(factor) ? lanes_i_sub(full, value) : value;
+}
+
+/* a * b / 255, rounded as the reference does: exact where a or b is 0 or 255. */
+static inline lanes_i multiply_bytes(lanes_i a, lanes_i b)
+{
+    const lanes_i product = lanes_i_mul(a, b);
+    const lanes_i corrected = lanes_i_add(product, lanes_i_shift_right(product, 8));
+
+    return lanes_i_shift_right(lanes_i_add(corrected, lanes_i_splat(128)), 8);
+}
+
+GN_STEP lanes_i blend_byte(const color_state *state, const blend_bytes *b, int channel)
+{
+    const blend_rule *rule = rule_of(state, channel);
+    const lanes_i source = b->source[channel];
+    const lanes_i destination = b->destination[channel];
+
+    if (rule->equation == GN_EQUATION_MIN)
+        return lanes_i_min(source, destination);
+    if (rule->equation == GN_EQUATION_MAX)
+        return lanes_i_max(source, destination);
+
+    const lanes_i from = multiply_bytes(source, factor_byte(state, b, rule->source, channel));
+    const lanes_i to =
+        multiply_bytes(destination, factor_byte(state, b, rule->destination, channel));
+
+    if (rule->equation == GN_EQUATION_ADD)
+        return lanes_i_min(lanes_i_add(from, to), lanes_i_splat(255));
+    return lanes_i_max(rule->equation == GN_EQUATION_SUBTRACT ? lanes_i_sub(from, to)
+                                                              : lanes_i_sub(to, from),
+                       lanes_i_splat(0));
+}
+
+/* Pixels of GN_FORMAT_RGBA8. */
+GN_STEP lanes_i blend_pixels(const color_state *state, lanes_i source, lanes_i destination)
+{
+    const lanes_i byte = lanes_i_splat(0xFF);
+    blend_bytes b;
+
+    b.source[0] = lanes_i_and(source, byte);
+    b.source[1] = lanes_i_and(lanes_i_shift_right(source, 8), byte);
+    b.source[2] = lanes_i_and(lanes_i_shift_right(source, 16), byte);
+    b.source[3] = lanes_i_and(lanes_i_shift_right(source, 24), byte);
+    b.destination[0] = lanes_i_and(destination, byte);
+    b.destination[1] = lanes_i_and(lanes_i_shift_right(destination, 8), byte);
+    b.destination[2] = lanes_i_and(lanes_i_shift_right(destination, 16), byte);
+    b.destination[3] = lanes_i_and(lanes_i_shift_right(destination, 24), byte);
+
+    const lanes_i red = blend_byte(state, &b, 0);
+    const lanes_i green = lanes_i_shift_left(blend_byte(state, &b, 1), 8);
+    const lanes_i blue = lanes_i_shift_left(blend_byte(state, &b, 2), 16);
+    const lanes_i alpha = lanes_i_shift_left(blend_byte(state, &b, 3), 24);
+    return lanes_i_or(lanes_i_or(red, green), lanes_i_or(blue, alpha));
+}
+
+/* The factors of floats. */
+static inline lanes_f factor_float(const color_state *state, const lanes_f source[4],
+                                   const lanes_f destination[4], gn_blend_factor factor,
+                                   int channel)
+{
+    const lanes_f one = lanes_splat(1.0f);
+    lanes_f value;
+
+    switch (factor) {
+    case GN_FACTOR_SOURCE_COLOR:
+    case GN_FACTOR_ONE_MINUS_SOURCE_COLOR:
+        value = source[channel];
+        break;
+    case GN_FACTOR_DESTINATION_COLOR:
+    case GN_FACTOR_ONE_MINUS_DESTINATION_COLOR:
+        value = destination[channel];
+        break;
+    case GN_FACTOR_SOURCE_ALPHA:
+    case GN_FACTOR_ONE_MINUS_SOURCE_ALPHA:
+        value = source[3];
+        break;
+    case GN_FACTOR_DESTINATION_ALPHA:
+    case GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA:
+        value = destination[3];
+        break;
+    case GN_FACTOR_CONSTANT_COLOR:
+    case GN_FACTOR_ONE_MINUS_CONSTANT_COLOR:
+        value = lanes_splat(state->constant[channel]);
+        break;
+    case GN_FACTOR_CONSTANT_ALPHA:
+    case GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA:
+        value = lanes_splat(state->constant[3]);
+        break;
+    case GN_FACTOR_SOURCE_ALPHA_SATURATE:
+        return channel == 3 ? one : lanes_min(source[3], lanes_sub(one, destination[3]));
+    default:
+        value = lanes_splat(0.0f);
+        break;
+    }
+    return is_one_minus(factor) ? lanes_sub(one, value) : value;
+}
+
+GN_STEP lanes_f blend_float(const color_state *state, const lanes_f source[4],
+                            const lanes_f destination[4], int channel)
+{
+    const blend_rule *rule = rule_of(state, channel);
+
+    if (rule->equation == GN_EQUATION_MIN)
+        return lanes_min(source[channel], destination[channel]);
+    if (rule->equation == GN_EQUATION_MAX)
+        return lanes_max(source[channel], destination[channel]);
+
+    const lanes_f factor = factor_float(state, source, destination, rule->source, channel);
+    /* Added or subtracted, it leaves the other term as it is, zeros of both signs too. */
+    const lanes_f nothing = lanes_splat(rule->equation == GN_EQUATION_ADD ? -0.0f : 0.0f);
+    lanes_f from = source[channel];
+    lanes_f to = destination[channel];
+
+    if (state->drops_source && state->drops_destination)
+        return lanes_splat(0.0f);
+    if (!state->factors_last) {
+        from = state->drops_source ? nothing : lanes_mul(from, factor);
+        to = state->drops_destination ? nothing
+                                      : lanes_mul(to, factor_float(state, source, destination,
+                                                                   rule->destination, channel));
+    }
+    const lanes_f sum = rule->equation == GN_EQUATION_ADD        ? lanes_add(from, to)
+                        : rule->equation == GN_EQUATION_SUBTRACT ? lanes_sub(from, to)
+                                                                 : lanes_sub(to, from);
+    return state->factors_last ? lanes_mul(sum, factor) : sum;
+}
+
+#endif

@@ -1,0 +1,174 @@
+/* Colours combined with those of the target: write masks, blending and logical
+ * operations. */
+#include "generate_parts.h"
+
+/* Channels that are not written: mostly one to three. */
+static void random_mask(builder *b)
+{
+    random_source *r = &b->random;
+    const uint32_t which = random_below(r, 16);
+    b->state.color_write_disabled = random_chance(r, 50) ? which : 1u << which % 4;
+}
+
+/* A target of odd sizes now and then, whose blocks hang over its edges. */
+static void color_target(builder *b)
+{
+    static const gn_format depths[] = {GN_FORMAT_NONE, GN_FORMAT_D16, GN_FORMAT_D24,
+                                       GN_FORMAT_D32F};
+    random_source *r = &b->random;
+    if (random_chance(r, 60)) {
+        builder_common_target(b);
+    } else {
+        const uint32_t width = 1 + random_below(r, 70), height = 1 + random_below(r, 70);
+        builder_target(b, width, height, GN_FORMAT_RGBA8, depths[random_below(r, 4)]);
+    }
+}
+
+/* Triangles that cover one another, with colours that may lie outside 0..1. */
+static void color_draw(builder *b, uint32_t count)
+{
+    random_source *r = &b->random;
+    const uint32_t shape = random_below(r, 4);
+    if (shape == 0)
+        shape_any_grid(b, 6);
+    else if (shape == 1)
+        shape_ties(b, count);
+    else
+        shape_pile(b, count);
+    b->shader = (scene_shader)(random_chance(r, 15) ? SCENE_GOURAUD : SCENE_VERTEX_COLOR);
+    b->uniforms.light.light_direction.z = 1.0f;
+    b->uniforms.light.ambient = (gn_vec3){0.25f, 0.25f, 0.5f};
+    b->uniforms.light.diffuse = (gn_vec3){0.75f, 0.5f, 0.5f};
+    if (random_chance(r, 30)) {
+        const float low = -random_unit(r), high = 1.0f + random_unit(r);
+        for (uint32_t i = 0; i < b->vertex_count; i++)
+            for (int c = 0; c < 4; c++)
+                b->vertices[i].color[c] = random_float(r, low, high);
+    }
+}
+
+void generate_color_mask(builder *b)
+{
+    random_source *r = &b->random;
+    color_target(b);
+    if (random_chance(r, 25))
+        b->scene->color_format = GN_FORMAT_RGBA32F;
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+        builder_common_state(b);
+        random_mask(b);
+        color_draw(b, 1 + builder_triangle_count(b) / 2);
+        builder_draw(b);
+    }
+}
+
+/* Half of the time one of the pairs that people use. */
+static void random_factors(random_source *r, gn_blend_factor *source, gn_blend_factor *destination)
+{
+    static const gn_blend_factor pairs[][2] = {
+        {GN_FACTOR_SOURCE_ALPHA, GN_FACTOR_ONE_MINUS_SOURCE_ALPHA},
+        {GN_FACTOR_ONE, GN_FACTOR_ONE_MINUS_SOURCE_ALPHA},
+        {GN_FACTOR_ONE, GN_FACTOR_ONE},
+        {GN_FACTOR_SOURCE_ALPHA, GN_FACTOR_ONE},
+        {GN_FACTOR_DESTINATION_COLOR, GN_FACTOR_ZERO},
+        {GN_FACTOR_ZERO, GN_FACTOR_SOURCE_COLOR},
+        {GN_FACTOR_SOURCE_ALPHA_SATURATE, GN_FACTOR_ONE},
+        {GN_FACTOR_ONE_MINUS_DESTINATION_COLOR, GN_FACTOR_ONE},
+        {GN_FACTOR_CONSTANT_ALPHA, GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA},
+        {GN_FACTOR_DEFAULT, GN_FACTOR_DEFAULT},
+    };
+    if (random_chance(r, 50)) {
+        const uint32_t pair = random_below(r, sizeof pairs / sizeof *pairs);
+        *source = pairs[pair][0];
+        *destination = pairs[pair][1];
+    } else {
+        *source = (gn_blend_factor)random_below(r, 16);
+        *destination = (gn_blend_factor)random_below(r, 16);
+    }
+}
+
+static gn_blend_equation random_equation(random_source *r)
+{
+    return (gn_blend_equation)(random_chance(r, 50) ? 0 : random_below(r, 6));
+}
+
+static void random_blend(builder *b)
+{
+    random_source *r = &b->random;
+    gn_blend *blend = &b->state.blend;
+    blend->enabled = true;
+    blend->equation = random_equation(r);
+    random_factors(r, &blend->source, &blend->destination);
+    if (random_chance(r, 50)) {
+        blend->alpha_equation = random_equation(r);
+        random_factors(r, &blend->alpha_source, &blend->alpha_destination);
+    }
+    const bool beyond = random_chance(r, 20);
+    for (int c = 0; c < 4; c++)
+        blend->constant[c] = beyond ? random_float(r, -1.0f, 2.0f) : random_unit(r);
+}
+
+void generate_blend(builder *b)
+{
+    random_source *r = &b->random;
+    color_target(b);
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+        builder_common_state(b);
+        random_blend(b);
+        if (random_chance(r, 20))
+            random_mask(b);
+        color_draw(b, 1 + builder_triangle_count(b) / 2);
+        builder_draw(b);
+    }
+}
+
+/* Few layers, since products of many come to be denormals, which the reference has not. */
+void generate_float_blend(builder *b)
+{
+    random_source *r = &b->random;
+    color_target(b);
+    b->scene->color_format = GN_FORMAT_RGBA32F;
+    for (int c = 0; c < 4; c++)
+        b->scene->clear_color[c] = random_float(r, -2.0f, 3.0f);
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+        builder_common_state(b);
+        random_blend(b);
+        if (random_chance(r, 20))
+            random_mask(b);
+        color_draw(b, 1 + random_below(r, 8));
+        builder_draw(b);
+    }
+}
+
+static void random_logic(builder *b)
+{
+    b->state.color_logic = true;
+    b->state.logic_operation = (gn_logic_operation)random_below(&b->random, 16);
+}
+
+void generate_logic(builder *b)
+{
+    random_source *r = &b->random;
+    color_target(b);
+    if (random_chance(r, 15))
+        b->scene->color_format = GN_FORMAT_RGBA32F;
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+        builder_common_state(b);
+        random_logic(b);
+        if (random_chance(r, 10))
+            random_blend(b);
+        if (random_chance(r, 20))
+            random_mask(b);
+        color_draw(b, 1 + builder_triangle_count(b) / 2);
+        builder_draw(b);
+    }
+}
+
+void mix_color_state(builder *b)
+{
+    if (random_chance(&b->random, 10))
+        random_mask(b);
+    if (random_chance(&b->random, 20))
+        random_blend(b);
+    if (random_chance(&b->random, 5))
+        random_logic(b);
+}
