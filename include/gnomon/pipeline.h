@@ -12,6 +12,10 @@
  *   depth_function       DepthFunc                      GN_LESS
  *   depth_write_disabled not DepthMask                  depth is written
  *   interpolation        smooth, noperspective, flat    smooth
+ *   fragment_reads_position  use of gl_FragCoord        not given to the shader
+ *   fragment_reads_primitive use of gl_PrimitiveID      not given to the shader
+ *   fragment_discards    discard                        the shader discards nothing
+ *   fragment_writes_depth    gl_FragDepth               interpolated depth
  *
  * As in OpenGL, depth is written only where the depth test is on. */
 #ifndef GNOMON_PIPELINE_H
@@ -103,12 +107,31 @@ typedef struct gn_fragment_input {
 
     /* gn_sample_2d in the form of the back end that runs the shader; the same result. */
     gn_sample_2d_function *sample_2d;
+
+    bool front_facing; /* gl_FrontFacing, by front_face */
+
+    /* gl_PrimitiveID: triangles of the draw, from 0 on. 0 without the pipeline's
+     * fragment_reads_primitive. */
+    uint32_t primitive_id;
+
+    /* gl_FragCoord, [x, y, z, w][lane]: the pixel's centre in window coordinates, the
+     * interpolated depth before it is clamped, the interpolated 1/w. Null without the
+     * pipeline's fragment_reads_position. */
+    const float (*position)[GN_LANES];
 } gn_fragment_input;
 
 /* Output of a fragment shader: color[channel][lane], red, green, blue, alpha.
  * Every lane must be written; those not covered are not used. */
 typedef struct gn_fragment_output {
     float (*color)[GN_LANES];
+
+    /* Comes with every lane's bit set; the shader clears the bits of fragments it
+     * discards. Looked at only with fragment_discards. */
+    uint32_t kept;
+
+    /* gl_FragDepth, [lane], clamped to 0..1 afterwards, NaN to 1; comes with the
+     * interpolated depth. Null without fragment_writes_depth. */
+    float *depth;
 } gn_fragment_output;
 
 /* Shaders are plain functions over 16 lanes; `uniforms` is the pipeline's
@@ -136,12 +159,21 @@ typedef struct gn_pipeline {
     bool depth_test;
     gn_compare depth_function;
     bool depth_write_disabled;
+
+    /* What the fragment shader does beyond reading varyings and writing colour. If it
+     * discards or writes depth, it runs before the depth and stencil tests,
+     * otherwise after them, on what has passed. */
+    bool fragment_reads_position;
+    bool fragment_reads_primitive;
+    bool fragment_discards;
+    bool fragment_writes_depth;
 } gn_pipeline;
 
 GN_BEGIN
 
 /* The first fault of a pipeline, in the order of its fields: GN_NULL_POINTER
- * (pipeline), GN_NO_SHADER (no vertex shader), GN_TOO_MANY_VARYINGS,
+ * (pipeline), GN_NO_SHADER (no vertex shader; no fragment shader, but it discards or
+ * writes depth), GN_TOO_MANY_VARYINGS,
  * GN_INVALID_ENUM (an enumeration), GN_NOT_FINITE or GN_INVALID_VIEWPORT (a
  * viewport number that is not finite; a size below 0 or above GN_MAX_SIZE, an
  * origin beyond +-GN_MAX_SIZE), GN_NOT_FINITE or GN_OUT_OF_RANGE (a depth range

@@ -266,13 +266,13 @@ static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u)
     }
 }
 
-/* To set a uniform the program does not use is an error: vertex colour has the matrix alone. */
+/* To set a uniform the program does not use is an error: what is not lit has the matrix alone. */
 static void set_uniforms(const scene_draw *d)
 {
     const gn_light_uniforms *light = &d->uniforms.light;
 
     glUniformMatrix4fv(0, 1, GL_FALSE, &light->clip_from_model.m[0][0]);
-    if (d->shader != SCENE_VERTEX_COLOR) {
+    if (scene_shader_is_lit(d->shader)) {
         glUniformMatrix3fv(1, 1, GL_FALSE, &light->normal_matrix.m[0][0]);
         glUniform3f(2, light->light_direction.x, light->light_direction.y,
                     light->light_direction.z);

@@ -12,13 +12,14 @@
 
 #include <gnomon.h>
 
-/* The shader of a draw, ready-made but for the last. */
+/* The shader of a draw, ready-made but for the last two. */
 typedef enum scene_shader {
     SCENE_VERTEX_COLOR = 0,
     SCENE_FLAT,
     SCENE_GOURAUD,
     SCENE_TEXTURED_GOURAUD,
-    SCENE_PHONG, /* no ready-made one: a user's (phong.h) */
+    SCENE_PHONG,  /* no ready-made one: a user's (phong.h) */
+    SCENE_INPUTS, /* another (inputs.h) */
     SCENE_SHADER_COUNT
 } scene_shader;
 
@@ -27,19 +28,25 @@ static inline bool scene_shader_is_textured(scene_shader shader)
     return shader == SCENE_TEXTURED_GOURAUD || shader == SCENE_PHONG;
 }
 
+static inline bool scene_shader_is_lit(scene_shader shader)
+{
+    return shader != SCENE_VERTEX_COLOR && shader != SCENE_INPUTS;
+}
+
 typedef struct scene_draw {
     scene_shader shader;
 
     /* State. The shader, uniforms and varying_count members are not looked at: the
      * drawing side sets them. With SCENE_VERTEX_COLOR, interpolation[0..3] is
-     * honoured (red, green, blue, alpha); other shaders bring their own. */
+     * honoured (red, green, blue, alpha); other shaders bring their own. What the fragment
+     * shader does (fragment_...) is honoured with SCENE_INPUTS, and false otherwise. */
     gn_pipeline state;
 
     /* The pointers of the mesh and of uniforms.texture are the scene's own memory. */
     gn_mesh mesh;
     uint32_t index_count; /* elements behind mesh.indices, 0 where there are none */
 
-    /* clip_from_model serves every shader, the light all but SCENE_VERTEX_COLOR, the
+    /* clip_from_model serves every shader, the light those that are lit, the
      * texture and sampler the textured shaders. */
     gn_textured_uniforms uniforms;
 

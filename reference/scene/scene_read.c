@@ -257,6 +257,14 @@ static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
         p->depth_function = (gn_compare)read_name(r, TEXT_COMPARE);
     } else if (!strcmp(keyword, "depth-write")) {
         p->depth_write_disabled = read_name(r, TEXT_SWITCH) == 0;
+    } else if (!strcmp(keyword, "reads-position")) {
+        p->fragment_reads_position = read_name(r, TEXT_SWITCH) == 1;
+    } else if (!strcmp(keyword, "reads-primitive")) {
+        p->fragment_reads_primitive = read_name(r, TEXT_SWITCH) == 1;
+    } else if (!strcmp(keyword, "discards")) {
+        p->fragment_discards = read_name(r, TEXT_SWITCH) == 1;
+    } else if (!strcmp(keyword, "writes-depth")) {
+        p->fragment_writes_depth = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "interpolation")) {
         for (int i = 0; i < 4; ++i) {
             p->interpolation[i] = (gn_interpolation)read_name(r, TEXT_INTERPOLATION);

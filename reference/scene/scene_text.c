@@ -5,8 +5,8 @@
 #include <string.h>
 
 /* In the order of the values. */
-static const char *const shader_names[] = {"vertex-color", "flat", "gouraud", "textured-gouraud",
-                                           "phong"};
+static const char *const shader_names[] = {"vertex-color",     "flat",  "gouraud",
+                                           "textured-gouraud", "phong", "inputs"};
 static const char *const format_names[] = {"none", "rgba8", "rgba32f", "d16", "d24", "d32f"};
 static const char *const topology_names[] = {"triangles", "triangle-strip", "triangle-fan"};
 static const char *const provoking_names[] = {"last", "first"};

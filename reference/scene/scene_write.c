@@ -90,6 +90,10 @@ static void write_state(FILE *out, const gn_pipeline *p)
     fprintf(out, "  depth-test %s\n", text_name(TEXT_SWITCH, p->depth_test));
     fprintf(out, "  depth-function %s\n", text_name(TEXT_COMPARE, (int)p->depth_function));
     fprintf(out, "  depth-write %s\n", text_name(TEXT_SWITCH, !p->depth_write_disabled));
+    fprintf(out, "  reads-position %s\n", text_name(TEXT_SWITCH, p->fragment_reads_position));
+    fprintf(out, "  reads-primitive %s\n", text_name(TEXT_SWITCH, p->fragment_reads_primitive));
+    fprintf(out, "  discards %s\n", text_name(TEXT_SWITCH, p->fragment_discards));
+    fprintf(out, "  writes-depth %s\n", text_name(TEXT_SWITCH, p->fragment_writes_depth));
     fprintf(out, "  interpolation %s %s %s %s\n",
             text_name(TEXT_INTERPOLATION, (int)p->interpolation[0]),
             text_name(TEXT_INTERPOLATION, (int)p->interpolation[1]),

@@ -37,6 +37,9 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
         return GN_NULL_POINTER;
     if (!pipeline->vertex_shader)
         return GN_NO_SHADER;
+    if (!pipeline->fragment_shader &&
+        (pipeline->fragment_discards || pipeline->fragment_writes_depth))
+        return GN_NO_SHADER;
     if (pipeline->varying_count > GN_MAX_VARYINGS)
         return GN_TOO_MANY_VARYINGS;
     for (uint32_t n = 0; n < pipeline->varying_count; ++n) {

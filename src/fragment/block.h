@@ -23,6 +23,7 @@ typedef struct fragment_kind {
     gn_format depth_format; /* GN_FORMAT_NONE: no test */
     gn_format color_format; /* GN_FORMAT_NONE: no colour */
     fragment_source source;
+    bool whole; /* everything that state says is asked, in shade_whole */
 } fragment_kind;
 
 static inline fragment_state fragment_state_of(const gn_target *target, const gn_pipeline *pipeline)
@@ -53,11 +54,34 @@ static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_tr
     }
 }
 
-GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, int32_t x, int32_t y,
-                        uint32_t coverage, lanes_f w, lanes_f out[4])
+/* gl_FragCoord of a block. */
+GN_OUT_OF_LINE void place_fragments(raster_triangle triangle, int32_t x, int32_t y,
+                                    float position[4][GN_LANES])
 {
+    const attribute_plane z = triangle_plane(triangle, DEPTH_PLANE);
+    const attribute_plane w = triangle_plane(triangle, ONE_OVER_W_PLANE);
+
+    GN_EACH_LANE (l) {
+        position[0][l] = (float)(x + l % BLOCK_SIZE) + 0.5f;
+        position[1][l] = (float)(y + l / BLOCK_SIZE) + 0.5f;
+    }
+    lanes_store(position[2], plane_in_block(z, (float)x, (float)y));
+    lanes_store(position[3], plane_in_block(w, (float)x, (float)y));
+}
+
+/* What a fragment shader says beside colour: the fragments it keeps, and where `depth` is
+ * not null their depths, which come with the interpolated ones. */
+typedef struct shader_verdict {
+    uint32_t kept;
+    float *depth;
+} shader_verdict;
+
+GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, int32_t x, int32_t y,
+                        uint32_t coverage, lanes_f w, lanes_f out[4], shader_verdict *verdict)
+{
+    const triangle_identity identity = identity_of(triangle, pipeline->varying_count);
     float varying[GN_MAX_VARYINGS][GN_LANES];
-    float color[4][GN_LANES];
+    float color[4][GN_LANES], position[4][GN_LANES];
     gn_fragment_input input;
     gn_fragment_output output;
 
@@ -68,8 +92,18 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     input.x = x;
     input.y = y;
     input.sample_2d = GN_SPECIALISED ? sample_2d : gn_sample_2d;
+    input.front_facing = identity.back == 0;
+    input.primitive_id = pipeline->fragment_reads_primitive ? (uint32_t)identity.primitive : 0;
+    input.position = 0;
+    if (pipeline->fragment_reads_position) {
+        place_fragments(triangle, x, y, position);
+        input.position = (const float(*)[GN_LANES])position;
+    }
     output.color = color;
+    output.kept = GN_ALL_LANES;
+    output.depth = verdict->depth;
     pipeline->fragment_shader(pipeline->uniforms, &input, &output);
+    verdict->kept = output.kept;
     for (int c = 0; c < 4; ++c)
         out[c] = lanes_load(color[c]);
 }
@@ -83,11 +117,59 @@ GN_INLINE void sample_texture(const gn_textured_uniforms *uniforms, const fragme
     sample(&uniforms->texture, &uniforms->sampler, &s, &t, texel);
 }
 
+/* Depth, where there is a test. Gives the part of coverage that passed. */
+GN_INLINE uint32_t test_whole(const fragment_state *state, const fragment_place *at,
+                              uint32_t coverage, lanes_f depth)
+{
+    if (state->depth.format == GN_FORMAT_NONE)
+        return coverage;
+    return test_depth(&state->test, &state->depth, state->depth.format, at, coverage, depth);
+}
+
+/* All that a state may ask of a block, in OpenGL's order: the shader before the tests where
+ * they need what it says, otherwise after them. */
+GN_OUT_OF_LINE void shade_whole(const fragment_state *state, const fragment_place *at,
+                                raster_triangle triangle, uint32_t coverage)
+{
+    const gn_pipeline *p = state->pipeline;
+    const bool late = p->fragment_discards || p->fragment_writes_depth;
+    lanes_f depth = interpolate(at, triangle, DEPTH_PLANE);
+    float written[GN_LANES];
+    lanes_f color[4];
+    shader_verdict verdict;
+
+    if (!late)
+        coverage = test_whole(state, at, coverage, depth);
+    if (!coverage || (!late && state->color.format == GN_FORMAT_NONE))
+        return;
+
+    verdict.depth = 0;
+    if (p->fragment_writes_depth) {
+        lanes_store(written, depth);
+        verdict.depth = written;
+    }
+    const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
+    run_shader(p, triangle, at->x, at->y, coverage, w, color, &verdict);
+    if (p->fragment_discards)
+        coverage &= verdict.kept;
+    if (p->fragment_writes_depth)
+        depth = lanes_load(written);
+    if (late && coverage)
+        coverage = test_whole(state, at, coverage, depth);
+    if (coverage && state->color.format != GN_FORMAT_NONE)
+        write_color(&state->color, state->color.format, at, coverage, color);
+}
+
 GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const fragment_place *at,
                      raster_triangle triangle, uint32_t coverage)
 {
     lanes_f color[4], texel[4];
+    shader_verdict verdict;
 
+    if (kind.whole) {
+        shade_whole(state, at, triangle, coverage);
+        return;
+    }
     if (kind.depth_format != GN_FORMAT_NONE) {
         coverage = test_depth(&state->test, &state->depth, kind.depth_format, at, coverage,
                               interpolate(at, triangle, DEPTH_PLANE));
@@ -99,7 +181,8 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
 
     const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
     if (kind.source == SOURCE_SHADER) {
-        run_shader(state->pipeline, triangle, at->x, at->y, coverage, w, color);
+        verdict.depth = 0;
+        run_shader(state->pipeline, triangle, at->x, at->y, coverage, w, color, &verdict);
     } else {
         if (kind.source == SOURCE_TEXTURE)
             sample_texture(state->pipeline->uniforms, at, triangle, w, texel);
@@ -191,13 +274,28 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
                  GN_ALL_LANES);
 }
 
+/* Whether a state asks more than run_any answers. */
+static inline bool asks_whole(const fragment_state *state)
+{
+    return state->pipeline->fragment_discards || state->pipeline->fragment_writes_depth;
+}
+
+static void run_whole(const void *context, raster_triangle triangle, int32_t x, int32_t y,
+                      uint32_t count, uint32_t coverage)
+{
+    const fragment_state *state = (const fragment_state *)context;
+    const fragment_kind kind = {state->depth.format, state->color.format, SOURCE_SHADER, true};
+
+    shade_blocks(state, kind, triangle, x, y, count, coverage);
+}
+
 /* A run_function for one state; the context is a fragment_state. */
 #define GN_RUN_FUNCTION(name, depth_format, color_format, source)                                  \
     static void name(const void *context, raster_triangle triangle, int32_t x, int32_t y,          \
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \
-        const fragment_kind kind = {depth_format, color_format, source};                           \
+        const fragment_kind kind = {depth_format, color_format, source, false};                    \
                                                                                                    \
         shade_blocks(state, kind, triangle, x, y, count, coverage);                                \
     }
@@ -208,7 +306,7 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
     GN_OUT_OF_LINE void name##_long(const fragment_state *state, raster_triangle triangle,         \
                                     int32_t x, int32_t y, uint32_t count)                          \
     {                                                                                              \
-        const fragment_kind kind = {depth_format, color_format, source};                           \
+        const fragment_kind kind = {depth_format, color_format, source, false};                    \
                                                                                                    \
         shade_run(state, kind, triangle, x, y, count);                                             \
     }                                                                                              \
@@ -216,7 +314,7 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \
-        const fragment_kind kind = {depth_format, color_format, source};                           \
+        const fragment_kind kind = {depth_format, color_format, source, false};                    \
                                                                                                    \
         if (count > 1)                                                                             \
             name##_long(state, triangle, x, y, count);                                             \
@@ -256,6 +354,8 @@ static inline run_function *run_function_of(const fragment_state *state)
 {
     const fragment_source source = source_of(state->pipeline);
 
+    if (asks_whole(state))
+        return run_whole;
     if (!GN_SPECIALISED)
         return run_any;
     if (state->color.format == GN_FORMAT_NONE)

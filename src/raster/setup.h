@@ -164,6 +164,16 @@ static inline void setup_planes(const gn_pipeline *pipeline, const unsigned char
     }
 }
 
+static inline void setup_identities(const gn_pipeline *pipeline, const triangle_list *list,
+                                    triangle_batch *batch)
+{
+    float(*const words)[GN_LANES] = batch->plane[VARYING_PLANES + pipeline->varying_count];
+
+    lanes_i_store((stored_word *)(void *)words[IDENTITY_PRIMITIVE], lanes_i_load(list->primitive));
+    lanes_i_store((stored_word *)(void *)words[IDENTITY_BACK],
+                  lanes_m_as_int(lanes_from_bits(list->back)));
+}
+
 /* Makes the lanes beyond a list's count equal to its first. */
 static inline void fill_list(triangle_list *list)
 {
@@ -172,6 +182,7 @@ static inline void fill_list(triangle_list *list)
             list->vertex[i][l] = list->vertex[i][0];
         for (int b = 0; b < BOUNDS_COUNT; ++b)
             list->bounds[b][l] = list->bounds[b][0];
+        list->primitive[l] = list->primitive[0];
     }
 }
 
@@ -182,6 +193,7 @@ static inline void setup_triangles(const gn_pipeline *pipeline, const pixel_rect
 {
     setup_edges(target, memory, list, batch);
     setup_planes(pipeline, memory, list, batch);
+    setup_identities(pipeline, list, batch);
 }
 
 #endif

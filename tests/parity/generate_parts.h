@@ -50,6 +50,12 @@ void shape_strip(builder *b, uint32_t triangles);
 /* Random indices over few vertices; the topology stays. */
 void shape_random_indices(builder *b, placement p, uint32_t vertices, uint32_t triangles);
 
+/* One of the shapes of separate triangles, or a strip or a fan. */
+void shape_any(builder *b, uint32_t count);
+
+/* Makes the next draw's shader that of reference/scene/inputs.h. */
+void random_inputs(builder *b);
+
 /* One class each, from the target on. */
 void generate_meshes(builder *b);
 void generate_piles(builder *b);
@@ -63,6 +69,7 @@ void generate_indexed(builder *b);
 void generate_lit(builder *b);
 void generate_textured(builder *b);
 void generate_phong(builder *b);
+void generate_inputs(builder *b);
 void generate_float_color(builder *b);
 void generate_color_range(builder *b);
 void generate_mixed(builder *b);

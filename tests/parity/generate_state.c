@@ -20,6 +20,19 @@ static void any_shape(builder *b, uint32_t count)
     shapes[random_below(&b->random, 8)](b, count);
 }
 
+void shape_any(builder *b, uint32_t count)
+{
+    const uint32_t which = random_below(&b->random, 6);
+    if (which == 0)
+        shape_strip(b, count);
+    else if (which == 1)
+        shape_any_grid(b, 6);
+    else if (which == 2)
+        shape_pile(b, 1 + count / 3);
+    else
+        any_shape(b, count);
+}
+
 static gn_viewport random_viewport(builder *b)
 {
     random_source *r = &b->random;
@@ -333,6 +346,8 @@ static void mixed_draw(builder *b)
         break;
     }
     b->lead = random_chance(r, 20) ? random_below(r, 9) : 0;
+    if (random_chance(r, 10))
+        random_inputs(b);
     builder_draw(b);
 }
 

@@ -46,6 +46,8 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
     case 0:
         change = d->shader != SCENE_VERTEX_COLOR;
         d->shader = SCENE_VERTEX_COLOR;
+        p->fragment_reads_primitive = false;
+        p->fragment_reads_position = p->fragment_discards = p->fragment_writes_depth = false;
         return change;
     case 1:
         change = d->shader > SCENE_GOURAUD;
@@ -96,6 +98,22 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         d->uniforms.sampler.magnify = GN_MAGNIFY_NEAREST;
         d->uniforms.sampler.minify = GN_MINIFY_NEAREST;
         return change && scene_shader_is_textured(d->shader);
+    case 15:
+        change = p->fragment_reads_position;
+        p->fragment_reads_position = false;
+        return change;
+    case 16:
+        change = p->fragment_discards;
+        p->fragment_discards = false;
+        return change;
+    case 17:
+        change = p->fragment_writes_depth;
+        p->fragment_writes_depth = false;
+        return change;
+    case 18:
+        change = p->fragment_reads_primitive;
+        p->fragment_reads_primitive = false;
+        return change;
     default:
         *last = true;
         return false;

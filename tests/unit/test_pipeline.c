@@ -61,6 +61,12 @@ static void pipeline_faults(void **state)
     p = good_pipeline();
     p.depth_function = (gn_compare)8;
     assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    p = good_pipeline();
+    p.fragment_discards = true;
+    assert_int_equal(gn_pipeline_check(&p), GN_NO_SHADER);
+    p = good_pipeline();
+    p.fragment_writes_depth = true;
+    assert_int_equal(gn_pipeline_check(&p), GN_NO_SHADER);
 }
 
 static void viewport_faults(void **state)
