@@ -12,12 +12,16 @@
  *   depth_function       DepthFunc                      GN_LESS
  *   depth_write_disabled not DepthMask                  depth is written
  *   interpolation        smooth, noperspective, flat    smooth
+ *   stencil_test         STENCIL_TEST                   off
+ *   stencil_front        StencilFuncSeparate and the    GN_STENCIL_ALWAYS, GN_STENCIL_KEEP,
+ *   stencil_back         like, FRONT and BACK           reference 0, all bits
  *   fragment_reads_position  use of gl_FragCoord        not given to the shader
  *   fragment_reads_primitive use of gl_PrimitiveID      not given to the shader
  *   fragment_discards    discard                        the shader discards nothing
  *   fragment_writes_depth    gl_FragDepth               interpolated depth
  *
- * As in OpenGL, depth is written only where the depth test is on. */
+ * As in OpenGL, depth is written only where the depth test is on, stencil only where the
+ * stencil test is, and a test of what the target has not got passes. */
 #ifndef GNOMON_PIPELINE_H
 #define GNOMON_PIPELINE_H
 
@@ -60,6 +64,39 @@ typedef enum gn_compare {
     GN_GREATER_OR_EQUAL,
     GN_ALWAYS
 } gn_compare;
+
+/* Passes where `reference FUNCTION stored stencil` holds, both without the ignored bits. */
+typedef enum gn_stencil_function {
+    GN_STENCIL_ALWAYS = 0,
+    GN_STENCIL_NEVER,
+    GN_STENCIL_EQUAL,
+    GN_STENCIL_LESS_OR_EQUAL,
+    GN_STENCIL_GREATER,
+    GN_STENCIL_NOT_EQUAL,
+    GN_STENCIL_GREATER_OR_EQUAL,
+    GN_STENCIL_LESS
+} gn_stencil_function;
+
+typedef enum gn_stencil_operation {
+    GN_STENCIL_KEEP = 0,
+    GN_STENCIL_ZERO,
+    GN_STENCIL_REPLACE,   /* by the reference */
+    GN_STENCIL_INCREMENT, /* up to 255 */
+    GN_STENCIL_DECREMENT, /* down to 0 */
+    GN_STENCIL_INVERT,
+    GN_STENCIL_INCREMENT_WRAP,
+    GN_STENCIL_DECREMENT_WRAP
+} gn_stencil_operation;
+
+typedef struct gn_stencil_face {
+    gn_stencil_function function;
+    uint8_t reference;
+    uint8_t ignored_bits;            /* not the mask of StencilFunc */
+    uint8_t write_disabled_bits;     /* not StencilMask */
+    gn_stencil_operation fail;       /* where the stencil test fails */
+    gn_stencil_operation depth_fail; /* where it passes and the depth test fails */
+    gn_stencil_operation pass;       /* where both pass */
+} gn_stencil_face;
 
 /* How a varying gets its value at a fragment (OpenGL 4.5 section 14.6.1). */
 typedef enum gn_interpolation {
@@ -160,6 +197,9 @@ typedef struct gn_pipeline {
     gn_compare depth_function;
     bool depth_write_disabled;
 
+    bool stencil_test;
+    gn_stencil_face stencil_front, stencil_back;
+
     /* What the fragment shader does beyond reading varyings and writing colour. If it
      * discards or writes depth, it runs before the depth and stencil tests,
      * otherwise after them, on what has passed. */
@@ -177,7 +217,7 @@ GN_BEGIN
  * GN_INVALID_ENUM (an enumeration), GN_NOT_FINITE or GN_INVALID_VIEWPORT (a
  * viewport number that is not finite; a size below 0 or above GN_MAX_SIZE, an
  * origin beyond +-GN_MAX_SIZE), GN_NOT_FINITE or GN_OUT_OF_RANGE (a depth range
- * outside 0..1). */
+ * outside 0..1), GN_INVALID_ENUM (the functions and operations of depth and stencil). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
 
 GN_END

@@ -58,9 +58,10 @@ typedef struct scene_draw {
 typedef struct scene {
     uint32_t width, height;
     gn_format color_format; /* GN_FORMAT_RGBA8, GN_FORMAT_RGBA32F */
-    gn_format depth_format; /* GN_FORMAT_NONE, D16, D24, D32F */
+    gn_format depth_format; /* GN_FORMAT_NONE, D16, D24, D32F, D24S8, D32FS8, S8 */
     float clear_color[4];
     float clear_depth;
+    uint8_t clear_stencil;
     scene_draw *draws;
     size_t draw_count;
 } scene;
@@ -76,13 +77,13 @@ typedef struct scene_frame {
 /* How two frames of one size and format differ. Bits are compared, except that two
  * NaN are equal. */
 typedef struct scene_difference {
-    uint64_t color_pixels; /* pixels with any channel different */
-    uint64_t depth_pixels;
+    uint64_t color_pixels;    /* pixels with any channel different */
+    uint64_t depth_pixels;    /* the same of depth and stencil */
     uint64_t pixels;          /* with a difference in colour or depth */
     uint64_t coverage_pixels; /* pixels one side has drawn on and the other has not: the
                                  value is still the clear value on exactly one side */
     double color_largest;     /* largest difference of a channel, RGBA8: in steps of 1/255 */
-    double depth_largest;     /* D16, D24: in steps of the format; D32F: as a number */
+    double depth_largest;     /* of depth or stencil: in steps, floats as numbers */
     uint32_t x, y;            /* the first differing pixel, where pixels > 0 */
 } scene_difference;
 

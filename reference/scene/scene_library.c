@@ -114,7 +114,7 @@ static gn_status clear_rows(const clear *c, uint32_t first, uint32_t count)
                                 s->clear_color[3]);
     }
     if (status == GN_OK && s->depth_format != GN_FORMAT_NONE) {
-        status = gn_clear_depth(&depth, s->clear_depth);
+        status = gn_clear_depth_stencil(&depth, s->clear_depth, s->clear_stencil);
     }
     return status;
 }

@@ -29,6 +29,14 @@ static gn_status check_depth_range(const gn_depth_range *r)
     return GN_OK;
 }
 
+static bool is_stencil_face(const gn_stencil_face *f)
+{
+    return (unsigned)f->function <= GN_STENCIL_LESS &&
+           (unsigned)f->fail <= GN_STENCIL_DECREMENT_WRAP &&
+           (unsigned)f->depth_fail <= GN_STENCIL_DECREMENT_WRAP &&
+           (unsigned)f->pass <= GN_STENCIL_DECREMENT_WRAP;
+}
+
 gn_status gn_pipeline_check(const gn_pipeline *pipeline)
 {
     gn_status status;
@@ -57,7 +65,8 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
     status = check_depth_range(&pipeline->depth_range);
     if (status)
         return status;
-    if ((unsigned)pipeline->depth_function > GN_ALWAYS)
+    if ((unsigned)pipeline->depth_function > GN_ALWAYS ||
+        !is_stencil_face(&pipeline->stencil_front) || !is_stencil_face(&pipeline->stencil_back))
         return GN_INVALID_ENUM;
     return GN_OK;
 }

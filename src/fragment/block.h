@@ -10,6 +10,7 @@
 #include "color.h"
 #include "depth.h"
 #include "planes.h"
+#include "stencil.h"
 
 /* What computes a fragment's colour. */
 typedef enum fragment_source {
@@ -26,17 +27,21 @@ typedef struct fragment_kind {
     bool whole; /* everything that state says is asked, in shade_whole */
 } fragment_kind;
 
-static inline fragment_state fragment_state_of(const gn_target *target, const gn_pipeline *pipeline)
+static inline void set_fragment_state(fragment_state *s, const gn_target *target,
+                                      const gn_pipeline *pipeline)
 {
-    fragment_state s;
+    const gn_format format = target->depth.format;
 
-    s.pipeline = pipeline;
-    s.color = target->color;
-    s.depth = target->depth;
-    if (!pipeline->depth_test)
-        s.depth.format = GN_FORMAT_NONE;
-    s.test = depth_state_of(pipeline);
-    return s;
+    s->pipeline = pipeline;
+    s->color = target->color;
+    s->depth = target->depth;
+    s->tests_depth = pipeline->depth_test && format_has_depth(format);
+    s->tests_stencil = pipeline->stencil_test && format_has_stencil(format);
+    if (!s->tests_depth && !s->tests_stencil)
+        s->depth.format = GN_FORMAT_NONE;
+    s->test = depth_state_of(pipeline);
+    s->stencil[0] = stencil_state_of(&pipeline->stencil_front);
+    s->stencil[1] = stencil_state_of(&pipeline->stencil_back);
 }
 
 static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_triangle triangle,
@@ -117,10 +122,15 @@ GN_INLINE void sample_texture(const gn_textured_uniforms *uniforms, const fragme
     sample(&uniforms->texture, &uniforms->sampler, &s, &t, texel);
 }
 
-/* Depth, where there is a test. Gives the part of coverage that passed. */
+/* Stencil and depth, where there are tests. Gives the part of coverage that passed. */
 GN_INLINE uint32_t test_whole(const fragment_state *state, const fragment_place *at,
-                              uint32_t coverage, lanes_f depth)
+                              raster_triangle triangle, uint32_t coverage, lanes_f depth)
 {
+    if (format_has_stencil(state->depth.format)) {
+        const uint32_t varyings = state->pipeline->varying_count;
+
+        return test_stencil(state, at, identity_of(triangle, varyings).back != 0, coverage, depth);
+    }
     if (state->depth.format == GN_FORMAT_NONE)
         return coverage;
     return test_depth(&state->test, &state->depth, state->depth.format, at, coverage, depth);
@@ -139,7 +149,7 @@ GN_OUT_OF_LINE void shade_whole(const fragment_state *state, const fragment_plac
     shader_verdict verdict;
 
     if (!late)
-        coverage = test_whole(state, at, coverage, depth);
+        coverage = test_whole(state, at, triangle, coverage, depth);
     if (!coverage || (!late && state->color.format == GN_FORMAT_NONE))
         return;
 
@@ -155,7 +165,7 @@ GN_OUT_OF_LINE void shade_whole(const fragment_state *state, const fragment_plac
     if (p->fragment_writes_depth)
         depth = lanes_load(written);
     if (late && coverage)
-        coverage = test_whole(state, at, coverage, depth);
+        coverage = test_whole(state, at, triangle, coverage, depth);
     if (coverage && state->color.format != GN_FORMAT_NONE)
         write_color(&state->color, state->color.format, at, coverage, color);
 }
@@ -277,7 +287,8 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
 /* Whether a state asks more than run_any answers. */
 static inline bool asks_whole(const fragment_state *state)
 {
-    return state->pipeline->fragment_discards || state->pipeline->fragment_writes_depth;
+    return state->pipeline->fragment_discards || state->pipeline->fragment_writes_depth ||
+           format_has_stencil(state->depth.format);
 }
 
 static void run_whole(const void *context, raster_triangle triangle, int32_t x, int32_t y,

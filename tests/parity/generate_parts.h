@@ -56,6 +56,9 @@ void shape_any(builder *b, uint32_t count);
 /* Makes the next draw's shader that of reference/scene/inputs.h. */
 void random_inputs(builder *b);
 
+/* A random stencil test of the next draw. */
+void random_stencil(builder *b);
+
 /* One class each, from the target on. */
 void generate_meshes(builder *b);
 void generate_piles(builder *b);
@@ -70,6 +73,7 @@ void generate_lit(builder *b);
 void generate_textured(builder *b);
 void generate_phong(builder *b);
 void generate_inputs(builder *b);
+void generate_stencil(builder *b);
 void generate_float_color(builder *b);
 void generate_color_range(builder *b);
 void generate_mixed(builder *b);

@@ -348,12 +348,17 @@ static void mixed_draw(builder *b)
     b->lead = random_chance(r, 20) ? random_below(r, 9) : 0;
     if (random_chance(r, 10))
         random_inputs(b);
+    if (random_chance(r, 20))
+        random_stencil(b);
     builder_draw(b);
 }
 
 void generate_mixed(builder *b)
 {
+    static const gn_format stencils[] = {GN_FORMAT_D24S8, GN_FORMAT_D32FS8, GN_FORMAT_S8};
     builder_common_target(b);
+    if (random_chance(&b->random, 30))
+        b->scene->depth_format = stencils[random_below(&b->random, 3)];
     for (uint32_t draws = 2 + random_below(&b->random, 4); draws > 0; draws--)
         mixed_draw(b);
 }

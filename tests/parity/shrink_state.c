@@ -31,10 +31,36 @@ static bool simplify_scene(scene *s, unsigned step, bool *last)
         s->clear_depth = 1.0f;
         return change;
     }
+    case 4: {
+        const bool change = s->clear_stencil != 0;
+        s->clear_stencil = 0;
+        return change;
+    }
     default:
         *last = true;
         return false;
     }
+}
+
+/* Sets one member of a stencil face to its simplest value. False where it has that value. */
+static bool simplify_face(gn_stencil_face *f, unsigned member)
+{
+    gn_stencil_face was = *f;
+    if (member == 0)
+        f->function = GN_STENCIL_ALWAYS;
+    else if (member == 1)
+        f->reference = 0;
+    else if (member == 2)
+        f->ignored_bits = 0;
+    else if (member == 3)
+        f->write_disabled_bits = 0;
+    else if (member == 4)
+        f->fail = GN_STENCIL_KEEP;
+    else if (member == 5)
+        f->depth_fail = GN_STENCIL_KEEP;
+    else
+        f->pass = GN_STENCIL_KEEP;
+    return memcmp(&was, f, sizeof was) != 0;
 }
 
 /* The same for a draw. */
@@ -114,6 +140,26 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         change = p->fragment_reads_primitive;
         p->fragment_reads_primitive = false;
         return change;
+    case 19:
+        change = p->stencil_test;
+        p->stencil_test = false;
+        return change;
+    case 20:
+    case 21:
+    case 22:
+    case 23:
+    case 24:
+    case 25:
+    case 26:
+        return simplify_face(&p->stencil_front, step - 20);
+    case 27:
+    case 28:
+    case 29:
+    case 30:
+    case 31:
+    case 32:
+    case 33:
+        return simplify_face(&p->stencil_back, step - 27);
     default:
         *last = true;
         return false;
