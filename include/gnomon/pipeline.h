@@ -22,8 +22,16 @@
  *   blend.constant       BlendColor                     0, 0, 0, 0
  *   color_logic          COLOR_LOGIC_OP                 off
  *   logic_operation      LogicOp                        GN_LOGIC_COPY
+ *   stencil_test         STENCIL_TEST                   off
+ *   stencil_front        StencilFuncSeparate and the    GN_STENCIL_ALWAYS, GN_STENCIL_KEEP,
+ *   stencil_back         like, FRONT and BACK           reference 0, all bits
+ *   fragment_reads_position  use of gl_FragCoord        not given to the shader
+ *   fragment_reads_primitive use of gl_PrimitiveID      not given to the shader
+ *   fragment_discards    discard                        the shader discards nothing
+ *   fragment_writes_depth    gl_FragDepth               interpolated depth
  *
- * As in OpenGL, depth is written only where the depth test is on. */
+ * As in OpenGL, depth is written only where the depth test is on, stencil only where the
+ * stencil test is, and a test of what the target has not got passes. */
 #ifndef GNOMON_PIPELINE_H
 #define GNOMON_PIPELINE_H
 
@@ -138,6 +146,38 @@ typedef enum gn_logic_operation {
     GN_LOGIC_NAND,          /* ~(s & d) */
     GN_LOGIC_SET            /* all ones */
 } gn_logic_operation;
+/* Passes where `reference FUNCTION stored stencil` holds, both without the ignored bits. */
+typedef enum gn_stencil_function {
+    GN_STENCIL_ALWAYS = 0,
+    GN_STENCIL_NEVER,
+    GN_STENCIL_EQUAL,
+    GN_STENCIL_LESS_OR_EQUAL,
+    GN_STENCIL_GREATER,
+    GN_STENCIL_NOT_EQUAL,
+    GN_STENCIL_GREATER_OR_EQUAL,
+    GN_STENCIL_LESS
+} gn_stencil_function;
+
+typedef enum gn_stencil_operation {
+    GN_STENCIL_KEEP = 0,
+    GN_STENCIL_ZERO,
+    GN_STENCIL_REPLACE,   /* by the reference */
+    GN_STENCIL_INCREMENT, /* up to 255 */
+    GN_STENCIL_DECREMENT, /* down to 0 */
+    GN_STENCIL_INVERT,
+    GN_STENCIL_INCREMENT_WRAP,
+    GN_STENCIL_DECREMENT_WRAP
+} gn_stencil_operation;
+
+typedef struct gn_stencil_face {
+    gn_stencil_function function;
+    uint8_t reference;
+    uint8_t ignored_bits;            /* not the mask of StencilFunc */
+    uint8_t write_disabled_bits;     /* not StencilMask */
+    gn_stencil_operation fail;       /* where the stencil test fails */
+    gn_stencil_operation depth_fail; /* where it passes and the depth test fails */
+    gn_stencil_operation pass;       /* where both pass */
+} gn_stencil_face;
 
 /* How a varying gets its value at a fragment (OpenGL 4.5 section 14.6.1). */
 typedef enum gn_interpolation {
@@ -203,12 +243,31 @@ typedef struct gn_fragment_input {
 
     /* gn_sample_2d in the form of the back end that runs the shader; the same result. */
     gn_sample_2d_function *sample_2d;
+
+    bool front_facing; /* gl_FrontFacing, by front_face */
+
+    /* gl_PrimitiveID: triangles of the draw, from 0 on. 0 without the pipeline's
+     * fragment_reads_primitive. */
+    uint32_t primitive_id;
+
+    /* gl_FragCoord, [x, y, z, w][lane]: the pixel's centre in window coordinates, the
+     * interpolated depth before it is clamped, the interpolated 1/w. Null without the
+     * pipeline's fragment_reads_position. */
+    const float (*position)[GN_LANES];
 } gn_fragment_input;
 
 /* Output of a fragment shader: color[channel][lane], red, green, blue, alpha.
  * Every lane must be written; those not covered are not used. */
 typedef struct gn_fragment_output {
     float (*color)[GN_LANES];
+
+    /* Comes with every lane's bit set; the shader clears the bits of fragments it
+     * discards. Looked at only with fragment_discards. */
+    uint32_t kept;
+
+    /* gl_FragDepth, [lane], clamped to 0..1 afterwards, NaN to 1; comes with the
+     * interpolated depth. Null without fragment_writes_depth. */
+    float *depth;
 } gn_fragment_output;
 
 /* Shaders are plain functions over 16 lanes; `uniforms` is the pipeline's
@@ -243,17 +302,28 @@ typedef struct gn_pipeline {
     gn_blend blend;
     bool color_logic; /* where set nothing is blended; floats stay as they are */
     gn_logic_operation logic_operation;
+    bool stencil_test;
+    gn_stencil_face stencil_front, stencil_back;
+
+    /* What the fragment shader does beyond reading varyings and writing colour. If it
+     * discards or writes depth, it runs before the depth and stencil tests,
+     * otherwise after them, on what has passed. */
+    bool fragment_reads_position;
+    bool fragment_reads_primitive;
+    bool fragment_discards;
+    bool fragment_writes_depth;
 } gn_pipeline;
 
 GN_BEGIN
 
 /* The first fault of a pipeline, in the order of its fields: GN_NULL_POINTER
- * (pipeline), GN_NO_SHADER (no vertex shader), GN_TOO_MANY_VARYINGS,
+ * (pipeline), GN_NO_SHADER (no vertex shader; no fragment shader, but it discards or
+ * writes depth), GN_TOO_MANY_VARYINGS,
  * GN_INVALID_ENUM (an enumeration), GN_NOT_FINITE or GN_INVALID_VIEWPORT (a
  * viewport number that is not finite; a size below 0 or above GN_MAX_SIZE, an
  * origin beyond +-GN_MAX_SIZE), GN_NOT_FINITE or GN_OUT_OF_RANGE (a depth range
  * outside 0..1), GN_NOT_FINITE (a number of the polygon offset),
- * GN_INVALID_ENUM (depth function), GN_OUT_OF_RANGE (color_write_disabled
+ * GN_INVALID_ENUM (functions and operations of depth and stencil), GN_OUT_OF_RANGE (color_write_disabled
  * has bits beyond GN_CHANNEL_ALL), GN_INVALID_ENUM or GN_NOT_FINITE (blend; the constant
  * only where it is enabled), GN_INVALID_ENUM (logic operation). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);

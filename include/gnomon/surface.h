@@ -13,8 +13,13 @@
  *   GN_FORMAT_D16     uint16_t     depth * 65535
  *   GN_FORMAT_D24     uint32_t     depth * 16777215 in bits 0-23, the rest 0
  *   GN_FORMAT_D32F    float        depth
+ *   GN_FORMAT_D24S8   uint32_t     depth * 16777215 in bits 0-23, stencil in bits 24-31
+ *   GN_FORMAT_D32FS8  float,       depth,
+ *                     uint32_t     stencil in bits 0-7, the rest 0
+ *   GN_FORMAT_S8      uint8_t      stencil
  *
- * Pixels and strides are aligned to a uint16_t for GN_FORMAT_D16, to 4 bytes otherwise.
+ * Pixels and strides are aligned to a uint16_t for GN_FORMAT_D16, not at all for GN_FORMAT_S8,
+ * to 4 bytes otherwise.
  * On a little-endian machine GN_FORMAT_RGBA8 is the bytes R, G, B, A. */
 #ifndef GNOMON_SURFACE_H
 #define GNOMON_SURFACE_H
@@ -34,7 +39,10 @@ typedef enum gn_format {
     GN_FORMAT_RGBA32F,
     GN_FORMAT_D16,
     GN_FORMAT_D24,
-    GN_FORMAT_D32F
+    GN_FORMAT_D32F,
+    GN_FORMAT_D24S8,
+    GN_FORMAT_D32FS8,
+    GN_FORMAT_S8
 } gn_format;
 
 typedef struct gn_surface {
@@ -49,7 +57,7 @@ typedef struct gn_surface {
  * must be there, and both have the same size. The two must not overlap. */
 typedef struct gn_target {
     gn_surface color; /* GN_FORMAT_RGBA8 or GN_FORMAT_RGBA32F */
-    gn_surface depth; /* GN_FORMAT_D16, GN_FORMAT_D24 or GN_FORMAT_D32F */
+    gn_surface depth; /* depth, stencil or both: GN_FORMAT_D16 to GN_FORMAT_S8 */
 } gn_target;
 
 GN_BEGIN
@@ -89,8 +97,15 @@ GN_API gn_status gn_clear_color(const gn_surface *surface, float red, float gree
 
 /* Fills a depth surface with one depth, clamped to 0..1 (NaN becomes 0).
  * GN_FORMAT_D16 and D24 hold round-half-even(depth * (2^n - 1)), computed exactly.
- * A bad surface gives the statuses of gn_target_check. */
+ * Stencil stays. A bad surface, or one without depth, gives the statuses of gn_target_check. */
 GN_API gn_status gn_clear_depth(const gn_surface *surface, float depth);
+
+/* Fills the stencil of a surface; depth stays. A bad surface, or one without stencil, gives
+ * the statuses of gn_target_check. */
+GN_API gn_status gn_clear_stencil(const gn_surface *surface, uint8_t stencil);
+
+/* Both at once, of what the surface has: faster than one after the other. */
+GN_API gn_status gn_clear_depth_stencil(const gn_surface *surface, float depth, uint8_t stencil);
 
 GN_END
 

@@ -127,6 +127,9 @@ void reference_destroy(reference *r)
     for (int i = 0; i < SCENE_SHADER_COUNT; ++i) {
         glDeleteProgram(r->lit_programs[i]);
     }
+    for (int i = 0; i < INPUTS_PROGRAMS; ++i) {
+        glDeleteProgram(r->inputs_programs[i]);
+    }
     glDeleteVertexArrays(1, &r->vertex_array);
     OSMesaDestroyContext(r->context);
     free(r);

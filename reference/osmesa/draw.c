@@ -62,6 +62,31 @@ static GLenum depth_function(gn_compare c)
     return GL_LESS;
 }
 
+static GLenum stencil_function(gn_stencil_function f)
+{
+    static const GLenum functions[] = {GL_ALWAYS,  GL_NEVER,    GL_EQUAL,  GL_LEQUAL,
+                                       GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_LESS};
+
+    return functions[f];
+}
+
+static GLenum stencil_operation(gn_stencil_operation o)
+{
+    static const GLenum operations[] = {GL_KEEP, GL_ZERO,   GL_REPLACE,   GL_INCR,
+                                        GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP};
+
+    return operations[o];
+}
+
+static void set_stencil(GLenum face, const gn_stencil_face *f)
+{
+    glStencilFuncSeparate(face, stencil_function(f->function), f->reference,
+                          255u & ~(GLuint)f->ignored_bits);
+    glStencilMaskSeparate(face, 255u & ~(GLuint)f->write_disabled_bits);
+    glStencilOpSeparate(face, stencil_operation(f->fail), stencil_operation(f->depth_fail),
+                        stencil_operation(f->pass));
+}
+
 static void switch_capability(GLenum capability, bool on)
 {
     if (on) {
@@ -219,6 +244,9 @@ void reference_clear(const scene *s)
     if (s->depth_format != GN_FORMAT_NONE) {
         glClearDepthf(s->clear_depth);
         mask |= GL_DEPTH_BUFFER_BIT;
+        glStencilMask(255);
+        glClearStencil(s->clear_stencil);
+        mask |= GL_STENCIL_BUFFER_BIT; /* of what is not there, nothing is cleared */
     }
     glClear(mask);
 }
@@ -275,6 +303,9 @@ static void set_state(const scene *s, const gn_pipeline *p)
     glDepthFunc(depth_function(p->depth_function));
     glDepthMask(!p->depth_write_disabled);
     reference_set_color_state(p);
+    switch_capability(GL_STENCIL_TEST, p->stencil_test);
+    set_stencil(GL_FRONT, &p->stencil_front);
+    set_stencil(GL_BACK, &p->stencil_back);
 }
 
 static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u)
@@ -296,13 +327,13 @@ static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u)
     }
 }
 
-/* To set a uniform the program does not use is an error: vertex colour has the matrix alone. */
+/* To set a uniform the program does not use is an error: what is not lit has the matrix alone. */
 static void set_uniforms(const scene_draw *d)
 {
     const gn_light_uniforms *light = &d->uniforms.light;
 
     glUniformMatrix4fv(0, 1, GL_FALSE, &light->clip_from_model.m[0][0]);
-    if (d->shader != SCENE_VERTEX_COLOR) {
+    if (scene_shader_is_lit(d->shader)) {
         glUniformMatrix3fv(1, 1, GL_FALSE, &light->normal_matrix.m[0][0]);
         glUniform3f(2, light->light_direction.x, light->light_direction.y,
                     light->light_direction.z);
@@ -366,6 +397,24 @@ static void read_frame(const scene *s, scene_frame *frame)
         break;
     case GN_FORMAT_D32F:
         glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, frame->depth);
+        break;
+    case GN_FORMAT_D24S8:
+        glReadPixels(0, 0, width, height, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, frame->depth);
+        for (size_t i = 0; i < (size_t)s->width * s->height; ++i) {
+            uint32_t *const word = (uint32_t *)frame->depth + i;
+
+            *word = *word >> 8 | *word << 24;
+        }
+        break;
+    case GN_FORMAT_D32FS8:
+        glReadPixels(0, 0, width, height, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV,
+                     frame->depth);
+        for (size_t i = 0; i < (size_t)s->width * s->height; ++i) {
+            ((uint32_t *)frame->depth)[2 * i + 1] &= 255;
+        }
+        break;
+    case GN_FORMAT_S8:
+        glReadPixels(0, 0, width, height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, frame->depth);
         break;
     default:
         break;

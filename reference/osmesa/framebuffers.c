@@ -16,6 +16,12 @@ static GLenum gl_format(gn_format format)
         return GL_DEPTH_COMPONENT24;
     case GN_FORMAT_D32F:
         return GL_DEPTH_COMPONENT32F;
+    case GN_FORMAT_D24S8:
+        return GL_DEPTH24_STENCIL8;
+    case GN_FORMAT_D32FS8:
+        return GL_DEPTH32F_STENCIL8;
+    case GN_FORMAT_S8:
+        return GL_STENCIL_INDEX8;
     case GN_FORMAT_NONE:
         break;
     }
@@ -41,7 +47,11 @@ static GLuint attach_depth(const scene *s, reference_depth depth)
         return attach(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8, s->width, s->height);
     if (s->depth_format != GN_FORMAT_NONE && depth == REFERENCE_DEPTH_FLOAT)
         return attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, s->width, s->height);
-    return attach(GL_DEPTH_ATTACHMENT, gl_format(s->depth_format), s->width, s->height);
+    const bool has_both = s->depth_format == GN_FORMAT_D24S8 || s->depth_format == GN_FORMAT_D32FS8;
+    return attach(has_both                          ? GL_DEPTH_STENCIL_ATTACHMENT
+                  : s->depth_format == GN_FORMAT_S8 ? GL_STENCIL_ATTACHMENT
+                                                    : GL_DEPTH_ATTACHMENT,
+                  gl_format(s->depth_format), s->width, s->height);
 }
 
 bool framebuffer_create(framebuffer *f, const scene *s, reference_depth depth, char *error,

@@ -15,6 +15,9 @@
 /* Variants of the vertex-colour program: three qualifiers to the power of four. */
 #define VERTEX_COLOR_PROGRAMS 81
 
+/* Of the program of inputs.h: with and without position, primitive, discard, depth. */
+#define INPUTS_PROGRAMS 16
+
 typedef struct framebuffer {
     GLuint name;
     GLuint color, depth; /* renderbuffers */
@@ -29,6 +32,7 @@ struct reference {
     char renderer[128];
     GLuint vertex_array;
     GLuint vertex_color_programs[VERTEX_COLOR_PROGRAMS];
+    GLuint inputs_programs[INPUTS_PROGRAMS];
     GLuint lit_programs[SCENE_SHADER_COUNT];
     framebuffer framebuffers[FRAMEBUFFER_CACHE_SIZE];
     uint64_t uses;

@@ -1,5 +1,6 @@
-/* The GLSL twins of the ready-made shaders and of phong.h. Their expressions are written in the
- * order of operations of the library's; attributes and uniforms have fixed locations. */
+/* The GLSL twins of the ready-made shaders, of phong.h and of inputs.h. Their expressions are
+ * written in the order of operations of the library's; attributes and uniforms have fixed
+ * locations. */
 #include "gl.h"
 
 #include <string.h>
@@ -122,6 +123,37 @@ static const char phong_fragment[] =
     "    result = vec4(texel.rgb * (ambient + diffuse * lit) + specular * power, texel.a);\n"
     "}\n";
 
+static const char inputs_vertex[] = "smooth out vec4 shade;\n"
+                                    "void main()\n"
+                                    "{\n"
+                                    "    gl_Position = clip_from_model * position;\n"
+                                    "    shade = color;\n"
+                                    "}\n";
+
+static const char inputs_fragment[] = "smooth in vec4 shade;\n"
+                                      "layout(location = 0) out vec4 result;\n"
+                                      "void main()\n"
+                                      "{\n"
+                                      "    vec4 c = shade;\n"
+                                      "    c.r = gl_FrontFacing ? c.r : 1.0 - c.r;\n"
+                                      "#ifdef PRIMITIVE\n"
+                                      "    c.g = c.g + float(gl_PrimitiveID & 1023) * 0.015625;\n"
+                                      "#endif\n"
+                                      "#ifdef POSITION\n"
+                                      "    c.r = c.r + gl_FragCoord.x * 0.0078125;\n"
+                                      "    c.g = c.g + gl_FragCoord.y * 0.0078125;\n"
+                                      "    c.ba = gl_FragCoord.zw;\n"
+                                      "#endif\n"
+                                      "#ifdef DISCARD\n"
+                                      "    if (shade.a < 0.5)\n"
+                                      "        discard;\n"
+                                      "#endif\n"
+                                      "#ifdef DEPTH\n"
+                                      "    gl_FragDepth = shade.b;\n"
+                                      "#endif\n"
+                                      "    result = c;\n"
+                                      "}\n";
+
 static GLuint compile(GLenum stage, const char *head, const char *body, char *error,
                       size_t error_size)
 {
@@ -201,6 +233,18 @@ static GLuint link_vertex_color(const gn_interpolation *i, char *error, size_t e
     return link_program(vertex, "#version 450 core\n", fragment, error, error_size);
 }
 
+static GLuint link_inputs(const gn_pipeline *p, char *error, size_t error_size)
+{
+    char head[128];
+
+    snprintf(head, sizeof head, "#version 450 core\n%s%s%s%s",
+             p->fragment_reads_primitive ? "#define PRIMITIVE\n" : "",
+             p->fragment_reads_position ? "#define POSITION\n" : "",
+             p->fragment_discards ? "#define DISCARD\n" : "",
+             p->fragment_writes_depth ? "#define DEPTH\n" : "");
+    return link_program(inputs_vertex, head, inputs_fragment, error, error_size);
+}
+
 GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t error_size)
 {
     GLuint *program = &r->lit_programs[d->shader < SCENE_SHADER_COUNT ? d->shader : 0];
@@ -236,6 +280,15 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
     case SCENE_PHONG:
         if (!*program) {
             *program = link_program(phong_vertex, phong_fragment, "", error, error_size);
+        }
+        break;
+    case SCENE_INPUTS:
+        program =
+            &r->inputs_programs[d->state.fragment_reads_position + 2 * d->state.fragment_discards +
+                                4 * d->state.fragment_writes_depth +
+                                8 * d->state.fragment_reads_primitive];
+        if (!*program) {
+            *program = link_inputs(&d->state, error, error_size);
         }
         break;
     case SCENE_SHADER_COUNT:

@@ -12,13 +12,14 @@
 
 #include <gnomon.h>
 
-/* The shader of a draw, ready-made but for the last. */
+/* The shader of a draw, ready-made but for the last two. */
 typedef enum scene_shader {
     SCENE_VERTEX_COLOR = 0,
     SCENE_FLAT,
     SCENE_GOURAUD,
     SCENE_TEXTURED_GOURAUD,
-    SCENE_PHONG, /* no ready-made one: a user's (phong.h) */
+    SCENE_PHONG,  /* no ready-made one: a user's (phong.h) */
+    SCENE_INPUTS, /* another (inputs.h) */
     SCENE_SHADER_COUNT
 } scene_shader;
 
@@ -27,19 +28,25 @@ static inline bool scene_shader_is_textured(scene_shader shader)
     return shader == SCENE_TEXTURED_GOURAUD || shader == SCENE_PHONG;
 }
 
+static inline bool scene_shader_is_lit(scene_shader shader)
+{
+    return shader != SCENE_VERTEX_COLOR && shader != SCENE_INPUTS;
+}
+
 typedef struct scene_draw {
     scene_shader shader;
 
     /* State. The shader, uniforms and varying_count members are not looked at: the
      * drawing side sets them. With SCENE_VERTEX_COLOR, interpolation[0..3] is
-     * honoured (red, green, blue, alpha); other shaders bring their own. */
+     * honoured (red, green, blue, alpha); other shaders bring their own. What the fragment
+     * shader does (fragment_...) is honoured with SCENE_INPUTS, and false otherwise. */
     gn_pipeline state;
 
     /* The pointers of the mesh and of uniforms.texture are the scene's own memory. */
     gn_mesh mesh;
     uint32_t index_count; /* elements behind mesh.indices, 0 where there are none */
 
-    /* clip_from_model serves every shader, the light all but SCENE_VERTEX_COLOR, the
+    /* clip_from_model serves every shader, the light those that are lit, the
      * texture and sampler the textured shaders. */
     gn_textured_uniforms uniforms;
 
@@ -51,9 +58,10 @@ typedef struct scene_draw {
 typedef struct scene {
     uint32_t width, height;
     gn_format color_format; /* GN_FORMAT_RGBA8, GN_FORMAT_RGBA32F */
-    gn_format depth_format; /* GN_FORMAT_NONE, D16, D24, D32F */
+    gn_format depth_format; /* GN_FORMAT_NONE, D16, D24, D32F, D24S8, D32FS8, S8 */
     float clear_color[4];
     float clear_depth;
+    uint8_t clear_stencil;
     scene_draw *draws;
     size_t draw_count;
 } scene;
@@ -69,13 +77,13 @@ typedef struct scene_frame {
 /* How two frames of one size and format differ. Bits are compared, except that two
  * NaN are equal. */
 typedef struct scene_difference {
-    uint64_t color_pixels; /* pixels with any channel different */
-    uint64_t depth_pixels;
+    uint64_t color_pixels;    /* pixels with any channel different */
+    uint64_t depth_pixels;    /* the same of depth and stencil */
     uint64_t pixels;          /* with a difference in colour or depth */
     uint64_t coverage_pixels; /* pixels one side has drawn on and the other has not: the
                                  value is still the clear value on exactly one side */
     double color_largest;     /* largest difference of a channel, RGBA8: in steps of 1/255 */
-    double depth_largest;     /* D16, D24: in steps of the format; D32F: as a number */
+    double depth_largest;     /* of depth or stencil: in steps, floats as numbers */
     uint32_t x, y;            /* the first differing pixel, where pixels > 0 */
 } scene_difference;
 

@@ -65,6 +65,19 @@ static pixel load_pixel(const void *pixels, gn_format format, size_t index)
     case GN_FORMAT_D32F:
         memcpy(&p.channel[0], (const char *)pixels + 4 * index, sizeof p.channel[0]);
         break;
+    case GN_FORMAT_D24S8:
+        memcpy(&word, (const char *)pixels + 4 * index, sizeof word);
+        p.count = 2;
+        p.channel[0] = word & 0xFFFFFF;
+        p.channel[1] = word >> 24;
+        break;
+    case GN_FORMAT_D32FS8:
+        p.count = 2;
+        memcpy(p.channel, (const char *)pixels + 8 * index, 2 * sizeof p.channel[0]);
+        break;
+    case GN_FORMAT_S8:
+        p.channel[0] = ((const uint8_t *)pixels)[index];
+        break;
     case GN_FORMAT_NONE:
         p.count = 0;
         break;
@@ -74,7 +87,7 @@ static pixel load_pixel(const void *pixels, gn_format format, size_t index)
 
 static bool is_float_format(gn_format format)
 {
-    return format == GN_FORMAT_RGBA32F || format == GN_FORMAT_D32F;
+    return format == GN_FORMAT_RGBA32F || format == GN_FORMAT_D32F || format == GN_FORMAT_D32FS8;
 }
 
 static float float_of(uint32_t bits)
@@ -150,13 +163,18 @@ static pixel clear_color_pixel(const scene *s)
 static pixel clear_depth_pixel(const scene *s)
 {
     const float z = !(s->clear_depth > 0.0f) ? 0.0f : s->clear_depth > 1.0f ? 1.0f : s->clear_depth;
-    pixel p = {{0, 0, 0, 0}, 1};
+    const bool has_both = s->depth_format == GN_FORMAT_D24S8 || s->depth_format == GN_FORMAT_D32FS8;
+    pixel p = {{0, s->clear_stencil, 0, 0}, has_both ? 2 : 1};
 
     switch (s->depth_format) {
+    case GN_FORMAT_S8:
+        p.channel[0] = s->clear_stencil;
+        break;
     case GN_FORMAT_D16:
         p.channel[0] = (uint32_t)lrint((double)z * 65535.0);
         break;
     case GN_FORMAT_D24:
+    case GN_FORMAT_D24S8:
         p.channel[0] = (uint32_t)lrint((double)z * 16777215.0);
         break;
     default:

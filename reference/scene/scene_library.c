@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "inputs.h"
 #include "phong.h"
 #include "scene_memory.h"
 
@@ -51,6 +52,10 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
     case SCENE_PHONG:
         other->phong = phong_uniforms_of(d);
         status = phong_use(pipeline, &other->phong, backend);
+        break;
+    case SCENE_INPUTS:
+        other->color.clip_from_model = d->uniforms.light.clip_from_model;
+        status = inputs_use(pipeline, &other->color);
         break;
     case SCENE_SHADER_COUNT:
         break;
@@ -109,7 +114,7 @@ static gn_status clear_rows(const clear *c, uint32_t first, uint32_t count)
                                 s->clear_color[3]);
     }
     if (status == GN_OK && s->depth_format != GN_FORMAT_NONE) {
-        status = gn_clear_depth(&depth, s->clear_depth);
+        status = gn_clear_depth_stencil(&depth, s->clear_depth, s->clear_stencil);
     }
     return status;
 }

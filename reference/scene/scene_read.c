@@ -246,6 +246,18 @@ static void read_texture(reader *r, scene_draw *d)
     free(words);
 }
 
+/* Function, reference, ignored bits, bits not written; fail, depth fail, pass. */
+static void read_stencil_face(reader *r, gn_stencil_face *f)
+{
+    f->function = (gn_stencil_function)read_name(r, TEXT_STENCIL_FUNCTION);
+    f->reference = (uint8_t)read_number(r, 10, 255);
+    f->ignored_bits = (uint8_t)read_number(r, 10, 255);
+    f->write_disabled_bits = (uint8_t)read_number(r, 10, 255);
+    f->fail = (gn_stencil_operation)read_name(r, TEXT_STENCIL_OPERATION);
+    f->depth_fail = (gn_stencil_operation)read_name(r, TEXT_STENCIL_OPERATION);
+    f->pass = (gn_stencil_operation)read_name(r, TEXT_STENCIL_OPERATION);
+}
+
 static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
 {
     if (!strcmp(keyword, "topology")) {
@@ -283,6 +295,20 @@ static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
         p->depth_function = (gn_compare)read_name(r, TEXT_COMPARE);
     } else if (!strcmp(keyword, "depth-write")) {
         p->depth_write_disabled = read_name(r, TEXT_SWITCH) == 0;
+    } else if (!strcmp(keyword, "stencil-test")) {
+        p->stencil_test = read_name(r, TEXT_SWITCH) == 1;
+    } else if (!strcmp(keyword, "stencil-front")) {
+        read_stencil_face(r, &p->stencil_front);
+    } else if (!strcmp(keyword, "stencil-back")) {
+        read_stencil_face(r, &p->stencil_back);
+    } else if (!strcmp(keyword, "reads-position")) {
+        p->fragment_reads_position = read_name(r, TEXT_SWITCH) == 1;
+    } else if (!strcmp(keyword, "reads-primitive")) {
+        p->fragment_reads_primitive = read_name(r, TEXT_SWITCH) == 1;
+    } else if (!strcmp(keyword, "discards")) {
+        p->fragment_discards = read_name(r, TEXT_SWITCH) == 1;
+    } else if (!strcmp(keyword, "writes-depth")) {
+        p->fragment_writes_depth = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "interpolation")) {
         for (int i = 0; i < 4; ++i) {
             p->interpolation[i] = (gn_interpolation)read_name(r, TEXT_INTERPOLATION);
@@ -412,6 +438,8 @@ static bool read_frame(reader *r, const char *keyword, scene *s)
         read_floats(r, s->clear_color, 4);
     } else if (!strcmp(keyword, "clear-depth")) {
         s->clear_depth = read_float(r);
+    } else if (!strcmp(keyword, "clear-stencil")) {
+        s->clear_stencil = (uint8_t)read_number(r, 10, 255);
     } else if (!strcmp(keyword, "draw")) {
         read_draw(r, s);
     } else {
@@ -450,7 +478,7 @@ scene *scene_read(FILE *in, char *error, size_t error_size)
         fail(&r, "a scene's color-format is rgba8 or rgba32f");
     }
     if (!r.failed && (s->depth_format == GN_FORMAT_RGBA8 || s->depth_format == GN_FORMAT_RGBA32F)) {
-        fail(&r, "a scene's depth-format is none, d16, d24 or d32f");
+        fail(&r, "a scene's depth-format is one of depth or stencil, or none");
     }
     if (r.failed) {
         scene_free(s);

@@ -5,9 +5,10 @@
 #include <string.h>
 
 /* In the order of the values. */
-static const char *const shader_names[] = {"vertex-color", "flat", "gouraud", "textured-gouraud",
-                                           "phong"};
-static const char *const format_names[] = {"none", "rgba8", "rgba32f", "d16", "d24", "d32f"};
+static const char *const shader_names[] = {"vertex-color",     "flat",  "gouraud",
+                                           "textured-gouraud", "phong", "inputs"};
+static const char *const format_names[] = {"none", "rgba8", "rgba32f", "d16", "d24",
+                                           "d32f", "d24s8", "d32fs8",  "s8"};
 static const char *const topology_names[] = {"triangles", "triangle-strip", "triangle-fan"};
 static const char *const provoking_names[] = {"last", "first"};
 static const char *const cull_names[] = {"none", "back", "front", "front-and-back"};
@@ -15,6 +16,12 @@ static const char *const front_face_names[] = {"counter-clockwise", "clockwise"}
 static const char *const compare_names[] = {
     "less",  "never", "equal", "less-or-equal", "greater", "not-equal", "greater-or-equal",
     "always"};
+static const char *const stencil_function_names[] = {"always",           "never",   "equal",
+                                                     "less-or-equal",    "greater", "not-equal",
+                                                     "greater-or-equal", "less"};
+static const char *const stencil_operation_names[] = {"keep",           "zero",          "replace",
+                                                      "increment",      "decrement",     "invert",
+                                                      "increment-wrap", "decrement-wrap"};
 static const char *const interpolation_names[] = {"smooth", "noperspective", "flat"};
 static const char *const index_names[] = {"none", "uint8", "uint16", "uint32"};
 static const char *const attribute_names[] = {"position", "color", "normal", "texcoord"};
@@ -61,6 +68,8 @@ static const char *const *names_of(text_names set, int *count)
         CASE(TEXT_CULL, cull_names);
         CASE(TEXT_FRONT_FACE, front_face_names);
         CASE(TEXT_COMPARE, compare_names);
+        CASE(TEXT_STENCIL_FUNCTION, stencil_function_names);
+        CASE(TEXT_STENCIL_OPERATION, stencil_operation_names);
         CASE(TEXT_INTERPOLATION, interpolation_names);
         CASE(TEXT_INDEX, index_names);
         CASE(TEXT_ATTRIBUTE, attribute_names);

@@ -72,6 +72,15 @@ static void write_texture(FILE *out, const gn_texture *t)
     }
 }
 
+static void write_stencil_face(FILE *out, const char *keyword, const gn_stencil_face *f)
+{
+    fprintf(out, "  %s %s %d %d %d %s %s %s\n", keyword,
+            text_name(TEXT_STENCIL_FUNCTION, (int)f->function), f->reference, f->ignored_bits,
+            f->write_disabled_bits, text_name(TEXT_STENCIL_OPERATION, (int)f->fail),
+            text_name(TEXT_STENCIL_OPERATION, (int)f->depth_fail),
+            text_name(TEXT_STENCIL_OPERATION, (int)f->pass));
+}
+
 static void write_state(FILE *out, const gn_pipeline *p)
 {
     const float viewport[4] = {p->viewport.x, p->viewport.y, p->viewport.width, p->viewport.height};
@@ -100,6 +109,13 @@ static void write_state(FILE *out, const gn_pipeline *p)
     fprintf(out, "  depth-test %s\n", text_name(TEXT_SWITCH, p->depth_test));
     fprintf(out, "  depth-function %s\n", text_name(TEXT_COMPARE, (int)p->depth_function));
     fprintf(out, "  depth-write %s\n", text_name(TEXT_SWITCH, !p->depth_write_disabled));
+    fprintf(out, "  stencil-test %s\n", text_name(TEXT_SWITCH, p->stencil_test));
+    write_stencil_face(out, "stencil-front", &p->stencil_front);
+    write_stencil_face(out, "stencil-back", &p->stencil_back);
+    fprintf(out, "  reads-position %s\n", text_name(TEXT_SWITCH, p->fragment_reads_position));
+    fprintf(out, "  reads-primitive %s\n", text_name(TEXT_SWITCH, p->fragment_reads_primitive));
+    fprintf(out, "  discards %s\n", text_name(TEXT_SWITCH, p->fragment_discards));
+    fprintf(out, "  writes-depth %s\n", text_name(TEXT_SWITCH, p->fragment_writes_depth));
     fprintf(out, "  interpolation %s %s %s %s\n",
             text_name(TEXT_INTERPOLATION, (int)p->interpolation[0]),
             text_name(TEXT_INTERPOLATION, (int)p->interpolation[1]),
@@ -165,6 +181,7 @@ bool scene_write(const scene *s, FILE *out)
     fprintf(out, "depth-format %s\n", text_name(TEXT_FORMAT, (int)s->depth_format));
     write_floats(out, "clear-color", s->clear_color, 4);
     write_floats(out, "clear-depth", &s->clear_depth, 1);
+    fprintf(out, "clear-stencil %d\n", s->clear_stencil);
     for (size_t i = 0; i < s->draw_count; ++i) {
         const scene_draw *d = &s->draws[i];
 

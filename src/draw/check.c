@@ -51,6 +51,14 @@ static gn_status check_blend(const gn_blend *b)
     return GN_OK;
 }
 
+static bool is_stencil_face(const gn_stencil_face *f)
+{
+    return (unsigned)f->function <= GN_STENCIL_LESS &&
+           (unsigned)f->fail <= GN_STENCIL_DECREMENT_WRAP &&
+           (unsigned)f->depth_fail <= GN_STENCIL_DECREMENT_WRAP &&
+           (unsigned)f->pass <= GN_STENCIL_DECREMENT_WRAP;
+}
+
 gn_status gn_pipeline_check(const gn_pipeline *pipeline)
 {
     gn_status status;
@@ -58,6 +66,9 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
     if (!pipeline)
         return GN_NULL_POINTER;
     if (!pipeline->vertex_shader)
+        return GN_NO_SHADER;
+    if (!pipeline->fragment_shader &&
+        (pipeline->fragment_discards || pipeline->fragment_writes_depth))
         return GN_NO_SHADER;
     if (pipeline->varying_count > GN_MAX_VARYINGS)
         return GN_TOO_MANY_VARYINGS;
@@ -79,7 +90,8 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
     status = check_polygon_offset(&pipeline->polygon_offset);
     if (status)
         return status;
-    if ((unsigned)pipeline->depth_function > GN_ALWAYS)
+    if ((unsigned)pipeline->depth_function > GN_ALWAYS ||
+        !is_stencil_face(&pipeline->stencil_front) || !is_stencil_face(&pipeline->stencil_back))
         return GN_INVALID_ENUM;
     if (pipeline->color_write_disabled > GN_CHANNEL_ALL)
         return GN_OUT_OF_RANGE;

@@ -256,6 +256,8 @@ static inline void add_listed(worker *w, const triangle_list *from, uint32_t l)
     for (int i = 0; i < 3; ++i)
         list->vertex[i][n] = from->vertex[i][l];
     list->provoking[n] = from->provoking[l];
+    list->primitive[n] = from->primitive[l];
+    list->back |= (from->back >> l & 1u) << n;
     list->bounds[BOUNDS_MIN_X][n] = from->bounds[BOUNDS_MIN_X][l];
     list->bounds[BOUNDS_MAX_X][n] = from->bounds[BOUNDS_MAX_X][l];
     list->bounds[BOUNDS_MIN_Y][n] = low > part->min_y ? low : part->min_y;
@@ -290,7 +292,7 @@ static void add_list(worker *w, const triangle_list *from, bool lies_inside)
 
         if (from->clipped >> l & 1u) {
             const uint32_t vertex[3] = {from->vertex[0][l], from->vertex[1][l], from->vertex[2][l]};
-            add_crossing(w, vertex, from->provoking[l]);
+            add_crossing(w, vertex, from->provoking[l], (uint32_t)from->primitive[l]);
         } else {
             add_listed(w, from, l);
         }

@@ -10,7 +10,12 @@ size_t gn_format_size(gn_format format)
     case GN_FORMAT_RGBA8:
     case GN_FORMAT_D24:
     case GN_FORMAT_D32F:
+    case GN_FORMAT_D24S8:
         return 4;
+    case GN_FORMAT_D32FS8:
+        return 8;
+    case GN_FORMAT_S8:
+        return 1;
     case GN_FORMAT_RGBA32F:
         return 16;
     case GN_FORMAT_D16:
@@ -61,12 +66,13 @@ static bool is_color_format(gn_format format)
 
 static bool is_depth_format(gn_format format)
 {
-    return format == GN_FORMAT_D16 || format == GN_FORMAT_D24 || format == GN_FORMAT_D32F;
+    return format == GN_FORMAT_D16 || format == GN_FORMAT_D24 || format == GN_FORMAT_D32F ||
+           format == GN_FORMAT_D24S8 || format == GN_FORMAT_D32FS8;
 }
 
 static gn_status check_surface(const gn_surface *s, bool format_fits)
 {
-    const size_t element = s->format == GN_FORMAT_D16 ? 2 : 4;
+    const size_t element = s->format == GN_FORMAT_D16 ? 2 : s->format == GN_FORMAT_S8 ? 1 : 4;
     const size_t stride = s->row_stride < 0 ? 0 - (size_t)s->row_stride : (size_t)s->row_stride;
 
     if (!format_fits)
@@ -97,7 +103,8 @@ gn_status gn_target_check(const gn_target *target)
     if (color)
         status = check_surface(&target->color, is_color_format(target->color.format));
     if (depth && !status)
-        status = check_surface(&target->depth, is_depth_format(target->depth.format));
+        status = check_surface(&target->depth, is_depth_format(target->depth.format) ||
+                                                   format_has_stencil(target->depth.format));
     if (!status && color && depth &&
         (target->color.width != target->depth.width ||
          target->color.height != target->depth.height))
@@ -225,6 +232,75 @@ static uint32_t scale_exactly(float depth, uint32_t scale)
     return (uint32_t)(whole + up);
 }
 
+static void fill_bytes(const gn_surface *surface, uint8_t value)
+{
+    const surface_spans spans = spans_of(surface);
+    int32_t pattern[GN_LANES];
+
+    lanes_i_store(pattern, lanes_i_splat((int32_t)(value * 0x01010101u)));
+    for (uint32_t i = 0; i < spans.count; ++i) {
+        unsigned char *byte = spans.first + (ptrdiff_t)i * spans.stride;
+        size_t count = spans.size;
+
+        for (; count > 0 && (uintptr_t)byte % 4 != 0; --count)
+            *byte++ = value;
+        fill_words((stored_word *)(void *)byte, count / 4, pattern);
+        for (size_t rest = count & ~(size_t)3; rest < count; ++rest)
+            byte[rest] = value;
+    }
+}
+
+/* The first two words of a pattern over and over, in the bits of a mask. */
+static void fill_bits(const gn_surface *surface, const int32_t pattern[GN_LANES],
+                      const int32_t mask[2])
+{
+    const surface_spans spans = spans_of(surface);
+
+    for (uint32_t i = 0; i < spans.count; ++i) {
+        stored_word *const words =
+            (stored_word *)(void *)(spans.first + (ptrdiff_t)i * spans.stride);
+
+        for (size_t n = 0; n < spans.size / 4; ++n)
+            words[n] = (words[n] & ~mask[n % 2]) | (pattern[n % 2] & mask[n % 2]);
+    }
+}
+
+/* Clears what is asked for of a checked surface, which has it. */
+static void clear_depth_stencil(const gn_surface *surface, bool clears_depth, float depth,
+                                bool clears_stencil, uint8_t stencil)
+{
+    const gn_format format = surface->format;
+    const float z = !(depth > 0.0f) ? 0.0f : depth > 1.0f ? 1.0f : depth;
+    int32_t mask[2] = {-1, -1};
+    int32_t pattern[GN_LANES];
+
+    if (format == GN_FORMAT_S8) {
+        fill_bytes(surface, stencil);
+        return;
+    }
+    if (format == GN_FORMAT_D16) {
+        fill_halves(surface, (uint16_t)scale_exactly(z, 65535));
+        return;
+    }
+
+    const bool is_float = format == GN_FORMAT_D32F || format == GN_FORMAT_D32FS8;
+    const uint32_t high = format == GN_FORMAT_D24S8 ? (uint32_t)stencil << 24 : 0;
+    const int32_t word = is_float ? bits_of(z) : (int32_t)(scale_exactly(z, 16777215) | high);
+    GN_EACH_LANE (l)
+        pattern[l] = format == GN_FORMAT_D32FS8 && l % 2 != 0 ? stencil : word;
+    if (format == GN_FORMAT_D24S8) {
+        mask[0] = (clears_depth ? 0xFFFFFF : 0) | (clears_stencil ? ~0xFFFFFF : 0);
+        mask[1] = mask[0];
+    } else if (format == GN_FORMAT_D32FS8) {
+        mask[0] = clears_depth ? -1 : 0;
+        mask[1] = clears_stencil ? -1 : 0;
+    }
+    if (mask[0] == -1 && mask[1] == -1)
+        fill_surface(surface, pattern);
+    else
+        fill_bits(surface, pattern, mask);
+}
+
 gn_status gn_clear_depth(const gn_surface *surface, float depth)
 {
     if (!surface)
@@ -233,17 +309,31 @@ gn_status gn_clear_depth(const gn_surface *surface, float depth)
     const gn_status status = check_surface(surface, is_depth_format(surface->format));
     if (status)
         return status;
+    clear_depth_stencil(surface, true, depth, false, 0);
+    return GN_OK;
+}
 
-    const float z = !(depth > 0.0f) ? 0.0f : depth > 1.0f ? 1.0f : depth;
-    if (surface->format == GN_FORMAT_D16) {
-        fill_halves(surface, (uint16_t)scale_exactly(z, 65535));
-    } else {
-        const int32_t word =
-            surface->format == GN_FORMAT_D24 ? (int32_t)scale_exactly(z, 16777215) : bits_of(z);
-        int32_t pattern[GN_LANES];
+gn_status gn_clear_stencil(const gn_surface *surface, uint8_t stencil)
+{
+    if (!surface)
+        return GN_NULL_POINTER;
 
-        lanes_i_store(pattern, lanes_i_splat(word));
-        fill_surface(surface, pattern);
-    }
+    const gn_status status = check_surface(surface, format_has_stencil(surface->format));
+    if (status)
+        return status;
+    clear_depth_stencil(surface, false, 0.0f, true, stencil);
+    return GN_OK;
+}
+
+gn_status gn_clear_depth_stencil(const gn_surface *surface, float depth, uint8_t stencil)
+{
+    if (!surface)
+        return GN_NULL_POINTER;
+
+    const gn_status status = check_surface(surface, is_depth_format(surface->format) ||
+                                                        format_has_stencil(surface->format));
+    if (status)
+        return status;
+    clear_depth_stencil(surface, true, depth, true, stencil);
     return GN_OK;
 }

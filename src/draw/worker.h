@@ -25,6 +25,7 @@ static inline void start_list(triangle_list *list)
 {
     list->count = 0;
     list->clipped = 0;
+    list->back = 0;
 }
 
 static void start_worker(worker *w, const draw_state *draw, uint32_t task)
@@ -81,7 +82,7 @@ static inline void finish_if_full(worker *w)
 
 /* Adds a triangle that is to be clipped later, with the bounds of its pieces. */
 static void keep_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking,
-                          const cull_result *pieces)
+                          uint32_t primitive, const cull_result *pieces)
 {
     triangle_list *const list = w->list;
     const uint32_t n = list->count++;
@@ -90,6 +91,7 @@ static void keep_crossing(worker *w, const uint32_t vertex[3], uint32_t provokin
     for (int i = 0; i < 3; ++i)
         list->vertex[i][n] = vertex[i];
     list->provoking[n] = provoking;
+    list->primitive[n] = (int32_t)primitive;
     list->clipped |= 1u << n;
     for (uint32_t bits = pieces->drawn; bits; bits &= bits - 1) {
         const uint32_t l = first_lane(bits);
@@ -107,7 +109,8 @@ static void keep_crossing(worker *w, const uint32_t vertex[3], uint32_t provokin
 }
 
 /* Clips a triangle and adds what is left of it. */
-GN_OUT_OF_LINE void add_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking)
+GN_OUT_OF_LINE void add_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking,
+                                 uint32_t primitive)
 {
     unsigned char *const memory = w->draw->job->memory;
     triangle_group pieces;
@@ -129,16 +132,18 @@ GN_OUT_OF_LINE void add_crossing(worker *w, const uint32_t vertex[3], uint32_t p
 
     cull_triangles(&w->cull, memory, &pieces, &result);
     if (w->keeps && result.drawn) {
-        keep_crossing(w, vertex, provoking, &result);
+        keep_crossing(w, vertex, provoking, primitive, &result);
         return;
     }
     for (uint32_t bits = result.drawn; bits; bits &= bits - 1) {
-        append_triangle(&w->cull, &pieces, &result, first_lane(bits), provoking, w->list);
+        append_triangle(&w->cull, &pieces, &result, first_lane(bits), provoking, primitive,
+                        w->list);
         finish_if_full(w);
     }
 }
 
-static inline void add_group(worker *w, const triangle_group *group)
+/* Adds the triangles of a group, the first of which is `first` in the draw. */
+static inline void add_group(worker *w, const triangle_group *group, uint32_t first)
 {
     const uint32_t provoking_corner = w->cull.provoking_first ? 0 : 2;
     cull_result result;
@@ -151,9 +156,9 @@ static inline void add_group(worker *w, const triangle_group *group)
         if (result.crossing >> l & 1u) {
             const uint32_t vertex[3] = {group_vertex(group, 0, l), group_vertex(group, 1, l),
                                         group_vertex(group, 2, l)};
-            add_crossing(w, vertex, provoking);
+            add_crossing(w, vertex, provoking, first + l);
         } else {
-            append_triangle(&w->cull, group, &result, l, provoking, w->list);
+            append_triangle(&w->cull, group, &result, l, provoking, first + l, w->list);
             finish_if_full(w);
         }
     }
@@ -183,7 +188,7 @@ static void add_triangles(worker *w, uint32_t first, uint32_t count)
         locate_group(w->draw, first + done, group.count, offset);
         assemble_triangles(w->draw->pipeline->topology, w->cull.provoking_first, w->is_quad,
                            first + done, offset, &group);
-        add_group(w, &group);
+        add_group(w, &group, first + done);
     }
 }
 
@@ -206,7 +211,8 @@ static void resolve_segment(worker *w, uint32_t outcodes)
     w->cull.asks_unsnapped = outcodes != 0 && p->cull != GN_CULL_NONE;
     w->is_quad = outcodes == 0 && w->draw->mesh->count == 4 &&
                  w->draw->mesh->index_format == GN_INDEX_NONE && p->topology == GN_TRIANGLE_FAN &&
-                 p->provoking_vertex == GN_PROVOKING_FIRST && !has_flat_varying(p);
+                 p->provoking_vertex == GN_PROVOKING_FIRST && !has_flat_varying(p) &&
+                 !p->fragment_reads_primitive;
 }
 
 /* The union of outcodes over triangles first to first + count - 1, whose vertices are

@@ -10,6 +10,7 @@
 #include "combine.h"
 #include "depth.h"
 #include "planes.h"
+#include "stencil.h"
 
 /* What computes a fragment's colour. */
 typedef enum fragment_source {
@@ -26,19 +27,23 @@ typedef struct fragment_kind {
     bool whole; /* everything that the state says is asked, in shade_whole */
 } fragment_kind;
 
-static inline fragment_state fragment_state_of(const gn_target *target, const gn_pipeline *pipeline)
+static inline void set_fragment_state(fragment_state *s, const gn_target *target,
+                                      const gn_pipeline *pipeline)
 {
-    fragment_state s;
+    const gn_format format = target->depth.format;
 
-    s.pipeline = pipeline;
-    s.color = target->color;
-    s.depth = target->depth;
-    if (!pipeline->depth_test)
-        s.depth.format = GN_FORMAT_NONE;
-    s.test = depth_state_of(pipeline);
-    s.moves_depth = pipeline->polygon_offset.set && s.depth.format != GN_FORMAT_NONE;
-    s.combine = color_state_of(pipeline);
-    return s;
+    s->pipeline = pipeline;
+    s->color = target->color;
+    s->depth = target->depth;
+    s->tests_depth = pipeline->depth_test && format_has_depth(format);
+    s->tests_stencil = pipeline->stencil_test && format_has_stencil(format);
+    if (!s->tests_depth && !s->tests_stencil)
+        s->depth.format = GN_FORMAT_NONE;
+    s->test = depth_state_of(pipeline);
+    s->stencil[0] = stencil_state_of(&pipeline->stencil_front);
+    s->stencil[1] = stencil_state_of(&pipeline->stencil_back);
+    s->moves_depth = pipeline->polygon_offset.set && s->tests_depth;
+    s->combine = color_state_of(pipeline);
 }
 
 static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_triangle triangle,
@@ -56,11 +61,34 @@ static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_tr
     }
 }
 
-GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, int32_t x, int32_t y,
-                        uint32_t coverage, lanes_f w, lanes_f out[4])
+/* gl_FragCoord of a block. */
+GN_OUT_OF_LINE void place_fragments(raster_triangle triangle, int32_t x, int32_t y,
+                                    float position[4][GN_LANES])
 {
+    const attribute_plane z = triangle_plane(triangle, DEPTH_PLANE);
+    const attribute_plane w = triangle_plane(triangle, ONE_OVER_W_PLANE);
+
+    GN_EACH_LANE (l) {
+        position[0][l] = (float)(x + l % BLOCK_SIZE) + 0.5f;
+        position[1][l] = (float)(y + l / BLOCK_SIZE) + 0.5f;
+    }
+    lanes_store(position[2], plane_in_block(z, (float)x, (float)y));
+    lanes_store(position[3], plane_in_block(w, (float)x, (float)y));
+}
+
+/* What a fragment shader says beside colour: the fragments it keeps, and where `depth` is
+ * not null their depths, which come with the interpolated ones. */
+typedef struct shader_verdict {
+    uint32_t kept;
+    float *depth;
+} shader_verdict;
+
+GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, int32_t x, int32_t y,
+                        uint32_t coverage, lanes_f w, lanes_f out[4], shader_verdict *verdict)
+{
+    const triangle_identity identity = identity_of(triangle, pipeline->varying_count);
     float varying[GN_MAX_VARYINGS][GN_LANES];
-    float color[4][GN_LANES];
+    float color[4][GN_LANES], position[4][GN_LANES];
     gn_fragment_input input;
     gn_fragment_output output;
 
@@ -71,8 +99,18 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     input.x = x;
     input.y = y;
     input.sample_2d = GN_SPECIALISED ? sample_2d : gn_sample_2d;
+    input.front_facing = identity.back == 0;
+    input.primitive_id = pipeline->fragment_reads_primitive ? (uint32_t)identity.primitive : 0;
+    input.position = 0;
+    if (pipeline->fragment_reads_position) {
+        place_fragments(triangle, x, y, position);
+        input.position = (const float(*)[GN_LANES])position;
+    }
     output.color = color;
+    output.kept = GN_ALL_LANES;
+    output.depth = verdict->depth;
     pipeline->fragment_shader(pipeline->uniforms, &input, &output);
+    verdict->kept = output.kept;
     for (int c = 0; c < 4; ++c)
         out[c] = lanes_load(color[c]);
 }
@@ -86,38 +124,55 @@ GN_INLINE void sample_texture(const gn_textured_uniforms *uniforms, const fragme
     sample(&uniforms->texture, &uniforms->sampler, &s, &t, texel);
 }
 
-/* Adds the triangle's polygon offset. */
-GN_INLINE lanes_f move_depth(const fragment_state *state, raster_triangle triangle, lanes_f depth)
-{
-    const uint32_t offset = VARYING_PLANES + state->pipeline->varying_count;
-
-    return lanes_add(depth, lanes_splat(triangle_origin(triangle, offset)));
-}
-
-/* Depth, where there is a test. Gives the part of coverage that passed. */
+/* Stencil and depth, where there are tests. Gives the part of coverage that passed. */
 GN_INLINE uint32_t test_whole(const fragment_state *state, const fragment_place *at,
-                              uint32_t coverage, lanes_f depth)
+                              raster_triangle triangle, uint32_t coverage, lanes_f depth)
 {
+    if (format_has_stencil(state->depth.format)) {
+        const uint32_t varyings = state->pipeline->varying_count;
+
+        return test_stencil(state, at, identity_of(triangle, varyings).back != 0, coverage, depth);
+    }
     if (state->depth.format == GN_FORMAT_NONE)
         return coverage;
     return test_depth(&state->test, &state->depth, state->depth.format, at, coverage, depth);
 }
 
-/* All that a state may ask of a block. */
+/* All that a state may ask of a block, in OpenGL's order: the shader before the tests where
+ * they need what it says, otherwise after them. Depths that the shader writes get no polygon
+ * offset. */
 GN_OUT_OF_LINE void shade_whole(const fragment_state *state, const fragment_place *at,
                                 raster_triangle triangle, uint32_t coverage)
 {
+    const gn_pipeline *p = state->pipeline;
+    const bool late = p->fragment_discards || p->fragment_writes_depth;
     lanes_f depth = interpolate(at, triangle, DEPTH_PLANE);
+    float written[GN_LANES];
     lanes_f color[4];
+    shader_verdict verdict;
 
-    if (state->moves_depth)
-        depth = move_depth(state, triangle, depth);
-    coverage = test_whole(state, at, coverage, depth);
-    if (!coverage || state->color.format == GN_FORMAT_NONE)
+    verdict.depth = 0;
+    if (p->fragment_writes_depth) {
+        lanes_store(written, depth);
+        verdict.depth = written;
+    } else if (state->moves_depth) {
+        depth = lanes_add(depth, lanes_splat(triangle_offset(triangle, p->varying_count)));
+    }
+    if (!late)
+        coverage = test_whole(state, at, triangle, coverage, depth);
+    if (!coverage || (!late && state->color.format == GN_FORMAT_NONE))
         return;
 
     const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
-    run_shader(state->pipeline, triangle, at->x, at->y, coverage, w, color);
+    run_shader(p, triangle, at->x, at->y, coverage, w, color, &verdict);
+    if (p->fragment_discards)
+        coverage &= verdict.kept;
+    if (p->fragment_writes_depth)
+        depth = lanes_load(written);
+    if (late && coverage)
+        coverage = test_whole(state, at, triangle, coverage, depth);
+    if (!coverage || state->color.format == GN_FORMAT_NONE)
+        return;
     if (state->combine.replaces)
         write_color(&state->color, state->color.format, at, coverage, color);
     else
@@ -128,6 +183,7 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
                      raster_triangle triangle, uint32_t coverage)
 {
     lanes_f color[4], texel[4];
+    shader_verdict verdict;
 
     if (kind.whole) {
         shade_whole(state, at, triangle, coverage);
@@ -144,7 +200,8 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
 
     const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
     if (kind.source == SOURCE_SHADER) {
-        run_shader(state->pipeline, triangle, at->x, at->y, coverage, w, color);
+        verdict.depth = 0;
+        run_shader(state->pipeline, triangle, at->x, at->y, coverage, w, color, &verdict);
     } else {
         if (kind.source == SOURCE_TEXTURE)
             sample_texture(state->pipeline->uniforms, at, triangle, w, texel);
@@ -281,6 +338,16 @@ GN_RUN_ROWS_FUNCTION(run_texture_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SO
 GN_RUN_ROWS_FUNCTION(run_depth_d24, GN_FORMAT_D24, GN_FORMAT_NONE, SOURCE_SHADER)
 GN_RUN_ROWS_FUNCTION(run_depth_d32f, GN_FORMAT_D32F, GN_FORMAT_NONE, SOURCE_SHADER)
 
+/* Whether the state asks nothing of the order of shader and tests, of depth or of colours that
+ * the special functions leave out. */
+static inline bool is_plain(const fragment_state *state)
+{
+    const gn_pipeline *p = state->pipeline;
+
+    return !p->fragment_discards && !p->fragment_writes_depth && !state->moves_depth &&
+           !format_has_stencil(state->depth.format) && state->combine.replaces;
+}
+
 /* All states that have no function of their own. */
 static void run_any(const void *context, raster_triangle triangle, int32_t x, int32_t y,
                     uint32_t count, uint32_t coverage)
@@ -310,13 +377,13 @@ static inline run_function *run_function_of(const fragment_state *state)
 {
     const fragment_source source = source_of(state->pipeline);
 
-    if (!GN_SPECIALISED || state->moves_depth)
+    if (!GN_SPECIALISED || !is_plain(state))
         return run_any;
     if (state->color.format == GN_FORMAT_NONE)
         return state->depth.format == GN_FORMAT_D24    ? run_depth_d24
                : state->depth.format == GN_FORMAT_D32F ? run_depth_d32f
                                                        : run_any;
-    if (state->color.format != GN_FORMAT_RGBA8 || !state->combine.replaces)
+    if (state->color.format != GN_FORMAT_RGBA8)
         return run_any;
     switch (state->depth.format) {
     case GN_FORMAT_NONE:

@@ -4,9 +4,9 @@
 
 #include "planes.h"
 
-static inline depth_state depth_state_of(const gn_pipeline *pipeline)
+/* What a function asks; writes nothing. */
+static inline depth_state comparison_of(gn_compare f)
 {
-    const gn_compare f = pipeline->depth_function;
     depth_state s;
 
     s.question = f == GN_NEVER || f == GN_ALWAYS            ? DEPTH_ALWAYS
@@ -15,6 +15,14 @@ static inline depth_state depth_state_of(const gn_pipeline *pipeline)
                                                             : DEPTH_GREATER;
     s.inverted =
         f == GN_NEVER || f == GN_NOT_EQUAL || f == GN_GREATER_OR_EQUAL || f == GN_LESS_OR_EQUAL;
+    s.write = false;
+    return s;
+}
+
+static inline depth_state depth_state_of(const gn_pipeline *pipeline)
+{
+    depth_state s = comparison_of(pipeline->depth_function);
+
     s.write = !pipeline->depth_write_disabled;
     return s;
 }
@@ -33,6 +41,7 @@ GN_INLINE lanes_i quantize_depth(gn_format format, lanes_f depth)
                                                   lanes_splat(128.0f))),
                            lanes_i_splat(0xFFFF));
     case GN_FORMAT_D24:
+    case GN_FORMAT_D24S8:
         return lanes_round(lanes_mul(z, lanes_splat(16777215.0f)));
     default:
         return lanes_as_int(z);

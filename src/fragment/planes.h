@@ -13,6 +13,21 @@ GN_INLINE lanes_f plane_in_block(attribute_plane plane, float x, float y)
     return lanes_add(lanes_rows(plane.per_y, y), lanes_columns(plane.per_x, x, plane.origin));
 }
 
+/* A triangle's number in the draw, and -1 where it is back-facing, otherwise 0. */
+typedef struct triangle_identity {
+    int32_t primitive, back;
+} triangle_identity;
+
+static inline triangle_identity identity_of(raster_triangle t, uint32_t varying_count)
+{
+    const stored_word *const words = (const stored_word *)(const void *)t.planes +
+                                     (VARYING_PLANES + varying_count) * (PLANE_TERMS * GN_LANES);
+    const triangle_identity identity = {words[IDENTITY_PRIMITIVE * GN_LANES],
+                                        words[IDENTITY_BACK * GN_LANES]};
+
+    return identity;
+}
+
 /* The attributes that the library itself interpolates over long runs, varyings among them
  * as many as it knows a use for. */
 #define RUN_ATTRIBUTES (VARYING_PLANES + GN_SHADER_VARYINGS)

@@ -2,6 +2,7 @@
  *
  *   planes  attributes at the fragments
  *   depth   depth test and depth write
+ *   stencil the same with stencil
  *   color   conversion to the colour format and write
  *   blend   colours blended with those of the surface
  *   logic   and their bits combined
@@ -15,6 +16,16 @@
 
 #include "../lanes/lanes.h"
 #include "../raster/types.h"
+
+static inline bool format_has_stencil(gn_format format)
+{
+    return format == GN_FORMAT_D24S8 || format == GN_FORMAT_D32FS8 || format == GN_FORMAT_S8;
+}
+
+static inline bool format_has_depth(gn_format format)
+{
+    return format != GN_FORMAT_NONE && format != GN_FORMAT_S8;
+}
 
 /* What of incoming and stored depth is asked; `inverted` asks for the contrary. Stored
  * forms order as integers, so that these make all eight functions. */
@@ -45,6 +56,17 @@ typedef struct color_state {
     int32_t constant_byte[4];
     int32_t logic[4]; /* all ones or zeros: the result of bits 0 0, 0 1, 1 0 and 1 1 */
 } color_state;
+/* What becomes of a stencil value: stencil * factor + offset, clamped to low..high. */
+typedef struct stencil_update {
+    int32_t factor, offset, low, high;
+} stencil_update;
+
+typedef struct stencil_state {
+    depth_state compare; /* of reference and stored stencil */
+    int32_t reference;   /* in the compared bits */
+    int32_t compared, written;
+    stencil_update fail, depth_fail, pass;
+} stencil_state;
 
 typedef struct fragment_state {
     const gn_pipeline *pipeline;
@@ -53,6 +75,8 @@ typedef struct fragment_state {
     depth_state test;
     bool moves_depth; /* polygon offset */
     color_state combine;
+    bool tests_depth, tests_stencil;
+    stencil_state stencil[2]; /* of front faces, of back faces */
 } fragment_state;
 
 /* Where lane l is. A row saves most of the work where nothing is asked of neighbouring
@@ -80,7 +104,11 @@ static inline unsigned char *surface_row(const gn_surface *surface, uint32_t y)
 GN_INLINE unsigned char *pixel_memory(const gn_surface *surface, gn_format format, int32_t x,
                                       int32_t y)
 {
-    const int32_t size = format == GN_FORMAT_RGBA32F ? 16 : format == GN_FORMAT_D16 ? 2 : 4;
+    const int32_t size = format == GN_FORMAT_RGBA32F  ? 16
+                         : format == GN_FORMAT_D32FS8 ? 8
+                         : format == GN_FORMAT_D16    ? 2
+                         : format == GN_FORMAT_S8     ? 1
+                                                      : 4;
 
     return format == GN_FORMAT_NONE ? 0 : surface_row(surface, (uint32_t)y) + x * size;
 }

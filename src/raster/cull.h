@@ -210,7 +210,7 @@ static inline void cull_triangles(const cull_state *state, const unsigned char *
  * every edge only in one winding; the provoking vertex keeps its place. */
 static inline void append_triangle(const cull_state *state, const triangle_group *group,
                                    const cull_result *result, uint32_t lane, uint32_t provoking,
-                                   triangle_list *list)
+                                   uint32_t primitive, triangle_list *list)
 {
     const uint32_t n = list->count++;
     const uint32_t reversed = ~result->clockwise >> lane & 1u;
@@ -221,6 +221,8 @@ static inline void append_triangle(const cull_state *state, const triangle_group
     list->vertex[a][n] = group_vertex(group, a + reversed, lane);
     list->vertex[a + 1][n] = group_vertex(group, a + 1 - reversed, lane);
     list->provoking[n] = provoking;
+    list->primitive[n] = (int32_t)primitive;
+    list->back |= (reversed ^ (state->front_clockwise ? 0u : 1u)) << n;
     for (int b = 0; b < BOUNDS_COUNT; ++b)
         list->bounds[b][n] = result->bounds[b][lane];
 }

@@ -20,13 +20,14 @@ static inline offset_state offset_state_of(const gn_pipeline *pipeline, gn_forma
                                            bool moves)
 {
     const gn_polygon_offset *p = &pipeline->polygon_offset;
-    const float steps = depth_format == GN_FORMAT_D16   ? 65535.0f / 2.0f
-                        : depth_format == GN_FORMAT_D24 ? 16777215.0f / 2.0f
-                                                        : 1.0f;
+    const bool has_24 = depth_format == GN_FORMAT_D24 || depth_format == GN_FORMAT_D24S8;
+    const float steps = depth_format == GN_FORMAT_D16 ? 65535.0f / 2.0f
+                        : has_24                      ? 16777215.0f / 2.0f
+                                                      : 1.0f;
     offset_state s;
 
     s.moves = moves;
-    s.floating = depth_format == GN_FORMAT_D32F;
+    s.floating = depth_format == GN_FORMAT_D32F || depth_format == GN_FORMAT_D32FS8;
     s.factor = p->set ? p->factor : 0.0f;
     s.units = p->set ? p->units / steps : 0.0f;
     s.clamp = p->set ? p->clamp : 0.0f;

@@ -144,7 +144,7 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
     set_basis(&basis, x, y);
     make_plane(&basis, z, batch->plane[DEPTH_PLANE]);
     if (offset->moves)
-        lanes_store(batch->plane[VARYING_PLANES + pipeline->varying_count][PLANE_ORIGIN],
+        lanes_store(batch->plane[VARYING_PLANES + pipeline->varying_count][IDENTITY_OFFSET],
                     offset_depths(offset, x, y, z));
     make_plane(&basis, w, batch->plane[ONE_OVER_W_PLANE]);
 
@@ -169,6 +169,16 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
     }
 }
 
+static inline void setup_identities(const gn_pipeline *pipeline, const triangle_list *list,
+                                    triangle_batch *batch)
+{
+    float(*const words)[GN_LANES] = batch->plane[VARYING_PLANES + pipeline->varying_count];
+
+    lanes_i_store((stored_word *)(void *)words[IDENTITY_PRIMITIVE], lanes_i_load(list->primitive));
+    lanes_i_store((stored_word *)(void *)words[IDENTITY_BACK],
+                  lanes_m_as_int(lanes_from_bits(list->back)));
+}
+
 /* Makes the lanes beyond a list's count equal to its first. */
 static inline void fill_list(triangle_list *list)
 {
@@ -177,6 +187,7 @@ static inline void fill_list(triangle_list *list)
             list->vertex[i][l] = list->vertex[i][0];
         for (int b = 0; b < BOUNDS_COUNT; ++b)
             list->bounds[b][l] = list->bounds[b][0];
+        list->primitive[l] = list->primitive[0];
     }
 }
 
@@ -187,6 +198,7 @@ static inline void setup_triangles(const gn_pipeline *pipeline, const offset_sta
 {
     setup_edges(target, memory, list, batch);
     setup_planes(pipeline, offset, memory, list, batch);
+    setup_identities(pipeline, list, batch);
 }
 
 #endif

@@ -37,6 +37,8 @@ typedef struct triangle_list {
     uint32_t vertex[3][GN_LANES];           /* clockwise: inside is right of every edge */
     uint32_t provoking[GN_LANES];           /* the vertex flat varyings come from */
     int32_t bounds[BOUNDS_COUNT][GN_LANES]; /* pixels whose centres may be inside */
+    int32_t primitive[GN_LANES];            /* its number in the draw */
+    uint32_t back;                          /* bit l: back-facing; unspecified if clipped */
 } triangle_list;
 
 /* An attribute's plane in window coordinates: its value at the pixel (x, y) is
@@ -45,9 +47,11 @@ typedef struct attribute_plane {
     float origin, per_x, per_y;
 } attribute_plane;
 
-/* Planes of a triangle: depth, 1/w, and the varyings, smooth ones divided by w. */
+/* Planes of a triangle: depth, 1/w, and the varyings, smooth ones divided by w. After them
+ * what it is, in the words of one more: identity_of. */
 enum { DEPTH_PLANE, ONE_OVER_W_PLANE, VARYING_PLANES };
 enum { PLANE_ORIGIN, PLANE_PER_X, PLANE_PER_Y, PLANE_TERMS };
+enum { IDENTITY_PRIMITIVE, IDENTITY_BACK, IDENTITY_OFFSET };
 
 /* An edge function: the pixel (x, y) is inside where
  * start - per_x * (x - origin x) + per_y * (y - origin y) >= 0. Ties are folded in. */
@@ -70,8 +74,7 @@ typedef struct triangle_batch {
 static inline size_t triangle_batch_size(uint32_t varying_count)
 {
     return sizeof(triangle_batch) +
-           (VARYING_PLANES + varying_count) * sizeof(float[PLANE_TERMS][GN_LANES]) +
-           sizeof(float[GN_LANES]);
+           (VARYING_PLANES + varying_count + 1) * sizeof(float[PLANE_TERMS][GN_LANES]);
 }
 
 /* A triangle as its fragments see it: its planes in a batch, from its lane on. */
@@ -88,9 +91,12 @@ static inline attribute_plane triangle_plane(raster_triangle t, uint32_t n)
     return plane;
 }
 
-static inline float triangle_origin(raster_triangle t, uint32_t n)
+/* What polygon offset adds to the depths of a triangle with so many varyings. */
+static inline float triangle_offset(raster_triangle t, uint32_t varying_count)
 {
-    return t.planes[n * (PLANE_TERMS * GN_LANES) + PLANE_ORIGIN * GN_LANES];
+    const uint32_t plane = VARYING_PLANES + varying_count;
+
+    return t.planes[(plane * PLANE_TERMS + IDENTITY_OFFSET) * GN_LANES];
 }
 
 /* Called for runs of `count` neighbouring 4x4 blocks in a row, the first at (x, y), x a

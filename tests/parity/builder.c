@@ -200,7 +200,7 @@ void builder_draw(builder *b)
     d->specular = b->specular;
     set_attribute(b, d, GN_ATTRIBUTE_POSITION, offsetof(vertex, position), b->position_components);
     set_attribute(b, d, GN_ATTRIBUTE_COLOR, offsetof(vertex, color), b->color_components);
-    if (b->shader != SCENE_VERTEX_COLOR)
+    if (scene_shader_is_lit(b->shader))
         set_attribute(b, d, GN_ATTRIBUTE_NORMAL, offsetof(vertex, normal), 3);
     if (scene_shader_is_textured(b->shader))
         set_attribute(b, d, GN_ATTRIBUTE_TEXCOORD, offsetof(vertex, texcoord), 2);

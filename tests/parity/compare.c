@@ -186,6 +186,17 @@ static void print_pixel(const scene_frame *f, size_t i)
     case GN_FORMAT_D32F:
         printf(" depth %.9g", (double)((const float *)f->depth)[i]);
         break;
+    case GN_FORMAT_D24S8:
+        printf(" depth %" PRIu32 " stencil %" PRIu32, ((const uint32_t *)f->depth)[i] & 0xFFFFFF,
+               ((const uint32_t *)f->depth)[i] >> 24);
+        break;
+    case GN_FORMAT_D32FS8:
+        printf(" depth %.9g stencil %" PRIu32, (double)((const float *)f->depth)[2 * i],
+               ((const uint32_t *)f->depth)[2 * i + 1]);
+        break;
+    case GN_FORMAT_S8:
+        printf(" stencil %u", ((const uint8_t *)f->depth)[i]);
+        break;
     default:
         break;
     }

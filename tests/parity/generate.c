@@ -48,6 +48,10 @@ const char *scene_class_name(scene_class c)
         return "textured";
     case CLASS_PHONG:
         return "phong";
+    case CLASS_INPUTS:
+        return "inputs";
+    case CLASS_STENCIL:
+        return "stencil";
     case CLASS_FLOAT_COLOR:
         return "float-color";
     case CLASS_COLOR_RANGE:
@@ -160,6 +164,12 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_PHONG:
         generate_phong(&b);
+        break;
+    case CLASS_INPUTS:
+        generate_inputs(&b);
+        break;
+    case CLASS_STENCIL:
+        generate_stencil(&b);
         break;
     case CLASS_FLOAT_COLOR:
         generate_float_color(&b);

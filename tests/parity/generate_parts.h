@@ -57,6 +57,14 @@ void shape_any(builder *b, uint32_t count);
 gn_depth_range random_depth_range(builder *b);
 gn_scissor random_scissor(builder *b);
 gn_polygon_offset random_polygon_offset(builder *b);
+/* One of the shapes of separate triangles, or a strip or a fan. */
+void shape_any(builder *b, uint32_t count);
+
+/* Makes the next draw's shader that of reference/scene/inputs.h. */
+void random_inputs(builder *b);
+
+/* A random stencil test of the next draw. */
+void random_stencil(builder *b);
 
 /* One class each, from the target on. */
 void generate_meshes(builder *b);
@@ -71,6 +79,8 @@ void generate_indexed(builder *b);
 void generate_lit(builder *b);
 void generate_textured(builder *b);
 void generate_phong(builder *b);
+void generate_inputs(builder *b);
+void generate_stencil(builder *b);
 void generate_float_color(builder *b);
 void generate_color_range(builder *b);
 void generate_scissor(builder *b);

@@ -20,6 +20,19 @@ void shape_any(builder *b, uint32_t count)
     shapes[random_below(&b->random, 8)](b, count);
 }
 
+void shape_any(builder *b, uint32_t count)
+{
+    const uint32_t which = random_below(&b->random, 6);
+    if (which == 0)
+        shape_strip(b, count);
+    else if (which == 1)
+        shape_any_grid(b, 6);
+    else if (which == 2)
+        shape_pile(b, 1 + count / 3);
+    else
+        any_shape(b, count);
+}
+
 static gn_viewport random_viewport(builder *b)
 {
     random_source *r = &b->random;
@@ -338,12 +351,19 @@ static void mixed_draw(builder *b)
     }
     b->lead = random_chance(r, 20) ? random_below(r, 9) : 0;
     mix_color_state(b);
+    if (random_chance(r, 10))
+        random_inputs(b);
+    if (random_chance(r, 20))
+        random_stencil(b);
     builder_draw(b);
 }
 
 void generate_mixed(builder *b)
 {
+    static const gn_format stencils[] = {GN_FORMAT_D24S8, GN_FORMAT_D32FS8, GN_FORMAT_S8};
     builder_common_target(b);
+    if (random_chance(&b->random, 30))
+        b->scene->depth_format = stencils[random_below(&b->random, 3)];
     for (uint32_t draws = 2 + random_below(&b->random, 4); draws > 0; draws--)
         mixed_draw(b);
 }

@@ -31,10 +31,36 @@ static bool simplify_scene(scene *s, unsigned step, bool *last)
         s->clear_depth = 1.0f;
         return change;
     }
+    case 4: {
+        const bool change = s->clear_stencil != 0;
+        s->clear_stencil = 0;
+        return change;
+    }
     default:
         *last = true;
         return false;
     }
+}
+
+/* Sets one member of a stencil face to its simplest value. False where it has that value. */
+static bool simplify_face(gn_stencil_face *f, unsigned member)
+{
+    gn_stencil_face was = *f;
+    if (member == 0)
+        f->function = GN_STENCIL_ALWAYS;
+    else if (member == 1)
+        f->reference = 0;
+    else if (member == 2)
+        f->ignored_bits = 0;
+    else if (member == 3)
+        f->write_disabled_bits = 0;
+    else if (member == 4)
+        f->fail = GN_STENCIL_KEEP;
+    else if (member == 5)
+        f->depth_fail = GN_STENCIL_KEEP;
+    else
+        f->pass = GN_STENCIL_KEEP;
+    return memcmp(&was, f, sizeof was) != 0;
 }
 
 /* The same for a draw. */
@@ -46,6 +72,8 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
     case 0:
         change = d->shader != SCENE_VERTEX_COLOR;
         d->shader = SCENE_VERTEX_COLOR;
+        p->fragment_reads_primitive = false;
+        p->fragment_reads_position = p->fragment_discards = p->fragment_writes_depth = false;
         return change;
     case 1:
         change = d->shader > SCENE_GOURAUD;
@@ -163,6 +191,42 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         change = p->logic_operation != GN_LOGIC_COPY;
         p->logic_operation = GN_LOGIC_COPY;
         return change;
+    case 31:
+        change = p->fragment_reads_position;
+        p->fragment_reads_position = false;
+        return change;
+    case 32:
+        change = p->fragment_discards;
+        p->fragment_discards = false;
+        return change;
+    case 33:
+        change = p->fragment_writes_depth;
+        p->fragment_writes_depth = false;
+        return change;
+    case 34:
+        change = p->fragment_reads_primitive;
+        p->fragment_reads_primitive = false;
+        return change;
+    case 35:
+        change = p->stencil_test;
+        p->stencil_test = false;
+        return change;
+    case 36:
+    case 37:
+    case 38:
+    case 39:
+    case 40:
+    case 41:
+    case 42:
+        return simplify_face(&p->stencil_front, step - 36);
+    case 43:
+    case 44:
+    case 45:
+    case 46:
+    case 47:
+    case 48:
+    case 49:
+        return simplify_face(&p->stencil_back, step - 43);
     default:
         *last = true;
         return false;

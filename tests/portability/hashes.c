@@ -53,6 +53,16 @@ static void add_pixels(hash *h, const void *pixels, gn_format format, size_t cou
         case GN_FORMAT_RGBA32F:
             add_floats(h, (const float *)pixels + 4 * i, 4);
             break;
+        case GN_FORMAT_D24S8:
+            add_word(h, ((const uint32_t *)pixels)[i]);
+            break;
+        case GN_FORMAT_D32FS8:
+            add_float(h, ((const float *)pixels)[2 * i]);
+            add_word(h, ((const uint32_t *)pixels)[2 * i + 1]);
+            break;
+        case GN_FORMAT_S8:
+            add_word(h, ((const uint8_t *)pixels)[i]);
+            break;
         case GN_FORMAT_NONE:
             break;
         }

@@ -61,6 +61,25 @@ static void pipeline_faults(void **state)
     p = good_pipeline();
     p.depth_function = (gn_compare)8;
     assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    for (int member = 0; member < 8; ++member) {
+        p = good_pipeline();
+        gn_stencil_face *f = member < 4 ? &p.stencil_front : &p.stencil_back;
+        if (member % 4 == 0)
+            f->function = (gn_stencil_function)8;
+        else if (member % 4 == 1)
+            f->fail = (gn_stencil_operation)8;
+        else if (member % 4 == 2)
+            f->depth_fail = (gn_stencil_operation)8;
+        else
+            f->pass = (gn_stencil_operation)8;
+        assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    }
+    p = good_pipeline();
+    p.fragment_discards = true;
+    assert_int_equal(gn_pipeline_check(&p), GN_NO_SHADER);
+    p = good_pipeline();
+    p.fragment_writes_depth = true;
+    assert_int_equal(gn_pipeline_check(&p), GN_NO_SHADER);
 }
 
 static void color_state_faults(void **state)

@@ -230,14 +230,33 @@ static void clear_depth_clamps(void **state)
     assert_int_equal(cleared_depth(GN_FORMAT_D32F, INFINITY), 0x3F800000u);
 }
 
-/* What a clear of `format` to white, or to depth 1, puts into byte i of a row. */
+/* What a clear of `format` to white, or to depth 1 and stencil 0x99, puts into byte i of a row. */
 static unsigned char cleared_byte(gn_format format, size_t i)
 {
     static const unsigned char one[4] = {0, 0, 0x80, 0x3F};
 
-    if (format == GN_FORMAT_RGBA32F || format == GN_FORMAT_D32F)
+    if (format == GN_FORMAT_D32FS8 && i % 8 >= 4)
+        return i % 8 == 4 ? 0x99 : 0;
+    if (format == GN_FORMAT_S8 || (format == GN_FORMAT_D24S8 && i % 4 == 3))
+        return 0x99;
+    if (format == GN_FORMAT_RGBA32F || format == GN_FORMAT_D32F || format == GN_FORMAT_D32FS8)
         return one[i % 4];
     return format == GN_FORMAT_D24 && i % 4 == 3 ? 0 : 0xFF;
+}
+
+/* To depth 1 and stencil 0x99, at once or one after the other, in both orders. */
+static gn_status clear_both(const gn_surface *s, uint32_t how, bool has_depth, bool has_stencil)
+{
+    if (how == 0)
+        return gn_clear_depth_stencil(s, 1, 0x99);
+    gn_status status = GN_OK;
+    if (how == 1 && has_stencil)
+        status = gn_clear_stencil(s, 0x99);
+    if (has_depth && status == GN_OK)
+        status = gn_clear_depth(s, 1);
+    if (how == 2 && has_stencil && status == GN_OK)
+        status = gn_clear_stencil(s, 0x99);
+    return status;
 }
 
 /* Widths and heights on both sides of what is filled at a time, rows tight and with a gap,
@@ -248,9 +267,12 @@ static void clear_fills_its_pixels_alone(void **state)
     static const uint32_t widths[] = {1, 2, 15, 16, 17, 63, 255, 1023, 1024, 1025, 2050};
     static unsigned char memory[3 * (2050 * 16 + 8) + 16];
 
-    for (int f = GN_FORMAT_RGBA8; f <= GN_FORMAT_D32F; ++f) {
+    for (int f = GN_FORMAT_RGBA8; f <= GN_FORMAT_S8; ++f) {
         const gn_format format = (gn_format)f;
-        const size_t element = format == GN_FORMAT_D16 ? 2 : 4;
+        const size_t element = format == GN_FORMAT_D16 ? 2 : format == GN_FORMAT_S8 ? 1 : 4;
+        const bool has_stencil =
+            format == GN_FORMAT_D24S8 || format == GN_FORMAT_D32FS8 || format == GN_FORMAT_S8;
+        const bool has_depth = format != GN_FORMAT_S8;
 
         for (uint32_t kind = 0; kind < 8 * sizeof widths / sizeof *widths; ++kind) {
             const uint32_t width = widths[kind / 8];
@@ -269,7 +291,7 @@ static void clear_fills_its_pixels_alone(void **state)
             if (format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F)
                 assert_int_equal(gn_clear_color(&s, 1, 1, 1, 1), GN_OK);
             else
-                assert_int_equal(gn_clear_depth(&s, 1), GN_OK);
+                assert_int_equal(clear_both(&s, kind / 8 % 3, has_depth, has_stencil), GN_OK);
             for (size_t i = 0; i < start + stride * height + 16; ++i) {
                 const bool inside =
                     i >= start && i < start + stride * height && (i - start) % stride < row;
@@ -290,7 +312,14 @@ static void clear_faults(void **state)
     assert_int_equal(gn_clear_color(NULL, 0, 0, 0, 0), GN_NULL_POINTER);
     assert_int_equal(gn_clear_depth(NULL, 0), GN_NULL_POINTER);
     assert_int_equal(gn_clear_depth(&s, 0), GN_INVALID_FORMAT);
+    assert_int_equal(gn_clear_stencil(NULL, 0), GN_NULL_POINTER);
+    assert_int_equal(gn_clear_stencil(&s, 0), GN_INVALID_FORMAT);
+    assert_int_equal(gn_clear_depth_stencil(NULL, 0, 0), GN_NULL_POINTER);
+    assert_int_equal(gn_clear_depth_stencil(&s, 0, 0), GN_INVALID_FORMAT);
+    s.format = GN_FORMAT_S8;
+    assert_int_equal(gn_clear_depth(&s, 0), GN_INVALID_FORMAT);
     s.format = GN_FORMAT_D32F;
+    assert_int_equal(gn_clear_stencil(&s, 0), GN_INVALID_FORMAT);
     assert_int_equal(gn_clear_color(&s, 0, 0, 0, 0), GN_INVALID_FORMAT);
     s.width = 0;
     assert_int_equal(gn_clear_depth(&s, 0), GN_INVALID_SIZE);

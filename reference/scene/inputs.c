@@ -1,0 +1,44 @@
+/* The shader of inputs.h. The order of operations is GLSL's in the reference. */
+#include "inputs.h"
+
+/* 1/64 and 1/128: products with them are exact. */
+#define PRIMITIVE_STEP 0.015625f
+#define PIXEL_STEP 0.0078125f
+
+enum { RED, GREEN, BLUE, ALPHA };
+
+/* Facing turns red around, the primitive's number is added to green (0 where it is not read). What
+ * the pipeline asks of the shader comes as what is not null. */
+static void shade_inputs(const void *uniforms, const gn_fragment_input *in, gn_fragment_output *out)
+{
+    const float primitive = (float)(int32_t)(in->primitive_id & 1023u) * PRIMITIVE_STEP;
+
+    (void)uniforms;
+    for (int l = 0; l < GN_LANES; ++l) {
+        const float red = in->varying[RED][l];
+        const float alpha = in->varying[ALPHA][l];
+
+        out->color[RED][l] = in->front_facing ? red : 1.0f - red;
+        out->color[GREEN][l] = in->varying[GREEN][l] + primitive;
+        out->color[BLUE][l] = in->varying[BLUE][l];
+        out->color[ALPHA][l] = alpha;
+        if (alpha < 0.5f)
+            out->kept &= ~(1u << l);
+        if (out->depth)
+            out->depth[l] = in->varying[BLUE][l];
+    }
+    for (int l = 0; in->position && l < GN_LANES; ++l) {
+        out->color[RED][l] = out->color[RED][l] + in->position[0][l] * PIXEL_STEP;
+        out->color[GREEN][l] = out->color[GREEN][l] + in->position[1][l] * PIXEL_STEP;
+        out->color[BLUE][l] = in->position[2][l];
+        out->color[ALPHA][l] = in->position[3][l];
+    }
+}
+
+gn_status inputs_use(gn_pipeline *pipeline, const gn_color_uniforms *uniforms)
+{
+    const gn_status status = gn_use_vertex_color(pipeline, uniforms);
+
+    pipeline->fragment_shader = shade_inputs;
+    return status;
+}

@@ -1,0 +1,14 @@
+/* A user's shader that shows what a fragment is told and uses what it may say: facing,
+ * primitive, window position; discard and depth. Its twin in GLSL is in
+ * reference/osmesa/programs.c. */
+#ifndef SCENE_INPUTS_H
+#define SCENE_INPUTS_H
+
+#include <gnomon.h>
+
+/* Sets shaders, varyings and uniforms. What the fragment shader does follows the pipeline's
+ * fragment_reads_position, fragment_reads_primitive, fragment_discards and fragment_writes_depth.
+ */
+gn_status inputs_use(gn_pipeline *pipeline, const gn_color_uniforms *uniforms);
+
+#endif

@@ -1,0 +1,57 @@
+/* What fragment shaders are told and may say: facing, primitive, position; discard and
+ * depth. */
+#include "generate_parts.h"
+
+#include <math.h>
+
+/* The alpha that fragments are discarded by is about the threshold, and the blue that
+ * becomes depth beyond 0 and 1 now and then: colours are stretched. */
+static void stretch_colors(builder *b)
+{
+    random_source *r = &b->random;
+    const float low = random_chance(r, 50) ? 0.0f : -0.5f;
+    const float high = random_chance(r, 50) ? 1.0f : 1.5f;
+    const bool equal = random_chance(r, 10);
+    for (uint32_t i = 0; i < b->vertex_count; i++)
+        for (int c = 2; c < 4; c++)
+            b->vertices[i].color[c] = equal ? 0.5f : random_float(r, low, high);
+    if (b->vertex_count > 0 && random_chance(r, 10))
+        b->vertices[random_below(r, b->vertex_count)].color[2] = NAN;
+}
+
+void random_inputs(builder *b)
+{
+    random_source *r = &b->random;
+    b->shader = SCENE_INPUTS;
+    b->color_components = 4;
+    b->state.fragment_reads_position = random_chance(r, 50);
+    b->state.fragment_reads_primitive = random_chance(r, 50);
+    b->state.fragment_discards = random_chance(r, 50);
+    b->state.fragment_writes_depth = random_chance(r, 40);
+    stretch_colors(b);
+}
+
+void generate_inputs(builder *b)
+{
+    static const gn_format depths[] = {GN_FORMAT_NONE, GN_FORMAT_D16, GN_FORMAT_D24,
+                                       GN_FORMAT_D32F};
+    random_source *r = &b->random;
+    builder_common_target(b);
+    b->scene->depth_format = depths[random_below(r, 4)];
+    if (random_chance(r, 50))
+        b->scene->color_format = GN_FORMAT_RGBA32F;
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+        builder_common_state(b);
+        b->state.depth_function = (gn_compare)(random_chance(r, 50) ? random_below(r, 8) : 0);
+        b->state.depth_write_disabled = random_chance(r, 15);
+        b->state.cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
+        b->state.front_face = (gn_front_face)random_below(r, 2);
+        b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+        if (random_chance(r, 3)) /* more than the reference takes at once */
+            shape_triangles(b, PLACE_ANYWHERE, 1300 + random_below(r, 1500));
+        else
+            shape_any(b, builder_triangle_count(b));
+        random_inputs(b);
+        builder_draw(b);
+    }
+}
