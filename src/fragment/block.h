@@ -42,7 +42,8 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     s->test = depth_state_of(pipeline);
     s->stencil[0] = stencil_state_of(&pipeline->stencil_front);
     s->stencil[1] = stencil_state_of(&pipeline->stencil_back);
-    s->moves_depth = pipeline->polygon_offset.set && s->tests_depth;
+    s->moves_depth = pipeline->polygon_offset.set &&
+                     (s->tests_depth || pipeline->fragment_reads_position);
     s->combine = color_state_of(pipeline);
 }
 
@@ -61,18 +62,20 @@ static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_tr
     }
 }
 
-/* gl_FragCoord of a block. */
-GN_OUT_OF_LINE void place_fragments(raster_triangle triangle, int32_t x, int32_t y,
-                                    float position[4][GN_LANES])
+/* gl_FragCoord of a block; its z has the polygon offset, whether or not depth is tested. */
+GN_OUT_OF_LINE void place_fragments(const gn_pipeline *pipeline, raster_triangle triangle,
+                                    int32_t x, int32_t y, float position[4][GN_LANES])
 {
-    const attribute_plane z = triangle_plane(triangle, DEPTH_PLANE);
+    lanes_f depth = plane_in_block(triangle_plane(triangle, DEPTH_PLANE), (float)x, (float)y);
     const attribute_plane w = triangle_plane(triangle, ONE_OVER_W_PLANE);
 
     GN_EACH_LANE (l) {
         position[0][l] = (float)(x + l % BLOCK_SIZE) + 0.5f;
         position[1][l] = (float)(y + l / BLOCK_SIZE) + 0.5f;
     }
-    lanes_store(position[2], plane_in_block(z, (float)x, (float)y));
+    if (pipeline->polygon_offset.set)
+        depth = lanes_add(depth, lanes_splat(triangle_offset(triangle, pipeline->varying_count)));
+    lanes_store(position[2], depth);
     lanes_store(position[3], plane_in_block(w, (float)x, (float)y));
 }
 
@@ -103,7 +106,7 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     input.primitive_id = pipeline->fragment_reads_primitive ? (uint32_t)identity.primitive : 0;
     input.position = 0;
     if (pipeline->fragment_reads_position) {
-        place_fragments(triangle, x, y, position);
+        place_fragments(pipeline, triangle, x, y, position);
         input.position = (const float(*)[GN_LANES])position;
     }
     output.color = color;

@@ -50,8 +50,8 @@ void shape_strip(builder *b, uint32_t triangles);
 /* Random indices over few vertices; the topology stays. */
 void shape_random_indices(builder *b, placement p, uint32_t vertices, uint32_t triangles);
 
-/* Triangles of one of the shapes. */
-void shape_any(builder *b, uint32_t count);
+/* One of the shapes of separate triangles. */
+void shape_separate(builder *b, uint32_t count);
 
 /* A range and a scissor to try things with; set. */
 gn_depth_range random_depth_range(builder *b);

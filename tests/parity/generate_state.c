@@ -12,7 +12,7 @@ static void any_triangles(builder *b, uint32_t count)
 }
 
 /* One of the shapes of separate triangles. */
-void shape_any(builder *b, uint32_t count)
+void shape_separate(builder *b, uint32_t count)
 {
     shape_function *const shapes[] = {any_triangles, shape_ties,   shape_behind,
                                       shape_tiny,    shape_huge,   shape_near_crossing,
@@ -30,7 +30,7 @@ void shape_any(builder *b, uint32_t count)
     else if (which == 2)
         shape_pile(b, 1 + count / 3);
     else
-        any_shape(b, count);
+        shape_separate(b, count);
 }
 
 static gn_viewport random_viewport(builder *b)
@@ -91,7 +91,7 @@ void generate_framebuffers(builder *b)
         if (random_chance(r, 70))
             b->state.viewport = random_viewport(b);
         if (random_chance(r, 50) || b->state.viewport.width == 0.0f)
-            shape_any(b, 1 + builder_triangle_count(b) / 2);
+            shape_separate(b, 1 + builder_triangle_count(b) / 2);
         else
             shape_any_grid(b, 5);
         builder_draw(b);
@@ -148,7 +148,7 @@ void generate_depth_state(builder *b)
         if (random_chance(r, 60))
             shape_pile(b, 1 + builder_triangle_count(b) / 3);
         else
-            shape_any(b, 1 + builder_triangle_count(b) / 3);
+            shape_separate(b, 1 + builder_triangle_count(b) / 3);
         builder_draw(b);
     }
 }
@@ -173,7 +173,7 @@ void generate_culling(builder *b)
             /* The reference culls otherwise where some vertex of a draw is outside. */
             shape_triangles(b, PLACE_ANYWHERE, random_below(r, 2));
         } else {
-            shape_any(b, count);
+            shape_separate(b, count);
         }
         builder_draw(b);
     }
@@ -228,7 +228,7 @@ void generate_interpolation(builder *b)
         if (random_interpolation(b) || random_chance(r, 50))
             shape_across_one_axis(b, count);
         else
-            shape_any(b, count);
+            shape_separate(b, count);
         builder_draw(b);
     }
 }
@@ -251,7 +251,7 @@ void generate_float_color(builder *b)
         if (noperspective)
             shape_across_one_axis(b, count);
         else
-            shape_any(b, count);
+            shape_separate(b, count);
         const float scale = random_chance(r, 50) ? 1.0f : random_octave(r, -20, 20);
         for (uint32_t i = 0; i < b->vertex_count; i++)
             for (int c = 0; c < 4; c++)
@@ -346,7 +346,7 @@ static void mixed_draw(builder *b)
         shape_degenerate(b, count);
         break;
     default:
-        shape_any(b, count);
+        shape_separate(b, count);
         break;
     }
     b->lead = random_chance(r, 20) ? random_below(r, 9) : 0;

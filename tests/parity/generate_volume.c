@@ -62,7 +62,7 @@ void generate_scissor(builder *b)
             shape_pile(b, 1 + count / 4);
             break;
         default:
-            shape_any(b, count);
+            shape_separate(b, count);
             break;
         }
         builder_draw(b);
@@ -118,7 +118,7 @@ void generate_offset(builder *b)
         if (random_chance(r, 50))
             shape_pile(b, 1 + builder_triangle_count(b) / 3);
         else
-            shape_any(b, 1 + builder_triangle_count(b) / 3);
+            shape_separate(b, 1 + builder_triangle_count(b) / 3);
         builder_draw(b);
     }
 }
