@@ -23,6 +23,8 @@ static const char *const wrap_names[] = {"repeat", "clamp-to-edge"};
 static const char *const magnify_names[] = {"linear", "nearest"};
 static const char *const minify_names[] = {"nearest-mipmap-linear", "nearest", "linear"};
 
+static const char *const clip_depth_names[] = {"negative-one-to-one", "zero-to-one"};
+
 static const char *const *names_of(text_names set, int *count)
 {
 #define CASE(constant, names)                                                                      \
@@ -45,6 +47,7 @@ static const char *const *names_of(text_names set, int *count)
         CASE(TEXT_WRAP, wrap_names);
         CASE(TEXT_MAGNIFY, magnify_names);
         CASE(TEXT_MINIFY, minify_names);
+        CASE(TEXT_CLIP_DEPTH, clip_depth_names);
     }
 #undef CASE
     *count = 0;

@@ -26,7 +26,8 @@ typedef struct fragment_kind {
     bool moves_depth; /* move_depth */
 } fragment_kind;
 
-static inline fragment_state fragment_state_of(const gn_target *target, const gn_pipeline *pipeline)
+static inline fragment_state fragment_state_of(const gn_target *target, const gn_pipeline *pipeline,
+                                               const viewport_transform *viewport)
 {
     fragment_state s;
 
@@ -36,7 +37,9 @@ static inline fragment_state fragment_state_of(const gn_target *target, const gn
     if (!pipeline->depth_test)
         s.depth.format = GN_FORMAT_NONE;
     s.test = depth_state_of(pipeline);
-    s.moves_depth = pipeline->polygon_offset.set && s.depth.format != GN_FORMAT_NONE;
+    s.limits = depth_limits_of(pipeline, viewport);
+    s.moves_depth = s.depth.format != GN_FORMAT_NONE &&
+                    (pipeline->polygon_offset.set || s.limits.low != 0.0f || s.limits.high != 1.0f);
     return s;
 }
 
@@ -85,12 +88,15 @@ GN_INLINE void sample_texture(const gn_textured_uniforms *uniforms, const fragme
     sample(&uniforms->texture, &uniforms->sampler, &s, &t, texel);
 }
 
-/* Adds the triangle's polygon offset. */
+/* Adds the triangle's polygon offset and clamps to the limits; NaN goes to the upper one. */
 GN_INLINE lanes_f move_depth(const fragment_state *state, raster_triangle triangle, lanes_f depth)
 {
     const uint32_t offset = VARYING_PLANES + state->pipeline->varying_count;
 
-    return lanes_add(depth, lanes_splat(triangle_origin(triangle, offset)));
+    const lanes_f moved = lanes_add(depth, lanes_splat(triangle_origin(triangle, offset)));
+
+    return lanes_max(lanes_min(moved, lanes_splat(state->limits.high)),
+                     lanes_splat(state->limits.low));
 }
 
 GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const fragment_place *at,

@@ -23,12 +23,18 @@ typedef struct depth_state {
     bool write;
 } depth_state;
 
+/* Depths of fragments are clamped to these; low <= high. */
+typedef struct depth_limits {
+    float low, high;
+} depth_limits;
+
 typedef struct fragment_state {
     const gn_pipeline *pipeline;
     gn_surface color; /* GN_FORMAT_NONE: no colour */
     gn_surface depth; /* GN_FORMAT_NONE: no test */
     depth_state test;
-    bool moves_depth; /* polygon offset */
+    depth_limits limits;
+    bool moves_depth; /* polygon offset, or limits other than 0 and 1 */
 } fragment_state;
 
 /* Where lane l is. A row saves most of the work where nothing is asked of neighbouring

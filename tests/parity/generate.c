@@ -56,6 +56,8 @@ const char *scene_class_name(scene_class c)
         return "scissor";
     case CLASS_OFFSET:
         return "offset";
+    case CLASS_CLIP_DEPTH:
+        return "clip-depth";
     case CLASS_MIXED:
         return "mixed";
     case CLASS_COUNT:
@@ -164,6 +166,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_OFFSET:
         generate_offset(&b);
+        break;
+    case CLASS_CLIP_DEPTH:
+        generate_clip_depth(&b);
         break;
     default:
         generate_mixed(&b);

@@ -30,6 +30,7 @@ typedef enum scene_class {
     CLASS_COLOR_RANGE,   /* colours outside 0..1 in RGBA8 */
     CLASS_SCISSOR,       /* a rectangle of pixels, in blocks and strips, empty, outside */
     CLASS_OFFSET,        /* polygon offset */
+    CLASS_CLIP_DEPTH,    /* depth clamp, clip depths from 0 to 1 */
     CLASS_MIXED,         /* several draws of several of the above */
     CLASS_COUNT
 } scene_class;

@@ -75,6 +75,7 @@ void generate_float_color(builder *b);
 void generate_color_range(builder *b);
 void generate_scissor(builder *b);
 void generate_offset(builder *b);
+void generate_clip_depth(builder *b);
 void generate_mixed(builder *b);
 
 #endif

@@ -112,6 +112,14 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         change = p->polygon_offset.units != 0.0f;
         p->polygon_offset.units = 0.0f;
         return change;
+    case 20:
+        change = p->depth_clamp;
+        p->depth_clamp = false;
+        return change;
+    case 21:
+        change = p->clip_depth != GN_NEGATIVE_ONE_TO_ONE;
+        p->clip_depth = GN_NEGATIVE_ONE_TO_ONE;
+        return change;
     case 15:
         change = p->scissor.set;
         memset(&p->scissor, 0, sizeof p->scissor);
