@@ -99,12 +99,13 @@ GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
  * (GN_BACKEND_UNAVAILABLE). An index at or beyond vertex_count is found last. On a fault
  * nothing is drawn.
  *
- * Triangles are drawn in order. Positions are clipped to -w <= x, y, z <= w and
- * mapped to window coordinates; vertices snap to 1/256 pixel; a pixel is covered
- * where its centre lies inside, or on a left edge or a horizontal bottom edge, so
- * that triangles sharing an edge never both cover a pixel on it. OpenGL 4.5 chapters 10
- * to 17; the order of every operation is the reference rasterizer's, so that results
- * are equal bit for bit (reference/RULES.md). Not drawn are triangles
+ * Triangles are drawn in order. Positions are clipped to -w <= x, y, z <= w (of z, as clip_depth
+ * and depth_clamp say; then a z that is clipped against nothing may be anything) and mapped to
+ * window coordinates; vertices snap to 1/256 pixel; a pixel is covered where its centre lies
+ * inside, or on a left edge or a horizontal bottom edge, so that triangles sharing an edge never
+ * both cover a pixel on it. OpenGL 4.5 chapters 10 to 17; the order of every operation is the
+ * reference rasterizer's, so that results are equal bit for bit (reference/RULES.md). Not drawn are
+ * triangles
  * - with a vertex whose x, y or z is not finite or whose w is NaN,
  * - to be clipped, with a vertex whose distance w +- x, y or z to a plane they cross
  *   is not finite,

@@ -9,6 +9,8 @@
  *   viewport             Viewport                       the whole target
  *   scissor              SCISSOR_TEST with Scissor      off
  *   depth_range          DepthRange                     0 to 1
+ *   clip_depth           ClipControl's depth            -1 to 1
+ *   depth_clamp          DEPTH_CLAMP                    off
  *   polygon_offset       POLYGON_OFFSET_FILL with        off
  *                        PolygonOffsetClamp
  *   depth_test           DEPTH_TEST                     off
@@ -207,9 +209,13 @@ typedef struct gn_depth_range {
     float z_far;  /* window depth of NDC z = 1, in 0..1 */
 } gn_depth_range;
 
+/* The depths in front of the eye that are drawn and mapped to the depth range:
+ * -w <= z <= w or 0 <= z <= w. */
+typedef enum gn_clip_depth { GN_NEGATIVE_ONE_TO_ONE = 0, GN_ZERO_TO_ONE } gn_clip_depth;
+
 /* Added to the depth of a triangle's fragments is slope * factor + step * units, where slope is
  * the greater of |dz/dx| and |dz/dy| and step is 2 / (2^n - 1) for a format of n bits and 2^(e -
- * 23) for GN_FORMAT_D32F, e being the exponent of the triangle's largest depth. */
+ * 23) for GN_FORMAT_D32F, e being the exponent of the triangle's largest |depth|. */
 typedef struct gn_polygon_offset {
     bool set; /* false: nothing is added, the other fields are not looked at */
     float factor;
@@ -293,6 +299,9 @@ typedef struct gn_pipeline {
     gn_depth_range depth_range;
     gn_scissor scissor;
     gn_polygon_offset polygon_offset;
+    gn_clip_depth clip_depth;
+    bool
+        depth_clamp; /* nothing is clipped for its depth; fragments' go to the depth range's ends */
 
     bool depth_test;
     gn_compare depth_function;
@@ -323,8 +332,8 @@ GN_BEGIN
  * viewport number that is not finite; a size below 0 or above GN_MAX_SIZE, an
  * origin beyond +-GN_MAX_SIZE), GN_NOT_FINITE or GN_OUT_OF_RANGE (a depth range
  * outside 0..1), GN_NOT_FINITE (a number of the polygon offset),
- * GN_INVALID_ENUM (functions and operations of depth and stencil), GN_OUT_OF_RANGE (color_write_disabled
- * has bits beyond GN_CHANNEL_ALL), GN_INVALID_ENUM or GN_NOT_FINITE (blend; the constant
+ * GN_INVALID_ENUM (clip_depth; functions and operations of depth and stencil),
+ * GN_OUT_OF_RANGE (color_write_disabled has bits beyond GN_CHANNEL_ALL), GN_INVALID_ENUM or GN_NOT_FINITE (blend; the constant
  * only where it is enabled), GN_INVALID_ENUM (logic operation). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
 

@@ -272,6 +272,17 @@ static void set_polygon_offset(const gn_polygon_offset *p)
     }
 }
 
+/* The library OSMesa does not export this one. */
+static void set_clip_depth(gn_clip_depth depth)
+{
+    typedef void clip_control(GLenum origin, GLenum depth);
+    clip_control *const control = (clip_control *)OSMesaGetProcAddress("glClipControl");
+
+    if (control) {
+        control(GL_LOWER_LEFT, depth == GN_ZERO_TO_ONE ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
+    }
+}
+
 static void set_state(const scene *s, const gn_pipeline *p)
 {
     const gn_viewport *v = &p->viewport;
@@ -299,6 +310,8 @@ static void set_state(const scene *s, const gn_pipeline *p)
                   clamped_size(p->scissor.height));
     }
     set_polygon_offset(&p->polygon_offset);
+    set_clip_depth(p->clip_depth);
+    switch_capability(GL_DEPTH_CLAMP, p->depth_clamp);
     switch_capability(GL_DEPTH_TEST, p->depth_test);
     glDepthFunc(depth_function(p->depth_function));
     glDepthMask(!p->depth_write_disabled);

@@ -289,6 +289,10 @@ static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
         p->polygon_offset.factor = read_float(r);
         p->polygon_offset.units = read_float(r);
         p->polygon_offset.clamp = read_float(r);
+    } else if (!strcmp(keyword, "clip-depth")) {
+        p->clip_depth = (gn_clip_depth)read_name(r, TEXT_CLIP_DEPTH);
+    } else if (!strcmp(keyword, "depth-clamp")) {
+        p->depth_clamp = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "depth-test")) {
         p->depth_test = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "depth-function")) {

@@ -47,7 +47,8 @@ typedef enum text_names {
     TEXT_MINIFY,
     TEXT_FACTOR,
     TEXT_EQUATION,
-    TEXT_LOGIC
+    TEXT_LOGIC,
+    TEXT_CLIP_DEPTH
 } text_names;
 
 /* How many names a set has; those of the values from 0 on. */

@@ -106,6 +106,8 @@ static void write_state(FILE *out, const gn_pipeline *p)
 
         write_floats(out, "  polygon-offset", offset, 3);
     }
+    fprintf(out, "  clip-depth %s\n", text_name(TEXT_CLIP_DEPTH, (int)p->clip_depth));
+    fprintf(out, "  depth-clamp %s\n", text_name(TEXT_SWITCH, p->depth_clamp));
     fprintf(out, "  depth-test %s\n", text_name(TEXT_SWITCH, p->depth_test));
     fprintf(out, "  depth-function %s\n", text_name(TEXT_COMPARE, (int)p->depth_function));
     fprintf(out, "  depth-write %s\n", text_name(TEXT_SWITCH, !p->depth_write_disabled));

@@ -90,6 +90,8 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
     status = check_polygon_offset(&pipeline->polygon_offset);
     if (status)
         return status;
+    if ((unsigned)pipeline->clip_depth > GN_ZERO_TO_ONE)
+        return GN_INVALID_ENUM;
     if ((unsigned)pipeline->depth_function > GN_ALWAYS ||
         !is_stencil_face(&pipeline->stencil_front) || !is_stencil_face(&pipeline->stencil_back))
         return GN_INVALID_ENUM;

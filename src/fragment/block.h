@@ -28,7 +28,8 @@ typedef struct fragment_kind {
 } fragment_kind;
 
 static inline void set_fragment_state(fragment_state *s, const gn_target *target,
-                                      const gn_pipeline *pipeline)
+                                      const gn_pipeline *pipeline,
+                                      const viewport_transform *viewport)
 {
     const gn_format format = target->depth.format;
 
@@ -45,6 +46,8 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     s->moves_depth = pipeline->polygon_offset.set &&
                      (s->tests_depth || pipeline->fragment_reads_position);
     s->combine = color_state_of(pipeline);
+    s->limits = depth_limits_of(pipeline, viewport);
+    s->clamps_depth = s->tests_depth && (s->limits.low != 0.0f || s->limits.high != 1.0f);
 }
 
 static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_triangle triangle,
@@ -127,10 +130,14 @@ GN_INLINE void sample_texture(const gn_textured_uniforms *uniforms, const fragme
     sample(&uniforms->texture, &uniforms->sampler, &s, &t, texel);
 }
 
-/* Stencil and depth, where there are tests. Gives the part of coverage that passed. */
+/* Stencil and depth, where there are tests. Gives the part of coverage that passed. Depths are
+ * clamped to the limits, NaN to the upper one. */
 GN_INLINE uint32_t test_whole(const fragment_state *state, const fragment_place *at,
                               raster_triangle triangle, uint32_t coverage, lanes_f depth)
 {
+    if (state->clamps_depth)
+        depth = lanes_max(lanes_min(depth, lanes_splat(state->limits.high)),
+                          lanes_splat(state->limits.low));
     if (format_has_stencil(state->depth.format)) {
         const uint32_t varyings = state->pipeline->varying_count;
 
@@ -348,6 +355,7 @@ static inline bool is_plain(const fragment_state *state)
     const gn_pipeline *p = state->pipeline;
 
     return !p->fragment_discards && !p->fragment_writes_depth && !state->moves_depth &&
+           !state->clamps_depth &&
            !format_has_stencil(state->depth.format) && state->combine.replaces;
 }
 

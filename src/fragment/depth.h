@@ -27,6 +27,24 @@ static inline depth_state depth_state_of(const gn_pipeline *pipeline)
     return s;
 }
 
+/* 0 and 1, or under depth clamp the ends of the depth range, computed back from its
+ * transform as the reference does. */
+static inline depth_limits depth_limits_of(const gn_pipeline *pipeline,
+                                           const viewport_transform *viewport)
+{
+    const float scale = viewport->scale[2];
+    const float translate = viewport->translate[2];
+    const float a = viewport->zero_to_one ? translate : translate - scale;
+    const float b = translate + scale;
+    depth_limits limits = {0.0f, 1.0f};
+
+    if (pipeline->depth_clamp) {
+        limits.low = a < b ? a : b;
+        limits.high = a < b ? b : a;
+    }
+    return limits;
+}
+
 /* Depths as a format holds them, in the low bits: D16 and D24 rounded, D32F as the
  * float's bits, which order as integers do. Clamped to 0..1. */
 GN_INLINE lanes_i quantize_depth(gn_format format, lanes_f depth)

@@ -68,6 +68,11 @@ typedef struct stencil_state {
     stencil_update fail, depth_fail, pass;
 } stencil_state;
 
+/* Depths of fragments are clamped to these; low <= high. */
+typedef struct depth_limits {
+    float low, high;
+} depth_limits;
+
 typedef struct fragment_state {
     const gn_pipeline *pipeline;
     gn_surface color; /* GN_FORMAT_NONE: no colour */
@@ -77,6 +82,8 @@ typedef struct fragment_state {
     color_state combine;
     bool tests_depth, tests_stencil;
     stencil_state stencil[2]; /* of front faces, of back faces */
+    depth_limits limits;
+    bool clamps_depth; /* limits other than 0 and 1 */
 } fragment_state;
 
 /* Where lane l is. A row saves most of the work where nothing is asked of neighbouring

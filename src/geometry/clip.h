@@ -26,12 +26,14 @@ typedef struct polygon {
 /* The signed distance a0*x + a1*y + a2*z + a3*w to a plane: not negative inside.
  * The terms of value zero are left out: they can change neither the sum nor, the
  * coordinates being finite, make it NaN. */
-static float plane_distance(const stored_vertex *v, uint32_t plane)
+static float plane_distance(const clipper *c, const stored_vertex *v, uint32_t plane)
 {
     const float coordinate = v->clip[plane / 2];
     const float w = v->clip[3];
     const bool positive = plane == CLIP_LEFT || plane == CLIP_BOTTOM || plane == CLIP_NEAR;
 
+    if (plane == CLIP_NEAR && c->viewport->zero_to_one)
+        return coordinate;
     return positive ? coordinate + w : w - coordinate;
 }
 
@@ -78,7 +80,7 @@ static uint32_t interpolate_vertex(clipper *c, uint32_t from, uint32_t to, float
 static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon *out)
 {
     uint32_t previous = in->vertex[0];
-    float previous_distance = plane_distance(vertex_at(c->memory, previous), plane);
+    float previous_distance = plane_distance(c, vertex_at(c->memory, previous), plane);
 
     out->count = 0;
     if (!gn_is_finite(previous_distance))
@@ -86,7 +88,7 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
 
     for (uint32_t n = 1; n <= in->count; ++n) {
         const uint32_t current = in->vertex[n == in->count ? 0 : n];
-        const float distance = plane_distance(vertex_at(c->memory, current), plane);
+        const float distance = plane_distance(c, vertex_at(c->memory, current), plane);
 
         if (!gn_is_finite(distance) || out->count > CLIP_MAX_POLYGON - 2 ||
             c->used == CLIP_MAX_VERTICES)

@@ -9,10 +9,12 @@
 
 #include "vertex_store.h"
 
-/* window = ndc * scale + translate, for x, y, z. */
+/* window = ndc * scale + translate, for x, y, z; and what is outside the view volume. */
 typedef struct viewport_transform {
     float scale[3];
     float translate[3];
+    uint32_t planes;  /* bit p: clip_plane p is asked */
+    bool zero_to_one; /* CLIP_NEAR is 0 <= z */
 } viewport_transform;
 
 /* Up to sixteen triangles as offsets of their vertices, in the order that decides the low
@@ -37,7 +39,7 @@ typedef enum clip_plane {
     CLIP_LEFT,   /* -w <= x */
     CLIP_TOP,    /* y <= w */
     CLIP_BOTTOM, /* -w <= y */
-    CLIP_NEAR,   /* -w <= z */
+    CLIP_NEAR,   /* -w <= z, or 0 <= z */
     CLIP_FAR,    /* z <= w */
     CLIP_PLANE_COUNT
 } clip_plane;

@@ -29,6 +29,14 @@ viewport_transform_of(const gn_pipeline *pipeline, uint32_t target_width, uint32
     t.translate[0] = t.scale[0] + x;
     t.translate[1] = t.scale[1] + y;
     t.translate[2] = 0.5f * (z_near + z_far);
+    t.planes = (1u << CLIP_PLANE_COUNT) - 1;
+    t.zero_to_one = pipeline->clip_depth == GN_ZERO_TO_ONE;
+    if (t.zero_to_one) {
+        t.scale[2] = z_far - z_near;
+        t.translate[2] = z_near;
+    }
+    if (pipeline->depth_clamp)
+        t.planes &= ~(1u << CLIP_NEAR | 1u << CLIP_FAR);
     return t;
 }
 
@@ -39,17 +47,19 @@ static inline lanes_i outside_bit(lanes_f a, lanes_f b, clip_plane plane)
                        lanes_i_splat(1 << plane));
 }
 
-GN_STEP lanes_i outcodes_of(const lanes_f clip[4])
+GN_STEP lanes_i outcodes_of(const viewport_transform *viewport, const lanes_f clip[4])
 {
     const lanes_f zero = lanes_splat(0.0f);
     const lanes_f w = clip[3];
+    const lanes_f near_distance = viewport->zero_to_one ? clip[2] : lanes_add(clip[2], w);
     lanes_i code = outside_bit(clip[0], w, CLIP_RIGHT);
 
     code = lanes_i_or(code, outside_bit(zero, lanes_add(clip[0], w), CLIP_LEFT));
     code = lanes_i_or(code, outside_bit(clip[1], w, CLIP_TOP));
     code = lanes_i_or(code, outside_bit(zero, lanes_add(clip[1], w), CLIP_BOTTOM));
-    code = lanes_i_or(code, outside_bit(zero, lanes_add(clip[2], w), CLIP_NEAR));
-    return lanes_i_or(code, outside_bit(clip[2], w, CLIP_FAR));
+    code = lanes_i_or(code, outside_bit(zero, near_distance, CLIP_NEAR));
+    code = lanes_i_or(code, outside_bit(clip[2], w, CLIP_FAR));
+    return lanes_i_and(code, lanes_i_splat((int32_t)viewport->planes));
 }
 
 /* Writes window, snapped and clip coordinates and outcodes of the sixteen vertices at
@@ -72,7 +82,7 @@ static inline lanes_i place_vertices(const viewport_transform *viewport, const l
         }
     }
     window[3] = lanes_as_int(one_over_w);
-    snapped[2] = outcodes_of(clip);
+    snapped[2] = outcodes_of(viewport, clip);
     snapped[3] = lanes_i_splat(0);
     for (int c = 0; c < 4; ++c)
         position[c] = lanes_as_int(clip[c]);

@@ -9,7 +9,7 @@
 
 typedef struct offset_state {
     bool moves;    /* fragments add an offset, if only 0 */
-    bool floating; /* a step is one of the triangle's greatest depth */
+    bool floating; /* a step is one of the triangle's greatest |depth| */
     float factor;
     float units; /* times the step of the format, where that is a constant */
     float clamp; /* above 0 the most, below 0 the least */
@@ -39,7 +39,7 @@ static inline lanes_f magnitude_of(lanes_f a)
     return lanes_as_float(lanes_i_and(lanes_as_int(a), lanes_i_splat(INT32_MAX)));
 }
 
-/* 2^(e - 23) for the exponent e of a depth that is not negative; 0 where that is denormal. */
+/* 2^(e - 23) for the exponent e of a depth's magnitude; 0 where that is denormal. */
 static inline lanes_f float_step(lanes_f depth)
 {
     const lanes_i exponent = lanes_i_and(lanes_as_int(depth), lanes_i_splat(0x7F800000));
@@ -67,7 +67,9 @@ GN_STEP lanes_f offset_depths(const offset_state *offset, const lanes_f x[3], co
     lanes_f steps = lanes_splat(offset->units);
 
     if (offset->floating)
-        steps = lanes_mul(float_step(lanes_max(lanes_max(z[0], z[1]), z[2])), steps);
+        steps = lanes_mul(float_step(lanes_max(lanes_max(magnitude_of(z[0]), magnitude_of(z[1])),
+                                               magnitude_of(z[2]))),
+                          steps);
 
     const lanes_f sum = lanes_add(steps, lanes_mul(slope, lanes_splat(offset->factor)));
     if (offset->clamp > 0.0f)

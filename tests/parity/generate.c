@@ -68,6 +68,8 @@ const char *scene_class_name(scene_class c)
         return "float-blend";
     case CLASS_LOGIC:
         return "logic";
+    case CLASS_CLIP_DEPTH:
+        return "clip-depth";
     case CLASS_MIXED:
         return "mixed";
     case CLASS_COUNT:
@@ -194,6 +196,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_LOGIC:
         generate_logic(&b);
+        break;
+    case CLASS_CLIP_DEPTH:
+        generate_clip_depth(&b);
         break;
     default:
         generate_mixed(&b);

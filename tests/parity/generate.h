@@ -36,6 +36,7 @@ typedef enum scene_class {
     CLASS_BLEND,         /* factors, equations, separate alpha, constants */
     CLASS_FLOAT_BLEND,   /* the same in RGBA32F */
     CLASS_LOGIC,         /* logical operations on colours */
+    CLASS_CLIP_DEPTH,    /* depth clamp, clip depths from 0 to 1 */
     CLASS_MIXED,         /* several draws of several of the above */
     CLASS_COUNT
 } scene_class;

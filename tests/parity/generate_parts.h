@@ -89,6 +89,7 @@ void generate_color_mask(builder *b);
 void generate_blend(builder *b);
 void generate_float_blend(builder *b);
 void generate_logic(builder *b);
+void generate_clip_depth(builder *b);
 void generate_mixed(builder *b);
 
 /* What mixed draws have of the classes of colours combined with those of the target. */

@@ -314,6 +314,8 @@ static void mixed_draw(builder *b)
         b->state.scissor = random_scissor(b);
     if (random_chance(r, 20))
         b->state.polygon_offset = random_polygon_offset(b);
+    b->state.depth_clamp = random_chance(r, 15);
+    b->state.clip_depth = (gn_clip_depth)random_chance(r, 15);
     b->state.cull = (gn_cull)(random_chance(r, 40) ? random_below(r, 3) : 0);
     b->state.front_face = (gn_front_face)random_below(r, 2);
     b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);

@@ -122,3 +122,41 @@ void generate_offset(builder *b)
         builder_draw(b);
     }
 }
+
+/* Depths far outside the view volume, or moved to where z starts at 0. */
+static void move_depths(builder *b)
+{
+    random_source *r = &b->random;
+    const float scale = random_chance(r, 50) ? 1.0f : random_octave(r, 0, 3);
+    const bool halves = random_chance(r, 50);
+    for (uint32_t i = 0; i < b->vertex_count; i++) {
+        float *p = b->vertices[i].position;
+        p[2] = scale * (halves ? 0.5f * (p[2] + p[3]) : p[2]);
+    }
+}
+
+void generate_clip_depth(builder *b)
+{
+    static const gn_format depths[] = {GN_FORMAT_D16, GN_FORMAT_D24, GN_FORMAT_D32F};
+    random_source *r = &b->random;
+    builder_common_target(b);
+    if (random_chance(r, 75))
+        b->scene->depth_format = depths[random_below(r, 3)];
+    for (uint32_t draws = 1 + random_below(r, 4); draws > 0; draws--) {
+        builder_common_state(b);
+        b->state.depth_function = random_chance(r, 30) ? GN_ALWAYS : GN_LESS_OR_EQUAL;
+        b->state.depth_clamp = random_chance(r, 60);
+        b->state.clip_depth = (gn_clip_depth)random_chance(r, 60);
+        if (random_chance(r, 50))
+            b->state.depth_range = random_depth_range(b);
+        if (random_chance(r, 20))
+            b->state.polygon_offset = random_polygon_offset(b);
+        b->state.cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
+        if (random_chance(r, 30))
+            shape_pile(b, 1 + builder_triangle_count(b) / 3);
+        else
+            shape_any(b, 1 + builder_triangle_count(b) / 2);
+        move_depths(b);
+        builder_draw(b);
+    }
+}

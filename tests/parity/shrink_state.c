@@ -141,92 +141,100 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         p->polygon_offset.units = 0.0f;
         return change;
     case 19:
+        change = p->depth_clamp;
+        p->depth_clamp = false;
+        return change;
+    case 20:
+        change = p->clip_depth != GN_NEGATIVE_ONE_TO_ONE;
+        p->clip_depth = GN_NEGATIVE_ONE_TO_ONE;
+        return change;
+    case 21:
         change = p->scissor.set;
         memset(&p->scissor, 0, sizeof p->scissor);
         return change;
-    case 20:
+    case 22:
         change = p->color_write_disabled != 0;
         p->color_write_disabled = 0;
         return change;
-    case 21:
+    case 23:
         change = p->blend.enabled;
         memset(&p->blend, 0, sizeof p->blend);
         return change;
-    case 22:
+    case 24:
         change = p->blend.equation != GN_EQUATION_DEFAULT;
         p->blend.equation = GN_EQUATION_DEFAULT;
         return change;
-    case 23:
+    case 25:
         change = p->blend.alpha_equation != GN_EQUATION_DEFAULT;
         p->blend.alpha_equation = GN_EQUATION_DEFAULT;
         return change;
-    case 24:
+    case 26:
         change = p->blend.source != GN_FACTOR_DEFAULT;
         p->blend.source = GN_FACTOR_DEFAULT;
         return change;
-    case 25:
+    case 27:
         change = p->blend.destination != GN_FACTOR_DEFAULT;
         p->blend.destination = GN_FACTOR_DEFAULT;
         return change;
-    case 26:
+    case 28:
         change = p->blend.alpha_source != GN_FACTOR_DEFAULT;
         p->blend.alpha_source = GN_FACTOR_DEFAULT;
         return change;
-    case 27:
+    case 29:
         change = p->blend.alpha_destination != GN_FACTOR_DEFAULT;
         p->blend.alpha_destination = GN_FACTOR_DEFAULT;
         return change;
-    case 28:
+    case 30:
         for (int c = 0; c < 4; c++) {
             change = change || p->blend.constant[c] != 0.0f;
             p->blend.constant[c] = 0.0f;
         }
         return change;
-    case 29:
+    case 31:
         change = p->color_logic;
         p->color_logic = false;
         p->logic_operation = GN_LOGIC_COPY;
         return change;
-    case 30:
+    case 32:
         change = p->logic_operation != GN_LOGIC_COPY;
         p->logic_operation = GN_LOGIC_COPY;
         return change;
-    case 31:
+    case 33:
         change = p->fragment_reads_position;
         p->fragment_reads_position = false;
         return change;
-    case 32:
+    case 34:
         change = p->fragment_discards;
         p->fragment_discards = false;
         return change;
-    case 33:
+    case 35:
         change = p->fragment_writes_depth;
         p->fragment_writes_depth = false;
         return change;
-    case 34:
+    case 36:
         change = p->fragment_reads_primitive;
         p->fragment_reads_primitive = false;
         return change;
-    case 35:
+    case 37:
         change = p->stencil_test;
         p->stencil_test = false;
         return change;
-    case 36:
-    case 37:
     case 38:
     case 39:
     case 40:
     case 41:
     case 42:
-        return simplify_face(&p->stencil_front, step - 36);
     case 43:
     case 44:
+        return simplify_face(&p->stencil_front, step - 38);
     case 45:
     case 46:
     case 47:
     case 48:
     case 49:
-        return simplify_face(&p->stencil_back, step - 43);
+    case 50:
+    case 51:
+        return simplify_face(&p->stencil_back, step - 45);
     default:
         *last = true;
         return false;

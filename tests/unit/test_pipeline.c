@@ -59,6 +59,9 @@ static void pipeline_faults(void **state)
     p.front_face = (gn_front_face)2;
     assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
     p = good_pipeline();
+    p.clip_depth = (gn_clip_depth)2;
+    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    p = good_pipeline();
     p.depth_function = (gn_compare)8;
     assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
     for (int member = 0; member < 8; ++member) {
