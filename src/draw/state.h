@@ -71,7 +71,7 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     draw->viewport = viewport_transform_of(job->pipeline, any->width, any->height);
     draw->cull = cull_state_of(job->pipeline, any->width, any->height);
     set_fragment_state(&draw->fragment, job->target, job->pipeline);
-    draw->shade_run = run_function_of(&draw->fragment);
+    draw->shade_run = job->samples_passed ? run_counted : run_function_of(&draw->fragment);
 }
 
 /* Elements of a segment, and triangles that they make. */

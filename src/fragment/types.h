@@ -55,6 +55,12 @@ typedef struct fragment_state {
     stencil_state stencil[2]; /* of front faces, of back faces */
 } fragment_state;
 
+/* The context of fragments that are counted: each task has a sum of its own. */
+typedef struct counted_state {
+    const fragment_state *state;
+    uint64_t *passed;
+} counted_state;
+
 /* Where lane l is. A row saves most of the work where nothing is asked of neighbouring
  * rows; shaders are handed blocks, for their derivatives. */
 typedef enum fragment_shape {

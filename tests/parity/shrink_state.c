@@ -140,6 +140,10 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         change = p->fragment_reads_primitive;
         p->fragment_reads_primitive = false;
         return change;
+    case 34:
+        change = d->counted;
+        d->counted = false;
+        return change;
     case 19:
         change = p->stencil_test;
         p->stencil_test = false;
