@@ -47,6 +47,11 @@ typedef struct gn_workspace {
     gn_parallel *parallel; /* null: the calling thread alone; the pixels are the same */
     void *user;            /* for parallel */
     size_t needed;         /* written with GN_WORKSPACE_TOO_SMALL: the least size there is */
+
+    /* Null, or what a draw adds the number of its fragments to that are covered, kept by the
+     * shader and passed by stencil and depth tests: a query of SAMPLES_PASSED. Exact with
+     * any back end and threads. */
+    uint64_t *samples_passed;
 } gn_workspace;
 
 /* Bytes of one vertex between the stages: window, snapped and clip coordinates, outcode,

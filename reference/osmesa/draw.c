@@ -207,6 +207,9 @@ uploaded_draw *reference_upload(reference *r, const scene *s, char *error, size_
             return NULL;
         }
         upload_vertices(d, &draws[i]);
+        if (d->counted) {
+            glGenQueries(1, &draws[i].query);
+        }
         if (scene_shader_is_textured(d->shader)) {
             upload_texture(&d->uniforms.texture, &d->uniforms.sampler, &draws[i]);
         }
@@ -224,6 +227,7 @@ void reference_discard(uploaded_draw *draws, size_t count)
         glDeleteBuffers(1, &draws[i].vertices);
         glDeleteBuffers(1, &draws[i].indices);
         glDeleteTextures(1, &draws[i].texture);
+        glDeleteQueries(1, &draws[i].query);
     }
     free(draws);
 }
@@ -369,6 +373,9 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
     set_uniforms(d);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, u->texture);
+    if (u->query) {
+        glBeginQuery(GL_SAMPLES_PASSED, u->query);
+    }
     if (is_nine_vertices(d)) {
         glDrawElements(GL_TRIANGLES, (GLsizei)mesh->count, GL_UNSIGNED_INT, NULL);
     } else if (mesh->index_format == GN_INDEX_NONE) {
@@ -377,6 +384,9 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
         glDrawElements(
             topology(d->state.topology), (GLsizei)mesh->count, index_type(mesh->index_format),
             (const void *)(uintptr_t)(mesh->first * scene_index_size(mesh->index_format)));
+    }
+    if (u->query) {
+        glEndQuery(GL_SAMPLES_PASSED);
     }
 }
 
@@ -452,6 +462,15 @@ bool reference_draw(reference *r, const scene *s, scene_frame *frame, char *erro
     }
     glFinish();
     read_frame(s, frame);
+    frame->samples_passed = 0;
+    for (size_t i = 0; i < s->draw_count; ++i) {
+        GLuint passed = 0;
+
+        if (draws[i].query) {
+            glGetQueryObjectuiv(draws[i].query, GL_QUERY_RESULT, &passed);
+        }
+        frame->samples_passed += passed;
+    }
     reference_discard(draws, s->draw_count);
     return reference_check("drawing a scene", error, error_size);
 }

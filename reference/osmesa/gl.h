@@ -44,6 +44,7 @@ typedef struct uploaded_draw {
     GLuint indices;
     GLuint texture;
     GLuint program;
+    GLuint query;     /* of a counted draw */
     size_t offset[4]; /* of the attributes in `vertices` */
 } uploaded_draw;
 

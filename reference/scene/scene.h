@@ -44,6 +44,7 @@ typedef struct scene_draw {
 
     /* The pointers of the mesh and of uniforms.texture are the scene's own memory. */
     gn_mesh mesh;
+    bool counted;         /* the fragments that pass are counted */
     uint32_t index_count; /* elements behind mesh.indices, 0 where there are none */
 
     /* clip_from_model serves every shader, the light those that are lit, the
@@ -71,7 +72,8 @@ typedef struct scene_frame {
     uint32_t width, height;
     gn_format color_format, depth_format;
     void *color;
-    void *depth; /* null for GN_FORMAT_NONE */
+    void *depth;             /* null for GN_FORMAT_NONE */
+    uint64_t samples_passed; /* the sum over the counted draws */
 } scene_frame;
 
 /* How two frames of one size and format differ. Bits are compared, except that two
@@ -79,6 +81,7 @@ typedef struct scene_frame {
 typedef struct scene_difference {
     uint64_t color_pixels;    /* pixels with any channel different */
     uint64_t depth_pixels;    /* the same of depth and stencil */
+    bool counts_differ;       /* samples_passed; counts as one pixel more */
     uint64_t pixels;          /* with a difference in colour or depth */
     uint64_t coverage_pixels; /* pixels one side has drawn on and the other has not: the
                                  value is still the clear value on exactly one side */

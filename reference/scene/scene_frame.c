@@ -197,10 +197,12 @@ scene_difference scene_compare(const scene *s, const scene_frame *ours,
     scene_difference d;
 
     memset(&d, 0, sizeof d);
+    d.counts_differ = ours->samples_passed != reference->samples_passed;
     if ((!has_color ||
          !memcmp(ours->color, reference->color, pixels * gn_format_size(ours->color_format))) &&
         (!has_depth ||
          !memcmp(ours->depth, reference->depth, pixels * gn_format_size(ours->depth_format)))) {
+        d.pixels = d.counts_differ;
         return d;
     }
     for (size_t i = 0; i < pixels; ++i) {
@@ -236,5 +238,6 @@ scene_difference scene_compare(const scene *s, const scene_frame *ours,
         d.depth_pixels += depth_differs;
         d.coverage_pixels += drawn[0] != drawn[1];
     }
+    d.pixels += d.counts_differ;
     return d;
 }

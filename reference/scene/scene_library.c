@@ -65,12 +65,15 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
 
 static gn_status draw_one(const gn_target *target, const scene_draw *d, gn_workspace *workspace)
 {
+    uint64_t *const counter = workspace->samples_passed;
     other_uniforms other;
     gn_pipeline pipeline = d->state;
     gn_status status = use_shader(&pipeline, d, workspace->backend, &other);
 
     if (status == GN_OK) {
+        workspace->samples_passed = d->counted ? counter : NULL;
         status = gn_draw(target, &pipeline, &d->mesh, workspace);
+        workspace->samples_passed = counter;
     }
     return status;
 }
@@ -155,16 +158,21 @@ gn_status scene_draw_to_target(const scene *s, const gn_target *target, gn_works
 
 gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame, gn_workspace *workspace)
 {
+    uint64_t *const counter = workspace->samples_passed;
     gn_target target;
 
     memset(&target, 0, sizeof target);
+    frame->samples_passed = 0;
+    workspace->samples_passed = &frame->samples_passed;
     if (s->color_format != GN_FORMAT_NONE) {
         target.color = gn_surface_bottom_up(frame->color, s->color_format, s->width, s->height);
     }
     if (s->depth_format != GN_FORMAT_NONE) {
         target.depth = gn_surface_bottom_up(frame->depth, s->depth_format, s->width, s->height);
     }
-    return scene_draw_to_target(s, &target, workspace);
+    const gn_status status = scene_draw_to_target(s, &target, workspace);
+    workspace->samples_passed = counter;
+    return status;
 }
 
 gn_status scene_draw_library(const scene *s, scene_frame *frame, size_t workspace_bytes,

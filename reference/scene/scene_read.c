@@ -388,6 +388,8 @@ static bool read_mesh(reader *r, const char *keyword, scene_draw *d)
         d->mesh.vertex_count = read_number(r, 10, UINT32_MAX);
     } else if (!strcmp(keyword, "indices")) {
         read_indices(r, d);
+    } else if (!strcmp(keyword, "counted")) {
+        d->counted = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "elements")) {
         d->mesh.first = read_number(r, 10, UINT32_MAX);
         d->mesh.count = read_number(r, 10, UINT32_MAX);

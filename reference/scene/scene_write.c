@@ -188,6 +188,7 @@ bool scene_write(const scene *s, FILE *out)
         const scene_draw *d = &s->draws[i];
 
         fprintf(out, "draw %s\n", text_name(TEXT_SHADER, (int)d->shader));
+        fprintf(out, "  counted %s\n", text_name(TEXT_SWITCH, d->counted));
         write_state(out, &d->state);
         write_color_state(out, &d->state);
         write_uniforms(out, d);

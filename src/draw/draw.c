@@ -129,6 +129,7 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     job->memory = (unsigned char *)workspace->memory + skip;
     job->parallel = GN_HAVE_TASKS ? workspace->parallel : NULL;
     job->user = workspace->user;
+    job->samples_passed = workspace->samples_passed;
     job->segments = NULL;
     job->segment_count = 0;
     job->lists = NULL;

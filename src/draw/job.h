@@ -49,7 +49,8 @@ typedef struct draw_job {
 
     gn_parallel *parallel; /* null: one task, no segments kept */
     void *user;
-    segment_lists *segments; /* of a round */
+    uint64_t *samples_passed; /* null: not counted */
+    segment_lists *segments;  /* of a round */
     uint32_t segment_count;
     triangle_list *lists;
     list_rows *rows; /* of the lists */

@@ -341,6 +341,7 @@ static void strip_task(void *context, uint32_t task)
         draw_segment_part(&w, &job->segments[s], job->lists + (size_t)s * job->lists_per_segment,
                           job->rows + (size_t)s * job->rows_per_segment);
     draw_list(&w);
+    *(uint64_t *)(void *)task_scratch(draw, task) = w.passed;
 }
 
 /* Divides the rows that the round's triangles reach into strips of whole blocks, no more
@@ -368,7 +369,12 @@ static void draw_strips(round_state *round, uint32_t segments)
     const uint32_t strip_blocks = (blocks + wanted - 1) / wanted;
 
     round->strip_rows = (int32_t)(strip_blocks * BLOCK_SIZE);
-    run_tasks(round, strip_task, 0, (blocks + strip_blocks - 1) / strip_blocks, 1);
+    const uint32_t tasks =
+        run_tasks(round, strip_task, 0, (blocks + strip_blocks - 1) / strip_blocks, 1);
+
+    for (uint32_t i = 0; round->draw->job->samples_passed && i < tasks; ++i)
+        *round->draw->job->samples_passed +=
+            *(const uint64_t *)(const void *)task_scratch(round->draw, i);
 }
 
 /* Segments in a round; 0 where the draw is not to run in tasks. */

@@ -77,6 +77,8 @@ static void run_serial(draw_state *draw)
             draw_segment(draw, &w, first, count);
     }
     draw_list(&w);
+    if (draw->job->samples_passed)
+        *draw->job->samples_passed += w.passed;
 }
 
 /* Shares vertices where the range that the elements name fits the workspace and is no

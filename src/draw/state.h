@@ -75,7 +75,7 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     set_fragment_state(&draw->fragment, job->target, job->pipeline, &draw->viewport);
     draw->offset =
         offset_state_of(job->pipeline, job->target->depth.format, draw->fragment.moves_depth);
-    draw->shade_run = run_function_of(&draw->fragment);
+    draw->shade_run = job->samples_passed ? run_counted : run_function_of(&draw->fragment);
 }
 
 /* Elements of a segment, and triangles that they make. */

@@ -19,6 +19,7 @@ typedef struct worker {
     clipper clipper;
     uint32_t clip_vertices; /* offset of CLIP_SCRATCH vertices */
     uint32_t clip_used;
+    uint64_t passed; /* fragments, where they are counted */
 } worker;
 
 static inline void start_list(triangle_list *list)
@@ -46,6 +47,7 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
     w->clipper.used = 0;
     w->clip_vertices = (uint32_t)(scratch - draw->job->memory) + scratch_vertices_offset(varyings);
     w->clip_used = 0;
+    w->passed = 0;
     start_list(w->list);
 }
 
@@ -53,11 +55,14 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
 static void draw_triangles(worker *w, const triangle_list *list)
 {
     const draw_state *draw = w->draw;
+    const counted_state counted = {&draw->fragment, &w->passed};
+    const void *const context =
+        draw->job->samples_passed ? (const void *)&counted : (const void *)&draw->fragment;
 
     setup_triangles(draw->pipeline, &draw->offset, &w->cull.target, draw->job->memory, list,
                     w->batch);
     for (uint32_t l = 0; l < list->count; ++l)
-        cover_triangle(&w->cull.target, w->batch, list, l, draw->shade_run, &draw->fragment);
+        cover_triangle(&w->cull.target, w->batch, list, l, draw->shade_run, context);
 }
 
 /* Draws what is in the worker's list, and starts it anew. */

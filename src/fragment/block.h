@@ -24,7 +24,6 @@ typedef struct fragment_kind {
     gn_format depth_format; /* GN_FORMAT_NONE: no test */
     gn_format color_format; /* GN_FORMAT_NONE: no colour */
     fragment_source source;
-    bool whole; /* everything that the state says is asked, in shade_whole */
 } fragment_kind;
 
 static inline void set_fragment_state(fragment_state *s, const gn_target *target,
@@ -150,9 +149,9 @@ GN_INLINE uint32_t test_whole(const fragment_state *state, const fragment_place 
 
 /* All that a state may ask of a block, in OpenGL's order: the shader before the tests where
  * they need what it says, otherwise after them. Depths that the shader writes get no polygon
- * offset. */
-GN_OUT_OF_LINE void shade_whole(const fragment_state *state, const fragment_place *at,
-                                raster_triangle triangle, uint32_t coverage)
+ * offset. Gives the fragments that passed. */
+GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_place *at,
+                                    raster_triangle triangle, uint32_t coverage)
 {
     const gn_pipeline *p = state->pipeline;
     const bool late = p->fragment_discards || p->fragment_writes_depth;
@@ -171,7 +170,7 @@ GN_OUT_OF_LINE void shade_whole(const fragment_state *state, const fragment_plac
     if (!late)
         coverage = test_whole(state, at, triangle, coverage, depth);
     if (!coverage || (!late && state->color.format == GN_FORMAT_NONE))
-        return;
+        return coverage;
 
     const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
     run_shader(p, triangle, at->x, at->y, coverage, w, color, &verdict);
@@ -182,11 +181,12 @@ GN_OUT_OF_LINE void shade_whole(const fragment_state *state, const fragment_plac
     if (late && coverage)
         coverage = test_whole(state, at, triangle, coverage, depth);
     if (!coverage || state->color.format == GN_FORMAT_NONE)
-        return;
+        return coverage;
     if (state->combine.replaces)
         write_color(&state->color, state->color.format, at, coverage, color);
     else
         combine_color(&state->combine, &state->color, state->color.format, at, coverage, color);
+    return coverage;
 }
 
 GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const fragment_place *at,
@@ -195,10 +195,6 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
     lanes_f color[4], texel[4];
     shader_verdict verdict;
 
-    if (kind.whole) {
-        shade_whole(state, at, triangle, coverage);
-        return;
-    }
     if (kind.depth_format != GN_FORMAT_NONE) {
         coverage = test_depth(&state->test, &state->depth, kind.depth_format, at, coverage,
                               interpolate(at, triangle, DEPTH_PLANE));
@@ -303,13 +299,57 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
                  GN_ALL_LANES);
 }
 
+static inline uint32_t count_lanes(uint32_t bits)
+{
+    bits = (bits & 0x5555) + (bits >> 1 & 0x5555);
+    bits = (bits & 0x3333) + (bits >> 2 & 0x3333);
+    bits = (bits & 0x0F0F) + (bits >> 4 & 0x0F0F);
+    return (bits & 0x1F) + (bits >> 8);
+}
+
+/* Neighbouring blocks in a row. Gives how many fragments passed. */
+static uint32_t shade_whole_blocks(const fragment_state *state, raster_triangle triangle, int32_t x,
+                                   int32_t y, uint32_t count, uint32_t coverage)
+{
+    uint32_t passed = 0;
+    fragment_place at;
+
+    at.shape = SHAPE_BLOCK;
+    at.y = y;
+    at.columns = 0;
+    at.row = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        at.x = x + (int32_t)i * BLOCK_SIZE;
+        at.color = pixel_memory(&state->color, state->color.format, at.x, y);
+        at.depth = pixel_memory(&state->depth, state->depth.format, at.x, y);
+        passed += count_lanes(shade_whole(state, &at, triangle, coverage));
+    }
+    return passed;
+}
+
+/* All states that have no function of their own. */
+static void run_any(const void *context, raster_triangle triangle, int32_t x, int32_t y,
+                      uint32_t count, uint32_t coverage)
+{
+    shade_whole_blocks((const fragment_state *)context, triangle, x, y, count, coverage);
+}
+
+/* run_any for a counted_state. */
+static void run_counted(const void *context, raster_triangle triangle, int32_t x, int32_t y,
+                        uint32_t count, uint32_t coverage)
+{
+    const counted_state *counted = (const counted_state *)context;
+
+    *counted->passed += shade_whole_blocks(counted->state, triangle, x, y, count, coverage);
+}
+
 /* A run_function for one state; the context is a fragment_state. */
 #define GN_RUN_FUNCTION(name, depth_format, color_format, source)                                  \
     static void name(const void *context, raster_triangle triangle, int32_t x, int32_t y,          \
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \
-        const fragment_kind kind = {depth_format, color_format, source, false};                    \
+        const fragment_kind kind = {depth_format, color_format, source};                           \
                                                                                                    \
         shade_blocks(state, kind, triangle, x, y, count, coverage);                                \
     }
@@ -320,7 +360,7 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
     GN_OUT_OF_LINE void name##_long(const fragment_state *state, raster_triangle triangle,         \
                                     int32_t x, int32_t y, uint32_t count)                          \
     {                                                                                              \
-        const fragment_kind kind = {depth_format, color_format, source, false};                    \
+        const fragment_kind kind = {depth_format, color_format, source};                           \
                                                                                                    \
         shade_run(state, kind, triangle, x, y, count);                                             \
     }                                                                                              \
@@ -328,7 +368,7 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \
-        const fragment_kind kind = {depth_format, color_format, source, false};                    \
+        const fragment_kind kind = {depth_format, color_format, source};                           \
                                                                                                    \
         if (count > 1)                                                                             \
             name##_long(state, triangle, x, y, count);                                             \
@@ -357,16 +397,6 @@ static inline bool is_plain(const fragment_state *state)
     return !p->fragment_discards && !p->fragment_writes_depth && !state->moves_depth &&
            !state->clamps_depth &&
            !format_has_stencil(state->depth.format) && state->combine.replaces;
-}
-
-/* All states that have no function of their own. */
-static void run_any(const void *context, raster_triangle triangle, int32_t x, int32_t y,
-                    uint32_t count, uint32_t coverage)
-{
-    const fragment_state *state = (const fragment_state *)context;
-    const fragment_kind kind = {state->depth.format, state->color.format, SOURCE_SHADER, true};
-
-    shade_blocks(state, kind, triangle, x, y, count, coverage);
 }
 
 static inline fragment_source source_of(const gn_pipeline *p)

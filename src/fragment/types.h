@@ -86,6 +86,12 @@ typedef struct fragment_state {
     bool clamps_depth; /* limits other than 0 and 1 */
 } fragment_state;
 
+/* The context of fragments that are counted: each task has a sum of its own. */
+typedef struct counted_state {
+    const fragment_state *state;
+    uint64_t *passed;
+} counted_state;
+
 /* Where lane l is. A row saves most of the work where nothing is asked of neighbouring
  * rows; shaders are handed blocks, for their derivatives. */
 typedef enum fragment_shape {

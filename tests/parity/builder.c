@@ -22,6 +22,7 @@ static void *grown(void *memory, uint32_t count, uint32_t *capacity, size_t size
 static void reset_draw(builder *b)
 {
     b->shader = SCENE_VERTEX_COLOR;
+    b->counted = false;
     memset(&b->uniforms, 0, sizeof b->uniforms);
     for (int i = 0; i < 4; i++)
         b->uniforms.light.clip_from_model.m[i][i] = 1.0f;
@@ -194,6 +195,7 @@ void builder_draw(builder *b)
     scene_draw *d = scene_add_draw(b->scene);
     d->shader = b->shader;
     d->state = b->state;
+    d->counted = b->counted;
     d->uniforms.light = b->uniforms.light;
     d->uniforms.sampler = b->uniforms.sampler;
     d->view_from_model = b->view_from_model;

@@ -20,6 +20,7 @@ typedef struct builder {
     /* Of the next draw; builder_draw resets all but the state. */
     gn_pipeline state;
     scene_shader shader;
+    bool counted;
     gn_textured_uniforms uniforms;
     gn_mat4 view_from_model;
     gn_vec3 specular;

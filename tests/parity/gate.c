@@ -138,6 +138,9 @@ static void report_failure(scene_class c, uint64_t number, const comparison *r)
                 r->workspace.pixels);
     else if (r->threads.pixels > 0)
         fprintf(stderr, "%" PRIu64 " pixels depend on threads\n", r->threads.pixels);
+    else if (r->reference.counts_differ && r->reference.pixels == 1)
+        fprintf(stderr, "%" PRIu64 " samples passed, not %" PRIu64 "\n", r->ours.samples_passed,
+                r->theirs.samples_passed);
     else
         fprintf(stderr,
                 "colour %" PRIu64 ", depth %" PRIu64 ", coverage %" PRIu64

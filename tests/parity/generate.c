@@ -52,6 +52,8 @@ const char *scene_class_name(scene_class c)
         return "inputs";
     case CLASS_STENCIL:
         return "stencil";
+    case CLASS_COUNTING:
+        return "counting";
     case CLASS_FLOAT_COLOR:
         return "float-color";
     case CLASS_COLOR_RANGE:
@@ -172,6 +174,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_STENCIL:
         generate_stencil(&b);
+        break;
+    case CLASS_COUNTING:
+        generate_counting(&b);
         break;
     case CLASS_FLOAT_COLOR:
         generate_float_color(&b);

@@ -28,6 +28,7 @@ typedef enum scene_class {
     CLASS_PHONG,         /* a user's shader: textured, a highlight at every pixel */
     CLASS_INPUTS,        /* facing, primitive, position; discard, depth from the shader */
     CLASS_STENCIL,       /* both faces, all functions, operations and masks */
+    CLASS_COUNTING,      /* samples passed, with discard, depth and stencil */
     CLASS_FLOAT_COLOR,   /* RGBA32F */
     CLASS_COLOR_RANGE,   /* colours outside 0..1 in RGBA8 */
     CLASS_SCISSOR,       /* a rectangle of pixels, in blocks and strips, empty, outside */

@@ -1,5 +1,5 @@
 /* What fragment shaders are told and may say: facing, primitive, position; discard and
- * depth. */
+ * depth. And fragments that are counted. */
 #include "generate_parts.h"
 
 #include <math.h>
@@ -52,6 +52,30 @@ void generate_inputs(builder *b)
         else
             shape_any(b, builder_triangle_count(b));
         random_inputs(b);
+        builder_draw(b);
+    }
+}
+
+void generate_counting(builder *b)
+{
+    static const gn_format depths[] = {GN_FORMAT_NONE, GN_FORMAT_D16,   GN_FORMAT_D24,
+                                       GN_FORMAT_D32F, GN_FORMAT_D24S8, GN_FORMAT_D32FS8};
+    random_source *r = &b->random;
+    builder_common_target(b);
+    b->scene->depth_format = depths[random_below(r, 6)];
+    for (uint32_t draws = 1 + random_below(r, 4); draws > 0; draws--) {
+        builder_common_state(b);
+        b->state.depth_function = (gn_compare)(random_chance(r, 30) ? random_below(r, 8) : 0);
+        b->state.cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
+        if (random_chance(r, 15))
+            random_stencil(b);
+        if (random_chance(r, 10)) /* enough for several tasks */
+            shape_triangles(b, PLACE_ANYWHERE, 600 + random_below(r, 1500));
+        else
+            shape_any(b, builder_triangle_count(b));
+        if (random_chance(r, 20))
+            random_inputs(b);
+        b->counted = random_chance(r, 80);
         builder_draw(b);
     }
 }

@@ -81,6 +81,7 @@ void generate_textured(builder *b);
 void generate_phong(builder *b);
 void generate_inputs(builder *b);
 void generate_stencil(builder *b);
+void generate_counting(builder *b);
 void generate_float_color(builder *b);
 void generate_color_range(builder *b);
 void generate_scissor(builder *b);

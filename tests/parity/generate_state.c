@@ -357,6 +357,7 @@ static void mixed_draw(builder *b)
         random_inputs(b);
     if (random_chance(r, 20))
         random_stencil(b);
+    b->counted = random_chance(r, 10);
     builder_draw(b);
 }
 

@@ -216,25 +216,29 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         p->fragment_reads_primitive = false;
         return change;
     case 37:
+        change = d->counted;
+        d->counted = false;
+        return change;
+    case 38:
         change = p->stencil_test;
         p->stencil_test = false;
         return change;
-    case 38:
     case 39:
     case 40:
     case 41:
     case 42:
     case 43:
     case 44:
-        return simplify_face(&p->stencil_front, step - 38);
     case 45:
+        return simplify_face(&p->stencil_front, step - 39);
     case 46:
     case 47:
     case 48:
     case 49:
     case 50:
     case 51:
-        return simplify_face(&p->stencil_back, step - 45);
+    case 52:
+        return simplify_face(&p->stencil_back, step - 46);
     default:
         *last = true;
         return false;

@@ -55,8 +55,9 @@ static float hostile_number(random_source *r, bool finite)
 
 static enum theft_alloc_res make_hostile(struct theft *t, void *env, void **output)
 {
-    static const gn_format depths[] = {GN_FORMAT_NONE, GN_FORMAT_D16, GN_FORMAT_D24,
-                                       GN_FORMAT_D32F};
+    static const gn_format depths[] = {GN_FORMAT_NONE, GN_FORMAT_D16,   GN_FORMAT_D24,
+                                       GN_FORMAT_D32F, GN_FORMAT_D24S8, GN_FORMAT_D32FS8,
+                                       GN_FORMAT_S8};
     (void)env;
     hostile *h = calloc(1, sizeof *h);
     if (!h)
@@ -68,7 +69,7 @@ static enum theft_alloc_res make_hostile(struct theft *t, void *env, void **outp
     h->width = 1 + random_below(&r, MAX_SIDE);
     h->height = 1 + random_below(&r, MAX_SIDE);
     h->color = random_chance(&r, 80) ? GN_FORMAT_RGBA8 : GN_FORMAT_RGBA32F;
-    h->depth = depths[random_below(&r, 4)];
+    h->depth = depths[random_below(&r, 7)];
     h->viewport.set = true;
     h->viewport.width = (float)h->width;
     h->viewport.height = (float)h->height;
@@ -210,6 +211,8 @@ static bool draw_guarded(const hostile *h, const guarded *color, const guarded *
     pipeline.viewport = h->viewport;
     pipeline.depth_test = h->depth != GN_FORMAT_NONE;
     pipeline.depth_function = GN_ALWAYS;
+    pipeline.stencil_test = true;
+    pipeline.stencil_front.pass = pipeline.stencil_back.pass = GN_STENCIL_INVERT;
     mesh.attribute[0] = (gn_attribute){&h->position[0][0], 4, 0};
     mesh.vertex_count = 3 * h->triangle_count;
     mesh.first = 3 * triangle;

@@ -427,6 +427,61 @@ static void a_triangle_through_the_eye_is_clipped(void **state)
         assert_int_equal(c.color[i], i < SIZE * SIZE / 2 ? 0xFFFFFFFFu : 0);
 }
 
+static void samples_are_counted(void **state)
+{
+    (void)state;
+    uint64_t passed = 5;
+
+    reset(square, 4, GN_TRIANGLE_STRIP);
+    c.workspace.samples_passed = &passed;
+    assert_int_equal(draw(), GN_OK);
+    assert_int_equal(passed, 5 + SIZE * SIZE); /* added */
+    c.pipeline.depth_test = true;
+    assert_int_equal(draw(), GN_OK);
+    assert_int_equal(passed, 5 + 2 * SIZE * SIZE);
+    assert_int_equal(draw(), GN_OK); /* equal depth does not pass */
+    assert_int_equal(passed, 5 + 2 * SIZE * SIZE);
+    c.pipeline.depth_test = false;
+    c.mesh.count = 3;
+    assert_int_equal(draw(), GN_OK);
+    assert_int_equal(passed, 5 + 2 * SIZE * SIZE + SIZE * (SIZE - 1) / 2);
+}
+
+/* Keeps every other column, at depth 1/4. */
+static void keep_columns(const void *uniforms, const gn_fragment_input *in, gn_fragment_output *out)
+{
+    (void)uniforms;
+    assert_true(in->position == NULL && in->front_facing && in->primitive_id == 0);
+    out->kept &= 0x5555;
+    for (int l = 0; l < GN_LANES; ++l) {
+        out->color[0][l] = out->color[1][l] = out->color[2][l] = out->color[3][l] = 1.0f;
+        out->depth[l] = 0.25f;
+    }
+}
+
+/* The shader runs where there is no colour, for depth and stencil. */
+static void depth_comes_from_the_shader(void **state)
+{
+    (void)state;
+    uint64_t passed = 0;
+
+    reset(square, 4, GN_TRIANGLE_STRIP);
+    c.target.color.format = GN_FORMAT_NONE;
+    c.target.depth.format = GN_FORMAT_D24S8;
+    assert_int_equal(gn_clear_depth_stencil(&c.target.depth, 0.5f, 7), GN_OK);
+    c.workspace.samples_passed = &passed;
+    c.pipeline.fragment_shader = keep_columns;
+    c.pipeline.fragment_discards = true;
+    c.pipeline.fragment_writes_depth = true;
+    c.pipeline.depth_test = true;
+    c.pipeline.stencil_test = true;
+    c.pipeline.stencil_front.pass = GN_STENCIL_INCREMENT;
+    assert_int_equal(draw(), GN_OK);
+    for (int i = 0; i < SIZE * SIZE; ++i)
+        assert_int_equal(c.depth[i], i % 2 ? 7u << 24 | 0x800000 : 8u << 24 | 0x400000);
+    assert_int_equal(passed, SIZE * SIZE / 2);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -443,6 +498,8 @@ int main(void)
         cmocka_unit_test(every_workspace_serves_threads),
         cmocka_unit_test(shaders_know_their_pixels),
         cmocka_unit_test(a_triangle_through_the_eye_is_clipped),
+        cmocka_unit_test(samples_are_counted),
+        cmocka_unit_test(depth_comes_from_the_shader),
     };
     return cmocka_run_group_tests_name("draw", tests, NULL, NULL);
 }
