@@ -257,6 +257,12 @@ static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
         p->depth_function = (gn_compare)read_name(r, TEXT_COMPARE);
     } else if (!strcmp(keyword, "depth-write")) {
         p->depth_write_disabled = read_name(r, TEXT_SWITCH) == 0;
+    } else if (!strcmp(keyword, "point-size")) {
+        p->point_size = read_float(r);
+    } else if (!strcmp(keyword, "program-point-size")) {
+        p->program_point_size = read_name(r, TEXT_SWITCH) == 1;
+    } else if (!strcmp(keyword, "line-width")) {
+        p->line_width = read_float(r);
     } else if (!strcmp(keyword, "interpolation")) {
         for (int i = 0; i < 4; ++i) {
             p->interpolation[i] = (gn_interpolation)read_name(r, TEXT_INTERPOLATION);

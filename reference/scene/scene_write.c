@@ -90,6 +90,13 @@ static void write_state(FILE *out, const gn_pipeline *p)
     fprintf(out, "  depth-test %s\n", text_name(TEXT_SWITCH, p->depth_test));
     fprintf(out, "  depth-function %s\n", text_name(TEXT_COMPARE, (int)p->depth_function));
     fprintf(out, "  depth-write %s\n", text_name(TEXT_SWITCH, !p->depth_write_disabled));
+    if (p->point_size != 0.0f) {
+        write_floats(out, "  point-size", &p->point_size, 1);
+    }
+    fprintf(out, "  program-point-size %s\n", text_name(TEXT_SWITCH, p->program_point_size));
+    if (p->line_width != 0.0f) {
+        write_floats(out, "  line-width", &p->line_width, 1);
+    }
     fprintf(out, "  interpolation %s %s %s %s\n",
             text_name(TEXT_INTERPOLATION, (int)p->interpolation[0]),
             text_name(TEXT_INTERPOLATION, (int)p->interpolation[1]),

@@ -29,6 +29,13 @@ static gn_status check_depth_range(const gn_depth_range *r)
     return GN_OK;
 }
 
+static gn_status check_size(float size)
+{
+    if (!gn_is_finite(size))
+        return GN_NOT_FINITE;
+    return size < 0.0f ? GN_OUT_OF_RANGE : GN_OK;
+}
+
 gn_status gn_pipeline_check(const gn_pipeline *pipeline)
 {
     gn_status status;
@@ -43,7 +50,7 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
         if ((unsigned)pipeline->interpolation[n] > GN_FLAT)
             return GN_INVALID_ENUM;
     }
-    if ((unsigned)pipeline->topology > GN_TRIANGLE_FAN ||
+    if ((unsigned)pipeline->topology > GN_LINE_LOOP ||
         (unsigned)pipeline->provoking_vertex > GN_PROVOKING_FIRST ||
         (unsigned)pipeline->cull > GN_CULL_FRONT_AND_BACK ||
         (unsigned)pipeline->front_face > GN_FRONT_CLOCKWISE)
@@ -56,6 +63,12 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
         return status;
     if ((unsigned)pipeline->depth_function > GN_ALWAYS)
         return GN_INVALID_ENUM;
+    status = check_size(pipeline->point_size);
+    if (status)
+        return status;
+    status = check_size(pipeline->line_width);
+    if (status)
+        return status;
     return GN_OK;
 }
 

@@ -52,6 +52,10 @@ const char *scene_class_name(scene_class c)
         return "float-color";
     case CLASS_COLOR_RANGE:
         return "color-range";
+    case CLASS_POINTS:
+        return "points";
+    case CLASS_LINES:
+        return "lines";
     case CLASS_MIXED:
         return "mixed";
     case CLASS_COUNT:
@@ -154,6 +158,12 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_COLOR_RANGE:
         generate_color_range(&b);
+        break;
+    case CLASS_POINTS:
+        generate_points(&b);
+        break;
+    case CLASS_LINES:
+        generate_lines(&b);
         break;
     default:
         generate_mixed(&b);

@@ -28,6 +28,8 @@ typedef enum scene_class {
     CLASS_PHONG,         /* a user's shader: textured, a highlight at every pixel */
     CLASS_FLOAT_COLOR,   /* RGBA32F */
     CLASS_COLOR_RANGE,   /* colours outside 0..1 in RGBA8 */
+    CLASS_POINTS,        /* sizes of the state and of the vertex shader */
+    CLASS_LINES,         /* separate, strips and loops, of all widths */
     CLASS_MIXED,         /* several draws of several of the above */
     CLASS_COUNT
 } scene_class;

@@ -50,6 +50,10 @@ void shape_strip(builder *b, uint32_t triangles);
 /* Random indices over few vertices; the topology stays. */
 void shape_random_indices(builder *b, placement p, uint32_t vertices, uint32_t triangles);
 
+/* Points or lines; sets the topology and sizes. */
+void shape_points(builder *b, uint32_t count);
+void shape_lines(builder *b, uint32_t count);
+
 /* One class each, from the target on. */
 void generate_meshes(builder *b);
 void generate_piles(builder *b);
@@ -65,6 +69,8 @@ void generate_textured(builder *b);
 void generate_phong(builder *b);
 void generate_float_color(builder *b);
 void generate_color_range(builder *b);
+void generate_points(builder *b);
+void generate_lines(builder *b);
 void generate_mixed(builder *b);
 
 #endif

@@ -96,6 +96,18 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         d->uniforms.sampler.magnify = GN_MAGNIFY_NEAREST;
         d->uniforms.sampler.minify = GN_MINIFY_NEAREST;
         return change && scene_shader_is_textured(d->shader);
+    case 15:
+        change = p->point_size != 0.0f;
+        p->point_size = 0.0f;
+        return change;
+    case 16:
+        change = p->program_point_size;
+        p->program_point_size = false;
+        return change;
+    case 17:
+        change = p->line_width != 0.0f;
+        p->line_width = 0.0f;
+        return change;
     default:
         *last = true;
         return false;
