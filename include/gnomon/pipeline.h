@@ -31,6 +31,9 @@
  *   fragment_reads_primitive use of gl_PrimitiveID      not given to the shader
  *   fragment_discards    discard                        the shader discards nothing
  *   fragment_writes_depth    gl_FragDepth               interpolated depth
+ *   point_size           PointSize                      1
+ *   program_point_size   PROGRAM_POINT_SIZE             off
+ *   line_width           LineWidth                      1
  *
  * As in OpenGL, depth is written only where the depth test is on, stencil only where the
  * stencil test is, and a test of what the target has not got passes. */
@@ -50,8 +53,23 @@
 
 /* Triangles are listed as OpenGL lists them (4.5 section 10.1): triangle i of a
  * strip is (i, i+1, i+2) for even i and (i+1, i, i+2) for odd i, of a fan
- * (0, i+1, i+2). */
-typedef enum gn_topology { GN_TRIANGLES = 0, GN_TRIANGLE_STRIP, GN_TRIANGLE_FAN } gn_topology;
+ * (0, i+1, i+2). Line i of a strip is (i, i+1), of a loop too, and the loop's last line goes
+ * from the last vertex to the first. */
+typedef enum gn_topology {
+    GN_TRIANGLES = 0,
+    GN_TRIANGLE_STRIP,
+    GN_TRIANGLE_FAN,
+    GN_POINTS,
+    GN_LINES,
+    GN_LINE_STRIP,
+    GN_LINE_LOOP
+} gn_topology;
+
+/* The greatest size of a point and width of a line, in pixels. Greater ones are drawn at
+ * it, lesser ones than 1 at 1. A line's width is rounded to whole pixels, a point's size to
+ * 1/256 pixel. */
+#define GN_MAX_POINT_SIZE 255
+#define GN_MAX_LINE_WIDTH 255
 
 typedef enum gn_provoking_vertex { GN_PROVOKING_LAST = 0, GN_PROVOKING_FIRST } gn_provoking_vertex;
 
@@ -237,6 +255,7 @@ typedef struct gn_vertex_input {
 typedef struct gn_vertex_output {
     float (*position)[GN_LANES]; /* [x, y, z, w][lane] in clip space */
     float (*varying)[GN_LANES];  /* [varying][lane] */
+    float *point_size;           /* [lane], to be written too; null without program_point_size */
 } gn_vertex_output;
 
 /* Input of a fragment shader: a block of 4x4 fragments, lane l at pixel
@@ -321,6 +340,9 @@ typedef struct gn_pipeline {
     bool fragment_reads_primitive;
     bool fragment_discards;
     bool fragment_writes_depth;
+    float point_size;        /* in pixels; 0: 1 */
+    bool program_point_size; /* points have the size that the vertex shader gives them */
+    float line_width;        /* in pixels; 0: 1 */
 } gn_pipeline;
 
 GN_BEGIN
@@ -331,10 +353,11 @@ GN_BEGIN
  * GN_INVALID_ENUM (an enumeration), GN_NOT_FINITE or GN_INVALID_VIEWPORT (a
  * viewport number that is not finite; a size below 0 or above GN_MAX_SIZE, an
  * origin beyond +-GN_MAX_SIZE), GN_NOT_FINITE or GN_OUT_OF_RANGE (a depth range
- * outside 0..1), GN_NOT_FINITE (a number of the polygon offset),
- * GN_INVALID_ENUM (clip_depth; functions and operations of depth and stencil),
- * GN_OUT_OF_RANGE (color_write_disabled has bits beyond GN_CHANNEL_ALL), GN_INVALID_ENUM or GN_NOT_FINITE (blend; the constant
- * only where it is enabled), GN_INVALID_ENUM (logic operation). */
+ * outside 0..1), GN_NOT_FINITE (a number of the polygon offset), GN_INVALID_ENUM (clip_depth;
+ * functions and operations of depth and stencil), GN_OUT_OF_RANGE (color_write_disabled has bits
+ * beyond GN_CHANNEL_ALL), GN_INVALID_ENUM or GN_NOT_FINITE (blend; the constant only where it is
+ * enabled), GN_INVALID_ENUM (logic operation), GN_NOT_FINITE or GN_OUT_OF_RANGE (a point size or
+ * line width below 0). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
 
 GN_END

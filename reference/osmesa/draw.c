@@ -33,6 +33,14 @@ static GLenum topology(gn_topology t)
         return GL_TRIANGLE_STRIP;
     case GN_TRIANGLE_FAN:
         return GL_TRIANGLE_FAN;
+    case GN_POINTS:
+        return GL_POINTS;
+    case GN_LINES:
+        return GL_LINES;
+    case GN_LINE_STRIP:
+        return GL_LINE_STRIP;
+    case GN_LINE_LOOP:
+        return GL_LINE_LOOP;
     case GN_TRIANGLES:
         break;
     }
@@ -323,6 +331,8 @@ static void set_state(const scene *s, const gn_pipeline *p)
     switch_capability(GL_STENCIL_TEST, p->stencil_test);
     set_stencil(GL_FRONT, &p->stencil_front);
     set_stencil(GL_BACK, &p->stencil_back);
+    glPointSize(p->point_size == 0.0f ? 1.0f : p->point_size);
+    glLineWidth(p->line_width == 0.0f ? 1.0f : p->line_width);
 }
 
 static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u)
@@ -368,6 +378,8 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
     const gn_mesh *mesh = &d->mesh;
 
     set_state(s, &d->state);
+    switch_capability(GL_PROGRAM_POINT_SIZE,
+                      d->state.program_point_size && d->shader == SCENE_VERTEX_COLOR);
     set_attributes(mesh, u);
     glUseProgram(u->program);
     set_uniforms(d);

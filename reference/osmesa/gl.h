@@ -12,8 +12,9 @@
 /* Framebuffers kept for the next scene of their size and formats. */
 #define FRAMEBUFFER_CACHE_SIZE 16
 
-/* Variants of the vertex-colour program: three qualifiers to the power of four. */
-#define VERTEX_COLOR_PROGRAMS 81
+/* Variants of the vertex-colour program: three qualifiers to the power of four, with and without
+ * sizes of points. */
+#define VERTEX_COLOR_PROGRAMS 162
 
 /* Of the program of inputs.h: with and without position, primitive, discard, depth. */
 #define INPUTS_PROGRAMS 16

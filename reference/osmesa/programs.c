@@ -35,6 +35,7 @@ static const char vertex_color_main[] = "void main()\n"
                                         "    green = color.g;\n"
                                         "    blue = color.b;\n"
                                         "    alpha = color.a;\n"
+                                        "    %s\n"
                                         "}\n";
 
 static const char vertex_color_fragment_main[] = "layout(location = 0) out vec4 result;\n"
@@ -218,15 +219,17 @@ static const char *qualifier(gn_interpolation interpolation)
     return "smooth";
 }
 
-static GLuint link_vertex_color(const gn_interpolation *i, char *error, size_t error_size)
+static GLuint link_vertex_color(const gn_pipeline *p, char *error, size_t error_size)
 {
+    const gn_interpolation *i = p->interpolation;
     char vertex[1024];
     char fragment[1024];
     size_t used;
 
     used = (size_t)snprintf(vertex, sizeof vertex, vertex_color_varyings, qualifier(i[0]), "out",
                             qualifier(i[1]), "out", qualifier(i[2]), "out", qualifier(i[3]), "out");
-    snprintf(vertex + used, sizeof vertex - used, "%s", vertex_color_main);
+    snprintf(vertex + used, sizeof vertex - used, vertex_color_main,
+             p->program_point_size ? "gl_PointSize = texcoord.s;" : "");
     used = (size_t)snprintf(fragment, sizeof fragment, vertex_color_varyings, qualifier(i[0]), "in",
                             qualifier(i[1]), "in", qualifier(i[2]), "in", qualifier(i[3]), "in");
     snprintf(fragment + used, sizeof fragment - used, "%s", vertex_color_fragment_main);
@@ -251,14 +254,14 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
 
     switch (d->shader) {
     case SCENE_VERTEX_COLOR: {
-        int variant = 0;
+        int variant = d->state.program_point_size;
 
         for (int c = 0; c < 4; ++c) {
             variant = 3 * variant + (int)d->state.interpolation[c] % 3;
         }
         program = &r->vertex_color_programs[variant];
         if (!*program) {
-            *program = link_vertex_color(d->state.interpolation, error, error_size);
+            *program = link_vertex_color(&d->state, error, error_size);
         }
         break;
     }

@@ -255,10 +255,26 @@ uint64_t scene_triangle_count(const scene *s)
     for (size_t i = 0; i < s->draw_count; ++i) {
         const uint32_t count = s->draws[i].mesh.count;
 
-        if (s->draws[i].state.topology == GN_TRIANGLES) {
+        switch (s->draws[i].state.topology) {
+        case GN_TRIANGLES:
             triangles += count / 3;
-        } else if (count > 2) {
-            triangles += count - 2;
+            break;
+        case GN_TRIANGLE_STRIP:
+        case GN_TRIANGLE_FAN:
+            triangles += count > 2 ? count - 2 : 0;
+            break;
+        case GN_POINTS:
+            triangles += count;
+            break;
+        case GN_LINES:
+            triangles += count / 2;
+            break;
+        case GN_LINE_STRIP:
+            triangles += count > 1 ? count - 1 : 0;
+            break;
+        case GN_LINE_LOOP:
+            triangles += count > 1 ? count : 0;
+            break;
         }
     }
     return triangles;

@@ -38,8 +38,10 @@ typedef struct scene_draw {
 
     /* State. The shader, uniforms and varying_count members are not looked at: the
      * drawing side sets them. With SCENE_VERTEX_COLOR, interpolation[0..3] is
-     * honoured (red, green, blue, alpha); other shaders bring their own. What the fragment
-     * shader does (fragment_...) is honoured with SCENE_INPUTS, and false otherwise. */
+     * honoured (red, green, blue, alpha), and with program_point_size a point's size is the
+     * first of the texture coordinates; other shaders bring their own interpolation and have no
+     * such size. What the fragment shader does (fragment_...) is honoured with SCENE_INPUTS, and
+     * false otherwise. */
     gn_pipeline state;
 
     /* The pointers of the mesh and of uniforms.texture are the scene's own memory. */
@@ -120,7 +122,7 @@ size_t scene_index_size(gn_index_format format);
 /* The vertex that element i of a mesh names, counted from the indices' first. */
 uint32_t scene_vertex_of(const gn_mesh *mesh, uint32_t i);
 
-/* Triangles the draws submit, before clipping. */
+/* Triangles, lines and points the draws submit, before clipping. */
 uint64_t scene_triangle_count(const scene *s);
 
 /* The scene as text that replays it bit for bit, and back (scene_text.h says how it reads).

@@ -26,7 +26,19 @@ static phong_uniforms phong_uniforms_of(const scene_draw *d)
 typedef struct other_uniforms {
     gn_color_uniforms color;
     phong_uniforms phong;
+    gn_vertex_shader *color_shader;
 } other_uniforms;
+
+/* Vertex colours, and the points' sizes from the texture coordinates. */
+static void shade_sized_points(const void *uniforms, const gn_vertex_input *input,
+                               gn_vertex_output *output)
+{
+    const other_uniforms *other = uniforms;
+
+    other->color_shader(&other->color, input, output);
+    memcpy(output->point_size, input->attribute[GN_ATTRIBUTE_TEXCOORD][0],
+           GN_LANES * sizeof *output->point_size);
+}
 
 /* Sets the draw's shader; the uniforms must outlive the draw call. */
 static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backend backend,
@@ -39,6 +51,11 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
         status = gn_use_vertex_color(pipeline, &other->color);
         memcpy(pipeline->interpolation, d->state.interpolation, 4 * sizeof(gn_interpolation));
+        if (pipeline->program_point_size) {
+            other->color_shader = pipeline->vertex_shader;
+            pipeline->vertex_shader = shade_sized_points;
+            pipeline->uniforms = other;
+        }
         break;
     case SCENE_FLAT:
         status = gn_use_flat(pipeline, &d->uniforms.light);
@@ -68,6 +85,8 @@ static gn_status draw_one(const gn_target *target, const scene_draw *d, gn_works
     uint64_t *const counter = workspace->samples_passed;
     other_uniforms other;
     gn_pipeline pipeline = d->state;
+
+    pipeline.program_point_size &= d->shader == SCENE_VERTEX_COLOR;
     gn_status status = use_shader(&pipeline, d, workspace->backend, &other);
 
     if (status == GN_OK) {

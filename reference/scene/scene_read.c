@@ -313,6 +313,12 @@ static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
         p->fragment_discards = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "writes-depth")) {
         p->fragment_writes_depth = read_name(r, TEXT_SWITCH) == 1;
+    } else if (!strcmp(keyword, "point-size")) {
+        p->point_size = read_float(r);
+    } else if (!strcmp(keyword, "program-point-size")) {
+        p->program_point_size = read_name(r, TEXT_SWITCH) == 1;
+    } else if (!strcmp(keyword, "line-width")) {
+        p->line_width = read_float(r);
     } else if (!strcmp(keyword, "interpolation")) {
         for (int i = 0; i < 4; ++i) {
             p->interpolation[i] = (gn_interpolation)read_name(r, TEXT_INTERPOLATION);

@@ -9,7 +9,8 @@ static const char *const shader_names[] = {"vertex-color",     "flat",  "gouraud
                                            "textured-gouraud", "phong", "inputs"};
 static const char *const format_names[] = {"none", "rgba8", "rgba32f", "d16", "d24",
                                            "d32f", "d24s8", "d32fs8",  "s8"};
-static const char *const topology_names[] = {"triangles", "triangle-strip", "triangle-fan"};
+static const char *const topology_names[] = {
+    "triangles", "triangle-strip", "triangle-fan", "points", "lines", "line-strip", "line-loop"};
 static const char *const provoking_names[] = {"last", "first"};
 static const char *const cull_names[] = {"none", "back", "front", "front-and-back"};
 static const char *const front_face_names[] = {"counter-clockwise", "clockwise"};

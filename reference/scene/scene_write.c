@@ -118,6 +118,13 @@ static void write_state(FILE *out, const gn_pipeline *p)
     fprintf(out, "  reads-primitive %s\n", text_name(TEXT_SWITCH, p->fragment_reads_primitive));
     fprintf(out, "  discards %s\n", text_name(TEXT_SWITCH, p->fragment_discards));
     fprintf(out, "  writes-depth %s\n", text_name(TEXT_SWITCH, p->fragment_writes_depth));
+    if (p->point_size != 0.0f) {
+        write_floats(out, "  point-size", &p->point_size, 1);
+    }
+    fprintf(out, "  program-point-size %s\n", text_name(TEXT_SWITCH, p->program_point_size));
+    if (p->line_width != 0.0f) {
+        write_floats(out, "  line-width", &p->line_width, 1);
+    }
     fprintf(out, "  interpolation %s %s %s %s\n",
             text_name(TEXT_INTERPOLATION, (int)p->interpolation[0]),
             text_name(TEXT_INTERPOLATION, (int)p->interpolation[1]),

@@ -59,6 +59,13 @@ static bool is_stencil_face(const gn_stencil_face *f)
            (unsigned)f->pass <= GN_STENCIL_DECREMENT_WRAP;
 }
 
+static gn_status check_size(float size)
+{
+    if (!gn_is_finite(size))
+        return GN_NOT_FINITE;
+    return size < 0.0f ? GN_OUT_OF_RANGE : GN_OK;
+}
+
 gn_status gn_pipeline_check(const gn_pipeline *pipeline)
 {
     gn_status status;
@@ -76,7 +83,7 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
         if ((unsigned)pipeline->interpolation[n] > GN_FLAT)
             return GN_INVALID_ENUM;
     }
-    if ((unsigned)pipeline->topology > GN_TRIANGLE_FAN ||
+    if ((unsigned)pipeline->topology > GN_LINE_LOOP ||
         (unsigned)pipeline->provoking_vertex > GN_PROVOKING_FIRST ||
         (unsigned)pipeline->cull > GN_CULL_FRONT_AND_BACK ||
         (unsigned)pipeline->front_face > GN_FRONT_CLOCKWISE)
@@ -102,6 +109,12 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
         return status;
     if ((unsigned)pipeline->logic_operation > GN_LOGIC_SET)
         return GN_INVALID_ENUM;
+    status = check_size(pipeline->point_size);
+    if (status)
+        return status;
+    status = check_size(pipeline->line_width);
+    if (status)
+        return status;
     return GN_OK;
 }
 

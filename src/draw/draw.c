@@ -59,7 +59,7 @@ size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count
 {
     const uint32_t round = triangle_count < ROUND_TRIANGLES ? triangle_count : ROUND_TRIANGLES;
     const uint32_t shortest = triangles_of(GN_TRIANGLES, SEGMENT_INDICES);
-    const uint32_t longest = triangles_of(GN_TRIANGLE_STRIP, SEGMENT_ELEMENTS);
+    const uint32_t longest = triangles_of(GN_POINTS, SEGMENT_ELEMENTS);
 
     if (varying_count > GN_MAX_VARYINGS)
         return SIZE_MAX;

@@ -30,6 +30,17 @@ static inline void read_elements(const gn_mesh *mesh, uint32_t first, uint32_t c
     }
 }
 
+/* The same for a draw's elements, of which a line loop has one more. */
+static inline void read_drawn_elements(const draw_state *draw, uint32_t first, uint32_t count,
+                                       uint32_t *vertex)
+{
+    const uint32_t closing =
+        draw->pipeline->topology == GN_LINE_LOOP && first + count > draw->mesh->count;
+
+    read_elements(draw->mesh, first, count - closing, vertex);
+    read_elements(draw->mesh, 0, closing, vertex + count - closing);
+}
+
 /* The least and the greatest vertex that elements first to first + count - 1 name; of
  * none, an empty range. Unsigned order is the signed one of numbers less 2^31. */
 static index_range find_range(const gn_mesh *mesh, uint32_t first, uint32_t count)
@@ -104,7 +115,8 @@ static index_range join_parts(index_parts *parts)
  * can be assembled. */
 static inline uint32_t slots_before(const draw_state *draw, uint32_t end)
 {
-    const index_range *named = &draw->parts.range[(end - 1) / draw->parts.size];
+    const uint32_t last = end < draw->mesh->count ? end - 1 : draw->mesh->count - 1;
+    const index_range *named = &draw->parts.range[last / draw->parts.size];
     const uint32_t slots = ((named->high - draw->map.base) / GN_LANES + 1) * GN_LANES;
 
     return slots < draw->map.count ? slots : draw->map.count;
@@ -120,7 +132,7 @@ static inline void locate_elements(const draw_state *draw, uint32_t first, uint3
     const bool is_fan = draw->pipeline->topology == GN_TRIANGLE_FAN;
 
     if (draw->map.shared) {
-        read_elements(draw->mesh, first, count, offset);
+        read_drawn_elements(draw, first, count, offset);
         if (is_fan)
             read_elements(draw->mesh, 0, 1, offset);
         for (uint32_t i = 0; i < count; ++i)

@@ -11,8 +11,8 @@
 #ifndef GN_DRAW_PARALLEL_H
 #define GN_DRAW_PARALLEL_H
 
+#include "primitives.h"
 #include "vertices.h"
-#include "worker.h"
 
 /* What makes a task worth handing to another thread. Tests divide small scenes too. */
 #if defined(GN_SMALLEST_TASKS)
@@ -228,7 +228,7 @@ static void cull_segment(const round_state *round, uint32_t task, uint32_t segme
     w.list = lists;
     start_list(lists);
     resolve_segment(&w, draw->map.outcodes ? segment_outcodes(draw, first, count) : 0);
-    add_triangles(&w, first, count);
+    add_primitives(&w, first, count);
     kept->list_count = (uint32_t)(w.list - lists) + (w.list->count > 0);
     if (w.list->count > 0)
         fill_list(w.list);
@@ -292,7 +292,7 @@ static void add_list(worker *w, const triangle_list *from, bool lies_inside)
 
         if (from->clipped >> l & 1u) {
             const uint32_t vertex[3] = {from->vertex[0][l], from->vertex[1][l], from->vertex[2][l]};
-            add_crossing(w, vertex, from->provoking[l], (uint32_t)from->primitive[l]);
+            add_kept(w, vertex, from->provoking[l], (uint32_t)from->primitive[l]);
         } else {
             add_listed(w, from, l);
         }
@@ -387,7 +387,8 @@ static uint32_t round_segments(const draw_state *draw)
         return 0;
     if (draw->map.shared || job->segment_count < fitting)
         return job->segment_count;
-    return draw->mesh->count <= job->capacity ? job->segment_count : fitting;
+    const uint32_t closing = draw->pipeline->topology == GN_LINE_LOOP;
+    return draw->mesh->count <= job->capacity - closing ? job->segment_count : fitting;
 }
 
 static void run_parallel(draw_state *draw)

@@ -4,8 +4,8 @@
 #define GN_DRAW_RUN_H
 
 #include "parallel.h"
+#include "primitives.h"
 #include "vertices.h"
-#include "worker.h"
 
 /* Shades the elements of triangles first to first + count - 1, each for itself. */
 static uint32_t shade_elements(draw_state *draw, uint32_t first, uint32_t count)
@@ -34,7 +34,7 @@ static void draw_segment(draw_state *draw, worker *w, uint32_t first, uint32_t c
         part = end - i < step ? end - i : step;
         outcodes |= shade_elements(draw, i, part);
         resolve_segment(w, outcodes);
-        add_triangles(w, i, part);
+        add_primitives(w, i, part);
         draw_list(w);
     }
 }
@@ -58,7 +58,7 @@ static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uin
     /* With indices there is no quad, so that culling alone asks. */
     if (map->outcodes && draw->pipeline->cull != GN_CULL_NONE)
         resolve_segment(w, segment_outcodes(draw, first, count));
-    add_triangles(w, first, count);
+    add_primitives(w, first, count);
 }
 
 static void run_serial(draw_state *draw)

@@ -28,7 +28,7 @@ static inline void slot_vertices(const draw_state *draw, uint32_t slot, uint32_t
         for (uint32_t l = 0; l < count; ++l)
             vertex[l] = draw->map.base + slot + l;
     } else {
-        read_elements(draw->mesh, draw->map.first + slot, count, vertex);
+        read_drawn_elements(draw, draw->map.first + slot, count, vertex);
         if (draw->pipeline->topology == GN_TRIANGLE_FAN && slot == 0)
             read_elements(draw->mesh, 0, 1, vertex);
     }
@@ -55,7 +55,10 @@ GN_STEP lanes_i store_vertices(const draw_state *draw, const gn_vertex_output *o
                                       : lanes_i_splat(0);
         lanes_i_scatter_rows(first + VERTEX_VARYING + n / 4 * VERTEX_ROW, draw->stride, row);
     }
-    return place_vertices(&draw->viewport, clip, first, draw->stride);
+    return place_vertices(&draw->viewport, clip,
+                          output->point_size ? lanes_as_int(lanes_load(output->point_size))
+                                             : lanes_i_splat(0),
+                          first, draw->stride);
 }
 
 /* Shades slots `from`, a multiple of sixteen, to end - 1. The triangle_batch of the task
@@ -76,6 +79,9 @@ static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from
     input.vertex_id = vertex_id;
     output.position = staging;
     output.varying = staging + 4;
+    output.point_size = NULL;
+    if (draw->pipeline->program_point_size)
+        output.point_size = staging[4 + draw->pipeline->varying_count];
     fetch_defaults(draw->mesh, attribute);
     for (uint32_t slot = from; slot < end; slot += GN_LANES) {
         input.count = end - slot < GN_LANES ? end - slot : GN_LANES;

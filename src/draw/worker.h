@@ -6,14 +6,15 @@
 #include "../geometry/assemble.h"
 #include "../geometry/clip.h"
 #include "../raster/coverage.h"
-#include "../raster/setup.h"
+#include "../raster/setup_box.h"
 #include "elements.h"
 
 typedef struct worker {
     const draw_state *draw;
     cull_state cull; /* with the task's part of the target */
     bool is_quad;
-    bool keeps; /* lists are kept, in consecutive memory, rather than drawn */
+    primitive_kind kind; /* of what is in the list */
+    bool keeps;          /* lists are kept, in consecutive memory, rather than drawn */
     triangle_list *list;
     triangle_batch *batch;
     clipper clipper;
@@ -37,6 +38,7 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
     w->draw = draw;
     w->cull = draw->cull;
     w->is_quad = false;
+    w->kind = kind_of(draw->pipeline->topology);
     w->keeps = false;
     w->list = (triangle_list *)(void *)scratch;
     w->batch = (triangle_batch *)(void *)(scratch + scratch_batch_offset());
@@ -51,6 +53,23 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
     start_list(w->list);
 }
 
+/* The same as draw_triangles for points and lines. */
+GN_OUT_OF_LINE void draw_boxes(worker *w, const triangle_list *list, const void *context)
+{
+    const draw_state *draw = w->draw;
+
+    setup_box_identities(draw->pipeline, list, w->batch);
+    if (w->kind == KIND_POINT) {
+        setup_points(draw->pipeline, draw->job->memory, list, w->batch);
+        for (uint32_t l = 0; l < list->count; ++l)
+            cover_point(w->batch, list, l, draw->shade_run, context);
+    } else {
+        setup_lines(&w->cull.box, draw->pipeline, draw->job->memory, list, w->batch);
+        for (uint32_t l = 0; l < list->count; ++l)
+            cover_line(w->batch, list, l, draw->shade_run, context);
+    }
+}
+
 /* Sets up and draws the triangles of a list whose lanes are all filled. */
 static void draw_triangles(worker *w, const triangle_list *list)
 {
@@ -59,6 +78,10 @@ static void draw_triangles(worker *w, const triangle_list *list)
     const void *const context =
         draw->job->samples_passed ? (const void *)&counted : (const void *)&draw->fragment;
 
+    if (w->kind != KIND_TRIANGLE) {
+        draw_boxes(w, list, context);
+        return;
+    }
     setup_triangles(draw->pipeline, &draw->offset, &w->cull.target, draw->job->memory, list,
                     w->batch);
     for (uint32_t l = 0; l < list->count; ++l)
@@ -113,6 +136,17 @@ static void keep_crossing(worker *w, const uint32_t vertex[3], uint32_t provokin
     finish_if_full(w);
 }
 
+/* Before clipping: what the list's triangles use of the new vertices must last until it is
+ * drawn. */
+static inline void make_room_for_clipping(worker *w)
+{
+    if (!w->keeps && w->clip_used + CLIP_MAX_VERTICES > CLIP_SCRATCH)
+        draw_list(w);
+    if (w->keeps || w->list->count == 0)
+        w->clip_used = 0;
+    w->clipper.scratch = w->clip_vertices + w->clip_used * w->draw->stride;
+}
+
 /* Clips a triangle and adds what is left of it. */
 GN_OUT_OF_LINE void add_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking,
                                  uint32_t primitive)
@@ -122,12 +156,7 @@ GN_OUT_OF_LINE void add_crossing(worker *w, const uint32_t vertex[3], uint32_t p
     cull_result result;
     uint32_t planes = 0;
 
-    /* What the list's triangles use of the new vertices must last until it is drawn. */
-    if (!w->keeps && w->clip_used + CLIP_MAX_VERTICES > CLIP_SCRATCH)
-        draw_list(w);
-    if (w->keeps || w->list->count == 0)
-        w->clip_used = 0;
-    w->clipper.scratch = w->clip_vertices + w->clip_used * w->draw->stride;
+    make_room_for_clipping(w);
     for (int i = 0; i < 3; ++i)
         planes |= vertex_at(memory, vertex[i])->outcode;
     clip_triangle(&w->clipper, planes, vertex, &pieces);

@@ -42,8 +42,8 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     s->test = depth_state_of(pipeline);
     s->stencil[0] = stencil_state_of(&pipeline->stencil_front);
     s->stencil[1] = stencil_state_of(&pipeline->stencil_back);
-    s->moves_depth = pipeline->polygon_offset.set &&
-                     (s->tests_depth || pipeline->fragment_reads_position);
+    s->moves_depth =
+        pipeline->polygon_offset.set && (s->tests_depth || pipeline->fragment_reads_position);
     s->combine = color_state_of(pipeline);
     s->limits = depth_limits_of(pipeline, viewport);
     s->clamps_depth = s->tests_depth && (s->limits.low != 0.0f || s->limits.high != 1.0f);
@@ -329,7 +329,7 @@ static uint32_t shade_whole_blocks(const fragment_state *state, raster_triangle 
 
 /* All states that have no function of their own. */
 static void run_any(const void *context, raster_triangle triangle, int32_t x, int32_t y,
-                      uint32_t count, uint32_t coverage)
+                    uint32_t count, uint32_t coverage)
 {
     shade_whole_blocks((const fragment_state *)context, triangle, x, y, count, coverage);
 }
@@ -395,8 +395,8 @@ static inline bool is_plain(const fragment_state *state)
     const gn_pipeline *p = state->pipeline;
 
     return !p->fragment_discards && !p->fragment_writes_depth && !state->moves_depth &&
-           !state->clamps_depth &&
-           !format_has_stencil(state->depth.format) && state->combine.replaces;
+           !state->clamps_depth && !format_has_stencil(state->depth.format) &&
+           state->combine.replaces;
 }
 
 static inline fragment_source source_of(const gn_pipeline *p)

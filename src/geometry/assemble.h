@@ -1,34 +1,56 @@
 /* Primitive assembly: which elements make the triangles of a topology, in the order
  * in which the reference hands them to triangle set-up. The provoking vertex
- * comes last or first, and later stages keep it there. */
+ * comes last or first, and later stages keep it there. Where primitives are counted, lines
+ * and points count as triangles do. */
 #ifndef GN_GEOMETRY_ASSEMBLE_H
 #define GN_GEOMETRY_ASSEMBLE_H
 
 #include "types.h"
 
-static inline uint32_t triangle_count(gn_topology topology, uint32_t count)
+typedef enum primitive_kind { KIND_TRIANGLE, KIND_LINE, KIND_POINT } primitive_kind;
+
+static inline primitive_kind kind_of(gn_topology topology)
 {
-    if (topology == GN_TRIANGLES)
-        return count / 3;
-    return count < 3 ? 0 : count - 2;
+    return topology == GN_POINTS ? KIND_POINT : topology >= GN_LINES ? KIND_LINE : KIND_TRIANGLE;
+}
+
+/* Vertices of a primitive. */
+static inline uint32_t corner_count(gn_topology topology)
+{
+    return topology == GN_POINTS ? 1 : topology >= GN_LINES ? 2 : 3;
+}
+
+/* Elements from a primitive's first to the next one's. */
+static inline uint32_t element_step(gn_topology topology)
+{
+    return topology == GN_TRIANGLES ? 3 : topology == GN_LINES ? 2 : 1;
 }
 
 /* Triangles that a number of elements make, from any triangle on. */
 static inline uint32_t triangles_of(gn_topology topology, uint32_t elements)
 {
-    return topology == GN_TRIANGLES ? elements / 3 : elements - 2;
+    return (elements - corner_count(topology)) / element_step(topology) + 1;
+}
+
+/* Triangles of a draw. A line loop has one more line than a strip. */
+static inline uint32_t triangle_count(gn_topology topology, uint32_t count)
+{
+    if (count < corner_count(topology))
+        return 0;
+    return triangles_of(topology, count) + (topology == GN_LINE_LOOP);
 }
 
 /* The elements of triangles `first` to first + count - 1 are first_element to
- * first_element + element_count - 1, and for a fan the draw's first one too. */
+ * first_element + element_count - 1, and for a fan the draw's first one too. The element
+ * after the last of a line loop is its first. */
 static inline uint32_t first_element(gn_topology topology, uint32_t first)
 {
-    return topology == GN_TRIANGLES ? 3 * first : first;
+    return element_step(topology) * first;
 }
 
 static inline uint32_t element_count(gn_topology topology, uint32_t count)
 {
-    return topology == GN_TRIANGLES ? 3 * count : count + 2;
+    return element_step(topology) * (count - 1) + corner_count(topology);
 }
 
 /* Elements that sixteen triangles need. */

@@ -132,7 +132,7 @@ GN_STEP void place_new_vertices(const clipper *c)
     lanes_i_gather_rows(c->memory, offset, 1, row);
     for (int n = 0; n < 4; ++n)
         clip[n] = lanes_as_float(row[n]);
-    place_vertices(c->viewport, clip, c->memory + c->scratch, stride);
+    place_vertices(c->viewport, clip, lanes_i_splat(0), c->memory + c->scratch, stride);
     for (uint32_t n = 0; n < c->used; ++n)
         vertex_at(c->memory, c->scratch + n * stride)->outcode = 0;
 }

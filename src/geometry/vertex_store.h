@@ -13,9 +13,9 @@ typedef struct stored_vertex {
     float window[4];    /* window coordinates x, y, z and 1 / clip w */
     int32_t snapped[2]; /* window x, y minus half a pixel, in 1/256 pixel */
     uint32_t outcode;   /* bit p: outside clip_plane p */
-    uint32_t unused;
-    float clip[4];   /* clip space */
-    float varying[]; /* as many as the pipeline has, in rows of four */
+    float point_size;   /* where the vertex shader gives one */
+    float clip[4];      /* clip space */
+    float varying[];    /* as many as the pipeline has, in rows of four */
 } stored_vertex;
 
 /* Offsets of a vertex's rows in it. */

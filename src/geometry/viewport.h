@@ -62,10 +62,10 @@ GN_STEP lanes_i outcodes_of(const viewport_transform *viewport, const lanes_f cl
     return lanes_i_and(code, lanes_i_splat((int32_t)viewport->planes));
 }
 
-/* Writes window, snapped and clip coordinates and outcodes of the sixteen vertices at
- * `first`, `stride` bytes apart. Gives the outcodes. */
+/* Writes window, snapped and clip coordinates, outcodes and point sizes (the bits of floats)
+ * of the sixteen vertices at `first`, `stride` bytes apart. Gives the outcodes. */
 static inline lanes_i place_vertices(const viewport_transform *viewport, const lanes_f clip[4],
-                                     unsigned char *first, uint32_t stride)
+                                     lanes_i point_size, unsigned char *first, uint32_t stride)
 {
     const lanes_f one_over_w = lanes_div(lanes_splat(1.0f), clip[3]);
     lanes_i window[4], snapped[4], position[4];
@@ -83,7 +83,7 @@ static inline lanes_i place_vertices(const viewport_transform *viewport, const l
     }
     window[3] = lanes_as_int(one_over_w);
     snapped[2] = outcodes_of(viewport, clip);
-    snapped[3] = lanes_i_splat(0);
+    snapped[3] = point_size;
     for (int c = 0; c < 4; ++c)
         position[c] = lanes_as_int(clip[c]);
     lanes_i_scatter_rows(first + VERTEX_WINDOW, stride, window);

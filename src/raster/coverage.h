@@ -203,10 +203,24 @@ static inline uint32_t edge_mask(const large_edge edge[3], corner_values c)
     return GN_ALL_LANES & ~lanes_i_sign_bits(sign);
 }
 
-/* One row of blocks, from the block at (left, y) to the pixel max_x. */
-static inline void cover_row(const pixel_rectangle *target, const large_edge edge[3], int32_t left,
-                             int32_t max_x, int32_t y, raster_triangle triangle, run_function *run,
-                             const void *context)
+/* Pixels of the block at (x, y) inside the rectangle, which it reaches into. */
+static uint32_t box_mask(const pixel_rectangle *r, int32_t x, int32_t y)
+{
+    uint32_t columns = 0xF;
+    uint32_t rows = GN_ALL_LANES;
+
+    if (x < r->min_x)
+        columns = columns << (r->min_x - x) & 0xF;
+    if (y < r->min_y)
+        rows = rows << BLOCK_SIZE * (r->min_y - y);
+    return columns * 0x1111u & rows & overhang_mask(r, x, y);
+}
+
+/* One row of blocks, from the block at (left, y) to the pixel max_x. The target's left and
+ * lower side are asked only of a box. */
+GN_INLINE void cover_row(const pixel_rectangle *target, bool is_box, const large_edge edge[3],
+                         int32_t left, int32_t max_x, int32_t y, raster_triangle triangle,
+                         run_function *run, const void *context)
 {
     corner_values c = values_at(edge, left, y);
     int32_t blocks = (max_x - left) / BLOCK_SIZE + 1;
@@ -220,7 +234,7 @@ static inline void cover_row(const pixel_rectangle *target, const large_edge edg
         if (is_outside(edge, c, false))
             return;
 
-        const uint32_t overhang = overhang_mask(target, x, y);
+        const uint32_t overhang = is_box ? box_mask(target, x, y) : overhang_mask(target, x, y);
         skip = 1;
         if (!is_inside(edge, c)) {
             const uint32_t coverage = overhang & edge_mask(edge, c);
@@ -249,7 +263,8 @@ static inline void cover_large(const pixel_rectangle *target, const triangle_bat
     for (int i = 0; i < 3; ++i)
         set_large_edge(&edge[i], batch, i, lane);
     for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += BLOCK_SIZE)
-        cover_row(target, edge, left, list->bounds[BOUNDS_MAX_X][lane], y, triangle, run, context);
+        cover_row(target, false, edge, left, list->bounds[BOUNDS_MAX_X][lane], y, triangle, run,
+                  context);
 }
 
 /* Calls `run` for every block with covered pixels of the triangle in a lane of a list, from
@@ -262,6 +277,51 @@ static inline void cover_triangle(const pixel_rectangle *target, const triangle_
         cover_large(target, batch, list, lane, run, context);
     else
         cover_small(target, batch, list, lane, run, context);
+}
+
+static inline pixel_rectangle listed_box(const triangle_list *list, uint32_t lane)
+{
+    pixel_rectangle box;
+
+    box.min_x = list->bounds[BOUNDS_MIN_X][lane];
+    box.min_y = list->bounds[BOUNDS_MIN_Y][lane];
+    box.max_x = list->bounds[BOUNDS_MAX_X][lane];
+    box.max_y = list->bounds[BOUNDS_MAX_Y][lane];
+    return box;
+}
+
+/* The same for a point, which is all of its bounds. */
+static inline void cover_point(const triangle_batch *batch, const triangle_list *list,
+                               uint32_t lane, run_function *run, const void *context)
+{
+    const raster_triangle triangle = {&batch->plane[0][0][lane]};
+    const pixel_rectangle box = listed_box(list, lane);
+
+    for (int32_t y = box.min_y & ~(BLOCK_SIZE - 1); y <= box.max_y; y += BLOCK_SIZE) {
+        int32_t blocks = 1;
+
+        for (int32_t x = box.min_x & ~(BLOCK_SIZE - 1); x <= box.max_x; x += blocks * BLOCK_SIZE) {
+            const uint32_t coverage = box_mask(&box, x, y);
+
+            blocks = coverage == GN_ALL_LANES ? (box.max_x + 1 - x) / BLOCK_SIZE : 1;
+            run(context, triangle, x, y, (uint32_t)blocks, coverage);
+        }
+    }
+}
+
+/* The same for a line: what lies in its bounds between its two long edges. */
+static inline void cover_line(const triangle_batch *batch, const triangle_list *list, uint32_t lane,
+                              run_function *run, const void *context)
+{
+    const raster_triangle triangle = {&batch->plane[0][0][lane]};
+    const pixel_rectangle box = listed_box(list, lane);
+    const int32_t left = box.min_x & ~(BLOCK_SIZE - 1);
+    large_edge edge[3];
+
+    for (int i = 0; i < 3; ++i)
+        set_large_edge(&edge[i], batch, i, lane);
+    for (int32_t y = box.min_y & ~(BLOCK_SIZE - 1); y <= box.max_y; y += BLOCK_SIZE)
+        cover_row(&box, true, edge, left, box.max_x, y, triangle, run, context);
 }
 
 #endif

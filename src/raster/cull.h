@@ -4,7 +4,7 @@
 #ifndef GN_RASTER_CULL_H
 #define GN_RASTER_CULL_H
 
-#include "types.h"
+#include "box.h"
 
 #include "../lanes/lanes.h"
 
@@ -15,6 +15,7 @@ typedef struct cull_state {
     bool front_clockwise;
     bool provoking_first;
     bool asks_unsnapped; /* cull_unsnapped */
+    box_state box;
 } cull_state;
 
 /* Of sixteen triangles, bit by bit: those to draw, those of them that are clockwise and
@@ -56,6 +57,7 @@ static inline cull_state cull_state_of(const gn_pipeline *p, uint32_t width, uin
     s.drop_counter_clockwise = front_clockwise ? drop_back : drop_front;
     s.provoking_first = p->provoking_vertex == GN_PROVOKING_FIRST;
     s.asks_unsnapped = false;
+    s.box = box_state_of(p);
     return s;
 }
 

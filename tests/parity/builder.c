@@ -204,7 +204,7 @@ void builder_draw(builder *b)
     set_attribute(b, d, GN_ATTRIBUTE_COLOR, offsetof(vertex, color), b->color_components);
     if (scene_shader_is_lit(b->shader))
         set_attribute(b, d, GN_ATTRIBUTE_NORMAL, offsetof(vertex, normal), 3);
-    if (scene_shader_is_textured(b->shader))
+    if (scene_shader_is_textured(b->shader) || b->state.program_point_size)
         set_attribute(b, d, GN_ATTRIBUTE_TEXCOORD, offsetof(vertex, texcoord), 2);
     if (b->index_format != GN_INDEX_NONE)
         scene_set_indices(d, b->indices, b->index_count, b->index_format);

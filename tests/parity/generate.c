@@ -72,6 +72,10 @@ const char *scene_class_name(scene_class c)
         return "logic";
     case CLASS_CLIP_DEPTH:
         return "clip-depth";
+    case CLASS_POINTS:
+        return "points";
+    case CLASS_LINES:
+        return "lines";
     case CLASS_MIXED:
         return "mixed";
     case CLASS_COUNT:
@@ -204,6 +208,12 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_CLIP_DEPTH:
         generate_clip_depth(&b);
+        break;
+    case CLASS_POINTS:
+        generate_points(&b);
+        break;
+    case CLASS_LINES:
+        generate_lines(&b);
         break;
     default:
         generate_mixed(&b);

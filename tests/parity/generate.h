@@ -38,6 +38,8 @@ typedef enum scene_class {
     CLASS_FLOAT_BLEND,   /* the same in RGBA32F */
     CLASS_LOGIC,         /* logical operations on colours */
     CLASS_CLIP_DEPTH,    /* depth clamp, clip depths from 0 to 1 */
+    CLASS_POINTS,        /* sizes of the state and of the vertex shader */
+    CLASS_LINES,         /* separate, strips and loops, of all widths */
     CLASS_MIXED,         /* several draws of several of the above */
     CLASS_COUNT
 } scene_class;

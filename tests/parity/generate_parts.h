@@ -65,6 +65,9 @@ void random_inputs(builder *b);
 
 /* A random stencil test of the next draw. */
 void random_stencil(builder *b);
+/* Points or lines; sets the topology and sizes. */
+void shape_points(builder *b, uint32_t count);
+void shape_lines(builder *b, uint32_t count);
 
 /* One class each, from the target on. */
 void generate_meshes(builder *b);
@@ -91,6 +94,8 @@ void generate_blend(builder *b);
 void generate_float_blend(builder *b);
 void generate_logic(builder *b);
 void generate_clip_depth(builder *b);
+void generate_points(builder *b);
+void generate_lines(builder *b);
 void generate_mixed(builder *b);
 
 /* What mixed draws have of the classes of colours combined with those of the target. */

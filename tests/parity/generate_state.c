@@ -327,7 +327,7 @@ static void mixed_draw(builder *b)
     const uint32_t count = 1 + builder_triangle_count(b) / 3;
     const bool empty = b->state.viewport.set &&
                        (b->state.viewport.width == 0.0f || b->state.viewport.height == 0.0f);
-    switch (empty ? 5 : random_below(r, 8)) {
+    switch (empty ? 5 : random_below(r, 10)) {
     case 0:
         shape_any_grid(b, 6);
         break;
@@ -346,6 +346,12 @@ static void mixed_draw(builder *b)
         break;
     case 5:
         shape_degenerate(b, count);
+        break;
+    case 6:
+        shape_points(b, count);
+        break;
+    case 7:
+        shape_lines(b, count);
         break;
     default:
         shape_separate(b, count);

@@ -98,8 +98,8 @@ static bool remove_indices(shrinking *s, size_t draw)
 static bool separate_triangles(shrinking *s, size_t draw)
 {
     const scene_draw *d = &s->best->draws[draw];
-    if (d->state.topology == GN_TRIANGLES || d->mesh.index_format != GN_INDEX_NONE ||
-        d->mesh.count < 3)
+    if ((d->state.topology != GN_TRIANGLE_STRIP && d->state.topology != GN_TRIANGLE_FAN) ||
+        d->mesh.index_format != GN_INDEX_NONE || d->mesh.count < 3)
         return false;
     const bool first_provokes = d->state.provoking_vertex == GN_PROVOKING_FIRST;
     const uint32_t count = 3 * (d->mesh.count - 2);
@@ -154,7 +154,10 @@ static bool remove_triangles(shrinking *s, size_t draw)
     bool progress = false;
     const gn_mesh *mesh = &s->best->draws[draw].mesh;
     const gn_topology topology = s->best->draws[draw].state.topology;
-    const uint32_t unit = topology == GN_TRIANGLES ? 3 : topology == GN_TRIANGLE_STRIP ? 2 : 1;
+    const uint32_t unit = topology == GN_TRIANGLES                                ? 3
+                          : topology == GN_TRIANGLE_STRIP || topology == GN_LINES ? 2
+                                                                                  : 1;
+    const uint32_t least = topology == GN_POINTS ? 1 : topology >= GN_LINES ? 2 : 3;
     for (uint32_t chunk = mesh->count / unit; chunk > 0; chunk /= 2) {
         uint32_t start = 0;
         mesh = &s->best->draws[draw].mesh;
@@ -163,8 +166,8 @@ static bool remove_triangles(shrinking *s, size_t draw)
             if (length > mesh->count - start)
                 length = mesh->count - start;
             const bool end = start == 0 || start + length == mesh->count;
-            /* Fewer than three elements are no triangle: that is for the pass over draws. */
-            if (mesh->count - length < 3 || (mesh->index_format != GN_INDEX_NONE && !end)) {
+            /* Fewer elements are no primitive: that is for the pass over draws. */
+            if (mesh->count - length < least || (mesh->index_format != GN_INDEX_NONE && !end)) {
                 start += length;
                 continue;
             }

@@ -239,6 +239,18 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
     case 51:
     case 52:
         return simplify_face(&p->stencil_back, step - 46);
+    case 53:
+        change = p->point_size != 0.0f;
+        p->point_size = 0.0f;
+        return change;
+    case 54:
+        change = p->program_point_size;
+        p->program_point_size = false;
+        return change;
+    case 55:
+        change = p->line_width != 0.0f;
+        p->line_width = 0.0f;
+        return change;
     default:
         *last = true;
         return false;

@@ -47,7 +47,7 @@ static void pipeline_faults(void **state)
     assert_int_equal(gn_pipeline_check(&p), GN_OK);
 
     p = good_pipeline();
-    p.topology = (gn_topology)3;
+    p.topology = (gn_topology)(GN_LINE_LOOP + 1);
     assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
     p = good_pipeline();
     p.provoking_vertex = (gn_provoking_vertex)2;
@@ -134,6 +134,25 @@ static void color_state_faults(void **state)
     assert_int_equal(gn_pipeline_check(&p), GN_OK);
     p.logic_operation = (gn_logic_operation)16;
     assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+}
+
+static void size_faults(void **state)
+{
+    (void)state;
+    gn_pipeline p = good_pipeline();
+
+    p.point_size = 1e30f;
+    p.line_width = 1e30f;
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+    p.point_size = -1.0f;
+    assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
+    p.point_size = NAN;
+    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
+    p = good_pipeline();
+    p.line_width = -0.5f;
+    assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
+    p.line_width = INFINITY;
+    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
 }
 
 static void viewport_faults(void **state)
@@ -302,16 +321,12 @@ static void workspace_sizes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(zero_state_is_valid),
-        cmocka_unit_test(pipeline_faults),
-        cmocka_unit_test(viewport_faults),
-        cmocka_unit_test(depth_range_faults),
-        cmocka_unit_test(mesh_faults),
-        cmocka_unit_test(ranges_and_indices),
-        cmocka_unit_test(workspace_sizes),
-        cmocka_unit_test(any_scissor_is_valid),
-        cmocka_unit_test(polygon_offset_faults),
-        cmocka_unit_test(color_state_faults),
+        cmocka_unit_test(zero_state_is_valid),   cmocka_unit_test(pipeline_faults),
+        cmocka_unit_test(viewport_faults),       cmocka_unit_test(depth_range_faults),
+        cmocka_unit_test(mesh_faults),           cmocka_unit_test(ranges_and_indices),
+        cmocka_unit_test(workspace_sizes),       cmocka_unit_test(any_scissor_is_valid),
+        cmocka_unit_test(polygon_offset_faults), cmocka_unit_test(color_state_faults),
+        cmocka_unit_test(size_faults),
     };
     return cmocka_run_group_tests_name("pipeline", tests, NULL, NULL);
 }

@@ -1,0 +1,230 @@
+/* Points and lines as boxes of pixels: a point is all of one, a line what of one lies between
+ * its two long edges (reference/RULES.md). The sides of the box are the line's other two, its
+ * ends, since those are upright or level. */
+#ifndef GN_RASTER_BOX_H
+#define GN_RASTER_BOX_H
+
+#include "types.h"
+
+/* What is constant over a draw. */
+typedef struct box_state {
+    bool program_point_size;
+    int32_t point_size; /* in 1/256 pixel */
+    int32_t half_width; /* of lines, in 1/256 pixel */
+} box_state;
+
+/* Rounded, halves away from zero. */
+static inline int32_t round_away(float v)
+{
+    return (int32_t)(v >= 0.0f ? v + 0.5f : v - 0.5f);
+}
+
+/* A size or width in 1/256 pixel. */
+static inline int32_t snap_size(float size, float greatest)
+{
+    const float limited = size < greatest ? size : greatest; /* also of NaN */
+
+    return limited > 1.0f ? round_away(limited * 256.0f) : 256;
+}
+
+static inline box_state box_state_of(const gn_pipeline *p)
+{
+    const float width = p->line_width < GN_MAX_LINE_WIDTH ? p->line_width : GN_MAX_LINE_WIDTH;
+    box_state s;
+
+    s.program_point_size = p->program_point_size;
+    s.point_size = snap_size(p->point_size, GN_MAX_POINT_SIZE);
+    s.half_width = width > 1.0f ? round_away(width) * 128 : 128;
+    return s;
+}
+
+/* Whether snapping a window coordinate makes sense; not of NaN. */
+static inline bool can_snap(float v)
+{
+    return v < SNAPPED_LIMIT / 256 && v > -SNAPPED_LIMIT / 256;
+}
+
+/* The pixels of half-open ranges of snapped coordinates that lie in the target; false where
+ * there are none. */
+static inline bool pixels_of_box(const pixel_rectangle *target, const int32_t low[2],
+                                 const int32_t high[2], pixel_rectangle *box)
+{
+    const int32_t min_x = (low[0] + 255) >> 8;
+    const int32_t min_y = (low[1] + 255) >> 8;
+    const int32_t max_x = ((high[0] + 255) >> 8) - 1;
+    const int32_t max_y = ((high[1] + 255) >> 8) - 1;
+
+    box->min_x = min_x > target->min_x ? min_x : target->min_x;
+    box->min_y = min_y > target->min_y ? min_y : target->min_y;
+    box->max_x = max_x < target->max_x ? max_x : target->max_x;
+    box->max_y = max_y < target->max_y ? max_y : target->max_y;
+    return box->min_x <= box->max_x && box->min_y <= box->max_y;
+}
+
+/* The pixels of a point, false where there are none. */
+static inline bool point_box(const box_state *state, const pixel_rectangle *target,
+                             const stored_vertex *v, pixel_rectangle *box)
+{
+    const int32_t size =
+        state->program_point_size ? snap_size(v->point_size, GN_MAX_POINT_SIZE) : state->point_size;
+    int32_t low[2], high[2];
+
+    for (int c = 0; c < 2; ++c) {
+        if (!can_snap(v->window[c]))
+            return false;
+        low[c] = round_away((v->window[c] - 0.5f) * 256.0f) - size / 2;
+        high[c] = low[c] + size;
+    }
+    return pixels_of_box(target, low, high, box);
+}
+
+/* The middle of a line as it is drawn: its ends in snapped coordinates, along the major axis
+ * the lesser one first. */
+typedef struct line_middle {
+    int32_t end[2][2]; /* [end][axis] */
+    int major;         /* axis */
+} line_middle;
+
+static inline float pixel_fraction(float v)
+{
+    const float whole = (float)(int32_t)v;
+
+    return v - (whole > v ? whole - 1.0f : whole);
+}
+
+static inline bool positive(float v)
+{
+    return v >= 0.0f;
+}
+
+/* An end of a line in its pixel: c along the major and the minor axis from the pixel's centre,
+ * and where the line crosses the middle of the pixel, from its lower or left side. */
+typedef struct line_end {
+    float major, minor;
+    float crossing;
+} line_end;
+
+static inline line_end end_in_pixel(const stored_vertex *v, int major, float slope)
+{
+    const float minor = pixel_fraction(v->window[!major]);
+    line_end e;
+
+    e.major = pixel_fraction(v->window[major]) - 0.5f;
+    e.minor = minor - 0.5f;
+    e.crossing = minor + e.major * slope;
+    return e;
+}
+
+static inline bool in_diamond(const line_end *e)
+{
+    const float major = e->major < 0.0f ? -e->major : e->major;
+    const float minor = e->minor < 0.0f ? -e->minor : e->minor;
+
+    return major + minor < 0.5f;
+}
+
+/* Whether the pixel of an end belongs to the line by the diamond-exit rule (OpenGL 4.5 section
+ * 14.5.1) as the reference decides ties, and whether the plain quadrilateral has it. d is the
+ * first end minus the second, along and across the major axis. */
+static inline bool first_end_differs(const line_end *e, bool x_major, float along, float across)
+{
+    bool drawn, plain;
+
+    if (x_major) {
+        plain = positive(-e->major) != positive(along);
+        drawn = in_diamond(e)                            ? true
+                : positive(e->major) == positive(-along) ? false
+                : positive(-e->minor) != positive(across)
+                    ? true
+                    : e->crossing > 0.0f && e->crossing < 1.0f;
+    } else {
+        plain = positive(e->major) == positive(along);
+        drawn = in_diamond(e)                            ? true
+                : positive(-e->major) == positive(along) ? false
+                : positive(e->minor) != positive(-across)
+                    ? true
+                    : e->crossing > 0.0f && e->crossing < 1.0f;
+    }
+    return drawn != plain;
+}
+
+static inline bool second_end_differs(line_end *e, bool x_major, float along, float across)
+{
+    bool drawn, plain;
+
+    if (e->minor == -0.5f && across < 0.0f)
+        e->minor = 0.5f;
+    if (x_major) {
+        plain = positive(e->major) == positive(-along) || e->major == 0.0f;
+        drawn = in_diamond(e)                            ? false
+                : positive(e->major) != positive(-along) ? false
+                : positive(-e->minor) == positive(across)
+                    ? true
+                    : e->crossing > 0.0f && e->crossing < 1.0f;
+    } else {
+        plain = positive(-e->major) == positive(along) || e->major == 0.0f;
+        drawn = in_diamond(e)                            ? false
+                : positive(-e->major) != positive(along) ? false
+                : positive(e->minor) == positive(-across)
+                    ? true
+                    : e->crossing >= 0.0f && e->crossing < 1.0f;
+    }
+    return drawn != plain;
+}
+
+/* False where nothing is drawn. An end moves along the line to a side of its pixel where the
+ * rule and the plain quadrilateral disagree about that pixel. */
+static inline bool middle_of_line(const stored_vertex *first, const stored_vertex *second,
+                                  line_middle *m)
+{
+    const stored_vertex *const v[2] = {first, second};
+
+    for (int c = 0; c < 2; ++c) {
+        if (!can_snap(first->window[c]) || !can_snap(second->window[c]))
+            return false;
+    }
+    const float dx = first->window[0] - second->window[0];
+    const float dy = first->window[1] - second->window[1];
+    if (dx == 0.0f && dy == 0.0f)
+        return false;
+
+    const bool x_major = (dx < 0.0f ? -dx : dx) >= (dy < 0.0f ? -dy : dy);
+    const float along = x_major ? dx : dy;
+    const float across = x_major ? dy : dx;
+    const float slope = across / along;
+    const bool outward = x_major ? along >= 0.0f : along > 0.0f;
+
+    m->major = x_major ? 0 : 1;
+    for (int i = 0; i < 2; ++i) {
+        line_end e = end_in_pixel(v[i], m->major, slope);
+        const bool differs = i == 0 ? first_end_differs(&e, x_major, along, across)
+                                    : second_end_differs(&e, x_major, along, across);
+        const float move = differs ? -e.major + (outward ? 0.5f : -0.5f) : 0.0f;
+        int32_t *const end = m->end[along < 0.0f ? i : 1 - i];
+
+        end[m->major] = round_away((v[i]->window[m->major] + move - 0.5f) * 256.0f);
+        end[!m->major] = round_away((v[i]->window[!m->major] + move * slope - 0.5f) * 256.0f);
+    }
+    return true;
+}
+
+/* The pixels that a line's may be among, false where there are none. */
+static inline bool line_box(const box_state *state, const pixel_rectangle *target,
+                            const stored_vertex *first, const stored_vertex *second,
+                            pixel_rectangle *box)
+{
+    line_middle m;
+    int32_t low[2], high[2];
+
+    if (!middle_of_line(first, second, &m))
+        return false;
+    low[m.major] = m.end[0][m.major];
+    high[m.major] = m.end[1][m.major];
+    const int32_t a = m.end[0][!m.major];
+    const int32_t b = m.end[1][!m.major];
+    low[!m.major] = (a < b ? a : b) - state->half_width;
+    high[!m.major] = (a > b ? a : b) + state->half_width;
+    return pixels_of_box(target, low, high, box);
+}
+
+#endif

@@ -1,0 +1,158 @@
+/* Set-up of points and lines, sixteen at a time: a line's two long edges, and the planes of
+ * depth, 1/w and the varyings. */
+#ifndef GN_RASTER_SETUP_BOX_H
+#define GN_RASTER_SETUP_BOX_H
+
+#include "setup.h"
+
+/* Planes of a draw: depth, 1/w and the varyings. Of those, smooth ones are divided by w. */
+static inline void gather_plane(const gn_pipeline *pipeline, const unsigned char *memory,
+                                const uint32_t vertex[GN_LANES], uint32_t plane,
+                                float value[GN_LANES])
+{
+    const uint32_t n = plane - VARYING_PLANES;
+
+    GN_EACH_LANE (l) {
+        const stored_vertex *v = (const stored_vertex *)(const void *)(memory + vertex[l]);
+
+        value[l] = plane == DEPTH_PLANE                      ? v->window[2]
+                   : plane == ONE_OVER_W_PLANE               ? v->window[3]
+                   : pipeline->interpolation[n] == GN_SMOOTH ? v->varying[n] * v->window[3]
+                                                             : v->varying[n];
+    }
+}
+
+static inline void make_constant_plane(lanes_f value, float plane[PLANE_TERMS][GN_LANES])
+{
+    lanes_store(plane[PLANE_ORIGIN], value);
+    lanes_store(plane[PLANE_PER_X], lanes_splat(0.0f));
+    lanes_store(plane[PLANE_PER_Y], lanes_splat(0.0f));
+}
+
+/* What they are; polygon offset is of polygons. */
+static inline void setup_box_identities(const gn_pipeline *pipeline, const triangle_list *list,
+                                        triangle_batch *batch)
+{
+    const uint32_t plane = VARYING_PLANES + pipeline->varying_count;
+
+    setup_identities(pipeline, list, batch);
+    lanes_store(batch->plane[plane][IDENTITY_OFFSET], lanes_splat(0.0f));
+}
+
+/* Sets up the points of a list whose lanes are all filled. */
+static inline void setup_points(const gn_pipeline *pipeline, const unsigned char *memory,
+                                const triangle_list *list, triangle_batch *batch)
+{
+    float value[GN_LANES];
+
+    for (uint32_t n = 0; n < VARYING_PLANES + pipeline->varying_count; ++n) {
+        gather_plane(pipeline, memory, list->vertex[0], n, value);
+        make_constant_plane(lanes_load(value), batch->plane[n]);
+    }
+}
+
+/* Edge `edge` of the line in a lane, from point a to b, moved across by `offset`. */
+static inline void set_line_edge(triangle_batch *batch, int edge, uint32_t lane, int minor,
+                                 const int32_t a[2], const int32_t b[2], int32_t offset)
+{
+    batch->edge[edge].per_x[lane] = a[1] - b[1];
+    batch->edge[edge].per_y[lane] = a[0] - b[0];
+    batch->snapped[edge][!minor][lane] = a[!minor];
+    batch->snapped[edge][minor][lane] = a[minor] + offset;
+}
+
+/* The long edges, with the inside to the right; the second one twice, there being three. */
+static inline void setup_line_edges(const box_state *state, const unsigned char *memory,
+                                    const triangle_list *list, triangle_batch *batch)
+{
+    for (uint32_t l = 0; l < list->count; ++l) {
+        const stored_vertex *const first =
+            (const stored_vertex *)(const void *)(memory + list->vertex[0][l]);
+        const stored_vertex *const second =
+            (const stored_vertex *)(const void *)(memory + list->vertex[1][l]);
+        line_middle m;
+
+        middle_of_line(first, second, &m);
+        /* Of a line along x the lower edge goes left and the upper one right, of one along y
+         * the left edge goes up and the right one down. */
+        const int32_t *const low = m.end[0];
+        const int32_t *const high = m.end[1];
+        const bool level = m.major == 0;
+        const int minor = level ? 1 : 0;
+        set_line_edge(batch, 0, l, minor, level ? high : low, level ? low : high,
+                      -state->half_width);
+        for (int i = 1; i < 3; ++i)
+            set_line_edge(batch, i, l, minor, level ? low : high, level ? high : low,
+                          state->half_width);
+    }
+}
+
+/* Window differences of a line's ends, along the major axis alone. */
+typedef struct line_basis {
+    lanes_f x0, y0; /* the first end, from the pixel's centre */
+    lanes_f extent, one_over_square;
+    lanes_m x_major;
+} line_basis;
+
+static inline lanes_f absolute_value(lanes_f a)
+{
+    return lanes_as_float(lanes_i_and(lanes_as_int(a), lanes_i_splat(INT32_MAX)));
+}
+
+static inline void set_line_basis(const unsigned char *memory, const triangle_list *list,
+                                  line_basis *b)
+{
+    const lanes_f one = lanes_splat(1.0f);
+    lanes_i row[2][4];
+    lanes_f d[2];
+
+    for (int i = 0; i < 2; ++i)
+        lanes_i_gather_rows(memory + VERTEX_WINDOW, list->vertex[i], 1, row[i]);
+    for (int c = 0; c < 2; ++c)
+        d[c] = lanes_sub(lanes_as_float(row[0][c]), lanes_as_float(row[1][c]));
+    b->x0 = lanes_sub(lanes_as_float(row[0][0]), lanes_splat(0.5f));
+    b->y0 = lanes_sub(lanes_as_float(row[0][1]), lanes_splat(0.5f));
+    b->x_major = lanes_not(lanes_greater(absolute_value(d[1]), absolute_value(d[0])));
+
+    const lanes_f along = lanes_select(b->x_major, d[0], d[1]);
+    const lanes_f slope = lanes_div(lanes_select(b->x_major, d[1], d[0]), along);
+    b->extent = lanes_mul(along, lanes_add(one, lanes_mul(slope, slope)));
+    b->one_over_square = lanes_div(one, lanes_add(lanes_mul(d[0], d[0]), lanes_mul(d[1], d[1])));
+}
+
+static inline void make_line_plane(const line_basis *b, lanes_f a0, lanes_f a1,
+                                   float plane[PLANE_TERMS][GN_LANES])
+{
+    const lanes_f zero = lanes_splat(0.0f);
+    const lanes_f per = lanes_mul(lanes_mul(lanes_sub(a0, a1), b->extent), b->one_over_square);
+    const lanes_f per_x = lanes_select(b->x_major, per, zero);
+    const lanes_f per_y = lanes_select(b->x_major, zero, per);
+    const lanes_f at_zero = lanes_add(lanes_mul(per_x, b->x0), lanes_mul(per_y, b->y0));
+
+    lanes_store(plane[PLANE_ORIGIN], lanes_sub(a0, at_zero));
+    lanes_store(plane[PLANE_PER_X], per_x);
+    lanes_store(plane[PLANE_PER_Y], per_y);
+}
+
+/* Sets up the lines of a list whose lanes are all filled. */
+static inline void setup_lines(const box_state *state, const gn_pipeline *pipeline,
+                               const unsigned char *memory, const triangle_list *list,
+                               triangle_batch *batch)
+{
+    float first[GN_LANES], second[GN_LANES];
+    line_basis basis;
+
+    setup_line_edges(state, memory, list, batch);
+    set_line_basis(memory, list, &basis);
+    for (uint32_t n = 0; n < VARYING_PLANES + pipeline->varying_count; ++n) {
+        if (n >= VARYING_PLANES && pipeline->interpolation[n - VARYING_PLANES] == GN_FLAT) {
+            make_flat_plane(memory, list, n - VARYING_PLANES, batch->plane[n]);
+            continue;
+        }
+        gather_plane(pipeline, memory, list->vertex[0], n, first);
+        gather_plane(pipeline, memory, list->vertex[1], n, second);
+        make_line_plane(&basis, lanes_load(first), lanes_load(second), batch->plane[n]);
+    }
+}
+
+#endif
