@@ -373,6 +373,19 @@ static void set_uniforms(const scene_draw *d)
     }
 }
 
+/* Mesa 22.3 keeps the limits of depth clamp where the clip depth changes and the viewport's
+ * transform does not (reference/RULES.md): a draw of nothing under another viewport. */
+static void renew_viewport(const scene_draw *d)
+{
+    if (d->state.depth_clamp && d->mesh.vertex_count > 0) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(0, 0, 0, 0);
+        glViewportIndexedf(0, 1.0f, 2.0f, 3.0f, 5.0f);
+        glDepthRangeIndexed(0, 0.25, 0.375);
+        glDrawArrays(GL_POINTS, 0, 1);
+    }
+}
+
 void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u)
 {
     const gn_mesh *mesh = &d->mesh;
@@ -385,6 +398,8 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
     set_uniforms(d);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, u->texture);
+    renew_viewport(d);
+    set_state(s, &d->state);
     if (u->query) {
         glBeginQuery(GL_SAMPLES_PASSED, u->query);
     }

@@ -179,6 +179,17 @@ static void set_attribute(const builder *b, scene_draw *d, gn_shader_attribute a
     free(data);
 }
 
+/* Whether a vertex keeps a clip w of 0 whatever x and y are clipped to. */
+static bool has_vertex_at_eye(const builder *b)
+{
+    for (uint32_t i = 0; i < b->vertex_count; i++) {
+        const float *p = b->vertices[i].position;
+        if (p[0] == 0.0f && p[1] == 0.0f && p[3] == 0.0f)
+            return true;
+    }
+    return false;
+}
+
 void builder_draw(builder *b)
 {
     if (b->vertex_count == 0)
@@ -188,6 +199,8 @@ void builder_draw(builder *b)
     if (b->index_format != GN_INDEX_NONE && b->index_count == 0)
         for (uint32_t i = 0; i < b->vertex_count; i++)
             builder_index(b, i);
+    if (has_vertex_at_eye(b)) /* reference/RULES.md */
+        b->state.depth_clamp = false;
     const uint32_t count = b->index_format == GN_INDEX_NONE ? b->vertex_count : b->index_count;
     if (b->lead + b->trail > 0)
         add_margins(b);
