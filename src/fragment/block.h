@@ -23,7 +23,7 @@ typedef struct fragment_kind {
     gn_format depth_format; /* GN_FORMAT_NONE: no test */
     gn_format color_format; /* GN_FORMAT_NONE: no colour */
     fragment_source source;
-    bool replaces; /* colours are written as they are */
+    color_use use;
 } fragment_kind;
 
 static inline fragment_state fragment_state_of(const gn_target *target, const gn_pipeline *pipeline)
@@ -111,10 +111,11 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
                 color[c] = lanes_mul(color[c], texel[c]);
         }
     }
-    if (kind.replaces)
+    if (kind.use == COLOR_REPLACES)
         write_color(&state->color, kind.color_format, at, coverage, color);
     else
-        combine_color(&state->combine, &state->color, kind.color_format, at, coverage, color);
+        combine_color(&state->combine, &state->color, kind.color_format, kind.use, at, coverage,
+                      color);
 }
 
 /* Neighbouring blocks in a row. */
@@ -197,23 +198,23 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
 }
 
 /* A run_function for one state; the context is a fragment_state. */
-#define GN_RUN_FUNCTION(name, depth_format, color_format, source, replaces)                        \
+#define GN_RUN_FUNCTION(name, depth_format, color_format, source, use)                             \
     static void name(const void *context, raster_triangle triangle, int32_t x, int32_t y,          \
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \
-        const fragment_kind kind = {depth_format, color_format, source, replaces};                 \
+        const fragment_kind kind = {depth_format, color_format, source, use};                      \
                                                                                                    \
         shade_blocks(state, kind, triangle, x, y, count, coverage);                                \
     }
 
 /* The same for what is drawn in rows where it can be. Kept apart from the rows, single
  * blocks, of which small triangles have most, begin with little ado. */
-#define GN_RUN_ROWS_FUNCTION(name, depth_format, color_format, source)                             \
+#define GN_RUN_ROWS_FUNCTION(name, depth_format, color_format, source, use)                        \
     GN_OUT_OF_LINE void name##_long(const fragment_state *state, raster_triangle triangle,         \
                                     int32_t x, int32_t y, uint32_t count)                          \
     {                                                                                              \
-        const fragment_kind kind = {depth_format, color_format, source, true};                     \
+        const fragment_kind kind = {depth_format, color_format, source, use};                      \
                                                                                                    \
         shade_run(state, kind, triangle, x, y, count);                                             \
     }                                                                                              \
@@ -221,7 +222,7 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \
-        const fragment_kind kind = {depth_format, color_format, source, true};                     \
+        const fragment_kind kind = {depth_format, color_format, source, use};                      \
                                                                                                    \
         if (count > 1)                                                                             \
             name##_long(state, triangle, x, y, count);                                             \
@@ -230,18 +231,36 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
     }
 
 GN_RUN_FUNCTION(run_any, state->depth.format, state->color.format, SOURCE_SHADER,
-                state->combine.replaces)
-GN_RUN_FUNCTION(run_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_SHADER, true)
-GN_RUN_FUNCTION(run_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_SHADER, true)
-GN_RUN_FUNCTION(run_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_SHADER, true)
-GN_RUN_ROWS_FUNCTION(run_color_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_COLOR)
-GN_RUN_ROWS_FUNCTION(run_color_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_COLOR)
-GN_RUN_ROWS_FUNCTION(run_color_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_COLOR)
-GN_RUN_ROWS_FUNCTION(run_texture_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_TEXTURE)
-GN_RUN_ROWS_FUNCTION(run_texture_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_TEXTURE)
-GN_RUN_ROWS_FUNCTION(run_texture_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_TEXTURE)
-GN_RUN_ROWS_FUNCTION(run_depth_d24, GN_FORMAT_D24, GN_FORMAT_NONE, SOURCE_SHADER)
-GN_RUN_ROWS_FUNCTION(run_depth_d32f, GN_FORMAT_D32F, GN_FORMAT_NONE, SOURCE_SHADER)
+                state->combine.use)
+GN_RUN_FUNCTION(run_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_REPLACES)
+GN_RUN_FUNCTION(run_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_REPLACES)
+GN_RUN_FUNCTION(run_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_color_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_COLOR, COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_color_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_COLOR,
+                     COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_color_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_COLOR,
+                     COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_texture_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
+                     COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_texture_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
+                     COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_texture_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
+                     COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_depth_d24, GN_FORMAT_D24, GN_FORMAT_NONE, SOURCE_SHADER, COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_depth_d32f, GN_FORMAT_D32F, GN_FORMAT_NONE, SOURCE_SHADER, COLOR_REPLACES)
+
+/* Colours laid over those that are there. */
+GN_RUN_FUNCTION(run_over, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_OVER)
+GN_RUN_FUNCTION(run_over_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_OVER)
+GN_RUN_FUNCTION(run_over_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_OVER)
+GN_RUN_ROWS_FUNCTION(run_over_color, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_COLOR, COLOR_OVER)
+GN_RUN_ROWS_FUNCTION(run_over_color_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_COLOR, COLOR_OVER)
+GN_RUN_ROWS_FUNCTION(run_over_color_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_COLOR, COLOR_OVER)
+GN_RUN_ROWS_FUNCTION(run_over_texture, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_TEXTURE, COLOR_OVER)
+GN_RUN_ROWS_FUNCTION(run_over_texture_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
+                     COLOR_OVER)
+GN_RUN_ROWS_FUNCTION(run_over_texture_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
+                     COLOR_OVER)
 
 static inline fragment_source source_of(const gn_pipeline *p)
 {
@@ -257,6 +276,27 @@ static inline fragment_source source_of(const gn_pipeline *p)
     return texture ? SOURCE_TEXTURE : SOURCE_COLOR;
 }
 
+/* Of those with GN_FORMAT_RGBA8 that lay colours over others. */
+static inline run_function *run_over_function_of(gn_format depth, fragment_source source)
+{
+    switch (depth) {
+    case GN_FORMAT_NONE:
+        return source == SOURCE_COLOR     ? run_over_color
+               : source == SOURCE_TEXTURE ? run_over_texture
+                                          : run_over;
+    case GN_FORMAT_D24:
+        return source == SOURCE_COLOR     ? run_over_color_d24
+               : source == SOURCE_TEXTURE ? run_over_texture_d24
+                                          : run_over_d24;
+    case GN_FORMAT_D32F:
+        return source == SOURCE_COLOR     ? run_over_color_d32f
+               : source == SOURCE_TEXTURE ? run_over_texture_d32f
+                                          : run_over_d32f;
+    default:
+        return run_any;
+    }
+}
+
 /* The function that draws blocks under a state. */
 static inline run_function *run_function_of(const fragment_state *state)
 {
@@ -268,8 +308,10 @@ static inline run_function *run_function_of(const fragment_state *state)
         return state->depth.format == GN_FORMAT_D24    ? run_depth_d24
                : state->depth.format == GN_FORMAT_D32F ? run_depth_d32f
                                                        : run_any;
-    if (state->color.format != GN_FORMAT_RGBA8 || !state->combine.replaces)
+    if (state->color.format != GN_FORMAT_RGBA8 || state->combine.use == COLOR_COMBINES)
         return run_any;
+    if (state->combine.use == COLOR_OVER)
+        return run_over_function_of(state->depth.format, source);
     switch (state->depth.format) {
     case GN_FORMAT_NONE:
         return source == SOURCE_COLOR     ? run_color_rgba8
