@@ -70,7 +70,7 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     draw->map.outcodes = 0;
     draw->viewport = viewport_transform_of(job->pipeline, any->width, any->height);
     draw->cull = cull_state_of(job->pipeline, any->width, any->height);
-    draw->fragment = fragment_state_of(job->target, job->pipeline);
+    set_fragment_state(&draw->fragment, job->target, job->pipeline);
     draw->shade_run = run_function_of(&draw->fragment);
 }
 

@@ -26,18 +26,16 @@ typedef struct fragment_kind {
     color_use use;
 } fragment_kind;
 
-static inline fragment_state fragment_state_of(const gn_target *target, const gn_pipeline *pipeline)
+static inline void set_fragment_state(fragment_state *s, const gn_target *target,
+                                      const gn_pipeline *pipeline)
 {
-    fragment_state s;
-
-    s.pipeline = pipeline;
-    s.color = target->color;
-    s.depth = target->depth;
+    s->pipeline = pipeline;
+    s->color = target->color;
+    s->depth = target->depth;
     if (!pipeline->depth_test)
-        s.depth.format = GN_FORMAT_NONE;
-    s.test = depth_state_of(pipeline);
-    s.combine = color_state_of(pipeline);
-    return s;
+        s->depth.format = GN_FORMAT_NONE;
+    s->test = depth_state_of(pipeline);
+    set_color_state(&s->combine, pipeline);
 }
 
 static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_triangle triangle,

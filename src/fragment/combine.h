@@ -7,27 +7,24 @@
 #include "color.h"
 #include "logic.h"
 
-static inline color_state color_state_of(const gn_pipeline *pipeline)
+static inline void set_color_state(color_state *s, const gn_pipeline *pipeline)
 {
-    color_state s;
-
-    s.written = GN_CHANNEL_ALL & ~pipeline->color_write_disabled;
-    s.written_bits = 0;
+    s->written = GN_CHANNEL_ALL & ~pipeline->color_write_disabled;
+    s->written_bits = 0;
     for (int c = 0; c < 4; ++c) {
-        if (s.written >> c & 1u)
-            s.written_bits |= (int32_t)(0xFFu << 8 * c);
+        if (s->written >> c & 1u)
+            s->written_bits |= (int32_t)(0xFFu << 8 * c);
     }
-    set_blend_state(&s, &pipeline->blend);
-    set_logic_state(&s, pipeline->logic_operation);
-    s.is_logical = pipeline->color_logic;
-    s.blends = pipeline->blend.enabled && !s.is_logical;
-    s.use = COLOR_COMBINES;
-    if (s.written == GN_CHANNEL_ALL && !s.blends && !s.is_logical)
-        s.use = COLOR_REPLACES;
-    else if (s.written == GN_CHANNEL_ALL && s.blends && GN_SPECIALISED && is_over(&s.color) &&
-             is_over(&s.alpha))
-        s.use = COLOR_OVER;
-    return s;
+    set_blend_state(s, &pipeline->blend);
+    set_logic_state(s, pipeline->logic_operation);
+    s->is_logical = pipeline->color_logic;
+    s->blends = pipeline->blend.enabled && !s->is_logical;
+    s->use = COLOR_COMBINES;
+    if (s->written == GN_CHANNEL_ALL && !s->blends && !s->is_logical)
+        s->use = COLOR_REPLACES;
+    else if (s->written == GN_CHANNEL_ALL && s->blends && GN_SPECIALISED && is_over(&s->color) &&
+             is_over(&s->alpha))
+        s->use = COLOR_OVER;
 }
 
 /* Pixel by pixel, for blocks that hang over the surface's edge. */
