@@ -24,6 +24,7 @@ typedef struct fragment_kind {
     gn_format depth_format; /* GN_FORMAT_NONE: no test */
     gn_format color_format; /* GN_FORMAT_NONE: no colour */
     fragment_source source;
+    color_use use;
 } fragment_kind;
 
 static inline void set_fragment_state(fragment_state *s, const gn_target *target,
@@ -44,7 +45,7 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     s->stencil[1] = stencil_state_of(&pipeline->stencil_back);
     s->moves_depth =
         pipeline->polygon_offset.set && (s->tests_depth || pipeline->fragment_reads_position);
-    s->combine = color_state_of(pipeline);
+    set_color_state(&s->combine, pipeline);
     s->limits = depth_limits_of(pipeline, viewport);
     s->clamps_depth = s->tests_depth && (s->limits.low != 0.0f || s->limits.high != 1.0f);
 }
@@ -182,10 +183,11 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
         coverage = test_whole(state, at, triangle, coverage, depth);
     if (!coverage || state->color.format == GN_FORMAT_NONE)
         return coverage;
-    if (state->combine.replaces)
+    if (state->combine.use == COLOR_REPLACES)
         write_color(&state->color, state->color.format, at, coverage, color);
     else
-        combine_color(&state->combine, &state->color, state->color.format, at, coverage, color);
+        combine_color(&state->combine, &state->color, state->color.format, state->combine.use, at,
+                      coverage, color);
     return coverage;
 }
 
@@ -217,7 +219,11 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
                 color[c] = lanes_mul(color[c], texel[c]);
         }
     }
-    write_color(&state->color, kind.color_format, at, coverage, color);
+    if (kind.use == COLOR_REPLACES)
+        write_color(&state->color, kind.color_format, at, coverage, color);
+    else
+        combine_color(&state->combine, &state->color, kind.color_format, kind.use, at, coverage,
+                      color);
 }
 
 /* Neighbouring blocks in a row. */
@@ -344,23 +350,23 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
 }
 
 /* A run_function for one state; the context is a fragment_state. */
-#define GN_RUN_FUNCTION(name, depth_format, color_format, source)                                  \
+#define GN_RUN_FUNCTION(name, depth_format, color_format, source, use)                             \
     static void name(const void *context, raster_triangle triangle, int32_t x, int32_t y,          \
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \
-        const fragment_kind kind = {depth_format, color_format, source};                           \
+        const fragment_kind kind = {depth_format, color_format, source, use};                      \
                                                                                                    \
         shade_blocks(state, kind, triangle, x, y, count, coverage);                                \
     }
 
 /* The same for what is drawn in rows where it can be. Kept apart from the rows, single
  * blocks, of which small triangles have most, begin with little ado. */
-#define GN_RUN_ROWS_FUNCTION(name, depth_format, color_format, source)                             \
+#define GN_RUN_ROWS_FUNCTION(name, depth_format, color_format, source, use)                        \
     GN_OUT_OF_LINE void name##_long(const fragment_state *state, raster_triangle triangle,         \
                                     int32_t x, int32_t y, uint32_t count)                          \
     {                                                                                              \
-        const fragment_kind kind = {depth_format, color_format, source};                           \
+        const fragment_kind kind = {depth_format, color_format, source, use};                      \
                                                                                                    \
         shade_run(state, kind, triangle, x, y, count);                                             \
     }                                                                                              \
@@ -368,7 +374,7 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \
-        const fragment_kind kind = {depth_format, color_format, source};                           \
+        const fragment_kind kind = {depth_format, color_format, source, use};                      \
                                                                                                    \
         if (count > 1)                                                                             \
             name##_long(state, triangle, x, y, count);                                             \
@@ -376,17 +382,35 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
             shade_blocks(state, kind, triangle, x, y, 1, coverage);                                \
     }
 
-GN_RUN_FUNCTION(run_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_SHADER)
-GN_RUN_FUNCTION(run_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_SHADER)
-GN_RUN_FUNCTION(run_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_SHADER)
-GN_RUN_ROWS_FUNCTION(run_color_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_COLOR)
-GN_RUN_ROWS_FUNCTION(run_color_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_COLOR)
-GN_RUN_ROWS_FUNCTION(run_color_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_COLOR)
-GN_RUN_ROWS_FUNCTION(run_texture_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_TEXTURE)
-GN_RUN_ROWS_FUNCTION(run_texture_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_TEXTURE)
-GN_RUN_ROWS_FUNCTION(run_texture_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_TEXTURE)
-GN_RUN_ROWS_FUNCTION(run_depth_d24, GN_FORMAT_D24, GN_FORMAT_NONE, SOURCE_SHADER)
-GN_RUN_ROWS_FUNCTION(run_depth_d32f, GN_FORMAT_D32F, GN_FORMAT_NONE, SOURCE_SHADER)
+GN_RUN_FUNCTION(run_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_REPLACES)
+GN_RUN_FUNCTION(run_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_REPLACES)
+GN_RUN_FUNCTION(run_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_color_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_COLOR, COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_color_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_COLOR,
+                     COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_color_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_COLOR,
+                     COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_texture_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
+                     COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_texture_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
+                     COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_texture_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
+                     COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_depth_d24, GN_FORMAT_D24, GN_FORMAT_NONE, SOURCE_SHADER, COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_depth_d32f, GN_FORMAT_D32F, GN_FORMAT_NONE, SOURCE_SHADER, COLOR_REPLACES)
+
+/* Colours laid over those that are there. */
+GN_RUN_FUNCTION(run_over, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_OVER)
+GN_RUN_FUNCTION(run_over_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_OVER)
+GN_RUN_FUNCTION(run_over_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_OVER)
+GN_RUN_ROWS_FUNCTION(run_over_color, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_COLOR, COLOR_OVER)
+GN_RUN_ROWS_FUNCTION(run_over_color_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_COLOR, COLOR_OVER)
+GN_RUN_ROWS_FUNCTION(run_over_color_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_COLOR, COLOR_OVER)
+GN_RUN_ROWS_FUNCTION(run_over_texture, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_TEXTURE, COLOR_OVER)
+GN_RUN_ROWS_FUNCTION(run_over_texture_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
+                     COLOR_OVER)
+GN_RUN_ROWS_FUNCTION(run_over_texture_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
+                     COLOR_OVER)
 
 /* Whether the state asks nothing of the order of shader and tests, of depth or of colours that
  * the special functions leave out. */
@@ -396,7 +420,7 @@ static inline bool is_plain(const fragment_state *state)
 
     return !p->fragment_discards && !p->fragment_writes_depth && !state->moves_depth &&
            !state->clamps_depth && !format_has_stencil(state->depth.format) &&
-           state->combine.replaces;
+           state->combine.use != COLOR_COMBINES;
 }
 
 static inline fragment_source source_of(const gn_pipeline *p)
@@ -413,6 +437,27 @@ static inline fragment_source source_of(const gn_pipeline *p)
     return texture ? SOURCE_TEXTURE : SOURCE_COLOR;
 }
 
+/* Of those with GN_FORMAT_RGBA8 that lay colours over others. */
+static inline run_function *run_over_function_of(gn_format depth, fragment_source source)
+{
+    switch (depth) {
+    case GN_FORMAT_NONE:
+        return source == SOURCE_COLOR     ? run_over_color
+               : source == SOURCE_TEXTURE ? run_over_texture
+                                          : run_over;
+    case GN_FORMAT_D24:
+        return source == SOURCE_COLOR     ? run_over_color_d24
+               : source == SOURCE_TEXTURE ? run_over_texture_d24
+                                          : run_over_d24;
+    case GN_FORMAT_D32F:
+        return source == SOURCE_COLOR     ? run_over_color_d32f
+               : source == SOURCE_TEXTURE ? run_over_texture_d32f
+                                          : run_over_d32f;
+    default:
+        return run_any;
+    }
+}
+
 /* The function that draws blocks under a state. */
 static inline run_function *run_function_of(const fragment_state *state)
 {
@@ -426,6 +471,8 @@ static inline run_function *run_function_of(const fragment_state *state)
                                                        : run_any;
     if (state->color.format != GN_FORMAT_RGBA8)
         return run_any;
+    if (state->combine.use == COLOR_OVER)
+        return run_over_function_of(state->depth.format, source);
     switch (state->depth.format) {
     case GN_FORMAT_NONE:
         return source == SOURCE_COLOR     ? run_color_rgba8

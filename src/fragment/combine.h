@@ -7,22 +7,24 @@
 #include "color.h"
 #include "logic.h"
 
-static inline color_state color_state_of(const gn_pipeline *pipeline)
+static inline void set_color_state(color_state *s, const gn_pipeline *pipeline)
 {
-    color_state s;
-
-    s.written = GN_CHANNEL_ALL & ~pipeline->color_write_disabled;
-    s.written_bits = 0;
+    s->written = GN_CHANNEL_ALL & ~pipeline->color_write_disabled;
+    s->written_bits = 0;
     for (int c = 0; c < 4; ++c) {
-        if (s.written >> c & 1u)
-            s.written_bits |= (int32_t)(0xFFu << 8 * c);
+        if (s->written >> c & 1u)
+            s->written_bits |= (int32_t)(0xFFu << 8 * c);
     }
-    set_blend_state(&s, &pipeline->blend);
-    set_logic_state(&s, pipeline->logic_operation);
-    s.is_logical = pipeline->color_logic;
-    s.blends = pipeline->blend.enabled && !s.is_logical;
-    s.replaces = s.written == GN_CHANNEL_ALL && !s.blends && !s.is_logical;
-    return s;
+    set_blend_state(s, &pipeline->blend);
+    set_logic_state(s, pipeline->logic_operation);
+    s->is_logical = pipeline->color_logic;
+    s->blends = pipeline->blend.enabled && !s->is_logical;
+    s->use = COLOR_COMBINES;
+    if (s->written == GN_CHANNEL_ALL && !s->blends && !s->is_logical)
+        s->use = COLOR_REPLACES;
+    else if (s->written == GN_CHANNEL_ALL && s->blends && GN_SPECIALISED && is_over(&s->color) &&
+             is_over(&s->alpha))
+        s->use = COLOR_OVER;
 }
 
 /* Pixel by pixel, for blocks that hang over the surface's edge. */
@@ -41,7 +43,7 @@ GN_OUT_OF_LINE lanes_i load_covered_pixels(const gn_surface *surface, int32_t x,
     return lanes_i_load(pixel);
 }
 
-GN_INLINE void combine_rgba8(const color_state *state, const gn_surface *surface,
+GN_INLINE void combine_rgba8(const color_state *state, const gn_surface *surface, color_use use,
                              const fragment_place *at, uint32_t coverage, const lanes_f color[4])
 {
     const bool whole = at->shape == SHAPE_ROW || surface_holds_block(surface, at->x, at->y);
@@ -49,12 +51,15 @@ GN_INLINE void combine_rgba8(const color_state *state, const gn_surface *surface
                                 : load_covered_pixels(surface, at->x, at->y, coverage);
     lanes_i pixels = lanes_pack_unorm8(color[0], color[1], color[2], color[3]);
 
-    if (state->blends)
+    if (use == COLOR_OVER)
+        pixels = blend_over(pixels, there);
+    else if (state->blends)
         pixels = blend_pixels(state, pixels, there);
     else if (state->is_logical)
         pixels = operate_on_bits(state, pixels, there);
-    pixels = lanes_i_or(lanes_i_and(pixels, lanes_i_splat(state->written_bits)),
-                        lanes_i_and(there, lanes_i_splat(~state->written_bits)));
+    if (use != COLOR_OVER)
+        pixels = lanes_i_or(lanes_i_and(pixels, lanes_i_splat(state->written_bits)),
+                            lanes_i_and(there, lanes_i_splat(~state->written_bits)));
     if (!whole) {
         store_covered_pixels(surface, at->x, at->y, coverage, pixels);
         return;
@@ -108,10 +113,11 @@ static inline void combine_rgba32f(const color_state *state, const gn_surface *s
 
 /* write_color for what does not just replace. */
 GN_INLINE void combine_color(const color_state *state, const gn_surface *surface, gn_format format,
-                             const fragment_place *at, uint32_t coverage, const lanes_f color[4])
+                             color_use use, const fragment_place *at, uint32_t coverage,
+                             const lanes_f color[4])
 {
     if (format == GN_FORMAT_RGBA8)
-        combine_rgba8(state, surface, at, coverage, color);
+        combine_rgba8(state, surface, use, at, coverage, color);
     else
         combine_rgba32f(state, surface, at->x, at->y, coverage, color);
 }

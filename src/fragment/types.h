@@ -44,8 +44,14 @@ typedef struct blend_rule {
 } blend_rule;
 
 /* What becomes of a fragment's colour. */
+typedef enum color_use {
+    COLOR_REPLACES, /* it is written as it is, all of it */
+    COLOR_OVER,     /* blended by its alpha and one minus that, in all channels */
+    COLOR_COMBINES  /* as the other members of color_state say */
+} color_use;
+
 typedef struct color_state {
-    bool replaces;           /* it is written as it is, all of it */
+    color_use use;
     uint32_t written;        /* channels: GN_CHANNEL_RED and so on */
     int32_t written_bits;    /* of a pixel of GN_FORMAT_RGBA8 */
     bool blends, is_logical; /* at most one */

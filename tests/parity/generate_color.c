@@ -91,11 +91,22 @@ static gn_blend_equation random_equation(random_source *r)
     return (gn_blend_equation)(random_chance(r, 50) ? 0 : random_below(r, 6));
 }
 
+void lay_over(builder *b)
+{
+    b->state.blend.enabled = true;
+    b->state.blend.source = GN_FACTOR_SOURCE_ALPHA;
+    b->state.blend.destination = GN_FACTOR_ONE_MINUS_SOURCE_ALPHA;
+}
+
 static void random_blend(builder *b)
 {
     random_source *r = &b->random;
     gn_blend *blend = &b->state.blend;
     blend->enabled = true;
+    if (random_chance(r, 25)) { /* what the library has functions of its own for */
+        lay_over(b);
+        return;
+    }
     blend->equation = random_equation(r);
     random_factors(r, &blend->source, &blend->destination);
     if (random_chance(r, 50)) {

@@ -42,7 +42,9 @@ void shape_points(builder *b, uint32_t count)
     const placement p = (placement)random_below(r, PLACE_COUNT);
     b->state.topology = GN_POINTS;
     b->state.point_size = random_size(r);
-    b->state.program_point_size = b->shader == SCENE_VERTEX_COLOR && random_chance(r, 50);
+    /* Sizes of the vertex shader are cut off at the viewport (reference/RULES.md). */
+    b->state.program_point_size =
+        b->shader == SCENE_VERTEX_COLOR && !b->state.viewport.set && random_chance(r, 50);
     for (uint32_t i = 0; i < count; i++) {
         place_end(b, p);
         b->vertices[b->vertex_count - 1].texcoord[0] =

@@ -98,6 +98,9 @@ void generate_points(builder *b);
 void generate_lines(builder *b);
 void generate_mixed(builder *b);
 
+/* Blends by alpha and one minus alpha. */
+void lay_over(builder *b);
+
 /* What mixed draws have of the classes of colours combined with those of the target. */
 void mix_color_state(builder *b);
 

@@ -211,6 +211,8 @@ static void add_textured(builder *b, scene_shader shader, gn_format format)
     b->uniforms.sampler.magnify = (gn_magnify)random_below(r, 2);
     b->uniforms.sampler.minify = (gn_minify)random_below(r, 3);
     random_texcoords(b);
+    if (b->scene->color_format == GN_FORMAT_RGBA8 && random_chance(r, 10))
+        lay_over(b);
     builder_draw(b);
     free(texels);
 }
