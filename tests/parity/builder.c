@@ -199,8 +199,11 @@ void builder_draw(builder *b)
     if (b->index_format != GN_INDEX_NONE && b->index_count == 0)
         for (uint32_t i = 0; i < b->vertex_count; i++)
             builder_index(b, i);
-    if (has_vertex_at_eye(b)) /* reference/RULES.md */
+    /* What reference/RULES.md leaves out. */
+    if (has_vertex_at_eye(b))
         b->state.depth_clamp = false;
+    if (b->scene->depth_format == GN_FORMAT_NONE || b->scene->depth_format == GN_FORMAT_S8)
+        memset(&b->state.polygon_offset, 0, sizeof b->state.polygon_offset);
     const uint32_t count = b->index_format == GN_INDEX_NONE ? b->vertex_count : b->index_count;
     if (b->lead + b->trail > 0)
         add_margins(b);
