@@ -2,6 +2,7 @@
 #include "gnomon/draw.h"
 
 #include "../backends/have.h"
+#include "../fragment/types.h"
 #include "../geometry/assemble.h"
 #include "../lanes/small.h"
 #include "check.h"
@@ -171,6 +172,17 @@ static gn_status run_on(gn_backend backend, const draw_job *job)
     }
 }
 
+/* Whether the draw asks for what this library was compiled without (lanes/small.h). */
+static bool is_left_out(const gn_target *target, const gn_pipeline *p)
+{
+    const bool combines = p->color_write_disabled != 0 || p->blend.enabled || p->color_logic;
+
+    return (!GN_HAVE_LINES && p->topology > GN_TRIANGLE_FAN) ||
+           (!GN_HAVE_STENCIL && format_has_stencil(target->depth.format)) ||
+           (!GN_HAVE_COMBINING && combines) ||
+           (!GN_HAVE_OFFSET && (p->polygon_offset.set || p->depth_clamp));
+}
+
 gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
                   gn_workspace *workspace)
 {
@@ -184,6 +196,8 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
         return status;
     if (target->color.format != GN_FORMAT_NONE && !pipeline->fragment_shader)
         return GN_NO_SHADER;
+    if (is_left_out(target, pipeline))
+        return GN_NOT_COMPILED;
     if (!workspace || !workspace->memory)
         return GN_NULL_POINTER;
     const size_t least = gn_workspace_size(0, pipeline->varying_count);

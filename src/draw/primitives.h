@@ -64,7 +64,7 @@ static inline void add_line(worker *w, const uint32_t vertex[2], uint32_t provok
 static inline void add_kept(worker *w, const uint32_t vertex[3], uint32_t provoking,
                             uint32_t primitive)
 {
-    if (w->kind == KIND_LINE)
+    if (GN_HAVE_LINES && w->kind == KIND_LINE)
         add_line(w, vertex, provoking, primitive);
     else
         add_crossing(w, vertex, provoking, primitive);
@@ -94,7 +94,7 @@ GN_OUT_OF_LINE void add_boxes(worker *w, uint32_t first, uint32_t count)
 /* Adds primitives first to first + count - 1 of the draw. */
 static void add_primitives(worker *w, uint32_t first, uint32_t count)
 {
-    if (kind_of(w->draw->pipeline->topology) == KIND_TRIANGLE)
+    if (!GN_HAVE_LINES || kind_of(w->draw->pipeline->topology) == KIND_TRIANGLE)
         add_triangles(w, first, count);
     else
         add_boxes(w, first, count);

@@ -78,7 +78,7 @@ static void draw_triangles(worker *w, const triangle_list *list)
     const void *const context =
         draw->job->samples_passed ? (const void *)&counted : (const void *)&draw->fragment;
 
-    if (w->kind != KIND_TRIANGLE) {
+    if (GN_HAVE_LINES && w->kind != KIND_TRIANGLE) {
         draw_boxes(w, list, context);
         return;
     }

@@ -41,11 +41,14 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     if (!s->tests_depth && !s->tests_stencil)
         s->depth.format = GN_FORMAT_NONE;
     s->test = depth_state_of(pipeline);
-    s->stencil[0] = stencil_state_of(&pipeline->stencil_front);
-    s->stencil[1] = stencil_state_of(&pipeline->stencil_back);
+    if (GN_HAVE_STENCIL) {
+        s->stencil[0] = stencil_state_of(&pipeline->stencil_front);
+        s->stencil[1] = stencil_state_of(&pipeline->stencil_back);
+    }
     s->moves_depth =
         pipeline->polygon_offset.set && (s->tests_depth || pipeline->fragment_reads_position);
-    set_color_state(&s->combine, pipeline);
+    if (GN_HAVE_COMBINING)
+        set_color_state(&s->combine, pipeline);
     s->limits = depth_limits_of(pipeline, viewport);
     s->clamps_depth = s->tests_depth && (s->limits.low != 0.0f || s->limits.high != 1.0f);
 }
@@ -76,7 +79,7 @@ GN_OUT_OF_LINE void place_fragments(const gn_pipeline *pipeline, raster_triangle
         position[0][l] = (float)(x + l % BLOCK_SIZE) + 0.5f;
         position[1][l] = (float)(y + l / BLOCK_SIZE) + 0.5f;
     }
-    if (pipeline->polygon_offset.set)
+    if (GN_HAVE_OFFSET && pipeline->polygon_offset.set)
         depth = lanes_add(depth, lanes_splat(triangle_offset(triangle, pipeline->varying_count)));
     lanes_store(position[2], depth);
     lanes_store(position[3], plane_in_block(w, (float)x, (float)y));
@@ -135,10 +138,10 @@ GN_INLINE void sample_texture(const gn_textured_uniforms *uniforms, const fragme
 GN_INLINE uint32_t test_whole(const fragment_state *state, const fragment_place *at,
                               raster_triangle triangle, uint32_t coverage, lanes_f depth)
 {
-    if (state->clamps_depth)
+    if (GN_HAVE_OFFSET && state->clamps_depth)
         depth = lanes_max(lanes_min(depth, lanes_splat(state->limits.high)),
                           lanes_splat(state->limits.low));
-    if (format_has_stencil(state->depth.format)) {
+    if (GN_HAVE_STENCIL && format_has_stencil(state->depth.format)) {
         const uint32_t varyings = state->pipeline->varying_count;
 
         return test_stencil(state, at, identity_of(triangle, varyings).back != 0, coverage, depth);
@@ -165,7 +168,7 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
     if (p->fragment_writes_depth) {
         lanes_store(written, depth);
         verdict.depth = written;
-    } else if (state->moves_depth) {
+    } else if (GN_HAVE_OFFSET && state->moves_depth) {
         depth = lanes_add(depth, lanes_splat(triangle_offset(triangle, p->varying_count)));
     }
     if (!late)
@@ -183,7 +186,7 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
         coverage = test_whole(state, at, triangle, coverage, depth);
     if (!coverage || state->color.format == GN_FORMAT_NONE)
         return coverage;
-    if (state->combine.use == COLOR_REPLACES)
+    if (!GN_HAVE_COMBINING || state->combine.use == COLOR_REPLACES)
         write_color(&state->color, state->color.format, at, coverage, color);
     else
         combine_color(&state->combine, &state->color, state->color.format, state->combine.use, at,

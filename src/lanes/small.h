@@ -1,5 +1,5 @@
-/* What GN_SMALL implies. It asks for little code, at the price of speed; the pixels are the
- * same, and so are the sizes of workspaces. */
+/* What GN_SMALL implies, which asks for little code at the price of speed, the pixels and the
+ * sizes of workspaces being the same, and GN_BASIC, which asks for fewer features. */
 #ifndef GN_LANES_SMALL_H
 #define GN_LANES_SMALL_H
 
@@ -17,6 +17,20 @@
 /* Whether draws run in tasks on the caller's threads; otherwise the calling thread draws
  * alone. */
 #define GN_HAVE_TASKS (!GN_IS_SMALL)
+
+/* With GN_BASIC only triangles are drawn, under a depth test and with colours that replace
+ * those that are there; what else a draw asks for is GN_NOT_COMPILED. */
+#if defined(GN_BASIC)
+#define GN_HAVE_LINES 0
+#define GN_HAVE_STENCIL 0
+#define GN_HAVE_COMBINING 0
+#define GN_HAVE_OFFSET 0
+#else
+#define GN_HAVE_LINES 1
+#define GN_HAVE_STENCIL 1
+#define GN_HAVE_COMBINING 1 /* blending, logical operations, write masks */
+#define GN_HAVE_OFFSET 1    /* polygon offset, depth clamp */
+#endif
 
 /* Whether operations of the portable lanes are called with addresses (calls.h). */
 #if GN_IS_SMALL && defined(__GNUC__)

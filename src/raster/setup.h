@@ -143,7 +143,7 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
     }
     set_basis(&basis, x, y);
     make_plane(&basis, z, batch->plane[DEPTH_PLANE]);
-    if (offset->moves)
+    if (GN_HAVE_OFFSET && offset->moves)
         lanes_store(batch->plane[VARYING_PLANES + pipeline->varying_count][IDENTITY_OFFSET],
                     offset_depths(offset, x, y, z));
     make_plane(&basis, w, batch->plane[ONE_OVER_W_PLANE]);

@@ -75,7 +75,7 @@ static gn_status draw_cube(const gn_target *target, float away)
     static uint32_t texels[TEXTURE_SIZE * TEXTURE_SIZE];
     static gn_mesh mesh;
     static gn_pipeline pipeline;
-    gn_workspace workspace = {workspace_memory, sizeof workspace_memory, GN_BACKEND_AUTO, 0, 0, 0};
+    gn_workspace workspace = {.memory = workspace_memory, .size = sizeof workspace_memory};
     gn_status status;
 
     mesh.attribute[GN_ATTRIBUTE_POSITION].data = position[0];
