@@ -179,13 +179,16 @@ EXACT(trace)
     }
 }
 
+/* Sums are taken in the order of the shaders that pictures are compared with (mat.h). */
+static const char glsl_order[] = "the order of operations is GLSL's";
+
 static const struct row rows[] = {
-    ROW(multiply3, "mat3 multiply", 18, 9, 50, NULL, 3, 3),
-    ROW(multiply4, "mat4 multiply", 32, 16, 50, NULL, 4, 4),
-    ROW(vector3, "mat3 times vec3", 12, 3, 50, NULL, 3, 3),
-    ROW(vector4, "mat4 times vec4", 20, 4, 50, NULL, 4, 4),
-    ROW(point, "mat4 transform point", 20, 3, 50, NULL, 4, 4),
-    ROW(direction, "mat4 transform direction", 20, 3, 50, NULL, 3, 4),
+    ROW(multiply3, "mat3 multiply", 18, 9, 50, NULL, 3, 3, .fixed = glsl_order),
+    ROW(multiply4, "mat4 multiply", 32, 16, 50, NULL, 4, 4, .fixed = glsl_order),
+    ROW(vector3, "mat3 times vec3", 12, 3, 50, NULL, 3, 3, .fixed = glsl_order),
+    ROW(vector4, "mat4 times vec4", 20, 4, 50, NULL, 4, 4, .fixed = glsl_order),
+    ROW(point, "mat4 transform point", 20, 3, 50, NULL, 4, 4, .fixed = glsl_order),
+    ROW(direction, "mat4 transform direction", 20, 3, 50, NULL, 3, 4, .fixed = glsl_order),
     ROW(transpose3, "mat3 transpose", 9, 9, 120, NULL, 0, 0),
     ROW(transpose4, "mat4 transpose", 16, 16, 120, NULL, 0, 0),
     ROW(trace, "mat4 trace", 16, 1, 60, NULL, 3, 3),
