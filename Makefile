@@ -31,6 +31,14 @@ PROPERTY_SOURCES = $(sort $(wildcard tests/property/*.c))
 ACCURACY_SOURCES = $(sort $(wildcard tests/accuracy/*.c))
 EXHAUSTIVE_SOURCES = $(sort $(wildcard tests/exhaustive/*.c))
 
+# What `make accuracy` compares besides cglm: GLM and Eigen, where the C++ compiler finds them.
+EIGEN_FLAGS = -isystem /usr/include/eigen3
+HASH := \#
+has_header = $(shell printf '$(HASH)if !__has_include(<$(1)>)\n$(HASH)error\n$(HASH)endif\n' | \
+	$(CXX) -std=c++17 $(EIGEN_FLAGS) -E -x c++ - >/dev/null 2>&1 && echo yes)
+ACCURACY_PEERS := $(if $(call has_header,glm/glm.hpp),glm) $(if $(call has_header,Eigen/Dense),eigen)
+PEER_OBJECTS = $(patsubst %,$(BUILD)/tests/accuracy/%.o,$(ACCURACY_PEERS))
+
 # The property runner: libtheft where there is one, otherwise our own.
 THEFT_FOUND := $(shell $(PKG_CONFIG) --exists libtheft 2>/dev/null && echo yes)
 ifeq ($(THEFT_FOUND),yes)
@@ -179,7 +187,15 @@ $(BUILD)/hashes: $(call objects,tests/portability/hashes.c $(SCENE_SOURCES) $(LI
 $(BUILD)/theft-selftest: $(call objects,$(sort $(wildcard tests/theft/*.c)))
 	$(LINK) -lcmocka -lm
 
-$(BUILD)/accuracy: $(call objects,$(ACCURACY_SOURCES)) $(BUILD)/libgnomon.a
+$(PEER_OBJECTS): $(BUILD)/%.o: %.cpp Makefile
+	@mkdir -p $(@D)
+	@echo '  CXX $<'
+	@$(CXX) -std=c++17 -pedantic -Wall -Wextra -Wshadow -Werror $(CFLAGS) $(FLOAT_FLAGS) $(EIGEN_FLAGS) \
+		-MMD -MP -c $< -o $@
+
+# Linked as C++ where a part is.
+$(BUILD)/accuracy: private CC := $(if $(PEER_OBJECTS),$(CXX),$(CC))
+$(BUILD)/accuracy: $(call objects,$(ACCURACY_SOURCES)) $(PEER_OBJECTS) $(BUILD)/libgnomon.a
 	$(LINK) -lm
 
 $(BUILD)/test_cglm: $(BUILD)/tests/differential/test_cglm.o \
@@ -242,7 +258,7 @@ exhaustive: $(BUILD)/exhaustive ## the scalar functions on all 2^32 arguments ag
 INPUTS ?= 200000
 
 .PHONY: accuracy
-accuracy: $(BUILD)/accuracy ## errors of functions beside cglm's: SEED=1 INPUTS=200000
+accuracy: $(BUILD)/accuracy ## errors of functions beside cglm's, GLM's, Eigen's: SEED=1 INPUTS=200000
 	@$(BUILD)/accuracy --seed $(SEED) --inputs $(INPUTS)
 
 .PHONY: prove

@@ -112,7 +112,9 @@ gn_status gn_vec2_normalize(gn_vec2 v, gn_vec2 *result)
     if (square == 0.0f) {
         return GN_DEGENERATE;
     }
-    *result = gn_vec2_scale(v, 1.0f / gn_sqrt(square));
+    const float length = gn_sqrt(square);
+    result->x = v.x / length;
+    result->y = v.y / length;
     return GN_OK;
 }
 
@@ -125,19 +127,6 @@ static gn_status prepare_vec3(gn_vec3 *v, float *square)
     *v = gn_vec3_scale(*v, scale_for(gn_vec3_dot(*v, *v)));
     *square = gn_vec3_dot(*v, *v);
     return *square == 0.0f ? GN_DEGENERATE : GN_OK;
-}
-
-gn_status gn_vec3_normalize(gn_vec3 v, gn_vec3 *result)
-{
-    float square;
-    if (!result) {
-        return GN_NULL_POINTER;
-    }
-    gn_status status = prepare_vec3(&v, &square);
-    if (status == GN_OK) {
-        *result = gn_vec3_scale(v, 1.0f / gn_sqrt(square));
-    }
-    return status;
 }
 
 gn_status gn_vec3_unit(gn_vec3 v, gn_vec3 *result)
@@ -156,6 +145,11 @@ gn_status gn_vec3_unit(gn_vec3 v, gn_vec3 *result)
         result->z = z;
     }
     return status;
+}
+
+gn_status gn_vec3_normalize(gn_vec3 v, gn_vec3 *result)
+{
+    return result ? gn_vec3_unit(v, result) : GN_NULL_POINTER;
 }
 
 gn_status gn_vec4_normalize(gn_vec4 v, gn_vec4 *result)

@@ -4,9 +4,8 @@
 
 #include <gnomon/vec.h>
 
-/* v divided by its length (a division a component, so nearer to unit length than
- * the product with a reciprocal: the squared length is within 7 * 2^-24 of 1),
- * or GN_NOT_FINITE or GN_DEGENERATE and nothing written. */
+/* gn_vec3_normalize of a result that is not null: v divided by its length, so that the squared
+ * length is within 7 * 2^-24 of 1, or GN_NOT_FINITE or GN_DEGENERATE and nothing written. */
 gn_status gn_vec3_unit(gn_vec3 v, gn_vec3 *result);
 
 #endif

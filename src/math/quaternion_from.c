@@ -53,6 +53,31 @@ static bool is_rotation(const gn_mat3 *m)
     return rotation;
 }
 
+/* How far from 1 the squared length of a quotient may be, which is off by 4 u of its own, so
+ * that its length is within 5.5 u of 1. */
+#define UNIT_TOLERANCE 0x1.cp-22f
+
+/* `part` over the length of a column, of which the square's own is a quarter. */
+static float quotient_of(float part, float square, float length)
+{
+    return part == square ? 0.25f * length : part / length;
+}
+
+/* The direction of a column below, whose number on the diagonal is `square`. Of an exact rotation
+ * the length is 2 sqrt(square), which is nearer to it than the root of a rounded sum of squares. */
+static gn_status unit_of(gn_quat column, float square, gn_quat *result)
+{
+    const float length = 2.0f * gn_sqrt(square);
+    const gn_quat q = {quotient_of(column.x, square, length), quotient_of(column.y, square, length),
+                       quotient_of(column.z, square, length),
+                       quotient_of(column.w, square, length)};
+    if (gn_magnitude(gn_quat_dot(q, q) - 1.0f) > UNIT_TOLERANCE) {
+        return gn_quat_normalize(column, result);
+    }
+    *result = q;
+    return GN_OK;
+}
+
 /* For q = (x, y, z, w) of length one, sums and differences of m's entries are 4 q w, 4 q x,
  * 4 q y and 4 q z (S. W. Shepperd, Quaternion from rotation matrix, Journal of Guidance and
  * Control 1, 1978). The largest of the squares among them is at least 1, so that column
@@ -84,9 +109,10 @@ gn_status gn_quat_from_mat3(const gn_mat3 *m, gn_quat *result)
         most = by_y;
     }
     if (by_z.z > square) {
+        square = by_z.z;
         most = by_z;
     }
-    return gn_quat_normalize(most, result);
+    return unit_of(most, square, result);
 }
 
 /* (a x b, 1 + a.b) is twice the cosine of half the angle, times the rotation. */

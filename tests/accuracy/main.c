@@ -1,5 +1,5 @@
-/* make accuracy: errors of our functions beside another library's over the same inputs, against
- * long double. Exit status 1 where the other library is closer. */
+/* make accuracy: errors of our functions beside other libraries' over the same inputs, against
+ * long double. Exit status 1 where another library is closer. */
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
@@ -9,7 +9,14 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <cglm/version.h>
+
+#include "peers.h"
 #include "rows.h"
+
+#define TEXT(x) #x
+#define DOTTED(a, b, c) TEXT(a) "." TEXT(b) "." TEXT(c)
+#define CGLM_VERSION DOTTED(CGLM_VERSION_MAJOR, CGLM_VERSION_MINOR, CGLM_VERSION_PATCH)
 
 static const char help[] =
     "usage: accuracy [--seed S] [--inputs N]\n"
@@ -19,58 +26,150 @@ static const char help[] =
     "The unit is 2^-24 of what the function's bound is stated in (tests/accuracy/rows.h), for\n"
     "scalar functions one unit in the last place. Inputs of magnitudes 1/8 to 16 and, every\n"
     "second one, small whole numbers, powers of two and neighbours.\n"
-    "The other library is closer where its mean error is smaller than ours by a twentieth (two\n"
+    "Another library is closer where its mean error is smaller than ours by a twentieth (two\n"
     "orders of the same sum differ by less) and by four standard errors, or its largest is less\n"
-    "than half of ours.\n"
+    "than half of ours. That is a failure, except where our contract fixes what makes it so: the\n"
+    "row then says what. '-' stands where a library has no such function.\n"
+    "\n"
+    "GLM and Eigen are compared too where they are installed (Debian: libglm-dev and\n"
+    "libeigen3-dev) when this program is built; then `make accuracy` has their columns.\n"
     "\n"
     "  --seed S     what the inputs are made from; printed first (default: the time)\n"
     "  --inputs N   for each function (default 200000)\n"
     "\n"
     "Exit status: 0 nowhere closer, 1 somewhere, 2 usage.\n";
 
-/* Of one row over all inputs. `difference` is ours minus theirs. */
+enum { CGLM, MOST_PEERS = 3 };
+
+static const struct peer *peers[MOST_PEERS];
+static int peer_count;
+
+/* Of one library in one row; `difference_squares` of the errors, ours minus theirs. */
+struct errors {
+    double largest, sum, difference_squares;
+};
+
+/* Of one row over all inputs. */
 struct measured {
     uint64_t count;
-    double own_largest, other_largest, own_sum, other_sum, difference_squares;
+    struct errors own, other[MOST_PEERS];
 };
+
+typedef void call(float *in, float *out);
+
+/* Null where the library has no such function. */
+static call *function_of(const struct row *row, int peer)
+{
+    if (peer == CGLM)
+        return row->other;
+    for (size_t i = 0; i < peers[peer]->count; ++i)
+        if (strcmp(peers[peer]->functions[i].row, row->name) == 0)
+            return peers[peer]->functions[i].call;
+    return NULL;
+}
+
+static double add_error(const struct row *row, const struct exact *exact, float *out,
+                        struct errors *errors)
+{
+    settle_sign(row, exact, out);
+    const double error = error_of(row, out, exact);
+    errors->sum += error;
+    errors->largest = fmax(errors->largest, error);
+    return error;
+}
 
 static void measure(const struct row *row, uint64_t seed, uint64_t inputs, struct measured *m)
 {
     uint64_t state = seed * 0x9E3779B97F4A7C15u + 1;
+    call *functions[MOST_PEERS];
     memset(m, 0, sizeof *m);
+    for (int peer = 0; peer < peer_count; ++peer)
+        functions[peer] = function_of(row, peer);
     for (uint64_t i = 0; i < inputs; ++i) {
-        float in[MOST_INPUTS] = {0}, copy[MOST_INPUTS], own[MOST_OUTPUTS], other[MOST_OUTPUTS];
+        float in[MOST_INPUTS] = {0}, copy[MOST_INPUTS], out[MOST_OUTPUTS];
         struct exact exact;
         make_inputs(row, i % 2 == 0 ? RANDOM : STRUCTURED, &state, in);
-        if (!row->own(in, own))
+        if (!row->own(in, out))
             continue;
-        memcpy(copy, in, sizeof copy);
-        row->other(copy, other);
         evaluate(row, in, &exact);
-        const double own_error = error_of(row, own, &exact);
-        const double other_error = error_of(row, other, &exact);
+        const double own_error = add_error(row, &exact, out, &m->own);
         ++m->count;
-        m->own_sum += own_error;
-        m->other_sum += other_error;
-        m->difference_squares += (own_error - other_error) * (own_error - other_error);
-        m->own_largest = fmax(m->own_largest, own_error);
-        m->other_largest = fmax(m->other_largest, other_error);
+        for (int peer = 0; peer < peer_count; ++peer) {
+            if (!functions[peer])
+                continue;
+            memcpy(copy, in, sizeof copy);
+            functions[peer](copy, out);
+            struct errors *const other = &m->other[peer];
+            const double difference = own_error - add_error(row, &exact, out, other);
+            other->difference_squares += difference * difference;
+        }
     }
 }
 
 /* An infinite error of theirs is never closer, one of ours always worse. */
-static int other_is_closer(const struct measured *m)
+static bool is_closer(const struct measured *m, const struct errors *other)
 {
     const double n = (double)m->count;
-    const double own_mean = m->own_sum / n, other_mean = m->other_sum / n;
-    const double standard_error = sqrt(m->difference_squares) / n;
+    const double own_mean = m->own.sum / n, other_mean = other->sum / n;
+    const double standard_error = sqrt(other->difference_squares) / n;
     if (m->count == 0 || !isfinite(own_mean))
-        return 1;
+        return true;
     if (!isfinite(other_mean))
-        return 0;
+        return false;
     return (own_mean - other_mean > 4.0 * standard_error &&
             own_mean - other_mean > 0.05 * other_mean) ||
-           m->own_largest > 2.0 * m->other_largest;
+           m->own.largest > 2.0 * other->largest;
+}
+
+static void print_errors(const struct errors *errors, double n)
+{
+    printf(" %9.4g %7.4f", errors->largest, errors->sum / n);
+}
+
+/* Prints the row; whether another library is closer where nothing fixes that. */
+static bool print_row(const struct row *row, const struct measured *m)
+{
+    int closer = 0;
+    printf("%-28s", row->name);
+    print_errors(&m->own, (double)m->count);
+    for (int peer = 0; peer < peer_count; ++peer) {
+        if (function_of(row, peer))
+            print_errors(&m->other[peer], (double)m->count);
+        else
+            printf(" %9s %7s", "-", "-");
+    }
+    for (int peer = 0; peer < peer_count; ++peer)
+        if (function_of(row, peer) && is_closer(m, &m->other[peer]))
+            printf("%s%s", closer++ == 0 ? "  closer: " : ", ", peers[peer]->name);
+    if (closer > 0 && row->fixed)
+        printf(" (%s)", row->fixed);
+    putchar('\n');
+    fflush(stdout);
+    return closer > 0 && !row->fixed;
+}
+
+/* The libraries; whether every function of theirs is in a row. */
+static bool find_peers(const struct table *const *tables, size_t count)
+{
+    static const struct peer cglm = {"cglm", CGLM_VERSION, NULL, 0};
+    const struct peer *const all[MOST_PEERS] = {&cglm, &glm_peer, &eigen_peer};
+    bool known = true;
+    for (int i = 0; i < MOST_PEERS; ++i)
+        if (all[i])
+            peers[peer_count++] = all[i];
+    for (int peer = 0; peer < peer_count; ++peer) {
+        for (size_t i = 0; i < peers[peer]->count; ++i) {
+            const char *name = peers[peer]->functions[i].row;
+            bool found = false;
+            for (size_t t = 0; t < count; ++t)
+                for (size_t r = 0; r < tables[t]->count; ++r)
+                    found = found || strcmp(tables[t]->rows[r].name, name) == 0;
+            if (!found)
+                fprintf(stderr, "accuracy: %s: no row '%s'\n", peers[peer]->name, name);
+            known = known && found;
+        }
+    }
+    return known;
 }
 
 static int parse(const char *text, uint64_t *number)
@@ -103,22 +202,25 @@ int main(int argc, char **argv)
         }
     }
     printf("accuracy: seed %" PRIu64 ", %" PRIu64 " inputs each\n", seed, inputs);
-    printf("%-28s %10s %10s %10s %10s\n", "error in units of 2^-24", "largest", "mean", "other's",
-           "mean");
-    for (size_t t = 0; t < sizeof tables / sizeof tables[0]; ++t) {
+    const size_t table_count = sizeof tables / sizeof tables[0];
+    if (!find_peers(tables, table_count))
+        return 2;
+    printf("compared with");
+    for (int peer = 0; peer < peer_count; ++peer)
+        printf("%s %s %s", peer == 0 ? "" : ",", peers[peer]->name, peers[peer]->version);
+    printf("\n%-28s %9s %7s", "error in units of 2^-24", "largest", "mean");
+    for (int peer = 0; peer < peer_count; ++peer)
+        printf(" %9s %7s", peers[peer]->name, "mean");
+    putchar('\n');
+    for (size_t t = 0; t < table_count; ++t) {
         for (size_t i = 0; i < tables[t]->count; ++i) {
             const struct row *row = &tables[t]->rows[i];
             struct measured m;
             if (terminal)
                 fprintf(stderr, "\r%s\033[K\r", row->name);
             measure(row, seed, inputs, &m);
-            const int worse = other_is_closer(&m);
-            const double n = (double)m.count;
-            printf("%-28s %10.3f %10.4f %10.3f %10.4f%s\n", row->name, m.own_largest, m.own_sum / n,
-                   m.other_largest, m.other_sum / n, worse ? "  the other is closer" : "");
-            fflush(stdout);
+            closer += print_row(row, &m);
             ++functions;
-            closer += worse;
         }
     }
     printf("%d functions, %d where another library is closer\n", functions, closer);

@@ -57,6 +57,15 @@ void evaluate(const struct row *row, const float *in, struct exact *exact)
             exact->other_scale[i] = exact->scale[i];
 }
 
+void settle_sign(const struct row *row, const struct exact *exact, float *out)
+{
+    long double cosine = 0.0L;
+    for (int i = 0; i < row->outputs; ++i)
+        cosine += (long double)out[i] * exact->value[i];
+    for (int i = 0; i < row->outputs && row->up_to_sign && cosine < 0.0L; ++i)
+        out[i] = -out[i];
+}
+
 double error_of(const struct row *row, const float *out, const struct exact *exact)
 {
     double largest = 0.0;

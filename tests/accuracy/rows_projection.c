@@ -205,26 +205,20 @@ CONVENTION(perspective, perspective, rh_zo, 2, true, false, in[0], in[1], in[2],
 CONVENTION(perspective, perspective, lh_no, 2, false, true, in[0], in[1], in[2], in[3])
 CONVENTION(perspective, perspective, lh_zo, 2, true, true, in[0], in[1], in[2], in[3])
 
-#define ROW(name, text, inputs, exponents, prepare, own_bound, other_bound)                        \
-    {                                                                                              \
-        text, inputs, 16, exponents, prepare, own_##name, other_##name, exact_##name, own_bound,   \
-            other_bound                                                                            \
-    }
-
 static const struct row rows[] = {
-    ROW(orthographic, "orthographic rh no", 6, 30, prepare_box, 3, 4),
-    ROW(frustum, "frustum rh no", 6, 20, prepare_frustum, 3, 4),
-    ROW(perspective, "perspective rh no", 4, 20, prepare_perspective, 3, 4),
-    ROW(perspective_inverse, "perspective rh no, inverse", 4, 20, prepare_perspective, 7, -1),
-    ROW(orthographic_rh_zo, "orthographic rh zo", 6, 30, prepare_box, 3, 4),
-    ROW(orthographic_lh_no, "orthographic lh no", 6, 30, prepare_box, 3, 4),
-    ROW(orthographic_lh_zo, "orthographic lh zo", 6, 30, prepare_box, 3, 4),
-    ROW(frustum_rh_zo, "frustum rh zo", 6, 20, prepare_frustum, 3, 4),
-    ROW(frustum_lh_no, "frustum lh no", 6, 20, prepare_symmetric, 3, 4),
-    ROW(frustum_lh_zo, "frustum lh zo", 6, 20, prepare_symmetric, 3, 4),
-    ROW(perspective_rh_zo, "perspective rh zo", 4, 20, prepare_perspective, 3, 4),
-    ROW(perspective_lh_no, "perspective lh no", 4, 20, prepare_perspective, 3, 4),
-    ROW(perspective_lh_zo, "perspective lh zo", 4, 20, prepare_perspective, 3, 4),
+    ROW(orthographic, "orthographic rh no", 6, 16, 30, prepare_box, 3, 4),
+    ROW(frustum, "frustum rh no", 6, 16, 20, prepare_frustum, 3, 4),
+    ROW(perspective, "perspective rh no", 4, 16, 20, prepare_perspective, 3, 4),
+    ROW(perspective_inverse, "perspective rh no, inverse", 4, 16, 20, prepare_perspective, 7, -1),
+    ROW(orthographic_rh_zo, "orthographic rh zo", 6, 16, 30, prepare_box, 3, 4),
+    ROW(orthographic_lh_no, "orthographic lh no", 6, 16, 30, prepare_box, 3, 4),
+    ROW(orthographic_lh_zo, "orthographic lh zo", 6, 16, 30, prepare_box, 3, 4),
+    ROW(frustum_rh_zo, "frustum rh zo", 6, 16, 20, prepare_frustum, 3, 4),
+    ROW(frustum_lh_no, "frustum lh no", 6, 16, 20, prepare_symmetric, 3, 4),
+    ROW(frustum_lh_zo, "frustum lh zo", 6, 16, 20, prepare_symmetric, 3, 4),
+    ROW(perspective_rh_zo, "perspective rh zo", 4, 16, 20, prepare_perspective, 3, 4),
+    ROW(perspective_lh_no, "perspective lh no", 4, 16, 20, prepare_perspective, 3, 4),
+    ROW(perspective_lh_zo, "perspective lh zo", 4, 16, 20, prepare_perspective, 3, 4),
 };
 
 const struct table projection_rows = {rows, sizeof rows / sizeof rows[0]};

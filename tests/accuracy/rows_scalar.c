@@ -94,18 +94,17 @@ static void prepare_pow(float *in)
     in[1] = remainderf(in[1], 242.0f / (fabsf(log2f(in[0])) + 6.0f));
 }
 
-#define ROW(name, inputs, prepare, exponents)                                                      \
-    {                                                                                              \
-#name, inputs, 1, exponents, prepare, own_##name, other_##name, exact_##name, 0.5000001,   \
-            -1.0                                                                                   \
-    }
+#define SCALAR(name, inputs, exponents, prepare)                                                   \
+    ROW(name, #name, inputs, 1, exponents, prepare, 0.5000001, -1.0)
 
 static const struct row rows[] = {
-    ROW(sqrt, 1, positive, 120), ROW(sin, 1, NULL, 30),        ROW(cos, 1, NULL, 30),
-    ROW(tan, 1, NULL, 30),       ROW(asin, 1, at_most_1, 10),  ROW(acos, 1, at_most_1, 10),
-    ROW(atan, 1, NULL, 30),      ROW(atan2, 2, NULL, 30),      ROW(rsqrt, 1, positive, 120),
-    ROW(exp2, 1, NULL, 5),       ROW(exp, 1, NULL, 5),         ROW(log2, 1, positive, 120),
-    ROW(log, 1, positive, 120),  ROW(pow, 2, prepare_pow, 20),
+    SCALAR(sqrt, 1, 120, positive),  SCALAR(sin, 1, 30, NULL),
+    SCALAR(cos, 1, 30, NULL),        SCALAR(tan, 1, 30, NULL),
+    SCALAR(asin, 1, 10, at_most_1),  SCALAR(acos, 1, 10, at_most_1),
+    SCALAR(atan, 1, 30, NULL),       SCALAR(atan2, 2, 30, NULL),
+    SCALAR(rsqrt, 1, 120, positive), SCALAR(exp2, 1, 5, NULL),
+    SCALAR(exp, 1, 5, NULL),         SCALAR(log2, 1, 120, positive),
+    SCALAR(log, 1, 120, positive),   SCALAR(pow, 2, 20, prepare_pow),
 };
 
 const struct table scalar_rows = {rows, sizeof rows / sizeof rows[0]};

@@ -4,6 +4,7 @@
 
 #define CGLM_ALL_UNALIGNED
 #include <cglm/cglm.h>
+#include <cglm/clipspace/view_lh.h>
 
 #include "rows.h"
 #include "wide.h"
@@ -159,6 +160,16 @@ OTHER(look_at)
 {
     glm_lookat_rh(in, in + 3, in + 6, (vec4 *)out);
 }
+OWN(look_at_lh)
+{
+    gn_transform t;
+    return put_matrix(gn_look_at_lh(vec3_of(in), vec3_of(in + 3), vec3_of(in + 6), &t), &t.matrix,
+                      out);
+}
+OTHER(look_at_lh)
+{
+    glm_lookat_lh(in, in + 3, in + 6, (vec4 *)out);
+}
 static void wide_cross(const wide *a, const wide *b, wide *r)
 {
     for (int i = 0; i < 3; ++i)
@@ -195,6 +206,13 @@ EXACT(look_at)
     }
     relative(exact, 15, 1.0L);
 }
+/* Of a left-handed space: x = up cross forward and z = forward, both the other way. */
+EXACT(look_at_lh)
+{
+    exact_look_at(in, exact);
+    for (int i = 0; i < 16; i += 2)
+        exact->value[i] = -exact->value[i];
+}
 /* Structured inputs whose view or up is nothing, or nearly the other, get another. */
 static void prepare_view(float *in)
 {
@@ -213,20 +231,15 @@ static void prepare_view(float *in)
     }
 }
 
-#define ROW(name, text, inputs, exponents, prepare, own_bound, other_bound)                        \
-    {                                                                                              \
-        text, inputs, 16, exponents, prepare, own_##name, other_##name, exact_##name, own_bound,   \
-            other_bound                                                                            \
-    }
-
 static const struct row rows[] = {
-    ROW(translate, "translate", 3, 120, NULL, 0, 0),
-    ROW(scale, "scale", 3, 120, NULL, 0, 0),
-    ROW(x, "rotate x", 1, 20, angle_first, 0.5, 1),
-    ROW(y, "rotate y", 1, 20, angle_first, 0.5, 1),
-    ROW(z, "rotate z", 1, 20, angle_first, 0.5, 1),
-    ROW(axis, "rotate axis", 4, 55, angle_first, 18.5, 23),
-    ROW(look_at, "look at rh", 9, 25, prepare_view, 32, 26),
+    ROW(translate, "translate", 3, 16, 120, NULL, 0, 0),
+    ROW(scale, "scale", 3, 16, 120, NULL, 0, 0),
+    ROW(x, "rotate x", 1, 16, 20, angle_first, 0.5, 1),
+    ROW(y, "rotate y", 1, 16, 20, angle_first, 0.5, 1),
+    ROW(z, "rotate z", 1, 16, 20, angle_first, 0.5, 1),
+    ROW(axis, "rotate axis", 4, 16, 55, angle_first, 18.5, 23),
+    ROW(look_at, "look at rh", 9, 16, 25, prepare_view, 32, 26),
+    ROW(look_at_lh, "look at lh", 9, 16, 25, prepare_view, 32, 26),
 };
 
 const struct table transform_rows = {rows, sizeof rows / sizeof rows[0]};

@@ -317,8 +317,8 @@ static enum theft_trial_res lengths_and_directions(struct theft *t, void *arg)
             length += v[k] * v[k];
         }
         /* Its length, and that it points where v does. */
-        if (!(fabs(sqrt(square) - 1.0) <= 5.5 * U) ||
-            !(fabs(along / sqrt(length) - 1.0) <= 5.5 * U))
+        const double bound = ((i + 2) / 2.0 + 2.0) * U;
+        if (!(fabs(sqrt(square) - 1.0) <= bound) || !(fabs(along / sqrt(length) - 1.0) <= bound))
             return THEFT_TRIAL_FAIL;
     }
     return THEFT_TRIAL_PASS;
