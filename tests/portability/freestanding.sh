@@ -83,6 +83,7 @@ command -v gcc >/dev/null && check gcc-O2 gcc -O2 && check gcc-O0 gcc -O0 && che
     check gcc-Ofast gcc -Ofast -march=skylake-avx512 -ffp-contract=fast
 command -v clang >/dev/null && check clang-O2 clang -O2
 check only-portable "${CC:-cc}" -O2 -DGN_ONLY_PORTABLE
+check basic "${CC:-cc}" -O1 -DGN_SMALL -DGN_BASIC
 if command -v arm-none-eabi-gcc >/dev/null; then
     check_microcontroller cortex-m4-O2 -O2
     check_microcontroller cortex-m4-small -Os -DGN_SMALL

@@ -70,6 +70,26 @@ static gn_mat4 camera(float away)
     return m;
 }
 
+#if defined(GN_BASIC)
+/* Whether what the library was compiled without is refused. */
+static bool refuses_the_rest(const gn_target *target, gn_pipeline pipeline, const gn_mesh *mesh,
+                             gn_workspace *workspace)
+{
+    const gn_pipeline good = pipeline;
+    int refused = 0;
+
+    pipeline.topology = GN_LINES;
+    refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
+    pipeline = good;
+    pipeline.blend.enabled = true;
+    refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
+    pipeline = good;
+    pipeline.polygon_offset.set = true;
+    refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
+    return refused == 3;
+}
+#endif
+
 static gn_status draw_cube(const gn_target *target, float away)
 {
     static uint32_t texels[TEXTURE_SIZE * TEXTURE_SIZE];
@@ -116,7 +136,13 @@ static gn_status draw_cube(const gn_target *target, float away)
     mesh.attribute[GN_ATTRIBUTE_COLOR].components = 3;
     status = gn_use_vertex_color(&pipeline, &uniforms);
 #endif
-    return status ? status : gn_draw(target, &pipeline, &mesh, &workspace);
+    if (!status)
+        status = gn_draw(target, &pipeline, &mesh, &workspace);
+#if defined(GN_BASIC)
+    if (!status && !refuses_the_rest(target, pipeline, &mesh, &workspace))
+        status = GN_NOT_COMPILED;
+#endif
+    return status;
 }
 
 static gn_status draw(void)
