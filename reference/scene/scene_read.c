@@ -395,10 +395,10 @@ scene *scene_read(FILE *in, char *error, size_t error_size)
     if (!r.failed && (s->width == 0 || s->height == 0)) {
         fail(&r, "a scene has a size");
     }
-    if (!r.failed && s->color_format != GN_FORMAT_RGBA8 && s->color_format != GN_FORMAT_RGBA32F) {
-        fail(&r, "a scene's color-format is rgba8 or rgba32f");
+    if (!r.failed && !scene_is_color_format(s->color_format)) {
+        fail(&r, "a scene's color-format is one of colours, such as rgba8");
     }
-    if (!r.failed && (s->depth_format == GN_FORMAT_RGBA8 || s->depth_format == GN_FORMAT_RGBA32F)) {
+    if (!r.failed && scene_is_color_format(s->depth_format)) {
         fail(&r, "a scene's depth-format is none, d16, d24 or d32f");
     }
     if (r.failed) {

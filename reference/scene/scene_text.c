@@ -7,7 +7,9 @@
 /* In the order of the values. */
 static const char *const shader_names[] = {"vertex-color", "flat", "gouraud", "textured-gouraud",
                                            "phong"};
-static const char *const format_names[] = {"none", "rgba8", "rgba32f", "d16", "d24", "d32f"};
+static const char *const format_names[] = {
+    "none", "rgba8",  "rgba32f", "d16",   "d24", "d32f",   "bgra8", "r8",      "rg8",
+    "rgb8", "rgb565", "rgb5-a1", "rgba4", "r16", "rgba16", "r32f",  "rgba16f", "srgb8-a8"};
 static const char *const topology_names[] = {"triangles", "triangle-strip", "triangle-fan"};
 static const char *const provoking_names[] = {"last", "first"};
 static const char *const cull_names[] = {"none", "back", "front", "front-and-back"};

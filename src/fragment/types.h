@@ -3,6 +3,7 @@
  *   planes  attributes at the fragments
  *   depth   depth test and depth write
  *   color   conversion to the colour format and write
+ *   formats the same for formats that are less common
  *   block   interpolates, runs depth, the fragment shader and colour
  *
  * State is resolved once a draw, into the run_function (raster/types.h) that the
@@ -23,11 +24,21 @@ typedef struct depth_state {
     bool write;
 } depth_state;
 
+/* Converts red, green, blue and alpha to pixels (formats.h). */
+typedef void encode_colors(const lanes_f color[4], lanes_i word[2]);
+
+/* How a surface holds colours. */
+typedef struct color_codec {
+    encode_colors *encode;
+    uint32_t size; /* bytes of a pixel */
+} color_codec;
+
 typedef struct fragment_state {
     const gn_pipeline *pipeline;
     gn_surface color; /* GN_FORMAT_NONE: no colour */
     gn_surface depth; /* GN_FORMAT_NONE: no test */
     depth_state test;
+    color_codec codec; /* of colour but GN_FORMAT_RGBA8 and RGBA32F */
 } fragment_state;
 
 /* Where lane l is. A row saves most of the work where nothing is asked of neighbouring
@@ -51,13 +62,45 @@ static inline unsigned char *surface_row(const gn_surface *surface, uint32_t y)
     return (unsigned char *)surface->pixels + (ptrdiff_t)y * surface->row_stride;
 }
 
+/* Bytes of one pixel of a format; 0 for GN_FORMAT_NONE and for no format. */
+GN_INLINE uint32_t format_size(gn_format format)
+{
+    switch (format) {
+    case GN_FORMAT_R8:
+        return 1;
+    case GN_FORMAT_D16:
+    case GN_FORMAT_RG8:
+    case GN_FORMAT_RGB565:
+    case GN_FORMAT_RGB5_A1:
+    case GN_FORMAT_RGBA4:
+    case GN_FORMAT_R16:
+        return 2;
+    case GN_FORMAT_RGB8:
+        return 3;
+    case GN_FORMAT_RGBA8:
+    case GN_FORMAT_D24:
+    case GN_FORMAT_D32F:
+    case GN_FORMAT_BGRA8:
+    case GN_FORMAT_R32F:
+    case GN_FORMAT_SRGB8_A8:
+        return 4;
+    case GN_FORMAT_RGBA16:
+    case GN_FORMAT_RGBA16F:
+        return 8;
+    case GN_FORMAT_RGBA32F:
+        return 16;
+    default:
+        return 0;
+    }
+}
+
 /* The memory of a pixel on a surface of the given format, null where there is none. */
 GN_INLINE unsigned char *pixel_memory(const gn_surface *surface, gn_format format, int32_t x,
                                       int32_t y)
 {
-    const int32_t size = format == GN_FORMAT_RGBA32F ? 16 : format == GN_FORMAT_D16 ? 2 : 4;
-
-    return format == GN_FORMAT_NONE ? 0 : surface_row(surface, (uint32_t)y) + x * size;
+    return format == GN_FORMAT_NONE
+               ? 0
+               : surface_row(surface, (uint32_t)y) + x * (int32_t)format_size(format);
 }
 
 /* The 32-bit values of the lanes from `memory` on, in rows `stride` bytes apart. */

@@ -52,6 +52,8 @@ const char *scene_class_name(scene_class c)
         return "float-color";
     case CLASS_COLOR_RANGE:
         return "color-range";
+    case CLASS_FORMATS:
+        return "formats";
     case CLASS_MIXED:
         return "mixed";
     case CLASS_COUNT:
@@ -154,6 +156,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_COLOR_RANGE:
         generate_color_range(&b);
+        break;
+    case CLASS_FORMATS:
+        generate_formats(&b);
         break;
     default:
         generate_mixed(&b);

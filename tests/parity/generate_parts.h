@@ -50,6 +50,9 @@ void shape_strip(builder *b, uint32_t triangles);
 /* Random indices over few vertices; the topology stays. */
 void shape_random_indices(builder *b, placement p, uint32_t vertices, uint32_t triangles);
 
+/* One of the colour formats beside RGBA8 and RGBA32F. */
+gn_format random_color_format(builder *b);
+
 /* One class each, from the target on. */
 void generate_meshes(builder *b);
 void generate_piles(builder *b);
@@ -65,6 +68,7 @@ void generate_textured(builder *b);
 void generate_phong(builder *b);
 void generate_float_color(builder *b);
 void generate_color_range(builder *b);
+void generate_formats(builder *b);
 void generate_mixed(builder *b);
 
 #endif

@@ -339,6 +339,8 @@ static void mixed_draw(builder *b)
 void generate_mixed(builder *b)
 {
     builder_common_target(b);
+    if (random_chance(&b->random, 40))
+        b->scene->color_format = random_color_format(b);
     for (uint32_t draws = 2 + random_below(&b->random, 4); draws > 0; draws--)
         mixed_draw(b);
 }

@@ -67,7 +67,10 @@ static enum theft_alloc_res make_hostile(struct theft *t, void *env, void **outp
     random_source r = random_seed(theft_random_bits(t, 32));
     h->width = 1 + random_below(&r, MAX_SIDE);
     h->height = 1 + random_below(&r, MAX_SIDE);
-    h->color = random_chance(&r, 80) ? GN_FORMAT_RGBA8 : GN_FORMAT_RGBA32F;
+    h->color = random_chance(&r, 40) ? GN_FORMAT_RGBA8
+               : random_chance(&r, 20)
+                   ? GN_FORMAT_RGBA32F
+                   : (gn_format)random_between(&r, GN_FORMAT_BGRA8, GN_FORMAT_SRGB8_A8);
     h->depth = depths[random_below(&r, 4)];
     h->viewport.set = true;
     h->viewport.width = (float)h->width;
