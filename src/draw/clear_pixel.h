@@ -57,8 +57,7 @@ static inline void encode_clear(gn_format format, const float c[4], uint32_t wor
 
     for (int i = 0; i < 4; ++i)
         color[i] = is_float ? lanes_splat(c[i]) : saturated(lanes_splat(c[i]));
-    encoded[1] = lanes_i_splat(0);
-    encode_colors_of(format)(color, encoded);
+    encode_colors(format, color, encoded);
     lanes_i_store(first, encoded[0]);
     lanes_i_store(second, encoded[1]);
     word[0] = (uint32_t)first[0];

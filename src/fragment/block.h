@@ -36,7 +36,6 @@ static inline fragment_state fragment_state_of(const gn_target *target, const gn
     if (!pipeline->depth_test)
         s.depth.format = GN_FORMAT_NONE;
     s.test = depth_state_of(pipeline);
-    s.codec = color_codec_of(target->color.format);
     return s;
 }
 
@@ -114,7 +113,7 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
     if (kind.color_format == GN_FORMAT_RGBA8 || kind.color_format == GN_FORMAT_RGBA32F)
         write_color(&state->color, kind.color_format, at, coverage, color);
     else
-        write_encoded(&state->color, &state->codec, at->x, at->y, coverage, color);
+        write_encoded(&state->color, kind.color_format, at->x, at->y, coverage, color);
 }
 
 /* Neighbouring blocks in a row. */

@@ -1,9 +1,9 @@
-/* Colours in the formats beside RGBA8 and RGBA32F: one conversion a format, chosen once a
- * draw, and pixels stored by their size.
+/* Colours in the formats beside RGBA8 and RGBA32F: one conversion a format, and pixels stored
+ * by their size.
  *
  * A pixel is up to two words: those of 32 bits and less in the low bits of the first, four
  * channels of 16 bits as red, green and blue, alpha. Stages that ask for what a surface holds
- * (blending) come between a color_codec's conversion and store_pixels. */
+ * (blending) come between encode_colors and store_pixels. */
 #ifndef GN_FRAGMENT_FORMATS_H
 #define GN_FRAGMENT_FORMATS_H
 
@@ -67,17 +67,17 @@ static inline lanes_i pair_of(lanes_i low, lanes_i high)
 }
 
 /* R8, RG8 and RGB8 are what RGBA8 has in its low bytes. */
-static void encode_bytes(const lanes_f color[4], lanes_i word[2])
+static inline void encode_bytes(const lanes_f color[4], lanes_i word[2])
 {
     word[0] = encode_rgba8(color);
 }
 
-static void encode_bgra8(const lanes_f color[4], lanes_i word[2])
+static inline void encode_bgra8(const lanes_f color[4], lanes_i word[2])
 {
     word[0] = lanes_pack_unorm8(color[2], color[1], color[0], color[3]);
 }
 
-static void encode_rgb565(const lanes_f color[4], lanes_i word[2])
+static inline void encode_rgb565(const lanes_f color[4], lanes_i word[2])
 {
     const lanes_i p = encode_rgba8(color);
 
@@ -85,7 +85,7 @@ static void encode_rgb565(const lanes_f color[4], lanes_i word[2])
                          high_bits(p, 16, 5, 0));
 }
 
-static void encode_rgb5_a1(const lanes_f color[4], lanes_i word[2])
+static inline void encode_rgb5_a1(const lanes_f color[4], lanes_i word[2])
 {
     const lanes_i p = encode_rgba8(color);
 
@@ -93,7 +93,7 @@ static void encode_rgb5_a1(const lanes_f color[4], lanes_i word[2])
                          lanes_i_or(high_bits(p, 16, 5, 1), high_bits(p, 24, 1, 0)));
 }
 
-static void encode_rgba4(const lanes_f color[4], lanes_i word[2])
+static inline void encode_rgba4(const lanes_f color[4], lanes_i word[2])
 {
     const lanes_i p = encode_rgba8(color);
 
@@ -101,23 +101,23 @@ static void encode_rgba4(const lanes_f color[4], lanes_i word[2])
                          lanes_i_or(seventeenth(p, 16, 4), seventeenth(p, 24, 0)));
 }
 
-static void encode_r16(const lanes_f color[4], lanes_i word[2])
+static inline void encode_r16(const lanes_f color[4], lanes_i word[2])
 {
     word[0] = unorm16(color[0]);
 }
 
-static void encode_rgba16(const lanes_f color[4], lanes_i word[2])
+static inline void encode_rgba16(const lanes_f color[4], lanes_i word[2])
 {
     word[0] = pair_of(unorm16(color[0]), unorm16(color[1]));
     word[1] = pair_of(unorm16(color[2]), unorm16(color[3]));
 }
 
-static void encode_r32f(const lanes_f color[4], lanes_i word[2])
+static inline void encode_r32f(const lanes_f color[4], lanes_i word[2])
 {
     word[0] = lanes_as_int(color[0]);
 }
 
-static void encode_rgba16f(const lanes_f color[4], lanes_i word[2])
+static inline void encode_rgba16f(const lanes_f color[4], lanes_i word[2])
 {
     word[0] = pair_of(half_bits(color[0]), half_bits(color[1]));
     word[1] = pair_of(half_bits(color[2]), half_bits(color[3]));
@@ -138,7 +138,7 @@ static lanes_i srgb8(lanes_f channel)
     return byte;
 }
 
-static void encode_srgb8_a8(const lanes_f color[4], lanes_i word[2])
+static inline void encode_srgb8_a8(const lanes_f color[4], lanes_i word[2])
 {
     const lanes_i alpha = lanes_round(lanes_mul(saturated(color[3]), lanes_splat(255.0f)));
 
@@ -147,39 +147,43 @@ static void encode_srgb8_a8(const lanes_f color[4], lanes_i word[2])
         lanes_i_or(lanes_i_shift_left(srgb8(color[2]), 16), lanes_i_shift_left(alpha, 24)));
 }
 
-static inline encode_colors *encode_colors_of(gn_format format)
+/* Converts red, green, blue and alpha to pixels. Calls, since of a choice of function some
+ * compilers make a table that is to be relocated; once in sixteen pixels it costs no more. */
+static void encode_colors(gn_format format, const lanes_f color[4], lanes_i word[2])
 {
+    word[1] = lanes_i_splat(0);
     switch (format) {
     case GN_FORMAT_BGRA8:
-        return encode_bgra8;
+        encode_bgra8(color, word);
+        break;
     case GN_FORMAT_RGB565:
-        return encode_rgb565;
+        encode_rgb565(color, word);
+        break;
     case GN_FORMAT_RGB5_A1:
-        return encode_rgb5_a1;
+        encode_rgb5_a1(color, word);
+        break;
     case GN_FORMAT_RGBA4:
-        return encode_rgba4;
+        encode_rgba4(color, word);
+        break;
     case GN_FORMAT_R16:
-        return encode_r16;
+        encode_r16(color, word);
+        break;
     case GN_FORMAT_RGBA16:
-        return encode_rgba16;
+        encode_rgba16(color, word);
+        break;
     case GN_FORMAT_R32F:
-        return encode_r32f;
+        encode_r32f(color, word);
+        break;
     case GN_FORMAT_RGBA16F:
-        return encode_rgba16f;
+        encode_rgba16f(color, word);
+        break;
     case GN_FORMAT_SRGB8_A8:
-        return encode_srgb8_a8;
+        encode_srgb8_a8(color, word);
+        break;
     default:
-        return encode_bytes;
+        encode_bytes(color, word);
+        break;
     }
-}
-
-static inline color_codec color_codec_of(gn_format format)
-{
-    color_codec c;
-
-    c.encode = encode_colors_of(format);
-    c.size = format_size(format);
-    return c;
 }
 
 static inline void store_pixel(unsigned char *row, int32_t x, uint32_t size, int32_t first,
@@ -250,13 +254,13 @@ static void store_pixels(const gn_surface *surface, int32_t x, int32_t y, uint32
 }
 
 /* Converts and writes the covered pixels of a block. */
-static inline void write_encoded(const gn_surface *surface, const color_codec *codec, int32_t x,
-                                 int32_t y, uint32_t coverage, const lanes_f color[4])
+static inline void write_encoded(const gn_surface *surface, gn_format format, int32_t x, int32_t y,
+                                 uint32_t coverage, const lanes_f color[4])
 {
     lanes_i word[2];
 
-    codec->encode(color, word);
-    store_pixels(surface, x, y, coverage, codec->size, word);
+    encode_colors(format, color, word);
+    store_pixels(surface, x, y, coverage, format_size(format), word);
 }
 
 #endif

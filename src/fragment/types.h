@@ -24,21 +24,11 @@ typedef struct depth_state {
     bool write;
 } depth_state;
 
-/* Converts red, green, blue and alpha to pixels (formats.h). */
-typedef void encode_colors(const lanes_f color[4], lanes_i word[2]);
-
-/* How a surface holds colours. */
-typedef struct color_codec {
-    encode_colors *encode;
-    uint32_t size; /* bytes of a pixel */
-} color_codec;
-
 typedef struct fragment_state {
     const gn_pipeline *pipeline;
     gn_surface color; /* GN_FORMAT_NONE: no colour */
     gn_surface depth; /* GN_FORMAT_NONE: no test */
     depth_state test;
-    color_codec codec; /* of colour but GN_FORMAT_RGBA8 and RGBA32F */
 } fragment_state;
 
 /* Where lane l is. A row saves most of the work where nothing is asked of neighbouring
