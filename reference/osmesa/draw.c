@@ -259,6 +259,7 @@ static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u)
                                   (GLsizei)attribute_stride(attribute),
                                   (const void *)(uintptr_t)u->offset[a]);
             glEnableVertexAttribArray(a);
+            glVertexAttribDivisor(a, attribute->divisor);
         } else {
             glDisableVertexAttribArray(a);
             glVertexAttrib4f(a, 0.0f, 0.0f, 0.0f, 1.0f);
@@ -285,6 +286,29 @@ static void set_uniforms(const scene_draw *d)
     }
 }
 
+static void draw_elements(const scene_draw *d)
+{
+    const gn_mesh *mesh = &d->mesh;
+    const GLsizei count = (GLsizei)mesh->count;
+    const GLsizei instances = mesh->instance_count ? (GLsizei)mesh->instance_count : 1;
+    const size_t skipped = mesh->first * scene_index_size(mesh->index_format);
+
+    switch_capability(GL_PRIMITIVE_RESTART, mesh->restart == GN_RESTART_INDEX);
+    switch_capability(GL_PRIMITIVE_RESTART_FIXED_INDEX, mesh->restart == GN_RESTART_FIXED_INDEX);
+    glPrimitiveRestartIndex(mesh->restart_index);
+    if (is_nine_vertices(d)) {
+        glDisable(GL_PRIMITIVE_RESTART);
+        glDisable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
+        glDrawElementsInstanced(GL_TRIANGLES, count, GL_UNSIGNED_INT, NULL, instances);
+    } else if (mesh->index_format == GN_INDEX_NONE) {
+        glDrawArraysInstanced(topology(d->state.topology), (GLint)mesh->first, count, instances);
+    } else {
+        glDrawElementsInstancedBaseVertex(
+            topology(d->state.topology), count, index_type(mesh->index_format),
+            (const void *)(uintptr_t)skipped, instances, mesh->base_vertex);
+    }
+}
+
 void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u)
 {
     const gn_mesh *mesh = &d->mesh;
@@ -295,15 +319,7 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
     set_uniforms(d);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, u->texture);
-    if (is_nine_vertices(d)) {
-        glDrawElements(GL_TRIANGLES, (GLsizei)mesh->count, GL_UNSIGNED_INT, NULL);
-    } else if (mesh->index_format == GN_INDEX_NONE) {
-        glDrawArrays(topology(d->state.topology), (GLint)mesh->first, (GLsizei)mesh->count);
-    } else {
-        glDrawElements(
-            topology(d->state.topology), (GLsizei)mesh->count, index_type(mesh->index_format),
-            (const void *)(uintptr_t)(mesh->first * scene_index_size(mesh->index_format)));
-    }
+    draw_elements(d);
 }
 
 /* ---- Read back ---- */

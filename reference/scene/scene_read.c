@@ -310,6 +310,16 @@ static bool read_mesh(reader *r, const char *keyword, scene_draw *d)
     } else if (!strcmp(keyword, "elements")) {
         d->mesh.first = read_number(r, 10, UINT32_MAX);
         d->mesh.count = read_number(r, 10, UINT32_MAX);
+    } else if (!strcmp(keyword, "divisor")) {
+        const int attribute = read_name(r, TEXT_ATTRIBUTE);
+        d->mesh.attribute[attribute].divisor = read_number(r, 10, UINT32_MAX);
+    } else if (!strcmp(keyword, "restart")) {
+        d->mesh.restart = (gn_restart)read_name(r, TEXT_RESTART);
+        d->mesh.restart_index = read_number(r, 10, UINT32_MAX);
+    } else if (!strcmp(keyword, "base-vertex")) {
+        d->mesh.base_vertex = (int32_t)read_number(r, 10, UINT32_MAX);
+    } else if (!strcmp(keyword, "instances")) {
+        d->mesh.instance_count = read_number(r, 10, UINT32_MAX);
     } else if (!strcmp(keyword, "texture")) {
         read_texture(r, d);
     } else {

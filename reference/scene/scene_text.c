@@ -19,6 +19,7 @@ static const char *const compare_names[] = {
     "always"};
 static const char *const interpolation_names[] = {"smooth", "noperspective", "flat"};
 static const char *const index_names[] = {"none", "uint8", "uint16", "uint32"};
+static const char *const restart_names[] = {"none", "fixed", "index"};
 static const char *const attribute_names[] = {"position", "color", "normal", "texcoord"};
 static const char *const switch_names[] = {"off", "on"};
 static const char *const wrap_names[] = {"repeat", "clamp-to-edge"};
@@ -42,6 +43,7 @@ static const char *const *names_of(text_names set, int *count)
         CASE(TEXT_COMPARE, compare_names);
         CASE(TEXT_INTERPOLATION, interpolation_names);
         CASE(TEXT_INDEX, index_names);
+        CASE(TEXT_RESTART, restart_names);
         CASE(TEXT_ATTRIBUTE, attribute_names);
         CASE(TEXT_SWITCH, switch_names);
         CASE(TEXT_WRAP, wrap_names);

@@ -38,6 +38,7 @@ typedef enum text_names {
     TEXT_COMPARE,
     TEXT_INTERPOLATION,
     TEXT_INDEX,
+    TEXT_RESTART,
     TEXT_ATTRIBUTE,
     TEXT_SWITCH,
     TEXT_WRAP,

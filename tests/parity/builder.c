@@ -30,6 +30,11 @@ static void reset_draw(builder *b)
     b->index_format = GN_INDEX_NONE;
     b->color_components = random_chance(&b->random, 85) ? 4 : 3;
     b->position_components = 4;
+    b->restart = GN_RESTART_NONE;
+    b->restart_index = 0;
+    b->base_vertex = 0;
+    b->instance_count = 0;
+    b->color_divisor = 0;
     b->lead = 0;
     b->trail = 0;
     b->vertex_count = 0;
@@ -178,6 +183,19 @@ static void set_attribute(const builder *b, scene_draw *d, gn_shader_attribute a
     free(data);
 }
 
+/* Indices as the mesh has them. */
+static void store_indices(builder *b)
+{
+    const uint32_t largest = b->index_format == GN_INDEX_UINT8    ? UINT8_MAX
+                             : b->index_format == GN_INDEX_UINT16 ? UINT16_MAX
+                                                                  : UINT32_MAX;
+    for (uint32_t i = 0; i < b->index_count; i++)
+        if (b->indices[i] != BUILDER_RESTART)
+            b->indices[i] -= (uint32_t)b->base_vertex;
+        else
+            b->indices[i] = b->restart == GN_RESTART_INDEX ? b->restart_index : largest;
+}
+
 void builder_draw(builder *b)
 {
     if (b->vertex_count == 0)
@@ -204,6 +222,14 @@ void builder_draw(builder *b)
         set_attribute(b, d, GN_ATTRIBUTE_NORMAL, offsetof(vertex, normal), 3);
     if (scene_shader_is_textured(b->shader))
         set_attribute(b, d, GN_ATTRIBUTE_TEXCOORD, offsetof(vertex, texcoord), 2);
+    if (b->index_format != GN_INDEX_NONE)
+        store_indices(b);
+    d->mesh.restart = b->restart;
+    d->mesh.restart_index = b->restart_index;
+    d->mesh.base_vertex = b->base_vertex;
+    d->mesh.instance_count = b->instance_count;
+    if (b->color_components > 0)
+        d->mesh.attribute[GN_ATTRIBUTE_COLOR].divisor = b->color_divisor;
     if (b->index_format != GN_INDEX_NONE)
         scene_set_indices(d, b->indices, b->index_count, b->index_format);
     d->mesh.first = b->lead;

@@ -29,6 +29,7 @@ typedef enum scene_class {
     CLASS_FLOAT_COLOR,   /* RGBA32F */
     CLASS_COLOR_RANGE,   /* colours outside 0..1 in RGBA8 */
     CLASS_FORMATS,       /* every colour format, at the edges of its conversion */
+    CLASS_INSTANCES,     /* instances, base vertex, primitive restart */
     CLASS_MIXED,         /* several draws of several of the above */
     CLASS_COUNT
 } scene_class;

@@ -53,6 +53,10 @@ void shape_random_indices(builder *b, placement p, uint32_t vertices, uint32_t t
 /* One of the colour formats beside RGBA8 and RGBA32F. */
 gn_format random_color_format(builder *b);
 
+/* Restarts among the indices there are, a base vertex, instances: each now and then. Of a
+ * draw without indices, instances alone. */
+void shape_elements(builder *b);
+
 /* One class each, from the target on. */
 void generate_meshes(builder *b);
 void generate_piles(builder *b);
@@ -69,6 +73,7 @@ void generate_phong(builder *b);
 void generate_float_color(builder *b);
 void generate_color_range(builder *b);
 void generate_formats(builder *b);
+void generate_instances(builder *b);
 void generate_mixed(builder *b);
 
 #endif

@@ -333,6 +333,8 @@ static void mixed_draw(builder *b)
         break;
     }
     b->lead = random_chance(r, 20) ? random_below(r, 9) : 0;
+    if (random_chance(r, 25))
+        shape_elements(b);
     builder_draw(b);
 }
 

@@ -96,6 +96,17 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         d->uniforms.sampler.magnify = GN_MAGNIFY_NEAREST;
         d->uniforms.sampler.minify = GN_MINIFY_NEAREST;
         return change && scene_shader_is_textured(d->shader);
+    case 15:
+        change = d->mesh.instance_count > 1;
+        d->mesh.instance_count = 0;
+        return change;
+    case 16:
+        change = false;
+        for (int a = 0; a < GN_MAX_ATTRIBUTES; a++) {
+            change = change || d->mesh.attribute[a].divisor;
+            d->mesh.attribute[a].divisor = 0;
+        }
+        return change;
     default:
         *last = true;
         return false;

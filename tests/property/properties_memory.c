@@ -213,7 +213,7 @@ static bool draw_guarded(const hostile *h, const guarded *color, const guarded *
     pipeline.viewport = h->viewport;
     pipeline.depth_test = h->depth != GN_FORMAT_NONE;
     pipeline.depth_function = GN_ALWAYS;
-    mesh.attribute[0] = (gn_attribute){&h->position[0][0], 4, 0};
+    mesh.attribute[0] = (gn_attribute){&h->position[0][0], 4, 0, 0};
     mesh.vertex_count = 3 * h->triangle_count;
     mesh.first = 3 * triangle;
     mesh.count = 3;
