@@ -7,11 +7,14 @@
 #include "pipeline.h"
 
 /* One array of vertex attributes, in the caller's memory. Components that the
- * array lacks are 0, 0, 0, 1; so is all of an attribute without data. */
+ * array lacks are 0, 0, 0, 1; so is all of an attribute without data. With a divisor d (OpenGL's
+ * VertexAttribDivisor) all vertices of instance i have element i / d, and the array must
+ * hold one for every instance; with 0 it has one for every vertex. */
 typedef struct gn_attribute {
     const float *data;   /* the first vertex's first component; null: absent */
     uint32_t components; /* 1 to 4 where there is data */
     uint32_t stride;     /* bytes from vertex to vertex, a multiple of 4; 0: tightly packed */
+    uint32_t divisor;    /* instances that an element serves; 0: elements are vertices' */
 } gn_attribute;
 
 typedef enum gn_index_format {
@@ -21,9 +24,18 @@ typedef enum gn_index_format {
     GN_INDEX_UINT32
 } gn_index_format;
 
+/* Which index ends a strip, fan or list and starts it anew (PRIMITIVE_RESTART). It is compared
+ * before base_vertex is added. */
+typedef enum gn_restart {
+    GN_RESTART_NONE = 0,
+    GN_RESTART_FIXED_INDEX, /* the largest of the index format */
+    GN_RESTART_INDEX        /* restart_index */
+} gn_restart;
+
 /* Vertices and the order to take them in. Elements first to first + count - 1
  * are drawn: of the indices where there are any, otherwise of the vertices.
- * What is left over after the last whole triangle or line is not drawn. */
+ * What is left over after the last whole triangle or line is not drawn. Zero is OpenGL's default.
+ */
 typedef struct gn_mesh {
     gn_attribute attribute[GN_MAX_ATTRIBUTES];
     uint32_t vertex_count; /* vertices in the attribute arrays */
@@ -31,6 +43,13 @@ typedef struct gn_mesh {
     gn_index_format index_format;
     uint32_t first;
     uint32_t count;
+
+    /* Of indices alone. */
+    gn_restart restart;
+    uint32_t restart_index; /* of GN_RESTART_INDEX */
+    int32_t base_vertex;    /* added to every index */
+
+    uint32_t instance_count; /* times that all is drawn, one after the other; 0 means 1 */
 } gn_mesh;
 
 /* Memory the library may use during a draw; nothing in it outlives the call.
@@ -88,18 +107,20 @@ GN_API size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count);
 GN_API size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count,
                                          uint32_t varying_count);
 
-/* The first fault of a mesh: GN_NULL_POINTER (mesh), GN_INVALID_ENUM (index format),
+/* The first fault of a mesh: GN_NULL_POINTER (mesh), GN_INVALID_ENUM (index format or restart),
  * GN_NULL_POINTER (indices that its index format asks for, unless count is 0),
  * GN_MISALIGNED (indices); then for each attribute with data in turn GN_MISALIGNED or
  * GN_INVALID_ATTRIBUTE (components or stride); last GN_INDEX_OUT_OF_RANGE (first + count
- * beyond vertex_count without indices, or an index at or beyond vertex_count; the
+ * beyond vertex_count without indices, or an index that is no restart and, with base_vertex
+ * added as numbers of 32 bits are, at or beyond vertex_count; the
  * indices themselves must hold first + count elements, which cannot be checked). */
 GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
 
 /* Draws a mesh. Checks the target, the pipeline, the mesh (gn_target_check,
  * gn_pipeline_check, gn_mesh_check), then that the target's colour has a fragment
- * shader (GN_NO_SHADER), that the library was not compiled without what is asked
- * (GN_NOT_COMPILED), and that the workspace is there (GN_NULL_POINTER) and
+ * shader (GN_NO_SHADER), and, where colours are blended, masked or combined by their bits, is
+ * GN_FORMAT_RGBA8 or GN_FORMAT_RGBA32F (GN_INVALID_FORMAT), that the library was not compiled
+ * without what is asked (GN_NOT_COMPILED), and that the workspace is there (GN_NULL_POINTER) and
  * holds at least gn_workspace_size(0, varying_count) bytes (GN_WORKSPACE_TOO_SMALL, and
  * workspace->needed says how many), and that the library holds its back end
  * (GN_BACKEND_UNAVAILABLE). An index at or beyond vertex_count is found last. On a fault

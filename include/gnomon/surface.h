@@ -4,22 +4,34 @@
  * top-down image is the same surface: point `pixels` at the image's last row
  * and give a negative stride.
  *
- * A pixel is one value, never bytes, so that a surface means the same on every
- * byte order:
+ * A pixel is made of values, never of their bytes, so that a surface means the same on
+ * every byte order:
  *
- *   format            element      bits
- *   GN_FORMAT_RGBA8   uint32_t     red 0-7, green 8-15, blue 16-23, alpha 24-31
- *   GN_FORMAT_RGBA32F 4 x float    red, green, blue, alpha
- *   GN_FORMAT_D16     uint16_t     depth * 65535
- *   GN_FORMAT_D24     uint32_t     depth * 16777215 in bits 0-23, the rest 0
- *   GN_FORMAT_D32F    float        depth
- *   GN_FORMAT_D24S8   uint32_t     depth * 16777215 in bits 0-23, stencil in bits 24-31
- *   GN_FORMAT_D32FS8  float,       depth,
- *                     uint32_t     stencil in bits 0-7, the rest 0
- *   GN_FORMAT_S8      uint8_t      stencil
+ *   format             element      bits
+ *   GN_FORMAT_RGBA8    uint32_t     red 0-7, green 8-15, blue 16-23, alpha 24-31
+ *   GN_FORMAT_RGBA32F  4 x float    red, green, blue, alpha
+ *   GN_FORMAT_D16      uint16_t     depth * 65535
+ *   GN_FORMAT_D24      uint32_t     depth * 16777215 in bits 0-23, the rest 0
+ *   GN_FORMAT_D32F     float        depth
+ *   GN_FORMAT_D24S8    uint32_t     depth * 16777215 in bits 0-23, stencil in bits 24-31
+ *   GN_FORMAT_D32FS8   float,       depth,
+ *                      uint32_t     stencil in bits 0-7, the rest 0
+ *   GN_FORMAT_S8       uint8_t      stencil
+ *   GN_FORMAT_BGRA8    uint32_t     blue 0-7, green 8-15, red 16-23, alpha 24-31
+ *   GN_FORMAT_R8       uint8_t      red
+ *   GN_FORMAT_RG8      uint16_t     red 0-7, green 8-15
+ *   GN_FORMAT_RGB8     3 x uint8_t  red, green, blue
+ *   GN_FORMAT_RGB565   uint16_t     blue 0-4, green 5-10, red 11-15
+ *   GN_FORMAT_RGB5_A1  uint16_t     alpha 0, blue 1-5, green 6-10, red 11-15
+ *   GN_FORMAT_RGBA4    uint16_t     alpha 0-3, blue 4-7, green 8-11, red 12-15
+ *   GN_FORMAT_R16      uint16_t     red
+ *   GN_FORMAT_RGBA16   4 x uint16_t red, green, blue, alpha
+ *   GN_FORMAT_R32F     float        red
+ *   GN_FORMAT_RGBA16F  4 x uint16_t red, green, blue, alpha as IEEE binary16
+ *   GN_FORMAT_SRGB8_A8 uint32_t     as RGBA8; red, green and blue encoded as sRGB
  *
- * Pixels and strides are aligned to a uint16_t for GN_FORMAT_D16, not at all for GN_FORMAT_S8,
- * to 4 bytes otherwise.
+ * Colours other than floats are fractions of their largest value, and channels that a format
+ * lacks are not kept. Pixels and strides are aligned to their element.
  * On a little-endian machine GN_FORMAT_RGBA8 is the bytes R, G, B, A. */
 #ifndef GNOMON_SURFACE_H
 #define GNOMON_SURFACE_H
@@ -42,7 +54,19 @@ typedef enum gn_format {
     GN_FORMAT_D32F,
     GN_FORMAT_D24S8,
     GN_FORMAT_D32FS8,
-    GN_FORMAT_S8
+    GN_FORMAT_S8,
+    GN_FORMAT_BGRA8,
+    GN_FORMAT_R8,
+    GN_FORMAT_RG8,
+    GN_FORMAT_RGB8,
+    GN_FORMAT_RGB565,
+    GN_FORMAT_RGB5_A1,
+    GN_FORMAT_RGBA4,
+    GN_FORMAT_R16,
+    GN_FORMAT_RGBA16,
+    GN_FORMAT_R32F,
+    GN_FORMAT_RGBA16F,
+    GN_FORMAT_SRGB8_A8
 } gn_format;
 
 typedef struct gn_surface {
@@ -56,7 +80,7 @@ typedef struct gn_surface {
 /* What a draw writes to. A zeroed member is an absent surface; at least one
  * must be there, and both have the same size. The two must not overlap. */
 typedef struct gn_target {
-    gn_surface color; /* GN_FORMAT_RGBA8 or GN_FORMAT_RGBA32F */
+    gn_surface color; /* any format of colours */
     gn_surface depth; /* depth, stencil or both: GN_FORMAT_D16 to GN_FORMAT_S8 */
 } gn_target;
 
@@ -87,10 +111,11 @@ GN_API gn_surface gn_surface_rows(const gn_surface *surface, uint32_t first, uin
  * differ (GN_SIZE_MISMATCH). */
 GN_API gn_status gn_target_check(const gn_target *target);
 
-/* Fills a colour surface with one colour (OpenGL 4.5 section 17.4.3). In
- * GN_FORMAT_RGBA8 a channel becomes round-half-even(c * 255), the product being
- * rounded to binary32 first; 0 below 0 and for NaN, 255 from 1 up. In
- * GN_FORMAT_RGBA32F it is stored as it is.
+/* Fills a colour surface with one colour (OpenGL 4.5 section 17.4.3). Where a channel has n
+ * bits, it is c * (2^n - 1), the product being rounded to binary32 and then to the nearest
+ * integer, halves to even with 8 bits and up otherwise; 0 below 0 and for NaN, 2^n - 1 from
+ * 1 up. Floats of 32 bits are stored as they are, those of 16 rounded toward zero. Red, green
+ * and blue of GN_FORMAT_SRGB8_A8 are the nearest that sRGB has, exactly.
  * A bad surface gives the statuses of gn_target_check. */
 GN_API gn_status gn_clear_color(const gn_surface *surface, float red, float green, float blue,
                                 float alpha);

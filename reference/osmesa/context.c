@@ -108,6 +108,7 @@ reference *reference_create(reference_profile profile, char *error, size_t error
     glGenVertexArrays(1, &r->vertex_array);
     glBindVertexArray(r->vertex_array);
     glDisable(GL_DITHER);
+    glEnable(GL_FRAMEBUFFER_SRGB);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     return r;

@@ -347,6 +347,7 @@ static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u)
                                   (GLsizei)attribute_stride(attribute),
                                   (const void *)(uintptr_t)u->offset[a]);
             glEnableVertexAttribArray(a);
+            glVertexAttribDivisor(a, attribute->divisor);
         } else {
             glDisableVertexAttribArray(a);
             glVertexAttrib4f(a, 0.0f, 0.0f, 0.0f, 1.0f);
@@ -386,6 +387,29 @@ static void renew_viewport(const scene_draw *d)
     }
 }
 
+static void draw_elements(const scene_draw *d)
+{
+    const gn_mesh *mesh = &d->mesh;
+    const GLsizei count = (GLsizei)mesh->count;
+    const GLsizei instances = mesh->instance_count ? (GLsizei)mesh->instance_count : 1;
+    const size_t skipped = mesh->first * scene_index_size(mesh->index_format);
+
+    switch_capability(GL_PRIMITIVE_RESTART, mesh->restart == GN_RESTART_INDEX);
+    switch_capability(GL_PRIMITIVE_RESTART_FIXED_INDEX, mesh->restart == GN_RESTART_FIXED_INDEX);
+    glPrimitiveRestartIndex(mesh->restart_index);
+    if (is_nine_vertices(d)) {
+        glDisable(GL_PRIMITIVE_RESTART);
+        glDisable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
+        glDrawElementsInstanced(GL_TRIANGLES, count, GL_UNSIGNED_INT, NULL, instances);
+    } else if (mesh->index_format == GN_INDEX_NONE) {
+        glDrawArraysInstanced(topology(d->state.topology), (GLint)mesh->first, count, instances);
+    } else {
+        glDrawElementsInstancedBaseVertex(
+            topology(d->state.topology), count, index_type(mesh->index_format),
+            (const void *)(uintptr_t)skipped, instances, mesh->base_vertex);
+    }
+}
+
 void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u)
 {
     const gn_mesh *mesh = &d->mesh;
@@ -403,15 +427,7 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
     if (u->query) {
         glBeginQuery(GL_SAMPLES_PASSED, u->query);
     }
-    if (is_nine_vertices(d)) {
-        glDrawElements(GL_TRIANGLES, (GLsizei)mesh->count, GL_UNSIGNED_INT, NULL);
-    } else if (mesh->index_format == GN_INDEX_NONE) {
-        glDrawArrays(topology(d->state.topology), (GLint)mesh->first, (GLsizei)mesh->count);
-    } else {
-        glDrawElements(
-            topology(d->state.topology), (GLsizei)mesh->count, index_type(mesh->index_format),
-            (const void *)(uintptr_t)(mesh->first * scene_index_size(mesh->index_format)));
-    }
+    draw_elements(d);
     if (u->query) {
         glEndQuery(GL_SAMPLES_PASSED);
     }
@@ -419,20 +435,39 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
 
 /* ---- Read back ---- */
 
+/* The format and type that read a format's pixels as they are. */
+static void read_color(const scene *s, void *pixels)
+{
+    static const struct {
+        GLenum format, type;
+    } read[] = {
+        [GN_FORMAT_RGBA8] = {GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV},
+        [GN_FORMAT_RGBA32F] = {GL_RGBA, GL_FLOAT},
+        [GN_FORMAT_BGRA8] = {GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV},
+        [GN_FORMAT_R8] = {GL_RED, GL_UNSIGNED_BYTE},
+        [GN_FORMAT_RG8] = {GL_RG, GL_UNSIGNED_BYTE},
+        [GN_FORMAT_RGB8] = {GL_RGB, GL_UNSIGNED_BYTE},
+        [GN_FORMAT_RGB565] = {GL_RGB, GL_UNSIGNED_SHORT_5_6_5},
+        [GN_FORMAT_RGB5_A1] = {GL_RGBA, GL_UNSIGNED_SHORT_5_5_5_1},
+        [GN_FORMAT_RGBA4] = {GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4},
+        [GN_FORMAT_R16] = {GL_RED, GL_UNSIGNED_SHORT},
+        [GN_FORMAT_RGBA16] = {GL_RGBA, GL_UNSIGNED_SHORT},
+        [GN_FORMAT_R32F] = {GL_RED, GL_FLOAT},
+        [GN_FORMAT_RGBA16F] = {GL_RGBA, GL_HALF_FLOAT},
+        [GN_FORMAT_SRGB8_A8] = {GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV},
+    };
+
+    glReadPixels(0, 0, (GLsizei)s->width, (GLsizei)s->height, read[s->color_format].format,
+                 read[s->color_format].type, pixels);
+}
+
 static void read_frame(const scene *s, scene_frame *frame)
 {
     const GLsizei width = (GLsizei)s->width;
     const GLsizei height = (GLsizei)s->height;
 
-    switch (s->color_format) {
-    case GN_FORMAT_RGBA8:
-        glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV, frame->color);
-        break;
-    case GN_FORMAT_RGBA32F:
-        glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, frame->color);
-        break;
-    default:
-        break;
+    if (s->color_format != GN_FORMAT_NONE) {
+        read_color(s, frame->color);
     }
     switch (s->depth_format) {
     case GN_FORMAT_D16:

@@ -22,6 +22,30 @@ static GLenum gl_format(gn_format format)
         return GL_DEPTH32F_STENCIL8;
     case GN_FORMAT_S8:
         return GL_STENCIL_INDEX8;
+    case GN_FORMAT_BGRA8: /* the same values; the order is that of reading back */
+        return GL_RGBA8;
+    case GN_FORMAT_R8:
+        return GL_R8;
+    case GN_FORMAT_RG8:
+        return GL_RG8;
+    case GN_FORMAT_RGB8:
+        return GL_RGB8;
+    case GN_FORMAT_RGB565:
+        return GL_RGB565;
+    case GN_FORMAT_RGB5_A1:
+        return GL_RGB5_A1;
+    case GN_FORMAT_RGBA4:
+        return GL_RGBA4;
+    case GN_FORMAT_R16:
+        return GL_R16;
+    case GN_FORMAT_RGBA16:
+        return GL_RGBA16;
+    case GN_FORMAT_R32F:
+        return GL_R32F;
+    case GN_FORMAT_RGBA16F:
+        return GL_RGBA16F;
+    case GN_FORMAT_SRGB8_A8:
+        return GL_SRGB8_ALPHA8;
     case GN_FORMAT_NONE:
         break;
     }

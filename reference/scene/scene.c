@@ -37,6 +37,12 @@ void *scene_reallocate(void *memory, size_t count, size_t size)
     return moved;
 }
 
+bool scene_is_color_format(gn_format format)
+{
+    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F ||
+           (format >= GN_FORMAT_BGRA8 && format <= GN_FORMAT_SRGB8_A8);
+}
+
 size_t scene_index_size(gn_index_format format)
 {
     switch (format) {

@@ -60,7 +60,7 @@ typedef struct scene_draw {
 
 typedef struct scene {
     uint32_t width, height;
-    gn_format color_format; /* GN_FORMAT_RGBA8, GN_FORMAT_RGBA32F */
+    gn_format color_format; /* any of colours */
     gn_format depth_format; /* GN_FORMAT_NONE, D16, D24, D32F, D24S8, D32FS8, S8 */
     float clear_color[4];
     float clear_depth;
@@ -79,7 +79,7 @@ typedef struct scene_frame {
 } scene_frame;
 
 /* How two frames of one size and format differ. Bits are compared, except that two
- * NaN are equal. */
+ * NaN are equal, and that a step is allowed where GN_FORMAT_SRGB8_A8 has sRGB. */
 typedef struct scene_difference {
     uint64_t color_pixels;    /* pixels with any channel different */
     uint64_t depth_pixels;    /* the same of depth and stencil */
@@ -87,7 +87,7 @@ typedef struct scene_difference {
     uint64_t pixels;          /* with a difference in colour or depth */
     uint64_t coverage_pixels; /* pixels one side has drawn on and the other has not: the
                                  value is still the clear value on exactly one side */
-    double color_largest;     /* largest difference of a channel, RGBA8: in steps of 1/255 */
+    double color_largest;     /* largest difference of a channel, of integers: in steps */
     double depth_largest;     /* of depth or stencil: in steps, floats as numbers */
     uint32_t x, y;            /* the first differing pixel, where pixels > 0 */
 } scene_difference;
@@ -115,6 +115,9 @@ void scene_set_indices(scene_draw *d, const uint32_t *indices, uint32_t count,
 /* Copies a texture into a draw, t growing with the row, tightly packed. */
 void scene_set_texture(scene_draw *d, const void *texels, uint32_t width, uint32_t height,
                        gn_format format);
+
+/* Whether a format is one of colours. */
+bool scene_is_color_format(gn_format format);
 
 /* Bytes of an index; 0 for GN_INDEX_NONE. */
 size_t scene_index_size(gn_index_format format);

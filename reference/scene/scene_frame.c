@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scene_pixel.h"
+
 bool scene_frame_allocate(scene_frame *frame, const scene *s)
 {
     const size_t pixels = (size_t)s->width * s->height;
@@ -81,21 +83,11 @@ static pixel load_pixel(const void *pixels, gn_format format, size_t index)
     case GN_FORMAT_NONE:
         p.count = 0;
         break;
+    default:
+        p.count = scene_pixel_channels(pixels, format, index, p.channel);
+        break;
     }
     return p;
-}
-
-static bool is_float_format(gn_format format)
-{
-    return format == GN_FORMAT_RGBA32F || format == GN_FORMAT_D32F || format == GN_FORMAT_D32FS8;
-}
-
-static float float_of(uint32_t bits)
-{
-    float f;
-
-    memcpy(&f, &bits, sizeof f);
-    return f;
 }
 
 static uint32_t bits_of(float f)
@@ -106,15 +98,10 @@ static uint32_t bits_of(float f)
     return bits;
 }
 
-static bool equal_channels(uint32_t a, uint32_t b, bool is_float)
-{
-    return a == b || (is_float && isnan(float_of(a)) && isnan(float_of(b)));
-}
-
-static bool equal_pixels(const pixel *a, const pixel *b, bool is_float)
+static bool equal_pixels(const pixel *a, const pixel *b, gn_format format)
 {
     for (int c = 0; c < a->count; ++c) {
-        if (!equal_channels(a->channel[c], b->channel[c], is_float)) {
+        if (!scene_channels_equal(format, c, a->channel[c], b->channel[c])) {
             return false;
         }
     }
@@ -122,7 +109,7 @@ static bool equal_pixels(const pixel *a, const pixel *b, bool is_float)
 }
 
 /* The largest distance of two pixels' channels: infinite between NaN and a number. */
-static double distance(const pixel *a, const pixel *b, bool is_float)
+static double distance(const pixel *a, const pixel *b, gn_format format)
 {
     double largest = 0.0;
 
@@ -131,11 +118,10 @@ static double distance(const pixel *a, const pixel *b, bool is_float)
         const uint32_t y = b->channel[c];
         double d;
 
-        if (equal_channels(x, y, is_float)) {
+        if (scene_channels_equal(format, c, x, y)) {
             continue;
         }
-        d = is_float ? fabs((double)float_of(x) - (double)float_of(y))
-                     : fabs((double)x - (double)y);
+        d = fabs(scene_channel_value(format, x) - scene_channel_value(format, y));
         if (!(d <= largest)) {
             largest = isnan(d) ? HUGE_VAL : d;
         }
@@ -153,6 +139,8 @@ static pixel clear_color_pixel(const scene *s)
 
         if (s->color_format == GN_FORMAT_RGBA32F) {
             p.channel[c] = bits_of(v);
+        } else if (s->color_format != GN_FORMAT_RGBA8) {
+            p.channel[c] = scene_clear_channel(s->color_format, c, v);
         } else {
             p.channel[c] = !(v > 0.0f) ? 0 : v >= 1.0f ? 255 : (uint32_t)lrintf(v * 255.0f);
         }
@@ -189,8 +177,6 @@ scene_difference scene_compare(const scene *s, const scene_frame *ours,
 {
     const bool has_color = ours->color != NULL;
     const bool has_depth = ours->depth != NULL;
-    const bool float_color = is_float_format(ours->color_format);
-    const bool float_depth = is_float_format(ours->depth_format);
     const pixel clear_color = clear_color_pixel(s);
     const pixel clear_depth = clear_depth_pixel(s);
     const size_t pixels = (size_t)ours->width * ours->height;
@@ -213,22 +199,22 @@ scene_difference scene_compare(const scene *s, const scene_frame *ours,
         if (has_color) {
             const pixel a = load_pixel(ours->color, ours->color_format, i);
             const pixel b = load_pixel(reference->color, ours->color_format, i);
-            const double largest = distance(&a, &b, float_color);
+            const double largest = distance(&a, &b, ours->color_format);
 
-            color_differs = !equal_pixels(&a, &b, float_color);
+            color_differs = !equal_pixels(&a, &b, ours->color_format);
             d.color_largest = largest > d.color_largest ? largest : d.color_largest;
-            drawn[0] |= !equal_pixels(&a, &clear_color, float_color);
-            drawn[1] |= !equal_pixels(&b, &clear_color, float_color);
+            drawn[0] |= !equal_pixels(&a, &clear_color, ours->color_format);
+            drawn[1] |= !equal_pixels(&b, &clear_color, ours->color_format);
         }
         if (has_depth) {
             const pixel a = load_pixel(ours->depth, ours->depth_format, i);
             const pixel b = load_pixel(reference->depth, ours->depth_format, i);
-            const double largest = distance(&a, &b, float_depth);
+            const double largest = distance(&a, &b, ours->depth_format);
 
-            depth_differs = !equal_pixels(&a, &b, float_depth);
+            depth_differs = !equal_pixels(&a, &b, ours->depth_format);
             d.depth_largest = largest > d.depth_largest ? largest : d.depth_largest;
-            drawn[0] |= !equal_pixels(&a, &clear_depth, float_depth);
-            drawn[1] |= !equal_pixels(&b, &clear_depth, float_depth);
+            drawn[0] |= !equal_pixels(&a, &clear_depth, ours->depth_format);
+            drawn[1] |= !equal_pixels(&b, &clear_depth, ours->depth_format);
         }
         if ((color_differs || depth_differs) && d.pixels++ == 0) {
             d.x = (uint32_t)(i % ours->width);

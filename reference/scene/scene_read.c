@@ -399,6 +399,16 @@ static bool read_mesh(reader *r, const char *keyword, scene_draw *d)
     } else if (!strcmp(keyword, "elements")) {
         d->mesh.first = read_number(r, 10, UINT32_MAX);
         d->mesh.count = read_number(r, 10, UINT32_MAX);
+    } else if (!strcmp(keyword, "divisor")) {
+        const int attribute = read_name(r, TEXT_ATTRIBUTE);
+        d->mesh.attribute[attribute].divisor = read_number(r, 10, UINT32_MAX);
+    } else if (!strcmp(keyword, "restart")) {
+        d->mesh.restart = (gn_restart)read_name(r, TEXT_RESTART);
+        d->mesh.restart_index = read_number(r, 10, UINT32_MAX);
+    } else if (!strcmp(keyword, "base-vertex")) {
+        d->mesh.base_vertex = (int32_t)read_number(r, 10, UINT32_MAX);
+    } else if (!strcmp(keyword, "instances")) {
+        d->mesh.instance_count = read_number(r, 10, UINT32_MAX);
     } else if (!strcmp(keyword, "texture")) {
         read_texture(r, d);
     } else {
@@ -486,10 +496,10 @@ scene *scene_read(FILE *in, char *error, size_t error_size)
     if (!r.failed && (s->width == 0 || s->height == 0)) {
         fail(&r, "a scene has a size");
     }
-    if (!r.failed && s->color_format != GN_FORMAT_RGBA8 && s->color_format != GN_FORMAT_RGBA32F) {
-        fail(&r, "a scene's color-format is rgba8 or rgba32f");
+    if (!r.failed && !scene_is_color_format(s->color_format)) {
+        fail(&r, "a scene's color-format is one of colours, such as rgba8");
     }
-    if (!r.failed && (s->depth_format == GN_FORMAT_RGBA8 || s->depth_format == GN_FORMAT_RGBA32F)) {
+    if (!r.failed && scene_is_color_format(s->depth_format)) {
         fail(&r, "a scene's depth-format is one of depth or stencil, or none");
     }
     if (r.failed) {

@@ -7,8 +7,10 @@
 /* In the order of the values. */
 static const char *const shader_names[] = {"vertex-color",     "flat",  "gouraud",
                                            "textured-gouraud", "phong", "inputs"};
-static const char *const format_names[] = {"none", "rgba8", "rgba32f", "d16", "d24",
-                                           "d32f", "d24s8", "d32fs8",  "s8"};
+static const char *const format_names[] = {"none",  "rgba8",   "rgba32f", "d16",   "d24", "d32f",
+                                           "d24s8", "d32fs8",  "s8",      "bgra8", "r8",  "rg8",
+                                           "rgb8",  "rgb565",  "rgb5-a1", "rgba4", "r16", "rgba16",
+                                           "r32f",  "rgba16f", "srgb8-a8"};
 static const char *const topology_names[] = {
     "triangles", "triangle-strip", "triangle-fan", "points", "lines", "line-strip", "line-loop"};
 static const char *const provoking_names[] = {"last", "first"};
@@ -25,6 +27,7 @@ static const char *const stencil_operation_names[] = {"keep",           "zero", 
                                                       "increment-wrap", "decrement-wrap"};
 static const char *const interpolation_names[] = {"smooth", "noperspective", "flat"};
 static const char *const index_names[] = {"none", "uint8", "uint16", "uint32"};
+static const char *const restart_names[] = {"none", "fixed", "index"};
 static const char *const attribute_names[] = {"position", "color", "normal", "texcoord"};
 static const char *const switch_names[] = {"off", "on"};
 static const char *const wrap_names[] = {"repeat", "clamp-to-edge"};
@@ -74,6 +77,7 @@ static const char *const *names_of(text_names set, int *count)
         CASE(TEXT_STENCIL_OPERATION, stencil_operation_names);
         CASE(TEXT_INTERPOLATION, interpolation_names);
         CASE(TEXT_INDEX, index_names);
+        CASE(TEXT_RESTART, restart_names);
         CASE(TEXT_ATTRIBUTE, attribute_names);
         CASE(TEXT_SWITCH, switch_names);
         CASE(TEXT_WRAP, wrap_names);

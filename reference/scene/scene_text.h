@@ -40,6 +40,7 @@ typedef enum text_names {
     TEXT_STENCIL_OPERATION,
     TEXT_INTERPOLATION,
     TEXT_INDEX,
+    TEXT_RESTART,
     TEXT_ATTRIBUTE,
     TEXT_SWITCH,
     TEXT_WRAP,

@@ -183,6 +183,27 @@ static void write_uniforms(FILE *out, const scene_draw *d)
     }
 }
 
+/* What zero means is not written. */
+static void write_elements(FILE *out, const gn_mesh *mesh)
+{
+    for (int a = 0; a < text_name_count(TEXT_ATTRIBUTE); ++a) {
+        if (mesh->attribute[a].divisor) {
+            fprintf(out, "  divisor %s %" PRIu32 "\n", text_name(TEXT_ATTRIBUTE, a),
+                    mesh->attribute[a].divisor);
+        }
+    }
+    if (mesh->restart != GN_RESTART_NONE) {
+        fprintf(out, "  restart %s %" PRIu32 "\n", text_name(TEXT_RESTART, (int)mesh->restart),
+                mesh->restart_index);
+    }
+    if (mesh->base_vertex) {
+        fprintf(out, "  base-vertex %" PRIu32 "\n", (uint32_t)mesh->base_vertex);
+    }
+    if (mesh->instance_count) {
+        fprintf(out, "  instances %" PRIu32 "\n", mesh->instance_count);
+    }
+}
+
 bool scene_write(const scene *s, FILE *out)
 {
     fprintf(out, "gnomon-scene 1\nsize %" PRIu32 " %" PRIu32 "\n", s->width, s->height);
@@ -209,6 +230,7 @@ bool scene_write(const scene *s, FILE *out)
         if (d->mesh.indices) {
             write_indices(out, d);
         }
+        write_elements(out, &d->mesh);
         fprintf(out, "  elements %" PRIu32 " %" PRIu32 "\nend-draw\n", d->mesh.first,
                 d->mesh.count);
     }

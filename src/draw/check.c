@@ -118,28 +118,23 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
     return GN_OK;
 }
 
-/* The largest of the indices that are drawn. */
-static uint32_t largest_index(const gn_mesh *mesh)
+bool gn_indices_are_within(const gn_mesh *mesh)
 {
-    uint32_t largest = 0;
-
     for (uint32_t i = 0; i < mesh->count; ++i) {
-        const size_t at = (size_t)mesh->first + i;
-        const uint32_t index =
-            mesh->index_format == GN_INDEX_UINT8    ? ((const uint8_t *)mesh->indices)[at]
-            : mesh->index_format == GN_INDEX_UINT16 ? ((const uint16_t *)mesh->indices)[at]
-                                                    : ((const uint32_t *)mesh->indices)[at];
-        if (index > largest)
-            largest = index;
+        const uint32_t index = mesh_index(mesh, (size_t)mesh->first + i);
+
+        if (!is_restart(mesh, index) && index + (uint32_t)mesh->base_vertex >= mesh->vertex_count)
+            return false;
     }
-    return largest;
+    return true;
 }
 
 gn_status gn_check_mesh_but_indices(const gn_mesh *mesh)
 {
     if (!mesh)
         return GN_NULL_POINTER;
-    if ((unsigned)mesh->index_format > GN_INDEX_UINT32)
+    if ((unsigned)mesh->index_format > GN_INDEX_UINT32 ||
+        (unsigned)mesh->restart > GN_RESTART_INDEX)
         return GN_INVALID_ENUM;
 
     const bool indexed = mesh->index_format != GN_INDEX_NONE;
@@ -171,8 +166,7 @@ gn_status gn_mesh_check(const gn_mesh *mesh)
 
     if (status)
         return status;
-    if (mesh->index_format != GN_INDEX_NONE && mesh->count > 0 &&
-        largest_index(mesh) >= mesh->vertex_count)
+    if (mesh->index_format != GN_INDEX_NONE && !gn_indices_are_within(mesh))
         return GN_INDEX_OUT_OF_RANGE;
     return GN_OK;
 }

@@ -74,7 +74,7 @@ size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count
  * vertices: of a draw whose vertices are all kept, or of those segments alone. */
 static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
 {
-    const gn_mesh *mesh = job->mesh;
+    const mesh_run *mesh = job->mesh;
     const bool indexed = mesh->index_format != GN_INDEX_NONE;
     const uint32_t elements = indexed ? SEGMENT_INDICES : SEGMENT_ELEMENTS;
     const uint32_t varyings = job->pipeline->varying_count;
@@ -172,15 +172,73 @@ static gn_status run_on(gn_backend backend, const draw_job *job)
     }
 }
 
+static bool combines_colors(const gn_pipeline *p)
+{
+    return p->color_write_disabled != 0 || p->blend.enabled || p->color_logic;
+}
+
 /* Whether the draw asks for what this library was compiled without (lanes/small.h). */
 static bool is_left_out(const gn_target *target, const gn_pipeline *p)
 {
-    const bool combines = p->color_write_disabled != 0 || p->blend.enabled || p->color_logic;
+    const bool combines = combines_colors(p);
 
     return (!GN_HAVE_LINES && p->topology > GN_TRIANGLE_FAN) ||
            (!GN_HAVE_STENCIL && format_has_stencil(target->depth.format)) ||
            (!GN_HAVE_COMBINING && combines) ||
+           (!GN_HAVE_FORMATS && target->color.format > GN_FORMAT_RGBA32F) ||
            (!GN_HAVE_OFFSET && (p->polygon_offset.set || p->depth_clamp));
+}
+
+/* The next of the runs of elements between restarts, from mesh->first + *from on; false where
+ * there is none. */
+static bool next_run(const gn_mesh *mesh, uint32_t *from, mesh_run *part)
+{
+    uint32_t i = *from;
+
+    while (i < mesh->count && is_restart(mesh, mesh_index(mesh, (size_t)mesh->first + i)))
+        ++i;
+    part->first = mesh->first + i;
+    part->count = 0;
+    for (; i < mesh->count && !is_restart(mesh, mesh_index(mesh, (size_t)mesh->first + i)); ++i)
+        ++part->count;
+    *from = i;
+    return part->count > 0;
+}
+
+/* Draws all instances. An index out of range is found before anything is drawn: without
+ * restarts by the first instance. */
+static gn_status draw_instances(draw_job *job, const gn_mesh *mesh, gn_workspace *workspace)
+{
+    const bool indexed = mesh->index_format != GN_INDEX_NONE;
+    const bool restarts = indexed && mesh->restart != GN_RESTART_NONE;
+    const uint32_t instances = mesh->instance_count > 0 ? mesh->instance_count : 1;
+    const gn_backend backend =
+        workspace->backend == GN_BACKEND_AUTO ? gn_backend_best() : workspace->backend;
+    gn_status status = GN_OK;
+    mesh_run part;
+
+    if (restarts && !gn_indices_are_within(mesh))
+        return GN_INDEX_OUT_OF_RANGE;
+    part.attribute = mesh->attribute;
+    part.vertex_count = mesh->vertex_count;
+    part.indices = mesh->indices;
+    part.index_format = mesh->index_format;
+    part.first = mesh->first;
+    part.count = mesh->count;
+    part.base = indexed ? (uint32_t)mesh->base_vertex : 0;
+    job->mesh = &part;
+    for (part.instance = 0; part.instance < instances && !status; ++part.instance) {
+        if (!restarts) {
+            divide_workspace(job, workspace);
+            status = run_on(backend, job);
+            continue;
+        }
+        for (uint32_t from = 0; next_run(mesh, &from, &part) && !status;) {
+            divide_workspace(job, workspace);
+            status = run_on(backend, job);
+        }
+    }
+    return status;
 }
 
 gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
@@ -196,6 +254,8 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
         return status;
     if (target->color.format != GN_FORMAT_NONE && !pipeline->fragment_shader)
         return GN_NO_SHADER;
+    if (combines_colors(pipeline) && target->color.format > GN_FORMAT_RGBA32F)
+        return GN_INVALID_FORMAT;
     if (is_left_out(target, pipeline))
         return GN_NOT_COMPILED;
     if (!workspace || !workspace->memory)
@@ -209,8 +269,5 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
     draw_job job;
     job.target = target;
     job.pipeline = pipeline;
-    job.mesh = mesh;
-    divide_workspace(&job, workspace);
-    return run_on(workspace->backend == GN_BACKEND_AUTO ? gn_backend_best() : workspace->backend,
-                  &job);
+    return draw_instances(&job, mesh, workspace);
 }

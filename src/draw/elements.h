@@ -5,7 +5,7 @@
 #include "state.h"
 
 /* The vertices that elements first to first + count - 1 name. */
-static inline void read_elements(const gn_mesh *mesh, uint32_t first, uint32_t count,
+static inline void read_elements(const mesh_run *mesh, uint32_t first, uint32_t count,
                                  uint32_t *vertex)
 {
     const size_t at = (size_t)mesh->first + first;
@@ -13,15 +13,15 @@ static inline void read_elements(const gn_mesh *mesh, uint32_t first, uint32_t c
     switch (mesh->index_format) {
     case GN_INDEX_UINT8:
         for (uint32_t i = 0; i < count; ++i)
-            vertex[i] = ((const uint8_t *)mesh->indices)[at + i];
+            vertex[i] = ((const uint8_t *)mesh->indices)[at + i] + mesh->base;
         break;
     case GN_INDEX_UINT16:
         for (uint32_t i = 0; i < count; ++i)
-            vertex[i] = ((const uint16_t *)mesh->indices)[at + i];
+            vertex[i] = ((const uint16_t *)mesh->indices)[at + i] + mesh->base;
         break;
     case GN_INDEX_UINT32:
         for (uint32_t i = 0; i < count; ++i)
-            vertex[i] = ((const uint32_t *)mesh->indices)[at + i];
+            vertex[i] = ((const uint32_t *)mesh->indices)[at + i] + mesh->base;
         break;
     default:
         for (uint32_t i = 0; i < count; ++i)
@@ -43,9 +43,10 @@ static inline void read_drawn_elements(const draw_state *draw, uint32_t first, u
 
 /* The least and the greatest vertex that elements first to first + count - 1 name; of
  * none, an empty range. Unsigned order is the signed one of numbers less 2^31. */
-static index_range find_range(const gn_mesh *mesh, uint32_t first, uint32_t count)
+static index_range find_range(const mesh_run *mesh, uint32_t first, uint32_t count)
 {
     const lanes_i bias = lanes_i_splat(INT32_MIN);
+    const lanes_i base = lanes_i_add(bias, lanes_i_splat((int32_t)mesh->base));
     lanes_i low = lanes_i_splat(INT32_MAX);
     lanes_i high = lanes_i_splat(INT32_MIN);
     int32_t lows[GN_LANES], highs[GN_LANES];
@@ -56,7 +57,7 @@ static index_range find_range(const gn_mesh *mesh, uint32_t first, uint32_t coun
         const int32_t *indices = (const int32_t *)mesh->indices + mesh->first + first;
 
         for (; count - done >= GN_LANES; done += GN_LANES) {
-            const lanes_i index = lanes_i_add(lanes_i_load(indices + done), bias);
+            const lanes_i index = lanes_i_add(lanes_i_load(indices + done), base);
             low = lanes_i_min(low, index);
             high = lanes_i_max(high, index);
         }

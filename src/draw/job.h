@@ -42,7 +42,7 @@ typedef struct list_rows {
 typedef struct draw_job {
     const gn_target *target;
     const gn_pipeline *pipeline;
-    const gn_mesh *mesh;
+    const mesh_run *mesh;
     unsigned char *memory; /* vertices are named by their offset from here */
     uint32_t vertices;     /* offset of the first */
     uint32_t capacity;     /* vertices there is room for, a multiple of GN_LANES */

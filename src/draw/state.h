@@ -47,7 +47,7 @@ typedef struct index_parts {
 typedef struct draw_state {
     const draw_job *job;
     const gn_pipeline *pipeline;
-    const gn_mesh *mesh;
+    const mesh_run *mesh;
     uint32_t stride; /* bytes from vertex to vertex */
     slot_map map;
     index_parts parts; /* of a draw with indices */
@@ -80,12 +80,12 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
 }
 
 /* Elements of a segment, and triangles that they make. */
-static inline uint32_t segment_elements(const gn_mesh *mesh)
+static inline uint32_t segment_elements(const mesh_run *mesh)
 {
     return mesh->index_format != GN_INDEX_NONE ? SEGMENT_INDICES : SEGMENT_ELEMENTS;
 }
 
-static inline uint32_t segment_triangles(gn_topology topology, const gn_mesh *mesh)
+static inline uint32_t segment_triangles(gn_topology topology, const mesh_run *mesh)
 {
     return triangles_of(topology, segment_elements(mesh));
 }

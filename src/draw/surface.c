@@ -2,27 +2,12 @@
 #include "gnomon/surface.h"
 
 #include "../fragment/types.h"
+#include "clear_pixel.h"
 #include "fill.h"
 
 size_t gn_format_size(gn_format format)
 {
-    switch (format) {
-    case GN_FORMAT_RGBA8:
-    case GN_FORMAT_D24:
-    case GN_FORMAT_D32F:
-    case GN_FORMAT_D24S8:
-        return 4;
-    case GN_FORMAT_D32FS8:
-        return 8;
-    case GN_FORMAT_S8:
-        return 1;
-    case GN_FORMAT_RGBA32F:
-        return 16;
-    case GN_FORMAT_D16:
-        return 2;
-    default:
-        return 0;
-    }
+    return format_size(format);
 }
 
 gn_surface gn_surface_bottom_up(void *memory, gn_format format, uint32_t width, uint32_t height)
@@ -61,7 +46,8 @@ gn_surface gn_surface_rows(const gn_surface *surface, uint32_t first, uint32_t c
 
 static bool is_color_format(gn_format format)
 {
-    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F;
+    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F ||
+           (format >= GN_FORMAT_BGRA8 && format <= GN_FORMAT_SRGB8_A8);
 }
 
 static bool is_depth_format(gn_format format)
@@ -72,7 +58,12 @@ static bool is_depth_format(gn_format format)
 
 static gn_status check_surface(const gn_surface *s, bool format_fits)
 {
-    const size_t element = s->format == GN_FORMAT_D16 ? 2 : s->format == GN_FORMAT_S8 ? 1 : 4;
+    const uint32_t size = format_size(s->format);
+    const size_t element = s->format == GN_FORMAT_D32FS8 ? 4
+                           : size == 8                   ? 2
+                           : size == 3                   ? 1
+                           : size == 16                  ? 4
+                                                         : size;
     const size_t stride = s->row_stride < 0 ? 0 - (size_t)s->row_stride : (size_t)s->row_stride;
 
     if (!format_fits)
@@ -185,6 +176,17 @@ static int32_t bits_of(float f)
     return bits[0];
 }
 
+/* Fills with a pixel of any size but RGBA32F's. */
+static void clear_pixels(const gn_surface *surface, const float channel[4])
+{
+    const surface_spans spans = spans_of(surface);
+    clear_pixel pixel;
+
+    set_clear_pixel(&pixel, surface->format, channel);
+    for (uint32_t i = 0; i < spans.count; ++i)
+        fill_pixels(spans.first + (ptrdiff_t)i * spans.stride, spans.size, &pixel);
+}
+
 gn_status gn_clear_color(const gn_surface *surface, float red, float green, float blue, float alpha)
 {
     if (!surface)
@@ -194,19 +196,21 @@ gn_status gn_clear_color(const gn_surface *surface, float red, float green, floa
     if (status)
         return status;
 
+    const float channel[4] = {red, green, blue, alpha};
     if (surface->format == GN_FORMAT_RGBA8) {
         int32_t packed[GN_LANES];
 
         lanes_i_store(packed, lanes_pack_unorm8(saturate(red), saturate(green), saturate(blue),
                                                 saturate(alpha)));
         fill_surface(surface, packed);
-    } else {
-        const float channel[4] = {red, green, blue, alpha};
+    } else if (surface->format == GN_FORMAT_RGBA32F) {
         int32_t pattern[GN_LANES];
 
         GN_EACH_LANE (l)
             pattern[l] = bits_of(channel[l % 4]);
         fill_surface(surface, pattern);
+    } else {
+        clear_pixels(surface, channel);
     }
     return GN_OK;
 }

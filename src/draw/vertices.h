@@ -77,6 +77,7 @@ static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from
 
     input.attribute = (const float(*)[4][GN_LANES])attribute;
     input.vertex_id = vertex_id;
+    input.instance = draw->mesh->instance;
     output.position = staging;
     output.varying = staging + 4;
     output.point_size = NULL;

@@ -9,6 +9,7 @@
 
 #include "combine.h"
 #include "depth.h"
+#include "formats.h"
 #include "planes.h"
 #include "stencil.h"
 
@@ -186,7 +187,9 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
         coverage = test_whole(state, at, triangle, coverage, depth);
     if (!coverage || state->color.format == GN_FORMAT_NONE)
         return coverage;
-    if (!GN_HAVE_COMBINING || state->combine.use == COLOR_REPLACES)
+    if (GN_HAVE_FORMATS && state->color.format > GN_FORMAT_RGBA32F)
+        write_encoded(&state->color, state->color.format, at->x, at->y, coverage, color);
+    else if (!GN_HAVE_COMBINING || state->combine.use == COLOR_REPLACES)
         write_color(&state->color, state->color.format, at, coverage, color);
     else
         combine_color(&state->combine, &state->color, state->color.format, state->combine.use, at,

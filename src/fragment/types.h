@@ -7,6 +7,7 @@
  *   blend   colours blended with those of the surface
  *   logic   and their bits combined
  *   combine and written channel by channel
+ *   formats the same for formats that are less common
  *   block   interpolates, runs depth, the fragment shader and colour
  *
  * State is resolved once a draw, into the run_function (raster/types.h) that the
@@ -119,17 +120,48 @@ static inline unsigned char *surface_row(const gn_surface *surface, uint32_t y)
     return (unsigned char *)surface->pixels + (ptrdiff_t)y * surface->row_stride;
 }
 
+/* Bytes of one pixel of a format; 0 for GN_FORMAT_NONE and for no format. */
+GN_INLINE uint32_t format_size(gn_format format)
+{
+    switch (format) {
+    case GN_FORMAT_R8:
+    case GN_FORMAT_S8:
+        return 1;
+    case GN_FORMAT_D16:
+    case GN_FORMAT_RG8:
+    case GN_FORMAT_RGB565:
+    case GN_FORMAT_RGB5_A1:
+    case GN_FORMAT_RGBA4:
+    case GN_FORMAT_R16:
+        return 2;
+    case GN_FORMAT_RGB8:
+        return 3;
+    case GN_FORMAT_RGBA8:
+    case GN_FORMAT_D24:
+    case GN_FORMAT_D32F:
+    case GN_FORMAT_D24S8:
+    case GN_FORMAT_BGRA8:
+    case GN_FORMAT_R32F:
+    case GN_FORMAT_SRGB8_A8:
+        return 4;
+    case GN_FORMAT_D32FS8:
+    case GN_FORMAT_RGBA16:
+    case GN_FORMAT_RGBA16F:
+        return 8;
+    case GN_FORMAT_RGBA32F:
+        return 16;
+    default:
+        return 0;
+    }
+}
+
 /* The memory of a pixel on a surface of the given format, null where there is none. */
 GN_INLINE unsigned char *pixel_memory(const gn_surface *surface, gn_format format, int32_t x,
                                       int32_t y)
 {
-    const int32_t size = format == GN_FORMAT_RGBA32F  ? 16
-                         : format == GN_FORMAT_D32FS8 ? 8
-                         : format == GN_FORMAT_D16    ? 2
-                         : format == GN_FORMAT_S8     ? 1
-                                                      : 4;
-
-    return format == GN_FORMAT_NONE ? 0 : surface_row(surface, (uint32_t)y) + x * size;
+    return format == GN_FORMAT_NONE
+               ? 0
+               : surface_row(surface, (uint32_t)y) + x * (int32_t)format_size(format);
 }
 
 /* The 32-bit values of the lanes from `memory` on, in rows `stride` bytes apart. */

@@ -6,20 +6,32 @@
 
 #include "../lanes/lanes.h"
 
-/* Components of an attribute that come from its array. */
+/* Components of an attribute that come from its array, vertex by vertex. */
 static inline uint32_t array_components(const gn_attribute *attribute)
 {
-    return attribute->data ? attribute->components : 0;
+    return attribute->data && attribute->divisor == 0 ? attribute->components : 0;
 }
 
-/* What arrays lack, 0, 0, 0, 1, which fetch_attributes leaves as it is. */
-static inline void fetch_defaults(const gn_mesh *mesh,
+/* A component that all vertices of an instance have: 0, 0, 0, 1 where there is no array. */
+static inline float constant_component(const gn_attribute *source, uint32_t instance, uint32_t c)
+{
+    if (!source->data || source->divisor == 0 || c >= source->components)
+        return c == 3 ? 1.0f : 0.0f;
+
+    const size_t stride = source->stride ? source->stride / sizeof(float) : source->components;
+    return source->data[instance / source->divisor * stride + c];
+}
+
+/* What does not differ from vertex to vertex, which fetch_attributes leaves as it is. */
+static inline void fetch_defaults(const mesh_run *mesh,
                                   float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
 {
     for (uint32_t a = 0; a < GN_MAX_ATTRIBUTES; ++a) {
         for (uint32_t c = array_components(&mesh->attribute[a]); c < 4; ++c) {
+            const float value = constant_component(&mesh->attribute[a], mesh->instance, c);
+
             GN_EACH_LANE (l)
-                attribute[a][c][l] = c == 3 ? 1.0f : 0.0f;
+                attribute[a][c][l] = value;
         }
     }
 }
@@ -48,7 +60,7 @@ static inline void fetch_rows(const gn_attribute *source, size_t stride,
 }
 
 /* Sixteen vertices' attributes, as far as the arrays have them. */
-GN_STEP void fetch_attributes(const gn_mesh *mesh, const uint32_t vertex[GN_LANES],
+GN_STEP void fetch_attributes(const mesh_run *mesh, const uint32_t vertex[GN_LANES],
                               float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
 {
     uint32_t last = 0;

@@ -17,6 +17,18 @@ typedef struct viewport_transform {
     bool zero_to_one; /* CLIP_NEAR is 0 <= z */
 } viewport_transform;
 
+/* What of a mesh is drawn at a time: an instance of elements without a restart. Members are
+ * those of gn_mesh but for the last two. */
+typedef struct mesh_run {
+    const gn_attribute *attribute;
+    uint32_t vertex_count;
+    const void *indices;
+    gn_index_format index_format;
+    uint32_t first, count;
+    uint32_t base; /* added to indices, with a wrap */
+    uint32_t instance;
+} mesh_run;
+
 /* Up to sixteen triangles as offsets of their vertices, in the order that decides the low
  * bits of their attributes: corner[i][l * step] is vertex i of triangle l. Lanes beyond
  * `count` hold offsets too. */

@@ -31,6 +31,11 @@ static void reset_draw(builder *b)
     b->index_format = GN_INDEX_NONE;
     b->color_components = random_chance(&b->random, 85) ? 4 : 3;
     b->position_components = 4;
+    b->restart = GN_RESTART_NONE;
+    b->restart_index = 0;
+    b->base_vertex = 0;
+    b->instance_count = 0;
+    b->color_divisor = 0;
     b->lead = 0;
     b->trail = 0;
     b->vertex_count = 0;
@@ -190,6 +195,19 @@ static bool has_vertex_at_eye(const builder *b)
     return false;
 }
 
+/* Indices as the mesh has them. */
+static void store_indices(builder *b)
+{
+    const uint32_t largest = b->index_format == GN_INDEX_UINT8    ? UINT8_MAX
+                             : b->index_format == GN_INDEX_UINT16 ? UINT16_MAX
+                                                                  : UINT32_MAX;
+    for (uint32_t i = 0; i < b->index_count; i++)
+        if (b->indices[i] != BUILDER_RESTART)
+            b->indices[i] -= (uint32_t)b->base_vertex;
+        else
+            b->indices[i] = b->restart == GN_RESTART_INDEX ? b->restart_index : largest;
+}
+
 void builder_draw(builder *b)
 {
     if (b->vertex_count == 0)
@@ -204,6 +222,11 @@ void builder_draw(builder *b)
         b->state.depth_clamp = false;
     if (b->scene->depth_format == GN_FORMAT_NONE || b->scene->depth_format == GN_FORMAT_S8)
         memset(&b->state.polygon_offset, 0, sizeof b->state.polygon_offset);
+    if (b->scene->color_format > GN_FORMAT_RGBA32F) { /* which are only written */
+        memset(&b->state.blend, 0, sizeof b->state.blend);
+        b->state.color_write_disabled = 0;
+        b->state.color_logic = false;
+    }
     const uint32_t count = b->index_format == GN_INDEX_NONE ? b->vertex_count : b->index_count;
     if (b->lead + b->trail > 0)
         add_margins(b);
@@ -222,6 +245,14 @@ void builder_draw(builder *b)
         set_attribute(b, d, GN_ATTRIBUTE_NORMAL, offsetof(vertex, normal), 3);
     if (scene_shader_is_textured(b->shader) || b->state.program_point_size)
         set_attribute(b, d, GN_ATTRIBUTE_TEXCOORD, offsetof(vertex, texcoord), 2);
+    if (b->index_format != GN_INDEX_NONE)
+        store_indices(b);
+    d->mesh.restart = b->restart;
+    d->mesh.restart_index = b->restart_index;
+    d->mesh.base_vertex = b->base_vertex;
+    d->mesh.instance_count = b->instance_count;
+    if (b->color_components > 0)
+        d->mesh.attribute[GN_ATTRIBUTE_COLOR].divisor = b->color_divisor;
     if (b->index_format != GN_INDEX_NONE)
         scene_set_indices(d, b->indices, b->index_count, b->index_format);
     d->mesh.first = b->lead;

@@ -13,6 +13,9 @@ typedef struct vertex {
     float texcoord[2];
 } vertex;
 
+/* Stands for the index that restarts. */
+#define BUILDER_RESTART UINT32_MAX
+
 typedef struct builder {
     random_source random;
     scene *scene;
@@ -27,6 +30,11 @@ typedef struct builder {
     gn_index_format index_format; /* GN_INDEX_NONE: vertices are repeated as indices say */
     uint32_t color_components;    /* 0: the attribute is absent */
     uint32_t position_components;
+    gn_restart restart; /* BUILDER_RESTART among the indices */
+    uint32_t restart_index;
+    int32_t base_vertex; /* not above the least index: indices are stored without it */
+    uint32_t instance_count;
+    uint32_t color_divisor;
     uint32_t lead;  /* elements before the first drawn one */
     uint32_t trail; /* elements after the last */
 

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scene_pixel.h"
+
 bool compare_start(comparer *c)
 {
     static const uint32_t threads[COMPARE_POOLS] = {1, 2, 3, 8};
@@ -31,6 +33,16 @@ typedef struct variant {
     thread_pool *pool; /* null: the calling thread alone */
 } variant;
 
+/* Without the step that sRGB is allowed beside the reference. */
+static scene_difference compare_exactly(const scene *s, const scene_frame *a, const scene_frame *b)
+{
+    scene linear = *s;
+    scene_frame x = *a, y = *b;
+    if (s->color_format == GN_FORMAT_SRGB8_A8)
+        linear.color_format = x.color_format = y.color_format = GN_FORMAT_RGBA8;
+    return scene_compare(&linear, &x, &y);
+}
+
 /* The scene drawn that way, against `ours`; the first difference of several is kept. False
  * where there is no memory. */
 static bool compare_variant(const scene *s, const variant *v, comparison *result,
@@ -49,7 +61,7 @@ static bool compare_variant(const scene *s, const variant *v, comparison *result
     if (allocated)
         result->status = scene_draw_in_workspace(s, &frame, &workspace);
     if (allocated && result->status == GN_OK && difference->pixels == 0)
-        *difference = scene_compare(s, &frame, &result->ours);
+        *difference = compare_exactly(s, &frame, &result->ours);
     free(workspace.memory);
     scene_frame_free(&frame);
     return allocated;
@@ -173,8 +185,15 @@ static void print_pixel(const scene_frame *f, size_t i)
         printf("color %.9g %.9g %.9g %.9g", (double)p[0], (double)p[1], (double)p[2], (double)p[3]);
         break;
     }
-    default:
+    default: {
+        uint32_t channel[4];
+        const int count =
+            f->color ? scene_pixel_channels(f->color, f->color_format, i, channel) : 0;
+        printf("color");
+        for (int c = 0; c < count; c++)
+            printf(" %.9g", scene_channel_value(f->color_format, channel[c]));
         break;
+    }
     }
     switch (f->depth_format) {
     case GN_FORMAT_D16:

@@ -76,6 +76,10 @@ const char *scene_class_name(scene_class c)
         return "points";
     case CLASS_LINES:
         return "lines";
+    case CLASS_FORMATS:
+        return "formats";
+    case CLASS_INSTANCES:
+        return "instances";
     case CLASS_MIXED:
         return "mixed";
     case CLASS_COUNT:
@@ -214,6 +218,12 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_LINES:
         generate_lines(&b);
+        break;
+    case CLASS_FORMATS:
+        generate_formats(&b);
+        break;
+    case CLASS_INSTANCES:
+        generate_instances(&b);
         break;
     default:
         generate_mixed(&b);

@@ -40,6 +40,8 @@ typedef enum scene_class {
     CLASS_CLIP_DEPTH,    /* depth clamp, clip depths from 0 to 1 */
     CLASS_POINTS,        /* sizes of the state and of the vertex shader */
     CLASS_LINES,         /* separate, strips and loops, of all widths */
+    CLASS_FORMATS,       /* every colour format, at the edges of its conversion */
+    CLASS_INSTANCES,     /* instances, base vertex, primitive restart */
     CLASS_MIXED,         /* several draws of several of the above */
     CLASS_COUNT
 } scene_class;

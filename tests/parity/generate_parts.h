@@ -68,6 +68,12 @@ void random_stencil(builder *b);
 /* Points or lines; sets the topology and sizes. */
 void shape_points(builder *b, uint32_t count);
 void shape_lines(builder *b, uint32_t count);
+/* One of the colour formats beside RGBA8 and RGBA32F. */
+gn_format random_color_format(builder *b);
+
+/* Restarts among the indices there are, a base vertex, instances: each now and then. Of a
+ * draw without indices, instances alone. */
+void shape_elements(builder *b);
 
 /* One class each, from the target on. */
 void generate_meshes(builder *b);
@@ -96,6 +102,8 @@ void generate_logic(builder *b);
 void generate_clip_depth(builder *b);
 void generate_points(builder *b);
 void generate_lines(builder *b);
+void generate_formats(builder *b);
+void generate_instances(builder *b);
 void generate_mixed(builder *b);
 
 /* Blends by alpha and one minus alpha. */

@@ -60,5 +60,13 @@ void generate_segments(builder *b)
         if (indexed)
             builder_index(b, i);
     }
+    /* Runs between restarts are divided into segments each for itself. */
+    if (indexed && random_chance(r, 40)) {
+        b->restart = GN_RESTART_FIXED_INDEX;
+        for (uint32_t n = 1 + random_below(r, 3); n > 0; n--)
+            b->indices[random_below(r, random_chance(r, 50) ? 40 : elements)] = BUILDER_RESTART;
+    }
+    if (random_chance(r, 10))
+        b->instance_count = 2;
     builder_draw(b);
 }

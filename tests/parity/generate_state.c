@@ -364,6 +364,8 @@ static void mixed_draw(builder *b)
     if (random_chance(r, 20))
         random_stencil(b);
     b->counted = random_chance(r, 10);
+    if (random_chance(r, 25))
+        shape_elements(b);
     builder_draw(b);
 }
 
@@ -373,6 +375,8 @@ void generate_mixed(builder *b)
     builder_common_target(b);
     if (random_chance(&b->random, 30))
         b->scene->depth_format = stencils[random_below(&b->random, 3)];
+    if (random_chance(&b->random, 40))
+        b->scene->color_format = random_color_format(b);
     for (uint32_t draws = 2 + random_below(&b->random, 4); draws > 0; draws--)
         mixed_draw(b);
 }

@@ -58,6 +58,18 @@ static void copy_draw(scene *to, const scene_draw *from, const mesh_selection *s
         scene_set_indices(d, indices, from->index_count, from->mesh.index_format);
         free(indices);
     }
+    for (int a = 0; a < GN_MAX_ATTRIBUTES; a++)
+        if (d->mesh.attribute[a].data)
+            d->mesh.attribute[a].divisor = from->mesh.attribute[a].divisor;
+    /* Arrays have an element for each vertex, and must have one for each instance. */
+    d->mesh.instance_count = from->mesh.instance_count < selection->vertex_count
+                                 ? from->mesh.instance_count
+                                 : selection->vertex_count;
+    if (selection->keep_indices) {
+        d->mesh.restart = from->mesh.restart;
+        d->mesh.restart_index = from->mesh.restart_index;
+        d->mesh.base_vertex = from->mesh.base_vertex;
+    }
     d->mesh.vertex_count = selection->vertex_count;
     d->mesh.first = selection->first;
     d->mesh.count = selection->count;
@@ -78,6 +90,35 @@ scene *copy_with_selection(const scene *s, size_t draw, const mesh_selection *se
     return copy;
 }
 
+static bool is_restart(const gn_mesh *mesh, uint32_t i)
+{
+    const uint32_t largest = mesh->index_format == GN_INDEX_UINT8    ? UINT8_MAX
+                             : mesh->index_format == GN_INDEX_UINT16 ? UINT16_MAX
+                                                                     : UINT32_MAX;
+    return scene_vertex_of(mesh, mesh->first + i) ==
+           (mesh->restart == GN_RESTART_INDEX ? mesh->restart_index : largest);
+}
+
+/* One of the runs of elements between restarts, without the restarts. */
+static bool separate_runs(shrinking *s, size_t draw)
+{
+    const gn_mesh *mesh = &s->best->draws[draw].mesh;
+    for (uint32_t start = 0, end; start < mesh->count; start = end + 1) {
+        for (end = start; end < mesh->count && !is_restart(mesh, end);)
+            end++;
+        if (end - start < 3)
+            continue;
+        mesh_selection selection = mesh_select_all(mesh);
+        selection.first = mesh->first + start;
+        selection.count = end - start;
+        scene *copy = copy_with_selection(s->best, draw, &selection);
+        copy->draws[draw].mesh.restart = GN_RESTART_NONE;
+        if (shrink_try(s, copy))
+            return true;
+    }
+    return false;
+}
+
 /* The drawn elements of a mesh one after the other, without indices. */
 static bool remove_indices(shrinking *s, size_t draw)
 {
@@ -85,9 +126,11 @@ static bool remove_indices(shrinking *s, size_t draw)
     if (mesh->index_format == GN_INDEX_NONE && mesh->first == 0 &&
         mesh->count == mesh->vertex_count)
         return false;
+    if (mesh->index_format != GN_INDEX_NONE && mesh->restart != GN_RESTART_NONE)
+        return separate_runs(s, draw);
     uint32_t *vertices = allocated(mesh->count, sizeof *vertices);
     for (uint32_t i = 0; i < mesh->count; i++)
-        vertices[i] = scene_vertex_of(mesh, mesh->first + i);
+        vertices[i] = scene_vertex_of(mesh, mesh->first + i) + (uint32_t)mesh->base_vertex;
     mesh_selection selection = {vertices, mesh->count, false, 0, mesh->count, ~0u};
     const bool kept = shrink_try(s, copy_with_selection(s->best, draw, &selection));
     free(vertices);

@@ -251,6 +251,17 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         change = p->line_width != 0.0f;
         p->line_width = 0.0f;
         return change;
+    case 56:
+        change = d->mesh.instance_count > 1;
+        d->mesh.instance_count = 0;
+        return change;
+    case 57:
+        change = false;
+        for (int a = 0; a < GN_MAX_ATTRIBUTES; a++) {
+            change = change || d->mesh.attribute[a].divisor;
+            d->mesh.attribute[a].divisor = 0;
+        }
+        return change;
     default:
         *last = true;
         return false;

@@ -8,6 +8,7 @@
 
 #include "generate.h"
 #include "scene.h"
+#include "scene_pixel.h"
 
 #define DEFAULT_SCENES 440
 #define DEFAULT_SEED 1
@@ -63,8 +64,18 @@ static void add_pixels(hash *h, const void *pixels, gn_format format, size_t cou
         case GN_FORMAT_S8:
             add_word(h, ((const uint8_t *)pixels)[i]);
             break;
+        case GN_FORMAT_R32F:
+            add_float(h, ((const float *)pixels)[i]);
+            break;
         case GN_FORMAT_NONE:
             break;
+        default: {
+            uint32_t channel[4];
+            const int channels = scene_pixel_channels(pixels, format, i, channel);
+            for (int c = 0; c < channels; c++)
+                add_word(h, channel[c]);
+            break;
+        }
         }
     }
 }

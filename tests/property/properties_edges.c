@@ -204,7 +204,7 @@ static enum theft_trial_res shared_edges_once(struct theft *t, void *instance)
     pipeline.fragment_shader = paint_white;
     gn_mesh one;
     memset(&one, 0, sizeof one);
-    one.attribute[0] = (gn_attribute){&position[0][0], 4, 0};
+    one.attribute[0] = (gn_attribute){&position[0][0], 4, 0, 0};
     one.vertex_count = m->vertex_count;
     one.index_format = GN_INDEX_UINT32;
     one.count = 3;

@@ -68,7 +68,10 @@ static enum theft_alloc_res make_hostile(struct theft *t, void *env, void **outp
     random_source r = random_seed(theft_random_bits(t, 32));
     h->width = 1 + random_below(&r, MAX_SIDE);
     h->height = 1 + random_below(&r, MAX_SIDE);
-    h->color = random_chance(&r, 80) ? GN_FORMAT_RGBA8 : GN_FORMAT_RGBA32F;
+    h->color = random_chance(&r, 40) ? GN_FORMAT_RGBA8
+               : random_chance(&r, 20)
+                   ? GN_FORMAT_RGBA32F
+                   : (gn_format)random_between(&r, GN_FORMAT_BGRA8, GN_FORMAT_SRGB8_A8);
     h->depth = depths[random_below(&r, 7)];
     h->viewport.set = true;
     h->viewport.width = (float)h->width;
@@ -213,7 +216,7 @@ static bool draw_guarded(const hostile *h, const guarded *color, const guarded *
     pipeline.depth_function = GN_ALWAYS;
     pipeline.stencil_test = true;
     pipeline.stencil_front.pass = pipeline.stencil_back.pass = GN_STENCIL_INVERT;
-    mesh.attribute[0] = (gn_attribute){&h->position[0][0], 4, 0};
+    mesh.attribute[0] = (gn_attribute){&h->position[0][0], 4, 0, 0};
     mesh.vertex_count = 3 * h->triangle_count;
     mesh.first = 3 * triangle;
     mesh.count = 3;

@@ -239,8 +239,11 @@ static unsigned char cleared_byte(gn_format format, size_t i)
         return i % 8 == 4 ? 0x99 : 0;
     if (format == GN_FORMAT_S8 || (format == GN_FORMAT_D24S8 && i % 4 == 3))
         return 0x99;
-    if (format == GN_FORMAT_RGBA32F || format == GN_FORMAT_D32F || format == GN_FORMAT_D32FS8)
+    if (format == GN_FORMAT_RGBA32F || format == GN_FORMAT_D32F || format == GN_FORMAT_D32FS8 ||
+        format == GN_FORMAT_R32F)
         return one[i % 4];
+    if (format == GN_FORMAT_RGBA16F)
+        return i % 2 ? 0x3C : 0;
     return format == GN_FORMAT_D24 && i % 4 == 3 ? 0 : 0xFF;
 }
 
@@ -267,12 +270,17 @@ static void clear_fills_its_pixels_alone(void **state)
     static const uint32_t widths[] = {1, 2, 15, 16, 17, 63, 255, 1023, 1024, 1025, 2050};
     static unsigned char memory[3 * (2050 * 16 + 8) + 16];
 
-    for (int f = GN_FORMAT_RGBA8; f <= GN_FORMAT_S8; ++f) {
+    for (int f = GN_FORMAT_RGBA8; f <= GN_FORMAT_SRGB8_A8; ++f) {
         const gn_format format = (gn_format)f;
-        const size_t element = format == GN_FORMAT_D16 ? 2 : format == GN_FORMAT_S8 ? 1 : 4;
         const bool has_stencil =
             format == GN_FORMAT_D24S8 || format == GN_FORMAT_D32FS8 || format == GN_FORMAT_S8;
         const bool has_depth = format != GN_FORMAT_S8;
+        const size_t pixel = gn_format_size(format);
+        const size_t element = format == GN_FORMAT_D32FS8 ? 4
+                               : pixel == 3               ? 1
+                               : pixel == 8               ? 2
+                               : pixel < 4                ? pixel
+                                                          : 4;
 
         for (uint32_t kind = 0; kind < 8 * sizeof widths / sizeof *widths; ++kind) {
             const uint32_t width = widths[kind / 8];
@@ -288,7 +296,7 @@ static void clear_fills_its_pixels_alone(void **state)
                 s.row_stride = -(ptrdiff_t)stride;
             }
             memset(memory, 0x55, sizeof memory);
-            if (format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F)
+            if (format < GN_FORMAT_D16 || format > GN_FORMAT_S8)
                 assert_int_equal(gn_clear_color(&s, 1, 1, 1, 1), GN_OK);
             else
                 assert_int_equal(clear_both(&s, kind / 8 % 3, has_depth, has_stencil), GN_OK);

@@ -1,0 +1,66 @@
+/* Targets of every colour format, and colours at which its conversion decides something. */
+#include "generate_parts.h"
+
+#include <math.h>
+
+gn_format random_color_format(builder *b)
+{
+    static const gn_format formats[] = {GN_FORMAT_BGRA8, GN_FORMAT_R8,      GN_FORMAT_RG8,
+                                        GN_FORMAT_RGB8,  GN_FORMAT_RGB565,  GN_FORMAT_RGB5_A1,
+                                        GN_FORMAT_RGBA4, GN_FORMAT_R16,     GN_FORMAT_RGBA16,
+                                        GN_FORMAT_R32F,  GN_FORMAT_RGBA16F, GN_FORMAT_SRGB8_A8};
+    return formats[random_below(&b->random, sizeof formats / sizeof *formats)];
+}
+
+/* Steps and half steps of channels of 1 to 16 bits, the edges of the range, magnitudes beyond
+ * it, and among them those where halves become denormal and infinite. */
+static float format_color(random_source *r)
+{
+    static const float largest[] = {1.0f, 15.0f, 31.0f, 63.0f, 255.0f, 255.0f, 65535.0f, 65535.0f};
+    const float steps = largest[random_below(r, 8)];
+    const float step = (float)random_between(r, -1, (int32_t)steps + 1);
+    const float sign = random_sign(r);
+    switch (random_below(r, 8)) {
+    case 0:
+        return (step + 0.5f) / steps;
+    case 1:
+        return step / steps;
+    case 2:
+        return nextafterf((step + 0.5f) / steps, random_chance(r, 50) ? 2.0f : -2.0f);
+    case 3:
+        return sign * random_octave(r, 0, 40);
+    case 4:
+        return sign * random_octave(r, -30, -10);
+    case 5:
+        return sign * random_octave(r, 14, 17);
+    case 6:
+        return random_float(r, -1.0f, 2.0f);
+    default:
+        return random_unit(r);
+    }
+}
+
+void generate_formats(builder *b)
+{
+    random_source *r = &b->random;
+    builder_common_target(b);
+    b->scene->color_format = random_color_format(b);
+    if (random_chance(r, 30)) { /* blocks that hang over */
+        b->scene->width = 1 + random_below(r, 40);
+        b->scene->height = 1 + random_below(r, 40);
+    }
+    for (int i = 0; i < 4; i++)
+        b->scene->clear_color[i] = format_color(r);
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+        builder_common_state(b);
+        const bool flat = random_chance(r, 60);
+        for (int i = 0; flat && i < 4; i++)
+            b->state.interpolation[i] = GN_FLAT;
+        shape_triangles(b, (placement)random_below(r, PLACE_COUNT), builder_triangle_count(b));
+        const bool gradient = !flat && random_chance(r, 50);
+        for (uint32_t i = 0; !gradient && i < b->vertex_count; i++)
+            for (int c = 0; c < 4; c++)
+                b->vertices[i].color[c] = format_color(r);
+        builder_draw(b);
+    }
+}

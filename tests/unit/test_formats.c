@@ -1,0 +1,235 @@
+/* Colour formats: where channels are in a pixel, what clears and fragments make of colours,
+ * alignment. Expected values are written out from the tables of surface.h. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <string.h>
+
+#include <gnomon.h>
+
+#define COLOR_FORMATS 14
+
+/* A pixel in the units of its format: bytes, 16 bits or 32. */
+typedef struct expected {
+    gn_format format;
+    uint32_t element; /* bytes */
+    uint32_t count;
+    uint32_t clear[4];    /* of CLEAR */
+    uint32_t fragment[4]; /* of SHADED */
+} expected;
+
+/* 0.5 is 127.5 of 255, 15.5 of 31, 31.5 of 63, 7.5 of 15, 32767.5 of 65535: a tie in each;
+ * 2 and -1 saturate. sRGB has 188 for 0.5. */
+static const float CLEAR[4] = {0.5f, 1.0f, 0.25f, -1.0f};
+
+/* 0.75 is 191.25 of 255 and 0.6 is 153; 191 >> 3 = 23, 191 / 17 = 11.2, 153 / 17 = 9. */
+static const float SHADED[4] = {0.75f, 0.0f, 2.0f, 0.6f};
+
+static const expected table[COLOR_FORMATS] = {
+    {GN_FORMAT_RGBA8, 4, 1, {0x0040FF80u}, {0x99FF00BFu}},
+    {GN_FORMAT_BGRA8, 4, 1, {0x0080FF40u}, {0x99BF00FFu}},
+    {GN_FORMAT_SRGB8_A8, 4, 1, {0x0089FFBCu}, {0x99FF00E1u}},
+    {GN_FORMAT_R8, 1, 1, {0x80}, {0xBF}},
+    {GN_FORMAT_RG8, 2, 1, {0xFF80}, {0x00BF}},
+    {GN_FORMAT_RGB8, 1, 3, {0x80, 0xFF, 0x40}, {0xBF, 0x00, 0xFF}},
+    {GN_FORMAT_RGB565, 2, 1, {16u << 11 | 63u << 5 | 8}, {23u << 11 | 31}},
+    {GN_FORMAT_RGB5_A1, 2, 1, {16u << 11 | 31u << 6 | 8u << 1}, {23u << 11 | 31u << 1 | 1}},
+    {GN_FORMAT_RGBA4, 2, 1, {8u << 12 | 15u << 8 | 4u << 4}, {11u << 12 | 15u << 4 | 9}},
+    {GN_FORMAT_R16, 2, 1, {32768}, {49151}},
+    {GN_FORMAT_RGBA16, 2, 4, {32768, 65535, 16384, 0}, {49151, 0, 65535, 39321}},
+    {GN_FORMAT_R32F, 4, 1, {0x3F000000u}, {0x3F400000u}},
+    {GN_FORMAT_RGBA16F, 2, 4, {0x3800, 0x3C00, 0x3400, 0xBC00}, {0x3A00, 0, 0x4000, 0x38CC}},
+    {GN_FORMAT_RGBA32F,
+     4,
+     4,
+     {0x3F000000u, 0x3F800000u, 0x3E800000u, 0xBF800000u},
+     {0x3F400000u, 0, 0x40000000u, 0x3F19999Au}},
+};
+
+#define SIDE 7
+
+static uint32_t memory[SIDE * SIDE * 4 + 4];
+
+static uint32_t element_at(const void *at, uint32_t size, size_t i)
+{
+    return size == 1   ? ((const uint8_t *)at)[i]
+           : size == 2 ? ((const uint16_t *)at)[i]
+                       : ((const uint32_t *)at)[i];
+}
+
+static void sizes_are_those_of_the_elements(void **state)
+{
+    (void)state;
+    for (int f = 0; f < COLOR_FORMATS; ++f)
+        assert_int_equal(gn_format_size(table[f].format), table[f].element * table[f].count);
+}
+
+static void clears_give_the_values_of_the_table(void **state)
+{
+    (void)state;
+    for (int f = 0; f < COLOR_FORMATS; ++f) {
+        const expected *e = &table[f];
+        const gn_surface s = gn_surface_bottom_up(memory, e->format, SIDE, SIDE);
+
+        memset(memory, 0x55, sizeof memory);
+        assert_int_equal(gn_clear_color(&s, CLEAR[0], CLEAR[1], CLEAR[2], CLEAR[3]), GN_OK);
+        for (size_t i = 0; i < (size_t)SIDE * SIDE * e->count; ++i) {
+            if (element_at(memory, e->element, i) != e->clear[i % e->count])
+                fail_msg("format %d, element %zu: %x", (int)e->format, i,
+                         element_at(memory, e->element, i));
+        }
+    }
+}
+
+static void cover_all(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)
+{
+    (void)uniforms;
+    for (int l = 0; l < GN_LANES; ++l) {
+        output->position[0][l] = input->vertex_id[l] == 1 ? 3.0f : -1.0f;
+        output->position[1][l] = input->vertex_id[l] == 2 ? 3.0f : -1.0f;
+        output->position[2][l] = 0.0f;
+        output->position[3][l] = 1.0f;
+    }
+}
+
+static void shade_one_color(const void *uniforms, const gn_fragment_input *input,
+                            gn_fragment_output *output)
+{
+    const float *color = uniforms;
+
+    (void)input;
+    for (int c = 0; c < 4; ++c)
+        for (int l = 0; l < GN_LANES; ++l)
+            output->color[c][l] = color[c];
+}
+
+/* Draws a triangle over a surface whose memory begins `offset` bytes on. */
+static void draw_over(gn_format format, uint32_t offset, uint32_t stride, const float color[4])
+{
+    static unsigned char work[GN_WORKSPACE_SIZE(3, 0)];
+    gn_pipeline pipeline = {0};
+    gn_mesh mesh = {0};
+    gn_target target = {0};
+    gn_workspace workspace = {0};
+
+    pipeline.vertex_shader = cover_all;
+    pipeline.fragment_shader = shade_one_color;
+    pipeline.uniforms = color;
+    mesh.vertex_count = 3;
+    mesh.count = 3;
+    target.color = gn_surface_bottom_up((unsigned char *)memory + offset, format, SIDE, SIDE);
+    target.color.row_stride = (ptrdiff_t)stride;
+    workspace.memory = work;
+    workspace.size = sizeof work;
+    assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+}
+
+static void fragments_give_the_values_of_the_table(void **state)
+{
+    (void)state;
+    for (int f = 0; f < COLOR_FORMATS; ++f) {
+        const expected *e = &table[f];
+
+        memset(memory, 0x55, sizeof memory);
+        draw_over(e->format, 0, SIDE * e->element * e->count, SHADED);
+        for (size_t i = 0; i < (size_t)SIDE * SIDE * e->count; ++i) {
+            if (element_at(memory, e->element, i) != e->fragment[i % e->count])
+                fail_msg("format %d, element %zu: %x", (int)e->format, i,
+                         element_at(memory, e->element, i));
+        }
+        assert_int_equal(((unsigned char *)memory)[(size_t)SIDE * SIDE * e->element * e->count],
+                         0x55);
+    }
+}
+
+/* As little aligned as may be, with a gap of one element between rows. */
+static void fragments_leave_what_is_beside_them(void **state)
+{
+    (void)state;
+    for (int f = 0; f < COLOR_FORMATS; ++f) {
+        const expected *e = &table[f];
+        const uint32_t row = SIDE * e->element * e->count;
+        const unsigned char *bytes = (const unsigned char *)memory;
+
+        if ((SIDE * SIDE * e->count + SIDE) * e->element + e->element > sizeof memory)
+            continue;
+        memset(memory, 0x55, sizeof memory);
+        draw_over(e->format, e->element, row + e->element, SHADED);
+        for (size_t i = 0; i < sizeof memory; ++i) {
+            const size_t at = i - e->element;
+            const bool inside = i >= e->element && at < (size_t)SIDE * (row + e->element) &&
+                                at % (row + e->element) < row;
+            if (!inside)
+                assert_int_equal(bytes[i], 0x55);
+        }
+    }
+}
+
+/* Halves: subnormal, the largest, beyond it, infinite, NaN; each rounded toward zero. */
+static void halves_round_toward_zero(void **state)
+{
+    (void)state;
+    static const struct {
+        uint32_t single;
+        uint16_t half;
+    } values[] = {{0x3F801FFFu, 0x3C00}, {0x3F802000u, 0x3C01}, {0xB8800000u, 0x8400},
+                  {0x387FFFFFu, 0x03FF}, {0x33800000u, 0x0001}, {0x337FFFFFu, 0x0000},
+                  {0x477FE000u, 0x7BFF}, {0x477FFFFFu, 0x7BFF}, {0x47800000u, 0x7BFF},
+                  {0xFF7FFFFFu, 0xFBFF}, {0x7F800000u, 0x7C00}, {0xFF800000u, 0xFC00},
+                  {0x7FC00000u, 0x7E00}, {0xFF800001u, 0x7E00}, {0x80000000u, 0x8000}};
+
+    for (size_t i = 0; i < sizeof values / sizeof *values; ++i) {
+        float color[4];
+        const gn_surface s = gn_surface_bottom_up(memory, GN_FORMAT_RGBA16F, SIDE, SIDE);
+
+        for (int c = 0; c < 4; ++c)
+            memcpy(&color[c], &values[i].single, sizeof color[c]);
+        draw_over(GN_FORMAT_RGBA16F, 0, SIDE * 8, color);
+        assert_int_equal(element_at(memory, 2, 3), values[i].half);
+        assert_int_equal(gn_clear_color(&s, color[0], color[1], color[2], color[3]), GN_OK);
+        assert_int_equal(element_at(memory, 2, 3), values[i].half);
+    }
+}
+
+static void pixels_are_aligned_to_their_element(void **state)
+{
+    (void)state;
+    for (int f = 0; f < COLOR_FORMATS; ++f) {
+        const expected *e = &table[f];
+        gn_target t = {0};
+
+        for (uint32_t offset = 0; offset < 4; ++offset) {
+            const gn_status wanted = offset % e->element ? GN_MISALIGNED : GN_OK;
+
+            t.color = gn_surface_bottom_up((unsigned char *)memory + offset, e->format, 2, 2);
+            assert_int_equal(gn_target_check(&t), wanted);
+            t.color.pixels = memory;
+            t.color.row_stride += (ptrdiff_t)offset;
+            assert_int_equal(gn_target_check(&t), wanted);
+            t.color.row_stride = -t.color.row_stride;
+            assert_int_equal(gn_target_check(&t), wanted);
+        }
+        t.color.row_stride = (ptrdiff_t)(gn_format_size(e->format) * 2 - e->element);
+        assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
+        t.depth = t.color;
+        memset(&t.color, 0, sizeof t.color);
+        assert_int_equal(gn_target_check(&t), GN_INVALID_FORMAT);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sizes_are_those_of_the_elements),
+        cmocka_unit_test(clears_give_the_values_of_the_table),
+        cmocka_unit_test(fragments_give_the_values_of_the_table),
+        cmocka_unit_test(fragments_leave_what_is_beside_them),
+        cmocka_unit_test(halves_round_toward_zero),
+        cmocka_unit_test(pixels_are_aligned_to_their_element),
+    };
+
+    return cmocka_run_group_tests_name("formats", tests, NULL, NULL);
+}
