@@ -178,13 +178,14 @@ static bool combines_colors(const gn_pipeline *p)
 }
 
 /* Whether the draw asks for what this library was compiled without (lanes/small.h). */
-static bool is_left_out(const gn_target *target, const gn_pipeline *p)
+static bool is_left_out(const gn_target *target, const gn_pipeline *p, const gn_mesh *mesh)
 {
     const bool combines = combines_colors(p);
 
     return (!GN_HAVE_LINES && p->topology > GN_TRIANGLE_FAN) ||
            (!GN_HAVE_STENCIL && format_has_stencil(target->depth.format)) ||
            (!GN_HAVE_COMBINING && combines) ||
+           (!GN_HAVE_INSTANCES && (mesh->restart != GN_RESTART_NONE || mesh->instance_count > 1)) ||
            (!GN_HAVE_FORMATS && target->color.format > GN_FORMAT_RGBA32F) ||
            (!GN_HAVE_OFFSET && (p->polygon_offset.set || p->depth_clamp));
 }
@@ -210,8 +211,9 @@ static bool next_run(const gn_mesh *mesh, uint32_t *from, mesh_run *part)
 static gn_status draw_instances(draw_job *job, const gn_mesh *mesh, gn_workspace *workspace)
 {
     const bool indexed = mesh->index_format != GN_INDEX_NONE;
-    const bool restarts = indexed && mesh->restart != GN_RESTART_NONE;
-    const uint32_t instances = mesh->instance_count > 0 ? mesh->instance_count : 1;
+    const bool restarts = GN_HAVE_INSTANCES && indexed && mesh->restart != GN_RESTART_NONE;
+    const uint32_t instances =
+        GN_HAVE_INSTANCES && mesh->instance_count > 0 ? mesh->instance_count : 1;
     const gn_backend backend =
         workspace->backend == GN_BACKEND_AUTO ? gn_backend_best() : workspace->backend;
     gn_status status = GN_OK;
@@ -256,7 +258,7 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
         return GN_NO_SHADER;
     if (combines_colors(pipeline) && target->color.format > GN_FORMAT_RGBA32F)
         return GN_INVALID_FORMAT;
-    if (is_left_out(target, pipeline))
+    if (is_left_out(target, pipeline, mesh))
         return GN_NOT_COMPILED;
     if (!workspace || !workspace->memory)
         return GN_NULL_POINTER;

@@ -203,6 +203,8 @@ gn_status gn_clear_color(const gn_surface *surface, float red, float green, floa
         lanes_i_store(packed, lanes_pack_unorm8(saturate(red), saturate(green), saturate(blue),
                                                 saturate(alpha)));
         fill_surface(surface, packed);
+    } else if (!GN_HAVE_FORMATS && surface->format != GN_FORMAT_RGBA32F) {
+        return GN_NOT_COMPILED;
     } else if (surface->format == GN_FORMAT_RGBA32F) {
         int32_t pattern[GN_LANES];
 
