@@ -56,7 +56,8 @@ void generate_formats(builder *b)
         const bool flat = random_chance(r, 60);
         for (int i = 0; flat && i < 4; i++)
             b->state.interpolation[i] = GN_FLAT;
-        shape_triangles(b, (placement)random_below(r, PLACE_COUNT), builder_triangle_count(b));
+        const placement p = (placement)random_below(r, PLACE_COUNT);
+        shape_triangles(b, p, builder_triangle_count(b));
         const bool gradient = !flat && random_chance(r, 50);
         for (uint32_t i = 0; !gradient && i < b->vertex_count; i++)
             for (int c = 0; c < 4; c++)

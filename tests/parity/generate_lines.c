@@ -74,8 +74,8 @@ void shape_lines(builder *b, uint32_t count)
             x = floorf(x * grain) / grain;
             y = floorf(y * grain) / grain;
             const float z = random_float(r, -1.0f, 1.0f);
-            builder_place(b, builder_vertex(b), x, y, z,
-                          random_chance(r, 60) ? 1.0f : random_power(r, -1, 1));
+            const float w = random_chance(r, 60) ? 1.0f : random_power(r, -1, 1);
+            builder_place(b, builder_vertex(b), x, y, z, w);
         } else {
             place_end(b, p);
         }
