@@ -13,6 +13,16 @@ own="-ffreestanding -fvisibility=hidden -fPIC -fno-math-errno -fno-stack-protect
 passed=0
 failed=0
 
+compile_all() { # compile_all DIRECTORY COMPILER FLAGS...: every file, as many at a time as there are processors
+    into=$1
+    shift
+    # shellcheck disable=SC2016
+    printf '%s\n' src/*/*.c | xargs -P "$(nproc 2>/dev/null || echo 1)" -I '{}' sh -c '
+        source=$1 into=$2
+        shift 2
+        "$@" -c "$source" -o "$into/$(echo "$source" | tr / _).o"' sh '{}' "$into" "$@"
+}
+
 check() { # check NAME COMPILER FLAGS...
     name=$1
     compiler=$2
@@ -21,11 +31,8 @@ check() { # check NAME COMPILER FLAGS...
     rm -rf "$directory"
     mkdir -p "$directory"
     ok=yes
-    for source in src/*/*.c; do
-        object=$directory/$(echo "$source" | tr '/' '_').o
-        # shellcheck disable=SC2086
-        "$compiler" -std=c99 -pedantic $warnings "$@" -Iinclude $own -c "$source" -o "$object" || ok=no
-    done
+    # shellcheck disable=SC2086
+    compile_all "$directory" "$compiler" -std=c99 -pedantic $warnings "$@" -Iinclude $own || ok=no
     "$compiler" -shared -nostdlib -Wl,-z,defs "$directory"/*.o -o "$directory/libgnomon.so" || ok=no
     undefined=$(nm -D -u "$directory/libgnomon.so" | wc -l)
     writable=$(size -A "$directory/libgnomon.so" |
@@ -49,12 +56,9 @@ check_microcontroller() { # check_microcontroller NAME FLAGS...
     rm -rf "$directory"
     mkdir -p "$directory"
     ok=yes
-    for source in src/*/*.c; do
-        object=$directory/$(echo "$source" | tr '/' '_').o
-        # shellcheck disable=SC2086
-        arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -std=c99 -pedantic $warnings "$@" -Iinclude $own \
-            -fno-pic -c "$source" -o "$object" || ok=no
-    done
+    # shellcheck disable=SC2086
+    compile_all "$directory" arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -std=c99 -pedantic $warnings "$@" \
+        -Iinclude $own -fno-pic || ok=no
     doubles=$(arm-none-eabi-nm -u -A "$directory"/*.o | awk '
         /__aeabi_(c?d|[a-z]+2d)/ && !/src_math_invert\.c\.o:/ { n++ } END { print n + 0 }')
     arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -nostdlib -r "$directory"/*.o -lgcc -o "$directory/library" || ok=no
