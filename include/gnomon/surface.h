@@ -116,7 +116,8 @@ GN_API gn_status gn_target_check(const gn_target *target);
  * integer, halves to even with 8 bits and up otherwise; 0 below 0 and for NaN, 2^n - 1 from
  * 1 up. Floats of 32 bits are stored as they are, those of 16 rounded toward zero. Red, green
  * and blue of GN_FORMAT_SRGB8_A8 are the nearest that sRGB has, exactly.
- * A bad surface gives the statuses of gn_target_check. */
+ * A bad surface gives the statuses of gn_target_check, a format that the library was compiled
+ * without GN_NOT_COMPILED. */
 GN_API gn_status gn_clear_color(const gn_surface *surface, float red, float green, float blue,
                                 float alpha);
 

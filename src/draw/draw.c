@@ -180,13 +180,11 @@ static bool combines_colors(const gn_pipeline *p)
 /* Whether the draw asks for what this library was compiled without (lanes/small.h). */
 static bool is_left_out(const gn_target *target, const gn_pipeline *p, const gn_mesh *mesh)
 {
-    const bool combines = combines_colors(p);
-
     return (!GN_HAVE_LINES && p->topology > GN_TRIANGLE_FAN) ||
            (!GN_HAVE_STENCIL && format_has_stencil(target->depth.format)) ||
-           (!GN_HAVE_COMBINING && combines) ||
+           (!GN_HAVE_COMBINING && combines_colors(p)) ||
            (!GN_HAVE_INSTANCES && (mesh->restart != GN_RESTART_NONE || mesh->instance_count > 1)) ||
-           (!GN_HAVE_FORMATS && target->color.format > GN_FORMAT_RGBA32F) ||
+           (!GN_HAVE_FORMATS && format_is_encoded(target->color.format)) ||
            (!GN_HAVE_OFFSET && (p->polygon_offset.set || p->depth_clamp));
 }
 
@@ -256,7 +254,7 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
         return status;
     if (target->color.format != GN_FORMAT_NONE && !pipeline->fragment_shader)
         return GN_NO_SHADER;
-    if (combines_colors(pipeline) && target->color.format > GN_FORMAT_RGBA32F)
+    if (combines_colors(pipeline) && format_is_encoded(target->color.format))
         return GN_INVALID_FORMAT;
     if (is_left_out(target, pipeline, mesh))
         return GN_NOT_COMPILED;

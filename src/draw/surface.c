@@ -46,8 +46,7 @@ gn_surface gn_surface_rows(const gn_surface *surface, uint32_t first, uint32_t c
 
 static bool is_color_format(gn_format format)
 {
-    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F ||
-           (format >= GN_FORMAT_BGRA8 && format <= GN_FORMAT_SRGB8_A8);
+    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F || format_is_encoded(format);
 }
 
 static bool is_depth_format(gn_format format)
@@ -203,7 +202,7 @@ gn_status gn_clear_color(const gn_surface *surface, float red, float green, floa
         lanes_i_store(packed, lanes_pack_unorm8(saturate(red), saturate(green), saturate(blue),
                                                 saturate(alpha)));
         fill_surface(surface, packed);
-    } else if (!GN_HAVE_FORMATS && surface->format != GN_FORMAT_RGBA32F) {
+    } else if (!GN_HAVE_FORMATS && format_is_encoded(surface->format)) {
         return GN_NOT_COMPILED;
     } else if (surface->format == GN_FORMAT_RGBA32F) {
         int32_t pattern[GN_LANES];

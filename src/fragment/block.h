@@ -48,6 +48,7 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     }
     s->moves_depth =
         pipeline->polygon_offset.set && (s->tests_depth || pipeline->fragment_reads_position);
+    s->combine.use = COLOR_REPLACES;
     if (GN_HAVE_COMBINING)
         set_color_state(&s->combine, pipeline);
     s->limits = depth_limits_of(pipeline, viewport);
@@ -187,7 +188,7 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
         coverage = test_whole(state, at, triangle, coverage, depth);
     if (!coverage || state->color.format == GN_FORMAT_NONE)
         return coverage;
-    if (GN_HAVE_FORMATS && state->color.format > GN_FORMAT_RGBA32F)
+    if (GN_HAVE_FORMATS && format_is_encoded(state->color.format))
         write_encoded(&state->color, state->color.format, at->x, at->y, coverage, color);
     else if (!GN_HAVE_COMBINING || state->combine.use == COLOR_REPLACES)
         write_color(&state->color, state->color.format, at, coverage, color);

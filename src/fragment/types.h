@@ -23,6 +23,13 @@ static inline bool format_has_stencil(gn_format format)
     return format == GN_FORMAT_D24S8 || format == GN_FORMAT_D32FS8 || format == GN_FORMAT_S8;
 }
 
+/* Colours that are written and cleared, each format by conversions of its own (formats.h), and
+ * not blended into. */
+static inline bool format_is_encoded(gn_format format)
+{
+    return format >= GN_FORMAT_BGRA8 && format <= GN_FORMAT_SRGB8_A8;
+}
+
 static inline bool format_has_depth(gn_format format)
 {
     return format != GN_FORMAT_NONE && format != GN_FORMAT_S8;
