@@ -272,13 +272,13 @@ typedef struct gn_fragment_input {
 
     bool front_facing; /* gl_FrontFacing, by front_face */
 
-    /* gl_PrimitiveID: triangles of the draw, from 0 on. 0 without the pipeline's
-     * fragment_reads_primitive. */
+    /* gl_PrimitiveID: the primitive's number in its instance, from 0 on, through restarts. 0
+     * without the pipeline's fragment_reads_primitive. */
     uint32_t primitive_id;
 
     /* gl_FragCoord, [x, y, z, w][lane]: the pixel's centre in window coordinates, the
-     * interpolated depth before it is clamped, the interpolated 1/w. Null without the
-     * pipeline's fragment_reads_position. */
+     * interpolated depth with the polygon offset, before it is clamped, the interpolated 1/w. Null
+     * without the pipeline's fragment_reads_position. */
     const float (*position)[GN_LANES];
 } gn_fragment_input;
 
@@ -291,8 +291,9 @@ typedef struct gn_fragment_output {
      * discards. Looked at only with fragment_discards. */
     uint32_t kept;
 
-    /* gl_FragDepth, [lane], clamped to 0..1 afterwards, NaN to 1; comes with the
-     * interpolated depth. Null without fragment_writes_depth. */
+    /* gl_FragDepth, [lane], clamped to 0..1 afterwards (with depth_clamp to the depth range), NaN
+     * to the upper end, without polygon offset; comes with the interpolated depth. Null without
+     * fragment_writes_depth. */
     float *depth;
 } gn_fragment_output;
 

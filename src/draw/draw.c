@@ -228,6 +228,7 @@ static gn_status draw_instances(draw_job *job, const gn_mesh *mesh, gn_workspace
     part.base = indexed ? (uint32_t)mesh->base_vertex : 0;
     job->mesh = &part;
     for (part.instance = 0; part.instance < instances && !status; ++part.instance) {
+        part.primitive = 0;
         if (!restarts) {
             divide_workspace(job, workspace);
             status = run_on(backend, job);
@@ -236,6 +237,7 @@ static gn_status draw_instances(draw_job *job, const gn_mesh *mesh, gn_workspace
         for (uint32_t from = 0; next_run(mesh, &from, &part) && !status;) {
             divide_workspace(job, workspace);
             status = run_on(backend, job);
+            part.primitive += triangle_count(job->pipeline->topology, part.count);
         }
     }
     return status;

@@ -82,11 +82,12 @@ GN_OUT_OF_LINE void add_boxes(worker *w, uint32_t first, uint32_t count)
         locate_group(w->draw, first + done, part, offset);
         for (uint32_t i = 0; i < part; ++i) {
             const uint32_t *const vertex = offset + i * step;
+            const uint32_t number = w->draw->mesh->primitive + first + done + i;
 
             if (w->kind == KIND_POINT)
-                add_point(w, vertex[0], first + done + i);
+                add_point(w, vertex[0], number);
             else
-                add_line(w, vertex, vertex[provoking], first + done + i);
+                add_line(w, vertex, vertex[provoking], number);
         }
     }
 }

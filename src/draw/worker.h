@@ -176,7 +176,7 @@ GN_OUT_OF_LINE void add_crossing(worker *w, const uint32_t vertex[3], uint32_t p
     }
 }
 
-/* Adds the triangles of a group, the first of which is `first` in the draw. */
+/* Adds the triangles of a group, whose numbers in the instance are `first` and so on. */
 static inline void add_group(worker *w, const triangle_group *group, uint32_t first)
 {
     const uint32_t provoking_corner = w->cull.provoking_first ? 0 : 2;
@@ -222,7 +222,7 @@ static void add_triangles(worker *w, uint32_t first, uint32_t count)
         locate_group(w->draw, first + done, group.count, offset);
         assemble_triangles(w->draw->pipeline->topology, w->cull.provoking_first, w->is_quad,
                            first + done, offset, &group);
-        add_group(w, &group, first + done);
+        add_group(w, &group, w->draw->mesh->primitive + first + done);
     }
 }
 

@@ -27,6 +27,7 @@ typedef struct mesh_run {
     uint32_t first, count;
     uint32_t base; /* added to indices, with a wrap */
     uint32_t instance;
+    uint32_t primitive; /* the number of its first: restarts do not begin anew */
 } mesh_run;
 
 /* Up to sixteen triangles as offsets of their vertices, in the order that decides the low

@@ -67,6 +67,8 @@ void generate_instances(builder *b)
             b->index_format = GN_INDEX_NONE;
         if (random_chance(r, 40))
             b->lead = random_below(r, 20);
+        if (random_chance(r, 25))
+            random_inputs(b); /* numbers of primitives go on over restarts */
         shape_elements(b);
         builder_draw(b);
     }
