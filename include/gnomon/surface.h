@@ -77,10 +77,13 @@ typedef struct gn_surface {
     gn_format format; /* GN_FORMAT_NONE: an absent surface, the rest is not looked at */
 } gn_surface;
 
+/* Colours that a draw writes at once: COLOR_ATTACHMENT0 and so on. */
+#define GN_MAX_COLORS 8
+
 /* What a draw writes to. A zeroed member is an absent surface; at least one
- * must be there, and both have the same size. The two must not overlap. */
+ * must be there, and all have the same size. No two may overlap. */
 typedef struct gn_target {
-    gn_surface color; /* any format of colours */
+    gn_surface color[GN_MAX_COLORS]; /* any format of colours; the first is the only one drawn */
     gn_surface depth; /* depth, stencil or both: GN_FORMAT_D16 to GN_FORMAT_S8 */
 } gn_target;
 

@@ -127,7 +127,7 @@ typedef struct clear {
 static gn_status clear_rows(const clear *c, uint32_t first, uint32_t count)
 {
     const scene *s = c->scene;
-    const gn_surface color = gn_surface_rows(&c->target->color, first, count);
+    const gn_surface color = gn_surface_rows(&c->target->color[0], first, count);
     const gn_surface depth = gn_surface_rows(&c->target->depth, first, count);
     gn_status status = GN_OK;
 
@@ -184,7 +184,7 @@ gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame, gn_workspa
     frame->samples_passed = 0;
     workspace->samples_passed = &frame->samples_passed;
     if (s->color_format != GN_FORMAT_NONE) {
-        target.color = gn_surface_bottom_up(frame->color, s->color_format, s->width, s->height);
+        target.color[0] = gn_surface_bottom_up(frame->color, s->color_format, s->width, s->height);
     }
     if (s->depth_format != GN_FORMAT_NONE) {
         target.depth = gn_surface_bottom_up(frame->depth, s->depth_format, s->width, s->height);

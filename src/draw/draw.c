@@ -184,7 +184,7 @@ static bool is_left_out(const gn_target *target, const gn_pipeline *p, const gn_
            (!GN_HAVE_STENCIL && format_has_stencil(target->depth.format)) ||
            (!GN_HAVE_COMBINING && combines_colors(p)) ||
            (!GN_HAVE_INSTANCES && (mesh->restart != GN_RESTART_NONE || mesh->instance_count > 1)) ||
-           (!GN_HAVE_FORMATS && format_is_encoded(target->color.format)) ||
+           (!GN_HAVE_FORMATS && format_is_encoded(target->color[0].format)) ||
            (!GN_HAVE_OFFSET && (p->polygon_offset.set || p->depth_clamp));
 }
 
@@ -254,9 +254,9 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
         status = gn_check_mesh_but_indices(mesh);
     if (status)
         return status;
-    if (target->color.format != GN_FORMAT_NONE && !pipeline->fragment_shader)
+    if (target->color[0].format != GN_FORMAT_NONE && !pipeline->fragment_shader)
         return GN_NO_SHADER;
-    if (combines_colors(pipeline) && format_is_encoded(target->color.format))
+    if (combines_colors(pipeline) && format_is_encoded(target->color[0].format))
         return GN_INVALID_FORMAT;
     if (is_left_out(target, pipeline, mesh))
         return GN_NOT_COMPILED;

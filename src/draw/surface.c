@@ -86,18 +86,18 @@ gn_status gn_target_check(const gn_target *target)
     if (!target)
         return GN_NULL_POINTER;
 
-    const bool color = target->color.format != GN_FORMAT_NONE;
+    const bool color = target->color[0].format != GN_FORMAT_NONE;
     const bool depth = target->depth.format != GN_FORMAT_NONE;
     if (!color && !depth)
         return GN_NO_SURFACE;
     if (color)
-        status = check_surface(&target->color, is_color_format(target->color.format));
+        status = check_surface(&target->color[0], is_color_format(target->color[0].format));
     if (depth && !status)
         status = check_surface(&target->depth, is_depth_format(target->depth.format) ||
                                                    format_has_stencil(target->depth.format));
     if (!status && color && depth &&
-        (target->color.width != target->depth.width ||
-         target->color.height != target->depth.height))
+        (target->color[0].width != target->depth.width ||
+         target->color[0].height != target->depth.height))
         status = GN_SIZE_MISMATCH;
     return status;
 }

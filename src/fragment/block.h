@@ -35,7 +35,7 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     const gn_format format = target->depth.format;
 
     s->pipeline = pipeline;
-    s->color = target->color;
+    s->color = target->color[0];
     s->depth = target->depth;
     s->tests_depth = pipeline->depth_test && format_has_depth(format);
     s->tests_stencil = pipeline->stencil_test && format_has_stencil(format);

@@ -151,8 +151,8 @@ static gn_status draw(void)
     gn_status status;
 
     make_cube();
-    target.color = gn_surface_bottom_up(color, GN_FORMAT_RGBA8, SIZE, SIZE);
-    status = gn_clear_color(&target.color, 0.1f, 0.2f, 0.3f, 1.0f);
+    target.color[0] = gn_surface_bottom_up(color, GN_FORMAT_RGBA8, SIZE, SIZE);
+    status = gn_clear_color(&target.color[0], 0.1f, 0.2f, 0.3f, 1.0f);
     if (DEPTH != GN_FORMAT_NONE) {
         target.depth = gn_surface_bottom_up(depth, DEPTH, SIZE, SIZE);
         if (!status)

@@ -197,7 +197,7 @@ static enum theft_trial_res shared_edges_once(struct theft *t, void *instance)
         position[i][2] = 0.0f;
         position[i][3] = m->w[i];
     }
-    gn_target target = {gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, m->width, m->height), {0}};
+    gn_target target = {{gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, m->width, m->height)}, {0}};
     gn_pipeline pipeline;
     memset(&pipeline, 0, sizeof pipeline);
     pipeline.vertex_shader = pass_position;

@@ -201,7 +201,7 @@ static void paint_varyings(const void *uniforms, const gn_fragment_input *input,
 static bool draw_guarded(const hostile *h, const guarded *color, const guarded *depth,
                          uint32_t triangle)
 {
-    gn_target target = {color->surface, depth->surface};
+    gn_target target = {{color->surface}, depth->surface};
     gn_pipeline pipeline;
     gn_mesh mesh;
     memset(&pipeline, 0, sizeof pipeline);

@@ -115,7 +115,7 @@ static bool draw_top_down(const scene *s, scene_frame *frame)
 {
     gn_target target;
     memset(&target, 0, sizeof target);
-    target.color = gn_surface_top_down(frame->color, s->color_format, s->width, s->height);
+    target.color[0] = gn_surface_top_down(frame->color, s->color_format, s->width, s->height);
     if (s->depth_format != GN_FORMAT_NONE)
         target.depth = gn_surface_top_down(frame->depth, s->depth_format, s->width, s->height);
     const size_t size = scene_workspace_size(s);

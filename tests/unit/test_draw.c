@@ -26,11 +26,11 @@ static const float white[16] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
 static void reset(const float *positions, uint32_t vertex_count, gn_topology topology)
 {
     memset(&c, 0, sizeof c);
-    c.target.color = gn_surface_bottom_up(c.color, GN_FORMAT_RGBA8, SIZE, SIZE);
+    c.target.color[0] = gn_surface_bottom_up(c.color, GN_FORMAT_RGBA8, SIZE, SIZE);
     c.target.depth = gn_surface_bottom_up(c.depth, GN_FORMAT_D24, SIZE, SIZE);
     for (int i = 0; i < 4; ++i)
         c.uniforms.clip_from_model.m[i][i] = 1.0f;
-    assert_int_equal(gn_clear_color(&c.target.color, 0, 0, 0, 0), GN_OK);
+    assert_int_equal(gn_clear_color(&c.target.color[0], 0, 0, 0, 0), GN_OK);
     assert_int_equal(gn_clear_depth(&c.target.depth, 1.0f), GN_OK);
     assert_int_equal(gn_use_vertex_color(&c.pipeline, &c.uniforms), GN_OK);
     c.pipeline.topology = topology;
@@ -76,7 +76,7 @@ static void faults_touch_nothing(void **state)
         c = before;                                                                                \
     } while (0)
 
-    c.target.color.width = 0;
+    c.target.color[0].width = 0;
     EXPECT(GN_INVALID_SIZE);
     c.pipeline.vertex_shader = NULL;
     EXPECT(GN_NO_SHADER);
@@ -345,7 +345,7 @@ static void one_surface_is_enough(void **state)
 {
     (void)state;
     reset(square, 4, GN_TRIANGLE_STRIP);
-    c.target.color.format = GN_FORMAT_NONE;
+    c.target.color[0].format = GN_FORMAT_NONE;
     c.pipeline.fragment_shader = NULL;
     c.pipeline.depth_test = true;
     assert_int_equal(draw(), GN_OK);
@@ -484,7 +484,7 @@ static void shaders_know_their_pixels(void **state)
         positions[9] = positions[1] + (i % 3 ? 0.4f : 1.4f);
         reset(positions, 3, GN_TRIANGLES);
         memset(pixels, 0, sizeof pixels);
-        c.target.color =
+        c.target.color[0] =
             gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, (uint32_t)side, (uint32_t)side);
         c.target.depth.format = GN_FORMAT_NONE;
         c.pipeline.fragment_shader = paint_places;
@@ -554,7 +554,7 @@ static void depth_comes_from_the_shader(void **state)
     uint64_t passed = 0;
 
     reset(square, 4, GN_TRIANGLE_STRIP);
-    c.target.color.format = GN_FORMAT_NONE;
+    c.target.color[0].format = GN_FORMAT_NONE;
     c.target.depth.format = GN_FORMAT_D24S8;
     assert_int_equal(gn_clear_depth_stencil(&c.target.depth, 0.5f, 7), GN_OK);
     c.workspace.samples_passed = &passed;

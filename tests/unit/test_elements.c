@@ -74,7 +74,7 @@ static gn_status draw(void)
     gn_target target = {0};
     gn_workspace workspace = {0};
 
-    target.color = gn_surface_bottom_up(row, GN_FORMAT_R8, PIXELS, 1);
+    target.color[0] = gn_surface_bottom_up(row, GN_FORMAT_R8, PIXELS, 1);
     workspace.memory = work;
     workspace.size = sizeof work;
     return gn_draw(&target, &pipeline, &mesh, &workspace);

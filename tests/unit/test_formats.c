@@ -120,8 +120,8 @@ static void draw_over(gn_format format, uint32_t offset, uint32_t stride, const 
     pipeline.uniforms = color;
     mesh.vertex_count = 3;
     mesh.count = 3;
-    target.color = gn_surface_bottom_up((unsigned char *)memory + offset, format, SIDE, SIDE);
-    target.color.row_stride = (ptrdiff_t)stride;
+    target.color[0] = gn_surface_bottom_up((unsigned char *)memory + offset, format, SIDE, SIDE);
+    target.color[0].row_stride = (ptrdiff_t)stride;
     workspace.memory = work;
     workspace.size = sizeof work;
     assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
@@ -204,18 +204,18 @@ static void pixels_are_aligned_to_their_element(void **state)
         for (uint32_t offset = 0; offset < 4; ++offset) {
             const gn_status wanted = offset % e->element ? GN_MISALIGNED : GN_OK;
 
-            t.color = gn_surface_bottom_up((unsigned char *)memory + offset, e->format, 2, 2);
+            t.color[0] = gn_surface_bottom_up((unsigned char *)memory + offset, e->format, 2, 2);
             assert_int_equal(gn_target_check(&t), wanted);
-            t.color.pixels = memory;
-            t.color.row_stride += (ptrdiff_t)offset;
+            t.color[0].pixels = memory;
+            t.color[0].row_stride += (ptrdiff_t)offset;
             assert_int_equal(gn_target_check(&t), wanted);
-            t.color.row_stride = -t.color.row_stride;
+            t.color[0].row_stride = -t.color[0].row_stride;
             assert_int_equal(gn_target_check(&t), wanted);
         }
-        t.color.row_stride = (ptrdiff_t)(gn_format_size(e->format) * 2 - e->element);
+        t.color[0].row_stride = (ptrdiff_t)(gn_format_size(e->format) * 2 - e->element);
         assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
-        t.depth = t.color;
-        memset(&t.color, 0, sizeof t.color);
+        t.depth = t.color[0];
+        memset(&t.color[0], 0, sizeof t.color[0]);
         assert_int_equal(gn_target_check(&t), GN_INVALID_FORMAT);
     }
 }

@@ -43,7 +43,7 @@ static gn_target good_target(void)
     static uint32_t depth[WIDTH * HEIGHT];
     gn_target t;
 
-    t.color = gn_surface_bottom_up(words, GN_FORMAT_RGBA8, WIDTH, HEIGHT);
+    t.color[0] = gn_surface_bottom_up(words, GN_FORMAT_RGBA8, WIDTH, HEIGHT);
     t.depth = gn_surface_bottom_up(depth, GN_FORMAT_D24, WIDTH, HEIGHT);
     return t;
 }
@@ -89,15 +89,15 @@ static void target_faults(void **state)
     assert_int_equal(gn_target_check(&t), GN_OK);
     assert_int_equal(gn_target_check(NULL), GN_NULL_POINTER);
 
-    t.color = absent;
+    t.color[0] = absent;
     assert_int_equal(gn_target_check(&t), GN_OK);
     t.depth = absent;
     assert_int_equal(gn_target_check(&t), GN_NO_SURFACE);
 
     t = good_target();
-    t.color.format = GN_FORMAT_D24;
+    t.color[0].format = GN_FORMAT_D24;
     assert_int_equal(gn_target_check(&t), GN_INVALID_FORMAT);
-    t.color.format = (gn_format)77;
+    t.color[0].format = (gn_format)77;
     assert_int_equal(gn_target_check(&t), GN_INVALID_FORMAT);
 
     t = good_target();
@@ -105,9 +105,9 @@ static void target_faults(void **state)
     assert_int_equal(gn_target_check(&t), GN_INVALID_FORMAT);
 
     t = good_target();
-    t.color.width = 0;
+    t.color[0].width = 0;
     assert_int_equal(gn_target_check(&t), GN_INVALID_SIZE);
-    t.color.width = GN_MAX_SIZE + 1;
+    t.color[0].width = GN_MAX_SIZE + 1;
     assert_int_equal(gn_target_check(&t), GN_INVALID_SIZE);
 
     t = good_target();
@@ -119,23 +119,23 @@ static void target_faults(void **state)
     assert_int_equal(gn_target_check(&t), GN_NULL_POINTER);
 
     t = good_target();
-    t.color.pixels = (unsigned char *)words + 2;
+    t.color[0].pixels = (unsigned char *)words + 2;
     assert_int_equal(gn_target_check(&t), GN_MISALIGNED);
 
     t = good_target();
-    t.color.row_stride = WIDTH * 4 + 2;
+    t.color[0].row_stride = WIDTH * 4 + 2;
     assert_int_equal(gn_target_check(&t), GN_MISALIGNED);
 
     t = good_target();
-    t.color.row_stride = WIDTH * 4 - 4;
+    t.color[0].row_stride = WIDTH * 4 - 4;
     assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
-    t.color.row_stride = -(WIDTH * 4 - 4);
+    t.color[0].row_stride = -(WIDTH * 4 - 4);
     assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
 
     t = good_target();
-    t.color.row_stride = PTRDIFF_MAX - 3;
+    t.color[0].row_stride = PTRDIFF_MAX - 3;
     assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
-    t.color.row_stride = PTRDIFF_MIN;
+    t.color[0].row_stride = PTRDIFF_MIN;
     assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
 
     t = good_target();

@@ -288,7 +288,7 @@ static void compare_on(gn_backend backend, const comparison *c)
     gn_mesh mesh = {0};
     gn_workspace workspace = {0};
 
-    target.color = gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, 24, 24);
+    target.color[0] = gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, 24, 24);
     pipeline.vertex_shader = pass_attributes;
     pipeline.fragment_shader = compare_samplers;
     pipeline.uniforms = c;

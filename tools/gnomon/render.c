@@ -69,7 +69,7 @@ static int draw_canvas(const scene *s, gn_backend backend, canvas *c)
         fault = report_fault("--size", "not enough memory for %ux%u pixels", (unsigned)s->width,
                              (unsigned)s->height);
     } else {
-        gn_target target = {gn_surface_top_down(c->color, GN_FORMAT_RGBA8, s->width, s->height),
+        gn_target target = {{gn_surface_top_down(c->color, GN_FORMAT_RGBA8, s->width, s->height)},
                             gn_surface_top_down(c->depth, GN_FORMAT_D32F, s->width, s->height)};
         status = scene_draw_to_target(s, &target, &workspace);
     }
