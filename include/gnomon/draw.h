@@ -54,8 +54,9 @@ typedef struct gn_mesh {
 
 /* Memory the library may use during a draw; nothing in it outlives the call.
  * Any alignment; of more than 4 GiB the rest is not used. More memory than the minimum saves
- * vertex shading: where the range of vertices that the indices name fits, and is no longer
- * than the indices drawn, each vertex of it is shaded once, named or not.
+ * vertex shading: where the range of vertices that the indices name is no longer than the
+ * indices drawn, and fits, each vertex of it is shaded once, named or not. Where the indices
+ * go along with the vertices it is enough that those fit which are in use at once.
  * gn_workspace_size(vertex_count, varying_count) is enough for that on the calling thread,
  * gn_workspace_size_parallel on several. Otherwise the draw is made in parts, vertices are
  * shaded for each index, and the pixels are the same. */
@@ -65,6 +66,7 @@ typedef struct gn_workspace {
     gn_backend backend;    /* GN_BACKEND_AUTO: the fastest; another must be available */
     gn_parallel *parallel; /* null: the calling thread alone; the pixels are the same */
     void *user;            /* for parallel */
+    uint32_t threads;      /* that run parallel's tasks; 0: not known. Few divide less finely */
     size_t needed;         /* written with GN_WORKSPACE_TOO_SMALL: the least size there is */
 
     /* Null, or what a draw adds the number of its fragments to that are covered, kept by the
@@ -98,7 +100,7 @@ GN_BEGIN
 GN_API size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count);
 
 /* Workspace bytes with which a mesh of that many vertices (without indices, as many as are
- * drawn) and triangles is best drawn on several threads. They draw in rounds of some 65,000
+ * drawn) and triangles is best drawn on several threads. They draw in rounds of some 57,000
  * triangles: first the vertices are shaded, then what can be seen is found, then rows of the
  * target are drawn. With less memory rounds are shorter, down to some hundreds of triangles,
  * and where not all vertices fit beside them, they are shaded for each index. With less

@@ -11,9 +11,10 @@
 /* A cache line. */
 #define WORKSPACE_ALIGNMENT 64
 
-/* Triangles of a round, about: enough to be worth three meetings of the threads, few
- * enough for their vertices and lists to stay in the cache. */
-#define ROUND_TRIANGLES 65536
+/* Triangles of a round, about: enough to be worth two meetings of the threads, few enough
+ * for their vertices and lists to stay in the cache. Of a closed surface the vertices of two
+ * rounds, half as many as triangles, fit a ring of 65,536. */
+#define ROUND_TRIANGLES 57344
 
 /* Offsets of vertices are 32 bits; a round number below that. */
 #define MEMORY_LIMIT ((uint64_t)UINT32_MAX - 65535)
@@ -130,6 +131,7 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     job->memory = (unsigned char *)workspace->memory + skip;
     job->parallel = GN_HAVE_TASKS ? workspace->parallel : NULL;
     job->user = workspace->user;
+    job->threads = workspace->threads;
     job->samples_passed = workspace->samples_passed;
     job->segments = NULL;
     job->segment_count = 0;

@@ -87,7 +87,7 @@ static inline void divide_indices(index_parts *parts, uint32_t count)
 {
     const uint32_t even = (count - 1) / INDEX_PARTS + 1;
 
-    parts->size = even > SEGMENT_INDICES ? even : SEGMENT_INDICES;
+    parts->size = even > PART_INDICES ? even : PART_INDICES;
     parts->count = (count - 1) / parts->size + 1;
 }
 
@@ -104,23 +104,53 @@ static void scan_parts(draw_state *draw, uint32_t first, uint32_t count)
     }
 }
 
-/* Makes of what each part names what it and those before it name. Gives what all do. */
+/* Makes of what each part names what index_parts says. Gives what all name. */
 static index_range join_parts(index_parts *parts)
 {
-    for (uint32_t p = 1; p < parts->count; ++p)
-        parts->range[p] = join_ranges(parts->range[p - 1], parts->range[p]);
-    return parts->range[parts->count - 1];
+    index_range all = parts->range[0];
+
+    for (uint32_t p = 1; p < parts->count; ++p) {
+        all = join_ranges(all, parts->range[p]);
+        parts->range[p].high = all.high;
+    }
+    return all;
 }
 
-/* Slots to shade, a multiple of sixteen or all, before elements below `end` of a shared draw
- * can be assembled. */
+/* Slots to shade, a multiple of sixteen or all, before the elements of a part can be
+ * assembled. */
+static inline uint32_t slots_of_part(const draw_state *draw, uint32_t part)
+{
+    const uint32_t last = draw->parts.range[part].high - draw->map.base;
+    const uint32_t slots = (last / GN_LANES + 1) * GN_LANES;
+
+    return slots < draw->map.count ? slots : draw->map.count;
+}
+
+/* The same for all elements below `end`. */
 static inline uint32_t slots_before(const draw_state *draw, uint32_t end)
 {
     const uint32_t last = end < draw->mesh->count ? end - 1 : draw->mesh->count - 1;
-    const index_range *named = &draw->parts.range[last / draw->parts.size];
-    const uint32_t slots = ((named->high - draw->map.base) / GN_LANES + 1) * GN_LANES;
 
-    return slots < draw->map.count ? slots : draw->map.count;
+    return slots_of_part(draw, last / draw->parts.size);
+}
+
+/* The most slots that are in use at once where a shared draw is made in steps of so many
+ * elements: from the first that the step's first part names to the last that is shaded for
+ * its last part. Where a later part goes back further, its own steps use more. */
+static uint32_t slots_in_use(const draw_state *draw, uint32_t elements)
+{
+    const index_parts *parts = &draw->parts;
+    const uint32_t reach = (elements - 1) / parts->size + 1;
+    uint32_t most = 0;
+
+    for (uint32_t p = 0; p < parts->count; ++p) {
+        const uint32_t last = p + reach < parts->count ? p + reach : parts->count - 1;
+        const uint32_t first = parts->range[p].low - draw->map.base;
+        const uint32_t used = slots_of_part(draw, last) - first;
+
+        most = used > most ? used : most;
+    }
+    return most;
 }
 
 /* Where the vertices of elements first to first + count - 1 are kept; of a fan, the first
@@ -137,7 +167,7 @@ static inline void locate_elements(const draw_state *draw, uint32_t first, uint3
         if (is_fan)
             read_elements(draw->mesh, 0, 1, offset);
         for (uint32_t i = 0; i < count; ++i)
-            offset[i] = vertices + (offset[i] - draw->map.base) * stride;
+            offset[i] = vertices + ((offset[i] - draw->map.base) & draw->map.ring) * stride;
     } else {
         for (uint32_t i = 0; i < count; ++i)
             offset[i] = vertices + (first + i - draw->map.first) * stride;

@@ -49,6 +49,7 @@ typedef struct draw_job {
 
     gn_parallel *parallel; /* null: one task, no segments kept */
     void *user;
+    uint32_t threads;         /* that run tasks; 0: not known */
     uint64_t *samples_passed; /* null: not counted */
     segment_lists *segments;  /* of a round */
     uint32_t segment_count;

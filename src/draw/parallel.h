@@ -1,6 +1,7 @@
 /* Running a draw in tasks on the caller's threads, round by round of whole segments:
  *
- *   vertices   divided evenly, by sixteens
+ *   vertices   divided evenly, by sixteens; where they are shared, meanwhile the round before
+ *              draws its strips
  *   segments   culled, each into lists of its own; what crosses the view volume is clipped
  *              for its bounds alone
  *   strips     rows of the target: every strip draws, in order, the triangles of all lists
@@ -27,9 +28,10 @@
 #define TASK_PIXELS 32768
 #endif
 
-/* Triangles across the edge of two strips are set up in both: more strips than these cost
- * more than they spread. */
+/* Triangles across the edge of two strips are set up in both: more strips than these, or than
+ * so many a thread, cost more than they spread. */
 #define MAX_STRIPS 16
+#define STRIPS_PER_THREAD 2
 
 /* A step's items, divided into tasks of `size`. */
 typedef struct task_range {
@@ -43,27 +45,33 @@ typedef struct round_state {
     uint32_t count;
     pixel_rows rows; /* of the target, divided into strips of strip_rows */
     int32_t strip_rows;
+    uint32_t strips; /* tasks that draw them, before those that shade vertices */
 } round_state;
 
-/* Runs a step of `count` items, more than none: `least` or more to a task. Gives the number
- * of tasks. */
-static uint32_t run_tasks(round_state *round, gn_task *task, uint32_t first, uint32_t count,
-                          uint32_t least)
+/* Runs a step of so many tasks. */
+static void run_tasks(round_state *round, gn_task *task, uint32_t count)
 {
     const draw_job *job = round->draw->job;
-    const uint32_t even = (count - 1) / MAX_TASKS + 1;
+
+    if (count > 1 && job->parallel)
+        job->parallel(job->user, task, round, count);
+    else
+        for (uint32_t i = 0; i < count; ++i)
+            task(round, i);
+}
+
+/* Divides `count` items into no more than `most` tasks of `least` or more. Gives the number of
+ * tasks. */
+static uint32_t divide_items(round_state *round, uint32_t first, uint32_t count, uint32_t least,
+                             uint32_t most)
+{
+    const uint32_t even = count / most + (count % most > 0);
     const uint32_t size = even > least ? even : least;
-    const uint32_t tasks = (count - 1) / size + 1;
 
     round->items.first = first;
     round->items.count = count;
     round->items.size = size;
-    if (tasks > 1 && job->parallel)
-        job->parallel(job->user, task, round, tasks);
-    else
-        for (uint32_t i = 0; i < tasks; ++i)
-            task(round, i);
-    return tasks;
+    return count / size + (count % size > 0);
 }
 
 /* The items of a task: from `first` on, `count` of them. */
@@ -95,7 +103,9 @@ static void scan_in_tasks(draw_state *draw)
 
     round.draw = draw;
     if (GN_HAVE_TASKS && draw->job->parallel)
-        run_tasks(&round, scan_task, 0, parts, (TASK_ELEMENTS - 1) / draw->parts.size + 1);
+        run_tasks(
+            &round, scan_task,
+            divide_items(&round, 0, parts, (TASK_ELEMENTS - 1) / draw->parts.size + 1, MAX_TASKS));
     else
         scan_parts(draw, 0, parts);
 }
@@ -103,49 +113,44 @@ static void scan_in_tasks(draw_state *draw)
 static void shade_task(void *context, uint32_t task)
 {
     const round_state *round = context;
-    const task_range items = task_items(round, task);
+    const task_range items = task_items(round, task - round->strips);
     uint32_t *outcodes = (uint32_t *)(void *)task_scratch(round->draw, task);
 
     *outcodes = shade_slots(round->draw, task, items.first, items.first + items.count);
 }
 
-/* Shades slots first, a multiple of sixteen, to end - 1. Gives the union of outcodes. */
-static uint32_t shade_in_tasks(round_state *round, uint32_t first, uint32_t end)
+/* Divides slots first, a multiple of sixteen, to end - 1 into shade_tasks. */
+static uint32_t divide_slots(round_state *round, uint32_t first, uint32_t end)
+{
+    const uint32_t most = MAX_TASKS - round->strips;
+    const uint32_t count = end > first ? end - first : 0;
+    const uint32_t even = (count / most / GN_LANES + 1) * GN_LANES;
+
+    return divide_items(round, first, count, even > TASK_SLOTS ? even : TASK_SLOTS, most);
+}
+
+/* The union of outcodes that so many shade_tasks found. */
+static uint32_t shaded_outcodes(const round_state *round, uint32_t tasks)
 {
     uint32_t outcodes = 0;
 
-    if (end <= first)
-        return 0;
-    const uint32_t count = end - first;
-    const uint32_t even = (count / MAX_TASKS / GN_LANES + 1) * GN_LANES;
-    const uint32_t tasks =
-        run_tasks(round, shade_task, first, count, even > TASK_SLOTS ? even : TASK_SLOTS);
-
-    for (uint32_t i = 0; i < tasks; ++i)
+    for (uint32_t i = round->strips; i < round->strips + tasks; ++i)
         outcodes |= *(const uint32_t *)(const void *)task_scratch(round->draw, i);
     return outcodes;
 }
 
-/* Makes the vertices of the round's triangles. */
-static uint32_t shade_round(round_state *round)
+/* Makes the vertices of the triangles of a round which are not shared. */
+static void shade_unshared(round_state *round)
 {
     draw_state *draw = round->draw;
-    slot_map *const map = &draw->map;
     const gn_topology topology = draw->pipeline->topology;
-    const uint32_t first = first_element(topology, round->first);
-    const uint32_t elements = element_count(topology, round->count);
 
-    if (!map->shared) {
-        map->first = first;
-        return shade_in_tasks(round, 0, elements);
-    }
-    if (map->shaded < map->count) {
-        const uint32_t end = slots_before(draw, first + elements);
+    draw->map.first = first_element(topology, round->first);
+    round->strips = 0;
+    const uint32_t tasks = divide_slots(round, 0, element_count(topology, round->count));
 
-        map->outcodes |= shade_in_tasks(round, map->shaded, end);
-        map->shaded = end > map->shaded ? end : map->shaded;
-    }
-    return map->outcodes;
+    run_tasks(round, shade_task, tasks);
+    draw->map.outcodes = shaded_outcodes(round, tasks);
 }
 
 static inline pixel_rows join_rows(pixel_rows a, pixel_rows b)
@@ -155,15 +160,28 @@ static inline pixel_rows join_rows(pixel_rows a, pixel_rows b)
     return r;
 }
 
-static pixel_rows rows_of_list(const triangle_list *list)
+/* Of the rows of each of up to sixteen lists, the first (BOUNDS_MIN_Y) or the last
+ * (BOUNDS_MAX_Y). */
+static lanes_i rows_of_lists(const triangle_list *lists, uint32_t count, int bound)
 {
-    pixel_rows rows = {INT32_MAX, -1};
+    const unsigned char *const bounds = (const unsigned char *)lists->bounds[bound];
+    uint32_t offset[GN_LANES];
+    lanes_i end = lanes_i_splat(0);
 
-    GN_EACH_LANE (l) {
-        const pixel_rows one = {list->bounds[BOUNDS_MIN_Y][l], list->bounds[BOUNDS_MAX_Y][l]};
-        rows = join_rows(rows, one);
+    for (uint32_t l = 0; l < GN_LANES; ++l)
+        offset[l] = (l < count ? l : 0) * (uint32_t)sizeof *lists;
+    for (uint32_t n = 0; n < GN_LANES; n += 4) {
+        lanes_i four[4];
+
+        lanes_i_gather_rows(bounds + n * sizeof lists->bounds[bound][0], offset, 1, four);
+        for (uint32_t i = 0; i < 4; ++i) {
+            if (n + i == 0)
+                end = four[i];
+            else
+                end = bound == BOUNDS_MIN_Y ? lanes_i_min(end, four[i]) : lanes_i_max(end, four[i]);
+        }
     }
-    return rows;
+    return end;
 }
 
 /* The areas of the bounds of a list's triangles, each up to LARGEST_AREA. */
@@ -188,20 +206,23 @@ static void measure_segment(segment_lists *segment, const triangle_list *lists, 
 
     segment->triangle_count = 0;
     segment->rows = none;
-    for (uint32_t n = 0; n < segment->list_count; ++n) {
-        const uint32_t l = n % GN_LANES;
-        list_rows *const group = &groups[n / GN_LANES];
-        const pixel_rows rows = rows_of_list(&lists[n]);
+    for (uint32_t first = 0; first < segment->list_count; first += GN_LANES) {
+        const uint32_t rest = segment->list_count - first;
+        list_rows *const group = &groups[first / GN_LANES];
 
-        if (l == 0) {
-            lanes_i_store(group->min, lanes_i_splat(none.min));
-            lanes_i_store(group->max, lanes_i_splat(none.max));
+        lanes_i_store(group->min, rows_of_lists(&lists[first], rest, BOUNDS_MIN_Y));
+        lanes_i_store(group->max, rows_of_lists(&lists[first], rest, BOUNDS_MAX_Y));
+        for (uint32_t l = 0; l < GN_LANES; ++l) {
+            if (l >= rest) {
+                group->min[l] = none.min;
+                group->max[l] = none.max;
+                continue;
+            }
+            const pixel_rows rows = {group->min[l], group->max[l]};
+            segment->rows = join_rows(segment->rows, rows);
+            segment->triangle_count += lists[first + l].count;
+            areas = lanes_i_add(areas, areas_of_list(&lists[first + l]));
         }
-        group->min[l] = rows.min;
-        group->max[l] = rows.max;
-        segment->rows = join_rows(segment->rows, rows);
-        segment->triangle_count += lists[n].count;
-        areas = lanes_i_add(areas, areas_of_list(&lists[n]));
     }
     lanes_i_store(area, areas);
     segment->area = 0;
@@ -344,9 +365,15 @@ static void strip_task(void *context, uint32_t task)
     *(uint64_t *)(void *)task_scratch(draw, task) = w.passed;
 }
 
+static uint32_t most_strips(uint32_t threads)
+{
+    return threads == 0 || threads > MAX_STRIPS / STRIPS_PER_THREAD ? MAX_STRIPS
+                                                                    : threads * STRIPS_PER_THREAD;
+}
+
 /* Divides the rows that the round's triangles reach into strips of whole blocks, no more
- * than the work is worth, and draws them. */
-static void draw_strips(round_state *round, uint32_t segments)
+ * than the work is worth. */
+static void divide_rows(round_state *round, uint32_t segments)
 {
     const segment_lists *all = round->draw->job->segments;
     const pixel_rows none = {INT32_MAX, -1};
@@ -354,6 +381,7 @@ static void draw_strips(round_state *round, uint32_t segments)
     uint64_t triangles = 0;
 
     round->rows = none;
+    round->strips = 0;
     for (uint32_t s = 0; s < segments; ++s) {
         area += all[s].area;
         triangles += all[s].triangle_count;
@@ -365,16 +393,39 @@ static void draw_strips(round_state *round, uint32_t segments)
 
     const uint64_t worth = area / TASK_PIXELS + triangles / TASK_TRIANGLES;
     const uint32_t blocks = (uint32_t)(round->rows.max - round->rows.min) / BLOCK_SIZE + 1;
-    const uint32_t wanted = worth < MAX_STRIPS - 1 ? (uint32_t)worth + 1 : MAX_STRIPS;
+    const uint32_t most = most_strips(round->draw->job->threads);
+    const uint32_t wanted = worth < most ? (uint32_t)worth + 1 : most;
     const uint32_t strip_blocks = (blocks + wanted - 1) / wanted;
 
     round->strip_rows = (int32_t)(strip_blocks * BLOCK_SIZE);
-    const uint32_t tasks =
-        run_tasks(round, strip_task, 0, (blocks + strip_blocks - 1) / strip_blocks, 1);
+    round->strips = (blocks + strip_blocks - 1) / strip_blocks;
+}
 
-    for (uint32_t i = 0; round->draw->job->samples_passed && i < tasks; ++i)
-        *round->draw->job->samples_passed +=
-            *(const uint64_t *)(const void *)task_scratch(round->draw, i);
+static void strip_or_shade_task(void *context, uint32_t task)
+{
+    const round_state *round = context;
+
+    if (task < round->strips)
+        strip_task(context, task);
+    else
+        shade_task(context, task);
+}
+
+/* Draws the strips and meanwhile shades the vertices of a shared draw up to element `end`:
+ * these tasks are short, so that no thread waits long for the last strip. */
+static void draw_and_shade(round_state *round, uint32_t end)
+{
+    draw_state *draw = round->draw;
+    slot_map *const map = &draw->map;
+    const bool shades = map->shared && map->shaded < map->count;
+    const uint32_t slots = shades ? slots_before(draw, end) : 0;
+    const uint32_t tasks = divide_slots(round, map->shaded, slots);
+
+    run_tasks(round, strip_or_shade_task, round->strips + tasks);
+    map->outcodes |= shaded_outcodes(round, tasks);
+    map->shaded = slots > map->shaded ? slots : map->shaded;
+    for (uint32_t i = 0; draw->job->samples_passed && i < round->strips; ++i)
+        *draw->job->samples_passed += *(const uint64_t *)(const void *)task_scratch(draw, i);
 }
 
 /* Segments in a round; 0 where the draw is not to run in tasks. */
@@ -400,13 +451,20 @@ static void run_parallel(draw_state *draw)
     round_state round;
 
     round.draw = draw;
+    round.strips = 0;
+    draw_and_shade(&round, element_count(topology, total < most ? total : most));
     for (round.first = 0; round.first < total; round.first += round.count) {
-        round.count = total - round.first < most ? total - round.first : most;
+        const uint32_t rest = total - round.first;
+        round.count = rest < most ? rest : most;
 
         const uint32_t segments = (round.count + step - 1) / step;
-        draw->map.outcodes = shade_round(&round);
-        run_tasks(&round, cull_task, 0, segments, 1);
-        draw_strips(&round, segments);
+        const uint32_t shaded = rest - round.count < most ? rest : 2 * most;
+        if (!draw->map.shared)
+            shade_unshared(&round);
+        run_tasks(&round, cull_task, divide_items(&round, 0, segments, 1, MAX_TASKS));
+        divide_rows(&round, segments);
+        draw_and_shade(&round,
+                       first_element(topology, round.first) + element_count(topology, shaded));
     }
 }
 

@@ -51,6 +51,8 @@ static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uin
             slots_before(draw, first_element(topology, first) + element_count(topology, count));
 
         if (end > map->shaded) {
+            if (map->ring < map->count - 1)
+                draw_list(w);
             map->outcodes |= shade_slots(draw, 0, map->shaded, end);
             map->shaded = end;
         }
@@ -81,15 +83,40 @@ static void run_serial(draw_state *draw)
         *draw->job->samples_passed += w.passed;
 }
 
-/* Shares vertices where the range that the elements name fits the workspace and is no
- * longer than the elements: then it is shaded once for the whole draw. */
+/* The ring of a draw whose vertices are shared: the least that holds what is in use at once,
+ * or no ring where that is all of them. The first vertex of a fan and of a loop is in use to
+ * the end. */
+static uint32_t ring_of(const draw_state *draw)
+{
+    const draw_job *job = draw->job;
+    const gn_topology topology = draw->pipeline->topology;
+    const uint32_t segments = GN_HAVE_TASKS && job->parallel ? job->segment_count : 1;
+    const uint32_t step = segments * segment_triangles(topology, draw->mesh);
+    const uint32_t steps = GN_HAVE_TASKS && job->parallel ? 2 : 1;
+    uint32_t ring = GN_LANES - 1;
+
+    if (topology == GN_TRIANGLE_FAN || topology == GN_LINE_LOOP)
+        return UINT32_MAX;
+    for (uint32_t most = slots_in_use(draw, element_count(topology, steps * step));
+         ring < most - 1;)
+        ring = 2 * ring + 1;
+    return ring < draw->map.count - 1 ? ring : UINT32_MAX;
+}
+
+/* Shares vertices where the range that the elements name is no longer than the elements and
+ * what of it is in use at once fits the workspace: then it is shaded once for the whole
+ * draw. */
 static void map_slots(draw_state *draw, index_range range)
 {
+    slot_map *const map = &draw->map;
     const uint32_t last = range.high - range.low;
 
-    draw->map.shared = last < draw->mesh->count && last < draw->job->capacity;
-    draw->map.base = range.low;
-    draw->map.count = last + 1;
+    if (last >= draw->mesh->count)
+        return;
+    map->base = range.low;
+    map->count = last + 1;
+    map->ring = ring_of(draw);
+    map->shared = (map->ring < last ? map->ring : last) < draw->job->capacity;
 }
 
 static inline gn_status run_draw(const draw_job *job)

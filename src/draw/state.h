@@ -12,10 +12,13 @@
 /* Where vertices are kept. The elements of a draw are its indices, or its vertices
  * where it has none. If `shared`, slot n holds the vertex base + n and an element finds
  * its slot by its index; otherwise slots hold consecutive elements of the draw from
- * `first` on, each shaded for itself, but for a fan slot 0 holds the draw's first. */
+ * `first` on, each shaded for itself, but for a fan slot 0 holds the draw's first.
+ * The memory of slot n of a shared draw is that of n & ring: where indices go along with
+ * the vertices, a few thousand of them stay in the cache, however many the draw has. */
 typedef struct slot_map {
     bool shared;
     uint32_t base;
+    uint32_t ring;     /* one less than a power of two */
     uint32_t count;    /* slots of a shared draw */
     uint32_t shaded;   /* of them, a multiple of sixteen or all */
     uint32_t outcodes; /* the union of theirs */
@@ -36,9 +39,17 @@ static inline index_range join_ranges(index_range a, index_range b)
 
 /* Vertices are shaded a part of the indices ahead: in parts this many, they are still near
  * in the cache when triangles are made of them. */
-#define INDEX_PARTS (GN_SPECIALISED ? 128 : 8)
+#define INDEX_PARTS (GN_SPECIALISED ? 512 : 8)
 
-/* The draw's indices in parts of `size`, and what each part and those before it name. */
+/* The shortest part. Tests divide small scenes too. */
+#if defined(GN_SMALLEST_TASKS)
+#define PART_INDICES 16
+#else
+#define PART_INDICES SEGMENT_INDICES
+#endif
+
+/* The draw's indices in parts of `size`: the lowest vertex that a part names and the highest
+ * that it or one before it does. */
 typedef struct index_parts {
     uint32_t size, count;
     index_range range[INDEX_PARTS];
@@ -68,6 +79,7 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     draw->mesh = job->mesh;
     draw->stride = vertex_stride(job->pipeline->varying_count);
     draw->map.shared = false;
+    draw->map.ring = UINT32_MAX;
     draw->map.shaded = 0;
     draw->map.outcodes = 0;
     draw->viewport = viewport_transform_of(job->pipeline, any->width, any->height);

@@ -31,6 +31,7 @@ typedef struct variant {
     size_t workspace; /* bytes; 0: scene_workspace_size */
     gn_backend backend;
     thread_pool *pool; /* null: the calling thread alone */
+    uint32_t threads;  /* that the library is told of */
 } variant;
 
 /* Without the step that sRGB is allowed beside the reference. */
@@ -57,6 +58,7 @@ static bool compare_variant(const scene *s, const variant *v, comparison *result
     workspace.backend = v->backend;
     workspace.parallel = v->pool ? thread_pool_run : NULL;
     workspace.user = v->pool;
+    workspace.threads = v->threads;
     const bool allocated = scene_frame_allocate(&frame, s) && workspace.memory;
     if (allocated)
         result->status = scene_draw_in_workspace(s, &frame, &workspace);
@@ -76,15 +78,15 @@ static size_t odd_workspace(uint64_t number)
 static bool compare_workspaces(const comparer *c, const scene *s, uint64_t number,
                                comparison *result)
 {
-    const variant least = {gn_workspace_size(0, SCENE_VARYINGS), GN_BACKEND_AUTO, NULL};
-    const variant odd = {odd_workspace(number), GN_BACKEND_AUTO, NULL};
+    const variant least = {gn_workspace_size(0, SCENE_VARYINGS), GN_BACKEND_AUTO, NULL, 0};
+    const variant odd = {odd_workspace(number), GN_BACKEND_AUTO, NULL, 0};
     bool allocated = true;
     if (c->everything || number % 3 == 0)
         allocated = compare_variant(s, &least, result, &result->workspace);
     if (allocated && (c->everything || number % 3 == 1))
         allocated = compare_variant(s, &odd, result, &result->workspace);
     for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; b++) {
-        const variant whole = {0, (gn_backend)b, NULL};
+        const variant whole = {0, (gn_backend)b, NULL, 0};
         if (allocated && gn_backend_available((gn_backend)b))
             allocated = compare_variant(s, &whole, result, &result->workspace);
     }
@@ -107,7 +109,8 @@ static bool compare_threads(const comparer *c, const scene *s, uint64_t number, 
     bool allocated = true;
     for (uint64_t i = 0; i < COMPARE_POOLS; i++) {
         const variant v = {number / COMPARE_POOLS % 4 == 3 ? odd_threads_workspace(number) : 0,
-                           gn_backend_available(turn) ? turn : GN_BACKEND_AUTO, c->pools[i]};
+                           gn_backend_available(turn) ? turn : GN_BACKEND_AUTO, c->pools[i],
+                           (uint32_t)(number / 2 % 4)};
         if (allocated && (c->everything || i == number % COMPARE_POOLS))
             allocated = compare_variant(s, &v, result, &result->threads);
     }

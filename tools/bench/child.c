@@ -129,6 +129,7 @@ static bool choose_threads(child *c, const request *r, answer *a)
     c->workspace.backend = r->backend;
     c->workspace.parallel = NULL;
     c->workspace.user = NULL;
+    c->workspace.threads = 0;
     if (r->threads < 2)
         return true;
     if (r->threads <= THREAD_POOL_MOST && !c->pools[r->threads]) {
@@ -139,6 +140,7 @@ static bool choose_threads(child *c, const request *r, answer *a)
         return fail(a, "no such number of threads can be had");
     c->workspace.parallel = thread_pool_run;
     c->workspace.user = c->pools[r->threads];
+    c->workspace.threads = r->threads;
     return true;
 }
 

@@ -4,6 +4,7 @@
  *     thread_pool *pool = thread_pool_create(2);
  *     workspace.parallel = thread_pool_run;
  *     workspace.user = pool;
+ *     workspace.threads = 2;
  *
  * The calling thread takes part, so that a pool of 2 starts one thread. */
 #ifndef THREADS_POOL_H

@@ -1,0 +1,235 @@
+/* Long draws: a draw of tens of thousands of triangles keeps few of its vertices at a time,
+ * and what it draws is what its parts draw one after the other. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "unit.h"
+
+enum {
+    SIZE = 96,
+    ACROSS = 40,
+    ROWS = 500,
+    VERTICES = ACROSS * ROWS,
+    QUADS = (ACROSS - 1) * (ROWS - 1),
+    VARYINGS = 4,
+    PART = 510 /* elements, of whole quads */
+};
+
+typedef struct frame {
+    uint32_t color[SIZE * SIZE], depth[SIZE * SIZE];
+} frame;
+
+static float position[VERTICES][3], color[VERTICES][4];
+static uint32_t indices[6 * QUADS];
+static uint32_t count;
+
+static float noise(uint32_t *seed)
+{
+    *seed = *seed * 1664525u + 1013904223u;
+    return (float)(*seed >> 8) / 16777216.0f;
+}
+
+/* A band wound up and down over the whole target, its rows one over the other. */
+static void make_vertices(void)
+{
+    uint32_t seed = 1;
+
+    for (int i = 0; i < VERTICES; ++i) {
+        const float across = (float)(i % ACROSS) / (ACROSS - 1), along = (float)(i / ACROSS) / ROWS;
+
+        position[i][0] = 2.2f * across - 1.1f;
+        position[i][1] = 2.0f * noise(&seed) - 1.0f;
+        position[i][2] = along + 0.5f * noise(&seed) - 1.0f;
+        for (int c = 0; c < 4; ++c)
+            color[i][c] = noise(&seed);
+    }
+}
+
+static void add_quad(uint32_t row, uint32_t column)
+{
+    const uint32_t v = row * ACROSS + column;
+    const uint32_t corner[6] = {v, v + 1, v + ACROSS, v + ACROSS, v + 1, v + ACROSS + 1};
+
+    memcpy(indices + count, corner, sizeof corner);
+    count += 6;
+}
+
+/* Quads row by row, the rows in the order of `row_of`. */
+static void make_indices(uint32_t (*row_of)(uint32_t n))
+{
+    count = 0;
+    for (uint32_t n = 0; n < ROWS - 1; ++n)
+        for (uint32_t x = 0; x < ACROSS - 1; ++x)
+            add_quad(row_of(n), x);
+}
+
+static uint32_t in_order(uint32_t n)
+{
+    return n;
+}
+
+static uint32_t backwards(uint32_t n)
+{
+    return ROWS - 2 - n;
+}
+
+/* Every fiftieth goes some rows back. */
+static uint32_t stepping_back(uint32_t n)
+{
+    return n % 50 == 49 ? n - 40 : n;
+}
+
+static uint32_t scattered(uint32_t n)
+{
+    return n * 7 % (ROWS - 1);
+}
+
+/* The last row needs the first one's vertices. */
+static uint32_t closing(uint32_t n)
+{
+    return n == ROWS - 2 ? 0 : n;
+}
+
+/* In the reverse order, as threads might. */
+static void backwards_on_this_thread(void *user, gn_task *task, void *context, uint32_t tasks)
+{
+    (void)user;
+    while (tasks-- > 0)
+        task(context, tasks);
+}
+
+/* Draws the elements, `part` at a time, in a workspace of that size. */
+static void draw_in_parts(frame *f, gn_topology topology, uint32_t part, gn_workspace *workspace)
+{
+    static gn_color_uniforms uniforms;
+    gn_target target = {{gn_surface_bottom_up(f->color, GN_FORMAT_RGBA8, SIZE, SIZE)},
+                        gn_surface_bottom_up(f->depth, GN_FORMAT_D24, SIZE, SIZE)};
+    gn_pipeline pipeline = {.depth_test = true, .topology = topology};
+    gn_mesh mesh = {.vertex_count = VERTICES, .indices = indices, .index_format = GN_INDEX_UINT32};
+    const uint32_t overlap = topology == GN_TRIANGLE_STRIP ? 2 : 0;
+
+    mesh.attribute[GN_ATTRIBUTE_POSITION] = (gn_attribute){.data = position[0], .components = 3};
+    mesh.attribute[GN_ATTRIBUTE_COLOR] = (gn_attribute){.data = color[0], .components = 4};
+    gn_mat4_identity(&uniforms.clip_from_model);
+    assert_int_equal(gn_use_vertex_color(&pipeline, &uniforms), GN_OK);
+    assert_int_equal(gn_clear_color(&target.color[0], 0, 0, 0, 0), GN_OK);
+    assert_int_equal(gn_clear_depth(&target.depth, 1), GN_OK);
+    for (mesh.first = 0; mesh.first + overlap < count; mesh.first += part) {
+        const uint32_t rest = count - mesh.first;
+
+        mesh.count = rest < part + overlap ? rest : part + overlap;
+        assert_int_equal(gn_draw(&target, &pipeline, &mesh, workspace), GN_OK);
+    }
+}
+
+/* Leaves little to be seen: some quads in every sixty-fourth row. */
+static void hide_most(void)
+{
+    for (int i = 0; i < VERTICES; ++i)
+        if (i / ACROSS % 64 > 1 || i % ACROSS > 4)
+            position[i][2] = 3.0f;
+}
+
+/* In one draw, on one thread and in tasks, with much and little memory, as in parts. */
+static void draw_both_ways(gn_topology topology)
+{
+    static frame parts, whole;
+    const size_t sizes[] = {gn_workspace_size_parallel(VERTICES, 2 * QUADS, VARYINGS),
+                            gn_workspace_size(VERTICES, VARYINGS),
+                            gn_workspace_size(2048, VARYINGS), gn_workspace_size(0, VARYINGS)};
+    gn_workspace workspace = {.size = sizes[0], .memory = malloc(sizes[0])};
+
+    assert_non_null(workspace.memory);
+    for (int backend = GN_BACKEND_PORTABLE; backend <= GN_BACKEND_WASM_SIMD128; ++backend) {
+        if (!gn_backend_available((gn_backend)backend))
+            continue;
+        workspace.backend = (gn_backend)backend;
+        workspace.size = sizes[0];
+        workspace.parallel = NULL;
+        draw_in_parts(&parts, topology, PART, &workspace);
+        for (uint32_t n = 0; n < 2 * sizeof sizes / sizeof *sizes; ++n) {
+            workspace.size = sizes[n / 2];
+            workspace.parallel = n % 2 ? backwards_on_this_thread : NULL;
+            workspace.threads = n / 2;
+            draw_in_parts(&whole, topology, count, &workspace);
+            assert_memory_equal(&whole, &parts, sizeof whole);
+        }
+    }
+    free(workspace.memory);
+}
+
+static void rows_in_any_order(void **state)
+{
+    static uint32_t (*const orders[])(uint32_t) = {in_order, backwards, stepping_back, scattered,
+                                                   closing};
+
+    (void)state;
+    make_vertices();
+    for (size_t n = 0; n < sizeof orders / sizeof *orders; ++n) {
+        make_indices(orders[n]);
+        draw_both_ways(GN_TRIANGLES);
+    }
+}
+
+/* What is seen waits for more, while vertices after it are shaded. */
+static void few_triangles_are_seen(void **state)
+{
+    (void)state;
+    make_vertices();
+    hide_most();
+    make_indices(in_order);
+    draw_both_ways(GN_TRIANGLES);
+}
+
+static void strips(void **state)
+{
+    (void)state;
+    make_vertices();
+    make_indices(in_order);
+    draw_both_ways(GN_TRIANGLE_STRIP);
+}
+
+/* Little memory is enough to shade each vertex once, where indices go along with them. */
+static uint64_t shaded;
+
+static void count_vertices(const void *uniforms, const gn_vertex_input *input,
+                           gn_vertex_output *output)
+{
+    (void)uniforms;
+    shaded += input->count;
+    for (int c = 0; c < 4; ++c)
+        for (int l = 0; l < GN_LANES; ++l)
+            output->position[c][l] = c < 3 ? input->attribute[0][c][l] : 1.0f;
+}
+
+static void few_vertices_are_kept(void **state)
+{
+    static frame f;
+    static unsigned char memory[GN_WORKSPACE_SIZE(4096, 0)];
+    gn_workspace workspace = {.memory = memory, .size = sizeof memory};
+    gn_target target = {.depth = gn_surface_bottom_up(f.depth, GN_FORMAT_D24, SIZE, SIZE)};
+    gn_pipeline pipeline = {.depth_test = true, .vertex_shader = count_vertices};
+    gn_mesh mesh = {.vertex_count = VERTICES, .indices = indices, .index_format = GN_INDEX_UINT32};
+
+    (void)state;
+    make_vertices();
+    make_indices(in_order);
+    mesh.count = count;
+    mesh.attribute[0] = (gn_attribute){.data = position[0], .components = 3};
+    shaded = 0;
+    assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+    assert_int_equal(shaded, VERTICES);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rows_in_any_order),
+        cmocka_unit_test(few_triangles_are_seen),
+        cmocka_unit_test(strips),
+        cmocka_unit_test(few_vertices_are_kept),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
