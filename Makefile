@@ -298,9 +298,10 @@ cross: ## the parity suite's scenes on other processors and WebAssembly: equal h
 size: $(BUILD)/libgnomon.a ## bytes of the library in a microcontroller's program, which is run
 	@tests/portability/size.sh $(BUILD)
 
-# The everyday gate. The tests are built twice, as they are and under the sanitizers.
+# The everyday gate. The tests are built twice, as they are and under the sanitizers. Random
+# tests have one seed, so that what passes once passes again; `make soak` takes others.
 
-TEST_SEED ?= $(shell date +%s)
+TEST_SEED ?= 1
 CHECKED = $(BUILD)/sanitized
 CHECKED_FLAGS = BUILD=$(CHECKED) CFLAGS='-O1 -g -fno-inline -DGN_SMALLEST_TASKS' \
 	SANITIZE='-fsanitize=address,undefined -fno-sanitize-recover=all'
@@ -314,7 +315,7 @@ unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity
 
 .PHONY: test
-test: ## everything, in a few minutes; ends on "N passed, N failed"
+test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N failed"
 	@$(MAKE) --no-print-directory -j2 all test-programs $(TOOL_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/bench $(BUILD)/test-lanes $(EMULATED_PARITY)
 	@$(MAKE) --no-print-directory -j2 $(CHECKED_FLAGS) test-programs
@@ -348,6 +349,18 @@ test: ## everything, in a few minutes; ends on "N passed, N failed"
 		'sanitized differential=$(CHECKED)/test_cglm $(TEST_SEED)' \
 		'sanitized properties=$(CHECKED)/property-tests --seed $(TEST_SEED) --trials 100' \
 		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 440 --keep $(BUILD)/parity-failure.scene'
+
+SOAK_SCENES ?= 50000
+
+.PHONY: soak
+soak: $(BUILD)/parity $(BUILD)/property-tests $(BUILD)/accuracy $(BUILD)/test_cglm $(BUILD)/test-lanes
+soak: ## the random tests for longer, by a seed of your choice: SEED=1 SOAK_SCENES=50000
+	@tests/run.sh \
+		'lanes=$(BUILD)/test-lanes $(SEED)' \
+		'properties=$(BUILD)/property-tests --seed $(SEED) --trials 10000' \
+		'accuracy=$(BUILD)/accuracy --seed $(SEED) --inputs $(INPUTS)' \
+		'differential=$(BUILD)/test_cglm $(SEED)' \
+		'parity=$(BUILD)/parity --seed $(SEED) --scenes $(SOAK_SCENES) --keep $(BUILD)/parity-failure.scene'
 
 # Installation
 
