@@ -244,12 +244,13 @@ demo:
 
 SCENES ?= 20100
 SEED ?= 1
+JOBS ?= 2
 FRAMES ?= 15
 SCALE_FRAMES ?= 5
 
 .PHONY: parity
-parity: $(BUILD)/parity ## random scenes against OSMesa, bit for bit: SCENES=20100 SEED=1
-	@$(BUILD)/parity --scenes $(SCENES) --seed $(SEED) --keep $(BUILD)/parity-failure.scene
+parity: $(BUILD)/parity ## random scenes against OSMesa, bit for bit: SCENES=20100 SEED=1 JOBS=2
+	@$(BUILD)/parity --scenes $(SCENES) --seed $(SEED) --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene
 
 .PHONY: exhaustive
 exhaustive: $(BUILD)/exhaustive ## the scalar functions on all 2^32 arguments against MPFR
@@ -329,8 +330,8 @@ test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N fa
 		'differential=$(BUILD)/test_cglm $(TEST_SEED)' \
 		'a property for every function=tests/coverage.sh' \
 		'proofs=tests/proof/prove.sh -q' \
-		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes 4400 --keep $(BUILD)/parity-failure.scene' \
-		$(if $(EMULATED_PARITY),'parity$(comma) back ends emulated=$(EMULATED_PARITY) --seed $(TEST_SEED) --scenes 880 --keep $(BUILD)/parity-failure.scene') \
+		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes 4400 --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene' \
+		$(if $(EMULATED_PARITY),'parity$(comma) back ends emulated=$(EMULATED_PARITY) --seed $(TEST_SEED) --scenes 880 --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene') \
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
 		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \
@@ -348,7 +349,7 @@ test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N fa
 		$(call unit_steps,$(CHECKED),sanitized ) \
 		'sanitized differential=$(CHECKED)/test_cglm $(TEST_SEED)' \
 		'sanitized properties=$(CHECKED)/property-tests --seed $(TEST_SEED) --trials 100' \
-		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 440 --keep $(BUILD)/parity-failure.scene'
+		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 440 --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene'
 
 SOAK_SCENES ?= 50000
 
@@ -360,7 +361,7 @@ soak: ## the random tests for longer, by a seed of your choice: SEED=1 SOAK_SCEN
 		'properties=$(BUILD)/property-tests --seed $(SEED) --trials 10000' \
 		'accuracy=$(BUILD)/accuracy --seed $(SEED) --inputs $(INPUTS)' \
 		'differential=$(BUILD)/test_cglm $(SEED)' \
-		'parity=$(BUILD)/parity --seed $(SEED) --scenes $(SOAK_SCENES) --keep $(BUILD)/parity-failure.scene'
+		'parity=$(BUILD)/parity --seed $(SEED) --scenes $(SOAK_SCENES) --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene'
 
 # Installation
 
