@@ -46,6 +46,7 @@ static void copy_draw(scene *to, const scene_draw *from, const mesh_selection *s
     d->shader = from->shader;
     d->state = from->state;
     d->counted = from->counted;
+    d->clear = from->clear;
     d->uniforms.light = from->uniforms.light;
     d->uniforms.sampler = from->uniforms.sampler;
     d->view_from_model = from->view_from_model;
