@@ -10,9 +10,11 @@
 
 #include "compare.h"
 #include "generate.h"
+#include "pairs.h"
 #include "shrink.h"
 
 #define DEFAULT_SCENES 2100
+#define DEFAULT_PAIR_SCENES 2000
 #define DEFAULT_SEED 1
 #define DEFAULT_KEEP "build/parity-failure.scene"
 #define SHRINK_ATTEMPTS 4000
@@ -28,7 +30,7 @@ typedef struct options {
     uint64_t scenes, seed, first, jobs;
     scene_class only; /* CLASS_COUNT: all */
     const char *keep, *replay;
-    bool everything;
+    bool everything, pairs;
 } options;
 
 typedef struct totals {
@@ -58,28 +60,32 @@ typedef struct job {
 
 static void print_help(void)
 {
-    printf("usage: parity [--scenes N] [--seed S] [--class NAME] [--first K] [--jobs N]\n"
-           "              [--keep FILE] [--everything]\n"
-           "       parity --replay FILE\n"
-           "\n"
-           "Draws random scenes with the library and with the pinned reference (OSMesa,\n"
-           "llvmpipe) and compares colour and depth bit for bit. Exit status: 0 where no pixel\n"
-           "differs, 1 where one does, 2 for a wrong command line.\n"
-           "\n"
-           "  --scenes N          scenes in all, shared evenly by the classes (%d)\n"
-           "  --seed S            what the scenes are made from (%d)\n"
-           "  --class NAME        this class alone\n"
-           "  --first K           from scene number K of each class on (0)\n"
-           "  --jobs N            the scenes shared by N processes; the result is the same (1)\n"
-           "  --keep FILE         where the smallest failing scene goes\n"
-           "                      (" DEFAULT_KEEP ")\n"
-           "  --everything        every scene in the smallest workspace, in one between, and with\n"
-           "                      1, 2, 3 and 8 threads; without it two of three scenes in one\n"
-           "                      of the two, and with one number of threads\n"
-           "  --replay FILE       compares that scene and prints the differing pixels\n"
-           "\n"
-           "classes:",
-           DEFAULT_SCENES, DEFAULT_SEED);
+    printf(
+        "usage: parity [--scenes N] [--seed S] [--class NAME] [--first K] [--jobs N]\n"
+        "              [--keep FILE] [--everything]\n"
+        "       parity --replay FILE\n"
+        "       parity --pairs [--scenes N] [--seed S]\n"
+        "\n"
+        "Draws random scenes with the library and with the pinned reference (OSMesa,\n"
+        "llvmpipe) and compares colour and depth bit for bit. Exit status: 0 where no pixel\n"
+        "differs, 1 where one does, 2 for a wrong command line.\n"
+        "\n"
+        "  --scenes N          scenes in all, shared evenly by the classes (%d)\n"
+        "  --seed S            what the scenes are made from (%d)\n"
+        "  --class NAME        this class alone\n"
+        "  --first K           from scene number K of each class on (0)\n"
+        "  --jobs N            the scenes shared by N processes; the result is the same (1)\n"
+        "  --keep FILE         where the smallest failing scene goes\n"
+        "                      (" DEFAULT_KEEP ")\n"
+        "  --everything        every scene in the smallest workspace, in one between, and with\n"
+        "                      1, 2, 3 and 8 threads; without it two of three scenes in one\n"
+        "                      of the two, and with one number of threads\n"
+        "  --replay FILE       compares that scene and prints the differing pixels\n"
+        "  --pairs             draws nothing: shows that in so many scenes of each of mixed and\n"
+        "                      sequences (%d) all values of all states meet in pairs\n"
+        "\n"
+        "classes:",
+        DEFAULT_SCENES, DEFAULT_SEED, DEFAULT_PAIR_SCENES);
     for (int c = 0; c < CLASS_COUNT; c++)
         printf("%s %s", c % 7 == 0 && c > 0 ? "\n        " : "", scene_class_name((scene_class)c));
     printf("\n");
@@ -101,13 +107,23 @@ static bool parse_number(const char *text, uint64_t *number)
 
 static bool parse_options(int argc, char **argv, options *o)
 {
-    *o = (options){DEFAULT_SCENES, DEFAULT_SEED, 0, 1, CLASS_COUNT, DEFAULT_KEEP, NULL, false};
+    bool counted = false;
+    *o = (options){.scenes = DEFAULT_SCENES,
+                   .seed = DEFAULT_SEED,
+                   .jobs = 1,
+                   .only = CLASS_COUNT,
+                   .keep = DEFAULT_KEEP};
     for (int i = 1; i < argc; i++) {
         const char *name = argv[i];
         if (strcmp(name, "--everything") == 0) {
             o->everything = true;
             continue;
         }
+        if (strcmp(name, "--pairs") == 0) {
+            o->pairs = true;
+            continue;
+        }
+        counted = counted || strcmp(name, "--scenes") == 0;
         uint64_t *number = strcmp(name, "--scenes") == 0  ? &o->scenes
                            : strcmp(name, "--seed") == 0  ? &o->seed
                            : strcmp(name, "--first") == 0 ? &o->first
@@ -131,6 +147,8 @@ static bool parse_options(int argc, char **argv, options *o)
                 return usage_error("unknown class", value);
         }
     }
+    if (o->pairs && !counted)
+        o->scenes = DEFAULT_PAIR_SCENES;
     if (o->scenes == 0)
         return usage_error("nothing to do with", "--scenes 0");
     if (o->jobs == 0 || o->jobs > MOST_JOBS)
@@ -518,6 +536,8 @@ int main(int argc, char **argv)
         }
     if (!parse_options(argc, argv, &g.options))
         return 2;
+    if (g.options.pairs)
+        return pairs_check(g.options.seed, g.options.scenes) ? EXIT_SUCCESS : EXIT_FAILURE;
     g.last_progress = time(NULL);
     const bool passes = g.options.replay ? replay(&g) : run_all(&g);
     stop(&g);

@@ -48,6 +48,7 @@ static gn_polygon_offset known_offset(builder *b)
 static void any_tests(builder *b)
 {
     random_source *r = &b->random;
+    b->state.depth_test = random_chance(r, 80);
     b->state.depth_function = (gn_compare)random_below(r, 8);
     b->state.depth_write_disabled = random_chance(r, 30);
     b->state.stencil_test = random_chance(r, 40);
@@ -66,7 +67,7 @@ static void any_tests(builder *b)
 static void any_window(builder *b)
 {
     random_source *r = &b->random;
-    if (random_chance(r, 40)) {
+    if (random_chance(r, 30)) {
         b->state.viewport = random_viewport(b);
         if (!(b->state.viewport.width >= 1.0f && b->state.viewport.height >= 1.0f))
             b->state.viewport.width = b->state.viewport.height = 1.0f;
@@ -82,11 +83,11 @@ static void any_window(builder *b)
 static void any_color_state(builder *b, bool may_blend)
 {
     random_source *r = &b->random;
-    if (random_chance(r, 35))
+    if (random_chance(r, 50))
         b->state.color_write_disabled = random_below(r, 16);
     if (random_chance(r, 50) && may_blend)
         b->state.blend = any_blend(r);
-    b->state.color_logic = random_chance(r, 30);
+    b->state.color_logic = random_chance(r, b->state.blend.enabled ? 50 : 30);
     if (b->state.color_logic)
         b->state.logic_operation = (gn_logic_operation)random_below(r, 16);
 }
@@ -138,9 +139,13 @@ static void any_texture(builder *b, uint32_t *texels)
 static void any_mesh(builder *b, uint32_t count, bool noperspective)
 {
     random_source *r = &b->random;
-    const gn_topology topology = (gn_topology)random_below(r, 7);
+    const uint32_t which = random_below(r, 8);
+    const gn_topology topology = which < 7 ? (gn_topology)which : GN_POINTS;
     if (topology == GN_POINTS) {
         shape_points(b, count);
+        /* More often than others, since few draws may have it. */
+        if (b->shader == SCENE_VERTEX_COLOR && !b->state.viewport.set && random_chance(r, 50))
+            b->state.program_point_size = true;
     } else if (topology >= GN_LINES) {
         shape_lines(b, count);
     } else if (topology == GN_TRIANGLES && !noperspective && random_chance(r, 70)) {
@@ -222,7 +227,7 @@ void generate_sequences(builder *b)
     builder_target(b, width, height, GN_FORMAT_RGBA8, random_depth_format(b));
     if (kind < 2)
         b->scene->color_format = GN_FORMAT_RGBA32F;
-    else if (kind < 6)
+    else if (kind < 5)
         b->scene->color_format = random_color_format(b);
     const uint32_t draws = 7 + random_below(r, 14);
     for (uint32_t since = 0; b->scene->draw_count < draws; since++) {
