@@ -175,13 +175,13 @@ $(BUILD)/exhaustive: $(call objects,$(EXHAUSTIVE_SOURCES)) $(BUILD)/libgnomon.a
 	$(LINK) -lmpfr -lm -pthread
 
 $(BUILD)/property-tests: $(call objects,$(PROPERTY_SOURCES) $(THEFT_SOURCES) $(SCENE_SOURCES) \
-		$(filter-out tests/parity/gate.c tests/parity/compare.c,$(PARITY_SOURCES))) \
+		$(filter-out $(addprefix tests/parity/,gate.c compare.c pairs.c),$(PARITY_SOURCES))) \
 		$(BUILD)/libgnomon.a
 	$(LINK) $(THEFT_LIBS) -lm
 
 # Of objects alone: the archiver may not know the target's.
 $(BUILD)/hashes: $(call objects,tests/portability/hashes.c $(SCENE_SOURCES) $(LIBRARY_SOURCES) \
-		$(filter-out tests/parity/gate.c tests/parity/compare.c tests/parity/shrink%,$(PARITY_SOURCES)))
+		$(filter-out $(addprefix tests/parity/,gate.c compare.c pairs.c) tests/parity/shrink%,$(PARITY_SOURCES)))
 	$(LINK) -lm
 
 $(BUILD)/theft-selftest: $(call objects,$(sort $(wildcard tests/theft/*.c)))
@@ -330,6 +330,7 @@ test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N fa
 		'differential=$(BUILD)/test_cglm $(TEST_SEED)' \
 		'a property for every function=tests/coverage.sh' \
 		'proofs=tests/proof/prove.sh -q' \
+		'pairs of states=$(BUILD)/parity --pairs --seed $(TEST_SEED)' \
 		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes 4400 --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene' \
 		$(if $(EMULATED_PARITY),'parity$(comma) back ends emulated=$(EMULATED_PARITY) --seed $(TEST_SEED) --scenes 880 --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene') \
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
@@ -361,6 +362,7 @@ soak: ## the random tests for longer, by a seed of your choice: SEED=1 SOAK_SCEN
 		'properties=$(BUILD)/property-tests --seed $(SEED) --trials 10000' \
 		'accuracy=$(BUILD)/accuracy --seed $(SEED) --inputs $(INPUTS)' \
 		'differential=$(BUILD)/test_cglm $(SEED)' \
+		'pairs of states=$(BUILD)/parity --pairs --seed $(TEST_SEED)' \
 		'parity=$(BUILD)/parity --seed $(SEED) --scenes $(SOAK_SCENES) --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene'
 
 # Installation
