@@ -175,13 +175,13 @@ $(BUILD)/exhaustive: $(call objects,$(EXHAUSTIVE_SOURCES)) $(BUILD)/libgnomon.a
 	$(LINK) -lmpfr -lm -pthread
 
 $(BUILD)/property-tests: $(call objects,$(PROPERTY_SOURCES) $(THEFT_SOURCES) $(SCENE_SOURCES) \
-		$(filter-out tests/parity/gate.c tests/parity/compare.c,$(PARITY_SOURCES))) \
+		$(filter-out $(addprefix tests/parity/,gate.c compare.c pairs.c),$(PARITY_SOURCES))) \
 		$(BUILD)/libgnomon.a
 	$(LINK) $(THEFT_LIBS) -lm
 
 # Of objects alone: the archiver may not know the target's.
 $(BUILD)/hashes: $(call objects,tests/portability/hashes.c $(SCENE_SOURCES) $(LIBRARY_SOURCES) \
-		$(filter-out tests/parity/gate.c tests/parity/compare.c tests/parity/shrink%,$(PARITY_SOURCES)))
+		$(filter-out $(addprefix tests/parity/,gate.c compare.c pairs.c) tests/parity/shrink%,$(PARITY_SOURCES)))
 	$(LINK) -lm
 
 $(BUILD)/theft-selftest: $(call objects,$(sort $(wildcard tests/theft/*.c)))
@@ -244,12 +244,13 @@ demo:
 
 SCENES ?= 20100
 SEED ?= 1
+JOBS ?= 2
 FRAMES ?= 15
 SCALE_FRAMES ?= 5
 
 .PHONY: parity
-parity: $(BUILD)/parity ## random scenes against OSMesa, bit for bit: SCENES=20100 SEED=1
-	@$(BUILD)/parity --scenes $(SCENES) --seed $(SEED) --keep $(BUILD)/parity-failure.scene
+parity: $(BUILD)/parity ## random scenes against OSMesa, bit for bit: SCENES=20100 SEED=1 JOBS=2
+	@$(BUILD)/parity --scenes $(SCENES) --seed $(SEED) --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene
 
 .PHONY: exhaustive
 exhaustive: $(BUILD)/exhaustive ## the scalar functions on all 2^32 arguments against MPFR
@@ -298,9 +299,10 @@ cross: ## the parity suite's scenes on other processors and WebAssembly: equal h
 size: $(BUILD)/libgnomon.a ## bytes of the library in a microcontroller's program, which is run
 	@tests/portability/size.sh $(BUILD)
 
-# The everyday gate. The tests are built twice, as they are and under the sanitizers.
+# The everyday gate. The tests are built twice, as they are and under the sanitizers. Random
+# tests have one seed, so that what passes once passes again; `make soak` takes others.
 
-TEST_SEED ?= $(shell date +%s)
+TEST_SEED ?= 1
 CHECKED = $(BUILD)/sanitized
 CHECKED_FLAGS = BUILD=$(CHECKED) CFLAGS='-O1 -g -fno-inline -DGN_SMALLEST_TASKS' \
 	SANITIZE='-fsanitize=address,undefined -fno-sanitize-recover=all'
@@ -314,7 +316,7 @@ unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity
 
 .PHONY: test
-test: ## everything, in a few minutes; ends on "N passed, N failed"
+test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N failed"
 	@$(MAKE) --no-print-directory -j2 all test-programs $(TOOL_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/bench $(BUILD)/test-lanes $(EMULATED_PARITY)
 	@$(MAKE) --no-print-directory -j2 $(CHECKED_FLAGS) test-programs
@@ -328,8 +330,9 @@ test: ## everything, in a few minutes; ends on "N passed, N failed"
 		'differential=$(BUILD)/test_cglm $(TEST_SEED)' \
 		'a property for every function=tests/coverage.sh' \
 		'proofs=tests/proof/prove.sh -q' \
-		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes 4400 --keep $(BUILD)/parity-failure.scene' \
-		$(if $(EMULATED_PARITY),'parity$(comma) back ends emulated=$(EMULATED_PARITY) --seed $(TEST_SEED) --scenes 880 --keep $(BUILD)/parity-failure.scene') \
+		'pairs of states=$(BUILD)/parity --pairs --seed $(TEST_SEED)' \
+		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes 4400 --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene' \
+		$(if $(EMULATED_PARITY),'parity$(comma) back ends emulated=$(EMULATED_PARITY) --seed $(TEST_SEED) --scenes 880 --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene') \
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
 		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \
@@ -347,7 +350,20 @@ test: ## everything, in a few minutes; ends on "N passed, N failed"
 		$(call unit_steps,$(CHECKED),sanitized ) \
 		'sanitized differential=$(CHECKED)/test_cglm $(TEST_SEED)' \
 		'sanitized properties=$(CHECKED)/property-tests --seed $(TEST_SEED) --trials 100' \
-		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 440 --keep $(BUILD)/parity-failure.scene'
+		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 440 --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene'
+
+SOAK_SCENES ?= 50000
+
+.PHONY: soak
+soak: $(BUILD)/parity $(BUILD)/property-tests $(BUILD)/accuracy $(BUILD)/test_cglm $(BUILD)/test-lanes
+soak: ## the random tests for longer, by a seed of your choice: SEED=1 SOAK_SCENES=50000
+	@tests/run.sh \
+		'lanes=$(BUILD)/test-lanes $(SEED)' \
+		'properties=$(BUILD)/property-tests --seed $(SEED) --trials 10000' \
+		'accuracy=$(BUILD)/accuracy --seed $(SEED) --inputs $(INPUTS)' \
+		'differential=$(BUILD)/test_cglm $(SEED)' \
+		'pairs of states=$(BUILD)/parity --pairs --seed $(TEST_SEED)' \
+		'parity=$(BUILD)/parity --seed $(SEED) --scenes $(SOAK_SCENES) --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene'
 
 # Installation
 

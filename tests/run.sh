@@ -2,12 +2,15 @@
 # Runs the steps named on the command line, each `NAME=COMMAND`, and adds up their tests:
 # CMocka's "N test(s)." lines, lines "N passed, N failed" and lines "properties: ... PASS"
 # or "FAIL". A step that names no test counts as one, by its exit status; one that exits
-# non-zero without naming a failure counts as one failure. The last line is the sum.
+# non-zero without naming a failure counts as one failure. At the end stand the steps that
+# failed, each with the lines of its output that say so and the last of all, so that the tail
+# of a log says what failed. The last line is the sum.
 set -u
 passed=0
 failed=0
 log=$(mktemp)
-trap 'rm -f "$log"' EXIT
+failures=$(mktemp)
+trap 'rm -f "$log" "$failures"' EXIT
 
 for step in "$@"; do
     name=${step%%=*}
@@ -42,6 +45,16 @@ for step in "$@"; do
     passed=$((passed + p))
     failed=$((failed + f))
     echo "-- $name: $p passed, $f failed, $(($(date +%s) - start)) s"
+    if [ "$f" -gt 0 ]; then
+        lines=$(grep -c '' "$log")
+        {
+            echo "!! $name: $f failed, exit status $status: $command"
+            head -n $((lines > 12 ? lines - 12 : 0)) "$log" |
+                grep -i -E 'fail|error|differ|seed' | grep -v -E 'PASS|, 0 (failed|differ)' | tail -n 12
+            tail -n 12 "$log"
+        } >>"$failures"
+    fi
 done
+cat "$failures"
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

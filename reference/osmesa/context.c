@@ -43,7 +43,7 @@ static void set_environment(reference_profile profile)
     if (profile == REFERENCE_PINNED) {
         setenv("GALLIUM_DRIVER", "llvmpipe", 1);
         setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 1);
-        setenv("GALLIVM_PERF", "no_quad_lod,no_aos_sampling", 1);
+        setenv("GALLIVM_PERF", "no_quad_lod,no_aos_sampling,nopt", 1);
         setenv("LP_NUM_THREADS", "0", 1);
     } else {
         setenv("LP_NUM_THREADS", "0", 0);

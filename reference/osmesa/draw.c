@@ -414,6 +414,11 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
 {
     const gn_mesh *mesh = &d->mesh;
 
+    if (d->clear.color || d->clear.depth) {
+        const scene cleared = scene_of_clear(s, d);
+
+        reference_clear(&cleared);
+    }
     set_state(s, &d->state);
     switch_capability(GL_PROGRAM_POINT_SIZE,
                       d->state.program_point_size && d->shader == SCENE_VERTEX_COLOR);

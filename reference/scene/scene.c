@@ -137,6 +137,24 @@ void scene_remove_draw(scene *s, size_t index)
     }
 }
 
+scene scene_of_clear(const scene *s, const scene_draw *d)
+{
+    scene cleared = *s;
+
+    cleared.draws = NULL;
+    cleared.draw_count = 0;
+    if (!d->clear.color) {
+        cleared.color_format = GN_FORMAT_NONE;
+    }
+    if (!d->clear.depth) {
+        cleared.depth_format = GN_FORMAT_NONE;
+    }
+    memcpy(cleared.clear_color, d->clear.color_value, sizeof cleared.clear_color);
+    cleared.clear_depth = d->clear.depth_value;
+    cleared.clear_stencil = d->clear.stencil_value;
+    return cleared;
+}
+
 void scene_set_attribute(scene_draw *d, gn_shader_attribute attribute, const float *data,
                          uint32_t components, uint32_t vertex_count)
 {

@@ -33,6 +33,14 @@ static inline bool scene_shader_is_lit(scene_shader shader)
     return shader != SCENE_VERTEX_COLOR && shader != SCENE_INPUTS;
 }
 
+/* A clear of the whole target before a draw; zeroed, there is none. */
+typedef struct scene_clear {
+    bool color, depth; /* what is cleared; with depth stencil, of which there is one or both */
+    float color_value[4];
+    float depth_value;
+    uint8_t stencil_value;
+} scene_clear;
+
 typedef struct scene_draw {
     scene_shader shader;
 
@@ -56,6 +64,8 @@ typedef struct scene_draw {
     /* Of SCENE_PHONG alone. */
     gn_mat4 view_from_model;
     gn_vec3 specular;
+
+    scene_clear clear;
 } scene_draw;
 
 typedef struct scene {
@@ -103,6 +113,10 @@ scene *scene_copy(const scene *s);
  * normal_matrix are identities. The pointer is good until the next scene_add_draw. */
 scene_draw *scene_add_draw(scene *s);
 void scene_remove_draw(scene *s, size_t index);
+
+/* The scene's size, formats and clear values as the clear before a draw has them: a format is
+ * GN_FORMAT_NONE where it is not cleared. It owns nothing. */
+scene scene_of_clear(const scene *s, const scene_draw *d);
 
 /* Copy data into a draw's mesh; earlier data is freed. Attributes are tightly packed, and all
  * of a mesh hold the same number of vertices. The position (without indices) and the indices

@@ -170,7 +170,12 @@ gn_status scene_draw_to_target(const scene *s, const gn_target *target, gn_works
     gn_status status = clear_target(s, target, workspace);
 
     for (size_t i = 0; status == GN_OK && i < s->draw_count; ++i) {
-        status = draw_one(target, &s->draws[i], workspace);
+        const scene cleared = scene_of_clear(s, &s->draws[i]);
+
+        status = clear_target(&cleared, target, workspace);
+        if (status == GN_OK) {
+            status = draw_one(target, &s->draws[i], workspace);
+        }
     }
     return status;
 }

@@ -394,6 +394,13 @@ static bool read_mesh(reader *r, const char *keyword, scene_draw *d)
         d->mesh.vertex_count = read_number(r, 10, UINT32_MAX);
     } else if (!strcmp(keyword, "indices")) {
         read_indices(r, d);
+    } else if (!strcmp(keyword, "clears-color")) {
+        d->clear.color = true;
+        read_floats(r, d->clear.color_value, 4);
+    } else if (!strcmp(keyword, "clears-depth")) {
+        d->clear.depth = true;
+        d->clear.depth_value = read_float(r);
+        d->clear.stencil_value = (uint8_t)read_number(r, 10, 255);
     } else if (!strcmp(keyword, "counted")) {
         d->counted = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "elements")) {

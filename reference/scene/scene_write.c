@@ -204,6 +204,18 @@ static void write_elements(FILE *out, const gn_mesh *mesh)
     }
 }
 
+static void write_clear(FILE *out, const scene_clear *c)
+{
+    if (c->color) {
+        write_floats(out, "  clears-color", c->color_value, 4);
+    }
+    if (c->depth) {
+        fputs("  clears-depth", out);
+        write_float(out, c->depth_value);
+        fprintf(out, " %d\n", c->stencil_value);
+    }
+}
+
 bool scene_write(const scene *s, FILE *out)
 {
     fprintf(out, "gnomon-scene 1\nsize %" PRIu32 " %" PRIu32 "\n", s->width, s->height);
@@ -217,6 +229,7 @@ bool scene_write(const scene *s, FILE *out)
 
         fprintf(out, "draw %s\n", text_name(TEXT_SHADER, (int)d->shader));
         fprintf(out, "  counted %s\n", text_name(TEXT_SWITCH, d->counted));
+        write_clear(out, &d->clear);
         write_state(out, &d->state);
         write_color_state(out, &d->state);
         write_uniforms(out, d);

@@ -4,65 +4,88 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "compare.h"
 #include "generate.h"
+#include "pairs.h"
 #include "shrink.h"
 
 #define DEFAULT_SCENES 2100
+#define DEFAULT_PAIR_SCENES 2000
 #define DEFAULT_SEED 1
 #define DEFAULT_KEEP "build/parity-failure.scene"
 #define SHRINK_ATTEMPTS 4000
 #define REPORTED_PER_CLASS 3
 
+/* Processes at most. */
+#define MOST_JOBS 64
+
 /* So many scenes of a class draw on some pixel; fewer may all be off screen. */
 #define ENOUGH_SCENES 40
 
 typedef struct options {
-    uint64_t scenes, seed, first;
+    uint64_t scenes, seed, first, jobs;
     scene_class only; /* CLASS_COUNT: all */
     const char *keep, *replay;
-    bool everything;
+    bool everything, pairs;
 } options;
 
 typedef struct totals {
     uint64_t scenes, failing_scenes, triangles, pixels, drawn;
     uint64_t color, depth, coverage, workspace, threads, faults, differ;
+    uint64_t broken; /* scenes that something else than a difference is wrong with */
+
+    /* The failing scene with the fewest triangles, of those the first. */
+    bool fails;
+    scene_class failing_class;
+    uint64_t failing_number, failing_triangles;
 } totals;
 
 typedef struct gate {
     options options;
     comparer comparer;
     totals all;
-    scene *failing; /* the failing scene with the fewest triangles */
-    bool broken;    /* something else than a difference is wrong */
+    bool broken; /* something else than a difference is wrong */
     time_t last_progress;
 } gate;
 
+/* A process that compares every so many-th scene and sends its totals, class by class. */
+typedef struct job {
+    pid_t process;
+    FILE *totals;
+} job;
+
 static void print_help(void)
 {
-    printf("usage: parity [--scenes N] [--seed S] [--class NAME] [--first K] [--keep FILE]\n"
-           "              [--everything]\n"
-           "       parity --replay FILE\n"
-           "\n"
-           "Draws random scenes with the library and with the pinned reference (OSMesa,\n"
-           "llvmpipe) and compares colour and depth bit for bit. Exit status: 0 where no pixel\n"
-           "differs, 1 where one does, 2 for a wrong command line.\n"
-           "\n"
-           "  --scenes N          scenes in all, shared evenly by the classes (%d)\n"
-           "  --seed S            what the scenes are made from (%d)\n"
-           "  --class NAME        this class alone\n"
-           "  --first K           from scene number K of each class on (0)\n"
-           "  --keep FILE         where the smallest failing scene goes\n"
-           "                      (" DEFAULT_KEEP ")\n"
-           "  --everything        every scene in the smallest workspace, in one between, and with\n"
-           "                      1, 2, 3 and 8 threads; without it two of three scenes in one\n"
-           "                      of the two, and with one number of threads\n"
-           "  --replay FILE       compares that scene and prints the differing pixels\n"
-           "\n"
-           "classes:",
-           DEFAULT_SCENES, DEFAULT_SEED);
+    printf(
+        "usage: parity [--scenes N] [--seed S] [--class NAME] [--first K] [--jobs N]\n"
+        "              [--keep FILE] [--everything]\n"
+        "       parity --replay FILE\n"
+        "       parity --pairs [--scenes N] [--seed S]\n"
+        "\n"
+        "Draws random scenes with the library and with the pinned reference (OSMesa,\n"
+        "llvmpipe) and compares colour and depth bit for bit. Exit status: 0 where no pixel\n"
+        "differs, 1 where one does, 2 for a wrong command line.\n"
+        "\n"
+        "  --scenes N          scenes in all, shared evenly by the classes (%d)\n"
+        "  --seed S            what the scenes are made from (%d)\n"
+        "  --class NAME        this class alone\n"
+        "  --first K           from scene number K of each class on (0)\n"
+        "  --jobs N            the scenes shared by N processes; the result is the same (1)\n"
+        "  --keep FILE         where the smallest failing scene goes\n"
+        "                      (" DEFAULT_KEEP ")\n"
+        "  --everything        every scene in the smallest workspace, in one between, and with\n"
+        "                      1, 2, 3 and 8 threads; without it two of three scenes in one\n"
+        "                      of the two, and with one number of threads\n"
+        "  --replay FILE       compares that scene and prints the differing pixels\n"
+        "  --pairs             draws nothing: shows that in so many scenes of each of mixed and\n"
+        "                      sequences (%d) all values of all states meet in pairs\n"
+        "\n"
+        "classes:",
+        DEFAULT_SCENES, DEFAULT_SEED, DEFAULT_PAIR_SCENES);
     for (int c = 0; c < CLASS_COUNT; c++)
         printf("%s %s", c % 7 == 0 && c > 0 ? "\n        " : "", scene_class_name((scene_class)c));
     printf("\n");
@@ -84,16 +107,27 @@ static bool parse_number(const char *text, uint64_t *number)
 
 static bool parse_options(int argc, char **argv, options *o)
 {
-    *o = (options){DEFAULT_SCENES, DEFAULT_SEED, 0, CLASS_COUNT, DEFAULT_KEEP, NULL, false};
+    bool counted = false;
+    *o = (options){.scenes = DEFAULT_SCENES,
+                   .seed = DEFAULT_SEED,
+                   .jobs = 1,
+                   .only = CLASS_COUNT,
+                   .keep = DEFAULT_KEEP};
     for (int i = 1; i < argc; i++) {
         const char *name = argv[i];
         if (strcmp(name, "--everything") == 0) {
             o->everything = true;
             continue;
         }
+        if (strcmp(name, "--pairs") == 0) {
+            o->pairs = true;
+            continue;
+        }
+        counted = counted || strcmp(name, "--scenes") == 0;
         uint64_t *number = strcmp(name, "--scenes") == 0  ? &o->scenes
                            : strcmp(name, "--seed") == 0  ? &o->seed
                            : strcmp(name, "--first") == 0 ? &o->first
+                           : strcmp(name, "--jobs") == 0  ? &o->jobs
                                                           : NULL;
         const char **file = strcmp(name, "--keep") == 0     ? &o->keep
                             : strcmp(name, "--replay") == 0 ? &o->replay
@@ -113,19 +147,23 @@ static bool parse_options(int argc, char **argv, options *o)
                 return usage_error("unknown class", value);
         }
     }
+    if (o->pairs && !counted)
+        o->scenes = DEFAULT_PAIR_SCENES;
     if (o->scenes == 0)
         return usage_error("nothing to do with", "--scenes 0");
+    if (o->jobs == 0 || o->jobs > MOST_JOBS)
+        return usage_error("from 1 to 64, not so many", "--jobs");
     return true;
 }
 
-static void show_progress(gate *g, scene_class c, uint64_t done, uint64_t of)
+static void show_progress(gate *g, const totals *t, scene_class c, uint64_t done, uint64_t of)
 {
     const time_t now = time(NULL);
     if (now - g->last_progress < 5)
         return;
     g->last_progress = now;
     fprintf(stderr, "parity: %s, scene %" PRIu64 " of %" PRIu64 ", %" PRIu64 " pixels differ\n",
-            scene_class_name(c), done, of, g->all.differ);
+            scene_class_name(c), done, of, g->all.differ + t->differ);
 }
 
 static void report_failure(scene_class c, uint64_t number, const comparison *r)
@@ -149,8 +187,25 @@ static void report_failure(scene_class c, uint64_t number, const comparison *r)
                 r->reference.x, r->reference.y);
 }
 
+static void keep_smallest(totals *sum, scene_class c, uint64_t number, uint64_t triangles)
+{
+    const bool smaller =
+        !sum->fails || triangles < sum->failing_triangles ||
+        (triangles == sum->failing_triangles &&
+         (c < sum->failing_class || (c == sum->failing_class && number < sum->failing_number)));
+    if (smaller) {
+        sum->fails = true;
+        sum->failing_class = c;
+        sum->failing_number = number;
+        sum->failing_triangles = triangles;
+    }
+}
+
 static void add_totals(totals *sum, const totals *t)
 {
+    if (t->fails)
+        keep_smallest(sum, t->failing_class, t->failing_number, t->failing_triangles);
+    sum->broken += t->broken;
     sum->scenes += t->scenes;
     sum->failing_scenes += t->failing_scenes;
     sum->triangles += t->triangles;
@@ -191,46 +246,49 @@ static bool run_scene(gate *g, scene_class c, uint64_t number, totals *t)
         count_scene(t, s, &r);
         if (compare_count(&r) > 0 && t->failing_scenes++ < REPORTED_PER_CLASS)
             report_failure(c, number, &r);
-        if (compare_fails(&g->comparer, &r) &&
-            (!g->failing || scene_triangle_count(s) < scene_triangle_count(g->failing))) {
-            scene_free(g->failing);
-            g->failing = s;
-            s = NULL;
-        }
+        if (compare_fails(&g->comparer, &r))
+            keep_smallest(t, c, number, scene_triangle_count(s));
     } else {
         fprintf(stderr, "parity: %s scene %" PRIu64 ": the reference failed: %s\n",
                 scene_class_name(c), number, error);
-        g->broken = true;
+        t->broken++;
     }
     compare_free(&r);
     scene_free(s);
     return drawn;
 }
 
-static void run_class(gate *g, scene_class c, uint64_t count)
+/* The scenes of a class that this process has: every so many-th. */
+static totals run_class(gate *g, scene_class c, uint64_t count, uint64_t start)
 {
     totals t;
     memset(&t, 0, sizeof t);
-    for (uint64_t i = 0; i < count; i++) {
-        show_progress(g, c, i, count);
+    for (uint64_t i = start; i < count; i += g->options.jobs) {
+        if (start == 0)
+            show_progress(g, &t, c, i, count);
         if (!run_scene(g, c, g->options.first + i, &t))
             break;
     }
-    printf("%-14s %7" PRIu64 " %9" PRIu64 " %11" PRIu64 " %11" PRIu64 " %8" PRIu64 " %8" PRIu64
+    return t;
+}
+
+static void report_class(gate *g, scene_class c, const totals *t)
+{
+    printf("%-16s %7" PRIu64 " %9" PRIu64 " %11" PRIu64 " %11" PRIu64 " %8" PRIu64 " %8" PRIu64
            "\n",
-           scene_class_name(c), t.scenes, t.triangles, t.pixels, t.drawn, t.color, t.depth);
-    if (t.coverage + t.workspace + t.threads + t.faults > 0)
+           scene_class_name(c), t->scenes, t->triangles, t->pixels, t->drawn, t->color, t->depth);
+    if (t->coverage + t->workspace + t->threads + t->faults > 0)
         printf("  of %s: %" PRIu64 " differ in coverage, %" PRIu64
                " depend on workspace or back end, %" PRIu64 " on threads, %" PRIu64
                " scenes were refused\n",
-               scene_class_name(c), t.coverage, t.workspace, t.threads, t.faults);
-    if (t.scenes >= ENOUGH_SCENES && t.drawn == 0) {
+               scene_class_name(c), t->coverage, t->workspace, t->threads, t->faults);
+    if (t->scenes >= ENOUGH_SCENES && t->drawn == 0) {
         fprintf(stderr, "parity: %s drew on no pixel at all: nothing was tested\n",
                 scene_class_name(c));
         g->broken = true;
     }
     fflush(stdout);
-    add_totals(&g->all, &t);
+    add_totals(&g->all, t);
 }
 
 static bool still_fails(const scene *s, void *context)
@@ -250,9 +308,9 @@ static bool still_fails(const scene *s, void *context)
 static void keep_failure(gate *g)
 {
     const char *name = g->options.keep;
-    scene *small = still_fails(g->failing, g)
-                       ? shrink_scene(g->failing, still_fails, g, SHRINK_ATTEMPTS)
-                       : scene_copy(g->failing);
+    scene *failing = generate_scene(g->options.seed, g->all.failing_class, g->all.failing_number);
+    scene *small = still_fails(failing, g) ? shrink_scene(failing, still_fails, g, SHRINK_ATTEMPTS)
+                                           : scene_copy(failing);
     FILE *out = fopen(name, "w");
     if (!out || !scene_write(small, out)) {
         fprintf(stderr, "parity: cannot write %s: %s\n", name, strerror(errno));
@@ -267,6 +325,7 @@ static void keep_failure(gate *g)
                 small->width, small->height, scene_triangle_count(small), name);
     }
     scene_free(small);
+    scene_free(failing);
 }
 
 static void print_backends(void)
@@ -278,31 +337,149 @@ static void print_backends(void)
     printf("\n");
 }
 
+/* Starts what draws; a process can do that once. */
+static bool start(gate *g)
+{
+    char error[512] = "";
+    g->comparer.reference = reference_create(REFERENCE_PINNED, error, sizeof error);
+    if (!g->comparer.reference) {
+        fprintf(stderr, "parity: no reference, so nothing can be proved: %s\n", error);
+        return false;
+    }
+    if (!compare_start(&g->comparer)) {
+        fprintf(stderr, "parity: threads cannot be started\n");
+        return false;
+    }
+    g->comparer.everything = g->options.everything;
+    g->comparer.coverage_only = !reference_is_contract_version(g->comparer.reference);
+    return true;
+}
+
+static void stop(gate *g)
+{
+    if (g->comparer.reference) {
+        compare_stop(&g->comparer);
+        reference_destroy(g->comparer.reference);
+    }
+}
+
+static void print_reference(const gate *g)
+{
+    printf("Mesa %s, %s; seed %" PRIu64 "\n", reference_mesa_version(g->comparer.reference),
+           reference_renderer(g->comparer.reference), g->options.seed);
+    if (g->comparer.coverage_only)
+        printf("This is not Mesa 22.3, for which bit equality is promised: only differences in\n"
+               "coverage fail, all others are reported.\n");
+    fflush(stdout);
+}
+
+static uint64_t scenes_of_class(const options *o, int c)
+{
+    if (o->only != CLASS_COUNT)
+        return (int)o->only == c ? o->scenes : 0;
+    return o->scenes / CLASS_COUNT + ((uint64_t)c < o->scenes % CLASS_COUNT);
+}
+
+/* The whole of a process of several: its share of every class, sent as it is done. */
+static int run_job(gate *g, uint64_t number, FILE *out)
+{
+    bool good = start(g);
+    for (int c = 0; good && c < CLASS_COUNT; c++) {
+        const totals t = run_class(g, (scene_class)c, scenes_of_class(&g->options, c), number);
+        good = fwrite(&t, sizeof t, 1, out) == 1 && fflush(out) == 0;
+    }
+    stop(g);
+    fclose(out);
+    return good ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+static bool start_job(gate *g, uint64_t number, job *j)
+{
+    int ends[2];
+    if (pipe(ends) != 0)
+        return false;
+    fflush(NULL);
+    j->process = fork();
+    if (j->process < 0) {
+        close(ends[0]);
+        close(ends[1]);
+        return false;
+    }
+    if (j->process == 0) {
+        close(ends[0]);
+        exit(run_job(g, number, fdopen(ends[1], "wb")));
+    }
+    close(ends[1]);
+    j->totals = fdopen(ends[0], "rb");
+    return true;
+}
+
+/* What the processes have done of every class. */
+static void gather(gate *g, job *jobs, uint64_t count)
+{
+    for (int c = 0; c < CLASS_COUNT; c++) {
+        totals sum;
+        memset(&sum, 0, sizeof sum);
+        for (uint64_t i = 0; i < count; i++) {
+            totals t;
+            if (fread(&t, sizeof t, 1, jobs[i].totals) == 1)
+                add_totals(&sum, &t);
+            else
+                g->broken = true;
+        }
+        if (scenes_of_class(&g->options, c) > 0)
+            report_class(g, (scene_class)c, &sum);
+    }
+    for (uint64_t i = 0; i < count; i++) {
+        int status;
+        fclose(jobs[i].totals);
+        if (waitpid(jobs[i].process, &status, 0) < 0 || status != 0) {
+            fprintf(stderr, "parity: a process of several failed\n");
+            g->broken = true;
+        }
+    }
+}
+
 static bool run_all(gate *g)
 {
     const options *o = &g->options;
-    print_backends();
-    printf("%-14s %7s %9s %11s %11s %8s %8s\n", "class", "scenes", "triangles", "pixels",
-           "drawn on", "colour", "depth");
-    for (int c = 0; c < CLASS_COUNT; c++) {
-        uint64_t count = o->scenes / CLASS_COUNT + ((uint64_t)c < o->scenes % CLASS_COUNT);
-        if (o->only != CLASS_COUNT)
-            count = (int)o->only == c ? o->scenes : 0;
-        if (count > 0)
-            run_class(g, (scene_class)c, count);
+    job jobs[MOST_JOBS];
+    uint64_t started = 0;
+    while (o->jobs > 1 && started < o->jobs && start_job(g, started, &jobs[started]))
+        started++;
+    /* Not before there are the processes: a reference does not survive a fork. */
+    if (started < o->jobs && o->jobs > 1) {
+        fprintf(stderr, "parity: %" PRIu64 " processes cannot be started\n", o->jobs);
+        g->broken = true;
     }
-    printf("%-14s %7" PRIu64 " %9" PRIu64 " %11" PRIu64 " %11" PRIu64 " %8" PRIu64 " %8" PRIu64
+    if (!start(g))
+        return false;
+    print_reference(g);
+    print_backends();
+    printf("%-16s %7s %9s %11s %11s %8s %8s\n", "class", "scenes", "triangles", "pixels",
+           "drawn on", "colour", "depth");
+    if (o->jobs > 1) {
+        gather(g, jobs, started);
+    } else {
+        for (int c = 0; c < CLASS_COUNT; c++) {
+            const uint64_t count = scenes_of_class(o, c);
+            const totals t = run_class(g, (scene_class)c, count, 0);
+            if (count > 0)
+                report_class(g, (scene_class)c, &t);
+        }
+    }
+    printf("%-16s %7" PRIu64 " %9" PRIu64 " %11" PRIu64 " %11" PRIu64 " %8" PRIu64 " %8" PRIu64
            "\n",
            "all", g->all.scenes, g->all.triangles, g->all.pixels, g->all.drawn, g->all.color,
            g->all.depth);
     printf("parity: %" PRIu64 " scenes, %" PRIu64 " pixels compared, %" PRIu64 " differ\n",
            g->all.scenes, g->all.pixels, g->all.differ);
-    if (g->failing)
+    if (g->all.fails)
         keep_failure(g);
-    return !g->failing && !g->broken;
+    return !g->all.fails && g->all.broken == 0 && !g->broken;
 }
 
-static bool replay(const gate *g)
+static bool replay(gate *g)
 {
     const char *name = g->options.replay;
     char error[512] = "";
@@ -317,10 +494,15 @@ static bool replay(const gate *g)
         fprintf(stderr, "parity: %s: %s\n", name, error);
         return false;
     }
+    if (!start(g)) {
+        scene_free(s);
+        return false;
+    }
     comparer every = g->comparer;
     every.everything = true;
     comparison r;
     bool passes = false;
+    print_reference(g);
     if (!compare_scene(&every, s, 1, &r, error, sizeof error)) {
         fprintf(stderr, "parity: the reference failed: %s\n", error);
     } else {
@@ -346,7 +528,6 @@ static bool replay(const gate *g)
 int main(int argc, char **argv)
 {
     gate g;
-    char error[512] = "";
     memset(&g, 0, sizeof g);
     for (int i = 1; i < argc; i++)
         if (strcmp(argv[i], "--help") == 0) {
@@ -355,27 +536,10 @@ int main(int argc, char **argv)
         }
     if (!parse_options(argc, argv, &g.options))
         return 2;
-    g.comparer.reference = reference_create(REFERENCE_PINNED, error, sizeof error);
-    if (!g.comparer.reference) {
-        fprintf(stderr, "parity: no reference, so nothing can be proved: %s\n", error);
-        return EXIT_FAILURE;
-    }
-    if (!compare_start(&g.comparer)) {
-        fprintf(stderr, "parity: threads cannot be started\n");
-        return EXIT_FAILURE;
-    }
-    g.comparer.everything = g.options.everything;
-    g.comparer.coverage_only = !reference_is_contract_version(g.comparer.reference);
+    if (g.options.pairs)
+        return pairs_check(g.options.seed, g.options.scenes) ? EXIT_SUCCESS : EXIT_FAILURE;
     g.last_progress = time(NULL);
-    printf("Mesa %s, %s; seed %" PRIu64 "\n", reference_mesa_version(g.comparer.reference),
-           reference_renderer(g.comparer.reference), g.options.seed);
-    if (g.comparer.coverage_only)
-        printf("This is not Mesa 22.3, for which bit equality is promised: only differences in\n"
-               "coverage fail, all others are reported.\n");
-    fflush(stdout);
     const bool passes = g.options.replay ? replay(&g) : run_all(&g);
-    compare_stop(&g.comparer);
-    reference_destroy(g.comparer.reference);
-    scene_free(g.failing);
+    stop(&g);
     return passes ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -82,6 +82,8 @@ const char *scene_class_name(scene_class c)
         return "instances";
     case CLASS_MIXED:
         return "mixed";
+    case CLASS_SEQUENCES:
+        return "sequences";
     case CLASS_COUNT:
         break;
     }
@@ -224,6 +226,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_INSTANCES:
         generate_instances(&b);
+        break;
+    case CLASS_SEQUENCES:
+        generate_sequences(&b);
         break;
     default:
         generate_mixed(&b);

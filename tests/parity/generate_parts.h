@@ -106,6 +106,15 @@ void generate_formats(builder *b);
 void generate_instances(builder *b);
 void generate_mixed(builder *b);
 
+void generate_sequences(builder *b);
+
+/* A draw every state of which is chosen for itself; without blending where it may not. */
+void varied_draw(builder *b, bool may_blend);
+bool may_blend_after(const builder *b, uint32_t draws);
+
+gn_viewport random_viewport(builder *b);
+gn_format random_depth_format(builder *b); /* or none, or stencil alone */
+
 /* Blends by alpha and one minus alpha. */
 void lay_over(builder *b);
 

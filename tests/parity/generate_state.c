@@ -33,7 +33,7 @@ void shape_any(builder *b, uint32_t count)
         shape_separate(b, count);
 }
 
-static gn_viewport random_viewport(builder *b)
+gn_viewport random_viewport(builder *b)
 {
     random_source *r = &b->random;
     const float width = (float)b->scene->width, height = (float)b->scene->height;
@@ -375,8 +375,15 @@ void generate_mixed(builder *b)
     builder_common_target(b);
     if (random_chance(&b->random, 30))
         b->scene->depth_format = stencils[random_below(&b->random, 3)];
-    if (random_chance(&b->random, 40))
+    const uint32_t kind = random_below(&b->random, 10);
+    if (kind < 4)
         b->scene->color_format = random_color_format(b);
-    for (uint32_t draws = 2 + random_below(&b->random, 4); draws > 0; draws--)
-        mixed_draw(b);
+    else if (kind < 5)
+        b->scene->color_format = GN_FORMAT_RGBA32F;
+    const bool floats = b->scene->color_format == GN_FORMAT_RGBA32F;
+    for (uint32_t i = 0, draws = 2 + random_below(&b->random, 4); i < draws; i++)
+        if (floats || random_chance(&b->random, 50))
+            varied_draw(b, may_blend_after(b, i));
+        else
+            mixed_draw(b);
 }

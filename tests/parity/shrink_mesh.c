@@ -45,6 +45,8 @@ static void copy_draw(scene *to, const scene_draw *from, const mesh_selection *s
     scene_draw *d = scene_add_draw(to);
     d->shader = from->shader;
     d->state = from->state;
+    d->counted = from->counted;
+    d->clear = from->clear;
     d->uniforms.light = from->uniforms.light;
     d->uniforms.sampler = from->uniforms.sampler;
     d->view_from_model = from->view_from_model;
@@ -83,6 +85,7 @@ scene *copy_with_selection(const scene *s, size_t draw, const mesh_selection *se
     scene *copy = scene_create(s->width, s->height, s->color_format, s->depth_format);
     memcpy(copy->clear_color, s->clear_color, sizeof copy->clear_color);
     copy->clear_depth = s->clear_depth;
+    copy->clear_stencil = s->clear_stencil;
     for (size_t i = 0; i < s->draw_count; i++) {
         const mesh_selection all = mesh_select_all(&s->draws[i].mesh);
         copy_draw(copy, &s->draws[i], i == draw ? selection : &all);
@@ -99,14 +102,21 @@ static bool is_restart(const gn_mesh *mesh, uint32_t i)
            (mesh->restart == GN_RESTART_INDEX ? mesh->restart_index : largest);
 }
 
+/* The elements of the first primitive. */
+static uint32_t least_elements(gn_topology topology)
+{
+    return topology == GN_POINTS ? 1 : topology >= GN_LINES ? 2 : 3;
+}
+
 /* One of the runs of elements between restarts, without the restarts. */
 static bool separate_runs(shrinking *s, size_t draw)
 {
     const gn_mesh *mesh = &s->best->draws[draw].mesh;
+    const uint32_t least = least_elements(s->best->draws[draw].state.topology);
     for (uint32_t start = 0, end; start < mesh->count; start = end + 1) {
         for (end = start; end < mesh->count && !is_restart(mesh, end);)
             end++;
-        if (end - start < 3)
+        if (end - start < least)
             continue;
         mesh_selection selection = mesh_select_all(mesh);
         selection.first = mesh->first + start;
@@ -169,6 +179,27 @@ static bool separate_triangles(shrinking *s, size_t draw)
     return shrink_try(s, candidate);
 }
 
+/* Separate lines; needs no indices. */
+static bool separate_lines(shrinking *s, size_t draw)
+{
+    const scene_draw *d = &s->best->draws[draw];
+    const bool loop = d->state.topology == GN_LINE_LOOP;
+    if ((d->state.topology != GN_LINE_STRIP && !loop) || d->mesh.index_format != GN_INDEX_NONE ||
+        d->mesh.count < 2)
+        return false;
+    const uint32_t lines = loop ? d->mesh.count : d->mesh.count - 1;
+    uint32_t *vertices = allocated(2 * (size_t)lines, sizeof *vertices);
+    for (uint32_t i = 0; i < lines; i++) {
+        vertices[2 * i] = d->mesh.first + i;
+        vertices[2 * i + 1] = d->mesh.first + (i + 1) % d->mesh.count;
+    }
+    const mesh_selection selection = {vertices, 2 * lines, false, 0, 2 * lines, ~0u};
+    scene *candidate = copy_with_selection(s->best, draw, &selection);
+    candidate->draws[draw].state.topology = GN_LINES;
+    free(vertices);
+    return shrink_try(s, candidate);
+}
+
 /* The best scene without `length` drawn elements of a draw from `start` on. Where there
  * are indices, only the two ends can go. */
 static scene *without_elements(const scene *s, size_t draw, uint32_t start, uint32_t length)
@@ -200,7 +231,7 @@ static bool remove_triangles(shrinking *s, size_t draw)
     const uint32_t unit = topology == GN_TRIANGLES                                ? 3
                           : topology == GN_TRIANGLE_STRIP || topology == GN_LINES ? 2
                                                                                   : 1;
-    const uint32_t least = topology == GN_POINTS ? 1 : topology >= GN_LINES ? 2 : 3;
+    const uint32_t least = least_elements(topology);
     for (uint32_t chunk = mesh->count / unit; chunk > 0; chunk /= 2) {
         uint32_t start = 0;
         mesh = &s->best->draws[draw].mesh;
@@ -246,6 +277,7 @@ bool shrink_meshes(shrinking *s)
         progress = remove_triangles(s, i) || progress;
         progress = remove_indices(s, i) || progress;
         progress = separate_triangles(s, i) || progress;
+        progress = separate_lines(s, i) || progress;
         progress = remove_triangles(s, i) || progress;
         progress = remove_attributes(s, i) || progress;
     }

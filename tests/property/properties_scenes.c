@@ -160,22 +160,24 @@ static bool same_pixel(const void *a, const void *b, gn_format format, size_t at
     return size == 0 || memcmp((const char *)a + at * size, (const char *)b + at * size, size) == 0;
 }
 
-/* The planted fault: something is drawn on a pixel. */
+/* The planted fault: something is drawn on a pixel that clears alone leave otherwise. */
 static bool covers_pixel(const scene *s, void *context)
 {
     const pixel_place *p = context;
     if (p->x >= s->width || p->y >= s->height)
         return false;
-    scene empty = *s;
-    empty.draw_count = 0;
+    scene *empty = scene_copy(s);
+    for (size_t i = 0; i < empty->draw_count; i++)
+        empty->draws[i].mesh.count = 0;
     scene_frame drawn = frame_of(s), cleared = frame_of(s);
     const size_t at = (size_t)p->y * s->width + p->x;
     const bool covered = scene_draw_library(s, &drawn, 0, GN_BACKEND_AUTO) == GN_OK &&
-                         scene_draw_library(&empty, &cleared, 0, GN_BACKEND_AUTO) == GN_OK &&
+                         scene_draw_library(empty, &cleared, 0, GN_BACKEND_AUTO) == GN_OK &&
                          (!same_pixel(drawn.color, cleared.color, s->color_format, at) ||
                           !same_pixel(drawn.depth, cleared.depth, s->depth_format, at));
     scene_frame_free(&drawn);
     scene_frame_free(&cleared);
+    scene_free(empty);
     return covered;
 }
 

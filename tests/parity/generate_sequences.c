@@ -1,0 +1,243 @@
+/* Draws each state of which is chosen for itself, so that every pair of values meets
+ * (tests/parity/pairs.c says which do), and long sequences of them into one target. */
+#include "generate_parts.h"
+
+#include <string.h>
+
+#define TEXTURE_SIDE 8
+
+static gn_stencil_face any_face(random_source *r, uint8_t near)
+{
+    gn_stencil_face f;
+    f.function = (gn_stencil_function)random_below(r, 8);
+    f.reference = (uint8_t)(near + random_below(r, 5) - 2);
+    f.ignored_bits = random_chance(r, 70) ? 0 : (uint8_t)random_below(r, 256);
+    f.write_disabled_bits = random_chance(r, 70) ? 0 : (uint8_t)random_below(r, 256);
+    f.fail = (gn_stencil_operation)random_below(r, 8);
+    f.depth_fail = (gn_stencil_operation)random_below(r, 8);
+    f.pass = (gn_stencil_operation)random_below(r, 8);
+    return f;
+}
+
+static gn_blend any_blend(random_source *r)
+{
+    gn_blend b;
+    b.enabled = true;
+    b.equation = (gn_blend_equation)random_below(r, 6);
+    b.source = (gn_blend_factor)random_below(r, 16);
+    b.destination = (gn_blend_factor)random_below(r, 16);
+    b.alpha_equation = (gn_blend_equation)random_below(r, 6);
+    b.alpha_source = (gn_blend_factor)random_below(r, 16);
+    b.alpha_destination = (gn_blend_factor)random_below(r, 16);
+    for (int c = 0; c < 4; c++)
+        b.constant[c] = random_unit(r);
+    return b;
+}
+
+/* The reference compiles a function for every offset: there are a few. */
+static gn_polygon_offset known_offset(builder *b)
+{
+    const random_source own = b->random;
+    b->random = random_seed(random_below(&b->random, 64));
+    const gn_polygon_offset offset = random_polygon_offset(b);
+    b->random = own;
+    random_bits(&b->random);
+    return offset;
+}
+
+static void any_tests(builder *b)
+{
+    random_source *r = &b->random;
+    b->state.depth_test = random_chance(r, 80);
+    b->state.depth_function = (gn_compare)random_below(r, 8);
+    b->state.depth_write_disabled = random_chance(r, 30);
+    b->state.stencil_test = random_chance(r, 40);
+    if (b->state.stencil_test) {
+        b->state.stencil_front = any_face(r, b->scene->clear_stencil);
+        b->state.stencil_back = any_face(r, b->scene->clear_stencil);
+    }
+    if (random_chance(r, 30))
+        b->state.depth_range = random_depth_range(b);
+    if (random_chance(r, 40))
+        b->state.polygon_offset = known_offset(b);
+    b->state.depth_clamp = random_chance(r, 30);
+    b->state.clip_depth = (gn_clip_depth)random_below(r, 2);
+}
+
+static void any_window(builder *b)
+{
+    random_source *r = &b->random;
+    if (random_chance(r, 30)) {
+        b->state.viewport = random_viewport(b);
+        if (!(b->state.viewport.width >= 1.0f && b->state.viewport.height >= 1.0f))
+            b->state.viewport.width = b->state.viewport.height = 1.0f;
+    }
+    if (random_chance(r, 30))
+        b->state.scissor = random_scissor(b);
+    b->state.cull = (gn_cull)(random_chance(r, 60) ? 0 : 1 + random_below(r, 3));
+    b->state.front_face = (gn_front_face)random_below(r, 2);
+    b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+}
+
+/* Writes most of the time all that it may. */
+static void any_color_state(builder *b, bool may_blend)
+{
+    random_source *r = &b->random;
+    if (random_chance(r, 50))
+        b->state.color_write_disabled = random_below(r, 16);
+    if (random_chance(r, 50) && may_blend)
+        b->state.blend = any_blend(r);
+    b->state.color_logic = random_chance(r, b->state.blend.enabled ? 50 : 30);
+    if (b->state.color_logic)
+        b->state.logic_operation = (gn_logic_operation)random_below(r, 16);
+}
+
+/* True where a varying is noperspective. */
+static bool any_shader(builder *b)
+{
+    random_source *r = &b->random;
+    bool noperspective = false;
+    b->shader = (scene_shader)(random_chance(r, 40) ? 0 : random_below(r, SCENE_SHADER_COUNT));
+    b->uniforms.light.light_direction.z = 1.0f;
+    b->uniforms.light.ambient = (gn_vec3){0.25f, 0.25f, 0.5f};
+    b->uniforms.light.diffuse = (gn_vec3){0.75f, 0.5f, 0.5f};
+    b->specular = (gn_vec3){0.5f, 0.25f, 0.75f};
+    gn_mat4_identity(&b->view_from_model);
+    if (b->shader == SCENE_VERTEX_COLOR) {
+        const bool one = random_chance(r, 80);
+        const gn_interpolation all = (gn_interpolation)random_below(r, 3);
+        for (int i = 0; i < 4; i++) {
+            b->state.interpolation[i] = one ? all : (gn_interpolation)random_below(r, 3);
+            noperspective = noperspective || b->state.interpolation[i] == GN_NOPERSPECTIVE;
+        }
+    }
+    return noperspective;
+}
+
+/* No byte is 0: what is added to a texel may be denormal. */
+static void any_texture(builder *b, uint32_t *texels)
+{
+    random_source *r = &b->random;
+    gn_texture *t = &b->uniforms.texture;
+    t->width = random_chance(r, 50) ? TEXTURE_SIDE : 5;
+    t->height = random_chance(r, 50) ? TEXTURE_SIDE : 3;
+    t->format = GN_FORMAT_RGBA8;
+    t->texels = texels;
+    for (uint32_t i = 0; i < TEXTURE_SIDE * TEXTURE_SIDE; i++)
+        texels[i] = (uint32_t)(random_bits(r) >> 32) | 0x01010101u;
+    b->uniforms.sampler.wrap_s = (gn_wrap)random_below(r, 2);
+    b->uniforms.sampler.wrap_t = (gn_wrap)random_below(r, 2);
+    b->uniforms.sampler.magnify = (gn_magnify)random_below(r, 2);
+    b->uniforms.sampler.minify = (gn_minify)random_below(r, 3);
+    for (uint32_t i = 0; i < b->vertex_count; i++)
+        for (int c = 0; c < 2; c++)
+            b->vertices[i].texcoord[c] = random_float(r, -1.0f, 2.0f);
+}
+
+/* Of any topology. Noperspective varyings want triangles within the sides of the viewport
+ * (reference/RULES.md). */
+static void any_mesh(builder *b, uint32_t count, bool noperspective)
+{
+    random_source *r = &b->random;
+    const uint32_t which = random_below(r, 8);
+    const gn_topology topology = which < 7 ? (gn_topology)which : GN_POINTS;
+    if (topology == GN_POINTS) {
+        shape_points(b, count);
+        /* More often than others, since few draws may have it. */
+        if (b->shader == SCENE_VERTEX_COLOR && !b->state.viewport.set && random_chance(r, 50))
+            b->state.program_point_size = true;
+    } else if (topology >= GN_LINES) {
+        shape_lines(b, count);
+    } else if (topology == GN_TRIANGLES && !noperspective && random_chance(r, 70)) {
+        shape_separate(b, count);
+    } else {
+        const placement p = noperspective ? PLACE_INSIDE : (placement)random_below(r, PLACE_COUNT);
+        for (uint32_t i = 0; i < count + 2 || i < 3; i++)
+            shape_place(b, builder_vertex(b), p);
+    }
+    b->state.topology = topology;
+    b->index_format = (gn_index_format)random_below(r, 4);
+    if (b->vertex_count > 256 && b->index_format == GN_INDEX_UINT8)
+        b->index_format = GN_INDEX_UINT16;
+    if (b->index_format != GN_INDEX_NONE && b->index_count == 0 && random_chance(r, 50) &&
+        (topology != GN_TRIANGLES || noperspective))
+        for (uint32_t i = 0, elements = b->vertex_count; i < elements; i++)
+            builder_index(b, random_below(r, b->vertex_count));
+    if (topology != GN_POINTS)
+        b->state.point_size = (float)random_below(r, 4);
+    if (topology < GN_LINES)
+        b->state.line_width = (float)random_below(r, 4);
+    b->lead = random_chance(r, 20) ? random_below(r, 9) : 0;
+    b->trail = random_chance(r, 10) ? random_below(r, 9) : 0;
+}
+
+void varied_draw(builder *b, bool may_blend)
+{
+    random_source *r = &b->random;
+    uint32_t texels[TEXTURE_SIDE * TEXTURE_SIDE];
+    const bool floats = b->scene->color_format == GN_FORMAT_RGBA32F;
+    builder_common_state(b);
+    any_tests(b);
+    any_window(b);
+    any_color_state(b, may_blend);
+    const bool noperspective = any_shader(b);
+    any_mesh(b, 1 + random_below(r, floats ? 3 : 16), noperspective);
+    if (scene_shader_is_textured(b->shader))
+        any_texture(b, texels);
+    if (b->shader == SCENE_INPUTS)
+        random_inputs(b);
+    b->counted = random_chance(r, 30);
+    if (random_chance(r, 60))
+        shape_elements(b);
+    builder_draw(b);
+}
+
+/* Products of many layers in floats come to be denormals, which the reference has not. */
+bool may_blend_after(const builder *b, uint32_t draws)
+{
+    return b->scene->color_format != GN_FORMAT_RGBA32F || draws < 2;
+}
+
+gn_format random_depth_format(builder *b)
+{
+    static const gn_format formats[] = {GN_FORMAT_NONE,  GN_FORMAT_D16,    GN_FORMAT_D24,
+                                        GN_FORMAT_D32F,  GN_FORMAT_D24S8,  GN_FORMAT_D32FS8,
+                                        GN_FORMAT_D24S8, GN_FORMAT_D32FS8, GN_FORMAT_S8};
+    return formats[random_below(&b->random, 9)];
+}
+
+/* Colour, depth with stencil, or both. */
+static void random_clear(builder *b, scene_clear *clear)
+{
+    random_source *r = &b->random;
+    const uint32_t which = 1 + random_below(r, 3);
+    clear->color = which & 1;
+    clear->depth = which >> 1;
+    for (int c = 0; c < 4; c++)
+        clear->color_value[c] = random_unit(r);
+    clear->depth_value = random_chance(r, 50) ? 1.0f : random_unit(r);
+    clear->stencil_value = (uint8_t)random_below(r, 256);
+}
+
+void generate_sequences(builder *b)
+{
+    random_source *r = &b->random;
+    const uint32_t width = 8 + random_below(r, 57), height = 8 + random_below(r, 57);
+    const uint32_t kind = random_below(r, 10);
+    builder_target(b, width, height, GN_FORMAT_RGBA8, random_depth_format(b));
+    if (kind < 2)
+        b->scene->color_format = GN_FORMAT_RGBA32F;
+    else if (kind < 5)
+        b->scene->color_format = random_color_format(b);
+    const uint32_t draws = 7 + random_below(r, 14);
+    for (uint32_t since = 0; b->scene->draw_count < draws; since++) {
+        scene_clear clear = {0};
+        if (since > 0 && random_chance(r, 15))
+            random_clear(b, &clear);
+        since = clear.color ? 0 : since;
+        const size_t before = b->scene->draw_count;
+        varied_draw(b, may_blend_after(b, since));
+        if (b->scene->draw_count > before)
+            b->scene->draws[before].clear = clear;
+    }
+}
