@@ -135,8 +135,9 @@ typedef enum gn_blend_equation {
 } gn_blend_equation;
 
 /* Blending: a fragment's colour, the source, with the surface's, the destination. Alpha goes
- * by the three members of its own, where they are not zero. In GN_FORMAT_RGBA8 the source and
- * the constant are converted first, and results saturate. */
+ * by the three members of its own, where they are not zero. In formats of fractions the source and
+ * the constant are converted first, to 8 bits or 16, and results saturate; GN_FORMAT_SRGB8_A8 is
+ * blended as linear floats within 0 to 1. Where the surface has no alpha, its alpha is one. */
 typedef struct gn_blend {
     bool enabled; /* false: the other fields do not matter */
     gn_blend_equation equation;
@@ -330,7 +331,7 @@ typedef struct gn_pipeline {
 
     uint32_t color_write_disabled; /* GN_CHANNEL_RED and so on, or'ed */
     gn_blend blend;
-    bool color_logic; /* where set nothing is blended; floats stay as they are */
+    bool color_logic; /* where set nothing is blended; floats and sRGB stay as they are */
     gn_logic_operation logic_operation;
     bool stencil_test;
     gn_stencil_face stencil_front, stencil_back;

@@ -256,8 +256,6 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
         return status;
     if (target->color[0].format != GN_FORMAT_NONE && !pipeline->fragment_shader)
         return GN_NO_SHADER;
-    if (combines_colors(pipeline) && format_is_encoded(target->color[0].format))
-        return GN_INVALID_FORMAT;
     if (is_left_out(target, pipeline, mesh))
         return GN_NOT_COMPILED;
     if (!workspace || !workspace->memory)

@@ -50,7 +50,7 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
         pipeline->polygon_offset.set && (s->tests_depth || pipeline->fragment_reads_position);
     s->combine.use = COLOR_REPLACES;
     if (GN_HAVE_COMBINING)
-        set_color_state(&s->combine, pipeline);
+        set_color_state(&s->combine, pipeline, s->color.format);
     s->limits = depth_limits_of(pipeline, viewport);
     s->clamps_depth = s->tests_depth && (s->limits.low != 0.0f || s->limits.high != 1.0f);
 }
@@ -188,13 +188,7 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
         coverage = test_whole(state, at, triangle, coverage, depth);
     if (!coverage || state->color.format == GN_FORMAT_NONE)
         return coverage;
-    if (GN_HAVE_FORMATS && format_is_encoded(state->color.format))
-        write_encoded(&state->color, state->color.format, at->x, at->y, coverage, color);
-    else if (!GN_HAVE_COMBINING || state->combine.use == COLOR_REPLACES)
-        write_color(&state->color, state->color.format, at, coverage, color);
-    else
-        combine_color(&state->combine, &state->color, state->color.format, state->combine.use, at,
-                      coverage, color);
+    put_color(&state->combine, &state->color, at, coverage, color);
     return coverage;
 }
 

@@ -35,7 +35,7 @@ typedef enum scene_class {
     CLASS_OFFSET,        /* polygon offset */
     CLASS_COLOR_MASK,    /* channels that are not written */
     CLASS_BLEND,         /* factors, equations, separate alpha, constants */
-    CLASS_FLOAT_BLEND,   /* the same in RGBA32F */
+    CLASS_FLOAT_BLEND,   /* the same in RGBA32F, R32F, RGBA16F */
     CLASS_LOGIC,         /* logical operations on colours */
     CLASS_CLIP_DEPTH,    /* depth clamp, clip depths from 0 to 1 */
     CLASS_POINTS,        /* sizes of the state and of the vertex shader */

@@ -24,6 +24,18 @@ static void color_target(builder *b)
     }
 }
 
+static bool is_float(gn_format format)
+{
+    return format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F || format == GN_FORMAT_RGBA16F;
+}
+
+/* RGBA8, which has functions of its own, or another format of fractions. */
+static void fixed_format(builder *b)
+{
+    while (random_chance(&b->random, 60) || is_float(b->scene->color_format))
+        b->scene->color_format = random_color_format(b);
+}
+
 /* Triangles that cover one another, with colours that may lie outside 0..1. */
 static void color_draw(builder *b, uint32_t count)
 {
@@ -51,8 +63,8 @@ void generate_color_mask(builder *b)
 {
     random_source *r = &b->random;
     color_target(b);
-    if (random_chance(r, 25))
-        b->scene->color_format = GN_FORMAT_RGBA32F;
+    if (random_chance(r, 60))
+        b->scene->color_format = random_chance(r, 25) ? GN_FORMAT_RGBA32F : random_color_format(b);
     for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
         builder_common_state(b);
         random_mask(b);
@@ -118,10 +130,32 @@ static void random_blend(builder *b)
         blend->constant[c] = beyond ? random_float(r, -1.0f, 2.0f) : random_unit(r);
 }
 
+/* One triangle over a colour that sRGB has: where the reference's encoding is a step off, a
+ * second layer would multiply that. */
+static void srgb_blend(builder *b)
+{
+    random_source *r = &b->random;
+    for (int c = 0; c < 3; c++) { /* within a fifth of a step */
+        const float x = (float)random_between(r, 16, 255) / 255.0f;
+        b->scene->clear_color[c] = x * (0.0030f + x * x * 0.3012f) + (0.0023f + x * x * 0.6935f);
+    }
+    builder_common_state(b);
+    random_blend(b);
+    if (random_chance(r, 20))
+        random_mask(b);
+    shape_pile(b, 1);
+    builder_draw(b);
+}
+
 void generate_blend(builder *b)
 {
     random_source *r = &b->random;
     color_target(b);
+    fixed_format(b);
+    if (b->scene->color_format == GN_FORMAT_SRGB8_A8) {
+        srgb_blend(b);
+        return;
+    }
     for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
         builder_common_state(b);
         random_blend(b);
@@ -136,8 +170,9 @@ void generate_blend(builder *b)
 void generate_float_blend(builder *b)
 {
     random_source *r = &b->random;
+    static const gn_format formats[] = {GN_FORMAT_RGBA32F, GN_FORMAT_R32F, GN_FORMAT_RGBA16F};
     color_target(b);
-    b->scene->color_format = GN_FORMAT_RGBA32F;
+    b->scene->color_format = formats[random_below(r, 3)];
     for (int c = 0; c < 4; c++)
         b->scene->clear_color[c] = random_float(r, -2.0f, 3.0f);
     for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
@@ -160,8 +195,8 @@ void generate_logic(builder *b)
 {
     random_source *r = &b->random;
     color_target(b);
-    if (random_chance(r, 15))
-        b->scene->color_format = GN_FORMAT_RGBA32F;
+    if (random_chance(r, 60))
+        b->scene->color_format = random_chance(r, 20) ? GN_FORMAT_RGBA32F : random_color_format(b);
     for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
         builder_common_state(b);
         random_logic(b);
@@ -174,11 +209,13 @@ void generate_logic(builder *b)
     }
 }
 
+/* Over many layers R32F comes to hold denormals, and sRGB more than a step of difference. */
 void mix_color_state(builder *b)
 {
+    const gn_format format = b->scene->color_format;
     if (random_chance(&b->random, 10))
         random_mask(b);
-    if (random_chance(&b->random, 20))
+    if (random_chance(&b->random, 20) && format != GN_FORMAT_R32F && format != GN_FORMAT_SRGB8_A8)
         random_blend(b);
     if (random_chance(&b->random, 5))
         random_logic(b);

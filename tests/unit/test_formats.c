@@ -106,11 +106,12 @@ static void shade_one_color(const void *uniforms, const gn_fragment_input *input
             output->color[c][l] = color[c];
 }
 
-/* Draws a triangle over a surface whose memory begins `offset` bytes on. */
-static void draw_over(gn_format format, uint32_t offset, uint32_t stride, const float color[4])
+/* Draws a triangle under a state over a surface whose memory begins `offset` bytes on. */
+static void draw_under(const gn_pipeline *state, gn_format format, uint32_t offset, uint32_t stride,
+                       const float color[4])
 {
     static unsigned char work[GN_WORKSPACE_SIZE(3, 0)];
-    gn_pipeline pipeline = {0};
+    gn_pipeline pipeline = *state;
     gn_mesh mesh = {0};
     gn_target target = {0};
     gn_workspace workspace = {0};
@@ -125,6 +126,13 @@ static void draw_over(gn_format format, uint32_t offset, uint32_t stride, const 
     workspace.memory = work;
     workspace.size = sizeof work;
     assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+}
+
+static void draw_over(gn_format format, uint32_t offset, uint32_t stride, const float color[4])
+{
+    const gn_pipeline plain = {0};
+
+    draw_under(&plain, format, offset, stride, color);
 }
 
 static void fragments_give_the_values_of_the_table(void **state)
@@ -220,6 +228,146 @@ static void pixels_are_aligned_to_their_element(void **state)
     }
 }
 
+/* SHADED drawn under a state over a cleared surface; every element of the result must be the
+ * wanted one. */
+static void combine(const gn_pipeline *state, const expected *e, const float clear[4],
+                    const uint32_t wanted[4])
+{
+    const gn_surface s = gn_surface_bottom_up(memory, e->format, SIDE, SIDE);
+
+    assert_int_equal(gn_clear_color(&s, clear[0], clear[1], clear[2], clear[3]), GN_OK);
+    draw_under(state, e->format, 0, SIDE * e->element * e->count, SHADED);
+    for (size_t i = 0; i < (size_t)SIDE * SIDE * e->count; ++i) {
+        if (element_at(memory, e->element, i) != wanted[i % e->count])
+            fail_msg("format %d, element %zu: %x", (int)e->format, i,
+                     element_at(memory, e->element, i));
+    }
+}
+
+static bool is_float(gn_format format)
+{
+    return format == GN_FORMAT_R32F || format == GN_FORMAT_RGBA16F || format == GN_FORMAT_RGBA32F;
+}
+
+/* 0 + s, s * 1 and the least of s and what is above it are s. */
+static void blending_that_changes_nothing_gives_fragments(void **state)
+{
+    static const float zeros[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+    static const float ones[4] = {1.0f, 1.0f, 1.0f, 1.0f};
+    static const float twos[4] = {2.0f, 2.0f, 2.0f, 2.0f};
+    (void)state;
+    for (int f = 0; f < COLOR_FORMATS; ++f) {
+        gn_pipeline p = {0};
+
+        p.blend.enabled = true;
+        p.blend.source = GN_FACTOR_ONE;
+        p.blend.destination = GN_FACTOR_ONE;
+        combine(&p, &table[f], zeros, table[f].fragment);
+        p.blend.source = GN_FACTOR_DESTINATION_COLOR;
+        p.blend.destination = GN_FACTOR_ZERO;
+        combine(&p, &table[f], ones, table[f].fragment);
+        p.blend.equation = GN_EQUATION_MIN;
+        combine(&p, &table[f], twos, table[f].fragment);
+    }
+}
+
+/* s * 1 + d - s * 1, in two draws. */
+static void subtracting_what_was_added_gives_the_clear(void **state)
+{
+    static const float quarters[4] = {0.125f, 0.25f, 0.25f, 0.25f};
+    (void)state;
+    for (int f = 0; f < COLOR_FORMATS; ++f) {
+        const expected *e = &table[f];
+        static const float small[4] = {0.5f, 0.125f, 0.5f, 0.25f};
+        const uint32_t row = SIDE * e->element * e->count;
+        const gn_surface s = gn_surface_bottom_up(memory, e->format, SIDE, SIDE);
+        uint32_t before[SIDE * SIDE * 4];
+        gn_pipeline p = {0};
+
+        if (e->format == GN_FORMAT_RGB565 || e->format == GN_FORMAT_RGB5_A1 ||
+            e->format == GN_FORMAT_RGBA4 || e->format == GN_FORMAT_SRGB8_A8)
+            continue; /* which lose digits between */
+        assert_int_equal(gn_clear_color(&s, quarters[0], quarters[1], quarters[2], quarters[3]),
+                         GN_OK);
+        memcpy(before, memory, (size_t)row * SIDE);
+        p.blend.enabled = true;
+        p.blend.destination = GN_FACTOR_ONE;
+        draw_under(&p, e->format, 0, row, small);
+        assert_memory_not_equal(before, memory, (size_t)row * SIDE);
+        p.blend.equation = GN_EQUATION_REVERSE_SUBTRACT;
+        draw_under(&p, e->format, 0, row, small);
+        assert_memory_equal(before, memory, (size_t)row * SIDE);
+    }
+}
+
+static void alpha_that_is_not_there_is_one(void **state)
+{
+    static const float clear[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+    static const uint32_t nothing[4] = {0, 0, 0, 0};
+    (void)state;
+    for (int f = 0; f < COLOR_FORMATS; ++f) {
+        const expected *e = &table[f];
+        const bool opaque = e->format == GN_FORMAT_R8 || e->format == GN_FORMAT_RG8 ||
+                            e->format == GN_FORMAT_RGB8 || e->format == GN_FORMAT_RGB565 ||
+                            e->format == GN_FORMAT_R16 || e->format == GN_FORMAT_R32F;
+        gn_pipeline p = {0};
+
+        p.blend.enabled = true;
+        p.blend.source = GN_FACTOR_DESTINATION_ALPHA;
+        combine(&p, e, clear, opaque ? e->fragment : nothing);
+    }
+}
+
+/* Of integers the bits of the clear, 0.5, 1, 0.25 and 0; floats and sRGB are as fragments are. */
+static void logic_inverts_the_bits_of_integers(void **state)
+{
+    (void)state;
+    for (int f = 0; f < COLOR_FORMATS; ++f) {
+        const expected *e = &table[f];
+        uint32_t inverted[4];
+        gn_pipeline p = {0};
+
+        for (uint32_t i = 0; i < 4; ++i)
+            inverted[i] = ~e->clear[i] & (UINT32_MAX >> (32 - 8 * e->element));
+        p.color_logic = true;
+        p.logic_operation = GN_LOGIC_INVERT;
+        combine(&p, e, CLEAR,
+                is_float(e->format) || e->format == GN_FORMAT_SRGB8_A8 ? e->fragment : inverted);
+    }
+}
+
+/* The channels of a mask, then the others: as without masks, and the first alone changes what the
+ * format has of them. */
+static void masks_keep_the_other_channels(void **state)
+{
+    (void)state;
+    for (int f = 0; f < COLOR_FORMATS; ++f) {
+        for (uint32_t mask = 0; mask <= GN_CHANNEL_ALL; ++mask) {
+            const expected *e = &table[f];
+            const uint32_t row = SIDE * e->element * e->count;
+            uint32_t half[SIDE * SIDE * 4];
+            gn_pipeline p = {0};
+
+            p.color_write_disabled = GN_CHANNEL_ALL;
+            combine(&p, e, CLEAR, e->clear);
+            p.color_write_disabled = mask;
+            draw_under(&p, e->format, 0, row, SHADED);
+            memcpy(half, memory, sizeof half);
+            p.color_write_disabled = GN_CHANNEL_ALL & ~mask;
+            draw_under(&p, e->format, 0, row, SHADED);
+            for (size_t i = 0; i < (size_t)SIDE * SIDE * e->count; ++i) {
+                const uint32_t changed = element_at(half, e->element, i) ^ e->clear[i % e->count];
+
+                assert_int_equal(element_at(memory, e->element, i), e->fragment[i % e->count]);
+                /* Green is the second byte of four. */
+                if (mask == (GN_CHANNEL_ALL & ~GN_CHANNEL_GREEN) && e->count == 1 &&
+                    (e->element == 4 && !is_float(e->format)))
+                    assert_int_equal(changed & ~0xFF00u, 0);
+            }
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -229,6 +377,11 @@ int main(void)
         cmocka_unit_test(fragments_leave_what_is_beside_them),
         cmocka_unit_test(halves_round_toward_zero),
         cmocka_unit_test(pixels_are_aligned_to_their_element),
+        cmocka_unit_test(blending_that_changes_nothing_gives_fragments),
+        cmocka_unit_test(subtracting_what_was_added_gives_the_clear),
+        cmocka_unit_test(alpha_that_is_not_there_is_one),
+        cmocka_unit_test(logic_inverts_the_bits_of_integers),
+        cmocka_unit_test(masks_keep_the_other_channels),
     };
 
     return cmocka_run_group_tests_name("formats", tests, NULL, NULL);
