@@ -8,19 +8,22 @@
 #include "decode.h"
 #include "logic.h"
 
-static inline void set_color_state(color_state *s, const gn_pipeline *pipeline, gn_format format)
+static inline void set_color_state(color_state *s, const gn_pipeline *pipeline, uint32_t attachment,
+                                   gn_format format)
 {
-    s->written = GN_CHANNEL_ALL & ~pipeline->color_write_disabled;
+    const gn_blend *blend = &pipeline->blend[attachment];
+
+    s->written = GN_CHANNEL_ALL & ~pipeline->color_write_disabled[attachment];
     s->written_bits[0] = 0;
     s->written_bits[1] = 0;
     for (int c = 0; c < 4; ++c) {
         if (s->written >> c & 1u)
             add_channel_bits(format, c, s->written_bits);
     }
-    set_blend_state(s, &pipeline->blend, pipeline->blend.constant, format);
+    set_blend_state(s, blend, pipeline->blend_constant, format);
     set_logic_state(s, pipeline->logic_operation);
     s->is_logical = pipeline->color_logic;
-    s->blends = pipeline->blend.enabled && !s->is_logical;
+    s->blends = blend->enabled && !s->is_logical;
     s->use = COLOR_COMBINES;
     if (s->written == GN_CHANNEL_ALL && !s->blends && !s->is_logical)
         s->use = COLOR_REPLACES;
@@ -189,6 +192,27 @@ static inline void put_color(const color_state *state, const gn_surface *surface
         write_color(surface, surface->format, at, coverage, color);
     } else {
         combine_color(state, surface, surface->format, state->use, at, coverage, color);
+    }
+}
+
+/* A shader's colours into all attachments, four rows of lanes each. */
+GN_STEP void put_colors(const fragment_state *state, const fragment_place *at, uint32_t coverage,
+                        const float (*shaded)[GN_LANES])
+{
+    fragment_place place = *at;
+    lanes_f color[4];
+
+    for (uint32_t a = 0; a <= (GN_HAVE_ATTACHMENTS ? state->more_count : 0); ++a) {
+        const gn_surface *surface = a > 0 ? &state->more[a - 1].surface : &state->color;
+
+        if (surface->format == GN_FORMAT_NONE)
+            continue;
+        if (a > 0)
+            place.color = pixel_memory(surface, surface->format, at->x, at->y);
+        for (int c = 0; c < 4; ++c)
+            color[c] = lanes_load(shaded[4 * a + (uint32_t)c]);
+        put_color(a > 0 ? &state->more[a - 1].combine : &state->combine, surface, &place, coverage,
+                  color);
     }
 }
 

@@ -75,6 +75,15 @@ typedef struct color_state {
     int32_t constant_fixed[4]; /* 0 to 255, or to 65535 */
     int32_t logic[4];          /* all ones or zeros: the result of bits 0 0, 0 1, 1 0 and 1 1 */
 } color_state;
+/* Colours that a draw writes at most. */
+#define COLOR_LIMIT (GN_HAVE_ATTACHMENTS ? GN_MAX_COLORS : 1)
+
+/* An attachment: its surface, GN_FORMAT_NONE in a hole, and what becomes of colours there. */
+typedef struct color_output {
+    gn_surface surface;
+    color_state combine;
+} color_output;
+
 /* What becomes of a stencil value: stencil * factor + offset, clamped to low..high. */
 typedef struct stencil_update {
     int32_t factor, offset, low, high;
@@ -103,7 +112,16 @@ typedef struct fragment_state {
     stencil_state stencil[2]; /* of front faces, of back faces */
     depth_limits limits;
     bool clamps_depth; /* limits other than 0 and 1 */
+
+    /* The attachments after the first, which alone has functions of its own. */
+    color_output more[GN_HAVE_ATTACHMENTS ? GN_MAX_COLORS - 1 : 1];
+    uint32_t more_count; /* the last of them is no hole */
 } fragment_state;
+
+static inline bool has_colors(const fragment_state *state)
+{
+    return state->color.format != GN_FORMAT_NONE || (GN_HAVE_ATTACHMENTS && state->more_count > 0);
+}
 
 /* The context of fragments that are counted: each task has a sum of its own. */
 typedef struct counted_state {
@@ -124,6 +142,16 @@ static inline bool surface_holds_block(const gn_surface *surface, int32_t x, int
 {
     return (uint32_t)x + BLOCK_SIZE <= surface->width &&
            (uint32_t)y + BLOCK_SIZE <= surface->height;
+}
+
+/* The first surface of a target; where it has none, an absent one. */
+static inline const gn_surface *first_surface(const gn_target *target)
+{
+    for (int i = 0; i < GN_MAX_COLORS; ++i) {
+        if (target->color[i].format != GN_FORMAT_NONE)
+            return &target->color[i];
+    }
+    return &target->depth;
 }
 
 /* The memory of row y of a surface. */

@@ -104,10 +104,20 @@ void generate_points(builder *b);
 void generate_lines(builder *b);
 void generate_formats(builder *b);
 void generate_instances(builder *b);
+void generate_attachments(builder *b);
 void generate_mixed(builder *b);
 
-/* Blends by alpha and one minus alpha. */
-void lay_over(builder *b);
+/* How an attachment of the next draw is combined: by alpha and one minus alpha, any blending, a
+ * mask. */
+void lay_over(builder *b, int attachment);
+void random_blend(builder *b, int attachment);
+void random_mask(builder *b, int attachment);
+
+/* Attachments after the first; a shader for them; blending and masks of them, of floats only where
+ * layers are few. */
+void add_attachments(builder *b);
+void random_outputs(builder *b);
+void mix_attachments(builder *b, bool blends_floats);
 
 /* What mixed draws have of the classes of colours combined with those of the target. */
 void mix_color_state(builder *b);

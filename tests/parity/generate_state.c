@@ -359,6 +359,9 @@ static void mixed_draw(builder *b)
     }
     b->lead = random_chance(r, 20) ? random_below(r, 9) : 0;
     mix_color_state(b);
+    mix_attachments(b, false);
+    if (b->scene->more_colors[0] != GN_FORMAT_NONE && random_chance(r, 60))
+        random_outputs(b);
     if (random_chance(r, 10))
         random_inputs(b);
     if (random_chance(r, 20))
@@ -377,6 +380,8 @@ void generate_mixed(builder *b)
         b->scene->depth_format = stencils[random_below(&b->random, 3)];
     if (random_chance(&b->random, 40))
         b->scene->color_format = random_color_format(b);
+    if (random_chance(&b->random, 15))
+        add_attachments(b);
     for (uint32_t draws = 2 + random_below(&b->random, 4); draws > 0; draws--)
         mixed_draw(b);
 }

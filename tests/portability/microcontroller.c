@@ -81,7 +81,7 @@ static bool refuses_the_rest(const gn_target *target, gn_pipeline pipeline, cons
     pipeline.topology = GN_LINES;
     refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
     pipeline = good;
-    pipeline.blend.enabled = true;
+    pipeline.blend[0].enabled = true;
     refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
     pipeline = good;
     pipeline.polygon_offset.set = true;

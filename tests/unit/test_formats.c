@@ -259,14 +259,14 @@ static void blending_that_changes_nothing_gives_fragments(void **state)
     for (int f = 0; f < COLOR_FORMATS; ++f) {
         gn_pipeline p = {0};
 
-        p.blend.enabled = true;
-        p.blend.source = GN_FACTOR_ONE;
-        p.blend.destination = GN_FACTOR_ONE;
+        p.blend[0].enabled = true;
+        p.blend[0].source = GN_FACTOR_ONE;
+        p.blend[0].destination = GN_FACTOR_ONE;
         combine(&p, &table[f], zeros, table[f].fragment);
-        p.blend.source = GN_FACTOR_DESTINATION_COLOR;
-        p.blend.destination = GN_FACTOR_ZERO;
+        p.blend[0].source = GN_FACTOR_DESTINATION_COLOR;
+        p.blend[0].destination = GN_FACTOR_ZERO;
         combine(&p, &table[f], ones, table[f].fragment);
-        p.blend.equation = GN_EQUATION_MIN;
+        p.blend[0].equation = GN_EQUATION_MIN;
         combine(&p, &table[f], twos, table[f].fragment);
     }
 }
@@ -290,11 +290,11 @@ static void subtracting_what_was_added_gives_the_clear(void **state)
         assert_int_equal(gn_clear_color(&s, quarters[0], quarters[1], quarters[2], quarters[3]),
                          GN_OK);
         memcpy(before, memory, (size_t)row * SIDE);
-        p.blend.enabled = true;
-        p.blend.destination = GN_FACTOR_ONE;
+        p.blend[0].enabled = true;
+        p.blend[0].destination = GN_FACTOR_ONE;
         draw_under(&p, e->format, 0, row, small);
         assert_memory_not_equal(before, memory, (size_t)row * SIDE);
-        p.blend.equation = GN_EQUATION_REVERSE_SUBTRACT;
+        p.blend[0].equation = GN_EQUATION_REVERSE_SUBTRACT;
         draw_under(&p, e->format, 0, row, small);
         assert_memory_equal(before, memory, (size_t)row * SIDE);
     }
@@ -312,8 +312,8 @@ static void alpha_that_is_not_there_is_one(void **state)
                             e->format == GN_FORMAT_R16 || e->format == GN_FORMAT_R32F;
         gn_pipeline p = {0};
 
-        p.blend.enabled = true;
-        p.blend.source = GN_FACTOR_DESTINATION_ALPHA;
+        p.blend[0].enabled = true;
+        p.blend[0].source = GN_FACTOR_DESTINATION_ALPHA;
         combine(&p, e, clear, opaque ? e->fragment : nothing);
     }
 }
@@ -348,12 +348,12 @@ static void masks_keep_the_other_channels(void **state)
             uint32_t half[SIDE * SIDE * 4];
             gn_pipeline p = {0};
 
-            p.color_write_disabled = GN_CHANNEL_ALL;
+            p.color_write_disabled[0] = GN_CHANNEL_ALL;
             combine(&p, e, CLEAR, e->clear);
-            p.color_write_disabled = mask;
+            p.color_write_disabled[0] = mask;
             draw_under(&p, e->format, 0, row, SHADED);
             memcpy(half, memory, sizeof half);
-            p.color_write_disabled = GN_CHANNEL_ALL & ~mask;
+            p.color_write_disabled[0] = GN_CHANNEL_ALL & ~mask;
             draw_under(&p, e->format, 0, row, SHADED);
             for (size_t i = 0; i < (size_t)SIDE * SIDE * e->count; ++i) {
                 const uint32_t changed = element_at(half, e->element, i) ^ e->clear[i % e->count];
@@ -366,6 +366,109 @@ static void masks_keep_the_other_channels(void **state)
             }
         }
     }
+}
+
+/* Colour a is a / 8 in red and 1 in alpha. */
+static void shade_all_colors(const void *uniforms, const gn_fragment_input *input,
+                             gn_fragment_output *output)
+{
+    (void)uniforms;
+    (void)input;
+    for (int a = 0; a < GN_MAX_COLORS; ++a)
+        for (int c = 0; c < 4; ++c)
+            for (int l = 0; l < GN_LANES; ++l)
+                output->color[4 * a + c][l] = c == 0 ? (float)a / 8.0f : 1.0f;
+}
+
+/* Surfaces of R32F and in odd places RG8, cleared to 0.25, one of them a hole: those that the
+ * shader writes have its colour, added where blending says so, not where a mask forbids it. */
+static void each_attachment_has_its_color(void **state)
+{
+    static unsigned char work[GN_WORKSPACE_SIZE(3, 0)];
+    static uint32_t images[GN_MAX_COLORS][SIDE * SIDE];
+    const int hole = 2, added = 4, masked = 5;
+    (void)state;
+    for (uint32_t count = 0; count <= GN_MAX_COLORS; ++count) {
+        const int written = count == 0 ? 1 : (int)count;
+        gn_pipeline p = {0};
+        gn_mesh mesh = {0};
+        gn_target t = {0};
+        gn_workspace workspace = {0};
+
+        p.vertex_shader = cover_all;
+        p.fragment_shader = shade_all_colors;
+        p.color_count = GN_MAX_COLORS;
+        for (int a = 0; a < GN_MAX_COLORS; ++a) {
+            t.color[a] =
+                gn_surface_bottom_up(images[a], a % 2 ? GN_FORMAT_RG8 : GN_FORMAT_R32F, SIDE, SIDE);
+            assert_int_equal(gn_clear_color(&t.color[a], 0.25f, 0.25f, 0.25f, 0.25f), GN_OK);
+            /* Those that are not there are not written, whatever the shader gives. */
+            if (a == hole || a >= written)
+                t.color[a].format = GN_FORMAT_NONE;
+        }
+        p.blend[added].enabled = true;
+        p.blend[added].destination = GN_FACTOR_ONE;
+        p.color_write_disabled[masked] = GN_CHANNEL_RED;
+        mesh.vertex_count = 3;
+        mesh.count = 3;
+        workspace.memory = work;
+        workspace.size = sizeof work;
+        assert_int_equal(gn_draw(&t, &p, &mesh, &workspace), GN_OK);
+        for (int a = 0; a < GN_MAX_COLORS; ++a) {
+            const bool kept = a == hole || a >= written;
+            const float red = (float)a / 8.0f + (a == added ? 0.25f : 0.0f);
+
+            for (int i = 0; i < SIDE * SIDE; ++i) {
+                float value;
+
+                if (a % 2) {
+                    const uint16_t pixel = ((const uint16_t *)images[a])[i];
+                    const uint16_t byte = (uint16_t)(a == 1 ? 32 : a == 3 ? 96 : 223);
+
+                    assert_int_equal(pixel, kept ? 0x4040 : a == masked ? 0xFF40 : 0xFF00 | byte);
+                } else {
+                    memcpy(&value, &images[a][i], sizeof value);
+                    assert_true(value == (kept ? 0.25f : red));
+                }
+            }
+        }
+    }
+}
+
+/* Attachments beyond the pipeline's count stay as they are, and need a shader all the same. */
+static void attachments_beyond_the_count_stay(void **state)
+{
+    static unsigned char work[GN_WORKSPACE_SIZE(3, 0)];
+    static uint32_t images[2][SIDE * SIDE];
+    gn_pipeline p = {0};
+    gn_mesh mesh = {0};
+    gn_target t = {0};
+    gn_workspace workspace = {0};
+
+    (void)state;
+    p.vertex_shader = cover_all;
+    p.fragment_shader = shade_all_colors;
+    p.color_count = GN_MAX_COLORS;
+    for (int a = 0; a < 2; ++a) {
+        t.color[a] = gn_surface_bottom_up(images[a], GN_FORMAT_RGBA8, SIDE, SIDE);
+        assert_int_equal(gn_clear_color(&t.color[a], 0.0f, 0.0f, 1.0f, 0.0f), GN_OK);
+    }
+    mesh.vertex_count = 3;
+    mesh.count = 3;
+    workspace.memory = work;
+    workspace.size = sizeof work;
+    assert_int_equal(gn_draw(&t, &p, &mesh, &workspace), GN_OK);
+    assert_int_equal(images[1][0], 0xFFFFFF20u);
+    assert_int_equal(gn_clear_color(&t.color[1], 0.0f, 0.0f, 1.0f, 0.0f), GN_OK);
+    p.color_count = 0;
+    p.fragment_shader = shade_one_color;
+    p.uniforms = SHADED;
+    assert_int_equal(gn_draw(&t, &p, &mesh, &workspace), GN_OK);
+    assert_int_equal(images[0][0], 0x99FF00BFu);
+    assert_int_equal(images[1][0], 0x00FF0000u);
+    t.color[0].format = GN_FORMAT_NONE;
+    p.fragment_shader = NULL;
+    assert_int_equal(gn_draw(&t, &p, &mesh, &workspace), GN_NO_SHADER);
 }
 
 int main(void)
@@ -382,6 +485,8 @@ int main(void)
         cmocka_unit_test(alpha_that_is_not_there_is_one),
         cmocka_unit_test(logic_inverts_the_bits_of_integers),
         cmocka_unit_test(masks_keep_the_other_channels),
+        cmocka_unit_test(each_attachment_has_its_color),
+        cmocka_unit_test(attachments_beyond_the_count_stay),
     };
 
     return cmocka_run_group_tests_name("formats", tests, NULL, NULL);
