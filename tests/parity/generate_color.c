@@ -79,6 +79,7 @@ static void random_factors(random_source *r, gn_blend_factor *source, gn_blend_f
     static const gn_blend_factor pairs[][2] = {
         {GN_FACTOR_SOURCE_ALPHA, GN_FACTOR_ONE_MINUS_SOURCE_ALPHA},
         {GN_FACTOR_ONE, GN_FACTOR_ONE_MINUS_SOURCE_ALPHA},
+        {GN_FACTOR_ONE_MINUS_SOURCE_ALPHA, GN_FACTOR_SOURCE_ALPHA},
         {GN_FACTOR_ONE, GN_FACTOR_ONE},
         {GN_FACTOR_SOURCE_ALPHA, GN_FACTOR_ONE},
         {GN_FACTOR_DESTINATION_COLOR, GN_FACTOR_ZERO},
