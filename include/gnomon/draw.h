@@ -120,8 +120,7 @@ GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
 
 /* Draws a mesh. Checks the target, the pipeline, the mesh (gn_target_check,
  * gn_pipeline_check, gn_mesh_check), then that the target's colour has a fragment
- * shader (GN_NO_SHADER), and, where colours are blended, masked or combined by their bits, is
- * GN_FORMAT_RGBA8 or GN_FORMAT_RGBA32F (GN_INVALID_FORMAT), that the library was not compiled
+ * shader (GN_NO_SHADER), that the library was not compiled
  * without what is asked (GN_NOT_COMPILED), and that the workspace is there (GN_NULL_POINTER) and
  * holds at least gn_workspace_size(0, varying_count) bytes (GN_WORKSPACE_TOO_SMALL, and
  * workspace->needed says how many), and that the library holds its back end

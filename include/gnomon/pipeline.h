@@ -17,11 +17,13 @@
  *   depth_function       DepthFunc                      GN_LESS
  *   depth_write_disabled not DepthMask                  depth is written
  *   interpolation        smooth, noperspective, flat    smooth
- *   color_write_disabled not ColorMask                  every channel is written
- *   blend.enabled        BLEND                          off
- *   blend's factors      BlendFunc, BlendFuncSeparate   source one, destination zero
- *   blend's equations    BlendEquation, ..Separate      GN_EQUATION_ADD
- *   blend.constant       BlendColor                     0, 0, 0, 0
+ *   color_count          outputs of the shader,         1
+ *                        DrawBuffers
+ *   color_write_disabled not ColorMaski                 every channel is written
+ *   blend[i].enabled     Enablei of BLEND               off
+ *   blend[i]'s factors   BlendFunci, ..Separatei        source one, destination zero
+ *   blend[i]'s equations BlendEquationi, ..Separatei    GN_EQUATION_ADD
+ *   blend_constant       BlendColor                     0, 0, 0, 0
  *   color_logic          COLOR_LOGIC_OP                 off
  *   logic_operation      LogicOp                        GN_LOGIC_COPY
  *   stencil_test         STENCIL_TEST                   off
@@ -135,15 +137,15 @@ typedef enum gn_blend_equation {
 } gn_blend_equation;
 
 /* Blending: a fragment's colour, the source, with the surface's, the destination. Alpha goes
- * by the three members of its own, where they are not zero. In GN_FORMAT_RGBA8 the source and
- * the constant are converted first, and results saturate. */
+ * by the three members of its own, where they are not zero. In formats of fractions the source and
+ * the constant are converted first, to 8 bits or 16, and results saturate; GN_FORMAT_SRGB8_A8 is
+ * blended as linear floats within 0 to 1. Where the surface has no alpha, its alpha is one. */
 typedef struct gn_blend {
     bool enabled; /* false: the other fields do not matter */
     gn_blend_equation equation;
     gn_blend_factor source, destination;
     gn_blend_equation alpha_equation;
     gn_blend_factor alpha_source, alpha_destination;
-    float constant[4]; /* red, green, blue, alpha */
 } gn_blend;
 
 /* What becomes of the bits s of a fragment's colour and d of the surface's (OpenGL 4.5
@@ -282,8 +284,9 @@ typedef struct gn_fragment_input {
     const float (*position)[GN_LANES];
 } gn_fragment_input;
 
-/* Output of a fragment shader: color[channel][lane], red, green, blue, alpha.
- * Every lane must be written; those not covered are not used. */
+/* Output of a fragment shader: color[4 * attachment + channel][lane], red, green, blue, alpha, of
+ * as many attachments as the pipeline's color_count says, whatever the target has. Every lane must
+ * be written; those not covered are not used. */
 typedef struct gn_fragment_output {
     float (*color)[GN_LANES];
 
@@ -328,9 +331,13 @@ typedef struct gn_pipeline {
     gn_compare depth_function;
     bool depth_write_disabled;
 
-    uint32_t color_write_disabled; /* GN_CHANNEL_RED and so on, or'ed */
-    gn_blend blend;
-    bool color_logic; /* where set nothing is blended; floats stay as they are */
+    /* Of each attachment. Those from color_count on stay as they are. */
+    uint32_t color_count; /* colours that the fragment shader writes; 0: 1 */
+    uint32_t color_write_disabled[GN_MAX_COLORS]; /* GN_CHANNEL_RED and so on, or'ed */
+    gn_blend blend[GN_MAX_COLORS];
+    float blend_constant[4]; /* red, green, blue, alpha */
+
+    bool color_logic; /* where set nothing is blended; floats and sRGB stay as they are */
     gn_logic_operation logic_operation;
     bool stencil_test;
     gn_stencil_face stencil_front, stencil_back;
@@ -356,9 +363,10 @@ GN_BEGIN
  * viewport number that is not finite; a size below 0 or above GN_MAX_SIZE, an
  * origin beyond +-GN_MAX_SIZE), GN_NOT_FINITE or GN_OUT_OF_RANGE (a depth range
  * outside 0..1), GN_NOT_FINITE (a number of the polygon offset), GN_INVALID_ENUM (clip_depth;
- * functions and operations of depth and stencil), GN_OUT_OF_RANGE (color_write_disabled has bits
- * beyond GN_CHANNEL_ALL), GN_INVALID_ENUM or GN_NOT_FINITE (blend; the constant only where it is
- * enabled), GN_INVALID_ENUM (logic operation), GN_NOT_FINITE or GN_OUT_OF_RANGE (a point size or
+ * functions and operations of depth and stencil), GN_OUT_OF_RANGE (color_count above
+ * GN_MAX_COLORS); for each attachment GN_OUT_OF_RANGE (color_write_disabled has bits
+ * beyond GN_CHANNEL_ALL) and GN_INVALID_ENUM or GN_NOT_FINITE (blend; the constant only where it is
+ * enabled); GN_INVALID_ENUM (logic operation), GN_NOT_FINITE or GN_OUT_OF_RANGE (a point size or
  * line width below 0). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
 

@@ -83,8 +83,8 @@ typedef struct gn_surface {
 /* What a draw writes to. A zeroed member is an absent surface; at least one
  * must be there, and all have the same size. No two may overlap. */
 typedef struct gn_target {
-    gn_surface color[GN_MAX_COLORS]; /* any format of colours; the first is the only one drawn */
-    gn_surface depth; /* depth, stencil or both: GN_FORMAT_D16 to GN_FORMAT_S8 */
+    gn_surface color[GN_MAX_COLORS]; /* any formats of colours, some absent: holes */
+    gn_surface depth;                /* depth, stencil or both: GN_FORMAT_D16 to GN_FORMAT_S8 */
 } gn_target;
 
 GN_BEGIN
@@ -106,7 +106,7 @@ GN_API gn_surface gn_surface_top_down(void *memory, gn_format format, uint32_t w
 GN_API gn_surface gn_surface_rows(const gn_surface *surface, uint32_t first, uint32_t count);
 
 /* The first fault of a target, in this order: a null pointer (GN_NULL_POINTER),
- * no surface at all (GN_NO_SURFACE); then for colour and for depth: a format
+ * no surface at all (GN_NO_SURFACE); then for each colour and for depth: a format
  * that does not belong there (GN_INVALID_FORMAT), a size of 0 or above
  * GN_MAX_SIZE (GN_INVALID_SIZE), null pixels (GN_NULL_POINTER), pixels or stride
  * not aligned (GN_MISALIGNED), a stride shorter than a row, or so long that the rows

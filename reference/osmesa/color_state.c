@@ -59,21 +59,20 @@ static GLenum equation(gn_blend_equation e, GLenum otherwise)
     return otherwise;
 }
 
-static void set_blend(const gn_blend *b)
+static void set_blend(GLuint attachment, const gn_blend *b)
 {
     const GLenum source = factor(b->source, GL_ONE);
     const GLenum destination = factor(b->destination, GL_ZERO);
     const GLenum color = equation(b->equation, GL_FUNC_ADD);
 
     if (!b->enabled) {
-        glDisable(GL_BLEND);
+        glDisablei(GL_BLEND, attachment);
         return;
     }
-    glEnable(GL_BLEND);
-    glBlendFuncSeparate(source, destination, factor(b->alpha_source, source),
-                        factor(b->alpha_destination, destination));
-    glBlendEquationSeparate(color, equation(b->alpha_equation, color));
-    glBlendColor(b->constant[0], b->constant[1], b->constant[2], b->constant[3]);
+    glEnablei(GL_BLEND, attachment);
+    glBlendFuncSeparatei(attachment, source, destination, factor(b->alpha_source, source),
+                         factor(b->alpha_destination, destination));
+    glBlendEquationSeparatei(attachment, color, equation(b->alpha_equation, color));
 }
 
 static void set_logic(bool enabled, gn_logic_operation operation)
@@ -93,10 +92,14 @@ static void set_logic(bool enabled, gn_logic_operation operation)
 
 void reference_set_color_state(const gn_pipeline *p)
 {
-    const uint32_t written = ~p->color_write_disabled;
+    for (GLuint a = 0; a < GN_MAX_COLORS; ++a) {
+        const uint32_t written = ~p->color_write_disabled[a];
 
-    glColorMask((written & GN_CHANNEL_RED) != 0, (written & GN_CHANNEL_GREEN) != 0,
-                (written & GN_CHANNEL_BLUE) != 0, (written & GN_CHANNEL_ALPHA) != 0);
-    set_blend(&p->blend);
+        glColorMaski(a, (written & GN_CHANNEL_RED) != 0, (written & GN_CHANNEL_GREEN) != 0,
+                     (written & GN_CHANNEL_BLUE) != 0, (written & GN_CHANNEL_ALPHA) != 0);
+        set_blend(a, &p->blend[a]);
+    }
+    glBlendColor(p->blend_constant[0], p->blend_constant[1], p->blend_constant[2],
+                 p->blend_constant[3]);
     set_logic(p->color_logic, p->logic_operation);
 }

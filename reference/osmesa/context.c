@@ -132,6 +132,9 @@ void reference_destroy(reference *r)
         glDeleteProgram(r->inputs_programs[i]);
     }
     glDeleteVertexArrays(1, &r->vertex_array);
+    for (int i = 0; i < GN_MAX_COLORS; ++i) {
+        glDeleteProgram(r->outputs_programs[i]);
+    }
     OSMesaDestroyContext(r->context);
     free(r);
 }

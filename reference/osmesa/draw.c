@@ -249,10 +249,9 @@ void reference_clear(const scene *s)
     glDisable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    if (s->color_format != GN_FORMAT_NONE) {
-        glClearColor(s->clear_color[0], s->clear_color[1], s->clear_color[2], s->clear_color[3]);
-        mask |= GL_COLOR_BUFFER_BIT;
-    }
+    framebuffer_choose_colors(s, GN_MAX_COLORS);
+    glClearColor(s->clear_color[0], s->clear_color[1], s->clear_color[2], s->clear_color[3]);
+    mask |= GL_COLOR_BUFFER_BIT;
     if (s->depth_format != GN_FORMAT_NONE) {
         glClearDepthf(s->clear_depth);
         mask |= GL_DEPTH_BUFFER_BIT;
@@ -414,6 +413,8 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
 {
     const gn_mesh *mesh = &d->mesh;
 
+    framebuffer_choose_colors(
+        s, d->shader == SCENE_OUTPUTS && d->state.color_count ? (int)d->state.color_count : 1);
     if (d->clear.color || d->clear.depth) {
         const scene cleared = scene_of_clear(s, d);
 
@@ -441,7 +442,7 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
 /* ---- Read back ---- */
 
 /* The format and type that read a format's pixels as they are. */
-static void read_color(const scene *s, void *pixels)
+static void read_color(const scene *s, gn_format format, void *pixels)
 {
     static const struct {
         GLenum format, type;
@@ -462,8 +463,8 @@ static void read_color(const scene *s, void *pixels)
         [GN_FORMAT_SRGB8_A8] = {GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV},
     };
 
-    glReadPixels(0, 0, (GLsizei)s->width, (GLsizei)s->height, read[s->color_format].format,
-                 read[s->color_format].type, pixels);
+    glReadPixels(0, 0, (GLsizei)s->width, (GLsizei)s->height, read[format].format,
+                 read[format].type, pixels);
 }
 
 static void read_frame(const scene *s, scene_frame *frame)
@@ -471,8 +472,11 @@ static void read_frame(const scene *s, scene_frame *frame)
     const GLsizei width = (GLsizei)s->width;
     const GLsizei height = (GLsizei)s->height;
 
-    if (s->color_format != GN_FORMAT_NONE) {
-        read_color(s, frame->color);
+    for (int a = 0; a < GN_MAX_COLORS; ++a) {
+        if (scene_color_format(s, a) != GN_FORMAT_NONE) {
+            glReadBuffer((GLenum)(GL_COLOR_ATTACHMENT0 + a));
+            read_color(s, scene_color_format(s, a), scene_frame_color(frame, a));
+        }
     }
     switch (s->depth_format) {
     case GN_FORMAT_D16:

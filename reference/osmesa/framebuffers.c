@@ -86,16 +86,17 @@ bool framebuffer_create(framebuffer *f, const scene *s, reference_depth depth, c
     memset(f, 0, sizeof *f);
     f->width = s->width;
     f->height = s->height;
-    f->color_format = s->color_format;
     f->depth_format = s->depth_format;
     glGenFramebuffers(1, &f->name);
     glBindFramebuffer(GL_FRAMEBUFFER, f->name);
-    f->color = attach(GL_COLOR_ATTACHMENT0, gl_format(s->color_format), s->width, s->height);
-    f->depth = attach_depth(s, depth);
-    if (!f->color) {
-        glDrawBuffer(GL_NONE);
-        glReadBuffer(GL_NONE);
+    for (int a = 0; a < GN_MAX_COLORS; ++a) {
+        f->color_format[a] = scene_color_format(s, a);
+        f->color[a] = attach((GLenum)(GL_COLOR_ATTACHMENT0 + a), gl_format(f->color_format[a]),
+                             s->width, s->height);
     }
+    f->depth = attach_depth(s, depth);
+    framebuffer_choose_colors(s, GN_MAX_COLORS);
+    glReadBuffer(GL_NONE);
     status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) {
         framebuffer_destroy(f);
@@ -108,9 +109,31 @@ bool framebuffer_create(framebuffer *f, const scene *s, reference_depth depth, c
 void framebuffer_destroy(framebuffer *f)
 {
     glDeleteFramebuffers(1, &f->name);
-    glDeleteRenderbuffers(1, &f->color);
+    glDeleteRenderbuffers(GN_MAX_COLORS, f->color);
     glDeleteRenderbuffers(1, &f->depth);
     memset(f, 0, sizeof *f);
+}
+
+void framebuffer_choose_colors(const scene *s, int count)
+{
+    GLenum buffers[GN_MAX_COLORS];
+
+    for (int a = 0; a < GN_MAX_COLORS; ++a) {
+        const bool drawn = a < count && scene_color_format(s, a) != GN_FORMAT_NONE;
+
+        buffers[a] = drawn ? (GLenum)(GL_COLOR_ATTACHMENT0 + a) : GL_NONE;
+    }
+    glDrawBuffers(GN_MAX_COLORS, buffers);
+}
+
+static bool has_colors_of(const framebuffer *f, const scene *s)
+{
+    for (int a = 0; a < GN_MAX_COLORS; ++a) {
+        if (f->color_format[a] != scene_color_format(s, a)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 framebuffer *reference_framebuffer(reference *r, const scene *s, char *error, size_t error_size)
@@ -121,8 +144,8 @@ framebuffer *reference_framebuffer(reference *r, const scene *s, char *error, si
     for (int i = 0; i < FRAMEBUFFER_CACHE_SIZE; ++i) {
         framebuffer *f = &r->framebuffers[i];
 
-        if (f->name && f->width == s->width && f->height == s->height &&
-            f->color_format == s->color_format && f->depth_format == s->depth_format) {
+        if (f->name && f->width == s->width && f->height == s->height && has_colors_of(f, s) &&
+            f->depth_format == s->depth_format) {
             f->last_use = r->uses;
             glBindFramebuffer(GL_FRAMEBUFFER, f->name);
             return f;

@@ -21,9 +21,9 @@
 
 typedef struct framebuffer {
     GLuint name;
-    GLuint color, depth; /* renderbuffers */
+    GLuint color[GN_MAX_COLORS], depth; /* renderbuffers */
     uint32_t width, height;
-    gn_format color_format, depth_format;
+    gn_format color_format[GN_MAX_COLORS], depth_format;
     uint64_t last_use;
 } framebuffer;
 
@@ -34,6 +34,7 @@ struct reference {
     GLuint vertex_array;
     GLuint vertex_color_programs[VERTEX_COLOR_PROGRAMS];
     GLuint inputs_programs[INPUTS_PROGRAMS];
+    GLuint outputs_programs[GN_MAX_COLORS];
     GLuint lit_programs[SCENE_SHADER_COUNT];
     framebuffer framebuffers[FRAMEBUFFER_CACHE_SIZE];
     uint64_t uses;
@@ -64,6 +65,9 @@ framebuffer *reference_framebuffer(reference *r, const scene *s, char *error, si
 bool framebuffer_create(framebuffer *f, const scene *s, reference_depth depth, char *error,
                         size_t error_size);
 void framebuffer_destroy(framebuffer *f);
+
+/* Draws go to the first attachments of the scene, as many as `count`. */
+void framebuffer_choose_colors(const scene *s, int count);
 
 /* Steps of drawing: the draws' data into GL objects (null with the reason in error), the
  * clears, one draw's state and draw call, and the objects' end. */

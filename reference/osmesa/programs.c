@@ -1,5 +1,5 @@
-/* The GLSL twins of the ready-made shaders, of phong.h and of inputs.h. Their expressions are
- * written in the order of operations of the library's; attributes and uniforms have fixed
+/* The GLSL twins of the ready-made shaders, of phong.h, inputs.h and outputs.h. Their expressions
+ * are written in the order of operations of the library's; attributes and uniforms have fixed
  * locations. */
 #include "gl.h"
 
@@ -248,6 +248,28 @@ static GLuint link_inputs(const gn_pipeline *p, char *error, size_t error_size)
     return link_program(inputs_vertex, head, inputs_fragment, error, error_size);
 }
 
+/* A line an output: colour a turned by a places, from one for odd a. The vertex shader is that of
+ * inputs.h. */
+static GLuint link_outputs(uint32_t count, char *error, size_t error_size)
+{
+    static const char *const turned[4] = {"rgba", "gbar", "barg", "argb"};
+    char fragment[2048];
+    size_t used = (size_t)snprintf(fragment, sizeof fragment, "smooth in vec4 shade;\n");
+
+    for (uint32_t a = 0; a < count; ++a) {
+        used += (size_t)snprintf(fragment + used, sizeof fragment - used,
+                                 "layout(location = %u) out vec4 result%u;\n", a, a);
+    }
+    used += (size_t)snprintf(fragment + used, sizeof fragment - used, "void main()\n{\n");
+    for (uint32_t a = 0; a < count; ++a) {
+        used += (size_t)snprintf(fragment + used, sizeof fragment - used,
+                                 "    result%u = %sshade.%s;\n", a, a % 2 ? "1.0 - " : "",
+                                 turned[a % 4]);
+    }
+    snprintf(fragment + used, sizeof fragment - used, "}\n");
+    return link_program(inputs_vertex, "#version 450 core\n", fragment, error, error_size);
+}
+
 GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t error_size)
 {
     GLuint *program = &r->lit_programs[d->shader < SCENE_SHADER_COUNT ? d->shader : 0];
@@ -294,6 +316,15 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
             *program = link_inputs(&d->state, error, error_size);
         }
         break;
+    case SCENE_OUTPUTS: {
+        const uint32_t count = d->state.color_count ? d->state.color_count : 1;
+
+        program = &r->outputs_programs[(count - 1) % GN_MAX_COLORS];
+        if (!*program) {
+            *program = link_outputs(count, error, error_size);
+        }
+        break;
+    }
     case SCENE_SHADER_COUNT:
         reference_fail(error, error_size, "a draw has no shader");
         return 0;

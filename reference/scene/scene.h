@@ -12,14 +12,15 @@
 
 #include <gnomon.h>
 
-/* The shader of a draw, ready-made but for the last two. */
+/* The shader of a draw, ready-made but for the last three. */
 typedef enum scene_shader {
     SCENE_VERTEX_COLOR = 0,
     SCENE_FLAT,
     SCENE_GOURAUD,
     SCENE_TEXTURED_GOURAUD,
-    SCENE_PHONG,  /* no ready-made one: a user's (phong.h) */
-    SCENE_INPUTS, /* another (inputs.h) */
+    SCENE_PHONG,   /* no ready-made one: a user's (phong.h) */
+    SCENE_INPUTS,  /* another (inputs.h) */
+    SCENE_OUTPUTS, /* and another, of several colours (outputs.h) */
     SCENE_SHADER_COUNT
 } scene_shader;
 
@@ -30,7 +31,7 @@ static inline bool scene_shader_is_textured(scene_shader shader)
 
 static inline bool scene_shader_is_lit(scene_shader shader)
 {
-    return shader != SCENE_VERTEX_COLOR && shader != SCENE_INPUTS;
+    return shader != SCENE_VERTEX_COLOR && shader != SCENE_INPUTS && shader != SCENE_OUTPUTS;
 }
 
 /* A clear of the whole target before a draw; zeroed, there is none. */
@@ -49,7 +50,7 @@ typedef struct scene_draw {
      * honoured (red, green, blue, alpha), and with program_point_size a point's size is the
      * first of the texture coordinates; other shaders bring their own interpolation and have no
      * such size. What the fragment shader does (fragment_...) is honoured with SCENE_INPUTS, and
-     * false otherwise. */
+     * false otherwise; color_count with SCENE_OUTPUTS, and 1 otherwise. */
     gn_pipeline state;
 
     /* The pointers of the mesh and of uniforms.texture are the scene's own memory. */
@@ -77,6 +78,7 @@ typedef struct scene {
     uint8_t clear_stencil;
     scene_draw *draws;
     size_t draw_count;
+    gn_format more_colors[GN_MAX_COLORS - 1]; /* attachments 1 and on; GN_FORMAT_NONE: none */
 } scene;
 
 /* A drawn frame, bottom row first, tightly packed, in the formats of surface.h. */
@@ -84,9 +86,27 @@ typedef struct scene_frame {
     uint32_t width, height;
     gn_format color_format, depth_format;
     void *color;
-    void *depth;             /* null for GN_FORMAT_NONE */
-    uint64_t samples_passed; /* the sum over the counted draws */
+    void *depth;                               /* null for GN_FORMAT_NONE */
+    uint64_t samples_passed;                   /* the sum over the counted draws */
+    gn_format more_formats[GN_MAX_COLORS - 1]; /* attachments 1 and on */
+    void *more_colors[GN_MAX_COLORS - 1];
 } scene_frame;
+
+/* Of attachment a, 0 to GN_MAX_COLORS - 1. */
+static inline gn_format scene_color_format(const scene *s, int a)
+{
+    return a > 0 ? s->more_colors[a - 1] : s->color_format;
+}
+
+static inline gn_format scene_frame_format(const scene_frame *f, int a)
+{
+    return a > 0 ? f->more_formats[a - 1] : f->color_format;
+}
+
+static inline void *scene_frame_color(const scene_frame *f, int a)
+{
+    return a > 0 ? f->more_colors[a - 1] : f->color;
+}
 
 /* How two frames of one size and format differ. Bits are compared, except that two
  * NaN are equal, and that a step is allowed where GN_FORMAT_SRGB8_A8 has sRGB. */

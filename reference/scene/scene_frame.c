@@ -20,11 +20,18 @@ bool scene_frame_allocate(scene_frame *frame, const scene *s)
     frame->depth_format = s->depth_format;
     frame->color = color_size ? calloc(pixels, color_size) : NULL;
     frame->depth = depth_size ? calloc(pixels, depth_size) : NULL;
-    if ((color_size && !frame->color) || (depth_size && !frame->depth)) {
-        scene_frame_free(frame);
-        return false;
+    bool allocated = (!color_size || frame->color) && (!depth_size || frame->depth);
+    for (int a = 0; a < GN_MAX_COLORS - 1; ++a) {
+        const size_t size = gn_format_size(s->more_colors[a]);
+
+        frame->more_formats[a] = s->more_colors[a];
+        frame->more_colors[a] = size ? calloc(pixels, size) : NULL;
+        allocated = allocated && (!size || frame->more_colors[a]);
     }
-    return true;
+    if (!allocated) {
+        scene_frame_free(frame);
+    }
+    return allocated;
 }
 
 void scene_frame_free(scene_frame *frame)
@@ -33,6 +40,10 @@ void scene_frame_free(scene_frame *frame)
     free(frame->depth);
     frame->color = NULL;
     frame->depth = NULL;
+    for (int a = 0; a < GN_MAX_COLORS - 1; ++a) {
+        free(frame->more_colors[a]);
+        frame->more_colors[a] = NULL;
+    }
 }
 
 /* A pixel of any format as up to four channels of bits. */
@@ -130,17 +141,17 @@ static double distance(const pixel *a, const pixel *b, gn_format format)
 }
 
 /* The clear values, from OpenGL's conversion rules rather than from either side. */
-static pixel clear_color_pixel(const scene *s)
+static pixel clear_color_pixel(const scene *s, gn_format format)
 {
     pixel p = {{0, 0, 0, 0}, 4};
 
     for (int c = 0; c < 4; ++c) {
         const float v = s->clear_color[c];
 
-        if (s->color_format == GN_FORMAT_RGBA32F) {
+        if (format == GN_FORMAT_RGBA32F) {
             p.channel[c] = bits_of(v);
-        } else if (s->color_format != GN_FORMAT_RGBA8) {
-            p.channel[c] = scene_clear_channel(s->color_format, c, v);
+        } else if (format != GN_FORMAT_RGBA8) {
+            p.channel[c] = scene_clear_channel(format, c, v);
         } else {
             p.channel[c] = !(v > 0.0f) ? 0 : v >= 1.0f ? 255 : (uint32_t)lrintf(v * 255.0f);
         }
@@ -172,57 +183,87 @@ static pixel clear_depth_pixel(const scene *s)
     return p;
 }
 
+/* A buffer of both frames, and what a clear makes of it. */
+typedef struct buffer {
+    gn_format format;
+    const void *ours, *reference;
+    pixel clear;
+} buffer;
+
+/* What one pixel of a buffer says. */
+typedef struct verdict {
+    bool differs;
+    bool drawn[2];
+    double largest;
+} verdict;
+
+static void compare_pixel(const buffer *b, size_t i, verdict *v)
+{
+    const pixel x = load_pixel(b->ours, b->format, i);
+    const pixel y = load_pixel(b->reference, b->format, i);
+    const double largest = distance(&x, &y, b->format);
+
+    v->differs |= !equal_pixels(&x, &y, b->format);
+    v->largest = largest > v->largest ? largest : v->largest;
+    v->drawn[0] |= !equal_pixels(&x, &b->clear, b->format);
+    v->drawn[1] |= !equal_pixels(&y, &b->clear, b->format);
+}
+
+/* Colours in order, then depth. Gives how many buffers there are, and of them colours. */
+static int list_buffers(const scene *s, const scene_frame *ours, const scene_frame *reference,
+                        buffer list[GN_MAX_COLORS + 1], int *colors)
+{
+    int count = 0;
+
+    for (int a = 0; a < GN_MAX_COLORS; ++a) {
+        const gn_format format = scene_frame_format(ours, a);
+
+        if (scene_frame_color(ours, a)) {
+            list[count++] = (buffer){format, scene_frame_color(ours, a),
+                                     scene_frame_color(reference, a), clear_color_pixel(s, format)};
+        }
+    }
+    *colors = count;
+    if (ours->depth) {
+        list[count++] =
+            (buffer){ours->depth_format, ours->depth, reference->depth, clear_depth_pixel(s)};
+    }
+    return count;
+}
+
 scene_difference scene_compare(const scene *s, const scene_frame *ours,
                                const scene_frame *reference)
 {
-    const bool has_color = ours->color != NULL;
-    const bool has_depth = ours->depth != NULL;
-    const pixel clear_color = clear_color_pixel(s);
-    const pixel clear_depth = clear_depth_pixel(s);
     const size_t pixels = (size_t)ours->width * ours->height;
+    buffer list[GN_MAX_COLORS + 1];
+    int colors;
+    const int count = list_buffers(s, ours, reference, list, &colors);
+    bool equal = true;
     scene_difference d;
 
     memset(&d, 0, sizeof d);
     d.counts_differ = ours->samples_passed != reference->samples_passed;
-    if ((!has_color ||
-         !memcmp(ours->color, reference->color, pixels * gn_format_size(ours->color_format))) &&
-        (!has_depth ||
-         !memcmp(ours->depth, reference->depth, pixels * gn_format_size(ours->depth_format)))) {
-        d.pixels = d.counts_differ;
-        return d;
+    for (int b = 0; b < count; ++b) {
+        equal = equal &&
+                !memcmp(list[b].ours, list[b].reference, pixels * gn_format_size(list[b].format));
     }
-    for (size_t i = 0; i < pixels; ++i) {
-        bool drawn[2] = {false, false};
-        bool color_differs = false;
-        bool depth_differs = false;
+    for (size_t i = 0; !equal && i < pixels; ++i) {
+        verdict color = {false, {false, false}, 0.0};
+        verdict depth = color;
 
-        if (has_color) {
-            const pixel a = load_pixel(ours->color, ours->color_format, i);
-            const pixel b = load_pixel(reference->color, ours->color_format, i);
-            const double largest = distance(&a, &b, ours->color_format);
-
-            color_differs = !equal_pixels(&a, &b, ours->color_format);
-            d.color_largest = largest > d.color_largest ? largest : d.color_largest;
-            drawn[0] |= !equal_pixels(&a, &clear_color, ours->color_format);
-            drawn[1] |= !equal_pixels(&b, &clear_color, ours->color_format);
+        for (int b = 0; b < count; ++b) {
+            compare_pixel(&list[b], i, b < colors ? &color : &depth);
         }
-        if (has_depth) {
-            const pixel a = load_pixel(ours->depth, ours->depth_format, i);
-            const pixel b = load_pixel(reference->depth, ours->depth_format, i);
-            const double largest = distance(&a, &b, ours->depth_format);
-
-            depth_differs = !equal_pixels(&a, &b, ours->depth_format);
-            d.depth_largest = largest > d.depth_largest ? largest : d.depth_largest;
-            drawn[0] |= !equal_pixels(&a, &clear_depth, ours->depth_format);
-            drawn[1] |= !equal_pixels(&b, &clear_depth, ours->depth_format);
-        }
-        if ((color_differs || depth_differs) && d.pixels++ == 0) {
+        if ((color.differs || depth.differs) && d.pixels++ == 0) {
             d.x = (uint32_t)(i % ours->width);
             d.y = (uint32_t)(i / ours->width);
         }
-        d.color_pixels += color_differs;
-        d.depth_pixels += depth_differs;
-        d.coverage_pixels += drawn[0] != drawn[1];
+        d.color_largest = color.largest > d.color_largest ? color.largest : d.color_largest;
+        d.depth_largest = depth.largest > d.depth_largest ? depth.largest : d.depth_largest;
+        d.color_pixels += color.differs;
+        d.depth_pixels += depth.differs;
+        d.coverage_pixels +=
+            (color.drawn[0] || depth.drawn[0]) != (color.drawn[1] || depth.drawn[1]);
     }
     d.pixels += d.counts_differ;
     return d;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "inputs.h"
+#include "outputs.h"
 #include "phong.h"
 #include "scene_memory.h"
 
@@ -74,6 +75,10 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
         status = inputs_use(pipeline, &other->color);
         break;
+    case SCENE_OUTPUTS:
+        other->color.clip_from_model = d->uniforms.light.clip_from_model;
+        status = outputs_use(pipeline, &other->color);
+        break;
     case SCENE_SHADER_COUNT:
         break;
     }
@@ -87,6 +92,7 @@ static gn_status draw_one(const gn_target *target, const scene_draw *d, gn_works
     gn_pipeline pipeline = d->state;
 
     pipeline.program_point_size &= d->shader == SCENE_VERTEX_COLOR;
+    pipeline.color_count = d->shader == SCENE_OUTPUTS ? pipeline.color_count : 1;
     gn_status status = use_shader(&pipeline, d, workspace->backend, &other);
 
     if (status == GN_OK) {
@@ -127,13 +133,16 @@ typedef struct clear {
 static gn_status clear_rows(const clear *c, uint32_t first, uint32_t count)
 {
     const scene *s = c->scene;
-    const gn_surface color = gn_surface_rows(&c->target->color[0], first, count);
     const gn_surface depth = gn_surface_rows(&c->target->depth, first, count);
     gn_status status = GN_OK;
 
-    if (s->color_format != GN_FORMAT_NONE) {
-        status = gn_clear_color(&color, s->clear_color[0], s->clear_color[1], s->clear_color[2],
-                                s->clear_color[3]);
+    for (int a = 0; status == GN_OK && a < GN_MAX_COLORS; ++a) {
+        const gn_surface color = gn_surface_rows(&c->target->color[a], first, count);
+
+        if (color.format != GN_FORMAT_NONE) {
+            status = gn_clear_color(&color, s->clear_color[0], s->clear_color[1], s->clear_color[2],
+                                    s->clear_color[3]);
+        }
     }
     if (status == GN_OK && s->depth_format != GN_FORMAT_NONE) {
         status = gn_clear_depth_stencil(&depth, s->clear_depth, s->clear_stencil);
@@ -188,8 +197,11 @@ gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame, gn_workspa
     memset(&target, 0, sizeof target);
     frame->samples_passed = 0;
     workspace->samples_passed = &frame->samples_passed;
-    if (s->color_format != GN_FORMAT_NONE) {
-        target.color[0] = gn_surface_bottom_up(frame->color, s->color_format, s->width, s->height);
+    for (int a = 0; a < GN_MAX_COLORS; ++a) {
+        if (scene_color_format(s, a) != GN_FORMAT_NONE) {
+            target.color[a] = gn_surface_bottom_up(scene_frame_color(frame, a),
+                                                   scene_color_format(s, a), s->width, s->height);
+        }
     }
     if (s->depth_format != GN_FORMAT_NONE) {
         target.depth = gn_surface_bottom_up(frame->depth, s->depth_format, s->width, s->height);

@@ -329,22 +329,49 @@ static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
     return true;
 }
 
+/* The attachment that a keyword is for: the first, or with -of behind it the one whose number
+ * follows. False where the keyword is another. */
+static bool is_of_attachment(reader *r, const char *keyword, const char *name, uint32_t *attachment)
+{
+    const size_t length = strlen(name);
+
+    *attachment = 0;
+    if (strncmp(keyword, name, length) != 0) {
+        return false;
+    }
+    if (!strcmp(keyword + length, "-of")) {
+        *attachment = read_number(r, 10, GN_MAX_COLORS - 1);
+        return true;
+    }
+    return !keyword[length];
+}
+
+static void read_blend(reader *r, gn_blend *b)
+{
+    b->enabled = true;
+    b->equation = (gn_blend_equation)read_name(r, TEXT_EQUATION);
+    b->source = (gn_blend_factor)read_name(r, TEXT_FACTOR);
+    b->destination = (gn_blend_factor)read_name(r, TEXT_FACTOR);
+    b->alpha_equation = (gn_blend_equation)read_name(r, TEXT_EQUATION);
+    b->alpha_source = (gn_blend_factor)read_name(r, TEXT_FACTOR);
+    b->alpha_destination = (gn_blend_factor)read_name(r, TEXT_FACTOR);
+}
+
 static bool read_color_state(reader *r, const char *keyword, gn_pipeline *p)
 {
-    if (!strcmp(keyword, "color-mask")) {
-        p->color_write_disabled = 0;
+    uint32_t a;
+
+    if (!strcmp(keyword, "color-count")) {
+        p->color_count = read_number(r, 10, GN_MAX_COLORS);
+    } else if (is_of_attachment(r, keyword, "color-mask", &a)) {
+        p->color_write_disabled[a] = 0;
         for (unsigned c = 0; c < 4; ++c) {
-            p->color_write_disabled |= read_name(r, TEXT_SWITCH) == 0 ? 1u << c : 0;
+            p->color_write_disabled[a] |= read_name(r, TEXT_SWITCH) == 0 ? 1u << c : 0;
         }
-    } else if (!strcmp(keyword, "blend")) {
-        p->blend.enabled = true;
-        p->blend.equation = (gn_blend_equation)read_name(r, TEXT_EQUATION);
-        p->blend.source = (gn_blend_factor)read_name(r, TEXT_FACTOR);
-        p->blend.destination = (gn_blend_factor)read_name(r, TEXT_FACTOR);
-        p->blend.alpha_equation = (gn_blend_equation)read_name(r, TEXT_EQUATION);
-        p->blend.alpha_source = (gn_blend_factor)read_name(r, TEXT_FACTOR);
-        p->blend.alpha_destination = (gn_blend_factor)read_name(r, TEXT_FACTOR);
-        read_floats(r, p->blend.constant, 4);
+    } else if (!strcmp(keyword, "blend-constant")) {
+        read_floats(r, p->blend_constant, 4);
+    } else if (is_of_attachment(r, keyword, "blend", &a)) {
+        read_blend(r, &p->blend[a]);
     } else if (!strcmp(keyword, "logic-operation")) {
         p->color_logic = true;
         p->logic_operation = (gn_logic_operation)read_name(r, TEXT_LOGIC);
@@ -454,6 +481,16 @@ static void read_draw(reader *r, scene *s)
     }
 }
 
+static bool has_more_colors(const scene *s)
+{
+    for (int a = 1; a < GN_MAX_COLORS; ++a) {
+        if (scene_color_format(s, a) != GN_FORMAT_NONE) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static bool read_frame(reader *r, const char *keyword, scene *s)
 {
     if (!strcmp(keyword, "size")) {
@@ -461,6 +498,14 @@ static bool read_frame(reader *r, const char *keyword, scene *s)
         s->height = read_number(r, 10, GN_MAX_SIZE);
     } else if (!strcmp(keyword, "color-format")) {
         s->color_format = (gn_format)read_name(r, TEXT_FORMAT);
+    } else if (!strcmp(keyword, "more-colors")) {
+        for (int a = 0; a < GN_MAX_COLORS - 1; ++a) {
+            s->more_colors[a] = (gn_format)read_name(r, TEXT_FORMAT);
+            if (!r->failed && s->more_colors[a] != GN_FORMAT_NONE &&
+                !scene_is_color_format(s->more_colors[a])) {
+                fail(r, "more-colors are formats of colours, such as rgba8, or none");
+            }
+        }
     } else if (!strcmp(keyword, "depth-format")) {
         s->depth_format = (gn_format)read_name(r, TEXT_FORMAT);
     } else if (!strcmp(keyword, "clear-color")) {
@@ -503,7 +548,8 @@ scene *scene_read(FILE *in, char *error, size_t error_size)
     if (!r.failed && (s->width == 0 || s->height == 0)) {
         fail(&r, "a scene has a size");
     }
-    if (!r.failed && !scene_is_color_format(s->color_format)) {
+    if (!r.failed && !scene_is_color_format(s->color_format) &&
+        (s->color_format != GN_FORMAT_NONE || !has_more_colors(s))) {
         fail(&r, "a scene's color-format is one of colours, such as rgba8");
     }
     if (!r.failed && scene_is_color_format(s->depth_format)) {

@@ -3,6 +3,7 @@
  *   gnomon-scene 1
  *   size 64 48
  *   color-format rgba8
+ *   more-colors none r8 none none none none none   (attachments 1 to 7, where there are some)
  *   depth-format d24
  *   clear-color 0x0p+0 0x0p+0 0x0p+0 0x1p+0
  *   clear-depth 0x1p+0

@@ -132,24 +132,47 @@ static void write_state(FILE *out, const gn_pipeline *p)
             text_name(TEXT_INTERPOLATION, (int)p->interpolation[3]));
 }
 
+/* Which attachment a keyword is for; nothing for the first. */
+static void write_attachment(FILE *out, int attachment)
+{
+    if (attachment > 0) {
+        fprintf(out, "-of %d", attachment);
+    }
+}
+
 /* Nothing of what is as OpenGL has it at first. */
 static void write_color_state(FILE *out, const gn_pipeline *p)
 {
-    if (p->color_write_disabled) {
-        fputs("  color-mask", out);
-        for (unsigned c = 0; c < 4; ++c) {
-            fprintf(out, " %s", text_name(TEXT_SWITCH, !(p->color_write_disabled >> c & 1u)));
-        }
-        fputc('\n', out);
+    static const float zero[4];
+
+    if (p->color_count) {
+        fprintf(out, "  color-count %" PRIu32 "\n", p->color_count);
     }
-    if (p->blend.enabled) {
-        fprintf(out, "  blend %s %s %s %s %s %s", text_name(TEXT_EQUATION, (int)p->blend.equation),
-                text_name(TEXT_FACTOR, (int)p->blend.source),
-                text_name(TEXT_FACTOR, (int)p->blend.destination),
-                text_name(TEXT_EQUATION, (int)p->blend.alpha_equation),
-                text_name(TEXT_FACTOR, (int)p->blend.alpha_source),
-                text_name(TEXT_FACTOR, (int)p->blend.alpha_destination));
-        write_floats(out, "", p->blend.constant, 4);
+    for (int a = 0; a < GN_MAX_COLORS; ++a) {
+        const gn_blend *b = &p->blend[a];
+
+        if (p->color_write_disabled[a]) {
+            fputs("  color-mask", out);
+            write_attachment(out, a);
+            for (unsigned c = 0; c < 4; ++c) {
+                fprintf(out, " %s",
+                        text_name(TEXT_SWITCH, !(p->color_write_disabled[a] >> c & 1u)));
+            }
+            fputc('\n', out);
+        }
+        if (b->enabled) {
+            fputs("  blend", out);
+            write_attachment(out, a);
+            fprintf(out, " %s %s %s %s %s %s\n", text_name(TEXT_EQUATION, (int)b->equation),
+                    text_name(TEXT_FACTOR, (int)b->source),
+                    text_name(TEXT_FACTOR, (int)b->destination),
+                    text_name(TEXT_EQUATION, (int)b->alpha_equation),
+                    text_name(TEXT_FACTOR, (int)b->alpha_source),
+                    text_name(TEXT_FACTOR, (int)b->alpha_destination));
+        }
+    }
+    if (memcmp(p->blend_constant, zero, sizeof zero) != 0) {
+        write_floats(out, "  blend-constant", p->blend_constant, 4);
     }
     if (p->color_logic) {
         fprintf(out, "  logic-operation %s\n", text_name(TEXT_LOGIC, (int)p->logic_operation));
@@ -218,8 +241,20 @@ static void write_clear(FILE *out, const scene_clear *c)
 
 bool scene_write(const scene *s, FILE *out)
 {
+    bool has_more_colors = false;
+
+    for (int a = 1; a < GN_MAX_COLORS; ++a) {
+        has_more_colors |= scene_color_format(s, a) != GN_FORMAT_NONE;
+    }
     fprintf(out, "gnomon-scene 1\nsize %" PRIu32 " %" PRIu32 "\n", s->width, s->height);
     fprintf(out, "color-format %s\n", text_name(TEXT_FORMAT, (int)s->color_format));
+    if (has_more_colors) {
+        fputs("more-colors", out);
+        for (int a = 1; a < GN_MAX_COLORS; ++a) {
+            fprintf(out, " %s", text_name(TEXT_FORMAT, (int)scene_color_format(s, a)));
+        }
+        fputc('\n', out);
+    }
     fprintf(out, "depth-format %s\n", text_name(TEXT_FORMAT, (int)s->depth_format));
     write_floats(out, "clear-color", s->clear_color, 4);
     write_floats(out, "clear-depth", &s->clear_depth, 1);

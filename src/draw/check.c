@@ -36,7 +36,7 @@ static gn_status check_polygon_offset(const gn_polygon_offset *o)
     return GN_OK;
 }
 
-static gn_status check_blend(const gn_blend *b)
+static gn_status check_blend(const gn_blend *b, const float constant[4])
 {
     if ((unsigned)b->equation > GN_EQUATION_MAX || (unsigned)b->alpha_equation > GN_EQUATION_MAX ||
         (unsigned)b->source > GN_FACTOR_SOURCE_ALPHA_SATURATE ||
@@ -45,7 +45,7 @@ static gn_status check_blend(const gn_blend *b)
         (unsigned)b->alpha_destination > GN_FACTOR_SOURCE_ALPHA_SATURATE)
         return GN_INVALID_ENUM;
     for (int c = 0; b->enabled && c < 4; ++c) {
-        if (!gn_is_finite(b->constant[c]))
+        if (!gn_is_finite(constant[c]))
             return GN_NOT_FINITE;
     }
     return GN_OK;
@@ -102,11 +102,15 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
     if ((unsigned)pipeline->depth_function > GN_ALWAYS ||
         !is_stencil_face(&pipeline->stencil_front) || !is_stencil_face(&pipeline->stencil_back))
         return GN_INVALID_ENUM;
-    if (pipeline->color_write_disabled > GN_CHANNEL_ALL)
+    if (pipeline->color_count > GN_MAX_COLORS)
         return GN_OUT_OF_RANGE;
-    status = check_blend(&pipeline->blend);
-    if (status)
-        return status;
+    for (int i = 0; i < GN_MAX_COLORS; ++i) {
+        if (pipeline->color_write_disabled[i] > GN_CHANNEL_ALL)
+            return GN_OUT_OF_RANGE;
+        status = check_blend(&pipeline->blend[i], pipeline->blend_constant);
+        if (status)
+            return status;
+    }
     if ((unsigned)pipeline->logic_operation > GN_LOGIC_SET)
         return GN_INVALID_ENUM;
     status = check_size(pipeline->point_size);

@@ -174,9 +174,25 @@ static gn_status run_on(gn_backend backend, const draw_job *job)
     }
 }
 
+/* Of the first colour, the only one where the answer matters. */
 static bool combines_colors(const gn_pipeline *p)
 {
-    return p->color_write_disabled != 0 || p->blend.enabled || p->color_logic;
+    return p->color_write_disabled[0] != 0 || p->blend[0].enabled || p->color_logic;
+}
+
+static bool has_color(const gn_target *target)
+{
+    return first_surface(target) != &target->depth;
+}
+
+/* Whether the first colour is not all that there is. */
+static bool has_more_colors(const gn_target *target, const gn_pipeline *p)
+{
+    for (int i = 1; i < GN_MAX_COLORS; ++i) {
+        if (target->color[i].format != GN_FORMAT_NONE)
+            return true;
+    }
+    return p->color_count > 1;
 }
 
 /* Whether the draw asks for what this library was compiled without (lanes/small.h). */
@@ -185,6 +201,7 @@ static bool is_left_out(const gn_target *target, const gn_pipeline *p, const gn_
     return (!GN_HAVE_LINES && p->topology > GN_TRIANGLE_FAN) ||
            (!GN_HAVE_STENCIL && format_has_stencil(target->depth.format)) ||
            (!GN_HAVE_COMBINING && combines_colors(p)) ||
+           (!GN_HAVE_ATTACHMENTS && has_more_colors(target, p)) ||
            (!GN_HAVE_INSTANCES && (mesh->restart != GN_RESTART_NONE || mesh->instance_count > 1)) ||
            (!GN_HAVE_FORMATS && format_is_encoded(target->color[0].format)) ||
            (!GN_HAVE_OFFSET && (p->polygon_offset.set || p->depth_clamp));
@@ -256,10 +273,8 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
         status = gn_check_mesh_but_indices(mesh);
     if (status)
         return status;
-    if (target->color[0].format != GN_FORMAT_NONE && !pipeline->fragment_shader)
+    if (has_color(target) && !pipeline->fragment_shader)
         return GN_NO_SHADER;
-    if (combines_colors(pipeline) && format_is_encoded(target->color[0].format))
-        return GN_INVALID_FORMAT;
     if (is_left_out(target, pipeline, mesh))
         return GN_NOT_COMPILED;
     if (!workspace || !workspace->memory)

@@ -71,8 +71,7 @@ typedef struct draw_state {
 
 static inline void set_draw_state(draw_state *draw, const draw_job *job)
 {
-    const gn_surface *any = job->target->color[0].format != GN_FORMAT_NONE ? &job->target->color[0]
-                                                                           : &job->target->depth;
+    const gn_surface *any = first_surface(job->target);
 
     draw->job = job;
     draw->pipeline = job->pipeline;

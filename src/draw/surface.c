@@ -81,25 +81,28 @@ static gn_status check_surface(const gn_surface *s, bool format_fits)
 
 gn_status gn_target_check(const gn_target *target)
 {
-    gn_status status = GN_OK;
+    const gn_surface *first;
+    bool differ = false;
 
     if (!target)
         return GN_NULL_POINTER;
-
-    const bool color = target->color[0].format != GN_FORMAT_NONE;
-    const bool depth = target->depth.format != GN_FORMAT_NONE;
-    if (!color && !depth)
+    first = first_surface(target);
+    if (first->format == GN_FORMAT_NONE)
         return GN_NO_SURFACE;
-    if (color)
-        status = check_surface(&target->color[0], is_color_format(target->color[0].format));
-    if (depth && !status)
-        status = check_surface(&target->depth, is_depth_format(target->depth.format) ||
-                                                   format_has_stencil(target->depth.format));
-    if (!status && color && depth &&
-        (target->color[0].width != target->depth.width ||
-         target->color[0].height != target->depth.height))
-        status = GN_SIZE_MISMATCH;
-    return status;
+    for (int i = 0; i <= GN_MAX_COLORS; ++i) {
+        const gn_surface *s = i < GN_MAX_COLORS ? &target->color[i] : &target->depth;
+        gn_status status;
+
+        if (s->format == GN_FORMAT_NONE)
+            continue;
+        status = check_surface(s, i < GN_MAX_COLORS ? is_color_format(s->format)
+                                                    : is_depth_format(s->format) ||
+                                                          format_has_stencil(s->format));
+        if (status)
+            return status;
+        differ = differ || s->width != first->width || s->height != first->height;
+    }
+    return differ ? GN_SIZE_MISMATCH : GN_OK;
 }
 
 /* What the reference's clear makes of a channel; unlike a fragment's conversion it
@@ -210,7 +213,7 @@ gn_status gn_clear_color(const gn_surface *surface, float red, float green, floa
         GN_EACH_LANE (l)
             pattern[l] = bits_of(channel[l % 4]);
         fill_surface(surface, pattern);
-    } else {
+    } else if (GN_HAVE_FORMATS) {
         clear_pixels(surface, channel);
     }
     return GN_OK;

@@ -1,8 +1,9 @@
-/* Blending (OpenGL 4.5 section 17.3.6): of bytes, and of floats. The order of operations is
- * the reference's (reference/RULES.md). */
+/* Blending (OpenGL 4.5 section 17.3.6): of integers, 8 and 16 bits alike, and of floats. The order
+ * of operations is the reference's (reference/RULES.md). */
 #ifndef GN_FRAGMENT_BLEND_H
 #define GN_FRAGMENT_BLEND_H
 
+#include "formats.h"
 #include "planes.h"
 
 static inline gn_blend_factor factor_or(gn_blend_factor f, gn_blend_factor other)
@@ -26,30 +27,64 @@ static inline bool has_one_factor(const blend_rule *r)
     return r->source == r->destination || !takes_factors(r);
 }
 
-static inline void set_blend_state(color_state *s, const gn_blend *blend)
+/* Where the surface has no alpha, its alpha is one. */
+static inline gn_blend_factor factor_without_alpha(gn_blend_factor f)
 {
-    lanes_f constant[4];
-    int32_t packed[GN_LANES];
+    return f == GN_FACTOR_DESTINATION_ALPHA             ? GN_FACTOR_ONE
+           : f == GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA ? GN_FACTOR_ZERO
+                                                        : f;
+}
 
+/* Factors come in pairs of one and one minus it, zero before one among them. */
+static inline mixing mixing_of(const blend_rule *r)
+{
+    const unsigned lesser = r->source < r->destination ? r->source : r->destination;
+    const unsigned greater = r->source < r->destination ? r->destination : r->source;
+
+    if ((lesser & 1u) == 0 || greater != lesser + 1)
+        return MIXES_NOTHING;
+    return (r->source == lesser) == (lesser != GN_FACTOR_ZERO) ? MIXES_BY_SOURCE
+                                                               : MIXES_BY_DESTINATION;
+}
+
+static inline void set_blend_constant(color_state *s, const float constant[4], gn_format format)
+{
+    const float largest = arithmetic_of(format) == ARITHMETIC_SHORTS ? 65535.0f : 255.0f;
+    float saturated_constant[GN_LANES];
+    int32_t fixed[GN_LANES];
+
+    for (int c = 0; c < 4; ++c) {
+        const lanes_f channel = saturated(lanes_splat(constant[c]));
+
+        lanes_store(saturated_constant, channel);
+        lanes_i_store(fixed, lanes_round(lanes_mul(channel, lanes_splat(largest))));
+        s->constant[c] = format == GN_FORMAT_SRGB8_A8 ? saturated_constant[0] : constant[c];
+        s->constant_fixed[c] = fixed[0];
+    }
+}
+
+static inline void set_blend_state(color_state *s, const gn_blend *blend, const float constant[4],
+                                   gn_format format)
+{
     s->color.equation = equation_or(blend->equation, GN_EQUATION_ADD);
     s->color.source = factor_or(blend->source, GN_FACTOR_ONE);
     s->color.destination = factor_or(blend->destination, GN_FACTOR_ZERO);
     s->alpha.equation = equation_or(blend->alpha_equation, s->color.equation);
     s->alpha.source = factor_or(blend->alpha_source, s->color.source);
     s->alpha.destination = factor_or(blend->alpha_destination, s->color.destination);
+    if (format_channels(format) < 4) {
+        s->color.source = factor_without_alpha(s->color.source);
+        s->color.destination = factor_without_alpha(s->color.destination);
+        s->alpha = s->color;
+    }
+    s->mixes = format_channels(format) == 1 ? mixing_of(&s->color) : MIXES_NOTHING;
     s->factors_last = has_one_factor(&s->color) && has_one_factor(&s->alpha);
     const bool both = takes_factors(&s->color) && takes_factors(&s->alpha);
     s->drops_source =
         both && s->color.source == GN_FACTOR_ZERO && s->alpha.source == GN_FACTOR_ZERO;
     s->drops_destination =
         both && s->color.destination == GN_FACTOR_ZERO && s->alpha.destination == GN_FACTOR_ZERO;
-    s->constant = blend->constant;
-    for (int c = 0; c < 4; ++c) /* saturated, as a clear's is */
-        constant[c] = lanes_max(lanes_min(lanes_splat(blend->constant[c]), lanes_splat(1.0f)),
-                                lanes_splat(0.0f));
-    lanes_i_store(packed, lanes_pack_unorm8(constant[0], constant[1], constant[2], constant[3]));
-    for (int c = 0; c < 4; ++c)
-        s->constant_byte[c] = packed[0] >> 8 * c & 0xFF;
+    set_blend_constant(s, constant, format);
 }
 
 static inline const blend_rule *rule_of(const color_state *state, int channel)
@@ -63,15 +98,20 @@ static inline bool is_one_minus(gn_blend_factor f)
     return ((unsigned)f & 1u) == 0;
 }
 
-/* A channel's source or destination and what factors may take of them, 0 to 255 each. */
-typedef struct blend_bytes {
+/* Channels of integers of 8 or 16 bits, 0 to 2^bits - 1. */
+typedef struct blend_channels {
     lanes_i source[4], destination[4];
-} blend_bytes;
+} blend_channels;
 
-static inline lanes_i factor_byte(const color_state *state, const blend_bytes *b,
-                                  gn_blend_factor factor, int channel)
+GN_INLINE lanes_i largest_of(int bits)
 {
-    const lanes_i full = lanes_i_splat(255);
+    return lanes_i_splat((1 << bits) - 1);
+}
+
+static inline lanes_i factor_fixed(const color_state *state, const blend_channels *b, int bits,
+                                   gn_blend_factor factor, int channel)
+{
+    const lanes_i full = largest_of(bits);
     lanes_i value;
 
     switch (factor) {
@@ -93,11 +133,11 @@ static inline lanes_i factor_byte(const color_state *state, const blend_bytes *b
         break;
     case GN_FACTOR_CONSTANT_COLOR:
     case GN_FACTOR_ONE_MINUS_CONSTANT_COLOR:
-        value = lanes_i_splat(state->constant_byte[channel]);
+        value = lanes_i_splat(state->constant_fixed[channel]);
         break;
     case GN_FACTOR_CONSTANT_ALPHA:
     case GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA:
-        value = lanes_i_splat(state->constant_byte[3]);
+        value = lanes_i_splat(state->constant_fixed[3]);
         break;
     case GN_FACTOR_SOURCE_ALPHA_SATURATE:
         return channel == 3 ? full
@@ -109,16 +149,37 @@ static inline lanes_i factor_byte(const color_state *state, const blend_bytes *b
     return is_one_minus(factor) ? lanes_i_sub(full, value) : value;
 }
 
-/* a * b / 255, rounded as the reference does: exact where a or b is 0 or 255. */
-static inline lanes_i multiply_bytes(lanes_i a, lanes_i b)
+/* The upper half of an unsigned product of 16 bits, or of 32, which fill the lane. */
+GN_INLINE lanes_i upper_half(lanes_i a, int bits)
 {
-    const lanes_i product = lanes_i_mul(a, b);
-    const lanes_i corrected = lanes_i_add(product, lanes_i_shift_right(product, 8));
+    const lanes_i half = lanes_i_shift_right(a, bits);
 
-    return lanes_i_shift_right(lanes_i_add(corrected, lanes_i_splat(128)), 8);
+    return bits == 8 ? half : lanes_i_and(half, lanes_i_splat(0xFFFF));
 }
 
-GN_STEP lanes_i blend_byte(const color_state *state, const blend_bytes *b, int channel)
+/* a * b / (2^bits - 1), rounded as the reference does: exact where a or b is zero or one. */
+GN_INLINE lanes_i multiply_fixed(lanes_i a, lanes_i b, int bits)
+{
+    const lanes_i product = lanes_i_mul(a, b);
+    const lanes_i corrected = lanes_i_add(product, upper_half(product, bits));
+
+    return upper_half(lanes_i_add(corrected, lanes_i_splat(1 << (bits - 1))), bits);
+}
+
+/* from + weight * (to - from), the weight 0 to 2^bits - 1 being taken as 0 to 2^bits: rounded with
+ * 8 bits, down with 16. All is modulo 2^bits. */
+GN_INLINE lanes_i mix_fixed(lanes_i from, lanes_i to, lanes_i weight, int bits)
+{
+    const lanes_i share = lanes_i_add(weight, lanes_i_shift_right(weight, bits - 1));
+    const lanes_i product = lanes_i_mul(share, lanes_i_sub(to, from));
+    const lanes_i step =
+        lanes_i_shift_right(lanes_i_add(product, lanes_i_splat(bits == 8 ? 128 : 0)), bits);
+
+    return lanes_i_and(lanes_i_add(from, step), largest_of(bits));
+}
+
+GN_STEP lanes_i blend_fixed(const color_state *state, const blend_channels *b, int bits,
+                            int channel)
 {
     const blend_rule *rule = rule_of(state, channel);
     const lanes_i source = b->source[channel];
@@ -129,22 +190,28 @@ GN_STEP lanes_i blend_byte(const color_state *state, const blend_bytes *b, int c
     if (rule->equation == GN_EQUATION_MAX)
         return lanes_i_max(source, destination);
 
-    const lanes_i from = multiply_bytes(source, factor_byte(state, b, rule->source, channel));
-    const lanes_i to =
-        multiply_bytes(destination, factor_byte(state, b, rule->destination, channel));
+    const lanes_i source_factor = factor_fixed(state, b, bits, rule->source, channel);
+    const lanes_i factor = factor_fixed(state, b, bits, rule->destination, channel);
+
+    if (GN_HAVE_FORMATS && rule->equation == GN_EQUATION_ADD && state->mixes != MIXES_NOTHING)
+        return state->mixes == MIXES_BY_SOURCE ? mix_fixed(destination, source, source_factor, bits)
+                                               : mix_fixed(source, destination, factor, bits);
+
+    const lanes_i from = multiply_fixed(source, source_factor, bits);
+    const lanes_i to = multiply_fixed(destination, factor, bits);
 
     if (rule->equation == GN_EQUATION_ADD)
-        return lanes_i_min(lanes_i_add(from, to), lanes_i_splat(255));
+        return lanes_i_min(lanes_i_add(from, to), largest_of(bits));
     return lanes_i_max(rule->equation == GN_EQUATION_SUBTRACT ? lanes_i_sub(from, to)
                                                               : lanes_i_sub(to, from),
                        lanes_i_splat(0));
 }
 
-/* Pixels of GN_FORMAT_RGBA8. */
+/* Pixels of GN_FORMAT_RGBA8, or of channels of 8 bits and less made such. */
 GN_STEP lanes_i blend_pixels(const color_state *state, lanes_i source, lanes_i destination)
 {
     const lanes_i byte = lanes_i_splat(0xFF);
-    blend_bytes b;
+    blend_channels b;
 
     b.source[0] = lanes_i_and(source, byte);
     b.source[1] = lanes_i_and(lanes_i_shift_right(source, 8), byte);
@@ -155,11 +222,28 @@ GN_STEP lanes_i blend_pixels(const color_state *state, lanes_i source, lanes_i d
     b.destination[2] = lanes_i_and(lanes_i_shift_right(destination, 16), byte);
     b.destination[3] = lanes_i_and(lanes_i_shift_right(destination, 24), byte);
 
-    const lanes_i red = blend_byte(state, &b, 0);
-    const lanes_i green = lanes_i_shift_left(blend_byte(state, &b, 1), 8);
-    const lanes_i blue = lanes_i_shift_left(blend_byte(state, &b, 2), 16);
-    const lanes_i alpha = lanes_i_shift_left(blend_byte(state, &b, 3), 24);
+    const lanes_i red = blend_fixed(state, &b, 8, 0);
+    const lanes_i green = lanes_i_shift_left(blend_fixed(state, &b, 8, 1), 8);
+    const lanes_i blue = lanes_i_shift_left(blend_fixed(state, &b, 8, 2), 16);
+    const lanes_i alpha = lanes_i_shift_left(blend_fixed(state, &b, 8, 3), 24);
     return lanes_i_or(lanes_i_or(red, green), lanes_i_or(blue, alpha));
+}
+
+/* Channels of 16 bits, two a word. */
+GN_STEP void blend_shorts(const color_state *state, const lanes_i source[2],
+                          const lanes_i destination[2], lanes_i result[2])
+{
+    const lanes_i low = lanes_i_splat(0xFFFF);
+    blend_channels b;
+
+    for (int c = 0; c < 4; c += 2) {
+        b.source[c] = lanes_i_and(source[c / 2], low);
+        b.source[c + 1] = upper_half(source[c / 2], 16);
+        b.destination[c] = lanes_i_and(destination[c / 2], low);
+        b.destination[c + 1] = upper_half(destination[c / 2], 16);
+    }
+    for (int c = 0; c < 4; c += 2)
+        result[c / 2] = pair_of(blend_fixed(state, &b, 16, c), blend_fixed(state, &b, 16, c + 1));
 }
 
 static inline bool is_over(const blend_rule *r)
@@ -168,7 +252,7 @@ static inline bool is_over(const blend_rule *r)
            r->destination == GN_FACTOR_ONE_MINUS_SOURCE_ALPHA;
 }
 
-/* multiply_bytes for two bytes at once, in bits 0 to 7 and 16 to 23 of a, with one factor:
+/* multiply_fixed for two bytes at once, in bits 0 to 7 and 16 to 23 of a, with one factor:
  * 255 * 255 + 254 + 128 fits 16 bits. */
 GN_INLINE lanes_i multiply_two_bytes(lanes_i a, lanes_i b)
 {
@@ -240,6 +324,21 @@ static inline lanes_f factor_float(const color_state *state, const lanes_f sourc
     return is_one_minus(factor) ? lanes_sub(one, value) : value;
 }
 
+/* Of factors w and 1 - w: what w belongs to is `by`, the other `of`. */
+static inline lanes_f mix_floats(const blend_rule *rule, mixing mixes, lanes_f source,
+                                 lanes_f destination, lanes_f w)
+{
+    const lanes_f by = mixes == MIXES_BY_SOURCE ? source : destination;
+    const lanes_f of = mixes == MIXES_BY_SOURCE ? destination : source;
+
+    if (rule->equation == GN_EQUATION_ADD)
+        return lanes_add(of, lanes_mul(w, lanes_sub(by, of)));
+    const lanes_f share = lanes_mul(lanes_add(source, destination), w);
+    return (rule->equation == GN_EQUATION_SUBTRACT) == (mixes == MIXES_BY_SOURCE)
+               ? lanes_sub(share, of)
+               : lanes_sub(of, share);
+}
+
 GN_STEP lanes_f blend_float(const color_state *state, const lanes_f source[4],
                             const lanes_f destination[4], int channel)
 {
@@ -251,6 +350,12 @@ GN_STEP lanes_f blend_float(const color_state *state, const lanes_f source[4],
         return lanes_max(source[channel], destination[channel]);
 
     const lanes_f factor = factor_float(state, source, destination, rule->source, channel);
+    if (GN_HAVE_FORMATS && state->mixes != MIXES_NOTHING)
+        return mix_floats(
+            rule, state->mixes, source[channel], destination[channel],
+            state->mixes == MIXES_BY_SOURCE
+                ? factor
+                : factor_float(state, source, destination, rule->destination, channel));
     /* Added or subtracted, it leaves the other term as it is, zeros of both signs too. */
     const lanes_f nothing = lanes_splat(rule->equation == GN_EQUATION_ADD ? -0.0f : 0.0f);
     lanes_f from = source[channel];

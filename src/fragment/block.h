@@ -28,6 +28,21 @@ typedef struct fragment_kind {
     color_use use;
 } fragment_kind;
 
+/* The attachments that the shader writes after the first. */
+static inline void set_more_colors(fragment_state *s, const gn_target *target,
+                                   const gn_pipeline *pipeline)
+{
+    for (uint32_t a = 1; a < pipeline->color_count; ++a) {
+        color_output *const output = &s->more[a - 1];
+
+        output->surface = target->color[a];
+        if (output->surface.format == GN_FORMAT_NONE)
+            continue;
+        set_color_state(&output->combine, pipeline, a, output->surface.format);
+        s->more_count = a;
+    }
+}
+
 static inline void set_fragment_state(fragment_state *s, const gn_target *target,
                                       const gn_pipeline *pipeline,
                                       const viewport_transform *viewport)
@@ -50,7 +65,10 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
         pipeline->polygon_offset.set && (s->tests_depth || pipeline->fragment_reads_position);
     s->combine.use = COLOR_REPLACES;
     if (GN_HAVE_COMBINING)
-        set_color_state(&s->combine, pipeline);
+        set_color_state(&s->combine, pipeline, 0, s->color.format);
+    s->more_count = 0;
+    if (GN_HAVE_ATTACHMENTS)
+        set_more_colors(s, target, pipeline);
     s->limits = depth_limits_of(pipeline, viewport);
     s->clamps_depth = s->tests_depth && (s->limits.low != 0.0f || s->limits.high != 1.0f);
 }
@@ -94,12 +112,14 @@ typedef struct shader_verdict {
     float *depth;
 } shader_verdict;
 
+/* Colours are left in `color`, room for which the pipeline's color_count asks. */
 GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, int32_t x, int32_t y,
-                        uint32_t coverage, lanes_f w, lanes_f out[4], shader_verdict *verdict)
+                        uint32_t coverage, lanes_f w, float (*color)[GN_LANES],
+                        shader_verdict *verdict)
 {
     const triangle_identity identity = identity_of(triangle, pipeline->varying_count);
     float varying[GN_MAX_VARYINGS][GN_LANES];
-    float color[4][GN_LANES], position[4][GN_LANES];
+    float position[4][GN_LANES];
     gn_fragment_input input;
     gn_fragment_output output;
 
@@ -122,8 +142,6 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     output.depth = verdict->depth;
     pipeline->fragment_shader(pipeline->uniforms, &input, &output);
     verdict->kept = output.kept;
-    for (int c = 0; c < 4; ++c)
-        out[c] = lanes_load(color[c]);
 }
 
 GN_INLINE void sample_texture(const gn_textured_uniforms *uniforms, const fragment_place *at,
@@ -163,7 +181,7 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
     const bool late = p->fragment_discards || p->fragment_writes_depth;
     lanes_f depth = interpolate(at, triangle, DEPTH_PLANE);
     float written[GN_LANES];
-    lanes_f color[4];
+    float color[4 * COLOR_LIMIT][GN_LANES];
     shader_verdict verdict;
 
     verdict.depth = 0;
@@ -175,7 +193,7 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
     }
     if (!late)
         coverage = test_whole(state, at, triangle, coverage, depth);
-    if (!coverage || (!late && state->color.format == GN_FORMAT_NONE))
+    if (!coverage || (!late && !has_colors(state)))
         return coverage;
 
     const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
@@ -186,21 +204,15 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
         depth = lanes_load(written);
     if (late && coverage)
         coverage = test_whole(state, at, triangle, coverage, depth);
-    if (!coverage || state->color.format == GN_FORMAT_NONE)
-        return coverage;
-    if (GN_HAVE_FORMATS && format_is_encoded(state->color.format))
-        write_encoded(&state->color, state->color.format, at->x, at->y, coverage, color);
-    else if (!GN_HAVE_COMBINING || state->combine.use == COLOR_REPLACES)
-        write_color(&state->color, state->color.format, at, coverage, color);
-    else
-        combine_color(&state->combine, &state->color, state->color.format, state->combine.use, at,
-                      coverage, color);
+    if (coverage)
+        put_colors(state, at, coverage, (const float(*)[GN_LANES])color);
     return coverage;
 }
 
 GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const fragment_place *at,
                      raster_triangle triangle, uint32_t coverage)
 {
+    float shaded[4][GN_LANES];
     lanes_f color[4], texel[4];
     shader_verdict verdict;
 
@@ -216,7 +228,9 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
     const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
     if (kind.source == SOURCE_SHADER) {
         verdict.depth = 0;
-        run_shader(state->pipeline, triangle, at->x, at->y, coverage, w, color, &verdict);
+        run_shader(state->pipeline, triangle, at->x, at->y, coverage, w, shaded, &verdict);
+        for (int c = 0; c < 4; ++c)
+            color[c] = lanes_load(shaded[c]);
     } else {
         if (kind.source == SOURCE_TEXTURE)
             sample_texture(state->pipeline->uniforms, at, triangle, w, texel);
@@ -426,8 +440,8 @@ static inline bool is_plain(const fragment_state *state)
     const gn_pipeline *p = state->pipeline;
 
     return !p->fragment_discards && !p->fragment_writes_depth && !state->moves_depth &&
-           !state->clamps_depth && !format_has_stencil(state->depth.format) &&
-           state->combine.use != COLOR_COMBINES;
+           !state->clamps_depth && p->color_count <= 1 &&
+           !format_has_stencil(state->depth.format) && state->combine.use != COLOR_COMBINES;
 }
 
 static inline fragment_source source_of(const gn_pipeline *p)

@@ -5,20 +5,25 @@
 
 #include "blend.h"
 #include "color.h"
+#include "decode.h"
 #include "logic.h"
 
-static inline void set_color_state(color_state *s, const gn_pipeline *pipeline)
+static inline void set_color_state(color_state *s, const gn_pipeline *pipeline, uint32_t attachment,
+                                   gn_format format)
 {
-    s->written = GN_CHANNEL_ALL & ~pipeline->color_write_disabled;
-    s->written_bits = 0;
+    const gn_blend *blend = &pipeline->blend[attachment];
+
+    s->written = GN_CHANNEL_ALL & ~pipeline->color_write_disabled[attachment];
+    s->written_bits[0] = 0;
+    s->written_bits[1] = 0;
     for (int c = 0; c < 4; ++c) {
         if (s->written >> c & 1u)
-            s->written_bits |= (int32_t)(0xFFu << 8 * c);
+            add_channel_bits(format, c, s->written_bits);
     }
-    set_blend_state(s, &pipeline->blend);
+    set_blend_state(s, blend, pipeline->blend_constant, format);
     set_logic_state(s, pipeline->logic_operation);
     s->is_logical = pipeline->color_logic;
-    s->blends = pipeline->blend.enabled && !s->is_logical;
+    s->blends = blend->enabled && !s->is_logical;
     s->use = COLOR_COMBINES;
     if (s->written == GN_CHANNEL_ALL && !s->blends && !s->is_logical)
         s->use = COLOR_REPLACES;
@@ -58,8 +63,8 @@ GN_INLINE void combine_rgba8(const color_state *state, const gn_surface *surface
     else if (state->is_logical)
         pixels = operate_on_bits(state, pixels, there);
     if (use != COLOR_OVER)
-        pixels = lanes_i_or(lanes_i_and(pixels, lanes_i_splat(state->written_bits)),
-                            lanes_i_and(there, lanes_i_splat(~state->written_bits)));
+        pixels = lanes_i_or(lanes_i_and(pixels, lanes_i_splat(state->written_bits[0])),
+                            lanes_i_and(there, lanes_i_splat(~state->written_bits[0])));
     if (!whole) {
         store_covered_pixels(surface, at->x, at->y, coverage, pixels);
         return;
@@ -111,6 +116,56 @@ static inline void combine_rgba32f(const color_state *state, const gn_surface *s
     }
 }
 
+/* Floats that a format with a largest value is blended in lie within 0 to 1. */
+static inline void combine_floats(const color_state *state, gn_format format,
+                                  const lanes_f color[4], const lanes_i there[2], lanes_i word[2])
+{
+    lanes_f source[4], destination[4], result[4];
+
+    decode_floats(format, there, destination);
+    for (int c = 0; c < 4; ++c)
+        source[c] = format == GN_FORMAT_SRGB8_A8 ? saturated(color[c]) : color[c];
+    for (int c = 0; c < 4; ++c)
+        result[c] = blend_float(state, source, destination, c);
+    encode_colors(format, result, word);
+}
+
+/* Formats of up to two words a pixel, in each one's arithmetic. */
+static inline void combine_encoded(const color_state *state, const gn_surface *surface,
+                                   gn_format format, int32_t x, int32_t y, uint32_t coverage,
+                                   const lanes_f color[4])
+{
+    const uint32_t size = format_size(format);
+    const color_arithmetic arithmetic = arithmetic_of(format);
+    lanes_i there[2], word[2];
+
+    load_pixels(surface, x, y, coverage, size, there);
+    encode_colors(format, color, word);
+    if (arithmetic == ARITHMETIC_BYTES && (state->blends || state->is_logical)) {
+        const lanes_i source = encode_rgba8(color);
+        const lanes_i destination = to_rgba8(format, there[0]);
+
+        word[0] = from_rgba8(format, state->blends ? blend_pixels(state, source, destination)
+                                                   : operate_on_bits(state, source, destination));
+    } else if (arithmetic == ARITHMETIC_SHORTS && state->blends) {
+        lanes_i source[2] = {word[0], word[1]};
+
+        /* Of what has no alpha, it is one. */
+        if (format == GN_FORMAT_R16)
+            there[1] = lanes_i_splat(-1);
+        blend_shorts(state, source, there, word);
+    } else if (arithmetic == ARITHMETIC_SHORTS && state->is_logical) {
+        for (int i = 0; i < 2; ++i)
+            word[i] = operate_on_bits(state, word[i], there[i]);
+    } else if (arithmetic == ARITHMETIC_FLOATS && state->blends) {
+        combine_floats(state, format, color, there, word);
+    }
+    for (int i = 0; i < 2; ++i)
+        word[i] = lanes_i_or(lanes_i_and(word[i], lanes_i_splat(state->written_bits[i])),
+                             lanes_i_and(there[i], lanes_i_splat(~state->written_bits[i])));
+    store_pixels(surface, x, y, coverage, size, word);
+}
+
 /* write_color for what does not just replace. */
 GN_INLINE void combine_color(const color_state *state, const gn_surface *surface, gn_format format,
                              color_use use, const fragment_place *at, uint32_t coverage,
@@ -120,6 +175,45 @@ GN_INLINE void combine_color(const color_state *state, const gn_surface *surface
         combine_rgba8(state, surface, use, at, coverage, color);
     else
         combine_rgba32f(state, surface, at->x, at->y, coverage, color);
+}
+
+/* A colour into a surface of any format, as its state says. */
+static inline void put_color(const color_state *state, const gn_surface *surface,
+                             const fragment_place *at, uint32_t coverage, const lanes_f color[4])
+{
+    const bool replaces = !GN_HAVE_COMBINING || state->use == COLOR_REPLACES;
+
+    if (GN_HAVE_FORMATS && format_is_encoded(surface->format)) {
+        if (replaces)
+            write_encoded(surface, surface->format, at->x, at->y, coverage, color);
+        else
+            combine_encoded(state, surface, surface->format, at->x, at->y, coverage, color);
+    } else if (replaces) {
+        write_color(surface, surface->format, at, coverage, color);
+    } else {
+        combine_color(state, surface, surface->format, state->use, at, coverage, color);
+    }
+}
+
+/* A shader's colours into all attachments, four rows of lanes each. */
+GN_STEP void put_colors(const fragment_state *state, const fragment_place *at, uint32_t coverage,
+                        const float (*shaded)[GN_LANES])
+{
+    fragment_place place = *at;
+    lanes_f color[4];
+
+    for (uint32_t a = 0; a <= (GN_HAVE_ATTACHMENTS ? state->more_count : 0); ++a) {
+        const gn_surface *surface = a > 0 ? &state->more[a - 1].surface : &state->color;
+
+        if (surface->format == GN_FORMAT_NONE)
+            continue;
+        if (a > 0)
+            place.color = pixel_memory(surface, surface->format, at->x, at->y);
+        for (int c = 0; c < 4; ++c)
+            color[c] = lanes_load(shaded[4 * a + (uint32_t)c]);
+        put_color(a > 0 ? &state->more[a - 1].combine : &state->combine, surface, &place, coverage,
+                  color);
+    }
 }
 
 #endif

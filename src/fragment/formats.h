@@ -1,9 +1,9 @@
-/* Colours in the formats beside RGBA8 and RGBA32F: one conversion a format, and pixels stored
- * by their size.
+/* Colours in the formats beside RGBA8 and RGBA32F: one conversion a format, its inverse in
+ * decode.h, and pixels stored by their size.
  *
  * A pixel is up to two words: those of 32 bits and less in the low bits of the first, four
- * channels of 16 bits as red, green and blue, alpha. Stages that ask for what a surface holds
- * (blending) come between encode_colors and store_pixels. */
+ * channels of 16 bits as red, green and blue, alpha. Colours of up to 8 bits a channel go through
+ * pixels of GN_FORMAT_RGBA8. */
 #ifndef GN_FRAGMENT_FORMATS_H
 #define GN_FRAGMENT_FORMATS_H
 
@@ -13,6 +13,79 @@
 static inline lanes_i encode_rgba8(const lanes_f color[4])
 {
     return lanes_pack_unorm8(color[0], color[1], color[2], color[3]);
+}
+
+/* What the reference blends a format in. */
+typedef enum color_arithmetic {
+    ARITHMETIC_BYTES, /* pixels of GN_FORMAT_RGBA8 */
+    ARITHMETIC_SHORTS,
+    ARITHMETIC_FLOATS
+} color_arithmetic;
+
+static inline color_arithmetic arithmetic_of(gn_format format)
+{
+    switch (format) {
+    case GN_FORMAT_R16:
+    case GN_FORMAT_RGBA16:
+        return ARITHMETIC_SHORTS;
+    case GN_FORMAT_RGBA32F:
+    case GN_FORMAT_R32F:
+    case GN_FORMAT_RGBA16F:
+    case GN_FORMAT_SRGB8_A8:
+        return ARITHMETIC_FLOATS;
+    default:
+        return ARITHMETIC_BYTES;
+    }
+}
+
+static inline int format_channels(gn_format format)
+{
+    switch (format) {
+    case GN_FORMAT_R8:
+    case GN_FORMAT_R16:
+    case GN_FORMAT_R32F:
+        return 1;
+    case GN_FORMAT_RG8:
+        return 2;
+    case GN_FORMAT_RGB8:
+    case GN_FORMAT_RGB565:
+        return 3;
+    default:
+        return 4;
+    }
+}
+
+/* Adds the bits of a channel to those of a pixel's words. */
+static inline void add_channel_bits(gn_format format, int channel, int32_t bits[2])
+{
+    static const int32_t rgb565[4] = {0xF800, 0x07E0, 0x001F, 0};
+    static const int32_t rgb5_a1[4] = {0xF800, 0x07C0, 0x003E, 1};
+
+    switch (format) {
+    case GN_FORMAT_RGB565:
+        bits[0] |= rgb565[channel];
+        break;
+    case GN_FORMAT_RGB5_A1:
+        bits[0] |= rgb5_a1[channel];
+        break;
+    case GN_FORMAT_RGBA4:
+        bits[0] |= 0xF000 >> 4 * channel;
+        break;
+    case GN_FORMAT_R16:
+    case GN_FORMAT_RGBA16:
+    case GN_FORMAT_RGBA16F:
+        bits[channel / 2] |= (int32_t)(0xFFFFu << channel % 2 * 16);
+        break;
+    case GN_FORMAT_R32F:
+        bits[0] |= channel == 0 ? -1 : 0;
+        break;
+    case GN_FORMAT_BGRA8:
+        bits[0] |= (int32_t)(channel < 3 ? 0xFF0000u >> 8 * channel : 0xFF000000u);
+        break;
+    default:
+        bits[0] |= (int32_t)(0xFFu << 8 * channel);
+        break;
+    }
 }
 
 /* The highest `bits` of the byte from bit `shift` on, from bit `to` on. */
@@ -66,47 +139,40 @@ static inline lanes_i pair_of(lanes_i low, lanes_i high)
     return lanes_i_or(low, lanes_i_shift_left(high, 16));
 }
 
-/* R8, RG8 and RGB8 are what RGBA8 has in its low bytes. */
-static inline void encode_bytes(const lanes_f color[4], lanes_i word[2])
+/* Red and blue change places. */
+static inline lanes_i swapped(lanes_i packed)
 {
-    word[0] = encode_rgba8(color);
+    const lanes_i low = lanes_i_splat(255);
+    const lanes_i red = lanes_i_and(packed, low);
+    const lanes_i blue = lanes_i_and(lanes_i_shift_right(packed, 16), low);
+
+    return lanes_i_or(lanes_i_and(packed, lanes_i_splat((int32_t)0xFF00FF00u)),
+                      lanes_i_or(blue, lanes_i_shift_left(red, 16)));
 }
 
-static inline void encode_bgra8(const lanes_f color[4], lanes_i word[2])
+/* Pixels of GN_FORMAT_RGBA8 to those of another format of up to 8 bits a channel. R8, RG8 and RGB8
+ * are what RGBA8 has in its low bytes. */
+static inline lanes_i from_rgba8(gn_format format, lanes_i p)
 {
-    word[0] = lanes_pack_unorm8(color[2], color[1], color[0], color[3]);
+    switch (format) {
+    case GN_FORMAT_BGRA8:
+        return swapped(p);
+    case GN_FORMAT_RGB565:
+        return lanes_i_or(lanes_i_or(high_bits(p, 0, 5, 11), high_bits(p, 8, 6, 5)),
+                          high_bits(p, 16, 5, 0));
+    case GN_FORMAT_RGB5_A1:
+        return lanes_i_or(lanes_i_or(high_bits(p, 0, 5, 11), high_bits(p, 8, 5, 6)),
+                          lanes_i_or(high_bits(p, 16, 5, 1), high_bits(p, 24, 1, 0)));
+    case GN_FORMAT_RGBA4:
+        return lanes_i_or(lanes_i_or(seventeenth(p, 0, 12), seventeenth(p, 8, 8)),
+                          lanes_i_or(seventeenth(p, 16, 4), seventeenth(p, 24, 0)));
+    default:
+        return p;
+    }
 }
 
-static inline void encode_rgb565(const lanes_f color[4], lanes_i word[2])
-{
-    const lanes_i p = encode_rgba8(color);
-
-    word[0] = lanes_i_or(lanes_i_or(high_bits(p, 0, 5, 11), high_bits(p, 8, 6, 5)),
-                         high_bits(p, 16, 5, 0));
-}
-
-static inline void encode_rgb5_a1(const lanes_f color[4], lanes_i word[2])
-{
-    const lanes_i p = encode_rgba8(color);
-
-    word[0] = lanes_i_or(lanes_i_or(high_bits(p, 0, 5, 11), high_bits(p, 8, 5, 6)),
-                         lanes_i_or(high_bits(p, 16, 5, 1), high_bits(p, 24, 1, 0)));
-}
-
-static inline void encode_rgba4(const lanes_f color[4], lanes_i word[2])
-{
-    const lanes_i p = encode_rgba8(color);
-
-    word[0] = lanes_i_or(lanes_i_or(seventeenth(p, 0, 12), seventeenth(p, 8, 8)),
-                         lanes_i_or(seventeenth(p, 16, 4), seventeenth(p, 24, 0)));
-}
-
-static inline void encode_r16(const lanes_f color[4], lanes_i word[2])
-{
-    word[0] = unorm16(color[0]);
-}
-
-static inline void encode_rgba16(const lanes_f color[4], lanes_i word[2])
+/* Words as RGBA16 has them. */
+static inline void encode_shorts(const lanes_f color[4], lanes_i word[2])
 {
     word[0] = pair_of(unorm16(color[0]), unorm16(color[1]));
     word[1] = pair_of(unorm16(color[2]), unorm16(color[3]));
@@ -153,23 +219,9 @@ static void encode_colors(gn_format format, const lanes_f color[4], lanes_i word
 {
     word[1] = lanes_i_splat(0);
     switch (format) {
-    case GN_FORMAT_BGRA8:
-        encode_bgra8(color, word);
-        break;
-    case GN_FORMAT_RGB565:
-        encode_rgb565(color, word);
-        break;
-    case GN_FORMAT_RGB5_A1:
-        encode_rgb5_a1(color, word);
-        break;
-    case GN_FORMAT_RGBA4:
-        encode_rgba4(color, word);
-        break;
     case GN_FORMAT_R16:
-        encode_r16(color, word);
-        break;
     case GN_FORMAT_RGBA16:
-        encode_rgba16(color, word);
+        encode_shorts(color, word);
         break;
     case GN_FORMAT_R32F:
         encode_r32f(color, word);
@@ -181,7 +233,7 @@ static void encode_colors(gn_format format, const lanes_f color[4], lanes_i word
         encode_srgb8_a8(color, word);
         break;
     default:
-        encode_bytes(color, word);
+        word[0] = from_rgba8(format, encode_rgba8(color));
         break;
     }
 }

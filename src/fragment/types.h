@@ -6,8 +6,9 @@
  *   color   conversion to the colour format and write
  *   blend   colours blended with those of the surface
  *   logic   and their bits combined
- *   combine and written channel by channel
- *   formats the same for formats that are less common
+ *   formats conversion to formats that are less common
+ *   decode  and from them
+ *   combine what a surface holds combined with colours, channel by channel
  *   block   interpolates, runs depth, the fragment shader and colour
  *
  * State is resolved once a draw, into the run_function (raster/types.h) that the
@@ -23,8 +24,7 @@ static inline bool format_has_stencil(gn_format format)
     return format == GN_FORMAT_D24S8 || format == GN_FORMAT_D32FS8 || format == GN_FORMAT_S8;
 }
 
-/* Colours that are written and cleared, each format by conversions of its own (formats.h), and
- * not blended into. */
+/* Colours in formats with conversions of their own (formats.h). */
 static inline bool format_is_encoded(gn_format format)
 {
     return format >= GN_FORMAT_BGRA8 && format <= GN_FORMAT_SRGB8_A8;
@@ -51,6 +51,10 @@ typedef struct blend_rule {
     gn_blend_factor source, destination;
 } blend_rule;
 
+/* Where source and destination of the only channel are multiplied by a factor and one minus that,
+ * each by which: then they are mixed instead. */
+typedef enum mixing { MIXES_NOTHING, MIXES_BY_SOURCE, MIXES_BY_DESTINATION } mixing;
+
 /* What becomes of a fragment's colour. */
 typedef enum color_use {
     COLOR_REPLACES, /* it is written as it is, all of it */
@@ -61,15 +65,25 @@ typedef enum color_use {
 typedef struct color_state {
     color_use use;
     uint32_t written;        /* channels: GN_CHANNEL_RED and so on */
-    int32_t written_bits;    /* of a pixel of GN_FORMAT_RGBA8 */
+    int32_t written_bits[2]; /* of the words of a pixel (formats.h) */
     bool blends, is_logical; /* at most one */
     blend_rule color, alpha;
+    mixing mixes; /* of formats of one channel */
     /* Of floats: (source + destination) * factor; a term without a product with zero. */
     bool factors_last, drops_source, drops_destination;
-    const float *constant;
-    int32_t constant_byte[4];
-    int32_t logic[4]; /* all ones or zeros: the result of bits 0 0, 0 1, 1 0 and 1 1 */
+    float constant[4];
+    int32_t constant_fixed[4]; /* 0 to 255, or to 65535 */
+    int32_t logic[4];          /* all ones or zeros: the result of bits 0 0, 0 1, 1 0 and 1 1 */
 } color_state;
+/* Colours that a draw writes at most. */
+#define COLOR_LIMIT (GN_HAVE_ATTACHMENTS ? GN_MAX_COLORS : 1)
+
+/* An attachment: its surface, GN_FORMAT_NONE in a hole, and what becomes of colours there. */
+typedef struct color_output {
+    gn_surface surface;
+    color_state combine;
+} color_output;
+
 /* What becomes of a stencil value: stencil * factor + offset, clamped to low..high. */
 typedef struct stencil_update {
     int32_t factor, offset, low, high;
@@ -98,7 +112,16 @@ typedef struct fragment_state {
     stencil_state stencil[2]; /* of front faces, of back faces */
     depth_limits limits;
     bool clamps_depth; /* limits other than 0 and 1 */
+
+    /* The attachments after the first, which alone has functions of its own. */
+    color_output more[GN_HAVE_ATTACHMENTS ? GN_MAX_COLORS - 1 : 1];
+    uint32_t more_count; /* the last of them is no hole */
 } fragment_state;
+
+static inline bool has_colors(const fragment_state *state)
+{
+    return state->color.format != GN_FORMAT_NONE || (GN_HAVE_ATTACHMENTS && state->more_count > 0);
+}
 
 /* The context of fragments that are counted: each task has a sum of its own. */
 typedef struct counted_state {
@@ -119,6 +142,16 @@ static inline bool surface_holds_block(const gn_surface *surface, int32_t x, int
 {
     return (uint32_t)x + BLOCK_SIZE <= surface->width &&
            (uint32_t)y + BLOCK_SIZE <= surface->height;
+}
+
+/* The first surface of a target; where it has none, an absent one. */
+static inline const gn_surface *first_surface(const gn_target *target)
+{
+    for (int i = 0; i < GN_MAX_COLORS; ++i) {
+        if (target->color[i].format != GN_FORMAT_NONE)
+            return &target->color[i];
+    }
+    return &target->depth;
 }
 
 /* The memory of row y of a surface. */

@@ -27,13 +27,15 @@
 #define GN_HAVE_OFFSET 0
 #define GN_HAVE_FORMATS 0
 #define GN_HAVE_INSTANCES 0
+#define GN_HAVE_ATTACHMENTS 0
 #else
 #define GN_HAVE_LINES 1
 #define GN_HAVE_STENCIL 1
-#define GN_HAVE_COMBINING 1 /* blending, logical operations, write masks */
-#define GN_HAVE_OFFSET 1    /* polygon offset, depth clamp */
-#define GN_HAVE_FORMATS 1   /* of colours, beside RGBA8 and RGBA32F */
-#define GN_HAVE_INSTANCES 1 /* and primitive restart */
+#define GN_HAVE_COMBINING 1   /* blending, logical operations, write masks */
+#define GN_HAVE_OFFSET 1      /* polygon offset, depth clamp */
+#define GN_HAVE_FORMATS 1     /* of colours, beside RGBA8 and RGBA32F */
+#define GN_HAVE_INSTANCES 1   /* and primitive restart */
+#define GN_HAVE_ATTACHMENTS 1 /* more than one colour */
 #endif
 
 /* Whether operations of the portable lanes are called with addresses (calls.h). */

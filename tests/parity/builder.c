@@ -222,11 +222,6 @@ void builder_draw(builder *b)
         b->state.depth_clamp = false;
     if (b->scene->depth_format == GN_FORMAT_NONE || b->scene->depth_format == GN_FORMAT_S8)
         memset(&b->state.polygon_offset, 0, sizeof b->state.polygon_offset);
-    if (b->scene->color_format > GN_FORMAT_RGBA32F) { /* which are only written */
-        memset(&b->state.blend, 0, sizeof b->state.blend);
-        b->state.color_write_disabled = 0;
-        b->state.color_logic = false;
-    }
     const uint32_t count = b->index_format == GN_INDEX_NONE ? b->vertex_count : b->index_count;
     if (b->lead + b->trail > 0)
         add_margins(b);

@@ -41,6 +41,9 @@ static scene_difference compare_exactly(const scene *s, const scene_frame *a, co
     scene_frame x = *a, y = *b;
     if (s->color_format == GN_FORMAT_SRGB8_A8)
         linear.color_format = x.color_format = y.color_format = GN_FORMAT_RGBA8;
+    for (int i = 0; i < GN_MAX_COLORS - 1; i++)
+        if (s->more_colors[i] == GN_FORMAT_SRGB8_A8)
+            linear.more_colors[i] = x.more_formats[i] = y.more_formats[i] = GN_FORMAT_RGBA8;
     return scene_compare(&linear, &x, &y);
 }
 
@@ -174,30 +177,37 @@ uint64_t compare_count(const comparison *result)
            (result->status != GN_OK);
 }
 
-static void print_pixel(const scene_frame *f, size_t i)
+static void print_color(const void *color, gn_format format, size_t i)
 {
-    switch (f->color_format) {
+    switch (format) {
     case GN_FORMAT_RGBA8: {
-        const uint32_t p = ((const uint32_t *)f->color)[i];
-        printf("color %3" PRIu32 " %3" PRIu32 " %3" PRIu32 " %3" PRIu32, p & 255, p >> 8 & 255,
+        const uint32_t p = ((const uint32_t *)color)[i];
+        printf(" color %3" PRIu32 " %3" PRIu32 " %3" PRIu32 " %3" PRIu32, p & 255, p >> 8 & 255,
                p >> 16 & 255, p >> 24);
         break;
     }
     case GN_FORMAT_RGBA32F: {
-        const float *p = (const float *)f->color + 4 * i;
-        printf("color %.9g %.9g %.9g %.9g", (double)p[0], (double)p[1], (double)p[2], (double)p[3]);
+        const float *p = (const float *)color + 4 * i;
+        printf(" color %.9g %.9g %.9g %.9g", (double)p[0], (double)p[1], (double)p[2],
+               (double)p[3]);
         break;
     }
     default: {
         uint32_t channel[4];
-        const int count =
-            f->color ? scene_pixel_channels(f->color, f->color_format, i, channel) : 0;
-        printf("color");
+        const int count = scene_pixel_channels(color, format, i, channel);
+        printf(" color");
         for (int c = 0; c < count; c++)
-            printf(" %.9g", scene_channel_value(f->color_format, channel[c]));
+            printf(" %.9g", scene_channel_value(format, channel[c]));
         break;
     }
     }
+}
+
+static void print_pixel(const scene_frame *f, size_t i)
+{
+    for (int a = 0; a < GN_MAX_COLORS; a++)
+        if (scene_frame_color(f, a))
+            print_color(scene_frame_color(f, a), scene_frame_format(f, a), i);
     switch (f->depth_format) {
     case GN_FORMAT_D16:
         printf(" depth %u", (unsigned)((const uint16_t *)f->depth)[i]);
@@ -236,12 +246,15 @@ void compare_print_pixels(const comparison *result, uint64_t limit)
     const scene_frame *a = &result->ours, *b = &result->theirs;
     const size_t pixels = (size_t)a->width * a->height;
     for (size_t i = 0; i < pixels && limit > 0; i++) {
-        if (same_bits(a->color, b->color, a->color_format, i) &&
-            same_bits(a->depth, b->depth, a->depth_format, i))
+        bool same = same_bits(a->depth, b->depth, a->depth_format, i);
+        for (int c = 0; c < GN_MAX_COLORS; c++)
+            same = same && same_bits(scene_frame_color(a, c), scene_frame_color(b, c),
+                                     scene_frame_format(a, c), i);
+        if (same)
             continue;
-        printf("pixel (%zu, %zu)\n  ours      ", i % a->width, i / a->width);
+        printf("pixel (%zu, %zu)\n  ours     ", i % a->width, i / a->width);
         print_pixel(a, i);
-        printf("  reference ");
+        printf("  reference");
         print_pixel(b, i);
         limit--;
     }

@@ -80,6 +80,8 @@ const char *scene_class_name(scene_class c)
         return "formats";
     case CLASS_INSTANCES:
         return "instances";
+    case CLASS_ATTACHMENTS:
+        return "attachments";
     case CLASS_MIXED:
         return "mixed";
     case CLASS_SEQUENCES:
@@ -229,6 +231,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_SEQUENCES:
         generate_sequences(&b);
+        break;
+    case CLASS_ATTACHMENTS:
+        generate_attachments(&b);
         break;
     default:
         generate_mixed(&b);

@@ -35,13 +35,14 @@ typedef enum scene_class {
     CLASS_OFFSET,        /* polygon offset */
     CLASS_COLOR_MASK,    /* channels that are not written */
     CLASS_BLEND,         /* factors, equations, separate alpha, constants */
-    CLASS_FLOAT_BLEND,   /* the same in RGBA32F */
+    CLASS_FLOAT_BLEND,   /* the same in RGBA32F, R32F, RGBA16F */
     CLASS_LOGIC,         /* logical operations on colours */
     CLASS_CLIP_DEPTH,    /* depth clamp, clip depths from 0 to 1 */
     CLASS_POINTS,        /* sizes of the state and of the vertex shader */
     CLASS_LINES,         /* separate, strips and loops, of all widths */
     CLASS_FORMATS,       /* every colour format, at the edges of its conversion */
     CLASS_INSTANCES,     /* instances, base vertex, primitive restart */
+    CLASS_ATTACHMENTS,   /* several colours, holes, a blending and mask for each */
     CLASS_MIXED,         /* several draws of several of the above */
     CLASS_SEQUENCES,     /* 7 to 20 draws, all states at random, clears between some */
     CLASS_COUNT

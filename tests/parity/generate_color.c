@@ -3,11 +3,11 @@
 #include "generate_parts.h"
 
 /* Channels that are not written: mostly one to three. */
-static void random_mask(builder *b)
+void random_mask(builder *b, int attachment)
 {
     random_source *r = &b->random;
     const uint32_t which = random_below(r, 16);
-    b->state.color_write_disabled = random_chance(r, 50) ? which : 1u << which % 4;
+    b->state.color_write_disabled[attachment] = random_chance(r, 50) ? which : 1u << which % 4;
 }
 
 /* A target of odd sizes now and then, whose blocks hang over its edges. */
@@ -22,6 +22,18 @@ static void color_target(builder *b)
         const uint32_t width = 1 + random_below(r, 70), height = 1 + random_below(r, 70);
         builder_target(b, width, height, GN_FORMAT_RGBA8, depths[random_below(r, 4)]);
     }
+}
+
+static bool is_float(gn_format format)
+{
+    return format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F || format == GN_FORMAT_RGBA16F;
+}
+
+/* RGBA8, which has functions of its own, or another format of fractions. */
+static void fixed_format(builder *b)
+{
+    while (random_chance(&b->random, 60) || is_float(b->scene->color_format))
+        b->scene->color_format = random_color_format(b);
 }
 
 /* Triangles that cover one another, with colours that may lie outside 0..1. */
@@ -51,11 +63,11 @@ void generate_color_mask(builder *b)
 {
     random_source *r = &b->random;
     color_target(b);
-    if (random_chance(r, 25))
-        b->scene->color_format = GN_FORMAT_RGBA32F;
+    if (random_chance(r, 60))
+        b->scene->color_format = random_chance(r, 25) ? GN_FORMAT_RGBA32F : random_color_format(b);
     for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
         builder_common_state(b);
-        random_mask(b);
+        random_mask(b, 0);
         color_draw(b, 1 + builder_triangle_count(b) / 2);
         builder_draw(b);
     }
@@ -67,6 +79,7 @@ static void random_factors(random_source *r, gn_blend_factor *source, gn_blend_f
     static const gn_blend_factor pairs[][2] = {
         {GN_FACTOR_SOURCE_ALPHA, GN_FACTOR_ONE_MINUS_SOURCE_ALPHA},
         {GN_FACTOR_ONE, GN_FACTOR_ONE_MINUS_SOURCE_ALPHA},
+        {GN_FACTOR_ONE_MINUS_SOURCE_ALPHA, GN_FACTOR_SOURCE_ALPHA},
         {GN_FACTOR_ONE, GN_FACTOR_ONE},
         {GN_FACTOR_SOURCE_ALPHA, GN_FACTOR_ONE},
         {GN_FACTOR_DESTINATION_COLOR, GN_FACTOR_ZERO},
@@ -91,20 +104,20 @@ static gn_blend_equation random_equation(random_source *r)
     return (gn_blend_equation)(random_chance(r, 50) ? 0 : random_below(r, 6));
 }
 
-void lay_over(builder *b)
+void lay_over(builder *b, int attachment)
 {
-    b->state.blend.enabled = true;
-    b->state.blend.source = GN_FACTOR_SOURCE_ALPHA;
-    b->state.blend.destination = GN_FACTOR_ONE_MINUS_SOURCE_ALPHA;
+    b->state.blend[attachment].enabled = true;
+    b->state.blend[attachment].source = GN_FACTOR_SOURCE_ALPHA;
+    b->state.blend[attachment].destination = GN_FACTOR_ONE_MINUS_SOURCE_ALPHA;
 }
 
-static void random_blend(builder *b)
+void random_blend(builder *b, int attachment)
 {
     random_source *r = &b->random;
-    gn_blend *blend = &b->state.blend;
+    gn_blend *blend = &b->state.blend[attachment];
     blend->enabled = true;
     if (random_chance(r, 25)) { /* what the library has functions of its own for */
-        lay_over(b);
+        lay_over(b, attachment);
         return;
     }
     blend->equation = random_equation(r);
@@ -115,18 +128,40 @@ static void random_blend(builder *b)
     }
     const bool beyond = random_chance(r, 20);
     for (int c = 0; c < 4; c++)
-        blend->constant[c] = beyond ? random_float(r, -1.0f, 2.0f) : random_unit(r);
+        b->state.blend_constant[c] = beyond ? random_float(r, -1.0f, 2.0f) : random_unit(r);
+}
+
+/* One triangle over a colour that sRGB has: where the reference's encoding is a step off, a
+ * second layer would multiply that. */
+static void srgb_blend(builder *b)
+{
+    random_source *r = &b->random;
+    for (int c = 0; c < 3; c++) { /* within a fifth of a step */
+        const float x = (float)random_between(r, 16, 255) / 255.0f;
+        b->scene->clear_color[c] = x * (0.0030f + x * x * 0.3012f) + (0.0023f + x * x * 0.6935f);
+    }
+    builder_common_state(b);
+    random_blend(b, 0);
+    if (random_chance(r, 20))
+        random_mask(b, 0);
+    shape_pile(b, 1);
+    builder_draw(b);
 }
 
 void generate_blend(builder *b)
 {
     random_source *r = &b->random;
     color_target(b);
+    fixed_format(b);
+    if (b->scene->color_format == GN_FORMAT_SRGB8_A8) {
+        srgb_blend(b);
+        return;
+    }
     for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
         builder_common_state(b);
-        random_blend(b);
+        random_blend(b, 0);
         if (random_chance(r, 20))
-            random_mask(b);
+            random_mask(b, 0);
         color_draw(b, 1 + builder_triangle_count(b) / 2);
         builder_draw(b);
     }
@@ -136,15 +171,16 @@ void generate_blend(builder *b)
 void generate_float_blend(builder *b)
 {
     random_source *r = &b->random;
+    static const gn_format formats[] = {GN_FORMAT_RGBA32F, GN_FORMAT_R32F, GN_FORMAT_RGBA16F};
     color_target(b);
-    b->scene->color_format = GN_FORMAT_RGBA32F;
+    b->scene->color_format = formats[random_below(r, 3)];
     for (int c = 0; c < 4; c++)
         b->scene->clear_color[c] = random_float(r, -2.0f, 3.0f);
     for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
         builder_common_state(b);
-        random_blend(b);
+        random_blend(b, 0);
         if (random_chance(r, 20))
-            random_mask(b);
+            random_mask(b, 0);
         color_draw(b, 1 + random_below(r, 8));
         builder_draw(b);
     }
@@ -160,26 +196,28 @@ void generate_logic(builder *b)
 {
     random_source *r = &b->random;
     color_target(b);
-    if (random_chance(r, 15))
-        b->scene->color_format = GN_FORMAT_RGBA32F;
+    if (random_chance(r, 60))
+        b->scene->color_format = random_chance(r, 20) ? GN_FORMAT_RGBA32F : random_color_format(b);
     for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
         builder_common_state(b);
         random_logic(b);
         if (random_chance(r, 10))
-            random_blend(b);
+            random_blend(b, 0);
         if (random_chance(r, 20))
-            random_mask(b);
+            random_mask(b, 0);
         color_draw(b, 1 + builder_triangle_count(b) / 2);
         builder_draw(b);
     }
 }
 
+/* Over many layers R32F comes to hold denormals, and sRGB more than a step of difference. */
 void mix_color_state(builder *b)
 {
+    const gn_format format = b->scene->color_format;
     if (random_chance(&b->random, 10))
-        random_mask(b);
-    if (random_chance(&b->random, 20))
-        random_blend(b);
+        random_mask(b, 0);
+    if (random_chance(&b->random, 20) && format != GN_FORMAT_R32F && format != GN_FORMAT_SRGB8_A8)
+        random_blend(b, 0);
     if (random_chance(&b->random, 5))
         random_logic(b);
 }

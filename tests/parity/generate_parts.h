@@ -104,6 +104,7 @@ void generate_points(builder *b);
 void generate_lines(builder *b);
 void generate_formats(builder *b);
 void generate_instances(builder *b);
+void generate_attachments(builder *b);
 void generate_mixed(builder *b);
 
 void generate_sequences(builder *b);
@@ -115,8 +116,17 @@ bool may_blend_after(const builder *b, uint32_t draws);
 gn_viewport random_viewport(builder *b);
 gn_format random_depth_format(builder *b); /* or none, or stencil alone */
 
-/* Blends by alpha and one minus alpha. */
-void lay_over(builder *b);
+/* How an attachment of the next draw is combined: by alpha and one minus alpha, any blending, a
+ * mask. */
+void lay_over(builder *b, int attachment);
+void random_blend(builder *b, int attachment);
+void random_mask(builder *b, int attachment);
+
+/* Attachments after the first; a shader for them; blending and masks of them, of floats only where
+ * layers are few. */
+void add_attachments(builder *b);
+void random_outputs(builder *b);
+void mix_attachments(builder *b, bool blends_floats);
 
 /* What mixed draws have of the classes of colours combined with those of the target. */
 void mix_color_state(builder *b);

@@ -29,8 +29,6 @@ static gn_blend any_blend(random_source *r)
     b.alpha_equation = (gn_blend_equation)random_below(r, 6);
     b.alpha_source = (gn_blend_factor)random_below(r, 16);
     b.alpha_destination = (gn_blend_factor)random_below(r, 16);
-    for (int c = 0; c < 4; c++)
-        b.constant[c] = random_unit(r);
     return b;
 }
 
@@ -84,10 +82,13 @@ static void any_color_state(builder *b, bool may_blend)
 {
     random_source *r = &b->random;
     if (random_chance(r, 50))
-        b->state.color_write_disabled = random_below(r, 16);
+        b->state.color_write_disabled[0] = random_below(r, 16);
     if (random_chance(r, 50) && may_blend)
-        b->state.blend = any_blend(r);
-    b->state.color_logic = random_chance(r, b->state.blend.enabled ? 50 : 30);
+        b->state.blend[0] = any_blend(r);
+    for (int c = 0; c < 4; c++)
+        b->state.blend_constant[c] = random_unit(r);
+    mix_attachments(b, false);
+    b->state.color_logic = random_chance(r, b->state.blend[0].enabled ? 50 : 30);
     if (b->state.color_logic)
         b->state.logic_operation = (gn_logic_operation)random_below(r, 16);
 }
@@ -98,6 +99,8 @@ static bool any_shader(builder *b)
     random_source *r = &b->random;
     bool noperspective = false;
     b->shader = (scene_shader)(random_chance(r, 40) ? 0 : random_below(r, SCENE_SHADER_COUNT));
+    if (b->shader == SCENE_OUTPUTS)
+        random_outputs(b);
     b->uniforms.light.light_direction.z = 1.0f;
     b->uniforms.light.ambient = (gn_vec3){0.25f, 0.25f, 0.5f};
     b->uniforms.light.diffuse = (gn_vec3){0.75f, 0.5f, 0.5f};
@@ -175,7 +178,8 @@ void varied_draw(builder *b, bool may_blend)
 {
     random_source *r = &b->random;
     uint32_t texels[TEXTURE_SIDE * TEXTURE_SIDE];
-    const bool floats = b->scene->color_format == GN_FORMAT_RGBA32F;
+    const gn_format format = b->scene->color_format;
+    const bool floats = format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F;
     builder_common_state(b);
     any_tests(b);
     any_window(b);
@@ -192,10 +196,13 @@ void varied_draw(builder *b, bool may_blend)
     builder_draw(b);
 }
 
-/* Products of many layers in floats come to be denormals, which the reference has not. */
+/* Products of many layers in floats come to be denormals, which the reference has not; where it
+ * is a step off in sRGB, a second layer would multiply that. */
 bool may_blend_after(const builder *b, uint32_t draws)
 {
-    return b->scene->color_format != GN_FORMAT_RGBA32F || draws < 2;
+    const gn_format format = b->scene->color_format;
+    const bool floats = format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F;
+    return format != GN_FORMAT_SRGB8_A8 && (!floats || draws < 2);
 }
 
 gn_format random_depth_format(builder *b)
@@ -229,6 +236,8 @@ void generate_sequences(builder *b)
         b->scene->color_format = GN_FORMAT_RGBA32F;
     else if (kind < 5)
         b->scene->color_format = random_color_format(b);
+    if (random_chance(r, 20))
+        add_attachments(b);
     const uint32_t draws = 7 + random_below(r, 14);
     for (uint32_t since = 0; b->scene->draw_count < draws; since++) {
         scene_clear clear = {0};

@@ -212,7 +212,7 @@ static void add_textured(builder *b, scene_shader shader, gn_format format)
     b->uniforms.sampler.minify = (gn_minify)random_below(r, 3);
     random_texcoords(b);
     if (b->scene->color_format == GN_FORMAT_RGBA8 && random_chance(r, 10))
-        lay_over(b);
+        lay_over(b, 0);
     builder_draw(b);
     free(texels);
 }

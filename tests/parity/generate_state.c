@@ -359,6 +359,9 @@ static void mixed_draw(builder *b)
     }
     b->lead = random_chance(r, 20) ? random_below(r, 9) : 0;
     mix_color_state(b);
+    mix_attachments(b, false);
+    if (b->scene->more_colors[0] != GN_FORMAT_NONE && random_chance(r, 60))
+        random_outputs(b);
     if (random_chance(r, 10))
         random_inputs(b);
     if (random_chance(r, 20))
@@ -380,7 +383,10 @@ void generate_mixed(builder *b)
         b->scene->color_format = random_color_format(b);
     else if (kind < 5)
         b->scene->color_format = GN_FORMAT_RGBA32F;
-    const bool floats = b->scene->color_format == GN_FORMAT_RGBA32F;
+    if (random_chance(&b->random, 15))
+        add_attachments(b);
+    const gn_format format = b->scene->color_format;
+    const bool floats = format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F;
     for (uint32_t i = 0, draws = 2 + random_below(&b->random, 4); i < draws; i++)
         if (floats || random_chance(&b->random, 50))
             varied_draw(b, may_blend_after(b, i));

@@ -140,7 +140,7 @@ static int equation(gn_blend_equation e, gn_blend_equation otherwise)
     return (int)(e == GN_EQUATION_DEFAULT ? otherwise : e) - (int)GN_EQUATION_ADD;
 }
 
-#define BLEND (p->state->blend)
+#define BLEND (p->state->blend[0])
 #define COLOR_EQUATION ((gn_blend_equation)(equation(BLEND.equation, GN_EQUATION_ADD) + 1))
 #define COLOR_SOURCE ((gn_blend_factor)(factor(BLEND.source, GN_FACTOR_ONE) + 1))
 #define COLOR_DESTINATION ((gn_blend_factor)(factor(BLEND.destination, GN_FACTOR_ZERO) + 1))
@@ -174,7 +174,7 @@ VALUE_WHERE(back_pass, p->state->stencil_test, p->state->stencil_back.pass)
 VALUE_WHERE(stencil_mask, p->state->stencil_test, p->state->stencil_front.ignored_bits != 0)
 VALUE_WHERE(stencil_write_mask, p->state->stencil_test,
             p->state->stencil_front.write_disabled_bits != 0)
-VALUE(color_mask, p->state->color_write_disabled)
+VALUE(color_mask, p->state->color_write_disabled[0])
 VALUE(blend, BLEND.enabled ? 1 + equation(BLEND.equation, GN_EQUATION_ADD) : 0)
 VALUE_WHERE(blend_source, BLEND.enabled, factor(BLEND.source, GN_FACTOR_ONE))
 VALUE_WHERE(blend_destination, BLEND.enabled, factor(BLEND.destination, GN_FACTOR_ZERO))
@@ -279,8 +279,8 @@ typedef struct exclusion {
 
 #define FILLS (BIT(GN_TRIANGLES) | BIT(GN_TRIANGLE_STRIP) | BIT(GN_TRIANGLE_FAN))
 #define ALL_LINES (BIT(GN_LINES) | BIT(GN_LINE_STRIP) | BIT(GN_LINE_LOOP))
-/* In the order of the rows' values: all but RGBA8 and RGBA32F; none and S8. */
-#define BLENDED (~(BIT(0) | BIT(1)))
+/* In the order of the rows' values: SRGB8_A8; none and S8. */
+#define SRGB BIT(13)
 #define WITHOUT_DEPTH (BIT(0) | BIT(6))
 #define TEXTURED (BIT(SCENE_TEXTURED_GOURAUD) | BIT(SCENE_PHONG))
 
@@ -317,9 +317,8 @@ static const exclusion exclusions[] = {
     ONLY_WHERE(alpha_source, blend, NOT(0), "nothing is blended"),
     ONLY_WHERE(alpha_destination, blend, NOT(0), "nothing is blended"),
 
-    {INDEX_blend, INDEX_color_format, NOT(0), BLENDED, "other formats are only written"},
-    {INDEX_color_mask, INDEX_color_format, NOT(0), BLENDED, "other formats are only written"},
-    {INDEX_logic, INDEX_color_format, NOT(0), BLENDED, "other formats are only written"},
+    {INDEX_blend, INDEX_color_format, NOT(0), SRGB,
+     "a second layer would multiply the step that is allowed (class blend has one)"},
     {INDEX_polygon_offset, INDEX_depth_format, NOT(0), WITHOUT_DEPTH,
      "OpenGL's step is that of a depth buffer (reference/RULES.md)"},
     {INDEX_point_size, INDEX_viewport, BIT(0), BIT(1),

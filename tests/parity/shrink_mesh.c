@@ -83,6 +83,7 @@ static void copy_draw(scene *to, const scene_draw *from, const mesh_selection *s
 scene *copy_with_selection(const scene *s, size_t draw, const mesh_selection *selection)
 {
     scene *copy = scene_create(s->width, s->height, s->color_format, s->depth_format);
+    memcpy(copy->more_colors, s->more_colors, sizeof copy->more_colors);
     memcpy(copy->clear_color, s->clear_color, sizeof copy->clear_color);
     copy->clear_depth = s->clear_depth;
     copy->clear_stencil = s->clear_stencil;

@@ -36,6 +36,30 @@ static bool simplify_scene(scene *s, unsigned step, bool *last)
         s->clear_stencil = 0;
         return change;
     }
+    case 5:
+    case 6:
+    case 7:
+    case 8:
+    case 9:
+    case 10:
+    case 11: {
+        gn_format *const more = &s->more_colors[step - 5];
+        const bool change = *more != GN_FORMAT_NONE;
+        *more = GN_FORMAT_NONE;
+        return change;
+    }
+    case 12:
+    case 13:
+    case 14:
+    case 15:
+    case 16:
+    case 17:
+    case 18: {
+        gn_format *const more = &s->more_colors[step - 12];
+        const bool change = *more != GN_FORMAT_NONE && *more != GN_FORMAT_RGBA8;
+        *more = change ? GN_FORMAT_RGBA8 : *more;
+        return change;
+    }
     default:
         *last = true;
         return false;
@@ -153,41 +177,41 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         memset(&p->scissor, 0, sizeof p->scissor);
         return change;
     case 22:
-        change = p->color_write_disabled != 0;
-        p->color_write_disabled = 0;
+        change = p->color_write_disabled[0] != 0;
+        p->color_write_disabled[0] = 0;
         return change;
     case 23:
-        change = p->blend.enabled;
-        memset(&p->blend, 0, sizeof p->blend);
+        change = p->blend[0].enabled;
+        memset(&p->blend[0], 0, sizeof p->blend[0]);
         return change;
     case 24:
-        change = p->blend.equation != GN_EQUATION_DEFAULT;
-        p->blend.equation = GN_EQUATION_DEFAULT;
+        change = p->blend[0].equation != GN_EQUATION_DEFAULT;
+        p->blend[0].equation = GN_EQUATION_DEFAULT;
         return change;
     case 25:
-        change = p->blend.alpha_equation != GN_EQUATION_DEFAULT;
-        p->blend.alpha_equation = GN_EQUATION_DEFAULT;
+        change = p->blend[0].alpha_equation != GN_EQUATION_DEFAULT;
+        p->blend[0].alpha_equation = GN_EQUATION_DEFAULT;
         return change;
     case 26:
-        change = p->blend.source != GN_FACTOR_DEFAULT;
-        p->blend.source = GN_FACTOR_DEFAULT;
+        change = p->blend[0].source != GN_FACTOR_DEFAULT;
+        p->blend[0].source = GN_FACTOR_DEFAULT;
         return change;
     case 27:
-        change = p->blend.destination != GN_FACTOR_DEFAULT;
-        p->blend.destination = GN_FACTOR_DEFAULT;
+        change = p->blend[0].destination != GN_FACTOR_DEFAULT;
+        p->blend[0].destination = GN_FACTOR_DEFAULT;
         return change;
     case 28:
-        change = p->blend.alpha_source != GN_FACTOR_DEFAULT;
-        p->blend.alpha_source = GN_FACTOR_DEFAULT;
+        change = p->blend[0].alpha_source != GN_FACTOR_DEFAULT;
+        p->blend[0].alpha_source = GN_FACTOR_DEFAULT;
         return change;
     case 29:
-        change = p->blend.alpha_destination != GN_FACTOR_DEFAULT;
-        p->blend.alpha_destination = GN_FACTOR_DEFAULT;
+        change = p->blend[0].alpha_destination != GN_FACTOR_DEFAULT;
+        p->blend[0].alpha_destination = GN_FACTOR_DEFAULT;
         return change;
     case 30:
         for (int c = 0; c < 4; c++) {
-            change = change || p->blend.constant[c] != 0.0f;
-            p->blend.constant[c] = 0.0f;
+            change = change || p->blend_constant[c] != 0.0f;
+            p->blend_constant[c] = 0.0f;
         }
         return change;
     case 31:
@@ -261,6 +285,30 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
             change = change || d->mesh.attribute[a].divisor;
             d->mesh.attribute[a].divisor = 0;
         }
+        return change;
+    case 58:
+        change = p->color_count > 1;
+        p->color_count = 0;
+        return change;
+    case 59:
+    case 60:
+    case 61:
+    case 62:
+    case 63:
+    case 64:
+    case 65:
+        change = p->blend[step - 58].enabled;
+        memset(&p->blend[step - 58], 0, sizeof p->blend[0]);
+        return change;
+    case 66:
+    case 67:
+    case 68:
+    case 69:
+    case 70:
+    case 71:
+    case 72:
+        change = p->color_write_disabled[step - 65] != 0;
+        p->color_write_disabled[step - 65] = 0;
         return change;
     default:
         *last = true;

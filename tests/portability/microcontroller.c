@@ -81,12 +81,15 @@ static bool refuses_the_rest(const gn_target *target, gn_pipeline pipeline, cons
     pipeline.topology = GN_LINES;
     refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
     pipeline = good;
-    pipeline.blend.enabled = true;
+    pipeline.blend[0].enabled = true;
     refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
     pipeline = good;
     pipeline.polygon_offset.set = true;
     refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
-    return refused == 3;
+    pipeline = good;
+    pipeline.color_count = 2;
+    refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
+    return refused == 4;
 }
 #endif
 

@@ -115,7 +115,10 @@ static bool draw_top_down(const scene *s, scene_frame *frame)
 {
     gn_target target;
     memset(&target, 0, sizeof target);
-    target.color[0] = gn_surface_top_down(frame->color, s->color_format, s->width, s->height);
+    for (int a = 0; a < GN_MAX_COLORS; a++)
+        if (scene_color_format(s, a) != GN_FORMAT_NONE)
+            target.color[a] = gn_surface_top_down(scene_frame_color(frame, a),
+                                                  scene_color_format(s, a), s->width, s->height);
     if (s->depth_format != GN_FORMAT_NONE)
         target.depth = gn_surface_top_down(frame->depth, s->depth_format, s->width, s->height);
     const size_t size = scene_workspace_size(s);
@@ -135,14 +138,22 @@ static bool rows_reversed(const void *a, const void *b, gn_format format, uint32
     return true;
 }
 
+static bool colors_reversed(const scene *s, const scene_frame *up, const scene_frame *down)
+{
+    bool reversed = true;
+    for (int a = 0; a < GN_MAX_COLORS; a++)
+        reversed = reversed && rows_reversed(scene_frame_color(up, a), scene_frame_color(down, a),
+                                             scene_color_format(s, a), s->width, s->height);
+    return reversed;
+}
+
 static enum theft_trial_res rows_either_way(struct theft *t, void *argument)
 {
     scene *s = scene_of(argument);
     scene_frame up = frame_of(s), down = frame_of(s);
     (void)t;
     const bool same = scene_draw_library(s, &up, 0, GN_BACKEND_AUTO) == GN_OK &&
-                      draw_top_down(s, &down) &&
-                      rows_reversed(up.color, down.color, s->color_format, s->width, s->height) &&
+                      draw_top_down(s, &down) && colors_reversed(s, &up, &down) &&
                       rows_reversed(up.depth, down.depth, s->depth_format, s->width, s->height);
     scene_frame_free(&up);
     scene_frame_free(&down);

@@ -106,11 +106,12 @@ static void shade_one_color(const void *uniforms, const gn_fragment_input *input
             output->color[c][l] = color[c];
 }
 
-/* Draws a triangle over a surface whose memory begins `offset` bytes on. */
-static void draw_over(gn_format format, uint32_t offset, uint32_t stride, const float color[4])
+/* Draws a triangle under a state over a surface whose memory begins `offset` bytes on. */
+static void draw_under(const gn_pipeline *state, gn_format format, uint32_t offset, uint32_t stride,
+                       const float color[4])
 {
     static unsigned char work[GN_WORKSPACE_SIZE(3, 0)];
-    gn_pipeline pipeline = {0};
+    gn_pipeline pipeline = *state;
     gn_mesh mesh = {0};
     gn_target target = {0};
     gn_workspace workspace = {0};
@@ -125,6 +126,13 @@ static void draw_over(gn_format format, uint32_t offset, uint32_t stride, const 
     workspace.memory = work;
     workspace.size = sizeof work;
     assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+}
+
+static void draw_over(gn_format format, uint32_t offset, uint32_t stride, const float color[4])
+{
+    const gn_pipeline plain = {0};
+
+    draw_under(&plain, format, offset, stride, color);
 }
 
 static void fragments_give_the_values_of_the_table(void **state)
@@ -220,6 +228,249 @@ static void pixels_are_aligned_to_their_element(void **state)
     }
 }
 
+/* SHADED drawn under a state over a cleared surface; every element of the result must be the
+ * wanted one. */
+static void combine(const gn_pipeline *state, const expected *e, const float clear[4],
+                    const uint32_t wanted[4])
+{
+    const gn_surface s = gn_surface_bottom_up(memory, e->format, SIDE, SIDE);
+
+    assert_int_equal(gn_clear_color(&s, clear[0], clear[1], clear[2], clear[3]), GN_OK);
+    draw_under(state, e->format, 0, SIDE * e->element * e->count, SHADED);
+    for (size_t i = 0; i < (size_t)SIDE * SIDE * e->count; ++i) {
+        if (element_at(memory, e->element, i) != wanted[i % e->count])
+            fail_msg("format %d, element %zu: %x", (int)e->format, i,
+                     element_at(memory, e->element, i));
+    }
+}
+
+static bool is_float(gn_format format)
+{
+    return format == GN_FORMAT_R32F || format == GN_FORMAT_RGBA16F || format == GN_FORMAT_RGBA32F;
+}
+
+/* 0 + s, s * 1 and the least of s and what is above it are s. */
+static void blending_that_changes_nothing_gives_fragments(void **state)
+{
+    static const float zeros[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+    static const float ones[4] = {1.0f, 1.0f, 1.0f, 1.0f};
+    static const float twos[4] = {2.0f, 2.0f, 2.0f, 2.0f};
+    (void)state;
+    for (int f = 0; f < COLOR_FORMATS; ++f) {
+        gn_pipeline p = {0};
+
+        p.blend[0].enabled = true;
+        p.blend[0].source = GN_FACTOR_ONE;
+        p.blend[0].destination = GN_FACTOR_ONE;
+        combine(&p, &table[f], zeros, table[f].fragment);
+        p.blend[0].source = GN_FACTOR_DESTINATION_COLOR;
+        p.blend[0].destination = GN_FACTOR_ZERO;
+        combine(&p, &table[f], ones, table[f].fragment);
+        p.blend[0].equation = GN_EQUATION_MIN;
+        combine(&p, &table[f], twos, table[f].fragment);
+    }
+}
+
+/* s * 1 + d - s * 1, in two draws. */
+static void subtracting_what_was_added_gives_the_clear(void **state)
+{
+    static const float quarters[4] = {0.125f, 0.25f, 0.25f, 0.25f};
+    (void)state;
+    for (int f = 0; f < COLOR_FORMATS; ++f) {
+        const expected *e = &table[f];
+        static const float small[4] = {0.5f, 0.125f, 0.5f, 0.25f};
+        const uint32_t row = SIDE * e->element * e->count;
+        const gn_surface s = gn_surface_bottom_up(memory, e->format, SIDE, SIDE);
+        uint32_t before[SIDE * SIDE * 4];
+        gn_pipeline p = {0};
+
+        if (e->format == GN_FORMAT_RGB565 || e->format == GN_FORMAT_RGB5_A1 ||
+            e->format == GN_FORMAT_RGBA4 || e->format == GN_FORMAT_SRGB8_A8)
+            continue; /* which lose digits between */
+        assert_int_equal(gn_clear_color(&s, quarters[0], quarters[1], quarters[2], quarters[3]),
+                         GN_OK);
+        memcpy(before, memory, (size_t)row * SIDE);
+        p.blend[0].enabled = true;
+        p.blend[0].destination = GN_FACTOR_ONE;
+        draw_under(&p, e->format, 0, row, small);
+        assert_memory_not_equal(before, memory, (size_t)row * SIDE);
+        p.blend[0].equation = GN_EQUATION_REVERSE_SUBTRACT;
+        draw_under(&p, e->format, 0, row, small);
+        assert_memory_equal(before, memory, (size_t)row * SIDE);
+    }
+}
+
+static void alpha_that_is_not_there_is_one(void **state)
+{
+    static const float clear[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+    static const uint32_t nothing[4] = {0, 0, 0, 0};
+    (void)state;
+    for (int f = 0; f < COLOR_FORMATS; ++f) {
+        const expected *e = &table[f];
+        const bool opaque = e->format == GN_FORMAT_R8 || e->format == GN_FORMAT_RG8 ||
+                            e->format == GN_FORMAT_RGB8 || e->format == GN_FORMAT_RGB565 ||
+                            e->format == GN_FORMAT_R16 || e->format == GN_FORMAT_R32F;
+        gn_pipeline p = {0};
+
+        p.blend[0].enabled = true;
+        p.blend[0].source = GN_FACTOR_DESTINATION_ALPHA;
+        combine(&p, e, clear, opaque ? e->fragment : nothing);
+    }
+}
+
+/* Of integers the bits of the clear, 0.5, 1, 0.25 and 0; floats and sRGB are as fragments are. */
+static void logic_inverts_the_bits_of_integers(void **state)
+{
+    (void)state;
+    for (int f = 0; f < COLOR_FORMATS; ++f) {
+        const expected *e = &table[f];
+        uint32_t inverted[4];
+        gn_pipeline p = {0};
+
+        for (uint32_t i = 0; i < 4; ++i)
+            inverted[i] = ~e->clear[i] & (UINT32_MAX >> (32 - 8 * e->element));
+        p.color_logic = true;
+        p.logic_operation = GN_LOGIC_INVERT;
+        combine(&p, e, CLEAR,
+                is_float(e->format) || e->format == GN_FORMAT_SRGB8_A8 ? e->fragment : inverted);
+    }
+}
+
+/* The channels of a mask, then the others: as without masks, and the first alone changes what the
+ * format has of them. */
+static void masks_keep_the_other_channels(void **state)
+{
+    (void)state;
+    for (int f = 0; f < COLOR_FORMATS; ++f) {
+        for (uint32_t mask = 0; mask <= GN_CHANNEL_ALL; ++mask) {
+            const expected *e = &table[f];
+            const uint32_t row = SIDE * e->element * e->count;
+            uint32_t half[SIDE * SIDE * 4];
+            gn_pipeline p = {0};
+
+            p.color_write_disabled[0] = GN_CHANNEL_ALL;
+            combine(&p, e, CLEAR, e->clear);
+            p.color_write_disabled[0] = mask;
+            draw_under(&p, e->format, 0, row, SHADED);
+            memcpy(half, memory, sizeof half);
+            p.color_write_disabled[0] = GN_CHANNEL_ALL & ~mask;
+            draw_under(&p, e->format, 0, row, SHADED);
+            for (size_t i = 0; i < (size_t)SIDE * SIDE * e->count; ++i) {
+                const uint32_t changed = element_at(half, e->element, i) ^ e->clear[i % e->count];
+
+                assert_int_equal(element_at(memory, e->element, i), e->fragment[i % e->count]);
+                /* Green is the second byte of four. */
+                if (mask == (GN_CHANNEL_ALL & ~GN_CHANNEL_GREEN) && e->count == 1 &&
+                    (e->element == 4 && !is_float(e->format)))
+                    assert_int_equal(changed & ~0xFF00u, 0);
+            }
+        }
+    }
+}
+
+/* Colour a is a / 8 in red and 1 in alpha. */
+static void shade_all_colors(const void *uniforms, const gn_fragment_input *input,
+                             gn_fragment_output *output)
+{
+    (void)uniforms;
+    (void)input;
+    for (int a = 0; a < GN_MAX_COLORS; ++a)
+        for (int c = 0; c < 4; ++c)
+            for (int l = 0; l < GN_LANES; ++l)
+                output->color[4 * a + c][l] = c == 0 ? (float)a / 8.0f : 1.0f;
+}
+
+/* Surfaces of R32F and in odd places RG8, cleared to 0.25, one of them a hole: those that the
+ * shader writes have its colour, added where blending says so, not where a mask forbids it. */
+static void each_attachment_has_its_color(void **state)
+{
+    static unsigned char work[GN_WORKSPACE_SIZE(3, 0)];
+    static uint32_t images[GN_MAX_COLORS][SIDE * SIDE];
+    const int hole = 2, added = 4, masked = 5;
+    (void)state;
+    for (uint32_t count = 0; count <= GN_MAX_COLORS; ++count) {
+        const int written = count == 0 ? 1 : (int)count;
+        gn_pipeline p = {0};
+        gn_mesh mesh = {0};
+        gn_target t = {0};
+        gn_workspace workspace = {0};
+
+        p.vertex_shader = cover_all;
+        p.fragment_shader = shade_all_colors;
+        p.color_count = GN_MAX_COLORS;
+        for (int a = 0; a < GN_MAX_COLORS; ++a) {
+            t.color[a] =
+                gn_surface_bottom_up(images[a], a % 2 ? GN_FORMAT_RG8 : GN_FORMAT_R32F, SIDE, SIDE);
+            assert_int_equal(gn_clear_color(&t.color[a], 0.25f, 0.25f, 0.25f, 0.25f), GN_OK);
+            /* Those that are not there are not written, whatever the shader gives. */
+            if (a == hole || a >= written)
+                t.color[a].format = GN_FORMAT_NONE;
+        }
+        p.blend[added].enabled = true;
+        p.blend[added].destination = GN_FACTOR_ONE;
+        p.color_write_disabled[masked] = GN_CHANNEL_RED;
+        mesh.vertex_count = 3;
+        mesh.count = 3;
+        workspace.memory = work;
+        workspace.size = sizeof work;
+        assert_int_equal(gn_draw(&t, &p, &mesh, &workspace), GN_OK);
+        for (int a = 0; a < GN_MAX_COLORS; ++a) {
+            const bool kept = a == hole || a >= written;
+            const float red = (float)a / 8.0f + (a == added ? 0.25f : 0.0f);
+
+            for (int i = 0; i < SIDE * SIDE; ++i) {
+                float value;
+
+                if (a % 2) {
+                    const uint16_t pixel = ((const uint16_t *)images[a])[i];
+                    const uint16_t byte = (uint16_t)(a == 1 ? 32 : a == 3 ? 96 : 223);
+
+                    assert_int_equal(pixel, kept ? 0x4040 : a == masked ? 0xFF40 : 0xFF00 | byte);
+                } else {
+                    memcpy(&value, &images[a][i], sizeof value);
+                    assert_true(value == (kept ? 0.25f : red));
+                }
+            }
+        }
+    }
+}
+
+/* Attachments beyond the pipeline's count stay as they are, and need a shader all the same. */
+static void attachments_beyond_the_count_stay(void **state)
+{
+    static unsigned char work[GN_WORKSPACE_SIZE(3, 0)];
+    static uint32_t images[2][SIDE * SIDE];
+    gn_pipeline p = {0};
+    gn_mesh mesh = {0};
+    gn_target t = {0};
+    gn_workspace workspace = {0};
+
+    (void)state;
+    p.vertex_shader = cover_all;
+    p.fragment_shader = shade_all_colors;
+    p.color_count = GN_MAX_COLORS;
+    for (int a = 0; a < 2; ++a) {
+        t.color[a] = gn_surface_bottom_up(images[a], GN_FORMAT_RGBA8, SIDE, SIDE);
+        assert_int_equal(gn_clear_color(&t.color[a], 0.0f, 0.0f, 1.0f, 0.0f), GN_OK);
+    }
+    mesh.vertex_count = 3;
+    mesh.count = 3;
+    workspace.memory = work;
+    workspace.size = sizeof work;
+    assert_int_equal(gn_draw(&t, &p, &mesh, &workspace), GN_OK);
+    assert_int_equal(images[1][0], 0xFFFFFF20u);
+    assert_int_equal(gn_clear_color(&t.color[1], 0.0f, 0.0f, 1.0f, 0.0f), GN_OK);
+    p.color_count = 0;
+    p.fragment_shader = shade_one_color;
+    p.uniforms = SHADED;
+    assert_int_equal(gn_draw(&t, &p, &mesh, &workspace), GN_OK);
+    assert_int_equal(images[0][0], 0x99FF00BFu);
+    assert_int_equal(images[1][0], 0x00FF0000u);
+    t.color[0].format = GN_FORMAT_NONE;
+    p.fragment_shader = NULL;
+    assert_int_equal(gn_draw(&t, &p, &mesh, &workspace), GN_NO_SHADER);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -229,6 +480,13 @@ int main(void)
         cmocka_unit_test(fragments_leave_what_is_beside_them),
         cmocka_unit_test(halves_round_toward_zero),
         cmocka_unit_test(pixels_are_aligned_to_their_element),
+        cmocka_unit_test(blending_that_changes_nothing_gives_fragments),
+        cmocka_unit_test(subtracting_what_was_added_gives_the_clear),
+        cmocka_unit_test(alpha_that_is_not_there_is_one),
+        cmocka_unit_test(logic_inverts_the_bits_of_integers),
+        cmocka_unit_test(masks_keep_the_other_channels),
+        cmocka_unit_test(each_attachment_has_its_color),
+        cmocka_unit_test(attachments_beyond_the_count_stay),
     };
 
     return cmocka_run_group_tests_name("formats", tests, NULL, NULL);

@@ -90,14 +90,22 @@ static void color_state_faults(void **state)
     (void)state;
     gn_pipeline p = good_pipeline();
 
-    p.color_write_disabled = GN_CHANNEL_ALL;
+    for (int i = 0; i < GN_MAX_COLORS; ++i) {
+        p = good_pipeline();
+        p.color_write_disabled[i] = GN_CHANNEL_ALL;
+        assert_int_equal(gn_pipeline_check(&p), GN_OK);
+        p.color_write_disabled[i] = GN_CHANNEL_ALL + 1;
+        assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
+    }
+    p = good_pipeline();
+    p.color_count = GN_MAX_COLORS;
     assert_int_equal(gn_pipeline_check(&p), GN_OK);
-    p.color_write_disabled = GN_CHANNEL_ALL + 1;
+    p.color_count = GN_MAX_COLORS + 1;
     assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
 
     for (int member = 0; member < 6; ++member) {
         p = good_pipeline();
-        gn_blend *b = &p.blend;
+        gn_blend *b = &p.blend[member];
         const int last = member < 2 ? GN_EQUATION_MAX : GN_FACTOR_SOURCE_ALPHA_SATURATE;
         for (int value = last; value <= last + 1; ++value) {
             switch (member) {
@@ -124,9 +132,9 @@ static void color_state_faults(void **state)
         }
     }
     p = good_pipeline();
-    p.blend.constant[3] = INFINITY;
+    p.blend_constant[3] = INFINITY;
     assert_int_equal(gn_pipeline_check(&p), GN_OK); /* not enabled, not looked at */
-    p.blend.enabled = true;
+    p.blend[GN_MAX_COLORS - 1].enabled = true;
     assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
 
     p = good_pipeline();

@@ -41,7 +41,7 @@ static void constructors_place_row_zero(void **state)
 static gn_target good_target(void)
 {
     static uint32_t depth[WIDTH * HEIGHT];
-    gn_target t;
+    gn_target t = {0};
 
     t.color[0] = gn_surface_bottom_up(words, GN_FORMAT_RGBA8, WIDTH, HEIGHT);
     t.depth = gn_surface_bottom_up(depth, GN_FORMAT_D24, WIDTH, HEIGHT);
@@ -141,6 +141,25 @@ static void target_faults(void **state)
     t = good_target();
     t.depth.height = HEIGHT - 1;
     assert_int_equal(gn_target_check(&t), GN_SIZE_MISMATCH);
+
+    for (int i = 1; i < GN_MAX_COLORS; ++i) {
+        static uint8_t more[WIDTH * HEIGHT];
+
+        t = good_target();
+        t.color[i] = gn_surface_bottom_up(more, GN_FORMAT_R8, WIDTH, HEIGHT);
+        assert_int_equal(gn_target_check(&t), GN_OK);
+        t.color[0] = absent;
+        assert_int_equal(gn_target_check(&t), GN_OK);
+        t.depth = absent;
+        assert_int_equal(gn_target_check(&t), GN_OK);
+        t = good_target();
+        t.color[i] = gn_surface_bottom_up(more, GN_FORMAT_R8, WIDTH, HEIGHT - 1);
+        assert_int_equal(gn_target_check(&t), GN_SIZE_MISMATCH);
+        t.depth.pixels = NULL; /* a surface's own fault comes first */
+        assert_int_equal(gn_target_check(&t), GN_NULL_POINTER);
+        t.color[i].format = GN_FORMAT_S8; /* and the earlier surface's */
+        assert_int_equal(gn_target_check(&t), GN_INVALID_FORMAT);
+    }
 }
 
 static void clear_color_packs_by_value(void **state)

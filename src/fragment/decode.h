@@ -1,0 +1,143 @@
+/* The inverse of formats.h: pixels loaded by their size, and one conversion a format to what it
+ * is combined in. */
+#ifndef GN_FRAGMENT_DECODE_H
+#define GN_FRAGMENT_DECODE_H
+
+#include "formats.h"
+
+/* The `bits` from bit `shift` on as a byte, repeated from the top, in the byte from bit `to` on. */
+static inline lanes_i widened(lanes_i word, int shift, int bits, int to)
+{
+    const lanes_i value =
+        lanes_i_and(lanes_i_shift_right(word, shift), lanes_i_splat((1 << bits) - 1));
+    lanes_i byte = lanes_i_shift_left(value, 8 - bits);
+
+    for (int n = bits; n < 8; n *= 2)
+        byte = lanes_i_or(byte, lanes_i_shift_right(byte, n));
+    return lanes_i_shift_left(byte, to);
+}
+
+/* The inverse of from_rgba8; alpha is one where the format has none. */
+static inline lanes_i to_rgba8(gn_format format, lanes_i p)
+{
+    const lanes_i opaque = lanes_i_splat((int32_t)0xFF000000u);
+
+    switch (format) {
+    case GN_FORMAT_BGRA8:
+        return swapped(p);
+    case GN_FORMAT_RGB565:
+        return lanes_i_or(lanes_i_or(widened(p, 11, 5, 0), widened(p, 5, 6, 8)),
+                          lanes_i_or(widened(p, 0, 5, 16), opaque));
+    case GN_FORMAT_RGB5_A1:
+        return lanes_i_or(lanes_i_or(widened(p, 11, 5, 0), widened(p, 6, 5, 8)),
+                          lanes_i_or(widened(p, 1, 5, 16), widened(p, 0, 1, 24)));
+    case GN_FORMAT_RGBA4:
+        return lanes_i_or(lanes_i_or(widened(p, 12, 4, 0), widened(p, 8, 4, 8)),
+                          lanes_i_or(widened(p, 4, 4, 16), widened(p, 0, 4, 24)));
+    default:
+        return format_channels(format) < 4 ? lanes_i_or(p, opaque) : p;
+    }
+}
+
+/* A half in the low bits. */
+static inline lanes_f half_value(lanes_i half)
+{
+    const lanes_i size = lanes_i_and(half, lanes_i_splat(0x7FFF));
+    const lanes_i sign = lanes_i_shift_left(lanes_i_and(half, lanes_i_splat(0x8000)), 16);
+    const lanes_i moved = lanes_i_shift_left(size, 13);
+    const lanes_i normal = lanes_i_add(moved, lanes_i_splat(0x38000000));
+    /* Below 2^-14 halves are multiples of 2^-24. */
+    const lanes_i small = lanes_as_int(lanes_mul(lanes_to_float(size), lanes_splat(0x1p-24f)));
+    const lanes_i special = lanes_i_or(moved, lanes_i_splat(0x7F800000));
+    const lanes_i finite =
+        lanes_i_select(lanes_i_greater(lanes_i_splat(0x0400), size), small, normal);
+
+    return lanes_as_float(lanes_i_or(
+        lanes_i_select(lanes_i_greater(size, lanes_i_splat(0x7BFF)), special, finite), sign));
+}
+
+/* The reference's sRGB to linear, of the byte from bit `shift` on. */
+static inline lanes_f srgb_value(lanes_i word, int shift)
+{
+    const lanes_f x =
+        lanes_to_float(lanes_i_and(lanes_i_shift_right(word, shift), lanes_i_splat(255)));
+    const lanes_f square = lanes_mul(x, x);
+    const lanes_f odd =
+        lanes_add(lanes_splat(0x1.8AC20Ep-17f), lanes_mul(square, lanes_splat(0x1.381256p-26f)));
+    const lanes_f even =
+        lanes_add(lanes_splat(0.0023f), lanes_mul(square, lanes_splat(0x1.65DCC2p-17f)));
+    const lanes_f curve = lanes_add(lanes_mul(x, odd), even);
+
+    return lanes_select(lanes_greater(x, lanes_splat(15.0f)), curve,
+                        lanes_mul(x, lanes_splat(0x1.465AACp-12f)));
+}
+
+/* Pixels of formats of ARITHMETIC_FLOATS to colours; alpha is one where the format has none. */
+static void decode_floats(gn_format format, const lanes_i word[2], lanes_f color[4])
+{
+    const lanes_i byte = lanes_i_splat(255);
+
+    switch (format) {
+    case GN_FORMAT_RGBA16F:
+        for (int c = 0; c < 4; ++c)
+            color[c] = half_value(lanes_i_shift_right(word[c / 2], c % 2 * 16));
+        break;
+    case GN_FORMAT_SRGB8_A8:
+        for (int c = 0; c < 3; ++c)
+            color[c] = srgb_value(word[0], 8 * c);
+        color[3] = lanes_mul(lanes_to_float(lanes_i_and(lanes_i_shift_right(word[0], 24), byte)),
+                             lanes_splat(1.0f / 255.0f));
+        break;
+    default:
+        color[0] = lanes_as_float(word[0]);
+        color[1] = lanes_splat(0.0f);
+        color[2] = lanes_splat(0.0f);
+        color[3] = lanes_splat(1.0f);
+        break;
+    }
+}
+
+static inline void load_pixel(const unsigned char *row, int32_t x, uint32_t size, int32_t word[2])
+{
+    const uint16_t *const halves = (const uint16_t *)(const void *)row;
+
+    switch (size) {
+    case 1:
+        word[0] = row[x];
+        break;
+    case 2:
+        word[0] = halves[x];
+        break;
+    case 3:
+        word[0] = row[3 * x] | row[3 * x + 1] << 8 | row[3 * x + 2] << 16;
+        break;
+    case 4:
+        word[0] = ((const stored_word *)(const void *)row)[x];
+        break;
+    default:
+        word[0] = (int32_t)(halves[4 * x] | (uint32_t)halves[4 * x + 1] << 16);
+        word[1] = (int32_t)(halves[4 * x + 2] | (uint32_t)halves[4 * x + 3] << 16);
+        break;
+    }
+}
+
+/* The covered pixels of a block, which may hang over the surface's edge; 0 in the others. */
+static void load_pixels(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
+                        uint32_t size, lanes_i word[2])
+{
+    int32_t first[GN_LANES], second[GN_LANES];
+
+    GN_EACH_LANE (l) {
+        int32_t pixel[2] = {0, 0};
+
+        if (coverage >> l & 1u)
+            load_pixel(surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE)), x + l % BLOCK_SIZE,
+                       size, pixel);
+        first[l] = pixel[0];
+        second[l] = pixel[1];
+    }
+    word[0] = lanes_i_load(first);
+    word[1] = lanes_i_load(second);
+}
+
+#endif
