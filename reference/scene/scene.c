@@ -226,6 +226,7 @@ scene *scene_copy(const scene *s)
     memcpy(copy->clear_color, s->clear_color, sizeof copy->clear_color);
     copy->clear_depth = s->clear_depth;
     copy->clear_stencil = s->clear_stencil;
+    copy->samples = s->samples;
     for (size_t i = 0; i < s->draw_count; ++i) {
         const scene_draw *from = &s->draws[i];
         const gn_texture *texture = &from->uniforms.texture;

@@ -9,13 +9,15 @@
 
 bool scene_frame_allocate(scene_frame *frame, const scene *s)
 {
-    const size_t pixels = (size_t)s->width * s->height;
+    const uint32_t images = scene_is_sampled(s) ? GN_SAMPLES + 1 : 1;
+    const size_t pixels = (size_t)s->width * s->height * images;
     const size_t color_size = gn_format_size(s->color_format);
     const size_t depth_size = gn_format_size(s->depth_format);
 
     memset(frame, 0, sizeof *frame);
     frame->width = s->width;
     frame->height = s->height;
+    frame->images = images;
     frame->color_format = s->color_format;
     frame->depth_format = s->depth_format;
     frame->color = color_size ? calloc(pixels, color_size) : NULL;
@@ -108,6 +110,17 @@ static bool equal_pixels(const pixel *a, const pixel *b, gn_format format)
     return true;
 }
 
+/* What is resolved from sRGB samples a step apart may be two apart. */
+static bool equal_resolved(const pixel *a, const pixel *b, gn_format format)
+{
+    for (int c = 0; format == GN_FORMAT_SRGB8_A8 && c < a->count; ++c) {
+        if (a->channel[c] + 2 < b->channel[c] || b->channel[c] + 2 < a->channel[c]) {
+            return false;
+        }
+    }
+    return format == GN_FORMAT_SRGB8_A8 || equal_pixels(a, b, format);
+}
+
 /* The largest distance of two pixels' channels: infinite between NaN and a number. */
 static double distance(const pixel *a, const pixel *b, gn_format format)
 {
@@ -179,7 +192,8 @@ scene_difference scene_compare(const scene *s, const scene_frame *ours,
     const bool has_depth = ours->depth != NULL;
     const pixel clear_color = clear_color_pixel(s);
     const pixel clear_depth = clear_depth_pixel(s);
-    const size_t pixels = (size_t)ours->width * ours->height;
+    const size_t image = (size_t)ours->width * ours->height;
+    const size_t pixels = image * ours->images;
     scene_difference d;
 
     memset(&d, 0, sizeof d);
@@ -201,7 +215,8 @@ scene_difference scene_compare(const scene *s, const scene_frame *ours,
             const pixel b = load_pixel(reference->color, ours->color_format, i);
             const double largest = distance(&a, &b, ours->color_format);
 
-            color_differs = !equal_pixels(&a, &b, ours->color_format);
+            color_differs = i / image == GN_SAMPLES ? !equal_resolved(&a, &b, ours->color_format)
+                                                    : !equal_pixels(&a, &b, ours->color_format);
             d.color_largest = largest > d.color_largest ? largest : d.color_largest;
             drawn[0] |= !equal_pixels(&a, &clear_color, ours->color_format);
             drawn[1] |= !equal_pixels(&b, &clear_color, ours->color_format);
@@ -218,7 +233,8 @@ scene_difference scene_compare(const scene *s, const scene_frame *ours,
         }
         if ((color_differs || depth_differs) && d.pixels++ == 0) {
             d.x = (uint32_t)(i % ours->width);
-            d.y = (uint32_t)(i / ours->width);
+            d.y = (uint32_t)(i % image / ours->width);
+            d.image = (uint32_t)(i / image);
         }
         d.color_pixels += color_differs;
         d.depth_pixels += depth_differs;

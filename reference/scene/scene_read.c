@@ -462,6 +462,8 @@ static bool read_frame(reader *r, const char *keyword, scene *s)
         s->clear_depth = read_float(r);
     } else if (!strcmp(keyword, "clear-stencil")) {
         s->clear_stencil = (uint8_t)read_number(r, 10, 255);
+    } else if (!strcmp(keyword, "samples")) {
+        s->samples = read_number(r, 10, GN_SAMPLES);
     } else if (!strcmp(keyword, "draw")) {
         read_draw(r, s);
     } else {

@@ -212,6 +212,9 @@ bool scene_write(const scene *s, FILE *out)
     write_floats(out, "clear-color", s->clear_color, 4);
     write_floats(out, "clear-depth", &s->clear_depth, 1);
     fprintf(out, "clear-stencil %d\n", s->clear_stencil);
+    if (scene_is_sampled(s)) {
+        fprintf(out, "samples %" PRIu32 "\n", s->samples);
+    }
     for (size_t i = 0; i < s->draw_count; ++i) {
         const scene_draw *d = &s->draws[i];
 

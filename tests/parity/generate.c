@@ -80,6 +80,8 @@ const char *scene_class_name(scene_class c)
         return "formats";
     case CLASS_INSTANCES:
         return "instances";
+    case CLASS_SAMPLES:
+        return "samples";
     case CLASS_MIXED:
         return "mixed";
     case CLASS_COUNT:
@@ -113,6 +115,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
     for (const char *name = scene_class_name(c); *name; name++)
         mix = random_splitmix(&mix) ^ (unsigned char)*name;
     mix = random_splitmix(&mix) ^ number;
+
+    if (c == CLASS_SAMPLES)
+        return generate_sampled(mix);
 
     builder b;
     builder_begin(&b, random_splitmix(&mix));
@@ -229,5 +234,7 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         generate_mixed(&b);
         break;
     }
+    if (c == CLASS_MIXED && random_chance(&b.random, 20))
+        make_sampled(&b.random, b.scene);
     return builder_end(&b);
 }

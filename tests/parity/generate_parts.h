@@ -106,6 +106,12 @@ void generate_formats(builder *b);
 void generate_instances(builder *b);
 void generate_mixed(builder *b);
 
+/* Gives the pixels of a finished scene several samples. */
+void make_sampled(random_source *r, scene *s);
+
+/* A scene of any other class with several samples a pixel. */
+scene *generate_sampled(uint64_t seed);
+
 /* Blends by alpha and one minus alpha. */
 void lay_over(builder *b);
 

@@ -36,6 +36,11 @@ static bool simplify_scene(scene *s, unsigned step, bool *last)
         s->clear_stencil = 0;
         return change;
     }
+    case 5: {
+        const bool change = s->samples != 0;
+        s->samples = 0;
+        return change;
+    }
     default:
         *last = true;
         return false;
