@@ -333,6 +333,7 @@ static void set_state(const scene *s, const gn_pipeline *p)
     set_stencil(GL_BACK, &p->stencil_back);
     glPointSize(p->point_size == 0.0f ? 1.0f : p->point_size);
     glLineWidth(p->line_width == 0.0f ? 1.0f : p->line_width);
+    reference_set_sample_state(p);
 }
 
 static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u)

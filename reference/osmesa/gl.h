@@ -88,6 +88,9 @@ void reference_read_image(const scene *s, uint32_t image, scene_frame *frame);
 /* The internal format of a format's framebuffers. */
 GLenum reference_format(gn_format format);
 
+/* Sets which samples are drawn. */
+void reference_set_sample_state(const gn_pipeline *p);
+
 /* Sets how colours go into the framebuffer. */
 void reference_set_color_state(const gn_pipeline *p);
 

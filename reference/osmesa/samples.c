@@ -28,8 +28,28 @@ static const char fetch_stencil[] =
     "layout(location = 0) out vec4 result;\n"
     "void main() { result = vec4(texelFetch(image, ivec2(gl_FragCoord.xy), number)); }\n";
 
+static void switch_on(GLenum capability, bool on)
+{
+    if (on) {
+        glEnable(capability);
+    } else {
+        glDisable(capability);
+    }
+}
+
+void reference_set_sample_state(const gn_pipeline *p)
+{
+    switch_on(GL_SAMPLE_ALPHA_TO_COVERAGE, p->alpha_to_coverage);
+    switch_on(GL_SAMPLE_ALPHA_TO_ONE, p->alpha_to_one);
+    switch_on(GL_SAMPLE_MASK, p->samples_disabled != 0);
+    glSampleMaski(0, ~(GLbitfield)p->samples_disabled);
+}
+
 static void reset_state(const scene *s)
 {
+    const gn_pipeline defaults = {0};
+
+    reference_set_sample_state(&defaults);
     static const GLenum off[] = {GL_SCISSOR_TEST, GL_DEPTH_TEST,          GL_STENCIL_TEST,
                                  GL_CULL_FACE,    GL_COLOR_LOGIC_OP,      GL_BLEND,
                                  GL_DEPTH_CLAMP,  GL_POLYGON_OFFSET_FILL, GL_PROGRAM_POINT_SIZE};

@@ -114,6 +114,13 @@ static void write_state(FILE *out, const gn_pipeline *p)
     fprintf(out, "  stencil-test %s\n", text_name(TEXT_SWITCH, p->stencil_test));
     write_stencil_face(out, "stencil-front", &p->stencil_front);
     write_stencil_face(out, "stencil-back", &p->stencil_back);
+    if (p->samples_disabled) {
+        fprintf(out, "  samples-disabled %" PRIu32 "\n", p->samples_disabled);
+    }
+    if (p->alpha_to_coverage || p->alpha_to_one) {
+        fprintf(out, "  alpha-to-coverage %s\n", text_name(TEXT_SWITCH, p->alpha_to_coverage));
+        fprintf(out, "  alpha-to-one %s\n", text_name(TEXT_SWITCH, p->alpha_to_one));
+    }
     fprintf(out, "  reads-position %s\n", text_name(TEXT_SWITCH, p->fragment_reads_position));
     fprintf(out, "  reads-primitive %s\n", text_name(TEXT_SWITCH, p->fragment_reads_primitive));
     fprintf(out, "  discards %s\n", text_name(TEXT_SWITCH, p->fragment_discards));

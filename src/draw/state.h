@@ -54,8 +54,8 @@ typedef struct draw_state {
     viewport_transform viewport;
     cull_state cull;
     offset_state offset;
-    bool is_sampled;
-    float center; /* of a pixel, where planes have their values at integers */
+    bool is_sampled; /* coverage is that of samples */
+    float center;    /* of a pixel, where planes have their values at integers */
     fragment_state fragment[SAMPLE_STATES]; /* for each sample; otherwise the first */
     run_function *shade_run;
 } draw_state;

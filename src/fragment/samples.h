@@ -59,12 +59,29 @@ static void test_samples(const fragment_state *state, fragment_place *at, raster
     }
 }
 
+/* What the shader, whose colour comes in, leaves of the samples; may change alpha. */
+static void cover_by_shader(const gn_pipeline *p, const shader_verdict *verdict, bool to_coverage,
+                            lanes_f color[4], uint32_t coverage[GN_SAMPLES])
+{
+    for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
+        const lanes_f least = lanes_splat((float)(int32_t)s * (1.0f / GN_SAMPLES));
+
+        if (p->fragment_discards)
+            coverage[s] &= verdict->kept;
+        if (to_coverage)
+            coverage[s] &= lanes_bits(lanes_greater(color[3], least));
+    }
+    if (p->alpha_to_one)
+        color[3] = lanes_splat(1.0f);
+}
+
 /* A block in OpenGL's order, as shade_whole. Changes `coverage` to the samples that passed. */
 static void shade_samples(const fragment_state *state, fragment_place *at, raster_triangle triangle,
                           uint32_t coverage[GN_SAMPLES])
 {
     const gn_pipeline *p = state->pipeline;
-    const bool late = p->fragment_discards || p->fragment_writes_depth;
+    const bool to_coverage = p->alpha_to_coverage && state->color.format != GN_FORMAT_NONE;
+    const bool late = p->fragment_discards || p->fragment_writes_depth || to_coverage;
     const float x = (float)at->x + 0.5f;
     const float y = (float)at->y + 0.5f;
     float written[GN_LANES];
@@ -84,8 +101,7 @@ static void shade_samples(const fragment_state *state, fragment_place *at, raste
     const lanes_f w = lanes_div(lanes_splat(1.0f),
                                 plane_in_block(triangle_plane(triangle, ONE_OVER_W_PLANE), x, y));
     run_shader(p, triangle, at->x, at->y, 0.5f, covered_pixels(coverage), w, color, &verdict);
-    for (uint32_t s = 0; p->fragment_discards && s < GN_SAMPLES; ++s)
-        coverage[s] &= verdict.kept;
+    cover_by_shader(p, &verdict, to_coverage, color, coverage);
     if (late)
         test_samples(state, at, triangle, verdict.depth, coverage);
     for (uint32_t s = 0; state->color.format != GN_FORMAT_NONE && s < GN_SAMPLES; ++s) {
@@ -109,7 +125,7 @@ static void run_samples(const void *context, raster_triangle triangle, int32_t x
     at.columns = 0;
     at.row = 0;
     for (uint32_t s = 0; s < GN_SAMPLES; ++s)
-        passed[s] = coverage[s];
+        passed[s] = counted->state->pipeline->samples_disabled >> s & 1u ? 0 : coverage[s];
     shade_samples(counted->state, &at, triangle, passed);
     for (uint32_t s = 0; s < GN_SAMPLES; ++s)
         *counted->passed += count_lanes(passed[s]);

@@ -101,11 +101,21 @@ static void avoid_defects(random_source *r, scene *s, scene_draw *d)
     }
 }
 
+static void random_sample_state(random_source *r, gn_pipeline *p)
+{
+    p->samples_disabled = random_chance(r, 30) ? random_below(r, 1u << GN_SAMPLES) : 0;
+    p->alpha_to_coverage = random_chance(r, 20);
+    p->alpha_to_one = random_chance(r, 15);
+}
+
 void make_sampled(random_source *r, scene *s)
 {
     s->samples = GN_SAMPLES;
-    for (size_t i = 0; i < s->draw_count; i++)
+    for (size_t i = 0; i < s->draw_count; i++) {
         avoid_defects(r, s, &s->draws[i]);
+        if (random_chance(r, 50))
+            random_sample_state(r, &s->draws[i].state);
+    }
 }
 
 scene *generate_sampled(uint64_t seed)

@@ -267,6 +267,18 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
             d->mesh.attribute[a].divisor = 0;
         }
         return change;
+    case 58:
+        change = p->samples_disabled != 0;
+        p->samples_disabled = 0;
+        return change;
+    case 59:
+        change = p->alpha_to_coverage;
+        p->alpha_to_coverage = false;
+        return change;
+    case 60:
+        change = p->alpha_to_one;
+        p->alpha_to_one = false;
+        return change;
     default:
         *last = true;
         return false;
