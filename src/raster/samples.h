@@ -122,7 +122,8 @@ static inline void cover_line_samples(const box_state *state, const stored_verte
     int32_t corner[4][2];
     sampled_edges edges, others;
 
-    line_corners(state, first, second, corner);
+    if (!line_corners(state, first, second, corner))
+        return;
     for (int i = 0; i < 4; ++i) {
         const int32_t *const from = corner[i];
         const int32_t *const to = corner[(i + 1) % 4];
@@ -165,7 +166,8 @@ static inline void cover_point_samples(const box_state *state, const stored_vert
     pixel_rectangle part[GN_SAMPLES];
     int32_t low[2], high[2];
 
-    point_range(state, v, low, high);
+    if (!point_range(state, v, low, high))
+        return;
     for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
         int32_t from[2], to[2];
 
