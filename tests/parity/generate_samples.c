@@ -105,7 +105,8 @@ static void random_sample_state(random_source *r, gn_pipeline *p)
 {
     p->samples_disabled = random_chance(r, 30) ? random_below(r, 1u << GN_SAMPLES) : 0;
     p->alpha_to_coverage = random_chance(r, 20);
-    p->alpha_to_one = random_chance(r, 15);
+    /* Which the reference forgets where a shader writes depth. */
+    p->alpha_to_one = random_chance(r, 15) && !p->fragment_writes_depth;
 }
 
 void make_sampled(random_source *r, scene *s)
