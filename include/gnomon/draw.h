@@ -70,8 +70,8 @@ typedef struct gn_workspace {
     size_t needed;         /* written with GN_WORKSPACE_TOO_SMALL: the least size there is */
 
     /* Null, or what a draw adds the number of its fragments to that are covered, kept by the
-     * shader and passed by stencil and depth tests: a query of SAMPLES_PASSED. Exact with
-     * any back end and threads. */
+     * shader and passed by stencil and depth tests: a query of SAMPLES_PASSED, of samples where a
+     * pixel has several. Exact with any back end and threads. */
     uint64_t *samples_passed;
 } gn_workspace;
 
@@ -132,6 +132,8 @@ GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
  * points are drawn whole or not at all, by their centre) and mapped to window coordinates;
  * vertices snap to 1/256 pixel; a pixel is covered where its centre lies inside, or on a left edge
  * or a horizontal bottom edge, so that triangles sharing an edge never both cover a pixel on it.
+ * Where pixels have several samples, the same is asked of each sample, and lines are rectangles of
+ * their width; the fragment shader runs once a pixel, at its centre.
  * Points are squares; lines are as wide as they are along y, where they are longer along x, and
  * along x otherwise, and meet by the diamond-exit rule, so that strips have each pixel of width 1
  * once. OpenGL 4.5 chapters 10 to 17; the order of every operation is the reference rasterizer's,

@@ -36,6 +36,9 @@
  *   point_size           PointSize                      1
  *   program_point_size   PROGRAM_POINT_SIZE             off
  *   line_width           LineWidth                      1
+ *   samples_disabled     SAMPLE_MASK, not SampleMaski   every sample is drawn
+ *   alpha_to_coverage    SAMPLE_ALPHA_TO_COVERAGE       off
+ *   alpha_to_one         SAMPLE_ALPHA_TO_ONE            off
  *
  * As in OpenGL, depth is written only where the depth test is on, stencil only where the
  * stencil test is, and a test of what the target has not got passes. */
@@ -352,6 +355,12 @@ typedef struct gn_pipeline {
     float point_size;        /* in pixels; 0: 1 */
     bool program_point_size; /* points have the size that the vertex shader gives them */
     float line_width;        /* in pixels; 0: 1 */
+
+    /* Of targets with several samples a pixel; without effect on others. The alpha is that of the
+     * shader's colour; alpha_to_coverage makes it run before the tests. */
+    uint32_t samples_disabled; /* bit s: nothing is drawn to sample s */
+    bool alpha_to_coverage;    /* sample s is drawn where the colour's alpha is above s / 4 */
+    bool alpha_to_one;         /* afterwards alpha is 1 */
 } gn_pipeline;
 
 GN_BEGIN
@@ -367,7 +376,7 @@ GN_BEGIN
  * GN_MAX_COLORS); for each attachment GN_OUT_OF_RANGE (color_write_disabled has bits
  * beyond GN_CHANNEL_ALL) and GN_INVALID_ENUM or GN_NOT_FINITE (blend; the constant only where it is
  * enabled); GN_INVALID_ENUM (logic operation), GN_NOT_FINITE or GN_OUT_OF_RANGE (a point size or
- * line width below 0). */
+ * line width below 0), GN_OUT_OF_RANGE (samples_disabled has bits beyond GN_SAMPLES). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
 
 GN_END

@@ -75,13 +75,22 @@ typedef struct gn_surface {
     uint32_t width;       /* in pixels, 1 to GN_MAX_SIZE */
     uint32_t height;
     gn_format format; /* GN_FORMAT_NONE: an absent surface, the rest is not looked at */
+
+    /* Of a multisampled surface; pixels and row_stride are those of its sample 0. */
+    uint32_t samples;        /* of a pixel: 0 and 1 mean one, otherwise GN_SAMPLES */
+    ptrdiff_t sample_stride; /* bytes from a pixel's sample to its next; with one not looked at */
 } gn_surface;
+
+/* Samples of a pixel of a multisampled surface. Each is a plane of its own, as a surface of one
+ * sample has it. They lie in the pixel, from its lower left corner, at (0.375, 0.125), (0.875,
+ * 0.375), (0.125, 0.625) and (0.625, 0.875). */
+#define GN_SAMPLES 4
 
 /* Colours that a draw writes at once: COLOR_ATTACHMENT0 and so on. */
 #define GN_MAX_COLORS 8
 
 /* What a draw writes to. A zeroed member is an absent surface; at least one
- * must be there, and all have the same size. No two may overlap. */
+ * must be there, and all have the same size and number of samples. No two may overlap. */
 typedef struct gn_target {
     gn_surface color[GN_MAX_COLORS]; /* any formats of colours, some absent: holes */
     gn_surface depth;                /* depth, stencil or both: GN_FORMAT_D16 to GN_FORMAT_S8 */
@@ -105,18 +114,29 @@ GN_API gn_surface gn_surface_top_down(void *memory, gn_format format, uint32_t w
  * which is absent. */
 GN_API gn_surface gn_surface_rows(const gn_surface *surface, uint32_t first, uint32_t count);
 
+/* A multisampled surface over GN_SAMPLES tightly packed images, one after the other, each as
+ * `image` is laid out, which is that of sample 0. Of a null pointer, a zeroed surface. */
+GN_API gn_surface gn_surface_multisampled(const gn_surface *image);
+
+/* One sample of a surface, as a surface of one sample of its own: to read, clear or draw to it
+ * alone. Of samples the surface does not have, and of a null pointer, a zeroed surface. */
+GN_API gn_surface gn_surface_sample(const gn_surface *surface, uint32_t sample);
+
 /* The first fault of a target, in this order: a null pointer (GN_NULL_POINTER),
  * no surface at all (GN_NO_SURFACE); then for each colour and for depth: a format
  * that does not belong there (GN_INVALID_FORMAT), a size of 0 or above
  * GN_MAX_SIZE (GN_INVALID_SIZE), null pixels (GN_NULL_POINTER), pixels or stride
  * not aligned (GN_MISALIGNED), a stride shorter than a row, or so long that the rows
- * do not fit memory (GN_INVALID_STRIDE; with one row the stride does not matter); last, sizes that
- * differ (GN_SIZE_MISMATCH). */
+ * do not fit memory (GN_INVALID_STRIDE; with one row the stride does not matter), a number of
+ * samples that is not 0, 1 or GN_SAMPLES (GN_INVALID_SAMPLES), a stride of samples that is not
+ * aligned or so long that they do not fit memory or shorter than a row (GN_MISALIGNED,
+ * GN_INVALID_STRIDE; that samples do not overlap otherwise is not checked); last, sizes or numbers
+ * of samples that differ (GN_SIZE_MISMATCH). */
 GN_API gn_status gn_target_check(const gn_target *target);
 
-/* Fills a colour surface with one colour (OpenGL 4.5 section 17.4.3). Where a channel has n
- * bits, it is c * (2^n - 1), the product being rounded to binary32 and then to the nearest
- * integer, halves to even with 8 bits and up otherwise; 0 below 0 and for NaN, 2^n - 1 from
+/* Fills a colour surface, all its samples, with one colour (OpenGL 4.5 section 17.4.3). Where a
+ * channel has n bits, it is c * (2^n - 1), the product being rounded to binary32 and then to the
+ * nearest integer, halves to even with 8 bits and up otherwise; 0 below 0 and for NaN, 2^n - 1 from
  * 1 up. Floats of 32 bits are stored as they are, those of 16 rounded toward zero. Red, green
  * and blue of GN_FORMAT_SRGB8_A8 are the nearest that sRGB has, exactly.
  * A bad surface gives the statuses of gn_target_check, a format that the library was compiled
@@ -135,6 +155,15 @@ GN_API gn_status gn_clear_stencil(const gn_surface *surface, uint8_t stencil);
 
 /* Both at once, of what the surface has: faster than one after the other. */
 GN_API gn_status gn_clear_depth_stencil(const gn_surface *surface, float depth, uint8_t stencil);
+
+/* Makes one sample a pixel of several (OpenGL's BlitFramebuffer from a multisampled framebuffer).
+ * Colours are averaged: ((s0 + s1) + s2 + s3) / 4 in binary32, of sRGB in linear colours, and
+ * converted as a fragment's colour is. Of depth and stencil sample 0 is taken. A surface with one
+ * sample is copied. Faults: those of gn_target_check of one surface and the other,
+ * GN_INVALID_SAMPLES where `to` has more than one sample, GN_INVALID_FORMAT where the formats
+ * differ, GN_SIZE_MISMATCH, GN_NOT_COMPILED. The surfaces must not overlap, but `to` may be sample
+ * 0 of `from`. */
+GN_API gn_status gn_resolve(const gn_surface *to, const gn_surface *from);
 
 GN_END
 

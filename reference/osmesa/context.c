@@ -131,6 +131,9 @@ void reference_destroy(reference *r)
     for (int i = 0; i < INPUTS_PROGRAMS; ++i) {
         glDeleteProgram(r->inputs_programs[i]);
     }
+    for (int i = 0; i < 2; ++i) {
+        glDeleteProgram(r->sample_programs[i]);
+    }
     glDeleteVertexArrays(1, &r->vertex_array);
     for (int i = 0; i < GN_MAX_COLORS; ++i) {
         glDeleteProgram(r->outputs_programs[i]);

@@ -332,6 +332,7 @@ static void set_state(const scene *s, const gn_pipeline *p)
     set_stencil(GL_BACK, &p->stencil_back);
     glPointSize(p->point_size == 0.0f ? 1.0f : p->point_size);
     glLineWidth(p->line_width == 0.0f ? 1.0f : p->line_width);
+    reference_set_sample_state(p);
 }
 
 static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u)
@@ -467,48 +468,56 @@ static void read_color(const scene *s, gn_format format, void *pixels)
                  read[format].type, pixels);
 }
 
-static void read_frame(const scene *s, scene_frame *frame)
+void reference_read_image(const scene *s, uint32_t image, scene_frame *frame)
 {
     const GLsizei width = (GLsizei)s->width;
     const GLsizei height = (GLsizei)s->height;
+    const size_t skipped = (size_t)s->width * s->height * image;
+    char *depth = frame->depth;
 
     for (int a = 0; a < GN_MAX_COLORS; ++a) {
-        if (scene_color_format(s, a) != GN_FORMAT_NONE) {
+        const gn_format format = scene_color_format(s, a);
+
+        if (format != GN_FORMAT_NONE) {
             glReadBuffer((GLenum)(GL_COLOR_ATTACHMENT0 + a));
-            read_color(s, scene_color_format(s, a), scene_frame_color(frame, a));
+            read_color(s, format,
+                       (char *)scene_frame_color(frame, a) + skipped * gn_format_size(format));
         }
+    }
+    if (depth) {
+        depth += skipped * gn_format_size(s->depth_format);
     }
     switch (s->depth_format) {
     case GN_FORMAT_D16:
-        glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, frame->depth);
+        glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, depth);
         break;
     case GN_FORMAT_D24:
         /* As 32 bits the value comes with its own upper bits repeated below it. */
-        glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, frame->depth);
+        glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depth);
         for (size_t i = 0; i < (size_t)s->width * s->height; ++i) {
-            ((uint32_t *)frame->depth)[i] >>= 8;
+            ((uint32_t *)(void *)depth)[i] >>= 8;
         }
         break;
     case GN_FORMAT_D32F:
-        glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, frame->depth);
+        glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depth);
         break;
     case GN_FORMAT_D24S8:
-        glReadPixels(0, 0, width, height, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, frame->depth);
+        glReadPixels(0, 0, width, height, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, depth);
         for (size_t i = 0; i < (size_t)s->width * s->height; ++i) {
-            uint32_t *const word = (uint32_t *)frame->depth + i;
+            uint32_t *const word = (uint32_t *)(void *)depth + i;
 
             *word = *word >> 8 | *word << 24;
         }
         break;
     case GN_FORMAT_D32FS8:
         glReadPixels(0, 0, width, height, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV,
-                     frame->depth);
+                     depth);
         for (size_t i = 0; i < (size_t)s->width * s->height; ++i) {
-            ((uint32_t *)frame->depth)[2 * i + 1] &= 255;
+            ((uint32_t *)(void *)depth)[2 * i + 1] &= 255;
         }
         break;
     case GN_FORMAT_S8:
-        glReadPixels(0, 0, width, height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, frame->depth);
+        glReadPixels(0, 0, width, height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, depth);
         break;
     default:
         break;
@@ -518,9 +527,10 @@ static void read_frame(const scene *s, scene_frame *frame)
 bool reference_draw(reference *r, const scene *s, scene_frame *frame, char *error,
                     size_t error_size)
 {
+    framebuffer *const target = reference_framebuffer(r, s, error, error_size);
     uploaded_draw *draws;
 
-    if (!reference_framebuffer(r, s, error, error_size)) {
+    if (!target) {
         return false;
     }
     draws = reference_upload(r, s, error, error_size);
@@ -532,7 +542,12 @@ bool reference_draw(reference *r, const scene *s, scene_frame *frame, char *erro
         reference_issue(s, &s->draws[i], &draws[i]);
     }
     glFinish();
-    read_frame(s, frame);
+    if (!target->is_sampled) {
+        reference_read_image(s, 0, frame);
+    } else if (!reference_read_samples(r, s, target, frame, error, error_size)) {
+        reference_discard(draws, s->draw_count);
+        return false;
+    }
     frame->samples_passed = 0;
     for (size_t i = 0; i < s->draw_count; ++i) {
         GLuint passed = 0;

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-static GLenum gl_format(gn_format format)
+GLenum reference_format(gn_format format)
 {
     switch (format) {
     case GN_FORMAT_RGBA8:
@@ -65,6 +65,21 @@ static GLuint attach(GLenum attachment, GLenum format, uint32_t width, uint32_t 
     return name;
 }
 
+/* Samples can be read from textures alone. */
+static GLuint attach_samples(GLenum attachment, GLenum format, uint32_t width, uint32_t height)
+{
+    GLuint name = 0;
+
+    if (format != GL_NONE) {
+        glGenTextures(1, &name);
+        glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, name);
+        glTexStorage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, GN_SAMPLES, format, (GLsizei)width,
+                                  (GLsizei)height, GL_TRUE);
+        glFramebufferTexture(GL_FRAMEBUFFER, attachment, name, 0);
+    }
+    return name;
+}
+
 static GLuint attach_depth(const scene *s, reference_depth depth)
 {
     if (s->depth_format != GN_FORMAT_NONE && depth == REFERENCE_DEPTH_24_STENCIL_8)
@@ -72,10 +87,13 @@ static GLuint attach_depth(const scene *s, reference_depth depth)
     if (s->depth_format != GN_FORMAT_NONE && depth == REFERENCE_DEPTH_FLOAT)
         return attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, s->width, s->height);
     const bool has_both = s->depth_format == GN_FORMAT_D24S8 || s->depth_format == GN_FORMAT_D32FS8;
-    return attach(has_both                          ? GL_DEPTH_STENCIL_ATTACHMENT
-                  : s->depth_format == GN_FORMAT_S8 ? GL_STENCIL_ATTACHMENT
-                                                    : GL_DEPTH_ATTACHMENT,
-                  gl_format(s->depth_format), s->width, s->height);
+    const GLenum attachment = has_both                          ? GL_DEPTH_STENCIL_ATTACHMENT
+                              : s->depth_format == GN_FORMAT_S8 ? GL_STENCIL_ATTACHMENT
+                                                                : GL_DEPTH_ATTACHMENT;
+
+    if (scene_is_sampled(s))
+        return attach_samples(attachment, reference_format(s->depth_format), s->width, s->height);
+    return attach(attachment, reference_format(s->depth_format), s->width, s->height);
 }
 
 bool framebuffer_create(framebuffer *f, const scene *s, reference_depth depth, char *error,
@@ -89,10 +107,12 @@ bool framebuffer_create(framebuffer *f, const scene *s, reference_depth depth, c
     f->depth_format = s->depth_format;
     glGenFramebuffers(1, &f->name);
     glBindFramebuffer(GL_FRAMEBUFFER, f->name);
+    f->is_sampled = scene_is_sampled(s);
     for (int a = 0; a < GN_MAX_COLORS; ++a) {
         f->color_format[a] = scene_color_format(s, a);
-        f->color[a] = attach((GLenum)(GL_COLOR_ATTACHMENT0 + a), gl_format(f->color_format[a]),
-                             s->width, s->height);
+        f->color[a] = (f->is_sampled ? attach_samples : attach)(
+            (GLenum)(GL_COLOR_ATTACHMENT0 + a), reference_format(f->color_format[a]), s->width,
+            s->height);
     }
     f->depth = attach_depth(s, depth);
     framebuffer_choose_colors(s, GN_MAX_COLORS);
@@ -109,8 +129,13 @@ bool framebuffer_create(framebuffer *f, const scene *s, reference_depth depth, c
 void framebuffer_destroy(framebuffer *f)
 {
     glDeleteFramebuffers(1, &f->name);
-    glDeleteRenderbuffers(GN_MAX_COLORS, f->color);
-    glDeleteRenderbuffers(1, &f->depth);
+    if (f->is_sampled) {
+        glDeleteTextures(GN_MAX_COLORS, f->color);
+        glDeleteTextures(1, &f->depth);
+    } else {
+        glDeleteRenderbuffers(GN_MAX_COLORS, f->color);
+        glDeleteRenderbuffers(1, &f->depth);
+    }
     memset(f, 0, sizeof *f);
 }
 
@@ -145,7 +170,7 @@ framebuffer *reference_framebuffer(reference *r, const scene *s, char *error, si
         framebuffer *f = &r->framebuffers[i];
 
         if (f->name && f->width == s->width && f->height == s->height && has_colors_of(f, s) &&
-            f->depth_format == s->depth_format) {
+            f->depth_format == s->depth_format && f->is_sampled == scene_is_sampled(s)) {
             f->last_use = r->uses;
             glBindFramebuffer(GL_FRAMEBUFFER, f->name);
             return f;

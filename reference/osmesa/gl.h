@@ -25,6 +25,7 @@ typedef struct framebuffer {
     uint32_t width, height;
     gn_format color_format[GN_MAX_COLORS], depth_format;
     uint64_t last_use;
+    bool is_sampled; /* then color and depth are textures */
 } framebuffer;
 
 struct reference {
@@ -38,6 +39,7 @@ struct reference {
     GLuint lit_programs[SCENE_SHADER_COUNT];
     framebuffer framebuffers[FRAMEBUFFER_CACHE_SIZE];
     uint64_t uses;
+    GLuint sample_programs[2]; /* reading numbers, and stencil */
 };
 
 /* A draw's mesh and texture in GL objects. */
@@ -75,6 +77,23 @@ uploaded_draw *reference_upload(reference *r, const scene *s, char *error, size_
 void reference_clear(const scene *s);
 void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u);
 void reference_discard(uploaded_draw *draws, size_t count);
+
+/* A program of a vertex shader, after its declarations, and a whole fragment shader; 0 with the
+ * compiler's log in error. */
+GLuint reference_link(const char *vertex, const char *fragment, char *error, size_t error_size);
+
+/* Reads every sample of the bound framebuffer of a scene, and what they resolve to. */
+bool reference_read_samples(reference *r, const scene *s, const framebuffer *f, scene_frame *frame,
+                            char *error, size_t error_size);
+
+/* Reads the bound framebuffer, of one sample, into an image of a frame. */
+void reference_read_image(const scene *s, uint32_t image, scene_frame *frame);
+
+/* The internal format of a format's framebuffers. */
+GLenum reference_format(gn_format format);
+
+/* Sets which samples are drawn. */
+void reference_set_sample_state(const gn_pipeline *p);
 
 /* Sets how colours go into the framebuffer. */
 void reference_set_color_state(const gn_pipeline *p);

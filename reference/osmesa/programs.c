@@ -206,6 +206,11 @@ static GLuint link_program(const char *vertex_body, const char *fragment_head,
     return program;
 }
 
+GLuint reference_link(const char *vertex, const char *fragment, char *error, size_t error_size)
+{
+    return link_program(vertex, "#version 450 core\n", fragment, error, error_size);
+}
+
 static const char *qualifier(gn_interpolation interpolation)
 {
     switch (interpolation) {

@@ -245,6 +245,7 @@ scene *scene_copy(const scene *s)
     copy->clear_depth = s->clear_depth;
     copy->clear_stencil = s->clear_stencil;
     memcpy(copy->more_colors, s->more_colors, sizeof copy->more_colors);
+    copy->samples = s->samples;
     for (size_t i = 0; i < s->draw_count; ++i) {
         const scene_draw *from = &s->draws[i];
         const gn_texture *texture = &from->uniforms.texture;

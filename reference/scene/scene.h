@@ -79,11 +79,15 @@ typedef struct scene {
     scene_draw *draws;
     size_t draw_count;
     gn_format more_colors[GN_MAX_COLORS - 1]; /* attachments 1 and on; GN_FORMAT_NONE: none */
+    uint32_t samples; /* of a pixel: 0 and 1 mean one, otherwise GN_SAMPLES */
 } scene;
 
-/* A drawn frame, bottom row first, tightly packed, in the formats of surface.h. */
+/* A drawn frame, bottom row first, tightly packed, in the formats of surface.h. Of a scene with
+ * samples it holds several images, one after the other: those of the samples, then what they
+ * are resolved to. */
 typedef struct scene_frame {
     uint32_t width, height;
+    uint32_t images; /* 1, or GN_SAMPLES + 1 */
     gn_format color_format, depth_format;
     void *color;
     void *depth;                               /* null for GN_FORMAT_NONE */
@@ -119,7 +123,7 @@ typedef struct scene_difference {
                                  value is still the clear value on exactly one side */
     double color_largest;     /* largest difference of a channel, of integers: in steps */
     double depth_largest;     /* of depth or stencil: in steps, floats as numbers */
-    uint32_t x, y;            /* the first differing pixel, where pixels > 0 */
+    uint32_t x, y, image;     /* the first differing pixel, where pixels > 0 */
 } scene_difference;
 
 /* An empty scene with one allocated draw list; grows by scene_add_draw. All memory of a
@@ -168,6 +172,12 @@ uint64_t scene_triangle_count(const scene *s);
 bool scene_write(const scene *s, FILE *out);
 scene *scene_read(FILE *in, char *error, size_t error_size);
 
+/* Whether pixels of a scene have several samples. */
+static inline bool scene_is_sampled(const scene *s)
+{
+    return s->samples > 1;
+}
+
 /* A zeroed frame for a scene; false where memory is short. */
 bool scene_frame_allocate(scene_frame *frame, const scene *s);
 void scene_frame_free(scene_frame *frame);
@@ -183,7 +193,7 @@ size_t scene_workspace_size(const scene *s);
  * be top-down, and in the caller's workspace. The status is the first that is not GN_OK. */
 gn_status scene_draw_to_target(const scene *s, const gn_target *target, gn_workspace *workspace);
 
-/* The same into a frame. */
+/* The same into a frame, and resolves samples. */
 gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame, gn_workspace *workspace);
 
 /* The same in a workspace of its own, of scene_workspace_size where workspace_bytes is 0. */

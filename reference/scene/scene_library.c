@@ -189,6 +189,39 @@ gn_status scene_draw_to_target(const scene *s, const gn_target *target, gn_works
     return status;
 }
 
+/* An image of a frame's memory, and all that are samples of the scene. */
+static gn_surface frame_image(const scene *s, void *memory, gn_format format, uint32_t image)
+{
+    const size_t size = (size_t)s->width * s->height * gn_format_size(format);
+
+    return gn_surface_bottom_up((char *)memory + size * image, format, s->width, s->height);
+}
+
+static gn_surface frame_surface(const scene *s, void *memory, gn_format format)
+{
+    const gn_surface first = frame_image(s, memory, format, 0);
+
+    return scene_is_sampled(s) ? gn_surface_multisampled(&first) : first;
+}
+
+/* Resolves what has been drawn into the last image of the frame. */
+static gn_status resolve_frame(const scene *s, const gn_target *target, const scene_frame *frame)
+{
+    gn_status status = GN_OK;
+
+    if (frame->color) {
+        const gn_surface to = frame_image(s, frame->color, s->color_format, GN_SAMPLES);
+
+        status = gn_resolve(&to, &target->color[0]);
+    }
+    if (frame->depth && status == GN_OK) {
+        const gn_surface to = frame_image(s, frame->depth, s->depth_format, GN_SAMPLES);
+
+        status = gn_resolve(&to, &target->depth);
+    }
+    return status;
+}
+
 gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame, gn_workspace *workspace)
 {
     uint64_t *const counter = workspace->samples_passed;
@@ -199,16 +232,16 @@ gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame, gn_workspa
     workspace->samples_passed = &frame->samples_passed;
     for (int a = 0; a < GN_MAX_COLORS; ++a) {
         if (scene_color_format(s, a) != GN_FORMAT_NONE) {
-            target.color[a] = gn_surface_bottom_up(scene_frame_color(frame, a),
-                                                   scene_color_format(s, a), s->width, s->height);
+            target.color[a] =
+                frame_surface(s, scene_frame_color(frame, a), scene_color_format(s, a));
         }
     }
     if (s->depth_format != GN_FORMAT_NONE) {
-        target.depth = gn_surface_bottom_up(frame->depth, s->depth_format, s->width, s->height);
+        target.depth = frame_surface(s, frame->depth, s->depth_format);
     }
     const gn_status status = scene_draw_to_target(s, &target, workspace);
     workspace->samples_passed = counter;
-    return status;
+    return status == GN_OK && scene_is_sampled(s) ? resolve_frame(s, &target, frame) : status;
 }
 
 gn_status scene_draw_library(const scene *s, scene_frame *frame, size_t workspace_bytes,

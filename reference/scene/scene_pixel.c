@@ -127,6 +127,35 @@ uint32_t scene_clear_channel(gn_format format, int c, float v)
     }
 }
 
+void scene_pixel_store(void *pixels, gn_format format, size_t index, const float value[4])
+{
+    const layout l = layout_of(format);
+    const size_t size = gn_format_size(format);
+    unsigned char *const at = (unsigned char *)pixels + size * index;
+    uint64_t bits = 0;
+
+    if (format == GN_FORMAT_RGBA32F) {
+        memcpy(at, value, size);
+        return;
+    }
+    for (int c = 0; c < l.count; ++c) {
+        bits |= (uint64_t)scene_clear_channel(format, c, value[c]) << l.shift[c];
+    }
+    const uint16_t half[4] = {(uint16_t)bits, (uint16_t)(bits >> 16), (uint16_t)(bits >> 32),
+                              (uint16_t)(bits >> 48)};
+    const uint32_t word = (uint32_t)bits;
+
+    if (size == 2 || size == 8) {
+        memcpy(at, half, size);
+    } else if (size == 4) {
+        memcpy(at, &word, size);
+    } else {
+        for (size_t i = 0; i < size; ++i) {
+            at[i] = (unsigned char)(bits >> 8 * i);
+        }
+    }
+}
+
 bool scene_channels_equal(gn_format format, int c, uint32_t a, uint32_t b)
 {
     if (format == GN_FORMAT_SRGB8_A8 && c < 3 && (a - b == 1 || b - a == 1)) {

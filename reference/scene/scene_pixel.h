@@ -7,6 +7,9 @@
 /* The bits of a pixel's channels, red first. Gives how many there are. */
 int scene_pixel_channels(const void *pixels, gn_format format, size_t index, uint32_t channel[4]);
 
+/* Stores the pixel that has these values, each that of a pixel of the format. */
+void scene_pixel_store(void *pixels, gn_format format, size_t index, const float value[4]);
+
 /* What a clear to `value` makes of channel c, from OpenGL's conversion rules. */
 uint32_t scene_clear_channel(gn_format format, int c, float value);
 

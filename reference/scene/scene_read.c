@@ -305,6 +305,12 @@ static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
         read_stencil_face(r, &p->stencil_front);
     } else if (!strcmp(keyword, "stencil-back")) {
         read_stencil_face(r, &p->stencil_back);
+    } else if (!strcmp(keyword, "samples-disabled")) {
+        p->samples_disabled = read_number(r, 10, (1u << GN_SAMPLES) - 1);
+    } else if (!strcmp(keyword, "alpha-to-coverage")) {
+        p->alpha_to_coverage = read_name(r, TEXT_SWITCH) == 1;
+    } else if (!strcmp(keyword, "alpha-to-one")) {
+        p->alpha_to_one = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "reads-position")) {
         p->fragment_reads_position = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "reads-primitive")) {
@@ -514,6 +520,8 @@ static bool read_frame(reader *r, const char *keyword, scene *s)
         s->clear_depth = read_float(r);
     } else if (!strcmp(keyword, "clear-stencil")) {
         s->clear_stencil = (uint8_t)read_number(r, 10, 255);
+    } else if (!strcmp(keyword, "samples")) {
+        s->samples = read_number(r, 10, GN_SAMPLES);
     } else if (!strcmp(keyword, "draw")) {
         read_draw(r, s);
     } else {

@@ -114,6 +114,13 @@ static void write_state(FILE *out, const gn_pipeline *p)
     fprintf(out, "  stencil-test %s\n", text_name(TEXT_SWITCH, p->stencil_test));
     write_stencil_face(out, "stencil-front", &p->stencil_front);
     write_stencil_face(out, "stencil-back", &p->stencil_back);
+    if (p->samples_disabled) {
+        fprintf(out, "  samples-disabled %" PRIu32 "\n", p->samples_disabled);
+    }
+    if (p->alpha_to_coverage || p->alpha_to_one) {
+        fprintf(out, "  alpha-to-coverage %s\n", text_name(TEXT_SWITCH, p->alpha_to_coverage));
+        fprintf(out, "  alpha-to-one %s\n", text_name(TEXT_SWITCH, p->alpha_to_one));
+    }
     fprintf(out, "  reads-position %s\n", text_name(TEXT_SWITCH, p->fragment_reads_position));
     fprintf(out, "  reads-primitive %s\n", text_name(TEXT_SWITCH, p->fragment_reads_primitive));
     fprintf(out, "  discards %s\n", text_name(TEXT_SWITCH, p->fragment_discards));
@@ -259,6 +266,9 @@ bool scene_write(const scene *s, FILE *out)
     write_floats(out, "clear-color", s->clear_color, 4);
     write_floats(out, "clear-depth", &s->clear_depth, 1);
     fprintf(out, "clear-stencil %d\n", s->clear_stencil);
+    if (scene_is_sampled(s)) {
+        fprintf(out, "samples %" PRIu32 "\n", s->samples);
+    }
     for (size_t i = 0; i < s->draw_count; ++i) {
         const scene_draw *d = &s->draws[i];
 

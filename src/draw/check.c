@@ -119,6 +119,8 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
     status = check_size(pipeline->line_width);
     if (status)
         return status;
+    if (pipeline->samples_disabled >= 1u << GN_SAMPLES)
+        return GN_OUT_OF_RANGE;
     return GN_OK;
 }
 

@@ -2,7 +2,7 @@
 #ifndef GN_DRAW_STATE_H
 #define GN_DRAW_STATE_H
 
-#include "../fragment/block.h"
+#include "../fragment/samples.h"
 #include "../geometry/assemble.h"
 #include "../geometry/viewport.h"
 #include "../raster/cull.h"
@@ -65,7 +65,9 @@ typedef struct draw_state {
     viewport_transform viewport;
     cull_state cull;
     offset_state offset;
-    fragment_state fragment;
+    bool is_sampled; /* coverage is that of samples */
+    float center;    /* of a pixel, where planes have their values at integers */
+    fragment_state fragment[SAMPLE_STATES]; /* for each sample; otherwise the first */
     run_function *shade_run;
 } draw_state;
 
@@ -83,11 +85,23 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     draw->map.outcodes = 0;
     draw->viewport = viewport_transform_of(job->pipeline, any->width, any->height);
     draw->cull = cull_state_of(job->pipeline, any->width, any->height);
-    set_fragment_state(&draw->fragment, job->target, job->pipeline, &draw->viewport);
+    set_fragment_state(&draw->fragment[0], job->target, job->pipeline, &draw->viewport);
     if (GN_HAVE_OFFSET)
-        draw->offset =
-            offset_state_of(job->pipeline, job->target->depth.format, draw->fragment.moves_depth);
-    draw->shade_run = job->samples_passed ? run_counted : run_function_of(&draw->fragment);
+        draw->offset = offset_state_of(job->pipeline, job->target->depth.format,
+                                       draw->fragment[0].moves_depth);
+    draw->shade_run = job->samples_passed ? run_counted : run_function_of(&draw->fragment[0]);
+    draw->is_sampled = GN_HAVE_SAMPLES && samples_of(any) > 1;
+    draw->center = 0.5f;
+    if (draw->is_sampled) {
+        draw->center = 0.0f;
+        draw->viewport.sampled = true;
+        draw->cull.reach = SAMPLE_REACH;
+        draw->cull.box.reach = SAMPLE_REACH;
+        for (uint32_t s = 1; s < SAMPLE_STATES; ++s) {
+            set_fragment_state(&draw->fragment[s], job->target, job->pipeline, &draw->viewport);
+            view_sample(&draw->fragment[s], s);
+        }
+    }
 }
 
 /* Elements of a segment, and triangles that they make. */

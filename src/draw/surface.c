@@ -2,6 +2,7 @@
 #include "gnomon/surface.h"
 
 #include "../fragment/types.h"
+#include "check.h"
 #include "clear_pixel.h"
 #include "fill.h"
 
@@ -19,6 +20,8 @@ gn_surface gn_surface_bottom_up(void *memory, gn_format format, uint32_t width, 
     s.width = width;
     s.height = height;
     s.format = format;
+    s.samples = 0;
+    s.sample_stride = 0;
     return s;
 }
 
@@ -44,6 +47,33 @@ gn_surface gn_surface_rows(const gn_surface *surface, uint32_t first, uint32_t c
     return s;
 }
 
+gn_surface gn_surface_multisampled(const gn_surface *image)
+{
+    gn_surface s = gn_surface_bottom_up(0, GN_FORMAT_NONE, 0, 0);
+
+    if (image) {
+        s = *image;
+        s.samples = GN_SAMPLES;
+        s.sample_stride = s.row_stride < 0 ? -s.row_stride : s.row_stride;
+        if (s.height <= GN_MAX_SIZE && s.sample_stride <= PTRDIFF_MAX / GN_MAX_SIZE)
+            s.sample_stride *= (ptrdiff_t)s.height;
+    }
+    return s;
+}
+
+gn_surface gn_surface_sample(const gn_surface *surface, uint32_t sample)
+{
+    gn_surface s = gn_surface_bottom_up(0, GN_FORMAT_NONE, 0, 0);
+
+    if (surface && surface->pixels && sample < samples_of(surface)) {
+        s = *surface;
+        s.pixels = sample_memory(surface, sample);
+        s.samples = 0;
+        s.sample_stride = 0;
+    }
+    return s;
+}
+
 static bool is_color_format(gn_format format)
 {
     return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F || format_is_encoded(format);
@@ -53,6 +83,25 @@ static bool is_depth_format(gn_format format)
 {
     return format == GN_FORMAT_D16 || format == GN_FORMAT_D24 || format == GN_FORMAT_D32F ||
            format == GN_FORMAT_D24S8 || format == GN_FORMAT_D32FS8;
+}
+
+static gn_status check_samples(const gn_surface *s, size_t element)
+{
+    const size_t stride =
+        s->sample_stride < 0 ? 0 - (size_t)s->sample_stride : (size_t)s->sample_stride;
+
+    if (s->samples <= 1)
+        return GN_OK;
+    if (s->samples != GN_SAMPLES)
+        return GN_INVALID_SAMPLES;
+    if (!GN_HAVE_SAMPLES)
+        return GN_NOT_COMPILED;
+    if (stride % element != 0)
+        return GN_MISALIGNED;
+    if (stride < s->width * gn_format_size(s->format) ||
+        stride > (size_t)PTRDIFF_MAX / (GN_SAMPLES - 1))
+        return GN_INVALID_STRIDE;
+    return GN_OK;
 }
 
 static gn_status check_surface(const gn_surface *s, bool format_fits)
@@ -76,7 +125,12 @@ static gn_status check_surface(const gn_surface *s, bool format_fits)
     if (s->height > 1 && (stride < s->width * gn_format_size(s->format) ||
                           stride > (size_t)PTRDIFF_MAX / (s->height - 1)))
         return GN_INVALID_STRIDE;
-    return GN_OK;
+    return check_samples(s, element);
+}
+
+gn_status gn_check_any_surface(const gn_surface *surface)
+{
+    return check_surface(surface, gn_format_size(surface->format) > 0);
 }
 
 gn_status gn_target_check(const gn_target *target)
@@ -100,7 +154,8 @@ gn_status gn_target_check(const gn_target *target)
                                                           format_has_stencil(s->format));
         if (status)
             return status;
-        differ = differ || s->width != first->width || s->height != first->height;
+        differ = differ || s->width != first->width || s->height != first->height ||
+                 samples_of(s) != samples_of(first);
     }
     return differ ? GN_SIZE_MISMATCH : GN_OK;
 }
@@ -189,24 +244,15 @@ static void clear_pixels(const gn_surface *surface, const float channel[4])
         fill_pixels(spans.first + (ptrdiff_t)i * spans.stride, spans.size, &pixel);
 }
 
-gn_status gn_clear_color(const gn_surface *surface, float red, float green, float blue, float alpha)
+/* Clears one sample. */
+static void clear_color(const gn_surface *surface, const float channel[4])
 {
-    if (!surface)
-        return GN_NULL_POINTER;
-
-    const gn_status status = check_surface(surface, is_color_format(surface->format));
-    if (status)
-        return status;
-
-    const float channel[4] = {red, green, blue, alpha};
     if (surface->format == GN_FORMAT_RGBA8) {
         int32_t packed[GN_LANES];
 
-        lanes_i_store(packed, lanes_pack_unorm8(saturate(red), saturate(green), saturate(blue),
-                                                saturate(alpha)));
+        lanes_i_store(packed, lanes_pack_unorm8(saturate(channel[0]), saturate(channel[1]),
+                                                saturate(channel[2]), saturate(channel[3])));
         fill_surface(surface, packed);
-    } else if (!GN_HAVE_FORMATS && format_is_encoded(surface->format)) {
-        return GN_NOT_COMPILED;
     } else if (surface->format == GN_FORMAT_RGBA32F) {
         int32_t pattern[GN_LANES];
 
@@ -215,6 +261,29 @@ gn_status gn_clear_color(const gn_surface *surface, float red, float green, floa
         fill_surface(surface, pattern);
     } else if (GN_HAVE_FORMATS) {
         clear_pixels(surface, channel);
+    }
+}
+
+gn_status gn_clear_color(const gn_surface *surface, float red, float green, float blue, float alpha)
+{
+    const float channel[4] = {red, green, blue, alpha};
+
+    if (!surface)
+        return GN_NULL_POINTER;
+
+    const gn_status status = check_surface(surface, is_color_format(surface->format));
+    if (status)
+        return status;
+    if (!GN_HAVE_FORMATS && format_is_encoded(surface->format))
+        return GN_NOT_COMPILED;
+    if (!GN_HAVE_SAMPLES || samples_of(surface) == 1) {
+        clear_color(surface, channel);
+        return GN_OK;
+    }
+    for (uint32_t n = 0; n < GN_SAMPLES; ++n) {
+        const gn_surface sample = gn_surface_sample(surface, n);
+
+        clear_color(&sample, channel);
     }
     return GN_OK;
 }
@@ -273,9 +342,9 @@ static void fill_bits(const gn_surface *surface, const int32_t pattern[GN_LANES]
     }
 }
 
-/* Clears what is asked for of a checked surface, which has it. */
-static void clear_depth_stencil(const gn_surface *surface, bool clears_depth, float depth,
-                                bool clears_stencil, uint8_t stencil)
+/* Clears what is asked for of one sample of a checked surface, which has it. */
+static void clear_sample(const gn_surface *surface, bool clears_depth, float depth,
+                         bool clears_stencil, uint8_t stencil)
 {
     const gn_format format = surface->format;
     const float z = !(depth > 0.0f) ? 0.0f : depth > 1.0f ? 1.0f : depth;
@@ -307,6 +376,20 @@ static void clear_depth_stencil(const gn_surface *surface, bool clears_depth, fl
         fill_surface(surface, pattern);
     else
         fill_bits(surface, pattern, mask);
+}
+
+static void clear_depth_stencil(const gn_surface *surface, bool clears_depth, float depth,
+                                bool clears_stencil, uint8_t stencil)
+{
+    if (!GN_HAVE_SAMPLES || samples_of(surface) == 1) {
+        clear_sample(surface, clears_depth, depth, clears_stencil, stencil);
+        return;
+    }
+    for (uint32_t n = 0; n < GN_SAMPLES; ++n) {
+        const gn_surface sample = gn_surface_sample(surface, n);
+
+        clear_sample(&sample, clears_depth, depth, clears_stencil, stencil);
+    }
 }
 
 gn_status gn_clear_depth(const gn_surface *surface, float depth)

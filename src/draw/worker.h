@@ -5,7 +5,7 @@
 
 #include "../geometry/assemble.h"
 #include "../geometry/clip.h"
-#include "../raster/coverage.h"
+#include "../raster/samples.h"
 #include "../raster/setup_box.h"
 #include "elements.h"
 
@@ -70,19 +70,64 @@ GN_OUT_OF_LINE void draw_boxes(worker *w, const triangle_list *list, const void 
     }
 }
 
+/* Points and lines to a multisampled target. */
+GN_OUT_OF_LINE void draw_sampled_boxes(worker *w, const triangle_list *list, const void *context)
+{
+    const gn_pipeline *const pipeline = w->draw->pipeline;
+    const box_state *const state = &w->cull.box;
+    unsigned char *const memory = w->draw->job->memory;
+
+    setup_box_identities(pipeline, list, w->batch);
+    if (w->kind == KIND_POINT)
+        setup_points(pipeline, memory, list, w->batch);
+    else
+        setup_lines(state, pipeline, memory, list, w->batch);
+    for (uint32_t l = 0; l < list->count; ++l) {
+        const raster_triangle triangle = {&w->batch->plane[0][0][l]};
+        const stored_vertex *const first = vertex_at(memory, list->vertex[0][l]);
+        const stored_vertex *const second = vertex_at(memory, list->vertex[1][l]);
+        const pixel_rectangle box = listed_box(list, l);
+
+        if (w->kind == KIND_POINT)
+            cover_point_samples(state, first, &box, triangle, run_samples, context);
+        else
+            cover_line_samples(state, first, second, &box, triangle, run_samples, context);
+    }
+}
+
+/* The same to a multisampled target. */
+GN_OUT_OF_LINE void draw_sampled(worker *w, const triangle_list *list)
+{
+    const draw_state *draw = w->draw;
+    const counted_state context = {draw->fragment, &w->passed};
+
+    if (w->kind != KIND_TRIANGLE) {
+        draw_sampled_boxes(w, list, &context);
+        return;
+    }
+    setup_triangles(draw->pipeline, &draw->offset, draw->center, &w->cull.target, draw->job->memory,
+                    list, w->batch);
+    for (uint32_t l = 0; l < list->count; ++l)
+        cover_samples(&w->cull.target, w->batch, list, l, run_samples, &context);
+}
+
 /* Sets up and draws the triangles of a list whose lanes are all filled. */
 static void draw_triangles(worker *w, const triangle_list *list)
 {
     const draw_state *draw = w->draw;
-    const counted_state counted = {&draw->fragment, &w->passed};
+    const counted_state counted = {draw->fragment, &w->passed};
     const void *const context =
-        draw->job->samples_passed ? (const void *)&counted : (const void *)&draw->fragment;
+        draw->job->samples_passed ? (const void *)&counted : (const void *)draw->fragment;
 
+    if (GN_HAVE_SAMPLES && draw->is_sampled) {
+        draw_sampled(w, list);
+        return;
+    }
     if (GN_HAVE_LINES && w->kind != KIND_TRIANGLE) {
         draw_boxes(w, list, context);
         return;
     }
-    setup_triangles(draw->pipeline, &draw->offset, &w->cull.target, draw->job->memory, list,
+    setup_triangles(draw->pipeline, &draw->offset, 0.5f, &w->cull.target, draw->job->memory, list,
                     w->batch);
     for (uint32_t l = 0; l < list->count; ++l)
         cover_triangle(&w->cull.target, w->batch, list, l, draw->shade_run, context);

@@ -90,9 +90,11 @@ static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_tr
 
 /* gl_FragCoord of a block; its z has the polygon offset, whether or not depth is tested. */
 GN_OUT_OF_LINE void place_fragments(const gn_pipeline *pipeline, raster_triangle triangle,
-                                    int32_t x, int32_t y, float position[4][GN_LANES])
+                                    int32_t x, int32_t y, float center, float position[4][GN_LANES])
 {
-    lanes_f depth = plane_in_block(triangle_plane(triangle, DEPTH_PLANE), (float)x, (float)y);
+    const float px = (float)x + center;
+    const float py = (float)y + center;
+    lanes_f depth = plane_in_block(triangle_plane(triangle, DEPTH_PLANE), px, py);
     const attribute_plane w = triangle_plane(triangle, ONE_OVER_W_PLANE);
 
     GN_EACH_LANE (l) {
@@ -102,7 +104,7 @@ GN_OUT_OF_LINE void place_fragments(const gn_pipeline *pipeline, raster_triangle
     if (GN_HAVE_OFFSET && pipeline->polygon_offset.set)
         depth = lanes_add(depth, lanes_splat(triangle_offset(triangle, pipeline->varying_count)));
     lanes_store(position[2], depth);
-    lanes_store(position[3], plane_in_block(w, (float)x, (float)y));
+    lanes_store(position[3], plane_in_block(w, px, py));
 }
 
 /* What a fragment shader says beside colour: the fragments it keeps, and where `depth` is
@@ -112,11 +114,14 @@ typedef struct shader_verdict {
     float *depth;
 } shader_verdict;
 
-/* Colours are left in `color`, room for which the pipeline's color_count asks. */
+/* Runs the shader on a block, `center` from the places that planes are given for. Colours are
+ * left in `color`, room for which the pipeline's color_count asks. */
 GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, int32_t x, int32_t y,
-                        uint32_t coverage, lanes_f w, float (*color)[GN_LANES],
+                        float center, uint32_t coverage, lanes_f w, float (*color)[GN_LANES],
                         shader_verdict *verdict)
 {
+    const float px = (float)x + center;
+    const float py = (float)y + center;
     const triangle_identity identity = identity_of(triangle, pipeline->varying_count);
     float varying[GN_MAX_VARYINGS][GN_LANES];
     float position[4][GN_LANES];
@@ -124,7 +129,7 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     gn_fragment_output output;
 
     for (uint32_t n = 0; n < pipeline->varying_count; ++n)
-        lanes_store(varying[n], interpolate_varying(pipeline, triangle, n, (float)x, (float)y, w));
+        lanes_store(varying[n], interpolate_varying(pipeline, triangle, n, px, py, w));
     input.varying = (const float(*)[GN_LANES])varying;
     input.coverage = coverage;
     input.x = x;
@@ -134,7 +139,7 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     input.primitive_id = pipeline->fragment_reads_primitive ? (uint32_t)identity.primitive : 0;
     input.position = 0;
     if (pipeline->fragment_reads_position) {
-        place_fragments(pipeline, triangle, x, y, position);
+        place_fragments(pipeline, triangle, x, y, center, position);
         input.position = (const float(*)[GN_LANES])position;
     }
     output.color = color;
@@ -197,7 +202,7 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
         return coverage;
 
     const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
-    run_shader(p, triangle, at->x, at->y, coverage, w, color, &verdict);
+    run_shader(p, triangle, at->x, at->y, 0.0f, coverage, w, color, &verdict);
     if (p->fragment_discards)
         coverage &= verdict.kept;
     if (p->fragment_writes_depth)
@@ -228,7 +233,7 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
     const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
     if (kind.source == SOURCE_SHADER) {
         verdict.depth = 0;
-        run_shader(state->pipeline, triangle, at->x, at->y, coverage, w, shaded, &verdict);
+        run_shader(state->pipeline, triangle, at->x, at->y, 0.0f, coverage, w, shaded, &verdict);
         for (int c = 0; c < 4; ++c)
             color[c] = lanes_load(shaded[c]);
     } else {

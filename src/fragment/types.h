@@ -160,6 +160,18 @@ static inline unsigned char *surface_row(const gn_surface *surface, uint32_t y)
     return (unsigned char *)surface->pixels + (ptrdiff_t)y * surface->row_stride;
 }
 
+/* Samples of a checked surface's pixels. */
+static inline uint32_t samples_of(const gn_surface *surface)
+{
+    return surface->samples > 1 ? GN_SAMPLES : 1;
+}
+
+/* The pixels of a sample of a surface. */
+static inline unsigned char *sample_memory(const gn_surface *surface, uint32_t sample)
+{
+    return (unsigned char *)surface->pixels + (ptrdiff_t)sample * surface->sample_stride;
+}
+
 /* Bytes of one pixel of a format; 0 for GN_FORMAT_NONE and for no format. */
 GN_INLINE uint32_t format_size(gn_format format)
 {

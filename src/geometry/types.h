@@ -15,6 +15,7 @@ typedef struct viewport_transform {
     float translate[3];
     uint32_t planes;  /* bit p: clip_plane p is asked */
     bool zero_to_one; /* CLIP_NEAR is 0 <= z */
+    bool sampled;     /* what snaps is the distance from a pixel's corner, not its centre */
 } viewport_transform;
 
 /* What of a mesh is drawn at a time: an instance of elements without a restart. Members are

@@ -28,6 +28,7 @@
 #define GN_HAVE_FORMATS 0
 #define GN_HAVE_INSTANCES 0
 #define GN_HAVE_ATTACHMENTS 0
+#define GN_HAVE_SAMPLES 0
 #else
 #define GN_HAVE_LINES 1
 #define GN_HAVE_STENCIL 1
@@ -36,6 +37,7 @@
 #define GN_HAVE_FORMATS 1     /* of colours, beside RGBA8 and RGBA32F */
 #define GN_HAVE_INSTANCES 1   /* and primitive restart */
 #define GN_HAVE_ATTACHMENTS 1 /* more than one colour */
+#define GN_HAVE_SAMPLES 1     /* more than one a pixel */
 #endif
 
 /* Whether operations of the portable lanes are called with addresses (calls.h). */

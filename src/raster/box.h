@@ -6,11 +6,15 @@
 
 #include "types.h"
 
+#include "../lanes/lanes.h"
+
 /* What is constant over a draw. */
 typedef struct box_state {
     bool program_point_size;
     int32_t point_size; /* in 1/256 pixel */
     int32_t half_width; /* of lines, in 1/256 pixel */
+    float width;        /* of lines of sampled pixels, which is not rounded */
+    int32_t reach;      /* how far from a pixel's centre its samples are; 0 where there are none */
 } box_state;
 
 /* Rounded, halves away from zero. */
@@ -35,6 +39,8 @@ static inline box_state box_state_of(const gn_pipeline *p)
     s.program_point_size = p->program_point_size;
     s.point_size = snap_size(p->point_size, GN_MAX_POINT_SIZE);
     s.half_width = width > 1.0f ? round_away(width) * 128 : 128;
+    s.width = width > 1.0f ? width : 1.0f;
+    s.reach = 0;
     return s;
 }
 
@@ -61,19 +67,42 @@ static inline bool pixels_of_box(const pixel_rectangle *target, const int32_t lo
     return box->min_x <= box->max_x && box->min_y <= box->max_y;
 }
 
-/* The pixels of a point, false where there are none. */
-static inline bool point_box(const box_state *state, const pixel_rectangle *target,
-                             const stored_vertex *v, pixel_rectangle *box)
+/* A window coordinate from a pixel's centre in 1/256 pixel. Between samples the reference rounds it
+ * from the pixel's corner. */
+static inline int32_t snap_end(const box_state *state, float v)
+{
+    return GN_HAVE_SAMPLES && state->reach ? round_away(v * 256.0f) - 128
+                                           : round_away((v - 0.5f) * 256.0f);
+}
+
+/* The half-open ranges of a point in snapped coordinates, false where there are none. */
+static inline bool point_range(const box_state *state, const stored_vertex *v, int32_t low[2],
+                               int32_t high[2])
 {
     const int32_t size =
         state->program_point_size ? snap_size(v->point_size, GN_MAX_POINT_SIZE) : state->point_size;
-    int32_t low[2], high[2];
 
     for (int c = 0; c < 2; ++c) {
         if (!can_snap(v->window[c]))
             return false;
-        low[c] = round_away((v->window[c] - 0.5f) * 256.0f) - size / 2;
+        low[c] = snap_end(state, v->window[c]) - size / 2;
         high[c] = low[c] + size;
+    }
+    return true;
+}
+
+/* The pixels of a point, or of one with samples those that may be, false where there are
+ * none. */
+static inline bool point_box(const box_state *state, const pixel_rectangle *target,
+                             const stored_vertex *v, pixel_rectangle *box)
+{
+    int32_t low[2], high[2];
+
+    if (!point_range(state, v, low, high))
+        return false;
+    for (int c = 0; GN_HAVE_SAMPLES && c < 2; ++c) {
+        low[c] -= state->reach;
+        high[c] += state->reach;
     }
     return pixels_of_box(target, low, high, box);
 }
@@ -208,6 +237,62 @@ static inline bool middle_of_line(const stored_vertex *first, const stored_verte
     return true;
 }
 
+/* Among samples a line is a rectangle, half the width to either side of its middle: its corners
+ * in snapped coordinates, clockwise. False where nothing is drawn. */
+static inline bool line_corners(const box_state *state, const stored_vertex *first,
+                                const stored_vertex *second, int32_t corner[4][2])
+{
+    const stored_vertex *const v[2] = {first, second};
+    float length[GN_LANES];
+    int32_t across[2];
+
+    for (int c = 0; c < 2; ++c) {
+        if (!can_snap(first->window[c]) || !can_snap(second->window[c]))
+            return false;
+    }
+    const float dx = first->window[0] - second->window[0];
+    const float dy = first->window[1] - second->window[1];
+    if (dx == 0.0f && dy == 0.0f)
+        return false;
+    lanes_store(length, lanes_sqrt(lanes_splat(dx * dx + dy * dy)));
+
+    const float scale = state->width * 0.5f / length[0];
+    across[0] = round_away(-dy * scale * 256.0f);
+    across[1] = round_away(dx * scale * 256.0f);
+    for (int i = 0; i < 2; ++i) {
+        for (int c = 0; c < 2; ++c) {
+            const int32_t middle = snap_end(state, v[i]->window[c]);
+
+            corner[i][c] = middle - across[c];
+            corner[3 - i][c] = middle + across[c];
+        }
+    }
+    return true;
+}
+
+/* The pixels with samples that may be a line's, false where there are none. */
+static inline bool sampled_line_box(const box_state *state, const pixel_rectangle *target,
+                                    const stored_vertex *first, const stored_vertex *second,
+                                    pixel_rectangle *box)
+{
+    int32_t corner[4][2];
+    int32_t low[2], high[2];
+
+    if (!line_corners(state, first, second, corner))
+        return false;
+    for (int c = 0; c < 2; ++c) {
+        low[c] = corner[0][c];
+        high[c] = corner[0][c];
+        for (int i = 1; i < 4; ++i) {
+            low[c] = corner[i][c] < low[c] ? corner[i][c] : low[c];
+            high[c] = corner[i][c] > high[c] ? corner[i][c] : high[c];
+        }
+        low[c] -= state->reach;
+        high[c] += state->reach + 1;
+    }
+    return pixels_of_box(target, low, high, box);
+}
+
 /* The pixels that a line's may be among, false where there are none. */
 static inline bool line_box(const box_state *state, const pixel_rectangle *target,
                             const stored_vertex *first, const stored_vertex *second,
@@ -216,6 +301,8 @@ static inline bool line_box(const box_state *state, const pixel_rectangle *targe
     line_middle m;
     int32_t low[2], high[2];
 
+    if (GN_HAVE_SAMPLES && state->reach)
+        return sampled_line_box(state, target, first, second, box);
     if (!middle_of_line(first, second, &m))
         return false;
     low[m.major] = m.end[0][m.major];

@@ -107,22 +107,26 @@ typedef struct large_edge {
     lanes_i offset; /* from there to each of its pixels */
 } large_edge;
 
-static void set_large_edge(large_edge *e, const triangle_batch *batch, int edge, uint32_t lane)
+/* Of the edge through a point of snapped coordinates. */
+static inline void set_edge_through(large_edge *e, int32_t per_x, int32_t per_y, int32_t x,
+                                    int32_t y)
 {
-    const int32_t per_x = batch->edge[edge].per_x[lane];
-    const int32_t per_y = batch->edge[edge].per_y[lane];
     const int32_t along_x = -per_x * (BLOCK_SIZE - 1);
     const int32_t along_y = per_y * (BLOCK_SIZE - 1);
     const int32_t owns_ties = per_x < 0 || (per_x == 0 && per_y > 0);
 
-    e->constant = ((int64_t)per_x * batch->snapped[edge][0][lane] -
-                   (int64_t)per_y * batch->snapped[edge][1][lane] + owns_ties - 1) >>
-                  8;
+    e->constant = ((int64_t)per_x * x - (int64_t)per_y * y + owns_ties - 1) >> 8;
     e->per_x = per_x;
     e->per_y = per_y;
     e->least = (along_x < 0 ? along_x : 0) + (along_y < 0 ? along_y : 0);
     e->greatest = (along_x > 0 ? along_x : 0) + (along_y > 0 ? along_y : 0);
     e->offset = edge_values(0, per_x, per_y);
+}
+
+static void set_large_edge(large_edge *e, const triangle_batch *batch, int edge, uint32_t lane)
+{
+    set_edge_through(e, batch->edge[edge].per_x[lane], batch->edge[edge].per_y[lane],
+                     batch->snapped[edge][0][lane], batch->snapped[edge][1][lane]);
 }
 
 /* The values of the three edge functions at the lower left pixel of a block. */

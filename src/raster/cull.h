@@ -15,6 +15,7 @@ typedef struct cull_state {
     bool front_clockwise;
     bool provoking_first;
     bool asks_unsnapped; /* cull_unsnapped */
+    int32_t reach;       /* how far from a pixel's centre its samples are, in 1/256 pixel */
     box_state box;
 } cull_state;
 
@@ -57,6 +58,7 @@ static inline cull_state cull_state_of(const gn_pipeline *p, uint32_t width, uin
     s.drop_counter_clockwise = front_clockwise ? drop_back : drop_front;
     s.provoking_first = p->provoking_vertex == GN_PROVOKING_FIRST;
     s.asks_unsnapped = false;
+    s.reach = 0;
     s.box = box_state_of(p);
     return s;
 }
@@ -132,17 +134,19 @@ static inline lanes_i greatest_of(const lanes_i a[3])
     return lanes_i_max(lanes_i_max(a[0], a[1]), a[2]);
 }
 
-/* Pixels whose centre (256 * p in snapped coordinates) lies between the extremes, and in
- * the target. Gives the bits of triangles with any. */
-GN_STEP uint32_t find_bounds(const pixel_rectangle *target, lanes_i min_x, lanes_i min_y,
-                             lanes_i max_x, lanes_i max_y, int32_t bounds[BOUNDS_COUNT][GN_LANES])
+/* Pixels whose centre (256 * p in snapped coordinates), or what lies up to `reach` around it,
+ * lies between the extremes, and in the target. Gives the bits of triangles with any. */
+GN_STEP uint32_t find_bounds(const pixel_rectangle *target, int32_t reach, lanes_i min_x,
+                             lanes_i min_y, lanes_i max_x, lanes_i max_y,
+                             int32_t bounds[BOUNDS_COUNT][GN_LANES])
 {
-    const lanes_i up = lanes_i_splat(255);
+    const lanes_i up = lanes_i_splat(255 - reach);
+    const lanes_i beyond = lanes_i_splat(reach);
 
     min_x = lanes_i_shift_right(lanes_i_add(min_x, up), 8);
     min_y = lanes_i_shift_right(lanes_i_add(min_y, up), 8);
-    max_x = lanes_i_shift_right(max_x, 8);
-    max_y = lanes_i_shift_right(max_y, 8);
+    max_x = lanes_i_shift_right(lanes_i_add(max_x, beyond), 8);
+    max_y = lanes_i_shift_right(lanes_i_add(max_y, beyond), 8);
     min_x = lanes_i_max(min_x, lanes_i_splat(target->min_x));
     min_y = lanes_i_max(min_y, lanes_i_splat(target->min_y));
     max_x = lanes_i_min(max_x, lanes_i_splat(target->max_x));
@@ -185,7 +189,8 @@ GN_STEP void cull_snapped(const cull_state *state, const unsigned char *memory,
                             lanes_bits(lanes_i_greater(lanes_i_splat(-SNAPPED_LIMIT), least));
     uint32_t drawn = visible & inside & ~beyond;
 
-    drawn &= find_bounds(&state->target, min_x, min_y, max_x, max_y, result->bounds);
+    drawn &= find_bounds(&state->target, GN_HAVE_SAMPLES ? state->reach : 0, min_x, min_y, max_x,
+                         max_y, result->bounds);
 
     const lanes_i extent = lanes_i_max(lanes_i_sub(max_x, min_x), lanes_i_sub(max_y, min_y));
     const uint32_t large = lanes_bits(lanes_i_greater(extent, lanes_i_splat(SMALL_EXTENT - 1)));

@@ -74,13 +74,13 @@ static inline void setup_edges(const pixel_rectangle *target, const unsigned cha
 
 /* Window differences of the vertices, divided by the triangle's area. */
 typedef struct plane_basis {
-    lanes_f x0, y0; /* vertex 0, from the pixel's centre */
+    lanes_f x0, y0; /* vertex 0, from the place in the pixel that planes are given for */
     lanes_f dx01, dy01, dx20, dy20;
 } plane_basis;
 
-static inline void set_basis(plane_basis *b, const lanes_f x[3], const lanes_f y[3])
+static inline void set_basis(plane_basis *b, const lanes_f x[3], const lanes_f y[3], float center)
 {
-    const lanes_f half = lanes_splat(0.5f);
+    const lanes_f half = lanes_splat(center);
     const lanes_f dx01 = lanes_sub(x[0], x[1]);
     const lanes_f dy01 = lanes_sub(y[0], y[1]);
     const lanes_f dx20 = lanes_sub(x[2], x[0]);
@@ -124,10 +124,11 @@ static inline void make_flat_plane(const unsigned char *memory, const triangle_l
     }
 }
 
-/* The planes of depth, 1/w and the varyings, four of which share a row of a vertex. */
+/* The planes of depth, 1/w and the varyings, four of which share a row of a vertex. At integers
+ * they have their value at so much from the corner of a pixel. */
 static inline void setup_planes(const gn_pipeline *pipeline, const offset_state *offset,
-                                const unsigned char *memory, const triangle_list *list,
-                                triangle_batch *batch)
+                                float center, const unsigned char *memory,
+                                const triangle_list *list, triangle_batch *batch)
 {
     const unsigned char *const varyings = memory + VERTEX_VARYING;
     lanes_i row[3][4];
@@ -141,7 +142,7 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
         z[i] = lanes_as_float(row[i][2]);
         w[i] = lanes_as_float(row[i][3]);
     }
-    set_basis(&basis, x, y);
+    set_basis(&basis, x, y, center);
     make_plane(&basis, z, batch->plane[DEPTH_PLANE]);
     if (GN_HAVE_OFFSET && offset->moves)
         lanes_store(batch->plane[VARYING_PLANES + pipeline->varying_count][IDENTITY_OFFSET],
@@ -193,11 +194,12 @@ static inline void fill_list(triangle_list *list)
 
 /* Sets up the triangles of a list whose lanes are all filled. */
 static inline void setup_triangles(const gn_pipeline *pipeline, const offset_state *offset,
-                                   const pixel_rectangle *target, const unsigned char *memory,
-                                   const triangle_list *list, triangle_batch *batch)
+                                   float center, const pixel_rectangle *target,
+                                   const unsigned char *memory, const triangle_list *list,
+                                   triangle_batch *batch)
 {
     setup_edges(target, memory, list, batch);
-    setup_planes(pipeline, offset, memory, list, batch);
+    setup_planes(pipeline, offset, center, memory, list, batch);
     setup_identities(pipeline, list, batch);
 }
 

@@ -89,7 +89,9 @@ static inline void setup_line_edges(const box_state *state, const unsigned char 
 
 /* Window differences of a line's ends, along the major axis alone. */
 typedef struct line_basis {
-    lanes_f x0, y0; /* the first end, from the pixel's centre */
+    bool is_sampled; /* then values change along the line, in both directions */
+    lanes_f d[2];
+    lanes_f x0, y0; /* the first end, from the pixel's centre, among samples too */
     lanes_f extent, one_over_square;
     lanes_m x_major;
 } line_basis;
@@ -99,8 +101,8 @@ static inline lanes_f absolute_value(lanes_f a)
     return lanes_as_float(lanes_i_and(lanes_as_int(a), lanes_i_splat(INT32_MAX)));
 }
 
-static inline void set_line_basis(const unsigned char *memory, const triangle_list *list,
-                                  line_basis *b)
+static inline void set_line_basis(const box_state *state, const unsigned char *memory,
+                                  const triangle_list *list, line_basis *b)
 {
     const lanes_f one = lanes_splat(1.0f);
     lanes_i row[2][4];
@@ -110,6 +112,9 @@ static inline void set_line_basis(const unsigned char *memory, const triangle_li
         lanes_i_gather_rows(memory + VERTEX_WINDOW, list->vertex[i], 1, row[i]);
     for (int c = 0; c < 2; ++c)
         d[c] = lanes_sub(lanes_as_float(row[0][c]), lanes_as_float(row[1][c]));
+    b->is_sampled = GN_HAVE_SAMPLES && state->reach;
+    b->d[0] = d[0];
+    b->d[1] = d[1];
     b->x0 = lanes_sub(lanes_as_float(row[0][0]), lanes_splat(0.5f));
     b->y0 = lanes_sub(lanes_as_float(row[0][1]), lanes_splat(0.5f));
     b->x_major = lanes_not(lanes_greater(absolute_value(d[1]), absolute_value(d[0])));
@@ -124,9 +129,15 @@ static inline void make_line_plane(const line_basis *b, lanes_f a0, lanes_f a1,
                                    float plane[PLANE_TERMS][GN_LANES])
 {
     const lanes_f zero = lanes_splat(0.0f);
-    const lanes_f per = lanes_mul(lanes_mul(lanes_sub(a0, a1), b->extent), b->one_over_square);
-    const lanes_f per_x = lanes_select(b->x_major, per, zero);
-    const lanes_f per_y = lanes_select(b->x_major, zero, per);
+    const lanes_f da = lanes_sub(a0, a1);
+    const lanes_f per = lanes_mul(lanes_mul(da, b->extent), b->one_over_square);
+    lanes_f per_x = lanes_select(b->x_major, per, zero);
+    lanes_f per_y = lanes_select(b->x_major, zero, per);
+
+    if (b->is_sampled) {
+        per_x = lanes_mul(lanes_mul(da, b->d[0]), b->one_over_square);
+        per_y = lanes_mul(lanes_mul(da, b->d[1]), b->one_over_square);
+    }
     const lanes_f at_zero = lanes_add(lanes_mul(per_x, b->x0), lanes_mul(per_y, b->y0));
 
     lanes_store(plane[PLANE_ORIGIN], lanes_sub(a0, at_zero));
@@ -142,8 +153,9 @@ static inline void setup_lines(const box_state *state, const gn_pipeline *pipeli
     float first[GN_LANES], second[GN_LANES];
     line_basis basis;
 
-    setup_line_edges(state, memory, list, batch);
-    set_line_basis(memory, list, &basis);
+    if (!GN_HAVE_SAMPLES || !state->reach)
+        setup_line_edges(state, memory, list, batch);
+    set_line_basis(state, memory, list, &basis);
     for (uint32_t n = 0; n < VARYING_PLANES + pipeline->varying_count; ++n) {
         if (n >= VARYING_PLANES && pipeline->interpolation[n - VARYING_PLANES] == GN_FLAT) {
             make_flat_plane(memory, list, n - VARYING_PLANES, batch->plane[n]);

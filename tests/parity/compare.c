@@ -244,7 +244,8 @@ static bool same_bits(const void *a, const void *b, gn_format format, size_t i)
 void compare_print_pixels(const comparison *result, uint64_t limit)
 {
     const scene_frame *a = &result->ours, *b = &result->theirs;
-    const size_t pixels = (size_t)a->width * a->height;
+    const size_t image = (size_t)a->width * a->height;
+    const size_t pixels = image * a->images;
     for (size_t i = 0; i < pixels && limit > 0; i++) {
         bool same = same_bits(a->depth, b->depth, a->depth_format, i);
         for (int c = 0; c < GN_MAX_COLORS; c++)
@@ -252,7 +253,12 @@ void compare_print_pixels(const comparison *result, uint64_t limit)
                                      scene_frame_format(a, c), i);
         if (same)
             continue;
-        printf("pixel (%zu, %zu)\n  ours     ", i % a->width, i / a->width);
+        printf("pixel (%zu, %zu)", i % a->width, i % image / a->width);
+        if (a->images > 1 && i / image == GN_SAMPLES)
+            printf(" resolved");
+        else if (a->images > 1)
+            printf(" sample %zu", i / image);
+        printf("\n  ours     ");
         print_pixel(a, i);
         printf("  reference");
         print_pixel(b, i);

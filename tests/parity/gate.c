@@ -224,7 +224,7 @@ static void count_scene(totals *t, const scene *s, const comparison *r)
 {
     t->scenes++;
     t->triangles += scene_triangle_count(s);
-    t->pixels += (uint64_t)s->width * s->height;
+    t->pixels += (uint64_t)s->width * s->height * (scene_is_sampled(s) ? GN_SAMPLES : 1);
     t->drawn += r->drawn;
     t->color += r->reference.color_pixels;
     t->depth += r->reference.depth_pixels;

@@ -82,6 +82,8 @@ const char *scene_class_name(scene_class c)
         return "instances";
     case CLASS_ATTACHMENTS:
         return "attachments";
+    case CLASS_SAMPLES:
+        return "samples";
     case CLASS_MIXED:
         return "mixed";
     case CLASS_SEQUENCES:
@@ -117,6 +119,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
     for (const char *name = scene_class_name(c); *name; name++)
         mix = random_splitmix(&mix) ^ (unsigned char)*name;
     mix = random_splitmix(&mix) ^ number;
+
+    if (c == CLASS_SAMPLES)
+        return generate_sampled(mix);
 
     builder b;
     builder_begin(&b, random_splitmix(&mix));
@@ -239,5 +244,7 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         generate_mixed(&b);
         break;
     }
+    if ((c == CLASS_MIXED || c == CLASS_SEQUENCES) && random_chance(&b.random, 20))
+        make_sampled(&b.random, b.scene);
     return builder_end(&b);
 }

@@ -43,6 +43,7 @@ typedef enum scene_class {
     CLASS_FORMATS,       /* every colour format, at the edges of its conversion */
     CLASS_INSTANCES,     /* instances, base vertex, primitive restart */
     CLASS_ATTACHMENTS,   /* several colours, holes, a blending and mask for each */
+    CLASS_SAMPLES,       /* several samples a pixel */
     CLASS_MIXED,         /* several draws of several of the above */
     CLASS_SEQUENCES,     /* 7 to 20 draws, all states at random, clears between some */
     CLASS_COUNT

@@ -128,6 +128,12 @@ void add_attachments(builder *b);
 void random_outputs(builder *b);
 void mix_attachments(builder *b, bool blends_floats);
 
+/* Gives the pixels of a finished scene several samples. */
+void make_sampled(random_source *r, scene *s);
+
+/* A scene of any other class with several samples a pixel. */
+scene *generate_sampled(uint64_t seed);
+
 /* What mixed draws have of the classes of colours combined with those of the target. */
 void mix_color_state(builder *b);
 

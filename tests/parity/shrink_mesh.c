@@ -87,6 +87,7 @@ scene *copy_with_selection(const scene *s, size_t draw, const mesh_selection *se
     memcpy(copy->clear_color, s->clear_color, sizeof copy->clear_color);
     copy->clear_depth = s->clear_depth;
     copy->clear_stencil = s->clear_stencil;
+    copy->samples = s->samples;
     for (size_t i = 0; i < s->draw_count; i++) {
         const mesh_selection all = mesh_select_all(&s->draws[i].mesh);
         copy_draw(copy, &s->draws[i], i == draw ? selection : &all);

@@ -60,6 +60,11 @@ static bool simplify_scene(scene *s, unsigned step, bool *last)
         *more = change ? GN_FORMAT_RGBA8 : *more;
         return change;
     }
+    case 19: {
+        const bool change = s->samples != 0;
+        s->samples = 0;
+        return change;
+    }
     default:
         *last = true;
         return false;
@@ -309,6 +314,18 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
     case 72:
         change = p->color_write_disabled[step - 65] != 0;
         p->color_write_disabled[step - 65] = 0;
+        return change;
+    case 73:
+        change = p->samples_disabled != 0;
+        p->samples_disabled = 0;
+        return change;
+    case 74:
+        change = p->alpha_to_coverage;
+        p->alpha_to_coverage = false;
+        return change;
+    case 75:
+        change = p->alpha_to_one;
+        p->alpha_to_one = false;
         return change;
     default:
         *last = true;

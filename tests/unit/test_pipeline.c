@@ -157,6 +157,10 @@ static void size_faults(void **state)
     p.point_size = NAN;
     assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
     p = good_pipeline();
+    p.samples_disabled = 16;
+    assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
+    p.samples_disabled = 15;
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
     p.line_width = -0.5f;
     assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
     p.line_width = INFINITY;

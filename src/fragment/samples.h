@@ -1,0 +1,144 @@
+/* Fragments of multisampled surfaces, 16 at a time: the shader once a pixel, depth, tests and
+ * colours once a sample (OpenGL 4.5 section 14.3.1), each sample being a surface of its own. */
+#ifndef GN_FRAGMENT_SAMPLES_H
+#define GN_FRAGMENT_SAMPLES_H
+
+#include "../raster/samples.h"
+#include "block.h"
+
+/* States of a draw, one a sample. */
+#define SAMPLE_STATES (GN_HAVE_SAMPLES ? GN_SAMPLES : 1)
+
+/* Makes a state of sample 0 that of another. */
+static inline void view_sample(fragment_state *s, uint32_t sample)
+{
+    if (s->color.format != GN_FORMAT_NONE)
+        s->color.pixels = sample_memory(&s->color, sample);
+    if (s->depth.format != GN_FORMAT_NONE)
+        s->depth.pixels = sample_memory(&s->depth, sample);
+    for (uint32_t a = 0; GN_HAVE_ATTACHMENTS && a < s->more_count; ++a) {
+        gn_surface *const surface = &s->more[a].surface;
+
+        if (surface->format != GN_FORMAT_NONE)
+            surface->pixels = sample_memory(surface, sample);
+    }
+}
+
+/* A place in a pixel, in pixels from its corner. */
+static inline float sample_place(uint32_t sample, int axis)
+{
+    return (float)(128 + sample_offset(sample, axis)) * (1.0f / 256.0f);
+}
+
+/* Where a block of a sample is in memory. */
+static inline void enter_sample(const fragment_state *state, fragment_place *at)
+{
+    at->color = pixel_memory(&state->color, state->color.format, at->x, at->y);
+    at->depth = pixel_memory(&state->depth, state->depth.format, at->x, at->y);
+}
+
+static inline uint32_t covered_pixels(const uint32_t coverage[GN_SAMPLES])
+{
+    return coverage[0] | coverage[1] | coverage[2] | coverage[3];
+}
+
+/* Stencil and depth tests of all samples; `written` is the shader's depth, which they share,
+ * or null. */
+static void test_samples(const fragment_state *state, fragment_place *at, raster_triangle triangle,
+                         const float *written, uint32_t coverage[GN_SAMPLES])
+{
+    const gn_pipeline *p = state->pipeline;
+    const attribute_plane plane = triangle_plane(triangle, DEPTH_PLANE);
+
+    for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
+        lanes_f depth = plane_in_block(plane, (float)at->x + sample_place(s, 0),
+                                       (float)at->y + sample_place(s, 1));
+
+        if (!coverage[s])
+            continue;
+        if (written)
+            depth = lanes_load(written);
+        else if (state->moves_depth)
+            depth = lanes_add(depth, lanes_splat(triangle_offset(triangle, p->varying_count)));
+        enter_sample(&state[s], at);
+        coverage[s] = test_whole(&state[s], at, triangle, coverage[s], depth);
+    }
+}
+
+/* What the shader, whose colours come in, leaves of the samples; may change alpha. */
+static void cover_by_shader(const fragment_state *state, const shader_verdict *verdict,
+                            bool to_coverage, float (*color)[GN_LANES],
+                            uint32_t coverage[GN_SAMPLES])
+{
+    const gn_pipeline *p = state->pipeline;
+    const lanes_f alpha = lanes_load(color[3]);
+
+    for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
+        const lanes_f least = lanes_splat((float)(int32_t)s * (1.0f / GN_SAMPLES));
+
+        if (p->fragment_discards)
+            coverage[s] &= verdict->kept;
+        if (to_coverage)
+            coverage[s] &= lanes_bits(lanes_greater(alpha, least));
+    }
+    for (uint32_t a = 0; p->alpha_to_one && a <= (GN_HAVE_ATTACHMENTS ? state->more_count : 0); ++a)
+        lanes_store(color[4 * a + 3], lanes_splat(1.0f));
+}
+
+/* A block in OpenGL's order, as shade_whole. Changes `coverage` to the samples that passed. */
+static void shade_samples(const fragment_state *state, fragment_place *at, raster_triangle triangle,
+                          uint32_t coverage[GN_SAMPLES])
+{
+    const gn_pipeline *p = state->pipeline;
+    const bool to_coverage = p->alpha_to_coverage && state->color.format != GN_FORMAT_NONE;
+    const bool late = p->fragment_discards || p->fragment_writes_depth || to_coverage;
+    const float x = (float)at->x + 0.5f;
+    const float y = (float)at->y + 0.5f;
+    float written[GN_LANES];
+    float color[4 * COLOR_LIMIT][GN_LANES];
+    shader_verdict verdict;
+
+    verdict.depth = 0;
+    if (p->fragment_writes_depth) {
+        lanes_store(written, plane_in_block(triangle_plane(triangle, DEPTH_PLANE), x, y));
+        verdict.depth = written;
+    }
+    if (!late)
+        test_samples(state, at, triangle, 0, coverage);
+    if (!covered_pixels(coverage) || (!late && !has_colors(state)))
+        return;
+
+    const lanes_f w = lanes_div(lanes_splat(1.0f),
+                                plane_in_block(triangle_plane(triangle, ONE_OVER_W_PLANE), x, y));
+    run_shader(p, triangle, at->x, at->y, 0.5f, covered_pixels(coverage), w, color, &verdict);
+    cover_by_shader(state, &verdict, to_coverage, color, coverage);
+    if (late)
+        test_samples(state, at, triangle, verdict.depth, coverage);
+    for (uint32_t s = 0; has_colors(state) && s < GN_SAMPLES; ++s) {
+        enter_sample(&state[s], at);
+        if (coverage[s])
+            put_colors(&state[s], at, coverage[s], (const float(*)[GN_LANES])color);
+    }
+}
+
+/* A samples_function; the context is a counted_state with one state a sample. */
+static void run_samples(const void *context, raster_triangle triangle, int32_t x, int32_t y,
+                        const uint32_t coverage[GN_SAMPLES])
+{
+    const counted_state *const counted = (const counted_state *)context;
+    uint32_t passed[GN_SAMPLES];
+    fragment_place at;
+
+    at.shape = SHAPE_BLOCK;
+    at.x = x;
+    at.y = y;
+    at.columns = 0;
+    at.row = 0;
+    for (uint32_t s = 0; s < GN_SAMPLES; ++s)
+        passed[s] = counted->state->pipeline->samples_disabled >> s & 1u ? 0 : coverage[s];
+    shade_samples(counted->state, &at, triangle, passed);
+    for (uint32_t s = 0; s < GN_SAMPLES; ++s)
+        *counted->passed += count_lanes(passed[s]);
+}
+
+#endif

@@ -1,0 +1,130 @@
+/* Scenes of other classes with several samples a pixel. */
+#include "generate.h"
+#include "generate_parts.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Tiles of the reference, at whose lower left sides it loses lines (reference/RULES.md). */
+#define TILE 64.0
+
+/* The places of a line's ends in the window; false where it is clipped, or nearly. */
+static bool line_in_window(const scene *s, const scene_draw *d, const float *const end[2],
+                           double at[2][2])
+{
+    const gn_viewport whole = {true, 0.0f, 0.0f, (float)s->width, (float)s->height};
+    const gn_viewport v = d->state.viewport.set ? d->state.viewport : whole;
+    for (int i = 0; i < 2; i++) {
+        const double w = (double)end[i][3];
+        for (int c = 0; c < 3; c++)
+            if (!(fabs((double)end[i][c]) < 0.999 * w))
+                return false;
+        at[i][0] = (double)v.x + 0.5 * (double)v.width * (1.0 + (double)end[i][0] / w);
+        at[i][1] = (double)v.y + 0.5 * (double)v.height * (1.0 + (double)end[i][1] / w);
+    }
+    return true;
+}
+
+/* Whether the reference draws all of a line. What it takes for the pixels of a line begins with
+ * the first whole one, so that it loses a part that reaches just beyond a tile, and lines less
+ * than a pixel wide or high. */
+static bool line_is_safe(const scene *s, const scene_draw *d, const float *const end[2])
+{
+    const double size[2] = {(double)s->width, (double)s->height};
+    const double width = d->state.line_width > 1.0f ? (double)d->state.line_width : 1.0;
+    double at[2][2];
+    if (!line_in_window(s, d, end, at))
+        return false;
+    const double length = hypot(at[0][0] - at[1][0], at[0][1] - at[1][1]);
+    for (int c = 0; c < 2; c++) {
+        const double half = 0.5 * width * fabs(at[0][!c] - at[1][!c]) / length;
+        const double low = fmin(at[0][c], at[1][c]) - half, high = fmax(at[0][c], at[1][c]) + half;
+        const double in_tile = low - TILE * floor(low / TILE);
+        if (!(high - low > 1.02) || low > size[c] - 1.02 ||
+            (low > 0.0 && (in_tile > TILE - 1.02 || in_tile < 0.02)))
+            return false;
+    }
+    return true;
+}
+
+/* Places the ends of lines anew that the reference does not draw whole. False where that is of
+ * no use. */
+static bool move_lines(random_source *r, scene *s, scene_draw *d)
+{
+    const gn_attribute *const position = &d->mesh.attribute[GN_ATTRIBUTE_POSITION];
+    const gn_mesh *const mesh = &d->mesh;
+    const uint32_t step = d->state.topology == GN_LINES ? 2 : 1;
+    gn_mat4 identity;
+    gn_mat4_identity(&identity);
+    if (memcmp(&identity, &d->uniforms.light.clip_from_model, sizeof identity) != 0 ||
+        position->components != 4 || mesh->restart != GN_RESTART_NONE || mesh->base_vertex != 0)
+        return false;
+    float *const p = (float *)position->data;
+    bool moved = true;
+    for (int attempt = 0; moved && attempt < 100; attempt++) {
+        moved = false;
+        for (uint32_t i = 0; i + 1 < mesh->count + (d->state.topology == GN_LINE_LOOP); i += step) {
+            float *const end[2] = {
+                p + (size_t)4 * scene_vertex_of(mesh, mesh->first + i),
+                p + (size_t)4 * scene_vertex_of(mesh, mesh->first + (i + 1) % mesh->count)};
+            const float *const ends[2] = {end[0], end[1]};
+            if (line_is_safe(s, d, ends))
+                continue;
+            moved = true;
+            for (int e = 0; e < 2; e++) {
+                end[e][3] = random_chance(r, 50) ? 1.0f : random_float(r, 0.25f, 4.0f);
+                for (int c = 0; c < 3; c++)
+                    end[e][c] = end[e][3] * random_float(r, -0.99f, 0.99f);
+            }
+        }
+    }
+    return !moved;
+}
+
+/* What the reference draws otherwise than OpenGL says with several samples (reference/RULES.md). */
+static void avoid_defects(random_source *r, scene *s, scene_draw *d)
+{
+    gn_scissor *const scissor = &d->state.scissor;
+    /* A scissor leaks to the left and downward: the left and the lower side lie outside. */
+    if (scissor->set && scissor->x > 0) {
+        scissor->width += (uint32_t)scissor->x;
+        scissor->x = 0;
+    }
+    if (scissor->set && scissor->y > 0) {
+        scissor->height += (uint32_t)scissor->y;
+        scissor->y = 0;
+    }
+    if (d->state.topology > GN_POINTS) {
+        scissor->set = false;
+        if (!move_lines(r, s, d))
+            d->state.topology = GN_TRIANGLES;
+    }
+}
+
+static void random_sample_state(random_source *r, gn_pipeline *p)
+{
+    p->samples_disabled = random_chance(r, 30) ? random_below(r, 1u << GN_SAMPLES) : 0;
+    p->alpha_to_coverage = random_chance(r, 20);
+    /* Which the reference forgets where a shader writes depth. */
+    p->alpha_to_one = random_chance(r, 15) && !p->fragment_writes_depth;
+}
+
+void make_sampled(random_source *r, scene *s)
+{
+    s->samples = GN_SAMPLES;
+    for (size_t i = 0; i < s->draw_count; i++) {
+        avoid_defects(r, s, &s->draws[i]);
+        if (random_chance(r, 50))
+            random_sample_state(r, &s->draws[i].state);
+    }
+}
+
+scene *generate_sampled(uint64_t seed)
+{
+    random_source r = random_seed(seed);
+    const scene_class c = (scene_class)random_below(&r, CLASS_COUNT + 8); /* mixed more often */
+    scene *const s =
+        generate_scene(random_bits(&r), c < CLASS_SAMPLES ? c : CLASS_MIXED, random_bits(&r));
+    make_sampled(&r, s);
+    return s;
+}

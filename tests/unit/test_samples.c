@@ -1,0 +1,216 @@
+/* Several samples a pixel: surfaces, their faults and views, clears, coverage, resolving. */
+#include <string.h>
+
+#include "unit.h"
+
+enum { SIDE = 6, PIXELS = SIDE * SIDE, PAD = 8 };
+
+static uint32_t colors[GN_SAMPLES * PIXELS + 2 * PAD];
+static float depths[GN_SAMPLES * PIXELS];
+
+static gn_target sampled_target(void)
+{
+    const gn_surface color = gn_surface_bottom_up(colors + PAD, GN_FORMAT_RGBA8, SIDE, SIDE);
+    const gn_surface depth = gn_surface_bottom_up(depths, GN_FORMAT_D32F, SIDE, SIDE);
+    gn_target t;
+
+    memset(&t, 0, sizeof t);
+    memset(colors, 0, sizeof colors);
+    t.color[0] = gn_surface_multisampled(&color);
+    t.depth = gn_surface_multisampled(&depth);
+    return t;
+}
+
+static void surfaces_and_views(void **state)
+{
+    (void)state;
+    const gn_surface down = gn_surface_top_down(colors, GN_FORMAT_RGBA8, SIDE, SIDE);
+    const gn_surface all = gn_surface_multisampled(&down);
+
+    assert_int_equal(all.samples, GN_SAMPLES);
+    assert_int_equal(all.sample_stride, PIXELS * 4);
+    for (uint32_t n = 0; n < GN_SAMPLES; ++n) {
+        const gn_surface view = gn_surface_sample(&all, n);
+
+        assert_ptr_equal(view.pixels, colors + PIXELS * n + SIDE * (SIDE - 1));
+        assert_int_equal(view.row_stride, -SIDE * 4);
+        assert_int_equal(view.samples, 0);
+    }
+    assert_null(gn_surface_sample(&all, GN_SAMPLES).pixels);
+    assert_null(gn_surface_sample(NULL, 0).pixels);
+    assert_null(gn_surface_sample(&down, 1).pixels);
+    assert_ptr_equal(gn_surface_sample(&down, 0).pixels, down.pixels);
+    assert_int_equal(gn_surface_multisampled(NULL).format, GN_FORMAT_NONE);
+    assert_int_equal(gn_surface_rows(&all, 1, 2).samples, GN_SAMPLES);
+}
+
+static void faults(void **state)
+{
+    (void)state;
+    gn_target t = sampled_target();
+
+    assert_int_equal(gn_target_check(&t), GN_OK);
+    t.color[0].samples = 2;
+    assert_int_equal(gn_target_check(&t), GN_INVALID_SAMPLES);
+    t.color[0].samples = UINT32_MAX;
+    assert_int_equal(gn_clear_color(&t.color[0], 0, 0, 0, 0), GN_INVALID_SAMPLES);
+    t.color[0].samples = 1;
+    assert_int_equal(gn_target_check(&t), GN_SIZE_MISMATCH);
+    t.depth.samples = 0;
+    assert_int_equal(gn_target_check(&t), GN_OK);
+
+    t = sampled_target();
+    t.color[0].sample_stride += 2;
+    assert_int_equal(gn_target_check(&t), GN_MISALIGNED);
+    t.color[0].sample_stride = SIDE * 4 - 4;
+    assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
+    t.color[0].sample_stride = -(SIDE * 4 - 4);
+    assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
+    t.color[0].sample_stride = PTRDIFF_MAX & ~(ptrdiff_t)3;
+    assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
+    t.color[0].sample_stride = PTRDIFF_MIN;
+    assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
+    t.color[0].sample_stride = -PIXELS * 4;
+    assert_int_equal(gn_target_check(&t), GN_OK);
+}
+
+static void clears_fill_every_sample(void **state)
+{
+    (void)state;
+    const gn_target t = sampled_target();
+
+    assert_int_equal(gn_clear_color(&t.color[0], 1, 1, 1, 1), GN_OK);
+    assert_int_equal(gn_clear_depth(&t.depth, 0.25f), GN_OK);
+    for (int i = 0; i < GN_SAMPLES * PIXELS; ++i) {
+        assert_int_equal(colors[PAD + i], UINT32_MAX);
+        assert_true(depths[i] == 0.25f);
+    }
+    for (int i = 0; i < PAD; ++i) {
+        assert_int_equal(colors[i], 0);
+        assert_int_equal(colors[PAD + GN_SAMPLES * PIXELS + i], 0);
+    }
+}
+
+/* White from x = 0 to `right` pixels, over the whole height. */
+static uint64_t draw_strip(const gn_target *t, float right, gn_status wanted)
+{
+    static unsigned char memory[65536];
+    const float x = right / (0.5f * SIDE) - 1.0f;
+    const float position[6][2] = {{-1, -1}, {x, -1}, {x, 1}, {-1, -1}, {x, 1}, {-1, 1}};
+    const float white[4] = {1, 1, 1, 1};
+    gn_color_uniforms uniforms;
+    gn_pipeline pipeline;
+    gn_mesh mesh;
+    gn_workspace workspace;
+    uint64_t passed = 0;
+
+    memset(&pipeline, 0, sizeof pipeline);
+    memset(&mesh, 0, sizeof mesh);
+    memset(&workspace, 0, sizeof workspace);
+    gn_mat4_identity(&uniforms.clip_from_model);
+    assert_int_equal(gn_use_vertex_color(&pipeline, &uniforms), GN_OK);
+    mesh.attribute[GN_ATTRIBUTE_POSITION].data = &position[0][0];
+    mesh.attribute[GN_ATTRIBUTE_POSITION].components = 2;
+    mesh.attribute[GN_ATTRIBUTE_COLOR].data = white;
+    mesh.attribute[GN_ATTRIBUTE_COLOR].components = 4;
+    mesh.attribute[GN_ATTRIBUTE_COLOR].divisor = 1;
+    mesh.vertex_count = 6;
+    mesh.count = 6;
+    workspace.memory = memory;
+    workspace.size = sizeof memory;
+    workspace.samples_passed = &passed;
+    assert_int_equal(gn_draw(t, &pipeline, &mesh, &workspace), wanted);
+    return passed;
+}
+
+/* Samples lie at x = 0.375, 0.875, 0.125 and 0.625 of a pixel. */
+static void coverage_is_of_samples(void **state)
+{
+    (void)state;
+    static const struct {
+        float right;
+        int covered[GN_SAMPLES]; /* pixels of a row */
+    } cases[] = {
+        {0.125f, {0, 0, 0, 0}}, {0.25f, {0, 0, 1, 0}}, {0.5f, {1, 0, 1, 0}}, {0.75f, {1, 0, 1, 1}},
+        {1.0f, {1, 1, 1, 1}},   {3.5f, {4, 3, 4, 3}},  {6.0f, {6, 6, 6, 6}},
+    };
+
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const gn_target t = sampled_target();
+        uint64_t wanted = 0;
+
+        for (int n = 0; n < GN_SAMPLES; ++n)
+            wanted += (uint64_t)cases[i].covered[n] * SIDE;
+        assert_int_equal(draw_strip(&t, cases[i].right, GN_OK), wanted);
+        for (int n = 0; n < GN_SAMPLES; ++n) {
+            for (int p = 0; p < PIXELS; ++p)
+                assert_int_equal(colors[PAD + n * PIXELS + p],
+                                 p % SIDE < cases[i].covered[n] ? UINT32_MAX : 0);
+        }
+    }
+}
+
+/* The planes in any order of memory, and rows of the samples side by side. */
+static void strides_of_samples_are_free(void **state)
+{
+    (void)state;
+    gn_target t = sampled_target();
+
+    memset(&t.depth, 0, sizeof t.depth);
+    t.color[0].pixels = colors + PAD + 3 * PIXELS;
+    t.color[0].sample_stride = -PIXELS * 4;
+    draw_strip(&t, 0.25f, GN_OK);
+    assert_int_equal(colors[PAD + 3 * PIXELS], 0);
+    assert_int_equal(colors[PAD + PIXELS], UINT32_MAX);
+
+    t = sampled_target();
+    memset(&t.depth, 0, sizeof t.depth);
+    t.color[0].row_stride = GN_SAMPLES * SIDE * 4;
+    t.color[0].sample_stride = SIDE * 4;
+    draw_strip(&t, 0.25f, GN_OK);
+    for (int i = 0; i < GN_SAMPLES * PIXELS; ++i)
+        assert_int_equal(colors[PAD + i], i % (GN_SAMPLES * SIDE) == 2 * SIDE ? UINT32_MAX : 0);
+}
+
+static void resolving_averages(void **state)
+{
+    (void)state;
+    static const uint32_t red[GN_SAMPLES] = {0, 0, 40, 164};
+    gn_target t = sampled_target();
+    uint32_t out[PIXELS];
+    float depth[PIXELS];
+    gn_surface to = gn_surface_bottom_up(out, GN_FORMAT_RGBA8, SIDE, SIDE);
+
+    for (int n = 0; n < GN_SAMPLES; ++n) {
+        for (int p = 0; p < PIXELS; ++p) {
+            colors[PAD + n * PIXELS + p] = red[n] | 0xFF000000;
+            depths[n * PIXELS + p] = 0.125f * (float)(n + 1);
+        }
+    }
+    assert_int_equal(gn_resolve(&to, &t.color[0]), GN_OK);
+    for (int p = 0; p < PIXELS; ++p)
+        assert_int_equal(out[p], 51u | 0xFF000000);
+    to = gn_surface_bottom_up(depth, GN_FORMAT_D32F, SIDE, SIDE);
+    assert_int_equal(gn_resolve(&to, &t.depth), GN_OK);
+    for (int p = 0; p < PIXELS; ++p)
+        assert_true(depth[p] == 0.125f);
+
+    assert_int_equal(gn_resolve(NULL, &t.depth), GN_NULL_POINTER);
+    assert_int_equal(gn_resolve(&to, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_resolve(&t.depth, &t.depth), GN_INVALID_SAMPLES);
+    assert_int_equal(gn_resolve(&to, &t.color[0]), GN_INVALID_FORMAT);
+    to.width = SIDE - 1;
+    assert_int_equal(gn_resolve(&to, &t.depth), GN_SIZE_MISMATCH);
+    to.width = 0;
+    assert_int_equal(gn_resolve(&to, &t.depth), GN_INVALID_SIZE);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(surfaces_and_views),          cmocka_unit_test(faults),
+        cmocka_unit_test(clears_fill_every_sample),    cmocka_unit_test(coverage_is_of_samples),
+        cmocka_unit_test(strides_of_samples_are_free), cmocka_unit_test(resolving_averages),
+    };
+    return cmocka_run_group_tests_name("samples", tests, NULL, NULL);
+}
