@@ -250,6 +250,7 @@ bool reference_read_samples(reference *r, const scene *s, const framebuffer *f, 
     if (!reference_framebuffer(r, &floats, error, error_size)) {
         return false;
     }
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
     values = malloc((size_t)s->width * s->height * 4 * sizeof *values);
     if (!values) {
         return reference_fail(error, error_size, "out of memory");

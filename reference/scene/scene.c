@@ -145,6 +145,7 @@ scene scene_of_clear(const scene *s, const scene_draw *d)
     cleared.draw_count = 0;
     if (!d->clear.color) {
         cleared.color_format = GN_FORMAT_NONE;
+        memset(cleared.more_colors, 0, sizeof cleared.more_colors);
     }
     if (!d->clear.depth) {
         cleared.depth_format = GN_FORMAT_NONE;

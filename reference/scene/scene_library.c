@@ -139,7 +139,7 @@ static gn_status clear_rows(const clear *c, uint32_t first, uint32_t count)
     for (int a = 0; status == GN_OK && a < GN_MAX_COLORS; ++a) {
         const gn_surface color = gn_surface_rows(&c->target->color[a], first, count);
 
-        if (color.format != GN_FORMAT_NONE) {
+        if (scene_color_format(s, a) != GN_FORMAT_NONE) {
             status = gn_clear_color(&color, s->clear_color[0], s->clear_color[1], s->clear_color[2],
                                     s->clear_color[3]);
         }
@@ -209,10 +209,13 @@ static gn_status resolve_frame(const scene *s, const gn_target *target, const sc
 {
     gn_status status = GN_OK;
 
-    if (frame->color) {
-        const gn_surface to = frame_image(s, frame->color, s->color_format, GN_SAMPLES);
+    for (int a = 0; status == GN_OK && a < GN_MAX_COLORS; ++a) {
+        if (scene_color_format(s, a) != GN_FORMAT_NONE) {
+            const gn_surface to =
+                frame_image(s, scene_frame_color(frame, a), scene_color_format(s, a), GN_SAMPLES);
 
-        status = gn_resolve(&to, &target->color[0]);
+            status = gn_resolve(&to, &target->color[a]);
+        }
     }
     if (frame->depth && status == GN_OK) {
         const gn_surface to = frame_image(s, frame->depth, s->depth_format, GN_SAMPLES);
