@@ -414,13 +414,13 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
 {
     const gn_mesh *mesh = &d->mesh;
 
-    framebuffer_choose_colors(
-        s, d->shader == SCENE_OUTPUTS && d->state.color_count ? (int)d->state.color_count : 1);
     if (d->clear.color || d->clear.depth) {
         const scene cleared = scene_of_clear(s, d);
 
         reference_clear(&cleared);
     }
+    framebuffer_choose_colors(
+        s, d->shader == SCENE_OUTPUTS && d->state.color_count ? (int)d->state.color_count : 1);
     set_state(s, &d->state);
     switch_capability(GL_PROGRAM_POINT_SIZE,
                       d->state.program_point_size && d->shader == SCENE_VERTEX_COLOR);
