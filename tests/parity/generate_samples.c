@@ -19,6 +19,8 @@ static bool line_in_window(const scene *s, const scene_draw *d, const float *con
         for (int c = 0; c < 3; c++)
             if (!(fabs((double)end[i][c]) < 0.999 * w))
                 return false;
+        if (d->state.clip_depth == GN_ZERO_TO_ONE && !((double)end[i][2] > 0.001 * w))
+            return false;
         at[i][0] = (double)v.x + 0.5 * (double)v.width * (1.0 + (double)end[i][0] / w);
         at[i][1] = (double)v.y + 0.5 * (double)v.height * (1.0 + (double)end[i][1] / w);
     }
@@ -60,6 +62,7 @@ static bool move_lines(random_source *r, scene *s, scene_draw *d)
         position->components != 4 || mesh->restart != GN_RESTART_NONE || mesh->base_vertex != 0)
         return false;
     float *const p = (float *)position->data;
+    const float least = d->state.clip_depth == GN_ZERO_TO_ONE ? 0.01f : -0.99f;
     bool moved = true;
     for (int attempt = 0; moved && attempt < 100; attempt++) {
         moved = false;
@@ -74,11 +77,20 @@ static bool move_lines(random_source *r, scene *s, scene_draw *d)
             for (int e = 0; e < 2; e++) {
                 end[e][3] = random_chance(r, 50) ? 1.0f : random_float(r, 0.25f, 4.0f);
                 for (int c = 0; c < 3; c++)
-                    end[e][c] = end[e][3] * random_float(r, -0.99f, 0.99f);
+                    end[e][c] = end[e][3] * random_float(r, c == 2 ? least : -0.99f, 0.99f);
             }
         }
     }
     return !moved;
+}
+
+/* Noperspective varyings are for triangles within the sides of the viewport. */
+static void become_triangles(scene_draw *d)
+{
+    d->state.topology = GN_TRIANGLES;
+    for (int i = 0; i < GN_MAX_VARYINGS; i++)
+        if (d->state.interpolation[i] == GN_NOPERSPECTIVE)
+            d->state.interpolation[i] = GN_SMOOTH;
 }
 
 /* What the reference draws otherwise than OpenGL says with several samples (reference/RULES.md). */
@@ -99,7 +111,7 @@ static void avoid_defects(random_source *r, scene *s, scene_draw *d)
         /* Now and then one is lost at a tile's border beside what line_is_safe knows of. */
         const bool one_tile = (double)s->width <= TILE && (double)s->height <= TILE;
         if (!one_tile || !move_lines(r, s, d))
-            d->state.topology = GN_TRIANGLES;
+            become_triangles(d);
     }
 }
 
