@@ -16,8 +16,9 @@
  * sizes of points. */
 #define VERTEX_COLOR_PROGRAMS 162
 
-/* Of the program of inputs.h: with and without position, primitive, discard, depth. */
-#define INPUTS_PROGRAMS 16
+/* Of the program of inputs.h: with and without position, primitive, discard, depth, point
+ * coordinates, sizes of points. */
+#define INPUTS_PROGRAMS 64
 
 typedef struct framebuffer {
     GLuint name;

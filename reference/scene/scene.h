@@ -33,15 +33,21 @@ static inline bool scene_shader_is_lit(scene_shader shader)
     return shader != SCENE_VERTEX_COLOR && shader != SCENE_INPUTS;
 }
 
+/* Whether points may have the first of the texture coordinates for a size. */
+static inline bool scene_shader_has_sizes(scene_shader shader)
+{
+    return shader == SCENE_VERTEX_COLOR || shader == SCENE_INPUTS;
+}
+
 typedef struct scene_draw {
     scene_shader shader;
 
     /* State. The shader, uniforms and varying_count members are not looked at: the
      * drawing side sets them. With SCENE_VERTEX_COLOR, interpolation[0..3] is
-     * honoured (red, green, blue, alpha), and with program_point_size a point's size is the
-     * first of the texture coordinates; other shaders bring their own interpolation and have no
-     * such size. What the fragment shader does (fragment_...) is honoured with SCENE_INPUTS, and
-     * false otherwise. */
+     * honoured (red, green, blue, alpha); other shaders bring their own interpolation. With
+     * SCENE_VERTEX_COLOR, SCENE_INPUTS and program_point_size a point's size is the first of the
+     * texture coordinates; other shaders have no such size. What the fragment shader does
+     * (fragment_...) is honoured with SCENE_INPUTS, and false otherwise. */
     gn_pipeline state;
 
     /* The pointers of the mesh and of uniforms.texture are the scene's own memory. */

@@ -58,6 +58,8 @@ static const char *const logic_names[] = {
     "nor",  "equivalent", "invert", "or-reverse",  "copy-inverted", "or-inverted", "nand", "set"};
 static const char *const clip_depth_names[] = {"negative-one-to-one", "zero-to-one"};
 
+static const char *const point_origin_names[] = {"upper-left", "lower-left"};
+
 static const char *const *names_of(text_names set, int *count)
 {
 #define CASE(constant, names)                                                                      \
@@ -83,6 +85,7 @@ static const char *const *names_of(text_names set, int *count)
         CASE(TEXT_WRAP, wrap_names);
         CASE(TEXT_MAGNIFY, magnify_names);
         CASE(TEXT_MINIFY, minify_names);
+        CASE(TEXT_POINT_ORIGIN, point_origin_names);
         CASE(TEXT_FACTOR, factor_names);
         CASE(TEXT_EQUATION, equation_names);
         CASE(TEXT_LOGIC, logic_names);

@@ -115,6 +115,8 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
     status = check_size(pipeline->line_width);
     if (status)
         return status;
+    if ((unsigned)pipeline->point_origin > GN_POINT_LOWER_LEFT)
+        return GN_INVALID_ENUM;
     return GN_OK;
 }
 

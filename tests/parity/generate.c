@@ -76,6 +76,8 @@ const char *scene_class_name(scene_class c)
         return "points";
     case CLASS_LINES:
         return "lines";
+    case CLASS_POINT_COORDINATES:
+        return "point-coordinates";
     case CLASS_FORMATS:
         return "formats";
     case CLASS_INSTANCES:
@@ -218,6 +220,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_LINES:
         generate_lines(&b);
+        break;
+    case CLASS_POINT_COORDINATES:
+        generate_point_coordinates(&b);
         break;
     case CLASS_FORMATS:
         generate_formats(&b);

@@ -28,6 +28,8 @@ void random_inputs(builder *b)
     b->state.fragment_reads_primitive = random_chance(r, 50);
     b->state.fragment_discards = random_chance(r, 50);
     b->state.fragment_writes_depth = random_chance(r, 40);
+    b->state.fragment_reads_point_coordinate =
+        b->state.topology == GN_POINTS && random_chance(r, 50);
     stretch_colors(b);
 }
 

@@ -102,6 +102,7 @@ void generate_logic(builder *b);
 void generate_clip_depth(builder *b);
 void generate_points(builder *b);
 void generate_lines(builder *b);
+void generate_point_coordinates(builder *b);
 void generate_formats(builder *b);
 void generate_instances(builder *b);
 void generate_mixed(builder *b);
