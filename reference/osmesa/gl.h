@@ -34,6 +34,7 @@ struct reference {
     char renderer[128];
     GLuint vertex_array;
     GLuint vertex_color_programs[VERTEX_COLOR_PROGRAMS];
+    GLuint derivatives_programs[VERTEX_COLOR_PROGRAMS];
     GLuint inputs_programs[INPUTS_PROGRAMS];
     GLuint lit_programs[SCENE_SHADER_COUNT];
     framebuffer framebuffers[FRAMEBUFFER_CACHE_SIZE];

@@ -44,6 +44,13 @@ static const char vertex_color_fragment_main[] = "layout(location = 0) out vec4 
                                                  "    result = vec4(red, green, blue, alpha);\n"
                                                  "}\n";
 
+static const char derivatives_fragment_main[] =
+    "layout(location = 0) out vec4 result;\n"
+    "void main()\n"
+    "{\n"
+    "    result = vec4(dFdx(red), dFdy(green), fwidth(blue), dFdy(alpha * red));\n"
+    "}\n";
+
 static const char flat_vertex[] = "flat out vec4 shade;\n"
                                   "void main()\n"
                                   "{\n"
@@ -225,7 +232,9 @@ static const char *qualifier(gn_interpolation interpolation)
     return "smooth";
 }
 
-static GLuint link_vertex_color(const gn_pipeline *p, char *error, size_t error_size)
+/* A program of vertex colours or of their derivatives. */
+static GLuint link_colors(const gn_pipeline *p, const char *fragment_main, char *error,
+                          size_t error_size)
 {
     const gn_interpolation *i = p->interpolation;
     char vertex[1024];
@@ -238,7 +247,7 @@ static GLuint link_vertex_color(const gn_pipeline *p, char *error, size_t error_
              p->program_point_size ? set_point_size : "");
     used = (size_t)snprintf(fragment, sizeof fragment, vertex_color_varyings, qualifier(i[0]), "in",
                             qualifier(i[1]), "in", qualifier(i[2]), "in", qualifier(i[3]), "in");
-    snprintf(fragment + used, sizeof fragment - used, "%s", vertex_color_fragment_main);
+    snprintf(fragment + used, sizeof fragment - used, "%s", fragment_main);
     return link_program(vertex, "#version 450 core\n", fragment, error, error_size);
 }
 
@@ -262,15 +271,19 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
     GLuint *program = &r->lit_programs[d->shader < SCENE_SHADER_COUNT ? d->shader : 0];
 
     switch (d->shader) {
-    case SCENE_VERTEX_COLOR: {
+    case SCENE_VERTEX_COLOR:
+    case SCENE_DERIVATIVES: {
+        const bool colors = d->shader == SCENE_VERTEX_COLOR;
         int variant = d->state.program_point_size;
 
         for (int c = 0; c < 4; ++c) {
             variant = 3 * variant + (int)d->state.interpolation[c] % 3;
         }
-        program = &r->vertex_color_programs[variant];
+        program = colors ? &r->vertex_color_programs[variant] : &r->derivatives_programs[variant];
         if (!*program) {
-            *program = link_vertex_color(&d->state, error, error_size);
+            *program = link_colors(&d->state,
+                                   colors ? vertex_color_fragment_main : derivatives_fragment_main,
+                                   error, error_size);
         }
         break;
     }

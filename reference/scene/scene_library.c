@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "derivatives.h"
 #include "inputs.h"
 #include "phong.h"
 #include "scene_memory.h"
@@ -79,6 +80,12 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
     case SCENE_INPUTS:
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
         status = inputs_use(pipeline, &other->color);
+        use_sizes(pipeline, other);
+        break;
+    case SCENE_DERIVATIVES:
+        other->color.clip_from_model = d->uniforms.light.clip_from_model;
+        status = derivatives_use(pipeline, &other->color);
+        memcpy(pipeline->interpolation, d->state.interpolation, 4 * sizeof(gn_interpolation));
         use_sizes(pipeline, other);
         break;
     case SCENE_SHADER_COUNT:

@@ -5,8 +5,8 @@
 #include <string.h>
 
 /* In the order of the values. */
-static const char *const shader_names[] = {"vertex-color",     "flat",  "gouraud",
-                                           "textured-gouraud", "phong", "inputs"};
+static const char *const shader_names[] = {
+    "vertex-color", "flat", "gouraud", "textured-gouraud", "phong", "inputs", "derivatives"};
 static const char *const format_names[] = {"none",  "rgba8",   "rgba32f", "d16",   "d24", "d32f",
                                            "d24s8", "d32fs8",  "s8",      "bgra8", "r8",  "rg8",
                                            "rgb8",  "rgb565",  "rgb5-a1", "rgba4", "r16", "rgba16",

@@ -50,6 +50,8 @@ const char *scene_class_name(scene_class c)
         return "phong";
     case CLASS_INPUTS:
         return "inputs";
+    case CLASS_DERIVATIVES:
+        return "derivatives";
     case CLASS_STENCIL:
         return "stencil";
     case CLASS_COUNTING:
@@ -181,6 +183,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_INPUTS:
         generate_inputs(&b);
+        break;
+    case CLASS_DERIVATIVES:
+        generate_derivatives(&b);
         break;
     case CLASS_STENCIL:
         generate_stencil(&b);

@@ -27,6 +27,7 @@ typedef enum scene_class {
     CLASS_TEXTURED,          /* textures of all sizes, formats, wraps and filters */
     CLASS_PHONG,             /* a user's shader: textured, a highlight at every pixel */
     CLASS_INPUTS,            /* facing, primitive, position; discard, depth from the shader */
+    CLASS_DERIVATIVES,       /* differences in quads, also at edges of triangles and targets */
     CLASS_STENCIL,           /* both faces, all functions, operations and masks */
     CLASS_COUNTING,          /* samples passed, with discard, depth and stencil */
     CLASS_FLOAT_COLOR,       /* RGBA32F */

@@ -1,4 +1,4 @@
-/* What fragment shaders are told beside varyings, worked out by hand. */
+/* What fragment shaders are told beside varyings, worked out by hand; derivatives. */
 #include <math.h>
 #include <string.h>
 
@@ -118,12 +118,45 @@ static void an_origin_is_checked(void **state)
     assert_int_equal(gn_pipeline_check(&c.pipeline), GN_INVALID_ENUM);
 }
 
+/* Quads have their corners at lanes 0, 2, 8 and 10. */
+static void derivatives_are_differences_in_quads(void **state)
+{
+    (void)state;
+    float value[GN_LANES], x[GN_LANES], y[GN_LANES], width[GN_LANES];
+
+    for (int l = 0; l < GN_LANES; ++l)
+        value[l] = (float)(l * l * (l % 3 - 1));
+    gn_derivative_x(value, x);
+    gn_derivative_y(value, y);
+    gn_derivative_width(value, width);
+    for (int l = 0; l < GN_LANES; ++l) {
+        const int column = l % 4, row = l / 4;
+        const int left = row * 4 + column / 2 * 2;
+        const int low = row / 2 * 8 + column;
+
+        assert_float_equal(x[l], value[left + 1] - value[left], 0.0f);
+        assert_float_equal(y[l], value[low + 4] - value[low], 0.0f);
+        assert_float_equal(width[l], fabsf(x[l]) + fabsf(y[l]), 0.0f);
+    }
+    /* In place. */
+    memcpy(width, value, sizeof value);
+    gn_derivative_x(width, width);
+    assert_memory_equal(width, x, sizeof x);
+    memcpy(width, value, sizeof value);
+    gn_derivative_y(width, width);
+    assert_memory_equal(width, y, sizeof y);
+    gn_derivative_width(value, x);
+    gn_derivative_width(value, value);
+    assert_memory_equal(value, x, sizeof x);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(point_coordinates_follow_their_formula),
         cmocka_unit_test(point_coordinates_are_given_where_asked),
         cmocka_unit_test(an_origin_is_checked),
+        cmocka_unit_test(derivatives_are_differences_in_quads),
     };
     return cmocka_run_group_tests_name("fragment inputs", tests, NULL, NULL);
 }
