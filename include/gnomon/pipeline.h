@@ -2,6 +2,10 @@
  * OpenGL's initial state, short of the shaders.
  *
  *   field                OpenGL                         zero value
+ *   vertex_shader        the program in use             none, which is a fault
+ *   fragment_shader      the program in use             none, for targets without colour
+ *   uniforms             Uniform...                     null
+ *   varying_count        outs of the vertex shader      0
  *   topology             mode of DrawArrays             GN_TRIANGLES
  *   provoking_vertex     ProvokingVertex                last vertex
  *   cull                 CULL_FACE with CullFace        nothing is culled
@@ -374,6 +378,10 @@ GN_BEGIN
  * enabled), GN_INVALID_ENUM (logic operation), GN_NOT_FINITE or GN_OUT_OF_RANGE (a point size or
  * line width below 0), GN_INVALID_ENUM (point_origin). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
+
+/* The same fault in words that name the field, such as "blend.source is no gn_blend_factor", in
+ * static storage; null where there is none. */
+GN_API const char *gn_pipeline_fault(const gn_pipeline *pipeline);
 
 GN_END
 
