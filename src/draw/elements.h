@@ -156,7 +156,8 @@ static index_range join_parts(index_parts *parts)
 static inline uint32_t slots_before(const draw_state *draw, uint32_t end)
 {
     const uint32_t in_run = end < draw->mesh->count ? end - 1 : draw->mesh->count - 1;
-    const uint32_t last = draw->mesh->first - draw->parts.mesh->first + in_run;
+    const uint32_t last =
+        GN_HAVE_INSTANCES ? draw->mesh->first - draw->parts.mesh->first + in_run : in_run;
     const index_range *named = &draw->parts.range[last / draw->parts.size];
     const uint32_t slots = ((named->high - draw->map.base) / GN_LANES + 1) * GN_LANES;
 

@@ -15,6 +15,11 @@
  * the list. */
 static void take_slots(draw_state *draw, worker *w, uint32_t count)
 {
+    if (!GN_HAVE_INSTANCES) {
+        draw_list(w);
+        return;
+    }
+
     const uint32_t capacity = draw->job->capacity;
     const uint32_t window = capacity < SLOT_WINDOW ? capacity : SLOT_WINDOW;
     const uint32_t whole = (count + GN_LANES - 1) & ~(uint32_t)(GN_LANES - 1);
@@ -152,7 +157,8 @@ static void draw_instance(draw_state *draw, worker *w)
     const bool is_shared = draw->map.shared;
 
     begin_sharing(draw, w);
-    draw->run.primitive = 0;
+    if (GN_HAVE_INSTANCES)
+        draw->run.primitive = 0;
     if (!has_restarts(whole)) {
         draw_run(draw, w, draw->job->instances > 1);
         return;
@@ -170,7 +176,6 @@ static void draw_instance(draw_state *draw, worker *w)
 
 static inline gn_status run_draw(const draw_job *job)
 {
-    const uint32_t instances = GN_HAVE_INSTANCES ? job->instances : 1;
     draw_state draw;
     worker w;
 
@@ -185,7 +190,8 @@ static inline gn_status run_draw(const draw_job *job)
         map_slots(&draw, job->mesh, range);
     }
     start_worker(&w, &draw, 0);
-    for (draw.run.instance = 0; draw.run.instance < instances; ++draw.run.instance)
+    draw_instance(&draw, &w);
+    while (GN_HAVE_INSTANCES && ++draw.run.instance < job->instances)
         draw_instance(&draw, &w);
     draw_list(&w);
     if (job->samples_passed)

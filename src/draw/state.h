@@ -48,11 +48,11 @@ typedef struct index_parts {
 typedef struct draw_state {
     const draw_job *job;
     const gn_pipeline *pipeline;
-    const mesh_run *mesh; /* what is drawn at present: run */
-    mesh_run run;
-    uint32_t stride;   /* bytes from vertex to vertex */
-    uint32_t vertices; /* offset of slot 0 */
-    uint32_t used;     /* slots from job->vertices on that hold vertices which a list may need */
+    const mesh_run *mesh; /* what is drawn at present */
+    mesh_run run;         /* what mesh is, where a draw may have several */
+    uint32_t stride;      /* bytes from vertex to vertex */
+    uint32_t vertices;    /* offset of slot 0 */
+    uint32_t used;        /* slots from job->vertices on that hold vertices which a list may need */
     slot_map map;
     index_parts parts; /* of a draw with indices */
     viewport_transform viewport;
@@ -69,8 +69,11 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
 
     draw->job = job;
     draw->pipeline = job->pipeline;
-    draw->run = *job->mesh;
-    draw->mesh = &draw->run;
+    draw->mesh = job->mesh;
+    if (GN_HAVE_INSTANCES) {
+        draw->run = *job->mesh;
+        draw->mesh = &draw->run;
+    }
     draw->stride = vertex_stride(job->pipeline->varying_count);
     draw->vertices = job->vertices;
     draw->used = 0;

@@ -19,6 +19,7 @@ static inline bool is_depth_format(gn_format format)
 /* Colours of a target are surfaces 0 to 7, its depth is this one. */
 #define SURFACE_DEPTH 8
 
+#if defined(GN_FAULT_TEXTS)
 #define FAULT_IF_SURFACE(condition, which, status, text)                                           \
     do {                                                                                           \
         if (which == SURFACE_DEPTH)                                                                \
@@ -26,6 +27,9 @@ static inline bool is_depth_format(gn_format format)
         else                                                                                       \
             FAULT_IF_EIGHTH(condition, which, status, "color", "." text);                          \
     } while (0)
+#else
+#define FAULT_IF_SURFACE(condition, which, status, text) FAULT_IF(condition, status, text)
+#endif
 
 static inline fault fault_of_surface(const gn_surface *s, bool format_fits, int which)
 {

@@ -165,7 +165,7 @@ static void any_mesh(hostile *h, random_source *r)
     h->mesh.restart = random_chance(r, 95) ? GN_RESTART_FIXED_INDEX : GN_RESTART_NONE;
     h->mesh.count = random_below(r, (h->mesh.index_format ? MAX_INDICES : MAX_VERTICES) + 1);
     h->mesh.instance_count = random_below(r, 4);
-    h->mesh.base_vertex = random_chance(r, 5) ? random_between(r, INT32_MIN, INT32_MAX) : 0;
+    h->mesh.base_vertex = random_chance(r, 5) ? (int32_t)(uint32_t)random_bits(r) : 0;
 }
 
 static enum theft_alloc_res make_hostile(struct theft *t, void *env, void **output)
