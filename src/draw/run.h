@@ -148,6 +148,7 @@ static void draw_run(draw_state *draw, worker *w, bool is_one_of_many)
         draw->used = 0;
     }
     run_parallel(draw);
+    start_list(w->list); /* whose memory the tasks had */
 }
 
 /* Draws one instance. */
