@@ -18,6 +18,7 @@
  *   ray.h         rays through pixels, against triangles and boxes
  *   surface.h     colour and depth images in the caller's memory, and clears
  *   texture.h     images that shaders read
+ *   derivatives.h dFdx, dFdy and fwidth for users' shaders
  *   pipeline.h    shaders and the state of a draw
  *   backend.h     instruction sets
  *   parallel.h    threads, which are the caller's
@@ -44,6 +45,7 @@
 #include "gnomon/conventions.h"
 #include "gnomon/culling.h"
 #include "gnomon/decompose.h"
+#include "gnomon/derivatives.h"
 #include "gnomon/draw.h"
 #include "gnomon/inverse.h"
 #include "gnomon/mat.h"

@@ -32,10 +32,22 @@ typedef enum gn_restart {
     GN_RESTART_INDEX        /* restart_index */
 } gn_restart;
 
-/* Vertices and the order to take them in. Elements first to first + count - 1
- * are drawn: of the indices where there are any, otherwise of the vertices.
- * What is left over after the last whole triangle or line is not drawn. Zero is OpenGL's default.
- */
+/* Vertices and the order to take them in. A zeroed gn_mesh draws nothing.
+ *
+ *   field          OpenGL                                    zero value
+ *   attribute      VertexAttribPointer                       0, 0, 0, 1 for all vertices
+ *   .. divisor     VertexAttribDivisor                       elements are vertices'
+ *   vertex_count   none: reads stay below it                 0
+ *   indices        ELEMENT_ARRAY_BUFFER                      null
+ *   index_format   type of DrawElements                      GN_INDEX_NONE: DrawArrays
+ *   first, count   of DrawArrays; offset, count of DrawElements  0
+ *   restart        PRIMITIVE_RESTART, .._FIXED_INDEX         GN_RESTART_NONE: off
+ *   restart_index  PrimitiveRestartIndex                     0
+ *   base_vertex    DrawElementsBaseVertex                    0
+ *   instance_count DrawArraysInstanced                       0, which draws one
+ *
+ * Elements first to first + count - 1 are drawn: of the indices where there are any, otherwise
+ * of the vertices. What is left over after the last whole triangle or line is not drawn. */
 typedef struct gn_mesh {
     gn_attribute attribute[GN_MAX_ATTRIBUTES];
     uint32_t vertex_count; /* vertices in the attribute arrays */
@@ -117,6 +129,10 @@ GN_API size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangl
  * added as numbers of 32 bits are, at or beyond vertex_count; the
  * indices themselves must hold first + count elements, which cannot be checked). */
 GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
+
+/* The same fault in words that name the field, such as "attribute[2].stride is no multiple of
+ * 4", in static storage; null where there is none. */
+GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
 
 /* Draws a mesh. Checks the target, the pipeline, the mesh (gn_target_check,
  * gn_pipeline_check, gn_mesh_check), then that the target's colour has a fragment

@@ -2,6 +2,10 @@
  * OpenGL's initial state, short of the shaders.
  *
  *   field                OpenGL                         zero value
+ *   vertex_shader        the program in use             none, which is a fault
+ *   fragment_shader      the program in use             none, for targets without colour
+ *   uniforms             Uniform...                     null
+ *   varying_count        outs of the vertex shader      0
  *   topology             mode of DrawArrays             GN_TRIANGLES
  *   provoking_vertex     ProvokingVertex                last vertex
  *   cull                 CULL_FACE with CullFace        nothing is culled
@@ -34,6 +38,8 @@
  *   point_size           PointSize                      1
  *   program_point_size   PROGRAM_POINT_SIZE             off
  *   line_width           LineWidth                      1
+ *   point_origin         POINT_SPRITE_COORD_ORIGIN      GN_POINT_UPPER_LEFT
+ *   fragment_reads_point_coordinate use of gl_PointCoord  not given to the shader
  *
  * As in OpenGL, depth is written only where the depth test is on, stencil only where the
  * stencil test is, and a test of what the target has not got passes. */
@@ -241,6 +247,9 @@ typedef struct gn_polygon_offset {
     float clamp; /* above 0: the most that is added; below 0: the least */
 } gn_polygon_offset;
 
+/* The corner of a point where its coordinates are 0, 0. */
+typedef enum gn_point_origin { GN_POINT_UPPER_LEFT = 0, GN_POINT_LOWER_LEFT } gn_point_origin;
+
 /* Input of a vertex shader: up to 16 vertices. Lanes beyond `count` repeat
  * the last of them, so that a shader may simply run over all GN_LANES; what it
  * gives there is not used. */
@@ -280,6 +289,12 @@ typedef struct gn_fragment_input {
      * interpolated depth with the polygon offset, before it is clamped, the interpolated 1/w. Null
      * without the pipeline's fragment_reads_position. */
     const float (*position)[GN_LANES];
+
+    /* gl_PointCoord, [s, t][lane]: where in its point's square the pixel's centre lies, from 0
+     * to 1 (a pixel's width beyond, since positions and sizes are rounded), t from the side that
+     * point_origin says; 0, 0 in lines and triangles. Null without the pipeline's
+     * fragment_reads_point_coordinate. */
+    const float (*point_coordinate)[GN_LANES];
 } gn_fragment_input;
 
 /* Output of a fragment shader: color[channel][lane], red, green, blue, alpha.
@@ -345,6 +360,8 @@ typedef struct gn_pipeline {
     float point_size;        /* in pixels; 0: 1 */
     bool program_point_size; /* points have the size that the vertex shader gives them */
     float line_width;        /* in pixels; 0: 1 */
+    gn_point_origin point_origin;
+    bool fragment_reads_point_coordinate;
 } gn_pipeline;
 
 GN_BEGIN
@@ -359,8 +376,12 @@ GN_BEGIN
  * functions and operations of depth and stencil), GN_OUT_OF_RANGE (color_write_disabled has bits
  * beyond GN_CHANNEL_ALL), GN_INVALID_ENUM or GN_NOT_FINITE (blend; the constant only where it is
  * enabled), GN_INVALID_ENUM (logic operation), GN_NOT_FINITE or GN_OUT_OF_RANGE (a point size or
- * line width below 0). */
+ * line width below 0), GN_INVALID_ENUM (point_origin). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
+
+/* The same fault in words that name the field, such as "blend.source is no gn_blend_factor", in
+ * static storage; null where there is none. */
+GN_API const char *gn_pipeline_fault(const gn_pipeline *pipeline);
 
 GN_END
 

@@ -124,6 +124,7 @@ void reference_destroy(reference *r)
     }
     for (int i = 0; i < VERTEX_COLOR_PROGRAMS; ++i) {
         glDeleteProgram(r->vertex_color_programs[i]);
+        glDeleteProgram(r->derivatives_programs[i]);
     }
     for (int i = 0; i < SCENE_SHADER_COUNT; ++i) {
         glDeleteProgram(r->lit_programs[i]);

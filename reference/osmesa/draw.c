@@ -333,6 +333,8 @@ static void set_state(const scene *s, const gn_pipeline *p)
     set_stencil(GL_BACK, &p->stencil_back);
     glPointSize(p->point_size == 0.0f ? 1.0f : p->point_size);
     glLineWidth(p->line_width == 0.0f ? 1.0f : p->line_width);
+    glPointParameteri(GL_POINT_SPRITE_COORD_ORIGIN,
+                      p->point_origin == GN_POINT_LOWER_LEFT ? GL_LOWER_LEFT : GL_UPPER_LEFT);
 }
 
 static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u)
@@ -416,7 +418,7 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
 
     set_state(s, &d->state);
     switch_capability(GL_PROGRAM_POINT_SIZE,
-                      d->state.program_point_size && d->shader == SCENE_VERTEX_COLOR);
+                      d->state.program_point_size && scene_shader_has_sizes(d->shader));
     set_attributes(mesh, u);
     glUseProgram(u->program);
     set_uniforms(d);

@@ -16,8 +16,9 @@
  * sizes of points. */
 #define VERTEX_COLOR_PROGRAMS 162
 
-/* Of the program of inputs.h: with and without position, primitive, discard, depth. */
-#define INPUTS_PROGRAMS 16
+/* Of the program of inputs.h: with and without position, primitive, discard, depth, point
+ * coordinates, sizes of points. */
+#define INPUTS_PROGRAMS 64
 
 typedef struct framebuffer {
     GLuint name;
@@ -33,6 +34,7 @@ struct reference {
     char renderer[128];
     GLuint vertex_array;
     GLuint vertex_color_programs[VERTEX_COLOR_PROGRAMS];
+    GLuint derivatives_programs[VERTEX_COLOR_PROGRAMS];
     GLuint inputs_programs[INPUTS_PROGRAMS];
     GLuint lit_programs[SCENE_SHADER_COUNT];
     framebuffer framebuffers[FRAMEBUFFER_CACHE_SIZE];

@@ -44,6 +44,13 @@ static const char vertex_color_fragment_main[] = "layout(location = 0) out vec4 
                                                  "    result = vec4(red, green, blue, alpha);\n"
                                                  "}\n";
 
+static const char derivatives_fragment_main[] =
+    "layout(location = 0) out vec4 result;\n"
+    "void main()\n"
+    "{\n"
+    "    result = vec4(dFdx(red), dFdy(green), fwidth(blue), dFdy(alpha * red));\n"
+    "}\n";
+
 static const char flat_vertex[] = "flat out vec4 shade;\n"
                                   "void main()\n"
                                   "{\n"
@@ -129,7 +136,10 @@ static const char inputs_vertex[] = "smooth out vec4 shade;\n"
                                     "{\n"
                                     "    gl_Position = clip_from_model * position;\n"
                                     "    shade = color;\n"
+                                    "    %s\n"
                                     "}\n";
+
+static const char set_point_size[] = "gl_PointSize = texcoord.s;";
 
 static const char inputs_fragment[] = "smooth in vec4 shade;\n"
                                       "layout(location = 0) out vec4 result;\n"
@@ -139,6 +149,9 @@ static const char inputs_fragment[] = "smooth in vec4 shade;\n"
                                       "    c.r = gl_FrontFacing ? c.r : 1.0 - c.r;\n"
                                       "#ifdef PRIMITIVE\n"
                                       "    c.g = c.g + float(gl_PrimitiveID & 1023) * 0.015625;\n"
+                                      "#endif\n"
+                                      "#ifdef POINT\n"
+                                      "    c.rg = gl_PointCoord;\n"
                                       "#endif\n"
                                       "#ifdef POSITION\n"
                                       "    c.r = c.r + gl_FragCoord.x * 0.0078125;\n"
@@ -219,7 +232,9 @@ static const char *qualifier(gn_interpolation interpolation)
     return "smooth";
 }
 
-static GLuint link_vertex_color(const gn_pipeline *p, char *error, size_t error_size)
+/* A program of vertex colours or of their derivatives. */
+static GLuint link_colors(const gn_pipeline *p, const char *fragment_main, char *error,
+                          size_t error_size)
 {
     const gn_interpolation *i = p->interpolation;
     char vertex[1024];
@@ -229,23 +244,26 @@ static GLuint link_vertex_color(const gn_pipeline *p, char *error, size_t error_
     used = (size_t)snprintf(vertex, sizeof vertex, vertex_color_varyings, qualifier(i[0]), "out",
                             qualifier(i[1]), "out", qualifier(i[2]), "out", qualifier(i[3]), "out");
     snprintf(vertex + used, sizeof vertex - used, vertex_color_main,
-             p->program_point_size ? "gl_PointSize = texcoord.s;" : "");
+             p->program_point_size ? set_point_size : "");
     used = (size_t)snprintf(fragment, sizeof fragment, vertex_color_varyings, qualifier(i[0]), "in",
                             qualifier(i[1]), "in", qualifier(i[2]), "in", qualifier(i[3]), "in");
-    snprintf(fragment + used, sizeof fragment - used, "%s", vertex_color_fragment_main);
+    snprintf(fragment + used, sizeof fragment - used, "%s", fragment_main);
     return link_program(vertex, "#version 450 core\n", fragment, error, error_size);
 }
 
 static GLuint link_inputs(const gn_pipeline *p, char *error, size_t error_size)
 {
-    char head[128];
+    char vertex[sizeof inputs_vertex + sizeof set_point_size];
+    char head[160];
 
-    snprintf(head, sizeof head, "#version 450 core\n%s%s%s%s",
+    snprintf(vertex, sizeof vertex, inputs_vertex, p->program_point_size ? set_point_size : "");
+    snprintf(head, sizeof head, "#version 450 core\n%s%s%s%s%s",
+             p->fragment_reads_point_coordinate ? "#define POINT\n" : "",
              p->fragment_reads_primitive ? "#define PRIMITIVE\n" : "",
              p->fragment_reads_position ? "#define POSITION\n" : "",
              p->fragment_discards ? "#define DISCARD\n" : "",
              p->fragment_writes_depth ? "#define DEPTH\n" : "");
-    return link_program(inputs_vertex, head, inputs_fragment, error, error_size);
+    return link_program(vertex, head, inputs_fragment, error, error_size);
 }
 
 GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t error_size)
@@ -253,15 +271,19 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
     GLuint *program = &r->lit_programs[d->shader < SCENE_SHADER_COUNT ? d->shader : 0];
 
     switch (d->shader) {
-    case SCENE_VERTEX_COLOR: {
+    case SCENE_VERTEX_COLOR:
+    case SCENE_DERIVATIVES: {
+        const bool colors = d->shader == SCENE_VERTEX_COLOR;
         int variant = d->state.program_point_size;
 
         for (int c = 0; c < 4; ++c) {
             variant = 3 * variant + (int)d->state.interpolation[c] % 3;
         }
-        program = &r->vertex_color_programs[variant];
+        program = colors ? &r->vertex_color_programs[variant] : &r->derivatives_programs[variant];
         if (!*program) {
-            *program = link_vertex_color(&d->state, error, error_size);
+            *program = link_colors(&d->state,
+                                   colors ? vertex_color_fragment_main : derivatives_fragment_main,
+                                   error, error_size);
         }
         break;
     }
@@ -289,7 +311,9 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
         program =
             &r->inputs_programs[d->state.fragment_reads_position + 2 * d->state.fragment_discards +
                                 4 * d->state.fragment_writes_depth +
-                                8 * d->state.fragment_reads_primitive];
+                                8 * d->state.fragment_reads_primitive +
+                                16 * d->state.fragment_reads_point_coordinate +
+                                32 * d->state.program_point_size];
         if (!*program) {
             *program = link_inputs(&d->state, error, error_size);
         }

@@ -12,14 +12,15 @@
 
 #include <gnomon.h>
 
-/* The shader of a draw, ready-made but for the last two. */
+/* The shader of a draw, ready-made but for the last three. */
 typedef enum scene_shader {
     SCENE_VERTEX_COLOR = 0,
     SCENE_FLAT,
     SCENE_GOURAUD,
     SCENE_TEXTURED_GOURAUD,
-    SCENE_PHONG,  /* no ready-made one: a user's (phong.h) */
-    SCENE_INPUTS, /* another (inputs.h) */
+    SCENE_PHONG,       /* no ready-made one: a user's (phong.h) */
+    SCENE_INPUTS,      /* another (inputs.h) */
+    SCENE_DERIVATIVES, /* a third (derivatives.h) */
     SCENE_SHADER_COUNT
 } scene_shader;
 
@@ -30,18 +31,24 @@ static inline bool scene_shader_is_textured(scene_shader shader)
 
 static inline bool scene_shader_is_lit(scene_shader shader)
 {
-    return shader != SCENE_VERTEX_COLOR && shader != SCENE_INPUTS;
+    return shader >= SCENE_FLAT && shader <= SCENE_PHONG;
+}
+
+/* Whether points may have the first of the texture coordinates for a size. */
+static inline bool scene_shader_has_sizes(scene_shader shader)
+{
+    return !scene_shader_is_lit(shader);
 }
 
 typedef struct scene_draw {
     scene_shader shader;
 
     /* State. The shader, uniforms and varying_count members are not looked at: the
-     * drawing side sets them. With SCENE_VERTEX_COLOR, interpolation[0..3] is
-     * honoured (red, green, blue, alpha), and with program_point_size a point's size is the
-     * first of the texture coordinates; other shaders bring their own interpolation and have no
-     * such size. What the fragment shader does (fragment_...) is honoured with SCENE_INPUTS, and
-     * false otherwise. */
+     * drawing side sets them. With SCENE_VERTEX_COLOR and SCENE_DERIVATIVES, interpolation[0..3] is
+     * honoured (red, green, blue, alpha); other shaders bring their own interpolation. With
+     * program_point_size, where the shader is not lit, a point's size is the first of the texture
+     * coordinates. What the fragment shader does
+     * (fragment_...) is honoured with SCENE_INPUTS, and false otherwise. */
     gn_pipeline state;
 
     /* The pointers of the mesh and of uniforms.texture are the scene's own memory. */

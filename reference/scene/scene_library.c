@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "derivatives.h"
 #include "inputs.h"
 #include "phong.h"
 #include "scene_memory.h"
@@ -40,6 +41,16 @@ static void shade_sized_points(const void *uniforms, const gn_vertex_input *inpu
            GN_LANES * sizeof *output->point_size);
 }
 
+/* Makes a shader of vertex colours one of sizes too, where the pipeline asks for them. */
+static void use_sizes(gn_pipeline *pipeline, other_uniforms *other)
+{
+    if (pipeline->program_point_size) {
+        other->color_shader = pipeline->vertex_shader;
+        pipeline->vertex_shader = shade_sized_points;
+        pipeline->uniforms = other;
+    }
+}
+
 /* Sets the draw's shader; the uniforms must outlive the draw call. */
 static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backend backend,
                             other_uniforms *other)
@@ -51,11 +62,7 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
         status = gn_use_vertex_color(pipeline, &other->color);
         memcpy(pipeline->interpolation, d->state.interpolation, 4 * sizeof(gn_interpolation));
-        if (pipeline->program_point_size) {
-            other->color_shader = pipeline->vertex_shader;
-            pipeline->vertex_shader = shade_sized_points;
-            pipeline->uniforms = other;
-        }
+        use_sizes(pipeline, other);
         break;
     case SCENE_FLAT:
         status = gn_use_flat(pipeline, &d->uniforms.light);
@@ -73,6 +80,13 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
     case SCENE_INPUTS:
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
         status = inputs_use(pipeline, &other->color);
+        use_sizes(pipeline, other);
+        break;
+    case SCENE_DERIVATIVES:
+        other->color.clip_from_model = d->uniforms.light.clip_from_model;
+        status = derivatives_use(pipeline, &other->color);
+        memcpy(pipeline->interpolation, d->state.interpolation, 4 * sizeof(gn_interpolation));
+        use_sizes(pipeline, other);
         break;
     case SCENE_SHADER_COUNT:
         break;
@@ -86,7 +100,7 @@ static gn_status draw_one(const gn_target *target, const scene_draw *d, gn_works
     other_uniforms other;
     gn_pipeline pipeline = d->state;
 
-    pipeline.program_point_size &= d->shader == SCENE_VERTEX_COLOR;
+    pipeline.program_point_size &= scene_shader_has_sizes(d->shader);
     gn_status status = use_shader(&pipeline, d, workspace->backend, &other);
 
     if (status == GN_OK) {

@@ -319,6 +319,10 @@ static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
         p->program_point_size = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "line-width")) {
         p->line_width = read_float(r);
+    } else if (!strcmp(keyword, "point-origin")) {
+        p->point_origin = (gn_point_origin)read_name(r, TEXT_POINT_ORIGIN);
+    } else if (!strcmp(keyword, "reads-point-coordinate")) {
+        p->fragment_reads_point_coordinate = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "interpolation")) {
         for (int i = 0; i < 4; ++i) {
             p->interpolation[i] = (gn_interpolation)read_name(r, TEXT_INTERPOLATION);

@@ -5,8 +5,8 @@
 #include <string.h>
 
 /* In the order of the values. */
-static const char *const shader_names[] = {"vertex-color",     "flat",  "gouraud",
-                                           "textured-gouraud", "phong", "inputs"};
+static const char *const shader_names[] = {
+    "vertex-color", "flat", "gouraud", "textured-gouraud", "phong", "inputs", "derivatives"};
 static const char *const format_names[] = {"none",  "rgba8",   "rgba32f", "d16",   "d24", "d32f",
                                            "d24s8", "d32fs8",  "s8",      "bgra8", "r8",  "rg8",
                                            "rgb8",  "rgb565",  "rgb5-a1", "rgba4", "r16", "rgba16",
@@ -58,6 +58,8 @@ static const char *const logic_names[] = {
     "nor",  "equivalent", "invert", "or-reverse",  "copy-inverted", "or-inverted", "nand", "set"};
 static const char *const clip_depth_names[] = {"negative-one-to-one", "zero-to-one"};
 
+static const char *const point_origin_names[] = {"upper-left", "lower-left"};
+
 static const char *const *names_of(text_names set, int *count)
 {
 #define CASE(constant, names)                                                                      \
@@ -83,6 +85,7 @@ static const char *const *names_of(text_names set, int *count)
         CASE(TEXT_WRAP, wrap_names);
         CASE(TEXT_MAGNIFY, magnify_names);
         CASE(TEXT_MINIFY, minify_names);
+        CASE(TEXT_POINT_ORIGIN, point_origin_names);
         CASE(TEXT_FACTOR, factor_names);
         CASE(TEXT_EQUATION, equation_names);
         CASE(TEXT_LOGIC, logic_names);

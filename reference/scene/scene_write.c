@@ -125,6 +125,12 @@ static void write_state(FILE *out, const gn_pipeline *p)
     if (p->line_width != 0.0f) {
         write_floats(out, "  line-width", &p->line_width, 1);
     }
+    if (p->point_origin != GN_POINT_UPPER_LEFT) {
+        fprintf(out, "  point-origin %s\n", text_name(TEXT_POINT_ORIGIN, (int)p->point_origin));
+    }
+    if (p->fragment_reads_point_coordinate) {
+        fprintf(out, "  reads-point-coordinate on\n");
+    }
     fprintf(out, "  interpolation %s %s %s %s\n",
             text_name(TEXT_INTERPOLATION, (int)p->interpolation[0]),
             text_name(TEXT_INTERPOLATION, (int)p->interpolation[1]),

@@ -182,7 +182,8 @@ static bool combines_colors(const gn_pipeline *p)
 /* Whether the draw asks for what this library was compiled without (lanes/small.h). */
 static bool is_left_out(const gn_target *target, const gn_pipeline *p, const gn_mesh *mesh)
 {
-    return (!GN_HAVE_LINES && p->topology > GN_TRIANGLE_FAN) ||
+    return (!GN_HAVE_LINES &&
+            (p->topology > GN_TRIANGLE_FAN || p->fragment_reads_point_coordinate)) ||
            (!GN_HAVE_STENCIL && format_has_stencil(target->depth.format)) ||
            (!GN_HAVE_COMBINING && combines_colors(p)) ||
            (!GN_HAVE_INSTANCES && (mesh->restart != GN_RESTART_NONE || mesh->instance_count > 1)) ||
@@ -190,59 +191,38 @@ static bool is_left_out(const gn_target *target, const gn_pipeline *p, const gn_
            (!GN_HAVE_OFFSET && (p->polygon_offset.set || p->depth_clamp));
 }
 
-/* The next of the runs of elements between restarts, from mesh->first + *from on; false where
- * there is none. */
-static bool next_run(const gn_mesh *mesh, uint32_t *from, mesh_run *part)
+/* The index that restarts, where one does. */
+static uint32_t restart_index_of(const gn_mesh *mesh)
 {
-    uint32_t i = *from;
-
-    while (i < mesh->count && is_restart(mesh, mesh_index(mesh, (size_t)mesh->first + i)))
-        ++i;
-    part->first = mesh->first + i;
-    part->count = 0;
-    for (; i < mesh->count && !is_restart(mesh, mesh_index(mesh, (size_t)mesh->first + i)); ++i)
-        ++part->count;
-    *from = i;
-    return part->count > 0;
+    if (mesh->restart == GN_RESTART_INDEX)
+        return mesh->restart_index;
+    return mesh->index_format == GN_INDEX_UINT8    ? UINT8_MAX
+           : mesh->index_format == GN_INDEX_UINT16 ? UINT16_MAX
+                                                   : UINT32_MAX;
 }
 
-/* Draws all instances. An index out of range is found before anything is drawn: without
- * restarts by the first instance. */
+/* Draws all instances. */
 static gn_status draw_instances(draw_job *job, const gn_mesh *mesh, gn_workspace *workspace)
 {
     const bool indexed = mesh->index_format != GN_INDEX_NONE;
-    const bool restarts = GN_HAVE_INSTANCES && indexed && mesh->restart != GN_RESTART_NONE;
-    const uint32_t instances =
-        GN_HAVE_INSTANCES && mesh->instance_count > 0 ? mesh->instance_count : 1;
-    const gn_backend backend =
-        workspace->backend == GN_BACKEND_AUTO ? gn_backend_best() : workspace->backend;
-    gn_status status = GN_OK;
-    mesh_run part;
+    mesh_run whole;
 
-    if (restarts && !gn_indices_are_within(mesh))
-        return GN_INDEX_OUT_OF_RANGE;
-    part.attribute = mesh->attribute;
-    part.vertex_count = mesh->vertex_count;
-    part.indices = mesh->indices;
-    part.index_format = mesh->index_format;
-    part.first = mesh->first;
-    part.count = mesh->count;
-    part.base = indexed ? (uint32_t)mesh->base_vertex : 0;
-    job->mesh = &part;
-    for (part.instance = 0; part.instance < instances && !status; ++part.instance) {
-        part.primitive = 0;
-        if (!restarts) {
-            divide_workspace(job, workspace);
-            status = run_on(backend, job);
-            continue;
-        }
-        for (uint32_t from = 0; next_run(mesh, &from, &part) && !status;) {
-            divide_workspace(job, workspace);
-            status = run_on(backend, job);
-            part.primitive += triangle_count(job->pipeline->topology, part.count);
-        }
-    }
-    return status;
+    whole.attribute = mesh->attribute;
+    whole.vertex_count = mesh->vertex_count;
+    whole.indices = mesh->indices;
+    whole.index_format = mesh->index_format;
+    whole.first = mesh->first;
+    whole.count = mesh->count;
+    whole.base = indexed ? (uint32_t)mesh->base_vertex : 0;
+    whole.instance = 0;
+    whole.primitive = 0;
+    whole.restarts = indexed && mesh->restart != GN_RESTART_NONE;
+    whole.restart_index = GN_HAVE_INSTANCES ? restart_index_of(mesh) : 0;
+    job->mesh = &whole;
+    job->instances = mesh->instance_count > 0 ? mesh->instance_count : 1;
+    divide_workspace(job, workspace);
+    return run_on(workspace->backend == GN_BACKEND_AUTO ? gn_backend_best() : workspace->backend,
+                  job);
 }
 
 gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,

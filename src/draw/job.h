@@ -42,7 +42,8 @@ typedef struct list_rows {
 typedef struct draw_job {
     const gn_target *target;
     const gn_pipeline *pipeline;
-    const mesh_run *mesh;
+    const mesh_run *mesh; /* all elements, of the first instance */
+    uint32_t instances;
     unsigned char *memory; /* vertices are named by their offset from here */
     uint32_t vertices;     /* offset of the first */
     uint32_t capacity;     /* vertices there is room for, a multiple of GN_LANES */

@@ -48,9 +48,10 @@ static inline index_range join_ranges(index_range a, index_range b)
 #define PART_INDICES SEGMENT_INDICES
 #endif
 
-/* The draw's indices in parts of `size`: the lowest vertex that a part names and the highest
+/* A mesh's indices in parts of `size`: the lowest vertex that a part names and the highest
  * that it or one before it does. */
 typedef struct index_parts {
+    const mesh_run *mesh;
     uint32_t size, count;
     index_range range[INDEX_PARTS];
 } index_parts;
@@ -58,8 +59,11 @@ typedef struct index_parts {
 typedef struct draw_state {
     const draw_job *job;
     const gn_pipeline *pipeline;
-    const mesh_run *mesh;
-    uint32_t stride; /* bytes from vertex to vertex */
+    const mesh_run *mesh; /* what is drawn at present */
+    mesh_run run;         /* what mesh is, where a draw may have several */
+    uint32_t stride;      /* bytes from vertex to vertex */
+    uint32_t vertices;    /* offset of slot 0 */
+    uint32_t used;        /* slots from job->vertices on that hold vertices which a list may need */
     slot_map map;
     index_parts parts; /* of a draw with indices */
     viewport_transform viewport;
@@ -77,11 +81,15 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     draw->job = job;
     draw->pipeline = job->pipeline;
     draw->mesh = job->mesh;
+    if (GN_HAVE_INSTANCES) {
+        draw->run = *job->mesh;
+        draw->mesh = &draw->run;
+    }
     draw->stride = vertex_stride(job->pipeline->varying_count);
+    draw->vertices = job->vertices;
+    draw->used = 0;
     draw->map.shared = false;
     draw->map.ring = UINT32_MAX;
-    draw->map.shaded = 0;
-    draw->map.outcodes = 0;
     draw->viewport = viewport_transform_of(job->pipeline, any->width, any->height);
     draw->cull = cull_state_of(job->pipeline, any->width, any->height);
     set_fragment_state(&draw->fragment, job->target, job->pipeline, &draw->viewport);

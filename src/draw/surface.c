@@ -4,6 +4,7 @@
 #include "../fragment/types.h"
 #include "clear_pixel.h"
 #include "fill.h"
+#include "surface_faults.h"
 
 size_t gn_format_size(gn_format format)
 {
@@ -44,62 +45,9 @@ gn_surface gn_surface_rows(const gn_surface *surface, uint32_t first, uint32_t c
     return s;
 }
 
-static bool is_color_format(gn_format format)
-{
-    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F || format_is_encoded(format);
-}
-
-static bool is_depth_format(gn_format format)
-{
-    return format == GN_FORMAT_D16 || format == GN_FORMAT_D24 || format == GN_FORMAT_D32F ||
-           format == GN_FORMAT_D24S8 || format == GN_FORMAT_D32FS8;
-}
-
-static gn_status check_surface(const gn_surface *s, bool format_fits)
-{
-    const uint32_t size = format_size(s->format);
-    const size_t element = s->format == GN_FORMAT_D32FS8 ? 4
-                           : size == 8                   ? 2
-                           : size == 3                   ? 1
-                           : size == 16                  ? 4
-                                                         : size;
-    const size_t stride = s->row_stride < 0 ? 0 - (size_t)s->row_stride : (size_t)s->row_stride;
-
-    if (!format_fits)
-        return GN_INVALID_FORMAT;
-    if (s->width == 0 || s->width > GN_MAX_SIZE || s->height == 0 || s->height > GN_MAX_SIZE)
-        return GN_INVALID_SIZE;
-    if (!s->pixels)
-        return GN_NULL_POINTER;
-    if ((uintptr_t)s->pixels % element != 0 || stride % element != 0)
-        return GN_MISALIGNED;
-    if (s->height > 1 && (stride < s->width * gn_format_size(s->format) ||
-                          stride > (size_t)PTRDIFF_MAX / (s->height - 1)))
-        return GN_INVALID_STRIDE;
-    return GN_OK;
-}
-
 gn_status gn_target_check(const gn_target *target)
 {
-    gn_status status = GN_OK;
-
-    if (!target)
-        return GN_NULL_POINTER;
-
-    const bool color = target->color[0].format != GN_FORMAT_NONE;
-    const bool depth = target->depth.format != GN_FORMAT_NONE;
-    if (!color && !depth)
-        return GN_NO_SURFACE;
-    if (color)
-        status = check_surface(&target->color[0], is_color_format(target->color[0].format));
-    if (depth && !status)
-        status = check_surface(&target->depth, is_depth_format(target->depth.format) ||
-                                                   format_has_stencil(target->depth.format));
-    if (!status && color && depth &&
-        (target->color[0].width != target->depth.width ||
-         target->color[0].height != target->depth.height))
-        status = GN_SIZE_MISMATCH;
-    return status;
+    return fault_of_target(target);
 }
 
 /* What the reference's clear makes of a channel; unlike a fragment's conversion it
@@ -191,7 +139,7 @@ gn_status gn_clear_color(const gn_surface *surface, float red, float green, floa
     if (!surface)
         return GN_NULL_POINTER;
 
-    const gn_status status = check_surface(surface, is_color_format(surface->format));
+    const gn_status status = fault_of_surface(surface, is_color_format(surface->format), 0);
     if (status)
         return status;
 
@@ -311,7 +259,7 @@ gn_status gn_clear_depth(const gn_surface *surface, float depth)
     if (!surface)
         return GN_NULL_POINTER;
 
-    const gn_status status = check_surface(surface, is_depth_format(surface->format));
+    const gn_status status = fault_of_surface(surface, is_depth_format(surface->format), 0);
     if (status)
         return status;
     clear_depth_stencil(surface, true, depth, false, 0);
@@ -323,7 +271,7 @@ gn_status gn_clear_stencil(const gn_surface *surface, uint8_t stencil)
     if (!surface)
         return GN_NULL_POINTER;
 
-    const gn_status status = check_surface(surface, format_has_stencil(surface->format));
+    const gn_status status = fault_of_surface(surface, format_has_stencil(surface->format), 0);
     if (status)
         return status;
     clear_depth_stencil(surface, false, 0.0f, true, stencil);
@@ -335,8 +283,8 @@ gn_status gn_clear_depth_stencil(const gn_surface *surface, float depth, uint8_t
     if (!surface)
         return GN_NULL_POINTER;
 
-    const gn_status status = check_surface(surface, is_depth_format(surface->format) ||
-                                                        format_has_stencil(surface->format));
+    const gn_status status = fault_of_surface(
+        surface, is_depth_format(surface->format) || format_has_stencil(surface->format), 0);
     if (status)
         return status;
     clear_depth_stencil(surface, true, depth, true, stencil);

@@ -42,7 +42,7 @@ GN_STEP lanes_i store_vertices(const draw_state *draw, const gn_vertex_output *o
 {
     const uint32_t varyings = draw->pipeline->varying_count;
     unsigned char *const first =
-        draw->job->memory + draw->job->vertices + (size_t)(slot & draw->map.ring) * draw->stride;
+        draw->job->memory + draw->vertices + (size_t)(slot & draw->map.ring) * draw->stride;
     lanes_f clip[4];
 
     for (int c = 0; c < 4; ++c)

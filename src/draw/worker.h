@@ -60,7 +60,7 @@ GN_OUT_OF_LINE void draw_boxes(worker *w, const triangle_list *list, const void 
 
     setup_box_identities(draw->pipeline, list, w->batch);
     if (w->kind == KIND_POINT) {
-        setup_points(draw->pipeline, draw->job->memory, list, w->batch);
+        setup_points(&w->cull.box, draw->pipeline, draw->job->memory, list, w->batch);
         for (uint32_t l = 0; l < list->count; ++l)
             cover_point(w->batch, list, l, draw->shade_run, context);
     } else {

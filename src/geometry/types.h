@@ -17,8 +17,8 @@ typedef struct viewport_transform {
     bool zero_to_one; /* CLIP_NEAR is 0 <= z */
 } viewport_transform;
 
-/* What of a mesh is drawn at a time: an instance of elements without a restart. Members are
- * those of gn_mesh but for the last two. */
+/* What of a mesh is drawn at a time: an instance of elements without a restart, or, as a job
+ * has it, of all elements. Members are those of gn_mesh but for `base`, instance and primitive. */
 typedef struct mesh_run {
     const gn_attribute *attribute;
     uint32_t vertex_count;
@@ -28,6 +28,8 @@ typedef struct mesh_run {
     uint32_t base; /* added to indices, with a wrap */
     uint32_t instance;
     uint32_t primitive; /* the number of its first: restarts do not begin anew */
+    bool restarts;      /* at restart_index, before the base is added */
+    uint32_t restart_index;
 } mesh_run;
 
 /* Up to sixteen triangles as offsets of their vertices, in the order that decides the low

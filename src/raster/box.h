@@ -61,12 +61,18 @@ static inline bool pixels_of_box(const pixel_rectangle *target, const int32_t lo
     return box->min_x <= box->max_x && box->min_y <= box->max_y;
 }
 
+/* In 1/256 pixel. */
+static inline int32_t size_of_point(const box_state *state, const stored_vertex *v)
+{
+    return state->program_point_size ? snap_size(v->point_size, GN_MAX_POINT_SIZE)
+                                     : state->point_size;
+}
+
 /* The pixels of a point, false where there are none. */
 static inline bool point_box(const box_state *state, const pixel_rectangle *target,
                              const stored_vertex *v, pixel_rectangle *box)
 {
-    const int32_t size =
-        state->program_point_size ? snap_size(v->point_size, GN_MAX_POINT_SIZE) : state->point_size;
+    const int32_t size = size_of_point(state, v);
     int32_t low[2], high[2];
 
     for (int c = 0; c < 2; ++c) {

@@ -50,6 +50,8 @@ const char *scene_class_name(scene_class c)
         return "phong";
     case CLASS_INPUTS:
         return "inputs";
+    case CLASS_DERIVATIVES:
+        return "derivatives";
     case CLASS_STENCIL:
         return "stencil";
     case CLASS_COUNTING:
@@ -76,6 +78,8 @@ const char *scene_class_name(scene_class c)
         return "points";
     case CLASS_LINES:
         return "lines";
+    case CLASS_POINT_COORDINATES:
+        return "point-coordinates";
     case CLASS_FORMATS:
         return "formats";
     case CLASS_INSTANCES:
@@ -180,6 +184,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
     case CLASS_INPUTS:
         generate_inputs(&b);
         break;
+    case CLASS_DERIVATIVES:
+        generate_derivatives(&b);
+        break;
     case CLASS_STENCIL:
         generate_stencil(&b);
         break;
@@ -218,6 +225,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_LINES:
         generate_lines(&b);
+        break;
+    case CLASS_POINT_COORDINATES:
+        generate_point_coordinates(&b);
         break;
     case CLASS_FORMATS:
         generate_formats(&b);

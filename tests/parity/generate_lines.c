@@ -42,9 +42,10 @@ void shape_points(builder *b, uint32_t count)
     const placement p = (placement)random_below(r, PLACE_COUNT);
     b->state.topology = GN_POINTS;
     b->state.point_size = random_size(r);
+    b->state.point_origin = (gn_point_origin)random_below(r, 2);
     /* Sizes of the vertex shader are cut off at the viewport (reference/RULES.md). */
     b->state.program_point_size =
-        b->shader == SCENE_VERTEX_COLOR && !b->state.viewport.set && random_chance(r, 50);
+        scene_shader_has_sizes(b->shader) && !b->state.viewport.set && random_chance(r, 50);
     for (uint32_t i = 0; i < count; i++) {
         place_end(b, p);
         b->vertices[b->vertex_count - 1].texcoord[0] =
@@ -131,4 +132,22 @@ void generate_points(builder *b)
 void generate_lines(builder *b)
 {
     generate(b, shape_lines);
+}
+
+void generate_point_coordinates(builder *b)
+{
+    random_source *r = &b->random;
+    builder_common_target(b);
+    if (random_chance(r, 70))
+        b->scene->color_format = GN_FORMAT_RGBA32F;
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+        builder_common_state(b);
+        b->shader = SCENE_INPUTS;
+        shape_points(b, builder_triangle_count(b));
+        random_inputs(b);
+        b->state.fragment_reads_point_coordinate = true;
+        if (random_chance(r, 20))
+            shape_elements(b);
+        builder_draw(b);
+    }
 }

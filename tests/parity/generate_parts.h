@@ -63,6 +63,9 @@ void shape_any(builder *b, uint32_t count);
 /* Makes the next draw's shader that of reference/scene/inputs.h. */
 void random_inputs(builder *b);
 
+/* Makes it that of reference/scene/derivatives.h. */
+void random_derivatives(builder *b);
+
 /* A random stencil test of the next draw. */
 void random_stencil(builder *b);
 /* Points or lines; sets the topology and sizes. */
@@ -89,6 +92,7 @@ void generate_lit(builder *b);
 void generate_textured(builder *b);
 void generate_phong(builder *b);
 void generate_inputs(builder *b);
+void generate_derivatives(builder *b);
 void generate_stencil(builder *b);
 void generate_counting(builder *b);
 void generate_float_color(builder *b);
@@ -102,6 +106,7 @@ void generate_logic(builder *b);
 void generate_clip_depth(builder *b);
 void generate_points(builder *b);
 void generate_lines(builder *b);
+void generate_point_coordinates(builder *b);
 void generate_formats(builder *b);
 void generate_instances(builder *b);
 void generate_mixed(builder *b);

@@ -361,6 +361,8 @@ static void mixed_draw(builder *b)
     mix_color_state(b);
     if (random_chance(r, 10))
         random_inputs(b);
+    else if (random_chance(r, 5))
+        random_derivatives(b);
     if (random_chance(r, 20))
         random_stencil(b);
     b->counted = random_chance(r, 10);

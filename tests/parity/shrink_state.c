@@ -72,7 +72,7 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
     case 0:
         change = d->shader != SCENE_VERTEX_COLOR;
         d->shader = SCENE_VERTEX_COLOR;
-        p->fragment_reads_primitive = false;
+        p->fragment_reads_primitive = p->fragment_reads_point_coordinate = false;
         p->fragment_reads_position = p->fragment_discards = p->fragment_writes_depth = false;
         return change;
     case 1:
@@ -261,6 +261,14 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
             change = change || d->mesh.attribute[a].divisor;
             d->mesh.attribute[a].divisor = 0;
         }
+        return change;
+    case 58:
+        change = p->fragment_reads_point_coordinate;
+        p->fragment_reads_point_coordinate = false;
+        return change;
+    case 59:
+        change = p->point_origin != GN_POINT_UPPER_LEFT;
+        p->point_origin = GN_POINT_UPPER_LEFT;
         return change;
     default:
         *last = true;
