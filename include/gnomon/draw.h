@@ -67,10 +67,13 @@ typedef struct gn_workspace {
 
 GN_BEGIN
 
+/* In what follows, clip distances count as varyings: for a pipeline that has some, varying_count is
+ * the sum of both. */
+
 /* Workspace bytes with which the calling thread shades each vertex of a mesh of that many
  * once. With vertex_count 0, the least a draw with that many varyings needs.
  * SIZE_MAX where the size would not fit a size_t or varying_count is above
- * GN_MAX_VARYINGS. */
+ * GN_MAX_VARYINGS + GN_MAX_CLIP_DISTANCES. */
 GN_API size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count);
 
 /* Workspace bytes with which a mesh of that many vertices (without indices, as many as are
@@ -94,9 +97,9 @@ GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
 /* Draws a mesh. Checks the target, the pipeline, the mesh (gn_target_check,
  * gn_pipeline_check, gn_mesh_check), then that the target's colour has a fragment
  * shader (GN_NO_SHADER) and that the workspace is there (GN_NULL_POINTER) and
- * holds at least gn_workspace_size(0, varying_count) bytes (GN_WORKSPACE_TOO_SMALL, and
- * workspace->needed says how many), and that the library holds its back end
- * (GN_BACKEND_UNAVAILABLE). An index at or beyond vertex_count is found last. On a fault
+ * holds at least gn_workspace_size(0, varying_count + clip_distance_count) bytes
+ * (GN_WORKSPACE_TOO_SMALL, and workspace->needed says how many), and that the library holds its
+ * back end (GN_BACKEND_UNAVAILABLE). An index at or beyond vertex_count is found last. On a fault
  * nothing is drawn.
  *
  * Triangles are drawn in order. Positions are clipped to -w <= x, y, z <= w (of z, as clip_depth

@@ -9,6 +9,7 @@
  *   viewport             Viewport                       the whole target
  *   scissor              SCISSOR_TEST with Scissor      off
  *   depth_range          DepthRange                     0 to 1
+ *   clip_distance_count  CLIP_DISTANCEi for i below it  none
  *   clip_depth           ClipControl's depth            -1 to 1
  *   depth_clamp          DEPTH_CLAMP                    off
  *   polygon_offset       POLYGON_OFFSET_FILL with        off
@@ -29,6 +30,9 @@
 
 /* Scalar varyings a vertex shader may hand to the fragment shader. */
 #define GN_MAX_VARYINGS 32
+
+/* Distances to planes of the user's that a vertex shader may write. */
+#define GN_MAX_CLIP_DISTANCES 8
 
 /* Vertex attributes of up to four components each. */
 #define GN_MAX_ATTRIBUTES 8
@@ -114,10 +118,12 @@ typedef struct gn_vertex_input {
 } gn_vertex_input;
 
 /* Output of a vertex shader; the memory is the library's. Every lane of the
- * position and of the pipeline's varyings must be written. */
+ * position, of the pipeline's varyings and of its clip distances must be written. Clipped away is
+ * where a clip distance, linear over the triangle, is negative. */
 typedef struct gn_vertex_output {
-    float (*position)[GN_LANES]; /* [x, y, z, w][lane] in clip space */
-    float (*varying)[GN_LANES];  /* [varying][lane] */
+    float (*position)[GN_LANES];      /* [x, y, z, w][lane] in clip space */
+    float (*varying)[GN_LANES];       /* [varying][lane] */
+    float (*clip_distance)[GN_LANES]; /* [distance][lane] */
 } gn_vertex_output;
 
 /* Input of a fragment shader: a block of 4x4 fragments, lane l at pixel
@@ -162,8 +168,8 @@ typedef struct gn_pipeline {
     gn_scissor scissor;
     gn_polygon_offset polygon_offset;
     gn_clip_depth clip_depth;
-    bool
-        depth_clamp; /* nothing is clipped for its depth; fragments' go to the depth range's ends */
+    uint32_t clip_distance_count; /* 0 to GN_MAX_CLIP_DISTANCES */
+    bool depth_clamp; /* depth clips nothing; fragments' depths go to the range's ends */
 
     bool depth_test;
     gn_compare depth_function;
@@ -177,7 +183,8 @@ GN_BEGIN
  * GN_INVALID_ENUM (an enumeration), GN_NOT_FINITE or GN_INVALID_VIEWPORT (a
  * viewport number that is not finite; a size below 0 or above GN_MAX_SIZE, an
  * origin beyond +-GN_MAX_SIZE), GN_NOT_FINITE or GN_OUT_OF_RANGE (a depth range
- * outside 0..1), GN_NOT_FINITE (a number of the polygon offset), GN_INVALID_ENUM (clip_depth or
+ * outside 0..1), GN_NOT_FINITE (a number of the polygon offset), GN_INVALID_ENUM (clip_depth),
+ * GN_OUT_OF_RANGE (clip_distance_count), GN_INVALID_ENUM (
  * depth_function). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
 

@@ -281,6 +281,9 @@ static void set_state(const scene *s, const gn_pipeline *p)
                   clamped_size(p->scissor.height));
     }
     set_polygon_offset(&p->polygon_offset);
+    for (uint32_t i = 0; i < GN_MAX_CLIP_DISTANCES; ++i) {
+        switch_capability(GL_CLIP_DISTANCE0 + i, i < p->clip_distance_count);
+    }
     set_clip_depth(p->clip_depth);
     switch_capability(GL_DEPTH_CLAMP, p->depth_clamp);
     switch_capability(GL_DEPTH_TEST, p->depth_test);
@@ -320,9 +323,25 @@ static void set_uniforms(const scene_draw *d)
         glUniform3f(3, light->ambient.x, light->ambient.y, light->ambient.z);
         glUniform3f(4, light->diffuse.x, light->diffuse.y, light->diffuse.z);
     }
+    if (d->state.clip_distance_count > 0) {
+        glUniform4fv(8, GN_MAX_CLIP_DISTANCES, &d->clip_plane[0][0]);
+    }
     if (d->shader == SCENE_PHONG) {
         glUniformMatrix4fv(5, 1, GL_FALSE, &d->view_from_model.m[0][0]);
         glUniform3f(6, d->specular.x, d->specular.y, d->specular.z);
+    }
+}
+
+/* Mesa 22.3 keeps the limits of depth clamp where the clip depth changes and the viewport's
+ * transform does not (reference/RULES.md): a draw of nothing under another viewport. */
+static void renew_viewport(const scene_draw *d)
+{
+    if (d->state.depth_clamp && d->mesh.vertex_count > 0) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(0, 0, 0, 0);
+        glViewportIndexedf(0, 1.0f, 2.0f, 3.0f, 5.0f);
+        glDepthRangeIndexed(0, 0.25, 0.375);
+        glDrawArrays(GL_POINTS, 0, 1);
     }
 }
 
@@ -336,6 +355,8 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
     set_uniforms(d);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, u->texture);
+    renew_viewport(d);
+    set_state(s, &d->state);
     if (is_nine_vertices(d)) {
         glDrawElements(GL_TRIANGLES, (GLsizei)mesh->count, GL_UNSIGNED_INT, NULL);
     } else if (mesh->index_format == GN_INDEX_NONE) {

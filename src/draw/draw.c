@@ -31,7 +31,7 @@ static size_t as_size(uint64_t size)
 
 size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count)
 {
-    if (varying_count > GN_MAX_VARYINGS)
+    if (varying_count > GN_MAX_VARYINGS + GN_MAX_CLIP_DISTANCES)
         return SIZE_MAX;
     return as_size(WORKSPACE_ALIGNMENT + scratch_size(varying_count) +
                    vertices_size(vertex_count, varying_count));
@@ -61,7 +61,7 @@ size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count
     const uint32_t shortest = triangles_of(GN_TRIANGLES, SEGMENT_INDICES);
     const uint32_t longest = triangles_of(GN_TRIANGLE_STRIP, SEGMENT_ELEMENTS);
 
-    if (varying_count > GN_MAX_VARYINGS)
+    if (varying_count > GN_MAX_VARYINGS + GN_MAX_CLIP_DISTANCES)
         return SIZE_MAX;
     /* As many of the shortest segments as make a round, and one of the longest. */
     return as_size(WORKSPACE_ALIGNMENT + MAX_TASKS * (uint64_t)scratch_size(varying_count) +
@@ -76,7 +76,7 @@ static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
     const gn_mesh *mesh = job->mesh;
     const bool indexed = mesh->index_format != GN_INDEX_NONE;
     const uint32_t elements = indexed ? SEGMENT_INDICES : SEGMENT_ELEMENTS;
-    const uint32_t varyings = job->pipeline->varying_count;
+    const uint32_t varyings = stored_values(job->pipeline);
     const uint64_t lists = segment_size(triangles_of(job->pipeline->topology, elements));
     const uint64_t kept = vertices_size(indexed ? mesh->vertex_count : mesh->count, varyings);
 
@@ -89,7 +89,7 @@ static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
  * before the vertices. */
 static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
 {
-    const uint32_t varyings = job->pipeline->varying_count;
+    const uint32_t varyings = stored_values(job->pipeline);
     const uint32_t elements =
         job->mesh->index_format != GN_INDEX_NONE ? SEGMENT_INDICES : SEGMENT_ELEMENTS;
     const uint32_t step = triangles_of(job->pipeline->topology, elements);
@@ -124,7 +124,7 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     const size_t skip = (0 - (uintptr_t)workspace->memory) & (WORKSPACE_ALIGNMENT - 1);
     const uint64_t given = workspace->size - skip;
     const uint32_t available = (uint32_t)(given < MEMORY_LIMIT ? given : MEMORY_LIMIT);
-    const uint32_t batch = GN_LANES * vertex_stride(job->pipeline->varying_count);
+    const uint32_t batch = GN_LANES * vertex_stride(stored_values(job->pipeline));
 
     job->memory = (unsigned char *)workspace->memory + skip;
     job->parallel = GN_HAVE_TASKS ? workspace->parallel : NULL;
@@ -187,7 +187,7 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
         return GN_NO_SHADER;
     if (!workspace || !workspace->memory)
         return GN_NULL_POINTER;
-    const size_t least = gn_workspace_size(0, pipeline->varying_count);
+    const size_t least = gn_workspace_size(0, stored_values(pipeline));
     if (workspace->size < least) {
         workspace->needed = least;
         return GN_WORKSPACE_TOO_SMALL;

@@ -29,7 +29,7 @@ static inline void start_list(triangle_list *list)
 
 static void start_worker(worker *w, const draw_state *draw, uint32_t task)
 {
-    const uint32_t varyings = draw->pipeline->varying_count;
+    const uint32_t values = stored_values(draw->pipeline);
     unsigned char *const scratch = task_scratch(draw, task);
 
     w->draw = draw;
@@ -43,7 +43,8 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
     w->clipper.memory = draw->job->memory;
     w->clipper.scratch = 0;
     w->clipper.used = 0;
-    w->clip_vertices = (uint32_t)(scratch - draw->job->memory) + scratch_vertices_offset(varyings);
+    w->clipper.room = 0;
+    w->clip_vertices = (uint32_t)(scratch - draw->job->memory) + scratch_vertices_offset(values);
     w->clip_used = 0;
     start_list(w->list);
 }
@@ -114,14 +115,14 @@ GN_OUT_OF_LINE void add_crossing(worker *w, const uint32_t vertex[3], uint32_t p
     cull_result result;
     uint32_t planes = 0;
 
+    for (int i = 0; i < 3; ++i)
+        planes |= vertex_at(memory, vertex[i])->outcode;
     /* What the list's triangles use of the new vertices must last until it is drawn. */
-    if (!w->keeps && w->clip_used + CLIP_MAX_VERTICES > CLIP_SCRATCH)
+    if (!w->keeps && w->clip_used + clip_room(planes) > CLIP_SCRATCH)
         draw_list(w);
     if (w->keeps || w->list->count == 0)
         w->clip_used = 0;
     w->clipper.scratch = w->clip_vertices + w->clip_used * w->draw->stride;
-    for (int i = 0; i < 3; ++i)
-        planes |= vertex_at(memory, vertex[i])->outcode;
     clip_triangle(&w->clipper, planes, vertex, &pieces);
     w->clip_used += w->clipper.used;
     if (pieces.count == 0)

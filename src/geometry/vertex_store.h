@@ -15,7 +15,7 @@ typedef struct stored_vertex {
     uint32_t outcode;   /* bit p: outside clip_plane p */
     uint32_t unused;
     float clip[4];   /* clip space */
-    float varying[]; /* as many as the pipeline has, in rows of four */
+    float varying[]; /* stored_values of the pipeline, in rows of four: varyings, clip distances */
 } stored_vertex;
 
 /* Offsets of a vertex's rows in it. */
@@ -27,10 +27,16 @@ enum {
     VERTEX_ROW = 16
 };
 
-/* Bytes from a vertex to the next. */
-static inline uint32_t vertex_stride(uint32_t varying_count)
+/* Values beside the position that a vertex shader gives and a vertex keeps. */
+static inline uint32_t stored_values(const gn_pipeline *pipeline)
 {
-    return VERTEX_VARYING + (varying_count + 3) / 4 * VERTEX_ROW;
+    return pipeline->varying_count + pipeline->clip_distance_count;
+}
+
+/* Bytes from a vertex of so many stored_values to the next. */
+static inline uint32_t vertex_stride(uint32_t value_count)
+{
+    return VERTEX_VARYING + (value_count + 3) / 4 * VERTEX_ROW;
 }
 
 static inline stored_vertex *vertex_at(unsigned char *memory, uint32_t offset)

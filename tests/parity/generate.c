@@ -58,6 +58,8 @@ const char *scene_class_name(scene_class c)
         return "offset";
     case CLASS_CLIP_DEPTH:
         return "clip-depth";
+    case CLASS_CLIP_DISTANCE:
+        return "clip-distance";
     case CLASS_MIXED:
         return "mixed";
     case CLASS_COUNT:
@@ -169,6 +171,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_CLIP_DEPTH:
         generate_clip_depth(&b);
+        break;
+    case CLASS_CLIP_DISTANCE:
+        generate_clip_distance(&b);
         break;
     default:
         generate_mixed(&b);

@@ -31,6 +31,7 @@ typedef enum scene_class {
     CLASS_SCISSOR,       /* a rectangle of pixels, in blocks and strips, empty, outside */
     CLASS_OFFSET,        /* polygon offset */
     CLASS_CLIP_DEPTH,    /* depth clamp, clip depths from 0 to 1 */
+    CLASS_CLIP_DISTANCE, /* planes of the user's */
     CLASS_MIXED,         /* several draws of several of the above */
     CLASS_COUNT
 } scene_class;

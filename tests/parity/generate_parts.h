@@ -58,6 +58,9 @@ gn_depth_range random_depth_range(builder *b);
 gn_scissor random_scissor(builder *b);
 gn_polygon_offset random_polygon_offset(builder *b);
 
+/* Clip distances of the next draw, whose vertices are there. */
+void random_clip_planes(builder *b, uint32_t count);
+
 /* One class each, from the target on. */
 void generate_meshes(builder *b);
 void generate_piles(builder *b);
@@ -76,6 +79,7 @@ void generate_color_range(builder *b);
 void generate_scissor(builder *b);
 void generate_offset(builder *b);
 void generate_clip_depth(builder *b);
+void generate_clip_distance(builder *b);
 void generate_mixed(builder *b);
 
 #endif

@@ -339,6 +339,8 @@ static void mixed_draw(builder *b)
         break;
     }
     b->lead = random_chance(r, 20) ? random_below(r, 9) : 0;
+    if (random_chance(r, 15))
+        random_clip_planes(b, 1 + random_below(r, 2));
     builder_draw(b);
 }
 

@@ -120,6 +120,19 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         change = p->clip_depth != GN_NEGATIVE_ONE_TO_ONE;
         p->clip_depth = GN_NEGATIVE_ONE_TO_ONE;
         return change;
+    case 22:
+        change = p->clip_distance_count > 0;
+        p->clip_distance_count = 0;
+        return change;
+    case 23:
+        change = p->clip_distance_count > 0;
+        p->clip_distance_count -= change;
+        return change;
+    case 24: /* without the first of them */
+        change = p->clip_distance_count > 1;
+        p->clip_distance_count -= change;
+        memmove(d->clip_plane[0], d->clip_plane[change], 7 * sizeof *d->clip_plane);
+        return change;
     case 15:
         change = p->scissor.set;
         memset(&p->scissor, 0, sizeof p->scissor);
