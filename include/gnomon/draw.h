@@ -102,14 +102,14 @@ GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
  * back end (GN_BACKEND_UNAVAILABLE). An index at or beyond vertex_count is found last. On a fault
  * nothing is drawn.
  *
- * Triangles are drawn in order. Positions are clipped to -w <= x, y, z <= w (of z, as clip_depth
- * and depth_clamp say; then a z that is clipped against nothing may be anything) and mapped to
- * window coordinates; vertices snap to 1/256 pixel; a pixel is covered where its centre lies
- * inside, or on a left edge or a horizontal bottom edge, so that triangles sharing an edge never
- * both cover a pixel on it. OpenGL 4.5 chapters 10 to 17; the order of every operation is the
- * reference rasterizer's, so that results are equal bit for bit (reference/RULES.md). Not drawn are
- * triangles
- * - with a vertex whose x, y or z is not finite or whose w is NaN,
+ * Triangles are drawn in order. Positions are clipped to -w <= x, y, z <= w, z as clip_depth
+ * and depth_clamp say, and to clip distances that are not negative, and mapped to window
+ * coordinates; vertices snap to 1/256 pixel; a pixel is covered where its centre lies inside, or on
+ * a left edge or a horizontal bottom edge, so that triangles sharing an edge never both cover a
+ * pixel on it. OpenGL 4.5 chapters 10 to 17; the order of every operation is the reference
+ * rasterizer's, so that results are equal bit for bit (reference/RULES.md). Not drawn are triangles
+ * - with a vertex whose x, y or z (under depth clamp x or y) is not finite or whose w is NaN,
+ * - with a clip distance that is not finite,
  * - to be clipped, with a vertex whose distance w +- x, y or z to a plane they cross
  *   is not finite,
  * - with a vertex left more than 32,768 pixels from the origin after clipping, which

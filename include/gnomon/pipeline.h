@@ -98,9 +98,9 @@ typedef struct gn_depth_range {
  * -w <= z <= w or 0 <= z <= w. */
 typedef enum gn_clip_depth { GN_NEGATIVE_ONE_TO_ONE = 0, GN_ZERO_TO_ONE } gn_clip_depth;
 
-/* Added to the depth of a triangle's fragments is slope * factor + step * units, where slope is
- * the greater of |dz/dx| and |dz/dy| and step is 2 / (2^n - 1) for a format of n bits and 2^(e -
- * 23) for GN_FORMAT_D32F, e being the exponent of the triangle's largest |depth|. */
+/* Added to the depth of a triangle's fragments is slope * factor + step * units: slope is the
+ * greater of |dz/dx| and |dz/dy|, step is 2 / (2^n - 1) for a format of n bits and for
+ * GN_FORMAT_D32F 2^(e - 23), where e is the exponent of the triangle's largest |depth|. */
 typedef struct gn_polygon_offset {
     bool set; /* false: nothing is added, the other fields are not looked at */
     float factor;
@@ -184,8 +184,8 @@ GN_BEGIN
  * viewport number that is not finite; a size below 0 or above GN_MAX_SIZE, an
  * origin beyond +-GN_MAX_SIZE), GN_NOT_FINITE or GN_OUT_OF_RANGE (a depth range
  * outside 0..1), GN_NOT_FINITE (a number of the polygon offset), GN_INVALID_ENUM (clip_depth),
- * GN_OUT_OF_RANGE (clip_distance_count), GN_INVALID_ENUM (
- * depth_function). */
+ * GN_OUT_OF_RANGE (clip_distance_count above GN_MAX_CLIP_DISTANCES), GN_INVALID_ENUM
+ * (depth_function). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
 
 GN_END
