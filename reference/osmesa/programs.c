@@ -123,14 +123,14 @@ static const char phong_fragment[] =
     "}\n";
 
 /* Around a vertex shader: clip distances beside what its main writes. */
-static const char clipped_head[] = "#define main shade\n";
+static const char clipped_head[] = "#define main place_and_shade\n";
 static const char clipped_tail[] =
     "#undef main\n"
     "layout(location = 8) uniform vec4 clip_plane[8];\n"
     "out float gl_ClipDistance[8];\n"
     "void main()\n"
     "{\n"
-    "    shade();\n"
+    "    place_and_shade();\n"
     "    for (int i = 0; i < 8; ++i) {\n"
     "        vec4 p = clip_plane[i];\n"
     "        gl_ClipDistance[i] = ((p.x * position.x + p.y * position.y) + p.z * position.z) +\n"
