@@ -123,13 +123,16 @@ void reference_destroy(reference *r)
         framebuffer_destroy(&r->framebuffers[i]);
     }
     for (int i = 0; i < VERTEX_COLOR_PROGRAMS; ++i) {
-        glDeleteProgram(r->vertex_color_programs[i]);
+        glDeleteProgram(r->vertex_color_programs[0][i]);
+        glDeleteProgram(r->vertex_color_programs[1][i]);
     }
     for (int i = 0; i < SCENE_SHADER_COUNT; ++i) {
-        glDeleteProgram(r->lit_programs[i]);
+        glDeleteProgram(r->lit_programs[0][i]);
+        glDeleteProgram(r->lit_programs[1][i]);
     }
     for (int i = 0; i < INPUTS_PROGRAMS; ++i) {
-        glDeleteProgram(r->inputs_programs[i]);
+        glDeleteProgram(r->inputs_programs[0][i]);
+        glDeleteProgram(r->inputs_programs[1][i]);
     }
     glDeleteVertexArrays(1, &r->vertex_array);
     OSMesaDestroyContext(r->context);

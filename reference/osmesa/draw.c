@@ -322,6 +322,9 @@ static void set_state(const scene *s, const gn_pipeline *p)
                   clamped_size(p->scissor.height));
     }
     set_polygon_offset(&p->polygon_offset);
+    for (uint32_t i = 0; i < GN_MAX_CLIP_DISTANCES; ++i) {
+        switch_capability(GL_CLIP_DISTANCE0 + i, i < p->clip_distance_count);
+    }
     set_clip_depth(p->clip_depth);
     switch_capability(GL_DEPTH_CLAMP, p->depth_clamp);
     switch_capability(GL_DEPTH_TEST, p->depth_test);
@@ -367,6 +370,9 @@ static void set_uniforms(const scene_draw *d)
                     light->light_direction.z);
         glUniform3f(3, light->ambient.x, light->ambient.y, light->ambient.z);
         glUniform3f(4, light->diffuse.x, light->diffuse.y, light->diffuse.z);
+    }
+    if (d->state.clip_distance_count > 0) {
+        glUniform4fv(8, GN_MAX_CLIP_DISTANCES, &d->clip_plane[0][0]);
     }
     if (d->shader == SCENE_PHONG) {
         glUniformMatrix4fv(5, 1, GL_FALSE, &d->view_from_model.m[0][0]);

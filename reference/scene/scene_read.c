@@ -423,6 +423,17 @@ static bool read_mesh(reader *r, const char *keyword, scene_draw *d)
     return true;
 }
 
+static void read_clip_plane(reader *r, scene_draw *d)
+{
+    uint32_t *const count = &d->state.clip_distance_count;
+
+    if (*count == GN_MAX_CLIP_DISTANCES) {
+        fail(r, "more than %d clip planes", GN_MAX_CLIP_DISTANCES);
+        return;
+    }
+    read_floats(r, d->clip_plane[(*count)++], 4);
+}
+
 static void read_draw(reader *r, scene *s)
 {
     const scene_shader shader = (scene_shader)read_name(r, TEXT_SHADER);
@@ -437,6 +448,8 @@ static void read_draw(reader *r, scene *s)
         }
         if (!*keyword) {
             fail(r, "the text ends within a draw");
+        } else if (!strcmp(keyword, "clip-plane")) {
+            read_clip_plane(r, d);
         } else if (!read_state(r, keyword, &d->state) && !read_color_state(r, keyword, &d->state) &&
                    !read_uniforms(r, keyword, d) && !read_mesh(r, keyword, d)) {
             fail(r, "'%s' is no keyword of a draw", keyword);

@@ -219,6 +219,9 @@ bool scene_write(const scene *s, FILE *out)
         fprintf(out, "  counted %s\n", text_name(TEXT_SWITCH, d->counted));
         write_state(out, &d->state);
         write_color_state(out, &d->state);
+        for (uint32_t p = 0; p < d->state.clip_distance_count; ++p) {
+            write_floats(out, "  clip-plane", d->clip_plane[p], 4);
+        }
         write_uniforms(out, d);
         fprintf(out, "  vertices %" PRIu32 "\n", d->mesh.vertex_count);
         for (int a = 0; a < text_name_count(TEXT_ATTRIBUTE); ++a) {

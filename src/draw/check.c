@@ -99,6 +99,8 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
         return status;
     if ((unsigned)pipeline->clip_depth > GN_ZERO_TO_ONE)
         return GN_INVALID_ENUM;
+    if (pipeline->clip_distance_count > GN_MAX_CLIP_DISTANCES)
+        return GN_OUT_OF_RANGE;
     if ((unsigned)pipeline->depth_function > GN_ALWAYS ||
         !is_stencil_face(&pipeline->stencil_front) || !is_stencil_face(&pipeline->stencil_back))
         return GN_INVALID_ENUM;

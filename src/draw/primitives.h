@@ -49,7 +49,7 @@ static inline void add_line(worker *w, const uint32_t vertex[2], uint32_t provok
     if (first->outcode & second->outcode)
         return;
     if (crosses) {
-        make_room_for_clipping(w);
+        make_room_for_clipping(w, first->outcode | second->outcode);
         const bool left = clip_line(&w->clipper, ends);
         w->clip_used += w->clipper.used;
         if (!left)

@@ -66,7 +66,7 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     draw->job = job;
     draw->pipeline = job->pipeline;
     draw->mesh = job->mesh;
-    draw->stride = vertex_stride(job->pipeline->varying_count);
+    draw->stride = vertex_stride(stored_values(job->pipeline));
     draw->map.shared = false;
     draw->map.shaded = 0;
     draw->map.outcodes = 0;
@@ -93,7 +93,7 @@ static inline uint32_t segment_triangles(gn_topology topology, const mesh_run *m
 /* The scratch of a task. */
 static inline unsigned char *task_scratch(const draw_state *draw, uint32_t task)
 {
-    return draw->job->memory + (size_t)task * scratch_size(draw->pipeline->varying_count);
+    return draw->job->memory + (size_t)task * scratch_size(stored_values(draw->pipeline));
 }
 
 #endif

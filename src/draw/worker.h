@@ -32,7 +32,7 @@ static inline void start_list(triangle_list *list)
 
 static void start_worker(worker *w, const draw_state *draw, uint32_t task)
 {
-    const uint32_t varyings = draw->pipeline->varying_count;
+    const uint32_t values = stored_values(draw->pipeline);
     unsigned char *const scratch = task_scratch(draw, task);
 
     w->draw = draw;
@@ -47,7 +47,8 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
     w->clipper.memory = draw->job->memory;
     w->clipper.scratch = 0;
     w->clipper.used = 0;
-    w->clip_vertices = (uint32_t)(scratch - draw->job->memory) + scratch_vertices_offset(varyings);
+    w->clipper.room = 0;
+    w->clip_vertices = (uint32_t)(scratch - draw->job->memory) + scratch_vertices_offset(values);
     w->clip_used = 0;
     w->passed = 0;
     start_list(w->list);
@@ -136,11 +137,11 @@ static void keep_crossing(worker *w, const uint32_t vertex[3], uint32_t provokin
     finish_if_full(w);
 }
 
-/* Before clipping: what the list's triangles use of the new vertices must last until it is
- * drawn. */
-static inline void make_room_for_clipping(worker *w)
+/* Before clipping to these planes: what the list's triangles use of the new vertices must last
+ * until it is drawn. */
+static inline void make_room_for_clipping(worker *w, uint32_t planes)
 {
-    if (!w->keeps && w->clip_used + CLIP_MAX_VERTICES > CLIP_SCRATCH)
+    if (!w->keeps && w->clip_used + clip_room(planes) > CLIP_SCRATCH)
         draw_list(w);
     if (w->keeps || w->list->count == 0)
         w->clip_used = 0;
@@ -156,9 +157,9 @@ GN_OUT_OF_LINE void add_crossing(worker *w, const uint32_t vertex[3], uint32_t p
     cull_result result;
     uint32_t planes = 0;
 
-    make_room_for_clipping(w);
     for (int i = 0; i < 3; ++i)
         planes |= vertex_at(memory, vertex[i])->outcode;
+    make_room_for_clipping(w, planes);
     clip_triangle(&w->clipper, planes, vertex, &pieces);
     w->clip_used += w->clipper.used;
     if (pieces.count == 0)

@@ -75,6 +75,9 @@ gn_format random_color_format(builder *b);
  * draw without indices, instances alone. */
 void shape_elements(builder *b);
 
+/* Clip distances of the next draw, whose vertices are there. */
+void random_clip_planes(builder *b, uint32_t count);
+
 /* One class each, from the target on. */
 void generate_meshes(builder *b);
 void generate_piles(builder *b);
@@ -104,6 +107,7 @@ void generate_points(builder *b);
 void generate_lines(builder *b);
 void generate_formats(builder *b);
 void generate_instances(builder *b);
+void generate_clip_distance(builder *b);
 void generate_mixed(builder *b);
 
 /* Blends by alpha and one minus alpha. */

@@ -366,6 +366,8 @@ static void mixed_draw(builder *b)
     b->counted = random_chance(r, 10);
     if (random_chance(r, 25))
         shape_elements(b);
+    if (random_chance(r, 15))
+        random_clip_planes(b, 1 + random_below(r, 2));
     builder_draw(b);
 }
 

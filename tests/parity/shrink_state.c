@@ -262,6 +262,19 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
             d->mesh.attribute[a].divisor = 0;
         }
         return change;
+    case 58:
+        change = p->clip_distance_count > 0;
+        p->clip_distance_count = 0;
+        return change;
+    case 59:
+        change = p->clip_distance_count > 0;
+        p->clip_distance_count -= change;
+        return change;
+    case 60: /* without the first of them */
+        change = p->clip_distance_count > 1;
+        p->clip_distance_count -= change;
+        memmove(d->clip_plane[0], d->clip_plane[change], 7 * sizeof *d->clip_plane);
+        return change;
     default:
         *last = true;
         return false;
