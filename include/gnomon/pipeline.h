@@ -15,6 +15,8 @@
  *   point_size           PointSize                      1
  *   program_point_size   PROGRAM_POINT_SIZE             off
  *   line_width           LineWidth                      1
+ *   polygon_mode_front   PolygonMode(FRONT)             GN_POLYGON_FILL
+ *   polygon_mode_back    PolygonMode(BACK)              GN_POLYGON_FILL
  *
  * As in OpenGL, depth is written only where the depth test is on. */
 #ifndef GNOMON_PIPELINE_H
@@ -62,6 +64,13 @@ typedef enum gn_cull {
 
 /* The winding of front faces in y-up window coordinates. */
 typedef enum gn_front_face { GN_FRONT_COUNTER_CLOCKWISE = 0, GN_FRONT_CLOCKWISE } gn_front_face;
+
+/* How triangles are drawn: whole, their edges, or their vertices. */
+typedef enum gn_polygon_mode {
+    GN_POLYGON_FILL = 0,
+    GN_POLYGON_LINE,
+    GN_POLYGON_POINT
+} gn_polygon_mode;
 
 /* Passes where `incoming depth FUNCTION stored depth` holds. */
 typedef enum gn_compare {
@@ -159,6 +168,8 @@ typedef struct gn_pipeline {
     float point_size;        /* in pixels; 0: 1 */
     bool program_point_size; /* points have the size that the vertex shader gives them */
     float line_width;        /* in pixels; 0: 1 */
+    gn_polygon_mode polygon_mode_front;
+    gn_polygon_mode polygon_mode_back;
 } gn_pipeline;
 
 GN_BEGIN
@@ -168,7 +179,8 @@ GN_BEGIN
  * GN_INVALID_ENUM (an enumeration), GN_NOT_FINITE or GN_INVALID_VIEWPORT (a
  * viewport number that is not finite; a size below 0 or above GN_MAX_SIZE, an
  * origin beyond +-GN_MAX_SIZE), GN_NOT_FINITE or GN_OUT_OF_RANGE (a depth range
- * outside 0..1), the same for a point size or line width below 0. */
+ * outside 0..1), the same for a point size or line width below 0,
+ * GN_INVALID_ENUM (a polygon mode). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
 
 GN_END

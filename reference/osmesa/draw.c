@@ -70,6 +70,11 @@ static GLenum depth_function(gn_compare c)
     return GL_LESS;
 }
 
+static GLenum polygon_mode(gn_polygon_mode m)
+{
+    return m == GN_POLYGON_LINE ? GL_LINE : m == GN_POLYGON_POINT ? GL_POINT : GL_FILL;
+}
+
 static void switch_capability(GLenum capability, bool on)
 {
     if (on) {
@@ -255,6 +260,12 @@ static void set_state(const scene *s, const gn_pipeline *p)
     glDepthMask(!p->depth_write_disabled);
     glPointSize(p->point_size == 0.0f ? 1.0f : p->point_size);
     glLineWidth(p->line_width == 0.0f ? 1.0f : p->line_width);
+    if (p->polygon_mode_front == p->polygon_mode_back) {
+        glPolygonMode(GL_FRONT_AND_BACK, polygon_mode(p->polygon_mode_front));
+    } else {
+        glPolygonMode(GL_FRONT, polygon_mode(p->polygon_mode_front));
+        glPolygonMode(GL_BACK, polygon_mode(p->polygon_mode_back));
+    }
 }
 
 static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u)

@@ -24,6 +24,8 @@ static const char *const wrap_names[] = {"repeat", "clamp-to-edge"};
 static const char *const magnify_names[] = {"linear", "nearest"};
 static const char *const minify_names[] = {"nearest-mipmap-linear", "nearest", "linear"};
 
+static const char *const polygon_mode_names[] = {"fill", "line", "point"};
+
 static const char *const *names_of(text_names set, int *count)
 {
 #define CASE(constant, names)                                                                      \
@@ -46,6 +48,7 @@ static const char *const *names_of(text_names set, int *count)
         CASE(TEXT_WRAP, wrap_names);
         CASE(TEXT_MAGNIFY, magnify_names);
         CASE(TEXT_MINIFY, minify_names);
+        CASE(TEXT_POLYGON_MODE, polygon_mode_names);
     }
 #undef CASE
     *count = 0;

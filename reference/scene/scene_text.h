@@ -42,7 +42,8 @@ typedef enum text_names {
     TEXT_SWITCH,
     TEXT_WRAP,
     TEXT_MAGNIFY,
-    TEXT_MINIFY
+    TEXT_MINIFY,
+    TEXT_POLYGON_MODE
 } text_names;
 
 /* How many names a set has; those of the values from 0 on. */

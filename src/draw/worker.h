@@ -45,6 +45,7 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
     w->clipper.memory = draw->job->memory;
     w->clipper.scratch = 0;
     w->clipper.used = 0;
+    lanes_store(w->clipper.point_size, lanes_splat(0.0f));
     w->clip_vertices = (uint32_t)(scratch - draw->job->memory) + scratch_vertices_offset(varyings);
     w->clip_used = 0;
     start_list(w->list);
@@ -197,6 +198,8 @@ static inline uint32_t locate_group(const draw_state *draw, uint32_t first, uint
     return elements;
 }
 
+GN_OUT_OF_LINE void add_unfilled_group(worker *w, const triangle_group *group);
+
 /* Adds triangles first to first + count - 1. */
 static void add_triangles(worker *w, uint32_t first, uint32_t count)
 {
@@ -210,7 +213,10 @@ static void add_triangles(worker *w, uint32_t first, uint32_t count)
         locate_group(w->draw, first + done, group.count, offset);
         assemble_triangles(w->draw->pipeline->topology, w->cull.provoking_first, w->is_quad,
                            first + done, offset, &group);
-        add_group(w, &group);
+        if (w->cull.box.is_unfilled)
+            add_unfilled_group(w, &group);
+        else
+            add_group(w, &group);
     }
 }
 
@@ -231,7 +237,7 @@ static void resolve_segment(worker *w, uint32_t outcodes)
     const gn_pipeline *p = w->draw->pipeline;
 
     w->cull.asks_unsnapped = outcodes != 0 && p->cull != GN_CULL_NONE;
-    w->is_quad = outcodes == 0 && w->draw->mesh->count == 4 &&
+    w->is_quad = outcodes == 0 && !w->cull.box.is_unfilled && w->draw->mesh->count == 4 &&
                  w->draw->mesh->index_format == GN_INDEX_NONE && p->topology == GN_TRIANGLE_FAN &&
                  p->provoking_vertex == GN_PROVOKING_FIRST && !has_flat_varying(p);
 }

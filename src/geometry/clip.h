@@ -16,11 +16,14 @@ typedef struct clipper {
     unsigned char *memory; /* of all vertices */
     uint32_t scratch;      /* offset of CLIP_MAX_VERTICES new ones */
     uint32_t used;         /* of them */
+    float point_size[CLIP_MAX_VERTICES];
+    uint32_t hidden; /* of the last polygon: edges that lie on planes */
 } clipper;
 
 typedef struct polygon {
     uint32_t vertex[CLIP_MAX_POLYGON];
     uint32_t count;
+    uint32_t hidden; /* bit n: the edge from vertex n on lies on a plane */
 } polygon;
 
 /* The signed distance a0*x + a1*y + a2*z + a3*w to a plane: not negative inside.
@@ -56,13 +59,17 @@ static float window_parameter(const stored_vertex *from, const stored_vertex *to
 static uint32_t interpolate_vertex(clipper *c, uint32_t from, uint32_t to, float t)
 {
     const uint32_t stride = vertex_stride(c->pipeline->varying_count);
-    const uint32_t offset = c->scratch + c->used++ * stride;
+    const uint32_t number = c->used++;
+    const uint32_t offset = c->scratch + number * stride;
     const stored_vertex *p = vertex_at(c->memory, from);
     const stored_vertex *q = vertex_at(c->memory, to);
     stored_vertex *made = vertex_at(c->memory, offset);
 
     for (int n = 0; n < 4; ++n)
         made->clip[n] = p->clip[n] + t * (q->clip[n] - p->clip[n]);
+
+    made->point_size = p->point_size + t * (q->point_size - p->point_size);
+    c->point_size[number] = made->point_size;
 
     const float linear = window_parameter(p, q, made, t);
     for (uint32_t v = 0; v < c->pipeline->varying_count; ++v) {
@@ -81,6 +88,7 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
     float previous_distance = plane_distance(vertex_at(c->memory, previous), plane);
 
     out->count = 0;
+    out->hidden = 0;
     if (!gn_is_finite(previous_distance))
         return false;
 
@@ -91,8 +99,11 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
         if (!gn_is_finite(distance) || out->count > CLIP_MAX_POLYGON - 2 ||
             c->used == CLIP_MAX_VERTICES)
             return false;
-        if (previous_distance >= 0.0f)
+        const uint32_t hidden = in->hidden >> (n - 1) & 1u;
+        if (previous_distance >= 0.0f) {
+            out->hidden |= hidden << out->count;
             out->vertex[out->count++] = previous;
+        }
 
         if ((distance < 0.0f) != (previous_distance < 0.0f)) {
             const float span = distance - previous_distance;
@@ -101,6 +112,7 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
             const float inside = leaving ? previous_distance : distance;
             const bool from_current = leaving == (outside < inside);
 
+            out->hidden |= (leaving ? 1u : hidden) << out->count;
             out->vertex[out->count++] =
                 from_current ? interpolate_vertex(c, current, previous, distance / span)
                              : interpolate_vertex(c, previous, current, -previous_distance / span);
@@ -130,7 +142,8 @@ GN_STEP void place_new_vertices(const clipper *c)
     lanes_i_gather_rows(c->memory, offset, 1, row);
     for (int n = 0; n < 4; ++n)
         clip[n] = lanes_as_float(row[n]);
-    place_vertices(c->viewport, clip, lanes_i_splat(0), c->memory + c->scratch, stride);
+    place_vertices(c->viewport, clip, lanes_as_int(lanes_load(c->point_size)),
+                   c->memory + c->scratch, stride);
     for (uint32_t n = 0; n < c->used; ++n)
         vertex_at(c->memory, c->scratch + n * stride)->outcode = 0;
 }
@@ -147,6 +160,7 @@ static inline void clip_triangle(clipper *c, uint32_t planes, const uint32_t tri
     c->used = 0;
     out->count = 0;
     in->count = 3;
+    in->hidden = 0;
     for (int n = 0; n < 3; ++n)
         in->vertex[n] = triangle[n];
 
@@ -159,6 +173,7 @@ static inline void clip_triangle(clipper *c, uint32_t planes, const uint32_t tri
             result = swap;
         }
     }
+    c->hidden = in->hidden;
     place_new_vertices(c);
 
     /* A fan whose first polygon vertex takes the provoking vertex's place. */

@@ -56,6 +56,8 @@ const char *scene_class_name(scene_class c)
         return "points";
     case CLASS_LINES:
         return "lines";
+    case CLASS_OUTLINES:
+        return "outlines";
     case CLASS_MIXED:
         return "mixed";
     case CLASS_COUNT:
@@ -164,6 +166,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_LINES:
         generate_lines(&b);
+        break;
+    case CLASS_OUTLINES:
+        generate_outlines(&b);
         break;
     default:
         generate_mixed(&b);

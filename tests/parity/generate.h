@@ -30,6 +30,7 @@ typedef enum scene_class {
     CLASS_COLOR_RANGE,   /* colours outside 0..1 in RGBA8 */
     CLASS_POINTS,        /* sizes of the state and of the vertex shader */
     CLASS_LINES,         /* separate, strips and loops, of all widths */
+    CLASS_OUTLINES,      /* triangles drawn as lines and points, by face */
     CLASS_MIXED,         /* several draws of several of the above */
     CLASS_COUNT
 } scene_class;

@@ -42,7 +42,9 @@ void shape_points(builder *b, uint32_t count)
     const placement p = (placement)random_below(r, PLACE_COUNT);
     b->state.topology = GN_POINTS;
     b->state.point_size = random_size(r);
-    b->state.program_point_size = b->shader == SCENE_VERTEX_COLOR && random_chance(r, 50);
+    /* Sizes of the vertex shader are cut off at the viewport (reference/RULES.md). */
+    b->state.program_point_size =
+        b->shader == SCENE_VERTEX_COLOR && !b->state.viewport.set && random_chance(r, 50);
     for (uint32_t i = 0; i < count; i++) {
         place_end(b, p);
         b->vertices[b->vertex_count - 1].texcoord[0] =
@@ -129,4 +131,41 @@ void generate_points(builder *b)
 void generate_lines(builder *b)
 {
     generate(b, shape_lines);
+}
+
+void state_outlines(builder *b)
+{
+    random_source *r = &b->random;
+    b->state.polygon_mode_front = (gn_polygon_mode)random_below(r, 3);
+    b->state.polygon_mode_back =
+        random_chance(r, 40) ? b->state.polygon_mode_front : (gn_polygon_mode)random_below(r, 3);
+    b->state.line_width = random_chance(r, 60) ? 0.0f : random_size(r);
+    b->state.point_size = random_size(r);
+}
+
+static void shape_outlines(builder *b, uint32_t count)
+{
+    random_source *r = &b->random;
+    state_outlines(b);
+    b->state.front_face = (gn_front_face)random_below(r, 2);
+    b->state.cull = (gn_cull)(random_chance(r, 40) ? random_below(r, 3) : 0);
+    switch (random_below(r, 4)) {
+    case 0:
+        shape_any_grid(b, 5);
+        break;
+    case 1:
+        shape_strip(b, count);
+        break;
+    default:
+        b->state.program_point_size = b->shader == SCENE_VERTEX_COLOR && random_chance(r, 50);
+        shape_any_triangles(b, 1 + count / 3);
+        for (uint32_t i = 0; i < b->vertex_count; i++)
+            b->vertices[i].texcoord[0] = random_size(r);
+        break;
+    }
+}
+
+void generate_outlines(builder *b)
+{
+    generate(b, shape_outlines);
 }

@@ -54,6 +54,12 @@ void shape_random_indices(builder *b, placement p, uint32_t vertices, uint32_t t
 void shape_points(builder *b, uint32_t count);
 void shape_lines(builder *b, uint32_t count);
 
+/* Any separate triangles. */
+void shape_any_triangles(builder *b, uint32_t count);
+
+/* Polygon modes by face, with widths and sizes. */
+void state_outlines(builder *b);
+
 /* One class each, from the target on. */
 void generate_meshes(builder *b);
 void generate_piles(builder *b);
@@ -71,6 +77,7 @@ void generate_float_color(builder *b);
 void generate_color_range(builder *b);
 void generate_points(builder *b);
 void generate_lines(builder *b);
+void generate_outlines(builder *b);
 void generate_mixed(builder *b);
 
 #endif

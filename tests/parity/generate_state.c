@@ -62,6 +62,11 @@ static gn_viewport random_viewport(builder *b)
     return v;
 }
 
+void shape_any_triangles(builder *b, uint32_t count)
+{
+    any_shape(b, count);
+}
+
 void generate_framebuffers(builder *b)
 {
     static const uint32_t sizes[] = {1,  1,  2,  3,  4,  5,  7,   8,   9,   13,  15,  16,
@@ -305,6 +310,8 @@ static void mixed_draw(builder *b)
     b->uniforms.light.ambient = (gn_vec3){0.25f, 0.25f, 0.5f};
     b->uniforms.light.diffuse = (gn_vec3){0.75f, 0.5f, 0.5f};
 
+    if (random_chance(r, 15))
+        state_outlines(b);
     const uint32_t count = 1 + builder_triangle_count(b) / 3;
     const bool empty = b->state.viewport.set &&
                        (b->state.viewport.width == 0.0f || b->state.viewport.height == 0.0f);

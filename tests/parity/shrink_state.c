@@ -104,6 +104,14 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         change = p->program_point_size;
         p->program_point_size = false;
         return change;
+    case 18:
+        change = p->polygon_mode_front != GN_POLYGON_FILL;
+        p->polygon_mode_front = GN_POLYGON_FILL;
+        return change;
+    case 19:
+        change = p->polygon_mode_back != GN_POLYGON_FILL;
+        p->polygon_mode_back = GN_POLYGON_FILL;
+        return change;
     case 17:
         change = p->line_width != 0.0f;
         p->line_width = 0.0f;
