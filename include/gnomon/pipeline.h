@@ -35,6 +35,8 @@
  *   point_size           PointSize                      1
  *   program_point_size   PROGRAM_POINT_SIZE             off
  *   line_width           LineWidth                      1
+ *   polygon_mode_front   PolygonMode(FRONT)             GN_POLYGON_FILL
+ *   polygon_mode_back    PolygonMode(BACK)              GN_POLYGON_FILL
  *
  * As in OpenGL, depth is written only where the depth test is on, stencil only where the
  * stencil test is, and a test of what the target has not got passes. */
@@ -86,6 +88,13 @@ typedef enum gn_cull {
 
 /* The winding of front faces in y-up window coordinates. */
 typedef enum gn_front_face { GN_FRONT_COUNTER_CLOCKWISE = 0, GN_FRONT_CLOCKWISE } gn_front_face;
+
+/* How triangles are drawn: whole, their edges, or their vertices. */
+typedef enum gn_polygon_mode {
+    GN_POLYGON_FILL = 0,
+    GN_POLYGON_LINE,
+    GN_POLYGON_POINT
+} gn_polygon_mode;
 
 /* Passes where `incoming depth FUNCTION stored depth` holds. */
 typedef enum gn_compare {
@@ -351,6 +360,8 @@ typedef struct gn_pipeline {
     float point_size;        /* in pixels; 0: 1 */
     bool program_point_size; /* points have the size that the vertex shader gives them */
     float line_width;        /* in pixels; 0: 1 */
+    gn_polygon_mode polygon_mode_front;
+    gn_polygon_mode polygon_mode_back;
 } gn_pipeline;
 
 GN_BEGIN
@@ -366,7 +377,7 @@ GN_BEGIN
  * (functions and operations of depth and stencil), GN_OUT_OF_RANGE (color_write_disabled has bits
  * beyond GN_CHANNEL_ALL), GN_INVALID_ENUM or GN_NOT_FINITE (blend; the constant only where it is
  * enabled), GN_INVALID_ENUM (logic operation), GN_NOT_FINITE or GN_OUT_OF_RANGE (a point size or
- * line width below 0). */
+ * line width below 0), GN_INVALID_ENUM (a polygon mode). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
 
 GN_END

@@ -95,6 +95,11 @@ static void set_stencil(GLenum face, const gn_stencil_face *f)
                         stencil_operation(f->pass));
 }
 
+static GLenum polygon_mode(gn_polygon_mode m)
+{
+    return m == GN_POLYGON_LINE ? GL_LINE : m == GN_POLYGON_POINT ? GL_POINT : GL_FILL;
+}
+
 static void switch_capability(GLenum capability, bool on)
 {
     if (on) {
@@ -336,6 +341,12 @@ static void set_state(const scene *s, const gn_pipeline *p)
     set_stencil(GL_BACK, &p->stencil_back);
     glPointSize(p->point_size == 0.0f ? 1.0f : p->point_size);
     glLineWidth(p->line_width == 0.0f ? 1.0f : p->line_width);
+    if (p->polygon_mode_front == p->polygon_mode_back) {
+        glPolygonMode(GL_FRONT_AND_BACK, polygon_mode(p->polygon_mode_front));
+    } else {
+        glPolygonMode(GL_FRONT, polygon_mode(p->polygon_mode_front));
+        glPolygonMode(GL_BACK, polygon_mode(p->polygon_mode_back));
+    }
 }
 
 static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u)

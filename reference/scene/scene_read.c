@@ -319,6 +319,9 @@ static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
         p->program_point_size = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "line-width")) {
         p->line_width = read_float(r);
+    } else if (!strcmp(keyword, "polygon-mode")) {
+        p->polygon_mode_front = (gn_polygon_mode)read_name(r, TEXT_POLYGON_MODE);
+        p->polygon_mode_back = (gn_polygon_mode)read_name(r, TEXT_POLYGON_MODE);
     } else if (!strcmp(keyword, "interpolation")) {
         for (int i = 0; i < 4; ++i) {
             p->interpolation[i] = (gn_interpolation)read_name(r, TEXT_INTERPOLATION);

@@ -125,6 +125,8 @@ static void write_state(FILE *out, const gn_pipeline *p)
     if (p->line_width != 0.0f) {
         write_floats(out, "  line-width", &p->line_width, 1);
     }
+    fprintf(out, "  polygon-mode %s %s\n", text_name(TEXT_POLYGON_MODE, (int)p->polygon_mode_front),
+            text_name(TEXT_POLYGON_MODE, (int)p->polygon_mode_back));
     fprintf(out, "  interpolation %s %s %s %s\n",
             text_name(TEXT_INTERPOLATION, (int)p->interpolation[0]),
             text_name(TEXT_INTERPOLATION, (int)p->interpolation[1]),

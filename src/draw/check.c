@@ -117,6 +117,9 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline)
     status = check_size(pipeline->line_width);
     if (status)
         return status;
+    if ((unsigned)pipeline->polygon_mode_front > GN_POLYGON_POINT ||
+        (unsigned)pipeline->polygon_mode_back > GN_POLYGON_POINT)
+        return GN_INVALID_ENUM;
     return GN_OK;
 }
 

@@ -180,7 +180,9 @@ static bool combines_colors(const gn_pipeline *p)
 /* Whether the draw asks for what this library was compiled without (lanes/small.h). */
 static bool is_left_out(const gn_target *target, const gn_pipeline *p, const gn_mesh *mesh)
 {
-    return (!GN_HAVE_LINES && p->topology > GN_TRIANGLE_FAN) ||
+    return (!GN_HAVE_LINES &&
+            (p->topology > GN_TRIANGLE_FAN || p->polygon_mode_front != GN_POLYGON_FILL ||
+             p->polygon_mode_back != GN_POLYGON_FILL)) ||
            (!GN_HAVE_STENCIL && format_has_stencil(target->depth.format)) ||
            (!GN_HAVE_COMBINING && combines_colors(p)) ||
            (!GN_HAVE_INSTANCES && (mesh->restart != GN_RESTART_NONE || mesh->instance_count > 1)) ||

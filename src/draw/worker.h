@@ -210,6 +210,8 @@ static inline uint32_t locate_group(const draw_state *draw, uint32_t first, uint
     return elements;
 }
 
+GN_OUT_OF_LINE void add_unfilled_group(worker *w, const triangle_group *group, uint32_t first);
+
 /* Adds triangles first to first + count - 1. */
 static void add_triangles(worker *w, uint32_t first, uint32_t count)
 {
@@ -223,7 +225,10 @@ static void add_triangles(worker *w, uint32_t first, uint32_t count)
         locate_group(w->draw, first + done, group.count, offset);
         assemble_triangles(w->draw->pipeline->topology, w->cull.provoking_first, w->is_quad,
                            first + done, offset, &group);
-        add_group(w, &group, w->draw->mesh->primitive + first + done);
+        if (GN_HAVE_LINES && w->cull.box.is_unfilled)
+            add_unfilled_group(w, &group, w->draw->mesh->primitive + first + done);
+        else
+            add_group(w, &group, w->draw->mesh->primitive + first + done);
     }
 }
 
@@ -244,7 +249,7 @@ static void resolve_segment(worker *w, uint32_t outcodes)
     const gn_pipeline *p = w->draw->pipeline;
 
     w->cull.asks_unsnapped = outcodes != 0 && p->cull != GN_CULL_NONE;
-    w->is_quad = outcodes == 0 && w->draw->mesh->count == 4 &&
+    w->is_quad = outcodes == 0 && !w->cull.box.is_unfilled && w->draw->mesh->count == 4 &&
                  w->draw->mesh->index_format == GN_INDEX_NONE && p->topology == GN_TRIANGLE_FAN &&
                  p->provoking_vertex == GN_PROVOKING_FIRST && !has_flat_varying(p) &&
                  !p->fragment_reads_primitive;

@@ -16,12 +16,15 @@ typedef struct clipper {
     unsigned char *memory; /* of all vertices */
     uint32_t scratch;      /* offset of clip_room new ones */
     uint32_t room;
-    uint32_t used; /* of them */
+    uint32_t used;   /* of them */
+    uint32_t hidden; /* of the last polygon: edges that lie on sides of the view volume */
+    float point_size[CLIP_MAX_VERTICES];
 } clipper;
 
 typedef struct polygon {
     uint32_t vertex[CLIP_MAX_POLYGON];
     uint32_t count;
+    uint32_t hidden; /* bit n: the edge from vertex n on lies on a plane */
 } polygon;
 
 /* The signed distance a0*x + a1*y + a2*z + a3*w to a plane: not negative inside.
@@ -62,13 +65,19 @@ static float window_parameter(const stored_vertex *from, const stored_vertex *to
 static uint32_t interpolate_vertex(clipper *c, uint32_t from, uint32_t to, float t)
 {
     const uint32_t stride = vertex_stride(stored_values(c->pipeline));
-    const uint32_t offset = c->scratch + c->used++ * stride;
+    const uint32_t number = c->used++;
+    const uint32_t offset = c->scratch + number * stride;
     const stored_vertex *p = vertex_at(c->memory, from);
     const stored_vertex *q = vertex_at(c->memory, to);
     stored_vertex *made = vertex_at(c->memory, offset);
 
     for (int n = 0; n < 4; ++n)
         made->clip[n] = p->clip[n] + t * (q->clip[n] - p->clip[n]);
+
+    if (GN_HAVE_LINES) {
+        made->point_size = p->point_size + t * (q->point_size - p->point_size);
+        c->point_size[number] = made->point_size;
+    }
 
     const float linear = window_parameter(p, q, made, t);
     for (uint32_t v = 0; v < stored_values(c->pipeline); ++v) {
@@ -93,7 +102,9 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
     uint32_t previous = in->vertex[0];
     float previous_distance = plane_distance(c, vertex_at(c->memory, previous), plane);
 
+    const uint32_t hides = plane < CLIP_DISTANCE;
     out->count = 0;
+    out->hidden = 0;
     if (!gn_is_finite(previous_distance))
         return false;
 
@@ -103,8 +114,11 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
 
         if (!gn_is_finite(distance) || out->count > CLIP_MAX_POLYGON - 2 || c->used == room_of(c))
             return false;
-        if (previous_distance >= 0.0f)
+        const uint32_t hidden = GN_HAVE_LINES ? in->hidden >> (n - 1) & 1u : 0;
+        if (previous_distance >= 0.0f) {
+            out->hidden |= hidden << out->count;
             out->vertex[out->count++] = previous;
+        }
 
         if ((distance < 0.0f) != (previous_distance < 0.0f)) {
             const float span = distance - previous_distance;
@@ -113,6 +127,8 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
             const float inside = leaving ? previous_distance : distance;
             const bool from_current = leaving == (outside < inside);
 
+            if (GN_HAVE_LINES)
+                out->hidden |= (leaving ? hides : hidden) << out->count;
             out->vertex[out->count++] =
                 from_current ? interpolate_vertex(c, current, previous, distance / span)
                              : interpolate_vertex(c, previous, current, -previous_distance / span);
@@ -146,8 +162,13 @@ GN_STEP void place_new_vertices(const clipper *c)
         place_vertices(c->viewport, clip, lanes_i_splat(0), lanes_i_splat(0),
                        c->memory + c->scratch + first * stride, stride);
     }
-    for (uint32_t n = 0; n < c->used; ++n)
-        vertex_at(c->memory, c->scratch + n * stride)->outcode = 0;
+    for (uint32_t n = 0; n < c->used; ++n) {
+        stored_vertex *const v = vertex_at(c->memory, c->scratch + n * stride);
+
+        v->outcode = 0;
+        if (GN_HAVE_LINES)
+            v->point_size = c->point_size[n];
+    }
 }
 
 /* Clips a triangle to the planes of its outcodes into a group of triangles, which may be
@@ -163,6 +184,7 @@ static inline void clip_triangle(clipper *c, uint32_t planes, const uint32_t tri
     c->room = clip_room(planes);
     out->count = 0;
     in->count = 3;
+    in->hidden = 0;
     for (int n = 0; n < 3; ++n)
         in->vertex[n] = triangle[n];
 
@@ -175,6 +197,7 @@ static inline void clip_triangle(clipper *c, uint32_t planes, const uint32_t tri
             result = swap;
         }
     }
+    c->hidden = in->hidden;
     place_new_vertices(c);
 
     /* A fan whose first polygon vertex takes the provoking vertex's place. */

@@ -82,6 +82,8 @@ const char *scene_class_name(scene_class c)
         return "instances";
     case CLASS_CLIP_DISTANCE:
         return "clip-distances";
+    case CLASS_OUTLINES:
+        return "outlines";
     case CLASS_MIXED:
         return "mixed";
     case CLASS_COUNT:
@@ -229,6 +231,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_CLIP_DISTANCE:
         generate_clip_distance(&b);
+        break;
+    case CLASS_OUTLINES:
+        generate_outlines(&b);
         break;
     default:
         generate_mixed(&b);

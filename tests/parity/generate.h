@@ -43,6 +43,7 @@ typedef enum scene_class {
     CLASS_FORMATS,       /* every colour format, at the edges of its conversion */
     CLASS_INSTANCES,     /* instances, base vertex, primitive restart */
     CLASS_CLIP_DISTANCE, /* planes of the user's */
+    CLASS_OUTLINES,      /* triangles drawn as lines and points, by face */
     CLASS_MIXED,         /* several draws of several of the above */
     CLASS_COUNT
 } scene_class;

@@ -157,6 +157,13 @@ static void size_faults(void **state)
     assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
     p.line_width = INFINITY;
     assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
+    p = good_pipeline();
+    p.polygon_mode_front = (gn_polygon_mode)3;
+    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    p.polygon_mode_front = GN_POLYGON_POINT;
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+    p.polygon_mode_back = (gn_polygon_mode)3;
+    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
 }
 
 static void viewport_faults(void **state)
