@@ -12,8 +12,8 @@
  *   clip_distance_count  CLIP_DISTANCEi for i below it  none
  *   clip_depth           ClipControl's depth            -1 to 1
  *   depth_clamp          DEPTH_CLAMP                    off
- *   polygon_offset       POLYGON_OFFSET_FILL with        off
- *                        PolygonOffsetClamp
+ *   polygon_offset       POLYGON_OFFSET_FILL, _LINE,    off
+ *                        _POINT, PolygonOffsetClamp
  *   depth_test           DEPTH_TEST                     off
  *   depth_function       DepthFunc                      GN_LESS
  *   depth_write_disabled not DepthMask                  depth is written
@@ -246,7 +246,9 @@ typedef enum gn_clip_depth { GN_NEGATIVE_ONE_TO_ONE = 0, GN_ZERO_TO_ONE } gn_cli
 
 /* Added to the depth of a triangle's fragments is slope * factor + step * units: slope is the
  * greater of |dz/dx| and |dz/dy|, step is 2 / (2^n - 1) for a format of n bits and for
- * GN_FORMAT_D32F 2^(e - 23), where e is the exponent of the triangle's largest |depth|. */
+ * GN_FORMAT_D32F 2^(e - 23), where e is the exponent of the triangle's largest |depth|. Triangles
+ * drawn as lines or points have it too, in the depths of their vertices; other lines and points
+ * have none. */
 typedef struct gn_polygon_offset {
     bool set; /* false: nothing is added, the other fields are not looked at */
     float factor;

@@ -282,6 +282,8 @@ static void set_polygon_offset(const gn_polygon_offset *p)
         (offset_clamp *)OSMesaGetProcAddress("glPolygonOffsetClampEXT");
 
     switch_capability(GL_POLYGON_OFFSET_FILL, p->set);
+    switch_capability(GL_POLYGON_OFFSET_LINE, p->set);
+    switch_capability(GL_POLYGON_OFFSET_POINT, p->set);
     if (p->set && with_clamp) {
         with_clamp(p->factor, p->units, p->clamp);
     } else if (p->set) {

@@ -9,7 +9,7 @@
 
 /* New vertices that a task keeps, so that the pieces of several clipped triangles are set
  * up together where there is room for them. */
-#define CLIP_SCRATCH CLIP_MAX_VERTICES
+#define CLIP_SCRATCH (2 * GN_LANES)
 
 /* The reference takes a draw in segments of this many elements, and some of its
  * decisions depend on all vertices of a segment (resolve_segment). */

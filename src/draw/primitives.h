@@ -138,19 +138,51 @@ static inline uint32_t own_edges(uint32_t hidden, bool provoking_first, uint32_t
     return provoking_first ? first | middle << 1 | last << 2 : middle | last << 1 | first << 2;
 }
 
+/* Puts copies of a piece's vertices, with polygon offset, in their place, after the `used` new
+ * vertices that its polygon needs. */
+static void offset_piece(worker *w, uint32_t used, triangle_group *pieces, uint32_t l)
+{
+    unsigned char *const memory = w->draw->job->memory;
+    const uint32_t stride = w->draw->stride;
+    const stored_vertex *v[3];
+
+    if (w->clip_used + 3 > CLIP_SCRATCH) {
+        draw_list(w);
+        w->clip_used = used;
+    }
+    for (int i = 0; i < 3; ++i)
+        v[i] = vertex_at(memory, group_vertex(pieces, (uint32_t)i, l));
+    const float offset = offset_of_vertices(&w->draw->offset, v);
+
+    for (uint32_t i = 0; i < 3; ++i) {
+        const uint32_t to = w->clip_vertices + w->clip_used++ * stride;
+        const stored_word *const words = (const stored_word *)(const void *)v[i];
+        stored_word *const copy = (stored_word *)(void *)(memory + to);
+
+        for (uint32_t n = 0; n < stride / sizeof *copy; ++n)
+            copy[n] = words[n];
+        const float z = v[i]->window[2] + offset;
+        const float low = z > 0.0f ? z : 0.0f;
+        vertex_at(memory, to)->window[2] = low < 1.0f ? low : 1.0f;
+        pieces->made[i][l] = to;
+    }
+}
+
 /* The pieces of a triangle, each in the mode of its winding. One of no area is counter-clockwise
  * for its mode and back-facing for culling. */
-static void add_pieces(unfilled_parts *parts, const triangle_group *pieces, uint32_t hidden)
+static void add_pieces(unfilled_parts *parts, triangle_group *pieces, uint32_t hidden)
 {
     worker *const w = parts->w;
     unsigned char *const memory = w->draw->job->memory;
     const box_state *state = &w->cull.box;
+    const uint32_t used = w->clip_used;
+    const bool moves = w->draw->pipeline->polygon_offset.set && !w->keeps;
     cull_result filled;
 
     cull_snapped(&w->cull, memory, pieces, &filled);
     for (uint32_t l = 0; l < pieces->count; ++l) {
-        const uint32_t corner[3] = {group_vertex(pieces, 0, l), group_vertex(pieces, 1, l),
-                                    group_vertex(pieces, 2, l)};
+        uint32_t corner[3] = {group_vertex(pieces, 0, l), group_vertex(pieces, 1, l),
+                              group_vertex(pieces, 2, l)};
         const float area =
             unsnapped_area(vertex_at(memory, corner[0]), vertex_at(memory, corner[1]),
                            vertex_at(memory, corner[2]));
@@ -160,6 +192,11 @@ static void add_pieces(unfilled_parts *parts, const triangle_group *pieces, uint
         parts->back = area == 0.0f || clockwise != w->cull.front_clockwise;
         if (clockwise ? w->cull.drop_clockwise : w->cull.drop_counter_clockwise)
             continue;
+        if (moves) {
+            offset_piece(w, used, pieces, l);
+            for (int i = 0; i < 3; ++i)
+                corner[i] = pieces->made[i][l];
+        }
         if (mode != GN_POLYGON_FILL) {
             add_outline(parts, mode, corner,
                         own_edges(hidden, w->cull.provoking_first, l, pieces->count));
@@ -197,10 +234,11 @@ static void add_unfilled(worker *w, const uint32_t vertex[3], uint32_t provoking
     if (all)
         return;
     if (any) {
-        make_room_for_clipping(w, any);
+        make_room(w, clip_room(any) + 3);
         clip_triangle(&w->clipper, any, vertex, &pieces);
         w->clip_used += w->clipper.used;
     } else {
+        make_room(w, 3);
         w->clipper.hidden = 0;
         pieces.count = 1;
         pieces.step = 1;

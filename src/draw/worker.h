@@ -137,15 +137,20 @@ static void keep_crossing(worker *w, const uint32_t vertex[3], uint32_t provokin
     finish_if_full(w);
 }
 
-/* Before clipping to these planes: what the list's triangles use of the new vertices must last
- * until it is drawn. */
-static inline void make_room_for_clipping(worker *w, uint32_t planes)
+/* Before so many new vertices, or as many as there is room for: those that the list's triangles
+ * use must last until it is drawn. */
+static inline void make_room(worker *w, uint32_t count)
 {
-    if (!w->keeps && w->clip_used + clip_room(planes) > CLIP_SCRATCH)
+    if (!w->keeps && w->clip_used + count > CLIP_SCRATCH)
         draw_list(w);
     if (w->keeps || w->list->count == 0)
         w->clip_used = 0;
     w->clipper.scratch = w->clip_vertices + w->clip_used * w->draw->stride;
+}
+
+static inline void make_room_for_clipping(worker *w, uint32_t planes)
+{
+    make_room(w, clip_room(planes));
 }
 
 /* Clips a triangle and adds what is left of it. */

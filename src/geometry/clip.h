@@ -91,7 +91,9 @@ static uint32_t interpolate_vertex(clipper *c, uint32_t from, uint32_t to, float
 
 static inline uint32_t room_of(const clipper *c)
 {
-    return GN_HAVE_DISTANCES ? c->room : GN_LANES;
+    return !GN_HAVE_DISTANCES            ? GN_LANES
+           : c->room < CLIP_MAX_VERTICES ? c->room
+                                         : CLIP_MAX_VERTICES;
 }
 
 /* Clips a polygon to one plane; false where nothing is left, a distance is not finite

@@ -60,14 +60,15 @@ typedef enum clip_plane {
 
 /* A plane adds at most one vertex to a convex polygon, so that 3 + 14 are usual.
  * Rounding can make it slightly concave; a polygon beyond this limit, or needing
- * more new vertices than there is room for, is not drawn. */
+ * more new vertices than there is room for, is not drawn. Three remain in CLIP_SCRATCH. */
 #define CLIP_MAX_POLYGON (GN_LANES + 2)
-#define CLIP_MAX_VERTICES (2 * GN_LANES)
+#define CLIP_MAX_VERTICES (2 * GN_LANES - 3)
 
-/* Room for the new vertices of a triangle to be clipped to these planes: usually two a plane. */
+/* Room for the new vertices of a triangle to be clipped to these planes, made sixteen at a time:
+ * usually two a plane. */
 static inline uint32_t clip_room(uint32_t planes)
 {
-    return GN_HAVE_DISTANCES && planes >> CLIP_DISTANCE ? CLIP_MAX_VERTICES : GN_LANES;
+    return GN_HAVE_DISTANCES && planes >> CLIP_DISTANCE ? 2 * GN_LANES : GN_LANES;
 }
 
 #endif

@@ -154,8 +154,6 @@ void fit_outlines(builder *b)
 {
     const bool unfilled = b->state.polygon_mode_front != GN_POLYGON_FILL ||
                           b->state.polygon_mode_back != GN_POLYGON_FILL;
-    if (unfilled)
-        b->state.polygon_offset.set = false;
     if (unfilled && b->state.stencil_test && b->shader != SCENE_INPUTS)
         b->state.stencil_back = b->state.stencil_front;
 }
@@ -187,6 +185,12 @@ static void shape_outlines(builder *b, uint32_t count)
         random_inputs(b);
     if (random_chance(r, 25))
         random_stencil(b);
+    if (random_chance(r, 25)) {
+        b->state.polygon_offset = random_polygon_offset(b);
+        b->state.depth_range.set = random_chance(r, 50);
+        b->state.depth_range.z_near = 0.25f;
+        b->state.depth_range.z_far = random_chance(r, 50) ? 0.75f : 0.0f;
+    }
     fit_outlines(b);
     b->counted = random_chance(r, 10);
 }
