@@ -73,7 +73,7 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     draw->viewport = viewport_transform_of(job->pipeline, any->width, any->height);
     draw->cull = cull_state_of(job->pipeline, any->width, any->height);
     set_fragment_state(&draw->fragment, job->target, job->pipeline, &draw->viewport);
-    if (draw->cull.box.is_unfilled)
+    if (GN_HAVE_LINES && draw->cull.box.is_unfilled)
         draw->fragment.moves_depth = false; /* vertices move instead */
     if (GN_HAVE_OFFSET)
         draw->offset =

@@ -254,10 +254,10 @@ static void resolve_segment(worker *w, uint32_t outcodes)
     const gn_pipeline *p = w->draw->pipeline;
 
     w->cull.asks_unsnapped = outcodes != 0 && p->cull != GN_CULL_NONE;
-    w->is_quad = outcodes == 0 && !w->cull.box.is_unfilled && w->draw->mesh->count == 4 &&
-                 w->draw->mesh->index_format == GN_INDEX_NONE && p->topology == GN_TRIANGLE_FAN &&
-                 p->provoking_vertex == GN_PROVOKING_FIRST && !has_flat_varying(p) &&
-                 !p->fragment_reads_primitive;
+    w->is_quad = outcodes == 0 && !(GN_HAVE_LINES && w->cull.box.is_unfilled) &&
+                 w->draw->mesh->count == 4 && w->draw->mesh->index_format == GN_INDEX_NONE &&
+                 p->topology == GN_TRIANGLE_FAN && p->provoking_vertex == GN_PROVOKING_FIRST &&
+                 !has_flat_varying(p) && !p->fragment_reads_primitive;
 }
 
 /* The union of outcodes over triangles first to first + count - 1, whose vertices are
