@@ -105,10 +105,13 @@ typedef struct gn_workspace {
 
 GN_BEGIN
 
+/* In what follows, clip distances count as varyings: for a pipeline that has some, varying_count is
+ * the sum of both. */
+
 /* Workspace bytes with which the calling thread shades each vertex of a mesh of that many
  * once. With vertex_count 0, the least a draw with that many varyings needs.
  * SIZE_MAX where the size would not fit a size_t or varying_count is above
- * GN_MAX_VARYINGS. */
+ * GN_MAX_VARYINGS + GN_MAX_CLIP_DISTANCES. */
 GN_API size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count);
 
 /* Workspace bytes with which a mesh of that many vertices (without indices, as many as are
@@ -139,14 +142,15 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  * shader (GN_NO_SHADER), and, where colours are blended, masked or combined by their bits, is
  * GN_FORMAT_RGBA8 or GN_FORMAT_RGBA32F (GN_INVALID_FORMAT), that the library was not compiled
  * without what is asked (GN_NOT_COMPILED), and that the workspace is there (GN_NULL_POINTER) and
- * holds at least gn_workspace_size(0, varying_count) bytes (GN_WORKSPACE_TOO_SMALL, and
- * workspace->needed says how many), and that the library holds its back end
- * (GN_BACKEND_UNAVAILABLE). An index at or beyond vertex_count is found last. On a fault
+ * holds at least gn_workspace_size(0, varying_count + clip_distance_count) bytes
+ * (GN_WORKSPACE_TOO_SMALL, and workspace->needed says how many), and that the library holds its
+ * back end (GN_BACKEND_UNAVAILABLE). An index at or beyond vertex_count is found last. On a fault
  * nothing is drawn.
  *
  * Triangles, lines and points are drawn in order. Positions are clipped to -w <= x, y, z <= w (of
- * z, as clip_depth and depth_clamp say; then a z that is clipped against nothing may be anything;
- * points are drawn whole or not at all, by their centre) and mapped to window coordinates;
+ * z, as clip_depth and depth_clamp say; then a z that is clipped against nothing may be anything)
+ * and to clip distances that are not negative, points being drawn whole or not at all, by their
+ * centre, and mapped to window coordinates;
  * vertices snap to 1/256 pixel; a pixel is covered where its centre lies inside, or on a left edge
  * or a horizontal bottom edge, so that triangles sharing an edge never both cover a pixel on it.
  * Points are squares; lines are as wide as they are along y, where they are longer along x, and

@@ -33,10 +33,10 @@ struct reference {
     char version[32];
     char renderer[128];
     GLuint vertex_array;
-    GLuint vertex_color_programs[VERTEX_COLOR_PROGRAMS];
-    GLuint derivatives_programs[VERTEX_COLOR_PROGRAMS];
-    GLuint inputs_programs[INPUTS_PROGRAMS];
-    GLuint lit_programs[SCENE_SHADER_COUNT];
+    GLuint vertex_color_programs[2][VERTEX_COLOR_PROGRAMS]; /* [with clip distances] */
+    GLuint derivatives_programs[2][VERTEX_COLOR_PROGRAMS];
+    GLuint inputs_programs[2][INPUTS_PROGRAMS];
+    GLuint lit_programs[2][SCENE_SHADER_COUNT];
     framebuffer framebuffers[FRAMEBUFFER_CACHE_SIZE];
     uint64_t uses;
 };

@@ -168,14 +168,30 @@ static const char inputs_fragment[] = "smooth in vec4 shade;\n"
                                       "    result = c;\n"
                                       "}\n";
 
-static GLuint compile(GLenum stage, const char *head, const char *body, char *error,
+/* Around a vertex shader: clip distances beside what its main writes. */
+static const char clipped_head[] = "#define main place_and_shade\n";
+static const char clipped_tail[] =
+    "#undef main\n"
+    "layout(location = 8) uniform vec4 clip_plane[8];\n"
+    "out float gl_ClipDistance[8];\n"
+    "void main()\n"
+    "{\n"
+    "    place_and_shade();\n"
+    "    for (int i = 0; i < 8; ++i) {\n"
+    "        vec4 p = clip_plane[i];\n"
+    "        gl_ClipDistance[i] = ((p.x * position.x + p.y * position.y) + p.z * position.z) +\n"
+    "                             p.w * position.w;\n"
+    "    }\n"
+    "}\n";
+
+static GLuint compile(GLenum stage, const char *head, const char *body, bool clipped, char *error,
                       size_t error_size)
 {
-    const char *parts[2] = {head, body};
+    const char *parts[4] = {head, clipped ? clipped_head : "", body, clipped ? clipped_tail : ""};
     const GLuint shader = glCreateShader(stage);
     GLint compiled = 0;
 
-    glShaderSource(shader, 2, parts, NULL);
+    glShaderSource(shader, 4, parts, NULL);
     glCompileShader(shader);
     glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
     if (!compiled) {
@@ -190,11 +206,13 @@ static GLuint compile(GLenum stage, const char *head, const char *body, char *er
 }
 
 static GLuint link_program(const char *vertex_body, const char *fragment_head,
-                           const char *fragment_body, char *error, size_t error_size)
+                           const char *fragment_body, bool clipped, char *error, size_t error_size)
 {
-    const GLuint vertex = compile(GL_VERTEX_SHADER, vertex_head, vertex_body, error, error_size);
+    const GLuint vertex =
+        compile(GL_VERTEX_SHADER, vertex_head, vertex_body, clipped, error, error_size);
     const GLuint fragment =
-        vertex ? compile(GL_FRAGMENT_SHADER, fragment_head, fragment_body, error, error_size) : 0;
+        vertex ? compile(GL_FRAGMENT_SHADER, fragment_head, fragment_body, false, error, error_size)
+               : 0;
     GLuint program = 0;
 
     if (vertex && fragment) {
@@ -233,8 +251,8 @@ static const char *qualifier(gn_interpolation interpolation)
 }
 
 /* A program of vertex colours or of their derivatives. */
-static GLuint link_colors(const gn_pipeline *p, const char *fragment_main, char *error,
-                          size_t error_size)
+static GLuint link_colors(const gn_pipeline *p, const char *fragment_main, bool clipped,
+                          char *error, size_t error_size)
 {
     const gn_interpolation *i = p->interpolation;
     char vertex[1024];
@@ -248,10 +266,10 @@ static GLuint link_colors(const gn_pipeline *p, const char *fragment_main, char 
     used = (size_t)snprintf(fragment, sizeof fragment, vertex_color_varyings, qualifier(i[0]), "in",
                             qualifier(i[1]), "in", qualifier(i[2]), "in", qualifier(i[3]), "in");
     snprintf(fragment + used, sizeof fragment - used, "%s", fragment_main);
-    return link_program(vertex, "#version 450 core\n", fragment, error, error_size);
+    return link_program(vertex, "#version 450 core\n", fragment, clipped, error, error_size);
 }
 
-static GLuint link_inputs(const gn_pipeline *p, char *error, size_t error_size)
+static GLuint link_inputs(const gn_pipeline *p, bool clipped, char *error, size_t error_size)
 {
     char vertex[sizeof inputs_vertex + sizeof set_point_size];
     char head[160];
@@ -263,12 +281,13 @@ static GLuint link_inputs(const gn_pipeline *p, char *error, size_t error_size)
              p->fragment_reads_position ? "#define POSITION\n" : "",
              p->fragment_discards ? "#define DISCARD\n" : "",
              p->fragment_writes_depth ? "#define DEPTH\n" : "");
-    return link_program(vertex, head, inputs_fragment, error, error_size);
+    return link_program(vertex, head, inputs_fragment, clipped, error, error_size);
 }
 
 GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t error_size)
 {
-    GLuint *program = &r->lit_programs[d->shader < SCENE_SHADER_COUNT ? d->shader : 0];
+    const bool clipped = d->state.clip_distance_count > 0;
+    GLuint *program = &r->lit_programs[clipped][d->shader < SCENE_SHADER_COUNT ? d->shader : 0];
 
     switch (d->shader) {
     case SCENE_VERTEX_COLOR:
@@ -279,43 +298,46 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
         for (int c = 0; c < 4; ++c) {
             variant = 3 * variant + (int)d->state.interpolation[c] % 3;
         }
-        program = colors ? &r->vertex_color_programs[variant] : &r->derivatives_programs[variant];
+        program = colors ? &r->vertex_color_programs[clipped][variant]
+                         : &r->derivatives_programs[clipped][variant];
         if (!*program) {
             *program = link_colors(&d->state,
                                    colors ? vertex_color_fragment_main : derivatives_fragment_main,
-                                   error, error_size);
+                                   clipped, error, error_size);
         }
         break;
     }
     case SCENE_FLAT:
         if (!*program) {
-            *program = link_program(flat_vertex, flat_fragment, "", error, error_size);
+            *program = link_program(flat_vertex, flat_fragment, "", clipped, error, error_size);
         }
         break;
     case SCENE_GOURAUD:
         if (!*program) {
-            *program = link_program(gouraud_vertex, gouraud_fragment, "", error, error_size);
+            *program =
+                link_program(gouraud_vertex, gouraud_fragment, "", clipped, error, error_size);
         }
         break;
     case SCENE_TEXTURED_GOURAUD:
         if (!*program) {
-            *program = link_program(textured_vertex, textured_fragment, "", error, error_size);
+            *program =
+                link_program(textured_vertex, textured_fragment, "", clipped, error, error_size);
         }
         break;
     case SCENE_PHONG:
         if (!*program) {
-            *program = link_program(phong_vertex, phong_fragment, "", error, error_size);
+            *program = link_program(phong_vertex, phong_fragment, "", clipped, error, error_size);
         }
         break;
     case SCENE_INPUTS:
-        program =
-            &r->inputs_programs[d->state.fragment_reads_position + 2 * d->state.fragment_discards +
-                                4 * d->state.fragment_writes_depth +
-                                8 * d->state.fragment_reads_primitive +
-                                16 * d->state.fragment_reads_point_coordinate +
-                                32 * d->state.program_point_size];
+        program = &r->inputs_programs[clipped][d->state.fragment_reads_position +
+                                               2 * d->state.fragment_discards +
+                                               4 * d->state.fragment_writes_depth +
+                                               8 * d->state.fragment_reads_primitive +
+                                               16 * d->state.fragment_reads_point_coordinate +
+                                               32 * d->state.program_point_size];
         if (!*program) {
-            *program = link_inputs(&d->state, error, error_size);
+            *program = link_inputs(&d->state, clipped, error, error_size);
         }
         break;
     case SCENE_SHADER_COUNT:

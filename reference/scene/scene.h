@@ -60,6 +60,10 @@ typedef struct scene_draw {
      * texture and sampler the textured shaders. */
     gn_textured_uniforms uniforms;
 
+    /* Clip distance i, of state.clip_distance_count, is ((p0*x + p1*y) + p2*z) + p3*w of the
+     * position attribute. */
+    float clip_plane[GN_MAX_CLIP_DISTANCES][4];
+
     /* Of SCENE_PHONG alone. */
     gn_mat4 view_from_model;
     gn_vec3 specular;
@@ -145,8 +149,10 @@ scene *scene_read(FILE *in, char *error, size_t error_size);
 bool scene_frame_allocate(scene_frame *frame, const scene *s);
 void scene_frame_free(scene_frame *frame);
 
-/* The scalar varyings of the shader that has most of them, for sizing a workspace. */
+/* The scalar varyings of the shader that has most of them, and with the clip distances of the draw
+ * that has most, for sizing a workspace. */
 #define SCENE_VARYINGS 8
+uint32_t scene_varyings(const scene *s);
 
 /* Bytes of workspace with which every draw of the scene shades each vertex once, and may
  * run on several threads. */

@@ -57,6 +57,7 @@ static const char *const logic_names[] = {
     "copy", "clear",      "and",    "and-reverse", "and-inverted",  "noop",        "xor",  "or",
     "nor",  "equivalent", "invert", "or-reverse",  "copy-inverted", "or-inverted", "nand", "set"};
 static const char *const clip_depth_names[] = {"negative-one-to-one", "zero-to-one"};
+static const char *const polygon_mode_names[] = {"fill", "line", "point"};
 
 static const char *const point_origin_names[] = {"upper-left", "lower-left"};
 
@@ -90,6 +91,7 @@ static const char *const *names_of(text_names set, int *count)
         CASE(TEXT_EQUATION, equation_names);
         CASE(TEXT_LOGIC, logic_names);
         CASE(TEXT_CLIP_DEPTH, clip_depth_names);
+        CASE(TEXT_POLYGON_MODE, polygon_mode_names);
     }
 #undef CASE
     *count = 0;

@@ -50,7 +50,8 @@ typedef enum text_names {
     TEXT_EQUATION,
     TEXT_LOGIC,
     TEXT_CLIP_DEPTH,
-    TEXT_POINT_ORIGIN
+    TEXT_POINT_ORIGIN,
+    TEXT_POLYGON_MODE
 } text_names;
 
 /* How many names a set has; those of the values from 0 on. */

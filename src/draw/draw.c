@@ -33,7 +33,7 @@ static size_t as_size(uint64_t size)
 
 size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count)
 {
-    if (varying_count > GN_MAX_VARYINGS)
+    if (varying_count > GN_MAX_VARYINGS + GN_MAX_CLIP_DISTANCES)
         return SIZE_MAX;
     return as_size(WORKSPACE_ALIGNMENT + scratch_size(varying_count) +
                    vertices_size(vertex_count, varying_count));
@@ -63,7 +63,7 @@ size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count
     const uint32_t shortest = triangles_of(GN_TRIANGLES, SEGMENT_INDICES);
     const uint32_t longest = triangles_of(GN_POINTS, SEGMENT_ELEMENTS);
 
-    if (varying_count > GN_MAX_VARYINGS)
+    if (varying_count > GN_MAX_VARYINGS + GN_MAX_CLIP_DISTANCES)
         return SIZE_MAX;
     /* As many of the shortest segments as make a round, and one of the longest. */
     return as_size(WORKSPACE_ALIGNMENT + MAX_TASKS * (uint64_t)scratch_size(varying_count) +
@@ -78,7 +78,7 @@ static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
     const mesh_run *mesh = job->mesh;
     const bool indexed = mesh->index_format != GN_INDEX_NONE;
     const uint32_t elements = indexed ? SEGMENT_INDICES : SEGMENT_ELEMENTS;
-    const uint32_t varyings = job->pipeline->varying_count;
+    const uint32_t varyings = stored_values(job->pipeline);
     const uint64_t lists = segment_size(triangles_of(job->pipeline->topology, elements));
     const uint64_t kept = vertices_size(indexed ? mesh->vertex_count : mesh->count, varyings);
 
@@ -91,7 +91,7 @@ static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
  * before the vertices. */
 static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
 {
-    const uint32_t varyings = job->pipeline->varying_count;
+    const uint32_t varyings = stored_values(job->pipeline);
     const uint32_t elements =
         job->mesh->index_format != GN_INDEX_NONE ? SEGMENT_INDICES : SEGMENT_ELEMENTS;
     const uint32_t step = triangles_of(job->pipeline->topology, elements);
@@ -126,7 +126,7 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     const size_t skip = (0 - (uintptr_t)workspace->memory) & (WORKSPACE_ALIGNMENT - 1);
     const uint64_t given = workspace->size - skip;
     const uint32_t available = (uint32_t)(given < MEMORY_LIMIT ? given : MEMORY_LIMIT);
-    const uint32_t batch = GN_LANES * vertex_stride(job->pipeline->varying_count);
+    const uint32_t batch = GN_LANES * vertex_stride(stored_values(job->pipeline));
 
     job->memory = (unsigned char *)workspace->memory + skip;
     job->parallel = GN_HAVE_TASKS ? workspace->parallel : NULL;
@@ -183,10 +183,13 @@ static bool combines_colors(const gn_pipeline *p)
 static bool is_left_out(const gn_target *target, const gn_pipeline *p, const gn_mesh *mesh)
 {
     return (!GN_HAVE_LINES &&
-            (p->topology > GN_TRIANGLE_FAN || p->fragment_reads_point_coordinate)) ||
+            (p->topology > GN_TRIANGLE_FAN || p->fragment_reads_point_coordinate ||
+             p->polygon_mode_front != GN_POLYGON_FILL ||
+             p->polygon_mode_back != GN_POLYGON_FILL)) ||
            (!GN_HAVE_STENCIL && format_has_stencil(target->depth.format)) ||
            (!GN_HAVE_COMBINING && combines_colors(p)) ||
            (!GN_HAVE_INSTANCES && (mesh->restart != GN_RESTART_NONE || mesh->instance_count > 1)) ||
+           (!GN_HAVE_DISTANCES && p->clip_distance_count > 0) ||
            (!GN_HAVE_FORMATS && format_is_encoded(target->color[0].format)) ||
            (!GN_HAVE_OFFSET && (p->polygon_offset.set || p->depth_clamp));
 }
@@ -244,7 +247,7 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
         return GN_NOT_COMPILED;
     if (!workspace || !workspace->memory)
         return GN_NULL_POINTER;
-    const size_t least = gn_workspace_size(0, pipeline->varying_count);
+    const size_t least = gn_workspace_size(0, stored_values(pipeline));
     if (workspace->size < least) {
         workspace->needed = least;
         return GN_WORKSPACE_TOO_SMALL;

@@ -123,6 +123,8 @@ static inline fault fault_of_pipeline(const gn_pipeline *p)
     FAULT_FROM(fault_of_polygon_offset(&p->polygon_offset));
     FAULT_IF((unsigned)p->clip_depth > GN_ZERO_TO_ONE, GN_INVALID_ENUM,
              "clip_depth is no gn_clip_depth");
+    FAULT_IF(p->clip_distance_count > GN_MAX_CLIP_DISTANCES, GN_OUT_OF_RANGE,
+             "clip_distance_count is above GN_MAX_CLIP_DISTANCES");
     FAULT_IF((unsigned)p->depth_function > GN_ALWAYS, GN_INVALID_ENUM,
              "depth_function is no gn_compare");
     FAULT_FROM(fault_of_stencil_front(&p->stencil_front));
@@ -138,6 +140,10 @@ static inline fault fault_of_pipeline(const gn_pipeline *p)
     FAULT_IF(p->line_width < 0.0f, GN_OUT_OF_RANGE, "line_width is below 0");
     FAULT_IF((unsigned)p->point_origin > GN_POINT_LOWER_LEFT, GN_INVALID_ENUM,
              "point_origin is no gn_point_origin");
+    FAULT_IF((unsigned)p->polygon_mode_front > GN_POLYGON_POINT, GN_INVALID_ENUM,
+             "polygon_mode_front is no gn_polygon_mode");
+    FAULT_IF((unsigned)p->polygon_mode_back > GN_POLYGON_POINT, GN_INVALID_ENUM,
+             "polygon_mode_back is no gn_polygon_mode");
     return NO_FAULT;
 }
 

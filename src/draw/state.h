@@ -85,7 +85,7 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
         draw->run = *job->mesh;
         draw->mesh = &draw->run;
     }
-    draw->stride = vertex_stride(job->pipeline->varying_count);
+    draw->stride = vertex_stride(stored_values(job->pipeline));
     draw->vertices = job->vertices;
     draw->used = 0;
     draw->map.shared = false;
@@ -93,6 +93,8 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     draw->viewport = viewport_transform_of(job->pipeline, any->width, any->height);
     draw->cull = cull_state_of(job->pipeline, any->width, any->height);
     set_fragment_state(&draw->fragment, job->target, job->pipeline, &draw->viewport);
+    if (GN_HAVE_LINES && draw->cull.box.is_unfilled)
+        draw->fragment.moves_depth = false; /* vertices move instead */
     if (GN_HAVE_OFFSET)
         draw->offset =
             offset_state_of(job->pipeline, job->target->depth.format, draw->fragment.moves_depth);
@@ -113,7 +115,7 @@ static inline uint32_t segment_triangles(gn_topology topology, const mesh_run *m
 /* The scratch of a task. */
 static inline unsigned char *task_scratch(const draw_state *draw, uint32_t task)
 {
-    return draw->job->memory + (size_t)task * scratch_size(draw->pipeline->varying_count);
+    return draw->job->memory + (size_t)task * scratch_size(stored_values(draw->pipeline));
 }
 
 #endif

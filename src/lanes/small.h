@@ -27,6 +27,7 @@
 #define GN_HAVE_OFFSET 0
 #define GN_HAVE_FORMATS 0
 #define GN_HAVE_INSTANCES 0
+#define GN_HAVE_DISTANCES 0
 #else
 #define GN_HAVE_LINES 1
 #define GN_HAVE_STENCIL 1
@@ -34,6 +35,7 @@
 #define GN_HAVE_OFFSET 1    /* polygon offset, depth clamp */
 #define GN_HAVE_FORMATS 1   /* of colours, beside RGBA8 and RGBA32F */
 #define GN_HAVE_INSTANCES 1 /* and primitive restart */
+#define GN_HAVE_DISTANCES 1 /* to clip by, of the user's */
 #endif
 
 /* Whether operations of the portable lanes are called with addresses (calls.h). */

@@ -6,11 +6,16 @@
 
 #include "types.h"
 
+#include "../geometry/assemble.h"
+
 /* What is constant over a draw. */
 typedef struct box_state {
     bool program_point_size;
     int32_t point_size; /* in 1/256 pixel */
     int32_t half_width; /* of lines, in 1/256 pixel */
+
+    bool is_unfilled; /* triangles of some winding are lines or points */
+    gn_polygon_mode clockwise, counter_clockwise;
 } box_state;
 
 /* Rounded, halves away from zero. */
@@ -27,6 +32,21 @@ static inline int32_t snap_size(float size, float greatest)
     return limited > 1.0f ? round_away(limited * 256.0f) : 256;
 }
 
+/* How triangles of either winding are drawn. */
+static inline void set_modes(box_state *s, const gn_pipeline *p)
+{
+    /* What is culled lends its mode from the other face, which shows in triangles of no area. */
+    const bool no_front = p->cull == GN_CULL_FRONT || p->cull == GN_CULL_FRONT_AND_BACK;
+    const bool no_back = p->cull == GN_CULL_BACK || p->cull == GN_CULL_FRONT_AND_BACK;
+    const gn_polygon_mode front = no_front ? p->polygon_mode_back : p->polygon_mode_front;
+    const gn_polygon_mode back = no_back ? p->polygon_mode_front : p->polygon_mode_back;
+
+    s->is_unfilled = kind_of(p->topology) == KIND_TRIANGLE &&
+                     (front != GN_POLYGON_FILL || back != GN_POLYGON_FILL);
+    s->clockwise = p->front_face == GN_FRONT_CLOCKWISE ? front : back;
+    s->counter_clockwise = p->front_face == GN_FRONT_CLOCKWISE ? back : front;
+}
+
 static inline box_state box_state_of(const gn_pipeline *p)
 {
     const float width = p->line_width < GN_MAX_LINE_WIDTH ? p->line_width : GN_MAX_LINE_WIDTH;
@@ -35,6 +55,8 @@ static inline box_state box_state_of(const gn_pipeline *p)
     s.program_point_size = p->program_point_size;
     s.point_size = snap_size(p->point_size, GN_MAX_POINT_SIZE);
     s.half_width = width > 1.0f ? round_away(width) * 128 : 128;
+    if (GN_HAVE_LINES)
+        set_modes(&s, p);
     return s;
 }
 

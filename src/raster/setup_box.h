@@ -22,6 +22,11 @@ static inline void gather_plane(const gn_pipeline *pipeline, const unsigned char
     }
 }
 
+static inline bool is_flat(const gn_pipeline *pipeline, uint32_t plane)
+{
+    return plane >= VARYING_PLANES && pipeline->interpolation[plane - VARYING_PLANES] == GN_FLAT;
+}
+
 static inline void make_constant_plane(lanes_f value, float plane[PLANE_TERMS][GN_LANES])
 {
     lanes_store(plane[PLANE_ORIGIN], value);
@@ -72,6 +77,10 @@ static inline void setup_points(const box_state *state, const gn_pipeline *pipel
     setup_point_words(state, pipeline, memory, list, batch);
 
     for (uint32_t n = 0; n < VARYING_PLANES + pipeline->varying_count; ++n) {
+        if (is_flat(pipeline, n)) {
+            make_flat_plane(memory, list, n - VARYING_PLANES, batch->plane[n]);
+            continue;
+        }
         gather_plane(pipeline, memory, list->vertex[0], n, value);
         make_constant_plane(lanes_load(value), batch->plane[n]);
     }
@@ -171,7 +180,7 @@ static inline void setup_lines(const box_state *state, const gn_pipeline *pipeli
     setup_line_edges(state, memory, list, batch);
     set_line_basis(memory, list, &basis);
     for (uint32_t n = 0; n < VARYING_PLANES + pipeline->varying_count; ++n) {
-        if (n >= VARYING_PLANES && pipeline->interpolation[n - VARYING_PLANES] == GN_FLAT) {
+        if (is_flat(pipeline, n)) {
             make_flat_plane(memory, list, n - VARYING_PLANES, batch->plane[n]);
             continue;
         }

@@ -84,6 +84,10 @@ const char *scene_class_name(scene_class c)
         return "formats";
     case CLASS_INSTANCES:
         return "instances";
+    case CLASS_CLIP_DISTANCE:
+        return "clip-distances";
+    case CLASS_OUTLINES:
+        return "outlines";
     case CLASS_MIXED:
         return "mixed";
     case CLASS_COUNT:
@@ -234,6 +238,12 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_INSTANCES:
         generate_instances(&b);
+        break;
+    case CLASS_CLIP_DISTANCE:
+        generate_clip_distance(&b);
+        break;
+    case CLASS_OUTLINES:
+        generate_outlines(&b);
         break;
     default:
         generate_mixed(&b);

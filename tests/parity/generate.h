@@ -44,6 +44,8 @@ typedef enum scene_class {
     CLASS_POINT_COORDINATES, /* where in its point a fragment is */
     CLASS_FORMATS,           /* every colour format, at the edges of its conversion */
     CLASS_INSTANCES,         /* instances, base vertex, primitive restart */
+    CLASS_CLIP_DISTANCE,     /* planes of the user's */
+    CLASS_OUTLINES,          /* triangles drawn as lines and points, by face */
     CLASS_MIXED,             /* several draws of several of the above */
     CLASS_COUNT
 } scene_class;

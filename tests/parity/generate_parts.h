@@ -78,6 +78,15 @@ gn_format random_color_format(builder *b);
  * draw without indices, instances alone. */
 void shape_elements(builder *b);
 
+/* Clip distances of the next draw, whose vertices are there. */
+void random_clip_planes(builder *b, uint32_t count);
+
+/* Polygon modes by face, with widths and sizes. */
+void state_outlines(builder *b);
+
+/* Of a draw with polygon modes: takes out what the reference draws otherwise than OpenGL. */
+void fit_outlines(builder *b);
+
 /* One class each, from the target on. */
 void generate_meshes(builder *b);
 void generate_piles(builder *b);
@@ -109,6 +118,8 @@ void generate_lines(builder *b);
 void generate_point_coordinates(builder *b);
 void generate_formats(builder *b);
 void generate_instances(builder *b);
+void generate_clip_distance(builder *b);
+void generate_outlines(builder *b);
 void generate_mixed(builder *b);
 
 /* Blends by alpha and one minus alpha. */

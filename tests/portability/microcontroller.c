@@ -86,7 +86,13 @@ static bool refuses_the_rest(const gn_target *target, gn_pipeline pipeline, cons
     pipeline = good;
     pipeline.polygon_offset.set = true;
     refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
-    return refused == 3;
+    pipeline = good;
+    pipeline.clip_distance_count = 1;
+    refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
+    pipeline = good;
+    pipeline.polygon_mode_front = GN_POLYGON_LINE;
+    refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
+    return refused == 5;
 }
 #endif
 

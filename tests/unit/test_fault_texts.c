@@ -99,6 +99,8 @@ static void pipelines(void **state)
     ABOVE(blend.alpha_destination, GN_FACTOR_SOURCE_ALPHA_SATURATE);
     ABOVE(logic_operation, GN_LOGIC_SET);
     ABOVE(point_origin, GN_POINT_LOWER_LEFT);
+    ABOVE(polygon_mode_front, GN_POLYGON_POINT);
+    ABOVE(polygon_mode_back, GN_POLYGON_POINT);
     NUMBER(viewport, x, NAN, GN_NOT_FINITE);
     NUMBER(viewport, y, INFINITY, GN_NOT_FINITE);
     NUMBER(viewport, width, NAN, GN_NOT_FINITE);
@@ -114,6 +116,8 @@ static void pipelines(void **state)
     NUMBER(polygon_offset, factor, NAN, GN_NOT_FINITE);
     NUMBER(polygon_offset, units, INFINITY, GN_NOT_FINITE);
     NUMBER(polygon_offset, clamp, NAN, GN_NOT_FINITE);
+    p.clip_distance_count = GN_MAX_CLIP_DISTANCES + 1;
+    expect_pipeline(GN_OUT_OF_RANGE, "clip_distance_count");
     p.color_write_disabled = 16;
     expect_pipeline(GN_OUT_OF_RANGE, "color_write_disabled");
     p.blend.enabled = true;
