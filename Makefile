@@ -123,6 +123,11 @@ $(BUILD)/bench: $(call objects,$(BENCH_SOURCES) $(THREADS_SOURCES)) $(REFERENCE_
 $(BUILD)/parity: $(call objects,$(PARITY_SOURCES) $(THREADS_SOURCES)) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
 	$(LINK) -lOSMesa -lm -pthread
 
+$(BUILD)/tests/blits/%.o: EXTRA_FLAGS = -Itests/parity
+
+$(BUILD)/blits: $(call objects,$(sort $(wildcard tests/blits/*.c))) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
+	$(LINK) -lOSMesa -lm -pthread
+
 # The same program with AVX-512, NEON and WebAssembly's vectors emulated, which on x86 some
 # processor lacks: of the library, what knows which back ends there are is compiled again.
 EMULATED_SOURCES = src/draw/draw.c src/math/bulk.c $(addprefix src/backends/,choose.c avx512.c neon.c wasm_simd128.c)
