@@ -4,7 +4,6 @@
 
 #include "../fragment/decode.h"
 #include "../fragment/formats.h"
-#include "../texture/wrap.h"
 #include "blit_cut.h"
 #include "blit_quad.h"
 
@@ -18,7 +17,7 @@ typedef struct blit {
 /* The texels of sixteen pixels: columns and rows, of two each where they are mixed. */
 typedef struct blit_texels {
     int32_t column[2][GN_LANES], row[2][GN_LANES];
-    lanes_f weight[2];
+    float weight[2][GN_LANES];
 } blit_texels;
 
 static bool is_color(gn_format format)
@@ -216,9 +215,11 @@ static lanes_f mix_texels(lanes_f weight, lanes_f a, lanes_f b)
     return lanes_add(a, lanes_mul(weight, lanes_sub(b, a)));
 }
 
-static void mix_corners_of(const gn_surface *source, const blit_texels *t, lanes_f color[4])
+static void mix_four_texels(const gn_surface *source, const blit_texels *t, lanes_f color[4])
 {
     const lanes_i nan = lanes_i_splat((int32_t)GN_NAN_BITS);
+    const lanes_f along_x = lanes_load(t->weight[0]);
+    const lanes_f along_y = lanes_load(t->weight[1]);
     lanes_f right[4], above[4], corner[4];
 
     fetch_texels(source, t, 0, 0, color);
@@ -226,8 +227,8 @@ static void mix_corners_of(const gn_surface *source, const blit_texels *t, lanes
     fetch_texels(source, t, 0, 1, above);
     fetch_texels(source, t, 1, 1, corner);
     for (int c = 0; c < 4; ++c) {
-        const lanes_f mixed = mix_texels(t->weight[1], mix_texels(t->weight[0], color[c], right[c]),
-                                         mix_texels(t->weight[0], above[c], corner[c]));
+        const lanes_f mixed = mix_texels(along_y, mix_texels(along_x, color[c], right[c]),
+                                         mix_texels(along_x, above[c], corner[c]));
         const lanes_m is_number = lanes_less_equal(mixed, mixed);
 
         color[c] = lanes_as_float(lanes_i_select(is_number, lanes_as_int(mixed), nan));
@@ -272,43 +273,47 @@ static void write_run(const blit *b, int32_t x, int32_t y, uint32_t count, const
         return;
     }
     if (b->mixes)
-        mix_corners_of(b->source, t, color);
+        mix_four_texels(b->source, t, color);
     else
         fetch_texels(b->source, t, 0, 0, color);
     store_colors(b->destination, x, y, count, color);
 }
 
-/* The texels along a dimension, of coordinates from 0 to 1. */
-static void find_texels(const blit *b, lanes_f coordinate, uint32_t size, int32_t first[GN_LANES],
-                        int32_t second[GN_LANES], lanes_f *weight)
+/* The texels of a lane along a dimension, of a coordinate from 0 to 1. */
+static void find_texel(float coordinate, uint32_t size, bool mixes, int l,
+                       int32_t texel[2][GN_LANES], float weight[GN_LANES])
 {
-    if (b->mixes) {
-        const texel_pair pair = wrap_linear(GN_WRAP_CLAMP_TO_EDGE, coordinate, size);
+    const float n = (float)size;
+    const int32_t last = (int32_t)size - 1;
+    float c = coordinate * n;
 
-        lanes_i_store(first, pair.first);
-        lanes_i_store(second, second_texel(GN_WRAP_CLAMP_TO_EDGE, &pair));
-        *weight = pair.weight;
-    } else {
-        lanes_i_store(first, wrap_nearest(GN_WRAP_CLAMP_TO_EDGE, coordinate, size));
-    }
+    c = c < n ? c : n;
+    if (mixes)
+        c -= 0.5f;
+    c = c > 0.0f ? c : 0.0f;
+
+    const int32_t whole = (int32_t)c;
+    texel[0][l] = whole < last ? whole : last;
+    texel[1][l] = whole < last ? whole + 1 : last;
+    weight[l] = c - (float)whole;
 }
 
 static void blit_piece_row(const blit *b, const blit_piece *p, int32_t y, int32_t first,
                            int32_t end)
 {
+    const uint32_t size[2] = {b->source->width, b->source->height};
     blit_texels t;
-    float coordinate[2][GN_LANES];
 
     for (int32_t x = first; x < end; x += GN_LANES) {
         GN_EACH_LANE (l) {
-            for (int n = 0; n < 2; ++n)
-                coordinate[n][l] = p->plane[n].per_y * (float)y +
-                                   (p->plane[n].per_x * (float)(x + l) + p->plane[n].origin);
+            for (int n = 0; n < 2; ++n) {
+                const float coordinate = p->plane[n].per_y * (float)y +
+                                         (p->plane[n].per_x * (float)(x + l) + p->plane[n].origin);
+
+                find_texel(coordinate, size[n], b->mixes, l, n == 0 ? t.column : t.row,
+                           t.weight[n]);
+            }
         }
-        find_texels(b, lanes_load(coordinate[0]), b->source->width, t.column[0], t.column[1],
-                    &t.weight[0]);
-        find_texels(b, lanes_load(coordinate[1]), b->source->height, t.row[0], t.row[1],
-                    &t.weight[1]);
         write_run(b, x, y, (uint32_t)(end - x < GN_LANES ? end - x : GN_LANES), &t);
     }
 }

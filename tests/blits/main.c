@@ -461,14 +461,19 @@ int main(int argc, char **argv)
     static uint64_t differ[PAIRS];
     totals t;
 
-    for (int i = 1; i + 1 < argc; i += 2) {
+    for (int i = 1; i < argc; i += 2) {
         uint64_t *const number = !strcmp(argv[i], "--seed")    ? &seed
                                  : !strcmp(argv[i], "--blits") ? &blits
                                  : !strcmp(argv[i], "--first") ? &first
                                  : !strcmp(argv[i], "--pair")  ? &only
                                                                : NULL;
-        if (number)
-            *number = strtoull(argv[i + 1], NULL, 10);
+        if (!number || i + 1 == argc) {
+            fprintf(stderr, "usage: blits [--blits N] [--seed S] [--pair P] [--first K]\n"
+                            "Random blits of every pair of formats, or of pair number P, from "
+                            "number K on.\n");
+            return 2;
+        }
+        *number = strtoull(argv[i + 1], NULL, 10);
     }
     reference *const osmesa = reference_create(REFERENCE_PINNED, error, sizeof error);
     if (!osmesa) {
@@ -501,5 +506,5 @@ int main(int argc, char **argv)
            " written; %" PRIu64 " blits not compared for a defect of the reference; %" PRIu64
            " differ\n",
            t.blits, (size_t)PAIRS, t.pixels, t.written, t.defects, t.differ);
-    return fine && t.differ == 0 && t.stray == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    return fine && t.blits > 0 && t.differ == 0 && t.stray == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
