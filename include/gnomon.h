@@ -17,6 +17,7 @@
  *   culling.h     planes of a view volume; boxes and spheres against them
  *   ray.h         rays through pixels, against triangles and boxes
  *   surface.h     colour and depth images in the caller's memory, and clears
+ *   blit.h        rectangles of surfaces onto others, converted and scaled
  *   texture.h     images that shaders read
  *   derivatives.h dFdx, dFdy and fwidth for users' shaders
  *   pipeline.h    shaders and the state of a draw
@@ -41,6 +42,7 @@
 #define GNOMON_H
 
 #include "gnomon/backend.h"
+#include "gnomon/blit.h"
 #include "gnomon/bulk.h"
 #include "gnomon/conventions.h"
 #include "gnomon/culling.h"

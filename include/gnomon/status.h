@@ -30,6 +30,7 @@ typedef enum gn_status {
     GN_BACKEND_UNAVAILABLE, /* a back end the library or the processor does not have */
     GN_BEHIND_EYE,          /* a point in the plane of the eye or behind it */
     GN_NOT_COMPILED,        /* a feature that the library was compiled without */
+    GN_OVERLAP,             /* memory that is read is memory that is written */
     GN_STATUS_COUNT         /* the number of values, not a status */
 } gn_status;
 

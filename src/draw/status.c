@@ -25,6 +25,7 @@ static const char texts[GN_STATUS_COUNT][64] = {
     "the library or the processor does not have this back end",
     "the point lies in the plane of the eye or behind it",
     "the library was compiled without this feature",
+    "memory that is read overlaps memory that is written",
 };
 
 const char *gn_status_text(gn_status status)
