@@ -123,6 +123,11 @@ $(BUILD)/bench: $(call objects,$(BENCH_SOURCES) $(THREADS_SOURCES)) $(REFERENCE_
 $(BUILD)/parity: $(call objects,$(PARITY_SOURCES) $(THREADS_SOURCES)) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
 	$(LINK) -lOSMesa -lm -pthread
 
+$(BUILD)/tests/blits/%.o: EXTRA_FLAGS = -Itests/parity
+
+$(BUILD)/blits: $(call objects,$(sort $(wildcard tests/blits/*.c))) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
+	$(LINK) -lOSMesa -lm -pthread
+
 # The same program with AVX-512, NEON and WebAssembly's vectors emulated, which on x86 some
 # processor lacks: of the library, what knows which back ends there are is compiled again.
 EMULATED_SOURCES = src/draw/draw.c src/math/bulk.c $(addprefix src/backends/,choose.c avx512.c neon.c wasm_simd128.c)
@@ -252,6 +257,12 @@ SCALE_FRAMES ?= 5
 parity: $(BUILD)/parity ## random scenes against OSMesa, bit for bit: SCENES=20100 SEED=1 JOBS=2
 	@$(BUILD)/parity --scenes $(SCENES) --seed $(SEED) --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene
 
+BLITS ?= 20200
+
+.PHONY: blits
+blits: $(BUILD)/blits ## random blits against OSMesa, bit for bit: BLITS=20200 SEED=1
+	@$(BUILD)/blits --blits $(BLITS) --seed $(SEED)
+
 .PHONY: exhaustive
 exhaustive: $(BUILD)/exhaustive ## the scalar functions on all 2^32 arguments against MPFR
 	@$(BUILD)/exhaustive
@@ -313,7 +324,7 @@ comma = ,
 unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 
 .PHONY: test-programs
-test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity
+test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits
 
 .PHONY: test
 test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N failed"
@@ -333,6 +344,7 @@ test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N fa
 		'pairs of states=$(BUILD)/parity --pairs --seed $(TEST_SEED)' \
 		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes 4400 --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene' \
 		$(if $(EMULATED_PARITY),'parity$(comma) back ends emulated=$(EMULATED_PARITY) --seed $(TEST_SEED) --scenes 880 --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene') \
+		'blits=$(BUILD)/blits --seed $(TEST_SEED) --blits 2020' \
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
 		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \
@@ -350,6 +362,7 @@ test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N fa
 		$(call unit_steps,$(CHECKED),sanitized ) \
 		'sanitized differential=$(CHECKED)/test_cglm $(TEST_SEED)' \
 		'sanitized properties=$(CHECKED)/property-tests --seed $(TEST_SEED) --trials 100' \
+		'sanitized blits=$(CHECKED)/blits --seed $(TEST_SEED) --blits 404' \
 		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 440 --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene'
 
 SOAK_SCENES ?= 50000

@@ -17,7 +17,9 @@
  *   culling.h     planes of a view volume; boxes and spheres against them
  *   ray.h         rays through pixels, against triangles and boxes
  *   surface.h     colour and depth images in the caller's memory, and clears
+ *   blit.h        rectangles of surfaces onto others, converted and scaled
  *   texture.h     images that shaders read
+ *   derivatives.h dFdx, dFdy and fwidth for users' shaders
  *   pipeline.h    shaders and the state of a draw
  *   backend.h     instruction sets
  *   parallel.h    threads, which are the caller's
@@ -40,10 +42,12 @@
 #define GNOMON_H
 
 #include "gnomon/backend.h"
+#include "gnomon/blit.h"
 #include "gnomon/bulk.h"
 #include "gnomon/conventions.h"
 #include "gnomon/culling.h"
 #include "gnomon/decompose.h"
+#include "gnomon/derivatives.h"
 #include "gnomon/draw.h"
 #include "gnomon/inverse.h"
 #include "gnomon/mat.h"

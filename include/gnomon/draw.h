@@ -32,10 +32,22 @@ typedef enum gn_restart {
     GN_RESTART_INDEX        /* restart_index */
 } gn_restart;
 
-/* Vertices and the order to take them in. Elements first to first + count - 1
- * are drawn: of the indices where there are any, otherwise of the vertices.
- * What is left over after the last whole triangle or line is not drawn. Zero is OpenGL's default.
- */
+/* Vertices and the order to take them in. A zeroed gn_mesh draws nothing.
+ *
+ *   field          OpenGL                                    zero value
+ *   attribute      VertexAttribPointer                       0, 0, 0, 1 for all vertices
+ *   .. divisor     VertexAttribDivisor                       elements are vertices'
+ *   vertex_count   none: reads stay below it                 0
+ *   indices        ELEMENT_ARRAY_BUFFER                      null
+ *   index_format   type of DrawElements                      GN_INDEX_NONE: DrawArrays
+ *   first, count   of DrawArrays; offset, count of DrawElements  0
+ *   restart        PRIMITIVE_RESTART, .._FIXED_INDEX         GN_RESTART_NONE: off
+ *   restart_index  PrimitiveRestartIndex                     0
+ *   base_vertex    DrawElementsBaseVertex                    0
+ *   instance_count DrawArraysInstanced                       0, which draws one
+ *
+ * Elements first to first + count - 1 are drawn: of the indices where there are any, otherwise
+ * of the vertices. What is left over after the last whole triangle or line is not drawn. */
 typedef struct gn_mesh {
     gn_attribute attribute[GN_MAX_ATTRIBUTES];
     uint32_t vertex_count; /* vertices in the attribute arrays */
@@ -93,10 +105,13 @@ typedef struct gn_workspace {
 
 GN_BEGIN
 
+/* In what follows, clip distances count as varyings: for a pipeline that has some, varying_count is
+ * the sum of both. */
+
 /* Workspace bytes with which the calling thread shades each vertex of a mesh of that many
  * once. With vertex_count 0, the least a draw with that many varyings needs.
  * SIZE_MAX where the size would not fit a size_t or varying_count is above
- * GN_MAX_VARYINGS. */
+ * GN_MAX_VARYINGS + GN_MAX_CLIP_DISTANCES. */
 GN_API size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count);
 
 /* Workspace bytes with which a mesh of that many vertices (without indices, as many as are
@@ -118,18 +133,23 @@ GN_API size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangl
  * indices themselves must hold first + count elements, which cannot be checked). */
 GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
 
+/* The same fault in words that name the field, such as "attribute[2].stride is no multiple of
+ * 4", in static storage; null where there is none. */
+GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
+
 /* Draws a mesh. Checks the target, the pipeline, the mesh (gn_target_check,
  * gn_pipeline_check, gn_mesh_check), then that the target's colour has a fragment
  * shader (GN_NO_SHADER), that the library was not compiled
  * without what is asked (GN_NOT_COMPILED), and that the workspace is there (GN_NULL_POINTER) and
- * holds at least gn_workspace_size(0, varying_count) bytes (GN_WORKSPACE_TOO_SMALL, and
- * workspace->needed says how many), and that the library holds its back end
- * (GN_BACKEND_UNAVAILABLE). An index at or beyond vertex_count is found last. On a fault
+ * holds at least gn_workspace_size(0, varying_count + clip_distance_count) bytes
+ * (GN_WORKSPACE_TOO_SMALL, and workspace->needed says how many), and that the library holds its
+ * back end (GN_BACKEND_UNAVAILABLE). An index at or beyond vertex_count is found last. On a fault
  * nothing is drawn.
  *
  * Triangles, lines and points are drawn in order. Positions are clipped to -w <= x, y, z <= w (of
- * z, as clip_depth and depth_clamp say; then a z that is clipped against nothing may be anything;
- * points are drawn whole or not at all, by their centre) and mapped to window coordinates;
+ * z, as clip_depth and depth_clamp say; then a z that is clipped against nothing may be anything)
+ * and to clip distances that are not negative, points being drawn whole or not at all, by their
+ * centre, and mapped to window coordinates;
  * vertices snap to 1/256 pixel; a pixel is covered where its centre lies inside, or on a left edge
  * or a horizontal bottom edge, so that triangles sharing an edge never both cover a pixel on it.
  * Where pixels have several samples, the same is asked of each sample, and lines are rectangles of

@@ -2,6 +2,10 @@
  * OpenGL's initial state, short of the shaders.
  *
  *   field                OpenGL                         zero value
+ *   vertex_shader        the program in use             none, which is a fault
+ *   fragment_shader      the program in use             none, for targets without colour
+ *   uniforms             Uniform...                     null
+ *   varying_count        outs of the vertex shader      0
  *   topology             mode of DrawArrays             GN_TRIANGLES
  *   provoking_vertex     ProvokingVertex                last vertex
  *   cull                 CULL_FACE with CullFace        nothing is culled
@@ -9,10 +13,11 @@
  *   viewport             Viewport                       the whole target
  *   scissor              SCISSOR_TEST with Scissor      off
  *   depth_range          DepthRange                     0 to 1
+ *   clip_distance_count  CLIP_DISTANCEi for i below it  none
  *   clip_depth           ClipControl's depth            -1 to 1
  *   depth_clamp          DEPTH_CLAMP                    off
- *   polygon_offset       POLYGON_OFFSET_FILL with        off
- *                        PolygonOffsetClamp
+ *   polygon_offset       POLYGON_OFFSET_FILL, _LINE,    off
+ *                        _POINT, PolygonOffsetClamp
  *   depth_test           DEPTH_TEST                     off
  *   depth_function       DepthFunc                      GN_LESS
  *   depth_write_disabled not DepthMask                  depth is written
@@ -39,6 +44,10 @@
  *   samples_disabled     SAMPLE_MASK, not SampleMaski   every sample is drawn
  *   alpha_to_coverage    SAMPLE_ALPHA_TO_COVERAGE       off
  *   alpha_to_one         SAMPLE_ALPHA_TO_ONE            off
+ *   point_origin         POINT_SPRITE_COORD_ORIGIN      GN_POINT_UPPER_LEFT
+ *   fragment_reads_point_coordinate use of gl_PointCoord  not given to the shader
+ *   polygon_mode_front   PolygonMode(FRONT)             GN_POLYGON_FILL
+ *   polygon_mode_back    PolygonMode(BACK)              GN_POLYGON_FILL
  *
  * As in OpenGL, depth is written only where the depth test is on, stencil only where the
  * stencil test is, and a test of what the target has not got passes. */
@@ -52,6 +61,9 @@
 
 /* Scalar varyings a vertex shader may hand to the fragment shader. */
 #define GN_MAX_VARYINGS 32
+
+/* Distances to planes of the user's that a vertex shader may write. */
+#define GN_MAX_CLIP_DISTANCES 8
 
 /* Vertex attributes of up to four components each. */
 #define GN_MAX_ATTRIBUTES 8
@@ -87,6 +99,13 @@ typedef enum gn_cull {
 
 /* The winding of front faces in y-up window coordinates. */
 typedef enum gn_front_face { GN_FRONT_COUNTER_CLOCKWISE = 0, GN_FRONT_CLOCKWISE } gn_front_face;
+
+/* How triangles are drawn: whole, their edges, or their vertices. */
+typedef enum gn_polygon_mode {
+    GN_POLYGON_FILL = 0,
+    GN_POLYGON_LINE,
+    GN_POLYGON_POINT
+} gn_polygon_mode;
 
 /* Passes where `incoming depth FUNCTION stored depth` holds. */
 typedef enum gn_compare {
@@ -236,15 +255,20 @@ typedef struct gn_depth_range {
  * -w <= z <= w or 0 <= z <= w. */
 typedef enum gn_clip_depth { GN_NEGATIVE_ONE_TO_ONE = 0, GN_ZERO_TO_ONE } gn_clip_depth;
 
-/* Added to the depth of a triangle's fragments is slope * factor + step * units, where slope is
- * the greater of |dz/dx| and |dz/dy| and step is 2 / (2^n - 1) for a format of n bits and 2^(e -
- * 23) for GN_FORMAT_D32F, e being the exponent of the triangle's largest |depth|. */
+/* Added to the depth of a triangle's fragments is slope * factor + step * units: slope is the
+ * greater of |dz/dx| and |dz/dy|, step is 2 / (2^n - 1) for a format of n bits and for
+ * GN_FORMAT_D32F 2^(e - 23), where e is the exponent of the triangle's largest |depth|. Triangles
+ * drawn as lines or points have it too, in the depths of their vertices; other lines and points
+ * have none. */
 typedef struct gn_polygon_offset {
     bool set; /* false: nothing is added, the other fields are not looked at */
     float factor;
     float units;
     float clamp; /* above 0: the most that is added; below 0: the least */
 } gn_polygon_offset;
+
+/* The corner of a point where its coordinates are 0, 0. */
+typedef enum gn_point_origin { GN_POINT_UPPER_LEFT = 0, GN_POINT_LOWER_LEFT } gn_point_origin;
 
 /* Input of a vertex shader: up to 16 vertices. Lanes beyond `count` repeat
  * the last of them, so that a shader may simply run over all GN_LANES; what it
@@ -257,11 +281,13 @@ typedef struct gn_vertex_input {
 } gn_vertex_input;
 
 /* Output of a vertex shader; the memory is the library's. Every lane of the
- * position and of the pipeline's varyings must be written. */
+ * position, of the pipeline's varyings and of its clip distances must be written. Clipped away is
+ * where a clip distance, linear over the triangle, is negative. */
 typedef struct gn_vertex_output {
     float (*position)[GN_LANES]; /* [x, y, z, w][lane] in clip space */
     float (*varying)[GN_LANES];  /* [varying][lane] */
     float *point_size;           /* [lane], to be written too; null without program_point_size */
+    float (*clip_distance)[GN_LANES]; /* [distance][lane] */
 } gn_vertex_output;
 
 /* Input of a fragment shader: a block of 4x4 fragments, lane l at pixel
@@ -285,6 +311,12 @@ typedef struct gn_fragment_input {
      * interpolated depth with the polygon offset, before it is clamped, the interpolated 1/w. Null
      * without the pipeline's fragment_reads_position. */
     const float (*position)[GN_LANES];
+
+    /* gl_PointCoord, [s, t][lane]: where in its point's square the pixel's centre lies, from 0
+     * to 1 (a pixel's width beyond, since positions and sizes are rounded), t from the side that
+     * point_origin says; 0, 0 in lines and triangles. Null without the pipeline's
+     * fragment_reads_point_coordinate. */
+    const float (*point_coordinate)[GN_LANES];
 } gn_fragment_input;
 
 /* Output of a fragment shader: color[4 * attachment + channel][lane], red, green, blue, alpha, of
@@ -327,8 +359,8 @@ typedef struct gn_pipeline {
     gn_scissor scissor;
     gn_polygon_offset polygon_offset;
     gn_clip_depth clip_depth;
-    bool
-        depth_clamp; /* nothing is clipped for its depth; fragments' go to the depth range's ends */
+    uint32_t clip_distance_count; /* 0 to GN_MAX_CLIP_DISTANCES */
+    bool depth_clamp; /* depth clips nothing; fragments' depths go to the range's ends */
 
     bool depth_test;
     gn_compare depth_function;
@@ -361,6 +393,10 @@ typedef struct gn_pipeline {
     uint32_t samples_disabled; /* bit s: nothing is drawn to sample s */
     bool alpha_to_coverage;    /* sample s is drawn where the colour's alpha is above s / 4 */
     bool alpha_to_one;         /* afterwards alpha is 1 */
+    gn_point_origin point_origin;
+    bool fragment_reads_point_coordinate;
+    gn_polygon_mode polygon_mode_front;
+    gn_polygon_mode polygon_mode_back;
 } gn_pipeline;
 
 GN_BEGIN
@@ -371,13 +407,19 @@ GN_BEGIN
  * GN_INVALID_ENUM (an enumeration), GN_NOT_FINITE or GN_INVALID_VIEWPORT (a
  * viewport number that is not finite; a size below 0 or above GN_MAX_SIZE, an
  * origin beyond +-GN_MAX_SIZE), GN_NOT_FINITE or GN_OUT_OF_RANGE (a depth range
- * outside 0..1), GN_NOT_FINITE (a number of the polygon offset), GN_INVALID_ENUM (clip_depth;
- * functions and operations of depth and stencil), GN_OUT_OF_RANGE (color_count above
+ * outside 0..1), GN_NOT_FINITE (a number of the polygon offset), GN_INVALID_ENUM
+ * (clip_depth), GN_OUT_OF_RANGE (clip_distance_count above GN_MAX_CLIP_DISTANCES), GN_INVALID_ENUM
+ * (functions and operations of depth and stencil), GN_OUT_OF_RANGE (color_count above
  * GN_MAX_COLORS); for each attachment GN_OUT_OF_RANGE (color_write_disabled has bits
  * beyond GN_CHANNEL_ALL) and GN_INVALID_ENUM or GN_NOT_FINITE (blend; the constant only where it is
  * enabled); GN_INVALID_ENUM (logic operation), GN_NOT_FINITE or GN_OUT_OF_RANGE (a point size or
- * line width below 0), GN_OUT_OF_RANGE (samples_disabled has bits beyond GN_SAMPLES). */
+ * line width below 0), GN_OUT_OF_RANGE (samples_disabled has bits beyond GN_SAMPLES),
+ * GN_INVALID_ENUM (point_origin, a polygon mode). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
+
+/* The same fault in words that name the field, such as "blend.source is no gn_blend_factor", in
+ * static storage; null where there is none. */
+GN_API const char *gn_pipeline_fault(const gn_pipeline *pipeline);
 
 GN_END
 

@@ -31,6 +31,7 @@ typedef enum gn_status {
     GN_BEHIND_EYE,          /* a point in the plane of the eye or behind it */
     GN_NOT_COMPILED,        /* a feature that the library was compiled without */
     GN_INVALID_SAMPLES,     /* a number of samples that is neither one nor GN_SAMPLES */
+    GN_OVERLAP,             /* memory that is read is memory that is written */
     GN_STATUS_COUNT         /* the number of values, not a status */
 } gn_status;
 

@@ -89,7 +89,13 @@ typedef struct gn_surface {
 /* Colours that a draw writes at once: COLOR_ATTACHMENT0 and so on. */
 #define GN_MAX_COLORS 8
 
-/* What a draw writes to. A zeroed member is an absent surface; at least one
+/* What a draw writes to.
+ *
+ *   field   OpenGL                                       zero value
+ *   color   DrawBuffer of COLOR_ATTACHMENT0 and so on    NONE
+ *   depth   DEPTH_ATTACHMENT, STENCIL_ATTACHMENT or both none
+ *
+ * A zeroed member is an absent surface; at least one
  * must be there, and all have the same size and number of samples. No two may overlap. */
 typedef struct gn_target {
     gn_surface color[GN_MAX_COLORS]; /* any formats of colours, some absent: holes */
@@ -133,6 +139,10 @@ GN_API gn_surface gn_surface_sample(const gn_surface *surface, uint32_t sample);
  * GN_INVALID_STRIDE; that samples do not overlap otherwise is not checked); last, sizes or numbers
  * of samples that differ (GN_SIZE_MISMATCH). */
 GN_API gn_status gn_target_check(const gn_target *target);
+
+/* The same fault in words that name the field, such as "depth.width is not in 1 to GN_MAX_SIZE",
+ * in static storage; null where there is none. */
+GN_API const char *gn_target_fault(const gn_target *target);
 
 /* Fills a colour surface, all its samples, with one colour (OpenGL 4.5 section 17.4.3). Where a
  * channel has n bits, it is c * (2^n - 1), the product being rounded to binary32 and then to the

@@ -5,6 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Of the compatibility profile, which the core header does not have. */
+#define POINT_SPRITE 0x8861
+
 /* What OSMesa calls the window; nothing is drawn to it. */
 #define WINDOW_SIZE 16
 static unsigned char window[WINDOW_SIZE * WINDOW_SIZE * 4];
@@ -64,15 +67,18 @@ static void read_version(reference *r)
 
 reference *reference_create(reference_profile profile, char *error, size_t error_size)
 {
-    static const int attributes[] = {OSMESA_FORMAT,
-                                     OSMESA_RGBA,
-                                     OSMESA_PROFILE,
-                                     OSMESA_CORE_PROFILE,
-                                     OSMESA_CONTEXT_MAJOR_VERSION,
-                                     4,
-                                     OSMESA_CONTEXT_MINOR_VERSION,
-                                     5,
-                                     0};
+    /* The core profile has one polygon mode for both faces; the other's draws the same
+     * where points are sprites. */
+    const bool pinned = profile == REFERENCE_PINNED;
+    const int attributes[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_PROFILE,
+                              pinned ? OSMESA_COMPAT_PROFILE : OSMESA_CORE_PROFILE,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              4,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              5,
+                              0};
     static bool created;
     reference *r;
 
@@ -89,7 +95,7 @@ reference *reference_create(reference_profile profile, char *error, size_t error
     }
     r->context = OSMesaCreateContextAttribs(attributes, NULL);
     if (!r->context) {
-        reference_fail(error, error_size, "OSMesa gives no OpenGL 4.5 core context");
+        reference_fail(error, error_size, "OSMesa gives no OpenGL 4.5 context");
         free(r);
         return NULL;
     }
@@ -109,6 +115,9 @@ reference *reference_create(reference_profile profile, char *error, size_t error
     glBindVertexArray(r->vertex_array);
     glDisable(GL_DITHER);
     glEnable(GL_FRAMEBUFFER_SRGB);
+    if (pinned) {
+        glEnable(POINT_SPRITE);
+    }
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     return r;
@@ -123,20 +132,26 @@ void reference_destroy(reference *r)
         framebuffer_destroy(&r->framebuffers[i]);
     }
     for (int i = 0; i < VERTEX_COLOR_PROGRAMS; ++i) {
-        glDeleteProgram(r->vertex_color_programs[i]);
+        glDeleteProgram(r->vertex_color_programs[0][i]);
+        glDeleteProgram(r->vertex_color_programs[1][i]);
+        glDeleteProgram(r->derivatives_programs[0][i]);
+        glDeleteProgram(r->derivatives_programs[1][i]);
     }
     for (int i = 0; i < SCENE_SHADER_COUNT; ++i) {
-        glDeleteProgram(r->lit_programs[i]);
+        glDeleteProgram(r->lit_programs[0][i]);
+        glDeleteProgram(r->lit_programs[1][i]);
     }
     for (int i = 0; i < INPUTS_PROGRAMS; ++i) {
-        glDeleteProgram(r->inputs_programs[i]);
+        glDeleteProgram(r->inputs_programs[0][i]);
+        glDeleteProgram(r->inputs_programs[1][i]);
     }
     for (int i = 0; i < 2; ++i) {
         glDeleteProgram(r->sample_programs[i]);
     }
     glDeleteVertexArrays(1, &r->vertex_array);
     for (int i = 0; i < GN_MAX_COLORS; ++i) {
-        glDeleteProgram(r->outputs_programs[i]);
+        glDeleteProgram(r->outputs_programs[0][i]);
+        glDeleteProgram(r->outputs_programs[1][i]);
     }
     OSMesaDestroyContext(r->context);
     free(r);

@@ -95,6 +95,11 @@ static void set_stencil(GLenum face, const gn_stencil_face *f)
                         stencil_operation(f->pass));
 }
 
+static GLenum polygon_mode(gn_polygon_mode m)
+{
+    return m == GN_POLYGON_LINE ? GL_LINE : m == GN_POLYGON_POINT ? GL_POINT : GL_FILL;
+}
+
 static void switch_capability(GLenum capability, bool on)
 {
     if (on) {
@@ -276,6 +281,8 @@ static void set_polygon_offset(const gn_polygon_offset *p)
         (offset_clamp *)OSMesaGetProcAddress("glPolygonOffsetClampEXT");
 
     switch_capability(GL_POLYGON_OFFSET_FILL, p->set);
+    switch_capability(GL_POLYGON_OFFSET_LINE, p->set);
+    switch_capability(GL_POLYGON_OFFSET_POINT, p->set);
     if (p->set && with_clamp) {
         with_clamp(p->factor, p->units, p->clamp);
     } else if (p->set) {
@@ -321,6 +328,9 @@ static void set_state(const scene *s, const gn_pipeline *p)
                   clamped_size(p->scissor.height));
     }
     set_polygon_offset(&p->polygon_offset);
+    for (uint32_t i = 0; i < GN_MAX_CLIP_DISTANCES; ++i) {
+        switch_capability(GL_CLIP_DISTANCE0 + i, i < p->clip_distance_count);
+    }
     set_clip_depth(p->clip_depth);
     switch_capability(GL_DEPTH_CLAMP, p->depth_clamp);
     switch_capability(GL_DEPTH_TEST, p->depth_test);
@@ -333,6 +343,14 @@ static void set_state(const scene *s, const gn_pipeline *p)
     glPointSize(p->point_size == 0.0f ? 1.0f : p->point_size);
     glLineWidth(p->line_width == 0.0f ? 1.0f : p->line_width);
     reference_set_sample_state(p);
+    glPointParameteri(GL_POINT_SPRITE_COORD_ORIGIN,
+                      p->point_origin == GN_POINT_LOWER_LEFT ? GL_LOWER_LEFT : GL_UPPER_LEFT);
+    if (p->polygon_mode_front == p->polygon_mode_back) {
+        glPolygonMode(GL_FRONT_AND_BACK, polygon_mode(p->polygon_mode_front));
+    } else {
+        glPolygonMode(GL_FRONT, polygon_mode(p->polygon_mode_front));
+        glPolygonMode(GL_BACK, polygon_mode(p->polygon_mode_back));
+    }
 }
 
 static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u)
@@ -367,6 +385,9 @@ static void set_uniforms(const scene_draw *d)
                     light->light_direction.z);
         glUniform3f(3, light->ambient.x, light->ambient.y, light->ambient.z);
         glUniform3f(4, light->diffuse.x, light->diffuse.y, light->diffuse.z);
+    }
+    if (d->state.clip_distance_count > 0) {
+        glUniform4fv(8, GN_MAX_CLIP_DISTANCES, &d->clip_plane[0][0]);
     }
     if (d->shader == SCENE_PHONG) {
         glUniformMatrix4fv(5, 1, GL_FALSE, &d->view_from_model.m[0][0]);
@@ -423,7 +444,7 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
         s, d->shader == SCENE_OUTPUTS && d->state.color_count ? (int)d->state.color_count : 1);
     set_state(s, &d->state);
     switch_capability(GL_PROGRAM_POINT_SIZE,
-                      d->state.program_point_size && d->shader == SCENE_VERTEX_COLOR);
+                      d->state.program_point_size && scene_shader_has_sizes(d->shader));
     set_attributes(mesh, u);
     glUseProgram(u->program);
     set_uniforms(d);

@@ -16,8 +16,9 @@
  * sizes of points. */
 #define VERTEX_COLOR_PROGRAMS 162
 
-/* Of the program of inputs.h: with and without position, primitive, discard, depth. */
-#define INPUTS_PROGRAMS 16
+/* Of the program of inputs.h: with and without position, primitive, discard, depth, point
+ * coordinates, sizes of points. */
+#define INPUTS_PROGRAMS 64
 
 typedef struct framebuffer {
     GLuint name;
@@ -33,10 +34,11 @@ struct reference {
     char version[32];
     char renderer[128];
     GLuint vertex_array;
-    GLuint vertex_color_programs[VERTEX_COLOR_PROGRAMS];
-    GLuint inputs_programs[INPUTS_PROGRAMS];
-    GLuint outputs_programs[GN_MAX_COLORS];
-    GLuint lit_programs[SCENE_SHADER_COUNT];
+    GLuint vertex_color_programs[2][VERTEX_COLOR_PROGRAMS]; /* [with clip distances] */
+    GLuint derivatives_programs[2][VERTEX_COLOR_PROGRAMS];
+    GLuint inputs_programs[2][INPUTS_PROGRAMS];
+    GLuint outputs_programs[2][GN_MAX_COLORS];
+    GLuint lit_programs[2][SCENE_SHADER_COUNT];
     framebuffer framebuffers[FRAMEBUFFER_CACHE_SIZE];
     uint64_t uses;
     GLuint sample_programs[2]; /* reading numbers, and stencil */

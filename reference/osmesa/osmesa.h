@@ -30,6 +30,12 @@ bool reference_is_contract_version(const reference *r);
 bool reference_draw(reference *r, const scene *s, scene_frame *frame, char *error,
                     size_t error_size);
 
+/* Blits as gn_blit does. Both surfaces are tightly packed, row 0 first, and the source differs
+ * from the destination. False with the reason in error. */
+bool reference_blit(reference *r, const gn_surface *destination, const gn_rectangle *to,
+                    const gn_surface *source, const gn_rectangle *from,
+                    const gn_blit_options *options, char *error, size_t error_size);
+
 /* The depth buffer of a scene that is measured. */
 typedef enum reference_depth {
     REFERENCE_DEPTH_OF_SCENE,

@@ -44,6 +44,13 @@ static const char vertex_color_fragment_main[] = "layout(location = 0) out vec4 
                                                  "    result = vec4(red, green, blue, alpha);\n"
                                                  "}\n";
 
+static const char derivatives_fragment_main[] =
+    "layout(location = 0) out vec4 result;\n"
+    "void main()\n"
+    "{\n"
+    "    result = vec4(dFdx(red), dFdy(green), fwidth(blue), dFdy(alpha * red));\n"
+    "}\n";
+
 static const char flat_vertex[] = "flat out vec4 shade;\n"
                                   "void main()\n"
                                   "{\n"
@@ -129,7 +136,10 @@ static const char inputs_vertex[] = "smooth out vec4 shade;\n"
                                     "{\n"
                                     "    gl_Position = clip_from_model * position;\n"
                                     "    shade = color;\n"
+                                    "    %s\n"
                                     "}\n";
+
+static const char set_point_size[] = "gl_PointSize = texcoord.s;";
 
 static const char inputs_fragment[] = "smooth in vec4 shade;\n"
                                       "layout(location = 0) out vec4 result;\n"
@@ -139,6 +149,9 @@ static const char inputs_fragment[] = "smooth in vec4 shade;\n"
                                       "    c.r = gl_FrontFacing ? c.r : 1.0 - c.r;\n"
                                       "#ifdef PRIMITIVE\n"
                                       "    c.g = c.g + float(gl_PrimitiveID & 1023) * 0.015625;\n"
+                                      "#endif\n"
+                                      "#ifdef POINT\n"
+                                      "    c.rg = gl_PointCoord;\n"
                                       "#endif\n"
                                       "#ifdef POSITION\n"
                                       "    c.r = c.r + gl_FragCoord.x * 0.0078125;\n"
@@ -155,14 +168,30 @@ static const char inputs_fragment[] = "smooth in vec4 shade;\n"
                                       "    result = c;\n"
                                       "}\n";
 
-static GLuint compile(GLenum stage, const char *head, const char *body, char *error,
+/* Around a vertex shader: clip distances beside what its main writes. */
+static const char clipped_head[] = "#define main place_and_shade\n";
+static const char clipped_tail[] =
+    "#undef main\n"
+    "layout(location = 8) uniform vec4 clip_plane[8];\n"
+    "out float gl_ClipDistance[8];\n"
+    "void main()\n"
+    "{\n"
+    "    place_and_shade();\n"
+    "    for (int i = 0; i < 8; ++i) {\n"
+    "        vec4 p = clip_plane[i];\n"
+    "        gl_ClipDistance[i] = ((p.x * position.x + p.y * position.y) + p.z * position.z) +\n"
+    "                             p.w * position.w;\n"
+    "    }\n"
+    "}\n";
+
+static GLuint compile(GLenum stage, const char *head, const char *body, bool clipped, char *error,
                       size_t error_size)
 {
-    const char *parts[2] = {head, body};
+    const char *parts[4] = {head, clipped ? clipped_head : "", body, clipped ? clipped_tail : ""};
     const GLuint shader = glCreateShader(stage);
     GLint compiled = 0;
 
-    glShaderSource(shader, 2, parts, NULL);
+    glShaderSource(shader, 4, parts, NULL);
     glCompileShader(shader);
     glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
     if (!compiled) {
@@ -177,11 +206,13 @@ static GLuint compile(GLenum stage, const char *head, const char *body, char *er
 }
 
 static GLuint link_program(const char *vertex_body, const char *fragment_head,
-                           const char *fragment_body, char *error, size_t error_size)
+                           const char *fragment_body, bool clipped, char *error, size_t error_size)
 {
-    const GLuint vertex = compile(GL_VERTEX_SHADER, vertex_head, vertex_body, error, error_size);
+    const GLuint vertex =
+        compile(GL_VERTEX_SHADER, vertex_head, vertex_body, clipped, error, error_size);
     const GLuint fragment =
-        vertex ? compile(GL_FRAGMENT_SHADER, fragment_head, fragment_body, error, error_size) : 0;
+        vertex ? compile(GL_FRAGMENT_SHADER, fragment_head, fragment_body, false, error, error_size)
+               : 0;
     GLuint program = 0;
 
     if (vertex && fragment) {
@@ -208,7 +239,7 @@ static GLuint link_program(const char *vertex_body, const char *fragment_head,
 
 GLuint reference_link(const char *vertex, const char *fragment, char *error, size_t error_size)
 {
-    return link_program(vertex, "#version 450 core\n", fragment, error, error_size);
+    return link_program(vertex, "#version 450 core\n", fragment, false, error, error_size);
 }
 
 static const char *qualifier(gn_interpolation interpolation)
@@ -224,7 +255,9 @@ static const char *qualifier(gn_interpolation interpolation)
     return "smooth";
 }
 
-static GLuint link_vertex_color(const gn_pipeline *p, char *error, size_t error_size)
+/* A program of vertex colours or of their derivatives. */
+static GLuint link_colors(const gn_pipeline *p, const char *fragment_main, bool clipped,
+                          char *error, size_t error_size)
 {
     const gn_interpolation *i = p->interpolation;
     char vertex[1024];
@@ -234,30 +267,34 @@ static GLuint link_vertex_color(const gn_pipeline *p, char *error, size_t error_
     used = (size_t)snprintf(vertex, sizeof vertex, vertex_color_varyings, qualifier(i[0]), "out",
                             qualifier(i[1]), "out", qualifier(i[2]), "out", qualifier(i[3]), "out");
     snprintf(vertex + used, sizeof vertex - used, vertex_color_main,
-             p->program_point_size ? "gl_PointSize = texcoord.s;" : "");
+             p->program_point_size ? set_point_size : "");
     used = (size_t)snprintf(fragment, sizeof fragment, vertex_color_varyings, qualifier(i[0]), "in",
                             qualifier(i[1]), "in", qualifier(i[2]), "in", qualifier(i[3]), "in");
-    snprintf(fragment + used, sizeof fragment - used, "%s", vertex_color_fragment_main);
-    return link_program(vertex, "#version 450 core\n", fragment, error, error_size);
+    snprintf(fragment + used, sizeof fragment - used, "%s", fragment_main);
+    return link_program(vertex, "#version 450 core\n", fragment, clipped, error, error_size);
 }
 
-static GLuint link_inputs(const gn_pipeline *p, char *error, size_t error_size)
+static GLuint link_inputs(const gn_pipeline *p, bool clipped, char *error, size_t error_size)
 {
-    char head[128];
+    char vertex[sizeof inputs_vertex + sizeof set_point_size];
+    char head[160];
 
-    snprintf(head, sizeof head, "#version 450 core\n%s%s%s%s",
+    snprintf(vertex, sizeof vertex, inputs_vertex, p->program_point_size ? set_point_size : "");
+    snprintf(head, sizeof head, "#version 450 core\n%s%s%s%s%s",
+             p->fragment_reads_point_coordinate ? "#define POINT\n" : "",
              p->fragment_reads_primitive ? "#define PRIMITIVE\n" : "",
              p->fragment_reads_position ? "#define POSITION\n" : "",
              p->fragment_discards ? "#define DISCARD\n" : "",
              p->fragment_writes_depth ? "#define DEPTH\n" : "");
-    return link_program(inputs_vertex, head, inputs_fragment, error, error_size);
+    return link_program(vertex, head, inputs_fragment, clipped, error, error_size);
 }
 
 /* A line an output: colour a turned by a places, from one for odd a. The vertex shader is that of
  * inputs.h. */
-static GLuint link_outputs(uint32_t count, char *error, size_t error_size)
+static GLuint link_outputs(uint32_t count, bool clipped, char *error, size_t error_size)
 {
     static const char *const turned[4] = {"rgba", "gbar", "barg", "argb"};
+    char vertex[sizeof inputs_vertex];
     char fragment[2048];
     size_t used = (size_t)snprintf(fragment, sizeof fragment, "smooth in vec4 shade;\n");
 
@@ -272,61 +309,72 @@ static GLuint link_outputs(uint32_t count, char *error, size_t error_size)
                                  turned[a % 4]);
     }
     snprintf(fragment + used, sizeof fragment - used, "}\n");
-    return link_program(inputs_vertex, "#version 450 core\n", fragment, error, error_size);
+    snprintf(vertex, sizeof vertex, inputs_vertex, "");
+    return link_program(vertex, "#version 450 core\n", fragment, clipped, error, error_size);
 }
 
 GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t error_size)
 {
-    GLuint *program = &r->lit_programs[d->shader < SCENE_SHADER_COUNT ? d->shader : 0];
+    const bool clipped = d->state.clip_distance_count > 0;
+    GLuint *program = &r->lit_programs[clipped][d->shader < SCENE_SHADER_COUNT ? d->shader : 0];
 
     switch (d->shader) {
-    case SCENE_VERTEX_COLOR: {
+    case SCENE_VERTEX_COLOR:
+    case SCENE_DERIVATIVES: {
+        const bool colors = d->shader == SCENE_VERTEX_COLOR;
         int variant = d->state.program_point_size;
 
         for (int c = 0; c < 4; ++c) {
             variant = 3 * variant + (int)d->state.interpolation[c] % 3;
         }
-        program = &r->vertex_color_programs[variant];
+        program = colors ? &r->vertex_color_programs[clipped][variant]
+                         : &r->derivatives_programs[clipped][variant];
         if (!*program) {
-            *program = link_vertex_color(&d->state, error, error_size);
+            *program = link_colors(&d->state,
+                                   colors ? vertex_color_fragment_main : derivatives_fragment_main,
+                                   clipped, error, error_size);
         }
         break;
     }
     case SCENE_FLAT:
         if (!*program) {
-            *program = link_program(flat_vertex, flat_fragment, "", error, error_size);
+            *program = link_program(flat_vertex, flat_fragment, "", clipped, error, error_size);
         }
         break;
     case SCENE_GOURAUD:
         if (!*program) {
-            *program = link_program(gouraud_vertex, gouraud_fragment, "", error, error_size);
+            *program =
+                link_program(gouraud_vertex, gouraud_fragment, "", clipped, error, error_size);
         }
         break;
     case SCENE_TEXTURED_GOURAUD:
         if (!*program) {
-            *program = link_program(textured_vertex, textured_fragment, "", error, error_size);
+            *program =
+                link_program(textured_vertex, textured_fragment, "", clipped, error, error_size);
         }
         break;
     case SCENE_PHONG:
         if (!*program) {
-            *program = link_program(phong_vertex, phong_fragment, "", error, error_size);
+            *program = link_program(phong_vertex, phong_fragment, "", clipped, error, error_size);
         }
         break;
     case SCENE_INPUTS:
-        program =
-            &r->inputs_programs[d->state.fragment_reads_position + 2 * d->state.fragment_discards +
-                                4 * d->state.fragment_writes_depth +
-                                8 * d->state.fragment_reads_primitive];
+        program = &r->inputs_programs[clipped][d->state.fragment_reads_position +
+                                               2 * d->state.fragment_discards +
+                                               4 * d->state.fragment_writes_depth +
+                                               8 * d->state.fragment_reads_primitive +
+                                               16 * d->state.fragment_reads_point_coordinate +
+                                               32 * d->state.program_point_size];
         if (!*program) {
-            *program = link_inputs(&d->state, error, error_size);
+            *program = link_inputs(&d->state, clipped, error, error_size);
         }
         break;
     case SCENE_OUTPUTS: {
         const uint32_t count = d->state.color_count ? d->state.color_count : 1;
 
-        program = &r->outputs_programs[(count - 1) % GN_MAX_COLORS];
+        program = &r->outputs_programs[clipped][(count - 1) % GN_MAX_COLORS];
         if (!*program) {
-            *program = link_outputs(count, error, error_size);
+            *program = link_outputs(count, clipped, error, error_size);
         }
         break;
     }

@@ -57,6 +57,10 @@ static void reset_state(const scene *s)
     for (size_t i = 0; i < sizeof off / sizeof *off; ++i) {
         glDisable(off[i]);
     }
+    for (GLenum i = 0; i < GN_MAX_CLIP_DISTANCES; ++i) {
+        glDisable(GL_CLIP_DISTANCE0 + i);
+    }
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glViewportIndexedf(0, 0.0f, 0.0f, (float)s->width, (float)s->height);
 }

@@ -27,6 +27,10 @@ static void shade_inputs(const void *uniforms, const gn_fragment_input *in, gn_f
         if (out->depth)
             out->depth[l] = in->varying[BLUE][l];
     }
+    for (int l = 0; in->point_coordinate && l < GN_LANES; ++l) {
+        out->color[RED][l] = in->point_coordinate[0][l];
+        out->color[GREEN][l] = in->point_coordinate[1][l];
+    }
     for (int l = 0; in->position && l < GN_LANES; ++l) {
         out->color[RED][l] = out->color[RED][l] + in->position[0][l] * PIXEL_STEP;
         out->color[GREEN][l] = out->color[GREEN][l] + in->position[1][l] * PIXEL_STEP;

@@ -18,9 +18,10 @@ typedef enum scene_shader {
     SCENE_FLAT,
     SCENE_GOURAUD,
     SCENE_TEXTURED_GOURAUD,
-    SCENE_PHONG,   /* no ready-made one: a user's (phong.h) */
-    SCENE_INPUTS,  /* another (inputs.h) */
-    SCENE_OUTPUTS, /* and another, of several colours (outputs.h) */
+    SCENE_PHONG,       /* no ready-made one: a user's (phong.h) */
+    SCENE_INPUTS,      /* another (inputs.h) */
+    SCENE_DERIVATIVES, /* a third (derivatives.h) */
+    SCENE_OUTPUTS,     /* and one of several colours (outputs.h) */
     SCENE_SHADER_COUNT
 } scene_shader;
 
@@ -31,7 +32,13 @@ static inline bool scene_shader_is_textured(scene_shader shader)
 
 static inline bool scene_shader_is_lit(scene_shader shader)
 {
-    return shader != SCENE_VERTEX_COLOR && shader != SCENE_INPUTS && shader != SCENE_OUTPUTS;
+    return shader >= SCENE_FLAT && shader <= SCENE_PHONG;
+}
+
+/* Whether points may have the first of the texture coordinates for a size. */
+static inline bool scene_shader_has_sizes(scene_shader shader)
+{
+    return !scene_shader_is_lit(shader) && shader != SCENE_OUTPUTS;
 }
 
 /* A clear of the whole target before a draw; zeroed, there is none. */
@@ -46,10 +53,10 @@ typedef struct scene_draw {
     scene_shader shader;
 
     /* State. The shader, uniforms and varying_count members are not looked at: the
-     * drawing side sets them. With SCENE_VERTEX_COLOR, interpolation[0..3] is
-     * honoured (red, green, blue, alpha), and with program_point_size a point's size is the
-     * first of the texture coordinates; other shaders bring their own interpolation and have no
-     * such size. What the fragment shader does (fragment_...) is honoured with SCENE_INPUTS, and
+     * drawing side sets them. With SCENE_VERTEX_COLOR and SCENE_DERIVATIVES, interpolation[0..3] is
+     * honoured (red, green, blue, alpha); other shaders bring their own interpolation. With
+     * program_point_size, where the shader has sizes, a point's size is the first of the texture
+     * coordinates. What the fragment shader does (fragment_...) is honoured with SCENE_INPUTS, and
      * false otherwise; color_count with SCENE_OUTPUTS, and 1 otherwise. */
     gn_pipeline state;
 
@@ -61,6 +68,10 @@ typedef struct scene_draw {
     /* clip_from_model serves every shader, the light those that are lit, the
      * texture and sampler the textured shaders. */
     gn_textured_uniforms uniforms;
+
+    /* Clip distance i, of state.clip_distance_count, is ((p0*x + p1*y) + p2*z) + p3*w of the
+     * position attribute. */
+    float clip_plane[GN_MAX_CLIP_DISTANCES][4];
 
     /* Of SCENE_PHONG alone. */
     gn_mat4 view_from_model;
@@ -182,8 +193,10 @@ static inline bool scene_is_sampled(const scene *s)
 bool scene_frame_allocate(scene_frame *frame, const scene *s);
 void scene_frame_free(scene_frame *frame);
 
-/* The scalar varyings of the shader that has most of them, for sizing a workspace. */
+/* The scalar varyings of the shader that has most of them, and with the clip distances of the draw
+ * that has most, for sizing a workspace. */
 #define SCENE_VARYINGS 8
+uint32_t scene_varyings(const scene *s);
 
 /* Bytes of workspace with which every draw of the scene shades each vertex once, and may
  * run on several threads. */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "derivatives.h"
 #include "inputs.h"
 #include "outputs.h"
 #include "phong.h"
@@ -41,6 +42,76 @@ static void shade_sized_points(const void *uniforms, const gn_vertex_input *inpu
            GN_LANES * sizeof *output->point_size);
 }
 
+/* Makes a shader of vertex colours one of sizes too, where the pipeline asks for them. */
+static void use_sizes(gn_pipeline *pipeline, other_uniforms *other)
+{
+    if (pipeline->program_point_size) {
+        other->color_shader = pipeline->vertex_shader;
+        pipeline->vertex_shader = shade_sized_points;
+        pipeline->uniforms = other;
+    }
+}
+
+/* A shader's uniforms and what clips beside it; a pointer to them is one to the shader's. */
+typedef struct clipped_uniforms {
+    union {
+        other_uniforms other;
+        gn_color_uniforms color;
+        gn_light_uniforms light;
+        gn_textured_uniforms textured;
+        phong_uniforms phong;
+    } shader;
+    gn_vertex_shader *shade;
+    const scene_draw *draw;
+} clipped_uniforms;
+
+/* The shader's vertices with clip distances. */
+static void shade_clipped(const void *uniforms, const gn_vertex_input *input,
+                          gn_vertex_output *output)
+{
+    const clipped_uniforms *u = uniforms;
+    const float(*position)[GN_LANES] = input->attribute[GN_ATTRIBUTE_POSITION];
+
+    u->shade(&u->shader, input, output);
+    for (uint32_t i = 0; i < u->draw->state.clip_distance_count; ++i) {
+        const float *plane = u->draw->clip_plane[i];
+
+        for (int l = 0; l < GN_LANES; ++l) {
+            output->clip_distance[i][l] = ((plane[0] * position[0][l] + plane[1] * position[1][l]) +
+                                           plane[2] * position[2][l]) +
+                                          plane[3] * position[3][l];
+        }
+    }
+}
+
+static void use_clipped(gn_pipeline *pipeline, const scene_draw *d, clipped_uniforms *clipped)
+{
+    switch (d->shader) {
+    case SCENE_VERTEX_COLOR:
+    case SCENE_INPUTS:
+    case SCENE_DERIVATIVES:
+        if (pipeline->program_point_size) {
+            clipped->shader.other = *(const other_uniforms *)pipeline->uniforms;
+        } else {
+            clipped->shader.color = *(const gn_color_uniforms *)pipeline->uniforms;
+        }
+        break;
+    case SCENE_TEXTURED_GOURAUD:
+        clipped->shader.textured = *(const gn_textured_uniforms *)pipeline->uniforms;
+        break;
+    case SCENE_PHONG:
+        clipped->shader.phong = *(const phong_uniforms *)pipeline->uniforms;
+        break;
+    default:
+        clipped->shader.light = *(const gn_light_uniforms *)pipeline->uniforms;
+        break;
+    }
+    clipped->shade = pipeline->vertex_shader;
+    clipped->draw = d;
+    pipeline->vertex_shader = shade_clipped;
+    pipeline->uniforms = clipped;
+}
+
 /* Sets the draw's shader; the uniforms must outlive the draw call. */
 static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backend backend,
                             other_uniforms *other)
@@ -52,11 +123,7 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
         status = gn_use_vertex_color(pipeline, &other->color);
         memcpy(pipeline->interpolation, d->state.interpolation, 4 * sizeof(gn_interpolation));
-        if (pipeline->program_point_size) {
-            other->color_shader = pipeline->vertex_shader;
-            pipeline->vertex_shader = shade_sized_points;
-            pipeline->uniforms = other;
-        }
+        use_sizes(pipeline, other);
         break;
     case SCENE_FLAT:
         status = gn_use_flat(pipeline, &d->uniforms.light);
@@ -74,6 +141,13 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
     case SCENE_INPUTS:
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
         status = inputs_use(pipeline, &other->color);
+        use_sizes(pipeline, other);
+        break;
+    case SCENE_DERIVATIVES:
+        other->color.clip_from_model = d->uniforms.light.clip_from_model;
+        status = derivatives_use(pipeline, &other->color);
+        memcpy(pipeline->interpolation, d->state.interpolation, 4 * sizeof(gn_interpolation));
+        use_sizes(pipeline, other);
         break;
     case SCENE_OUTPUTS:
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
@@ -89,18 +163,34 @@ static gn_status draw_one(const gn_target *target, const scene_draw *d, gn_works
 {
     uint64_t *const counter = workspace->samples_passed;
     other_uniforms other;
+    clipped_uniforms clipped;
     gn_pipeline pipeline = d->state;
 
-    pipeline.program_point_size &= d->shader == SCENE_VERTEX_COLOR;
+    pipeline.program_point_size &= scene_shader_has_sizes(d->shader);
     pipeline.color_count = d->shader == SCENE_OUTPUTS ? pipeline.color_count : 1;
     gn_status status = use_shader(&pipeline, d, workspace->backend, &other);
 
+    if (status == GN_OK && pipeline.clip_distance_count > 0) {
+        use_clipped(&pipeline, d, &clipped);
+    }
     if (status == GN_OK) {
         workspace->samples_passed = d->counted ? counter : NULL;
         status = gn_draw(target, &pipeline, &d->mesh, workspace);
         workspace->samples_passed = counter;
     }
     return status;
+}
+
+uint32_t scene_varyings(const scene *s)
+{
+    uint32_t distances = 0;
+
+    for (size_t i = 0; i < s->draw_count; ++i) {
+        const uint32_t count = s->draws[i].state.clip_distance_count;
+
+        distances = count > distances ? count : distances;
+    }
+    return SCENE_VARYINGS + distances;
 }
 
 size_t scene_workspace_size(const scene *s)
@@ -118,7 +208,7 @@ size_t scene_workspace_size(const scene *s)
             triangles = mesh->count; /* at most, of a strip */
         }
     }
-    return gn_workspace_size_parallel(vertices, triangles, SCENE_VARYINGS);
+    return gn_workspace_size_parallel(vertices, triangles, scene_varyings(s));
 }
 
 /* Bands of rows that a clear is divided into where there are threads. */

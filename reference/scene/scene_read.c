@@ -325,6 +325,13 @@ static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
         p->program_point_size = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "line-width")) {
         p->line_width = read_float(r);
+    } else if (!strcmp(keyword, "point-origin")) {
+        p->point_origin = (gn_point_origin)read_name(r, TEXT_POINT_ORIGIN);
+    } else if (!strcmp(keyword, "reads-point-coordinate")) {
+        p->fragment_reads_point_coordinate = read_name(r, TEXT_SWITCH) == 1;
+    } else if (!strcmp(keyword, "polygon-mode")) {
+        p->polygon_mode_front = (gn_polygon_mode)read_name(r, TEXT_POLYGON_MODE);
+        p->polygon_mode_back = (gn_polygon_mode)read_name(r, TEXT_POLYGON_MODE);
     } else if (!strcmp(keyword, "interpolation")) {
         for (int i = 0; i < 4; ++i) {
             p->interpolation[i] = (gn_interpolation)read_name(r, TEXT_INTERPOLATION);
@@ -463,6 +470,17 @@ static bool read_mesh(reader *r, const char *keyword, scene_draw *d)
     return true;
 }
 
+static void read_clip_plane(reader *r, scene_draw *d)
+{
+    uint32_t *const count = &d->state.clip_distance_count;
+
+    if (*count == GN_MAX_CLIP_DISTANCES) {
+        fail(r, "more than %d clip planes", GN_MAX_CLIP_DISTANCES);
+        return;
+    }
+    read_floats(r, d->clip_plane[(*count)++], 4);
+}
+
 static void read_draw(reader *r, scene *s)
 {
     const scene_shader shader = (scene_shader)read_name(r, TEXT_SHADER);
@@ -477,6 +495,8 @@ static void read_draw(reader *r, scene *s)
         }
         if (!*keyword) {
             fail(r, "the text ends within a draw");
+        } else if (!strcmp(keyword, "clip-plane")) {
+            read_clip_plane(r, d);
         } else if (!read_state(r, keyword, &d->state) && !read_color_state(r, keyword, &d->state) &&
                    !read_uniforms(r, keyword, d) && !read_mesh(r, keyword, d)) {
             fail(r, "'%s' is no keyword of a draw", keyword);

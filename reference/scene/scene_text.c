@@ -5,8 +5,9 @@
 #include <string.h>
 
 /* In the order of the values. */
-static const char *const shader_names[] = {"vertex-color", "flat",   "gouraud", "textured-gouraud",
-                                           "phong",        "inputs", "outputs"};
+static const char *const shader_names[] = {"vertex-color",     "flat",   "gouraud",
+                                           "textured-gouraud", "phong",  "inputs",
+                                           "derivatives",      "outputs"};
 static const char *const format_names[] = {"none",  "rgba8",   "rgba32f", "d16",   "d24", "d32f",
                                            "d24s8", "d32fs8",  "s8",      "bgra8", "r8",  "rg8",
                                            "rgb8",  "rgb565",  "rgb5-a1", "rgba4", "r16", "rgba16",
@@ -57,6 +58,9 @@ static const char *const logic_names[] = {
     "copy", "clear",      "and",    "and-reverse", "and-inverted",  "noop",        "xor",  "or",
     "nor",  "equivalent", "invert", "or-reverse",  "copy-inverted", "or-inverted", "nand", "set"};
 static const char *const clip_depth_names[] = {"negative-one-to-one", "zero-to-one"};
+static const char *const polygon_mode_names[] = {"fill", "line", "point"};
+
+static const char *const point_origin_names[] = {"upper-left", "lower-left"};
 
 static const char *const *names_of(text_names set, int *count)
 {
@@ -83,10 +87,12 @@ static const char *const *names_of(text_names set, int *count)
         CASE(TEXT_WRAP, wrap_names);
         CASE(TEXT_MAGNIFY, magnify_names);
         CASE(TEXT_MINIFY, minify_names);
+        CASE(TEXT_POINT_ORIGIN, point_origin_names);
         CASE(TEXT_FACTOR, factor_names);
         CASE(TEXT_EQUATION, equation_names);
         CASE(TEXT_LOGIC, logic_names);
         CASE(TEXT_CLIP_DEPTH, clip_depth_names);
+        CASE(TEXT_POLYGON_MODE, polygon_mode_names);
     }
 #undef CASE
     *count = 0;

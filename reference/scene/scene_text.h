@@ -50,7 +50,9 @@ typedef enum text_names {
     TEXT_FACTOR,
     TEXT_EQUATION,
     TEXT_LOGIC,
-    TEXT_CLIP_DEPTH
+    TEXT_CLIP_DEPTH,
+    TEXT_POINT_ORIGIN,
+    TEXT_POLYGON_MODE
 } text_names;
 
 /* How many names a set has; those of the values from 0 on. */

@@ -132,6 +132,14 @@ static void write_state(FILE *out, const gn_pipeline *p)
     if (p->line_width != 0.0f) {
         write_floats(out, "  line-width", &p->line_width, 1);
     }
+    if (p->point_origin != GN_POINT_UPPER_LEFT) {
+        fprintf(out, "  point-origin %s\n", text_name(TEXT_POINT_ORIGIN, (int)p->point_origin));
+    }
+    if (p->fragment_reads_point_coordinate) {
+        fprintf(out, "  reads-point-coordinate on\n");
+    }
+    fprintf(out, "  polygon-mode %s %s\n", text_name(TEXT_POLYGON_MODE, (int)p->polygon_mode_front),
+            text_name(TEXT_POLYGON_MODE, (int)p->polygon_mode_back));
     fprintf(out, "  interpolation %s %s %s %s\n",
             text_name(TEXT_INTERPOLATION, (int)p->interpolation[0]),
             text_name(TEXT_INTERPOLATION, (int)p->interpolation[1]),
@@ -277,6 +285,9 @@ bool scene_write(const scene *s, FILE *out)
         write_clear(out, &d->clear);
         write_state(out, &d->state);
         write_color_state(out, &d->state);
+        for (uint32_t p = 0; p < d->state.clip_distance_count; ++p) {
+            write_floats(out, "  clip-plane", d->clip_plane[p], 4);
+        }
         write_uniforms(out, d);
         fprintf(out, "  vertices %" PRIu32 "\n", d->mesh.vertex_count);
         for (int a = 0; a < text_name_count(TEXT_ATTRIBUTE); ++a) {

@@ -33,7 +33,7 @@ static size_t as_size(uint64_t size)
 
 size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count)
 {
-    if (varying_count > GN_MAX_VARYINGS)
+    if (varying_count > GN_MAX_VARYINGS + GN_MAX_CLIP_DISTANCES)
         return SIZE_MAX;
     return as_size(WORKSPACE_ALIGNMENT + scratch_size(varying_count) +
                    vertices_size(vertex_count, varying_count));
@@ -63,7 +63,7 @@ size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count
     const uint32_t shortest = triangles_of(GN_TRIANGLES, SEGMENT_INDICES);
     const uint32_t longest = triangles_of(GN_POINTS, SEGMENT_ELEMENTS);
 
-    if (varying_count > GN_MAX_VARYINGS)
+    if (varying_count > GN_MAX_VARYINGS + GN_MAX_CLIP_DISTANCES)
         return SIZE_MAX;
     /* As many of the shortest segments as make a round, and one of the longest. */
     return as_size(WORKSPACE_ALIGNMENT + MAX_TASKS * (uint64_t)scratch_size(varying_count) +
@@ -78,7 +78,7 @@ static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
     const mesh_run *mesh = job->mesh;
     const bool indexed = mesh->index_format != GN_INDEX_NONE;
     const uint32_t elements = indexed ? SEGMENT_INDICES : SEGMENT_ELEMENTS;
-    const uint32_t varyings = job->pipeline->varying_count;
+    const uint32_t varyings = stored_values(job->pipeline);
     const uint64_t lists = segment_size(triangles_of(job->pipeline->topology, elements));
     const uint64_t kept = vertices_size(indexed ? mesh->vertex_count : mesh->count, varyings);
 
@@ -91,7 +91,7 @@ static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
  * before the vertices. */
 static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
 {
-    const uint32_t varyings = job->pipeline->varying_count;
+    const uint32_t varyings = stored_values(job->pipeline);
     const uint32_t elements =
         job->mesh->index_format != GN_INDEX_NONE ? SEGMENT_INDICES : SEGMENT_ELEMENTS;
     const uint32_t step = triangles_of(job->pipeline->topology, elements);
@@ -126,7 +126,7 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     const size_t skip = (0 - (uintptr_t)workspace->memory) & (WORKSPACE_ALIGNMENT - 1);
     const uint64_t given = workspace->size - skip;
     const uint32_t available = (uint32_t)(given < MEMORY_LIMIT ? given : MEMORY_LIMIT);
-    const uint32_t batch = GN_LANES * vertex_stride(job->pipeline->varying_count);
+    const uint32_t batch = GN_LANES * vertex_stride(stored_values(job->pipeline));
 
     job->memory = (unsigned char *)workspace->memory + skip;
     job->parallel = GN_HAVE_TASKS ? workspace->parallel : NULL;
@@ -198,68 +198,51 @@ static bool has_more_colors(const gn_target *target, const gn_pipeline *p)
 /* Whether the draw asks for what this library was compiled without (lanes/small.h). */
 static bool is_left_out(const gn_target *target, const gn_pipeline *p, const gn_mesh *mesh)
 {
-    return (!GN_HAVE_LINES && p->topology > GN_TRIANGLE_FAN) ||
+    return (!GN_HAVE_LINES &&
+            (p->topology > GN_TRIANGLE_FAN || p->fragment_reads_point_coordinate ||
+             p->polygon_mode_front != GN_POLYGON_FILL ||
+             p->polygon_mode_back != GN_POLYGON_FILL)) ||
            (!GN_HAVE_STENCIL && format_has_stencil(target->depth.format)) ||
            (!GN_HAVE_COMBINING && combines_colors(p)) ||
            (!GN_HAVE_ATTACHMENTS && has_more_colors(target, p)) ||
            (!GN_HAVE_INSTANCES && (mesh->restart != GN_RESTART_NONE || mesh->instance_count > 1)) ||
+           (!GN_HAVE_DISTANCES && p->clip_distance_count > 0) ||
            (!GN_HAVE_FORMATS && format_is_encoded(target->color[0].format)) ||
            (!GN_HAVE_OFFSET && (p->polygon_offset.set || p->depth_clamp));
 }
 
-/* The next of the runs of elements between restarts, from mesh->first + *from on; false where
- * there is none. */
-static bool next_run(const gn_mesh *mesh, uint32_t *from, mesh_run *part)
+/* The index that restarts, where one does. */
+static uint32_t restart_index_of(const gn_mesh *mesh)
 {
-    uint32_t i = *from;
-
-    while (i < mesh->count && is_restart(mesh, mesh_index(mesh, (size_t)mesh->first + i)))
-        ++i;
-    part->first = mesh->first + i;
-    part->count = 0;
-    for (; i < mesh->count && !is_restart(mesh, mesh_index(mesh, (size_t)mesh->first + i)); ++i)
-        ++part->count;
-    *from = i;
-    return part->count > 0;
+    if (mesh->restart == GN_RESTART_INDEX)
+        return mesh->restart_index;
+    return mesh->index_format == GN_INDEX_UINT8    ? UINT8_MAX
+           : mesh->index_format == GN_INDEX_UINT16 ? UINT16_MAX
+                                                   : UINT32_MAX;
 }
 
-/* Draws all instances. An index out of range is found before anything is drawn: without
- * restarts by the first instance. */
+/* Draws all instances. */
 static gn_status draw_instances(draw_job *job, const gn_mesh *mesh, gn_workspace *workspace)
 {
     const bool indexed = mesh->index_format != GN_INDEX_NONE;
-    const bool restarts = GN_HAVE_INSTANCES && indexed && mesh->restart != GN_RESTART_NONE;
-    const uint32_t instances =
-        GN_HAVE_INSTANCES && mesh->instance_count > 0 ? mesh->instance_count : 1;
-    const gn_backend backend =
-        workspace->backend == GN_BACKEND_AUTO ? gn_backend_best() : workspace->backend;
-    gn_status status = GN_OK;
-    mesh_run part;
+    mesh_run whole;
 
-    if (restarts && !gn_indices_are_within(mesh))
-        return GN_INDEX_OUT_OF_RANGE;
-    part.attribute = mesh->attribute;
-    part.vertex_count = mesh->vertex_count;
-    part.indices = mesh->indices;
-    part.index_format = mesh->index_format;
-    part.first = mesh->first;
-    part.count = mesh->count;
-    part.base = indexed ? (uint32_t)mesh->base_vertex : 0;
-    job->mesh = &part;
-    for (part.instance = 0; part.instance < instances && !status; ++part.instance) {
-        part.primitive = 0;
-        if (!restarts) {
-            divide_workspace(job, workspace);
-            status = run_on(backend, job);
-            continue;
-        }
-        for (uint32_t from = 0; next_run(mesh, &from, &part) && !status;) {
-            divide_workspace(job, workspace);
-            status = run_on(backend, job);
-            part.primitive += triangle_count(job->pipeline->topology, part.count);
-        }
-    }
-    return status;
+    whole.attribute = mesh->attribute;
+    whole.vertex_count = mesh->vertex_count;
+    whole.indices = mesh->indices;
+    whole.index_format = mesh->index_format;
+    whole.first = mesh->first;
+    whole.count = mesh->count;
+    whole.base = indexed ? (uint32_t)mesh->base_vertex : 0;
+    whole.instance = 0;
+    whole.primitive = 0;
+    whole.restarts = indexed && mesh->restart != GN_RESTART_NONE;
+    whole.restart_index = GN_HAVE_INSTANCES ? restart_index_of(mesh) : 0;
+    job->mesh = &whole;
+    job->instances = mesh->instance_count > 0 ? mesh->instance_count : 1;
+    divide_workspace(job, workspace);
+    return run_on(workspace->backend == GN_BACKEND_AUTO ? gn_backend_best() : workspace->backend,
+                  job);
 }
 
 gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
@@ -279,7 +262,7 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
         return GN_NOT_COMPILED;
     if (!workspace || !workspace->memory)
         return GN_NULL_POINTER;
-    const size_t least = gn_workspace_size(0, pipeline->varying_count);
+    const size_t least = gn_workspace_size(0, stored_values(pipeline));
     if (workspace->size < least) {
         workspace->needed = least;
         return GN_WORKSPACE_TOO_SMALL;

@@ -30,6 +30,42 @@ static inline void read_elements(const mesh_run *mesh, uint32_t first, uint32_t 
     }
 }
 
+static inline bool has_restarts(const mesh_run *mesh)
+{
+    return GN_HAVE_INSTANCES && mesh->restarts;
+}
+
+/* The next run of elements between restarts of the whole, from element *from on; false where there
+ * is none. */
+static bool next_run(const mesh_run *whole, uint32_t *from, mesh_run *run)
+{
+    const uint32_t none = whole->restart_index + whole->base;
+    uint32_t begin = 0, i = *from;
+    bool found = false;
+
+    while (i < whole->count) {
+        uint32_t vertex[GN_LANES];
+        const uint32_t part = whole->count - i < GN_LANES ? whole->count - i : GN_LANES;
+        uint32_t l = 0;
+
+        read_elements(whole, i, part, vertex);
+        while (!found && l < part && vertex[l] == none)
+            ++l;
+        if (!found)
+            begin = i + l;
+        found = found || l < part;
+        while (l < part && vertex[l] != none)
+            ++l;
+        i += l;
+        if (found && l < part)
+            break;
+    }
+    run->first = whole->first + begin;
+    run->count = i - begin;
+    *from = i;
+    return found;
+}
+
 /* The same for a draw's elements, of which a line loop has one more. */
 static inline void read_drawn_elements(const draw_state *draw, uint32_t first, uint32_t count,
                                        uint32_t *vertex)
@@ -42,7 +78,7 @@ static inline void read_drawn_elements(const draw_state *draw, uint32_t first, u
 }
 
 /* The least and the greatest vertex that elements first to first + count - 1 name; of
- * none, an empty range. Unsigned order is the signed one of numbers less 2^31. */
+ * none, restarts aside, an empty range. Unsigned order is the signed one of numbers less 2^31. */
 static index_range find_range(const mesh_run *mesh, uint32_t first, uint32_t count)
 {
     const lanes_i bias = lanes_i_splat(INT32_MIN);
@@ -53,7 +89,7 @@ static index_range find_range(const mesh_run *mesh, uint32_t first, uint32_t cou
     index_range range = {UINT32_MAX, 0};
     uint32_t done = 0;
 
-    if (mesh->index_format == GN_INDEX_UINT32) {
+    if (mesh->index_format == GN_INDEX_UINT32 && !has_restarts(mesh)) {
         const int32_t *indices = (const int32_t *)mesh->indices + mesh->first + first;
 
         for (; count - done >= GN_LANES; done += GN_LANES) {
@@ -75,18 +111,21 @@ static index_range find_range(const mesh_run *mesh, uint32_t first, uint32_t cou
         read_elements(mesh, first + done, part, vertex);
         for (uint32_t i = 0; i < part; ++i) {
             const index_range one = {vertex[i], vertex[i]};
-            range = join_ranges(range, one);
+            if (!has_restarts(mesh) || vertex[i] - mesh->base != mesh->restart_index)
+                range = join_ranges(range, one);
         }
         done += part;
     }
     return range;
 }
 
-/* Divides the draw's indices into parts. */
-static inline void divide_indices(index_parts *parts, uint32_t count)
+/* Divides a mesh's indices into parts. */
+static inline void divide_indices(index_parts *parts, const mesh_run *mesh)
 {
+    const uint32_t count = mesh->count;
     const uint32_t even = (count - 1) / INDEX_PARTS + 1;
 
+    parts->mesh = mesh;
     parts->size = even > PART_INDICES ? even : PART_INDICES;
     parts->count = (count - 1) / parts->size + 1;
 }
@@ -98,9 +137,9 @@ static void scan_parts(draw_state *draw, uint32_t first, uint32_t count)
 
     for (uint32_t p = first; p < first + count; ++p) {
         const uint32_t skipped = p * parts->size;
-        const uint32_t rest = draw->mesh->count - skipped;
+        const uint32_t rest = parts->mesh->count - skipped;
 
-        parts->range[p] = find_range(draw->mesh, skipped, rest < parts->size ? rest : parts->size);
+        parts->range[p] = find_range(parts->mesh, skipped, rest < parts->size ? rest : parts->size);
     }
 }
 
@@ -129,7 +168,9 @@ static inline uint32_t slots_of_part(const draw_state *draw, uint32_t part)
 /* The same for all elements below `end`. */
 static inline uint32_t slots_before(const draw_state *draw, uint32_t end)
 {
-    const uint32_t last = end < draw->mesh->count ? end - 1 : draw->mesh->count - 1;
+    const uint32_t in_run = end < draw->mesh->count ? end - 1 : draw->mesh->count - 1;
+    const uint32_t last =
+        GN_HAVE_INSTANCES ? draw->mesh->first - draw->parts.mesh->first + in_run : in_run;
 
     return slots_of_part(draw, last / draw->parts.size);
 }
@@ -148,7 +189,8 @@ static uint32_t slots_in_use(const draw_state *draw, uint32_t elements)
         const uint32_t first = parts->range[p].low - draw->map.base;
         const uint32_t used = slots_of_part(draw, last) - first;
 
-        most = used > most ? used : most;
+        if (parts->range[p].low <= parts->range[p].high) /* more than restarts */
+            most = used > most ? used : most;
     }
     return most;
 }
@@ -158,7 +200,7 @@ static uint32_t slots_in_use(const draw_state *draw, uint32_t elements)
 static inline void locate_elements(const draw_state *draw, uint32_t first, uint32_t count,
                                    uint32_t *offset)
 {
-    const uint32_t vertices = draw->job->vertices;
+    const uint32_t vertices = draw->vertices;
     const uint32_t stride = draw->stride;
     const bool is_fan = draw->pipeline->topology == GN_TRIANGLE_FAN;
 

@@ -8,8 +8,8 @@
 #define MAX_TASKS 32
 
 /* New vertices that a task keeps, so that the pieces of several clipped triangles are set
- * up together. */
-#define CLIP_SCRATCH (2 * CLIP_MAX_VERTICES)
+ * up together where there is room for them. */
+#define CLIP_SCRATCH (2 * GN_LANES)
 
 /* The reference takes a draw in segments of this many elements, and some of its
  * decisions depend on all vertices of a segment (resolve_segment). */
@@ -42,7 +42,8 @@ typedef struct list_rows {
 typedef struct draw_job {
     const gn_target *target;
     const gn_pipeline *pipeline;
-    const mesh_run *mesh;
+    const mesh_run *mesh; /* all elements, of the first instance */
+    uint32_t instances;
     unsigned char *memory; /* vertices are named by their offset from here */
     uint32_t vertices;     /* offset of the first */
     uint32_t capacity;     /* vertices there is room for, a multiple of GN_LANES */
@@ -58,21 +59,22 @@ typedef struct draw_job {
     uint32_t lists_per_segment, rows_per_segment;
 } draw_job;
 
-/* A task's scratch: a triangle_list, its triangle_batch, new vertices. */
+/* A task's scratch, for so many stored_values: a triangle_list, its triangle_batch, new vertices.
+ */
 static inline uint32_t scratch_batch_offset(void)
 {
     return (uint32_t)(sizeof(triangle_list) + 63) & ~63u;
 }
 
-static inline uint32_t scratch_vertices_offset(uint32_t varying_count)
+static inline uint32_t scratch_vertices_offset(uint32_t value_count)
 {
-    return scratch_batch_offset() + ((uint32_t)(triangle_batch_size(varying_count) + 63) & ~63u);
+    return scratch_batch_offset() + ((uint32_t)(triangle_batch_size(value_count) + 63) & ~63u);
 }
 
-static inline uint32_t scratch_size(uint32_t varying_count)
+static inline uint32_t scratch_size(uint32_t value_count)
 {
     const uint32_t size =
-        scratch_vertices_offset(varying_count) + CLIP_SCRATCH * vertex_stride(varying_count);
+        scratch_vertices_offset(value_count) + CLIP_SCRATCH * vertex_stride(value_count);
 
     return (size + 63) & ~63u;
 }

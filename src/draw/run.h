@@ -7,13 +7,40 @@
 #include "primitives.h"
 #include "vertices.h"
 
+/* Slots that are filled before they are used again, where fewer would do: vertices of short runs
+ * and of instances, whose triangles are set up together. More would leave the cache. */
+#define SLOT_WINDOW 512
+
+/* Places slot 0 so that `count` slots leave those alone whose vertices the list needs, or draws
+ * the list. */
+static void take_slots(draw_state *draw, worker *w, uint32_t count)
+{
+    if (!GN_HAVE_INSTANCES) {
+        draw_list(w);
+        return;
+    }
+
+    const uint32_t capacity = draw->job->capacity;
+    const uint32_t window = capacity < SLOT_WINDOW ? capacity : SLOT_WINDOW;
+    const uint32_t whole = (count + GN_LANES - 1) & ~(uint32_t)(GN_LANES - 1);
+
+    if (draw->used > window || whole > window - draw->used) {
+        draw_list(w);
+        draw->used = 0;
+    }
+    draw->vertices = draw->job->vertices + draw->used * draw->stride;
+    draw->used += whole;
+}
+
 /* Shades the elements of triangles first to first + count - 1, each for itself. */
-static uint32_t shade_elements(draw_state *draw, uint32_t first, uint32_t count)
+static uint32_t shade_elements(draw_state *draw, worker *w, uint32_t first, uint32_t count)
 {
     const gn_topology topology = draw->pipeline->topology;
+    const uint32_t elements = element_count(topology, count);
 
+    take_slots(draw, w, elements);
     draw->map.first = first_element(topology, first);
-    return shade_slots(draw, 0, 0, element_count(topology, count));
+    return shade_slots(draw, 0, 0, elements);
 }
 
 /* Draws a segment as many triangles at a time as the workspace has room for. With several
@@ -27,15 +54,14 @@ static void draw_segment(draw_state *draw, worker *w, uint32_t first, uint32_t c
     if (count > step && draw->pipeline->cull != GN_CULL_NONE) {
         for (uint32_t i = first, part; i < end; i += part) {
             part = end - i < step ? end - i : step;
-            outcodes |= shade_elements(draw, i, part);
+            outcodes |= shade_elements(draw, w, i, part);
         }
     }
     for (uint32_t i = first, part; i < end; i += part) {
         part = end - i < step ? end - i : step;
-        outcodes |= shade_elements(draw, i, part);
+        outcodes |= shade_elements(draw, w, i, part);
         resolve_segment(w, outcodes);
         add_primitives(w, i, part);
-        draw_list(w);
     }
 }
 
@@ -63,24 +89,19 @@ static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uin
     add_primitives(w, first, count);
 }
 
-static void run_serial(draw_state *draw)
+static void run_serial(draw_state *draw, worker *w)
 {
     const gn_topology topology = draw->pipeline->topology;
     const uint32_t total = triangle_count(topology, draw->mesh->count);
     const uint32_t step = segment_triangles(topology, draw->mesh);
-    worker w;
 
-    start_worker(&w, draw, 0);
     for (uint32_t first = 0, count; first < total; first += count) {
         count = total - first < step ? total - first : step;
         if (draw->map.shared)
-            draw_shared_segment(draw, &w, first, count);
+            draw_shared_segment(draw, w, first, count);
         else
-            draw_segment(draw, &w, first, count);
+            draw_segment(draw, w, first, count);
     }
-    draw_list(&w);
-    if (draw->job->samples_passed)
-        *draw->job->samples_passed += w.passed;
 }
 
 /* The ring of a draw whose vertices are shared: the least that holds what is in use at once,
@@ -104,14 +125,15 @@ static uint32_t ring_of(const draw_state *draw)
 }
 
 /* Shares vertices where the range that the elements name is no longer than the elements and
- * what of it is in use at once fits the workspace: then it is shaded once for the whole
- * draw. */
-static void map_slots(draw_state *draw, index_range range)
+ * what of it is in use at once fits the workspace: then it is shaded once for all of them. */
+static void map_slots(draw_state *draw, const mesh_run *mesh, index_range range)
 {
     slot_map *const map = &draw->map;
     const uint32_t last = range.high - range.low;
 
-    if (last >= draw->mesh->count)
+    map->shared = false;
+    map->ring = UINT32_MAX;
+    if (last >= mesh->count)
         return;
     map->base = range.low;
     map->count = last + 1;
@@ -119,26 +141,91 @@ static void map_slots(draw_state *draw, index_range range)
     map->shared = (map->ring < last ? map->ring : last) < draw->job->capacity;
 }
 
+static index_range scan_indices(draw_state *draw, const mesh_run *mesh)
+{
+    divide_indices(&draw->parts, mesh);
+    scan_in_tasks(draw);
+    return join_parts(&draw->parts);
+}
+
+/* Of what is shared, nothing is shaded yet. */
+static inline void begin_sharing(draw_state *draw, worker *w)
+{
+    draw->map.shaded = 0;
+    draw->map.outcodes = 0;
+    if (draw->map.shared)
+        take_slots(draw, w,
+                   draw->map.ring < draw->map.count ? draw->map.ring + 1 : draw->map.count);
+}
+
+/* Draws what is between restarts. Threads would gain nothing from short runs and instances. */
+static void draw_run(draw_state *draw, worker *w, bool is_one_of_many)
+{
+    const gn_topology topology = draw->pipeline->topology;
+    const uint32_t total = triangle_count(topology, draw->mesh->count);
+
+    if (total == 0)
+        return;
+    if (!GN_HAVE_TASKS || round_segments(draw) == 0 ||
+        (is_one_of_many && total <= segment_triangles(topology, draw->mesh))) {
+        run_serial(draw, w);
+        return;
+    }
+    draw_list(w);
+    if (!draw->map.shared) {
+        draw->vertices = draw->job->vertices;
+        draw->used = 0;
+    }
+    run_parallel(draw);
+    start_list(w->list); /* whose memory the tasks had */
+}
+
+/* Draws one instance. */
+static void draw_instance(draw_state *draw, worker *w)
+{
+    const mesh_run *whole = draw->job->mesh;
+    const bool is_shared = draw->map.shared;
+
+    begin_sharing(draw, w);
+    if (GN_HAVE_INSTANCES)
+        draw->run.primitive = 0;
+    if (!has_restarts(whole)) {
+        draw_run(draw, w, draw->job->instances > 1);
+        return;
+    }
+    for (uint32_t from = 0; next_run(whole, &from, &draw->run);) {
+        if (!is_shared) {
+            map_slots(draw, draw->mesh, scan_indices(draw, draw->mesh));
+            begin_sharing(draw, w);
+        }
+        draw_run(draw, w, true);
+        draw->run.primitive += triangle_count(draw->pipeline->topology, draw->run.count);
+    }
+    draw->map.shared = is_shared;
+}
+
 static inline gn_status run_draw(const draw_job *job)
 {
     draw_state draw;
+    worker w;
 
     set_draw_state(&draw, job);
     if (job->mesh->index_format != GN_INDEX_NONE && job->mesh->count > 0) {
-        divide_indices(&draw.parts, job->mesh->count);
-        scan_in_tasks(&draw);
-        const index_range range = join_parts(&draw.parts);
+        const index_range range = scan_indices(&draw, job->mesh);
 
+        if (range.low > range.high)
+            return GN_OK;
         if (range.high >= job->mesh->vertex_count)
             return GN_INDEX_OUT_OF_RANGE;
-        map_slots(&draw, range);
+        map_slots(&draw, job->mesh, range);
     }
-    if (triangle_count(job->pipeline->topology, job->mesh->count) > 0) {
-        if (GN_HAVE_TASKS && round_segments(&draw) > 0)
-            run_parallel(&draw);
-        else
-            run_serial(&draw);
-    }
+    start_worker(&w, &draw, 0);
+    draw_instance(&draw, &w);
+    while (GN_HAVE_INSTANCES && ++draw.run.instance < job->instances)
+        draw_instance(&draw, &w);
+    draw_list(&w);
+    if (job->samples_passed)
+        *job->samples_passed += w.passed;
     return GN_OK;
 }
 

@@ -48,9 +48,10 @@ static inline index_range join_ranges(index_range a, index_range b)
 #define PART_INDICES SEGMENT_INDICES
 #endif
 
-/* The draw's indices in parts of `size`: the lowest vertex that a part names and the highest
+/* A mesh's indices in parts of `size`: the lowest vertex that a part names and the highest
  * that it or one before it does. */
 typedef struct index_parts {
+    const mesh_run *mesh;
     uint32_t size, count;
     index_range range[INDEX_PARTS];
 } index_parts;
@@ -58,8 +59,11 @@ typedef struct index_parts {
 typedef struct draw_state {
     const draw_job *job;
     const gn_pipeline *pipeline;
-    const mesh_run *mesh;
-    uint32_t stride; /* bytes from vertex to vertex */
+    const mesh_run *mesh; /* what is drawn at present */
+    mesh_run run;         /* what mesh is, where a draw may have several */
+    uint32_t stride;      /* bytes from vertex to vertex */
+    uint32_t vertices;    /* offset of slot 0 */
+    uint32_t used;        /* slots from job->vertices on that hold vertices which a list may need */
     slot_map map;
     index_parts parts; /* of a draw with indices */
     viewport_transform viewport;
@@ -71,6 +75,15 @@ typedef struct draw_state {
     run_function *shade_run;
 } draw_state;
 
+static inline void set_sample_state(draw_state *draw, uint32_t sample)
+{
+    fragment_state *const state = &draw->fragment[sample];
+
+    set_fragment_state(state, draw->job->target, draw->pipeline, &draw->viewport);
+    if (GN_HAVE_LINES && draw->cull.box.is_unfilled)
+        state->moves_depth = false; /* vertices move instead */
+}
+
 static inline void set_draw_state(draw_state *draw, const draw_job *job)
 {
     const gn_surface *any = first_surface(job->target);
@@ -78,14 +91,18 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     draw->job = job;
     draw->pipeline = job->pipeline;
     draw->mesh = job->mesh;
-    draw->stride = vertex_stride(job->pipeline->varying_count);
+    if (GN_HAVE_INSTANCES) {
+        draw->run = *job->mesh;
+        draw->mesh = &draw->run;
+    }
+    draw->stride = vertex_stride(stored_values(job->pipeline));
+    draw->vertices = job->vertices;
+    draw->used = 0;
     draw->map.shared = false;
     draw->map.ring = UINT32_MAX;
-    draw->map.shaded = 0;
-    draw->map.outcodes = 0;
     draw->viewport = viewport_transform_of(job->pipeline, any->width, any->height);
     draw->cull = cull_state_of(job->pipeline, any->width, any->height);
-    set_fragment_state(&draw->fragment[0], job->target, job->pipeline, &draw->viewport);
+    set_sample_state(draw, 0);
     if (GN_HAVE_OFFSET)
         draw->offset = offset_state_of(job->pipeline, job->target->depth.format,
                                        draw->fragment[0].moves_depth);
@@ -98,7 +115,7 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
         draw->cull.reach = SAMPLE_REACH;
         draw->cull.box.reach = SAMPLE_REACH;
         for (uint32_t s = 1; s < SAMPLE_STATES; ++s) {
-            set_fragment_state(&draw->fragment[s], job->target, job->pipeline, &draw->viewport);
+            set_sample_state(draw, s);
             view_sample(&draw->fragment[s], s);
         }
     }
@@ -118,7 +135,7 @@ static inline uint32_t segment_triangles(gn_topology topology, const mesh_run *m
 /* The scratch of a task. */
 static inline unsigned char *task_scratch(const draw_state *draw, uint32_t task)
 {
-    return draw->job->memory + (size_t)task * scratch_size(draw->pipeline->varying_count);
+    return draw->job->memory + (size_t)task * scratch_size(stored_values(draw->pipeline));
 }
 
 #endif

@@ -26,6 +26,7 @@ static const char texts[GN_STATUS_COUNT][64] = {
     "the point lies in the plane of the eye or behind it",
     "the library was compiled without this feature",
     "the number of samples is neither one nor four",
+    "memory that is read overlaps memory that is written",
 };
 
 const char *gn_status_text(gn_status status)

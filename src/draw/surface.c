@@ -5,6 +5,7 @@
 #include "check.h"
 #include "clear_pixel.h"
 #include "fill.h"
+#include "surface_faults.h"
 
 size_t gn_format_size(gn_format format)
 {
@@ -74,90 +75,14 @@ gn_surface gn_surface_sample(const gn_surface *surface, uint32_t sample)
     return s;
 }
 
-static bool is_color_format(gn_format format)
-{
-    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F || format_is_encoded(format);
-}
-
-static bool is_depth_format(gn_format format)
-{
-    return format == GN_FORMAT_D16 || format == GN_FORMAT_D24 || format == GN_FORMAT_D32F ||
-           format == GN_FORMAT_D24S8 || format == GN_FORMAT_D32FS8;
-}
-
-static gn_status check_samples(const gn_surface *s, size_t element)
-{
-    const size_t stride =
-        s->sample_stride < 0 ? 0 - (size_t)s->sample_stride : (size_t)s->sample_stride;
-
-    if (s->samples <= 1)
-        return GN_OK;
-    if (s->samples != GN_SAMPLES)
-        return GN_INVALID_SAMPLES;
-    if (!GN_HAVE_SAMPLES)
-        return GN_NOT_COMPILED;
-    if (stride % element != 0)
-        return GN_MISALIGNED;
-    if (stride < s->width * gn_format_size(s->format) ||
-        stride > (size_t)PTRDIFF_MAX / (GN_SAMPLES - 1))
-        return GN_INVALID_STRIDE;
-    return GN_OK;
-}
-
-static gn_status check_surface(const gn_surface *s, bool format_fits)
-{
-    const uint32_t size = format_size(s->format);
-    const size_t element = s->format == GN_FORMAT_D32FS8 ? 4
-                           : size == 8                   ? 2
-                           : size == 3                   ? 1
-                           : size == 16                  ? 4
-                                                         : size;
-    const size_t stride = s->row_stride < 0 ? 0 - (size_t)s->row_stride : (size_t)s->row_stride;
-
-    if (!format_fits)
-        return GN_INVALID_FORMAT;
-    if (s->width == 0 || s->width > GN_MAX_SIZE || s->height == 0 || s->height > GN_MAX_SIZE)
-        return GN_INVALID_SIZE;
-    if (!s->pixels)
-        return GN_NULL_POINTER;
-    if ((uintptr_t)s->pixels % element != 0 || stride % element != 0)
-        return GN_MISALIGNED;
-    if (s->height > 1 && (stride < s->width * gn_format_size(s->format) ||
-                          stride > (size_t)PTRDIFF_MAX / (s->height - 1)))
-        return GN_INVALID_STRIDE;
-    return check_samples(s, element);
-}
-
 gn_status gn_check_any_surface(const gn_surface *surface)
 {
-    return check_surface(surface, gn_format_size(surface->format) > 0);
+    return fault_of_surface(surface, gn_format_size(surface->format) > 0, 0);
 }
 
 gn_status gn_target_check(const gn_target *target)
 {
-    const gn_surface *first;
-    bool differ = false;
-
-    if (!target)
-        return GN_NULL_POINTER;
-    first = first_surface(target);
-    if (first->format == GN_FORMAT_NONE)
-        return GN_NO_SURFACE;
-    for (int i = 0; i <= GN_MAX_COLORS; ++i) {
-        const gn_surface *s = i < GN_MAX_COLORS ? &target->color[i] : &target->depth;
-        gn_status status;
-
-        if (s->format == GN_FORMAT_NONE)
-            continue;
-        status = check_surface(s, i < GN_MAX_COLORS ? is_color_format(s->format)
-                                                    : is_depth_format(s->format) ||
-                                                          format_has_stencil(s->format));
-        if (status)
-            return status;
-        differ = differ || s->width != first->width || s->height != first->height ||
-                 samples_of(s) != samples_of(first);
-    }
-    return differ ? GN_SIZE_MISMATCH : GN_OK;
+    return fault_of_target(target);
 }
 
 /* What the reference's clear makes of a channel; unlike a fragment's conversion it
@@ -271,7 +196,7 @@ gn_status gn_clear_color(const gn_surface *surface, float red, float green, floa
     if (!surface)
         return GN_NULL_POINTER;
 
-    const gn_status status = check_surface(surface, is_color_format(surface->format));
+    const gn_status status = fault_of_surface(surface, is_color_format(surface->format), 0);
     if (status)
         return status;
     if (!GN_HAVE_FORMATS && format_is_encoded(surface->format))
@@ -397,7 +322,7 @@ gn_status gn_clear_depth(const gn_surface *surface, float depth)
     if (!surface)
         return GN_NULL_POINTER;
 
-    const gn_status status = check_surface(surface, is_depth_format(surface->format));
+    const gn_status status = fault_of_surface(surface, is_depth_format(surface->format), 0);
     if (status)
         return status;
     clear_depth_stencil(surface, true, depth, false, 0);
@@ -409,7 +334,7 @@ gn_status gn_clear_stencil(const gn_surface *surface, uint8_t stencil)
     if (!surface)
         return GN_NULL_POINTER;
 
-    const gn_status status = check_surface(surface, format_has_stencil(surface->format));
+    const gn_status status = fault_of_surface(surface, format_has_stencil(surface->format), 0);
     if (status)
         return status;
     clear_depth_stencil(surface, false, 0.0f, true, stencil);
@@ -421,8 +346,8 @@ gn_status gn_clear_depth_stencil(const gn_surface *surface, float depth, uint8_t
     if (!surface)
         return GN_NULL_POINTER;
 
-    const gn_status status = check_surface(surface, is_depth_format(surface->format) ||
-                                                        format_has_stencil(surface->format));
+    const gn_status status = fault_of_surface(
+        surface, is_depth_format(surface->format) || format_has_stencil(surface->format), 0);
     if (status)
         return status;
     clear_depth_stencil(surface, true, depth, true, stencil);

@@ -36,26 +36,29 @@ static inline void slot_vertices(const draw_state *draw, uint32_t slot, uint32_t
         vertex[l] = vertex[count - 1];
 }
 
-/* Writes what a shader gave for sixteen vertices to their slots. Gives their outcodes. */
+/* Writes what a shader gave for sixteen vertices to their slots; clip distances lie behind
+ * the varyings. Gives their outcodes. */
 GN_STEP lanes_i store_vertices(const draw_state *draw, const gn_vertex_output *output,
                                uint32_t slot)
 {
-    const uint32_t varyings = draw->pipeline->varying_count;
+    const uint32_t values = stored_values(draw->pipeline);
     unsigned char *const first =
-        draw->job->memory + draw->job->vertices + (size_t)(slot & draw->map.ring) * draw->stride;
+        draw->job->memory + draw->vertices + (size_t)(slot & draw->map.ring) * draw->stride;
     lanes_f clip[4];
 
     for (int c = 0; c < 4; ++c)
         clip[c] = lanes_load(output->position[c]);
-    for (uint32_t n = 0; n < varyings; n += 4) {
+    for (uint32_t n = 0; n < values; n += 4) {
         lanes_i row[4];
 
         for (uint32_t c = 0; c < 4; ++c)
-            row[c] = n + c < varyings ? lanes_as_int(lanes_load(output->varying[n + c]))
-                                      : lanes_i_splat(0);
+            row[c] = n + c < values ? lanes_as_int(lanes_load(output->varying[n + c]))
+                                    : lanes_i_splat(0);
         lanes_i_scatter_rows(first + VERTEX_VARYING + n / 4 * VERTEX_ROW, draw->stride, row);
     }
     return place_vertices(&draw->viewport, clip,
+                          distance_outcodes((const float(*)[GN_LANES])output->clip_distance,
+                                            distance_count(draw->pipeline)),
                           output->point_size ? lanes_as_int(lanes_load(output->point_size))
                                              : lanes_i_splat(0),
                           first, draw->stride);
@@ -80,9 +83,10 @@ static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from
     input.instance = draw->mesh->instance;
     output.position = staging;
     output.varying = staging + 4;
+    output.clip_distance = output.varying + draw->pipeline->varying_count;
     output.point_size = NULL;
     if (draw->pipeline->program_point_size)
-        output.point_size = staging[4 + draw->pipeline->varying_count];
+        output.point_size = staging[4 + stored_values(draw->pipeline)];
     fetch_defaults(draw->mesh, attribute);
     for (uint32_t slot = from; slot < end; slot += GN_LANES) {
         input.count = end - slot < GN_LANES ? end - slot : GN_LANES;

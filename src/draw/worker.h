@@ -32,7 +32,7 @@ static inline void start_list(triangle_list *list)
 
 static void start_worker(worker *w, const draw_state *draw, uint32_t task)
 {
-    const uint32_t varyings = draw->pipeline->varying_count;
+    const uint32_t values = stored_values(draw->pipeline);
     unsigned char *const scratch = task_scratch(draw, task);
 
     w->draw = draw;
@@ -47,7 +47,8 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
     w->clipper.memory = draw->job->memory;
     w->clipper.scratch = 0;
     w->clipper.used = 0;
-    w->clip_vertices = (uint32_t)(scratch - draw->job->memory) + scratch_vertices_offset(varyings);
+    w->clipper.room = 0;
+    w->clip_vertices = (uint32_t)(scratch - draw->job->memory) + scratch_vertices_offset(values);
     w->clip_used = 0;
     w->passed = 0;
     start_list(w->list);
@@ -60,7 +61,7 @@ GN_OUT_OF_LINE void draw_boxes(worker *w, const triangle_list *list, const void 
 
     setup_box_identities(draw->pipeline, list, w->batch);
     if (w->kind == KIND_POINT) {
-        setup_points(draw->pipeline, draw->job->memory, list, w->batch);
+        setup_points(&w->cull.box, draw->pipeline, draw->job->memory, list, w->batch);
         for (uint32_t l = 0; l < list->count; ++l)
             cover_point(w->batch, list, l, draw->shade_run, context);
     } else {
@@ -79,7 +80,7 @@ GN_OUT_OF_LINE void draw_sampled_boxes(worker *w, const triangle_list *list, con
 
     setup_box_identities(pipeline, list, w->batch);
     if (w->kind == KIND_POINT)
-        setup_points(pipeline, memory, list, w->batch);
+        setup_points(state, pipeline, memory, list, w->batch);
     else
         setup_lines(state, pipeline, memory, list, w->batch);
     for (uint32_t l = 0; l < list->count; ++l) {
@@ -181,15 +182,20 @@ static void keep_crossing(worker *w, const uint32_t vertex[3], uint32_t provokin
     finish_if_full(w);
 }
 
-/* Before clipping: what the list's triangles use of the new vertices must last until it is
- * drawn. */
-static inline void make_room_for_clipping(worker *w)
+/* Before so many new vertices, or as many as there is room for: those that the list's triangles
+ * use must last until it is drawn. */
+static inline void make_room(worker *w, uint32_t count)
 {
-    if (!w->keeps && w->clip_used + CLIP_MAX_VERTICES > CLIP_SCRATCH)
+    if (!w->keeps && w->clip_used + count > CLIP_SCRATCH)
         draw_list(w);
     if (w->keeps || w->list->count == 0)
         w->clip_used = 0;
     w->clipper.scratch = w->clip_vertices + w->clip_used * w->draw->stride;
+}
+
+static inline void make_room_for_clipping(worker *w, uint32_t planes)
+{
+    make_room(w, clip_room(planes));
 }
 
 /* Clips a triangle and adds what is left of it. */
@@ -201,9 +207,9 @@ GN_OUT_OF_LINE void add_crossing(worker *w, const uint32_t vertex[3], uint32_t p
     cull_result result;
     uint32_t planes = 0;
 
-    make_room_for_clipping(w);
     for (int i = 0; i < 3; ++i)
         planes |= vertex_at(memory, vertex[i])->outcode;
+    make_room_for_clipping(w, planes);
     clip_triangle(&w->clipper, planes, vertex, &pieces);
     w->clip_used += w->clipper.used;
     if (pieces.count == 0)
@@ -254,6 +260,8 @@ static inline uint32_t locate_group(const draw_state *draw, uint32_t first, uint
     return elements;
 }
 
+GN_OUT_OF_LINE void add_unfilled_group(worker *w, const triangle_group *group, uint32_t first);
+
 /* Adds triangles first to first + count - 1. */
 static void add_triangles(worker *w, uint32_t first, uint32_t count)
 {
@@ -267,7 +275,10 @@ static void add_triangles(worker *w, uint32_t first, uint32_t count)
         locate_group(w->draw, first + done, group.count, offset);
         assemble_triangles(w->draw->pipeline->topology, w->cull.provoking_first, w->is_quad,
                            first + done, offset, &group);
-        add_group(w, &group, w->draw->mesh->primitive + first + done);
+        if (GN_HAVE_LINES && w->cull.box.is_unfilled)
+            add_unfilled_group(w, &group, w->draw->mesh->primitive + first + done);
+        else
+            add_group(w, &group, w->draw->mesh->primitive + first + done);
     }
 }
 
@@ -288,10 +299,10 @@ static void resolve_segment(worker *w, uint32_t outcodes)
     const gn_pipeline *p = w->draw->pipeline;
 
     w->cull.asks_unsnapped = outcodes != 0 && p->cull != GN_CULL_NONE;
-    w->is_quad = outcodes == 0 && w->draw->mesh->count == 4 &&
-                 w->draw->mesh->index_format == GN_INDEX_NONE && p->topology == GN_TRIANGLE_FAN &&
-                 p->provoking_vertex == GN_PROVOKING_FIRST && !has_flat_varying(p) &&
-                 !p->fragment_reads_primitive;
+    w->is_quad = outcodes == 0 && !(GN_HAVE_LINES && w->cull.box.is_unfilled) &&
+                 w->draw->mesh->count == 4 && w->draw->mesh->index_format == GN_INDEX_NONE &&
+                 p->topology == GN_TRIANGLE_FAN && p->provoking_vertex == GN_PROVOKING_FIRST &&
+                 !has_flat_varying(p) && !p->fragment_reads_primitive;
 }
 
 /* The union of outcodes over triangles first to first + count - 1, whose vertices are

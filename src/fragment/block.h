@@ -107,6 +107,21 @@ GN_OUT_OF_LINE void place_fragments(const gn_pipeline *pipeline, raster_triangle
     lanes_store(position[3], plane_in_block(w, px, py));
 }
 
+/* gl_PointCoord of a block whose planes are asked from (x, y) on; w is 1 / (1 / w). */
+GN_OUT_OF_LINE void locate_in_point(const gn_pipeline *pipeline, raster_triangle triangle, float x,
+                                    float y, lanes_f w, float coordinate[2][GN_LANES])
+{
+    const float across = point_word(triangle, POINT_PER_PIXEL);
+    const float up = pipeline->point_origin == GN_POINT_LOWER_LEFT ? across : -across;
+    const attribute_plane s = {point_word(triangle, POINT_ORIGIN_S), across, 0.0f};
+    const attribute_plane t = {point_word(triangle, POINT_ORIGIN_T), 0.0f, up};
+    const bool is_point = identity_of(triangle, pipeline->varying_count).is_point;
+    const lanes_f zero = lanes_splat(0.0f);
+
+    lanes_store(coordinate[0], is_point ? lanes_mul(plane_in_block(s, x, y), w) : zero);
+    lanes_store(coordinate[1], is_point ? lanes_mul(plane_in_block(t, x, y), w) : zero);
+}
+
 /* What a fragment shader says beside colour: the fragments it keeps, and where `depth` is
  * not null their depths, which come with the interpolated ones. */
 typedef struct shader_verdict {
@@ -124,7 +139,7 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     const float py = (float)y + center;
     const triangle_identity identity = identity_of(triangle, pipeline->varying_count);
     float varying[GN_MAX_VARYINGS][GN_LANES];
-    float position[4][GN_LANES];
+    float position[4][GN_LANES], point_coordinate[2][GN_LANES];
     gn_fragment_input input;
     gn_fragment_output output;
 
@@ -135,12 +150,17 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     input.x = x;
     input.y = y;
     input.sample_2d = GN_SPECIALISED ? sample_2d : gn_sample_2d;
-    input.front_facing = identity.back == 0;
+    input.front_facing = !identity.back;
     input.primitive_id = pipeline->fragment_reads_primitive ? (uint32_t)identity.primitive : 0;
     input.position = 0;
     if (pipeline->fragment_reads_position) {
         place_fragments(pipeline, triangle, x, y, center, position);
         input.position = (const float(*)[GN_LANES])position;
+    }
+    input.point_coordinate = 0;
+    if (GN_HAVE_LINES && pipeline->fragment_reads_point_coordinate) {
+        locate_in_point(pipeline, triangle, px, py, w, point_coordinate);
+        input.point_coordinate = (const float(*)[GN_LANES])point_coordinate;
     }
     output.color = color;
     output.kept = GN_ALL_LANES;
@@ -169,7 +189,7 @@ GN_INLINE uint32_t test_whole(const fragment_state *state, const fragment_place 
     if (GN_HAVE_STENCIL && format_has_stencil(state->depth.format)) {
         const uint32_t varyings = state->pipeline->varying_count;
 
-        return test_stencil(state, at, identity_of(triangle, varyings).back != 0, coverage, depth);
+        return test_stencil(state, at, identity_of(triangle, varyings).back, coverage, depth);
     }
     if (state->depth.format == GN_FORMAT_NONE)
         return coverage;

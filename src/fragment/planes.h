@@ -13,17 +13,19 @@ GN_INLINE lanes_f plane_in_block(attribute_plane plane, float x, float y)
     return lanes_add(lanes_rows(plane.per_y, y), lanes_columns(plane.per_x, x, plane.origin));
 }
 
-/* A triangle's number in the draw, and -1 where it is back-facing, otherwise 0. */
+/* A primitive's number in the draw, what it is, and its facing. */
 typedef struct triangle_identity {
-    int32_t primitive, back;
+    int32_t primitive;
+    bool back, is_point;
 } triangle_identity;
 
 static inline triangle_identity identity_of(raster_triangle t, uint32_t varying_count)
 {
     const stored_word *const words = (const stored_word *)(const void *)t.planes +
                                      (VARYING_PLANES + varying_count) * (PLANE_TERMS * GN_LANES);
-    const triangle_identity identity = {words[IDENTITY_PRIMITIVE * GN_LANES],
-                                        words[IDENTITY_BACK * GN_LANES]};
+    const int32_t back = words[IDENTITY_BACK * GN_LANES];
+    const triangle_identity identity = {words[IDENTITY_PRIMITIVE * GN_LANES], back < 0,
+                                        GN_HAVE_LINES && ((back < 0) != (back & 1))};
 
     return identity;
 }

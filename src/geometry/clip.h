@@ -14,13 +14,17 @@ typedef struct clipper {
     const gn_pipeline *pipeline;
     const viewport_transform *viewport;
     unsigned char *memory; /* of all vertices */
-    uint32_t scratch;      /* offset of CLIP_MAX_VERTICES new ones */
-    uint32_t used;         /* of them */
+    uint32_t scratch;      /* offset of clip_room new ones */
+    uint32_t room;
+    uint32_t used;   /* of them */
+    uint32_t hidden; /* of the last polygon: edges that lie on sides of the view volume */
+    float point_size[CLIP_MAX_VERTICES];
 } clipper;
 
 typedef struct polygon {
     uint32_t vertex[CLIP_MAX_POLYGON];
     uint32_t count;
+    uint32_t hidden; /* bit n: the edge from vertex n on lies on a plane */
 } polygon;
 
 /* The signed distance a0*x + a1*y + a2*z + a3*w to a plane: not negative inside.
@@ -28,6 +32,9 @@ typedef struct polygon {
  * coordinates being finite, make it NaN. */
 static float plane_distance(const clipper *c, const stored_vertex *v, uint32_t plane)
 {
+    if (GN_HAVE_DISTANCES && plane >= CLIP_DISTANCE)
+        return v->varying[c->pipeline->varying_count + (plane - CLIP_DISTANCE)];
+
     const float coordinate = v->clip[plane / 2];
     const float w = v->clip[3];
     const bool positive = plane == CLIP_LEFT || plane == CLIP_BOTTOM || plane == CLIP_NEAR;
@@ -57,8 +64,9 @@ static float window_parameter(const stored_vertex *from, const stored_vertex *to
  * the provoking vertex of the whole triangle. */
 static uint32_t interpolate_vertex(clipper *c, uint32_t from, uint32_t to, float t)
 {
-    const uint32_t stride = vertex_stride(c->pipeline->varying_count);
-    const uint32_t offset = c->scratch + c->used++ * stride;
+    const uint32_t stride = vertex_stride(stored_values(c->pipeline));
+    const uint32_t number = c->used++;
+    const uint32_t offset = c->scratch + number * stride;
     const stored_vertex *p = vertex_at(c->memory, from);
     const stored_vertex *q = vertex_at(c->memory, to);
     stored_vertex *made = vertex_at(c->memory, offset);
@@ -66,23 +74,39 @@ static uint32_t interpolate_vertex(clipper *c, uint32_t from, uint32_t to, float
     for (int n = 0; n < 4; ++n)
         made->clip[n] = p->clip[n] + t * (q->clip[n] - p->clip[n]);
 
+    if (GN_HAVE_LINES) {
+        made->point_size = p->point_size + t * (q->point_size - p->point_size);
+        c->point_size[number] = made->point_size;
+    }
+
     const float linear = window_parameter(p, q, made, t);
-    for (uint32_t v = 0; v < c->pipeline->varying_count; ++v) {
-        const float s = c->pipeline->interpolation[v] == GN_NOPERSPECTIVE ? linear : t;
+    for (uint32_t v = 0; v < stored_values(c->pipeline); ++v) {
+        const bool is_linear =
+            v < c->pipeline->varying_count && c->pipeline->interpolation[v] == GN_NOPERSPECTIVE;
+        const float s = is_linear ? linear : t;
         made->varying[v] = p->varying[v] + s * (q->varying[v] - p->varying[v]);
     }
     return offset;
 }
 
+static inline uint32_t room_of(const clipper *c)
+{
+    return !GN_HAVE_DISTANCES            ? GN_LANES
+           : c->room < CLIP_MAX_VERTICES ? c->room
+                                         : CLIP_MAX_VERTICES;
+}
+
 /* Clips a polygon to one plane; false where nothing is left, a distance is not finite
- * or a limit (CLIP_MAX_POLYGON, CLIP_MAX_VERTICES) is reached. The new vertex of an edge
+ * or a limit (CLIP_MAX_POLYGON, room) is reached. The new vertex of an edge
  * is measured from its end nearer the plane, where t is small. */
 static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon *out)
 {
     uint32_t previous = in->vertex[0];
     float previous_distance = plane_distance(c, vertex_at(c->memory, previous), plane);
 
+    const uint32_t hides = plane < CLIP_DISTANCE;
     out->count = 0;
+    out->hidden = 0;
     if (!gn_is_finite(previous_distance))
         return false;
 
@@ -90,11 +114,13 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
         const uint32_t current = in->vertex[n == in->count ? 0 : n];
         const float distance = plane_distance(c, vertex_at(c->memory, current), plane);
 
-        if (!gn_is_finite(distance) || out->count > CLIP_MAX_POLYGON - 2 ||
-            c->used == CLIP_MAX_VERTICES)
+        if (!gn_is_finite(distance) || out->count > CLIP_MAX_POLYGON - 2 || c->used == room_of(c))
             return false;
-        if (previous_distance >= 0.0f)
+        const uint32_t hidden = GN_HAVE_LINES ? in->hidden >> (n - 1) & 1u : 0;
+        if (previous_distance >= 0.0f) {
+            out->hidden |= hidden << out->count;
             out->vertex[out->count++] = previous;
+        }
 
         if ((distance < 0.0f) != (previous_distance < 0.0f)) {
             const float span = distance - previous_distance;
@@ -103,6 +129,8 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
             const float inside = leaving ? previous_distance : distance;
             const bool from_current = leaving == (outside < inside);
 
+            if (GN_HAVE_LINES)
+                out->hidden |= (leaving ? hides : hidden) << out->count;
             out->vertex[out->count++] =
                 from_current ? interpolate_vertex(c, current, previous, distance / span)
                              : interpolate_vertex(c, previous, current, -previous_distance / span);
@@ -117,24 +145,32 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
  * beyond them repeat the first, so that nothing is read that was not written. */
 GN_STEP void place_new_vertices(const clipper *c)
 {
-    const uint32_t stride = vertex_stride(c->pipeline->varying_count);
-    uint32_t offset[GN_LANES];
-    lanes_i row[4];
-    lanes_f clip[4];
+    const uint32_t stride = vertex_stride(stored_values(c->pipeline));
 
-    if (c->used == 0)
-        return;
-    GN_EACH_LANE (l) {
-        const uint32_t n = (uint32_t)l < c->used ? (uint32_t)l : 0;
+    for (uint32_t first = 0; first < c->used && (GN_HAVE_DISTANCES || first == 0);
+         first += GN_LANES) {
+        uint32_t offset[GN_LANES];
+        lanes_i row[4];
+        lanes_f clip[4];
 
-        offset[l] = c->scratch + n * stride + VERTEX_CLIP;
+        GN_EACH_LANE (l) {
+            const uint32_t n = first + (uint32_t)l < c->used ? first + (uint32_t)l : first;
+
+            offset[l] = c->scratch + n * stride + VERTEX_CLIP;
+        }
+        lanes_i_gather_rows(c->memory, offset, 1, row);
+        for (int n = 0; n < 4; ++n)
+            clip[n] = lanes_as_float(row[n]);
+        place_vertices(c->viewport, clip, lanes_i_splat(0), lanes_i_splat(0),
+                       c->memory + c->scratch + first * stride, stride);
     }
-    lanes_i_gather_rows(c->memory, offset, 1, row);
-    for (int n = 0; n < 4; ++n)
-        clip[n] = lanes_as_float(row[n]);
-    place_vertices(c->viewport, clip, lanes_i_splat(0), c->memory + c->scratch, stride);
-    for (uint32_t n = 0; n < c->used; ++n)
-        vertex_at(c->memory, c->scratch + n * stride)->outcode = 0;
+    for (uint32_t n = 0; n < c->used; ++n) {
+        stored_vertex *const v = vertex_at(c->memory, c->scratch + n * stride);
+
+        v->outcode = 0;
+        if (GN_HAVE_LINES)
+            v->point_size = c->point_size[n];
+    }
 }
 
 /* Clips a triangle to the planes of its outcodes into a group of triangles, which may be
@@ -147,8 +183,10 @@ static inline void clip_triangle(clipper *c, uint32_t planes, const uint32_t tri
     polygon *result = &polygons[1];
 
     c->used = 0;
+    c->room = clip_room(planes);
     out->count = 0;
     in->count = 3;
+    in->hidden = 0;
     for (int n = 0; n < 3; ++n)
         in->vertex[n] = triangle[n];
 
@@ -161,6 +199,7 @@ static inline void clip_triangle(clipper *c, uint32_t planes, const uint32_t tri
             result = swap;
         }
     }
+    c->hidden = in->hidden;
     place_new_vertices(c);
 
     /* A fan whose first polygon vertex takes the provoking vertex's place. */

@@ -18,8 +18,8 @@ typedef struct viewport_transform {
     bool sampled;     /* what snaps is the distance from a pixel's corner, not its centre */
 } viewport_transform;
 
-/* What of a mesh is drawn at a time: an instance of elements without a restart. Members are
- * those of gn_mesh but for the last two. */
+/* What of a mesh is drawn at a time: an instance of elements without a restart, or, as a job
+ * has it, of all elements. Members are those of gn_mesh but for `base`, instance and primitive. */
 typedef struct mesh_run {
     const gn_attribute *attribute;
     uint32_t vertex_count;
@@ -29,6 +29,8 @@ typedef struct mesh_run {
     uint32_t base; /* added to indices, with a wrap */
     uint32_t instance;
     uint32_t primitive; /* the number of its first: restarts do not begin anew */
+    bool restarts;      /* at restart_index, before the base is added */
+    uint32_t restart_index;
 } mesh_run;
 
 /* Up to sixteen triangles as offsets of their vertices, in the order that decides the low
@@ -49,19 +51,27 @@ static inline uint32_t group_vertex(const triangle_group *group, uint32_t corner
 /* Clipping planes, in the order they are clipped against. Bit p of an outcode is
  * set where the vertex is outside plane p, a NaN counting as outside. */
 typedef enum clip_plane {
-    CLIP_RIGHT,  /* x <= w */
-    CLIP_LEFT,   /* -w <= x */
-    CLIP_TOP,    /* y <= w */
-    CLIP_BOTTOM, /* -w <= y */
-    CLIP_NEAR,   /* -w <= z, or 0 <= z */
-    CLIP_FAR,    /* z <= w */
-    CLIP_PLANE_COUNT
+    CLIP_RIGHT,    /* x <= w */
+    CLIP_LEFT,     /* -w <= x */
+    CLIP_TOP,      /* y <= w */
+    CLIP_BOTTOM,   /* -w <= y */
+    CLIP_NEAR,     /* -w <= z, or 0 <= z */
+    CLIP_FAR,      /* z <= w */
+    CLIP_DISTANCE, /* 0 <= the first clip distance, which is finite; then the others */
+    CLIP_PLANE_COUNT = CLIP_DISTANCE + (GN_HAVE_DISTANCES ? GN_MAX_CLIP_DISTANCES : 0)
 } clip_plane;
 
-/* A plane adds at most one vertex to a convex polygon, so that 3 + 6 are usual.
+/* A plane adds at most one vertex to a convex polygon, so that 3 + 14 are usual.
  * Rounding can make it slightly concave; a polygon beyond this limit, or needing
- * more new vertices than the other, is not drawn. */
-#define CLIP_MAX_POLYGON 12
-#define CLIP_MAX_VERTICES GN_LANES
+ * more new vertices than there is room for, is not drawn. Three remain in CLIP_SCRATCH. */
+#define CLIP_MAX_POLYGON (GN_LANES + 2)
+#define CLIP_MAX_VERTICES (2 * GN_LANES - 3)
+
+/* Room for the new vertices of a triangle to be clipped to these planes, made sixteen at a time:
+ * usually two a plane. */
+static inline uint32_t clip_room(uint32_t planes)
+{
+    return GN_HAVE_DISTANCES && planes >> CLIP_DISTANCE ? 2 * GN_LANES : GN_LANES;
+}
 
 #endif

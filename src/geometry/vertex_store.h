@@ -9,13 +9,15 @@
 
 #include "gnomon/draw.h"
 
+#include "../lanes/small.h"
+
 typedef struct stored_vertex {
     float window[4];    /* window coordinates x, y, z and 1 / clip w */
     int32_t snapped[2]; /* window x, y minus half a pixel, in 1/256 pixel */
     uint32_t outcode;   /* bit p: outside clip_plane p */
     float point_size;   /* where the vertex shader gives one */
     float clip[4];      /* clip space */
-    float varying[];    /* as many as the pipeline has, in rows of four */
+    float varying[]; /* stored_values of the pipeline, in rows of four: varyings, clip distances */
 } stored_vertex;
 
 /* Offsets of a vertex's rows in it. */
@@ -27,10 +29,21 @@ enum {
     VERTEX_ROW = 16
 };
 
-/* Bytes from a vertex to the next. */
-static inline uint32_t vertex_stride(uint32_t varying_count)
+static inline uint32_t distance_count(const gn_pipeline *pipeline)
 {
-    return VERTEX_VARYING + (varying_count + 3) / 4 * VERTEX_ROW;
+    return GN_HAVE_DISTANCES ? pipeline->clip_distance_count : 0;
+}
+
+/* Values beside the position that a vertex shader gives and a vertex keeps. */
+static inline uint32_t stored_values(const gn_pipeline *pipeline)
+{
+    return pipeline->varying_count + distance_count(pipeline);
+}
+
+/* Bytes from a vertex of so many stored_values to the next. */
+static inline uint32_t vertex_stride(uint32_t value_count)
+{
+    return VERTEX_VARYING + (value_count + 3) / 4 * VERTEX_ROW;
 }
 
 static inline stored_vertex *vertex_at(unsigned char *memory, uint32_t offset)

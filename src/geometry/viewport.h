@@ -29,7 +29,7 @@ viewport_transform_of(const gn_pipeline *pipeline, uint32_t target_width, uint32
     t.translate[0] = t.scale[0] + x;
     t.translate[1] = t.scale[1] + y;
     t.translate[2] = 0.5f * (z_near + z_far);
-    t.planes = (1u << CLIP_PLANE_COUNT) - 1;
+    t.planes = (1u << CLIP_DISTANCE) - 1;
     t.zero_to_one = pipeline->clip_depth == GN_ZERO_TO_ONE;
     if (t.zero_to_one) {
         t.scale[2] = z_far - z_near;
@@ -63,10 +63,28 @@ GN_STEP lanes_i outcodes_of(const viewport_transform *viewport, const lanes_f cl
     return lanes_i_and(code, lanes_i_splat((int32_t)viewport->planes));
 }
 
-/* Writes window, snapped and clip coordinates, outcodes and point sizes (the bits of floats)
- * of the sixteen vertices at `first`, `stride` bytes apart. Gives the outcodes. */
+/* The bits of clip distances. */
+GN_STEP lanes_i distance_outcodes(const float (*distance)[GN_LANES], uint32_t count)
+{
+    lanes_i code = lanes_i_splat(0);
+
+    for (uint32_t i = 0; i < count; ++i) {
+        const lanes_f d = lanes_load(distance[i]);
+        const lanes_m inside = lanes_and(lanes_less_equal(lanes_splat(0.0f), d),
+                                         lanes_less_equal(d, lanes_splat(FLT_MAX)));
+
+        code = lanes_i_or(code, lanes_i_and(lanes_m_as_int(lanes_not(inside)),
+                                            lanes_i_splat(1 << (CLIP_DISTANCE + i))));
+    }
+    return code;
+}
+
+/* Writes window, snapped and clip coordinates, outcodes, to which `outside` is added, and point
+ * sizes (the bits of floats) of the sixteen vertices at `first`, `stride` bytes apart. Gives the
+ * outcodes. */
 static inline lanes_i place_vertices(const viewport_transform *viewport, const lanes_f clip[4],
-                                     lanes_i point_size, unsigned char *first, uint32_t stride)
+                                     lanes_i outside, lanes_i point_size, unsigned char *first,
+                                     uint32_t stride)
 {
     const lanes_f one_over_w = lanes_div(lanes_splat(1.0f), clip[3]);
     lanes_i window[4], snapped[4], position[4];
@@ -87,6 +105,8 @@ static inline lanes_i place_vertices(const viewport_transform *viewport, const l
     }
     window[3] = lanes_as_int(one_over_w);
     snapped[2] = outcodes_of(viewport, clip);
+    if (GN_HAVE_DISTANCES)
+        snapped[2] = lanes_i_or(snapped[2], outside);
     snapped[3] = point_size;
     for (int c = 0; c < 4; ++c)
         position[c] = lanes_as_int(clip[c]);

@@ -29,6 +29,7 @@
 #define GN_HAVE_INSTANCES 0
 #define GN_HAVE_ATTACHMENTS 0
 #define GN_HAVE_SAMPLES 0
+#define GN_HAVE_DISTANCES 0
 #else
 #define GN_HAVE_LINES 1
 #define GN_HAVE_STENCIL 1
@@ -38,6 +39,7 @@
 #define GN_HAVE_INSTANCES 1   /* and primitive restart */
 #define GN_HAVE_ATTACHMENTS 1 /* more than one colour */
 #define GN_HAVE_SAMPLES 1     /* more than one a pixel */
+#define GN_HAVE_DISTANCES 1   /* to clip by, of the user's */
 #endif
 
 /* Whether operations of the portable lanes are called with addresses (calls.h). */

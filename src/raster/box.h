@@ -6,6 +6,7 @@
 
 #include "types.h"
 
+#include "../geometry/assemble.h"
 #include "../lanes/lanes.h"
 
 /* What is constant over a draw. */
@@ -15,6 +16,9 @@ typedef struct box_state {
     int32_t half_width; /* of lines, in 1/256 pixel */
     float width;        /* of lines of sampled pixels, which is not rounded */
     int32_t reach;      /* how far from a pixel's centre its samples are; 0 where there are none */
+
+    bool is_unfilled; /* triangles of some winding are lines or points */
+    gn_polygon_mode clockwise, counter_clockwise;
 } box_state;
 
 /* Rounded, halves away from zero. */
@@ -31,6 +35,21 @@ static inline int32_t snap_size(float size, float greatest)
     return limited > 1.0f ? round_away(limited * 256.0f) : 256;
 }
 
+/* How triangles of either winding are drawn. */
+static inline void set_modes(box_state *s, const gn_pipeline *p)
+{
+    /* What is culled lends its mode from the other face, which shows in triangles of no area. */
+    const bool no_front = p->cull == GN_CULL_FRONT || p->cull == GN_CULL_FRONT_AND_BACK;
+    const bool no_back = p->cull == GN_CULL_BACK || p->cull == GN_CULL_FRONT_AND_BACK;
+    const gn_polygon_mode front = no_front ? p->polygon_mode_back : p->polygon_mode_front;
+    const gn_polygon_mode back = no_back ? p->polygon_mode_front : p->polygon_mode_back;
+
+    s->is_unfilled = kind_of(p->topology) == KIND_TRIANGLE &&
+                     (front != GN_POLYGON_FILL || back != GN_POLYGON_FILL);
+    s->clockwise = p->front_face == GN_FRONT_CLOCKWISE ? front : back;
+    s->counter_clockwise = p->front_face == GN_FRONT_CLOCKWISE ? back : front;
+}
+
 static inline box_state box_state_of(const gn_pipeline *p)
 {
     const float width = p->line_width < GN_MAX_LINE_WIDTH ? p->line_width : GN_MAX_LINE_WIDTH;
@@ -41,6 +60,8 @@ static inline box_state box_state_of(const gn_pipeline *p)
     s.half_width = width > 1.0f ? round_away(width) * 128 : 128;
     s.width = width > 1.0f ? width : 1.0f;
     s.reach = 0;
+    if (GN_HAVE_LINES)
+        set_modes(&s, p);
     return s;
 }
 
@@ -67,6 +88,13 @@ static inline bool pixels_of_box(const pixel_rectangle *target, const int32_t lo
     return box->min_x <= box->max_x && box->min_y <= box->max_y;
 }
 
+/* In 1/256 pixel. */
+static inline int32_t size_of_point(const box_state *state, const stored_vertex *v)
+{
+    return state->program_point_size ? snap_size(v->point_size, GN_MAX_POINT_SIZE)
+                                     : state->point_size;
+}
+
 /* A window coordinate from a pixel's centre in 1/256 pixel. Between samples the reference rounds it
  * from the pixel's corner. */
 static inline int32_t snap_end(const box_state *state, float v)
@@ -79,8 +107,7 @@ static inline int32_t snap_end(const box_state *state, float v)
 static inline bool point_range(const box_state *state, const stored_vertex *v, int32_t low[2],
                                int32_t high[2])
 {
-    const int32_t size =
-        state->program_point_size ? snap_size(v->point_size, GN_MAX_POINT_SIZE) : state->point_size;
+    const int32_t size = size_of_point(state, v);
 
     for (int c = 0; c < 2; ++c) {
         if (!can_snap(v->window[c]))

@@ -6,6 +6,7 @@
 #include "types.h"
 
 #include "../lanes/lanes.h"
+#include "../math/bits.h"
 
 typedef struct offset_state {
     bool moves;    /* fragments add an offset, if only 0 */
@@ -76,6 +77,41 @@ GN_STEP lanes_f offset_depths(const offset_state *offset, const lanes_f x[3], co
         return lanes_min(sum, lanes_splat(offset->clamp));
     if (offset->clamp < 0.0f)
         return lanes_max(sum, lanes_splat(offset->clamp));
+    return sum;
+}
+
+/* The offset of one triangle, some of which are not filled in its draw: another order. */
+static inline float offset_of_vertices(const offset_state *offset, const stored_vertex *const v[3])
+{
+    float e[3], f[3];
+    float greatest = 0.0f;
+
+    for (int c = 0; c < 3; ++c) {
+        e[c] = v[0]->window[c] - v[2]->window[c];
+        f[c] = v[1]->window[c] - v[2]->window[c];
+    }
+    const float one_over_area = 1.0f / (e[0] * f[1] - e[1] * f[0]);
+    const float per_x = (e[1] * f[2] - e[2] * f[1]) * one_over_area;
+    const float per_y = (e[2] * f[0] - e[0] * f[2]) * one_over_area;
+    const float x = per_x < 0.0f ? -per_x : per_x;
+    const float y = per_y < 0.0f ? -per_y : per_y;
+    float steps = offset->units;
+
+    if (offset->floating) {
+        for (int i = 0; i < 3; ++i) {
+            const float z = v[i]->window[2] < 0.0f ? -v[i]->window[2] : v[i]->window[2];
+
+            greatest = z > greatest ? z : greatest;
+        }
+        const int32_t step = (int32_t)(gn_float_bits(greatest) & 0x7F800000) - (23 << 23);
+        steps *= gn_float_from_bits((uint32_t)(step > 0 ? step : 0));
+    }
+
+    const float sum = steps + (x > y ? x : y) * offset->factor;
+    if (offset->clamp > 0.0f)
+        return sum < offset->clamp ? sum : offset->clamp;
+    if (offset->clamp < 0.0f)
+        return sum > offset->clamp ? sum : offset->clamp;
     return sum;
 }
 

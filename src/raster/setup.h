@@ -144,9 +144,10 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
     }
     set_basis(&basis, x, y, center);
     make_plane(&basis, z, batch->plane[DEPTH_PLANE]);
-    if (GN_HAVE_OFFSET && offset->moves)
+    /* 0 where the vertices have moved. */
+    if (GN_HAVE_OFFSET && pipeline->polygon_offset.set)
         lanes_store(batch->plane[VARYING_PLANES + pipeline->varying_count][IDENTITY_OFFSET],
-                    offset_depths(offset, x, y, z));
+                    offset->moves ? offset_depths(offset, x, y, z) : lanes_splat(0.0f));
     make_plane(&basis, w, batch->plane[ONE_OVER_W_PLANE]);
 
     for (uint32_t n = 0; n < pipeline->varying_count; ++n) {

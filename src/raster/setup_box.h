@@ -22,6 +22,11 @@ static inline void gather_plane(const gn_pipeline *pipeline, const unsigned char
     }
 }
 
+static inline bool is_flat(const gn_pipeline *pipeline, uint32_t plane)
+{
+    return plane >= VARYING_PLANES && pipeline->interpolation[plane - VARYING_PLANES] == GN_FLAT;
+}
+
 static inline void make_constant_plane(lanes_f value, float plane[PLANE_TERMS][GN_LANES])
 {
     lanes_store(plane[PLANE_ORIGIN], value);
@@ -39,13 +44,43 @@ static inline void setup_box_identities(const gn_pipeline *pipeline, const trian
     lanes_store(batch->plane[plane][IDENTITY_OFFSET], lanes_splat(0.0f));
 }
 
+/* What point_coordinates takes. A point's identity has the lowest bit of its facing inverted. */
+static inline void setup_point_words(const box_state *state, const gn_pipeline *pipeline,
+                                     const unsigned char *memory, const triangle_list *list,
+                                     triangle_batch *batch)
+{
+    const float up = pipeline->point_origin == GN_POINT_LOWER_LEFT ? 1.0f : -1.0f;
+    float *const words = (float *)(void *)batch->snapped;
+    stored_word *const back =
+        (stored_word *)(void *)
+            batch->plane[VARYING_PLANES + pipeline->varying_count][IDENTITY_BACK];
+
+    GN_EACH_LANE (l) {
+        const stored_vertex *v = (const stored_vertex *)(const void *)(memory + list->vertex[0][l]);
+        const float w = v->window[3];
+        const float per_pixel = 256.0f / (float)size_of_point(state, v);
+
+        words[POINT_PER_PIXEL * GN_LANES + l] = per_pixel * w;
+        words[POINT_ORIGIN_S * GN_LANES + l] = (0.5f - per_pixel * (v->window[0] - 0.5f)) * w;
+        words[POINT_ORIGIN_T * GN_LANES + l] = (0.5f - up * per_pixel * (v->window[1] - 0.5f)) * w;
+        back[l] ^= 1;
+    }
+}
+
 /* Sets up the points of a list whose lanes are all filled. */
-static inline void setup_points(const gn_pipeline *pipeline, const unsigned char *memory,
-                                const triangle_list *list, triangle_batch *batch)
+static inline void setup_points(const box_state *state, const gn_pipeline *pipeline,
+                                const unsigned char *memory, const triangle_list *list,
+                                triangle_batch *batch)
 {
     float value[GN_LANES];
 
+    setup_point_words(state, pipeline, memory, list, batch);
+
     for (uint32_t n = 0; n < VARYING_PLANES + pipeline->varying_count; ++n) {
+        if (is_flat(pipeline, n)) {
+            make_flat_plane(memory, list, n - VARYING_PLANES, batch->plane[n]);
+            continue;
+        }
         gather_plane(pipeline, memory, list->vertex[0], n, value);
         make_constant_plane(lanes_load(value), batch->plane[n]);
     }
@@ -157,7 +192,7 @@ static inline void setup_lines(const box_state *state, const gn_pipeline *pipeli
         setup_line_edges(state, memory, list, batch);
     set_line_basis(state, memory, list, &basis);
     for (uint32_t n = 0; n < VARYING_PLANES + pipeline->varying_count; ++n) {
-        if (n >= VARYING_PLANES && pipeline->interpolation[n - VARYING_PLANES] == GN_FLAT) {
+        if (is_flat(pipeline, n)) {
             make_flat_plane(memory, list, n - VARYING_PLANES, batch->plane[n]);
             continue;
         }

@@ -28,6 +28,7 @@ static void reset_draw(builder *b)
         b->uniforms.light.clip_from_model.m[i][i] = 1.0f;
     for (int i = 0; i < 3; i++)
         b->uniforms.light.normal_matrix.m[i][i] = 1.0f;
+    memset(b->clip_plane, 0, sizeof b->clip_plane);
     b->index_format = GN_INDEX_NONE;
     b->color_components = random_chance(&b->random, 85) ? 4 : 3;
     b->position_components = 4;
@@ -234,6 +235,7 @@ void builder_draw(builder *b)
     d->uniforms.sampler = b->uniforms.sampler;
     d->view_from_model = b->view_from_model;
     d->specular = b->specular;
+    memcpy(d->clip_plane, b->clip_plane, sizeof d->clip_plane);
     set_attribute(b, d, GN_ATTRIBUTE_POSITION, offsetof(vertex, position), b->position_components);
     set_attribute(b, d, GN_ATTRIBUTE_COLOR, offsetof(vertex, color), b->color_components);
     if (scene_shader_is_lit(b->shader))

@@ -27,6 +27,7 @@ typedef struct builder {
     gn_textured_uniforms uniforms;
     gn_mat4 view_from_model;
     gn_vec3 specular;
+    float clip_plane[GN_MAX_CLIP_DISTANCES][4];
     gn_index_format index_format; /* GN_INDEX_NONE: vertices are repeated as indices say */
     uint32_t color_components;    /* 0: the attribute is absent */
     uint32_t position_components;

@@ -73,16 +73,16 @@ static bool compare_variant(const scene *s, const variant *v, comparison *result
 }
 
 /* The least and some kilobytes: room for whole small meshes, for parts of larger ones. */
-static size_t odd_workspace(uint64_t number)
+static size_t odd_workspace(const scene *s, uint64_t number)
 {
-    return gn_workspace_size(0, SCENE_VARYINGS) + (size_t)(number * 619 % 20011);
+    return gn_workspace_size(0, scene_varyings(s)) + (size_t)(number * 619 % 20011);
 }
 
 static bool compare_workspaces(const comparer *c, const scene *s, uint64_t number,
                                comparison *result)
 {
-    const variant least = {gn_workspace_size(0, SCENE_VARYINGS), GN_BACKEND_AUTO, NULL, 0};
-    const variant odd = {odd_workspace(number), GN_BACKEND_AUTO, NULL, 0};
+    const variant least = {gn_workspace_size(0, scene_varyings(s)), GN_BACKEND_AUTO, NULL, 0};
+    const variant odd = {odd_workspace(s, number), GN_BACKEND_AUTO, NULL, 0};
     bool allocated = true;
     if (c->everything || number % 3 == 0)
         allocated = compare_variant(s, &least, result, &result->workspace);
@@ -97,9 +97,9 @@ static bool compare_workspaces(const comparer *c, const scene *s, uint64_t numbe
 }
 
 /* The least that serves several threads, and more: from a segment to a round up. */
-static size_t odd_threads_workspace(uint64_t number)
+static size_t odd_threads_workspace(const scene *s, uint64_t number)
 {
-    return gn_workspace_size_parallel(0, 0, SCENE_VARYINGS) + (size_t)(number * 619 % 100003);
+    return gn_workspace_size_parallel(0, 0, scene_varyings(s)) + (size_t)(number * 619 % 100003);
 }
 
 /* One number of threads a scene; every fourth run of four scenes in an odd workspace, and
@@ -111,7 +111,7 @@ static bool compare_threads(const comparer *c, const scene *s, uint64_t number, 
         (gn_backend)(GN_BACKEND_PORTABLE + (int)(number / 16 % (uint64_t)backends));
     bool allocated = true;
     for (uint64_t i = 0; i < COMPARE_POOLS; i++) {
-        const variant v = {number / COMPARE_POOLS % 4 == 3 ? odd_threads_workspace(number) : 0,
+        const variant v = {number / COMPARE_POOLS % 4 == 3 ? odd_threads_workspace(s, number) : 0,
                            gn_backend_available(turn) ? turn : GN_BACKEND_AUTO, c->pools[i],
                            (uint32_t)(number / 2 % 4)};
         if (allocated && (c->everything || i == number % COMPARE_POOLS))

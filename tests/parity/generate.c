@@ -50,6 +50,8 @@ const char *scene_class_name(scene_class c)
         return "phong";
     case CLASS_INPUTS:
         return "inputs";
+    case CLASS_DERIVATIVES:
+        return "derivatives";
     case CLASS_STENCIL:
         return "stencil";
     case CLASS_COUNTING:
@@ -76,6 +78,8 @@ const char *scene_class_name(scene_class c)
         return "points";
     case CLASS_LINES:
         return "lines";
+    case CLASS_POINT_COORDINATES:
+        return "point-coordinates";
     case CLASS_FORMATS:
         return "formats";
     case CLASS_INSTANCES:
@@ -84,6 +88,10 @@ const char *scene_class_name(scene_class c)
         return "attachments";
     case CLASS_SAMPLES:
         return "samples";
+    case CLASS_CLIP_DISTANCE:
+        return "clip-distances";
+    case CLASS_OUTLINES:
+        return "outlines";
     case CLASS_MIXED:
         return "mixed";
     case CLASS_SEQUENCES:
@@ -189,6 +197,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
     case CLASS_INPUTS:
         generate_inputs(&b);
         break;
+    case CLASS_DERIVATIVES:
+        generate_derivatives(&b);
+        break;
     case CLASS_STENCIL:
         generate_stencil(&b);
         break;
@@ -228,6 +239,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
     case CLASS_LINES:
         generate_lines(&b);
         break;
+    case CLASS_POINT_COORDINATES:
+        generate_point_coordinates(&b);
+        break;
     case CLASS_FORMATS:
         generate_formats(&b);
         break;
@@ -239,6 +253,12 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_ATTACHMENTS:
         generate_attachments(&b);
+        break;
+    case CLASS_CLIP_DISTANCE:
+        generate_clip_distance(&b);
+        break;
+    case CLASS_OUTLINES:
+        generate_outlines(&b);
         break;
     default:
         generate_mixed(&b);

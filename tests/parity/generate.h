@@ -6,46 +6,50 @@
 #include "scene.h"
 
 typedef enum scene_class {
-    CLASS_TINY,          /* triangles smaller than a few pixels */
-    CLASS_SLIVERS,       /* long and thin */
-    CLASS_TIES,          /* vertices and edges on pixel centres and their halves */
-    CLASS_HUGE,          /* up to 1e5 pixels and more */
-    CLASS_OFFSCREEN,     /* mostly outside the view volume, some on its border */
-    CLASS_BEHIND,        /* some w below 0 */
-    CLASS_NEAR_CROSSING, /* a camera inside its scene */
-    CLASS_DEGENERATE,    /* no area, repeated and collinear vertices, w = 0 */
-    CLASS_MESHES,        /* shared edges: grids and fans around points */
-    CLASS_PILES,         /* overlapping, depth tested, equal depths, interpenetrating */
-    CLASS_STRIPS,        /* strips and fans, leftover vertices */
-    CLASS_FRAMEBUFFERS,  /* odd sizes, fractional viewports */
-    CLASS_DEPTH_STATE,   /* formats, functions, write mask, ranges */
-    CLASS_CULLING,       /* culling, winding, provoking vertex */
-    CLASS_SEGMENTS,      /* slivers in draws longer than the reference takes at once */
-    CLASS_INTERPOLATION, /* smooth, noperspective, flat, w differing strongly */
-    CLASS_INDEXED,       /* 8, 16 and 32 bit indices, offsets, unused vertices */
-    CLASS_LIT,           /* flat and Gouraud shading under rotations */
-    CLASS_TEXTURED,      /* textures of all sizes, formats, wraps and filters */
-    CLASS_PHONG,         /* a user's shader: textured, a highlight at every pixel */
-    CLASS_INPUTS,        /* facing, primitive, position; discard, depth from the shader */
-    CLASS_STENCIL,       /* both faces, all functions, operations and masks */
-    CLASS_COUNTING,      /* samples passed, with discard, depth and stencil */
-    CLASS_FLOAT_COLOR,   /* RGBA32F */
-    CLASS_COLOR_RANGE,   /* colours outside 0..1 in RGBA8 */
-    CLASS_SCISSOR,       /* a rectangle of pixels, in blocks and strips, empty, outside */
-    CLASS_OFFSET,        /* polygon offset */
-    CLASS_COLOR_MASK,    /* channels that are not written */
-    CLASS_BLEND,         /* factors, equations, separate alpha, constants */
-    CLASS_FLOAT_BLEND,   /* the same in RGBA32F, R32F, RGBA16F */
-    CLASS_LOGIC,         /* logical operations on colours */
-    CLASS_CLIP_DEPTH,    /* depth clamp, clip depths from 0 to 1 */
-    CLASS_POINTS,        /* sizes of the state and of the vertex shader */
-    CLASS_LINES,         /* separate, strips and loops, of all widths */
-    CLASS_FORMATS,       /* every colour format, at the edges of its conversion */
-    CLASS_INSTANCES,     /* instances, base vertex, primitive restart */
-    CLASS_ATTACHMENTS,   /* several colours, holes, a blending and mask for each */
-    CLASS_SAMPLES,       /* several samples a pixel */
-    CLASS_MIXED,         /* several draws of several of the above */
-    CLASS_SEQUENCES,     /* 7 to 20 draws, all states at random, clears between some */
+    CLASS_TINY,              /* triangles smaller than a few pixels */
+    CLASS_SLIVERS,           /* long and thin */
+    CLASS_TIES,              /* vertices and edges on pixel centres and their halves */
+    CLASS_HUGE,              /* up to 1e5 pixels and more */
+    CLASS_OFFSCREEN,         /* mostly outside the view volume, some on its border */
+    CLASS_BEHIND,            /* some w below 0 */
+    CLASS_NEAR_CROSSING,     /* a camera inside its scene */
+    CLASS_DEGENERATE,        /* no area, repeated and collinear vertices, w = 0 */
+    CLASS_MESHES,            /* shared edges: grids and fans around points */
+    CLASS_PILES,             /* overlapping, depth tested, equal depths, interpenetrating */
+    CLASS_STRIPS,            /* strips and fans, leftover vertices */
+    CLASS_FRAMEBUFFERS,      /* odd sizes, fractional viewports */
+    CLASS_DEPTH_STATE,       /* formats, functions, write mask, ranges */
+    CLASS_CULLING,           /* culling, winding, provoking vertex */
+    CLASS_SEGMENTS,          /* slivers in draws longer than the reference takes at once */
+    CLASS_INTERPOLATION,     /* smooth, noperspective, flat, w differing strongly */
+    CLASS_INDEXED,           /* 8, 16 and 32 bit indices, offsets, unused vertices */
+    CLASS_LIT,               /* flat and Gouraud shading under rotations */
+    CLASS_TEXTURED,          /* textures of all sizes, formats, wraps and filters */
+    CLASS_PHONG,             /* a user's shader: textured, a highlight at every pixel */
+    CLASS_INPUTS,            /* facing, primitive, position; discard, depth from the shader */
+    CLASS_DERIVATIVES,       /* differences in quads, also at edges of triangles and targets */
+    CLASS_STENCIL,           /* both faces, all functions, operations and masks */
+    CLASS_COUNTING,          /* samples passed, with discard, depth and stencil */
+    CLASS_FLOAT_COLOR,       /* RGBA32F */
+    CLASS_COLOR_RANGE,       /* colours outside 0..1 in RGBA8 */
+    CLASS_SCISSOR,           /* a rectangle of pixels, in blocks and strips, empty, outside */
+    CLASS_OFFSET,            /* polygon offset */
+    CLASS_COLOR_MASK,        /* channels that are not written */
+    CLASS_BLEND,             /* factors, equations, separate alpha, constants */
+    CLASS_FLOAT_BLEND,       /* the same in RGBA32F, R32F, RGBA16F */
+    CLASS_LOGIC,             /* logical operations on colours */
+    CLASS_CLIP_DEPTH,        /* depth clamp, clip depths from 0 to 1 */
+    CLASS_POINTS,            /* sizes of the state and of the vertex shader */
+    CLASS_LINES,             /* separate, strips and loops, of all widths */
+    CLASS_POINT_COORDINATES, /* where in its point a fragment is */
+    CLASS_FORMATS,           /* every colour format, at the edges of its conversion */
+    CLASS_INSTANCES,         /* instances, base vertex, primitive restart */
+    CLASS_CLIP_DISTANCE,     /* planes of the user's */
+    CLASS_OUTLINES,          /* triangles drawn as lines and points, by face */
+    CLASS_ATTACHMENTS,       /* several colours, holes, a blending and mask for each */
+    CLASS_SAMPLES,           /* several samples a pixel */
+    CLASS_MIXED,             /* several draws of several of the above */
+    CLASS_SEQUENCES,         /* 7 to 20 draws, all states at random, clears between some */
     CLASS_COUNT
 } scene_class;
 

@@ -28,6 +28,8 @@ void random_inputs(builder *b)
     b->state.fragment_reads_primitive = random_chance(r, 50);
     b->state.fragment_discards = random_chance(r, 50);
     b->state.fragment_writes_depth = random_chance(r, 40);
+    b->state.fragment_reads_point_coordinate =
+        b->state.topology == GN_POINTS && random_chance(r, 50);
     stretch_colors(b);
 }
 
@@ -76,6 +78,43 @@ void generate_counting(builder *b)
         if (random_chance(r, 20))
             random_inputs(b);
         b->counted = random_chance(r, 80);
+        builder_draw(b);
+    }
+}
+
+void random_derivatives(builder *b)
+{
+    static const gn_interpolation mixed[] = {GN_SMOOTH, GN_NOPERSPECTIVE, GN_SMOOTH, GN_FLAT};
+    random_source *r = &b->random;
+    const bool one = random_chance(r, 70);
+    const gn_interpolation all = (gn_interpolation)random_below(r, 2);
+    b->shader = SCENE_DERIVATIVES;
+    for (int i = 0; i < 4; i++)
+        b->state.interpolation[i] = one ? all : mixed[i];
+    /* So steep that bytes show it. */
+    const float scale = b->scene->color_format == GN_FORMAT_RGBA32F ? 1.0f : 16.0f;
+    for (uint32_t i = 0; i < b->vertex_count; i++)
+        for (int c = 0; c < 4; c++)
+            b->vertices[i].color[c] = (b->vertices[i].color[c] - 0.5f) * scale;
+}
+
+void generate_derivatives(builder *b)
+{
+    random_source *r = &b->random;
+    builder_common_target(b);
+    if (random_chance(r, 80))
+        b->scene->color_format = GN_FORMAT_RGBA32F;
+    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
+        builder_common_state(b);
+        b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+        const uint32_t kind = random_below(r, 20);
+        if (kind == 0)
+            shape_points(b, builder_triangle_count(b));
+        else if (kind == 1)
+            shape_lines(b, builder_triangle_count(b));
+        else
+            shape_any(b, builder_triangle_count(b));
+        random_derivatives(b);
         builder_draw(b);
     }
 }

@@ -42,9 +42,10 @@ void shape_points(builder *b, uint32_t count)
     const placement p = (placement)random_below(r, PLACE_COUNT);
     b->state.topology = GN_POINTS;
     b->state.point_size = random_size(r);
+    b->state.point_origin = (gn_point_origin)random_below(r, 2);
     /* Sizes of the vertex shader are cut off at the viewport (reference/RULES.md). */
     b->state.program_point_size =
-        b->shader == SCENE_VERTEX_COLOR && !b->state.viewport.set && random_chance(r, 50);
+        scene_shader_has_sizes(b->shader) && !b->state.viewport.set && random_chance(r, 50);
     for (uint32_t i = 0; i < count; i++) {
         place_end(b, p);
         b->vertices[b->vertex_count - 1].texcoord[0] =
@@ -101,12 +102,16 @@ static void random_state(builder *b)
     b->uniforms.light.diffuse = (gn_vec3){0.75f, 0.5f, 0.5f};
 }
 
+static void random_target(builder *b)
+{
+    builder_common_target(b);
+    if (random_chance(&b->random, 25))
+        b->scene->color_format = GN_FORMAT_RGBA32F;
+}
+
 static void generate(builder *b, void (*shape)(builder *, uint32_t))
 {
     random_source *r = &b->random;
-    builder_common_target(b);
-    if (random_chance(r, 25))
-        b->scene->color_format = GN_FORMAT_RGBA32F;
     for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
         random_state(b);
         shape(b, builder_triangle_count(b));
@@ -125,10 +130,95 @@ static void generate(builder *b, void (*shape)(builder *, uint32_t))
 
 void generate_points(builder *b)
 {
+    random_target(b);
     generate(b, shape_points);
 }
 
 void generate_lines(builder *b)
 {
+    random_target(b);
     generate(b, shape_lines);
+}
+
+void generate_point_coordinates(builder *b)
+{
+    random_source *r = &b->random;
+    builder_common_target(b);
+    if (random_chance(r, 70))
+        b->scene->color_format = GN_FORMAT_RGBA32F;
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+        builder_common_state(b);
+        b->shader = SCENE_INPUTS;
+        shape_points(b, builder_triangle_count(b));
+        random_inputs(b);
+        b->state.fragment_reads_point_coordinate = true;
+        if (random_chance(r, 20))
+            shape_elements(b);
+        builder_draw(b);
+    }
+}
+
+void state_outlines(builder *b)
+{
+    random_source *r = &b->random;
+    b->state.polygon_mode_front = (gn_polygon_mode)random_below(r, 3);
+    b->state.polygon_mode_back =
+        random_chance(r, 40) ? b->state.polygon_mode_front : (gn_polygon_mode)random_below(r, 3);
+    b->state.line_width = random_chance(r, 60) ? 0.0f : random_size(r);
+    b->state.point_size = random_size(r);
+}
+
+/* Stencil: the reference takes the wrong face (reference/RULES.md). */
+void fit_outlines(builder *b)
+{
+    const bool unfilled = b->state.polygon_mode_front != GN_POLYGON_FILL ||
+                          b->state.polygon_mode_back != GN_POLYGON_FILL;
+    if (unfilled && b->state.stencil_test && b->shader != SCENE_INPUTS)
+        b->state.stencil_back = b->state.stencil_front;
+}
+
+static void shape_outlines(builder *b, uint32_t count)
+{
+    random_source *r = &b->random;
+    state_outlines(b);
+    b->state.front_face = (gn_front_face)random_below(r, 2);
+    b->state.cull = (gn_cull)(random_chance(r, 40) ? random_below(r, 3) : 0);
+    b->state.depth_clamp = random_chance(r, 10);
+    switch (random_below(r, 4)) {
+    case 0:
+        shape_any_grid(b, 5);
+        break;
+    case 1:
+        shape_strip(b, count);
+        break;
+    default:
+        b->state.program_point_size = b->shader == SCENE_VERTEX_COLOR && random_chance(r, 50);
+        shape_any(b, 1 + count / 3);
+        for (uint32_t i = 0; i < b->vertex_count; i++)
+            b->vertices[i].texcoord[0] = random_size(r);
+        break;
+    }
+    if (random_chance(r, 15))
+        random_clip_planes(b, 1 + random_below(r, 3));
+    if (random_chance(r, 20))
+        random_inputs(b);
+    if (random_chance(r, 25))
+        random_stencil(b);
+    if (random_chance(r, 25)) {
+        b->state.polygon_offset = random_polygon_offset(b);
+        b->state.depth_range.set = random_chance(r, 50);
+        b->state.depth_range.z_near = 0.25f;
+        b->state.depth_range.z_far = random_chance(r, 50) ? 0.75f : 0.0f;
+    }
+    fit_outlines(b);
+    b->counted = random_chance(r, 10);
+}
+
+void generate_outlines(builder *b)
+{
+    static const gn_format depths[] = {GN_FORMAT_D16,   GN_FORMAT_D24,    GN_FORMAT_D32F,
+                                       GN_FORMAT_D24S8, GN_FORMAT_D32FS8, GN_FORMAT_S8};
+    random_target(b);
+    b->scene->depth_format = depths[random_below(&b->random, 6)];
+    generate(b, shape_outlines);
 }

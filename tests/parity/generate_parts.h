@@ -63,6 +63,9 @@ void shape_any(builder *b, uint32_t count);
 /* Makes the next draw's shader that of reference/scene/inputs.h. */
 void random_inputs(builder *b);
 
+/* Makes it that of reference/scene/derivatives.h. */
+void random_derivatives(builder *b);
+
 /* A random stencil test of the next draw. */
 void random_stencil(builder *b);
 /* Points or lines; sets the topology and sizes. */
@@ -74,6 +77,15 @@ gn_format random_color_format(builder *b);
 /* Restarts among the indices there are, a base vertex, instances: each now and then. Of a
  * draw without indices, instances alone. */
 void shape_elements(builder *b);
+
+/* Clip distances of the next draw, whose vertices are there. */
+void random_clip_planes(builder *b, uint32_t count);
+
+/* Polygon modes by face, with widths and sizes. */
+void state_outlines(builder *b);
+
+/* Of a draw with polygon modes: takes out what the reference draws otherwise than OpenGL. */
+void fit_outlines(builder *b);
 
 /* One class each, from the target on. */
 void generate_meshes(builder *b);
@@ -89,6 +101,7 @@ void generate_lit(builder *b);
 void generate_textured(builder *b);
 void generate_phong(builder *b);
 void generate_inputs(builder *b);
+void generate_derivatives(builder *b);
 void generate_stencil(builder *b);
 void generate_counting(builder *b);
 void generate_float_color(builder *b);
@@ -102,9 +115,12 @@ void generate_logic(builder *b);
 void generate_clip_depth(builder *b);
 void generate_points(builder *b);
 void generate_lines(builder *b);
+void generate_point_coordinates(builder *b);
 void generate_formats(builder *b);
 void generate_instances(builder *b);
 void generate_attachments(builder *b);
+void generate_clip_distance(builder *b);
+void generate_outlines(builder *b);
 void generate_mixed(builder *b);
 
 void generate_sequences(builder *b);

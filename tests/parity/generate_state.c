@@ -324,6 +324,8 @@ static void mixed_draw(builder *b)
     b->uniforms.light.ambient = (gn_vec3){0.25f, 0.25f, 0.5f};
     b->uniforms.light.diffuse = (gn_vec3){0.75f, 0.5f, 0.5f};
 
+    if (random_chance(r, 15))
+        state_outlines(b);
     const uint32_t count = 1 + builder_triangle_count(b) / 3;
     const bool empty = b->state.viewport.set &&
                        (b->state.viewport.width == 0.0f || b->state.viewport.height == 0.0f);
@@ -364,11 +366,16 @@ static void mixed_draw(builder *b)
         random_outputs(b);
     if (random_chance(r, 10))
         random_inputs(b);
+    else if (random_chance(r, 5))
+        random_derivatives(b);
     if (random_chance(r, 20))
         random_stencil(b);
+    fit_outlines(b);
     b->counted = random_chance(r, 10);
     if (random_chance(r, 25))
         shape_elements(b);
+    if (random_chance(r, 15))
+        random_clip_planes(b, 1 + random_below(r, 2));
     builder_draw(b);
 }
 

@@ -160,3 +160,78 @@ void generate_clip_depth(builder *b)
         builder_draw(b);
     }
 }
+
+void random_clip_planes(builder *b, uint32_t count)
+{
+    random_source *r = &b->random;
+    b->state.clip_distance_count = count;
+    for (uint32_t i = 0; i < count; i++) {
+        float *p = b->clip_plane[i];
+        for (int c = 0; c < 3; c++)
+            p[c] = random_float(r, -1.0f, 1.0f);
+        p[3] = random_float(r, -0.2f, 1.0f);
+        switch (random_below(r, 8)) {
+        case 0: /* across one axis */
+            p[random_below(r, 3)] = 0.0f;
+            p[random_below(r, 3)] = 0.0f;
+            break;
+        case 1: /* through a vertex, about */
+            if (b->vertex_count > 0) {
+                const vertex *v = &b->vertices[random_below(r, b->vertex_count)];
+                const float d = p[0] * v->position[0] + p[1] * v->position[1];
+                p[3] = -(d + p[2] * v->position[2]) / (v->position[3] != 0.0f ? v->position[3] : 1);
+            }
+            break;
+        case 2: { /* nearly all, and all, inside or outside */
+            const float sign = random_sign(r);
+            p[3] = sign * random_octave(r, 0, 6);
+            break;
+        }
+        case 3: {
+            const float scale = random_octave(r, -20, 20);
+            for (int c = 0; c < 4; c++)
+                p[c] *= scale;
+            break;
+        }
+        default:
+            break;
+        }
+    }
+}
+
+void generate_clip_distance(builder *b)
+{
+    random_source *r = &b->random;
+    builder_common_target(b);
+    for (uint32_t draws = 1 + random_below(r, 4); draws > 0; draws--) {
+        builder_common_state(b);
+        b->state.cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
+        b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+        b->state.depth_clamp = random_chance(r, 10);
+        const bool flat = random_chance(r, 25);
+        for (int i = 0; flat && i < 4; i++)
+            b->state.interpolation[i] = GN_FLAT;
+        const uint32_t count = 1 + builder_triangle_count(b) / 2;
+        switch (random_below(r, 6)) {
+        case 0:
+            shape_any_grid(b, 6);
+            break;
+        case 1:
+            shape_strip(b, count);
+            break;
+        case 2:
+            shape_lines(b, count);
+            for (int i = 0; !flat && i < 4; i++)
+                b->state.interpolation[i] = (gn_interpolation)random_below(r, 2);
+            break;
+        case 3:
+            shape_points(b, count);
+            break;
+        default:
+            shape_any(b, count);
+            break;
+        }
+        random_clip_planes(b, random_chance(r, 60) ? 1 + random_below(r, 2) : random_below(r, 9));
+        builder_draw(b);
+    }
+}

@@ -51,6 +51,7 @@ static void copy_draw(scene *to, const scene_draw *from, const mesh_selection *s
     d->uniforms.sampler = from->uniforms.sampler;
     d->view_from_model = from->view_from_model;
     d->specular = from->specular;
+    memcpy(d->clip_plane, from->clip_plane, sizeof d->clip_plane);
     for (int a = 0; a < GN_MAX_ATTRIBUTES; a++)
         copy_attribute(&from->mesh, a, selection, d);
     if (selection->keep_indices && from->mesh.index_format != GN_INDEX_NONE) {

@@ -89,7 +89,13 @@ static bool refuses_the_rest(const gn_target *target, gn_pipeline pipeline, cons
     pipeline = good;
     pipeline.color_count = 2;
     refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
-    return refused == 4;
+    pipeline = good;
+    pipeline.clip_distance_count = 1;
+    refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
+    pipeline = good;
+    pipeline.polygon_mode_front = GN_POLYGON_LINE;
+    refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
+    return refused == 6;
 }
 #endif
 

@@ -74,7 +74,7 @@ static enum theft_trial_res any_workspace(struct theft *t, void *argument)
     const instance *i = argument;
     scene *s = scene_of(i);
     (void)t;
-    const size_t least = gn_workspace_size(0, SCENE_VARYINGS);
+    const size_t least = gn_workspace_size(0, scene_varyings(s));
     const bool same = same_picture(s, 0, s, least + (i->choice & 3 ? i->choice : 0));
     scene_free(s);
     return verdict(same);

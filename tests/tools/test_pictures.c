@@ -55,6 +55,25 @@ static void vertex_colors_fill_the_picture(void **state)
     picture_free(&p);
 }
 
+/* From 10.25 to 30.75 in both directions, with the diagonal that goes up to the right. */
+static void wireframe_draws_the_edges(void **state)
+{
+    static const char from[] = "--eye 0,0,5 --target 0,0,0 --orthographic 4 --shader color"
+                               " --size 41x41 --wireframe";
+    (void)state;
+    write_text("red.obj", red_square);
+    picture p = render("red.obj", from);
+    for (uint32_t x = 0; x < 41; x++) {
+        const bool drawn = x == 10 || x == 14 || x == 30;
+        assert_int_equal(pixel(&p, x, 26), drawn ? 0xff0000ff : 0xedeeefff);
+    }
+    assert_int_equal(pixel(&p, 20, 10), 0xff0000ff);
+    assert_int_equal(pixel(&p, 20, 30), 0xff0000ff);
+    picture_free(&p);
+    run r = gnomon("render red.obj -o a.png --wireframe=yes");
+    assert_int_equal(r.status, 2);
+}
+
 static void background_is_what_was_asked_for(void **state)
 {
     (void)state;
@@ -418,6 +437,7 @@ int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(vertex_colors_fill_the_picture),
+        cmocka_unit_test(wireframe_draws_the_edges),
         cmocka_unit_test(background_is_what_was_asked_for),
         cmocka_unit_test(top_row_is_the_top),
         cmocka_unit_test(perspective_sees_the_angle_asked_for),

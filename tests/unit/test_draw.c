@@ -203,6 +203,42 @@ static void lines_leave_out_their_last_pixel(void **state)
     assert_true(pixel(1, 0) && pixel(5, 2) && !pixel(6, 1) && !pixel(3, 3));
 }
 
+/* A triangle near pixel centres, from (1, 1) to (6, 1) and (1, 6): the front as lines, the back as
+ * points, and clipped at the right, where the side of the view volume is no edge. */
+static void triangles_have_outlines(void **state)
+{
+    (void)state;
+    static const float front[12] = {-0.609375f, -0.609375f, 0,         1, 0.640625f, -0.609375f, 0,
+                                    1,          -0.609375f, 0.640625f, 0, 1};
+    static const float back[12] = {-0.609375f, -0.609375f, 0,          1, -0.609375f, 0.640625f, 0,
+                                   1,          0.640625f,  -0.609375f, 0, 1};
+    static const float across[12] = {-0.609375f, -0.609375f, 0,         1, 2.640625f, -0.609375f, 0,
+                                     1,          -0.609375f, 0.640625f, 0, 1};
+
+    reset(front, 3, GN_TRIANGLES);
+    c.pipeline.polygon_mode_front = GN_POLYGON_LINE;
+    c.pipeline.polygon_mode_back = GN_POLYGON_POINT;
+    assert_int_equal(draw(), GN_OK);
+    assert_int_equal(covered(), 15);
+    assert_true(pixel(1, 1) && pixel(6, 1) && pixel(1, 6) && !pixel(2, 2));
+
+    reset(back, 3, GN_TRIANGLES);
+    c.pipeline.polygon_mode_front = GN_POLYGON_LINE;
+    c.pipeline.polygon_mode_back = GN_POLYGON_POINT;
+    assert_int_equal(draw(), GN_OK);
+    assert_int_equal(covered(), 3);
+    assert_true(pixel(1, 1) && pixel(6, 1) && pixel(1, 6));
+    c.pipeline.cull = GN_CULL_BACK;
+    assert_int_equal(gn_clear_color(&c.target.color[0], 0, 0, 0, 0), GN_OK);
+    assert_int_equal(draw(), GN_OK);
+    assert_int_equal(covered(), 0);
+
+    reset(across, 3, GN_TRIANGLES);
+    c.pipeline.polygon_mode_front = GN_POLYGON_LINE;
+    assert_int_equal(draw(), GN_OK);
+    assert_true(pixel(7, 1) && !pixel(7, 2));
+}
+
 /* Pixel centres lie on the diagonal: the triangle to whose left edge it belongs
  * owns them. Window (0,0) (8,0) (0,8) has the diagonal as its right edge, the other
  * half has it on the left. */
@@ -578,6 +614,7 @@ int main(void)
         cmocka_unit_test(points_are_squares),
         cmocka_unit_test(shaders_give_point_sizes),
         cmocka_unit_test(lines_leave_out_their_last_pixel),
+        cmocka_unit_test(triangles_have_outlines),
         cmocka_unit_test(ties_belong_to_left_and_bottom_edges),
         cmocka_unit_test(winding_and_culling),
         cmocka_unit_test(flat_takes_the_provoking_vertex),

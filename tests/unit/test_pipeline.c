@@ -59,6 +59,10 @@ static void pipeline_faults(void **state)
     p.front_face = (gn_front_face)2;
     assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
     p = good_pipeline();
+    p.clip_distance_count = GN_MAX_CLIP_DISTANCES + 1;
+    assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
+    p.clip_distance_count = GN_MAX_CLIP_DISTANCES;
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
     p.clip_depth = (gn_clip_depth)2;
     assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
     p = good_pipeline();
@@ -165,6 +169,13 @@ static void size_faults(void **state)
     assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
     p.line_width = INFINITY;
     assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
+    p = good_pipeline();
+    p.polygon_mode_front = (gn_polygon_mode)3;
+    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    p.polygon_mode_front = GN_POLYGON_POINT;
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+    p.polygon_mode_back = (gn_polygon_mode)3;
+    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
 }
 
 static void viewport_faults(void **state)
@@ -322,12 +333,12 @@ static void workspace_sizes(void **state)
     const uint32_t counts[] = {0, 1, 15, 16, 17, 1000, 100000};
 
     for (size_t i = 0; i < sizeof counts / sizeof *counts; ++i) {
-        for (uint32_t v = 0; v <= GN_MAX_VARYINGS; v += 8) {
+        for (uint32_t v = 0; v <= GN_MAX_VARYINGS + GN_MAX_CLIP_DISTANCES; v += 8) {
             assert_int_equal(gn_workspace_size(counts[i], v), GN_WORKSPACE_SIZE(counts[i], v));
             assert_true(gn_workspace_size(counts[i], v) >= gn_workspace_size(0, v));
         }
     }
-    assert_int_equal(gn_workspace_size(1, GN_MAX_VARYINGS + 1), SIZE_MAX);
+    assert_int_equal(gn_workspace_size(1, GN_MAX_VARYINGS + GN_MAX_CLIP_DISTANCES + 1), SIZE_MAX);
 }
 
 int main(void)

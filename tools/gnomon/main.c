@@ -51,6 +51,7 @@ static const char picture_help[] =
     "                          reads. Otherwise the one the material names, or\n"
     "                          MODEL_diffuse.tga, .png or .jpg beside MODEL.obj\n"
     "  --light X,Y,Z           direction towards the light; over the viewer's left shoulder\n"
+    "  --wireframe             the edges of triangles, one pixel wide\n"
     "  --background COLOR      #rrggbb or #rrggbbaa (the # may be left out); #edeeef\n"
     "\n"
     "Speed:\n"

@@ -29,7 +29,8 @@ enum {
     OPTION_TEXTURE,
     OPTION_BACKEND,
     OPTION_PICTURE,
-    OPTION_TESSELLATION
+    OPTION_TESSELLATION,
+    OPTION_WIREFRAME
 };
 
 #define MODEL_COMMANDS (COMMAND_RENDER | COMMAND_COMPARE)
@@ -54,6 +55,7 @@ static const struct {
     {"light", true, OPTION_LIGHT, MODEL_COMMANDS},
     {"texture", true, OPTION_TEXTURE, MODEL_COMMANDS},
     {"backend", true, OPTION_BACKEND, MODEL_COMMANDS},
+    {"wireframe", false, OPTION_WIREFRAME, MODEL_COMMANDS},
     {"depth", true, OPTION_DEPTH, COMMAND_RENDER},
     {"picture", true, OPTION_PICTURE, COMMAND_DEMO},
     {"tessellation", true, OPTION_TESSELLATION, COMMAND_DEMO},
@@ -176,6 +178,9 @@ static const char *take_value(int option, const char *text, options *o)
     case OPTION_TEXTURE:
         o->texture = text;
         return *text != '\0' ? NULL : "a file name";
+    case OPTION_WIREFRAME:
+        o->wireframe = true;
+        return NULL;
     case OPTION_SIZE:
         return parse_size(text, &o->width, &o->height) ? NULL : "WIDTHxHEIGHT, as in 800x600";
     case OPTION_EYE:

@@ -34,6 +34,7 @@ typedef struct options {
     const char *texture;
     uint32_t width, height;
     shading shading;
+    bool wireframe;
     camera_options camera;
     float background[4];
     bool light_given;

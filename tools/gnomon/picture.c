@@ -200,6 +200,10 @@ int picture_describe(const options *o, scene **result)
         memcpy(s->clear_color, o->background, sizeof s->clear_color);
         s->clear_depth = 1.0f;
         fault = add_parts(o, &m, &view, o->light_given ? light : view.light_direction, s);
+        for (size_t i = 0; o->wireframe && i < s->draw_count; i++) {
+            s->draws[i].state.polygon_mode_front = GN_POLYGON_LINE;
+            s->draws[i].state.polygon_mode_back = GN_POLYGON_LINE;
+        }
         if (fault == 0)
             *result = s;
         else

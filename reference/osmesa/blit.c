@@ -1,0 +1,146 @@
+/* Blits between framebuffer objects: both surfaces are uploaded, and the destination is read
+ * back. */
+#include "gl.h"
+
+/* How OpenGL names a format, and what its pixels are in memory. */
+typedef struct image_format {
+    GLenum internal, format, type;
+} image_format;
+
+static image_format image_format_of(gn_format format)
+{
+    static const image_format formats[] = {
+        [GN_FORMAT_RGBA8] = {GL_RGBA8, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV},
+        [GN_FORMAT_RGBA32F] = {GL_RGBA32F, GL_RGBA, GL_FLOAT},
+        [GN_FORMAT_BGRA8] = {GL_RGBA8, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV},
+        [GN_FORMAT_R8] = {GL_R8, GL_RED, GL_UNSIGNED_BYTE},
+        [GN_FORMAT_RG8] = {GL_RG8, GL_RG, GL_UNSIGNED_BYTE},
+        [GN_FORMAT_RGB8] = {GL_RGB8, GL_RGB, GL_UNSIGNED_BYTE},
+        [GN_FORMAT_RGB565] = {GL_RGB565, GL_RGB, GL_UNSIGNED_SHORT_5_6_5},
+        [GN_FORMAT_RGB5_A1] = {GL_RGB5_A1, GL_RGBA, GL_UNSIGNED_SHORT_5_5_5_1},
+        [GN_FORMAT_RGBA4] = {GL_RGBA4, GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4},
+        [GN_FORMAT_R16] = {GL_R16, GL_RED, GL_UNSIGNED_SHORT},
+        [GN_FORMAT_RGBA16] = {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT},
+        [GN_FORMAT_R32F] = {GL_R32F, GL_RED, GL_FLOAT},
+        [GN_FORMAT_RGBA16F] = {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT},
+        [GN_FORMAT_SRGB8_A8] = {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV},
+        [GN_FORMAT_D16] = {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT},
+        [GN_FORMAT_D24] = {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT},
+        [GN_FORMAT_D32F] = {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT},
+        [GN_FORMAT_D24S8] = {GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8},
+        [GN_FORMAT_D32FS8] = {GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL,
+                              GL_FLOAT_32_UNSIGNED_INT_24_8_REV},
+        [GN_FORMAT_S8] = {GL_STENCIL_INDEX8, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE},
+    };
+
+    return formats[format];
+}
+
+static GLenum attachment_of(gn_format format)
+{
+    switch (image_format_of(format).format) {
+    case GL_DEPTH_COMPONENT:
+        return GL_DEPTH_ATTACHMENT;
+    case GL_DEPTH_STENCIL:
+        return GL_DEPTH_STENCIL_ATTACHMENT;
+    case GL_STENCIL_INDEX:
+        return GL_STENCIL_ATTACHMENT;
+    default:
+        return GL_COLOR_ATTACHMENT0;
+    }
+}
+
+/* A little more than the fraction itself, whether the driver rounds or cuts it off. */
+static uint32_t of_24_bits(uint32_t depth)
+{
+    const uint32_t whole = depth << 8 | depth >> 16;
+
+    return whole < UINT32_MAX - 32 ? whole + 32 : whole;
+}
+
+/* Words of depth, from Gnomon's form to OpenGL's or back. */
+static void turn_depths(gn_format format, void *pixels, size_t count, bool to_opengl)
+{
+    uint32_t *const word = pixels;
+
+    for (size_t i = 0; i < count; ++i) {
+        if (format == GN_FORMAT_D24)
+            word[i] = to_opengl ? of_24_bits(word[i]) : word[i] >> 8;
+        else if (format == GN_FORMAT_D24S8)
+            word[i] = to_opengl ? word[i] << 8 | word[i] >> 24 : word[i] >> 8 | word[i] << 24;
+        else if (format == GN_FORMAT_D32FS8)
+            word[2 * i + 1] &= 255;
+    }
+}
+
+typedef struct image {
+    GLuint texture, framebuffer;
+} image;
+
+/* A tightly packed surface as the texture of a framebuffer. */
+static image upload(const gn_surface *s)
+{
+    const image_format f = image_format_of(s->format);
+    const size_t count = (size_t)s->width * s->height;
+    image i = {0, 0};
+
+    glGenTextures(1, &i.texture);
+    glBindTexture(GL_TEXTURE_2D, i.texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    turn_depths(s->format, s->pixels, count, true);
+    glTexImage2D(GL_TEXTURE_2D, 0, (GLint)f.internal, (GLsizei)s->width, (GLsizei)s->height, 0,
+                 f.format, f.type, s->pixels);
+    turn_depths(s->format, s->pixels, count, false);
+    glGenFramebuffers(1, &i.framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, i.framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, attachment_of(s->format), GL_TEXTURE_2D, i.texture, 0);
+    if (attachment_of(s->format) != GL_COLOR_ATTACHMENT0) {
+        glDrawBuffer(GL_NONE);
+        glReadBuffer(GL_NONE);
+    }
+    return i;
+}
+
+static void discard(image i)
+{
+    glDeleteFramebuffers(1, &i.framebuffer);
+    glDeleteTextures(1, &i.texture);
+}
+
+static GLbitfield mask_of(const gn_surface *s, const gn_blit_options *options)
+{
+    if (attachment_of(s->format) == GL_COLOR_ATTACHMENT0)
+        return GL_COLOR_BUFFER_BIT;
+    return (options->keeps_depth ? 0 : GL_DEPTH_BUFFER_BIT) |
+           (options->keeps_stencil ? 0 : GL_STENCIL_BUFFER_BIT);
+}
+
+bool reference_blit(reference *r, const gn_surface *destination, const gn_rectangle *to,
+                    const gn_surface *source, const gn_rectangle *from,
+                    const gn_blit_options *options, char *error, size_t error_size)
+{
+    const image_format f = image_format_of(destination->format);
+    const gn_scissor *const scissor = &options->scissor;
+    const image source_image = upload(source);
+    const image destination_image = upload(destination);
+
+    (void)r;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, source_image.framebuffer);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, destination_image.framebuffer);
+    if (scissor->set) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(scissor->x, scissor->y, (GLsizei)scissor->width, (GLsizei)scissor->height);
+    }
+    glBlitFramebuffer(from->x0, from->y0, from->x1, from->y1, to->x0, to->y0, to->x1, to->y1,
+                      mask_of(destination, options),
+                      options->filter == GN_BLIT_LINEAR ? GL_LINEAR : GL_NEAREST);
+    glDisable(GL_SCISSOR_TEST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, destination_image.framebuffer);
+    glReadPixels(0, 0, (GLsizei)destination->width, (GLsizei)destination->height, f.format, f.type,
+                 destination->pixels);
+    turn_depths(destination->format, destination->pixels,
+                (size_t)destination->width * destination->height, false);
+    discard(source_image);
+    discard(destination_image);
+    return reference_check("blitting", error, error_size);
+}

@@ -1,0 +1,64 @@
+/* Which rectangles a blit is left with where they reach beyond the surfaces or the scissor. */
+#ifndef GN_DRAW_BLIT_CUT_H
+#define GN_DRAW_BLIT_CUT_H
+
+#include <stdbool.h>
+
+#include "gnomon/blit.h"
+
+/* One dimension of a rectangle: from a first end to a last, which may be below it. */
+typedef struct blit_range {
+    int32_t first, last;
+} blit_range;
+
+/* Moves the end of `cut` that is beyond `limit`, which one at most is, onto it, and the end of the
+ * other range in proportion, as counted from the lower end of `cut`, to the nearest number.
+ * `above` says on which side beyond is. */
+static inline void cut_end(blit_range *cut, blit_range *other, int32_t limit, bool above)
+{
+    const bool rises = cut->first < cut->last;
+    const int32_t low = rises ? cut->first : cut->last;
+    const int32_t high = rises ? cut->last : cut->first;
+    const int32_t anchor = rises ? other->first : other->last;
+    const int32_t end = rises ? other->last : other->first;
+
+    if (above ? high <= limit : low >= limit)
+        return;
+    const float length = (float)(limit - low) / (float)(high - low) * (float)(end - anchor);
+    const int32_t follows = anchor + (int32_t)(length + (length < 0.0f ? -0.5f : 0.5f));
+    if (rises == above) {
+        cut->last = limit;
+        other->last = follows;
+    } else {
+        cut->first = limit;
+        other->first = follows;
+    }
+}
+
+static inline bool lies_outside(const blit_range *r, int32_t low, int32_t high)
+{
+    return (r->first <= low && r->last <= low) || (r->first >= high && r->last >= high);
+}
+
+/* Cuts the ranges to low..high of the destination and 0..size of the source; false where
+ * nothing is left. */
+static inline bool cut_ranges(blit_range *to, blit_range *from, int32_t low, int32_t high,
+                              int32_t size)
+{
+    if (to->first == to->last || from->first == from->last || low >= high ||
+        lies_outside(to, low, high) || lies_outside(from, 0, size))
+        return false;
+    cut_end(to, from, high, true);
+    cut_end(to, from, low, false);
+
+    /* The counterpart of what is left may have no texel's width, and yet a place. */
+    if (from->first == from->last)
+        return from->first >= 0 && from->first <= size;
+    if (lies_outside(from, 0, size))
+        return false;
+    cut_end(from, to, size, true);
+    cut_end(from, to, 0, false);
+    return to->first != to->last;
+}
+
+#endif

@@ -1,0 +1,250 @@
+/* A scaled blit as the reference draws it: two triangles, clipped to the destination, over which
+ * texture coordinates are planes. Only their low bits depend on that, and with them which texel a
+ * pixel takes whose centre falls between two (reference/RULES.md). */
+#ifndef GN_DRAW_BLIT_QUAD_H
+#define GN_DRAW_BLIT_QUAD_H
+
+#include "../lanes/lanes.h"
+#include "gnomon/blit.h"
+
+/* A triangle has three vertices and one more a side of the destination. */
+#define BLIT_POLYGON 7
+#define BLIT_PIECES (2 * (BLIT_POLYGON - 2))
+
+typedef struct blit_vertex {
+    float clip[2], texture[2], window[2];
+    int32_t snapped[2];
+} blit_vertex;
+
+/* A triangle: inside where start - 256 * per_x * x + 256 * per_y * y > 0 for all three edges; a
+ * coordinate of the texture is per_y * y + (per_x * x + origin). */
+typedef struct blit_piece {
+    struct {
+        int64_t start;
+        int32_t per_x, per_y;
+    } edge[3];
+    struct {
+        float origin, per_x, per_y;
+    } plane[2];
+} blit_piece;
+
+typedef struct blit_quad {
+    blit_piece piece[BLIT_PIECES];
+    uint32_t count;
+    float scale[2]; /* of the viewport */
+} blit_quad;
+
+static inline void place_blit_vertex(const blit_quad *q, blit_vertex *v)
+{
+    int32_t rounded[GN_LANES];
+
+    for (int c = 0; c < 2; ++c) {
+        v->window[c] = v->clip[c] * q->scale[c] + q->scale[c];
+        lanes_i_store(rounded, lanes_round(lanes_splat((v->window[c] - 0.5f) * 256.0f)));
+        v->snapped[c] = rounded[0];
+    }
+}
+
+/* Sides of the destination, in the order of clipping. */
+enum { BLIT_RIGHT, BLIT_LEFT, BLIT_TOP, BLIT_BOTTOM, BLIT_SIDES };
+
+/* Not negative inside. */
+static inline float blit_distance(const blit_vertex *v, int side)
+{
+    const float c = v->clip[side / 2];
+
+    return side % 2 != 0 ? c + 1.0f : 1.0f - c;
+}
+
+static inline bool is_outside(const blit_vertex *v, int side)
+{
+    const float c = v->clip[side / 2];
+
+    return side % 2 != 0 ? !(0.0f <= c + 1.0f) : !(c <= 1.0f);
+}
+
+/* A new vertex at p + t * (q - p). Texture coordinates go by the window, as noperspective
+ * varyings do. */
+static inline void make_blit_vertex(const blit_quad *quad, blit_vertex *made, const blit_vertex *p,
+                                    const blit_vertex *q, float t)
+{
+    const int along = q->clip[0] != p->clip[0] ? 0 : 1;
+
+    for (int c = 0; c < 2; ++c)
+        made->clip[c] = p->clip[c] + t * (q->clip[c] - p->clip[c]);
+    if (q->clip[along] != p->clip[along])
+        t = (made->clip[along] - p->clip[along]) / (q->clip[along] - p->clip[along]);
+    for (int c = 0; c < 2; ++c)
+        made->texture[c] = p->texture[c] + t * (q->texture[c] - p->texture[c]);
+    place_blit_vertex(quad, made);
+}
+
+/* Clips a polygon to a side, as triangles are (geometry/clip.h). Gives the number of vertices. */
+static inline uint32_t clip_blit(const blit_quad *quad, int side, const blit_vertex *in,
+                                 uint32_t count, blit_vertex *out)
+{
+    const blit_vertex *previous = &in[0];
+    float previous_distance = blit_distance(previous, side);
+    uint32_t made = 0;
+
+    for (uint32_t n = 1; n <= count; ++n) {
+        const blit_vertex *const current = &in[n == count ? 0 : n];
+        const float distance = blit_distance(current, side);
+
+        if (made + 2 > BLIT_POLYGON)
+            return 0;
+        if (previous_distance >= 0.0f)
+            out[made++] = *previous;
+        if ((distance < 0.0f) != (previous_distance < 0.0f)) {
+            const float span = distance - previous_distance;
+            const bool leaving = distance < 0.0f;
+            const float outside = leaving ? -distance : -previous_distance;
+            const float inside = leaving ? previous_distance : distance;
+
+            if (leaving == (outside < inside))
+                make_blit_vertex(quad, &out[made++], current, previous, distance / span);
+            else
+                make_blit_vertex(quad, &out[made++], previous, current, -previous_distance / span);
+        }
+        previous = current;
+        previous_distance = distance;
+    }
+    return made;
+}
+
+/* Sets a triangle up as others are (raster/setup.h). Those of a blit are counter-clockwise, so
+ * that the first two vertices change places. */
+static inline void add_blit_piece(blit_quad *q, const blit_vertex *first, const blit_vertex *second,
+                                  const blit_vertex *c)
+{
+    const blit_vertex *const a = second;
+    const blit_vertex *const b = first;
+    const blit_vertex *const v[3] = {a, b, c};
+    blit_piece *const piece = &q->piece[q->count];
+    const int64_t area =
+        (int64_t)(a->snapped[0] - b->snapped[0]) * (c->snapped[1] - a->snapped[1]) -
+        (int64_t)(c->snapped[0] - a->snapped[0]) * (a->snapped[1] - b->snapped[1]);
+
+    if (area <= 0)
+        return;
+    ++q->count;
+    for (int i = 0; i < 3; ++i) {
+        const int32_t *const from = v[i]->snapped;
+        const int32_t *const to = v[i == 2 ? 0 : i + 1]->snapped;
+        const int32_t dx = from[1] - to[1];
+        const int32_t dy = from[0] - to[0];
+        const bool owns_ties = dx < 0 || (dx == 0 && dy > 0);
+
+        piece->edge[i].start = (int64_t)dx * from[0] - (int64_t)dy * from[1] + owns_ties;
+        piece->edge[i].per_x = dx;
+        piece->edge[i].per_y = dy;
+    }
+
+    float dx01 = a->window[0] - b->window[0];
+    float dy01 = a->window[1] - b->window[1];
+    float dx20 = c->window[0] - a->window[0];
+    float dy20 = c->window[1] - a->window[1];
+    const float one_over_area = 1.0f / (dx01 * dy20 - dx20 * dy01);
+    dx01 *= one_over_area;
+    dy01 *= one_over_area;
+    dx20 *= one_over_area;
+    dy20 *= one_over_area;
+    for (int n = 0; n < 2; ++n) {
+        const float da01 = a->texture[n] - b->texture[n];
+        const float da20 = c->texture[n] - a->texture[n];
+        const float per_x = da01 * dy20 - da20 * dy01;
+        const float per_y = da20 * dx01 - da01 * dx20;
+
+        piece->plane[n].per_x = per_x;
+        piece->plane[n].per_y = per_y;
+        piece->plane[n].origin =
+            a->texture[n] - (per_x * (a->window[0] - 0.5f) + per_y * (a->window[1] - 0.5f));
+    }
+}
+
+static inline void add_blit_triangle(blit_quad *q, const blit_vertex *a, const blit_vertex *b,
+                                     const blit_vertex *c)
+{
+    blit_vertex polygon[2][BLIT_POLYGON];
+    blit_vertex *in = polygon[0];
+    blit_vertex *out = polygon[1];
+    uint32_t count = 3;
+    bool is_clipped = false;
+
+    in[0] = *a;
+    in[1] = *b;
+    in[2] = *c;
+    for (int side = 0; side < BLIT_SIDES; ++side) {
+        if (!is_outside(a, side) && !is_outside(b, side) && !is_outside(c, side))
+            continue;
+        is_clipped = true;
+        count = clip_blit(q, side, in, count, out);
+        if (count < 3)
+            return;
+        blit_vertex *const swap = in;
+        in = out;
+        out = swap;
+    }
+    if (!is_clipped) {
+        add_blit_piece(q, a, b, c);
+        return;
+    }
+    for (uint32_t n = 2; n < count; ++n)
+        add_blit_piece(q, &in[n - 1], &in[n], &in[0]);
+}
+
+/* The pieces of a blit onto `to`, which is not mirrored. Texture coordinates are from 0 to 1 over
+ * the source. */
+static inline void set_blit_quad(blit_quad *q, const gn_surface *destination,
+                                 const gn_rectangle *to, const gn_surface *source,
+                                 const gn_rectangle *from)
+{
+    const float width = (float)destination->width;
+    const float height = (float)destination->height;
+    blit_vertex corner[4];
+
+    q->count = 0;
+    q->scale[0] = 0.5f * width;
+    q->scale[1] = 0.5f * height;
+    for (int n = 0; n < 4; ++n) {
+        const bool right = n == 1 || n == 2;
+        const bool top = n >= 2;
+        blit_vertex *const v = &corner[n];
+
+        v->clip[0] = (float)(right ? to->x1 : to->x0) / width * 2.0f - 1.0f;
+        v->clip[1] = (float)(top ? to->y1 : to->y0) / height * 2.0f - 1.0f;
+        v->texture[0] = (float)(right ? from->x1 : from->x0) / (float)source->width;
+        v->texture[1] = (float)(top ? from->y1 : from->y0) / (float)source->height;
+        place_blit_vertex(q, v);
+    }
+    add_blit_triangle(q, &corner[0], &corner[1], &corner[2]);
+    add_blit_triangle(q, &corner[0], &corner[2], &corner[3]);
+}
+
+/* The columns of a row that a piece covers, of those from *first to *end. */
+static inline void blit_columns(const blit_piece *p, int32_t y, int32_t *first, int32_t *end)
+{
+    int64_t value[3];
+    int32_t x = *first;
+    bool inside = false;
+
+    for (int i = 0; i < 3; ++i)
+        value[i] = p->edge[i].start - 256 * (int64_t)p->edge[i].per_x * x +
+                   256 * (int64_t)p->edge[i].per_y * y;
+    for (; x < *end; ++x) {
+        const bool covered = value[0] > 0 && value[1] > 0 && value[2] > 0;
+
+        if (covered && !inside)
+            *first = x;
+        if (!covered && inside)
+            break;
+        inside = covered;
+        for (int i = 0; i < 3; ++i)
+            value[i] -= 256 * (int64_t)p->edge[i].per_x;
+    }
+    if (!inside && x >= *end)
+        *first = x;
+    *end = x;
+}
+
+#endif

@@ -1,0 +1,22 @@
+/* The faults of descriptions in words. */
+#define GN_FAULT_TEXTS
+#include "pipeline_faults.h"
+#include "surface_faults.h"
+
+const char *gn_pipeline_fault(const gn_pipeline *pipeline)
+{
+    return fault_of_pipeline(pipeline);
+}
+
+const char *gn_mesh_fault(const gn_mesh *mesh)
+{
+    FAULT_FROM(fault_of_mesh(mesh));
+    FAULT_IF(mesh->index_format != GN_INDEX_NONE && !gn_indices_are_within(mesh),
+             GN_INDEX_OUT_OF_RANGE, "an index, with base_vertex, is not below vertex_count");
+    return NO_FAULT;
+}
+
+const char *gn_target_fault(const gn_target *target)
+{
+    return fault_of_target(target);
+}

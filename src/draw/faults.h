@@ -1,0 +1,56 @@
+/* The faults of descriptions, one line each: the status and the words. The functions of
+ * pipeline_faults.h and surface_faults.h are written once and compiled twice, into those that give
+ * statuses (check.c, surface.c) and, where this is included with GN_FAULT_TEXTS, into those that
+ * give the words (faults.c), which a program that does not ask for them has no bytes of. */
+#ifndef GN_DRAW_FAULTS_H
+#define GN_DRAW_FAULTS_H
+
+#include "gnomon/draw.h"
+
+#if defined(GN_FAULT_TEXTS)
+
+/* Null where there is no fault. */
+typedef const char *fault;
+#define NO_FAULT 0
+#define FAULT(status, text) (text)
+
+/* The words of the member `after` of one of eight; an array, since a table of pointers would
+ * need relocation. */
+#define FAULT_IF_EIGHTH(condition, i, status, before, after)                                       \
+    do {                                                                                           \
+        static const char texts[8][64] = {                                                         \
+            before "[0]" after, before "[1]" after, before "[2]" after, before "[3]" after,        \
+            before "[4]" after, before "[5]" after, before "[6]" after, before "[7]" after};       \
+        if (condition)                                                                             \
+            return texts[(i)&7];                                                                   \
+    } while (0)
+
+#else
+
+typedef gn_status fault;
+#define NO_FAULT GN_OK
+#define FAULT(status, text) (status)
+
+#define FAULT_IF_EIGHTH(condition, i, status, before, after)                                       \
+    do {                                                                                           \
+        if (condition)                                                                             \
+            return status;                                                                         \
+    } while (0)
+
+#endif
+
+#define FAULT_IF(condition, status, text)                                                          \
+    do {                                                                                           \
+        if (condition)                                                                             \
+            return FAULT(status, text);                                                            \
+    } while (0)
+
+/* Gives a fault that another function has found. */
+#define FAULT_FROM(found)                                                                          \
+    do {                                                                                           \
+        const fault from = (found);                                                                \
+        if (from)                                                                                  \
+            return from;                                                                           \
+    } while (0)
+
+#endif

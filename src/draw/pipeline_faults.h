@@ -1,0 +1,195 @@
+/* The first fault of a pipeline and of a mesh, in the order of their fields. */
+#ifndef GN_DRAW_PIPELINE_FAULTS_H
+#define GN_DRAW_PIPELINE_FAULTS_H
+
+#include "../math/bits.h"
+#include "check.h"
+#include "faults.h"
+
+static inline fault fault_of_viewport(const gn_viewport *v)
+{
+    const float limit = (float)GN_MAX_SIZE;
+
+    if (!v->set)
+        return NO_FAULT;
+    FAULT_IF(!gn_is_finite(v->x), GN_NOT_FINITE, "viewport.x is not finite");
+    FAULT_IF(!gn_is_finite(v->y), GN_NOT_FINITE, "viewport.y is not finite");
+    FAULT_IF(!gn_is_finite(v->width), GN_NOT_FINITE, "viewport.width is not finite");
+    FAULT_IF(!gn_is_finite(v->height), GN_NOT_FINITE, "viewport.height is not finite");
+    FAULT_IF(v->width < 0.0f || v->width > limit, GN_INVALID_VIEWPORT,
+             "viewport.width is not in 0 to GN_MAX_SIZE");
+    FAULT_IF(v->height < 0.0f || v->height > limit, GN_INVALID_VIEWPORT,
+             "viewport.height is not in 0 to GN_MAX_SIZE");
+    FAULT_IF(v->x < -limit || v->x > limit, GN_INVALID_VIEWPORT,
+             "viewport.x is not in -GN_MAX_SIZE to GN_MAX_SIZE");
+    FAULT_IF(v->y < -limit || v->y > limit, GN_INVALID_VIEWPORT,
+             "viewport.y is not in -GN_MAX_SIZE to GN_MAX_SIZE");
+    return NO_FAULT;
+}
+
+static inline fault fault_of_depth_range(const gn_depth_range *r)
+{
+    if (!r->set)
+        return NO_FAULT;
+    FAULT_IF(!gn_is_finite(r->z_near), GN_NOT_FINITE, "depth_range.z_near is not finite");
+    FAULT_IF(!gn_is_finite(r->z_far), GN_NOT_FINITE, "depth_range.z_far is not finite");
+    FAULT_IF(r->z_near < 0.0f || r->z_near > 1.0f, GN_OUT_OF_RANGE,
+             "depth_range.z_near is not in 0 to 1");
+    FAULT_IF(r->z_far < 0.0f || r->z_far > 1.0f, GN_OUT_OF_RANGE,
+             "depth_range.z_far is not in 0 to 1");
+    return NO_FAULT;
+}
+
+static inline fault fault_of_polygon_offset(const gn_polygon_offset *o)
+{
+    if (!o->set)
+        return NO_FAULT;
+    FAULT_IF(!gn_is_finite(o->factor), GN_NOT_FINITE, "polygon_offset.factor is not finite");
+    FAULT_IF(!gn_is_finite(o->units), GN_NOT_FINITE, "polygon_offset.units is not finite");
+    FAULT_IF(!gn_is_finite(o->clamp), GN_NOT_FINITE, "polygon_offset.clamp is not finite");
+    return NO_FAULT;
+}
+
+#define NO_FUNCTION "function is no gn_stencil_function"
+#define NO_OPERATION " is no gn_stencil_operation"
+
+static inline fault fault_of_stencil_front(const gn_stencil_face *f)
+{
+    const unsigned last = GN_STENCIL_DECREMENT_WRAP;
+
+    FAULT_IF((unsigned)f->function > GN_STENCIL_LESS, GN_INVALID_ENUM,
+             "stencil_front." NO_FUNCTION);
+    FAULT_IF((unsigned)f->fail > last, GN_INVALID_ENUM, "stencil_front.fail" NO_OPERATION);
+    FAULT_IF((unsigned)f->depth_fail > last, GN_INVALID_ENUM,
+             "stencil_front.depth_fail" NO_OPERATION);
+    FAULT_IF((unsigned)f->pass > last, GN_INVALID_ENUM, "stencil_front.pass" NO_OPERATION);
+    return NO_FAULT;
+}
+
+static inline fault fault_of_stencil_back(const gn_stencil_face *f)
+{
+    const unsigned last = GN_STENCIL_DECREMENT_WRAP;
+
+    FAULT_IF((unsigned)f->function > GN_STENCIL_LESS, GN_INVALID_ENUM, "stencil_back." NO_FUNCTION);
+    FAULT_IF((unsigned)f->fail > last, GN_INVALID_ENUM, "stencil_back.fail" NO_OPERATION);
+    FAULT_IF((unsigned)f->depth_fail > last, GN_INVALID_ENUM,
+             "stencil_back.depth_fail" NO_OPERATION);
+    FAULT_IF((unsigned)f->pass > last, GN_INVALID_ENUM, "stencil_back.pass" NO_OPERATION);
+    return NO_FAULT;
+}
+
+#define NO_EQUATION " is no gn_blend_equation"
+#define NO_FACTOR " is no gn_blend_factor"
+
+/* Of attachment i. */
+static inline fault fault_of_blend(const gn_blend *b, int i, const float constant[4])
+{
+    const unsigned equation = GN_EQUATION_MAX, factor = GN_FACTOR_SOURCE_ALPHA_SATURATE;
+
+    (void)i;
+    FAULT_IF_EIGHTH((unsigned)b->equation > equation, i, GN_INVALID_ENUM, "blend",
+                    ".equation" NO_EQUATION);
+    FAULT_IF_EIGHTH((unsigned)b->source > factor, i, GN_INVALID_ENUM, "blend", ".source" NO_FACTOR);
+    FAULT_IF_EIGHTH((unsigned)b->destination > factor, i, GN_INVALID_ENUM, "blend",
+                    ".destination" NO_FACTOR);
+    FAULT_IF_EIGHTH((unsigned)b->alpha_equation > equation, i, GN_INVALID_ENUM, "blend",
+                    ".alpha_equation" NO_EQUATION);
+    FAULT_IF_EIGHTH((unsigned)b->alpha_source > factor, i, GN_INVALID_ENUM, "blend",
+                    ".alpha_source" NO_FACTOR);
+    FAULT_IF_EIGHTH((unsigned)b->alpha_destination > factor, i, GN_INVALID_ENUM, "blend",
+                    ".alpha_destination" NO_FACTOR);
+    for (int c = 0; b->enabled && c < 4; ++c)
+        FAULT_IF(!gn_is_finite(constant[c]), GN_NOT_FINITE,
+                 "a number of blend_constant is not finite");
+    return NO_FAULT;
+}
+
+static inline fault fault_of_pipeline(const gn_pipeline *p)
+{
+    FAULT_IF(!p, GN_NULL_POINTER, "the pipeline is null");
+    FAULT_IF(!p->vertex_shader, GN_NO_SHADER, "vertex_shader is null");
+    FAULT_IF(!p->fragment_shader && p->fragment_discards, GN_NO_SHADER,
+             "fragment_discards, but fragment_shader is null");
+    FAULT_IF(!p->fragment_shader && p->fragment_writes_depth, GN_NO_SHADER,
+             "fragment_writes_depth, but fragment_shader is null");
+    FAULT_IF(p->varying_count > GN_MAX_VARYINGS, GN_TOO_MANY_VARYINGS,
+             "varying_count is above GN_MAX_VARYINGS");
+    for (uint32_t n = 0; n < p->varying_count; ++n)
+        FAULT_IF((unsigned)p->interpolation[n] > GN_FLAT, GN_INVALID_ENUM,
+                 "interpolation of a varying is no gn_interpolation");
+    FAULT_IF((unsigned)p->topology > GN_LINE_LOOP, GN_INVALID_ENUM, "topology is no gn_topology");
+    FAULT_IF((unsigned)p->provoking_vertex > GN_PROVOKING_FIRST, GN_INVALID_ENUM,
+             "provoking_vertex is no gn_provoking_vertex");
+    FAULT_IF((unsigned)p->cull > GN_CULL_FRONT_AND_BACK, GN_INVALID_ENUM, "cull is no gn_cull");
+    FAULT_IF((unsigned)p->front_face > GN_FRONT_CLOCKWISE, GN_INVALID_ENUM,
+             "front_face is no gn_front_face");
+    FAULT_FROM(fault_of_viewport(&p->viewport));
+    FAULT_FROM(fault_of_depth_range(&p->depth_range));
+    FAULT_FROM(fault_of_polygon_offset(&p->polygon_offset));
+    FAULT_IF((unsigned)p->clip_depth > GN_ZERO_TO_ONE, GN_INVALID_ENUM,
+             "clip_depth is no gn_clip_depth");
+    FAULT_IF(p->clip_distance_count > GN_MAX_CLIP_DISTANCES, GN_OUT_OF_RANGE,
+             "clip_distance_count is above GN_MAX_CLIP_DISTANCES");
+    FAULT_IF((unsigned)p->depth_function > GN_ALWAYS, GN_INVALID_ENUM,
+             "depth_function is no gn_compare");
+    FAULT_FROM(fault_of_stencil_front(&p->stencil_front));
+    FAULT_FROM(fault_of_stencil_back(&p->stencil_back));
+    FAULT_IF(p->color_count > GN_MAX_COLORS, GN_OUT_OF_RANGE, "color_count is above GN_MAX_COLORS");
+    for (int i = 0; i < GN_MAX_COLORS; ++i) {
+        FAULT_IF_EIGHTH(p->color_write_disabled[i] > GN_CHANNEL_ALL, i, GN_OUT_OF_RANGE,
+                        "color_write_disabled", " has bits beyond GN_CHANNEL_ALL");
+        FAULT_FROM(fault_of_blend(&p->blend[i], i, p->blend_constant));
+    }
+    FAULT_IF((unsigned)p->logic_operation > GN_LOGIC_SET, GN_INVALID_ENUM,
+             "logic_operation is no gn_logic_operation");
+    FAULT_IF(!gn_is_finite(p->point_size), GN_NOT_FINITE, "point_size is not finite");
+    FAULT_IF(p->point_size < 0.0f, GN_OUT_OF_RANGE, "point_size is below 0");
+    FAULT_IF(!gn_is_finite(p->line_width), GN_NOT_FINITE, "line_width is not finite");
+    FAULT_IF(p->line_width < 0.0f, GN_OUT_OF_RANGE, "line_width is below 0");
+    FAULT_IF(p->samples_disabled >= 1u << GN_SAMPLES, GN_OUT_OF_RANGE,
+             "samples_disabled has bits beyond GN_SAMPLES");
+    FAULT_IF((unsigned)p->point_origin > GN_POINT_LOWER_LEFT, GN_INVALID_ENUM,
+             "point_origin is no gn_point_origin");
+    FAULT_IF((unsigned)p->polygon_mode_front > GN_POLYGON_POINT, GN_INVALID_ENUM,
+             "polygon_mode_front is no gn_polygon_mode");
+    FAULT_IF((unsigned)p->polygon_mode_back > GN_POLYGON_POINT, GN_INVALID_ENUM,
+             "polygon_mode_back is no gn_polygon_mode");
+    return NO_FAULT;
+}
+
+/* But for what its indices are. */
+static inline fault fault_of_mesh(const gn_mesh *mesh)
+{
+    FAULT_IF(!mesh, GN_NULL_POINTER, "the mesh is null");
+    FAULT_IF((unsigned)mesh->index_format > GN_INDEX_UINT32, GN_INVALID_ENUM,
+             "index_format is no gn_index_format");
+    FAULT_IF((unsigned)mesh->restart > GN_RESTART_INDEX, GN_INVALID_ENUM,
+             "restart is no gn_restart");
+
+    const bool indexed = mesh->index_format != GN_INDEX_NONE;
+    FAULT_IF(indexed && !mesh->indices && mesh->count > 0, GN_NULL_POINTER,
+             "indices is null, but index_format is not GN_INDEX_NONE");
+    FAULT_IF((mesh->index_format == GN_INDEX_UINT16 && (uintptr_t)mesh->indices % 2 != 0) ||
+                 (mesh->index_format == GN_INDEX_UINT32 && (uintptr_t)mesh->indices % 4 != 0),
+             GN_MISALIGNED, "indices is not aligned to an index");
+
+    for (int a = 0; a < GN_MAX_ATTRIBUTES; ++a) {
+        const gn_attribute *attribute = &mesh->attribute[a];
+
+        if (!attribute->data)
+            continue;
+        FAULT_IF_EIGHTH((uintptr_t)attribute->data % 4 != 0, a, GN_MISALIGNED, "attribute",
+                        ".data is not aligned to a float");
+        FAULT_IF_EIGHTH(attribute->components < 1 || attribute->components > 4, a,
+                        GN_INVALID_ATTRIBUTE, "attribute", ".components is not in 1 to 4");
+        FAULT_IF_EIGHTH(attribute->stride % 4 != 0, a, GN_INVALID_ATTRIBUTE, "attribute",
+                        ".stride is no multiple of 4");
+    }
+    FAULT_IF(!indexed && mesh->count > 0 && mesh->count > mesh->vertex_count, GN_INDEX_OUT_OF_RANGE,
+             "count is above vertex_count");
+    FAULT_IF(!indexed && mesh->count > 0 && mesh->first > mesh->vertex_count - mesh->count,
+             GN_INDEX_OUT_OF_RANGE, "first + count is above vertex_count");
+    return NO_FAULT;
+}
+
+#endif

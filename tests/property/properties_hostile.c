@@ -1,0 +1,329 @@
+/* Draws under any state of any numbers write where they may and nowhere else: pixels of the
+ * target inside the scissor, nothing at all where a status says so. */
+#include <float.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gnomon.h>
+
+#include "properties_draw.h"
+#include "random.h"
+
+#define MAX_VERTICES 24
+#define MAX_INDICES 40
+#define PADDING 4 /* pixels around the surface and at the end of each row */
+#define GUARD 0x5A
+
+typedef struct hostile {
+    uint32_t width, height;
+    gn_format color, depth;
+    bool top_down;
+    gn_pipeline pipeline; /* short of shaders */
+    gn_mesh mesh;         /* short of pointers */
+    float position[MAX_VERTICES][4];
+    float varying[MAX_VERTICES][4]; /* the first is a point's size too */
+    uint16_t indices[MAX_INDICES];
+    gn_backend backend;
+    uint32_t workspace; /* bytes beyond the least */
+} hostile;
+
+/* Numbers that arithmetic goes wrong on, and ordinary ones. */
+static float any_number(random_source *r)
+{
+    static const float numbers[] = {0.0f,        1.0f,     16777216.0f, FLT_MAX, FLT_MIN,
+                                    FLT_MIN / 8, INFINITY, NAN,         255.0f,  2147483648.0f};
+    const float sign = random_chance(r, 50) ? 1.0f : -1.0f;
+
+    switch (random_below(r, 4)) {
+    case 0:
+        return sign * numbers[random_below(r, 10)];
+    case 1:
+        return sign * random_octave(r, -126, 127);
+    default:
+        return random_float(r, -2.0f, 2.0f);
+    }
+}
+
+/* One that a state may have, but for now and then. */
+static float state_number(random_source *r, float low, float high)
+{
+    const float any = any_number(r);
+
+    return random_chance(r, 2) || (isfinite(any) && any >= low && any <= high)
+               ? any
+               : random_float(r, low < -300.0f ? -300.0f : low, high > 300.0f ? 300.0f : high);
+}
+
+static void any_size(hostile *h, random_source *r)
+{
+    const bool thin = random_chance(r, 15);
+
+    h->width = thin ? GN_MAX_SIZE : 1 + random_below(r, 40);
+    h->height = thin ? 1 + random_below(r, 2) : 1 + random_below(r, 40);
+    if (random_chance(r, 50)) {
+        const uint32_t width = h->width;
+
+        h->width = h->height;
+        h->height = width;
+    }
+}
+
+static void any_stencil(gn_stencil_face *f, random_source *r)
+{
+    f->function = (gn_stencil_function)random_below(r, 8);
+    f->reference = (uint8_t)random_below(r, 256);
+    f->write_disabled_bits = (uint8_t)(random_chance(r, 30) ? random_below(r, 256) : 0);
+    f->fail = (gn_stencil_operation)random_below(r, 8);
+    f->depth_fail = (gn_stencil_operation)random_below(r, 8);
+    f->pass = (gn_stencil_operation)random_below(r, 8);
+}
+
+/* An edge of a scissor: about the target, or as far as numbers go. */
+static int32_t scissor_edge(random_source *r)
+{
+    static const int32_t edges[] = {INT32_MIN, INT32_MIN + 1, INT32_MAX, INT32_MAX - 1, 0, -1};
+
+    return random_chance(r, 30) ? edges[random_below(r, 6)] : random_between(r, -10, 45);
+}
+
+static void any_state(hostile *h, random_source *r)
+{
+    gn_pipeline *const p = &h->pipeline;
+
+    p->varying_count = 4;
+    p->topology = (gn_topology)random_below(r, GN_LINE_LOOP + 1);
+    p->provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+    p->cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
+    for (int i = 0; i < 4; i++)
+        p->interpolation[i] = (gn_interpolation)random_below(r, 3);
+    if (random_chance(r, 20)) {
+        p->viewport.set = true;
+        p->viewport.x = state_number(r, -GN_MAX_SIZE, GN_MAX_SIZE);
+        p->viewport.y = state_number(r, -GN_MAX_SIZE, GN_MAX_SIZE);
+        p->viewport.width = state_number(r, 0.0f, GN_MAX_SIZE);
+        p->viewport.height = state_number(r, 0.0f, GN_MAX_SIZE);
+    }
+    p->scissor.set = random_chance(r, 25);
+    p->scissor.x = scissor_edge(r);
+    p->scissor.y = scissor_edge(r);
+    p->scissor.width = (uint32_t)scissor_edge(r);
+    p->scissor.height = (uint32_t)scissor_edge(r);
+    if (random_chance(r, 30)) {
+        p->depth_range.set = true;
+        p->depth_range.z_near = state_number(r, 0.0f, 1.0f);
+        p->depth_range.z_far = state_number(r, 0.0f, 1.0f);
+    }
+    if (random_chance(r, 30)) {
+        p->polygon_offset.set = true;
+        p->polygon_offset.factor = state_number(r, -FLT_MAX, FLT_MAX);
+        p->polygon_offset.units = state_number(r, -FLT_MAX, FLT_MAX);
+        p->polygon_offset.clamp = state_number(r, -FLT_MAX, FLT_MAX);
+    }
+    p->clip_depth = (gn_clip_depth)random_below(r, 2);
+    p->depth_clamp = random_chance(r, 30);
+    p->depth_test = random_chance(r, 40);
+    p->depth_function = (gn_compare)random_below(r, 8);
+    p->stencil_test = random_chance(r, 30);
+    any_stencil(&p->stencil_front, r);
+    any_stencil(&p->stencil_back, r);
+    if (h->color <= GN_FORMAT_RGBA32F && random_chance(r, 30)) {
+        p->blend.enabled = true;
+        p->blend.source = (gn_blend_factor)random_below(r, 16);
+        p->blend.destination = (gn_blend_factor)random_below(r, 16);
+        p->blend.equation = (gn_blend_equation)random_below(r, 6);
+    }
+    p->point_size = state_number(r, 0.0f, FLT_MAX);
+    p->line_width = state_number(r, 0.0f, FLT_MAX);
+    p->program_point_size = random_chance(r, 50);
+    p->fragment_reads_position = random_chance(r, 30);
+    p->fragment_reads_point_coordinate = random_chance(r, 30);
+    p->fragment_writes_depth = random_chance(r, 30);
+    p->fragment_discards = random_chance(r, 30);
+}
+
+static void any_mesh(hostile *h, random_source *r)
+{
+    const uint32_t kind = random_below(r, 8);
+
+    for (uint32_t i = 0; i < MAX_VERTICES; i++)
+        for (int c = 0; c < 4; c++) {
+            h->position[i][c] = kind == 0 && i > 0 ? h->position[0][c] /* all equal */
+                                : kind == 1        ? any_number(r)
+                                : kind == 2        ? random_float(r, -1.0f, 1.0f) * 16777216.0f
+                                : c == 3           ? random_float(r, -0.2f, 4.0f)
+                                                   : random_float(r, -2.0f, 2.0f);
+            if (kind == 3 && random_chance(r, 20))
+                h->position[i][c] = c == 3 ? 0.0f : any_number(r);
+            h->varying[i][c] = any_number(r);
+        }
+    for (uint32_t i = 0; i < MAX_INDICES; i++)
+        h->indices[i] = (uint16_t)(random_chance(r, 15) ? 0xFFFF : random_below(r, MAX_VERTICES));
+    h->mesh.vertex_count = MAX_VERTICES;
+    h->mesh.index_format = random_chance(r, 50) ? GN_INDEX_UINT16 : GN_INDEX_NONE;
+    h->mesh.restart = random_chance(r, 95) ? GN_RESTART_FIXED_INDEX : GN_RESTART_NONE;
+    h->mesh.count = random_below(r, (h->mesh.index_format ? MAX_INDICES : MAX_VERTICES) + 1);
+    h->mesh.instance_count = random_below(r, 4);
+    h->mesh.base_vertex = random_chance(r, 5) ? (int32_t)(uint32_t)random_bits(r) : 0;
+}
+
+static enum theft_alloc_res make_hostile(struct theft *t, void *env, void **output)
+{
+    static const gn_format depths[] = {GN_FORMAT_NONE, GN_FORMAT_D16,   GN_FORMAT_D24,
+                                       GN_FORMAT_D32F, GN_FORMAT_D24S8, GN_FORMAT_D32FS8,
+                                       GN_FORMAT_S8};
+    hostile *h = calloc(1, sizeof *h);
+    random_source r = random_seed(theft_random_bits(t, 32));
+
+    (void)env;
+    if (!h)
+        return THEFT_ALLOC_ERROR;
+    any_size(h, &r);
+    h->color = random_chance(&r, 40) ? GN_FORMAT_RGBA8
+               : random_chance(&r, 20)
+                   ? GN_FORMAT_RGBA32F
+                   : (gn_format)random_between(&r, GN_FORMAT_BGRA8, GN_FORMAT_SRGB8_A8);
+    h->depth = depths[random_below(&r, 7)];
+    h->top_down = random_chance(&r, 50);
+    h->backend = random_chance(&r, 30) ? GN_BACKEND_PORTABLE : GN_BACKEND_AUTO;
+    h->workspace = random_chance(&r, 50) ? 0 : random_below(&r, 20000);
+    any_state(h, &r);
+    any_mesh(h, &r);
+    *output = h;
+    return THEFT_ALLOC_OK;
+}
+
+static void print_hostile(FILE *f, const void *instance, void *env)
+{
+    const hostile *h = instance;
+
+    (void)env;
+    fprintf(f,
+            "target %" PRIu32 "x%" PRIu32 ", formats %d and %d, topology %d, count %" PRIu32 "\n",
+            h->width, h->height, (int)h->color, (int)h->depth, (int)h->pipeline.topology,
+            h->mesh.count);
+    for (uint32_t i = 0; i < MAX_VERTICES; i++)
+        fprintf(f, "  %.9g %.9g %.9g %.9g\n", (double)h->position[i][0], (double)h->position[i][1],
+                (double)h->position[i][2], (double)h->position[i][3]);
+}
+
+static void pass_attributes(const void *uniforms, const gn_vertex_input *input,
+                            gn_vertex_output *output)
+{
+    (void)uniforms;
+    for (int c = 0; c < 4; c++) {
+        memcpy(output->position[c], input->attribute[0][c], sizeof output->position[c]);
+        memcpy(output->varying[c], input->attribute[1][c], sizeof output->varying[c]);
+    }
+    if (output->point_size)
+        memcpy(output->point_size, input->attribute[1][0], GN_LANES * sizeof(float));
+}
+
+static void use_all_inputs(const void *uniforms, const gn_fragment_input *input,
+                           gn_fragment_output *output)
+{
+    (void)uniforms;
+    for (int c = 0; c < 4; c++)
+        for (int lane = 0; lane < GN_LANES; lane++) {
+            output->color[c][lane] = input->varying[c][lane];
+            if (input->position)
+                output->color[c][lane] *= input->position[c][lane];
+        }
+    if (input->point_coordinate)
+        gn_derivative_width(input->point_coordinate[0], output->color[1]);
+    if (output->depth)
+        memcpy(output->depth, input->varying[3], GN_LANES * sizeof(float));
+    output->kept = 0xF731u;
+}
+
+typedef struct guarded {
+    unsigned char *memory;
+    size_t size;
+    gn_surface surface;
+} guarded;
+
+static guarded guarded_surface(const hostile *h, gn_format format)
+{
+    const size_t pixel = gn_format_size(format), row = (h->width + PADDING) * pixel;
+    guarded g;
+
+    memset(&g, 0, sizeof g);
+    g.size = row * h->height + 2 * PADDING * pixel;
+    g.memory = malloc(g.size + 1);
+    if (!g.memory) {
+        fprintf(stderr, "properties: out of memory\n");
+        exit(EXIT_FAILURE);
+    }
+    memset(g.memory, GUARD, g.size);
+    g.surface.pixels = g.memory + PADDING * pixel + (h->top_down ? row * (h->height - 1) : 0);
+    g.surface.row_stride = h->top_down ? -(ptrdiff_t)row : (ptrdiff_t)row;
+    g.surface.width = h->width;
+    g.surface.height = h->height;
+    g.surface.format = format;
+    return g;
+}
+
+static bool in_scissor(const gn_scissor *s, uint32_t x, uint32_t y)
+{
+    const int64_t right = (int64_t)s->x + s->width, top = (int64_t)s->y + s->height;
+
+    return !s->set ||
+           ((int64_t)x >= s->x && (int64_t)x < right && (int64_t)y >= s->y && (int64_t)y < top);
+}
+
+/* Whether every byte but those of pixels in the scissor, or, `untouched`, every byte, is as at
+ * first. */
+static bool guards_hold(const hostile *h, const guarded *g, bool untouched)
+{
+    const size_t pixel = gn_format_size(g->surface.format);
+
+    for (uint32_t y = 0; y < h->height && !untouched; y++)
+        for (uint32_t x = 0; x < h->width; x++)
+            if (in_scissor(&h->pipeline.scissor, x, y))
+                memset((unsigned char *)g->surface.pixels + g->surface.row_stride * (ptrdiff_t)y +
+                           x * pixel,
+                       GUARD, pixel);
+    for (size_t i = 0; i < g->size; i++)
+        if (g->memory[i] != GUARD)
+            return false;
+    return true;
+}
+
+static enum theft_trial_res any_draw_stays_inside(struct theft *t, void *instance)
+{
+    const hostile *h = instance;
+    const size_t size = gn_workspace_size(0, 4) + h->workspace;
+    guarded color = guarded_surface(h, h->color), depth = guarded_surface(h, h->depth);
+    const gn_target target = {{color.surface}, depth.surface};
+    gn_workspace workspace = {.memory = malloc(size), .size = size, .backend = h->backend};
+    gn_pipeline pipeline = h->pipeline;
+    gn_mesh mesh = h->mesh;
+    (void)t;
+
+    pipeline.vertex_shader = pass_attributes;
+    pipeline.fragment_shader = use_all_inputs;
+    mesh.attribute[0] = (gn_attribute){&h->position[0][0], 4, 0, 0};
+    mesh.attribute[1] = (gn_attribute){&h->varying[0][0], 4, 0, 0};
+    mesh.indices = h->indices;
+    const gn_status status = gn_draw(&target, &pipeline, &mesh, &workspace);
+    const bool hold = workspace.memory && guards_hold(h, &color, status) &&
+                      guards_hold(h, &depth, status) &&
+                      (status != GN_OK) == (gn_pipeline_fault(&pipeline) || gn_mesh_fault(&mesh));
+    free(workspace.memory);
+    free(color.memory);
+    free(depth.memory);
+    return hold ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
+}
+
+int properties_hostile(uint64_t seed, size_t trials)
+{
+    const struct theft_type_info hostiles = {
+        .alloc = make_hostile, .free = theft_generic_free_cb, .print = print_hostile};
+    const struct theft_run_config config = {
+        .name = "draws under any state stay inside scissor and target",
+        .prop1 = any_draw_stays_inside,
+        .type_info = {&hostiles}};
+
+    return property_run(config, seed, 10 * trials);
+}

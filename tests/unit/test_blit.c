@@ -1,0 +1,264 @@
+/* Blits: faults, places of texels, masks of depth and stencil, overlapping memory. Expected
+ * values follow from OpenGL 4.5 section 18.3.2; those beside the reference are in tests/blits. */
+#include <string.h>
+
+#include "unit.h"
+
+#define SIDE 8
+
+static uint32_t from_memory[4 * SIDE * SIDE], to_memory[4 * SIDE * SIDE];
+
+static gn_surface source_of(gn_format format)
+{
+    return gn_surface_bottom_up(from_memory, format, SIDE, SIDE);
+}
+
+static gn_surface destination_of(gn_format format)
+{
+    return gn_surface_bottom_up(to_memory, format, SIDE, SIDE);
+}
+
+/* Texel (x, y) of R8 is 16 y + x. */
+static gn_surface numbered(void)
+{
+    uint8_t *const bytes = (uint8_t *)from_memory;
+
+    for (int i = 0; i < SIDE * SIDE; ++i)
+        bytes[i] = (uint8_t)(i / SIDE * 16 + i % SIDE);
+    memset(to_memory, 0xEE, sizeof to_memory);
+    return source_of(GN_FORMAT_R8);
+}
+
+static int at(int x, int y)
+{
+    return ((const uint8_t *)to_memory)[y * SIDE + x];
+}
+
+static void refuses(gn_status wanted, const gn_surface *to, const gn_rectangle *to_rectangle,
+                    const gn_surface *from, const gn_rectangle *from_rectangle,
+                    const gn_blit_options *options)
+{
+    uint32_t before[sizeof to_memory / sizeof *to_memory];
+
+    memset(from_memory, 0x33, sizeof from_memory);
+    memset(to_memory, 0xEE, sizeof to_memory);
+    memcpy(before, to_memory, sizeof before);
+    assert_int_equal(gn_blit(to, to_rectangle, from, from_rectangle, options), wanted);
+    assert_memory_equal(before, to_memory, sizeof before);
+}
+
+static void faults_are_named_and_nothing_is_written(void **state)
+{
+    (void)state;
+    const gn_surface color = source_of(GN_FORMAT_RGBA8);
+    const gn_surface depth = source_of(GN_FORMAT_D24S8);
+    const gn_surface to = destination_of(GN_FORMAT_RGBA8);
+    const gn_surface to_depth = destination_of(GN_FORMAT_D24S8);
+    const gn_surface to_other = destination_of(GN_FORMAT_D32FS8);
+    const gn_rectangle far = {0, 0, GN_MAX_SIZE + 1, 1};
+    const gn_rectangle below = {0, -GN_MAX_SIZE - 1, 1, 1};
+    gn_surface bad = to;
+    gn_blit_options options = {0};
+
+    refuses(GN_NULL_POINTER, NULL, NULL, &color, NULL, NULL);
+    refuses(GN_NULL_POINTER, &to, NULL, NULL, NULL, NULL);
+    options.filter = (gn_blit_filter)2;
+    refuses(GN_INVALID_ENUM, &to, NULL, &color, NULL, &options);
+    options.filter = (gn_blit_filter)-1;
+    refuses(GN_INVALID_ENUM, &to, NULL, &color, NULL, &options);
+    bad.format = GN_FORMAT_NONE;
+    refuses(GN_INVALID_FORMAT, &bad, NULL, &color, NULL, NULL);
+    refuses(GN_INVALID_FORMAT, &to, NULL, &bad, NULL, NULL);
+    bad.format = (gn_format)99;
+    refuses(GN_INVALID_FORMAT, &to, NULL, &bad, NULL, NULL);
+    bad = to;
+    bad.width = 0;
+    refuses(GN_INVALID_SIZE, &bad, NULL, &color, NULL, NULL);
+    refuses(GN_INVALID_SIZE, &to, NULL, &bad, NULL, NULL);
+    bad = to;
+    bad.row_stride = 4;
+    refuses(GN_INVALID_STRIDE, &bad, NULL, &color, NULL, NULL);
+    bad = color;
+    bad.pixels = NULL;
+    refuses(GN_NULL_POINTER, &to, NULL, &bad, NULL, NULL);
+    bad = color;
+    bad.pixels = (unsigned char *)from_memory + 2;
+    refuses(GN_MISALIGNED, &to, NULL, &bad, NULL, NULL);
+    refuses(GN_INVALID_FORMAT, &to, NULL, &depth, NULL, NULL);
+    refuses(GN_INVALID_FORMAT, &to_depth, NULL, &color, NULL, NULL);
+    refuses(GN_INVALID_FORMAT, &to_other, NULL, &depth, NULL, NULL);
+    options.filter = GN_BLIT_LINEAR;
+    refuses(GN_INVALID_FORMAT, &to_depth, NULL, &depth, NULL, &options);
+    refuses(GN_OUT_OF_RANGE, &to, &far, &color, NULL, NULL);
+    refuses(GN_OUT_OF_RANGE, &to, NULL, &color, &below, NULL);
+    refuses(GN_OVERLAP, &to, NULL, &to, NULL, NULL);
+}
+
+static void empty_rectangles_are_no_fault(void **state)
+{
+    (void)state;
+    const gn_surface from = source_of(GN_FORMAT_RGBA8);
+    const gn_surface to = destination_of(GN_FORMAT_RGBA8);
+    const gn_rectangle flat = {1, 2, 5, 2}, thin = {3, 0, 3, 8}, outside = {-4, 0, 0, 8};
+    gn_blit_options none = {0};
+
+    none.scissor.set = true;
+    refuses(GN_OK, &to, &flat, &from, NULL, NULL);
+    refuses(GN_OK, &to, NULL, &from, &thin, NULL);
+    refuses(GN_OK, &to, &outside, &from, NULL, NULL);
+    refuses(GN_OK, &to, NULL, &from, &outside, NULL);
+    refuses(GN_OK, &to, NULL, &from, NULL, &none);
+    none.scissor.x = INT32_MAX;
+    none.scissor.y = INT32_MIN;
+    none.scissor.width = UINT32_MAX;
+    none.scissor.height = UINT32_MAX;
+    refuses(GN_OK, &to, NULL, &from, NULL, &none);
+}
+
+static void rectangles_move_mirror_and_scale(void **state)
+{
+    (void)state;
+    const gn_surface from = numbered();
+    const gn_surface to = destination_of(GN_FORMAT_R8);
+    const gn_rectangle two = {2, 3, 4, 5}, moved = {5, 1, 7, 3}, mirrored = {7, 3, 5, 1};
+    const gn_rectangle large = {0, 0, 8, 8};
+
+    assert_int_equal(gn_blit(&to, &moved, &from, &two, NULL), GN_OK);
+    assert_int_equal(at(5, 1), 0x32);
+    assert_int_equal(at(6, 2), 0x43);
+    assert_int_equal(at(4, 1), 0xEE);
+    assert_int_equal(at(7, 2), 0xEE);
+    assert_int_equal(gn_blit(&to, &mirrored, &from, &two, NULL), GN_OK);
+    assert_int_equal(at(5, 1), 0x43);
+    assert_int_equal(at(6, 2), 0x32);
+    assert_int_equal(gn_blit(&to, &large, &from, &two, NULL), GN_OK);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x)
+            assert_int_equal(at(x, y), (3 + y / 4) * 16 + 2 + x / 4);
+}
+
+static void what_has_no_counterpart_is_cut_off(void **state)
+{
+    (void)state;
+    const gn_surface from = numbered();
+    const gn_surface to = destination_of(GN_FORMAT_R8);
+    const gn_rectangle beyond = {-3, 4, 5, 12};
+    gn_blit_options cut = {0};
+
+    cut.scissor.set = true;
+    cut.scissor.x = 1;
+    cut.scissor.y = -5;
+    cut.scissor.width = 4;
+    cut.scissor.height = 8;
+    assert_int_equal(gn_blit(&to, NULL, &from, &beyond, &cut), GN_OK);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x)
+            assert_int_equal(at(x, y), x >= 3 && x < 5 && y < 3 ? (y + 4) * 16 + x - 3 : 0xEE);
+}
+
+static void linear_mixes_halfway(void **state)
+{
+    (void)state;
+    static const float two[2] = {1.0f, 3.0f};
+    float out[4] = {9, 9, 9, 9};
+    const gn_surface from = gn_surface_bottom_up((void *)(uintptr_t)two, GN_FORMAT_R32F, 2, 1);
+    const gn_surface to = gn_surface_bottom_up(out, GN_FORMAT_R32F, 4, 1);
+    gn_blit_options linear = {0};
+
+    linear.filter = GN_BLIT_LINEAR;
+    assert_int_equal(gn_blit(&to, NULL, &from, NULL, &linear), GN_OK);
+    assert_true(out[0] == 1.0f && out[1] == 1.5f && out[2] == 2.5f && out[3] == 3.0f);
+}
+
+static void depth_and_stencil_are_kept_where_asked(void **state)
+{
+    (void)state;
+    static const gn_format formats[2] = {GN_FORMAT_D24S8, GN_FORMAT_D32FS8};
+
+    for (int f = 0; f < 2; ++f) {
+        for (int keeps = 0; keeps < 4; ++keeps) {
+            const gn_surface from = source_of(formats[f]);
+            const gn_surface to = destination_of(formats[f]);
+            gn_blit_options options = {0};
+            uint32_t wanted[2];
+
+            memset(from_memory, 0x22, sizeof from_memory);
+            memset(to_memory, 0x11, sizeof to_memory);
+            if (f == 1) {
+                for (int i = 1; i < 2 * SIDE * SIDE; i += 2) {
+                    from_memory[i] = 0x22;
+                    to_memory[i] = 0x11;
+                }
+            }
+            options.keeps_depth = keeps & 1;
+            options.keeps_stencil = keeps & 2;
+            assert_int_equal(gn_blit(&to, NULL, &from, NULL, &options), GN_OK);
+            wanted[0] = keeps & 1 ? 0x11111111u : 0x22222222u;
+            wanted[1] = keeps & 2 ? 0x11u : 0x22u;
+            if (f == 0)
+                wanted[0] = wanted[1] = (wanted[0] & 0xFFFFFFu) | wanted[1] << 24;
+            assert_int_equal(to_memory[0], wanted[0]);
+            assert_int_equal(to_memory[1], wanted[1]);
+            assert_int_equal(to_memory[SIDE * SIDE - 2], wanted[0]);
+            assert_int_equal(to_memory[SIDE * SIDE - 1], wanted[1]);
+        }
+    }
+}
+
+/* Parts of one image may be blitted to others; a linear filter reads one texel more. */
+static void overlap_is_refused_pixel_by_pixel_in_one_image(void **state)
+{
+    (void)state;
+    const gn_surface image = destination_of(GN_FORMAT_R8);
+    const gn_surface rows = gn_surface_rows(&image, 4, 4);
+    const gn_rectangle left = {0, 0, 4, 8}, right = {4, 0, 8, 8}, middle = {3, 0, 7, 8};
+    const gn_rectangle narrow = {5, 0, 8, 8};
+    gn_blit_options linear = {0};
+
+    linear.filter = GN_BLIT_LINEAR;
+    refuses(GN_OVERLAP, &image, &left, &image, &middle, NULL);
+    refuses(GN_OVERLAP, &image, &right, &image, &left, &linear);
+    refuses(GN_OVERLAP, &image, NULL, &rows, NULL, NULL);
+    refuses(GN_OVERLAP, &rows, NULL, &image, &left, NULL);
+    memset(to_memory, 0, sizeof to_memory);
+    ((uint8_t *)to_memory)[0] = 77;
+    assert_int_equal(gn_blit(&image, &right, &image, &left, NULL), GN_OK);
+    assert_int_equal(at(4, 0), 77);
+    assert_int_equal(gn_blit(&image, &narrow, &image, &left, &linear), GN_OK);
+}
+
+/* 0.5 is 128 of 255, the byte of sRGB nearest to it 188; what a format lacks is 0, 0, 1. */
+static void formats_are_converted(void **state)
+{
+    (void)state;
+    float *const in = (float *)from_memory;
+    const gn_surface red = source_of(GN_FORMAT_R32F);
+    const gn_surface rgba = destination_of(GN_FORMAT_RGBA8);
+    const gn_surface srgb = destination_of(GN_FORMAT_SRGB8_A8);
+    const gn_surface rgb565 = destination_of(GN_FORMAT_RGB565);
+
+    for (int i = 0; i < SIDE * SIDE; ++i)
+        in[i] = 0.5f;
+    assert_int_equal(gn_blit(&rgba, NULL, &red, NULL, NULL), GN_OK);
+    assert_int_equal(to_memory[SIDE * SIDE - 1], 0xFF000080u);
+    assert_int_equal(gn_blit(&srgb, NULL, &red, NULL, NULL), GN_OK);
+    assert_int_equal(to_memory[3], 0xFF0000BCu);
+    assert_int_equal(gn_blit(&rgb565, NULL, &red, NULL, NULL), GN_OK);
+    assert_int_equal(((uint16_t *)to_memory)[5], 16u << 11);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(faults_are_named_and_nothing_is_written),
+        cmocka_unit_test(empty_rectangles_are_no_fault),
+        cmocka_unit_test(rectangles_move_mirror_and_scale),
+        cmocka_unit_test(what_has_no_counterpart_is_cut_off),
+        cmocka_unit_test(linear_mixes_halfway),
+        cmocka_unit_test(depth_and_stencil_are_kept_where_asked),
+        cmocka_unit_test(overlap_is_refused_pixel_by_pixel_in_one_image),
+        cmocka_unit_test(formats_are_converted),
+    };
+
+    return cmocka_run_group_tests_name("blit", tests, NULL, NULL);
+}

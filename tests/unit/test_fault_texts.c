@@ -1,0 +1,248 @@
+/* The faults of descriptions in words: every fault has its own, which name its field, and agree
+ * with the status. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "unit.h"
+
+#define MAX_TEXTS 256
+
+/* The texts met so far. */
+static const char *met[MAX_TEXTS];
+static int met_count;
+
+/* Of a fault just made: its text begins with the field's name and is new. */
+static void expect(gn_status status, gn_status expected, const char *text, const char *field)
+{
+    assert_int_equal(status, expected);
+    assert_non_null(text);
+    assert_true(strlen(text) > strlen(field) + 2);
+    if (strncmp(text, field, strlen(field)) != 0)
+        fail_msg("'%s' does not begin with '%s'", text, field);
+    for (int i = 0; i < met_count; ++i)
+        assert_string_not_equal(text, met[i]);
+    assert_true(met_count < MAX_TEXTS);
+    met[met_count++] = text;
+}
+
+static void no_vertices(const void *uniforms, const gn_vertex_input *in, gn_vertex_output *out)
+{
+    (void)uniforms;
+    (void)in;
+    (void)out;
+}
+
+static gn_pipeline p;
+
+/* The pipeline with one fault and then without. */
+static void expect_pipeline(gn_status expected, const char *field)
+{
+    expect(gn_pipeline_check(&p), expected, gn_pipeline_fault(&p), field);
+    memset(&p, 0, sizeof p);
+    p.vertex_shader = no_vertices;
+    assert_null(gn_pipeline_fault(&p));
+    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+}
+
+/* A value of member that is above its largest. */
+#define ABOVE(member, largest)                                                                     \
+    do {                                                                                           \
+        p.member = (largest);                                                                      \
+        assert_null(gn_pipeline_fault(&p));                                                        \
+        ++p.member;                                                                                \
+        expect_pipeline(GN_INVALID_ENUM, #member " is no gn_");                                    \
+    } while (0)
+
+#define NUMBER(group, member, value, status)                                                       \
+    do {                                                                                           \
+        p.group.set = true;                                                                        \
+        p.group.member = (value);                                                                  \
+        expect_pipeline(status, #group "." #member " ");                                           \
+    } while (0)
+
+static void pipelines(void **state)
+{
+    (void)state;
+    met_count = 0;
+    expect(gn_pipeline_check(NULL), GN_NULL_POINTER, gn_pipeline_fault(NULL), "the pipeline");
+    memset(&p, 0, sizeof p);
+    expect_pipeline(GN_NO_SHADER, "vertex_shader");
+    p.fragment_discards = true;
+    expect_pipeline(GN_NO_SHADER, "fragment_discards");
+    p.fragment_writes_depth = true;
+    expect_pipeline(GN_NO_SHADER, "fragment_writes_depth");
+    p.varying_count = GN_MAX_VARYINGS + 1;
+    expect_pipeline(GN_TOO_MANY_VARYINGS, "varying_count");
+    p.varying_count = 3;
+    p.interpolation[2] = (gn_interpolation)3;
+    expect_pipeline(GN_INVALID_ENUM, "interpolation");
+    ABOVE(topology, GN_LINE_LOOP);
+    ABOVE(provoking_vertex, GN_PROVOKING_FIRST);
+    ABOVE(cull, GN_CULL_FRONT_AND_BACK);
+    ABOVE(front_face, GN_FRONT_CLOCKWISE);
+    ABOVE(clip_depth, GN_ZERO_TO_ONE);
+    ABOVE(depth_function, GN_ALWAYS);
+    ABOVE(stencil_front.function, GN_STENCIL_LESS);
+    ABOVE(stencil_front.fail, GN_STENCIL_DECREMENT_WRAP);
+    ABOVE(stencil_front.depth_fail, GN_STENCIL_DECREMENT_WRAP);
+    ABOVE(stencil_front.pass, GN_STENCIL_DECREMENT_WRAP);
+    ABOVE(stencil_back.function, GN_STENCIL_LESS);
+    ABOVE(stencil_back.fail, GN_STENCIL_DECREMENT_WRAP);
+    ABOVE(stencil_back.depth_fail, GN_STENCIL_DECREMENT_WRAP);
+    ABOVE(stencil_back.pass, GN_STENCIL_DECREMENT_WRAP);
+    ABOVE(blend.equation, GN_EQUATION_MAX);
+    ABOVE(blend.source, GN_FACTOR_SOURCE_ALPHA_SATURATE);
+    ABOVE(blend.destination, GN_FACTOR_SOURCE_ALPHA_SATURATE);
+    ABOVE(blend.alpha_equation, GN_EQUATION_MAX);
+    ABOVE(blend.alpha_source, GN_FACTOR_SOURCE_ALPHA_SATURATE);
+    ABOVE(blend.alpha_destination, GN_FACTOR_SOURCE_ALPHA_SATURATE);
+    ABOVE(logic_operation, GN_LOGIC_SET);
+    ABOVE(point_origin, GN_POINT_LOWER_LEFT);
+    ABOVE(polygon_mode_front, GN_POLYGON_POINT);
+    ABOVE(polygon_mode_back, GN_POLYGON_POINT);
+    NUMBER(viewport, x, NAN, GN_NOT_FINITE);
+    NUMBER(viewport, y, INFINITY, GN_NOT_FINITE);
+    NUMBER(viewport, width, NAN, GN_NOT_FINITE);
+    NUMBER(viewport, height, -INFINITY, GN_NOT_FINITE);
+    NUMBER(viewport, x, -1e5f, GN_INVALID_VIEWPORT);
+    NUMBER(viewport, y, 1e5f, GN_INVALID_VIEWPORT);
+    NUMBER(viewport, width, -1.0f, GN_INVALID_VIEWPORT);
+    NUMBER(viewport, height, 1e5f, GN_INVALID_VIEWPORT);
+    NUMBER(depth_range, z_near, NAN, GN_NOT_FINITE);
+    NUMBER(depth_range, z_far, INFINITY, GN_NOT_FINITE);
+    NUMBER(depth_range, z_near, -0.5f, GN_OUT_OF_RANGE);
+    NUMBER(depth_range, z_far, 1.5f, GN_OUT_OF_RANGE);
+    NUMBER(polygon_offset, factor, NAN, GN_NOT_FINITE);
+    NUMBER(polygon_offset, units, INFINITY, GN_NOT_FINITE);
+    NUMBER(polygon_offset, clamp, NAN, GN_NOT_FINITE);
+    p.clip_distance_count = GN_MAX_CLIP_DISTANCES + 1;
+    expect_pipeline(GN_OUT_OF_RANGE, "clip_distance_count");
+    p.color_write_disabled = 16;
+    expect_pipeline(GN_OUT_OF_RANGE, "color_write_disabled");
+    p.blend.enabled = true;
+    p.blend.constant[3] = NAN;
+    expect_pipeline(GN_NOT_FINITE, "a number of blend.constant");
+    p.point_size = NAN;
+    expect_pipeline(GN_NOT_FINITE, "point_size");
+    p.point_size = -1.0f;
+    expect_pipeline(GN_OUT_OF_RANGE, "point_size");
+    p.line_width = INFINITY;
+    expect_pipeline(GN_NOT_FINITE, "line_width");
+    p.line_width = -1.0f;
+    expect_pipeline(GN_OUT_OF_RANGE, "line_width");
+}
+
+static gn_mesh mesh;
+static uint32_t words[64];
+
+static void expect_mesh(gn_status expected, const char *field)
+{
+    expect(gn_mesh_check(&mesh), expected, gn_mesh_fault(&mesh), field);
+    memset(&mesh, 0, sizeof mesh);
+    assert_null(gn_mesh_fault(&mesh));
+}
+
+static void meshes(void **state)
+{
+    (void)state;
+    char name[32];
+
+    met_count = 0;
+    memset(&mesh, 0, sizeof mesh);
+    expect(gn_mesh_check(NULL), GN_NULL_POINTER, gn_mesh_fault(NULL), "the mesh");
+    mesh.index_format = (gn_index_format)(GN_INDEX_UINT32 + 1);
+    expect_mesh(GN_INVALID_ENUM, "index_format");
+    mesh.restart = (gn_restart)(GN_RESTART_INDEX + 1);
+    expect_mesh(GN_INVALID_ENUM, "restart");
+    mesh.index_format = GN_INDEX_UINT8;
+    mesh.count = 1;
+    expect_mesh(GN_NULL_POINTER, "indices");
+    mesh.index_format = GN_INDEX_UINT32;
+    mesh.indices = (const char *)words + 2;
+    expect_mesh(GN_MISALIGNED, "indices");
+    for (int a = 0; a < GN_MAX_ATTRIBUTES; ++a) {
+        snprintf(name, sizeof name, "attribute[%d].", a);
+        mesh.attribute[a].data = (const float *)(const void *)((const char *)words + 1);
+        expect_mesh(GN_MISALIGNED, name);
+        mesh.attribute[a].data = (const float *)words;
+        expect_mesh(GN_INVALID_ATTRIBUTE, name);
+        mesh.attribute[a].data = (const float *)words;
+        mesh.attribute[a].components = 4;
+        mesh.attribute[a].stride = 7;
+        expect_mesh(GN_INVALID_ATTRIBUTE, name);
+    }
+    mesh.vertex_count = 3;
+    mesh.count = 4;
+    expect_mesh(GN_INDEX_OUT_OF_RANGE, "count");
+    mesh.vertex_count = 3;
+    mesh.count = 3;
+    mesh.first = 1;
+    expect_mesh(GN_INDEX_OUT_OF_RANGE, "first + count");
+    words[0] = 5;
+    mesh.index_format = GN_INDEX_UINT32;
+    mesh.indices = words;
+    mesh.count = 1;
+    mesh.vertex_count = 5;
+    expect_mesh(GN_INDEX_OUT_OF_RANGE, "an index");
+}
+
+static gn_target target;
+
+static void reset_target(void)
+{
+    memset(&target, 0, sizeof target);
+    target.color[0] = gn_surface_bottom_up(words, GN_FORMAT_RGBA8, 4, 4);
+    target.depth = gn_surface_bottom_up(words, GN_FORMAT_D24, 4, 4);
+}
+
+static void expect_target(gn_status expected, const char *field)
+{
+    expect(gn_target_check(&target), expected, gn_target_fault(&target), field);
+    reset_target();
+    assert_null(gn_target_fault(&target));
+}
+
+static void targets(void **state)
+{
+    (void)state;
+    met_count = 0;
+    expect(gn_target_check(NULL), GN_NULL_POINTER, gn_target_fault(NULL), "the target");
+    memset(&target, 0, sizeof target);
+    expect_target(GN_NO_SURFACE, "neither color[0] nor depth");
+    for (int i = 0; i < 2; ++i) {
+        gn_surface *const s = i == 0 ? &target.color[0] : &target.depth;
+        const char *const name = i == 0 ? "color[0]." : "depth.";
+
+        s->format = i == 0 ? GN_FORMAT_D24 : GN_FORMAT_RGBA8;
+        expect_target(GN_INVALID_FORMAT, name);
+        s->width = 0;
+        expect_target(GN_INVALID_SIZE, name);
+        s->height = GN_MAX_SIZE + 1;
+        expect_target(GN_INVALID_SIZE, name);
+        s->pixels = NULL;
+        expect_target(GN_NULL_POINTER, name);
+        s->pixels = (char *)words + 2;
+        expect_target(GN_MISALIGNED, name);
+        s->row_stride = 18;
+        expect_target(GN_MISALIGNED, name);
+        s->row_stride = 12;
+        expect_target(GN_INVALID_STRIDE, name);
+        s->row_stride = PTRDIFF_MAX / 4 * 4;
+        expect_target(GN_INVALID_STRIDE, name);
+    }
+    target.depth.width = 3;
+    expect_target(GN_SIZE_MISMATCH, "color[0].width and depth.width");
+    target.depth.height = 3;
+    expect_target(GN_SIZE_MISMATCH, "color[0].height and depth.height");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pipelines),
+        cmocka_unit_test(meshes),
+        cmocka_unit_test(targets),
+    };
+    return cmocka_run_group_tests_name("faults", tests, NULL, NULL);
+}
