@@ -314,7 +314,7 @@ typedef struct gn_fragment_input {
 
     /* gl_PointCoord, [s, t][lane]: where in its point's square the pixel's centre lies, from 0
      * to 1 (a pixel's width beyond, since positions and sizes are rounded), t from the side that
-     * point_origin says; 0, 0 in lines and triangles. Null without the pipeline's
+     * point_origin says; 0, 0 in lines and filled triangles. Null without the pipeline's
      * fragment_reads_point_coordinate. */
     const float (*point_coordinate)[GN_LANES];
 } gn_fragment_input;

@@ -19,6 +19,14 @@ static void stretch_colors(builder *b)
         b->vertices[random_below(r, b->vertex_count)].color[2] = NAN;
 }
 
+/* Whether all that is drawn are points. */
+static bool draws_points(const gn_pipeline *p)
+{
+    return p->topology == GN_POINTS ||
+           (p->topology <= GN_TRIANGLE_FAN && p->polygon_mode_front == GN_POLYGON_POINT &&
+            p->polygon_mode_back == GN_POLYGON_POINT);
+}
+
 void random_inputs(builder *b)
 {
     random_source *r = &b->random;
@@ -28,8 +36,7 @@ void random_inputs(builder *b)
     b->state.fragment_reads_primitive = random_chance(r, 50);
     b->state.fragment_discards = random_chance(r, 50);
     b->state.fragment_writes_depth = random_chance(r, 40);
-    b->state.fragment_reads_point_coordinate =
-        b->state.topology == GN_POINTS && random_chance(r, 50);
+    b->state.fragment_reads_point_coordinate = draws_points(&b->state) && random_chance(r, 50);
     stretch_colors(b);
 }
 

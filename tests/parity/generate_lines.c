@@ -173,7 +173,9 @@ void fit_outlines(builder *b)
 {
     const bool unfilled = b->state.polygon_mode_front != GN_POLYGON_FILL ||
                           b->state.polygon_mode_back != GN_POLYGON_FILL;
-    if (unfilled && b->state.stencil_test && b->shader != SCENE_INPUTS)
+    const bool reads_facing =
+        b->shader == SCENE_INPUTS && !b->state.fragment_reads_point_coordinate;
+    if (unfilled && b->state.stencil_test && !reads_facing)
         b->state.stencil_back = b->state.stencil_front;
 }
 
