@@ -85,9 +85,8 @@ static bool move_lines(random_source *r, scene *s, scene_draw *d)
 }
 
 /* Noperspective varyings are for triangles within the sides of the viewport. */
-static void become_triangles(scene_draw *d)
+static void smooth_all(scene_draw *d)
 {
-    d->state.topology = GN_TRIANGLES;
     for (int i = 0; i < GN_MAX_VARYINGS; i++)
         if (d->state.interpolation[i] == GN_NOPERSPECTIVE)
             d->state.interpolation[i] = GN_SMOOTH;
@@ -106,12 +105,19 @@ static void avoid_defects(random_source *r, scene *s, scene_draw *d)
         scissor->height += (uint32_t)scissor->y;
         scissor->y = 0;
     }
+    if (d->state.polygon_mode_front == GN_POLYGON_LINE ||
+        d->state.polygon_mode_back == GN_POLYGON_LINE) {
+        d->state.polygon_mode_front = d->state.polygon_mode_back = GN_POLYGON_FILL;
+        smooth_all(d);
+    }
     if (d->state.topology > GN_POINTS) {
         scissor->set = false;
         /* Now and then one is lost at a tile's border beside what line_is_safe knows of. */
         const bool one_tile = (double)s->width <= TILE && (double)s->height <= TILE;
-        if (!one_tile || !move_lines(r, s, d))
-            become_triangles(d);
+        if (!one_tile || !move_lines(r, s, d)) {
+            d->state.topology = GN_TRIANGLES;
+            smooth_all(d);
+        }
     }
 }
 
