@@ -412,8 +412,8 @@ GN_BEGIN
  * (functions and operations of depth and stencil), GN_OUT_OF_RANGE (color_count above
  * GN_MAX_COLORS); for each attachment GN_OUT_OF_RANGE (color_write_disabled has bits
  * beyond GN_CHANNEL_ALL) and GN_INVALID_ENUM or GN_NOT_FINITE (blend; the constant only where it is
- * enabled); GN_INVALID_ENUM (logic operation), GN_NOT_FINITE or GN_OUT_OF_RANGE (a point size or
- * line width below 0), GN_OUT_OF_RANGE (samples_disabled has bits beyond GN_SAMPLES),
+ * enabled); GN_INVALID_ENUM (logic operation), GN_OUT_OF_RANGE (samples_disabled has bits beyond
+ * GN_SAMPLES), GN_NOT_FINITE or GN_OUT_OF_RANGE (a point size or line width below 0),
  * GN_INVALID_ENUM (point_origin, a polygon mode). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
 

@@ -2,6 +2,7 @@
 #ifndef GN_DRAW_PIPELINE_FAULTS_H
 #define GN_DRAW_PIPELINE_FAULTS_H
 
+#include "../lanes/small.h"
 #include "../math/bits.h"
 #include "check.h"
 #include "faults.h"
@@ -104,6 +105,21 @@ static inline fault fault_of_blend(const gn_blend *b, int i, const float constan
     return NO_FAULT;
 }
 
+static inline fault fault_of_points_and_lines(const gn_pipeline *p)
+{
+    FAULT_IF(!gn_is_finite(p->point_size), GN_NOT_FINITE, "point_size is not finite");
+    FAULT_IF(p->point_size < 0.0f, GN_OUT_OF_RANGE, "point_size is below 0");
+    FAULT_IF(!gn_is_finite(p->line_width), GN_NOT_FINITE, "line_width is not finite");
+    FAULT_IF(p->line_width < 0.0f, GN_OUT_OF_RANGE, "line_width is below 0");
+    FAULT_IF((unsigned)p->point_origin > GN_POINT_LOWER_LEFT, GN_INVALID_ENUM,
+             "point_origin is no gn_point_origin");
+    FAULT_IF((unsigned)p->polygon_mode_front > GN_POLYGON_POINT, GN_INVALID_ENUM,
+             "polygon_mode_front is no gn_polygon_mode");
+    FAULT_IF((unsigned)p->polygon_mode_back > GN_POLYGON_POINT, GN_INVALID_ENUM,
+             "polygon_mode_back is no gn_polygon_mode");
+    return NO_FAULT;
+}
+
 static inline fault fault_of_pipeline(const gn_pipeline *p)
 {
     FAULT_IF(!p, GN_NULL_POINTER, "the pipeline is null");
@@ -125,35 +141,30 @@ static inline fault fault_of_pipeline(const gn_pipeline *p)
              "front_face is no gn_front_face");
     FAULT_FROM(fault_of_viewport(&p->viewport));
     FAULT_FROM(fault_of_depth_range(&p->depth_range));
-    FAULT_FROM(fault_of_polygon_offset(&p->polygon_offset));
+    if (GN_HAVE_OFFSET)
+        FAULT_FROM(fault_of_polygon_offset(&p->polygon_offset));
     FAULT_IF((unsigned)p->clip_depth > GN_ZERO_TO_ONE, GN_INVALID_ENUM,
              "clip_depth is no gn_clip_depth");
     FAULT_IF(p->clip_distance_count > GN_MAX_CLIP_DISTANCES, GN_OUT_OF_RANGE,
              "clip_distance_count is above GN_MAX_CLIP_DISTANCES");
     FAULT_IF((unsigned)p->depth_function > GN_ALWAYS, GN_INVALID_ENUM,
              "depth_function is no gn_compare");
-    FAULT_FROM(fault_of_stencil_front(&p->stencil_front));
-    FAULT_FROM(fault_of_stencil_back(&p->stencil_back));
+    if (GN_HAVE_STENCIL) {
+        FAULT_FROM(fault_of_stencil_front(&p->stencil_front));
+        FAULT_FROM(fault_of_stencil_back(&p->stencil_back));
+    }
     FAULT_IF(p->color_count > GN_MAX_COLORS, GN_OUT_OF_RANGE, "color_count is above GN_MAX_COLORS");
-    for (int i = 0; i < GN_MAX_COLORS; ++i) {
+    for (int i = 0; GN_HAVE_COMBINING && i < GN_MAX_COLORS; ++i) {
         FAULT_IF_EIGHTH(p->color_write_disabled[i] > GN_CHANNEL_ALL, i, GN_OUT_OF_RANGE,
                         "color_write_disabled", " has bits beyond GN_CHANNEL_ALL");
         FAULT_FROM(fault_of_blend(&p->blend[i], i, p->blend_constant));
     }
     FAULT_IF((unsigned)p->logic_operation > GN_LOGIC_SET, GN_INVALID_ENUM,
              "logic_operation is no gn_logic_operation");
-    FAULT_IF(!gn_is_finite(p->point_size), GN_NOT_FINITE, "point_size is not finite");
-    FAULT_IF(p->point_size < 0.0f, GN_OUT_OF_RANGE, "point_size is below 0");
-    FAULT_IF(!gn_is_finite(p->line_width), GN_NOT_FINITE, "line_width is not finite");
-    FAULT_IF(p->line_width < 0.0f, GN_OUT_OF_RANGE, "line_width is below 0");
     FAULT_IF(p->samples_disabled >= 1u << GN_SAMPLES, GN_OUT_OF_RANGE,
              "samples_disabled has bits beyond GN_SAMPLES");
-    FAULT_IF((unsigned)p->point_origin > GN_POINT_LOWER_LEFT, GN_INVALID_ENUM,
-             "point_origin is no gn_point_origin");
-    FAULT_IF((unsigned)p->polygon_mode_front > GN_POLYGON_POINT, GN_INVALID_ENUM,
-             "polygon_mode_front is no gn_polygon_mode");
-    FAULT_IF((unsigned)p->polygon_mode_back > GN_POLYGON_POINT, GN_INVALID_ENUM,
-             "polygon_mode_back is no gn_polygon_mode");
+    if (GN_HAVE_LINES)
+        FAULT_FROM(fault_of_points_and_lines(p));
     return NO_FAULT;
 }
 

@@ -19,7 +19,8 @@
 #define GN_HAVE_TASKS (!GN_IS_SMALL)
 
 /* With GN_BASIC only triangles are drawn, under a depth test and with colours that replace
- * those that are there; what else a draw asks for is GN_NOT_COMPILED. */
+ * those that are there; what else a draw asks for is GN_NOT_COMPILED, and the numbers that go with
+ * it are not looked at. */
 #if defined(GN_BASIC)
 #define GN_HAVE_LINES 0
 #define GN_HAVE_STENCIL 0
