@@ -128,11 +128,16 @@ static void any_state(hostile *h, random_source *r)
     p->stencil_test = random_chance(r, 30);
     any_stencil(&p->stencil_front, r);
     any_stencil(&p->stencil_back, r);
-    if (h->color <= GN_FORMAT_RGBA32F && random_chance(r, 30)) {
-        p->blend.enabled = true;
-        p->blend.source = (gn_blend_factor)random_below(r, 16);
-        p->blend.destination = (gn_blend_factor)random_below(r, 16);
-        p->blend.equation = (gn_blend_equation)random_below(r, 6);
+    p->color_write_disabled[0] = random_chance(r, 30) ? random_below(r, 16) : 0;
+    p->color_logic = random_chance(r, 10);
+    p->logic_operation = (gn_logic_operation)random_below(r, 16);
+    p->polygon_mode_front = (gn_polygon_mode)random_below(r, 3);
+    p->polygon_mode_back = (gn_polygon_mode)random_below(r, 3);
+    if (random_chance(r, 30)) {
+        p->blend[0].enabled = true;
+        p->blend[0].source = (gn_blend_factor)random_below(r, 16);
+        p->blend[0].destination = (gn_blend_factor)random_below(r, 16);
+        p->blend[0].equation = (gn_blend_equation)random_below(r, 6);
     }
     p->point_size = state_number(r, 0.0f, FLT_MAX);
     p->line_width = state_number(r, 0.0f, FLT_MAX);

@@ -110,6 +110,12 @@ static enum theft_trial_res survives_text(struct theft *t, void *argument)
     return verdict(same);
 }
 
+static gn_surface top_down(const scene *s, void *memory, gn_format format)
+{
+    const gn_surface image = gn_surface_top_down(memory, format, s->width, s->height);
+    return scene_is_sampled(s) ? gn_surface_multisampled(&image) : image;
+}
+
 /* A scene drawn into surfaces whose first row in memory is the top one. */
 static bool draw_top_down(const scene *s, scene_frame *frame)
 {
@@ -117,10 +123,9 @@ static bool draw_top_down(const scene *s, scene_frame *frame)
     memset(&target, 0, sizeof target);
     for (int a = 0; a < GN_MAX_COLORS; a++)
         if (scene_color_format(s, a) != GN_FORMAT_NONE)
-            target.color[a] = gn_surface_top_down(scene_frame_color(frame, a),
-                                                  scene_color_format(s, a), s->width, s->height);
+            target.color[a] = top_down(s, scene_frame_color(frame, a), scene_color_format(s, a));
     if (s->depth_format != GN_FORMAT_NONE)
-        target.depth = gn_surface_top_down(frame->depth, s->depth_format, s->width, s->height);
+        target.depth = top_down(s, frame->depth, s->depth_format);
     const size_t size = scene_workspace_size(s);
     gn_workspace workspace = {.memory = malloc(size), .size = size};
     const bool good = workspace.memory && scene_draw_to_target(s, &target, &workspace) == GN_OK;
@@ -128,13 +133,17 @@ static bool draw_top_down(const scene *s, scene_frame *frame)
     return good;
 }
 
-static bool rows_reversed(const void *a, const void *b, gn_format format, uint32_t width,
-                          uint32_t height)
+/* Of every sample's image. */
+static bool rows_reversed(const scene *s, const void *a, const void *b, gn_format format)
 {
-    const size_t row = width * gn_format_size(format);
-    for (uint32_t y = 0; y < height && row > 0; y++)
-        if (memcmp((const char *)a + row * y, (const char *)b + row * (height - 1 - y), row) != 0)
+    const size_t row = s->width * gn_format_size(format);
+    const uint32_t images = scene_is_sampled(s) ? GN_SAMPLES : 1;
+    for (uint32_t y = 0; y < images * s->height && row > 0; y++) {
+        const uint32_t image = y / s->height * s->height;
+        const uint32_t mirrored = image + s->height - 1 - y % s->height;
+        if (memcmp((const char *)a + row * y, (const char *)b + row * mirrored, row) != 0)
             return false;
+    }
     return true;
 }
 
@@ -142,8 +151,8 @@ static bool colors_reversed(const scene *s, const scene_frame *up, const scene_f
 {
     bool reversed = true;
     for (int a = 0; a < GN_MAX_COLORS; a++)
-        reversed = reversed && rows_reversed(scene_frame_color(up, a), scene_frame_color(down, a),
-                                             scene_color_format(s, a), s->width, s->height);
+        reversed = reversed && rows_reversed(s, scene_frame_color(up, a),
+                                             scene_frame_color(down, a), scene_color_format(s, a));
     return reversed;
 }
 
@@ -154,7 +163,7 @@ static enum theft_trial_res rows_either_way(struct theft *t, void *argument)
     (void)t;
     const bool same = scene_draw_library(s, &up, 0, GN_BACKEND_AUTO) == GN_OK &&
                       draw_top_down(s, &down) && colors_reversed(s, &up, &down) &&
-                      rows_reversed(up.depth, down.depth, s->depth_format, s->width, s->height);
+                      rows_reversed(s, up.depth, down.depth, s->depth_format);
     scene_frame_free(&up);
     scene_frame_free(&down);
     scene_free(s);

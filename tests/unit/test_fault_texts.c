@@ -91,12 +91,12 @@ static void pipelines(void **state)
     ABOVE(stencil_back.fail, GN_STENCIL_DECREMENT_WRAP);
     ABOVE(stencil_back.depth_fail, GN_STENCIL_DECREMENT_WRAP);
     ABOVE(stencil_back.pass, GN_STENCIL_DECREMENT_WRAP);
-    ABOVE(blend.equation, GN_EQUATION_MAX);
-    ABOVE(blend.source, GN_FACTOR_SOURCE_ALPHA_SATURATE);
-    ABOVE(blend.destination, GN_FACTOR_SOURCE_ALPHA_SATURATE);
-    ABOVE(blend.alpha_equation, GN_EQUATION_MAX);
-    ABOVE(blend.alpha_source, GN_FACTOR_SOURCE_ALPHA_SATURATE);
-    ABOVE(blend.alpha_destination, GN_FACTOR_SOURCE_ALPHA_SATURATE);
+    ABOVE(blend[3].equation, GN_EQUATION_MAX);
+    ABOVE(blend[3].source, GN_FACTOR_SOURCE_ALPHA_SATURATE);
+    ABOVE(blend[3].destination, GN_FACTOR_SOURCE_ALPHA_SATURATE);
+    ABOVE(blend[3].alpha_equation, GN_EQUATION_MAX);
+    ABOVE(blend[3].alpha_source, GN_FACTOR_SOURCE_ALPHA_SATURATE);
+    ABOVE(blend[3].alpha_destination, GN_FACTOR_SOURCE_ALPHA_SATURATE);
     ABOVE(logic_operation, GN_LOGIC_SET);
     ABOVE(point_origin, GN_POINT_LOWER_LEFT);
     ABOVE(polygon_mode_front, GN_POLYGON_POINT);
@@ -118,11 +118,15 @@ static void pipelines(void **state)
     NUMBER(polygon_offset, clamp, NAN, GN_NOT_FINITE);
     p.clip_distance_count = GN_MAX_CLIP_DISTANCES + 1;
     expect_pipeline(GN_OUT_OF_RANGE, "clip_distance_count");
-    p.color_write_disabled = 16;
-    expect_pipeline(GN_OUT_OF_RANGE, "color_write_disabled");
-    p.blend.enabled = true;
-    p.blend.constant[3] = NAN;
-    expect_pipeline(GN_NOT_FINITE, "a number of blend.constant");
+    p.color_count = GN_MAX_COLORS + 1;
+    expect_pipeline(GN_OUT_OF_RANGE, "color_count");
+    p.color_write_disabled[7] = 16;
+    expect_pipeline(GN_OUT_OF_RANGE, "color_write_disabled[7]");
+    p.blend[1].enabled = true;
+    p.blend_constant[3] = NAN;
+    expect_pipeline(GN_NOT_FINITE, "a number of blend_constant");
+    p.samples_disabled = 1u << GN_SAMPLES;
+    expect_pipeline(GN_OUT_OF_RANGE, "samples_disabled");
     p.point_size = NAN;
     expect_pipeline(GN_NOT_FINITE, "point_size");
     p.point_size = -1.0f;
@@ -193,6 +197,7 @@ static void reset_target(void)
 {
     memset(&target, 0, sizeof target);
     target.color[0] = gn_surface_bottom_up(words, GN_FORMAT_RGBA8, 4, 4);
+    target.color[5] = target.color[0];
     target.depth = gn_surface_bottom_up(words, GN_FORMAT_D24, 4, 4);
 }
 
@@ -209,12 +214,12 @@ static void targets(void **state)
     met_count = 0;
     expect(gn_target_check(NULL), GN_NULL_POINTER, gn_target_fault(NULL), "the target");
     memset(&target, 0, sizeof target);
-    expect_target(GN_NO_SURFACE, "neither color[0] nor depth");
-    for (int i = 0; i < 2; ++i) {
-        gn_surface *const s = i == 0 ? &target.color[0] : &target.depth;
-        const char *const name = i == 0 ? "color[0]." : "depth.";
+    expect_target(GN_NO_SURFACE, "no color and no depth");
+    for (int i = 0; i < 3; ++i) {
+        gn_surface *const s = i == 2 ? &target.depth : &target.color[5 * i];
+        const char *const name = i == 0 ? "color[0]." : i == 1 ? "color[5]." : "depth.";
 
-        s->format = i == 0 ? GN_FORMAT_D24 : GN_FORMAT_RGBA8;
+        s->format = i < 2 ? GN_FORMAT_D24 : GN_FORMAT_RGBA8;
         expect_target(GN_INVALID_FORMAT, name);
         s->width = 0;
         expect_target(GN_INVALID_SIZE, name);
@@ -230,11 +235,29 @@ static void targets(void **state)
         expect_target(GN_INVALID_STRIDE, name);
         s->row_stride = PTRDIFF_MAX / 4 * 4;
         expect_target(GN_INVALID_STRIDE, name);
+        s->samples = 3;
+        expect_target(GN_INVALID_SAMPLES, name);
+        *s = gn_surface_multisampled(s);
+        s->sample_stride = 66;
+        expect_target(GN_MISALIGNED, name);
+        *s = gn_surface_multisampled(s);
+        s->sample_stride = 12;
+        expect_target(GN_INVALID_STRIDE, name);
+        *s = gn_surface_multisampled(s);
+        s->sample_stride = PTRDIFF_MAX / 4 * 4;
+        expect_target(GN_INVALID_STRIDE, name);
     }
-    target.depth.width = 3;
-    expect_target(GN_SIZE_MISMATCH, "color[0].width and depth.width");
-    target.depth.height = 3;
-    expect_target(GN_SIZE_MISMATCH, "color[0].height and depth.height");
+    for (int i = 0; i < 2; ++i) {
+        gn_surface *const s = i == 0 ? &target.color[5] : &target.depth;
+        const char *const name = i == 0 ? "color[5]." : "depth.";
+
+        s->width = 3;
+        expect_target(GN_SIZE_MISMATCH, name);
+        s->height = 3;
+        expect_target(GN_SIZE_MISMATCH, name);
+        *s = gn_surface_multisampled(s);
+        expect_target(GN_SIZE_MISMATCH, name);
+    }
 }
 
 int main(void)
