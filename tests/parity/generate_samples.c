@@ -143,8 +143,9 @@ scene *generate_sampled(uint64_t seed)
 {
     random_source r = random_seed(seed);
     const scene_class c = (scene_class)random_below(&r, CLASS_COUNT + 8); /* mixed more often */
-    scene *const s =
-        generate_scene(random_bits(&r), c < CLASS_SAMPLES ? c : CLASS_MIXED, random_bits(&r));
+    const uint64_t number = random_bits(&r);
+    const uint64_t of = random_bits(&r);
+    scene *const s = generate_scene(of, c < CLASS_SAMPLES ? c : CLASS_MIXED, number);
     make_sampled(&r, s);
     return s;
 }

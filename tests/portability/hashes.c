@@ -107,7 +107,6 @@ static void add_scene(hash *h, const scene *s)
 
 static bool draw_scene(const scene *s, gn_backend backend, hash *h)
 {
-    const size_t pixels = (size_t)s->width * s->height;
     scene_frame frame;
     if (!scene_frame_allocate(&frame, s)) {
         fprintf(stderr, "hashes: no memory\n");
@@ -116,7 +115,9 @@ static bool draw_scene(const scene *s, gn_backend backend, hash *h)
     const gn_status status = scene_draw_library(s, &frame, 0, backend);
     if (status != GN_OK)
         fprintf(stderr, "hashes: the library says: %s\n", gn_status_text(status));
-    add_pixels(h, frame.color, frame.color_format, pixels);
+    const size_t pixels = (size_t)s->width * s->height * frame.images;
+    for (int a = 0; a < GN_MAX_COLORS; a++)
+        add_pixels(h, scene_frame_color(&frame, a), scene_frame_format(&frame, a), pixels);
     add_pixels(h, frame.depth, frame.depth_format, pixels);
     scene_frame_free(&frame);
     return status == GN_OK;
