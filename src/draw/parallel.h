@@ -28,10 +28,12 @@
 #define TASK_PIXELS 32768
 #endif
 
-/* Triangles across the edge of two strips are set up in both: more strips than these, or than
- * so many a thread, cost more than they spread. */
+/* Triangles across the edge of two strips are set up in both: more strips than these cost more
+ * than they spread, and so do, where triangles are so small in pixels, more than so many a
+ * thread. */
 #define MAX_STRIPS 16
-#define STRIPS_PER_THREAD 2
+#define SMALL_TRIANGLE 4
+#define SMALL_STRIPS_PER_THREAD 2
 
 /* A step's items, divided into tasks of `size`. */
 typedef struct task_range {
@@ -365,10 +367,12 @@ static void strip_task(void *context, uint32_t task)
     *(uint64_t *)(void *)task_scratch(draw, task) = w.passed;
 }
 
-static uint32_t most_strips(uint32_t threads)
+static uint32_t most_strips(uint32_t threads, uint64_t area, uint64_t triangles)
 {
-    return threads == 0 || threads > MAX_STRIPS / STRIPS_PER_THREAD ? MAX_STRIPS
-                                                                    : threads * STRIPS_PER_THREAD;
+    if (threads == 0 || threads > MAX_STRIPS / SMALL_STRIPS_PER_THREAD ||
+        area >= triangles * SMALL_TRIANGLE)
+        return MAX_STRIPS;
+    return threads * SMALL_STRIPS_PER_THREAD;
 }
 
 /* Divides the rows that the round's triangles reach into strips of whole blocks, no more
@@ -393,7 +397,7 @@ static void divide_rows(round_state *round, uint32_t segments)
 
     const uint64_t worth = area / TASK_PIXELS + triangles / TASK_TRIANGLES;
     const uint32_t blocks = (uint32_t)(round->rows.max - round->rows.min) / BLOCK_SIZE + 1;
-    const uint32_t most = most_strips(round->draw->job->threads);
+    const uint32_t most = most_strips(round->draw->job->threads, area, triangles);
     const uint32_t wanted = worth < most ? (uint32_t)worth + 1 : most;
     const uint32_t strip_blocks = (blocks + wanted - 1) / wanted;
 
