@@ -84,8 +84,8 @@ static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uin
         }
     }
     /* With indices there is no quad, so that culling alone asks. */
-    if (map->outcodes && draw->pipeline->cull != GN_CULL_NONE)
-        resolve_segment(w, segment_outcodes(draw, first, count));
+    if (draw->pipeline->cull != GN_CULL_NONE)
+        resolve_segment(w, map->outcodes ? segment_outcodes(draw, first, count) : 0);
     add_primitives(w, first, count);
 }
 
