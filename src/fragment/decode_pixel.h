@@ -44,7 +44,8 @@ static inline float linear_of_srgb(uint32_t byte)
 }
 
 /* Red, green, blue and alpha of pixel x in a row of a colour format. */
-static inline void decode_pixel(gn_format format, const unsigned char *row, int32_t x, float color[4])
+static inline void decode_pixel(gn_format format, const unsigned char *row, int32_t x,
+                                float color[4])
 {
     const uint16_t *const halves = (const uint16_t *)(const void *)row;
     const uint32_t *const words = (const uint32_t *)(const void *)row;
