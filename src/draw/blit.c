@@ -2,10 +2,11 @@
  * at a time. */
 #include "gnomon/blit.h"
 
-#include "../fragment/decode_pixel.h"
-#include "../fragment/formats.h"
+#include "../fragment/pixel_rows.h"
+#include "../raster/cull.h"
 #include "blit_cut.h"
 #include "blit_quad.h"
+#include "check.h"
 
 typedef struct blit {
     const gn_surface *destination, *source;
@@ -19,25 +20,6 @@ typedef struct blit_texels {
     int32_t column[2][GN_LANES], row[2][GN_LANES];
     float weight[2][GN_LANES];
 } blit_texels;
-
-static bool is_color(gn_format format)
-{
-    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F || format_is_encoded(format);
-}
-
-static gn_status check_surface(const gn_surface *surface)
-{
-    gn_target target;
-
-    for (int n = 0; n < GN_MAX_COLORS; ++n)
-        target.color[n].format = GN_FORMAT_NONE;
-    target.depth.format = GN_FORMAT_NONE;
-    if (is_color(surface->format))
-        target.color[0] = *surface;
-    else
-        target.depth = *surface;
-    return surface->format == GN_FORMAT_NONE ? GN_INVALID_FORMAT : gn_target_check(&target);
-}
 
 static bool is_in_range(const gn_rectangle *r)
 {
@@ -90,19 +72,14 @@ static bool is_empty(const gn_rectangle *r)
 /* What the scissor leaves of the destination. */
 static gn_rectangle scissored(const gn_surface *destination, const gn_scissor *scissor)
 {
-    const gn_rectangle all = whole(destination);
+    const pixel_rectangle part = scissored_target(scissor, destination->width, destination->height);
     gn_rectangle r;
 
-    if (!scissor->set)
-        return all;
-    /* Sizes beyond what fits reach beyond the surface all the same. */
-    const uint32_t room_x = (uint32_t)INT32_MAX - (scissor->x > 0 ? (uint32_t)scissor->x : 0);
-    const uint32_t room_y = (uint32_t)INT32_MAX - (scissor->y > 0 ? (uint32_t)scissor->y : 0);
-    r.x0 = scissor->x;
-    r.y0 = scissor->y;
-    r.x1 = scissor->x + (int32_t)(scissor->width < room_x ? scissor->width : room_x);
-    r.y1 = scissor->y + (int32_t)(scissor->height < room_y ? scissor->height : room_y);
-    return intersection(&all, &r);
+    r.x0 = part.min_x;
+    r.y0 = part.min_y;
+    r.x1 = part.max_x + 1;
+    r.y1 = part.max_y + 1;
+    return r;
 }
 
 /* The addresses of a rectangle's pixels, the last byte's included, which is not empty. */
@@ -233,32 +210,6 @@ static void mix_four_texels(const gn_surface *source, const blit_texels *t, lane
 
         color[c] = lanes_as_float(lanes_i_select(is_number, lanes_as_int(mixed), nan));
     }
-}
-
-static void store_colors(const gn_surface *destination, int32_t x, int32_t y, uint32_t count,
-                         const lanes_f color[4])
-{
-    unsigned char *const row = surface_row(destination, (uint32_t)y);
-    const uint32_t size = format_size(destination->format);
-    int32_t channel[4][GN_LANES];
-
-    if (destination->format == GN_FORMAT_RGBA32F) {
-        stored_word *const words = (stored_word *)(void *)row;
-
-        for (int c = 0; c < 4; ++c)
-            lanes_i_store(channel[c], lanes_as_int(color[c]));
-        for (uint32_t l = 0; l < count; ++l)
-            for (int c = 0; c < 4; ++c)
-                words[4 * (x + (int32_t)l) + c] = channel[c][l];
-        return;
-    }
-    lanes_i word[2];
-
-    encode_colors(destination->format, color, word);
-    lanes_i_store(channel[0], word[0]);
-    lanes_i_store(channel[1], word[1]);
-    for (uint32_t l = 0; l < count; ++l)
-        store_pixel(row, x + (int32_t)l, size, channel[0][l], channel[1][l]);
 }
 
 /* Writes the pixels from x to x + count - 1 of row y. */
@@ -425,7 +376,7 @@ static void set_written(blit *b, const gn_blit_options *options)
 /* Whether all that the format has is to stay. */
 static bool keeps_all(gn_format format, const gn_blit_options *options)
 {
-    if (is_color(format))
+    if (format_is_color(format))
         return false;
     return (options->keeps_depth || !format_has_depth(format)) &&
            (options->keeps_stencil || !format_has_stencil(format));
@@ -449,17 +400,17 @@ gn_status gn_blit(const gn_surface *destination, const gn_rectangle *to, const g
         options = &defaults;
     if ((unsigned)options->filter > GN_BLIT_LINEAR)
         return GN_INVALID_ENUM;
-    status = check_surface(destination);
+    status = gn_check_any_surface(destination);
     if (status)
         return status;
-    status = check_surface(source);
+    status = gn_check_any_surface(source);
     if (status)
         return status;
     if (samples_of(destination) > 1 || samples_of(source) > 1)
         return GN_INVALID_SAMPLES;
 
-    const bool colors = is_color(source->format);
-    if (colors ? !is_color(destination->format)
+    const bool colors = format_is_color(source->format);
+    if (colors ? !format_is_color(destination->format)
                : destination->format != source->format || options->filter == GN_BLIT_LINEAR)
         return GN_INVALID_FORMAT;
 

@@ -12,15 +12,20 @@ static inline uint32_t mesh_index(const gn_mesh *mesh, size_t at)
                                                    : ((const uint32_t *)mesh->indices)[at];
 }
 
+/* The index that restarts, where one does. */
+static inline uint32_t restart_index_of(const gn_mesh *mesh)
+{
+    if (mesh->restart == GN_RESTART_INDEX)
+        return mesh->restart_index;
+    return mesh->index_format == GN_INDEX_UINT8    ? UINT8_MAX
+           : mesh->index_format == GN_INDEX_UINT16 ? UINT16_MAX
+                                                   : UINT32_MAX;
+}
+
 /* Whether an index is a restart and names no vertex. */
 static inline bool is_restart(const gn_mesh *mesh, uint32_t index)
 {
-    const uint32_t largest = mesh->index_format == GN_INDEX_UINT8    ? UINT8_MAX
-                             : mesh->index_format == GN_INDEX_UINT16 ? UINT16_MAX
-                                                                     : UINT32_MAX;
-
-    return mesh->restart != GN_RESTART_NONE &&
-           index == (mesh->restart == GN_RESTART_INDEX ? mesh->restart_index : largest);
+    return mesh->restart != GN_RESTART_NONE && index == restart_index_of(mesh);
 }
 
 /* Whether all indices that are drawn name vertices, or are restarts. */

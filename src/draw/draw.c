@@ -211,16 +211,6 @@ static bool is_left_out(const gn_target *target, const gn_pipeline *p, const gn_
            (!GN_HAVE_OFFSET && (p->polygon_offset.set || p->depth_clamp));
 }
 
-/* The index that restarts, where one does. */
-static uint32_t restart_index_of(const gn_mesh *mesh)
-{
-    if (mesh->restart == GN_RESTART_INDEX)
-        return mesh->restart_index;
-    return mesh->index_format == GN_INDEX_UINT8    ? UINT8_MAX
-           : mesh->index_format == GN_INDEX_UINT16 ? UINT16_MAX
-                                                   : UINT32_MAX;
-}
-
 /* Draws all instances. */
 static gn_status draw_instances(draw_job *job, const gn_mesh *mesh, gn_workspace *workspace)
 {

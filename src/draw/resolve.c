@@ -1,7 +1,5 @@
 /* Resolving: several samples of a pixel to one. */
-#include "../fragment/color.h"
-#include "../fragment/decode_pixel.h"
-#include "../fragment/formats.h"
+#include "../fragment/pixel_rows.h"
 #include "check.h"
 
 #if GN_HAVE_SAMPLES
@@ -28,31 +26,6 @@ static void average_row(const gn_surface *from, uint32_t x, uint32_t y, lanes_f 
         color[c] = lanes_mul(lanes_load(sum[c]), lanes_splat(0.25f));
 }
 
-static void store_row(const gn_surface *to, uint32_t x, uint32_t y, const lanes_f color[4])
-{
-    unsigned char *const row = surface_row(to, y);
-    const uint32_t count = to->width - x < GN_LANES ? to->width - x : GN_LANES;
-    const uint32_t size = format_size(to->format);
-    float channel[4][GN_LANES];
-    int32_t first[GN_LANES], second[GN_LANES];
-    lanes_i word[2];
-
-    if (to->format == GN_FORMAT_RGBA32F) {
-        for (int c = 0; c < 4; ++c)
-            lanes_store(channel[c], color[c]);
-        for (uint32_t l = 0; l < count; ++l) {
-            for (uint32_t c = 0; c < 4; ++c)
-                ((float *)(void *)row)[4 * (x + l) + c] = channel[c][l];
-        }
-        return;
-    }
-    encode_colors(to->format, color, word);
-    lanes_i_store(first, word[0]);
-    lanes_i_store(second, word[1]);
-    for (uint32_t l = 0; l < count; ++l)
-        store_pixel(row, (int32_t)(x + l), size, first[l], second[l]);
-}
-
 /* Sample 0 as it is. */
 static void copy_rows(const gn_surface *to, const gn_surface *from)
 {
@@ -65,11 +38,6 @@ static void copy_rows(const gn_surface *to, const gn_surface *from)
         for (uint32_t i = 0; i < size; ++i)
             out[i] = in[i];
     }
-}
-
-static bool is_of_colors(gn_format format)
-{
-    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F || format_is_encoded(format);
 }
 
 gn_status gn_resolve(const gn_surface *to, const gn_surface *from)
@@ -90,14 +58,15 @@ gn_status gn_resolve(const gn_surface *to, const gn_surface *from)
         return GN_INVALID_FORMAT;
     if (to->width != from->width || to->height != from->height)
         return GN_SIZE_MISMATCH;
-    if (samples_of(from) == 1 || !is_of_colors(to->format)) {
+    if (samples_of(from) == 1 || !format_is_color(to->format)) {
         copy_rows(to, from);
         return GN_OK;
     }
     for (uint32_t y = 0; y < to->height; ++y) {
         for (uint32_t x = 0; x < to->width; x += GN_LANES) {
             average_row(from, x, y, color);
-            store_row(to, x, y, color);
+            store_colors(to, (int32_t)x, (int32_t)y,
+                         to->width - x < GN_LANES ? to->width - x : GN_LANES, color);
         }
     }
     return GN_OK;

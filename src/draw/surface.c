@@ -196,7 +196,7 @@ gn_status gn_clear_color(const gn_surface *surface, float red, float green, floa
     if (!surface)
         return GN_NULL_POINTER;
 
-    const gn_status status = fault_of_surface(surface, is_color_format(surface->format), 0);
+    const gn_status status = fault_of_surface(surface, format_is_color(surface->format), 0);
     if (status)
         return status;
     if (!GN_HAVE_FORMATS && format_is_encoded(surface->format))

@@ -5,11 +5,6 @@
 #include "../fragment/types.h"
 #include "faults.h"
 
-static inline bool is_color_format(gn_format format)
-{
-    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F || format_is_encoded(format);
-}
-
 static inline bool is_depth_format(gn_format format)
 {
     return format == GN_FORMAT_D16 || format == GN_FORMAT_D24 || format == GN_FORMAT_D32F ||
@@ -89,7 +84,7 @@ static inline fault fault_of_target(const gn_target *target)
     for (int i = 0; i <= SURFACE_DEPTH; ++i) {
         const gn_surface *const s = i < SURFACE_DEPTH ? &target->color[i] : &target->depth;
         const bool fits = i < SURFACE_DEPTH
-                              ? is_color_format(s->format)
+                              ? format_is_color(s->format)
                               : is_depth_format(s->format) || format_has_stencil(s->format);
 
         if (s->format != GN_FORMAT_NONE)

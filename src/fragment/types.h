@@ -30,6 +30,11 @@ static inline bool format_is_encoded(gn_format format)
     return format >= GN_FORMAT_BGRA8 && format <= GN_FORMAT_SRGB8_A8;
 }
 
+static inline bool format_is_color(gn_format format)
+{
+    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F || format_is_encoded(format);
+}
+
 static inline bool format_has_depth(gn_format format)
 {
     return format != GN_FORMAT_NONE && format != GN_FORMAT_S8;

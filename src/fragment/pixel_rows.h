@@ -1,9 +1,10 @@
-/* Pixels of every colour format to floats, one at a time. */
-#ifndef GN_FRAGMENT_DECODE_PIXEL_H
-#define GN_FRAGMENT_DECODE_PIXEL_H
+/* Colours of every format to floats and back, pixel by pixel of a row: what blits and resolving
+ * take. */
+#ifndef GN_FRAGMENT_PIXEL_ROWS_H
+#define GN_FRAGMENT_PIXEL_ROWS_H
 
 #include "../math/bits.h"
-#include "types.h"
+#include "formats.h"
 
 /* `bits` of a word from bit `shift` on, as a fraction of their largest value. */
 static inline float unorm_of(uint32_t word, int shift, int bits)
@@ -114,6 +115,33 @@ static inline void decode_pixel(gn_format format, const unsigned char *row, int3
             color[c] = floats[4 * x + c];
         break;
     }
+}
+
+/* Writes colours to pixels x to x + count - 1 of a row, up to sixteen. */
+static inline void store_colors(const gn_surface *destination, int32_t x, int32_t y, uint32_t count,
+                                const lanes_f color[4])
+{
+    unsigned char *const row = surface_row(destination, (uint32_t)y);
+    const uint32_t size = format_size(destination->format);
+    int32_t channel[4][GN_LANES];
+
+    if (destination->format == GN_FORMAT_RGBA32F) {
+        stored_word *const words = (stored_word *)(void *)row;
+
+        for (int c = 0; c < 4; ++c)
+            lanes_i_store(channel[c], lanes_as_int(color[c]));
+        for (uint32_t l = 0; l < count; ++l)
+            for (int c = 0; c < 4; ++c)
+                words[4 * (x + (int32_t)l) + c] = channel[c][l];
+        return;
+    }
+    lanes_i word[2];
+
+    encode_colors(destination->format, color, word);
+    lanes_i_store(channel[0], word[0]);
+    lanes_i_store(channel[1], word[1]);
+    for (uint32_t l = 0; l < count; ++l)
+        store_pixel(row, x + (int32_t)l, size, channel[0][l], channel[1][l]);
 }
 
 #endif
