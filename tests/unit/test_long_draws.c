@@ -188,6 +188,61 @@ static void strips(void **state)
     draw_both_ways(GN_TRIANGLE_STRIP);
 }
 
+/* Slivers through centres of pixels, many of whose windings change where they are snapped: which
+ * of them are culled depends on whether their part of the draw has vertices outside. */
+static void make_slivers(void)
+{
+    uint32_t seed = 7;
+
+    for (int i = 0; i < VERTICES; i += 3) {
+        const float x = (float)(int)(noise(&seed) * 80.0f + 8.0f) + 0.5f;
+        const float y = (float)(int)(noise(&seed) * 80.0f + 8.0f) + 0.5f;
+        const float along_x = 8.0f * noise(&seed) - 4.0f, along_y = 8.0f * noise(&seed) - 4.0f;
+
+        for (int v = 0; v < 3; ++v) {
+            const float t = 2.0f * noise(&seed) - 1.0f;
+            const float off_x = 0.006f * noise(&seed) - 0.003f;
+            const float off_y = 0.006f * noise(&seed) - 0.003f;
+
+            position[i + v][0] = (x + t * along_x + off_x) * (2.0f / SIZE) - 1.0f;
+            position[i + v][1] = (y + t * along_y + off_y) * (2.0f / SIZE) - 1.0f;
+            position[i + v][2] = 0.0f;
+        }
+    }
+    position[VERTICES - 1][0] = 5.0f;
+}
+
+/* Every instance of a draw whose last part alone has a vertex outside draws the same. */
+static void instances_are_alike(void **state)
+{
+    static frame f;
+    static gn_color_uniforms uniforms;
+    uint64_t passed = 0;
+    const size_t size = gn_workspace_size(VERTICES, VARYINGS);
+    gn_workspace workspace = {.size = size, .memory = malloc(size), .samples_passed = &passed};
+    gn_target target = {{gn_surface_bottom_up(f.color, GN_FORMAT_RGBA8, SIZE, SIZE)}, {0}};
+    gn_pipeline pipeline = {.cull = GN_CULL_FRONT};
+    gn_mesh mesh = {.vertex_count = VERTICES, .indices = indices, .index_format = GN_INDEX_UINT32};
+
+    (void)state;
+    assert_non_null(workspace.memory);
+    make_slivers();
+    for (count = 0; count < VERTICES; ++count)
+        indices[count] = count;
+    mesh.count = count;
+    mesh.attribute[GN_ATTRIBUTE_POSITION] = (gn_attribute){.data = position[0], .components = 3};
+    gn_mat4_identity(&uniforms.clip_from_model);
+    assert_int_equal(gn_use_vertex_color(&pipeline, &uniforms), GN_OK);
+    assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+    const uint64_t once = passed;
+
+    assert_true(once > 0);
+    mesh.instance_count = 3;
+    assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+    assert_int_equal(passed, 4 * once);
+    free(workspace.memory);
+}
+
 /* Little memory is enough to shade each vertex once, where indices go along with them. */
 static uint64_t shaded;
 
@@ -226,6 +281,7 @@ int main(void)
         cmocka_unit_test(rows_in_any_order),
         cmocka_unit_test(few_triangles_are_seen),
         cmocka_unit_test(strips),
+        cmocka_unit_test(instances_are_alike),
         cmocka_unit_test(few_vertices_are_kept),
     };
 
