@@ -134,7 +134,8 @@ GN_API gn_surface gn_surface_sample(const gn_surface *surface, uint32_t sample);
  * GN_MAX_SIZE (GN_INVALID_SIZE), null pixels (GN_NULL_POINTER), pixels or stride
  * not aligned (GN_MISALIGNED), a stride shorter than a row, or so long that the rows
  * do not fit memory (GN_INVALID_STRIDE; with one row the stride does not matter), a number of
- * samples that is not 0, 1 or GN_SAMPLES (GN_INVALID_SAMPLES), a stride of samples that is not
+ * samples that is not 0, 1 or GN_SAMPLES (GN_INVALID_SAMPLES) or is above 1 in a library compiled
+ * without samples (GN_NOT_COMPILED), a stride of samples that is not
  * aligned or so long that they do not fit memory or shorter than a row (GN_MISALIGNED,
  * GN_INVALID_STRIDE; that samples do not overlap otherwise is not checked); last, sizes or numbers
  * of samples that differ (GN_SIZE_MISMATCH). */

@@ -144,8 +144,8 @@ scene *generate_sampled(uint64_t seed)
     random_source r = random_seed(seed);
     const scene_class c = (scene_class)random_below(&r, CLASS_COUNT + 8); /* mixed more often */
     const uint64_t number = random_bits(&r);
-    const uint64_t of = random_bits(&r);
-    scene *const s = generate_scene(of, c < CLASS_SAMPLES ? c : CLASS_MIXED, number);
+    const uint64_t inner_seed = random_bits(&r);
+    scene *const s = generate_scene(inner_seed, c < CLASS_SAMPLES ? c : CLASS_MIXED, number);
     make_sampled(&r, s);
     return s;
 }
