@@ -57,7 +57,8 @@ GN_BEGIN
  *
  * On a fault nothing is written. The first, in this order: a null surface (GN_NULL_POINTER); a
  * filter that is none (GN_INVALID_ENUM); what gn_target_check says of the destination, of the
- * source; formats of colours and of depth or stencil, or two of the latter that
+ * source; several samples in either (GN_INVALID_SAMPLES; gn_resolve makes one of them); formats of
+ * colours and of depth or stencil, or two of the latter that
  * differ, or a linear filter of those (GN_INVALID_FORMAT); a corner out of range
  * (GN_OUT_OF_RANGE); memory of pixels that are read and of pixels that may be written
  * overlaps (GN_OVERLAP), unless both surfaces are views of one image (equal pixels, stride and

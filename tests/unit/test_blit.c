@@ -84,6 +84,9 @@ static void faults_are_named_and_nothing_is_written(void **state)
     bad = color;
     bad.pixels = (unsigned char *)from_memory + 2;
     refuses(GN_MISALIGNED, &to, NULL, &bad, NULL, NULL);
+    bad = gn_surface_multisampled(&to);
+    refuses(GN_INVALID_SAMPLES, &bad, NULL, &color, NULL, NULL);
+    refuses(GN_INVALID_SAMPLES, &to, NULL, &bad, NULL, NULL);
     refuses(GN_INVALID_FORMAT, &to, NULL, &depth, NULL, NULL);
     refuses(GN_INVALID_FORMAT, &to_depth, NULL, &color, NULL, NULL);
     refuses(GN_INVALID_FORMAT, &to_other, NULL, &depth, NULL, NULL);
