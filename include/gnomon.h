@@ -19,6 +19,7 @@
  *   surface.h     colour and depth images in the caller's memory, and clears
  *   blit.h        rectangles of surfaces onto others, converted and scaled
  *   texture.h     images that shaders read
+ *   sampling.h    how they are read: wraps, filters, levels of detail
  *   derivatives.h dFdx, dFdy and fwidth for users' shaders
  *   pipeline.h    shaders and the state of a draw
  *   backend.h     instruction sets
@@ -57,6 +58,7 @@
 #include "gnomon/projection.h"
 #include "gnomon/quat.h"
 #include "gnomon/ray.h"
+#include "gnomon/sampling.h"
 #include "gnomon/scalar.h"
 #include "gnomon/shaders.h"
 #include "gnomon/status.h"

@@ -7,7 +7,7 @@
 #ifndef GNOMON_DERIVATIVES_H
 #define GNOMON_DERIVATIVES_H
 
-#include "texture.h"
+#include "sampling.h"
 
 GN_BEGIN
 

@@ -57,7 +57,7 @@
 #include <stdbool.h>
 
 #include "surface.h"
-#include "texture.h"
+#include "sampling.h"
 
 /* Scalar varyings a vertex shader may hand to the fragment shader. */
 #define GN_MAX_VARYINGS 32
@@ -298,8 +298,9 @@ typedef struct gn_fragment_input {
     uint32_t coverage;                /* bit l: lane l is covered and passed early tests */
     int32_t x, y;                     /* window coordinates of lane 0: x a multiple of 4, y of 2 */
 
-    /* gn_sample_2d in the form of the back end that runs the shader; the same result. */
-    gn_sample_2d_function *sample_2d;
+    /* The functions of sampling.h in the form of the back end that runs the shader; the same
+     * results. */
+    const gn_sampling *sampling;
 
     bool front_facing; /* gl_FrontFacing, by front_face */
 

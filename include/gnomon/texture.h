@@ -1,78 +1,85 @@
 /* Textures: images in the caller's memory that shaders read. No copy is made;
- * the texels must stay in place while a pipeline uses them. A zeroed sampler is
- * OpenGL's initial state.
+ * the texels must stay in place while a pipeline uses them.
  *
- *   field      OpenGL name              zero value
- *   wrap_s     TEXTURE_WRAP_S           GN_WRAP_REPEAT
- *   wrap_t     TEXTURE_WRAP_T           GN_WRAP_REPEAT
- *   magnify    TEXTURE_MAG_FILTER       GN_MAGNIFY_LINEAR
- *   minify     TEXTURE_MIN_FILTER       GN_MINIFY_NEAREST_MIPMAP_LINEAR
+ *   target                  coordinates                  layers of a level
+ *   GN_TEXTURE_2D           s, t                         1
+ *   GN_TEXTURE_1D           s; height 1                  1
+ *   GN_TEXTURE_2D_ARRAY     s, t, the layer's number     depth, in every level
+ *   GN_TEXTURE_3D           s, t, r                      depth, halved from level to level
+ *   GN_TEXTURE_CUBE         a direction; width = height  6: +x, -x, +y, -y, +z, -z
  *
- * A texture has one level, OpenGL's TEXTURE_MAX_LEVEL 0, so that mipmap filters
- * read it: GN_MINIFY_NEAREST_MIPMAP_LINEAR then gives what GN_MINIFY_NEAREST does. */
+ * Levels are OpenGL's from TEXTURE_BASE_LEVEL to TEXTURE_MAX_LEVEL: level n has max(1, width >> n)
+ * texels a row, and so on. A texture that begins at another level lists that one first.
+ *
+ * Texels are those of gnomon/surface.h's formats: every colour, and D16, D24, D24S8, D32F, D32FS8,
+ * which give their depth in red, or what a comparison with it gives. Channels that a format lacks
+ * are 0, alpha 1. Of GN_FORMAT_SRGB8_A8 red, green and blue are decoded before they are filtered.
+ */
 #ifndef GNOMON_TEXTURE_H
 #define GNOMON_TEXTURE_H
 
 #include "surface.h"
 
-/* Vertices, triangles, fragments and texture samples are processed this many at a
- * time, as structures of arrays. */
-#define GN_LANES 16
+/* Levels of the largest texture: 16384 to 1. */
+#define GN_MAX_LEVELS 15
 
-typedef enum gn_wrap { GN_WRAP_REPEAT = 0, GN_WRAP_CLAMP_TO_EDGE } gn_wrap;
+typedef enum gn_texture_target {
+    GN_TEXTURE_2D = 0,
+    GN_TEXTURE_1D,
+    GN_TEXTURE_2D_ARRAY,
+    GN_TEXTURE_3D,
+    GN_TEXTURE_CUBE
+} gn_texture_target;
 
-typedef enum gn_magnify { GN_MAGNIFY_LINEAR = 0, GN_MAGNIFY_NEAREST } gn_magnify;
-
-typedef enum gn_minify {
-    GN_MINIFY_NEAREST_MIPMAP_LINEAR = 0,
-    GN_MINIFY_NEAREST,
-    GN_MINIFY_LINEAR
-} gn_minify;
+typedef struct gn_texture_level {
+    const void *texels;     /* the texel of s = 0, t = 0 in the first layer; rows grow with t */
+    ptrdiff_t row_stride;   /* bytes from a row to the next t; negative flips the image */
+    ptrdiff_t layer_stride; /* bytes from a layer to the next; with one layer not looked at */
+} gn_texture_level;
 
 typedef struct gn_texture {
-    const void *texels;   /* the texel of s = 0, t = 0; rows grow with t */
-    ptrdiff_t row_stride; /* bytes from a row to the next t; negative flips the image */
-    uint32_t width;       /* in texels, 1 to GN_MAX_SIZE */
+    gn_texture_target target;
+    gn_format format;
+    uint32_t width; /* of level 0, in texels, 1 to GN_MAX_SIZE */
     uint32_t height;
-    gn_format format; /* GN_FORMAT_RGBA8 or GN_FORMAT_RGBA32F */
+    uint32_t depth;       /* of GN_TEXTURE_3D and GN_TEXTURE_2D_ARRAY; of others not looked at */
+    uint32_t level_count; /* 0: 1 */
+    gn_texture_level level[GN_MAX_LEVELS];
 } gn_texture;
-
-typedef struct gn_sampler {
-    gn_wrap wrap_s;
-    gn_wrap wrap_t;
-    gn_magnify magnify;
-    gn_minify minify;
-} gn_sampler;
-
-/* The type of gn_sample_2d. */
-typedef void gn_sample_2d_function(const gn_texture *texture, const gn_sampler *sampler,
-                                   const float s[GN_LANES], const float t[GN_LANES],
-                                   float texel[4][GN_LANES]);
 
 GN_BEGIN
 
-/* The first fault of a texture: null pointer or texels (GN_NULL_POINTER),
- * format (GN_INVALID_FORMAT), size (GN_INVALID_SIZE), texels or stride not aligned to 4
- * bytes (GN_MISALIGNED), stride shorter than a row or so long that the rows do not fit
- * memory (GN_INVALID_STRIDE; with one row it does not matter). */
+/* The first fault of a texture: null pointer (GN_NULL_POINTER), target
+ * (GN_INVALID_ENUM), format (GN_INVALID_FORMAT), size (GN_INVALID_SIZE: a width, height or depth of
+ * 0 or above GN_MAX_SIZE, a 1D texture higher than 1, a cube that is none, more levels than the
+ * size has); of each level: null texels (GN_NULL_POINTER), texels or a stride not aligned to the
+ * format's element (GN_MISALIGNED), a stride of rows or layers that is shorter than one or so long
+ * that they do not fit memory (GN_INVALID_STRIDE). */
 GN_API gn_status gn_texture_check(const gn_texture *texture);
 
-/* GN_NULL_POINTER, or GN_INVALID_ENUM where a field holds none of its values. */
-GN_API gn_status gn_sampler_check(const gn_sampler *sampler);
+/* The same fault in words that name the field, in static storage; null where there is none. */
+GN_API const char *gn_texture_fault(const gn_texture *texture);
 
-/* Samples a 2D texture at the 16 fragments of a block: texel[channel][lane], in
- * the order red, green, blue, alpha. Lane l is the fragment (l % 4, l / 4) of the
- * block; derivatives, which decide between the magnifying and the minifying
- * filter, are taken within each 2x2 quad from its lower left fragment, so all
- * lanes must hold coordinates, covered or not. A coordinate that is not finite
- * reads some texel of the texture, never memory outside it.
- * Precondition: gn_texture_check and gn_sampler_check give GN_OK.
- * The outputs must not overlap the inputs.
- * Follows OpenGL 4.5 section 8.14 in the order of operations measured for the
- * reference rasterizer (bilinear: along s first, then t, a + w*(b - a)). */
-GN_API void gn_sample_2d(const gn_texture *texture, const gn_sampler *sampler,
-                         const float s[GN_LANES], const float t[GN_LANES],
-                         float texel[4][GN_LANES]);
+/* Bytes of a texture's levels, all tightly packed one after the other: rows, layers, levels. 0
+ * where the target, format, size or number of levels is invalid, as gn_texture_check says, or the
+ * sum does not fit memory. level_count 0 means 1, depth is looked at where the target has one. */
+GN_API size_t gn_texture_memory_size(gn_texture_target target, gn_format format, uint32_t width,
+                                     uint32_t height, uint32_t depth, uint32_t level_count);
+
+/* Describes a texture over such memory, aligned to the format's element. The statuses of
+ * gn_texture_check; on a fault *texture is left as it was. */
+GN_API gn_status gn_texture_packed(gn_texture_target target, gn_format format, uint32_t width,
+                                   uint32_t height, uint32_t depth, uint32_t level_count,
+                                   const void *texels, gn_texture *texture);
+
+/* Makes the levels after the first, down to one texel, from the first one: writes them, tightly
+ * packed, into memory of at least gn_texture_memory_size of all levels less that of one, and lists
+ * them in the texture.
+ * The statuses of gn_texture_check; GN_NULL_POINTER (memory), GN_MISALIGNED (memory),
+ * GN_INVALID_FORMAT (depth formats), GN_WORKSPACE_TOO_SMALL (size); on a fault nothing is written
+ * and the texture is left as it was. The memory must not overlap the first level's texels.
+ * Follows OpenGL 4.5 section 8.14.4 with the box filter measured for the reference. */
+GN_API gn_status gn_texture_generate_levels(gn_texture *texture, void *memory, size_t size);
 
 GN_END
 

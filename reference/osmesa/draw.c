@@ -176,6 +176,12 @@ static GLint minify(gn_minify m)
         return GL_NEAREST;
     case GN_MINIFY_LINEAR:
         return GL_LINEAR;
+    case GN_MINIFY_NEAREST_MIPMAP_NEAREST:
+        return GL_NEAREST_MIPMAP_NEAREST;
+    case GN_MINIFY_LINEAR_MIPMAP_NEAREST:
+        return GL_LINEAR_MIPMAP_NEAREST;
+    case GN_MINIFY_LINEAR_MIPMAP_LINEAR:
+        return GL_LINEAR_MIPMAP_LINEAR;
     case GN_MINIFY_NEAREST_MIPMAP_LINEAR:
         break;
     }
@@ -193,7 +199,7 @@ static void upload_texture(const gn_texture *t, const gn_sampler *sampler, uploa
     for (uint32_t y = 0; y < t->height; ++y) {
         glTexSubImage2D(GL_TEXTURE_2D, 0, 0, (GLint)y, (GLsizei)t->width, 1, GL_RGBA,
                         bytes ? GL_UNSIGNED_INT_8_8_8_8_REV : GL_FLOAT,
-                        (const char *)t->texels + (ptrdiff_t)y * t->row_stride);
+                        (const char *)t->level[0].texels + (ptrdiff_t)y * t->level[0].row_stride);
     }
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap(sampler->wrap_s));

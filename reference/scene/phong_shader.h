@@ -71,8 +71,8 @@ void PHONG(fragment)(const void *uniforms, const gn_fragment_input *input,
     float texel[4][GN_LANES];
     float lit[GN_LANES], shine[GN_LANES]; /* N.L, and R.V to the power of 32 */
 
-    input->sample_2d(&u->texture, &u->sampler, input->varying[PHONG_S], input->varying[PHONG_T],
-                     texel);
+    input->sampling->sample_2d(&u->texture, &u->sampler, input->varying[PHONG_S],
+                               input->varying[PHONG_T], texel);
     for (int l = 0; l < GN_LANES; ++l) {
         const float n_x = normal[0][l], n_y = normal[1][l], n_z = normal[2][l];
         const float n_scale = 1.0f / sqrtf(dot(n_x, n_y, n_z, n_x, n_y, n_z));

@@ -90,7 +90,7 @@ static void free_draw(scene_draw *d)
         free((void *)d->mesh.attribute[a].data);
     }
     free((void *)d->mesh.indices);
-    free((void *)d->uniforms.texture.texels);
+    free((void *)d->uniforms.texture.level[0].texels);
 }
 
 void scene_free(scene *s)
@@ -215,9 +215,9 @@ void scene_set_texture(scene_draw *d, const void *texels, uint32_t width, uint32
     if (row && height) {
         memcpy(copy, texels, row * height);
     }
-    free((void *)t->texels);
-    t->texels = copy;
-    t->row_stride = (ptrdiff_t)row;
+    free((void *)t->level[0].texels);
+    t->level[0].texels = copy;
+    t->level[0].row_stride = (ptrdiff_t)row;
     t->width = width;
     t->height = height;
     t->format = format;
@@ -266,9 +266,9 @@ scene *scene_copy(const scene *s)
             memcpy(indices, from->mesh.indices, index_bytes);
             to->mesh.indices = indices;
         }
-        if (texture->texels) {
-            to->uniforms.texture.texels = NULL;
-            scene_set_texture(to, texture->texels, texture->width, texture->height,
+        if (texture->level[0].texels) {
+            to->uniforms.texture.level[0].texels = NULL;
+            scene_set_texture(to, texture->level[0].texels, texture->width, texture->height,
                               texture->format);
         }
     }

@@ -59,7 +59,7 @@ static void write_texture(FILE *out, const gn_texture *t)
     fprintf(out, "  texture %s %" PRIu32 " %" PRIu32 "\n", text_name(TEXT_FORMAT, (int)t->format),
             t->width, t->height);
     for (uint32_t y = 0; y < t->height; ++y) {
-        const char *row = (const char *)t->texels + (ptrdiff_t)y * t->row_stride;
+        const char *row = (const char *)t->level[0].texels + (ptrdiff_t)y * t->level[0].row_stride;
 
         fputs("   ", out);
         for (size_t i = 0; i < t->width * words; ++i) {
@@ -216,7 +216,7 @@ static void write_uniforms(FILE *out, const scene_draw *d)
             text_name(TEXT_WRAP, (int)u->sampler.wrap_t),
             text_name(TEXT_MAGNIFY, (int)u->sampler.magnify),
             text_name(TEXT_MINIFY, (int)u->sampler.minify));
-    if (u->texture.texels) {
+    if (u->texture.level[0].texels) {
         write_texture(out, &u->texture);
     }
 }

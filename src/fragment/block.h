@@ -140,6 +140,7 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     const triangle_identity identity = identity_of(triangle, pipeline->varying_count);
     float varying[GN_MAX_VARYINGS][GN_LANES];
     float position[4][GN_LANES], point_coordinate[2][GN_LANES];
+    const gn_sampling sampling = {GN_SPECIALISED ? sample_2d : gn_sample_2d, 0, 0, 0};
     gn_fragment_input input;
     gn_fragment_output output;
 
@@ -149,7 +150,7 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     input.coverage = coverage;
     input.x = x;
     input.y = y;
-    input.sample_2d = GN_SPECIALISED ? sample_2d : gn_sample_2d;
+    input.sampling = &sampling;
     input.front_facing = !identity.back;
     input.primitive_id = pipeline->fragment_reads_primitive ? (uint32_t)identity.primitive : 0;
     input.position = 0;

@@ -32,7 +32,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "gnomon/texture.h"
+#include "gnomon/sampling.h"
 
 #include "small.h"
 

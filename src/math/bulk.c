@@ -2,7 +2,7 @@
  * left over as one block more in memory of its own. */
 #include <gnomon/bulk.h>
 
-#include <gnomon/texture.h>
+#include <gnomon/sampling.h>
 
 #include "../backends/have.h"
 #include "bulk_job.h"

@@ -31,8 +31,8 @@ void gn_shade_textured(const void *uniforms, const gn_fragment_input *input,
     const gn_textured_uniforms *u = uniforms;
     float texel[4][GN_LANES];
 
-    input->sample_2d(&u->texture, &u->sampler, input->varying[VARYING_S], input->varying[VARYING_T],
-                     texel);
+    input->sampling->sample_2d(&u->texture, &u->sampler, input->varying[VARYING_S],
+                               input->varying[VARYING_T], texel);
     for (int c = 0; c < 4; ++c) {
         GN_EACH_LANE (l)
             output->color[c][l] = input->varying[c][l] * texel[c][l];

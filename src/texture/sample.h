@@ -10,13 +10,13 @@
  * apart, of which there are at most 2^14. */
 static inline bool has_word_texels(const gn_texture *texture)
 {
-    return texture->format == GN_FORMAT_RGBA8 && texture->row_stride >= -(1 << 18) &&
-           texture->row_stride <= 1 << 18;
+    return texture->format == GN_FORMAT_RGBA8 && texture->level[0].row_stride >= -(1 << 18) &&
+           texture->level[0].row_stride <= 1 << 18;
 }
 
 static inline lanes_i word_index(const gn_texture *texture, lanes_i column, lanes_i row)
 {
-    const lanes_i words_per_row = lanes_i_splat((int32_t)(texture->row_stride / 4));
+    const lanes_i words_per_row = lanes_i_splat((int32_t)(texture->level[0].row_stride / 4));
 
     return lanes_i_add(lanes_i_mul(row, words_per_row), column);
 }
@@ -25,14 +25,14 @@ static inline lanes_i word_index(const gn_texture *texture, lanes_i column, lane
 GN_OUT_OF_LINE void fetch_any(const gn_texture *texture, const lanes_i *column, const lanes_i *row,
                               lanes_f texel[4])
 {
-    const unsigned char *const texels = texture->texels;
+    const unsigned char *const texels = texture->level[0].texels;
     int32_t s[GN_LANES], t[GN_LANES];
     float channel[4][GN_LANES];
 
     lanes_i_store(s, *column);
     lanes_i_store(t, *row);
     GN_EACH_LANE (l) {
-        const void *const line = texels + (ptrdiff_t)t[l] * texture->row_stride;
+        const void *const line = texels + (ptrdiff_t)t[l] * texture->level[0].row_stride;
 
         if (texture->format == GN_FORMAT_RGBA8) {
             const uint32_t packed = ((const uint32_t *)line)[s[l]];
@@ -58,8 +58,8 @@ GN_OUT_OF_LINE void sample_nearest(const gn_texture *texture, const gn_sampler *
         fetch_any(texture, &column, &row, texel);
         return;
     }
-    const lanes_i packed =
-        lanes_i_gather((const stored_word *)texture->texels, word_index(texture, column, row));
+    const lanes_i packed = lanes_i_gather((const stored_word *)texture->level[0].texels,
+                                          word_index(texture, column, row));
     texel[0] = lanes_unpack_unorm8(packed, 0);
     texel[1] = lanes_unpack_unorm8(packed, 1);
     texel[2] = lanes_unpack_unorm8(packed, 2);
@@ -96,13 +96,13 @@ static inline void fetch_corners(const gn_texture *texture, const gn_sampler *sa
                                  const texel_pair *u, const texel_pair *v,
                                  lanes_i corner[CORNER_COUNT])
 {
-    const stored_word *const words = texture->texels;
+    const stored_word *const words = texture->level[0].texels;
     const lanes_i index = word_index(texture, u->first, v->first);
     const lanes_i at_end = lanes_i_or(lanes_m_as_int(u->at_end), lanes_m_as_int(v->at_end));
 
     if (lanes_i_sign_bits(at_end) == 0) {
         lanes_i_gather_pairs(words, index, &corner[CORNER_00], &corner[CORNER_10]);
-        lanes_i_gather_pairs(words + texture->row_stride / 4, index, &corner[CORNER_01],
+        lanes_i_gather_pairs(words + texture->level[0].row_stride / 4, index, &corner[CORNER_01],
                              &corner[CORNER_11]);
     } else {
         const lanes_i right = second_texel(sampler->wrap_s, u);

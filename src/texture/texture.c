@@ -8,7 +8,7 @@ static size_t element_size(gn_format format)
 
 gn_status gn_texture_check(const gn_texture *texture)
 {
-    if (!texture || !texture->texels)
+    if (!texture || !texture->level[0].texels)
         return GN_NULL_POINTER;
     if (!element_size(texture->format))
         return GN_INVALID_FORMAT;
@@ -19,8 +19,8 @@ gn_status gn_texture_check(const gn_texture *texture)
     const size_t element = element_size(texture->format);
     const size_t row = texture->width * gn_format_size(texture->format);
     const size_t stride =
-        texture->row_stride < 0 ? 0 - (size_t)texture->row_stride : (size_t)texture->row_stride;
-    if ((uintptr_t)texture->texels % element != 0 || stride % element != 0)
+        texture->level[0].row_stride < 0 ? 0 - (size_t)texture->level[0].row_stride : (size_t)texture->level[0].row_stride;
+    if ((uintptr_t)texture->level[0].texels % element != 0 || stride % element != 0)
         return GN_MISALIGNED;
     if (texture->height > 1 &&
         (stride < row || stride > (size_t)PTRDIFF_MAX / (texture->height - 1)))

@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "gnomon/texture.h"
+#include "gnomon/sampling.h"
 
 #include "../lanes/lanes.h"
 

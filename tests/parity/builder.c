@@ -255,7 +255,7 @@ void builder_draw(builder *b)
     d->mesh.first = b->lead;
     d->mesh.count = count;
     if (scene_shader_is_textured(b->shader))
-        scene_set_texture(d, b->uniforms.texture.texels, b->uniforms.texture.width,
+        scene_set_texture(d, b->uniforms.texture.level[0].texels, b->uniforms.texture.width,
                           b->uniforms.texture.height, b->uniforms.texture.format);
     reset_draw(b);
 }

@@ -125,7 +125,7 @@ static void any_texture(builder *b, uint32_t *texels)
     t->width = random_chance(r, 50) ? TEXTURE_SIDE : 5;
     t->height = random_chance(r, 50) ? TEXTURE_SIDE : 3;
     t->format = GN_FORMAT_RGBA8;
-    t->texels = texels;
+    t->level[0].texels = texels;
     for (uint32_t i = 0; i < TEXTURE_SIDE * TEXTURE_SIDE; i++)
         texels[i] = (uint32_t)(random_bits(r) >> 32) | 0x01010101u;
     b->uniforms.sampler.wrap_s = (gn_wrap)random_below(r, 2);

@@ -205,7 +205,7 @@ static void add_textured(builder *b, scene_shader shader, gn_format format)
     if (format != GN_FORMAT_NONE)
         t->format = format;
     void *texels = random_texels(b, t->width * t->height, t->format);
-    t->texels = texels;
+    t->level[0].texels = texels;
     b->uniforms.sampler.wrap_s = (gn_wrap)random_below(r, 2);
     b->uniforms.sampler.wrap_t = (gn_wrap)random_below(r, 2);
     b->uniforms.sampler.magnify = (gn_magnify)random_below(r, 2);

@@ -77,8 +77,8 @@ static void copy_draw(scene *to, const scene_draw *from, const mesh_selection *s
     d->mesh.first = selection->first;
     d->mesh.count = selection->count;
     const gn_texture *t = &from->uniforms.texture;
-    if (t->texels && scene_shader_is_textured(from->shader))
-        scene_set_texture(d, t->texels, t->width, t->height, t->format);
+    if (t->level[0].texels && scene_shader_is_textured(from->shader))
+        scene_set_texture(d, t->level[0].texels, t->width, t->height, t->format);
 }
 
 scene *copy_with_selection(const scene *s, size_t draw, const mesh_selection *selection)

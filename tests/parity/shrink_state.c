@@ -535,11 +535,11 @@ static bool simplify_texture(shrinking *s, size_t draw)
 {
     const gn_texture *t = &s->best->draws[draw].uniforms.texture;
     bool progress = false;
-    if (!scene_shader_is_textured(s->best->draws[draw].shader) || !t->texels)
+    if (!scene_shader_is_textured(s->best->draws[draw].shader) || !t->level[0].texels)
         return false;
     while (t->height > 1) { /* the lower half */
         scene *copy = scene_copy(s->best);
-        scene_set_texture(&copy->draws[draw], t->texels, t->width, t->height / 2, t->format);
+        scene_set_texture(&copy->draws[draw], t->level[0].texels, t->width, t->height / 2, t->format);
         if (!shrink_try(s, copy))
             break;
         progress = true;

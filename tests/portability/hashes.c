@@ -100,8 +100,8 @@ static void add_scene(hash *h, const scene *s)
         }
         for (uint32_t i = 0; i < d->index_count; i++)
             add_word(h, scene_vertex_of(&d->mesh, i));
-        if (t->texels)
-            add_pixels(h, t->texels, t->format, (size_t)t->width * t->height);
+        if (t->level[0].texels)
+            add_pixels(h, t->level[0].texels, t->format, (size_t)t->width * t->height);
     }
 }
 

@@ -118,8 +118,8 @@ static gn_status draw_cube(const gn_target *target, float away)
 
     for (uint32_t i = 0; i < TEXTURE_SIZE * TEXTURE_SIZE; ++i)
         texels[i] = (i ^ i / TEXTURE_SIZE) & 4 ? 0xFF2040FFu : 0xFFFFFFFFu - 0x000301u * i;
-    uniforms.texture.texels = texels;
-    uniforms.texture.row_stride = TEXTURE_SIZE * 4;
+    uniforms.texture.level[0].texels = texels;
+    uniforms.texture.level[0].row_stride = TEXTURE_SIZE * 4;
     uniforms.texture.width = uniforms.texture.height = TEXTURE_SIZE;
     uniforms.texture.format = GN_FORMAT_RGBA8;
     uniforms.sampler.magnify = GN_MAGNIFY_NEAREST;

@@ -18,8 +18,8 @@ static void reset(void)
     uniforms.light.light_direction.z = 1.0f;
     uniforms.light.ambient.x = uniforms.light.ambient.y = uniforms.light.ambient.z = 0.25f;
     uniforms.light.diffuse.x = uniforms.light.diffuse.y = uniforms.light.diffuse.z = 0.5f;
-    uniforms.texture.texels = texels;
-    uniforms.texture.row_stride = 8;
+    uniforms.texture.level[0].texels = texels;
+    uniforms.texture.level[0].row_stride = 8;
     uniforms.texture.width = 2;
     uniforms.texture.height = 2;
     uniforms.texture.format = GN_FORMAT_RGBA8;
@@ -158,7 +158,7 @@ static void texture_multiplies_every_channel(void **state)
     in.varying = (const float(*)[GN_LANES])varying;
     in.coverage = 0xFFFF;
     in.x = in.y = 0;
-    in.sample_2d = gn_sample_2d;
+    in.sampling = &(const gn_sampling){gn_sample_2d, NULL, NULL, NULL};
     out.color = color;
     p.fragment_shader(p.uniforms, &in, &out);
     for (int l = 0; l < GN_LANES; ++l) {

@@ -18,8 +18,8 @@ static gn_texture test_texture(void)
         for (uint32_t x = 0; x < WIDTH; ++x)
             image[y * WIDTH + x] = x * 10 | y * 10 << 8 | 0xFF000000u;
     }
-    t.texels = image;
-    t.row_stride = WIDTH * 4;
+    t.level[0].texels = image;
+    t.level[0].row_stride = WIDTH * 4;
     t.width = WIDTH;
     t.height = HEIGHT;
     t.format = GN_FORMAT_RGBA8;
@@ -32,11 +32,11 @@ static void texture_faults(void **state)
     gn_texture t = test_texture();
 
     assert_int_equal(gn_texture_check(&t), GN_OK);
-    t.row_stride = -t.row_stride;
+    t.level[0].row_stride = -t.level[0].row_stride;
     assert_int_equal(gn_texture_check(&t), GN_OK);
     assert_int_equal(gn_texture_check(NULL), GN_NULL_POINTER);
     t = test_texture();
-    t.texels = NULL;
+    t.level[0].texels = NULL;
     assert_int_equal(gn_texture_check(&t), GN_NULL_POINTER);
     t = test_texture();
     t.format = GN_FORMAT_D16;
@@ -50,12 +50,12 @@ static void texture_faults(void **state)
     t.height = 0;
     assert_int_equal(gn_texture_check(&t), GN_INVALID_SIZE);
     t = test_texture();
-    t.texels = (const char *)image + 1;
+    t.level[0].texels = (const char *)image + 1;
     assert_int_equal(gn_texture_check(&t), GN_MISALIGNED);
     t = test_texture();
-    t.row_stride = 18;
+    t.level[0].row_stride = 18;
     assert_int_equal(gn_texture_check(&t), GN_MISALIGNED);
-    t.row_stride = 12;
+    t.level[0].row_stride = 12;
     assert_int_equal(gn_texture_check(&t), GN_INVALID_STRIDE);
 }
 
@@ -167,8 +167,8 @@ static void negative_stride_flips(void **state)
     float s[GN_LANES], t[GN_LANES], texel[4][GN_LANES];
 
     sampler.magnify = GN_MAGNIFY_NEAREST;
-    texture.texels = image + WIDTH * (HEIGHT - 1);
-    texture.row_stride = -texture.row_stride;
+    texture.level[0].texels = image + WIDTH * (HEIGHT - 1);
+    texture.level[0].row_stride = -texture.level[0].row_stride;
     for (int l = 0; l < GN_LANES; ++l)
         s[l] = t[l] = 0.1f;
     gn_sample_2d(&texture, &sampler, s, t, texel);
@@ -268,7 +268,7 @@ static void compare_samplers(const void *uniforms, const gn_fragment_input *inpu
         t[l] = is_hostile ? hostile[(l / 2 + input->y / 4) % 8] : input->varying[1][l];
     }
     gn_sample_2d(&u->texture, &u->sampler, s, t, texel);
-    input->sample_2d(&u->texture, &u->sampler, s, t, output->color);
+    input->sampling->sample_2d(&u->texture, &u->sampler, s, t, output->color);
     for (int l = 0; l < 4 * GN_LANES; ++l) {
         const float a = texel[l / GN_LANES][l % GN_LANES];
         const float b = output->color[l / GN_LANES][l % GN_LANES];
@@ -337,11 +337,11 @@ static void shaders_sample_the_same(void **state)
             c.texture.format = layout & 1 ? GN_FORMAT_RGBA32F : GN_FORMAT_RGBA8;
             c.texture.width = sizes[shape][0];
             c.texture.height = sizes[shape][1];
-            c.texture.row_stride = (layout < 4 ? 100 : FAR) * (ptrdiff_t)sizeof(float);
-            c.texture.texels = texels;
+            c.texture.level[0].row_stride = (layout < 4 ? 100 : FAR) * (ptrdiff_t)sizeof(float);
+            c.texture.level[0].texels = texels;
             if (layout / 2 == 1) {
-                c.texture.texels = texels + (c.texture.height - 1) * 100;
-                c.texture.row_stride = -c.texture.row_stride;
+                c.texture.level[0].texels = texels + (c.texture.height - 1) * 100;
+                c.texture.level[0].row_stride = -c.texture.level[0].row_stride;
             }
             assert_int_equal(gn_texture_check(&c.texture), GN_OK);
             compare_on((gn_backend)b, &c);
