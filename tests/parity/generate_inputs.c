@@ -36,7 +36,7 @@ void random_inputs(builder *b)
     b->state.fragment_reads_primitive = random_chance(r, 50);
     b->state.fragment_discards = random_chance(r, 50);
     b->state.fragment_writes_depth = random_chance(r, 40);
-    b->state.fragment_reads_point_coordinate = draws_points(&b->state) && random_chance(r, 50);
+    b->state.fragment_reads_point_coordinate = draws_points(&b->state) && random_chance(r, 70);
     b->state.fragment_reads_sample_mask = random_chance(r, 25);
     b->state.fragment_writes_sample_mask = random_chance(r, 25);
     stretch_colors(b);

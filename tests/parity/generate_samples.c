@@ -112,6 +112,7 @@ static void avoid_defects(random_source *r, scene *s, scene_draw *d)
     }
     if (d->state.topology > GN_POINTS) {
         scissor->set = false;
+        d->state.clip_distance_count = 0; /* cut lines begin anywhere */
         /* Now and then one is lost at a tile's border beside what line_is_safe knows of. */
         const bool one_tile = (double)s->width <= TILE && (double)s->height <= TILE;
         if (!one_tile || !move_lines(r, s, d)) {
@@ -127,7 +128,7 @@ static void random_sample_state(random_source *r, gn_pipeline *p)
     p->alpha_to_coverage = random_chance(r, 20);
     /* Which the reference forgets where a shader writes depth or a mask. */
     p->alpha_to_one =
-        random_chance(r, 15) && !p->fragment_writes_depth && !p->fragment_writes_sample_mask;
+        random_chance(r, 25) && !p->fragment_writes_depth && !p->fragment_writes_sample_mask;
 }
 
 void make_sampled(random_source *r, scene *s)
