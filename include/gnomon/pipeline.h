@@ -48,6 +48,8 @@
  *   fragment_reads_point_coordinate use of gl_PointCoord  not given to the shader
  *   polygon_mode_front   PolygonMode(FRONT)             GN_POLYGON_FILL
  *   polygon_mode_back    PolygonMode(BACK)              GN_POLYGON_FILL
+ *   fragment_reads_sample_mask  use of gl_SampleMaskIn  not given to the shader
+ *   fragment_writes_sample_mask gl_SampleMask           the samples covered
  *
  * As in OpenGL, depth is written only where the depth test is on, stencil only where the
  * stencil test is, and a test of what the target has not got passes. */
@@ -318,6 +320,11 @@ typedef struct gn_fragment_input {
      * point_origin says; 0, 0 in lines and filled triangles. Null without the pipeline's
      * fragment_reads_point_coordinate. */
     const float (*point_coordinate)[GN_LANES];
+
+    /* gl_SampleMaskIn, [lane]: bit s: sample s is covered and not in samples_disabled, whether or
+     * not it passes the tests. With one sample a pixel 1 in the lanes of `coverage`, 0 in others.
+     * Null without the pipeline's fragment_reads_sample_mask. */
+    const uint32_t *sample_mask;
 } gn_fragment_input;
 
 /* Output of a fragment shader: color[4 * attachment + channel][lane], red, green, blue, alpha, of
@@ -334,6 +341,11 @@ typedef struct gn_fragment_output {
      * to the upper end, without polygon offset; comes with the interpolated depth. Null without
      * fragment_writes_depth. */
     float *depth;
+
+    /* gl_SampleMask, [lane]; comes with every bit set; the shader clears the bits of samples that
+     * it discards. Not looked at where a pixel has one sample. Null without
+     * fragment_writes_sample_mask. */
+    uint32_t *sample_mask;
 } gn_fragment_output;
 
 /* Shaders are plain functions over 16 lanes; `uniforms` is the pipeline's
@@ -379,8 +391,8 @@ typedef struct gn_pipeline {
     gn_stencil_face stencil_front, stencil_back;
 
     /* What the fragment shader does beyond reading varyings and writing colour. If it
-     * discards or writes depth, it runs before the depth and stencil tests,
-     * otherwise after them, on what has passed. */
+     * discards or writes depth or, of several samples, a mask, it runs before the depth and stencil
+     * tests, otherwise after them, on what has passed. */
     bool fragment_reads_position;
     bool fragment_reads_primitive;
     bool fragment_discards;
@@ -398,13 +410,15 @@ typedef struct gn_pipeline {
     bool fragment_reads_point_coordinate;
     gn_polygon_mode polygon_mode_front;
     gn_polygon_mode polygon_mode_back;
+    bool fragment_reads_sample_mask;
+    bool fragment_writes_sample_mask; /* then the shader runs before the tests */
 } gn_pipeline;
 
 GN_BEGIN
 
 /* The first fault of a pipeline, in the order of its fields: GN_NULL_POINTER
  * (pipeline), GN_NO_SHADER (no vertex shader; no fragment shader, but it discards or
- * writes depth), GN_TOO_MANY_VARYINGS,
+ * writes depth or a sample mask), GN_TOO_MANY_VARYINGS,
  * GN_INVALID_ENUM (an enumeration), GN_NOT_FINITE or GN_INVALID_VIEWPORT (a
  * viewport number that is not finite; a size below 0 or above GN_MAX_SIZE, an
  * origin beyond +-GN_MAX_SIZE), GN_NOT_FINITE or GN_OUT_OF_RANGE (a depth range

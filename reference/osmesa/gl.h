@@ -17,8 +17,8 @@
 #define VERTEX_COLOR_PROGRAMS 162
 
 /* Of the program of inputs.h: with and without position, primitive, discard, depth, point
- * coordinates, sizes of points. */
-#define INPUTS_PROGRAMS 64
+ * coordinates, sizes of points, sample masks read and written. */
+#define INPUTS_PROGRAMS 256
 
 typedef struct framebuffer {
     GLuint name;

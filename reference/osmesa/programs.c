@@ -158,6 +158,16 @@ static const char inputs_fragment[] = "smooth in vec4 shade;\n"
                                       "    c.g = c.g + gl_FragCoord.y * 0.0078125;\n"
                                       "    c.ba = gl_FragCoord.zw;\n"
                                       "#endif\n"
+                                      "#ifdef SAMPLES\n"
+                                      "    c.g = c.g + float(gl_SampleMaskIn[0]) * 0.0625;\n"
+                                      "#endif\n"
+                                      "#ifdef MASK\n"
+                                      "    ivec2 at = ivec2(gl_FragCoord.xy);\n"
+                                      "    gl_SampleMask[0] = at.x * 3 + at.y * 5;\n"
+                                      "#ifdef SAMPLES\n"
+                                      "    gl_SampleMask[0] ^= gl_SampleMaskIn[0];\n"
+                                      "#endif\n"
+                                      "#endif\n"
                                       "#ifdef DISCARD\n"
                                       "    if (shade.a < 0.5)\n"
                                       "        discard;\n"
@@ -277,15 +287,17 @@ static GLuint link_colors(const gn_pipeline *p, const char *fragment_main, bool 
 static GLuint link_inputs(const gn_pipeline *p, bool clipped, char *error, size_t error_size)
 {
     char vertex[sizeof inputs_vertex + sizeof set_point_size];
-    char head[160];
+    char head[200];
 
     snprintf(vertex, sizeof vertex, inputs_vertex, p->program_point_size ? set_point_size : "");
-    snprintf(head, sizeof head, "#version 450 core\n%s%s%s%s%s",
+    snprintf(head, sizeof head, "#version 450 core\n%s%s%s%s%s%s%s",
              p->fragment_reads_point_coordinate ? "#define POINT\n" : "",
              p->fragment_reads_primitive ? "#define PRIMITIVE\n" : "",
              p->fragment_reads_position ? "#define POSITION\n" : "",
              p->fragment_discards ? "#define DISCARD\n" : "",
-             p->fragment_writes_depth ? "#define DEPTH\n" : "");
+             p->fragment_writes_depth ? "#define DEPTH\n" : "",
+             p->fragment_reads_sample_mask ? "#define SAMPLES\n" : "",
+             p->fragment_writes_sample_mask ? "#define MASK\n" : "");
     return link_program(vertex, head, inputs_fragment, clipped, error, error_size);
 }
 
@@ -364,7 +376,9 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
                                                4 * d->state.fragment_writes_depth +
                                                8 * d->state.fragment_reads_primitive +
                                                16 * d->state.fragment_reads_point_coordinate +
-                                               32 * d->state.program_point_size];
+                                               32 * d->state.program_point_size +
+                                               64 * d->state.fragment_reads_sample_mask +
+                                               128 * d->state.fragment_writes_sample_mask];
         if (!*program) {
             *program = link_inputs(&d->state, clipped, error, error_size);
         }

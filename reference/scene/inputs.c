@@ -1,14 +1,17 @@
 /* The shader of inputs.h. The order of operations is GLSL's in the reference. */
 #include "inputs.h"
 
-/* 1/64 and 1/128: products with them are exact. */
+/* 1/64, 1/128 and 1/16: products with them are exact. */
 #define PRIMITIVE_STEP 0.015625f
 #define PIXEL_STEP 0.0078125f
+#define SAMPLES_STEP 0.0625f
 
 enum { RED, GREEN, BLUE, ALPHA };
 
-/* Facing turns red around, the primitive's number is added to green (0 where it is not read). What
- * the pipeline asks of the shader comes as what is not null. */
+/* Facing turns red around, the primitive's number is added to green (0 where it is not read), and
+ * the sample mask. A mask that is written is a pattern of the window, with bits that are covered,
+ * bits that are not, and bits of no sample. What the pipeline asks of the shader comes as what is
+ * not null. */
 static void shade_inputs(const void *uniforms, const gn_fragment_input *in, gn_fragment_output *out)
 {
     const float primitive = (float)(int32_t)(in->primitive_id & 1023u) * PRIMITIVE_STEP;
@@ -36,6 +39,15 @@ static void shade_inputs(const void *uniforms, const gn_fragment_input *in, gn_f
         out->color[GREEN][l] = out->color[GREEN][l] + in->position[1][l] * PIXEL_STEP;
         out->color[BLUE][l] = in->position[2][l];
         out->color[ALPHA][l] = in->position[3][l];
+    }
+    for (int l = 0; in->sample_mask && l < GN_LANES; ++l) {
+        out->color[GREEN][l] =
+            out->color[GREEN][l] + (float)(int32_t)in->sample_mask[l] * SAMPLES_STEP;
+    }
+    for (int l = 0; out->sample_mask && l < GN_LANES; ++l) {
+        const int32_t pattern = (in->x + l % 4) * 3 + (in->y + l / 4) * 5;
+
+        out->sample_mask[l] = (uint32_t)pattern ^ (in->sample_mask ? in->sample_mask[l] : 0);
     }
 }
 

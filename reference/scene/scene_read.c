@@ -329,6 +329,10 @@ static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
         p->point_origin = (gn_point_origin)read_name(r, TEXT_POINT_ORIGIN);
     } else if (!strcmp(keyword, "reads-point-coordinate")) {
         p->fragment_reads_point_coordinate = read_name(r, TEXT_SWITCH) == 1;
+    } else if (!strcmp(keyword, "reads-sample-mask")) {
+        p->fragment_reads_sample_mask = read_name(r, TEXT_SWITCH) == 1;
+    } else if (!strcmp(keyword, "writes-sample-mask")) {
+        p->fragment_writes_sample_mask = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "polygon-mode")) {
         p->polygon_mode_front = (gn_polygon_mode)read_name(r, TEXT_POLYGON_MODE);
         p->polygon_mode_back = (gn_polygon_mode)read_name(r, TEXT_POLYGON_MODE);

@@ -138,6 +138,12 @@ static void write_state(FILE *out, const gn_pipeline *p)
     if (p->fragment_reads_point_coordinate) {
         fprintf(out, "  reads-point-coordinate on\n");
     }
+    if (p->fragment_reads_sample_mask) {
+        fprintf(out, "  reads-sample-mask on\n");
+    }
+    if (p->fragment_writes_sample_mask) {
+        fprintf(out, "  writes-sample-mask on\n");
+    }
     fprintf(out, "  polygon-mode %s %s\n", text_name(TEXT_POLYGON_MODE, (int)p->polygon_mode_front),
             text_name(TEXT_POLYGON_MODE, (int)p->polygon_mode_back));
     fprintf(out, "  interpolation %s %s %s %s\n",

@@ -207,6 +207,8 @@ static bool is_left_out(const gn_target *target, const gn_pipeline *p, const gn_
            (!GN_HAVE_ATTACHMENTS && has_more_colors(target, p)) ||
            (!GN_HAVE_INSTANCES && (mesh->restart != GN_RESTART_NONE || mesh->instance_count > 1)) ||
            (!GN_HAVE_DISTANCES && p->clip_distance_count > 0) ||
+           (!GN_HAVE_SAMPLES &&
+            (p->fragment_reads_sample_mask || p->fragment_writes_sample_mask)) ||
            (!GN_HAVE_FORMATS && format_is_encoded(target->color[0].format)) ||
            (!GN_HAVE_OFFSET && (p->polygon_offset.set || p->depth_clamp));
 }

@@ -128,6 +128,9 @@ static inline fault fault_of_pipeline(const gn_pipeline *p)
              "fragment_discards, but fragment_shader is null");
     FAULT_IF(!p->fragment_shader && p->fragment_writes_depth, GN_NO_SHADER,
              "fragment_writes_depth, but fragment_shader is null");
+    if (GN_HAVE_SAMPLES)
+        FAULT_IF(!p->fragment_shader && p->fragment_writes_sample_mask, GN_NO_SHADER,
+                 "fragment_writes_sample_mask, but fragment_shader is null");
     FAULT_IF(p->varying_count > GN_MAX_VARYINGS, GN_TOO_MANY_VARYINGS,
              "varying_count is above GN_MAX_VARYINGS");
     for (uint32_t n = 0; n < p->varying_count; ++n)

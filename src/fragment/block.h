@@ -123,11 +123,31 @@ GN_OUT_OF_LINE void locate_in_point(const gn_pipeline *pipeline, raster_triangle
 }
 
 /* What a fragment shader says beside colour: the fragments it keeps, and where `depth` is
- * not null their depths, which come with the interpolated ones. */
+ * not null their depths, which come with the interpolated ones. Of several samples a pixel, where
+ * they are asked for, also a mask of each lane's: those covered come in, those kept go out. */
 typedef struct shader_verdict {
     uint32_t kept;
     float *depth;
+    const uint32_t *covered_samples;
+    uint32_t *kept_samples;
 } shader_verdict;
+
+/* Of one sample a pixel, without depths. */
+static inline void set_verdict(shader_verdict *verdict)
+{
+    verdict->depth = 0;
+    if (GN_HAVE_SAMPLES) {
+        verdict->covered_samples = 0;
+        verdict->kept_samples = 0;
+    }
+}
+
+/* gl_SampleMaskIn where there is one sample. */
+static inline void mask_of_one_sample(uint32_t coverage, uint32_t mask[GN_LANES])
+{
+    GN_EACH_LANE (l)
+        mask[l] = coverage >> l & 1u;
+}
 
 /* Runs the shader on a block, `center` from the places that planes are given for. Colours are
  * left in `color`, room for which the pipeline's color_count asks. */
@@ -141,6 +161,7 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     float varying[GN_MAX_VARYINGS][GN_LANES];
     float position[4][GN_LANES], point_coordinate[2][GN_LANES];
     const gn_sampling sampling = {GN_SPECIALISED ? sample_2d : gn_sample_2d, 0, 0, 0};
+    uint32_t covered[GN_LANES], kept[GN_LANES];
     gn_fragment_input input;
     gn_fragment_output output;
 
@@ -166,6 +187,16 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     output.color = color;
     output.kept = GN_ALL_LANES;
     output.depth = verdict->depth;
+    input.sample_mask = 0;
+    output.sample_mask = 0;
+    if (GN_HAVE_SAMPLES && pipeline->fragment_reads_sample_mask) {
+        mask_of_one_sample(coverage, covered);
+        input.sample_mask = verdict->covered_samples ? verdict->covered_samples : covered;
+    }
+    if (GN_HAVE_SAMPLES && pipeline->fragment_writes_sample_mask) {
+        output.sample_mask = verdict->kept_samples ? verdict->kept_samples : kept;
+        lanes_i_store((stored_word *)(void *)output.sample_mask, lanes_i_splat(-1));
+    }
     pipeline->fragment_shader(pipeline->uniforms, &input, &output);
     verdict->kept = output.kept;
 }
@@ -210,7 +241,7 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
     float color[4 * COLOR_LIMIT][GN_LANES];
     shader_verdict verdict;
 
-    verdict.depth = 0;
+    set_verdict(&verdict);
     if (p->fragment_writes_depth) {
         lanes_store(written, depth);
         verdict.depth = written;
@@ -253,7 +284,7 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
 
     const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
     if (kind.source == SOURCE_SHADER) {
-        verdict.depth = 0;
+        set_verdict(&verdict);
         run_shader(state->pipeline, triangle, at->x, at->y, 0.0f, coverage, w, shaded, &verdict);
         for (int c = 0; c < 4; ++c)
             color[c] = lanes_load(shaded[c]);

@@ -65,6 +65,25 @@ static void test_samples(const fragment_state *state, fragment_place *at, raster
     }
 }
 
+/* The samples covered of each lane. */
+static inline void masks_of_lanes(const uint32_t coverage[GN_SAMPLES], uint32_t mask[GN_LANES])
+{
+    lanes_i all = lanes_i_splat(0);
+
+    for (uint32_t s = 0; s < GN_SAMPLES; ++s)
+        all = lanes_i_or(all, lanes_i_and(lanes_m_as_int(lanes_from_bits(coverage[s])),
+                                          lanes_i_splat((int32_t)(1u << s))));
+    lanes_i_store((stored_word *)(void *)mask, all);
+}
+
+/* The lanes whose mask has a sample. */
+static inline uint32_t lanes_with_sample(const uint32_t mask[GN_LANES], uint32_t sample)
+{
+    const lanes_i masks = lanes_i_load((const stored_word *)(const void *)mask);
+
+    return lanes_i_sign_bits(lanes_i_shift_left(masks, 31 - (int)sample));
+}
+
 /* What the shader, whose colours come in, leaves of the samples; may change alpha. */
 static void cover_by_shader(const fragment_state *state, const shader_verdict *verdict,
                             bool to_coverage, float (*color)[GN_LANES],
@@ -78,6 +97,8 @@ static void cover_by_shader(const fragment_state *state, const shader_verdict *v
 
         if (p->fragment_discards)
             coverage[s] &= verdict->kept;
+        if (verdict->kept_samples)
+            coverage[s] &= lanes_with_sample(verdict->kept_samples, s);
         if (to_coverage)
             coverage[s] &= lanes_bits(lanes_greater(alpha, least));
     }
@@ -91,14 +112,21 @@ static void shade_samples(const fragment_state *state, fragment_place *at, raste
 {
     const gn_pipeline *p = state->pipeline;
     const bool to_coverage = p->alpha_to_coverage && state->color.format != GN_FORMAT_NONE;
-    const bool late = p->fragment_discards || p->fragment_writes_depth || to_coverage;
+    const bool late = p->fragment_discards || p->fragment_writes_depth ||
+                      p->fragment_writes_sample_mask || to_coverage;
     const float x = (float)at->x + 0.5f;
     const float y = (float)at->y + 0.5f;
     float written[GN_LANES];
     float color[4 * COLOR_LIMIT][GN_LANES];
+    uint32_t covered[GN_LANES], kept[GN_LANES];
     shader_verdict verdict;
 
-    verdict.depth = 0;
+    set_verdict(&verdict);
+    if (p->fragment_reads_sample_mask) {
+        masks_of_lanes(coverage, covered);
+        verdict.covered_samples = covered;
+    }
+    verdict.kept_samples = p->fragment_writes_sample_mask ? kept : 0;
     if (p->fragment_writes_depth) {
         lanes_store(written, plane_in_block(triangle_plane(triangle, DEPTH_PLANE), x, y));
         verdict.depth = written;

@@ -88,6 +88,8 @@ const char *scene_class_name(scene_class c)
         return "attachments";
     case CLASS_SAMPLES:
         return "samples";
+    case CLASS_MASKS:
+        return "masks";
     case CLASS_CLIP_DISTANCE:
         return "clip-distances";
     case CLASS_OUTLINES:
@@ -130,6 +132,8 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
 
     if (c == CLASS_SAMPLES)
         return generate_sampled(mix);
+    if (c == CLASS_MASKS)
+        return generate_masks(mix);
 
     builder b;
     builder_begin(&b, random_splitmix(&mix));

@@ -48,6 +48,7 @@ typedef enum scene_class {
     CLASS_OUTLINES,          /* triangles drawn as lines and points, by face */
     CLASS_ATTACHMENTS,       /* several colours, holes, a blending and mask for each */
     CLASS_SAMPLES,           /* several samples a pixel */
+    CLASS_MASKS,             /* sample masks that shaders read and write */
     CLASS_MIXED,             /* several draws of several of the above */
     CLASS_SEQUENCES,         /* 7 to 20 draws, all states at random, clears between some */
     CLASS_COUNT

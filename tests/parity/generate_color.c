@@ -111,6 +111,22 @@ void lay_over(builder *b, int attachment)
     b->state.blend[attachment].destination = GN_FACTOR_ONE_MINUS_SOURCE_ALPHA;
 }
 
+/* A factor and one minus it, in either place, which formats of one channel take another way. */
+static void random_mix(random_source *r, gn_blend *blend)
+{
+    static const gn_blend_equation equations[] = {GN_EQUATION_ADD, GN_EQUATION_SUBTRACT,
+                                                  GN_EQUATION_REVERSE_SUBTRACT};
+    const uint32_t pair = random_below(r, 7), second = random_below(r, 2);
+    blend->equation = equations[random_below(r, 3)];
+    blend->source = (gn_blend_factor)(GN_FACTOR_ZERO + 2 * pair + second);
+    blend->destination = (gn_blend_factor)(GN_FACTOR_ZERO + 2 * pair + !second);
+}
+
+static bool has_one_channel(gn_format format)
+{
+    return format == GN_FORMAT_R8 || format == GN_FORMAT_R16 || format == GN_FORMAT_R32F;
+}
+
 void random_blend(builder *b, int attachment)
 {
     random_source *r = &b->random;
@@ -126,6 +142,8 @@ void random_blend(builder *b, int attachment)
         blend->alpha_equation = random_equation(r);
         random_factors(r, &blend->alpha_source, &blend->alpha_destination);
     }
+    if (has_one_channel(scene_color_format(b->scene, attachment)) && random_chance(r, 60))
+        random_mix(r, blend);
     const bool beyond = random_chance(r, 20);
     for (int c = 0; c < 4; c++)
         b->state.blend_constant[c] = beyond ? random_float(r, -1.0f, 2.0f) : random_unit(r);

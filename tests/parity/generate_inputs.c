@@ -1,5 +1,5 @@
-/* What fragment shaders are told and may say: facing, primitive, position; discard and
- * depth. And fragments that are counted. */
+/* What fragment shaders are told and may say: facing, primitive, position, samples; discard,
+ * depth, samples. And fragments that are counted. */
 #include "generate_parts.h"
 
 #include <math.h>
@@ -36,7 +36,9 @@ void random_inputs(builder *b)
     b->state.fragment_reads_primitive = random_chance(r, 50);
     b->state.fragment_discards = random_chance(r, 50);
     b->state.fragment_writes_depth = random_chance(r, 40);
-    b->state.fragment_reads_point_coordinate = draws_points(&b->state) && random_chance(r, 50);
+    b->state.fragment_reads_point_coordinate = draws_points(&b->state) && random_chance(r, 70);
+    b->state.fragment_reads_sample_mask = random_chance(r, 25);
+    b->state.fragment_writes_sample_mask = random_chance(r, 25);
     stretch_colors(b);
 }
 

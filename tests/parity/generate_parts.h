@@ -150,6 +150,10 @@ void make_sampled(random_source *r, scene *s);
 /* A scene of any other class with several samples a pixel. */
 scene *generate_sampled(uint64_t seed);
 
+/* The same, but of colours without textures or light, with sample masks in the shaders; now and
+ * then of one sample. */
+scene *generate_masks(uint64_t seed);
+
 /* What mixed draws have of the classes of colours combined with those of the target. */
 void mix_color_state(builder *b);
 

@@ -112,6 +112,7 @@ static void avoid_defects(random_source *r, scene *s, scene_draw *d)
     }
     if (d->state.topology > GN_POINTS) {
         scissor->set = false;
+        d->state.clip_distance_count = 0; /* cut lines begin anywhere */
         /* Now and then one is lost at a tile's border beside what line_is_safe knows of. */
         const bool one_tile = (double)s->width <= TILE && (double)s->height <= TILE;
         if (!one_tile || !move_lines(r, s, d)) {
@@ -125,8 +126,9 @@ static void random_sample_state(random_source *r, gn_pipeline *p)
 {
     p->samples_disabled = random_chance(r, 30) ? random_below(r, 1u << GN_SAMPLES) : 0;
     p->alpha_to_coverage = random_chance(r, 20);
-    /* Which the reference forgets where a shader writes depth. */
-    p->alpha_to_one = random_chance(r, 15) && !p->fragment_writes_depth;
+    /* Which the reference forgets where a shader writes depth or a mask. */
+    p->alpha_to_one =
+        random_chance(r, 25) && !p->fragment_writes_depth && !p->fragment_writes_sample_mask;
 }
 
 void make_sampled(random_source *r, scene *s)
@@ -147,5 +149,34 @@ scene *generate_sampled(uint64_t seed)
     const uint64_t inner_seed = random_bits(&r);
     scene *const s = generate_scene(inner_seed, c < CLASS_SAMPLES ? c : CLASS_MIXED, number);
     make_sampled(&r, s);
+    return s;
+}
+
+/* Vertex colours become what the shader of inputs.h makes of them. */
+static void mask_samples(random_source *r, scene_draw *d)
+{
+    if (d->shader == SCENE_VERTEX_COLOR)
+        d->shader = SCENE_INPUTS;
+    d->state.fragment_reads_sample_mask = random_chance(r, 60);
+    d->state.fragment_writes_sample_mask = random_chance(r, 60);
+}
+
+scene *generate_masks(uint64_t seed)
+{
+    static const scene_class classes[] = {
+        CLASS_TINY,       CLASS_TIES,     CLASS_PILES,       CLASS_STRIPS,
+        CLASS_INPUTS,     CLASS_INPUTS,   CLASS_DEPTH_STATE, CLASS_STENCIL,
+        CLASS_COUNTING,   CLASS_COUNTING, CLASS_SCISSOR,     CLASS_OFFSET,
+        CLASS_BLEND,      CLASS_POINTS,   CLASS_LINES,       CLASS_POINT_COORDINATES,
+        CLASS_CLIP_DEPTH, CLASS_OUTLINES, CLASS_INSTANCES,   CLASS_CLIP_DISTANCE};
+    random_source r = random_seed(seed);
+    const scene_class c = classes[random_below(&r, sizeof classes / sizeof *classes)];
+    const uint64_t number = random_bits(&r);
+    const uint64_t inner_seed = random_bits(&r);
+    scene *const s = generate_scene(inner_seed, c, number);
+    for (size_t i = 0; i < s->draw_count; i++)
+        mask_samples(&r, &s->draws[i]);
+    if (random_chance(&r, 85))
+        make_sampled(&r, s);
     return s;
 }

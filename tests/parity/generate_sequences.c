@@ -98,7 +98,11 @@ static bool any_shader(builder *b)
 {
     random_source *r = &b->random;
     bool noperspective = false;
-    b->shader = (scene_shader)(random_chance(r, 40) ? 0 : random_below(r, SCENE_SHADER_COUNT));
+    const uint32_t which = random_below(r, 100); /* those with states of their own more often */
+    b->shader = which < 30   ? SCENE_VERTEX_COLOR
+                : which < 45 ? SCENE_INPUTS
+                : which < 53 ? SCENE_OUTPUTS
+                             : (scene_shader)random_below(r, SCENE_SHADER_COUNT);
     if (b->shader == SCENE_OUTPUTS)
         random_outputs(b);
     b->uniforms.light.light_direction.z = 1.0f;
@@ -174,6 +178,25 @@ static void any_mesh(builder *b, uint32_t count, bool noperspective)
     b->trail = random_chance(r, 10) ? random_below(r, 9) : 0;
 }
 
+static void any_polygon_modes(builder *b)
+{
+    random_source *r = &b->random;
+    b->state.point_origin = (gn_point_origin)random_below(r, 2);
+    if (random_chance(r, 35)) {
+        b->state.polygon_mode_front = (gn_polygon_mode)random_below(r, 3);
+        b->state.polygon_mode_back = random_chance(r, 50) ? b->state.polygon_mode_front
+                                                          : (gn_polygon_mode)random_below(r, 3);
+    }
+}
+
+static void any_clip_planes(builder *b)
+{
+    random_source *r = &b->random;
+    if (random_chance(r, 30))
+        random_clip_planes(b, random_chance(r, 60) ? 1 + random_below(r, 2)
+                                                   : 1 + random_below(r, GN_MAX_CLIP_DISTANCES));
+}
+
 void varied_draw(builder *b, bool may_blend)
 {
     random_source *r = &b->random;
@@ -188,8 +211,11 @@ void varied_draw(builder *b, bool may_blend)
     any_mesh(b, 1 + random_below(r, floats ? 3 : 16), noperspective);
     if (scene_shader_is_textured(b->shader))
         any_texture(b, texels);
+    any_polygon_modes(b);
+    any_clip_planes(b);
     if (b->shader == SCENE_INPUTS)
         random_inputs(b);
+    fit_outlines(b);
     b->counted = random_chance(r, 30);
     if (random_chance(r, 60))
         shape_elements(b);
@@ -236,7 +262,7 @@ void generate_sequences(builder *b)
         b->scene->color_format = GN_FORMAT_RGBA32F;
     else if (kind < 5)
         b->scene->color_format = random_color_format(b);
-    if (random_chance(r, 20))
+    if (random_chance(r, 25))
         add_attachments(b);
     const uint32_t draws = 7 + random_below(r, 14);
     for (uint32_t since = 0; b->scene->draw_count < draws; since++) {

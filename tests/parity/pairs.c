@@ -96,6 +96,40 @@ static int point_size(const place *p)
     return size <= 1.0f ? 1 : size <= 4.0f ? 2 : 3;
 }
 
+static int clip_distances(const place *p)
+{
+    const uint32_t count = p->state->clip_distance_count;
+    return count < 2 ? (int)count : count < 4 ? 2 : 3;
+}
+
+/* Surfaces after the first. */
+static int attachments(const place *p)
+{
+    int count = 0;
+    for (int a = 1; a < GN_MAX_COLORS; a++)
+        count += scene_color_format(p->scene, a) != GN_FORMAT_NONE;
+    return count < 4 ? (count > 0) : 2;
+}
+
+/* Whether one of them that the shader writes has a blending of its own, or a mask. */
+static int more_blends(const place *p)
+{
+    bool blends = false;
+    for (uint32_t a = 1; a < p->state->color_count; a++)
+        blends |=
+            p->state->blend[a].enabled && scene_color_format(p->scene, (int)a) != GN_FORMAT_NONE;
+    return is_shader(p, SCENE_OUTPUTS) && attachments(p) ? blends : -1;
+}
+
+static int more_masks(const place *p)
+{
+    bool masks = false;
+    for (uint32_t a = 1; a < p->state->color_count; a++)
+        masks |= p->state->color_write_disabled[a] &&
+                 scene_color_format(p->scene, (int)a) != GN_FORMAT_NONE;
+    return is_shader(p, SCENE_OUTPUTS) && attachments(p) ? masks : -1;
+}
+
 static int line_width(const place *p)
 {
     const float width = p->state->line_width;
@@ -186,6 +220,18 @@ VALUE_WHERE(reads_position, is_shader(p, SCENE_INPUTS), p->state->fragment_reads
 VALUE_WHERE(reads_primitive, is_shader(p, SCENE_INPUTS), p->state->fragment_reads_primitive)
 VALUE_WHERE(discards, is_shader(p, SCENE_INPUTS), p->state->fragment_discards)
 VALUE_WHERE(writes_depth, is_shader(p, SCENE_INPUTS), p->state->fragment_writes_depth)
+VALUE_WHERE(reads_point_coordinate, is_shader(p, SCENE_INPUTS),
+            p->state->fragment_reads_point_coordinate)
+VALUE_WHERE(point_origin, reads_point_coordinate(p) == 1, p->state->point_origin)
+VALUE_WHERE(reads_sample_mask, is_shader(p, SCENE_INPUTS), p->state->fragment_reads_sample_mask)
+VALUE_WHERE(writes_sample_mask, is_shader(p, SCENE_INPUTS), p->state->fragment_writes_sample_mask)
+VALUE(samples, scene_is_sampled(p->scene))
+VALUE_WHERE(sample_mask, scene_is_sampled(p->scene), p->state->samples_disabled != 0)
+VALUE_WHERE(alpha_to_coverage, scene_is_sampled(p->scene), p->state->alpha_to_coverage)
+VALUE_WHERE(alpha_to_one, scene_is_sampled(p->scene), p->state->alpha_to_one)
+VALUE_WHERE(polygon_mode_front, is_fill(p), p->state->polygon_mode_front)
+VALUE_WHERE(polygon_mode_back, is_fill(p), p->state->polygon_mode_back)
+VALUE_WHERE(outputs, is_shader(p, SCENE_OUTPUTS), p->state->color_count > 4)
 VALUE(counted, p->draw->counted)
 VALUE_WHERE(wrap_s, is_textured(p), p->draw->uniforms.sampler.wrap_s)
 VALUE_WHERE(wrap_t, is_textured(p), p->draw->uniforms.sampler.wrap_t)
@@ -243,6 +289,21 @@ VALUE(workspace, p->number % 3)
     ROW(reads_primitive, 2)                                                                        \
     ROW(discards, 2)                                                                               \
     ROW(writes_depth, 2)                                                                           \
+    ROW(reads_point_coordinate, 2)                                                                 \
+    ROW(point_origin, 2)                                                                           \
+    ROW(reads_sample_mask, 2)                                                                      \
+    ROW(writes_sample_mask, 2)                                                                     \
+    ROW(samples, 2)                                                                                \
+    ROW(sample_mask, 2)                                                                            \
+    ROW(alpha_to_coverage, 2)                                                                      \
+    ROW(alpha_to_one, 2)                                                                           \
+    ROW(polygon_mode_front, 3)                                                                     \
+    ROW(polygon_mode_back, 3)                                                                      \
+    ROW(clip_distances, 4)                                                                         \
+    ROW(attachments, 3)                                                                            \
+    ROW(outputs, 2)                                                                                \
+    ROW(more_blends, 2)                                                                            \
+    ROW(more_masks, 2)                                                                             \
     ROW(counted, 2)                                                                                \
     ROW(wrap_s, 2)                                                                                 \
     ROW(wrap_t, 2)                                                                                 \
@@ -297,6 +358,21 @@ static const exclusion exclusions[] = {
     ONLY_WHERE(reads_primitive, shader, BIT(SCENE_INPUTS), "others do not"),
     ONLY_WHERE(discards, shader, BIT(SCENE_INPUTS), "others do not"),
     ONLY_WHERE(writes_depth, shader, BIT(SCENE_INPUTS), "others do not"),
+    ONLY_WHERE(reads_point_coordinate, shader, BIT(SCENE_INPUTS), "others do not"),
+    ONLY_WHERE(point_origin, shader, BIT(SCENE_INPUTS), "others do not read the coordinates"),
+    ONLY_WHERE(point_origin, reads_point_coordinate, BIT(1), "nobody reads them"),
+    ONLY_WHERE(reads_sample_mask, shader, BIT(SCENE_INPUTS), "others do not"),
+    ONLY_WHERE(writes_sample_mask, shader, BIT(SCENE_INPUTS), "others do not"),
+    ONLY_WHERE(sample_mask, samples, BIT(1), "there is one sample"),
+    ONLY_WHERE(alpha_to_coverage, samples, BIT(1), "there is one sample"),
+    ONLY_WHERE(alpha_to_one, samples, BIT(1), "there is one sample"),
+    ONLY_WHERE(polygon_mode_front, topology, FILLS, "points and lines have no faces"),
+    ONLY_WHERE(polygon_mode_back, topology, FILLS, "points and lines have no faces"),
+    ONLY_WHERE(outputs, shader, BIT(SCENE_OUTPUTS), "others write one colour"),
+    ONLY_WHERE(more_blends, shader, BIT(SCENE_OUTPUTS), "others write one colour"),
+    ONLY_WHERE(more_masks, shader, BIT(SCENE_OUTPUTS), "others write one colour"),
+    ONLY_WHERE(more_blends, attachments, NOT(0), "there is one attachment"),
+    ONLY_WHERE(more_masks, attachments, NOT(0), "there is one attachment"),
     ONLY_WHERE(wrap_s, shader, TEXTURED, "others have no texture"),
     ONLY_WHERE(wrap_t, shader, TEXTURED, "others have no texture"),
     ONLY_WHERE(magnify, shader, TEXTURED, "others have no texture"),
@@ -325,6 +401,25 @@ static const exclusion exclusions[] = {
      "the reference cuts such points off at the viewport (reference/RULES.md)"},
     {INDEX_point_size, INDEX_shader, BIT(0), NOT(SCENE_VERTEX_COLOR),
      "the shader of vertex colours alone has sizes (reference/scene/scene.h)"},
+    {INDEX_reads_point_coordinate, INDEX_topology, BIT(1), ALL_LINES,
+     "in lines they are zeros of a sign that is left out (reference/RULES.md)"},
+    {INDEX_point_origin, INDEX_topology, ANY, ALL_LINES, "their points have no coordinates"},
+    {INDEX_reads_point_coordinate, INDEX_polygon_mode_front, BIT(1), NOT(GN_POLYGON_POINT),
+     "in lines and filled triangles they are zeros of a sign that is left out"},
+    {INDEX_reads_point_coordinate, INDEX_polygon_mode_back, BIT(1), NOT(GN_POLYGON_POINT),
+     "in lines and filled triangles they are zeros of a sign that is left out"},
+    {INDEX_point_origin, INDEX_polygon_mode_front, ANY, NOT(GN_POLYGON_POINT),
+     "only where all are points the coordinates are read"},
+    {INDEX_point_origin, INDEX_polygon_mode_back, ANY, NOT(GN_POLYGON_POINT),
+     "only where all are points the coordinates are read"},
+    {INDEX_alpha_to_one, INDEX_writes_depth, BIT(1), BIT(1),
+     "the reference keeps such alphas (reference/RULES.md)"},
+    {INDEX_alpha_to_one, INDEX_writes_sample_mask, BIT(1), BIT(1),
+     "the reference keeps such alphas (reference/RULES.md)"},
+    {INDEX_polygon_mode_front, INDEX_samples, BIT(GN_POLYGON_LINE), BIT(1),
+     "the reference loses pixels of sampled lines (reference/RULES.md)"},
+    {INDEX_polygon_mode_back, INDEX_samples, BIT(GN_POLYGON_LINE), BIT(1),
+     "the reference loses pixels of sampled lines (reference/RULES.md)"},
     {INDEX_alpha_given, INDEX_shader, BIT(0), BIT(SCENE_INPUTS), "alpha decides what it discards"},
     {INDEX_clear_before, INDEX_position, NOT(0), BIT(0), "the scene's own clears come first"},
 };

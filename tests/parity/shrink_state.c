@@ -102,6 +102,7 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         change = d->shader != SCENE_VERTEX_COLOR;
         d->shader = SCENE_VERTEX_COLOR;
         p->fragment_reads_primitive = p->fragment_reads_point_coordinate = false;
+        p->fragment_reads_sample_mask = p->fragment_writes_sample_mask = false;
         p->fragment_reads_position = p->fragment_discards = p->fragment_writes_depth = false;
         return change;
     case 1:
@@ -355,6 +356,14 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
     case 82:
         change = p->polygon_mode_back != GN_POLYGON_FILL;
         p->polygon_mode_back = GN_POLYGON_FILL;
+        return change;
+    case 83:
+        change = p->fragment_reads_sample_mask;
+        p->fragment_reads_sample_mask = false;
+        return change;
+    case 84:
+        change = p->fragment_writes_sample_mask;
+        p->fragment_writes_sample_mask = false;
         return change;
     default:
         *last = true;

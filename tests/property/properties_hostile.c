@@ -1,5 +1,6 @@
 /* Draws under any state of any numbers write where they may and nowhere else: pixels of the
- * target inside the scissor, nothing at all where a status says so. */
+ * target inside the scissor, samples that are not disabled, attachments that the shader writes,
+ * nothing at all where a status says so. */
 #include <float.h>
 #include <inttypes.h>
 #include <math.h>
@@ -16,10 +17,16 @@
 #define PADDING 4 /* pixels around the surface and at the end of each row */
 #define GUARD 0x5A
 
+/* Where the samples of a surface are: planes from the lowest address on or from the highest, or
+ * the rows of all samples in turn. */
+typedef enum layout { PLANES_UP, PLANES_DOWN, ROWS_IN_TURN, LAYOUT_COUNT } layout;
+
 typedef struct hostile {
     uint32_t width, height;
-    gn_format color, depth;
+    gn_format color[GN_MAX_COLORS], depth;
     bool top_down;
+    uint32_t samples;
+    layout layout;
     gn_pipeline pipeline; /* short of shaders */
     gn_mesh mesh;         /* short of pointers */
     float position[MAX_VERTICES][4];
@@ -88,6 +95,31 @@ static int32_t scissor_edge(random_source *r)
     return random_chance(r, 30) ? edges[random_below(r, 6)] : random_between(r, -10, 45);
 }
 
+/* What becomes of the colours of an attachment. */
+static void any_color_state(gn_pipeline *p, int attachment, random_source *r)
+{
+    gn_blend *const blend = &p->blend[attachment];
+
+    p->color_write_disabled[attachment] = random_chance(r, 30) ? random_below(r, 16) : 0;
+    if (random_chance(r, 30)) {
+        blend->enabled = true;
+        blend->source = (gn_blend_factor)random_below(r, 16);
+        blend->destination = (gn_blend_factor)random_below(r, 16);
+        blend->equation = (gn_blend_equation)random_below(r, 6);
+    }
+}
+
+static void any_samples(gn_pipeline *p, random_source *r)
+{
+    p->samples_disabled = random_chance(r, 30) ? random_below(r, 1u << GN_SAMPLES) : 0;
+    if (random_chance(r, 2))
+        p->samples_disabled = (uint32_t)random_bits(r);
+    p->alpha_to_coverage = random_chance(r, 20);
+    p->alpha_to_one = random_chance(r, 20);
+    p->fragment_reads_sample_mask = random_chance(r, 30);
+    p->fragment_writes_sample_mask = random_chance(r, 30);
+}
+
 static void any_state(hostile *h, random_source *r)
 {
     gn_pipeline *const p = &h->pipeline;
@@ -128,17 +160,17 @@ static void any_state(hostile *h, random_source *r)
     p->stencil_test = random_chance(r, 30);
     any_stencil(&p->stencil_front, r);
     any_stencil(&p->stencil_back, r);
-    p->color_write_disabled[0] = random_chance(r, 30) ? random_below(r, 16) : 0;
+    p->color_count = random_chance(r, 50) ? 0 : random_below(r, GN_MAX_COLORS + 1);
+    if (random_chance(r, 1))
+        p->color_count = GN_MAX_COLORS + 1;
+    for (int a = 0; a < GN_MAX_COLORS; a++)
+        any_color_state(p, a, r);
+    any_samples(p, r);
+    p->clip_distance_count = random_chance(r, 30) ? random_below(r, GN_MAX_CLIP_DISTANCES + 1) : 0;
     p->color_logic = random_chance(r, 10);
     p->logic_operation = (gn_logic_operation)random_below(r, 16);
     p->polygon_mode_front = (gn_polygon_mode)random_below(r, 3);
     p->polygon_mode_back = (gn_polygon_mode)random_below(r, 3);
-    if (random_chance(r, 30)) {
-        p->blend[0].enabled = true;
-        p->blend[0].source = (gn_blend_factor)random_below(r, 16);
-        p->blend[0].destination = (gn_blend_factor)random_below(r, 16);
-        p->blend[0].equation = (gn_blend_equation)random_below(r, 6);
-    }
     p->point_size = state_number(r, 0.0f, FLT_MAX);
     p->line_width = state_number(r, 0.0f, FLT_MAX);
     p->program_point_size = random_chance(r, 50);
@@ -173,6 +205,14 @@ static void any_mesh(hostile *h, random_source *r)
     h->mesh.base_vertex = random_chance(r, 5) ? (int32_t)(uint32_t)random_bits(r) : 0;
 }
 
+static gn_format any_color_format(random_source *r)
+{
+    if (random_chance(r, 40))
+        return GN_FORMAT_RGBA8;
+    return random_chance(r, 20) ? GN_FORMAT_RGBA32F
+                                : (gn_format)random_between(r, GN_FORMAT_BGRA8, GN_FORMAT_SRGB8_A8);
+}
+
 static enum theft_alloc_res make_hostile(struct theft *t, void *env, void **output)
 {
     static const gn_format depths[] = {GN_FORMAT_NONE, GN_FORMAT_D16,   GN_FORMAT_D24,
@@ -185,10 +225,11 @@ static enum theft_alloc_res make_hostile(struct theft *t, void *env, void **outp
     if (!h)
         return THEFT_ALLOC_ERROR;
     any_size(h, &r);
-    h->color = random_chance(&r, 40) ? GN_FORMAT_RGBA8
-               : random_chance(&r, 20)
-                   ? GN_FORMAT_RGBA32F
-                   : (gn_format)random_between(&r, GN_FORMAT_BGRA8, GN_FORMAT_SRGB8_A8);
+    h->color[0] = any_color_format(&r);
+    for (uint32_t a = random_chance(&r, 25) ? random_below(&r, GN_MAX_COLORS) : 0; a > 0; a--)
+        h->color[a] = random_chance(&r, 20) ? GN_FORMAT_NONE : any_color_format(&r);
+    h->samples = random_chance(&r, 35) ? GN_SAMPLES : random_below(&r, 2);
+    h->layout = (layout)random_below(&r, LAYOUT_COUNT);
     h->depth = depths[random_below(&r, 7)];
     h->top_down = random_chance(&r, 50);
     h->backend = random_chance(&r, 30) ? GN_BACKEND_PORTABLE : GN_BACKEND_AUTO;
@@ -205,9 +246,10 @@ static void print_hostile(FILE *f, const void *instance, void *env)
 
     (void)env;
     fprintf(f,
-            "target %" PRIu32 "x%" PRIu32 ", formats %d and %d, topology %d, count %" PRIu32 "\n",
-            h->width, h->height, (int)h->color, (int)h->depth, (int)h->pipeline.topology,
-            h->mesh.count);
+            "target %" PRIu32 "x%" PRIu32 ", %" PRIu32 " samples in layout %d, formats %d and %d, "
+            "topology %d, count %" PRIu32 "\n",
+            h->width, h->height, h->samples, (int)h->layout, (int)h->color[0], (int)h->depth,
+            (int)h->pipeline.topology, h->mesh.count);
     for (uint32_t i = 0; i < MAX_VERTICES; i++)
         fprintf(f, "  %.9g %.9g %.9g %.9g\n", (double)h->position[i][0], (double)h->position[i][1],
                 (double)h->position[i][2], (double)h->position[i][3]);
@@ -216,11 +258,14 @@ static void print_hostile(FILE *f, const void *instance, void *env)
 static void pass_attributes(const void *uniforms, const gn_vertex_input *input,
                             gn_vertex_output *output)
 {
-    (void)uniforms;
     for (int c = 0; c < 4; c++) {
         memcpy(output->position[c], input->attribute[0][c], sizeof output->position[c]);
         memcpy(output->varying[c], input->attribute[1][c], sizeof output->varying[c]);
     }
+    const hostile *h = uniforms;
+
+    for (uint32_t i = 0; i < h->pipeline.clip_distance_count; i++)
+        memcpy(output->clip_distance[i], input->attribute[1][i % 4], GN_LANES * sizeof(float));
     if (output->point_size)
         memcpy(output->point_size, input->attribute[1][0], GN_LANES * sizeof(float));
 }
@@ -228,13 +273,19 @@ static void pass_attributes(const void *uniforms, const gn_vertex_input *input,
 static void use_all_inputs(const void *uniforms, const gn_fragment_input *input,
                            gn_fragment_output *output)
 {
-    (void)uniforms;
-    for (int c = 0; c < 4; c++)
+    const hostile *h = uniforms;
+    const int colors = h->pipeline.color_count ? (int)h->pipeline.color_count : 1;
+
+    for (int c = 0; c < 4 * colors; c++)
         for (int lane = 0; lane < GN_LANES; lane++) {
-            output->color[c][lane] = input->varying[c][lane];
+            output->color[c][lane] = input->varying[c % 4][lane];
             if (input->position)
-                output->color[c][lane] *= input->position[c][lane];
+                output->color[c][lane] *= input->position[c % 4][lane];
+            if (input->sample_mask)
+                output->color[c][lane] += (float)input->sample_mask[lane];
         }
+    for (int lane = 0; lane < GN_LANES && output->sample_mask; lane++)
+        output->sample_mask[lane] = 0x96A53C0Fu * (uint32_t)lane;
     if (input->point_coordinate)
         gn_derivative_width(input->point_coordinate[0], output->color[1]);
     if (output->depth)
@@ -251,18 +302,27 @@ typedef struct guarded {
 static guarded guarded_surface(const hostile *h, gn_format format)
 {
     const size_t pixel = gn_format_size(format), row = (h->width + PADDING) * pixel;
+    const uint32_t samples = h->samples > 1 ? h->samples : 1;
+    const size_t plane = row * h->height;
+    const bool in_turn = h->layout == ROWS_IN_TURN;
+    const size_t stride = in_turn ? row * samples : row;
     guarded g;
 
     memset(&g, 0, sizeof g);
-    g.size = row * h->height + 2 * PADDING * pixel;
+    g.size = plane * samples + 2 * PADDING * pixel;
     g.memory = malloc(g.size + 1);
     if (!g.memory) {
         fprintf(stderr, "properties: out of memory\n");
         exit(EXIT_FAILURE);
     }
     memset(g.memory, GUARD, g.size);
-    g.surface.pixels = g.memory + PADDING * pixel + (h->top_down ? row * (h->height - 1) : 0);
-    g.surface.row_stride = h->top_down ? -(ptrdiff_t)row : (ptrdiff_t)row;
+    g.surface.pixels = g.memory + PADDING * pixel + (h->top_down ? stride * (h->height - 1) : 0) +
+                       (h->layout == PLANES_DOWN ? plane * (samples - 1) : 0);
+    g.surface.row_stride = h->top_down ? -(ptrdiff_t)stride : (ptrdiff_t)stride;
+    g.surface.samples = h->samples;
+    g.surface.sample_stride = in_turn                    ? (ptrdiff_t)row
+                              : h->layout == PLANES_DOWN ? -(ptrdiff_t)plane
+                                                         : (ptrdiff_t)plane;
     g.surface.width = h->width;
     g.surface.height = h->height;
     g.surface.format = format;
@@ -277,18 +337,24 @@ static bool in_scissor(const gn_scissor *s, uint32_t x, uint32_t y)
            ((int64_t)x >= s->x && (int64_t)x < right && (int64_t)y >= s->y && (int64_t)y < top);
 }
 
-/* Whether every byte but those of pixels in the scissor, or, `untouched`, every byte, is as at
- * first. */
+/* Whether every byte but those of pixels in the scissor, of samples that are drawn, or,
+ * `untouched`, every byte, is as at first. */
 static bool guards_hold(const hostile *h, const guarded *g, bool untouched)
 {
     const size_t pixel = gn_format_size(g->surface.format);
+    const uint32_t samples = h->samples > 1 ? h->samples : 1;
 
-    for (uint32_t y = 0; y < h->height && !untouched; y++)
-        for (uint32_t x = 0; x < h->width; x++)
-            if (in_scissor(&h->pipeline.scissor, x, y))
-                memset((unsigned char *)g->surface.pixels + g->surface.row_stride * (ptrdiff_t)y +
-                           x * pixel,
-                       GUARD, pixel);
+    for (uint32_t s = 0; s < samples && !untouched; s++) {
+        unsigned char *const plane =
+            (unsigned char *)g->surface.pixels + g->surface.sample_stride * (ptrdiff_t)s;
+
+        if (samples > 1 && h->pipeline.samples_disabled >> s & 1)
+            continue;
+        for (uint32_t y = 0; y < h->height; y++)
+            for (uint32_t x = 0; x < h->width; x++)
+                if (in_scissor(&h->pipeline.scissor, x, y))
+                    memset(plane + g->surface.row_stride * (ptrdiff_t)y + x * pixel, GUARD, pixel);
+    }
     for (size_t i = 0; i < g->size; i++)
         if (g->memory[i] != GUARD)
             return false;
@@ -298,25 +364,34 @@ static bool guards_hold(const hostile *h, const guarded *g, bool untouched)
 static enum theft_trial_res any_draw_stays_inside(struct theft *t, void *instance)
 {
     const hostile *h = instance;
-    const size_t size = gn_workspace_size(0, 4) + h->workspace;
-    guarded color = guarded_surface(h, h->color), depth = guarded_surface(h, h->depth);
-    const gn_target target = {{color.surface}, depth.surface};
+    const uint32_t colors = h->pipeline.color_count ? h->pipeline.color_count : 1;
+    const size_t size = gn_workspace_size(0, 4 + h->pipeline.clip_distance_count) + h->workspace;
+    guarded color[GN_MAX_COLORS], depth = guarded_surface(h, h->depth);
+    gn_target target;
     gn_workspace workspace = {.memory = malloc(size), .size = size, .backend = h->backend};
     gn_pipeline pipeline = h->pipeline;
     gn_mesh mesh = h->mesh;
     (void)t;
 
+    for (int a = 0; a < GN_MAX_COLORS; a++) {
+        color[a] = guarded_surface(h, h->color[a]);
+        target.color[a] = color[a].surface;
+    }
+    target.depth = depth.surface;
+    pipeline.uniforms = h;
     pipeline.vertex_shader = pass_attributes;
     pipeline.fragment_shader = use_all_inputs;
     mesh.attribute[0] = (gn_attribute){&h->position[0][0], 4, 0, 0};
     mesh.attribute[1] = (gn_attribute){&h->varying[0][0], 4, 0, 0};
     mesh.indices = h->indices;
     const gn_status status = gn_draw(&target, &pipeline, &mesh, &workspace);
-    const bool hold = workspace.memory && guards_hold(h, &color, status) &&
-                      guards_hold(h, &depth, status) &&
-                      (status != GN_OK) == (gn_pipeline_fault(&pipeline) || gn_mesh_fault(&mesh));
+    bool hold = workspace.memory && guards_hold(h, &depth, status) &&
+                (status != GN_OK) == (gn_pipeline_fault(&pipeline) || gn_mesh_fault(&mesh));
+    for (uint32_t a = 0; a < GN_MAX_COLORS; a++) {
+        hold &= guards_hold(h, &color[a], status || a >= colors);
+        free(color[a].memory);
+    }
     free(workspace.memory);
-    free(color.memory);
     free(depth.memory);
     return hold ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
 }

@@ -70,6 +70,8 @@ static void pipelines(void **state)
     expect_pipeline(GN_NO_SHADER, "vertex_shader");
     p.fragment_discards = true;
     expect_pipeline(GN_NO_SHADER, "fragment_discards");
+    p.fragment_writes_sample_mask = true;
+    expect_pipeline(GN_NO_SHADER, "fragment_writes_sample_mask");
     p.fragment_writes_depth = true;
     expect_pipeline(GN_NO_SHADER, "fragment_writes_depth");
     p.varying_count = GN_MAX_VARYINGS + 1;

@@ -275,6 +275,45 @@ static void few_vertices_are_kept(void **state)
     assert_int_equal(shaded, VERTICES);
 }
 
+/* Blocks of as many indices as the library finds ranges of, each of vertices of its own in no
+ * order. The triangles of a step, some of which begin in the block before, need the vertices of two
+ * blocks: more than 512, and not above the 1024 that there is memory for. Three would not fit. */
+enum { BLOCKS = 6, BLOCK_INDICES = 1024, BLOCK_VERTICES = 480 };
+
+static void two_blocks_are_kept(void **state)
+{
+    static frame whole, parts;
+    static unsigned char memory[GN_WORKSPACE_SIZE(1024, 0)];
+    uint64_t passed = 0;
+    gn_workspace workspace = {.memory = memory, .size = sizeof memory, .samples_passed = &passed};
+    gn_target target = {.depth = gn_surface_bottom_up(whole.depth, GN_FORMAT_D24, SIZE, SIZE)};
+    gn_pipeline pipeline = {
+        .depth_test = true, .depth_function = GN_ALWAYS, .vertex_shader = count_vertices};
+    gn_mesh mesh = {.vertex_count = VERTICES, .indices = indices, .index_format = GN_INDEX_UINT32};
+
+    (void)state;
+    make_vertices();
+    for (count = 0; count < BLOCKS * BLOCK_INDICES; ++count)
+        indices[count] =
+            count / BLOCK_INDICES * BLOCK_VERTICES + count % BLOCK_INDICES * 7919 % BLOCK_VERTICES;
+    mesh.count = count;
+    mesh.attribute[0] = (gn_attribute){.data = position[0], .components = 3};
+    shaded = 0;
+    assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+    assert_int_equal(shaded, BLOCKS * BLOCK_VERTICES);
+    const uint64_t in_one = passed;
+
+    passed = 0;
+    target.depth = gn_surface_bottom_up(parts.depth, GN_FORMAT_D24, SIZE, SIZE);
+    for (mesh.count = PART; mesh.first < count; mesh.first += PART) {
+        mesh.count = count - mesh.first < PART ? count - mesh.first : PART;
+        assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+    }
+    assert_true(in_one > 0);
+    assert_int_equal(passed, in_one);
+    assert_memory_equal(&whole, &parts, sizeof whole);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -283,6 +322,7 @@ int main(void)
         cmocka_unit_test(strips),
         cmocka_unit_test(instances_are_alike),
         cmocka_unit_test(few_vertices_are_kept),
+        cmocka_unit_test(two_blocks_are_kept),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -87,6 +87,9 @@ static void pipeline_faults(void **state)
     p = good_pipeline();
     p.fragment_writes_depth = true;
     assert_int_equal(gn_pipeline_check(&p), GN_NO_SHADER);
+    p = good_pipeline();
+    p.fragment_writes_sample_mask = true;
+    assert_int_equal(gn_pipeline_check(&p), GN_NO_SHADER);
 }
 
 static void color_state_faults(void **state)

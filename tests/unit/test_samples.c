@@ -91,12 +91,36 @@ static void clears_fill_every_sample(void **state)
     }
 }
 
+/* What draw_strip's shader does beyond white: the mask it reads is red in steps, the one it writes
+ * leaves samples 1 and 2. */
+static bool reads_mask, writes_mask;
+static uint32_t mask_bits = 6;
+
+static void show_masks(const void *uniforms, const gn_fragment_input *in, gn_fragment_output *out)
+{
+    (void)uniforms;
+    assert_int_equal(in->sample_mask != NULL, reads_mask);
+    assert_int_equal(out->sample_mask != NULL, writes_mask);
+    for (int l = 0; l < GN_LANES; ++l) {
+        out->color[0][l] = in->sample_mask ? (float)in->sample_mask[l] / 255.0f : 1.0f;
+        for (int c = 1; c < 4; ++c)
+            out->color[c][l] = 1.0f;
+        if (in->sample_mask && !(in->coverage >> l & 1))
+            assert_int_equal(in->sample_mask[l], 0);
+        if (out->sample_mask) {
+            assert_int_equal(out->sample_mask[l], UINT32_MAX);
+            out->sample_mask[l] = mask_bits;
+        }
+    }
+}
+
 /* White from x = 0 to `right` pixels, over the whole height. */
 static uint64_t draw_strip(const gn_target *t, float right, gn_status wanted)
 {
     static unsigned char memory[65536];
     const float x = right / (0.5f * SIDE) - 1.0f;
     const float position[6][2] = {{-1, -1}, {x, -1}, {x, 1}, {-1, -1}, {x, 1}, {-1, 1}};
+    const float middle_left[12] = {-1, 0};
     const float white[4] = {1, 1, 1, 1};
     gn_color_uniforms uniforms;
     gn_pipeline pipeline;
@@ -107,6 +131,8 @@ static uint64_t draw_strip(const gn_target *t, float right, gn_status wanted)
     memset(&pipeline, 0, sizeof pipeline);
     memset(&mesh, 0, sizeof mesh);
     memset(&workspace, 0, sizeof workspace);
+    mesh.vertex_count = 6;
+    mesh.count = 6;
     gn_mat4_identity(&uniforms.clip_from_model);
     assert_int_equal(gn_use_vertex_color(&pipeline, &uniforms), GN_OK);
     mesh.attribute[GN_ATTRIBUTE_POSITION].data = &position[0][0];
@@ -114,8 +140,16 @@ static uint64_t draw_strip(const gn_target *t, float right, gn_status wanted)
     mesh.attribute[GN_ATTRIBUTE_COLOR].data = white;
     mesh.attribute[GN_ATTRIBUTE_COLOR].components = 4;
     mesh.attribute[GN_ATTRIBUTE_COLOR].divisor = 1;
-    mesh.vertex_count = 6;
-    mesh.count = 6;
+    pipeline.fragment_reads_sample_mask = reads_mask;
+    pipeline.fragment_writes_sample_mask = writes_mask;
+    if (reads_mask || writes_mask) { /* a point, since triangles would share pixels */
+        pipeline.fragment_shader = show_masks;
+        pipeline.depth_test = true;
+        pipeline.topology = GN_POINTS;
+        pipeline.point_size = 2.0f * right;
+        mesh.attribute[GN_ATTRIBUTE_POSITION].data = &middle_left[0];
+        mesh.count = 1;
+    }
     workspace.memory = memory;
     workspace.size = sizeof memory;
     workspace.samples_passed = &passed;
@@ -148,6 +182,54 @@ static void coverage_is_of_samples(void **state)
                                  p % SIDE < cases[i].covered[n] ? UINT32_MAX : 0);
         }
     }
+}
+
+/* A strip to the middle of pixel 3 covers samples 0 and 2 of that. */
+static void masks_are_of_samples(void **state)
+{
+    (void)state;
+    for (int what = 1; what < 6; ++what) {
+        const gn_target t = sampled_target();
+        uint64_t wanted = 0;
+
+        reads_mask = what != 2 && what != 4;
+        writes_mask = what != 1;
+        mask_bits = what > 3 ? 0x7FFFFFF6 : 6;
+        assert_int_equal(gn_clear_depth(&t.depth, 1.0f), GN_OK);
+        for (int p = 0; p < SIDE; ++p) /* sample 3 of some fails the depth test */
+            depths[3 * PIXELS + p] = 0.25f;
+        const uint64_t passed = draw_strip(&t, 3.5f, GN_OK);
+        for (int n = 0; n < GN_SAMPLES; ++n) {
+            for (int p = 0; p < PIXELS; ++p) {
+                const uint32_t mask = p % SIDE < 3 ? 15 : p % SIDE == 3 ? 5 : 0;
+                const uint32_t left = writes_mask ? mask & 6 : mask;
+                const bool drawn = left >> n & 1 && !(n == 3 && p < SIDE);
+
+                assert_int_equal(colors[PAD + n * PIXELS + p],
+                                 drawn ? 0xFFFFFF00 | (reads_mask ? mask : 255) : 0);
+                assert_true((depths[n * PIXELS + p] == 0.5f) == drawn);
+                wanted += drawn;
+            }
+        }
+        assert_int_equal(passed, wanted);
+    }
+    reads_mask = writes_mask = false;
+}
+
+/* Which a written mask does not touch. */
+static void one_sample_has_mask_1(void **state)
+{
+    (void)state;
+    gn_target t;
+
+    memset(&t, 0, sizeof t);
+    memset(colors, 0, sizeof colors);
+    t.color[0] = gn_surface_bottom_up(colors + PAD, GN_FORMAT_RGBA8, SIDE, SIDE);
+    reads_mask = writes_mask = true;
+    assert_int_equal(draw_strip(&t, 3.0f, GN_OK), 3 * SIDE);
+    reads_mask = writes_mask = false;
+    for (int p = 0; p < PIXELS; ++p)
+        assert_int_equal(colors[PAD + p], p % SIDE < 3 ? 0xFFFFFF01 : 0);
 }
 
 /* The planes in any order of memory, and rows of the samples side by side. */
@@ -211,6 +293,7 @@ int main(void)
         cmocka_unit_test(surfaces_and_views),          cmocka_unit_test(faults),
         cmocka_unit_test(clears_fill_every_sample),    cmocka_unit_test(coverage_is_of_samples),
         cmocka_unit_test(strides_of_samples_are_free), cmocka_unit_test(resolving_averages),
+        cmocka_unit_test(masks_are_of_samples),        cmocka_unit_test(one_sample_has_mask_1),
     };
     return cmocka_run_group_tests_name("samples", tests, NULL, NULL);
 }
