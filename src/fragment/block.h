@@ -74,7 +74,7 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
 }
 
 static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_triangle triangle,
-                                          uint32_t n, float x, float y, lanes_f w)
+                                          uint32_t n, const block_places *at, lanes_f w)
 {
     const attribute_plane plane = triangle_plane(triangle, VARYING_PLANES + n);
 
@@ -82,9 +82,9 @@ static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_tr
     case GN_FLAT:
         return lanes_splat(plane.origin);
     case GN_NOPERSPECTIVE:
-        return plane_in_block(plane, x, y);
+        return plane_at(plane, at);
     default:
-        return lanes_mul(plane_in_block(plane, x, y), w);
+        return lanes_mul(plane_at(plane, at), w);
     }
 }
 
@@ -138,13 +138,14 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     const float px = (float)x + center;
     const float py = (float)y + center;
     const triangle_identity identity = identity_of(triangle, pipeline->varying_count);
+    const block_places places = places_in_block(px, py);
     float varying[GN_MAX_VARYINGS][GN_LANES];
     float position[4][GN_LANES], point_coordinate[2][GN_LANES];
     gn_fragment_input input;
     gn_fragment_output output;
 
     for (uint32_t n = 0; n < pipeline->varying_count; ++n)
-        lanes_store(varying[n], interpolate_varying(pipeline, triangle, n, px, py, w));
+        lanes_store(varying[n], interpolate_varying(pipeline, triangle, n, &places, w));
     input.varying = (const float(*)[GN_LANES])varying;
     input.coverage = coverage;
     input.x = x;
@@ -234,6 +235,34 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
     return coverage;
 }
 
+static inline uint32_t count_lanes(uint32_t bits)
+{
+    bits = (bits & 0x5555) + (bits >> 1 & 0x5555);
+    bits = (bits & 0x3333) + (bits >> 2 & 0x3333);
+    bits = (bits & 0x0F0F) + (bits >> 4 & 0x0F0F);
+    return (bits & 0x1F) + (bits >> 8);
+}
+
+/* Neighbouring blocks in a row. Gives how many fragments passed. */
+GN_OUT_OF_LINE uint32_t shade_whole_blocks(const fragment_state *state, raster_triangle triangle,
+                                           int32_t x, int32_t y, uint32_t count, uint32_t coverage)
+{
+    uint32_t passed = 0;
+    fragment_place at;
+
+    at.shape = SHAPE_BLOCK;
+    at.y = y;
+    at.columns = 0;
+    at.row = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        at.x = x + (int32_t)i * BLOCK_SIZE;
+        at.color = pixel_memory(&state->color, state->color.format, at.x, y);
+        at.depth = pixel_memory(&state->depth, state->depth.format, at.x, y);
+        passed += count_lanes(shade_whole(state, &at, triangle, coverage));
+    }
+    return passed;
+}
+
 GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const fragment_place *at,
                      raster_triangle triangle, uint32_t coverage)
 {
@@ -272,19 +301,31 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
                       color);
 }
 
-/* Neighbouring blocks in a row. */
+/* Whether the block at (x, y) lies on the surfaces, which are of one size. */
+GN_INLINE bool lies_inside(const fragment_state *state, fragment_kind kind, int32_t x, int32_t y)
+{
+    return surface_holds_block(kind.color_format != GN_FORMAT_NONE ? &state->color : &state->depth,
+                               x, y);
+}
+
+/* Neighbouring blocks in a row. Those that hang over the surfaces' edge are left to what serves
+ * all states, so that the others call nothing. */
 GN_INLINE void shade_blocks(const fragment_state *state, fragment_kind kind,
                             raster_triangle triangle, int32_t x, int32_t y, uint32_t count,
                             uint32_t coverage)
 {
     fragment_place at;
 
-    at.shape = SHAPE_BLOCK;
+    at.shape = SHAPE_INNER_BLOCK;
     at.y = y;
     at.columns = 0;
     at.row = 0;
     for (uint32_t i = 0; i < count; ++i) {
         at.x = x + (int32_t)i * BLOCK_SIZE;
+        if (!lies_inside(state, kind, at.x, y)) {
+            shade_whole_blocks(state, triangle, at.x, y, 1, coverage);
+            continue;
+        }
         at.color = pixel_memory(&state->color, kind.color_format, at.x, y);
         at.depth = pixel_memory(&state->depth, kind.depth_format, at.x, y);
         shade(state, kind, &at, triangle, coverage);
@@ -349,34 +390,6 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
     shade_rows(state, kind, triangle, x, y, whole);
     shade_blocks(state, kind, triangle, x + (int32_t)whole * BLOCK_SIZE, y, count - whole,
                  GN_ALL_LANES);
-}
-
-static inline uint32_t count_lanes(uint32_t bits)
-{
-    bits = (bits & 0x5555) + (bits >> 1 & 0x5555);
-    bits = (bits & 0x3333) + (bits >> 2 & 0x3333);
-    bits = (bits & 0x0F0F) + (bits >> 4 & 0x0F0F);
-    return (bits & 0x1F) + (bits >> 8);
-}
-
-/* Neighbouring blocks in a row. Gives how many fragments passed. */
-static uint32_t shade_whole_blocks(const fragment_state *state, raster_triangle triangle, int32_t x,
-                                   int32_t y, uint32_t count, uint32_t coverage)
-{
-    uint32_t passed = 0;
-    fragment_place at;
-
-    at.shape = SHAPE_BLOCK;
-    at.y = y;
-    at.columns = 0;
-    at.row = 0;
-    for (uint32_t i = 0; i < count; ++i) {
-        at.x = x + (int32_t)i * BLOCK_SIZE;
-        at.color = pixel_memory(&state->color, state->color.format, at.x, y);
-        at.depth = pixel_memory(&state->depth, state->depth.format, at.x, y);
-        passed += count_lanes(shade_whole(state, &at, triangle, coverage));
-    }
-    return passed;
 }
 
 /* All states that have no function of their own. */
