@@ -76,16 +76,13 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
 static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_triangle triangle,
                                           uint32_t n, const block_places *at, lanes_f w)
 {
-    const attribute_plane plane = triangle_plane(triangle, VARYING_PLANES + n);
+    const gn_interpolation interpolation = pipeline->interpolation[n];
 
-    switch (pipeline->interpolation[n]) {
-    case GN_FLAT:
-        return lanes_splat(plane.origin);
-    case GN_NOPERSPECTIVE:
-        return plane_at(plane, at);
-    default:
-        return lanes_mul(plane_at(plane, at), w);
-    }
+    if (interpolation == GN_FLAT)
+        return lanes_splat(triangle_plane(triangle, VARYING_PLANES + n).origin);
+
+    const lanes_f value = plane_at(triangle_plane(triangle, VARYING_PLANES + n), at);
+    return interpolation == GN_NOPERSPECTIVE ? value : lanes_mul(value, w);
 }
 
 /* gl_FragCoord of a block; its z has the polygon offset, whether or not depth is tested. */
