@@ -26,6 +26,7 @@ typedef struct fragment_kind {
     gn_format color_format; /* GN_FORMAT_NONE: no colour */
     fragment_source source;
     color_use use;
+    bool solid; /* depth and alpha are such as setup_solid says */
 } fragment_kind;
 
 /* The attachments that the shader writes after the first. */
@@ -191,7 +192,7 @@ GN_INLINE uint32_t test_whole(const fragment_state *state, const fragment_place 
     }
     if (state->depth.format == GN_FORMAT_NONE)
         return coverage;
-    return test_depth(&state->test, &state->depth, state->depth.format, at, coverage, depth);
+    return test_depth(&state->test, &state->depth, state->depth.format, at, coverage, depth, false);
 }
 
 /* All that a state may ask of a block, in OpenGL's order: the shader before the tests where
@@ -269,7 +270,7 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
 
     if (kind.depth_format != GN_FORMAT_NONE) {
         coverage = test_depth(&state->test, &state->depth, kind.depth_format, at, coverage,
-                              interpolate(at, triangle, DEPTH_PLANE));
+                              interpolate(at, triangle, DEPTH_PLANE), kind.solid);
         if (!coverage)
             return;
     }
@@ -286,7 +287,11 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
         if (kind.source == SOURCE_TEXTURE)
             sample_texture(state->pipeline->uniforms, at, triangle, w, texel);
         for (uint32_t c = 0; c < 4; ++c) {
-            color[c] = lanes_mul(interpolate(at, triangle, VARYING_PLANES + c), w);
+            /* Alpha that is so near to 1 becomes the same byte. */
+            if (kind.source == SOURCE_COLOR && kind.solid && c == VARYING_ALPHA)
+                color[c] = lanes_splat(1.0f);
+            else
+                color[c] = lanes_mul(interpolate(at, triangle, VARYING_PLANES + c), w);
             if (kind.source == SOURCE_TEXTURE)
                 color[c] = lanes_mul(color[c], texel[c]);
         }
@@ -383,8 +388,13 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
     const gn_textured_uniforms *textured = state->pipeline->uniforms;
     const bool in_rows = kind.source != SOURCE_TEXTURE || has_one_filter(&textured->sampler);
     const uint32_t whole = in_rows ? count - count % BLOCKS_IN_ROW : 0;
+    fragment_kind solid = kind;
 
-    shade_rows(state, kind, triangle, x, y, whole);
+    solid.solid = true;
+    if (kind.solid)
+        shade_rows(state, solid, triangle, x, y, whole);
+    else
+        shade_rows(state, kind, triangle, x, y, whole);
     shade_blocks(state, kind, triangle, x + (int32_t)whole * BLOCK_SIZE, y, count - whole,
                  GN_ALL_LANES);
 }
@@ -411,7 +421,7 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \
-        const fragment_kind kind = {depth_format, color_format, source, use};                      \
+        const fragment_kind kind = {depth_format, color_format, source, use, false};               \
                                                                                                    \
         shade_blocks(state, kind, triangle, x, y, count, coverage);                                \
     }
@@ -422,7 +432,8 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
     GN_OUT_OF_LINE void name##_long(const fragment_state *state, raster_triangle triangle,         \
                                     int32_t x, int32_t y, uint32_t count)                          \
     {                                                                                              \
-        const fragment_kind kind = {depth_format, color_format, source, use};                      \
+        const fragment_kind kind = {depth_format, color_format, source, use,                       \
+                                    triangle_is_solid(triangle)};                                  \
                                                                                                    \
         shade_run(state, kind, triangle, x, y, count);                                             \
     }                                                                                              \
@@ -430,7 +441,8 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \
-        const fragment_kind kind = {depth_format, color_format, source, use};                      \
+        const fragment_kind kind = {depth_format, color_format, source, use,                       \
+                                    triangle_is_solid(triangle)};                                  \
                                                                                                    \
         if (count > 1)                                                                             \
             name##_long(state, triangle, x, y, count);                                             \
