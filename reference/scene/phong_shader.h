@@ -64,15 +64,17 @@ void PHONG(fragment)(const void *uniforms, const gn_fragment_input *input,
     const phong_uniforms *u = uniforms;
     const float(*normal)[GN_LANES] = input->varying + PHONG_NORMAL;
     const float(*to_eye)[GN_LANES] = input->varying + PHONG_TO_EYE;
-    const gn_vec3 light = u->light_direction;
-    const gn_vec3 ambient = u->ambient;
-    const gn_vec3 diffuse = u->diffuse;
-    const gn_vec3 specular = u->specular;
+    float(*const restrict color)[GN_LANES] = output->color;
     float texel[4][GN_LANES];
     float lit[GN_LANES], shine[GN_LANES]; /* N.L, and R.V to the power of 32 */
 
     input->sampling->sample_2d(&u->texture, &u->sampler, input->varying[PHONG_S],
                                input->varying[PHONG_T], texel);
+
+    const gn_vec3 light = u->light_direction;
+    const gn_vec3 ambient = u->ambient;
+    const gn_vec3 diffuse = u->diffuse;
+    const gn_vec3 specular = u->specular;
     for (int l = 0; l < GN_LANES; ++l) {
         const float n_x = normal[0][l], n_y = normal[1][l], n_z = normal[2][l];
         const float n_scale = 1.0f / sqrtf(dot(n_x, n_y, n_z, n_x, n_y, n_z));
@@ -94,13 +96,10 @@ void PHONG(fragment)(const void *uniforms, const gn_fragment_input *input,
         shine[l] = power;
     }
     for (int l = 0; l < GN_LANES; ++l) {
-        output->color[0][l] =
-            texel[0][l] * (ambient.x + diffuse.x * lit[l]) + specular.x * shine[l];
-        output->color[1][l] =
-            texel[1][l] * (ambient.y + diffuse.y * lit[l]) + specular.y * shine[l];
-        output->color[2][l] =
-            texel[2][l] * (ambient.z + diffuse.z * lit[l]) + specular.z * shine[l];
-        output->color[3][l] = texel[3][l];
+        color[0][l] = texel[0][l] * (ambient.x + diffuse.x * lit[l]) + specular.x * shine[l];
+        color[1][l] = texel[1][l] * (ambient.y + diffuse.y * lit[l]) + specular.y * shine[l];
+        color[2][l] = texel[2][l] * (ambient.z + diffuse.z * lit[l]) + specular.z * shine[l];
+        color[3][l] = texel[3][l];
     }
 }
 

@@ -130,8 +130,7 @@ static void draw_triangles(worker *w, const triangle_list *list)
     }
     setup_triangles(draw->pipeline, &draw->offset, 0.5f, &w->cull.target, draw->job->memory, list,
                     w->batch);
-    for (uint32_t l = 0; l < list->count; ++l)
-        cover_triangle(&w->cull.target, w->batch, list, l, draw->shade_run, context);
+    cover_triangles(&w->cull.target, w->batch, list, draw->shade_run, context);
 }
 
 /* Draws what is in the worker's list, and starts it anew. */

@@ -26,6 +26,7 @@ typedef struct fragment_kind {
     gn_format color_format; /* GN_FORMAT_NONE: no colour */
     fragment_source source;
     color_use use;
+    bool solid; /* depth and alpha are such as setup_solid says */
 } fragment_kind;
 
 /* The attachments that the shader writes after the first. */
@@ -74,18 +75,15 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
 }
 
 static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_triangle triangle,
-                                          uint32_t n, float x, float y, lanes_f w)
+                                          uint32_t n, const block_places *at, lanes_f w)
 {
-    const attribute_plane plane = triangle_plane(triangle, VARYING_PLANES + n);
+    const gn_interpolation interpolation = pipeline->interpolation[n];
 
-    switch (pipeline->interpolation[n]) {
-    case GN_FLAT:
-        return lanes_splat(plane.origin);
-    case GN_NOPERSPECTIVE:
-        return plane_in_block(plane, x, y);
-    default:
-        return lanes_mul(plane_in_block(plane, x, y), w);
-    }
+    if (interpolation == GN_FLAT)
+        return lanes_splat(triangle_plane(triangle, VARYING_PLANES + n).origin);
+
+    const lanes_f value = plane_at(triangle_plane(triangle, VARYING_PLANES + n), at);
+    return interpolation == GN_NOPERSPECTIVE ? value : lanes_mul(value, w);
 }
 
 /* gl_FragCoord of a block; its z has the polygon offset, whether or not depth is tested. */
@@ -158,6 +156,7 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     const float px = (float)x + center;
     const float py = (float)y + center;
     const triangle_identity identity = identity_of(triangle, pipeline->varying_count);
+    const block_places places = places_in_block(px, py);
     float varying[GN_MAX_VARYINGS][GN_LANES];
     float position[4][GN_LANES], point_coordinate[2][GN_LANES];
     const gn_sampling sampling = {GN_SPECIALISED ? sample_2d : gn_sample_2d, 0, 0, 0};
@@ -166,7 +165,7 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     gn_fragment_output output;
 
     for (uint32_t n = 0; n < pipeline->varying_count; ++n)
-        lanes_store(varying[n], interpolate_varying(pipeline, triangle, n, px, py, w));
+        lanes_store(varying[n], interpolate_varying(pipeline, triangle, n, &places, w));
     input.varying = (const float(*)[GN_LANES])varying;
     input.coverage = coverage;
     input.x = x;
@@ -225,7 +224,7 @@ GN_INLINE uint32_t test_whole(const fragment_state *state, const fragment_place 
     }
     if (state->depth.format == GN_FORMAT_NONE)
         return coverage;
-    return test_depth(&state->test, &state->depth, state->depth.format, at, coverage, depth);
+    return test_depth(&state->test, &state->depth, state->depth.format, at, coverage, depth, false);
 }
 
 /* All that a state may ask of a block, in OpenGL's order: the shader before the tests where
@@ -266,6 +265,34 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
     return coverage;
 }
 
+static inline uint32_t count_lanes(uint32_t bits)
+{
+    bits = (bits & 0x5555) + (bits >> 1 & 0x5555);
+    bits = (bits & 0x3333) + (bits >> 2 & 0x3333);
+    bits = (bits & 0x0F0F) + (bits >> 4 & 0x0F0F);
+    return (bits & 0x1F) + (bits >> 8);
+}
+
+/* Neighbouring blocks in a row. Gives how many fragments passed. */
+GN_OUT_OF_LINE uint32_t shade_whole_blocks(const fragment_state *state, raster_triangle triangle,
+                                           int32_t x, int32_t y, uint32_t count, uint32_t coverage)
+{
+    uint32_t passed = 0;
+    fragment_place at;
+
+    at.shape = SHAPE_BLOCK;
+    at.y = y;
+    at.columns = 0;
+    at.row = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        at.x = x + (int32_t)i * BLOCK_SIZE;
+        at.color = pixel_memory(&state->color, state->color.format, at.x, y);
+        at.depth = pixel_memory(&state->depth, state->depth.format, at.x, y);
+        passed += count_lanes(shade_whole(state, &at, triangle, coverage));
+    }
+    return passed;
+}
+
 GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const fragment_place *at,
                      raster_triangle triangle, uint32_t coverage)
 {
@@ -275,7 +302,7 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
 
     if (kind.depth_format != GN_FORMAT_NONE) {
         coverage = test_depth(&state->test, &state->depth, kind.depth_format, at, coverage,
-                              interpolate(at, triangle, DEPTH_PLANE));
+                              interpolate(at, triangle, DEPTH_PLANE), kind.solid);
         if (!coverage)
             return;
     }
@@ -292,7 +319,11 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
         if (kind.source == SOURCE_TEXTURE)
             sample_texture(state->pipeline->uniforms, at, triangle, w, texel);
         for (uint32_t c = 0; c < 4; ++c) {
-            color[c] = lanes_mul(interpolate(at, triangle, VARYING_PLANES + c), w);
+            /* Alpha that is so near to 1 becomes the same byte. */
+            if (kind.source == SOURCE_COLOR && kind.solid && c == VARYING_ALPHA)
+                color[c] = lanes_splat(1.0f);
+            else
+                color[c] = lanes_mul(interpolate(at, triangle, VARYING_PLANES + c), w);
             if (kind.source == SOURCE_TEXTURE)
                 color[c] = lanes_mul(color[c], texel[c]);
         }
@@ -304,19 +335,31 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
                       color);
 }
 
-/* Neighbouring blocks in a row. */
+/* Whether the block at (x, y) lies on the surfaces, which are of one size. */
+GN_INLINE bool lies_inside(const fragment_state *state, fragment_kind kind, int32_t x, int32_t y)
+{
+    return surface_holds_block(kind.color_format != GN_FORMAT_NONE ? &state->color : &state->depth,
+                               x, y);
+}
+
+/* Neighbouring blocks in a row. Those that hang over the surfaces' edge are left to what serves
+ * all states, so that the others call nothing. */
 GN_INLINE void shade_blocks(const fragment_state *state, fragment_kind kind,
                             raster_triangle triangle, int32_t x, int32_t y, uint32_t count,
                             uint32_t coverage)
 {
     fragment_place at;
 
-    at.shape = SHAPE_BLOCK;
+    at.shape = SHAPE_INNER_BLOCK;
     at.y = y;
     at.columns = 0;
     at.row = 0;
     for (uint32_t i = 0; i < count; ++i) {
         at.x = x + (int32_t)i * BLOCK_SIZE;
+        if (!lies_inside(state, kind, at.x, y)) {
+            shade_whole_blocks(state, triangle, at.x, y, 1, coverage);
+            continue;
+        }
         at.color = pixel_memory(&state->color, kind.color_format, at.x, y);
         at.depth = pixel_memory(&state->depth, kind.depth_format, at.x, y);
         shade(state, kind, &at, triangle, coverage);
@@ -377,38 +420,15 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
     const gn_textured_uniforms *textured = state->pipeline->uniforms;
     const bool in_rows = kind.source != SOURCE_TEXTURE || has_one_filter(&textured->sampler);
     const uint32_t whole = in_rows ? count - count % BLOCKS_IN_ROW : 0;
+    fragment_kind solid = kind;
 
-    shade_rows(state, kind, triangle, x, y, whole);
+    solid.solid = true;
+    if (kind.solid)
+        shade_rows(state, solid, triangle, x, y, whole);
+    else
+        shade_rows(state, kind, triangle, x, y, whole);
     shade_blocks(state, kind, triangle, x + (int32_t)whole * BLOCK_SIZE, y, count - whole,
                  GN_ALL_LANES);
-}
-
-static inline uint32_t count_lanes(uint32_t bits)
-{
-    bits = (bits & 0x5555) + (bits >> 1 & 0x5555);
-    bits = (bits & 0x3333) + (bits >> 2 & 0x3333);
-    bits = (bits & 0x0F0F) + (bits >> 4 & 0x0F0F);
-    return (bits & 0x1F) + (bits >> 8);
-}
-
-/* Neighbouring blocks in a row. Gives how many fragments passed. */
-static uint32_t shade_whole_blocks(const fragment_state *state, raster_triangle triangle, int32_t x,
-                                   int32_t y, uint32_t count, uint32_t coverage)
-{
-    uint32_t passed = 0;
-    fragment_place at;
-
-    at.shape = SHAPE_BLOCK;
-    at.y = y;
-    at.columns = 0;
-    at.row = 0;
-    for (uint32_t i = 0; i < count; ++i) {
-        at.x = x + (int32_t)i * BLOCK_SIZE;
-        at.color = pixel_memory(&state->color, state->color.format, at.x, y);
-        at.depth = pixel_memory(&state->depth, state->depth.format, at.x, y);
-        passed += count_lanes(shade_whole(state, &at, triangle, coverage));
-    }
-    return passed;
 }
 
 /* All states that have no function of their own. */
@@ -433,7 +453,7 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \
-        const fragment_kind kind = {depth_format, color_format, source, use};                      \
+        const fragment_kind kind = {depth_format, color_format, source, use, false};               \
                                                                                                    \
         shade_blocks(state, kind, triangle, x, y, count, coverage);                                \
     }
@@ -444,7 +464,8 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
     GN_OUT_OF_LINE void name##_long(const fragment_state *state, raster_triangle triangle,         \
                                     int32_t x, int32_t y, uint32_t count)                          \
     {                                                                                              \
-        const fragment_kind kind = {depth_format, color_format, source, use};                      \
+        const fragment_kind kind = {depth_format, color_format, source, use,                       \
+                                    triangle_is_solid(triangle)};                                  \
                                                                                                    \
         shade_run(state, kind, triangle, x, y, count);                                             \
     }                                                                                              \
@@ -452,7 +473,8 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \
-        const fragment_kind kind = {depth_format, color_format, source, use};                      \
+        const fragment_kind kind = {depth_format, color_format, source, use,                       \
+                                    triangle_is_solid(triangle)};                                  \
                                                                                                    \
         if (count > 1)                                                                             \
             name##_long(state, triangle, x, y, count);                                             \

@@ -51,7 +51,7 @@ GN_OUT_OF_LINE lanes_i load_covered_pixels(const gn_surface *surface, int32_t x,
 GN_INLINE void combine_rgba8(const color_state *state, const gn_surface *surface, color_use use,
                              const fragment_place *at, uint32_t coverage, const lanes_f color[4])
 {
-    const bool whole = at->shape == SHAPE_ROW || surface_holds_block(surface, at->x, at->y);
+    const bool whole = at->shape != SHAPE_BLOCK || surface_holds_block(surface, at->x, at->y);
     const lanes_i there = whole ? load_words(at->shape, at->color, surface->row_stride)
                                 : load_covered_pixels(surface, at->x, at->y, coverage);
     lanes_i pixels = lanes_pack_unorm8(color[0], color[1], color[2], color[3]);

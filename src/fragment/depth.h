@@ -46,10 +46,12 @@ static inline depth_limits depth_limits_of(const gn_pipeline *pipeline,
 }
 
 /* Depths as a format holds them, in the low bits: D16 and D24 rounded, D32F as the
- * float's bits, which order as integers do. Clamped to 0..1. */
-GN_INLINE lanes_i quantize_depth(gn_format format, lanes_f depth)
+ * float's bits, which order as integers do. Clamped to 0..1, where they are not known to be above
+ * 0 and up to 1. */
+GN_INLINE lanes_i quantize_depth(gn_format format, lanes_f depth, bool in_range)
 {
-    const lanes_f z = lanes_max(lanes_min(depth, lanes_splat(1.0f)), lanes_splat(0.0f));
+    const lanes_f z =
+        in_range ? depth : lanes_max(lanes_min(depth, lanes_splat(1.0f)), lanes_splat(0.0f));
 
     switch (format) {
     case GN_FORMAT_D16:
@@ -121,9 +123,10 @@ GN_INLINE uint32_t compare_depth(const depth_state *state, lanes_i incoming, lan
  * state says so. Gives the part of coverage that passed. Rows lie on the surface, whose
  * values have 32 bits. */
 GN_INLINE uint32_t test_depth(const depth_state *state, const gn_surface *surface, gn_format format,
-                              const fragment_place *at, uint32_t coverage, lanes_f depth)
+                              const fragment_place *at, uint32_t coverage, lanes_f depth,
+                              bool in_range)
 {
-    const lanes_i incoming = quantize_depth(format, depth);
+    const lanes_i incoming = quantize_depth(format, depth, in_range);
 
     if (at->shape == SHAPE_BLOCK &&
         (format == GN_FORMAT_D16 || !surface_holds_block(surface, at->x, at->y))) {

@@ -13,6 +13,26 @@ GN_INLINE lanes_f plane_in_block(attribute_plane plane, float x, float y)
     return lanes_add(lanes_rows(plane.per_y, y), lanes_columns(plane.per_x, x, plane.origin));
 }
 
+/* Where the fragments of a block are, for planes that are asked there one after the other. */
+typedef struct block_places {
+    lanes_f x, y;
+} block_places;
+
+GN_INLINE block_places places_in_block(float x, float y)
+{
+    const block_places at = {lanes_columns(1.0f, x, 0.0f), lanes_rows(1.0f, y)};
+
+    return at;
+}
+
+/* The same value as plane_in_block's. */
+GN_INLINE lanes_f plane_at(attribute_plane plane, const block_places *at)
+{
+    return lanes_add(
+        lanes_mul(lanes_splat(plane.per_y), at->y),
+        lanes_add(lanes_mul(lanes_splat(plane.per_x), at->x), lanes_splat(plane.origin)));
+}
+
 /* A primitive's number in the draw, what it is, and its facing. */
 typedef struct triangle_identity {
     int32_t primitive;

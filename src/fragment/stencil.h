@@ -142,7 +142,7 @@ GN_OUT_OF_LINE uint32_t test_stencil(const fragment_state *state, const fragment
                                 lanes_i_and(b.stencil, lanes_i_splat(face->compared)));
     both = passed;
     if (state->tests_depth) {
-        const lanes_i incoming = quantize_depth(state->depth.format, depth);
+        const lanes_i incoming = quantize_depth(state->depth.format, depth, false);
 
         both &= compare_depth(&state->test, incoming, b.depth);
         if (state->test.write)

@@ -137,8 +137,9 @@ typedef struct counted_state {
 /* Where lane l is. A row saves most of the work where nothing is asked of neighbouring
  * rows; shaders are handed blocks, for their derivatives. */
 typedef enum fragment_shape {
-    SHAPE_BLOCK, /* (x + l % 4, y + l / 4) */
-    SHAPE_ROW    /* (x + l, y) */
+    SHAPE_BLOCK,       /* (x + l % 4, y + l / 4) */
+    SHAPE_INNER_BLOCK, /* the same, all of it on the surfaces, of formats of 32 bits */
+    SHAPE_ROW          /* (x + l, y), likewise */
 } fragment_shape;
 
 /* Whether all of the block at (x, y) lies on a surface, so that it may be loaded and

@@ -360,49 +360,25 @@ static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
     return lanes_avx512_f(_mm512_mul_ps(_mm512_cvtepi32_ps(in_place), _mm512_set1_ps(scale)));
 }
 
-static inline __m512i lanes_avx512_join(__m128i a, __m128i b, __m128i c, __m128i d)
-{
-    const __m512i r = _mm512_inserti32x4(_mm512_castsi128_si512(a), b, 1);
-
-    return _mm512_inserti32x4(_mm512_inserti32x4(r, c, 2), d, 3);
-}
-
-static inline __m128i lanes_avx512_words(const stored_word *base, const int32_t *index)
-{
-    return _mm_setr_epi32(base[index[0]], base[index[1]], base[index[2]], base[index[3]]);
-}
-
+/* The instruction takes half the time of single loads, whose indices compilers would take
+ * from the register one by one. */
 static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
 {
-    int32_t at[GN_LANES];
-
-    lanes_i_store(at, index);
-    return lanes_avx512_i(
-        lanes_avx512_join(lanes_avx512_words(base, at), lanes_avx512_words(base, at + 4),
-                          lanes_avx512_words(base, at + 8), lanes_avx512_words(base, at + 12)));
-}
-
-/* Two pairs of words. */
-static inline __m128i lanes_avx512_pairs(const stored_word *base, const int32_t *index)
-{
-    return _mm_unpacklo_epi64(_mm_loadl_epi64((const __m128i *)(const void *)(base + index[0])),
-                              _mm_loadl_epi64((const __m128i *)(const void *)(base + index[1])));
+    return lanes_avx512_i(_mm512_i32gather_epi32(index.q, base, 4));
 }
 
 static inline void lanes_i_gather_pairs(const stored_word *base, lanes_i index, lanes_i *first,
                                         lanes_i *second)
 {
-    int32_t at[GN_LANES];
+    const __m512i low = _mm512_i32gather_epi64(_mm512_castsi512_si256(index.q), base, 4);
+    const __m512i high = _mm512_i32gather_epi64(_mm512_extracti64x4_epi64(index.q, 1), base, 4);
+    const __m512i even =
+        _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+    const __m512i odd =
+        _mm512_setr_epi32(1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31);
 
-    lanes_i_store(at, index);
-    const __m512 a = _mm512_castsi512_ps(
-        lanes_avx512_join(lanes_avx512_pairs(base, at), lanes_avx512_pairs(base, at + 4),
-                          lanes_avx512_pairs(base, at + 8), lanes_avx512_pairs(base, at + 12)));
-    const __m512 b = _mm512_castsi512_ps(
-        lanes_avx512_join(lanes_avx512_pairs(base, at + 2), lanes_avx512_pairs(base, at + 6),
-                          lanes_avx512_pairs(base, at + 10), lanes_avx512_pairs(base, at + 14)));
-    first->q = _mm512_castps_si512(_mm512_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)));
-    second->q = _mm512_castps_si512(_mm512_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1)));
+    first->q = _mm512_permutex2var_epi32(low, even, high);
+    second->q = _mm512_permutex2var_epi32(low, odd, high);
 }
 
 #endif

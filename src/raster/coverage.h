@@ -255,32 +255,57 @@ GN_INLINE void cover_row(const pixel_rectangle *target, bool is_box, const large
     }
 }
 
-static inline void cover_large(const pixel_rectangle *target, const triangle_batch *batch,
-                               const triangle_list *list, uint32_t lane, run_function *run,
-                               const void *context)
-{
-    const raster_triangle triangle = {&batch->plane[0][0][lane]};
-    const int32_t left = list->bounds[BOUNDS_MIN_X][lane] & ~(BLOCK_SIZE - 1);
-    const int32_t bottom = list->bounds[BOUNDS_MIN_Y][lane] & ~(BLOCK_SIZE - 1);
-    large_edge edge[3];
+/* Large triangles that are drawn together. */
+#define LARGE_TOGETHER (GN_SPECIALISED ? GN_LANES : 1)
 
-    for (int i = 0; i < 3; ++i)
-        set_large_edge(&edge[i], batch, i, lane);
-    for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += BLOCK_SIZE)
-        cover_row(target, false, edge, left, list->bounds[BOUNDS_MAX_X][lane], y, triangle, run,
-                  context);
+/* Covers lanes `first` to `end` - 1 of a list, all of them large and no more than
+ * LARGE_TOGETHER: each row of blocks of all triangles in turn, while the pixels are in the
+ * nearest cache. In every block the triangles come in their order. */
+GN_OUT_OF_LINE void cover_large(const pixel_rectangle *target, const triangle_batch *batch,
+                                const triangle_list *list, uint32_t first, uint32_t end,
+                                run_function *run, const void *context)
+{
+    const int32_t *const min_x = list->bounds[BOUNDS_MIN_X];
+    const int32_t *const min_y = list->bounds[BOUNDS_MIN_Y];
+    const int32_t *const max_x = list->bounds[BOUNDS_MAX_X];
+    const int32_t *const max_y = list->bounds[BOUNDS_MAX_Y];
+    large_edge edge[LARGE_TOGETHER][3];
+    int32_t bottom = min_y[first];
+    int32_t top = max_y[first];
+
+    for (uint32_t l = first; l < end; ++l) {
+        for (int i = 0; i < 3; ++i)
+            set_large_edge(&edge[l - first][i], batch, i, l);
+        bottom = min_y[l] < bottom ? min_y[l] : bottom;
+        top = max_y[l] > top ? max_y[l] : top;
+    }
+    for (int32_t y = bottom & ~(BLOCK_SIZE - 1); y <= top; y += BLOCK_SIZE) {
+        for (uint32_t l = first; l < end; ++l) {
+            const raster_triangle triangle = {&batch->plane[0][0][l]};
+
+            if (y + BLOCK_SIZE > min_y[l] && y <= max_y[l])
+                cover_row(target, false, edge[l - first], min_x[l] & ~(BLOCK_SIZE - 1), max_x[l], y,
+                          triangle, run, context);
+        }
+    }
 }
 
-/* Calls `run` for every block with covered pixels of the triangle in a lane of a list, from
- * the bottom up and from left to right. */
-static inline void cover_triangle(const pixel_rectangle *target, const triangle_batch *batch,
-                                  const triangle_list *list, uint32_t lane, run_function *run,
-                                  const void *context)
+/* Calls `run` for every block with covered pixels of the triangles in a list: of each triangle
+ * from the bottom up and from left to right, and in every block in the order of triangles. */
+static inline void cover_triangles(const pixel_rectangle *target, const triangle_batch *batch,
+                                   const triangle_list *list, run_function *run,
+                                   const void *context)
 {
-    if (batch->large >> lane & 1u)
-        cover_large(target, batch, list, lane, run, context);
-    else
-        cover_small(target, batch, list, lane, run, context);
+    for (uint32_t l = 0, end; l < list->count; l = end) {
+        end = l + 1;
+        if (!(batch->large >> l & 1u)) {
+            cover_small(target, batch, list, l, run, context);
+            continue;
+        }
+        while (end < list->count && end - l < LARGE_TOGETHER && (batch->large >> end & 1u))
+            ++end;
+        cover_large(target, batch, list, l, end, run, context);
+    }
 }
 
 static inline pixel_rectangle listed_box(const triangle_list *list, uint32_t lane)

@@ -5,6 +5,8 @@
 #ifndef GN_RASTER_SETUP_H
 #define GN_RASTER_SETUP_H
 
+#include "../shaders/shaders.h"
+
 #include "cull.h"
 #include "offset.h"
 
@@ -181,6 +183,53 @@ static inline void setup_identities(const gn_pipeline *pipeline, const triangle_
                   lanes_m_as_int(lanes_from_bits(list->back)));
 }
 
+/* The values of a plane at a pixel of each lane's triangle, as its fragments get them. */
+static inline lanes_f plane_at_pixels(float plane[PLANE_TERMS][GN_LANES], lanes_f x, lanes_f y)
+{
+    return lanes_add(
+        lanes_mul(lanes_load(plane[PLANE_PER_Y]), y),
+        lanes_add(lanes_mul(lanes_load(plane[PLANE_PER_X]), x), lanes_load(plane[PLANE_ORIGIN])));
+}
+
+static inline lanes_m lies_between(lanes_f a, float low, float high)
+{
+    return lanes_and(lanes_greater(a, lanes_splat(low)), lanes_less_equal(a, lanes_splat(high)));
+}
+
+/* Which triangles have depths above 0 and up to 1, which need not be clamped, and a fourth varying
+ * of 1 but for less than 2^-22, as opaque colours have: it is the plane of 1/w times its
+ * reciprocal, if neither is out of the range of normal floats. Both planes are asked at the
+ * corners of the triangle's bounds. There they have their extremes over all pixels, since every
+ * rounded operation on the way is monotonic. */
+GN_STEP void setup_solid(const gn_pipeline *pipeline, const triangle_list *list,
+                         triangle_batch *batch)
+{
+    const float tiny = 1.0f / ((float)(1 << 30) * (float)(1 << 30));
+    float(*const depth)[GN_LANES] = batch->plane[DEPTH_PLANE];
+    float(*const w)[GN_LANES] = batch->plane[ONE_OVER_W_PLANE];
+    float(*const alpha)[GN_LANES] = batch->plane[VARYING_PLANES + 3];
+    lanes_m solid = lanes_from_bits(0);
+
+    if (pipeline->varying_count > 3 && pipeline->interpolation[3] == GN_SMOOTH &&
+        (pipeline->fragment_shader == gn_shade_color ||
+         pipeline->fragment_shader == gn_shade_textured)) {
+        solid = lanes_from_bits(GN_ALL_LANES);
+        for (int term = 0; term < PLANE_TERMS; ++term)
+            solid = lanes_and(solid, lanes_i_equal(lanes_as_int(lanes_load(w[term])),
+                                                   lanes_as_int(lanes_load(alpha[term]))));
+        for (int corner = 0; corner < 4; ++corner) {
+            const int32_t *const columns = list->bounds[corner & 1 ? BOUNDS_MAX_X : BOUNDS_MIN_X];
+            const int32_t *const rows = list->bounds[corner & 2 ? BOUNDS_MAX_Y : BOUNDS_MIN_Y];
+            const lanes_f x = lanes_to_float(lanes_i_load(columns));
+            const lanes_f y = lanes_to_float(lanes_i_load(rows));
+
+            solid = lanes_and(solid, lies_between(plane_at_pixels(depth, x, y), 0.0f, 1.0f));
+            solid = lanes_and(solid, lies_between(plane_at_pixels(w, x, y), tiny, 1.0f / tiny));
+        }
+    }
+    lanes_i_store(batch->solid, lanes_m_as_int(solid));
+}
+
 /* Makes the lanes beyond a list's count equal to its first. */
 static inline void fill_list(triangle_list *list)
 {
@@ -202,6 +251,8 @@ static inline void setup_triangles(const gn_pipeline *pipeline, const offset_sta
     setup_edges(target, memory, list, batch);
     setup_planes(pipeline, offset, center, memory, list, batch);
     setup_identities(pipeline, list, batch);
+    if (GN_SPECIALISED)
+        setup_solid(pipeline, list, batch);
 }
 
 #endif

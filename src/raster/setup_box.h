@@ -42,6 +42,7 @@ static inline void setup_box_identities(const gn_pipeline *pipeline, const trian
 
     setup_identities(pipeline, list, batch);
     lanes_store(batch->plane[plane][IDENTITY_OFFSET], lanes_splat(0.0f));
+    lanes_i_store(batch->solid, lanes_i_splat(0));
 }
 
 /* What point_coordinates takes. A point's identity has the lowest bit of its facing inverted. */

@@ -72,6 +72,7 @@ typedef struct triangle_batch {
     int32_t origin[2][GN_LANES];
     int32_t snapped[3][2][GN_LANES]; /* a point's words instead: POINT_PER_PIXEL and so on */
     edge_lanes edge[3];
+    int32_t solid[GN_LANES]; /* -1 or 0: setup_solid */
     float plane[][PLANE_TERMS][GN_LANES];
 } triangle_batch;
 
@@ -102,6 +103,15 @@ static inline float point_word(raster_triangle t, uint32_t word)
     const unsigned char *const words = (const unsigned char *)t.planes - back;
 
     return ((const float *)(const void *)words)[word * GN_LANES];
+}
+
+/* Whether the triangle's depths and alpha are known to be such as setup_solid says. */
+static inline bool triangle_is_solid(raster_triangle t)
+{
+    const ptrdiff_t back = offsetof(triangle_batch, plane) - offsetof(triangle_batch, solid);
+    const unsigned char *const words = (const unsigned char *)t.planes - back;
+
+    return *(const int32_t *)(const void *)words != 0;
 }
 
 /* What polygon offset adds to the depths of a triangle with so many varyings. */

@@ -75,19 +75,21 @@ static inline lanes_f mix(lanes_f weight, lanes_f a, lanes_f b)
 enum { CORNER_00, CORNER_10, CORNER_01, CORNER_11, CORNER_COUNT };
 
 GN_OUT_OF_LINE void sample_linear_any(const gn_texture *texture, const gn_sampler *sampler,
-                                      const texel_pair *u, const texel_pair *v, lanes_f texel[4])
+                                      const lanes_f *s, const lanes_f *t, lanes_f texel[4])
 {
-    const lanes_i right = second_texel(sampler->wrap_s, u);
-    const lanes_i above = second_texel(sampler->wrap_t, v);
+    const texel_pair u = wrap_linear(sampler->wrap_s, *s, texture->width);
+    const texel_pair v = wrap_linear(sampler->wrap_t, *t, texture->height);
+    const lanes_i right = second_texel(sampler->wrap_s, &u);
+    const lanes_i above = second_texel(sampler->wrap_t, &v);
     lanes_f corner[CORNER_COUNT][4];
 
-    fetch_any(texture, &u->first, &v->first, corner[CORNER_00]);
-    fetch_any(texture, &right, &v->first, corner[CORNER_10]);
-    fetch_any(texture, &u->first, &above, corner[CORNER_01]);
+    fetch_any(texture, &u.first, &v.first, corner[CORNER_00]);
+    fetch_any(texture, &right, &v.first, corner[CORNER_10]);
+    fetch_any(texture, &u.first, &above, corner[CORNER_01]);
     fetch_any(texture, &right, &above, corner[CORNER_11]);
     for (int c = 0; c < 4; ++c)
-        texel[c] = mix(v->weight, mix(u->weight, corner[CORNER_00][c], corner[CORNER_10][c]),
-                       mix(u->weight, corner[CORNER_01][c], corner[CORNER_11][c]));
+        texel[c] = mix(v.weight, mix(u.weight, corner[CORNER_00][c], corner[CORNER_10][c]),
+                       mix(u.weight, corner[CORNER_01][c], corner[CORNER_11][c]));
 }
 
 /* The words of the four texels. Where no lane is at an end, the texels of a row are
@@ -126,22 +128,28 @@ GN_INLINE lanes_f mix_corners(const lanes_i corner[CORNER_COUNT], int channel, l
     return mix(v, below, above);
 }
 
-GN_OUT_OF_LINE void sample_linear(const gn_texture *texture, const gn_sampler *sampler,
-                                  const lanes_f *s, const lanes_f *t, lanes_f texel[4])
+GN_INLINE void sample_linear_inline(const gn_texture *texture, const gn_sampler *sampler,
+                                    const lanes_f *s, const lanes_f *t, lanes_f texel[4])
 {
+    if (!has_word_texels(texture)) {
+        sample_linear_any(texture, sampler, s, t, texel);
+        return;
+    }
+
     const texel_pair u = wrap_linear(sampler->wrap_s, *s, texture->width);
     const texel_pair v = wrap_linear(sampler->wrap_t, *t, texture->height);
     lanes_i corner[CORNER_COUNT];
-
-    if (!has_word_texels(texture)) {
-        sample_linear_any(texture, sampler, &u, &v, texel);
-        return;
-    }
     fetch_corners(texture, sampler, &u, &v, corner);
     texel[0] = mix_corners(corner, 0, u.weight, v.weight);
     texel[1] = mix_corners(corner, 1, u.weight, v.weight);
     texel[2] = mix_corners(corner, 2, u.weight, v.weight);
     texel[3] = mix_corners(corner, 3, u.weight, v.weight);
+}
+
+GN_OUT_OF_LINE void sample_linear(const gn_texture *texture, const gn_sampler *sampler,
+                                  const lanes_f *s, const lanes_f *t, lanes_f texel[4])
+{
+    sample_linear_inline(texture, sampler, s, t, texel);
 }
 
 /* Where the texture is minified: the squared length of a quad's longer derivative,
@@ -222,7 +230,10 @@ static void sample_2d(const gn_texture *texture, const gn_sampler *sampler, cons
     const lanes_f v = lanes_load(t);
     lanes_f out[4];
 
-    sample(texture, sampler, &u, &v, out);
+    if (has_one_filter(sampler) && sampler->magnify == GN_MAGNIFY_LINEAR)
+        sample_linear_inline(texture, sampler, &u, &v, out);
+    else
+        sample(texture, sampler, &u, &v, out);
     for (int c = 0; c < 4; ++c)
         lanes_store(texel[c], out[c]);
 }

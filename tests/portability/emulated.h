@@ -14,6 +14,9 @@
 #if defined(GN_LANES_AVX512)
 #include <simde/x86/avx512.h>
 
+#include <stddef.h>
+#include <string.h>
+
 typedef simde__mmask16 __mmask16;
 
 /* Intel SDM volume 2: VCVTTPS2DQ, VCVTPS2DQ and VCVTDQ2PS do in each lane what the
@@ -75,6 +78,28 @@ static inline __m512 emulated_floor(__m512 a)
     return simde__m512_from_private(x);
 }
 
+/* VPGATHERDD and VPGATHERDQ, indices in units of `scale` bytes. */
+static inline __m512i emulated_gather(__m512i index, const void *base, int scale)
+{
+    simde__m512i_private at = simde__m512i_to_private(index);
+
+    for (int l = 0; l < 16; ++l)
+        memcpy(&at.i32[l], (const char *)base + (ptrdiff_t)at.i32[l] * scale, sizeof at.i32[l]);
+    return simde__m512i_from_private(at);
+}
+
+static inline __m512i emulated_gather_pairs(__m256i index, const void *base, int scale)
+{
+    const simde__m256i_private at = simde__m256i_to_private(index);
+    simde__m512i_private out;
+
+    for (int l = 0; l < 8; ++l)
+        memcpy(&out.i64[l], (const char *)base + (ptrdiff_t)at.i32[l] * scale, sizeof out.i64[l]);
+    return simde__m512i_from_private(out);
+}
+
+#define _mm512_i32gather_epi32(index, base, scale) emulated_gather(index, base, scale)
+#define _mm512_i32gather_epi64(index, base, scale) emulated_gather_pairs(index, base, scale)
 #undef _mm512_roundscale_ps
 #define _mm512_roundscale_ps(a, downward) emulated_floor(a)
 #ifndef _MM_FROUND_TO_NEG_INF
