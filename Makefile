@@ -344,7 +344,7 @@ comma = ,
 unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 
 .PHONY: test-programs
-test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits
+test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels
 
 .PHONY: test
 test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N failed"
@@ -365,6 +365,7 @@ test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N fa
 		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes 4400 --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene' \
 		$(if $(EMULATED_PARITY),'parity$(comma) back ends emulated=$(EMULATED_PARITY) --seed $(TEST_SEED) --scenes 880 --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene') \
 		'blits=$(BUILD)/blits --seed $(TEST_SEED) --blits 2020' \
+		'texels=$(BUILD)/texels --seed $(TEST_SEED) --textures 12' \
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
 		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \
