@@ -149,17 +149,17 @@ static inline void mask_of_one_sample(uint32_t coverage, uint32_t mask[GN_LANES]
 
 /* Runs the shader on a block, `center` from the places that planes are given for. Colours are
  * left in `color`, room for which the pipeline's color_count asks. */
-GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, int32_t x, int32_t y,
+GN_STEP void run_shader(const fragment_state *state, raster_triangle triangle, int32_t x, int32_t y,
                         float center, uint32_t coverage, lanes_f w, float (*color)[GN_LANES],
                         shader_verdict *verdict)
 {
+    const gn_pipeline *const pipeline = state->pipeline;
     const float px = (float)x + center;
     const float py = (float)y + center;
     const triangle_identity identity = identity_of(triangle, pipeline->varying_count);
     const block_places places = places_in_block(px, py);
     float varying[GN_MAX_VARYINGS][GN_LANES];
     float position[4][GN_LANES], point_coordinate[2][GN_LANES];
-    const gn_sampling sampling = {GN_SPECIALISED ? sample_2d : gn_sample_2d, 0, 0, 0};
     uint32_t covered[GN_LANES], kept[GN_LANES];
     gn_fragment_input input;
     gn_fragment_output output;
@@ -170,7 +170,7 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     input.coverage = coverage;
     input.x = x;
     input.y = y;
-    input.sampling = &sampling;
+    input.sampling = &state->shading->sampling;
     input.front_facing = !identity.back;
     input.primitive_id = pipeline->fragment_reads_primitive ? (uint32_t)identity.primitive : 0;
     input.position = 0;
@@ -196,7 +196,7 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
         output.sample_mask = verdict->kept_samples ? verdict->kept_samples : kept;
         lanes_i_store((stored_word *)(void *)output.sample_mask, lanes_i_splat(-1));
     }
-    pipeline->fragment_shader(pipeline->uniforms, &input, &output);
+    state->shading->fragment_shader(pipeline->uniforms, &input, &output);
     verdict->kept = output.kept;
 }
 
@@ -253,7 +253,7 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
         return coverage;
 
     const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
-    run_shader(p, triangle, at->x, at->y, 0.0f, coverage, w, color, &verdict);
+    run_shader(state, triangle, at->x, at->y, 0.0f, coverage, w, color, &verdict);
     if (p->fragment_discards)
         coverage &= verdict.kept;
     if (p->fragment_writes_depth)
@@ -312,7 +312,7 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
     const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
     if (kind.source == SOURCE_SHADER) {
         set_verdict(&verdict);
-        run_shader(state->pipeline, triangle, at->x, at->y, 0.0f, coverage, w, shaded, &verdict);
+        run_shader(state, triangle, at->x, at->y, 0.0f, coverage, w, shaded, &verdict);
         for (int c = 0; c < 4; ++c)
             color[c] = lanes_load(shaded[c]);
     } else {
@@ -525,6 +525,7 @@ static inline bool is_plain(const fragment_state *state)
 
 static inline fragment_source source_of(const gn_pipeline *p)
 {
+    const gn_textured_uniforms *textured = p->uniforms;
     const bool texture = p->fragment_shader == gn_shade_textured;
     const uint32_t varyings = texture ? VARYING_END : VARYING_ALPHA + 1;
 
@@ -534,6 +535,8 @@ static inline fragment_source source_of(const gn_pipeline *p)
         if (p->interpolation[n] != GN_SMOOTH)
             return SOURCE_SHADER;
     }
+    if (texture && !is_simple(&textured->texture, &textured->sampler))
+        return SOURCE_SHADER;
     return texture ? SOURCE_TEXTURE : SOURCE_COLOR;
 }
 

@@ -1,9 +1,11 @@
-/* Sampling a 2D texture at 16 fragments: level-of-detail decision, fetch and filter
- * (OpenGL 4.5 sections 8.14 and 8.15), in the order of operations of the reference
- * rasterizer. */
+/* Sampling a 2D texture of one level, of words or floats, which repeats or is clamped to its edge,
+ * at 16 fragments: the choice of the filter, fetch and filter (OpenGL 4.5 sections 8.14 and 8.15),
+ * in the order of operations of the reference rasterizer. Most textures are such, and the
+ * rasterizer samples them itself; for others there is sampling.h. */
 #ifndef GN_TEXTURE_SAMPLE_H
 #define GN_TEXTURE_SAMPLE_H
 
+#include "../lanes/small.h"
 #include "wrap.h"
 
 /* Whether texels are 32-bit words with an index of 32 bits: rows are then at most 2^16 words
@@ -51,8 +53,10 @@ GN_OUT_OF_LINE void fetch_any(const gn_texture *texture, const lanes_i *column, 
 GN_OUT_OF_LINE void sample_nearest(const gn_texture *texture, const gn_sampler *sampler,
                                    const lanes_f *s, const lanes_f *t, lanes_f texel[4])
 {
-    const lanes_i column = wrap_nearest(sampler->wrap_s, *s, texture->width);
-    const lanes_i row = wrap_nearest(sampler->wrap_t, *t, texture->height);
+    const lanes_i column = wrap_nearest(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width),
+                                        *s, texture->width);
+    const lanes_i row = wrap_nearest(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),
+                                     *t, texture->height);
 
     if (!has_word_texels(texture)) {
         fetch_any(texture, &column, &row, texel);
@@ -77,8 +81,10 @@ enum { CORNER_00, CORNER_10, CORNER_01, CORNER_11, CORNER_COUNT };
 GN_OUT_OF_LINE void sample_linear_any(const gn_texture *texture, const gn_sampler *sampler,
                                       const lanes_f *s, const lanes_f *t, lanes_f texel[4])
 {
-    const texel_pair u = wrap_linear(sampler->wrap_s, *s, texture->width);
-    const texel_pair v = wrap_linear(sampler->wrap_t, *t, texture->height);
+    const texel_pair u = wrap_linear(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width),
+                                     *s, texture->width);
+    const texel_pair v = wrap_linear(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),
+                                     *t, texture->height);
     const lanes_i right = second_texel(sampler->wrap_s, &u);
     const lanes_i above = second_texel(sampler->wrap_t, &v);
     lanes_f corner[CORNER_COUNT][4];
@@ -136,8 +142,10 @@ GN_INLINE void sample_linear_inline(const gn_texture *texture, const gn_sampler 
         return;
     }
 
-    const texel_pair u = wrap_linear(sampler->wrap_s, *s, texture->width);
-    const texel_pair v = wrap_linear(sampler->wrap_t, *t, texture->height);
+    const texel_pair u = wrap_linear(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width),
+                                     *s, texture->width);
+    const texel_pair v = wrap_linear(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),
+                                     *t, texture->height);
     lanes_i corner[CORNER_COUNT];
     fetch_corners(texture, sampler, &u, &v, corner);
     texel[0] = mix_corners(corner, 0, u.weight, v.weight);
@@ -175,10 +183,27 @@ static inline uint32_t minified_lanes(const gn_texture *texture, const float *s,
     return bits;
 }
 
+/* Whether the texture and the sampler are of the kinds that this file is for. With GN_BASIC all
+ * are. */
+static inline bool is_simple(const gn_texture *texture, const gn_sampler *sampler)
+{
+    return !GN_HAVE_TEXTURES ||
+           (texture->target == GN_TEXTURE_2D && texture->level_count <= 1 &&
+            (texture->format == GN_FORMAT_RGBA8 || texture->format == GN_FORMAT_RGBA32F) &&
+            sampler->wrap_s <= GN_WRAP_CLAMP_TO_EDGE && sampler->wrap_t <= GN_WRAP_CLAMP_TO_EDGE &&
+            sampler->max_anisotropy <= 1 && sampler->lod_bias == 0.0f && !sampler->lod_clamped);
+}
+
+static inline bool minifies_linearly(gn_minify minify)
+{
+    return minify == GN_MINIFY_LINEAR || minify == GN_MINIFY_LINEAR_MIPMAP_NEAREST ||
+           minify == GN_MINIFY_LINEAR_MIPMAP_LINEAR;
+}
+
 /* Whether both filters are one, so that nothing is asked of neighbouring fragments. */
 static inline bool has_one_filter(const gn_sampler *sampler)
 {
-    return (sampler->magnify == GN_MAGNIFY_LINEAR) == (sampler->minify == GN_MINIFY_LINEAR);
+    return (sampler->magnify == GN_MAGNIFY_LINEAR) == minifies_linearly(sampler->minify);
 }
 
 /* The lanes, as bits, that the linear filter serves. */
@@ -192,7 +217,7 @@ static inline uint32_t linear_lanes(const gn_texture *texture, const gn_sampler 
     lanes_store(u, *s);
     lanes_store(v, *t);
     const uint32_t minified = minified_lanes(texture, u, v);
-    return sampler->minify == GN_MINIFY_LINEAR ? minified : ~minified & GN_ALL_LANES;
+    return minifies_linearly(sampler->minify) ? minified : ~minified & GN_ALL_LANES;
 }
 
 GN_OUT_OF_LINE void sample_both(const gn_texture *texture, const gn_sampler *sampler,
@@ -220,22 +245,6 @@ static inline void sample(const gn_texture *texture, const gn_sampler *sampler, 
         sample_nearest(texture, sampler, s, t, texel);
     else
         sample_both(texture, sampler, s, t, linear, texel);
-}
-
-/* A gn_sample_2d_function. */
-static void sample_2d(const gn_texture *texture, const gn_sampler *sampler, const float s[GN_LANES],
-                      const float t[GN_LANES], float texel[4][GN_LANES])
-{
-    const lanes_f u = lanes_load(s);
-    const lanes_f v = lanes_load(t);
-    lanes_f out[4];
-
-    if (has_one_filter(sampler) && sampler->magnify == GN_MAGNIFY_LINEAR)
-        sample_linear_inline(texture, sampler, &u, &v, out);
-    else
-        sample(texture, sampler, &u, &v, out);
-    for (int c = 0; c < 4; ++c)
-        lanes_store(texel[c], out[c]);
 }
 
 #endif
