@@ -16,6 +16,7 @@
 #ifndef GN_FRAGMENT_TYPES_H
 #define GN_FRAGMENT_TYPES_H
 
+#include "../backends/shading.h"
 #include "../lanes/lanes.h"
 #include "../raster/types.h"
 
@@ -108,8 +109,9 @@ typedef struct depth_limits {
 
 typedef struct fragment_state {
     const gn_pipeline *pipeline;
-    gn_surface color; /* GN_FORMAT_NONE: no colour */
-    gn_surface depth; /* GN_FORMAT_NONE: no test */
+    const shading_functions *shading; /* how its fragment shader runs */
+    gn_surface color;                 /* GN_FORMAT_NONE: no colour */
+    gn_surface depth;                 /* GN_FORMAT_NONE: no test */
     depth_state test;
     bool moves_depth; /* polygon offset */
     color_state combine;
