@@ -3,6 +3,7 @@
 #define GN_BACKENDS_SHADING_FORM_H
 
 #include "../shaders/shaders.h"
+#include "../texture/fetch.h"
 #include "../texture/sampling.h"
 
 #include "shading.h"
@@ -18,7 +19,7 @@ static inline void fill_shading(gn_fragment_shader *shader, shading_functions *o
     out->sampling.sample_2d = sample_any_2d;
     out->sampling.sample = sample_any;
     out->sampling.gather = gather_any;
-    out->sampling.fetch = gn_fetch;
+    out->sampling.fetch = fetch_numbered;
     out->fragment_shader = own_fragment_shader(shader);
 }
 
