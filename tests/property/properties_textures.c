@@ -1,7 +1,6 @@
 /* Sampling any texture at any numbers reads its texels and nothing else: each level lies at an end
  * of memory beyond which nothing may be read, and its texels tell themselves from what lies between
  * rows and layers. Faulty textures are refused. */
-#define _DEFAULT_SOURCE /* MAP_ANONYMOUS, MAP_NORESERVE */
 #include <float.h>
 #include <inttypes.h>
 #include <math.h>
@@ -9,17 +8,14 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <gnomon.h>
 
+#include "guarded_texture.h"
 #include "properties_draw.h"
 #include "random_textures.h"
 #include "scene.h"
 
-/* Memory of a level beyond which it is not filled, but zero wherever it is read. */
-#define MOST_FILLED ((size_t)1 << 20)
 #define MOST_MAPPED ((size_t)1 << 34)
 
 typedef enum fault_kind {
@@ -61,21 +57,6 @@ static ptrdiff_t random_stride(random_source *r, size_t least, size_t element, b
     return random_chance(r, 70) ? stride : -stride;
 }
 
-static size_t length(ptrdiff_t stride)
-{
-    return stride < 0 ? 0 - (size_t)stride : (size_t)stride;
-}
-
-/* A level's bytes from the first to the last. */
-static size_t span(const gn_texture *t, uint32_t level)
-{
-    const scene_extent e = scene_level_extent(t, level);
-
-    return length(t->level[level].layer_stride) * (e.layers - 1) +
-           length(t->level[level].row_stride) * (e.height - 1) +
-           e.width * gn_format_size(t->format);
-}
-
 /* Where there is one row or layer, its stride may be any multiple of the element. */
 static void random_strides(random_source *r, gn_texture *t)
 {
@@ -88,7 +69,8 @@ static void random_strides(random_source *r, gn_texture *t)
         const bool is_large = t->width > 1000;
 
         l->row_stride = random_stride(r, row, element, is_large);
-        l->layer_stride = random_stride(r, length(l->row_stride) * e.height, element, is_large);
+        l->layer_stride =
+            random_stride(r, guarded_length(l->row_stride) * e.height, element, is_large);
         if (e.height == 1 && random_chance(r, 20))
             l->row_stride = random_chance(r, 50) ? 0 : PTRDIFF_MIN;
         if (e.layers == 1 && random_chance(r, 50))
@@ -122,7 +104,7 @@ static void random_lookup(hostile *h, random_source *r)
 static bool maps(const gn_texture *t)
 {
     for (uint32_t level = 0; level < scene_level_count(t); level++)
-        if (span(t, level) > MOST_MAPPED)
+        if (guarded_span(t, level) > MOST_MAPPED)
             return false;
     return true;
 }
@@ -177,120 +159,6 @@ static void print_hostile(FILE *f, const void *instance, void *env)
         fprintf(f, "  %.9g %.9g %.9g, lod %.9g, reference %.9g\n", (double)h->coordinate[0][l],
                 (double)h->coordinate[1][l], (double)h->coordinate[2][l], (double)h->lod[l],
                 (double)h->reference[l]);
-}
-
-/* ---- Memory ---- */
-
-typedef struct guarded {
-    unsigned char *mapping; /* with a page before and after that may not be read */
-    size_t mapped;
-} guarded;
-
-/* Memory for a level between pages that may not be read; gives its first byte. */
-static unsigned char *map_level(guarded *g, size_t bytes, bool at_end)
-{
-    const size_t page = (size_t)sysconf(_SC_PAGESIZE), whole = (bytes + page - 1) / page * page;
-    const int protection = bytes <= MOST_FILLED ? PROT_READ | PROT_WRITE : PROT_READ;
-
-    g->mapped = whole + 2 * page;
-    g->mapping =
-        mmap(NULL, g->mapped, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    if (g->mapping == MAP_FAILED || mprotect(g->mapping + page, whole, protection) != 0) {
-        fprintf(stderr, "properties: out of memory\n");
-        exit(EXIT_FAILURE);
-    }
-    return g->mapping + page + (at_end ? whole - bytes : 0);
-}
-
-/* An element of a texel, or of what lies between: texels' channels are of 0.25 to 0.5 (of sRGB
- * encoded so; of less than 8 bits any), others' above. */
-static uint32_t element(random_source *r, gn_format format, size_t i, bool is_texel)
-{
-    const float number = is_texel ? random_float(r, 0.25f, 0.5f) : NAN;
-    const uint32_t bits = (uint32_t)(random_bits(r) >> 32);
-    uint32_t word;
-
-    memcpy(&word, &number, sizeof word);
-    switch (format) {
-    case GN_FORMAT_RGBA32F:
-    case GN_FORMAT_R32F:
-    case GN_FORMAT_D32F:
-        return word;
-    case GN_FORMAT_D32FS8:
-        return i % 2 ? bits & 255 : word;
-    case GN_FORMAT_RGBA16F:
-        return is_texel ? 0x3400 + (bits & 0x3FF) : 0x7E00;
-    case GN_FORMAT_D16:
-    case GN_FORMAT_R16:
-    case GN_FORMAT_RGBA16:
-        return is_texel ? 0x4000 + (bits & 0x3FFF) : 0xFFFF;
-    case GN_FORMAT_D24:
-        return is_texel ? 0x400000 + (bits & 0x3FFFFF) : 0xFFFFFFFF;
-    case GN_FORMAT_D24S8:
-        return is_texel ? 0x400000 + (bits & 0xFF3FFFFF) : 0xFFFFFFFF;
-    default:
-        return is_texel ? 0x40404040 + (bits & 0x3F3F3F3F) : 0xFFFFFFFF;
-    }
-}
-
-static void fill_level(random_source *r, const gn_texture *t, uint32_t level, unsigned char *memory)
-{
-    const size_t size = scene_element_size(t->format), bytes = span(t, level);
-    const scene_extent e = scene_level_extent(t, level);
-    const gn_texture_level *const l = &t->level[level];
-    const size_t row = e.width * (gn_format_size(t->format) / size);
-
-    for (size_t i = 0; i < bytes / size; i++)
-        scene_set_element(memory, size, i, element(r, t->format, i, false));
-    for (uint32_t layer = 0; layer < e.layers; layer++)
-        for (uint32_t y = 0; y < e.height; y++) {
-            char *const texels = (char *)l->texels +
-                                 (e.layers > 1 ? l->layer_stride : 0) * (ptrdiff_t)layer +
-                                 (e.height > 1 ? l->row_stride : 0) * (ptrdiff_t)y;
-
-            for (size_t i = 0; i < row; i++)
-                scene_set_element(texels, size, i, element(r, t->format, i, true));
-        }
-}
-
-/* The texture over guarded memory; true where all of it is filled. */
-static bool map_texture(const hostile *h, gn_texture *t, guarded memory[GN_MAX_LEVELS])
-{
-    random_source r = random_seed(h->texels);
-    bool filled = true;
-
-    *t = h->texture;
-    for (uint32_t level = 0; level < scene_level_count(t); level++) {
-        const scene_extent e = scene_level_extent(t, level);
-        gn_texture_level *const l = &t->level[level];
-        gn_texture_level counted = *l; /* strides that do not count are 0 */
-
-        counted.row_stride = e.height > 1 ? l->row_stride : 0;
-        counted.layer_stride = e.layers > 1 ? l->layer_stride : 0;
-
-        gn_texture spanned = *t;
-
-        spanned.level[level] = counted;
-
-        const size_t bytes = span(&spanned, level);
-        unsigned char *const first = map_level(&memory[level], bytes, h->at_end[level]);
-        const ptrdiff_t rows = counted.row_stride * (ptrdiff_t)(e.height - 1);
-        const ptrdiff_t layers = counted.layer_stride * (ptrdiff_t)(e.layers - 1);
-
-        l->texels = first - (rows < 0 ? rows : 0) - (layers < 0 ? layers : 0);
-        spanned.level[level].texels = l->texels;
-        if (bytes <= MOST_FILLED)
-            fill_level(&r, &spanned, level, first);
-        else
-            filled = false;
-    }
-    return filled;
-}
-
-static void unmap_texture(const gn_texture *t, guarded memory[GN_MAX_LEVELS])
-{
-    for (uint32_t level = 0; level < scene_level_count(t); level++)
-        munmap(memory[level].mapping, memory[level].mapped);
 }
 
 static sigjmp_buf before_read;
@@ -586,40 +454,44 @@ static bool spoil(const hostile *h, gn_texture *t, gn_status *status)
     return true;
 }
 
+/* False where a read outside the texture's memory stops it, too. */
+static bool is_checked_and_read(const hostile *h, const gn_texture *t, bool filled,
+                                gn_status expected)
+{
+    if (sigsetjmp(before_read, 1) != 0) {
+        fprintf(stderr, "a read outside the texture\n");
+        return false;
+    }
+
+    const gn_status status = gn_texture_check(t);
+
+    if (status != expected || (gn_texture_fault(t) != NULL) != (status != GN_OK)) {
+        fprintf(stderr, "%s, expected: %s\n", gn_status_text(status), gn_status_text(expected));
+        return false;
+    }
+    return status != GN_OK || lookups_stay_inside(h, t, filled);
+}
+
 static enum theft_trial_res reads_nothing_else(struct theft *theft, void *instance)
 {
     const hostile *h = instance;
     struct sigaction own, old[2];
     guarded memory[GN_MAX_LEVELS];
     gn_texture t, whole;
-    gn_status expected = GN_OK;
-    volatile bool good = false;
-    bool possible;
+    gn_status expected;
+    const bool filled = guarded_map(&h->texture, h->texels, h->at_end, &whole, memory);
 
     (void)theft;
-    const bool filled = map_texture(h, &whole, memory);
     t = whole;
-    possible = spoil(h, &t, &expected);
+    const bool possible = spoil(h, &t, &expected);
     memset(&own, 0, sizeof own);
     own.sa_handler = leave_read;
     sigaction(SIGSEGV, &own, &old[0]);
     sigaction(SIGBUS, &own, &old[1]);
-    if (sigsetjmp(before_read, 1) == 0) {
-        const gn_status status = gn_texture_check(&t);
-
-        good = !possible ||
-               (status == expected && (gn_texture_fault(&t) != NULL) == (status != GN_OK));
-        if (!good)
-            fprintf(stderr, "status %s, expected %s\n", gn_status_text(status),
-                    gn_status_text(expected));
-        if (good && status == GN_OK)
-            good = lookups_stay_inside(h, &t, filled);
-    } else {
-        fprintf(stderr, "a read outside the texture\n");
-    }
+    const bool good = !possible || is_checked_and_read(h, &t, filled, expected);
     sigaction(SIGSEGV, &old[0], NULL);
     sigaction(SIGBUS, &old[1], NULL);
-    unmap_texture(&whole, memory);
+    guarded_unmap(&whole, memory);
     return !possible ? THEFT_TRIAL_SKIP : good ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
 }
 
