@@ -472,6 +472,7 @@ static inline bool is_plain(const fragment_state *state)
 
 static inline fragment_source source_of(const gn_pipeline *p)
 {
+    const gn_textured_uniforms *textured = p->uniforms;
     const bool texture = p->fragment_shader == gn_shade_textured;
     const uint32_t varyings = texture ? VARYING_END : VARYING_ALPHA + 1;
 
@@ -481,6 +482,8 @@ static inline fragment_source source_of(const gn_pipeline *p)
         if (p->interpolation[n] != GN_SMOOTH)
             return SOURCE_SHADER;
     }
+    if (texture && !is_simple(&textured->texture, &textured->sampler))
+        return SOURCE_SHADER;
     return texture ? SOURCE_TEXTURE : SOURCE_COLOR;
 }
 
