@@ -2,6 +2,7 @@
 #include "lookups.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -240,6 +241,53 @@ static float random_coordinate(random_source *r, uint32_t size, bool is_wild)
     }
 }
 
+/* A component of a direction. */
+static float random_component(random_source *r, bool is_wild)
+{
+    static const float special[] = {0.0f,     -0.0f,     1.0f,  -1.0f,  0.5f,   -0.5f, 2.0f,
+                                    INFINITY, -INFINITY, 1e30f, -1e30f, 1e-18f, 3.25f};
+
+    if (is_wild)
+        return special[random_below(r, sizeof special / sizeof *special)];
+    return random_chance(r, 10) ? special[random_below(r, 7)] : random_float(r, -1.0f, 1.0f);
+}
+
+/* Directions of a quad and their gradients: near a face's middle, an edge or a corner. Not a number
+ * is no component: of some the reference takes undefined texels. */
+static void direct_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y)
+{
+    const int32_t top = (int32_t)c->level_count + 1;
+    const float level = random_float(r, -3.0f, (float)top);
+    const float step = random_octave(r, -6, top) / (float)c->texture.width;
+    const bool is_noise = random_chance(r, 15);
+    const bool is_wild = c->is_wild && random_chance(r, 30);
+    const uint32_t ones = random_below(r, 4);
+    float at[3], dx[3], dy[3];
+
+    for (uint32_t n = 0; n < 3; ++n) {
+        at[n] = random_component(r, is_wild);
+        if (n < ones && !is_wild)
+            at[n] = (float)random_sign(r) * random_float(r, 1.0f - step, 1.0f);
+        dx[n] = random_float(r, -1.0f, 1.0f) * step;
+        dy[n] = random_float(r, -1.0f, 1.0f) * step;
+    }
+    for (uint32_t l = 0; l < 4; ++l) {
+        const uint32_t p = (y + l / 2) * GRID_WIDTH + x + l % 2;
+
+        for (int n = 0; n < 3; ++n) {
+            c->places.place[p][n] = is_noise
+                                        ? random_component(r, is_wild)
+                                        : at[n] + dx[n] * (float)(l % 2) + dy[n] * (float)(l / 2);
+            c->places.gradient_x[p][n] = is_noise ? random_float(r, -1.0f, 1.0f) : dx[n];
+            c->places.gradient_y[p][n] = is_noise ? random_float(r, -1.0f, 1.0f) : dy[n];
+        }
+        c->places.place[p][3] = is_noise ? random_float(r, -3.0f, (float)top) : level;
+        if (c->kind == LOOKUP_LOD && random_chance(r, 10))
+            c->places.place[p][3] = 0.5f * (float)random_between(r, -2, 2 * top);
+        c->places.gradient_x[p][3] = random_float(r, -0.25f, 1.25f);
+    }
+}
+
 /* Coordinates of a quad at (x, y): a random place, and differences of a random length and
  * direction, or four random places. */
 static void place_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y)
@@ -313,7 +361,7 @@ static void choose_places(lookup_case *c, random_source *r)
     }
     for (uint32_t y = 0; y < GRID_HEIGHT; y += 2) {
         for (uint32_t x = 0; x < GRID_WIDTH; x += 2)
-            place_quad(c, r, x, y);
+            (c->target == GN_TEXTURE_CUBE ? direct_quad : place_quad)(c, r, x, y);
     }
 }
 
@@ -327,10 +375,10 @@ bool case_make(lookup_case *c, uint64_t number, uint64_t seed)
     c->seed = seed;
     c->target = (gn_texture_target)d.target;
     c->kind = (lookup_kind)d.kind;
-    if (c->target == GN_TEXTURE_CUBE)
-        c->target = GN_TEXTURE_2D;
     if (c->kind == LOOKUP_GATHER && (c->target == GN_TEXTURE_1D || c->target == GN_TEXTURE_3D))
         c->kind = LOOKUP_LOD;
+    if (c->kind == LOOKUP_FETCH && c->target == GN_TEXTURE_CUBE) /* GLSL has none */
+        c->kind = LOOKUP_GATHER;
     c->channel = (int)random_below(&r, 4);
     c->is_wild = random_chance(&r, 30);
     c->format = choose_format(&r);
