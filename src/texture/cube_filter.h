@@ -99,7 +99,8 @@ GN_OUT_OF_LINE void filter_cube_linear(const lookup_state *state, const lookup_p
     if (texels.weighted == 0)
         return;
     cube_weights(&texels, weight);
-    for (int c = 0; c < 4; ++c) {
+    /* Weights may add up to a little less than 1: what the format lacks stays 0 or 1. */
+    for (int c = 0; c < texel_channels(state->texture->format); ++c) {
         const lanes_f of_channel[CUBE_TEXELS] = {corner[0][c], corner[1][c], corner[2][c],
                                                  corner[3][c]};
 

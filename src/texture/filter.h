@@ -27,6 +27,12 @@ typedef struct lookup_place {
     const cube_place *cube; /* of cubes, instead of coordinates and layer */
 } lookup_place;
 
+/* Channels that a format has, the first ones of a texel. */
+static inline int texel_channels(gn_format format)
+{
+    return format_is_color(format) ? format_channels(format) : 1;
+}
+
 /* Columns, rows and layers of a level. */
 static inline uint32_t size_along(const lookup_state *state, uint32_t level, int dimension)
 {

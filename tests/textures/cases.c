@@ -94,11 +94,21 @@ static void choose_sizes(lookup_case *c, random_source *r, uint32_t shape)
     c->level_count = random_chance(r, 70) ? levels : 1 + random_below(r, levels);
 }
 
-static gn_format choose_format(random_source *r)
+static gn_format choose_format(const lookup_case *c, random_source *r)
 {
     static const gn_format formats[] = {GN_FORMAT_RGBA8, GN_FORMAT_RGBA32F};
+    static const gn_format depths[] = {GN_FORMAT_D16, GN_FORMAT_D24, GN_FORMAT_D32F,
+                                       GN_FORMAT_D24S8, GN_FORMAT_D32FS8};
 
+    if (c->target != GN_TEXTURE_3D &&
+        random_chance(r, 20)) /* OpenGL has none of three dimensions */
+        return depths[random_below(r, sizeof depths / sizeof *depths)];
     return formats[random_below(r, sizeof formats / sizeof *formats)];
+}
+
+static bool is_depth(gn_format f)
+{
+    return f >= GN_FORMAT_D16 && f <= GN_FORMAT_D32FS8;
 }
 
 static void choose_sampler(lookup_case *c, random_source *r, const case_digits *d)
@@ -119,6 +129,8 @@ static void choose_sampler(lookup_case *c, random_source *r, const case_digits *
     }
     for (int n = 0; n < 4; ++n)
         s->border[n] = random_float(r, -0.25f, 1.25f);
+    if (is_depth(c->format) && can_compare(c->kind, c->target) && random_chance(r, 80))
+        s->compare = (gn_texture_compare)(1 + random_below(r, GN_TEXTURE_COMPARE_NEVER));
 }
 
 static uint32_t element_size(gn_format f)
@@ -136,7 +148,11 @@ static void fill_texels(random_source *r, gn_format format, void *texels, size_t
     const size_t bytes = count * gn_format_size(format);
     float *const floats = texels;
 
-    if (format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F || format == GN_FORMAT_D32F) {
+    if (is_depth(format)) {
+        fill_depths(r, format, texels, count);
+        return;
+    }
+    if (format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F) {
         for (size_t i = 0; i < bytes / 4; ++i)
             floats[i] = random_float(r, -0.5f, 1.5f);
         return;
@@ -284,7 +300,7 @@ static void direct_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y
         c->places.place[p][3] = is_noise ? random_float(r, -3.0f, (float)top) : level;
         if (c->kind == LOOKUP_LOD && random_chance(r, 10))
             c->places.place[p][3] = 0.5f * (float)random_between(r, -2, 2 * top);
-        c->places.gradient_x[p][3] = random_float(r, -0.25f, 1.25f);
+        c->places.gradient_x[p][3] = random_reference(r, c->format, c->is_wild);
     }
 }
 
@@ -335,7 +351,7 @@ static void place_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y)
         c->places.place[p][3] = is_noise ? random_float(r, -3.0f, (float)top) : level;
         if (c->kind == LOOKUP_LOD && random_chance(r, 10))
             c->places.place[p][3] = 0.5f * (float)random_between(r, -2, 2 * top);
-        c->places.gradient_x[p][3] = random_float(r, -0.25f, 1.25f);
+        c->places.gradient_x[p][3] = random_reference(r, c->format, c->is_wild);
     }
 }
 
@@ -381,7 +397,7 @@ bool case_make(lookup_case *c, uint64_t number, uint64_t seed)
         c->kind = LOOKUP_GATHER;
     c->channel = (int)random_below(&r, 4);
     c->is_wild = random_chance(&r, 30);
-    c->format = choose_format(&r);
+    c->format = choose_format(c, &r);
     choose_sizes(c, &r, d.shape);
     choose_sampler(c, &r, &d);
     if (!make_texture(c, &r)) {
@@ -412,10 +428,11 @@ void case_describe(const lookup_case *c, char *text, size_t size)
 
     snprintf(text, size,
              "%s of %s, format %d, %ux%ux%u, levels %u from %u, wrap %s, %s, %s, min %s, mag %s, "
-             "bias %g, lod %g to %g%s, channel %d%s",
+             "bias %g, lod %g to %g%s, channel %d, compare %d%s",
              kinds[c->kind], targets[c->target], (int)c->format, c->size[0], c->size[1], c->size[2],
              c->level_count, c->base, wraps[s->wrap_s], wraps[s->wrap_t], wraps[s->wrap_r],
              minifiers[s->minify], s->magnify == GN_MAGNIFY_LINEAR ? "linear" : "nearest",
              (double)s->lod_bias, (double)s->min_lod, (double)s->max_lod,
-             s->lod_clamped ? "" : " (not clamped)", c->channel, c->is_wild ? ", wild" : "");
+             s->lod_clamped ? "" : " (not clamped)", c->channel, (int)s->compare,
+             c->is_wild ? ", wild" : "");
 }
