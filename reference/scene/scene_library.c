@@ -8,6 +8,7 @@
 #include "inputs.h"
 #include "outputs.h"
 #include "phong.h"
+#include "sampled.h"
 #include "scene_memory.h"
 
 typedef char scene_varyings_are_as_stated
@@ -97,6 +98,7 @@ static void use_clipped(gn_pipeline *pipeline, const scene_draw *d, clipped_unif
         }
         break;
     case SCENE_TEXTURED_GOURAUD:
+    case SCENE_SAMPLED:
         clipped->shader.textured = *(const gn_textured_uniforms *)pipeline->uniforms;
         break;
     case SCENE_PHONG:
@@ -152,6 +154,9 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
     case SCENE_OUTPUTS:
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
         status = outputs_use(pipeline, &other->color);
+        break;
+    case SCENE_SAMPLED:
+        status = sampled_use(pipeline, &d->uniforms);
         break;
     case SCENE_SHADER_COUNT:
         break;
