@@ -69,23 +69,21 @@ static inline void decode_colors(gn_format format, const lanes_i word[4], lanes_
 static inline void load_colors(gn_format format, const unsigned char *const row[GN_LANES],
                                const int32_t column[GN_LANES], lanes_f color[4])
 {
-    const uint32_t size = format_size(format);
-    const uint32_t words = size < 16 ? 2 : 4;
+    const bool is_wide = format == GN_FORMAT_RGBA32F;
     int32_t loaded[4][GN_LANES];
     lanes_i word[4];
 
     GN_EACH_LANE (l) {
-        int32_t pixel[4] = {0, 0, 0, 0};
+        int32_t pixel[2] = {0, 0};
 
-        if (words == 2)
-            load_pixel(row[l], column[l], size, pixel);
-        else
-            for (int n = 0; n < 4; ++n)
-                pixel[n] = ((const stored_word *)(const void *)row[l])[4 * column[l] + n];
-        for (uint32_t n = 0; n < words; ++n)
-            loaded[n][l] = pixel[n];
+        if (!is_wide)
+            load_pixel(row[l], column[l], format_size(format), pixel);
+        loaded[0][l] = pixel[0];
+        loaded[1][l] = pixel[1];
+        for (int n = 0; is_wide && n < 4; ++n)
+            loaded[n][l] = ((const stored_word *)(const void *)row[l])[4 * column[l] + n];
     }
-    for (uint32_t n = 0; n < words; ++n)
+    for (int n = 0; n < (is_wide ? 4 : 2); ++n)
         word[n] = lanes_i_load(loaded[n]);
     decode_colors(format, word, color);
 }
