@@ -404,7 +404,7 @@ typedef struct gn_pipeline {
     /* Of targets with several samples a pixel; without effect on others. The alpha is that of the
      * shader's colour; alpha_to_coverage makes it run before the tests. */
     uint32_t samples_disabled; /* bit s: nothing is drawn to sample s */
-    bool alpha_to_coverage;    /* sample s is drawn where the colour's alpha is above s / 4 */
+    bool alpha_to_coverage;    /* sample s is drawn unless the colour's alpha is at most s / 4 */
     bool alpha_to_one;         /* afterwards alpha is 1 */
     gn_point_origin point_origin;
     bool fragment_reads_point_coordinate;

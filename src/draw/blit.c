@@ -177,18 +177,11 @@ static void copy_pixel(const blit *b, unsigned char *to, int32_t x, const unsign
 static void fetch_texels(const gn_surface *source, const blit_texels *t, int right, int above,
                          lanes_f color[4])
 {
-    float channel[4][GN_LANES];
+    const unsigned char *row[GN_LANES];
 
-    GN_EACH_LANE (l) {
-        float one[4];
-
-        decode_pixel(source->format, surface_row(source, (uint32_t)t->row[above][l]),
-                     t->column[right][l], one);
-        for (int c = 0; c < 4; ++c)
-            channel[c][l] = one[c];
-    }
-    for (int c = 0; c < 4; ++c)
-        color[c] = lanes_load(channel[c]);
+    GN_EACH_LANE (l)
+        row[l] = surface_row(source, (uint32_t)t->row[above][l]);
+    load_colors(source->format, row, t->column[right], color);
 }
 
 static lanes_f mix_texels(lanes_f weight, lanes_f a, lanes_f b)

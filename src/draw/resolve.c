@@ -7,23 +7,23 @@
 /* The means of sixteen pixels' samples from x on, as far as the row goes. */
 static void average_row(const gn_surface *from, uint32_t x, uint32_t y, lanes_f color[4])
 {
-    float sum[4][GN_LANES];
+    const unsigned char *row[GN_LANES];
+    int32_t column[GN_LANES];
+    lanes_f one[4];
 
-    for (uint32_t l = 0; l < GN_LANES; ++l) {
-        const uint32_t column = x + l < from->width ? x + l : x;
-
-        for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
-            const unsigned char *const row =
-                sample_memory(from, s) + (ptrdiff_t)y * from->row_stride;
-            float one[4];
-
-            decode_pixel(from->format, row, (int32_t)column, one);
-            for (int c = 0; c < 4; ++c)
-                sum[c][l] = (s == 0 ? 0.0f : sum[c][l]) + one[c];
-        }
+    for (int c = 0; c < 4; ++c)
+        color[c] = lanes_splat(0.0f);
+    GN_EACH_LANE (l)
+        column[l] = (int32_t)(x + (uint32_t)l < from->width ? x + (uint32_t)l : x);
+    for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
+        GN_EACH_LANE (l)
+            row[l] = sample_memory(from, s) + (ptrdiff_t)y * from->row_stride;
+        load_colors(from->format, row, column, one);
+        for (int c = 0; c < 4; ++c)
+            color[c] = lanes_add(color[c], one[c]);
     }
     for (int c = 0; c < 4; ++c)
-        color[c] = lanes_mul(lanes_load(sum[c]), lanes_splat(0.25f));
+        color[c] = lanes_mul(color[c], lanes_splat(0.25f));
 }
 
 /* Sample 0 as it is. */

@@ -66,8 +66,8 @@ static void decode_floats(gn_format format, const lanes_i word[2], lanes_f color
 }
 
 /* The covered pixels of a block, which may hang over the surface's edge; 0 in the others. */
-static void load_pixels(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
-                        uint32_t size, lanes_i word[2])
+static inline void load_pixels(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
+                               uint32_t size, lanes_i word[2])
 {
     int32_t first[GN_LANES], second[GN_LANES];
 

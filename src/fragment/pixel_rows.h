@@ -1,120 +1,91 @@
-/* Colours of every format to floats and back, pixel by pixel of a row: what blits and resolving
- * take. */
+/* Colours of every format to floats and back, sixteen pixels of a row or of several: what blits and
+ * resolving take. */
 #ifndef GN_FRAGMENT_PIXEL_ROWS_H
 #define GN_FRAGMENT_PIXEL_ROWS_H
 
 #include "../math/bits.h"
-#include "formats.h"
+#include "decode.h"
 
-/* `bits` of a word from bit `shift` on, as a fraction of their largest value. */
-static inline float unorm_of(uint32_t word, int shift, int bits)
+/* `bits` of words from bit `shift` on, as a fraction of their largest value. */
+static inline lanes_f fraction_of(lanes_i word, int shift, int bits)
 {
-    const uint32_t largest = (1u << bits) - 1;
+    const int32_t largest = (int32_t)((1u << bits) - 1);
 
-    return (float)(word >> shift & largest) * (1.0f / (float)largest);
+    return lanes_mul(
+        lanes_to_float(lanes_i_and(lanes_i_shift_right(word, shift), lanes_i_splat(largest))),
+        lanes_splat(1.0f / (float)largest));
 }
 
-/* Every NaN is GN_NAN_BITS. */
-static inline float float_of_half(uint32_t half)
+/* Words of pixels in a format of fractions to the channels that it has. */
+static inline void decode_fractions(gn_format format, const lanes_i word[2], lanes_f color[4])
 {
-    const uint32_t sign = (half & 0x8000u) << 16;
-    const uint32_t exponent = half >> 10 & 31u;
-    const uint32_t fraction = half & 1023u;
-
-    if (exponent == 31)
-        return gn_float_from_bits(fraction != 0 ? GN_NAN_BITS : sign | GN_EXPONENT_BITS);
-    if (exponent == 0) {
-        const float size = (float)fraction * (1.0f / 16777216.0f);
-        return sign != 0 ? -size : size;
+    for (int c = 0; c < format_channels(format); ++c) {
+        switch (format) {
+        case GN_FORMAT_BGRA8:
+            color[c] = fraction_of(word[0], c < 3 ? 16 - 8 * c : 24, 8);
+            break;
+        case GN_FORMAT_RGB565:
+            color[c] = fraction_of(word[0], c == 0 ? 11 : 10 - 5 * c, c == 1 ? 6 : 5);
+            break;
+        case GN_FORMAT_RGB5_A1:
+            color[c] = fraction_of(word[0], c < 3 ? 11 - 5 * c : 0, c < 3 ? 5 : 1);
+            break;
+        case GN_FORMAT_RGBA4:
+            color[c] = fraction_of(word[0], 12 - 4 * c, 4);
+            break;
+        case GN_FORMAT_R16:
+        case GN_FORMAT_RGBA16:
+            color[c] = fraction_of(word[c / 2], c % 2 * 16, 16);
+            break;
+        default:
+            color[c] = fraction_of(word[0], 8 * c, 8);
+            break;
+        }
     }
-    return gn_float_from_bits(sign | (exponent + 112) << 23 | fraction << 13);
 }
 
-/* The reference's approximation of sRGB's transfer function; its error is below 0.0012. */
-static inline float linear_of_srgb(uint32_t byte)
+/* Words of pixels in a colour format to red, green, blue and alpha; every half that is no number
+ * is GN_NAN_BITS. */
+static inline void decode_colors(gn_format format, const lanes_i word[4], lanes_f color[4])
 {
-    const float x = (float)byte;
-    const float c0 = 0.0023f;
-    const float c1 = 0.0030f / 255.0f;
-    const float c2 = 0.6935f / (255.0f * 255.0f);
-    const float c3 = 0.3012f / (255.0f * 255.0f * 255.0f);
+    const lanes_i nan = lanes_i_splat((int32_t)GN_NAN_BITS);
 
-    if (byte <= 15)
-        return x * (1.0f / (12.6f * 255.0f));
-    return x * (c1 + x * x * c3) + (c0 + x * x * c2);
-}
-
-/* Red, green, blue and alpha of pixel x in a row of a colour format. */
-static inline void decode_pixel(gn_format format, const unsigned char *row, int32_t x,
-                                float color[4])
-{
-    const uint16_t *const halves = (const uint16_t *)(const void *)row;
-    const uint32_t *const words = (const uint32_t *)(const void *)row;
-    const float *const floats = (const float *)(const void *)row;
-
-    color[0] = 0.0f;
-    color[1] = 0.0f;
-    color[2] = 0.0f;
-    color[3] = 1.0f;
-    switch (format) {
-    case GN_FORMAT_R8:
-        color[0] = unorm_of(row[x], 0, 8);
-        break;
-    case GN_FORMAT_RG8:
-        color[0] = unorm_of(halves[x], 0, 8);
-        color[1] = unorm_of(halves[x], 8, 8);
-        break;
-    case GN_FORMAT_RGB8:
-        for (int c = 0; c < 3; ++c)
-            color[c] = unorm_of(row[3 * x + c], 0, 8);
-        break;
-    case GN_FORMAT_RGBA8:
+    for (int c = 0; c < 4; ++c)
+        color[c] = lanes_splat(c < 3 ? 0.0f : 1.0f);
+    if (arithmetic_of(format) != ARITHMETIC_FLOATS) {
+        decode_fractions(format, word, color);
+    } else if (format == GN_FORMAT_RGBA32F) {
         for (int c = 0; c < 4; ++c)
-            color[c] = unorm_of(words[x], 8 * c, 8);
-        break;
-    case GN_FORMAT_BGRA8:
-        for (int c = 0; c < 3; ++c)
-            color[c] = unorm_of(words[x], 16 - 8 * c, 8);
-        color[3] = unorm_of(words[x], 24, 8);
-        break;
-    case GN_FORMAT_SRGB8_A8:
-        for (int c = 0; c < 3; ++c)
-            color[c] = linear_of_srgb(words[x] >> 8 * c & 255u);
-        color[3] = unorm_of(words[x], 24, 8);
-        break;
-    case GN_FORMAT_RGB565:
-        color[0] = unorm_of(halves[x], 11, 5);
-        color[1] = unorm_of(halves[x], 5, 6);
-        color[2] = unorm_of(halves[x], 0, 5);
-        break;
-    case GN_FORMAT_RGB5_A1:
-        for (int c = 0; c < 3; ++c)
-            color[c] = unorm_of(halves[x], 11 - 5 * c, 5);
-        color[3] = unorm_of(halves[x], 0, 1);
-        break;
-    case GN_FORMAT_RGBA4:
-        for (int c = 0; c < 4; ++c)
-            color[c] = unorm_of(halves[x], 12 - 4 * c, 4);
-        break;
-    case GN_FORMAT_R16:
-        color[0] = unorm_of(halves[x], 0, 16);
-        break;
-    case GN_FORMAT_RGBA16:
-        for (int c = 0; c < 4; ++c)
-            color[c] = unorm_of(halves[4 * x + c], 0, 16);
-        break;
-    case GN_FORMAT_RGBA16F:
-        for (int c = 0; c < 4; ++c)
-            color[c] = float_of_half(halves[4 * x + c]);
-        break;
-    case GN_FORMAT_R32F:
-        color[0] = floats[x];
-        break;
-    default:
-        for (int c = 0; c < 4; ++c)
-            color[c] = floats[4 * x + c];
-        break;
+            color[c] = lanes_as_float(word[c]);
+    } else {
+        decode_floats(format, word, color);
     }
+    for (int c = 0; format == GN_FORMAT_RGBA16F && c < 4; ++c)
+        color[c] = lanes_as_float(
+            lanes_i_select(lanes_less_equal(color[c], color[c]), lanes_as_int(color[c]), nan));
+}
+
+/* Sixteen pixels: of lane l the one in that column of that row. */
+static inline void load_colors(gn_format format, const unsigned char *const row[GN_LANES],
+                               const int32_t column[GN_LANES], lanes_f color[4])
+{
+    const bool is_wide = format == GN_FORMAT_RGBA32F;
+    int32_t loaded[4][GN_LANES];
+    lanes_i word[4];
+
+    GN_EACH_LANE (l) {
+        int32_t pixel[2] = {0, 0};
+
+        if (!is_wide)
+            load_pixel(row[l], column[l], format_size(format), pixel);
+        loaded[0][l] = pixel[0];
+        loaded[1][l] = pixel[1];
+        for (int n = 0; is_wide && n < 4; ++n)
+            loaded[n][l] = ((const stored_word *)(const void *)row[l])[4 * column[l] + n];
+    }
+    for (int n = 0; n < (is_wide ? 4 : 2); ++n)
+        word[n] = lanes_i_load(loaded[n]);
+    decode_colors(format, word, color);
 }
 
 /* Writes colours to pixels x to x + count - 1 of a row, up to sixteen. */

@@ -100,7 +100,7 @@ static void cover_by_shader(const fragment_state *state, const shader_verdict *v
         if (verdict->kept_samples)
             coverage[s] &= lanes_with_sample(verdict->kept_samples, s);
         if (to_coverage)
-            coverage[s] &= lanes_bits(lanes_greater(alpha, least));
+            coverage[s] &= lanes_bits(lanes_not(lanes_less_equal(alpha, least)));
     }
     for (uint32_t a = 0; p->alpha_to_one && a <= (GN_HAVE_ATTACHMENTS ? state->more_count : 0); ++a)
         lanes_store(color[4 * a + 3], lanes_splat(1.0f));

@@ -1,70 +1,74 @@
 #!/bin/sh
 # The library is freestanding: linked with -nostdlib -Wl,-z,defs it has no undefined
-# symbol and no writable data, with every compiler found and at several levels of
+# symbol and no writable data, as built, with every compiler found and at several levels of
 # optimisation, nor has it on a microcontroller; the flags of users who ask for fast
 # mathematics do not reach it: no multiplication is fused with an addition, of the processors
 # that can, and AVX-512's back end is always compiled for one; its headers compile alone, as
 # C99 and as C++.
-# usage: freestanding.sh BUILD-DIRECTORY   (from the root of the project)
+# usage: freestanding.sh BUILD-DIRECTORY   (from the root of the project, with the library in it)
 set -eu
 build=$1/freestanding
 warnings="-Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror"
 own="-ffreestanding -fvisibility=hidden -fPIC -fno-math-errno -fno-stack-protector -fno-fast-math -ffp-contract=off"
+names=
 passed=0
 failed=0
 
-compile_all() { # compile_all DIRECTORY COMPILER FLAGS...: every file, as many at a time as there are processors
-    into=$1
+# plan NAME COMPILER FLAGS...: the library shall be compiled so. All that is planned is compiled
+# together, since one file of the back ends takes as long as all that are none.
+plan() {
+    name=$1
     shift
-    # shellcheck disable=SC2016
-    printf '%s\n' src/*/*.c | xargs -P "$(nproc 2>/dev/null || echo 1)" -I '{}' sh -c '
-        source=$1 into=$2
-        shift 2
-        "$@" -c "$source" -o "$into/$(echo "$source" | tr / _).o"' sh '{}' "$into" "$@"
+    rm -rf "${build:?}/$name"
+    mkdir -p "$build/$name"
+    echo "exec $* -std=c99 -pedantic $warnings -Iinclude $own -c \"\$1\" -o \"\$2\"" >"$build/$name/compile"
+    names="$names $name"
 }
 
-check() { # check NAME COMPILER FLAGS...
-    name=$1
-    compiler=$2
-    shift 2
-    directory=$build/$name
-    rm -rf "$directory"
-    mkdir -p "$directory"
-    ok=yes
-    # shellcheck disable=SC2086
-    compile_all "$directory" "$compiler" -std=c99 -pedantic $warnings "$@" -Iinclude $own || ok=no
-    "$compiler" -shared -nostdlib -Wl,-z,defs "$directory"/*.o -o "$directory/libgnomon.so" || ok=no
-    undefined=$(nm -D -u "$directory/libgnomon.so" | wc -l)
-    writable=$(size -A "$directory/libgnomon.so" |
-        awk '/^\.(data|bss|data\.rel\.ro|tdata|tbss)/ { n += $2 } END { print n + 0 }')
-    objdump -d "$directory/libgnomon.so" >"$directory/disassembly" || ok=no
-    fused=$(grep -c -E '[[:space:]]vfn?m(add|sub)' "$directory/disassembly") || true
-    echo "$name: undefined symbols: $undefined, data+bss bytes: $writable, fused operations: $fused"
-    if [ $ok = yes ] && [ "$undefined" -eq 0 ] && [ "$writable" -eq 0 ] && [ "$fused" -eq 0 ]; then
+# As many files at a time as there are processors, those that take longest first.
+compile_all() {
+    for source in src/backends/*.c $(printf '%s\n' src/*/*.c | grep -v '^src/backends/'); do
+        for name in $names; do
+            echo "$name $source"
+        done
+    done | xargs -P "$(nproc 2>/dev/null || echo 1)" -n 2 sh -c '
+        sh "$0/$1/compile" "$2" "$0/$1/$(echo "$2" | tr / _).o" || : >"$0/$1/failed"' "$build"
+}
+
+check_shared() { # check_shared NAME LIBRARY OK
+    undefined=$(nm -D -u "$2" | wc -l)
+    writable=$(size -A "$2" | awk '/^\.(data|bss|data\.rel\.ro|tdata|tbss)/ { n += $2 } END { print n + 0 }')
+    ok=$3
+    objdump -d "$2" >"$build/disassembly" || ok=no
+    fused=$(grep -c -E '[[:space:]]vfn?m(add|sub)' "$build/disassembly") || true
+    echo "$1: undefined symbols: $undefined, data+bss bytes: $writable, fused operations: $fused"
+    if [ "$ok" = yes ] && [ "$undefined" -eq 0 ] && [ "$writable" -eq 0 ] && [ "$fused" -eq 0 ]; then
         passed=$((passed + 1))
     else
         failed=$((failed + 1))
     fi
 }
 
+check() { # check NAME COMPILER: what was planned under that name
+    directory=$build/$1
+    ok=yes
+    [ ! -e "$directory/failed" ] || ok=no
+    "$2" -shared -nostdlib -Wl,-z,defs "$directory"/*.o -o "$directory/libgnomon.so" || ok=no
+    check_shared "$1" "$directory/libgnomon.so" "$ok"
+}
+
 # A Cortex-M4, whose compiler calls memcpy and memset for little: nothing is undefined but its
 # own routines for floats and 64-bit integers, and for doubles in the one file that has any.
-check_microcontroller() { # check_microcontroller NAME FLAGS...
-    name=$1
-    shift
-    directory=$build/$name
-    rm -rf "$directory"
-    mkdir -p "$directory"
+check_microcontroller() { # check_microcontroller NAME
+    directory=$build/$1
     ok=yes
-    # shellcheck disable=SC2086
-    compile_all "$directory" arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -std=c99 -pedantic $warnings "$@" \
-        -Iinclude $own -fno-pic || ok=no
+    [ ! -e "$directory/failed" ] || ok=no
     doubles=$(arm-none-eabi-nm -u -A "$directory"/*.o | awk '
         /__aeabi_(c?d|[a-z]+2d)/ && !/src_math_invert\.c\.o:/ { n++ } END { print n + 0 }')
     arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -nostdlib -r "$directory"/*.o -lgcc -o "$directory/library" || ok=no
     undefined=$(arm-none-eabi-nm -u "$directory/library" | awk '{ text = text " " $2 } END { print text }')
     writable=$(arm-none-eabi-size "$directory/library" | awk 'NR == 2 { print $2 + $3 }')
-    echo "$name: undefined symbols:${undefined:- 0}, data+bss bytes: $writable, calls for doubles outside src/math/invert.c: $doubles"
+    echo "$1: undefined symbols:${undefined:- 0}, data+bss bytes: $writable, calls for doubles outside src/math/invert.c: $doubles"
     if [ $ok = yes ] && [ -z "$undefined" ] && [ "$doubles" -eq 0 ] && [ "$writable" -eq 0 ]; then
         passed=$((passed + 1))
     else
@@ -83,14 +87,31 @@ header() { # header NAME COMMAND...
     fi
 }
 
-command -v gcc >/dev/null && check gcc-O2 gcc -O2 && check gcc-O0 gcc -O0 && check gcc-Os gcc -Os &&
-    check gcc-Ofast gcc -Ofast -march=skylake-avx512 -ffp-contract=fast
-command -v clang >/dev/null && check clang-O2 clang -O2
-check only-portable "${CC:-cc}" -O2 -DGN_ONLY_PORTABLE
-check basic "${CC:-cc}" -O1 -DGN_SMALL -DGN_BASIC
-if command -v arm-none-eabi-gcc >/dev/null; then
-    check_microcontroller cortex-m4-O2 -O2
-    check_microcontroller cortex-m4-small -Os -DGN_SMALL
+has() { command -v "$1" >/dev/null; }
+
+if has gcc; then
+    plan gcc-Ofast gcc -Ofast -march=skylake-avx512 -ffp-contract=fast
+    plan gcc-Os gcc -Os
+    plan gcc-O0 gcc -O0
+fi
+! has clang || plan clang-O2 clang -O2
+plan only-portable "${CC:-cc}" -O2 -DGN_ONLY_PORTABLE
+plan basic "${CC:-cc}" -O1 -DGN_SMALL -DGN_BASIC
+if has arm-none-eabi-gcc; then
+    own="$own -fno-pic"
+    plan cortex-m4-O2 arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -O2
+    plan cortex-m4-small arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -Os -DGN_SMALL
+fi
+compile_all
+
+check_shared "as built" "$1/libgnomon.so" yes
+! has gcc || { check gcc-Ofast gcc && check gcc-Os gcc && check gcc-O0 gcc; }
+! has clang || check clang-O2 clang
+check only-portable "${CC:-cc}"
+check basic "${CC:-cc}"
+if has arm-none-eabi-gcc; then
+    check_microcontroller cortex-m4-O2
+    check_microcontroller cortex-m4-small
 else
     echo "cortex-m4: not compiled, since arm-none-eabi-gcc is absent: 'make setup-cross' installs it"
 fi

@@ -1,4 +1,5 @@
 /* Several samples a pixel: surfaces, their faults and views, clears, coverage, resolving. */
+#include <math.h>
 #include <string.h>
 
 #include "unit.h"
@@ -93,7 +94,8 @@ static void clears_fill_every_sample(void **state)
 
 /* What draw_strip's shader does beyond white: the mask it reads is red in steps, the one it writes
  * leaves samples 1 and 2. */
-static bool reads_mask, writes_mask;
+static bool reads_mask, writes_mask, alpha_covers;
+static float strip_alpha = 1.0f;
 static uint32_t mask_bits = 6;
 
 static void show_masks(const void *uniforms, const gn_fragment_input *in, gn_fragment_output *out)
@@ -121,7 +123,7 @@ static uint64_t draw_strip(const gn_target *t, float right, gn_status wanted)
     const float x = right / (0.5f * SIDE) - 1.0f;
     const float position[6][2] = {{-1, -1}, {x, -1}, {x, 1}, {-1, -1}, {x, 1}, {-1, 1}};
     const float middle_left[12] = {-1, 0};
-    const float white[4] = {1, 1, 1, 1};
+    const float white[4] = {1, 1, 1, strip_alpha};
     gn_color_uniforms uniforms;
     gn_pipeline pipeline;
     gn_mesh mesh;
@@ -140,6 +142,7 @@ static uint64_t draw_strip(const gn_target *t, float right, gn_status wanted)
     mesh.attribute[GN_ATTRIBUTE_COLOR].data = white;
     mesh.attribute[GN_ATTRIBUTE_COLOR].components = 4;
     mesh.attribute[GN_ATTRIBUTE_COLOR].divisor = 1;
+    pipeline.alpha_to_coverage = alpha_covers;
     pipeline.fragment_reads_sample_mask = reads_mask;
     pipeline.fragment_writes_sample_mask = writes_mask;
     if (reads_mask || writes_mask) { /* a point, since triangles would share pixels */
@@ -232,6 +235,31 @@ static void one_sample_has_mask_1(void **state)
         assert_int_equal(colors[PAD + p], p % SIDE < 3 ? 0xFFFFFF01 : 0);
 }
 
+/* A sample stays unless alpha is at most s / 4; of NaN all do. */
+static void alpha_covers_samples(void **state)
+{
+    (void)state;
+    static const struct {
+        float alpha;
+        uint32_t samples;
+    } cases[] = {{-1.0f, 0},  {0.0f, 0},  {0.125f, 1},  {0.25f, 1}, {0.375f, 3}, {0.5f, 3},
+                 {0.625f, 7}, {0.75f, 7}, {0.875f, 15}, {1.0f, 15}, {NAN, 15},   {-NAN, 15}};
+
+    alpha_covers = true;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const gn_target t = sampled_target();
+
+        strip_alpha = cases[i].alpha;
+        draw_strip(&t, SIDE, GN_OK);
+        for (int n = 0; n < GN_SAMPLES; ++n)
+            for (int p = 0; p < PIXELS; ++p)
+                assert_int_equal((colors[PAD + n * PIXELS + p] & 255) != 0,
+                                 cases[i].samples >> n & 1);
+    }
+    alpha_covers = false;
+    strip_alpha = 1.0f;
+}
+
 /* The planes in any order of memory, and rows of the samples side by side. */
 static void strides_of_samples_are_free(void **state)
 {
@@ -294,6 +322,7 @@ int main(void)
         cmocka_unit_test(clears_fill_every_sample),    cmocka_unit_test(coverage_is_of_samples),
         cmocka_unit_test(strides_of_samples_are_free), cmocka_unit_test(resolving_averages),
         cmocka_unit_test(masks_are_of_samples),        cmocka_unit_test(one_sample_has_mask_1),
+        cmocka_unit_test(alpha_covers_samples),
     };
     return cmocka_run_group_tests_name("samples", tests, NULL, NULL);
 }
