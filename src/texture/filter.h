@@ -9,6 +9,7 @@
 /* What is the same for all lanes and levels of a lookup. */
 typedef struct lookup_state {
     const gn_texture *texture;
+    int channels;   /* of the format: the first ones */
     int dimensions; /* that are filtered along: 1 to 3 */
     gn_wrap wrap[3];
     bool masked[3];
@@ -123,10 +124,10 @@ GN_OUT_OF_LINE void filter_linear(const lookup_state *state, const lookup_place 
         const lanes_f one = lanes_splat(1.0f), zero = lanes_splat(0.0f);
 
         for (int n = 0; n < state->dimensions; ++n) {
-            const lanes_m is_far = lanes_greater(texels.weight[n], lanes_splat(0.5f));
+            const lanes_m is_near = lanes_less_equal(texels.weight[n], lanes_splat(0.5f));
 
             texels.weight[n] =
-                lanes_select(is_linear, texels.weight[n], lanes_select(is_far, one, zero));
+                lanes_select(is_linear, texels.weight[n], lanes_select(is_near, zero, one));
         }
     }
     fetch_and_mix(state, place, level, &texels, texel);

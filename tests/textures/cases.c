@@ -2,11 +2,13 @@
 #include "lookups.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { WRAPS = 5, MINIFIERS = 6, MAGNIFIERS = 2, TARGETS = 5, SHAPES = 3 };
+enum { COLORS = 12, DEPTHS = 5 }; /* formats that are not RGBA8 or RGBA32F */
 
 /* The numbers of a case, from its number. */
 typedef struct case_digits {
@@ -93,11 +95,18 @@ static void choose_sizes(lookup_case *c, random_source *r, uint32_t shape)
     c->level_count = random_chance(r, 70) ? levels : 1 + random_below(r, levels);
 }
 
-static gn_format choose_format(random_source *r)
+/* The last ones are of depth, which 3D textures do not have. */
+static gn_format choose_format(random_source *r, gn_texture_target target)
 {
-    static const gn_format formats[] = {GN_FORMAT_RGBA8, GN_FORMAT_RGBA32F};
+    static const gn_format formats[COLORS + DEPTHS] = {
+        GN_FORMAT_BGRA8,   GN_FORMAT_R8,       GN_FORMAT_RG8, GN_FORMAT_RGB8,   GN_FORMAT_RGB565,
+        GN_FORMAT_RGB5_A1, GN_FORMAT_RGBA4,    GN_FORMAT_R16, GN_FORMAT_RGBA16, GN_FORMAT_R32F,
+        GN_FORMAT_RGBA16F, GN_FORMAT_SRGB8_A8, GN_FORMAT_D16, GN_FORMAT_D24,    GN_FORMAT_D32F,
+        GN_FORMAT_D24S8,   GN_FORMAT_D32FS8};
 
-    return formats[random_below(r, sizeof formats / sizeof *formats)];
+    if (random_chance(r, 40))
+        return random_chance(r, 70) ? GN_FORMAT_RGBA8 : GN_FORMAT_RGBA32F;
+    return formats[random_below(r, target == GN_TEXTURE_3D ? COLORS : COLORS + DEPTHS)];
 }
 
 static void choose_sampler(lookup_case *c, random_source *r, const case_digits *d)
@@ -130,18 +139,39 @@ static uint32_t element_size(gn_format f)
                                                              : size;
 }
 
-static void fill_texels(random_source *r, gn_format format, void *texels, size_t count)
+static float random_special(random_source *r)
+{
+    static const float special[] = {INFINITY, -INFINITY, NAN, -0.0f, 0.0f, 1e30f, -1e30f};
+
+    return special[random_below(r, sizeof special / sizeof *special)];
+}
+
+/* Of floats, `wild` percent are not finite, large or a zero of either sign. */
+static void fill_texels(random_source *r, gn_format format, uint32_t wild, void *texels,
+                        size_t count)
 {
     const size_t bytes = count * gn_format_size(format);
+    const bool is_depth = format == GN_FORMAT_D32F || format == GN_FORMAT_D32FS8;
     float *const floats = texels;
+    uint32_t *const words = texels;
+    uint16_t *const halves = texels;
 
-    if (format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F || format == GN_FORMAT_D32F) {
-        for (size_t i = 0; i < bytes / 4; ++i)
-            floats[i] = random_float(r, -0.5f, 1.5f);
-        return;
-    }
     for (size_t i = 0; i < bytes; ++i)
         ((unsigned char *)texels)[i] = (unsigned char)random_below(r, 256);
+    for (size_t i = 0; i < bytes / 4; ++i) {
+        if (is_depth && (format == GN_FORMAT_D32F || i % 2 == 0))
+            floats[i] = random_unit(r);
+        else if (format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F)
+            floats[i] = random_chance(r, wild) ? random_special(r) : random_float(r, -0.5f, 1.5f);
+        else if (format == GN_FORMAT_D24)
+            words[i] &= 0xFFFFFF;
+        else if (format == GN_FORMAT_D32FS8)
+            words[i] &= 255;
+    }
+    for (size_t i = 0; format == GN_FORMAT_RGBA16F && i < bytes / 2; ++i) {
+        if ((halves[i] & 0x7C00) == 0x7C00)
+            halves[i] = (uint16_t)(random_chance(r, wild) ? halves[i] & 0xFC00 : 0x3555);
+    }
 }
 
 /* Fills a level in and copies it into the library's memory, where rows and layers are a random
@@ -163,7 +193,8 @@ static bool make_level(lookup_case *c, random_source *r, uint32_t n, unsigned ch
     c->packed[n] = malloc(row * size[1] * size[2]);
     if (!c->packed[n])
         return false;
-    fill_texels(r, c->format, c->packed[n], (size_t)size[0] * size[1] * size[2]);
+    fill_texels(r, c->format, c->is_wild ? 5 : 0, c->packed[n],
+                (size_t)size[0] * size[1] * size[2]);
     level->row_stride = flipped ? -(ptrdiff_t)stride : (ptrdiff_t)stride;
     level->layer_stride = (ptrdiff_t)layer;
     level->texels = memory + *used + (flipped ? stride * (size[1] - 1) : 0);
@@ -232,8 +263,9 @@ static float random_coordinate(random_source *r, uint32_t size, bool is_wild)
         s = random_octave(r, 3, 40);
         return s * random_sign(r);
     case 7: {
-        static const float far[] = {1e30f, -1e30f, 3e9f, -3e9f, 16777216.0f, -16777217.0f};
-        return far[random_below(r, 6)];
+        static const float far[] = {1e30f,        -1e30f,   3e9f,      -3e9f, 16777216.0f,
+                                    -16777217.0f, INFINITY, -INFINITY, NAN};
+        return far[random_below(r, sizeof far / sizeof *far)];
     }
     default:
         return s;
@@ -333,7 +365,7 @@ bool case_make(lookup_case *c, uint64_t number, uint64_t seed)
         c->kind = LOOKUP_LOD;
     c->channel = (int)random_below(&r, 4);
     c->is_wild = random_chance(&r, 30);
-    c->format = choose_format(&r);
+    c->format = choose_format(&r, c->target);
     choose_sizes(c, &r, d.shape);
     choose_sampler(c, &r, &d);
     if (!make_texture(c, &r)) {

@@ -7,6 +7,9 @@
 
 #include "lookups.h"
 
+/* Of the compatibility profile: what a depth texel is a colour of; the core profile has GL_RED. */
+#define DEPTH_TEXTURE_MODE 0x884B
+
 static const GLenum targets[] = {GL_TEXTURE_2D, GL_TEXTURE_1D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_3D,
                                  GL_TEXTURE_CUBE_MAP};
 
@@ -153,6 +156,9 @@ static GLuint upload(const lookup_case *c)
         glTexStorage3D(target, levels, format, w, h, d);
     glTexParameteri(target, GL_TEXTURE_BASE_LEVEL, (GLint)c->base);
     glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, levels - 1);
+    if (reference_image_format_of(c->format).format == GL_DEPTH_COMPONENT ||
+        reference_image_format_of(c->format).format == GL_DEPTH_STENCIL)
+        glTexParameteri(target, DEPTH_TEXTURE_MODE, GL_RED);
     for (uint32_t n = 0; n < c->level_count; ++n)
         upload_level(c, n);
     return name;
