@@ -48,7 +48,7 @@ static inline void set_lookup_state(lookup_state *state, const gn_texture *textu
     const uint32_t size[3] = {texture->width, texture->height, texture->depth};
 
     state->texture = texture;
-    state->channels = format_is_color(texture->format) ? format_channels(texture->format) : 1;
+    state->channels = texel_channels(texture->format);
     state->dimensions = texture->target == GN_TEXTURE_1D   ? 1
                         : texture->target == GN_TEXTURE_3D ? 3
                                                            : 2;
@@ -60,6 +60,7 @@ static inline void set_lookup_state(lookup_state *state, const gn_texture *textu
         state->masked[n] = is_masked(state->wrap[n], size[n]);
         state->has_border = state->has_border || state->wrap[n] == GN_WRAP_CLAMP_TO_BORDER;
     }
+    state->compare = is_depth_format(texture->format) ? sampler->compare : GN_TEXTURE_COMPARE_NONE;
     if (state->has_border)
         set_border(state, sampler);
 }
@@ -67,13 +68,32 @@ static inline void set_lookup_state(lookup_state *state, const gn_texture *textu
 static inline void set_lookup_place(const lookup_state *state, const gn_lookup *lookup,
                                     lookup_place *place)
 {
-    for (int n = 0; n < state->dimensions; ++n)
+    const int count = state->texture->target == GN_TEXTURE_CUBE ? 0 : state->dimensions;
+
+    for (int n = 0; n < count; ++n)
         place->coordinate[n] = lanes_load(lookup->coordinate[n]);
     place->layer = lanes_i_splat(0);
     if (state->texture->target == GN_TEXTURE_2D_ARRAY)
         place->layer =
             lanes_i_clamp(lanes_round(lanes_load(lookup->coordinate[2])), lanes_i_splat(0),
                           lanes_i_splat((int32_t)state->texture->depth - 1));
+    if (state->compare != GN_TEXTURE_COMPARE_NONE)
+        place->reference =
+            compared_reference(state->texture->format, lanes_load(lookup->reference));
+}
+
+/* The same of a cube, of which `cube` says more as long as the place is used. */
+static inline void set_cube_place(const lookup_state *state, const gn_lookup *lookup,
+                                  bool has_gradients, cube_place *cube, lookup_place *place)
+{
+    lanes_f direction[3];
+
+    if (state->texture->target != GN_TEXTURE_CUBE)
+        return;
+    for (int n = 0; n < 3; ++n)
+        direction[n] = lanes_load(lookup->coordinate[n]);
+    cube_project(direction, has_gradients, cube);
+    place->cube = cube;
 }
 
 /* One level, of lanes that are `linear` by the linear filter. Quads are filtered as a whole: one
@@ -94,18 +114,6 @@ GN_OUT_OF_LINE void filter_level(const lookup_state *state, const lookup_place *
     filter_nearest(state, place, level, nearest);
     for (int c = 0; c < 4; ++c)
         texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
-}
-
-/* The levels that the lanes ask for, as bits: each is filtered once, for all of them. */
-static inline uint32_t levels_in(lanes_i level)
-{
-    int32_t number[GN_LANES];
-    uint32_t bits = 0;
-
-    lanes_i_store(number, level);
-    GN_EACH_LANE (l)
-        bits |= 1u << number[l];
-    return bits;
 }
 
 /* The quads that mix two levels, all their lanes: weights of 0 show where a texel is not finite. */
@@ -130,6 +138,12 @@ GN_OUT_OF_LINE void filter_levels(const lookup_state *state, const lookup_place 
 
     for (int c = 0; c < 4; ++c)
         texel[c] = above[c] = lanes_splat(0.0f);
+    if (state->texture->target == GN_TEXTURE_CUBE) {
+        filter_cube(state, place, &choice->level, linear, texel);
+        if (mixed)
+            filter_cube(state, place, &choice->next, linear, above);
+        levels = 0;
+    }
     for (; levels; levels &= levels - 1) {
         const uint32_t level = first_lane(levels);
         const lanes_i number = lanes_i_splat((int32_t)level);
@@ -157,8 +171,10 @@ static inline bool asks_for_lod(const gn_texture *texture, const gn_sampler *sam
 static inline void sample_any(const gn_texture *texture, const gn_sampler *sampler,
                               const gn_lookup *lookup, float texel[4][GN_LANES])
 {
+    const bool finds_lod = asks_for_lod(texture, sampler);
     lookup_state state;
     lookup_place place;
+    cube_place cube;
     level_choice choice;
     lanes_f out[4];
     uint32_t linear = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
@@ -166,7 +182,13 @@ static inline void sample_any(const gn_texture *texture, const gn_sampler *sampl
 
     set_lookup_state(&state, texture, sampler);
     set_lookup_place(&state, lookup, &place);
-    if (!asks_for_lod(texture, sampler)) {
+    set_cube_place(&state, lookup,
+                   finds_lod && lookup->lod_source != GN_LOD_EXPLICIT && !has_one_lod(sampler),
+                   &cube, &place);
+    if (!finds_lod && texture->target == GN_TEXTURE_CUBE) {
+        choice.level = lanes_i_splat(0);
+        filter_cube(&state, &place, &choice.level, linear, out);
+    } else if (!finds_lod) {
         filter_level(&state, &place, 0, linear, out);
     } else {
         find_levels(&state, sampler, &place, lookup, &choice);
@@ -209,11 +231,21 @@ static inline void gather_any(const gn_texture *texture, const gn_sampler *sampl
     static const unsigned char second[4][2] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}}; /* along s, t */
     lookup_state state;
     lookup_place place;
+    cube_place cube;
     lanes_i number[2][2];
     lanes_f fetched[4];
 
     set_lookup_state(&state, texture, sampler);
     set_lookup_place(&state, lookup, &place);
+    set_cube_place(&state, lookup, false, &cube, &place);
+    if (state.compare != GN_TEXTURE_COMPARE_NONE)
+        channel = 0;
+    if (texture->target == GN_TEXTURE_CUBE) {
+        gather_cube(&state, &place, channel & 3, fetched);
+        for (int i = 0; i < 4; ++i)
+            lanes_store(texel[i], fetched[i]);
+        return;
+    }
     for (int n = 0; n < 2; ++n)
         wrap_gathered(state.wrap[n], state.masked[n], place.coordinate[n], size_along(&state, 0, n),
                       number[n]);
