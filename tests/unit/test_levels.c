@@ -88,6 +88,23 @@ static void layers(void **state)
     expect_texel(&t, 2, 0, 0, 0, 26.5f);
 }
 
+/* One row is mixed with itself in two dimensions, not in one: an infinity less itself is NaN. */
+static void infinities(void **state)
+{
+    (void)state;
+    static const float texels[2] = {1, INFINITY};
+    float memory;
+    gn_texture t;
+
+    gn_texture_packed(GN_TEXTURE_1D, GN_FORMAT_R32F, 2, 1, 0, 1, texels, &t);
+    assert_int_equal(gn_texture_generate_levels(&t, &memory, sizeof memory), GN_OK);
+    assert_true(memory == INFINITY);
+    t.target = GN_TEXTURE_2D;
+    t.level_count = 1;
+    assert_int_equal(gn_texture_generate_levels(&t, &memory, sizeof memory), GN_OK);
+    assert_true(isnan(memory));
+}
+
 /* Bytes are rounded to nearest; red, green and blue of sRGB are mixed as linear colours: half of
  * white's light is 188. */
 static void conversions(void **state)
@@ -181,9 +198,9 @@ static void one_texel(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(even_sizes),  cmocka_unit_test(odd_sizes), cmocka_unit_test(layers),
-        cmocka_unit_test(conversions), cmocka_unit_test(strides),   cmocka_unit_test(faults),
-        cmocka_unit_test(one_texel),
+        cmocka_unit_test(even_sizes), cmocka_unit_test(odd_sizes),   cmocka_unit_test(layers),
+        cmocka_unit_test(infinities), cmocka_unit_test(conversions), cmocka_unit_test(strides),
+        cmocka_unit_test(faults),     cmocka_unit_test(one_texel),
     };
     return cmocka_run_group_tests_name("levels", tests, NULL, NULL);
 }
