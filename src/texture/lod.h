@@ -102,13 +102,21 @@ typedef struct lod_adjustment {
     float least, most;
 } lod_adjustment;
 
-/* Biases are multiples of 1/256 within -16 to 16, limits below 0 and above all levels do not
- * matter. */
+/* Biases are multiples of 1/256 within -16 to 16, ties away from zero. */
+static inline float quantised_bias(float bias)
+{
+    const float limited = bias > 16.0f ? 16.0f : bias < -16.0f ? -16.0f : bias;
+    const float scaled = limited * 256.0f + (limited < 0.0f ? -0.5f : 0.5f);
+
+    return (float)(int32_t)scaled * (1.0f / 256.0f);
+}
+
+/* Limits below 0 and above all levels do not matter. */
 static inline lod_adjustment lod_adjustment_of(const gn_sampler *sampler)
 {
     lod_adjustment a;
 
-    a.bias = sampler->lod_bias;
+    a.bias = quantised_bias(sampler->lod_bias);
     a.least = sampler->lod_clamped ? sampler->min_lod : 0.0f;
     a.most = sampler->lod_clamped ? sampler->max_lod : (float)GN_MAX_LEVELS;
     a.has_least = a.least > 0.0f;

@@ -19,6 +19,22 @@ static inline void sample_simple_2d(const gn_texture *texture, const gn_sampler 
         lanes_store(texel[c], out[c]);
 }
 
+/* The border as a texel: within the range of the format and of its channels. */
+static inline void set_border(lookup_state *state, const gn_sampler *sampler)
+{
+    const gn_format format = state->texture->format;
+    const bool has_range = !format_is_float(format);
+    const int channels = format_is_color(format) ? format_channels(format) : 1;
+
+    for (int c = 0; c < 4; ++c) {
+        float value = sampler->border[c];
+
+        if (has_range)
+            value = value > 0.0f ? value < 1.0f ? value : 1.0f : 0.0f;
+        state->border[c] = c < channels ? value : c < 3 ? 0.0f : 1.0f;
+    }
+}
+
 static inline void set_lookup_state(lookup_state *state, const gn_texture *texture,
                                     const gn_sampler *sampler)
 {
@@ -36,8 +52,8 @@ static inline void set_lookup_state(lookup_state *state, const gn_texture *textu
         state->masked[n] = is_masked(state->wrap[n], size[n]);
         state->has_border = state->has_border || state->wrap[n] == GN_WRAP_CLAMP_TO_BORDER;
     }
-    for (int c = 0; c < 4; ++c)
-        state->border[c] = sampler->border[c];
+    if (state->has_border)
+        set_border(state, sampler);
 }
 
 static inline void set_lookup_place(const lookup_state *state, const gn_lookup *lookup,
@@ -171,17 +187,18 @@ static inline void gather_any(const gn_texture *texture, const gn_sampler *sampl
     static const unsigned char second[4][2] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}}; /* along s, t */
     lookup_state state;
     lookup_place place;
-    linear_texels texels;
+    lanes_i number[2][2];
     lanes_f fetched[4];
 
     set_lookup_state(&state, texture, sampler);
     set_lookup_place(&state, lookup, &place);
-    find_linear_texels(&state, &place, 0, &texels);
+    for (int n = 0; n < 2; ++n)
+        wrap_gathered(state.wrap[n], state.masked[n], place.coordinate[n], size_along(&state, 0, n),
+                      number[n]);
     for (int i = 0; i < 4; ++i) {
-        const lanes_i *const number[3] = {&texels.number[0][second[i][0]],
-                                          &texels.number[1][second[i][1]], 0};
+        const lanes_i *const numbers[3] = {&number[0][second[i][0]], &number[1][second[i][1]], 0};
 
-        fetch_place(&state, &place, 0, number, fetched);
+        fetch_place(&state, &place, 0, numbers, fetched);
         lanes_store(texel[i], fetched[channel & 3]);
     }
 }
