@@ -4,6 +4,7 @@
 #define GN_TEXTURE_SAMPLING_H
 
 #include "lod.h"
+#include "words.h"
 
 /* A gn_sample_2d_function for the textures of sample.h. */
 static inline void sample_simple_2d(const gn_texture *texture, const gn_sampler *sampler,
@@ -96,6 +97,24 @@ static inline void set_cube_place(const lookup_state *state, const gn_lookup *lo
     place->cube = cube;
 }
 
+static inline void filter_level_nearest(const lookup_state *state, const lookup_place *place,
+                                        uint32_t level, lanes_f texel[4])
+{
+    if (level_has_words(state, level))
+        filter_words_nearest(state, place, level, texel);
+    else
+        filter_nearest(state, place, level, texel);
+}
+
+static inline void filter_level_linear(const lookup_state *state, const lookup_place *place,
+                                       uint32_t level, uint32_t linear, lanes_f texel[4])
+{
+    if (level_has_words(state, level))
+        filter_words_linear(state, place, level, linear, texel);
+    else
+        filter_linear(state, place, level, linear, texel);
+}
+
 /* One level, of lanes that are `linear` by the linear filter. Quads are filtered as a whole: one
  * with a linear lane by the linear filter, of which the others take the nearer texels. */
 GN_OUT_OF_LINE void filter_level(const lookup_state *state, const lookup_place *place,
@@ -105,13 +124,13 @@ GN_OUT_OF_LINE void filter_level(const lookup_state *state, const lookup_place *
     lanes_f nearest[4];
 
     if (linear_quads == 0) {
-        filter_nearest(state, place, level, texel);
+        filter_level_nearest(state, place, level, texel);
         return;
     }
-    filter_linear(state, place, level, linear, texel);
+    filter_level_linear(state, place, level, linear, texel);
     if (linear_quads == GN_ALL_LANES)
         return;
-    filter_nearest(state, place, level, nearest);
+    filter_level_nearest(state, place, level, nearest);
     for (int c = 0; c < 4; ++c)
         texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
 }
@@ -136,6 +155,10 @@ GN_OUT_OF_LINE void filter_levels(const lookup_state *state, const lookup_place 
     uint32_t levels = levels_in(choice->level) | (mixed ? levels_in(choice->next) : 0);
     lanes_f filtered[4], above[4];
 
+    if (state->texture->target != GN_TEXTURE_CUBE && (levels & (levels - 1)) == 0 && !mixed) {
+        filter_level(state, place, first_lane(levels), linear, texel);
+        return;
+    }
     for (int c = 0; c < 4; ++c)
         texel[c] = above[c] = lanes_splat(0.0f);
     if (state->texture->target == GN_TEXTURE_CUBE) {
