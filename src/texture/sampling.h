@@ -79,8 +79,9 @@ static inline void set_lookup_place(const lookup_state *state, const gn_lookup *
             lanes_i_clamp(lanes_round(lanes_load(lookup->coordinate[2])), lanes_i_splat(0),
                           lanes_i_splat((int32_t)state->texture->depth - 1));
     if (state->compare != GN_TEXTURE_COMPARE_NONE)
-        place->reference =
-            compared_reference(state->texture->format, lanes_load(lookup->reference));
+        place->reference = compared_reference(state->texture->format,
+                                              lookup->reference ? lanes_load(lookup->reference)
+                                                                : lanes_splat(0.0f));
 }
 
 /* The same of a cube, of which `cube` says more as long as the place is used. */
