@@ -133,6 +133,11 @@ $(BUILD)/tests/textures/%.o: EXTRA_FLAGS = -Itests/parity
 $(BUILD)/textures: $(call objects,$(sort $(wildcard tests/textures/*.c))) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
 	$(LINK) -lOSMesa -lm -pthread
 
+$(BUILD)/tests/texels/%.o: EXTRA_FLAGS = -Itests/parity
+
+$(BUILD)/texels: $(call objects,$(sort $(wildcard tests/texels/*.c))) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
+	$(LINK) -lOSMesa -lm -pthread
+
 # The same program with AVX-512, NEON and WebAssembly's vectors emulated, which on x86 some
 # processor lacks: of the library, what knows which back ends there are is compiled again.
 EMULATED_SOURCES = src/draw/draw.c src/math/bulk.c \
@@ -270,6 +275,7 @@ parity: $(BUILD)/parity ## random scenes against OSMesa, bit for bit: SCENES=201
 	@$(BUILD)/parity --scenes $(SCENES) --seed $(SEED) --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene
 
 BLITS ?= 20200
+TEXTURES ?= 200
 
 .PHONY: blits
 blits: $(BUILD)/blits ## random blits against OSMesa, bit for bit: BLITS=20200 SEED=1
@@ -278,6 +284,10 @@ blits: $(BUILD)/blits ## random blits against OSMesa, bit for bit: BLITS=20200 S
 .PHONY: textures
 textures: $(BUILD)/textures ## random lookups in textures against OSMesa, bit for bit: SEED=1
 	@$(BUILD)/textures --seed $(SEED)
+
+.PHONY: texels
+texels: $(BUILD)/texels ## texels of every format, and generated levels, against OSMesa: TEXTURES=200 SEED=1
+	@$(BUILD)/texels --textures $(TEXTURES) --seed $(SEED)
 
 .PHONY: exhaustive
 exhaustive: $(BUILD)/exhaustive ## the scalar functions on all 2^32 arguments against MPFR
@@ -346,7 +356,8 @@ comma = ,
 unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 
 .PHONY: test-programs
-test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits
+test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels \
+	$(BUILD)/textures
 
 .PHONY: test
 test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N failed"
@@ -368,6 +379,8 @@ test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N fa
 		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes 4400 --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene' \
 		$(if $(EMULATED_PARITY),'parity$(comma) back ends emulated=$(EMULATED_PARITY) --seed $(TEST_SEED) --scenes 880 --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene') \
 		'blits=$(BUILD)/blits --seed $(TEST_SEED) --blits 2020' \
+		'texels=$(BUILD)/texels --seed $(TEST_SEED) --textures 12' \
+		'textures=$(BUILD)/textures --seed $(TEST_SEED) --quick' \
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
 		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \
@@ -386,6 +399,7 @@ test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N fa
 		'sanitized differential=$(CHECKED)/test_cglm $(TEST_SEED)' \
 		'sanitized properties=$(CHECKED)/property-tests --seed $(TEST_SEED) --trials 100' \
 		'sanitized blits=$(CHECKED)/blits --seed $(TEST_SEED) --blits 404' \
+		'sanitized textures=$(CHECKED)/textures --seed $(TEST_SEED) --cases 60' \
 		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 440 --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene'
 
 SOAK_SCENES ?= 50000

@@ -148,8 +148,10 @@ GN_API void gn_gather(const gn_texture *texture, const gn_sampler *sampler, cons
                       int channel, float texel[4][GN_LANES]);
 
 /* Texels by their numbers, coordinate[0] to [2] and the level's, GLSL's texelFetch: columns, rows,
- * slices or layers. Of cubes the third is the face. What lies outside the texture or its levels is
- * 0, 0, 0, 0. */
+ * slices or layers. Of cubes the third is the face. Coordinates that the target does not have and
+ * the level's number, which is then 0, may be null. What lies outside the texture or its levels is
+ * 0, 0, 0, 0, as in the reference; OpenGL 4.5 section 11.1.3.2 leaves it undefined.
+ * Precondition: gn_texture_check gives GN_OK. The output must not overlap the inputs. */
 GN_API void gn_fetch(const gn_texture *texture, const int32_t *const coordinate[3],
                      const int32_t *level, float texel[4][GN_LANES]);
 

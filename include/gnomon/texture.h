@@ -50,11 +50,14 @@ typedef struct gn_texture {
 GN_BEGIN
 
 /* The first fault of a texture: null pointer (GN_NULL_POINTER), target
- * (GN_INVALID_ENUM), format (GN_INVALID_FORMAT), size (GN_INVALID_SIZE: a width, height or depth of
- * 0 or above GN_MAX_SIZE, a 1D texture higher than 1, a cube that is none, more levels than the
- * size has); of each level: null texels (GN_NULL_POINTER), texels or a stride not aligned to the
- * format's element (GN_MISALIGNED), a stride of rows or layers that is shorter than one or so long
- * that they do not fit memory (GN_INVALID_STRIDE). */
+ * (GN_INVALID_ENUM), a target or more than one level in a library compiled without them
+ * (GN_NOT_COMPILED), format (GN_INVALID_FORMAT: none, stencil alone), size (GN_INVALID_SIZE: a
+ * width, height or depth of 0 or above GN_MAX_SIZE, a 1D texture higher than 1, a cube that is
+ * none, more levels than the size has); of each level: null texels (GN_NULL_POINTER), texels or a
+ * stride not aligned to the format's element (GN_MISALIGNED), a stride of rows or layers that is
+ * shorter than a row or so long that they do not fit memory (GN_INVALID_STRIDE). That rows and
+ * layers do not overlap otherwise is not checked: layers may lie side by side, as tiles of one
+ * image. Of one row or layer the stride does not matter, but a row's must be aligned. */
 GN_API gn_status gn_texture_check(const gn_texture *texture);
 
 /* The same fault in words that name the field, in static storage; null where there is none. */
@@ -62,23 +65,29 @@ GN_API const char *gn_texture_fault(const gn_texture *texture);
 
 /* Bytes of a texture's levels, all tightly packed one after the other: rows, layers, levels. 0
  * where the target, format, size or number of levels is invalid, as gn_texture_check says, or the
- * sum does not fit memory. level_count 0 means 1, depth is looked at where the target has one. */
+ * sum does not fit memory (PTRDIFF_MAX). level_count 0 means 1, depth is looked at where the target
+ * has one. */
 GN_API size_t gn_texture_memory_size(gn_texture_target target, gn_format format, uint32_t width,
                                      uint32_t height, uint32_t depth, uint32_t level_count);
 
 /* Describes a texture over such memory, aligned to the format's element. The statuses of
- * gn_texture_check; on a fault *texture is left as it was. */
+ * gn_texture_check, GN_INVALID_SIZE also where gn_texture_memory_size gives 0; on a fault *texture
+ * is left as it was. */
 GN_API gn_status gn_texture_packed(gn_texture_target target, gn_format format, uint32_t width,
                                    uint32_t height, uint32_t depth, uint32_t level_count,
                                    const void *texels, gn_texture *texture);
 
 /* Makes the levels after the first, down to one texel, from the first one: writes them, tightly
  * packed, into memory of at least gn_texture_memory_size of all levels less that of one, and lists
- * them in the texture.
- * The statuses of gn_texture_check; GN_NULL_POINTER (memory), GN_MISALIGNED (memory),
- * GN_INVALID_FORMAT (depth formats), GN_WORKSPACE_TOO_SMALL (size); on a fault nothing is written
- * and the texture is left as it was. The memory must not overlap the first level's texels.
- * Follows OpenGL 4.5 section 8.14.4 with the box filter measured for the reference. */
+ * them in the texture, whose levels after the first, if any, are forgotten.
+ * Each level is a linear blit of the one before it, layer by layer, in 3D mixed between slices
+ * too: the mean of its texels where a size is even, otherwise of those around the new texel's
+ * centre, as the reference filters (reference/RULES.md; OpenGL 4.5 section 8.14.4 leaves it open).
+ * Red, green and blue of sRGB are mixed as linear colours; every NaN is 0x7FC00000.
+ * The statuses of gn_texture_check; GN_NOT_COMPILED; GN_INVALID_FORMAT (depth formats); of the
+ * memory, where any is needed, GN_NULL_POINTER, GN_MISALIGNED (to the format's element),
+ * GN_WORKSPACE_TOO_SMALL (size), GN_OVERLAP (with the first level's texels, or what lies between
+ * them); on a fault nothing is written and the texture is left as it was. */
 GN_API gn_status gn_texture_generate_levels(gn_texture *texture, void *memory, size_t size);
 
 GN_END

@@ -11,7 +11,8 @@
 
 typedef struct blit {
     const gn_surface *destination, *source;
-    const gn_surface *next; /* null, or a second source, of which `between` is mixed in */
+    int dimensions;         /* in which texels are mixed */
+    const gn_surface *next; /* with 3 dimensions a second source, of which `between` is mixed in */
     float between;
     bool mixes;          /* linear */
     bool copies;         /* pixels keep their bits */
@@ -195,19 +196,24 @@ static lanes_f mix_texels(lanes_f weight, lanes_f a, lanes_f b)
     return lanes_add(a, lanes_mul(weight, lanes_sub(b, a)));
 }
 
-static void mix_four_texels(const gn_surface *source, const blit_texels *t, lanes_f color[4])
+/* Mixes the texels of two columns and, in more than one dimension, of two rows. */
+static void mix_source(const gn_surface *source, int dimensions, const blit_texels *t,
+                       lanes_f color[4])
 {
     const lanes_f along_x = lanes_load(t->weight[0]);
     const lanes_f along_y = lanes_load(t->weight[1]);
-    lanes_f right[4], above[4], corner[4];
+    lanes_f right[4], above[4];
 
     fetch_texels(source, t, 0, 0, color);
     fetch_texels(source, t, 1, 0, right);
-    fetch_texels(source, t, 0, 1, above);
-    fetch_texels(source, t, 1, 1, corner);
     for (int c = 0; c < 4; ++c)
-        color[c] = mix_texels(along_y, mix_texels(along_x, color[c], right[c]),
-                              mix_texels(along_x, above[c], corner[c]));
+        color[c] = mix_texels(along_x, color[c], right[c]);
+    if (dimensions == 1)
+        return;
+    fetch_texels(source, t, 0, 1, above);
+    fetch_texels(source, t, 1, 1, right);
+    for (int c = 0; c < 4; ++c)
+        color[c] = mix_texels(along_y, color[c], mix_texels(along_x, above[c], right[c]));
 }
 
 /* All that a pixel is mixed of. */
@@ -216,9 +222,9 @@ static void mix_sources(const blit *b, const blit_texels *t, lanes_f color[4])
     const lanes_i nan = lanes_i_splat((int32_t)GN_NAN_BITS);
     lanes_f second[4];
 
-    mix_four_texels(b->source, t, color);
-    if (b->next) {
-        mix_four_texels(b->next, t, second);
+    mix_source(b->source, b->dimensions, t, color);
+    if (b->dimensions == 3) {
+        mix_source(b->next, b->dimensions, t, second);
         for (int c = 0; c < 4; ++c)
             color[c] = mix_texels(lanes_splat(b->between), color[c], second[c]);
     }
@@ -399,8 +405,8 @@ static bool keeps_all(gn_format format, const gn_blit_options *options)
            (options->keeps_stencil || !format_has_stencil(format));
 }
 
-void gn_reduce(const gn_surface *destination, const gn_surface *source, const gn_surface *next,
-               float between)
+void gn_reduce(const gn_surface *destination, int dimensions, const gn_surface *source,
+               const gn_surface *next, float between)
 {
     const gn_rectangle to = whole(destination);
     const gn_rectangle from = whole(source);
@@ -408,6 +414,7 @@ void gn_reduce(const gn_surface *destination, const gn_surface *source, const gn
 
     b.destination = destination;
     b.source = source;
+    b.dimensions = dimensions;
     b.next = next;
     b.between = between;
     b.mixes = true;
@@ -460,6 +467,7 @@ gn_status gn_blit(const gn_surface *destination, const gn_rectangle *to, const g
 
     b.destination = destination;
     b.source = source;
+    b.dimensions = 2;
     b.next = 0;
     b.between = 0.0f;
     b.mixes = options->filter == GN_BLIT_LINEAR;

@@ -61,7 +61,7 @@ static void make_slices(const gn_texture *t, uint32_t level)
         const gn_surface from = surface_of(t, level - 1, first);
         const gn_surface next = surface_of(t, level - 1, first + 1 < before ? first + 1 : first);
 
-        gn_reduce(&to, &from, &next, c - (float)first);
+        gn_reduce(&to, 3, &from, &next, c - (float)first);
     }
 }
 
@@ -77,7 +77,7 @@ static void make_level(const gn_texture *t, uint32_t level)
         const gn_surface to = surface_of(t, level, n);
         const gn_surface from = surface_of(t, level - 1, n);
 
-        gn_reduce(&to, &from, 0, 0.0f);
+        gn_reduce(&to, t->target == GN_TEXTURE_1D ? 1 : 2, &from, 0, 0.0f);
     }
 }
 

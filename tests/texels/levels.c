@@ -1,0 +1,230 @@
+/* Levels as glGenerateMipmap makes them. */
+#include "texels.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct level_case {
+    gn_texture_target target;
+    gn_format format;
+    uint32_t size[3]; /* the last is 6 of cubes, layers of arrays */
+} level_case;
+
+static uint32_t halved(uint32_t size, uint32_t level)
+{
+    return size >> level > 0 ? size >> level : 1;
+}
+
+static void level_size(const level_case *c, uint32_t level, uint32_t size[3])
+{
+    size[0] = halved(c->size[0], level);
+    size[1] = halved(c->size[1], level);
+    size[2] = c->target == GN_TEXTURE_3D ? halved(c->size[2], level) : c->size[2];
+}
+
+static size_t level_texels(const level_case *c, uint32_t level)
+{
+    uint32_t size[3];
+
+    level_size(c, level, size);
+    return (size_t)size[0] * size[1] * size[2];
+}
+
+/* Every second of the first cases of a target and format has one of all small sizes, the others are
+ * random: most of them small too, since that is where the ends of rows are. */
+static level_case make_case(random_source *r, gn_texture_target target, gn_format format,
+                            uint64_t number)
+{
+    const uint32_t largest = target == GN_TEXTURE_3D || target == GN_TEXTURE_CUBE ? 24 : 80;
+    level_case c = {target, format, {1, 1, 1}};
+
+    for (int n = 0; n < 3; ++n)
+        c.size[n] = 1 + random_below(r, random_chance(r, 75) ? largest : 3 * largest);
+    if (number < 72 && number % 2 == 0) {
+        c.size[0] = 1 + (uint32_t)number / 2 % 6;
+        c.size[1] = 1 + (uint32_t)number / 12;
+        c.size[2] = 1 + random_below(r, 9);
+    }
+    if (target == GN_TEXTURE_1D)
+        c.size[1] = 1;
+    if (target == GN_TEXTURE_1D || target == GN_TEXTURE_2D)
+        c.size[2] = 1;
+    if (target == GN_TEXTURE_CUBE) {
+        c.size[1] = c.size[0];
+        c.size[2] = 6;
+    }
+    if (target == GN_TEXTURE_2D_ARRAY)
+        c.size[2] = 1 + c.size[2] % 4;
+    return c;
+}
+
+/* Reads a level of the bound texture. */
+static void read_level(const level_case *c, uint32_t level, unsigned char *texels)
+{
+    const reference_image_format f = reference_image_format_of(c->format);
+    const size_t face = level_texels(c, level) / 6 * gn_format_size(c->format);
+
+    if (c->target != GN_TEXTURE_CUBE)
+        glGetTexImage(opengl_target(c->target), (GLint)level, f.format, f.type, texels);
+    for (GLenum n = 0; c->target == GN_TEXTURE_CUBE && n < 6; ++n)
+        glGetTexImage(GL_TEXTURE_CUBE_MAP_POSITIVE_X + n, (GLint)level, f.format, f.type,
+                      texels + n * face);
+}
+
+static bool is_nan_half(const unsigned char *p)
+{
+    uint16_t half;
+
+    memcpy(&half, p, sizeof half);
+    return (half & 0x7FFFu) > 0x7C00u;
+}
+
+static bool is_nan_float(const unsigned char *p)
+{
+    float value;
+
+    memcpy(&value, p, sizeof value);
+    return isnan(value);
+}
+
+/* Whether two texels are equal, a NaN to any other, or of sRGB no more than a step apart. */
+static bool are_equal(gn_format format, const unsigned char *a, const unsigned char *b, tally *t)
+{
+    const size_t size = gn_format_size(format);
+    const size_t element = format == GN_FORMAT_RGBA16F ? 2 : has_floats(format) ? 4 : 1;
+
+    if (memcmp(a, b, size) == 0)
+        return true;
+    if (format == GN_FORMAT_SRGB8_A8) {
+        t->steps++;
+        return abs(a[0] - b[0]) <= 1 && abs(a[1] - b[1]) <= 1 && abs(a[2] - b[2]) <= 1 &&
+               a[3] == b[3];
+    }
+    for (size_t n = 0; n < size; n += element) {
+        if (memcmp(a + n, b + n, element) == 0 ||
+            (element == 2 && is_nan_half(a + n) && is_nan_half(b + n)) ||
+            (element == 4 && is_nan_float(a + n) && is_nan_float(b + n)))
+            continue;
+        return false;
+    }
+    return true;
+}
+
+static uint64_t compare_level(const level_case *c, uint32_t level, const unsigned char *ours,
+                              const unsigned char *theirs, tally *t)
+{
+    const size_t bytes = gn_format_size(c->format);
+    const size_t count = level_texels(c, level);
+    uint64_t differ = 0;
+    uint32_t size[3];
+
+    level_size(c, level, size);
+    for (size_t i = 0; i < count; ++i) {
+        if (are_equal(c->format, ours + i * bytes, theirs + i * bytes, t) || differ++ > 0)
+            continue;
+        fprintf(stderr, "level %u of %s %s %ux%ux%u, texel %zu of %ux%ux%u: ours", (unsigned)level,
+                texel_target_name(c->target), texel_format_name(c->format), (unsigned)c->size[0],
+                (unsigned)c->size[1], (unsigned)c->size[2], i, (unsigned)size[0], (unsigned)size[1],
+                (unsigned)size[2]);
+        for (size_t n = 0; n < bytes; ++n)
+            fprintf(stderr, " %02x", ours[i * bytes + n]);
+        fprintf(stderr, ", theirs");
+        for (size_t n = 0; n < bytes; ++n)
+            fprintf(stderr, " %02x", theirs[i * bytes + n]);
+        fprintf(stderr, "\n");
+    }
+    t->texels += count;
+    return differ;
+}
+
+/* Makes levels from the reference's level `level` on, of which level + 1 is compared and, but for
+ * sRGB, whose steps would add up, all after it. */
+static bool compare_from(const level_case *c, uint32_t level, uint32_t count,
+                         unsigned char *const theirs[], tally *t, uint64_t *differ)
+{
+    const bool is_one = c->format == GN_FORMAT_SRGB8_A8 && level + 2 < count;
+    const uint32_t end = is_one ? level + 2 : count;
+    gn_texture texture;
+    uint32_t size[3];
+    gn_status status;
+
+    level_size(c, level, size);
+    status = gn_texture_packed(c->target, c->format, size[0], size[1], size[2], 1, theirs[level],
+                               &texture);
+    const size_t bytes =
+        gn_texture_memory_size(c->target, c->format, size[0], size[1], size[2], count - level) -
+        level_texels(c, level) * gn_format_size(c->format);
+    unsigned char *const memory = malloc(bytes + 1);
+
+    if (!status && memory)
+        status = gn_texture_generate_levels(&texture, memory, bytes);
+    for (uint32_t n = level + 1; !status && memory && n < end; ++n)
+        *differ += compare_level(c, n, texture.level[n - level].texels, theirs[n], t);
+    free(memory);
+    return !status && memory && texture.level_count == count - level;
+}
+
+static bool compare_case(random_source *r, const level_case *c, tally *t, char *error,
+                         size_t error_size)
+{
+    const GLenum target = opengl_target(c->target);
+    unsigned char *theirs[GN_MAX_LEVELS] = {NULL};
+    uint32_t count = 1;
+    uint64_t differ = 0;
+    bool fine = true;
+    GLuint name;
+
+    for (uint32_t largest = c->size[0] > c->size[1] ? c->size[0] : c->size[1];
+         largest >> count > 0 || (c->target == GN_TEXTURE_3D && c->size[2] >> count > 0);)
+        ++count;
+    for (uint32_t n = 0; n < count && fine; ++n) {
+        theirs[n] = malloc(level_texels(c, n) * gn_format_size(c->format));
+        fine = theirs[n] != NULL;
+    }
+    if (!fine)
+        return reference_fail(error, error_size, "out of memory");
+    fill_texels(r, c->format, random_chance(r, 10), theirs[0], level_texels(c, 0));
+
+    glGenTextures(1, &name);
+    glBindTexture(target, name);
+    upload_level(c->target, c->format, 0, c->size, theirs[0]);
+    glGenerateMipmap(target);
+    for (uint32_t n = 1; n < count; ++n)
+        read_level(c, n, theirs[n]);
+    glDeleteTextures(1, &name);
+    fine = reference_check("generating levels", error, error_size);
+
+    if (fine && !compare_from(c, 0, count, theirs, t, &differ))
+        fine = reference_fail(error, error_size, "the library generates no levels");
+    for (uint32_t n = 1; fine && c->format == GN_FORMAT_SRGB8_A8 && n + 1 < count; ++n)
+        fine = compare_from(c, n, count, theirs, t, &differ);
+    t->cases++;
+    t->failed += differ > 0;
+    t->differ += differ;
+    for (uint32_t n = 0; n < count; ++n)
+        free(theirs[n]);
+    return fine;
+}
+
+bool compare_levels(uint64_t seed, uint64_t textures, tally *t, char *error, size_t error_size)
+{
+    for (size_t f = 0; f < texel_format_count; ++f) {
+        const gn_format format = texel_formats[f];
+
+        if (format >= GN_FORMAT_D16 && format <= GN_FORMAT_D32FS8)
+            continue;
+        for (int target = GN_TEXTURE_2D; target <= GN_TEXTURE_CUBE; ++target) {
+            random_source r = random_seed(seed + (f << 8) + (uint64_t)target);
+
+            for (uint64_t n = 0; n < textures; ++n) {
+                const level_case c = make_case(&r, (gn_texture_target)target, format, n);
+
+                if (!compare_case(&r, &c, t, error, error_size))
+                    return false;
+            }
+        }
+    }
+    return true;
+}

@@ -1,0 +1,41 @@
+/* Texels and levels of the library beside the reference's: what the parts of the program share. */
+#ifndef TEXELS_TEXELS_H
+#define TEXELS_TEXELS_H
+
+#include <gnomon.h>
+
+#include "gl.h"
+#include "random.h"
+
+/* What was compared; `differ` are failures, `steps` what the contract allows of sRGB. */
+typedef struct tally {
+    uint64_t cases, failed, texels, differ, steps;
+} tally;
+
+extern const gn_format texel_formats[];
+extern const size_t texel_format_count;
+
+const char *texel_format_name(gn_format format);
+GLenum opengl_target(gn_texture_target target);
+const char *texel_target_name(gn_texture_target target);
+
+/* Whether a format's values are floats, of 16 or 32 bits. */
+bool has_floats(gn_format format);
+
+/* Random texels that OpenGL keeps as they are: depths are from 0 to 1. Of floats none is a
+ * denormal; NaN and infinities where asked for. */
+void fill_texels(random_source *r, gn_format format, bool with_specials, void *texels,
+                 size_t count);
+
+/* Uploads a level, tightly packed, into the texture bound to the target. */
+void upload_level(gn_texture_target target, gn_format format, uint32_t level,
+                  const uint32_t size[3], const void *texels);
+
+/* texelFetch of every value of every format, on every back end. False where the reference fails,
+ * with the reason in error. */
+bool compare_fetches(uint64_t seed, tally *t, char *error, size_t error_size);
+
+/* glGenerateMipmap of textures of every target, colour format and some random sizes. */
+bool compare_levels(uint64_t seed, uint64_t textures, tally *t, char *error, size_t error_size);
+
+#endif
