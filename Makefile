@@ -209,6 +209,12 @@ $(PEER_OBJECTS): $(BUILD)/%.o: %.cpp Makefile
 	@$(CXX) -std=c++17 -pedantic -Wall -Wextra -Wshadow -Werror $(CFLAGS) $(FLOAT_FLAGS) $(EIGEN_FLAGS) \
 		-MMD -MP -c $< -o $@
 
+$(BUILD)/tests/texture_accuracy/%.o: EXTRA_FLAGS = -Itests/parity -Ireference/exact
+
+$(BUILD)/texture-accuracy: $(call objects,tests/texture_accuracy/main.c reference/exact/sampler.c \
+		reference/scene/scene.c reference/scene/scene_texture.c) $(BUILD)/libgnomon.a
+	$(LINK) -lm
+
 # Linked as C++ where a part is.
 $(BUILD)/accuracy: private CC := $(if $(PEER_OBJECTS),$(CXX),$(CC))
 $(BUILD)/accuracy: $(call objects,$(ACCURACY_SOURCES)) $(PEER_OBJECTS) $(BUILD)/libgnomon.a
@@ -293,6 +299,12 @@ INPUTS ?= 200000
 accuracy: $(BUILD)/accuracy ## errors of functions beside cglm's, GLM's, Eigen's: SEED=1 INPUTS=200000
 	@$(BUILD)/accuracy --seed $(SEED) --inputs $(INPUTS)
 
+LOOKUPS ?= 20000
+
+.PHONY: texture-accuracy
+texture-accuracy: $(BUILD)/texture-accuracy ## errors of sampling against long double: SEED=1 LOOKUPS=20000
+	@$(BUILD)/texture-accuracy --seed $(SEED) --lookups $(LOOKUPS)
+
 .PHONY: prove
 prove: ## error bounds proved by Gappa, from the text of the C sources
 	@tests/proof/test_prove.sh
@@ -350,7 +362,7 @@ test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)
 .PHONY: test
 test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N failed"
 	@$(MAKE) --no-print-directory -j2 all test-programs $(TOOL_TESTS) $(BUILD)/theft-selftest \
-		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/bench $(BUILD)/test-lanes $(EMULATED_PARITY)
+		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/test-lanes $(EMULATED_PARITY)
 	@$(MAKE) --no-print-directory -j2 $(CHECKED_FLAGS) test-programs
 	@LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0 tests/run.sh \
 		$(call unit_steps,$(BUILD),) \
@@ -359,6 +371,7 @@ test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N fa
 		'properties=$(BUILD)/property-tests --seed $(TEST_SEED)' \
 		'scalar functions=$(BUILD)/exhaustive --stride 9973' \
 		'accuracy=$(BUILD)/accuracy --seed $(TEST_SEED) --inputs 20000' \
+		'accuracy of textures=$(BUILD)/texture-accuracy --seed $(TEST_SEED) --lookups 2000' \
 		'differential=$(BUILD)/test_cglm $(TEST_SEED)' \
 		'a property for every function=tests/coverage.sh' \
 		'proofs=tests/proof/prove.sh -q' \
