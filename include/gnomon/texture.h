@@ -51,8 +51,9 @@ GN_BEGIN
 
 /* The first fault of a texture: null pointer (GN_NULL_POINTER), target
  * (GN_INVALID_ENUM), a target or more than one level in a library compiled without them
- * (GN_NOT_COMPILED), format (GN_INVALID_FORMAT: none, stencil alone), size (GN_INVALID_SIZE: a
- * width, height or depth of 0 or above GN_MAX_SIZE, a 1D texture higher than 1, a cube that is
+ * (GN_NOT_COMPILED), format (GN_INVALID_FORMAT: none, stencil alone; in such a library all but
+ * RGBA8 and RGBA32F), size (GN_INVALID_SIZE: a width, height or depth of 0 or above
+ * GN_MAX_SIZE, a 1D texture higher than 1, a cube that is
  * none, more levels than the size has); of each level: null texels (GN_NULL_POINTER), texels or a
  * stride not aligned to the format's element (GN_MISALIGNED), a stride of rows or layers that is
  * shorter than a row or so long that they do not fit memory (GN_INVALID_STRIDE). That rows and
