@@ -90,7 +90,7 @@ typedef enum gn_lod_source {
 typedef struct gn_lookup {
     const float *coordinate[3]; /* s, t, r, or a direction, or s, t and a layer's number */
     const float *reference;     /* where a depth texture is compared: clamped to 0 to 1 for D16, D24
-                                   and D24S8 */
+                                   and D24S8; null: 0 */
     gn_lod_source lod_source;
     const float *lod;           /* null: 0 */
     const float *gradient_x[3]; /* of the coordinates, to the next fragment along x */

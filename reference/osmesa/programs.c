@@ -237,9 +237,15 @@ static GLuint link_program(const char *vertex_body, const char *fragment_head,
     return program;
 }
 
+GLuint reference_link_clipped(const char *vertex, const char *fragment, bool clipped, char *error,
+                              size_t error_size)
+{
+    return link_program(vertex, "#version 450 core\n", fragment, clipped, error, error_size);
+}
+
 GLuint reference_link(const char *vertex, const char *fragment, char *error, size_t error_size)
 {
-    return link_program(vertex, "#version 450 core\n", fragment, false, error, error_size);
+    return reference_link_clipped(vertex, fragment, false, error, error_size);
 }
 
 static const char *qualifier(gn_interpolation interpolation)
@@ -318,6 +324,9 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
     const bool clipped = d->state.clip_distance_count > 0;
     GLuint *program = &r->lit_programs[clipped][d->shader < SCENE_SHADER_COUNT ? d->shader : 0];
 
+    if (reference_has_twin(d)) {
+        return reference_twin_program(r, d, error, error_size);
+    }
     switch (d->shader) {
     case SCENE_VERTEX_COLOR:
     case SCENE_DERIVATIVES: {
@@ -378,7 +387,9 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
         }
         break;
     }
-    case SCENE_SHADER_COUNT:
+    case SCENE_SAMPLED:
+        return reference_sampled_program(r, d, error, error_size);
+    default:
         reference_fail(error, error_size, "a draw has no shader");
         return 0;
     }

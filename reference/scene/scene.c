@@ -91,6 +91,9 @@ static void free_draw(scene_draw *d)
     }
     free((void *)d->mesh.indices);
     free((void *)d->uniforms.texture.level[0].texels);
+    for (int m = 0; m < SCENE_MAP_COUNT; ++m) {
+        free((void *)d->surface.map[m].level[0].texels);
+    }
 }
 
 void scene_free(scene *s)
@@ -119,6 +122,8 @@ scene_draw *scene_add_draw(scene *s)
     memset(d, 0, sizeof *d);
     gn_mat4_identity(&d->uniforms.light.clip_from_model);
     gn_mat4_identity(&d->view_from_model);
+    gn_mat4_identity(&d->surface.world_from_model);
+    gn_mat4_identity(&d->surface.shadow_from_world);
     gn_mat3_identity(&d->uniforms.light.normal_matrix);
     return d;
 }
@@ -205,24 +210,6 @@ void scene_set_indices(scene_draw *d, const uint32_t *indices, uint32_t count,
     d->index_count = copy ? count : 0;
 }
 
-void scene_set_texture(scene_draw *d, const void *texels, uint32_t width, uint32_t height,
-                       gn_format format)
-{
-    gn_texture *t = &d->uniforms.texture;
-    const size_t row = width * gn_format_size(format);
-    void *copy = scene_allocate(height, row);
-
-    if (row && height) {
-        memcpy(copy, texels, row * height);
-    }
-    free((void *)t->level[0].texels);
-    t->level[0].texels = copy;
-    t->level[0].row_stride = (ptrdiff_t)row;
-    t->width = width;
-    t->height = height;
-    t->format = format;
-}
-
 /* The attribute as one tightly packed array, whatever its stride. */
 static void copy_attribute(gn_attribute *to, const gn_attribute *from, uint32_t vertex_count)
 {
@@ -268,8 +255,13 @@ scene *scene_copy(const scene *s)
         }
         if (texture->level[0].texels) {
             to->uniforms.texture.level[0].texels = NULL;
-            scene_set_texture(to, texture->level[0].texels, texture->width, texture->height,
-                              texture->format);
+            scene_set_levels(to, texture);
+        }
+        for (int m = 0; m < SCENE_MAP_COUNT; ++m) {
+            to->surface.map[m].level[0].texels = NULL;
+            if (from->surface.map[m].level[0].texels) {
+                scene_set_map(to, (scene_map)m, &from->surface.map[m]);
+            }
         }
     }
     return copy;

@@ -46,8 +46,22 @@ const char *scene_class_name(scene_class c)
         return "lit";
     case CLASS_TEXTURED:
         return "textured";
+    case CLASS_TEXTURES:
+        return "textures";
+    case CLASS_MIPMAPS:
+        return "mipmaps";
+    case CLASS_VOLUMES:
+        return "volumes";
+    case CLASS_CUBES:
+        return "cubes";
+    case CLASS_SHADOWS:
+        return "shadows";
     case CLASS_PHONG:
         return "phong";
+    case CLASS_SHADERS:
+        return "shaders";
+    case CLASS_SHADOWED:
+        return "shadowed";
     case CLASS_INPUTS:
         return "inputs";
     case CLASS_DERIVATIVES:
@@ -191,8 +205,29 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
     case CLASS_TEXTURED:
         generate_textured(&b);
         break;
+    case CLASS_TEXTURES:
+        generate_textures(&b);
+        break;
+    case CLASS_MIPMAPS:
+        generate_mipmaps(&b);
+        break;
+    case CLASS_VOLUMES:
+        generate_volumes(&b);
+        break;
+    case CLASS_CUBES:
+        generate_cubes(&b);
+        break;
+    case CLASS_SHADOWS:
+        generate_shadows(&b);
+        break;
     case CLASS_PHONG:
         generate_phong(&b);
+        break;
+    case CLASS_SHADERS:
+        generate_shaders(&b);
+        break;
+    case CLASS_SHADOWED:
+        generate_shadowed(&b);
         break;
     case CLASS_INPUTS:
         generate_inputs(&b);
@@ -264,7 +299,8 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         generate_mixed(&b);
         break;
     }
-    if ((c == CLASS_MIXED || c == CLASS_SEQUENCES) && random_chance(&b.random, 20))
+    if ((c == CLASS_MIXED || c == CLASS_SEQUENCES || c == CLASS_SHADERS || c == CLASS_SHADOWED) &&
+        random_chance(&b.random, 20))
         make_sampled(&b.random, b.scene);
     return builder_end(&b);
 }

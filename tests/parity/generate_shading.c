@@ -17,9 +17,7 @@ static gn_mat4 product(const gn_mat4 *a, const gn_mat4 *b)
     return m;
 }
 
-/* A perspective camera that looks at the origin from `distance` away, over a body
- * turned and stretched along its axes. */
-static void random_camera(builder *b)
+void random_camera(builder *b)
 {
     random_source *r = &b->random;
     const gn_mat3 turn = builder_rotation(b);
@@ -47,7 +45,7 @@ static void random_camera(builder *b)
     b->uniforms.light.clip_from_model = product(&projection, &view);
 }
 
-static void random_light(builder *b)
+void random_light(builder *b)
 {
     random_source *r = &b->random;
     const gn_mat3 turn = builder_rotation(b);
@@ -104,7 +102,7 @@ static void add_loose_triangles(builder *b, uint32_t count)
     }
 }
 
-static void add_body(builder *b)
+void add_body(builder *b)
 {
     random_source *r = &b->random;
     if (random_chance(r, 60))
@@ -206,10 +204,10 @@ static void add_textured(builder *b, scene_shader shader, gn_format format)
         t->format = format;
     void *texels = random_texels(b, t->width * t->height, t->format);
     t->level[0].texels = texels;
-    b->uniforms.sampler.wrap_s = (gn_wrap)random_below(r, 2);
-    b->uniforms.sampler.wrap_t = (gn_wrap)random_below(r, 2);
+    b->uniforms.sampler.wrap_s = (gn_wrap)random_below(r, 5);
+    b->uniforms.sampler.wrap_t = (gn_wrap)random_below(r, 5);
     b->uniforms.sampler.magnify = (gn_magnify)random_below(r, 2);
-    b->uniforms.sampler.minify = (gn_minify)random_below(r, 3);
+    b->uniforms.sampler.minify = (gn_minify)random_below(r, 6);
     random_texcoords(b);
     if (b->scene->color_format == GN_FORMAT_RGBA8 && random_chance(r, 10))
         lay_over(b, 0);
