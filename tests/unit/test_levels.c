@@ -1,6 +1,7 @@
 /* Generated levels: cases worked by hand, where they are put, and every fault. That they are the
  * reference's is tested beside it (tests/texels). */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "unit.h"
@@ -144,6 +145,43 @@ static void strides(void **state)
     assert_memory_equal(memory, expected, sizeof(float) * 2 * (2 + 1));
 }
 
+/* The largest sizes, in memory of just that size: one value stays what it is. */
+static void largest_sizes(void **state)
+{
+    (void)state;
+    static const uint32_t sizes[][3] = {{GN_MAX_SIZE, 1, 1},     {1, GN_MAX_SIZE, 1},
+                                        {1, 1, GN_MAX_SIZE},     {GN_MAX_SIZE - 1, 3, 2},
+                                        {5, GN_MAX_SIZE - 1, 1}, {3, 2, 10000}};
+
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
+        const uint32_t *const n = sizes[i];
+        const size_t first =
+            gn_texture_memory_size(GN_TEXTURE_3D, GN_FORMAT_RGB8, n[0], n[1], n[2], 1);
+        unsigned char *const texels = malloc(first);
+        gn_texture t;
+
+        assert_non_null(texels);
+        memset(texels, 77, first);
+        gn_texture_packed(GN_TEXTURE_3D, GN_FORMAT_RGB8, n[0], n[1], n[2], 1, texels, &t);
+
+        const uint32_t levels = n[0] >= GN_MAX_SIZE || n[1] >= GN_MAX_SIZE || n[2] >= GN_MAX_SIZE
+                                    ? GN_MAX_LEVELS
+                                    : GN_MAX_LEVELS - 1;
+        const size_t rest =
+            gn_texture_memory_size(GN_TEXTURE_3D, GN_FORMAT_RGB8, n[0], n[1], n[2], levels) - first;
+        unsigned char *const memory = malloc(rest);
+        assert_non_null(memory);
+        assert_int_equal(gn_texture_generate_levels(&t, memory, rest - 1), GN_WORKSPACE_TOO_SMALL);
+        assert_int_equal(gn_texture_generate_levels(&t, memory, rest), GN_OK);
+        assert_int_equal(t.level_count, levels);
+        assert_int_equal(gn_texture_check(&t), GN_OK);
+        for (size_t b = 0; b < rest; ++b)
+            assert_true(memory[b] == 77);
+        free(memory);
+        free(texels);
+    }
+}
+
 static void faults(void **state)
 {
     (void)state;
@@ -198,9 +236,9 @@ static void one_texel(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(even_sizes), cmocka_unit_test(odd_sizes),   cmocka_unit_test(layers),
-        cmocka_unit_test(infinities), cmocka_unit_test(conversions), cmocka_unit_test(strides),
-        cmocka_unit_test(faults),     cmocka_unit_test(one_texel),
+        cmocka_unit_test(even_sizes),    cmocka_unit_test(odd_sizes),   cmocka_unit_test(layers),
+        cmocka_unit_test(infinities),    cmocka_unit_test(conversions), cmocka_unit_test(strides),
+        cmocka_unit_test(largest_sizes), cmocka_unit_test(faults),      cmocka_unit_test(one_texel),
     };
     return cmocka_run_group_tests_name("levels", tests, NULL, NULL);
 }
