@@ -210,6 +210,12 @@ $(PEER_OBJECTS): $(BUILD)/%.o: %.cpp Makefile
 	@$(CXX) -std=c++17 -pedantic -Wall -Wextra -Wshadow -Werror $(CFLAGS) $(FLOAT_FLAGS) $(EIGEN_FLAGS) \
 		-MMD -MP -c $< -o $@
 
+$(BUILD)/tests/texture_accuracy/%.o: EXTRA_FLAGS = -Itests/parity -Ireference/exact
+
+$(BUILD)/texture-accuracy: $(call objects,tests/texture_accuracy/main.c reference/exact/sampler.c \
+		reference/scene/scene.c reference/scene/scene_texture.c) $(BUILD)/libgnomon.a
+	$(LINK) -lm
+
 # Linked as C++ where a part is.
 $(BUILD)/accuracy: private CC := $(if $(PEER_OBJECTS),$(CXX),$(CC))
 $(BUILD)/accuracy: $(call objects,$(ACCURACY_SOURCES)) $(PEER_OBJECTS) $(BUILD)/libgnomon.a
@@ -294,6 +300,12 @@ INPUTS ?= 200000
 accuracy: $(BUILD)/accuracy ## errors of functions beside cglm's, GLM's, Eigen's: SEED=1 INPUTS=200000
 	@$(BUILD)/accuracy --seed $(SEED) --inputs $(INPUTS)
 
+LOOKUPS ?= 20000
+
+.PHONY: texture-accuracy
+texture-accuracy: $(BUILD)/texture-accuracy ## errors of sampling against long double: SEED=1 LOOKUPS=20000
+	@$(BUILD)/texture-accuracy --seed $(SEED) --lookups $(LOOKUPS)
+
 .PHONY: prove
 prove: ## error bounds proved by Gappa, from the text of the C sources
 	@tests/proof/test_prove.sh
@@ -345,12 +357,13 @@ comma = ,
 unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 
 .PHONY: test-programs
-test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels
+test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels \
+	$(BUILD)/textures
 
 .PHONY: test
 test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N failed"
 	@$(MAKE) --no-print-directory -j2 all test-programs $(TOOL_TESTS) $(BUILD)/theft-selftest \
-		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/bench $(BUILD)/test-lanes $(EMULATED_PARITY)
+		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/test-lanes $(EMULATED_PARITY)
 	@$(MAKE) --no-print-directory -j2 $(CHECKED_FLAGS) test-programs
 	@LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0 tests/run.sh \
 		$(call unit_steps,$(BUILD),) \
@@ -359,6 +372,7 @@ test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N fa
 		'properties=$(BUILD)/property-tests --seed $(TEST_SEED)' \
 		'scalar functions=$(BUILD)/exhaustive --stride 9973' \
 		'accuracy=$(BUILD)/accuracy --seed $(TEST_SEED) --inputs 20000' \
+		'accuracy of textures=$(BUILD)/texture-accuracy --seed $(TEST_SEED) --lookups 2000' \
 		'differential=$(BUILD)/test_cglm $(TEST_SEED)' \
 		'a property for every function=tests/coverage.sh' \
 		'proofs=tests/proof/prove.sh -q' \
@@ -367,6 +381,7 @@ test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N fa
 		$(if $(EMULATED_PARITY),'parity$(comma) back ends emulated=$(EMULATED_PARITY) --seed $(TEST_SEED) --scenes 880 --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene') \
 		'blits=$(BUILD)/blits --seed $(TEST_SEED) --blits 2020' \
 		'texels=$(BUILD)/texels --seed $(TEST_SEED) --textures 12' \
+		'textures=$(BUILD)/textures --seed $(TEST_SEED) --quick' \
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
 		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \
@@ -385,6 +400,7 @@ test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N fa
 		'sanitized differential=$(CHECKED)/test_cglm $(TEST_SEED)' \
 		'sanitized properties=$(CHECKED)/property-tests --seed $(TEST_SEED) --trials 100' \
 		'sanitized blits=$(CHECKED)/blits --seed $(TEST_SEED) --blits 404' \
+		'sanitized textures=$(CHECKED)/textures --seed $(TEST_SEED) --cases 60' \
 		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 440 --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene'
 
 SOAK_SCENES ?= 50000

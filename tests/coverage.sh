@@ -7,7 +7,7 @@
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 headers=$(ls include/gnomon/*.h | grep -v -E \
-    '/(api|backend|blit|derivatives|draw|parallel|pipeline|shaders|status|surface|texture)\.h$')
+    '/(api|backend|blit|derivatives|draw|parallel|pipeline|sampling|shaders|status|surface|texture)\.h$')
 
 # Comments and texts are taken out first: to name a function is not to call it. A table of
 # functions names it without a parenthesis, so any use of the name counts.

@@ -8,7 +8,7 @@ enum { COLOR = 0, COORDINATES = 4, REFERENCE = 7, VARYINGS = 8 };
 
 static void shade_vertices(const void *uniforms, const gn_vertex_input *in, gn_vertex_output *out)
 {
-    const gn_textured_uniforms *u = uniforms;
+    const scene_uniforms *u = uniforms;
     const float(*m)[4] = u->light.clip_from_model.m;
     const float(*p)[GN_LANES] = in->attribute[GN_ATTRIBUTE_POSITION];
 
@@ -26,7 +26,7 @@ static void shade_vertices(const void *uniforms, const gn_vertex_input *in, gn_v
 static void shade_fragments(const void *uniforms, const gn_fragment_input *in,
                             gn_fragment_output *out)
 {
-    const gn_textured_uniforms *u = uniforms;
+    const scene_uniforms *u = uniforms;
     const float(*coordinates)[GN_LANES] = in->varying + COORDINATES;
     const gn_lookup lookup = {.coordinate = {coordinates[0], coordinates[1], coordinates[2]},
                               .reference = in->varying[REFERENCE]};
@@ -40,7 +40,7 @@ static void shade_fragments(const void *uniforms, const gn_fragment_input *in,
     }
 }
 
-gn_status sampled_use(gn_pipeline *pipeline, const gn_textured_uniforms *uniforms)
+gn_status sampled_use(gn_pipeline *pipeline, const scene_uniforms *uniforms)
 {
     gn_status status = gn_texture_check(&uniforms->texture);
 

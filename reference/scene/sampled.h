@@ -3,11 +3,11 @@
 #ifndef SCENE_SAMPLED_H
 #define SCENE_SAMPLED_H
 
-#include <gnomon.h>
+#include "scene.h"
 
 /* Sets shaders, varyings and uniforms, of which the light's matrix, the texture and the sampler are
  * looked at. The first three of the texture coordinates are the target's (gnomon/sampling.h), the
  * fourth is what depths are compared with. */
-gn_status sampled_use(gn_pipeline *pipeline, const gn_textured_uniforms *uniforms);
+gn_status sampled_use(gn_pipeline *pipeline, const scene_uniforms *uniforms);
 
 #endif

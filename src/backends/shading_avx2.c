@@ -16,9 +16,9 @@
 #define GN_LANES_AVX2
 #include "shading_form.h"
 
-void gn_shading_avx2(gn_fragment_shader *shader, shading_functions *out)
+void gn_shading_avx2(const gn_pipeline *pipeline, shading_functions *out)
 {
-    fill_shading(shader, out);
+    fill_shading(pipeline, out);
 }
 
 #if defined(__clang__)

@@ -21,9 +21,9 @@
 #define GN_LANES_AVX512
 #include "shading_form.h"
 
-void gn_shading_avx512(gn_fragment_shader *shader, shading_functions *out)
+void gn_shading_avx512(const gn_pipeline *pipeline, shading_functions *out)
 {
-    fill_shading(shader, out);
+    fill_shading(pipeline, out);
 }
 
 #if !defined(GN_LANES_INTRINSICS_HEADER)

@@ -7,8 +7,8 @@
 #define GN_LANES_NEON
 #include "shading_form.h"
 
-void gn_shading_neon(gn_fragment_shader *shader, shading_functions *out)
+void gn_shading_neon(const gn_pipeline *pipeline, shading_functions *out)
 {
-    fill_shading(shader, out);
+    fill_shading(pipeline, out);
 }
 #endif

@@ -6,8 +6,8 @@
 #if GN_HAVE_SSE2 && GN_SPECIALISED
 #include "shading_form.h"
 
-void gn_shading_sse2(gn_fragment_shader *shader, shading_functions *out)
+void gn_shading_sse2(const gn_pipeline *pipeline, shading_functions *out)
 {
-    fill_shading(shader, out);
+    fill_shading(pipeline, out);
 }
 #endif

@@ -144,50 +144,51 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
 }
 
 /* The functions that every caller has, compiled once: with GN_BASIC those for 2D textures alone. */
-static inline void shade_with_public(gn_fragment_shader *shader, shading_functions *out)
+static inline void shade_with_public(const gn_pipeline *pipeline, shading_functions *out)
 {
     out->sampling.sample_2d = gn_sample_2d;
     out->sampling.sample = GN_HAVE_TEXTURES ? gn_sample : 0;
     out->sampling.gather = GN_HAVE_TEXTURES ? gn_gather : 0;
     out->sampling.fetch = GN_HAVE_TEXTURES ? gn_fetch : 0;
-    out->fragment_shader = shader;
+    out->vertex_shader = pipeline->vertex_shader;
+    out->fragment_shader = pipeline->fragment_shader;
 }
 
 /* Where the back end is none of these, run_on says so. */
-static void fill_shading_of(gn_backend backend, gn_fragment_shader *shader, shading_functions *out)
+static void fill_shading_of(gn_backend backend, const gn_pipeline *pipeline, shading_functions *out)
 {
 #if !GN_SPECIALISED
     (void)backend;
-    shade_with_public(shader, out);
+    shade_with_public(pipeline, out);
 #else
     switch (backend) {
 #if GN_HAVE_WASM_SIMD128
     case GN_BACKEND_WASM_SIMD128:
-        gn_shading_wasm_simd128(shader, out);
+        gn_shading_wasm_simd128(pipeline, out);
         return;
 #endif
 #if GN_HAVE_NEON
     case GN_BACKEND_NEON:
-        gn_shading_neon(shader, out);
+        gn_shading_neon(pipeline, out);
         return;
 #endif
 #if GN_HAVE_AVX512
     case GN_BACKEND_AVX512:
-        gn_shading_avx512(shader, out);
+        gn_shading_avx512(pipeline, out);
         return;
 #endif
 #if GN_HAVE_AVX2
     case GN_BACKEND_AVX2:
-        gn_shading_avx2(shader, out);
+        gn_shading_avx2(pipeline, out);
         return;
 #endif
 #if GN_HAVE_SSE2
     case GN_BACKEND_SSE2:
-        gn_shading_sse2(shader, out);
+        gn_shading_sse2(pipeline, out);
         return;
 #endif
     default:
-        gn_shading_portable(shader, out);
+        gn_shading_portable(pipeline, out);
     }
 #endif
 }
@@ -284,7 +285,7 @@ static gn_status draw_instances(draw_job *job, const gn_mesh *mesh, gn_workspace
     job->mesh = &whole;
     job->instances = mesh->instance_count > 0 ? mesh->instance_count : 1;
     divide_workspace(job, workspace);
-    fill_shading_of(backend, job->pipeline->fragment_shader, &job->shading);
+    fill_shading_of(backend, job->pipeline, &job->shading);
     return run_on(backend, job);
 }
 

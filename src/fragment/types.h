@@ -110,8 +110,11 @@ typedef struct depth_limits {
 typedef struct fragment_state {
     const gn_pipeline *pipeline;
     const shading_functions *shading; /* how its fragment shader runs */
-    gn_surface color;                 /* GN_FORMAT_NONE: no colour */
-    gn_surface depth;                 /* GN_FORMAT_NONE: no test */
+    bool has_ready_color;             /* it gives the first varyings ... */
+    const gn_texture *texture;        /* ... times this, where it is not null; not with GN_SMALL */
+    const gn_sampler *sampler;
+    gn_surface color; /* GN_FORMAT_NONE: no colour */
+    gn_surface depth; /* GN_FORMAT_NONE: no test */
     depth_state test;
     bool moves_depth; /* polygon offset */
     color_state combine;

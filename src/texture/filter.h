@@ -11,6 +11,7 @@
 /* What is the same for all lanes and levels of a lookup. */
 typedef struct lookup_state {
     const gn_texture *texture;
+    int channels;   /* of the format: the first ones */
     int dimensions; /* that are filtered along: 1 to 3 */
     gn_wrap wrap[3];
     bool masked[3];
@@ -140,12 +141,12 @@ static inline void fetch_and_mix(const lookup_state *state, const lookup_place *
  * the nearer texel counts. */
 static inline lanes_f weights_of(uint32_t linear, lanes_f weight)
 {
-    const lanes_m is_far = lanes_greater(weight, lanes_splat(0.5f));
+    const lanes_m is_near = lanes_less_equal(weight, lanes_splat(0.5f));
 
     if (linear == GN_ALL_LANES)
         return weight;
     return lanes_select(lanes_from_bits(linear), weight,
-                        lanes_select(is_far, lanes_splat(1.0f), lanes_splat(0.0f)));
+                        lanes_select(is_near, lanes_splat(0.0f), lanes_splat(1.0f)));
 }
 
 GN_OUT_OF_LINE void filter_linear(const lookup_state *state, const lookup_place *place,

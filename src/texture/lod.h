@@ -5,8 +5,8 @@
 
 #include "cube_filter.h"
 
-/* The first level of each lane, the next one and its weight, and the lanes, as bits, where the
- * texture is minified. */
+/* The two levels of each lane, the weight of the second, and the lanes, as bits, where the texture
+ * is minified. */
 typedef struct level_choice {
     lanes_i level, next;
     lanes_f weight;
@@ -88,6 +88,12 @@ static inline lanes_f rough_log2(lanes_f a)
     return lanes_add(lanes_to_float(below), lanes_as_float(mantissa));
 }
 
+/* Whether the lanes of a quad may have levels of their own. */
+static inline bool has_lod_per_lane(const gn_lookup *lookup)
+{
+    return lookup->lod_source == GN_LOD_GRADIENTS || lookup->lod;
+}
+
 /* What a lookup and its sampler add to the level of detail. */
 typedef struct lod_adjustment {
     float bias;
@@ -129,7 +135,7 @@ static inline void choose_levels(const gn_sampler *sampler, int32_t last, lanes_
 {
     const lanes_i top = lanes_i_splat(last), zero = lanes_i_splat(0);
 
-    out->minified = lanes_bits(lanes_greater(lod, lanes_splat(0.0f)));
+    out->minified = lanes_bits(lanes_not(lanes_less_equal(lod, lanes_splat(0.0f))));
     if (mixes_levels(sampler->minify)) {
         const lanes_f whole = lanes_floor(lod);
         const lanes_i level = lanes_truncate(whole);
@@ -138,8 +144,8 @@ static inline void choose_levels(const gn_sampler *sampler, int32_t last, lanes_
         const lanes_f none = lanes_splat(0.0f);
 
         out->level = lanes_i_clamp(level, zero, top);
-        out->next = lanes_i_select(
-            below, zero, lanes_i_select(above, top, lanes_i_add(level, lanes_i_splat(1))));
+        out->next = lanes_i_clamp(
+            lanes_i_select(below, level, lanes_i_add(level, lanes_i_splat(1))), zero, top);
         out->weight = lanes_select(below, none, lanes_select(above, none, lanes_sub(lod, whole)));
     } else {
         out->level = out->next = lanes_i_clamp(lanes_round(lod), zero, top);
@@ -156,7 +162,7 @@ static inline void choose_nearest_level(bool squared, int32_t last, lanes_f foot
     const lanes_i level = squared ? lanes_i_shift_right(lanes_i_add(exponent_of(footprint), one), 1)
                                   : exponent_of(lanes_mul(footprint, lanes_splat(1.41421354f)));
 
-    out->minified = lanes_bits(lanes_greater(footprint, lanes_splat(1.0f)));
+    out->minified = lanes_bits(lanes_not(lanes_less_equal(footprint, lanes_splat(1.0f))));
     out->level = out->next = lanes_i_clamp(level, lanes_i_splat(0), lanes_i_splat(last));
     out->weight = lanes_splat(0.0f);
 }

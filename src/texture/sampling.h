@@ -4,6 +4,7 @@
 #define GN_TEXTURE_SAMPLING_H
 
 #include "lod.h"
+#include "words.h"
 
 /* A gn_sample_2d_function for the textures of sample.h. */
 static inline void sample_simple_2d(const gn_texture *texture, const gn_sampler *sampler,
@@ -22,20 +23,27 @@ static inline void sample_simple_2d(const gn_texture *texture, const gn_sampler 
         lanes_store(texel[c], out[c]);
 }
 
-/* The border as a texel: within the range of the format and of its channels. */
+/* The border as a texel: within the range of the format. */
 static inline void set_border(lookup_state *state, const gn_sampler *sampler)
 {
-    const gn_format format = state->texture->format;
-    const bool has_range = !format_is_float(format);
-    const int channels = texel_channels(format);
+    const bool has_range = !format_is_float(state->texture->format);
 
     for (int c = 0; c < 4; ++c) {
         float value = sampler->border[c];
 
         if (has_range)
             value = value > 0.0f ? value < 1.0f ? value : 1.0f : 0.0f;
-        state->border[c] = c < channels ? value : c < 3 ? 0.0f : 1.0f;
+        state->border[c] = value;
     }
+}
+
+/* A channel that the format lacks is 0, alpha 1, whatever the weights. */
+static inline void store_channel(const lookup_state *state, int channel, lanes_f value,
+                                 float out[GN_LANES])
+{
+    const bool is_there = channel < state->channels;
+
+    lanes_store(out, is_there ? value : lanes_splat(channel < 3 ? 0.0f : 1.0f));
 }
 
 static inline void set_lookup_state(lookup_state *state, const gn_texture *texture,
@@ -44,6 +52,7 @@ static inline void set_lookup_state(lookup_state *state, const gn_texture *textu
     const uint32_t size[3] = {texture->width, texture->height, texture->depth};
 
     state->texture = texture;
+    state->channels = texel_channels(texture->format);
     state->dimensions = texture->target == GN_TEXTURE_1D   ? 1
                         : texture->target == GN_TEXTURE_3D ? 3
                                                            : 2;
@@ -92,6 +101,24 @@ static inline void set_cube_place(const lookup_state *state, const gn_lookup *lo
     place->cube = cube;
 }
 
+static inline void filter_level_nearest(const lookup_state *state, const lookup_place *place,
+                                        uint32_t level, lanes_f texel[4])
+{
+    if (level_has_words(state, level))
+        filter_words_nearest(state, place, level, texel);
+    else
+        filter_nearest(state, place, level, texel);
+}
+
+static inline void filter_level_linear(const lookup_state *state, const lookup_place *place,
+                                       uint32_t level, uint32_t linear, lanes_f texel[4])
+{
+    if (level_has_words(state, level))
+        filter_words_linear(state, place, level, linear, texel);
+    else
+        filter_linear(state, place, level, linear, texel);
+}
+
 /* One level, of lanes that are `linear` by the linear filter. Quads are filtered as a whole: one
  * with a linear lane by the linear filter, of which the others take the nearer texels. */
 GN_OUT_OF_LINE void filter_level(const lookup_state *state, const lookup_place *place,
@@ -101,27 +128,43 @@ GN_OUT_OF_LINE void filter_level(const lookup_state *state, const lookup_place *
     lanes_f nearest[4];
 
     if (linear_quads == 0) {
-        filter_nearest(state, place, level, texel);
+        filter_level_nearest(state, place, level, texel);
         return;
     }
-    filter_linear(state, place, level, linear, texel);
+    filter_level_linear(state, place, level, linear, texel);
     if (linear_quads == GN_ALL_LANES)
         return;
-    filter_nearest(state, place, level, nearest);
+    filter_level_nearest(state, place, level, nearest);
     for (int c = 0; c < 4; ++c)
         texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
 }
 
-GN_OUT_OF_LINE void filter_levels(const lookup_state *state, const lookup_place *place,
-                                  const level_choice *choice, uint32_t linear, lanes_f texel[4])
+/* The quads that mix two levels, all their lanes: weights of 0 show where a texel is not finite. */
+static inline uint32_t mixed_quads(const gn_sampler *sampler, const level_choice *choice,
+                                   bool lod_per_lane, uint32_t linear)
 {
-    const lanes_f zero = lanes_splat(0.0f);
-    const uint32_t mixed = quads_of(lanes_bits(lanes_greater(choice->weight, zero)));
+    const uint32_t weighted =
+        quads_of(lanes_bits(lanes_greater(choice->weight, lanes_splat(0.0f))));
+
+    if (!lod_per_lane || has_one_filter(sampler))
+        return weighted;
+    return weighted | (quads_of(linear) & quads_of(choice->minified));
+}
+
+/* The levels of the lanes, mixed where `mixed`. */
+GN_OUT_OF_LINE void filter_levels(const lookup_state *state, const lookup_place *place,
+                                  const level_choice *choice, uint32_t linear, uint32_t mixed,
+                                  lanes_f texel[4])
+{
     uint32_t levels = levels_in(choice->level) | (mixed ? levels_in(choice->next) : 0);
     lanes_f filtered[4], above[4];
 
+    if (state->texture->target != GN_TEXTURE_CUBE && (levels & (levels - 1)) == 0 && !mixed) {
+        filter_level(state, place, first_lane(levels), linear, texel);
+        return;
+    }
     for (int c = 0; c < 4; ++c)
-        texel[c] = above[c] = zero;
+        texel[c] = above[c] = lanes_splat(0.0f);
     if (state->texture->target == GN_TEXTURE_CUBE) {
         filter_cube(state, place, &choice->level, linear, texel);
         if (mixed)
@@ -130,8 +173,9 @@ GN_OUT_OF_LINE void filter_levels(const lookup_state *state, const lookup_place 
     }
     for (; levels; levels &= levels - 1) {
         const uint32_t level = first_lane(levels);
-        const lanes_m is_first = lanes_i_equal(choice->level, lanes_i_splat((int32_t)level));
-        const lanes_m is_next = lanes_i_equal(choice->next, lanes_i_splat((int32_t)level));
+        const lanes_i number = lanes_i_splat((int32_t)level);
+        const lanes_m is_first = lanes_i_equal(choice->level, number);
+        const lanes_m is_next = lanes_i_equal(choice->next, number);
 
         filter_level(state, place, level, linear, filtered);
         for (int c = 0; c < 4; ++c) {
@@ -161,6 +205,7 @@ static inline void sample_any(const gn_texture *texture, const gn_sampler *sampl
     level_choice choice;
     lanes_f out[4];
     uint32_t linear = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
+    uint32_t mixed = 0;
 
     set_lookup_state(&state, texture, sampler);
     set_lookup_place(&state, lookup, &place);
@@ -178,10 +223,12 @@ static inline void sample_any(const gn_texture *texture, const gn_sampler *sampl
             choice.level = choice.next = lanes_i_splat(0);
         linear = minifies_linearly(sampler->minify) ? linear | choice.minified
                                                     : linear & ~choice.minified;
-        filter_levels(&state, &place, &choice, linear, out);
+        if (mixes_levels(sampler->minify))
+            mixed = mixed_quads(sampler, &choice, has_lod_per_lane(lookup), linear);
+        filter_levels(&state, &place, &choice, linear, mixed, out);
     }
     for (int c = 0; c < 4; ++c)
-        lanes_store(texel[c], out[c]);
+        store_channel(&state, c, out[c], texel[c]);
 }
 
 /* A gn_sample_2d_function. */
@@ -233,7 +280,7 @@ static inline void gather_any(const gn_texture *texture, const gn_sampler *sampl
         const lanes_i *const numbers[3] = {&number[0][second[i][0]], &number[1][second[i][1]], 0};
 
         fetch_place(&state, &place, 0, numbers, fetched);
-        lanes_store(texel[i], fetched[channel & 3]);
+        store_channel(&state, channel & 3, fetched[channel & 3], texel[i]);
     }
 }
 

@@ -99,7 +99,7 @@ static inline fault fault_of_targets_size(const texture_shape *s)
 
 static inline fault fault_of_shape(const texture_shape *s)
 {
-    FAULT_IF((unsigned)s->target > GN_TEXTURE_CUBE, GN_INVALID_ENUM,
+    FAULT_IF(GN_HAVE_TEXTURES && (unsigned)s->target > GN_TEXTURE_CUBE, GN_INVALID_ENUM,
              "target is no gn_texture_target");
     FAULT_IF(!GN_HAVE_TEXTURES && (s->target != GN_TEXTURE_2D || s->level_count > 1),
              GN_NOT_COMPILED, "target or level_count is not that of a GN_BASIC library");

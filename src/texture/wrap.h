@@ -134,8 +134,9 @@ static inline lanes_f wrap_linear_any(gn_wrap wrap, bool masked, lanes_f coordin
     if (wrap == GN_WRAP_MIRROR_CLAMP_TO_EDGE)
         c = clamped_texels(lanes_magnitude(coordinate), n);
     else if (wrap == GN_WRAP_MIRRORED_REPEAT)
-        c = lanes_max(lanes_sub(lanes_mul(lanes_magnitude(mirrored(coordinate)), n), half),
-                      lanes_splat(0.0f));
+        c = lanes_sub(
+            lanes_mul(lanes_max(lanes_magnitude(mirrored(coordinate)), lanes_splat(0.0f)), n),
+            half);
     else
         c = lanes_sub(lanes_mul(coordinate, n), half);
 

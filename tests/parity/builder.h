@@ -11,6 +11,7 @@ typedef struct vertex {
     float color[4];
     float normal[3];
     float texcoord[4];
+    float tangent[4];
 } vertex;
 
 /* Stands for the index that restarts. */
@@ -24,7 +25,9 @@ typedef struct builder {
     gn_pipeline state;
     scene_shader shader;
     bool counted;
-    gn_textured_uniforms uniforms; /* of the texture's levels the first's texels, packed, alone */
+    scene_uniforms uniforms; /* of the texture's levels the first's texels, packed, alone */
+    scene_surface surface;   /* as uniforms */
+    bool has_tangents;
     gn_mat4 view_from_model;
     gn_vec3 specular;
     float clip_plane[GN_MAX_CLIP_DISTANCES][4];

@@ -211,7 +211,7 @@ static bool is_of_texture(const hostile *h, bool filled, int c, float value)
 
     if (c >= channels_of(format))
         return value == (c == 3 ? 1.0f : 0.0f);
-    return is_between(value, least, any || compared ? 1.0f : 0.501f);
+    return is_between(value, least, any || compared ? 1.000001f : 0.501f);
 }
 
 static bool is_tame(float x)

@@ -32,8 +32,8 @@ static size_t level_texels(const level_case *c, uint32_t level)
     return (size_t)size[0] * size[1] * size[2];
 }
 
-/* The first cases of a target and format are all small sizes, the others random: most of them
- * small, since that is where the ends of rows are. */
+/* Every second of the first cases of a target and format has one of all small sizes, the others are
+ * random: most of them small too, since that is where the ends of rows are. */
 static level_case make_case(random_source *r, gn_texture_target target, gn_format format,
                             uint64_t number)
 {
@@ -42,9 +42,9 @@ static level_case make_case(random_source *r, gn_texture_target target, gn_forma
 
     for (int n = 0; n < 3; ++n)
         c.size[n] = 1 + random_below(r, random_chance(r, 75) ? largest : 3 * largest);
-    if (number < 36) {
-        c.size[0] = 1 + (uint32_t)number % 6;
-        c.size[1] = 1 + (uint32_t)number / 6;
+    if (number < 72 && number % 2 == 0) {
+        c.size[0] = 1 + (uint32_t)number / 2 % 6;
+        c.size[1] = 1 + (uint32_t)number / 12;
         c.size[2] = 1 + random_below(r, 9);
     }
     if (target == GN_TEXTURE_1D)

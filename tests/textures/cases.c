@@ -96,14 +96,19 @@ static void choose_sizes(lookup_case *c, random_source *r, uint32_t shape)
 
 static gn_format choose_format(const lookup_case *c, random_source *r)
 {
-    static const gn_format formats[] = {GN_FORMAT_RGBA8, GN_FORMAT_RGBA32F};
+    static const gn_format colors[] = {GN_FORMAT_BGRA8, GN_FORMAT_R8,      GN_FORMAT_RG8,
+                                       GN_FORMAT_RGB8,  GN_FORMAT_RGB565,  GN_FORMAT_RGB5_A1,
+                                       GN_FORMAT_RGBA4, GN_FORMAT_R16,     GN_FORMAT_RGBA16,
+                                       GN_FORMAT_R32F,  GN_FORMAT_RGBA16F, GN_FORMAT_SRGB8_A8};
     static const gn_format depths[] = {GN_FORMAT_D16, GN_FORMAT_D24, GN_FORMAT_D32F,
                                        GN_FORMAT_D24S8, GN_FORMAT_D32FS8};
 
     if (c->target != GN_TEXTURE_3D &&
         random_chance(r, 20)) /* OpenGL has none of three dimensions */
         return depths[random_below(r, sizeof depths / sizeof *depths)];
-    return formats[random_below(r, sizeof formats / sizeof *formats)];
+    if (random_chance(r, 50))
+        return random_chance(r, 70) ? GN_FORMAT_RGBA8 : GN_FORMAT_RGBA32F;
+    return colors[random_below(r, sizeof colors / sizeof *colors)];
 }
 
 static bool is_depth(gn_format f)
@@ -143,22 +148,35 @@ static uint32_t element_size(gn_format f)
                                                              : size;
 }
 
-static void fill_texels(random_source *r, gn_format format, void *texels, size_t count)
+static float random_special(random_source *r)
+{
+    static const float special[] = {INFINITY, -INFINITY, NAN, -0.0f, 0.0f, 1e30f, -1e30f};
+
+    return special[random_below(r, sizeof special / sizeof *special)];
+}
+
+/* Of floats, `wild` percent are not finite, large or a zero of either sign. */
+static void fill_texels(random_source *r, gn_format format, uint32_t wild, void *texels,
+                        size_t count)
 {
     const size_t bytes = count * gn_format_size(format);
     float *const floats = texels;
+    uint16_t *const halves = texels;
 
     if (is_depth(format)) {
         fill_depths(r, format, texels, count);
         return;
     }
-    if (format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F) {
-        for (size_t i = 0; i < bytes / 4; ++i)
-            floats[i] = random_float(r, -0.5f, 1.5f);
-        return;
-    }
     for (size_t i = 0; i < bytes; ++i)
         ((unsigned char *)texels)[i] = (unsigned char)random_below(r, 256);
+    for (size_t i = 0; i < bytes / 4; ++i) {
+        if (format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F)
+            floats[i] = random_chance(r, wild) ? random_special(r) : random_float(r, -0.5f, 1.5f);
+    }
+    for (size_t i = 0; format == GN_FORMAT_RGBA16F && i < bytes / 2; ++i) {
+        if ((halves[i] & 0x7C00) == 0x7C00)
+            halves[i] = (uint16_t)(random_chance(r, wild) ? halves[i] & 0xFC00 : 0x3555);
+    }
 }
 
 /* Fills a level in and copies it into the library's memory, where rows and layers are a random
@@ -180,7 +198,8 @@ static bool make_level(lookup_case *c, random_source *r, uint32_t n, unsigned ch
     c->packed[n] = malloc(row * size[1] * size[2]);
     if (!c->packed[n])
         return false;
-    fill_texels(r, c->format, c->packed[n], (size_t)size[0] * size[1] * size[2]);
+    fill_texels(r, c->format, c->is_wild ? 5 : 0, c->packed[n],
+                (size_t)size[0] * size[1] * size[2]);
     level->row_stride = flipped ? -(ptrdiff_t)stride : (ptrdiff_t)stride;
     level->layer_stride = (ptrdiff_t)layer;
     level->texels = memory + *used + (flipped ? stride * (size[1] - 1) : 0);
@@ -249,8 +268,9 @@ static float random_coordinate(random_source *r, uint32_t size, bool is_wild)
         s = random_octave(r, 3, 40);
         return s * random_sign(r);
     case 7: {
-        static const float far[] = {1e30f, -1e30f, 3e9f, -3e9f, 16777216.0f, -16777217.0f};
-        return far[random_below(r, 6)];
+        static const float far[] = {1e30f,        -1e30f,   3e9f,      -3e9f, 16777216.0f,
+                                    -16777217.0f, INFINITY, -INFINITY, NAN};
+        return far[random_below(r, sizeof far / sizeof *far)];
     }
     default:
         return s;

@@ -1,6 +1,7 @@
 /* Generated levels: cases worked by hand, where they are put, and every fault. That they are the
  * reference's is tested beside it (tests/texels). */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "unit.h"
@@ -88,6 +89,23 @@ static void layers(void **state)
     expect_texel(&t, 2, 0, 0, 0, 26.5f);
 }
 
+/* One row is mixed with itself in two dimensions, not in one: an infinity less itself is NaN. */
+static void infinities(void **state)
+{
+    (void)state;
+    static const float texels[2] = {1, INFINITY};
+    float memory;
+    gn_texture t;
+
+    gn_texture_packed(GN_TEXTURE_1D, GN_FORMAT_R32F, 2, 1, 0, 1, texels, &t);
+    assert_int_equal(gn_texture_generate_levels(&t, &memory, sizeof memory), GN_OK);
+    assert_true(memory == INFINITY);
+    t.target = GN_TEXTURE_2D;
+    t.level_count = 1;
+    assert_int_equal(gn_texture_generate_levels(&t, &memory, sizeof memory), GN_OK);
+    assert_true(isnan(memory));
+}
+
 /* Bytes are rounded to nearest; red, green and blue of sRGB are mixed as linear colours: half of
  * white's light is 188. */
 static void conversions(void **state)
@@ -125,6 +143,43 @@ static void strides(void **state)
     t.level[0].layer_stride = -(ptrdiff_t)sizeof apart[0];
     assert_int_equal(gn_texture_generate_levels(&t, memory, sizeof memory), GN_OK);
     assert_memory_equal(memory, expected, sizeof(float) * 2 * (2 + 1));
+}
+
+/* The largest sizes, in memory of just that size: one value stays what it is. */
+static void largest_sizes(void **state)
+{
+    (void)state;
+    static const uint32_t sizes[][3] = {{GN_MAX_SIZE, 1, 1},     {1, GN_MAX_SIZE, 1},
+                                        {1, 1, GN_MAX_SIZE},     {GN_MAX_SIZE - 1, 3, 2},
+                                        {5, GN_MAX_SIZE - 1, 1}, {3, 2, 10000}};
+
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
+        const uint32_t *const n = sizes[i];
+        const size_t first =
+            gn_texture_memory_size(GN_TEXTURE_3D, GN_FORMAT_RGB8, n[0], n[1], n[2], 1);
+        unsigned char *const texels = malloc(first);
+        gn_texture t;
+
+        assert_non_null(texels);
+        memset(texels, 77, first);
+        gn_texture_packed(GN_TEXTURE_3D, GN_FORMAT_RGB8, n[0], n[1], n[2], 1, texels, &t);
+
+        const uint32_t levels = n[0] >= GN_MAX_SIZE || n[1] >= GN_MAX_SIZE || n[2] >= GN_MAX_SIZE
+                                    ? GN_MAX_LEVELS
+                                    : GN_MAX_LEVELS - 1;
+        const size_t rest =
+            gn_texture_memory_size(GN_TEXTURE_3D, GN_FORMAT_RGB8, n[0], n[1], n[2], levels) - first;
+        unsigned char *const memory = malloc(rest);
+        assert_non_null(memory);
+        assert_int_equal(gn_texture_generate_levels(&t, memory, rest - 1), GN_WORKSPACE_TOO_SMALL);
+        assert_int_equal(gn_texture_generate_levels(&t, memory, rest), GN_OK);
+        assert_int_equal(t.level_count, levels);
+        assert_int_equal(gn_texture_check(&t), GN_OK);
+        for (size_t b = 0; b < rest; ++b)
+            assert_true(memory[b] == 77);
+        free(memory);
+        free(texels);
+    }
 }
 
 static void faults(void **state)
@@ -181,9 +236,9 @@ static void one_texel(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(even_sizes),  cmocka_unit_test(odd_sizes), cmocka_unit_test(layers),
-        cmocka_unit_test(conversions), cmocka_unit_test(strides),   cmocka_unit_test(faults),
-        cmocka_unit_test(one_texel),
+        cmocka_unit_test(even_sizes),    cmocka_unit_test(odd_sizes),   cmocka_unit_test(layers),
+        cmocka_unit_test(infinities),    cmocka_unit_test(conversions), cmocka_unit_test(strides),
+        cmocka_unit_test(largest_sizes), cmocka_unit_test(faults),      cmocka_unit_test(one_texel),
     };
     return cmocka_run_group_tests_name("levels", tests, NULL, NULL);
 }

@@ -5,59 +5,132 @@
 
 #include "unit.h"
 
-static gn_textured_uniforms uniforms;
+static gn_lit_uniforms uniforms;
+static gn_texture texture;
 static const uint32_t texels[4] = {0xFF0000FFu, 0xFF00FF00u, 0xFFFF0000u, 0x80FFFFFFu};
 
 static void reset(void)
 {
     memset(&uniforms, 0, sizeof uniforms);
+    memset(&texture, 0, sizeof texture);
+    uniforms.material.diffuse_map = &texture;
     for (int i = 0; i < 4; ++i)
-        uniforms.light.clip_from_model.m[i][i] = 2.0f;
+        uniforms.clip_from_model.m[i][i] = 2.0f;
     for (int i = 0; i < 3; ++i)
-        uniforms.light.normal_matrix.m[i][i] = 1.0f;
-    uniforms.light.light_direction.z = 1.0f;
+        uniforms.normal_matrix.m[i][i] = 1.0f;
+    uniforms.light.direction.z = 1.0f;
     uniforms.light.ambient.x = uniforms.light.ambient.y = uniforms.light.ambient.z = 0.25f;
     uniforms.light.diffuse.x = uniforms.light.diffuse.y = uniforms.light.diffuse.z = 0.5f;
-    uniforms.texture.level[0].texels = texels;
-    uniforms.texture.level[0].row_stride = 8;
-    uniforms.texture.width = 2;
-    uniforms.texture.height = 2;
-    uniforms.texture.format = GN_FORMAT_RGBA8;
-    uniforms.sampler.magnify = GN_MAGNIFY_NEAREST;
+    texture.level[0].texels = texels;
+    texture.level[0].row_stride = 8;
+    texture.width = 2;
+    texture.height = 2;
+    texture.format = GN_FORMAT_RGBA8;
+    uniforms.material.sampler.magnify = GN_MAGNIFY_NEAREST;
 }
+
+typedef gn_status use_function(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
+
+static use_function *const lit_shaders[] = {gn_use_flat,  gn_use_gouraud,     gn_use_toon,
+                                            gn_use_phong, gn_use_blinn_phong, gn_use_normal_color};
+
+enum { LIT = sizeof lit_shaders / sizeof *lit_shaders };
 
 static void null_pointers(void **state)
 {
     (void)state;
     gn_color_uniforms color = {{{{0}}}};
+    gn_unlit_uniforms unlit = {0};
+    gn_depth_color_uniforms depth = {{{{0}}}, 0.0f, 0.0f};
     gn_pipeline p;
 
     reset();
     assert_int_equal(gn_use_vertex_color(NULL, &color), GN_NULL_POINTER);
     assert_int_equal(gn_use_vertex_color(&p, NULL), GN_NULL_POINTER);
-    assert_int_equal(gn_use_flat(NULL, &uniforms.light), GN_NULL_POINTER);
-    assert_int_equal(gn_use_flat(&p, NULL), GN_NULL_POINTER);
-    assert_int_equal(gn_use_gouraud(NULL, &uniforms.light), GN_NULL_POINTER);
-    assert_int_equal(gn_use_gouraud(&p, NULL), GN_NULL_POINTER);
-    assert_int_equal(gn_use_textured_gouraud(NULL, &uniforms), GN_NULL_POINTER);
-    assert_int_equal(gn_use_textured_gouraud(&p, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_use_depth_only(NULL, &color), GN_NULL_POINTER);
+    assert_int_equal(gn_use_depth_only(&p, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_use_unlit(NULL, &unlit), GN_NULL_POINTER);
+    assert_int_equal(gn_use_unlit(&p, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_use_depth_color(NULL, &depth), GN_NULL_POINTER);
+    assert_int_equal(gn_use_depth_color(&p, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_lit_uniforms_check(NULL), GN_NULL_POINTER);
+    for (int i = 0; i < LIT; ++i) {
+        assert_int_equal(lit_shaders[i](NULL, &uniforms), GN_NULL_POINTER);
+        assert_int_equal(lit_shaders[i](&p, NULL), GN_NULL_POINTER);
+    }
 }
 
-static void bad_textures_leave_the_pipeline(void **state)
+/* All that light refuse it, and leave the pipeline. */
+static void assert_refused(gn_status expected)
+{
+    gn_pipeline p, before;
+
+    memset(&p, 0, sizeof p);
+    before = p;
+    assert_int_equal(gn_lit_uniforms_check(&uniforms), expected);
+    for (int i = 0; i < LIT; ++i) {
+        assert_int_equal(lit_shaders[i](&p, &uniforms), expected);
+        assert_memory_equal(&p, &before, sizeof p);
+    }
+    reset();
+}
+
+static void bad_uniforms_leave_the_pipeline(void **state)
 {
     (void)state;
+    static const float depth = 0.5f;
+    gn_texture line, map;
+
+    reset();
+    texture.width = 0;
+    assert_refused(GN_INVALID_SIZE);
+    uniforms.material.sampler.wrap_t = (gn_wrap)7;
+    assert_refused(GN_INVALID_ENUM);
+    assert_int_equal(gn_texture_packed(GN_TEXTURE_1D, GN_FORMAT_RGBA8, 4, 1, 1, 1, texels, &line),
+                     GN_OK);
+    uniforms.material.glow_map = &line;
+    assert_refused(GN_INVALID_ENUM);
+    uniforms.material.normal_space = (gn_normal_space)2;
+    assert_refused(GN_INVALID_ENUM);
+    uniforms.material.bands = 1;
+    assert_refused(GN_OUT_OF_RANGE);
+    uniforms.material.bands = 257;
+    assert_refused(GN_OUT_OF_RANGE);
+    uniforms.shadow.map = &texture;
+    uniforms.shadow.sampler.compare = GN_TEXTURE_COMPARE_LESS;
+    assert_refused(GN_INVALID_FORMAT);
+    assert_int_equal(gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_D32F, 1, 1, 1, 1, &depth, &map),
+                     GN_OK);
+    uniforms.shadow.map = &map;
+    assert_refused(GN_INVALID_ENUM); /* nothing is compared */
+    uniforms.shadow.map = &map;
+    uniforms.shadow.sampler.compare = GN_TEXTURE_COMPARE_LESS;
+    uniforms.material.bands = 256;
+    assert_int_equal(gn_lit_uniforms_check(&uniforms), GN_OK);
+}
+
+static void bad_maps_and_depths(void **state)
+{
+    (void)state;
+    gn_unlit_uniforms unlit = {0};
+    gn_depth_color_uniforms depth = {{{{0}}}, 0.5f, 0.5f};
     gn_pipeline p, before;
 
     reset();
     memset(&p, 0, sizeof p);
     before = p;
-    uniforms.texture.width = 0;
-    assert_int_equal(gn_use_textured_gouraud(&p, &uniforms), GN_INVALID_SIZE);
-    assert_memory_equal(&p, &before, sizeof p);
+    texture.height = 0;
+    unlit.map = &texture;
+    assert_int_equal(gn_use_unlit(&p, &unlit), GN_INVALID_SIZE);
     reset();
-    uniforms.sampler.wrap_t = (gn_wrap)7;
-    assert_int_equal(gn_use_textured_gouraud(&p, &uniforms), GN_INVALID_ENUM);
+    unlit.sampler.magnify = (gn_magnify)2;
+    assert_int_equal(gn_use_unlit(&p, &unlit), GN_INVALID_ENUM);
+    assert_int_equal(gn_use_depth_color(&p, &depth), GN_OUT_OF_RANGE);
+    depth.white = INFINITY;
+    assert_int_equal(gn_use_depth_color(&p, &depth), GN_NOT_FINITE);
     assert_memory_equal(&p, &before, sizeof p);
+    unlit.map = NULL;
+    assert_int_equal(gn_use_unlit(&p, &unlit), GN_OK);
 }
 
 static void only_shader_fields_are_set(void **state)
@@ -70,10 +143,8 @@ static void only_shader_fields_are_set(void **state)
     p.topology = GN_TRIANGLE_FAN;
     p.cull = GN_CULL_FRONT;
     p.depth_test = true;
-    assert_int_equal(gn_use_flat(&p, &uniforms.light), GN_OK);
-    assert_int_equal(p.interpolation[3], GN_FLAT);
-    assert_int_equal(gn_use_textured_gouraud(&p, &uniforms), GN_OK);
-    assert_int_equal(p.varying_count, GN_SHADER_VARYINGS);
+    assert_int_equal(gn_use_gouraud(&p, &uniforms), GN_OK);
+    assert_int_equal(p.varying_count, 6);
     for (uint32_t n = 0; n < p.varying_count; ++n)
         assert_int_equal(p.interpolation[n], GN_SMOOTH);
     assert_ptr_equal(p.uniforms, &uniforms);
@@ -82,6 +153,9 @@ static void only_shader_fields_are_set(void **state)
     assert_true(p.depth_test);
     assert_int_equal(gn_pipeline_check(&p), GN_OK);
 }
+
+/* The attributes that the mesh is said to have, as bits. */
+static uint32_t present = 15;
 
 static void shade_vertex(const gn_pipeline *p, const float normal[3], float position[4],
                          float varying[GN_SHADER_VARYINGS])
@@ -103,6 +177,7 @@ static void shade_vertex(const gn_pipeline *p, const float normal[3], float posi
     in.attribute = (const float(*)[4][GN_LANES])attribute;
     in.vertex_id = id;
     in.count = GN_LANES;
+    in.present = present;
     out.position = positions;
     out.varying = varyings;
     p->vertex_shader(p->uniforms, &in, &out);
@@ -127,7 +202,7 @@ static void light_follows_the_cosine(void **state)
 
     reset();
     memset(&p, 0, sizeof p);
-    assert_int_equal(gn_use_textured_gouraud(&p, &uniforms), GN_OK);
+    assert_int_equal(gn_use_gouraud(&p, &uniforms), GN_OK);
     for (int i = 0; i < 4; ++i) {
         shade_vertex(&p, normals[i], position, varying);
         for (int c = 0; c < 4; ++c)
@@ -137,6 +212,25 @@ static void light_follows_the_cosine(void **state)
         assert_true(varying[3] == 0.5f);
         assert_true(varying[4] == 0.0f && varying[5] == 0.125f);
     }
+}
+
+static void absent_colors_are_white(void **state)
+{
+    (void)state;
+    static const float normal[3] = {0, 0, 1};
+    gn_pipeline p;
+    float position[4], varying[GN_SHADER_VARYINGS];
+
+    reset();
+    memset(&p, 0, sizeof p);
+    present = 15 & ~(1u << GN_ATTRIBUTE_COLOR);
+    for (int i = 0; i < LIT; ++i) {
+        assert_int_equal(lit_shaders[i](&p, &uniforms), GN_OK);
+        shade_vertex(&p, normal, position, varying);
+        assert_true(varying[3] == 1.0f);
+        assert_true(varying[0] == (lit_shaders[i] == gn_use_gouraud ? 0.75f : 1.0f));
+    }
+    present = 15;
 }
 
 static void texture_multiplies_every_channel(void **state)
@@ -149,7 +243,7 @@ static void texture_multiplies_every_channel(void **state)
 
     reset();
     memset(&p, 0, sizeof p);
-    assert_int_equal(gn_use_textured_gouraud(&p, &uniforms), GN_OK);
+    assert_int_equal(gn_use_gouraud(&p, &uniforms), GN_OK);
     for (int l = 0; l < GN_LANES; ++l) {
         for (int c = 0; c < 4; ++c)
             varying[c][l] = 0.5f;
@@ -171,9 +265,11 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(null_pointers),
-        cmocka_unit_test(bad_textures_leave_the_pipeline),
+        cmocka_unit_test(bad_uniforms_leave_the_pipeline),
+        cmocka_unit_test(bad_maps_and_depths),
         cmocka_unit_test(only_shader_fields_are_set),
         cmocka_unit_test(light_follows_the_cosine),
+        cmocka_unit_test(absent_colors_are_white),
         cmocka_unit_test(texture_multiplies_every_channel),
     };
     return cmocka_run_group_tests_name("shaders", tests, NULL, NULL);

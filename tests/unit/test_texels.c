@@ -448,6 +448,45 @@ static void nothing_outside_is_read(void **state)
     }
 }
 
+/* The ends of the largest sizes, in memory of just that size. */
+static void largest_sizes(void **state)
+{
+    (void)state;
+    static const struct {
+        gn_texture_target target;
+        uint32_t size[3];
+    } shapes[] = {{GN_TEXTURE_1D, {GN_MAX_SIZE, 1, 1}},
+                  {GN_TEXTURE_2D, {GN_MAX_SIZE, 2, 1}},
+                  {GN_TEXTURE_2D, {2, GN_MAX_SIZE, 1}},
+                  {GN_TEXTURE_3D, {2, 2, GN_MAX_SIZE}},
+                  {GN_TEXTURE_2D_ARRAY, {1, 2, GN_MAX_SIZE}}};
+
+    for (int f = 0; f < FORMATS; ++f) {
+        for (size_t i = 0; i < sizeof shapes / sizeof *shapes; ++i) {
+            const uint32_t *const n = shapes[i].size;
+            const size_t bytes =
+                gn_texture_memory_size(shapes[i].target, all_formats[f], n[0], n[1], n[2], 1);
+            unsigned char *const memory = calloc(1, bytes);
+            const size_t size = gn_format_size(all_formats[f]);
+            const int32_t last[4] = {(int32_t)n[0] - 1, (int32_t)n[1] - 1, (int32_t)n[2] - 1, 0};
+            const int32_t first[4] = {0, 0, 0, 0};
+            float texel[4];
+            gn_texture t;
+
+            assert_non_null(memory);
+            memset(memory + bytes - size, 0x3F, size);
+            assert_int_equal(gn_texture_packed(shapes[i].target, all_formats[f], n[0], n[1], n[2],
+                                               1, memory, &t),
+                             GN_OK);
+            fetch_one(&t, last, texel);
+            assert_true(texel[0] > 0.0f);
+            fetch_one(&t, first, texel);
+            assert_true(texel[0] == 0.0f);
+            free(memory);
+        }
+    }
+}
+
 /* Rows and layers that no index of 32 bits reaches, in a file of holes. */
 static void texels_far_apart(void **state)
 {
@@ -509,6 +548,7 @@ int main(void)
         cmocka_unit_test(formats_have_their_channels),
         cmocka_unit_test(fetches_within_and_beyond),
         cmocka_unit_test(nothing_outside_is_read),
+        cmocka_unit_test(largest_sizes),
         cmocka_unit_test(texels_far_apart),
     };
     return cmocka_run_group_tests_name("texels", tests, NULL, NULL);

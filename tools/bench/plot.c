@@ -85,6 +85,9 @@ static const char *description_of(const char *scene)
     static const char *const descriptions[][2] = {
         {"S1", "64 full screens, four colours"},
         {"S2", "64 full screens, bilinear texture"},
+        {"S2 nearest", "the same, nearest texel"},
+        {"S2 levels", "the same, mixed from two levels"},
+        {"S2 cube", "the same, of a cube map, two levels"},
         {"S3", "199,692 triangles, lit per vertex"},
         {"S4", "10,092 triangles, textured, a user's Phong shader"},
         {"S5", "1,002,252 triangles, lit per vertex"},

@@ -11,8 +11,12 @@ enum { MOST_QUADS = 64, TEXTURE_SIDE = 512 };
 const bench_scene bench_scenes[BENCH_SCENE_COUNT] = {
     {"S1", BENCH_QUADS, 1024, 64, 0.0f},
     {"S2", BENCH_TEXTURED_QUADS, 1024, 64, 0.0f},
+    {"S2 nearest", BENCH_NEAREST_QUADS, 1024, 64, 0.0f},
+    {"S2 levels", BENCH_LEVEL_QUADS, 1024, 64, 0.0f},
+    {"S2 cube", BENCH_CUBE_QUADS, 1024, 64, 0.0f},
     {"S3", BENCH_SPHERE, 1024, 129, 820.0f / 1024.0f},
     {"S4", BENCH_PHONG_SPHERE, 1024, 29, 1000.0f / 1024.0f},
+    {"S4 ready", BENCH_READY_PHONG_SPHERE, 1024, 29, 1000.0f / 1024.0f},
     {"S5", BENCH_SPHERE, 1024, 289, 564.0f / 1024.0f},
     {"S6", BENCH_CLEAR, 1024, 0, 0.0f},
 };
@@ -52,28 +56,67 @@ static scene_draw *add_draw(scene *s, scene_shader shader)
 }
 
 /* Bytes that follow no pattern, the same in every run (the finalizer of MurmurHash3). */
-static void add_texture(scene_draw *d)
+static void fill_texels(uint32_t *texels, uint32_t count)
 {
-    static uint32_t texels[TEXTURE_SIDE * TEXTURE_SIDE];
-
-    for (uint32_t i = 0; i < TEXTURE_SIDE * TEXTURE_SIDE; ++i) {
+    for (uint32_t i = 0; i < count; ++i) {
         uint32_t h = i;
 
         h = (h ^ h >> 16) * UINT32_C(0x85ebca6b);
         h = (h ^ h >> 13) * UINT32_C(0xc2b2ae35);
         texels[i] = h ^ h >> 16;
     }
+}
+
+static void add_texture(scene_draw *d)
+{
+    static uint32_t texels[TEXTURE_SIDE * TEXTURE_SIDE];
+
+    fill_texels(texels, TEXTURE_SIDE * TEXTURE_SIDE);
     scene_set_texture(d, texels, TEXTURE_SIDE, TEXTURE_SIDE, GN_FORMAT_RGBA8);
     d->uniforms.sampler.magnify = GN_MAGNIFY_LINEAR;
     d->uniforms.sampler.minify = GN_MINIFY_LINEAR;
 }
 
-static void add_quads(scene *s, uint32_t quads, bool textured)
+/* All levels of a texture, each of texels of its own. */
+static void add_levels(scene_draw *d, gn_texture_target target)
+{
+    static uint32_t texels[2 * 6 * TEXTURE_SIDE * TEXTURE_SIDE];
+    const uint32_t levels = 10; /* 512 to 1 */
+    gn_texture texture;
+
+    fill_texels(texels, sizeof texels / sizeof *texels);
+    if (gn_texture_packed(target, GN_FORMAT_RGBA8, TEXTURE_SIDE, TEXTURE_SIDE, 1, levels, texels,
+                          &texture) != GN_OK)
+        abort();
+    scene_set_levels(d, &texture);
+    d->uniforms.sampler.magnify = GN_MAGNIFY_LINEAR;
+    d->uniforms.sampler.minify = GN_MINIFY_LINEAR_MIPMAP_LINEAR;
+}
+
+static void set_quads_texture(scene_draw *d, bench_shape shape)
+{
+    if (shape == BENCH_LEVEL_QUADS || shape == BENCH_CUBE_QUADS) {
+        add_levels(d, shape == BENCH_CUBE_QUADS ? GN_TEXTURE_CUBE : GN_TEXTURE_2D);
+        return;
+    }
+    add_texture(d);
+    if (shape == BENCH_NEAREST_QUADS) {
+        d->uniforms.sampler.magnify = GN_MAGNIFY_NEAREST;
+        d->uniforms.sampler.minify = GN_MINIFY_NEAREST;
+    }
+}
+
+/* Of a cube the texture coordinates are a direction, that of the corner. */
+static void add_quads(scene *s, uint32_t quads, bench_shape shape)
 {
     static const float corner_color[4][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}};
     float position[MOST_QUADS * 4][3], color[MOST_QUADS * 4][3];
-    float normal[MOST_QUADS * 4][3], texcoord[MOST_QUADS * 4][2];
+    float normal[MOST_QUADS * 4][3], texcoord[MOST_QUADS * 4][3];
     uint32_t index[MOST_QUADS * 6];
+    const scene_shader shader = shape == BENCH_QUADS ? SCENE_VERTEX_COLOR
+                                : shape == BENCH_LEVEL_QUADS || shape == BENCH_CUBE_QUADS
+                                    ? SCENE_SAMPLED
+                                    : SCENE_TEXTURED_GOURAUD;
 
     for (uint32_t q = 0; q < quads; ++q) {
         const float distance = 1.0f + 100.0f * (float)(quads - 1 - q) / (float)(quads - 1);
@@ -88,6 +131,9 @@ static void add_quads(scene *s, uint32_t quads, bool textured)
             position[i][2] = -d;
             texcoord[i][0] = v & 1 ? 4.0f : 0.0f;
             texcoord[i][1] = v < 2 ? 0.0f : 4.0f;
+            texcoord[i][2] = 0.0f;
+            for (int c = 0; shape == BENCH_CUBE_QUADS && c < 3; ++c)
+                texcoord[i][c] = position[i][c] / distance;
             for (int c = 0; c < 3; ++c) {
                 color[i][c] = corner_color[v][c];
                 normal[i][c] = c == 2 ? 1.0f : 0.0f;
@@ -96,15 +142,15 @@ static void add_quads(scene *s, uint32_t quads, bool textured)
         for (uint32_t i = 0; i < 6; ++i)
             index[6 * q + i] = 4 * q + order[i];
     }
-    scene_draw *d = add_draw(s, textured ? SCENE_TEXTURED_GOURAUD : SCENE_VERTEX_COLOR);
+    scene_draw *d = add_draw(s, shader);
     scene_set_attribute(d, GN_ATTRIBUTE_POSITION, position[0], 3, quads * 4);
     scene_set_attribute(d, GN_ATTRIBUTE_COLOR, color[0], 3, quads * 4);
-    if (textured) { /* under a light that leaves the colours as they are */
+    if (shape != BENCH_QUADS) { /* under a light that leaves the colours as they are */
         d->uniforms.light.ambient = (gn_vec3){1.0f, 1.0f, 1.0f};
         d->uniforms.light.light_direction = (gn_vec3){0.0f, 0.0f, 1.0f};
         scene_set_attribute(d, GN_ATTRIBUTE_NORMAL, normal[0], 3, quads * 4);
-        scene_set_attribute(d, GN_ATTRIBUTE_TEXCOORD, texcoord[0], 2, quads * 4);
-        add_texture(d);
+        scene_set_attribute(d, GN_ATTRIBUTE_TEXCOORD, texcoord[0], 3, quads * 4);
+        set_quads_texture(d, shape);
     }
     scene_set_indices(d, index, quads * 6, GN_INDEX_UINT32);
 }
@@ -163,11 +209,11 @@ static sphere_mesh make_sphere(uint32_t n)
 
 /* Seen so that the outline, at the angle whose sine is 1 / distance, is as wide as
  * `across`. */
-static void add_sphere(scene *s, uint32_t n, float across, bool phong)
+static void add_sphere(scene *s, uint32_t n, float across, scene_shader shader)
 {
     const float distance = sqrtf(1.0f + across * across) / across;
     sphere_mesh m = make_sphere(n);
-    scene_draw *d = add_draw(s, phong ? SCENE_PHONG : SCENE_GOURAUD);
+    scene_draw *d = add_draw(s, shader);
     gn_transform back;
 
     gn_translate((gn_vec3){0.0f, 0.0f, -distance}, &back);
@@ -179,8 +225,10 @@ static void add_sphere(scene *s, uint32_t n, float across, bool phong)
     d->state.cull = GN_CULL_BACK;
     scene_set_attribute(d, GN_ATTRIBUTE_POSITION, m.normal, 3, m.vertex_count);
     scene_set_attribute(d, GN_ATTRIBUTE_NORMAL, m.normal, 3, m.vertex_count);
-    if (phong) {
+    if (shader != SCENE_GOURAUD) {
         d->view_from_model = back.matrix;
+        d->surface.world_from_model = back.matrix;
+        d->surface.exponent = 32;
         d->specular = (gn_vec3){0.5f, 0.5f, 0.5f};
         scene_set_attribute(d, GN_ATTRIBUTE_TEXCOORD, m.texcoord, 2, m.vertex_count);
         add_texture(d);
@@ -204,11 +252,19 @@ scene *bench_build(const bench_scene *b)
         break;
     case BENCH_QUADS:
     case BENCH_TEXTURED_QUADS:
-        add_quads(s, b->detail, b->shape == BENCH_TEXTURED_QUADS);
+    case BENCH_NEAREST_QUADS:
+    case BENCH_LEVEL_QUADS:
+    case BENCH_CUBE_QUADS:
+        add_quads(s, b->detail, b->shape);
         break;
     case BENCH_SPHERE:
+        add_sphere(s, b->detail, b->across, SCENE_GOURAUD);
+        break;
     case BENCH_PHONG_SPHERE:
-        add_sphere(s, b->detail, b->across, b->shape == BENCH_PHONG_SPHERE);
+        add_sphere(s, b->detail, b->across, SCENE_PHONG);
+        break;
+    case BENCH_READY_PHONG_SPHERE:
+        add_sphere(s, b->detail, b->across, SCENE_MAPPED_PHONG);
         break;
     }
     return s;

@@ -4,10 +4,13 @@
  *   S1  fill: 64 full-screen quads back to front, the top 1.25 times further than the
  *       bottom, four colours interpolated
  *   S2  the same with a repeating bilinear texture of 512x512, coordinates 0 to 4
+ *       "S2 nearest" takes the nearest texel; "S2 levels" mixes two levels, and "S2 cube" those of
+ *       a cube map, by a user's shader (reference/scene/sampled.h)
  *   S3  cube-sphere of 199,692 triangles, about 820 across, lit per vertex, back faces
  *       culled
  *   S4  cube-sphere of 10,092 triangles, 1000 across, textured, Phong's highlight at every
  *       pixel (reference/scene/phong.h), back faces culled
+ *       "S4 ready" is the same with the ready-made gn_use_phong
  *   S5  cube-sphere of 1,002,252 triangles, 564 across, as S3
  *   S6  clear only
  *
@@ -23,8 +26,12 @@ typedef enum bench_shape {
     BENCH_CLEAR,
     BENCH_QUADS,
     BENCH_TEXTURED_QUADS,
+    BENCH_NEAREST_QUADS,
+    BENCH_LEVEL_QUADS,
+    BENCH_CUBE_QUADS,
     BENCH_SPHERE,
-    BENCH_PHONG_SPHERE
+    BENCH_PHONG_SPHERE,
+    BENCH_READY_PHONG_SPHERE
 } bench_shape;
 
 typedef struct bench_scene {
@@ -35,7 +42,7 @@ typedef struct bench_scene {
     float across;    /* the sphere's outline, as a part of the side */
 } bench_scene;
 
-#define BENCH_SCENE_COUNT 6
+#define BENCH_SCENE_COUNT 10
 #define BENCH_SCALE_COUNT 19
 
 extern const bench_scene bench_scenes[BENCH_SCENE_COUNT];

@@ -113,7 +113,7 @@ scene_draw *picture_add_part(scene *s, const model_part *part, scene_shader shad
                              const camera *view, gn_vec3 light_direction)
 {
     scene_draw *draw = scene_add_draw(s);
-    gn_light_uniforms *light = &draw->uniforms.light;
+    scene_light *light = &draw->uniforms.light;
     draw->shader = shader;
     draw->state.depth_test = true;
     draw->uniforms.sampler.minify = GN_MINIFY_LINEAR;

@@ -1,0 +1,318 @@
+/* Sampling: every fault of a sampler in statuses and words; wraps, borders, gathers, levels and
+ * where a level of detail comes from, by hand-worked cases; one place beside sixteen. */
+#include <math.h>
+#include <string.h>
+
+#include "unit.h"
+
+/* Texel (x, y) of the image is (x, y, 0, 1) in 1/255, eight columns and two rows. */
+enum { WIDTH = 8, HEIGHT = 2, LEVELS = 4 };
+
+static uint32_t image[WIDTH * HEIGHT];
+
+static gn_texture columns(void)
+{
+    gn_texture t;
+
+    memset(&t, 0, sizeof t);
+    for (uint32_t i = 0; i < WIDTH * HEIGHT; ++i)
+        image[i] = i % WIDTH | i / WIDTH << 8 | 0xFF000000u;
+    t.format = GN_FORMAT_RGBA8;
+    t.width = WIDTH;
+    t.height = HEIGHT;
+    t.level[0].texels = image;
+    t.level[0].row_stride = WIDTH * 4;
+    return t;
+}
+
+/* Level n is red n in 1/255 all over. */
+static gn_texture levels(void)
+{
+    static uint32_t texels[LEVELS][WIDTH * WIDTH];
+    gn_texture t;
+
+    memset(&t, 0, sizeof t);
+    t.format = GN_FORMAT_RGBA8;
+    t.width = t.height = WIDTH;
+    t.level_count = LEVELS;
+    for (uint32_t n = 0; n < LEVELS; ++n) {
+        for (int i = 0; i < WIDTH * WIDTH; ++i)
+            texels[n][i] = n | 0xFF000000u;
+        t.level[n].texels = texels[n];
+        t.level[n].row_stride = (ptrdiff_t)(WIDTH >> n) * 4;
+    }
+    return t;
+}
+
+static gn_sampler nearest(gn_wrap wrap)
+{
+    gn_sampler s;
+
+    memset(&s, 0, sizeof s);
+    s.wrap_s = s.wrap_t = s.wrap_r = wrap;
+    s.magnify = GN_MAGNIFY_NEAREST;
+    s.minify = GN_MINIFY_NEAREST;
+    return s;
+}
+
+static void expect_fault(const gn_sampler *s, gn_status status, const char *word)
+{
+    const char *const text = gn_sampler_fault(s);
+
+    assert_int_equal(gn_sampler_check(s), status);
+    assert_non_null(text);
+    assert_non_null(strstr(text, word));
+}
+
+static void faults(void **state)
+{
+    (void)state;
+    const gn_sampler good = nearest(GN_WRAP_MIRROR_CLAMP_TO_EDGE);
+    gn_sampler s = good;
+
+    assert_int_equal(gn_sampler_check(&s), GN_OK);
+    assert_null(gn_sampler_fault(&s));
+    expect_fault(NULL, GN_NULL_POINTER, "null");
+    s.wrap_s = (gn_wrap)5;
+    expect_fault(&s, GN_INVALID_ENUM, "wrap_s");
+    s = good;
+    s.wrap_t = (gn_wrap)-1;
+    expect_fault(&s, GN_INVALID_ENUM, "wrap_t");
+    s = good;
+    s.wrap_r = (gn_wrap)5;
+    expect_fault(&s, GN_INVALID_ENUM, "wrap_r");
+    s = good;
+    s.magnify = (gn_magnify)2;
+    expect_fault(&s, GN_INVALID_ENUM, "magnify");
+    s = good;
+    s.minify = (gn_minify)6;
+    expect_fault(&s, GN_INVALID_ENUM, "minify");
+    s = good;
+    s.compare = (gn_texture_compare)9;
+    expect_fault(&s, GN_INVALID_ENUM, "compare");
+    s = good;
+    s.lod_bias = INFINITY;
+    expect_fault(&s, GN_NOT_FINITE, "lod_bias");
+    s = good;
+    s.min_lod = NAN;
+    assert_int_equal(gn_sampler_check(&s), GN_OK);
+    s.lod_clamped = true;
+    expect_fault(&s, GN_NOT_FINITE, "min_lod");
+    s.min_lod = 0.0f;
+    s.max_lod = -INFINITY;
+    expect_fault(&s, GN_NOT_FINITE, "max_lod");
+    s.max_lod = -1.0f;
+    expect_fault(&s, GN_OUT_OF_RANGE, "min_lod");
+    s = good;
+    s.max_anisotropy = 17;
+    expect_fault(&s, GN_OUT_OF_RANGE, "max_anisotropy");
+    s = good;
+    s.border[3] = NAN;
+    expect_fault(&s, GN_NOT_FINITE, "border");
+    s.border[3] = INFINITY;
+    assert_int_equal(gn_sampler_check(&s), GN_OK);
+}
+
+/* Red in 1/255 at (s, 0.25), from one place and from a block. */
+static float red_at(const gn_texture *t, const gn_sampler *sampler, float s, float lod)
+{
+    const float at[3] = {s, 0.25f, 0.0f};
+    float x[GN_LANES], y[GN_LANES], lods[GN_LANES], one[4], block[4][GN_LANES];
+    gn_lookup lookup;
+
+    memset(&lookup, 0, sizeof lookup);
+    lookup.coordinate[0] = x;
+    lookup.coordinate[1] = y;
+    lookup.lod_source = GN_LOD_EXPLICIT;
+    lookup.lod = lods;
+    for (int l = 0; l < GN_LANES; ++l) {
+        x[l] = s;
+        y[l] = 0.25f;
+        lods[l] = lod;
+    }
+    assert_int_equal(gn_texture_check(t), GN_OK);
+    assert_int_equal(gn_sampler_check(sampler), GN_OK);
+    gn_sample_at(t, sampler, at, lod, 0.0f, one);
+    gn_sample(t, sampler, &lookup, block);
+    for (int l = 0; l < GN_LANES; ++l) {
+        for (int c = 0; c < 4; ++c)
+            assert_memory_equal(&block[c][l], &one[c], sizeof one[c]);
+    }
+    return one[0] * 255.0f;
+}
+
+#define NEAR(a, b) assert_true(fabsf((a) - (b)) < 1e-4f)
+
+/* Columns by the nearest filter at -1.3, -0.2, 0.3, 1.2, 2.2: texels -10.4, -1.6, 2.4, 9.6, 17.6.
+ */
+static void wraps(void **state)
+{
+    (void)state;
+    static const float at[5] = {-1.3f, -0.2f, 0.3f, 1.2f, 2.2f};
+    static const float expected[5][5] = {{5, 6, 2, 1, 1},     /* repeat */
+                                         {0, 0, 2, 7, 7},     /* clamp to edge */
+                                         {5, 1, 2, 6, 1},     /* mirrored */
+                                         {99, 99, 2, 99, 99}, /* border */
+                                         {7, 1, 2, 7, 7}};    /* mirrored once */
+    const gn_texture t = columns();
+
+    for (int wrap = 0; wrap < 5; ++wrap) {
+        gn_sampler s = nearest((gn_wrap)wrap);
+
+        s.border[0] = 99.0f / 255.0f;
+        for (int i = 0; i < 5; ++i)
+            NEAR(red_at(&t, &s, at[i], 0.0f), expected[wrap][i]);
+    }
+}
+
+/* A border of a format of fractions is clamped; half of it is mixed at the edge. */
+static void borders(void **state)
+{
+    (void)state;
+    const gn_texture t = columns();
+    gn_sampler s = nearest(GN_WRAP_CLAMP_TO_BORDER);
+
+    s.wrap_t = GN_WRAP_REPEAT;
+    s.border[0] = 2.0f;
+    NEAR(red_at(&t, &s, -1.0f, 0.0f), 255.0f);
+    s.border[0] = -2.0f;
+    NEAR(red_at(&t, &s, 9.0f, 0.0f), 0.0f);
+    s.border[0] = 1.0f;
+    s.magnify = GN_MAGNIFY_LINEAR;
+    s.minify = GN_MINIFY_LINEAR;
+    NEAR(red_at(&t, &s, 0.0f, 0.0f), 127.5f);
+    NEAR(red_at(&t, &s, 1.0f, 0.0f), 0.5f * (7.0f + 255.0f));
+    NEAR(red_at(&t, &s, 0.5f, 0.0f), 3.5f);
+}
+
+static void explicit_levels(void **state)
+{
+    (void)state;
+    const gn_texture t = levels();
+    gn_sampler s = nearest(GN_WRAP_REPEAT);
+
+    NEAR(red_at(&t, &s, 0.3f, 2.0f), 0.0f); /* no levels asked for */
+    s.minify = GN_MINIFY_NEAREST_MIPMAP_NEAREST;
+    NEAR(red_at(&t, &s, 0.3f, -5.0f), 0.0f);
+    NEAR(red_at(&t, &s, 0.3f, 1.4f), 1.0f);
+    NEAR(red_at(&t, &s, 0.3f, 1.6f), 2.0f);
+    NEAR(red_at(&t, &s, 0.3f, 50.0f), 3.0f);
+    s.minify = GN_MINIFY_NEAREST_MIPMAP_LINEAR;
+    NEAR(red_at(&t, &s, 0.3f, 1.25f), 1.25f);
+    NEAR(red_at(&t, &s, 0.3f, 2.75f), 2.75f);
+    NEAR(red_at(&t, &s, 0.3f, 3.75f), 3.0f);
+    s.lod_bias = 0.5f;
+    NEAR(red_at(&t, &s, 0.3f, 1.25f), 1.75f);
+    s.lod_bias = 0.5f + 1.0f / 1024.0f; /* biases are whole 1/256 */
+    NEAR(red_at(&t, &s, 0.3f, 1.25f), 1.75f);
+    s.lod_bias = 0.0f;
+    s.lod_clamped = true;
+    s.min_lod = 0.75f;
+    s.max_lod = 1.5f;
+    NEAR(red_at(&t, &s, 0.3f, 0.0f), 0.75f);
+    NEAR(red_at(&t, &s, 0.3f, 3.0f), 1.5f);
+    s.min_lod = s.max_lod = 2.25f;
+    NEAR(red_at(&t, &s, 0.3f, 0.0f), 2.25f);
+}
+
+/* Steps of 2 and 4 texels ask for levels 1 and 2, from differences and from gradients; what a
+ * shader adds goes on top. */
+static void levels_of_footprints(void **state)
+{
+    (void)state;
+    const gn_texture t = levels();
+    gn_sampler s = nearest(GN_WRAP_REPEAT);
+    float at[2][GN_LANES], dx[2][GN_LANES], dy[2][GN_LANES], bias[GN_LANES], texel[4][GN_LANES];
+    gn_lookup lookup;
+
+    s.minify = GN_MINIFY_NEAREST_MIPMAP_LINEAR;
+    for (int level = 1; level <= 2; ++level) {
+        const float step = (float)(1 << level) / WIDTH;
+
+        memset(&lookup, 0, sizeof lookup);
+        for (int l = 0; l < GN_LANES; ++l) {
+            at[0][l] = step * (float)(l % 4);
+            at[1][l] = 0.5f * step * (float)(l / 4);
+            dx[0][l] = 0.0f;
+            dx[1][l] = -0.5f * step;
+            dy[0][l] = step;
+            dy[1][l] = 0.0f;
+            bias[l] = 0.5f;
+        }
+        lookup.coordinate[0] = at[0];
+        lookup.coordinate[1] = at[1];
+        gn_sample(&t, &s, &lookup, texel);
+        NEAR(texel[0][5] * 255.0f, (float)level);
+        lookup.lod = bias;
+        gn_sample(&t, &s, &lookup, texel);
+        NEAR(texel[0][5] * 255.0f, (float)level + 0.5f);
+        lookup.lod_source = GN_LOD_GRADIENTS;
+        for (int n = 0; n < 2; ++n) {
+            lookup.gradient_x[n] = dx[n];
+            lookup.gradient_y[n] = dy[n];
+        }
+        gn_sample(&t, &s, &lookup, texel);
+        NEAR(texel[0][5] * 255.0f, (float)level);
+    }
+}
+
+/* Around (0.5, 0.5) are columns 3 and 4, rows 0 and 1: counted round from the upper left. */
+static void gathers(void **state)
+{
+    (void)state;
+    static const float columns_found[4] = {3, 4, 4, 3}, rows_found[4] = {1, 1, 0, 0};
+    const gn_texture t = columns();
+    const gn_sampler s = nearest(GN_WRAP_CLAMP_TO_EDGE);
+    float half[GN_LANES], texel[4][GN_LANES];
+    gn_lookup lookup;
+
+    memset(&lookup, 0, sizeof lookup);
+    lookup.coordinate[0] = lookup.coordinate[1] = half;
+    for (int l = 0; l < GN_LANES; ++l)
+        half[l] = 0.5f;
+    gn_gather(&t, &s, &lookup, 0, texel);
+    for (int i = 0; i < 4; ++i)
+        NEAR(texel[i][7] * 255.0f, columns_found[i]);
+    gn_gather(&t, &s, &lookup, 1, texel);
+    for (int i = 0; i < 4; ++i)
+        NEAR(texel[i][7] * 255.0f, rows_found[i]);
+    gn_gather(&t, &s, &lookup, 3, texel);
+    for (int i = 0; i < 4; ++i)
+        NEAR(texel[i][7], 1.0f);
+}
+
+/* Wherever a coordinate is, a nearest filter gives a column of the texture or the border. */
+static void no_coordinate_is_outside(void **state)
+{
+    (void)state;
+    static const float far[] = {1e30f,     -1e30f, 3e9f,  -3e9f, INFINITY,
+                                -INFINITY, NAN,    -0.0f, 1e-30f};
+    const gn_texture t = columns();
+
+    for (int wrap = 0; wrap < 5; ++wrap) {
+        gn_sampler s = nearest((gn_wrap)wrap);
+
+        s.border[0] = 99.0f / 255.0f;
+        for (size_t i = 0; i < sizeof far / sizeof *far; ++i) {
+            const float red = red_at(&t, &s, far[i], 0.0f);
+
+            assert_true(fabsf(red - roundf(red)) < 1e-4f);
+            assert_true((red >= 0.0f && red < WIDTH) ||
+                        (wrap == GN_WRAP_CLAMP_TO_BORDER && fabsf(red - 99.0f) < 1e-4f));
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(faults),
+        cmocka_unit_test(wraps),
+        cmocka_unit_test(borders),
+        cmocka_unit_test(explicit_levels),
+        cmocka_unit_test(levels_of_footprints),
+        cmocka_unit_test(gathers),
+        cmocka_unit_test(no_coordinate_is_outside),
+    };
+    return cmocka_run_group_tests_name("sampling", tests, NULL, NULL);
+}
