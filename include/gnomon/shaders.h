@@ -1,6 +1,6 @@
-/* Ready-made shaders: each function sets the shaders, varyings, interpolation,
- * uniforms and what the fragment shader reads of a pipeline and leaves the rest of its state alone.
- * The uniforms and their textures are the caller's and must outlive the draws.
+/* Ready-made shaders: each function sets the shaders, varyings, interpolation and uniforms of a
+ * pipeline, gn_use_depth_color also fragment_reads_position, and leaves the rest of its state
+ * alone. The uniforms and their textures are the caller's and must outlive the draws.
  *
  *   gn_use_vertex_color  vertex colours                                     gn_color_uniforms
  *   gn_use_depth_only    nothing but depth, for targets without colour      gn_color_uniforms
@@ -77,7 +77,8 @@ typedef struct gn_depth_color_uniforms {
 
 GN_BEGIN
 
-/* What is wrong with the uniforms of lit shaders: GN_NULL_POINTER (uniforms); for the maps that are
+/* What is wrong with the uniforms of lit shaders: GN_NULL_POINTER (uniforms); GN_NOT_COMPILED (a
+ * point light or a shadow map, with GN_BASIC); for the maps that are
  * there, in the order of their members, the statuses of gn_texture_check, then GN_INVALID_ENUM (no
  * GN_TEXTURE_2D); where any is there those of gn_sampler_check; GN_INVALID_ENUM (normal_space);
  * GN_OUT_OF_RANGE (bands are 1 or above 256); of a shadow map the same and GN_INVALID_FORMAT (not

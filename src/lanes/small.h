@@ -32,17 +32,19 @@
 #define GN_HAVE_SAMPLES 0
 #define GN_HAVE_DISTANCES 0
 #define GN_HAVE_TEXTURES 0
+#define GN_HAVE_POINT_LIGHTS 0
 #else
 #define GN_HAVE_LINES 1
 #define GN_HAVE_STENCIL 1
-#define GN_HAVE_COMBINING 1   /* blending, logical operations, write masks */
-#define GN_HAVE_OFFSET 1      /* polygon offset, depth clamp */
-#define GN_HAVE_FORMATS 1     /* of colours, beside RGBA8 and RGBA32F */
-#define GN_HAVE_INSTANCES 1   /* and primitive restart */
-#define GN_HAVE_ATTACHMENTS 1 /* more than one colour */
-#define GN_HAVE_SAMPLES 1     /* more than one a pixel */
-#define GN_HAVE_DISTANCES 1   /* to clip by, of the user's */
-#define GN_HAVE_TEXTURES 1    /* beside 2D ones of one level, RGBA8 or RGBA32F */
+#define GN_HAVE_COMBINING 1    /* blending, logical operations, write masks */
+#define GN_HAVE_OFFSET 1       /* polygon offset, depth clamp */
+#define GN_HAVE_FORMATS 1      /* of colours, beside RGBA8 and RGBA32F */
+#define GN_HAVE_INSTANCES 1    /* and primitive restart */
+#define GN_HAVE_ATTACHMENTS 1  /* more than one colour */
+#define GN_HAVE_SAMPLES 1      /* more than one a pixel */
+#define GN_HAVE_DISTANCES 1    /* to clip by, of the user's */
+#define GN_HAVE_TEXTURES 1     /* beside 2D ones of one level, RGBA8 or RGBA32F */
+#define GN_HAVE_POINT_LIGHTS 1 /* of the ready-made shaders */
 #endif
 
 /* Whether operations of the portable lanes are called with addresses (calls.h). */

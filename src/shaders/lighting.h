@@ -16,7 +16,7 @@ static inline void light_at(const gn_light *light, const lanes_f place[3], lanes
                             lanes_f *left)
 {
     *left = lanes_splat(1.0f);
-    if (!light->is_point) {
+    if (!GN_HAVE_POINT_LIGHTS || !light->is_point) {
         splat_vector(light->direction, to_light);
         return;
     }

@@ -76,12 +76,12 @@ static inline void shade_toon(const void *uniforms, const gn_fragment_input *inp
  * on. */
 static inline lanes_f raise(lanes_f base, uint32_t exponent)
 {
-    lanes_f power = lanes_splat(1.0f);
+    lanes_f power = exponent & 1 ? base : lanes_splat(1.0f);
 
-    for (; exponent > 0; exponent >>= 1) {
+    while (exponent >>= 1) {
+        base = lanes_mul(base, base);
         if (exponent & 1)
             power = lanes_mul(power, base);
-        base = lanes_mul(base, base);
     }
     return power;
 }

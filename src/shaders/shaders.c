@@ -131,6 +131,8 @@ gn_status gn_lit_uniforms_check(const gn_lit_uniforms *uniforms)
 
     if (!uniforms)
         return GN_NULL_POINTER;
+    if (!GN_HAVE_POINT_LIGHTS && uniforms->light.is_point)
+        return GN_NOT_COMPILED;
     status = check_material(&uniforms->material);
     return status ? status : check_shadow(&uniforms->shadow);
 }

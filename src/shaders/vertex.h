@@ -122,7 +122,7 @@ static inline void shade_lit(const void *uniforms, const gn_vertex_input *input,
     place_vertex(&u->clip_from_model, input, output);
     load_normal(u, input, normal);
     normalize(normal);
-    if (u->light.is_point) {
+    if (GN_HAVE_POINT_LIGHTS && u->light.is_point) {
         load_position(input, position);
         transform(&u->world_from_model, position, 3, place);
     }

@@ -116,13 +116,15 @@ static void random_shape(builder *b)
     }
 }
 
-/* Wraps and filters of maps, one level or several. */
+/* Wraps and filters of maps, one level or several. As texels, borders are not 0. */
 static void random_map_sampler(random_source *r, gn_sampler *s)
 {
     s->wrap_s = (gn_wrap)random_below(r, 5);
     s->wrap_t = (gn_wrap)random_below(r, 5);
     s->magnify = (gn_magnify)random_below(r, 2);
     s->minify = (gn_minify)random_below(r, 6);
+    for (int c = 0; c < 4; c++)
+        s->border[c] = random_float(r, 0.25f, 1.0f);
 }
 
 static void add_shaded(builder *b, scene_shader shader)
