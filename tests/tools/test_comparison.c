@@ -144,6 +144,26 @@ static void differences_are_counted_and_shown(void **state)
     picture_free(&p);
 }
 
+/* Changed are samples alone: the first ones are at the places that differ in a plain picture. */
+static void samples_are_counted_apart(void **state)
+{
+    (void)state;
+    scene *s = empty_scene();
+    comparison c;
+    s->samples = GN_SAMPLES;
+    change_color = change_depth = true;
+    change_alpha = false;
+    const char *text = printed(&c, s);
+    assert_non_null(strstr(text, "colour: 0 of 60 pixels differ\n"));
+    assert_non_null(strstr(text, "depth:  0 of 60 pixels differ\n"));
+    assert_non_null(strstr(text, "samples: 2 of 240 differ, colours of 1 by at most 5/255, "
+                                 "depths of 1 by at most 0.75\n"));
+    assert_int_equal(c.difference.pixels, 0);
+    assert_int_equal(c.samples.pixels, 2);
+    comparison_free(&c);
+    scene_free(s);
+}
+
 static void one_pixel_is_singular(void **state)
 {
     (void)state;
@@ -217,6 +237,7 @@ int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(differences_are_counted_and_shown),
+        cmocka_unit_test(samples_are_counted_apart),
         cmocka_unit_test(one_pixel_is_singular),
         cmocka_unit_test(equal_pictures_are_black),
         cmocka_unit_test(finished_outputs_appear_when_renamed),

@@ -98,6 +98,10 @@ static void usage_errors_are_status_2(void **state)
     expect(2, "compare square.obj --backend ''", "--backend ''", "portable, sse2");
     expect(2, "compare square.obj --backend unknown", "--backend", "portable, sse2");
     expect(2, "demo --backend auto", "'--backend'", "unknown option");
+    expect(2, "render square.obj -o a.png --samples 2", "--samples '2'", "1 or 4");
+    expect(2, "render square.obj -o a.png --samples 4x", "--samples '4x'", "1 or 4");
+    expect(2, "demo --samples ''", "--samples", "1 or 4");
+    expect(2, "compare square.obj --samples 4 --wireframe", "--wireframe", "OSMesa");
     expect(2, "compare", "no model", "compare --help");
     expect(2, "compare square.obj --depth d.png", "'--depth'", "unknown option");
     expect(2, "demo square.obj", "'square.obj'", "no model");

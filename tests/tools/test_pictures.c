@@ -74,6 +74,42 @@ static void wireframe_draws_the_edges(void **state)
     assert_int_equal(r.status, 2);
 }
 
+/* The square from 10.25 to 30.75: sample places 0.375, 0.875, 0.125 and 0.625 of a pixel along x
+ * and 0.125, 0.375, 0.625 and 0.875 along y decide how much of a pixel at its sides is red. */
+static void samples_smooth_edges(void **state)
+{
+    static const char from[] = "--eye 0,0,5 --target 0,0,0 --orthographic 4 --shader color"
+                               " --size 41x41 --background 000000 --samples";
+    char flags[160];
+    (void)state;
+    write_text("red.obj", red_square);
+    snprintf(flags, sizeof flags, "%s 1", from);
+    picture p = render("red.obj", flags);
+    assert_int_equal(pixel(&p, 10, 20), 0xff0000ff);
+    assert_int_equal(pixel(&p, 30, 20), 0xff0000ff);
+    picture_free(&p);
+    snprintf(flags, sizeof flags, "%s 4 --depth d.png", from);
+    p = render("red.obj", flags);
+    assert_int_equal(pixel(&p, 9, 20), 0x000000ff);
+    assert_int_equal(pixel(&p, 10, 20), 0xbf0000ff);
+    assert_int_equal(pixel(&p, 20, 20), 0xff0000ff);
+    assert_int_equal(pixel(&p, 30, 20), 0xbf0000ff);
+    assert_int_equal(pixel(&p, 20, 10), 0xbf0000ff);
+    assert_int_equal(pixel(&p, 20, 30), 0xbf0000ff);
+    picture_free(&p);
+    /* Depth is that of the first sample, 0.375 along x and 0.125 along y from below. */
+    p = picture_read_grey16("d.png");
+    assert_true(p.grey[20 * 41 + 10] < 65535);
+    assert_true(p.grey[20 * 41 + 30] < 65535);
+    assert_int_equal(p.grey[30 * 41 + 20], 65535);
+    picture_free(&p);
+    run r = gnomon("compare red.obj --size 50x40 --samples 4");
+    assert_int_equal(r.status, 0);
+    assert_non_null(strstr(r.out, "colour: 0 of 2000 pixels differ\n"));
+    assert_non_null(strstr(r.out, "depth:  0 of 2000 pixels differ\n"));
+    assert_non_null(strstr(r.out, "samples: 0 of 8000 differ\n"));
+}
+
 static void background_is_what_was_asked_for(void **state)
 {
     (void)state;
@@ -438,6 +474,7 @@ int main(int argc, char **argv)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(vertex_colors_fill_the_picture),
         cmocka_unit_test(wireframe_draws_the_edges),
+        cmocka_unit_test(samples_smooth_edges),
         cmocka_unit_test(background_is_what_was_asked_for),
         cmocka_unit_test(top_row_is_the_top),
         cmocka_unit_test(perspective_sees_the_angle_asked_for),

@@ -58,7 +58,7 @@ static int compare(const options *o, const char *output_path)
         fault = comparison_write_triptych(&c, output_path);
     if (fault == 0)
         printf("%s: Gnomon, OSMesa, difference\n", output_path);
-    if (fault == 0 && c.difference.pixels > 0)
+    if (fault == 0 && c.difference.pixels + c.samples.pixels > 0)
         fault = EXIT_FAULT;
     comparison_free(&c);
     scene_free(s);

@@ -7,11 +7,13 @@
 typedef struct comparison {
     scene_frame ours;
     scene_frame reference;
-    scene_difference difference;
+    scene_difference difference; /* of the pictures; samples are resolved */
+    scene_difference samples;    /* of every sample, where there are several */
 } comparison;
 
 /* Draws both, ours with the given back end, and prints, on standard output, the Mesa version and
- * how many pixels differ in colour and depth, and by how much. 0, or EXIT_FAULT with the reason
+ * how many pixels differ in colour and depth, and by how much, and of samples, where a pixel has
+ * several, how many. 0, or EXIT_FAULT with the reason
  * printed; free with comparison_free either way. */
 int comparison_make(const scene *s, gn_backend backend, comparison *result);
 

@@ -23,6 +23,7 @@ static const char usage[] =
     "                          gnomon-demo.png\n"
     "  --picture OUT.png       Gnomon's picture alone\n"
     "  --size WxH              in pixels, up to 16384x16384; 800x600\n"
+    "  --samples 4             four samples a pixel; 1\n"
     "  --tessellation N        segments along each side of a patch, 1 to 128; 16\n";
 
 static const float background[4] = {0.933f, 0.925f, 0.906f, 1.0f};
@@ -97,6 +98,7 @@ static int describe(const options *o, scene **result)
     scene *s = scene_create(o->width, o->height, GN_FORMAT_RGBA8, GN_FORMAT_D32F);
     memcpy(s->clear_color, background, sizeof s->clear_color);
     s->clear_depth = 1.0f;
+    s->samples = o->samples;
     picture_add_part(s, shadow.parts, SCENE_VERTEX_COLOR, &view, light);
     scene_draw *pot = picture_add_part(s, teapot.parts, SCENE_GOURAUD, &view, light);
     pot->uniforms.light.ambient = (gn_vec3){0.30f, 0.31f, 0.36f};
@@ -136,7 +138,7 @@ int command_demo(int argc, char **argv)
         printf("%s: Gnomon, OSMesa, difference\n", o.output);
     if (fault == 0 && o.picture_output != NULL)
         fault = comparison_write_picture(&c, o.picture_output);
-    if (fault == 0 && c.difference.pixels > 0)
+    if (fault == 0 && c.difference.pixels + c.samples.pixels > 0)
         fault = EXIT_FAULT;
     comparison_free(&c);
     scene_free(s);

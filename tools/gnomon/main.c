@@ -52,6 +52,7 @@ static const char picture_help[] =
     "                          MODEL_diffuse.tga, .png or .jpg beside MODEL.obj\n"
     "  --light X,Y,Z           direction towards the light; over the viewer's left shoulder\n"
     "  --wireframe             the edges of triangles, one pixel wide\n"
+    "  --samples 4             four samples a pixel: smooth edges; 1\n"
     "  --background COLOR      #rrggbb or #rrggbbaa (the # may be left out); #edeeef\n"
     "\n"
     "Speed:\n"

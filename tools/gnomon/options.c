@@ -30,7 +30,8 @@ enum {
     OPTION_BACKEND,
     OPTION_PICTURE,
     OPTION_TESSELLATION,
-    OPTION_WIREFRAME
+    OPTION_WIREFRAME,
+    OPTION_SAMPLES
 };
 
 #define MODEL_COMMANDS (COMMAND_RENDER | COMMAND_COMPARE)
@@ -56,6 +57,7 @@ static const struct {
     {"texture", true, OPTION_TEXTURE, MODEL_COMMANDS},
     {"backend", true, OPTION_BACKEND, MODEL_COMMANDS},
     {"wireframe", false, OPTION_WIREFRAME, MODEL_COMMANDS},
+    {"samples", true, OPTION_SAMPLES, ALL_COMMANDS},
     {"depth", true, OPTION_DEPTH, COMMAND_RENDER},
     {"picture", true, OPTION_PICTURE, COMMAND_DEMO},
     {"tessellation", true, OPTION_TESSELLATION, COMMAND_DEMO},
@@ -183,6 +185,11 @@ static const char *take_value(int option, const char *text, options *o)
         return NULL;
     case OPTION_SIZE:
         return parse_size(text, &o->width, &o->height) ? NULL : "WIDTHxHEIGHT, as in 800x600";
+    case OPTION_SAMPLES:
+        return parse_count(&text, &o->samples) && *text == '\0' &&
+                       (o->samples == 1 || o->samples == GN_SAMPLES)
+                   ? NULL
+                   : "1 or 4";
     case OPTION_EYE:
         camera->eye_given = true;
         return parse_vector(text, &camera->eye) ? NULL : vector_form;
@@ -222,6 +229,9 @@ static int check(command which, const options *o)
         return report_usage(name, "no output file; give one with -o OUT.png");
     if (o->camera.orthographic && o->camera.fov_given)
         return report_usage(name, "--fov and --orthographic exclude each other");
+    if (which == COMMAND_COMPARE && o->wireframe && o->samples > 1)
+        return report_usage(name, "--wireframe and --samples exclude each other: OSMesa loses "
+                                  "pieces of such lines");
     if (o->texture != NULL && o->shading != SHADING_AUTOMATIC && o->shading != SHADING_TEXTURED)
         return report_usage(name, "--texture is for --shader textured");
     if (!gn_backend_available(o->backend))
@@ -243,6 +253,7 @@ static void set_defaults(command which, options *o)
     memset(o, 0, sizeof *o);
     o->width = which == COMMAND_DEMO ? 800 : 1024;
     o->height = which == COMMAND_DEMO ? 600 : 1024;
+    o->samples = 1;
     o->camera.up.y = 1.0f;
     o->camera.fov_degrees = DEFAULT_FOV_DEGREES;
     memcpy(o->background, background, sizeof background);

@@ -33,6 +33,7 @@ typedef struct options {
     const char *picture_output;
     const char *texture;
     uint32_t width, height;
+    uint32_t samples; /* of a pixel: 1 or GN_SAMPLES */
     shading shading;
     bool wireframe;
     camera_options camera;

@@ -199,6 +199,7 @@ int picture_describe(const options *o, scene **result)
         scene *s = scene_create(o->width, o->height, GN_FORMAT_RGBA8, GN_FORMAT_D32F);
         memcpy(s->clear_color, o->background, sizeof s->clear_color);
         s->clear_depth = 1.0f;
+        s->samples = o->samples;
         fault = add_parts(o, &m, &view, o->light_given ? light : view.light_direction, s);
         for (size_t i = 0; o->wireframe && i < s->draw_count; i++) {
             s->draws[i].state.polygon_mode_front = GN_POLYGON_LINE;
