@@ -230,9 +230,9 @@ $(BUILD)/test_comparison: $(BUILD)/tests/tools/test_comparison.o $(RUNNER) \
 	$(LINK) -lcmocka -lpng -lm
 
 $(BUILD)/test_teapot: $(BUILD)/tests/tools/test_teapot.o \
-		$(call objects,$(addprefix tools/gnomon/,teapot.c model.c normals.c report.c)) \
+		$(call objects,$(addprefix tools/gnomon/,teapot.c teapot_maps.c image.c model.c material.c normals.c report.c)) \
 		$(BUILD)/libgnomon.a
-	$(LINK) -lassimp -lcmocka -lm
+	$(LINK) -lassimp -lcmocka -lstb -lm
 
 # What people run
 

@@ -39,7 +39,7 @@ static void vertex_colors_fill_the_picture(void **state)
 {
     (void)state;
     write_text("red.obj", red_square);
-    picture p = render("red.obj", FRONT " --shader color --size 37x37");
+    picture p = render("red.obj", FRONT " --shader vertex-color --size 37x37");
     assert_int_equal(p.width, 37);
     assert_int_equal(p.height, 37);
     expect_all(&p, 0xff0000ff);
@@ -58,7 +58,7 @@ static void vertex_colors_fill_the_picture(void **state)
 /* From 10.25 to 30.75 in both directions, with the diagonal that goes up to the right. */
 static void wireframe_draws_the_edges(void **state)
 {
-    static const char from[] = "--eye 0,0,5 --target 0,0,0 --orthographic 4 --shader color"
+    static const char from[] = "--eye 0,0,5 --target 0,0,0 --orthographic 4 --shader vertex-color"
                                " --size 41x41 --wireframe";
     (void)state;
     write_text("red.obj", red_square);
@@ -78,7 +78,7 @@ static void wireframe_draws_the_edges(void **state)
  * and 0.125, 0.375, 0.625 and 0.875 along y decide how much of a pixel at its sides is red. */
 static void samples_smooth_edges(void **state)
 {
-    static const char from[] = "--eye 0,0,5 --target 0,0,0 --orthographic 4 --shader color"
+    static const char from[] = "--eye 0,0,5 --target 0,0,0 --orthographic 4 --shader vertex-color"
                                " --size 41x41 --background 000000 --samples";
     char flags[160];
     (void)state;
@@ -128,19 +128,20 @@ static void top_row_is_the_top(void **state)
     (void)state;
     write_text("upper.obj", "v -1 0 0 0 0 1\nv 0 0 0 0 0 1\nv 0 1 0 0 0 1\nv -1 1 0 0 0 1\n"
                             "f 1 2 3\nf 1 3 4\n");
-    picture p = render("upper.obj", FRONT " --shader color --size 20x20 --background ffffff");
+    picture p =
+        render("upper.obj", FRONT " --shader vertex-color --size 20x20 --background ffffff");
     for (uint32_t y = 0; y < 20; y++) {
         for (uint32_t x = 0; x < 20; x++)
             assert_int_equal(pixel(&p, x, y), x < 10 && y < 10 ? 0x0000ffff : 0xffffffff);
     }
     picture_free(&p);
     /* Seen from behind, left is right; with up reversed, top is bottom. */
-    p = render("upper.obj", "--eye 0,0,-5 --target 0,0,0 --orthographic 2 --shader color"
+    p = render("upper.obj", "--eye 0,0,-5 --target 0,0,0 --orthographic 2 --shader vertex-color"
                             " --size 20x20 --background ffffff");
     assert_int_equal(pixel(&p, 15, 5), 0x0000ffff);
     assert_int_equal(pixel(&p, 5, 5), 0xffffffff);
     picture_free(&p);
-    p = render("upper.obj", FRONT " --up 0,-1,0 --shader color --size 20x20"
+    p = render("upper.obj", FRONT " --up 0,-1,0 --shader vertex-color --size 20x20"
                                   " --background ffffff");
     assert_int_equal(pixel(&p, 15, 15), 0x0000ffff);
     assert_int_equal(pixel(&p, 5, 5), 0xffffffff);
@@ -152,7 +153,7 @@ static void perspective_sees_the_angle_asked_for(void **state)
     (void)state;
     write_text("red.obj", red_square);
     /* From distance 2, 90 degrees see 4 units: the square is the middle half. */
-    picture p = render("red.obj", "--eye 0,0,2 --target 0,0,0 --fov 90 --shader color"
+    picture p = render("red.obj", "--eye 0,0,2 --target 0,0,0 --fov 90 --shader vertex-color"
                                   " --size 40x40");
     for (uint32_t y = 0; y < 40; y++) {
         for (uint32_t x = 0; x < 40; x++) {
@@ -209,7 +210,8 @@ static void depth_is_16_bit_grey(void **state)
     write_text("steps.obj", "v -1 -1 1 1 1 0\nv 0 -1 1 1 1 0\nv 0 1 1 1 1 0\nv -1 1 1 1 1 0\n"
                             "v -1 -1 -1 0 1 1\nv 1 -1 -1 0 1 1\nv 1 1 -1 0 1 1\nv -1 1 -1 0 1 1\n"
                             "f 1 2 3 4\nf 5 6 7 8\n");
-    r = gnomon("render steps.obj -o a.png --depth d.png --shader color " FRONT " --size 8x8");
+    r = gnomon("render steps.obj -o a.png --depth d.png --shader vertex-color " FRONT
+               " --size 8x8");
     assert_int_equal(r.status, 0);
     p = picture_read_grey16("d.png");
     /* z = 1 and -1 in a sphere of radius sqrt(3) and 1 % more: 0.5 -+ 1/(2*1.7494). */
@@ -221,6 +223,9 @@ static void depth_is_16_bit_grey(void **state)
     assert_int_equal(pixel(&p, 6, 3), 0x00ffffff);
     picture_free(&p);
 }
+
+/* In full light and without highlights. */
+#define LIT FRONT " --light 0,0,1 --size 100x100 --shader gouraud "
 
 /* 64x64, top left red, top right green, bottom left blue, bottom right white. */
 static const uint8_t quadrants[4][3] = {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {255, 255, 255}};
@@ -264,17 +269,19 @@ static void textures_stand_upright(void **state)
     stbi_write_png(path_of("t.png"), 64, 64, 3, texels, 0);
     stbi_write_jpg(path_of("t.jpg"), 64, 64, 3, texels, 95);
     write_quadrants_tga("t.tga");
-    expect_quadrants(FRONT " --light 0,0,1 --size 100x100 --texture t.png", 0);
-    expect_quadrants(FRONT " --light 0,0,1 --size 100x100 --texture t.tga", 0);
-    expect_quadrants(FRONT " --light 0,0,1 --size 100x100 --texture t.jpg", 8);
+    expect_quadrants(LIT "--texture t.png", 0);
+    expect_quadrants(LIT "--texture t.tga", 0);
+    expect_quadrants(LIT "--texture t.jpg", 8);
 
     /* Without --texture and without a material: by the model's name. */
     picture p = render("square.obj", FRONT " --light 0,0,1 --size 10x10");
     expect_all(&p, 0xccccccff);
     picture_free(&p);
     write_quadrants_tga("square_diffuse.tga");
-    expect_quadrants(FRONT " --light 0,0,1 --size 100x100", 0);
-    p = render("square.obj", FRONT " --light 0,0,1 --size 10x10 --shader gouraud");
+    expect_quadrants(LIT, 0);
+    expect_quadrants(FRONT " --shader unlit --size 100x100", 0);
+    expect_quadrants(LIT "--filter nearest", 0);
+    p = render("square.obj", FRONT " --light 0,0,1 --size 10x10 --shader gouraud --texture none");
     expect_all(&p, 0xccccccff);
     picture_free(&p);
     remove_file("square_diffuse.tga");
@@ -306,7 +313,7 @@ static void textures_inside_the_model_are_used(void **state)
 {
     (void)state;
     write_text("square.gltf", square_gltf);
-    picture p = render("square.gltf", FRONT " --light 0,0,1 --size 40x40");
+    picture p = render("square.gltf", FRONT " --light 0,0,1 --size 40x40 --shader gouraud");
     expect_near(pixel(&p, 20, 10), 0xff0000ff, 8, "red above");
     expect_near(pixel(&p, 20, 30), 0x00ff00ff, 8, "green below");
     picture_free(&p);

@@ -99,13 +99,11 @@ static int write_files(const options *o, const scene_frame *frame)
 
 static int check_names(const options *o)
 {
-    if (output_same_file(o->output, o->model) ||
-        (o->depth_output != NULL && output_same_file(o->depth_output, o->model)))
-        return report_fault(o->model, "would be overwritten by the picture");
-    if (o->texture != NULL &&
-        (output_same_file(o->output, o->texture) ||
-         (o->depth_output != NULL && output_same_file(o->depth_output, o->texture))))
-        return report_fault(o->texture, "would be overwritten by the picture");
+    int fault = picture_check_output(o, o->output);
+    if (fault == 0)
+        fault = picture_check_output(o, o->depth_output);
+    if (fault != 0)
+        return fault;
     if (o->depth_output != NULL && output_same_file(o->output, o->depth_output))
         return report_fault(o->output, "cannot be both the picture and the depth");
     return 0;
@@ -124,20 +122,19 @@ int command_render(int argc, char **argv)
     if (result == OPTIONS_WRONG)
         return status;
 
-    scene *s = NULL;
+    picture p = {NULL, SHADING_AUTOMATIC, {NULL}};
     scene_frame frame;
     memset(&frame, 0, sizeof frame);
     int fault = check_names(&o);
     if (fault == 0)
-        fault = picture_describe(&o, &s);
+        fault = picture_describe(&o, &p);
     if (fault == 0)
-        fault = draw_frame(s, o.backend, &frame);
+        fault = draw_frame(p.scene, o.backend, &frame);
     if (fault == 0)
         fault = write_files(&o, &frame);
     if (fault == 0)
-        picture_print_summary(o.output, s);
+        picture_print_summary(o.output, &p);
     scene_frame_free(&frame);
-    if (s != NULL)
-        scene_free(s);
+    picture_free(&p);
     return fault == 0 ? finish_output(0) : fault;
 }
