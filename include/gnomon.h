@@ -25,6 +25,7 @@
  *   backend.h     instruction sets
  *   parallel.h    threads, which are the caller's
  *   draw.h        meshes, the workspace and the draw itself
+ *   light.h       lights, materials and shadows of
  *   shaders.h     ready-made shaders
  *
  * Conventions, for every function whose name does not say otherwise:
@@ -51,6 +52,7 @@
 #include "gnomon/derivatives.h"
 #include "gnomon/draw.h"
 #include "gnomon/inverse.h"
+#include "gnomon/light.h"
 #include "gnomon/mat.h"
 #include "gnomon/parallel.h"
 #include "gnomon/pipeline.h"

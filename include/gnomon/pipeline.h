@@ -278,6 +278,7 @@ typedef struct gn_vertex_input {
     const uint32_t *vertex_id;             /* [lane]: position in the mesh's arrays */
     uint32_t count;                        /* 1 to GN_LANES */
     uint32_t instance;                     /* from 0 on */
+    uint32_t present;                      /* bit a: the mesh has attribute a */
 } gn_vertex_input;
 
 /* Output of a vertex shader; the memory is the library's. Every lane of the

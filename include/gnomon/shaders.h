@@ -1,66 +1,133 @@
-/* Ready-made shaders: each function sets the shaders, varyings, interpolation and
- * uniforms of a pipeline and leaves the rest of its state alone. The uniforms are
- * the caller's and must outlive the draws.
+/* Ready-made shaders: each function sets the shaders, varyings, interpolation,
+ * uniforms and what the fragment shader reads of a pipeline and leaves the rest of its state alone.
+ * The uniforms and their textures are the caller's and must outlive the draws.
+ *
+ *   gn_use_vertex_color  vertex colours                                     gn_color_uniforms
+ *   gn_use_depth_only    nothing but depth, for targets without colour      gn_color_uniforms
+ *   gn_use_unlit         vertex colours times a texture                     gn_unlit_uniforms
+ *   gn_use_flat          lit, a normal for each triangle                    gn_lit_uniforms
+ *   gn_use_gouraud       lit at vertices                                    gn_lit_uniforms
+ *   gn_use_toon          lit in bands                                       gn_lit_uniforms
+ *   gn_use_phong         lit at every pixel, with maps and highlights       gn_lit_uniforms
+ *   gn_use_blinn_phong   the same with Blinn's highlights                   gn_lit_uniforms
+ *   gn_use_normal_color  normals as colours                                 gn_lit_uniforms
+ *   gn_use_depth_color   depth as grey                                      gn_depth_color_uniforms
+ *
+ * Shadow maps take two passes: gn_use_depth_only with the light's camera, then any shader
+ * that lights pixels, with gn_lit_uniforms.shadow.
  *
  * The attributes of a mesh, for all of them: */
 #ifndef GNOMON_SHADERS_H
 #define GNOMON_SHADERS_H
 
-#include "mat.h"
+#include "light.h"
 #include "pipeline.h"
-#include "vec.h"
 
 typedef enum gn_shader_attribute {
     GN_ATTRIBUTE_POSITION = 0, /* model space, w = 1 where absent */
-    GN_ATTRIBUTE_COLOR = 1,    /* red, green, blue, alpha */
+    GN_ATTRIBUTE_COLOR = 1,    /* red, green, blue, alpha; white where the mesh has none */
     GN_ATTRIBUTE_NORMAL = 2,   /* model space, any length but 0 */
-    GN_ATTRIBUTE_TEXCOORD = 3  /* s, t */
+    GN_ATTRIBUTE_TEXCOORD = 3, /* s, t */
+
+    /* For GN_NORMAL_OF_TANGENTS alone: towards greater s in model space, any length, and 1 or -1,
+     * by which cross(normal, tangent) is multiplied to give the bitangent, towards greater t
+     * (Mikkelsen's convention). Where the mesh has none, maps do not tilt its normals. */
+    GN_ATTRIBUTE_TANGENT = 4
 } gn_shader_attribute;
 
-/* The scalar varyings the ready-made shaders use at most: a colour and two texture
- * coordinates, for sizing a workspace. */
-#define GN_SHADER_VARYINGS 6
+/* The scalar varyings the ready-made shaders use at most, for sizing a workspace. */
+#define GN_SHADER_VARYINGS 16
 
 typedef struct gn_color_uniforms {
     gn_mat4 clip_from_model;
 } gn_color_uniforms;
 
-/* A directional light: rgb = color.rgb * (ambient + diffuse * max(N.L, 0)), the
- * alpha is the colour's. N is the normalized product of normal_matrix and the
- * vertex normal. */
-typedef struct gn_light_uniforms {
+typedef struct gn_unlit_uniforms {
     gn_mat4 clip_from_model;
-    gn_mat3 normal_matrix;   /* the transposed inverse of the model (or model-view) matrix */
-    gn_vec3 light_direction; /* L: towards the light, unit length, in the space of N */
-    gn_vec3 ambient;
-    gn_vec3 diffuse;
-} gn_light_uniforms;
-
-typedef struct gn_textured_uniforms {
-    gn_light_uniforms light;
-    gn_texture texture;
+    const gn_texture *map; /* GN_TEXTURE_2D; null: white */
     gn_sampler sampler;
-} gn_textured_uniforms;
+} gn_unlit_uniforms;
+
+/* One for all lit shaders, so that one can be taken for another. What each looks at:
+ *
+ *                    flat  Gouraud  toon  Phong, Blinn-Phong  normal colour
+ *   normal_matrix    -     x        x     x                   x
+ *   world_from_model x     point    x     x                   of tangents
+ *   eye              -     -        -     x                   -
+ *   light            x     x        x     x                   -
+ *   diffuse_map      x     x        x     x                   -
+ *   normal_map       -     -        -     x                   x
+ *   specular ..      -     -        -     x                   -
+ *   glow_map         -     -        -     x                   -
+ *   shadow           x     -        x     x                   -  */
+typedef struct gn_lit_uniforms {
+    gn_mat4 clip_from_model;
+    gn_mat4 world_from_model;
+    gn_mat3 normal_matrix; /* the transposed inverse of world_from_model's upper left */
+    gn_vec3 eye;           /* in world space */
+    gn_light light;
+    gn_material material;
+    gn_shadow shadow;
+} gn_lit_uniforms;
+
+typedef struct gn_depth_color_uniforms {
+    gn_mat4 clip_from_model;
+    float black, white; /* the window depths that are drawn so; both 0: 0 is black, 1 white */
+} gn_depth_color_uniforms;
 
 GN_BEGIN
 
-/* Vertex colours, interpolated: OpenGL's smooth shading without a light.
- * GN_NULL_POINTER for null arguments. */
+/* What is wrong with the uniforms of lit shaders: GN_NULL_POINTER (uniforms); for the maps that are
+ * there, in the order of their members, the statuses of gn_texture_check, then GN_INVALID_ENUM (no
+ * GN_TEXTURE_2D); where any is there those of gn_sampler_check; GN_INVALID_ENUM (normal_space);
+ * GN_OUT_OF_RANGE (bands are 1 or above 256); of a shadow map the same and GN_INVALID_FORMAT (not
+ * of depth), then of its sampler, and GN_INVALID_ENUM (it does not compare). Every function below
+ * that takes them gives these, whether it looks at a map or not. */
+GN_API gn_status gn_lit_uniforms_check(const gn_lit_uniforms *uniforms);
+
+/* In what follows a status other than GN_OK leaves the pipeline as it was, and GN_NULL_POINTER is
+ * for null arguments. */
+
+/* Vertex colours, interpolated: OpenGL's smooth shading without a light. */
 GN_API gn_status gn_use_vertex_color(gn_pipeline *pipeline, const gn_color_uniforms *uniforms);
 
-/* The lit colour of the provoking vertex over the whole triangle.
- * GN_NULL_POINTER for null arguments. */
-GN_API gn_status gn_use_flat(gn_pipeline *pipeline, const gn_light_uniforms *uniforms);
+/* Positions alone, without a fragment shader: for targets that have no colour. */
+GN_API gn_status gn_use_depth_only(gn_pipeline *pipeline, const gn_color_uniforms *uniforms);
 
-/* The lit colours of the vertices, interpolated (Gouraud 1971).
- * GN_NULL_POINTER for null arguments. */
-GN_API gn_status gn_use_gouraud(gn_pipeline *pipeline, const gn_light_uniforms *uniforms);
+/* The vertex colour times the map, channel by channel, alpha too.
+ * The statuses of gn_texture_check, GN_INVALID_ENUM (no GN_TEXTURE_2D) and those of
+ * gn_sampler_check, where there is a map. */
+GN_API gn_status gn_use_unlit(gn_pipeline *pipeline, const gn_unlit_uniforms *uniforms);
 
-/* The lit vertex colour times a texture, channel by channel, alpha too.
- * GN_NULL_POINTER for null arguments, then the statuses of gn_texture_check and
- * gn_sampler_check; the pipeline is then left as it was. */
-GN_API gn_status gn_use_textured_gouraud(gn_pipeline *pipeline,
-                                         const gn_textured_uniforms *uniforms);
+/* One normal for each triangle, which needs none in the mesh: N is the cross product of the
+ * derivatives of the position along x and y of the window, so that it points to the eye, from
+ * either side of a triangle. Without highlights. (The colour of the provoking vertex over the whole
+ * triangle is gn_use_gouraud with interpolation[0] to [3] set to GN_FLAT afterwards.) */
+GN_API gn_status gn_use_flat(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
+
+/* The lit colours of the vertices, interpolated (Gouraud 1971), times the diffuse map. Without
+ * highlights and shadows. */
+GN_API gn_status gn_use_gouraud(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
+
+/* N.L at every pixel, from 0 to 1, in n = bands steps of equal height and width:
+ * min(floor(max(N.L, 0) * n), n - 1) / (n - 1). Without highlights. */
+GN_API gn_status gn_use_toon(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
+
+/* All of gnomon/light.h at every pixel, with the highlight max(R.V, 0)^exponent where N.L > 0, and
+ * 0 elsewhere; R is the reflection of L (Phong 1975). The power is made by repeated squaring. */
+GN_API gn_status gn_use_phong(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
+
+/* The same with the highlight max(N.H, 0)^exponent, H = (L + V) normalized (Blinn 1977), which
+ * takes some four times the exponent to be as small. */
+GN_API gn_status gn_use_blinn_phong(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
+
+/* rgb = 0.5 * N + 0.5, that of the normal map where there is one, alpha 1: shows whether normals,
+ * tangents and maps are right. */
+GN_API gn_status gn_use_normal_color(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
+
+/* rgb = (depth - black) / (white - black), alpha 1. GN_NOT_FINITE, or GN_OUT_OF_RANGE where black
+ * and white are equal and not 0. */
+GN_API gn_status gn_use_depth_color(gn_pipeline *pipeline, const gn_depth_color_uniforms *uniforms);
 
 GN_END
 

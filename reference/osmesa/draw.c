@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define ATTRIBUTES 4
+#define ATTRIBUTES 5
 
 /* Draws that Mesa 22.3 loses where the third triangle has no height (reference/RULES.md);
  * through an index buffer it draws them. */
@@ -359,6 +359,7 @@ static void set_state(const scene *s, const gn_pipeline *p)
     }
 }
 
+/* Colours are white where the mesh has none. */
 static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u)
 {
     glBindBuffer(GL_ARRAY_BUFFER, u->vertices);
@@ -374,7 +375,9 @@ static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u)
             glVertexAttribDivisor(a, attribute->divisor);
         } else {
             glDisableVertexAttribArray(a);
-            glVertexAttrib4f(a, 0.0f, 0.0f, 0.0f, 1.0f);
+            const GLfloat absent = a == GN_ATTRIBUTE_COLOR ? 1.0f : 0.0f;
+
+            glVertexAttrib4f(a, absent, absent, absent, 1.0f);
         }
     }
 }
@@ -382,7 +385,7 @@ static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u)
 /* To set a uniform the program does not use is an error: what is not lit has the matrix alone. */
 static void set_uniforms(const scene_draw *d)
 {
-    const gn_light_uniforms *light = &d->uniforms.light;
+    const scene_light *light = &d->uniforms.light;
 
     glUniformMatrix4fv(0, 1, GL_FALSE, &light->clip_from_model.m[0][0]);
     if (scene_shader_is_lit(d->shader)) {

@@ -51,7 +51,7 @@ typedef struct uploaded_draw {
     GLuint texture;
     GLuint program;
     GLuint query;     /* of a counted draw */
-    size_t offset[4]; /* of the attributes in `vertices` */
+    size_t offset[5]; /* of the attributes in `vertices` */
 } uploaded_draw;
 
 /* Puts a formatted reason into error. Returns false. */

@@ -41,6 +41,22 @@ static inline bool scene_shader_has_sizes(scene_shader shader)
     return !scene_shader_is_lit(shader) && shader != SCENE_OUTPUTS;
 }
 
+/* What the shaders with one light are given. */
+typedef struct scene_light {
+    gn_mat4 clip_from_model;
+    gn_mat3 normal_matrix;
+    gn_vec3 light_direction;
+    gn_vec3 ambient;
+    gn_vec3 diffuse;
+} scene_light;
+
+/* And with one texture, the diffuse map. */
+typedef struct scene_uniforms {
+    scene_light light;
+    gn_texture texture;
+    gn_sampler sampler;
+} scene_uniforms;
+
 /* A clear of the whole target before a draw; zeroed, there is none. */
 typedef struct scene_clear {
     bool color, depth; /* what is cleared; with depth stencil, of which there is one or both */
@@ -67,7 +83,7 @@ typedef struct scene_draw {
 
     /* clip_from_model serves every shader, the light those that are lit, the
      * texture and sampler the textured shaders. */
-    gn_textured_uniforms uniforms;
+    scene_uniforms uniforms;
 
     /* Clip distance i, of state.clip_distance_count, is ((p0*x + p1*y) + p2*z) + p3*w of the
      * position attribute. */
@@ -195,7 +211,7 @@ void scene_frame_free(scene_frame *frame);
 
 /* The scalar varyings of the shader that has most of them, and with the clip distances of the draw
  * that has most, for sizing a workspace. */
-#define SCENE_VARYINGS 8
+#define SCENE_VARYINGS GN_SHADER_VARYINGS
 uint32_t scene_varyings(const scene *s);
 
 /* Bytes of workspace with which every draw of the scene shades each vertex once, and may

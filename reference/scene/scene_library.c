@@ -10,12 +10,11 @@
 #include "phong.h"
 #include "scene_memory.h"
 
-typedef char scene_varyings_are_as_stated
-    [PHONG_VARYINGS == SCENE_VARYINGS && GN_SHADER_VARYINGS <= SCENE_VARYINGS ? 1 : -1];
+typedef char scene_varyings_are_as_stated[PHONG_VARYINGS <= SCENE_VARYINGS ? 1 : -1];
 
 static phong_uniforms phong_uniforms_of(const scene_draw *d)
 {
-    const gn_light_uniforms *light = &d->uniforms.light;
+    const scene_light *light = &d->uniforms.light;
     const phong_uniforms u = {
         light->clip_from_model, d->view_from_model, light->normal_matrix, light->light_direction,
         light->ambient,         light->diffuse,     d->specular,          d->uniforms.texture,
@@ -24,9 +23,28 @@ static phong_uniforms phong_uniforms_of(const scene_draw *d)
     return u;
 }
 
+static gn_lit_uniforms lit_uniforms_of(const scene_draw *d)
+{
+    const scene_light *light = &d->uniforms.light;
+    gn_lit_uniforms u;
+
+    memset(&u, 0, sizeof u);
+    u.clip_from_model = light->clip_from_model;
+    u.normal_matrix = light->normal_matrix;
+    u.light.direction = light->light_direction;
+    u.light.ambient = light->ambient;
+    u.light.diffuse = light->diffuse;
+    if (scene_shader_is_textured(d->shader)) {
+        u.material.diffuse_map = &d->uniforms.texture;
+    }
+    u.material.sampler = d->uniforms.sampler;
+    return u;
+}
+
 /* Uniforms that a scene has in another form. */
 typedef struct other_uniforms {
     gn_color_uniforms color;
+    gn_lit_uniforms lit;
     phong_uniforms phong;
     gn_vertex_shader *color_shader;
 } other_uniforms;
@@ -57,8 +75,7 @@ typedef struct clipped_uniforms {
     union {
         other_uniforms other;
         gn_color_uniforms color;
-        gn_light_uniforms light;
-        gn_textured_uniforms textured;
+        gn_lit_uniforms lit;
         phong_uniforms phong;
     } shader;
     gn_vertex_shader *shade;
@@ -96,14 +113,11 @@ static void use_clipped(gn_pipeline *pipeline, const scene_draw *d, clipped_unif
             clipped->shader.color = *(const gn_color_uniforms *)pipeline->uniforms;
         }
         break;
-    case SCENE_TEXTURED_GOURAUD:
-        clipped->shader.textured = *(const gn_textured_uniforms *)pipeline->uniforms;
-        break;
     case SCENE_PHONG:
         clipped->shader.phong = *(const phong_uniforms *)pipeline->uniforms;
         break;
     default:
-        clipped->shader.light = *(const gn_light_uniforms *)pipeline->uniforms;
+        clipped->shader.lit = *(const gn_lit_uniforms *)pipeline->uniforms;
         break;
     }
     clipped->shade = pipeline->vertex_shader;
@@ -126,13 +140,13 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
         use_sizes(pipeline, other);
         break;
     case SCENE_FLAT:
-        status = gn_use_flat(pipeline, &d->uniforms.light);
-        break;
     case SCENE_GOURAUD:
-        status = gn_use_gouraud(pipeline, &d->uniforms.light);
-        break;
     case SCENE_TEXTURED_GOURAUD:
-        status = gn_use_textured_gouraud(pipeline, &d->uniforms);
+        other->lit = lit_uniforms_of(d);
+        status = gn_use_gouraud(pipeline, &other->lit);
+        for (int c = 0; d->shader == SCENE_FLAT && c < 4; ++c) {
+            pipeline->interpolation[c] = GN_FLAT;
+        }
         break;
     case SCENE_PHONG:
         other->phong = phong_uniforms_of(d);

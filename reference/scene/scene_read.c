@@ -396,7 +396,7 @@ static bool read_color_state(reader *r, const char *keyword, gn_pipeline *p)
 
 static bool read_uniforms(reader *r, const char *keyword, scene_draw *d)
 {
-    gn_textured_uniforms *u = &d->uniforms;
+    scene_uniforms *u = &d->uniforms;
 
     if (!strcmp(keyword, "clip-from-model")) {
         read_floats(r, &u->light.clip_from_model.m[0][0], 16);

@@ -196,7 +196,7 @@ static void write_color_state(FILE *out, const gn_pipeline *p)
 
 static void write_uniforms(FILE *out, const scene_draw *d)
 {
-    const gn_textured_uniforms *u = &d->uniforms;
+    const scene_uniforms *u = &d->uniforms;
     const float specular[3] = {d->specular.x, d->specular.y, d->specular.z};
     const float direction[3] = {u->light.light_direction.x, u->light.light_direction.y,
                                 u->light.light_direction.z};

@@ -14,8 +14,8 @@ static void run_vertex_shader(const gn_pipeline *pipeline, const gn_vertex_input
         shade_lit(pipeline->uniforms, input, output);
     else if (pipeline->vertex_shader == gn_shade_vertex_color)
         shade_vertex_color(pipeline->uniforms, input, output);
-    else if (pipeline->vertex_shader == gn_shade_lit_textured)
-        shade_lit_textured(pipeline->uniforms, input, output);
+    else if (pipeline->vertex_shader == gn_shade_unlit)
+        shade_unlit(pipeline->uniforms, input, output);
     else
         pipeline->vertex_shader(pipeline->uniforms, input, output);
 }
@@ -81,6 +81,7 @@ static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from
     input.attribute = (const float(*)[4][GN_LANES])attribute;
     input.vertex_id = vertex_id;
     input.instance = draw->mesh->instance;
+    input.present = present_attributes(draw->mesh);
     output.position = staging;
     output.varying = staging + 4;
     output.clip_distance = output.varying + draw->pipeline->varying_count;

@@ -4,7 +4,7 @@
 #ifndef GN_FRAGMENT_BLOCK_H
 #define GN_FRAGMENT_BLOCK_H
 
-#include "../shaders/ready_made.h"
+#include "../shaders/vertex.h"
 #include "../texture/sample.h"
 
 #include "combine.h"
@@ -17,7 +17,7 @@
 typedef enum fragment_source {
     SOURCE_SHADER, /* the pipeline's fragment shader */
     SOURCE_COLOR,  /* varyings 0 to 3, smooth: gn_shade_color without the call */
-    SOURCE_TEXTURE /* and 4 and 5: gn_shade_textured without the call */
+    SOURCE_TEXTURE /* and 4 and 5: gn_shade_lit_texture or _unlit_texture without the call */
 } fragment_source;
 
 /* What is constant over a draw. */
@@ -43,6 +43,26 @@ static inline void set_more_colors(fragment_state *s, const gn_target *target,
     }
 }
 
+/* What of ready-made shaders goes without a call: a colour, maybe times a texture. */
+static inline void set_ready_color(fragment_state *s, const gn_pipeline *pipeline)
+{
+    const gn_lit_uniforms *const lit = pipeline->uniforms;
+    const gn_unlit_uniforms *const unlit = pipeline->uniforms;
+
+    s->texture = 0;
+    s->sampler = 0;
+    s->has_ready_color = true;
+    if (pipeline->fragment_shader == gn_shade_lit_texture) {
+        s->texture = lit->material.diffuse_map;
+        s->sampler = &lit->material.sampler;
+    } else if (pipeline->fragment_shader == gn_shade_unlit_texture) {
+        s->texture = unlit->map;
+        s->sampler = &unlit->sampler;
+    } else {
+        s->has_ready_color = pipeline->fragment_shader == gn_shade_color;
+    }
+}
+
 static inline void set_fragment_state(fragment_state *s, const gn_target *target,
                                       const gn_pipeline *pipeline,
                                       const viewport_transform *viewport)
@@ -52,6 +72,8 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     s->pipeline = pipeline;
     s->color = target->color[0];
     s->depth = target->depth;
+    if (GN_SPECIALISED)
+        set_ready_color(s, pipeline);
     s->tests_depth = pipeline->depth_test && format_has_depth(format);
     s->tests_stencil = pipeline->stencil_test && format_has_stencil(format);
     if (!s->tests_depth && !s->tests_stencil)
@@ -170,13 +192,13 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     verdict->kept = output.kept;
 }
 
-GN_INLINE void sample_texture(const gn_textured_uniforms *uniforms, const fragment_place *at,
+GN_INLINE void sample_texture(const fragment_state *state, const fragment_place *at,
                               raster_triangle triangle, lanes_f w, lanes_f texel[4])
 {
     const lanes_f s = lanes_mul(interpolate(at, triangle, VARYING_PLANES + VARYING_S), w);
     const lanes_f t = lanes_mul(interpolate(at, triangle, VARYING_PLANES + VARYING_T), w);
 
-    sample(&uniforms->texture, &uniforms->sampler, &s, &t, texel);
+    sample(state->texture, state->sampler, &s, &t, texel);
 }
 
 /* Stencil and depth, where there are tests. Gives the part of coverage that passed. Depths are
@@ -259,7 +281,7 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
             color[c] = lanes_load(shaded[c]);
     } else {
         if (kind.source == SOURCE_TEXTURE)
-            sample_texture(state->pipeline->uniforms, at, triangle, w, texel);
+            sample_texture(state, at, triangle, w, texel);
         for (uint32_t c = 0; c < 4; ++c) {
             color[c] = lanes_mul(interpolate(at, triangle, VARYING_PLANES + c), w);
             if (kind.source == SOURCE_TEXTURE)
@@ -343,8 +365,7 @@ GN_INLINE void shade_rows(const fragment_state *state, fragment_kind kind, raste
 GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster_triangle triangle,
                          int32_t x, int32_t y, uint32_t count)
 {
-    const gn_textured_uniforms *textured = state->pipeline->uniforms;
-    const bool in_rows = kind.source != SOURCE_TEXTURE || has_one_filter(&textured->sampler);
+    const bool in_rows = kind.source != SOURCE_TEXTURE || has_one_filter(state->sampler);
     const uint32_t whole = in_rows ? count - count % BLOCKS_IN_ROW : 0;
 
     shade_rows(state, kind, triangle, x, y, whole);
@@ -470,12 +491,13 @@ static inline bool is_plain(const fragment_state *state)
            !format_has_stencil(state->depth.format) && state->combine.use != COLOR_COMBINES;
 }
 
-static inline fragment_source source_of(const gn_pipeline *p)
+static inline fragment_source source_of(const fragment_state *state)
 {
-    const bool texture = p->fragment_shader == gn_shade_textured;
+    const gn_pipeline *p = state->pipeline;
+    const bool texture = state->texture;
     const uint32_t varyings = texture ? VARYING_END : VARYING_ALPHA + 1;
 
-    if ((!texture && p->fragment_shader != gn_shade_color) || p->varying_count < varyings)
+    if (!state->has_ready_color || p->varying_count < varyings)
         return SOURCE_SHADER;
     for (uint32_t n = 0; n < varyings; ++n) {
         if (p->interpolation[n] != GN_SMOOTH)
@@ -508,7 +530,7 @@ static inline run_function *run_over_function_of(gn_format depth, fragment_sourc
 /* The function that draws blocks under a state. */
 static inline run_function *run_function_of(const fragment_state *state)
 {
-    const fragment_source source = source_of(state->pipeline);
+    const fragment_source source = source_of(state);
 
     if (!GN_SPECIALISED || !is_plain(state))
         return run_any;

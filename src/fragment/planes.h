@@ -2,8 +2,6 @@
 #ifndef GN_FRAGMENT_PLANES_H
 #define GN_FRAGMENT_PLANES_H
 
-#include "gnomon/shaders.h"
-
 #include "types.h"
 
 /* The plane's value in every lane of the block at (x, y): per_y * y + (per_x * x + origin),
@@ -30,9 +28,9 @@ static inline triangle_identity identity_of(raster_triangle t, uint32_t varying_
     return identity;
 }
 
-/* The attributes that the library itself interpolates over long runs, varyings among them
- * as many as it knows a use for. */
-#define RUN_ATTRIBUTES (VARYING_PLANES + GN_SHADER_VARYINGS)
+/* The attributes that the library itself interpolates over long runs: of varyings a colour and
+ * two texture coordinates. */
+#define RUN_ATTRIBUTES (VARYING_PLANES + 6)
 
 /* The two terms of a value: per_y * y for the rows of a run of blocks and per_x * x + origin
  * for 16 of its columns, so that every pixel takes but their sum. */

@@ -108,6 +108,9 @@ typedef struct depth_limits {
 
 typedef struct fragment_state {
     const gn_pipeline *pipeline;
+    bool has_ready_color;      /* its fragment shader is one that gives the first varyings ... */
+    const gn_texture *texture; /* ... times this, where it is not null; not with GN_SMALL */
+    const gn_sampler *sampler;
     gn_surface color; /* GN_FORMAT_NONE: no colour */
     gn_surface depth; /* GN_FORMAT_NONE: no test */
     depth_state test;

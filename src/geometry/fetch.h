@@ -12,6 +12,15 @@ static inline uint32_t array_components(const gn_attribute *attribute)
     return attribute->data && attribute->divisor == 0 ? attribute->components : 0;
 }
 
+static inline uint32_t present_attributes(const mesh_run *mesh)
+{
+    uint32_t bits = 0;
+
+    for (uint32_t a = 0; a < GN_MAX_ATTRIBUTES; ++a)
+        bits |= (uint32_t)(mesh->attribute[a].data != 0) << a;
+    return bits;
+}
+
 /* A component that all vertices of an instance have: 0, 0, 0, 1 where there is no array. */
 static inline float constant_component(const gn_attribute *source, uint32_t instance, uint32_t c)
 {

@@ -1,47 +1,38 @@
 /* The ready-made shaders as functions, and their choice for a pipeline. */
-#include "ready_made.h"
+#include "lit.h"
+#include "unlit.h"
 
-void gn_shade_vertex_color(const void *uniforms, const gn_vertex_input *input,
-                           gn_vertex_output *output)
-{
-    shade_vertex_color(uniforms, input, output);
-}
-
-void gn_shade_lit(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)
-{
-    shade_lit(uniforms, input, output);
-}
-
-void gn_shade_lit_textured(const void *uniforms, const gn_vertex_input *input,
-                           gn_vertex_output *output)
-{
-    shade_lit_textured(uniforms, input, output);
-}
-
-void gn_shade_color(const void *uniforms, const gn_fragment_input *input,
-                    gn_fragment_output *output)
-{
-    (void)uniforms;
-    copy_color(&input->varying[VARYING_RED], output->color);
-}
-
-void gn_shade_textured(const void *uniforms, const gn_fragment_input *input,
-                       gn_fragment_output *output)
-{
-    const gn_textured_uniforms *u = uniforms;
-    float texel[4][GN_LANES];
-
-    input->sampling->sample_2d(&u->texture, &u->sampler, input->varying[VARYING_S],
-                               input->varying[VARYING_T], texel);
-    for (int c = 0; c < 4; ++c) {
-        GN_EACH_LANE (l)
-            output->color[c][l] = input->varying[c][l] * texel[c][l];
+#define VERTEX_SHADER(name)                                                                        \
+    void gn_##name(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)   \
+    {                                                                                              \
+        name(uniforms, input, output);                                                             \
     }
-}
+
+#define FRAGMENT_SHADER(name)                                                                      \
+    void gn_##name(const void *uniforms, const gn_fragment_input *input,                           \
+                   gn_fragment_output *output)                                                     \
+    {                                                                                              \
+        name(uniforms, input, output);                                                             \
+    }
+
+VERTEX_SHADER(shade_position)
+VERTEX_SHADER(shade_vertex_color)
+VERTEX_SHADER(shade_unlit)
+VERTEX_SHADER(shade_lit)
+VERTEX_SHADER(shade_surface)
+
+FRAGMENT_SHADER(shade_color)
+FRAGMENT_SHADER(shade_unlit_texture)
+FRAGMENT_SHADER(shade_lit_texture)
+FRAGMENT_SHADER(shade_flat)
+FRAGMENT_SHADER(shade_toon)
+FRAGMENT_SHADER(shade_phong)
+FRAGMENT_SHADER(shade_blinn_phong)
+FRAGMENT_SHADER(shade_normal_color)
+FRAGMENT_SHADER(shade_depth_color)
 
 static gn_status use(gn_pipeline *pipeline, const void *uniforms, gn_vertex_shader *vertex,
-                     gn_fragment_shader *fragment, uint32_t varying_count,
-                     gn_interpolation interpolation)
+                     gn_fragment_shader *fragment, uint32_t varying_count)
 {
     if (!pipeline || !uniforms)
         return GN_NULL_POINTER;
@@ -50,37 +41,159 @@ static gn_status use(gn_pipeline *pipeline, const void *uniforms, gn_vertex_shad
     pipeline->uniforms = uniforms;
     pipeline->varying_count = varying_count;
     for (uint32_t n = 0; n < varying_count; ++n)
-        pipeline->interpolation[n] = interpolation;
+        pipeline->interpolation[n] = GN_SMOOTH;
     return GN_OK;
 }
 
 gn_status gn_use_vertex_color(gn_pipeline *pipeline, const gn_color_uniforms *uniforms)
 {
-    return use(pipeline, uniforms, gn_shade_vertex_color, gn_shade_color, VARYING_ALPHA + 1,
-               GN_SMOOTH);
+    return use(pipeline, uniforms, gn_shade_vertex_color, gn_shade_color, VARYING_ALPHA + 1);
 }
 
-gn_status gn_use_flat(gn_pipeline *pipeline, const gn_light_uniforms *uniforms)
+gn_status gn_use_depth_only(gn_pipeline *pipeline, const gn_color_uniforms *uniforms)
 {
-    return use(pipeline, uniforms, gn_shade_lit, gn_shade_color, VARYING_ALPHA + 1, GN_FLAT);
+    return use(pipeline, uniforms, gn_shade_position, 0, 0);
 }
 
-gn_status gn_use_gouraud(gn_pipeline *pipeline, const gn_light_uniforms *uniforms)
+/* Of a map that is there. */
+static gn_status check_map(const gn_texture *map)
 {
-    return use(pipeline, uniforms, gn_shade_lit, gn_shade_color, VARYING_ALPHA + 1, GN_SMOOTH);
+    const gn_status status = gn_texture_check(map);
+
+    return status || map->target == GN_TEXTURE_2D ? status : GN_INVALID_ENUM;
 }
 
-gn_status gn_use_textured_gouraud(gn_pipeline *pipeline, const gn_textured_uniforms *uniforms)
+gn_status gn_use_unlit(gn_pipeline *pipeline, const gn_unlit_uniforms *uniforms)
 {
-    gn_status status;
+    gn_status status = GN_OK;
 
     if (!pipeline || !uniforms)
         return GN_NULL_POINTER;
-    status = gn_texture_check(&uniforms->texture);
-    if (!status)
-        status = gn_sampler_check(&uniforms->sampler);
+    if (uniforms->map) {
+        status = check_map(uniforms->map);
+        if (!status)
+            status = gn_sampler_check(&uniforms->sampler);
+    }
     if (status)
         return status;
-    return use(pipeline, uniforms, gn_shade_lit_textured, gn_shade_textured, VARYING_END,
-               GN_SMOOTH);
+    return use(pipeline, uniforms, gn_shade_unlit, gn_shade_unlit_texture,
+               uniforms->map ? VARYING_END : VARYING_ALPHA + 1);
+}
+
+static gn_status check_material(const gn_material *material)
+{
+    const gn_texture *const map[4] = {material->diffuse_map, material->normal_map,
+                                      material->specular_map, material->glow_map};
+    gn_status status = GN_OK;
+    bool any = false;
+
+    for (int i = 0; i < 4 && !status; ++i) {
+        any = any || map[i];
+        if (map[i])
+            status = check_map(map[i]);
+    }
+    if (any && !status)
+        status = gn_sampler_check(&material->sampler);
+    if (status)
+        return status;
+    if ((unsigned)material->normal_space > GN_NORMAL_OF_TANGENTS)
+        return GN_INVALID_ENUM;
+    return material->bands == 1 || material->bands > 256 ? GN_OUT_OF_RANGE : GN_OK;
+}
+
+static bool is_depth(gn_format format)
+{
+    return format == GN_FORMAT_D16 || format == GN_FORMAT_D24 || format == GN_FORMAT_D32F ||
+           format == GN_FORMAT_D24S8 || format == GN_FORMAT_D32FS8;
+}
+
+static gn_status check_shadow(const gn_shadow *shadow)
+{
+    gn_status status;
+
+    if (!shadow->map)
+        return GN_OK;
+    status = check_map(shadow->map);
+    if (!status && !is_depth(shadow->map->format))
+        status = GN_INVALID_FORMAT;
+    if (!status)
+        status = gn_sampler_check(&shadow->sampler);
+    if (!status && shadow->sampler.compare == GN_TEXTURE_COMPARE_NONE)
+        status = GN_INVALID_ENUM;
+    return status;
+}
+
+gn_status gn_lit_uniforms_check(const gn_lit_uniforms *uniforms)
+{
+    gn_status status;
+
+    if (!uniforms)
+        return GN_NULL_POINTER;
+    status = check_material(&uniforms->material);
+    return status ? status : check_shadow(&uniforms->shadow);
+}
+
+static gn_status use_lit(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms,
+                         gn_vertex_shader *vertex, gn_fragment_shader *fragment,
+                         uint32_t varying_count)
+{
+    const gn_status status = pipeline ? gn_lit_uniforms_check(uniforms) : GN_NULL_POINTER;
+
+    return status ? status : use(pipeline, uniforms, vertex, fragment, varying_count);
+}
+
+gn_status gn_use_gouraud(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
+{
+    return use_lit(pipeline, uniforms, gn_shade_lit, gn_shade_lit_texture,
+                   uniforms && uniforms->material.diffuse_map ? VARYING_END : VARYING_ALPHA + 1);
+}
+
+/* Of shaders that light fragments. */
+static gn_status use_surface(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms,
+                             gn_fragment_shader *fragment)
+{
+    return use_lit(pipeline, uniforms, gn_shade_surface, fragment,
+                   uniforms && has_tangents(&uniforms->material) ? VARYING_ALL : VARYING_TANGENT);
+}
+
+gn_status gn_use_flat(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
+{
+    return use_surface(pipeline, uniforms, gn_shade_flat);
+}
+
+gn_status gn_use_toon(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
+{
+    return use_surface(pipeline, uniforms, gn_shade_toon);
+}
+
+gn_status gn_use_phong(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
+{
+    return use_surface(pipeline, uniforms, gn_shade_phong);
+}
+
+gn_status gn_use_blinn_phong(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
+{
+    return use_surface(pipeline, uniforms, gn_shade_blinn_phong);
+}
+
+gn_status gn_use_normal_color(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
+{
+    return use_surface(pipeline, uniforms, gn_shade_normal_color);
+}
+
+static bool is_finite(float a)
+{
+    return a - a == 0.0f;
+}
+
+gn_status gn_use_depth_color(gn_pipeline *pipeline, const gn_depth_color_uniforms *uniforms)
+{
+    if (!pipeline || !uniforms)
+        return GN_NULL_POINTER;
+    if (!is_finite(uniforms->black) || !is_finite(uniforms->white))
+        return GN_NOT_FINITE;
+    if (uniforms->black == uniforms->white && uniforms->black != 0.0f)
+        return GN_OUT_OF_RANGE;
+    pipeline->fragment_reads_position = true;
+    return use(pipeline, uniforms, gn_shade_position, gn_shade_depth_color, 0);
 }

@@ -24,7 +24,7 @@ typedef struct builder {
     gn_pipeline state;
     scene_shader shader;
     bool counted;
-    gn_textured_uniforms uniforms;
+    scene_uniforms uniforms;
     gn_mat4 view_from_model;
     gn_vec3 specular;
     float clip_plane[GN_MAX_CLIP_DISTANCES][4];

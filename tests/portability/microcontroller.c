@@ -114,28 +114,30 @@ static gn_status draw_cube(const gn_target *target, float away)
     pipeline.depth_test = DEPTH != GN_FORMAT_NONE;
     pipeline.cull = GN_CULL_BACK;
 #if TEXTURED
-    static gn_textured_uniforms uniforms;
+    static gn_texture texture;
+    static gn_lit_uniforms uniforms;
 
     for (uint32_t i = 0; i < TEXTURE_SIZE * TEXTURE_SIZE; ++i)
         texels[i] = (i ^ i / TEXTURE_SIZE) & 4 ? 0xFF2040FFu : 0xFFFFFFFFu - 0x000301u * i;
-    uniforms.texture.level[0].texels = texels;
-    uniforms.texture.level[0].row_stride = TEXTURE_SIZE * 4;
-    uniforms.texture.width = uniforms.texture.height = TEXTURE_SIZE;
-    uniforms.texture.format = GN_FORMAT_RGBA8;
-    uniforms.sampler.magnify = GN_MAGNIFY_NEAREST;
-    uniforms.sampler.minify = GN_MINIFY_NEAREST;
-    uniforms.light.clip_from_model = camera(away);
+    texture.level[0].texels = texels;
+    texture.level[0].row_stride = TEXTURE_SIZE * 4;
+    texture.width = texture.height = TEXTURE_SIZE;
+    texture.format = GN_FORMAT_RGBA8;
+    uniforms.material.diffuse_map = &texture;
+    uniforms.material.sampler.magnify = GN_MAGNIFY_NEAREST;
+    uniforms.material.sampler.minify = GN_MINIFY_NEAREST;
+    uniforms.clip_from_model = camera(away);
     for (int i = 0; i < 3; ++i)
-        uniforms.light.normal_matrix.m[i][i] = 1.0f;
-    uniforms.light.light_direction.x = 0.6f;
-    uniforms.light.light_direction.z = 0.8f;
+        uniforms.normal_matrix.m[i][i] = 1.0f;
+    uniforms.light.direction.x = 0.6f;
+    uniforms.light.direction.z = 0.8f;
     uniforms.light.ambient.x = uniforms.light.ambient.y = uniforms.light.ambient.z = 0.3f;
     uniforms.light.diffuse.x = uniforms.light.diffuse.y = uniforms.light.diffuse.z = 0.7f;
     mesh.attribute[GN_ATTRIBUTE_NORMAL].data = attribute[0];
     mesh.attribute[GN_ATTRIBUTE_NORMAL].components = 3;
     mesh.attribute[GN_ATTRIBUTE_TEXCOORD].data = texcoord[0];
     mesh.attribute[GN_ATTRIBUTE_TEXCOORD].components = 2;
-    status = gn_use_textured_gouraud(&pipeline, &uniforms);
+    status = gn_use_gouraud(&pipeline, &uniforms);
 #else
     static gn_color_uniforms uniforms;
 

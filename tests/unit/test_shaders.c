@@ -5,25 +5,28 @@
 
 #include "unit.h"
 
-static gn_textured_uniforms uniforms;
+static gn_lit_uniforms uniforms;
+static gn_texture texture;
 static const uint32_t texels[4] = {0xFF0000FFu, 0xFF00FF00u, 0xFFFF0000u, 0x80FFFFFFu};
 
 static void reset(void)
 {
     memset(&uniforms, 0, sizeof uniforms);
+    memset(&texture, 0, sizeof texture);
+    uniforms.material.diffuse_map = &texture;
     for (int i = 0; i < 4; ++i)
-        uniforms.light.clip_from_model.m[i][i] = 2.0f;
+        uniforms.clip_from_model.m[i][i] = 2.0f;
     for (int i = 0; i < 3; ++i)
-        uniforms.light.normal_matrix.m[i][i] = 1.0f;
-    uniforms.light.light_direction.z = 1.0f;
+        uniforms.normal_matrix.m[i][i] = 1.0f;
+    uniforms.light.direction.z = 1.0f;
     uniforms.light.ambient.x = uniforms.light.ambient.y = uniforms.light.ambient.z = 0.25f;
     uniforms.light.diffuse.x = uniforms.light.diffuse.y = uniforms.light.diffuse.z = 0.5f;
-    uniforms.texture.level[0].texels = texels;
-    uniforms.texture.level[0].row_stride = 8;
-    uniforms.texture.width = 2;
-    uniforms.texture.height = 2;
-    uniforms.texture.format = GN_FORMAT_RGBA8;
-    uniforms.sampler.magnify = GN_MAGNIFY_NEAREST;
+    texture.level[0].texels = texels;
+    texture.level[0].row_stride = 8;
+    texture.width = 2;
+    texture.height = 2;
+    texture.format = GN_FORMAT_RGBA8;
+    uniforms.material.sampler.magnify = GN_MAGNIFY_NEAREST;
 }
 
 static void null_pointers(void **state)
@@ -35,12 +38,12 @@ static void null_pointers(void **state)
     reset();
     assert_int_equal(gn_use_vertex_color(NULL, &color), GN_NULL_POINTER);
     assert_int_equal(gn_use_vertex_color(&p, NULL), GN_NULL_POINTER);
-    assert_int_equal(gn_use_flat(NULL, &uniforms.light), GN_NULL_POINTER);
+    assert_int_equal(gn_use_flat(NULL, &uniforms), GN_NULL_POINTER);
     assert_int_equal(gn_use_flat(&p, NULL), GN_NULL_POINTER);
-    assert_int_equal(gn_use_gouraud(NULL, &uniforms.light), GN_NULL_POINTER);
+    assert_int_equal(gn_use_gouraud(NULL, &uniforms), GN_NULL_POINTER);
     assert_int_equal(gn_use_gouraud(&p, NULL), GN_NULL_POINTER);
-    assert_int_equal(gn_use_textured_gouraud(NULL, &uniforms), GN_NULL_POINTER);
-    assert_int_equal(gn_use_textured_gouraud(&p, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_use_gouraud(NULL, &uniforms), GN_NULL_POINTER);
+    assert_int_equal(gn_use_gouraud(&p, NULL), GN_NULL_POINTER);
 }
 
 static void bad_textures_leave_the_pipeline(void **state)
@@ -51,12 +54,12 @@ static void bad_textures_leave_the_pipeline(void **state)
     reset();
     memset(&p, 0, sizeof p);
     before = p;
-    uniforms.texture.width = 0;
-    assert_int_equal(gn_use_textured_gouraud(&p, &uniforms), GN_INVALID_SIZE);
+    texture.width = 0;
+    assert_int_equal(gn_use_gouraud(&p, &uniforms), GN_INVALID_SIZE);
     assert_memory_equal(&p, &before, sizeof p);
     reset();
-    uniforms.sampler.wrap_t = (gn_wrap)7;
-    assert_int_equal(gn_use_textured_gouraud(&p, &uniforms), GN_INVALID_ENUM);
+    uniforms.material.sampler.wrap_t = (gn_wrap)7;
+    assert_int_equal(gn_use_gouraud(&p, &uniforms), GN_INVALID_ENUM);
     assert_memory_equal(&p, &before, sizeof p);
 }
 
@@ -70,10 +73,8 @@ static void only_shader_fields_are_set(void **state)
     p.topology = GN_TRIANGLE_FAN;
     p.cull = GN_CULL_FRONT;
     p.depth_test = true;
-    assert_int_equal(gn_use_flat(&p, &uniforms.light), GN_OK);
-    assert_int_equal(p.interpolation[3], GN_FLAT);
-    assert_int_equal(gn_use_textured_gouraud(&p, &uniforms), GN_OK);
-    assert_int_equal(p.varying_count, GN_SHADER_VARYINGS);
+    assert_int_equal(gn_use_gouraud(&p, &uniforms), GN_OK);
+    assert_int_equal(p.varying_count, 6);
     for (uint32_t n = 0; n < p.varying_count; ++n)
         assert_int_equal(p.interpolation[n], GN_SMOOTH);
     assert_ptr_equal(p.uniforms, &uniforms);
@@ -103,6 +104,7 @@ static void shade_vertex(const gn_pipeline *p, const float normal[3], float posi
     in.attribute = (const float(*)[4][GN_LANES])attribute;
     in.vertex_id = id;
     in.count = GN_LANES;
+    in.present = 15;
     out.position = positions;
     out.varying = varyings;
     p->vertex_shader(p->uniforms, &in, &out);
@@ -127,7 +129,7 @@ static void light_follows_the_cosine(void **state)
 
     reset();
     memset(&p, 0, sizeof p);
-    assert_int_equal(gn_use_textured_gouraud(&p, &uniforms), GN_OK);
+    assert_int_equal(gn_use_gouraud(&p, &uniforms), GN_OK);
     for (int i = 0; i < 4; ++i) {
         shade_vertex(&p, normals[i], position, varying);
         for (int c = 0; c < 4; ++c)
@@ -149,7 +151,7 @@ static void texture_multiplies_every_channel(void **state)
 
     reset();
     memset(&p, 0, sizeof p);
-    assert_int_equal(gn_use_textured_gouraud(&p, &uniforms), GN_OK);
+    assert_int_equal(gn_use_gouraud(&p, &uniforms), GN_OK);
     for (int l = 0; l < GN_LANES; ++l) {
         for (int c = 0; c < 4; ++c)
             varying[c][l] = 0.5f;

@@ -41,8 +41,10 @@ scene_draw *look_add_part(scene *s, const look *l, const model_part *part, const
 {
     const image *diffuse = maps->images + MAP_DIFFUSE;
     scene_draw *draw = scene_add_draw(s);
-    gn_light_uniforms *light = &draw->uniforms.light;
+    scene_light *light = &draw->uniforms.light;
     draw->shader = diffuse->texels != NULL ? SCENE_TEXTURED_GOURAUD : SCENE_GOURAUD;
+    if (l->shading == SHADING_FLAT)
+        draw->shader = SCENE_FLAT;
     if (l->shading == SHADING_VERTEX_COLOR)
         draw->shader = SCENE_VERTEX_COLOR;
     draw->state.depth_test = true;

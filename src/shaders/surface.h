@@ -1,0 +1,80 @@
+/* What a fragment shows of the surface: its colour, normal and place, by varyings and maps. */
+#ifndef GN_SHADERS_SURFACE_H
+#define GN_SHADERS_SURFACE_H
+
+#include "vertex.h"
+
+/* A map's texels at the texture coordinates. */
+static inline void sample_map(const gn_texture *map, const gn_sampler *sampler,
+                              const gn_fragment_input *input, lanes_f texel[4])
+{
+    float sampled[4][GN_LANES];
+
+    input->sampling->sample_2d(map, sampler, input->varying[VARYING_S], input->varying[VARYING_T],
+                               sampled);
+    for (int c = 0; c < 4; ++c)
+        texel[c] = lanes_load(sampled[c]);
+}
+
+/* The vertex colour times a map, which may be null. */
+static inline void mapped_color(const gn_texture *map, const gn_sampler *sampler,
+                                const gn_fragment_input *input, lanes_f color[4])
+{
+    lanes_f texel[4];
+
+    for (int c = 0; c < 4; ++c)
+        color[c] = lanes_load(input->varying[VARYING_RED + c]);
+    if (!map)
+        return;
+    sample_map(map, sampler, input, texel);
+    for (int c = 0; c < 4; ++c)
+        color[c] = lanes_mul(color[c], texel[c]);
+}
+
+static inline void surface_color(const gn_material *material, const gn_fragment_input *input,
+                                 lanes_f color[4])
+{
+    mapped_color(material->diffuse_map, &material->sampler, input, color);
+}
+
+static inline void put_color(const lanes_f color[4], gn_fragment_output *output)
+{
+    for (int c = 0; c < 4; ++c)
+        lanes_store(output->color[c], color[c]);
+}
+
+/* (v.x * tangent + v.y * bitangent) + v.z * normal. Between vertices these are neither normalized
+ * nor made orthogonal, since tools that bake maps undo it without (Mikkelsen 2008, section 3). */
+static inline void from_tangents(const gn_fragment_input *input, const lanes_f v[3],
+                                 lanes_f normal[3])
+{
+    lanes_f tangent[3], bitangent[3];
+
+    load_vector(&input->varying[VARYING_TANGENT], tangent);
+    cross(normal, tangent, bitangent);
+    scale_vector(bitangent, lanes_load(input->varying[VARYING_HANDEDNESS]));
+    for (int c = 0; c < 3; ++c)
+        normal[c] = lanes_add(lanes_add(lanes_mul(v[0], tangent[c]), lanes_mul(v[1], bitangent[c])),
+                              lanes_mul(v[2], normal[c]));
+}
+
+/* In world space, normalized: that of the normal map, where there is one. */
+static inline void surface_normal(const gn_lit_uniforms *u, const gn_fragment_input *input,
+                                  lanes_f normal[3])
+{
+    lanes_f texel[4];
+
+    load_vector(&input->varying[VARYING_NORMAL], normal);
+    if (u->material.normal_map) {
+        sample_map(u->material.normal_map, &u->material.sampler, input, texel);
+        for (int c = 0; c < 3; ++c)
+            texel[c] = lanes_sub(lanes_mul(texel[c], lanes_splat(2.0f)), lanes_splat(1.0f));
+        if (has_tangents(&u->material))
+            from_tangents(input, texel, normal);
+        else
+            turn_by_mat3(&u->normal_matrix, texel, normal);
+    }
+    normalize(normal);
+}
+
+#endif

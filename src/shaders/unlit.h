@@ -1,0 +1,66 @@
+/* The fragment shaders without a light: colours and textures as they are, normals and depths as
+ * colours. */
+#ifndef GN_SHADERS_UNLIT_H
+#define GN_SHADERS_UNLIT_H
+
+#include "surface.h"
+
+static inline void shade_color(const void *uniforms, const gn_fragment_input *input,
+                               gn_fragment_output *output)
+{
+    (void)uniforms;
+    for (int c = 0; c < 4; ++c) {
+        GN_EACH_LANE (l)
+            output->color[c][l] = input->varying[VARYING_RED + c][l];
+    }
+}
+
+/* Of gn_unlit_uniforms. */
+static inline void shade_unlit_texture(const void *uniforms, const gn_fragment_input *input,
+                                       gn_fragment_output *output)
+{
+    const gn_unlit_uniforms *u = uniforms;
+    lanes_f color[4];
+
+    mapped_color(u->map, &u->sampler, input, color);
+    put_color(color, output);
+}
+
+/* Of gn_lit_uniforms, lit at the vertices. */
+static inline void shade_lit_texture(const void *uniforms, const gn_fragment_input *input,
+                                     gn_fragment_output *output)
+{
+    const gn_lit_uniforms *u = uniforms;
+    lanes_f color[4];
+
+    surface_color(&u->material, input, color);
+    put_color(color, output);
+}
+
+static inline void shade_normal_color(const void *uniforms, const gn_fragment_input *input,
+                                      gn_fragment_output *output)
+{
+    const lanes_f half = lanes_splat(0.5f);
+    lanes_f color[4];
+
+    surface_normal(uniforms, input, color);
+    for (int c = 0; c < 3; ++c)
+        color[c] = lanes_add(lanes_mul(half, color[c]), half);
+    color[3] = lanes_splat(1.0f);
+    put_color(color, output);
+}
+
+static inline void shade_depth_color(const void *uniforms, const gn_fragment_input *input,
+                                     gn_fragment_output *output)
+{
+    const gn_depth_color_uniforms *u = uniforms;
+    const float white = u->black == 0.0f && u->white == 0.0f ? 1.0f : u->white;
+    const lanes_f black = lanes_splat(u->black);
+    const lanes_f range = lanes_splat(white - u->black);
+    const lanes_f grey = lanes_div(lanes_sub(lanes_load(input->position[2]), black), range);
+    const lanes_f color[4] = {grey, grey, grey, lanes_splat(1.0f)};
+
+    put_color(color, output);
+}
+
+#endif

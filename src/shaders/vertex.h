@@ -1,0 +1,165 @@
+/* The ready-made vertex shaders over lanes, and the order of the varyings that they give. Compiled
+ * for each back end, and once for the functions a pipeline points to (shaders.c). */
+#ifndef GN_SHADERS_VERTEX_H
+#define GN_SHADERS_VERTEX_H
+
+#include "gnomon/shaders.h"
+
+#include "lighting.h"
+#include "shaders.h"
+
+/* A shader has the first so many of them. */
+enum {
+    VARYING_RED,
+    VARYING_ALPHA = 3,
+    VARYING_S,
+    VARYING_T,
+    VARYING_END,                  /* of what is lit at vertices */
+    VARYING_NORMAL = VARYING_END, /* in world space, as is what follows */
+    VARYING_PLACE = VARYING_NORMAL + 3,
+    VARYING_TANGENT = VARYING_PLACE + 3,
+    VARYING_HANDEDNESS = VARYING_TANGENT + 3,
+    VARYING_ALL
+};
+
+typedef char shader_varyings_are_as_stated[VARYING_ALL == GN_SHADER_VARYINGS ? 1 : -1];
+
+static inline bool has_tangents(const gn_material *material)
+{
+    return material->normal_map && material->normal_space == GN_NORMAL_OF_TANGENTS;
+}
+
+static inline void load_position(const gn_vertex_input *input, lanes_f position[4])
+{
+    for (int c = 0; c < 4; ++c)
+        position[c] = lanes_load(input->attribute[GN_ATTRIBUTE_POSITION][c]);
+}
+
+static inline void place_vertex(const gn_mat4 *clip_from_model, const gn_vertex_input *input,
+                                gn_vertex_output *output)
+{
+    lanes_f position[4], clip[4];
+
+    load_position(input, position);
+    transform(clip_from_model, position, 4, clip);
+    for (int c = 0; c < 4; ++c)
+        lanes_store(output->position[c], clip[c]);
+}
+
+/* White where the mesh has no colours. */
+static inline void load_color(const gn_vertex_input *input, lanes_f color[4])
+{
+    for (int c = 0; c < 4; ++c)
+        color[c] = input->present >> GN_ATTRIBUTE_COLOR & 1
+                       ? lanes_load(input->attribute[GN_ATTRIBUTE_COLOR][c])
+                       : lanes_splat(1.0f);
+}
+
+static inline void store_color(const lanes_f color[4], gn_vertex_output *output)
+{
+    for (int c = 0; c < 4; ++c)
+        lanes_store(output->varying[VARYING_RED + c], color[c]);
+}
+
+static inline void copy_texcoord(const gn_vertex_input *input, gn_vertex_output *output)
+{
+    GN_EACH_LANE (l) {
+        output->varying[VARYING_S][l] = input->attribute[GN_ATTRIBUTE_TEXCOORD][0][l];
+        output->varying[VARYING_T][l] = input->attribute[GN_ATTRIBUTE_TEXCOORD][1][l];
+    }
+}
+
+static inline void shade_position(const void *uniforms, const gn_vertex_input *input,
+                                  gn_vertex_output *output)
+{
+    const gn_color_uniforms *u = uniforms;
+
+    place_vertex(&u->clip_from_model, input, output);
+}
+
+static inline void shade_vertex_color(const void *uniforms, const gn_vertex_input *input,
+                                      gn_vertex_output *output)
+{
+    const gn_color_uniforms *u = uniforms;
+    lanes_f color[4];
+
+    place_vertex(&u->clip_from_model, input, output);
+    load_color(input, color);
+    store_color(color, output);
+}
+
+static inline void shade_unlit(const void *uniforms, const gn_vertex_input *input,
+                               gn_vertex_output *output)
+{
+    const gn_unlit_uniforms *u = uniforms;
+    lanes_f color[4];
+
+    place_vertex(&u->clip_from_model, input, output);
+    load_color(input, color);
+    store_color(color, output);
+    if (u->map)
+        copy_texcoord(input, output);
+}
+
+/* In world space; 0 where the mesh has none. */
+static inline void load_normal(const gn_lit_uniforms *u, const gn_vertex_input *input,
+                               lanes_f normal[3])
+{
+    lanes_f of_model[3];
+
+    load_vector(input->attribute[GN_ATTRIBUTE_NORMAL], of_model);
+    turn_by_mat3(&u->normal_matrix, of_model, normal);
+}
+
+/* Gouraud's. */
+static inline void shade_lit(const void *uniforms, const gn_vertex_input *input,
+                             gn_vertex_output *output)
+{
+    const gn_lit_uniforms *u = uniforms;
+    lanes_f normal[3], to_light[3], color[4], left;
+    lanes_f position[4], place[4];
+
+    place_vertex(&u->clip_from_model, input, output);
+    load_normal(u, input, normal);
+    normalize(normal);
+    if (u->light.is_point) {
+        load_position(input, position);
+        transform(&u->world_from_model, position, 3, place);
+    }
+    light_at(&u->light, place, to_light, &left);
+    load_color(input, color);
+    light_color(&u->light, lanes_mul(above_zero(dot(normal, to_light)), left), color);
+    store_color(color, output);
+    if (u->material.diffuse_map)
+        copy_texcoord(input, output);
+}
+
+/* What shaders that light fragments ask for. Normals and tangents have one length, so that between
+ * vertices none counts for more than another. */
+static inline void shade_surface(const void *uniforms, const gn_vertex_input *input,
+                                 gn_vertex_output *output)
+{
+    const gn_lit_uniforms *u = uniforms;
+    lanes_f position[4], place[4], color[4], vector[3], turned[3];
+
+    place_vertex(&u->clip_from_model, input, output);
+    load_color(input, color);
+    store_color(color, output);
+    copy_texcoord(input, output);
+    load_normal(u, input, vector);
+    normalize_or_zero(vector);
+    store_vector(vector, &output->varying[VARYING_NORMAL]);
+    load_position(input, position);
+    transform(&u->world_from_model, position, 3, place);
+    store_vector(place, &output->varying[VARYING_PLACE]);
+    if (!has_tangents(&u->material))
+        return;
+    load_vector(input->attribute[GN_ATTRIBUTE_TANGENT], vector);
+    turn_by_mat4(&u->world_from_model, vector, turned);
+    normalize_or_zero(turned);
+    store_vector(turned, &output->varying[VARYING_TANGENT]);
+    GN_EACH_LANE (l)
+        output->varying[VARYING_HANDEDNESS][l] = input->attribute[GN_ATTRIBUTE_TANGENT][3][l];
+}
+
+#endif
