@@ -247,6 +247,19 @@ all demo test library cross size: | $(filter setup setup-cross,$(MAKECMDGOALS))
 demo:
 	@$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png --picture $(BUILD)/teapot.png
 
+.PHONY: compare-models
+compare-models: $(BUILD)/gnomon ## OBJ models with every shader, with Gnomon and OSMesa: MODELS=DIRECTORY
+	@tests/models.sh $(BUILD) '$(MODELS)'
+
+PICTURE_SHADERS = vertex-color unlit flat gouraud toon phong blinn-phong normals depth
+PICTURE = $(BUILD)/gnomon demo --size 240x180 --samples 4 -o $(BUILD)/picture-compared.png
+
+.PHONY: pictures
+pictures: $(BUILD)/gnomon ## the README's pictures of the shaders, compared with OSMesa's: tools/pictures/*.png
+	@for shader in $(PICTURE_SHADERS); do \
+		$(PICTURE) --shader $$shader --picture tools/pictures/$$shader.png || exit 1; done
+	@$(PICTURE) --shader phong --shadows --picture tools/pictures/shadows.png
+
 SCENES ?= 20100
 SEED ?= 1
 JOBS ?= 2

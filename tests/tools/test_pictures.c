@@ -287,6 +287,77 @@ static void textures_stand_upright(void **state)
     remove_file("square_diffuse.tga");
 }
 
+static void write_color(const char *name, uint8_t red, uint8_t green, uint8_t blue)
+{
+    const uint8_t texel[3] = {red, green, blue};
+    stbi_write_png(path_of(name), 1, 1, 3, texel, 0);
+}
+
+static void expect_maps(const char *arguments, const char *maps)
+{
+    run r = gnomon("render %s -o a.png --size 8x8", arguments);
+    assert_int_equal(r.status, 0);
+    const char *line = strstr(r.out, "\nmaps: ");
+    if (maps[0] == '\0' ? line != NULL : line == NULL || strcmp(line + 7, maps) != 0)
+        fail_msg("%s: expected '%s' of\n%s", arguments, maps, r.out);
+}
+
+static void maps_are_found_by_name(void **state)
+{
+    (void)state;
+    write_text("face.obj", square_obj);
+    expect_maps("face.obj", "");
+    write_color("face_nm.png", 128, 255, 128);
+    expect_maps("face.obj", "world-space normals face_nm.png\n");
+    write_color("face_nm_tangent.jpg", 128, 128, 255);
+    expect_maps("face.obj", "tangent-space normals face_nm_tangent.jpg\n");
+    expect_maps("face.obj --normal-map world", "world-space normals face_nm.png\n");
+    expect_maps("face.obj --normal-map none", "");
+    expect_maps("face.obj --shader unlit", "");
+    write_color("face_diffuse.tga", 0, 255, 0);
+    write_color("face_spec.png", 9, 9, 9);
+    write_color("face_glow.png", 9, 9, 9);
+    expect_maps("face.obj", "diffuse face_diffuse.tga, tangent-space normals face_nm_tangent.jpg, "
+                            "specular face_spec.png, glow face_glow.png\n");
+    expect_maps("./face.obj --texture none --glow-map face_spec.png --specular-map none",
+                "tangent-space normals ./face_nm_tangent.jpg, glow face_spec.png\n");
+    expect_maps("face.obj --shader toon", "diffuse face_diffuse.tga\n");
+    expect_maps("face.obj --shader normals", "tangent-space normals face_nm_tangent.jpg\n");
+    expect_maps("face.obj --shader normals --normal-map tangent:face_spec.png",
+                "tangent-space normals face_spec.png\n");
+    expect_maps("face.obj --shader vertex-color", "");
+    remove_file("face_diffuse.tga");
+    remove_file("face_nm.png");
+    remove_file("face_nm_tangent.jpg");
+    remove_file("face_spec.png");
+    remove_file("face_glow.png");
+}
+
+static void maps_are_found_by_material(void **state)
+{
+    char text[1024] = "mtllib coat.mtl\nusemtl coat\n";
+    (void)state;
+    write_text("coat.mtl", "newmtl coat\nKd 1 1 1\nmap_Kd c1.png\nmap_Ks c2.png\nmap_Ke c3.png\n"
+                           "map_Bump c4.png\n");
+    for (int i = 1; i <= 3; i++) {
+        char name[16];
+        snprintf(name, sizeof name, "c%d.png", i);
+        write_color(name, 99, 99, 99);
+    }
+    write_color("c4.png", 120, 130, 255);
+    strcat(text, square_obj);
+    write_text("coat.obj", text);
+    expect_maps("coat.obj", "diffuse c1.png, tangent-space normals c4.png, specular c2.png, "
+                            "glow c3.png\n");
+    /* One that is grey holds heights. */
+    write_color("c4.png", 120, 120, 120);
+    expect_maps("coat.obj", "diffuse c1.png, (heights, not used) c4.png, specular c2.png, "
+                            "glow c3.png\n");
+    /* Of an option instead. */
+    expect_maps("coat.obj --normal-map tangent:c3.png --texture c2.png",
+                "diffuse c2.png, tangent-space normals c3.png, specular c2.png, glow c3.png\n");
+}
+
 /* A glTF file with everything inside: the square, and a texture of two texels, red above
  * green. */
 static const char square_gltf[] =
@@ -488,6 +559,8 @@ int main(int argc, char **argv)
         cmocka_unit_test(framing_shows_the_whole_model),
         cmocka_unit_test(depth_is_16_bit_grey),
         cmocka_unit_test(textures_stand_upright),
+        cmocka_unit_test(maps_are_found_by_name),
+        cmocka_unit_test(maps_are_found_by_material),
         cmocka_unit_test(textures_inside_the_model_are_used),
         cmocka_unit_test(materials_are_followed),
         cmocka_unit_test(missing_normals_are_smooth),
