@@ -130,7 +130,8 @@ $(BUILD)/blits: $(call objects,$(sort $(wildcard tests/blits/*.c))) $(REFERENCE_
 
 # The same program with AVX-512, NEON and WebAssembly's vectors emulated, which on x86 some
 # processor lacks: of the library, what knows which back ends there are is compiled again.
-EMULATED_SOURCES = src/draw/draw.c src/math/bulk.c $(addprefix src/backends/,choose.c avx512.c neon.c wasm_simd128.c)
+EMULATED_SOURCES = src/draw/draw.c src/math/bulk.c \
+	$(addprefix src/backends/,choose.c $(foreach back_end,avx512 neon wasm_simd128,$(back_end).c shading_$(back_end).c))
 
 $(BUILD)/parity-emulated: $(call objects,$(PARITY_SOURCES) $(THREADS_SOURCES)) $(REFERENCE_OBJECTS) \
 		$(patsubst %.c,$(BUILD)/emulated/%.o,$(EMULATED_SOURCES)) \

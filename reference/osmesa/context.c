@@ -115,6 +115,7 @@ reference *reference_create(reference_profile profile, char *error, size_t error
     glBindVertexArray(r->vertex_array);
     glDisable(GL_DITHER);
     glEnable(GL_FRAMEBUFFER_SRGB);
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     if (pinned) {
         glEnable(POINT_SPRITE);
     }
@@ -144,6 +145,10 @@ void reference_destroy(reference *r)
     for (int i = 0; i < INPUTS_PROGRAMS; ++i) {
         glDeleteProgram(r->inputs_programs[0][i]);
         glDeleteProgram(r->inputs_programs[1][i]);
+    }
+    for (int i = 0; i < SAMPLED_PROGRAMS; ++i) {
+        glDeleteProgram(r->sampled_programs[0][i]);
+        glDeleteProgram(r->sampled_programs[1][i]);
     }
     for (int i = 0; i < 2; ++i) {
         glDeleteProgram(r->sample_programs[i]);

@@ -164,51 +164,6 @@ static void upload_vertices(const scene_draw *d, uploaded_draw *u)
     }
 }
 
-static GLint wrap(gn_wrap w)
-{
-    return w == GN_WRAP_CLAMP_TO_EDGE ? GL_CLAMP_TO_EDGE : GL_REPEAT;
-}
-
-static GLint minify(gn_minify m)
-{
-    switch (m) {
-    case GN_MINIFY_NEAREST:
-        return GL_NEAREST;
-    case GN_MINIFY_LINEAR:
-        return GL_LINEAR;
-    case GN_MINIFY_NEAREST_MIPMAP_NEAREST:
-        return GL_NEAREST_MIPMAP_NEAREST;
-    case GN_MINIFY_LINEAR_MIPMAP_NEAREST:
-        return GL_LINEAR_MIPMAP_NEAREST;
-    case GN_MINIFY_LINEAR_MIPMAP_LINEAR:
-        return GL_LINEAR_MIPMAP_LINEAR;
-    case GN_MINIFY_NEAREST_MIPMAP_LINEAR:
-        break;
-    }
-    return GL_NEAREST_MIPMAP_LINEAR;
-}
-
-static void upload_texture(const gn_texture *t, const gn_sampler *sampler, uploaded_draw *u)
-{
-    const bool bytes = t->format == GN_FORMAT_RGBA8;
-
-    glGenTextures(1, &u->texture);
-    glBindTexture(GL_TEXTURE_2D, u->texture);
-    glTexStorage2D(GL_TEXTURE_2D, 1, bytes ? GL_RGBA8 : GL_RGBA32F, (GLsizei)t->width,
-                   (GLsizei)t->height);
-    for (uint32_t y = 0; y < t->height; ++y) {
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, (GLint)y, (GLsizei)t->width, 1, GL_RGBA,
-                        bytes ? GL_UNSIGNED_INT_8_8_8_8_REV : GL_FLOAT,
-                        (const char *)t->level[0].texels + (ptrdiff_t)y * t->level[0].row_stride);
-    }
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap(sampler->wrap_s));
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap(sampler->wrap_t));
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER,
-                    sampler->magnify == GN_MAGNIFY_NEAREST ? GL_NEAREST : GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minify(sampler->minify));
-}
-
 uploaded_draw *reference_upload(reference *r, const scene *s, char *error, size_t error_size)
 {
     uploaded_draw *draws = calloc(s->draw_count + 1, sizeof *draws);
@@ -230,7 +185,7 @@ uploaded_draw *reference_upload(reference *r, const scene *s, char *error, size_
             glGenQueries(1, &draws[i].query);
         }
         if (scene_shader_is_textured(d->shader)) {
-            upload_texture(&d->uniforms.texture, &d->uniforms.sampler, &draws[i]);
+            draws[i].texture = reference_upload_texture(&d->uniforms);
         }
     }
     if (!reference_check("uploading a scene", error, error_size)) {
@@ -359,8 +314,8 @@ static void set_state(const scene *s, const gn_pipeline *p)
     }
 }
 
-/* Colours are white where the mesh has none. */
-static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u)
+/* Colours of the ready-made vertex shaders are white where the mesh has none. */
+static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u, bool whitens)
 {
     glBindBuffer(GL_ARRAY_BUFFER, u->vertices);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, u->indices);
@@ -375,7 +330,7 @@ static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u)
             glVertexAttribDivisor(a, attribute->divisor);
         } else {
             glDisableVertexAttribArray(a);
-            const GLfloat absent = a == GN_ATTRIBUTE_COLOR ? 1.0f : 0.0f;
+            const GLfloat absent = whitens && a == GN_ATTRIBUTE_COLOR ? 1.0f : 0.0f;
 
             glVertexAttrib4f(a, absent, absent, absent, 1.0f);
         }
@@ -454,11 +409,13 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
     set_state(s, &d->state);
     switch_capability(GL_PROGRAM_POINT_SIZE,
                       d->state.program_point_size && scene_shader_has_sizes(d->shader));
-    set_attributes(mesh, u);
+    set_attributes(mesh, u, d->shader != SCENE_SAMPLED);
     glUseProgram(u->program);
     set_uniforms(d);
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, u->texture);
+    if (u->texture) {
+        glBindTexture(reference_texture_target(d->uniforms.texture.target), u->texture);
+    }
     renew_viewport(d);
     set_state(s, &d->state);
     if (u->query) {

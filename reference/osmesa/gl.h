@@ -20,6 +20,9 @@
  * coordinates, sizes of points. */
 #define INPUTS_PROGRAMS 64
 
+/* Of the program of sampled.h: targets of textures times colours, depths and compared depths. */
+#define SAMPLED_PROGRAMS 15
+
 typedef struct framebuffer {
     GLuint name;
     GLuint color[GN_MAX_COLORS], depth; /* renderbuffers */
@@ -38,6 +41,7 @@ struct reference {
     GLuint derivatives_programs[2][VERTEX_COLOR_PROGRAMS];
     GLuint inputs_programs[2][INPUTS_PROGRAMS];
     GLuint outputs_programs[2][GN_MAX_COLORS];
+    GLuint sampled_programs[2][SAMPLED_PROGRAMS];
     GLuint lit_programs[2][SCENE_SHADER_COUNT];
     framebuffer framebuffers[FRAMEBUFFER_CACHE_SIZE];
     uint64_t uses;
@@ -83,6 +87,21 @@ void reference_discard(uploaded_draw *draws, size_t count);
 /* A program of a vertex shader, after its declarations, and a whole fragment shader; 0 with the
  * compiler's log in error. */
 GLuint reference_link(const char *vertex, const char *fragment, char *error, size_t error_size);
+
+/* The same, with the clip distances of a scene's draws where `clipped`. */
+GLuint reference_link_clipped(const char *vertex, const char *fragment, bool clipped, char *error,
+                              size_t error_size);
+
+/* The program of a draw with SCENE_SAMPLED, as reference_program. */
+GLuint reference_sampled_program(reference *r, const scene_draw *d, char *error, size_t error_size);
+
+/* A texture with its sampler's state, bound; 0 where memory is short. */
+GLuint reference_upload_texture(const scene_uniforms *u);
+
+GLenum reference_texture_target(gn_texture_target target);
+
+/* Whether texels are compared: the sampler says so, and they are depths. */
+bool reference_is_compared(const scene_uniforms *u);
 
 /* Reads every sample of the bound framebuffer of a scene, and what they resolve to. */
 bool reference_read_samples(reference *r, const scene *s, const framebuffer *f, scene_frame *frame,

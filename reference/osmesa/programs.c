@@ -237,9 +237,15 @@ static GLuint link_program(const char *vertex_body, const char *fragment_head,
     return program;
 }
 
+GLuint reference_link_clipped(const char *vertex, const char *fragment, bool clipped, char *error,
+                              size_t error_size)
+{
+    return link_program(vertex, "#version 450 core\n", fragment, clipped, error, error_size);
+}
+
 GLuint reference_link(const char *vertex, const char *fragment, char *error, size_t error_size)
 {
-    return link_program(vertex, "#version 450 core\n", fragment, false, error, error_size);
+    return reference_link_clipped(vertex, fragment, false, error, error_size);
 }
 
 static const char *qualifier(gn_interpolation interpolation)
@@ -378,6 +384,8 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
         }
         break;
     }
+    case SCENE_SAMPLED:
+        return reference_sampled_program(r, d, error, error_size);
     case SCENE_SHADER_COUNT:
         reference_fail(error, error_size, "a draw has no shader");
         return 0;

@@ -205,24 +205,6 @@ void scene_set_indices(scene_draw *d, const uint32_t *indices, uint32_t count,
     d->index_count = copy ? count : 0;
 }
 
-void scene_set_texture(scene_draw *d, const void *texels, uint32_t width, uint32_t height,
-                       gn_format format)
-{
-    gn_texture *t = &d->uniforms.texture;
-    const size_t row = width * gn_format_size(format);
-    void *copy = scene_allocate(height, row);
-
-    if (row && height) {
-        memcpy(copy, texels, row * height);
-    }
-    free((void *)t->level[0].texels);
-    t->level[0].texels = copy;
-    t->level[0].row_stride = (ptrdiff_t)row;
-    t->width = width;
-    t->height = height;
-    t->format = format;
-}
-
 /* The attribute as one tightly packed array, whatever its stride. */
 static void copy_attribute(gn_attribute *to, const gn_attribute *from, uint32_t vertex_count)
 {
@@ -268,8 +250,7 @@ scene *scene_copy(const scene *s)
         }
         if (texture->level[0].texels) {
             to->uniforms.texture.level[0].texels = NULL;
-            scene_set_texture(to, texture->level[0].texels, texture->width, texture->height,
-                              texture->format);
+            scene_set_levels(to, texture);
         }
     }
     return copy;

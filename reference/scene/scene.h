@@ -12,7 +12,7 @@
 
 #include <gnomon.h>
 
-/* The shader of a draw, ready-made but for the last three. */
+/* The shader of a draw: ready-made, then users'. */
 typedef enum scene_shader {
     SCENE_VERTEX_COLOR = 0,
     SCENE_FLAT,
@@ -21,13 +21,14 @@ typedef enum scene_shader {
     SCENE_PHONG,       /* no ready-made one: a user's (phong.h) */
     SCENE_INPUTS,      /* another (inputs.h) */
     SCENE_DERIVATIVES, /* a third (derivatives.h) */
-    SCENE_OUTPUTS,     /* and one of several colours (outputs.h) */
+    SCENE_OUTPUTS,     /* one of several colours (outputs.h) */
+    SCENE_SAMPLED,     /* and one of any texture (sampled.h) */
     SCENE_SHADER_COUNT
 } scene_shader;
 
 static inline bool scene_shader_is_textured(scene_shader shader)
 {
-    return shader == SCENE_TEXTURED_GOURAUD || shader == SCENE_PHONG;
+    return shader == SCENE_TEXTURED_GOURAUD || shader == SCENE_PHONG || shader == SCENE_SAMPLED;
 }
 
 static inline bool scene_shader_is_lit(scene_shader shader)
@@ -38,7 +39,7 @@ static inline bool scene_shader_is_lit(scene_shader shader)
 /* Whether points may have the first of the texture coordinates for a size. */
 static inline bool scene_shader_has_sizes(scene_shader shader)
 {
-    return !scene_shader_is_lit(shader) && shader != SCENE_OUTPUTS;
+    return !scene_shader_is_lit(shader) && shader != SCENE_OUTPUTS && shader != SCENE_SAMPLED;
 }
 
 /* What the shaders with one light are given. */
@@ -82,7 +83,8 @@ typedef struct scene_draw {
     uint32_t index_count; /* elements behind mesh.indices, 0 where there are none */
 
     /* clip_from_model serves every shader, the light those that are lit, the
-     * texture and sampler the textured shaders. */
+     * texture and sampler the textured shaders: 2D textures of one level all but
+     * SCENE_SAMPLED, which has any (of D16 to D32FS8 the depths; not 3D, which OpenGL lacks). */
     scene_uniforms uniforms;
 
     /* Clip distance i, of state.clip_distance_count, is ((p0*x + p1*y) + p2*z) + p3*w of the
@@ -177,9 +179,35 @@ void scene_set_attribute(scene_draw *d, gn_shader_attribute attribute, const flo
 void scene_set_indices(scene_draw *d, const uint32_t *indices, uint32_t count,
                        gn_index_format format);
 
-/* Copies a texture into a draw, t growing with the row, tightly packed. */
+/* Copies a 2D texture of one level into a draw, t growing with the row, tightly packed. */
 void scene_set_texture(scene_draw *d, const void *texels, uint32_t width, uint32_t height,
                        gn_format format);
+
+/* Copies any texture into a draw: its levels one after the other, tightly packed, in memory that
+ * begins with the first's texels. */
+void scene_set_levels(scene_draw *d, const gn_texture *texture);
+
+/* Texels of a level: columns, rows, and slices, layers or faces. */
+typedef struct scene_extent {
+    uint32_t width, height, layers;
+} scene_extent;
+
+scene_extent scene_level_extent(const gn_texture *t, uint32_t level);
+
+/* At least one. */
+uint32_t scene_level_count(const gn_texture *t);
+
+/* Elements of all levels of a texture, and the bytes of one: 1, 2 or 4, 0 for no format. */
+size_t scene_texture_elements(const gn_texture *t);
+size_t scene_element_size(gn_format format);
+
+/* Element i, of 1, 2 or 4 bytes, of aligned memory. */
+uint32_t scene_element(const void *elements, size_t size, size_t i);
+void scene_set_element(void *elements, size_t size, size_t i, uint32_t value);
+
+/* Has the levels of a texture, whose other members are there, tightly packed one after the other
+ * in memory. */
+void scene_pack_texture(gn_texture *t, const void *memory);
 
 /* Whether a format is one of colours. */
 bool scene_is_color_format(gn_format format);

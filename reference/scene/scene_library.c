@@ -8,6 +8,7 @@
 #include "inputs.h"
 #include "outputs.h"
 #include "phong.h"
+#include "sampled.h"
 #include "scene_memory.h"
 
 typedef char scene_varyings_are_as_stated[PHONG_VARYINGS <= SCENE_VARYINGS ? 1 : -1];
@@ -76,6 +77,7 @@ typedef struct clipped_uniforms {
         other_uniforms other;
         gn_color_uniforms color;
         gn_lit_uniforms lit;
+        scene_uniforms sampled;
         phong_uniforms phong;
     } shader;
     gn_vertex_shader *shade;
@@ -112,6 +114,9 @@ static void use_clipped(gn_pipeline *pipeline, const scene_draw *d, clipped_unif
         } else {
             clipped->shader.color = *(const gn_color_uniforms *)pipeline->uniforms;
         }
+        break;
+    case SCENE_SAMPLED:
+        clipped->shader.sampled = *(const scene_uniforms *)pipeline->uniforms;
         break;
     case SCENE_PHONG:
         clipped->shader.phong = *(const phong_uniforms *)pipeline->uniforms;
@@ -166,6 +171,9 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
     case SCENE_OUTPUTS:
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
         status = outputs_use(pipeline, &other->color);
+        break;
+    case SCENE_SAMPLED:
+        status = sampled_use(pipeline, &d->uniforms);
         break;
     case SCENE_SHADER_COUNT:
         break;

@@ -1,192 +1,12 @@
 /* Scenes from text. */
 #include "scene.h"
 
-#include <ctype.h>
-#include <errno.h>
 #include <inttypes.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "scene_memory.h"
-#include "scene_text.h"
-
-/* A reader stops at the first fault: from then on every token is empty. */
-typedef struct reader {
-    FILE *in;
-    unsigned long line;
-    char token[64];
-    bool failed;
-    char *error;
-    size_t error_size;
-} reader;
-
-static void fail(reader *r, const char *format, ...)
-{
-    if (!r->failed && r->error_size) {
-        const int used = snprintf(r->error, r->error_size, "line %lu: ", r->line);
-        va_list arguments;
-
-        va_start(arguments, format);
-        if (used >= 0 && (size_t)used < r->error_size) {
-            vsnprintf(r->error + used, r->error_size - (size_t)used, format, arguments);
-        }
-        va_end(arguments);
-    }
-    r->failed = true;
-    r->token[0] = '\0';
-}
-
-/* The next token, "" at the end of the input or after a fault. */
-static const char *next(reader *r)
-{
-    size_t length = 0;
-    int c = ' ';
-
-    if (r->failed) {
-        return "";
-    }
-    while (c == '#' || isspace(c)) {
-        while (c == '#' && (c = getc(r->in)) != '\n' && c != EOF) {
-            c = '#';
-        }
-        r->line += c == '\n';
-        if (c != EOF) {
-            c = getc(r->in);
-        }
-    }
-    while (c != EOF && !isspace(c) && c != '#') {
-        if (length + 1 == sizeof r->token) {
-            fail(r, "a word of more than %zu characters", sizeof r->token - 1);
-            return "";
-        }
-        r->token[length++] = (char)c;
-        c = getc(r->in);
-    }
-    if (c != EOF) {
-        ungetc(c, r->in);
-    }
-    r->token[length] = '\0';
-    return r->token;
-}
-
-static uint32_t read_number(reader *r, int base, uint32_t largest)
-{
-    const char *text = next(r);
-    unsigned long long value;
-    char *end;
-
-    errno = 0;
-    value = strtoull(text, &end, base);
-    if (!isxdigit((unsigned char)*text) || *end || errno || value > largest) {
-        fail(r, "a number from 0 to %" PRIu32 " expected, not '%s'", largest, text);
-        return 0;
-    }
-    return (uint32_t)value;
-}
-
-static int32_t read_integer(reader *r)
-{
-    const char *text = next(r);
-    long long value;
-    char *end;
-
-    errno = 0;
-    value = strtoll(text, &end, 10);
-    if (end == text || *end || errno || value < INT32_MIN || value > INT32_MAX) {
-        fail(r, "an integer of 32 bits expected, not '%s'", text);
-        return 0;
-    }
-    return (int32_t)value;
-}
-
-static int read_name(reader *r, text_names set)
-{
-    const char *text = next(r);
-    const int value = text_value(set, text);
-
-    if (value < 0) {
-        fail(r, "'%s' is none of the values here, such as %s", text, text_name(set, 0));
-        return 0;
-    }
-    return value;
-}
-
-static float read_float(reader *r)
-{
-    const char *text = next(r);
-    char *end;
-    float f;
-
-    if (!strncmp(text, "nan:", 4)) {
-        const uint32_t bits = (uint32_t)strtoul(text + 4, &end, 16);
-
-        if (end == text + 12 && !*end) {
-            memcpy(&f, &bits, sizeof f);
-            return f;
-        }
-    } else {
-        f = strtof(text, &end);
-        if (end != text && !*end) {
-            return f;
-        }
-    }
-    fail(r, "a number expected, not '%s'", text);
-    return 0.0f;
-}
-
-static void read_floats(reader *r, float *values, size_t count)
-{
-    for (size_t i = 0; i < count; ++i) {
-        values[i] = read_float(r);
-    }
-}
-
-static gn_vec3 read_vec3(reader *r)
-{
-    gn_vec3 v;
-
-    v.x = read_float(r);
-    v.y = read_float(r);
-    v.z = read_float(r);
-    return v;
-}
-
-/* count words, each by READ; memory grows with what is there, not with what is promised. */
-static uint32_t *read_words(reader *r, size_t count, uint32_t (*read)(reader *r))
-{
-    size_t capacity = 0;
-    uint32_t *words = scene_allocate(1, sizeof *words);
-
-    for (size_t i = 0; i < count && !r->failed; ++i) {
-        if (i == capacity) {
-            capacity = capacity ? 2 * capacity : 64;
-            capacity = capacity < count ? capacity : count;
-            words = scene_reallocate(words, capacity, sizeof *words);
-        }
-        words[i] = read(r);
-    }
-    return words;
-}
-
-static uint32_t read_float_word(reader *r)
-{
-    const float f = read_float(r);
-    uint32_t bits;
-
-    memcpy(&bits, &f, sizeof bits);
-    return bits;
-}
-
-static uint32_t read_hexadecimal_word(reader *r)
-{
-    return read_number(r, 16, UINT32_MAX);
-}
-
-static uint32_t read_decimal_word(reader *r)
-{
-    return read_number(r, 10, UINT32_MAX);
-}
+#include "scene_reader.h"
 
 static void read_attribute(reader *r, scene_draw *d, int attribute)
 {
@@ -195,7 +15,7 @@ static void read_attribute(reader *r, scene_draw *d, int attribute)
     uint32_t *words;
 
     if (components == 0) {
-        fail(r, "an attribute has 1 to 4 components");
+        reader_fail(r, "an attribute has 1 to 4 components");
         return;
     }
     words = read_words(r, count, read_float_word);
@@ -217,8 +37,8 @@ static void read_indices(reader *r, scene_draw *d)
 
     for (uint32_t i = 0; i < count && !r->failed; ++i) {
         if (words[i] > largest) {
-            fail(r, "index %" PRIu32 " does not fit %s", words[i],
-                 text_name(TEXT_INDEX, (int)format));
+            reader_fail(r, "index %" PRIu32 " does not fit %s", words[i],
+                        text_name(TEXT_INDEX, (int)format));
         }
     }
     if (!r->failed) {
@@ -227,23 +47,63 @@ static void read_indices(reader *r, scene_draw *d)
     free(words);
 }
 
-static void read_texture(reader *r, scene_draw *d)
+/* The texels of a texture whose other members are there. */
+static void read_texels(reader *r, scene_draw *d, gn_texture *t)
 {
-    const gn_format format = (gn_format)read_name(r, TEXT_FORMAT);
-    const uint32_t width = read_number(r, 10, GN_MAX_SIZE);
-    const uint32_t height = read_number(r, 10, GN_MAX_SIZE);
-    uint32_t *words;
+    const bool sampled = scene_is_color_format(t->format) ||
+                         (t->format >= GN_FORMAT_D16 && t->format <= GN_FORMAT_D32FS8);
+    const size_t size = scene_element_size(t->format);
 
-    if (format != GN_FORMAT_RGBA8 && format != GN_FORMAT_RGBA32F) {
-        fail(r, "a texture is rgba8 or rgba32f");
+    if (!r->failed && !sampled) {
+        reader_fail(r, "a texture is of a format of colours or depths, such as rgba8");
+    }
+    if (!r->failed && (t->width == 0 || t->height == 0)) {
+        reader_fail(r, "a texture has a size");
+    }
+    if (r->failed) {
         return;
     }
-    words =
-        read_words(r, (size_t)width * height * (gn_format_size(format) / 4), read_hexadecimal_word);
+
+    const size_t count = scene_texture_elements(t);
+    uint32_t *words = read_words(r, count, read_hexadecimal_word);
+
     if (!r->failed) {
-        scene_set_texture(d, words, width, height, format);
+        void *packed = scene_allocate(count, size);
+
+        for (size_t i = 0; i < count; ++i) {
+            scene_set_element(packed, size, i, words[i]);
+        }
+        scene_pack_texture(t, packed);
+        scene_set_levels(d, t);
+        free(packed);
     }
     free(words);
+}
+
+/* A 2D texture of one level. */
+static void read_texture(reader *r, scene_draw *d)
+{
+    gn_texture t;
+
+    memset(&t, 0, sizeof t);
+    t.format = (gn_format)read_name(r, TEXT_FORMAT);
+    t.width = read_number(r, 10, GN_MAX_SIZE);
+    t.height = read_number(r, 10, GN_MAX_SIZE);
+    read_texels(r, d, &t);
+}
+
+static void read_levels(reader *r, scene_draw *d)
+{
+    gn_texture t;
+
+    memset(&t, 0, sizeof t);
+    t.target = (gn_texture_target)read_name(r, TEXT_TEXTURE_TARGET);
+    t.format = (gn_format)read_name(r, TEXT_FORMAT);
+    t.width = read_number(r, 10, GN_MAX_SIZE);
+    t.height = read_number(r, 10, GN_MAX_SIZE);
+    t.depth = read_number(r, 10, GN_MAX_SIZE);
+    t.level_count = read_number(r, 10, GN_MAX_LEVELS);
+    read_texels(r, d, &t);
 }
 
 /* Function, reference, ignored bits, bits not written; fail, depth fail, pass. */
@@ -412,11 +272,33 @@ static bool read_uniforms(reader *r, const char *keyword, scene_draw *d)
         read_floats(r, &d->view_from_model.m[0][0], 16);
     } else if (!strcmp(keyword, "specular")) {
         d->specular = read_vec3(r);
-    } else if (!strcmp(keyword, "sampler")) {
-        u->sampler.wrap_s = (gn_wrap)read_name(r, TEXT_WRAP);
-        u->sampler.wrap_t = (gn_wrap)read_name(r, TEXT_WRAP);
-        u->sampler.magnify = (gn_magnify)read_name(r, TEXT_MAGNIFY);
-        u->sampler.minify = (gn_minify)read_name(r, TEXT_MINIFY);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+static bool read_sampler(reader *r, const char *keyword, gn_sampler *s)
+{
+    if (!strcmp(keyword, "sampler")) {
+        s->wrap_s = (gn_wrap)read_name(r, TEXT_WRAP);
+        s->wrap_t = (gn_wrap)read_name(r, TEXT_WRAP);
+        s->magnify = (gn_magnify)read_name(r, TEXT_MAGNIFY);
+        s->minify = (gn_minify)read_name(r, TEXT_MINIFY);
+    } else if (!strcmp(keyword, "wrap-r")) {
+        s->wrap_r = (gn_wrap)read_name(r, TEXT_WRAP);
+    } else if (!strcmp(keyword, "texture-compare")) {
+        s->compare = (gn_texture_compare)read_name(r, TEXT_TEXTURE_COMPARE);
+    } else if (!strcmp(keyword, "lod-bias")) {
+        s->lod_bias = read_float(r);
+    } else if (!strcmp(keyword, "lod-clamp")) {
+        s->lod_clamped = true;
+        s->min_lod = read_float(r);
+        s->max_lod = read_float(r);
+    } else if (!strcmp(keyword, "max-anisotropy")) {
+        s->max_anisotropy = read_number(r, 10, 16);
+    } else if (!strcmp(keyword, "border")) {
+        read_floats(r, s->border, 4);
     } else {
         return false;
     }
@@ -428,7 +310,7 @@ static bool read_mesh(reader *r, const char *keyword, scene_draw *d)
     if (!strcmp(keyword, "vertices")) {
         for (int a = 0; a < text_name_count(TEXT_ATTRIBUTE); ++a) {
             if (d->mesh.attribute[a].data) {
-                fail(r, "vertices stands after an attribute");
+                reader_fail(r, "vertices stands after an attribute");
             }
         }
         d->mesh.vertex_count = read_number(r, 10, UINT32_MAX);
@@ -458,6 +340,8 @@ static bool read_mesh(reader *r, const char *keyword, scene_draw *d)
         d->mesh.instance_count = read_number(r, 10, UINT32_MAX);
     } else if (!strcmp(keyword, "texture")) {
         read_texture(r, d);
+    } else if (!strcmp(keyword, "texture-levels")) {
+        read_levels(r, d);
     } else {
         for (int a = 0; a < text_name_count(TEXT_ATTRIBUTE); ++a) {
             if (!strcmp(keyword, text_name(TEXT_ATTRIBUTE, a))) {
@@ -475,7 +359,7 @@ static void read_clip_plane(reader *r, scene_draw *d)
     uint32_t *const count = &d->state.clip_distance_count;
 
     if (*count == GN_MAX_CLIP_DISTANCES) {
-        fail(r, "more than %d clip planes", GN_MAX_CLIP_DISTANCES);
+        reader_fail(r, "more than %d clip planes", GN_MAX_CLIP_DISTANCES);
         return;
     }
     read_floats(r, d->clip_plane[(*count)++], 4);
@@ -489,21 +373,22 @@ static void read_draw(reader *r, scene *s)
 
     d->shader = shader;
     while (!r->failed) {
-        strcpy(keyword, next(r));
+        strcpy(keyword, reader_next(r));
         if (!strcmp(keyword, "end-draw")) {
             break;
         }
         if (!*keyword) {
-            fail(r, "the text ends within a draw");
+            reader_fail(r, "the text ends within a draw");
         } else if (!strcmp(keyword, "clip-plane")) {
             read_clip_plane(r, d);
         } else if (!read_state(r, keyword, &d->state) && !read_color_state(r, keyword, &d->state) &&
-                   !read_uniforms(r, keyword, d) && !read_mesh(r, keyword, d)) {
-            fail(r, "'%s' is no keyword of a draw", keyword);
+                   !read_uniforms(r, keyword, d) &&
+                   !read_sampler(r, keyword, &d->uniforms.sampler) && !read_mesh(r, keyword, d)) {
+            reader_fail(r, "'%s' is no keyword of a draw", keyword);
         }
     }
     if (!r->failed && d->mesh.indices && (uint64_t)d->mesh.first + d->mesh.count > d->index_count) {
-        fail(r, "elements beyond the %" PRIu32 " indices", d->index_count);
+        reader_fail(r, "elements beyond the %" PRIu32 " indices", d->index_count);
     }
 }
 
@@ -529,7 +414,7 @@ static bool read_frame(reader *r, const char *keyword, scene *s)
             s->more_colors[a] = (gn_format)read_name(r, TEXT_FORMAT);
             if (!r->failed && s->more_colors[a] != GN_FORMAT_NONE &&
                 !scene_is_color_format(s->more_colors[a])) {
-                fail(r, "more-colors are formats of colours, such as rgba8, or none");
+                reader_fail(r, "more-colors are formats of colours, such as rgba8, or none");
             }
         }
     } else if (!strcmp(keyword, "depth-format")) {
@@ -559,29 +444,29 @@ scene *scene_read(FILE *in, char *error, size_t error_size)
     if (error_size) {
         error[0] = '\0';
     }
-    if (strcmp(next(&r), "gnomon-scene") || strcmp(next(&r), "1")) {
-        fail(&r, "not a scene: the text starts with 'gnomon-scene 1'");
+    if (strcmp(reader_next(&r), "gnomon-scene") || strcmp(reader_next(&r), "1")) {
+        reader_fail(&r, "not a scene: the text starts with 'gnomon-scene 1'");
     }
     while (!r.failed) {
-        strcpy(keyword, next(&r));
+        strcpy(keyword, reader_next(&r));
         if (!strcmp(keyword, "end-scene")) {
             break;
         }
         if (!*keyword) {
-            fail(&r, "the text ends before end-scene");
+            reader_fail(&r, "the text ends before end-scene");
         } else if (!read_frame(&r, keyword, s)) {
-            fail(&r, "'%s' is no keyword of a scene", keyword);
+            reader_fail(&r, "'%s' is no keyword of a scene", keyword);
         }
     }
     if (!r.failed && (s->width == 0 || s->height == 0)) {
-        fail(&r, "a scene has a size");
+        reader_fail(&r, "a scene has a size");
     }
     if (!r.failed && !scene_is_color_format(s->color_format) &&
         (s->color_format != GN_FORMAT_NONE || !has_more_colors(s))) {
-        fail(&r, "a scene's color-format is one of colours, such as rgba8");
+        reader_fail(&r, "a scene's color-format is one of colours, such as rgba8");
     }
     if (!r.failed && scene_is_color_format(s->depth_format)) {
-        fail(&r, "a scene's depth-format is one of depth or stencil, or none");
+        reader_fail(&r, "a scene's depth-format is one of depth or stencil, or none");
     }
     if (r.failed) {
         scene_free(s);

@@ -5,9 +5,9 @@
 #include <string.h>
 
 /* In the order of the values. */
-static const char *const shader_names[] = {"vertex-color",     "flat",   "gouraud",
-                                           "textured-gouraud", "phong",  "inputs",
-                                           "derivatives",      "outputs"};
+static const char *const shader_names[] = {"vertex-color",     "flat",    "gouraud",
+                                           "textured-gouraud", "phong",   "inputs",
+                                           "derivatives",      "outputs", "sampled"};
 static const char *const format_names[] = {"none",  "rgba8",   "rgba32f", "d16",   "d24", "d32f",
                                            "d24s8", "d32fs8",  "s8",      "bgra8", "r8",  "rg8",
                                            "rgb8",  "rgb565",  "rgb5-a1", "rgba4", "r16", "rgba16",
@@ -31,9 +31,16 @@ static const char *const index_names[] = {"none", "uint8", "uint16", "uint32"};
 static const char *const restart_names[] = {"none", "fixed", "index"};
 static const char *const attribute_names[] = {"position", "color", "normal", "texcoord"};
 static const char *const switch_names[] = {"off", "on"};
-static const char *const wrap_names[] = {"repeat", "clamp-to-edge"};
+static const char *const wrap_names[] = {"repeat", "clamp-to-edge", "mirrored-repeat",
+                                         "clamp-to-border", "mirror-clamp-to-edge"};
 static const char *const magnify_names[] = {"linear", "nearest"};
-static const char *const minify_names[] = {"nearest-mipmap-linear", "nearest", "linear"};
+static const char *const minify_names[] = {
+    "nearest-mipmap-linear", "nearest", "linear", "nearest-mipmap-nearest", "linear-mipmap-nearest",
+    "linear-mipmap-linear"};
+static const char *const texture_target_names[] = {"2d", "1d", "2d-array", "3d", "cube"};
+static const char *const texture_compare_names[] = {
+    "none",  "less-or-equal", "greater-or-equal", "less", "greater",
+    "equal", "not-equal",     "always",           "never"};
 
 static const char *const factor_names[] = {"default",
                                            "zero",
@@ -93,6 +100,8 @@ static const char *const *names_of(text_names set, int *count)
         CASE(TEXT_LOGIC, logic_names);
         CASE(TEXT_CLIP_DEPTH, clip_depth_names);
         CASE(TEXT_POLYGON_MODE, polygon_mode_names);
+        CASE(TEXT_TEXTURE_TARGET, texture_target_names);
+        CASE(TEXT_TEXTURE_COMPARE, texture_compare_names);
     }
 #undef CASE
     *count = 0;

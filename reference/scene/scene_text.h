@@ -18,11 +18,11 @@
  *     elements 0 3
  *     texture rgba8 2 2
  *       ff0000ff ...
- *   end-draw
- *   end-scene
+ *     texture-levels cube srgb8-a8 2 2 1 2   (instead: target, format, width, height, depth,
+ * levels) (24 texels, then 6) end-draw end-scene
  *
  * Floats are C's hexadecimal floats, which are exact; a NaN is nan:7fc00000, its bits.
- * Texels are the hexadecimal words of surface.h, RGBA32F as four words of bits. Keywords
+ * Texels are the hexadecimal elements of surface.h, floats as their bits. Keywords
  * of a draw may stand in any order, except that attributes follow `vertices`; those left
  * out have the values of scene_add_draw. From # to the end of the line is a comment. */
 #ifndef SCENE_TEXT_H
@@ -52,7 +52,9 @@ typedef enum text_names {
     TEXT_LOGIC,
     TEXT_CLIP_DEPTH,
     TEXT_POINT_ORIGIN,
-    TEXT_POLYGON_MODE
+    TEXT_POLYGON_MODE,
+    TEXT_TEXTURE_TARGET,
+    TEXT_TEXTURE_COMPARE
 } text_names;
 
 /* How many names a set has; those of the values from 0 on. */

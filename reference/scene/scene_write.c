@@ -52,23 +52,66 @@ static void write_indices(FILE *out, const scene_draw *d)
     fputc('\n', out);
 }
 
+/* A row of texels a line. */
 static void write_texture(FILE *out, const gn_texture *t)
 {
-    const size_t words = gn_format_size(t->format) / 4;
+    const uint32_t levels = scene_level_count(t);
+    const size_t size = scene_element_size(t->format);
 
-    fprintf(out, "  texture %s %" PRIu32 " %" PRIu32 "\n", text_name(TEXT_FORMAT, (int)t->format),
-            t->width, t->height);
-    for (uint32_t y = 0; y < t->height; ++y) {
-        const char *row = (const char *)t->level[0].texels + (ptrdiff_t)y * t->level[0].row_stride;
+    if (t->target == GN_TEXTURE_2D && levels == 1) {
+        fprintf(out, "  texture %s %" PRIu32 " %" PRIu32 "\n",
+                text_name(TEXT_FORMAT, (int)t->format), t->width, t->height);
+    } else {
+        fprintf(out, "  texture-levels %s %s %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 "\n",
+                text_name(TEXT_TEXTURE_TARGET, (int)t->target),
+                text_name(TEXT_FORMAT, (int)t->format), t->width, t->height,
+                scene_level_extent(t, 0).layers, levels);
+    }
+    for (uint32_t level = 0; level < levels; ++level) {
+        const scene_extent e = scene_level_extent(t, level);
+        const gn_texture_level *const l = &t->level[level];
 
-        fputs("   ", out);
-        for (size_t i = 0; i < t->width * words; ++i) {
-            uint32_t word;
+        for (uint32_t row = 0; row < e.height * e.layers; ++row) {
+            const char *const texels = (const char *)l->texels +
+                                       (ptrdiff_t)(row / e.height) * l->layer_stride +
+                                       (ptrdiff_t)(row % e.height) * l->row_stride;
+            const size_t elements = e.width * gn_format_size(t->format) / size;
 
-            memcpy(&word, row + 4 * i, sizeof word);
-            fprintf(out, " %08" PRIx32, word);
+            fputs("   ", out);
+            for (size_t i = 0; i < elements; ++i) {
+                fprintf(out, " %0*" PRIx32, (int)(2 * size), scene_element(texels, size, i));
+            }
+            fputc('\n', out);
         }
-        fputc('\n', out);
+    }
+}
+
+/* What zero means is not written. */
+static void write_sampler(FILE *out, const gn_sampler *s)
+{
+    static const float zero[4];
+    const float clamp[2] = {s->min_lod, s->max_lod};
+
+    fprintf(out, "  sampler %s %s %s %s\n", text_name(TEXT_WRAP, (int)s->wrap_s),
+            text_name(TEXT_WRAP, (int)s->wrap_t), text_name(TEXT_MAGNIFY, (int)s->magnify),
+            text_name(TEXT_MINIFY, (int)s->minify));
+    if (s->wrap_r != GN_WRAP_REPEAT) {
+        fprintf(out, "  wrap-r %s\n", text_name(TEXT_WRAP, (int)s->wrap_r));
+    }
+    if (s->compare != GN_TEXTURE_COMPARE_NONE) {
+        fprintf(out, "  texture-compare %s\n", text_name(TEXT_TEXTURE_COMPARE, (int)s->compare));
+    }
+    if (s->lod_bias != 0.0f) {
+        write_floats(out, "  lod-bias", &s->lod_bias, 1);
+    }
+    if (s->lod_clamped) {
+        write_floats(out, "  lod-clamp", clamp, 2);
+    }
+    if (s->max_anisotropy) {
+        fprintf(out, "  max-anisotropy %" PRIu32 "\n", s->max_anisotropy);
+    }
+    if (memcmp(s->border, zero, sizeof zero) != 0) {
+        write_floats(out, "  border", s->border, 4);
     }
 }
 
@@ -212,10 +255,7 @@ static void write_uniforms(FILE *out, const scene_draw *d)
         write_floats(out, "  view-from-model", &d->view_from_model.m[0][0], 16);
         write_floats(out, "  specular", specular, 3);
     }
-    fprintf(out, "  sampler %s %s %s %s\n", text_name(TEXT_WRAP, (int)u->sampler.wrap_s),
-            text_name(TEXT_WRAP, (int)u->sampler.wrap_t),
-            text_name(TEXT_MAGNIFY, (int)u->sampler.magnify),
-            text_name(TEXT_MINIFY, (int)u->sampler.minify));
+    write_sampler(out, &u->sampler);
     if (u->texture.level[0].texels) {
         write_texture(out, &u->texture);
     }

@@ -143,6 +143,56 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     job->capacity = (available - job->vertices) / batch * GN_LANES;
 }
 
+/* The functions that every caller has, compiled once: with GN_BASIC those for 2D textures alone. */
+static inline void shade_with_public(const gn_pipeline *pipeline, shading_functions *out)
+{
+    out->sampling.sample_2d = gn_sample_2d;
+    out->sampling.sample = GN_HAVE_TEXTURES ? gn_sample : 0;
+    out->sampling.gather = GN_HAVE_TEXTURES ? gn_gather : 0;
+    out->sampling.fetch = GN_HAVE_TEXTURES ? gn_fetch : 0;
+    out->vertex_shader = pipeline->vertex_shader;
+    out->fragment_shader = pipeline->fragment_shader;
+}
+
+/* Where the back end is none of these, run_on says so. */
+static void fill_shading_of(gn_backend backend, const gn_pipeline *pipeline, shading_functions *out)
+{
+#if !GN_SPECIALISED
+    (void)backend;
+    shade_with_public(pipeline, out);
+#else
+    switch (backend) {
+#if GN_HAVE_WASM_SIMD128
+    case GN_BACKEND_WASM_SIMD128:
+        gn_shading_wasm_simd128(pipeline, out);
+        return;
+#endif
+#if GN_HAVE_NEON
+    case GN_BACKEND_NEON:
+        gn_shading_neon(pipeline, out);
+        return;
+#endif
+#if GN_HAVE_AVX512
+    case GN_BACKEND_AVX512:
+        gn_shading_avx512(pipeline, out);
+        return;
+#endif
+#if GN_HAVE_AVX2
+    case GN_BACKEND_AVX2:
+        gn_shading_avx2(pipeline, out);
+        return;
+#endif
+#if GN_HAVE_SSE2
+    case GN_BACKEND_SSE2:
+        gn_shading_sse2(pipeline, out);
+        return;
+#endif
+    default:
+        gn_shading_portable(pipeline, out);
+    }
+#endif
+}
+
 /* Calls, not a choice of function: some compilers make a table of that, to be relocated. */
 static gn_status run_on(gn_backend backend, const draw_job *job)
 {
@@ -215,6 +265,8 @@ static bool is_left_out(const gn_target *target, const gn_pipeline *p, const gn_
 static gn_status draw_instances(draw_job *job, const gn_mesh *mesh, gn_workspace *workspace)
 {
     const bool indexed = mesh->index_format != GN_INDEX_NONE;
+    const gn_backend backend =
+        workspace->backend == GN_BACKEND_AUTO ? gn_backend_best() : workspace->backend;
     mesh_run whole;
 
     whole.attribute = mesh->attribute;
@@ -231,8 +283,8 @@ static gn_status draw_instances(draw_job *job, const gn_mesh *mesh, gn_workspace
     job->mesh = &whole;
     job->instances = mesh->instance_count > 0 ? mesh->instance_count : 1;
     divide_workspace(job, workspace);
-    return run_on(workspace->backend == GN_BACKEND_AUTO ? gn_backend_best() : workspace->backend,
-                  job);
+    fill_shading_of(backend, job->pipeline, &job->shading);
+    return run_on(backend, job);
 }
 
 gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,

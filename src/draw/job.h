@@ -2,6 +2,7 @@
 #ifndef GN_DRAW_JOB_H
 #define GN_DRAW_JOB_H
 
+#include "../backends/shading.h"
 #include "../raster/types.h"
 
 /* Tasks that a step of a draw is divided into at most, each with scratch of its own. */
@@ -42,6 +43,7 @@ typedef struct list_rows {
 typedef struct draw_job {
     const gn_target *target;
     const gn_pipeline *pipeline;
+    shading_functions shading;
     const mesh_run *mesh; /* all elements, of the first instance */
     uint32_t instances;
     unsigned char *memory; /* vertices are named by their offset from here */

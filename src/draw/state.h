@@ -80,6 +80,7 @@ static inline void set_sample_state(draw_state *draw, uint32_t sample)
     fragment_state *const state = &draw->fragment[sample];
 
     set_fragment_state(state, draw->job->target, draw->pipeline, &draw->viewport);
+    state->shading = &draw->job->shading;
     if (GN_HAVE_LINES && draw->cull.box.is_unfilled)
         state->moves_depth = false; /* vertices move instead */
 }

@@ -5,19 +5,20 @@
 #include "../geometry/fetch.h"
 #include "elements.h"
 
-static void run_vertex_shader(const gn_pipeline *pipeline, const gn_vertex_input *input,
+/* The smallest shaders go without a call. */
+static void run_vertex_shader(const draw_state *draw, const gn_vertex_input *input,
                               gn_vertex_output *output)
 {
-    if (!GN_SPECIALISED)
-        pipeline->vertex_shader(pipeline->uniforms, input, output);
-    else if (pipeline->vertex_shader == gn_shade_lit)
+    const gn_pipeline *const pipeline = draw->pipeline;
+
+    if (GN_SPECIALISED && pipeline->vertex_shader == gn_shade_lit)
         shade_lit(pipeline->uniforms, input, output);
-    else if (pipeline->vertex_shader == gn_shade_vertex_color)
+    else if (GN_SPECIALISED && pipeline->vertex_shader == gn_shade_vertex_color)
         shade_vertex_color(pipeline->uniforms, input, output);
-    else if (pipeline->vertex_shader == gn_shade_unlit)
+    else if (GN_SPECIALISED && pipeline->vertex_shader == gn_shade_unlit)
         shade_unlit(pipeline->uniforms, input, output);
     else
-        pipeline->vertex_shader(pipeline->uniforms, input, output);
+        draw->job->shading.vertex_shader(pipeline->uniforms, input, output);
 }
 
 /* The vertices of sixteen slots of which `count` are wanted; the others repeat the last. */
@@ -93,7 +94,7 @@ static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from
         input.count = end - slot < GN_LANES ? end - slot : GN_LANES;
         slot_vertices(draw, slot, input.count, vertex_id);
         fetch_attributes(draw->mesh, vertex_id, attribute);
-        run_vertex_shader(draw->pipeline, &input, &output);
+        run_vertex_shader(draw, &input, &output);
         outcodes = lanes_i_or(outcodes, store_vertices(draw, &output, slot));
     }
     lanes_i_store(outcode, outcodes);

@@ -43,6 +43,16 @@ static inline void set_more_colors(fragment_state *s, const gn_target *target,
     }
 }
 
+/* Whether sample.h alone serves a texture: there is no choice of levels. */
+static inline bool is_flat_texture(const gn_texture *texture, const gn_sampler *sampler)
+{
+    return (texture->format == GN_FORMAT_RGBA8 || texture->format == GN_FORMAT_RGBA32F) &&
+           texture->target == GN_TEXTURE_2D && texture->level_count <= 1 &&
+           sampler->wrap_s <= GN_WRAP_CLAMP_TO_EDGE && sampler->wrap_t <= GN_WRAP_CLAMP_TO_EDGE &&
+           sampler->minify <= GN_MINIFY_LINEAR && sampler->lod_bias == 0.0f &&
+           !sampler->lod_clamped;
+}
+
 /* What of ready-made shaders goes without a call: a colour, maybe times a texture. */
 static inline void set_ready_color(fragment_state *s, const gn_pipeline *pipeline)
 {
@@ -61,6 +71,8 @@ static inline void set_ready_color(fragment_state *s, const gn_pipeline *pipelin
     } else {
         s->has_ready_color = pipeline->fragment_shader == gn_shade_color;
     }
+    if (s->texture && !is_flat_texture(s->texture, s->sampler))
+        s->has_ready_color = false;
 }
 
 static inline void set_fragment_state(fragment_state *s, const gn_target *target,
@@ -153,16 +165,16 @@ typedef struct shader_verdict {
 
 /* Runs the shader on a block, `center` from the places that planes are given for. Colours are
  * left in `color`, room for which the pipeline's color_count asks. */
-GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, int32_t x, int32_t y,
+GN_STEP void run_shader(const fragment_state *state, raster_triangle triangle, int32_t x, int32_t y,
                         float center, uint32_t coverage, lanes_f w, float (*color)[GN_LANES],
                         shader_verdict *verdict)
 {
+    const gn_pipeline *const pipeline = state->pipeline;
     const float px = (float)x + center;
     const float py = (float)y + center;
     const triangle_identity identity = identity_of(triangle, pipeline->varying_count);
     float varying[GN_MAX_VARYINGS][GN_LANES];
     float position[4][GN_LANES], point_coordinate[2][GN_LANES];
-    const gn_sampling sampling = {GN_SPECIALISED ? sample_2d : gn_sample_2d, 0, 0, 0};
     gn_fragment_input input;
     gn_fragment_output output;
 
@@ -172,7 +184,7 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     input.coverage = coverage;
     input.x = x;
     input.y = y;
-    input.sampling = &sampling;
+    input.sampling = &state->shading->sampling;
     input.front_facing = !identity.back;
     input.primitive_id = pipeline->fragment_reads_primitive ? (uint32_t)identity.primitive : 0;
     input.position = 0;
@@ -188,7 +200,7 @@ GN_STEP void run_shader(const gn_pipeline *pipeline, raster_triangle triangle, i
     output.color = color;
     output.kept = GN_ALL_LANES;
     output.depth = verdict->depth;
-    pipeline->fragment_shader(pipeline->uniforms, &input, &output);
+    state->shading->fragment_shader(pipeline->uniforms, &input, &output);
     verdict->kept = output.kept;
 }
 
@@ -245,7 +257,7 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
         return coverage;
 
     const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
-    run_shader(p, triangle, at->x, at->y, 0.0f, coverage, w, color, &verdict);
+    run_shader(state, triangle, at->x, at->y, 0.0f, coverage, w, color, &verdict);
     if (p->fragment_discards)
         coverage &= verdict.kept;
     if (p->fragment_writes_depth)
@@ -276,7 +288,7 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
     const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
     if (kind.source == SOURCE_SHADER) {
         verdict.depth = 0;
-        run_shader(state->pipeline, triangle, at->x, at->y, 0.0f, coverage, w, shaded, &verdict);
+        run_shader(state, triangle, at->x, at->y, 0.0f, coverage, w, shaded, &verdict);
         for (int c = 0; c < 4; ++c)
             color[c] = lanes_load(shaded[c]);
     } else {

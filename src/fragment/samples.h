@@ -110,7 +110,7 @@ static void shade_samples(const fragment_state *state, fragment_place *at, raste
 
     const lanes_f w = lanes_div(lanes_splat(1.0f),
                                 plane_in_block(triangle_plane(triangle, ONE_OVER_W_PLANE), x, y));
-    run_shader(p, triangle, at->x, at->y, 0.5f, covered_pixels(coverage), w, color, &verdict);
+    run_shader(state, triangle, at->x, at->y, 0.5f, covered_pixels(coverage), w, color, &verdict);
     cover_by_shader(state, &verdict, to_coverage, color, coverage);
     if (late)
         test_samples(state, at, triangle, verdict.depth, coverage);

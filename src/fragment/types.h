@@ -16,6 +16,7 @@
 #ifndef GN_FRAGMENT_TYPES_H
 #define GN_FRAGMENT_TYPES_H
 
+#include "../backends/shading.h"
 #include "../lanes/lanes.h"
 #include "../raster/types.h"
 
@@ -108,8 +109,9 @@ typedef struct depth_limits {
 
 typedef struct fragment_state {
     const gn_pipeline *pipeline;
-    bool has_ready_color;      /* its fragment shader is one that gives the first varyings ... */
-    const gn_texture *texture; /* ... times this, where it is not null; not with GN_SMALL */
+    const shading_functions *shading; /* how its fragment shader runs */
+    bool has_ready_color;             /* it gives the first varyings ... */
+    const gn_texture *texture;        /* ... times this, where it is not null; not with GN_SMALL */
     const gn_sampler *sampler;
     gn_surface color; /* GN_FORMAT_NONE: no colour */
     gn_surface depth; /* GN_FORMAT_NONE: no test */

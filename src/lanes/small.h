@@ -31,6 +31,7 @@
 #define GN_HAVE_ATTACHMENTS 0
 #define GN_HAVE_SAMPLES 0
 #define GN_HAVE_DISTANCES 0
+#define GN_HAVE_TEXTURES 0
 #else
 #define GN_HAVE_LINES 1
 #define GN_HAVE_STENCIL 1
@@ -41,6 +42,7 @@
 #define GN_HAVE_ATTACHMENTS 1 /* more than one colour */
 #define GN_HAVE_SAMPLES 1     /* more than one a pixel */
 #define GN_HAVE_DISTANCES 1   /* to clip by, of the user's */
+#define GN_HAVE_TEXTURES 1    /* beside 2D ones of one level, RGBA8 or RGBA32F */
 #endif
 
 /* Whether operations of the portable lanes are called with addresses (calls.h). */

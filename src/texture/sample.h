@@ -214,17 +214,4 @@ static inline void sample(const gn_texture *texture, const gn_sampler *sampler, 
         sample_both(texture, sampler, s, t, linear, texel);
 }
 
-/* A gn_sample_2d_function. */
-static void sample_2d(const gn_texture *texture, const gn_sampler *sampler, const float s[GN_LANES],
-                      const float t[GN_LANES], float texel[4][GN_LANES])
-{
-    const lanes_f u = lanes_load(s);
-    const lanes_f v = lanes_load(t);
-    lanes_f out[4];
-
-    sample(texture, sampler, &u, &v, out);
-    for (int c = 0; c < 4; ++c)
-        lanes_store(texel[c], out[c]);
-}
-
 #endif

@@ -32,6 +32,7 @@ static void reset_draw(builder *b)
     b->index_format = GN_INDEX_NONE;
     b->color_components = random_chance(&b->random, 85) ? 4 : 3;
     b->position_components = 4;
+    b->texcoord_components = 2;
     b->restart = GN_RESTART_NONE;
     b->restart_index = 0;
     b->base_vertex = 0;
@@ -241,7 +242,8 @@ void builder_draw(builder *b)
     if (scene_shader_is_lit(b->shader))
         set_attribute(b, d, GN_ATTRIBUTE_NORMAL, offsetof(vertex, normal), 3);
     if (scene_shader_is_textured(b->shader) || b->state.program_point_size)
-        set_attribute(b, d, GN_ATTRIBUTE_TEXCOORD, offsetof(vertex, texcoord), 2);
+        set_attribute(b, d, GN_ATTRIBUTE_TEXCOORD, offsetof(vertex, texcoord),
+                      b->texcoord_components);
     if (b->index_format != GN_INDEX_NONE)
         store_indices(b);
     d->mesh.restart = b->restart;
@@ -254,9 +256,10 @@ void builder_draw(builder *b)
         scene_set_indices(d, b->indices, b->index_count, b->index_format);
     d->mesh.first = b->lead;
     d->mesh.count = count;
-    if (scene_shader_is_textured(b->shader))
-        scene_set_texture(d, b->uniforms.texture.level[0].texels, b->uniforms.texture.width,
-                          b->uniforms.texture.height, b->uniforms.texture.format);
+    if (scene_shader_is_textured(b->shader)) {
+        scene_pack_texture(&b->uniforms.texture, b->uniforms.texture.level[0].texels);
+        scene_set_levels(d, &b->uniforms.texture);
+    }
     reset_draw(b);
 }
 

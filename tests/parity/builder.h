@@ -10,7 +10,7 @@ typedef struct vertex {
     float position[4];
     float color[4];
     float normal[3];
-    float texcoord[2];
+    float texcoord[4];
 } vertex;
 
 /* Stands for the index that restarts. */
@@ -24,13 +24,14 @@ typedef struct builder {
     gn_pipeline state;
     scene_shader shader;
     bool counted;
-    scene_uniforms uniforms;
+    scene_uniforms uniforms; /* of the texture's levels the first's texels, packed, alone */
     gn_mat4 view_from_model;
     gn_vec3 specular;
     float clip_plane[GN_MAX_CLIP_DISTANCES][4];
     gn_index_format index_format; /* GN_INDEX_NONE: vertices are repeated as indices say */
     uint32_t color_components;    /* 0: the attribute is absent */
     uint32_t position_components;
+    uint32_t texcoord_components;
     gn_restart restart; /* BUILDER_RESTART among the indices */
     uint32_t restart_index;
     int32_t base_vertex; /* not above the least index: indices are stored without it */

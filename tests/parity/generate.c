@@ -46,6 +46,16 @@ const char *scene_class_name(scene_class c)
         return "lit";
     case CLASS_TEXTURED:
         return "textured";
+    case CLASS_TEXTURES:
+        return "textures";
+    case CLASS_MIPMAPS:
+        return "mipmaps";
+    case CLASS_VOLUMES:
+        return "volumes";
+    case CLASS_CUBES:
+        return "cubes";
+    case CLASS_SHADOWS:
+        return "shadows";
     case CLASS_PHONG:
         return "phong";
     case CLASS_INPUTS:
@@ -190,6 +200,21 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_TEXTURED:
         generate_textured(&b);
+        break;
+    case CLASS_TEXTURES:
+        generate_textures(&b);
+        break;
+    case CLASS_MIPMAPS:
+        generate_mipmaps(&b);
+        break;
+    case CLASS_VOLUMES:
+        generate_volumes(&b);
+        break;
+    case CLASS_CUBES:
+        generate_cubes(&b);
+        break;
+    case CLASS_SHADOWS:
+        generate_shadows(&b);
         break;
     case CLASS_PHONG:
         generate_phong(&b);

@@ -25,6 +25,11 @@ typedef enum scene_class {
     CLASS_INDEXED,           /* 8, 16 and 32 bit indices, offsets, unused vertices */
     CLASS_LIT,               /* flat and Gouraud shading under rotations */
     CLASS_TEXTURED,          /* textures of all sizes, formats, wraps and filters */
+    CLASS_TEXTURES,          /* one level: 2D and 1D, all formats, wraps, filters */
+    CLASS_MIPMAPS,           /* levels of detail of 2D and 1D textures */
+    CLASS_VOLUMES,           /* 3D textures and 2D arrays */
+    CLASS_CUBES,             /* cubes, whose filters reach over edges */
+    CLASS_SHADOWS,           /* depths that are compared */
     CLASS_PHONG,             /* a user's shader: textured, a highlight at every pixel */
     CLASS_INPUTS,            /* facing, primitive, position; discard, depth from the shader */
     CLASS_DERIVATIVES,       /* differences in quads, also at edges of triangles and targets */

@@ -87,6 +87,14 @@ void state_outlines(builder *b);
 /* Of a draw with polygon modes: takes out what the reference draws otherwise than OpenGL. */
 void fit_outlines(builder *b);
 
+/* A perspective camera over a body about the origin, turned and stretched, and that body. */
+void random_camera(builder *b);
+void add_body(builder *b);
+
+/* A random texture and sampler of the next draw, whose vertices are there and get coordinates for
+ * it. The texels, which the caller frees after the draw, are the texture's. */
+void *random_sampling(builder *b, gn_texture_target target, uint32_t levels, bool depths);
+
 /* One class each, from the target on. */
 void generate_meshes(builder *b);
 void generate_piles(builder *b);
@@ -99,6 +107,11 @@ void generate_interpolation(builder *b);
 void generate_indexed(builder *b);
 void generate_lit(builder *b);
 void generate_textured(builder *b);
+void generate_textures(builder *b);
+void generate_mipmaps(builder *b);
+void generate_volumes(builder *b);
+void generate_cubes(builder *b);
+void generate_shadows(builder *b);
 void generate_phong(builder *b);
 void generate_inputs(builder *b);
 void generate_derivatives(builder *b);

@@ -98,7 +98,7 @@ static bool any_shader(builder *b)
 {
     random_source *r = &b->random;
     bool noperspective = false;
-    b->shader = (scene_shader)(random_chance(r, 40) ? 0 : random_below(r, SCENE_SHADER_COUNT));
+    b->shader = (scene_shader)(random_chance(r, 40) ? 0 : random_below(r, SCENE_SAMPLED));
     if (b->shader == SCENE_OUTPUTS)
         random_outputs(b);
     b->uniforms.light.light_direction.z = 1.0f;

@@ -17,9 +17,7 @@ static gn_mat4 product(const gn_mat4 *a, const gn_mat4 *b)
     return m;
 }
 
-/* A perspective camera that looks at the origin from `distance` away, over a body
- * turned and stretched along its axes. */
-static void random_camera(builder *b)
+void random_camera(builder *b)
 {
     random_source *r = &b->random;
     const gn_mat3 turn = builder_rotation(b);
@@ -104,7 +102,7 @@ static void add_loose_triangles(builder *b, uint32_t count)
     }
 }
 
-static void add_body(builder *b)
+void add_body(builder *b)
 {
     random_source *r = &b->random;
     if (random_chance(r, 60))

@@ -78,7 +78,7 @@ static void copy_draw(scene *to, const scene_draw *from, const mesh_selection *s
     d->mesh.count = selection->count;
     const gn_texture *t = &from->uniforms.texture;
     if (t->level[0].texels && scene_shader_is_textured(from->shader))
-        scene_set_texture(d, t->level[0].texels, t->width, t->height, t->format);
+        scene_set_levels(d, t);
 }
 
 scene *copy_with_selection(const scene *s, size_t draw, const mesh_selection *selection)

@@ -357,8 +357,8 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         p->polygon_mode_back = GN_POLYGON_FILL;
         return change;
     default:
-        *last = true;
-        return false;
+        return shrink_sampler(&d->uniforms.sampler, step - 83, last) &&
+               scene_shader_is_textured(d->shader);
     }
 }
 
@@ -531,29 +531,12 @@ static bool apply_matrix(shrinking *s, size_t draw)
     return shrink_try(s, copy);
 }
 
-static bool simplify_texture(shrinking *s, size_t draw)
-{
-    const gn_texture *t = &s->best->draws[draw].uniforms.texture;
-    bool progress = false;
-    if (!scene_shader_is_textured(s->best->draws[draw].shader) || !t->level[0].texels)
-        return false;
-    while (t->height > 1) { /* the lower half */
-        scene *copy = scene_copy(s->best);
-        scene_set_texture(&copy->draws[draw], t->level[0].texels, t->width, t->height / 2, t->format);
-        if (!shrink_try(s, copy))
-            break;
-        progress = true;
-        t = &s->best->draws[draw].uniforms.texture;
-    }
-    return progress;
-}
-
 bool shrink_numbers(shrinking *s)
 {
     bool progress = false;
     for (size_t i = 0; i < s->best->draw_count; i++) {
         progress = apply_matrix(s, i) || progress;
-        progress = simplify_texture(s, i) || progress;
+        progress = shrink_texture(s, i) || progress;
         for (int a = 0; a <= GN_ATTRIBUTE_TEXCOORD; a++)
             progress = simplify_attribute(s, i, a) || progress;
     }

@@ -100,8 +100,11 @@ static void add_scene(hash *h, const scene *s)
         }
         for (uint32_t i = 0; i < d->index_count; i++)
             add_word(h, scene_vertex_of(&d->mesh, i));
-        if (t->level[0].texels)
-            add_pixels(h, t->level[0].texels, t->format, (size_t)t->width * t->height);
+        for (uint32_t level = 0; t->level[0].texels && level < scene_level_count(t); level++) {
+            const scene_extent e = scene_level_extent(t, level);
+            add_pixels(h, t->level[level].texels, t->format,
+                       (size_t)e.width * e.height * e.layers);
+        }
     }
 }
 

@@ -1,0 +1,43 @@
+/* A back end's shading: the text that each compiles for its own lanes. */
+#ifndef GN_BACKENDS_SHADING_FORM_H
+#define GN_BACKENDS_SHADING_FORM_H
+
+#include "../shaders/lit.h"
+#include "../shaders/unlit.h"
+#include "../texture/fetch.h"
+#include "../texture/sampling.h"
+
+#include "shading.h"
+
+/* The back end's form of a ready-made shader; of others the shader itself. By comparisons, since a
+ * table of functions would need relocation. */
+static inline gn_fragment_shader *own_fragment_shader(gn_fragment_shader *shader)
+{
+    return shader == gn_shade_phong           ? shade_phong
+           : shader == gn_shade_blinn_phong   ? shade_blinn_phong
+           : shader == gn_shade_toon          ? shade_toon
+           : shader == gn_shade_flat          ? shade_flat
+           : shader == gn_shade_color         ? shade_color
+           : shader == gn_shade_lit_texture   ? shade_lit_texture
+           : shader == gn_shade_unlit_texture ? shade_unlit_texture
+           : shader == gn_shade_normal_color  ? shade_normal_color
+           : shader == gn_shade_depth_color   ? shade_depth_color
+                                              : shader;
+}
+
+static inline gn_vertex_shader *own_vertex_shader(gn_vertex_shader *shader)
+{
+    return shader == gn_shade_surface ? shade_surface : shader;
+}
+
+static inline void fill_shading(const gn_pipeline *pipeline, shading_functions *out)
+{
+    out->sampling.sample_2d = sample_any_2d;
+    out->sampling.sample = sample_any;
+    out->sampling.gather = gather_any;
+    out->sampling.fetch = fetch_numbered;
+    out->vertex_shader = own_vertex_shader(pipeline->vertex_shader);
+    out->fragment_shader = own_fragment_shader(pipeline->fragment_shader);
+}
+
+#endif

@@ -1,0 +1,45 @@
+/* The first fault of a sampler, in the order of its fields. */
+#ifndef GN_TEXTURE_SAMPLER_FAULTS_H
+#define GN_TEXTURE_SAMPLER_FAULTS_H
+
+#include "gnomon/sampling.h"
+
+#include "../draw/faults.h"
+#include "../lanes/small.h"
+#include "../math/bits.h"
+
+static inline fault fault_of_lod_range(const gn_sampler *s)
+{
+    if (!s->lod_clamped)
+        return NO_FAULT;
+    FAULT_IF(!gn_is_finite(s->min_lod), GN_NOT_FINITE, "min_lod is not finite");
+    FAULT_IF(!gn_is_finite(s->max_lod), GN_NOT_FINITE, "max_lod is not finite");
+    FAULT_IF(s->min_lod > s->max_lod, GN_OUT_OF_RANGE, "min_lod is above max_lod");
+    return NO_FAULT;
+}
+
+static inline fault fault_of_sampler(const gn_sampler *s)
+{
+    const unsigned last = GN_WRAP_MIRROR_CLAMP_TO_EDGE;
+
+    FAULT_IF(!s, GN_NULL_POINTER, "the sampler is null");
+    FAULT_IF((unsigned)s->wrap_s > last, GN_INVALID_ENUM, "wrap_s is no gn_wrap");
+    FAULT_IF((unsigned)s->wrap_t > last, GN_INVALID_ENUM, "wrap_t is no gn_wrap");
+    FAULT_IF((unsigned)s->magnify > GN_MAGNIFY_NEAREST, GN_INVALID_ENUM,
+             "magnify is no gn_magnify");
+    FAULT_IF((unsigned)s->minify > GN_MINIFY_LINEAR_MIPMAP_LINEAR, GN_INVALID_ENUM,
+             "minify is no gn_minify");
+    if (!GN_HAVE_TEXTURES) /* nothing else is looked at */
+        return NO_FAULT;
+    FAULT_IF((unsigned)s->wrap_r > last, GN_INVALID_ENUM, "wrap_r is no gn_wrap");
+    FAULT_IF((unsigned)s->compare > GN_TEXTURE_COMPARE_NEVER, GN_INVALID_ENUM,
+             "compare is no gn_texture_compare");
+    FAULT_IF(!gn_is_finite(s->lod_bias), GN_NOT_FINITE, "lod_bias is not finite");
+    FAULT_FROM(fault_of_lod_range(s));
+    FAULT_IF(s->max_anisotropy > 16, GN_OUT_OF_RANGE, "max_anisotropy is above 16");
+    for (int c = 0; c < 4; ++c)
+        FAULT_IF(s->border[c] != s->border[c], GN_NOT_FINITE, "a number of border is NaN");
+    return NO_FAULT;
+}
+
+#endif

@@ -1,0 +1,227 @@
+/* Texels of one level, of every format, as floats over lanes. They are loaded as words of 32 bits:
+ * where all indices fit 32 bits by gathers, otherwise one by one. */
+#ifndef GN_TEXTURE_TEXEL_H
+#define GN_TEXTURE_TEXEL_H
+
+#include "../fragment/channels.h"
+#include "../fragment/types.h"
+#include "extent.h"
+
+/* Where the texels of a level are, in bytes from the first one. */
+typedef struct texel_layout {
+    const unsigned char *texels;
+    ptrdiff_t row_stride, layer_stride;
+    bool has_layers;
+    bool has_word_index; /* every texel is a whole number of words away that fits 31 bits */
+} texel_layout;
+
+/* The strides of a checked texture do not overflow, since all of a level fits memory. */
+static inline texel_layout texel_layout_of(const gn_texture *texture, uint32_t level,
+                                           uint32_t texel_size)
+{
+    const gn_texture_level *const l = &texture->level[level];
+    const texel_extent extent = extent_of_level(texture, level);
+    const size_t row = l->row_stride < 0 ? 0 - (size_t)l->row_stride : (size_t)l->row_stride;
+    const size_t layer =
+        l->layer_stride < 0 ? 0 - (size_t)l->layer_stride : (size_t)l->layer_stride;
+    texel_layout out;
+
+    out.texels = l->texels;
+    out.row_stride = extent.height > 1 ? l->row_stride : 0;
+    out.has_layers = extent.layers > 1;
+    out.layer_stride = out.has_layers ? l->layer_stride : 0;
+    out.has_word_index = (extent.height > 1 ? row * (extent.height - 1) : 0) / 4 +
+                             (out.has_layers ? layer * (extent.layers - 1) : 0) / 4 +
+                             (size_t)extent.width * texel_size / 4 <=
+                         INT32_MAX;
+    return out;
+}
+
+/* Words 0 to count - 1, 1 or 4, of texels that are `step` words long. */
+static inline void gather_texel_words(const texel_layout *layout, const lanes_i *column,
+                                      const lanes_i *row, const lanes_i *layer, int32_t step,
+                                      int count, lanes_i word[4])
+{
+    const stored_word *const words = (const stored_word *)(const void *)layout->texels;
+    lanes_i index = lanes_i_add(lanes_i_mul(*row, lanes_i_splat((int32_t)(layout->row_stride / 4))),
+                                lanes_i_mul(*column, lanes_i_splat(step)));
+
+    if (layout->has_layers)
+        index = lanes_i_add(
+            index, lanes_i_mul(*layer, lanes_i_splat((int32_t)(layout->layer_stride / 4))));
+    for (int n = 0; n < count; ++n)
+        word[n] = lanes_i_gather(words + n, index);
+}
+
+/* The same, texel by texel. */
+static inline void load_texel_words(const texel_layout *layout, const lanes_i *column,
+                                    const lanes_i *row, const lanes_i *layer, int32_t step,
+                                    int count, lanes_i word[4])
+{
+    int32_t x[GN_LANES], y[GN_LANES], z[GN_LANES], texel[4][GN_LANES];
+
+    lanes_i_store(x, *column);
+    lanes_i_store(y, *row);
+    if (layout->has_layers)
+        lanes_i_store(z, *layer);
+    GN_EACH_LANE (l) {
+        const unsigned char *line = layout->texels + (ptrdiff_t)y[l] * layout->row_stride;
+        int32_t loaded[2];
+
+        if (layout->has_layers)
+            line += (ptrdiff_t)z[l] * layout->layer_stride;
+        for (int n = 0; n < count; ++n) {
+            load_pixel(line, step * x[l] + n, 4, loaded);
+            texel[n][l] = loaded[0];
+        }
+    }
+    for (int n = 0; n < count; ++n)
+        word[n] = lanes_i_load(texel[n]);
+}
+
+/* Texels that are no words, in the low bits of one or two (../fragment/formats.h). */
+static inline void load_small_texels(const texel_layout *layout, const lanes_i *column,
+                                     const lanes_i *row, const lanes_i *layer, uint32_t texel_size,
+                                     lanes_i word[4])
+{
+    int32_t x[GN_LANES], y[GN_LANES], z[GN_LANES], texel[2][GN_LANES];
+
+    lanes_i_store(x, *column);
+    lanes_i_store(y, *row);
+    if (layout->has_layers)
+        lanes_i_store(z, *layer);
+    GN_EACH_LANE (l) {
+        const unsigned char *line = layout->texels + (ptrdiff_t)y[l] * layout->row_stride;
+        int32_t loaded[2] = {0, 0};
+
+        if (layout->has_layers)
+            line += (ptrdiff_t)z[l] * layout->layer_stride;
+        load_pixel(line, x[l], texel_size, loaded);
+        texel[0][l] = loaded[0];
+        texel[1][l] = loaded[1];
+    }
+    word[0] = lanes_i_load(texel[0]);
+    word[1] = lanes_i_load(texel[1]);
+}
+
+/* `bits` of words from bit `shift` on, as a fraction of their largest value. */
+GN_INLINE lanes_f unorm_channel(lanes_i word, int shift, int bits)
+{
+    const int32_t largest = (int32_t)((1u << bits) - 1);
+
+    return lanes_mul(
+        lanes_to_float(lanes_i_and(lanes_i_shift_right(word, shift), lanes_i_splat(largest))),
+        lanes_splat(1.0f / (float)largest));
+}
+
+/* The least half that is no number becomes the least float that is none, and so on: their sign
+ * and payload are kept. Channels that the format lacks stay as they are. */
+static inline void decode_texels(gn_format format, const lanes_i word[4], lanes_f texel[4])
+{
+    switch (format) {
+    case GN_FORMAT_RGBA8:
+        texel[0] = lanes_unpack_unorm8(word[0], 0);
+        texel[1] = lanes_unpack_unorm8(word[0], 1);
+        texel[2] = lanes_unpack_unorm8(word[0], 2);
+        texel[3] = lanes_unpack_unorm8(word[0], 3);
+        break;
+    case GN_FORMAT_BGRA8:
+        texel[0] = lanes_unpack_unorm8(word[0], 2);
+        texel[1] = lanes_unpack_unorm8(word[0], 1);
+        texel[2] = lanes_unpack_unorm8(word[0], 0);
+        texel[3] = lanes_unpack_unorm8(word[0], 3);
+        break;
+    case GN_FORMAT_RGB8:
+        texel[2] = lanes_unpack_unorm8(word[0], 2);
+        texel[1] = lanes_unpack_unorm8(word[0], 1);
+        texel[0] = lanes_unpack_unorm8(word[0], 0);
+        break;
+    case GN_FORMAT_RG8:
+        texel[1] = lanes_unpack_unorm8(word[0], 1);
+        texel[0] = lanes_unpack_unorm8(word[0], 0);
+        break;
+    case GN_FORMAT_R8:
+        texel[0] = lanes_unpack_unorm8(word[0], 0);
+        break;
+    case GN_FORMAT_SRGB8_A8:
+        texel[0] = srgb_value(word[0], 0);
+        texel[1] = srgb_value(word[0], 8);
+        texel[2] = srgb_value(word[0], 16);
+        texel[3] = lanes_unpack_unorm8(word[0], 3);
+        break;
+    case GN_FORMAT_RGB565:
+        texel[0] = unorm_channel(word[0], 11, 5);
+        texel[1] = unorm_channel(word[0], 5, 6);
+        texel[2] = unorm_channel(word[0], 0, 5);
+        break;
+    case GN_FORMAT_RGB5_A1:
+        texel[0] = unorm_channel(word[0], 11, 5);
+        texel[1] = unorm_channel(word[0], 6, 5);
+        texel[2] = unorm_channel(word[0], 1, 5);
+        texel[3] = unorm_channel(word[0], 0, 1);
+        break;
+    case GN_FORMAT_RGBA4:
+        texel[0] = unorm_channel(word[0], 12, 4);
+        texel[1] = unorm_channel(word[0], 8, 4);
+        texel[2] = unorm_channel(word[0], 4, 4);
+        texel[3] = unorm_channel(word[0], 0, 4);
+        break;
+    case GN_FORMAT_RGBA16:
+        texel[1] = unorm_channel(word[0], 16, 16);
+        texel[2] = unorm_channel(word[1], 0, 16);
+        texel[3] = unorm_channel(word[1], 16, 16);
+        texel[0] = unorm_channel(word[0], 0, 16);
+        break;
+    case GN_FORMAT_R16:
+    case GN_FORMAT_D16:
+        texel[0] = unorm_channel(word[0], 0, 16);
+        break;
+    case GN_FORMAT_RGBA16F:
+        texel[0] = half_value(word[0]);
+        texel[1] = half_value(lanes_i_shift_right(word[0], 16));
+        texel[2] = half_value(word[1]);
+        texel[3] = half_value(lanes_i_shift_right(word[1], 16));
+        break;
+    case GN_FORMAT_D24:
+    case GN_FORMAT_D24S8:
+        texel[0] = unorm_channel(word[0], 0, 24);
+        break;
+    case GN_FORMAT_RGBA32F:
+        texel[1] = lanes_as_float(word[1]);
+        texel[2] = lanes_as_float(word[2]);
+        texel[3] = lanes_as_float(word[3]);
+        texel[0] = lanes_as_float(word[0]);
+        break;
+    default: /* R32F, D32F, D32FS8 */
+        texel[0] = lanes_as_float(word[0]);
+        break;
+    }
+}
+
+/* Texels of a level of a checked texture by their numbers, which must be in it. The layer is read
+ * where the level has more than one, and may be null otherwise; of cubes it is the face. Channels
+ * that the format lacks are 0, alpha 1; of depth formats all but red. */
+GN_OUT_OF_LINE void fetch_texels(const gn_texture *texture, uint32_t level, const lanes_i *column,
+                                 const lanes_i *row, const lanes_i *layer, lanes_f texel[4])
+{
+    const uint32_t size = format_size(texture->format);
+    const texel_layout layout = texel_layout_of(texture, level, size);
+    const bool in_words = size == 4 || size == 16 || texture->format == GN_FORMAT_D32FS8;
+    const int32_t step = (int32_t)size / 4;
+    const int count = size == 16 ? 4 : 1;
+    lanes_i word[4];
+
+    if (!in_words)
+        load_small_texels(&layout, column, row, layer, size, word);
+    else if (layout.has_word_index)
+        gather_texel_words(&layout, column, row, layer, step, count, word);
+    else
+        load_texel_words(&layout, column, row, layer, step, count, word);
+
+    texel[1] = lanes_splat(0.0f);
+    texel[2] = lanes_splat(0.0f);
+    texel[3] = lanes_splat(1.0f);
+    decode_texels(texture->format, word, texel);
+}
+
+#endif

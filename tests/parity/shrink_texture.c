@@ -1,0 +1,105 @@
+/* Shrinking textures and samplers. */
+#include <string.h>
+
+#include "shrink_parts.h"
+
+bool shrink_sampler(gn_sampler *s, unsigned member, bool *last)
+{
+    static const float zero[4];
+    bool change = false;
+    gn_wrap *const wraps[] = {&s->wrap_s, &s->wrap_t, &s->wrap_r};
+    switch (member) {
+    case 0:
+    case 1:
+    case 2:
+        change = *wraps[member] != GN_WRAP_CLAMP_TO_EDGE;
+        *wraps[member] = GN_WRAP_CLAMP_TO_EDGE;
+        return change;
+    case 3:
+        change = s->lod_bias != 0.0f;
+        s->lod_bias = 0.0f;
+        return change;
+    case 4:
+        change = s->lod_clamped;
+        s->lod_clamped = false;
+        s->min_lod = s->max_lod = 0.0f;
+        return change;
+    case 5:
+        change = s->compare != GN_TEXTURE_COMPARE_NONE;
+        s->compare = GN_TEXTURE_COMPARE_NONE;
+        return change;
+    case 6:
+        change = s->max_anisotropy != 0;
+        s->max_anisotropy = 0;
+        return change;
+    case 7:
+        change = memcmp(s->border, zero, sizeof zero) != 0;
+        memcpy(s->border, zero, sizeof zero);
+        return change;
+    default:
+        *last = true;
+        return false;
+    }
+}
+
+/* A texture with fewer levels, layers or rows, by the step; false where there are none to leave
+ * out. The texels that stay are those of the lowest rows, layers and levels. */
+static bool smaller_texture(gn_texture *t, unsigned step)
+{
+    const bool has_layers = t->target == GN_TEXTURE_2D_ARRAY || t->target == GN_TEXTURE_3D;
+    switch (step) {
+    case 0:
+        t->level_count = 1;
+        return true;
+    case 1:
+        t->level_count = scene_level_count(t) - 1;
+        return t->level_count > 0;
+    case 2:
+        t->depth /= 2;
+        return has_layers && t->depth > 0;
+    case 3:
+        t->height /= 2;
+        return t->target != GN_TEXTURE_CUBE && t->height > 0;
+    default: /* as the first level the second */
+        t->level_count = scene_level_count(t) - 1;
+        t->width = t->width > 1 ? t->width / 2 : 1;
+        t->height = t->height > 1 ? t->height / 2 : 1;
+        t->depth = t->target != GN_TEXTURE_3D || t->depth < 2 ? t->depth : t->depth / 2;
+        memmove(t->level, t->level + 1, (GN_MAX_LEVELS - 1) * sizeof *t->level);
+        return t->level_count > 0;
+    }
+}
+
+/* Whether the other levels' sizes still follow from the first's. */
+static bool has_levels(const gn_texture *now, const gn_texture *before)
+{
+    for (uint32_t level = 0; level < scene_level_count(now); level++) {
+        const scene_extent e = scene_level_extent(now, level),
+                           from = scene_level_extent(before, level);
+        if (e.width > from.width || e.height > from.height || e.layers > from.layers)
+            return false;
+    }
+    return true;
+}
+
+bool shrink_texture(shrinking *s, size_t draw)
+{
+    bool progress = false;
+    const scene_draw *d = &s->best->draws[draw];
+    if (!scene_shader_is_textured(d->shader) || !d->uniforms.texture.level[0].texels)
+        return false;
+    for (unsigned step = 0; step < 5; step++)
+        for (;;) {
+            gn_texture t = s->best->draws[draw].uniforms.texture;
+            const gn_texture before = t;
+            if ((step == 0 && scene_level_count(&t) == 1) || !smaller_texture(&t, step) ||
+                (step < 4 && !has_levels(&t, &before)))
+                break;
+            scene *copy = scene_copy(s->best);
+            scene_set_levels(&copy->draws[draw], &t);
+            if (!shrink_try(s, copy))
+                break;
+            progress = true;
+        }
+    return progress;
+}

@@ -1,0 +1,290 @@
+/* make texture-accuracy: differences of gn_sample from the exact sampler (reference/exact), by
+ * target and filter, as a table in Markdown. */
+#include <errno.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "random.h"
+#include "sampler.h"
+#include "scene.h"
+
+#define DEFAULT_SEED 1
+#define DEFAULT_LOOKUPS 20000
+
+/* Of what is discontinuous, lookups this near to where the choice changes are left out: more than
+ * coordinates of a few textures' length lose when they are multiplied by the size. */
+#define LEAST_DOUBT 1e-4L
+
+static const char help[] =
+    "usage: texture-accuracy [--seed S] [--lookups N]\n"
+    "\n"
+    "Prints how far gn_sample is from sampling in long double as OpenGL 4.5 states it: random\n"
+    "bytes as texels, so that neighbours and levels differ as much as they can; odd and even\n"
+    "sizes, all wraps, coordinates from -1 to 2. A difference is that of a channel, of 0 to 1.\n"
+    "\n"
+    "  --seed S       what textures and lookups are made from (1)\n"
+    "  --lookups N    of 16 places each, for each number (20000)\n"
+    "\n"
+    "Exit status: 0 where no difference is above its bound, 1 where one is, 2 usage.\n";
+
+typedef struct filter {
+    const char *name;
+    gn_magnify magnify;
+    gn_minify minify;
+} filter;
+
+static const filter filters[] = {
+    {"nearest", GN_MAGNIFY_NEAREST, GN_MINIFY_NEAREST},
+    {"linear", GN_MAGNIFY_LINEAR, GN_MINIFY_LINEAR},
+    {"nearest, nearest level", GN_MAGNIFY_NEAREST, GN_MINIFY_NEAREST_MIPMAP_NEAREST},
+    {"linear, nearest level", GN_MAGNIFY_LINEAR, GN_MINIFY_LINEAR_MIPMAP_NEAREST},
+    {"nearest, between levels", GN_MAGNIFY_NEAREST, GN_MINIFY_NEAREST_MIPMAP_LINEAR},
+    {"linear, between levels", GN_MAGNIFY_LINEAR, GN_MINIFY_LINEAR_MIPMAP_LINEAR},
+};
+
+enum { FILTERS = sizeof filters / sizeof *filters };
+
+/* A number of the table. */
+typedef struct errors {
+    long double largest, sum;
+    uint64_t count, left_out;
+} errors;
+
+typedef struct subject {
+    gn_texture texture;
+    gn_sampler sampler;
+    void *texels;
+} subject;
+
+static subject random_subject(random_source *r, gn_texture_target target, gn_format format,
+                              const filter *f)
+{
+    const uint32_t most = target == GN_TEXTURE_3D ? 20 : 64;
+    subject s;
+
+    memset(&s, 0, sizeof s);
+    s.texture.target = target;
+    s.texture.format = format;
+    s.texture.width = 1 + random_below(r, most);
+    s.texture.height = target == GN_TEXTURE_1D     ? 1
+                       : target == GN_TEXTURE_CUBE ? s.texture.width
+                                                   : 1 + random_below(r, most);
+    s.texture.depth = 1 + random_below(r, most);
+    for (uint32_t n = most; n > 0; n /= 2) {
+        const scene_extent e = scene_level_extent(&s.texture, s.texture.level_count);
+        const bool is_last =
+            e.width == 1 && e.height == 1 && (target != GN_TEXTURE_3D || e.layers == 1);
+
+        s.texture.level_count++;
+        if (is_last) {
+            break;
+        }
+    }
+    s.sampler.magnify = f->magnify;
+    s.sampler.minify = f->minify;
+    s.sampler.wrap_s = (gn_wrap)random_below(r, 5);
+    s.sampler.wrap_t = (gn_wrap)random_below(r, 5);
+    s.sampler.wrap_r = (gn_wrap)random_below(r, 5);
+    for (int c = 0; c < 4; c++) {
+        s.sampler.border[c] = random_unit(r);
+    }
+
+    const size_t count = scene_texture_elements(&s.texture), size = scene_element_size(format);
+    const uint32_t mask = format == GN_FORMAT_D24 ? 0xFFFFFF : UINT32_MAX;
+
+    s.texels = malloc(count * size);
+    if (!s.texels) {
+        fprintf(stderr, "texture-accuracy: out of memory\n");
+        exit(EXIT_FAILURE);
+    }
+    for (size_t i = 0; i < count; i++) {
+        scene_set_element(s.texels, size, i, (uint32_t)(random_bits(r) >> 32) & mask);
+    }
+    scene_pack_texture(&s.texture, s.texels);
+    return s;
+}
+
+/* Coordinates of a block: of a plane over its fragments, as a triangle has them. */
+static void random_block(random_source *r, const gn_texture *t, float coordinate[3][GN_LANES])
+{
+    const float size[3] = {(float)t->width, (float)t->height, (float)t->depth};
+    const int32_t octave = random_between(r, -3, 5);
+    const bool is_cube = t->target == GN_TEXTURE_CUBE;
+
+    for (int c = 0; c < 3; c++) {
+        const bool is_layer = t->target == GN_TEXTURE_2D_ARRAY && c == 2;
+        const float from = is_layer  ? random_float(r, 0.0f, size[2])
+                           : is_cube ? random_float(r, -1.0f, 1.0f)
+                                     : random_float(r, -1.0f, 1.9f);
+        const float along_x = random_sign(r) * random_octave(r, octave, octave);
+        const float along_y = random_sign(r) * random_octave(r, octave, octave);
+        const float scale = is_layer ? 0.0f : is_cube ? 1.0f / size[0] : 1.0f / size[c];
+
+        for (int l = 0; l < GN_LANES; l++) {
+            coordinate[c][l] = from + (along_x * (float)(l % 4) + along_y * (float)(l / 4)) * scale;
+        }
+    }
+}
+
+/* The level of detail of each quad from the coordinates of its lower left, as gn_lookup says. */
+static long double quad_lod(const gn_texture *t, float coordinate[3][GN_LANES], int lane)
+{
+    const int first = lane / 8 * 8 + lane % 4 / 2 * 2;
+    long double at[3], dx[3], dy[3];
+
+    for (int c = 0; c < 3; c++) {
+        at[c] = (long double)coordinate[c][first];
+        dx[c] = (long double)coordinate[c][first + 1] - at[c];
+        dy[c] = (long double)coordinate[c][first + 4] - at[c];
+    }
+    return exact_lod(t, at, dx, dy);
+}
+
+static void measure_block(random_source *r, const subject *s, bool is_implicit, errors *e)
+{
+    float coordinate[3][GN_LANES], lod[GN_LANES], reference[GN_LANES], texel[4][GN_LANES];
+    gn_lookup lookup = {.coordinate = {coordinate[0], coordinate[1], coordinate[2]},
+                        .reference = reference,
+                        .lod_source = is_implicit ? GN_LOD_IMPLICIT : GN_LOD_EXPLICIT,
+                        .lod = is_implicit ? NULL : lod};
+
+    random_block(r, &s->texture, coordinate);
+    for (int l = 0; l < GN_LANES; l++) {
+        lod[l] = random_float(r, -1.0f, 1.0f + (float)s->texture.level_count);
+        reference[l] = random_unit(r);
+    }
+    gn_sample(&s->texture, &s->sampler, &lookup, texel);
+    for (int l = 0; l < GN_LANES; l++) {
+        exact_lookup exact = {.reference = (long double)reference[l]};
+
+        for (int c = 0; c < 3; c++) {
+            exact.coordinate[c] = (long double)coordinate[c][l];
+        }
+        exact.lod = is_implicit ? quad_lod(&s->texture, coordinate, l) : (long double)lod[l];
+
+        const exact_texel expected = exact_sample(&s->texture, &s->sampler, &exact);
+
+        e->left_out += expected.doubt < LEAST_DOUBT;
+        for (int c = 0; c < 4 && expected.doubt >= LEAST_DOUBT; c++) {
+            const long double d = fabsl((long double)texel[c][l] - expected.channel[c]);
+
+            e->largest = d <= e->largest ? e->largest : d;
+            e->sum += d;
+            e->count++;
+        }
+    }
+}
+
+static errors measure(uint64_t seed, uint64_t lookups, gn_texture_target target, gn_format format,
+                      gn_texture_compare compare, const filter *f, bool is_implicit)
+{
+    random_source r = random_seed(seed);
+    errors e = {0.0L, 0.0L, 0, 0};
+
+    for (uint64_t done = 0; done < lookups;) {
+        subject s = random_subject(&r, target, format, f);
+
+        s.sampler.compare = compare;
+        for (int i = 0; i < 20 && done < lookups; i++, done++) {
+            measure_block(&r, &s, is_implicit, &e);
+        }
+        free(s.texels);
+    }
+    return e;
+}
+
+/* What the text promises of a row: a rounding of weights of coordinates up to 128 texels, 2^-17,
+ * and of what is between levels by a logarithm of the reference's rho, the difference of levels. */
+static long double bound(const filter *f, bool is_implicit)
+{
+    const bool between =
+        f->minify == GN_MINIFY_NEAREST_MIPMAP_LINEAR || f->minify == GN_MINIFY_LINEAR_MIPMAP_LINEAR;
+
+    return is_implicit && between ? 0.0873L
+           : f->minify == GN_MINIFY_NEAREST || f->minify == GN_MINIFY_NEAREST_MIPMAP_NEAREST
+               ? 1e-7L
+               : 2e-5L;
+}
+
+typedef struct table {
+    uint64_t seed, lookups;
+    uint64_t passed, failed, count, left_out;
+} table;
+
+static void print_cell(table *t, const errors *e, long double most)
+{
+    const bool good = e->largest <= most && e->count > e->left_out;
+
+    printf(" %.1Le | %.1Le |", e->count ? e->sum / (long double)e->count : 0.0L, e->largest);
+    t->passed += good;
+    t->failed += !good;
+    t->count += e->count / 4 + e->left_out;
+    t->left_out += e->left_out;
+}
+
+static void print_row(table *t, const char *name, gn_texture_target target, gn_format format,
+                      gn_texture_compare compare, const filter *f)
+{
+    printf("| %s, %s |", name, f->name);
+    for (int implicit = 0; implicit < 2; implicit++) {
+        const errors e = measure(t->seed, t->lookups, target, format, compare, f, implicit);
+
+        print_cell(t, &e, bound(f, implicit));
+    }
+    printf("\n");
+    fflush(stdout);
+}
+
+static bool parse(const char *text, uint64_t *number)
+{
+    char *end;
+
+    errno = 0;
+    *number = strtoull(text, &end, 0);
+    return errno == 0 && end != text && *end == '\0' && *text != '-';
+}
+
+int main(int argc, char **argv)
+{
+    static const char *const names[] = {"2D", "1D", "2D array", "3D", "cube"};
+    table t = {DEFAULT_SEED, DEFAULT_LOOKUPS, 0, 0, 0, 0};
+
+    for (int i = 1; i < argc; i++) {
+        if (strcmp(argv[i], "--help") == 0) {
+            fputs(help, stdout);
+            return EXIT_SUCCESS;
+        }
+        uint64_t *const number = strcmp(argv[i], "--seed") == 0      ? &t.seed
+                                 : strcmp(argv[i], "--lookups") == 0 ? &t.lookups
+                                                                     : NULL;
+        if (!number || i + 1 == argc || !parse(argv[++i], number) || t.lookups == 0) {
+            fprintf(stderr, "texture-accuracy: bad option %s; see --help\n", argv[i]);
+            return 2;
+        }
+    }
+    printf("texture-accuracy: seed %" PRIu64 "\n\n", t.seed);
+    printf("| target, filter | explicit level: mean | largest | implicit: mean | largest |\n"
+           "|---|---|---|---|---|\n");
+    for (int target = 0; target < 5; target++) {
+        for (int f = 0; f < FILTERS; f++) {
+            print_row(&t, names[target], (gn_texture_target)target, GN_FORMAT_RGBA8,
+                      GN_TEXTURE_COMPARE_NONE, &filters[f]);
+        }
+    }
+    print_row(&t, "2D of sRGB", GN_TEXTURE_2D, GN_FORMAT_SRGB8_A8, GN_TEXTURE_COMPARE_NONE,
+              &filters[1]);
+    print_row(&t, "2D of 16 bits", GN_TEXTURE_2D, GN_FORMAT_RGBA16, GN_TEXTURE_COMPARE_NONE,
+              &filters[1]);
+    print_row(&t, "2D of D24, compared", GN_TEXTURE_2D, GN_FORMAT_D24,
+              GN_TEXTURE_COMPARE_LESS_OR_EQUAL, &filters[1]);
+    print_row(&t, "cube of D24, compared", GN_TEXTURE_CUBE, GN_FORMAT_D24,
+              GN_TEXTURE_COMPARE_LESS_OR_EQUAL, &filters[1]);
+    printf("\n%" PRIu64 " places, %" PRIu64
+           " of them left out: nearer than %.0Le to where a texel, level or comparison changes\n",
+           t.count, t.left_out, LEAST_DOUBT);
+    printf("%" PRIu64 " passed, %" PRIu64 " failed\n", t.passed, t.failed);
+    return t.failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
