@@ -128,6 +128,11 @@ $(BUILD)/tests/blits/%.o: EXTRA_FLAGS = -Itests/parity
 $(BUILD)/blits: $(call objects,$(sort $(wildcard tests/blits/*.c))) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
 	$(LINK) -lOSMesa -lm -pthread
 
+$(BUILD)/tests/textures/%.o: EXTRA_FLAGS = -Itests/parity
+
+$(BUILD)/textures: $(call objects,$(sort $(wildcard tests/textures/*.c))) $(REFERENCE_OBJECTS) $(BUILD)/libgnomon.a
+	$(LINK) -lOSMesa -lm -pthread
+
 # The same program with AVX-512, NEON and WebAssembly's vectors emulated, which on x86 some
 # processor lacks: of the library, what knows which back ends there are is compiled again.
 EMULATED_SOURCES = src/draw/draw.c src/math/bulk.c \
@@ -276,6 +281,10 @@ BLITS ?= 20200
 .PHONY: blits
 blits: $(BUILD)/blits ## random blits against OSMesa, bit for bit: BLITS=20200 SEED=1
 	@$(BUILD)/blits --blits $(BLITS) --seed $(SEED)
+
+.PHONY: textures
+textures: $(BUILD)/textures ## random lookups in textures against OSMesa, bit for bit: SEED=1
+	@$(BUILD)/textures --seed $(SEED)
 
 .PHONY: exhaustive
 exhaustive: $(BUILD)/exhaustive ## the scalar functions on all 2^32 arguments against MPFR

@@ -2,14 +2,9 @@
  * back. */
 #include "gl.h"
 
-/* How OpenGL names a format, and what its pixels are in memory. */
-typedef struct image_format {
-    GLenum internal, format, type;
-} image_format;
-
-static image_format image_format_of(gn_format format)
+reference_image_format reference_image_format_of(gn_format format)
 {
-    static const image_format formats[] = {
+    static const reference_image_format formats[] = {
         [GN_FORMAT_RGBA8] = {GL_RGBA8, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV},
         [GN_FORMAT_RGBA32F] = {GL_RGBA32F, GL_RGBA, GL_FLOAT},
         [GN_FORMAT_BGRA8] = {GL_RGBA8, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV},
@@ -38,7 +33,7 @@ static image_format image_format_of(gn_format format)
 
 static GLenum attachment_of(gn_format format)
 {
-    switch (image_format_of(format).format) {
+    switch (reference_image_format_of(format).format) {
     case GL_DEPTH_COMPONENT:
         return GL_DEPTH_ATTACHMENT;
     case GL_DEPTH_STENCIL:
@@ -58,8 +53,7 @@ static uint32_t of_24_bits(uint32_t depth)
     return whole < UINT32_MAX - 32 ? whole + 32 : whole;
 }
 
-/* Words of depth, from Gnomon's form to OpenGL's or back. */
-static void turn_depths(gn_format format, void *pixels, size_t count, bool to_opengl)
+void reference_turn_depths(gn_format format, void *pixels, size_t count, bool to_opengl)
 {
     uint32_t *const word = pixels;
 
@@ -80,17 +74,17 @@ typedef struct image {
 /* A tightly packed surface as the texture of a framebuffer. */
 static image upload(const gn_surface *s)
 {
-    const image_format f = image_format_of(s->format);
+    const reference_image_format f = reference_image_format_of(s->format);
     const size_t count = (size_t)s->width * s->height;
     image i = {0, 0};
 
     glGenTextures(1, &i.texture);
     glBindTexture(GL_TEXTURE_2D, i.texture);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    turn_depths(s->format, s->pixels, count, true);
+    reference_turn_depths(s->format, s->pixels, count, true);
     glTexImage2D(GL_TEXTURE_2D, 0, (GLint)f.internal, (GLsizei)s->width, (GLsizei)s->height, 0,
                  f.format, f.type, s->pixels);
-    turn_depths(s->format, s->pixels, count, false);
+    reference_turn_depths(s->format, s->pixels, count, false);
     glGenFramebuffers(1, &i.framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, i.framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, attachment_of(s->format), GL_TEXTURE_2D, i.texture, 0);
@@ -119,7 +113,7 @@ bool reference_blit(reference *r, const gn_surface *destination, const gn_rectan
                     const gn_surface *source, const gn_rectangle *from,
                     const gn_blit_options *options, char *error, size_t error_size)
 {
-    const image_format f = image_format_of(destination->format);
+    const reference_image_format f = reference_image_format_of(destination->format);
     const gn_scissor *const scissor = &options->scissor;
     const image source_image = upload(source);
     const image destination_image = upload(destination);
@@ -138,8 +132,8 @@ bool reference_blit(reference *r, const gn_surface *destination, const gn_rectan
     glBindFramebuffer(GL_READ_FRAMEBUFFER, destination_image.framebuffer);
     glReadPixels(0, 0, (GLsizei)destination->width, (GLsizei)destination->height, f.format, f.type,
                  destination->pixels);
-    turn_depths(destination->format, destination->pixels,
-                (size_t)destination->width * destination->height, false);
+    reference_turn_depths(destination->format, destination->pixels,
+                          (size_t)destination->width * destination->height, false);
     discard(source_image);
     discard(destination_image);
     return reference_check("blitting", error, error_size);

@@ -113,6 +113,16 @@ void reference_read_image(const scene *s, uint32_t image, scene_frame *frame);
 /* The internal format of a format's framebuffers. */
 GLenum reference_format(gn_format format);
 
+/* How OpenGL names a format, and what its pixels are in memory. */
+typedef struct reference_image_format {
+    GLenum internal, format, type;
+} reference_image_format;
+
+reference_image_format reference_image_format_of(gn_format format);
+
+/* Words of depth, from Gnomon's form to OpenGL's or back. */
+void reference_turn_depths(gn_format format, void *pixels, size_t count, bool to_opengl);
+
 /* Sets which samples are drawn. */
 void reference_set_sample_state(const gn_pipeline *p);
 

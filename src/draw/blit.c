@@ -7,9 +7,12 @@
 #include "blit_cut.h"
 #include "blit_quad.h"
 #include "check.h"
+#include "reduce.h"
 
 typedef struct blit {
     const gn_surface *destination, *source;
+    const gn_surface *next; /* null, or a second source, of which `between` is mixed in */
+    float between;
     bool mixes;          /* linear */
     bool copies;         /* pixels keep their bits */
     uint32_t written[2]; /* bits of the words of a copied pixel of 32 bits or of depth */
@@ -194,7 +197,6 @@ static lanes_f mix_texels(lanes_f weight, lanes_f a, lanes_f b)
 
 static void mix_four_texels(const gn_surface *source, const blit_texels *t, lanes_f color[4])
 {
-    const lanes_i nan = lanes_i_splat((int32_t)GN_NAN_BITS);
     const lanes_f along_x = lanes_load(t->weight[0]);
     const lanes_f along_y = lanes_load(t->weight[1]);
     lanes_f right[4], above[4], corner[4];
@@ -203,12 +205,27 @@ static void mix_four_texels(const gn_surface *source, const blit_texels *t, lane
     fetch_texels(source, t, 1, 0, right);
     fetch_texels(source, t, 0, 1, above);
     fetch_texels(source, t, 1, 1, corner);
-    for (int c = 0; c < 4; ++c) {
-        const lanes_f mixed = mix_texels(along_y, mix_texels(along_x, color[c], right[c]),
-                                         mix_texels(along_x, above[c], corner[c]));
-        const lanes_m is_number = lanes_less_equal(mixed, mixed);
+    for (int c = 0; c < 4; ++c)
+        color[c] = mix_texels(along_y, mix_texels(along_x, color[c], right[c]),
+                              mix_texels(along_x, above[c], corner[c]));
+}
 
-        color[c] = lanes_as_float(lanes_i_select(is_number, lanes_as_int(mixed), nan));
+/* All that a pixel is mixed of. */
+static void mix_sources(const blit *b, const blit_texels *t, lanes_f color[4])
+{
+    const lanes_i nan = lanes_i_splat((int32_t)GN_NAN_BITS);
+    lanes_f second[4];
+
+    mix_four_texels(b->source, t, color);
+    if (b->next) {
+        mix_four_texels(b->next, t, second);
+        for (int c = 0; c < 4; ++c)
+            color[c] = mix_texels(lanes_splat(b->between), color[c], second[c]);
+    }
+    for (int c = 0; c < 4; ++c) {
+        const lanes_m is_number = lanes_less_equal(color[c], color[c]);
+
+        color[c] = lanes_as_float(lanes_i_select(is_number, lanes_as_int(color[c]), nan));
     }
 }
 
@@ -224,7 +241,7 @@ static void write_run(const blit *b, int32_t x, int32_t y, uint32_t count, const
         return;
     }
     if (b->mixes)
-        mix_four_texels(b->source, t, color);
+        mix_sources(b, t, color);
     else
         fetch_texels(b->source, t, 0, 0, color);
     store_colors(b->destination, x, y, count, color);
@@ -382,6 +399,24 @@ static bool keeps_all(gn_format format, const gn_blit_options *options)
            (options->keeps_stencil || !format_has_stencil(format));
 }
 
+void gn_reduce(const gn_surface *destination, const gn_surface *source, const gn_surface *next,
+               float between)
+{
+    const gn_rectangle to = whole(destination);
+    const gn_rectangle from = whole(source);
+    blit b;
+
+    b.destination = destination;
+    b.source = source;
+    b.next = next;
+    b.between = between;
+    b.mixes = true;
+    b.copies = false;
+    b.written[0] = 0;
+    b.written[1] = 0;
+    blit_scaled(&b, &to, &from, &to);
+}
+
 gn_status gn_blit(const gn_surface *destination, const gn_rectangle *to, const gn_surface *source,
                   const gn_rectangle *from, const gn_blit_options *options)
 {
@@ -425,6 +460,8 @@ gn_status gn_blit(const gn_surface *destination, const gn_rectangle *to, const g
 
     b.destination = destination;
     b.source = source;
+    b.next = 0;
+    b.between = 0.0f;
     b.mixes = options->filter == GN_BLIT_LINEAR;
     b.copies = false;
     if (overlap(&b, to, from))

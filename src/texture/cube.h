@@ -1,0 +1,264 @@
+/* Cube maps over lanes: which face a direction meets and where, how far the place moves
+ * from fragment to fragment, and the texels and weights of the linear filter, which reaches over
+ * edges and corners (OpenGL 4.5 sections 8.13 and 8.14), in the order of operations of the
+ * reference rasterizer. */
+#ifndef GN_TEXTURE_CUBE_H
+#define GN_TEXTURE_CUBE_H
+
+#include "gnomon/sampling.h"
+
+#include "../lanes/lanes.h"
+
+/* Which component of a direction is the largest: z wins ties, then y. NaN in y or z counts as
+ * larger than numbers. */
+typedef struct cube_axis {
+    lanes_m is_x; /* unless is_z */
+    lanes_m is_z;
+    lanes_f sign; /* 1 or -1, that of the component */
+} cube_axis;
+
+typedef struct cube_place {
+    cube_axis axis;
+    lanes_i face;     /* 0 to 5 */
+    lanes_f inverse;  /* 1 / the largest component */
+    lanes_f minor[2]; /* the others, along s and t of the face */
+    lanes_f s, t;     /* 0 to 1, or NaN */
+} cube_place;
+
+static inline lanes_f cube_magnitude(lanes_f a)
+{
+    return lanes_as_float(lanes_i_and(lanes_as_int(a), lanes_i_splat(INT32_MAX)));
+}
+
+static inline lanes_f cube_major(const cube_axis *axis, const lanes_f v[3])
+{
+    return lanes_select(axis->is_z, v[2], lanes_select(axis->is_x, v[0], v[1]));
+}
+
+static inline cube_axis cube_choose_axis(const lanes_f direction[3])
+{
+    const lanes_f x = cube_magnitude(direction[0]);
+    const lanes_f y = cube_magnitude(direction[1]);
+    const lanes_f z = cube_magnitude(direction[2]);
+    cube_axis axis;
+
+    axis.is_x = lanes_not(lanes_less_equal(x, y));
+    axis.is_z = lanes_not(lanes_greater(lanes_max(x, y), z));
+    axis.sign =
+        lanes_select(lanes_i_greater(lanes_i_splat(0), lanes_as_int(cube_major(&axis, direction))),
+                     lanes_splat(-1.0f), lanes_splat(1.0f));
+    return axis;
+}
+
+/* The components of a vector along s and t of a face (OpenGL 4.5 table 8.19). */
+GN_STEP void cube_minors(const cube_axis *axis, const lanes_f v[3], lanes_f minor[2])
+{
+    const lanes_f minus = lanes_splat(-1.0f);
+    const lanes_f x_or_y =
+        lanes_select(axis->is_x, lanes_mul(axis->sign, lanes_mul(minus, v[2])), v[0]);
+    const lanes_m up = lanes_and(lanes_not(axis->is_x), lanes_not(axis->is_z));
+
+    minor[0] = lanes_select(axis->is_z, lanes_mul(axis->sign, v[0]), x_or_y);
+    minor[1] = lanes_select(up, lanes_mul(axis->sign, v[2]), lanes_mul(minus, v[1]));
+}
+
+/* The zero vector meets +z or -z, by the sign of its z: in the centre, or where gradients are asked
+ * for nowhere, which filters take for the first texel. */
+GN_STEP void cube_project(const lanes_f direction[3], bool has_gradients, cube_place *place)
+{
+    const lanes_f half = lanes_splat(0.5f);
+
+    place->axis = cube_choose_axis(direction);
+    cube_minors(&place->axis, direction, place->minor);
+
+    const lanes_f major = cube_major(&place->axis, direction);
+    place->inverse = lanes_div(lanes_splat(1.0f), major);
+
+    lanes_f scale = cube_magnitude(lanes_mul(half, place->inverse));
+    if (!has_gradients)
+        scale = lanes_select(lanes_less_equal(cube_magnitude(major), lanes_splat(0.0f)),
+                             lanes_splat(0.0f), scale);
+    place->s = lanes_add(lanes_mul(place->minor[0], scale), half);
+    place->t = lanes_add(lanes_mul(place->minor[1], scale), half);
+    place->face = lanes_i_add(
+        lanes_i_select(place->axis.is_z, lanes_i_splat(4),
+                       lanes_i_select(place->axis.is_x, lanes_i_splat(0), lanes_i_splat(2))),
+        lanes_i_select(lanes_greater(lanes_splat(0.0f), place->axis.sign), lanes_i_splat(1),
+                       lanes_i_splat(0)));
+}
+
+/* How s and t change where the direction changes by a gradient: the derivative of
+ * (minor / major + 1) / 2, each lane's on its own face. */
+GN_STEP void cube_gradient(const cube_place *place, const lanes_f gradient[3], lanes_f out[2])
+{
+    const lanes_f half_inverse = lanes_mul(lanes_splat(0.5f), place->inverse);
+    const lanes_f major = lanes_mul(cube_major(&place->axis, gradient), place->inverse);
+    lanes_f minor[2];
+
+    cube_minors(&place->axis, gradient, minor);
+    for (int i = 0; i < 2; ++i)
+        out[i] = lanes_mul(lanes_sub(minor[i], lanes_mul(major, place->minor[i])), half_inverse);
+}
+
+/* The texels that a linear filter mixes, in the order of sample.h's CORNER_00, 10, 01, 11. */
+enum { CUBE_TEXELS = 4 };
+
+typedef struct cube_texels {
+    lanes_i column[CUBE_TEXELS], row[CUBE_TEXELS], face[CUBE_TEXELS];
+    lanes_f weight_s, weight_t;
+    uint32_t missing[CUBE_TEXELS]; /* lanes where three faces meet and the texel is none */
+    uint32_t weighted;             /* lanes of quads that have a missing texel in a lane */
+} cube_texels;
+
+/* Where a texel beyond the edge of a face lies: the neighbouring face, and the column and row
+ * there, each the first or last, or as far along the edge as it was, from the one end or the
+ * other. The edges are s < 0, s > 1, t < 0, t > 1. A point a little beyond an edge has its largest
+ * component where the minor one was; the table is that point's projection. */
+#define CUBE_FIRST 0
+#define CUBE_ALONG 1
+#define CUBE_LAST 2
+#define CUBE_BACK 3
+#define CUBE_EDGE(face, column, row) ((face) | CUBE_##column << 4 | CUBE_##row << 8)
+
+static const stored_word cube_edges[6 * 4] = {
+    CUBE_EDGE(4, LAST, ALONG),  CUBE_EDGE(5, FIRST, ALONG), /* +x */
+    CUBE_EDGE(2, LAST, BACK),   CUBE_EDGE(3, LAST, ALONG),  /**/
+    CUBE_EDGE(5, LAST, ALONG),  CUBE_EDGE(4, FIRST, ALONG), /* -x */
+    CUBE_EDGE(2, FIRST, ALONG), CUBE_EDGE(3, FIRST, BACK),  /**/
+    CUBE_EDGE(1, ALONG, FIRST), CUBE_EDGE(0, BACK, FIRST),  /* +y */
+    CUBE_EDGE(5, BACK, FIRST),  CUBE_EDGE(4, ALONG, FIRST), /**/
+    CUBE_EDGE(1, BACK, LAST),   CUBE_EDGE(0, ALONG, LAST),  /* -y */
+    CUBE_EDGE(4, ALONG, LAST),  CUBE_EDGE(5, BACK, LAST),   /**/
+    CUBE_EDGE(1, LAST, ALONG),  CUBE_EDGE(0, FIRST, ALONG), /* +z */
+    CUBE_EDGE(2, ALONG, LAST),  CUBE_EDGE(3, ALONG, FIRST), /**/
+    CUBE_EDGE(0, LAST, ALONG),  CUBE_EDGE(1, FIRST, ALONG), /* -z */
+    CUBE_EDGE(2, BACK, FIRST),  CUBE_EDGE(3, BACK, LAST)};
+
+/* A column or row of the neighbour: bit 0 of kind asks for `along`, bit 1 for counting from
+ * the last. */
+static inline lanes_i cube_beyond(lanes_i kind, lanes_i along, lanes_i last)
+{
+    const lanes_i one = lanes_i_splat(1), two = lanes_i_splat(2);
+    const lanes_i count =
+        lanes_i_select(lanes_i_equal(lanes_i_and(kind, one), one), along, lanes_i_splat(0));
+
+    return lanes_i_select(lanes_i_equal(lanes_i_and(kind, two), two), lanes_i_sub(last, count),
+                          count);
+}
+
+/* Moves texels with a column or row of -1 or last + 1 to the face where they are. One that is
+ * beyond both is missing, and moves to some texel. */
+GN_STEP void cube_move(lanes_i last, lanes_i *column, lanes_i *row, lanes_i *face)
+{
+    const lanes_i zero = lanes_i_splat(0);
+    const lanes_i right = lanes_m_as_int(lanes_i_greater(*column, last));
+    const lanes_i beyond_s = lanes_i_or(right, lanes_m_as_int(lanes_i_greater(zero, *column)));
+    const lanes_i above = lanes_m_as_int(lanes_i_greater(*row, last));
+    const lanes_i beyond =
+        lanes_i_or(beyond_s, lanes_i_or(above, lanes_m_as_int(lanes_i_greater(zero, *row))));
+    const lanes_m is_beyond_s = lanes_i_greater(zero, beyond_s);
+    const lanes_m is_beyond = lanes_i_greater(zero, beyond);
+    /* A mask is -1. */
+    const lanes_i edge =
+        lanes_i_select(is_beyond_s, lanes_i_sub(zero, right), lanes_i_sub(lanes_i_splat(2), above));
+    const lanes_i word =
+        lanes_i_gather(cube_edges, lanes_i_add(lanes_i_shift_left(*face, 2), edge));
+    const lanes_i along = lanes_i_clamp(lanes_i_select(is_beyond_s, *row, *column), zero, last);
+
+    *face = lanes_i_select(is_beyond, lanes_i_and(word, lanes_i_splat(15)), *face);
+    *column =
+        lanes_i_select(is_beyond, cube_beyond(lanes_i_shift_right(word, 4), along, last), *column);
+    *row = lanes_i_select(is_beyond, cube_beyond(lanes_i_shift_right(word, 8), along, last), *row);
+}
+
+/* The quads, all four lanes of them, that have a lane in a set. */
+static inline uint32_t cube_quads(uint32_t lanes)
+{
+    lanes |= (lanes & 0x5555u) << 1 | (lanes & 0xAAAAu) >> 1;
+    return lanes | (lanes & 0x0F0Fu) << 4 | (lanes & 0xF0F0u) >> 4;
+}
+
+/* NaN becomes 0. Infinities come from a NaN in the direction alone. */
+static inline lanes_f cube_clamp(lanes_f a)
+{
+    return lanes_min(lanes_max(a, lanes_splat(0.0f)), lanes_splat(1.0f));
+}
+
+/* The texels of the linear filter in levels of size x size. */
+GN_STEP void cube_linear(const cube_place *place, lanes_i size, cube_texels *out)
+{
+    const lanes_f n = lanes_to_float(size), half = lanes_splat(0.5f);
+    const lanes_i one = lanes_i_splat(1), zero = lanes_i_splat(0);
+    const lanes_i last = lanes_i_sub(size, one);
+    const lanes_f s = lanes_sub(lanes_mul(cube_clamp(place->s), n), half);
+    const lanes_f t = lanes_sub(lanes_mul(cube_clamp(place->t), n), half);
+    const lanes_f whole_s = lanes_floor(s), whole_t = lanes_floor(t);
+    const lanes_i left = lanes_truncate(whole_s), below = lanes_truncate(whole_t);
+    const lanes_i right = lanes_i_add(left, one), above = lanes_i_add(below, one);
+    const uint32_t off_left = lanes_bits(lanes_i_greater(zero, left));
+    const uint32_t off_right = lanes_bits(lanes_i_greater(right, last));
+    const uint32_t off_below = lanes_bits(lanes_i_greater(zero, below));
+    const uint32_t off_above = lanes_bits(lanes_i_greater(above, last));
+
+    out->weight_s = lanes_sub(s, whole_s);
+    out->weight_t = lanes_sub(t, whole_t);
+    out->missing[0] = off_left & off_below;
+    out->missing[1] = off_right & off_below;
+    out->missing[2] = off_left & off_above;
+    out->missing[3] = off_right & off_above;
+    out->weighted = cube_quads((off_left | off_right) & (off_below | off_above));
+    for (int i = 0; i < CUBE_TEXELS; ++i) {
+        out->column[i] = i & 1 ? right : left;
+        out->row[i] = i & 2 ? above : below;
+        out->face[i] = place->face;
+        if (off_left | off_right | off_below | off_above)
+            cube_move(last, &out->column[i], &out->row[i], &out->face[i]);
+    }
+}
+
+/* The weights of the four texels in quads at a corner: those of the bilinear filter, a missing
+ * texel's given to the other three, a third to each. */
+GN_STEP void cube_weights(const cube_texels *texels, lanes_f weight[CUBE_TEXELS])
+{
+    const lanes_f one = lanes_splat(1.0f), zero = lanes_splat(0.0f);
+    const lanes_f rest_s = lanes_sub(one, texels->weight_s);
+    const lanes_f rest_t = lanes_sub(one, texels->weight_t);
+    lanes_f spread = zero;
+
+    weight[0] = lanes_mul(rest_s, rest_t);
+    weight[1] = lanes_mul(texels->weight_s, rest_t);
+    weight[2] = lanes_mul(rest_s, texels->weight_t);
+    weight[3] = lanes_mul(texels->weight_s, texels->weight_t);
+    for (int i = 0; i < CUBE_TEXELS; ++i)
+        spread = lanes_select(lanes_from_bits(texels->missing[i]), weight[i], spread);
+    spread = lanes_mul(spread, lanes_splat(1.0f / 3.0f));
+    for (int i = 0; i < CUBE_TEXELS; ++i)
+        weight[i] =
+            lanes_select(lanes_from_bits(texels->missing[i]), zero, lanes_add(weight[i], spread));
+}
+
+/* The texels of one channel, mixed by these weights. */
+static inline lanes_f cube_mix(const lanes_f weight[CUBE_TEXELS], const lanes_f texel[CUBE_TEXELS])
+{
+    lanes_f sum = lanes_mul(weight[0], texel[0]);
+
+    for (int i = 1; i < CUBE_TEXELS; ++i)
+        sum = lanes_add(lanes_mul(weight[i], texel[i]), sum);
+    return sum;
+}
+
+/* What a gather finds at a corner: the mean of the other three in the place of what is missing. */
+GN_STEP void cube_fill_missing(const cube_texels *texels, lanes_f texel[CUBE_TEXELS])
+{
+    lanes_f kept[CUBE_TEXELS];
+
+    for (int i = 0; i < CUBE_TEXELS; ++i)
+        kept[i] = lanes_select(lanes_from_bits(texels->missing[i]), lanes_splat(0.0f), texel[i]);
+
+    const lanes_f sum = lanes_add(lanes_add(kept[0], kept[1]), lanes_add(kept[2], kept[3]));
+    const lanes_f mean = lanes_mul(lanes_splat(1.0f / 3.0f), sum);
+    for (int i = 0; i < CUBE_TEXELS; ++i)
+        texel[i] = lanes_select(lanes_from_bits(texels->missing[i]), mean, kept[i]);
+}
+
+#endif

@@ -1,0 +1,117 @@
+/* Levels made from the first: each from the one before it, by the reference's rules for linear
+ * blits, in three dimensions between two layers. */
+#include "../draw/reduce.h"
+#include "packed.h"
+#include "texture_faults.h"
+
+/* The addresses of level 0, the last byte's included. */
+static void address_range(const gn_texture *t, uintptr_t range[2])
+{
+    const gn_texture_level *const l = &t->level[0];
+    const texel_extent e = extent_of_level(t, 0);
+    const size_t rows = e.height > 1 ? stride_length(l->row_stride) * (e.height - 1) : 0;
+    const size_t layers = e.layers > 1 ? stride_length(l->layer_stride) * (e.layers - 1) : 0;
+
+    range[0] = (uintptr_t)l->texels;
+    range[1] = (uintptr_t)l->texels + e.width * texel_size(t->format) - 1;
+    if (l->row_stride < 0)
+        range[0] -= rows;
+    else
+        range[1] += rows;
+    if (l->layer_stride < 0)
+        range[0] -= layers;
+    else
+        range[1] += layers;
+}
+
+static gn_surface surface_of(const gn_texture *t, uint32_t level, uint32_t layer)
+{
+    const gn_texture_level *const l = &t->level[level];
+    const texel_extent e = extent_of_level(t, level);
+    const unsigned char *texels = l->texels;
+    gn_surface s;
+
+    if (e.layers > 1)
+        texels += (ptrdiff_t)layer * l->layer_stride;
+    /* A surface's pixels are not const; only those in the caller's memory are written. */
+    s.pixels = (void *)(uintptr_t)texels;
+    s.row_stride = l->row_stride;
+    s.width = e.width;
+    s.height = e.height;
+    s.format = t->format;
+    s.samples = 0;
+    s.sample_stride = 0;
+    return s;
+}
+
+/* Level `level` of a 3D texture: layers are mixed at the centres of the new ones, which are found
+ * as the reference finds them. */
+static void make_slices(const gn_texture *t, uint32_t level)
+{
+    const uint32_t count = extent_of_level(t, level).layers;
+    const uint32_t before = extent_of_level(t, level - 1).layers;
+    const float scale = (float)before / (float)count;
+
+    for (uint32_t z = 0; z < count; ++z) {
+        const float r = ((float)z * scale + 0.5f * scale) / (float)before;
+        const float centre = r * (float)before - 0.5f;
+        const float c = centre > 0.0f ? centre : 0.0f;
+        const uint32_t first = (uint32_t)c < before ? (uint32_t)c : before - 1;
+        const gn_surface to = surface_of(t, level, z);
+        const gn_surface from = surface_of(t, level - 1, first);
+        const gn_surface next = surface_of(t, level - 1, first + 1 < before ? first + 1 : first);
+
+        gn_reduce(&to, &from, &next, c - (float)first);
+    }
+}
+
+static void make_level(const gn_texture *t, uint32_t level)
+{
+    const uint32_t layers = extent_of_level(t, level).layers;
+
+    if (t->target == GN_TEXTURE_3D) {
+        make_slices(t, level);
+        return;
+    }
+    for (uint32_t n = 0; n < layers; ++n) {
+        const gn_surface to = surface_of(t, level, n);
+        const gn_surface from = surface_of(t, level - 1, n);
+
+        gn_reduce(&to, &from, 0, 0.0f);
+    }
+}
+
+gn_status gn_texture_generate_levels(gn_texture *texture, void *memory, size_t size)
+{
+    const gn_status status = gn_texture_check(texture);
+    uintptr_t read[2];
+
+    if (status)
+        return status;
+    if (!GN_HAVE_TEXTURES)
+        return GN_NOT_COMPILED;
+    if (!format_is_color(texture->format))
+        return GN_INVALID_FORMAT;
+
+    const texture_shape shape = shape_of(texture);
+    const uint32_t count = levels_of_shape(&shape);
+    if (count > 1) {
+        const size_t needed = gn_packed_bytes(texture, 1, count);
+        const uintptr_t first = (uintptr_t)memory;
+
+        if (!memory)
+            return GN_NULL_POINTER;
+        if (first % texel_element(texture->format) != 0)
+            return GN_MISALIGNED;
+        if (needed == 0 || size < needed)
+            return GN_WORKSPACE_TOO_SMALL;
+        address_range(texture, read);
+        if (first <= read[1] && read[0] <= first + (needed - 1))
+            return GN_OVERLAP;
+    }
+    texture->level_count = count;
+    gn_place_levels(texture, 1, count, memory);
+    for (uint32_t n = 1; n < count; ++n)
+        make_level(texture, n);
+    return GN_OK;
+}
