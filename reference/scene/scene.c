@@ -91,6 +91,9 @@ static void free_draw(scene_draw *d)
     }
     free((void *)d->mesh.indices);
     free((void *)d->uniforms.texture.level[0].texels);
+    for (int m = 0; m < SCENE_MAP_COUNT; ++m) {
+        free((void *)d->surface.map[m].level[0].texels);
+    }
 }
 
 void scene_free(scene *s)
@@ -119,6 +122,8 @@ scene_draw *scene_add_draw(scene *s)
     memset(d, 0, sizeof *d);
     gn_mat4_identity(&d->uniforms.light.clip_from_model);
     gn_mat4_identity(&d->view_from_model);
+    gn_mat4_identity(&d->surface.world_from_model);
+    gn_mat4_identity(&d->surface.shadow_from_world);
     gn_mat3_identity(&d->uniforms.light.normal_matrix);
     return d;
 }
@@ -251,6 +256,12 @@ scene *scene_copy(const scene *s)
         if (texture->level[0].texels) {
             to->uniforms.texture.level[0].texels = NULL;
             scene_set_levels(to, texture);
+        }
+        for (int m = 0; m < SCENE_MAP_COUNT; ++m) {
+            to->surface.map[m].level[0].texels = NULL;
+            if (from->surface.map[m].level[0].texels) {
+                scene_set_map(to, (scene_map)m, &from->surface.map[m]);
+            }
         }
     }
     return copy;

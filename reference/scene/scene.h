@@ -23,6 +23,17 @@ typedef enum scene_shader {
     SCENE_DERIVATIVES, /* a third (derivatives.h) */
     SCENE_OUTPUTS,     /* one of several colours (outputs.h) */
     SCENE_SAMPLED,     /* and one of any texture (sampled.h) */
+
+    /* Ready-made again, as gnomon/shaders.h calls them; SCENE_FLAT is gn_use_gouraud without
+     * interpolation. */
+    SCENE_UNLIT,
+    SCENE_FACES, /* gn_use_flat */
+    SCENE_TOON,
+    SCENE_MAPPED_PHONG, /* gn_use_phong */
+    SCENE_BLINN_PHONG,
+    SCENE_NORMAL_COLOR,
+    SCENE_DEPTH_COLOR,
+    SCENE_DEPTH_ONLY, /* leaves colours as they are */
     SCENE_SHADER_COUNT
 } scene_shader;
 
@@ -31,15 +42,21 @@ static inline bool scene_shader_is_textured(scene_shader shader)
     return shader == SCENE_TEXTURED_GOURAUD || shader == SCENE_PHONG || shader == SCENE_SAMPLED;
 }
 
+/* Those whose pixels scene_surface decides, and which may have a diffuse map. */
+static inline bool scene_shader_shows_surface(scene_shader shader)
+{
+    return shader >= SCENE_FACES && shader <= SCENE_NORMAL_COLOR;
+}
+
 static inline bool scene_shader_is_lit(scene_shader shader)
 {
-    return shader >= SCENE_FLAT && shader <= SCENE_PHONG;
+    return (shader >= SCENE_FLAT && shader <= SCENE_PHONG) || scene_shader_shows_surface(shader);
 }
 
 /* Whether points may have the first of the texture coordinates for a size. */
 static inline bool scene_shader_has_sizes(scene_shader shader)
 {
-    return !scene_shader_is_lit(shader) && shader != SCENE_OUTPUTS && shader != SCENE_SAMPLED;
+    return shader == SCENE_VERTEX_COLOR || shader == SCENE_INPUTS || shader == SCENE_DERIVATIVES;
 }
 
 /* What the shaders with one light are given. */
@@ -57,6 +74,30 @@ typedef struct scene_uniforms {
     gn_texture texture;
     gn_sampler sampler;
 } scene_uniforms;
+
+/* Maps beside the diffuse one. */
+typedef enum scene_map {
+    SCENE_NORMAL_MAP = 0,
+    SCENE_SPECULAR_MAP,
+    SCENE_GLOW_MAP,
+    SCENE_SHADOW_MAP,
+    SCENE_MAP_COUNT
+} scene_map;
+
+/* What shaders that show a surface are given beside scene_uniforms. */
+typedef struct scene_surface {
+    gn_mat4 world_from_model;
+    gn_vec3 eye;
+    bool has_point_light; /* SCENE_FLAT and SCENE_GOURAUD look at it too, and what follows */
+    gn_vec3 light_position;
+    float attenuation[3]; /* constant, linear, quadratic */
+    uint32_t exponent, bands;
+    gn_normal_space normal_space;
+    gn_texture map[SCENE_MAP_COUNT]; /* absent where it has no texels */
+    gn_sampler shadow_sampler;       /* the other maps have that of scene_uniforms */
+    gn_mat4 shadow_from_world;
+    float black, white; /* of SCENE_DEPTH_COLOR */
+} scene_surface;
 
 /* A clear of the whole target before a draw; zeroed, there is none. */
 typedef struct scene_clear {
@@ -77,23 +118,24 @@ typedef struct scene_draw {
      * false otherwise; color_count with SCENE_OUTPUTS, and 1 otherwise. */
     gn_pipeline state;
 
-    /* The pointers of the mesh and of uniforms.texture are the scene's own memory. */
+    /* The pointers of the mesh, of uniforms.texture and of maps are the scene's own memory. */
     gn_mesh mesh;
     bool counted;         /* the fragments that pass are counted */
     uint32_t index_count; /* elements behind mesh.indices, 0 where there are none */
 
     /* clip_from_model serves every shader, the light those that are lit, the
      * texture and sampler the textured shaders: 2D textures of one level all but
-     * SCENE_SAMPLED, which has any (of D16 to D32FS8 the depths; not 3D, which OpenGL lacks). */
+     * SCENE_SAMPLED, which has any (of D16 to D32FS8 the depths; not 3D, which OpenGL lacks), and
+     * those that may go without: SCENE_UNLIT and those that show a surface. */
     scene_uniforms uniforms;
+    scene_surface surface;
 
     /* Clip distance i, of state.clip_distance_count, is ((p0*x + p1*y) + p2*z) + p3*w of the
      * position attribute. */
     float clip_plane[GN_MAX_CLIP_DISTANCES][4];
 
-    /* Of SCENE_PHONG alone. */
-    gn_mat4 view_from_model;
-    gn_vec3 specular;
+    gn_mat4 view_from_model; /* of SCENE_PHONG alone */
+    gn_vec3 specular;        /* of SCENE_PHONG, SCENE_MAPPED_PHONG and SCENE_BLINN_PHONG */
 
     scene_clear clear;
 } scene_draw;
@@ -208,6 +250,23 @@ void scene_set_element(void *elements, size_t size, size_t i, uint32_t value);
 /* Has the levels of a texture, whose other members are there, tightly packed one after the other
  * in memory. */
 void scene_pack_texture(gn_texture *t, const void *memory);
+
+/* Copies a map into a draw, packed. */
+void scene_set_map(scene_draw *d, scene_map map, const gn_texture *texture);
+
+/* Whether a draw looks at uniforms.texture. */
+static inline bool scene_draw_has_texture(const scene_draw *d)
+{
+    return scene_shader_is_textured(d->shader) ||
+           ((d->shader == SCENE_UNLIT || scene_shader_shows_surface(d->shader)) &&
+            d->uniforms.texture.level[0].texels);
+}
+
+/* Whether its maps are there, one of them or any. */
+static inline bool scene_draw_has_map(const scene_draw *d, scene_map map)
+{
+    return scene_shader_shows_surface(d->shader) && d->surface.map[map].level[0].texels;
+}
 
 /* Whether a format is one of colours. */
 bool scene_is_color_format(gn_format format);

@@ -24,9 +24,15 @@ static phong_uniforms phong_uniforms_of(const scene_draw *d)
     return u;
 }
 
+static const gn_texture *map_of(const scene_draw *d, scene_map map)
+{
+    return scene_draw_has_map(d, map) ? &d->surface.map[map] : NULL;
+}
+
 static gn_lit_uniforms lit_uniforms_of(const scene_draw *d)
 {
     const scene_light *light = &d->uniforms.light;
+    const scene_surface *surface = &d->surface;
     gn_lit_uniforms u;
 
     memset(&u, 0, sizeof u);
@@ -35,16 +41,35 @@ static gn_lit_uniforms lit_uniforms_of(const scene_draw *d)
     u.light.direction = light->light_direction;
     u.light.ambient = light->ambient;
     u.light.diffuse = light->diffuse;
-    if (scene_shader_is_textured(d->shader)) {
+    if (scene_draw_has_texture(d)) {
         u.material.diffuse_map = &d->uniforms.texture;
     }
     u.material.sampler = d->uniforms.sampler;
+    u.light.is_point = surface->has_point_light;
+    u.light.position = surface->light_position;
+    u.light.constant = surface->attenuation[0];
+    u.light.linear = surface->attenuation[1];
+    u.light.quadratic = surface->attenuation[2];
+    u.world_from_model = surface->world_from_model;
+    u.eye = surface->eye;
+    u.material.specular = d->specular;
+    u.material.exponent = surface->exponent;
+    u.material.bands = surface->bands;
+    u.material.normal_space = surface->normal_space;
+    u.material.normal_map = map_of(d, SCENE_NORMAL_MAP);
+    u.material.specular_map = map_of(d, SCENE_SPECULAR_MAP);
+    u.material.glow_map = map_of(d, SCENE_GLOW_MAP);
+    u.shadow.map = map_of(d, SCENE_SHADOW_MAP);
+    u.shadow.sampler = surface->shadow_sampler;
+    u.shadow.clip_from_world = surface->shadow_from_world;
     return u;
 }
 
 /* Uniforms that a scene has in another form. */
 typedef struct other_uniforms {
     gn_color_uniforms color;
+    gn_unlit_uniforms unlit;
+    gn_depth_color_uniforms depth;
     gn_lit_uniforms lit;
     phong_uniforms phong;
     gn_vertex_shader *color_shader;
@@ -76,6 +101,8 @@ typedef struct clipped_uniforms {
     union {
         other_uniforms other;
         gn_color_uniforms color;
+        gn_unlit_uniforms unlit;
+        gn_depth_color_uniforms depth;
         gn_lit_uniforms lit;
         scene_uniforms sampled;
         phong_uniforms phong;
@@ -118,6 +145,16 @@ static void use_clipped(gn_pipeline *pipeline, const scene_draw *d, clipped_unif
     case SCENE_SAMPLED:
         clipped->shader.sampled = *(const scene_uniforms *)pipeline->uniforms;
         break;
+    case SCENE_UNLIT:
+        clipped->shader.unlit = *(const gn_unlit_uniforms *)pipeline->uniforms;
+        break;
+    case SCENE_DEPTH_ONLY:
+    case SCENE_OUTPUTS:
+        clipped->shader.color = *(const gn_color_uniforms *)pipeline->uniforms;
+        break;
+    case SCENE_DEPTH_COLOR:
+        clipped->shader.depth = *(const gn_depth_color_uniforms *)pipeline->uniforms;
+        break;
     case SCENE_PHONG:
         clipped->shader.phong = *(const phong_uniforms *)pipeline->uniforms;
         break;
@@ -129,6 +166,42 @@ static void use_clipped(gn_pipeline *pipeline, const scene_draw *d, clipped_unif
     clipped->draw = d;
     pipeline->vertex_shader = shade_clipped;
     pipeline->uniforms = clipped;
+}
+
+/* Of a ready-made shader that lights, or shows what is lit. */
+static gn_status use_lit(gn_pipeline *pipeline, const scene_draw *d, gn_lit_uniforms *lit)
+{
+    gn_status status = GN_INVALID_ENUM;
+
+    *lit = lit_uniforms_of(d);
+    switch (d->shader) {
+    case SCENE_FLAT:
+    case SCENE_GOURAUD:
+    case SCENE_TEXTURED_GOURAUD:
+        status = gn_use_gouraud(pipeline, lit);
+        for (int c = 0; d->shader == SCENE_FLAT && c < 4; ++c) {
+            pipeline->interpolation[c] = GN_FLAT;
+        }
+        break;
+    case SCENE_FACES:
+        status = gn_use_flat(pipeline, lit);
+        break;
+    case SCENE_TOON:
+        status = gn_use_toon(pipeline, lit);
+        break;
+    case SCENE_MAPPED_PHONG:
+        status = gn_use_phong(pipeline, lit);
+        break;
+    case SCENE_BLINN_PHONG:
+        status = gn_use_blinn_phong(pipeline, lit);
+        break;
+    case SCENE_NORMAL_COLOR:
+        status = gn_use_normal_color(pipeline, lit);
+        break;
+    default:
+        break;
+    }
+    return status;
 }
 
 /* Sets the draw's shader; the uniforms must outlive the draw call. */
@@ -147,11 +220,28 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
     case SCENE_FLAT:
     case SCENE_GOURAUD:
     case SCENE_TEXTURED_GOURAUD:
-        other->lit = lit_uniforms_of(d);
-        status = gn_use_gouraud(pipeline, &other->lit);
-        for (int c = 0; d->shader == SCENE_FLAT && c < 4; ++c) {
-            pipeline->interpolation[c] = GN_FLAT;
-        }
+    case SCENE_FACES:
+    case SCENE_TOON:
+    case SCENE_MAPPED_PHONG:
+    case SCENE_BLINN_PHONG:
+    case SCENE_NORMAL_COLOR:
+        status = use_lit(pipeline, d, &other->lit);
+        break;
+    case SCENE_UNLIT:
+        other->unlit.clip_from_model = d->uniforms.light.clip_from_model;
+        other->unlit.map = scene_draw_has_texture(d) ? &d->uniforms.texture : NULL;
+        other->unlit.sampler = d->uniforms.sampler;
+        status = gn_use_unlit(pipeline, &other->unlit);
+        break;
+    case SCENE_DEPTH_COLOR:
+        other->depth.clip_from_model = d->uniforms.light.clip_from_model;
+        other->depth.black = d->surface.black;
+        other->depth.white = d->surface.white;
+        status = gn_use_depth_color(pipeline, &other->depth);
+        break;
+    case SCENE_DEPTH_ONLY:
+        other->color.clip_from_model = d->uniforms.light.clip_from_model;
+        status = gn_use_depth_only(pipeline, &other->color);
         break;
     case SCENE_PHONG:
         other->phong = phong_uniforms_of(d);
@@ -181,8 +271,19 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
     return status;
 }
 
+/* What a shader that gives no colour draws to. */
+static gn_target depth_of(const gn_target *target)
+{
+    gn_target depth;
+
+    memset(&depth, 0, sizeof depth);
+    depth.depth = target->depth;
+    return depth;
+}
+
 static gn_status draw_one(const gn_target *target, const scene_draw *d, gn_workspace *workspace)
 {
+    const gn_target depth = depth_of(target);
     uint64_t *const counter = workspace->samples_passed;
     other_uniforms other;
     clipped_uniforms clipped;
@@ -197,7 +298,8 @@ static gn_status draw_one(const gn_target *target, const scene_draw *d, gn_works
     }
     if (status == GN_OK) {
         workspace->samples_passed = d->counted ? counter : NULL;
-        status = gn_draw(target, &pipeline, &d->mesh, workspace);
+        status = gn_draw(d->shader == SCENE_DEPTH_ONLY ? &depth : target, &pipeline, &d->mesh,
+                         workspace);
         workspace->samples_passed = counter;
     }
     return status;

@@ -47,8 +47,9 @@ static void read_indices(reader *r, scene_draw *d)
     free(words);
 }
 
-/* The texels of a texture whose other members are there. */
-static void read_texels(reader *r, scene_draw *d, gn_texture *t)
+/* The texels of a texture whose other members are there, packed: memory that the caller frees.
+ * After a fault null. */
+static void *read_texels(reader *r, gn_texture *t)
 {
     const bool sampled = scene_is_color_format(t->format) ||
                          (t->format >= GN_FORMAT_D16 && t->format <= GN_FORMAT_D32FS8);
@@ -61,23 +62,22 @@ static void read_texels(reader *r, scene_draw *d, gn_texture *t)
         reader_fail(r, "a texture has a size");
     }
     if (r->failed) {
-        return;
+        return NULL;
     }
 
     const size_t count = scene_texture_elements(t);
     uint32_t *words = read_words(r, count, read_hexadecimal_word);
+    void *packed = NULL;
 
     if (!r->failed) {
-        void *packed = scene_allocate(count, size);
-
+        packed = scene_allocate(count, size);
         for (size_t i = 0; i < count; ++i) {
             scene_set_element(packed, size, i, words[i]);
         }
         scene_pack_texture(t, packed);
-        scene_set_levels(d, t);
-        free(packed);
     }
     free(words);
+    return packed;
 }
 
 /* A 2D texture of one level. */
@@ -89,10 +89,16 @@ static void read_texture(reader *r, scene_draw *d)
     t.format = (gn_format)read_name(r, TEXT_FORMAT);
     t.width = read_number(r, 10, GN_MAX_SIZE);
     t.height = read_number(r, 10, GN_MAX_SIZE);
-    read_texels(r, d, &t);
+
+    void *const packed = read_texels(r, &t);
+    if (packed) {
+        scene_set_levels(d, &t);
+    }
+    free(packed);
 }
 
-static void read_levels(reader *r, scene_draw *d)
+/* Of any target and levels: uniforms.texture or, not SCENE_MAP_COUNT, a map. */
+static void read_levels(reader *r, scene_draw *d, scene_map map)
 {
     gn_texture t;
 
@@ -103,7 +109,14 @@ static void read_levels(reader *r, scene_draw *d)
     t.height = read_number(r, 10, GN_MAX_SIZE);
     t.depth = read_number(r, 10, GN_MAX_SIZE);
     t.level_count = read_number(r, 10, GN_MAX_LEVELS);
-    read_texels(r, d, &t);
+
+    void *const packed = read_texels(r, &t);
+    if (packed && map == SCENE_MAP_COUNT) {
+        scene_set_levels(d, &t);
+    } else if (packed) {
+        scene_set_map(d, map, &t);
+    }
+    free(packed);
 }
 
 /* Function, reference, ignored bits, bits not written; fail, depth fail, pass. */
@@ -278,6 +291,40 @@ static bool read_uniforms(reader *r, const char *keyword, scene_draw *d)
     return true;
 }
 
+static bool read_surface(reader *r, const char *keyword, scene_surface *s)
+{
+    if (!strcmp(keyword, "world-from-model")) {
+        read_floats(r, &s->world_from_model.m[0][0], 16);
+    } else if (!strcmp(keyword, "eye")) {
+        s->eye = read_vec3(r);
+    } else if (!strcmp(keyword, "point-light")) {
+        s->has_point_light = true;
+        s->light_position = read_vec3(r);
+        read_floats(r, s->attenuation, 3);
+    } else if (!strcmp(keyword, "exponent")) {
+        s->exponent = read_number(r, 10, UINT32_MAX);
+    } else if (!strcmp(keyword, "bands")) {
+        s->bands = read_number(r, 10, UINT32_MAX);
+    } else if (!strcmp(keyword, "normal-space")) {
+        s->normal_space = (gn_normal_space)read_name(r, TEXT_NORMAL_SPACE);
+    } else if (!strcmp(keyword, "shadow-sampler")) {
+        s->shadow_sampler.wrap_s = (gn_wrap)read_name(r, TEXT_WRAP);
+        s->shadow_sampler.wrap_t = (gn_wrap)read_name(r, TEXT_WRAP);
+        s->shadow_sampler.magnify = (gn_magnify)read_name(r, TEXT_MAGNIFY);
+        s->shadow_sampler.minify = (gn_minify)read_name(r, TEXT_MINIFY);
+        s->shadow_sampler.compare = (gn_texture_compare)read_name(r, TEXT_TEXTURE_COMPARE);
+        read_floats(r, s->shadow_sampler.border, 4);
+    } else if (!strcmp(keyword, "shadow-from-world")) {
+        read_floats(r, &s->shadow_from_world.m[0][0], 16);
+    } else if (!strcmp(keyword, "depth-colors")) {
+        s->black = read_float(r);
+        s->white = read_float(r);
+    } else {
+        return false;
+    }
+    return true;
+}
+
 static bool read_sampler(reader *r, const char *keyword, gn_sampler *s)
 {
     if (!strcmp(keyword, "sampler")) {
@@ -341,7 +388,9 @@ static bool read_mesh(reader *r, const char *keyword, scene_draw *d)
     } else if (!strcmp(keyword, "texture")) {
         read_texture(r, d);
     } else if (!strcmp(keyword, "texture-levels")) {
-        read_levels(r, d);
+        read_levels(r, d, SCENE_MAP_COUNT);
+    } else if (text_value(TEXT_MAP, keyword) >= 0) {
+        read_levels(r, d, (scene_map)text_value(TEXT_MAP, keyword));
     } else {
         for (int a = 0; a < text_name_count(TEXT_ATTRIBUTE); ++a) {
             if (!strcmp(keyword, text_name(TEXT_ATTRIBUTE, a))) {
@@ -382,7 +431,7 @@ static void read_draw(reader *r, scene *s)
         } else if (!strcmp(keyword, "clip-plane")) {
             read_clip_plane(r, d);
         } else if (!read_state(r, keyword, &d->state) && !read_color_state(r, keyword, &d->state) &&
-                   !read_uniforms(r, keyword, d) &&
+                   !read_uniforms(r, keyword, d) && !read_surface(r, keyword, &d->surface) &&
                    !read_sampler(r, keyword, &d->uniforms.sampler) && !read_mesh(r, keyword, d)) {
             reader_fail(r, "'%s' is no keyword of a draw", keyword);
         }

@@ -5,9 +5,11 @@
 #include <string.h>
 
 /* In the order of the values. */
-static const char *const shader_names[] = {"vertex-color",     "flat",    "gouraud",
-                                           "textured-gouraud", "phong",   "inputs",
-                                           "derivatives",      "outputs", "sampled"};
+static const char *const shader_names[] = {
+    "vertex-color", "flat",        "gouraud",      "textured-gouraud", "phong",
+    "inputs",       "derivatives", "outputs",      "sampled",          "unlit",
+    "faces",        "toon",        "mapped-phong", "blinn-phong",      "normal-color",
+    "depth-color",  "depth-only"};
 static const char *const format_names[] = {"none",  "rgba8",   "rgba32f", "d16",   "d24", "d32f",
                                            "d24s8", "d32fs8",  "s8",      "bgra8", "r8",  "rg8",
                                            "rgb8",  "rgb565",  "rgb5-a1", "rgba4", "r16", "rgba16",
@@ -29,7 +31,7 @@ static const char *const stencil_operation_names[] = {"keep",           "zero", 
 static const char *const interpolation_names[] = {"smooth", "noperspective", "flat"};
 static const char *const index_names[] = {"none", "uint8", "uint16", "uint32"};
 static const char *const restart_names[] = {"none", "fixed", "index"};
-static const char *const attribute_names[] = {"position", "color", "normal", "texcoord"};
+static const char *const attribute_names[] = {"position", "color", "normal", "texcoord", "tangent"};
 static const char *const switch_names[] = {"off", "on"};
 static const char *const wrap_names[] = {"repeat", "clamp-to-edge", "mirrored-repeat",
                                          "clamp-to-border", "mirror-clamp-to-edge"};
@@ -37,6 +39,8 @@ static const char *const magnify_names[] = {"linear", "nearest"};
 static const char *const minify_names[] = {
     "nearest-mipmap-linear", "nearest", "linear", "nearest-mipmap-nearest", "linear-mipmap-nearest",
     "linear-mipmap-linear"};
+static const char *const normal_space_names[] = {"model", "tangents"};
+static const char *const map_names[] = {"normal-map", "specular-map", "glow-map", "shadow-map"};
 static const char *const texture_target_names[] = {"2d", "1d", "2d-array", "3d", "cube"};
 static const char *const texture_compare_names[] = {
     "none",  "less-or-equal", "greater-or-equal", "less", "greater",
@@ -100,6 +104,8 @@ static const char *const *names_of(text_names set, int *count)
         CASE(TEXT_LOGIC, logic_names);
         CASE(TEXT_CLIP_DEPTH, clip_depth_names);
         CASE(TEXT_POLYGON_MODE, polygon_mode_names);
+        CASE(TEXT_NORMAL_SPACE, normal_space_names);
+        CASE(TEXT_MAP, map_names);
         CASE(TEXT_TEXTURE_TARGET, texture_target_names);
         CASE(TEXT_TEXTURE_COMPARE, texture_compare_names);
     }

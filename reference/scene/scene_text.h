@@ -54,6 +54,8 @@ typedef enum text_names {
     TEXT_POINT_ORIGIN,
     TEXT_POLYGON_MODE,
     TEXT_TEXTURE_TARGET,
+    TEXT_NORMAL_SPACE,
+    TEXT_MAP,
     TEXT_TEXTURE_COMPARE
 } text_names;
 

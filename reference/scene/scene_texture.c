@@ -100,9 +100,10 @@ void scene_pack_texture(gn_texture *t, const void *memory)
     }
 }
 
-void scene_set_levels(scene_draw *d, const gn_texture *texture)
+/* Replaces a texture by a packed copy of another. */
+static void replace_texture(gn_texture *replaced, const gn_texture *texture)
 {
-    const void *const before = d->uniforms.texture.level[0].texels;
+    const void *const before = replaced->level[0].texels;
     gn_texture packed = *texture;
     char *copy =
         scene_allocate(scene_texture_elements(texture), scene_element_size(texture->format));
@@ -123,7 +124,17 @@ void scene_set_levels(scene_draw *d, const gn_texture *texture)
         }
     }
     free((void *)before);
-    d->uniforms.texture = packed;
+    *replaced = packed;
+}
+
+void scene_set_levels(scene_draw *d, const gn_texture *texture)
+{
+    replace_texture(&d->uniforms.texture, texture);
+}
+
+void scene_set_map(scene_draw *d, scene_map map, const gn_texture *texture)
+{
+    replace_texture(&d->surface.map[map], texture);
 }
 
 void scene_set_texture(scene_draw *d, const void *texels, uint32_t width, uint32_t height,

@@ -53,20 +53,11 @@ static void write_indices(FILE *out, const scene_draw *d)
 }
 
 /* A row of texels a line. */
-static void write_texture(FILE *out, const gn_texture *t)
+static void write_texels(FILE *out, const gn_texture *t)
 {
     const uint32_t levels = scene_level_count(t);
     const size_t size = scene_element_size(t->format);
 
-    if (t->target == GN_TEXTURE_2D && levels == 1) {
-        fprintf(out, "  texture %s %" PRIu32 " %" PRIu32 "\n",
-                text_name(TEXT_FORMAT, (int)t->format), t->width, t->height);
-    } else {
-        fprintf(out, "  texture-levels %s %s %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 "\n",
-                text_name(TEXT_TEXTURE_TARGET, (int)t->target),
-                text_name(TEXT_FORMAT, (int)t->format), t->width, t->height,
-                scene_level_extent(t, 0).layers, levels);
-    }
     for (uint32_t level = 0; level < levels; ++level) {
         const scene_extent e = scene_level_extent(t, level);
         const gn_texture_level *const l = &t->level[level];
@@ -84,6 +75,25 @@ static void write_texture(FILE *out, const gn_texture *t)
             fputc('\n', out);
         }
     }
+}
+
+static void write_levels(FILE *out, const char *keyword, const gn_texture *t)
+{
+    fprintf(out, "  %s %s %s %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 "\n", keyword,
+            text_name(TEXT_TEXTURE_TARGET, (int)t->target), text_name(TEXT_FORMAT, (int)t->format),
+            t->width, t->height, scene_level_extent(t, 0).layers, scene_level_count(t));
+    write_texels(out, t);
+}
+
+static void write_texture(FILE *out, const gn_texture *t)
+{
+    if (t->target != GN_TEXTURE_2D || scene_level_count(t) > 1) {
+        write_levels(out, "texture-levels", t);
+        return;
+    }
+    fprintf(out, "  texture %s %" PRIu32 " %" PRIu32 "\n", text_name(TEXT_FORMAT, (int)t->format),
+            t->width, t->height);
+    write_texels(out, t);
 }
 
 /* What zero means is not written. */
@@ -237,6 +247,55 @@ static void write_color_state(FILE *out, const gn_pipeline *p)
     }
 }
 
+static void write_vec3(FILE *out, const char *keyword, gn_vec3 v)
+{
+    const float values[3] = {v.x, v.y, v.z};
+
+    write_floats(out, keyword, values, 3);
+}
+
+static void write_point_light(FILE *out, const scene_surface *s)
+{
+    const float values[6] = {s->light_position.x, s->light_position.y, s->light_position.z,
+                             s->attenuation[0],   s->attenuation[1],   s->attenuation[2]};
+
+    if (s->has_point_light) {
+        write_floats(out, "  world-from-model", &s->world_from_model.m[0][0], 16);
+        write_floats(out, "  point-light", values, 6);
+    }
+}
+
+static void write_shadow_sampler(FILE *out, const gn_sampler *s)
+{
+    fprintf(out, "  shadow-sampler %s %s %s %s %s", text_name(TEXT_WRAP, (int)s->wrap_s),
+            text_name(TEXT_WRAP, (int)s->wrap_t), text_name(TEXT_MAGNIFY, (int)s->magnify),
+            text_name(TEXT_MINIFY, (int)s->minify),
+            text_name(TEXT_TEXTURE_COMPARE, (int)s->compare));
+    write_floats(out, "", s->border, 4);
+}
+
+static void write_surface(FILE *out, const scene_draw *d)
+{
+    const scene_surface *s = &d->surface;
+
+    if (!s->has_point_light) {
+        write_floats(out, "  world-from-model", &s->world_from_model.m[0][0], 16);
+    }
+    write_vec3(out, "  eye", s->eye);
+    write_vec3(out, "  specular", d->specular);
+    fprintf(out, "  exponent %" PRIu32 "\n  bands %" PRIu32 "\n  normal-space %s\n", s->exponent,
+            s->bands, text_name(TEXT_NORMAL_SPACE, (int)s->normal_space));
+    if (s->map[SCENE_SHADOW_MAP].level[0].texels) {
+        write_shadow_sampler(out, &s->shadow_sampler);
+        write_floats(out, "  shadow-from-world", &s->shadow_from_world.m[0][0], 16);
+    }
+    for (int m = 0; m < SCENE_MAP_COUNT; ++m) {
+        if (s->map[m].level[0].texels) {
+            write_levels(out, text_name(TEXT_MAP, m), &s->map[m]);
+        }
+    }
+}
+
 static void write_uniforms(FILE *out, const scene_draw *d)
 {
     const scene_uniforms *u = &d->uniforms;
@@ -254,6 +313,15 @@ static void write_uniforms(FILE *out, const scene_draw *d)
     if (d->shader == SCENE_PHONG) {
         write_floats(out, "  view-from-model", &d->view_from_model.m[0][0], 16);
         write_floats(out, "  specular", specular, 3);
+    }
+    write_point_light(out, &d->surface);
+    if (scene_shader_shows_surface(d->shader)) {
+        write_surface(out, d);
+    }
+    if (d->shader == SCENE_DEPTH_COLOR) {
+        const float colors[2] = {d->surface.black, d->surface.white};
+
+        write_floats(out, "  depth-colors", colors, 2);
     }
     write_sampler(out, &u->sampler);
     if (u->texture.level[0].texels) {
