@@ -142,6 +142,7 @@ void reference_destroy(reference *r)
         glDeleteProgram(r->lit_programs[0][i]);
         glDeleteProgram(r->lit_programs[1][i]);
     }
+    reference_free_twins(r);
     for (int i = 0; i < INPUTS_PROGRAMS; ++i) {
         glDeleteProgram(r->inputs_programs[0][i]);
         glDeleteProgram(r->inputs_programs[1][i]);

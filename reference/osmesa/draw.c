@@ -184,9 +184,10 @@ uploaded_draw *reference_upload(reference *r, const scene *s, char *error, size_
         if (d->counted) {
             glGenQueries(1, &draws[i].query);
         }
-        if (scene_shader_is_textured(d->shader)) {
-            draws[i].texture = reference_upload_texture(&d->uniforms);
+        if (scene_draw_has_texture(d)) {
+            draws[i].texture = reference_upload_texture(&d->uniforms.texture, &d->uniforms.sampler);
         }
+        reference_upload_maps(d, draws[i].maps);
     }
     if (!reference_check("uploading a scene", error, error_size)) {
         reference_discard(draws, s->draw_count);
@@ -201,6 +202,7 @@ void reference_discard(uploaded_draw *draws, size_t count)
         glDeleteBuffers(1, &draws[i].vertices);
         glDeleteBuffers(1, &draws[i].indices);
         glDeleteTextures(1, &draws[i].texture);
+        glDeleteTextures(SCENE_MAP_COUNT, draws[i].maps);
         glDeleteQueries(1, &draws[i].query);
     }
     free(draws);
@@ -338,10 +340,17 @@ static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u, bool whi
 }
 
 /* To set a uniform the program does not use is an error: what is not lit has the matrix alone. */
-static void set_uniforms(const scene_draw *d)
+static void set_uniforms(const scene_draw *d, GLuint program)
 {
     const scene_light *light = &d->uniforms.light;
 
+    if (d->state.clip_distance_count > 0) {
+        glUniform4fv(8, GN_MAX_CLIP_DISTANCES, &d->clip_plane[0][0]);
+    }
+    if (reference_has_twin(d)) {
+        reference_set_twin_uniforms(d, program);
+        return;
+    }
     glUniformMatrix4fv(0, 1, GL_FALSE, &light->clip_from_model.m[0][0]);
     if (scene_shader_is_lit(d->shader)) {
         glUniformMatrix3fv(1, 1, GL_FALSE, &light->normal_matrix.m[0][0]);
@@ -349,9 +358,6 @@ static void set_uniforms(const scene_draw *d)
                     light->light_direction.z);
         glUniform3f(3, light->ambient.x, light->ambient.y, light->ambient.z);
         glUniform3f(4, light->diffuse.x, light->diffuse.y, light->diffuse.z);
-    }
-    if (d->state.clip_distance_count > 0) {
-        glUniform4fv(8, GN_MAX_CLIP_DISTANCES, &d->clip_plane[0][0]);
     }
     if (d->shader == SCENE_PHONG) {
         glUniformMatrix4fv(5, 1, GL_FALSE, &d->view_from_model.m[0][0]);
@@ -395,6 +401,14 @@ static void draw_elements(const scene_draw *d)
     }
 }
 
+static int drawn_colors(const scene_draw *d)
+{
+    if (d->shader == SCENE_DEPTH_ONLY) {
+        return 0;
+    }
+    return d->shader == SCENE_OUTPUTS && d->state.color_count ? (int)d->state.color_count : 1;
+}
+
 void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u)
 {
     const gn_mesh *mesh = &d->mesh;
@@ -404,14 +418,14 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
 
         reference_clear(&cleared);
     }
-    framebuffer_choose_colors(
-        s, d->shader == SCENE_OUTPUTS && d->state.color_count ? (int)d->state.color_count : 1);
+    framebuffer_choose_colors(s, drawn_colors(d));
     set_state(s, &d->state);
     switch_capability(GL_PROGRAM_POINT_SIZE,
                       d->state.program_point_size && scene_shader_has_sizes(d->shader));
     set_attributes(mesh, u, d->shader != SCENE_SAMPLED);
     glUseProgram(u->program);
-    set_uniforms(d);
+    set_uniforms(d, u->program);
+    reference_bind_maps(u->maps);
     glActiveTexture(GL_TEXTURE0);
     if (u->texture) {
         glBindTexture(reference_texture_target(d->uniforms.texture.target), u->texture);

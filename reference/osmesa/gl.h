@@ -32,6 +32,12 @@ typedef struct framebuffer {
     bool is_sampled; /* then color and depth are textures */
 } framebuffer;
 
+/* A program of twins.c: of a shader and what its draw has. */
+typedef struct reference_twin {
+    uint32_t key;
+    GLuint program;
+} reference_twin;
+
 struct reference {
     OSMesaContext context;
     char version[32];
@@ -43,6 +49,8 @@ struct reference {
     GLuint outputs_programs[2][GN_MAX_COLORS];
     GLuint sampled_programs[2][SAMPLED_PROGRAMS];
     GLuint lit_programs[2][SCENE_SHADER_COUNT];
+    reference_twin *twins;
+    size_t twin_count;
     framebuffer framebuffers[FRAMEBUFFER_CACHE_SIZE];
     uint64_t uses;
     GLuint sample_programs[2]; /* reading numbers, and stencil */
@@ -53,6 +61,7 @@ typedef struct uploaded_draw {
     GLuint vertices;
     GLuint indices;
     GLuint texture;
+    GLuint maps[SCENE_MAP_COUNT];
     GLuint program;
     GLuint query;     /* of a counted draw */
     size_t offset[5]; /* of the attributes in `vertices` */
@@ -96,12 +105,21 @@ GLuint reference_link_clipped(const char *vertex, const char *fragment, bool cli
 GLuint reference_sampled_program(reference *r, const scene_draw *d, char *error, size_t error_size);
 
 /* A texture with its sampler's state, bound; 0 where memory is short. */
-GLuint reference_upload_texture(const scene_uniforms *u);
+GLuint reference_upload_texture(const gn_texture *t, const gn_sampler *sampler);
+
+/* Whether the program of a draw is one of twins.c; the program, its uniforms, its maps in GL
+ * objects, to units 1 and on, and the end of all programs. */
+bool reference_has_twin(const scene_draw *d);
+GLuint reference_twin_program(reference *r, const scene_draw *d, char *error, size_t error_size);
+void reference_set_twin_uniforms(const scene_draw *d, GLuint program);
+void reference_upload_maps(const scene_draw *d, GLuint maps[SCENE_MAP_COUNT]);
+void reference_bind_maps(const GLuint maps[SCENE_MAP_COUNT]);
+void reference_free_twins(reference *r);
 
 GLenum reference_texture_target(gn_texture_target target);
 
 /* Whether texels are compared: the sampler says so, and they are depths. */
-bool reference_is_compared(const scene_uniforms *u);
+bool reference_is_compared(const gn_texture *t, const gn_sampler *sampler);
 
 /* Reads every sample of the bound framebuffer of a scene, and what they resolve to. */
 bool reference_read_samples(reference *r, const scene *s, const framebuffer *f, scene_frame *frame,

@@ -324,6 +324,9 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
     const bool clipped = d->state.clip_distance_count > 0;
     GLuint *program = &r->lit_programs[clipped][d->shader < SCENE_SHADER_COUNT ? d->shader : 0];
 
+    if (reference_has_twin(d)) {
+        return reference_twin_program(r, d, error, error_size);
+    }
     switch (d->shader) {
     case SCENE_VERTEX_COLOR:
     case SCENE_DERIVATIVES: {
@@ -386,7 +389,7 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
     }
     case SCENE_SAMPLED:
         return reference_sampled_program(r, d, error, error_size);
-    case SCENE_SHADER_COUNT:
+    default:
         reference_fail(error, error_size, "a draw has no shader");
         return 0;
     }

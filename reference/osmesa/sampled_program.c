@@ -44,9 +44,9 @@ GLuint reference_sampled_program(reference *r, const scene_draw *d, char *error,
 {
     const scene_uniforms *const u = &d->uniforms;
     const bool clipped = d->state.clip_distance_count > 0;
-    const int what = reference_is_compared(u)                   ? COMPARED
-                     : scene_is_color_format(u->texture.format) ? COLORS
-                                                                : DEPTHS;
+    const int what = reference_is_compared(&u->texture, &u->sampler) ? COMPARED
+                     : scene_is_color_format(u->texture.format)      ? COLORS
+                                                                     : DEPTHS;
     const sampler_kind *const kind = &kinds[u->texture.target][what];
     GLuint *const program = &r->sampled_programs[clipped][3 * (int)u->texture.target + what];
 

@@ -156,15 +156,13 @@ static void set_sampler(GLenum target, const gn_sampler *s, bool is_compared)
     }
 }
 
-bool reference_is_compared(const scene_uniforms *u)
+bool reference_is_compared(const gn_texture *t, const gn_sampler *sampler)
 {
-    return !scene_is_color_format(u->texture.format) &&
-           u->sampler.compare != GN_TEXTURE_COMPARE_NONE;
+    return !scene_is_color_format(t->format) && sampler->compare != GN_TEXTURE_COMPARE_NONE;
 }
 
-GLuint reference_upload_texture(const scene_uniforms *u)
+GLuint reference_upload_texture(const gn_texture *t, const gn_sampler *sampler)
 {
-    const gn_texture *const t = &u->texture;
     const GLenum target = reference_texture_target(t->target);
     const GLenum format = reference_format(t->format);
     const GLsizei levels = (GLsizei)scene_level_count(t);
@@ -187,7 +185,7 @@ GLuint reference_upload_texture(const scene_uniforms *u)
         break;
     }
     glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, levels - 1);
-    set_sampler(target, &u->sampler, reference_is_compared(u));
+    set_sampler(target, sampler, reference_is_compared(t, sampler));
     if (!upload_levels(t)) {
         glDeleteTextures(1, &texture);
         return 0;

@@ -28,6 +28,10 @@ static void reset_draw(builder *b)
         b->uniforms.light.clip_from_model.m[i][i] = 1.0f;
     for (int i = 0; i < 3; i++)
         b->uniforms.light.normal_matrix.m[i][i] = 1.0f;
+    memset(&b->surface, 0, sizeof b->surface);
+    gn_mat4_identity(&b->surface.world_from_model);
+    gn_mat4_identity(&b->surface.shadow_from_world);
+    b->has_tangents = false;
     memset(b->clip_plane, 0, sizeof b->clip_plane);
     b->index_format = GN_INDEX_NONE;
     b->color_components = random_chance(&b->random, 85) ? 4 : 3;
@@ -210,6 +214,16 @@ static void store_indices(builder *b)
             b->indices[i] = b->restart == GN_RESTART_INDEX ? b->restart_index : largest;
 }
 
+static void set_surface(const builder *b, scene_draw *d)
+{
+    d->surface = b->surface;
+    for (int m = 0; m < SCENE_MAP_COUNT; m++) {
+        d->surface.map[m].level[0].texels = NULL;
+        if (b->surface.map[m].level[0].texels)
+            scene_set_map(d, (scene_map)m, &b->surface.map[m]);
+    }
+}
+
 void builder_draw(builder *b)
 {
     if (b->vertex_count == 0)
@@ -241,9 +255,12 @@ void builder_draw(builder *b)
     set_attribute(b, d, GN_ATTRIBUTE_COLOR, offsetof(vertex, color), b->color_components);
     if (scene_shader_is_lit(b->shader))
         set_attribute(b, d, GN_ATTRIBUTE_NORMAL, offsetof(vertex, normal), 3);
-    if (scene_shader_is_textured(b->shader) || b->state.program_point_size)
+    if (scene_shader_is_textured(b->shader) || scene_shader_shows_surface(b->shader) ||
+        b->shader == SCENE_UNLIT || b->state.program_point_size)
         set_attribute(b, d, GN_ATTRIBUTE_TEXCOORD, offsetof(vertex, texcoord),
                       b->texcoord_components);
+    if (scene_shader_shows_surface(b->shader) && b->has_tangents)
+        set_attribute(b, d, GN_ATTRIBUTE_TANGENT, offsetof(vertex, tangent), 4);
     if (b->index_format != GN_INDEX_NONE)
         store_indices(b);
     d->mesh.restart = b->restart;
@@ -256,7 +273,8 @@ void builder_draw(builder *b)
         scene_set_indices(d, b->indices, b->index_count, b->index_format);
     d->mesh.first = b->lead;
     d->mesh.count = count;
-    if (scene_shader_is_textured(b->shader)) {
+    set_surface(b, d);
+    if (b->uniforms.texture.level[0].texels) {
         scene_pack_texture(&b->uniforms.texture, b->uniforms.texture.level[0].texels);
         scene_set_levels(d, &b->uniforms.texture);
     }

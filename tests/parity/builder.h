@@ -11,6 +11,7 @@ typedef struct vertex {
     float color[4];
     float normal[3];
     float texcoord[4];
+    float tangent[4];
 } vertex;
 
 /* Stands for the index that restarts. */
@@ -25,6 +26,8 @@ typedef struct builder {
     scene_shader shader;
     bool counted;
     scene_uniforms uniforms; /* of the texture's levels the first's texels, packed, alone */
+    scene_surface surface;   /* as uniforms */
+    bool has_tangents;
     gn_mat4 view_from_model;
     gn_vec3 specular;
     float clip_plane[GN_MAX_CLIP_DISTANCES][4];

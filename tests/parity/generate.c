@@ -58,6 +58,8 @@ const char *scene_class_name(scene_class c)
         return "shadows";
     case CLASS_PHONG:
         return "phong";
+    case CLASS_SHADERS:
+        return "shaders";
     case CLASS_INPUTS:
         return "inputs";
     case CLASS_DERIVATIVES:
@@ -218,6 +220,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_PHONG:
         generate_phong(&b);
+        break;
+    case CLASS_SHADERS:
+        generate_shaders(&b);
         break;
     case CLASS_INPUTS:
         generate_inputs(&b);

@@ -89,6 +89,9 @@ void fit_outlines(builder *b);
 
 /* A perspective camera over a body about the origin, turned and stretched, and that body. */
 void random_camera(builder *b);
+
+/* A directional light of any colours. */
+void random_light(builder *b);
 void add_body(builder *b);
 
 /* A random texture and sampler of the next draw, whose vertices are there and get coordinates for
@@ -113,6 +116,7 @@ void generate_volumes(builder *b);
 void generate_cubes(builder *b);
 void generate_shadows(builder *b);
 void generate_phong(builder *b);
+void generate_shaders(builder *b);
 void generate_inputs(builder *b);
 void generate_derivatives(builder *b);
 void generate_stencil(builder *b);

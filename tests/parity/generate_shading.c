@@ -45,7 +45,7 @@ void random_camera(builder *b)
     b->uniforms.light.clip_from_model = product(&projection, &view);
 }
 
-static void random_light(builder *b)
+void random_light(builder *b)
 {
     random_source *r = &b->random;
     const gn_mat3 turn = builder_rotation(b);

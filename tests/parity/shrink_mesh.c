@@ -76,9 +76,14 @@ static void copy_draw(scene *to, const scene_draw *from, const mesh_selection *s
     d->mesh.vertex_count = selection->vertex_count;
     d->mesh.first = selection->first;
     d->mesh.count = selection->count;
-    const gn_texture *t = &from->uniforms.texture;
-    if (t->level[0].texels && scene_shader_is_textured(from->shader))
-        scene_set_levels(d, t);
+    if (scene_draw_has_texture(from))
+        scene_set_levels(d, &from->uniforms.texture);
+    d->surface = from->surface;
+    for (int m = 0; m < SCENE_MAP_COUNT; m++) {
+        d->surface.map[m].level[0].texels = NULL;
+        if (scene_draw_has_map(from, (scene_map)m))
+            scene_set_map(d, (scene_map)m, &from->surface.map[m]);
+    }
 }
 
 scene *copy_with_selection(const scene *s, size_t draw, const mesh_selection *selection)

@@ -1,4 +1,5 @@
 /* Shrinking textures and samplers. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "shrink_parts.h"
@@ -82,12 +83,37 @@ static bool has_levels(const gn_texture *now, const gn_texture *before)
     return true;
 }
 
-bool shrink_texture(shrinking *s, size_t draw)
+static void remove_texels(gn_texture *t)
+{
+    free((void *)t->level[0].texels);
+    memset(t, 0, sizeof *t);
+}
+
+/* Maps that a shader may go without. */
+static bool shrink_maps(shrinking *s, size_t draw)
 {
     bool progress = false;
+    for (int m = 0; m <= SCENE_MAP_COUNT; m++) {
+        const scene_draw *d = &s->best->draws[draw];
+        const bool there = m < SCENE_MAP_COUNT
+                               ? scene_draw_has_map(d, (scene_map)m)
+                               : scene_draw_has_texture(d) && !scene_shader_is_textured(d->shader);
+        if (!there)
+            continue;
+        scene *copy = scene_copy(s->best);
+        scene_draw *changed = &copy->draws[draw];
+        remove_texels(m < SCENE_MAP_COUNT ? &changed->surface.map[m] : &changed->uniforms.texture);
+        progress = shrink_try(s, copy) || progress;
+    }
+    return progress;
+}
+
+bool shrink_texture(shrinking *s, size_t draw)
+{
+    bool progress = shrink_maps(s, draw);
     const scene_draw *d = &s->best->draws[draw];
-    if (!scene_shader_is_textured(d->shader) || !d->uniforms.texture.level[0].texels)
-        return false;
+    if (!scene_draw_has_texture(d))
+        return progress;
     for (unsigned step = 0; step < 5; step++)
         for (;;) {
             gn_texture t = s->best->draws[draw].uniforms.texture;

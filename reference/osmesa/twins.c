@@ -1,0 +1,452 @@
+/* The GLSL twins of the ready-made shaders that gnomon/shaders.h lists, as a user would write
+ * them. What a draw has of maps and lights is defined above their text. */
+#include "gl.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- Vertices ---- */
+
+static const char unlit_vertex[] = "smooth out vec4 shade;\n"
+                                   "smooth out vec2 coordinates;\n"
+                                   "void main()\n"
+                                   "{\n"
+                                   "    gl_Position = clip_from_model * position;\n"
+                                   "    shade = color;\n"
+                                   "    coordinates = texcoord.st;\n"
+                                   "}\n";
+
+/* The direction towards the light at a place, and what distance leaves of it. */
+static const char light_text[] = "uniform vec3 light_position;\n"
+                                 "uniform vec3 attenuation;\n"
+                                 "void light_at(vec3 place, out vec3 to_light, out float left)\n"
+                                 "{\n"
+                                 "    left = 1.0;\n"
+                                 "#ifdef POINT_LIGHT\n"
+                                 "    to_light = light_position - place;\n"
+                                 "    float distance = length(to_light);\n"
+                                 "    to_light = normalize(to_light);\n"
+                                 "#ifdef ATTENUATION\n"
+                                 "    left = 1.0 / (attenuation.x + attenuation.y * distance +\n"
+                                 "                  attenuation.z * distance * distance);\n"
+                                 "#endif\n"
+                                 "#else\n"
+                                 "    to_light = light_direction;\n"
+                                 "#endif\n"
+                                 "}\n";
+
+static const char gouraud_vertex[] =
+    "uniform mat4 world_from_model;\n"
+    "SHADING out vec4 shade;\n"
+    "smooth out vec2 coordinates;\n"
+    "void main()\n"
+    "{\n"
+    "    vec3 n = normalize(normal_matrix * normal.xyz);\n"
+    "    vec3 to_light;\n"
+    "    float left;\n"
+    "    light_at((world_from_model * position).xyz, to_light, left);\n"
+    "    float lit = max(dot(n, to_light), 0.0) * left;\n"
+    "    gl_Position = clip_from_model * position;\n"
+    "    shade = vec4(color.rgb * (ambient + diffuse * lit), color.a);\n"
+    "    coordinates = texcoord.st;\n"
+    "}\n";
+
+static const char surface_vertex[] =
+    "layout(location = 4) in vec4 tangent;\n"
+    "uniform mat4 world_from_model;\n"
+    "smooth out vec4 shade;\n"
+    "smooth out vec2 coordinates;\n"
+    "smooth out vec3 turned_normal;\n"
+    "smooth out vec3 place;\n"
+    "smooth out vec4 turned_tangent;\n"
+    "vec3 unit(vec3 v)\n"
+    "{\n"
+    "    float square = dot(v, v);\n"
+    "    return v * (square > 0.0 ? inversesqrt(square) : 0.0);\n"
+    "}\n"
+    "void main()\n"
+    "{\n"
+    "    gl_Position = clip_from_model * position;\n"
+    "    shade = color;\n"
+    "    coordinates = texcoord.st;\n"
+    "    turned_normal = unit(normal_matrix * normal.xyz);\n"
+    "    place = (world_from_model * position).xyz;\n"
+    "    turned_tangent = vec4(unit(mat3(world_from_model) * tangent.xyz), tangent.w);\n"
+    "}\n";
+
+/* ---- Fragments ---- */
+
+static const char fragment_head[] = "smooth in vec2 coordinates;\n"
+                                    "layout(binding = 0) uniform sampler2D diffuse_map;\n"
+                                    "layout(location = 0) out vec4 result;\n";
+
+static const char shaded_main[] = "SHADING in vec4 shade;\n"
+                                  "void main()\n"
+                                  "{\n"
+                                  "#ifdef DIFFUSE_MAP\n"
+                                  "    result = shade * texture(diffuse_map, coordinates);\n"
+                                  "#else\n"
+                                  "    result = shade;\n"
+                                  "#endif\n"
+                                  "}\n";
+
+static const char surface_text[] =
+    "smooth in vec4 shade;\n"
+    "smooth in vec3 turned_normal;\n"
+    "smooth in vec3 place;\n"
+    "smooth in vec4 turned_tangent;\n"
+    "layout(binding = 1) uniform sampler2D normal_map;\n"
+    "layout(binding = 2) uniform sampler2D specular_map;\n"
+    "layout(binding = 3) uniform sampler2D glow_map;\n"
+    "layout(binding = 4) uniform sampler2DShadow shadow_map;\n"
+    "uniform mat3 normal_matrix;\n"
+    "uniform mat4 shadow_from_world;\n"
+    "uniform vec3 light_direction;\n"
+    "uniform vec3 ambient;\n"
+    "uniform vec3 diffuse;\n"
+    "uniform vec3 specular;\n"
+    "uniform vec3 eye;\n"
+    "uniform uint exponent;\n"
+    "uniform float bands;\n"
+    "vec4 surface_color()\n"
+    "{\n"
+    "#ifdef DIFFUSE_MAP\n"
+    "    return shade * texture(diffuse_map, coordinates);\n"
+    "#else\n"
+    "    return shade;\n"
+    "#endif\n"
+    "}\n"
+    "vec3 surface_normal()\n"
+    "{\n"
+    "    vec3 n = turned_normal;\n"
+    "#ifdef NORMAL_MAP\n"
+    "    vec3 m = texture(normal_map, coordinates).xyz * 2.0 - 1.0;\n"
+    "#ifdef TANGENTS\n"
+    "    vec3 bitangent = cross(n, turned_tangent.xyz) * turned_tangent.w;\n"
+    "    n = m.x * turned_tangent.xyz + m.y * bitangent + m.z * n;\n"
+    "#else\n"
+    "    n = normal_matrix * m;\n"
+    "#endif\n"
+    "#endif\n"
+    "    return normalize(n);\n"
+    "}\n";
+
+static const char lit_text[] =
+    "void light_fragment(out vec3 to_light, out float left)\n"
+    "{\n"
+    "    light_at(place, to_light, left);\n"
+    "#ifdef SHADOW_MAP\n"
+    "    vec4 seen = shadow_from_world * vec4(place, 1.0);\n"
+    "    left = left * texture(shadow_map, (seen.xyz / seen.w) * 0.5 + 0.5);\n"
+    "#endif\n"
+    "}\n";
+
+static const char faces_main[] = "void main()\n"
+                                 "{\n"
+                                 "    vec3 to_light;\n"
+                                 "    float left;\n"
+                                 "    light_fragment(to_light, left);\n"
+                                 "    vec3 n = normalize(cross(dFdx(place), dFdy(place)));\n"
+                                 "    vec4 c = surface_color();\n"
+                                 "    float lit = max(dot(n, to_light), 0.0) * left;\n"
+                                 "    result = vec4(c.rgb * (ambient + diffuse * lit), c.a);\n"
+                                 "}\n";
+
+static const char toon_main[] =
+    "void main()\n"
+    "{\n"
+    "    vec3 to_light;\n"
+    "    float left;\n"
+    "    light_fragment(to_light, left);\n"
+    "    vec4 c = surface_color();\n"
+    "    float lit = max(dot(normalize(turned_normal), to_light), 0.0);\n"
+    "    lit = min(floor(lit * bands), bands - 1.0) / (bands - 1.0);\n"
+    "    lit = lit * left;\n"
+    "    result = vec4(c.rgb * (ambient + diffuse * lit), c.a);\n"
+    "}\n";
+
+static const char phong_main[] =
+    "float power(float base, uint exponent)\n"
+    "{\n"
+    "    float p = 1.0;\n"
+    "    for (; exponent > 0u; exponent >>= 1) {\n"
+    "        if ((exponent & 1u) != 0u)\n"
+    "            p = p * base;\n"
+    "        base = base * base;\n"
+    "    }\n"
+    "    return p;\n"
+    "}\n"
+    "void main()\n"
+    "{\n"
+    "    vec3 to_light;\n"
+    "    float left;\n"
+    "    light_fragment(to_light, left);\n"
+    "    vec3 to_eye = normalize(eye - place);\n"
+    "    vec3 n = surface_normal();\n"
+    "    float cosine = dot(n, to_light);\n"
+    "#ifdef BLINN\n"
+    "    float highlight = dot(n, normalize(to_light + to_eye));\n"
+    "#else\n"
+    "    float highlight = dot(reflect(-to_light, n), to_eye);\n"
+    "#endif\n"
+    "    highlight = power(max(highlight, 0.0), exponent);\n"
+    "    float shine = cosine > 0.0 ? highlight : 0.0;\n"
+    "    vec3 s = specular;\n"
+    "#ifdef SPECULAR_MAP\n"
+    "    s = s * texture(specular_map, coordinates).rgb;\n"
+    "#endif\n"
+    "    vec4 c = surface_color();\n"
+    "    float lit = max(cosine, 0.0) * left;\n"
+    "    vec3 rgb = c.rgb * (ambient + diffuse * lit) + s * (shine * left);\n"
+    "#ifdef GLOW_MAP\n"
+    "    rgb = rgb + texture(glow_map, coordinates).rgb;\n"
+    "#endif\n"
+    "    result = vec4(rgb, c.a);\n"
+    "}\n";
+
+static const char normal_main[] = "void main()\n"
+                                  "{\n"
+                                  "    result = vec4(0.5 * surface_normal() + 0.5, 1.0);\n"
+                                  "}\n";
+
+static const char depth_fragment[] =
+    "uniform float black;\n"
+    "uniform float white;\n"
+    "layout(location = 0) out vec4 result;\n"
+    "void main()\n"
+    "{\n"
+    "    result = vec4(vec3((gl_FragCoord.z - black) / (white - black)), 1.0);\n"
+    "}\n";
+
+static const char position_vertex[] = "void main() { gl_Position = clip_from_model * position; }\n";
+
+static const char no_fragment[] = "void main() {}\n";
+
+/* ---- Programs ---- */
+
+/* What a program is made for, as bits. */
+enum {
+    POINT_LIGHT = 1,
+    ATTENUATION = 2,
+    DIFFUSE_MAP = 4,
+    NORMAL_MAP = 8,
+    TANGENTS = 16,
+    SPECULAR_MAP = 32,
+    GLOW_MAP = 64,
+    SHADOW_MAP = 128,
+    CLIPPED = 256,
+    FEATURES = 512
+};
+
+static bool is_attenuated(const scene_surface *s)
+{
+    return s->attenuation[0] != 0.0f || s->attenuation[1] != 0.0f || s->attenuation[2] != 0.0f;
+}
+
+static int features_of_light(const scene_draw *d)
+{
+    const scene_surface *s = &d->surface;
+
+    if (!s->has_point_light)
+        return 0;
+    return is_attenuated(s) ? POINT_LIGHT | ATTENUATION : POINT_LIGHT;
+}
+
+static int features_of_normals(const scene_draw *d)
+{
+    if (!scene_draw_has_map(d, SCENE_NORMAL_MAP))
+        return 0;
+    return d->surface.normal_space == GN_NORMAL_OF_TANGENTS ? NORMAL_MAP | TANGENTS : NORMAL_MAP;
+}
+
+/* Of those that the shader looks at. */
+static int features_of(const scene_draw *d)
+{
+    const bool is_phong = d->shader == SCENE_MAPPED_PHONG || d->shader == SCENE_BLINN_PHONG;
+    int features = d->state.clip_distance_count > 0 ? CLIPPED : 0;
+
+    if (d->shader != SCENE_NORMAL_COLOR && scene_draw_has_texture(d))
+        features |= DIFFUSE_MAP;
+    if (scene_shader_is_lit(d->shader) && d->shader != SCENE_NORMAL_COLOR)
+        features |= features_of_light(d);
+    if (d->shader != SCENE_NORMAL_COLOR && scene_draw_has_map(d, SCENE_SHADOW_MAP))
+        features |= SHADOW_MAP;
+    if (is_phong || d->shader == SCENE_NORMAL_COLOR)
+        features |= features_of_normals(d);
+    if (is_phong && scene_draw_has_map(d, SCENE_SPECULAR_MAP))
+        features |= SPECULAR_MAP;
+    if (is_phong && scene_draw_has_map(d, SCENE_GLOW_MAP))
+        features |= GLOW_MAP;
+    return features;
+}
+
+typedef struct text {
+    char *end;
+    char begin[8192];
+} text;
+
+static void append(text *t, const char *more)
+{
+    const size_t length = strlen(more);
+
+    if ((size_t)(t->end - t->begin) + length < sizeof t->begin) {
+        memcpy(t->end, more, length + 1);
+        t->end += length;
+    }
+}
+
+static void define(text *t, int features, scene_shader shader)
+{
+    static const struct {
+        int feature;
+        const char *line;
+    } lines[] = {{POINT_LIGHT, "#define POINT_LIGHT\n"}, {ATTENUATION, "#define ATTENUATION\n"},
+                 {DIFFUSE_MAP, "#define DIFFUSE_MAP\n"}, {NORMAL_MAP, "#define NORMAL_MAP\n"},
+                 {TANGENTS, "#define TANGENTS\n"},       {SPECULAR_MAP, "#define SPECULAR_MAP\n"},
+                 {GLOW_MAP, "#define GLOW_MAP\n"},       {SHADOW_MAP, "#define SHADOW_MAP\n"}};
+
+    t->end = t->begin;
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; ++i) {
+        if (features & lines[i].feature)
+            append(t, lines[i].line);
+    }
+    if (shader == SCENE_BLINN_PHONG)
+        append(t, "#define BLINN\n");
+    append(t, shader == SCENE_FLAT ? "#define SHADING flat\n" : "#define SHADING smooth\n");
+}
+
+static void write_vertex(text *t, scene_shader shader)
+{
+    if (shader == SCENE_DEPTH_COLOR || shader == SCENE_DEPTH_ONLY) {
+        append(t, position_vertex);
+    } else if (shader == SCENE_UNLIT) {
+        append(t, unlit_vertex);
+    } else if (scene_shader_shows_surface(shader)) {
+        append(t, surface_vertex);
+    } else {
+        append(t, light_text);
+        append(t, gouraud_vertex);
+    }
+}
+
+static void write_fragment(text *t, scene_shader shader)
+{
+    if (shader == SCENE_DEPTH_COLOR || shader == SCENE_DEPTH_ONLY) {
+        append(t, shader == SCENE_DEPTH_COLOR ? depth_fragment : no_fragment);
+        return;
+    }
+    append(t, fragment_head);
+    if (!scene_shader_shows_surface(shader)) {
+        append(t, shaded_main);
+        return;
+    }
+    append(t, surface_text);
+    append(t, light_text);
+    append(t, lit_text);
+    append(t, shader == SCENE_FACES          ? faces_main
+              : shader == SCENE_TOON         ? toon_main
+              : shader == SCENE_NORMAL_COLOR ? normal_main
+                                             : phong_main);
+}
+
+bool reference_has_twin(const scene_draw *d)
+{
+    return d->shader >= SCENE_UNLIT || (d->surface.has_point_light && d->shader != SCENE_PHONG &&
+                                        scene_shader_is_lit(d->shader));
+}
+
+GLuint reference_twin_program(reference *r, const scene_draw *d, char *error, size_t error_size)
+{
+    const int features = features_of(d);
+    const uint32_t key = (uint32_t)d->shader * FEATURES + (uint32_t)features;
+    text vertex, fragment;
+    GLuint program;
+
+    for (size_t i = 0; i < r->twin_count; ++i) {
+        if (r->twins[i].key == key)
+            return r->twins[i].program;
+    }
+    define(&vertex, features, d->shader);
+    write_vertex(&vertex, d->shader);
+    define(&fragment, features, d->shader);
+    write_fragment(&fragment, d->shader);
+    program = reference_link_clipped(vertex.begin, fragment.begin, (features & CLIPPED) != 0, error,
+                                     error_size);
+    if (program) {
+        reference_twin *const grown = realloc(r->twins, (r->twin_count + 1) * sizeof *grown);
+
+        if (!grown) {
+            glDeleteProgram(program);
+            reference_fail(error, error_size, "out of memory");
+            return 0;
+        }
+        r->twins = grown;
+        r->twins[r->twin_count++] = (reference_twin){key, program};
+    }
+    return program;
+}
+
+void reference_free_twins(reference *r)
+{
+    for (size_t i = 0; i < r->twin_count; ++i) {
+        glDeleteProgram(r->twins[i].program);
+    }
+    free(r->twins);
+}
+
+/* ---- Uniforms and maps; what a program does not use has no location, and setting it there does
+ * nothing ---- */
+
+static void set_vec3(GLuint program, const char *name, gn_vec3 v)
+{
+    glUniform3f(glGetUniformLocation(program, name), v.x, v.y, v.z);
+}
+
+static void set_mat4(GLuint program, const char *name, const gn_mat4 *m)
+{
+    glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_FALSE, &m->m[0][0]);
+}
+
+void reference_set_twin_uniforms(const scene_draw *d, GLuint program)
+{
+    const scene_light *light = &d->uniforms.light;
+    const scene_surface *s = &d->surface;
+    const bool both_zero = s->black == 0.0f && s->white == 0.0f;
+
+    set_mat4(program, "clip_from_model", &light->clip_from_model);
+    glUniformMatrix3fv(glGetUniformLocation(program, "normal_matrix"), 1, GL_FALSE,
+                       &light->normal_matrix.m[0][0]);
+    set_vec3(program, "light_direction", light->light_direction);
+    set_vec3(program, "ambient", light->ambient);
+    set_vec3(program, "diffuse", light->diffuse);
+    set_mat4(program, "world_from_model", &s->world_from_model);
+    set_vec3(program, "light_position", s->light_position);
+    glUniform3fv(glGetUniformLocation(program, "attenuation"), 1, s->attenuation);
+    set_vec3(program, "eye", s->eye);
+    set_vec3(program, "specular", d->specular);
+    glUniform1ui(glGetUniformLocation(program, "exponent"), s->exponent);
+    glUniform1f(glGetUniformLocation(program, "bands"), s->bands ? (float)s->bands : 4.0f);
+    set_mat4(program, "shadow_from_world", &s->shadow_from_world);
+    glUniform1f(glGetUniformLocation(program, "black"), s->black);
+    glUniform1f(glGetUniformLocation(program, "white"), both_zero ? 1.0f : s->white);
+}
+
+void reference_upload_maps(const scene_draw *d, GLuint maps[SCENE_MAP_COUNT])
+{
+    for (int m = 0; m < SCENE_MAP_COUNT; ++m) {
+        maps[m] = 0;
+        if (scene_draw_has_map(d, (scene_map)m)) {
+            maps[m] = reference_upload_texture(&d->surface.map[m], m == SCENE_SHADOW_MAP
+                                                                       ? &d->surface.shadow_sampler
+                                                                       : &d->uniforms.sampler);
+        }
+    }
+}
+
+void reference_bind_maps(const GLuint maps[SCENE_MAP_COUNT])
+{
+    for (int m = 0; m < SCENE_MAP_COUNT; ++m) {
+        glActiveTexture((GLenum)(GL_TEXTURE1 + m));
+        glBindTexture(GL_TEXTURE_2D, maps[m]);
+    }
+}
