@@ -17,6 +17,8 @@ static bool change_alpha;
 static bool change_depth;
 static bool refuse;
 
+static const shadow_pass no_shadow;
+
 struct reference {
     int unused;
 };
@@ -92,7 +94,7 @@ static const char *printed(comparison *c, const scene *s)
     FILE *file = tmpfile();
     assert_non_null(file);
     dup2(fileno(file), STDOUT_FILENO);
-    int fault = comparison_make(s, GN_BACKEND_AUTO, c);
+    int fault = comparison_make(s, &no_shadow, GN_BACKEND_AUTO, c);
     fflush(stdout);
     dup2(saved, STDOUT_FILENO);
     close(saved);

@@ -50,12 +50,12 @@ static int compare(const options *o, const char *output_path)
         return fault;
     comparison c;
     picture_print_summary(o->model, &p);
-    fault = comparison_make(p.scene, o->backend, &c);
+    fault = comparison_make(p.scene, &p.shadow, o->backend, &c);
     if (fault == 0)
         fault = comparison_write_triptych(&c, output_path);
     if (fault == 0)
         printf("%s: Gnomon, OSMesa, difference\n", output_path);
-    if (fault == 0 && c.difference.pixels + c.samples.pixels > 0)
+    if (fault == 0 && c.difference.pixels + c.samples.pixels + c.shadow_texels > 0)
         fault = EXIT_FAULT;
     comparison_free(&c);
     picture_free(&p);

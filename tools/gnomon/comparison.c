@@ -59,7 +59,29 @@ static scene_difference compare_images(const scene *s, const comparison *c, uint
     return scene_compare(s, &ours, &theirs);
 }
 
-int comparison_make(const scene *s, gn_backend backend, comparison *result)
+/* The library's shadow map is part of the scene, so the reference draws it for this alone. */
+static bool compare_shadow(reference *mesa, const shadow_pass *shadow, comparison *c, char *error,
+                           size_t error_size)
+{
+    scene_frame theirs;
+    if (shadow->scene == NULL)
+        return true;
+    if (!scene_frame_allocate(&theirs, shadow->scene)) {
+        snprintf(error, error_size, "not enough memory");
+        return false;
+    }
+    bool drawn = reference_draw(mesa, shadow->scene, &theirs, error, error_size);
+    if (drawn) {
+        c->shadow_texels = scene_compare(shadow->scene, &shadow->frame, &theirs).pixels;
+        printf("shadow map: %" PRIu64 " of %" PRIu64 " texels differ\n", c->shadow_texels,
+               (uint64_t)theirs.width * theirs.height);
+    }
+    scene_frame_free(&theirs);
+    return drawn;
+}
+
+int comparison_make(const scene *s, const shadow_pass *shadow, gn_backend backend,
+                    comparison *result)
 {
     char error[512] = "";
     memset(result, 0, sizeof *result);
@@ -80,6 +102,7 @@ int comparison_make(const scene *s, gn_backend backend, comparison *result)
         if (!reference_is_contract_version(mesa))
             printf("note: equal pictures are promised for Mesa 22.3 only\n");
     }
+    drawn = drawn && compare_shadow(mesa, shadow, result, error, sizeof error);
     reference_destroy(mesa);
     if (!drawn)
         return report_fault("OSMesa", "%s", error);

@@ -33,6 +33,7 @@ static const char usage[] =
     "  --filter, --shadows, --exponent, --bands    as of gnomon render\n";
 
 static const float background[4] = {0.933f, 0.925f, 0.906f, 1.0f};
+static const model_shine shine = {{0.45f, 0.45f, 0.45f}, 40};
 static const float glaze[4] = {0.80f, 0.46f, 0.31f, 1.0f};
 
 /* Texels a side of each patch's cell of the maps. */
@@ -124,6 +125,17 @@ static void add_draws(const look *l, const part_maps *maps, model *ground, const
     look_add_part(s, l, teapot->parts, maps);
 }
 
+static int throw_shadow(const bounding_sphere *bounds, const look *l, const model *teapot,
+                        shadow_pass *result)
+{
+    int fault = shadow_begin(bounds, l->light_direction, result);
+    if (fault == 0) {
+        shadow_add_part(result, teapot->parts);
+        fault = shadow_draw(result, GN_BACKEND_AUTO);
+    }
+    return fault;
+}
+
 static int describe(const options *o, picture *result)
 {
     static const bounding_sphere sphere = {{0.2, 1.45, 0.0}, 3.6};
@@ -144,14 +156,20 @@ static int describe(const options *o, picture *result)
     result->shading = o->shading != SHADING_AUTOMATIC ? o->shading
                       : o->shadows                    ? SHADING_PHONG
                                                       : SHADING_GOURAUD;
-    look_choose(o, &view, &sphere, result->shading, &l);
+    look_choose(o, &view, result->shading, &l);
     gn_vec3_normalize((gn_vec3){-0.4f, 0.75f, 0.7f}, &l.light_direction);
     l.ambient = (gn_vec3){0.30f, 0.31f, 0.36f};
     l.diffuse = (gn_vec3){0.82f, 0.78f, 0.72f};
     bool made = teapot_create(o->tessellation, glaze, &teapot);
+    if (made)
+        teapot.parts->shine = shine;
     made = create_shadow(&ground) && made;
     made = create_maps(o, &maps) && made;
-    if (made) {
+    if (made && o->shadows) {
+        fault = throw_shadow(&sphere, &l, &teapot, &result->shadow);
+        l.shadow = &result->shadow;
+    }
+    if (made && fault == 0) {
         scene *s = scene_create(o->width, o->height, GN_FORMAT_RGBA8, GN_FORMAT_D32F);
         memcpy(s->clear_color, background, sizeof s->clear_color);
         s->clear_depth = 1.0f;
@@ -162,7 +180,7 @@ static int describe(const options *o, picture *result)
     model_free(&ground);
     model_free(&teapot);
     maps_free(&maps);
-    return made ? 0 : report_fault("teapot", "not enough memory");
+    return made ? fault : report_fault("teapot", "not enough memory");
 }
 
 int command_demo(int argc, char **argv)
@@ -187,14 +205,14 @@ int command_demo(int argc, char **argv)
         return fault;
     comparison c;
     picture_print_summary("teapot", &p);
-    fault = comparison_make(p.scene, GN_BACKEND_AUTO, &c);
+    fault = comparison_make(p.scene, &p.shadow, GN_BACKEND_AUTO, &c);
     if (fault == 0)
         fault = comparison_write_triptych(&c, o.output);
     if (fault == 0)
         printf("%s: Gnomon, OSMesa, difference\n", o.output);
     if (fault == 0 && o.picture_output != NULL)
         fault = comparison_write_picture(&c, o.picture_output);
-    if (fault == 0 && c.difference.pixels + c.samples.pixels > 0)
+    if (fault == 0 && c.difference.pixels + c.samples.pixels + c.shadow_texels > 0)
         fault = EXIT_FAULT;
     comparison_free(&c);
     picture_free(&p);

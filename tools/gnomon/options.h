@@ -45,7 +45,7 @@ typedef struct options {
     filter_option filter;
     bool shadows;
     uint32_t exponent; /* of highlights; 0: the material's */
-    uint32_t bands;    /* of the toon shader */
+    uint32_t bands;    /* of the toon shader; 0: its own choice */
     bool wireframe;
     camera_options camera;
     float background[4];

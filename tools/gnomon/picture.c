@@ -46,6 +46,17 @@ static int check_found(const options *o, const model *m, const part_maps *maps)
     return 0;
 }
 
+static int throw_shadows(const model *m, const bounding_sphere *bounds, const look *l,
+                         shadow_pass *result)
+{
+    int fault = shadow_begin(bounds, l->light_direction, result);
+    if (fault != 0)
+        return fault;
+    for (size_t i = 0; i < m->part_count; i++)
+        shadow_add_part(result, m->parts + i);
+    return shadow_draw(result, l->options->backend);
+}
+
 static int add_parts(const options *o, const model *m, const camera *view,
                      const bounding_sphere *bounds, part_maps *maps, picture *p)
 {
@@ -63,7 +74,11 @@ static int add_parts(const options *o, const model *m, const camera *view,
     if (p->shading == SHADING_AUTOMATIC)
         p->shading = mapped || o->shadows ? SHADING_PHONG : SHADING_GOURAUD;
     if (fault == 0)
-        fault = look_choose(o, view, bounds, p->shading, &l);
+        fault = look_choose(o, view, p->shading, &l);
+    if (fault == 0 && o->shadows) {
+        fault = throw_shadows(m, bounds, &l, &p->shadow);
+        l.shadow = &p->shadow;
+    }
     for (size_t i = 0; i < m->part_count && fault == 0; i++) {
         look_add_part(p->scene, &l, m->parts + i, maps + i);
         maps_free(maps + i);
@@ -110,6 +125,7 @@ void picture_free(picture *p)
     if (p->scene != NULL)
         scene_free(p->scene);
     maps_told_free(&p->maps);
+    shadow_free(&p->shadow);
     memset(p, 0, sizeof *p);
 }
 

@@ -6,11 +6,13 @@
 
 #include "maps.h"
 #include "options.h"
+#include "shadow.h"
 
 typedef struct picture {
     scene *scene; /* into GN_FORMAT_RGBA8 and GN_FORMAT_D32F */
     shading shading;
     maps_told maps;
+    shadow_pass shadow; /* zeroed: none */
 } picture;
 
 /* Reads the model and its maps, places the camera and describes it all as a scene to draw. 0, to

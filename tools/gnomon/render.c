@@ -122,8 +122,9 @@ int command_render(int argc, char **argv)
     if (result == OPTIONS_WRONG)
         return status;
 
-    picture p = {NULL, SHADING_AUTOMATIC, {NULL}};
+    picture p;
     scene_frame frame;
+    memset(&p, 0, sizeof p);
     memset(&frame, 0, sizeof frame);
     int fault = check_names(&o);
     if (fault == 0)
