@@ -197,10 +197,11 @@ static const char phong_main[] =
     "#endif\n"
     "    vec4 c = surface_color();\n"
     "    float lit = max(cosine, 0.0) * left;\n"
-    "    vec3 rgb = c.rgb * (ambient + diffuse * lit) + s * (shine * left);\n"
+    "    vec3 rgb = c.rgb * (ambient + diffuse * lit);\n"
     "#ifdef GLOW_MAP\n"
     "    rgb = rgb + texture(glow_map, coordinates).rgb;\n"
     "#endif\n"
+    "    rgb = rgb + s * (shine * left);\n"
     "    result = vec4(rgb, c.a);\n"
     "}\n";
 

@@ -43,16 +43,6 @@ static inline void set_more_colors(fragment_state *s, const gn_target *target,
     }
 }
 
-/* Whether sample.h alone serves a texture: there is no choice of levels. */
-static inline bool is_flat_texture(const gn_texture *texture, const gn_sampler *sampler)
-{
-    return (texture->format == GN_FORMAT_RGBA8 || texture->format == GN_FORMAT_RGBA32F) &&
-           texture->target == GN_TEXTURE_2D && texture->level_count <= 1 &&
-           sampler->wrap_s <= GN_WRAP_CLAMP_TO_EDGE && sampler->wrap_t <= GN_WRAP_CLAMP_TO_EDGE &&
-           sampler->minify <= GN_MINIFY_LINEAR && sampler->lod_bias == 0.0f &&
-           !sampler->lod_clamped;
-}
-
 /* What of ready-made shaders goes without a call: a colour, maybe times a texture. */
 static inline void set_ready_color(fragment_state *s, const gn_pipeline *pipeline)
 {
@@ -71,7 +61,7 @@ static inline void set_ready_color(fragment_state *s, const gn_pipeline *pipelin
     } else {
         s->has_ready_color = pipeline->fragment_shader == gn_shade_color;
     }
-    if (s->texture && !is_flat_texture(s->texture, s->sampler))
+    if (s->texture && !is_simple(s->texture, s->sampler))
         s->has_ready_color = false;
 }
 

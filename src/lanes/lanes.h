@@ -125,4 +125,10 @@ static inline lanes_i lanes_i_clamp(lanes_i a, lanes_i low, lanes_i high)
     return lanes_i_select(lanes_i_greater(a, high), high, a);
 }
 
+/* Without the sign, of NaN too. */
+static inline lanes_f lanes_magnitude(lanes_f a)
+{
+    return lanes_as_float(lanes_i_and(lanes_as_int(a), lanes_i_splat(INT32_MAX)));
+}
+
 #endif

@@ -35,11 +35,6 @@ static inline offset_state offset_state_of(const gn_pipeline *pipeline, gn_forma
     return s;
 }
 
-static inline lanes_f magnitude_of(lanes_f a)
-{
-    return lanes_as_float(lanes_i_and(lanes_as_int(a), lanes_i_splat(INT32_MAX)));
-}
-
 /* 2^(e - 23) for the exponent e of a depth's magnitude; 0 where that is denormal. */
 static inline lanes_f float_step(lanes_f depth)
 {
@@ -63,14 +58,15 @@ GN_STEP lanes_f offset_depths(const offset_state *offset, const lanes_f x[3], co
         lanes_div(lanes_splat(1.0f), lanes_sub(lanes_mul(dx01, dy20), lanes_mul(dx20, dy01)));
     const lanes_f per_x = lanes_sub(lanes_mul(dz01, dy20), lanes_mul(dz20, dy01));
     const lanes_f per_y = lanes_sub(lanes_mul(dz20, dx01), lanes_mul(dz01, dx20));
-    const lanes_f slope = lanes_max(magnitude_of(lanes_mul(per_x, one_over_area)),
-                                    magnitude_of(lanes_mul(per_y, one_over_area)));
+    const lanes_f slope = lanes_max(lanes_magnitude(lanes_mul(per_x, one_over_area)),
+                                    lanes_magnitude(lanes_mul(per_y, one_over_area)));
     lanes_f steps = lanes_splat(offset->units);
 
     if (offset->floating)
-        steps = lanes_mul(float_step(lanes_max(lanes_max(magnitude_of(z[0]), magnitude_of(z[1])),
-                                               magnitude_of(z[2]))),
-                          steps);
+        steps =
+            lanes_mul(float_step(lanes_max(lanes_max(lanes_magnitude(z[0]), lanes_magnitude(z[1])),
+                                           lanes_magnitude(z[2]))),
+                      steps);
 
     const lanes_f sum = lanes_add(steps, lanes_mul(slope, lanes_splat(offset->factor)));
     if (offset->clamp > 0.0f)

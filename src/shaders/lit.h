@@ -162,8 +162,8 @@ GN_INLINE void shade_shiny(const gn_lit_uniforms *u, bool is_blinn, const gn_fra
 
     surface_color(&u->material, input, color);
     light_color(&u->light, lanes_mul(above_zero(cosine), left), color);
-    add_highlight(&u->material, input, lanes_mul(shine, left), color);
     add_glow(&u->material, input, color);
+    add_highlight(&u->material, input, lanes_mul(shine, left), color);
     put_color(color, output);
 }
 

@@ -1,9 +1,11 @@
-/* Sampling a 2D texture at 16 fragments: level-of-detail decision, fetch and filter
- * (OpenGL 4.5 sections 8.14 and 8.15), in the order of operations of the reference
- * rasterizer. */
+/* Sampling a 2D texture of one level, of words or floats, which repeats or is clamped to its edge,
+ * at 16 fragments: the choice of the filter, fetch and filter (OpenGL 4.5 sections 8.14 and 8.15),
+ * in the order of operations of the reference rasterizer. Most textures are such, and the
+ * rasterizer samples them itself; for others there is sampling.h. */
 #ifndef GN_TEXTURE_SAMPLE_H
 #define GN_TEXTURE_SAMPLE_H
 
+#include "../lanes/small.h"
 #include "wrap.h"
 
 /* Whether texels are 32-bit words with an index of 32 bits: rows are then at most 2^16 words
@@ -51,8 +53,10 @@ GN_OUT_OF_LINE void fetch_any(const gn_texture *texture, const lanes_i *column, 
 GN_OUT_OF_LINE void sample_nearest(const gn_texture *texture, const gn_sampler *sampler,
                                    const lanes_f *s, const lanes_f *t, lanes_f texel[4])
 {
-    const lanes_i column = wrap_nearest(sampler->wrap_s, *s, texture->width);
-    const lanes_i row = wrap_nearest(sampler->wrap_t, *t, texture->height);
+    const lanes_i column = wrap_nearest(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width),
+                                        *s, texture->width);
+    const lanes_i row = wrap_nearest(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),
+                                     *t, texture->height);
 
     if (!has_word_texels(texture)) {
         fetch_any(texture, &column, &row, texel);
@@ -129,8 +133,10 @@ GN_INLINE lanes_f mix_corners(const lanes_i corner[CORNER_COUNT], int channel, l
 GN_OUT_OF_LINE void sample_linear(const gn_texture *texture, const gn_sampler *sampler,
                                   const lanes_f *s, const lanes_f *t, lanes_f texel[4])
 {
-    const texel_pair u = wrap_linear(sampler->wrap_s, *s, texture->width);
-    const texel_pair v = wrap_linear(sampler->wrap_t, *t, texture->height);
+    const texel_pair u = wrap_linear(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width),
+                                     *s, texture->width);
+    const texel_pair v = wrap_linear(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),
+                                     *t, texture->height);
     lanes_i corner[CORNER_COUNT];
 
     if (!has_word_texels(texture)) {
@@ -167,10 +173,27 @@ static inline uint32_t minified_lanes(const gn_texture *texture, const float *s,
     return bits;
 }
 
+/* Whether the texture and the sampler are of the kinds that this file is for. With GN_BASIC all
+ * are. */
+static inline bool is_simple(const gn_texture *texture, const gn_sampler *sampler)
+{
+    return !GN_HAVE_TEXTURES ||
+           (texture->target == GN_TEXTURE_2D && texture->level_count <= 1 &&
+            (texture->format == GN_FORMAT_RGBA8 || texture->format == GN_FORMAT_RGBA32F) &&
+            sampler->wrap_s <= GN_WRAP_CLAMP_TO_EDGE && sampler->wrap_t <= GN_WRAP_CLAMP_TO_EDGE &&
+            sampler->max_anisotropy <= 1 && sampler->lod_bias == 0.0f && !sampler->lod_clamped);
+}
+
+static inline bool minifies_linearly(gn_minify minify)
+{
+    return minify == GN_MINIFY_LINEAR || minify == GN_MINIFY_LINEAR_MIPMAP_NEAREST ||
+           minify == GN_MINIFY_LINEAR_MIPMAP_LINEAR;
+}
+
 /* Whether both filters are one, so that nothing is asked of neighbouring fragments. */
 static inline bool has_one_filter(const gn_sampler *sampler)
 {
-    return (sampler->magnify == GN_MAGNIFY_LINEAR) == (sampler->minify == GN_MINIFY_LINEAR);
+    return (sampler->magnify == GN_MAGNIFY_LINEAR) == minifies_linearly(sampler->minify);
 }
 
 /* The lanes, as bits, that the linear filter serves. */
@@ -184,7 +207,7 @@ static inline uint32_t linear_lanes(const gn_texture *texture, const gn_sampler 
     lanes_store(u, *s);
     lanes_store(v, *t);
     const uint32_t minified = minified_lanes(texture, u, v);
-    return sampler->minify == GN_MINIFY_LINEAR ? minified : ~minified & GN_ALL_LANES;
+    return minifies_linearly(sampler->minify) ? minified : ~minified & GN_ALL_LANES;
 }
 
 GN_OUT_OF_LINE void sample_both(const gn_texture *texture, const gn_sampler *sampler,

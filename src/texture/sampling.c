@@ -4,7 +4,10 @@
 void gn_sample_2d(const gn_texture *texture, const gn_sampler *sampler, const float s[GN_LANES],
                   const float t[GN_LANES], float texel[4][GN_LANES])
 {
-    sample_any_2d(texture, sampler, s, t, texel);
+    if (GN_HAVE_TEXTURES)
+        sample_any_2d(texture, sampler, s, t, texel);
+    else
+        sample_simple_2d(texture, sampler, s, t, texel);
 }
 
 void gn_sample(const gn_texture *texture, const gn_sampler *sampler, const gn_lookup *lookup,

@@ -3,12 +3,12 @@
 #ifndef GN_TEXTURE_SAMPLING_H
 #define GN_TEXTURE_SAMPLING_H
 
-#include "sample.h"
+#include "lod.h"
 
-/* A gn_sample_2d_function. */
-static inline void sample_any_2d(const gn_texture *texture, const gn_sampler *sampler,
-                                 const float s[GN_LANES], const float t[GN_LANES],
-                                 float texel[4][GN_LANES])
+/* A gn_sample_2d_function for the textures of sample.h. */
+static inline void sample_simple_2d(const gn_texture *texture, const gn_sampler *sampler,
+                                    const float s[GN_LANES], const float t[GN_LANES],
+                                    float texel[4][GN_LANES])
 {
     const lanes_f u = lanes_load(s);
     const lanes_f v = lanes_load(t);
@@ -19,19 +19,171 @@ static inline void sample_any_2d(const gn_texture *texture, const gn_sampler *sa
         lanes_store(texel[c], out[c]);
 }
 
+static inline void set_lookup_state(lookup_state *state, const gn_texture *texture,
+                                    const gn_sampler *sampler)
+{
+    const uint32_t size[3] = {texture->width, texture->height, texture->depth};
+
+    state->texture = texture;
+    state->dimensions = texture->target == GN_TEXTURE_1D   ? 1
+                        : texture->target == GN_TEXTURE_3D ? 3
+                                                           : 2;
+    state->wrap[0] = sampler->wrap_s;
+    state->wrap[1] = sampler->wrap_t;
+    state->wrap[2] = sampler->wrap_r;
+    state->has_border = false;
+    for (int n = 0; n < state->dimensions; ++n) {
+        state->masked[n] = is_masked(state->wrap[n], size[n]);
+        state->has_border = state->has_border || state->wrap[n] == GN_WRAP_CLAMP_TO_BORDER;
+    }
+    for (int c = 0; c < 4; ++c)
+        state->border[c] = sampler->border[c];
+}
+
+static inline void set_lookup_place(const lookup_state *state, const gn_lookup *lookup,
+                                    lookup_place *place)
+{
+    for (int n = 0; n < state->dimensions; ++n)
+        place->coordinate[n] = lanes_load(lookup->coordinate[n]);
+    place->layer = lanes_i_splat(0);
+    if (state->texture->target == GN_TEXTURE_2D_ARRAY)
+        place->layer =
+            lanes_i_clamp(lanes_round(lanes_load(lookup->coordinate[2])), lanes_i_splat(0),
+                          lanes_i_splat((int32_t)state->texture->depth - 1));
+}
+
+/* One level, of lanes that are `linear` by the linear filter. Quads are filtered as a whole: one
+ * with a linear lane by the linear filter, of which the others take the nearer texels. */
+GN_OUT_OF_LINE void filter_level(const lookup_state *state, const lookup_place *place,
+                                 uint32_t level, uint32_t linear, lanes_f texel[4])
+{
+    const uint32_t linear_quads = quads_of(linear);
+    lanes_f nearest[4];
+
+    if (linear_quads == 0) {
+        filter_nearest(state, place, level, texel);
+        return;
+    }
+    filter_linear(state, place, level, linear, texel);
+    if (linear_quads == GN_ALL_LANES)
+        return;
+    filter_nearest(state, place, level, nearest);
+    for (int c = 0; c < 4; ++c)
+        texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
+}
+
+/* The levels that the lanes ask for, as bits: each is filtered once, for all of them. */
+static inline uint32_t levels_in(lanes_i level)
+{
+    int32_t number[GN_LANES];
+    uint32_t bits = 0;
+
+    lanes_i_store(number, level);
+    GN_EACH_LANE (l)
+        bits |= 1u << number[l];
+    return bits;
+}
+
+GN_OUT_OF_LINE void filter_levels(const lookup_state *state, const lookup_place *place,
+                                  const level_choice *choice, uint32_t linear, lanes_f texel[4])
+{
+    const lanes_f zero = lanes_splat(0.0f);
+    const uint32_t mixed = quads_of(lanes_bits(lanes_greater(choice->weight, zero)));
+    const lanes_i next = lanes_i_min(lanes_i_add(choice->level, lanes_i_splat(1)),
+                                     lanes_i_splat((int32_t)levels_of(state->texture) - 1));
+    uint32_t levels = levels_in(choice->level) | (mixed ? levels_in(next) : 0);
+    lanes_f filtered[4], above[4];
+
+    for (int c = 0; c < 4; ++c)
+        texel[c] = above[c] = zero;
+    for (; levels; levels &= levels - 1) {
+        const uint32_t level = first_lane(levels);
+        const lanes_m is_first = lanes_i_equal(choice->level, lanes_i_splat((int32_t)level));
+        const lanes_m is_next = lanes_i_equal(next, lanes_i_splat((int32_t)level));
+
+        filter_level(state, place, level, linear, filtered);
+        for (int c = 0; c < 4; ++c) {
+            texel[c] = lanes_select(is_first, filtered[c], texel[c]);
+            above[c] = lanes_select(is_next, filtered[c], above[c]);
+        }
+    }
+    for (int c = 0; mixed && c < 4; ++c)
+        texel[c] =
+            lanes_select(lanes_from_bits(mixed), mix(choice->weight, texel[c], above[c]), texel[c]);
+}
+
+/* Whether the level of detail decides anything. */
+static inline bool asks_for_lod(const gn_texture *texture, const gn_sampler *sampler)
+{
+    return !has_one_filter(sampler) || (has_levels(sampler->minify) && levels_of(texture) > 1);
+}
+
 /* A gn_sample_function. */
 static inline void sample_any(const gn_texture *texture, const gn_sampler *sampler,
                               const gn_lookup *lookup, float texel[4][GN_LANES])
 {
-    sample_any_2d(texture, sampler, lookup->coordinate[0], lookup->coordinate[1], texel);
+    lookup_state state;
+    lookup_place place;
+    level_choice choice;
+    lanes_f out[4];
+    uint32_t linear = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
+
+    set_lookup_state(&state, texture, sampler);
+    set_lookup_place(&state, lookup, &place);
+    if (!asks_for_lod(texture, sampler)) {
+        filter_level(&state, &place, 0, linear, out);
+    } else {
+        find_levels(&state, sampler, &place, lookup, &choice);
+        if (!has_levels(sampler->minify))
+            choice.level = lanes_i_splat(0);
+        linear = minifies_linearly(sampler->minify) ? linear | choice.minified
+                                                    : linear & ~choice.minified;
+        filter_levels(&state, &place, &choice, linear, out);
+    }
+    for (int c = 0; c < 4; ++c)
+        lanes_store(texel[c], out[c]);
 }
 
-/* A gn_gather_function. */
+/* A gn_sample_2d_function. */
+static inline void sample_any_2d(const gn_texture *texture, const gn_sampler *sampler,
+                                 const float s[GN_LANES], const float t[GN_LANES],
+                                 float texel[4][GN_LANES])
+{
+    gn_lookup lookup;
+
+    if (is_simple(texture, sampler)) {
+        sample_simple_2d(texture, sampler, s, t, texel);
+        return;
+    }
+    lookup.coordinate[0] = s;
+    lookup.coordinate[1] = t;
+    lookup.coordinate[2] = 0;
+    lookup.reference = 0;
+    lookup.lod_source = GN_LOD_IMPLICIT;
+    lookup.lod = 0;
+    sample_any(texture, sampler, &lookup, texel);
+}
+
+/* A gn_gather_function: the texels in the order of counting round. */
 static inline void gather_any(const gn_texture *texture, const gn_sampler *sampler,
                               const gn_lookup *lookup, int channel, float texel[4][GN_LANES])
 {
-    (void)channel;
-    sample_any_2d(texture, sampler, lookup->coordinate[0], lookup->coordinate[1], texel);
+    static const unsigned char second[4][2] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}}; /* along s, t */
+    lookup_state state;
+    lookup_place place;
+    linear_texels texels;
+    lanes_f fetched[4];
+
+    set_lookup_state(&state, texture, sampler);
+    set_lookup_place(&state, lookup, &place);
+    find_linear_texels(&state, &place, 0, &texels);
+    for (int i = 0; i < 4; ++i) {
+        const lanes_i *const number[3] = {&texels.number[0][second[i][0]],
+                                          &texels.number[1][second[i][1]], 0};
+
+        fetch_place(&state, &place, 0, number, fetched);
+        lanes_store(texel[i], fetched[channel & 3]);
+    }
 }
 
 #endif

@@ -1,5 +1,7 @@
 /* Texture coordinates to texel numbers and weights, over lanes (OpenGL 4.5 section
- * 8.14.2), in the order of operations of the reference rasterizer. */
+ * 8.14.2), in the order of operations of the reference rasterizer. Whatever the coordinate, NaN
+ * too, numbers lie within the texture, but with GN_WRAP_CLAMP_TO_BORDER, where those that do not
+ * are the border's. */
 #ifndef GN_TEXTURE_WRAP_H
 #define GN_TEXTURE_WRAP_H
 
@@ -22,38 +24,72 @@ static inline bool is_power_of_two(uint32_t n)
     return (n & (n - 1)) == 0;
 }
 
+/* Whether a dimension repeats by a mask: where its largest level is a power of two. */
+static inline bool is_masked(gn_wrap wrap, uint32_t largest)
+{
+    return wrap == GN_WRAP_REPEAT && is_power_of_two(largest);
+}
+
 static inline lanes_f fraction_of(lanes_f a)
 {
     return lanes_sub(a, lanes_floor(a));
 }
 
-static inline lanes_i wrap_nearest(gn_wrap wrap, lanes_f coordinate, uint32_t size)
+/* To the nearest integer, halves to even; floats from 2^23 on are integers. */
+static inline lanes_f nearest_integer(lanes_f a)
+{
+    return lanes_select(lanes_greater(lanes_splat(8388608.0f), lanes_magnitude(a)),
+                        lanes_to_float(lanes_round(a)), a);
+}
+
+/* Up from 0 to 1 and down again, in every two. */
+static inline lanes_f mirrored(lanes_f coordinate)
+{
+    const lanes_f halved = lanes_mul(coordinate, lanes_splat(0.5f));
+    const lanes_f f = lanes_sub(halved, nearest_integer(halved));
+
+    return lanes_magnitude(lanes_add(f, f));
+}
+
+/* `size` is that of the level. */
+static inline lanes_i wrap_nearest(gn_wrap wrap, bool masked, lanes_f coordinate, uint32_t size)
 {
     const lanes_f n = lanes_splat((float)size);
     const lanes_i last = lanes_i_splat((int32_t)size - 1);
 
-    if (wrap == GN_WRAP_REPEAT && is_power_of_two(size))
+    if (masked)
         return lanes_i_and(lanes_truncate(lanes_floor(lanes_mul(coordinate, n))), last);
-    if (wrap == GN_WRAP_REPEAT) {
-        /* The largest float below 1 keeps the product below n. */
+    if (wrap == GN_WRAP_CLAMP_TO_BORDER)
+        return lanes_truncate(lanes_floor(lanes_mul(coordinate, n)));
+    if (wrap == GN_WRAP_MIRROR_CLAMP_TO_EDGE)
+        coordinate = lanes_magnitude(coordinate);
+    else if (wrap == GN_WRAP_MIRRORED_REPEAT)
+        coordinate = mirrored(coordinate);
+    else if (wrap == GN_WRAP_REPEAT) /* the largest float below 1 keeps the product below n */
         coordinate = lanes_min(fraction_of(coordinate), lanes_splat(1.0f - 1.0f / 16777216.0f));
-    }
     return lanes_i_clamp(lanes_truncate(lanes_mul(coordinate, n)), lanes_i_splat(0), last);
 }
 
-/* Numbers beyond the integers are converted to INT32_MIN: texel 0 of a power of two, which
- * a mask takes it to, and otherwise, as all that is negative, the last. */
-static inline texel_pair wrap_linear(gn_wrap wrap, lanes_f coordinate, uint32_t size)
+/* 0 to size - 0.5, in texels from the centre of the first. */
+static inline lanes_f clamped_texels(lanes_f coordinate, lanes_f n)
+{
+    return lanes_max(lanes_sub(lanes_min(lanes_mul(coordinate, n), n), lanes_splat(0.5f)),
+                     lanes_splat(0.0f));
+}
+
+/* Of GN_WRAP_REPEAT and GN_WRAP_CLAMP_TO_EDGE. Numbers beyond the integers are converted to
+ * INT32_MIN: texel 0 of a power of two, which a mask takes it to, and otherwise, as all that is
+ * negative, the last. */
+static inline texel_pair wrap_linear(gn_wrap wrap, bool masked, lanes_f coordinate, uint32_t size)
 {
     const lanes_f n = lanes_splat((float)size);
     const lanes_f half = lanes_splat(0.5f);
     const lanes_i last = lanes_i_splat((int32_t)size - 1);
-    const bool masked = wrap == GN_WRAP_REPEAT && is_power_of_two(size);
     texel_pair t;
     lanes_f c;
 
     if (wrap != GN_WRAP_REPEAT)
-        c = lanes_max(lanes_sub(lanes_min(lanes_mul(coordinate, n), n), half), lanes_splat(0.0f));
+        c = clamped_texels(coordinate, n);
     else if (masked)
         c = lanes_sub(lanes_mul(coordinate, n), half);
     else
@@ -76,6 +112,39 @@ static inline lanes_i second_texel(gn_wrap wrap, const texel_pair *t)
     const lanes_i beyond = wrap == GN_WRAP_REPEAT ? lanes_i_splat(0) : t->first;
 
     return lanes_i_select(t->at_end, beyond, lanes_i_add(t->first, lanes_i_splat(1)));
+}
+
+/* Of every wrap: both texels, and the weight of the second. */
+static inline lanes_f wrap_linear_any(gn_wrap wrap, bool masked, lanes_f coordinate, uint32_t size,
+                                      lanes_i texel[2])
+{
+    const lanes_f n = lanes_splat((float)size);
+    const lanes_f half = lanes_splat(0.5f);
+    const lanes_i zero = lanes_i_splat(0), last = lanes_i_splat((int32_t)size - 1);
+    lanes_f c;
+
+    if (wrap == GN_WRAP_REPEAT || wrap == GN_WRAP_CLAMP_TO_EDGE) {
+        const texel_pair pair = wrap_linear(wrap, masked, coordinate, size);
+
+        texel[0] = pair.first;
+        texel[1] = second_texel(wrap, &pair);
+        return pair.weight;
+    }
+    if (wrap == GN_WRAP_MIRROR_CLAMP_TO_EDGE)
+        c = clamped_texels(lanes_magnitude(coordinate), n);
+    else if (wrap == GN_WRAP_MIRRORED_REPEAT)
+        c = lanes_sub(lanes_mul(mirrored(coordinate), n), half);
+    else
+        c = lanes_sub(lanes_mul(coordinate, n), half);
+
+    const lanes_f whole = lanes_floor(c);
+    texel[0] = lanes_truncate(whole);
+    texel[1] = lanes_i_add(texel[0], lanes_i_splat(1));
+    if (wrap != GN_WRAP_CLAMP_TO_BORDER) {
+        texel[0] = lanes_i_clamp(texel[0], zero, last);
+        texel[1] = lanes_i_clamp(texel[1], zero, last);
+    }
+    return lanes_sub(c, whole);
 }
 
 #endif

@@ -97,6 +97,7 @@ void add_body(builder *b);
 /* A random texture and sampler of the next draw, whose vertices are there and get coordinates for
  * it. The texels, which the caller frees after the draw, are the texture's. */
 void *random_sampling(builder *b, gn_texture_target target, uint32_t levels, bool depths);
+void *random_any_sampling(builder *b);
 
 /* One class each, from the target on. */
 void generate_meshes(builder *b);

@@ -2,6 +2,7 @@
  * (tests/parity/pairs.c says which do), and long sequences of them into one target. */
 #include "generate_parts.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #define TEXTURE_SIDE 8
@@ -98,7 +99,9 @@ static bool any_shader(builder *b)
 {
     random_source *r = &b->random;
     bool noperspective = false;
-    b->shader = (scene_shader)(random_chance(r, 40) ? 0 : random_below(r, SCENE_SAMPLED));
+    const bool plain = random_chance(r, 35), sampled = random_chance(r, 30);
+    const uint32_t any = random_below(r, SCENE_SHADER_COUNT);
+    b->shader = plain ? SCENE_VERTEX_COLOR : sampled ? SCENE_SAMPLED : (scene_shader)any;
     if (b->shader == SCENE_OUTPUTS)
         random_outputs(b);
     b->uniforms.light.light_direction.z = 1.0f;
@@ -128,10 +131,10 @@ static void any_texture(builder *b, uint32_t *texels)
     t->level[0].texels = texels;
     for (uint32_t i = 0; i < TEXTURE_SIDE * TEXTURE_SIDE; i++)
         texels[i] = (uint32_t)(random_bits(r) >> 32) | 0x01010101u;
-    b->uniforms.sampler.wrap_s = (gn_wrap)random_below(r, 2);
-    b->uniforms.sampler.wrap_t = (gn_wrap)random_below(r, 2);
+    b->uniforms.sampler.wrap_s = (gn_wrap)random_below(r, 5);
+    b->uniforms.sampler.wrap_t = (gn_wrap)random_below(r, 5);
     b->uniforms.sampler.magnify = (gn_magnify)random_below(r, 2);
-    b->uniforms.sampler.minify = (gn_minify)random_below(r, 3);
+    b->uniforms.sampler.minify = (gn_minify)random_below(r, 6);
     for (uint32_t i = 0; i < b->vertex_count; i++)
         for (int c = 0; c < 2; c++)
             b->vertices[i].texcoord[c] = random_float(r, -1.0f, 2.0f);
@@ -178,6 +181,7 @@ void varied_draw(builder *b, bool may_blend)
 {
     random_source *r = &b->random;
     uint32_t texels[TEXTURE_SIDE * TEXTURE_SIDE];
+    void *sampled = NULL;
     const gn_format format = b->scene->color_format;
     const bool floats = format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F;
     builder_common_state(b);
@@ -186,7 +190,9 @@ void varied_draw(builder *b, bool may_blend)
     any_color_state(b, may_blend);
     const bool noperspective = any_shader(b);
     any_mesh(b, 1 + random_below(r, floats ? 3 : 16), noperspective);
-    if (scene_shader_is_textured(b->shader))
+    if (b->shader == SCENE_SAMPLED)
+        sampled = random_any_sampling(b);
+    else if (scene_shader_is_textured(b->shader))
         any_texture(b, texels);
     if (b->shader == SCENE_INPUTS)
         random_inputs(b);
@@ -194,6 +200,7 @@ void varied_draw(builder *b, bool may_blend)
     if (random_chance(r, 60))
         shape_elements(b);
     builder_draw(b);
+    free(sampled);
 }
 
 /* Products of many layers in floats come to be denormals, which the reference has not; where it

@@ -204,10 +204,10 @@ static void add_textured(builder *b, scene_shader shader, gn_format format)
         t->format = format;
     void *texels = random_texels(b, t->width * t->height, t->format);
     t->level[0].texels = texels;
-    b->uniforms.sampler.wrap_s = (gn_wrap)random_below(r, 2);
-    b->uniforms.sampler.wrap_t = (gn_wrap)random_below(r, 2);
+    b->uniforms.sampler.wrap_s = (gn_wrap)random_below(r, 5);
+    b->uniforms.sampler.wrap_t = (gn_wrap)random_below(r, 5);
     b->uniforms.sampler.magnify = (gn_magnify)random_below(r, 2);
-    b->uniforms.sampler.minify = (gn_minify)random_below(r, 3);
+    b->uniforms.sampler.minify = (gn_minify)random_below(r, 6);
     random_texcoords(b);
     if (b->scene->color_format == GN_FORMAT_RGBA8 && random_chance(r, 10))
         lay_over(b, 0);

@@ -40,11 +40,11 @@ static void random_size(random_source *r, gn_texture *t, uint32_t levels)
 static gn_format random_texture_format(random_source *r, bool depths)
 {
     static const gn_format colors[] = {
-        GN_FORMAT_RGBA8,  GN_FORMAT_RGBA32F, GN_FORMAT_BGRA8,   GN_FORMAT_R8,      GN_FORMAT_RG8,
-        GN_FORMAT_RGB8,   GN_FORMAT_RGB565,  GN_FORMAT_RGB5_A1, GN_FORMAT_RGBA4,   GN_FORMAT_R16,
-        GN_FORMAT_RGBA16, GN_FORMAT_R32F,    GN_FORMAT_RGBA16F, GN_FORMAT_SRGB8_A8};
+        GN_FORMAT_RGBA8, GN_FORMAT_RGBA32F, GN_FORMAT_SRGB8_A8, GN_FORMAT_BGRA8,   GN_FORMAT_R8,
+        GN_FORMAT_RG8,   GN_FORMAT_RGB8,    GN_FORMAT_RGB565,   GN_FORMAT_RGB5_A1, GN_FORMAT_RGBA4,
+        GN_FORMAT_R16,   GN_FORMAT_RGBA16,  GN_FORMAT_R32F,     GN_FORMAT_RGBA16F};
     const bool common = random_chance(r, 30);
-    const uint32_t color = random_below(r, common ? 2 : 14);
+    const uint32_t color = random_below(r, common ? 3 : 14);
     const uint32_t depth = GN_FORMAT_D16 + random_below(r, 5);
 
     return depths ? (gn_format)depth : colors[color];
@@ -225,6 +225,14 @@ void *random_sampling(builder *b, gn_texture_target target, uint32_t levels, boo
     t->level[0].texels = texels;
     random_coordinates(b);
     return texels;
+}
+
+void *random_any_sampling(builder *b)
+{
+    const gn_texture_target target = (gn_texture_target)random_below(&b->random, 5);
+    const bool depths = random_chance(&b->random, 30);
+
+    return random_sampling(b, target, ANY_LEVELS, depths && target != GN_TEXTURE_3D);
 }
 
 /* The colours that texels are multiplied with stay away from 0. */

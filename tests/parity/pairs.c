@@ -102,6 +102,17 @@ static int line_width(const place *p)
     return !is_line(p) ? -1 : width < 1.5f ? 0 : width < 4.5f ? 1 : 2;
 }
 
+/* Floats, fractions, sRGB, depths. */
+static int kind_of_texels(const gn_texture *t)
+{
+    const bool floats = t->format == GN_FORMAT_RGBA32F || t->format == GN_FORMAT_R32F ||
+                        t->format == GN_FORMAT_RGBA16F;
+    return floats                             ? 0
+           : t->format == GN_FORMAT_SRGB8_A8  ? 1
+           : scene_is_color_format(t->format) ? 2
+                                              : 3;
+}
+
 static int clear_before(const place *p)
 {
     return p->draw->clear.color + 2 * p->draw->clear.depth;
@@ -191,6 +202,11 @@ VALUE_WHERE(wrap_s, is_textured(p), p->draw->uniforms.sampler.wrap_s)
 VALUE_WHERE(wrap_t, is_textured(p), p->draw->uniforms.sampler.wrap_t)
 VALUE_WHERE(magnify, is_textured(p), p->draw->uniforms.sampler.magnify)
 VALUE_WHERE(minify, is_textured(p), p->draw->uniforms.sampler.minify)
+VALUE_WHERE(wrap_r, is_shader(p, SCENE_SAMPLED), p->draw->uniforms.sampler.wrap_r)
+VALUE_WHERE(lod_bias, is_shader(p, SCENE_SAMPLED), p->draw->uniforms.sampler.lod_bias != 0.0f)
+VALUE_WHERE(lod_clamped, is_shader(p, SCENE_SAMPLED), p->draw->uniforms.sampler.lod_clamped)
+VALUE_WHERE(texture_target, is_shader(p, SCENE_SAMPLED), p->draw->uniforms.texture.target)
+VALUE_WHERE(texels, is_shader(p, SCENE_SAMPLED), kind_of_texels(&p->draw->uniforms.texture))
 VALUE(threads, p->number % COMPARE_POOLS)
 VALUE(workspace, p->number % 3)
 
@@ -244,10 +260,15 @@ VALUE(workspace, p->number % 3)
     ROW(discards, 2)                                                                               \
     ROW(writes_depth, 2)                                                                           \
     ROW(counted, 2)                                                                                \
-    ROW(wrap_s, 2)                                                                                 \
-    ROW(wrap_t, 2)                                                                                 \
+    ROW(wrap_s, 5)                                                                                 \
+    ROW(wrap_t, 5)                                                                                 \
     ROW(magnify, 2)                                                                                \
-    ROW(minify, 3)                                                                                 \
+    ROW(minify, 6)                                                                                 \
+    ROW(wrap_r, 5)                                                                                 \
+    ROW(lod_bias, 2)                                                                               \
+    ROW(lod_clamped, 2)                                                                            \
+    ROW(texture_target, 5)                                                                         \
+    ROW(texels, 4)                                                                                 \
     ROW(clear_before, 4)                                                                           \
     ROW(position, 3)                                                                               \
     ROW(threads, COMPARE_POOLS)                                                                    \
@@ -282,7 +303,7 @@ typedef struct exclusion {
 /* In the order of the rows' values: SRGB8_A8; none and S8. */
 #define SRGB BIT(13)
 #define WITHOUT_DEPTH (BIT(0) | BIT(6))
-#define TEXTURED (BIT(SCENE_TEXTURED_GOURAUD) | BIT(SCENE_PHONG))
+#define TEXTURED (BIT(SCENE_TEXTURED_GOURAUD) | BIT(SCENE_PHONG) | BIT(SCENE_SAMPLED))
 
 static const exclusion exclusions[] = {
     ONLY_WHERE(restart, index_format, NOT(GN_INDEX_NONE), "there is nothing to restart at"),
@@ -301,6 +322,13 @@ static const exclusion exclusions[] = {
     ONLY_WHERE(wrap_t, shader, TEXTURED, "others have no texture"),
     ONLY_WHERE(magnify, shader, TEXTURED, "others have no texture"),
     ONLY_WHERE(minify, shader, TEXTURED, "others have no texture"),
+    ONLY_WHERE(wrap_r, shader, BIT(SCENE_SAMPLED), "others have 2D textures"),
+    ONLY_WHERE(lod_bias, shader, BIT(SCENE_SAMPLED), "others have one level"),
+    ONLY_WHERE(lod_clamped, shader, BIT(SCENE_SAMPLED), "others have one level"),
+    ONLY_WHERE(texture_target, shader, BIT(SCENE_SAMPLED), "others have 2D textures"),
+    ONLY_WHERE(texels, shader, BIT(SCENE_SAMPLED), "others have RGBA8"),
+    {INDEX_texels, INDEX_texture_target, BIT(3), BIT(GN_TEXTURE_3D),
+     "OpenGL has no 3D textures of depths"},
     ONLY_WHERE(depth_write, depth_test, NOT(0), "nothing is written without the test"),
     ONLY_WHERE(stencil_back, stencil_front, NOT(0), "there is no test"),
     ONLY_WHERE(front_fail, stencil_front, NOT(0), "there is no test"),

@@ -10,5 +10,7 @@ int properties_edges(uint64_t seed, size_t trials);
 int properties_memory(uint64_t seed, size_t trials);
 int properties_hostile(uint64_t seed, size_t trials);
 int properties_scenes(uint64_t seed, size_t trials);
+int properties_textures(uint64_t seed, size_t trials);
+int properties_sampling(uint64_t seed, size_t trials);
 
 #endif

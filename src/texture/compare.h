@@ -1,0 +1,72 @@
+/* Comparison of depth texels over lanes, before they are filtered (OpenGL 4.5 section 8.23.1). */
+#ifndef GN_TEXTURE_COMPARE_H
+#define GN_TEXTURE_COMPARE_H
+
+#include "gnomon/sampling.h"
+
+#include "../lanes/lanes.h"
+
+static inline bool is_depth_format(gn_format format)
+{
+    return format == GN_FORMAT_D16 || format == GN_FORMAT_D24 || format == GN_FORMAT_D24S8 ||
+           format == GN_FORMAT_D32F || format == GN_FORMAT_D32FS8;
+}
+
+/* Whether a lookup gives comparisons' results. */
+static inline bool is_compared(gn_format format, const gn_sampler *sampler)
+{
+    return sampler->compare != GN_TEXTURE_COMPARE_NONE && is_depth_format(format);
+}
+
+/* What depths are compared with: depths of fixed point are 0 to 1, and so is the reference then.
+ * NaN becomes 1. */
+static inline lanes_f compared_reference(gn_format format, lanes_f reference)
+{
+    if (format == GN_FORMAT_D32F || format == GN_FORMAT_D32FS8)
+        return reference;
+    return lanes_max(lanes_min(reference, lanes_splat(1.0f)), lanes_splat(0.0f));
+}
+
+/* Where `reference FUNCTION depth` holds. NaN is not equal, and otherwise nothing holds. */
+static inline lanes_m compare_depths(gn_texture_compare function, lanes_f reference, lanes_f depth)
+{
+    switch (function) {
+    case GN_TEXTURE_COMPARE_LESS_OR_EQUAL:
+        return lanes_less_equal(reference, depth);
+    case GN_TEXTURE_COMPARE_GREATER_OR_EQUAL:
+        return lanes_less_equal(depth, reference);
+    case GN_TEXTURE_COMPARE_LESS:
+        return lanes_greater(depth, reference);
+    case GN_TEXTURE_COMPARE_GREATER:
+        return lanes_greater(reference, depth);
+    case GN_TEXTURE_COMPARE_EQUAL:
+        return lanes_and(lanes_less_equal(reference, depth), lanes_less_equal(depth, reference));
+    case GN_TEXTURE_COMPARE_NOT_EQUAL:
+        return lanes_not(
+            lanes_and(lanes_less_equal(reference, depth), lanes_less_equal(depth, reference)));
+    case GN_TEXTURE_COMPARE_ALWAYS:
+        return lanes_from_bits(GN_ALL_LANES);
+    default:
+        return lanes_from_bits(0);
+    }
+}
+
+/* The result of one texel: 1 or 0. */
+static inline lanes_f compared(gn_texture_compare function, lanes_f reference, lanes_f depth)
+{
+    return lanes_select(compare_depths(function, reference, depth), lanes_splat(1.0f),
+                        lanes_splat(0.0f));
+}
+
+/* Two results, each 1 or 0, mixed: the weights of those that hold, added, where mix(weight, a, b)
+ * would round otherwise. What holds nowhere has no weight, which may be NaN. */
+static inline lanes_f mix_compared(lanes_f weight, lanes_f first, lanes_f second)
+{
+    const lanes_f none = lanes_splat(0.0f);
+    const lanes_f rest = lanes_sub(lanes_splat(1.0f), weight);
+
+    return lanes_add(lanes_select(lanes_greater(first, none), rest, none),
+                     lanes_select(lanes_greater(second, none), weight, none));
+}
+
+#endif

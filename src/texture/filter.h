@@ -1,0 +1,135 @@
+/* The filters within one level, for all 16 lanes (OpenGL 4.5 section 8.14.3): which texels a place
+ * asks for, with the border where it asks for others, and how they are mixed. */
+#ifndef GN_TEXTURE_FILTER_H
+#define GN_TEXTURE_FILTER_H
+
+#include "sample.h"
+#include "texel.h"
+
+/* What is the same for all lanes and levels of a lookup. */
+typedef struct lookup_state {
+    const gn_texture *texture;
+    int dimensions; /* that are filtered along: 1 to 3 */
+    gn_wrap wrap[3];
+    bool masked[3];
+    bool has_border;
+    float border[4];
+} lookup_state;
+
+/* Where the lanes look. */
+typedef struct lookup_place {
+    lanes_f coordinate[3];
+    lanes_i layer; /* of what is not filtered along: an array's layers */
+} lookup_place;
+
+/* Columns, rows and layers of a level. */
+static inline uint32_t size_along(const lookup_state *state, uint32_t level, int dimension)
+{
+    const gn_texture *const t = state->texture;
+
+    return size_of_level(dimension == 0 ? t->width : dimension == 1 ? t->height : t->depth, level);
+}
+
+/* The texels of a level by their numbers along the dimensions, those outside being the
+ * border. */
+GN_OUT_OF_LINE void fetch_place(const lookup_state *state, const lookup_place *place,
+                                uint32_t level, const lanes_i *const number[3], lanes_f texel[4])
+{
+    const lanes_i zero = lanes_i_splat(0);
+    lanes_i outside = zero;
+    lanes_i inner[3];
+
+    inner[1] = zero;
+    inner[2] = place->layer;
+    for (int n = 0; n < state->dimensions; ++n) {
+        inner[n] = *number[n];
+        if (state->wrap[n] == GN_WRAP_CLAMP_TO_BORDER) {
+            const lanes_i last = lanes_i_splat((int32_t)size_along(state, level, n) - 1);
+
+            inner[n] = lanes_i_clamp(*number[n], zero, last);
+            outside = lanes_i_or(outside, lanes_i_sub(last, *number[n]));
+            outside = lanes_i_or(outside, *number[n]);
+        }
+    }
+    fetch_texels(state->texture, level, &inner[0], &inner[1], &inner[2], texel);
+    if (state->has_border) {
+        const lanes_m is_border = lanes_i_greater(zero, outside);
+
+        for (int c = 0; c < 4; ++c)
+            texel[c] = lanes_select(is_border, lanes_splat(state->border[c]), texel[c]);
+    }
+}
+
+GN_OUT_OF_LINE void filter_nearest(const lookup_state *state, const lookup_place *place,
+                                   uint32_t level, lanes_f texel[4])
+{
+    lanes_i number[3];
+    const lanes_i *const numbers[3] = {&number[0], &number[1], &number[2]};
+
+    for (int n = 0; n < state->dimensions; ++n)
+        number[n] = wrap_nearest(state->wrap[n], state->masked[n], place->coordinate[n],
+                                 size_along(state, level, n));
+    fetch_place(state, place, level, numbers, texel);
+}
+
+/* The texels that the linear filter mixes along each dimension, and the weights of the second. */
+typedef struct linear_texels {
+    lanes_i number[3][2];
+    lanes_f weight[3];
+} linear_texels;
+
+static inline void find_linear_texels(const lookup_state *state, const lookup_place *place,
+                                      uint32_t level, linear_texels *out)
+{
+    for (int n = 0; n < state->dimensions; ++n)
+        out->weight[n] = wrap_linear_any(state->wrap[n], state->masked[n], place->coordinate[n],
+                                         size_along(state, level, n), out->number[n]);
+}
+
+/* Mixes the `count` texels from the first on, number i being the second along dimension n where
+ * bit n of i is set. */
+static inline void fetch_and_mix(const lookup_state *state, const lookup_place *place,
+                                 uint32_t level, const linear_texels *texels, lanes_f texel[4])
+{
+    const int count = 1 << state->dimensions;
+    lanes_f corner[8][4];
+
+    for (int i = 0; i < count; ++i) {
+        const lanes_i *const number[3] = {&texels->number[0][i & 1], &texels->number[1][i >> 1 & 1],
+                                          &texels->number[2][i >> 2]};
+
+        fetch_place(state, place, level, number, corner[i]);
+    }
+    for (int n = 0; n < state->dimensions; ++n) {
+        for (int i = 0; i < count >> (n + 1); ++i) {
+            for (int c = 0; c < 4; ++c)
+                corner[i][c] = mix(texels->weight[n], corner[2 * i][c], corner[2 * i + 1][c]);
+        }
+    }
+    for (int c = 0; c < 4; ++c)
+        texel[c] = corner[0][c];
+}
+
+/* Of lanes that are not `linear`, bits, only the nearer texel along each dimension counts, as where
+ * the reference filters a quad both ways at once. */
+GN_OUT_OF_LINE void filter_linear(const lookup_state *state, const lookup_place *place,
+                                  uint32_t level, uint32_t linear, lanes_f texel[4])
+{
+    linear_texels texels;
+
+    find_linear_texels(state, place, level, &texels);
+    if (linear != GN_ALL_LANES) {
+        const lanes_m is_linear = lanes_from_bits(linear);
+        const lanes_f one = lanes_splat(1.0f), zero = lanes_splat(0.0f);
+
+        for (int n = 0; n < state->dimensions; ++n) {
+            const lanes_m is_far = lanes_greater(texels.weight[n], lanes_splat(0.5f));
+
+            texels.weight[n] =
+                lanes_select(is_linear, texels.weight[n], lanes_select(is_far, one, zero));
+        }
+    }
+    fetch_and_mix(state, place, level, &texels, texel);
+}
+
+#endif

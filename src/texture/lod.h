@@ -1,0 +1,210 @@
+/* The level of detail of each lane, and the levels that it means (OpenGL 4.5 section 8.14.1 and
+ * 8.14.3), in the order of operations of the reference rasterizer. */
+#ifndef GN_TEXTURE_LOD_H
+#define GN_TEXTURE_LOD_H
+
+#include "filter.h"
+
+/* The first level of each lane, the weight of the next one, and the lanes, as bits, where the
+ * texture is minified. */
+typedef struct level_choice {
+    lanes_i level;
+    lanes_f weight;
+    uint32_t minified;
+} level_choice;
+
+static inline bool mixes_levels(gn_minify minify)
+{
+    return minify == GN_MINIFY_NEAREST_MIPMAP_LINEAR || minify == GN_MINIFY_LINEAR_MIPMAP_LINEAR;
+}
+
+static inline bool has_levels(gn_minify minify)
+{
+    return minify != GN_MINIFY_NEAREST && minify != GN_MINIFY_LINEAR;
+}
+
+/* The lanes, as bits, of quads that have one of `lanes`. */
+static inline uint32_t quads_of(uint32_t lanes)
+{
+    lanes |= (lanes & 0x5555u) << 1 | (lanes & 0xAAAAu) >> 1;
+    return lanes | (lanes & 0x0F0Fu) << 4 | (lanes & 0xF0F0u) >> 4;
+}
+
+/* Every lane has the value of its quad's lower left one. */
+static inline lanes_f of_first_in_quad(lanes_f a)
+{
+    float value[GN_LANES];
+
+    lanes_store(value, a);
+    for (int quad = 0; quad < 4; ++quad) {
+        float *const first = value + quad / 2 * 8 + quad % 2 * 2;
+
+        first[1] = first[4] = first[5] = first[0];
+    }
+    return lanes_load(value);
+}
+
+/* Differences to the next column and row, in the lower left lane of each quad; in others some
+ * number. */
+static inline void quad_differences(lanes_f a, lanes_f *along_x, lanes_f *along_y)
+{
+    float value[GN_LANES + 4];
+
+    lanes_store(value, a);
+    for (int l = 0; l < 4; ++l)
+        value[GN_LANES + l] = 0.0f;
+    *along_x = lanes_sub(lanes_load(value + 1), a);
+    *along_y = lanes_sub(lanes_load(value + 4), a);
+}
+
+/* The greater of the squared lengths of two gradients, in texels; of a single dimension the greater
+ * length itself. */
+static inline lanes_f footprint_of(const lookup_state *state, const lanes_f along_x[3],
+                                   const lanes_f along_y[3])
+{
+    lanes_f x = lanes_splat(0.0f), y = x;
+
+    if (state->dimensions == 1)
+        return lanes_mul(lanes_max(lanes_magnitude(along_x[0]), lanes_magnitude(along_y[0])),
+                         lanes_splat((float)state->texture->width));
+    for (int n = 0; n < state->dimensions; ++n) {
+        const lanes_f size = lanes_splat((float)size_along(state, 0, n));
+        const lanes_f dx = lanes_mul(along_x[n], size);
+        const lanes_f dy = lanes_mul(along_y[n], size);
+
+        x = n == 0 ? lanes_mul(dx, dx) : lanes_add(x, lanes_mul(dx, dx));
+        y = n == 0 ? lanes_mul(dy, dy) : lanes_add(y, lanes_mul(dy, dy));
+    }
+    return lanes_max(x, y);
+}
+
+/* The exponent of a positive float, 2^n being n. */
+static inline lanes_i exponent_of(lanes_f a)
+{
+    return lanes_i_sub(lanes_i_and(lanes_i_shift_right(lanes_as_int(a), 23), lanes_i_splat(255)),
+                       lanes_i_splat(127));
+}
+
+/* log2, linear between powers of two. */
+static inline lanes_f rough_log2(lanes_f a)
+{
+    const lanes_i mantissa = lanes_i_or(lanes_i_and(lanes_as_int(a), lanes_i_splat(0x007FFFFF)),
+                                        lanes_i_splat(0x3F800000));
+    const lanes_i below = lanes_i_sub(exponent_of(a), lanes_i_splat(1));
+
+    return lanes_add(lanes_to_float(below), lanes_as_float(mantissa));
+}
+
+/* What a lookup and its sampler add to the level of detail. */
+typedef struct lod_adjustment {
+    float bias;
+    bool has_least, has_most;
+    float least, most;
+} lod_adjustment;
+
+/* Biases are multiples of 1/256 within -16 to 16, limits below 0 and above all levels do not
+ * matter. */
+static inline lod_adjustment lod_adjustment_of(const gn_sampler *sampler)
+{
+    lod_adjustment a;
+
+    a.bias = sampler->lod_bias;
+    a.least = sampler->lod_clamped ? sampler->min_lod : 0.0f;
+    a.most = sampler->lod_clamped ? sampler->max_lod : (float)GN_MAX_LEVELS;
+    a.has_least = a.least > 0.0f;
+    a.has_most = a.most < (float)(GN_MAX_LEVELS - 1);
+    return a;
+}
+
+/* The levels of a level of detail. */
+static inline void choose_levels(const gn_sampler *sampler, int32_t last, lanes_f lod,
+                                 level_choice *out)
+{
+    const lanes_i top = lanes_i_splat(last), zero = lanes_i_splat(0);
+
+    out->minified = lanes_bits(lanes_greater(lod, lanes_splat(0.0f)));
+    if (mixes_levels(sampler->minify)) {
+        const lanes_f whole = lanes_floor(lod);
+        const lanes_i level = lanes_truncate(whole);
+        const lanes_m below = lanes_i_greater(zero, level);
+        const lanes_m above = lanes_not(lanes_i_greater(top, level));
+        const lanes_f none = lanes_splat(0.0f);
+
+        out->level = lanes_i_clamp(level, zero, top);
+        out->weight = lanes_select(below, none, lanes_select(above, none, lanes_sub(lod, whole)));
+    } else {
+        out->level = lanes_i_clamp(lanes_round(lod), zero, top);
+        out->weight = lanes_splat(0.0f);
+    }
+}
+
+/* Where nothing is added to the level of detail the nearest one is half the exponent of the
+ * footprint's square, rounded up. */
+static inline void choose_nearest_level(bool squared, int32_t last, lanes_f footprint,
+                                        level_choice *out)
+{
+    const lanes_i one = lanes_i_splat(1);
+    const lanes_i level = squared ? lanes_i_shift_right(lanes_i_add(exponent_of(footprint), one), 1)
+                                  : exponent_of(lanes_mul(footprint, lanes_splat(1.41421354f)));
+
+    out->minified = lanes_bits(lanes_greater(footprint, lanes_splat(1.0f)));
+    out->level = lanes_i_clamp(level, lanes_i_splat(0), lanes_i_splat(last));
+    out->weight = lanes_splat(0.0f);
+}
+
+static inline lanes_f find_footprint(const lookup_state *state, const lookup_place *place,
+                                     const gn_lookup *lookup)
+{
+    lanes_f along_x[3], along_y[3];
+
+    for (int n = 0; n < state->dimensions; ++n) {
+        if (lookup->lod_source == GN_LOD_GRADIENTS) {
+            along_x[n] = lanes_load(lookup->gradient_x[n]);
+            along_y[n] = lanes_load(lookup->gradient_y[n]);
+        } else {
+            quad_differences(place->coordinate[n], &along_x[n], &along_y[n]);
+        }
+    }
+
+    const lanes_f footprint = footprint_of(state, along_x, along_y);
+    return lookup->lod_source == GN_LOD_GRADIENTS ? footprint : of_first_in_quad(footprint);
+}
+
+/* The levels of a lookup in a texture whose last level is `last`. */
+static inline void find_levels(const lookup_state *state, const gn_sampler *sampler,
+                               const lookup_place *place, const gn_lookup *lookup,
+                               level_choice *out)
+{
+    const int32_t last = (int32_t)levels_of(state->texture) - 1;
+    const lod_adjustment a = lod_adjustment_of(sampler);
+    const bool has_lod = lookup->lod && lookup->lod_source != GN_LOD_GRADIENTS;
+    const bool adjusted = has_lod || a.bias != 0.0f || a.has_least || a.has_most;
+    const bool squared = state->dimensions > 1;
+    lanes_f lod = has_lod ? lanes_load(lookup->lod) : lanes_splat(0.0f);
+
+    if (sampler->lod_clamped && a.least == a.most) {
+        choose_levels(sampler, last, lanes_splat(a.least), out);
+        return;
+    }
+    if (lookup->lod_source != GN_LOD_EXPLICIT) {
+        const lanes_f footprint = find_footprint(state, place, lookup);
+
+        if (!adjusted && !mixes_levels(sampler->minify)) {
+            choose_nearest_level(squared, last, footprint, out);
+            return;
+        }
+
+        const lanes_f square = squared ? footprint : lanes_mul(footprint, footprint);
+        const lanes_f found = lanes_mul(rough_log2(square), lanes_splat(0.5f));
+        lod = has_lod ? lanes_add(found, lod) : found;
+    }
+    if (a.bias != 0.0f)
+        lod = lanes_add(lod, lanes_splat(a.bias));
+    if (a.has_most)
+        lod = lanes_min(lod, lanes_splat(a.most));
+    if (a.has_least)
+        lod = lanes_max(lod, lanes_splat(a.least));
+    choose_levels(sampler, last, lod, out);
+}
+
+#endif

@@ -1,0 +1,262 @@
+/* What sampling must give whatever the texture: one place at a time what sixteen give, the texel at
+ * its centre, and of a constant texture the constant. */
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gnomon.h>
+
+#include "properties_draw.h"
+#include "random_textures.h"
+#include "scene.h"
+
+/* The seed of all that is random in a trial. */
+static enum theft_alloc_res make_seed(struct theft *t, void *env, void **output)
+{
+    uint64_t *seed = malloc(sizeof *seed);
+
+    (void)env;
+    if (!seed)
+        return THEFT_ALLOC_ERROR;
+    *seed = theft_random_bits(t, 32);
+    *output = seed;
+    return THEFT_ALLOC_OK;
+}
+
+static void print_seed(FILE *f, const void *instance, void *env)
+{
+    (void)env;
+    fprintf(f, "seed of the trial %" PRIu64 "\n", *(const uint64_t *)instance);
+}
+
+/* A texture with its texels, which the caller frees. All are alike where `constant`. */
+static gn_texture random_texture(random_source *r, bool constant)
+{
+    gn_texture t = random_texture_shape(r, 24);
+    const size_t count = scene_texture_elements(&t), size = scene_element_size(t.format);
+    const size_t channels = gn_format_size(t.format) / size;
+    void *const texels = malloc(count * size);
+
+    if (!texels) {
+        fprintf(stderr, "properties: out of memory\n");
+        exit(EXIT_FAILURE);
+    }
+    for (size_t i = 0; i < count; i++) {
+        const float number = random_float(r, 0.125f, 1.0f);
+        const bool is_float =
+            size == 4 &&
+            (t.format == GN_FORMAT_RGBA32F || t.format == GN_FORMAT_R32F ||
+             t.format == GN_FORMAT_D32F || (t.format == GN_FORMAT_D32FS8 && i % 2 == 0));
+        uint32_t bits = (uint32_t)(random_bits(r) >> 32);
+
+        if (is_float)
+            memcpy(&bits, &number, sizeof bits);
+        if (t.format == GN_FORMAT_RGBA16F) /* 0 to 1 */
+            bits &= 0x3BFF;
+        if (t.format == GN_FORMAT_D24)
+            bits &= 0xFFFFFF;
+        scene_set_element(texels, size, i,
+                          constant && i >= channels ? scene_element(texels, size, i - channels)
+                                                    : bits);
+    }
+    scene_pack_texture(&t, texels);
+    return t;
+}
+
+static void free_texels(const gn_texture *t)
+{
+    free((void *)t->level[0].texels);
+}
+
+static bool same(float a, float b)
+{
+    return (a != a && b != b) || memcmp(&a, &b, sizeof a) == 0;
+}
+
+static enum theft_trial_res verdict(bool good)
+{
+    return good ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
+}
+
+/* Within each four places of a cube a filter that meets a corner weighs all four by thirds, which
+ * is the same sum in another order: a few roundings. */
+static bool as_near_as(const gn_texture *t, float a, float b)
+{
+    return same(a, b) || (t->target == GN_TEXTURE_CUBE && fabsf(a - b) <= 3e-7f);
+}
+
+static enum theft_trial_res one_place_is_one_of_sixteen(struct theft *theft, void *instance)
+{
+    random_source r = random_seed(*(const uint64_t *)instance);
+    const gn_texture t = random_texture(&r, false);
+    const gn_sampler s = random_sampler_state(&r);
+    const bool is_tame = random_chance(&r, 60);
+    float coordinate[3][GN_LANES], lod[GN_LANES], reference[GN_LANES], texel[4][GN_LANES], one[4];
+    const gn_lookup lookup = {.coordinate = {coordinate[0], coordinate[1], coordinate[2]},
+                              .reference = reference,
+                              .lod_source = GN_LOD_EXPLICIT,
+                              .lod = lod};
+    bool good = true;
+
+    (void)theft;
+    for (int l = 0; l < GN_LANES; l++) {
+        for (int c = 0; c < 3; c++)
+            coordinate[c][l] = is_tame ? random_float(&r, -2.0f, 3.0f) : random_hostile_number(&r);
+        lod[l] = is_tame ? random_float(&r, -2.0f, 7.0f) : random_hostile_number(&r);
+        reference[l] = random_unit(&r);
+    }
+    gn_sample(&t, &s, &lookup, texel);
+    for (int l = 0; l < GN_LANES && good; l++) {
+        const float at[3] = {coordinate[0][l], coordinate[1][l], coordinate[2][l]};
+
+        gn_sample_at(&t, &s, at, lod[l], reference[l], one);
+        for (int c = 0; c < 4; c++)
+            good = good && as_near_as(&t, texel[c][l], one[c]);
+    }
+    free_texels(&t);
+    return verdict(good);
+}
+
+/* A texel's number on a repeat of the texture. */
+static int32_t repeated(gn_wrap wrap, int32_t number, int32_t size, int32_t repeat)
+{
+    return wrap == GN_WRAP_MIRRORED_REPEAT && repeat % 2 ? size - 1 - number : number;
+}
+
+/* The direction to a texel of a cube's face (OpenGL 4.5 table 8.19). */
+static void direction_to(int32_t face, float s, float t, float d[3])
+{
+    const float across[6][3] = {{1.0f, -t, -s}, {-1.0f, -t, s}, {s, 1.0f, t},
+                                {s, -1.0f, -t}, {s, -t, 1.0f},  {-s, -t, -1.0f}};
+
+    memcpy(d, across[face], sizeof across[face]);
+}
+
+static enum theft_trial_res centres_give_their_texels(struct theft *theft, void *instance)
+{
+    random_source r = random_seed(*(const uint64_t *)instance);
+    const gn_texture t = random_texture(&r, false);
+    gn_sampler s = random_sampler_state(&r);
+    const uint32_t level = random_below(&r, scene_level_count(&t));
+    const scene_extent e = scene_level_extent(&t, level);
+    const int32_t size[3] = {(int32_t)e.width, (int32_t)e.height, (int32_t)e.layers};
+    const gn_wrap wraps[3] = {s.wrap_s, s.wrap_t, s.wrap_r};
+    int32_t number[3][GN_LANES], levels[GN_LANES];
+    const int32_t *const numbers[3] = {number[0], number[1], number[2]};
+    float coordinate[3][GN_LANES], lod[GN_LANES], texel[4][GN_LANES], fetched[4][GN_LANES];
+    const gn_lookup lookup = {.coordinate = {coordinate[0], coordinate[1], coordinate[2]},
+                              .lod_source = GN_LOD_EXPLICIT,
+                              .lod = lod};
+    bool good = true;
+
+    (void)theft;
+    s.magnify = GN_MAGNIFY_NEAREST;
+    s.minify = GN_MINIFY_NEAREST_MIPMAP_NEAREST;
+    s.compare = GN_TEXTURE_COMPARE_NONE;
+    s.lod_bias = 0.0f;
+    s.lod_clamped = false;
+    s.max_anisotropy = 0;
+    for (int l = 0; l < GN_LANES; l++) {
+        for (int c = 0; c < 3; c++) {
+            const bool is_layer = c == 2 && t.target == GN_TEXTURE_2D_ARRAY;
+            const bool repeats = wraps[c] == GN_WRAP_REPEAT || wraps[c] == GN_WRAP_MIRRORED_REPEAT;
+            const int32_t repeat = repeats && !is_layer ? random_between(&r, -4, 4) : 0;
+            const float centre = random_chance(&r, 30) ? 0.5f : random_float(&r, 0.1f, 0.9f);
+
+            number[c][l] = (int32_t)random_below(&r, (uint32_t)size[c]);
+            coordinate[c][l] =
+                is_layer
+                    ? (float)number[c][l]
+                    : (float)repeat + ((float)repeated(wraps[c], number[c][l], size[c], repeat) +
+                                       (repeat % 2 ? 0.5f : centre)) /
+                                          (float)size[c];
+        }
+        if (t.target == GN_TEXTURE_CUBE) {
+            float d[3];
+
+            direction_to(number[2][l], 2.0f * ((float)number[0][l] + 0.5f) / (float)size[0] - 1.0f,
+                         2.0f * ((float)number[1][l] + 0.5f) / (float)size[1] - 1.0f, d);
+            for (int c = 0; c < 3; c++)
+                coordinate[c][l] = d[c];
+        }
+        levels[l] = (int32_t)level;
+        lod[l] = (float)level + random_float(&r, -0.4f, 0.4f);
+    }
+    gn_sample(&t, &s, &lookup, texel);
+    gn_fetch(&t, numbers, levels, fetched);
+    for (int l = 0; l < GN_LANES; l++)
+        for (int c = 0; c < 4; c++)
+            good = good && same(texel[c][l], fetched[c][l]);
+    free_texels(&t);
+    return verdict(good);
+}
+
+/* Sums of thirds at a cube's corners and of anisotropic samples may lose roundings. */
+static bool is_constant(const gn_texture *t, const gn_sampler *s, float value, float constant)
+{
+    const bool sums = t->target == GN_TEXTURE_CUBE || s->max_anisotropy > 1;
+
+    return same(value, constant) || (sums && fabsf(value - constant) <= 1e-6f);
+}
+
+static enum theft_trial_res constants_stay(struct theft *theft, void *instance)
+{
+    random_source r = random_seed(*(const uint64_t *)instance);
+    const gn_texture t = random_texture(&r, true);
+    gn_sampler s = random_sampler_state(&r);
+    int32_t zero[GN_LANES] = {0};
+    const int32_t *const numbers[3] = {zero, zero, zero};
+    float coordinate[3][GN_LANES], gradient[2][3][GN_LANES], lod[GN_LANES];
+    float texel[4][GN_LANES], constant[4][GN_LANES];
+    gn_lookup lookup = {.lod = lod};
+    bool good = true;
+
+    (void)theft;
+    s.compare = GN_TEXTURE_COMPARE_NONE;
+    lookup.lod_source = (gn_lod_source)random_below(&r, 3);
+    gn_fetch(&t, numbers, zero, constant);
+    for (int c = 0; c < 4; c++)
+        s.border[c] = constant[c][0];
+    for (int c = 0; c < 3; c++) {
+        lookup.coordinate[c] = coordinate[c];
+        lookup.gradient_x[c] = gradient[0][c];
+        lookup.gradient_y[c] = gradient[1][c];
+        for (int l = 0; l < GN_LANES; l++) {
+            const float sign = random_sign(&r);
+
+            coordinate[c][l] = sign * random_octave(&r, -10, 12);
+            for (int g = 0; g < 2; g++)
+                gradient[g][c][l] = random_float(&r, -1.0f, 1.0f);
+            lod[l] = random_float(&r, -3.0f, 8.0f);
+        }
+    }
+    gn_sample(&t, &s, &lookup, texel);
+    for (int l = 0; l < GN_LANES; l++)
+        for (int c = 0; c < 4; c++)
+            good = good && is_constant(&t, &s, texel[c][l], constant[c][0]);
+    free_texels(&t);
+    return verdict(good);
+}
+
+int properties_sampling(uint64_t seed, size_t trials)
+{
+    const struct theft_type_info seeds = {
+        .alloc = make_seed, .free = theft_generic_free_cb, .print = print_seed};
+    const struct theft_run_config configs[] = {
+        {.name = "sampling at one place gives what sixteen places give",
+         .prop1 = one_place_is_one_of_sixteen,
+         .type_info = {&seeds}},
+        {.name = "the nearest filter gives at a texel's centre what is fetched",
+         .prop1 = centres_give_their_texels,
+         .type_info = {&seeds}},
+        {.name = "a constant texture gives the constant in every sampler's state",
+         .prop1 = constants_stay,
+         .type_info = {&seeds}},
+    };
+    int failed = 0;
+
+    for (size_t i = 0; i < sizeof configs / sizeof *configs; i++)
+        failed += property_run(configs[i], seed, 10 * trials);
+    return failed;
+}
