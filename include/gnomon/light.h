@@ -8,7 +8,7 @@
  *
  * a pixel is
  *
- *   surface * (ambient + diffuse * (max(N.L, 0) * a * s)) + specular * (highlight * a * s) + glow
+ *   surface * (ambient + diffuse * (max(N.L, 0) * a * s)) + glow + specular * (highlight * a * s)
  *
  * channel by channel; its alpha is the surface's. The surface is the vertex colour times the
  * diffuse map, specular the material's times the specular map, glow the glow map. */

@@ -7,6 +7,7 @@
 #ifndef GN_FRAGMENT_FORMATS_H
 #define GN_FRAGMENT_FORMATS_H
 
+#include "channels.h"
 #include "srgb.h"
 #include "types.h"
 
@@ -35,23 +36,6 @@ static inline color_arithmetic arithmetic_of(gn_format format)
         return ARITHMETIC_FLOATS;
     default:
         return ARITHMETIC_BYTES;
-    }
-}
-
-static inline int format_channels(gn_format format)
-{
-    switch (format) {
-    case GN_FORMAT_R8:
-    case GN_FORMAT_R16:
-    case GN_FORMAT_R32F:
-        return 1;
-    case GN_FORMAT_RG8:
-        return 2;
-    case GN_FORMAT_RGB8:
-    case GN_FORMAT_RGB565:
-        return 3;
-    default:
-        return 4;
     }
 }
 

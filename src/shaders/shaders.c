@@ -113,6 +113,8 @@ static gn_status check_shadow(const gn_shadow *shadow)
 
     if (!shadow->map)
         return GN_OK;
+    if (!GN_HAVE_TEXTURES)
+        return GN_NOT_COMPILED;
     status = check_map(shadow->map);
     if (!status && !is_depth(shadow->map->format))
         status = GN_INVALID_FORMAT;

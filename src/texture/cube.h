@@ -9,6 +9,13 @@
 
 #include "../lanes/lanes.h"
 
+/* The lanes, as bits, of quads that have one of `lanes`. */
+static inline uint32_t quads_of(uint32_t lanes)
+{
+    lanes |= (lanes & 0x5555u) << 1 | (lanes & 0xAAAAu) >> 1;
+    return lanes | (lanes & 0x0F0Fu) << 4 | (lanes & 0xF0F0u) >> 4;
+}
+
 /* Which component of a direction is the largest: z wins ties, then y. NaN in y or z counts as
  * larger than numbers. */
 typedef struct cube_axis {
@@ -25,11 +32,6 @@ typedef struct cube_place {
     lanes_f s, t;     /* 0 to 1, or NaN */
 } cube_place;
 
-static inline lanes_f cube_magnitude(lanes_f a)
-{
-    return lanes_as_float(lanes_i_and(lanes_as_int(a), lanes_i_splat(INT32_MAX)));
-}
-
 static inline lanes_f cube_major(const cube_axis *axis, const lanes_f v[3])
 {
     return lanes_select(axis->is_z, v[2], lanes_select(axis->is_x, v[0], v[1]));
@@ -37,9 +39,9 @@ static inline lanes_f cube_major(const cube_axis *axis, const lanes_f v[3])
 
 static inline cube_axis cube_choose_axis(const lanes_f direction[3])
 {
-    const lanes_f x = cube_magnitude(direction[0]);
-    const lanes_f y = cube_magnitude(direction[1]);
-    const lanes_f z = cube_magnitude(direction[2]);
+    const lanes_f x = lanes_magnitude(direction[0]);
+    const lanes_f y = lanes_magnitude(direction[1]);
+    const lanes_f z = lanes_magnitude(direction[2]);
     cube_axis axis;
 
     axis.is_x = lanes_not(lanes_less_equal(x, y));
@@ -74,9 +76,9 @@ GN_STEP void cube_project(const lanes_f direction[3], bool has_gradients, cube_p
     const lanes_f major = cube_major(&place->axis, direction);
     place->inverse = lanes_div(lanes_splat(1.0f), major);
 
-    lanes_f scale = cube_magnitude(lanes_mul(half, place->inverse));
+    lanes_f scale = lanes_magnitude(lanes_mul(half, place->inverse));
     if (!has_gradients)
-        scale = lanes_select(lanes_less_equal(cube_magnitude(major), lanes_splat(0.0f)),
+        scale = lanes_select(lanes_less_equal(lanes_magnitude(major), lanes_splat(0.0f)),
                              lanes_splat(0.0f), scale);
     place->s = lanes_add(lanes_mul(place->minor[0], scale), half);
     place->t = lanes_add(lanes_mul(place->minor[1], scale), half);
@@ -171,13 +173,6 @@ GN_STEP void cube_move(lanes_i last, lanes_i *column, lanes_i *row, lanes_i *fac
     *row = lanes_i_select(is_beyond, cube_beyond(lanes_i_shift_right(word, 8), along, last), *row);
 }
 
-/* The quads, all four lanes of them, that have a lane in a set. */
-static inline uint32_t cube_quads(uint32_t lanes)
-{
-    lanes |= (lanes & 0x5555u) << 1 | (lanes & 0xAAAAu) >> 1;
-    return lanes | (lanes & 0x0F0Fu) << 4 | (lanes & 0xF0F0u) >> 4;
-}
-
 /* NaN becomes 0. Infinities come from a NaN in the direction alone. */
 static inline lanes_f cube_clamp(lanes_f a)
 {
@@ -206,7 +201,7 @@ GN_STEP void cube_linear(const cube_place *place, lanes_i size, cube_texels *out
     out->missing[1] = off_right & off_below;
     out->missing[2] = off_left & off_above;
     out->missing[3] = off_right & off_above;
-    out->weighted = cube_quads((off_left | off_right) & (off_below | off_above));
+    out->weighted = quads_of((off_left | off_right) & (off_below | off_above));
     for (int i = 0; i < CUBE_TEXELS; ++i) {
         out->column[i] = i & 1 ? right : left;
         out->row[i] = i & 2 ? above : below;

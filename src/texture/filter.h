@@ -3,6 +3,8 @@
 #ifndef GN_TEXTURE_FILTER_H
 #define GN_TEXTURE_FILTER_H
 
+#include "compare.h"
+#include "cube.h"
 #include "sample.h"
 #include "texel.h"
 
@@ -14,13 +16,22 @@ typedef struct lookup_state {
     bool masked[3];
     bool has_border;
     float border[4];
+    gn_texture_compare compare; /* GN_TEXTURE_COMPARE_NONE of colours too */
 } lookup_state;
 
 /* Where the lanes look. */
 typedef struct lookup_place {
     lanes_f coordinate[3];
-    lanes_i layer; /* of what is not filtered along: an array's layers */
+    lanes_i layer;          /* of what is not filtered along: an array's layers */
+    lanes_f reference;      /* where depths are compared */
+    const cube_place *cube; /* of cubes, instead of coordinates and layer */
 } lookup_place;
+
+/* Channels that a format has, the first ones of a texel. */
+static inline int texel_channels(gn_format format)
+{
+    return format_is_color(format) ? format_channels(format) : 1;
+}
 
 /* Columns, rows and layers of a level. */
 static inline uint32_t size_along(const lookup_state *state, uint32_t level, int dimension)
@@ -58,6 +69,18 @@ GN_OUT_OF_LINE void fetch_place(const lookup_state *state, const lookup_place *p
         for (int c = 0; c < 4; ++c)
             texel[c] = lanes_select(is_border, lanes_splat(state->border[c]), texel[c]);
     }
+    if (state->compare != GN_TEXTURE_COMPARE_NONE)
+        texel[0] = compared(state->compare, place->reference, texel[0]);
+}
+
+/* Two texels' channel mixed along the first dimension, where the results of comparisons are
+ * mixed otherwise. */
+static inline lanes_f mix_along_s(const lookup_state *state, int channel, lanes_f weight,
+                                  lanes_f first, lanes_f second)
+{
+    return state->compare != GN_TEXTURE_COMPARE_NONE && channel == 0
+               ? mix_compared(weight, first, second)
+               : mix(weight, first, second);
 }
 
 GN_OUT_OF_LINE void filter_nearest(const lookup_state *state, const lookup_place *place,
@@ -103,32 +126,36 @@ static inline void fetch_and_mix(const lookup_state *state, const lookup_place *
     for (int n = 0; n < state->dimensions; ++n) {
         for (int i = 0; i < count >> (n + 1); ++i) {
             for (int c = 0; c < 4; ++c)
-                corner[i][c] = mix(texels->weight[n], corner[2 * i][c], corner[2 * i + 1][c]);
+                corner[i][c] = n == 0
+                                   ? mix_along_s(state, c, texels->weight[n], corner[2 * i][c],
+                                                 corner[2 * i + 1][c])
+                                   : mix(texels->weight[n], corner[2 * i][c], corner[2 * i + 1][c]);
         }
     }
     for (int c = 0; c < 4; ++c)
         texel[c] = corner[0][c];
 }
 
-/* Of lanes that are not `linear`, bits, only the nearer texel along each dimension counts, as where
- * the reference filters a quad both ways at once. */
+/* The weights of a linear filter in quads some lanes of which are not `linear`, bits: there only
+ * the nearer texel counts. */
+static inline lanes_f weights_of(uint32_t linear, lanes_f weight)
+{
+    const lanes_m is_far = lanes_greater(weight, lanes_splat(0.5f));
+
+    if (linear == GN_ALL_LANES)
+        return weight;
+    return lanes_select(lanes_from_bits(linear), weight,
+                        lanes_select(is_far, lanes_splat(1.0f), lanes_splat(0.0f)));
+}
+
 GN_OUT_OF_LINE void filter_linear(const lookup_state *state, const lookup_place *place,
                                   uint32_t level, uint32_t linear, lanes_f texel[4])
 {
     linear_texels texels;
 
     find_linear_texels(state, place, level, &texels);
-    if (linear != GN_ALL_LANES) {
-        const lanes_m is_linear = lanes_from_bits(linear);
-        const lanes_f one = lanes_splat(1.0f), zero = lanes_splat(0.0f);
-
-        for (int n = 0; n < state->dimensions; ++n) {
-            const lanes_m is_far = lanes_greater(texels.weight[n], lanes_splat(0.5f));
-
-            texels.weight[n] =
-                lanes_select(is_linear, texels.weight[n], lanes_select(is_far, one, zero));
-        }
-    }
+    for (int n = 0; n < state->dimensions; ++n)
+        texels.weight[n] = weights_of(linear, texels.weight[n]);
     fetch_and_mix(state, place, level, &texels, texel);
 }
 

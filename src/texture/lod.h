@@ -3,12 +3,12 @@
 #ifndef GN_TEXTURE_LOD_H
 #define GN_TEXTURE_LOD_H
 
-#include "filter.h"
+#include "cube_filter.h"
 
-/* The first level of each lane, the weight of the next one, and the lanes, as bits, where the
+/* The first level of each lane, the next one and its weight, and the lanes, as bits, where the
  * texture is minified. */
 typedef struct level_choice {
-    lanes_i level;
+    lanes_i level, next;
     lanes_f weight;
     uint32_t minified;
 } level_choice;
@@ -21,13 +21,6 @@ static inline bool mixes_levels(gn_minify minify)
 static inline bool has_levels(gn_minify minify)
 {
     return minify != GN_MINIFY_NEAREST && minify != GN_MINIFY_LINEAR;
-}
-
-/* The lanes, as bits, of quads that have one of `lanes`. */
-static inline uint32_t quads_of(uint32_t lanes)
-{
-    lanes |= (lanes & 0x5555u) << 1 | (lanes & 0xAAAAu) >> 1;
-    return lanes | (lanes & 0x0F0Fu) << 4 | (lanes & 0xF0F0u) >> 4;
 }
 
 /* Every lane has the value of its quad's lower left one. */
@@ -102,18 +95,32 @@ typedef struct lod_adjustment {
     float least, most;
 } lod_adjustment;
 
-/* Biases are multiples of 1/256 within -16 to 16, limits below 0 and above all levels do not
- * matter. */
+/* Biases are multiples of 1/256 within -16 to 16, ties away from zero. */
+static inline float quantised_bias(float bias)
+{
+    const float limited = bias > 16.0f ? 16.0f : bias < -16.0f ? -16.0f : bias;
+    const float scaled = limited * 256.0f + (limited < 0.0f ? -0.5f : 0.5f);
+
+    return (float)(int32_t)scaled * (1.0f / 256.0f);
+}
+
+/* Limits below 0 and above all levels do not matter. */
 static inline lod_adjustment lod_adjustment_of(const gn_sampler *sampler)
 {
     lod_adjustment a;
 
-    a.bias = sampler->lod_bias;
+    a.bias = quantised_bias(sampler->lod_bias);
     a.least = sampler->lod_clamped ? sampler->min_lod : 0.0f;
     a.most = sampler->lod_clamped ? sampler->max_lod : (float)GN_MAX_LEVELS;
     a.has_least = a.least > 0.0f;
     a.has_most = a.most < (float)(GN_MAX_LEVELS - 1);
     return a;
+}
+
+/* Whether the limits leave one level of detail. */
+static inline bool has_one_lod(const gn_sampler *sampler)
+{
+    return sampler->lod_clamped && sampler->min_lod == sampler->max_lod;
 }
 
 /* The levels of a level of detail. */
@@ -131,9 +138,11 @@ static inline void choose_levels(const gn_sampler *sampler, int32_t last, lanes_
         const lanes_f none = lanes_splat(0.0f);
 
         out->level = lanes_i_clamp(level, zero, top);
+        out->next = lanes_i_select(
+            below, zero, lanes_i_select(above, top, lanes_i_add(level, lanes_i_splat(1))));
         out->weight = lanes_select(below, none, lanes_select(above, none, lanes_sub(lod, whole)));
     } else {
-        out->level = lanes_i_clamp(lanes_round(lod), zero, top);
+        out->level = out->next = lanes_i_clamp(lanes_round(lod), zero, top);
         out->weight = lanes_splat(0.0f);
     }
 }
@@ -148,15 +157,44 @@ static inline void choose_nearest_level(bool squared, int32_t last, lanes_f foot
                                   : exponent_of(lanes_mul(footprint, lanes_splat(1.41421354f)));
 
     out->minified = lanes_bits(lanes_greater(footprint, lanes_splat(1.0f)));
-    out->level = lanes_i_clamp(level, lanes_i_splat(0), lanes_i_splat(last));
+    out->level = out->next = lanes_i_clamp(level, lanes_i_splat(0), lanes_i_splat(last));
     out->weight = lanes_splat(0.0f);
 }
 
-static inline lanes_f find_footprint(const lookup_state *state, const lookup_place *place,
-                                     const gn_lookup *lookup)
+/* The gradient of a lane's direction, which is its own also where differences are taken. */
+static inline void direction_gradients(const gn_lookup *lookup, lanes_f along_x[3],
+                                       lanes_f along_y[3])
 {
-    lanes_f along_x[3], along_y[3];
+    float x[GN_LANES], y[GN_LANES];
 
+    for (int n = 0; n < 3; ++n) {
+        const float *const value = lookup->coordinate[n];
+
+        if (lookup->lod_source == GN_LOD_GRADIENTS) {
+            along_x[n] = lanes_load(lookup->gradient_x[n]);
+            along_y[n] = lanes_load(lookup->gradient_y[n]);
+            continue;
+        }
+        GN_EACH_LANE (l) {
+            x[l] = value[l | 1] - value[l & ~1];
+            y[l] = value[l | 4] - value[l & ~4];
+        }
+        along_x[n] = lanes_load(x);
+        along_y[n] = lanes_load(y);
+    }
+}
+
+static inline void find_gradients(const lookup_state *state, const lookup_place *place,
+                                  const gn_lookup *lookup, lanes_f along_x[3], lanes_f along_y[3])
+{
+    if (state->texture->target == GN_TEXTURE_CUBE) {
+        lanes_f x[3], y[3];
+
+        direction_gradients(lookup, x, y);
+        cube_gradient(place->cube, x, along_x);
+        cube_gradient(place->cube, y, along_y);
+        return;
+    }
     for (int n = 0; n < state->dimensions; ++n) {
         if (lookup->lod_source == GN_LOD_GRADIENTS) {
             along_x[n] = lanes_load(lookup->gradient_x[n]);
@@ -165,9 +203,33 @@ static inline lanes_f find_footprint(const lookup_state *state, const lookup_pla
             quad_differences(place->coordinate[n], &along_x[n], &along_y[n]);
         }
     }
+}
+
+/* Where a footprint is not a number or infinite, the texture is magnified. */
+static inline lanes_f finite_footprint(lanes_f footprint)
+{
+    return lanes_select(lanes_less_equal(footprint, lanes_splat(FLT_MAX)), footprint,
+                        lanes_splat(0.0f));
+}
+
+/* A quad has one footprint, its lower left lane's, but where gradients are given, and on cubes with
+ * levels or a level of detail of each lane. */
+static inline lanes_f find_footprint(const lookup_state *state, const gn_sampler *sampler,
+                                     const lookup_place *place, const gn_lookup *lookup)
+{
+    const bool is_cube = state->texture->target == GN_TEXTURE_CUBE;
+    const bool has_own =
+        is_cube && (lookup->lod || (has_levels(sampler->minify) && levels_of(state->texture) > 1));
+    lanes_f along_x[3], along_y[3];
+
+    find_gradients(state, place, lookup, along_x, along_y);
 
     const lanes_f footprint = footprint_of(state, along_x, along_y);
-    return lookup->lod_source == GN_LOD_GRADIENTS ? footprint : of_first_in_quad(footprint);
+    if (is_cube || lookup->lod_source == GN_LOD_GRADIENTS)
+        return finite_footprint(has_own || !is_cube || lookup->lod_source == GN_LOD_GRADIENTS
+                                    ? footprint
+                                    : of_first_in_quad(footprint));
+    return of_first_in_quad(footprint);
 }
 
 /* The levels of a lookup in a texture whose last level is `last`. */
@@ -182,12 +244,12 @@ static inline void find_levels(const lookup_state *state, const gn_sampler *samp
     const bool squared = state->dimensions > 1;
     lanes_f lod = has_lod ? lanes_load(lookup->lod) : lanes_splat(0.0f);
 
-    if (sampler->lod_clamped && a.least == a.most) {
+    if (has_one_lod(sampler)) {
         choose_levels(sampler, last, lanes_splat(a.least), out);
         return;
     }
     if (lookup->lod_source != GN_LOD_EXPLICIT) {
-        const lanes_f footprint = find_footprint(state, place, lookup);
+        const lanes_f footprint = find_footprint(state, sampler, place, lookup);
 
         if (!adjusted && !mixes_levels(sampler->minify)) {
             choose_nearest_level(squared, last, footprint, out);

@@ -19,6 +19,22 @@ static inline void sample_simple_2d(const gn_texture *texture, const gn_sampler 
         lanes_store(texel[c], out[c]);
 }
 
+/* The border as a texel: within the range of the format and of its channels. */
+static inline void set_border(lookup_state *state, const gn_sampler *sampler)
+{
+    const gn_format format = state->texture->format;
+    const bool has_range = !format_is_float(format);
+    const int channels = texel_channels(format);
+
+    for (int c = 0; c < 4; ++c) {
+        float value = sampler->border[c];
+
+        if (has_range)
+            value = value > 0.0f ? value < 1.0f ? value : 1.0f : 0.0f;
+        state->border[c] = c < channels ? value : c < 3 ? 0.0f : 1.0f;
+    }
+}
+
 static inline void set_lookup_state(lookup_state *state, const gn_texture *texture,
                                     const gn_sampler *sampler)
 {
@@ -36,20 +52,40 @@ static inline void set_lookup_state(lookup_state *state, const gn_texture *textu
         state->masked[n] = is_masked(state->wrap[n], size[n]);
         state->has_border = state->has_border || state->wrap[n] == GN_WRAP_CLAMP_TO_BORDER;
     }
-    for (int c = 0; c < 4; ++c)
-        state->border[c] = sampler->border[c];
+    state->compare = is_depth_format(texture->format) ? sampler->compare : GN_TEXTURE_COMPARE_NONE;
+    if (state->has_border)
+        set_border(state, sampler);
 }
 
 static inline void set_lookup_place(const lookup_state *state, const gn_lookup *lookup,
                                     lookup_place *place)
 {
-    for (int n = 0; n < state->dimensions; ++n)
+    const int count = state->texture->target == GN_TEXTURE_CUBE ? 0 : state->dimensions;
+
+    for (int n = 0; n < count; ++n)
         place->coordinate[n] = lanes_load(lookup->coordinate[n]);
     place->layer = lanes_i_splat(0);
     if (state->texture->target == GN_TEXTURE_2D_ARRAY)
         place->layer =
             lanes_i_clamp(lanes_round(lanes_load(lookup->coordinate[2])), lanes_i_splat(0),
                           lanes_i_splat((int32_t)state->texture->depth - 1));
+    if (state->compare != GN_TEXTURE_COMPARE_NONE)
+        place->reference =
+            compared_reference(state->texture->format, lanes_load(lookup->reference));
+}
+
+/* The same of a cube, of which `cube` says more as long as the place is used. */
+static inline void set_cube_place(const lookup_state *state, const gn_lookup *lookup,
+                                  bool has_gradients, cube_place *cube, lookup_place *place)
+{
+    lanes_f direction[3];
+
+    if (state->texture->target != GN_TEXTURE_CUBE)
+        return;
+    for (int n = 0; n < 3; ++n)
+        direction[n] = lanes_load(lookup->coordinate[n]);
+    cube_project(direction, has_gradients, cube);
+    place->cube = cube;
 }
 
 /* One level, of lanes that are `linear` by the linear filter. Quads are filtered as a whole: one
@@ -72,34 +108,26 @@ GN_OUT_OF_LINE void filter_level(const lookup_state *state, const lookup_place *
         texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
 }
 
-/* The levels that the lanes ask for, as bits: each is filtered once, for all of them. */
-static inline uint32_t levels_in(lanes_i level)
-{
-    int32_t number[GN_LANES];
-    uint32_t bits = 0;
-
-    lanes_i_store(number, level);
-    GN_EACH_LANE (l)
-        bits |= 1u << number[l];
-    return bits;
-}
-
 GN_OUT_OF_LINE void filter_levels(const lookup_state *state, const lookup_place *place,
                                   const level_choice *choice, uint32_t linear, lanes_f texel[4])
 {
     const lanes_f zero = lanes_splat(0.0f);
     const uint32_t mixed = quads_of(lanes_bits(lanes_greater(choice->weight, zero)));
-    const lanes_i next = lanes_i_min(lanes_i_add(choice->level, lanes_i_splat(1)),
-                                     lanes_i_splat((int32_t)levels_of(state->texture) - 1));
-    uint32_t levels = levels_in(choice->level) | (mixed ? levels_in(next) : 0);
+    uint32_t levels = levels_in(choice->level) | (mixed ? levels_in(choice->next) : 0);
     lanes_f filtered[4], above[4];
 
     for (int c = 0; c < 4; ++c)
         texel[c] = above[c] = zero;
+    if (state->texture->target == GN_TEXTURE_CUBE) {
+        filter_cube(state, place, &choice->level, linear, texel);
+        if (mixed)
+            filter_cube(state, place, &choice->next, linear, above);
+        levels = 0;
+    }
     for (; levels; levels &= levels - 1) {
         const uint32_t level = first_lane(levels);
         const lanes_m is_first = lanes_i_equal(choice->level, lanes_i_splat((int32_t)level));
-        const lanes_m is_next = lanes_i_equal(next, lanes_i_splat((int32_t)level));
+        const lanes_m is_next = lanes_i_equal(choice->next, lanes_i_splat((int32_t)level));
 
         filter_level(state, place, level, linear, filtered);
         for (int c = 0; c < 4; ++c) {
@@ -122,20 +150,28 @@ static inline bool asks_for_lod(const gn_texture *texture, const gn_sampler *sam
 static inline void sample_any(const gn_texture *texture, const gn_sampler *sampler,
                               const gn_lookup *lookup, float texel[4][GN_LANES])
 {
+    const bool finds_lod = asks_for_lod(texture, sampler);
     lookup_state state;
     lookup_place place;
+    cube_place cube;
     level_choice choice;
     lanes_f out[4];
     uint32_t linear = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
 
     set_lookup_state(&state, texture, sampler);
     set_lookup_place(&state, lookup, &place);
-    if (!asks_for_lod(texture, sampler)) {
+    set_cube_place(&state, lookup,
+                   finds_lod && lookup->lod_source != GN_LOD_EXPLICIT && !has_one_lod(sampler),
+                   &cube, &place);
+    if (!finds_lod && texture->target == GN_TEXTURE_CUBE) {
+        choice.level = lanes_i_splat(0);
+        filter_cube(&state, &place, &choice.level, linear, out);
+    } else if (!finds_lod) {
         filter_level(&state, &place, 0, linear, out);
     } else {
         find_levels(&state, sampler, &place, lookup, &choice);
         if (!has_levels(sampler->minify))
-            choice.level = lanes_i_splat(0);
+            choice.level = choice.next = lanes_i_splat(0);
         linear = minifies_linearly(sampler->minify) ? linear | choice.minified
                                                     : linear & ~choice.minified;
         filter_levels(&state, &place, &choice, linear, out);
@@ -171,17 +207,28 @@ static inline void gather_any(const gn_texture *texture, const gn_sampler *sampl
     static const unsigned char second[4][2] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}}; /* along s, t */
     lookup_state state;
     lookup_place place;
-    linear_texels texels;
+    cube_place cube;
+    lanes_i number[2][2];
     lanes_f fetched[4];
 
     set_lookup_state(&state, texture, sampler);
     set_lookup_place(&state, lookup, &place);
-    find_linear_texels(&state, &place, 0, &texels);
+    set_cube_place(&state, lookup, false, &cube, &place);
+    if (state.compare != GN_TEXTURE_COMPARE_NONE)
+        channel = 0;
+    if (texture->target == GN_TEXTURE_CUBE) {
+        gather_cube(&state, &place, channel & 3, fetched);
+        for (int i = 0; i < 4; ++i)
+            lanes_store(texel[i], fetched[i]);
+        return;
+    }
+    for (int n = 0; n < 2; ++n)
+        wrap_gathered(state.wrap[n], state.masked[n], place.coordinate[n], size_along(&state, 0, n),
+                      number[n]);
     for (int i = 0; i < 4; ++i) {
-        const lanes_i *const number[3] = {&texels.number[0][second[i][0]],
-                                          &texels.number[1][second[i][1]], 0};
+        const lanes_i *const numbers[3] = {&number[0][second[i][0]], &number[1][second[i][1]], 0};
 
-        fetch_place(&state, &place, 0, number, fetched);
+        fetch_place(&state, &place, 0, numbers, fetched);
         lanes_store(texel[i], fetched[channel & 3]);
     }
 }

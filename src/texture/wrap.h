@@ -42,13 +42,13 @@ static inline lanes_f nearest_integer(lanes_f a)
                         lanes_to_float(lanes_round(a)), a);
 }
 
-/* Up from 0 to 1 and down again, in every two. */
+/* -1 to 1, of the same distance from an even number: its magnitude goes up and down again. */
 static inline lanes_f mirrored(lanes_f coordinate)
 {
     const lanes_f halved = lanes_mul(coordinate, lanes_splat(0.5f));
     const lanes_f f = lanes_sub(halved, nearest_integer(halved));
 
-    return lanes_magnitude(lanes_add(f, f));
+    return lanes_add(f, f);
 }
 
 /* `size` is that of the level. */
@@ -61,10 +61,11 @@ static inline lanes_i wrap_nearest(gn_wrap wrap, bool masked, lanes_f coordinate
         return lanes_i_and(lanes_truncate(lanes_floor(lanes_mul(coordinate, n))), last);
     if (wrap == GN_WRAP_CLAMP_TO_BORDER)
         return lanes_truncate(lanes_floor(lanes_mul(coordinate, n)));
-    if (wrap == GN_WRAP_MIRROR_CLAMP_TO_EDGE)
-        coordinate = lanes_magnitude(coordinate);
-    else if (wrap == GN_WRAP_MIRRORED_REPEAT)
-        coordinate = mirrored(coordinate);
+    if (wrap == GN_WRAP_MIRROR_CLAMP_TO_EDGE) /* NaN to the last */
+        return lanes_i_min(lanes_truncate(lanes_min(lanes_mul(lanes_magnitude(coordinate), n), n)),
+                           last);
+    if (wrap == GN_WRAP_MIRRORED_REPEAT)
+        coordinate = lanes_magnitude(mirrored(coordinate));
     else if (wrap == GN_WRAP_REPEAT) /* the largest float below 1 keeps the product below n */
         coordinate = lanes_min(fraction_of(coordinate), lanes_splat(1.0f - 1.0f / 16777216.0f));
     return lanes_i_clamp(lanes_truncate(lanes_mul(coordinate, n)), lanes_i_splat(0), last);
@@ -133,7 +134,8 @@ static inline lanes_f wrap_linear_any(gn_wrap wrap, bool masked, lanes_f coordin
     if (wrap == GN_WRAP_MIRROR_CLAMP_TO_EDGE)
         c = clamped_texels(lanes_magnitude(coordinate), n);
     else if (wrap == GN_WRAP_MIRRORED_REPEAT)
-        c = lanes_sub(lanes_mul(mirrored(coordinate), n), half);
+        c = lanes_max(lanes_sub(lanes_mul(lanes_magnitude(mirrored(coordinate)), n), half),
+                      lanes_splat(0.0f));
     else
         c = lanes_sub(lanes_mul(coordinate, n), half);
 
@@ -145,6 +147,39 @@ static inline lanes_f wrap_linear_any(gn_wrap wrap, bool masked, lanes_f coordin
         texel[1] = lanes_i_clamp(texel[1], zero, last);
     }
     return lanes_sub(c, whole);
+}
+
+/* The texels that a gather gives: as above, but that each is clamped or mirrored by itself. */
+static inline void wrap_gathered(gn_wrap wrap, bool masked, lanes_f coordinate, uint32_t size,
+                                 lanes_i texel[2])
+{
+    const lanes_f n = lanes_splat((float)size);
+    const lanes_f half = lanes_splat(0.5f);
+    const lanes_i one = lanes_i_splat(1);
+    const lanes_i zero = lanes_i_splat(0), last = lanes_i_splat((int32_t)size - 1);
+
+    if (wrap == GN_WRAP_REPEAT || wrap == GN_WRAP_CLAMP_TO_BORDER) {
+        wrap_linear_any(wrap, masked, coordinate, size, texel);
+        return;
+    }
+    if (wrap == GN_WRAP_CLAMP_TO_EDGE) {
+        const lanes_f c = lanes_add(lanes_min(lanes_mul(coordinate, n), n), half);
+
+        texel[1] = lanes_truncate(lanes_max(c, lanes_splat(0.0f)));
+        texel[0] = lanes_i_max(lanes_i_sub(texel[1], one), zero);
+        texel[1] = lanes_i_min(texel[1], last);
+        return;
+    }
+    if (wrap == GN_WRAP_MIRRORED_REPEAT)
+        coordinate = mirrored(coordinate);
+    texel[0] = lanes_truncate(lanes_floor(lanes_sub(lanes_mul(coordinate, n), half)));
+    texel[1] = lanes_i_add(texel[0], one);
+    for (int i = 0; i < 2; ++i) {
+        const lanes_i mirror = lanes_i_sub(lanes_i_splat(-1), texel[i]);
+
+        texel[i] = lanes_i_select(lanes_i_greater(zero, texel[i]), mirror, texel[i]);
+        texel[i] = lanes_i_min(texel[i], last);
+    }
 }
 
 #endif

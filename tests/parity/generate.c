@@ -60,6 +60,8 @@ const char *scene_class_name(scene_class c)
         return "phong";
     case CLASS_SHADERS:
         return "shaders";
+    case CLASS_SHADOWED:
+        return "shadowed";
     case CLASS_INPUTS:
         return "inputs";
     case CLASS_DERIVATIVES:
@@ -224,6 +226,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
     case CLASS_SHADERS:
         generate_shaders(&b);
         break;
+    case CLASS_SHADOWED:
+        generate_shadowed(&b);
+        break;
     case CLASS_INPUTS:
         generate_inputs(&b);
         break;
@@ -294,7 +299,8 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         generate_mixed(&b);
         break;
     }
-    if ((c == CLASS_MIXED || c == CLASS_SEQUENCES) && random_chance(&b.random, 20))
+    if ((c == CLASS_MIXED || c == CLASS_SEQUENCES || c == CLASS_SHADERS || c == CLASS_SHADOWED) &&
+        random_chance(&b.random, 20))
         make_sampled(&b.random, b.scene);
     return builder_end(&b);
 }

@@ -32,6 +32,7 @@ typedef enum scene_class {
     CLASS_SHADOWS,           /* depths that are compared */
     CLASS_PHONG,             /* a user's shader: textured, a highlight at every pixel */
     CLASS_SHADERS,           /* the ready-made ones with all maps and lights */
+    CLASS_SHADOWED,          /* those that light pixels, with a shadow map */
     CLASS_INPUTS,            /* facing, primitive, position; discard, depth from the shader */
     CLASS_DERIVATIVES,       /* differences in quads, also at edges of triangles and targets */
     CLASS_STENCIL,           /* both faces, all functions, operations and masks */

@@ -118,6 +118,7 @@ void generate_cubes(builder *b);
 void generate_shadows(builder *b);
 void generate_phong(builder *b);
 void generate_shaders(builder *b);
+void generate_shadowed(builder *b);
 void generate_inputs(builder *b);
 void generate_derivatives(builder *b);
 void generate_stencil(builder *b);

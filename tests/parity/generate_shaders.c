@@ -2,11 +2,12 @@
 #include "generate_parts.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* No byte is 0, nor is a float: what is added to a texel may be denormal. */
 static void random_map_texels(random_source *r, const gn_texture *t, void *texels)
 {
-    const size_t count = (size_t)t->width * t->height;
+    const size_t count = scene_texture_elements(t) / (t->format == GN_FORMAT_RGBA32F ? 4u : 1u);
 
     for (size_t i = 0; t->format != GN_FORMAT_RGBA32F && i < count; i++)
         ((uint32_t *)texels)[i] = (uint32_t)(random_bits(r) >> 32) | 0x01010101u;
@@ -22,8 +23,13 @@ static void *random_map(builder *b, gn_texture *t)
 
     t->width = sides[random_below(r, 10)];
     t->height = random_chance(r, 40) ? t->width : sides[random_below(r, 10)];
-    t->format = random_chance(r, 80) ? GN_FORMAT_RGBA8 : GN_FORMAT_RGBA32F;
-    void *texels = malloc((size_t)t->width * t->height * gn_format_size(t->format));
+    t->format = random_chance(r, 60)   ? GN_FORMAT_RGBA8
+                : random_chance(r, 50) ? GN_FORMAT_RGBA32F
+                                       : GN_FORMAT_SRGB8_A8;
+    t->level_count = 1;
+    while (random_chance(r, 50) && (t->width | t->height) >> t->level_count)
+        t->level_count++;
+    void *texels = malloc(scene_texture_elements(t) * scene_element_size(t->format));
     if (!texels) {
         fprintf(stderr, "parity: out of memory\n");
         exit(EXIT_FAILURE);
@@ -110,6 +116,15 @@ static void random_shape(builder *b)
     }
 }
 
+/* Wraps and filters of maps, one level or several. */
+static void random_map_sampler(random_source *r, gn_sampler *s)
+{
+    s->wrap_s = (gn_wrap)random_below(r, 5);
+    s->wrap_t = (gn_wrap)random_below(r, 5);
+    s->magnify = (gn_magnify)random_below(r, 2);
+    s->minify = (gn_minify)random_below(r, 6);
+}
+
 static void add_shaded(builder *b, scene_shader shader)
 {
     random_source *r = &b->random;
@@ -122,10 +137,7 @@ static void add_shaded(builder *b, scene_shader shader)
     random_texture_coordinates(b);
     if (random_chance(r, 15))
         b->color_components = 0;
-    b->uniforms.sampler.wrap_s = (gn_wrap)random_below(r, 2);
-    b->uniforms.sampler.wrap_t = (gn_wrap)random_below(r, 2);
-    b->uniforms.sampler.magnify = (gn_magnify)random_below(r, 2);
-    b->uniforms.sampler.minify = (gn_minify)random_below(r, 3);
+    random_map_sampler(r, &b->uniforms.sampler);
     if (random_chance(r, 50) || shader == SCENE_TEXTURED_GOURAUD)
         texels[SCENE_MAP_COUNT] = random_map(b, &b->uniforms.texture);
     for (int m = SCENE_NORMAL_MAP; m <= SCENE_GLOW_MAP; m++)
@@ -168,4 +180,118 @@ void generate_shaders(builder *b)
         b->scene->color_format = GN_FORMAT_RGBA32F;
     for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--)
         add_shaded(b, random_shader(b));
+}
+
+/* ---- Shadow maps ---- */
+
+/* A light that sees the body from a random side: afar, along an orthographic projection, or near.
+ * The body is at the origin of model space. */
+static void random_light_camera(builder *b)
+{
+    random_source *r = &b->random;
+    scene_surface *s = &b->surface;
+    const gn_mat3 turn = builder_rotation(b);
+    const bool is_near = random_chance(r, 40);
+    const float distance = random_float(r, 2.0f, 4.0f), zoom = random_float(r, 0.7f, 2.0f);
+    const float *center = s->world_from_model.m[3];
+    float towards[3];
+    gn_mat4 view = {{{0}}}, projection = {{{0}}};
+
+    for (int row = 0; row < 3; row++) {
+        for (int column = 0; column < 3; column++) {
+            view.m[column][row] = turn.m[column][row];
+            view.m[3][row] -= turn.m[column][row] * center[column];
+        }
+        towards[row] = turn.m[row][2];
+    }
+    view.m[3][2] -= distance;
+    view.m[3][3] = 1.0f;
+    projection.m[0][0] = zoom * (is_near ? 1.5f : 0.6f);
+    projection.m[1][1] = zoom * (is_near ? 1.5f : 0.6f);
+    projection.m[2][2] = is_near ? -1.5f : -0.25f;
+    projection.m[2][3] = is_near ? -1.0f : 0.0f;
+    projection.m[3][2] = is_near ? -1.25f : -1.0f;
+    projection.m[3][3] = is_near ? 0.0f : 1.0f;
+    gn_mat4_multiply(&projection, &view, &s->shadow_from_world);
+    s->has_point_light = is_near;
+    b->uniforms.light.light_direction = (gn_vec3){towards[0], towards[1], towards[2]};
+    s->light_position =
+        (gn_vec3){center[0] + distance * towards[0], center[1] + distance * towards[1],
+                  center[2] + distance * towards[2]};
+}
+
+/* The first pass: what the light sees of the last draw, drawn by the library; that the reference
+ * draws the same depths is the matter of the shader that draws depth alone. */
+static void add_shadow_map(builder *b)
+{
+    static const gn_format formats[] = {GN_FORMAT_D16, GN_FORMAT_D24, GN_FORMAT_D32F,
+                                        GN_FORMAT_D24S8, GN_FORMAT_D32FS8};
+    random_source *r = &b->random;
+    scene_draw *d = &b->scene->draws[b->scene->draw_count - 1];
+    scene *first = scene_create(1 + random_below(r, 64), 1 + random_below(r, 64), GN_FORMAT_RGBA8,
+                                formats[random_below(r, 5)]);
+    scene *copy = scene_copy(b->scene);
+    scene_draw seen = copy->draws[copy->draw_count - 1];
+    const gn_topology topology = seen.state.topology;
+    scene_frame frame;
+    gn_texture map = {GN_TEXTURE_2D, first->depth_format, first->width, first->height, 1, 1, {{0}}};
+
+    memset(&seen.state, 0, sizeof seen.state);
+    memset(&seen.clear, 0, sizeof seen.clear);
+    seen.shader = SCENE_DEPTH_ONLY;
+    seen.state.topology = topology;
+    seen.state.depth_test = true;
+    if (random_chance(r, 70))
+        seen.state.polygon_offset = random_polygon_offset(b);
+    gn_mat4_multiply(&b->surface.shadow_from_world, &b->surface.world_from_model,
+                     &seen.uniforms.light.clip_from_model);
+    *scene_add_draw(first) = seen;
+    copy->draw_count--;
+    if (!scene_frame_allocate(&frame, first) ||
+        scene_draw_library(first, &frame, 0, GN_BACKEND_PORTABLE) != GN_OK) {
+        fprintf(stderr, "parity: a shadow map cannot be drawn\n");
+        exit(EXIT_FAILURE);
+    }
+    scene_pack_texture(&map, frame.depth);
+    scene_set_map(d, SCENE_SHADOW_MAP, &map);
+    scene_frame_free(&frame);
+    scene_free(first);
+    scene_free(copy);
+}
+
+static void add_shadowed(builder *b)
+{
+    static const scene_shader shaders[] = {SCENE_FACES, SCENE_TOON, SCENE_MAPPED_PHONG,
+                                           SCENE_BLINN_PHONG};
+    random_source *r = &b->random;
+    gn_sampler *sampler;
+
+    builder_common_state(b);
+    b->shader = shaders[random_below(r, 4)];
+    random_camera(b);
+    add_body(b);
+    random_surface(b);
+    random_texture_coordinates(b);
+    random_light_camera(b);
+    sampler = &b->surface.shadow_sampler;
+    random_map_sampler(r, sampler);
+    sampler->compare = random_chance(r, 60) ? GN_TEXTURE_COMPARE_LESS_OR_EQUAL
+                                            : (gn_texture_compare)(1 + random_below(r, 8));
+    if (random_chance(r, 70))
+        sampler->wrap_s = sampler->wrap_t = GN_WRAP_CLAMP_TO_BORDER;
+    sampler->border[0] = random_chance(r, 80) ? 1.0f : random_unit(r);
+
+    const scene_surface surface = b->surface;
+    builder_draw(b);
+    b->surface = surface;
+    add_shadow_map(b);
+}
+
+void generate_shadowed(builder *b)
+{
+    builder_common_target(b);
+    if (random_chance(&b->random, 40))
+        b->scene->color_format = GN_FORMAT_RGBA32F;
+    for (uint32_t draws = 1 + random_below(&b->random, 2); draws > 0; draws--)
+        add_shadowed(b);
 }

@@ -2,6 +2,7 @@
 #include "lookups.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -93,11 +94,21 @@ static void choose_sizes(lookup_case *c, random_source *r, uint32_t shape)
     c->level_count = random_chance(r, 70) ? levels : 1 + random_below(r, levels);
 }
 
-static gn_format choose_format(random_source *r)
+static gn_format choose_format(const lookup_case *c, random_source *r)
 {
     static const gn_format formats[] = {GN_FORMAT_RGBA8, GN_FORMAT_RGBA32F};
+    static const gn_format depths[] = {GN_FORMAT_D16, GN_FORMAT_D24, GN_FORMAT_D32F,
+                                       GN_FORMAT_D24S8, GN_FORMAT_D32FS8};
 
+    if (c->target != GN_TEXTURE_3D &&
+        random_chance(r, 20)) /* OpenGL has none of three dimensions */
+        return depths[random_below(r, sizeof depths / sizeof *depths)];
     return formats[random_below(r, sizeof formats / sizeof *formats)];
+}
+
+static bool is_depth(gn_format f)
+{
+    return f >= GN_FORMAT_D16 && f <= GN_FORMAT_D32FS8;
 }
 
 static void choose_sampler(lookup_case *c, random_source *r, const case_digits *d)
@@ -118,6 +129,8 @@ static void choose_sampler(lookup_case *c, random_source *r, const case_digits *
     }
     for (int n = 0; n < 4; ++n)
         s->border[n] = random_float(r, -0.25f, 1.25f);
+    if (is_depth(c->format) && can_compare(c->kind, c->target) && random_chance(r, 80))
+        s->compare = (gn_texture_compare)(1 + random_below(r, GN_TEXTURE_COMPARE_NEVER));
 }
 
 static uint32_t element_size(gn_format f)
@@ -135,7 +148,11 @@ static void fill_texels(random_source *r, gn_format format, void *texels, size_t
     const size_t bytes = count * gn_format_size(format);
     float *const floats = texels;
 
-    if (format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F || format == GN_FORMAT_D32F) {
+    if (is_depth(format)) {
+        fill_depths(r, format, texels, count);
+        return;
+    }
+    if (format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F) {
         for (size_t i = 0; i < bytes / 4; ++i)
             floats[i] = random_float(r, -0.5f, 1.5f);
         return;
@@ -240,6 +257,53 @@ static float random_coordinate(random_source *r, uint32_t size, bool is_wild)
     }
 }
 
+/* A component of a direction. */
+static float random_component(random_source *r, bool is_wild)
+{
+    static const float special[] = {0.0f,     -0.0f,     1.0f,  -1.0f,  0.5f,   -0.5f, 2.0f,
+                                    INFINITY, -INFINITY, 1e30f, -1e30f, 1e-18f, 3.25f};
+
+    if (is_wild)
+        return special[random_below(r, sizeof special / sizeof *special)];
+    return random_chance(r, 10) ? special[random_below(r, 7)] : random_float(r, -1.0f, 1.0f);
+}
+
+/* Directions of a quad and their gradients: near a face's middle, an edge or a corner. Not a number
+ * is no component: of some the reference takes undefined texels. */
+static void direct_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y)
+{
+    const int32_t top = (int32_t)c->level_count + 1;
+    const float level = random_float(r, -3.0f, (float)top);
+    const float step = random_octave(r, -6, top) / (float)c->texture.width;
+    const bool is_noise = random_chance(r, 15);
+    const bool is_wild = c->is_wild && random_chance(r, 30);
+    const uint32_t ones = random_below(r, 4);
+    float at[3], dx[3], dy[3];
+
+    for (uint32_t n = 0; n < 3; ++n) {
+        at[n] = random_component(r, is_wild);
+        if (n < ones && !is_wild)
+            at[n] = (float)random_sign(r) * random_float(r, 1.0f - step, 1.0f);
+        dx[n] = random_float(r, -1.0f, 1.0f) * step;
+        dy[n] = random_float(r, -1.0f, 1.0f) * step;
+    }
+    for (uint32_t l = 0; l < 4; ++l) {
+        const uint32_t p = (y + l / 2) * GRID_WIDTH + x + l % 2;
+
+        for (int n = 0; n < 3; ++n) {
+            c->places.place[p][n] = is_noise
+                                        ? random_component(r, is_wild)
+                                        : at[n] + dx[n] * (float)(l % 2) + dy[n] * (float)(l / 2);
+            c->places.gradient_x[p][n] = is_noise ? random_float(r, -1.0f, 1.0f) : dx[n];
+            c->places.gradient_y[p][n] = is_noise ? random_float(r, -1.0f, 1.0f) : dy[n];
+        }
+        c->places.place[p][3] = is_noise ? random_float(r, -3.0f, (float)top) : level;
+        if (c->kind == LOOKUP_LOD && random_chance(r, 10))
+            c->places.place[p][3] = 0.5f * (float)random_between(r, -2, 2 * top);
+        c->places.gradient_x[p][3] = random_reference(r, c->format, c->is_wild);
+    }
+}
+
 /* Coordinates of a quad at (x, y): a random place, and differences of a random length and
  * direction, or four random places. */
 static void place_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y)
@@ -287,7 +351,7 @@ static void place_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y)
         c->places.place[p][3] = is_noise ? random_float(r, -3.0f, (float)top) : level;
         if (c->kind == LOOKUP_LOD && random_chance(r, 10))
             c->places.place[p][3] = 0.5f * (float)random_between(r, -2, 2 * top);
-        c->places.gradient_x[p][3] = random_float(r, -0.25f, 1.25f);
+        c->places.gradient_x[p][3] = random_reference(r, c->format, c->is_wild);
     }
 }
 
@@ -313,7 +377,7 @@ static void choose_places(lookup_case *c, random_source *r)
     }
     for (uint32_t y = 0; y < GRID_HEIGHT; y += 2) {
         for (uint32_t x = 0; x < GRID_WIDTH; x += 2)
-            place_quad(c, r, x, y);
+            (c->target == GN_TEXTURE_CUBE ? direct_quad : place_quad)(c, r, x, y);
     }
 }
 
@@ -327,13 +391,13 @@ bool case_make(lookup_case *c, uint64_t number, uint64_t seed)
     c->seed = seed;
     c->target = (gn_texture_target)d.target;
     c->kind = (lookup_kind)d.kind;
-    if (c->target == GN_TEXTURE_CUBE)
-        c->target = GN_TEXTURE_2D;
     if (c->kind == LOOKUP_GATHER && (c->target == GN_TEXTURE_1D || c->target == GN_TEXTURE_3D))
         c->kind = LOOKUP_LOD;
+    if (c->kind == LOOKUP_FETCH && c->target == GN_TEXTURE_CUBE) /* GLSL has none */
+        c->kind = LOOKUP_GATHER;
     c->channel = (int)random_below(&r, 4);
     c->is_wild = random_chance(&r, 30);
-    c->format = choose_format(&r);
+    c->format = choose_format(c, &r);
     choose_sizes(c, &r, d.shape);
     choose_sampler(c, &r, &d);
     if (!make_texture(c, &r)) {
@@ -364,10 +428,11 @@ void case_describe(const lookup_case *c, char *text, size_t size)
 
     snprintf(text, size,
              "%s of %s, format %d, %ux%ux%u, levels %u from %u, wrap %s, %s, %s, min %s, mag %s, "
-             "bias %g, lod %g to %g%s, channel %d%s",
+             "bias %g, lod %g to %g%s, channel %d, compare %d%s",
              kinds[c->kind], targets[c->target], (int)c->format, c->size[0], c->size[1], c->size[2],
              c->level_count, c->base, wraps[s->wrap_s], wraps[s->wrap_t], wraps[s->wrap_r],
              minifiers[s->minify], s->magnify == GN_MAGNIFY_LINEAR ? "linear" : "nearest",
              (double)s->lod_bias, (double)s->min_lod, (double)s->max_lod,
-             s->lod_clamped ? "" : " (not clamped)", c->channel, c->is_wild ? ", wild" : "");
+             s->lod_clamped ? "" : " (not clamped)", c->channel, (int)s->compare,
+             c->is_wild ? ", wild" : "");
 }

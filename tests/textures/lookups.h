@@ -60,6 +60,15 @@ void case_free(lookup_case *c);
 /* Size of a level of a case, counted from OpenGL's level 0. */
 void case_level_size(const lookup_case *c, uint32_t level, uint32_t size[3]);
 
+/* Texels of a depth format, many of them of few values, and references, among them those values
+ * exactly as the library and the reference read them, numbers beyond 0 to 1 and, where is_wild,
+ * infinities and NaN. */
+void fill_depths(random_source *r, gn_format format, void *texels, size_t count);
+float random_reference(random_source *r, gn_format format, bool is_wild);
+
+/* Whether GLSL has a function that compares for a kind of lookup in a target. */
+bool can_compare(lookup_kind kind, gn_texture_target target);
+
 /* One line that says what a case is. */
 void case_describe(const lookup_case *c, char *text, size_t size);
 

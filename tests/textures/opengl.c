@@ -10,6 +10,10 @@
 static const GLenum targets[] = {GL_TEXTURE_2D, GL_TEXTURE_1D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_3D,
                                  GL_TEXTURE_CUBE_MAP};
 
+/* Of the compatibility profile: what a depth texture gives beside red, which in the core profile is
+ * 0, 0, 1. */
+#define DEPTH_TEXTURE_MODE 0x884B
+
 static const char vertex_text[] =
     "void main() {\n"
     "  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, "
@@ -23,32 +27,39 @@ static void write_shader(const lookup_case *c, char *text, size_t size)
     static const char *const coordinates[] = {"xy", "x", "xyz", "xyz", "xyz"};
     static const char *const gradients[] = {"xy", "x", "xy", "xyz", "xyz"};
     static const char *const integers[] = {"ivec2", "int", "ivec3", "ivec3", "ivec3"};
-    const char *const at = coordinates[c->target];
     const char *const along = gradients[c->target];
-    char call[160];
+    const bool compares = c->sampler.compare != GN_TEXTURE_COMPARE_NONE;
+    /* The reference that is compared with is a component of the coordinates, but in gathers. */
+    static const char *const compared[] = {"vec3(p.xy, dx.w)", "vec3(p.x, 0.0, dx.w)",
+                                           "vec4(p.xyz, dx.w)", "", "vec4(p.xyz, dx.w)"};
+    char at[32], call[160];
 
+    snprintf(at, sizeof at, compares && c->kind != LOOKUP_GATHER ? "%s" : "p.%s",
+             compares && c->kind != LOOKUP_GATHER ? compared[c->target] : coordinates[c->target]);
     switch (c->kind) {
     case LOOKUP_IMPLICIT:
-        snprintf(call, sizeof call, "texture(image, p.%s)", at);
+        snprintf(call, sizeof call, "texture(image, %s)", at);
         break;
     case LOOKUP_BIAS:
-        snprintf(call, sizeof call, "texture(image, p.%s, p.w)", at);
+        snprintf(call, sizeof call, "texture(image, %s, p.w)", at);
         break;
     case LOOKUP_LOD:
-        snprintf(call, sizeof call, "textureLod(image, p.%s, p.w)", at);
+        snprintf(call, sizeof call, "textureLod(image, %s, p.w)", at);
         break;
     case LOOKUP_GRADIENTS:
-        snprintf(call, sizeof call, "textureGrad(image, p.%s, dx.%s, dy.%s)", at, along, along);
+        snprintf(call, sizeof call, "textureGrad(image, %s, dx.%s, dy.%s)", at, along, along);
         break;
     case LOOKUP_GATHER:
-        snprintf(call, sizeof call, "textureGather(image, p.%s, %d)", at, c->channel);
+        if (compares)
+            snprintf(call, sizeof call, "textureGather(image, %s, dx.w)", at);
+        else
+            snprintf(call, sizeof call, "textureGather(image, %s, %d)", at, c->channel);
         break;
     default:
-        snprintf(call, sizeof call, "texelFetch(image, %s(p.%s), int(p.w))", integers[c->target],
-                 at);
+        snprintf(call, sizeof call, "texelFetch(image, %s(%s), int(p.w))", integers[c->target], at);
     }
     snprintf(text, size,
-             "layout(binding = 0) uniform sampler%s image;\n"
+             "layout(binding = 0) uniform sampler%s%s image;\n"
              "layout(binding = 1) uniform sampler2D places;\n"
              "layout(binding = 2) uniform sampler2D gradients_x;\n"
              "layout(binding = 3) uniform sampler2D gradients_y;\n"
@@ -57,17 +68,19 @@ static void write_shader(const lookup_case *c, char *text, size_t size)
              "  vec4 p = texelFetch(places, ivec2(gl_FragCoord.xy), 0);\n"
              "  vec4 dx = texelFetch(gradients_x, ivec2(gl_FragCoord.xy), 0);\n"
              "  vec4 dy = texelFetch(gradients_y, ivec2(gl_FragCoord.xy), 0);\n"
-             "  texel = %s;\n"
+             "  texel = %s%s%s;\n"
              "}\n",
-             samplers[c->target], call);
+             samplers[c->target], compares ? "Shadow" : "",
+             compares && c->kind != LOOKUP_GATHER ? "vec4(" : "", call,
+             compares && c->kind != LOOKUP_GATHER ? ", 0.0, 0.0, 1.0)" : "");
 }
 
 /* Kept from case to case. */
 static GLuint program_of(const lookup_case *c, char *error, size_t error_size)
 {
-    static GLuint programs[5][LOOKUP_KINDS][4];
-    GLuint *const program =
-        &programs[c->target][c->kind][c->kind == LOOKUP_GATHER ? c->channel : 0];
+    static GLuint programs[2][5][LOOKUP_KINDS][4];
+    GLuint *const program = &programs[c->sampler.compare != GN_TEXTURE_COMPARE_NONE][c->target]
+                                     [c->kind][c->kind == LOOKUP_GATHER ? c->channel : 0];
     char text[1024];
 
     if (!*program) {
@@ -106,6 +119,13 @@ static void set_sampler(GLuint name, const gn_sampler *s)
         glSamplerParameterf(name, GL_TEXTURE_MAX_LOD, s->max_lod);
     }
     glSamplerParameterfv(name, GL_TEXTURE_BORDER_COLOR, s->border);
+    if (s->compare != GN_TEXTURE_COMPARE_NONE) {
+        static const GLint functions[] = {0,        GL_LEQUAL,   GL_GEQUAL, GL_LESS, GL_GREATER,
+                                          GL_EQUAL, GL_NOTEQUAL, GL_ALWAYS, GL_NEVER};
+
+        glSamplerParameteri(name, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+        glSamplerParameteri(name, GL_TEXTURE_COMPARE_FUNC, functions[s->compare]);
+    }
 }
 
 static void upload_level(const lookup_case *c, uint32_t n)
@@ -151,6 +171,7 @@ static GLuint upload(const lookup_case *c)
         glTexStorage2D(target, levels, format, w, h);
     else
         glTexStorage3D(target, levels, format, w, h, d);
+    glTexParameteri(target, DEPTH_TEXTURE_MODE, GL_RED);
     glTexParameteri(target, GL_TEXTURE_BASE_LEVEL, (GLint)c->base);
     glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, levels - 1);
     for (uint32_t n = 0; n < c->level_count; ++n)

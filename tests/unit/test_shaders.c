@@ -29,38 +29,108 @@ static void reset(void)
     uniforms.material.sampler.magnify = GN_MAGNIFY_NEAREST;
 }
 
+typedef gn_status use_function(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
+
+static use_function *const lit_shaders[] = {gn_use_flat,  gn_use_gouraud,     gn_use_toon,
+                                            gn_use_phong, gn_use_blinn_phong, gn_use_normal_color};
+
+enum { LIT = sizeof lit_shaders / sizeof *lit_shaders };
+
 static void null_pointers(void **state)
 {
     (void)state;
     gn_color_uniforms color = {{{{0}}}};
+    gn_unlit_uniforms unlit = {0};
+    gn_depth_color_uniforms depth = {{{{0}}}, 0.0f, 0.0f};
     gn_pipeline p;
 
     reset();
     assert_int_equal(gn_use_vertex_color(NULL, &color), GN_NULL_POINTER);
     assert_int_equal(gn_use_vertex_color(&p, NULL), GN_NULL_POINTER);
-    assert_int_equal(gn_use_flat(NULL, &uniforms), GN_NULL_POINTER);
-    assert_int_equal(gn_use_flat(&p, NULL), GN_NULL_POINTER);
-    assert_int_equal(gn_use_gouraud(NULL, &uniforms), GN_NULL_POINTER);
-    assert_int_equal(gn_use_gouraud(&p, NULL), GN_NULL_POINTER);
-    assert_int_equal(gn_use_gouraud(NULL, &uniforms), GN_NULL_POINTER);
-    assert_int_equal(gn_use_gouraud(&p, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_use_depth_only(NULL, &color), GN_NULL_POINTER);
+    assert_int_equal(gn_use_depth_only(&p, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_use_unlit(NULL, &unlit), GN_NULL_POINTER);
+    assert_int_equal(gn_use_unlit(&p, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_use_depth_color(NULL, &depth), GN_NULL_POINTER);
+    assert_int_equal(gn_use_depth_color(&p, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_lit_uniforms_check(NULL), GN_NULL_POINTER);
+    for (int i = 0; i < LIT; ++i) {
+        assert_int_equal(lit_shaders[i](NULL, &uniforms), GN_NULL_POINTER);
+        assert_int_equal(lit_shaders[i](&p, NULL), GN_NULL_POINTER);
+    }
 }
 
-static void bad_textures_leave_the_pipeline(void **state)
+/* All that light refuse it, and leave the pipeline. */
+static void assert_refused(gn_status expected)
+{
+    gn_pipeline p, before;
+
+    memset(&p, 0, sizeof p);
+    before = p;
+    assert_int_equal(gn_lit_uniforms_check(&uniforms), expected);
+    for (int i = 0; i < LIT; ++i) {
+        assert_int_equal(lit_shaders[i](&p, &uniforms), expected);
+        assert_memory_equal(&p, &before, sizeof p);
+    }
+    reset();
+}
+
+static void bad_uniforms_leave_the_pipeline(void **state)
 {
     (void)state;
+    static const float depth = 0.5f;
+    gn_texture line, map;
+
+    reset();
+    texture.width = 0;
+    assert_refused(GN_INVALID_SIZE);
+    uniforms.material.sampler.wrap_t = (gn_wrap)7;
+    assert_refused(GN_INVALID_ENUM);
+    assert_int_equal(gn_texture_packed(GN_TEXTURE_1D, GN_FORMAT_RGBA8, 4, 1, 1, 1, texels, &line),
+                     GN_OK);
+    uniforms.material.glow_map = &line;
+    assert_refused(GN_INVALID_ENUM);
+    uniforms.material.normal_space = (gn_normal_space)2;
+    assert_refused(GN_INVALID_ENUM);
+    uniforms.material.bands = 1;
+    assert_refused(GN_OUT_OF_RANGE);
+    uniforms.material.bands = 257;
+    assert_refused(GN_OUT_OF_RANGE);
+    uniforms.shadow.map = &texture;
+    uniforms.shadow.sampler.compare = GN_TEXTURE_COMPARE_LESS;
+    assert_refused(GN_INVALID_FORMAT);
+    assert_int_equal(gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_D32F, 1, 1, 1, 1, &depth, &map),
+                     GN_OK);
+    uniforms.shadow.map = &map;
+    assert_refused(GN_INVALID_ENUM); /* nothing is compared */
+    uniforms.shadow.map = &map;
+    uniforms.shadow.sampler.compare = GN_TEXTURE_COMPARE_LESS;
+    uniforms.material.bands = 256;
+    assert_int_equal(gn_lit_uniforms_check(&uniforms), GN_OK);
+}
+
+static void bad_maps_and_depths(void **state)
+{
+    (void)state;
+    gn_unlit_uniforms unlit = {0};
+    gn_depth_color_uniforms depth = {{{{0}}}, 0.5f, 0.5f};
     gn_pipeline p, before;
 
     reset();
     memset(&p, 0, sizeof p);
     before = p;
-    texture.width = 0;
-    assert_int_equal(gn_use_gouraud(&p, &uniforms), GN_INVALID_SIZE);
-    assert_memory_equal(&p, &before, sizeof p);
+    texture.height = 0;
+    unlit.map = &texture;
+    assert_int_equal(gn_use_unlit(&p, &unlit), GN_INVALID_SIZE);
     reset();
-    uniforms.material.sampler.wrap_t = (gn_wrap)7;
-    assert_int_equal(gn_use_gouraud(&p, &uniforms), GN_INVALID_ENUM);
+    unlit.sampler.magnify = (gn_magnify)2;
+    assert_int_equal(gn_use_unlit(&p, &unlit), GN_INVALID_ENUM);
+    assert_int_equal(gn_use_depth_color(&p, &depth), GN_OUT_OF_RANGE);
+    depth.white = INFINITY;
+    assert_int_equal(gn_use_depth_color(&p, &depth), GN_NOT_FINITE);
     assert_memory_equal(&p, &before, sizeof p);
+    unlit.map = NULL;
+    assert_int_equal(gn_use_unlit(&p, &unlit), GN_OK);
 }
 
 static void only_shader_fields_are_set(void **state)
@@ -84,6 +154,9 @@ static void only_shader_fields_are_set(void **state)
     assert_int_equal(gn_pipeline_check(&p), GN_OK);
 }
 
+/* The attributes that the mesh is said to have, as bits. */
+static uint32_t present = 15;
+
 static void shade_vertex(const gn_pipeline *p, const float normal[3], float position[4],
                          float varying[GN_SHADER_VARYINGS])
 {
@@ -104,7 +177,7 @@ static void shade_vertex(const gn_pipeline *p, const float normal[3], float posi
     in.attribute = (const float(*)[4][GN_LANES])attribute;
     in.vertex_id = id;
     in.count = GN_LANES;
-    in.present = 15;
+    in.present = present;
     out.position = positions;
     out.varying = varyings;
     p->vertex_shader(p->uniforms, &in, &out);
@@ -141,6 +214,25 @@ static void light_follows_the_cosine(void **state)
     }
 }
 
+static void absent_colors_are_white(void **state)
+{
+    (void)state;
+    static const float normal[3] = {0, 0, 1};
+    gn_pipeline p;
+    float position[4], varying[GN_SHADER_VARYINGS];
+
+    reset();
+    memset(&p, 0, sizeof p);
+    present = 15 & ~(1u << GN_ATTRIBUTE_COLOR);
+    for (int i = 0; i < LIT; ++i) {
+        assert_int_equal(lit_shaders[i](&p, &uniforms), GN_OK);
+        shade_vertex(&p, normal, position, varying);
+        assert_true(varying[3] == 1.0f);
+        assert_true(varying[0] == (lit_shaders[i] == gn_use_gouraud ? 0.75f : 1.0f));
+    }
+    present = 15;
+}
+
 static void texture_multiplies_every_channel(void **state)
 {
     (void)state;
@@ -173,9 +265,11 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(null_pointers),
-        cmocka_unit_test(bad_textures_leave_the_pipeline),
+        cmocka_unit_test(bad_uniforms_leave_the_pipeline),
+        cmocka_unit_test(bad_maps_and_depths),
         cmocka_unit_test(only_shader_fields_are_set),
         cmocka_unit_test(light_follows_the_cosine),
+        cmocka_unit_test(absent_colors_are_white),
         cmocka_unit_test(texture_multiplies_every_channel),
     };
     return cmocka_run_group_tests_name("shaders", tests, NULL, NULL);

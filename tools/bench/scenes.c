@@ -13,6 +13,7 @@ const bench_scene bench_scenes[BENCH_SCENE_COUNT] = {
     {"S2", BENCH_TEXTURED_QUADS, 1024, 64, 0.0f},
     {"S3", BENCH_SPHERE, 1024, 129, 820.0f / 1024.0f},
     {"S4", BENCH_PHONG_SPHERE, 1024, 29, 1000.0f / 1024.0f},
+    {"S4 ready", BENCH_READY_PHONG_SPHERE, 1024, 29, 1000.0f / 1024.0f},
     {"S5", BENCH_SPHERE, 1024, 289, 564.0f / 1024.0f},
     {"S6", BENCH_CLEAR, 1024, 0, 0.0f},
 };
@@ -163,11 +164,11 @@ static sphere_mesh make_sphere(uint32_t n)
 
 /* Seen so that the outline, at the angle whose sine is 1 / distance, is as wide as
  * `across`. */
-static void add_sphere(scene *s, uint32_t n, float across, bool phong)
+static void add_sphere(scene *s, uint32_t n, float across, scene_shader shader)
 {
     const float distance = sqrtf(1.0f + across * across) / across;
     sphere_mesh m = make_sphere(n);
-    scene_draw *d = add_draw(s, phong ? SCENE_PHONG : SCENE_GOURAUD);
+    scene_draw *d = add_draw(s, shader);
     gn_transform back;
 
     gn_translate((gn_vec3){0.0f, 0.0f, -distance}, &back);
@@ -179,8 +180,10 @@ static void add_sphere(scene *s, uint32_t n, float across, bool phong)
     d->state.cull = GN_CULL_BACK;
     scene_set_attribute(d, GN_ATTRIBUTE_POSITION, m.normal, 3, m.vertex_count);
     scene_set_attribute(d, GN_ATTRIBUTE_NORMAL, m.normal, 3, m.vertex_count);
-    if (phong) {
+    if (shader != SCENE_GOURAUD) {
         d->view_from_model = back.matrix;
+        d->surface.world_from_model = back.matrix;
+        d->surface.exponent = 32;
         d->specular = (gn_vec3){0.5f, 0.5f, 0.5f};
         scene_set_attribute(d, GN_ATTRIBUTE_TEXCOORD, m.texcoord, 2, m.vertex_count);
         add_texture(d);
@@ -207,8 +210,13 @@ scene *bench_build(const bench_scene *b)
         add_quads(s, b->detail, b->shape == BENCH_TEXTURED_QUADS);
         break;
     case BENCH_SPHERE:
+        add_sphere(s, b->detail, b->across, SCENE_GOURAUD);
+        break;
     case BENCH_PHONG_SPHERE:
-        add_sphere(s, b->detail, b->across, b->shape == BENCH_PHONG_SPHERE);
+        add_sphere(s, b->detail, b->across, SCENE_PHONG);
+        break;
+    case BENCH_READY_PHONG_SPHERE:
+        add_sphere(s, b->detail, b->across, SCENE_MAPPED_PHONG);
         break;
     }
     return s;

@@ -8,6 +8,7 @@
  *       culled
  *   S4  cube-sphere of 10,092 triangles, 1000 across, textured, Phong's highlight at every
  *       pixel (reference/scene/phong.h), back faces culled
+ *       "S4 ready" is the same with the ready-made gn_use_phong
  *   S5  cube-sphere of 1,002,252 triangles, 564 across, as S3
  *   S6  clear only
  *
@@ -24,7 +25,8 @@ typedef enum bench_shape {
     BENCH_QUADS,
     BENCH_TEXTURED_QUADS,
     BENCH_SPHERE,
-    BENCH_PHONG_SPHERE
+    BENCH_PHONG_SPHERE,
+    BENCH_READY_PHONG_SPHERE
 } bench_shape;
 
 typedef struct bench_scene {
@@ -35,7 +37,7 @@ typedef struct bench_scene {
     float across;    /* the sphere's outline, as a part of the side */
 } bench_scene;
 
-#define BENCH_SCENE_COUNT 6
+#define BENCH_SCENE_COUNT 7
 #define BENCH_SCALE_COUNT 19
 
 extern const bench_scene bench_scenes[BENCH_SCENE_COUNT];

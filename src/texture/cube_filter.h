@@ -1,0 +1,149 @@
+/* The filters within one level of a cube map. Unlike those of other targets they work on lanes
+ * whose levels differ, since a texel that is missing in one lane changes how its whole quad is
+ * mixed. */
+#ifndef GN_TEXTURE_CUBE_FILTER_H
+#define GN_TEXTURE_CUBE_FILTER_H
+
+#include "filter.h"
+
+/* The levels that the lanes ask for, as bits. */
+static inline uint32_t levels_in(lanes_i level)
+{
+    int32_t number[GN_LANES];
+    uint32_t bits = 0;
+
+    lanes_i_store(number, level);
+    GN_EACH_LANE (l)
+        bits |= 1u << number[l];
+    return bits;
+}
+
+static inline lanes_i cube_sizes(const gn_texture *texture, lanes_i level)
+{
+    int32_t number[GN_LANES];
+
+    lanes_i_store(number, level);
+    GN_EACH_LANE (l)
+        number[l] = (int32_t)size_of_level(texture->width, (uint32_t)number[l]);
+    return lanes_i_load(number);
+}
+
+/* Texels of each lane's own level, of the set `levels`. */
+GN_OUT_OF_LINE void fetch_cube(const gn_texture *texture, const lanes_i *level, uint32_t levels,
+                               const lanes_i *column, const lanes_i *row, const lanes_i *face,
+                               lanes_f texel[4])
+{
+    const lanes_i zero = lanes_i_splat(0);
+
+    if ((levels & (levels - 1)) == 0) {
+        fetch_texels(texture, first_lane(levels), column, row, face, texel);
+        return;
+    }
+    for (; levels; levels &= levels - 1) {
+        const uint32_t here = first_lane(levels);
+        const lanes_m is_here = lanes_i_equal(*level, lanes_i_splat((int32_t)here));
+        const lanes_i inner_column = lanes_i_select(is_here, *column, zero);
+        const lanes_i inner_row = lanes_i_select(is_here, *row, zero);
+        lanes_f fetched[4];
+
+        fetch_texels(texture, here, &inner_column, &inner_row, face, fetched);
+        for (int c = 0; c < 4; ++c)
+            texel[c] = lanes_select(is_here, fetched[c], texel[c]);
+    }
+}
+
+GN_OUT_OF_LINE void filter_cube_nearest(const lookup_state *state, const lookup_place *place,
+                                        const lanes_i *level, lanes_f texel[4])
+{
+    const lanes_i size = cube_sizes(state->texture, *level);
+    const lanes_i zero = lanes_i_splat(0), last = lanes_i_sub(size, lanes_i_splat(1));
+    const lanes_f n = lanes_to_float(size);
+    const lanes_i column = lanes_i_clamp(lanes_truncate(lanes_mul(place->cube->s, n)), zero, last);
+    const lanes_i row = lanes_i_clamp(lanes_truncate(lanes_mul(place->cube->t, n)), zero, last);
+
+    fetch_cube(state->texture, level, levels_in(*level), &column, &row, &place->cube->face, texel);
+    if (state->compare != GN_TEXTURE_COMPARE_NONE)
+        texel[0] = compared(state->compare, place->reference, texel[0]);
+}
+
+/* The four texels, compared where that is asked for. */
+static inline void fetch_cube_texels(const lookup_state *state, const lookup_place *place,
+                                     const lanes_i *level, const cube_texels *texels,
+                                     lanes_f texel[CUBE_TEXELS][4])
+{
+    const uint32_t levels = levels_in(*level);
+
+    for (int i = 0; i < CUBE_TEXELS; ++i) {
+        fetch_cube(state->texture, level, levels, &texels->column[i], &texels->row[i],
+                   &texels->face[i], texel[i]);
+        if (state->compare != GN_TEXTURE_COMPARE_NONE)
+            texel[i][0] = compared(state->compare, place->reference, texel[i][0]);
+    }
+}
+
+/* As filter_linear has it for other targets. */
+GN_OUT_OF_LINE void filter_cube_linear(const lookup_state *state, const lookup_place *place,
+                                       const lanes_i *level, uint32_t linear, lanes_f texel[4])
+{
+    cube_texels texels;
+    lanes_f corner[CUBE_TEXELS][4], weight[CUBE_TEXELS];
+
+    cube_linear(place->cube, cube_sizes(state->texture, *level), &texels);
+    texels.weight_s = weights_of(linear, texels.weight_s);
+    texels.weight_t = weights_of(linear, texels.weight_t);
+    fetch_cube_texels(state, place, level, &texels, corner);
+    for (int c = 0; c < 4; ++c)
+        texel[c] =
+            mix(texels.weight_t, mix_along_s(state, c, texels.weight_s, corner[0][c], corner[1][c]),
+                mix_along_s(state, c, texels.weight_s, corner[2][c], corner[3][c]));
+    if (texels.weighted == 0)
+        return;
+    cube_weights(&texels, weight);
+    /* Weights may add up to a little less than 1: what the format lacks stays 0 or 1. */
+    for (int c = 0; c < texel_channels(state->texture->format); ++c) {
+        const lanes_f of_channel[CUBE_TEXELS] = {corner[0][c], corner[1][c], corner[2][c],
+                                                 corner[3][c]};
+
+        texel[c] =
+            lanes_select(lanes_from_bits(texels.weighted), cube_mix(weight, of_channel), texel[c]);
+    }
+}
+/* One level a lane, of lanes that are `linear` by the linear filter; quads as filter_level does. */
+GN_OUT_OF_LINE void filter_cube(const lookup_state *state, const lookup_place *place,
+                                const lanes_i *level, uint32_t linear, lanes_f texel[4])
+{
+    const uint32_t linear_quads = quads_of(linear);
+    lanes_f nearest[4];
+
+    if (linear_quads == 0) {
+        filter_cube_nearest(state, place, level, texel);
+        return;
+    }
+    filter_cube_linear(state, place, level, linear, texel);
+    if (linear_quads == GN_ALL_LANES)
+        return;
+    filter_cube_nearest(state, place, level, nearest);
+    for (int c = 0; c < 4; ++c)
+        texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
+}
+
+/* One channel of the four texels, which a gather finds, in the order of its results. */
+GN_OUT_OF_LINE void gather_cube(const lookup_state *state, const lookup_place *place, int channel,
+                                lanes_f texel[4])
+{
+    static const unsigned char order[4] = {2, 3, 1, 0};
+    const lanes_i level = lanes_i_splat(0);
+    lanes_f corner[CUBE_TEXELS][4], of_channel[CUBE_TEXELS];
+    cube_texels texels;
+
+    cube_linear(place->cube, cube_sizes(state->texture, level), &texels);
+    fetch_cube_texels(state, place, &level, &texels, corner);
+    for (int i = 0; i < CUBE_TEXELS; ++i)
+        of_channel[i] = corner[i][channel];
+    if (texels.weighted)
+        cube_fill_missing(&texels, of_channel);
+    for (int i = 0; i < CUBE_TEXELS; ++i)
+        texel[i] = of_channel[order[i]];
+}
+
+#endif
