@@ -222,12 +222,15 @@ $(UNIT_TESTS): $(BUILD)/%: $(BUILD)/tests/unit/%.o $(BUILD)/libgnomon.a
 
 RUNNER = $(BUILD)/tests/tools/runner.o
 TOOL_TESTS = $(BUILD)/test_faults $(BUILD)/test_pictures $(BUILD)/test_comparison $(BUILD)/test_teapot \
-	$(BUILD)/test_transform_command
+	$(BUILD)/test_transform_command $(BUILD)/test_shading_command
 
 $(BUILD)/test_faults $(BUILD)/test_pictures: $(BUILD)/test_%: $(BUILD)/tests/tools/test_%.o $(RUNNER)
 	$(LINK) -lcmocka -lpng -lstb -lm
 
 $(BUILD)/test_transform_command: $(BUILD)/tests/tools/test_transform.o $(RUNNER)
+	$(LINK) -lcmocka -lpng -lstb -lm
+
+$(BUILD)/test_shading_command: $(BUILD)/tests/tools/test_shading.o $(RUNNER)
 	$(LINK) -lcmocka -lpng -lstb -lm
 
 $(BUILD)/test_comparison: $(BUILD)/tests/tools/test_comparison.o $(RUNNER) \
@@ -371,6 +374,7 @@ test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N fa
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
 		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \
+		'command, shaders=$(BUILD)/test_shading_command $(BUILD)/gnomon' \
 		'command, comparison=$(BUILD)/test_comparison $(BUILD)/gnomon' \
 		'command, transform=$(BUILD)/test_transform_command $(BUILD)/gnomon' \
 		'teapot=$(BUILD)/test_teapot' \
