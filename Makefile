@@ -234,12 +234,15 @@ $(UNIT_TESTS): $(BUILD)/%: $(BUILD)/tests/unit/%.o $(BUILD)/libgnomon.a
 
 RUNNER = $(BUILD)/tests/tools/runner.o
 TOOL_TESTS = $(BUILD)/test_faults $(BUILD)/test_pictures $(BUILD)/test_comparison $(BUILD)/test_teapot \
-	$(BUILD)/test_transform_command
+	$(BUILD)/test_transform_command $(BUILD)/test_shading_command
 
 $(BUILD)/test_faults $(BUILD)/test_pictures: $(BUILD)/test_%: $(BUILD)/tests/tools/test_%.o $(RUNNER)
 	$(LINK) -lcmocka -lpng -lstb -lm
 
 $(BUILD)/test_transform_command: $(BUILD)/tests/tools/test_transform.o $(RUNNER)
+	$(LINK) -lcmocka -lpng -lstb -lm
+
+$(BUILD)/test_shading_command: $(BUILD)/tests/tools/test_shading.o $(RUNNER)
 	$(LINK) -lcmocka -lpng -lstb -lm
 
 $(BUILD)/test_comparison: $(BUILD)/tests/tools/test_comparison.o $(RUNNER) \
@@ -248,9 +251,9 @@ $(BUILD)/test_comparison: $(BUILD)/tests/tools/test_comparison.o $(RUNNER) \
 	$(LINK) -lcmocka -lpng -lm
 
 $(BUILD)/test_teapot: $(BUILD)/tests/tools/test_teapot.o \
-		$(call objects,$(addprefix tools/gnomon/,teapot.c model.c normals.c report.c)) \
+		$(call objects,$(addprefix tools/gnomon/,teapot.c teapot_maps.c image.c model.c material.c normals.c report.c)) \
 		$(BUILD)/libgnomon.a
-	$(LINK) -lassimp -lcmocka -lm
+	$(LINK) -lassimp -lcmocka -lstb -lm
 
 # What people run
 
@@ -264,6 +267,19 @@ all demo test library cross size: | $(filter setup setup-cross,$(MAKECMDGOALS))
 
 demo:
 	@$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png --picture $(BUILD)/teapot.png
+
+.PHONY: compare-models
+compare-models: $(BUILD)/gnomon ## OBJ models with every shader, with Gnomon and OSMesa: MODELS=DIRECTORY
+	@tests/models.sh $(BUILD) '$(MODELS)'
+
+PICTURE_SHADERS = vertex-color unlit flat gouraud toon phong blinn-phong normals depth
+PICTURE = $(BUILD)/gnomon demo --size 240x180 --samples 4 -o $(BUILD)/picture-compared.png
+
+.PHONY: pictures
+pictures: $(BUILD)/gnomon ## the README's pictures of the shaders, compared with OSMesa's: tools/pictures/*.png
+	@for shader in $(PICTURE_SHADERS); do \
+		$(PICTURE) --shader $$shader --picture tools/pictures/$$shader.png || exit 1; done
+	@$(PICTURE) --shader phong --shadows --picture tools/pictures/shadows.png
 
 SCENES ?= 20100
 SEED ?= 1
@@ -385,6 +401,7 @@ test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N fa
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
 		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \
+		'command, shaders=$(BUILD)/test_shading_command $(BUILD)/gnomon' \
 		'command, comparison=$(BUILD)/test_comparison $(BUILD)/gnomon' \
 		'command, transform=$(BUILD)/test_transform_command $(BUILD)/gnomon' \
 		'teapot=$(BUILD)/test_teapot' \

@@ -17,6 +17,8 @@ static bool change_alpha;
 static bool change_depth;
 static bool refuse;
 
+static const shadow_pass no_shadow;
+
 struct reference {
     int unused;
 };
@@ -92,7 +94,7 @@ static const char *printed(comparison *c, const scene *s)
     FILE *file = tmpfile();
     assert_non_null(file);
     dup2(fileno(file), STDOUT_FILENO);
-    int fault = comparison_make(s, GN_BACKEND_AUTO, c);
+    int fault = comparison_make(s, &no_shadow, GN_BACKEND_AUTO, c);
     fflush(stdout);
     dup2(saved, STDOUT_FILENO);
     close(saved);
@@ -142,6 +144,26 @@ static void differences_are_counted_and_shown(void **state)
     assert_int_equal(p.width, 10);
     assert_int_equal(pixel(&p, 3, 3), 0x333333ff);
     picture_free(&p);
+}
+
+/* Changed are samples alone: the first ones are at the places that differ in a plain picture. */
+static void samples_are_counted_apart(void **state)
+{
+    (void)state;
+    scene *s = empty_scene();
+    comparison c;
+    s->samples = GN_SAMPLES;
+    change_color = change_depth = true;
+    change_alpha = false;
+    const char *text = printed(&c, s);
+    assert_non_null(strstr(text, "colour: 0 of 60 pixels differ\n"));
+    assert_non_null(strstr(text, "depth:  0 of 60 pixels differ\n"));
+    assert_non_null(strstr(text, "samples: 2 of 240 differ, colours of 1 by at most 5/255, "
+                                 "depths of 1 by at most 0.75\n"));
+    assert_int_equal(c.difference.pixels, 0);
+    assert_int_equal(c.samples.pixels, 2);
+    comparison_free(&c);
+    scene_free(s);
 }
 
 static void one_pixel_is_singular(void **state)
@@ -217,6 +239,7 @@ int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(differences_are_counted_and_shown),
+        cmocka_unit_test(samples_are_counted_apart),
         cmocka_unit_test(one_pixel_is_singular),
         cmocka_unit_test(equal_pictures_are_black),
         cmocka_unit_test(finished_outputs_appear_when_renamed),

@@ -45,7 +45,7 @@ static void help_is_printed(void **state)
     static const char must_have[][3][24] = {{"render", "compare", "demo"},
                                             {"--depth", "--orthographic", "--backend NAME"},
                                             {"_compared.png", "--backend NAME", "--eye"},
-                                            {"teapot", "--picture", "--tessellation"}};
+                                            {"--shader NAME", "--picture", "--tessellation"}};
     (void)state;
     for (int i = 0; i < 4; i++) {
         run r = gnomon("%s--help", commands[i]);
@@ -88,16 +88,36 @@ static void usage_errors_are_status_2(void **state)
     expect(2, "render square.obj -o a.png --light here", "--light 'here'", "X,Y,Z");
     expect(2, "render square.obj -o a.png --fov wide", "--fov 'wide'", "degrees");
     expect(2, "render square.obj -o a.png --orthographic 2m", "--orthographic", "height");
-    expect(2, "render square.obj -o a.png --shader phong", "--shader 'phong'", "gouraud");
+    expect(2, "render square.obj -o a.png --shader velvet", "--shader 'velvet'", "gouraud");
     expect(2, "render square.obj -o a.png --background red", "--background", "#rrggbb");
     expect(2, "render square.obj -o a.png --background 12345", "--background", "#rrggbb");
     expect(2, "render square.obj -o a.png --fov 40 --orthographic 2", "--fov", "exclude");
-    expect(2, "render square.obj -o a.png --texture a.png --shader flat", "--texture",
-           "--shader textured");
+    expect(2, "render square.obj -o a.png --texture a.png --shader normals", "--texture",
+           "--shader normals");
+    expect(2, "render square.obj -o a.png --glow-map a.png --shader toon", "--glow-map",
+           "--shader toon");
+    expect(2, "render square.obj -o a.png --shadows --shader gouraud", "--shadows",
+           "--shader gouraud");
+    expect(2, "render square.obj -o a.png --texture ''", "--texture", "a file name, or none");
+    expect(2, "render square.obj -o a.png --normal-map a.png", "--normal-map 'a.png'",
+           "world:FILE");
+    expect(2, "render square.obj -o a.png --normal-map world:", "--normal-map", "world:FILE");
+    expect(2, "render square.obj -o a.png --normal-map none:a.png", "--normal-map", "world:FILE");
+    expect(2, "render square.obj -o a.png --normal-map any:a.png", "--normal-map", "world:FILE");
+    expect(2, "render square.obj -o a.png --filter cubic", "--filter 'cubic'", "nearest");
+    expect(2, "render square.obj -o a.png --exponent 0", "--exponent '0'", "1 to 1024");
+    expect(2, "render square.obj -o a.png --exponent 2.5", "--exponent", "whole number");
+    expect(2, "render square.obj -o a.png --bands 1", "--bands '1'", "2 to 256");
+    expect(2, "demo --shader velvet", "--shader 'velvet'", "blinn-phong");
+    expect(2, "demo --texture a.png", "'--texture'", "unknown option");
     expect(2, "render square.obj -o a.png --backend mmx", "--backend 'mmx'", "portable, sse2");
     expect(2, "compare square.obj --backend ''", "--backend ''", "portable, sse2");
     expect(2, "compare square.obj --backend unknown", "--backend", "portable, sse2");
     expect(2, "demo --backend auto", "'--backend'", "unknown option");
+    expect(2, "render square.obj -o a.png --samples 2", "--samples '2'", "1 or 4");
+    expect(2, "render square.obj -o a.png --samples 4x", "--samples '4x'", "1 or 4");
+    expect(2, "demo --samples ''", "--samples", "1 or 4");
+    expect(2, "compare square.obj --samples 4 --wireframe", "--wireframe", "OSMesa");
     expect(2, "compare", "no model", "compare --help");
     expect(2, "compare square.obj --depth d.png", "'--depth'", "unknown option");
     expect(2, "demo square.obj", "'square.obj'", "no model");
@@ -165,20 +185,28 @@ static void bad_textures_are_named(void **state)
     write_bytes("short.tga", short_tga, sizeof short_tga);
     expect(1, "render square.obj -o a.png --texture short.tga", "short.tga", "cut short");
     expect(1, "render bare.obj -o a.png --texture noise.png", "bare.obj", "coordinates");
-    expect(1, "render bare.obj -o a.png --shader textured", "bare.obj", "coordinates");
-    expect(1, "render square.obj -o a.png --shader textured", "square.obj", "--texture");
+    expect(1, "render bare.obj -o a.png --normal-map world", "bare.obj", "coordinates");
+    expect(1, "render square.obj -o a.png --specular-map none.tga", "none.tga", "No such file");
+    expect(1, "render square.obj -o a.png --glow-map noise.png", "noise.png", "--glow-map none");
+    expect(1, "render square.obj -o a.png --normal-map world:none.png", "none.png",
+           "--normal-map none");
+    expect(1, "render square.obj -o a.png --normal-map tangent:noise.png", "noise.png", "texture");
+    expect(1, "render square.obj -o a.png --normal-map tangent", "_nm_tangent", "tangent:FILE");
+    expect(1, "render square.obj -o a.png --normal-map world", "_nm.tga", "world:FILE");
+    write_text("smooth.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+    expect(1, "render smooth.obj -o a.png --normal-map tangent", "smooth.obj", "no normals");
 
     write_text("named.mtl", "newmtl skin\nKd 1 0 0\nmap_Kd gone.png\n");
     char named[1024] = "mtllib named.mtl\nusemtl skin\n";
     strcat(named, square_obj);
     write_text("named.obj", named);
     expect(1, "render named.obj -o a.png", "named.obj", "gone.png");
-    expect(1, "render named.obj -o a.png", "No such file", "--shader gouraud");
+    expect(1, "render named.obj -o a.png", "No such file", "--texture none");
     expect(1, "compare named.obj -o a.png", "named.obj", "gone.png");
     write_text("gone.png", "this is no image either");
     expect(1, "render named.obj -o a.png", "named.obj", "gone.png");
     remove_file("gone.png");
-    run r = gnomon("render named.obj -o a.png --shader gouraud --size 8x8");
+    run r = gnomon("render named.obj -o a.png --texture none --size 8x8");
     assert_int_equal(r.status, 0);
     assert_true(exists("a.png"));
     remove_file("a.png");
@@ -186,6 +214,22 @@ static void bad_textures_are_named(void **state)
     write_text("head.obj", square_obj);
     write_text("head_diffuse.png", "this is no image");
     expect(1, "render head.obj -o a.png", "head_diffuse.png", "texture");
+    remove_file("head_diffuse.png");
+    static const char suffixes[][24] = {"_nm", "_nm_tangent", "_spec", "_glow"};
+    static const char options[][24] = {"--normal-map none", "--normal-map none",
+                                       "--specular-map none", "--glow-map none"};
+    for (int i = 0; i < 4; i++) {
+        char name[128];
+        snprintf(name, sizeof name, "head%s.jpg", suffixes[i]);
+        write_text(name, "this is no image");
+        expect(1, "render head.obj -o a.png --shader phong", name, options[i]);
+        char line[160];
+        snprintf(line, sizeof line, "render head.obj -o a.png --size 8x8 %s", options[i]);
+        r = gnomon("%s", line);
+        assert_int_equal(r.status, 0);
+        remove_file(name);
+        remove_file("a.png");
+    }
 }
 
 static void outputs_are_whole_or_absent(void **state)
@@ -204,6 +248,9 @@ static void outputs_are_whole_or_absent(void **state)
     expect(1, "render square.obj -o a.png --depth a.png", "a.png", "both");
     expect(1, "demo -o a.png --picture a.png", "a.png", "both");
     expect(1, "compare square.obj --texture square_compared.png", "square_compared.png",
+           "overwritten");
+    expect(1, "render square.obj --glow-map ./kept.png -o kept.png", "kept.png", "overwritten");
+    expect(1, "render square.obj --normal-map world:kept.png --depth kept.png -o a.png", "kept.png",
            "overwritten");
     expect(1, "render square.obj -o a.png --depth nowhere/d.png", "nowhere/d.png", "No such file");
     expect(1, "render square.obj -o kept.png --depth nowhere/d.png", "nowhere/d.png",

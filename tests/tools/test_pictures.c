@@ -39,7 +39,7 @@ static void vertex_colors_fill_the_picture(void **state)
 {
     (void)state;
     write_text("red.obj", red_square);
-    picture p = render("red.obj", FRONT " --shader color --size 37x37");
+    picture p = render("red.obj", FRONT " --shader vertex-color --size 37x37");
     assert_int_equal(p.width, 37);
     assert_int_equal(p.height, 37);
     expect_all(&p, 0xff0000ff);
@@ -58,7 +58,7 @@ static void vertex_colors_fill_the_picture(void **state)
 /* From 10.25 to 30.75 in both directions, with the diagonal that goes up to the right. */
 static void wireframe_draws_the_edges(void **state)
 {
-    static const char from[] = "--eye 0,0,5 --target 0,0,0 --orthographic 4 --shader color"
+    static const char from[] = "--eye 0,0,5 --target 0,0,0 --orthographic 4 --shader vertex-color"
                                " --size 41x41 --wireframe";
     (void)state;
     write_text("red.obj", red_square);
@@ -72,6 +72,42 @@ static void wireframe_draws_the_edges(void **state)
     picture_free(&p);
     run r = gnomon("render red.obj -o a.png --wireframe=yes");
     assert_int_equal(r.status, 2);
+}
+
+/* The square from 10.25 to 30.75: sample places 0.375, 0.875, 0.125 and 0.625 of a pixel along x
+ * and 0.125, 0.375, 0.625 and 0.875 along y decide how much of a pixel at its sides is red. */
+static void samples_smooth_edges(void **state)
+{
+    static const char from[] = "--eye 0,0,5 --target 0,0,0 --orthographic 4 --shader vertex-color"
+                               " --size 41x41 --background 000000 --samples";
+    char flags[160];
+    (void)state;
+    write_text("red.obj", red_square);
+    snprintf(flags, sizeof flags, "%s 1", from);
+    picture p = render("red.obj", flags);
+    assert_int_equal(pixel(&p, 10, 20), 0xff0000ff);
+    assert_int_equal(pixel(&p, 30, 20), 0xff0000ff);
+    picture_free(&p);
+    snprintf(flags, sizeof flags, "%s 4 --depth d.png", from);
+    p = render("red.obj", flags);
+    assert_int_equal(pixel(&p, 9, 20), 0x000000ff);
+    assert_int_equal(pixel(&p, 10, 20), 0xbf0000ff);
+    assert_int_equal(pixel(&p, 20, 20), 0xff0000ff);
+    assert_int_equal(pixel(&p, 30, 20), 0xbf0000ff);
+    assert_int_equal(pixel(&p, 20, 10), 0xbf0000ff);
+    assert_int_equal(pixel(&p, 20, 30), 0xbf0000ff);
+    picture_free(&p);
+    /* Depth is that of the first sample, 0.375 along x and 0.125 along y from below. */
+    p = picture_read_grey16("d.png");
+    assert_true(p.grey[20 * 41 + 10] < 65535);
+    assert_true(p.grey[20 * 41 + 30] < 65535);
+    assert_int_equal(p.grey[30 * 41 + 20], 65535);
+    picture_free(&p);
+    run r = gnomon("compare red.obj --size 50x40 --samples 4");
+    assert_int_equal(r.status, 0);
+    assert_non_null(strstr(r.out, "colour: 0 of 2000 pixels differ\n"));
+    assert_non_null(strstr(r.out, "depth:  0 of 2000 pixels differ\n"));
+    assert_non_null(strstr(r.out, "samples: 0 of 8000 differ\n"));
 }
 
 static void background_is_what_was_asked_for(void **state)
@@ -92,19 +128,20 @@ static void top_row_is_the_top(void **state)
     (void)state;
     write_text("upper.obj", "v -1 0 0 0 0 1\nv 0 0 0 0 0 1\nv 0 1 0 0 0 1\nv -1 1 0 0 0 1\n"
                             "f 1 2 3\nf 1 3 4\n");
-    picture p = render("upper.obj", FRONT " --shader color --size 20x20 --background ffffff");
+    picture p =
+        render("upper.obj", FRONT " --shader vertex-color --size 20x20 --background ffffff");
     for (uint32_t y = 0; y < 20; y++) {
         for (uint32_t x = 0; x < 20; x++)
             assert_int_equal(pixel(&p, x, y), x < 10 && y < 10 ? 0x0000ffff : 0xffffffff);
     }
     picture_free(&p);
     /* Seen from behind, left is right; with up reversed, top is bottom. */
-    p = render("upper.obj", "--eye 0,0,-5 --target 0,0,0 --orthographic 2 --shader color"
+    p = render("upper.obj", "--eye 0,0,-5 --target 0,0,0 --orthographic 2 --shader vertex-color"
                             " --size 20x20 --background ffffff");
     assert_int_equal(pixel(&p, 15, 5), 0x0000ffff);
     assert_int_equal(pixel(&p, 5, 5), 0xffffffff);
     picture_free(&p);
-    p = render("upper.obj", FRONT " --up 0,-1,0 --shader color --size 20x20"
+    p = render("upper.obj", FRONT " --up 0,-1,0 --shader vertex-color --size 20x20"
                                   " --background ffffff");
     assert_int_equal(pixel(&p, 15, 15), 0x0000ffff);
     assert_int_equal(pixel(&p, 5, 5), 0xffffffff);
@@ -116,7 +153,7 @@ static void perspective_sees_the_angle_asked_for(void **state)
     (void)state;
     write_text("red.obj", red_square);
     /* From distance 2, 90 degrees see 4 units: the square is the middle half. */
-    picture p = render("red.obj", "--eye 0,0,2 --target 0,0,0 --fov 90 --shader color"
+    picture p = render("red.obj", "--eye 0,0,2 --target 0,0,0 --fov 90 --shader vertex-color"
                                   " --size 40x40");
     for (uint32_t y = 0; y < 40; y++) {
         for (uint32_t x = 0; x < 40; x++) {
@@ -173,7 +210,8 @@ static void depth_is_16_bit_grey(void **state)
     write_text("steps.obj", "v -1 -1 1 1 1 0\nv 0 -1 1 1 1 0\nv 0 1 1 1 1 0\nv -1 1 1 1 1 0\n"
                             "v -1 -1 -1 0 1 1\nv 1 -1 -1 0 1 1\nv 1 1 -1 0 1 1\nv -1 1 -1 0 1 1\n"
                             "f 1 2 3 4\nf 5 6 7 8\n");
-    r = gnomon("render steps.obj -o a.png --depth d.png --shader color " FRONT " --size 8x8");
+    r = gnomon("render steps.obj -o a.png --depth d.png --shader vertex-color " FRONT
+               " --size 8x8");
     assert_int_equal(r.status, 0);
     p = picture_read_grey16("d.png");
     /* z = 1 and -1 in a sphere of radius sqrt(3) and 1 % more: 0.5 -+ 1/(2*1.7494). */
@@ -185,6 +223,9 @@ static void depth_is_16_bit_grey(void **state)
     assert_int_equal(pixel(&p, 6, 3), 0x00ffffff);
     picture_free(&p);
 }
+
+/* In full light and without highlights. */
+#define LIT FRONT " --light 0,0,1 --size 100x100 --shader gouraud "
 
 /* 64x64, top left red, top right green, bottom left blue, bottom right white. */
 static const uint8_t quadrants[4][3] = {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {255, 255, 255}};
@@ -228,20 +269,93 @@ static void textures_stand_upright(void **state)
     stbi_write_png(path_of("t.png"), 64, 64, 3, texels, 0);
     stbi_write_jpg(path_of("t.jpg"), 64, 64, 3, texels, 95);
     write_quadrants_tga("t.tga");
-    expect_quadrants(FRONT " --light 0,0,1 --size 100x100 --texture t.png", 0);
-    expect_quadrants(FRONT " --light 0,0,1 --size 100x100 --texture t.tga", 0);
-    expect_quadrants(FRONT " --light 0,0,1 --size 100x100 --texture t.jpg", 8);
+    expect_quadrants(LIT "--texture t.png", 0);
+    expect_quadrants(LIT "--texture t.tga", 0);
+    expect_quadrants(LIT "--texture t.jpg", 8);
 
     /* Without --texture and without a material: by the model's name. */
     picture p = render("square.obj", FRONT " --light 0,0,1 --size 10x10");
     expect_all(&p, 0xccccccff);
     picture_free(&p);
     write_quadrants_tga("square_diffuse.tga");
-    expect_quadrants(FRONT " --light 0,0,1 --size 100x100", 0);
-    p = render("square.obj", FRONT " --light 0,0,1 --size 10x10 --shader gouraud");
+    expect_quadrants(LIT, 0);
+    expect_quadrants(FRONT " --shader unlit --size 100x100", 0);
+    expect_quadrants(LIT "--filter nearest", 0);
+    p = render("square.obj", FRONT " --light 0,0,1 --size 10x10 --shader gouraud --texture none");
     expect_all(&p, 0xccccccff);
     picture_free(&p);
     remove_file("square_diffuse.tga");
+}
+
+static void write_color(const char *name, uint8_t red, uint8_t green, uint8_t blue)
+{
+    const uint8_t texel[3] = {red, green, blue};
+    stbi_write_png(path_of(name), 1, 1, 3, texel, 0);
+}
+
+static void expect_maps(const char *arguments, const char *maps)
+{
+    run r = gnomon("render %s -o a.png --size 8x8", arguments);
+    assert_int_equal(r.status, 0);
+    const char *line = strstr(r.out, "\nmaps: ");
+    if (maps[0] == '\0' ? line != NULL : line == NULL || strcmp(line + 7, maps) != 0)
+        fail_msg("%s: expected '%s' of\n%s", arguments, maps, r.out);
+}
+
+static void maps_are_found_by_name(void **state)
+{
+    (void)state;
+    write_text("face.obj", square_obj);
+    expect_maps("face.obj", "");
+    write_color("face_nm.png", 128, 255, 128);
+    expect_maps("face.obj", "world-space normals face_nm.png\n");
+    write_color("face_nm_tangent.jpg", 128, 128, 255);
+    expect_maps("face.obj", "tangent-space normals face_nm_tangent.jpg\n");
+    expect_maps("face.obj --normal-map world", "world-space normals face_nm.png\n");
+    expect_maps("face.obj --normal-map none", "");
+    expect_maps("face.obj --shader unlit", "");
+    write_color("face_diffuse.tga", 0, 255, 0);
+    write_color("face_spec.png", 9, 9, 9);
+    write_color("face_glow.png", 9, 9, 9);
+    expect_maps("face.obj", "diffuse face_diffuse.tga, tangent-space normals face_nm_tangent.jpg, "
+                            "specular face_spec.png, glow face_glow.png\n");
+    expect_maps("./face.obj --texture none --glow-map face_spec.png --specular-map none",
+                "tangent-space normals ./face_nm_tangent.jpg, glow face_spec.png\n");
+    expect_maps("face.obj --shader toon", "diffuse face_diffuse.tga\n");
+    expect_maps("face.obj --shader normals", "tangent-space normals face_nm_tangent.jpg\n");
+    expect_maps("face.obj --shader normals --normal-map tangent:face_spec.png",
+                "tangent-space normals face_spec.png\n");
+    expect_maps("face.obj --shader vertex-color", "");
+    remove_file("face_diffuse.tga");
+    remove_file("face_nm.png");
+    remove_file("face_nm_tangent.jpg");
+    remove_file("face_spec.png");
+    remove_file("face_glow.png");
+}
+
+static void maps_are_found_by_material(void **state)
+{
+    char text[1024] = "mtllib coat.mtl\nusemtl coat\n";
+    (void)state;
+    write_text("coat.mtl", "newmtl coat\nKd 1 1 1\nmap_Kd c1.png\nmap_Ks c2.png\nmap_Ke c3.png\n"
+                           "map_Bump c4.png\n");
+    for (int i = 1; i <= 3; i++) {
+        char name[16];
+        snprintf(name, sizeof name, "c%d.png", i);
+        write_color(name, 99, 99, 99);
+    }
+    write_color("c4.png", 120, 130, 255);
+    strcat(text, square_obj);
+    write_text("coat.obj", text);
+    expect_maps("coat.obj", "diffuse c1.png, tangent-space normals c4.png, specular c2.png, "
+                            "glow c3.png\n");
+    /* One that is grey holds heights. */
+    write_color("c4.png", 120, 120, 120);
+    expect_maps("coat.obj", "diffuse c1.png, (heights, not used) c4.png, specular c2.png, "
+                            "glow c3.png\n");
+    /* Of an option instead. */
+    expect_maps("coat.obj --normal-map tangent:c3.png --texture c2.png",
+                "diffuse c2.png, tangent-space normals c3.png, specular c2.png, glow c3.png\n");
 }
 
 /* A glTF file with everything inside: the square, and a texture of two texels, red above
@@ -270,7 +384,7 @@ static void textures_inside_the_model_are_used(void **state)
 {
     (void)state;
     write_text("square.gltf", square_gltf);
-    picture p = render("square.gltf", FRONT " --light 0,0,1 --size 40x40");
+    picture p = render("square.gltf", FRONT " --light 0,0,1 --size 40x40 --shader gouraud");
     expect_near(pixel(&p, 20, 10), 0xff0000ff, 8, "red above");
     expect_near(pixel(&p, 20, 30), 0x00ff00ff, 8, "green below");
     picture_free(&p);
@@ -438,12 +552,15 @@ int main(int argc, char **argv)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(vertex_colors_fill_the_picture),
         cmocka_unit_test(wireframe_draws_the_edges),
+        cmocka_unit_test(samples_smooth_edges),
         cmocka_unit_test(background_is_what_was_asked_for),
         cmocka_unit_test(top_row_is_the_top),
         cmocka_unit_test(perspective_sees_the_angle_asked_for),
         cmocka_unit_test(framing_shows_the_whole_model),
         cmocka_unit_test(depth_is_16_bit_grey),
         cmocka_unit_test(textures_stand_upright),
+        cmocka_unit_test(maps_are_found_by_name),
+        cmocka_unit_test(maps_are_found_by_material),
         cmocka_unit_test(textures_inside_the_model_are_used),
         cmocka_unit_test(materials_are_followed),
         cmocka_unit_test(missing_normals_are_smooth),

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 #include <teapot.h>
+#include <teapot_maps.h>
 
 #define LEVEL 6u
 #define PATCH_VERTICES ((LEVEL + 1) * (LEVEL + 1))
@@ -180,6 +181,138 @@ static void triangles_face_outwards(void **state)
         assert_true(normal(v)[1] < 0.1f);
 }
 
+static float dot(const float a[3], const float b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const float a[3], const float b[3], float result[3])
+{
+    for (int c = 0; c < 3; c++)
+        result[c] = a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
+}
+
+/* Tangents and bitangents go the way positions go with s and with t over each triangle. */
+static void tangents_follow_the_texture(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < teapot.parts->index_count; i += 3) {
+        const uint32_t *t = teapot.parts->indices + i;
+        const float *texcoord[3];
+        float along[2][3] = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
+        for (int k = 0; k < 3; k++)
+            texcoord[k] = teapot.parts->texcoords + 2 * (size_t)t[k];
+        float s1 = texcoord[1][0] - texcoord[0][0];
+        float t1 = texcoord[1][1] - texcoord[0][1];
+        float s2 = texcoord[2][0] - texcoord[0][0];
+        float t2 = texcoord[2][1] - texcoord[0][1];
+        float area = s1 * t2 - s2 * t1;
+        assert_true(fabsf(area) > 1e-7f);
+        for (int c = 0; c < 3; c++) {
+            float p1 = position(t[1])[c] - position(t[0])[c];
+            float p2 = position(t[2])[c] - position(t[0])[c];
+            along[0][c] = (p1 * t2 - p2 * t1) / area;
+            along[1][c] = (p2 * s1 - p1 * s2) / area;
+        }
+        for (int k = 0; k < 3; k++) {
+            const float *tangent = teapot.parts->tangents + 4 * (size_t)t[k];
+            float bitangent[3];
+            cross(normal(t[k]), tangent, bitangent);
+            assert_true(fabsf(dot(tangent, tangent) - 1.0f) < 1e-5f);
+            assert_true(fabsf(dot(tangent, normal(t[k]))) < 1e-5f);
+            assert_true(dot(tangent, along[0]) > 0.0f);
+            assert_true(dot(bitangent, along[1]) * tangent[3] > 0.0f);
+        }
+    }
+}
+
+/* The patches' cells do not touch. */
+static void texture_coordinates_stay_in_their_cell(void **state)
+{
+    (void)state;
+    for (size_t v = 0; v < teapot.parts->vertex_count; v++) {
+        const float *texcoord = teapot.parts->texcoords + 2 * v;
+        size_t patch = v / PATCH_VERTICES;
+        float s = texcoord[0] * TEAPOT_COLUMNS - (float)(patch % TEAPOT_COLUMNS);
+        float t = texcoord[1] * TEAPOT_ROWS - (float)(patch / TEAPOT_COLUMNS);
+        assert_true(s > 0.06f && s < 0.94f && t > 0.06f && t < 0.94f);
+    }
+}
+
+static void unpack(uint32_t texel, float result[3])
+{
+    for (int c = 0; c < 3; c++)
+        result[c] = (float)(texel >> (8 * c) & 255) / 127.5f - 1.0f;
+}
+
+/* Both maps of normals say the same, and nothing that points into the teapot. */
+static void maps_of_normals_agree(void **state)
+{
+    enum { CELL = 32 };
+    image of_tangents;
+    image of_model;
+    int tilted = 0;
+    (void)state;
+    assert_true(teapot_map_create(MAP_NORMAL, true, CELL, &of_tangents));
+    assert_true(teapot_map_create(MAP_NORMAL, false, CELL, &of_model));
+    assert_int_equal(of_model.width, CELL * TEAPOT_COLUMNS);
+    assert_int_equal(of_model.height, CELL * TEAPOT_ROWS);
+    for (uint32_t y = 0; y < of_model.height; y++) {
+        for (uint32_t x = 0; x < of_model.width; x++) {
+            double p[3];
+            double n[3];
+            double t[3];
+            double u = ((x % CELL + 0.5) / CELL - TEAPOT_MARGIN) / (1.0 - 2.0 * TEAPOT_MARGIN);
+            double v = ((y % CELL + 0.5) / CELL - TEAPOT_MARGIN) / (1.0 - 2.0 * TEAPOT_MARGIN);
+            if (u < 0.0 || u > 1.0 || v < 0.0 || v > 1.0)
+                continue;
+            teapot_point((int)(y / CELL * TEAPOT_COLUMNS + x / CELL), u, v, p, n, t);
+            float packed[3];
+            float stated[3];
+            float turned[3];
+            float frame[3][3];
+            unpack(of_tangents.texels[y * of_model.width + x], packed);
+            unpack(of_model.texels[y * of_model.width + x], stated);
+            for (int c = 0; c < 3; c++) {
+                frame[0][c] = (float)t[c];
+                frame[2][c] = (float)n[c];
+            }
+            cross(frame[0], frame[2], frame[1]);
+            for (int c = 0; c < 3; c++)
+                turned[c] =
+                    packed[0] * frame[0][c] + packed[1] * frame[1][c] + packed[2] * frame[2][c];
+            for (int c = 0; c < 3; c++)
+                assert_true(fabsf(turned[c] - stated[c]) < 0.012f);
+            assert_true(packed[2] > 0.8f);
+            tilted += packed[2] < 0.99f;
+        }
+    }
+    assert_true(tilted > 1000);
+    image_free(&of_tangents);
+    image_free(&of_model);
+}
+
+static void dark_chequers_glow_and_light_ones_shine(void **state)
+{
+    image maps[MAP_COUNT];
+    int count[2] = {0, 0};
+    (void)state;
+    for (int i = 0; i < MAP_COUNT; i++)
+        assert_true(teapot_map_create((map_kind)i, true, 16, maps + i));
+    for (size_t i = 0; i < (size_t)maps[0].width * maps[0].height; i++) {
+        bool is_light = (maps[MAP_DIFFUSE].texels[i] & 255) > 200;
+        bool glows = (maps[MAP_GLOW].texels[i] & 0xffffff) != 0;
+        assert_true(((maps[MAP_SPECULAR].texels[i] & 255) == 255) == is_light);
+        assert_false(is_light && glows);
+        count[0] += is_light;
+        count[1] += glows;
+    }
+    assert_true(count[0] > 3000 && count[0] < 5000); /* of 8192 */
+    assert_true(count[1] > 200);
+    for (int i = 0; i < MAP_COUNT; i++)
+        image_free(maps + i);
+}
+
 static int compare_edges(const void *a, const void *b)
 {
     return memcmp(a, b, 6 * sizeof(float));
@@ -226,9 +359,16 @@ static void seams_are_closed(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_is_as_large_as_published), cmocka_unit_test(it_is_symmetric),
-        cmocka_unit_test(normals_are_unit_and_radial), cmocka_unit_test(poles_point_up_and_down),
-        cmocka_unit_test(triangles_face_outwards),     cmocka_unit_test(seams_are_closed),
+        cmocka_unit_test(it_is_as_large_as_published),
+        cmocka_unit_test(it_is_symmetric),
+        cmocka_unit_test(normals_are_unit_and_radial),
+        cmocka_unit_test(poles_point_up_and_down),
+        cmocka_unit_test(triangles_face_outwards),
+        cmocka_unit_test(seams_are_closed),
+        cmocka_unit_test(tangents_follow_the_texture),
+        cmocka_unit_test(texture_coordinates_stay_in_their_cell),
+        cmocka_unit_test(maps_of_normals_agree),
+        cmocka_unit_test(dark_chequers_glow_and_light_ones_shine),
     };
     return cmocka_run_group_tests_name("teapot", tests, setup, teardown) != 0;
 }

@@ -125,6 +125,7 @@ int camera_place(const camera_options *asked, const bounding_sphere *sphere, uin
     gn_vec3 light = {-0.35f, 0.5f, 1.0f};
     gn_vec3_normalize(gn_mat4_transform_direction(&view.inverse, light), &light);
     result->clip_from_world = clip.matrix;
+    result->eye = eye;
     result->light_direction = light;
     return 0;
 }

@@ -31,7 +31,7 @@ static char *default_output(const char *model_path)
     static const char ending[] = "_compared.png";
     const char *slash = strrchr(model_path, '/');
     const char *name = slash != NULL ? slash + 1 : model_path;
-    size_t length = picture_stem_length(model_path) - (size_t)(name - model_path);
+    size_t length = maps_stem_length(model_path) - (size_t)(name - model_path);
     char *path = malloc(length + sizeof ending);
     if (path == NULL)
         return NULL;
@@ -42,26 +42,23 @@ static char *default_output(const char *model_path)
 
 static int compare(const options *o, const char *output_path)
 {
-    if (output_same_file(output_path, o->model))
-        return report_fault(o->model, "would be overwritten by the picture");
-    if (o->texture != NULL && output_same_file(output_path, o->texture))
-        return report_fault(o->texture, "would be overwritten by the picture");
-
-    scene *s = NULL;
-    int fault = picture_describe(o, &s);
+    picture p;
+    int fault = picture_check_output(o, output_path);
+    if (fault == 0)
+        fault = picture_describe(o, &p);
     if (fault != 0)
         return fault;
     comparison c;
-    picture_print_summary(o->model, s);
-    fault = comparison_make(s, o->backend, &c);
+    picture_print_summary(o->model, &p);
+    fault = comparison_make(p.scene, &p.shadow, o->backend, &c);
     if (fault == 0)
         fault = comparison_write_triptych(&c, output_path);
     if (fault == 0)
         printf("%s: Gnomon, OSMesa, difference\n", output_path);
-    if (fault == 0 && c.difference.pixels > 0)
+    if (fault == 0 && c.difference.pixels + c.samples.pixels + c.shadow_texels > 0)
         fault = EXIT_FAULT;
     comparison_free(&c);
-    scene_free(s);
+    picture_free(&p);
     return finish_output(fault);
 }
 

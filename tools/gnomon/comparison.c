@@ -31,7 +31,57 @@ static void print_difference(const scene_difference *d, uint64_t pixels)
                d->coverage_pixels == 1 ? " is" : "s are");
 }
 
-int comparison_make(const scene *s, gn_backend backend, comparison *result)
+static void print_samples(const scene_difference *d, uint64_t samples)
+{
+    printf("samples: %" PRIu64 " of %" PRIu64 " differ", d->pixels, samples);
+    if (d->pixels > 0)
+        printf(", colours of %" PRIu64 " by at most %g/255, depths of %" PRIu64 " by at most %g",
+               d->color_pixels, d->color_largest, d->depth_pixels, d->depth_largest);
+    printf("\n");
+}
+
+/* Some images of a frame as a frame, which owns nothing. */
+static scene_frame part_of_frame(const scene_frame *frame, uint32_t first, uint32_t count)
+{
+    const size_t pixels = (size_t)first * frame->width * frame->height;
+    scene_frame part = *frame;
+    part.images = count;
+    part.color = (uint32_t *)frame->color + pixels;
+    part.depth = (float *)frame->depth + pixels;
+    return part;
+}
+
+static scene_difference compare_images(const scene *s, const comparison *c, uint32_t first,
+                                       uint32_t count)
+{
+    const scene_frame ours = part_of_frame(&c->ours, first, count);
+    const scene_frame theirs = part_of_frame(&c->reference, first, count);
+    return scene_compare(s, &ours, &theirs);
+}
+
+/* The library's shadow map is part of the scene, so the reference draws it for this alone. */
+static bool compare_shadow(reference *mesa, const shadow_pass *shadow, comparison *c, char *error,
+                           size_t error_size)
+{
+    scene_frame theirs;
+    if (shadow->scene == NULL)
+        return true;
+    if (!scene_frame_allocate(&theirs, shadow->scene)) {
+        snprintf(error, error_size, "not enough memory");
+        return false;
+    }
+    bool drawn = reference_draw(mesa, shadow->scene, &theirs, error, error_size);
+    if (drawn) {
+        c->shadow_texels = scene_compare(shadow->scene, &shadow->frame, &theirs).pixels;
+        printf("shadow map: %" PRIu64 " of %" PRIu64 " texels differ\n", c->shadow_texels,
+               (uint64_t)theirs.width * theirs.height);
+    }
+    scene_frame_free(&theirs);
+    return drawn;
+}
+
+int comparison_make(const scene *s, const shadow_pass *shadow, gn_backend backend,
+                    comparison *result)
 {
     char error[512] = "";
     memset(result, 0, sizeof *result);
@@ -52,18 +102,29 @@ int comparison_make(const scene *s, gn_backend backend, comparison *result)
         if (!reference_is_contract_version(mesa))
             printf("note: equal pictures are promised for Mesa 22.3 only\n");
     }
+    drawn = drawn && compare_shadow(mesa, shadow, result, error, sizeof error);
     reference_destroy(mesa);
     if (!drawn)
         return report_fault("OSMesa", "%s", error);
 
-    result->difference = scene_compare(s, &result->ours, &result->reference);
+    result->difference = compare_images(s, result, result->ours.images - 1, 1);
     print_difference(&result->difference, (uint64_t)s->width * s->height);
+    if (scene_is_sampled(s)) {
+        result->samples = compare_images(s, result, 0, GN_SAMPLES);
+        print_samples(&result->samples, (uint64_t)s->width * s->height * GN_SAMPLES);
+    }
     return 0;
+}
+
+/* The image that is shown, of several what samples are resolved to. */
+static size_t shown_row(const scene_frame *frame, uint32_t y)
+{
+    return ((size_t)frame->images * frame->height - 1 - y) * frame->width;
 }
 
 static const uint32_t *color_row(const scene_frame *frame, uint32_t y)
 {
-    return (const uint32_t *)frame->color + (size_t)(frame->height - 1 - y) * frame->width;
+    return (const uint32_t *)frame->color + shown_row(frame, y);
 }
 
 static uint8_t channel(uint32_t pixel, int index)
@@ -100,7 +161,7 @@ static void triptych_row(const void *context, uint32_t y, uint8_t *row)
     size_t width = c->ours.width;
     const uint32_t *ours = color_row(&c->ours, y);
     const uint32_t *theirs = color_row(&c->reference, y);
-    size_t first = (size_t)(c->ours.height - 1 - y) * width;
+    size_t first = shown_row(&c->ours, y);
     const unsigned char *depth_a = (const unsigned char *)c->ours.depth + first * sizeof(float);
     const unsigned char *depth_b =
         (const unsigned char *)c->reference.depth + first * sizeof(float);

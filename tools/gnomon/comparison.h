@@ -4,16 +4,22 @@
 
 #include <scene.h>
 
+#include "shadow.h"
+
 typedef struct comparison {
     scene_frame ours;
     scene_frame reference;
-    scene_difference difference;
+    scene_difference difference; /* of the pictures; samples are resolved */
+    scene_difference samples;    /* of every sample, where there are several */
+    uint64_t shadow_texels;      /* of the shadow map, where there is one */
 } comparison;
 
 /* Draws both, ours with the given back end, and prints, on standard output, the Mesa version and
- * how many pixels differ in colour and depth, and by how much. 0, or EXIT_FAULT with the reason
+ * how many pixels differ in colour and depth, and by how much, and of samples, where a pixel has
+ * several, how many. 0, or EXIT_FAULT with the reason
  * printed; free with comparison_free either way. */
-int comparison_make(const scene *s, gn_backend backend, comparison *result);
+int comparison_make(const scene *s, const shadow_pass *shadow, gn_backend backend,
+                    comparison *result);
 
 /* Writes ours, OSMesa's and the difference side by side: black where all is equal, otherwise
  * the channels' differences amplified, magenta where only alpha or depth differ. */

@@ -3,7 +3,6 @@
 #include "model.h"
 
 #include <assimp/cimport.h>
-#include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <errno.h>
@@ -14,66 +13,47 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "material.h"
 #include "report.h"
 
-#define LIGHT_GREY 0.8f
-
-/* What Assimp calls the material of a file that has none; its colour means nothing. */
-#define NO_MATERIAL "DefaultMaterial"
-
-/* A mesh of the file, as far as it decides which part it goes to. */
-typedef struct mesh_kind {
-    bool has_colors;
-    int texcoord_channel;    /* -1: none */
-    struct aiString texture; /* empty: none */
-} mesh_kind;
-
-static mesh_kind kind_of(const struct aiScene *file, const struct aiMesh *mesh)
+static bool has_tangents(const struct aiMesh *mesh, const mesh_material *material)
 {
-    static const enum aiTextureType types[] = {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR};
-    mesh_kind kind;
-    unsigned int channel = 0;
-    memset(&kind, 0, sizeof kind);
-    kind.has_colors = mesh->mColors[0] != NULL;
-    if (mesh->mMaterialIndex < file->mNumMaterials) {
-        const struct aiMaterial *material = file->mMaterials[mesh->mMaterialIndex];
-        for (int i = 0; i < 2 && kind.texture.length == 0; i++) {
-            if (aiGetMaterialTexture(material, types[i], 0, &kind.texture, NULL, &channel, NULL,
-                                     NULL, NULL, NULL) != aiReturn_SUCCESS)
-                kind.texture.length = 0;
-        }
-    }
-    if (channel >= AI_MAX_NUMBER_OF_TEXTURECOORDS || mesh->mTextureCoords[channel] == NULL)
-        channel = 0;
-    kind.texcoord_channel = mesh->mTextureCoords[channel] != NULL ? (int)channel : -1;
-    if (kind.texcoord_channel < 0)
-        kind.texture.length = 0;
-    kind.texture.data[kind.texture.length] = '\0';
-    return kind;
+    return material->texcoord_channel >= 0 && mesh->mTangents != NULL &&
+           mesh->mBitangents != NULL && mesh->mNormals != NULL;
 }
 
-static bool belongs(const model_part *part, const mesh_kind *kind)
+static bool belongs(const model_part *part, const struct aiMesh *mesh,
+                    const mesh_material *material)
 {
-    const char *name = part->texture.name != NULL ? part->texture.name : "";
-    return part->has_vertex_colors == kind->has_colors &&
-           part->has_texcoords == (kind->texcoord_channel >= 0) &&
-           strcmp(name, kind->texture.data) == 0;
+    for (int i = 0; i < MAP_COUNT; i++) {
+        const char *name = part->maps[i].name != NULL ? part->maps[i].name : "";
+        if (strcmp(name, material->maps[i].data) != 0)
+            return false;
+    }
+    return part->has_vertex_colors == (mesh->mColors[0] != NULL) &&
+           part->has_texcoords == (material->texcoord_channel >= 0) &&
+           part->has_tangents == has_tangents(mesh, material) &&
+           memcmp(&part->shine, &material->shine, sizeof part->shine) == 0;
 }
 
 /* The part a mesh goes to; a new one where none fits. There are never more parts than
  * meshes, which is what is allocated. Null where there is no memory. */
-static model_part *find_part(model *m, const mesh_kind *kind)
+static model_part *find_part(model *m, const struct aiMesh *mesh, const mesh_material *material)
 {
     for (size_t i = 0; i < m->part_count; i++) {
-        if (belongs(m->parts + i, kind))
+        if (belongs(m->parts + i, mesh, material))
             return m->parts + i;
     }
     model_part *part = m->parts + m->part_count++;
-    part->has_vertex_colors = kind->has_colors;
-    part->has_texcoords = kind->texcoord_channel >= 0;
-    if (kind->texture.length > 0) {
-        part->texture.name = strdup(kind->texture.data);
-        if (part->texture.name == NULL)
+    part->has_vertex_colors = mesh->mColors[0] != NULL;
+    part->has_texcoords = material->texcoord_channel >= 0;
+    part->has_tangents = has_tangents(mesh, material);
+    part->shine = material->shine;
+    for (int i = 0; i < MAP_COUNT; i++) {
+        if (material->maps[i].length == 0)
+            continue;
+        part->maps[i].name = strdup(material->maps[i].data);
+        if (part->maps[i].name == NULL)
             return NULL;
     }
     return part;
@@ -92,33 +72,32 @@ static float finite_or_zero(float value)
     return isfinite(value) ? value : 0.0f;
 }
 
-static void material_color(const struct aiScene *file, const struct aiMesh *mesh, float color[4])
+/* The tangent of a vertex and on which side of it and the normal the bitangent is. Assimp has none
+ * where texture coordinates do not change: then any direction along the surface. */
+static void copy_tangent(const struct aiMesh *mesh, size_t i, float *result)
 {
-    struct aiColor4D diffuse;
-    struct aiString name;
-    color[0] = color[1] = color[2] = LIGHT_GREY;
-    color[3] = 1.0f;
-    if (mesh->mMaterialIndex >= file->mNumMaterials)
-        return;
-    const struct aiMaterial *material = file->mMaterials[mesh->mMaterialIndex];
-    if (aiGetMaterialString(material, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS &&
-        strcmp(name.data, NO_MATERIAL) == 0)
-        return;
-    if (aiGetMaterialColor(material, AI_MATKEY_BASE_COLOR, &diffuse) != aiReturn_SUCCESS &&
-        aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &diffuse) != aiReturn_SUCCESS)
-        return;
-    color[0] = finite_or_zero(diffuse.r);
-    color[1] = finite_or_zero(diffuse.g);
-    color[2] = finite_or_zero(diffuse.b);
+    const struct aiVector3D n = mesh->mNormals[i];
+    const struct aiVector3D t = mesh->mTangents[i];
+    const struct aiVector3D b = mesh->mBitangents[i];
+    const float side = b.x * (n.y * t.z - n.z * t.y) + b.y * (n.z * t.x - n.x * t.z) +
+                       b.z * (n.x * t.y - n.y * t.x);
+    const bool along_x = fabsf(n.x) < 0.5f;
+    result[0] = along_x ? 0.0f : -n.z;
+    result[1] = along_x ? n.z : 0.0f;
+    result[2] = along_x ? -n.y : n.x;
+    result[3] = side < 0.0f ? -1.0f : 1.0f;
+    if (isfinite(t.x + t.y + t.z) && t.x * t.x + t.y * t.y + t.z * t.z > 0.0f) {
+        result[0] = t.x;
+        result[1] = t.y;
+        result[2] = t.z;
+    }
 }
 
 /* Appends a mesh to a part whose arrays are large enough. Null, or what is wrong with it. */
-static const char *append(const struct aiScene *file, const struct aiMesh *mesh,
-                          const mesh_kind *kind, model_part *part)
+static const char *append(const struct aiMesh *mesh, const mesh_material *material,
+                          model_part *part)
 {
     uint32_t base = part->vertex_count;
-    float material[4];
-    material_color(file, mesh, material);
     for (size_t i = 0; i < mesh->mNumVertices; i++) {
         size_t v = base + i;
         const struct aiVector3D *p = mesh->mVertices + i;
@@ -131,18 +110,20 @@ static const char *append(const struct aiScene *file, const struct aiMesh *mesh,
             part->normals[3 * v + 1] = mesh->mNormals[i].y;
             part->normals[3 * v + 2] = mesh->mNormals[i].z;
         }
-        memcpy(color, material, sizeof material);
-        if (kind->has_colors) {
+        memcpy(color, material->color, sizeof material->color);
+        if (part->has_vertex_colors) {
             color[0] = finite_or_zero(mesh->mColors[0][i].r);
             color[1] = finite_or_zero(mesh->mColors[0][i].g);
             color[2] = finite_or_zero(mesh->mColors[0][i].b);
             color[3] = finite_or_zero(mesh->mColors[0][i].a);
         }
-        if (kind->texcoord_channel >= 0) {
-            const struct aiVector3D *t = mesh->mTextureCoords[kind->texcoord_channel] + i;
+        if (part->has_texcoords) {
+            const struct aiVector3D *t = mesh->mTextureCoords[material->texcoord_channel] + i;
             part->texcoords[2 * v] = finite_or_zero(t->x);
             part->texcoords[2 * v + 1] = finite_or_zero(t->y);
         }
+        if (part->has_tangents)
+            copy_tangent(mesh, i, part->tangents + 4 * v);
     }
     part->vertex_count += mesh->mNumVertices;
     for (size_t i = 0; i < mesh->mNumFaces; i++) {
@@ -183,8 +164,9 @@ static const char *copy_embedded(const struct aiScene *file, model_texture *text
     if (found == NULL)
         return NULL;
     /* Assimp: height 0 means an image file of mWidth bytes, otherwise bare texels. */
-    if (found->mHeight != 0)
-        return "the texture inside it is not an image file (go on without it: --shader gouraud)";
+    texture->bare = found->mHeight != 0;
+    if (texture->bare)
+        return NULL;
     texture->size = found->mWidth;
     texture->bytes = malloc(texture->size + 1);
     if (texture->bytes == NULL)
@@ -208,8 +190,9 @@ static const char *convert(const struct aiScene *file, model *m)
         uint64_t triangles = count_triangles(mesh);
         if (triangles == 0)
             continue;
-        mesh_kind kind = kind_of(file, mesh);
-        model_part *part = find_part(m, &kind);
+        mesh_material material;
+        material_read(file, mesh, &material);
+        model_part *part = find_part(m, mesh, &material);
         if (part == NULL) {
             wrong = no_memory;
             break;
@@ -224,8 +207,7 @@ static const char *convert(const struct aiScene *file, model *m)
         model_part *part = m->parts + p;
         if (counts[2 * p] > UINT32_MAX || counts[2 * p + 1] > UINT32_MAX)
             wrong = "it has more vertices than 32 bits count";
-        else if (!model_part_allocate(part, (uint32_t)counts[2 * p], (uint32_t)counts[2 * p + 1],
-                                      part->has_texcoords))
+        else if (!model_part_allocate(part, (uint32_t)counts[2 * p], (uint32_t)counts[2 * p + 1]))
             wrong = no_memory;
         part->vertex_count = 0;
         part->index_count = 0;
@@ -234,11 +216,12 @@ static const char *convert(const struct aiScene *file, model *m)
         const struct aiMesh *mesh = file->mMeshes[i];
         if (count_triangles(mesh) == 0)
             continue;
-        mesh_kind kind = kind_of(file, mesh);
-        wrong = append(file, mesh, &kind, find_part(m, &kind));
+        mesh_material material;
+        material_read(file, mesh, &material);
+        wrong = append(mesh, &material, find_part(m, mesh, &material));
     }
-    for (size_t p = 0; p < m->part_count && wrong == NULL; p++)
-        wrong = copy_embedded(file, &m->parts[p].texture);
+    for (size_t i = 0; i < MAP_COUNT * m->part_count && wrong == NULL; i++)
+        wrong = copy_embedded(file, &m->parts[i / MAP_COUNT].maps[i % MAP_COUNT]);
     free(counts);
     return wrong;
 }
@@ -278,7 +261,7 @@ int model_read(const char *path, model *result)
 
     unsigned int steps = aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
                          aiProcess_PreTransformVertices | aiProcess_GenUVCoords |
-                         aiProcess_TransformUVCoords;
+                         aiProcess_TransformUVCoords | aiProcess_CalcTangentSpace;
     const struct aiScene *file = aiImportFile(path, steps);
     if (file == NULL && strstr(aiGetErrorString(), "bad_alloc") != NULL)
         return report_fault(path, "cannot be read: not enough memory");
@@ -295,20 +278,20 @@ int model_read(const char *path, model *result)
     return 0;
 }
 
-bool model_part_allocate(model_part *part, uint32_t vertex_count, uint32_t index_count,
-                         bool with_texcoords)
+bool model_part_allocate(model_part *part, uint32_t vertex_count, uint32_t index_count)
 {
     size_t vertices = vertex_count;
     part->vertex_count = vertex_count;
     part->index_count = index_count;
-    part->has_texcoords = with_texcoords;
     part->positions = calloc(vertices + 1, 3 * sizeof(float));
     part->normals = calloc(vertices + 1, 3 * sizeof(float));
     part->colors = calloc(vertices + 1, 4 * sizeof(float));
-    part->texcoords = with_texcoords ? calloc(vertices + 1, 2 * sizeof(float)) : NULL;
+    part->texcoords = part->has_texcoords ? calloc(vertices + 1, 2 * sizeof(float)) : NULL;
+    part->tangents = part->has_tangents ? calloc(vertices + 1, 4 * sizeof(float)) : NULL;
     part->indices = calloc((size_t)index_count + 1, sizeof(uint32_t));
     return part->positions != NULL && part->normals != NULL && part->colors != NULL &&
-           part->indices != NULL && (!with_texcoords || part->texcoords != NULL);
+           part->indices != NULL && (!part->has_texcoords || part->texcoords != NULL) &&
+           (!part->has_tangents || part->tangents != NULL);
 }
 
 void model_free(model *m)
@@ -319,9 +302,12 @@ void model_free(model *m)
         free(part->normals);
         free(part->colors);
         free(part->texcoords);
+        free(part->tangents);
         free(part->indices);
-        free(part->texture.name);
-        free(part->texture.bytes);
+        for (int k = 0; k < MAP_COUNT; k++) {
+            free(part->maps[k].name);
+            free(part->maps[k].bytes);
+        }
     }
     free(m->parts);
     memset(m, 0, sizeof *m);

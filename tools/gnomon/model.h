@@ -7,15 +7,24 @@
 #include <stdint.h>
 
 #include "camera.h"
+#include "shading.h"
 
-/* The texture a material names: a file beside the model, or an image inside it. */
+/* A map that a material names: a file beside the model, or an image inside it. */
 typedef struct model_texture {
     char *name;     /* as the material has it; null: none */
     uint8_t *bytes; /* an image file's contents, where the model carries it; else null */
     size_t size;
+    bool bare; /* the model carries texels that are no image file */
 } model_texture;
 
-/* What is drawn in one go: the triangles that share a texture. */
+/* Highlights, where no map says otherwise. */
+#define MODEL_MAX_EXPONENT 1024
+typedef struct model_shine {
+    float specular[3];
+    uint32_t exponent; /* 1 to MODEL_MAX_EXPONENT */
+} model_shine;
+
+/* What is drawn in one go: the triangles that share their maps and highlights. */
 typedef struct model_part {
     uint32_t vertex_count;
     float *positions; /* x, y, z */
@@ -24,9 +33,13 @@ typedef struct model_part {
     bool has_vertex_colors; /* the first of these */
     bool has_texcoords;
     float *texcoords; /* s, t; null where the file has none */
+    bool has_tangents;
+    float *tangents; /* x, y, z, and 1 or -1: the bitangent is that times normal x tangent. Null
+                        where the file has no texture coordinates or no normals */
     uint32_t index_count;
     uint32_t *indices; /* three a triangle */
-    model_texture texture;
+    model_shine shine;
+    model_texture maps[MAP_COUNT]; /* the normals are in tangent space */
 } model_part;
 
 typedef struct model {
@@ -35,12 +48,13 @@ typedef struct model {
 } model;
 
 /* Reads a file with Assimp: node transforms applied, polygons made triangles, points and
- * lines left out, missing normals computed. 0, or EXIT_FAULT with the reason printed. */
+ * lines left out, missing normals computed. 0, or EXIT_FAULT with the reason printed. Maps of a
+ * material that lie by other texture coordinates than its first one are left out. */
 int model_read(const char *path, model *result);
 
-/* Allocates a part's arrays. False where there is no memory; model_free frees what is there. */
-bool model_part_allocate(model_part *part, uint32_t vertex_count, uint32_t index_count,
-                         bool with_texcoords);
+/* Allocates a part's arrays, texture coordinates and tangents where it is said to have them. False
+ * where there is no memory; model_free frees what is there. */
+bool model_part_allocate(model_part *part, uint32_t vertex_count, uint32_t index_count);
 
 void model_free(model *m);
 
@@ -49,10 +63,6 @@ void model_free(model *m);
  * "Computing Vertex Normals from Polygonal Facets", 1998), over all parts. Vertices count as
  * one where their positions are equal. False where there is no memory. */
 bool model_complete_normals(model *m);
-
-/* Gives every triangle vertices of its own with the triangle's normal, on the side the old
- * normals are on. False where there is no memory; the model is then unchanged. */
-bool model_facet(model *m);
 
 uint64_t model_triangle_count(const model *m);
 

@@ -30,7 +30,15 @@ enum {
     OPTION_BACKEND,
     OPTION_PICTURE,
     OPTION_TESSELLATION,
-    OPTION_WIREFRAME
+    OPTION_WIREFRAME,
+    OPTION_SAMPLES,
+    OPTION_NORMAL_MAP,
+    OPTION_SPECULAR_MAP,
+    OPTION_GLOW_MAP,
+    OPTION_FILTER,
+    OPTION_SHADOWS,
+    OPTION_EXPONENT,
+    OPTION_BANDS
 };
 
 #define MODEL_COMMANDS (COMMAND_RENDER | COMMAND_COMPARE)
@@ -50,12 +58,20 @@ static const struct {
     {"up", true, OPTION_UP, MODEL_COMMANDS},
     {"fov", true, OPTION_FOV, MODEL_COMMANDS},
     {"orthographic", true, OPTION_ORTHOGRAPHIC, MODEL_COMMANDS},
-    {"shader", true, OPTION_SHADER, MODEL_COMMANDS},
+    {"shader", true, OPTION_SHADER, ALL_COMMANDS},
     {"background", true, OPTION_BACKGROUND, MODEL_COMMANDS},
     {"light", true, OPTION_LIGHT, MODEL_COMMANDS},
     {"texture", true, OPTION_TEXTURE, MODEL_COMMANDS},
+    {"normal-map", true, OPTION_NORMAL_MAP, ALL_COMMANDS},
+    {"specular-map", true, OPTION_SPECULAR_MAP, MODEL_COMMANDS},
+    {"glow-map", true, OPTION_GLOW_MAP, MODEL_COMMANDS},
+    {"filter", true, OPTION_FILTER, ALL_COMMANDS},
+    {"shadows", false, OPTION_SHADOWS, ALL_COMMANDS},
+    {"exponent", true, OPTION_EXPONENT, ALL_COMMANDS},
+    {"bands", true, OPTION_BANDS, ALL_COMMANDS},
     {"backend", true, OPTION_BACKEND, MODEL_COMMANDS},
     {"wireframe", false, OPTION_WIREFRAME, MODEL_COMMANDS},
+    {"samples", true, OPTION_SAMPLES, ALL_COMMANDS},
     {"depth", true, OPTION_DEPTH, COMMAND_RENDER},
     {"picture", true, OPTION_PICTURE, COMMAND_DEMO},
     {"tessellation", true, OPTION_TESSELLATION, COMMAND_DEMO},
@@ -115,6 +131,11 @@ static bool parse_count(const char **text, uint32_t *result)
     return true;
 }
 
+static bool parse_within(const char *text, uint32_t least, uint32_t most, uint32_t *result)
+{
+    return parse_count(&text, result) && *text == '\0' && *result >= least && *result <= most;
+}
+
 static bool parse_size(const char *text, uint32_t *width, uint32_t *height)
 {
     return parse_count(&text, width) && (*text == 'x' || *text == 'X') && *++text != '\0' &&
@@ -137,16 +158,52 @@ static bool parse_color(const char *text, float color[4])
     return true;
 }
 
-static bool parse_shading(const char *text, shading *result)
+/* One word of a list, as its number. */
+static bool parse_word(const char *text, const char words[][12], int count, int *result)
 {
-    static const char names[][16] = {"color", "flat", "gouraud", "textured"};
-    for (int i = 0; i < 4; i++) {
-        if (strcmp(text, names[i]) == 0) {
-            *result = (shading)(SHADING_COLOR + i);
+    for (int i = 0; i < count; i++) {
+        if (strcmp(text, words[i]) == 0) {
+            *result = i;
             return true;
         }
     }
     return false;
+}
+
+static bool parse_filter(const char *text, filter_option *result)
+{
+    static const char words[][12] = {"mipmap", "linear", "nearest"};
+    int number;
+    if (!parse_word(text, words, 3, &number))
+        return false;
+    *result = (filter_option)number;
+    return true;
+}
+
+static bool parse_map(const char *text, map_option *result)
+{
+    result->none = strcmp(text, "none") == 0;
+    result->file = result->none ? NULL : text;
+    return *text != '\0';
+}
+
+/* none, or which of those that there are, or a file with its kind before a colon. */
+static bool parse_normal_map(const char *text, options *o)
+{
+    static const char words[][12] = {"any", "tangent", "world", "none"};
+    map_option *map = o->maps + MAP_NORMAL;
+    char word[12] = "";
+    int number;
+    size_t length = strcspn(text, ":");
+    if (length >= sizeof word)
+        return false;
+    memcpy(word, text, length);
+    if (!parse_word(word, words, 4, &number))
+        return false;
+    map->none = number == 3;
+    map->file = text[length] == ':' ? text + length + 1 : NULL;
+    o->normals = map->none ? NORMALS_ANY : (normal_option)number;
+    return map->file == NULL || (*map->file != '\0' && (number == 1 || number == 2));
 }
 
 static bool parse_backend(const char *text, gn_backend *result)
@@ -164,6 +221,7 @@ static bool parse_backend(const char *text, gn_backend *result)
 static const char *take_value(int option, const char *text, options *o)
 {
     static const char vector_form[] = "three numbers X,Y,Z";
+    static const char map_form[] = "a file name, or none";
     camera_options *camera = &o->camera;
     switch (option) {
     case 'o':
@@ -176,13 +234,33 @@ static const char *take_value(int option, const char *text, options *o)
         o->picture_output = text;
         return *text != '\0' ? NULL : "a file name";
     case OPTION_TEXTURE:
-        o->texture = text;
-        return *text != '\0' ? NULL : "a file name";
+        return parse_map(text, o->maps + MAP_DIFFUSE) ? NULL : map_form;
+    case OPTION_SPECULAR_MAP:
+        return parse_map(text, o->maps + MAP_SPECULAR) ? NULL : map_form;
+    case OPTION_GLOW_MAP:
+        return parse_map(text, o->maps + MAP_GLOW) ? NULL : map_form;
+    case OPTION_NORMAL_MAP:
+        return parse_normal_map(text, o) ? NULL
+                                         : "any, tangent, world, none, tangent:FILE or world:FILE";
+    case OPTION_FILTER:
+        return parse_filter(text, &o->filter) ? NULL : "mipmap, linear or nearest";
+    case OPTION_SHADOWS:
+        o->shadows = true;
+        return NULL;
+    case OPTION_EXPONENT:
+        return parse_within(text, 1, 1024, &o->exponent) ? NULL : "a whole number, 1 to 1024";
+    case OPTION_BANDS:
+        return parse_within(text, 2, 256, &o->bands) ? NULL : "a whole number, 2 to 256";
     case OPTION_WIREFRAME:
         o->wireframe = true;
         return NULL;
     case OPTION_SIZE:
         return parse_size(text, &o->width, &o->height) ? NULL : "WIDTHxHEIGHT, as in 800x600";
+    case OPTION_SAMPLES:
+        return parse_within(text, 1, GN_SAMPLES, &o->samples) &&
+                       (o->samples == 1 || o->samples == GN_SAMPLES)
+                   ? NULL
+                   : "1 or 4";
     case OPTION_EYE:
         camera->eye_given = true;
         return parse_vector(text, &camera->eye) ? NULL : vector_form;
@@ -202,7 +280,10 @@ static const char *take_value(int option, const char *text, options *o)
         o->light_given = true;
         return parse_vector(text, &o->light) ? NULL : vector_form;
     case OPTION_SHADER:
-        return parse_shading(text, &o->shading) ? NULL : "flat, color, gouraud or textured";
+        return shading_by_name(text, &o->shading)
+                   ? NULL
+                   : "vertex-color, unlit, flat, gouraud, toon, phong, blinn-phong, normals or "
+                     "depth";
     case OPTION_BACKEND:
         return parse_backend(text, &o->backend)
                    ? NULL
@@ -218,12 +299,24 @@ static const char *take_value(int option, const char *text, options *o)
 static int check(command which, const options *o)
 {
     const char *name = options_command_name(which);
+    const shading_traits *traits = shading_traits_of(o->shading);
     if (which == COMMAND_RENDER && o->output == NULL)
         return report_usage(name, "no output file; give one with -o OUT.png");
     if (o->camera.orthographic && o->camera.fov_given)
         return report_usage(name, "--fov and --orthographic exclude each other");
-    if (o->texture != NULL && o->shading != SHADING_AUTOMATIC && o->shading != SHADING_TEXTURED)
-        return report_usage(name, "--texture is for --shader textured");
+    if (which == COMMAND_COMPARE && o->wireframe && o->samples > 1)
+        return report_usage(name, "--wireframe and --samples exclude each other: OSMesa loses "
+                                  "pieces of such lines");
+    for (int i = 0; i < MAP_COUNT; i++) {
+        static const char map_names[MAP_COUNT][16] = {"texture", "normal-map", "specular-map",
+                                                      "glow-map"};
+        if (o->maps[i].file != NULL && (traits->maps >> i & 1) == 0)
+            return report_usage(name, "--%s is not for --shader %s, which takes no such map",
+                                map_names[i], traits->name);
+    }
+    if (o->shadows && !traits->takes_shadows)
+        return report_usage(name, "--shadows is not for --shader %s, which is not lit at pixels",
+                            traits->name);
     if (!gn_backend_available(o->backend))
         return report_fault("--backend",
                             "%s is not available: the processor or this build of the "
@@ -243,6 +336,7 @@ static void set_defaults(command which, options *o)
     memset(o, 0, sizeof *o);
     o->width = which == COMMAND_DEMO ? 800 : 1024;
     o->height = which == COMMAND_DEMO ? 600 : 1024;
+    o->samples = 1;
     o->camera.up.y = 1.0f;
     o->camera.fov_degrees = DEFAULT_FOV_DEGREES;
     memcpy(o->background, background, sizeof background);

@@ -8,15 +8,21 @@
 #include <gnomon/backend.h>
 #include <gnomon/vec.h>
 
+#include "shading.h"
+
 typedef enum command { COMMAND_RENDER = 1, COMMAND_COMPARE = 2, COMMAND_DEMO = 4 } command;
 
-typedef enum shading {
-    SHADING_AUTOMATIC = 0, /* textured where there is a texture, otherwise Gouraud */
-    SHADING_COLOR,
-    SHADING_FLAT,
-    SHADING_GOURAUD,
-    SHADING_TEXTURED
-} shading;
+/* A map as asked for; zeroed, the model decides. */
+typedef struct map_option {
+    const char *file;
+    bool none;
+} map_option;
+
+/* Which normal maps may be used. */
+typedef enum normal_option { NORMALS_ANY = 0, NORMALS_TANGENT, NORMALS_WORLD } normal_option;
+
+/* How maps are filtered. */
+typedef enum filter_option { FILTER_MIPMAP = 0, FILTER_LINEAR, FILTER_NEAREST } filter_option;
 
 /* The camera as asked for; what is not given is chosen by camera_place. */
 typedef struct camera_options {
@@ -31,9 +37,15 @@ typedef struct options {
     const char *output;
     const char *depth_output;
     const char *picture_output;
-    const char *texture;
     uint32_t width, height;
+    uint32_t samples; /* of a pixel: 1 or GN_SAMPLES */
     shading shading;
+    map_option maps[MAP_COUNT];
+    normal_option normals;
+    filter_option filter;
+    bool shadows;
+    uint32_t exponent; /* of highlights; 0: the material's */
+    uint32_t bands;    /* of the toon shader; 0: its own choice */
     bool wireframe;
     camera_options camera;
     float background[4];

@@ -4,22 +4,29 @@
 
 #include <scene.h>
 
-#include "model.h"
+#include "maps.h"
 #include "options.h"
+#include "shadow.h"
 
-/* Reads the model and its textures, places the camera and describes it all as a scene to draw
- * into GN_FORMAT_RGBA8 and GN_FORMAT_D32F. 0 and *result, to be freed with scene_free;
- * otherwise EXIT_FAULT with the reason printed. */
-int picture_describe(const options *o, scene **result);
+typedef struct picture {
+    scene *scene; /* into GN_FORMAT_RGBA8 and GN_FORMAT_D32F */
+    shading shading;
+    maps_told maps;
+    shadow_pass shadow; /* zeroed: none */
+} picture;
 
-/* Adds a part to a scene: SCENE_TEXTURED_GOURAUD wants a texture set afterwards. */
-scene_draw *picture_add_part(scene *s, const model_part *part, scene_shader shader,
-                             const camera *view, gn_vec3 light_direction);
+/* Reads the model and its maps, places the camera and describes it all as a scene to draw. 0, to
+ * be freed with picture_free; otherwise EXIT_FAULT with the reason printed and nothing to free. */
+int picture_describe(const options *o, picture *result);
 
-/* Length of a model's path without its extension. */
-size_t picture_stem_length(const char *model_path);
+void picture_free(picture *p);
 
-/* "out.png: 1024x1024, 2492 triangles, textured" on standard output. */
-void picture_print_summary(const char *name, const scene *s);
+/* "out.png: 1024x1024, 2492 triangles, Phong", and in a second line the maps, on standard output.
+ */
+void picture_print_summary(const char *name, const picture *p);
+
+/* Whether a file that is read would be overwritten by one that is written: EXIT_FAULT with the
+ * reason printed, otherwise 0. Null names no file. */
+int picture_check_output(const options *o, const char *output_path);
 
 #endif

@@ -1,6 +1,7 @@
 /* gnomon render: a model to a PNG. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <gnomon.h>
 
@@ -26,18 +27,17 @@ static const char usage[] =
     "  --size WxH              in pixels, up to 16384x16384; 1024x1024\n"
     "\n";
 
-/* A picture in memory, top row first as PNG has it. */
-typedef struct canvas {
-    uint32_t width;
-    uint32_t *color;
-    float *depth;
-} canvas;
+/* The image that is shown, of several what samples are resolved to. */
+static size_t shown_row(const scene_frame *frame, uint32_t y)
+{
+    return ((size_t)frame->images * frame->height - 1 - y) * frame->width;
+}
 
 static void color_row(const void *context, uint32_t y, uint8_t *row)
 {
-    const canvas *c = context;
-    const uint32_t *pixels = c->color + (size_t)y * c->width;
-    for (size_t x = 0; x < c->width; x++) {
+    const scene_frame *frame = context;
+    const uint32_t *pixels = (const uint32_t *)frame->color + shown_row(frame, y);
+    for (size_t x = 0; x < frame->width; x++) {
         for (size_t channel = 0; channel < 4; channel++)
             row[4 * x + channel] = (uint8_t)(pixels[x] >> (8 * channel));
     }
@@ -45,9 +45,9 @@ static void color_row(const void *context, uint32_t y, uint8_t *row)
 
 static void depth_row(const void *context, uint32_t y, uint8_t *row)
 {
-    const canvas *c = context;
-    const float *pixels = c->depth + (size_t)y * c->width;
-    for (size_t x = 0; x < c->width; x++) {
+    const scene_frame *frame = context;
+    const float *pixels = (const float *)frame->depth + shown_row(frame, y);
+    for (size_t x = 0; x < frame->width; x++) {
         /* The surface holds 0 to 1, so this is at most 65535. */
         uint32_t grey = (uint32_t)((double)pixels[x] * 65535.0 + 0.5);
         row[2 * x] = (uint8_t)(grey >> 8);
@@ -55,44 +55,34 @@ static void depth_row(const void *context, uint32_t y, uint8_t *row)
     }
 }
 
-static int draw_canvas(const scene *s, gn_backend backend, canvas *c)
+static int draw_frame(const scene *s, gn_backend backend, scene_frame *frame)
 {
-    size_t pixels = (size_t)s->width * s->height;
     gn_workspace workspace = {.size = scene_workspace_size(s), .backend = backend};
-    c->width = s->width;
-    c->color = malloc(pixels * sizeof *c->color);
-    c->depth = malloc(pixels * sizeof *c->depth);
     workspace.memory = malloc(workspace.size);
-    gn_status status = GN_OK;
-    int fault = 0;
-    if (c->color == NULL || c->depth == NULL || workspace.memory == NULL) {
-        fault = report_fault("--size", "not enough memory for %ux%u pixels", (unsigned)s->width,
-                             (unsigned)s->height);
-    } else {
-        gn_target target = {{gn_surface_top_down(c->color, GN_FORMAT_RGBA8, s->width, s->height)},
-                            gn_surface_top_down(c->depth, GN_FORMAT_D32F, s->width, s->height)};
-        status = scene_draw_to_target(s, &target, &workspace);
+    if (workspace.memory == NULL || !scene_frame_allocate(frame, s)) {
+        free(workspace.memory);
+        return report_fault("--size", "not enough memory for %ux%u pixels", (unsigned)s->width,
+                            (unsigned)s->height);
     }
+    gn_status status = scene_draw_in_workspace(s, frame, &workspace);
     free(workspace.memory);
-    if (status != GN_OK)
-        fault = report_fault("drawing", "%s", gn_status_text(status));
-    return fault;
+    return status == GN_OK ? 0 : report_fault("drawing", "%s", gn_status_text(status));
 }
 
 /* Both files or neither: neither takes its name before both are complete on disk. What is no
  * regular file has no such moment, and cannot be taken back. */
-static int write_files(const options *o, const canvas *c)
+static int write_files(const options *o, const scene_frame *frame)
 {
     output color;
     output depth = {NULL, NULL, NULL, NULL};
     int fault = output_open(&color, o->output);
     if (fault != 0)
         return fault;
-    fault = png_write(&color, PNG_RGBA8, c->width, o->height, color_row, c);
+    fault = png_write(&color, PNG_RGBA8, o->width, o->height, color_row, frame);
     if (fault == 0 && o->depth_output != NULL) {
         fault = output_open(&depth, o->depth_output);
         if (fault == 0)
-            fault = png_write(&depth, PNG_GREY16, c->width, o->height, depth_row, c);
+            fault = png_write(&depth, PNG_GREY16, o->width, o->height, depth_row, frame);
     }
     if (fault == 0)
         fault = output_finish(&color);
@@ -109,13 +99,11 @@ static int write_files(const options *o, const canvas *c)
 
 static int check_names(const options *o)
 {
-    if (output_same_file(o->output, o->model) ||
-        (o->depth_output != NULL && output_same_file(o->depth_output, o->model)))
-        return report_fault(o->model, "would be overwritten by the picture");
-    if (o->texture != NULL &&
-        (output_same_file(o->output, o->texture) ||
-         (o->depth_output != NULL && output_same_file(o->depth_output, o->texture))))
-        return report_fault(o->texture, "would be overwritten by the picture");
+    int fault = picture_check_output(o, o->output);
+    if (fault == 0)
+        fault = picture_check_output(o, o->depth_output);
+    if (fault != 0)
+        return fault;
     if (o->depth_output != NULL && output_same_file(o->output, o->depth_output))
         return report_fault(o->output, "cannot be both the picture and the depth");
     return 0;
@@ -134,20 +122,20 @@ int command_render(int argc, char **argv)
     if (result == OPTIONS_WRONG)
         return status;
 
-    scene *s = NULL;
-    canvas c = {0, NULL, NULL};
+    picture p;
+    scene_frame frame;
+    memset(&p, 0, sizeof p);
+    memset(&frame, 0, sizeof frame);
     int fault = check_names(&o);
     if (fault == 0)
-        fault = picture_describe(&o, &s);
+        fault = picture_describe(&o, &p);
     if (fault == 0)
-        fault = draw_canvas(s, o.backend, &c);
+        fault = draw_frame(p.scene, o.backend, &frame);
     if (fault == 0)
-        fault = write_files(&o, &c);
+        fault = write_files(&o, &frame);
     if (fault == 0)
-        picture_print_summary(o.output, s);
-    free(c.color);
-    free(c.depth);
-    if (s != NULL)
-        scene_free(s);
+        picture_print_summary(o.output, &p);
+    scene_frame_free(&frame);
+    picture_free(&p);
     return fault == 0 ? finish_output(0) : fault;
 }

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #define POINT_COUNT 306
-#define PATCH_COUNT 32
+#define PATCH_COUNT TEAPOT_PATCHES
 
 /* clang-format off */
 static const double points[POINT_COUNT][3] = {
@@ -182,10 +182,10 @@ static bool starts_at_pole(const uint16_t patch[16])
     return patch[0] == patch[1] && patch[0] == patch[2] && patch[0] == patch[3];
 }
 
-/* Position and outward unit normal at (u, v). At a pole dS/dv is 0, but along the way there it
- * is u * d2S/dudv to first order, which has its direction. */
+/* Position, outward unit normal and unit tangent towards greater u at (u, v). At a pole dS/dv is 0,
+ * but along the way there it is u * d2S/dudv to first order, which has its direction. */
 static void surface_point(const uint16_t patch[16], double u, double v, double position[3],
-                          double normal[3])
+                          double normal[3], double tangent[3])
 {
     double u_value[4];
     double u_slope[4];
@@ -209,14 +209,32 @@ static void surface_point(const uint16_t patch[16], double u, double v, double p
     length = sqrt(length);
     for (int c = 0; c < 3; c++)
         normal[c] /= length;
+    length = sqrt(along_u[0] * along_u[0] + along_u[1] * along_u[1] + along_u[2] * along_u[2]);
+    for (int c = 0; c < 3; c++)
+        tangent[c] = along_u[c] / length;
 }
 
 /* z up to y up: a turn about the x axis. */
+static void stand_up(double v[3])
+{
+    double y = v[1];
+    v[1] = v[2];
+    v[2] = -y;
+}
+
+void teapot_point(int patch, double u, double v, double position[3], double normal[3],
+                  double tangent[3])
+{
+    surface_point(patches[patch], u, v, position, normal, tangent);
+    stand_up(position);
+    stand_up(normal);
+    stand_up(tangent);
+}
+
 static void store(const double from[3], float *to)
 {
-    to[0] = (float)from[0];
-    to[1] = (float)from[2];
-    to[2] = (float)-from[1];
+    for (int c = 0; c < 3; c++)
+        to[c] = (float)from[c];
 }
 
 /* Two triangles a cell, one where the cell touches a pole. */
@@ -244,6 +262,11 @@ static void add_cells(const uint16_t patch[16], uint32_t level, uint32_t base, m
     }
 }
 
+static double teapot_texcoord(int cell, double along, int cells)
+{
+    return (cell + TEAPOT_MARGIN + along * (1.0 - 2.0 * TEAPOT_MARGIN)) / cells;
+}
+
 bool teapot_create(uint32_t level, const float color[4], model *result)
 {
     uint32_t patch_vertices = (level + 1) * (level + 1);
@@ -253,8 +276,8 @@ bool teapot_create(uint32_t level, const float color[4], model *result)
         return false;
     result->part_count = 1;
     model_part *part = result->parts;
-    if (!model_part_allocate(part, PATCH_COUNT * patch_vertices, PATCH_COUNT * level * level * 6,
-                             false)) {
+    part->has_texcoords = part->has_tangents = true;
+    if (!model_part_allocate(part, PATCH_COUNT * patch_vertices, PATCH_COUNT * level * level * 6)) {
         model_free(result);
         return false;
     }
@@ -266,9 +289,18 @@ bool teapot_create(uint32_t level, const float color[4], model *result)
             for (uint32_t j = 0; j <= level; j++, vertex++) {
                 double position[3];
                 double normal[3];
-                surface_point(patches[p], (double)i / level, (double)j / level, position, normal);
+                double tangent[3];
+                double u = (double)i / level;
+                double v = (double)j / level;
+                teapot_point(p, u, v, position, normal, tangent);
                 store(position, part->positions + 3 * vertex);
                 store(normal, part->normals + 3 * vertex);
+                store(tangent, part->tangents + 4 * vertex);
+                part->tangents[4 * vertex + 3] = -1.0f;
+                part->texcoords[2 * vertex] =
+                    (float)teapot_texcoord(p % TEAPOT_COLUMNS, u, TEAPOT_COLUMNS);
+                part->texcoords[2 * vertex + 1] =
+                    (float)teapot_texcoord(p / TEAPOT_COLUMNS, v, TEAPOT_ROWS);
                 memcpy(part->colors + 4 * vertex, color, 4 * sizeof *color);
             }
         }

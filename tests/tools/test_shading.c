@@ -1,0 +1,201 @@
+/* The shaders of the gnomon command: pictures that follow from maps and light, and the teapot in
+ * every shader beside OSMesa's. */
+#include "runner.h"
+
+#include <stb/stb_image_write.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void write_color(const char *name, uint8_t red, uint8_t green, uint8_t blue)
+{
+    const uint8_t texel[3] = {red, green, blue};
+    stbi_write_png(path_of(name), 1, 1, 3, texel, 0);
+}
+
+static void expect_color(const char *model, const char *flags, uint32_t color)
+{
+    run r = gnomon("render %s -o a.png " FRONT " --size 8x8 %s", model, flags);
+    if (r.status != 0)
+        fail_msg("%s %s: status %d, %s", model, flags, r.status, r.error);
+    picture p = picture_read("a.png");
+    for (uint32_t i = 0; i < 64; i++) {
+        uint32_t got = pixel(&p, i % 8, i / 8);
+        for (int shift = 0; shift < 32; shift += 8) {
+            int difference = (int)(got >> shift & 255) - (int)(color >> shift & 255);
+            if (abs(difference) > 1)
+                fail_msg("%s %s: %08x, expected %08x", model, flags, (unsigned)got,
+                         (unsigned)color);
+        }
+    }
+    picture_free(&p);
+}
+
+/* The square with s going up and t to the left: its tangent is +y, its bitangent -x. */
+static const char turned_obj[] = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
+                                 "vt 0 1\nvt 0 0\nvt 1 0\nvt 1 1\n"
+                                 "vn 0 0 1\n"
+                                 "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/3/1 4/4/1\n";
+
+/* And mirrored: s to the left, t up. */
+static const char mirrored_obj[] = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
+                                   "vt 1 0\nvt 0 0\nvt 0 1\nvt 1 1\n"
+                                   "vn 0 0 1\n"
+                                   "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/3/1 4/4/1\n";
+
+/* A texel (1, 0.5, 0.5) is the first axis of its space, (0.5, 1, 0.5) the second: as colours of the
+ * picture they tell where these axes point. */
+static void normal_maps_have_their_axes(void **state)
+{
+    (void)state;
+    write_text("square.obj", square_obj);
+    write_text("turned.obj", turned_obj);
+    write_text("mirrored.obj", mirrored_obj);
+    write_color("first.png", 255, 128, 128);
+    write_color("second.png", 128, 255, 128);
+    static const char first[] = "--shader normals --normal-map tangent:first.png";
+    static const char second[] = "--shader normals --normal-map tangent:second.png";
+    expect_color("square.obj", "--shader normals", 0x8080ffff);
+    expect_color("square.obj", first, 0xff8080ff);
+    expect_color("square.obj", second, 0x80ff80ff);
+    expect_color("turned.obj", first, 0x80ff80ff);
+    expect_color("turned.obj", second, 0x008080ff);
+    expect_color("mirrored.obj", first, 0x008080ff);
+    expect_color("mirrored.obj", second, 0x80ff80ff);
+    expect_color("turned.obj", "--shader normals --normal-map world:first.png", 0xff8080ff);
+    expect_color("turned.obj", "--shader normals --normal-map none", 0x8080ffff);
+}
+
+/* In full light a surface of the texture's colour: ambient 0.25 and diffuse 0.75. */
+static void maps_make_the_colors(void **state)
+{
+    (void)state;
+    write_text("square.obj", square_obj);
+    write_color("blue.png", 0, 0, 128);
+    write_color("green.png", 0, 128, 0);
+    write_color("away.png", 128, 128, 0);
+    expect_color("square.obj", "--shader unlit --texture blue.png", 0x000080ff);
+    expect_color("square.obj", "--shader vertex-color", 0xccccccff);
+    expect_color("square.obj", "--shader flat --light 0,0,1 --texture blue.png", 0x000080ff);
+    expect_color("square.obj", "--shader phong --light 1,0,0 --texture blue.png", 0x000020ff);
+    expect_color("square.obj",
+                 "--shader phong --light 1,0,0 --texture blue.png "
+                 "--glow-map green.png",
+                 0x008020ff);
+    /* Two bands: all or nothing, from an angle of 60 degrees on. */
+    expect_color("square.obj", "--shader toon --bands 2 --light 0,1,1 --texture blue.png",
+                 0x000080ff);
+    expect_color("square.obj", "--shader toon --bands 2 --light 0,2,1 --texture blue.png",
+                 0x000020ff);
+    /* A normal that points away from the light. */
+    expect_color("square.obj",
+                 "--shader blinn-phong --light 0,0,1 --texture blue.png "
+                 "--normal-map world:away.png",
+                 0x000020ff);
+    /* The square is in the middle between the planes. */
+    expect_color("square.obj", "--shader depth", 0x808080ff);
+}
+
+static void highlights_have_their_map_and_exponent(void **state)
+{
+    (void)state;
+    write_text("square.obj", square_obj);
+    write_color("black.png", 0, 0, 0);
+    write_color("green.png", 0, 255, 0);
+    write_color("white.png", 255, 255, 255);
+    static const char flags[] = "--eye 0,0,5 --target 0,0,0 --orthographic 2 --size 65x65"
+                                " --light 0,0,1 --shader phong --texture black.png";
+    uint32_t bright[2];
+    for (int i = 0; i < 2; i++) {
+        run r = gnomon("render square.obj -o a.png %s --specular-map green.png --exponent %d",
+                       flags, i == 0 ? 5 : 500);
+        assert_int_equal(r.status, 0);
+        picture p = picture_read("a.png");
+        assert_int_equal(pixel(&p, 32, 32), 0x004000ff); /* a quarter, where nothing says more */
+        bright[i] = 0;
+        for (uint32_t k = 0; k < 65 * 65; k++)
+            bright[i] += (pixel(&p, k % 65, k / 65) >> 16 & 255) > 32;
+        picture_free(&p);
+    }
+    assert_true(bright[0] == 65 * 65 && bright[1] > 10 && bright[1] < 1000);
+    expect_color("square.obj",
+                 "--light 0,0,1 --shader phong --texture black.png "
+                 "--specular-map black.png",
+                 0x000000ff);
+}
+
+/* A square above a larger one, light from above: its shadow is as large as itself. */
+static void shadows_fall_where_light_is_kept_away(void **state)
+{
+    static const char flags[] =
+        "--eye 0,8,0.001 --target 0,0,0 --up 0,0,-1 --orthographic 8 --size "
+        "80x80 --shader toon --bands 2 --light 2,2,0 --background ffffff";
+    (void)state;
+    write_text("lid.obj", "v -4 0 -4\nv -4 0 4\nv 4 0 4\nv 4 0 -4\n"
+                          "v -1 2 -1\nv -1 2 1\nv 1 2 1\nv 1 2 -1\n"
+                          "f 1 2 3 4\nf 5 6 7 8\n");
+    for (int shadows = 0; shadows < 2; shadows++) {
+        run r = gnomon("render lid.obj -o a.png %s %s", flags, shadows ? "--shadows" : "");
+        assert_int_equal(r.status, 0);
+        picture p = picture_read("a.png");
+        /* Lit: 0.8; in shadow a quarter of it. The lid itself lies over -1 to 1, its shadow over -3
+         * to -1 along x: columns 10 to 30. */
+        assert_int_equal(pixel(&p, 40, 40), 0xccccccff);
+        assert_int_equal(pixel(&p, 20, 40), shadows ? 0x333333ff : 0xccccccff);
+        assert_int_equal(pixel(&p, 12, 32), shadows ? 0x333333ff : 0xccccccff);
+        assert_int_equal(pixel(&p, 7, 40), 0xccccccff);
+        assert_int_equal(pixel(&p, 20, 27), 0xccccccff);
+        assert_int_equal(pixel(&p, 60, 40), 0xccccccff);
+        picture_free(&p);
+    }
+}
+
+/* The teapot, and `also` in what is printed. */
+static void expect_equal(const char *look, int samples, const char *also)
+{
+    run r = gnomon("demo --size 97x71 --tessellation 5 --shader %s --samples %d", look, samples);
+    if (r.status != 0 || strstr(r.out, "colour: 0 of ") == NULL ||
+        strstr(r.out, "depth:  0 of ") == NULL || strstr(r.out, also) == NULL)
+        fail_msg("%s, %d samples: status %d\n%s%s", look, samples, r.status, r.out, r.error);
+}
+
+static void every_shader_is_osmesas_too(void **state)
+{
+    static const char looks[][64] = {"vertex-color",
+                                     "unlit",
+                                     "unlit --filter nearest",
+                                     "flat --shadows",
+                                     "gouraud --filter linear",
+                                     "toon --bands 6",
+                                     "toon --shadows",
+                                     "phong",
+                                     "phong --normal-map world",
+                                     "phong --normal-map none --exponent 3",
+                                     "phong --shadows",
+                                     "blinn-phong --exponent 77",
+                                     "blinn-phong --shadows",
+                                     "normals",
+                                     "normals --normal-map world",
+                                     "depth"};
+    (void)state;
+    for (size_t i = 0; i < sizeof looks / sizeof looks[0]; i++) {
+        bool shadows = strstr(looks[i], "--shadows") != NULL;
+        expect_equal(looks[i], 1, shadows ? "shadow map: 0 of " : "");
+        expect_equal(looks[i], 4, "samples: 0 of ");
+    }
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(normal_maps_have_their_axes),
+        cmocka_unit_test(maps_make_the_colors),
+        cmocka_unit_test(highlights_have_their_map_and_exponent),
+        cmocka_unit_test(shadows_fall_where_light_is_kept_away),
+        cmocka_unit_test(every_shader_is_osmesas_too),
+    };
+    runner_start(argc, argv);
+    int failed = cmocka_run_group_tests_name("command, shaders", tests, NULL, NULL);
+    runner_end();
+    return failed != 0;
+}

@@ -1,0 +1,156 @@
+/* Draws from parts. */
+#include "look.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include <scene_memory.h>
+
+#include "report.h"
+
+#define AMBIENT 0.25f
+#define DIFFUSE 0.75f
+
+int look_choose(const options *o, const camera *view, shading which, look *result)
+{
+    memset(result, 0, sizeof *result);
+    result->options = o;
+    result->shading = which;
+    result->view = *view;
+    result->light_direction = view->light_direction;
+    result->ambient = (gn_vec3){AMBIENT, AMBIENT, AMBIENT};
+    result->diffuse = (gn_vec3){DIFFUSE, DIFFUSE, DIFFUSE};
+    if (o->light_given && gn_vec3_normalize(o->light, &result->light_direction) != GN_OK)
+        return report_fault("--light", "impossible direction: the vector is zero");
+    return 0;
+}
+
+static scene_shader shader_of(shading which, bool has_diffuse_map)
+{
+    switch (which) {
+    case SHADING_VERTEX_COLOR:
+        return SCENE_VERTEX_COLOR;
+    case SHADING_UNLIT:
+        return SCENE_UNLIT;
+    case SHADING_FLAT:
+        return SCENE_FACES;
+    case SHADING_TOON:
+        return SCENE_TOON;
+    case SHADING_PHONG:
+        return SCENE_MAPPED_PHONG;
+    case SHADING_BLINN_PHONG:
+        return SCENE_BLINN_PHONG;
+    case SHADING_NORMALS:
+        return SCENE_NORMAL_COLOR;
+    case SHADING_DEPTH:
+        return SCENE_DEPTH_COLOR;
+    default:
+        return has_diffuse_map ? SCENE_TEXTURED_GOURAUD : SCENE_GOURAUD;
+    }
+}
+
+static gn_sampler sampler_of(filter_option filter)
+{
+    gn_sampler sampler;
+    memset(&sampler, 0, sizeof sampler);
+    sampler.minify = filter == FILTER_MIPMAP   ? GN_MINIFY_LINEAR_MIPMAP_LINEAR
+                     : filter == FILTER_LINEAR ? GN_MINIFY_LINEAR
+                                               : GN_MINIFY_NEAREST;
+    sampler.magnify = filter == FILTER_NEAREST ? GN_MAGNIFY_NEAREST : GN_MAGNIFY_LINEAR;
+    return sampler;
+}
+
+static uint32_t count_levels(uint32_t width, uint32_t height)
+{
+    uint32_t count = 1;
+    for (uint32_t size = width > height ? width : height; size > 1; size /= 2)
+        count++;
+    return count;
+}
+
+/* The memory of levels that have been made for it; a scene has copies. */
+static gn_texture texture_of(const image *from, filter_option filter, void **memory)
+{
+    gn_texture texture;
+    const uint32_t count = filter == FILTER_MIPMAP ? count_levels(from->width, from->height) : 1;
+    *memory = NULL;
+    gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_RGBA8, from->width, from->height, 1, 1, from->texels,
+                      &texture);
+    if (count > 1) {
+        const size_t size = gn_texture_memory_size(GN_TEXTURE_2D, GN_FORMAT_RGBA8, from->width,
+                                                   from->height, 1, count) -
+                            (size_t)from->width * from->height * sizeof *from->texels;
+        *memory = scene_allocate(size, 1);
+        gn_texture_generate_levels(&texture, *memory, size);
+    }
+    return texture;
+}
+
+static void set_maps(scene_draw *draw, const look *l, const part_maps *maps)
+{
+    static const scene_map places[MAP_COUNT] = {SCENE_MAP_COUNT, SCENE_NORMAL_MAP,
+                                                SCENE_SPECULAR_MAP, SCENE_GLOW_MAP};
+    for (int i = 0; i < MAP_COUNT; i++) {
+        void *memory;
+        if (maps->images[i].texels == NULL)
+            continue;
+        const gn_texture texture = texture_of(maps->images + i, l->options->filter, &memory);
+        if (i == MAP_DIFFUSE)
+            scene_set_levels(draw, &texture);
+        else
+            scene_set_map(draw, places[i], &texture);
+        free(memory);
+    }
+    draw->uniforms.sampler = sampler_of(l->options->filter);
+    draw->surface.normal_space =
+        maps->normals_in_tangent_space ? GN_NORMAL_OF_TANGENTS : GN_NORMAL_OF_MODEL;
+}
+
+static void set_shine(scene_draw *draw, const look *l, const model_part *part)
+{
+    const float *specular = part->shine.specular;
+    draw->specular = (gn_vec3){specular[0], specular[1], specular[2]};
+    draw->surface.exponent =
+        l->options->exponent != 0 ? l->options->exponent : part->shine.exponent;
+    draw->surface.bands = l->options->bands;
+}
+
+static void set_attributes(scene_draw *draw, const model_part *part, const part_maps *maps)
+{
+    const bool has_map = maps->images[MAP_DIFFUSE].texels != NULL;
+    const uint32_t count = part->vertex_count;
+    scene_set_attribute(draw, GN_ATTRIBUTE_POSITION, part->positions, 3, count);
+    if (!has_map || part->has_vertex_colors)
+        scene_set_attribute(draw, GN_ATTRIBUTE_COLOR, part->colors, 4, count);
+    scene_set_attribute(draw, GN_ATTRIBUTE_NORMAL, part->normals, 3, count);
+    if (part->has_texcoords)
+        scene_set_attribute(draw, GN_ATTRIBUTE_TEXCOORD, part->texcoords, 2, count);
+    if (part->has_tangents)
+        scene_set_attribute(draw, GN_ATTRIBUTE_TANGENT, part->tangents, 4, count);
+    scene_set_indices(draw, part->indices, part->index_count, GN_INDEX_UINT32);
+}
+
+scene_draw *look_add_part(scene *s, const look *l, const model_part *part, const part_maps *maps)
+{
+    scene_draw *draw = scene_add_draw(s);
+    scene_light *light = &draw->uniforms.light;
+    draw->shader = shader_of(l->shading, maps->images[MAP_DIFFUSE].texels != NULL);
+    draw->state.depth_test = true;
+    if (l->options->wireframe) {
+        draw->state.polygon_mode_front = GN_POLYGON_LINE;
+        draw->state.polygon_mode_back = GN_POLYGON_LINE;
+    }
+    light->clip_from_model = l->view.clip_from_world;
+    gn_mat3_identity(&light->normal_matrix);
+    gn_mat4_identity(&draw->surface.world_from_model);
+    draw->surface.eye = l->view.eye;
+    light->light_direction = l->light_direction;
+    light->ambient = l->ambient;
+    light->diffuse = l->diffuse;
+    set_maps(draw, l, maps);
+    set_shine(draw, l, part);
+    set_attributes(draw, part, maps);
+    if (l->shadow != NULL)
+        shadow_apply(l->shadow, draw);
+    return draw;
+}

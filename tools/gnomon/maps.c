@@ -1,0 +1,234 @@
+/* Finding and reading maps. */
+#include "maps.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "report.h"
+
+/* How a map is called, chosen, and what names its files end on beside a model. */
+static const struct {
+    char option[16];
+    char words[32];
+    char suffix[16];
+} kinds[MAP_COUNT] = {{"--texture", "diffuse", "_diffuse"},
+                      {"--normal-map", "tangent-space normals", "_nm_tangent"},
+                      {"--specular-map", "specular", "_spec"},
+                      {"--glow-map", "glow", "_glow"}};
+
+static const char world_space_words[] = "world-space normals";
+static const char world_space_suffix[] = "_nm";
+
+/* "DIRECTORY OF MODEL/name", allocated; an absolute name as it is. Backslashes, as some
+ * exporters write, are slashes. Null where there is no memory. */
+static char *beside_model(const char *model_path, const char *name)
+{
+    const char *slash = strrchr(model_path, '/');
+    size_t directory = slash != NULL && name[0] != '/' ? (size_t)(slash - model_path) + 1 : 0;
+    char *path = malloc(directory + strlen(name) + 1);
+    if (path == NULL)
+        return NULL;
+    memcpy(path, model_path, directory);
+    strcpy(path + directory, name);
+    for (char *c = path + directory; *c != '\0'; c++) {
+        if (*c == '\\')
+            *c = '/';
+    }
+    return path;
+}
+
+size_t maps_stem_length(const char *model_path)
+{
+    const char *slash = strrchr(model_path, '/');
+    const char *name = slash != NULL ? slash + 1 : model_path;
+    const char *dot = strrchr(name, '.');
+    return dot != NULL && dot > name ? (size_t)(dot - model_path) : strlen(model_path);
+}
+
+/* MODEL without its extension + suffix + .tga, .png or .jpg, allocated, where there is such a
+ * file; otherwise null. */
+static char *conventional_file(const char *model_path, const char *suffix)
+{
+    static const char endings[][8] = {".tga", ".png", ".jpg"};
+    size_t stem = maps_stem_length(model_path);
+    char *path = malloc(stem + strlen(suffix) + sizeof endings[0]);
+    if (path == NULL)
+        return NULL;
+    memcpy(path, model_path, stem);
+    for (int i = 0; i < 3; i++) {
+        strcpy(path + stem, suffix);
+        strcat(path + stem, endings[i]);
+        if (access(path, F_OK) == 0)
+            return path;
+    }
+    free(path);
+    return NULL;
+}
+
+/* Adds "words file" to the list, once. Where memory is short the list stays as it is. */
+static void tell(maps_told *told, const char *words, const char *file)
+{
+    size_t length = told->text != NULL ? strlen(told->text) : 0;
+    size_t added = strlen(words) + strlen(file) + 4;
+    char *entry = malloc(added);
+    if (entry == NULL)
+        return;
+    snprintf(entry, added, "%s %s", words, file);
+    if (length == 0 || strstr(told->text, entry) == NULL) {
+        char *longer = realloc(told->text, length + added + 2);
+        if (longer != NULL) {
+            told->text = longer;
+            sprintf(longer + length, "%s%s", length > 0 ? ", " : "", entry);
+        }
+    }
+    free(entry);
+}
+
+static int read_file(const char *path, const char *option, const char *words, image *result,
+                     maps_told *told)
+{
+    const char *reason = NULL;
+    if (!image_read(path, result, &reason))
+        return report_fault(path, "cannot be read as a texture: %s (go on without it: %s none)",
+                            reason, option);
+    tell(told, words, path);
+    return 0;
+}
+
+/* The map that the material names. */
+static int read_named(const char *model_path, const model_texture *texture, const char *option,
+                      image *result)
+{
+    const char *reason = "its texels are bare";
+    if (texture->bytes != NULL || texture->bare) {
+        if (!texture->bare && image_decode(texture->bytes, texture->size, result, &reason))
+            return 0;
+        return report_fault(model_path,
+                            "the texture inside it cannot be read: %s"
+                            " (go on without it: %s none)",
+                            reason, option);
+    }
+    char *path = beside_model(model_path, texture->name);
+    bool good = false;
+    reason = "not enough memory";
+    if (path != NULL)
+        good = image_read(path, result, &reason);
+    if (!good)
+        report_fault(model_path, "its texture '%s' cannot be read: %s (go on without it: %s none)",
+                     path != NULL ? path : texture->name, reason, option);
+    free(path);
+    return good ? 0 : EXIT_FAULT;
+}
+
+static void tell_named(maps_told *told, const char *words, const model_texture *texture)
+{
+    tell(told, words, texture->bytes != NULL ? "inside the model" : texture->name);
+}
+
+/* A file beside the model by its suffix; where there is none, nothing. */
+static int read_conventional(const char *model_path, const char *suffix, const char *option,
+                             const char *words, image *result, maps_told *told)
+{
+    char *path = conventional_file(model_path, suffix);
+    int fault = path != NULL ? read_file(path, option, words, result, told) : 0;
+    free(path);
+    return fault;
+}
+
+/* Whether an image is one of heights, as bump maps are, which no shader takes. */
+static bool is_grey(const image *i)
+{
+    for (size_t k = 0; k < (size_t)i->width * i->height; k++) {
+        if ((i->texels[k] & 0xffff) != (i->texels[k] >> 8 & 0xffff))
+            return false;
+    }
+    return true;
+}
+
+/* The normals that the material names, or nothing where they are heights. */
+static int read_named_normals(const char *model_path, const model_texture *texture, image *result,
+                              maps_told *told)
+{
+    int fault = read_named(model_path, texture, kinds[MAP_NORMAL].option, result);
+    if (fault != 0)
+        return fault;
+    bool usable = !is_grey(result);
+    if (!usable)
+        image_free(result);
+    tell_named(told, usable ? kinds[MAP_NORMAL].words : "(heights, not used)", texture);
+    return 0;
+}
+
+/* Normals in tangent space need tangents, so a part that has none takes the world's. */
+static int read_normals(const options *o, const model_part *part, part_maps *result,
+                        maps_told *told)
+{
+    image *normals = result->images + MAP_NORMAL;
+    const map_option *asked = o->maps + MAP_NORMAL;
+    const model_texture *texture = part->maps + MAP_NORMAL;
+    const char *option = kinds[MAP_NORMAL].option;
+    const char *tangent_words = kinds[MAP_NORMAL].words;
+    bool may_be_tangent = o->normals != NORMALS_WORLD && part->has_tangents;
+    bool may_be_world = o->normals != NORMALS_TANGENT;
+    int fault = 0;
+    if (asked->file != NULL) {
+        if (o->normals == NORMALS_TANGENT && !part->has_tangents)
+            return 0;
+        result->normals_in_tangent_space = may_be_tangent;
+        return read_file(asked->file, option, may_be_tangent ? tangent_words : world_space_words,
+                         normals, told);
+    }
+    result->normals_in_tangent_space = true;
+    if (may_be_tangent && texture->name != NULL)
+        return read_named_normals(o->model, texture, normals, told);
+    if (may_be_tangent)
+        fault = read_conventional(o->model, kinds[MAP_NORMAL].suffix, option, tangent_words,
+                                  normals, told);
+    if (fault == 0 && normals->texels == NULL && may_be_world) {
+        result->normals_in_tangent_space = false;
+        fault = read_conventional(o->model, world_space_suffix, option, world_space_words, normals,
+                                  told);
+    }
+    return fault;
+}
+
+int maps_read(const options *o, const model_part *part, unsigned int wanted, part_maps *result,
+              maps_told *told)
+{
+    int fault = 0;
+    memset(result, 0, sizeof *result);
+    for (int i = 0; i < MAP_COUNT && part->has_texcoords && fault == 0; i++) {
+        const map_option *asked = o->maps + i;
+        if ((wanted >> i & 1) == 0 || asked->none)
+            continue;
+        if (i == MAP_NORMAL)
+            fault = read_normals(o, part, result, told);
+        else if (asked->file != NULL)
+            fault =
+                read_file(asked->file, kinds[i].option, kinds[i].words, result->images + i, told);
+        else if (part->maps[i].name != NULL) {
+            fault = read_named(o->model, part->maps + i, kinds[i].option, result->images + i);
+            if (fault == 0)
+                tell_named(told, kinds[i].words, part->maps + i);
+        } else
+            fault = read_conventional(o->model, kinds[i].suffix, kinds[i].option, kinds[i].words,
+                                      result->images + i, told);
+    }
+    if (fault != 0)
+        maps_free(result);
+    return fault;
+}
+
+void maps_free(part_maps *maps)
+{
+    for (int i = 0; i < MAP_COUNT; i++)
+        image_free(maps->images + i);
+}
+
+void maps_told_free(maps_told *told)
+{
+    free(told->text);
+    told->text = NULL;
+}

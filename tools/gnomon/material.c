@@ -1,0 +1,102 @@
+/* Reading Assimp's materials. */
+#include "material.h"
+
+#include <assimp/cimport.h>
+#include <assimp/material.h>
+#include <math.h>
+#include <string.h>
+
+#define LIGHT_GREY 0.8f
+
+/* Of what has no material: highlights that show the shape. */
+#define DEFAULT_SPECULAR 0.25f
+#define DEFAULT_EXPONENT 32
+
+/* What Assimp calls the material of a file that has none; its colours mean nothing. */
+#define NO_MATERIAL "DefaultMaterial"
+
+/* The types that formats have for a map; OBJ files name one of normals as one of heights. */
+static const enum aiTextureType map_types[MAP_COUNT][2] = {
+    {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR},
+    {aiTextureType_NORMALS, aiTextureType_HEIGHT},
+    {aiTextureType_SPECULAR, aiTextureType_NONE},
+    {aiTextureType_EMISSIVE, aiTextureType_EMISSION_COLOR}};
+
+/* The name of a material's map and its channel of texture coordinates. False: there is none. */
+static bool find_map(const struct aiMaterial *material, map_kind map, struct aiString *name,
+                     unsigned int *channel)
+{
+    *channel = 0;
+    for (int i = 0; i < 2 && map_types[map][i] != aiTextureType_NONE; i++) {
+        if (aiGetMaterialTexture(material, map_types[map][i], 0, name, NULL, channel, NULL, NULL,
+                                 NULL, NULL) == aiReturn_SUCCESS &&
+            name->length > 0)
+            return true;
+    }
+    return false;
+}
+
+static void read_maps(const struct aiMaterial *material, const struct aiMesh *mesh,
+                      mesh_material *result)
+{
+    unsigned int chosen = AI_MAX_NUMBER_OF_TEXTURECOORDS;
+    for (int i = 0; i < MAP_COUNT && material != NULL; i++) {
+        struct aiString name;
+        unsigned int channel;
+        if (!find_map(material, (map_kind)i, &name, &channel))
+            continue;
+        if (channel >= AI_MAX_NUMBER_OF_TEXTURECOORDS || mesh->mTextureCoords[channel] == NULL)
+            channel = 0;
+        if (chosen == AI_MAX_NUMBER_OF_TEXTURECOORDS)
+            chosen = channel;
+        if (channel != chosen || mesh->mTextureCoords[channel] == NULL)
+            continue;
+        result->maps[i].length = name.length;
+        memcpy(result->maps[i].data, name.data, name.length);
+    }
+    if (chosen == AI_MAX_NUMBER_OF_TEXTURECOORDS)
+        chosen = 0;
+    result->texcoord_channel = mesh->mTextureCoords[chosen] != NULL ? (int)chosen : -1;
+}
+
+static void store_color(const struct aiColor4D *from, float *to)
+{
+    to[0] = isfinite(from->r) ? from->r : 0.0f;
+    to[1] = isfinite(from->g) ? from->g : 0.0f;
+    to[2] = isfinite(from->b) ? from->b : 0.0f;
+}
+
+static void read_colors(const struct aiMaterial *material, mesh_material *result)
+{
+    struct aiColor4D color;
+    float exponent = 0.0f;
+    if (aiGetMaterialColor(material, AI_MATKEY_BASE_COLOR, &color) == aiReturn_SUCCESS ||
+        aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &color) == aiReturn_SUCCESS)
+        store_color(&color, result->color);
+    if (aiGetMaterialColor(material, AI_MATKEY_COLOR_SPECULAR, &color) == aiReturn_SUCCESS)
+        store_color(&color, result->shine.specular);
+    if (aiGetMaterialFloatArray(material, AI_MATKEY_SHININESS, &exponent, NULL) ==
+            aiReturn_SUCCESS &&
+        exponent >= 1.0f)
+        result->shine.exponent = (uint32_t)lrintf(fminf(exponent, MODEL_MAX_EXPONENT));
+}
+
+void material_read(const struct aiScene *file, const struct aiMesh *mesh, mesh_material *result)
+{
+    const struct aiMaterial *material = NULL;
+    struct aiString name;
+    memset(result, 0, sizeof *result);
+    for (int c = 0; c < 3; c++) {
+        result->color[c] = LIGHT_GREY;
+        result->shine.specular[c] = DEFAULT_SPECULAR;
+    }
+    result->color[3] = 1.0f;
+    result->shine.exponent = DEFAULT_EXPONENT;
+    if (mesh->mMaterialIndex < file->mNumMaterials)
+        material = file->mMaterials[mesh->mMaterialIndex];
+    read_maps(material, mesh, result);
+    if (material != NULL &&
+        !(aiGetMaterialString(material, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS &&
+          strcmp(name.data, NO_MATERIAL) == 0))
+        read_colors(material, result);
+}

@@ -1,0 +1,19 @@
+/* What Assimp's materials say about the surface of a mesh. */
+#ifndef MATERIAL_H
+#define MATERIAL_H
+
+#include <assimp/scene.h>
+
+#include "model.h"
+
+typedef struct mesh_material {
+    float color[4];                  /* the diffuse one, or light grey */
+    model_shine shine;               /* the material's, or a little */
+    int texcoord_channel;            /* -1: the mesh has no texture coordinates */
+    struct aiString maps[MAP_COUNT]; /* their names; empty: none */
+} mesh_material;
+
+/* The channel is that of the material's first map; maps by another one are left out. */
+void material_read(const struct aiScene *file, const struct aiMesh *mesh, mesh_material *result);
+
+#endif

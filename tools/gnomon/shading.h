@@ -1,0 +1,35 @@
+/* The shaders that pictures are drawn with, by name, and the maps that they take. */
+#ifndef SHADING_H
+#define SHADING_H
+
+#include <stdbool.h>
+
+typedef enum map_kind { MAP_DIFFUSE = 0, MAP_NORMAL, MAP_SPECULAR, MAP_GLOW, MAP_COUNT } map_kind;
+
+typedef enum shading {
+    SHADING_AUTOMATIC = 0, /* Phong where there is a map, otherwise Gouraud */
+    SHADING_VERTEX_COLOR,
+    SHADING_UNLIT,
+    SHADING_FLAT,
+    SHADING_GOURAUD,
+    SHADING_TOON,
+    SHADING_PHONG,
+    SHADING_BLINN_PHONG,
+    SHADING_NORMALS,
+    SHADING_DEPTH,
+    SHADING_COUNT
+} shading;
+
+typedef struct shading_traits {
+    char name[16];      /* as --shader has it; of SHADING_AUTOMATIC empty */
+    char words[16];     /* in sentences */
+    unsigned int maps;  /* a set of 1 << map_kind */
+    bool takes_shadows; /* lit at every pixel */
+} shading_traits;
+
+const shading_traits *shading_traits_of(shading which);
+
+/* False: no shader has that name. */
+bool shading_by_name(const char *name, shading *result);
+
+#endif

@@ -1,0 +1,138 @@
+/* The teapot's maps, texel by texel. */
+#include "teapot_maps.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "teapot.h"
+
+/* Chequers around the axis and in height, and dents as waves in all directions. */
+#define CHEQUERS_AROUND 16
+#define CHEQUERS_HIGH 3.0
+#define DOT_RADIUS 0.22
+#define DENT_DEPTH 0.035
+#define DENT_WAVES 9.0
+
+static const double tau = 6.28318530717958647692;
+
+/* Where a point lies in its chequer, from -0.5 to 0.5 both ways; true on the dark ones. */
+static bool chequer(const double p[3], double *across, double *up)
+{
+    double a = (atan2(p[2], p[0]) / tau + 1.0) * CHEQUERS_AROUND;
+    double h = p[1] * CHEQUERS_HIGH;
+    *across = a - floor(a) - 0.5;
+    *up = h - floor(h) - 0.5;
+    return ((int)floor(a) + (int)floor(h)) % 2 != 0;
+}
+
+static void diffuse(const double p[3], double color[3])
+{
+    static const double glaze[2][3] = {{0.93, 0.87, 0.76}, {0.74, 0.36, 0.22}};
+    double across;
+    double up;
+    memcpy(color, glaze[chequer(p, &across, &up)], sizeof glaze[0]);
+}
+
+static void specular(const double p[3], double color[3])
+{
+    double across;
+    double up;
+    color[0] = color[1] = color[2] = chequer(p, &across, &up) ? 0.1 : 1.0;
+}
+
+static void glow(const double p[3], double color[3])
+{
+    static const double ember[3] = {1.0, 0.72, 0.2};
+    double across;
+    double up;
+    bool lit = chequer(p, &across, &up) && across * across + up * up < DOT_RADIUS * DOT_RADIUS;
+    for (int c = 0; c < 3; c++)
+        color[c] = lit ? ember[c] : 0.0;
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* The normal less the slope along the surface of d = depth * sin(x) * sin(y) * sin(z), by which
+ * the surface is raised. */
+static void dented_normal(const double p[3], const double n[3], double result[3])
+{
+    double slope[3];
+    for (int c = 0; c < 3; c++) {
+        slope[c] = DENT_DEPTH * DENT_WAVES * cos(DENT_WAVES * p[c]) *
+                   sin(DENT_WAVES * p[(c + 1) % 3]) * sin(DENT_WAVES * p[(c + 2) % 3]);
+    }
+    double outward = dot(slope, n);
+    for (int c = 0; c < 3; c++)
+        result[c] = n[c] - (slope[c] - outward * n[c]);
+    double length = sqrt(dot(result, result));
+    for (int c = 0; c < 3; c++)
+        result[c] /= length;
+}
+
+/* A vector by its components along the tangent, the bitangent tangent x normal, and the normal. */
+static void to_tangent_space(const double n[3], const double t[3], double v[3])
+{
+    const double b[3] = {t[1] * n[2] - t[2] * n[1], t[2] * n[0] - t[0] * n[2],
+                         t[0] * n[1] - t[1] * n[0]};
+    const double along[3] = {dot(v, t), dot(v, b), dot(v, n)};
+    memcpy(v, along, sizeof along);
+}
+
+/* Of texel i of a cell: 0 to 1 from margin to margin. */
+static double parameter(uint32_t i, uint32_t size)
+{
+    double along = (((double)i + 0.5) / size - TEAPOT_MARGIN) / (1.0 - 2.0 * TEAPOT_MARGIN);
+    return fmin(fmax(along, 0.0), 1.0);
+}
+
+static uint32_t texel(map_kind map, bool in_tangent_space, int patch, double u, double v)
+{
+    double position[3];
+    double normal[3];
+    double tangent[3];
+    double color[3];
+    uint32_t result = UINT32_C(0xff000000);
+    teapot_point(patch, u, v, position, normal, tangent);
+    switch (map) {
+    case MAP_DIFFUSE:
+        diffuse(position, color);
+        break;
+    case MAP_SPECULAR:
+        specular(position, color);
+        break;
+    case MAP_GLOW:
+        glow(position, color);
+        break;
+    default:
+        dented_normal(position, normal, color);
+        if (in_tangent_space)
+            to_tangent_space(normal, tangent, color);
+        for (int c = 0; c < 3; c++)
+            color[c] = 0.5 + 0.5 * color[c];
+        break;
+    }
+    for (int c = 0; c < 3; c++)
+        result |= (uint32_t)(color[c] * 255.0 + 0.5) << (8 * c);
+    return result;
+}
+
+bool teapot_map_create(map_kind map, bool in_tangent_space, uint32_t size, image *result)
+{
+    result->width = size * TEAPOT_COLUMNS;
+    result->height = size * TEAPOT_ROWS;
+    result->texels = malloc((size_t)result->width * result->height * sizeof *result->texels);
+    if (result->texels == NULL)
+        return false;
+    for (uint32_t y = 0; y < result->height; y++) {
+        for (uint32_t x = 0; x < result->width; x++) {
+            int patch = (int)(y / size * TEAPOT_COLUMNS + x / size);
+            result->texels[(size_t)y * result->width + x] = texel(
+                map, in_tangent_space, patch, parameter(x % size, size), parameter(y % size, size));
+        }
+    }
+    return true;
+}
