@@ -5,8 +5,6 @@
 #ifndef GN_RASTER_SETUP_H
 #define GN_RASTER_SETUP_H
 
-#include "../shaders/shaders.h"
-
 #include "cull.h"
 #include "offset.h"
 
@@ -210,9 +208,7 @@ GN_STEP void setup_solid(const gn_pipeline *pipeline, const triangle_list *list,
     float(*const alpha)[GN_LANES] = batch->plane[VARYING_PLANES + 3];
     lanes_m solid = lanes_from_bits(0);
 
-    if (pipeline->varying_count > 3 && pipeline->interpolation[3] == GN_SMOOTH &&
-        (pipeline->fragment_shader == gn_shade_color ||
-         pipeline->fragment_shader == gn_shade_textured)) {
+    if (pipeline->varying_count > 3 && pipeline->interpolation[3] == GN_SMOOTH) {
         solid = lanes_from_bits(GN_ALL_LANES);
         for (int term = 0; term < PLANE_TERMS; ++term)
             solid = lanes_and(solid, lanes_i_equal(lanes_as_int(lanes_load(w[term])),
