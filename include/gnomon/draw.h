@@ -93,7 +93,7 @@ typedef struct gn_workspace {
 
 /* Bytes of what is under way: sixteen triangles and the vertices that clipping makes. */
 #define GN_WORKSPACE_TASK_SIZE(varying_count)                                                      \
-    (2368 + 192 * (size_t)(varying_count) + 32 * GN_WORKSPACE_VERTEX_SIZE(varying_count))
+    (2432 + 192 * (size_t)(varying_count) + 32 * GN_WORKSPACE_VERTEX_SIZE(varying_count))
 
 /* gn_workspace_size as a constant expression, for static arrays, where the size fits a
  * size_t and varying_count its limit. Vertices come sixteen at a time; 64 bytes are for
