@@ -15,7 +15,7 @@ static inline void sample_simple_2d(const gn_texture *texture, const gn_sampler 
     const lanes_f v = lanes_load(t);
     lanes_f out[4];
 
-    if (has_one_filter(sampler) && sampler->magnify == GN_MAGNIFY_LINEAR)
+    if (GN_SPECIALISED && has_one_filter(sampler) && sampler->magnify == GN_MAGNIFY_LINEAR)
         sample_linear_inline(texture, sampler, &u, &v, out);
     else
         sample(texture, sampler, &u, &v, out);
