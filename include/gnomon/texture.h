@@ -54,10 +54,10 @@ GN_BEGIN
  * or above GN_MAX_SIZE, a 1D texture higher than 1, a cube that is none, more levels than the size
  * has). A GN_BASIC library has 2D textures of one level (others are GN_NOT_COMPILED) in RGBA8 and
  * RGBA32F. Then of each level: null texels (GN_NULL_POINTER), texels or a stride not aligned to the
- * format's element (GN_MISALIGNED), a stride of rows or layers that is
- * shorter than a row or so long that they do not fit memory (GN_INVALID_STRIDE). That rows and
- * layers do not overlap otherwise is not checked: layers may lie side by side, as tiles of one
- * image. Of one row or layer the stride does not matter, but a row's must be aligned. */
+ * format's element (GN_MISALIGNED), a stride of rows or layers that is shorter than a row or so
+ * long that they do not fit memory (GN_INVALID_STRIDE). That rows and layers do not overlap
+ * otherwise is not checked: layers may lie side by side, as tiles of one image. Of one row or layer
+ * the stride does not matter, but a row's must be aligned. */
 GN_API gn_status gn_texture_check(const gn_texture *texture);
 
 /* The same fault in words that name the field, in static storage; null where there is none. */

@@ -104,100 +104,6 @@ static inline void load_small_texels(const texel_layout *layout, const lanes_i *
     word[1] = lanes_i_load(texel[1]);
 }
 
-/* `bits` of words from bit `shift` on, as a fraction of their largest value. */
-GN_INLINE lanes_f unorm_channel(lanes_i word, int shift, int bits)
-{
-    const int32_t largest = (int32_t)((1u << bits) - 1);
-
-    return lanes_mul(
-        lanes_to_float(lanes_i_and(lanes_i_shift_right(word, shift), lanes_i_splat(largest))),
-        lanes_splat(1.0f / (float)largest));
-}
-
-/* The least half that is no number becomes the least float that is none, and so on: their sign
- * and payload are kept. Channels that the format lacks stay as they are. */
-static inline void decode_texels(gn_format format, const lanes_i word[4], lanes_f texel[4])
-{
-    switch (format) {
-    case GN_FORMAT_RGBA8:
-        texel[0] = lanes_unpack_unorm8(word[0], 0);
-        texel[1] = lanes_unpack_unorm8(word[0], 1);
-        texel[2] = lanes_unpack_unorm8(word[0], 2);
-        texel[3] = lanes_unpack_unorm8(word[0], 3);
-        break;
-    case GN_FORMAT_BGRA8:
-        texel[0] = lanes_unpack_unorm8(word[0], 2);
-        texel[1] = lanes_unpack_unorm8(word[0], 1);
-        texel[2] = lanes_unpack_unorm8(word[0], 0);
-        texel[3] = lanes_unpack_unorm8(word[0], 3);
-        break;
-    case GN_FORMAT_RGB8:
-        texel[2] = lanes_unpack_unorm8(word[0], 2);
-        texel[1] = lanes_unpack_unorm8(word[0], 1);
-        texel[0] = lanes_unpack_unorm8(word[0], 0);
-        break;
-    case GN_FORMAT_RG8:
-        texel[1] = lanes_unpack_unorm8(word[0], 1);
-        texel[0] = lanes_unpack_unorm8(word[0], 0);
-        break;
-    case GN_FORMAT_R8:
-        texel[0] = lanes_unpack_unorm8(word[0], 0);
-        break;
-    case GN_FORMAT_SRGB8_A8:
-        texel[0] = srgb_value(word[0], 0);
-        texel[1] = srgb_value(word[0], 8);
-        texel[2] = srgb_value(word[0], 16);
-        texel[3] = lanes_unpack_unorm8(word[0], 3);
-        break;
-    case GN_FORMAT_RGB565:
-        texel[0] = unorm_channel(word[0], 11, 5);
-        texel[1] = unorm_channel(word[0], 5, 6);
-        texel[2] = unorm_channel(word[0], 0, 5);
-        break;
-    case GN_FORMAT_RGB5_A1:
-        texel[0] = unorm_channel(word[0], 11, 5);
-        texel[1] = unorm_channel(word[0], 6, 5);
-        texel[2] = unorm_channel(word[0], 1, 5);
-        texel[3] = unorm_channel(word[0], 0, 1);
-        break;
-    case GN_FORMAT_RGBA4:
-        texel[0] = unorm_channel(word[0], 12, 4);
-        texel[1] = unorm_channel(word[0], 8, 4);
-        texel[2] = unorm_channel(word[0], 4, 4);
-        texel[3] = unorm_channel(word[0], 0, 4);
-        break;
-    case GN_FORMAT_RGBA16:
-        texel[1] = unorm_channel(word[0], 16, 16);
-        texel[2] = unorm_channel(word[1], 0, 16);
-        texel[3] = unorm_channel(word[1], 16, 16);
-        texel[0] = unorm_channel(word[0], 0, 16);
-        break;
-    case GN_FORMAT_R16:
-    case GN_FORMAT_D16:
-        texel[0] = unorm_channel(word[0], 0, 16);
-        break;
-    case GN_FORMAT_RGBA16F:
-        texel[0] = half_value(word[0]);
-        texel[1] = half_value(lanes_i_shift_right(word[0], 16));
-        texel[2] = half_value(word[1]);
-        texel[3] = half_value(lanes_i_shift_right(word[1], 16));
-        break;
-    case GN_FORMAT_D24:
-    case GN_FORMAT_D24S8:
-        texel[0] = unorm_channel(word[0], 0, 24);
-        break;
-    case GN_FORMAT_RGBA32F:
-        texel[1] = lanes_as_float(word[1]);
-        texel[2] = lanes_as_float(word[2]);
-        texel[3] = lanes_as_float(word[3]);
-        texel[0] = lanes_as_float(word[0]);
-        break;
-    default: /* R32F, D32F, D32FS8 */
-        texel[0] = lanes_as_float(word[0]);
-        break;
-    }
-}
-
 /* Texels of a level of a checked texture by their numbers, which must be in it. The layer is read
  * where the level has more than one, and may be null otherwise; of cubes it is the face. Channels
  * that the format lacks are 0, alpha 1; of depth formats all but red. */
@@ -218,10 +124,7 @@ GN_OUT_OF_LINE void fetch_texels(const gn_texture *texture, uint32_t level, cons
     else
         load_texel_words(&layout, column, row, layer, step, count, word);
 
-    texel[1] = lanes_splat(0.0f);
-    texel[2] = lanes_splat(0.0f);
-    texel[3] = lanes_splat(1.0f);
-    decode_texels(texture->format, word, texel);
+    decode_channels(texture->format, word, texel);
 }
 
 #endif
