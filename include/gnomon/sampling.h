@@ -68,7 +68,7 @@ typedef struct gn_sampler {
     gn_minify minify;
     gn_wrap wrap_r;
     gn_texture_compare compare;
-    float lod_bias;
+    float lod_bias;          /* within -16 to 16, rounded to a multiple of 1/256 */
     bool lod_clamped;        /* false: the next two are not looked at */
     float min_lod, max_lod;  /* min_lod <= max_lod */
     uint32_t max_anisotropy; /* 0 to 16 */
@@ -86,13 +86,15 @@ typedef enum gn_lod_source {
  * are to GN_LANES values; those that a target or lod_source does not ask for may be null. All lanes
  * must hold coordinates, covered or not, since differences are taken from a quad's lower left
  * fragment. A number that is not finite reads some texel of the texture or the border, never
- * memory outside. */
+ * memory outside; which, and where the result is NaN, reference/RULES.md says. Where a bias, a lod
+ * or gradients differ within a quad and the sampler's filters do, fragments of the nearest one are
+ * the linear filter's with weights of 0 and 1. */
 typedef struct gn_lookup {
     const float *coordinate[3]; /* s, t, r, or a direction, or s, t and a layer's number */
     const float *reference;     /* where a depth texture is compared: clamped to 0 to 1 for D16, D24
                                    and D24S8; null: 0 */
     gn_lod_source lod_source;
-    const float *lod;           /* null: 0 */
+    const float *lod; /* null: 0, and the nearest level is that of the footprint's exponent */
     const float *gradient_x[3]; /* of the coordinates, to the next fragment along x */
     const float *gradient_y[3];
 } gn_lookup;
