@@ -85,8 +85,8 @@ typedef enum gn_lod_source {
 /* Sixteen places in a texture, lane l being the fragment (l % 4, l / 4) of a 4x4 block. Pointers
  * are to GN_LANES values; those that a target or lod_source does not ask for may be null. All lanes
  * must hold coordinates, covered or not, since differences are taken from a quad's lower left
- * fragment. A number that is not finite reads some texel of the texture or the border, never
- * memory outside. */
+ * fragment. Numbers that are not finite read texels of the texture or the border, never memory
+ * outside, or give NaN where a linear filter repeats or has a border (reference/RULES.md). */
 typedef struct gn_lookup {
     const float *coordinate[3]; /* s, t, r, or a direction, or s, t and a layer's number */
     const float *reference;     /* where a depth texture is compared: clamped to 0 to 1 for D16, D24
