@@ -109,7 +109,10 @@ static enum theft_trial_res one_place_is_one_of_sixteen(struct theft *theft, voi
     (void)theft;
     for (int l = 0; l < GN_LANES; l++) {
         for (int c = 0; c < 3; c++)
-            coordinate[c][l] = is_tame ? random_float(&r, -2.0f, 3.0f) : random_hostile_number(&r);
+            /* Never on a texel's border, where places beside each other choose as they like. */
+            coordinate[c][l] = is_tame
+                                   ? ((float)random_between(&r, -2048, 3071) + 0.3183f) / 1024.0f
+                                   : random_hostile_number(&r);
         lod[l] = is_tame ? random_float(&r, -2.0f, 7.0f) : random_hostile_number(&r);
         reference[l] = random_unit(&r);
     }

@@ -243,8 +243,19 @@ static bool has_numbers(const hostile *h, int lane)
     return tame && (!is_cube || length >= 1e-9f);
 }
 
-static bool has_weights(const gn_sampler *s)
+/* Whether some filter has weights that may become NaN: those along repeating dimensions and
+ * borders, of cubes, and of several footprints. */
+static bool has_weights(const gn_texture *t, const gn_sampler *s)
 {
+    const gn_wrap wraps[3] = {s->wrap_s, s->wrap_t, s->wrap_r};
+    const int count = t->target == GN_TEXTURE_1D ? 1 : t->target == GN_TEXTURE_3D ? 3 : 2;
+    bool may_be_nan = t->target == GN_TEXTURE_CUBE || s->max_anisotropy > 1;
+
+    for (int c = 0; c < count; c++)
+        may_be_nan =
+            may_be_nan || wraps[c] == GN_WRAP_REPEAT || wraps[c] == GN_WRAP_CLAMP_TO_BORDER;
+    if (!may_be_nan)
+        return false;
     return s->magnify != GN_MAGNIFY_NEAREST || s->max_anisotropy > 1 ||
            (s->minify != GN_MINIFY_NEAREST && s->minify != GN_MINIFY_NEAREST_MIPMAP_NEAREST);
 }
@@ -371,7 +382,7 @@ static bool lookups_stay_inside(const hostile *h, const gn_texture *t, bool fill
     float texel[4][GN_LANES], one[4];
 
     gn_sample(t, &h->sampler, &s.lookup, texel);
-    bool good = texels_are_of_texture(h, filled, has_weights(&h->sampler), "sample", texel);
+    bool good = texels_are_of_texture(h, filled, has_weights(t, &h->sampler), "sample", texel);
     for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT && good; b++)
         if (gn_backend_available((gn_backend)b))
             good = shader_agrees(&s, (gn_backend)b, texel);

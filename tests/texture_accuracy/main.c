@@ -201,7 +201,7 @@ static errors measure(uint64_t seed, uint64_t lookups, gn_texture_target target,
 
 /* The reference's rules explain the differences: weights are of coordinates rounded to 24 bits, of
  * up to 128 texels; sRGB is decoded by a polynomial; and an implicit level of detail is half of a
- * logarithm that is linear between powers of two, which is up to 0.0861 above it: so much of the
+ * logarithm that is linear between powers of two, up to 0.0861 below the true one: so much of the
  * difference of two levels. */
 static long double bound(gn_format format, const filter *f, bool is_implicit)
 {
