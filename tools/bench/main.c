@@ -36,7 +36,7 @@ static const char help[] =
     "Scenes, 1024x1024, RGBA8 and D24: S1 fills 64 screens with four colours interpolated, S2\n"
     "with a bilinear texture too; S3 and S5 are spheres of 200 thousand and a million\n"
     "triangles lit per vertex, S4 one of 10 thousand, textured and lit per pixel by a user's\n"
-    "shader; S6 only clears.\n"
+    "shader, \"S4 ready\" by the ready-made one; S6 only clears.\n"
     "\n"
     "Renderers: llvmpipe is as shipped, with a depth buffer of 24 bits and a stencil of 8;\n"
     "llvmpipe tuned has one of 32-bit floats, which is its fastest, and malloc keeps the\n"
