@@ -100,7 +100,7 @@ static bool any_shader(builder *b)
     random_source *r = &b->random;
     bool noperspective = false;
     const bool plain = random_chance(r, 35), sampled = random_chance(r, 30);
-    const uint32_t any = random_below(r, SCENE_SHADER_COUNT);
+    const uint32_t any = random_below(r, SCENE_UNLIT); /* the others have a class of their own */
     b->shader = plain ? SCENE_VERTEX_COLOR : sampled ? SCENE_SAMPLED : (scene_shader)any;
     if (b->shader == SCENE_OUTPUTS)
         random_outputs(b);
