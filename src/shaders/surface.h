@@ -16,25 +16,19 @@ static inline void sample_map(const gn_texture *map, const gn_sampler *sampler,
         texel[c] = lanes_load(sampled[c]);
 }
 
-/* The vertex colour times a map, which may be null. */
-static inline void mapped_color(const gn_texture *map, const gn_sampler *sampler,
-                                const gn_fragment_input *input, lanes_f color[4])
+/* The vertex colour times the diffuse map. */
+static inline void surface_color(const gn_material *material, const gn_fragment_input *input,
+                                 lanes_f color[4])
 {
     lanes_f texel[4];
 
     for (int c = 0; c < 4; ++c)
         color[c] = lanes_load(input->varying[VARYING_RED + c]);
-    if (!map)
+    if (!material->diffuse_map)
         return;
-    sample_map(map, sampler, input, texel);
+    sample_map(material->diffuse_map, &material->sampler, input, texel);
     for (int c = 0; c < 4; ++c)
         color[c] = lanes_mul(color[c], texel[c]);
-}
-
-static inline void surface_color(const gn_material *material, const gn_fragment_input *input,
-                                 lanes_f color[4])
-{
-    mapped_color(material->diffuse_map, &material->sampler, input, color);
 }
 
 static inline void put_color(const lanes_f color[4], gn_fragment_output *output)

@@ -15,15 +15,30 @@ static inline void shade_color(const void *uniforms, const gn_fragment_input *in
     }
 }
 
+static inline void shade_mapped(const gn_texture *map, const gn_sampler *sampler,
+                                const gn_fragment_input *input, gn_fragment_output *output)
+{
+    float texel[4][GN_LANES];
+
+    if (!map) {
+        shade_color(0, input, output);
+        return;
+    }
+    input->sampling->sample_2d(map, sampler, input->varying[VARYING_S], input->varying[VARYING_T],
+                               texel);
+    for (int c = 0; c < 4; ++c) {
+        GN_EACH_LANE (l)
+            output->color[c][l] = input->varying[VARYING_RED + c][l] * texel[c][l];
+    }
+}
+
 /* Of gn_unlit_uniforms. */
 static inline void shade_unlit_texture(const void *uniforms, const gn_fragment_input *input,
                                        gn_fragment_output *output)
 {
     const gn_unlit_uniforms *u = uniforms;
-    lanes_f color[4];
 
-    mapped_color(u->map, &u->sampler, input, color);
-    put_color(color, output);
+    shade_mapped(u->map, &u->sampler, input, output);
 }
 
 /* Of gn_lit_uniforms, lit at the vertices. */
@@ -31,10 +46,8 @@ static inline void shade_lit_texture(const void *uniforms, const gn_fragment_inp
                                      gn_fragment_output *output)
 {
     const gn_lit_uniforms *u = uniforms;
-    lanes_f color[4];
 
-    surface_color(&u->material, input, color);
-    put_color(color, output);
+    shade_mapped(u->material.diffuse_map, &u->material.sampler, input, output);
 }
 
 static inline void shade_normal_color(const void *uniforms, const gn_fragment_input *input,

@@ -100,7 +100,7 @@ static bool any_shader(builder *b)
     random_source *r = &b->random;
     bool noperspective = false;
     const uint32_t which = random_below(r, 100); /* those with states of their own more often */
-    const uint32_t any = random_below(r, SCENE_SHADER_COUNT);
+    const uint32_t any = random_below(r, SCENE_UNLIT); /* the others have a class of their own */
     b->shader = which < 28   ? SCENE_VERTEX_COLOR
                 : which < 42 ? SCENE_INPUTS
                 : which < 50 ? SCENE_OUTPUTS

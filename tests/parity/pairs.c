@@ -266,7 +266,7 @@ VALUE(workspace, p->number % 3)
     ROW(first_element, 2)                                                                          \
     ROW(instances, 2)                                                                              \
     ROW(divisor, 2)                                                                                \
-    ROW(shader, SCENE_SHADER_COUNT)                                                                \
+    ROW(shader, SCENE_UNLIT)                                                                       \
     ROW(alpha_given, 2)                                                                            \
     ROW(interpolations, 4)                                                                         \
     ROW(cull, 4)                                                                                   \

@@ -90,6 +90,7 @@ static const char *description_of(const char *scene)
         {"S2 cube", "the same, of a cube map, two levels"},
         {"S3", "199,692 triangles, lit per vertex"},
         {"S4", "10,092 triangles, textured, a user's Phong shader"},
+        {"S4 ready", "the same, the ready-made Phong shader"},
         {"S5", "1,002,252 triangles, lit per vertex"},
         {"S6", "clear colour and depth"},
     };
