@@ -207,7 +207,8 @@ static inline void sample_any(const gn_texture *texture, const gn_sampler *sampl
     set_lookup_state(&state, texture, sampler);
     set_lookup_place(&state, lookup, &place);
     set_cube_place(&state, lookup,
-                   finds_lod && lookup->lod_source != GN_LOD_EXPLICIT && !has_one_lod(sampler),
+                   finds_lod && lookup->lod_source != GN_LOD_EXPLICIT &&
+                       !(has_one_lod(sampler) && sampler->min_lod >= 0.0f),
                    &cube, &place);
     if (!finds_lod && texture->target == GN_TEXTURE_CUBE) {
         choice.level = lanes_i_splat(0);
