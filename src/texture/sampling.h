@@ -210,7 +210,8 @@ static inline void sample_any(const gn_texture *texture, const gn_sampler *sampl
     set_lookup_state(&state, texture, sampler);
     set_lookup_place(&state, lookup, &place);
     set_cube_place(&state, lookup,
-                   finds_lod && lookup->lod_source != GN_LOD_EXPLICIT && !has_one_lod(sampler),
+                   finds_lod && lookup->lod_source != GN_LOD_EXPLICIT &&
+                       !(has_one_lod(sampler) && sampler->min_lod >= 0.0f),
                    &cube, &place);
     if (!finds_lod && texture->target == GN_TEXTURE_CUBE) {
         choice.level = lanes_i_splat(0);
@@ -224,7 +225,9 @@ static inline void sample_any(const gn_texture *texture, const gn_sampler *sampl
         linear = minifies_linearly(sampler->minify) ? linear | choice.minified
                                                     : linear & ~choice.minified;
         if (mixes_levels(sampler->minify))
-            mixed = mixed_quads(sampler, &choice, has_lod_per_lane(lookup), linear);
+            mixed =
+                mixed_quads(sampler, &choice,
+                            has_lod_per_lane(lookup) || texture->target == GN_TEXTURE_CUBE, linear);
         filter_levels(&state, &place, &choice, linear, mixed, out);
     }
     for (int c = 0; c < 4; ++c)
@@ -270,7 +273,7 @@ static inline void gather_any(const gn_texture *texture, const gn_sampler *sampl
     if (texture->target == GN_TEXTURE_CUBE) {
         gather_cube(&state, &place, channel & 3, fetched);
         for (int i = 0; i < 4; ++i)
-            lanes_store(texel[i], fetched[i]);
+            store_channel(&state, channel & 3, fetched[i], texel[i]);
         return;
     }
     for (int n = 0; n < 2; ++n)
