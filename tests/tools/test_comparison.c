@@ -86,7 +86,7 @@ static scene *empty_scene(void)
 }
 
 /* Makes a comparison and returns what it prints. */
-static const char *printed(comparison *c, const scene *s)
+static const char *printed_with(comparison *c, const scene *s, const shadow_pass *shadow)
 {
     static char text[2048];
     fflush(stdout);
@@ -94,7 +94,7 @@ static const char *printed(comparison *c, const scene *s)
     FILE *file = tmpfile();
     assert_non_null(file);
     dup2(fileno(file), STDOUT_FILENO);
-    int fault = comparison_make(s, &no_shadow, GN_BACKEND_AUTO, c);
+    int fault = comparison_make(s, shadow, GN_BACKEND_AUTO, c);
     fflush(stdout);
     dup2(saved, STDOUT_FILENO);
     close(saved);
@@ -103,6 +103,11 @@ static const char *printed(comparison *c, const scene *s)
     fclose(file);
     assert_int_equal(fault, refuse ? 1 : 0);
     return text;
+}
+
+static const char *printed(comparison *c, const scene *s)
+{
+    return printed_with(c, s, &no_shadow);
 }
 
 static void differences_are_counted_and_shown(void **state)
@@ -163,6 +168,33 @@ static void samples_are_counted_apart(void **state)
     assert_int_equal(c.difference.pixels, 0);
     assert_int_equal(c.samples.pixels, 2);
     comparison_free(&c);
+    scene_free(s);
+}
+
+/* Only the reference's own map has the change. */
+static void shadow_maps_are_compared(void **state)
+{
+    (void)state;
+    shadow_pass shadow;
+    comparison c;
+    scene *s = empty_scene();
+    memset(&shadow, 0, sizeof shadow);
+    shadow.scene = scene_create(8, 8, GN_FORMAT_NONE, GN_FORMAT_D32F);
+    shadow.scene->clear_depth = 1.0f;
+    assert_true(scene_frame_allocate(&shadow.frame, shadow.scene));
+    change_color = change_alpha = change_depth = false;
+    assert_int_equal(scene_draw_library(shadow.scene, &shadow.frame, 0, GN_BACKEND_AUTO), GN_OK);
+    const char *text = printed_with(&c, s, &shadow);
+    assert_non_null(strstr(text, "shadow map: 0 of 64 texels differ\n"));
+    assert_int_equal(c.shadow_texels, 0);
+    comparison_free(&c);
+    change_depth = true;
+    text = printed_with(&c, s, &shadow);
+    assert_non_null(strstr(text, "shadow map: 1 of 64 texels differ\n"));
+    assert_int_equal(c.shadow_texels, 1);
+    comparison_free(&c);
+    scene_frame_free(&shadow.frame);
+    scene_free(shadow.scene);
     scene_free(s);
 }
 
@@ -240,6 +272,7 @@ int main(int argc, char **argv)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(differences_are_counted_and_shown),
         cmocka_unit_test(samples_are_counted_apart),
+        cmocka_unit_test(shadow_maps_are_compared),
         cmocka_unit_test(one_pixel_is_singular),
         cmocka_unit_test(equal_pictures_are_black),
         cmocka_unit_test(finished_outputs_appear_when_renamed),

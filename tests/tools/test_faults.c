@@ -109,6 +109,7 @@ static void usage_errors_are_status_2(void **state)
     expect(2, "render square.obj -o a.png --exponent 2.5", "--exponent", "whole number");
     expect(2, "render square.obj -o a.png --bands 1", "--bands '1'", "2 to 256");
     expect(2, "demo --shader velvet", "--shader 'velvet'", "blinn-phong");
+    expect(2, "demo --normal-map world:a.png", "--normal-map", "no file");
     expect(2, "demo --texture a.png", "'--texture'", "unknown option");
     expect(2, "render square.obj -o a.png --backend mmx", "--backend 'mmx'", "portable, sse2");
     expect(2, "compare square.obj --backend ''", "--backend ''", "portable, sse2");

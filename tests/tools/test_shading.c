@@ -96,6 +96,57 @@ static void maps_make_the_colors(void **state)
     expect_color("square.obj", "--shader depth", 0x808080ff);
 }
 
+/* How far the pixels of a picture of black and white texels, larger than these, are apart, and how
+ * far from one of the two. */
+static void measure_greys(const char *flags, int *range, int *mixed)
+{
+    int low = 255;
+    int high = 0;
+    run r = gnomon("render square.obj -o a.png " FRONT " --size 9x9 --shader unlit %s", flags);
+    assert_int_equal(r.status, 0);
+    picture p = picture_read("a.png");
+    *mixed = 0;
+    for (uint32_t i = 0; i < 81; i++) {
+        int grey = (int)(pixel(&p, i % 9, i / 9) >> 8 & 255);
+        low = grey < low ? grey : low;
+        high = grey > high ? grey : high;
+        int distance = grey < 128 ? grey : 255 - grey;
+        *mixed = distance > *mixed ? distance : *mixed;
+    }
+    *range = high - low;
+    picture_free(&p);
+}
+
+static void filters_are_what_was_asked_for(void **state)
+{
+    uint8_t texels[64 * 64];
+    int range;
+    int mixed;
+    (void)state;
+    write_text("square.obj", square_obj);
+    for (int i = 0; i < 64 * 64; i++)
+        texels[i] = (i % 64 + i / 64) % 2 == 0 ? 0 : 255;
+    stbi_write_png(path_of("chequers.png"), 64, 64, 1, texels, 0);
+    measure_greys("--texture chequers.png --filter nearest", &range, &mixed);
+    assert_true(range == 255 && mixed == 0);
+    measure_greys("--texture chequers.png --filter linear", &range, &mixed);
+    assert_true(range > 50 && mixed > 50);
+    measure_greys("--texture chequers.png --filter mipmap", &range, &mixed);
+    assert_true(range < 3 && mixed > 120);
+    measure_greys("--texture chequers.png", &range, &mixed);
+    assert_true(range < 3 && mixed > 120);
+    /* Texels larger than pixels. */
+    texels[1] = texels[2] = 255;
+    texels[0] = texels[3] = 0;
+    stbi_write_png(path_of("large.png"), 2, 2, 1, texels, 0);
+    measure_greys("--texture large.png --filter nearest", &range, &mixed);
+    assert_true(range == 255 && mixed == 0);
+    measure_greys("--texture large.png --filter linear", &range, &mixed);
+    assert_true(mixed > 100);
+    measure_greys("--texture large.png --filter mipmap", &range, &mixed);
+    assert_true(mixed > 100);
+}
+
 static void highlights_have_their_map_and_exponent(void **state)
 {
     (void)state;
@@ -190,6 +241,7 @@ int main(int argc, char **argv)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(normal_maps_have_their_axes),
         cmocka_unit_test(maps_make_the_colors),
+        cmocka_unit_test(filters_are_what_was_asked_for),
         cmocka_unit_test(highlights_have_their_map_and_exponent),
         cmocka_unit_test(shadows_fall_where_light_is_kept_away),
         cmocka_unit_test(every_shader_is_osmesas_too),

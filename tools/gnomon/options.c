@@ -314,6 +314,9 @@ static int check(command which, const options *o)
             return report_usage(name, "--%s is not for --shader %s, which takes no such map",
                                 map_names[i], traits->name);
     }
+    if (which == COMMAND_DEMO && o->maps[MAP_NORMAL].file != NULL)
+        return report_usage(name,
+                            "--normal-map takes no file here: the teapot has maps of its own");
     if (o->shadows && !traits->takes_shadows)
         return report_usage(name, "--shadows is not for --shader %s, which is not lit at pixels",
                             traits->name);
