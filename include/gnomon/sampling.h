@@ -71,7 +71,7 @@ typedef struct gn_sampler {
     float lod_bias;          /* within -16 to 16, rounded to a multiple of 1/256 */
     bool lod_clamped;        /* false: the next two are not looked at */
     float min_lod, max_lod;  /* min_lod <= max_lod */
-    uint32_t max_anisotropy; /* 0 to 16 */
+    uint32_t max_anisotropy; /* 0 or 1: there is no anisotropic filter yet */
     float border[4];
 } gn_sampler;
 
@@ -121,8 +121,8 @@ typedef struct gn_sampling {
 GN_BEGIN
 
 /* GN_NULL_POINTER; GN_INVALID_ENUM where a field holds none of its values; GN_NOT_FINITE (lod_bias,
- * a border that is NaN, min_lod or max_lod where clamped); GN_OUT_OF_RANGE (min_lod above max_lod,
- * max_anisotropy above 16). */
+ * a border that is NaN, min_lod or max_lod where clamped); GN_OUT_OF_RANGE (min_lod above max_lod);
+ * GN_NOT_COMPILED (max_anisotropy above 1). */
 GN_API gn_status gn_sampler_check(const gn_sampler *sampler);
 
 /* The same fault in words that name the field, in static storage; null where there is none. */

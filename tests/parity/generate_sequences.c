@@ -137,6 +137,8 @@ static void any_texture(builder *b, uint32_t *texels)
         texels[i] = (uint32_t)(random_bits(r) >> 32) | 0x01010101u;
     b->uniforms.sampler.wrap_s = (gn_wrap)random_below(r, 5);
     b->uniforms.sampler.wrap_t = (gn_wrap)random_below(r, 5);
+    for (int c = 0; c < 4; ++c) /* as texels, not 0 */
+        b->uniforms.sampler.border[c] = random_float(r, 0.25f, 1.0f);
     b->uniforms.sampler.magnify = (gn_magnify)random_below(r, 2);
     b->uniforms.sampler.minify = (gn_minify)random_below(r, 6);
     for (uint32_t i = 0; i < b->vertex_count; i++)

@@ -206,6 +206,8 @@ static void add_textured(builder *b, scene_shader shader, gn_format format)
     t->level[0].texels = texels;
     b->uniforms.sampler.wrap_s = (gn_wrap)random_below(r, 5);
     b->uniforms.sampler.wrap_t = (gn_wrap)random_below(r, 5);
+    for (int c = 0; c < 4; ++c) /* as texels, not 0 */
+        b->uniforms.sampler.border[c] = random_float(r, 0.25f, 1.0f);
     b->uniforms.sampler.magnify = (gn_magnify)random_below(r, 2);
     b->uniforms.sampler.minify = (gn_minify)random_below(r, 6);
     random_texcoords(b);

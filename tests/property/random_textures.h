@@ -10,7 +10,7 @@
  * fewer. */
 gn_texture random_texture_shape(random_source *r, uint32_t most);
 
-/* Any state without fault, border colours from 0.25 to 0.5; anisotropic now and then. */
+/* Any state without fault, border colours from 0.25 to 0.5. */
 gn_sampler random_sampler_state(random_source *r);
 
 /* Numbers that arithmetic goes wrong on, and ordinary ones. */
