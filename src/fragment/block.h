@@ -181,13 +181,14 @@ GN_STEP void run_shader(const fragment_state *state, raster_triangle triangle, i
     const float px = (float)x + center;
     const float py = (float)y + center;
     const triangle_identity identity = identity_of(triangle, pipeline->varying_count);
-    const block_places places = places_in_block(px, py);
+    block_places places;
     float varying[GN_MAX_VARYINGS][GN_LANES];
     float position[4][GN_LANES], point_coordinate[2][GN_LANES];
     uint32_t covered[GN_LANES], kept[GN_LANES];
     gn_fragment_input input;
     gn_fragment_output output;
 
+    set_places_in_block(&places, px, py);
     for (uint32_t n = 0; n < pipeline->varying_count; ++n)
         lanes_store(varying[n], interpolate_varying(pipeline, triangle, n, &places, w));
     input.varying = (const float(*)[GN_LANES])varying;

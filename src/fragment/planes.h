@@ -16,11 +16,10 @@ typedef struct block_places {
     lanes_f x, y;
 } block_places;
 
-GN_INLINE block_places places_in_block(float x, float y)
+GN_INLINE void set_places_in_block(block_places *at, float x, float y)
 {
-    const block_places at = {lanes_columns(1.0f, x, 0.0f), lanes_rows(1.0f, y)};
-
-    return at;
+    at->x = lanes_columns(1.0f, x, 0.0f);
+    at->y = lanes_rows(1.0f, y);
 }
 
 /* The same value as plane_in_block's. */

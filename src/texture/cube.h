@@ -37,19 +37,17 @@ static inline lanes_f cube_major(const cube_axis *axis, const lanes_f v[3])
     return lanes_select(axis->is_z, v[2], lanes_select(axis->is_x, v[0], v[1]));
 }
 
-static inline cube_axis cube_choose_axis(const lanes_f direction[3])
+static inline void cube_choose_axis(const lanes_f direction[3], cube_axis *axis)
 {
     const lanes_f x = lanes_magnitude(direction[0]);
     const lanes_f y = lanes_magnitude(direction[1]);
     const lanes_f z = lanes_magnitude(direction[2]);
-    cube_axis axis;
 
-    axis.is_x = lanes_not(lanes_less_equal(x, y));
-    axis.is_z = lanes_not(lanes_greater(lanes_max(x, y), z));
-    axis.sign =
-        lanes_select(lanes_i_greater(lanes_i_splat(0), lanes_as_int(cube_major(&axis, direction))),
+    axis->is_x = lanes_not(lanes_less_equal(x, y));
+    axis->is_z = lanes_not(lanes_greater(lanes_max(x, y), z));
+    axis->sign =
+        lanes_select(lanes_i_greater(lanes_i_splat(0), lanes_as_int(cube_major(axis, direction))),
                      lanes_splat(-1.0f), lanes_splat(1.0f));
-    return axis;
 }
 
 /* The components of a vector along s and t of a face (OpenGL 4.5 table 8.19). */
@@ -70,7 +68,7 @@ GN_STEP void cube_project(const lanes_f direction[3], bool has_gradients, cube_p
 {
     const lanes_f half = lanes_splat(0.5f);
 
-    place->axis = cube_choose_axis(direction);
+    cube_choose_axis(direction, &place->axis);
     cube_minors(&place->axis, direction, place->minor);
 
     const lanes_f major = cube_major(&place->axis, direction);

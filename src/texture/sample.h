@@ -9,11 +9,11 @@
 #include "wrap.h"
 
 /* Whether texels are 32-bit words with an index of 32 bits: rows are then at most 2^16 words
- * apart, of which there are at most 2^14. */
+ * apart, of which there are at most 2^14. Small builds fetch all textures texel by texel. */
 static inline bool has_word_texels(const gn_texture *texture)
 {
-    return texture->format == GN_FORMAT_RGBA8 && texture->level[0].row_stride >= -(1 << 18) &&
-           texture->level[0].row_stride <= 1 << 18;
+    return GN_SPECIALISED && texture->format == GN_FORMAT_RGBA8 &&
+           texture->level[0].row_stride >= -(1 << 18) && texture->level[0].row_stride <= 1 << 18;
 }
 
 static inline lanes_i word_index(const gn_texture *texture, lanes_i column, lanes_i row)

@@ -59,12 +59,12 @@ static inline lanes_i wrap_nearest(gn_wrap wrap, bool masked, lanes_f coordinate
 
     if (masked)
         return lanes_i_and(lanes_truncate(lanes_floor(lanes_mul(coordinate, n))), last);
-    if (wrap == GN_WRAP_CLAMP_TO_BORDER)
+    if (GN_HAVE_TEXTURES && wrap == GN_WRAP_CLAMP_TO_BORDER)
         return lanes_truncate(lanes_floor(lanes_mul(coordinate, n)));
-    if (wrap == GN_WRAP_MIRROR_CLAMP_TO_EDGE) /* NaN to the last */
+    if (GN_HAVE_TEXTURES && wrap == GN_WRAP_MIRROR_CLAMP_TO_EDGE) /* NaN to the last */
         return lanes_i_min(lanes_truncate(lanes_min(lanes_mul(lanes_magnitude(coordinate), n), n)),
                            last);
-    if (wrap == GN_WRAP_MIRRORED_REPEAT)
+    if (GN_HAVE_TEXTURES && wrap == GN_WRAP_MIRRORED_REPEAT)
         coordinate = lanes_magnitude(mirrored(coordinate));
     else if (wrap == GN_WRAP_REPEAT) /* the largest float below 1 keeps the product below n */
         coordinate = lanes_min(fraction_of(coordinate), lanes_splat(1.0f - 1.0f / 16777216.0f));
