@@ -25,7 +25,7 @@
  *   backend.h     instruction sets
  *   parallel.h    threads, which are the caller's
  *   draw.h        meshes, the workspace and the draw itself
- *   light.h       lights, materials and shadows of
+ *   light.h       lights, materials and shadow maps of the ready-made shaders
  *   shaders.h     ready-made shaders
  *
  * Conventions, for every function whose name does not say otherwise:
