@@ -143,23 +143,18 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     job->capacity = (available - job->vertices) / batch * GN_LANES;
 }
 
-/* The functions that every caller has, compiled once: with GN_BASIC those for 2D textures alone. */
-static inline void shade_with_public(const gn_pipeline *pipeline, shading_functions *out)
+/* Where the back end is none of these, run_on says so. Small builds take the functions that every
+ * caller has: with GN_BASIC those for 2D textures alone. */
+static void fill_shading_of(gn_backend backend, const gn_pipeline *pipeline, shading_functions *out)
 {
+#if !GN_SPECIALISED
+    (void)backend;
     out->sampling.sample_2d = gn_sample_2d;
     out->sampling.sample = GN_HAVE_TEXTURES ? gn_sample : 0;
     out->sampling.gather = GN_HAVE_TEXTURES ? gn_gather : 0;
     out->sampling.fetch = GN_HAVE_TEXTURES ? gn_fetch : 0;
     out->vertex_shader = pipeline->vertex_shader;
     out->fragment_shader = pipeline->fragment_shader;
-}
-
-/* Where the back end is none of these, run_on says so. */
-static void fill_shading_of(gn_backend backend, const gn_pipeline *pipeline, shading_functions *out)
-{
-#if !GN_SPECIALISED
-    (void)backend;
-    shade_with_public(pipeline, out);
 #else
     switch (backend) {
 #if GN_HAVE_WASM_SIMD128

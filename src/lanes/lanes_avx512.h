@@ -361,7 +361,9 @@ static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
 }
 
 /* The instruction takes half the time of single loads, whose indices compilers would take
- * from the register one by one. */
+ * from the register one by one. Without optimisation it is a macro that converts its mask. */
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"
 static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
 {
     return lanes_avx512_i(_mm512_i32gather_epi32(index.q, base, 4));
@@ -380,5 +382,6 @@ static inline void lanes_i_gather_pairs(const stored_word *base, lanes_i index, 
     first->q = _mm512_permutex2var_epi32(low, even, high);
     second->q = _mm512_permutex2var_epi32(low, odd, high);
 }
+#pragma GCC diagnostic pop
 
 #endif

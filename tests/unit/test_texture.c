@@ -215,7 +215,7 @@ static void hostile_coordinates_read_inside(void **state)
         gn_texture texture = test_texture();
         texture.width = size;
         for (uint32_t kind = 0; kind < 24; ++kind) {
-            gn_sampler sampler;
+            gn_sampler sampler = {0};
             float texel[4][GN_LANES];
 
             sampler.wrap_s = kind & 1 ? GN_WRAP_REPEAT : GN_WRAP_CLAMP_TO_EDGE;
