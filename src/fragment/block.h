@@ -4,14 +4,8 @@
 #ifndef GN_FRAGMENT_BLOCK_H
 #define GN_FRAGMENT_BLOCK_H
 
-#include "../shaders/vertex.h"
-#include "../texture/sample.h"
-
-#include "combine.h"
-#include "depth.h"
-#include "formats.h"
 #include "planes.h"
-#include "stencil.h"
+#include "state.h"
 
 /* What computes a fragment's colour. */
 typedef enum fragment_source {
@@ -28,75 +22,6 @@ typedef struct fragment_kind {
     color_use use;
     bool solid; /* depth and alpha are such as setup_solid says */
 } fragment_kind;
-
-/* The attachments that the shader writes after the first. */
-static inline void set_more_colors(fragment_state *s, const gn_target *target,
-                                   const gn_pipeline *pipeline)
-{
-    for (uint32_t a = 1; a < pipeline->color_count; ++a) {
-        color_output *const output = &s->more[a - 1];
-
-        output->surface = target->color[a];
-        if (output->surface.format == GN_FORMAT_NONE)
-            continue;
-        set_color_state(&output->combine, pipeline, a, output->surface.format);
-        s->more_count = a;
-    }
-}
-
-/* What of ready-made shaders goes without a call: a colour, maybe times a texture. */
-static inline void set_ready_color(fragment_state *s, const gn_pipeline *pipeline)
-{
-    const gn_lit_uniforms *const lit = pipeline->uniforms;
-    const gn_unlit_uniforms *const unlit = pipeline->uniforms;
-
-    s->texture = 0;
-    s->sampler = 0;
-    s->has_ready_color = true;
-    if (pipeline->fragment_shader == gn_shade_lit_texture) {
-        s->texture = lit->material.diffuse_map;
-        s->sampler = &lit->material.sampler;
-    } else if (pipeline->fragment_shader == gn_shade_unlit_texture) {
-        s->texture = unlit->map;
-        s->sampler = &unlit->sampler;
-    } else {
-        s->has_ready_color = pipeline->fragment_shader == gn_shade_color;
-    }
-    if (s->texture && !is_simple(s->texture, s->sampler))
-        s->has_ready_color = false;
-}
-
-static inline void set_fragment_state(fragment_state *s, const gn_target *target,
-                                      const gn_pipeline *pipeline,
-                                      const viewport_transform *viewport)
-{
-    const gn_format format = target->depth.format;
-
-    s->pipeline = pipeline;
-    s->color = target->color[0];
-    s->depth = target->depth;
-    if (GN_SPECIALISED)
-        set_ready_color(s, pipeline);
-    s->tests_depth = pipeline->depth_test && format_has_depth(format);
-    s->tests_stencil = pipeline->stencil_test && format_has_stencil(format);
-    if (!s->tests_depth && !s->tests_stencil)
-        s->depth.format = GN_FORMAT_NONE;
-    s->test = depth_state_of(pipeline);
-    if (GN_HAVE_STENCIL) {
-        s->stencil[0] = stencil_state_of(&pipeline->stencil_front);
-        s->stencil[1] = stencil_state_of(&pipeline->stencil_back);
-    }
-    s->moves_depth =
-        pipeline->polygon_offset.set && (s->tests_depth || pipeline->fragment_reads_position);
-    s->combine.use = COLOR_REPLACES;
-    if (GN_HAVE_COMBINING)
-        set_color_state(&s->combine, pipeline, 0, s->color.format);
-    s->more_count = 0;
-    if (GN_HAVE_ATTACHMENTS)
-        set_more_colors(s, target, pipeline);
-    s->limits = depth_limits_of(pipeline, viewport);
-    s->clamps_depth = s->tests_depth && (s->limits.low != 0.0f || s->limits.high != 1.0f);
-}
 
 static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_triangle triangle,
                                           uint32_t n, const block_places *at, lanes_f w)

@@ -116,6 +116,31 @@ static inline void combine_rgba32f(const color_state *state, const gn_surface *s
     }
 }
 
+/* Pixels of formats of ARITHMETIC_FLOATS to colours; alpha is one where the format has none. */
+static void decode_floats(gn_format format, const lanes_i word[2], lanes_f color[4])
+{
+    const lanes_i byte = lanes_i_splat(255);
+
+    switch (format) {
+    case GN_FORMAT_RGBA16F:
+        for (int c = 0; c < 4; ++c)
+            color[c] = half_value(lanes_i_shift_right(word[c / 2], c % 2 * 16));
+        break;
+    case GN_FORMAT_SRGB8_A8:
+        for (int c = 0; c < 3; ++c)
+            color[c] = srgb_value(word[0], 8 * c);
+        color[3] = lanes_mul(lanes_to_float(lanes_i_and(lanes_i_shift_right(word[0], 24), byte)),
+                             lanes_splat(1.0f / 255.0f));
+        break;
+    default:
+        color[0] = lanes_as_float(word[0]);
+        color[1] = lanes_splat(0.0f);
+        color[2] = lanes_splat(0.0f);
+        color[3] = lanes_splat(1.0f);
+        break;
+    }
+}
+
 /* Floats that a format with a largest value is blended in lie within 0 to 1. */
 static inline void combine_floats(const color_state *state, gn_format format,
                                   const lanes_f color[4], const lanes_i there[2], lanes_i word[2])

@@ -40,31 +40,6 @@ static inline lanes_i to_rgba8(gn_format format, lanes_i p)
     }
 }
 
-/* Pixels of formats of ARITHMETIC_FLOATS to colours; alpha is one where the format has none. */
-static void decode_floats(gn_format format, const lanes_i word[2], lanes_f color[4])
-{
-    const lanes_i byte = lanes_i_splat(255);
-
-    switch (format) {
-    case GN_FORMAT_RGBA16F:
-        for (int c = 0; c < 4; ++c)
-            color[c] = half_value(lanes_i_shift_right(word[c / 2], c % 2 * 16));
-        break;
-    case GN_FORMAT_SRGB8_A8:
-        for (int c = 0; c < 3; ++c)
-            color[c] = srgb_value(word[0], 8 * c);
-        color[3] = lanes_mul(lanes_to_float(lanes_i_and(lanes_i_shift_right(word[0], 24), byte)),
-                             lanes_splat(1.0f / 255.0f));
-        break;
-    default:
-        color[0] = lanes_as_float(word[0]);
-        color[1] = lanes_splat(0.0f);
-        color[2] = lanes_splat(0.0f);
-        color[3] = lanes_splat(1.0f);
-        break;
-    }
-}
-
 /* The covered pixels of a block, which may hang over the surface's edge; 0 in the others. */
 static inline void load_pixels(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
                                uint32_t size, lanes_i word[2])

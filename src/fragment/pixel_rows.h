@@ -6,60 +6,13 @@
 #include "../math/bits.h"
 #include "decode.h"
 
-/* `bits` of words from bit `shift` on, as a fraction of their largest value. */
-static inline lanes_f fraction_of(lanes_i word, int shift, int bits)
-{
-    const int32_t largest = (int32_t)((1u << bits) - 1);
-
-    return lanes_mul(
-        lanes_to_float(lanes_i_and(lanes_i_shift_right(word, shift), lanes_i_splat(largest))),
-        lanes_splat(1.0f / (float)largest));
-}
-
-/* Words of pixels in a format of fractions to the channels that it has. */
-static inline void decode_fractions(gn_format format, const lanes_i word[2], lanes_f color[4])
-{
-    for (int c = 0; c < format_channels(format); ++c) {
-        switch (format) {
-        case GN_FORMAT_BGRA8:
-            color[c] = fraction_of(word[0], c < 3 ? 16 - 8 * c : 24, 8);
-            break;
-        case GN_FORMAT_RGB565:
-            color[c] = fraction_of(word[0], c == 0 ? 11 : 10 - 5 * c, c == 1 ? 6 : 5);
-            break;
-        case GN_FORMAT_RGB5_A1:
-            color[c] = fraction_of(word[0], c < 3 ? 11 - 5 * c : 0, c < 3 ? 5 : 1);
-            break;
-        case GN_FORMAT_RGBA4:
-            color[c] = fraction_of(word[0], 12 - 4 * c, 4);
-            break;
-        case GN_FORMAT_R16:
-        case GN_FORMAT_RGBA16:
-            color[c] = fraction_of(word[c / 2], c % 2 * 16, 16);
-            break;
-        default:
-            color[c] = fraction_of(word[0], 8 * c, 8);
-            break;
-        }
-    }
-}
-
 /* Words of pixels in a colour format to red, green, blue and alpha; every half that is no number
  * is GN_NAN_BITS. */
 static inline void decode_colors(gn_format format, const lanes_i word[4], lanes_f color[4])
 {
     const lanes_i nan = lanes_i_splat((int32_t)GN_NAN_BITS);
 
-    for (int c = 0; c < 4; ++c)
-        color[c] = lanes_splat(c < 3 ? 0.0f : 1.0f);
-    if (arithmetic_of(format) != ARITHMETIC_FLOATS) {
-        decode_fractions(format, word, color);
-    } else if (format == GN_FORMAT_RGBA32F) {
-        for (int c = 0; c < 4; ++c)
-            color[c] = lanes_as_float(word[c]);
-    } else {
-        decode_floats(format, word, color);
-    }
+    decode_channels(format, word, color);
     for (int c = 0; format == GN_FORMAT_RGBA16F && c < 4; ++c)
         color[c] = lanes_as_float(
             lanes_i_select(lanes_less_equal(color[c], color[c]), lanes_as_int(color[c]), nan));

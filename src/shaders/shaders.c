@@ -1,4 +1,7 @@
 /* The ready-made shaders as functions, and their choice for a pipeline. */
+#include "../fragment/types.h"
+#include "../math/bits.h"
+
 #include "lit.h"
 #include "unlit.h"
 
@@ -101,12 +104,6 @@ static gn_status check_material(const gn_material *material)
     return material->bands == 1 || material->bands > 256 ? GN_OUT_OF_RANGE : GN_OK;
 }
 
-static bool is_depth(gn_format format)
-{
-    return format == GN_FORMAT_D16 || format == GN_FORMAT_D24 || format == GN_FORMAT_D32F ||
-           format == GN_FORMAT_D24S8 || format == GN_FORMAT_D32FS8;
-}
-
 static gn_status check_shadow(const gn_shadow *shadow)
 {
     gn_status status;
@@ -116,7 +113,7 @@ static gn_status check_shadow(const gn_shadow *shadow)
     if (!GN_HAVE_TEXTURES)
         return GN_NOT_COMPILED;
     status = check_map(shadow->map);
-    if (!status && !is_depth(shadow->map->format))
+    if (!status && !format_has_depth(shadow->map->format))
         status = GN_INVALID_FORMAT;
     if (!status)
         status = gn_sampler_check(&shadow->sampler);
@@ -185,16 +182,11 @@ gn_status gn_use_normal_color(gn_pipeline *pipeline, const gn_lit_uniforms *unif
     return use_surface(pipeline, uniforms, gn_shade_normal_color);
 }
 
-static bool is_finite(float a)
-{
-    return a - a == 0.0f;
-}
-
 gn_status gn_use_depth_color(gn_pipeline *pipeline, const gn_depth_color_uniforms *uniforms)
 {
     if (!pipeline || !uniforms)
         return GN_NULL_POINTER;
-    if (!is_finite(uniforms->black) || !is_finite(uniforms->white))
+    if (!gn_is_finite(uniforms->black) || !gn_is_finite(uniforms->white))
         return GN_NOT_FINITE;
     if (uniforms->black == uniforms->white && uniforms->black != 0.0f)
         return GN_OUT_OF_RANGE;

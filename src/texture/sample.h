@@ -8,12 +8,14 @@
 #include "../lanes/small.h"
 #include "wrap.h"
 
-/* Whether texels are 32-bit words with an index of 32 bits: rows are then at most 2^16 words
- * apart, of which there are at most 2^14. Small builds fetch all textures texel by texel. */
-static inline bool has_word_texels(const gn_texture *texture)
+/* Whether a level's texels are 32-bit words with an index of 32 bits: rows are then at most 2^16
+ * words apart, of which there are at most 2^14. Small builds fetch all textures texel by texel. */
+static inline bool has_word_texels(const gn_texture *texture, uint32_t level)
 {
-    return GN_SPECIALISED && texture->format == GN_FORMAT_RGBA8 &&
-           texture->level[0].row_stride >= -(1 << 18) && texture->level[0].row_stride <= 1 << 18;
+    const ptrdiff_t stride = texture->level[level].row_stride;
+
+    return GN_SPECIALISED && texture->format == GN_FORMAT_RGBA8 && stride >= -(1 << 18) &&
+           stride <= 1 << 18;
 }
 
 static inline lanes_i word_index(const gn_texture *texture, lanes_i column, lanes_i row)
@@ -58,7 +60,7 @@ GN_OUT_OF_LINE void sample_nearest(const gn_texture *texture, const gn_sampler *
     const lanes_i row = wrap_nearest(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),
                                      *t, texture->height);
 
-    if (!has_word_texels(texture)) {
+    if (!has_word_texels(texture, 0)) {
         fetch_any(texture, &column, &row, texel);
         return;
     }
@@ -137,7 +139,7 @@ GN_INLINE lanes_f mix_corners(const lanes_i corner[CORNER_COUNT], int channel, l
 GN_INLINE void sample_linear_inline(const gn_texture *texture, const gn_sampler *sampler,
                                     const lanes_f *s, const lanes_f *t, lanes_f texel[4])
 {
-    if (!has_word_texels(texture)) {
+    if (!has_word_texels(texture, 0)) {
         sample_linear_any(texture, sampler, s, t, texel);
         return;
     }

@@ -53,30 +53,39 @@ static inline void gather_texel_words(const texel_layout *layout, const lanes_i 
         word[n] = lanes_i_gather(words + n, index);
 }
 
+/* Where the lanes' rows begin. */
+static inline void find_rows(const texel_layout *layout, const lanes_i *row, const lanes_i *layer,
+                             const unsigned char *line[GN_LANES])
+{
+    int32_t y[GN_LANES], z[GN_LANES];
+
+    lanes_i_store(y, *row);
+    GN_EACH_LANE (l)
+        line[l] = layout->texels + (ptrdiff_t)y[l] * layout->row_stride;
+    if (!layout->has_layers)
+        return;
+    lanes_i_store(z, *layer);
+    GN_EACH_LANE (l)
+        line[l] += (ptrdiff_t)z[l] * layout->layer_stride;
+}
+
 /* The same, texel by texel. */
 static inline void load_texel_words(const texel_layout *layout, const lanes_i *column,
                                     const lanes_i *row, const lanes_i *layer, int32_t step,
                                     int count, lanes_i word[4])
 {
-    int32_t x[GN_LANES], y[GN_LANES], z[GN_LANES], texel[4][GN_LANES];
+    const unsigned char *line[GN_LANES];
+    int32_t x[GN_LANES], texel[GN_LANES], loaded[2];
 
     lanes_i_store(x, *column);
-    lanes_i_store(y, *row);
-    if (layout->has_layers)
-        lanes_i_store(z, *layer);
-    GN_EACH_LANE (l) {
-        const unsigned char *line = layout->texels + (ptrdiff_t)y[l] * layout->row_stride;
-        int32_t loaded[2];
-
-        if (layout->has_layers)
-            line += (ptrdiff_t)z[l] * layout->layer_stride;
-        for (int n = 0; n < count; ++n) {
-            load_pixel(line, step * x[l] + n, 4, loaded);
-            texel[n][l] = loaded[0];
+    find_rows(layout, row, layer, line);
+    for (int n = 0; n < count; ++n) {
+        GN_EACH_LANE (l) {
+            load_pixel(line[l], step * x[l] + n, 4, loaded);
+            texel[l] = loaded[0];
         }
+        word[n] = lanes_i_load(texel);
     }
-    for (int n = 0; n < count; ++n)
-        word[n] = lanes_i_load(texel[n]);
 }
 
 /* Texels that are no words, in the low bits of one or two (../fragment/formats.h). */
@@ -84,19 +93,15 @@ static inline void load_small_texels(const texel_layout *layout, const lanes_i *
                                      const lanes_i *row, const lanes_i *layer, uint32_t texel_size,
                                      lanes_i word[4])
 {
-    int32_t x[GN_LANES], y[GN_LANES], z[GN_LANES], texel[2][GN_LANES];
+    const unsigned char *line[GN_LANES];
+    int32_t x[GN_LANES], texel[2][GN_LANES];
 
     lanes_i_store(x, *column);
-    lanes_i_store(y, *row);
-    if (layout->has_layers)
-        lanes_i_store(z, *layer);
+    find_rows(layout, row, layer, line);
     GN_EACH_LANE (l) {
-        const unsigned char *line = layout->texels + (ptrdiff_t)y[l] * layout->row_stride;
         int32_t loaded[2] = {0, 0};
 
-        if (layout->has_layers)
-            line += (ptrdiff_t)z[l] * layout->layer_stride;
-        load_pixel(line, x[l], texel_size, loaded);
+        load_pixel(line[l], x[l], texel_size, loaded);
         texel[0][l] = loaded[0];
         texel[1][l] = loaded[1];
     }

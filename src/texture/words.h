@@ -5,16 +5,10 @@
 
 #include "filter.h"
 
-/* The stride of 2^14 rows of words that an index of 31 bits reaches. */
-#define LARGEST_WORD_STRIDE (1 << 18)
-
 static inline bool level_has_words(const lookup_state *state, uint32_t level)
 {
-    const gn_texture *const t = state->texture;
-    const ptrdiff_t stride = t->level[level].row_stride;
-
-    return GN_SPECIALISED && t->format == GN_FORMAT_RGBA8 && t->target == GN_TEXTURE_2D &&
-           !state->has_border && stride >= -LARGEST_WORD_STRIDE && stride <= LARGEST_WORD_STRIDE;
+    return state->texture->target == GN_TEXTURE_2D && !state->has_border &&
+           has_word_texels(state->texture, level);
 }
 
 /* Word indices of a row's first texels. */
@@ -55,22 +49,11 @@ static inline void gather_columns(const stored_word *words, lanes_i row, const l
     }
 }
 
-/* The channel is a constant. */
-GN_INLINE lanes_f mix_words(const lanes_i below[2], const lanes_i above[2], int channel,
-                            const lanes_f weight[2])
-{
-    return mix(weight[1],
-               mix(weight[0], lanes_unpack_unorm8(below[0], channel),
-                   lanes_unpack_unorm8(below[1], channel)),
-               mix(weight[0], lanes_unpack_unorm8(above[0], channel),
-                   lanes_unpack_unorm8(above[1], channel)));
-}
-
 GN_OUT_OF_LINE void filter_words_linear(const lookup_state *state, const lookup_place *place,
                                         uint32_t level, uint32_t linear, lanes_f texel[4])
 {
     const stored_word *const words = state->texture->level[level].texels;
-    lanes_i column[2], row[2], below[2], above[2];
+    lanes_i column[2], row[2], corner[CORNER_COUNT];
     lanes_f weight[2];
 
     weight[0] =
@@ -82,12 +65,14 @@ GN_OUT_OF_LINE void filter_words_linear(const lookup_state *state, const lookup_
 
     const lanes_m follows = lanes_i_equal(column[1], lanes_i_add(column[0], lanes_i_splat(1)));
     const bool are_neighbours = lanes_bits(follows) == GN_ALL_LANES;
-    gather_columns(words, row_of_words(state, level, row[0]), column, are_neighbours, below);
-    gather_columns(words, row_of_words(state, level, row[1]), column, are_neighbours, above);
-    texel[0] = mix_words(below, above, 0, weight);
-    texel[1] = mix_words(below, above, 1, weight);
-    texel[2] = mix_words(below, above, 2, weight);
-    texel[3] = mix_words(below, above, 3, weight);
+    gather_columns(words, row_of_words(state, level, row[0]), column, are_neighbours,
+                   &corner[CORNER_00]);
+    gather_columns(words, row_of_words(state, level, row[1]), column, are_neighbours,
+                   &corner[CORNER_01]);
+    texel[0] = mix_corners(corner, 0, weight[0], weight[1]);
+    texel[1] = mix_corners(corner, 1, weight[0], weight[1]);
+    texel[2] = mix_corners(corner, 2, weight[0], weight[1]);
+    texel[3] = mix_corners(corner, 3, weight[0], weight[1]);
 }
 
 #endif
