@@ -2,35 +2,6 @@
  * back. */
 #include "gl.h"
 
-reference_image_format reference_image_format_of(gn_format format)
-{
-    static const reference_image_format formats[] = {
-        [GN_FORMAT_RGBA8] = {GL_RGBA8, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV},
-        [GN_FORMAT_RGBA32F] = {GL_RGBA32F, GL_RGBA, GL_FLOAT},
-        [GN_FORMAT_BGRA8] = {GL_RGBA8, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV},
-        [GN_FORMAT_R8] = {GL_R8, GL_RED, GL_UNSIGNED_BYTE},
-        [GN_FORMAT_RG8] = {GL_RG8, GL_RG, GL_UNSIGNED_BYTE},
-        [GN_FORMAT_RGB8] = {GL_RGB8, GL_RGB, GL_UNSIGNED_BYTE},
-        [GN_FORMAT_RGB565] = {GL_RGB565, GL_RGB, GL_UNSIGNED_SHORT_5_6_5},
-        [GN_FORMAT_RGB5_A1] = {GL_RGB5_A1, GL_RGBA, GL_UNSIGNED_SHORT_5_5_5_1},
-        [GN_FORMAT_RGBA4] = {GL_RGBA4, GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4},
-        [GN_FORMAT_R16] = {GL_R16, GL_RED, GL_UNSIGNED_SHORT},
-        [GN_FORMAT_RGBA16] = {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT},
-        [GN_FORMAT_R32F] = {GL_R32F, GL_RED, GL_FLOAT},
-        [GN_FORMAT_RGBA16F] = {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT},
-        [GN_FORMAT_SRGB8_A8] = {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV},
-        [GN_FORMAT_D16] = {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT},
-        [GN_FORMAT_D24] = {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT},
-        [GN_FORMAT_D32F] = {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT},
-        [GN_FORMAT_D24S8] = {GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8},
-        [GN_FORMAT_D32FS8] = {GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL,
-                              GL_FLOAT_32_UNSIGNED_INT_24_8_REV},
-        [GN_FORMAT_S8] = {GL_STENCIL_INDEX8, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE},
-    };
-
-    return formats[format];
-}
-
 static GLenum attachment_of(gn_format format)
 {
     switch (reference_image_format_of(format).format) {

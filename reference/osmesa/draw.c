@@ -443,30 +443,11 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
 
 /* ---- Read back ---- */
 
-/* The format and type that read a format's pixels as they are. */
 static void read_color(const scene *s, gn_format format, void *pixels)
 {
-    static const struct {
-        GLenum format, type;
-    } read[] = {
-        [GN_FORMAT_RGBA8] = {GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV},
-        [GN_FORMAT_RGBA32F] = {GL_RGBA, GL_FLOAT},
-        [GN_FORMAT_BGRA8] = {GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV},
-        [GN_FORMAT_R8] = {GL_RED, GL_UNSIGNED_BYTE},
-        [GN_FORMAT_RG8] = {GL_RG, GL_UNSIGNED_BYTE},
-        [GN_FORMAT_RGB8] = {GL_RGB, GL_UNSIGNED_BYTE},
-        [GN_FORMAT_RGB565] = {GL_RGB, GL_UNSIGNED_SHORT_5_6_5},
-        [GN_FORMAT_RGB5_A1] = {GL_RGBA, GL_UNSIGNED_SHORT_5_5_5_1},
-        [GN_FORMAT_RGBA4] = {GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4},
-        [GN_FORMAT_R16] = {GL_RED, GL_UNSIGNED_SHORT},
-        [GN_FORMAT_RGBA16] = {GL_RGBA, GL_UNSIGNED_SHORT},
-        [GN_FORMAT_R32F] = {GL_RED, GL_FLOAT},
-        [GN_FORMAT_RGBA16F] = {GL_RGBA, GL_HALF_FLOAT},
-        [GN_FORMAT_SRGB8_A8] = {GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV},
-    };
+    const reference_image_format f = reference_image_format_of(format);
 
-    glReadPixels(0, 0, (GLsizei)s->width, (GLsizei)s->height, read[format].format,
-                 read[format].type, pixels);
+    glReadPixels(0, 0, (GLsizei)s->width, (GLsizei)s->height, f.format, f.type, pixels);
 }
 
 void reference_read_image(const scene *s, uint32_t image, scene_frame *frame)

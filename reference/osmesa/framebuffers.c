@@ -3,55 +3,6 @@
 
 #include <string.h>
 
-GLenum reference_format(gn_format format)
-{
-    switch (format) {
-    case GN_FORMAT_RGBA8:
-        return GL_RGBA8;
-    case GN_FORMAT_RGBA32F:
-        return GL_RGBA32F;
-    case GN_FORMAT_D16:
-        return GL_DEPTH_COMPONENT16;
-    case GN_FORMAT_D24:
-        return GL_DEPTH_COMPONENT24;
-    case GN_FORMAT_D32F:
-        return GL_DEPTH_COMPONENT32F;
-    case GN_FORMAT_D24S8:
-        return GL_DEPTH24_STENCIL8;
-    case GN_FORMAT_D32FS8:
-        return GL_DEPTH32F_STENCIL8;
-    case GN_FORMAT_S8:
-        return GL_STENCIL_INDEX8;
-    case GN_FORMAT_BGRA8: /* the same values; the order is that of reading back */
-        return GL_RGBA8;
-    case GN_FORMAT_R8:
-        return GL_R8;
-    case GN_FORMAT_RG8:
-        return GL_RG8;
-    case GN_FORMAT_RGB8:
-        return GL_RGB8;
-    case GN_FORMAT_RGB565:
-        return GL_RGB565;
-    case GN_FORMAT_RGB5_A1:
-        return GL_RGB5_A1;
-    case GN_FORMAT_RGBA4:
-        return GL_RGBA4;
-    case GN_FORMAT_R16:
-        return GL_R16;
-    case GN_FORMAT_RGBA16:
-        return GL_RGBA16;
-    case GN_FORMAT_R32F:
-        return GL_R32F;
-    case GN_FORMAT_RGBA16F:
-        return GL_RGBA16F;
-    case GN_FORMAT_SRGB8_A8:
-        return GL_SRGB8_ALPHA8;
-    case GN_FORMAT_NONE:
-        break;
-    }
-    return GL_NONE;
-}
-
 static GLuint attach(GLenum attachment, GLenum format, uint32_t width, uint32_t height)
 {
     GLuint name = 0;
@@ -92,8 +43,10 @@ static GLuint attach_depth(const scene *s, reference_depth depth)
                                                                 : GL_DEPTH_ATTACHMENT;
 
     if (scene_is_sampled(s))
-        return attach_samples(attachment, reference_format(s->depth_format), s->width, s->height);
-    return attach(attachment, reference_format(s->depth_format), s->width, s->height);
+        return attach_samples(attachment, reference_image_format_of(s->depth_format).internal,
+                              s->width, s->height);
+    return attach(attachment, reference_image_format_of(s->depth_format).internal, s->width,
+                  s->height);
 }
 
 bool framebuffer_create(framebuffer *f, const scene *s, reference_depth depth, char *error,
@@ -111,8 +64,8 @@ bool framebuffer_create(framebuffer *f, const scene *s, reference_depth depth, c
     for (int a = 0; a < GN_MAX_COLORS; ++a) {
         f->color_format[a] = scene_color_format(s, a);
         f->color[a] = (f->is_sampled ? attach_samples : attach)(
-            (GLenum)(GL_COLOR_ATTACHMENT0 + a), reference_format(f->color_format[a]), s->width,
-            s->height);
+            (GLenum)(GL_COLOR_ATTACHMENT0 + a),
+            reference_image_format_of(f->color_format[a]).internal, s->width, s->height);
     }
     f->depth = attach_depth(s, depth);
     framebuffer_choose_colors(s, GN_MAX_COLORS);

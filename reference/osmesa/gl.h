@@ -128,9 +128,6 @@ bool reference_read_samples(reference *r, const scene *s, const framebuffer *f, 
 /* Reads the bound framebuffer, of one sample, into an image of a frame. */
 void reference_read_image(const scene *s, uint32_t image, scene_frame *frame);
 
-/* The internal format of a format's framebuffers. */
-GLenum reference_format(gn_format format);
-
 /* How OpenGL names a format, and what its pixels are in memory. */
 typedef struct reference_image_format {
     GLenum internal, format, type;

@@ -7,32 +7,6 @@
 /* Not in core headers of every age. */
 #define MAX_ANISOTROPY 0x84FE
 
-/* What OpenGL calls a format's texels as they are in memory. Those of 24 bits are converted first
- * (convert_row): depths then fill 32 bits, or stand above the stencil. */
-static const struct {
-    GLenum format, type;
-} stored[] = {
-    [GN_FORMAT_RGBA8] = {GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV},
-    [GN_FORMAT_RGBA32F] = {GL_RGBA, GL_FLOAT},
-    [GN_FORMAT_D16] = {GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT},
-    [GN_FORMAT_D24] = {GL_DEPTH_COMPONENT, GL_UNSIGNED_INT},
-    [GN_FORMAT_D32F] = {GL_DEPTH_COMPONENT, GL_FLOAT},
-    [GN_FORMAT_D24S8] = {GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8},
-    [GN_FORMAT_D32FS8] = {GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV},
-    [GN_FORMAT_BGRA8] = {GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV},
-    [GN_FORMAT_R8] = {GL_RED, GL_UNSIGNED_BYTE},
-    [GN_FORMAT_RG8] = {GL_RG, GL_UNSIGNED_BYTE},
-    [GN_FORMAT_RGB8] = {GL_RGB, GL_UNSIGNED_BYTE},
-    [GN_FORMAT_RGB565] = {GL_RGB, GL_UNSIGNED_SHORT_5_6_5},
-    [GN_FORMAT_RGB5_A1] = {GL_RGBA, GL_UNSIGNED_SHORT_5_5_5_1},
-    [GN_FORMAT_RGBA4] = {GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4},
-    [GN_FORMAT_R16] = {GL_RED, GL_UNSIGNED_SHORT},
-    [GN_FORMAT_RGBA16] = {GL_RGBA, GL_UNSIGNED_SHORT},
-    [GN_FORMAT_R32F] = {GL_RED, GL_FLOAT},
-    [GN_FORMAT_RGBA16F] = {GL_RGBA, GL_HALF_FLOAT},
-    [GN_FORMAT_SRGB8_A8] = {GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV},
-};
-
 GLenum reference_texture_target(gn_texture_target target)
 {
     static const GLenum targets[] = {GL_TEXTURE_2D, GL_TEXTURE_1D, GL_TEXTURE_2D_ARRAY,
@@ -41,7 +15,8 @@ GLenum reference_texture_target(gn_texture_target target)
     return targets[target];
 }
 
-/* The row itself, or what OpenGL is given for it, in `converted`. */
+/* The row itself, or what OpenGL is given for it, in `converted`: depths of 24 bits fill 32 bits,
+ * or stand above the stencil. */
 static const void *convert_row(gn_format format, const void *row, uint32_t width,
                                uint32_t *converted)
 {
@@ -60,8 +35,9 @@ static const void *convert_row(gn_format format, const void *row, uint32_t width
 static void upload_row(const gn_texture *t, uint32_t level, GLint y, GLint layer, const void *row)
 {
     const GLenum target = reference_texture_target(t->target);
-    const GLenum format = stored[t->format].format;
-    const GLenum type = stored[t->format].type;
+    const reference_image_format stored = reference_image_format_of(t->format);
+    const GLenum format = stored.format;
+    const GLenum type = stored.type;
     const GLsizei width = (GLsizei)scene_level_extent(t, level).width;
 
     switch (t->target) {
@@ -164,7 +140,7 @@ bool reference_is_compared(const gn_texture *t, const gn_sampler *sampler)
 GLuint reference_upload_texture(const gn_texture *t, const gn_sampler *sampler)
 {
     const GLenum target = reference_texture_target(t->target);
-    const GLenum format = reference_format(t->format);
+    const GLenum format = reference_image_format_of(t->format).internal;
     const GLsizei levels = (GLsizei)scene_level_count(t);
     GLuint texture;
 

@@ -5,28 +5,9 @@
 #define CGLM_ALL_UNALIGNED
 #include <cglm/cglm.h>
 
+#include "matrices.h"
 #include "rows.h"
 #include "wide.h"
-
-static gn_mat3 mat3_of(const float *in)
-{
-    gn_mat3 m;
-    memcpy(&m, in, sizeof m);
-    return m;
-}
-
-static gn_mat4 mat4_of(const float *in)
-{
-    gn_mat4 m;
-    memcpy(&m, in, sizeof m);
-    return m;
-}
-
-static bool put_matrix(const void *m, float *out, size_t size)
-{
-    memcpy(out, m, size);
-    return true;
-}
 
 /* The determinant of rows and columns not in the masks, and its permanent of magnitudes. */
 static wide minor_of(const float *m, int n, unsigned columns, unsigned rows, wide *permanent)

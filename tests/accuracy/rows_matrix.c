@@ -4,28 +4,9 @@
 #define CGLM_ALL_UNALIGNED
 #include <cglm/cglm.h>
 
+#include "matrices.h"
 #include "rows.h"
 #include "wide.h"
-
-static gn_mat3 mat3_of(const float *in)
-{
-    gn_mat3 m;
-    memcpy(&m, in, sizeof m);
-    return m;
-}
-
-static gn_mat4 mat4_of(const float *in)
-{
-    gn_mat4 m;
-    memcpy(&m, in, sizeof m);
-    return m;
-}
-
-static bool put_matrix(const void *m, float *out, size_t size)
-{
-    memcpy(out, m, size);
-    return true;
-}
 
 /* The product of n x n matrices, a column at a time. */
 static void exact_product(const float *in, int n, int columns, struct exact *exact)

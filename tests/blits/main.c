@@ -10,6 +10,7 @@
 
 #include "osmesa.h"
 #include "random.h"
+#include "scene_text.h"
 
 #define LARGEST 48
 #define GUARD 64
@@ -26,32 +27,6 @@ static const gn_format depth_formats[] = {GN_FORMAT_D16,   GN_FORMAT_D24,    GN_
 #define COLORS (sizeof formats / sizeof *formats)
 #define DEPTHS (sizeof depth_formats / sizeof *depth_formats)
 #define PAIRS (COLORS * COLORS + DEPTHS)
-
-static const char *format_name(gn_format format)
-{
-    static const char *const names[] = {[GN_FORMAT_NONE] = "none",
-                                        [GN_FORMAT_RGBA8] = "RGBA8",
-                                        [GN_FORMAT_RGBA32F] = "RGBA32F",
-                                        [GN_FORMAT_D16] = "D16",
-                                        [GN_FORMAT_D24] = "D24",
-                                        [GN_FORMAT_D32F] = "D32F",
-                                        [GN_FORMAT_D24S8] = "D24S8",
-                                        [GN_FORMAT_D32FS8] = "D32FS8",
-                                        [GN_FORMAT_S8] = "S8",
-                                        [GN_FORMAT_BGRA8] = "BGRA8",
-                                        [GN_FORMAT_R8] = "R8",
-                                        [GN_FORMAT_RG8] = "RG8",
-                                        [GN_FORMAT_RGB8] = "RGB8",
-                                        [GN_FORMAT_RGB565] = "RGB565",
-                                        [GN_FORMAT_RGB5_A1] = "RGB5_A1",
-                                        [GN_FORMAT_RGBA4] = "RGBA4",
-                                        [GN_FORMAT_R16] = "R16",
-                                        [GN_FORMAT_RGBA16] = "RGBA16",
-                                        [GN_FORMAT_R32F] = "R32F",
-                                        [GN_FORMAT_RGBA16F] = "RGBA16F",
-                                        [GN_FORMAT_SRGB8_A8] = "SRGB8_A8"};
-    return names[format];
-}
 
 typedef struct blit_case {
     gn_format to_format, from_format;
@@ -352,9 +327,10 @@ static void report(const blit_case *c, uint64_t number)
             "blit %" PRIu32 ": %s %" PRIu32 "x%" PRIu32 " (%" PRId32 ", %" PRId32 ", %" PRId32
             ", %" PRId32 ") to %s %" PRIu32 "x%" PRIu32 " (%" PRId32 ", %" PRId32 ", %" PRId32
             ", %" PRId32 "), %s",
-            (uint32_t)number, format_name(c->from_format), c->from_size[0], c->from_size[1],
-            c->from.x0, c->from.y0, c->from.x1, c->from.y1, format_name(c->to_format),
-            c->to_size[0], c->to_size[1], c->to.x0, c->to.y0, c->to.x1, c->to.y1,
+            (uint32_t)number, text_name(TEXT_FORMAT, (int)c->from_format), c->from_size[0],
+            c->from_size[1], c->from.x0, c->from.y0, c->from.x1, c->from.y1,
+            text_name(TEXT_FORMAT, (int)c->to_format), c->to_size[0], c->to_size[1], c->to.x0,
+            c->to.y0, c->to.x1, c->to.y1,
             c->options.filter == GN_BLIT_LINEAR ? "linear" : "nearest");
     if (c->options.scissor.set)
         fprintf(stderr, ", scissor %" PRId32 " %" PRId32 " %" PRIu32 " %" PRIu32,
@@ -496,10 +472,12 @@ int main(int argc, char **argv)
     for (size_t p = 0; p < PAIRS; ++p)
         if (differ[p])
             printf("%s to %s: %" PRIu64 " differ\n",
-                   format_name(p < COLORS * COLORS ? formats[p / COLORS]
-                                                   : depth_formats[p - COLORS * COLORS]),
-                   format_name(p < COLORS * COLORS ? formats[p % COLORS]
-                                                   : depth_formats[p - COLORS * COLORS]),
+                   text_name(TEXT_FORMAT,
+                             (int)(p < COLORS * COLORS ? formats[p / COLORS]
+                                                       : depth_formats[p - COLORS * COLORS])),
+                   text_name(TEXT_FORMAT,
+                             (int)(p < COLORS * COLORS ? formats[p % COLORS]
+                                                       : depth_formats[p - COLORS * COLORS])),
                    differ[p]);
     reference_destroy(osmesa);
     printf("blits: %" PRIu64 " blits of %zu pairs of formats, %" PRIu64 " pixels compared, %" PRIu64

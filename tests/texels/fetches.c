@@ -158,7 +158,7 @@ static void count_differences(const char *by, gn_format format, color *ours, col
                 continue;
             if (differ++ == 0)
                 fprintf(stderr, "fetch of %s, %s, texel %d channel %d: ours %a, theirs %a\n",
-                        texel_format_name(format), by, i, c, (double)ours[i][c],
+                        text_name(TEXT_FORMAT, (int)format), by, i, c, (double)ours[i][c],
                         (double)theirs[i][c]);
             break;
         }
@@ -184,7 +184,8 @@ bool compare_fetches(uint64_t seed, tally *t, char *error, size_t error_size)
             return false;
         job.out = ours;
         if (gn_texture_packed(GN_TEXTURE_2D, format, SIZE, SIZE, 1, 1, texels, &job.texture))
-            return reference_fail(error, error_size, "no texture of %s", texel_format_name(format));
+            return reference_fail(error, error_size, "no texture of %s",
+                                  text_name(TEXT_FORMAT, (int)format));
         for (int32_t y = 0; y < SIZE; y += 4)
             for (int32_t x = 0; x < SIZE; x += 4)
                 fetch_block(&job, gn_fetch, x, y);

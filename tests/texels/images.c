@@ -10,46 +10,6 @@ const gn_format texel_formats[] = {
     GN_FORMAT_D24,    GN_FORMAT_D32F,    GN_FORMAT_D24S8,   GN_FORMAT_D32FS8};
 const size_t texel_format_count = sizeof texel_formats / sizeof *texel_formats;
 
-const char *texel_format_name(gn_format format)
-{
-    static const char *const names[] = {[GN_FORMAT_RGBA8] = "RGBA8",
-                                        [GN_FORMAT_RGBA32F] = "RGBA32F",
-                                        [GN_FORMAT_D16] = "D16",
-                                        [GN_FORMAT_D24] = "D24",
-                                        [GN_FORMAT_D32F] = "D32F",
-                                        [GN_FORMAT_D24S8] = "D24S8",
-                                        [GN_FORMAT_D32FS8] = "D32FS8",
-                                        [GN_FORMAT_BGRA8] = "BGRA8",
-                                        [GN_FORMAT_R8] = "R8",
-                                        [GN_FORMAT_RG8] = "RG8",
-                                        [GN_FORMAT_RGB8] = "RGB8",
-                                        [GN_FORMAT_RGB565] = "RGB565",
-                                        [GN_FORMAT_RGB5_A1] = "RGB5_A1",
-                                        [GN_FORMAT_RGBA4] = "RGBA4",
-                                        [GN_FORMAT_R16] = "R16",
-                                        [GN_FORMAT_RGBA16] = "RGBA16",
-                                        [GN_FORMAT_R32F] = "R32F",
-                                        [GN_FORMAT_RGBA16F] = "RGBA16F",
-                                        [GN_FORMAT_SRGB8_A8] = "SRGB8_A8"};
-
-    return names[format];
-}
-
-GLenum opengl_target(gn_texture_target target)
-{
-    static const GLenum targets[] = {GL_TEXTURE_2D, GL_TEXTURE_1D, GL_TEXTURE_2D_ARRAY,
-                                     GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP};
-
-    return targets[target];
-}
-
-const char *texel_target_name(gn_texture_target target)
-{
-    static const char *const names[] = {"2D", "1D", "2D array", "3D", "cube"};
-
-    return names[target];
-}
-
 bool has_floats(gn_format format)
 {
     return format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F || format == GN_FORMAT_RGBA16F;
@@ -130,7 +90,7 @@ void upload_level(gn_texture_target target, gn_format format, uint32_t level,
     const size_t face = (size_t)size[0] * size[1] * gn_format_size(format);
     const size_t count = (size_t)size[0] * size[1] * size[2];
     void *const pixels = (void *)(uintptr_t)texels;
-    const GLenum name = opengl_target(target);
+    const GLenum name = reference_texture_target(target);
 
     turn_words(format, pixels, count, true);
     if (target == GN_TEXTURE_1D)

@@ -67,7 +67,7 @@ static void read_level(const level_case *c, uint32_t level, unsigned char *texel
     const size_t face = level_texels(c, level) / 6 * gn_format_size(c->format);
 
     if (c->target != GN_TEXTURE_CUBE)
-        glGetTexImage(opengl_target(c->target), (GLint)level, f.format, f.type, texels);
+        glGetTexImage(reference_texture_target(c->target), (GLint)level, f.format, f.type, texels);
     for (GLenum n = 0; c->target == GN_TEXTURE_CUBE && n < 6; ++n)
         glGetTexImage(GL_TEXTURE_CUBE_MAP_POSITIVE_X + n, (GLint)level, f.format, f.type,
                       texels + n * face);
@@ -125,9 +125,9 @@ static uint64_t compare_level(const level_case *c, uint32_t level, const unsigne
         if (are_equal(c->format, ours + i * bytes, theirs + i * bytes, t) || differ++ > 0)
             continue;
         fprintf(stderr, "level %u of %s %s %ux%ux%u, texel %zu of %ux%ux%u: ours", (unsigned)level,
-                texel_target_name(c->target), texel_format_name(c->format), (unsigned)c->size[0],
-                (unsigned)c->size[1], (unsigned)c->size[2], i, (unsigned)size[0], (unsigned)size[1],
-                (unsigned)size[2]);
+                text_name(TEXT_TEXTURE_TARGET, (int)c->target),
+                text_name(TEXT_FORMAT, (int)c->format), (unsigned)c->size[0], (unsigned)c->size[1],
+                (unsigned)c->size[2], i, (unsigned)size[0], (unsigned)size[1], (unsigned)size[2]);
         for (size_t n = 0; n < bytes; ++n)
             fprintf(stderr, " %02x", ours[i * bytes + n]);
         fprintf(stderr, ", theirs");
@@ -169,7 +169,7 @@ static bool compare_from(const level_case *c, uint32_t level, uint32_t count,
 static bool compare_case(random_source *r, const level_case *c, tally *t, char *error,
                          size_t error_size)
 {
-    const GLenum target = opengl_target(c->target);
+    const GLenum target = reference_texture_target(c->target);
     unsigned char *theirs[GN_MAX_LEVELS] = {NULL};
     uint32_t count = 1;
     uint64_t differ = 0;

@@ -6,6 +6,7 @@
 
 #include "gl.h"
 #include "random.h"
+#include "scene_text.h"
 
 /* What was compared; `differ` are failures, `steps` what the contract allows of sRGB. */
 typedef struct tally {
@@ -14,10 +15,6 @@ typedef struct tally {
 
 extern const gn_format texel_formats[];
 extern const size_t texel_format_count;
-
-const char *texel_format_name(gn_format format);
-GLenum opengl_target(gn_texture_target target);
-const char *texel_target_name(gn_texture_target target);
 
 /* Whether a format's values are floats, of 16 or 32 bits. */
 bool has_floats(gn_format format);

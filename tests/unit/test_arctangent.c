@@ -7,31 +7,7 @@
 
 #include <mpfr.h>
 
-#include "unit.h"
-
-static uint32_t bits_of(float x)
-{
-    uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
-static float from_bits(uint32_t bits)
-{
-    float x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
-static void assert_same_bits(float got, float expected)
-{
-    assert_int_equal(bits_of(got), bits_of(expected));
-}
-
-static void assert_canonical_nan(float got)
-{
-    assert_int_equal(bits_of(got), 0x7FC00000);
-}
+#include "float_bits.h"
 
 /* Marsaglia's xorshift. */
 static uint32_t random_bits(void)

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "unit.h"
+#include "untouched.h"
 
 #define CGLM_ALL_UNALIGNED
 #include <cglm/cglm.h>
@@ -30,19 +30,6 @@ static void assert_projected(const gn_transform *transform, float x, float y, fl
     assert_float_equal(back.y, y, 2e-5f);
     assert_float_equal(back.z, z, 2e-5f);
     assert_float_equal(back.w, 1.0f, 2e-6f);
-}
-
-static gn_transform marked(void)
-{
-    gn_transform transform;
-    memset(&transform, 0x5A, sizeof transform);
-    return transform;
-}
-
-static void assert_untouched(const gn_transform *transform)
-{
-    gn_transform expected = marked();
-    assert_memory_equal(transform, &expected, sizeof expected);
 }
 
 static void orthographic(void **state)

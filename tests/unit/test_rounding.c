@@ -6,33 +6,9 @@
 
 #include <mpfr.h>
 
-#include "unit.h"
+#include "float_bits.h"
 
 enum { STRIDE = 16381 }; /* of bit patterns, a prime: 262,191 floats of every class */
-
-static uint32_t bits_of(float x)
-{
-    uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
-static float from_bits(uint32_t bits)
-{
-    float x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
-static void assert_same_bits(float got, float expected)
-{
-    assert_int_equal(bits_of(got), bits_of(expected));
-}
-
-static void assert_canonical_nan(float got)
-{
-    assert_int_equal(bits_of(got), 0x7FC00000);
-}
 
 static float largest_below_one(void)
 {

@@ -5,36 +5,12 @@
 #include <math.h>
 #include <string.h>
 
-#include "unit.h"
+#include "float_bits.h"
 
 #include "../../src/math/fixed_point.h"
 #include "../../src/math/sqrt.h"
 
 enum { STRIDE = 65537 }; /* of bit patterns: 65,535 floats of every class */
-
-static uint32_t bits_of(float x)
-{
-    uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
-static float from_bits(uint32_t bits)
-{
-    float x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
-static void assert_same_bits(float got, float expected)
-{
-    assert_int_equal(bits_of(got), bits_of(expected));
-}
-
-static void assert_canonical_nan(float got)
-{
-    assert_int_equal(bits_of(got), 0x7FC00000);
-}
 
 /* Correctly rounded wherever the double result decides it; else its neighbour. */
 static void assert_rounds(float got, double exact)

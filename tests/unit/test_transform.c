@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "unit.h"
+#include "untouched.h"
 
 #define CGLM_ALL_UNALIGNED
 #include <cglm/cglm.h>
@@ -37,20 +37,6 @@ static void assert_point(const gn_transform *transform, gn_vec3 from, float x, f
     assert_float_equal(back.x, from.x, 1e-6f);
     assert_float_equal(back.y, from.y, 1e-6f);
     assert_float_equal(back.z, from.z, 1e-6f);
-}
-
-/* A result that shows whether anything was written. */
-static gn_transform marked(void)
-{
-    gn_transform transform;
-    memset(&transform, 0x5A, sizeof transform);
-    return transform;
-}
-
-static void assert_untouched(const gn_transform *transform)
-{
-    gn_transform expected = marked();
-    assert_memory_equal(transform, &expected, sizeof expected);
 }
 
 static void identity(void **state)
