@@ -7,8 +7,8 @@
 # C99 and as C++.
 # Optimising the back ends takes minutes. The everyday gate therefore compiles them once more, at
 # -O0, where compilers call memcpy and memset most, and asks for fast mathematics where there is
-# plain C alone, at -O1, which fuses too; with --all they are compiled as each compiler and level
-# would.
+# plain C alone, at -O2, the least level that fuses; with --all they are compiled by all compilers
+# and at all levels.
 # usage: freestanding.sh BUILD-DIRECTORY [--all]   (from the root of the project, with the library in it)
 set -eu
 build=$1/freestanding
@@ -104,7 +104,7 @@ rm -rf "$build"
 mkdir -p "$build"
 ! has gcc || plan gcc-O0 gcc -O0
 # shellcheck disable=SC2086
-plan fast-only-portable "$user" -O1 $fast -DGN_ONLY_PORTABLE
+plan fast-only-portable "$user" -O2 $fast -DGN_ONLY_PORTABLE
 plan basic "${CC:-cc}" -O1 -DGN_SMALL -DGN_BASIC
 if [ "$all" = --all ]; then
     ! has gcc || plan gcc-Os gcc -Os
