@@ -21,8 +21,9 @@ began=$(date +%s)
 work=$(mktemp -d) || exit 1
 failures=$work/failures
 : >"$failures"
-trap 'rm -rf "$work"' EXIT
-trap 'kill $workers 2>/dev/null; exit 1' INT TERM
+workers=
+trap 'kill $workers 2>/dev/null; rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM
 
 # Runs a step; its end is told through a pipe, at once or when it is asked for.
 run_step() { # run_step NUMBER STEP
@@ -50,7 +51,6 @@ for step in "$@"; do
     number=$((number + 1))
     mkfifo "$work/$number.ended" || exit 1
 done
-workers=
 while [ "$at_once" -gt 0 ]; do
     work_off "$@" &
     workers="$workers $!"
@@ -63,7 +63,7 @@ for step in "$@"; do
     seen_steps=$((seen_steps + 1))
     log=$work/$seen_steps.log
     echo "== $name: $command"
-    : <"$work/$seen_steps.ended"
+    until true <"$work/$seen_steps.ended"; do :; done 2>/dev/null # signals interrupt it
     read -r status wall processors <"$work/$seen_steps.result"
     grep -v -e '^\[ RUN' -e '^\[       OK' -e '^\[=====' "$log"
     counts=$(sed 's/\x1b\[[0-9;]*m//g' "$log" | awk '
