@@ -1,24 +1,70 @@
 #!/bin/sh
-# Runs the steps named on the command line, each `NAME=COMMAND`, and adds up their tests:
-# CMocka's "N test(s)." lines, lines "N passed, N failed" and lines "properties: ... PASS"
+# Runs the steps named on the command line, each `NAME=COMMAND`, N at a time, and adds up their
+# tests: CMocka's "N test(s)." lines, lines "N passed, N failed" and lines "properties: ... PASS"
 # or "FAIL". A step that names no test counts as one, by its exit status; one that exits
-# non-zero without naming a failure counts as one failure. At the end stand the steps that
+# non-zero without naming a failure counts as one failure. What steps print stands whole, in the
+# order of the command line, with the seconds that each took, by the clock and of processors: the
+# first depend on what ran beside it. At the end stand the steps that
 # failed, each with the lines of its output that say so and the last of all, so that the tail
 # of a log says what failed. The last line is the sum.
+# usage: run.sh [-j N] NAME=COMMAND...   (steps that use one another's files: make one of them)
 set -u
+at_once=1
+if [ "${1:-}" = -j ]; then
+    at_once=$2
+    shift 2
+fi
 passed=0
 failed=0
-log=$(mktemp)
-failures=$(mktemp)
-trap 'rm -f "$log" "$failures"' EXIT
+seen_steps=0
+began=$(date +%s)
+work=$(mktemp -d) || exit 1
+failures=$work/failures
+: >"$failures"
+workers=
+trap 'kill $workers 2>/dev/null; rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM
+
+# Runs a step; its end is told through a pipe, at once or when it is asked for.
+run_step() { # run_step NUMBER STEP
+    start=$(date +%s)
+    sh -c "${2#*=}" >"$work/$1.log" 2>&1
+    status=$?
+    times >"$work/$1.times" # in a pipe it would be that of another shell
+    sed 's/[ms]/ /g' "$work/$1.times" | awk -v status="$status" -v wall=$(($(date +%s) - start)) '
+        # Of the commands that ended, user and system.
+        NR == 2 { printf "%d %d %d\n", status, wall, 60 * $1 + $2 + 60 * $3 + $4 + 0.5 }' >"$work/$1.result"
+    : >"$work/$1.ended" &
+}
+
+# Takes steps that no other worker took, the directory being the token, until there is none.
+work_off() {
+    number=0
+    for step in "$@"; do
+        number=$((number + 1))
+        ! mkdir "$work/$number.taken" 2>/dev/null || (run_step "$number" "$step")
+    done
+}
+
+number=0
+for step in "$@"; do
+    number=$((number + 1))
+    mkfifo "$work/$number.ended" || exit 1
+done
+while [ "$at_once" -gt 0 ]; do
+    work_off "$@" &
+    workers="$workers $!"
+    at_once=$((at_once - 1))
+done
 
 for step in "$@"; do
     name=${step%%=*}
     command=${step#*=}
+    seen_steps=$((seen_steps + 1))
+    log=$work/$seen_steps.log
     echo "== $name: $command"
-    start=$(date +%s)
-    sh -c "$command" >"$log" 2>&1
-    status=$?
+    until true <"$work/$seen_steps.ended"; do :; done 2>/dev/null # signals interrupt it
+    read -r status wall processors <"$work/$seen_steps.result"
     grep -v -e '^\[ RUN' -e '^\[       OK' -e '^\[=====' "$log"
     counts=$(sed 's/\x1b\[[0-9;]*m//g' "$log" | awk '
         /^\[  PASSED  \] [0-9]+ test/ { p += $4; n = 1 }
@@ -44,7 +90,7 @@ for step in "$@"; do
     fi
     passed=$((passed + p))
     failed=$((failed + f))
-    echo "-- $name: $p passed, $f failed, $(($(date +%s) - start)) s"
+    echo "-- $name: $p passed, $f failed, $wall s, $processors s of processors"
     if [ "$f" -gt 0 ]; then
         lines=$(grep -c '' "$log")
         {
@@ -54,7 +100,9 @@ for step in "$@"; do
             tail -n 12 "$log"
         } >>"$failures"
     fi
+    rm -f "$log"
 done
 cat "$failures"
+echo "$# steps, $(($(date +%s) - began)) s"
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

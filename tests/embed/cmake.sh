@@ -1,9 +1,16 @@
 #!/bin/sh
 # The README's program in projects of users of CMake, whose flags ask for fast mathematics:
 # the library in their tree, and the library installed and found. Both draw the picture that
-# the Makefile's library draws. usage: cmake.sh BUILD-DIRECTORY   (after readme.sh, from the
-# root of the project)
+# the Makefile's library draws. The everyday gate compiles plain C alone in the tree, and little
+# code to install, which is faster; --all compiles every back end in both.
+# usage: cmake.sh BUILD-DIRECTORY [--all]   (after readme.sh, from the root of the project)
 set -eu
+fewer=-DGN_ONLY_PORTABLE
+small=ON
+if [ "${2:-}" = --all ]; then
+    fewer=
+    small=OFF
+fi
 root=$(pwd)
 directory=$(cd "$1" && pwd)/embed/cmake
 program=$directory/../triangle.c
@@ -18,14 +25,14 @@ try() { # try NAME HOW-THE-LIBRARY-IS-FOUND FLAGS...
     mkdir -p "$directory/$name"
     printf 'cmake_minimum_required(VERSION 3.16)\nproject(user C)\n%s\nadd_executable(triangle "%s")\nset_target_properties(triangle PROPERTIES C_STANDARD 99)\ntarget_link_libraries(triangle gnomon::gnomon)\n' \
         "$found" "$program" >"$directory/$name/CMakeLists.txt"
-    cmake -S "$directory/$name" -B "$directory/$name/build" -DCMAKE_C_FLAGS="-O1 -ffast-math -w" "$@" >/dev/null
+    cmake -S "$directory/$name" -B "$directory/$name/build" -DCMAKE_C_FLAGS="-O1 -ffast-math -w $fewer" "$@" >/dev/null
     cmake --build "$directory/$name/build" -j 2 >/dev/null
     "$directory/$name/build/triangle" 2>/dev/null | cmp - "$picture"
     echo "CMake, $name: same picture"
 }
 
 try subdirectory "add_subdirectory(\"$root\" gnomon)"
-cmake -S "$root" -B "$directory/library" -DCMAKE_BUILD_TYPE=Debug -DBUILD_SHARED_LIBS=ON \
+cmake -S "$root" -B "$directory/library" -DCMAKE_BUILD_TYPE=Debug -DGN_SMALL=$small -DBUILD_SHARED_LIBS=ON \
     -DCMAKE_INSTALL_PREFIX="$directory/installed" >/dev/null
 cmake --build "$directory/library" -j 2 --target install >/dev/null
 try package "find_package(gnomon 0.1 REQUIRED)" -DCMAKE_PREFIX_PATH="$directory/installed"

@@ -19,6 +19,8 @@ fi
 passed=0
 failed=0
 mkdir -p "$build"
+work=$(mktemp -d) # of this run alone
+trap 'rm -rf "$work"' EXIT
 
 # describe TARGET: its compiler, flags, what runs its programs, its disassembler and the
 # instructions that fuse. Those flags let a careless compiler fuse.
@@ -71,7 +73,7 @@ describe() {
 links() {
     # shellcheck disable=SC2086
     echo '#include <stdio.h>
-int main(void) { return puts("") < 0; }' | $compiler -x c - -o "$build/links" >/dev/null 2>&1
+int main(void) { return puts("") < 0; }' | $compiler -x c - -o "$work/links" >/dev/null 2>&1
 }
 
 have() { # the first absent of the commands, in `absent`
@@ -104,15 +106,15 @@ hashes_differ() { # hashes_differ FILE: says which
 
 backends() { awk '$1 != "scenes" { printf "%s%s", sep, $1; sep = " and " }' "$1"; }
 
-${MAKE:-make} -s -j2 BUILD="$(dirname "$build")" "$(dirname "$build")/hashes" >"$build/log" 2>&1 ||
-    { cat "$build/log"; echo "cross: 0 passed, 1 failed"; exit 1; }
-"$(dirname "$build")/hashes" --scenes "$scenes" >"$build/here"
-here_scenes=$(awk '$1 == "scenes" { print $2 }' "$build/here")
-here_frames=$(awk '$1 == "portable" { print $2 }' "$build/here")
-if differences=$(hashes_differ "$build/here"); then
+${MAKE:-make} -s -j2 BUILD="$(dirname "$build")" "$(dirname "$build")/hashes" >"$work/log" 2>&1 ||
+    { cat "$work/log"; echo "cross: 0 passed, 1 failed"; exit 1; }
+"$(dirname "$build")/hashes" --scenes "$scenes" >"$work/here"
+here_scenes=$(awk '$1 == "scenes" { print $2 }' "$work/here")
+here_frames=$(awk '$1 == "portable" { print $2 }' "$work/here")
+if differences=$(hashes_differ "$work/here"); then
     fail "here: $differences"
 else
-    pass "here: $(backends "$build/here"): hash $here_frames of $scenes scenes"
+    pass "here: $(backends "$work/here"): hash $here_frames of $scenes scenes"
 fi
 
 for target in ${*:-small aarch64 armhf s390x wasm wasm-simd128}; do
@@ -127,14 +129,14 @@ for target in ${*:-small aarch64 armhf s390x wasm wasm-simd128}; do
         continue
     fi
     if ! ${MAKE:-make} -s -j2 BUILD="$directory" CC="$compiler" CFLAGS="$flags" \
-        LANES_FORMS="$forms" "$directory/hashes" ${forms:+"$directory/test-lanes"} >"$build/log" 2>&1; then
-        cat "$build/log"
+        LANES_FORMS="$forms" "$directory/hashes" ${forms:+"$directory/test-lanes"} >"$work/log" 2>&1; then
+        cat "$work/log"
         fail "$target: does not build"
         continue
     fi
     # shellcheck disable=SC2086
-    if ! $runner "$directory/hashes" --scenes "$scenes" >"$directory/printed" 2>"$build/log"; then
-        cat "$build/log"
+    if ! $runner "$directory/hashes" --scenes "$scenes" >"$directory/printed" 2>"$work/log"; then
+        cat "$work/log"
         fail "$target: the program fails"
         continue
     fi
@@ -144,8 +146,8 @@ for target in ${*:-small aarch64 armhf s390x wasm wasm-simd128}; do
         pass "$target (${runner%% *}): $(backends "$directory/printed"): hash equal"
     fi
     # shellcheck disable=SC2086
-    if [ -n "$forms" ] && ! $runner "$directory/test-lanes" >"$build/log" 2>&1; then
-        cat "$build/log"
+    if [ -n "$forms" ] && ! $runner "$directory/test-lanes" >"$work/log" 2>&1; then
+        cat "$work/log"
         fail "$target: the operations of lanes differ"
     fi
     if [ -n "$disassembler" ]; then

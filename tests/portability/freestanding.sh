@@ -5,9 +5,14 @@
 # mathematics do not reach it: no multiplication is fused with an addition, of the processors
 # that can, and AVX-512's back end is always compiled for one; its headers compile alone, as
 # C99 and as C++.
-# usage: freestanding.sh BUILD-DIRECTORY   (from the root of the project, with the library in it)
+# Optimising the back ends takes minutes. The everyday gate therefore compiles them once more, at
+# -O0, where compilers call memcpy and memset most, and asks for fast mathematics where there is
+# plain C alone, at -O2, the least level that fuses; with --all they are compiled by all compilers
+# and at all levels.
+# usage: freestanding.sh BUILD-DIRECTORY [--all]   (from the root of the project, with the library in it)
 set -eu
 build=$1/freestanding
+all=${2:-}
 warnings="-Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror"
 own="-ffreestanding -fvisibility=hidden -fPIC -fno-math-errno -fno-stack-protector -fno-fast-math -ffp-contract=off"
 names=
@@ -18,11 +23,10 @@ failed=0
 # together, since one file of the back ends takes as long as all that are none.
 plan() {
     name=$1
+    names="$names $name"
     shift
-    rm -rf "${build:?}/$name"
     mkdir -p "$build/$name"
     echo "exec $* -std=c99 -pedantic $warnings -Iinclude $own -c \"\$1\" -o \"\$2\"" >"$build/$name/compile"
-    names="$names $name"
 }
 
 # As many files at a time as there are processors, those that take longest first.
@@ -49,11 +53,11 @@ check_shared() { # check_shared NAME LIBRARY OK
     fi
 }
 
-check() { # check NAME COMPILER: what was planned under that name
+check() { # check NAME: what was planned under that name
     directory=$build/$1
     ok=yes
     [ ! -e "$directory/failed" ] || ok=no
-    "$2" -shared -nostdlib -Wl,-z,defs "$directory"/*.o -o "$directory/libgnomon.so" || ok=no
+    "${CC:-cc}" -shared -nostdlib -Wl,-z,defs "$directory"/*.o -o "$directory/libgnomon.so" || ok=no
     check_shared "$1" "$directory/libgnomon.so" "$ok"
 }
 
@@ -89,32 +93,46 @@ header() { # header NAME COMMAND...
 
 has() { command -v "$1" >/dev/null; }
 
-if has gcc; then
-    plan gcc-Ofast gcc -Ofast -march=skylake-avx512 -ffp-contract=fast
-    plan gcc-Os gcc -Os
-    plan gcc-O0 gcc -O0
-fi
-! has clang || plan clang-O2 clang -O2
-plan only-portable "${CC:-cc}" -O2 -DGN_ONLY_PORTABLE
+user=${CC:-cc}
+! has gcc || user=gcc
+fast="-ffast-math -ffp-contract=fast"
+case $($user -dumpmachine) in
+x86_64*) fast="$fast -march=skylake-avx512" ;;
+esac
+
+rm -rf "$build"
+mkdir -p "$build"
+! has gcc || plan gcc-O0 gcc -O0
+# shellcheck disable=SC2086
+plan fast-only-portable "$user" -O2 $fast -DGN_ONLY_PORTABLE
 plan basic "${CC:-cc}" -O1 -DGN_SMALL -DGN_BASIC
+if [ "$all" = --all ]; then
+    ! has gcc || plan gcc-Os gcc -Os
+    # shellcheck disable=SC2086
+    plan fast "$user" -Ofast $fast
+    ! has clang || plan clang-O2 clang -O2
+    plan only-portable "${CC:-cc}" -O2 -DGN_ONLY_PORTABLE
+fi
+hosted=$names
+names=
 if has arm-none-eabi-gcc; then
     own="$own -fno-pic"
-    plan cortex-m4-O2 arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -O2
     plan cortex-m4-small arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -Os -DGN_SMALL
+    [ "$all" != --all ] || plan cortex-m4-O2 arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -O2
 fi
+boards=$names
+names="$hosted $boards"
 compile_all
 
 check_shared "as built" "$1/libgnomon.so" yes
-! has gcc || { check gcc-Ofast gcc && check gcc-Os gcc && check gcc-O0 gcc; }
-! has clang || check clang-O2 clang
-check only-portable "${CC:-cc}"
-check basic "${CC:-cc}"
-if has arm-none-eabi-gcc; then
-    check_microcontroller cortex-m4-O2
-    check_microcontroller cortex-m4-small
-else
+for name in $hosted; do
+    check "$name"
+done
+for name in $boards; do
+    check_microcontroller "$name"
+done
+has arm-none-eabi-gcc ||
     echo "cortex-m4: not compiled, since arm-none-eabi-gcc is absent: 'make setup-cross' installs it"
-fi
 
 for file in include/gnomon.h include/gnomon/*.h; do
     include=${file#include/}
