@@ -50,16 +50,12 @@ static inline void quad_differences(lanes_f a, lanes_f *along_x, lanes_f *along_
     *along_y = lanes_sub(lanes_load(value + 4), a);
 }
 
-/* The greater of the squared lengths of two gradients, in texels; of a single dimension the greater
- * length itself. */
-static inline lanes_f footprint_of(const lookup_state *state, const lanes_f along_x[3],
-                                   const lanes_f along_y[3])
+/* The squared lengths of two gradients, in texels. */
+static inline void squared_lengths(const lookup_state *state, const lanes_f along_x[3],
+                                   const lanes_f along_y[3], lanes_f *out_x, lanes_f *out_y)
 {
     lanes_f x = lanes_splat(0.0f), y = x;
 
-    if (state->dimensions == 1)
-        return lanes_mul(lanes_max(lanes_magnitude(along_x[0]), lanes_magnitude(along_y[0])),
-                         lanes_splat((float)state->texture->width));
     for (int n = 0; n < state->dimensions; ++n) {
         const lanes_f size = lanes_splat((float)size_along(state, 0, n));
         const lanes_f dx = lanes_mul(along_x[n], size);
@@ -68,6 +64,20 @@ static inline lanes_f footprint_of(const lookup_state *state, const lanes_f alon
         x = n == 0 ? lanes_mul(dx, dx) : lanes_add(x, lanes_mul(dx, dx));
         y = n == 0 ? lanes_mul(dy, dy) : lanes_add(y, lanes_mul(dy, dy));
     }
+    *out_x = x;
+    *out_y = y;
+}
+
+/* The greater of the squared lengths; of a single dimension the greater length itself. */
+static inline lanes_f footprint_of(const lookup_state *state, const lanes_f along_x[3],
+                                   const lanes_f along_y[3])
+{
+    lanes_f x, y;
+
+    if (state->dimensions == 1)
+        return lanes_mul(lanes_max(lanes_magnitude(along_x[0]), lanes_magnitude(along_y[0])),
+                         lanes_splat((float)state->texture->width));
+    squared_lengths(state, along_x, along_y, &x, &y);
     return lanes_max(x, y);
 }
 
@@ -220,28 +230,39 @@ static inline lanes_f finite_footprint(lanes_f footprint)
 
 /* A quad has one footprint, its lower left lane's, but where gradients are given, and on cubes with
  * levels or a level of detail of each lane. */
+static inline bool has_own_footprint(const lookup_state *state, const gn_sampler *sampler,
+                                     const gn_lookup *lookup)
+{
+    return lookup->lod_source == GN_LOD_GRADIENTS ||
+           (state->texture->target == GN_TEXTURE_CUBE &&
+            (lookup->lod || (has_levels(sampler->minify) && levels_of(state->texture) > 1)));
+}
+
+/* That of each lane, from the lanes' own. */
+static inline lanes_f shared_footprint(const lookup_state *state, const gn_sampler *sampler,
+                                       const gn_lookup *lookup, lanes_f footprint)
+{
+    const lanes_f shared =
+        has_own_footprint(state, sampler, lookup) ? footprint : of_first_in_quad(footprint);
+
+    return state->texture->target == GN_TEXTURE_CUBE || lookup->lod_source == GN_LOD_GRADIENTS
+               ? finite_footprint(shared)
+               : shared;
+}
+
 static inline lanes_f find_footprint(const lookup_state *state, const gn_sampler *sampler,
                                      const lookup_place *place, const gn_lookup *lookup)
 {
-    const bool is_cube = state->texture->target == GN_TEXTURE_CUBE;
-    const bool has_own =
-        is_cube && (lookup->lod || (has_levels(sampler->minify) && levels_of(state->texture) > 1));
     lanes_f along_x[3], along_y[3];
 
     find_gradients(state, place, lookup, along_x, along_y);
-
-    const lanes_f footprint = footprint_of(state, along_x, along_y);
-    if (is_cube || lookup->lod_source == GN_LOD_GRADIENTS)
-        return finite_footprint(has_own || !is_cube || lookup->lod_source == GN_LOD_GRADIENTS
-                                    ? footprint
-                                    : of_first_in_quad(footprint));
-    return of_first_in_quad(footprint);
+    return shared_footprint(state, sampler, lookup, footprint_of(state, along_x, along_y));
 }
 
-/* The levels of a lookup in a texture whose last level is `last`. */
+/* The levels of a lookup, of a footprint that is known where it is not null. */
 static inline void find_levels(const lookup_state *state, const gn_sampler *sampler,
                                const lookup_place *place, const gn_lookup *lookup,
-                               level_choice *out)
+                               const lanes_f *known, level_choice *out)
 {
     const int32_t last = (int32_t)levels_of(state->texture) - 1;
     const lod_adjustment a = lod_adjustment_of(sampler);
@@ -255,7 +276,7 @@ static inline void find_levels(const lookup_state *state, const gn_sampler *samp
         return;
     }
     if (lookup->lod_source != GN_LOD_EXPLICIT) {
-        const lanes_f footprint = find_footprint(state, sampler, place, lookup);
+        const lanes_f footprint = known ? *known : find_footprint(state, sampler, place, lookup);
 
         if (!adjusted && !mixes_levels(sampler->minify)) {
             choose_nearest_level(squared, last, footprint, out);

@@ -194,6 +194,43 @@ static inline bool asks_for_lod(const gn_texture *texture, const gn_sampler *sam
     return !has_one_filter(sampler) || (has_levels(sampler->minify) && levels_of(texture) > 1);
 }
 
+/* Whether gradients decide anything, but those of several samples. */
+static inline bool asks_for_gradients(const gn_texture *texture, const gn_sampler *sampler,
+                                      const gn_lookup *lookup)
+{
+    return asks_for_lod(texture, sampler) && lookup->lod_source != GN_LOD_EXPLICIT &&
+           !(has_one_lod(sampler) && sampler->min_lod >= 0.0f);
+}
+
+/* Which lanes the linear filter serves, and which mix two levels. */
+static inline void choose_filters(const gn_texture *texture, const gn_sampler *sampler,
+                                  const gn_lookup *lookup, level_choice *choice, uint32_t *linear,
+                                  uint32_t *mixed)
+{
+    const uint32_t magnified = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
+    const bool lod_per_lane = has_lod_per_lane(lookup) || texture->target == GN_TEXTURE_CUBE;
+
+    if (!has_levels(sampler->minify))
+        choice->level = choice->next = lanes_i_splat(0);
+    *linear = minifies_linearly(sampler->minify) ? magnified | choice->minified
+                                                 : magnified & ~choice->minified;
+    *mixed =
+        mixes_levels(sampler->minify) ? mixed_quads(sampler, choice, lod_per_lane, *linear) : 0;
+}
+
+/* A gn_sample_function for samplers of more than one sample a lookup (anisotropic.h). */
+GN_OUT_OF_LINE void sample_anisotropic(const gn_texture *texture, const gn_sampler *sampler,
+                                       const gn_lookup *lookup, float texel[4][GN_LANES]);
+
+/* Whether lookups may have several samples. A level that is given has no footprint, and that of one
+ * dimension no other direction. */
+static inline bool is_anisotropic(const gn_texture *texture, const gn_sampler *sampler,
+                                  const gn_lookup *lookup)
+{
+    return sampler->max_anisotropy > 1 && lookup->lod_source != GN_LOD_EXPLICIT &&
+           texture->target != GN_TEXTURE_1D;
+}
+
 /* A gn_sample_function. */
 static inline void sample_any(const gn_texture *texture, const gn_sampler *sampler,
                               const gn_lookup *lookup, float texel[4][GN_LANES])
@@ -205,29 +242,23 @@ static inline void sample_any(const gn_texture *texture, const gn_sampler *sampl
     level_choice choice;
     lanes_f out[4];
     uint32_t linear = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
-    uint32_t mixed = 0;
+    uint32_t mixed;
 
+    if (is_anisotropic(texture, sampler, lookup)) {
+        sample_anisotropic(texture, sampler, lookup, texel);
+        return;
+    }
     set_lookup_state(&state, texture, sampler);
     set_lookup_place(&state, lookup, &place);
-    set_cube_place(&state, lookup,
-                   finds_lod && lookup->lod_source != GN_LOD_EXPLICIT &&
-                       !(has_one_lod(sampler) && sampler->min_lod >= 0.0f),
-                   &cube, &place);
+    set_cube_place(&state, lookup, asks_for_gradients(texture, sampler, lookup), &cube, &place);
     if (!finds_lod && texture->target == GN_TEXTURE_CUBE) {
         choice.level = lanes_i_splat(0);
         filter_cube(&state, &place, &choice.level, linear, out);
     } else if (!finds_lod) {
         filter_level(&state, &place, 0, linear, out);
     } else {
-        find_levels(&state, sampler, &place, lookup, &choice);
-        if (!has_levels(sampler->minify))
-            choice.level = choice.next = lanes_i_splat(0);
-        linear = minifies_linearly(sampler->minify) ? linear | choice.minified
-                                                    : linear & ~choice.minified;
-        if (mixes_levels(sampler->minify))
-            mixed =
-                mixed_quads(sampler, &choice,
-                            has_lod_per_lane(lookup) || texture->target == GN_TEXTURE_CUBE, linear);
+        find_levels(&state, sampler, &place, lookup, 0, &choice);
+        choose_filters(texture, sampler, lookup, &choice, &linear, &mixed);
         filter_levels(&state, &place, &choice, linear, mixed, out);
     }
     for (int c = 0; c < 4; ++c)
