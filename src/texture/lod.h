@@ -26,41 +26,27 @@ static inline bool has_levels(gn_minify minify)
 /* Every lane has the value of its quad's lower left one. */
 static inline lanes_f of_first_in_quad(lanes_f a)
 {
-    float value[GN_LANES];
-
-    lanes_store(value, a);
-    for (int quad = 0; quad < 4; ++quad) {
-        float *const first = value + quad / 2 * 8 + quad % 2 * 2;
-
-        first[1] = first[4] = first[5] = first[0];
-    }
-    return lanes_load(value);
+    return lanes_quad_lower(lanes_quad_left(a));
 }
 
-/* Differences to the next column and row, in the lower left lane of each quad; in others some
- * number. */
+/* Differences to the next column and row, of each lane's own row and column of the quad. */
 static inline void quad_differences(lanes_f a, lanes_f *along_x, lanes_f *along_y)
 {
-    float value[GN_LANES + 4];
-
-    lanes_store(value, a);
-    for (int l = 0; l < 4; ++l)
-        value[GN_LANES + l] = 0.0f;
-    *along_x = lanes_sub(lanes_load(value + 1), a);
-    *along_y = lanes_sub(lanes_load(value + 4), a);
+    *along_x = lanes_sub(lanes_quad_right(a), lanes_quad_left(a));
+    *along_y = lanes_sub(lanes_quad_upper(a), lanes_quad_lower(a));
 }
 
 /* The greater of the squared lengths of two gradients, in texels; of a single dimension the greater
  * length itself. */
-static inline lanes_f footprint_of(const lookup_state *state, const lanes_f along_x[3],
-                                   const lanes_f along_y[3])
+GN_INLINE lanes_f footprint_of(const lookup_state *state, const lanes_f along_x[3],
+                               const lanes_f along_y[3])
 {
     lanes_f x = lanes_splat(0.0f), y = x;
 
     if (state->dimensions == 1)
         return lanes_mul(lanes_max(lanes_magnitude(along_x[0]), lanes_magnitude(along_y[0])),
                          lanes_splat((float)state->texture->width));
-    for (int n = 0; n < state->dimensions; ++n) {
+    for (int n = 0; n < 3 && n < state->dimensions; ++n) {
         const lanes_f size = lanes_splat((float)size_along(state, 0, n));
         const lanes_f dx = lanes_mul(along_x[n], size);
         const lanes_f dy = lanes_mul(along_y[n], size);
@@ -115,7 +101,7 @@ static inline lod_adjustment lod_adjustment_of(const gn_sampler *sampler)
 {
     lod_adjustment a;
 
-    a.bias = quantised_bias(sampler->lod_bias);
+    a.bias = sampler->lod_bias == 0.0f ? 0.0f : quantised_bias(sampler->lod_bias);
     a.least = sampler->lod_clamped ? sampler->min_lod : 0.0f;
     a.most = sampler->lod_clamped ? sampler->max_lod : (float)GN_MAX_LEVELS;
     a.has_least = a.least > 0.0f;
@@ -167,47 +153,30 @@ static inline void choose_nearest_level(bool squared, int32_t last, lanes_f foot
     out->weight = lanes_splat(0.0f);
 }
 
-/* The gradient of a lane's direction, which is its own also where differences are taken. */
-static inline void direction_gradients(const gn_lookup *lookup, lanes_f along_x[3],
-                                       lanes_f along_y[3])
+/* The gradients that a lookup gives, or the differences of its coordinates: of a cube's direction,
+ * of which a lane has its own. */
+GN_INLINE void find_gradients(const lookup_state *state, const lookup_place *place,
+                              const gn_lookup *lookup, lanes_f along_x[3], lanes_f along_y[3])
 {
-    float x[GN_LANES], y[GN_LANES];
+    const bool is_cube = state->target == GN_TEXTURE_CUBE;
+    lanes_f x[3], y[3];
 
     for (int n = 0; n < 3; ++n) {
-        const float *const value = lookup->coordinate[n];
-
+        if (n >= state->dimensions && !is_cube)
+            break;
         if (lookup->lod_source == GN_LOD_GRADIENTS) {
-            along_x[n] = lanes_load(lookup->gradient_x[n]);
-            along_y[n] = lanes_load(lookup->gradient_y[n]);
-            continue;
+            x[n] = lanes_load(lookup->gradient_x[n]);
+            y[n] = lanes_load(lookup->gradient_y[n]);
+        } else {
+            quad_differences(is_cube ? lanes_load(lookup->coordinate[n]) : place->coordinate[n],
+                             &x[n], &y[n]);
         }
-        GN_EACH_LANE (l) {
-            x[l] = value[l | 1] - value[l & ~1];
-            y[l] = value[l | 4] - value[l & ~4];
-        }
-        along_x[n] = lanes_load(x);
-        along_y[n] = lanes_load(y);
+        along_x[n] = x[n];
+        along_y[n] = y[n];
     }
-}
-
-static inline void find_gradients(const lookup_state *state, const lookup_place *place,
-                                  const gn_lookup *lookup, lanes_f along_x[3], lanes_f along_y[3])
-{
-    if (state->texture->target == GN_TEXTURE_CUBE) {
-        lanes_f x[3], y[3];
-
-        direction_gradients(lookup, x, y);
+    if (is_cube) {
         cube_gradient(place->cube, x, along_x);
         cube_gradient(place->cube, y, along_y);
-        return;
-    }
-    for (int n = 0; n < state->dimensions; ++n) {
-        if (lookup->lod_source == GN_LOD_GRADIENTS) {
-            along_x[n] = lanes_load(lookup->gradient_x[n]);
-            along_y[n] = lanes_load(lookup->gradient_y[n]);
-        } else {
-            quad_differences(place->coordinate[n], &along_x[n], &along_y[n]);
-        }
     }
 }
 
@@ -220,10 +189,10 @@ static inline lanes_f finite_footprint(lanes_f footprint)
 
 /* A quad has one footprint, its lower left lane's, but where gradients are given, and on cubes with
  * levels or a level of detail of each lane. */
-static inline lanes_f find_footprint(const lookup_state *state, const gn_sampler *sampler,
-                                     const lookup_place *place, const gn_lookup *lookup)
+GN_INLINE lanes_f find_footprint(const lookup_state *state, const gn_sampler *sampler,
+                                 const lookup_place *place, const gn_lookup *lookup)
 {
-    const bool is_cube = state->texture->target == GN_TEXTURE_CUBE;
+    const bool is_cube = state->target == GN_TEXTURE_CUBE;
     const bool has_own =
         is_cube && (lookup->lod || (has_levels(sampler->minify) && levels_of(state->texture) > 1));
     lanes_f along_x[3], along_y[3];
@@ -239,9 +208,8 @@ static inline lanes_f find_footprint(const lookup_state *state, const gn_sampler
 }
 
 /* The levels of a lookup in a texture whose last level is `last`. */
-static inline void find_levels(const lookup_state *state, const gn_sampler *sampler,
-                               const lookup_place *place, const gn_lookup *lookup,
-                               level_choice *out)
+GN_INLINE void find_levels(const lookup_state *state, const gn_sampler *sampler,
+                           const lookup_place *place, const gn_lookup *lookup, level_choice *out)
 {
     const int32_t last = (int32_t)levels_of(state->texture) - 1;
     const lod_adjustment a = lod_adjustment_of(sampler);
