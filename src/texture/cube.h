@@ -9,9 +9,11 @@
 
 #include "../lanes/lanes.h"
 
-/* The lanes, as bits, of quads that have one of `lanes`. */
+/* The lanes, as bits, of quads that have one of `lanes`; most often all or none. */
 static inline uint32_t quads_of(uint32_t lanes)
 {
+    if (lanes == 0 || lanes == GN_ALL_LANES)
+        return lanes;
     lanes |= (lanes & 0x5555u) << 1 | (lanes & 0xAAAAu) >> 1;
     return lanes | (lanes & 0x0F0Fu) << 4 | (lanes & 0xF0F0u) >> 4;
 }

@@ -159,24 +159,25 @@ GN_INLINE void find_gradients(const lookup_state *state, const lookup_place *pla
                               const gn_lookup *lookup, lanes_f along_x[3], lanes_f along_y[3])
 {
     const bool is_cube = state->target == GN_TEXTURE_CUBE;
+    const int count = is_cube ? 3 : state->dimensions;
     lanes_f x[3], y[3];
 
-    for (int n = 0; n < 3; ++n) {
-        if (n >= state->dimensions && !is_cube)
-            break;
+    for (int n = 0; n < 3 && n < count; ++n) {
         if (lookup->lod_source == GN_LOD_GRADIENTS) {
-            x[n] = lanes_load(lookup->gradient_x[n]);
-            y[n] = lanes_load(lookup->gradient_y[n]);
+            along_x[n] = lanes_load(lookup->gradient_x[n]);
+            along_y[n] = lanes_load(lookup->gradient_y[n]);
         } else {
             quad_differences(is_cube ? lanes_load(lookup->coordinate[n]) : place->coordinate[n],
-                             &x[n], &y[n]);
+                             &along_x[n], &along_y[n]);
         }
+    }
+    if (!is_cube)
+        return;
+    cube_gradient(place->cube, along_x, x);
+    cube_gradient(place->cube, along_y, y);
+    for (int n = 0; n < 2; ++n) {
         along_x[n] = x[n];
         along_y[n] = y[n];
-    }
-    if (is_cube) {
-        cube_gradient(place->cube, x, along_x);
-        cube_gradient(place->cube, y, along_y);
     }
 }
 
