@@ -20,20 +20,12 @@ typedef struct anisotropy {
 static inline void coordinate_gradients(const gn_lookup *lookup, int dimension, lanes_f *along_x,
                                         lanes_f *along_y)
 {
-    const float *const value = lookup->coordinate[dimension];
-    float x[GN_LANES], y[GN_LANES];
-
     if (lookup->lod_source == GN_LOD_GRADIENTS) {
         *along_x = lanes_load(lookup->gradient_x[dimension]);
         *along_y = lanes_load(lookup->gradient_y[dimension]);
-        return;
+    } else {
+        quad_differences(lanes_load(lookup->coordinate[dimension]), along_x, along_y);
     }
-    GN_EACH_LANE (l) {
-        x[l] = value[l | 1] - value[l & ~1];
-        y[l] = value[l | 4] - value[l & ~4];
-    }
-    *along_x = lanes_load(x);
-    *along_y = lanes_load(y);
 }
 
 /* min(ceil(Pmax / Pmin), most) from the squares of the lengths: the least n for which n^2 Pmin^2 is
@@ -62,7 +54,7 @@ GN_OUT_OF_LINE void find_anisotropy(const lookup_state *state, const gn_sampler 
                                     const lookup_place *place, const gn_lookup *lookup,
                                     anisotropy *out)
 {
-    const bool is_cube = state->texture->target == GN_TEXTURE_CUBE;
+    const bool is_cube = state->target == GN_TEXTURE_CUBE;
     const bool is_own = has_own_footprint(state, sampler, lookup);
     lanes_f along_x[3], along_y[3], on_face_x[2], on_face_y[2], x, y;
 
@@ -126,7 +118,7 @@ static inline void take_sample(const anisotropy *a, int i, const lanes_f sample[
 static inline void move_place(const lookup_state *state, const lanes_f at[3], bool has_gradients,
                               cube_place *cube, lookup_place *place)
 {
-    if (state->texture->target == GN_TEXTURE_CUBE) {
+    if (state->target == GN_TEXTURE_CUBE) {
         cube_project(at, has_gradients, cube);
         return;
     }
@@ -146,12 +138,12 @@ GN_OUT_OF_LINE void sample_anisotropic(const gn_texture *texture, const gn_sampl
     lanes_f at[3], sample[4], mean[4];
     uint32_t linear, mixed;
 
-    set_lookup_state(&state, texture, sampler);
+    set_lookup_state(&state, texture, texture->target, sampler);
     set_lookup_place(&state, lookup, &place);
     set_cube_place(&state, lookup, has_gradients, &cube, &place);
     find_anisotropy(&state, sampler, &place, lookup, &a);
     find_levels(&state, sampler, &place, lookup, &a.footprint, &choice);
-    choose_filters(texture, sampler, lookup, &choice, &linear, &mixed);
+    choose_filters(&state, sampler, lookup, &choice, &linear, &mixed);
     find_sample(&a, 1, at);
     move_place(&state, at, has_gradients, &cube, &place);
     filter_levels(&state, &place, &choice, linear, mixed, mean);

@@ -46,21 +46,20 @@ static inline void store_channel(const lookup_state *state, int channel, lanes_f
     lanes_store(out, is_there ? value : lanes_splat(channel < 3 ? 0.0f : 1.0f));
 }
 
-static inline void set_lookup_state(lookup_state *state, const gn_texture *texture,
-                                    const gn_sampler *sampler)
+GN_INLINE void set_lookup_state(lookup_state *state, const gn_texture *texture,
+                                gn_texture_target target, const gn_sampler *sampler)
 {
     const uint32_t size[3] = {texture->width, texture->height, texture->depth};
 
     state->texture = texture;
+    state->target = target;
     state->channels = texel_channels(texture->format);
-    state->dimensions = texture->target == GN_TEXTURE_1D   ? 1
-                        : texture->target == GN_TEXTURE_3D ? 3
-                                                           : 2;
+    state->dimensions = target == GN_TEXTURE_1D ? 1 : target == GN_TEXTURE_3D ? 3 : 2;
     state->wrap[0] = sampler->wrap_s;
     state->wrap[1] = sampler->wrap_t;
     state->wrap[2] = sampler->wrap_r;
     state->has_border = false;
-    for (int n = 0; n < state->dimensions; ++n) {
+    for (int n = 0; n < 3 && n < state->dimensions; ++n) {
         state->masked[n] = is_masked(state->wrap[n], size[n]);
         state->has_border = state->has_border || state->wrap[n] == GN_WRAP_CLAMP_TO_BORDER;
     }
@@ -69,15 +68,15 @@ static inline void set_lookup_state(lookup_state *state, const gn_texture *textu
         set_border(state, sampler);
 }
 
-static inline void set_lookup_place(const lookup_state *state, const gn_lookup *lookup,
-                                    lookup_place *place)
+GN_INLINE void set_lookup_place(const lookup_state *state, const gn_lookup *lookup,
+                                lookup_place *place)
 {
-    const int count = state->texture->target == GN_TEXTURE_CUBE ? 0 : state->dimensions;
+    const int count = state->target == GN_TEXTURE_CUBE ? 0 : state->dimensions;
 
-    for (int n = 0; n < count; ++n)
+    for (int n = 0; n < 3 && n < count; ++n)
         place->coordinate[n] = lanes_load(lookup->coordinate[n]);
     place->layer = lanes_i_splat(0);
-    if (state->texture->target == GN_TEXTURE_2D_ARRAY)
+    if (state->target == GN_TEXTURE_2D_ARRAY)
         place->layer =
             lanes_i_clamp(lanes_round(lanes_load(lookup->coordinate[2])), lanes_i_splat(0),
                           lanes_i_splat((int32_t)state->texture->depth - 1));
@@ -88,12 +87,12 @@ static inline void set_lookup_place(const lookup_state *state, const gn_lookup *
 }
 
 /* The same of a cube, of which `cube` says more as long as the place is used. */
-static inline void set_cube_place(const lookup_state *state, const gn_lookup *lookup,
-                                  bool has_gradients, cube_place *cube, lookup_place *place)
+GN_INLINE void set_cube_place(const lookup_state *state, const gn_lookup *lookup,
+                              bool has_gradients, cube_place *cube, lookup_place *place)
 {
     lanes_f direction[3];
 
-    if (state->texture->target != GN_TEXTURE_CUBE)
+    if (state->target != GN_TEXTURE_CUBE)
         return;
     for (int n = 0; n < 3; ++n)
         direction[n] = lanes_load(lookup->coordinate[n]);
@@ -139,6 +138,17 @@ GN_OUT_OF_LINE void filter_level(const lookup_state *state, const lookup_place *
         texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
 }
 
+/* A lane's level, the set of all lanes' being `levels`. */
+static inline void filter_lanes_level(const lookup_state *state, const lookup_place *place,
+                                      const lanes_i *level, uint32_t levels, uint32_t linear,
+                                      lanes_f texel[4])
+{
+    if (state->target == GN_TEXTURE_CUBE)
+        filter_cube(state, place, level, levels, linear, texel);
+    else
+        filter_level(state, place, first_lane(levels), linear, texel);
+}
+
 /* The quads that mix two levels, all their lanes: weights of 0 show where a texel is not finite. */
 static inline uint32_t mixed_quads(const gn_sampler *sampler, const level_choice *choice,
                                    bool lod_per_lane, uint32_t linear)
@@ -151,26 +161,28 @@ static inline uint32_t mixed_quads(const gn_sampler *sampler, const level_choice
     return weighted | (quads_of(linear) & quads_of(choice->minified));
 }
 
-/* The levels of the lanes, mixed where `mixed`. */
-GN_OUT_OF_LINE void filter_levels(const lookup_state *state, const lookup_place *place,
-                                  const level_choice *choice, uint32_t linear, uint32_t mixed,
-                                  lanes_f texel[4])
+/* Two levels mixed in the lanes that are `mixed`, in others the first. */
+static inline void mix_levels(const level_choice *choice, uint32_t mixed, const lanes_f above[4],
+                              lanes_f texel[4])
 {
-    uint32_t levels = levels_in(choice->level) | (mixed ? levels_in(choice->next) : 0);
-    lanes_f filtered[4], above[4];
+    const lanes_m is_mixed = lanes_from_bits(mixed);
 
-    if (state->texture->target != GN_TEXTURE_CUBE && (levels & (levels - 1)) == 0 && !mixed) {
-        filter_level(state, place, first_lane(levels), linear, texel);
-        return;
+    for (int c = 0; c < 4; ++c) {
+        const lanes_f both = mix(choice->weight, texel[c], above[c]);
+
+        texel[c] = mixed == GN_ALL_LANES ? both : lanes_select(is_mixed, both, texel[c]);
     }
+}
+
+/* Where lanes have several levels: one after the other, for all lanes. */
+GN_OUT_OF_LINE void filter_each_level(const lookup_state *state, const lookup_place *place,
+                                      const level_choice *choice, uint32_t levels, uint32_t linear,
+                                      lanes_f texel[4], lanes_f above[4])
+{
+    lanes_f filtered[4];
+
     for (int c = 0; c < 4; ++c)
         texel[c] = above[c] = lanes_splat(0.0f);
-    if (state->texture->target == GN_TEXTURE_CUBE) {
-        filter_cube(state, place, &choice->level, linear, texel);
-        if (mixed)
-            filter_cube(state, place, &choice->next, linear, above);
-        levels = 0;
-    }
     for (; levels; levels &= levels - 1) {
         const uint32_t level = first_lane(levels);
         const lanes_i number = lanes_i_splat((int32_t)level);
@@ -183,9 +195,26 @@ GN_OUT_OF_LINE void filter_levels(const lookup_state *state, const lookup_place 
             above[c] = lanes_select(is_next, filtered[c], above[c]);
         }
     }
-    for (int c = 0; mixed && c < 4; ++c)
-        texel[c] =
-            lanes_select(lanes_from_bits(mixed), mix(choice->weight, texel[c], above[c]), texel[c]);
+}
+
+/* The levels of the lanes, mixed where `mixed`. */
+GN_INLINE void filter_levels(const lookup_state *state, const lookup_place *place,
+                             const level_choice *choice, uint32_t linear, uint32_t mixed,
+                             lanes_f texel[4])
+{
+    const uint32_t first = levels_in(choice->level);
+    const uint32_t next = mixed ? levels_in(choice->next) : 0;
+    lanes_f above[4];
+
+    if (state->target != GN_TEXTURE_CUBE && ((first & (first - 1)) || (next & (next - 1)))) {
+        filter_each_level(state, place, choice, first | next, linear, texel, above);
+    } else {
+        filter_lanes_level(state, place, &choice->level, first, linear, texel);
+        if (mixed)
+            filter_lanes_level(state, place, &choice->next, next, linear, above);
+    }
+    if (mixed)
+        mix_levels(choice, mixed, above, texel);
 }
 
 /* Whether the level of detail decides anything. */
@@ -203,12 +232,12 @@ static inline bool asks_for_gradients(const gn_texture *texture, const gn_sample
 }
 
 /* Which lanes the linear filter serves, and which mix two levels. */
-static inline void choose_filters(const gn_texture *texture, const gn_sampler *sampler,
-                                  const gn_lookup *lookup, level_choice *choice, uint32_t *linear,
-                                  uint32_t *mixed)
+GN_INLINE void choose_filters(const lookup_state *state, const gn_sampler *sampler,
+                              const gn_lookup *lookup, level_choice *choice, uint32_t *linear,
+                              uint32_t *mixed)
 {
     const uint32_t magnified = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
-    const bool lod_per_lane = has_lod_per_lane(lookup) || texture->target == GN_TEXTURE_CUBE;
+    const bool lod_per_lane = has_lod_per_lane(lookup) || state->target == GN_TEXTURE_CUBE;
 
     if (!has_levels(sampler->minify))
         choice->level = choice->next = lanes_i_splat(0);
@@ -231,9 +260,10 @@ static inline bool is_anisotropic(const gn_texture *texture, const gn_sampler *s
            texture->target != GN_TEXTURE_1D;
 }
 
-/* A gn_sample_function. */
-static inline void sample_any(const gn_texture *texture, const gn_sampler *sampler,
-                              const gn_lookup *lookup, float texel[4][GN_LANES])
+/* A lookup in a texture of a target, which is a constant where it is a common one. */
+GN_INLINE void sample_target(const gn_texture *texture, gn_texture_target target,
+                             const gn_sampler *sampler, const gn_lookup *lookup,
+                             float texel[4][GN_LANES])
 {
     const bool finds_lod = asks_for_lod(texture, sampler);
     lookup_state state;
@@ -248,21 +278,31 @@ static inline void sample_any(const gn_texture *texture, const gn_sampler *sampl
         sample_anisotropic(texture, sampler, lookup, texel);
         return;
     }
-    set_lookup_state(&state, texture, sampler);
+    set_lookup_state(&state, texture, target, sampler);
     set_lookup_place(&state, lookup, &place);
     set_cube_place(&state, lookup, asks_for_gradients(texture, sampler, lookup), &cube, &place);
-    if (!finds_lod && texture->target == GN_TEXTURE_CUBE) {
-        choice.level = lanes_i_splat(0);
-        filter_cube(&state, &place, &choice.level, linear, out);
-    } else if (!finds_lod) {
-        filter_level(&state, &place, 0, linear, out);
-    } else {
+    if (finds_lod) {
         find_levels(&state, sampler, &place, lookup, 0, &choice);
-        choose_filters(texture, sampler, lookup, &choice, &linear, &mixed);
+        choose_filters(&state, sampler, lookup, &choice, &linear, &mixed);
         filter_levels(&state, &place, &choice, linear, mixed, out);
+    } else {
+        choice.level = lanes_i_splat(0);
+        filter_lanes_level(&state, &place, &choice.level, 1, linear, out);
     }
     for (int c = 0; c < 4; ++c)
         store_channel(&state, c, out[c], texel[c]);
+}
+
+/* A gn_sample_function. */
+static inline void sample_any(const gn_texture *texture, const gn_sampler *sampler,
+                              const gn_lookup *lookup, float texel[4][GN_LANES])
+{
+    if (GN_SPECIALISED && texture->target == GN_TEXTURE_2D)
+        sample_target(texture, GN_TEXTURE_2D, sampler, lookup, texel);
+    else if (GN_SPECIALISED && texture->target == GN_TEXTURE_CUBE)
+        sample_target(texture, GN_TEXTURE_CUBE, sampler, lookup, texel);
+    else
+        sample_target(texture, texture->target, sampler, lookup, texel);
 }
 
 /* A gn_sample_2d_function. */
@@ -282,7 +322,10 @@ static inline void sample_any_2d(const gn_texture *texture, const gn_sampler *sa
     lookup.reference = 0;
     lookup.lod_source = GN_LOD_IMPLICIT;
     lookup.lod = 0;
-    sample_any(texture, sampler, &lookup, texel);
+    if (texture->target == GN_TEXTURE_2D)
+        sample_target(texture, GN_TEXTURE_2D, sampler, &lookup, texel);
+    else
+        sample_any(texture, sampler, &lookup, texel);
 }
 
 /* A gn_gather_function: the texels in the order of counting round. */
@@ -296,7 +339,7 @@ static inline void gather_any(const gn_texture *texture, const gn_sampler *sampl
     lanes_i number[2][2];
     lanes_f fetched[4];
 
-    set_lookup_state(&state, texture, sampler);
+    set_lookup_state(&state, texture, texture->target, sampler);
     set_lookup_place(&state, lookup, &place);
     set_cube_place(&state, lookup, false, &cube, &place);
     if (state.compare != GN_TEXTURE_COMPARE_NONE)
