@@ -120,8 +120,8 @@ static inline void filter_level_linear(const lookup_state *state, const lookup_p
 
 /* One level, of lanes that are `linear` by the linear filter. Quads are filtered as a whole: one
  * with a linear lane by the linear filter, of which the others take the nearer texels. */
-GN_OUT_OF_LINE void filter_level(const lookup_state *state, const lookup_place *place,
-                                 uint32_t level, uint32_t linear, lanes_f texel[4])
+GN_OUT_OF_LINE void filter_level_by_quads(const lookup_state *state, const lookup_place *place,
+                                          uint32_t level, uint32_t linear, lanes_f texel[4])
 {
     const uint32_t linear_quads = quads_of(linear);
     lanes_f nearest[4];
@@ -136,6 +136,15 @@ GN_OUT_OF_LINE void filter_level(const lookup_state *state, const lookup_place *
     filter_level_nearest(state, place, level, nearest);
     for (int c = 0; c < 4; ++c)
         texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
+}
+
+static inline void filter_level(const lookup_state *state, const lookup_place *place,
+                                uint32_t level, uint32_t linear, lanes_f texel[4])
+{
+    if (linear == GN_ALL_LANES)
+        filter_level_linear(state, place, level, linear, texel);
+    else
+        filter_level_by_quads(state, place, level, linear, texel);
 }
 
 /* A lane's level, the set of all lanes' being `levels`. */
