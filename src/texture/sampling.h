@@ -270,16 +270,34 @@ GN_INLINE void sample_target(const gn_texture *texture, gn_texture_target target
         store_channel(&state, c, out[c], texel[c]);
 }
 
+/* A lookup in a 2D texture by differences of coordinates alone, the most common one. */
+GN_OUT_OF_LINE void sample_implicit_2d(const gn_texture *texture, const gn_sampler *sampler,
+                                       const float s[GN_LANES], const float t[GN_LANES],
+                                       float texel[4][GN_LANES])
+{
+    gn_lookup lookup;
+
+    lookup.coordinate[0] = s;
+    lookup.coordinate[1] = t;
+    lookup.reference = 0;
+    lookup.lod_source = GN_LOD_IMPLICIT;
+    lookup.lod = 0;
+    sample_target(texture, GN_TEXTURE_2D, sampler, &lookup, texel);
+}
+
 /* A gn_sample_function. */
 static inline void sample_any(const gn_texture *texture, const gn_sampler *sampler,
                               const gn_lookup *lookup, float texel[4][GN_LANES])
 {
-    if (GN_SPECIALISED && texture->target == GN_TEXTURE_2D)
-        sample_target(texture, GN_TEXTURE_2D, sampler, lookup, texel);
-    else if (GN_SPECIALISED && texture->target == GN_TEXTURE_CUBE)
+    const gn_texture_target target = texture->target;
+
+    if (GN_SPECIALISED && target == GN_TEXTURE_2D && !has_lod_per_lane(lookup) &&
+        lookup->lod_source == GN_LOD_IMPLICIT && !is_compared(texture->format, sampler))
+        sample_implicit_2d(texture, sampler, lookup->coordinate[0], lookup->coordinate[1], texel);
+    else if (GN_SPECIALISED && target == GN_TEXTURE_CUBE)
         sample_target(texture, GN_TEXTURE_CUBE, sampler, lookup, texel);
     else
-        sample_target(texture, texture->target, sampler, lookup, texel);
+        sample_target(texture, target, sampler, lookup, texel);
 }
 
 /* A gn_sample_2d_function. */
@@ -293,16 +311,17 @@ static inline void sample_any_2d(const gn_texture *texture, const gn_sampler *sa
         sample_simple_2d(texture, sampler, s, t, texel);
         return;
     }
+    if (texture->target == GN_TEXTURE_2D) {
+        sample_implicit_2d(texture, sampler, s, t, texel);
+        return;
+    }
     lookup.coordinate[0] = s;
     lookup.coordinate[1] = t;
     lookup.coordinate[2] = 0;
     lookup.reference = 0;
     lookup.lod_source = GN_LOD_IMPLICIT;
     lookup.lod = 0;
-    if (texture->target == GN_TEXTURE_2D)
-        sample_target(texture, GN_TEXTURE_2D, sampler, &lookup, texel);
-    else
-        sample_any(texture, sampler, &lookup, texel);
+    sample_any(texture, sampler, &lookup, texel);
 }
 
 /* A gn_gather_function: the texels in the order of counting round. */
