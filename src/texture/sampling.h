@@ -285,19 +285,29 @@ GN_OUT_OF_LINE void sample_implicit_2d(const gn_texture *texture, const gn_sampl
     sample_target(texture, GN_TEXTURE_2D, sampler, &lookup, texel);
 }
 
+GN_OUT_OF_LINE void sample_cube(const gn_texture *texture, const gn_sampler *sampler,
+                                const gn_lookup *lookup, float texel[4][GN_LANES])
+{
+    sample_target(texture, GN_TEXTURE_CUBE, sampler, lookup, texel);
+}
+
+GN_OUT_OF_LINE void sample_otherwise(const gn_texture *texture, const gn_sampler *sampler,
+                                     const gn_lookup *lookup, float texel[4][GN_LANES])
+{
+    sample_target(texture, texture->target, sampler, lookup, texel);
+}
+
 /* A gn_sample_function. */
 static inline void sample_any(const gn_texture *texture, const gn_sampler *sampler,
                               const gn_lookup *lookup, float texel[4][GN_LANES])
 {
-    const gn_texture_target target = texture->target;
-
-    if (GN_SPECIALISED && target == GN_TEXTURE_2D && !has_lod_per_lane(lookup) &&
+    if (GN_SPECIALISED && texture->target == GN_TEXTURE_2D && !has_lod_per_lane(lookup) &&
         lookup->lod_source == GN_LOD_IMPLICIT && !is_compared(texture->format, sampler))
         sample_implicit_2d(texture, sampler, lookup->coordinate[0], lookup->coordinate[1], texel);
-    else if (GN_SPECIALISED && target == GN_TEXTURE_CUBE)
-        sample_target(texture, GN_TEXTURE_CUBE, sampler, lookup, texel);
+    else if (GN_SPECIALISED && texture->target == GN_TEXTURE_CUBE)
+        sample_cube(texture, sampler, lookup, texel);
     else
-        sample_target(texture, target, sampler, lookup, texel);
+        sample_otherwise(texture, sampler, lookup, texel);
 }
 
 /* A gn_sample_2d_function. */
