@@ -135,14 +135,13 @@ static inline void choose_levels(const gn_sampler *sampler, int32_t last, lanes_
     if (mixes_levels(sampler->minify)) {
         const lanes_f whole = lanes_floor(lod);
         const lanes_i level = lanes_truncate(whole);
-        const lanes_m below = lanes_i_greater(zero, level);
-        const lanes_m above = lanes_not(lanes_i_greater(top, level));
-        const lanes_f none = lanes_splat(0.0f);
+        const lanes_i next = lanes_i_add(level, lanes_i_splat(1));
 
-        out->level = lanes_i_clamp(level, zero, top);
-        out->next = lanes_i_clamp(
-            lanes_i_select(below, level, lanes_i_add(level, lanes_i_splat(1))), zero, top);
-        out->weight = lanes_select(below, none, lanes_select(above, none, lanes_sub(lod, whole)));
+        out->level = lanes_i_max(lanes_i_min(level, top), zero);
+        out->next = lanes_i_max(lanes_i_min(next, top), zero);
+        /* Below the first level and from the last on both are the same. */
+        out->weight = lanes_select(lanes_i_greater(out->next, out->level), lanes_sub(lod, whole),
+                                   lanes_splat(0.0f));
     } else {
         out->level = out->next = lanes_i_clamp(lanes_round(lod), zero, top);
         out->weight = lanes_splat(0.0f);

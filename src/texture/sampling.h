@@ -120,8 +120,8 @@ static inline void filter_level_linear(const lookup_state *state, const lookup_p
 
 /* One level, of lanes that are `linear` by the linear filter. Quads are filtered as a whole: one
  * with a linear lane by the linear filter, of which the others take the nearer texels. */
-GN_OUT_OF_LINE void filter_level(const lookup_state *state, const lookup_place *place,
-                                 uint32_t level, uint32_t linear, lanes_f texel[4])
+GN_OUT_OF_LINE void filter_level_by_quads(const lookup_state *state, const lookup_place *place,
+                                          uint32_t level, uint32_t linear, lanes_f texel[4])
 {
     const uint32_t linear_quads = quads_of(linear);
     lanes_f nearest[4];
@@ -136,6 +136,15 @@ GN_OUT_OF_LINE void filter_level(const lookup_state *state, const lookup_place *
     filter_level_nearest(state, place, level, nearest);
     for (int c = 0; c < 4; ++c)
         texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
+}
+
+static inline void filter_level(const lookup_state *state, const lookup_place *place,
+                                uint32_t level, uint32_t linear, lanes_f texel[4])
+{
+    if (linear == GN_ALL_LANES)
+        filter_level_linear(state, place, level, linear, texel);
+    else
+        filter_level_by_quads(state, place, level, linear, texel);
 }
 
 /* A lane's level, the set of all lanes' being `levels`. */
@@ -293,16 +302,44 @@ GN_INLINE void sample_target(const gn_texture *texture, gn_texture_target target
         store_channel(&state, c, out[c], texel[c]);
 }
 
+/* A lookup in a 2D texture by differences of coordinates alone, the most common one. */
+GN_OUT_OF_LINE void sample_implicit_2d(const gn_texture *texture, const gn_sampler *sampler,
+                                       const float s[GN_LANES], const float t[GN_LANES],
+                                       float texel[4][GN_LANES])
+{
+    gn_lookup lookup;
+
+    lookup.coordinate[0] = s;
+    lookup.coordinate[1] = t;
+    lookup.reference = 0;
+    lookup.lod_source = GN_LOD_IMPLICIT;
+    lookup.lod = 0;
+    sample_target(texture, GN_TEXTURE_2D, sampler, &lookup, texel);
+}
+
+GN_OUT_OF_LINE void sample_cube(const gn_texture *texture, const gn_sampler *sampler,
+                                const gn_lookup *lookup, float texel[4][GN_LANES])
+{
+    sample_target(texture, GN_TEXTURE_CUBE, sampler, lookup, texel);
+}
+
+GN_OUT_OF_LINE void sample_otherwise(const gn_texture *texture, const gn_sampler *sampler,
+                                     const gn_lookup *lookup, float texel[4][GN_LANES])
+{
+    sample_target(texture, texture->target, sampler, lookup, texel);
+}
+
 /* A gn_sample_function. */
 static inline void sample_any(const gn_texture *texture, const gn_sampler *sampler,
                               const gn_lookup *lookup, float texel[4][GN_LANES])
 {
-    if (GN_SPECIALISED && texture->target == GN_TEXTURE_2D)
-        sample_target(texture, GN_TEXTURE_2D, sampler, lookup, texel);
+    if (GN_SPECIALISED && texture->target == GN_TEXTURE_2D && !has_lod_per_lane(lookup) &&
+        lookup->lod_source == GN_LOD_IMPLICIT && !is_compared(texture->format, sampler))
+        sample_implicit_2d(texture, sampler, lookup->coordinate[0], lookup->coordinate[1], texel);
     else if (GN_SPECIALISED && texture->target == GN_TEXTURE_CUBE)
-        sample_target(texture, GN_TEXTURE_CUBE, sampler, lookup, texel);
+        sample_cube(texture, sampler, lookup, texel);
     else
-        sample_target(texture, texture->target, sampler, lookup, texel);
+        sample_otherwise(texture, sampler, lookup, texel);
 }
 
 /* A gn_sample_2d_function. */
@@ -316,16 +353,17 @@ static inline void sample_any_2d(const gn_texture *texture, const gn_sampler *sa
         sample_simple_2d(texture, sampler, s, t, texel);
         return;
     }
+    if (texture->target == GN_TEXTURE_2D) {
+        sample_implicit_2d(texture, sampler, s, t, texel);
+        return;
+    }
     lookup.coordinate[0] = s;
     lookup.coordinate[1] = t;
     lookup.coordinate[2] = 0;
     lookup.reference = 0;
     lookup.lod_source = GN_LOD_IMPLICIT;
     lookup.lod = 0;
-    if (texture->target == GN_TEXTURE_2D)
-        sample_target(texture, GN_TEXTURE_2D, sampler, &lookup, texel);
-    else
-        sample_any(texture, sampler, &lookup, texel);
+    sample_any(texture, sampler, &lookup, texel);
 }
 
 /* A gn_gather_function: the texels in the order of counting round. */
