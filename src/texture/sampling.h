@@ -224,7 +224,7 @@ static inline void sample_any(const gn_texture *texture, const gn_sampler *sampl
             choice.level = choice.next = lanes_i_splat(0);
         linear = minifies_linearly(sampler->minify) ? linear | choice.minified
                                                     : linear & ~choice.minified;
-        if (mixes_levels(sampler->minify))
+        if (mixes_levels(sampler->minify) && levels_of(texture) > 1)
             mixed =
                 mixed_quads(sampler, &choice,
                             has_lod_per_lane(lookup) || texture->target == GN_TEXTURE_CUBE, linear);

@@ -215,6 +215,26 @@ static void explicit_levels(void **state)
     NEAR(red_at(&t, &s, 0.3f, 0.0f), 2.25f);
 }
 
+/* A texture of one level has no filter between levels, which would make NaN of infinite texels,
+ * even where lanes of a quad want different filters. */
+static void one_level_is_not_mixed(void **state)
+{
+    (void)state;
+    static const float texels[2][4] = {{1.0f}, {INFINITY}};
+    gn_sampler s = nearest(GN_WRAP_CLAMP_TO_EDGE);
+    gn_texture t;
+
+    memset(&t, 0, sizeof t);
+    t.target = GN_TEXTURE_1D;
+    t.format = GN_FORMAT_RGBA32F;
+    t.width = 2;
+    t.height = 1;
+    t.level[0].texels = texels;
+    t.level[0].row_stride = sizeof texels;
+    s.minify = GN_MINIFY_LINEAR_MIPMAP_LINEAR;
+    assert_true(red_at(&t, &s, 0.5f, 1.5f) == INFINITY);
+}
+
 /* Steps of 2 and 4 texels ask for levels 1 and 2, from differences and from gradients; what a
  * shader adds goes on top. */
 static void levels_of_footprints(void **state)
@@ -310,6 +330,7 @@ int main(void)
         cmocka_unit_test(wraps),
         cmocka_unit_test(borders),
         cmocka_unit_test(explicit_levels),
+        cmocka_unit_test(one_level_is_not_mixed),
         cmocka_unit_test(levels_of_footprints),
         cmocka_unit_test(gathers),
         cmocka_unit_test(no_coordinate_is_outside),
