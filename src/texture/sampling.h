@@ -252,8 +252,9 @@ GN_INLINE void choose_filters(const lookup_state *state, const gn_sampler *sampl
         choice->level = choice->next = lanes_i_splat(0);
     *linear = minifies_linearly(sampler->minify) ? magnified | choice->minified
                                                  : magnified & ~choice->minified;
-    *mixed =
-        mixes_levels(sampler->minify) ? mixed_quads(sampler, choice, lod_per_lane, *linear) : 0;
+    *mixed = mixes_levels(sampler->minify) && levels_of(state->texture) > 1
+                 ? mixed_quads(sampler, choice, lod_per_lane, *linear)
+                 : 0;
 }
 
 /* A gn_sample_function for samplers of more than one sample a lookup (anisotropic.h). */
