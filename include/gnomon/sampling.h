@@ -14,7 +14,20 @@
  *   border            TEXTURE_BORDER_COLOR     0, 0, 0, 0
  *
  * Cubes are seamless, as with TEXTURE_CUBE_MAP_SEAMLESS: filters reach over their edges, and the
- * wraps are not looked at. */
+ * wraps are not looked at.
+ *
+ * With max_anisotropy above 1 lookups are filtered as EXT_texture_filter_anisotropic states it
+ * (OpenGL 4.6 section 8.14): of the gradients' lengths in texels of level 0, Pmax the greater and
+ * Pmin the less, come N = min(ceil(Pmax / Pmin), max_anisotropy) samples, each as the filters have
+ * it for the level of detail log2(Pmax / N), at i / (N + 1) - 1/2 of the longer gradient from the
+ * place, i being 1 to N. The result is their mean, of samples from 0 to 1 within 4e-7, of equal
+ * ones exact. Depths are compared in each sample. A quad has one N and gradient where it has one
+ * level of detail. Pmin of 0 gives max_anisotropy samples. Of cubes the lengths are those on the
+ * face, and the direction goes along its own gradient. N is 1, and the result that without
+ * anisotropy, where Pmax is not above 1, the texture being magnified, where a length is infinite,
+ * above 1.8e19 or NaN, in 1D textures, which have no other direction, and with explicit levels,
+ * which have no footprint; gathers and fetches have no filter. The reference filters otherwise:
+ * this is not the same by bits (reference/RULES.md). */
 #ifndef GNOMON_SAMPLING_H
 #define GNOMON_SAMPLING_H
 
@@ -25,6 +38,9 @@
 /* Vertices, triangles, fragments and texture samples are processed this many at a
  * time, as structures of arrays. */
 #define GN_LANES 16
+
+/* The most samples of an anisotropic lookup. */
+#define GN_MAX_ANISOTROPY 16
 
 /* What lies beyond 0 to 1 (OpenGL 4.5 table 8.20). */
 typedef enum gn_wrap {
@@ -71,7 +87,7 @@ typedef struct gn_sampler {
     float lod_bias;          /* within -16 to 16, rounded to a multiple of 1/256 */
     bool lod_clamped;        /* false: the next two are not looked at */
     float min_lod, max_lod;  /* min_lod <= max_lod */
-    uint32_t max_anisotropy; /* 0 or 1: there is no anisotropic filter yet */
+    uint32_t max_anisotropy; /* at most GN_MAX_ANISOTROPY; 0 is 1 */
     float border[4];
 } gn_sampler;
 
@@ -121,8 +137,8 @@ typedef struct gn_sampling {
 GN_BEGIN
 
 /* GN_NULL_POINTER; GN_INVALID_ENUM where a field holds none of its values; GN_NOT_FINITE (lod_bias,
- * a border that is NaN, min_lod or max_lod where clamped); GN_OUT_OF_RANGE (min_lod above max_lod);
- * GN_NOT_COMPILED (max_anisotropy above 1). */
+ * a border that is NaN, min_lod or max_lod where clamped); GN_OUT_OF_RANGE (min_lod above max_lod,
+ * max_anisotropy above GN_MAX_ANISOTROPY). */
 GN_API gn_status gn_sampler_check(const gn_sampler *sampler);
 
 /* The same fault in words that name the field, in static storage; null where there is none. */

@@ -527,13 +527,14 @@ static void cube_derivatives(const long double d[3], const long double step[3], 
     out[2] = 0.0L;
 }
 
-long double exact_lod(const gn_texture *texture, const long double coordinate[3],
-                      const long double dx[3], const long double dy[3])
+/* The lengths of two gradients in texels of level 0. */
+static void lengths(const gn_texture *texture, const long double coordinate[3],
+                    const long double dx[3], const long double dy[3], long double length[2])
 {
     const long double size[3] = {(long double)texture->width, (long double)texture->height,
                                  (long double)texture->depth};
     const int count = dimensions(texture->target);
-    long double along[2] = {0.0L, 0.0L};
+    long double square[2] = {0.0L, 0.0L};
     long double x[3], y[3];
 
     memcpy(x, dx, sizeof x);
@@ -543,8 +544,61 @@ long double exact_lod(const gn_texture *texture, const long double coordinate[3]
         cube_derivatives(coordinate, dy, y);
     }
     for (int c = 0; c < count; ++c) {
-        along[0] += x[c] * size[c] * x[c] * size[c];
-        along[1] += y[c] * size[c] * y[c] * size[c];
+        square[0] += x[c] * size[c] * x[c] * size[c];
+        square[1] += y[c] * size[c] * y[c] * size[c];
     }
-    return 0.5L * log2l(along[0] > along[1] ? along[0] : along[1]);
+    length[0] = sqrtl(square[0]);
+    length[1] = sqrtl(square[1]);
+}
+
+long double exact_lod(const gn_texture *texture, const long double coordinate[3],
+                      const long double dx[3], const long double dy[3])
+{
+    long double length[2];
+
+    lengths(texture, coordinate, dx, dy, length);
+    return log2l(length[0] > length[1] ? length[0] : length[1]);
+}
+
+exact_texel exact_sample_anisotropic(const gn_texture *texture, const gn_sampler *sampler,
+                                     const exact_lookup *lookup, const long double dx[3],
+                                     const long double dy[3])
+{
+    const long double most = (long double)sampler->max_anisotropy;
+    exact_texel mean = {{0.0L, 0.0L, 0.0L, 0.0L}, HUGE_VALL};
+    exact_lookup sample = *lookup;
+    long double length[2], count = 1.0L;
+
+    lengths(texture, lookup->coordinate, dx, dy, length);
+
+    const bool is_x = length[0] > length[1];
+    const long double longer = is_x ? length[0] : length[1];
+    const long double ratio = longer / (is_x ? length[1] : length[0]);
+
+    if (texture->target != GN_TEXTURE_1D && sampler->max_anisotropy > 1) {
+        mean.doubt = fabsl(longer - 1.0L);
+        if (longer > 1.0L) {
+            count = !(ratio < most) ? most : ceill(ratio);
+            mean.doubt =
+                fminl(mean.doubt, ratio < most + 0.5L ? fabsl(ratio - roundl(ratio)) : 1.0L);
+        }
+    }
+    sample.lod = log2l(longer / count);
+    for (long double i = 1.0L; i <= count; ++i) {
+        for (int c = 0; c < 3; ++c) {
+            const bool moves = count > 1.0L && !(texture->target == GN_TEXTURE_2D_ARRAY && c == 2);
+
+            sample.coordinate[c] =
+                lookup->coordinate[c] +
+                (moves ? (i / (count + 1.0L) - 0.5L) * (is_x ? dx[c] : dy[c]) : 0.0L);
+        }
+
+        const exact_texel e = exact_sample(texture, sampler, &sample);
+
+        for (int c = 0; c < 4; ++c) {
+            mean.channel[c] += e.channel[c] / count;
+        }
+        mean.doubt = fminl(mean.doubt, e.doubt);
+    }
+    return mean;
 }

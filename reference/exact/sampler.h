@@ -35,4 +35,13 @@ exact_texel exact_sample(const gn_texture *texture, const gn_sampler *sampler,
 long double exact_lod(const gn_texture *texture, const long double coordinate[3],
                       const long double dx[3], const long double dy[3]);
 
+/* The mean of samples along the longer gradient, as EXT_texture_filter_anisotropic has it (OpenGL
+ * 4.6 section 8.14): N = min(ceil(Pmax / Pmin), max_anisotropy) of them, at i / (N + 1) - 1/2 of
+ * it, of log2(Pmax / N) each; lookup->lod is not looked at. Left open by the extension: where Pmax
+ * is not above a texel N is 1; of a cube the direction goes along its gradient, while the
+ * lengths are those on the face; of one dimension N is 1. */
+exact_texel exact_sample_anisotropic(const gn_texture *texture, const gn_sampler *sampler,
+                                     const exact_lookup *lookup, const long double dx[3],
+                                     const long double dy[3]);
+
 #endif

@@ -347,7 +347,7 @@ static bool read_sampler(reader *r, const char *keyword, gn_sampler *s)
         s->min_lod = read_float(r);
         s->max_lod = read_float(r);
     } else if (!strcmp(keyword, "max-anisotropy")) {
-        s->max_anisotropy = read_number(r, 10, 1);
+        s->max_anisotropy = read_number(r, 10, GN_MAX_ANISOTROPY);
     } else if (!strcmp(keyword, "border")) {
         read_floats(r, s->border, 4);
     } else {

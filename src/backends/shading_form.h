@@ -5,7 +5,7 @@
 #include "../shaders/lit.h"
 #include "../shaders/unlit.h"
 #include "../texture/fetch.h"
-#include "../texture/sampling.h"
+#include "../texture/anisotropic.h"
 
 #include "shading.h"
 

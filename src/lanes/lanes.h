@@ -11,6 +11,8 @@
  *   from_bits m_as_int
  *   truncate round                to integers; to_float, as_int, as_float back and across
  *   floor                         stays a float
+ *   quad_left quad_right          of the other column or row of each 2x2 quad
+ *   quad_lower quad_upper
  *   i_add i_sub i_mul i_or i_and  integers, which wrap around
  *   i_shift_left i_shift_right
  *   i_min i_max i_clamp i_select

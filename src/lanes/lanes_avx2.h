@@ -262,6 +262,26 @@ static inline lanes_f lanes_floor(lanes_f a)
     LANES_EACH_REGISTER(lanes_f, _mm256_floor_ps(a.q[n]));
 }
 
+static inline lanes_f lanes_quad_left(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm256_moveldup_ps(a.q[n]));
+}
+
+static inline lanes_f lanes_quad_right(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm256_movehdup_ps(a.q[n]));
+}
+
+static inline lanes_f lanes_quad_lower(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm256_permute2f128_ps(a.q[n], a.q[n], 0x00));
+}
+
+static inline lanes_f lanes_quad_upper(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm256_permute2f128_ps(a.q[n], a.q[n], 0x11));
+}
+
 static inline lanes_i lanes_round(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_i, _mm256_cvtps_epi32(a.q[n]));

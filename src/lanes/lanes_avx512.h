@@ -264,6 +264,30 @@ static inline lanes_f lanes_floor(lanes_f a)
     return lanes_avx512_f(_mm512_floor_ps(a.q));
 }
 
+static inline lanes_f lanes_quad_left(lanes_f a)
+{
+    return lanes_avx512_f(_mm512_permutexvar_ps(
+        _mm512_setr_epi32(0, 0, 2, 2, 4, 4, 6, 6, 8, 8, 10, 10, 12, 12, 14, 14), a.q));
+}
+
+static inline lanes_f lanes_quad_right(lanes_f a)
+{
+    return lanes_avx512_f(_mm512_permutexvar_ps(
+        _mm512_setr_epi32(1, 1, 3, 3, 5, 5, 7, 7, 9, 9, 11, 11, 13, 13, 15, 15), a.q));
+}
+
+static inline lanes_f lanes_quad_lower(lanes_f a)
+{
+    return lanes_avx512_f(_mm512_permutexvar_ps(
+        _mm512_setr_epi32(0, 1, 2, 3, 0, 1, 2, 3, 8, 9, 10, 11, 8, 9, 10, 11), a.q));
+}
+
+static inline lanes_f lanes_quad_upper(lanes_f a)
+{
+    return lanes_avx512_f(_mm512_permutexvar_ps(
+        _mm512_setr_epi32(4, 5, 6, 7, 4, 5, 6, 7, 12, 13, 14, 15, 12, 13, 14, 15), a.q));
+}
+
 static inline lanes_i lanes_round(lanes_f a)
 {
     return lanes_avx512_i(_mm512_cvtps_epi32(a.q));

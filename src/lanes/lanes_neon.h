@@ -282,6 +282,26 @@ static inline lanes_f lanes_floor(lanes_f a)
     LANES_EACH_REGISTER(lanes_f, vrndmq_f32(a.q[n]));
 }
 
+static inline lanes_f lanes_quad_left(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, vtrn1q_f32(a.q[n], a.q[n]));
+}
+
+static inline lanes_f lanes_quad_right(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, vtrn2q_f32(a.q[n], a.q[n]));
+}
+
+static inline lanes_f lanes_quad_lower(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, a.q[n & 2]);
+}
+
+static inline lanes_f lanes_quad_upper(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, a.q[n | 1]);
+}
+
 static inline lanes_i lanes_round(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_i, lanes_neon_converted(a.q[n], vcvtnq_s32_f32(a.q[n])));

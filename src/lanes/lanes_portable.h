@@ -206,6 +206,40 @@ static inline lanes_f lanes_max(lanes_f a, lanes_f b)
     return a;
 }
 
+/* Every lane has the value of the lane in its quad that is in the left or right column and its own
+ * row, or in the lower or upper row and its own column. */
+static inline lanes_f lanes_quad_left(lanes_f a)
+{
+    lanes_f r;
+    GN_EACH_LANE (l)
+        r.v[l] = a.v[l & ~1];
+    return r;
+}
+
+static inline lanes_f lanes_quad_right(lanes_f a)
+{
+    lanes_f r;
+    GN_EACH_LANE (l)
+        r.v[l] = a.v[l | 1];
+    return r;
+}
+
+static inline lanes_f lanes_quad_lower(lanes_f a)
+{
+    lanes_f r;
+    GN_EACH_LANE (l)
+        r.v[l] = a.v[l & ~4];
+    return r;
+}
+
+static inline lanes_f lanes_quad_upper(lanes_f a)
+{
+    lanes_f r;
+    GN_EACH_LANE (l)
+        r.v[l] = a.v[l | 4];
+    return r;
+}
+
 static inline lanes_i lanes_i_splat(int32_t a)
 {
     lanes_i r;

@@ -281,6 +281,26 @@ static inline lanes_f lanes_floor(lanes_f a)
     LANES_EACH_REGISTER(lanes_f, lanes_sse2_floor(a.q[n]));
 }
 
+static inline lanes_f lanes_quad_left(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm_shuffle_ps(a.q[n], a.q[n], _MM_SHUFFLE(2, 2, 0, 0)));
+}
+
+static inline lanes_f lanes_quad_right(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, _mm_shuffle_ps(a.q[n], a.q[n], _MM_SHUFFLE(3, 3, 1, 1)));
+}
+
+static inline lanes_f lanes_quad_lower(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, a.q[n & 2]);
+}
+
+static inline lanes_f lanes_quad_upper(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, a.q[n | 1]);
+}
+
 static inline lanes_i lanes_round(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_cvtps_epi32(a.q[n]));

@@ -267,6 +267,26 @@ static inline lanes_f lanes_floor(lanes_f a)
     LANES_EACH_REGISTER(lanes_f, wasm_f32x4_floor(a.q[n]));
 }
 
+static inline lanes_f lanes_quad_left(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, wasm_i32x4_shuffle(a.q[n], a.q[n], 0, 0, 2, 2));
+}
+
+static inline lanes_f lanes_quad_right(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, wasm_i32x4_shuffle(a.q[n], a.q[n], 1, 1, 3, 3));
+}
+
+static inline lanes_f lanes_quad_lower(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, a.q[n & 2]);
+}
+
+static inline lanes_f lanes_quad_upper(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_f, a.q[n | 1]);
+}
+
 static inline lanes_i lanes_round(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_i, lanes_wasm_truncate(wasm_f32x4_nearest(a.q[n])));

@@ -9,9 +9,11 @@
 
 #include "../lanes/lanes.h"
 
-/* The lanes, as bits, of quads that have one of `lanes`. */
+/* The lanes, as bits, of quads that have one of `lanes`; most often all or none. */
 static inline uint32_t quads_of(uint32_t lanes)
 {
+    if (lanes == 0 || lanes == GN_ALL_LANES)
+        return lanes;
     lanes |= (lanes & 0x5555u) << 1 | (lanes & 0xAAAAu) >> 1;
     return lanes | (lanes & 0x0F0Fu) << 4 | (lanes & 0xF0F0u) >> 4;
 }
@@ -104,8 +106,9 @@ GN_STEP void cube_gradient(const cube_place *place, const lanes_f gradient[3], l
 enum { CUBE_TEXELS = 4 };
 
 typedef struct cube_texels {
-    lanes_i column[CUBE_TEXELS], row[CUBE_TEXELS], face[CUBE_TEXELS];
+    lanes_i left, below; /* column and row of the first; those beyond an edge are -1 */
     lanes_f weight_s, weight_t;
+    bool are_within;               /* all texels of all lanes are on the lane's face */
     uint32_t missing[CUBE_TEXELS]; /* lanes where three faces meet and the texel is none */
     uint32_t weighted;             /* lanes of quads that have a missing texel in a lane */
 } cube_texels;
@@ -181,32 +184,39 @@ static inline lanes_f cube_clamp(lanes_f a)
 GN_STEP void cube_linear(const cube_place *place, lanes_i size, cube_texels *out)
 {
     const lanes_f n = lanes_to_float(size), half = lanes_splat(0.5f);
-    const lanes_i one = lanes_i_splat(1), zero = lanes_i_splat(0);
-    const lanes_i last = lanes_i_sub(size, one);
+    const lanes_i last = lanes_i_sub(size, lanes_i_splat(1));
     const lanes_f s = lanes_sub(lanes_mul(cube_clamp(place->s), n), half);
     const lanes_f t = lanes_sub(lanes_mul(cube_clamp(place->t), n), half);
     const lanes_f whole_s = lanes_floor(s), whole_t = lanes_floor(t);
     const lanes_i left = lanes_truncate(whole_s), below = lanes_truncate(whole_t);
-    const lanes_i right = lanes_i_add(left, one), above = lanes_i_add(below, one);
-    const uint32_t off_left = lanes_bits(lanes_i_greater(zero, left));
-    const uint32_t off_right = lanes_bits(lanes_i_greater(right, last));
-    const uint32_t off_below = lanes_bits(lanes_i_greater(zero, below));
-    const uint32_t off_above = lanes_bits(lanes_i_greater(above, last));
+    const uint32_t off_left = lanes_i_sign_bits(left);
+    const uint32_t off_right = lanes_bits(lanes_not(lanes_i_greater(last, left)));
+    const uint32_t off_below = lanes_i_sign_bits(below);
+    const uint32_t off_above = lanes_bits(lanes_not(lanes_i_greater(last, below)));
 
+    out->left = left;
+    out->below = below;
     out->weight_s = lanes_sub(s, whole_s);
     out->weight_t = lanes_sub(t, whole_t);
+    out->are_within = (off_left | off_right | off_below | off_above) == 0;
     out->missing[0] = off_left & off_below;
     out->missing[1] = off_right & off_below;
     out->missing[2] = off_left & off_above;
     out->missing[3] = off_right & off_above;
     out->weighted = quads_of((off_left | off_right) & (off_below | off_above));
-    for (int i = 0; i < CUBE_TEXELS; ++i) {
-        out->column[i] = i & 1 ? right : left;
-        out->row[i] = i & 2 ? above : below;
-        out->face[i] = place->face;
-        if (off_left | off_right | off_below | off_above)
-            cube_move(last, &out->column[i], &out->row[i], &out->face[i]);
-    }
+}
+
+/* Where texel i lies. */
+GN_STEP void cube_find_texel(const cube_place *place, lanes_i size, const cube_texels *texels,
+                             int i, lanes_i *column, lanes_i *row, lanes_i *face)
+{
+    const lanes_i one = lanes_i_splat(1);
+
+    *column = i & 1 ? lanes_i_add(texels->left, one) : texels->left;
+    *row = i & 2 ? lanes_i_add(texels->below, one) : texels->below;
+    *face = place->face;
+    if (!texels->are_within)
+        cube_move(lanes_i_sub(size, one), column, row, face);
 }
 
 /* The weights of the four texels in quads at a corner: those of the bilinear filter, a missing

@@ -4,24 +4,29 @@
 #ifndef GN_TEXTURE_CUBE_FILTER_H
 #define GN_TEXTURE_CUBE_FILTER_H
 
-#include "filter.h"
+#include "words.h"
 
-/* The levels that the lanes ask for, as bits. */
+/* The levels that the lanes ask for, as bits; most often it is one. */
 static inline uint32_t levels_in(lanes_i level)
 {
     int32_t number[GN_LANES];
     uint32_t bits = 0;
 
     lanes_i_store(number, level);
+    if (lanes_bits(lanes_i_equal(level, lanes_i_splat(number[0]))) == GN_ALL_LANES)
+        return 1u << number[0];
     GN_EACH_LANE (l)
         bits |= 1u << number[l];
     return bits;
 }
 
-static inline lanes_i cube_sizes(const gn_texture *texture, lanes_i level)
+/* Columns of each lane's level, of the set `levels`. */
+static inline lanes_i cube_sizes(const gn_texture *texture, lanes_i level, uint32_t levels)
 {
     int32_t number[GN_LANES];
 
+    if ((levels & (levels - 1)) == 0)
+        return lanes_i_splat((int32_t)size_of_level(texture->width, first_lane(levels)));
     lanes_i_store(number, level);
     GN_EACH_LANE (l)
         number[l] = (int32_t)size_of_level(texture->width, (uint32_t)number[l]);
@@ -53,76 +58,110 @@ GN_OUT_OF_LINE void fetch_cube(const gn_texture *texture, const lanes_i *level, 
 }
 
 GN_OUT_OF_LINE void filter_cube_nearest(const lookup_state *state, const lookup_place *place,
-                                        const lanes_i *level, lanes_f texel[4])
+                                        const lanes_i *level, uint32_t levels, lanes_f texel[4])
 {
-    const lanes_i size = cube_sizes(state->texture, *level);
+    const lanes_i size = cube_sizes(state->texture, *level, levels);
     const lanes_i zero = lanes_i_splat(0), last = lanes_i_sub(size, lanes_i_splat(1));
     const lanes_f n = lanes_to_float(size);
     const lanes_i column = lanes_i_clamp(lanes_truncate(lanes_mul(place->cube->s, n)), zero, last);
     const lanes_i row = lanes_i_clamp(lanes_truncate(lanes_mul(place->cube->t, n)), zero, last);
 
-    fetch_cube(state->texture, level, levels_in(*level), &column, &row, &place->cube->face, texel);
+    fetch_cube(state->texture, level, levels, &column, &row, &place->cube->face, texel);
     if (state->compare != GN_TEXTURE_COMPARE_NONE)
         texel[0] = compared(state->compare, place->reference, texel[0]);
 }
 
 /* The four texels, compared where that is asked for. */
-static inline void fetch_cube_texels(const lookup_state *state, const lookup_place *place,
-                                     const lanes_i *level, const cube_texels *texels,
-                                     lanes_f texel[CUBE_TEXELS][4])
+GN_OUT_OF_LINE void fetch_cube_texels(const lookup_state *state, const lookup_place *place,
+                                      const lanes_i *level, uint32_t levels,
+                                      const cube_texels *texels, lanes_f texel[CUBE_TEXELS][4])
 {
-    const uint32_t levels = levels_in(*level);
+    const lanes_i size = cube_sizes(state->texture, *level, levels);
+    lanes_i column, row, face;
 
     for (int i = 0; i < CUBE_TEXELS; ++i) {
-        fetch_cube(state->texture, level, levels, &texels->column[i], &texels->row[i],
-                   &texels->face[i], texel[i]);
+        cube_find_texel(place->cube, size, texels, i, &column, &row, &face);
+        fetch_cube(state->texture, level, levels, &column, &row, &face, texel[i]);
         if (state->compare != GN_TEXTURE_COMPARE_NONE)
             texel[i][0] = compared(state->compare, place->reference, texel[i][0]);
     }
 }
 
 /* As filter_linear has it for other targets. */
-GN_OUT_OF_LINE void filter_cube_linear(const lookup_state *state, const lookup_place *place,
-                                       const lanes_i *level, uint32_t linear, lanes_f texel[4])
+GN_OUT_OF_LINE void mix_cube_texels(const lookup_state *state, const lookup_place *place,
+                                    const lanes_i *level, uint32_t levels,
+                                    const cube_texels *texels, lanes_f texel[4])
 {
-    cube_texels texels;
     lanes_f corner[CUBE_TEXELS][4], weight[CUBE_TEXELS];
 
-    cube_linear(place->cube, cube_sizes(state->texture, *level), &texels);
-    texels.weight_s = weights_of(linear, texels.weight_s);
-    texels.weight_t = weights_of(linear, texels.weight_t);
-    fetch_cube_texels(state, place, level, &texels, corner);
+    fetch_cube_texels(state, place, level, levels, texels, corner);
     for (int c = 0; c < 4; ++c)
-        texel[c] =
-            mix(texels.weight_t, mix_along_s(state, c, texels.weight_s, corner[0][c], corner[1][c]),
-                mix_along_s(state, c, texels.weight_s, corner[2][c], corner[3][c]));
-    if (texels.weighted == 0)
+        texel[c] = mix(texels->weight_t,
+                       mix_along_s(state, c, texels->weight_s, corner[0][c], corner[1][c]),
+                       mix_along_s(state, c, texels->weight_s, corner[2][c], corner[3][c]));
+    if (texels->weighted == 0)
         return;
-    cube_weights(&texels, weight);
+    cube_weights(texels, weight);
     /* Weights may add up to a little less than 1: what the format lacks stays 0 or 1. */
     for (int c = 0; c < texel_channels(state->texture->format); ++c) {
         const lanes_f of_channel[CUBE_TEXELS] = {corner[0][c], corner[1][c], corner[2][c],
                                                  corner[3][c]};
 
         texel[c] =
-            lanes_select(lanes_from_bits(texels.weighted), cube_mix(weight, of_channel), texel[c]);
+            lanes_select(lanes_from_bits(texels->weighted), cube_mix(weight, of_channel), texel[c]);
     }
 }
-/* One level a lane, of lanes that are `linear` by the linear filter; quads as filter_level does. */
+
+/* Where all texels are words within the lanes' faces: those of a row are neighbours. */
+static inline void mix_cube_words(const lookup_state *state, const lookup_place *place,
+                                  uint32_t level, const cube_texels *texels, lanes_f texel[4])
+{
+    const gn_texture_level *const l = &state->texture->level[level];
+    const stored_word *const words = l->texels;
+    const lanes_i layer = lanes_i_splat((int32_t)(l->layer_stride / 4));
+    const lanes_i index =
+        lanes_i_add(lanes_i_mul(place->cube->face, layer),
+                    lanes_i_add(row_of_words(state, level, texels->below), texels->left));
+    lanes_i corner[CORNER_COUNT];
+
+    lanes_i_gather_pairs(words, index, &corner[CORNER_00], &corner[CORNER_10]);
+    lanes_i_gather_pairs(words + l->row_stride / 4, index, &corner[CORNER_01], &corner[CORNER_11]);
+    mix_words(corner, texels->weight_s, texels->weight_t, texel);
+}
+
+GN_OUT_OF_LINE void filter_cube_linear(const lookup_state *state, const lookup_place *place,
+                                       const lanes_i *level, uint32_t levels, uint32_t linear,
+                                       lanes_f texel[4])
+{
+    const uint32_t first = first_lane(levels);
+    cube_texels texels;
+
+    cube_linear(place->cube, cube_sizes(state->texture, *level, levels), &texels);
+    texels.weight_s = weights_of(linear, texels.weight_s);
+    texels.weight_t = weights_of(linear, texels.weight_t);
+    if (texels.are_within && (levels & (levels - 1)) == 0 && cube_has_words(state, first))
+        mix_cube_words(state, place, first, &texels, texel);
+    else
+        mix_cube_texels(state, place, level, levels, &texels, texel);
+}
+
+/* One level a lane, of the set `levels`, of lanes that are `linear` by the linear filter; quads as
+ * filter_level does. */
 GN_OUT_OF_LINE void filter_cube(const lookup_state *state, const lookup_place *place,
-                                const lanes_i *level, uint32_t linear, lanes_f texel[4])
+                                const lanes_i *level, uint32_t levels, uint32_t linear,
+                                lanes_f texel[4])
 {
     const uint32_t linear_quads = quads_of(linear);
     lanes_f nearest[4];
 
     if (linear_quads == 0) {
-        filter_cube_nearest(state, place, level, texel);
+        filter_cube_nearest(state, place, level, levels, texel);
         return;
     }
-    filter_cube_linear(state, place, level, linear, texel);
+    filter_cube_linear(state, place, level, levels, linear, texel);
     if (linear_quads == GN_ALL_LANES)
         return;
-    filter_cube_nearest(state, place, level, nearest);
+    filter_cube_nearest(state, place, level, levels, nearest);
     for (int c = 0; c < 4; ++c)
         texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
 }
@@ -136,8 +175,8 @@ GN_OUT_OF_LINE void gather_cube(const lookup_state *state, const lookup_place *p
     lanes_f corner[CUBE_TEXELS][4], of_channel[CUBE_TEXELS];
     cube_texels texels;
 
-    cube_linear(place->cube, cube_sizes(state->texture, level), &texels);
-    fetch_cube_texels(state, place, &level, &texels, corner);
+    cube_linear(place->cube, cube_sizes(state->texture, level, 1), &texels);
+    fetch_cube_texels(state, place, &level, 1, &texels, corner);
     for (int i = 0; i < CUBE_TEXELS; ++i)
         of_channel[i] = corner[i][channel];
     if (texels.weighted)

@@ -11,8 +11,9 @@
 /* What is the same for all lanes and levels of a lookup. */
 typedef struct lookup_state {
     const gn_texture *texture;
-    int channels;   /* of the format: the first ones */
-    int dimensions; /* that are filtered along: 1 to 3 */
+    gn_texture_target target; /* the texture's */
+    int channels;             /* of the format: the first ones */
+    int dimensions;           /* that are filtered along: 1 to 3 */
     gn_wrap wrap[3];
     bool masked[3];
     bool has_border;

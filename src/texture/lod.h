@@ -26,41 +26,23 @@ static inline bool has_levels(gn_minify minify)
 /* Every lane has the value of its quad's lower left one. */
 static inline lanes_f of_first_in_quad(lanes_f a)
 {
-    float value[GN_LANES];
-
-    lanes_store(value, a);
-    for (int quad = 0; quad < 4; ++quad) {
-        float *const first = value + quad / 2 * 8 + quad % 2 * 2;
-
-        first[1] = first[4] = first[5] = first[0];
-    }
-    return lanes_load(value);
+    return lanes_quad_lower(lanes_quad_left(a));
 }
 
-/* Differences to the next column and row, in the lower left lane of each quad; in others some
- * number. */
+/* Differences to the next column and row, of each lane's own row and column of the quad. */
 static inline void quad_differences(lanes_f a, lanes_f *along_x, lanes_f *along_y)
 {
-    float value[GN_LANES + 4];
-
-    lanes_store(value, a);
-    for (int l = 0; l < 4; ++l)
-        value[GN_LANES + l] = 0.0f;
-    *along_x = lanes_sub(lanes_load(value + 1), a);
-    *along_y = lanes_sub(lanes_load(value + 4), a);
+    *along_x = lanes_sub(lanes_quad_right(a), lanes_quad_left(a));
+    *along_y = lanes_sub(lanes_quad_upper(a), lanes_quad_lower(a));
 }
 
-/* The greater of the squared lengths of two gradients, in texels; of a single dimension the greater
- * length itself. */
-static inline lanes_f footprint_of(const lookup_state *state, const lanes_f along_x[3],
-                                   const lanes_f along_y[3])
+/* The squared lengths of two gradients, in texels. */
+GN_INLINE void squared_lengths(const lookup_state *state, const lanes_f along_x[3],
+                               const lanes_f along_y[3], lanes_f *out_x, lanes_f *out_y)
 {
     lanes_f x = lanes_splat(0.0f), y = x;
 
-    if (state->dimensions == 1)
-        return lanes_mul(lanes_max(lanes_magnitude(along_x[0]), lanes_magnitude(along_y[0])),
-                         lanes_splat((float)state->texture->width));
-    for (int n = 0; n < state->dimensions; ++n) {
+    for (int n = 0; n < 3 && n < state->dimensions; ++n) {
         const lanes_f size = lanes_splat((float)size_along(state, 0, n));
         const lanes_f dx = lanes_mul(along_x[n], size);
         const lanes_f dy = lanes_mul(along_y[n], size);
@@ -68,6 +50,20 @@ static inline lanes_f footprint_of(const lookup_state *state, const lanes_f alon
         x = n == 0 ? lanes_mul(dx, dx) : lanes_add(x, lanes_mul(dx, dx));
         y = n == 0 ? lanes_mul(dy, dy) : lanes_add(y, lanes_mul(dy, dy));
     }
+    *out_x = x;
+    *out_y = y;
+}
+
+/* The greater of the squared lengths; of a single dimension the greater length itself. */
+GN_INLINE lanes_f footprint_of(const lookup_state *state, const lanes_f along_x[3],
+                               const lanes_f along_y[3])
+{
+    lanes_f x, y;
+
+    if (state->dimensions == 1)
+        return lanes_mul(lanes_max(lanes_magnitude(along_x[0]), lanes_magnitude(along_y[0])),
+                         lanes_splat((float)state->texture->width));
+    squared_lengths(state, along_x, along_y, &x, &y);
     return lanes_max(x, y);
 }
 
@@ -115,7 +111,7 @@ static inline lod_adjustment lod_adjustment_of(const gn_sampler *sampler)
 {
     lod_adjustment a;
 
-    a.bias = quantised_bias(sampler->lod_bias);
+    a.bias = sampler->lod_bias == 0.0f ? 0.0f : quantised_bias(sampler->lod_bias);
     a.least = sampler->lod_clamped ? sampler->min_lod : 0.0f;
     a.most = sampler->lod_clamped ? sampler->max_lod : (float)GN_MAX_LEVELS;
     a.has_least = a.least > 0.0f;
@@ -139,14 +135,13 @@ static inline void choose_levels(const gn_sampler *sampler, int32_t last, lanes_
     if (mixes_levels(sampler->minify)) {
         const lanes_f whole = lanes_floor(lod);
         const lanes_i level = lanes_truncate(whole);
-        const lanes_m below = lanes_i_greater(zero, level);
-        const lanes_m above = lanes_not(lanes_i_greater(top, level));
-        const lanes_f none = lanes_splat(0.0f);
+        const lanes_i next = lanes_i_add(level, lanes_i_splat(1));
 
-        out->level = lanes_i_clamp(level, zero, top);
-        out->next = lanes_i_clamp(
-            lanes_i_select(below, level, lanes_i_add(level, lanes_i_splat(1))), zero, top);
-        out->weight = lanes_select(below, none, lanes_select(above, none, lanes_sub(lod, whole)));
+        out->level = lanes_i_max(lanes_i_min(level, top), zero);
+        out->next = lanes_i_max(lanes_i_min(next, top), zero);
+        /* Below the first level and from the last on both are the same. */
+        out->weight = lanes_select(lanes_i_greater(out->next, out->level), lanes_sub(lod, whole),
+                                   lanes_splat(0.0f));
     } else {
         out->level = out->next = lanes_i_clamp(lanes_round(lod), zero, top);
         out->weight = lanes_splat(0.0f);
@@ -167,47 +162,31 @@ static inline void choose_nearest_level(bool squared, int32_t last, lanes_f foot
     out->weight = lanes_splat(0.0f);
 }
 
-/* The gradient of a lane's direction, which is its own also where differences are taken. */
-static inline void direction_gradients(const gn_lookup *lookup, lanes_f along_x[3],
-                                       lanes_f along_y[3])
+/* The gradients that a lookup gives, or the differences of its coordinates: of a cube's direction,
+ * of which a lane has its own. */
+GN_INLINE void find_gradients(const lookup_state *state, const lookup_place *place,
+                              const gn_lookup *lookup, lanes_f along_x[3], lanes_f along_y[3])
 {
-    float x[GN_LANES], y[GN_LANES];
+    const bool is_cube = state->target == GN_TEXTURE_CUBE;
+    const int count = is_cube ? 3 : state->dimensions;
+    lanes_f x[3], y[3];
 
-    for (int n = 0; n < 3; ++n) {
-        const float *const value = lookup->coordinate[n];
-
-        if (lookup->lod_source == GN_LOD_GRADIENTS) {
-            along_x[n] = lanes_load(lookup->gradient_x[n]);
-            along_y[n] = lanes_load(lookup->gradient_y[n]);
-            continue;
-        }
-        GN_EACH_LANE (l) {
-            x[l] = value[l | 1] - value[l & ~1];
-            y[l] = value[l | 4] - value[l & ~4];
-        }
-        along_x[n] = lanes_load(x);
-        along_y[n] = lanes_load(y);
-    }
-}
-
-static inline void find_gradients(const lookup_state *state, const lookup_place *place,
-                                  const gn_lookup *lookup, lanes_f along_x[3], lanes_f along_y[3])
-{
-    if (state->texture->target == GN_TEXTURE_CUBE) {
-        lanes_f x[3], y[3];
-
-        direction_gradients(lookup, x, y);
-        cube_gradient(place->cube, x, along_x);
-        cube_gradient(place->cube, y, along_y);
-        return;
-    }
-    for (int n = 0; n < state->dimensions; ++n) {
+    for (int n = 0; n < 3 && n < count; ++n) {
         if (lookup->lod_source == GN_LOD_GRADIENTS) {
             along_x[n] = lanes_load(lookup->gradient_x[n]);
             along_y[n] = lanes_load(lookup->gradient_y[n]);
         } else {
-            quad_differences(place->coordinate[n], &along_x[n], &along_y[n]);
+            quad_differences(is_cube ? lanes_load(lookup->coordinate[n]) : place->coordinate[n],
+                             &along_x[n], &along_y[n]);
         }
+    }
+    if (!is_cube)
+        return;
+    cube_gradient(place->cube, along_x, x);
+    cube_gradient(place->cube, along_y, y);
+    for (int n = 0; n < 2; ++n) {
+        along_x[n] = x[n];
+        along_y[n] = y[n];
     }
 }
 
@@ -220,28 +199,39 @@ static inline lanes_f finite_footprint(lanes_f footprint)
 
 /* A quad has one footprint, its lower left lane's, but where gradients are given, and on cubes with
  * levels or a level of detail of each lane. */
-static inline lanes_f find_footprint(const lookup_state *state, const gn_sampler *sampler,
-                                     const lookup_place *place, const gn_lookup *lookup)
+static inline bool has_own_footprint(const lookup_state *state, const gn_sampler *sampler,
+                                     const gn_lookup *lookup)
 {
-    const bool is_cube = state->texture->target == GN_TEXTURE_CUBE;
-    const bool has_own =
-        is_cube && (lookup->lod || (has_levels(sampler->minify) && levels_of(state->texture) > 1));
+    return lookup->lod_source == GN_LOD_GRADIENTS ||
+           (state->target == GN_TEXTURE_CUBE &&
+            (lookup->lod || (has_levels(sampler->minify) && levels_of(state->texture) > 1)));
+}
+
+/* That of each lane, from the lanes' own. */
+GN_INLINE lanes_f shared_footprint(const lookup_state *state, const gn_sampler *sampler,
+                                   const gn_lookup *lookup, lanes_f footprint)
+{
+    const lanes_f shared =
+        has_own_footprint(state, sampler, lookup) ? footprint : of_first_in_quad(footprint);
+
+    return state->target == GN_TEXTURE_CUBE || lookup->lod_source == GN_LOD_GRADIENTS
+               ? finite_footprint(shared)
+               : shared;
+}
+
+GN_INLINE lanes_f find_footprint(const lookup_state *state, const gn_sampler *sampler,
+                                 const lookup_place *place, const gn_lookup *lookup)
+{
     lanes_f along_x[3], along_y[3];
 
     find_gradients(state, place, lookup, along_x, along_y);
-
-    const lanes_f footprint = footprint_of(state, along_x, along_y);
-    if (is_cube || lookup->lod_source == GN_LOD_GRADIENTS)
-        return finite_footprint(has_own || !is_cube || lookup->lod_source == GN_LOD_GRADIENTS
-                                    ? footprint
-                                    : of_first_in_quad(footprint));
-    return of_first_in_quad(footprint);
+    return shared_footprint(state, sampler, lookup, footprint_of(state, along_x, along_y));
 }
 
-/* The levels of a lookup in a texture whose last level is `last`. */
-static inline void find_levels(const lookup_state *state, const gn_sampler *sampler,
-                               const lookup_place *place, const gn_lookup *lookup,
-                               level_choice *out)
+/* The levels of a lookup, of a footprint that is known where it is not null. */
+GN_INLINE void find_levels(const lookup_state *state, const gn_sampler *sampler,
+                           const lookup_place *place, const gn_lookup *lookup, const lanes_f *known,
+                           level_choice *out)
 {
     const int32_t last = (int32_t)levels_of(state->texture) - 1;
     const lod_adjustment a = lod_adjustment_of(sampler);
@@ -255,7 +245,7 @@ static inline void find_levels(const lookup_state *state, const gn_sampler *samp
         return;
     }
     if (lookup->lod_source != GN_LOD_EXPLICIT) {
-        const lanes_f footprint = find_footprint(state, sampler, place, lookup);
+        const lanes_f footprint = known ? *known : find_footprint(state, sampler, place, lookup);
 
         if (!adjusted && !mixes_levels(sampler->minify)) {
             choose_nearest_level(squared, last, footprint, out);

@@ -36,8 +36,8 @@ static inline fault fault_of_sampler(const gn_sampler *s)
              "compare is no gn_texture_compare");
     FAULT_IF(!gn_is_finite(s->lod_bias), GN_NOT_FINITE, "lod_bias is not finite");
     FAULT_FROM(fault_of_lod_range(s));
-    FAULT_IF(s->max_anisotropy > 1, GN_NOT_COMPILED,
-             "max_anisotropy is above 1, for which there is no filter yet");
+    FAULT_IF(s->max_anisotropy > GN_MAX_ANISOTROPY, GN_OUT_OF_RANGE,
+             "max_anisotropy is above GN_MAX_ANISOTROPY");
     for (int c = 0; c < 4; ++c)
         FAULT_IF(s->border[c] != s->border[c], GN_NOT_FINITE, "a number of border is NaN");
     return NO_FAULT;

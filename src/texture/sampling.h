@@ -46,21 +46,20 @@ static inline void store_channel(const lookup_state *state, int channel, lanes_f
     lanes_store(out, is_there ? value : lanes_splat(channel < 3 ? 0.0f : 1.0f));
 }
 
-static inline void set_lookup_state(lookup_state *state, const gn_texture *texture,
-                                    const gn_sampler *sampler)
+GN_INLINE void set_lookup_state(lookup_state *state, const gn_texture *texture,
+                                gn_texture_target target, const gn_sampler *sampler)
 {
     const uint32_t size[3] = {texture->width, texture->height, texture->depth};
 
     state->texture = texture;
+    state->target = target;
     state->channels = texel_channels(texture->format);
-    state->dimensions = texture->target == GN_TEXTURE_1D   ? 1
-                        : texture->target == GN_TEXTURE_3D ? 3
-                                                           : 2;
+    state->dimensions = target == GN_TEXTURE_1D ? 1 : target == GN_TEXTURE_3D ? 3 : 2;
     state->wrap[0] = sampler->wrap_s;
     state->wrap[1] = sampler->wrap_t;
     state->wrap[2] = sampler->wrap_r;
     state->has_border = false;
-    for (int n = 0; n < state->dimensions; ++n) {
+    for (int n = 0; n < 3 && n < state->dimensions; ++n) {
         state->masked[n] = is_masked(state->wrap[n], size[n]);
         state->has_border = state->has_border || state->wrap[n] == GN_WRAP_CLAMP_TO_BORDER;
     }
@@ -69,15 +68,15 @@ static inline void set_lookup_state(lookup_state *state, const gn_texture *textu
         set_border(state, sampler);
 }
 
-static inline void set_lookup_place(const lookup_state *state, const gn_lookup *lookup,
-                                    lookup_place *place)
+GN_INLINE void set_lookup_place(const lookup_state *state, const gn_lookup *lookup,
+                                lookup_place *place)
 {
-    const int count = state->texture->target == GN_TEXTURE_CUBE ? 0 : state->dimensions;
+    const int count = state->target == GN_TEXTURE_CUBE ? 0 : state->dimensions;
 
-    for (int n = 0; n < count; ++n)
+    for (int n = 0; n < 3 && n < count; ++n)
         place->coordinate[n] = lanes_load(lookup->coordinate[n]);
     place->layer = lanes_i_splat(0);
-    if (state->texture->target == GN_TEXTURE_2D_ARRAY)
+    if (state->target == GN_TEXTURE_2D_ARRAY)
         place->layer =
             lanes_i_clamp(lanes_round(lanes_load(lookup->coordinate[2])), lanes_i_splat(0),
                           lanes_i_splat((int32_t)state->texture->depth - 1));
@@ -88,12 +87,12 @@ static inline void set_lookup_place(const lookup_state *state, const gn_lookup *
 }
 
 /* The same of a cube, of which `cube` says more as long as the place is used. */
-static inline void set_cube_place(const lookup_state *state, const gn_lookup *lookup,
-                                  bool has_gradients, cube_place *cube, lookup_place *place)
+GN_INLINE void set_cube_place(const lookup_state *state, const gn_lookup *lookup,
+                              bool has_gradients, cube_place *cube, lookup_place *place)
 {
     lanes_f direction[3];
 
-    if (state->texture->target != GN_TEXTURE_CUBE)
+    if (state->target != GN_TEXTURE_CUBE)
         return;
     for (int n = 0; n < 3; ++n)
         direction[n] = lanes_load(lookup->coordinate[n]);
@@ -121,8 +120,8 @@ static inline void filter_level_linear(const lookup_state *state, const lookup_p
 
 /* One level, of lanes that are `linear` by the linear filter. Quads are filtered as a whole: one
  * with a linear lane by the linear filter, of which the others take the nearer texels. */
-GN_OUT_OF_LINE void filter_level(const lookup_state *state, const lookup_place *place,
-                                 uint32_t level, uint32_t linear, lanes_f texel[4])
+GN_OUT_OF_LINE void filter_level_by_quads(const lookup_state *state, const lookup_place *place,
+                                          uint32_t level, uint32_t linear, lanes_f texel[4])
 {
     const uint32_t linear_quads = quads_of(linear);
     lanes_f nearest[4];
@@ -139,6 +138,26 @@ GN_OUT_OF_LINE void filter_level(const lookup_state *state, const lookup_place *
         texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
 }
 
+static inline void filter_level(const lookup_state *state, const lookup_place *place,
+                                uint32_t level, uint32_t linear, lanes_f texel[4])
+{
+    if (linear == GN_ALL_LANES)
+        filter_level_linear(state, place, level, linear, texel);
+    else
+        filter_level_by_quads(state, place, level, linear, texel);
+}
+
+/* A lane's level, the set of all lanes' being `levels`. */
+static inline void filter_lanes_level(const lookup_state *state, const lookup_place *place,
+                                      const lanes_i *level, uint32_t levels, uint32_t linear,
+                                      lanes_f texel[4])
+{
+    if (state->target == GN_TEXTURE_CUBE)
+        filter_cube(state, place, level, levels, linear, texel);
+    else
+        filter_level(state, place, first_lane(levels), linear, texel);
+}
+
 /* The quads that mix two levels, all their lanes: weights of 0 show where a texel is not finite. */
 static inline uint32_t mixed_quads(const gn_sampler *sampler, const level_choice *choice,
                                    bool lod_per_lane, uint32_t linear)
@@ -151,26 +170,28 @@ static inline uint32_t mixed_quads(const gn_sampler *sampler, const level_choice
     return weighted | (quads_of(linear) & quads_of(choice->minified));
 }
 
-/* The levels of the lanes, mixed where `mixed`. */
-GN_OUT_OF_LINE void filter_levels(const lookup_state *state, const lookup_place *place,
-                                  const level_choice *choice, uint32_t linear, uint32_t mixed,
-                                  lanes_f texel[4])
+/* Two levels mixed in the lanes that are `mixed`, in others the first. */
+static inline void mix_levels(const level_choice *choice, uint32_t mixed, const lanes_f above[4],
+                              lanes_f texel[4])
 {
-    uint32_t levels = levels_in(choice->level) | (mixed ? levels_in(choice->next) : 0);
-    lanes_f filtered[4], above[4];
+    const lanes_m is_mixed = lanes_from_bits(mixed);
 
-    if (state->texture->target != GN_TEXTURE_CUBE && (levels & (levels - 1)) == 0 && !mixed) {
-        filter_level(state, place, first_lane(levels), linear, texel);
-        return;
+    for (int c = 0; c < 4; ++c) {
+        const lanes_f both = mix(choice->weight, texel[c], above[c]);
+
+        texel[c] = mixed == GN_ALL_LANES ? both : lanes_select(is_mixed, both, texel[c]);
     }
+}
+
+/* Where lanes have several levels: one after the other, for all lanes. */
+GN_OUT_OF_LINE void filter_each_level(const lookup_state *state, const lookup_place *place,
+                                      const level_choice *choice, uint32_t levels, uint32_t linear,
+                                      lanes_f texel[4], lanes_f above[4])
+{
+    lanes_f filtered[4];
+
     for (int c = 0; c < 4; ++c)
         texel[c] = above[c] = lanes_splat(0.0f);
-    if (state->texture->target == GN_TEXTURE_CUBE) {
-        filter_cube(state, place, &choice->level, linear, texel);
-        if (mixed)
-            filter_cube(state, place, &choice->next, linear, above);
-        levels = 0;
-    }
     for (; levels; levels &= levels - 1) {
         const uint32_t level = first_lane(levels);
         const lanes_i number = lanes_i_splat((int32_t)level);
@@ -183,9 +204,26 @@ GN_OUT_OF_LINE void filter_levels(const lookup_state *state, const lookup_place 
             above[c] = lanes_select(is_next, filtered[c], above[c]);
         }
     }
-    for (int c = 0; mixed && c < 4; ++c)
-        texel[c] =
-            lanes_select(lanes_from_bits(mixed), mix(choice->weight, texel[c], above[c]), texel[c]);
+}
+
+/* The levels of the lanes, mixed where `mixed`. */
+GN_INLINE void filter_levels(const lookup_state *state, const lookup_place *place,
+                             const level_choice *choice, uint32_t linear, uint32_t mixed,
+                             lanes_f texel[4])
+{
+    const uint32_t first = levels_in(choice->level);
+    const uint32_t next = mixed ? levels_in(choice->next) : 0;
+    lanes_f above[4];
+
+    if (state->target != GN_TEXTURE_CUBE && ((first & (first - 1)) || (next & (next - 1)))) {
+        filter_each_level(state, place, choice, first | next, linear, texel, above);
+    } else {
+        filter_lanes_level(state, place, &choice->level, first, linear, texel);
+        if (mixed)
+            filter_lanes_level(state, place, &choice->next, next, linear, above);
+    }
+    if (mixed)
+        mix_levels(choice, mixed, above, texel);
 }
 
 /* Whether the level of detail decides anything. */
@@ -194,9 +232,48 @@ static inline bool asks_for_lod(const gn_texture *texture, const gn_sampler *sam
     return !has_one_filter(sampler) || (has_levels(sampler->minify) && levels_of(texture) > 1);
 }
 
-/* A gn_sample_function. */
-static inline void sample_any(const gn_texture *texture, const gn_sampler *sampler,
-                              const gn_lookup *lookup, float texel[4][GN_LANES])
+/* Whether gradients decide anything, but those of several samples. */
+static inline bool asks_for_gradients(const gn_texture *texture, const gn_sampler *sampler,
+                                      const gn_lookup *lookup)
+{
+    return asks_for_lod(texture, sampler) && lookup->lod_source != GN_LOD_EXPLICIT &&
+           !(has_one_lod(sampler) && sampler->min_lod >= 0.0f);
+}
+
+/* Which lanes the linear filter serves, and which mix two levels. */
+GN_INLINE void choose_filters(const lookup_state *state, const gn_sampler *sampler,
+                              const gn_lookup *lookup, level_choice *choice, uint32_t *linear,
+                              uint32_t *mixed)
+{
+    const uint32_t magnified = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
+    const bool lod_per_lane = has_lod_per_lane(lookup) || state->target == GN_TEXTURE_CUBE;
+
+    if (!has_levels(sampler->minify))
+        choice->level = choice->next = lanes_i_splat(0);
+    *linear = minifies_linearly(sampler->minify) ? magnified | choice->minified
+                                                 : magnified & ~choice->minified;
+    *mixed = mixes_levels(sampler->minify) && levels_of(state->texture) > 1
+                 ? mixed_quads(sampler, choice, lod_per_lane, *linear)
+                 : 0;
+}
+
+/* A gn_sample_function for samplers of more than one sample a lookup (anisotropic.h). */
+GN_OUT_OF_LINE void sample_anisotropic(const gn_texture *texture, const gn_sampler *sampler,
+                                       const gn_lookup *lookup, float texel[4][GN_LANES]);
+
+/* Whether lookups may have several samples. A level that is given has no footprint, and that of one
+ * dimension no other direction. */
+static inline bool is_anisotropic(const gn_texture *texture, const gn_sampler *sampler,
+                                  const gn_lookup *lookup)
+{
+    return sampler->max_anisotropy > 1 && lookup->lod_source != GN_LOD_EXPLICIT &&
+           texture->target != GN_TEXTURE_1D;
+}
+
+/* A lookup in a texture of a target, which is a constant where it is a common one. */
+GN_INLINE void sample_target(const gn_texture *texture, gn_texture_target target,
+                             const gn_sampler *sampler, const gn_lookup *lookup,
+                             float texel[4][GN_LANES])
 {
     const bool finds_lod = asks_for_lod(texture, sampler);
     lookup_state state;
@@ -205,33 +282,65 @@ static inline void sample_any(const gn_texture *texture, const gn_sampler *sampl
     level_choice choice;
     lanes_f out[4];
     uint32_t linear = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
-    uint32_t mixed = 0;
+    uint32_t mixed;
 
-    set_lookup_state(&state, texture, sampler);
+    if (is_anisotropic(texture, sampler, lookup)) {
+        sample_anisotropic(texture, sampler, lookup, texel);
+        return;
+    }
+    set_lookup_state(&state, texture, target, sampler);
     set_lookup_place(&state, lookup, &place);
-    set_cube_place(&state, lookup,
-                   finds_lod && lookup->lod_source != GN_LOD_EXPLICIT &&
-                       !(has_one_lod(sampler) && sampler->min_lod >= 0.0f),
-                   &cube, &place);
-    if (!finds_lod && texture->target == GN_TEXTURE_CUBE) {
-        choice.level = lanes_i_splat(0);
-        filter_cube(&state, &place, &choice.level, linear, out);
-    } else if (!finds_lod) {
-        filter_level(&state, &place, 0, linear, out);
-    } else {
-        find_levels(&state, sampler, &place, lookup, &choice);
-        if (!has_levels(sampler->minify))
-            choice.level = choice.next = lanes_i_splat(0);
-        linear = minifies_linearly(sampler->minify) ? linear | choice.minified
-                                                    : linear & ~choice.minified;
-        if (mixes_levels(sampler->minify))
-            mixed =
-                mixed_quads(sampler, &choice,
-                            has_lod_per_lane(lookup) || texture->target == GN_TEXTURE_CUBE, linear);
+    set_cube_place(&state, lookup, asks_for_gradients(texture, sampler, lookup), &cube, &place);
+    if (finds_lod) {
+        find_levels(&state, sampler, &place, lookup, 0, &choice);
+        choose_filters(&state, sampler, lookup, &choice, &linear, &mixed);
         filter_levels(&state, &place, &choice, linear, mixed, out);
+    } else {
+        choice.level = lanes_i_splat(0);
+        filter_lanes_level(&state, &place, &choice.level, 1, linear, out);
     }
     for (int c = 0; c < 4; ++c)
         store_channel(&state, c, out[c], texel[c]);
+}
+
+/* A lookup in a 2D texture by differences of coordinates alone, the most common one. */
+GN_OUT_OF_LINE void sample_implicit_2d(const gn_texture *texture, const gn_sampler *sampler,
+                                       const float s[GN_LANES], const float t[GN_LANES],
+                                       float texel[4][GN_LANES])
+{
+    gn_lookup lookup;
+
+    lookup.coordinate[0] = s;
+    lookup.coordinate[1] = t;
+    lookup.reference = 0;
+    lookup.lod_source = GN_LOD_IMPLICIT;
+    lookup.lod = 0;
+    sample_target(texture, GN_TEXTURE_2D, sampler, &lookup, texel);
+}
+
+GN_OUT_OF_LINE void sample_cube(const gn_texture *texture, const gn_sampler *sampler,
+                                const gn_lookup *lookup, float texel[4][GN_LANES])
+{
+    sample_target(texture, GN_TEXTURE_CUBE, sampler, lookup, texel);
+}
+
+GN_OUT_OF_LINE void sample_otherwise(const gn_texture *texture, const gn_sampler *sampler,
+                                     const gn_lookup *lookup, float texel[4][GN_LANES])
+{
+    sample_target(texture, texture->target, sampler, lookup, texel);
+}
+
+/* A gn_sample_function. */
+static inline void sample_any(const gn_texture *texture, const gn_sampler *sampler,
+                              const gn_lookup *lookup, float texel[4][GN_LANES])
+{
+    if (GN_SPECIALISED && texture->target == GN_TEXTURE_2D && !has_lod_per_lane(lookup) &&
+        lookup->lod_source == GN_LOD_IMPLICIT && !is_compared(texture->format, sampler))
+        sample_implicit_2d(texture, sampler, lookup->coordinate[0], lookup->coordinate[1], texel);
+    else if (GN_SPECIALISED && texture->target == GN_TEXTURE_CUBE)
+        sample_cube(texture, sampler, lookup, texel);
+    else
+        sample_otherwise(texture, sampler, lookup, texel);
 }
 
 /* A gn_sample_2d_function. */
@@ -243,6 +352,10 @@ static inline void sample_any_2d(const gn_texture *texture, const gn_sampler *sa
 
     if (is_simple(texture, sampler)) {
         sample_simple_2d(texture, sampler, s, t, texel);
+        return;
+    }
+    if (texture->target == GN_TEXTURE_2D) {
+        sample_implicit_2d(texture, sampler, s, t, texel);
         return;
     }
     lookup.coordinate[0] = s;
@@ -265,7 +378,7 @@ static inline void gather_any(const gn_texture *texture, const gn_sampler *sampl
     lanes_i number[2][2];
     lanes_f fetched[4];
 
-    set_lookup_state(&state, texture, sampler);
+    set_lookup_state(&state, texture, texture->target, sampler);
     set_lookup_place(&state, lookup, &place);
     set_cube_place(&state, lookup, false, &cube, &place);
     if (state.compare != GN_TEXTURE_COMPARE_NONE)

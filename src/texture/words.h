@@ -7,16 +7,27 @@
 
 static inline bool level_has_words(const lookup_state *state, uint32_t level)
 {
-    return state->texture->target == GN_TEXTURE_2D && !state->has_border &&
+    return state->target == GN_TEXTURE_2D && !state->has_border &&
            has_word_texels(state->texture, level);
+}
+
+/* The same of a cube, all of whose faces are within reach of an index. */
+static inline bool cube_has_words(const lookup_state *state, uint32_t level)
+{
+    const ptrdiff_t stride = state->texture->level[level].layer_stride;
+
+    return has_word_texels(state->texture, level) && stride >= -(1 << 28) && stride <= 1 << 28;
+}
+
+static inline int32_t words_per_row(const lookup_state *state, uint32_t level)
+{
+    return (int32_t)(state->texture->level[level].row_stride / 4);
 }
 
 /* Word indices of a row's first texels. */
 static inline lanes_i row_of_words(const lookup_state *state, uint32_t level, lanes_i row)
 {
-    const int32_t stride = (int32_t)(state->texture->level[level].row_stride / 4);
-
-    return lanes_i_mul(row, lanes_i_splat(stride));
+    return lanes_i_mul(row, lanes_i_splat(words_per_row(state, level)));
 }
 
 GN_OUT_OF_LINE void filter_words_nearest(const lookup_state *state, const lookup_place *place,
@@ -35,17 +46,47 @@ GN_OUT_OF_LINE void filter_words_nearest(const lookup_state *state, const lookup
     texel[3] = lanes_unpack_unorm8(word, 3);
 }
 
-/* Columns of a row; where the second follows the first in every lane, both at once. */
-static inline void gather_columns(const stored_word *words, lanes_i row, const lanes_i column[2],
+/* The four texels mixed. */
+static inline void mix_words(const lanes_i corner[CORNER_COUNT], lanes_f weight_s, lanes_f weight_t,
+                             lanes_f texel[4])
+{
+    texel[0] = mix_corners(corner, 0, weight_s, weight_t);
+    texel[1] = mix_corners(corner, 1, weight_s, weight_t);
+    texel[2] = mix_corners(corner, 2, weight_s, weight_t);
+    texel[3] = mix_corners(corner, 3, weight_s, weight_t);
+}
+
+/* The two texels that the linear filter mixes along a dimension, `unit` words apart where they are
+ * neighbours: the first one's number, how many words the second is from it, and its weight. */
+static inline lanes_f find_words(gn_wrap wrap, bool masked, lanes_f coordinate, uint32_t size,
+                                 int32_t unit, lanes_i *first, lanes_i *step)
+{
+    lanes_i texel[2];
+
+    if (wrap == GN_WRAP_REPEAT || wrap == GN_WRAP_CLAMP_TO_EDGE) {
+        const texel_pair pair = wrap_linear(wrap, masked, coordinate, size);
+        const int32_t back = wrap == GN_WRAP_REPEAT ? unit * (1 - (int32_t)size) : 0;
+
+        *first = pair.first;
+        *step = lanes_i_select(pair.at_end, lanes_i_splat(back), lanes_i_splat(unit));
+        return pair.weight;
+    }
+
+    const lanes_f weight = wrap_linear_any(wrap, masked, coordinate, size, texel);
+    *first = texel[0];
+    *step = lanes_i_mul(lanes_i_sub(texel[1], texel[0]), lanes_i_splat(unit));
+    return weight;
+}
+
+/* Two texels of a row; where they are neighbours in every lane, both at once. */
+static inline void gather_columns(const stored_word *words, lanes_i index, lanes_i step,
                                   bool are_neighbours, lanes_i word[2])
 {
-    const lanes_i index = lanes_i_add(row, column[0]);
-
     if (are_neighbours) {
         lanes_i_gather_pairs(words, index, &word[0], &word[1]);
     } else {
         word[0] = lanes_i_gather(words, index);
-        word[1] = lanes_i_gather(words, lanes_i_add(row, column[1]));
+        word[1] = lanes_i_gather(words, lanes_i_add(index, step));
     }
 }
 
@@ -53,26 +94,19 @@ GN_OUT_OF_LINE void filter_words_linear(const lookup_state *state, const lookup_
                                         uint32_t level, uint32_t linear, lanes_f texel[4])
 {
     const stored_word *const words = state->texture->level[level].texels;
-    lanes_i column[2], row[2], corner[CORNER_COUNT];
-    lanes_f weight[2];
+    lanes_i column, row, right, up, corner[CORNER_COUNT];
+    lanes_f weight_s, weight_t;
 
-    weight[0] =
-        weights_of(linear, wrap_linear_any(state->wrap[0], state->masked[0], place->coordinate[0],
-                                           size_along(state, level, 0), column));
-    weight[1] =
-        weights_of(linear, wrap_linear_any(state->wrap[1], state->masked[1], place->coordinate[1],
-                                           size_along(state, level, 1), row));
+    weight_s = find_words(state->wrap[0], state->masked[0], place->coordinate[0],
+                          size_along(state, level, 0), 1, &column, &right);
+    weight_t = find_words(state->wrap[1], state->masked[1], place->coordinate[1],
+                          size_along(state, level, 1), words_per_row(state, level), &row, &up);
 
-    const lanes_m follows = lanes_i_equal(column[1], lanes_i_add(column[0], lanes_i_splat(1)));
-    const bool are_neighbours = lanes_bits(follows) == GN_ALL_LANES;
-    gather_columns(words, row_of_words(state, level, row[0]), column, are_neighbours,
-                   &corner[CORNER_00]);
-    gather_columns(words, row_of_words(state, level, row[1]), column, are_neighbours,
-                   &corner[CORNER_01]);
-    texel[0] = mix_corners(corner, 0, weight[0], weight[1]);
-    texel[1] = mix_corners(corner, 1, weight[0], weight[1]);
-    texel[2] = mix_corners(corner, 2, weight[0], weight[1]);
-    texel[3] = mix_corners(corner, 3, weight[0], weight[1]);
+    const lanes_i index = lanes_i_add(row_of_words(state, level, row), column);
+    const bool are_neighbours = lanes_bits(lanes_i_equal(right, lanes_i_splat(1))) == GN_ALL_LANES;
+    gather_columns(words, index, right, are_neighbours, &corner[CORNER_00]);
+    gather_columns(words, lanes_i_add(index, up), right, are_neighbours, &corner[CORNER_01]);
+    mix_words(corner, weights_of(linear, weight_s), weights_of(linear, weight_t), texel);
 }
 
 #endif

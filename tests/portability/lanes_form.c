@@ -139,6 +139,10 @@ int RUN_FORM(const lanes_input *in, lanes_output out[LANES_OPERATIONS_MAX])
     record_i(&r, "round", lanes_round(a));
     /* A zero may have either sign. */
     record_f(&r, "floor", lanes_add(lanes_floor(a), lanes_splat(0.0f)));
+    record_f(&r, "quad_left", lanes_quad_left(a));
+    record_f(&r, "quad_right", lanes_quad_right(a));
+    record_f(&r, "quad_lower", lanes_quad_lower(a));
+    record_f(&r, "quad_upper", lanes_quad_upper(a));
     record_i(&r, "i_load", i);
     record_i(&r, "i_splat", lanes_i_splat(in->low));
     record_i(&r, "i_plane", lanes_i_plane(in->per_column, in->per_row));

@@ -244,19 +244,19 @@ static bool has_numbers(const hostile *h, int lane)
 }
 
 /* Whether some filter has weights that may become NaN: those along repeating dimensions and
- * borders, of cubes, and of several footprints. */
+ * borders, and of cubes. */
 static bool has_weights(const gn_texture *t, const gn_sampler *s)
 {
     const gn_wrap wraps[3] = {s->wrap_s, s->wrap_t, s->wrap_r};
     const int count = t->target == GN_TEXTURE_1D ? 1 : t->target == GN_TEXTURE_3D ? 3 : 2;
-    bool may_be_nan = t->target == GN_TEXTURE_CUBE || s->max_anisotropy > 1;
+    bool may_be_nan = t->target == GN_TEXTURE_CUBE;
 
     for (int c = 0; c < count; c++)
         may_be_nan =
             may_be_nan || wraps[c] == GN_WRAP_REPEAT || wraps[c] == GN_WRAP_CLAMP_TO_BORDER;
     if (!may_be_nan)
         return false;
-    return s->magnify != GN_MAGNIFY_NEAREST || s->max_anisotropy > 1 ||
+    return s->magnify != GN_MAGNIFY_NEAREST ||
            (s->minify != GN_MINIFY_NEAREST && s->minify != GN_MINIFY_NEAREST_MIPMAP_NEAREST);
 }
 

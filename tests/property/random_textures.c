@@ -49,7 +49,7 @@ gn_sampler random_sampler_state(random_source *r)
     s.min_lod = random_float(r, -4.0f, 8.0f);
     s.max_lod = s.min_lod + random_float(r, 0.0f, 8.0f);
     if (random_chance(r, 15))
-        s.max_anisotropy = random_below(r, 2);
+        s.max_anisotropy = random_below(r, GN_MAX_ANISOTROPY + 1);
     for (int c = 0; c < 4; c++)
         s.border[c] = random_float(r, 0.25f, 0.5f);
     return s;

@@ -24,6 +24,7 @@ static const char help[] =
     "Prints how far gn_sample is from sampling in long double as OpenGL 4.5 states it: random\n"
     "bytes as texels, so that neighbours and levels differ as much as they can; odd and even\n"
     "sizes, all wraps, coordinates from -1 to 2. A difference is that of a channel, of 0 to 1.\n"
+    "Anisotropic ones have gradients of each place where others have implicit levels.\n"
     "\n"
     "  --seed S       what textures and lookups are made from (1)\n"
     "  --lookups N    of 16 places each, for each number (20000)\n"
@@ -146,6 +147,73 @@ static long double quad_lod(const gn_texture *t, float coordinate[3][GN_LANES], 
     return exact_lod(t, at, dx, dy);
 }
 
+/* Adds the differences of a lane, unless another choice would do as well. */
+static void add_lane(errors *e, float texel[4][GN_LANES], int lane, const exact_texel *expected)
+{
+    e->left_out += expected->doubt < LEAST_DOUBT;
+    for (int c = 0; c < 4 && expected->doubt >= LEAST_DOUBT; c++) {
+        const long double d = fabsl((long double)texel[c][lane] - expected->channel[c]);
+
+        e->largest = d <= e->largest ? e->largest : d;
+        e->sum += d;
+        e->count++;
+    }
+}
+
+/* Gradients of every lane, one up to 20 times as long as the other. */
+static void random_gradients(random_source *r, const gn_texture *t, float gradient[2][3][GN_LANES])
+{
+    const float size[3] = {(float)t->width, (float)t->height, (float)t->depth};
+    const bool is_cube = t->target == GN_TEXTURE_CUBE;
+
+    for (int l = 0; l < GN_LANES; l++) {
+        const float length = random_octave(r, -2, 4);
+        const uint32_t longer = random_below(r, 2);
+        const float ratio = random_float(r, 1.0f, 20.0f);
+
+        for (uint32_t g = 0; g < 2; g++) {
+            for (int c = 0; c < 3; c++) {
+                gradient[g][c][l] = random_float(r, -1.0f, 1.0f) * length /
+                                    (size[is_cube ? 0 : c] * (g == longer ? 1.0f : ratio));
+            }
+        }
+    }
+}
+
+static void measure_anisotropic_block(random_source *r, const subject *s, errors *e)
+{
+    float coordinate[3][GN_LANES], reference[GN_LANES], texel[4][GN_LANES];
+    float gradient[2][3][GN_LANES];
+    gn_lookup lookup = {.reference = reference, .lod_source = GN_LOD_GRADIENTS};
+
+    random_block(r, &s->texture, coordinate);
+    random_gradients(r, &s->texture, gradient);
+    for (int c = 0; c < 3; c++) {
+        lookup.coordinate[c] = coordinate[c];
+        lookup.gradient_x[c] = gradient[0][c];
+        lookup.gradient_y[c] = gradient[1][c];
+    }
+    for (int l = 0; l < GN_LANES; l++) {
+        reference[l] = random_unit(r);
+    }
+    gn_sample(&s->texture, &s->sampler, &lookup, texel);
+    for (int l = 0; l < GN_LANES; l++) {
+        exact_lookup exact = {.reference = (long double)reference[l]};
+        long double dx[3], dy[3];
+
+        for (int c = 0; c < 3; c++) {
+            exact.coordinate[c] = (long double)coordinate[c][l];
+            dx[c] = (long double)gradient[0][c][l];
+            dy[c] = (long double)gradient[1][c][l];
+        }
+
+        const exact_texel expected =
+            exact_sample_anisotropic(&s->texture, &s->sampler, &exact, dx, dy);
+
+        add_lane(e, texel, l, &expected);
+    }
+}
+
 static void measure_block(random_source *r, const subject *s, bool is_implicit, errors *e)
 {
     float coordinate[3][GN_LANES], lod[GN_LANES], reference[GN_LANES], texel[4][GN_LANES];
@@ -170,19 +238,13 @@ static void measure_block(random_source *r, const subject *s, bool is_implicit, 
 
         const exact_texel expected = exact_sample(&s->texture, &s->sampler, &exact);
 
-        e->left_out += expected.doubt < LEAST_DOUBT;
-        for (int c = 0; c < 4 && expected.doubt >= LEAST_DOUBT; c++) {
-            const long double d = fabsl((long double)texel[c][l] - expected.channel[c]);
-
-            e->largest = d <= e->largest ? e->largest : d;
-            e->sum += d;
-            e->count++;
-        }
+        add_lane(e, texel, l, &expected);
     }
 }
 
 static errors measure(uint64_t seed, uint64_t lookups, gn_texture_target target, gn_format format,
-                      gn_texture_compare compare, const filter *f, bool is_implicit)
+                      gn_texture_compare compare, uint32_t max_anisotropy, const filter *f,
+                      bool is_implicit)
 {
     random_source r = random_seed(seed);
     errors e = {0.0L, 0.0L, 0, 0};
@@ -191,8 +253,13 @@ static errors measure(uint64_t seed, uint64_t lookups, gn_texture_target target,
         subject s = random_subject(&r, target, format, f);
 
         s.sampler.compare = compare;
+        s.sampler.max_anisotropy = max_anisotropy ? 1 + random_below(&r, max_anisotropy) : 0;
         for (int i = 0; i < 20 && done < lookups; i++, done++) {
-            measure_block(&r, &s, is_implicit, &e);
+            if (max_anisotropy && is_implicit) {
+                measure_anisotropic_block(&r, &s, &e);
+            } else {
+                measure_block(&r, &s, is_implicit, &e);
+            }
         }
         free(s.texels);
     }
@@ -202,8 +269,9 @@ static errors measure(uint64_t seed, uint64_t lookups, gn_texture_target target,
 /* The reference's rules explain the differences: weights are of coordinates rounded to 24 bits, of
  * up to 128 texels; sRGB is decoded by a polynomial; and an implicit level of detail is half of a
  * logarithm that is linear between powers of two, up to 0.0861 below the true one: so much of the
- * difference of two levels. */
-static long double bound(gn_format format, const filter *f, bool is_implicit)
+ * difference of two levels. Means of up to 16 samples are rounded as often. */
+static long double bound(gn_format format, uint32_t max_anisotropy, const filter *f,
+                         bool is_implicit)
 {
     const bool between =
         f->minify == GN_MINIFY_NEAREST_MIPMAP_LINEAR || f->minify == GN_MINIFY_LINEAR_MIPMAP_LINEAR;
@@ -212,7 +280,7 @@ static long double bound(gn_format format, const filter *f, bool is_implicit)
 
     return format == GN_FORMAT_SRGB8_A8 ? 1.5e-3L
            : is_implicit && between     ? 0.0435L
-           : alone                      ? 1e-7L
+           : alone                      ? max_anisotropy ? 1e-6L : 1e-7L
                                         : 2e-5L;
 }
 
@@ -233,13 +301,14 @@ static void print_cell(table *t, const errors *e, long double most)
 }
 
 static void print_row(table *t, const char *name, gn_texture_target target, gn_format format,
-                      gn_texture_compare compare, const filter *f)
+                      gn_texture_compare compare, uint32_t max_anisotropy, const filter *f)
 {
-    printf("| %s, %s |", name, f->name);
+    printf("| %s, %s%s |", name, max_anisotropy ? "anisotropic " : "", f->name);
     for (int implicit = 0; implicit < 2; implicit++) {
-        const errors e = measure(t->seed, t->lookups, target, format, compare, f, implicit);
+        const errors e =
+            measure(t->seed, t->lookups, target, format, compare, max_anisotropy, f, implicit);
 
-        print_cell(t, &e, bound(format, f, implicit));
+        print_cell(t, &e, bound(format, max_anisotropy, f, implicit));
     }
     printf("\n");
     fflush(stdout);
@@ -278,17 +347,27 @@ int main(int argc, char **argv)
     for (int target = 0; target < 5; target++) {
         for (int f = 0; f < FILTERS; f++) {
             print_row(&t, names[target], (gn_texture_target)target, GN_FORMAT_RGBA8,
-                      GN_TEXTURE_COMPARE_NONE, &filters[f]);
+                      GN_TEXTURE_COMPARE_NONE, 0, &filters[f]);
         }
     }
-    print_row(&t, "2D of sRGB", GN_TEXTURE_2D, GN_FORMAT_SRGB8_A8, GN_TEXTURE_COMPARE_NONE,
+    print_row(&t, "2D of sRGB", GN_TEXTURE_2D, GN_FORMAT_SRGB8_A8, GN_TEXTURE_COMPARE_NONE, 0,
               &filters[1]);
-    print_row(&t, "2D of 16 bits", GN_TEXTURE_2D, GN_FORMAT_RGBA16, GN_TEXTURE_COMPARE_NONE,
+    print_row(&t, "2D of 16 bits", GN_TEXTURE_2D, GN_FORMAT_RGBA16, GN_TEXTURE_COMPARE_NONE, 0,
               &filters[1]);
     print_row(&t, "2D of D24, compared", GN_TEXTURE_2D, GN_FORMAT_D24,
-              GN_TEXTURE_COMPARE_LESS_OR_EQUAL, &filters[1]);
+              GN_TEXTURE_COMPARE_LESS_OR_EQUAL, 0, &filters[1]);
     print_row(&t, "cube of D24, compared", GN_TEXTURE_CUBE, GN_FORMAT_D24,
-              GN_TEXTURE_COMPARE_LESS_OR_EQUAL, &filters[1]);
+              GN_TEXTURE_COMPARE_LESS_OR_EQUAL, 0, &filters[1]);
+    for (int target = 0; target < 5; target++) {
+        for (int f = 1; f < FILTERS && target != GN_TEXTURE_1D; f += 2) { /* the linear ones */
+            print_row(&t, names[target], (gn_texture_target)target, GN_FORMAT_RGBA8,
+                      GN_TEXTURE_COMPARE_NONE, GN_MAX_ANISOTROPY, &filters[f]);
+        }
+    }
+    print_row(&t, names[0], GN_TEXTURE_2D, GN_FORMAT_RGBA8, GN_TEXTURE_COMPARE_NONE,
+              GN_MAX_ANISOTROPY, &filters[0]);
+    print_row(&t, "2D of D24, compared", GN_TEXTURE_2D, GN_FORMAT_D24,
+              GN_TEXTURE_COMPARE_LESS_OR_EQUAL, GN_MAX_ANISOTROPY, &filters[1]);
     printf("\n%" PRIu64 " places, %" PRIu64
            " of them left out: nearer than %.0Le to where a texel, level or comparison changes\n",
            t.count, t.left_out, LEAST_DOUBT);

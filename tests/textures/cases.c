@@ -92,9 +92,9 @@ static void choose_sizes(lookup_case *c, random_source *r, uint32_t shape)
     c->base = shape == 0 && random_chance(r, 20) ? random_below(r, levels) : 0;
     levels -= c->base;
     c->level_count = random_chance(r, 70) ? levels : 1 + random_below(r, levels);
-    /* The reference takes a single level's filter for each lane unless it is the texture's first,
-     * which differs on cubes alone. */
-    if (c->target == GN_TEXTURE_CUBE && c->level_count == 1)
+    /* A single level has no filter between levels, in the reference only where it is the texture's
+     * first (reference/RULES.md). */
+    if (c->level_count == 1)
         c->base = 0;
 }
 

@@ -80,4 +80,12 @@ bool library_look_up(const lookup_case *c, gn_backend backend, float (*texel)[4]
 /* The same by calls of gn_sample, gn_gather and gn_fetch themselves. */
 void library_look_up_directly(const lookup_case *c, float (*texel)[4]);
 
+typedef struct lookup_totals {
+    uint64_t passed, failed;
+} lookup_totals;
+
+/* Compares anisotropic lookups of `cases` cases, prints what was found and counts it. False where
+ * something could not be looked up. */
+bool anisotropic_run(uint64_t seed, uint64_t cases, lookup_totals *t);
+
 #endif

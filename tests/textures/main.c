@@ -1,5 +1,5 @@
 /* Lookups in textures by the library, on every back end, and by the pinned reference: every bit of
- * every texel must be equal. */
+ * every texel must be equal, but of anisotropic ones (anisotropic.c). */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,6 +12,9 @@
 /* Steps through all cases in an order that spreads every property over the first few: a number
  * without a factor in common with theirs. */
 #define STRIDE UINT64_C(7919)
+
+/* How many cases there are for one of anisotropic lookups. */
+#define CASES_PER_ANISOTROPIC 4
 
 typedef struct totals {
     uint64_t cases, failed, texels, differ;
@@ -157,7 +160,6 @@ static void print_totals(const settings *s, const totals *t)
     }
     printf("textures: seed %" PRIu64 ", %" PRIu64 " texels compared, %" PRIu64 " differ\n", s->seed,
            t->texels, t->differ);
-    printf("%" PRIu64 " passed, %" PRIu64 " failed\n", t->cases - t->failed, t->failed);
 }
 
 static int usage(void)
@@ -216,6 +218,7 @@ int main(int count, char **arguments)
 {
     char error[256] = "";
     static totals t;
+    lookup_totals anisotropic = {0, 0};
     settings s = {0};
     reference *osmesa;
     bool done;
@@ -230,6 +233,11 @@ int main(int count, char **arguments)
     done = run(&s, &t);
     fprintf(stderr, "\n");
     print_totals(&s, &t);
+    if (done && s.target < 0 && s.kind < 0 && !s.has_one)
+        done = anisotropic_run(s.seed, s.cases / CASES_PER_ANISOTROPIC, &anisotropic);
+    t.failed += anisotropic.failed;
+    printf("%" PRIu64 " passed, %" PRIu64 " failed\n",
+           t.cases + anisotropic.passed + anisotropic.failed - t.failed, t.failed);
     reference_destroy(osmesa);
     return done && t.cases > 0 && t.failed == 0 ? 0 : 1;
 }

@@ -14,6 +14,9 @@ static const GLenum targets[] = {GL_TEXTURE_2D, GL_TEXTURE_1D, GL_TEXTURE_2D_ARR
  * 0, 0, 1. */
 #define DEPTH_TEXTURE_MODE 0x884B
 
+/* Of EXT_texture_filter_anisotropic. */
+#define MAX_ANISOTROPY 0x84FE
+
 static const char vertex_text[] =
     "void main() {\n"
     "  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, "
@@ -118,6 +121,8 @@ static void set_sampler(GLuint name, const gn_sampler *s)
         glSamplerParameterf(name, GL_TEXTURE_MIN_LOD, s->min_lod);
         glSamplerParameterf(name, GL_TEXTURE_MAX_LOD, s->max_lod);
     }
+    if (s->max_anisotropy > 1)
+        glSamplerParameterf(name, MAX_ANISOTROPY, (float)s->max_anisotropy);
     glSamplerParameterfv(name, GL_TEXTURE_BORDER_COLOR, s->border);
     if (s->compare != GN_TEXTURE_COMPARE_NONE) {
         static const GLint functions[] = {0,        GL_LEQUAL,   GL_GEQUAL, GL_LESS, GL_GREATER,

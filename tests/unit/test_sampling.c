@@ -104,8 +104,10 @@ static void faults(void **state)
     s.max_lod = -1.0f;
     expect_fault(&s, GN_OUT_OF_RANGE, "min_lod");
     s = good;
-    s.max_anisotropy = 2;
-    expect_fault(&s, GN_NOT_COMPILED, "max_anisotropy");
+    s.max_anisotropy = GN_MAX_ANISOTROPY;
+    assert_int_equal(gn_sampler_check(&s), GN_OK);
+    s.max_anisotropy = GN_MAX_ANISOTROPY + 1;
+    expect_fault(&s, GN_OUT_OF_RANGE, "max_anisotropy");
     s = good;
     s.border[3] = NAN;
     expect_fault(&s, GN_NOT_FINITE, "border");
@@ -165,6 +167,31 @@ static void wraps(void **state)
     }
 }
 
+/* Columns by the linear filter at -0.3, -0.05, 0.3, 1.05, 1.3: s * 8 - 0.5 is -2.9, -0.9, 1.9, 7.9,
+ * 9.9. */
+static void linear_wraps(void **state)
+{
+    (void)state;
+    static const float at[5] = {-0.3f, -0.05f, 0.3f, 1.05f, 1.3f};
+    static const float expected[5][5] = {{5.1f, 6.3f, 1.9f, 0.7f, 1.9f},     /* repeat */
+                                         {0.0f, 0.0f, 1.9f, 7.0f, 7.0f},     /* clamp to edge */
+                                         {1.9f, 0.0f, 1.9f, 7.0f, 5.1f},     /* mirrored */
+                                         {99.0f, 89.1f, 1.9f, 89.8f, 99.0f}, /* border */
+                                         {1.9f, 0.0f, 1.9f, 7.0f, 7.0f}};    /* mirrored once */
+    const gn_texture t = columns();
+
+    for (int wrap = 0; wrap < 5; ++wrap) {
+        gn_sampler s = nearest((gn_wrap)wrap);
+
+        s.magnify = GN_MAGNIFY_LINEAR;
+        s.minify = GN_MINIFY_LINEAR;
+        s.border[0] = 99.0f / 255.0f;
+        s.wrap_t = GN_WRAP_CLAMP_TO_EDGE;
+        for (int i = 0; i < 5; ++i)
+            NEAR(red_at(&t, &s, at[i], 0.0f), expected[wrap][i]);
+    }
+}
+
 /* A border of a format of fractions is clamped; half of it is mixed at the edge. */
 static void borders(void **state)
 {
@@ -213,6 +240,26 @@ static void explicit_levels(void **state)
     NEAR(red_at(&t, &s, 0.3f, 3.0f), 1.5f);
     s.min_lod = s.max_lod = 2.25f;
     NEAR(red_at(&t, &s, 0.3f, 0.0f), 2.25f);
+}
+
+/* A texture of one level has no filter between levels, which would make NaN of infinite texels,
+ * even where lanes of a quad want different filters. */
+static void one_level_is_not_mixed(void **state)
+{
+    (void)state;
+    static const float texels[2][4] = {{1.0f}, {INFINITY}};
+    gn_sampler s = nearest(GN_WRAP_CLAMP_TO_EDGE);
+    gn_texture t;
+
+    memset(&t, 0, sizeof t);
+    t.target = GN_TEXTURE_1D;
+    t.format = GN_FORMAT_RGBA32F;
+    t.width = 2;
+    t.height = 1;
+    t.level[0].texels = texels;
+    t.level[0].row_stride = sizeof texels;
+    s.minify = GN_MINIFY_LINEAR_MIPMAP_LINEAR;
+    assert_true(red_at(&t, &s, 0.5f, 1.5f) == INFINITY);
 }
 
 /* Steps of 2 and 4 texels ask for levels 1 and 2, from differences and from gradients; what a
@@ -308,8 +355,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(faults),
         cmocka_unit_test(wraps),
+        cmocka_unit_test(linear_wraps),
         cmocka_unit_test(borders),
         cmocka_unit_test(explicit_levels),
+        cmocka_unit_test(one_level_is_not_mixed),
         cmocka_unit_test(levels_of_footprints),
         cmocka_unit_test(gathers),
         cmocka_unit_test(no_coordinate_is_outside),
