@@ -240,6 +240,30 @@ static void explicit_levels(void **state)
     NEAR(red_at(&t, &s, 0.3f, 0.0f), 2.25f);
 }
 
+/* Of the largest texture a limit between its last two levels counts. */
+static void limits_of_the_last_levels(void **state)
+{
+    (void)state;
+    static float texels[2 * GN_MAX_SIZE - 1];
+    gn_sampler s = nearest(GN_WRAP_CLAMP_TO_EDGE);
+    size_t used = 0;
+    gn_texture t;
+
+    for (int n = 0; n < GN_MAX_LEVELS; ++n) {
+        for (int i = 0; i < GN_MAX_SIZE >> n; ++i)
+            texels[used++] = (float)n;
+    }
+    assert_int_equal(gn_texture_packed(GN_TEXTURE_1D, GN_FORMAT_R32F, GN_MAX_SIZE, 1, 0,
+                                       GN_MAX_LEVELS, texels, &t),
+                     GN_OK);
+    s.minify = GN_MINIFY_NEAREST_MIPMAP_LINEAR;
+    s.lod_clamped = true;
+    s.max_lod = 13.5f;
+    NEAR(red_at(&t, &s, 0.5f, 20.0f), 13.5f * 255.0f);
+    s.max_lod = 14.0f;
+    NEAR(red_at(&t, &s, 0.5f, 20.0f), 14.0f * 255.0f);
+}
+
 /* A texture of one level has no filter between levels, which would make NaN of infinite texels,
  * even where lanes of a quad want different filters. */
 static void one_level_is_not_mixed(void **state)
@@ -356,6 +380,7 @@ int main(void)
         cmocka_unit_test(linear_wraps),
         cmocka_unit_test(borders),
         cmocka_unit_test(explicit_levels),
+        cmocka_unit_test(limits_of_the_last_levels),
         cmocka_unit_test(one_level_is_not_mixed),
         cmocka_unit_test(levels_of_footprints),
         cmocka_unit_test(gathers),
