@@ -325,6 +325,29 @@ static void levels_of_footprints(void **state)
     }
 }
 
+/* Of one dimension the nearest level is the second from steps of sqrt 2 texels on. */
+static void nearest_levels_of_one_dimension(void **state)
+{
+    (void)state;
+    static const float texels[7] = {0, 0, 0, 0, 1, 1, 2};
+    gn_sampler s = nearest(GN_WRAP_REPEAT);
+    float at[GN_LANES], texel[4][GN_LANES];
+    gn_lookup lookup;
+    gn_texture t;
+
+    assert_int_equal(gn_texture_packed(GN_TEXTURE_1D, GN_FORMAT_R32F, 4, 1, 0, 3, texels, &t),
+                     GN_OK);
+    s.minify = GN_MINIFY_NEAREST_MIPMAP_NEAREST;
+    memset(&lookup, 0, sizeof lookup);
+    lookup.coordinate[0] = at;
+    for (int i = 0; i < 2; ++i) {
+        for (int l = 0; l < GN_LANES; ++l)
+            at[l] = (i ? 1.42f : 1.41f) * 0.25f * (float)(l % 2);
+        gn_sample(&t, &s, &lookup, texel);
+        NEAR(texel[0][0], (float)i);
+    }
+}
+
 /* Around (0.5, 0.5) are columns 3 and 4, rows 0 and 1: counted round from the upper left. */
 static void gathers(void **state)
 {
@@ -383,6 +406,7 @@ int main(void)
         cmocka_unit_test(limits_of_the_last_levels),
         cmocka_unit_test(one_level_is_not_mixed),
         cmocka_unit_test(levels_of_footprints),
+        cmocka_unit_test(nearest_levels_of_one_dimension),
         cmocka_unit_test(gathers),
         cmocka_unit_test(no_coordinate_is_outside),
     };
