@@ -94,6 +94,17 @@ void random_camera(builder *b);
 void random_light(builder *b);
 void add_body(builder *b);
 
+/* The texels of a draw's maps, the diffuse one last. */
+typedef struct shading_memory {
+    void *texels[1 + SCENE_MAP_COUNT];
+} shading_memory;
+
+/* What a ready-made shader of the next draw looks at beside places and colours: light, maps with
+ * their sampler, texture coordinates of the vertices, which are there. The maps are the memory's,
+ * which the caller frees after the draw. */
+void random_shading(builder *b, shading_memory *memory);
+void free_shading(shading_memory *memory);
+
 /* A random texture and sampler of the next draw, whose vertices are there and get coordinates for
  * it. The texels, which the caller frees after the draw, are the texture's. */
 void *random_sampling(builder *b, gn_texture_target target, uint32_t levels, bool depths);

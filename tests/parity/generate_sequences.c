@@ -100,12 +100,14 @@ static bool any_shader(builder *b)
     random_source *r = &b->random;
     bool noperspective = false;
     const uint32_t which = random_below(r, 100); /* those with states of their own more often */
-    const uint32_t any = random_below(r, SCENE_UNLIT); /* the others have a class of their own */
-    b->shader = which < 28   ? SCENE_VERTEX_COLOR
-                : which < 42 ? SCENE_INPUTS
-                : which < 50 ? SCENE_OUTPUTS
-                : which < 70 ? SCENE_SAMPLED
+    const uint32_t any = random_below(r, SCENE_SHADER_COUNT);
+    b->shader = which < 21   ? SCENE_VERTEX_COLOR
+                : which < 33 ? SCENE_INPUTS
+                : which < 42 ? SCENE_OUTPUTS
+                : which < 58 ? SCENE_SAMPLED
                              : (scene_shader)any;
+    if (b->shader == SCENE_DEPTH_ONLY && b->scene->depth_format == GN_FORMAT_NONE)
+        b->shader = SCENE_DEPTH_COLOR;
     if (b->shader == SCENE_OUTPUTS)
         random_outputs(b);
     b->uniforms.light.light_direction.z = 1.0f;
@@ -206,6 +208,7 @@ void varied_draw(builder *b, bool may_blend)
 {
     random_source *r = &b->random;
     uint32_t texels[TEXTURE_SIDE * TEXTURE_SIDE];
+    shading_memory shading = {{NULL}};
     void *sampled = NULL;
     const gn_format format = b->scene->color_format;
     const bool floats = format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F;
@@ -217,6 +220,8 @@ void varied_draw(builder *b, bool may_blend)
     any_mesh(b, 1 + random_below(r, floats ? 3 : 16), noperspective);
     if (b->shader == SCENE_SAMPLED)
         sampled = random_any_sampling(b);
+    else if (b->shader >= SCENE_UNLIT)
+        random_shading(b, &shading);
     else if (scene_shader_is_textured(b->shader))
         any_texture(b, texels);
     any_polygon_modes(b);
@@ -229,6 +234,7 @@ void varied_draw(builder *b, bool may_blend)
         shape_elements(b);
     builder_draw(b);
     free(sampled);
+    free_shading(&shading);
 }
 
 /* Products of many layers in floats come to be denormals, which the reference has not; where it

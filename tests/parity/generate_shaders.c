@@ -127,28 +127,42 @@ static void random_map_sampler(random_source *r, gn_sampler *s)
         s->border[c] = random_float(r, 0.25f, 1.0f);
 }
 
-static void add_shaded(builder *b, scene_shader shader)
+void random_shading(builder *b, shading_memory *memory)
 {
     random_source *r = &b->random;
-    void *texels[1 + SCENE_MAP_COUNT] = {NULL};
 
-    builder_common_state(b);
-    b->shader = shader;
-    random_shape(b);
+    memset(memory, 0, sizeof *memory);
     random_surface(b);
     random_texture_coordinates(b);
     if (random_chance(r, 15))
         b->color_components = 0;
     random_map_sampler(r, &b->uniforms.sampler);
-    if (random_chance(r, 50) || shader == SCENE_TEXTURED_GOURAUD)
-        texels[SCENE_MAP_COUNT] = random_map(b, &b->uniforms.texture);
+    if (random_chance(r, 50) || b->shader == SCENE_TEXTURED_GOURAUD)
+        memory->texels[SCENE_MAP_COUNT] = random_map(b, &b->uniforms.texture);
     for (int m = SCENE_NORMAL_MAP; m <= SCENE_GLOW_MAP; m++)
         if (random_chance(r, 50))
-            texels[m] = random_map(b, &b->surface.map[m]);
-    if (shader == SCENE_DEPTH_COLOR && random_chance(r, 60)) {
+            memory->texels[m] = random_map(b, &b->surface.map[m]);
+    if (b->shader == SCENE_DEPTH_COLOR && random_chance(r, 60)) {
         b->surface.black = random_float(r, 0.0f, 0.4f);
         b->surface.white = random_float(r, 0.5f, 1.0f);
     }
+}
+
+void free_shading(shading_memory *memory)
+{
+    for (int m = 0; m <= SCENE_MAP_COUNT; m++)
+        free(memory->texels[m]);
+}
+
+static void add_shaded(builder *b, scene_shader shader)
+{
+    random_source *r = &b->random;
+    shading_memory memory;
+
+    builder_common_state(b);
+    b->shader = shader;
+    random_shape(b);
+    random_shading(b, &memory);
     if (shader == SCENE_DEPTH_COLOR && random_chance(r, 30))
         b->state.polygon_offset = random_polygon_offset(b);
     if (random_chance(r, 10))
@@ -156,8 +170,7 @@ static void add_shaded(builder *b, scene_shader shader)
     if (b->scene->color_format == GN_FORMAT_RGBA8 && random_chance(r, 10))
         lay_over(b, 0);
     builder_draw(b);
-    for (int m = 0; m <= SCENE_MAP_COUNT; m++)
-        free(texels[m]);
+    free_shading(&memory);
 }
 
 /* Depth alone needs a depth buffer. */

@@ -266,7 +266,7 @@ VALUE(workspace, p->number % 3)
     ROW(first_element, 2)                                                                          \
     ROW(instances, 2)                                                                              \
     ROW(divisor, 2)                                                                                \
-    ROW(shader, SCENE_UNLIT)                                                                       \
+    ROW(shader, SCENE_SHADER_COUNT)                                                                \
     ROW(alpha_given, 2)                                                                            \
     ROW(interpolations, 4)                                                                         \
     ROW(cull, 4)                                                                                   \
@@ -448,6 +448,7 @@ static const exclusion exclusions[] = {
      "the reference loses pixels of sampled lines (reference/RULES.md)"},
     {INDEX_polygon_mode_back, INDEX_samples, BIT(GN_POLYGON_LINE), BIT(1),
      "the reference loses pixels of sampled lines (reference/RULES.md)"},
+    {INDEX_depth_format, INDEX_shader, BIT(0), BIT(SCENE_DEPTH_ONLY), "it needs a depth buffer"},
     {INDEX_alpha_given, INDEX_shader, BIT(0), BIT(SCENE_INPUTS), "alpha decides what it discards"},
     {INDEX_clear_before, INDEX_position, NOT(0), BIT(0), "the scene's own clears come first"},
 };

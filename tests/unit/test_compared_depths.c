@@ -86,6 +86,7 @@ static void linear(void **state)
     const gn_sampler farther = compares(GN_TEXTURE_COMPARE_LESS_OR_EQUAL, true);
     const gn_sampler nearer = compares(GN_TEXTURE_COMPARE_GREATER_OR_EQUAL, true);
     const gn_sampler none = compares(GN_TEXTURE_COMPARE_NONE, true);
+    gn_sampler never = compares(GN_TEXTURE_COMPARE_NEVER, true);
     gn_texture t;
 
     assert_int_equal(gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_D32F, 2, 1, 0, 1, depths, &t),
@@ -94,6 +95,8 @@ static void linear(void **state)
     assert_true(compared(&t, &nearer, 0.625f, 0.5f) == 0.25f);
     assert_true(compared(&t, &farther, 0.625f, 0.125f) == 1.0f);
     assert_true(compared(&t, &none, 0.625f, 0.5f) == 0.625f);
+    never.wrap_s = GN_WRAP_REPEAT; /* where the weight is not a number */
+    assert_true(compared(&t, &never, INFINITY, 0.5f) == 0.0f);
 }
 
 /* Of six faces +z alone is nearer than the reference: a gather, an edge and a corner. */

@@ -89,7 +89,7 @@ static void faces(void **state)
     }
 }
 
-/* z wins ties, then y; the zero vector is the middle of +z or -z; a z that is not a number wins
+/* z wins ties, then y; the zero vector is the middle of +z or -z; x or z that is not a number wins
  * too, and meets the first texel. */
 static void ties(void **state)
 {
@@ -102,6 +102,7 @@ static void ties(void **state)
     NEAR(sampled(false, 0.0f, 0.0f, 0.0f), 422.0f);
     NEAR(sampled(false, 0.0f, 0.0f, -0.0f), 522.0f);
     NEAR(sampled(false, 1.0f, 0.0f, NAN), 400.0f);
+    NEAR(sampled(false, NAN, 1.0f, 0.5f), 0.0f);
 }
 
 static void linear_within_a_face(void **state)

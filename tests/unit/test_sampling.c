@@ -242,6 +242,30 @@ static void explicit_levels(void **state)
     NEAR(red_at(&t, &s, 0.3f, 0.0f), 2.25f);
 }
 
+/* Of the largest texture a limit between its last two levels counts. */
+static void limits_of_the_last_levels(void **state)
+{
+    (void)state;
+    static float texels[2 * GN_MAX_SIZE - 1];
+    gn_sampler s = nearest(GN_WRAP_CLAMP_TO_EDGE);
+    size_t used = 0;
+    gn_texture t;
+
+    for (int n = 0; n < GN_MAX_LEVELS; ++n) {
+        for (int i = 0; i < GN_MAX_SIZE >> n; ++i)
+            texels[used++] = (float)n;
+    }
+    assert_int_equal(gn_texture_packed(GN_TEXTURE_1D, GN_FORMAT_R32F, GN_MAX_SIZE, 1, 0,
+                                       GN_MAX_LEVELS, texels, &t),
+                     GN_OK);
+    s.minify = GN_MINIFY_NEAREST_MIPMAP_LINEAR;
+    s.lod_clamped = true;
+    s.max_lod = 13.5f;
+    NEAR(red_at(&t, &s, 0.5f, 20.0f), 13.5f * 255.0f);
+    s.max_lod = 14.0f;
+    NEAR(red_at(&t, &s, 0.5f, 20.0f), 14.0f * 255.0f);
+}
+
 /* A texture of one level has no filter between levels, which would make NaN of infinite texels,
  * even where lanes of a quad want different filters. */
 static void one_level_is_not_mixed(void **state)
@@ -303,6 +327,29 @@ static void levels_of_footprints(void **state)
     }
 }
 
+/* Of one dimension the nearest level is the second from steps of sqrt 2 texels on. */
+static void nearest_levels_of_one_dimension(void **state)
+{
+    (void)state;
+    static const float texels[7] = {0, 0, 0, 0, 1, 1, 2};
+    gn_sampler s = nearest(GN_WRAP_REPEAT);
+    float at[GN_LANES], texel[4][GN_LANES];
+    gn_lookup lookup;
+    gn_texture t;
+
+    assert_int_equal(gn_texture_packed(GN_TEXTURE_1D, GN_FORMAT_R32F, 4, 1, 0, 3, texels, &t),
+                     GN_OK);
+    s.minify = GN_MINIFY_NEAREST_MIPMAP_NEAREST;
+    memset(&lookup, 0, sizeof lookup);
+    lookup.coordinate[0] = at;
+    for (int i = 0; i < 2; ++i) {
+        for (int l = 0; l < GN_LANES; ++l)
+            at[l] = (i ? 1.42f : 1.41f) * 0.25f * (float)(l % 2);
+        gn_sample(&t, &s, &lookup, texel);
+        NEAR(texel[0][0], (float)i);
+    }
+}
+
 /* Around (0.5, 0.5) are columns 3 and 4, rows 0 and 1: counted round from the upper left. */
 static void gathers(void **state)
 {
@@ -358,8 +405,10 @@ int main(void)
         cmocka_unit_test(linear_wraps),
         cmocka_unit_test(borders),
         cmocka_unit_test(explicit_levels),
+        cmocka_unit_test(limits_of_the_last_levels),
         cmocka_unit_test(one_level_is_not_mixed),
         cmocka_unit_test(levels_of_footprints),
+        cmocka_unit_test(nearest_levels_of_one_dimension),
         cmocka_unit_test(gathers),
         cmocka_unit_test(no_coordinate_is_outside),
     };
