@@ -215,6 +215,13 @@ GN_INLINE void filter_levels(const lookup_state *state, const lookup_place *plac
     const uint32_t next = mixed ? levels_in(choice->next) : 0;
     lanes_f above[4];
 
+    if (state->target == GN_TEXTURE_2D && mixed == GN_ALL_LANES && linear == GN_ALL_LANES &&
+        (first & (first - 1)) == 0 && (next & (next - 1)) == 0 &&
+        level_has_words(state, first_lane(first)) && level_has_words(state, first_lane(next))) {
+        filter_words_between(state, place, first_lane(first), first_lane(next), &choice->weight,
+                             texel);
+        return;
+    }
     if (state->target != GN_TEXTURE_CUBE && ((first & (first - 1)) || (next & (next - 1)))) {
         filter_each_level(state, place, choice, first | next, linear, texel, above);
     } else {

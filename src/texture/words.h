@@ -90,23 +90,59 @@ static inline void gather_columns(const stored_word *words, lanes_i index, lanes
     }
 }
 
-GN_OUT_OF_LINE void filter_words_linear(const lookup_state *state, const lookup_place *place,
-                                        uint32_t level, uint32_t linear, lanes_f texel[4])
+/* What the linear filter mixes in a level: words and weights along s and t. */
+typedef struct word_corners {
+    lanes_i corner[CORNER_COUNT];
+    lanes_f weight_s, weight_t;
+} word_corners;
+
+static inline void find_corners(const lookup_state *state, const lookup_place *place,
+                                uint32_t level, word_corners *out)
 {
     const stored_word *const words = state->texture->level[level].texels;
-    lanes_i column, row, right, up, corner[CORNER_COUNT];
-    lanes_f weight_s, weight_t;
+    lanes_i column, row, right, up;
 
-    weight_s = find_words(state->wrap[0], state->masked[0], place->coordinate[0],
-                          size_along(state, level, 0), 1, &column, &right);
-    weight_t = find_words(state->wrap[1], state->masked[1], place->coordinate[1],
-                          size_along(state, level, 1), words_per_row(state, level), &row, &up);
+    out->weight_s = find_words(state->wrap[0], state->masked[0], place->coordinate[0],
+                               size_along(state, level, 0), 1, &column, &right);
+    out->weight_t = find_words(state->wrap[1], state->masked[1], place->coordinate[1],
+                               size_along(state, level, 1), words_per_row(state, level), &row, &up);
 
     const lanes_i index = lanes_i_add(row_of_words(state, level, row), column);
     const bool are_neighbours = lanes_bits(lanes_i_equal(right, lanes_i_splat(1))) == GN_ALL_LANES;
-    gather_columns(words, index, right, are_neighbours, &corner[CORNER_00]);
-    gather_columns(words, lanes_i_add(index, up), right, are_neighbours, &corner[CORNER_01]);
-    mix_words(corner, weights_of(linear, weight_s), weights_of(linear, weight_t), texel);
+    gather_columns(words, index, right, are_neighbours, &out->corner[CORNER_00]);
+    gather_columns(words, lanes_i_add(index, up), right, are_neighbours, &out->corner[CORNER_01]);
+}
+
+GN_OUT_OF_LINE void filter_words_linear(const lookup_state *state, const lookup_place *place,
+                                        uint32_t level, uint32_t linear, lanes_f texel[4])
+{
+    word_corners w;
+
+    find_corners(state, place, level, &w);
+    mix_words(w.corner, weights_of(linear, w.weight_s), weights_of(linear, w.weight_t), texel);
+}
+
+/* One channel of two levels, mixed. The channel is a constant. */
+GN_INLINE lanes_f mix_word_levels(const word_corners *first, const word_corners *next, int channel,
+                                  lanes_f weight)
+{
+    return mix(weight, mix_corners(first->corner, channel, first->weight_s, first->weight_t),
+               mix_corners(next->corner, channel, next->weight_s, next->weight_t));
+}
+
+/* Two levels by the linear filter in all lanes, mixed with the weights of the second. */
+GN_OUT_OF_LINE void filter_words_between(const lookup_state *state, const lookup_place *place,
+                                         uint32_t level, uint32_t next, const lanes_f *weight,
+                                         lanes_f texel[4])
+{
+    word_corners w[2];
+
+    find_corners(state, place, level, &w[0]);
+    find_corners(state, place, next, &w[1]);
+    texel[0] = mix_word_levels(&w[0], &w[1], 0, *weight);
+    texel[1] = mix_word_levels(&w[0], &w[1], 1, *weight);
+    texel[2] = mix_word_levels(&w[0], &w[1], 2, *weight);
+    texel[3] = mix_word_levels(&w[0], &w[1], 3, *weight);
 }
 
 #endif
