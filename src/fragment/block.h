@@ -35,14 +35,28 @@ static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_tr
     return interpolation == GN_NOPERSPECTIVE ? value : lanes_mul(value, w);
 }
 
-/* gl_FragCoord of a block; its z has the polygon offset, whether or not depth is tested. */
-GN_OUT_OF_LINE void place_fragments(const gn_pipeline *pipeline, raster_triangle triangle,
-                                    int32_t x, int32_t y, float center, float position[4][GN_LANES])
+static inline void interpolate_varyings(const fragment_state *state, raster_triangle triangle,
+                                        const block_places *at, lanes_f w,
+                                        float varying[GN_MAX_VARYINGS][GN_LANES])
 {
-    const float px = (float)x + center;
-    const float py = (float)y + center;
-    lanes_f depth = plane_in_block(triangle_plane(triangle, DEPTH_PLANE), px, py);
-    const attribute_plane w = triangle_plane(triangle, ONE_OVER_W_PLANE);
+    const gn_pipeline *const pipeline = state->pipeline;
+    const uint32_t count = pipeline->varying_count;
+
+    if (GN_SPECIALISED && state->is_smooth) {
+        for (uint32_t n = 0; n < count; ++n)
+            lanes_store(varying[n],
+                        lanes_mul(plane_at(triangle_plane(triangle, VARYING_PLANES + n), at), w));
+        return;
+    }
+    for (uint32_t n = 0; n < count; ++n)
+        lanes_store(varying[n], interpolate_varying(pipeline, triangle, n, at, w));
+}
+
+/* gl_FragCoord of a block; its z has the polygon offset, whether or not depth is tested. */
+static void place_fragments(const gn_pipeline *pipeline, raster_triangle triangle, int32_t x,
+                            int32_t y, const block_places *at, float position[4][GN_LANES])
+{
+    lanes_f depth = plane_at(triangle_plane(triangle, DEPTH_PLANE), at);
 
     GN_EACH_LANE (l) {
         position[0][l] = (float)(x + l % BLOCK_SIZE) + 0.5f;
@@ -51,12 +65,12 @@ GN_OUT_OF_LINE void place_fragments(const gn_pipeline *pipeline, raster_triangle
     if (GN_HAVE_OFFSET && pipeline->polygon_offset.set)
         depth = lanes_add(depth, lanes_splat(triangle_offset(triangle, pipeline->varying_count)));
     lanes_store(position[2], depth);
-    lanes_store(position[3], plane_in_block(w, px, py));
+    lanes_store(position[3], plane_at(triangle_plane(triangle, ONE_OVER_W_PLANE), at));
 }
 
-/* gl_PointCoord of a block whose planes are asked from (x, y) on; w is 1 / (1 / w). */
-GN_OUT_OF_LINE void locate_in_point(const gn_pipeline *pipeline, raster_triangle triangle, float x,
-                                    float y, lanes_f w, float coordinate[2][GN_LANES])
+/* gl_PointCoord of a block; w is 1 / (1 / w). */
+static void locate_in_point(const gn_pipeline *pipeline, raster_triangle triangle,
+                            const block_places *at, lanes_f w, float coordinate[2][GN_LANES])
 {
     const float across = point_word(triangle, POINT_PER_PIXEL);
     const float up = pipeline->point_origin == GN_POINT_LOWER_LEFT ? across : -across;
@@ -65,8 +79,8 @@ GN_OUT_OF_LINE void locate_in_point(const gn_pipeline *pipeline, raster_triangle
     const bool is_point = identity_of(triangle, pipeline->varying_count).is_point;
     const lanes_f zero = lanes_splat(0.0f);
 
-    lanes_store(coordinate[0], is_point ? lanes_mul(plane_in_block(s, x, y), w) : zero);
-    lanes_store(coordinate[1], is_point ? lanes_mul(plane_in_block(t, x, y), w) : zero);
+    lanes_store(coordinate[0], is_point ? lanes_mul(plane_at(s, at), w) : zero);
+    lanes_store(coordinate[1], is_point ? lanes_mul(plane_at(t, at), w) : zero);
 }
 
 /* What a fragment shader says beside colour: the fragments it keeps, and where `depth` is
@@ -96,55 +110,69 @@ static inline void mask_of_one_sample(uint32_t coverage, uint32_t mask[GN_LANES]
         mask[l] = coverage >> l & 1u;
 }
 
-/* Runs the shader on a block, `center` from the places that planes are given for. Colours are
- * left in `color`, room for which the pipeline's color_count asks. */
-GN_STEP void run_shader(const fragment_state *state, raster_triangle triangle, int32_t x, int32_t y,
-                        float center, uint32_t coverage, lanes_f w, float (*color)[GN_LANES],
-                        shader_verdict *verdict)
-{
-    const gn_pipeline *const pipeline = state->pipeline;
-    const float px = (float)x + center;
-    const float py = (float)y + center;
-    const triangle_identity identity = identity_of(triangle, pipeline->varying_count);
-    block_places places;
-    float varying[GN_MAX_VARYINGS][GN_LANES];
+/* The memory of what only some shaders ask for. */
+typedef struct asked_inputs {
     float position[4][GN_LANES], point_coordinate[2][GN_LANES];
     uint32_t covered[GN_LANES], kept[GN_LANES];
+} asked_inputs;
+
+/* Sets what the pipeline says of its shader's inputs and outputs beside varyings and colours. */
+GN_OUT_OF_LINE void set_asked_inputs(const gn_pipeline *pipeline, raster_triangle triangle,
+                                     const block_places *at, const lanes_f *w,
+                                     const shader_verdict *verdict, asked_inputs *asked,
+                                     gn_fragment_input *input, gn_fragment_output *output)
+{
+    if (pipeline->fragment_reads_primitive)
+        input->primitive_id = (uint32_t)identity_of(triangle, pipeline->varying_count).primitive;
+    if (pipeline->fragment_reads_position) {
+        place_fragments(pipeline, triangle, input->x, input->y, at, asked->position);
+        input->position = (const float(*)[GN_LANES])asked->position;
+    }
+    if (GN_HAVE_LINES && pipeline->fragment_reads_point_coordinate) {
+        locate_in_point(pipeline, triangle, at, *w, asked->point_coordinate);
+        input->point_coordinate = (const float(*)[GN_LANES])asked->point_coordinate;
+    }
+    if (GN_HAVE_SAMPLES && pipeline->fragment_reads_sample_mask) {
+        mask_of_one_sample(input->coverage, asked->covered);
+        input->sample_mask = verdict->covered_samples ? verdict->covered_samples : asked->covered;
+    }
+    if (GN_HAVE_SAMPLES && pipeline->fragment_writes_sample_mask) {
+        output->sample_mask = verdict->kept_samples ? verdict->kept_samples : asked->kept;
+        lanes_i_store((stored_word *)(void *)output->sample_mask, lanes_i_splat(-1));
+    }
+}
+
+/* Runs the shader on the block at (x, y), whose planes are asked at `places`. Colours are left in
+ * `color`, room for which the pipeline's color_count asks. */
+GN_STEP void run_shader(const fragment_state *state, raster_triangle triangle, int32_t x, int32_t y,
+                        const block_places *places, uint32_t coverage, lanes_f w,
+                        float (*color)[GN_LANES], shader_verdict *verdict)
+{
+    const gn_pipeline *const pipeline = state->pipeline;
+    float varying[GN_MAX_VARYINGS][GN_LANES];
+    asked_inputs asked;
     gn_fragment_input input;
     gn_fragment_output output;
 
-    set_places_in_block(&places, px, py);
-    for (uint32_t n = 0; n < pipeline->varying_count; ++n)
-        lanes_store(varying[n], interpolate_varying(pipeline, triangle, n, &places, w));
+    interpolate_varyings(state, triangle, places, w, varying);
     input.varying = (const float(*)[GN_LANES])varying;
     input.coverage = coverage;
     input.x = x;
     input.y = y;
     input.sampling = &state->shading->sampling;
-    input.front_facing = !identity.back;
-    input.primitive_id = pipeline->fragment_reads_primitive ? (uint32_t)identity.primitive : 0;
+    input.front_facing = !identity_of(triangle, pipeline->varying_count).back;
+    input.primitive_id = 0;
     input.position = 0;
-    if (pipeline->fragment_reads_position) {
-        place_fragments(pipeline, triangle, x, y, center, position);
-        input.position = (const float(*)[GN_LANES])position;
-    }
     input.point_coordinate = 0;
-    if (GN_HAVE_LINES && pipeline->fragment_reads_point_coordinate) {
-        locate_in_point(pipeline, triangle, px, py, w, point_coordinate);
-        input.point_coordinate = (const float(*)[GN_LANES])point_coordinate;
-    }
+    input.sample_mask = 0;
     output.color = color;
     output.kept = GN_ALL_LANES;
     output.depth = verdict->depth;
-    input.sample_mask = 0;
     output.sample_mask = 0;
-    if (GN_HAVE_SAMPLES && pipeline->fragment_reads_sample_mask) {
-        mask_of_one_sample(coverage, covered);
-        input.sample_mask = verdict->covered_samples ? verdict->covered_samples : covered;
-    }
-    if (GN_HAVE_SAMPLES && pipeline->fragment_writes_sample_mask) {
-        output.sample_mask = verdict->kept_samples ? verdict->kept_samples : kept;
-        lanes_i_store((stored_word *)(void *)output.sample_mask, lanes_i_splat(-1));
+    if (state->asks_inputs) {
+        const lanes_f in_memory = w;
+
+        set_asked_inputs(pipeline, triangle, places, &in_memory, verdict, &asked, &input, &output);
     }
     state->shading->fragment_shader(pipeline->uniforms, &input, &output);
     verdict->kept = output.kept;
@@ -210,7 +238,7 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
         return coverage;
 
     const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
-    run_shader(state, triangle, at->x, at->y, 0.0f, coverage, w, color, &verdict);
+    run_shader(state, triangle, at->x, at->y, at->places, coverage, w, color, &verdict);
     if (p->fragment_discards)
         coverage &= verdict.kept;
     if (p->fragment_writes_depth)
@@ -235,14 +263,18 @@ GN_OUT_OF_LINE uint32_t shade_whole_blocks(const fragment_state *state, raster_t
                                            int32_t x, int32_t y, uint32_t count, uint32_t coverage)
 {
     uint32_t passed = 0;
+    block_places places;
     fragment_place at;
 
+    set_rows_of_block(&places, (float)y);
     at.shape = SHAPE_BLOCK;
     at.y = y;
+    at.places = &places;
     at.columns = 0;
     at.row = 0;
     for (uint32_t i = 0; i < count; ++i) {
         at.x = x + (int32_t)i * BLOCK_SIZE;
+        set_columns_of_block(&places, (float)at.x);
         at.color = pixel_memory(&state->color, state->color.format, at.x, y);
         at.depth = pixel_memory(&state->depth, state->depth.format, at.x, y);
         passed += count_lanes(shade_whole(state, &at, triangle, coverage));
@@ -269,7 +301,7 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
     const lanes_f w = lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
     if (kind.source == SOURCE_SHADER) {
         set_verdict(&verdict);
-        run_shader(state, triangle, at->x, at->y, 0.0f, coverage, w, shaded, &verdict);
+        run_shader(state, triangle, at->x, at->y, at->places, coverage, w, shaded, &verdict);
         for (int c = 0; c < 4; ++c)
             color[c] = lanes_load(shaded[c]);
     } else {
@@ -305,10 +337,13 @@ GN_INLINE void shade_blocks(const fragment_state *state, fragment_kind kind,
                             raster_triangle triangle, int32_t x, int32_t y, uint32_t count,
                             uint32_t coverage)
 {
+    block_places places;
     fragment_place at;
 
+    set_rows_of_block(&places, (float)y);
     at.shape = SHAPE_INNER_BLOCK;
     at.y = y;
+    at.places = &places;
     at.columns = 0;
     at.row = 0;
     for (uint32_t i = 0; i < count; ++i) {
@@ -317,6 +352,7 @@ GN_INLINE void shade_blocks(const fragment_state *state, fragment_kind kind,
             shade_whole_blocks(state, triangle, at.x, y, 1, coverage);
             continue;
         }
+        set_columns_of_block(&places, (float)at.x);
         at.color = pixel_memory(&state->color, kind.color_format, at.x, y);
         at.depth = pixel_memory(&state->depth, kind.depth_format, at.x, y);
         shade(state, kind, &at, triangle, coverage);
@@ -349,6 +385,7 @@ GN_INLINE void shade_rows(const fragment_state *state, fragment_kind kind, raste
     for (uint32_t n = first_attribute(kind); n < end_attribute(kind); ++n)
         set_row_terms(&rows, n, triangle_plane(triangle, n), y);
     at.shape = SHAPE_ROW;
+    at.places = 0;
     at.columns = &columns;
     for (at.x = x; at.x < end; at.x += GN_LANES) {
         for (uint32_t n = first_attribute(kind); n < end_attribute(kind); ++n)

@@ -28,7 +28,7 @@ GN_INLINE void write_rgba8(const gn_surface *surface, const fragment_place *at, 
         store_covered_pixels(surface, at->x, at->y, coverage, pixels);
         return;
     }
-    if (coverage != GN_ALL_LANES)
+    if (at->shape != SHAPE_ROW || coverage != GN_ALL_LANES)
         pixels = lanes_i_select(lanes_from_bits(coverage), pixels,
                                 load_words(at->shape, at->color, surface->row_stride));
     store_words(at->shape, at->color, surface->row_stride, pixels);

@@ -141,7 +141,7 @@ GN_INLINE uint32_t test_depth(const depth_state *state, const gn_surface *surfac
     const lanes_i stored = load_words(at->shape, at->depth, surface->row_stride);
     const uint32_t passed = coverage & compare_depth(state, incoming, stored);
 
-    if (state->write && passed == GN_ALL_LANES)
+    if (state->write && at->shape == SHAPE_ROW && passed == GN_ALL_LANES)
         store_words(at->shape, at->depth, surface->row_stride, incoming);
     else if (state->write && passed)
         store_words(at->shape, at->depth, surface->row_stride,

@@ -16,10 +16,20 @@ typedef struct block_places {
     lanes_f x, y;
 } block_places;
 
-GN_INLINE void set_places_in_block(block_places *at, float x, float y)
+GN_INLINE void set_rows_of_block(block_places *at, float y)
+{
+    at->y = lanes_rows(1.0f, y);
+}
+
+GN_INLINE void set_columns_of_block(block_places *at, float x)
 {
     at->x = lanes_columns(1.0f, x, 0.0f);
-    at->y = lanes_rows(1.0f, y);
+}
+
+GN_INLINE void set_places_in_block(block_places *at, float x, float y)
+{
+    set_rows_of_block(at, y);
+    set_columns_of_block(at, x);
 }
 
 /* The same value as plane_in_block's. */
@@ -80,6 +90,7 @@ typedef struct fragment_place {
     fragment_shape shape;
     int32_t x, y;
     unsigned char *color, *depth; /* the first one's memory; null: no such surface */
+    const block_places *places;   /* of a block */
 
     /* Of a row. */
     const column_terms *columns;
@@ -91,7 +102,7 @@ GN_INLINE lanes_f interpolate(const fragment_place *at, raster_triangle triangle
 {
     if (at->shape == SHAPE_ROW)
         return lanes_add(lanes_splat(at->row[attribute]), at->columns->value[attribute]);
-    return plane_in_block(triangle_plane(triangle, attribute), (float)at->x, (float)at->y);
+    return plane_at(triangle_plane(triangle, attribute), at->places);
 }
 
 #endif

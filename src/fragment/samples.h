@@ -114,13 +114,13 @@ static void shade_samples(const fragment_state *state, fragment_place *at, raste
     const bool to_coverage = p->alpha_to_coverage && state->color.format != GN_FORMAT_NONE;
     const bool late = p->fragment_discards || p->fragment_writes_depth ||
                       p->fragment_writes_sample_mask || to_coverage;
-    const float x = (float)at->x + 0.5f;
-    const float y = (float)at->y + 0.5f;
+    block_places middle; /* of pixels */
     float written[GN_LANES];
     float color[4 * COLOR_LIMIT][GN_LANES];
     uint32_t covered[GN_LANES], kept[GN_LANES];
     shader_verdict verdict;
 
+    set_places_in_block(&middle, (float)at->x + 0.5f, (float)at->y + 0.5f);
     set_verdict(&verdict);
     if (p->fragment_reads_sample_mask) {
         masks_of_lanes(coverage, covered);
@@ -128,7 +128,7 @@ static void shade_samples(const fragment_state *state, fragment_place *at, raste
     }
     verdict.kept_samples = p->fragment_writes_sample_mask ? kept : 0;
     if (p->fragment_writes_depth) {
-        lanes_store(written, plane_in_block(triangle_plane(triangle, DEPTH_PLANE), x, y));
+        lanes_store(written, plane_at(triangle_plane(triangle, DEPTH_PLANE), &middle));
         verdict.depth = written;
     }
     if (!late)
@@ -136,9 +136,10 @@ static void shade_samples(const fragment_state *state, fragment_place *at, raste
     if (!covered_pixels(coverage) || (!late && !has_colors(state)))
         return;
 
-    const lanes_f w = lanes_div(lanes_splat(1.0f),
-                                plane_in_block(triangle_plane(triangle, ONE_OVER_W_PLANE), x, y));
-    run_shader(state, triangle, at->x, at->y, 0.5f, covered_pixels(coverage), w, color, &verdict);
+    const lanes_f w =
+        lanes_div(lanes_splat(1.0f), plane_at(triangle_plane(triangle, ONE_OVER_W_PLANE), &middle));
+    run_shader(state, triangle, at->x, at->y, &middle, covered_pixels(coverage), w, color,
+               &verdict);
     cover_by_shader(state, &verdict, to_coverage, color, coverage);
     if (late)
         test_samples(state, at, triangle, verdict.depth, coverage);
@@ -160,6 +161,7 @@ static void run_samples(const void *context, raster_triangle triangle, int32_t x
     at.shape = SHAPE_BLOCK;
     at.x = x;
     at.y = y;
+    at.places = 0;
     at.columns = 0;
     at.row = 0;
     for (uint32_t s = 0; s < GN_SAMPLES; ++s)

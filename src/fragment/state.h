@@ -47,6 +47,16 @@ static inline void set_ready_color(fragment_state *s, const gn_pipeline *pipelin
         s->has_ready_color = false;
 }
 
+static inline void set_shader_inputs(fragment_state *s, const gn_pipeline *pipeline)
+{
+    s->asks_inputs = pipeline->fragment_reads_position || pipeline->fragment_reads_primitive ||
+                     pipeline->fragment_reads_point_coordinate ||
+                     pipeline->fragment_reads_sample_mask || pipeline->fragment_writes_sample_mask;
+    s->is_smooth = true;
+    for (uint32_t n = 0; n < pipeline->varying_count; ++n)
+        s->is_smooth = s->is_smooth && pipeline->interpolation[n] == GN_SMOOTH;
+}
+
 static inline void set_fragment_state(fragment_state *s, const gn_target *target,
                                       const gn_pipeline *pipeline,
                                       const viewport_transform *viewport)
@@ -54,6 +64,7 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     const gn_format format = target->depth.format;
 
     s->pipeline = pipeline;
+    set_shader_inputs(s, pipeline);
     s->color = target->color[0];
     s->depth = target->depth;
     if (GN_SPECIALISED)

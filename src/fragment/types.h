@@ -110,6 +110,8 @@ typedef struct depth_limits {
 typedef struct fragment_state {
     const gn_pipeline *pipeline;
     const shading_functions *shading; /* how its fragment shader runs */
+    bool is_smooth;                   /* all of its varyings are */
+    bool asks_inputs;                 /* other than varyings, or writes a sample mask */
     bool has_ready_color;             /* it gives the first varyings ... */
     const gn_texture *texture;        /* ... times this, where it is not null; not with GN_SMALL */
     const gn_sampler *sampler;

@@ -51,8 +51,26 @@ static inline lanes_i edge_values(int32_t v, int32_t per_x, int32_t per_y)
     return lanes_i_add(lanes_i_splat(v), lanes_i_plane(-per_x, per_y));
 }
 
+/* Covered blocks of a small triangle, as many as are run together. */
+#define FOUND_BLOCKS (GN_SPECIALISED ? 32 : 1)
+
+typedef struct found_blocks {
+    uint32_t count;
+    int32_t x[FOUND_BLOCKS], y[FOUND_BLOCKS];
+    uint32_t coverage[FOUND_BLOCKS];
+} found_blocks;
+
+static inline void run_found(found_blocks *found, raster_triangle triangle, run_function *run,
+                             const void *context)
+{
+    for (uint32_t i = 0; i < found->count; ++i)
+        run(context, triangle, found->x[i], found->y[i], 1, found->coverage[i]);
+    found->count = 0;
+}
+
 /* A small triangle. Pixels outside its bounds are outside an edge too, so that only what
- * hangs over the target's part is masked. */
+ * hangs over the target's part is masked. Blocks are kept without a branch on whether they are
+ * covered, which processors cannot foresee, and run afterwards. */
 static inline void cover_small(const pixel_rectangle *target, const triangle_batch *batch,
                                const triangle_list *list, uint32_t lane, run_function *run,
                                const void *context)
@@ -63,11 +81,14 @@ static inline void cover_small(const pixel_rectangle *target, const triangle_bat
     const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
     const block_span columns = blocks_inside(target->min_x, target->max_x);
     const block_span rows = blocks_inside(target->min_y, target->max_y);
-    lanes_i row[3];
+    found_blocks found;
+    lanes_i row[3], across[3];
 
+    found.count = 0;
     for (int i = 0; i < 3; ++i) {
         const edge_lanes *edge = &batch->edge[i];
         row[i] = edge_values(edge->start[lane], edge->per_x[lane], edge->per_y[lane]);
+        across[i] = lanes_i_splat(BLOCK_SIZE * edge->per_x[lane]);
     }
     for (int32_t y = batch->origin[1][lane];; y += BLOCK_SIZE) {
         lanes_i value[3] = {row[0], row[1], row[2]};
@@ -79,19 +100,23 @@ static inline void cover_small(const pixel_rectangle *target, const triangle_bat
 
             if (begins_outside(columns, x) || begins_outside(rows, y))
                 coverage &= overhang_mask(target, x, y);
-            if (coverage)
-                run(context, triangle, x, y, 1, coverage);
+            found.x[found.count] = x;
+            found.y[found.count] = y;
+            found.coverage[found.count] = coverage;
+            found.count += coverage != 0;
+            if (found.count == FOUND_BLOCKS)
+                run_found(&found, triangle, run, context);
             if (x + BLOCK_SIZE > max_x)
                 break;
             for (int i = 0; i < 3; ++i)
-                value[i] =
-                    lanes_i_sub(value[i], lanes_i_splat(BLOCK_SIZE * batch->edge[i].per_x[lane]));
+                value[i] = lanes_i_sub(value[i], across[i]);
         }
         if (y + BLOCK_SIZE > max_y)
-            return;
+            break;
         for (int i = 0; i < 3; ++i)
             row[i] = lanes_i_add(row[i], lanes_i_splat(BLOCK_SIZE * batch->edge[i].per_y[lane]));
     }
+    run_found(&found, triangle, run, context);
 }
 
 /* Above every change of an edge function within a block, 3 * (|per_x| + |per_y|),
