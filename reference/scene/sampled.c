@@ -23,6 +23,7 @@ static void shade_vertices(const void *uniforms, const gn_vertex_input *in, gn_v
     memcpy(out->varying[COORDINATES], in->attribute[GN_ATTRIBUTE_TEXCOORD], sizeof *in->attribute);
 }
 
+/* The twins of depths write 0 for green and blue: to GLSL's compilers 0 times anything is +0. */
 static void shade_fragments(const void *uniforms, const gn_fragment_input *in,
                             gn_fragment_output *out)
 {
@@ -34,8 +35,10 @@ static void shade_fragments(const void *uniforms, const gn_fragment_input *in,
 
     in->sampling->sample(&u->texture, &u->sampler, &lookup, texel);
     for (int c = 0; c < 4; ++c) {
+        const bool is_zero = (c == 1 || c == 2) && !scene_is_color_format(u->texture.format);
+
         for (int l = 0; l < GN_LANES; ++l) {
-            out->color[c][l] = in->varying[COLOR + c][l] * texel[c][l];
+            out->color[c][l] = is_zero ? 0.0f : in->varying[COLOR + c][l] * texel[c][l];
         }
     }
 }

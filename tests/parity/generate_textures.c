@@ -235,7 +235,6 @@ void *random_any_sampling(builder *b)
     return random_sampling(b, target, ANY_LEVELS, depths && target != GN_TEXTURE_3D);
 }
 
-/* The colours that texels are multiplied with stay away from 0. */
 static void add_sampled(builder *b, gn_texture_target target, uint32_t levels, bool depths)
 {
     random_source *r = &b->random;
@@ -249,9 +248,10 @@ static void add_sampled(builder *b, gn_texture_target target, uint32_t levels, b
         const placement place = places[random_below(r, 4)];
         shape_triangles(b, place, builder_triangle_count(b));
     }
+    const float least = random_chance(r, 30) ? -1.0f : 0.25f;
     for (uint32_t i = 0; i < b->vertex_count; i++)
         for (int c = 0; c < 4; c++)
-            b->vertices[i].color[c] = 0.25f + 0.75f * b->vertices[i].color[c];
+            b->vertices[i].color[c] = least + (1.0f - least) * b->vertices[i].color[c];
     void *texels = random_sampling(b, target, levels, depths);
     builder_draw(b);
     free(texels);
