@@ -322,7 +322,7 @@ gn_status gn_clear_depth(const gn_surface *surface, float depth)
     if (!surface)
         return GN_NULL_POINTER;
 
-    const gn_status status = fault_of_surface(surface, is_depth_format(surface->format), 0);
+    const gn_status status = fault_of_surface(surface, format_has_depth(surface->format), 0);
     if (status)
         return status;
     clear_depth_stencil(surface, true, depth, false, 0);
@@ -347,7 +347,7 @@ gn_status gn_clear_depth_stencil(const gn_surface *surface, float depth, uint8_t
         return GN_NULL_POINTER;
 
     const gn_status status = fault_of_surface(
-        surface, is_depth_format(surface->format) || format_has_stencil(surface->format), 0);
+        surface, format_has_depth(surface->format) || format_has_stencil(surface->format), 0);
     if (status)
         return status;
     clear_depth_stencil(surface, true, depth, true, stencil);

@@ -5,12 +5,6 @@
 #include "../fragment/types.h"
 #include "faults.h"
 
-static inline bool is_depth_format(gn_format format)
-{
-    return format == GN_FORMAT_D16 || format == GN_FORMAT_D24 || format == GN_FORMAT_D32F ||
-           format == GN_FORMAT_D24S8 || format == GN_FORMAT_D32FS8;
-}
-
 /* Colours of a target are surfaces 0 to 7, its depth is this one. */
 #define SURFACE_DEPTH 8
 
@@ -85,7 +79,7 @@ static inline fault fault_of_target(const gn_target *target)
         const gn_surface *const s = i < SURFACE_DEPTH ? &target->color[i] : &target->depth;
         const bool fits = i < SURFACE_DEPTH
                               ? format_is_color(s->format)
-                              : is_depth_format(s->format) || format_has_stencil(s->format);
+                              : format_has_depth(s->format) || format_has_stencil(s->format);
 
         if (s->format != GN_FORMAT_NONE)
             FAULT_FROM(fault_of_surface(s, fits, i));

@@ -3,30 +3,7 @@
 #define GN_FRAGMENT_CHANNELS_H
 
 #include "../lanes/lanes.h"
-
-/* Of colours: red, green, blue, alpha, in this order. */
-static inline int format_channels(gn_format format)
-{
-    switch (format) {
-    case GN_FORMAT_R8:
-    case GN_FORMAT_R16:
-    case GN_FORMAT_R32F:
-        return 1;
-    case GN_FORMAT_RG8:
-        return 2;
-    case GN_FORMAT_RGB8:
-    case GN_FORMAT_RGB565:
-        return 3;
-    default:
-        return 4;
-    }
-}
-
-static inline bool format_is_float(gn_format format)
-{
-    return format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F || format == GN_FORMAT_RGBA16F ||
-           format == GN_FORMAT_D32F || format == GN_FORMAT_D32FS8;
-}
+#include "holds.h"
 
 /* A half in the low bits. */
 static inline lanes_f half_value(lanes_i half)

@@ -19,27 +19,7 @@
 #include "../backends/shading.h"
 #include "../lanes/lanes.h"
 #include "../raster/types.h"
-
-static inline bool format_has_stencil(gn_format format)
-{
-    return format == GN_FORMAT_D24S8 || format == GN_FORMAT_D32FS8 || format == GN_FORMAT_S8;
-}
-
-/* Colours in formats with conversions of their own (formats.h). */
-static inline bool format_is_encoded(gn_format format)
-{
-    return format >= GN_FORMAT_BGRA8 && format <= GN_FORMAT_SRGB8_A8;
-}
-
-static inline bool format_is_color(gn_format format)
-{
-    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F || format_is_encoded(format);
-}
-
-static inline bool format_has_depth(gn_format format)
-{
-    return format != GN_FORMAT_NONE && format != GN_FORMAT_S8;
-}
+#include "holds.h"
 
 /* What of incoming and stored depth is asked; `inverted` asks for the contrary. Stored
  * forms order as integers, so that these make all eight functions. */

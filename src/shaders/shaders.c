@@ -1,5 +1,5 @@
 /* The ready-made shaders as functions, and their choice for a pipeline. */
-#include "../fragment/types.h"
+#include "../fragment/holds.h"
 #include "../math/bits.h"
 
 #include "lit.h"

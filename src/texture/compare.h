@@ -4,18 +4,13 @@
 
 #include "gnomon/sampling.h"
 
+#include "../fragment/holds.h"
 #include "../lanes/lanes.h"
-
-static inline bool is_depth_format(gn_format format)
-{
-    return format == GN_FORMAT_D16 || format == GN_FORMAT_D24 || format == GN_FORMAT_D24S8 ||
-           format == GN_FORMAT_D32F || format == GN_FORMAT_D32FS8;
-}
 
 /* Whether a lookup gives comparisons' results. */
 static inline bool is_compared(gn_format format, const gn_sampler *sampler)
 {
-    return sampler->compare != GN_TEXTURE_COMPARE_NONE && is_depth_format(format);
+    return sampler->compare != GN_TEXTURE_COMPARE_NONE && format_has_depth(format);
 }
 
 /* What depths are compared with: depths of fixed point are 0 to 1, and so is the reference then.

@@ -63,7 +63,7 @@ GN_INLINE void set_lookup_state(lookup_state *state, const gn_texture *texture,
         state->masked[n] = is_masked(state->wrap[n], size[n]);
         state->has_border = state->has_border || state->wrap[n] == GN_WRAP_CLAMP_TO_BORDER;
     }
-    state->compare = is_depth_format(texture->format) ? sampler->compare : GN_TEXTURE_COMPARE_NONE;
+    state->compare = format_has_depth(texture->format) ? sampler->compare : GN_TEXTURE_COMPARE_NONE;
     if (state->has_border)
         set_border(state, sampler);
 }
