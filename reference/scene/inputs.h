@@ -1,6 +1,6 @@
 /* A user's shader that shows what a fragment is told and uses what it may say: facing,
- * primitive, window position, point coordinates, sample mask; discard, depth, sample mask. Its twin in GLSL is in
- * reference/osmesa/programs.c. */
+ * primitive, window position, point coordinates, sample mask; discard, depth, sample mask. Its twin
+ * in GLSL is in reference/osmesa/programs.c. */
 #ifndef SCENE_INPUTS_H
 #define SCENE_INPUTS_H
 

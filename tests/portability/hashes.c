@@ -102,8 +102,7 @@ static void add_scene(hash *h, const scene *s)
             add_word(h, scene_vertex_of(&d->mesh, i));
         for (uint32_t level = 0; t->level[0].texels && level < scene_level_count(t); level++) {
             const scene_extent e = scene_level_extent(t, level);
-            add_pixels(h, t->level[level].texels, t->format,
-                       (size_t)e.width * e.height * e.layers);
+            add_pixels(h, t->level[level].texels, t->format, (size_t)e.width * e.height * e.layers);
         }
     }
 }
