@@ -16,21 +16,13 @@ static GLenum attachment_of(gn_format format)
     }
 }
 
-/* A little more than the fraction itself, whether the driver rounds or cuts it off. */
-static uint32_t of_24_bits(uint32_t depth)
-{
-    const uint32_t whole = depth << 8 | depth >> 16;
-
-    return whole < UINT32_MAX - 32 ? whole + 32 : whole;
-}
-
 void reference_turn_depths(gn_format format, void *pixels, size_t count, bool to_opengl)
 {
     uint32_t *const word = pixels;
 
     for (size_t i = 0; i < count; ++i) {
         if (format == GN_FORMAT_D24)
-            word[i] = to_opengl ? of_24_bits(word[i]) : word[i] >> 8;
+            word[i] = to_opengl ? reference_depth32_of(word[i]) : word[i] >> 8;
         else if (format == GN_FORMAT_D24S8)
             word[i] = to_opengl ? word[i] << 8 | word[i] >> 24 : word[i] >> 8 | word[i] << 24;
         else if (format == GN_FORMAT_D32FS8)

@@ -29,3 +29,8 @@ reference_image_format reference_image_format_of(gn_format format)
 
     return formats[format];
 }
+
+uint32_t reference_depth32_of(uint32_t depth24)
+{
+    return depth24 << 8 | (depth24 == 0 ? 0u : depth24 == 0xFFFFFF ? 255u : 128u);
+}

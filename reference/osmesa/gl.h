@@ -135,6 +135,10 @@ typedef struct reference_image_format {
 
 reference_image_format reference_image_format_of(gn_format format);
 
+/* A depth of 24 bits as one of 32, from which the driver cuts off or rounds it again: in the middle
+ * of those that become it. (With the upper bits repeated below, 1 to 65,535 come out one less.) */
+uint32_t reference_depth32_of(uint32_t depth24);
+
 /* Words of depth, from Gnomon's form to OpenGL's or back. */
 void reference_turn_depths(gn_format format, void *pixels, size_t count, bool to_opengl);
 

@@ -25,9 +25,9 @@ static const void *convert_row(gn_format format, const void *row, uint32_t width
     }
     for (uint32_t x = 0; x < width; ++x) {
         const uint32_t word = ((const uint32_t *)row)[x];
-        const uint32_t repeated = (word & 0xFFFFFF) >> 16;
 
-        converted[x] = word << 8 | (format == GN_FORMAT_D24 ? repeated : word >> 24);
+        converted[x] = format == GN_FORMAT_D24 ? reference_depth32_of(word & 0xFFFFFF)
+                                               : word << 8 | word >> 24;
     }
     return converted;
 }

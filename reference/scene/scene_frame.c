@@ -201,6 +201,7 @@ typedef struct buffer {
     gn_format format;
     const void *ours, *reference;
     pixel clear;
+    bool sampled; /* read sample by sample */
 } buffer;
 
 /* What one pixel of a buffer says. */
@@ -210,10 +211,23 @@ typedef struct verdict {
     double largest;
 } verdict;
 
+/* A pixel of a buffer. Samples of depths of 24 bits are read as floats, which the highest two, and
+ * they alone, have in common: they count as one. */
+static pixel read_pixel(const buffer *b, const void *pixels, size_t i)
+{
+    pixel p = load_pixel(pixels, b->format, i);
+
+    if (b->sampled && (b->format == GN_FORMAT_D24 || b->format == GN_FORMAT_D24S8) &&
+        p.channel[0] == 0xFFFFFE) {
+        p.channel[0] = 0xFFFFFF;
+    }
+    return p;
+}
+
 static void compare_pixel(const buffer *b, size_t i, bool resolved, verdict *v)
 {
-    const pixel x = load_pixel(b->ours, b->format, i);
-    const pixel y = load_pixel(b->reference, b->format, i);
+    const pixel x = read_pixel(b, b->ours, i);
+    const pixel y = read_pixel(b, b->reference, i);
     const double largest = distance(&x, &y, b->format);
 
     v->differs |= !(resolved ? equal_resolved(&x, &y, b->format) : equal_pixels(&x, &y, b->format));
@@ -232,14 +246,15 @@ static int list_buffers(const scene *s, const scene_frame *ours, const scene_fra
         const gn_format format = scene_frame_format(ours, a);
 
         if (scene_frame_color(ours, a)) {
-            list[count++] = (buffer){format, scene_frame_color(ours, a),
-                                     scene_frame_color(reference, a), clear_color_pixel(s, format)};
+            list[count++] =
+                (buffer){format, scene_frame_color(ours, a), scene_frame_color(reference, a),
+                         clear_color_pixel(s, format), ours->images > 1};
         }
     }
     *colors = count;
     if (ours->depth) {
-        list[count++] =
-            (buffer){ours->depth_format, ours->depth, reference->depth, clear_depth_pixel(s)};
+        list[count++] = (buffer){ours->depth_format, ours->depth, reference->depth,
+                                 clear_depth_pixel(s), ours->images > 1};
     }
     return count;
 }
