@@ -95,6 +95,7 @@ typedef struct fragment_place {
     /* Of a row. */
     const column_terms *columns;
     const float *row; /* row_terms of y */
+    const lanes_f *w; /* of y, where it is the same in every column */
 } fragment_place;
 
 GN_INLINE lanes_f interpolate(const fragment_place *at, raster_triangle triangle,

@@ -28,6 +28,8 @@ const char *scene_class_name(scene_class c)
         return "meshes";
     case CLASS_PILES:
         return "piles";
+    case CLASS_FILLS:
+        return "fills";
     case CLASS_STRIPS:
         return "strips";
     case CLASS_FRAMEBUFFERS:
@@ -181,6 +183,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         break;
     case CLASS_PILES:
         generate_piles(&b);
+        break;
+    case CLASS_FILLS:
+        generate_fills(&b);
         break;
     case CLASS_STRIPS:
         generate_strips(&b);

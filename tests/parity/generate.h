@@ -16,6 +16,7 @@ typedef enum scene_class {
     CLASS_DEGENERATE,        /* no area, repeated and collinear vertices, w = 0 */
     CLASS_MESHES,            /* shared edges: grids and fans around points */
     CLASS_PILES,             /* overlapping, depth tested, equal depths, interpenetrating */
+    CLASS_FILLS,             /* layers over all of the target, level and rolled, many opaque */
     CLASS_STRIPS,            /* strips and fans, leftover vertices */
     CLASS_FRAMEBUFFERS,      /* odd sizes, fractional viewports */
     CLASS_DEPTH_STATE,       /* formats, functions, write mask, ranges */

@@ -44,6 +44,9 @@ void shape_hub(builder *b, uint32_t spokes);
  * interpenetrating. */
 void shape_pile(builder *b, uint32_t count);
 
+/* A quad over most of the target, of one w in every row, in every column or anywhere. */
+void shape_fill(builder *b);
+
 /* A strip that winds through the viewport, or a fan; the topology is set. */
 void shape_strip(builder *b, uint32_t triangles);
 
@@ -113,6 +116,7 @@ void *random_any_sampling(builder *b);
 /* One class each, from the target on. */
 void generate_meshes(builder *b);
 void generate_piles(builder *b);
+void generate_fills(builder *b);
 void generate_strips(builder *b);
 void generate_framebuffers(builder *b);
 void generate_depth_state(builder *b);
