@@ -2,6 +2,7 @@
 #ifndef GN_DRAW_STATE_H
 #define GN_DRAW_STATE_H
 
+#include "../fragment/runs.h"
 #include "../fragment/samples.h"
 #include "../geometry/assemble.h"
 #include "../geometry/viewport.h"

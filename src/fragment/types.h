@@ -10,6 +10,7 @@
  *   decode  and from them
  *   combine what a surface holds combined with colours, channel by channel
  *   block   interpolates, runs depth, the fragment shader and colour
+ *   runs    blocks and rows of them, by functions for the common states
  *
  * State is resolved once a draw, into the run_function (raster/types.h) that the
  * blocks are handed to. */

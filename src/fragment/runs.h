@@ -1,0 +1,295 @@
+/* Runs of blocks: in rows of 16 pixels as far as they go, in blocks elsewhere; a function for each
+ * common state, one for all others, and which of them draws a state. */
+#ifndef GN_FRAGMENT_RUNS_H
+#define GN_FRAGMENT_RUNS_H
+
+#include "block.h"
+
+/* Whether the block at (x, y) lies on the surfaces, which are of one size. */
+GN_INLINE bool lies_inside(const fragment_state *state, fragment_kind kind, int32_t x, int32_t y)
+{
+    return surface_holds_block(kind.color_format != GN_FORMAT_NONE ? &state->color : &state->depth,
+                               x, y);
+}
+
+/* Neighbouring blocks in a row. Those that hang over the surfaces' edge are left to what serves
+ * all states, so that the others call nothing. */
+GN_INLINE void shade_blocks(const fragment_state *state, fragment_kind kind,
+                            raster_triangle triangle, int32_t x, int32_t y, uint32_t count,
+                            uint32_t coverage)
+{
+    block_places places;
+    fragment_place at;
+
+    set_rows_of_block(&places, (float)y);
+    at.shape = SHAPE_INNER_BLOCK;
+    at.y = y;
+    at.places = &places;
+    at.columns = 0;
+    at.row = 0;
+    at.w = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        at.x = x + (int32_t)i * BLOCK_SIZE;
+        if (!lies_inside(state, kind, at.x, y)) {
+            shade_whole_blocks(state, triangle, at.x, y, 1, coverage);
+            continue;
+        }
+        set_columns_of_block(&places, (float)at.x);
+        at.color = pixel_memory(&state->color, kind.color_format, at.x, y);
+        at.depth = pixel_memory(&state->depth, kind.depth_format, at.x, y);
+        shade(state, kind, &at, triangle, coverage);
+    }
+}
+
+/* The attributes that the library interpolates for a kind of fragments: from the first on,
+ * up to the end. */
+GN_INLINE uint32_t first_attribute(fragment_kind kind)
+{
+    return kind.depth_format != GN_FORMAT_NONE ? DEPTH_PLANE : ONE_OVER_W_PLANE;
+}
+
+GN_INLINE uint32_t end_attribute(fragment_kind kind)
+{
+    if (kind.color_format == GN_FORMAT_NONE)
+        return ONE_OVER_W_PLANE;
+    return VARYING_PLANES + (kind.source == SOURCE_TEXTURE ? VARYING_END : VARYING_S);
+}
+
+/* Covered blocks, as many as make whole rows of 16 pixels. */
+GN_INLINE void shade_rows(const fragment_state *state, fragment_kind kind, raster_triangle triangle,
+                          int32_t x, int32_t y, uint32_t count)
+{
+    const int32_t end = x + (int32_t)count * BLOCK_SIZE;
+    column_terms columns;
+    row_terms rows;
+    lanes_f w[BLOCK_SIZE];
+    fragment_place at;
+
+    for (uint32_t n = first_attribute(kind); n < end_attribute(kind); ++n)
+        set_row_terms(&rows, n, triangle_plane(triangle, n), y);
+    at.shape = SHAPE_ROW;
+    at.places = 0;
+    at.columns = &columns;
+    if (kind.level) {
+        columns.value[ONE_OVER_W_PLANE] =
+            columns_from(triangle_plane(triangle, ONE_OVER_W_PLANE), x);
+        for (int32_t row = 0; row < BLOCK_SIZE; ++row) {
+            at.row = rows.value[row];
+            w[row] = w_at(&at, triangle);
+        }
+    }
+    for (at.x = x; at.x < end; at.x += GN_LANES) {
+        for (uint32_t n = first_attribute(kind); n < end_attribute(kind); ++n)
+            columns.value[n] = columns_from(triangle_plane(triangle, n), at.x);
+        at.color = pixel_memory(&state->color, kind.color_format, at.x, y);
+        at.depth = pixel_memory(&state->depth, kind.depth_format, at.x, y);
+        for (int32_t row = 0; row < BLOCK_SIZE; ++row) {
+            at.y = y + row;
+            at.row = rows.value[row];
+            at.w = &w[row];
+            shade(state, kind, &at, triangle, GN_ALL_LANES);
+            if (kind.color_format != GN_FORMAT_NONE)
+                at.color += state->color.row_stride;
+            if (kind.depth_format != GN_FORMAT_NONE)
+                at.depth += state->depth.row_stride;
+        }
+    }
+}
+
+/* Blocks that make a row of 16 pixels. */
+#define BLOCKS_IN_ROW (GN_LANES / BLOCK_SIZE)
+
+/* Covered blocks, in rows as far as they go. */
+GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster_triangle triangle,
+                         int32_t x, int32_t y, uint32_t count)
+{
+    const bool in_rows = kind.source != SOURCE_TEXTURE || has_one_filter(state->sampler);
+    const uint32_t whole = in_rows ? count - count % BLOCKS_IN_ROW : 0;
+    const bool usual_test =
+        kind.depth_format == GN_FORMAT_NONE || is_usual_depth_test(&state->test);
+    const bool level = kind.color_format != GN_FORMAT_NONE &&
+                       triangle_plane(triangle, ONE_OVER_W_PLANE).per_x == 0.0f;
+    fragment_kind known = kind;
+
+    /* Each branch makes the rows once more, of constants. */
+    if (!kind.solid) {
+        shade_rows(state, known, triangle, x, y, whole);
+    } else if (!usual_test) {
+        known.solid = true;
+        shade_rows(state, known, triangle, x, y, whole);
+    } else if (!level) {
+        known.solid = true;
+        known.usual_test = true;
+        shade_rows(state, known, triangle, x, y, whole);
+    } else {
+        known.solid = true;
+        known.usual_test = true;
+        known.level = true;
+        shade_rows(state, known, triangle, x, y, whole);
+    }
+    shade_blocks(state, kind, triangle, x + (int32_t)whole * BLOCK_SIZE, y, count - whole,
+                 GN_ALL_LANES);
+}
+
+/* All states that have no function of their own. */
+static void run_any(const void *context, raster_triangle triangle, int32_t x, int32_t y,
+                    uint32_t count, uint32_t coverage)
+{
+    shade_whole_blocks((const fragment_state *)context, triangle, x, y, count, coverage);
+}
+
+/* run_any for a counted_state. */
+static void run_counted(const void *context, raster_triangle triangle, int32_t x, int32_t y,
+                        uint32_t count, uint32_t coverage)
+{
+    const counted_state *counted = (const counted_state *)context;
+
+    *counted->passed += shade_whole_blocks(counted->state, triangle, x, y, count, coverage);
+}
+
+/* A run_function for one state; the context is a fragment_state. */
+#define GN_RUN_FUNCTION(name, depth_format, color_format, source, use)                             \
+    static void name(const void *context, raster_triangle triangle, int32_t x, int32_t y,          \
+                     uint32_t count, uint32_t coverage)                                            \
+    {                                                                                              \
+        const fragment_state *state = (const fragment_state *)context;                             \
+        const fragment_kind kind = {depth_format, color_format, source, use, false, false, false}; \
+                                                                                                   \
+        shade_blocks(state, kind, triangle, x, y, count, coverage);                                \
+    }
+
+/* The same for what is drawn in rows where it can be. Kept apart from the rows, single
+ * blocks, of which small triangles have most, begin with little ado. */
+#define GN_RUN_ROWS_FUNCTION(name, depth_format, color_format, source, use)                        \
+    GN_OUT_OF_LINE void name##_long(const fragment_state *state, raster_triangle triangle,         \
+                                    int32_t x, int32_t y, uint32_t count)                          \
+    {                                                                                              \
+        const fragment_kind kind = {                                                               \
+            depth_format, color_format, source, use, triangle_is_solid(triangle), false, false};   \
+                                                                                                   \
+        shade_run(state, kind, triangle, x, y, count);                                             \
+    }                                                                                              \
+    static void name(const void *context, raster_triangle triangle, int32_t x, int32_t y,          \
+                     uint32_t count, uint32_t coverage)                                            \
+    {                                                                                              \
+        const fragment_state *state = (const fragment_state *)context;                             \
+        const fragment_kind kind = {                                                               \
+            depth_format, color_format, source, use, triangle_is_solid(triangle), false, false};   \
+                                                                                                   \
+        if (count > 1)                                                                             \
+            name##_long(state, triangle, x, y, count);                                             \
+        else                                                                                       \
+            shade_blocks(state, kind, triangle, x, y, 1, coverage);                                \
+    }
+
+GN_RUN_FUNCTION(run_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_REPLACES)
+GN_RUN_FUNCTION(run_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_REPLACES)
+GN_RUN_FUNCTION(run_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_color_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_COLOR, COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_color_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_COLOR,
+                     COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_color_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_COLOR,
+                     COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_texture_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
+                     COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_texture_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
+                     COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_texture_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
+                     COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_depth_d24, GN_FORMAT_D24, GN_FORMAT_NONE, SOURCE_SHADER, COLOR_REPLACES)
+GN_RUN_ROWS_FUNCTION(run_depth_d32f, GN_FORMAT_D32F, GN_FORMAT_NONE, SOURCE_SHADER, COLOR_REPLACES)
+
+/* Colours laid over those that are there. */
+GN_RUN_FUNCTION(run_over, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_OVER)
+GN_RUN_FUNCTION(run_over_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_OVER)
+GN_RUN_FUNCTION(run_over_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_OVER)
+GN_RUN_ROWS_FUNCTION(run_over_color, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_COLOR, COLOR_OVER)
+GN_RUN_ROWS_FUNCTION(run_over_color_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_COLOR, COLOR_OVER)
+GN_RUN_ROWS_FUNCTION(run_over_color_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_COLOR, COLOR_OVER)
+GN_RUN_ROWS_FUNCTION(run_over_texture, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_TEXTURE, COLOR_OVER)
+GN_RUN_ROWS_FUNCTION(run_over_texture_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
+                     COLOR_OVER)
+GN_RUN_ROWS_FUNCTION(run_over_texture_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
+                     COLOR_OVER)
+
+/* Whether the state asks nothing of the order of shader and tests, of depth or of colours that
+ * the special functions leave out. */
+static inline bool is_plain(const fragment_state *state)
+{
+    const gn_pipeline *p = state->pipeline;
+
+    return !p->fragment_discards && !p->fragment_writes_depth && !state->moves_depth &&
+           !state->clamps_depth && p->color_count <= 1 &&
+           !format_has_stencil(state->depth.format) && state->combine.use != COLOR_COMBINES;
+}
+
+static inline fragment_source source_of(const fragment_state *state)
+{
+    const gn_pipeline *p = state->pipeline;
+    const bool texture = state->texture;
+    const uint32_t varyings = texture ? VARYING_END : VARYING_ALPHA + 1;
+
+    if (!state->has_ready_color || p->varying_count < varyings)
+        return SOURCE_SHADER;
+    for (uint32_t n = 0; n < varyings; ++n) {
+        if (p->interpolation[n] != GN_SMOOTH)
+            return SOURCE_SHADER;
+    }
+    return texture ? SOURCE_TEXTURE : SOURCE_COLOR;
+}
+
+/* Of those with GN_FORMAT_RGBA8 that lay colours over others. */
+static inline run_function *run_over_function_of(gn_format depth, fragment_source source)
+{
+    switch (depth) {
+    case GN_FORMAT_NONE:
+        return source == SOURCE_COLOR     ? run_over_color
+               : source == SOURCE_TEXTURE ? run_over_texture
+                                          : run_over;
+    case GN_FORMAT_D24:
+        return source == SOURCE_COLOR     ? run_over_color_d24
+               : source == SOURCE_TEXTURE ? run_over_texture_d24
+                                          : run_over_d24;
+    case GN_FORMAT_D32F:
+        return source == SOURCE_COLOR     ? run_over_color_d32f
+               : source == SOURCE_TEXTURE ? run_over_texture_d32f
+                                          : run_over_d32f;
+    default:
+        return run_any;
+    }
+}
+
+/* The function that draws blocks under a state. */
+static inline run_function *run_function_of(const fragment_state *state)
+{
+    const fragment_source source = source_of(state);
+
+    if (!GN_SPECIALISED || !is_plain(state))
+        return run_any;
+    if (state->color.format == GN_FORMAT_NONE)
+        return state->depth.format == GN_FORMAT_D24    ? run_depth_d24
+               : state->depth.format == GN_FORMAT_D32F ? run_depth_d32f
+                                                       : run_any;
+    if (state->color.format != GN_FORMAT_RGBA8)
+        return run_any;
+    if (state->combine.use == COLOR_OVER)
+        return run_over_function_of(state->depth.format, source);
+    switch (state->depth.format) {
+    case GN_FORMAT_NONE:
+        return source == SOURCE_COLOR     ? run_color_rgba8
+               : source == SOURCE_TEXTURE ? run_texture_rgba8
+                                          : run_rgba8;
+    case GN_FORMAT_D24:
+        return source == SOURCE_COLOR     ? run_color_rgba8_d24
+               : source == SOURCE_TEXTURE ? run_texture_rgba8_d24
+                                          : run_rgba8_d24;
+    case GN_FORMAT_D32F:
+        return source == SOURCE_COLOR     ? run_color_rgba8_d32f
+               : source == SOURCE_TEXTURE ? run_texture_rgba8_d32f
+                                          : run_rgba8_d32f;
+    default:
+        return run_any;
+    }
+}
+
+#endif
