@@ -299,7 +299,7 @@ typedef struct gn_vertex_output {
 typedef struct gn_fragment_input {
     const float (*varying)[GN_LANES]; /* [varying][lane] */
     uint32_t coverage;                /* bit l: lane l is covered and passed early tests */
-    int32_t x, y;                     /* window coordinates of lane 0: x a multiple of 4, y of 2 */
+    int32_t x, y;                     /* window coordinates of lane 0, both even */
 
     /* The functions of sampling.h in the form of the back end that runs the shader; the same
      * results. */

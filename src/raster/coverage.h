@@ -60,6 +60,32 @@ typedef struct found_blocks {
     uint32_t coverage[FOUND_BLOCKS];
 } found_blocks;
 
+/* Lanes of the left and of the right half of a block. */
+#define LEFT_HALF 0x3333u
+#define RIGHT_HALF 0xCCCCu
+
+/* Blocks of one row, found from number `first` on: where neither the left half of the first nor
+ * the right half of the last is covered, they are laid anew from two columns further on, which
+ * takes one less. */
+static inline void join_halves(found_blocks *found, uint32_t first)
+{
+    uint32_t kept = first;
+
+    if (found->count < first + 2)
+        return;
+    const uint32_t last = found->count - 1;
+    if ((found->coverage[first] & LEFT_HALF) || (found->coverage[last] & RIGHT_HALF) ||
+        (uint32_t)(found->x[last] - found->x[first]) != (last - first) * BLOCK_SIZE)
+        return;
+    for (uint32_t i = first; i < last; ++i) {
+        found->x[kept] = found->x[i] + BLOCK_SIZE / 2;
+        found->coverage[kept] =
+            (found->coverage[i] >> 2 & LEFT_HALF) | (found->coverage[i + 1] << 2 & RIGHT_HALF);
+        kept += found->coverage[kept] != 0;
+    }
+    found->count = kept;
+}
+
 static inline void run_found(found_blocks *found, raster_triangle triangle, run_function *run,
                              const void *context)
 {
@@ -92,6 +118,7 @@ static inline void cover_small(const pixel_rectangle *target, const triangle_bat
     }
     for (int32_t y = batch->origin[1][lane];; y += BLOCK_SIZE) {
         lanes_i value[3] = {row[0], row[1], row[2]};
+        uint32_t first = found.count;
 
         for (int32_t x = left;; x += BLOCK_SIZE) {
             uint32_t coverage =
@@ -104,13 +131,17 @@ static inline void cover_small(const pixel_rectangle *target, const triangle_bat
             found.y[found.count] = y;
             found.coverage[found.count] = coverage;
             found.count += coverage != 0;
-            if (found.count == FOUND_BLOCKS)
+            if (found.count == FOUND_BLOCKS) {
                 run_found(&found, triangle, run, context);
+                first = 0;
+            }
             if (x + BLOCK_SIZE > max_x)
                 break;
             for (int i = 0; i < 3; ++i)
                 value[i] = lanes_i_sub(value[i], across[i]);
         }
+        if (GN_SPECIALISED)
+            join_halves(&found, first);
         if (y + BLOCK_SIZE > max_y)
             break;
         for (int i = 0; i < 3; ++i)

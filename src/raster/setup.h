@@ -8,23 +8,23 @@
 #include "cull.h"
 #include "offset.h"
 
-/* The pixel from which a triangle's blocks are laid. Columns start at a multiple of four, so
- * that the blocks of neighbouring triangles load what was stored; rows at an even one, so
- * that blocks are made of whole quads, if the highest block then stays in the part of the
- * target that is drawn: the rows above may be another thread's, and the part ends at a
- * multiple of four or with the target. */
+/* The pixel from which a triangle's blocks are laid: the first even one, so that blocks are made
+ * of whole quads. Rows start at a multiple of four where the highest block would otherwise leave
+ * the part of the target that is drawn: the rows above may be another thread's, and the part ends
+ * at a multiple of four or with the target. */
 GN_STEP void place_blocks(const pixel_rectangle *target, const triangle_list *list,
                           lanes_i origin[2])
 {
     const lanes_i min_y = lanes_i_load(list->bounds[BOUNDS_MIN_Y]);
     const lanes_i max_y = lanes_i_load(list->bounds[BOUNDS_MAX_Y]);
     const lanes_i to_block = lanes_i_splat(~(BLOCK_SIZE - 1));
-    const lanes_i even = lanes_i_and(min_y, lanes_i_splat(~1));
+    const lanes_i to_quad = lanes_i_splat(~1);
+    const lanes_i even = lanes_i_and(min_y, to_quad);
     const lanes_i highest = lanes_i_add(even, lanes_i_and(lanes_i_sub(max_y, even), to_block));
     const lanes_m leaves =
         lanes_i_greater(highest, lanes_i_splat(target->max_y - (BLOCK_SIZE - 1)));
 
-    origin[0] = lanes_i_and(lanes_i_load(list->bounds[BOUNDS_MIN_X]), to_block);
+    origin[0] = lanes_i_and(lanes_i_load(list->bounds[BOUNDS_MIN_X]), to_quad);
     origin[1] = lanes_i_select(leaves, lanes_i_and(min_y, to_block), even);
 }
 

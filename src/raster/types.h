@@ -122,8 +122,8 @@ static inline float triangle_offset(raster_triangle t, uint32_t varying_count)
     return t.planes[(plane * PLANE_TERMS + IDENTITY_OFFSET) * GN_LANES];
 }
 
-/* Called for runs of `count` neighbouring 4x4 blocks in a row, the first at (x, y), x a
- * multiple of 4 and y of 2; bit l of coverage is lane l, the same in every block. More than
+/* Called for runs of `count` neighbouring 4x4 blocks in a row, the first at (x, y), both
+ * even; bit l of coverage is lane l, the same in every block. More than
  * one block is only called for where all pixels are covered. */
 typedef void run_function(const void *context, raster_triangle triangle, int32_t x, int32_t y,
                           uint32_t count, uint32_t coverage);
