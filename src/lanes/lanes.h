@@ -75,6 +75,14 @@ typedef int32_t stored_word;
 #define GN_OUT_OF_LINE static
 #endif
 
+/* The same where lanes fill one or two registers. Of four, the values of so long a function would
+ * leave them for memory, and compilers decide. */
+#if defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2)
+#define GN_WIDE_INLINE GN_INLINE
+#else
+#define GN_WIDE_INLINE static inline
+#endif
+
 /* For the steps of long functions, inline but with GN_SMALL: compilers give every value of
  * lanes in a function a place of its own in its frame, so that one long function takes more
  * stack than any of its steps. */

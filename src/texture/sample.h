@@ -102,9 +102,9 @@ GN_OUT_OF_LINE void sample_linear_any(const gn_texture *texture, const gn_sample
 
 /* The words of the four texels. Where no lane is at an end, the texels of a row are
  * neighbours in memory. */
-static inline void fetch_corners(const gn_texture *texture, const gn_sampler *sampler,
-                                 const texel_pair *u, const texel_pair *v,
-                                 lanes_i corner[CORNER_COUNT])
+GN_WIDE_INLINE void fetch_corners(const gn_texture *texture, const gn_sampler *sampler,
+                                  const texel_pair *u, const texel_pair *v,
+                                  lanes_i corner[CORNER_COUNT])
 {
     const stored_word *const words = texture->level[0].texels;
     const lanes_i index = word_index(texture, u->first, v->first);
@@ -136,11 +136,16 @@ GN_INLINE lanes_f mix_corners(const lanes_i corner[CORNER_COUNT], int channel, l
     return mix(v, below, above);
 }
 
+/* What calls write to is in arrays of their own, since these stay in memory. */
 GN_INLINE void sample_linear_inline(const gn_texture *texture, const gn_sampler *sampler,
                                     const lanes_f *s, const lanes_f *t, lanes_f texel[4])
 {
     if (!has_word_texels(texture, 0)) {
-        sample_linear_any(texture, sampler, s, t, texel);
+        lanes_f any[4];
+
+        sample_linear_any(texture, sampler, s, t, any);
+        for (int c = 0; c < 4; ++c)
+            texel[c] = any[c];
         return;
     }
 

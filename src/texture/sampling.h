@@ -13,14 +13,17 @@ static inline void sample_simple_2d(const gn_texture *texture, const gn_sampler 
 {
     const lanes_f u = lanes_load(s);
     const lanes_f v = lanes_load(t);
-    lanes_f out[4];
+    lanes_f out[4], any[4];
 
-    if (GN_SPECIALISED && has_one_filter(sampler) && sampler->magnify == GN_MAGNIFY_LINEAR)
+    if (GN_SPECIALISED && has_one_filter(sampler) && sampler->magnify == GN_MAGNIFY_LINEAR) {
         sample_linear_inline(texture, sampler, &u, &v, out);
-    else
-        sample(texture, sampler, &u, &v, out);
-    for (int c = 0; c < 4; ++c)
-        lanes_store(texel[c], out[c]);
+        for (int c = 0; c < 4; ++c)
+            lanes_store(texel[c], out[c]);
+    } else {
+        sample(texture, sampler, &u, &v, any);
+        for (int c = 0; c < 4; ++c)
+            lanes_store(texel[c], any[c]);
+    }
 }
 
 /* The border as a texel: within the range of the format. */

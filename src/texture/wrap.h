@@ -81,7 +81,7 @@ static inline lanes_f clamped_texels(lanes_f coordinate, lanes_f n)
 /* Of GN_WRAP_REPEAT and GN_WRAP_CLAMP_TO_EDGE. Numbers beyond the integers are converted to
  * INT32_MIN: texel 0 of a power of two, which a mask takes it to, and otherwise, as all that is
  * negative, the last. */
-static inline texel_pair wrap_linear(gn_wrap wrap, bool masked, lanes_f coordinate, uint32_t size)
+GN_WIDE_INLINE texel_pair wrap_linear(gn_wrap wrap, bool masked, lanes_f coordinate, uint32_t size)
 {
     const lanes_f n = lanes_splat((float)size);
     const lanes_f half = lanes_splat(0.5f);

@@ -84,6 +84,7 @@ static const char *description_of(const char *scene)
 {
     static const char *const descriptions[][2] = {
         {"S1", "64 full screens, four colours"},
+        {"S1 rolled", "the same, w not level along rows"},
         {"S2", "64 full screens, bilinear texture"},
         {"S2 nearest", "the same, nearest texel"},
         {"S2 levels", "the same, mixed from two levels"},

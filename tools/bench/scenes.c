@@ -10,6 +10,7 @@ enum { MOST_QUADS = 64, TEXTURE_SIDE = 512 };
 
 const bench_scene bench_scenes[BENCH_SCENE_COUNT] = {
     {"S1", BENCH_QUADS, 1024, 64, 0.0f},
+    {"S1 rolled", BENCH_ROLLED_QUADS, 1024, 64, 0.0f},
     {"S2", BENCH_TEXTURED_QUADS, 1024, 64, 0.0f},
     {"S2 nearest", BENCH_NEAREST_QUADS, 1024, 64, 0.0f},
     {"S2 levels", BENCH_LEVEL_QUADS, 1024, 64, 0.0f},
@@ -106,14 +107,16 @@ static void set_quads_texture(scene_draw *d, bench_shape shape)
     }
 }
 
-/* Of a cube the texture coordinates are a direction, that of the corner. */
+/* Of a cube the texture coordinates are a direction, that of the corner. Rolled quads are turned
+ * and enlarged so that they still cover the target: a rotation times 1.36. */
 static void add_quads(scene *s, uint32_t quads, bench_shape shape)
 {
     static const float corner_color[4][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}};
     float position[MOST_QUADS * 4][3], color[MOST_QUADS * 4][3];
     float normal[MOST_QUADS * 4][3], texcoord[MOST_QUADS * 4][3];
     uint32_t index[MOST_QUADS * 6];
-    const scene_shader shader = shape == BENCH_QUADS ? SCENE_VERTEX_COLOR
+    const bool textured = shape != BENCH_QUADS && shape != BENCH_ROLLED_QUADS;
+    const scene_shader shader = !textured ? SCENE_VERTEX_COLOR
                                 : shape == BENCH_LEVEL_QUADS || shape == BENCH_CUBE_QUADS
                                     ? SCENE_SAMPLED
                                     : SCENE_TEXTURED_GOURAUD;
@@ -134,6 +137,10 @@ static void add_quads(scene *s, uint32_t quads, bench_shape shape)
             texcoord[i][2] = 0.0f;
             for (int c = 0; shape == BENCH_CUBE_QUADS && c < 3; ++c)
                 texcoord[i][c] = position[i][c] / distance;
+            if (shape == BENCH_ROLLED_QUADS) {
+                position[i][0] = 1.3f * (v & 1 ? d : -d) - 0.4f * (v < 2 ? -d : d);
+                position[i][1] = 0.4f * (v & 1 ? d : -d) + 1.3f * (v < 2 ? -d : d);
+            }
             for (int c = 0; c < 3; ++c) {
                 color[i][c] = corner_color[v][c];
                 normal[i][c] = c == 2 ? 1.0f : 0.0f;
@@ -145,7 +152,7 @@ static void add_quads(scene *s, uint32_t quads, bench_shape shape)
     scene_draw *d = add_draw(s, shader);
     scene_set_attribute(d, GN_ATTRIBUTE_POSITION, position[0], 3, quads * 4);
     scene_set_attribute(d, GN_ATTRIBUTE_COLOR, color[0], 3, quads * 4);
-    if (shape != BENCH_QUADS) { /* under a light that leaves the colours as they are */
+    if (textured) { /* under a light that leaves the colours as they are */
         d->uniforms.light.ambient = (gn_vec3){1.0f, 1.0f, 1.0f};
         d->uniforms.light.light_direction = (gn_vec3){0.0f, 0.0f, 1.0f};
         scene_set_attribute(d, GN_ATTRIBUTE_NORMAL, normal[0], 3, quads * 4);
@@ -251,6 +258,7 @@ scene *bench_build(const bench_scene *b)
     case BENCH_CLEAR:
         break;
     case BENCH_QUADS:
+    case BENCH_ROLLED_QUADS:
     case BENCH_TEXTURED_QUADS:
     case BENCH_NEAREST_QUADS:
     case BENCH_LEVEL_QUADS:

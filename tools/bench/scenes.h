@@ -2,7 +2,8 @@
  * near 0.5, far 200; every frame clears both. Lengths are pixels.
  *
  *   S1  fill: 64 full-screen quads back to front, the top 1.25 times further than the
- *       bottom, four colours interpolated
+ *       bottom, four colours interpolated: w is the same along every row, which is drawn
+ *       faster; of "S1 rolled", under a rolled camera, it is not
  *   S2  the same with a repeating bilinear texture of 512x512, coordinates 0 to 4
  *       "S2 nearest" takes the nearest texel; "S2 levels" mixes two levels, and "S2 cube" those of
  *       a cube map, by a user's shader (reference/scene/sampled.h)
@@ -25,6 +26,7 @@
 typedef enum bench_shape {
     BENCH_CLEAR,
     BENCH_QUADS,
+    BENCH_ROLLED_QUADS,
     BENCH_TEXTURED_QUADS,
     BENCH_NEAREST_QUADS,
     BENCH_LEVEL_QUADS,
@@ -42,7 +44,7 @@ typedef struct bench_scene {
     float across;    /* the sphere's outline, as a part of the side */
 } bench_scene;
 
-#define BENCH_SCENE_COUNT 10
+#define BENCH_SCENE_COUNT 11
 #define BENCH_SCALE_COUNT 19
 
 extern const bench_scene bench_scenes[BENCH_SCENE_COUNT];
