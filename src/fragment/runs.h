@@ -105,9 +105,8 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
 {
     const bool in_rows = kind.source != SOURCE_TEXTURE || has_one_filter(state->sampler);
     const uint32_t whole = in_rows ? count - count % BLOCKS_IN_ROW : 0;
-    const bool usual_test =
-        kind.use == COLOR_REPLACES &&
-        (kind.depth_format == GN_FORMAT_NONE || is_usual_depth_test(&state->test));
+    const bool usual_test = kind.use == COLOR_REPLACES && (kind.depth_format == GN_FORMAT_NONE ||
+                                                           is_usual_depth_test(&state->test));
     const bool level = kind.color_format != GN_FORMAT_NONE &&
                        triangle_plane(triangle, ONE_OVER_W_PLANE).per_x == 0.0f;
     fragment_kind known = kind;
