@@ -4,7 +4,9 @@
 
 #include <stdlib.h>
 
-void shape_fill(builder *b)
+/* A quad over most of the target, of one w in every row, in every column, everywhere or at random.
+ */
+static void shape_fill(builder *b)
 {
     random_source *r = &b->random;
     const gn_viewport view = builder_viewport(b);

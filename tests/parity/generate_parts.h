@@ -44,9 +44,6 @@ void shape_hub(builder *b, uint32_t spokes);
  * interpenetrating. */
 void shape_pile(builder *b, uint32_t count);
 
-/* A quad over most of the target, of one w in every row, in every column or anywhere. */
-void shape_fill(builder *b);
-
 /* A strip that winds through the viewport, or a fan; the topology is set. */
 void shape_strip(builder *b, uint32_t triangles);
 
