@@ -293,13 +293,13 @@ typedef struct gn_vertex_output {
     float (*clip_distance)[GN_LANES]; /* [distance][lane] */
 } gn_vertex_output;
 
-/* Input of a fragment shader: a block of 4x4 fragments, lane l at pixel
- * (x + l % 4, y + l / 4). Varyings hold values in every lane, also where a
+/* Input of a fragment shader: two halves of 4x2 fragments each, lane l at pixel
+ * (x[l / 8] + l % 4, y[l / 8] + l / 4 % 2). Varyings hold values in every lane, also where a
  * fragment is not covered, so that derivatives can be taken in 2x2 quads. */
 typedef struct gn_fragment_input {
     const float (*varying)[GN_LANES]; /* [varying][lane] */
     uint32_t coverage;                /* bit l: lane l is covered and passed early tests */
-    int32_t x, y;                     /* window coordinates of lane 0, both even */
+    int32_t x[2], y[2];               /* window coordinates of lanes 0 and 8, all even */
 
     /* The functions of sampling.h in the form of the back end that runs the shader; the same
      * results. */

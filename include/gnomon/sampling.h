@@ -98,7 +98,8 @@ typedef enum gn_lod_source {
     GN_LOD_GRADIENTS     /* gradient_x, gradient_y; lod is not looked at */
 } gn_lod_source;
 
-/* Sixteen places in a texture, lane l being the fragment (l % 4, l / 4) of a 4x4 block. Pointers
+/* Sixteen places in a texture, lane l being fragment (l % 4, l / 4 % 2) of half l / 8 of a fragment
+ * shader's input: a quad is lanes l, l + 1, l + 4 and l + 5. Pointers
  * are to GN_LANES values; those that a target or lod_source does not ask for may be null. All lanes
  * must hold coordinates, covered or not, since differences are taken from a quad's lower left
  * fragment. A number that is not finite reads some texel of the texture or the border, never

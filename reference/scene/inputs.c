@@ -45,7 +45,9 @@ static void shade_inputs(const void *uniforms, const gn_fragment_input *in, gn_f
             out->color[GREEN][l] + (float)(int32_t)in->sample_mask[l] * SAMPLES_STEP;
     }
     for (int l = 0; out->sample_mask && l < GN_LANES; ++l) {
-        const int32_t pattern = (in->x + l % 4) * 3 + (in->y + l / 4) * 5;
+        const int32_t column = in->x[l / 8] + l % 4;
+        const int32_t row = in->y[l / 8] + l / 4 % 2;
+        const int32_t pattern = column * 3 + row * 5;
 
         out->sample_mask[l] = (uint32_t)pattern ^ (in->sample_mask ? in->sample_mask[l] : 0);
     }

@@ -73,7 +73,7 @@ typedef struct draw_state {
     bool is_sampled; /* coverage is that of samples */
     float center;    /* of a pixel, where planes have their values at integers */
     fragment_state fragment[SAMPLE_STATES]; /* for each sample; otherwise the first */
-    run_function *shade_run;
+    block_functions shade;
 } draw_state;
 
 static inline void set_sample_state(draw_state *draw, uint32_t sample)
@@ -108,7 +108,11 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     if (GN_HAVE_OFFSET)
         draw->offset = offset_state_of(job->pipeline, job->target->depth.format,
                                        draw->fragment[0].moves_depth);
-    draw->shade_run = job->samples_passed ? run_counted : run_function_of(&draw->fragment[0]);
+    draw->shade = block_functions_of(&draw->fragment[0]);
+    if (job->samples_passed) {
+        draw->shade.squares = run_counted;
+        draw->shade.packed = 0;
+    }
     draw->is_sampled = GN_HAVE_SAMPLES && samples_of(any) > 1;
     draw->center = 0.5f;
     if (draw->is_sampled) {

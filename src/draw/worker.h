@@ -5,6 +5,7 @@
 
 #include "../geometry/assemble.h"
 #include "../geometry/clip.h"
+#include "../raster/halves.h"
 #include "../raster/samples.h"
 #include "../raster/setup_box.h"
 #include "elements.h"
@@ -63,11 +64,11 @@ GN_OUT_OF_LINE void draw_boxes(worker *w, const triangle_list *list, const void 
     if (w->kind == KIND_POINT) {
         setup_points(&w->cull.box, draw->pipeline, draw->job->memory, list, w->batch);
         for (uint32_t l = 0; l < list->count; ++l)
-            cover_point(w->batch, list, l, draw->shade_run, context);
+            cover_point(w->batch, list, l, draw->shade.squares, context);
     } else {
         setup_lines(&w->cull.box, draw->pipeline, draw->job->memory, list, w->batch);
         for (uint32_t l = 0; l < list->count; ++l)
-            cover_line(w->batch, list, l, draw->shade_run, context);
+            cover_line(w->batch, list, l, draw->shade.squares, context);
     }
 }
 
@@ -130,7 +131,7 @@ static void draw_triangles(worker *w, const triangle_list *list)
     }
     setup_triangles(draw->pipeline, &draw->offset, 0.5f, &w->cull.target, draw->job->memory, list,
                     w->batch);
-    cover_triangles(&w->cull.target, w->batch, list, draw->shade_run, context);
+    cover_triangles(&w->cull.target, w->batch, list, &draw->shade, context);
 }
 
 /* Draws what is in the worker's list, and starts it anew. */

@@ -65,14 +65,17 @@ static inline void interpolate_varyings(const fragment_state *state, raster_tria
 }
 
 /* gl_FragCoord of a block; its z has the polygon offset, whether or not depth is tested. */
-static void place_fragments(const gn_pipeline *pipeline, raster_triangle triangle, int32_t x,
-                            int32_t y, const block_places *at, float position[4][GN_LANES])
+static void place_fragments(const gn_pipeline *pipeline, raster_triangle triangle,
+                            const gn_fragment_input *input, const block_places *at,
+                            float position[4][GN_LANES])
 {
     lanes_f depth = plane_at(triangle_plane(triangle, DEPTH_PLANE), at);
 
     GN_EACH_LANE (l) {
-        position[0][l] = (float)(x + l % BLOCK_SIZE) + 0.5f;
-        position[1][l] = (float)(y + l / BLOCK_SIZE) + 0.5f;
+        const int half = l / HALF_LANES;
+
+        position[0][l] = (float)(input->x[half] + l % BLOCK_SIZE) + 0.5f;
+        position[1][l] = (float)(input->y[half] + l / BLOCK_SIZE % 2) + 0.5f;
     }
     if (GN_HAVE_OFFSET && pipeline->polygon_offset.set)
         depth = lanes_add(depth, lanes_splat(triangle_offset(triangle, pipeline->varying_count)));
@@ -137,7 +140,7 @@ GN_OUT_OF_LINE void set_asked_inputs(const gn_pipeline *pipeline, raster_triangl
     if (pipeline->fragment_reads_primitive)
         input->primitive_id = (uint32_t)identity_of(triangle, pipeline->varying_count).primitive;
     if (pipeline->fragment_reads_position) {
-        place_fragments(pipeline, triangle, input->x, input->y, at, asked->position);
+        place_fragments(pipeline, triangle, input, at, asked->position);
         input->position = (const float(*)[GN_LANES])asked->position;
     }
     if (GN_HAVE_LINES && pipeline->fragment_reads_point_coordinate) {
@@ -160,11 +163,11 @@ GN_INLINE lanes_f w_at(const fragment_place *at, raster_triangle triangle)
     return lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
 }
 
-/* Runs the shader on the block at (x, y), whose planes are asked at `places`. Colours are left in
+/* Runs the shader on a block, whose planes are asked at `places`. Colours are left in
  * `color`, room for which the pipeline's color_count asks. */
-GN_STEP void run_shader(const fragment_state *state, raster_triangle triangle, int32_t x, int32_t y,
-                        const block_places *places, uint32_t coverage, lanes_f w,
-                        float (*color)[GN_LANES], shader_verdict *verdict)
+GN_STEP void run_shader(const fragment_state *state, raster_triangle triangle,
+                        const pixel_block *block, const block_places *places, uint32_t coverage,
+                        lanes_f w, float (*color)[GN_LANES], shader_verdict *verdict)
 {
     const gn_pipeline *const pipeline = state->pipeline;
     float varying[GN_MAX_VARYINGS][GN_LANES];
@@ -175,8 +178,10 @@ GN_STEP void run_shader(const fragment_state *state, raster_triangle triangle, i
     interpolate_varyings(state, triangle, places, w, varying);
     input.varying = (const float(*)[GN_LANES])varying;
     input.coverage = coverage;
-    input.x = x;
-    input.y = y;
+    for (int half = 0; half < 2; ++half) {
+        input.x[half] = block->x[half];
+        input.y[half] = block->y[half];
+    }
     input.sampling = &state->shading->sampling;
     input.front_facing = !identity_of(triangle, pipeline->varying_count).back;
     input.primitive_id = 0;
@@ -255,7 +260,8 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
         return coverage;
 
     const lanes_f w = w_at(at, triangle);
-    run_shader(state, triangle, at->x, at->y, at->places, coverage, w, color, &verdict);
+    const pixel_block block = square_block(at->x, at->y);
+    run_shader(state, triangle, &block, at->places, coverage, w, color, &verdict);
     if (p->fragment_discards)
         coverage &= verdict.kept;
     if (p->fragment_writes_depth)
@@ -267,24 +273,16 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
     return coverage;
 }
 
-static inline uint32_t count_lanes(uint32_t bits)
-{
-    bits = (bits & 0x5555) + (bits >> 1 & 0x5555);
-    bits = (bits & 0x3333) + (bits >> 2 & 0x3333);
-    bits = (bits & 0x0F0F) + (bits >> 4 & 0x0F0F);
-    return (bits & 0x1F) + (bits >> 8);
-}
-
-/* Neighbouring blocks in a row. Gives how many fragments passed. */
-GN_OUT_OF_LINE uint32_t shade_whole_blocks(const fragment_state *state, raster_triangle triangle,
-                                           int32_t x, int32_t y, uint32_t count, uint32_t coverage)
+/* Neighbouring squares. Gives how many fragments passed. */
+GN_OUT_OF_LINE uint32_t shade_whole_squares(const fragment_state *state, raster_triangle triangle,
+                                            int32_t x, int32_t y, uint32_t count, uint32_t coverage)
 {
     uint32_t passed = 0;
     block_places places;
     fragment_place at;
 
     set_rows_of_block(&places, (float)y);
-    at.shape = SHAPE_BLOCK;
+    at.shape = SHAPE_SQUARE;
     at.y = y;
     at.places = &places;
     at.columns = 0;
@@ -293,15 +291,16 @@ GN_OUT_OF_LINE uint32_t shade_whole_blocks(const fragment_state *state, raster_t
     for (uint32_t i = 0; i < count; ++i) {
         at.x = x + (int32_t)i * BLOCK_SIZE;
         set_columns_of_block(&places, (float)at.x);
-        at.color = pixel_memory(&state->color, state->color.format, at.x, y);
-        at.depth = pixel_memory(&state->depth, state->depth.format, at.x, y);
+        at.color = square_memory(&state->color, state->color.format, at.x, y);
+        at.depth = square_memory(&state->depth, state->depth.format, at.x, y);
         passed += count_lanes(shade_whole(state, &at, triangle, coverage));
     }
     return passed;
 }
 
+/* A row, or a block, which rows need not tell. */
 GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const fragment_place *at,
-                     raster_triangle triangle, uint32_t coverage)
+                     const pixel_block *block, raster_triangle triangle, uint32_t coverage)
 {
     float shaded[4][GN_LANES];
     lanes_f color[4], texel[4];
@@ -320,7 +319,7 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
     const lanes_f w = kind.level ? *at->w : w_at(at, triangle);
     if (kind.source == SOURCE_SHADER) {
         set_verdict(&verdict);
-        run_shader(state, triangle, at->x, at->y, at->places, coverage, w, shaded, &verdict);
+        run_shader(state, triangle, block, at->places, coverage, w, shaded, &verdict);
         for (int c = 0; c < 4; ++c)
             color[c] = lanes_load(shaded[c]);
     } else {

@@ -24,14 +24,14 @@ GN_INLINE void write_rgba8(const gn_surface *surface, const fragment_place *at, 
 {
     lanes_i pixels = lanes_pack_unorm8(color[0], color[1], color[2], color[3]);
 
-    if (at->shape == SHAPE_BLOCK && !surface_holds_block(surface, at->x, at->y)) {
+    if (at->shape == SHAPE_SQUARE && !surface_holds_square(surface, at->x, at->y)) {
         store_covered_pixels(surface, at->x, at->y, coverage, pixels);
         return;
     }
     if (at->shape != SHAPE_ROW || coverage != GN_ALL_LANES)
         pixels = lanes_i_select(lanes_from_bits(coverage), pixels,
-                                load_words(at->shape, at->color, surface->row_stride));
-    store_words(at->shape, at->color, surface->row_stride, pixels);
+                                load_words(at->shape, &at->color, surface->row_stride));
+    store_words(at->shape, &at->color, surface->row_stride, pixels);
 }
 
 static inline void write_rgba32f(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,

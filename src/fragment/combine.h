@@ -51,8 +51,8 @@ GN_OUT_OF_LINE lanes_i load_covered_pixels(const gn_surface *surface, int32_t x,
 GN_INLINE void combine_rgba8(const color_state *state, const gn_surface *surface, color_use use,
                              const fragment_place *at, uint32_t coverage, const lanes_f color[4])
 {
-    const bool whole = at->shape != SHAPE_BLOCK || surface_holds_block(surface, at->x, at->y);
-    const lanes_i there = whole ? load_words(at->shape, at->color, surface->row_stride)
+    const bool whole = at->shape != SHAPE_SQUARE || surface_holds_square(surface, at->x, at->y);
+    const lanes_i there = whole ? load_words(at->shape, &at->color, surface->row_stride)
                                 : load_covered_pixels(surface, at->x, at->y, coverage);
     lanes_i pixels = lanes_pack_unorm8(color[0], color[1], color[2], color[3]);
 
@@ -71,7 +71,7 @@ GN_INLINE void combine_rgba8(const color_state *state, const gn_surface *surface
     }
     if (coverage != GN_ALL_LANES)
         pixels = lanes_i_select(lanes_from_bits(coverage), pixels, there);
-    store_words(at->shape, at->color, surface->row_stride, pixels);
+    store_words(at->shape, &at->color, surface->row_stride, pixels);
 }
 
 /* The four channels of pixels of GN_FORMAT_RGBA32F; 0 where not covered. */
@@ -233,7 +233,7 @@ GN_STEP void put_colors(const fragment_state *state, const fragment_place *at, u
         if (surface->format == GN_FORMAT_NONE)
             continue;
         if (a > 0)
-            place.color = pixel_memory(surface, surface->format, at->x, at->y);
+            place.color = square_memory(surface, surface->format, at->x, at->y);
         for (int c = 0; c < 4; ++c)
             color[c] = lanes_load(shaded[4 * a + (uint32_t)c]);
         put_color(a > 0 ? &state->more[a - 1].combine : &state->combine, surface, &place, coverage,

@@ -128,8 +128,8 @@ GN_INLINE uint32_t test_depth(const depth_state *state, const gn_surface *surfac
 {
     const lanes_i incoming = quantize_depth(format, depth, in_range);
 
-    if (at->shape == SHAPE_BLOCK &&
-        (format == GN_FORMAT_D16 || !surface_holds_block(surface, at->x, at->y))) {
+    if (at->shape == SHAPE_SQUARE &&
+        (format == GN_FORMAT_D16 || !surface_holds_square(surface, at->x, at->y))) {
         const lanes_i stored = load_covered_depth(surface, at->x, at->y, coverage);
         const uint32_t passed = coverage & compare_depth(state, incoming, stored);
 
@@ -138,13 +138,13 @@ GN_INLINE uint32_t test_depth(const depth_state *state, const gn_surface *surfac
         return passed;
     }
 
-    const lanes_i stored = load_words(at->shape, at->depth, surface->row_stride);
+    const lanes_i stored = load_words(at->shape, &at->depth, surface->row_stride);
     const uint32_t passed = coverage & compare_depth(state, incoming, stored);
 
     if (state->write && at->shape == SHAPE_ROW && passed == GN_ALL_LANES)
-        store_words(at->shape, at->depth, surface->row_stride, incoming);
+        store_words(at->shape, &at->depth, surface->row_stride, incoming);
     else if (state->write && passed)
-        store_words(at->shape, at->depth, surface->row_stride,
+        store_words(at->shape, &at->depth, surface->row_stride,
                     lanes_i_select(lanes_from_bits(passed), incoming, stored));
     return passed;
 }

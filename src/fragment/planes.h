@@ -32,6 +32,17 @@ GN_INLINE void set_places_in_block(block_places *at, float x, float y)
     set_columns_of_block(at, x);
 }
 
+GN_INLINE void set_places(block_places *at, const pixel_block *block)
+{
+    static const int32_t column[GN_LANES] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+    static const int32_t row[GN_LANES] = {0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1};
+
+    at->x =
+        lanes_to_float(lanes_i_add(lanes_i_halves(block->x[0], block->x[1]), lanes_i_load(column)));
+    at->y =
+        lanes_to_float(lanes_i_add(lanes_i_halves(block->y[0], block->y[1]), lanes_i_load(row)));
+}
+
 /* The same value as plane_in_block's. */
 GN_INLINE lanes_f plane_at(attribute_plane plane, const block_places *at)
 {
@@ -89,8 +100,8 @@ GN_INLINE lanes_f columns_from(attribute_plane plane, int32_t x)
 typedef struct fragment_place {
     fragment_shape shape;
     int32_t x, y;
-    unsigned char *color, *depth; /* the first one's memory; null: no such surface */
-    const block_places *places;   /* of a block */
+    surface_place color, depth;
+    const block_places *places; /* of a block */
 
     /* Of a row. */
     const column_terms *columns;

@@ -5,18 +5,17 @@
 
 #include "block.h"
 
-/* Whether the block at (x, y) lies on the surfaces, which are of one size. */
-GN_INLINE bool lies_inside(const fragment_state *state, fragment_kind kind, int32_t x, int32_t y)
+/* One of the surfaces, which are of one size. */
+GN_INLINE const gn_surface *surface_of(const fragment_state *state, fragment_kind kind)
 {
-    return surface_holds_block(kind.color_format != GN_FORMAT_NONE ? &state->color : &state->depth,
-                               x, y);
+    return kind.color_format != GN_FORMAT_NONE ? &state->color : &state->depth;
 }
 
-/* Neighbouring blocks in a row. Those that hang over the surfaces' edge are left to what serves
+/* Neighbouring squares. Those that hang over the surfaces' edge are left to what serves
  * all states, so that the others call nothing. */
-GN_INLINE void shade_blocks(const fragment_state *state, fragment_kind kind,
-                            raster_triangle triangle, int32_t x, int32_t y, uint32_t count,
-                            uint32_t coverage)
+GN_INLINE void shade_squares(const fragment_state *state, fragment_kind kind,
+                             raster_triangle triangle, int32_t x, int32_t y, uint32_t count,
+                             uint32_t coverage)
 {
     block_places places;
     fragment_place at;
@@ -30,14 +29,61 @@ GN_INLINE void shade_blocks(const fragment_state *state, fragment_kind kind,
     at.w = 0;
     for (uint32_t i = 0; i < count; ++i) {
         at.x = x + (int32_t)i * BLOCK_SIZE;
-        if (!lies_inside(state, kind, at.x, y)) {
-            shade_whole_blocks(state, triangle, at.x, y, 1, coverage);
+        if (!surface_holds_square(surface_of(state, kind), at.x, y)) {
+            shade_whole_squares(state, triangle, at.x, y, 1, coverage);
             continue;
         }
         set_columns_of_block(&places, (float)at.x);
-        at.color = pixel_memory(&state->color, kind.color_format, at.x, y);
-        at.depth = pixel_memory(&state->depth, kind.depth_format, at.x, y);
-        shade(state, kind, &at, triangle, coverage);
+        at.color = square_memory(&state->color, kind.color_format, at.x, y);
+        at.depth = square_memory(&state->depth, kind.depth_format, at.x, y);
+
+        const pixel_block block = square_block(at.x, y);
+        shade(state, kind, &at, &block, triangle, coverage);
+    }
+}
+
+/* Asks for what a block's fragments will be compared with and laid over. */
+GN_INLINE void prefetch_block(const fragment_state *state, fragment_kind kind,
+                              const pixel_block *block)
+{
+    if (kind.color_format != GN_FORMAT_NONE)
+        prefetch_words(block_memory(&state->color, kind.color_format, block),
+                       state->color.row_stride);
+    if (kind.depth_format != GN_FORMAT_NONE)
+        prefetch_words(block_memory(&state->depth, kind.depth_format, block),
+                       state->depth.row_stride);
+}
+
+/* Packed blocks; the memory of the next is on its way while one is shaded. Halves of those that
+ * hang over are squares of which the rest is not covered. */
+GN_INLINE void shade_packed(const fragment_state *state, fragment_kind kind,
+                            raster_triangle triangle, const packed_block *blocks, uint32_t count)
+{
+    block_places places;
+    fragment_place at;
+
+    at.shape = SHAPE_INNER_BLOCK;
+    at.places = &places;
+    at.columns = 0;
+    at.row = 0;
+    at.w = 0;
+    prefetch_block(state, kind, &blocks->at);
+    for (uint32_t i = 0; i < count; ++i) {
+        const packed_block *const b = &blocks[i];
+
+        if (i + 1 < count)
+            prefetch_block(state, kind, &b[1].at);
+        if (!surface_holds_block(surface_of(state, kind), &b->at)) {
+            for (int half = 0; half < 2; ++half)
+                if (b->covered[half])
+                    shade_whole_squares(state, triangle, b->at.x[half], b->at.y[half], 1,
+                                        b->covered[half]);
+            continue;
+        }
+        set_places(&places, &b->at);
+        at.color = block_memory(&state->color, kind.color_format, &b->at);
+        at.depth = block_memory(&state->depth, kind.depth_format, &b->at);
+        shade(state, kind, &at, &b->at, triangle, b->covered[0] | b->covered[1] << HALF_LANES);
     }
 }
 
@@ -81,17 +127,17 @@ GN_INLINE void shade_rows(const fragment_state *state, fragment_kind kind, raste
     for (at.x = x; at.x < end; at.x += GN_LANES) {
         for (uint32_t n = first_attribute(kind); n < end_attribute(kind); ++n)
             columns.value[n] = columns_from(triangle_plane(triangle, n), at.x);
-        at.color = pixel_memory(&state->color, kind.color_format, at.x, y);
-        at.depth = pixel_memory(&state->depth, kind.depth_format, at.x, y);
+        at.color = row_memory(&state->color, kind.color_format, at.x, y);
+        at.depth = row_memory(&state->depth, kind.depth_format, at.x, y);
         for (int32_t row = 0; row < BLOCK_SIZE; ++row) {
             at.y = y + row;
             at.row = rows.value[row];
             at.w = &w[row];
-            shade(state, kind, &at, triangle, GN_ALL_LANES);
+            shade(state, kind, &at, 0, triangle, GN_ALL_LANES);
             if (kind.color_format != GN_FORMAT_NONE)
-                at.color += state->color.row_stride;
+                at.color.half[0] += state->color.row_stride;
             if (kind.depth_format != GN_FORMAT_NONE)
-                at.depth += state->depth.row_stride;
+                at.depth.half[0] += state->depth.row_stride;
         }
     }
 }
@@ -127,15 +173,15 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
         known.level = true;
         shade_rows(state, known, triangle, x, y, whole);
     }
-    shade_blocks(state, kind, triangle, x + (int32_t)whole * BLOCK_SIZE, y, count - whole,
-                 GN_ALL_LANES);
+    shade_squares(state, kind, triangle, x + (int32_t)whole * BLOCK_SIZE, y, count - whole,
+                  GN_ALL_LANES);
 }
 
 /* All states that have no function of their own. */
 static void run_any(const void *context, raster_triangle triangle, int32_t x, int32_t y,
                     uint32_t count, uint32_t coverage)
 {
-    shade_whole_blocks((const fragment_state *)context, triangle, x, y, count, coverage);
+    shade_whole_squares((const fragment_state *)context, triangle, x, y, count, coverage);
 }
 
 /* run_any for a counted_state. */
@@ -144,10 +190,10 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
 {
     const counted_state *counted = (const counted_state *)context;
 
-    *counted->passed += shade_whole_blocks(counted->state, triangle, x, y, count, coverage);
+    *counted->passed += shade_whole_squares(counted->state, triangle, x, y, count, coverage);
 }
 
-/* A run_function for one state; the context is a fragment_state. */
+/* A run_function for one state and its pack_function; the context is a fragment_state. */
 #define GN_RUN_FUNCTION(name, depth_format, color_format, source, use)                             \
     static void name(const void *context, raster_triangle triangle, int32_t x, int32_t y,          \
                      uint32_t count, uint32_t coverage)                                            \
@@ -155,11 +201,19 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
         const fragment_state *state = (const fragment_state *)context;                             \
         const fragment_kind kind = {depth_format, color_format, source, use, false, false, false}; \
                                                                                                    \
-        shade_blocks(state, kind, triangle, x, y, count, coverage);                                \
+        shade_squares(state, kind, triangle, x, y, count, coverage);                               \
+    }                                                                                              \
+    static void name##_packed(const void *context, raster_triangle triangle,                       \
+                              const packed_block *blocks, uint32_t count)                          \
+    {                                                                                              \
+        const fragment_state *state = (const fragment_state *)context;                             \
+        const fragment_kind kind = {depth_format, color_format, source, use, false, false, false}; \
+                                                                                                   \
+        shade_packed(state, kind, triangle, blocks, count);                                        \
     }
 
-/* The same for what is drawn in rows where it can be. Kept apart from the rows, single
- * blocks, of which small triangles have most, begin with little ado. */
+/* A run_function for what is drawn in rows where it can be. Kept apart from the rows, single
+ * squares, of which small triangles have most, begin with little ado. */
 #define GN_RUN_ROWS_FUNCTION(name, depth_format, color_format, source, use)                        \
     GN_OUT_OF_LINE void name##_long(const fragment_state *state, raster_triangle triangle,         \
                                     int32_t x, int32_t y, uint32_t count)                          \
@@ -179,7 +233,7 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
         if (count > 1)                                                                             \
             name##_long(state, triangle, x, y, count);                                             \
         else                                                                                       \
-            shade_blocks(state, kind, triangle, x, y, 1, coverage);                                \
+            shade_squares(state, kind, triangle, x, y, 1, coverage);                               \
     }
 
 GN_RUN_FUNCTION(run_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_REPLACES)
@@ -290,6 +344,24 @@ static inline run_function *run_function_of(const fragment_state *state)
     default:
         return run_any;
     }
+}
+
+/* With what else draws blocks, packed ones where a shader gives colours. */
+static inline block_functions block_functions_of(const fragment_state *state)
+{
+    const bool over = state->combine.use == COLOR_OVER;
+    block_functions f = {run_function_of(state), 0};
+
+    if (!GN_SPECIALISED || f.squares == run_any || state->color.format == GN_FORMAT_NONE ||
+        source_of(state) != SOURCE_SHADER)
+        return f;
+    if (state->depth.format == GN_FORMAT_NONE)
+        f.packed = over ? run_over_packed : run_rgba8_packed;
+    else if (state->depth.format == GN_FORMAT_D24)
+        f.packed = over ? run_over_d24_packed : run_rgba8_d24_packed;
+    else
+        f.packed = over ? run_over_d32f_packed : run_rgba8_d32f_packed;
+    return f;
 }
 
 #endif

@@ -33,8 +33,8 @@ static inline float sample_place(uint32_t sample, int axis)
 /* Where a block of a sample is in memory. */
 static inline void enter_sample(const fragment_state *state, fragment_place *at)
 {
-    at->color = pixel_memory(&state->color, state->color.format, at->x, at->y);
-    at->depth = pixel_memory(&state->depth, state->depth.format, at->x, at->y);
+    at->color = square_memory(&state->color, state->color.format, at->x, at->y);
+    at->depth = square_memory(&state->depth, state->depth.format, at->x, at->y);
 }
 
 static inline uint32_t covered_pixels(const uint32_t coverage[GN_SAMPLES])
@@ -138,8 +138,8 @@ static void shade_samples(const fragment_state *state, fragment_place *at, raste
 
     const lanes_f w =
         lanes_div(lanes_splat(1.0f), plane_at(triangle_plane(triangle, ONE_OVER_W_PLANE), &middle));
-    run_shader(state, triangle, at->x, at->y, &middle, covered_pixels(coverage), w, color,
-               &verdict);
+    const pixel_block block = square_block(at->x, at->y);
+    run_shader(state, triangle, &block, &middle, covered_pixels(coverage), w, color, &verdict);
     cover_by_shader(state, &verdict, to_coverage, color, coverage);
     if (late)
         test_samples(state, at, triangle, verdict.depth, coverage);
@@ -158,7 +158,7 @@ static void run_samples(const void *context, raster_triangle triangle, int32_t x
     uint32_t passed[GN_SAMPLES];
     fragment_place at;
 
-    at.shape = SHAPE_BLOCK;
+    at.shape = SHAPE_SQUARE;
     at.x = x;
     at.y = y;
     at.places = 0;

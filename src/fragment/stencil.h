@@ -45,7 +45,7 @@ typedef struct stored_block {
 
 static inline bool holds_words(const gn_surface *surface, const fragment_place *at)
 {
-    return surface->format == GN_FORMAT_D24S8 && surface_holds_block(surface, at->x, at->y);
+    return surface->format == GN_FORMAT_D24S8 && surface_holds_square(surface, at->x, at->y);
 }
 
 GN_OUT_OF_LINE stored_block load_stored(const gn_surface *surface, const fragment_place *at,
@@ -55,7 +55,7 @@ GN_OUT_OF_LINE stored_block load_stored(const gn_surface *surface, const fragmen
     stored_block b;
 
     if (holds_words(surface, at)) {
-        const lanes_i words = load_words(SHAPE_BLOCK, at->depth, surface->row_stride);
+        const lanes_i words = load_words(SHAPE_SQUARE, &at->depth, surface->row_stride);
 
         b.depth = lanes_i_and(words, lanes_i_splat(0xFFFFFF));
         b.stencil = lanes_i_and(lanes_i_shift_right(words, 24), lanes_i_splat(255));
@@ -91,7 +91,7 @@ GN_OUT_OF_LINE void store_stored(const gn_surface *surface, const fragment_place
     int32_t depth[GN_LANES], stencil[GN_LANES];
 
     if (holds_words(surface, at)) {
-        store_words(SHAPE_BLOCK, at->depth, surface->row_stride,
+        store_words(SHAPE_SQUARE, &at->depth, surface->row_stride,
                     lanes_i_or(b->depth, lanes_i_shift_left(b->stencil, 24)));
         return;
     }

@@ -125,17 +125,26 @@ typedef struct counted_state {
 /* Where lane l is. A row saves most of the work where nothing is asked of neighbouring
  * rows; shaders are handed blocks, for their derivatives. */
 typedef enum fragment_shape {
-    SHAPE_BLOCK,       /* (x + l % 4, y + l / 4) */
-    SHAPE_INNER_BLOCK, /* the same, all of it on the surfaces, of formats of 32 bits */
+    SHAPE_SQUARE,      /* (x + l % 4, y + l / 4) */
+    SHAPE_INNER_BLOCK, /* as a pixel_block says, on the surfaces, of formats of 32 bits */
     SHAPE_ROW          /* (x + l, y), likewise */
 } fragment_shape;
 
-/* Whether all of the block at (x, y) lies on a surface, so that it may be loaded and
- * stored whole; blocks hang over the right and the top edge of odd sizes. */
-static inline bool surface_holds_block(const gn_surface *surface, int32_t x, int32_t y)
+/* Whether all of the square at (x, y) lies on a surface, so that it may be loaded and
+ * stored whole; squares hang over the right and the top edge of odd sizes. */
+static inline bool surface_holds_square(const gn_surface *surface, int32_t x, int32_t y)
 {
     return (uint32_t)x + BLOCK_SIZE <= surface->width &&
            (uint32_t)y + BLOCK_SIZE <= surface->height;
+}
+
+static inline bool surface_holds_block(const gn_surface *surface, const pixel_block *block)
+{
+    const int32_t x = block->x[0] > block->x[1] ? block->x[0] : block->x[1];
+    const int32_t y = block->y[0] > block->y[1] ? block->y[0] : block->y[1];
+
+    return (uint32_t)x + BLOCK_SIZE <= surface->width &&
+           (uint32_t)y + BLOCK_SIZE / 2 <= surface->height;
 }
 
 /* The first surface of a target; where it has none, an absent one. */
@@ -210,19 +219,67 @@ GN_INLINE unsigned char *pixel_memory(const gn_surface *surface, gn_format forma
                : surface_row(surface, (uint32_t)y) + x * (int32_t)format_size(format);
 }
 
-/* The 32-bit values of the lanes from `memory` on, in rows `stride` bytes apart. */
-GN_INLINE lanes_i load_words(fragment_shape shape, const unsigned char *memory, ptrdiff_t stride)
+/* Where the first pixel of each half of a block, or of a row (the second is null then), is in
+ * memory; both null: no such surface. */
+typedef struct surface_place {
+    unsigned char *half[2];
+} surface_place;
+
+GN_INLINE surface_place row_memory(const gn_surface *surface, gn_format format, int32_t x,
+                                   int32_t y)
 {
-    return shape == SHAPE_ROW ? lanes_i_load((const stored_word *)(const void *)memory)
-                              : lanes_i_load_block(memory, stride);
+    const surface_place place = {{pixel_memory(surface, format, x, y), 0}};
+
+    return place;
 }
 
-GN_INLINE void store_words(fragment_shape shape, unsigned char *memory, ptrdiff_t stride, lanes_i a)
+GN_INLINE surface_place square_memory(const gn_surface *surface, gn_format format, int32_t x,
+                                      int32_t y)
+{
+    surface_place place = row_memory(surface, format, x, y);
+
+    if (format != GN_FORMAT_NONE)
+        place.half[1] = place.half[0] + BLOCK_SIZE / 2 * surface->row_stride;
+    return place;
+}
+
+GN_INLINE surface_place block_memory(const gn_surface *surface, gn_format format,
+                                     const pixel_block *block)
+{
+    const surface_place place = {{pixel_memory(surface, format, block->x[0], block->y[0]),
+                                  pixel_memory(surface, format, block->x[1], block->y[1])}};
+
+    return place;
+}
+
+/* The 32-bit values of the lanes, whose rows are `stride` bytes apart. */
+GN_INLINE lanes_i load_words(fragment_shape shape, const surface_place *at, ptrdiff_t stride)
+{
+    return shape == SHAPE_ROW ? lanes_i_load((const stored_word *)(const void *)at->half[0])
+                              : lanes_i_load_block(at->half[0], at->half[1], stride);
+}
+
+GN_INLINE void store_words(fragment_shape shape, const surface_place *at, ptrdiff_t stride,
+                           lanes_i a)
 {
     if (shape == SHAPE_ROW)
-        lanes_i_store((stored_word *)(void *)memory, a);
+        lanes_i_store((stored_word *)(void *)at->half[0], a);
     else
-        lanes_i_store_block(memory, stride, a);
+        lanes_i_store_block(at->half[0], at->half[1], stride, a);
+}
+
+/* Asks for a block's memory, which is to be loaded when something else has been computed. */
+GN_INLINE void prefetch_words(surface_place at, ptrdiff_t stride)
+{
+#if defined(__GNUC__)
+    for (int half = 0; half < 2; ++half) {
+        __builtin_prefetch(at.half[half], 1);
+        __builtin_prefetch(at.half[half] + stride, 1);
+    }
+#else
+    (void)at;
+    (void)stride;
+#endif
 }
 
 #endif

@@ -41,9 +41,10 @@ void gn_lanes_i_store(stored_word *p, const int32_t *a)
     lanes_i_store(p, GN_OPERAND(lanes_i, a));
 }
 
-void gn_lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, const int32_t *a)
+void gn_lanes_i_store_block(unsigned char *lower, unsigned char *upper, ptrdiff_t stride,
+                            const int32_t *a)
 {
-    lanes_i_store_block(memory, stride, GN_OPERAND(lanes_i, a));
+    lanes_i_store_block(lower, upper, stride, GN_OPERAND(lanes_i, a));
 }
 
 lanes_i gn_lanes_pack_unorm8(const float *red, const float *green, const float *blue,

@@ -58,7 +58,8 @@
 GN_LANES_CALLS(GN_DECLARE_UNARY, GN_DECLARE_BINARY, GN_DECLARE_SELECT, GN_DECLARE_CONSTANT)
 void gn_lanes_store(float *p, const float *a);
 void gn_lanes_i_store(stored_word *p, const int32_t *a);
-void gn_lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, const int32_t *a);
+void gn_lanes_i_store_block(unsigned char *lower, unsigned char *upper, ptrdiff_t stride,
+                            const int32_t *a);
 lanes_i gn_lanes_pack_unorm8(const float *red, const float *green, const float *blue,
                              const float *alpha);
 
@@ -98,7 +99,8 @@ lanes_i gn_lanes_pack_unorm8(const float *red, const float *green, const float *
 #define lanes_i_greater(a, b) gn_lanes_i_greater((a).v, (b).v)
 #define lanes_i_equal(a, b) gn_lanes_i_equal((a).v, (b).v)
 #define lanes_i_sign_bits(a) gn_lanes_i_sign_bits((a).v)
-#define lanes_i_store_block(memory, stride, a) gn_lanes_i_store_block(memory, stride, (a).v)
+#define lanes_i_store_block(lower, upper, stride, a)                                               \
+    gn_lanes_i_store_block(lower, upper, stride, (a).v)
 #define lanes_pack_unorm8(red, green, blue, alpha)                                                 \
     gn_lanes_pack_unorm8((red).v, (green).v, (blue).v, (alpha).v)
 #define lanes_unpack_unorm8(packed, channel) gn_lanes_unpack_unorm8((packed).v, channel)

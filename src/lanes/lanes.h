@@ -17,10 +17,11 @@
  *   i_shift_left i_shift_right
  *   i_min i_max i_clamp i_select
  *   i_greater i_equal
+ *   i_halves                      one value in the lower lanes, one in the upper
  *   i_gather i_gather_pairs       words of memory by index
  *   i_gather_rows i_scatter_rows  rows of four words, one a lane, and four lanes_i
  *   pack_unorm8 unpack_unorm8     colours
- *   load_block store_block        the 4x4 lanes of a block in rows of memory
+ *   load_block store_block        the two halves of a block in rows of memory
  *
  * A back end (backends/) says which form it is made of: GN_LANES_PORTABLE, _AVX2, _AVX512,
  * _NEON or _WASM_SIMD128; with none of them it is SSE2 or portable, what every processor
@@ -56,6 +57,15 @@ typedef int32_t stored_word;
 #endif
 
 #define GN_EACH_LANE(l) for (int l = 0; l < GN_LANES; ++l)
+
+/* How many lanes have their bit set. */
+static inline uint32_t count_lanes(uint32_t bits)
+{
+    bits = (bits & 0x5555) + (bits >> 1 & 0x5555);
+    bits = (bits & 0x3333) + (bits >> 2 & 0x3333);
+    bits = (bits & 0x0F0F) + (bits >> 4 & 0x0F0F);
+    return (bits & 0x1F) + (bits >> 8);
+}
 
 /* For functions whose arguments are constants where they are called: one version of the
  * text, a version of the code for each state. What is seldom needed there stays out of line.

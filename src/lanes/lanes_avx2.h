@@ -143,6 +143,11 @@ static inline lanes_i lanes_i_splat(int32_t a)
     LANES_EACH_REGISTER(lanes_i, _mm256_set1_epi32(a));
 }
 
+static inline lanes_i lanes_i_halves(int32_t lower, int32_t upper)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_set1_epi32(n == 0 ? lower : upper));
+}
+
 static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
 {
     const __m256i column = _mm256_setr_epi32(0, 1, 2, 3, 0, 1, 2, 3);
@@ -315,15 +320,17 @@ static inline __m256i lanes_avx2_load_rows(const unsigned char *memory, ptrdiff_
     return _mm256_inserti128_si256(_mm256_castsi128_si256(low), high, 1);
 }
 
-static inline lanes_i lanes_i_load_block(const unsigned char *memory, ptrdiff_t stride)
+static inline lanes_i lanes_i_load_block(const unsigned char *lower, const unsigned char *upper,
+                                         ptrdiff_t stride)
 {
-    LANES_EACH_REGISTER(lanes_i, lanes_avx2_load_rows(memory + 2 * n * stride, stride));
+    LANES_EACH_REGISTER(lanes_i, lanes_avx2_load_rows(n == 0 ? lower : upper, stride));
 }
 
-static inline void lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, lanes_i a)
+static inline void lanes_i_store_block(unsigned char *lower, unsigned char *upper, ptrdiff_t stride,
+                                       lanes_i a)
 {
     for (int n = 0; n < 2; ++n) {
-        unsigned char *const row = memory + 2 * n * stride;
+        unsigned char *const row = n == 0 ? lower : upper;
 
         _mm_storeu_si128((__m128i *)(void *)row, _mm256_castsi256_si128(a.q[n]));
         _mm_storeu_si128((__m128i *)(void *)(row + stride), _mm256_extracti128_si256(a.q[n], 1));

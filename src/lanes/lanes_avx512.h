@@ -149,6 +149,12 @@ static inline lanes_i lanes_i_splat(int32_t a)
     return lanes_avx512_i(_mm512_set1_epi32(a));
 }
 
+static inline lanes_i lanes_i_halves(int32_t lower, int32_t upper)
+{
+    return lanes_avx512_i(
+        _mm512_inserti32x8(_mm512_set1_epi32(lower), _mm256_set1_epi32(upper), 1));
+}
+
 static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
 {
     const __m512i column = _mm512_setr_epi32(0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3);
@@ -312,21 +318,23 @@ static inline __m128i lanes_avx512_load_row(const unsigned char *memory)
     return _mm_loadu_si128((const __m128i *)(const void *)memory);
 }
 
-static inline lanes_i lanes_i_load_block(const unsigned char *memory, ptrdiff_t stride)
+static inline lanes_i lanes_i_load_block(const unsigned char *lower, const unsigned char *upper,
+                                         ptrdiff_t stride)
 {
-    __m512i r = _mm512_castsi128_si512(lanes_avx512_load_row(memory));
+    __m512i r = _mm512_castsi128_si512(lanes_avx512_load_row(lower));
 
-    r = _mm512_inserti32x4(r, lanes_avx512_load_row(memory + stride), 1);
-    r = _mm512_inserti32x4(r, lanes_avx512_load_row(memory + 2 * stride), 2);
-    return lanes_avx512_i(_mm512_inserti32x4(r, lanes_avx512_load_row(memory + 3 * stride), 3));
+    r = _mm512_inserti32x4(r, lanes_avx512_load_row(lower + stride), 1);
+    r = _mm512_inserti32x4(r, lanes_avx512_load_row(upper), 2);
+    return lanes_avx512_i(_mm512_inserti32x4(r, lanes_avx512_load_row(upper + stride), 3));
 }
 
-static inline void lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, lanes_i a)
+static inline void lanes_i_store_block(unsigned char *lower, unsigned char *upper, ptrdiff_t stride,
+                                       lanes_i a)
 {
-    _mm_storeu_si128((__m128i *)(void *)memory, _mm512_castsi512_si128(a.q));
-    _mm_storeu_si128((__m128i *)(void *)(memory + stride), _mm512_extracti32x4_epi32(a.q, 1));
-    _mm_storeu_si128((__m128i *)(void *)(memory + 2 * stride), _mm512_extracti32x4_epi32(a.q, 2));
-    _mm_storeu_si128((__m128i *)(void *)(memory + 3 * stride), _mm512_extracti32x4_epi32(a.q, 3));
+    _mm_storeu_si128((__m128i *)(void *)lower, _mm512_castsi512_si128(a.q));
+    _mm_storeu_si128((__m128i *)(void *)(lower + stride), _mm512_extracti32x4_epi32(a.q, 1));
+    _mm_storeu_si128((__m128i *)(void *)upper, _mm512_extracti32x4_epi32(a.q, 2));
+    _mm_storeu_si128((__m128i *)(void *)(upper + stride), _mm512_extracti32x4_epi32(a.q, 3));
 }
 
 /* Transposes 4x4 words in each part of 128 bits. */
@@ -369,7 +377,8 @@ static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, co
         r[c] = in[c].q;
     lanes_avx512_transpose(r);
     for (size_t l = 0; l < 4; ++l)
-        lanes_i_store_block(memory + l * stride, (ptrdiff_t)(4 * stride), lanes_avx512_i(r[l]));
+        lanes_i_store_block(memory + l * stride, memory + (l + 8) * stride, (ptrdiff_t)(4 * stride),
+                            lanes_avx512_i(r[l]));
 }
 
 /* A byte above the lowest is converted where it stands, and the factor is smaller by the

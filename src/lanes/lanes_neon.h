@@ -153,6 +153,11 @@ static inline lanes_i lanes_i_splat(int32_t a)
     LANES_EACH_REGISTER(lanes_i, vdupq_n_s32(a));
 }
 
+static inline lanes_i lanes_i_halves(int32_t lower, int32_t upper)
+{
+    LANES_EACH_REGISTER(lanes_i, vdupq_n_s32(n < 2 ? lower : upper));
+}
+
 static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
 {
     static const int32_t column[4] = {0, 1, 2, 3};
@@ -333,17 +338,20 @@ static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue
     LANES_EACH_REGISTER(lanes_i, lanes_neon_pack(red.q[n], green.q[n], blue.q[n], alpha.q[n]));
 }
 
-static inline lanes_i lanes_i_load_block(const unsigned char *memory, ptrdiff_t stride)
+static inline lanes_i lanes_i_load_block(const unsigned char *lower, const unsigned char *upper,
+                                         ptrdiff_t stride)
 {
-    LANES_EACH_REGISTER(lanes_i, vreinterpretq_s32_u8(vld1q_u8(memory + n * stride)));
+    LANES_EACH_REGISTER(lanes_i,
+                        vreinterpretq_s32_u8(vld1q_u8((n < 2 ? lower : upper) + n % 2 * stride)));
 }
 
-static inline void lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, lanes_i a)
+static inline void lanes_i_store_block(unsigned char *lower, unsigned char *upper, ptrdiff_t stride,
+                                       lanes_i a)
 {
-    vst1q_u8(memory, vreinterpretq_u8_s32(a.q[0]));
-    vst1q_u8(memory + stride, vreinterpretq_u8_s32(a.q[1]));
-    vst1q_u8(memory + 2 * stride, vreinterpretq_u8_s32(a.q[2]));
-    vst1q_u8(memory + 3 * stride, vreinterpretq_u8_s32(a.q[3]));
+    vst1q_u8(lower, vreinterpretq_u8_s32(a.q[0]));
+    vst1q_u8(lower + stride, vreinterpretq_u8_s32(a.q[1]));
+    vst1q_u8(upper, vreinterpretq_u8_s32(a.q[2]));
+    vst1q_u8(upper + stride, vreinterpretq_u8_s32(a.q[3]));
 }
 
 /* Transposes 4x4 words. */

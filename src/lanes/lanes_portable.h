@@ -248,6 +248,15 @@ static inline lanes_i lanes_i_splat(int32_t a)
     return r;
 }
 
+/* One value in the lower eight lanes, one in the upper. */
+static inline lanes_i lanes_i_halves(int32_t lower, int32_t upper)
+{
+    lanes_i r;
+    GN_EACH_LANE (l)
+        r.v[l] = l < GN_LANES / 2 ? lower : upper;
+    return r;
+}
+
 /* Over a 4x4 block: per_column * column + per_row * row. */
 static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
 {
@@ -482,19 +491,25 @@ static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue
     return r;
 }
 
-/* Four rows of four values, `stride` bytes apart: the lanes of a block. */
-static inline lanes_i lanes_i_load_block(const unsigned char *memory, ptrdiff_t stride)
+/* The lanes of a block: of each half two rows of four values, `stride` bytes apart. */
+static inline lanes_i lanes_i_load_block(const unsigned char *lower, const unsigned char *upper,
+                                         ptrdiff_t stride)
 {
     lanes_i r;
-    GN_EACH_LANE (l)
-        r.v[l] = ((const stored_word *)(const void *)(memory + (l / 4) * stride))[l % 4];
+    GN_EACH_LANE (l) {
+        const unsigned char *const row = (l < GN_LANES / 2 ? lower : upper) + l / 4 % 2 * stride;
+        r.v[l] = ((const stored_word *)(const void *)row)[l % 4];
+    }
     return r;
 }
 
-static inline void lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, lanes_i a)
+static inline void lanes_i_store_block(unsigned char *lower, unsigned char *upper, ptrdiff_t stride,
+                                       lanes_i a)
 {
-    GN_EACH_LANE (l)
-        ((stored_word *)(void *)(memory + (l / 4) * stride))[l % 4] = a.v[l];
+    GN_EACH_LANE (l) {
+        unsigned char *const row = (l < GN_LANES / 2 ? lower : upper) + l / 4 % 2 * stride;
+        ((stored_word *)(void *)row)[l % 4] = a.v[l];
+    }
 }
 
 /* Sixteen rows of four words, row l at offset[l * step]: word c of row l is lane l of

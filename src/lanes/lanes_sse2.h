@@ -135,6 +135,11 @@ static inline lanes_i lanes_i_splat(int32_t a)
     LANES_EACH_REGISTER(lanes_i, _mm_set1_epi32(a));
 }
 
+static inline lanes_i lanes_i_halves(int32_t lower, int32_t upper)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm_set1_epi32(n < 2 ? lower : upper));
+}
+
 static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
 {
     const __m128i columns = _mm_setr_epi32(0, per_column, 2 * per_column, 3 * per_column);
@@ -326,18 +331,21 @@ static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue
     LANES_EACH_REGISTER(lanes_i, lanes_sse2_pack(red.q[n], green.q[n], blue.q[n], alpha.q[n]));
 }
 
-static inline lanes_i lanes_i_load_block(const unsigned char *memory, ptrdiff_t stride)
+static inline lanes_i lanes_i_load_block(const unsigned char *lower, const unsigned char *upper,
+                                         ptrdiff_t stride)
 {
-    LANES_EACH_REGISTER(lanes_i,
-                        _mm_loadu_si128((const __m128i *)(const void *)(memory + n * stride)));
+    LANES_EACH_REGISTER(
+        lanes_i,
+        _mm_loadu_si128((const __m128i *)(const void *)((n < 2 ? lower : upper) + n % 2 * stride)));
 }
 
-static inline void lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, lanes_i a)
+static inline void lanes_i_store_block(unsigned char *lower, unsigned char *upper, ptrdiff_t stride,
+                                       lanes_i a)
 {
-    _mm_storeu_si128((__m128i *)(void *)memory, a.q[0]);
-    _mm_storeu_si128((__m128i *)(void *)(memory + stride), a.q[1]);
-    _mm_storeu_si128((__m128i *)(void *)(memory + 2 * stride), a.q[2]);
-    _mm_storeu_si128((__m128i *)(void *)(memory + 3 * stride), a.q[3]);
+    _mm_storeu_si128((__m128i *)(void *)lower, a.q[0]);
+    _mm_storeu_si128((__m128i *)(void *)(lower + stride), a.q[1]);
+    _mm_storeu_si128((__m128i *)(void *)upper, a.q[2]);
+    _mm_storeu_si128((__m128i *)(void *)(upper + stride), a.q[3]);
 }
 
 /* Rows n * 4 to n * 4 + 3, transposed. */

@@ -144,6 +144,11 @@ static inline lanes_i lanes_i_splat(int32_t a)
     LANES_EACH_REGISTER(lanes_i, wasm_i32x4_splat(a));
 }
 
+static inline lanes_i lanes_i_halves(int32_t lower, int32_t upper)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_i32x4_splat(n < 2 ? lower : upper));
+}
+
 static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
 {
     const v128_t columns =
@@ -312,17 +317,19 @@ static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue
     LANES_EACH_REGISTER(lanes_i, lanes_wasm_pack(red.q[n], green.q[n], blue.q[n], alpha.q[n]));
 }
 
-static inline lanes_i lanes_i_load_block(const unsigned char *memory, ptrdiff_t stride)
+static inline lanes_i lanes_i_load_block(const unsigned char *lower, const unsigned char *upper,
+                                         ptrdiff_t stride)
 {
-    LANES_EACH_REGISTER(lanes_i, wasm_v128_load(memory + n * stride));
+    LANES_EACH_REGISTER(lanes_i, wasm_v128_load((n < 2 ? lower : upper) + n % 2 * stride));
 }
 
-static inline void lanes_i_store_block(unsigned char *memory, ptrdiff_t stride, lanes_i a)
+static inline void lanes_i_store_block(unsigned char *lower, unsigned char *upper, ptrdiff_t stride,
+                                       lanes_i a)
 {
-    wasm_v128_store(memory, a.q[0]);
-    wasm_v128_store(memory + stride, a.q[1]);
-    wasm_v128_store(memory + 2 * stride, a.q[2]);
-    wasm_v128_store(memory + 3 * stride, a.q[3]);
+    wasm_v128_store(lower, a.q[0]);
+    wasm_v128_store(lower + stride, a.q[1]);
+    wasm_v128_store(upper, a.q[2]);
+    wasm_v128_store(upper + stride, a.q[3]);
 }
 
 /* Transposes 4x4 words. */

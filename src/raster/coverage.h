@@ -1,4 +1,4 @@
-/* Coverage: the pixels of a triangle, found in blocks of 4x4 and runs of them. Small
+/* Coverage: the pixels of a triangle, found in squares of 4x4 and runs of them. Small
  * triangles have edge functions that fit 32 bits and are walked block by block; large ones
  * have them exact in 64 bits at the corner of a block, and gallop over what is empty or
  * whole. */
@@ -343,24 +343,6 @@ GN_OUT_OF_LINE void cover_large(const pixel_rectangle *target, const triangle_ba
                 cover_row(target, false, edge[l - first], min_x[l] & ~(BLOCK_SIZE - 1), max_x[l], y,
                           triangle, run, context);
         }
-    }
-}
-
-/* Calls `run` for every block with covered pixels of the triangles in a list: of each triangle
- * from the bottom up and from left to right, and in every block in the order of triangles. */
-static inline void cover_triangles(const pixel_rectangle *target, const triangle_batch *batch,
-                                   const triangle_list *list, run_function *run,
-                                   const void *context)
-{
-    for (uint32_t l = 0, end; l < list->count; l = end) {
-        end = l + 1;
-        if (!(batch->large >> l & 1u)) {
-            cover_small(target, batch, list, l, run, context);
-            continue;
-        }
-        while (end < list->count && end - l < LARGE_TOGETHER && (batch->large >> end & 1u))
-            ++end;
-        cover_large(target, batch, list, l, end, run, context);
     }
 }
 

@@ -47,6 +47,7 @@ static inline void setup_edges(const pixel_rectangle *target, const unsigned cha
     const lanes_i extent = lanes_i_max(lanes_i_sub(greatest_of(x), least_of(x)),
                                        lanes_i_sub(greatest_of(y), least_of(y)));
     batch->large = lanes_bits(lanes_i_greater(extent, lanes_i_splat(SMALL_EXTENT - 1)));
+    batch->unpacked = lanes_bits(lanes_i_greater(extent, lanes_i_splat(PACKED_EXTENT - 1)));
     place_blocks(target, list, origin);
     lanes_i_store(batch->origin[0], origin[0]);
     lanes_i_store(batch->origin[1], origin[1]);

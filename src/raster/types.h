@@ -3,14 +3,32 @@
  *
  *   cull       16 triangles -> those that can be seen, with their bounds in pixels
  *   setup      16 triangles -> edge functions and attribute planes
- *   coverage   edge functions -> runs of 4x4 blocks with a mask of covered pixels */
+ *   coverage   edge functions -> runs of squares with a mask of covered pixels
+ *   halves     the same -> halves of squares, packed two a block */
 #ifndef GN_RASTER_TYPES_H
 #define GN_RASTER_TYPES_H
 
 #include "../geometry/types.h"
 
-/* Blocks are 4x4 pixels: lane l is the pixel (x + l % 4, y + l / 4). */
+/* Squares are 4x4 pixels: lane l is the pixel (x + l % 4, y + l / 4). */
 #define BLOCK_SIZE 4
+
+/* Lanes of half a square, and the coverage of all of them. */
+#define HALF_LANES (GN_LANES / 2)
+#define HALF_COVERED ((1u << HALF_LANES) - 1)
+
+/* Sixteen pixels, two halves of 4x2: lane l is the pixel (x[l / 8] + l % 4, y[l / 8] + l / 4 % 2).
+ * All four are even, so that a block has four quads. */
+typedef struct pixel_block {
+    int32_t x[2], y[2];
+} pixel_block;
+
+static inline pixel_block square_block(int32_t x, int32_t y)
+{
+    const pixel_block block = {{x, x}, {y, y + BLOCK_SIZE / 2}};
+
+    return block;
+}
 
 /* Beyond this a snapped coordinate is not one of a vertex inside a viewport:
  * GN_MAX_SIZE on either side of an origin within GN_MAX_SIZE. Within it the area of a
@@ -20,6 +38,9 @@
 /* Triangles whose snapped extents are below this have areas below 2^29, and edge
  * functions, asked in their bounds and a block around, that fit 32 bits with ease. */
 #define SMALL_EXTENT (1 << 14)
+
+/* Those below this have edge functions that just fit: 2 * 31000 * (31000 + 1024) < 2^31. */
+#define PACKED_EXTENT 31000
 
 /* Pixels, inclusive. */
 typedef struct pixel_rectangle {
@@ -68,7 +89,8 @@ typedef struct edge_lanes {
 /* The triangles of a list, set up. After the varyings' planes come, where fragments are to add
  * one, polygon offsets in the place of another plane's origin. */
 typedef struct triangle_batch {
-    uint32_t large; /* bit l: an extent is SMALL_EXTENT or more */
+    uint32_t large;    /* bit l: an extent is SMALL_EXTENT or more */
+    uint32_t unpacked; /* the same of PACKED_EXTENT */
     int32_t origin[2][GN_LANES];
     int32_t snapped[3][2][GN_LANES]; /* a point's words instead: POINT_PER_PIXEL and so on */
     edge_lanes edge[3];
@@ -122,10 +144,27 @@ static inline float triangle_offset(raster_triangle t, uint32_t varying_count)
     return t.planes[(plane * PLANE_TERMS + IDENTITY_OFFSET) * GN_LANES];
 }
 
-/* Called for runs of `count` neighbouring 4x4 blocks in a row, the first at (x, y), both
- * even; bit l of coverage is lane l, the same in every block. More than
- * one block is only called for where all pixels are covered. */
+/* Called for runs of `count` neighbouring squares in a row, the first at (x, y), both
+ * even; bit l of coverage is lane l, the same in every square. More than
+ * one square is only called for where all pixels are covered. */
 typedef void run_function(const void *context, raster_triangle triangle, int32_t x, int32_t y,
                           uint32_t count, uint32_t coverage);
+
+/* A block and which of its pixels are covered: bit l of half h is lane l + 8 * h. */
+typedef struct packed_block {
+    pixel_block at;
+    uint32_t covered[2];
+} packed_block;
+
+/* Called for blocks of a triangle, which have no pixel in common. */
+typedef void pack_function(const void *context, raster_triangle triangle,
+                           const packed_block *blocks, uint32_t count);
+
+/* What a triangle's fragments are handed to: squares, and small triangles packed, where that is
+ * not null. Packing takes time, which shaders that are called save. */
+typedef struct block_functions {
+    run_function *squares;
+    pack_function *packed;
+} block_functions;
 
 #endif

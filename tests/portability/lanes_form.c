@@ -145,6 +145,7 @@ int RUN_FORM(const lanes_input *in, lanes_output out[LANES_OPERATIONS_MAX])
     record_f(&r, "quad_upper", lanes_quad_upper(a));
     record_i(&r, "i_load", i);
     record_i(&r, "i_splat", lanes_i_splat(in->low));
+    record_i(&r, "i_halves", lanes_i_halves(in->low, in->high));
     record_i(&r, "i_plane", lanes_i_plane(in->per_column, in->per_row));
     record_i(&r, "i_add", lanes_i_add(i, j));
     record_i(&r, "i_sub", lanes_i_sub(i, j));
@@ -170,8 +171,9 @@ int RUN_FORM(const lanes_input *in, lanes_output out[LANES_OPERATIONS_MAX])
 
     for (int n = 0; n < LANES_MEMORY; ++n)
         memory.bytes[n] = in->memory[n];
-    record_i(&r, "i_load_block", lanes_i_load_block(memory.bytes, LANES_STRIDE));
-    lanes_i_store_block(memory.bytes, LANES_STRIDE, i);
+    record_i(&r, "i_load_block",
+             lanes_i_load_block(memory.bytes + 2 * LANES_STRIDE, memory.bytes, LANES_STRIDE));
+    lanes_i_store_block(memory.bytes + 2 * LANES_STRIDE, memory.bytes, LANES_STRIDE, i);
     record_memory(&r, "i_store_block", memory.bytes, in->memory);
     return r.count;
 }

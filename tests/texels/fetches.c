@@ -83,20 +83,21 @@ typedef struct fetch_job {
     color *out;
 } fetch_job;
 
-static void fetch_block(const fetch_job *job, gn_fetch_function *fetch, int32_t x, int32_t y)
+static void fetch_block(const fetch_job *job, gn_fetch_function *fetch, const int32_t x[2],
+                        const int32_t y[2])
 {
     int32_t column[GN_LANES], row[GN_LANES];
     const int32_t *const coordinate[3] = {column, row, NULL};
     float texel[4][GN_LANES];
 
     for (int l = 0; l < GN_LANES; ++l) {
-        column[l] = x + l % 4;
-        row[l] = y + l / 4;
+        column[l] = x[l / 8] + l % 4;
+        row[l] = y[l / 8] + l / 4 % 2;
     }
     fetch(&job->texture, coordinate, NULL, texel);
     for (int l = 0; l < GN_LANES; ++l)
         for (int c = 0; c < 4; ++c)
-            job->out[(y + l / 4) * SIZE + x + l % 4][c] = texel[c][l];
+            job->out[row[l] * SIZE + column[l]][c] = texel[c][l];
 }
 
 static void place_triangle(const void *uniforms, const gn_vertex_input *input,

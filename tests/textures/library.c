@@ -9,10 +9,17 @@ typedef struct block_places {
     float place[4][GN_LANES], gradient_x[4][GN_LANES], gradient_y[4][GN_LANES];
 } block_places;
 
-static void load_block(const lookup_places *p, int32_t x, int32_t y, block_places *b)
+/* Of a block whose halves begin at (x[0], y[0]) and (x[1], y[1]). */
+static int32_t place_of_lane(const int32_t x[2], const int32_t y[2], int l)
+{
+    return (y[l / 8] + l / 4 % 2) * GRID_WIDTH + x[l / 8] + l % 4;
+}
+
+static void load_block(const lookup_places *p, const int32_t x[2], const int32_t y[2],
+                       block_places *b)
 {
     for (int l = 0; l < GN_LANES; ++l) {
-        const int32_t at = (y + l / 4) * GRID_WIDTH + x + l % 4;
+        const int32_t at = place_of_lane(x, y, l);
 
         for (int n = 0; n < 4; ++n) {
             b->place[n][l] = p->place[at][n];
@@ -35,8 +42,8 @@ static void fetch(const lookup_case *c, const gn_sampling *f, const block_places
     f->fetch(&c->texture, coordinate, number[3], texel);
 }
 
-static void look_up_block(const lookup_case *c, const gn_sampling *f, int32_t x, int32_t y,
-                          float texel[4][GN_LANES])
+static void look_up_block(const lookup_case *c, const gn_sampling *f, const int32_t x[2],
+                          const int32_t y[2], float texel[4][GN_LANES])
 {
     block_places b;
     gn_lookup lookup;
@@ -133,10 +140,13 @@ void library_look_up_directly(const lookup_case *c, float (*texel)[4])
 
     for (int32_t y = 0; y < GRID_HEIGHT; y += 4) {
         for (int32_t x = 0; x < GRID_WIDTH; x += 4) {
-            look_up_block(c, &functions, x, y, block);
+            const int32_t column[2] = {x, x};
+            const int32_t row[2] = {y, y + 2};
+
+            look_up_block(c, &functions, column, row, block);
             for (int l = 0; l < GN_LANES; ++l) {
                 for (int n = 0; n < 4; ++n)
-                    texel[(y + l / 4) * GRID_WIDTH + x + l % 4][n] = block[n][l];
+                    texel[place_of_lane(column, row, l)][n] = block[n][l];
             }
         }
     }

@@ -260,12 +260,12 @@ static void compare_samplers(const void *uniforms, const gn_fragment_input *inpu
 {
     static const float hostile[] = {NAN, INFINITY, -INFINITY, 3e9f, -3e9f, 0.0f, -0.0f, 1.0f};
     const comparison *u = uniforms;
-    const bool is_hostile = (input->x + input->y) / 4 % 4 == 3;
+    const bool is_hostile = (input->x[0] + input->y[0]) / 4 % 4 == 3;
     float s[GN_LANES], t[GN_LANES], texel[4][GN_LANES];
 
     for (int l = 0; l < GN_LANES; ++l) {
         s[l] = is_hostile ? hostile[l % 8] : input->varying[0][l];
-        t[l] = is_hostile ? hostile[(l / 2 + input->y / 4) % 8] : input->varying[1][l];
+        t[l] = is_hostile ? hostile[(l / 2 + input->y[0] / 4) % 8] : input->varying[1][l];
     }
     gn_sample_2d(&u->texture, &u->sampler, s, t, texel);
     input->sampling->sample_2d(&u->texture, &u->sampler, s, t, output->color);

@@ -1,0 +1,210 @@
+/* Coverage in packed blocks: halves of squares, found in small triangles and laid two a block, so
+ * that fewer pixels at a triangle's edges are shaded in vain. */
+#ifndef GN_RASTER_HALVES_H
+#define GN_RASTER_HALVES_H
+
+#include "coverage.h"
+
+/* Halves that are run together. */
+#define FOUND_HALVES 64
+
+typedef struct found_halves {
+    uint32_t count;
+    packed_block block[FOUND_HALVES / 2];
+} found_halves;
+
+/* The coverage of up to eight halves side by side is a byte of each, the first in the lowest. */
+#define STRIP_HALVES 8
+#define EVERY_HALF(byte) (UINT64_C(0x0101010101010101) * (byte))
+
+/* Lanes of the left and of the right quad of a half. */
+#define LEFT_QUAD 0x33u
+#define RIGHT_QUAD 0xCCu
+
+static inline uint32_t count_covered(uint64_t strip)
+{
+    strip = (strip | strip >> 4) & EVERY_HALF(15);
+    strip = (strip | strip >> 2) & EVERY_HALF(3);
+    strip = (strip | strip >> 1) & EVERY_HALF(1);
+    return (uint32_t)(strip * EVERY_HALF(1) >> 56);
+}
+
+/* The halves of `size` squares from (x, y) on; those that are covered are kept, without a branch on
+ * it, which processors cannot foresee. Where the outer quads on both sides are empty, they are laid
+ * from two columns further on if there are fewer then. */
+static inline void add_strip(found_halves *found, uint64_t strip, uint32_t size, int32_t x,
+                             int32_t y)
+{
+    uint32_t count = found->count;
+
+    if (!(strip & LEFT_QUAD) && !(strip >> 8 * (size - 1) & RIGHT_QUAD)) {
+        const uint64_t moved =
+            (strip >> 2 & EVERY_HALF(LEFT_QUAD)) | (strip >> 6 & EVERY_HALF(RIGHT_QUAD));
+
+        if (count_covered(moved) < count_covered(strip)) {
+            strip = moved;
+            x += BLOCK_SIZE / 2;
+        }
+    }
+    for (uint32_t i = 0; i < size; ++i) {
+        packed_block *const block = &found->block[count / 2];
+        const uint32_t covered = (uint32_t)(strip >> 8 * i) & HALF_COVERED;
+
+        block->at.x[count % 2] = x + (int32_t)i * BLOCK_SIZE;
+        block->at.y[count % 2] = y;
+        block->covered[count % 2] = covered;
+        count += covered != 0;
+    }
+    found->count = count;
+}
+
+/* One half that is left over has the other of its square beside it; squares are laid from `bottom`
+ * on. */
+static inline void run_halves(found_halves *found, int32_t bottom, raster_triangle triangle,
+                              pack_function *run, const void *context)
+{
+    packed_block *const last = &found->block[found->count / 2];
+
+    if (found->count % 2) {
+        const int32_t y = last->at.y[0];
+
+        last->at.x[1] = last->at.x[0];
+        last->at.y[1] = (y - bottom) % BLOCK_SIZE ? y - BLOCK_SIZE / 2 : y + BLOCK_SIZE / 2;
+        last->covered[1] = 0;
+    }
+    if (found->count)
+        run(context, triangle, found->block, (found->count + 1) / 2);
+    found->count = 0;
+}
+
+/* An edge function of a small triangle. */
+typedef struct small_edge {
+    int32_t start;         /* in the lower left pixel of the first square of a row of squares */
+    int32_t along, across; /* by how much it falls to the next square, and rises to the next row */
+    lanes_i offset;        /* from there to each pixel of a square */
+    lanes_i greatest;      /* from the first square's start to the greatest of each of sixteen */
+} small_edge;
+
+static inline void set_small_edge(small_edge *e, const triangle_batch *batch, int edge,
+                                  uint32_t lane)
+{
+    static const int32_t number[GN_LANES] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    const int32_t per_x = batch->edge[edge].per_x[lane];
+    const int32_t per_y = batch->edge[edge].per_y[lane];
+    const int32_t rise = (per_x < 0 ? -per_x : 0) + (per_y > 0 ? per_y : 0);
+
+    e->start = batch->edge[edge].start[lane];
+    e->along = BLOCK_SIZE * per_x;
+    e->across = BLOCK_SIZE * per_y;
+    e->offset = lanes_i_plane(-per_x, per_y);
+    e->greatest = lanes_i_sub(lanes_i_splat((BLOCK_SIZE - 1) * rise),
+                              lanes_i_mul(lanes_i_splat(e->along), lanes_i_load(number)));
+}
+
+/* The sign of the least of three values. */
+static inline uint32_t not_negative(lanes_i a, lanes_i b, lanes_i c)
+{
+    return GN_ALL_LANES & ~lanes_i_sign_bits(lanes_i_or(lanes_i_or(a, b), c));
+}
+
+/* Which of sixteen squares side by side, from number `first` of a row on, no edge leaves out: those
+ * from some one on up to another. */
+static inline uint32_t squares_met(const small_edge edge[3], int32_t first)
+{
+    lanes_i value[3];
+
+    for (int i = 0; i < 3; ++i)
+        value[i] =
+            lanes_i_add(lanes_i_splat(edge[i].start - edge[i].along * first), edge[i].greatest);
+    return not_negative(value[0], value[1], value[2]);
+}
+
+/* Which pixels of a square of the row are covered. */
+static inline uint32_t pixels_covered(const small_edge edge[3], int32_t number)
+{
+    lanes_i value[3];
+
+    for (int i = 0; i < 3; ++i)
+        value[i] =
+            lanes_i_add(lanes_i_splat(edge[i].start - edge[i].along * number), edge[i].offset);
+    return not_negative(value[0], value[1], value[2]);
+}
+
+/* A triangle below PACKED_EXTENT. Pixels outside its bounds are outside an edge too, so that only
+ * what hangs over the target's part is masked. */
+GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_batch *batch,
+                                 const triangle_list *list, uint32_t lane, pack_function *run,
+                                 const void *context)
+{
+    const raster_triangle triangle = {&batch->plane[0][0][lane]};
+    const int32_t left = batch->origin[0][lane];
+    const int32_t bottom = batch->origin[1][lane];
+    const int32_t squares = (list->bounds[BOUNDS_MAX_X][lane] - left) / BLOCK_SIZE + 1;
+    const block_span columns = blocks_inside(target->min_x, target->max_x);
+    const block_span rows = blocks_inside(target->min_y, target->max_y);
+    small_edge edge[3];
+    found_halves found;
+
+    found.count = 0;
+    for (int i = 0; i < 3; ++i)
+        set_small_edge(&edge[i], batch, i, lane);
+    for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += BLOCK_SIZE) {
+        const bool hangs = begins_outside(rows, y);
+
+        for (int32_t from = 0; from < squares; from += GN_LANES) {
+            const uint32_t met = squares_met(edge, from);
+            const int32_t first = from + (int32_t)count_lanes(~met & (met - 1) & GN_ALL_LANES);
+            const int32_t after = first + (int32_t)count_lanes(met);
+            const int32_t end = after < squares ? after : squares;
+
+            for (int32_t n = first; n < end; n += STRIP_HALVES) {
+                const uint32_t size = end - n < STRIP_HALVES ? (uint32_t)(end - n) : STRIP_HALVES;
+                const int32_t x = left + n * BLOCK_SIZE;
+                uint64_t lower = 0, upper = 0;
+
+                for (uint32_t i = 0; i < size; ++i) {
+                    const int32_t column = x + (int32_t)i * BLOCK_SIZE;
+                    uint32_t coverage = pixels_covered(edge, n + (int32_t)i);
+
+                    if (hangs || begins_outside(columns, column))
+                        coverage &= overhang_mask(target, column, y);
+                    lower |= (uint64_t)(coverage & HALF_COVERED) << 8 * i;
+                    upper |= (uint64_t)(coverage >> HALF_LANES) << 8 * i;
+                }
+                if (found.count > FOUND_HALVES - 1 - 2 * STRIP_HALVES)
+                    run_halves(&found, bottom, triangle, run, context);
+                add_strip(&found, lower, size, x, y);
+                add_strip(&found, upper, size, x, y + BLOCK_SIZE / 2);
+            }
+        }
+        for (int i = 0; i < 3; ++i)
+            edge[i].start += edge[i].across;
+    }
+    run_halves(&found, bottom, triangle, run, context);
+}
+
+/* Calls the functions for every block with covered pixels of the triangles in a list: of each
+ * triangle from the bottom up, and in every pixel in the order of triangles. */
+static inline void cover_triangles(const pixel_rectangle *target, const triangle_batch *batch,
+                                   const triangle_list *list, const block_functions *run,
+                                   const void *context)
+{
+    const bool packs = GN_SPECIALISED && run->packed;
+    const uint32_t large = packs ? batch->unpacked : batch->large;
+
+    for (uint32_t l = 0, end; l < list->count; l = end) {
+        end = l + 1;
+        if (!(large >> l & 1u)) {
+            if (packs)
+                cover_packed(target, batch, list, l, run->packed, context);
+            else
+                cover_small(target, batch, list, l, run->squares, context);
+            continue;
+        }
+        while (end < list->count && end - l < LARGE_TOGETHER && (large >> end & 1u))
+            ++end;
+        cover_large(target, batch, list, l, end, run->squares, context);
+    }
+}
+
+#endif
