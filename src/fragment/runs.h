@@ -42,7 +42,7 @@ GN_INLINE void shade_squares(const fragment_state *state, fragment_kind kind,
     }
 }
 
-/* Asks for what a block's fragments will be compared with and laid over. */
+/* Asks for what the fragments of a block on the surfaces will be compared with and laid over. */
 GN_INLINE void prefetch_block(const fragment_state *state, fragment_kind kind,
                               const pixel_block *block)
 {
@@ -59,6 +59,8 @@ GN_INLINE void prefetch_block(const fragment_state *state, fragment_kind kind,
 GN_INLINE void shade_packed(const fragment_state *state, fragment_kind kind,
                             raster_triangle triangle, const packed_block *blocks, uint32_t count)
 {
+    const gn_surface *const surface = surface_of(state, kind);
+    bool is_next_inside = surface_holds_block(surface, &blocks->at);
     block_places places;
     fragment_place at;
 
@@ -67,17 +69,21 @@ GN_INLINE void shade_packed(const fragment_state *state, fragment_kind kind,
     at.columns = 0;
     at.row = 0;
     at.w = 0;
-    prefetch_block(state, kind, &blocks->at);
+    if (is_next_inside)
+        prefetch_block(state, kind, &blocks->at);
     for (uint32_t i = 0; i < count; ++i) {
         const packed_block *const b = &blocks[i];
+        const bool inside = is_next_inside;
 
-        if (i + 1 < count)
+        is_next_inside = i + 1 < count && surface_holds_block(surface, &b[1].at);
+        if (is_next_inside)
             prefetch_block(state, kind, &b[1].at);
-        if (!surface_holds_block(surface_of(state, kind), &b->at)) {
-            for (int half = 0; half < 2; ++half)
+        if (!inside) {
+            for (int half = 0; half < 2; ++half) {
                 if (b->covered[half])
                     shade_whole_squares(state, triangle, b->at.x[half], b->at.y[half], 1,
                                         b->covered[half]);
+            }
             continue;
         }
         set_places(&places, &b->at);
@@ -346,14 +352,15 @@ static inline run_function *run_function_of(const fragment_state *state)
     }
 }
 
-/* With what else draws blocks, packed ones where a shader gives colours. */
-static inline block_functions block_functions_of(const fragment_state *state)
+/* With what draws packed blocks, where a shader gives colours. With `counts` the context is a
+ * counted_state. */
+static inline block_functions block_functions_of(const fragment_state *state, bool counts)
 {
     const bool over = state->combine.use == COLOR_OVER;
-    block_functions f = {run_function_of(state), 0};
+    block_functions f = {counts ? run_counted : run_function_of(state), 0};
 
-    if (!GN_SPECIALISED || f.squares == run_any || state->color.format == GN_FORMAT_NONE ||
-        source_of(state) != SOURCE_SHADER)
+    if (!GN_SPECIALISED || counts || f.squares == run_any ||
+        state->color.format == GN_FORMAT_NONE || source_of(state) != SOURCE_SHADER)
         return f;
     if (state->depth.format == GN_FORMAT_NONE)
         f.packed = over ? run_over_packed : run_rgba8_packed;

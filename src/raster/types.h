@@ -81,7 +81,7 @@ enum { POINT_PER_PIXEL, POINT_ORIGIN_S, POINT_ORIGIN_T };
 /* An edge function: the pixel (x, y) is inside where
  * start - per_x * (x - origin x) + per_y * (y - origin y) >= 0. Ties are folded in. */
 typedef struct edge_lanes {
-    int32_t start[GN_LANES]; /* unspecified for large triangles, which need 64 bits */
+    int32_t start[GN_LANES]; /* unspecified from PACKED_EXTENT on, where it needs 64 bits */
     int32_t per_x[GN_LANES];
     int32_t per_y[GN_LANES];
 } edge_lanes;
@@ -156,7 +156,7 @@ typedef struct packed_block {
     uint32_t covered[2];
 } packed_block;
 
-/* Called for blocks of a triangle, which have no pixel in common. */
+/* Called for blocks of a triangle; no pixel is in two of them or in both halves of one. */
 typedef void pack_function(const void *context, raster_triangle triangle,
                            const packed_block *blocks, uint32_t count);
 

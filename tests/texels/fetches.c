@@ -189,7 +189,7 @@ bool compare_fetches(uint64_t seed, tally *t, char *error, size_t error_size)
                                   text_name(TEXT_FORMAT, (int)format));
         for (int32_t y = 0; y < SIZE; y += 4)
             for (int32_t x = 0; x < SIZE; x += 4)
-                fetch_block(&job, gn_fetch, x, y);
+                fetch_block(&job, gn_fetch, (const int32_t[2]){x, x}, (const int32_t[2]){y, y + 2});
         count_differences("gn_fetch", format, ours, theirs, t);
         for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b) {
             if (!gn_backend_available((gn_backend)b))

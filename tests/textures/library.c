@@ -77,7 +77,7 @@ static void look_up_block(const lookup_case *c, const gn_sampling *f, const int3
     default:
         break;
     }
-    if (c->kind == LOOKUP_IMPLICIT && c->target == GN_TEXTURE_2D && (x / 4) % 2 == 1 &&
+    if (c->kind == LOOKUP_IMPLICIT && c->target == GN_TEXTURE_2D && (x[0] / 4) % 2 == 1 &&
         c->sampler.compare == GN_TEXTURE_COMPARE_NONE)
         f->sample_2d(&c->texture, &c->sampler, b.place[0], b.place[1], texel);
     else

@@ -238,7 +238,7 @@ static void texture_multiplies_every_channel(void **state)
     (void)state;
     static float varying[GN_SHADER_VARYINGS][GN_LANES], color[4][GN_LANES];
     gn_pipeline p;
-    gn_fragment_input in;
+    gn_fragment_input in = {0};
     gn_fragment_output out;
 
     reset();
@@ -251,7 +251,6 @@ static void texture_multiplies_every_channel(void **state)
     }
     in.varying = (const float(*)[GN_LANES])varying;
     in.coverage = 0xFFFF;
-    in.x = in.y = 0;
     in.sampling = &(const gn_sampling){gn_sample_2d, NULL, NULL, NULL};
     out.color = color;
     p.fragment_shader(p.uniforms, &in, &out);
