@@ -282,12 +282,8 @@ GN_OUT_OF_LINE uint32_t shade_whole_squares(const fragment_state *state, raster_
     fragment_place at;
 
     set_rows_of_block(&places, (float)y);
-    at.shape = SHAPE_SQUARE;
+    set_block(&at, SHAPE_SQUARE, &places);
     at.y = y;
-    at.places = &places;
-    at.columns = 0;
-    at.row = 0;
-    at.w = 0;
     for (uint32_t i = 0; i < count; ++i) {
         at.x = x + (int32_t)i * BLOCK_SIZE;
         set_columns_of_block(&places, (float)at.x);

@@ -109,6 +109,16 @@ typedef struct fragment_place {
     const lanes_f *w; /* of y, where it is the same in every column */
 } fragment_place;
 
+/* Makes a place that of blocks, whose fragments will be at `places`. */
+GN_INLINE void set_block(fragment_place *at, fragment_shape shape, const block_places *places)
+{
+    at->shape = shape;
+    at->places = places;
+    at->columns = 0;
+    at->row = 0;
+    at->w = 0;
+}
+
 GN_INLINE lanes_f interpolate(const fragment_place *at, raster_triangle triangle,
                               uint32_t attribute)
 {

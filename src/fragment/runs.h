@@ -21,12 +21,8 @@ GN_INLINE void shade_squares(const fragment_state *state, fragment_kind kind,
     fragment_place at;
 
     set_rows_of_block(&places, (float)y);
-    at.shape = SHAPE_INNER_BLOCK;
+    set_block(&at, SHAPE_INNER_BLOCK, &places);
     at.y = y;
-    at.places = &places;
-    at.columns = 0;
-    at.row = 0;
-    at.w = 0;
     for (uint32_t i = 0; i < count; ++i) {
         at.x = x + (int32_t)i * BLOCK_SIZE;
         if (!surface_holds_square(surface_of(state, kind), at.x, y)) {
@@ -64,11 +60,7 @@ GN_INLINE void shade_packed(const fragment_state *state, fragment_kind kind,
     block_places places;
     fragment_place at;
 
-    at.shape = SHAPE_INNER_BLOCK;
-    at.places = &places;
-    at.columns = 0;
-    at.row = 0;
-    at.w = 0;
+    set_block(&at, SHAPE_INNER_BLOCK, &places);
     if (is_next_inside)
         prefetch_block(state, kind, &blocks->at);
     for (uint32_t i = 0; i < count; ++i) {

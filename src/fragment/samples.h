@@ -158,12 +158,9 @@ static void run_samples(const void *context, raster_triangle triangle, int32_t x
     uint32_t passed[GN_SAMPLES];
     fragment_place at;
 
-    at.shape = SHAPE_SQUARE;
+    set_block(&at, SHAPE_SQUARE, 0);
     at.x = x;
     at.y = y;
-    at.places = 0;
-    at.columns = 0;
-    at.row = 0;
     for (uint32_t s = 0; s < GN_SAMPLES; ++s)
         passed[s] = counted->state->pipeline->samples_disabled >> s & 1u ? 0 : coverage[s];
     shade_samples(counted->state, &at, triangle, passed);

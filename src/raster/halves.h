@@ -31,7 +31,8 @@ static inline uint32_t count_covered(uint64_t strip)
 
 /* The halves of `size` squares from (x, y) on; those that are covered are kept, without a branch on
  * it, which processors cannot foresee. Where the outer quads on both sides are empty, they are laid
- * from two columns further on if there are fewer then. */
+ * from two columns further on if there are fewer then, so that they stay on these squares and none
+ * lies on what another strip has. */
 static inline void add_strip(found_halves *found, uint64_t strip, uint32_t size, int32_t x,
                              int32_t y)
 {

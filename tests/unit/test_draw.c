@@ -316,7 +316,10 @@ static void every_workspace_serves_threads(void **state)
     free(memory);
 }
 
+enum { PLACES_SIDE = 200 };
+
 static bool places_are_even;
+static uint8_t times_shaded[PLACES_SIDE][PLACES_SIDE];
 
 /* Red and green say which pixel a lane is. */
 static void paint_places(const void *uniforms, const gn_fragment_input *input,
@@ -326,23 +329,28 @@ static void paint_places(const void *uniforms, const gn_fragment_input *input,
     for (int half = 0; half < 2; ++half)
         places_are_even = places_are_even && input->x[half] % 2 == 0 && input->y[half] % 2 == 0;
     for (int l = 0; l < GN_LANES; ++l) {
-        output->color[0][l] = (float)(input->x[l / 8] + l % 4) / 255.0f;
-        output->color[1][l] = (float)(input->y[l / 8] + l / 4 % 2) / 255.0f;
+        const int32_t x = input->x[l / 8] + l % 4;
+        const int32_t y = input->y[l / 8] + l / 4 % 2;
+
+        output->color[0][l] = (float)x / 255.0f;
+        output->color[1][l] = (float)y / 255.0f;
         output->color[2][l] = 0.0f;
         output->color[3][l] = 1.0f;
+        if (input->coverage >> l & 1u)
+            ++times_shaded[y][x];
     }
 }
 
-/* From every row on, small blocks and, on a target of its own, large ones. */
+/* And are asked for each once. From every row on, small blocks and, on a target of its own, large
+ * ones. */
 static void shaders_know_their_pixels(void **state)
 {
     (void)state;
-    enum { SIDE = 200 };
-    static uint32_t pixels[SIDE * SIDE];
+    static uint32_t pixels[PLACES_SIDE * PLACES_SIDE];
     float positions[12] = {0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 1};
 
     for (int i = 0; i < 40; ++i) {
-        const int side = i < 20 ? SIZE : SIDE;
+        const int side = i < 20 ? SIZE : PLACES_SIDE;
         int drawn = 0;
 
         positions[1] = positions[5] = -1.0f + 0.0975f * (float)(i % 20);
@@ -354,15 +362,54 @@ static void shaders_know_their_pixels(void **state)
         c.target.depth.format = GN_FORMAT_NONE;
         c.pipeline.fragment_shader = paint_places;
         places_are_even = true;
+        memset(times_shaded, 0, sizeof times_shaded);
         assert_int_equal(draw(), GN_OK);
         assert_true(places_are_even);
         for (int p = 0; p < side * side; ++p) {
+            assert_int_equal(times_shaded[p / side][p % side], pixels[p] ? 1 : 0);
             if (pixels[p]) {
                 assert_int_equal(pixels[p], 0xFF000000u + (uint32_t)(p / side << 8 | p % side));
                 ++drawn;
             }
         }
         assert_true(drawn > 0);
+    }
+}
+
+/* On memory that ends with the surface, as the sanitizers see; sizes are odd too, and triangles
+ * small, so that their blocks hang over the edges. */
+static void memory_ends_with_the_surface(void **state)
+{
+    (void)state;
+    uint32_t seed = 1;
+
+    for (uint32_t i = 0; i < 4000; ++i) {
+        const uint32_t width = 1 + i % 37, height = 1 + i % 31;
+        uint32_t *pixels = malloc(sizeof *pixels * width * height);
+        uint32_t *depths = malloc(sizeof *depths * width * height);
+        float positions[12];
+
+        assert_true(pixels && depths);
+        for (int v = 0; v < 12; ++v) {
+            seed = seed * 1664525u + 1013904223u;
+            positions[v] = v % 4 < 2 ? (float)(seed >> 8) * 0x1p-23f - 0.5f : v % 4 == 3;
+        }
+        reset(positions, 3, GN_TRIANGLES);
+        memset(pixels, 0, sizeof *pixels * width * height);
+        c.target.color[0] = gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, width, height);
+        c.target.depth = gn_surface_bottom_up(depths, GN_FORMAT_D24, width, height);
+        assert_int_equal(gn_clear_depth(&c.target.depth, 1.0f), GN_OK);
+        c.pipeline.depth_test = true;
+        c.pipeline.fragment_shader = paint_places;
+        memset(times_shaded, 0, sizeof times_shaded);
+        assert_int_equal(draw(), GN_OK);
+        for (uint32_t y = 0; y < height; ++y) {
+            for (uint32_t x = 0; x < width; ++x)
+                assert_int_equal(pixels[y * width + x],
+                                 times_shaded[y][x] ? 0xFF000000u + (y << 8 | x) : 0);
+        }
+        free(pixels);
+        free(depths);
     }
 }
 
@@ -450,6 +497,7 @@ int main(void)
         cmocka_unit_test(back_ends_have_names_and_agree),
         cmocka_unit_test(every_workspace_serves_threads),
         cmocka_unit_test(shaders_know_their_pixels),
+        cmocka_unit_test(memory_ends_with_the_surface),
         cmocka_unit_test(a_triangle_through_the_eye_is_clipped),
         cmocka_unit_test(samples_are_counted),
         cmocka_unit_test(depth_comes_from_the_shader),
