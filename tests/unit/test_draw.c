@@ -413,6 +413,57 @@ static void memory_ends_with_the_surface(void **state)
     }
 }
 
+static void set_random_triangle(float positions[12], float size, uint32_t *seed)
+{
+    float center[2] = {0};
+
+    for (int v = -2; v < 12; ++v) {
+        *seed = *seed * 1664525u + 1013904223u;
+        const float random = (float)(*seed >> 8) * 0x1p-23f - 1.0f;
+        if (v < 0)
+            center[v + 2] = random;
+        else
+            positions[v] = v % 4 < 2 ? center[v % 4] + size * random : v % 4 == 3;
+    }
+}
+
+/* Shaders that are called get pixels packed, the ready-made one squares of them: the same pixels,
+ * of triangles of all sizes, cut by scissors, by every back end. */
+static void packed_pixels_are_the_same(void **state)
+{
+    (void)state;
+    enum { SIDE = PLACES_SIDE, COUNT = SIDE * SIDE };
+    static const float sizes[] = {0.02f, 0.1f, 0.3f, 0.55f, 0.6f, 0.65f, 1.0f, 3.0f, 40.0f};
+    static uint32_t squares[COUNT], packed[COUNT];
+    uint32_t seed = 1;
+
+    for (int i = 0; i < 1200; ++i) {
+        float positions[12];
+
+        set_random_triangle(positions, sizes[i % 9], &seed);
+        reset(positions, 3, GN_TRIANGLES);
+        c.workspace.backend = (gn_backend)(i / 9 % GN_BACKEND_COUNT);
+        if (!gn_backend_available(c.workspace.backend))
+            c.workspace.backend = GN_BACKEND_AUTO;
+        c.target.depth.format = GN_FORMAT_NONE;
+        c.pipeline.scissor =
+            (gn_scissor){i % 2, (int32_t)(seed >> 9) % SIDE, (int32_t)(seed >> 20) % SIDE,
+                         1 + (uint32_t)i * 7 % 90, 1 + (uint32_t)i * 5 % 70};
+        for (int shader = 0; shader < 2; ++shader) {
+            uint32_t *const pixels = shader ? packed : squares;
+
+            memset(pixels, 0, sizeof squares);
+            c.target.color[0] = gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, SIDE, SIDE);
+            if (shader)
+                c.pipeline.fragment_shader = paint_places;
+            assert_int_equal(draw(), GN_OK);
+        }
+        for (int p = 0; p < COUNT; ++p)
+            assert_int_equal(packed[p],
+                             squares[p] ? 0xFF000000u + (uint32_t)(p / SIDE << 8 | p % SIDE) : 0);
+    }
+}
+
 static void a_triangle_through_the_eye_is_clipped(void **state)
 {
     (void)state;
@@ -498,6 +549,7 @@ int main(void)
         cmocka_unit_test(every_workspace_serves_threads),
         cmocka_unit_test(shaders_know_their_pixels),
         cmocka_unit_test(memory_ends_with_the_surface),
+        cmocka_unit_test(packed_pixels_are_the_same),
         cmocka_unit_test(a_triangle_through_the_eye_is_clipped),
         cmocka_unit_test(samples_are_counted),
         cmocka_unit_test(depth_comes_from_the_shader),
