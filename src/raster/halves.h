@@ -81,7 +81,7 @@ static inline void run_halves(found_halves *found, int32_t bottom, raster_triang
 /* An edge function of a small triangle. */
 typedef struct small_edge {
     int32_t start;         /* in the lower left pixel of the first square of a row of squares */
-    int32_t along, across; /* by how much it falls to the next square, and rises to the next row */
+    int32_t along, across; /* by how much it falls to the next square and rises to the next row */
     lanes_i offset;        /* from there to each pixel of a square */
     lanes_i greatest;      /* from the first square's start to the greatest of each of sixteen */
 } small_edge;
@@ -102,7 +102,7 @@ static inline void set_small_edge(small_edge *e, const triangle_batch *batch, in
                               lanes_i_mul(lanes_i_splat(e->along), lanes_i_load(number)));
 }
 
-/* The sign of the least of three values. */
+/* The lanes in which none of three values is negative. */
 static inline uint32_t not_negative(lanes_i a, lanes_i b, lanes_i c)
 {
     return GN_ALL_LANES & ~lanes_i_sign_bits(lanes_i_or(lanes_i_or(a, b), c));

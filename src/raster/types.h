@@ -161,7 +161,7 @@ typedef void pack_function(const void *context, raster_triangle triangle,
                            const packed_block *blocks, uint32_t count);
 
 /* What a triangle's fragments are handed to: squares, and small triangles packed, where that is
- * not null. Packing takes time, which shaders that are called save. */
+ * not null. Packing takes time, which it saves where fragments need a shader's call. */
 typedef struct block_functions {
     run_function *squares;
     pack_function *packed;
