@@ -50,8 +50,22 @@ GN_INLINE void prefetch_block(const fragment_state *state, fragment_kind kind,
                        state->depth.row_stride);
 }
 
-/* Packed blocks; the memory of the next is on its way while one is shaded. Halves of those that
- * hang over are squares of which the rest is not covered. */
+/* Halves of a block that hangs over, each in the square at a multiple of four rows that it lies in:
+ * the rows of another may be another thread's. */
+GN_INLINE void shade_halves(const fragment_state *state, raster_triangle triangle,
+                            const packed_block *b)
+{
+    for (int half = 0; half < 2; ++half) {
+        const int32_t y = b->at.y[half];
+        const bool is_upper = y & (BLOCK_SIZE / 2);
+
+        if (b->covered[half])
+            shade_whole_squares(state, triangle, b->at.x[half], y & ~(BLOCK_SIZE - 1), 1,
+                                b->covered[half] << (is_upper ? HALF_LANES : 0));
+    }
+}
+
+/* Packed blocks; the memory of the next is on its way while one is shaded. */
 GN_INLINE void shade_packed(const fragment_state *state, fragment_kind kind,
                             raster_triangle triangle, const packed_block *blocks, uint32_t count)
 {
@@ -71,11 +85,7 @@ GN_INLINE void shade_packed(const fragment_state *state, fragment_kind kind,
         if (is_next_inside)
             prefetch_block(state, kind, &b[1].at);
         if (!inside) {
-            for (int half = 0; half < 2; ++half) {
-                if (b->covered[half])
-                    shade_whole_squares(state, triangle, b->at.x[half], b->at.y[half], 1,
-                                        b->covered[half]);
-            }
+            shade_halves(state, triangle, b);
             continue;
         }
         set_places(&places, &b->at);

@@ -59,18 +59,16 @@ static inline void add_strip(found_halves *found, uint64_t strip, uint32_t size,
     found->count = count;
 }
 
-/* One half that is left over has the other of its square beside it; squares are laid from `bottom`
- * on. */
-static inline void run_halves(found_halves *found, int32_t bottom, raster_triangle triangle,
-                              pack_function *run, const void *context)
+/* One half that is left over has its neighbour in a square at a multiple of four beside it, whose
+ * rows are all in the part of the target that is drawn (place_blocks). */
+static inline void run_halves(found_halves *found, raster_triangle triangle, pack_function *run,
+                              const void *context)
 {
     packed_block *const last = &found->block[found->count / 2];
 
     if (found->count % 2) {
-        const int32_t y = last->at.y[0];
-
         last->at.x[1] = last->at.x[0];
-        last->at.y[1] = (y - bottom) % BLOCK_SIZE ? y - BLOCK_SIZE / 2 : y + BLOCK_SIZE / 2;
+        last->at.y[1] = last->at.y[0] ^ (BLOCK_SIZE / 2);
         last->covered[1] = 0;
     }
     if (found->count)
@@ -173,7 +171,7 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_b
                     upper |= (uint64_t)(coverage >> HALF_LANES) << 8 * i;
                 }
                 if (found.count > FOUND_HALVES - 1 - 2 * STRIP_HALVES)
-                    run_halves(&found, bottom, triangle, run, context);
+                    run_halves(&found, triangle, run, context);
                 add_strip(&found, lower, size, x, y);
                 add_strip(&found, upper, size, x, y + BLOCK_SIZE / 2);
             }
@@ -181,7 +179,7 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_b
         for (int i = 0; i < 3; ++i)
             edge[i].start += edge[i].across;
     }
-    run_halves(&found, bottom, triangle, run, context);
+    run_halves(&found, triangle, run, context);
 }
 
 /* Calls the functions for every block with covered pixels of the triangles in a list: of each
