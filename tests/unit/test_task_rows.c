@@ -1,0 +1,140 @@
+/* Tasks of a draw write rows of their own: two may run at once. Shown on one thread, by rows that
+ * are a page of memory each and may not be written to until a task's first write is caught. */
+#define _DEFAULT_SOURCE
+#include <signal.h>
+#include <string.h>
+#include <sys/mman.h>
+
+#include "unit.h"
+
+enum { PAGE = 4096, ROWS = 256, TRIANGLES = 3000, WIDTH_MOST = PAGE / 4 };
+
+static unsigned char *rows;
+static uint32_t writer[ROWS]; /* the task + 1 that wrote a row in this round */
+static volatile sig_atomic_t at_work, shared_rows, tasks_that_wrote;
+static struct sigaction before;
+
+static void catch_write(int number, siginfo_t *info, void *context)
+{
+    const ptrdiff_t offset = (unsigned char *)info->si_addr - rows;
+    const ptrdiff_t row = offset / PAGE;
+
+    (void)context;
+    if (offset < 0 || row >= ROWS) {
+        sigaction(number, &before, NULL);
+        return;
+    }
+    shared_rows += writer[row] != 0 && writer[row] != (uint32_t)at_work;
+    writer[row] = (uint32_t)at_work;
+    mprotect(rows + row * PAGE, PAGE, PROT_READ | PROT_WRITE);
+}
+
+static void one_by_one(void *user, gn_task *task, void *context, uint32_t count)
+{
+    (void)user;
+    memset(writer, 0, sizeof writer);
+    for (uint32_t i = 0; i < count; ++i) {
+        assert_int_equal(mprotect(rows, ROWS * PAGE, PROT_READ), 0);
+        at_work = (sig_atomic_t)(i + 1);
+        task(context, i);
+        for (int row = 0; row < ROWS; ++row) {
+            if (writer[row] == i + 1) {
+                ++tasks_that_wrote;
+                break;
+            }
+        }
+    }
+    assert_int_equal(mprotect(rows, ROWS * PAGE, PROT_READ | PROT_WRITE), 0);
+}
+
+static void place(const void *uniforms, const gn_vertex_input *in, gn_vertex_output *out)
+{
+    (void)uniforms;
+    for (int c = 0; c < 4; ++c)
+        memcpy(out->position[c], in->attribute[GN_ATTRIBUTE_POSITION][c], sizeof out->position[c]);
+}
+
+static void paint(const void *uniforms, const gn_fragment_input *in, gn_fragment_output *out)
+{
+    (void)uniforms;
+    (void)in;
+    for (int c = 0; c < 4; ++c) {
+        for (int l = 0; l < GN_LANES; ++l)
+            out->color[c][l] = 1.0f;
+    }
+}
+
+/* Small triangles on the last columns of a surface, over whose edge their blocks hang. */
+static void draw_at_the_edge(uint32_t width, bool ready, uint32_t *seed)
+{
+    static float positions[3 * TRIANGLES][4];
+    static unsigned char memory[8 << 20];
+    static gn_color_uniforms uniforms;
+    gn_target target;
+    gn_pipeline pipeline;
+    gn_mesh mesh;
+    gn_workspace workspace;
+
+    memset(&target, 0, sizeof target);
+    memset(&pipeline, 0, sizeof pipeline);
+    memset(&mesh, 0, sizeof mesh);
+    memset(&workspace, 0, sizeof workspace);
+    for (int v = 0; v < 3 * TRIANGLES; ++v) {
+        const int middle = v / 3 * ROWS / TRIANGLES;
+
+        *seed = *seed * 1664525u + 1013904223u;
+        const float x = (float)(*seed >> 16 & 255) * (24.0f / 256.0f) - 20.0f;
+        const float y = (float)(*seed >> 24) * (12.0f / 256.0f) - 6.0f;
+        positions[v][0] = 2.0f * ((float)width + x) / (float)width - 1.0f;
+        positions[v][1] = 2.0f * ((float)middle + y) / (float)ROWS - 1.0f;
+        positions[v][3] = 1.0f;
+    }
+    target.color[0] = gn_surface_bottom_up(rows, GN_FORMAT_RGBA8, width, ROWS);
+    target.color[0].row_stride = PAGE;
+    for (int i = 0; i < 4; ++i)
+        uniforms.clip_from_model.m[i][i] = 1.0f;
+    assert_int_equal(gn_use_vertex_color(&pipeline, &uniforms), GN_OK);
+    if (!ready) {
+        pipeline.vertex_shader = place;
+        pipeline.fragment_shader = paint;
+        pipeline.varying_count = 0;
+    }
+    mesh.attribute[GN_ATTRIBUTE_POSITION].data = positions[0];
+    mesh.attribute[GN_ATTRIBUTE_POSITION].components = 4;
+    mesh.vertex_count = mesh.count = 3 * TRIANGLES;
+    workspace.memory = memory;
+    workspace.size = sizeof memory;
+    workspace.parallel = one_by_one;
+    workspace.threads = 8;
+    assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+}
+
+static void tasks_write_rows_of_their_own(void **state)
+{
+    (void)state;
+    struct sigaction action;
+    uint32_t seed = 1;
+
+    rows = mmap(NULL, ROWS * PAGE, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    assert_true(rows != MAP_FAILED);
+    memset(&action, 0, sizeof action);
+    action.sa_sigaction = catch_write;
+    action.sa_flags = SA_SIGINFO;
+    assert_int_equal(sigaction(SIGSEGV, &action, &before), 0);
+    for (uint32_t width = WIDTH_MOST - 8; width <= WIDTH_MOST; ++width) {
+        for (int ready = 0; ready < 2; ++ready)
+            draw_at_the_edge(width, ready != 0, &seed);
+    }
+    assert_int_equal(sigaction(SIGSEGV, &before, NULL), 0);
+    assert_true(tasks_that_wrote > 2 * 9 * 2); /* more than two a draw */
+    assert_int_equal(shared_rows, 0);
+    munmap(rows, ROWS * PAGE);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(tasks_write_rows_of_their_own),
+    };
+    return cmocka_run_group_tests_name("task rows", tests, NULL, NULL);
+}
