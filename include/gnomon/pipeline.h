@@ -293,9 +293,9 @@ typedef struct gn_vertex_output {
     float (*clip_distance)[GN_LANES]; /* [distance][lane] */
 } gn_vertex_output;
 
-/* Input of a fragment shader: two halves of 4x2 fragments each, lane l at pixel
- * (x[l / 8] + l % 4, y[l / 8] + l / 4 % 2). Varyings hold values in every lane, also where a
- * fragment is not covered, so that derivatives can be taken in 2x2 quads. */
+/* Input of a fragment shader: two halves of 4x2 fragments each, which may lie apart in their
+ * primitive, lane l at pixel (x[l / 8] + l % 4, y[l / 8] + l / 4 % 2). Varyings hold values in every
+ * lane, also where a fragment is not covered, so that derivatives can be taken in 2x2 quads. */
 typedef struct gn_fragment_input {
     const float (*varying)[GN_LANES]; /* [varying][lane] */
     uint32_t coverage;                /* bit l: lane l is covered and passed early tests */

@@ -51,6 +51,12 @@ static inline lanes_i edge_values(int32_t v, int32_t per_x, int32_t per_y)
     return lanes_i_add(lanes_i_splat(v), lanes_i_plane(-per_x, per_y));
 }
 
+/* The lanes in which none of three values is negative. */
+static inline uint32_t not_negative(const lanes_i value[3])
+{
+    return GN_ALL_LANES & ~lanes_i_sign_bits(lanes_i_or(lanes_i_or(value[0], value[1]), value[2]));
+}
+
 /* Covered blocks of a small triangle, as many as are run together. */
 #define FOUND_BLOCKS (GN_SPECIALISED ? 32 : 1)
 
@@ -121,9 +127,7 @@ static inline void cover_small(const pixel_rectangle *target, const triangle_bat
         uint32_t first = found.count;
 
         for (int32_t x = left;; x += BLOCK_SIZE) {
-            uint32_t coverage =
-                GN_ALL_LANES &
-                ~lanes_i_sign_bits(lanes_i_or(lanes_i_or(value[0], value[1]), value[2]));
+            uint32_t coverage = not_negative(value);
 
             if (begins_outside(columns, x) || begins_outside(rows, y))
                 coverage &= overhang_mask(target, x, y);

@@ -76,15 +76,15 @@ static inline void run_halves(found_halves *found, raster_triangle triangle, pac
     found->count = 0;
 }
 
-/* An edge function of a small triangle. */
-typedef struct small_edge {
-    int32_t start;         /* in the lower left pixel of the first square of a row of squares */
-    int32_t along, across; /* by how much it falls to the next square and rises to the next row */
-    lanes_i offset;        /* from there to each pixel of a square */
-    lanes_i greatest;      /* from the first square's start to the greatest of each of sixteen */
-} small_edge;
+/* The edge functions of a small triangle. */
+typedef struct small_edges {
+    int32_t start[3];            /* in the lower left pixel of the first square of a row */
+    int32_t along[3], across[3]; /* how much they fall to the next square, rise to the next row */
+    lanes_i pixel[3];            /* from there to each pixel of a square */
+    lanes_i greatest[3];         /* from there to the greatest value of each of sixteen */
+} small_edges;
 
-static inline void set_small_edge(small_edge *e, const triangle_batch *batch, int edge,
+static inline void set_small_edge(small_edges *e, const triangle_batch *batch, int edge,
                                   uint32_t lane)
 {
     static const int32_t number[GN_LANES] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
@@ -92,41 +92,24 @@ static inline void set_small_edge(small_edge *e, const triangle_batch *batch, in
     const int32_t per_y = batch->edge[edge].per_y[lane];
     const int32_t rise = (per_x < 0 ? -per_x : 0) + (per_y > 0 ? per_y : 0);
 
-    e->start = batch->edge[edge].start[lane];
-    e->along = BLOCK_SIZE * per_x;
-    e->across = BLOCK_SIZE * per_y;
-    e->offset = lanes_i_plane(-per_x, per_y);
-    e->greatest = lanes_i_sub(lanes_i_splat((BLOCK_SIZE - 1) * rise),
-                              lanes_i_mul(lanes_i_splat(e->along), lanes_i_load(number)));
+    e->start[edge] = batch->edge[edge].start[lane];
+    e->along[edge] = BLOCK_SIZE * per_x;
+    e->across[edge] = BLOCK_SIZE * per_y;
+    e->pixel[edge] = edge_values(0, per_x, per_y);
+    e->greatest[edge] =
+        lanes_i_sub(lanes_i_splat((BLOCK_SIZE - 1) * rise),
+                    lanes_i_mul(lanes_i_splat(e->along[edge]), lanes_i_load(number)));
 }
 
-/* The lanes in which none of three values is negative. */
-static inline uint32_t not_negative(lanes_i a, lanes_i b, lanes_i c)
-{
-    return GN_ALL_LANES & ~lanes_i_sign_bits(lanes_i_or(lanes_i_or(a, b), c));
-}
-
-/* Which of sixteen squares side by side, from number `first` of a row on, no edge leaves out: those
- * from some one on up to another. */
-static inline uint32_t squares_met(const small_edge edge[3], int32_t first)
+/* The lanes that no edge leaves out, from the start of a row's square of that number on: of its
+ * pixels, or of it and the next fifteen squares those from some one on up to another. */
+static inline uint32_t lanes_met(const small_edges *e, int32_t number, const lanes_i term[3])
 {
     lanes_i value[3];
 
     for (int i = 0; i < 3; ++i)
-        value[i] =
-            lanes_i_add(lanes_i_splat(edge[i].start - edge[i].along * first), edge[i].greatest);
-    return not_negative(value[0], value[1], value[2]);
-}
-
-/* Which pixels of a square of the row are covered. */
-static inline uint32_t pixels_covered(const small_edge edge[3], int32_t number)
-{
-    lanes_i value[3];
-
-    for (int i = 0; i < 3; ++i)
-        value[i] =
-            lanes_i_add(lanes_i_splat(edge[i].start - edge[i].along * number), edge[i].offset);
-    return not_negative(value[0], value[1], value[2]);
+        value[i] = lanes_i_add(lanes_i_splat(e->start[i] - e->along[i] * number), term[i]);
+    return not_negative(value);
 }
 
 /* A triangle below PACKED_EXTENT. Pixels outside its bounds are outside an edge too, so that only
@@ -141,17 +124,17 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_b
     const int32_t squares = (list->bounds[BOUNDS_MAX_X][lane] - left) / BLOCK_SIZE + 1;
     const block_span columns = blocks_inside(target->min_x, target->max_x);
     const block_span rows = blocks_inside(target->min_y, target->max_y);
-    small_edge edge[3];
+    small_edges edges;
     found_halves found;
 
     found.count = 0;
     for (int i = 0; i < 3; ++i)
-        set_small_edge(&edge[i], batch, i, lane);
+        set_small_edge(&edges, batch, i, lane);
     for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += BLOCK_SIZE) {
         const bool hangs = begins_outside(rows, y);
 
         for (int32_t from = 0; from < squares; from += GN_LANES) {
-            const uint32_t met = squares_met(edge, from);
+            const uint32_t met = lanes_met(&edges, from, edges.greatest);
             const int32_t first = from + (int32_t)count_lanes(~met & (met - 1) & GN_ALL_LANES);
             const int32_t after = first + (int32_t)count_lanes(met);
             const int32_t end = after < squares ? after : squares;
@@ -163,7 +146,7 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_b
 
                 for (uint32_t i = 0; i < size; ++i) {
                     const int32_t column = x + (int32_t)i * BLOCK_SIZE;
-                    uint32_t coverage = pixels_covered(edge, n + (int32_t)i);
+                    uint32_t coverage = lanes_met(&edges, n + (int32_t)i, edges.pixel);
 
                     if (hangs || begins_outside(columns, column))
                         coverage &= overhang_mask(target, column, y);
@@ -177,7 +160,7 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_b
             }
         }
         for (int i = 0; i < 3; ++i)
-            edge[i].start += edge[i].across;
+            edges.start[i] += edges.across[i];
     }
     run_halves(&found, triangle, run, context);
 }
