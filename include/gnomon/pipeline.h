@@ -283,14 +283,15 @@ typedef struct gn_vertex_input {
     uint32_t present;                      /* bit a: the mesh has attribute a */
 } gn_vertex_input;
 
-/* Output of a vertex shader; the memory is the library's. Every lane of the
- * position, of the pipeline's varyings and of its clip distances must be written. Clipped away is
- * where a clip distance, linear over the triangle, is negative. */
+/* Output of a vertex shader; the memory is the library's. Every lane comes with a value, which
+ * stays where the shader writes nothing: position 0, 0, 0, 1, varyings 0, the pipeline's point_size
+ * and clip distances 0, which clip nothing. A triangle or line is clipped away where a clip
+ * distance, linear over it, is negative. */
 typedef struct gn_vertex_output {
-    float (*position)[GN_LANES]; /* [x, y, z, w][lane] in clip space */
-    float (*varying)[GN_LANES];  /* [varying][lane] */
-    float *point_size;           /* [lane], to be written too; null without program_point_size */
-    float (*clip_distance)[GN_LANES]; /* [distance][lane] */
+    float (*position)[GN_LANES];      /* [x, y, z, w][lane] in clip space */
+    float (*varying)[GN_LANES];       /* [varying][lane], varying_count of them */
+    float *point_size;                /* [lane]; null without program_point_size */
+    float (*clip_distance)[GN_LANES]; /* [distance][lane], clip_distance_count of them */
 } gn_vertex_output;
 
 /* Input of a fragment shader: two halves of 4x2 fragments each, which may lie apart in their
@@ -329,8 +330,8 @@ typedef struct gn_fragment_input {
 } gn_fragment_input;
 
 /* Output of a fragment shader: color[4 * attachment + channel][lane], red, green, blue, alpha, of
- * as many attachments as the pipeline's color_count says, whatever the target has. Every lane must
- * be written; those not covered are not used. */
+ * as many attachments as the pipeline's color_count says, whatever the target has. Every lane comes
+ * as 0, which stays where the shader writes nothing. Lanes that are not covered are not used. */
 typedef struct gn_fragment_output {
     float (*color)[GN_LANES];
 
@@ -430,7 +431,9 @@ GN_BEGIN
  * beyond GN_CHANNEL_ALL) and GN_INVALID_ENUM or GN_NOT_FINITE (blend; the constant only where it is
  * enabled); GN_INVALID_ENUM (logic operation), GN_OUT_OF_RANGE (samples_disabled has bits beyond
  * GN_SAMPLES), GN_NOT_FINITE or GN_OUT_OF_RANGE (a point size or line width below 0),
- * GN_INVALID_ENUM (point_origin, a polygon mode). */
+ * GN_INVALID_ENUM (point_origin, a polygon mode); last, where a shader is a ready-made one,
+ * GN_NULL_POINTER (uniforms) and GN_OUT_OF_RANGE (what its gn_use_ function set no longer serves
+ * the uniforms, see gnomon/shaders.h; not found by a library compiled with GN_SMALL). */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
 
 /* The same fault in words that name the field, such as "blend.source is no gn_blend_factor", in

@@ -1,6 +1,13 @@
 /* Ready-made shaders: each function sets the shaders, varyings, interpolation and uniforms of a
  * pipeline, gn_use_depth_color also fragment_reads_position, and leaves the rest of its state
- * alone. The uniforms and their textures are the caller's and must outlive the draws.
+ * alone. The uniforms and their textures are the caller's and must outlive the draws. They may
+ * change between draws, but the function must be called again when a map appears or normal_space
+ * changes, since varying_count depends on both; gn_draw refuses a varying_count that is too small
+ * with GN_OUT_OF_RANGE.
+ *
+ * The shaders write the first colour alone and neither point sizes nor clip distances: further
+ * colours become 0, 0, 0, 0 (set color_write_disabled to keep an attachment as it is), points have
+ * the pipeline's point_size, and nothing is clipped by clip distances.
  *
  *   gn_use_vertex_color  vertex colours                                     gn_color_uniforms
  *   gn_use_depth_only    nothing but depth, for targets without colour      gn_color_uniforms

@@ -4,6 +4,7 @@
 
 #include "../lanes/small.h"
 #include "../math/bits.h"
+#include "../shaders/shaders.h"
 #include "check.h"
 #include "faults.h"
 
@@ -120,6 +121,25 @@ static inline fault fault_of_points_and_lines(const gn_pipeline *p)
     return NO_FAULT;
 }
 
+/* Not asked in small libraries, which have the code of ready-made shaders in use alone. */
+static inline fault fault_of_ready_made(const gn_pipeline *p)
+{
+#if GN_SPECIALISED
+    const gn_ready_made_fault found = gn_find_ready_made_fault(p);
+
+    FAULT_IF(found == GN_READY_MADE_NO_UNIFORMS, GN_NULL_POINTER,
+             "uniforms is null, but a shader is a ready-made one");
+    FAULT_IF(found == GN_READY_MADE_NO_POSITION, GN_OUT_OF_RANGE,
+             "fragment_reads_position is off, but gn_use_depth_color's shader reads it");
+    FAULT_IF(found == GN_READY_MADE_FEW_VARYINGS, GN_OUT_OF_RANGE,
+             "varying_count is below what the ready-made shaders and their maps use: call the "
+             "gn_use_ function again");
+#else
+    (void)p;
+#endif
+    return NO_FAULT;
+}
+
 static inline fault fault_of_pipeline(const gn_pipeline *p)
 {
     FAULT_IF(!p, GN_NULL_POINTER, "the pipeline is null");
@@ -168,6 +188,7 @@ static inline fault fault_of_pipeline(const gn_pipeline *p)
              "samples_disabled has bits beyond GN_SAMPLES");
     if (GN_HAVE_LINES)
         FAULT_FROM(fault_of_points_and_lines(p));
+    FAULT_FROM(fault_of_ready_made(p));
     return NO_FAULT;
 }
 

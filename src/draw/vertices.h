@@ -65,6 +65,21 @@ GN_STEP lanes_i store_vertices(const draw_state *draw, const gn_vertex_output *o
                           first, draw->stride);
 }
 
+/* What a vertex shader need not write: every lane comes with the value that gn_vertex_output
+ * states, so that nothing drawn depends on what the workspace held before. */
+GN_STEP void set_vertex_defaults(const gn_pipeline *pipeline, const gn_vertex_output *output)
+{
+    const lanes_f zero = lanes_splat(0.0f);
+    const uint32_t values = stored_values(pipeline);
+
+    for (int c = 0; c < 4; ++c)
+        lanes_store(output->position[c], lanes_splat(c == 3 ? 1.0f : 0.0f));
+    for (uint32_t n = 0; n < values; ++n)
+        lanes_store(output->varying[n], zero);
+    if (output->point_size)
+        lanes_store(output->point_size, lanes_splat(pipeline->point_size));
+}
+
 /* Shades slots `from`, a multiple of sixteen, to end - 1. The triangle_batch of the task
  * lends its memory to what the shader gives. Gives the union of their outcodes. */
 static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from, uint32_t end)
@@ -94,6 +109,7 @@ static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from
         input.count = end - slot < GN_LANES ? end - slot : GN_LANES;
         slot_vertices(draw, slot, input.count, vertex_id);
         fetch_attributes(draw->mesh, vertex_id, attribute);
+        set_vertex_defaults(draw->pipeline, &output);
         run_vertex_shader(draw, &input, &output);
         outcodes = lanes_i_or(outcodes, store_vertices(draw, &output, slot));
     }

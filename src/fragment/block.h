@@ -163,6 +163,16 @@ GN_INLINE lanes_f w_at(const fragment_place *at, raster_triangle triangle)
     return lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
 }
 
+/* Colours that a shader does not write are 0. */
+static inline void set_color_defaults(const gn_pipeline *pipeline, float (*color)[GN_LANES])
+{
+    const uint32_t count =
+        GN_HAVE_ATTACHMENTS && pipeline->color_count > 1 ? pipeline->color_count : 1;
+
+    for (uint32_t n = 0; n < 4 * count; ++n)
+        lanes_store(color[n], lanes_splat(0.0f));
+}
+
 /* Runs the shader on a block, whose planes are asked at `places`. Colours are left in
  * `color`, room for which the pipeline's color_count asks. */
 GN_STEP void run_shader(const fragment_state *state, raster_triangle triangle,
@@ -188,6 +198,7 @@ GN_STEP void run_shader(const fragment_state *state, raster_triangle triangle,
     input.position = 0;
     input.point_coordinate = 0;
     input.sample_mask = 0;
+    set_color_defaults(pipeline, color);
     output.color = color;
     output.kept = GN_ALL_LANES;
     output.depth = verdict->depth;

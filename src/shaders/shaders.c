@@ -34,6 +34,18 @@ FRAGMENT_SHADER(shade_blinn_phong)
 FRAGMENT_SHADER(shade_normal_color)
 FRAGMENT_SHADER(shade_depth_color)
 
+/* Varyings of shaders whose texture coordinates follow the colour where there is a map. */
+static uint32_t mapped_varyings(const gn_texture *map)
+{
+    return map ? VARYING_END : VARYING_ALPHA + 1;
+}
+
+/* Varyings of shaders that light fragments. */
+static uint32_t surface_varyings(const gn_material *material)
+{
+    return has_tangents(material) ? VARYING_ALL : VARYING_TANGENT;
+}
+
 static gn_status use(gn_pipeline *pipeline, const void *uniforms, gn_vertex_shader *vertex,
                      gn_fragment_shader *fragment, uint32_t varying_count)
 {
@@ -80,7 +92,7 @@ gn_status gn_use_unlit(gn_pipeline *pipeline, const gn_unlit_uniforms *uniforms)
     if (status)
         return status;
     return use(pipeline, uniforms, gn_shade_unlit, gn_shade_unlit_texture,
-               uniforms->map ? VARYING_END : VARYING_ALPHA + 1);
+               mapped_varyings(uniforms->map));
 }
 
 static gn_status check_material(const gn_material *material)
@@ -146,7 +158,7 @@ static gn_status use_lit(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms,
 gn_status gn_use_gouraud(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
 {
     return use_lit(pipeline, uniforms, gn_shade_lit, gn_shade_lit_texture,
-                   uniforms && uniforms->material.diffuse_map ? VARYING_END : VARYING_ALPHA + 1);
+                   uniforms ? mapped_varyings(uniforms->material.diffuse_map) : 0);
 }
 
 /* Of shaders that light fragments. */
@@ -154,7 +166,7 @@ static gn_status use_surface(gn_pipeline *pipeline, const gn_lit_uniforms *unifo
                              gn_fragment_shader *fragment)
 {
     return use_lit(pipeline, uniforms, gn_shade_surface, fragment,
-                   uniforms && has_tangents(&uniforms->material) ? VARYING_ALL : VARYING_TANGENT);
+                   uniforms ? surface_varyings(&uniforms->material) : 0);
 }
 
 gn_status gn_use_flat(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
@@ -192,4 +204,60 @@ gn_status gn_use_depth_color(gn_pipeline *pipeline, const gn_depth_color_uniform
         return GN_OUT_OF_RANGE;
     pipeline->fragment_reads_position = true;
     return use(pipeline, uniforms, gn_shade_position, gn_shade_depth_color, 0);
+}
+
+/* Varyings that a ready-made vertex shader writes; 0 for others. */
+static uint32_t written_varyings(const gn_pipeline *p)
+{
+    if (p->vertex_shader == gn_shade_vertex_color)
+        return VARYING_ALPHA + 1;
+    if (p->vertex_shader == gn_shade_unlit)
+        return mapped_varyings(((const gn_unlit_uniforms *)p->uniforms)->map);
+    if (p->vertex_shader == gn_shade_lit)
+        return mapped_varyings(((const gn_lit_uniforms *)p->uniforms)->material.diffuse_map);
+    if (p->vertex_shader == gn_shade_surface)
+        return surface_varyings(&((const gn_lit_uniforms *)p->uniforms)->material);
+    return 0;
+}
+
+static bool lights_fragments(gn_fragment_shader *shader)
+{
+    return shader == gn_shade_flat || shader == gn_shade_toon || shader == gn_shade_phong ||
+           shader == gn_shade_blinn_phong || shader == gn_shade_normal_color;
+}
+
+/* Varyings that a ready-made fragment shader reads; 0 for others. */
+static uint32_t read_varyings(const gn_pipeline *p)
+{
+    if (p->fragment_shader == gn_shade_color)
+        return VARYING_ALPHA + 1;
+    if (p->fragment_shader == gn_shade_unlit_texture)
+        return mapped_varyings(((const gn_unlit_uniforms *)p->uniforms)->map);
+    if (p->fragment_shader == gn_shade_lit_texture)
+        return mapped_varyings(((const gn_lit_uniforms *)p->uniforms)->material.diffuse_map);
+    if (lights_fragments(p->fragment_shader))
+        return surface_varyings(&((const gn_lit_uniforms *)p->uniforms)->material);
+    return 0;
+}
+
+/* Whether a shader of the pipeline is a ready-made one that looks at uniforms. */
+static bool reads_uniforms(const gn_pipeline *p)
+{
+    return p->vertex_shader == gn_shade_position || p->vertex_shader == gn_shade_vertex_color ||
+           p->vertex_shader == gn_shade_unlit || p->vertex_shader == gn_shade_lit ||
+           p->vertex_shader == gn_shade_surface || p->fragment_shader == gn_shade_unlit_texture ||
+           p->fragment_shader == gn_shade_lit_texture ||
+           p->fragment_shader == gn_shade_depth_color || lights_fragments(p->fragment_shader);
+}
+
+gn_ready_made_fault gn_find_ready_made_fault(const gn_pipeline *pipeline)
+{
+    if (!pipeline->uniforms && reads_uniforms(pipeline))
+        return GN_READY_MADE_NO_UNIFORMS;
+    if (pipeline->fragment_shader == gn_shade_depth_color && !pipeline->fragment_reads_position)
+        return GN_READY_MADE_NO_POSITION;
+    if (pipeline->varying_count < written_varyings(pipeline) ||
+        pipeline->varying_count < read_varyings(pipeline))
+        return GN_READY_MADE_FEW_VARYINGS;
+    return GN_READY_MADE_OK;
 }

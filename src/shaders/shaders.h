@@ -21,4 +21,16 @@ gn_fragment_shader gn_shade_blinn_phong;
 gn_fragment_shader gn_shade_normal_color;
 gn_fragment_shader gn_shade_depth_color;
 
+/* What is wrong with a pipeline that has ready-made shaders: changes after its gn_use_ function. */
+typedef enum gn_ready_made_fault {
+    GN_READY_MADE_OK,
+    GN_READY_MADE_NO_UNIFORMS, /* the uniforms are null */
+    GN_READY_MADE_NO_POSITION, /* a shader reads positions that the pipeline does not ask for */
+    GN_READY_MADE_FEW_VARYINGS /* a shader reads or writes varyings beyond varying_count */
+} gn_ready_made_fault;
+
+/* The first of them; GN_READY_MADE_OK where both shaders are the user's. The pipeline has a vertex
+ * shader. Names every ready-made shader, so that a program which calls this has the code of all. */
+gn_ready_made_fault gn_find_ready_made_fault(const gn_pipeline *pipeline);
+
 #endif
