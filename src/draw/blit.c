@@ -128,19 +128,19 @@ static bool overlap(const blit *b, const gn_rectangle *to, const gn_rectangle *f
     return reads[0] <= writes[1] && writes[0] <= reads[1];
 }
 
-static void copy_word(uint32_t *to, uint32_t from, uint32_t bits)
+static void copy_word(stored_word *to, int32_t from, uint32_t bits)
 {
-    *to = (*to & ~bits) | (from & bits);
+    *to = (int32_t)(((uint32_t)*to & ~bits) | ((uint32_t)from & bits));
 }
 
 /* One pixel's bits from a row to another. */
 static void copy_pixel(const blit *b, unsigned char *to, int32_t x, const unsigned char *from,
                        int32_t column)
 {
-    uint16_t *const halves = (uint16_t *)(void *)to;
-    const uint16_t *const from_halves = (const uint16_t *)(const void *)from;
-    uint32_t *const words = (uint32_t *)(void *)to;
-    const uint32_t *const from_words = (const uint32_t *)(const void *)from;
+    stored_half *const halves = (stored_half *)(void *)to;
+    const stored_half *const from_halves = (const stored_half *)(const void *)from;
+    stored_word *const words = (stored_word *)(void *)to;
+    const stored_word *const from_words = (const stored_word *)(const void *)from;
     const gn_format format = b->source->format;
 
     switch (format_size(format)) {
@@ -212,7 +212,6 @@ static void mix_source(const gn_surface *source, int dimensions, const blit_texe
 /* All that a pixel is mixed of. */
 static void mix_sources(const blit *b, const blit_texels *t, lanes_f color[4])
 {
-    const lanes_i nan = lanes_i_splat((int32_t)GN_NAN_BITS);
     lanes_f second[4];
 
     mix_source(b->source, b->dimensions, t, color);
@@ -220,11 +219,6 @@ static void mix_sources(const blit *b, const blit_texels *t, lanes_f color[4])
         mix_source(b->next, b->dimensions, t, second);
         for (int c = 0; c < 4; ++c)
             color[c] = mix_texels(lanes_splat(b->between), color[c], second[c]);
-    }
-    for (int c = 0; c < 4; ++c) {
-        const lanes_m is_number = lanes_less_equal(color[c], color[c]);
-
-        color[c] = lanes_as_float(lanes_i_select(is_number, lanes_as_int(color[c]), nan));
     }
 }
 

@@ -137,7 +137,7 @@ static void fill_halves(const gn_surface *surface, uint16_t value)
     GN_EACH_LANE (l)
         pattern[l] = (int32_t)(value | (uint32_t)value << 16);
     for (uint32_t i = 0; i < spans.count; ++i) {
-        uint16_t *half = (uint16_t *)(void *)(spans.first + (ptrdiff_t)i * spans.stride);
+        stored_half *half = (stored_half *)(void *)(spans.first + (ptrdiff_t)i * spans.stride);
         size_t count = spans.size / 2;
 
         if ((uintptr_t)half % 4 != 0) {
@@ -155,6 +155,15 @@ static int32_t bits_of(float f)
     int32_t bits[GN_LANES];
 
     lanes_i_store(bits, lanes_as_int(lanes_splat(f)));
+    return bits[0];
+}
+
+/* A float as surfaces hold it. */
+static int32_t color_bits(float f)
+{
+    int32_t bits[GN_LANES];
+
+    lanes_i_store(bits, float_words(lanes_splat(f)));
     return bits[0];
 }
 
@@ -182,7 +191,7 @@ static void clear_color(const gn_surface *surface, const float channel[4])
         int32_t pattern[GN_LANES];
 
         GN_EACH_LANE (l)
-            pattern[l] = bits_of(channel[l % 4]);
+            pattern[l] = color_bits(channel[l % 4]);
         fill_surface(surface, pattern);
     } else if (GN_HAVE_FORMATS) {
         clear_pixels(surface, channel);

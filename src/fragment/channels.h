@@ -3,7 +3,16 @@
 #define GN_FRAGMENT_CHANNELS_H
 
 #include "../lanes/lanes.h"
+#include "../math/bits.h"
 #include "holds.h"
+
+/* Floats as surfaces hold them: every NaN is GN_NAN_BITS, since processors differ in the bits of
+ * the NaN that an operation returns. */
+static inline lanes_i float_words(lanes_f a)
+{
+    return lanes_i_select(lanes_less_equal(a, a), lanes_as_int(a),
+                          lanes_i_splat((int32_t)GN_NAN_BITS));
+}
 
 /* A half in the low bits. */
 static inline lanes_f half_value(lanes_i half)
@@ -139,7 +148,7 @@ static inline void decode_channels(gn_format format, const lanes_i word[4], lane
 /* Pixel x of a row as up to two words (formats.h). */
 static inline void load_pixel(const unsigned char *row, int32_t x, uint32_t size, int32_t word[2])
 {
-    const uint16_t *const halves = (const uint16_t *)(const void *)row;
+    const stored_half *const halves = (const stored_half *)(const void *)row;
 
     switch (size) {
     case 1:

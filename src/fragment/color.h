@@ -2,6 +2,7 @@
 #ifndef GN_FRAGMENT_COLOR_H
 #define GN_FRAGMENT_COLOR_H
 
+#include "channels.h"
 #include "planes.h"
 
 /* Pixel by pixel, for blocks that hang over the surface's edge. */
@@ -14,7 +15,7 @@ GN_OUT_OF_LINE void store_covered_pixels(const gn_surface *surface, int32_t x, i
     GN_EACH_LANE (l) {
         if (coverage >> l & 1u) {
             void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
-            ((int32_t *)row)[x + l % BLOCK_SIZE] = pixel[l];
+            ((stored_word *)row)[x + l % BLOCK_SIZE] = pixel[l];
         }
     }
 }
@@ -34,20 +35,23 @@ GN_INLINE void write_rgba8(const gn_surface *surface, const fragment_place *at, 
     store_words(at->shape, &at->color, surface->row_stride, pixels);
 }
 
+/* Writes the channels that `written` has the bits of. */
 static inline void write_rgba32f(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
-                                 const lanes_f color[4])
+                                 uint32_t written, const lanes_f color[4])
 {
-    float channel[4][GN_LANES];
+    int32_t channel[4][GN_LANES];
 
     for (int c = 0; c < 4; ++c)
-        lanes_store(channel[c], color[c]);
+        lanes_i_store(channel[c], float_words(color[c]));
     GN_EACH_LANE (l) {
         if (coverage >> l & 1u) {
-            const uint32_t row = (uint32_t)(y + l / BLOCK_SIZE);
-            float *out = (float *)(void *)surface_row(surface, row) + 4 * (x + l % BLOCK_SIZE);
+            void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
+            stored_word *const out = (stored_word *)row + 4 * (x + l % BLOCK_SIZE);
 
-            for (int c = 0; c < 4; ++c)
-                out[c] = channel[c][l];
+            for (int c = 0; c < 4; ++c) {
+                if (written >> c & 1u)
+                    out[c] = channel[c][l];
+            }
         }
     }
 }
@@ -60,7 +64,7 @@ GN_INLINE void write_color(const gn_surface *surface, gn_format format, const fr
     if (format == GN_FORMAT_RGBA8)
         write_rgba8(surface, at, coverage, color);
     else
-        write_rgba32f(surface, at->x, at->y, coverage, color);
+        write_rgba32f(surface, at->x, at->y, coverage, GN_CHANNEL_ALL, color);
 }
 
 #endif

@@ -78,42 +78,35 @@ GN_INLINE void combine_rgba8(const color_state *state, const gn_surface *surface
 static inline void load_rgba32f(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
                                 lanes_f color[4])
 {
-    float channel[4][GN_LANES];
+    int32_t channel[4][GN_LANES];
 
     GN_EACH_LANE (l) {
         const bool covered = coverage >> l & 1u;
-        const uint32_t row = (uint32_t)(y + (covered ? l / BLOCK_SIZE : 0));
-        const float *in = (const float *)(const void *)surface_row(surface, row) +
-                          4 * (x + (covered ? l % BLOCK_SIZE : 0));
+        const void *const row =
+            surface_row(surface, (uint32_t)(y + (covered ? l / BLOCK_SIZE : 0)));
+        const stored_word *const in =
+            (const stored_word *)row + 4 * (x + (covered ? l % BLOCK_SIZE : 0));
 
         for (int c = 0; c < 4; ++c)
-            channel[c][l] = covered ? in[c] : 0.0f;
+            channel[c][l] = covered ? in[c] : 0;
     }
     for (int c = 0; c < 4; ++c)
-        color[c] = lanes_load(channel[c]);
+        color[c] = lanes_as_float(lanes_i_load(channel[c]));
 }
 
 static inline void combine_rgba32f(const color_state *state, const gn_surface *surface, int32_t x,
                                    int32_t y, uint32_t coverage, const lanes_f color[4])
 {
-    float channel[4][GN_LANES];
-    lanes_f there[4];
+    lanes_f there[4], result[4];
 
-    if (state->blends)
-        load_rgba32f(surface, x, y, coverage, there);
-    for (int c = 0; c < 4; ++c)
-        lanes_store(channel[c], state->blends ? blend_float(state, color, there, c) : color[c]);
-    GN_EACH_LANE (l) {
-        if (coverage >> l & 1u) {
-            const uint32_t row = (uint32_t)(y + l / BLOCK_SIZE);
-            float *out = (float *)(void *)surface_row(surface, row) + 4 * (x + l % BLOCK_SIZE);
-
-            for (int c = 0; c < 4; ++c) {
-                if (state->written >> c & 1u)
-                    out[c] = channel[c][l];
-            }
-        }
+    if (!state->blends) {
+        write_rgba32f(surface, x, y, coverage, state->written, color);
+        return;
     }
+    load_rgba32f(surface, x, y, coverage, there);
+    for (int c = 0; c < 4; ++c)
+        result[c] = blend_float(state, color, there, c);
+    write_rgba32f(surface, x, y, coverage, state->written, result);
 }
 
 /* Pixels of formats of ARITHMETIC_FLOATS to colours; alpha is one where the format has none. */

@@ -80,7 +80,7 @@ GN_OUT_OF_LINE lanes_i load_covered_depth(const gn_surface *surface, int32_t x, 
 
         depth[l] = 0;
         if (coverage >> l & 1u)
-            depth[l] = surface->format == GN_FORMAT_D16 ? ((const uint16_t *)row)[column]
+            depth[l] = surface->format == GN_FORMAT_D16 ? ((const stored_half *)row)[column]
                                                         : ((const stored_word *)row)[column];
     }
     return lanes_i_load(depth);
@@ -99,7 +99,7 @@ GN_OUT_OF_LINE void store_covered_depth(const gn_surface *surface, int32_t x, in
         if (!(coverage >> l & 1u))
             continue;
         if (surface->format == GN_FORMAT_D16)
-            ((uint16_t *)row)[column] = (uint16_t)depth[l];
+            ((stored_half *)row)[column] = (uint16_t)depth[l];
         else
             ((stored_word *)row)[column] = depth[l];
     }

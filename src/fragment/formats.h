@@ -164,7 +164,7 @@ static inline void encode_shorts(const lanes_f color[4], lanes_i word[2])
 
 static inline void encode_r32f(const lanes_f color[4], lanes_i word[2])
 {
-    word[0] = lanes_as_int(color[0]);
+    word[0] = float_words(color[0]);
 }
 
 static inline void encode_rgba16f(const lanes_f color[4], lanes_i word[2])
@@ -225,7 +225,7 @@ static void encode_colors(gn_format format, const lanes_f color[4], lanes_i word
 static inline void store_pixel(unsigned char *row, int32_t x, uint32_t size, int32_t first,
                                int32_t second)
 {
-    uint16_t *const halves = (uint16_t *)(void *)row;
+    stored_half *const halves = (stored_half *)(void *)row;
 
     switch (size) {
     case 1:

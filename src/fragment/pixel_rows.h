@@ -3,20 +3,7 @@
 #ifndef GN_FRAGMENT_PIXEL_ROWS_H
 #define GN_FRAGMENT_PIXEL_ROWS_H
 
-#include "../math/bits.h"
 #include "decode.h"
-
-/* Words of pixels in a colour format to red, green, blue and alpha; every half that is no number
- * is GN_NAN_BITS. */
-static inline void decode_colors(gn_format format, const lanes_i word[4], lanes_f color[4])
-{
-    const lanes_i nan = lanes_i_splat((int32_t)GN_NAN_BITS);
-
-    decode_channels(format, word, color);
-    for (int c = 0; format == GN_FORMAT_RGBA16F && c < 4; ++c)
-        color[c] = lanes_as_float(
-            lanes_i_select(lanes_less_equal(color[c], color[c]), lanes_as_int(color[c]), nan));
-}
 
 /* Sixteen pixels: of lane l the one in that column of that row. */
 static inline void load_colors(gn_format format, const unsigned char *const row[GN_LANES],
@@ -38,7 +25,7 @@ static inline void load_colors(gn_format format, const unsigned char *const row[
     }
     for (int n = 0; n < (is_wide ? 4 : 2); ++n)
         word[n] = lanes_i_load(loaded[n]);
-    decode_colors(format, word, color);
+    decode_channels(format, word, color);
 }
 
 /* Writes colours to pixels x to x + count - 1 of a row, up to sixteen. */
@@ -53,7 +40,7 @@ static inline void store_colors(const gn_surface *destination, int32_t x, int32_
         stored_word *const words = (stored_word *)(void *)row;
 
         for (int c = 0; c < 4; ++c)
-            lanes_i_store(channel[c], lanes_as_int(color[c]));
+            lanes_i_store(channel[c], float_words(color[c]));
         for (uint32_t l = 0; l < count; ++l)
             for (int c = 0; c < 4; ++c)
                 words[4 * (x + (int32_t)l) + c] = channel[c][l];

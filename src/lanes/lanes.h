@@ -49,11 +49,15 @@
 #error "Clang 14 moves loads past stores with -msimd128 (splats of what is loaded); 16 does not."
 #endif
 
-/* Depth of every 32-bit format is handled as integers, floats by their bits. */
+/* Words and halves of memory that hold values of any type: users' pixels and texels, and floats
+ * whose bits are handled as integers. C99 section 6.5 paragraph 7 lets a compiler assume that
+ * lvalues of other types do not name such an object; compilers that use this know may_alias. */
 #if defined(__GNUC__)
 typedef int32_t __attribute__((may_alias)) stored_word;
+typedef uint16_t __attribute__((may_alias)) stored_half;
 #else
 typedef int32_t stored_word;
+typedef uint16_t stored_half;
 #endif
 
 #define GN_EACH_LANE(l) for (int l = 0; l < GN_LANES; ++l)

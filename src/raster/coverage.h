@@ -186,7 +186,7 @@ static inline void set_edge_through(large_edge *e, int32_t per_x, int32_t per_y,
 static void set_large_edge(large_edge *e, const triangle_batch *batch, int edge, uint32_t lane)
 {
     set_edge_through(e, batch->edge[edge].per_x[lane], batch->edge[edge].per_y[lane],
-                     batch->snapped[edge][0][lane], batch->snapped[edge][1][lane]);
+                     batch->corner.snapped[edge][0][lane], batch->corner.snapped[edge][1][lane]);
 }
 
 /* The values of the three edge functions at the lower left pixel of a block. */

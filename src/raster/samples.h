@@ -96,7 +96,7 @@ static inline void cover_samples(const pixel_rectangle *target, const triangle_b
 
     for (int i = 0; i < 3; ++i)
         set_sampled_edge(&edges, i, batch->edge[i].per_x[lane], batch->edge[i].per_y[lane],
-                         batch->snapped[i][0][lane], batch->snapped[i][1][lane]);
+                         batch->corner.snapped[i][0][lane], batch->corner.snapped[i][1][lane]);
     for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += BLOCK_SIZE) {
         const int32_t blocks = (max_x - left) / BLOCK_SIZE + 1;
         bool goes_on = true;

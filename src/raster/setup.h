@@ -41,8 +41,8 @@ static inline void setup_edges(const pixel_rectangle *target, const unsigned cha
         lanes_i_gather_rows(memory + VERTEX_SNAPPED, list->vertex[i], 1, row);
         x[i] = row[0];
         y[i] = row[1];
-        lanes_i_store(batch->snapped[i][0], x[i]);
-        lanes_i_store(batch->snapped[i][1], y[i]);
+        lanes_i_store(batch->corner.snapped[i][0], x[i]);
+        lanes_i_store(batch->corner.snapped[i][1], y[i]);
     }
     const lanes_i extent = lanes_i_max(lanes_i_sub(greatest_of(x), least_of(x)),
                                        lanes_i_sub(greatest_of(y), least_of(y)));

@@ -51,7 +51,6 @@ static inline void setup_point_words(const box_state *state, const gn_pipeline *
                                      triangle_batch *batch)
 {
     const float up = pipeline->point_origin == GN_POINT_LOWER_LEFT ? 1.0f : -1.0f;
-    float *const words = (float *)(void *)batch->snapped;
     stored_word *const back =
         (stored_word *)(void *)
             batch->plane[VARYING_PLANES + pipeline->varying_count][IDENTITY_BACK];
@@ -61,9 +60,10 @@ static inline void setup_point_words(const box_state *state, const gn_pipeline *
         const float w = v->window[3];
         const float per_pixel = 256.0f / (float)size_of_point(state, v);
 
-        words[POINT_PER_PIXEL * GN_LANES + l] = per_pixel * w;
-        words[POINT_ORIGIN_S * GN_LANES + l] = (0.5f - per_pixel * (v->window[0] - 0.5f)) * w;
-        words[POINT_ORIGIN_T * GN_LANES + l] = (0.5f - up * per_pixel * (v->window[1] - 0.5f)) * w;
+        batch->corner.point[POINT_PER_PIXEL][l] = per_pixel * w;
+        batch->corner.point[POINT_ORIGIN_S][l] = (0.5f - per_pixel * (v->window[0] - 0.5f)) * w;
+        batch->corner.point[POINT_ORIGIN_T][l] =
+            (0.5f - up * per_pixel * (v->window[1] - 0.5f)) * w;
         back[l] ^= 1;
     }
 }
@@ -93,8 +93,8 @@ static inline void set_line_edge(triangle_batch *batch, int edge, uint32_t lane,
 {
     batch->edge[edge].per_x[lane] = a[1] - b[1];
     batch->edge[edge].per_y[lane] = a[0] - b[0];
-    batch->snapped[edge][!minor][lane] = a[!minor];
-    batch->snapped[edge][minor][lane] = a[minor] + offset;
+    batch->corner.snapped[edge][!minor][lane] = a[!minor];
+    batch->corner.snapped[edge][minor][lane] = a[minor] + offset;
 }
 
 /* The long edges, with the inside to the right; the second one twice, there being three. */

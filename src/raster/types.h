@@ -74,9 +74,15 @@ enum { DEPTH_PLANE, ONE_OVER_W_PLANE, VARYING_PLANES };
 enum { PLANE_ORIGIN, PLANE_PER_X, PLANE_PER_Y, PLANE_TERMS };
 enum { IDENTITY_PRIMITIVE, IDENTITY_BACK, IDENTITY_OFFSET };
 
-/* Words of a point in the place of snapped vertices, which it has not got: by how much its
- * coordinates, over w, grow with a pixel, and what they are at the pixel (0, 0). */
-enum { POINT_PER_PIXEL, POINT_ORIGIN_S, POINT_ORIGIN_T };
+/* Words of a point: by how much its coordinates, over w, grow with a pixel, and what they are at
+ * the pixel (0, 0). */
+enum { POINT_PER_PIXEL, POINT_ORIGIN_S, POINT_ORIGIN_T, POINT_WORDS };
+
+/* Points have words where triangles and lines have snapped vertices. */
+typedef union corner_lanes {
+    int32_t snapped[3][2][GN_LANES];
+    float point[POINT_WORDS][GN_LANES];
+} corner_lanes;
 
 /* An edge function: the pixel (x, y) is inside where
  * start - per_x * (x - origin x) + per_y * (y - origin y) >= 0. Ties are folded in. */
@@ -92,7 +98,7 @@ typedef struct triangle_batch {
     uint32_t large;    /* bit l: an extent is SMALL_EXTENT or more */
     uint32_t unpacked; /* the same of PACKED_EXTENT */
     int32_t origin[2][GN_LANES];
-    int32_t snapped[3][2][GN_LANES]; /* a point's words instead: POINT_PER_PIXEL and so on */
+    corner_lanes corner;
     edge_lanes edge[3];
     int32_t solid[GN_LANES]; /* -1 or 0: setup_solid */
     float plane[][PLANE_TERMS][GN_LANES];
@@ -121,7 +127,7 @@ static inline attribute_plane triangle_plane(raster_triangle t, uint32_t n)
 /* A word of a point. */
 static inline float point_word(raster_triangle t, uint32_t word)
 {
-    const ptrdiff_t back = offsetof(triangle_batch, plane) - offsetof(triangle_batch, snapped);
+    const ptrdiff_t back = offsetof(triangle_batch, plane) - offsetof(triangle_batch, corner);
     const unsigned char *const words = (const unsigned char *)t.planes - back;
 
     return ((const float *)(const void *)words)[word * GN_LANES];

@@ -30,26 +30,23 @@ GN_OUT_OF_LINE void fetch_any(const gn_texture *texture, const lanes_i *column, 
                               lanes_f texel[4])
 {
     const unsigned char *const texels = texture->level[0].texels;
+    const int words = texture->format == GN_FORMAT_RGBA8 ? 1 : 4;
     int32_t s[GN_LANES], t[GN_LANES];
-    float channel[4][GN_LANES];
+    int32_t word[4][GN_LANES];
 
     lanes_i_store(s, *column);
     lanes_i_store(t, *row);
     GN_EACH_LANE (l) {
-        const void *const line = texels + (ptrdiff_t)t[l] * texture->level[0].row_stride;
+        const stored_word *const line =
+            (const stored_word *)(const void *)(texels +
+                                                (ptrdiff_t)t[l] * texture->level[0].row_stride);
 
-        if (texture->format == GN_FORMAT_RGBA8) {
-            const uint32_t packed = ((const uint32_t *)line)[s[l]];
-            for (int c = 0; c < 4; ++c)
-                channel[c][l] = (float)(packed >> 8 * c & 0xFF) * (float)(1.0 / 255.0);
-        } else {
-            const float *const in = (const float *)line + 4 * s[l];
-            for (int c = 0; c < 4; ++c)
-                channel[c][l] = in[c];
-        }
+        for (int n = 0; n < words; ++n)
+            word[n][l] = line[words * s[l] + n];
     }
     for (int c = 0; c < 4; ++c)
-        texel[c] = lanes_load(channel[c]);
+        texel[c] = words == 1 ? lanes_unpack_unorm8(lanes_i_load(word[0]), c)
+                              : lanes_as_float(lanes_i_load(word[c]));
 }
 
 GN_OUT_OF_LINE void sample_nearest(const gn_texture *texture, const gn_sampler *sampler,
