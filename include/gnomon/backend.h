@@ -1,5 +1,8 @@
-/* Back ends: the same stages compiled for several instruction sets. All of them give
- * the same bits; they differ in speed alone. */
+/* Back ends: the same stages compiled for several instruction sets. All of them write the same bits
+ * to surfaces and textures and differ in speed alone. Processors differ in the bits of a NaN that
+ * arithmetic makes, so every NaN that is stored as a float of 32 bits is 0x7FC00000 and every NaN
+ * that is stored as a float of 16 bits is 0x7E00; only copies keep other NaNs. Shaders, and callers
+ * of the functions of gnomon/sampling.h and gnomon/bulk.h, may see a NaN of any bits. */
 #ifndef GNOMON_BACKEND_H
 #define GNOMON_BACKEND_H
 

@@ -52,8 +52,8 @@ GN_BEGIN
  *
  * Pixels of one format that are not mixed keep their bits. Otherwise a texel's channels become
  * floats, those that its format lacks 0, 0, 0 and 1, and are written as a fragment's are
- * (gn_draw); a NaN in GN_FORMAT_RGBA16F, and every NaN that mixing makes, is the one quiet
- * NaN 0x7FC00000. Every operation is the reference rasterizer's (reference/RULES.md).
+ * (gn_draw), every NaN as 0x7FC00000 or 0x7E00. Every operation is the reference rasterizer's
+ * (reference/RULES.md).
  *
  * On a fault nothing is written. The first, in this order: a null surface (GN_NULL_POINTER); a
  * filter that is none (GN_INVALID_ENUM); what gn_target_check says of the destination, of the

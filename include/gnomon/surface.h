@@ -148,7 +148,8 @@ GN_API const char *gn_target_fault(const gn_target *target);
 /* Fills a colour surface, all its samples, with one colour (OpenGL 4.5 section 17.4.3). Where a
  * channel has n bits, it is c * (2^n - 1), the product being rounded to binary32 and then to the
  * nearest integer, halves to even with 8 bits and up otherwise; 0 below 0 and for NaN, 2^n - 1 from
- * 1 up. Floats of 32 bits are stored as they are, those of 16 rounded toward zero. Red, green
+ * 1 up. Floats of 32 bits are stored as they are, those of 16 rounded toward zero, and every NaN as
+ * gnomon/backend.h says. Red, green
  * and blue of GN_FORMAT_SRGB8_A8 are the nearest that sRGB has, exactly.
  * A bad surface gives the statuses of gn_target_check, a format that the library was compiled
  * without GN_NOT_COMPILED. */
