@@ -20,10 +20,10 @@
 #define FAULT_IF_SURFACE(condition, which, status, text) FAULT_IF(condition, status, text)
 #endif
 
-static inline fault fault_of_samples(const gn_surface *s, size_t element, int which)
+/* A sample's rows take `rows` bytes. */
+static inline fault fault_of_samples(const gn_surface *s, size_t element, size_t rows, int which)
 {
-    const size_t stride =
-        s->sample_stride < 0 ? 0 - (size_t)s->sample_stride : (size_t)s->sample_stride;
+    const size_t stride = stride_length(s->sample_stride);
 
     (void)which;
     if (s->samples <= 1)
@@ -36,8 +36,8 @@ static inline fault fault_of_samples(const gn_surface *s, size_t element, int wh
                      "sample_stride is no multiple of the format's element");
     FAULT_IF_SURFACE(stride < s->width * format_size(s->format), which, GN_INVALID_STRIDE,
                      "sample_stride is shorter than a row");
-    FAULT_IF_SURFACE(stride > (size_t)PTRDIFF_MAX / (GN_SAMPLES - 1), which, GN_INVALID_STRIDE,
-                     "sample_stride is too long");
+    FAULT_IF_SURFACE(stride > ((size_t)PTRDIFF_MAX - rows) / (GN_SAMPLES - 1), which,
+                     GN_INVALID_STRIDE, "sample_stride is too long");
     return NO_FAULT;
 }
 
@@ -49,7 +49,8 @@ static inline fault fault_of_surface(const gn_surface *s, bool format_fits, int 
                            : size == 3                   ? 1
                            : size == 16                  ? 4
                                                          : size;
-    const size_t stride = s->row_stride < 0 ? 0 - (size_t)s->row_stride : (size_t)s->row_stride;
+    const size_t row = s->width * (size_t)size;
+    const size_t stride = stride_length(s->row_stride);
 
     (void)which;
     FAULT_IF_SURFACE(!format_fits, which, GN_INVALID_FORMAT, "format does not belong there");
@@ -62,11 +63,14 @@ static inline fault fault_of_surface(const gn_surface *s, bool format_fits, int 
                      "pixels is not aligned to the format's element");
     FAULT_IF_SURFACE(stride % element != 0, which, GN_MISALIGNED,
                      "row_stride is no multiple of the format's element");
-    FAULT_IF_SURFACE(s->height > 1 && stride < s->width * size, which, GN_INVALID_STRIDE,
-                     "row_stride is shorter than a row");
-    FAULT_IF_SURFACE(s->height > 1 && stride > (size_t)PTRDIFF_MAX / (s->height - 1), which,
-                     GN_INVALID_STRIDE, "row_stride is too long");
-    return fault_of_samples(s, element, which);
+    if (s->height > 1) {
+        FAULT_IF_SURFACE(stride < row, which, GN_INVALID_STRIDE,
+                         "row_stride is shorter than a row");
+        FAULT_IF_SURFACE(stride > ((size_t)PTRDIFF_MAX - row) / (s->height - 1), which,
+                         GN_INVALID_STRIDE, "row_stride is too long");
+    }
+    return fault_of_samples(s, element, row + (s->height > 1 ? stride * (s->height - 1) : 0),
+                            which);
 }
 
 static inline fault fault_of_target(const gn_target *target)

@@ -163,6 +163,12 @@ static inline unsigned char *surface_row(const gn_surface *surface, uint32_t y)
     return (unsigned char *)surface->pixels + (ptrdiff_t)y * surface->row_stride;
 }
 
+/* Bytes between the first bytes of two rows, layers or samples, whichever comes first in memory. */
+static inline size_t stride_length(ptrdiff_t stride)
+{
+    return stride < 0 ? 0 - (size_t)stride : (size_t)stride;
+}
+
 /* Samples of a checked surface's pixels. */
 static inline uint32_t samples_of(const gn_surface *surface)
 {

@@ -64,11 +64,6 @@ static inline uint32_t texel_element(gn_format format)
     }
 }
 
-static inline size_t stride_length(ptrdiff_t stride)
-{
-    return stride < 0 ? 0 - (size_t)stride : (size_t)stride;
-}
-
 /* Levels that a texture of this size has, down to one texel. */
 static inline uint32_t levels_of_shape(const texture_shape *s)
 {

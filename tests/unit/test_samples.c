@@ -71,6 +71,10 @@ static void faults(void **state)
     assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
     t.color[0].sample_stride = PTRDIFF_MIN;
     assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
+    t.color[0].sample_stride = PTRDIFF_MAX / (GN_SAMPLES - 1) & ~(ptrdiff_t)3;
+    assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
+    t.color[0].sample_stride = (PTRDIFF_MAX - PIXELS * 4) / (GN_SAMPLES - 1) & ~(ptrdiff_t)3;
+    assert_int_equal(gn_target_check(&t), GN_OK);
     t.color[0].sample_stride = -PIXELS * 4;
     assert_int_equal(gn_target_check(&t), GN_OK);
 }

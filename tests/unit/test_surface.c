@@ -138,6 +138,15 @@ static void target_faults(void **state)
     t.color[0].row_stride = PTRDIFF_MIN;
     assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
 
+    /* The rows below the last would fit memory, the last does not. */
+    t = good_target();
+    t.color[0].row_stride = PTRDIFF_MAX / (HEIGHT - 1) & ~(ptrdiff_t)3;
+    assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
+    t.color[0].row_stride = -t.color[0].row_stride;
+    assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
+    t.color[0].row_stride = (PTRDIFF_MAX - WIDTH * 4) / (HEIGHT - 1) & ~(ptrdiff_t)3;
+    assert_int_equal(gn_target_check(&t), GN_OK);
+
     t = good_target();
     t.depth.height = HEIGHT - 1;
     assert_int_equal(gn_target_check(&t), GN_SIZE_MISMATCH);
