@@ -112,10 +112,13 @@ static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
     }
     job->segment_count = (uint32_t)segments;
     job->lists_per_segment = lists_per_segment(step);
-    job->segments = (segment_lists *)(void *)(job->memory + scratch);
-    job->lists = (triangle_list *)(void *)(job->segments + segments);
     job->rows_per_segment = rows_per_segment(step);
-    job->rows = (list_rows *)(void *)(job->lists + segments * (uint64_t)job->lists_per_segment);
+
+    const uint64_t lists = scratch + segments * sizeof(segment_lists);
+    const uint64_t rows = lists + segments * job->lists_per_segment * sizeof(triangle_list);
+    job->segments = (segment_lists *)(void *)(job->memory + scratch);
+    job->lists = (triangle_list *)(void *)(job->memory + lists);
+    job->rows = (list_rows *)(void *)(job->memory + rows);
 
     const uint64_t end = scratch + segments * segment_size(step);
     return (uint32_t)(end + WORKSPACE_ALIGNMENT - 1) & ~(uint32_t)(WORKSPACE_ALIGNMENT - 1);

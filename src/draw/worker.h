@@ -268,11 +268,13 @@ static void add_triangles(worker *w, uint32_t first, uint32_t count)
     uint32_t offset[ASSEMBLE_MAX_ELEMENTS];
     triangle_group group;
 
-    for (int i = 0; i < ASSEMBLE_MAX_ELEMENTS; ++i)
-        offset[i] = 0;
     for (uint32_t done = 0; done < count; done += group.count) {
         group.count = count - done < GN_LANES ? count - done : GN_LANES;
-        locate_group(w->draw, first + done, group.count, offset);
+        /* Lanes without a triangle take the last vertex, so that no lane holds memory that nobody
+         * wrote. */
+        for (uint32_t i = locate_group(w->draw, first + done, group.count, offset);
+             i < ASSEMBLE_MAX_ELEMENTS; ++i)
+            offset[i] = offset[i - 1];
         assemble_triangles(w->draw->pipeline->topology, w->cull.provoking_first, w->is_quad,
                            first + done, offset, &group);
         if (GN_HAVE_LINES && w->cull.box.is_unfilled)

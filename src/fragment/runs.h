@@ -324,10 +324,10 @@ static inline run_function *run_over_function_of(gn_format depth, fragment_sourc
 /* The function that draws blocks under a state. */
 static inline run_function *run_function_of(const fragment_state *state)
 {
-    const fragment_source source = source_of(state);
-
     if (!GN_SPECIALISED || !is_plain(state))
         return run_any;
+
+    const fragment_source source = source_of(state);
     if (state->color.format == GN_FORMAT_NONE)
         return state->depth.format == GN_FORMAT_D24    ? run_depth_d24
                : state->depth.format == GN_FORMAT_D32F ? run_depth_d32f

@@ -119,7 +119,8 @@ static bool take_mat3(bulk_job *job, const gn_mat3 *m)
     return true;
 }
 
-static gn_status run_packed(bulk_job *job, const float *v, float *result, size_t count,
+/* Vectors are floats one after the other, as the structures that the caller has hold them. */
+static gn_status run_packed(bulk_job *job, const void *v, void *result, size_t count,
                             gn_backend backend)
 {
     bulk_function *const run_blocks = function_of(backend, count);
@@ -191,7 +192,7 @@ gn_status gn_mat4_multiply_vec4_packed(const gn_mat4 *m, const gn_vec4 *v, gn_ve
 
     if (!take_mat4(&job, BULK_VEC4, m))
         return GN_NULL_POINTER;
-    return run_packed(&job, (const float *)v, (float *)result, count, backend);
+    return run_packed(&job, v, result, count, backend);
 }
 
 gn_status gn_mat4_multiply_vec4_arrays(const gn_mat4 *m, const float *const v[4],
@@ -211,7 +212,7 @@ gn_status gn_mat4_transform_point_packed(const gn_mat4 *m, const gn_vec3 *v, gn_
 
     if (!take_mat4(&job, BULK_POINT, m))
         return GN_NULL_POINTER;
-    return run_packed(&job, (const float *)v, (float *)result, count, backend);
+    return run_packed(&job, v, result, count, backend);
 }
 
 gn_status gn_mat4_transform_point_arrays(const gn_mat4 *m, const float *const v[3],
@@ -231,7 +232,7 @@ gn_status gn_mat4_transform_direction_packed(const gn_mat4 *m, const gn_vec3 *v,
 
     if (!take_mat4(&job, BULK_DIRECTION, m))
         return GN_NULL_POINTER;
-    return run_packed(&job, (const float *)v, (float *)result, count, backend);
+    return run_packed(&job, v, result, count, backend);
 }
 
 gn_status gn_mat4_transform_direction_arrays(const gn_mat4 *m, const float *const v[3],
@@ -252,7 +253,7 @@ gn_status gn_mat3_multiply_vec3_packed(const gn_mat3 *m, const gn_vec3 *v, gn_ve
 
     if (!take_mat3(&job, m))
         return GN_NULL_POINTER;
-    return run_packed(&job, (const float *)v, (float *)result, count, backend);
+    return run_packed(&job, v, result, count, backend);
 }
 
 gn_status gn_mat3_multiply_vec3_arrays(const gn_mat3 *m, const float *const v[3],
