@@ -243,8 +243,10 @@ static void add_shadow_map(builder *b)
                                         GN_FORMAT_D24S8, GN_FORMAT_D32FS8};
     random_source *r = &b->random;
     scene_draw *d = &b->scene->draws[b->scene->draw_count - 1];
-    scene *first = scene_create(1 + random_below(r, 64), 1 + random_below(r, 64), GN_FORMAT_RGBA8,
-                                formats[random_below(r, 5)]);
+    const gn_format format = formats[random_below(r, 5)];
+    const uint32_t height = 1 + random_below(r, 64);
+    const uint32_t width = 1 + random_below(r, 64);
+    scene *first = scene_create(width, height, GN_FORMAT_RGBA8, format);
     scene *copy = scene_copy(b->scene);
     scene_draw seen = copy->draws[copy->draw_count - 1];
     const gn_topology topology = seen.state.topology;

@@ -190,7 +190,10 @@ static void random_coordinates(builder *b)
     random_source *r = &b->random;
     const gn_texture *t = &b->uniforms.texture;
     const float sizes[3] = {(float)t->width, (float)t->height, (float)t->depth};
-    const reach far = {random_below(r, 7), random_octave(r, -3, 6), random_between(r, 20, 60)};
+    const uint32_t kind = random_below(r, 7);
+    const float extent = random_octave(r, -3, 6);
+    const int32_t octave = random_between(r, 20, 60);
+    const reach far = {kind, extent, octave};
     const bool smooth = random_chance(r, 50);
     const float reference = random_depth(r), span = random_chance(r, 50) ? 0.0f : 0.5f;
 

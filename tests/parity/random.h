@@ -2,7 +2,7 @@
  * 2018), seeded through splitmix64 (Steele, Lea and Flood 2014). The same numbers
  * on every machine, so that a scene is a pure function of what seeds it. For that no
  * expression may draw two of them: C leaves the order to the compiler, but in initializers
- * of several declarators, after && and ||, and in conditions. */
+ * of several declarators, after && and ||, and in conditions. tests/order looks for such. */
 #ifndef PARITY_RANDOM_H
 #define PARITY_RANDOM_H
 
@@ -100,6 +100,13 @@ static inline float random_octave(random_source *r, int32_t lowest, int32_t high
 {
     const float power = random_power(r, lowest, highest);
     return power * random_float(r, 1.0f, 2.0f);
+}
+
+/* Such a magnitude with either sign. */
+static inline float random_signed_octave(random_source *r, int32_t lowest, int32_t highest)
+{
+    const float sign = random_sign(r);
+    return sign * random_octave(r, lowest, highest);
 }
 
 #endif

@@ -1,6 +1,7 @@
-/* The pictures of the parity suite's scenes as numbers: one for the scenes themselves and one
- * for each back end's frames. They are the same on every machine: values are hashed, not
- * bytes of memory, and all NaN are one. Needs neither OpenGL nor files. */
+/* The parity suite's scenes and their pictures as numbers, by class: one for the scenes, of all
+ * that scene_write writes of them, and one for each back end's frames. They are the same on every
+ * machine: values are hashed, not bytes of memory, and all NaN of frames are one. Needs neither
+ * OpenGL nor files. */
 #include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
@@ -13,15 +14,20 @@
 #define DEFAULT_SCENES 440
 #define DEFAULT_SEED 1
 
-/* FNV-1a with 64 bits, over 32-bit words. */
+/* FNV-1a with 64 bits. */
 typedef uint64_t hash;
 
 #define HASH_EMPTY UINT64_C(0xCBF29CE484222325)
 
+static void add_byte(hash *h, uint32_t byte)
+{
+    *h = (*h ^ byte) * UINT64_C(0x100000001B3);
+}
+
 static void add_word(hash *h, uint32_t word)
 {
     for (int i = 0; i < 4; i++)
-        *h = (*h ^ (word >> 8 * i & 255)) * UINT64_C(0x100000001B3);
+        add_byte(h, word >> 8 * i & 255);
 }
 
 static void add_float(hash *h, float value)
@@ -80,31 +86,20 @@ static void add_pixels(hash *h, const void *pixels, gn_format format, size_t cou
     }
 }
 
-/* What a scene is drawn from, as far as generators could make it differently. */
-static void add_scene(hash *h, const scene *s)
+/* The text that replays a scene. */
+static bool add_scene(hash *h, const scene *s)
 {
-    add_word(h, s->width);
-    add_word(h, s->height);
-    add_floats(h, s->clear_color, 4);
-    add_float(h, s->clear_depth);
-    for (size_t n = 0; n < s->draw_count; n++) {
-        const scene_draw *d = &s->draws[n];
-        const gn_texture *t = &d->uniforms.texture;
-        add_word(h, (uint32_t)d->shader);
-        add_word(h, (uint32_t)d->state.topology);
-        add_word(h, (uint32_t)d->state.depth_function);
-        for (int a = 0; a < GN_MAX_ATTRIBUTES; a++) {
-            const gn_attribute *in = &d->mesh.attribute[a];
-            if (in->data)
-                add_floats(h, in->data, (size_t)in->components * d->mesh.vertex_count);
-        }
-        for (uint32_t i = 0; i < d->index_count; i++)
-            add_word(h, scene_vertex_of(&d->mesh, i));
-        for (uint32_t level = 0; t->level[0].texels && level < scene_level_count(t); level++) {
-            const scene_extent e = scene_level_extent(t, level);
-            add_pixels(h, t->level[level].texels, t->format, (size_t)e.width * e.height * e.layers);
-        }
-    }
+    char *text = NULL;
+    size_t size = 0;
+    FILE *const out = open_memstream(&text, &size);
+    bool written = out && scene_write(s, out);
+    written = out && fclose(out) == 0 && written;
+    for (size_t i = 0; written && i < size; i++)
+        add_byte(h, (unsigned char)text[i]);
+    free(text);
+    if (!written)
+        fprintf(stderr, "hashes: no memory\n");
+    return written;
 }
 
 static bool draw_scene(const scene *s, gn_backend backend, hash *h)
@@ -125,23 +120,48 @@ static bool draw_scene(const scene *s, gn_backend backend, hash *h)
     return status == GN_OK;
 }
 
+/* The hashes of a class. */
+typedef struct class_hashes {
+    hash made, drawn[GN_BACKEND_COUNT];
+} class_hashes;
+
+static bool add_class(class_hashes *h, uint64_t seed, scene_class c, uint64_t scenes)
+{
+    h->made = HASH_EMPTY;
+    for (int b = 0; b < GN_BACKEND_COUNT; b++)
+        h->drawn[b] = HASH_EMPTY;
+    for (uint64_t i = 0; i < scenes; i++) {
+        scene *s = generate_scene(seed, c, i);
+        bool good = add_scene(&h->made, s);
+        for (int b = GN_BACKEND_PORTABLE; good && b < GN_BACKEND_COUNT; b++)
+            good = !gn_backend_available((gn_backend)b) ||
+                   draw_scene(s, (gn_backend)b, &h->drawn[b]);
+        scene_free(s);
+        if (!good) {
+            fprintf(stderr, "hashes: %s scene %" PRIu64 " of seed %" PRIu64 "\n",
+                    scene_class_name(c), i, seed);
+            return false;
+        }
+    }
+    return true;
+}
+
 static int run(uint64_t seed, uint64_t scenes)
 {
-    hash made = HASH_EMPTY, drawn[GN_BACKEND_COUNT];
-    for (int b = 0; b < GN_BACKEND_COUNT; b++)
-        drawn[b] = HASH_EMPTY;
-    for (uint64_t i = 0; i < scenes; i++) {
-        scene *s = generate_scene(seed, (scene_class)(i % CLASS_COUNT), i / CLASS_COUNT);
-        add_scene(&made, s);
+    for (uint64_t c = 0; c < CLASS_COUNT; c++) {
+        const char *const name = scene_class_name((scene_class)c);
+        const uint64_t count = scenes / CLASS_COUNT + (c < scenes % CLASS_COUNT);
+        class_hashes h;
+        if (count == 0)
+            continue;
+        if (!add_class(&h, seed, (scene_class)c, count))
+            return 1;
+        printf("%s scenes %016" PRIx64 "\n", name, h.made);
         for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; b++)
-            if (gn_backend_available((gn_backend)b) && !draw_scene(s, (gn_backend)b, &drawn[b]))
-                return 1;
-        scene_free(s);
+            if (gn_backend_available((gn_backend)b))
+                printf("%s %s %016" PRIx64 "\n", name, gn_backend_name((gn_backend)b),
+                       h.drawn[b]);
     }
-    printf("scenes %016" PRIx64 "\n", made);
-    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; b++)
-        if (gn_backend_available((gn_backend)b))
-            printf("%s %016" PRIx64 "\n", gn_backend_name((gn_backend)b), drawn[b]);
     return 0;
 }
 
@@ -154,9 +174,10 @@ int main(int argc, char **argv)
                                                             : NULL;
         if (strcmp(argv[i], "--help") == 0) {
             printf("usage: hashes [--scenes N] [--seed S]\n"
-                   "Draws the first N (%d) of the parity suite's scenes, of all classes in turn,\n"
-                   "and prints a hash of the scenes and of each back end's frames.\n",
-                   DEFAULT_SCENES);
+                   "Draws the first N (%d) of the parity suite's scenes of seed S (%d), shared\n"
+                   "evenly by the classes, and prints of each class a hash of the scenes and of\n"
+                   "each back end's frames: CLASS scenes HASH, CLASS BACK-END HASH.\n",
+                   DEFAULT_SCENES, DEFAULT_SEED);
             return 0;
         }
         char *end = NULL;

@@ -128,10 +128,10 @@ static enum theft_alloc_res make_mesh(struct theft *t, void *env, void **output)
     const int32_t low_y = random_between(&r, -reach, (int32_t)m->height - MAX_CELLS - 1);
     m->x0 = 256 * low_x + random_between(&r, 0, 255) / grain * grain;
     m->y0 = 256 * low_y + random_between(&r, 0, 255) / grain * grain;
-    m->x1 = 256 * random_between(&r, low_x + MAX_CELLS + 1, (int32_t)m->width + reach) +
-            (shape & 1 ? random_between(&r, 0, 255) / grain * grain : 0);
-    m->y1 = 256 * random_between(&r, low_y + MAX_CELLS + 1, (int32_t)m->height + reach) +
-            (shape & 1 ? random_between(&r, 0, 255) / grain * grain : 0);
+    m->x1 = 256 * random_between(&r, low_x + MAX_CELLS + 1, (int32_t)m->width + reach);
+    m->x1 += shape & 1 ? random_between(&r, 0, 255) / grain * grain : 0;
+    m->y1 = 256 * random_between(&r, low_y + MAX_CELLS + 1, (int32_t)m->height + reach);
+    m->y1 += shape & 1 ? random_between(&r, 0, 255) / grain * grain : 0;
     if (hub) {
         make_hub(m, &r, (uint32_t)columns);
     } else {

@@ -70,7 +70,8 @@ static void make_spectral(struct theft *t, struct made_matrix *made, int size, i
     made->spectrum = (enum spectrum)(theft_random_bits(t, 8) % SPECTRA);
     made->tenths = (int)(theft_random_bits(t, 8) % (unsigned)(most_tenths + 1));
     /* 2^-66 to 2^66: 1e-20 to 1e20 */
-    made->exponent = (int)(theft_random_bits(t, 8) % 67) * (theft_random_bits(t, 1) ? -1 : 1);
+    made->exponent = (int)(theft_random_bits(t, 8) % 67);
+    made->exponent *= theft_random_bits(t, 1) ? -1 : 1;
     for (int i = 0; i < size; ++i)
         m[i][i] = singular_value(made->spectrum, i, size, pow(10.0, 0.1 * made->tenths));
     turn(t, m, false, size);

@@ -170,6 +170,12 @@ static float whole(struct theft *t)
     return (float)theft_random_bits(t, 6) - 32.0f;
 }
 
+static gn_vec3 whole_vector(struct theft *t)
+{
+    const float x = whole(t), y = whole(t), z = whole(t);
+    return (gn_vec3){x, y, z};
+}
+
 static double dot_in_double(gn_vec3 a, gn_vec3 b)
 {
     return (double)a.x * (double)b.x + (double)a.y * (double)b.y + (double)a.z * (double)b.z;
@@ -180,7 +186,7 @@ static double dot_in_double(gn_vec3 a, gn_vec3 b)
 static enum theft_trial_res normals_stay_perpendicular(struct theft *t, void *arg)
 {
     const struct made *made = arg;
-    const gn_vec3 tangent = {whole(t), whole(t), whole(t)}, other = {whole(t), whole(t), whole(t)};
+    const gn_vec3 tangent = whole_vector(t), other = whole_vector(t);
     const gn_vec3 normal = gn_vec3_cross(tangent, other);
     const double n[3] = {(double)normal.x, (double)normal.y, (double)normal.z};
     const double d[3] = {(double)tangent.x, (double)tangent.y, (double)tangent.z};
@@ -204,7 +210,7 @@ static enum theft_trial_res normals_stay_perpendicular(struct theft *t, void *ar
 static enum theft_trial_res rotations_keep_lengths(struct theft *t, void *arg)
 {
     const struct made *made = arg;
-    const gn_vec3 v = {whole(t), whole(t), whole(t)};
+    const gn_vec3 v = whole_vector(t);
     const matrix m = widened(&made->transform.matrix);
     double squares = 0.0, length = sqrt(dot_in_double(v, v));
     for (int row = 0; row < 3; ++row) {

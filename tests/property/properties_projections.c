@@ -345,8 +345,8 @@ static enum theft_trial_res projecting_can_be_undone(struct theft *t, void *arg1
     if (follow(&route, p, &c, &stages) != GN_OK ||
         gn_transform_compose(&stages.projection, &stages.view, &to_clip) != GN_OK)
         return THEFT_TRIAL_SKIP;
-    const gn_vec3 seen = {random_number(t, 4), random_number(t, 4),
-                          p->convention.left_handed ? 8.0f : -8.0f};
+    const float x = random_number(t, 4), y = random_number(t, 4);
+    const gn_vec3 seen = {x, y, p->convention.left_handed ? 8.0f : -8.0f};
     const gn_vec3 point = gn_mat4_transform_point(&stages.view.inverse, seen);
     const gn_status status = gn_project(&to_clip, &stages.viewport, point, &window);
     const matrix m = widened(&to_clip.matrix), inverse = widened(&to_clip.inverse);

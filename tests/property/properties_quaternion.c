@@ -159,7 +159,8 @@ static enum theft_trial_res matrices_are_rotations(struct theft *t, void *arg)
 static enum theft_trial_res matrices_give_quaternions(struct theft *t, void *arg)
 {
     const float *f = arg;
-    const float size = ldexpf((float)theft_random_bits(t, 1), -12 - (int)theft_random_bits(t, 4));
+    const float fraction = (float)theft_random_bits(t, 1);
+    const float size = ldexpf(fraction, -12 - (int)theft_random_bits(t, 4));
     gn_mat3 m;
     gn_quat q;
     if (gn_quat_to_mat3(quat_of(f), &m) != GN_OK)

@@ -122,6 +122,13 @@ static struct triangle some_triangle(struct theft *t, const float *f)
     return tri;
 }
 
+/* A point of its plane, in the triangle or near it. */
+static triple some_point(struct theft *t, const struct triangle *tri)
+{
+    const triple on_side = added(tri->from, some_weight(t), tri->to_b);
+    return added(on_side, some_weight(t), tri->to_c);
+}
+
 /* A quotient of two determinants and what the contract allows it to be off by. */
 struct quotient {
     wide value, error;
@@ -300,8 +307,7 @@ static enum theft_trial_res weights_are_in_the_plane(struct theft *t, void *arg)
     const gn_vec2 corners[3] = {{tri.a.x, tri.a.y}, {tri.b.x, tri.b.y}, {tri.c.x, tri.c.y}};
     gn_vec2 p = {f[9], f[10]};
     if (theft_random_bits(t, 1) != 0) {
-        const triple inside =
-            added(added(tri.from, some_weight(t), tri.to_b), some_weight(t), tri.to_c);
+        const triple inside = some_point(t, &tri);
         p.x = (float)inside.v[0];
         p.y = (float)inside.v[1];
     }
@@ -341,7 +347,7 @@ static enum theft_trial_res weights_are_in_space(struct theft *t, void *arg)
     const gn_vec3 corners[3] = {tri.a, tri.b, tri.c};
     gn_vec3 p = {f[9], f[10], f[11]};
     if (theft_random_bits(t, 1) != 0)
-        p = narrowed(added(added(tri.from, some_weight(t), tri.to_b), some_weight(t), tri.to_c));
+        p = narrowed(some_point(t, &tri));
     gn_vec3 weights = {-9.0f, -9.0f, -9.0f};
     const gn_status status = gn_barycentric_3d(p, corners[0], corners[1], corners[2], &weights);
     const triple n = crossed(tri.to_b, tri.to_c, -1.0L);

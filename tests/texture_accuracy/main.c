@@ -120,8 +120,8 @@ static void random_block(random_source *r, const gn_texture *t, float coordinate
         const float from = is_layer  ? random_float(r, 0.0f, size[2])
                            : is_cube ? random_float(r, -1.0f, 1.0f)
                                      : random_float(r, -1.0f, 1.9f);
-        const float along_x = random_sign(r) * random_octave(r, octave, octave);
-        const float along_y = random_sign(r) * random_octave(r, octave, octave);
+        const float along_x = random_signed_octave(r, octave, octave);
+        const float along_y = random_signed_octave(r, octave, octave);
         const float scale = is_layer ? 0.0f : is_cube ? 1.0f / size[0] : 1.0f / size[c];
 
         for (int l = 0; l < GN_LANES; l++) {

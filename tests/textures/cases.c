@@ -310,8 +310,10 @@ static void direct_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y
 
     for (uint32_t n = 0; n < 3; ++n) {
         at[n] = random_component(r, is_wild);
-        if (n < ones && !is_wild)
-            at[n] = (float)random_sign(r) * random_float(r, 1.0f - step, 1.0f);
+        if (n < ones && !is_wild) {
+            const float sign = random_sign(r);
+            at[n] = sign * random_float(r, 1.0f - step, 1.0f);
+        }
         dx[n] = random_float(r, -1.0f, 1.0f) * step;
         dy[n] = random_float(r, -1.0f, 1.0f) * step;
     }

@@ -46,8 +46,10 @@ void fill_depths(random_source *r, gn_format format, void *texels, size_t count)
             halves[i] = (uint16_t)random_depth(r, format);
         else if (format == GN_FORMAT_D24)
             words[i] = random_depth(r, format);
-        else if (format == GN_FORMAT_D24S8)
-            words[i] = random_depth(r, format) | random_below(r, 256) << 24;
+        else if (format == GN_FORMAT_D24S8) {
+            words[i] = random_depth(r, format);
+            words[i] |= random_below(r, 256) << 24;
+        }
         else if (format == GN_FORMAT_D32F)
             floats[i] = random_float_depth(r);
         else {

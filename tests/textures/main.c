@@ -120,11 +120,10 @@ static bool compare(const lookup_case *c, totals *t)
 
 static bool run(const settings *s, totals *t)
 {
-    const uint64_t count = s->has_one ? 1 : s->cases;
+    const uint64_t count = s->has_one ? 1 : s->cases, all = case_count();
 
     for (uint64_t i = 0; i < count; ++i) {
-        const uint64_t number =
-            s->has_one ? s->one : i * STRIDE % case_count() + i / case_count() * case_count();
+        const uint64_t number = s->has_one ? s->one : i * STRIDE % all + i / all * all;
         lookup_case *const c = malloc(sizeof *c);
         bool done;
 

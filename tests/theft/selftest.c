@@ -293,7 +293,8 @@ static void hashes_are_fnv_1a(void **state)
 static void time_seeds_differ(void **state)
 {
     (void)state;
-    assert_true(theft_seed_of_time() != theft_seed_of_time());
+    const theft_seed first = theft_seed_of_time();
+    assert_true(theft_seed_of_time() != first);
 }
 
 /* The ready generators */
@@ -482,7 +483,9 @@ int main(int count, char **words)
         }
     }
     printf("seed %" PRIu64 "\n", base_seed);
-    const int failures =
-        run_stream_tests() + run_loop_tests() + run_shrink_tests() + run_autoshrink_tests();
+    int failures = run_stream_tests();
+    failures += run_loop_tests();
+    failures += run_shrink_tests();
+    failures += run_autoshrink_tests();
     return failures != 0;
 }

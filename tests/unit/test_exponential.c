@@ -299,7 +299,8 @@ static void powers_in_fixed_point(void **state)
     mpfr_init2(error, 120);
     assert_true(gn_fixed_power(0) == (uint64_t)1 << 63);
     for (uint64_t i = 0; i < 60000; ++i) {
-        uint64_t fraction = (uint64_t)random_bits() << 32 | random_bits();
+        uint64_t fraction = (uint64_t)random_bits() << 32;
+        fraction |= random_bits();
         if (i < 64) { /* both ends of the table's intervals */
             fraction = (i >> 1 << 59) - (i & 1);
         }
@@ -490,7 +491,8 @@ static void powers_are_within_their_bound(void **state)
         assert_power(x, (float)((double)random_between(-152.0f, -125.0f) / logarithm));
         assert_power(x, (float)((double)random_between(127.999f, 128.001f) / logarithm));
         /* x near 1, y huge. */
-        uint32_t distance = 1 + (random_bits() >> (10 + random_bits() % 22));
+        const uint32_t shift = 10 + random_bits() % 22;
+        const uint32_t distance = 1 + (random_bits() >> shift);
         x = from_bits(random_bits() % 2 ? 0x3F800000 + distance : 0x3F800000 - distance);
         logarithm = log2((double)x);
         assert_power(x, (float)((double)random_between(-152.0f, 129.0f) / logarithm));

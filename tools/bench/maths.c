@@ -57,7 +57,8 @@ static void fill(maths_data *d, maths_operation operation, bool arrays)
     uint32_t state = 1;
 
     for (int i = 0; i < MATHS_FEW; ++i) {
-        const gn_vec3 axis = {number(&state), number(&state), 1.0f};
+        const float x = number(&state), y = number(&state);
+        const gn_vec3 axis = {x, y, 1.0f};
         gn_transform turn;
 
         gn_rotate_axis(axis, 3.0f * number(&state), &turn);

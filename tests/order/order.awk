@@ -1,0 +1,99 @@
+# Reads what `clang -Xclang -ast-dump` prints of a C source and names the expressions of it whose
+# meaning C leaves to the compiler: of two operands, arguments or initializers, whose order C does
+# not say, both call functions that may change one thing. What a call may change is taken from
+# the function's type: what its pointers without const lead to, told apart by their types, and
+# anything, where it has no parameters. Pointers to void and characters lead to memory of any
+# use and are passed over, as are the compiler's built-in functions and what one of both only reads.
+# Prints a line an expression of the project: FILE:LINE: what both may change. Exit status 1 where
+# there is one.
+# usage: clang ... -Xclang -ast-dump SOURCE | awk -f order.awk
+
+# A node's place is told by what differs from the last one told: file and line, line, or column.
+function follow_place(text,    part) {
+    begin = source ":" line
+    if (text !~ /[0-9]:[0-9]/)
+        return
+    if (text !~ /^[A-Za-z]+ 0x[0-9a-f]+ <col:/)
+        begin = ""
+    sub(/'.*/, "", text)
+    while (match(text, /[^ <,()]+:[0-9]+:[0-9]+/)) {
+        split(substr(text, RSTART, RLENGTH), part, ":")
+        text = substr(text, RSTART + RLENGTH)
+        if (part[1] != "line")
+            source = part[1]
+        line = part[2]
+        if (!begin)
+            begin = source ":" line
+    }
+}
+
+# What a function of that type may change, between bars.
+function changeable(type,    parameters, all, count, i) {
+    all = "|"
+    if (!match(type, /\(\*\)\(/))
+        return all
+    type = substr(type, RSTART + RLENGTH)
+    sub(/\)[^)]*$/, "", type)
+    if (type == "void" || type == "")
+        return "|anything|"
+    count = split(type, parameters, /, */)
+    for (i = 1; i <= count; i++)
+        if (parameters[i] ~ /\*( *restrict)?$/ && parameters[i] !~ /^(const |(unsigned |signed )?char |void )/)
+            all = all parameters[i] "|"
+    return all
+}
+
+# Adds to what a node may change; returns what it might change before.
+function add(node, all,    types, count, i, both) {
+    count = split(all, types, "|")
+    for (i = 2; i < count; i++)
+        if (index(changes[node], "|" types[i] "|"))
+            both = both ", " types[i]
+        else
+            changes[node] = changes[node] types[i] "|"
+    return substr(both, 3)
+}
+
+# Ends the innermost node.
+function end_node(    both) {
+    add(nodes, own[nodes])
+    both = nodes > 1 ? add(nodes - 1, changes[nodes]) : ""
+    nodes--
+    if (both && unordered[nodes] && at[nodes] !~ /^\//) {
+        print at[nodes] ": " both
+        found = 1
+    }
+}
+
+# Outside of expressions most lines are of names and types: nothing of them is needed but places.
+!nodes && !/Call|InitList|Subscript|Operator|[0-9]:[0-9]/ { next }
+
+{
+    match($0, /^[| `-]*/)
+    depth = RLENGTH / 2
+    text = substr($0, RLENGTH + 1)
+    while (nodes && depths[nodes] >= depth)
+        end_node()
+    follow_place(text)
+}
+
+# The function that a call calls is its first child.
+nodes && is_call[nodes] && depth == depths[nodes] + 1 && /\(\*\)\(/ && !/<BuiltinFnToFnPtr>/ {
+    is_call[nodes] = 0
+    match(text, /'[^']*'/)
+    own[nodes] = changeable(substr(text, RSTART, RLENGTH))
+}
+
+text ~ /^(CallExpr|InitListExpr|ArraySubscriptExpr|[A-Za-z]*Operator) / {
+    depths[++nodes] = depth
+    at[nodes] = begin
+    changes[nodes] = own[nodes] = "|"
+    is_call[nodes] = text ~ /^Call/
+    unordered[nodes] = text !~ /^(ConditionalOperator|UnaryOperator)|'(&&|\|\||,)'$/
+}
+
+END {
+    while (nodes)
+        end_node()
+    exit found
+}

@@ -1,0 +1,55 @@
+#!/bin/sh
+# No expression of the tests, the reference's scenes and the tools draws two random numbers, or
+# changes another state twice, in an order that C leaves to the compiler: order.awk looks for them
+# in what Clang has parsed. Generators with such an expression make other tests with each
+# compiler. First sample.c shows what is found and what is not.
+# usage: order.sh [SOURCE...]   (from the root of the project; default: every source of C)
+set -u
+here=tests/order
+passed=0
+failed=0
+. tests/skip.sh
+
+if ! command -v clang >/dev/null 2>&1; then
+    skip "orders of evaluation: not looked at, since clang is absent: 'make setup' installs it"
+    echo "order: 0 passed, $failed failed"
+    exit "$failed"
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# unordered SOURCE: prints what order.awk names; status 2 where the source is not C.
+unordered() {
+    status=0
+    clang -std=c11 -D_POSIX_C_SOURCE=200809L -w -Iinclude -Ireference/scene -Ireference/osmesa \
+        -Ireference/exact -Itests/parity -Itests/theft -Itests/accuracy -Itools/gnomon -Isrc/lanes \
+        -DGN_LANES_PORTABLE -DLANES_FORM=portable '-DLANES_FORMS=FORM(portable)' \
+        -fsyntax-only -fno-color-diagnostics -Xclang -ast-dump "$1" >"$work/tree" &&
+        awk -f $here/order.awk "$work/tree" >"$work/lines" || status=$?
+    sort -u "$work/lines"
+    return $status
+}
+
+grep -n '/\* named \*/$' $here/sample.c | cut -d: -f1 >"$work/expected"
+unordered $here/sample.c | cut -d: -f2 >"$work/found"
+if cmp -s "$work/expected" "$work/found"; then
+    passed=$((passed + 1))
+else
+    failed=$((failed + 1))
+    echo "FAILED: in $here/sample.c these lines shall be named (-), or were (+):"
+    diff -U 0 "$work/expected" "$work/found" | grep '^[-+][0-9]'
+fi
+
+[ $# -gt 0 ] || set -- tests/*/*.c tools/*/*.c reference/*/*.c
+for source; do
+    [ "$source" != $here/sample.c ] || continue
+    if unordered "$source" >"$work/named"; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: $source: C does not say in which order these are evaluated:"
+        sed 's/^/    /' "$work/named"
+    fi
+done
+echo "order: $passed passed, $failed failed"
+[ "$failed" -eq 0 ]
