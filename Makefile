@@ -404,6 +404,7 @@ test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N fa
 		'embedding=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD)' \
 		'other machines=tests/portability/cross.sh $(BUILD) --scenes 110 aarch64 wasm wasm-simd128' \
 		'little code=tests/portability/cross.sh $(BUILD) --scenes 330 small' \
+		'whole program$(comma) memory=tests/portability/cross.sh $(BUILD) --scenes 106 whole-program memory' \
 		'blits=$(BUILD)/blits --seed $(TEST_SEED) --blits 2020' \
 		'texels=$(BUILD)/texels --seed $(TEST_SEED) --textures 12' \
 		'textures=$(BUILD)/textures --seed $(TEST_SEED) --quick' \

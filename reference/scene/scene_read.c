@@ -20,8 +20,12 @@ static void read_attribute(reader *r, scene_draw *d, int attribute)
     }
     words = read_words(r, count, read_float_word);
     if (!r->failed) {
-        scene_set_attribute(d, (gn_shader_attribute)attribute, (const float *)(const void *)words,
-                            components, d->mesh.vertex_count);
+        float *values = scene_reallocate(NULL, count, sizeof *values);
+
+        memcpy(values, words, count * sizeof *values);
+        scene_set_attribute(d, (gn_shader_attribute)attribute, values, components,
+                            d->mesh.vertex_count);
+        free(values);
     }
     free(words);
 }

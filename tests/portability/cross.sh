@@ -1,8 +1,9 @@
 #!/bin/sh
 # The pictures are the same on every machine: builds the library for other processors, draws
 # the parity suite's scenes there (hashes.c), in an emulator or under Node, and compares the
-# hashes of every back end with those drawn here in plain C. `small` is this machine, with the
-# library as GN_SMALL makes it. A target whose tools are absent is
+# hashes of every back end with those drawn here in plain C. `small`, `whole-program` and `memory`
+# are this machine, with the library as GN_SMALL makes it, optimised across files, and under the
+# memory sanitizer. A target whose tools are absent is
 # named and passed over. Where there are forms of lanes of a target's own, their operations are
 # tested there as well (test_lanes.c). No library uses a fused operation, and as a WebAssembly module it
 # imports nothing.
@@ -61,6 +62,19 @@ describe() {
         runner="env"
         disassembler=objdump
         fused='[[:space:]]vfn?m(add|sub)'
+        ;;
+    whole-program) # this machine's, optimised across files; a cast that may break aliasing is an error
+        compiler=gcc
+        flags="-O3 -flto=auto -Wstrict-aliasing=1 -DGN_ONLY_PORTABLE"
+        runner="env"
+        disassembler=""
+        ;;
+    memory) # this machine's; that anything depends on memory which nobody wrote is an error
+        compiler=clang
+        flags="-O0 -g1 -fno-omit-frame-pointer -DGN_SMALLEST_TASKS -DGN_ONLY_PORTABLE"
+        flags="$flags -fsanitize=memory -fno-sanitize-recover=memory"
+        runner="env"
+        disassembler=""
         ;;
     *)
         echo "cross.sh: unknown target '$1'" >&2
@@ -134,7 +148,7 @@ else
     pass "here: $(backends "$work/here"): $(wc -l <"$work/here") hashes of $scenes scenes"
 fi
 
-for target in ${*:-small aarch64 armhf s390x wasm wasm-simd128}; do
+for target in ${*:-small whole-program memory aarch64 armhf s390x wasm wasm-simd128}; do
     describe "$target"
     directory=$build/$target
     if ! have "$compiler" "$runner" ${disassembler:+"$disassembler"}; then
@@ -170,11 +184,15 @@ for target in ${*:-small aarch64 armhf s390x wasm wasm-simd128}; do
     if [ -n "$disassembler" ]; then
         count=$(find "$directory/src" -name '*.o' -exec "$disassembler" -d {} + | grep -c -E "$fused") || true
         [ "$count" -eq 0 ] || fail "$target: $count fused operations"
-    elif ! find "$directory/src" -name '*.o' -exec clang-19 --target=wasm32 -nostdlib \
-        -Wl,--no-entry,--export-dynamic,--strip-all -o "$directory/gnomon.wasm" {} + ||
-        ! node tests/portability/imports.mjs "$directory/gnomon.wasm"; then
-        fail "$target: the library alone is no module without imports"
     fi
+    case $target in
+    wasm*)
+        find "$directory/src" -name '*.o' -exec clang-19 --target=wasm32 -nostdlib \
+            -Wl,--no-entry,--export-dynamic,--strip-all -o "$directory/gnomon.wasm" {} + &&
+            node tests/portability/imports.mjs "$directory/gnomon.wasm" ||
+            fail "$target: the library alone is no module without imports"
+        ;;
+    esac
 done
 echo "cross: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

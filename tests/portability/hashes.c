@@ -1,7 +1,6 @@
 /* The parity suite's scenes and their pictures as numbers, by class: one for the scenes, of all
  * that scene_write writes of them, and one for each back end's frames. They are the same on every
- * machine: values are hashed, not bytes of memory, and all NaN of frames are one. Needs neither
- * OpenGL nor files. */
+ * machine: values are hashed, not bytes of memory. Needs neither OpenGL nor files. */
 #include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
@@ -30,59 +29,46 @@ static void add_word(hash *h, uint32_t word)
         add_byte(h, word >> 8 * i & 255);
 }
 
-static void add_float(hash *h, float value)
+/* Words in the order of memory, each by its value. */
+static void add_words(hash *h, const void *memory, size_t count)
 {
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    add_word(h, value != value ? UINT32_C(0x7FC00000) : bits);
-}
-
-static void add_floats(hash *h, const float *values, size_t count)
-{
-    for (size_t i = 0; i < count; i++)
-        add_float(h, values[i]);
+    for (size_t i = 0; i < count; i++) {
+        uint32_t word;
+        memcpy(&word, (const char *)memory + 4 * i, sizeof word);
+        add_word(h, word);
+    }
 }
 
 static void add_pixels(hash *h, const void *pixels, gn_format format, size_t count)
 {
-    for (size_t i = 0; i < count; i++) {
-        switch (format) {
-        case GN_FORMAT_RGBA8:
-        case GN_FORMAT_D24:
-            add_word(h, ((const uint32_t *)pixels)[i]);
-            break;
-        case GN_FORMAT_D16:
+    switch (format) {
+    case GN_FORMAT_NONE:
+        break;
+    case GN_FORMAT_RGBA8:
+    case GN_FORMAT_RGBA32F:
+    case GN_FORMAT_R32F:
+    case GN_FORMAT_D24:
+    case GN_FORMAT_D32F:
+    case GN_FORMAT_D24S8:
+    case GN_FORMAT_D32FS8:
+        add_words(h, pixels, count * gn_format_size(format) / 4);
+        break;
+    case GN_FORMAT_D16:
+        for (size_t i = 0; i < count; i++)
             add_word(h, ((const uint16_t *)pixels)[i]);
-            break;
-        case GN_FORMAT_D32F:
-            add_float(h, ((const float *)pixels)[i]);
-            break;
-        case GN_FORMAT_RGBA32F:
-            add_floats(h, (const float *)pixels + 4 * i, 4);
-            break;
-        case GN_FORMAT_D24S8:
-            add_word(h, ((const uint32_t *)pixels)[i]);
-            break;
-        case GN_FORMAT_D32FS8:
-            add_float(h, ((const float *)pixels)[2 * i]);
-            add_word(h, ((const uint32_t *)pixels)[2 * i + 1]);
-            break;
-        case GN_FORMAT_S8:
+        break;
+    case GN_FORMAT_S8:
+        for (size_t i = 0; i < count; i++)
             add_word(h, ((const uint8_t *)pixels)[i]);
-            break;
-        case GN_FORMAT_R32F:
-            add_float(h, ((const float *)pixels)[i]);
-            break;
-        case GN_FORMAT_NONE:
-            break;
-        default: {
+        break;
+    default:
+        for (size_t i = 0; i < count; i++) {
             uint32_t channel[4];
             const int channels = scene_pixel_channels(pixels, format, i, channel);
             for (int c = 0; c < channels; c++)
                 add_word(h, channel[c]);
-            break;
         }
-        }
+        break;
     }
 }
 
