@@ -5,6 +5,17 @@
 #include "../geometry/fetch.h"
 #include "elements.h"
 
+/* Whether the vertex shader is a ready-made one that writes the same varyings in every call. */
+static inline bool has_ready_made_vertices(const draw_state *draw)
+{
+    const gn_pipeline *const p = draw->pipeline;
+
+    return GN_SPECIALISED &&
+           (p->vertex_shader == gn_shade_lit || p->vertex_shader == gn_shade_vertex_color ||
+            p->vertex_shader == gn_shade_unlit ||
+            draw->job->shading.vertex_shader != p->vertex_shader);
+}
+
 /* The smallest shaders go without a call. */
 static void run_vertex_shader(const draw_state *draw, const gn_vertex_input *input,
                               gn_vertex_output *output)
@@ -89,6 +100,7 @@ static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from
     float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES];
     uint32_t vertex_id[GN_LANES];
     int32_t outcode[GN_LANES];
+    const bool is_ready_made = has_ready_made_vertices(draw);
     lanes_i outcodes = lanes_i_splat(0);
     gn_vertex_input input;
     gn_vertex_output output;
@@ -105,11 +117,13 @@ static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from
     if (draw->pipeline->program_point_size)
         output.point_size = staging[4 + stored_values(draw->pipeline)];
     fetch_defaults(draw->mesh, attribute);
+    set_vertex_defaults(draw->pipeline, &output);
     for (uint32_t slot = from; slot < end; slot += GN_LANES) {
         input.count = end - slot < GN_LANES ? end - slot : GN_LANES;
         slot_vertices(draw, slot, input.count, vertex_id);
         fetch_attributes(draw->mesh, vertex_id, attribute);
-        set_vertex_defaults(draw->pipeline, &output);
+        if (slot > from && !is_ready_made)
+            set_vertex_defaults(draw->pipeline, &output);
         run_vertex_shader(draw, &input, &output);
         outcodes = lanes_i_or(outcodes, store_vertices(draw, &output, slot));
     }

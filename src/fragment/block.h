@@ -163,13 +163,15 @@ GN_INLINE lanes_f w_at(const fragment_place *at, raster_triangle triangle)
     return lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
 }
 
-/* Colours that a shader does not write are 0. */
-static inline void set_color_defaults(const gn_pipeline *pipeline, float (*color)[GN_LANES])
+/* Makes the colours 0 that the shader need not write: those of a user's shader, and all but the
+ * first of a ready-made one, which a back end has its own form of. */
+static inline void set_color_defaults(const fragment_state *state, float (*color)[GN_LANES])
 {
-    const uint32_t count =
-        GN_HAVE_ATTACHMENTS && pipeline->color_count > 1 ? pipeline->color_count : 1;
+    const gn_pipeline *const p = state->pipeline;
+    const uint32_t count = GN_HAVE_ATTACHMENTS && p->color_count > 1 ? p->color_count : 1;
+    const bool is_ready_made = state->shading->fragment_shader != p->fragment_shader;
 
-    for (uint32_t n = 0; n < 4 * count; ++n)
+    for (uint32_t n = is_ready_made ? 4 : 0; n < 4 * count; ++n)
         lanes_store(color[n], lanes_splat(0.0f));
 }
 
@@ -198,7 +200,7 @@ GN_STEP void run_shader(const fragment_state *state, raster_triangle triangle,
     input.position = 0;
     input.point_coordinate = 0;
     input.sample_mask = 0;
-    set_color_defaults(pipeline, color);
+    set_color_defaults(state, color);
     output.color = color;
     output.kept = GN_ALL_LANES;
     output.depth = verdict->depth;
