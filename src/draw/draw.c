@@ -77,7 +77,7 @@ static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
 {
     const mesh_run *mesh = job->mesh;
     const bool indexed = mesh->index_format != GN_INDEX_NONE;
-    const uint32_t elements = indexed ? SEGMENT_INDICES : SEGMENT_ELEMENTS;
+    const uint32_t elements = segment_elements(job->pipeline->topology, mesh);
     const uint32_t varyings = stored_values(job->pipeline);
     const uint64_t lists = segment_size(triangles_of(job->pipeline->topology, elements));
     const uint64_t kept = vertices_size(indexed ? mesh->vertex_count : mesh->count, varyings);
@@ -92,8 +92,7 @@ static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
 static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
 {
     const uint32_t varyings = stored_values(job->pipeline);
-    const uint32_t elements =
-        job->mesh->index_format != GN_INDEX_NONE ? SEGMENT_INDICES : SEGMENT_ELEMENTS;
+    const uint32_t elements = segment_elements(job->pipeline->topology, job->mesh);
     const uint32_t step = triangles_of(job->pipeline->topology, elements);
     const uint32_t total = triangle_count(job->pipeline->topology, job->mesh->count);
     const uint64_t scratch = MAX_TASKS * (uint64_t)scratch_size(varyings);

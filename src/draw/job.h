@@ -12,10 +12,19 @@
  * up together where there is room for them. */
 #define CLIP_SCRATCH (2 * GN_LANES)
 
-/* The reference takes a draw in segments of this many elements, and some of its
- * decisions depend on all vertices of a segment (resolve_segment). */
+/* The reference takes a draw in segments of this many elements, without indices and with them,
+ * and some of its decisions depend on all vertices of a segment (resolve_segment). */
 #define SEGMENT_ELEMENTS 4096
 #define SEGMENT_INDICES 1024
+
+/* Elements of a segment. A fan without indices that is longer than one segment is divided as if
+ * it had indices, since only then can each segment have the fan's first vertex. */
+static inline uint32_t segment_elements(gn_topology topology, const mesh_run *mesh)
+{
+    const bool divides_fan = topology == GN_TRIANGLE_FAN && mesh->count > SEGMENT_ELEMENTS;
+
+    return mesh->index_format != GN_INDEX_NONE || divides_fan ? SEGMENT_INDICES : SEGMENT_ELEMENTS;
+}
 
 /* Rows of the target, inclusive. */
 typedef struct pixel_rows {

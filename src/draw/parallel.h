@@ -436,7 +436,7 @@ static void draw_and_shade(round_state *round, uint32_t end)
 static uint32_t round_segments(const draw_state *draw)
 {
     const draw_job *job = draw->job;
-    const uint32_t fitting = job->capacity / segment_elements(draw->mesh);
+    const uint32_t fitting = job->capacity / segment_elements(draw->pipeline->topology, draw->mesh);
 
     if (!job->parallel)
         return 0;

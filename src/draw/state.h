@@ -123,15 +123,10 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     }
 }
 
-/* Elements of a segment, and triangles that they make. */
-static inline uint32_t segment_elements(const mesh_run *mesh)
-{
-    return mesh->index_format != GN_INDEX_NONE ? SEGMENT_INDICES : SEGMENT_ELEMENTS;
-}
-
+/* Triangles that a segment's elements make. */
 static inline uint32_t segment_triangles(gn_topology topology, const mesh_run *mesh)
 {
-    return triangles_of(topology, segment_elements(mesh));
+    return triangles_of(topology, segment_elements(topology, mesh));
 }
 
 /* The scratch of a task. */

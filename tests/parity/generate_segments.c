@@ -1,72 +1,309 @@
-/* Long draws of slivers, some vertex of which may be outside the view volume: the
- * reference takes draws in segments, and culls by all vertices of a segment. */
+/* Draws about as long as the segments in which the reference takes them. Most are slivers that
+ * are culled only where their segment has a vertex outside the view volume; slivers and such
+ * vertices lie about the boundaries of segments. */
 #include "generate_parts.h"
 
 #include <math.h>
 
-/* A line through the centre of a pixel, on which slivers lie. */
-typedef struct line {
-    float x, y, along_x, along_y;
-} line;
+/* A pixel in steps of snapping. */
+#define STEPS 256
 
-static line random_line(builder *b, const line *hub)
+/* Slivers that a draw names again and again, where it does: few enough for indices of 8 bits. */
+#define MAX_POOL 60
+
+/* A place in the window: (0, 0) is the first pixel's centre. */
+typedef struct place {
+    int32_t x, y;
+} place;
+
+/* A draw in the making. */
+typedef struct segments {
+    builder *b;
+    bool clockwise; /* the winding that slivers have once they are snapped */
+    bool turned;    /* before that they have the other one */
+    place hub;      /* of all slivers of a fan */
+    uint32_t rest;  /* the vertex of triangles without an area; of a fan, its hub */
+    uint32_t pool[MAX_POOL][3];
+    uint32_t pool_size; /* 0: every sliver has vertices of its own */
+} segments;
+
+/* In elements, from the first of a run on. */
+static const uint32_t lengths[] = {1022, 1023, 1024, 4094, 4095, 4096};
+
+static uint32_t random_length(builder *b)
+{
+    return lengths[random_below(&b->random, 6)];
+}
+
+/* A vertex beside a place; less than half a step beside it, it snaps to it. */
+static uint32_t add_vertex(builder *b, place p, float off_x, float off_y)
+{
+    const uint32_t index = b->vertex_count;
+    vertex *v = builder_vertex(b);
+    const float z = random_float(&b->random, -0.9f, 0.9f);
+    builder_place(b, v, ((float)p.x + off_x) / STEPS + 0.5f, ((float)p.y + off_y) / STEPS + 0.5f, z,
+                  1.0f);
+    return index;
+}
+
+/* At a pixel's centre, about the middle of the target. */
+static place random_hub(builder *b)
 {
     random_source *r = &b->random;
-    const float width = (float)b->scene->width, height = (float)b->scene->height;
-    line l;
+    place p;
+    p.x = (int32_t)(b->scene->width / 4 + random_below(r, b->scene->width / 2)) * STEPS;
+    p.y = (int32_t)(b->scene->height / 4 + random_below(r, b->scene->height / 2)) * STEPS;
+    return p;
+}
 
-    l.x = hub ? hub->x : floorf(random_float(r, 0.2f, 0.8f) * width) + 0.5f;
-    l.y = hub ? hub->y : floorf(random_float(r, 0.2f, 0.8f) * height) + 0.5f;
-    l.along_x = random_float(r, -0.19f, 0.19f) * width;
-    l.along_y = random_float(r, -0.19f, 0.19f) * height;
-    return l;
+/* A point of the lattice as near to the line from (0, 0) along `way` as any beside it is, to the
+ * left. False where points between (0, 0) and `way` are on the line. */
+static bool find_aside(place way, place *aside)
+{
+    for (aside->x = -7; aside->x <= 7; aside->x++)
+        for (aside->y = -7; aside->y <= 7; aside->y++)
+            if (way.x * aside->y - way.y * aside->x == 1)
+                return true;
+    return false;
+}
+
+/* A sliver from a hub to a little beyond the centre of another pixel, which lies in it once it is
+ * snapped: the far corners are then on either side of the line through both centres, 1 / length
+ * of a step away from it, and may come from 0.4 steps beyond. */
+static void add_sliver(segments *s, uint32_t sliver[3])
+{
+    random_source *r = &s->b->random;
+    const place hub = s->b->state.topology == GN_TRIANGLE_FAN ? s->hub : random_hub(s->b);
+    place way, aside;
+    do {
+        way.x = random_between(r, -7, 7);
+        way.y = random_between(r, -7, 7);
+    } while (way.x * way.x + way.y * way.y < 9 || !find_aside(way, &aside));
+
+    const float length = sqrtf((float)(way.x * way.x + way.y * way.y));
+    const int32_t right = STEPS + random_between(r, 1, 40);
+    const int32_t left = STEPS + random_between(r, 1, 40);
+    const place end[2] = {{hub.x + right * way.x - aside.x, hub.y + right * way.y - aside.y},
+                          {hub.x + left * way.x + aside.x, hub.y + left * way.y + aside.y}};
+
+    sliver[0] = s->b->state.topology == GN_TRIANGLE_FAN ? s->rest : add_vertex(s->b, hub, 0, 0);
+    for (int i = 0; i < 2; i++) {
+        const float across = (i == 0 ? 0.42f : -0.42f) / length;
+        float off_x = across * (float)-way.y, off_y = across * (float)way.x;
+        if (!s->turned) {
+            off_x = random_float(r, -0.4f, 0.4f);
+            off_y = random_float(r, -0.4f, 0.4f);
+        }
+        sliver[s->clockwise ? 2 - i : 1 + i] = add_vertex(s->b, end[i], off_x, off_y);
+    }
+}
+
+static void choose_sliver(segments *s, uint32_t sliver[3])
+{
+    if (s->pool_size == 0) {
+        add_sliver(s, sliver);
+        return;
+    }
+    const uint32_t n = random_below(&s->b->random, s->pool_size);
+    for (int i = 0; i < 3; i++)
+        sliver[i] = s->pool[n][i];
+}
+
+static bool is_near_boundary(uint32_t element)
+{
+    for (int i = 0; i < 6; i++)
+        if ((element + 12) % lengths[i] < 24)
+            return true;
+    return false;
+}
+
+/* Adds elements to a run of triangles: of a sliver, or of no area; those between two slivers have
+ * none either. */
+static void add_triangles(segments *s, uint32_t begin)
+{
+    builder *b = s->b;
+    random_source *r = &b->random;
+    const uint32_t n = b->index_count - begin;
+    uint32_t sliver[3] = {s->rest, s->rest, s->rest};
+    if (random_chance(r, is_near_boundary(n) ? 90 : 4))
+        choose_sliver(s, sliver);
+    switch (b->state.topology) {
+    case GN_TRIANGLE_STRIP: {
+        const uint32_t odd = (n + 1) & 1; /* its first two change places */
+        builder_index(b, sliver[odd]);
+        builder_index(b, sliver[odd]);
+        builder_index(b, sliver[1 - odd]);
+        builder_index(b, sliver[2]);
+        builder_index(b, sliver[2]);
+        break;
+    }
+    case GN_TRIANGLE_FAN:
+        if (n == 0)
+            builder_index(b, s->rest);
+        if (random_chance(r, 10))
+            builder_index(b, s->rest);
+        builder_index(b, sliver[1]);
+        builder_index(b, sliver[2]);
+        builder_index(b, s->rest);
+        break;
+    default:
+        for (int i = 0; i < 3; i++)
+            builder_index(b, sliver[i]);
+        break;
+    }
+}
+
+/* A vertex of points or lines, which goes on from the one before. */
+static void add_step(segments *s)
+{
+    random_source *r = &s->b->random;
+    uint32_t sliver[3];
+    if (s->pool_size > 0) {
+        choose_sliver(s, sliver);
+        builder_index(s->b, sliver[random_below(r, 3)]);
+        return;
+    }
+    const place hub = random_hub(s->b);
+    const bool jumps = random_chance(r, 5);
+    s->hub.x = jumps ? hub.x : s->hub.x + random_between(r, -3, 3) * STEPS;
+    s->hub.y = jumps ? hub.y : s->hub.y + random_between(r, -3, 3) * STEPS;
+    const float off_x = random_float(r, -128, 128), off_y = random_float(r, -128, 128);
+    builder_index(s->b, add_vertex(s->b, s->hub, off_x, off_y));
+}
+
+static void add_run(segments *s, uint32_t count)
+{
+    builder *b = s->b;
+    const uint32_t begin = b->index_count;
+    /* Strips and fans begin anywhere in what is repeated. */
+    while (b->index_count < begin + count) {
+        if (b->state.topology <= GN_TRIANGLE_FAN)
+            add_triangles(s, begin);
+        else
+            add_step(s);
+    }
+    b->index_count = begin + count;
+}
+
+/* An element beside a boundary of segments that begin with element `begin`. */
+static uint32_t random_boundary(builder *b, uint32_t begin)
+{
+    random_source *r = &b->random;
+    const uint32_t count = b->index_count;
+    const uint32_t length = random_length(b);
+    const uint32_t boundary = begin + random_below(r, count / length + 1) * length;
+    const uint32_t element = boundary + random_below(r, 9);
+    const uint32_t last = count - 1;
+    if (random_chance(r, 10))
+        return random_below(r, count);
+    return element < 4 ? 0 : element - 4 < last ? element - 4 : last;
+}
+
+/* Makes an element name a vertex outside. */
+static void put_outside(builder *b, uint32_t element)
+{
+    random_source *r = &b->random;
+    if (b->indices[element] == BUILDER_RESTART)
+        return;
+    const vertex from = b->vertices[b->indices[element]];
+    const uint32_t kind = random_below(r, 10);
+    b->indices[element] = b->vertex_count;
+    vertex *v = builder_vertex(b);
+    *v = from;
+    if (kind == 0)
+        v->position[0] = 3.0f;
+    else if (kind == 1)
+        v->position[3] = -1.0f;
+    else
+        v->position[2] = kind % 2 ? 2.0f : -1.5f;
+}
+
+static void choose_state(builder *b)
+{
+    static const gn_topology lines[] = {GN_POINTS, GN_LINES, GN_LINE_STRIP, GN_LINE_LOOP};
+    random_source *r = &b->random;
+    builder_common_target(b);
+    builder_common_state(b);
+    b->state.topology = (gn_topology)random_below(r, 3);
+    if (random_chance(r, 12)) {
+        b->state.topology = lines[random_below(r, 4)];
+        b->state.line_width = random_chance(r, 70) ? 0.0f : 2.0f;
+        b->state.point_size = random_float(r, 1.0f, 3.0f);
+    }
+    b->state.cull = random_chance(r, 92) ? (gn_cull)(1 + random_below(r, 2)) : GN_CULL_NONE;
+    b->state.front_face = (gn_front_face)random_below(r, 2);
+    b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+    b->state.depth_test = false;
+    for (int i = 0; i < 4 && random_chance(r, 20); i++)
+        b->state.interpolation[i] = GN_FLAT;
+    if (random_chance(r, 8)) {
+        b->state.polygon_mode_front = (gn_polygon_mode)random_below(r, 3);
+        b->state.polygon_mode_back = (gn_polygon_mode)random_below(r, 3);
+    }
+}
+
+/* Elements of a draw: some more than whole segments, or some less. */
+static uint32_t choose_count(builder *b)
+{
+    random_source *r = &b->random;
+    uint32_t count = 0;
+    if (random_chance(r, b->index_format == GN_INDEX_NONE ? 70 : 10))
+        count = 4096;
+    for (uint32_t n = random_below(r, 3) + (count == 0); n > 0; n--)
+        count += lengths[random_below(r, 3)];
+    if (random_chance(r, 10))
+        count += 4096;
+    const uint32_t more = random_below(r, 18);
+    return random_chance(r, 15) ? count + random_below(r, 1024) : count - 4 + more;
 }
 
 void generate_segments(builder *b)
 {
-    static const gn_topology topologies[4] = {GN_TRIANGLES, GN_TRIANGLES, GN_TRIANGLE_STRIP,
-                                              GN_TRIANGLE_FAN};
+    static const gn_index_format formats[] = {GN_INDEX_UINT8, GN_INDEX_UINT16, GN_INDEX_UINT32};
     random_source *r = &b->random;
+    segments s = {.b = b};
 
-    builder_common_target(b);
-    builder_common_state(b);
-    b->state.topology = topologies[random_below(r, 4)];
-    b->state.cull = random_chance(r, 90) ? (gn_cull)(1 + random_below(r, 2)) : GN_CULL_NONE;
-    b->state.front_face = (gn_front_face)random_below(r, 2);
-    b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
-    b->state.depth_test = false;
+    choose_state(b);
+    s.clockwise = (b->state.cull == GN_CULL_FRONT) == (b->state.front_face != GN_FRONT_CLOCKWISE);
+    if (random_chance(r, 5))
+        s.clockwise = !s.clockwise;
+    s.turned = random_chance(r, 90);
+    s.hub = random_hub(b);
+    if (random_chance(r, 60))
+        b->index_format = formats[random_below(r, 3)];
+    for (uint32_t unnamed = random_below(r, 10); unnamed > 0; unnamed--)
+        builder_vertex(b)->position[2] = random_chance(r, 30) ? 2.0f : 0.0f;
+    const int32_t least = (int32_t)b->vertex_count;
+    s.rest = add_vertex(b, s.hub, 0, 0);
+    const uint32_t pool = 1 + random_below(r, MAX_POOL);
+    if (b->index_format == GN_INDEX_UINT8 || random_chance(r, 20)) {
+        for (uint32_t n = 0; n < pool; n++)
+            add_sliver(&s, s.pool[n]);
+        s.pool_size = pool;
+    }
 
-    const bool indexed = random_chance(r, 60);
-    const uint32_t segment = indexed ? 1024 : 4096;
-    const uint32_t elements = segment + random_below(r, random_chance(r, 50) ? 8 : segment / 2);
-    const uint32_t outside = random_chance(r, 80) ? random_below(r, elements) : elements;
-    const line hub = random_line(b, NULL);
-    line l = hub;
-    uint32_t left = 0;
-
-    b->index_format = indexed ? GN_INDEX_UINT16 : GN_INDEX_NONE;
-    for (uint32_t i = 0; i < elements; ++i, --left) {
-        if (left == 0) {
-            l = random_line(b, b->state.topology == GN_TRIANGLE_FAN ? &hub : NULL);
-            left = b->state.topology == GN_TRIANGLES ? 3 : 3 + random_below(r, 6);
+    const uint32_t count = choose_count(b);
+    uint32_t begin = 0;
+    if (b->index_format != GN_INDEX_NONE && random_chance(r, 35)) {
+        b->restart = random_chance(r, 50) ? GN_RESTART_FIXED_INDEX : GN_RESTART_INDEX;
+        b->restart_index = b->index_format == GN_INDEX_UINT8 ? 250 : 60000;
+        for (uint32_t n = 1 + random_below(r, 3); n > 0; n--) {
+            add_run(&s, random_below(r, random_chance(r, 70) ? 8 : 1100));
+            builder_index(b, BUILDER_RESTART);
         }
-        const float t = random_float(r, -1.0f, 1.0f);
-        const float noise = 0.003f;
-        const float x = i == outside ? 3.0f * (float)b->scene->width : l.x + t * l.along_x;
+        begin = b->index_count;
+    }
+    add_run(&s, count);
+    for (uint32_t n = random_chance(r, 80) ? 1 + random_below(r, 2) : 0; n > 0; n--)
+        put_outside(b, random_boundary(b, begin));
 
-        vertex *v = builder_vertex(b);
-        const float dx = random_float(r, -noise, noise), dy = random_float(r, -noise, noise);
-        builder_place(b, v, x + dx, l.y + t * l.along_y + dy, random_float(r, -0.9f, 0.9f), 1.0f);
-        if (indexed)
-            builder_index(b, i);
-    }
-    /* Runs between restarts are divided into segments each for itself. */
-    if (indexed && random_chance(r, 40)) {
-        b->restart = GN_RESTART_FIXED_INDEX;
-        for (uint32_t n = 1 + random_below(r, 3); n > 0; n--)
-            b->indices[random_below(r, random_chance(r, 50) ? 40 : elements)] = BUILDER_RESTART;
-    }
+    if (b->index_format != GN_INDEX_NONE && random_chance(r, 30))
+        b->base_vertex = random_between(r, -20, least);
+    b->lead = random_chance(r, 20) ? random_below(r, 9) : 0;
+    b->trail = random_chance(r, 20) ? random_below(r, 9) : 0;
+    b->instance_count = random_chance(r, 10) ? 2 : 0;
+    b->counted = random_chance(r, 40);
     if (random_chance(r, 10))
-        b->instance_count = 2;
+        random_inputs(b);
     builder_draw(b);
 }
