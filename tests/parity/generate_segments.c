@@ -118,14 +118,16 @@ static bool is_near_boundary(uint32_t element)
 }
 
 /* Adds elements to a run of triangles: of a sliver, or of no area; those between two slivers have
- * none either. */
+ * none either. The third triangle of a segment without indices is a sliver, since the reference
+ * loses it and the two before it where it has no height and is the last (reference/RULES.md). */
 static void add_triangles(segments *s, uint32_t begin)
 {
     builder *b = s->b;
     random_source *r = &b->random;
     const uint32_t n = b->index_count - begin;
     uint32_t sliver[3] = {s->rest, s->rest, s->rest};
-    if (random_chance(r, is_near_boundary(n) ? 90 : 4))
+    const bool is_third = b->state.topology == GN_TRIANGLES && n % 4095 == 6;
+    if (random_chance(r, is_near_boundary(n) ? 90 : 4) || is_third)
         choose_sliver(s, sliver);
     switch (b->state.topology) {
     case GN_TRIANGLE_STRIP: {
@@ -175,7 +177,6 @@ static void add_run(segments *s, uint32_t count)
 {
     builder *b = s->b;
     const uint32_t begin = b->index_count;
-    /* Strips and fans begin anywhere in what is repeated. */
     while (b->index_count < begin + count) {
         if (b->state.topology <= GN_TRIANGLE_FAN)
             add_triangles(s, begin);
@@ -271,6 +272,9 @@ void generate_segments(builder *b)
     s.hub = random_hub(b);
     if (random_chance(r, 60))
         b->index_format = formats[random_below(r, 3)];
+    /* Longer loops with indices are a defect of the reference's (reference/RULES.md). */
+    if (b->state.topology == GN_LINE_LOOP)
+        b->index_format = GN_INDEX_NONE;
     for (uint32_t unnamed = random_below(r, 10); unnamed > 0; unnamed--)
         builder_vertex(b)->position[2] = random_chance(r, 30) ? 2.0f : 0.0f;
     const int32_t least = (int32_t)b->vertex_count;
