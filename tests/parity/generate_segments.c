@@ -219,13 +219,22 @@ static void put_outside(builder *b, uint32_t element)
         v->position[2] = kind % 2 ? 2.0f : -1.5f;
 }
 
+/* Adds vertices that no element names, some of them outside. */
+static void add_unnamed(builder *b, uint32_t count)
+{
+    for (uint32_t n = 0; n < count; n++)
+        builder_vertex(b)->position[2] = random_chance(&b->random, 40) ? 2.0f : 0.0f;
+}
+
 static void choose_state(builder *b)
 {
     static const gn_topology lines[] = {GN_POINTS, GN_LINES, GN_LINE_STRIP, GN_LINE_LOOP};
+    static const gn_topology triangles[] = {GN_TRIANGLES, GN_TRIANGLE_STRIP, GN_TRIANGLE_FAN,
+                                            GN_TRIANGLE_FAN};
     random_source *r = &b->random;
     builder_common_target(b);
     builder_common_state(b);
-    b->state.topology = (gn_topology)random_below(r, 3);
+    b->state.topology = triangles[random_below(r, 4)];
     if (random_chance(r, 12)) {
         b->state.topology = lines[random_below(r, 4)];
         b->state.line_width = random_chance(r, 70) ? 0.0f : 2.0f;
@@ -243,19 +252,26 @@ static void choose_state(builder *b)
     }
 }
 
-/* Elements of a draw: some more than whole segments, or some less. */
+/* Elements of a draw: one more than whole segments, or as many, or one less; or about as many, or
+ * any number. */
 static uint32_t choose_count(builder *b)
 {
     random_source *r = &b->random;
-    uint32_t count = 0;
-    if (random_chance(r, b->index_format == GN_INDEX_NONE ? 70 : 10))
-        count = 4096;
+    const bool indexed = b->index_format != GN_INDEX_NONE;
+    uint32_t count = random_chance(r, indexed ? 10 : 70) ? 4096 : 0;
     for (uint32_t n = random_below(r, 3) + (count == 0); n > 0; n--)
         count += lengths[random_below(r, 3)];
     if (random_chance(r, 10))
         count += 4096;
-    const uint32_t more = random_below(r, 18);
-    return random_chance(r, 15) ? count + random_below(r, 1024) : count - 4 + more;
+    switch (random_below(r, 8)) {
+    case 0:
+        return count + random_below(r, 1024);
+    case 1:
+    case 2:
+        return count - 4 + random_below(r, 18);
+    default:
+        return count - 1 + random_below(r, 3);
+    }
 }
 
 void generate_segments(builder *b)
@@ -275,10 +291,10 @@ void generate_segments(builder *b)
     /* Longer loops with indices are a defect of the reference's (reference/RULES.md). */
     if (b->state.topology == GN_LINE_LOOP)
         b->index_format = GN_INDEX_NONE;
-    for (uint32_t unnamed = random_below(r, 10); unnamed > 0; unnamed--)
-        builder_vertex(b)->position[2] = random_chance(r, 30) ? 2.0f : 0.0f;
+    add_unnamed(b, random_below(r, 10));
     const int32_t least = (int32_t)b->vertex_count;
     s.rest = add_vertex(b, s.hub, 0, 0);
+    add_unnamed(b, random_below(r, 2));
     const uint32_t pool = 1 + random_below(r, MAX_POOL);
     if (b->index_format == GN_INDEX_UINT8 || random_chance(r, 20)) {
         for (uint32_t n = 0; n < pool; n++)
