@@ -56,8 +56,8 @@ static place random_hub(builder *b)
     return p;
 }
 
-/* A point of the lattice as near to the line from (0, 0) along `way` as any beside it is, to the
- * left. False where points between (0, 0) and `way` are on the line. */
+/* A point of the lattice as near to the line through (0, 0) and `way` as any beside it, on the
+ * left. False where points between those two are on the line. */
 static bool find_aside(place way, place *aside)
 {
     for (aside->x = -7; aside->x <= 7; aside->x++)
@@ -81,8 +81,9 @@ static void add_sliver(segments *s, uint32_t sliver[3])
     } while (way.x * way.x + way.y * way.y < 9 || !find_aside(way, &aside));
 
     const float length = sqrtf((float)(way.x * way.x + way.y * way.y));
-    const int32_t right = STEPS + random_between(r, 1, 40);
-    const int32_t left = STEPS + random_between(r, 1, 40);
+    /* Beyond the centre, from wherever on its own line the point aside is. */
+    const int32_t right = STEPS + random_between(r, 4, 40);
+    const int32_t left = STEPS + random_between(r, 4, 40);
     const place end[2] = {{hub.x + right * way.x - aside.x, hub.y + right * way.y - aside.y},
                           {hub.x + left * way.x + aside.x, hub.y + left * way.y + aside.y}};
 
@@ -240,7 +241,9 @@ static void choose_state(builder *b)
         b->state.line_width = random_chance(r, 70) ? 0.0f : 2.0f;
         b->state.point_size = random_float(r, 1.0f, 3.0f);
     }
-    b->state.cull = random_chance(r, 92) ? (gn_cull)(1 + random_below(r, 2)) : GN_CULL_NONE;
+    b->state.cull = (gn_cull)(1 + random_below(r, 2));
+    if (random_chance(r, 8))
+        b->state.cull = GN_CULL_NONE;
     b->state.front_face = (gn_front_face)random_below(r, 2);
     b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
     b->state.depth_test = false;
@@ -308,19 +311,23 @@ void generate_segments(builder *b)
         b->restart = random_chance(r, 50) ? GN_RESTART_FIXED_INDEX : GN_RESTART_INDEX;
         b->restart_index = b->index_format == GN_INDEX_UINT8 ? 250 : 60000;
         for (uint32_t n = 1 + random_below(r, 3); n > 0; n--) {
-            add_run(&s, random_below(r, random_chance(r, 70) ? 8 : 1100));
+            const uint32_t most = random_chance(r, 70) ? 8 : 1100;
+            add_run(&s, random_below(r, most));
             builder_index(b, BUILDER_RESTART);
         }
         begin = b->index_count;
     }
     add_run(&s, count);
-    for (uint32_t n = random_chance(r, 80) ? 1 + random_below(r, 2) : 0; n > 0; n--)
+    const uint32_t outside[] = {0, 1, 1, 1, 2};
+    for (uint32_t n = outside[random_below(r, 5)]; n > 0; n--)
         put_outside(b, random_boundary(b, begin));
 
     if (b->index_format != GN_INDEX_NONE && random_chance(r, 30))
         b->base_vertex = random_between(r, -20, least);
-    b->lead = random_chance(r, 20) ? random_below(r, 9) : 0;
-    b->trail = random_chance(r, 20) ? random_below(r, 9) : 0;
+    if (random_chance(r, 20))
+        b->lead = random_below(r, 9);
+    if (random_chance(r, 20))
+        b->trail = random_below(r, 9);
     b->instance_count = random_chance(r, 10) ? 2 : 0;
     b->counted = random_chance(r, 40);
     if (random_chance(r, 10))
