@@ -238,10 +238,16 @@ $(UNIT_TESTS): $(BUILD)/%: $(BUILD)/tests/unit/%.o $(BUILD)/libgnomon.a
 
 RUNNER = $(BUILD)/tests/tools/runner.o
 TOOL_TESTS = $(BUILD)/test_faults $(BUILD)/test_pictures $(BUILD)/test_comparison $(BUILD)/test_teapot \
-	$(BUILD)/test_transform_command $(BUILD)/test_shading_command
+	$(BUILD)/test_transform_command $(BUILD)/test_shading_command $(BUILD)/test_hostile_files \
+	$(BUILD)/test_odd_models $(BUILD)/test_outputs $(BUILD)/test_model_formats
 
-$(BUILD)/test_faults $(BUILD)/test_pictures: $(BUILD)/test_%: $(BUILD)/tests/tools/test_%.o $(RUNNER)
+$(BUILD)/test_faults $(BUILD)/test_pictures $(BUILD)/test_hostile_files $(BUILD)/test_odd_models \
+		$(BUILD)/test_outputs: $(BUILD)/test_%: $(BUILD)/tests/tools/test_%.o $(RUNNER)
 	$(LINK) -lcmocka -lpng -lstb -lm
+
+# Files of all formats are made with Assimp.
+$(BUILD)/test_model_formats: $(BUILD)/tests/tools/test_model_formats.o $(RUNNER)
+	$(LINK) -lassimp -lcmocka -lpng -lm
 
 $(BUILD)/test_transform_command: $(BUILD)/tests/tools/test_transform.o $(RUNNER)
 	$(LINK) -lcmocka -lpng -lstb -lm
@@ -255,9 +261,9 @@ $(BUILD)/test_comparison: $(BUILD)/tests/tools/test_comparison.o $(RUNNER) \
 	$(LINK) -lcmocka -lpng -lm
 
 $(BUILD)/test_teapot: $(BUILD)/tests/tools/test_teapot.o \
-		$(call objects,$(addprefix tools/gnomon/,teapot.c teapot_maps.c image.c model.c material.c normals.c report.c)) \
+		$(call objects,$(addprefix tools/gnomon/,teapot.c teapot_maps.c image.c image_file.c files.c model.c normals.c)) \
 		$(BUILD)/libgnomon.a
-	$(LINK) -lassimp -lcmocka -lstb -lm
+	$(LINK) -lcmocka -lstb -lm
 
 # What people run
 
@@ -416,6 +422,10 @@ test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N fa
 		'sanitized textures=$(CHECKED)/textures --seed $(TEST_SEED) --cases 60' \
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
+		'command, hostile files=$(BUILD)/test_hostile_files $(BUILD)/gnomon' \
+		'command, odd models=$(BUILD)/test_odd_models $(BUILD)/gnomon' \
+		'command, outputs=$(BUILD)/test_outputs $(BUILD)/gnomon' \
+		'command, formats=$(BUILD)/test_model_formats $(BUILD)/gnomon' \
 		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \
 		'command, shaders=$(BUILD)/test_shading_command $(BUILD)/gnomon' \
 		'command, comparison=$(BUILD)/test_comparison $(BUILD)/gnomon' \

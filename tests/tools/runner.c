@@ -88,7 +88,7 @@ run shell(const char *line)
 
 run gnomon(const char *format, ...)
 {
-    char line[2048] = "\"$GNOMON\" ";
+    char line[2048] = "timeout 60 \"$GNOMON\" ";
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(line + strlen(line), sizeof line - strlen(line), format, arguments);
@@ -144,6 +144,30 @@ int new_files(void)
     }
     closedir(d);
     return count;
+}
+
+int lines(const char *text)
+{
+    int count = 0;
+    for (; *text != '\0'; text++)
+        count += *text == '\n';
+    return count;
+}
+
+void expect(int status, const char *arguments, const char *first, const char *second)
+{
+    runner_mark();
+    run r = gnomon("%s", arguments);
+    size_t length = strlen(r.error);
+    bool good = r.status == status && lines(r.error) == 1 && r.error[length - 1] == '\n' &&
+                strncmp(r.error, "gnomon", 6) == 0 && strstr(r.error, first) != NULL &&
+                strstr(r.error, second) != NULL && r.out[0] == '\0';
+    if (!good)
+        fail_msg("gnomon %s\n  status %d, expected %d with '%s' and '%s'\n  stderr: %s"
+                 "  stdout: %s",
+                 arguments, r.status, status, first, second, r.error, r.out);
+    if (new_files() != 0)
+        fail_msg("gnomon %s: files are left", arguments);
 }
 
 picture picture_read(const char *name)

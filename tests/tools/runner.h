@@ -32,11 +32,18 @@ void runner_start(int argc, char **argv);
 void runner_end(void);
 
 /* Runs "gnomon " + arguments with the directory as the current one. The arguments are a
- * shell's words. */
+ * shell's words. What does not end within a minute has status 124. */
 run gnomon(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* The same for a whole shell line, in which $GNOMON is the command. */
 run shell(const char *line);
+
+int lines(const char *text);
+
+/* Runs gnomon and fails unless it ends with that status, prints one line on standard error that
+ * begins with gnomon and holds both texts, prints nothing on standard output and leaves no new
+ * file. */
+void expect(int status, const char *arguments, const char *first, const char *second);
 
 /* Files in the directory, by their plain names. */
 void write_text(const char *name, const char *text);

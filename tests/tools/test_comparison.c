@@ -94,7 +94,7 @@ static const char *printed_with(comparison *c, const scene *s, const shadow_pass
     FILE *file = tmpfile();
     assert_non_null(file);
     dup2(fileno(file), STDOUT_FILENO);
-    int fault = comparison_make(s, shadow, GN_BACKEND_AUTO, c);
+    int fault = comparison_make(s, shadow, GN_BACKEND_AUTO, stdout, c);
     fflush(stdout);
     dup2(saved, STDOUT_FILENO);
     close(saved);

@@ -411,6 +411,39 @@ static void errors_name_the_line(void **state)
     expect_error(text, ":1: ", "a line of more than");
 }
 
+/* What is no text is not taken for one, whatever the lengths of its lines; a byte-order mark is no
+ * part of it. */
+static void bytes_of_other_kinds(void **state)
+{
+    static char text[4096];
+    (void)state;
+    for (size_t length = 900; length < 2200; length += 13) {
+        strcpy(text, GOOD "# ");
+        size_t start = strlen(text);
+        memset(text + start, 'x', length);
+        text[start] = '\0';
+        strcpy(text + start + length, "rotate 0 0 1 90\npoint 1 0 -3\n");
+        write_bytes("nul.txt", text, start + length + strlen(text + start + length));
+        expect(2, "transform nul.txt", "nul.txt:6: ", "a NUL byte");
+    }
+    write_bytes("nul.txt", GOOD "point 0 0 -3\n\0point 1 0 -3\n", strlen(GOOD) + 27);
+    expect(2, "transform nul.txt", "nul.txt:7: ", "a NUL byte");
+    expect(2, "transform /dev/zero", "/dev/zero:1: ", "a NUL byte");
+    expect(2, "transform nul.txt nul.txt", "nul.txt", "only one");
+
+    write_text("setup.txt", GOOD "point 0 0 -3\n");
+    run plain = gnomon("transform setup.txt");
+    expect_good(&plain);
+    write_text("setup.txt", "\xef\xbb\xbf" GOOD "point 0 0 -3");
+    run marked = gnomon("transform setup.txt");
+    expect_good(&marked);
+    assert_string_equal(plain.out, marked.out);
+    write_text("setup.txt", "\xef\xbb\xbf\xef\xbb\xbf" GOOD "point 0 0 -3");
+    expect(2, "transform setup.txt", "setup.txt:1: ", "convention' is no statement");
+    write_text("setup.txt", "zo\033[31mom\xff\n");
+    expect(2, "transform setup.txt", "setup.txt:1: ", "'zo\\x1b[31mom\\xff' is no statement");
+}
+
 static void usage(void **state)
 {
     (void)state;
@@ -457,6 +490,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(matrices),
         cmocka_unit_test(numbers_give_the_float_back),
         cmocka_unit_test(errors_name_the_line),
+        cmocka_unit_test(bytes_of_other_kinds),
         cmocka_unit_test(usage),
     };
     runner_start(argc, argv);

@@ -21,7 +21,8 @@ static const char usage[] =
     "                          difference, black where all is equal, otherwise amplified,\n"
     "                          magenta where only alpha or depth differ. Without -o it is\n"
     "                          MODEL's name and _compared.png, bunny_compared.png for\n"
-    "                          models/bunny.obj, in the current directory\n"
+    "                          models/bunny.obj, in the current directory. -: standard output,\n"
+    "                          and the words go to standard error\n"
     "  --size WxH              in pixels, up to 16384x16384; 1024x1024\n"
     "\n";
 
@@ -42,6 +43,7 @@ static char *default_output(const char *model_path)
 
 static int compare(const options *o, const char *output_path)
 {
+    FILE *words = output_words(output_path, NULL);
     picture p;
     int fault = picture_check_output(o, output_path);
     if (fault == 0)
@@ -49,12 +51,12 @@ static int compare(const options *o, const char *output_path)
     if (fault != 0)
         return fault;
     comparison c;
-    picture_print_summary(o->model, &p);
-    fault = comparison_make(p.scene, &p.shadow, o->backend, &c);
+    picture_print_summary(words, o->model, &p);
+    fault = comparison_make(p.scene, &p.shadow, o->backend, words, &c);
     if (fault == 0)
         fault = comparison_write_triptych(&c, output_path);
     if (fault == 0)
-        printf("%s: Gnomon, OSMesa, difference\n", output_path);
+        comparison_name_triptych(words, output_path);
     if (fault == 0 && c.difference.pixels + c.samples.pixels + c.shadow_texels > 0)
         fault = EXIT_FAULT;
     comparison_free(&c);

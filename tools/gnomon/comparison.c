@@ -15,29 +15,31 @@
 #define DIFFERENCE_BASE 79
 #define DIFFERENCE_STEP 16
 
-static void print_difference(const scene_difference *d, uint64_t pixels)
+static void print_difference(FILE *words, const scene_difference *d, uint64_t pixels)
 {
-    printf("colour: %" PRIu64 " of %" PRIu64 " pixels differ", d->color_pixels, pixels);
+    fprintf(words, "colour: %" PRIu64 " of %" PRIu64 " pixels differ", d->color_pixels, pixels);
     if (d->color_pixels > 0)
-        printf(", by at most %g/255", d->color_largest);
-    printf("\ndepth:  %" PRIu64 " of %" PRIu64 " pixels differ", d->depth_pixels, pixels);
+        fprintf(words, ", by at most %g/255", d->color_largest);
+    fprintf(words, "\ndepth:  %" PRIu64 " of %" PRIu64 " pixels differ", d->depth_pixels, pixels);
     if (d->depth_pixels > 0)
-        printf(", by at most %g", d->depth_largest);
-    printf("\n");
+        fprintf(words, ", by at most %g", d->depth_largest);
+    fprintf(words, "\n");
     if (d->pixels > 0)
-        printf("first difference at x %u, y %u (from the lower left); %" PRIu64
-               " pixel%s drawn by one side only\n",
-               (unsigned)d->x, (unsigned)d->y, d->coverage_pixels,
-               d->coverage_pixels == 1 ? " is" : "s are");
+        fprintf(words,
+                "first difference at x %u, y %u (from the lower left); %" PRIu64
+                " pixel%s drawn by one side only\n",
+                (unsigned)d->x, (unsigned)d->y, d->coverage_pixels,
+                d->coverage_pixels == 1 ? " is" : "s are");
 }
 
-static void print_samples(const scene_difference *d, uint64_t samples)
+static void print_samples(FILE *words, const scene_difference *d, uint64_t samples)
 {
-    printf("samples: %" PRIu64 " of %" PRIu64 " differ", d->pixels, samples);
+    fprintf(words, "samples: %" PRIu64 " of %" PRIu64 " differ", d->pixels, samples);
     if (d->pixels > 0)
-        printf(", colours of %" PRIu64 " by at most %g/255, depths of %" PRIu64 " by at most %g",
-               d->color_pixels, d->color_largest, d->depth_pixels, d->depth_largest);
-    printf("\n");
+        fprintf(words,
+                ", colours of %" PRIu64 " by at most %g/255, depths of %" PRIu64 " by at most %g",
+                d->color_pixels, d->color_largest, d->depth_pixels, d->depth_largest);
+    fprintf(words, "\n");
 }
 
 /* Some images of a frame as a frame, which owns nothing. */
@@ -60,8 +62,8 @@ static scene_difference compare_images(const scene *s, const comparison *c, uint
 }
 
 /* The library's shadow map is part of the scene, so the reference draws it for this alone. */
-static bool compare_shadow(reference *mesa, const shadow_pass *shadow, comparison *c, char *error,
-                           size_t error_size)
+static bool compare_shadow(reference *mesa, const shadow_pass *shadow, FILE *words, comparison *c,
+                           char *error, size_t error_size)
 {
     scene_frame theirs;
     if (shadow->scene == NULL)
@@ -73,14 +75,14 @@ static bool compare_shadow(reference *mesa, const shadow_pass *shadow, compariso
     bool drawn = reference_draw(mesa, shadow->scene, &theirs, error, error_size);
     if (drawn) {
         c->shadow_texels = scene_compare(shadow->scene, &shadow->frame, &theirs).pixels;
-        printf("shadow map: %" PRIu64 " of %" PRIu64 " texels differ\n", c->shadow_texels,
-               (uint64_t)theirs.width * theirs.height);
+        fprintf(words, "shadow map: %" PRIu64 " of %" PRIu64 " texels differ\n", c->shadow_texels,
+                (uint64_t)theirs.width * theirs.height);
     }
     scene_frame_free(&theirs);
     return drawn;
 }
 
-int comparison_make(const scene *s, const shadow_pass *shadow, gn_backend backend,
+int comparison_make(const scene *s, const shadow_pass *shadow, gn_backend backend, FILE *words,
                     comparison *result)
 {
     char error[512] = "";
@@ -97,21 +99,21 @@ int comparison_make(const scene *s, const shadow_pass *shadow, gn_backend backen
         return report_fault("OSMesa", "%s", error);
     bool drawn = reference_draw(mesa, s, &result->reference, error, sizeof error);
     if (drawn) {
-        printf("reference: OSMesa %s, %s\n", reference_mesa_version(mesa),
-               reference_renderer(mesa));
+        fprintf(words, "reference: OSMesa %s, %s\n", reference_mesa_version(mesa),
+                reference_renderer(mesa));
         if (!reference_is_contract_version(mesa))
-            printf("note: equal pictures are promised for Mesa 22.3 only\n");
+            fprintf(words, "note: equal pictures are promised for Mesa 22.3 only\n");
     }
-    drawn = drawn && compare_shadow(mesa, shadow, result, error, sizeof error);
+    drawn = drawn && compare_shadow(mesa, shadow, words, result, error, sizeof error);
     reference_destroy(mesa);
     if (!drawn)
         return report_fault("OSMesa", "%s", error);
 
     result->difference = compare_images(s, result, result->ours.images - 1, 1);
-    print_difference(&result->difference, (uint64_t)s->width * s->height);
+    print_difference(words, &result->difference, (uint64_t)s->width * s->height);
     if (scene_is_sampled(s)) {
         result->samples = compare_images(s, result, 0, GN_SAMPLES);
-        print_samples(&result->samples, (uint64_t)s->width * s->height * GN_SAMPLES);
+        print_samples(words, &result->samples, (uint64_t)s->width * s->height * GN_SAMPLES);
     }
     return 0;
 }
@@ -200,6 +202,12 @@ static int write_rows(const comparison *c, const char *path, uint32_t width, png
 int comparison_write_triptych(const comparison *c, const char *path)
 {
     return write_rows(c, path, 3 * c->ours.width, triptych_row);
+}
+
+void comparison_name_triptych(FILE *words, const char *path)
+{
+    report_print(words, path);
+    fputs(": Gnomon, OSMesa, difference\n", words);
 }
 
 int comparison_write_picture(const comparison *c, const char *path)

@@ -199,17 +199,22 @@ int command_demo(int argc, char **argv)
     if (o.picture_output != NULL && output_same_file(o.output, o.picture_output))
         return report_fault(o.output, "cannot be both the comparison and the picture");
 
+    FILE *words = output_words(o.output, o.picture_output);
     picture p;
-    int fault = describe(&o, &p);
+    int fault = output_check(o.output);
+    if (fault == 0 && o.picture_output != NULL)
+        fault = output_check(o.picture_output);
+    if (fault == 0)
+        fault = describe(&o, &p);
     if (fault != 0)
         return fault;
     comparison c;
-    picture_print_summary("teapot", &p);
-    fault = comparison_make(p.scene, &p.shadow, GN_BACKEND_AUTO, &c);
+    picture_print_summary(words, "teapot", &p);
+    fault = comparison_make(p.scene, &p.shadow, GN_BACKEND_AUTO, words, &c);
     if (fault == 0)
         fault = comparison_write_triptych(&c, o.output);
     if (fault == 0)
-        printf("%s: Gnomon, OSMesa, difference\n", o.output);
+        comparison_name_triptych(words, o.output);
     if (fault == 0 && o.picture_output != NULL)
         fault = comparison_write_picture(&c, o.picture_output);
     if (fault == 0 && c.difference.pixels + c.samples.pixels + c.shadow_texels > 0)

@@ -1,7 +1,7 @@
 /* Reading images with stb_image. */
 #include "image.h"
 
-#include <errno.h>
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,12 +9,20 @@
 #include <gnomon/surface.h>
 #include <stb/stb_image.h>
 
-static const char *decoder_reason(void)
+#include "files.h"
+#include "image_file.h"
+
+/* Reasons are made here, one at a time. */
+static char reason_text[256];
+
+static const char *decoder_reason(image_kind kind)
 {
     const char *reason = stbi_failure_reason();
     if (reason != NULL && strcmp(reason, "outofmem") == 0)
         return "not enough memory";
-    return reason != NULL ? reason : "no image";
+    snprintf(reason_text, sizeof reason_text, "the %s is damaged or of an unusual kind (%s)",
+             image_kind_name(kind), reason != NULL && *reason != '\0' ? reason : "no reason known");
+    return reason_text;
 }
 
 /* Bytes R, G, B, A to the library's pixels, in place. */
@@ -28,12 +36,25 @@ static void pack(uint8_t *bytes, size_t count)
     }
 }
 
-static bool check_size(int width, int height, const char **reason)
+/* Null, or why an image of this size is not decoded. */
+static const char *size_fault(int width, int height, const image_budget *budget)
 {
-    if (width >= 1 && height >= 1 && width <= GN_MAX_SIZE && height <= GN_MAX_SIZE)
-        return true;
-    *reason = "the image is larger than 16384 pixels";
-    return false;
+    if (width < 1 || height < 1 || width > GN_MAX_SIZE || height > GN_MAX_SIZE)
+        return "the image is larger than 16384 pixels, or empty";
+    const uint64_t pixels = (uint64_t)width * (uint64_t)height;
+    if (pixels > (uint64_t)budget->megapixels << 20) {
+        snprintf(reason_text, sizeof reason_text,
+                 "it has %dx%d pixels, more than --map-pixels %" PRIu32 " allows (times 1024x1024)",
+                 width, height, budget->megapixels);
+        return reason_text;
+    }
+    if (4 * pixels > budget->bytes_left) {
+        snprintf(reason_text, sizeof reason_text,
+                 "its %dx%d pixels take %" PRIu64 " MiB, and --import-output leaves %" PRIu64,
+                 width, height, (4 * pixels + (1 << 20) - 1) >> 20, budget->bytes_left >> 20);
+        return reason_text;
+    }
+    return NULL;
 }
 
 /* Where stb_image reads from. It takes what lies behind the end for zeros without a word, so
@@ -76,25 +97,37 @@ static int source_at_end(void *user)
     return s->position >= s->size;
 }
 
-bool image_decode(const uint8_t *bytes, size_t size, image *result, const char **reason)
+bool image_decode(const uint8_t *bytes, size_t size, image_budget *budget, image *result,
+                  const char **reason)
 {
     static const stbi_io_callbacks callbacks = {source_read, source_skip, source_at_end};
+    static const char cut_short[] = "the file is cut short";
     source s = {bytes, size, 0, false};
     int width = 0;
     int height = 0;
     int channels;
+    const image_kind kind = image_kind_of(bytes, size);
     memset(result, 0, sizeof *result);
+    *reason = kind == IMAGE_OTHER ? "it is no " IMAGE_FORMATS_IN_WORDS : NULL;
+    if (size == 0)
+        *reason = "the file is empty";
+    if (*reason != NULL)
+        return false;
     if (stbi_info_from_callbacks(&callbacks, &s, &width, &height, &channels) == 0) {
-        *reason = decoder_reason();
+        const bool is_short = s.ran_out || image_is_cut_short(kind, bytes, size, 0, 0);
+        *reason = is_short ? cut_short : decoder_reason(kind);
         return false;
     }
-    if (!check_size(width, height, reason))
+    *reason = size_fault(width, height, budget);
+    if (*reason == NULL && image_is_cut_short(kind, bytes, size, (uint32_t)width, (uint32_t)height))
+        *reason = cut_short;
+    if (*reason != NULL)
         return false;
     s = (source){bytes, size, 0, false};
     stbi_set_flip_vertically_on_load(1);
     stbi_uc *pixels = stbi_load_from_callbacks(&callbacks, &s, &width, &height, &channels, 4);
     if (pixels == NULL || s.ran_out) {
-        *reason = pixels == NULL ? decoder_reason() : "the file is cut short";
+        *reason = s.ran_out ? cut_short : decoder_reason(kind);
         stbi_image_free(pixels);
         return false;
     }
@@ -102,50 +135,18 @@ bool image_decode(const uint8_t *bytes, size_t size, image *result, const char *
     result->width = (uint32_t)width;
     result->height = (uint32_t)height;
     result->texels = (uint32_t *)(void *)pixels;
+    budget->bytes_left -= (uint64_t)4 * result->width * result->height;
     return true;
 }
 
-/* A whole file, allocated. Null with the reason otherwise. */
-static uint8_t *read_file(const char *path, size_t *size, const char **reason)
-{
-    uint8_t *bytes = NULL;
-    size_t capacity = 1 << 16;
-    FILE *file = fopen(path, "rb");
-    *size = 0;
-    if (file == NULL) {
-        *reason = strerror(errno);
-        return NULL;
-    }
-    for (;;) {
-        uint8_t *larger = realloc(bytes, capacity);
-        if (larger == NULL) {
-            *reason = "not enough memory";
-            break;
-        }
-        bytes = larger;
-        *size += fread(bytes + *size, 1, capacity - *size, file);
-        if (*size < capacity) {
-            if (ferror(file) == 0) {
-                fclose(file);
-                return bytes;
-            }
-            *reason = strerror(errno);
-            break;
-        }
-        capacity *= 2;
-    }
-    free(bytes);
-    fclose(file);
-    return NULL;
-}
-
-bool image_read(const char *path, image *result, const char **reason)
+bool image_read(const char *path, image_budget *budget, image *result, const char **reason)
 {
     size_t size;
-    uint8_t *bytes = read_file(path, &size, reason);
+    uint8_t *bytes = files_read(path, &size, reason);
+    memset(result, 0, sizeof *result);
     if (bytes == NULL)
         return false;
-    bool good = image_decode(bytes, size, result, reason);
+    bool good = image_decode(bytes, size, budget, result, reason);
     free(bytes);
     return good;
 }

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "command.h"
+#include "image.h"
 #include "report.h"
 
 static const char overview[] =
@@ -60,7 +61,7 @@ static const char picture_help[] =
     "Maps, as far as the shader takes them, are those that the options name; otherwise the\n"
     "material's; otherwise MODEL_diffuse, MODEL_nm_tangent or else MODEL_nm, MODEL_spec and\n"
     "MODEL_glow, each .tga, .png or .jpg, beside MODEL.obj. What is used is printed.\n"
-    "  --texture FILE          the diffuse map: PNG, TGA, JPEG and what else stb_image reads;\n"
+    "  --texture FILE          the diffuse map, " IMAGE_FORMATS_IN_WORDS ";\n"
     "                          none: the colours as they are\n"
     "  --normal-map KIND       any; tangent or world: those of that space alone, of a file\n"
     "                          with tangent:FILE or world:FILE; none: the vertices' normals\n"
@@ -74,6 +75,12 @@ static const char picture_help[] =
     "  --samples 4             four samples a pixel: smooth edges; 1\n"
     "  --background COLOR      #rrggbb or #rrggbbaa (the # may be left out); #edeeef\n"
     "\n"
+    "Limits of importing, which a child process does, from regular files alone:\n"
+    "  --import-seconds N      time it may take; 30\n"
+    "  --import-memory MIB     memory it may take; 2048\n"
+    "  --import-output MIB     what the model and its maps may take, once imported; 1024\n"
+    "  --map-pixels N          of one map, times 1024x1024, 1 to 256; 64\n"
+    "\n"
     "Speed:\n"
     "  --backend NAME          the instruction set to draw with: auto, portable, sse2, avx2,\n"
     "                          avx512, neon or wasm-simd128; auto, the fastest there is. All\n"
@@ -82,7 +89,8 @@ static const char picture_help[] =
     "Colours are the vertices', else the material's, else light grey; a diffuse map takes the\n"
     "place of the material's colour. Missing normals are computed, smooth over the model.\n"
     "A map that the material names but that is not there is an error; go on without it with\n"
-    "--texture none and the like.\n";
+    "--texture none and the like. What else cannot be drawn as the file has it is warned of:\n"
+    "numbers that are not finite, material files that are missing, triangles without area.\n";
 
 void print_picture_help(void)
 {

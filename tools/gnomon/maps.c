@@ -86,24 +86,34 @@ static void tell(maps_told *told, const char *words, const char *file)
     free(entry);
 }
 
-static int read_file(const char *path, const char *option, const char *words, image *result,
-                     maps_told *told)
+/* What is handed from maps_read to everything below it. */
+typedef struct reader {
+    const options *o;
+    const model_part *part;
+    image_budget *budget;
+    maps_told *told;
+} reader;
+
+static int read_file(const reader *r, const char *path, const char *option, const char *words,
+                     image *result)
 {
     const char *reason = NULL;
-    if (!image_read(path, result, &reason))
+    if (!image_read(path, r->budget, result, &reason))
         return report_fault(path, "cannot be read as a texture: %s (go on without it: %s none)",
                             reason, option);
-    tell(told, words, path);
+    tell(r->told, words, path);
     return 0;
 }
 
 /* The map that the material names. */
-static int read_named(const char *model_path, const model_texture *texture, const char *option,
+static int read_named(const reader *r, const model_texture *texture, const char *option,
                       image *result)
 {
+    const char *model_path = r->o->model;
     const char *reason = "its texels are bare";
     if (texture->bytes != NULL || texture->bare) {
-        if (!texture->bare && image_decode(texture->bytes, texture->size, result, &reason))
+        if (!texture->bare &&
+            image_decode(texture->bytes, texture->size, r->budget, result, &reason))
             return 0;
         return report_fault(model_path,
                             "the texture inside it cannot be read: %s"
@@ -114,7 +124,7 @@ static int read_named(const char *model_path, const model_texture *texture, cons
     bool good = false;
     reason = "not enough memory";
     if (path != NULL)
-        good = image_read(path, result, &reason);
+        good = image_read(path, r->budget, result, &reason);
     if (!good)
         report_fault(model_path, "its texture '%s' cannot be read: %s (go on without it: %s none)",
                      path != NULL ? path : texture->name, reason, option);
@@ -122,17 +132,17 @@ static int read_named(const char *model_path, const model_texture *texture, cons
     return good ? 0 : EXIT_FAULT;
 }
 
-static void tell_named(maps_told *told, const char *words, const model_texture *texture)
+static void tell_named(const reader *r, const char *words, const model_texture *texture)
 {
-    tell(told, words, texture->bytes != NULL ? "inside the model" : texture->name);
+    tell(r->told, words, texture->bytes != NULL ? "inside the model" : texture->name);
 }
 
 /* A file beside the model by its suffix; where there is none, nothing. */
-static int read_conventional(const char *model_path, const char *suffix, const char *option,
-                             const char *words, image *result, maps_told *told)
+static int read_conventional(const reader *r, const char *suffix, const char *option,
+                             const char *words, image *result)
 {
-    char *path = conventional_file(model_path, suffix);
-    int fault = path != NULL ? read_file(path, option, words, result, told) : 0;
+    char *path = conventional_file(r->o->model, suffix);
+    int fault = path != NULL ? read_file(r, path, option, words, result) : 0;
     free(path);
     return fault;
 }
@@ -148,73 +158,71 @@ static bool is_grey(const image *i)
 }
 
 /* The normals that the material names, or nothing where they are heights. */
-static int read_named_normals(const char *model_path, const model_texture *texture, image *result,
-                              maps_told *told)
+static int read_named_normals(const reader *r, const model_texture *texture, image *result)
 {
-    int fault = read_named(model_path, texture, kinds[MAP_NORMAL].option, result);
+    int fault = read_named(r, texture, kinds[MAP_NORMAL].option, result);
     if (fault != 0)
         return fault;
     bool usable = !is_grey(result);
     if (!usable)
         image_free(result);
-    tell_named(told, usable ? kinds[MAP_NORMAL].words : "(heights, not used)", texture);
+    tell_named(r, usable ? kinds[MAP_NORMAL].words : "(heights, not used)", texture);
     return 0;
 }
 
 /* Normals in tangent space need tangents, so a part that has none takes the world's. */
-static int read_normals(const options *o, const model_part *part, part_maps *result,
-                        maps_told *told)
+static int read_normals(const reader *r, part_maps *result)
 {
+    const options *o = r->o;
     image *normals = result->images + MAP_NORMAL;
     const map_option *asked = o->maps + MAP_NORMAL;
-    const model_texture *texture = part->maps + MAP_NORMAL;
+    const model_texture *texture = r->part->maps + MAP_NORMAL;
     const char *option = kinds[MAP_NORMAL].option;
     const char *tangent_words = kinds[MAP_NORMAL].words;
-    bool may_be_tangent = o->normals != NORMALS_WORLD && part->has_tangents;
+    bool may_be_tangent = o->normals != NORMALS_WORLD && r->part->has_tangents;
     bool may_be_world = o->normals != NORMALS_TANGENT;
     int fault = 0;
     if (asked->file != NULL) {
-        if (o->normals == NORMALS_TANGENT && !part->has_tangents)
+        if (o->normals == NORMALS_TANGENT && !r->part->has_tangents)
             return 0;
         result->normals_in_tangent_space = may_be_tangent;
-        return read_file(asked->file, option, may_be_tangent ? tangent_words : world_space_words,
-                         normals, told);
+        return read_file(r, asked->file, option, may_be_tangent ? tangent_words : world_space_words,
+                         normals);
     }
     result->normals_in_tangent_space = true;
     if (may_be_tangent && texture->name != NULL)
-        return read_named_normals(o->model, texture, normals, told);
+        return read_named_normals(r, texture, normals);
     if (may_be_tangent)
-        fault = read_conventional(o->model, kinds[MAP_NORMAL].suffix, option, tangent_words,
-                                  normals, told);
+        fault = read_conventional(r, kinds[MAP_NORMAL].suffix, option, tangent_words, normals);
     if (fault == 0 && normals->texels == NULL && may_be_world) {
         result->normals_in_tangent_space = false;
-        fault = read_conventional(o->model, world_space_suffix, option, world_space_words, normals,
-                                  told);
+        fault = read_conventional(r, world_space_suffix, option, world_space_words, normals);
     }
     return fault;
 }
 
-int maps_read(const options *o, const model_part *part, unsigned int wanted, part_maps *result,
-              maps_told *told)
+int maps_read(const options *o, const model_part *part, unsigned int wanted, image_budget *budget,
+              part_maps *result, maps_told *told)
 {
+    const reader r = {o, part, budget, told};
     int fault = 0;
     memset(result, 0, sizeof *result);
     for (int i = 0; i < MAP_COUNT && part->has_texcoords && fault == 0; i++) {
         const map_option *asked = o->maps + i;
+        const char *option = kinds[i].option;
+        const char *words = kinds[i].words;
         if ((wanted >> i & 1) == 0 || asked->none)
             continue;
         if (i == MAP_NORMAL)
-            fault = read_normals(o, part, result, told);
+            fault = read_normals(&r, result);
         else if (asked->file != NULL)
-            fault =
-                read_file(asked->file, kinds[i].option, kinds[i].words, result->images + i, told);
+            fault = read_file(&r, asked->file, option, words, result->images + i);
         else if (part->maps[i].name != NULL) {
-            fault = read_named(o->model, part->maps + i, kinds[i].option, result->images + i);
+            fault = read_named(&r, part->maps + i, option, result->images + i);
             if (fault == 0)
-                tell_named(told, kinds[i].words, part->maps + i);
+                tell_named(&r, words, part->maps + i);
         } else
-            fault = read_conventional(o->model, kinds[i].suffix, kinds[i].option, kinds[i].words,
-                                      result->images + i, told);
+            fault = read_conventional(&r, kinds[i].suffix, option, words, result->images + i);
     }
     if (fault != 0)
         maps_free(result);

@@ -77,7 +77,7 @@ static void read_colors(const struct aiMaterial *material, mesh_material *result
         store_color(&color, result->shine.specular);
     if (aiGetMaterialFloatArray(material, AI_MATKEY_SHININESS, &exponent, NULL) ==
             aiReturn_SUCCESS &&
-        exponent >= 1.0f)
+        isfinite(exponent) && exponent >= 1.0f)
         result->shine.exponent = (uint32_t)lrintf(fminf(exponent, MODEL_MAX_EXPONENT));
 }
 
@@ -99,4 +99,25 @@ void material_read(const struct aiScene *file, const struct aiMesh *mesh, mesh_m
         !(aiGetMaterialString(material, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS &&
           strcmp(name.data, NO_MATERIAL) == 0))
         read_colors(material, result);
+}
+
+static bool is_finite_color(const struct aiMaterial *material, const char *key, unsigned int type,
+                            unsigned int index)
+{
+    struct aiColor4D color;
+    return aiGetMaterialColor(material, key, type, index, &color) != aiReturn_SUCCESS ||
+           (isfinite(color.r) && isfinite(color.g) && isfinite(color.b));
+}
+
+bool material_is_finite(const struct aiMaterial *material, struct aiString *name)
+{
+    float exponent = 0.0f;
+    if (aiGetMaterialString(material, AI_MATKEY_NAME, name) != aiReturn_SUCCESS)
+        memset(name, 0, sizeof *name);
+    return is_finite_color(material, AI_MATKEY_BASE_COLOR) &&
+           is_finite_color(material, AI_MATKEY_COLOR_DIFFUSE) &&
+           is_finite_color(material, AI_MATKEY_COLOR_SPECULAR) &&
+           (aiGetMaterialFloatArray(material, AI_MATKEY_SHININESS, &exponent, NULL) !=
+                aiReturn_SUCCESS ||
+            isfinite(exponent));
 }

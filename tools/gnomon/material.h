@@ -16,4 +16,7 @@ typedef struct mesh_material {
 /* The channel is that of the material's first map; maps by another one are left out. */
 void material_read(const struct aiScene *file, const struct aiMesh *mesh, mesh_material *result);
 
+/* Whether the numbers that material_read takes from a material are finite, and its name. */
+bool material_is_finite(const struct aiMaterial *material, struct aiString *name);
+
 #endif

@@ -47,11 +47,6 @@ typedef struct model {
     model_part *parts;
 } model;
 
-/* Reads a file with Assimp: node transforms applied, polygons made triangles, points and
- * lines left out, missing normals computed. 0, or EXIT_FAULT with the reason printed. Maps of a
- * material that lie by other texture coordinates than its first one are left out. */
-int model_read(const char *path, model *result);
-
 /* Allocates a part's arrays, texture coordinates and tangents where it is said to have them. False
  * where there is no memory; model_free frees what is there. */
 bool model_part_allocate(model_part *part, uint32_t vertex_count, uint32_t index_count);

@@ -15,6 +15,12 @@
 #define DEFAULT_TESSELLATION 16
 #define MAX_TESSELLATION 128
 
+/* A day; a TiB; the pixels of the largest texture there is. */
+#define MAX_SECONDS 86400
+#define MAX_MEBIBYTES (1 << 20)
+#define MAX_MEGAPIXELS 256
+static const import_limits default_limits = {30, 2048, 1024, 64};
+
 enum {
     OPTION_SIZE = 256,
     OPTION_EYE,
@@ -38,14 +44,18 @@ enum {
     OPTION_FILTER,
     OPTION_SHADOWS,
     OPTION_EXPONENT,
-    OPTION_BANDS
+    OPTION_BANDS,
+    OPTION_IMPORT_SECONDS,
+    OPTION_IMPORT_MEMORY,
+    OPTION_IMPORT_OUTPUT,
+    OPTION_MAP_PIXELS
 };
 
 #define MODEL_COMMANDS (COMMAND_RENDER | COMMAND_COMPARE)
 #define ALL_COMMANDS (COMMAND_RENDER | COMMAND_COMPARE | COMMAND_DEMO)
 
 static const struct {
-    char name[16];
+    char name[20];
     bool takes_value;
     int value;
     int commands;
@@ -75,6 +85,10 @@ static const struct {
     {"depth", true, OPTION_DEPTH, COMMAND_RENDER},
     {"picture", true, OPTION_PICTURE, COMMAND_DEMO},
     {"tessellation", true, OPTION_TESSELLATION, COMMAND_DEMO},
+    {"import-seconds", true, OPTION_IMPORT_SECONDS, MODEL_COMMANDS},
+    {"import-memory", true, OPTION_IMPORT_MEMORY, MODEL_COMMANDS},
+    {"import-output", true, OPTION_IMPORT_OUTPUT, MODEL_COMMANDS},
+    {"map-pixels", true, OPTION_MAP_PIXELS, MODEL_COMMANDS},
 };
 
 #define OPTION_COUNT (sizeof option_table / sizeof option_table[0])
@@ -103,6 +117,28 @@ static bool parse_float(const char **text, float *result)
         return false;
     *text = end;
     return true;
+}
+
+/* Whether what would be a list of numbers has one that is not finite as a float. */
+static bool has_infinite(const char *text)
+{
+    char *end;
+    for (;; text = end + 1) {
+        float value = (float)strtod(text, &end);
+        if (end == text || (*end != ',' && *end != '\0'))
+            return false;
+        if (!isfinite(value))
+            return true;
+        if (*end == '\0')
+            return false;
+    }
+}
+
+/* Whether an option takes floats. */
+static bool takes_floats(int option)
+{
+    return option == OPTION_EYE || option == OPTION_TARGET || option == OPTION_UP ||
+           option == OPTION_LIGHT || option == OPTION_FOV || option == OPTION_ORTHOGRAPHIC;
 }
 
 static bool parse_single(const char *text, float *result)
@@ -288,6 +324,22 @@ static const char *take_value(int option, const char *text, options *o)
         return parse_backend(text, &o->backend)
                    ? NULL
                    : "auto, portable, sse2, avx2, avx512, neon or wasm-simd128";
+    case OPTION_IMPORT_SECONDS:
+        return parse_within(text, 1, MAX_SECONDS, &o->limits.seconds)
+                   ? NULL
+                   : "a whole number, 1 to 86400";
+    case OPTION_IMPORT_MEMORY:
+        return parse_within(text, 1, MAX_MEBIBYTES, &o->limits.memory)
+                   ? NULL
+                   : "a whole number of MiB, 1 to 1048576";
+    case OPTION_IMPORT_OUTPUT:
+        return parse_within(text, 1, MAX_MEBIBYTES, &o->limits.output)
+                   ? NULL
+                   : "a whole number of MiB, 1 to 1048576";
+    case OPTION_MAP_PIXELS:
+        return parse_within(text, 1, MAX_MEGAPIXELS, &o->limits.megapixels)
+                   ? NULL
+                   : "a whole number, 1 to 256";
     case OPTION_BACKGROUND:
         return parse_color(text, o->background) ? NULL : "#rrggbb or #rrggbbaa";
     default:
@@ -344,6 +396,7 @@ static void set_defaults(command which, options *o)
     o->camera.fov_degrees = DEFAULT_FOV_DEGREES;
     memcpy(o->background, background, sizeof background);
     o->tessellation = DEFAULT_TESSELLATION;
+    o->limits = default_limits;
 }
 
 options_result options_parse(command which, int argc, char **argv, options *result,
@@ -388,8 +441,10 @@ options_result options_parse(command which, int argc, char **argv, options *resu
                 if (option != 'o' && long_options[i].val == option)
                     option_name = long_options[i].name;
             }
-            report_usage(name, "%s%s '%s': not %s", option == 'o' ? "" : "--", option_name, optarg,
-                         expected);
+            report_usage(
+                name, "%s%s '%s': not %s%s", option == 'o' ? "" : "--", option_name, optarg,
+                takes_floats(option) && has_infinite(optarg) ? "finite in 32 bits; it takes " : "",
+                expected);
             return OPTIONS_WRONG;
         }
     }

@@ -32,6 +32,14 @@ typedef struct camera_options {
     float orthographic_height; /* world units from the lower to the upper edge */
 } camera_options;
 
+/* What importing a model may take, all above 0. */
+typedef struct import_limits {
+    uint32_t seconds;
+    uint32_t memory;     /* MiB */
+    uint32_t output;     /* MiB of what it hands over */
+    uint32_t megapixels; /* of one map, in units of 2^20 pixels */
+} import_limits;
+
 typedef struct options {
     const char *model;
     const char *output;
@@ -53,6 +61,7 @@ typedef struct options {
     gn_vec3 light; /* towards the light, world space, any length but 0 */
     uint32_t tessellation;
     gn_backend backend; /* one that is available */
+    import_limits limits;
 } options;
 
 typedef enum options_result { OPTIONS_READY, OPTIONS_HELP, OPTIONS_WRONG } options_result;

@@ -6,6 +6,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -64,12 +65,86 @@ static void release(output *o)
     memset(o, 0, sizeof *o);
 }
 
+static const char *base_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash != NULL ? slash + 1 : path;
+}
+
+/* The directory a path's last name is in, allocated. Null where there is no memory. */
+static char *directory_of(const char *path)
+{
+    size_t length = (size_t)(base_name(path) - path);
+    char *directory = strdup(length > 0 ? path : ".");
+    if (directory != NULL && length > 0)
+        directory[length] = '\0';
+    return directory;
+}
+
+bool output_is_standard(const char *path)
+{
+    static const char *const names[] = {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"};
+    struct stat there;
+    struct stat standard;
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        if (strcmp(path, names[i]) == 0)
+            return true;
+    }
+    return stat(path, &there) == 0 && fstat(STDOUT_FILENO, &standard) == 0 &&
+           (S_ISREG(there.st_mode) || S_ISFIFO(there.st_mode)) && there.st_dev == standard.st_dev &&
+           there.st_ino == standard.st_ino;
+}
+
+FILE *output_words(const char *first, const char *second)
+{
+    return (first != NULL && output_is_standard(first)) ||
+                   (second != NULL && output_is_standard(second))
+               ? stderr
+               : stdout;
+}
+
+/* Null, or why a file cannot be made or replaced there. */
+static const char *place_fault(const char *path)
+{
+    struct stat status;
+    if (output_is_standard(path))
+        return NULL;
+    if (stat(path, &status) == 0) {
+        if (S_ISDIR(status.st_mode))
+            return "it is a directory";
+        if (access(path, W_OK) != 0 || !S_ISREG(status.st_mode))
+            return access(path, W_OK) != 0 ? strerror(errno) : NULL;
+    }
+    /* A symbolic link's file stands elsewhere; that is found out when it is opened. */
+    char *directory = directory_of(path);
+    const char *fault = directory == NULL ? "not enough memory" : NULL;
+    if (fault == NULL && access(directory, W_OK | X_OK) != 0)
+        fault = strerror(errno);
+    free(directory);
+    return fault;
+}
+
+int output_check(const char *path)
+{
+    const char *extension = strrchr(base_name(path), '.');
+    const char *fault = place_fault(path);
+    if (fault == NULL && extension != NULL && extension != base_name(path) &&
+        strcasecmp(extension, ".png") != 0)
+        fault = "pictures are PNG files; its name must end on .png";
+    return fault == NULL ? 0 : report_fault(path, "cannot be written: %s", fault);
+}
+
 int output_open(output *o, const char *path)
 {
     struct stat status;
     bool exists = stat(path, &status) == 0;
     memset(o, 0, sizeof *o);
     o->path = path;
+    if (output_is_standard(path)) {
+        int copy = dup(STDOUT_FILENO);
+        o->file = copy >= 0 ? fdopen(copy, "wb") : NULL;
+        return o->file != NULL ? 0 : report_fault(path, "cannot be written: %s", strerror(errno));
+    }
     if (exists && S_ISDIR(status.st_mode))
         return report_fault(path, "cannot be written: it is a directory");
     if (exists && !S_ISREG(status.st_mode)) {
@@ -155,21 +230,11 @@ void output_abandon(output *o)
     release(o);
 }
 
-static const char *base_name(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash != NULL ? slash + 1 : path;
-}
-
 /* stat of the directory a path's last name is in. */
 static bool stat_directory(const char *path, struct stat *status)
 {
-    char *directory = strdup(path);
-    if (directory == NULL)
-        return false;
-    size_t length = (size_t)(base_name(path) - path);
-    directory[length] = '\0';
-    bool good = stat(length > 0 ? directory : ".", status) == 0;
+    char *directory = directory_of(path);
+    bool good = directory != NULL && stat(directory, status) == 0;
     free(directory);
     return good;
 }
@@ -178,7 +243,7 @@ bool output_same_file(const char *a, const char *b)
 {
     struct stat status_a;
     struct stat status_b;
-    if (strcmp(a, b) == 0)
+    if (strcmp(a, b) == 0 || (output_is_standard(a) && output_is_standard(b)))
         return true;
     bool exists_a = stat(a, &status_a) == 0;
     bool exists_b = stat(b, &status_b) == 0;

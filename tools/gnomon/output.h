@@ -13,6 +13,19 @@ typedef struct output {
     FILE *file;
 } output;
 
+/* Whether a picture can be written there, before anything is drawn: the name ends on .png or has no
+ * extension, and the directory and what is there already may be written to. 0, or EXIT_FAULT with
+ * the reason printed. */
+int output_check(const char *path);
+
+/* Whether the path means standard output: "-", its names below /dev, or the file or pipe that
+ * standard output leads to. */
+bool output_is_standard(const char *path);
+
+/* Where the command's words go when these outputs are written, either of which may be null:
+ * standard output, or standard error where a picture goes there. */
+FILE *output_words(const char *first, const char *second);
+
 /* Starts an output file. 0, or EXIT_FAULT with the reason printed and nothing left to clean
  * up. Between open and rename or abandon, a signal that ends the program removes the
  * temporary file. At most OUTPUT_LIMIT files are open at a time. */

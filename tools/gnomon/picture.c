@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "import.h"
 #include "look.h"
 #include "output.h"
 #include "report.h"
@@ -57,19 +58,15 @@ static int throw_shadows(const model *m, const bounding_sphere *bounds, const lo
     return shadow_draw(result, l->options->backend);
 }
 
-static int add_parts(const options *o, const model *m, const camera *view,
-                     const bounding_sphere *bounds, part_maps *maps, picture *p)
+static int add_parts(const options *o, const camera *view, const bounding_sphere *bounds,
+                     imported *from, picture *p)
 {
-    unsigned int wanted = shading_traits_of(o->shading)->maps;
+    const model *m = &from->model;
     bool mapped = false;
     look l;
-    for (size_t i = 0; i < m->part_count; i++) {
-        int fault = maps_read(o, m->parts + i, wanted, maps + i, &p->maps);
-        if (fault != 0)
-            return fault;
-        mapped = mapped || has_any(maps + i);
-    }
-    int fault = check_found(o, m, maps);
+    for (size_t i = 0; i < m->part_count; i++)
+        mapped = mapped || has_any(from->maps + i);
+    int fault = check_found(o, m, from->maps);
     p->shading = o->shading;
     if (p->shading == SHADING_AUTOMATIC)
         p->shading = mapped || o->shadows ? SHADING_PHONG : SHADING_GOURAUD;
@@ -80,8 +77,8 @@ static int add_parts(const options *o, const model *m, const camera *view,
         l.shadow = &p->shadow;
     }
     for (size_t i = 0; i < m->part_count && fault == 0; i++) {
-        look_add_part(p->scene, &l, m->parts + i, maps + i);
-        maps_free(maps + i);
+        look_add_part(p->scene, &l, m->parts + i, from->maps + i);
+        maps_free(from->maps + i);
     }
     return fault;
 }
@@ -98,23 +95,20 @@ static scene *create_scene(const options *o)
 int picture_describe(const options *o, picture *result)
 {
     camera view;
-    model m;
+    imported from;
     memset(result, 0, sizeof *result);
-    int fault = model_read(o->model, &m);
+    int fault = import_model(o, shading_traits_of(o->shading)->maps, &from);
     if (fault != 0)
         return fault;
-    bounding_sphere sphere = model_bounds(&m);
+    bounding_sphere sphere = model_bounds(&from.model);
     fault = camera_place(&o->camera, &sphere, o->width, o->height, &view);
     if (fault == 0) {
-        part_maps *maps = calloc(m.part_count, sizeof *maps);
         result->scene = create_scene(o);
-        fault = maps != NULL ? add_parts(o, &m, &view, &sphere, maps, result)
-                             : report_fault(o->model, "not enough memory");
-        for (size_t i = 0; maps != NULL && i < m.part_count; i++)
-            maps_free(maps + i);
-        free(maps);
+        fault = add_parts(o, &view, &sphere, &from, result);
     }
-    model_free(&m);
+    result->maps = from.told;
+    from.told.text = NULL;
+    import_free(&from);
     if (fault != 0)
         picture_free(result);
     return fault;
@@ -129,14 +123,18 @@ void picture_free(picture *p)
     memset(p, 0, sizeof *p);
 }
 
-void picture_print_summary(const char *name, const picture *p)
+void picture_print_summary(FILE *file, const char *name, const picture *p)
 {
     unsigned long long triangles = scene_triangle_count(p->scene);
-    printf("%s: %ux%u, %llu triangle%s, %s\n", name, (unsigned)p->scene->width,
-           (unsigned)p->scene->height, triangles, triangles == 1 ? "" : "s",
-           shading_traits_of(p->shading)->words);
-    if (p->maps.text != NULL)
-        printf("maps: %s\n", p->maps.text);
+    report_print(file, name);
+    fprintf(file, ": %ux%u, %llu triangle%s, %s\n", (unsigned)p->scene->width,
+            (unsigned)p->scene->height, triangles, triangles == 1 ? "" : "s",
+            shading_traits_of(p->shading)->words);
+    if (p->maps.text != NULL) {
+        fputs("maps: ", file);
+        report_print(file, p->maps.text);
+        fputc('\n', file);
+    }
 }
 
 int picture_check_output(const options *o, const char *output_path)
@@ -149,5 +147,5 @@ int picture_check_output(const options *o, const char *output_path)
         if (o->maps[i].file != NULL && output_same_file(output_path, o->maps[i].file))
             return report_fault(o->maps[i].file, "would be overwritten by the picture");
     }
-    return 0;
+    return output_check(output_path);
 }

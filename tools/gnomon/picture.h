@@ -2,6 +2,8 @@
 #ifndef PICTURE_H
 #define PICTURE_H
 
+#include <stdio.h>
+
 #include <scene.h>
 
 #include "maps.h"
@@ -21,12 +23,11 @@ int picture_describe(const options *o, picture *result);
 
 void picture_free(picture *p);
 
-/* "out.png: 1024x1024, 2492 triangles, Phong", and in a second line the maps, on standard output.
- */
-void picture_print_summary(const char *name, const picture *p);
+/* Prints "out.png: 1024x1024, 2492 triangles, Phong", and the maps in a second line. */
+void picture_print_summary(FILE *file, const char *name, const picture *p);
 
-/* Whether a file that is read would be overwritten by one that is written: EXIT_FAULT with the
- * reason printed, otherwise 0. Null names no file. */
+/* Whether a file that is read would be overwritten by one that is written, or that one cannot be
+ * written: EXIT_FAULT with the reason printed, otherwise 0. Null names no file. */
 int picture_check_output(const options *o, const char *output_path);
 
 #endif

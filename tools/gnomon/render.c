@@ -6,6 +6,7 @@
 #include <gnomon.h>
 
 #include "command.h"
+#include "model_formats.h"
 #include "output.h"
 #include "picture.h"
 #include "png_write.h"
@@ -14,14 +15,16 @@
 static const char usage[] =
     "gnomon render MODEL -o OUT.png [OPTION...]: draw a model.\n"
     "\n"
-    "MODEL is any file Assimp reads: OBJ, PLY, STL, glTF, FBX, Collada, 3DS and more.\n"
+    "MODEL is a file in one of these formats, known by its extension:\n"
+    "" MODEL_FORMATS_IN_WORDS ".\n"
     "\n"
     "  gnomon render bunny.obj -o bunny.png\n"
     "  gnomon render head.obj -o head.png --size 1920x1080 --eye 0,0.5,3 --fov 35\n"
     "  gnomon render part.stl -o part.png --up 0,0,1 --orthographic 120 --shader flat\n"
     "  gnomon render head.obj -o head.png --background 00000000 --depth head_depth.png\n"
     "\n"
-    "  -o, --output OUT.png    the picture, PNG with alpha\n"
+    "  -o, --output OUT.png    the picture, PNG with alpha and no other format; -: standard\n"
+    "                          output, and the words go to standard error\n"
     "  --depth OUT.png         also the depth, 16-bit grey: 0 at the near plane, 65535 at\n"
     "                          the far plane, which enclose the model closely\n"
     "  --size WxH              in pixels, up to 16384x16384; 1024x1024\n"
@@ -126,6 +129,7 @@ int command_render(int argc, char **argv)
     scene_frame frame;
     memset(&p, 0, sizeof p);
     memset(&frame, 0, sizeof frame);
+    FILE *words = output_words(o.output, o.depth_output);
     int fault = check_names(&o);
     if (fault == 0)
         fault = picture_describe(&o, &p);
@@ -134,7 +138,7 @@ int command_render(int argc, char **argv)
     if (fault == 0)
         fault = write_files(&o, &frame);
     if (fault == 0)
-        picture_print_summary(o.output, &p);
+        picture_print_summary(words, o.output, &p);
     scene_frame_free(&frame);
     picture_free(&p);
     return fault == 0 ? finish_output(0) : fault;

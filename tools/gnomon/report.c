@@ -2,23 +2,81 @@
 #include "report.h"
 
 #include <stdarg.h>
-#include <stdio.h>
+#include <stddef.h>
 
 /* Longer than any path with a reason behind it; what is longer is cut. */
 #define LINE_SIZE 8192
+
+static report_sink *sink_of_lines;
+
+/* Bytes of the character at `c`, where it is well-formed UTF-8 (Unicode 15, table 3-7) and no
+ * control character; otherwise 0. */
+static size_t character_length(const unsigned char *c)
+{
+    size_t length = c[0] < 0x80 ? 1 : c[0] < 0xe0 ? 2 : c[0] < 0xf0 ? 3 : 4;
+    if (length == 1)
+        return c[0] >= 0x20 && c[0] != 0x7f ? 1 : 0;
+    unsigned char least = c[0] == 0xc2 ? 0xa0 : c[0] == 0xe0 ? 0xa0 : c[0] == 0xf0 ? 0x90 : 0x80;
+    unsigned char most = c[0] == 0xed ? 0x9f : c[0] == 0xf4 ? 0x8f : 0xbf;
+    if (c[0] < 0xc2 || c[0] > 0xf4 || c[1] < least || c[1] > most)
+        return 0;
+    for (size_t i = 2; i < length; i++) {
+        if (c[i] < 0x80 || c[i] > 0xbf)
+            return 0;
+    }
+    return length;
+}
+
+/* Escapes all of the text that fits. */
+static void escape(const char *text, char *result, size_t size)
+{
+    const unsigned char *c = (const unsigned char *)text;
+    size_t used = 0;
+    while (*c != '\0' && used + 5 <= size) {
+        size_t length = character_length(c);
+        if (length == 0)
+            used += (size_t)snprintf(result + used, size - used, "\\x%02x", (unsigned)*c++);
+        for (; length > 0; length--)
+            result[used++] = (char)*c++;
+    }
+    result[used] = '\0';
+}
+
+void report_line(const char *line)
+{
+    char escaped[8 * LINE_SIZE];
+    escape(line, escaped, sizeof escaped);
+    fprintf(stderr, "%s\n", escaped);
+}
+
+void report_to(report_sink *sink)
+{
+    sink_of_lines = sink;
+}
+
+void report_print(FILE *file, const char *text)
+{
+    const unsigned char *c = (const unsigned char *)text;
+    while (*c != '\0') {
+        size_t length = character_length(c);
+        if (length == 0)
+            fprintf(file, "\\x%02x", (unsigned)*c++);
+        for (; length > 0; length--)
+            fputc(*c++, file);
+    }
+}
 
 static void print_line(const char *prefix, const char *what, const char *suffix, const char *format,
                        va_list arguments)
 {
     char reason[LINE_SIZE];
-    char line[2 * LINE_SIZE];
+    char line[3 * LINE_SIZE];
     vsnprintf(reason, sizeof reason, format, arguments);
     snprintf(line, sizeof line, "%s%s: %s%s", prefix, what, reason, suffix);
-    for (char *c = line; *c != '\0'; c++) {
-        if ((unsigned char)*c < 0x20 || *c == 0x7f)
-            *c = ' ';
-    }
-    fprintf(stderr, "%s\n", line);
+    if (sink_of_lines != NULL)
+        sink_of_lines(line);
+    else
+        report_line(line);
 }
 
 int report_fault(const char *what, const char *format, ...)
@@ -28,6 +86,16 @@ int report_fault(const char *what, const char *format, ...)
     print_line("gnomon: ", what, "", format, arguments);
     va_end(arguments);
     return EXIT_FAULT;
+}
+
+void report_warning(const char *what, const char *format, ...)
+{
+    char warning[LINE_SIZE];
+    va_list arguments;
+    snprintf(warning, sizeof warning, "%s: warning", what);
+    va_start(arguments, format);
+    print_line("gnomon: ", warning, "", format, arguments);
+    va_end(arguments);
 }
 
 int report_usage(const char *command, const char *format, ...)

@@ -3,20 +3,41 @@
 #ifndef REPORT_H
 #define REPORT_H
 
+#include <stdio.h>
+
 /* EXIT_SUCCESS is 0; a fault of the input is 1, of the command line 2. */
 enum { EXIT_FAULT = 1, EXIT_USAGE = 2 };
 
-/* Prints the line and returns EXIT_FAULT. Line breaks and control characters in what
- * other libraries or file names bring along become spaces. */
+/* In every line that these functions print, bytes that cannot be printed (control characters
+ * and what is no UTF-8) become \xNN; what exceeds 16 KiB is cut. */
+
+/* Prints the line and returns EXIT_FAULT. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
 int report_fault(const char *what, const char *format, ...);
+
+/* Prints "gnomon: what: warning: why". */
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+void report_warning(const char *what, const char *format, ...);
 
 /* Prints "gnomon COMMAND: why; see ..." and returns EXIT_USAGE. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
 int report_usage(const char *command, const char *format, ...);
+
+/* Prints text, escaped as lines are. */
+void report_print(FILE *file, const char *text);
+
+/* Lines go to this function instead of standard error; null: to standard error again. They are
+ * not escaped and have no line end. */
+typedef void report_sink(const char *line);
+void report_to(report_sink *sink);
+
+/* Prints a line that a sink was given. */
+void report_line(const char *line);
 
 #endif

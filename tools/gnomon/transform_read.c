@@ -205,18 +205,42 @@ static int check(const setup *s)
     return 0;
 }
 
+/* What reading a line came to. */
+typedef enum line_result { LINE_READ, LINE_NONE, LINE_TOO_LONG, LINE_HAS_NUL } line_result;
+
+/* A line without its end. */
+static line_result read_line(FILE *in, char text[LINE_SIZE])
+{
+    size_t length = 0;
+    int c;
+    while ((c = getc(in)) != EOF && c != '\n') {
+        if (c == '\0')
+            return LINE_HAS_NUL;
+        if (length == LINE_SIZE - 1)
+            return LINE_TOO_LONG;
+        text[length++] = (char)c;
+    }
+    text[length] = '\0';
+    return c == EOF && length == 0 ? LINE_NONE : LINE_READ;
+}
+
 int transform_read(FILE *in, const char *file, setup *result)
 {
+    static const char mark[] = "\xef\xbb\xbf";
     char text[LINE_SIZE];
     words w = {0, 0, {NULL}};
+    line_result got;
     int fault = 0;
     result->file = file;
-    while (fault == 0 && fgets(text, sizeof text, in) != NULL) {
+    while (fault == 0 && (got = read_line(in, text)) != LINE_NONE) {
         w.line++;
-        if (strlen(text) + 1 == sizeof text && text[sizeof text - 2] != '\n')
+        if (got == LINE_TOO_LONG)
             return transform_fault(file, w.line, "a line of more than %d characters",
-                                   LINE_SIZE - 2);
-        fault = cut(result, text, &w);
+                                   LINE_SIZE - 1);
+        if (got == LINE_HAS_NUL)
+            return transform_fault(file, w.line, "a NUL byte, which no text has");
+        bool marked = w.line == 1 && strncmp(text, mark, sizeof mark - 1) == 0;
+        fault = cut(result, marked ? text + sizeof mark - 1 : text, &w);
         if (fault == 0 && w.count > 0)
             fault = read_statement(result, &w);
     }

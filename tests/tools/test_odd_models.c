@@ -1,0 +1,299 @@
+/* Models and pictures that are drawn otherwise than they say, or are cut short: the command names
+ * what is odd about them. */
+#define _POSIX_C_SOURCE 200809L
+#include "runner.h"
+
+#include <stb/stb_image_write.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* Draws and expects one warning that holds both texts, or none where `first` is null. */
+static void expect_warning(const char *arguments, const char *first, const char *second)
+{
+    run r = gnomon("render %s -o a.png --size 8x8", arguments);
+    bool good = r.status == 0 && lines(r.error) == (first != NULL);
+    if (good && first != NULL)
+        good = strncmp(r.error, "gnomon: ", 8) == 0 && strstr(r.error, ": warning: ") != NULL &&
+               strstr(r.error, first) != NULL && strstr(r.error, second) != NULL;
+    if (!good)
+        fail_msg("%s: status %d, expected '%s' and '%s'\n%s", arguments, r.status,
+                 first != NULL ? first : "nothing", second, r.error);
+}
+
+static void expect_square_warning(const char *from, const char *to, const char *first,
+                                  const char *second)
+{
+    char text[1024];
+    const char *place = strstr(square_obj, from);
+    assert_non_null(place);
+    snprintf(text, sizeof text, "%.*s%s%s", (int)(place - square_obj), square_obj, to,
+             place + strlen(from));
+    write_text("odd.obj", text);
+    expect_warning("odd.obj", first, second);
+}
+
+static void numbers_that_are_not_finite_are_named(void **state)
+{
+    static const char *const statements[] = {"Kd nan 0 0", "Kd 0 inf 0", "Ks 0 0 nan", "Ns nan",
+                                             "Ns inf"};
+    char text[512];
+    (void)state;
+    expect_square_warning("vn 0 0 1", "vn 0 0 1", NULL, "");
+    expect_square_warning("vn 0 0 1", "vn 0 nan 1", "odd.obj", "4 vertices have normals that");
+    expect_square_warning("vn 0 0 1", "vn inf 0 1", "odd.obj", "normals");
+    expect_square_warning("vt 1 0", "vt nan 0", "odd.obj",
+                          "1 of its texture coordinates (vt), the first "
+                          "in line 6,");
+    expect_square_warning("vt 1 0", "vt 1 1e39", "odd.obj", "(vt)");
+    write_text("odd.ply",
+               "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float "
+               "y\nproperty float z\nproperty float s\nproperty float t\nelement face 1\n"
+               "property list uchar int vertex_indices\nend_header\n0 0 0 0 0\n1 0 0 nan "
+               "0\n0 1 0 0 1\n3 0 1 2\n");
+    expect_warning("odd.ply", "odd.ply", "1 vertex has texture coordinates");
+    expect_square_warning("v 1 -1 0", "v 1 -1 0 1 nan 1", "odd.obj", "colour");
+    for (int i = 0; i < 5; i++) {
+        snprintf(text, sizeof text, "newmtl skin\nKd 1 1 1\n%s\n", statements[i]);
+        write_text("skin.mtl", text);
+        snprintf(text, sizeof text, "mtllib skin.mtl\nusemtl skin\n%s", square_obj);
+        write_text("named.obj", text);
+        expect_warning("named.obj", "named.obj", "material 'skin'");
+    }
+}
+
+/* As they are without the numbers. */
+static void what_is_drawn_instead_is_finite(void **state)
+{
+    char text[1024];
+    (void)state;
+    const char *normal = strstr(square_obj, "vn 0 0 1");
+    snprintf(text, sizeof text, "%.*svn nan nan nan%s", (int)(normal - square_obj), square_obj,
+             normal + strlen("vn 0 0 1"));
+    write_text("odd.obj", text);
+    write_text("square.obj", square_obj);
+    static const uint8_t texel[3] = {200, 150, 255};
+    stbi_write_png(path_of("map.png"), 1, 1, 3, texel, 0);
+    run r = gnomon("render square.obj -o even.png " FRONT " --size 16x16 --normal-map "
+                   "tangent:map.png");
+    assert_int_equal(r.status, 0);
+    r = gnomon("render odd.obj -o odd.png " FRONT " --size 16x16 --normal-map tangent:map.png");
+    assert_int_equal(r.status, 0);
+    r = shell("cmp even.png odd.png");
+    assert_int_equal(r.status, 0);
+}
+
+static void missing_material_files_are_named(void **state)
+{
+    char text[1024];
+    (void)state;
+    snprintf(text, sizeof text, "mtllib gone.mtl\nusemtl skin\n%s", square_obj);
+    write_text("named.obj", text);
+    remove_file("named.mtl");
+    expect_warning("named.obj", "'gone.mtl'", "No such file");
+    /* Assimp takes this one in its place. */
+    write_text("named.mtl", "newmtl skin\nKd 1 0 0\n");
+    expect_warning("named.obj", "'gone.mtl'", "in its place");
+    write_text("gone.mtl", "newmtl skin\nKd 1 0 0\n");
+    expect_warning("named.obj", NULL, "");
+    assert_int_equal(chmod(path_of("gone.mtl"), 0), 0);
+    if (access(path_of("gone.mtl"), R_OK) != 0)
+        expect_warning("named.obj", "'gone.mtl'", "Permission denied");
+    remove_file("gone.mtl");
+    remove_file("named.mtl");
+}
+
+static void triangles_without_area_are_counted(void **state)
+{
+    (void)state;
+    expect_square_warning("f 1/1/1 2/2/1 3/3/1", "f 1/1/1 2/2/1 1/1/1", "odd.obj",
+                          "1 triangle has no area");
+    expect_square_warning("v 1 1 0", "v -1 -1 0", "odd.obj", "2 triangles have no area");
+    expect_square_warning("v -1 -1 0\nv 1 -1 0", "v 1 1 0\nv 1 1 0", "odd.obj", "no area");
+}
+
+/* Every beginning of a file is told to be cut short, drawn with a warning, or whole. */
+static void cut_models_are_named(void **state)
+{
+    static const char text[] = "# a model\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
+                               "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n"
+                               "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/3/1 4/4/1\n";
+    (void)state;
+    for (size_t size = 0; size < sizeof text; size++) {
+        char line[32];
+        write_bytes("cut.obj", text, size);
+        run r = gnomon("render cut.obj -o a.png --size 8x8");
+        const char *rest = strstr(text, "f 1");
+        bool has_faces = size > (size_t)(rest - text) + strlen("f 1/1/1 2/2/1 3/3");
+        bool ends = size == 0 || text[size - 1] == '\n';
+        bool good = lines(r.error) == (ends && has_faces ? 0 : 1);
+        if (strstr(r.error, "Assimp") != NULL || strstr(r.error, "OBJ:") != NULL)
+            good = false;
+        if (!ends && r.error[0] != '\0')
+            good = good && (strstr(r.error, "cut short") != NULL || size < 11);
+        good = good && r.status == (has_faces && strstr(r.error, "incomplete") == NULL ? 0 : 1);
+        snprintf(line, sizeof line, "%zu bytes", size);
+        if (!good)
+            fail_msg("%s: status %d, %s", line, r.status, r.error);
+    }
+    write_text("cut.obj", "v 0 0 0\nv 1 0\nv 0 1 0\nf 1 2 3\n");
+    expect(1, "render cut.obj -o b.png", "cut.obj", "line 2: v takes three numbers, not 2");
+    write_text("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0\nf 1 2 3\n");
+    expect(1, "render cut.obj -o b.png", "cut.obj", "line 4: vt takes two or three numbers");
+    write_bytes("cut.obj", "v 0 0 0\nv 1 0 0\nv \0 1 0\nf 1 2 3\n", 34);
+    expect(1, "render cut.obj -o b.png", "cut.obj", "line 3 has a NUL byte");
+    write_text("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n");
+    expect(1, "render cut.obj -o b.png", "cut.obj", "line 5: f names v 4, and there are 3");
+    write_text("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//2\n");
+    expect(1, "render cut.obj -o b.png", "cut.obj", "line 5: f names vn 2, and there are 1");
+    /* Lines that go on, comments, blanks. */
+    write_text("cut.obj", "v 0 0 0 # here\r\nv 1 \\\n 0 0\nv 0 1 0\n\nf 1 2 \\\n 3\n# the end");
+    expect_warning("cut.obj", NULL, "");
+    write_text("cut.ply",
+               "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float "
+               "y\nproperty float z\nelement face 1\nproperty list uchar int "
+               "vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1");
+    expect(1, "render cut.ply -o b.png", "cut.ply", "cut short");
+    write_text("cut.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                          "vertex 0 1 0\nendloop\nendfacet\n");
+    expect_warning("cut.stl", "endsolid", "cut short");
+}
+
+static uint8_t *read_whole(const char *name, size_t *size)
+{
+    uint8_t *bytes = malloc(1 << 20);
+    FILE *file = fopen(path_of(name), "rb");
+    assert_non_null(file);
+    *size = fread(bytes, 1, 1 << 20, file);
+    fclose(file);
+    return bytes;
+}
+
+/* The formats, each with an ending of its own, at a few dozen lengths. */
+static void cut_pictures_are_named(void **state)
+{
+    static const char names[][8] = {"t.png", "t.jpg", "t.tga", "t.bmp"};
+    uint8_t texels[32 * 32 * 3];
+    (void)state;
+    for (int i = 0; i < 32 * 32 * 3; i++)
+        texels[i] = (uint8_t)(i * 37 + i / 96 * 5);
+    write_text("square.obj", square_obj);
+    stbi_write_png(path_of("t.png"), 32, 32, 3, texels, 0);
+    stbi_write_jpg(path_of("t.jpg"), 32, 32, 3, texels, 95);
+    stbi_write_tga(path_of("t.tga"), 32, 32, 3, texels);
+    stbi_write_bmp(path_of("t.bmp"), 32, 32, 3, texels);
+    for (int i = 0; i < 4; i++) {
+        size_t size;
+        uint8_t *bytes = read_whole(names[i], &size);
+        write_bytes("cut.map", bytes, size);
+        expect_warning("square.obj --texture cut.map", NULL, "");
+        for (size_t k = 1; k < 24; k++) {
+            size_t length = k < 10 ? k * k : k < 20 ? size * (k - 9) / 11 : size - (24 - k) * 4;
+            /* A JPEG lacks nothing without its last marker, nor TGA a whole header without one. */
+            if ((i == 1 && length + 3 > size) || (i == 2 && length < 18))
+                continue;
+            write_bytes("cut.map", bytes, length);
+            char found[64];
+            snprintf(found, sizeof found, "render square.obj -o b.png --texture cut.map");
+            expect(1, found, "cut.map", "the file is cut short");
+        }
+        free(bytes);
+    }
+    write_bytes("cut.map", "", 0);
+    expect(1, "render square.obj -o b.png --texture cut.map", "cut.map", "the file is empty");
+}
+
+/* As some editors begin a text. */
+static void byte_order_marks_are_accepted(void **state)
+{
+    char text[1024];
+    (void)state;
+    write_text("square.obj", square_obj);
+    write_text("marked.mtl", "\xef\xbb\xbfnewmtl skin\nKd 1 0 0\n");
+    snprintf(text, sizeof text, "\xef\xbb\xbf%s", square_obj);
+    write_text("marked.obj", text);
+    run r = gnomon("render square.obj -o plain.png --size 16x16");
+    assert_int_equal(r.status, 0);
+    r = gnomon("render marked.obj -o marked.png --size 16x16");
+    assert_string_equal(r.error, "");
+    r = shell("cmp plain.png marked.png");
+    assert_int_equal(r.status, 0);
+
+    snprintf(text, sizeof text, "mtllib marked.mtl\nusemtl skin\n%s", square_obj);
+    write_text("red.obj", text);
+    r = gnomon("render red.obj -o a.png " FRONT " --size 4x4 --shader vertex-color");
+    assert_string_equal(r.error, "");
+    picture p = picture_read("a.png");
+    assert_int_equal(pixel(&p, 2, 2), 0xff0000ff);
+    picture_free(&p);
+    write_text("marked.ply",
+               "\xef\xbb\xbfply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+               "property float y\nproperty float z\nelement face 1\nproperty list "
+               "uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    expect_warning("marked.ply", NULL, "");
+}
+
+/* Names come from files; a terminal must not act on them. */
+static void bytes_are_escaped(void **state)
+{
+    char text[1024];
+    (void)state;
+    expect(1, "render \"$(printf 'a\\033[31m\\n\\377\\302\\205\\303\\274.obj')\" -o a.png",
+           "a\\x1b[31m\\x0a\\xff\\xc2\\x85\xc3\xbc.obj", "No such file");
+    snprintf(text, sizeof text, "mtllib a\033[2J.mtl\n%s", square_obj);
+    write_text("named.obj", text);
+    expect_warning("named.obj", "'a\\x1b[2J.mtl'", "No such file");
+    /* On standard output too. */
+    static const uint8_t texel[3] = {1, 2, 3};
+    write_text("square.obj", square_obj);
+    stbi_write_png(path_of("m\033.png"), 1, 1, 3, texel, 0);
+    run r = gnomon("render square.obj --texture \"$(printf 'm\\033.png')\" -o \"$(printf "
+                   "'o\\007.png')\" --size 8x8");
+    assert_int_equal(r.status, 0);
+    assert_non_null(strstr(r.out, "o\\x07.png: 8x8"));
+    assert_non_null(strstr(r.out, "maps: diffuse m\\x1b.png\n"));
+    r = gnomon("compare square.obj -o \"$(printf 'o\\007.png')\" --size 8x8");
+    assert_non_null(strstr(r.out, "\no\\x07.png: Gnomon"));
+}
+
+static void numbers_of_options_are_finite(void **state)
+{
+    static const char names[][16] = {"eye", "target", "up", "light"};
+    char line[1024];
+    (void)state;
+    write_text("square.obj", square_obj);
+    for (int i = 0; i < 4; i++) {
+        snprintf(line, sizeof line, "render square.obj -o b.png --%s 1e39,0,0", names[i]);
+        expect(2, line, names[i],
+               "'1e39,0,0': not finite in 32 bits; it takes three numbers X,Y,Z");
+        snprintf(line, sizeof line, "render square.obj -o b.png --%s 0,0,nan", names[i]);
+        expect(2, line, names[i], "not finite");
+        snprintf(line, sizeof line, "render square.obj -o b.png --%s 0,1e39", names[i]);
+        expect(2, line, names[i], "not finite");
+        snprintf(line, sizeof line, "render square.obj -o b.png --%s 0,0", names[i]);
+        expect(2, line, names[i], "not three numbers X,Y,Z");
+    }
+    expect(2, "render square.obj -o b.png --fov inf", "--fov 'inf'", "not finite");
+    expect(2, "render square.obj -o b.png --orthographic 1e99", "--orthographic", "not finite");
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(numbers_that_are_not_finite_are_named),
+        cmocka_unit_test(what_is_drawn_instead_is_finite),
+        cmocka_unit_test(missing_material_files_are_named),
+        cmocka_unit_test(triangles_without_area_are_counted),
+        cmocka_unit_test(cut_models_are_named),
+        cmocka_unit_test(cut_pictures_are_named),
+        cmocka_unit_test(byte_order_marks_are_accepted),
+        cmocka_unit_test(bytes_are_escaped),
+        cmocka_unit_test(numbers_of_options_are_finite),
+    };
+    runner_start(argc, argv);
+    int failed = cmocka_run_group_tests_name("command, odd models", tests, NULL, NULL);
+    runner_end();
+    return failed != 0;
+}

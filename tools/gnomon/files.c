@@ -1,0 +1,96 @@
+/* Opening regular files. */
+#define _POSIX_C_SOURCE 200809L
+#include "files.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static files_observer *told_of_files;
+
+void files_observe(files_observer *observer)
+{
+    told_of_files = observer;
+}
+
+/* Null where the file is regular. */
+static const char *kind_fault(mode_t mode)
+{
+    if (S_ISREG(mode))
+        return NULL;
+    return S_ISDIR(mode)                    ? "it is a directory"
+           : S_ISFIFO(mode)                 ? "it is a pipe, no regular file"
+           : S_ISCHR(mode) || S_ISBLK(mode) ? "it is a device, no regular file"
+                                            : "it is no regular file";
+}
+
+int files_open(const char *path, uint64_t *size, const char **reason)
+{
+    struct stat status;
+    int descriptor = -1;
+    *size = 0;
+    *reason = NULL;
+    /* Before the file is opened, since devices may act on that; and after, since the name may
+     * have been given to another file meanwhile. */
+    if (stat(path, &status) != 0)
+        *reason = strerror(errno);
+    else
+        *reason = kind_fault(status.st_mode);
+    if (*reason != NULL)
+        return -1;
+    descriptor = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    if (descriptor < 0 || fstat(descriptor, &status) != 0)
+        *reason = strerror(errno);
+    else
+        *reason = kind_fault(status.st_mode);
+    if (*reason == NULL) {
+        *size = (uint64_t)status.st_size;
+        if (told_of_files != NULL)
+            told_of_files(path);
+        return descriptor;
+    }
+    if (descriptor >= 0)
+        close(descriptor);
+    return -1;
+}
+
+uint8_t *files_read(const char *path, size_t *size, const char **reason)
+{
+    uint64_t length;
+    size_t done = 0;
+    int descriptor = files_open(path, &length, reason);
+    *size = 0;
+    if (descriptor < 0)
+        return NULL;
+    uint8_t *bytes = length < SIZE_MAX ? malloc((size_t)length + 1) : NULL;
+    if (bytes == NULL)
+        *reason = "not enough memory";
+    while (bytes != NULL && done < length) {
+        ssize_t count = read(descriptor, bytes + done, (size_t)length - done);
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count < 0) {
+            *reason = strerror(errno);
+            free(bytes);
+            bytes = NULL;
+        }
+        if (count <= 0)
+            break;
+        done += (size_t)count;
+    }
+    close(descriptor);
+    *size = done;
+    return bytes;
+}
+
+bool files_has_extension(const char *path, const char *extension)
+{
+    size_t length = strlen(path);
+    size_t end = strlen(extension);
+    return length > end && path[length - end - 1] == '.' &&
+           strcasecmp(path + length - end, extension) == 0;
+}

@@ -1,0 +1,114 @@
+/* Headers of image files. */
+#include "image_file.h"
+
+#include <string.h>
+
+/* PNG, sections 5.2 and 5.3. */
+static const uint8_t png_mark[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+#define PNG_CHUNK_OVERHEAD 12
+
+/* Deflate makes at most 1032 bytes of one: 258 bytes of two bits (RFC 1951). */
+#define DEFLATE_RATIO 1032
+
+#define TGA_HEADER 18
+#define BMP_HEADER 26 /* up to the bits of a pixel, of the shorter kind */
+
+/* The beginning of the file, as long as there is one, is the mark. */
+static bool begins(const uint8_t *bytes, size_t size, const void *mark, size_t length)
+{
+    return size > 0 && memcmp(bytes, mark, size < length ? size : length) == 0;
+}
+
+/* Truevision TGA 2.0: kinds of images, their bits, and whether there is a table of colours. */
+static bool is_tga(const uint8_t *bytes, size_t size)
+{
+    if (size < TGA_HEADER)
+        return false;
+    unsigned int type = bytes[2] & 0xf7u;
+    unsigned int bits = bytes[16];
+    bool known = type >= 1 && type <= 3 && (bytes[2] & 0xf0) == 0;
+    bool table = bytes[1] == 1;
+    return known && bytes[1] <= 1 && (type != 1 || table) &&
+           (bits == 8 || bits == 15 || bits == 16 || bits == 24 || bits == 32);
+}
+
+image_kind image_kind_of(const uint8_t *bytes, size_t size)
+{
+    if (begins(bytes, size, png_mark, sizeof png_mark))
+        return IMAGE_PNG;
+    if (begins(bytes, size, "\xff\xd8\xff", 3))
+        return IMAGE_JPEG;
+    if (begins(bytes, size, "BM", 2))
+        return IMAGE_BMP;
+    return is_tga(bytes, size) ? IMAGE_TGA : IMAGE_OTHER;
+}
+
+const char *image_kind_name(image_kind kind)
+{
+    static const char names[][8] = {"PNG", "JPEG", "TGA", "BMP"};
+    return kind < IMAGE_OTHER ? names[kind] : "image";
+}
+
+static uint32_t big_endian_32(const uint8_t *b)
+{
+    return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | b[3];
+}
+
+/* Whether the chunks end before IEND does. */
+static bool png_chunks_end(const uint8_t *bytes, size_t size)
+{
+    size_t at = sizeof png_mark;
+    for (;;) {
+        if (at > size || size - at < PNG_CHUNK_OVERHEAD)
+            return true;
+        size_t length = big_endian_32(bytes + at);
+        if (length > size - at - PNG_CHUNK_OVERHEAD)
+            return true;
+        if (memcmp(bytes + at + 4, "IEND", 4) == 0)
+            return false;
+        at += length + PNG_CHUNK_OVERHEAD;
+    }
+}
+
+/* Bits of a pixel by a PNG's header, the first chunk: its depth times the channels of its type. */
+static uint64_t png_bits(const uint8_t *bytes)
+{
+    static const uint8_t channels[8] = {1, 0, 3, 1, 2, 0, 4, 0};
+    return (uint64_t)bytes[24] * channels[bytes[25] & 7];
+}
+
+bool image_is_cut_short(image_kind kind, const uint8_t *bytes, size_t size, uint32_t width,
+                        uint32_t height)
+{
+    const uint64_t pixels = (uint64_t)width * height;
+    uint64_t least = 0;
+    switch (kind) {
+    case IMAGE_PNG:
+        if (png_chunks_end(bytes, size))
+            return true;
+        if (size >= 26)
+            least = pixels * png_bits(bytes) / 8 / DEFLATE_RATIO;
+        break;
+    case IMAGE_TGA:
+        if (size < TGA_HEADER)
+            return true;
+        /* Runs have up to 128 pixels, in one byte and a pixel. */
+        least = (bytes[2] & 8) != 0 ? (pixels + 127) / 128 * (1 + (bytes[16] + 7u) / 8)
+                                    : pixels * ((bytes[16] + 7u) / 8);
+        least += TGA_HEADER;
+        break;
+    case IMAGE_BMP: {
+        if (size < BMP_HEADER)
+            return true;
+        /* Rows are multiples of 32 bits; the header of 1987 is 12 bytes long. */
+        size_t bits_at = bytes[14] == 12 ? 24 : 28;
+        if (size < bits_at + 2)
+            return true;
+        least = ((uint64_t)width * bytes[bits_at] + 31) / 32 * 4 * height + BMP_HEADER;
+        break;
+    }
+    default:
+        break;
+    }
+    return size < least;
+}

@@ -1,0 +1,22 @@
+/* Files of images as bytes: which format they are of, and whether they are whole. */
+#ifndef IMAGE_FILE_H
+#define IMAGE_FILE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef enum image_kind { IMAGE_PNG, IMAGE_JPEG, IMAGE_TGA, IMAGE_BMP, IMAGE_OTHER } image_kind;
+
+/* The format by the first bytes; a TGA, which has no mark, by a header that makes sense. */
+image_kind image_kind_of(const uint8_t *bytes, size_t size);
+
+/* "PNG" and the like. */
+const char *image_kind_name(image_kind kind);
+
+/* Whether the file ends too early, as far as can be seen without decoding: of a PNG by its
+ * chunks, otherwise where the bytes cannot hold as many pixels. */
+bool image_is_cut_short(image_kind kind, const uint8_t *bytes, size_t size, uint32_t width,
+                        uint32_t height);
+
+#endif

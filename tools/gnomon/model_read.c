@@ -1,0 +1,348 @@
+/* Reading models with Assimp. */
+#define _POSIX_C_SOURCE 200809L
+#include "model_read.h"
+
+#include <assimp/cimport.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "assimp_files.h"
+#include "material.h"
+#include "model_formats.h"
+#include "report.h"
+
+/* What is drawn otherwise than the file has it. */
+typedef struct oddities {
+    uint64_t normals, texcoords, colors; /* that are not finite, of vertices */
+    uint64_t flat;                       /* triangles without area */
+} oddities;
+
+static bool has_tangents(const struct aiMesh *mesh, const mesh_material *material)
+{
+    return material->texcoord_channel >= 0 && mesh->mTangents != NULL &&
+           mesh->mBitangents != NULL && mesh->mNormals != NULL;
+}
+
+static bool belongs(const model_part *part, const struct aiMesh *mesh,
+                    const mesh_material *material)
+{
+    for (int i = 0; i < MAP_COUNT; i++) {
+        const char *name = part->maps[i].name != NULL ? part->maps[i].name : "";
+        if (strcmp(name, material->maps[i].data) != 0)
+            return false;
+    }
+    return part->has_vertex_colors == (mesh->mColors[0] != NULL) &&
+           part->has_texcoords == (material->texcoord_channel >= 0) &&
+           part->has_tangents == has_tangents(mesh, material) &&
+           memcmp(&part->shine, &material->shine, sizeof part->shine) == 0;
+}
+
+/* The part a mesh goes to; a new one where none fits. There are never more parts than
+ * meshes, which is what is allocated. Null where there is no memory. */
+static model_part *find_part(model *m, const struct aiMesh *mesh, const mesh_material *material)
+{
+    for (size_t i = 0; i < m->part_count; i++) {
+        if (belongs(m->parts + i, mesh, material))
+            return m->parts + i;
+    }
+    model_part *part = m->parts + m->part_count++;
+    part->has_vertex_colors = mesh->mColors[0] != NULL;
+    part->has_texcoords = material->texcoord_channel >= 0;
+    part->has_tangents = has_tangents(mesh, material);
+    part->shine = material->shine;
+    for (int i = 0; i < MAP_COUNT; i++) {
+        if (material->maps[i].length == 0)
+            continue;
+        part->maps[i].name = strdup(material->maps[i].data);
+        if (part->maps[i].name == NULL)
+            return NULL;
+    }
+    return part;
+}
+
+static uint64_t count_triangles(const struct aiMesh *mesh)
+{
+    uint64_t count = 0;
+    for (unsigned int i = 0; i < mesh->mNumFaces; i++)
+        count += mesh->mFaces[i].mNumIndices == 3;
+    return count;
+}
+
+/* Copies numbers, those that are not finite as zero. False where there is one. */
+static bool copy_finite(const float *from, size_t count, float *to)
+{
+    bool finite = true;
+    for (size_t i = 0; i < count; i++) {
+        bool good = isfinite(from[i]);
+        to[i] = good ? from[i] : 0.0f;
+        finite = finite && good;
+    }
+    return finite;
+}
+
+/* Whether a triangle has no area: its edges are parallel, or there are none. */
+static bool is_flat(const model_part *part, const uint32_t corner[3])
+{
+    const float *p = part->positions + 3 * (size_t)corner[0];
+    const float *q = part->positions + 3 * (size_t)corner[1];
+    const float *r = part->positions + 3 * (size_t)corner[2];
+    double a[3];
+    double b[3];
+    for (int i = 0; i < 3; i++) {
+        a[i] = (double)q[i] - (double)p[i];
+        b[i] = (double)r[i] - (double)p[i];
+    }
+    return a[1] * b[2] == a[2] * b[1] && a[2] * b[0] == a[0] * b[2] && a[0] * b[1] == a[1] * b[0];
+}
+
+/* The tangent of a vertex and on which side of it and the normal the bitangent is. Assimp has none
+ * where texture coordinates do not change: then any direction along the surface. */
+static void copy_tangent(const struct aiMesh *mesh, size_t i, float *result)
+{
+    const struct aiVector3D n = mesh->mNormals[i];
+    const struct aiVector3D t = mesh->mTangents[i];
+    const struct aiVector3D b = mesh->mBitangents[i];
+    const float side = b.x * (n.y * t.z - n.z * t.y) + b.y * (n.z * t.x - n.x * t.z) +
+                       b.z * (n.x * t.y - n.y * t.x);
+    const bool along_x = fabsf(n.x) < 0.5f;
+    const bool has_normal = isfinite(n.x) && isfinite(n.y) && isfinite(n.z);
+    result[0] = along_x ? 0.0f : -n.z;
+    result[1] = along_x ? n.z : 0.0f;
+    result[2] = along_x ? -n.y : n.x;
+    result[3] = side < 0.0f ? -1.0f : 1.0f;
+    if (isfinite(t.x + t.y + t.z) && t.x * t.x + t.y * t.y + t.z * t.z > 0.0f) {
+        result[0] = t.x;
+        result[1] = t.y;
+        result[2] = t.z;
+    } else if (!has_normal) {
+        result[0] = 1.0f;
+        result[1] = result[2] = 0.0f;
+    }
+}
+
+/* Appends a mesh to a part whose arrays are large enough, and counts what is odd. Null, or what is
+ * wrong with it. */
+static const char *append(const struct aiMesh *mesh, const mesh_material *material,
+                          model_part *part, oddities *odd)
+{
+    uint32_t base = part->vertex_count;
+    for (size_t i = 0; i < mesh->mNumVertices; i++) {
+        size_t v = base + i;
+        const struct aiVector3D *p = mesh->mVertices + i;
+        float *color = part->colors + 4 * v;
+        part->positions[3 * v] = p->x;
+        part->positions[3 * v + 1] = p->y;
+        part->positions[3 * v + 2] = p->z;
+        if (mesh->mNormals != NULL) {
+            float *normal = part->normals + 3 * v;
+            const struct aiVector3D n = mesh->mNormals[i];
+            if (!copy_finite((const float[3]){n.x, n.y, n.z}, 3, normal)) {
+                /* A zero one is computed. */
+                memset(normal, 0, 3 * sizeof *normal);
+                odd->normals++;
+            }
+        }
+        memcpy(color, material->color, sizeof material->color);
+        if (part->has_vertex_colors) {
+            const struct aiColor4D c = mesh->mColors[0][i];
+            odd->colors += !copy_finite((const float[4]){c.r, c.g, c.b, c.a}, 4, color);
+        }
+        if (part->has_texcoords) {
+            const struct aiVector3D t = mesh->mTextureCoords[material->texcoord_channel][i];
+            odd->texcoords += !copy_finite((const float[2]){t.x, t.y}, 2, part->texcoords + 2 * v);
+        }
+        if (part->has_tangents)
+            copy_tangent(mesh, i, part->tangents + 4 * v);
+    }
+    part->vertex_count += mesh->mNumVertices;
+    for (size_t i = 0; i < mesh->mNumFaces; i++) {
+        const struct aiFace *face = mesh->mFaces + i;
+        if (face->mNumIndices != 3)
+            continue;
+        for (int k = 0; k < 3; k++) {
+            if (face->mIndices[k] >= mesh->mNumVertices)
+                return "a triangle names a vertex that is not there";
+            size_t v = base + (size_t)face->mIndices[k];
+            for (size_t c = 0; c < 3; c++) {
+                if (!isfinite(part->positions[3 * v + c]))
+                    return "the position of a vertex is not a finite number";
+            }
+            part->indices[part->index_count++] = (uint32_t)v;
+        }
+        odd->flat += is_flat(part, part->indices + part->index_count - 3);
+    }
+    return NULL;
+}
+
+/* Copies the image inside the file that a part's texture names, where it names one: by
+ * number, "*0", or by file name. Null, or what is wrong. */
+static const char *copy_embedded(const struct aiScene *file, model_texture *texture)
+{
+    const struct aiTexture *found = NULL;
+    if (texture->name == NULL)
+        return NULL;
+    if (texture->name[0] == '*') {
+        unsigned long number = strtoul(texture->name + 1, NULL, 10);
+        if (number >= file->mNumTextures)
+            return "a material names an image inside the file that is not there";
+        found = file->mTextures[number];
+    }
+    for (unsigned int i = 0; i < file->mNumTextures && found == NULL; i++) {
+        if (strcmp(file->mTextures[i]->mFilename.data, texture->name) == 0)
+            found = file->mTextures[i];
+    }
+    if (found == NULL)
+        return NULL;
+    /* Assimp: height 0 means an image file of mWidth bytes, otherwise bare texels. */
+    texture->bare = found->mHeight != 0;
+    if (texture->bare)
+        return NULL;
+    texture->size = found->mWidth;
+    texture->bytes = malloc(texture->size + 1);
+    if (texture->bytes == NULL)
+        return "not enough memory";
+    memcpy(texture->bytes, found->pcData, texture->size);
+    return NULL;
+}
+
+/* From Assimp's scene to parts. Null, or what is wrong. */
+static const char *convert(const struct aiScene *file, model *m, oddities *odd)
+{
+    static const char no_memory[] = "not enough memory";
+    uint64_t total = 0;
+    size_t mesh_count = file->mNumMeshes;
+    m->parts = calloc(mesh_count + 1, sizeof *m->parts);
+    uint64_t *counts = calloc(mesh_count + 1, 2 * sizeof *counts);
+    const char *wrong = m->parts == NULL || counts == NULL ? no_memory : NULL;
+
+    for (size_t i = 0; i < mesh_count && wrong == NULL; i++) {
+        const struct aiMesh *mesh = file->mMeshes[i];
+        uint64_t triangles = count_triangles(mesh);
+        if (triangles == 0)
+            continue;
+        mesh_material material;
+        material_read(file, mesh, &material);
+        model_part *part = find_part(m, mesh, &material);
+        if (part == NULL) {
+            wrong = no_memory;
+            break;
+        }
+        counts[2 * (part - m->parts)] += mesh->mNumVertices;
+        counts[2 * (part - m->parts) + 1] += 3 * triangles;
+        total += triangles;
+    }
+    if (wrong == NULL && total == 0)
+        wrong = "there are no triangles in it";
+    for (size_t p = 0; p < m->part_count && wrong == NULL; p++) {
+        model_part *part = m->parts + p;
+        if (counts[2 * p] > UINT32_MAX || counts[2 * p + 1] > UINT32_MAX)
+            wrong = "it has more vertices than 32 bits count";
+        else if (!model_part_allocate(part, (uint32_t)counts[2 * p], (uint32_t)counts[2 * p + 1]))
+            wrong = no_memory;
+        part->vertex_count = 0;
+        part->index_count = 0;
+    }
+    for (size_t i = 0; i < mesh_count && wrong == NULL; i++) {
+        const struct aiMesh *mesh = file->mMeshes[i];
+        if (count_triangles(mesh) == 0)
+            continue;
+        mesh_material material;
+        material_read(file, mesh, &material);
+        wrong = append(mesh, &material, find_part(m, mesh, &material), odd);
+    }
+    for (size_t i = 0; i < MAP_COUNT * m->part_count && wrong == NULL; i++)
+        wrong = copy_embedded(file, &m->parts[i / MAP_COUNT].maps[i % MAP_COUNT]);
+    free(counts);
+    return wrong;
+}
+
+static void warn_of(const char *path, uint64_t count, const char *one, const char *several,
+                    const char *what)
+{
+    if (count > 0)
+        report_warning(path, "%" PRIu64 " %s %s", count, count == 1 ? one : several, what);
+}
+
+static void warn(const char *path, const struct aiScene *file, const oddities *odd)
+{
+    assimp_files_warn();
+    for (unsigned int i = 0; i < file->mNumMaterials; i++) {
+        struct aiString name;
+        if (!material_is_finite(file->mMaterials[i], &name))
+            report_warning(path,
+                           "material '%s' has a number that is not finite; what materials "
+                           "have without it is taken",
+                           name.data);
+    }
+    warn_of(path, odd->normals, "vertex has a normal", "vertices have normals",
+            "that is not finite; it is computed from the triangles");
+    warn_of(path, odd->texcoords, "vertex has texture coordinates",
+            "vertices have texture coordinates", "that are not finite; 0 is taken");
+    warn_of(path, odd->colors, "vertex has a colour", "vertices have colours",
+            "that is not finite; 0 is taken");
+    warn_of(path, odd->flat, "triangle has", "triangles have", "no area and cannot be seen");
+}
+
+/* Whether the importer that Assimp chose is that of the file's extension; Assimp goes by the
+ * contents where it does not know what to make of it. */
+static bool is_of_its_format(const char *path, const struct aiScene *file)
+{
+    const struct aiMetadata *data = file->mMetaData;
+    for (unsigned int i = 0; data != NULL && i < data->mNumProperties; i++) {
+        if (strcmp(data->mKeys[i].data, "SourceAsset_Format") == 0 &&
+            data->mValues[i].mType == AI_AISTRING)
+            return model_format_is(path, ((const struct aiString *)data->mValues[i].mData)->data);
+    }
+    return true;
+}
+
+static int import_fault(const char *path)
+{
+    const char *reason;
+    const char *missing = assimp_files_missing(&reason);
+    const char *words = aiGetErrorString();
+    if (strstr(words, "bad_alloc") != NULL || strstr(words, "std::vector") != NULL ||
+        strstr(words, "vector::") != NULL)
+        return report_fault(path, "cannot be read: not enough memory (--import-memory)");
+    if (missing != NULL)
+        return report_fault(path, "cannot be read: the file '%s' that it names: %s", missing,
+                            reason);
+    return report_fault(path, "is no model that Assimp can read: %s", words);
+}
+
+int model_read(const char *path, model *result)
+{
+    const unsigned int steps = aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
+                               aiProcess_PreTransformVertices | aiProcess_GenUVCoords |
+                               aiProcess_TransformUVCoords | aiProcess_CalcTangentSpace;
+    oddities odd = {0, 0, 0, 0};
+    memset(result, 0, sizeof *result);
+    int fault = model_format_check(path);
+    if (fault != 0)
+        return fault;
+    const struct aiScene *file = aiImportFileEx(path, steps, assimp_files(path));
+    if (file == NULL)
+        fault = import_fault(path);
+    else if (!is_of_its_format(path, file))
+        fault = report_fault(path, "its contents are not what its name says: read are %s",
+                             MODEL_FORMATS_IN_WORDS);
+    else {
+        const char *wrong = convert(file, result, &odd);
+        if (wrong == NULL && !model_complete_normals(result))
+            wrong = "not enough memory";
+        if (wrong == NULL)
+            warn(path, file, &odd);
+        else
+            fault = report_fault(path, "%s", wrong);
+    }
+    if (fault != 0)
+        model_free(result);
+    if (file != NULL)
+        aiReleaseImport(file);
+    assimp_files_free();
+    return fault;
+}
