@@ -103,12 +103,36 @@ static void standard_output_is_the_picture(void **state)
     assert_false(exists("-"));
 }
 
+/* Files that are opened then must not take their numbers. */
+static void standard_files_may_be_closed(void **state)
+{
+    (void)state;
+    write_text("square.obj", square_obj);
+    run r = gnomon("render square.obj -o open.png --size 16x16");
+    assert_int_equal(r.status, 0);
+    r = shell("\"$GNOMON\" render square.obj -o closed.png --size 16x16 <&- 2>&- && "
+              "cmp open.png closed.png");
+    assert_int_equal(r.status, 0);
+    r = shell("\"$GNOMON\" render square.obj -o shut.png --size 16x16 <&- >&-");
+    assert_int_equal(r.status, 1);
+    assert_non_null(strstr(r.error, "gnomon: standard output: cannot be written"));
+    r = shell("cmp open.png shut.png");
+    assert_int_equal(r.status, 0);
+    r = shell("\"$GNOMON\" render square.obj -o - >&-");
+    assert_int_equal(r.status, 1);
+    assert_non_null(strstr(r.error, "gnomon: -: cannot be written"));
+    r = shell("\"$GNOMON\" render nothing.obj -o none.png 2>&-");
+    assert_int_equal(r.status, 1);
+    assert_false(exists("none.png"));
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(other_extensions_are_refused),
         cmocka_unit_test(names_are_checked_first),
         cmocka_unit_test(standard_output_is_the_picture),
+        cmocka_unit_test(standard_files_may_be_closed),
     };
     runner_start(argc, argv);
     int failed = cmocka_run_group_tests_name("command, outputs", tests, NULL, NULL);

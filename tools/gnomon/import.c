@@ -27,8 +27,8 @@
 /* Memory is taken to be what a crash is about where less than this is left. */
 #define LITTLE_MEMORY ((size_t)32 << 20)
 
-/* Files that the child has open at once: the model, one beside it, the pipe. */
-#define OPEN_FILES 32
+/* Far more files than the child opens at once: the model, one beside it, the pipe. */
+#define OPEN_FILES 256
 
 /* The child's end of the pipe. */
 static int to_parent;

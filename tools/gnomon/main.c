@@ -1,5 +1,6 @@
 /* The gnomon command: dispatch and the overview. */
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -9,6 +10,7 @@
 
 #include "command.h"
 #include "image.h"
+#include "model_formats.h"
 #include "report.h"
 
 static const char overview[] =
@@ -25,13 +27,16 @@ static const char overview[] =
     "\n"
     "  gnomon demo --picture teapot.png\n"
     "\n"
-    "Results go to standard output, errors to standard error, one line each, with the file\n"
-    "or option they are about. Exit status: 0 success (compare, demo: the pictures are\n"
-    "equal), 1 something is wrong with the input (or the pictures differ), 2 the command\n"
-    "line, or transform's text, is not understood. An output file appears whole or not at\n"
-    "all.\n";
+    "Results go to standard output, errors and warnings to standard error, one line each,\n"
+    "with the file or option they are about. Exit status: 0 success (compare, demo: the\n"
+    "pictures are equal), 1 something is wrong with the input (or the pictures differ), 2 the\n"
+    "command line, or transform's text, is not understood. An output file appears whole or\n"
+    "not at all.\n";
 
 static const char picture_help[] =
+    "MODEL is a file in one of these formats, known by its extension:\n"
+    "  " MODEL_FORMATS_IN_WORDS ".\n"
+    "\n"
     "Camera (without any of these the whole model is framed, seen from +z, a little from\n"
     "the right and from above; what is not given is chosen to fit the rest):\n"
     "  --eye X,Y,Z             where the camera is\n"
@@ -143,8 +148,19 @@ static int run(int argc, char **argv)
     return report_usage("", "'%s': no such command", argv[1]);
 }
 
+/* Where standard input, output or error is closed, a file opened later would take its number and
+ * be written to by mistake. What takes it instead cannot be written to, so that writing fails. */
+static void occupy_standard_files(void)
+{
+    for (int i = 0; i < 3; i++) {
+        if (fcntl(i, F_GETFD) == -1 && open("/dev/null", O_RDONLY) < 0)
+            return;
+    }
+}
+
 int main(int argc, char **argv)
 {
+    occupy_standard_files();
     atexit(explain_exit);
     signal(SIGABRT, explain_abort);
     int status = run(argc, argv);

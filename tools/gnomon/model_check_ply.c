@@ -33,13 +33,14 @@ static unsigned int scalar_size(const char *type)
     return 1;
 }
 
-/* Reads a line, cut where it is longer than `text`. False: there is none with an end. */
+/* Reads a line, cut where it is longer than `text`. False: there is none with an end, or a byte
+ * that no header has. */
 static bool read_line(FILE *file, char *text, uint64_t *read)
 {
     size_t length = 0;
     for (;;) {
         int c = getc_unlocked(file);
-        if (c == EOF)
+        if (c == EOF || c == '\0')
             return false;
         ++*read;
         if (c == '\n')

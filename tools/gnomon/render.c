@@ -6,7 +6,6 @@
 #include <gnomon.h>
 
 #include "command.h"
-#include "model_formats.h"
 #include "output.h"
 #include "picture.h"
 #include "png_write.h"
@@ -14,9 +13,6 @@
 
 static const char usage[] =
     "gnomon render MODEL -o OUT.png [OPTION...]: draw a model.\n"
-    "\n"
-    "MODEL is a file in one of these formats, known by its extension:\n"
-    "" MODEL_FORMATS_IN_WORDS ".\n"
     "\n"
     "  gnomon render bunny.obj -o bunny.png\n"
     "  gnomon render head.obj -o head.png --size 1920x1080 --eye 0,0.5,3 --fov 35\n"
