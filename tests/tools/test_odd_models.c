@@ -98,6 +98,8 @@ static void missing_material_files_are_named(void **state)
     expect_warning("named.obj", "'gone.mtl'", "in its place");
     write_text("gone.mtl", "newmtl skin\nKd 1 0 0\n");
     expect_warning("named.obj", NULL, "");
+    write_text("gone.mtl", "newmtl skins\nKd 1 0 0\n");
+    expect_warning("named.obj", "names 1 material that no material file has", "'skin'");
     assert_int_equal(chmod(path_of("gone.mtl"), 0), 0);
     if (access(path_of("gone.mtl"), R_OK) != 0)
         expect_warning("named.obj", "'gone.mtl'", "Permission denied");

@@ -1,5 +1,5 @@
-/* Files that the command reads. Nobody but the user chooses them: a model or a material names
- * some. So only regular files are read, and of these as many bytes as the file system says. */
+/* Files that the command reads. Models and materials name files that the user has not chosen, so
+ * only regular files are read, and of each as many bytes as the file system says. */
 #ifndef FILES_H
 #define FILES_H
 

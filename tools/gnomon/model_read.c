@@ -7,6 +7,7 @@
 #include <assimp/scene.h>
 #include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,6 +21,28 @@ typedef struct oddities {
     uint64_t normals, texcoords, colors; /* that are not finite, of vertices */
     uint64_t flat;                       /* triangles without area */
 } oddities;
+
+/* Materials that an OBJ file names and that no material file has. Only Assimp's log tells of them.
+ */
+static struct {
+    unsigned int count;
+    char first[256];
+} unknown_materials;
+
+static void look_at_log(const char *message, char *user)
+{
+    static const char before[] = "failed to locate material ";
+    static const char after[] = ", creating new material";
+    const char *name = strstr(message, before);
+    const char *end = name != NULL ? strstr(name, after) : NULL;
+    (void)user;
+    if (end == NULL)
+        return;
+    name += sizeof before - 1;
+    if (unknown_materials.count++ == 0)
+        snprintf(unknown_materials.first, sizeof unknown_materials.first, "%.*s", (int)(end - name),
+                 name);
+}
 
 static bool has_tangents(const struct aiMesh *mesh, const mesh_material *material)
 {
@@ -269,7 +292,12 @@ static void warn_of(const char *path, uint64_t count, const char *one, const cha
 
 static void warn(const char *path, const struct aiScene *file, const oddities *odd)
 {
+    const char *reason;
     assimp_files_warn();
+    if (unknown_materials.count > 0 && assimp_files_missing(&reason) == NULL)
+        report_warning(path, "names %u material%s that no material file has, the first '%s'",
+                       unknown_materials.count, unknown_materials.count == 1 ? "" : "s",
+                       unknown_materials.first);
     for (unsigned int i = 0; i < file->mNumMaterials; i++) {
         struct aiString name;
         if (!material_is_finite(file->mMaterials[i], &name))
@@ -324,6 +352,9 @@ int model_read(const char *path, model *result)
     int fault = model_format_check(path);
     if (fault != 0)
         return fault;
+    const struct aiLogStream log = {look_at_log, NULL};
+    unknown_materials.count = 0;
+    aiAttachLogStream(&log);
     const struct aiScene *file = aiImportFileEx(path, steps, assimp_files(path));
     if (file == NULL)
         fault = import_fault(path);
@@ -344,5 +375,6 @@ int model_read(const char *path, model *result)
     if (file != NULL)
         aiReleaseImport(file);
     assimp_files_free();
+    aiDetachLogStream(&log);
     return fault;
 }
