@@ -28,6 +28,7 @@ COMMAND_SOURCES = $(sort $(wildcard tools/gnomon/*.c))
 THREADS_SOURCES = $(sort $(wildcard tools/threads/*.c))
 BENCH_SOURCES = $(sort $(wildcard tools/bench/*.c))
 PARITY_SOURCES = $(sort $(wildcard tests/parity/*.c))
+GATE_SOURCES = $(addprefix tests/parity/,gate.c compare.c failure.c pairs.c valid.c)
 PROPERTY_SOURCES = $(sort $(wildcard tests/property/*.c))
 ACCURACY_SOURCES = $(sort $(wildcard tests/accuracy/*.c))
 EXHAUSTIVE_SOURCES = $(sort $(wildcard tests/exhaustive/*.c))
@@ -196,13 +197,13 @@ $(BUILD)/exhaustive: $(call objects,$(EXHAUSTIVE_SOURCES)) $(BUILD)/libgnomon.a
 	$(LINK) -lmpfr -lm -pthread
 
 $(BUILD)/property-tests: $(call objects,$(PROPERTY_SOURCES) $(THEFT_SOURCES) $(SCENE_SOURCES) \
-		$(filter-out $(addprefix tests/parity/,gate.c compare.c pairs.c),$(PARITY_SOURCES))) \
+		$(filter-out $(GATE_SOURCES),$(PARITY_SOURCES))) \
 		$(BUILD)/libgnomon.a
 	$(LINK) $(THEFT_LIBS) -lm
 
 # Of objects alone: the archiver may not know the target's.
 $(BUILD)/hashes: $(call objects,tests/portability/hashes.c $(SCENE_SOURCES) $(LIBRARY_SOURCES) \
-		$(filter-out $(addprefix tests/parity/,gate.c compare.c pairs.c) tests/parity/shrink%,$(PARITY_SOURCES)))
+		$(filter-out $(GATE_SOURCES) tests/parity/shrink%,$(PARITY_SOURCES)))
 	$(LINK) -lm
 
 $(BUILD)/theft-selftest: $(call objects,$(sort $(wildcard tests/theft/*.c)))
@@ -415,6 +416,9 @@ test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N fa
 		'texels=$(BUILD)/texels --seed $(TEST_SEED) --textures 12' \
 		'textures=$(BUILD)/textures --seed $(TEST_SEED) --quick' \
 		'pairs of states=$(BUILD)/parity --pairs --seed $(TEST_SEED)' \
+		'scenes are valid=$(BUILD)/parity --check --seed $(TEST_SEED)' \
+		'shrinking=tests/parity/test_shrink.sh $(BUILD)/parity' \
+		'order of evaluation=tests/order/order.sh' \
 		$(call unit_steps,$(CHECKED),sanitized ) \
 		'sanitized differential=$(CHECKED)/test_cglm $(TEST_SEED)' \
 		'sanitized properties=$(CHECKED)/property-tests --seed $(TEST_SEED) --trials 100' \

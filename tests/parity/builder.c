@@ -207,6 +207,7 @@ static void store_indices(builder *b)
     const uint32_t largest = b->index_format == GN_INDEX_UINT8    ? UINT8_MAX
                              : b->index_format == GN_INDEX_UINT16 ? UINT16_MAX
                                                                   : UINT32_MAX;
+    b->restart_index &= largest; /* one below the base vertex has wrapped around */
     for (uint32_t i = 0; i < b->index_count; i++)
         if (b->indices[i] != BUILDER_RESTART)
             b->indices[i] -= (uint32_t)b->base_vertex;

@@ -84,8 +84,11 @@ static bool compare_variant(const scene *s, const variant *v, comparison *result
     const bool allocated = scene_frame_allocate(&frame, s) && workspace.memory;
     if (allocated)
         result->status = scene_draw_in_workspace(s, &frame, &workspace);
-    if (allocated && result->status == GN_OK && difference->pixels == 0)
+    if (allocated && result->status == GN_OK && difference->pixels == 0) {
         *difference = compare_exactly(&frame, &result->ours);
+        if (difference == &result->workspace)
+            result->differing = v->backend;
+    }
     free(workspace.memory);
     scene_frame_free(&frame);
     return allocated;

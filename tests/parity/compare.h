@@ -22,6 +22,7 @@ typedef struct comparison {
     scene_difference reference; /* ours and the reference's */
     scene_difference workspace; /* ours with other workspaces and back ends */
     scene_difference threads;   /* ours with threads */
+    gn_backend differing;       /* where workspace has pixels: the back end asked for there */
     uint64_t drawn;             /* pixels the reference drew on */
     scene_frame ours, theirs;
 } comparison;

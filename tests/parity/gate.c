@@ -8,16 +8,16 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "compare.h"
+#include "failure.h"
 #include "generate.h"
 #include "pairs.h"
-#include "shrink.h"
+#include "valid.h"
 
 #define DEFAULT_SCENES 2100
 #define DEFAULT_PAIR_SCENES 2000
+#define DEFAULT_CHECKED_SCENES 106000
 #define DEFAULT_SEED 1
 #define DEFAULT_KEEP "build/parity-failure.scene"
-#define SHRINK_ATTEMPTS 4000
 #define REPORTED_PER_CLASS 3
 
 /* Processes at most. */
@@ -30,7 +30,7 @@ typedef struct options {
     uint64_t scenes, seed, first, jobs;
     scene_class only; /* CLASS_COUNT: all */
     const char *keep, *replay;
-    bool everything, pairs;
+    bool everything, pairs, check, shrink;
 } options;
 
 typedef struct totals {
@@ -63,8 +63,9 @@ static void print_help(void)
     printf(
         "usage: parity [--scenes N] [--seed S] [--class NAME] [--first K] [--jobs N]\n"
         "              [--keep FILE] [--everything]\n"
-        "       parity --replay FILE\n"
+        "       parity --replay FILE [--shrink] [--keep FILE]\n"
         "       parity --pairs [--scenes N] [--seed S]\n"
+        "       parity --check [--scenes N] [--seed S]\n"
         "\n"
         "Draws random scenes with the library and with the pinned reference (OSMesa,\n"
         "llvmpipe) and compares colour and depth bit for bit. Exit status: 0 where no pixel\n"
@@ -81,11 +82,15 @@ static void print_help(void)
         "                      1, 2, 3 and 8 threads; without it two of three scenes in one\n"
         "                      of the two, and with one number of threads\n"
         "  --replay FILE       compares that scene and prints the differing pixels\n"
+        "  --shrink            with --replay: leaves out of a scene that fails what its failure\n"
+        "                      does not need, and keeps it\n"
         "  --pairs             draws nothing: shows that in so many scenes of each of mixed and\n"
         "                      sequences (%d) all values of all states meet in pairs\n"
+        "  --check             draws nothing: shows that the library takes the meshes,\n"
+        "                      textures and samplers of so many scenes (%d)\n"
         "\n"
         "classes:",
-        DEFAULT_SCENES, DEFAULT_SEED, DEFAULT_PAIR_SCENES);
+        DEFAULT_SCENES, DEFAULT_SEED, DEFAULT_PAIR_SCENES, DEFAULT_CHECKED_SCENES);
     for (int c = 0; c < CLASS_COUNT; c++)
         printf("%s %s", c % 7 == 0 && c > 0 ? "\n        " : "", scene_class_name((scene_class)c));
     printf("\n");
@@ -115,12 +120,13 @@ static bool parse_options(int argc, char **argv, options *o)
                    .keep = DEFAULT_KEEP};
     for (int i = 1; i < argc; i++) {
         const char *name = argv[i];
-        if (strcmp(name, "--everything") == 0) {
-            o->everything = true;
-            continue;
-        }
-        if (strcmp(name, "--pairs") == 0) {
-            o->pairs = true;
+        bool *flag = strcmp(name, "--everything") == 0 ? &o->everything
+                     : strcmp(name, "--pairs") == 0    ? &o->pairs
+                     : strcmp(name, "--check") == 0    ? &o->check
+                     : strcmp(name, "--shrink") == 0   ? &o->shrink
+                                                       : NULL;
+        if (flag) {
+            *flag = true;
             continue;
         }
         counted = counted || strcmp(name, "--scenes") == 0;
@@ -147,8 +153,8 @@ static bool parse_options(int argc, char **argv, options *o)
                 return usage_error("unknown class", value);
         }
     }
-    if (o->pairs && !counted)
-        o->scenes = DEFAULT_PAIR_SCENES;
+    if (!counted && (o->pairs || o->check))
+        o->scenes = o->pairs ? DEFAULT_PAIR_SCENES : DEFAULT_CHECKED_SCENES;
     if (o->scenes == 0)
         return usage_error("nothing to do with", "--scenes 0");
     if (o->jobs == 0 || o->jobs > MOST_JOBS)
@@ -166,25 +172,31 @@ static void show_progress(gate *g, const totals *t, scene_class c, uint64_t done
             scene_class_name(c), done, of, g->all.differ + t->differ);
 }
 
-static void report_failure(scene_class c, uint64_t number, const comparison *r)
+static void report_failure(const gate *g, scene_class c, uint64_t number, const comparison *r)
 {
     fprintf(stderr, "parity: %s scene %" PRIu64 ": ", scene_class_name(c), number);
-    if (r->status != GN_OK)
-        fprintf(stderr, "the library says: %s\n", gn_status_text(r->status));
-    else if (r->workspace.pixels > 0)
+    switch (failure_of(&g->comparer, r).kind) {
+    case FAILURE_REFUSED:
+        fprintf(stderr, "refused: the library says: %s\n", gn_status_text(r->status));
+        break;
+    case FAILURE_BACKENDS:
         fprintf(stderr, "%" PRIu64 " pixels depend on workspace or back end\n",
                 r->workspace.pixels);
-    else if (r->threads.pixels > 0)
+        break;
+    case FAILURE_THREADS:
         fprintf(stderr, "%" PRIu64 " pixels depend on threads\n", r->threads.pixels);
-    else if (r->reference.counts_differ && r->reference.pixels == 1)
+        break;
+    case FAILURE_COUNT:
         fprintf(stderr, "%" PRIu64 " samples passed, not %" PRIu64 "\n", r->ours.samples_passed,
                 r->theirs.samples_passed);
-    else
+        break;
+    default:
         fprintf(stderr,
                 "colour %" PRIu64 ", depth %" PRIu64 ", coverage %" PRIu64
                 " differ, first at (%" PRIu32 ", %" PRIu32 ")\n",
                 r->reference.color_pixels, r->reference.depth_pixels, r->reference.coverage_pixels,
                 r->reference.x, r->reference.y);
+    }
 }
 
 static void keep_smallest(totals *sum, scene_class c, uint64_t number, uint64_t triangles)
@@ -245,7 +257,7 @@ static bool run_scene(gate *g, scene_class c, uint64_t number, totals *t)
     if (drawn) {
         count_scene(t, s, &r);
         if (compare_count(&r) > 0 && t->failing_scenes++ < REPORTED_PER_CLASS)
-            report_failure(c, number, &r);
+            report_failure(g, c, number, &r);
         if (compare_fails(&g->comparer, &r))
             keep_smallest(t, c, number, scene_triangle_count(s));
     } else {
@@ -289,43 +301,6 @@ static void report_class(gate *g, scene_class c, const totals *t)
     }
     fflush(stdout);
     add_totals(&g->all, t);
-}
-
-static bool still_fails(const scene *s, void *context)
-{
-    const gate *g = context;
-    char error[512];
-    comparison r;
-    comparer every = g->comparer;
-    every.everything = true;
-    const bool fails =
-        compare_scene(&every, s, 1, &r, error, sizeof error) && compare_fails(&every, &r);
-    compare_free(&r);
-    return fails;
-}
-
-/* Shrinks the failing scene and writes it. */
-static void keep_failure(gate *g)
-{
-    const char *name = g->options.keep;
-    scene *failing = generate_scene(g->options.seed, g->all.failing_class, g->all.failing_number);
-    scene *small = still_fails(failing, g) ? shrink_scene(failing, still_fails, g, SHRINK_ATTEMPTS)
-                                           : scene_copy(failing);
-    FILE *out = fopen(name, "w");
-    if (!out || !scene_write(small, out)) {
-        fprintf(stderr, "parity: cannot write %s: %s\n", name, strerror(errno));
-        if (out)
-            fclose(out);
-    } else if (fclose(out) != 0) {
-        fprintf(stderr, "parity: cannot write %s: %s\n", name, strerror(errno));
-    } else {
-        fprintf(stderr,
-                "parity: kept the smallest failing scene, %" PRIu32 "x%" PRIu32 " with %" PRIu64
-                " triangles; replay it with: parity --replay %s\n",
-                small->width, small->height, scene_triangle_count(small), name);
-    }
-    scene_free(small);
-    scene_free(failing);
 }
 
 static void print_backends(void)
@@ -472,11 +447,33 @@ static bool run_all(gate *g)
            "\n",
            "all", g->all.scenes, g->all.triangles, g->all.pixels, g->all.drawn, g->all.color,
            g->all.depth);
-    printf("parity: %" PRIu64 " scenes, %" PRIu64 " pixels compared, %" PRIu64 " differ\n",
-           g->all.scenes, g->all.pixels, g->all.differ);
-    if (g->all.fails)
-        keep_failure(g);
+    printf("parity: %" PRIu64 " scenes, %" PRIu64 " pixels compared, %" PRIu64 " differ, %" PRIu64
+           " scenes refused\n",
+           g->all.scenes, g->all.pixels, g->all.differ - g->all.faults, g->all.faults);
+    if (g->all.fails) {
+        scene *s = generate_scene(o->seed, g->all.failing_class, g->all.failing_number);
+        failure_keep(&g->comparer, s, g->all.failing_number, o->keep);
+        scene_free(s);
+    }
     return !g->all.fails && g->all.broken == 0 && !g->broken;
+}
+
+static void print_comparison(const scene *s, const comparison *r)
+{
+    printf("%" PRIu32 "x%" PRIu32 ", %zu draws, %" PRIu64 " triangles; the library says: %s\n",
+           s->width, s->height, s->draw_count, scene_triangle_count(s), gn_status_text(r->status));
+    if (r->status != GN_OK) {
+        printf("refused: nothing was compared\n");
+        return;
+    }
+    printf("%" PRIu64 " pixels drawn on; %" PRIu64 " differ: colour %" PRIu64
+           " (at most %g), depth %" PRIu64 " (at most %g), coverage %" PRIu64 "; %" PRIu64
+           " depend on workspace or back end, %" PRIu64 " on threads\n",
+           r->drawn, r->reference.pixels, r->reference.color_pixels, r->reference.color_largest,
+           r->reference.depth_pixels, r->reference.depth_largest, r->reference.coverage_pixels,
+           r->workspace.pixels, r->threads.pixels);
+    if (r->reference.pixels > 0)
+        compare_print_pixels(r, 8);
 }
 
 static bool replay(gate *g)
@@ -507,20 +504,11 @@ static bool replay(gate *g)
         fprintf(stderr, "parity: the reference failed: %s\n", error);
     } else {
         passes = !compare_fails(&every, &r);
-        printf("%" PRIu32 "x%" PRIu32 ", %zu draws, %" PRIu64 " triangles, %" PRIu64
-               " pixels drawn on; the library says: %s\n",
-               s->width, s->height, s->draw_count, scene_triangle_count(s), r.drawn,
-               gn_status_text(r.status));
-        printf("%" PRIu64 " differ: colour %" PRIu64 " (at most %g), depth %" PRIu64
-               " (at most %g), coverage %" PRIu64 "; %" PRIu64
-               " depend on workspace or back end, %" PRIu64 " on threads\n",
-               r.reference.pixels, r.reference.color_pixels, r.reference.color_largest,
-               r.reference.depth_pixels, r.reference.depth_largest, r.reference.coverage_pixels,
-               r.workspace.pixels, r.threads.pixels);
-        if (r.reference.pixels > 0)
-            compare_print_pixels(&r, 8);
+        print_comparison(s, &r);
     }
     compare_free(&r);
+    if (!passes && g->options.shrink)
+        failure_keep(&g->comparer, s, 1, g->options.keep);
     scene_free(s);
     return passes;
 }
@@ -538,6 +526,8 @@ int main(int argc, char **argv)
         return 2;
     if (g.options.pairs)
         return pairs_check(g.options.seed, g.options.scenes) ? EXIT_SUCCESS : EXIT_FAILURE;
+    if (g.options.check)
+        return valid_check(g.options.seed, g.options.scenes) ? EXIT_SUCCESS : EXIT_FAILURE;
     g.last_progress = time(NULL);
     const bool passes = g.options.replay ? replay(&g) : run_all(&g);
     stop(&g);

@@ -147,10 +147,13 @@ static bool remove_indices(shrinking *s, size_t draw)
     if (mesh->index_format != GN_INDEX_NONE && mesh->restart != GN_RESTART_NONE)
         return separate_runs(s, draw);
     uint32_t *vertices = allocated(mesh->count, sizeof *vertices);
-    for (uint32_t i = 0; i < mesh->count; i++)
+    bool inside = true; /* a failing scene may have indices beyond the vertices */
+    for (uint32_t i = 0; i < mesh->count; i++) {
         vertices[i] = scene_vertex_of(mesh, mesh->first + i) + (uint32_t)mesh->base_vertex;
+        inside = inside && vertices[i] < mesh->vertex_count;
+    }
     mesh_selection selection = {vertices, mesh->count, false, 0, mesh->count, ~0u};
-    const bool kept = shrink_try(s, copy_with_selection(s->best, draw, &selection));
+    const bool kept = inside && shrink_try(s, copy_with_selection(s->best, draw, &selection));
     free(vertices);
     return kept;
 }

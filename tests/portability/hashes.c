@@ -120,8 +120,8 @@ static bool add_class(class_hashes *h, uint64_t seed, scene_class c, uint64_t sc
         scene *s = generate_scene(seed, c, i);
         bool good = add_scene(&h->made, s);
         for (int b = GN_BACKEND_PORTABLE; good && b < GN_BACKEND_COUNT; b++)
-            good = !gn_backend_available((gn_backend)b) ||
-                   draw_scene(s, (gn_backend)b, &h->drawn[b]);
+            good =
+                !gn_backend_available((gn_backend)b) || draw_scene(s, (gn_backend)b, &h->drawn[b]);
         scene_free(s);
         if (!good) {
             fprintf(stderr, "hashes: %s scene %" PRIu64 " of seed %" PRIu64 "\n",
@@ -145,8 +145,7 @@ static int run(uint64_t seed, uint64_t scenes)
         printf("%s scenes %016" PRIx64 "\n", name, h.made);
         for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; b++)
             if (gn_backend_available((gn_backend)b))
-                printf("%s %s %016" PRIx64 "\n", name, gn_backend_name((gn_backend)b),
-                       h.drawn[b]);
+                printf("%s %s %016" PRIx64 "\n", name, gn_backend_name((gn_backend)b), h.drawn[b]);
     }
     return 0;
 }

@@ -1,0 +1,75 @@
+#!/bin/sh
+# A failing scene that is made smaller keeps the failure it began with. The scenes here have two: a
+# draw that the library refuses, and one that it refuses for another reason or draws otherwise
+# than the reference does, whose scissors leak among samples (reference/RULES.md).
+# usage: test_shrink.sh PARITY-PROGRAM
+set -u
+parity=$1
+directory=$(mktemp -d)
+trap 'rm -rf "$directory"' EXIT
+passed=0
+failed=0
+
+triangle='  vertices 3
+  position 2
+   -1 -1
+   3 -1
+   -1 3'
+outside="draw vertex-color
+$triangle
+  indices uint8 3
+   0 1 7
+  elements 0 3
+end-draw"
+other_refusal='draw vertex-color
+  topology lines
+  line-width nan:7fc00000
+  vertices 2
+  position 2
+   -1 -1
+   1 1
+  elements 0 2
+end-draw'
+leak="draw vertex-color
+  scissor 3 3 5 5
+$triangle
+  color 4
+   1 1 1 1
+   1 1 1 1
+   1 1 1 1
+  elements 0 3
+end-draw"
+says_outside='an index or range lies outside'
+says_other='NaN or infinite'
+says_differ='no error'
+
+# check WHAT EXPECTED DRAW...: of those draws what is kept is one that says what is expected.
+check() {
+    what=$1
+    expected=$2
+    {
+        printf 'gnomon-scene 1\nsize 8 8\ncolor-format rgba8\ndepth-format none\n'
+        printf 'clear-color 0 0 0 0\nclear-depth 1\nclear-stencil 0\nsamples 4\n'
+        shift 2
+        printf '%s\n' "$@" end-scene
+    } >"$directory/scene"
+    "$parity" --replay "$directory/scene" --shrink --keep "$directory/kept" >"$directory/log" 2>&1
+    "$parity" --replay "$directory/kept" >"$directory/replayed" 2>&1
+    status=$?
+    if [ $status -eq 1 ] && grep -q "$expected" "$directory/replayed" &&
+        [ "$(grep -c '^draw' "$directory/kept")" -eq 1 ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: $what: exit status $status"
+        cat "$directory/log" "$directory/replayed"
+    fi
+}
+
+check "refused twice, the first" "$says_outside" "$outside" "$other_refusal"
+check "refused twice, the other first" "$says_other" "$other_refusal" "$outside"
+check "refused, then other pixels" "$says_outside" "$outside" "$leak"
+check "other pixels, then refused" "$says_outside" "$leak" "$outside"
+check "other pixels alone" "$says_differ" "$leak" "$leak"
+echo "shrinking: $passed passed, $failed failed"
+[ "$failed" -eq 0 ]
