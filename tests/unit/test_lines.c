@@ -1,0 +1,324 @@
+/* Lines from pixel to pixel, as gnomon/draw.h says to draw them: every joint and every start is
+ * there, each pixel of a line once, and which pixels they are; and what the width of a line does.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "unit.h"
+
+enum { LARGEST = 1000 };
+
+/* What vertices are short of a pixel's centre, in x and y. */
+#define SHORT 0x1p-10f
+
+static uint32_t pixels[LARGEST * LARGEST];
+static unsigned char memory[GN_WORKSPACE_SIZE(3, GN_SHADER_VARYINGS)];
+static gn_target target;
+static gn_pipeline pipeline;
+static gn_color_uniforms uniforms;
+static gn_backend backend; /* asked for once, since asking takes longer than a line */
+static uint64_t drawn;     /* pixels, or samples, of one draw */
+static int width, height;
+
+static void set_canvas(int columns, int rows, gn_topology topology)
+{
+    gn_transform projection;
+
+    backend = gn_backend_best();
+    width = columns;
+    height = rows;
+    memset(pixels, 0, (size_t)columns * (size_t)rows * sizeof *pixels);
+    memset(&target, 0, sizeof target);
+    target.color[0] =
+        gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, (uint32_t)columns, (uint32_t)rows);
+    assert_int_equal(gn_orthographic_rh_no(0, (float)columns, 0, (float)rows, -1, 1, &projection),
+                     GN_OK);
+    uniforms.clip_from_model = projection.matrix;
+    memset(&pipeline, 0, sizeof pipeline);
+    assert_int_equal(gn_use_vertex_color(&pipeline, &uniforms), GN_OK);
+    pipeline.topology = topology;
+}
+
+static void draw_at(const float *positions, uint32_t count)
+{
+    const gn_mesh mesh = {
+        .attribute = {[GN_ATTRIBUTE_POSITION] = {.data = positions, .components = 2}},
+        .vertex_count = count,
+        .count = count};
+    gn_workspace workspace = {
+        .memory = memory, .size = sizeof memory, .backend = backend, .samples_passed = &drawn};
+
+    drawn = 0;
+    assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+}
+
+typedef struct place {
+    int x, y;
+} place;
+
+/* Up to three pixels as the ends of lines. */
+static void draw_between(const place *p, uint32_t count)
+{
+    float positions[6];
+
+    for (uint32_t i = 0; i < count; ++i) {
+        positions[2 * i] = (float)p[i].x + 0.5f - SHORT;
+        positions[2 * i + 1] = (float)p[i].y + 0.5f - SHORT;
+    }
+    draw_at(positions, count);
+}
+
+static uint32_t *pixel(place p)
+{
+    return &pixels[p.y * width + p.x];
+}
+
+static int magnitude(int a)
+{
+    return a < 0 ? -a : a;
+}
+
+static bool is_x_major(place a, place b)
+{
+    return magnitude(a.x - b.x) >= magnitude(a.y - b.y);
+}
+
+/* Pixels of the line: columns of one that is long along x, rows of one along y. */
+static int steps_between(place a, place b)
+{
+    return is_x_major(a, b) ? magnitude(a.x - b.x) : magnitude(a.y - b.y);
+}
+
+/* The pixel nearest to the line after `step` steps, of two as near the one to its left. */
+static place nearest_pixel(place a, place b, int step)
+{
+    const int n = steps_between(a, b), dx = b.x - a.x, dy = b.y - a.y;
+    const bool x_major = is_x_major(a, b);
+    const int to_left = x_major && (dx > 0) == (dy > 0) ? 1 : -1;
+    const double across = (double)step * (x_major ? dy : dx) / n;
+    const int nearest = (int)(to_left > 0 ? floor(across + 0.5) : ceil(across - 0.5));
+    const place p = {a.x + (x_major ? (dx > 0 ? step : -step) : nearest),
+                     a.y + (x_major ? nearest : (dy > 0 ? step : -step))};
+
+    return p;
+}
+
+/* Draws the line, clears its pixels, and asserts that it has one for every step but the last, from
+ * its first end on, each within `bound` of the exact line; true where all are nearest_pixel's. */
+static bool is_line(place a, place b, double bound)
+{
+    const place ends[2] = {a, b};
+    const int n = steps_between(a, b);
+    bool all_nearest = true;
+    uint64_t found = 0;
+
+    draw_between(ends, 2);
+    assert_int_equal(drawn, n);
+    assert_true(n == 0 || *pixel(a));
+    for (int step = 0; step < n; ++step) {
+        const place p = nearest_pixel(a, b, step);
+        const double exact = (double)step * (is_x_major(a, b) ? b.y - a.y : b.x - a.x) / n;
+
+        all_nearest = all_nearest && *pixel(p);
+        for (int side = -1; side <= 1; ++side) {
+            const place q = is_x_major(a, b) ? (place){p.x, p.y + side} : (place){p.x + side, p.y};
+            const int across = is_x_major(a, b) ? q.y - a.y : q.x - a.x;
+
+            if (q.x >= 0 && q.x < width && q.y >= 0 && q.y < height && *pixel(q)) {
+                assert_true(fabs(across - exact) <= bound);
+                *pixel(q) = 0;
+                ++found;
+            }
+        }
+    }
+    assert_int_equal(found, n);
+    return all_nearest;
+}
+
+/* Whether the line leads to the right, or up if it is longer along y. */
+static bool is_ascending(place a, place b)
+{
+    return is_x_major(a, b) ? a.x < b.x : a.y < b.y;
+}
+
+static uint32_t next_random(uint32_t *seed, uint32_t below)
+{
+    *seed = *seed * 1664525u + 1013904223u;
+    return (uint32_t)((uint64_t)*seed * below >> 32);
+}
+
+static place random_place(uint32_t *seed)
+{
+    const place p = {(int)next_random(seed, (uint32_t)width),
+                     (int)next_random(seed, (uint32_t)height)};
+
+    return p;
+}
+
+static void all_lines_of_a_grid(void **state)
+{
+    (void)state;
+    enum { SIDE = 16 };
+
+    set_canvas(SIDE, SIDE, GN_LINES);
+    for (int i = 0; i < SIDE * SIDE * SIDE * SIDE; ++i) {
+        const place a = {i % SIDE, i / SIDE % SIDE};
+        const place b = {i / (SIDE * SIDE) % SIDE, i / (SIDE * SIDE * SIDE)};
+        const bool is_nearest = is_line(a, b, 0.5);
+
+        assert_true(is_nearest || !is_ascending(a, b));
+    }
+}
+
+/* A target whose sides are no powers of two, on which transforms round. */
+static void long_lines(void **state)
+{
+    (void)state;
+    uint32_t seed = 1;
+
+    set_canvas(LARGEST, LARGEST - 1, GN_LINES);
+    for (int i = 0; i < 10000; ++i) {
+        const place a = random_place(&seed), b = random_place(&seed);
+
+        if (is_ascending(a, b))
+            assert_true(is_line(a, b, 0.5));
+        else
+            is_line(a, b, 0.5 + 0x1p-8);
+    }
+}
+
+static void strips_have_starts_and_joints(void **state)
+{
+    (void)state;
+    uint32_t seed = 1;
+
+    set_canvas(100, 75, GN_LINE_STRIP);
+    for (int i = 0; i < 100000; ++i) {
+        const place p[3] = {random_place(&seed), random_place(&seed), random_place(&seed)};
+        const int first = steps_between(p[0], p[1]), second = steps_between(p[1], p[2]);
+
+        draw_between(p, 3);
+        assert_int_equal(drawn, first + second);
+        assert_true(first == 0 || *pixel(p[0]));
+        assert_true(second == 0 || *pixel(p[1]));
+        memset(pixels, 0, (size_t)(width * height) * sizeof *pixels);
+    }
+}
+
+/* A point where a strip ends is the pixel that the strip leaves out. */
+static void a_point_is_the_last_pixel(void **state)
+{
+    (void)state;
+    set_canvas(100, 75, GN_POINTS);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const place p = {x, y};
+
+            draw_between(&p, 1);
+            assert_int_equal(drawn, 1);
+            assert_true(*pixel(p));
+        }
+    }
+}
+
+/* Of vertices at the very centre the reference, too, leaves out the first pixel of lines that are
+ * longer along y and lead down (reference/RULES.md); the other three kinds have it. */
+static void centres_lack_starts(void **state)
+{
+    (void)state;
+    static const place middle = {8, 8};
+
+    set_canvas(16, 16, GN_LINES);
+    for (int y = 0; y < 16; ++y) {
+        for (int x = 0; x < 16; ++x) {
+            const float ends[4] = {8.5f, 8.5f, (float)x + 0.5f, (float)y + 0.5f};
+            const place end = {x, y};
+            const bool is_down = !is_x_major(middle, end) && y < 8;
+            const int n = steps_between(middle, end);
+
+            draw_at(ends, 2);
+            assert_int_equal(drawn, is_down ? n - 1 : n);
+            assert_int_equal(*pixel(middle) != 0, n > 0 && !is_down);
+            memset(pixels, 0, sizeof *pixels * 16 * 16);
+        }
+    }
+}
+
+/* Bit i: the line has pixels in column i, or in row i if it is longer along y. */
+static uint32_t places_along(const float ends[4], bool x_major)
+{
+    uint32_t along = 0;
+
+    draw_at(ends, 2);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x)
+            along |= pixels[y * width + x] ? 1u << (x_major ? x : y) : 0;
+    }
+    memset(pixels, 0, (size_t)(width * height) * sizeof *pixels);
+    return along;
+}
+
+/* Every line between quarter pixels of four pixels each way: the width changes nothing along the
+ * line, since its diamonds are those of the line itself. OpenGL would shift lines of even width by
+ * half a pixel first. */
+static void widths_do_not_move_ends(void **state)
+{
+    (void)state;
+    set_canvas(8, 8, GN_LINES);
+    for (int i = 0; i < 16 * 16 * 16 * 16; ++i) {
+        const float ends[4] = {2.0f + (float)(i & 15) * 0.25f, 2.0f + (float)(i >> 4 & 15) * 0.25f,
+                               2.0f + (float)(i >> 8 & 15) * 0.25f,
+                               2.0f + (float)(i >> 12 & 15) * 0.25f};
+        const bool x_major = fabsf(ends[0] - ends[2]) >= fabsf(ends[1] - ends[3]);
+
+        pipeline.line_width = 1.0f;
+        const uint32_t thin = places_along(ends, x_major);
+        pipeline.line_width = 2.0f;
+        assert_int_equal(places_along(ends, x_major), thin);
+        pipeline.line_width = 3.0f;
+        assert_int_equal(places_along(ends, x_major), thin);
+    }
+}
+
+/* A level line along the side between two rows of eight pixels. */
+static uint64_t drawn_with_width(float line_width)
+{
+    static const float ends[4] = {0.0f, 4.0f, 8.0f, 4.0f};
+
+    pipeline.line_width = line_width;
+    draw_at(ends, 2);
+    return drawn;
+}
+
+static void widths_are_rounded_without_samples(void **state)
+{
+    (void)state;
+    set_canvas(8, 8, GN_LINES);
+    assert_int_equal(drawn_with_width(0.25f), 8);
+    assert_int_equal(drawn_with_width(1.25f), 8);
+    assert_int_equal(drawn_with_width(1.5f), 2 * 8);
+    assert_int_equal(drawn_with_width(2.5f), 3 * 8);
+
+    /* Samples lie 1, 3, 5 and 7 eighths above a pixel's lower side; those on the line's lower side
+     * are its own. */
+    const gn_surface image = target.color[0];
+    target.color[0] = gn_surface_multisampled(&image);
+    assert_int_equal(drawn_with_width(0.25f), 4 * 8);
+    assert_int_equal(drawn_with_width(1.25f), 5 * 8);
+    assert_int_equal(drawn_with_width(1.5f), 6 * 8);
+    assert_int_equal(drawn_with_width(2.5f), 10 * 8);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(all_lines_of_a_grid),
+        cmocka_unit_test(long_lines),
+        cmocka_unit_test(strips_have_starts_and_joints),
+        cmocka_unit_test(a_point_is_the_last_pixel),
+        cmocka_unit_test(centres_lack_starts),
+        cmocka_unit_test(widths_do_not_move_ends),
+        cmocka_unit_test(widths_are_rounded_without_samples),
+    };
+    return cmocka_run_group_tests_name("lines", tests, NULL, NULL);
+}
