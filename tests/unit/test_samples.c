@@ -319,14 +319,91 @@ static void resolving_averages(void **state)
     assert_int_equal(gn_resolve(&to, &t.depth), GN_INVALID_SIZE);
 }
 
+/* A triangle from w = 1 at x = 0.5 to `w` at its right edge, x = 8.25: 1/w falls along x and, for w
+ * of 32, is 0 at the centre of pixel 8, whose sample 2 is covered. Red is 1, green falls from 1
+ * to 0 and blue rises from 0 to 1, all smooth. The colour of that sample. */
+static void color_beyond_an_edge(gn_format format, float w, gn_backend backend, void *color)
+{
+    static unsigned char memory[65536];
+    static uint32_t pixels[GN_SAMPLES * 16 * 16 * 4];
+    const float place[3][2] = {{0.5f, 0.25f}, {8.25f, 0.25f}, {8.25f, 8.25f}};
+    const float rgb[9] = {1, 1, 0, 1, 0, 1, 1, 0, 1};
+    const gn_surface image = gn_surface_bottom_up(pixels, format, 16, 16);
+    const size_t size = format == GN_FORMAT_RGBA32F ? 16 : format == GN_FORMAT_RGBA16 ? 8 : 4;
+    float position[3][4];
+    gn_color_uniforms uniforms;
+    gn_pipeline pipeline;
+    gn_mesh mesh;
+    gn_workspace workspace = {.memory = memory, .size = sizeof memory, .backend = backend};
+    gn_target t;
+
+    memset(pixels, 0, sizeof pixels);
+    memset(&t, 0, sizeof t);
+    memset(&pipeline, 0, sizeof pipeline);
+    memset(&mesh, 0, sizeof mesh);
+    t.color[0] = gn_surface_multisampled(&image);
+    for (int i = 0; i < 3; ++i) {
+        const float own = i == 0 ? 1.0f : w;
+
+        for (int n = 0; n < 2; ++n)
+            position[i][n] = (place[i][n] / 8.0f - 1.0f) * own;
+        position[i][2] = 0.0f;
+        position[i][3] = own;
+    }
+    mesh.vertex_count = 3;
+    mesh.count = 3;
+    mesh.attribute[GN_ATTRIBUTE_POSITION].data = &position[0][0];
+    mesh.attribute[GN_ATTRIBUTE_POSITION].components = 4;
+    mesh.attribute[GN_ATTRIBUTE_COLOR].data = rgb;
+    mesh.attribute[GN_ATTRIBUTE_COLOR].components = 3;
+    gn_mat4_identity(&uniforms.clip_from_model);
+    assert_int_equal(gn_use_vertex_color(&pipeline, &uniforms), GN_OK);
+    assert_int_equal(gn_draw(&t, &pipeline, &mesh, &workspace), GN_OK);
+    memcpy(color, (const char *)pixels + (size_t)(2 * 16 * 16 + 2 * 16 + 8) * size, size);
+}
+
+/* What the reference draws, on every back end (reference/RULES.md). */
+static void varyings_are_those_of_the_centre(void **state)
+{
+    (void)state;
+    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b) {
+        const gn_backend backend = (gn_backend)b;
+        float color[4];
+        uint16_t words[4];
+        uint32_t bytes;
+
+        if (!gn_backend_available(backend))
+            continue;
+        /* 1/w is negative at the centre: the plane goes on, beyond the range of the vertices. */
+        color_beyond_an_edge(GN_FORMAT_RGBA32F, 33.0f, backend, color);
+        assert_true(fabsf(color[0] - 1.0f) < 1e-3f && fabsf(color[1] - 33.0f) < 1e-2f &&
+                    fabsf(color[2] + 32.0f) < 1e-2f);
+        color_beyond_an_edge(GN_FORMAT_RGBA8, 33.0f, backend, &bytes);
+        assert_int_equal(bytes, 0xFF00FFFFu);
+
+        /* 1/w is 0 there: infinite, or not a number, and what formats make of either. */
+        color_beyond_an_edge(GN_FORMAT_RGBA32F, 32.0f, backend, color);
+        assert_true(isnan(color[0]) && color[1] == -INFINITY && color[2] == INFINITY);
+        color_beyond_an_edge(GN_FORMAT_RGBA16, 32.0f, backend, words);
+        assert_true(words[0] == 0 && words[1] == 0 && words[2] == 65535 && words[3] == 0);
+        color_beyond_an_edge(GN_FORMAT_RGBA8, 32.0f, backend, &bytes);
+        assert_int_equal(bytes, 0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(surfaces_and_views),          cmocka_unit_test(faults),
-        cmocka_unit_test(clears_fill_every_sample),    cmocka_unit_test(coverage_is_of_samples),
-        cmocka_unit_test(strides_of_samples_are_free), cmocka_unit_test(resolving_averages),
-        cmocka_unit_test(masks_are_of_samples),        cmocka_unit_test(one_sample_has_mask_1),
+        cmocka_unit_test(surfaces_and_views),
+        cmocka_unit_test(faults),
+        cmocka_unit_test(clears_fill_every_sample),
+        cmocka_unit_test(coverage_is_of_samples),
+        cmocka_unit_test(strides_of_samples_are_free),
+        cmocka_unit_test(resolving_averages),
+        cmocka_unit_test(masks_are_of_samples),
+        cmocka_unit_test(one_sample_has_mask_1),
         cmocka_unit_test(alpha_covers_samples),
+        cmocka_unit_test(varyings_are_those_of_the_centre),
     };
     return cmocka_run_group_tests_name("samples", tests, NULL, NULL);
 }
