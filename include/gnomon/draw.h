@@ -152,12 +152,29 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  * centre, and mapped to window coordinates;
  * vertices snap to 1/256 pixel; a pixel is covered where its centre lies inside, or on a left edge
  * or a horizontal bottom edge, so that triangles sharing an edge never both cover a pixel on it.
- * Where pixels have several samples, the same is asked of each sample, and lines are rectangles of
- * their width; the fragment shader runs once a pixel, at its centre.
- * Points are squares; lines are as wide as they are along y, where they are longer along x, and
- * along x otherwise, and meet by the diamond-exit rule, so that strips have each pixel of width 1
- * once. OpenGL 4.5 chapters 10 to 17; the order of every operation is the reference rasterizer's,
- * so that results are equal bit for bit (reference/RULES.md). Not drawn are primitives
+ * Where pixels have several samples, the same is asked of each sample, and lines are rectangles;
+ * the fragment shader runs once a pixel, at its centre.
+ *
+ * Points are squares. Where a pixel has one sample, lines are drawn as follows. A line that is
+ * longer along x, or as long, covers its width along y in every column; any other line covers its
+ * width along x in every row. The diamond-exit rule (OpenGL 4.5 section 14.5.1) decides the columns
+ * or rows at both ends: a line has the pixel in whose diamond it begins and lacks the one in whose
+ * diamond it ends. Its width does not change that, while OpenGL shifts lines of even width by half
+ * a pixel first. A vertex at the very centre of a pixel breaks this rule, here and in the
+ * reference: a line that is longer along y and leads down lacks the pixel it begins in.
+ *
+ * To draw lines of width 1 from pixel to pixel, place the vertex of pixel (x, y) at
+ * x + 0.5 - 1/1024, y + 0.5 - 1/1024 in the window. Then
+ * - every line has the pixel it begins in, one pixel in each column or row, and not the pixel it
+ *   ends in, so that a strip has every joint; a point of size 1 at the last vertex adds that pixel;
+ * - a line that leads to the right, or up if it is longer along y, has the pixels nearest to the
+ *   line between the centres, of two as near the one to its left: Bresenham's line. A line that
+ *   leads the other way has pixels at most 1/256 pixel farther away than the nearest.
+ * This needs window coordinates that are off by less than 1/1024 pixel, as they are under
+ * gn_orthographic_rh_no(0, width, 0, height, ...) in targets of up to 4,096 pixels a side.
+ *
+ * OpenGL 4.5 chapters 10 to 17; the order of every operation is the reference rasterizer's, so that
+ * results are equal bit for bit (reference/RULES.md). Not drawn are primitives
  * - with a vertex whose x, y or z is not finite or whose w is NaN,
  * - to be clipped, with a vertex whose distance w +- x, y or z to a plane they cross
  *   is not finite,

@@ -85,8 +85,9 @@ typedef enum gn_topology {
 } gn_topology;
 
 /* The greatest size of a point and width of a line, in pixels. Greater ones are drawn at
- * it, lesser ones than 1 at 1. A line's width is rounded to whole pixels, a point's size to
- * 1/256 pixel. */
+ * it, lesser ones than 1 at 1. A point's size is rounded to 1/256 pixel. A line's width is rounded
+ * to whole pixels, halves up, where a pixel has one sample. Among several samples it is not
+ * rounded: the line is a rectangle of that width, whose sides run along and across it. */
 #define GN_MAX_POINT_SIZE 255
 #define GN_MAX_LINE_WIDTH 255
 
@@ -295,8 +296,18 @@ typedef struct gn_vertex_output {
 } gn_vertex_output;
 
 /* Input of a fragment shader: two halves of 4x2 fragments each, which may lie apart in their
- * primitive, lane l at pixel (x[l / 8] + l % 4, y[l / 8] + l / 4 % 2). Varyings hold values in every
- * lane, also where a fragment is not covered, so that derivatives can be taken in 2x2 quads. */
+ * primitive, lane l at pixel (x[l / 8] + l % 4, y[l / 8] + l / 4 % 2).
+ *
+ * Varyings hold values in every lane, also where a fragment is not covered, so that derivatives can
+ * be taken in 2x2 quads. They are those of the pixel's centre (of lines among several samples, of
+ * its upper right corner), also where the centre lies outside the triangle: in lanes that are not
+ * covered, and where only some of several samples are. There the triangle's planes go on, so that a
+ * varying may lie outside the range of its values at the vertices. A smooth varying is divided by
+ * the interpolated 1/w, which may be 0 or negative beyond an edge: where it is 0, the varying is
+ * infinite or NaN. GN_FLAT varyings are constant. A shader that needs a range must clamp. As a
+ * colour, NaN is stored as 0 in formats of integers and as NaN in formats of floats; an infinity,
+ * or a number beyond 2^31 / 255, is stored as 0 in linear channels of up to 8 bits; an infinity as
+ * 0 or 65,535 in channels of 16 bits, as 0 or 255 in sRGB, and as infinity in floats. */
 typedef struct gn_fragment_input {
     const float (*varying)[GN_LANES]; /* [varying][lane] */
     uint32_t coverage;                /* bit l: lane l is covered and passed early tests */
@@ -401,7 +412,7 @@ typedef struct gn_pipeline {
     bool fragment_writes_depth;
     float point_size;        /* in pixels; 0: 1 */
     bool program_point_size; /* points have the size that the vertex shader gives them */
-    float line_width;        /* in pixels; 0: 1 */
+    float line_width;        /* in pixels; 0: 1; see GN_MAX_LINE_WIDTH */
 
     /* Of targets with several samples a pixel; without effect on others. The alpha is that of the
      * shader's colour; alpha_to_coverage makes it run before the tests. */
