@@ -75,8 +75,9 @@ GN_API gn_quat gn_quat_multiply(gn_quat a, gn_quat b);
 /* (-x, -y, -z, w): the rotation back, where q is of unit length. */
 GN_API gn_quat gn_quat_conjugate(gn_quat q);
 
-/* The quaternion whose product with q is 1, conjugate(q) / |q| / |q|; every component is
- * within 9 u of itself. GN_DEGENERATE where q is zero, GN_OUT_OF_RANGE where its length or a
+/* The quaternion whose product with q is 1, conjugate(q) / |q| / |q|. Where the length is a normal
+ * float, every component is within 9 u of itself, or within 2^-146 where that is no normal
+ * float. GN_DEGENERATE where q is zero, GN_OUT_OF_RANGE where its length or a
  * component of the inverse overflows. */
 GN_API gn_status gn_quat_invert(gn_quat q, gn_quat *result);
 

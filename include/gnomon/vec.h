@@ -103,12 +103,12 @@ GN_API float gn_vec2_distance(gn_vec2 a, gn_vec2 b);
 GN_API float gn_vec3_distance(gn_vec3 a, gn_vec3 b);
 GN_API float gn_vec4_distance(gn_vec4 a, gn_vec4 b);
 
-/* The vector of length one in the direction of v: v / length(v), a division a component, which
- * is within (n / 2 + 2) * 2^-24 of itself with n components, barring underflow, and so is the
- * length of the result of 1. Any finite vector but zero has one: the very small and the very
- * large are scaled by a power of two first.
- * GN_NULL_POINTER, GN_NOT_FINITE (a component is NaN or infinite) and
- * GN_DEGENERATE (v is zero) leave the result untouched. */
+/* The vector of length one in the direction of v: v / length(v), a division a component. With n
+ * components, every component is within (n / 2 + 2) * 2^-24 of itself, or within 2^-148 where that
+ * is no normal float; the length of the result is within (n / 2 + 2) * 2^-24 of 1. Any finite
+ * vector but zero has a result: the very short and the very long are scaled by a power of two
+ * first. GN_NULL_POINTER, GN_NOT_FINITE (a component is NaN or infinite) and GN_DEGENERATE (v is
+ * zero) leave the result untouched. */
 GN_API gn_status gn_vec2_normalize(gn_vec2 v, gn_vec2 *result);
 GN_API gn_status gn_vec3_normalize(gn_vec3 v, gn_vec3 *result);
 GN_API gn_status gn_vec4_normalize(gn_vec4 v, gn_vec4 *result);

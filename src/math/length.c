@@ -3,12 +3,14 @@
  * below 2^-26 * 2^-100 and its error 2^-150. Beyond those limits the vector is
  * multiplied by 2^96 or 2^-96, exactly or with errors as small, which brings any
  * float between them: 2^-149 * 2^96 squared is 2^-106, a normal float, and
- * 2^128 * 2^-96 squared 2^64. A factor of the length is undone in the end; a
- * direction does not need it. */
+ * 2^128 * 2^-96 squared 2^64. The length is divided by the factor in the end.
+ * A direction divides the vector by its length as they are: components that the scaling of a square
+ * would push below the normal floats lose no bit. */
 #include "length.h"
 
 #include <gnomon/scalar.h>
 
+#include <float.h>
 #include <stdbool.h>
 
 #include "bits.h"
@@ -67,7 +69,10 @@ float gn_vec3_length(gn_vec3 v)
         v = gn_vec3_scale(v, scale);
         square = gn_vec3_dot(v, v);
     }
-    return gn_sqrt(square) * unscale_for(scale);
+    /* Kernel: length. */
+    const float length = gn_sqrt(square);
+    /* End of kernel. */
+    return length * unscale_for(scale);
 }
 
 float gn_vec4_length(gn_vec4 v)
@@ -99,6 +104,18 @@ float gn_vec4_distance(gn_vec4 a, gn_vec4 b)
     return gn_vec4_length(gn_vec4_subtract(b, a));
 }
 
+/* The factor a vector of this length needs before it is divided by its length; 1 where that is
+ * a normal float. Of the others, those below become normal. Those above are halved twice, by
+ * which the longest vector's length is a float, and the only components to lose bits are so
+ * small that their quotients are zero. */
+static float divisible_for(float length)
+{
+    if (length < FLT_MIN) {
+        return SCALE_UP;
+    }
+    return gn_is_finite(length) ? 1.0f : 0.25f;
+}
+
 gn_status gn_vec2_normalize(gn_vec2 v, gn_vec2 *result)
 {
     if (!result) {
@@ -107,44 +124,43 @@ gn_status gn_vec2_normalize(gn_vec2 v, gn_vec2 *result)
     if (!gn_is_finite(v.x) || !gn_is_finite(v.y)) {
         return GN_NOT_FINITE;
     }
-    v = gn_vec2_scale(v, scale_for(gn_vec2_dot(v, v)));
-    float square = gn_vec2_dot(v, v);
-    if (square == 0.0f) {
+    float length = gn_vec2_length(v);
+    const float scale = divisible_for(length);
+    if (scale != 1.0f) {
+        v = gn_vec2_scale(v, scale);
+        length = gn_vec2_length(v);
+    }
+    if (length == 0.0f) {
         return GN_DEGENERATE;
     }
-    const float length = gn_sqrt(square);
     result->x = v.x / length;
     result->y = v.y / length;
     return GN_OK;
 }
 
-/* The finite v scaled so that its square can be taken, and that square. */
-static gn_status prepare_vec3(gn_vec3 *v, float *square)
-{
-    if (!gn_is_finite(v->x) || !gn_is_finite(v->y) || !gn_is_finite(v->z)) {
-        return GN_NOT_FINITE;
-    }
-    *v = gn_vec3_scale(*v, scale_for(gn_vec3_dot(*v, *v)));
-    *square = gn_vec3_dot(*v, *v);
-    return *square == 0.0f ? GN_DEGENERATE : GN_OK;
-}
-
 gn_status gn_vec3_unit(gn_vec3 v, gn_vec3 *result)
 {
-    float square;
-    gn_status status = prepare_vec3(&v, &square);
-    if (status == GN_OK) {
-        /* Kernel: unit. */
-        const float length = gn_sqrt(square);
-        const float x = v.x / length;
-        const float y = v.y / length;
-        const float z = v.z / length;
-        /* End of kernel. */
-        result->x = x;
-        result->y = y;
-        result->z = z;
+    if (!gn_is_finite(v.x) || !gn_is_finite(v.y) || !gn_is_finite(v.z)) {
+        return GN_NOT_FINITE;
     }
-    return status;
+    float length = gn_vec3_length(v);
+    const float scale = divisible_for(length);
+    if (scale != 1.0f) {
+        v = gn_vec3_scale(v, scale);
+        length = gn_vec3_length(v);
+    }
+    if (length == 0.0f) {
+        return GN_DEGENERATE;
+    }
+    /* Kernel: unit. */
+    const float x = v.x / length;
+    const float y = v.y / length;
+    const float z = v.z / length;
+    /* End of kernel. */
+    result->x = x;
+    result->y = y;
+    result->z = z;
+    return GN_OK;
 }
 
 gn_status gn_vec3_normalize(gn_vec3 v, gn_vec3 *result)
@@ -160,12 +176,15 @@ gn_status gn_vec4_normalize(gn_vec4 v, gn_vec4 *result)
     if (!gn_is_finite(v.x) || !gn_is_finite(v.y) || !gn_is_finite(v.z) || !gn_is_finite(v.w)) {
         return GN_NOT_FINITE;
     }
-    v = gn_vec4_scale(v, scale_for(gn_vec4_dot(v, v)));
-    float square = gn_vec4_dot(v, v);
-    if (square == 0.0f) {
+    float length = gn_vec4_length(v);
+    const float scale = divisible_for(length);
+    if (scale != 1.0f) {
+        v = gn_vec4_scale(v, scale);
+        length = gn_vec4_length(v);
+    }
+    if (length == 0.0f) {
         return GN_DEGENERATE;
     }
-    const float length = gn_sqrt(square);
     result->x = v.x / length;
     result->y = v.y / length;
     result->z = v.z / length;

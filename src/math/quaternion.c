@@ -24,7 +24,11 @@ gn_quat gn_quat_conjugate(gn_quat q)
     return back;
 }
 
-/* The length is off by 3.5 u, twice, and each division by u. */
+/* The length is off by 3.5 u, twice, and each division by u. Where the length is less than 1, a
+ * quotient by it is less than the result and may be below the normal floats where the result is
+ * not. So dividend and divisors are multiplied by 2^96 = 2^64 * 2^32: a quotient is then below the
+ * normal floats only if the length is above 1 and the result is below them too. Lengths near 1
+ * all take this way, since a branch between them would be foretold wrongly. */
 gn_status gn_quat_invert(gn_quat q, gn_quat *result)
 {
     if (!result) {
@@ -37,8 +41,12 @@ gn_status gn_quat_invert(gn_quat q, gn_quat *result)
     if (length == 0.0f) {
         return GN_DEGENERATE;
     }
-    const gn_quat back = {-q.x / length / length, -q.y / length / length, -q.z / length / length,
-                          q.w / length / length};
+    const bool is_long = length >= 0x1p31f;
+    const float lift = is_long ? 1.0f : 0x1p96f;
+    const float first = is_long ? length : length * 0x1p64f;
+    const float second = is_long ? length : length * 0x1p32f;
+    const gn_quat back = {-q.x * lift / first / second, -q.y * lift / first / second,
+                          -q.z * lift / first / second, q.w * lift / first / second};
     if (!gn_is_finite(length) || !gn_is_finite(back.x) || !gn_is_finite(back.y) ||
         !gn_is_finite(back.z) || !gn_is_finite(back.w)) {
         return GN_OUT_OF_RANGE;

@@ -291,6 +291,23 @@ static bool length_is(float got, const double *v, int count)
                                    (isinf(got) && length > 0x1.fffff0p127);
 }
 
+/* Its length, and each component of v / |v|, however unlike their exponents are. */
+static bool direction_is(const double *got, const double *v, int count)
+{
+    const double bound = (count / 2.0 + 2.0) * U;
+    double square = 0.0, length = 0.0;
+    for (int k = 0; k < count; ++k) {
+        square += got[k] * got[k];
+        length += v[k] * v[k];
+    }
+    for (int k = 0; k < count; ++k) {
+        const double exact = v[k] / sqrt(length);
+        if (!(fabs(got[k] - exact) <= fmax(bound * fabs(exact), 0x1p-148)))
+            return false;
+    }
+    return fabs(sqrt(square) - 1.0) <= bound;
+}
+
 static enum theft_trial_res lengths_and_directions(struct theft *t, void *arg)
 {
     const float *f = arg;
@@ -315,18 +332,9 @@ static enum theft_trial_res lengths_and_directions(struct theft *t, void *arg)
     const double d[3][4] = {{(double)a1.x, (double)a1.y, 0.0, 0.0},
                             {(double)b1.x, (double)b1.y, (double)b1.z, 0.0},
                             {(double)c1.x, (double)c1.y, (double)c1.z, (double)c1.w}};
-    for (int i = 0; i < 3; ++i) {
-        double square = 0.0, along = 0.0, length = 0.0;
-        for (int k = 0; k < i + 2; ++k) {
-            square += d[i][k] * d[i][k];
-            along += d[i][k] * v[k];
-            length += v[k] * v[k];
-        }
-        /* Its length, and that it points where v does. */
-        const double bound = ((i + 2) / 2.0 + 2.0) * U;
-        if (!(fabs(sqrt(square) - 1.0) <= bound) || !(fabs(along / sqrt(length) - 1.0) <= bound))
+    for (int i = 0; i < 3; ++i)
+        if (!direction_is(d[i], v, i + 2))
             return THEFT_TRIAL_FAIL;
-    }
     return THEFT_TRIAL_PASS;
 }
 

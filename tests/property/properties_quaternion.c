@@ -351,6 +351,18 @@ static bool finite_quat(gn_quat q)
 }
 
 /* Of any bits there is a status, and with GN_OK numbers. */
+/* Every component of conjugate(q) / |q|^2, however unlike their exponents are. */
+static bool inverse_is(gn_quat inverse, gn_quat q)
+{
+    const struct wide4 got = wide_quat(inverse), from = wide_quat(gn_quat_conjugate(q));
+    for (int i = 0; i < 4; ++i) {
+        const long double exact = from.c[i] / dot(from, from);
+        if (!(fabsl(got.c[i] - exact) <= fmaxl(9.0L * UL * fabsl(exact), 0x1p-146L)))
+            return false;
+    }
+    return true;
+}
+
 static enum theft_trial_res any_bits_have_an_answer(struct theft *t, void *arg)
 {
     const float *f = arg;
@@ -377,6 +389,8 @@ static enum theft_trial_res any_bits_have_an_answer(struct theft *t, void *arg)
         if (statuses[i] == GN_OK && i != 4 && !is_unit(results[i]))
             return THEFT_TRIAL_FAIL;
     }
+    if (statuses[4] == GN_OK && !inverse_is(results[4], a))
+        return THEFT_TRIAL_FAIL;
     if ((statuses[4] == GN_NOT_FINITE) == finite_quat(a) ||
         (statuses[5] == GN_NOT_FINITE) == finite_quat(a) ||
         (statuses[7] == GN_NOT_FINITE) == (finite_quat(a) && finite_quat(b) && isfinite(f[8])))

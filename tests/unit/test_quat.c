@@ -68,6 +68,31 @@ static void units_multiply_as_hamilton_says(void **state)
     assert_quat(gn_quat_multiply(p, q), theirs[0], theirs[1], theirs[2], theirs[3], 0.0f);
 }
 
+/* Every pair of exponents: conjugate(q) / |q|^2 to 9 u of each component, or to 2^-146 below the
+ * normal floats. */
+static void inverses_of_unlike_components(void **state)
+{
+    (void)state;
+    for (int e = -126; e <= 127; ++e) {
+        for (int f = -149; f <= e; ++f) {
+            const float large = ldexpf(1.28741455f, e), small = ldexpf(-1.06158471f, f);
+            const double square = (double)small * (double)small + (double)large * (double)large;
+            const double exact[2] = {-(double)small / square, -(double)large / square};
+            gn_quat back;
+            const gn_status status = gn_quat_invert((gn_quat){small, large, 0.0f, 0.0f}, &back);
+            if (status == GN_OUT_OF_RANGE) {
+                assert_true(sqrt(square) > (double)FLT_MAX || fabs(exact[1]) > (double)FLT_MAX);
+                continue;
+            }
+            assert_int_equal(status, GN_OK);
+            const double got[2] = {(double)back.x, (double)back.y};
+            for (int i = 0; i < 2; ++i)
+                assert_true(fabs(got[i] - exact[i]) <=
+                            fmax(9 * 0x1p-24 * fabs(exact[i]), 0x1p-146));
+        }
+    }
+}
+
 static void inverses(void **state)
 {
     (void)state;
@@ -379,6 +404,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(units_multiply_as_hamilton_says),
         cmocka_unit_test(inverses),
+        cmocka_unit_test(inverses_of_unlike_components),
         cmocka_unit_test(axes_and_angles),
         cmocka_unit_test(cubes),
         cmocka_unit_test(matrices_that_are_no_rotations),

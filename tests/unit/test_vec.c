@@ -255,6 +255,40 @@ static void directions(void **state)
     }
 }
 
+/* v / |v| to (n / 2 + 2) u, or 2^-148 below the normal floats. */
+static void assert_direction(const float *result, const float *v, int count)
+{
+    double square = 0.0;
+    for (int i = 0; i < count; ++i)
+        square += (double)v[i] * (double)v[i];
+    for (int i = 0; i < count; ++i) {
+        const double exact = (double)v[i] / sqrt(square);
+        const double bound = (count / 2.0 + 2.0) * 0x1p-24 * fabs(exact);
+        assert_true(fabs((double)result[i] - exact) <= fmax(bound, 0x1p-148));
+    }
+}
+
+/* Every pair of exponents: the greater may need scaling, which must not cost the lesser a bit. */
+static void directions_of_unlike_components(void **state)
+{
+    (void)state;
+    for (int e = -149; e <= 127; ++e) {
+        for (int f = -149; f <= e; ++f) {
+            const float large = ldexpf(1.28741455f, e), small = ldexpf(-1.06158471f, f);
+            const float v[4] = {small, large, small, large};
+            gn_vec2 d2;
+            gn_vec3 d3;
+            gn_vec4 d4;
+            assert_int_equal(gn_vec2_normalize((gn_vec2){v[0], v[1]}, &d2), GN_OK);
+            assert_int_equal(gn_vec3_normalize((gn_vec3){v[0], v[1], v[2]}, &d3), GN_OK);
+            assert_int_equal(gn_vec4_normalize((gn_vec4){v[0], v[1], v[2], v[3]}, &d4), GN_OK);
+            assert_direction((float[]){d2.x, d2.y}, v, 2);
+            assert_direction((float[]){d3.x, d3.y, d3.z}, v, 3);
+            assert_direction((float[]){d4.x, d4.y, d4.z, d4.w}, v, 4);
+        }
+    }
+}
+
 static void directions_that_are_none(void **state)
 {
     (void)state;
@@ -305,6 +339,7 @@ int main(void)
         cmocka_unit_test(lengths),
         cmocka_unit_test(lengths_beyond_numbers),
         cmocka_unit_test(directions),
+        cmocka_unit_test(directions_of_unlike_components),
         cmocka_unit_test(directions_that_are_none),
     };
     return cmocka_run_group_tests_name("vec", tests, NULL, NULL);
