@@ -274,7 +274,7 @@ demo: all
 
 # In `make setup demo` and `make setup test` nothing begins before the set-up is done,
 # whatever -j says.
-all demo test library cross size: | $(filter setup setup-cross,$(MAKECMDGOALS))
+all demo test whole library cross size: | $(filter setup setup-cross,$(MAKECMDGOALS))
 
 demo:
 	@$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png --picture $(BUILD)/teapot.png
@@ -376,14 +376,21 @@ size: $(BUILD)/libgnomon.a ## bytes of the library in a microcontroller's progra
 	@tests/portability/size.sh $(BUILD)
 
 # The everyday gate, meant to take less than 8 minutes on two processors. The tests are built twice,
-# as they are and under the sanitizers. Random tests have one seed, so that what passes once
-# passes again; `make soak` takes others. JOBS steps run at a time, the long ones first: each uses
-# one processor where it can choose, and files of its own.
-# Left to other targets, since they compile the back ends again: other compilers and levels of
-# optimisation to check-freestanding, every back end through CMake to check-embedding. Of scenes
-# `make parity` and `make parity-emulated` draw five to forty times as many.
+# as they are and under the sanitizers. JOBS steps run at a time, the long ones first: each uses
+# one processor where it can choose, and files of its own. Random tests start from TEST_SEED, and
+# besides from FRESH_SEED, the time, so that every run looks somewhere new; in continuous
+# integration (CI) there is no such seed, so that what passes once passes again.
+# Left to `make whole`, since they compile the back ends again: other compilers and levels of
+# optimisation, every back end through CMake, most other machines. Of scenes `make parity` and
+# `make parity-emulated` draw five to forty times as many.
 
 TEST_SEED ?= 1
+ifndef CI
+FRESH_SEED := $(shell date +%s)
+endif
+FRESH_SCENES = 600
+FRESH_PARITY = $(BUILD)/parity --seed $(FRESH_SEED) --scenes $(FRESH_SCENES) --keep $(BUILD)/fresh-failure.scene
+REPLAY = || { echo "replay with: make test FRESH_SEED=$(FRESH_SEED)"; false; }
 CHECKED = $(BUILD)/sanitized
 CHECKED_FLAGS = BUILD=$(CHECKED) CFLAGS='-O1 -g1 -fno-inline -DGN_SMALLEST_TASKS' \
 	SANITIZE='-fsanitize=address,undefined -fno-sanitize-recover=all'
@@ -398,20 +405,46 @@ test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)
 	$(BUILD)/textures
 
 .PHONY: test
-test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N failed"
+test: ## everything, in a few minutes: TEST_SEED=1 FRESH_SEED=the time; ends on "N passed, N failed"
 	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/test-lanes $(BUILD)/hashes \
 		$(EMULATED_PARITY)
 	@$(MAKE) --no-print-directory -j$(JOBS) $(CHECKED_FLAGS) test-programs
+	@$(MAKE) --no-print-directory test-steps
+
+.PHONY: whole
+whole: ## test, and what it leaves out: all of cross, size, check-freestanding, check-embedding
+	@$(MAKE) --no-print-directory test WHOLE=yes
+
+ifdef WHOLE
+WHOLE_STEPS = 'other machines=tests/portability/cross.sh $(BUILD)' \
+	'microcontroller=tests/portability/size.sh $(BUILD)' \
+	'proofs of what is wrong=tests/proof/test_prove.sh'
+ALL = --all
+EMULATED_SCENES = 2200
+else
+WHOLE_STEPS = 'other machines=tests/portability/cross.sh $(BUILD) --scenes 110 aarch64 wasm wasm-simd128' \
+	'little code=tests/portability/cross.sh $(BUILD) --scenes 330 small' \
+	'whole program$(comma) memory=tests/portability/cross.sh $(BUILD) --scenes 106 whole-program memory'
+EMULATED_SCENES = 550
+endif
+
+FRESH_STEPS = 'fresh parity=$(FRESH_PARITY) $(REPLAY)' \
+	'fresh properties=$(BUILD)/property-tests --seed $(FRESH_SEED) $(REPLAY)' \
+	'fresh scenes are valid=$(BUILD)/parity --check --seed $(FRESH_SEED) $(REPLAY)'
+
+# In a make of its own, which finds what a set-up has installed.
+.PHONY: test-steps
+test-steps:
 	@LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0 tests/run.sh -j $(JOBS) \
-		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes 3300 --keep $(BUILD)/parity-failure.scene' \
-		$(if $(EMULATED_PARITY),'parity$(comma) back ends emulated=$(EMULATED_PARITY) --seed $(TEST_SEED) --scenes 550 --keep $(BUILD)/emulated-failure.scene') \
+		$(WHOLE_STEPS) \
+		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes $(if $(FRESH_SEED),2700,3300) --keep $(BUILD)/parity-failure.scene' \
+		$(if $(FRESH_SEED),$(FRESH_STEPS)) \
+		$(if $(EMULATED_PARITY),'parity$(comma) back ends emulated=$(EMULATED_PARITY) --seed $(TEST_SEED) --scenes $(EMULATED_SCENES) --keep $(BUILD)/emulated-failure.scene',\
+			'parity$(comma) back ends emulated=echo "skipped: on x86-64 alone"') \
 		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 275 --keep $(BUILD)/sanitized-failure.scene' \
-		'freestanding=tests/portability/freestanding.sh $(BUILD)' \
-		'embedding=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD)' \
-		'other machines=tests/portability/cross.sh $(BUILD) --scenes 110 aarch64 wasm wasm-simd128' \
-		'little code=tests/portability/cross.sh $(BUILD) --scenes 330 small' \
-		'whole program$(comma) memory=tests/portability/cross.sh $(BUILD) --scenes 106 whole-program memory' \
+		'freestanding=tests/portability/freestanding.sh $(BUILD) $(ALL)' \
+		'embedding=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD) $(ALL)' \
 		'blits=$(BUILD)/blits --seed $(TEST_SEED) --blits 2020' \
 		'texels=$(BUILD)/texels --seed $(TEST_SEED) --textures 12' \
 		'textures=$(BUILD)/textures --seed $(TEST_SEED) --quick' \
@@ -436,6 +469,7 @@ test: ## everything, in a few minutes, from TEST_SEED=1; ends on "N passed, N fa
 		'command, transform=$(BUILD)/test_transform_command $(BUILD)/gnomon' \
 		'teapot=$(BUILD)/test_teapot' \
 		'set-up=sh tests/tools/test_setup.sh' \
+		'steps=tests/tools/test_run.sh' \
 		'benchmark, clears=$(BUILD)/bench --frames 1 --scene S6 | grep ": 0 differing"' \
 		'benchmark, a shader=$(BUILD)/bench --frames 1 --scene S4 | grep ": 0 differing"' \
 		'lanes=$(BUILD)/test-lanes $(TEST_SEED)' \

@@ -6,7 +6,9 @@
 # order of the command line, with the seconds that each took, by the clock and of processors: the
 # first depend on what ran beside it. At the end stand the steps that
 # failed, each with the lines of its output that say so and the last of all, so that the tail
-# of a log says what failed. The last line is the sum.
+# of a log says what failed; before them what was skipped, as lines "skipped: ..." and CMocka's
+# say, and what stands in for what this machine lacks (lines "in emulation: ..."). Under GN_NO_SKIP a
+# step that skips something fails. The last line is the sum.
 # usage: run.sh [-j N] NAME=COMMAND...   (steps that use one another's files: make one of them)
 set -u
 at_once=1
@@ -16,11 +18,14 @@ if [ "${1:-}" = -j ]; then
 fi
 passed=0
 failed=0
+skipped=0
 seen_steps=0
 began=$(date +%s)
 work=$(mktemp -d) || exit 1
 failures=$work/failures
+notes=$work/notes
 : >"$failures"
+: >"$notes"
 workers=
 trap 'kill $workers 2>/dev/null; rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM
@@ -79,15 +84,23 @@ for step in "$@"; do
     rest=${counts#* }
     f=${rest%% *}
     seen=${rest#* }
+    s=$(sed -n -e 's/^skipped: //p' -e 's/^\[  SKIPPED \] \([a-z].*\)/\1/p' "$log" | sort -u |
+        sed "s|^|skipped: $name: |" | tee -a "$notes" | grep -c '')
+    grep '^in emulation: ' "$log" >>"$notes"
     if [ "$status" -ne 0 ] && [ "$f" -eq 0 ]; then
         echo "$name: exit status $status"
         f=1
     elif [ "$seen" -eq 0 ]; then
         p=1
-    elif [ $((p + f)) -eq 0 ]; then
+    elif [ $((p + f + s)) -eq 0 ]; then
         echo "$name: no test was run"
         f=1
     fi
+    if [ "$s" -gt 0 ] && [ "$f" -eq 0 ] && [ -n "${GN_NO_SKIP:-}" ]; then
+        echo "$name: $s skipped, where nothing may be (GN_NO_SKIP)"
+        f=$s
+    fi
+    skipped=$((skipped + s))
     passed=$((passed + p))
     failed=$((failed + f))
     echo "-- $name: $p passed, $f failed, $wall s, $processors s of processors"
@@ -96,13 +109,18 @@ for step in "$@"; do
         {
             echo "!! $name: $f failed, exit status $status: $command"
             head -n $((lines > 12 ? lines - 12 : 0)) "$log" |
-                grep -i -E 'fail|error|differ|seed' | grep -v -E 'PASS|, 0 (failed|differ)' | tail -n 12
+                grep -i -E 'fail|error|differ|seed|skipped' | grep -v -E 'PASS|, 0 (failed|differ)' | tail -n 12
             tail -n 12 "$log"
         } >>"$failures"
     fi
     rm -f "$log"
 done
+sort -u "$notes"
 cat "$failures"
 echo "$# steps, $(($(date +%s) - began)) s"
-echo "$passed passed, $failed failed"
+if [ "$skipped" -eq 0 ]; then
+    echo "$passed passed, $failed failed"
+else
+    echo "$passed passed, $failed failed, $skipped skipped"
+fi
 [ "$failed" -eq 0 ]

@@ -1,7 +1,8 @@
 #!/bin/sh
-# Installs from Debian's packages what `make cross` and `make size` need to build for other
-# machines and to run there: compilers, C libraries for test programs, and emulators, more than
-# 1 GB in all. Does nothing where everything is there.
+# Installs from Debian's packages what the tests pass over where it is absent: what `make cross` and
+# `make size` need to build for other machines and to run there, compilers, C libraries for test
+# programs, and emulators, more than 1 GB in all; and the libraries that `make accuracy` compares
+# beside cglm. Does nothing where everything is there.
 set -eu
 self=setup-cross
 . "$(dirname "$0")/debian.sh"
@@ -13,4 +14,5 @@ fi
 
 install_packages "gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-arm-linux-gnueabihf
 libc6-dev-armhf-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross qemu-user clang-19 lld-19
-wasi-libc libclang-rt-19-dev-wasm32 gcc-arm-none-eabi qemu-system-arm $node" "$@"
+wasi-libc libclang-rt-19-dev-wasm32 gcc-arm-none-eabi qemu-system-arm
+libglm-dev libeigen3-dev $node" "$@"

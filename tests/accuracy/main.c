@@ -31,8 +31,8 @@ static const char help[] =
     "than half of ours. That is a failure, except where our contract fixes what makes it so: the\n"
     "row then says what. '-' stands where a library has no such function.\n"
     "\n"
-    "GLM and Eigen are compared too where they are installed (Debian: libglm-dev and\n"
-    "libeigen3-dev) when this program is built; then `make accuracy` has their columns.\n"
+    "GLM and Eigen are compared too where they are installed (make setup-cross) when this\n"
+    "program is built; then `make accuracy` has their columns.\n"
     "\n"
     "  --seed S     what the inputs are made from; printed first (default: the time)\n"
     "  --inputs N   for each function (default 200000)\n"
@@ -157,6 +157,10 @@ static bool find_peers(const struct table *const *tables, size_t count)
     for (int i = 0; i < MOST_PEERS; ++i)
         if (all[i])
             peers[peer_count++] = all[i];
+        else
+            printf("skipped: %s: not compared, since it was absent when this was built: "
+                   "'make setup-cross' installs it\n",
+                   i == 1 ? "GLM" : "Eigen");
     for (int peer = 0; peer < peer_count; ++peer) {
         for (size_t i = 0; i < peers[peer]->count; ++i) {
             const char *name = peers[peer]->functions[i].row;

@@ -310,6 +310,12 @@ static void print_backends(void)
         if (gn_backend_available((gn_backend)b))
             printf(" %s", gn_backend_name((gn_backend)b));
     printf("\n");
+#if defined __x86_64__
+    if (!gn_backend_available(GN_BACKEND_AVX2))
+        printf("skipped: back end avx2: this processor lacks it\n");
+    if (!gn_backend_available(GN_BACKEND_AVX512))
+        printf("in emulation: back end avx512 alone, which this processor lacks\n");
+#endif
 }
 
 /* Starts what draws; a process can do that once. */
@@ -343,8 +349,8 @@ static void print_reference(const gate *g)
     printf("Mesa %s, %s; seed %" PRIu64 "\n", reference_mesa_version(g->comparer.reference),
            reference_renderer(g->comparer.reference), g->options.seed);
     if (g->comparer.coverage_only)
-        printf("This is not Mesa 22.3, for which bit equality is promised: only differences in\n"
-               "coverage fail, all others are reported.\n");
+        printf("skipped: colour and depth: this is not Mesa 22.3, for which bit equality is\n"
+               "promised; only differences in coverage fail, all others are reported.\n");
     fflush(stdout);
 }
 

@@ -4,11 +4,12 @@
 # hashes of every back end with those drawn here in plain C. `small`, `whole-program` and `memory`
 # are this machine, with the library as GN_SMALL makes it, optimised across files, and under the
 # memory sanitizer. A target whose tools are absent is
-# named and passed over. Where there are forms of lanes of a target's own, their operations are
+# named and passed over (skip.sh). Where there are forms of lanes of a target's own, their operations are
 # tested there as well (test_lanes.c). No library uses a fused operation, and as a WebAssembly module it
 # imports nothing.
 # usage: cross.sh BUILD-DIRECTORY [--scenes N] [TARGET...]   (from the root of the project)
 set -eu
+. tests/skip.sh
 export MAKEFLAGS=
 build=$1/cross
 scenes=440
@@ -152,11 +153,11 @@ for target in ${*:-small whole-program memory aarch64 armhf s390x wasm wasm-simd
     describe "$target"
     directory=$build/$target
     if ! have "$compiler" "$runner" ${disassembler:+"$disassembler"}; then
-        echo "$target: not run, since $absent is absent: 'make setup-cross' installs it"
+        skip "$target: not run, since $absent is absent: 'make setup-cross' installs it"
         continue
     fi
     if ! links; then
-        echo "$target: not run, since $compiler has no C library: 'make setup-cross' installs it"
+        skip "$target: not run, since $compiler has no C library: 'make setup-cross' installs it"
         continue
     fi
     if ! ${MAKE:-make} -s -j2 BUILD="$directory" CC="$compiler" CFLAGS="$flags" \

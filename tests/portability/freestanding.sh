@@ -11,6 +11,7 @@
 # and at all levels.
 # usage: freestanding.sh BUILD-DIRECTORY [--all]   (from the root of the project, with the library in it)
 set -eu
+. tests/skip.sh
 build=$1/freestanding
 all=${2:-}
 warnings="-Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror"
@@ -132,7 +133,10 @@ for name in $boards; do
     check_microcontroller "$name"
 done
 has arm-none-eabi-gcc ||
-    echo "cortex-m4: not compiled, since arm-none-eabi-gcc is absent: 'make setup-cross' installs it"
+    skip "Cortex-M4: not compiled for, since arm-none-eabi-gcc is absent: 'make setup-cross' installs it"
+for tool in gcc g++ clang; do
+    has $tool || skip "$tool: compiles nothing, since it is absent: 'make setup' installs it"
+done
 
 for file in include/gnomon.h include/gnomon/*.h; do
     include=${file#include/}

@@ -7,6 +7,7 @@
 # symbol is undefined, there is writable data, or of the small ones the text is too long.
 # usage: size.sh BUILD-DIRECTORY   (from the root of the project)
 set -eu
+. tests/skip.sh
 archive=$1/libgnomon.a
 build=$1/size
 goal=32768 # of text, with GN_SMALL and GN_BASIC
@@ -17,8 +18,9 @@ rm -rf "$build"
 mkdir -p "$build"
 
 if ! command -v $compiler >/dev/null 2>&1; then
-    echo "size: nothing measured, since $compiler is absent: 'make setup-cross' installs it"
-    exit 0
+    skip "size: nothing measured, since $compiler is absent: 'make setup-cross' installs it"
+    echo "size: 0 passed, $failed failed"
+    exit "$failed"
 fi
 
 own="-Os -ffreestanding -fvisibility=hidden -fno-math-errno -fno-fast-math -ffp-contract=off"
@@ -109,7 +111,7 @@ color="-DTEXTURED=0 -DDEPTH=GN_FORMAT_NONE"
 
 here=""
 if ! command -v qemu-system-arm >/dev/null 2>&1; then
-    echo "not run, since qemu-system-arm is absent: 'make setup-cross' installs it"
+    skip "microcontroller: not run, since qemu-system-arm is absent: 'make setup-cross' installs it"
 fi
 printf '%-46s %7s %5s %5s %10s %6s\n' "library in a program, bytes" text data bss workspace stack
 # shellcheck disable=SC2086

@@ -1,0 +1,57 @@
+#!/bin/sh
+# tests/run.sh: sums, closing lines, and what is skipped. usage: test_run.sh   (from the root of the project)
+set -u
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+passed=0
+failed=0
+
+# check WHAT LAST-LINE EXIT-STATUS STEP...: with GN_NO_SKIP as `no_skip` says.
+check() {
+    what=$1
+    last=$2
+    expected=$3
+    shift 3
+    GN_NO_SKIP=$no_skip tests/run.sh "$@" >"$log" 2>&1
+    status=$?
+    if [ $status -eq "$expected" ] && [ "$(tail -n 1 "$log")" = "$last" ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: $what: exit status $status"
+        sed 's/^/    /' "$log"
+    fi
+}
+
+# says WHAT PATTERN: in the closing lines, those after the last step.
+says() {
+    if sed '1,/^-- last/d' "$log" | grep -q -- "$2"; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: $1: no line '$2'"
+    fi
+}
+
+whole="skipped: engine: not run, since fuel is absent: 'make setup-cross' installs it"
+no_skip=
+check "sums" "7 passed, 0 failed" 0 'a=echo "x: 3 passed, 0 failed"' 'b=echo "3 passed, 0 failed"' 'last=true'
+check "a failure" "3 passed, 2 failed" 1 'a=echo "3 passed, 1 failed"; false' 'last=false'
+says "a failure is named" '^!! a: 1 failed'
+check "no test" "0 passed, 1 failed" 1 'last=echo "0 passed, 0 failed"'
+check "a part is skipped" "4 passed, 0 failed, 1 skipped" 0 "a=echo \"$whole\"; echo '3 passed, 0 failed'" 'last=true'
+says "what is skipped is named" "^skipped: a: engine: .*installs it"
+check "a whole step is skipped" "1 passed, 0 failed, 1 skipped" 0 "a=echo \"$whole\"; echo '0 passed, 0 failed'" 'last=true'
+check "a part of a step without counts" "2 passed, 0 failed, 1 skipped" 0 "a=echo \"$whole\"" 'last=true'
+check "CMocka's" "3 passed, 0 failed, 1 skipped" 0 \
+    "a=printf '[  SKIPPED ] far\\n[  PASSED  ] 2 test(s).\\n[  SKIPPED ] 1 test(s), listed below:\\n[  SKIPPED ] far\\n'" 'last=true'
+check "emulation is no skip" "2 passed, 0 failed" 0 'a=echo "in emulation: avx512"' 'last=true'
+says "emulation is told" '^in emulation: avx512'
+no_skip=1
+check "nothing may be skipped" "4 passed, 1 failed, 1 skipped" 1 "a=echo \"$whole\"; echo '3 passed, 0 failed'" 'last=true'
+says "a skip fails by name" '^!! a: 1 failed'
+check "a script that fails for it" "1 passed, 1 failed, 1 skipped" 1 \
+    "a=. tests/skip.sh; failed=0; skip 'x: absent'; echo \"0 passed, \$failed failed\"; exit \$failed" 'last=true'
+check "nothing is skipped" "1 passed, 0 failed" 0 'last=true'
+echo "run: $passed passed, $failed failed"
+[ "$failed" -eq 0 ]
