@@ -99,6 +99,7 @@ static enum theft_trial_res one_place_is_one_of_sixteen(struct theft *theft, voi
     const gn_sampler s = random_sampler_state(&r);
     const bool alone = stand_alone(&t, &s);
     const bool is_tame = !alone || random_chance(&r, 60);
+    static const float offset[3] = {0.3183f, 0.4142f, 0.2718f};
     float coordinate[3][GN_LANES], lod[GN_LANES], reference[GN_LANES], texel[4][GN_LANES], one[4];
     const gn_lookup lookup = {.coordinate = {coordinate[0], coordinate[1], coordinate[2]},
                               .reference = reference,
@@ -109,9 +110,10 @@ static enum theft_trial_res one_place_is_one_of_sixteen(struct theft *theft, voi
     (void)theft;
     for (int l = 0; l < GN_LANES; l++) {
         for (int c = 0; c < 3; c++)
-            /* Never on a texel's border, where places beside each other choose as they like. */
+            /* Never on a texel's border, where places beside each other choose as they like, nor,
+             * by the offsets of their own, on an edge of a cube. */
             coordinate[c][l] = is_tame
-                                   ? ((float)random_between(&r, -2048, 3071) + 0.3183f) / 1024.0f
+                                   ? ((float)random_between(&r, -2048, 3071) + offset[c]) / 1024.0f
                                    : random_hostile_number(&r);
         lod[l] = is_tame ? random_float(&r, -2.0f, 7.0f) : random_hostile_number(&r);
         reference[l] = random_unit(&r);
