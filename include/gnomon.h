@@ -52,6 +52,7 @@
 #include "gnomon/derivatives.h"
 #include "gnomon/draw.h"
 #include "gnomon/inverse.h"
+#include "gnomon/lanes.h"
 #include "gnomon/light.h"
 #include "gnomon/mat.h"
 #include "gnomon/parallel.h"

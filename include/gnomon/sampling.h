@@ -33,11 +33,8 @@
 
 #include <stdbool.h>
 
+#include "lanes.h"
 #include "texture.h"
-
-/* Vertices, triangles, fragments and texture samples are processed this many at a
- * time, as structures of arrays. */
-#define GN_LANES 16
 
 /* The most samples of an anisotropic lookup. */
 #define GN_MAX_ANISOTROPY 16

@@ -1,6 +1,6 @@
 /* The stages over AVX2 registers. Fused multiply-add stays out: the target asked for
  * does not have it, and the library is compiled without contraction. */
-#include "have.h"
+#include "../config/have.h"
 
 #include "../draw/job.h"
 #include "../math/bulk_job.h"

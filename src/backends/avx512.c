@@ -1,6 +1,6 @@
 /* The stages over AVX-512 registers. The target asked for can fuse multiplications with
  * additions; that it does not rests on -ffp-contract=off. */
-#include "have.h"
+#include "../config/have.h"
 
 #include "../draw/job.h"
 #include "../math/bulk_job.h"

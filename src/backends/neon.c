@@ -1,5 +1,5 @@
 /* The stages over the registers of 64-bit Arm's Advanced SIMD. */
-#include "have.h"
+#include "../config/have.h"
 
 #include "../draw/job.h"
 #include "../math/bulk_job.h"

@@ -6,7 +6,7 @@
 
 #include "gnomon/pipeline.h"
 
-#include "../lanes/small.h"
+#include "../config/small.h"
 
 typedef struct shading_functions {
     gn_sampling sampling;

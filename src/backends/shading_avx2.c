@@ -1,5 +1,5 @@
 /* Shading over AVX2 registers. */
-#include "have.h"
+#include "../config/have.h"
 
 #include "shading.h"
 

@@ -1,6 +1,6 @@
 /* Shading over AVX-512 registers. The target asked for can fuse multiplications with
  * additions; that it does not rests on -ffp-contract=off. */
-#include "have.h"
+#include "../config/have.h"
 
 #include "shading.h"
 

@@ -1,5 +1,5 @@
 /* Shading over 64-bit Arm's Advanced SIMD registers. */
-#include "have.h"
+#include "../config/have.h"
 
 #include "shading.h"
 

@@ -1,5 +1,5 @@
 /* Shading over SSE2 registers. */
-#include "have.h"
+#include "../config/have.h"
 
 #include "shading.h"
 

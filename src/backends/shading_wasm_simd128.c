@@ -1,5 +1,5 @@
 /* Shading over WebAssembly's 128-bit vectors. */
-#include "have.h"
+#include "../config/have.h"
 
 #include "shading.h"
 

@@ -1,5 +1,5 @@
 /* The stages over SSE2 registers. */
-#include "have.h"
+#include "../config/have.h"
 
 #include "../draw/job.h"
 #include "../math/bulk_job.h"

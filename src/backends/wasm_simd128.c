@@ -1,7 +1,7 @@
 /* The stages over WebAssembly's 128-bit vectors. A module is valid on a machine as a
  * whole or not at all, so that the choice falls where the program is compiled
  * (-msimd128). */
-#include "have.h"
+#include "../config/have.h"
 
 #include "../draw/job.h"
 #include "../math/bulk_job.h"

@@ -1,10 +1,10 @@
 /* The draw: validates, divides the workspace, chooses a back end and hands it the job. */
 #include "gnomon/draw.h"
 
-#include "../backends/have.h"
+#include "../config/have.h"
 #include "../fragment/types.h"
 #include "../geometry/assemble.h"
-#include "../lanes/small.h"
+#include "../config/small.h"
 #include "check.h"
 #include "job.h"
 
@@ -242,7 +242,7 @@ static bool has_more_colors(const gn_target *target, const gn_pipeline *p)
     return p->color_count > 1;
 }
 
-/* Whether the draw asks for what this library was compiled without (lanes/small.h). */
+/* Whether the draw asks for what this library was compiled without (config/small.h). */
 static bool is_left_out(const gn_target *target, const gn_pipeline *p, const gn_mesh *mesh)
 {
     return (!GN_HAVE_LINES &&

@@ -3,7 +3,7 @@
 #define GN_DRAW_SURFACE_FAULTS_H
 
 #include "../fragment/types.h"
-#include "faults.h"
+#include "../config/faults.h"
 
 /* Colours of a target are surfaces 0 to 7, its depth is this one. */
 #define SURFACE_DEPTH 8

@@ -35,9 +35,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "gnomon/sampling.h"
+#include "gnomon/lanes.h"
 
-#include "small.h"
+#include "../config/small.h"
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "The library's bits are exact only with -fno-fast-math, after all other flags."

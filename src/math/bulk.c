@@ -4,7 +4,7 @@
 
 #include <gnomon/sampling.h>
 
-#include "../backends/have.h"
+#include "../config/have.h"
 #include "bulk_job.h"
 
 typedef void bulk_function(const bulk_job *job);

@@ -4,8 +4,8 @@
 
 #include "gnomon/sampling.h"
 
-#include "../draw/faults.h"
-#include "../lanes/small.h"
+#include "../config/faults.h"
+#include "../config/small.h"
 #include "../math/bits.h"
 
 static inline fault fault_of_lod_range(const gn_sampler *s)

@@ -2,7 +2,7 @@
 #ifndef GN_TEXTURE_TEXTURE_FAULTS_H
 #define GN_TEXTURE_TEXTURE_FAULTS_H
 
-#include "../draw/faults.h"
+#include "../config/faults.h"
 #include "../fragment/types.h"
 #include "extent.h"
 

@@ -1,11 +1,11 @@
-/* The faults of descriptions, one line each: the status and the words. The functions of
- * pipeline_faults.h and surface_faults.h are written once and compiled twice, into those that give
- * statuses (check.c, surface.c) and, where this is included with GN_FAULT_TEXTS, into those that
- * give the words (faults.c), which a program that does not ask for them has no bytes of. */
-#ifndef GN_DRAW_FAULTS_H
-#define GN_DRAW_FAULTS_H
+/* The faults of descriptions, one line each: the status and the words. The files
+ * named .._faults.h are written once and compiled twice: into functions that return statuses and,
+ * where this is included with GN_FAULT_TEXTS, into functions that return the words. A program that
+ * does not ask for the words has no bytes of them. */
+#ifndef GN_CONFIG_FAULTS_H
+#define GN_CONFIG_FAULTS_H
 
-#include "gnomon/draw.h"
+#include "gnomon/status.h"
 
 #if defined(GN_FAULT_TEXTS)
 

@@ -2,8 +2,8 @@
  * instruction set within a program get the portable one alone. GN_LANES_INTRINSICS_HEADER
  * names a header that emulates intrinsics the target does not have, for tests: then the
  * back ends that are made of them are there too. */
-#ifndef GN_BACKENDS_HAVE_H
-#define GN_BACKENDS_HAVE_H
+#ifndef GN_CONFIG_HAVE_H
+#define GN_CONFIG_HAVE_H
 
 #if defined(GN_LANES_INTRINSICS_HEADER)
 #define GN_HAVE_EMULATED 1
