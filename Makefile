@@ -190,7 +190,7 @@ $(BUILD)/tests/portability/test_lanes.o: EXTRA_FLAGS = -Itests/parity \
 	-DLANES_FORMS='$(foreach form,$(LANES_FORMS),FORM($(form)))'
 
 $(BUILD)/test-lanes: $(BUILD)/tests/portability/test_lanes.o $(LANES_OBJECTS) \
-		$(BUILD)/src/backends/choose.o $(BUILD)/src/math/sqrt.o
+		$(BUILD)/src/backends/choose.o $(BUILD)/src/scalars/sqrt.o
 	$(LINK) -lm
 
 $(BUILD)/exhaustive: $(call objects,$(EXHAUSTIVE_SOURCES)) $(BUILD)/libgnomon.a

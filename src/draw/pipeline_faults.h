@@ -3,7 +3,7 @@
 #define GN_DRAW_PIPELINE_FAULTS_H
 
 #include "../config/small.h"
-#include "../math/bits.h"
+#include "../scalars/bits.h"
 #include "../shaders/shaders.h"
 #include "check.h"
 #include "../config/faults.h"

@@ -3,7 +3,7 @@
 #define GN_FRAGMENT_CHANNELS_H
 
 #include "../lanes/lanes.h"
-#include "../math/bits.h"
+#include "../scalars/bits.h"
 #include "holds.h"
 
 /* Floats as surfaces hold them: every NaN is GN_NAN_BITS, since processors differ in the bits of

@@ -8,7 +8,7 @@
 #include "viewport.h"
 
 #include "../lanes/lanes.h"
-#include "../math/bits.h"
+#include "../scalars/bits.h"
 
 typedef struct clipper {
     const gn_pipeline *pipeline;

@@ -8,7 +8,7 @@
  * in the quotient. */
 #include <gnomon/ray.h>
 
-#include "bits.h"
+#include "../scalars/bits.h"
 #include "length.h"
 #include "transform.h"
 

@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-#include "bits.h"
+#include "../scalars/bits.h"
 
 /* The larger and the smaller of two floats that are not NaN. */
 static inline float gn_larger(float a, float b)

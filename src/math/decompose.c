@@ -1,7 +1,7 @@
 /* A model matrix into translation, rotation and scale. */
 #include <gnomon/decompose.h>
 
-#include "bits.h"
+#include "../scalars/bits.h"
 #include "length.h"
 #include "transform.h"
 

@@ -1,5 +1,5 @@
 /* Frames, affine maps and model matrices. */
-#include "bits.h"
+#include "../scalars/bits.h"
 #include "transform.h"
 
 #include <gnomon/inverse.h>

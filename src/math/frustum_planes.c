@@ -3,7 +3,7 @@
  * off by u of itself, and the division by the length by another u. */
 #include <gnomon/culling.h>
 
-#include "bits.h"
+#include "../scalars/bits.h"
 #include "transform.h"
 
 static gn_status plane_from(const float c[4], gn_plane *plane)

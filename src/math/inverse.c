@@ -3,7 +3,7 @@
 
 #include <stddef.h>
 
-#include "bits.h"
+#include "../scalars/bits.h"
 #include "transform.h"
 
 /* The power of two that brings the largest of three finite numbers to 1 .. 2, or

@@ -11,7 +11,7 @@
 #include <stdbool.h>
 
 #include "../lanes/pair.h"
-#include "bits.h"
+#include "../scalars/bits.h"
 
 #if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
 #error "Floats must be floats: -msse2 -mfpmath=sse on x86, -fexcess-precision=fast on s390x."

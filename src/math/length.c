@@ -13,7 +13,7 @@
 #include <float.h>
 #include <stdbool.h>
 
-#include "bits.h"
+#include "../scalars/bits.h"
 
 #define SQUARE_SMALL 0x1p-100f
 #define SQUARE_LARGE 0x1p120f

@@ -1,6 +1,6 @@
 /* Views: a camera at one point that looks at another or in a direction, in a space
  * of either hand. */
-#include "bits.h"
+#include "../scalars/bits.h"
 #include "length.h"
 #include "transform.h"
 

@@ -6,7 +6,7 @@
  * eye. The view then turns a direction and not two places. */
 #include <gnomon/ray.h>
 
-#include "bits.h"
+#include "../scalars/bits.h"
 #include "transform.h"
 
 /* The ray in view space, or a status. */

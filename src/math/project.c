@@ -1,7 +1,7 @@
 /* Points to the window and back. */
 #include <gnomon/project.h>
 
-#include "bits.h"
+#include "../scalars/bits.h"
 #include "transform.h"
 
 gn_status gn_clip_to_ndc(gn_vec4 clip, gn_vec3 *ndc)

@@ -3,7 +3,7 @@
 
 #include <gnomon/inverse.h>
 
-#include "bits.h"
+#include "../scalars/bits.h"
 #include "transform.h"
 
 bool gn_all_finite(const float *numbers, int count)

@@ -1,7 +1,7 @@
 /* The algebra of quaternions, and vectors rotated by them. */
 #include "quaternion.h"
 
-#include "bits.h"
+#include "../scalars/bits.h"
 
 gn_quat gn_quat_identity(void)
 {

@@ -1,7 +1,7 @@
 /* Between two rotations. */
 #include <gnomon/scalar.h>
 
-#include "bits.h"
+#include "../scalars/bits.h"
 #include "quaternion.h"
 
 /* Both of length one, in the half space of each other. */

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "bits.h"
+#include "../scalars/bits.h"
 #include "length.h"
 #include "quaternion.h"
 #include "transform.h"

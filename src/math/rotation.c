@@ -1,7 +1,7 @@
 /* Rotations about coordinate axes and about any axis. */
 #include <gnomon/scalar.h>
 
-#include "bits.h"
+#include "../scalars/bits.h"
 #include "length.h"
 #include "transform.h"
 

@@ -1,7 +1,7 @@
 /* Operations on transforms, and the parts their constructors share. */
 #include "transform.h"
 
-#include "bits.h"
+#include "../scalars/bits.h"
 
 bool gn_vec3_is_finite(gn_vec3 v)
 {

@@ -1,7 +1,7 @@
 /* Normalised device coordinates to window coordinates. */
 #include <gnomon/projection.h>
 
-#include "bits.h"
+#include "../scalars/bits.h"
 #include "transform.h"
 
 /* OpenGL implementations compute the depth scale and offset in double and round

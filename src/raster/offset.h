@@ -6,7 +6,7 @@
 #include "types.h"
 
 #include "../lanes/lanes.h"
-#include "../math/bits.h"
+#include "../scalars/bits.h"
 
 typedef struct offset_state {
     bool moves;    /* fragments add an offset, if only 0 */

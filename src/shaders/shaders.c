@@ -1,6 +1,6 @@
 /* The ready-made shaders as functions, and their choice for a pipeline. */
 #include "../fragment/holds.h"
-#include "../math/bits.h"
+#include "../scalars/bits.h"
 
 #include "lit.h"
 #include "unlit.h"

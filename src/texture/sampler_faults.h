@@ -6,7 +6,7 @@
 
 #include "../config/faults.h"
 #include "../config/small.h"
-#include "../math/bits.h"
+#include "../scalars/bits.h"
 
 static inline fault fault_of_lod_range(const gn_sampler *s)
 {

@@ -3,7 +3,7 @@
 
 #include <gnomon/scalar.h>
 
-#include "../../src/math/sqrt.h"
+#include "../../src/scalars/sqrt.h"
 
 const checked_function checked_functions[] = {
     {"sqrt", gn_sqrt, 0, {REFERENCE_SQRT}},

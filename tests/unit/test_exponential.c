@@ -11,8 +11,8 @@
 
 #include "float_bits.h"
 
-#include "../../src/math/exponential.h"
-#include "../../src/math/logarithm.h"
+#include "../../src/scalars/exponential.h"
+#include "../../src/scalars/logarithm.h"
 
 /* A generator of Knuth's (MMIX); its upper half. */
 static uint64_t seed = 1;

@@ -7,8 +7,8 @@
 
 #include "float_bits.h"
 
-#include "../../src/math/fixed_point.h"
-#include "../../src/math/sqrt.h"
+#include "../../src/scalars/fixed_point.h"
+#include "../../src/scalars/sqrt.h"
 
 enum { STRIDE = 65537 }; /* of bit patterns: 65,535 floats of every class */
 

@@ -1,7 +1,7 @@
 /* The angle of a vector in fixed point, rounded to a float: what all the inverse
  * trigonometric functions end in. */
-#ifndef GNOMON_MATH_ARCTANGENT_H
-#define GNOMON_MATH_ARCTANGENT_H
+#ifndef GNOMON_SCALARS_ARCTANGENT_H
+#define GNOMON_SCALARS_ARCTANGENT_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,6 +1,6 @@
 /* Powers of two in fixed point: what exp2, exp and pow share. */
-#ifndef GNOMON_MATH_EXPONENTIAL_H
-#define GNOMON_MATH_EXPONENTIAL_H
+#ifndef GNOMON_SCALARS_EXPONENTIAL_H
+#define GNOMON_SCALARS_EXPONENTIAL_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* An angle brought into one octant, and its sine and cosine in fixed point:
  * what sine, cosine and tangent share. */
-#ifndef GNOMON_MATH_ANGLE_H
-#define GNOMON_MATH_ANGLE_H
+#ifndef GNOMON_SCALARS_ANGLE_H
+#define GNOMON_SCALARS_ANGLE_H
 
 #include <stdbool.h>
 #include <stdint.h>

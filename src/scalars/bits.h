@@ -1,7 +1,7 @@
 /* Floats as the bit patterns IEEE 754 gives them: sign, 8 bits of exponent with
  * bias 127, 23 bits of fraction. */
-#ifndef GNOMON_MATH_BITS_H
-#define GNOMON_MATH_BITS_H
+#ifndef GNOMON_SCALARS_BITS_H
+#define GNOMON_SCALARS_BITS_H
 
 #include <stdbool.h>
 #include <stdint.h>

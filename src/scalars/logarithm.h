@@ -1,6 +1,6 @@
 /* The binary logarithm in fixed point: what log2, log and pow share. */
-#ifndef GNOMON_MATH_LOGARITHM_H
-#define GNOMON_MATH_LOGARITHM_H
+#ifndef GNOMON_SCALARS_LOGARITHM_H
+#define GNOMON_SCALARS_LOGARITHM_H
 
 #include <stdbool.h>
 #include <stdint.h>

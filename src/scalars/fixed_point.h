@@ -1,8 +1,8 @@
 /* 64-bit fixed-point arithmetic: from 32-bit products, which every target has
  * without a support library, and in the instructions of 64-bit processors known to
  * have them. "Q64" is an unsigned fraction in units of 2^-64. */
-#ifndef GNOMON_MATH_FIXED_POINT_H
-#define GNOMON_MATH_FIXED_POINT_H
+#ifndef GNOMON_SCALARS_FIXED_POINT_H
+#define GNOMON_SCALARS_FIXED_POINT_H
 
 #include <stdint.h>
 
