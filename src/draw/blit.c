@@ -2,8 +2,8 @@
  * at a time. */
 #include "gnomon/blit.h"
 
-#include "../fragment/pixel_rows.h"
-#include "../raster/cull.h"
+#include "../formats/pixel_rows.h"
+#include "../raster/scissor.h"
 #include "blit_cut.h"
 #include "blit_quad.h"
 #include "check.h"

@@ -2,7 +2,8 @@
 #ifndef GN_DRAW_CLEAR_PIXEL_H
 #define GN_DRAW_CLEAR_PIXEL_H
 
-#include "../fragment/formats.h"
+#include "../formats/encode.h"
+#include "../formats/size.h"
 #include "fill.h"
 
 /* A pixel's bytes as memory has them. */

@@ -2,9 +2,10 @@
 #include "gnomon/draw.h"
 
 #include "../config/have.h"
-#include "../fragment/types.h"
-#include "../geometry/assemble.h"
 #include "../config/small.h"
+#include "../formats/holds.h"
+#include "../geometry/assemble.h"
+#include "../surfaces/target.h"
 #include "check.h"
 #include "job.h"
 

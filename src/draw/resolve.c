@@ -1,5 +1,5 @@
 /* Resolving: several samples of a pixel to one. */
-#include "../fragment/pixel_rows.h"
+#include "../formats/pixel_rows.h"
 #include "check.h"
 
 #if GN_HAVE_SAMPLES

@@ -8,6 +8,7 @@
 #include "../geometry/viewport.h"
 #include "../raster/cull.h"
 #include "../raster/offset.h"
+#include "../surfaces/target.h"
 #include "job.h"
 
 /* Where vertices are kept. The elements of a draw are its indices, or its vertices

@@ -1,7 +1,9 @@
 /* Surfaces: construction, validation and clears. */
 #include "gnomon/surface.h"
 
-#include "../fragment/types.h"
+#include "../formats/holds.h"
+#include "../formats/size.h"
+#include "../formats/surface_memory.h"
 #include "check.h"
 #include "clear_pixel.h"
 #include "fill.h"

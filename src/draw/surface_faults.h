@@ -2,8 +2,12 @@
 #ifndef GN_DRAW_SURFACE_FAULTS_H
 #define GN_DRAW_SURFACE_FAULTS_H
 
-#include "../fragment/types.h"
 #include "../config/faults.h"
+#include "../config/small.h"
+#include "../formats/holds.h"
+#include "../formats/size.h"
+#include "../formats/surface_memory.h"
+#include "../surfaces/target.h"
 
 /* Colours of a target are surfaces 0 to 7, its depth is this one. */
 #define SURFACE_DEPTH 8

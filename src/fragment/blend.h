@@ -3,7 +3,7 @@
 #ifndef GN_FRAGMENT_BLEND_H
 #define GN_FRAGMENT_BLEND_H
 
-#include "formats.h"
+#include "../formats/encode.h"
 #include "planes.h"
 
 static inline gn_blend_factor factor_or(gn_blend_factor f, gn_blend_factor other)

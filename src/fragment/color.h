@@ -2,7 +2,7 @@
 #ifndef GN_FRAGMENT_COLOR_H
 #define GN_FRAGMENT_COLOR_H
 
-#include "channels.h"
+#include "../formats/channels.h"
 #include "planes.h"
 
 /* Pixel by pixel, for blocks that hang over the surface's edge. */

@@ -5,8 +5,8 @@
 
 #include "blend.h"
 #include "color.h"
-#include "decode.h"
 #include "logic.h"
+#include "pixels.h"
 
 static inline void set_color_state(color_state *s, const gn_pipeline *pipeline, uint32_t attachment,
                                    gn_format format)

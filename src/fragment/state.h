@@ -7,7 +7,6 @@
 
 #include "combine.h"
 #include "depth.h"
-#include "formats.h"
 #include "stencil.h"
 
 /* The attachments that the shader writes after the first. */

@@ -6,8 +6,7 @@
  *   color   conversion to the colour format and write
  *   blend   colours blended with those of the surface
  *   logic   and their bits combined
- *   formats conversion to formats that are less common
- *   decode  and from them
+ *   pixels  blocks of pixels of the formats that are less common
  *   combine what a surface holds combined with colours, channel by channel
  *   block   interpolates, runs depth, the fragment shader and colour
  *   runs    blocks and rows of them, by functions for the common states
@@ -18,9 +17,11 @@
 #define GN_FRAGMENT_TYPES_H
 
 #include "../backends/shading.h"
+#include "../formats/holds.h"
+#include "../formats/size.h"
+#include "../formats/surface_memory.h"
 #include "../lanes/lanes.h"
 #include "../raster/types.h"
-#include "holds.h"
 
 /* What of incoming and stored depth is asked; `inverted` asks for the contrary. Stored
  * forms order as integers, so that these make all eight functions. */
@@ -52,7 +53,7 @@ typedef enum color_use {
 typedef struct color_state {
     color_use use;
     uint32_t written;        /* channels: GN_CHANNEL_RED and so on */
-    int32_t written_bits[2]; /* of the words of a pixel (formats.h) */
+    int32_t written_bits[2]; /* of the words of a pixel (formats/encode.h) */
     bool blends, is_logical; /* at most one */
     blend_rule color, alpha;
     mixing mixes; /* of formats of one channel */
@@ -145,75 +146,6 @@ static inline bool surface_holds_block(const gn_surface *surface, const pixel_bl
 
     return (uint32_t)x + BLOCK_SIZE <= surface->width &&
            (uint32_t)y + BLOCK_SIZE / 2 <= surface->height;
-}
-
-/* The first surface of a target; where it has none, an absent one. */
-static inline const gn_surface *first_surface(const gn_target *target)
-{
-    for (int i = 0; i < GN_MAX_COLORS; ++i) {
-        if (target->color[i].format != GN_FORMAT_NONE)
-            return &target->color[i];
-    }
-    return &target->depth;
-}
-
-/* The memory of row y of a surface. */
-static inline unsigned char *surface_row(const gn_surface *surface, uint32_t y)
-{
-    return (unsigned char *)surface->pixels + (ptrdiff_t)y * surface->row_stride;
-}
-
-/* Bytes between the first bytes of two rows, layers or samples, whichever comes first in memory. */
-static inline size_t stride_length(ptrdiff_t stride)
-{
-    return stride < 0 ? 0 - (size_t)stride : (size_t)stride;
-}
-
-/* Samples of a checked surface's pixels. */
-static inline uint32_t samples_of(const gn_surface *surface)
-{
-    return surface->samples > 1 ? GN_SAMPLES : 1;
-}
-
-/* The pixels of a sample of a surface. */
-static inline unsigned char *sample_memory(const gn_surface *surface, uint32_t sample)
-{
-    return (unsigned char *)surface->pixels + (ptrdiff_t)sample * surface->sample_stride;
-}
-
-/* Bytes of one pixel of a format; 0 for GN_FORMAT_NONE and for no format. */
-GN_INLINE uint32_t format_size(gn_format format)
-{
-    switch (format) {
-    case GN_FORMAT_R8:
-    case GN_FORMAT_S8:
-        return 1;
-    case GN_FORMAT_D16:
-    case GN_FORMAT_RG8:
-    case GN_FORMAT_RGB565:
-    case GN_FORMAT_RGB5_A1:
-    case GN_FORMAT_RGBA4:
-    case GN_FORMAT_R16:
-        return 2;
-    case GN_FORMAT_RGB8:
-        return 3;
-    case GN_FORMAT_RGBA8:
-    case GN_FORMAT_D24:
-    case GN_FORMAT_D32F:
-    case GN_FORMAT_D24S8:
-    case GN_FORMAT_BGRA8:
-    case GN_FORMAT_R32F:
-    case GN_FORMAT_SRGB8_A8:
-        return 4;
-    case GN_FORMAT_D32FS8:
-    case GN_FORMAT_RGBA16:
-    case GN_FORMAT_RGBA16F:
-        return 8;
-    case GN_FORMAT_RGBA32F:
-        return 16;
-    default:
-        return 0;
-    }
 }
 
 /* The memory of a pixel on a surface of the given format, null where there is none. */

@@ -4,9 +4,9 @@
 #ifndef GN_RASTER_CULL_H
 #define GN_RASTER_CULL_H
 
-#include "box.h"
-
 #include "../lanes/lanes.h"
+#include "box.h"
+#include "scissor.h"
 
 /* What culling needs of a draw. */
 typedef struct cull_state {
@@ -26,24 +26,6 @@ typedef struct cull_result {
     uint32_t drawn, clockwise, crossing;
     int32_t bounds[BOUNDS_COUNT][GN_LANES];
 } cull_result;
-
-/* The pixels of a target that a scissor lets be drawn. With none, the maxima lie below the
- * minima. */
-static inline pixel_rectangle scissored_target(const gn_scissor *scissor, uint32_t width,
-                                               uint32_t height)
-{
-    const int64_t left = scissor->set ? scissor->x : 0;
-    const int64_t bottom = scissor->set ? scissor->y : 0;
-    const int64_t right = scissor->set ? left + scissor->width : width;
-    const int64_t top = scissor->set ? bottom + scissor->height : height;
-    pixel_rectangle r;
-
-    r.min_x = (int32_t)(left < 0 ? 0 : left < width ? left : width);
-    r.min_y = (int32_t)(bottom < 0 ? 0 : bottom < height ? bottom : height);
-    r.max_x = (int32_t)(right < 0 ? 0 : right < width ? right : width) - 1;
-    r.max_y = (int32_t)(top < 0 ? 0 : top < height ? top : height) - 1;
-    return r;
-}
 
 static inline cull_state cull_state_of(const gn_pipeline *p, uint32_t width, uint32_t height)
 {

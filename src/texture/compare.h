@@ -4,7 +4,7 @@
 
 #include "gnomon/sampling.h"
 
-#include "../fragment/holds.h"
+#include "../formats/holds.h"
 #include "../lanes/lanes.h"
 
 /* Whether a lookup gives comparisons' results. */

@@ -1,6 +1,7 @@
 /* Levels made from the first: each from the one before it, by the reference's rules for linear
  * blits, in three dimensions between two layers. */
 #include "../draw/reduce.h"
+#include "../formats/holds.h"
 #include "packed.h"
 #include "texture_faults.h"
 

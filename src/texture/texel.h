@@ -3,8 +3,8 @@
 #ifndef GN_TEXTURE_TEXEL_H
 #define GN_TEXTURE_TEXEL_H
 
-#include "../fragment/channels.h"
-#include "../fragment/types.h"
+#include "../formats/channels.h"
+#include "../formats/size.h"
 #include "extent.h"
 
 /* Where the texels of a level are, in bytes from the first one. */
@@ -88,7 +88,7 @@ static inline void load_texel_words(const texel_layout *layout, const lanes_i *c
     }
 }
 
-/* Texels that are no words, in the low bits of one or two (../fragment/formats.h). */
+/* Texels that are no words, in the low bits of one or two (../formats/encode.h). */
 static inline void load_small_texels(const texel_layout *layout, const lanes_i *column,
                                      const lanes_i *row, const lanes_i *layer, uint32_t texel_size,
                                      lanes_i word[4])

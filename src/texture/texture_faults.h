@@ -2,8 +2,12 @@
 #ifndef GN_TEXTURE_TEXTURE_FAULTS_H
 #define GN_TEXTURE_TEXTURE_FAULTS_H
 
+#include <stdbool.h>
+
 #include "../config/faults.h"
-#include "../fragment/types.h"
+#include "../config/small.h"
+#include "../formats/size.h"
+#include "../formats/surface_memory.h"
 #include "extent.h"
 
 /* The words of a member of level n, as FAULT_IF_EIGHTH has them. */

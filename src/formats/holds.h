@@ -1,6 +1,6 @@
 /* What the pixels of a format hold. */
-#ifndef GN_FRAGMENT_HOLDS_H
-#define GN_FRAGMENT_HOLDS_H
+#ifndef GN_FORMATS_HOLDS_H
+#define GN_FORMATS_HOLDS_H
 
 #include <stdbool.h>
 
@@ -17,7 +17,7 @@ static inline bool format_has_stencil(gn_format format)
     return format == GN_FORMAT_D24S8 || format == GN_FORMAT_D32FS8 || format == GN_FORMAT_S8;
 }
 
-/* Colours in formats with conversions of their own (formats.h). */
+/* Colours in formats with conversions of their own (encode.h). */
 static inline bool format_is_encoded(gn_format format)
 {
     return format >= GN_FORMAT_BGRA8 && format <= GN_FORMAT_SRGB8_A8;

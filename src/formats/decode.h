@@ -1,10 +1,9 @@
-/* The inverse of formats.h: pixels loaded by their size, and one conversion a format to what it
- * is combined in. */
-#ifndef GN_FRAGMENT_DECODE_H
-#define GN_FRAGMENT_DECODE_H
+/* The inverse of encode.h: one conversion a format to what it is combined in. */
+#ifndef GN_FORMATS_DECODE_H
+#define GN_FORMATS_DECODE_H
 
 #include "channels.h"
-#include "formats.h"
+#include "encode.h"
 
 /* The `bits` from bit `shift` on as a byte, repeated from the top, in the byte from bit `to` on. */
 static inline lanes_i widened(lanes_i word, int shift, int bits, int to)
@@ -38,25 +37,6 @@ static inline lanes_i to_rgba8(gn_format format, lanes_i p)
     default:
         return format_channels(format) < 4 ? lanes_i_or(p, opaque) : p;
     }
-}
-
-/* The covered pixels of a block, which may hang over the surface's edge; 0 in the others. */
-static inline void load_pixels(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
-                               uint32_t size, lanes_i word[2])
-{
-    int32_t first[GN_LANES], second[GN_LANES];
-
-    GN_EACH_LANE (l) {
-        int32_t pixel[2] = {0, 0};
-
-        if (coverage >> l & 1u)
-            load_pixel(surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE)), x + l % BLOCK_SIZE,
-                       size, pixel);
-        first[l] = pixel[0];
-        second[l] = pixel[1];
-    }
-    word[0] = lanes_i_load(first);
-    word[1] = lanes_i_load(second);
 }
 
 #endif

@@ -1,15 +1,14 @@
-/* Colours in the formats beside RGBA8 and RGBA32F: one conversion a format, its inverse in
- * decode.h, and pixels stored by their size.
+/* Colours to pixels of the formats beside RGBA8 and RGBA32F: one conversion a format, its inverse
+ * in decode.h, and a pixel stored by its size.
  *
  * A pixel is up to two words: those of 32 bits and less in the low bits of the first, four
  * channels of 16 bits as red, green and blue, alpha. Colours of up to 8 bits a channel go through
  * pixels of GN_FORMAT_RGBA8. */
-#ifndef GN_FRAGMENT_FORMATS_H
-#define GN_FRAGMENT_FORMATS_H
+#ifndef GN_FORMATS_ENCODE_H
+#define GN_FORMATS_ENCODE_H
 
 #include "channels.h"
 #include "srgb.h"
-#include "types.h"
 
 static inline lanes_i encode_rgba8(const lanes_f color[4])
 {
@@ -249,54 +248,6 @@ static inline void store_pixel(unsigned char *row, int32_t x, uint32_t size, int
         halves[4 * x + 3] = (uint16_t)((uint32_t)second >> 16);
         break;
     }
-}
-
-/* Writes the covered pixels of a block, which may hang over the surface's edge. */
-GN_INLINE void store_sized_pixels(const gn_surface *surface, int32_t x, int32_t y,
-                                  uint32_t coverage, uint32_t size, const lanes_i word[2])
-{
-    int32_t first[GN_LANES], second[GN_LANES];
-
-    lanes_i_store(first, word[0]);
-    if (size == 8)
-        lanes_i_store(second, word[1]);
-    GN_EACH_LANE (l) {
-        if (coverage >> l & 1u)
-            store_pixel(surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE)), x + l % BLOCK_SIZE,
-                        size, first[l], size == 8 ? second[l] : 0);
-    }
-}
-
-static void store_pixels(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
-                         uint32_t size, const lanes_i word[2])
-{
-    switch (size) {
-    case 1:
-        store_sized_pixels(surface, x, y, coverage, 1, word);
-        break;
-    case 2:
-        store_sized_pixels(surface, x, y, coverage, 2, word);
-        break;
-    case 3:
-        store_sized_pixels(surface, x, y, coverage, 3, word);
-        break;
-    case 4:
-        store_sized_pixels(surface, x, y, coverage, 4, word);
-        break;
-    default:
-        store_sized_pixels(surface, x, y, coverage, 8, word);
-        break;
-    }
-}
-
-/* Converts and writes the covered pixels of a block. */
-static inline void write_encoded(const gn_surface *surface, gn_format format, int32_t x, int32_t y,
-                                 uint32_t coverage, const lanes_f color[4])
-{
-    lanes_i word[2];
-
-    encode_colors(format, color, word);
-    store_pixels(surface, x, y, coverage, format_size(format), word);
 }
 
 #endif

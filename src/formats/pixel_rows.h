@@ -1,9 +1,11 @@
 /* Colours of every format to floats and back, sixteen pixels of a row or of several: what blits and
  * resolving take. */
-#ifndef GN_FRAGMENT_PIXEL_ROWS_H
-#define GN_FRAGMENT_PIXEL_ROWS_H
+#ifndef GN_FORMATS_PIXEL_ROWS_H
+#define GN_FORMATS_PIXEL_ROWS_H
 
-#include "decode.h"
+#include "encode.h"
+#include "size.h"
+#include "surface_memory.h"
 
 /* Sixteen pixels: of lane l the one in that column of that row. */
 static inline void load_colors(gn_format format, const unsigned char *const row[GN_LANES],

@@ -1,6 +1,6 @@
 /* Channels of stored pixels to floats: what decode.h and texels share. */
-#ifndef GN_FRAGMENT_CHANNELS_H
-#define GN_FRAGMENT_CHANNELS_H
+#ifndef GN_FORMATS_CHANNELS_H
+#define GN_FORMATS_CHANNELS_H
 
 #include "../lanes/lanes.h"
 #include "../scalars/bits.h"
@@ -57,7 +57,7 @@ GN_INLINE lanes_f unorm_channel(lanes_i word, int shift, int bits)
         lanes_splat(1.0f / (float)largest));
 }
 
-/* Words of pixels of any format, one or two of those of up to 64 bits (formats.h), to red, green,
+/* Words of pixels of any format, one or two of those of up to 64 bits (encode.h), to red, green,
  * blue and alpha; of depths, which are red, stencil is left out. Channels that the format lacks are
  * 0, alpha 1. A half that is no number keeps its sign and payload. */
 static inline void decode_channels(gn_format format, const lanes_i word[4], lanes_f channel[4])
@@ -145,7 +145,7 @@ static inline void decode_channels(gn_format format, const lanes_i word[4], lane
     }
 }
 
-/* Pixel x of a row as up to two words (formats.h). */
+/* Pixel x of a row as up to two words (encode.h). */
 static inline void load_pixel(const unsigned char *row, int32_t x, uint32_t size, int32_t word[2])
 {
     const stored_half *const halves = (const stored_half *)(const void *)row;

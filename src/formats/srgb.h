@@ -1,6 +1,6 @@
 /* Linear colours to the bytes of sRGB. */
-#ifndef GN_FRAGMENT_SRGB_H
-#define GN_FRAGMENT_SRGB_H
+#ifndef GN_FORMATS_SRGB_H
+#define GN_FORMATS_SRGB_H
 
 #include <stdint.h>
 

@@ -1,0 +1,77 @@
+/* Blocks of pixels in the formats beside RGBA8 and RGBA32F, loaded from a surface and stored to it
+ * by the size of a pixel. */
+#ifndef GN_FRAGMENT_PIXELS_H
+#define GN_FRAGMENT_PIXELS_H
+
+#include "../formats/decode.h"
+#include "../formats/encode.h"
+#include "types.h"
+
+/* Writes the covered pixels of a block, which may hang over the surface's edge. */
+GN_INLINE void store_sized_pixels(const gn_surface *surface, int32_t x, int32_t y,
+                                  uint32_t coverage, uint32_t size, const lanes_i word[2])
+{
+    int32_t first[GN_LANES], second[GN_LANES];
+
+    lanes_i_store(first, word[0]);
+    if (size == 8)
+        lanes_i_store(second, word[1]);
+    GN_EACH_LANE (l) {
+        if (coverage >> l & 1u)
+            store_pixel(surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE)), x + l % BLOCK_SIZE,
+                        size, first[l], size == 8 ? second[l] : 0);
+    }
+}
+
+static void store_pixels(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
+                         uint32_t size, const lanes_i word[2])
+{
+    switch (size) {
+    case 1:
+        store_sized_pixels(surface, x, y, coverage, 1, word);
+        break;
+    case 2:
+        store_sized_pixels(surface, x, y, coverage, 2, word);
+        break;
+    case 3:
+        store_sized_pixels(surface, x, y, coverage, 3, word);
+        break;
+    case 4:
+        store_sized_pixels(surface, x, y, coverage, 4, word);
+        break;
+    default:
+        store_sized_pixels(surface, x, y, coverage, 8, word);
+        break;
+    }
+}
+
+/* Converts and writes the covered pixels of a block. */
+static inline void write_encoded(const gn_surface *surface, gn_format format, int32_t x, int32_t y,
+                                 uint32_t coverage, const lanes_f color[4])
+{
+    lanes_i word[2];
+
+    encode_colors(format, color, word);
+    store_pixels(surface, x, y, coverage, format_size(format), word);
+}
+
+/* The covered pixels of a block, which may hang over the surface's edge; 0 in the others. */
+static inline void load_pixels(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
+                               uint32_t size, lanes_i word[2])
+{
+    int32_t first[GN_LANES], second[GN_LANES];
+
+    GN_EACH_LANE (l) {
+        int32_t pixel[2] = {0, 0};
+
+        if (coverage >> l & 1u)
+            load_pixel(surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE)), x + l % BLOCK_SIZE,
+                       size, pixel);
+        first[l] = pixel[0];
+        second[l] = pixel[1];
+    }
+    word[0] = lanes_i_load(first);
+    word[1] = lanes_i_load(second);
+}
+
+#endif
