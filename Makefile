@@ -146,8 +146,8 @@ $(BUILD)/texels: $(call objects,$(sort $(wildcard tests/texels/*.c))) $(REFERENC
 
 # The same program with AVX-512, NEON and WebAssembly's vectors emulated, which on x86 some
 # processor lacks: of the library, what knows which back ends there are is compiled again.
-EMULATED_SOURCES = src/draw/draw.c src/math/bulk.c \
-	$(addprefix src/backends/,choose.c $(foreach back_end,avx512 neon wasm_simd128,$(back_end).c shading_$(back_end).c))
+EMULATED_SOURCES = $(addprefix src/backends/,choose.c draw.c bulk.c \
+	$(foreach back_end,avx512 neon wasm_simd128,$(back_end).c shading_$(back_end).c))
 
 $(BUILD)/parity-emulated: $(call objects,$(PARITY_SOURCES) $(THREADS_SOURCES)) $(REFERENCE_OBJECTS) \
 		$(patsubst %.c,$(BUILD)/emulated/%.o,$(EMULATED_SOURCES)) \

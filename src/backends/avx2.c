@@ -1,9 +1,7 @@
 /* The stages over AVX2 registers. Fused multiply-add stays out: the target asked for
  * does not have it, and the library is compiled without contraction. */
 #include "../config/have.h"
-
-#include "../draw/job.h"
-#include "../math/bulk_job.h"
+#include "stages.h"
 
 #if GN_HAVE_AVX2
 #include <immintrin.h>

@@ -1,9 +1,7 @@
 /* The stages over AVX-512 registers. The target asked for can fuse multiplications with
  * additions; that it does not rests on -ffp-contract=off. */
 #include "../config/have.h"
-
-#include "../draw/job.h"
-#include "../math/bulk_job.h"
+#include "stages.h"
 
 #if GN_HAVE_AVX512
 

@@ -1,8 +1,6 @@
 /* The stages over the registers of 64-bit Arm's Advanced SIMD. */
 #include "../config/have.h"
-
-#include "../draw/job.h"
-#include "../math/bulk_job.h"
+#include "stages.h"
 
 #if GN_HAVE_NEON
 #define GN_LANES_NEON

@@ -1,6 +1,7 @@
 /* The stages in plain C. */
-#define GN_LANES_PORTABLE
+#include "stages.h"
 
+#define GN_LANES_PORTABLE
 #include "../draw/run.h"
 #include "../math/bulk.h"
 

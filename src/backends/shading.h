@@ -4,15 +4,8 @@
 #ifndef GN_BACKENDS_SHADING_H
 #define GN_BACKENDS_SHADING_H
 
-#include "gnomon/pipeline.h"
-
 #include "../config/small.h"
-
-typedef struct shading_functions {
-    gn_sampling sampling;
-    gn_vertex_shader *vertex_shader;
-    gn_fragment_shader *fragment_shader;
-} shading_functions;
+#include "../shaders/shading.h"
 
 /* Fills `out` in for a pipeline's shaders, one function a back end; those of the user's stay what
  * they are. Those that the target's instruction set does not have are not defined, and

@@ -1,8 +1,6 @@
 /* The stages over SSE2 registers. */
 #include "../config/have.h"
-
-#include "../draw/job.h"
-#include "../math/bulk_job.h"
+#include "stages.h"
 
 #if GN_HAVE_SSE2
 #include "../draw/run.h"

@@ -2,9 +2,7 @@
  * whole or not at all, so that the choice falls where the program is compiled
  * (-msimd128). */
 #include "../config/have.h"
-
-#include "../draw/job.h"
-#include "../math/bulk_job.h"
+#include "stages.h"
 
 #if GN_HAVE_WASM_SIMD128
 #define GN_LANES_WASM_SIMD128

@@ -2,8 +2,8 @@
 #ifndef GN_DRAW_JOB_H
 #define GN_DRAW_JOB_H
 
-#include "../backends/shading.h"
 #include "../raster/types.h"
+#include "../shaders/shading.h"
 
 /* Tasks that a step of a draw is divided into at most, each with scratch of its own. */
 #define MAX_TASKS 32
@@ -89,15 +89,5 @@ static inline uint32_t scratch_size(uint32_t value_count)
 
     return (size + 63) & ~63u;
 }
-
-/* The whole of a draw, one function a back end; those the target's instruction set does
- * not have are not defined. GN_INDEX_OUT_OF_RANGE, and nothing is drawn, where an index is
- * at or beyond the mesh's vertex_count. */
-gn_status gn_run_portable(const draw_job *job);
-gn_status gn_run_sse2(const draw_job *job);
-gn_status gn_run_avx2(const draw_job *job);
-gn_status gn_run_avx512(const draw_job *job);
-gn_status gn_run_neon(const draw_job *job);
-gn_status gn_run_wasm_simd128(const draw_job *job);
 
 #endif

@@ -16,12 +16,12 @@
 #ifndef GN_FRAGMENT_TYPES_H
 #define GN_FRAGMENT_TYPES_H
 
-#include "../backends/shading.h"
 #include "../formats/holds.h"
 #include "../formats/size.h"
 #include "../formats/surface_memory.h"
 #include "../lanes/lanes.h"
 #include "../raster/types.h"
+#include "../shaders/shading.h"
 
 /* What of incoming and stored depth is asked; `inverted` asks for the contrary. Stored
  * forms order as integers, so that these make all eight functions. */

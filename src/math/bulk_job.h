@@ -22,13 +22,4 @@ typedef struct bulk_job {
     size_t count;      /* of matrices, or of vectors, then a multiple of GN_LANES */
 } bulk_job;
 
-/* One function a back end; those the target's instruction set does not have are not
- * defined. */
-void gn_bulk_portable(const bulk_job *job);
-void gn_bulk_sse2(const bulk_job *job);
-void gn_bulk_avx2(const bulk_job *job);
-void gn_bulk_avx512(const bulk_job *job);
-void gn_bulk_neon(const bulk_job *job);
-void gn_bulk_wasm_simd128(const bulk_job *job);
-
 #endif

@@ -1,11 +1,10 @@
 /* Many vectors or matrices: whole blocks of lanes by a back end in place, and what is
  * left over as one block more in memory of its own. */
-#include <gnomon/bulk.h>
-
-#include <gnomon/sampling.h>
+#include "gnomon/bulk.h"
+#include "gnomon/lanes.h"
 
 #include "../config/have.h"
-#include "bulk_job.h"
+#include "stages.h"
 
 typedef void bulk_function(const bulk_job *job);
 

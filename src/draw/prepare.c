@@ -1,13 +1,11 @@
-/* The draw: validates, divides the workspace, chooses a back end and hands it the job. */
-#include "gnomon/draw.h"
+/* The draw before its stages: checks what is given and divides the workspace. */
+#include "prepare.h"
 
-#include "../config/have.h"
 #include "../config/small.h"
 #include "../formats/holds.h"
 #include "../geometry/assemble.h"
 #include "../surfaces/target.h"
 #include "check.h"
-#include "job.h"
 
 /* A cache line. */
 #define WORKSPACE_ALIGNMENT 64
@@ -146,82 +144,6 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     job->capacity = (available - job->vertices) / batch * GN_LANES;
 }
 
-/* Where the back end is none of these, run_on says so. Small builds take the functions that every
- * caller has: with GN_BASIC those for 2D textures alone. */
-static void fill_shading_of(gn_backend backend, const gn_pipeline *pipeline, shading_functions *out)
-{
-#if !GN_SPECIALISED
-    (void)backend;
-    out->sampling.sample_2d = gn_sample_2d;
-    out->sampling.sample = GN_HAVE_TEXTURES ? gn_sample : 0;
-    out->sampling.gather = GN_HAVE_TEXTURES ? gn_gather : 0;
-    out->sampling.fetch = GN_HAVE_TEXTURES ? gn_fetch : 0;
-    out->vertex_shader = pipeline->vertex_shader;
-    out->fragment_shader = pipeline->fragment_shader;
-#else
-    switch (backend) {
-#if GN_HAVE_WASM_SIMD128
-    case GN_BACKEND_WASM_SIMD128:
-        gn_shading_wasm_simd128(pipeline, out);
-        return;
-#endif
-#if GN_HAVE_NEON
-    case GN_BACKEND_NEON:
-        gn_shading_neon(pipeline, out);
-        return;
-#endif
-#if GN_HAVE_AVX512
-    case GN_BACKEND_AVX512:
-        gn_shading_avx512(pipeline, out);
-        return;
-#endif
-#if GN_HAVE_AVX2
-    case GN_BACKEND_AVX2:
-        gn_shading_avx2(pipeline, out);
-        return;
-#endif
-#if GN_HAVE_SSE2
-    case GN_BACKEND_SSE2:
-        gn_shading_sse2(pipeline, out);
-        return;
-#endif
-    default:
-        gn_shading_portable(pipeline, out);
-    }
-#endif
-}
-
-/* Calls, not a choice of function: some compilers make a table of that, to be relocated. */
-static gn_status run_on(gn_backend backend, const draw_job *job)
-{
-    switch (backend) {
-#if GN_HAVE_WASM_SIMD128
-    case GN_BACKEND_WASM_SIMD128:
-        return gn_run_wasm_simd128(job);
-#endif
-#if GN_HAVE_NEON
-    case GN_BACKEND_NEON:
-        return gn_run_neon(job);
-#endif
-#if GN_HAVE_AVX512
-    case GN_BACKEND_AVX512:
-        return gn_run_avx512(job);
-#endif
-#if GN_HAVE_AVX2
-    case GN_BACKEND_AVX2:
-        return gn_run_avx2(job);
-#endif
-#if GN_HAVE_SSE2
-    case GN_BACKEND_SSE2:
-        return gn_run_sse2(job);
-#endif
-    case GN_BACKEND_PORTABLE:
-        return gn_run_portable(job);
-    default:
-        return GN_BACKEND_UNAVAILABLE;
-    }
-}
-
 /* Of the first colour, the only one where the answer matters. */
 static bool combines_colors(const gn_pipeline *p)
 {
@@ -261,34 +183,27 @@ static bool is_left_out(const gn_target *target, const gn_pipeline *p, const gn_
            (!GN_HAVE_OFFSET && (p->polygon_offset.set || p->depth_clamp));
 }
 
-/* Draws all instances. */
-static gn_status draw_instances(draw_job *job, const gn_mesh *mesh, gn_workspace *workspace)
+/* All elements of a mesh, of its first instance. */
+static void set_whole_mesh(mesh_run *whole, const gn_mesh *mesh)
 {
     const bool indexed = mesh->index_format != GN_INDEX_NONE;
-    const gn_backend backend =
-        workspace->backend == GN_BACKEND_AUTO ? gn_backend_best() : workspace->backend;
-    mesh_run whole;
 
-    whole.attribute = mesh->attribute;
-    whole.vertex_count = mesh->vertex_count;
-    whole.indices = mesh->indices;
-    whole.index_format = mesh->index_format;
-    whole.first = mesh->first;
-    whole.count = mesh->count;
-    whole.base = indexed ? (uint32_t)mesh->base_vertex : 0;
-    whole.instance = 0;
-    whole.primitive = 0;
-    whole.restarts = indexed && mesh->restart != GN_RESTART_NONE;
-    whole.restart_index = GN_HAVE_INSTANCES ? restart_index_of(mesh) : 0;
-    job->mesh = &whole;
-    job->instances = mesh->instance_count > 0 ? mesh->instance_count : 1;
-    divide_workspace(job, workspace);
-    fill_shading_of(backend, job->pipeline, &job->shading);
-    return run_on(backend, job);
+    whole->attribute = mesh->attribute;
+    whole->vertex_count = mesh->vertex_count;
+    whole->indices = mesh->indices;
+    whole->index_format = mesh->index_format;
+    whole->first = mesh->first;
+    whole->count = mesh->count;
+    whole->base = indexed ? (uint32_t)mesh->base_vertex : 0;
+    whole->instance = 0;
+    whole->primitive = 0;
+    whole->restarts = indexed && mesh->restart != GN_RESTART_NONE;
+    whole->restart_index = GN_HAVE_INSTANCES ? restart_index_of(mesh) : 0;
 }
 
-gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
-                  gn_workspace *workspace)
+gn_status gn_prepare_draw(draw_job *job, mesh_run *whole, const gn_target *target,
+                          const gn_pipeline *pipeline, const gn_mesh *mesh,
+                          gn_workspace *workspace)
 {
     gn_status status = gn_target_check(target);
 
@@ -310,8 +225,11 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
         return GN_WORKSPACE_TOO_SMALL;
     }
 
-    draw_job job;
-    job.target = target;
-    job.pipeline = pipeline;
-    return draw_instances(&job, mesh, workspace);
+    set_whole_mesh(whole, mesh);
+    job->target = target;
+    job->pipeline = pipeline;
+    job->mesh = whole;
+    job->instances = mesh->instance_count > 0 ? mesh->instance_count : 1;
+    divide_workspace(job, workspace);
+    return GN_OK;
 }

@@ -1,0 +1,14 @@
+/* What a draw shades with: the functions of sampling and the shaders, in the forms that were chosen
+ * for it. */
+#ifndef GN_SHADERS_SHADING_H
+#define GN_SHADERS_SHADING_H
+
+#include "gnomon/pipeline.h"
+
+typedef struct shading_functions {
+    gn_sampling sampling;
+    gn_vertex_shader *vertex_shader;
+    gn_fragment_shader *fragment_shader;
+} shading_functions;
+
+#endif
