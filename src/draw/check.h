@@ -31,9 +31,6 @@ static inline bool is_restart(const gn_mesh *mesh, uint32_t index)
 /* Whether all indices that are drawn name vertices, or are restarts. */
 bool gn_indices_are_within(const gn_mesh *mesh);
 
-/* The first fault of a surface of any format but GN_FORMAT_NONE. */
-gn_status gn_check_any_surface(const gn_surface *surface);
-
 /* gn_mesh_check without a look at the indices. */
 gn_status gn_check_mesh_but_indices(const gn_mesh *mesh);
 

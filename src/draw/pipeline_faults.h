@@ -2,11 +2,11 @@
 #ifndef GN_DRAW_PIPELINE_FAULTS_H
 #define GN_DRAW_PIPELINE_FAULTS_H
 
+#include "../config/faults.h"
 #include "../config/small.h"
 #include "../scalars/bits.h"
 #include "../shaders/shaders.h"
 #include "check.h"
-#include "../config/faults.h"
 
 static inline fault fault_of_viewport(const gn_viewport *v)
 {

@@ -1,6 +1,6 @@
 /* The ready-made shaders as functions, and their choice for a pipeline. */
-#include "../formats/holds.h"
 #include "../config/small.h"
+#include "../formats/holds.h"
 #include "../scalars/bits.h"
 
 #include "lit.h"

@@ -1,8 +1,8 @@
 /* A scaled blit as the reference draws it: two triangles, clipped to the destination, over which
  * texture coordinates are planes. Only their low bits depend on that, and with them which texel a
  * pixel takes whose centre falls between two (reference/RULES.md). */
-#ifndef GN_DRAW_BLIT_QUAD_H
-#define GN_DRAW_BLIT_QUAD_H
+#ifndef GN_SURFACES_BLIT_QUAD_H
+#define GN_SURFACES_BLIT_QUAD_H
 
 #include "../lanes/lanes.h"
 #include "gnomon/blit.h"

@@ -1,7 +1,7 @@
 /* A layer of a level of a texture out of the level before: a linear blit of the whole, in three
  * dimensions between two layers. */
-#ifndef GN_DRAW_REDUCE_H
-#define GN_DRAW_REDUCE_H
+#ifndef GN_SURFACES_REDUCE_H
+#define GN_SURFACES_REDUCE_H
 
 #include "gnomon/surface.h"
 

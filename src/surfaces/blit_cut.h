@@ -1,6 +1,6 @@
 /* Which rectangles a blit is left with where they reach beyond the surfaces or the scissor. */
-#ifndef GN_DRAW_BLIT_CUT_H
-#define GN_DRAW_BLIT_CUT_H
+#ifndef GN_SURFACES_BLIT_CUT_H
+#define GN_SURFACES_BLIT_CUT_H
 
 #include <stdbool.h>
 

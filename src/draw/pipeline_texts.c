@@ -1,7 +1,6 @@
-/* The faults of descriptions in words. */
+/* The faults of pipelines and meshes in words. */
 #define GN_FAULT_TEXTS
 #include "pipeline_faults.h"
-#include "surface_faults.h"
 
 const char *gn_pipeline_fault(const gn_pipeline *pipeline)
 {
@@ -14,9 +13,4 @@ const char *gn_mesh_fault(const gn_mesh *mesh)
     FAULT_IF(mesh->index_format != GN_INDEX_NONE && !gn_indices_are_within(mesh),
              GN_INDEX_OUT_OF_RANGE, "an index, with base_vertex, is not below vertex_count");
     return NO_FAULT;
-}
-
-const char *gn_target_fault(const gn_target *target)
-{
-    return fault_of_target(target);
 }

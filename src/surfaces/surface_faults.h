@@ -1,13 +1,13 @@
 /* The first fault of a surface and of a target. */
-#ifndef GN_DRAW_SURFACE_FAULTS_H
-#define GN_DRAW_SURFACE_FAULTS_H
+#ifndef GN_SURFACES_SURFACE_FAULTS_H
+#define GN_SURFACES_SURFACE_FAULTS_H
 
 #include "../config/faults.h"
 #include "../config/small.h"
 #include "../formats/holds.h"
 #include "../formats/size.h"
 #include "../formats/surface_memory.h"
-#include "../surfaces/target.h"
+#include "target.h"
 
 /* Colours of a target are surfaces 0 to 7, its depth is this one. */
 #define SURFACE_DEPTH 8

@@ -1,6 +1,6 @@
 /* Filling memory with a value over and over: what clears are made of. */
-#ifndef GN_DRAW_FILL_H
-#define GN_DRAW_FILL_H
+#ifndef GN_SURFACES_FILL_H
+#define GN_SURFACES_FILL_H
 
 #include "../lanes/lanes.h"
 

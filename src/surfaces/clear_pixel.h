@@ -1,6 +1,6 @@
 /* Clears in the formats beside RGBA8 and RGBA32F: the pixel, and memory filled with it. */
-#ifndef GN_DRAW_CLEAR_PIXEL_H
-#define GN_DRAW_CLEAR_PIXEL_H
+#ifndef GN_SURFACES_CLEAR_PIXEL_H
+#define GN_SURFACES_CLEAR_PIXEL_H
 
 #include "../formats/encode.h"
 #include "../formats/size.h"

@@ -1,9 +1,9 @@
 /* Levels made from the first: each from the one before it, by the reference's rules for linear
  * blits, in three dimensions between two layers. */
-#include "../draw/reduce.h"
 #include "../formats/holds.h"
-#include "packed.h"
-#include "texture_faults.h"
+#include "../texture/packed.h"
+#include "../texture/texture_faults.h"
+#include "reduce.h"
 
 /* The addresses of level 0, the last byte's included. */
 static void address_range(const gn_texture *t, uintptr_t range[2])
