@@ -218,7 +218,7 @@ $(PEER_OBJECTS): $(BUILD)/%.o: %.cpp Makefile
 $(BUILD)/tests/texture_accuracy/%.o: EXTRA_FLAGS = -Itests/parity -Ireference/exact
 
 $(BUILD)/texture-accuracy: $(call objects,tests/texture_accuracy/main.c reference/exact/sampler.c \
-		reference/scene/scene.c reference/scene/scene_texture.c) $(BUILD)/libgnomon.a
+		$(addprefix reference/scene/,scene.c scene_memory.c scene_texture.c)) $(BUILD)/libgnomon.a
 	$(LINK) -lm
 
 # Linked as C++ where a part is.

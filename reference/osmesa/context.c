@@ -1,7 +1,6 @@
 /* The GL context: the environment Mesa reads, creation, version. */
 #include "gl.h"
 
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,32 +10,6 @@
 /* What OSMesa calls the window; nothing is drawn to it. */
 #define WINDOW_SIZE 16
 static unsigned char window[WINDOW_SIZE * WINDOW_SIZE * 4];
-
-bool reference_fail(char *error, size_t error_size, const char *format, ...)
-{
-    if (error_size) {
-        va_list arguments;
-
-        va_start(arguments, format);
-        vsnprintf(error, error_size, format, arguments);
-        va_end(arguments);
-    }
-    return false;
-}
-
-bool reference_check(const char *doing, char *error, size_t error_size)
-{
-    const GLenum code = glGetError();
-    const char *name = code == GL_INVALID_ENUM                    ? "invalid enum"
-                       : code == GL_INVALID_VALUE                 ? "invalid value"
-                       : code == GL_INVALID_OPERATION             ? "invalid operation"
-                       : code == GL_INVALID_FRAMEBUFFER_OPERATION ? "invalid framebuffer operation"
-                       : code == GL_OUT_OF_MEMORY                 ? "out of memory"
-                                                                  : "unknown error";
-
-    return code == GL_NO_ERROR ||
-           reference_fail(error, error_size, "OpenGL: %s (0x%04x) while %s", name, code, doing);
-}
 
 /* Mesa reads these once, when the first context is created. The pinned ones decide
  * about bits; LP_NUM_THREADS does not, but 0 keeps all work in the calling thread,

@@ -101,6 +101,11 @@ GLuint reference_link(const char *vertex, const char *fragment, char *error, siz
 GLuint reference_link_clipped(const char *vertex, const char *fragment, bool clipped, char *error,
                               size_t error_size);
 
+/* As reference_link_clipped, with the fragment shader in two parts. */
+GLuint reference_link_parts(const char *vertex_body, const char *fragment_head,
+                            const char *fragment_body, bool clipped, char *error,
+                            size_t error_size);
+
 /* The program of a draw with SCENE_SAMPLED, as reference_program. */
 GLuint reference_sampled_program(reference *r, const scene_draw *d, char *error, size_t error_size);
 

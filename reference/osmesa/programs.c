@@ -1,26 +1,8 @@
 /* The GLSL twins of the ready-made shaders, of phong.h, inputs.h and outputs.h. Their expressions
- * are written in the order of operations of the library's; attributes and uniforms have fixed
- * locations. */
+ * are written in the order of operations of the library's. */
 #include "gl.h"
 
 #include <string.h>
-
-static const char vertex_head[] = "#version 450 core\n"
-                                  "layout(location = 0) in vec4 position;\n"
-                                  "layout(location = 1) in vec4 color;\n"
-                                  "layout(location = 2) in vec4 normal;\n"
-                                  "layout(location = 3) in vec4 texcoord;\n"
-                                  "layout(location = 0) uniform mat4 clip_from_model;\n"
-                                  "layout(location = 1) uniform mat3 normal_matrix;\n"
-                                  "layout(location = 2) uniform vec3 light_direction;\n"
-                                  "layout(location = 3) uniform vec3 ambient;\n"
-                                  "layout(location = 4) uniform vec3 diffuse;\n"
-                                  "vec4 lit()\n"
-                                  "{\n"
-                                  "    vec3 n = normalize(normal_matrix * normal.xyz);\n"
-                                  "    float d = max(dot(n, light_direction), 0.0);\n"
-                                  "    return vec4(color.rgb * (ambient + diffuse * d), color.a);\n"
-                                  "}\n";
 
 /* Four scalars, since each may have a qualifier of its own. */
 static const char vertex_color_varyings[] = "%s %s float red;\n"
@@ -178,86 +160,6 @@ static const char inputs_fragment[] = "smooth in vec4 shade;\n"
                                       "    result = c;\n"
                                       "}\n";
 
-/* Around a vertex shader: clip distances beside what its main writes. */
-static const char clipped_head[] = "#define main place_and_shade\n";
-static const char clipped_tail[] =
-    "#undef main\n"
-    "layout(location = 8) uniform vec4 clip_plane[8];\n"
-    "out float gl_ClipDistance[8];\n"
-    "void main()\n"
-    "{\n"
-    "    place_and_shade();\n"
-    "    for (int i = 0; i < 8; ++i) {\n"
-    "        vec4 p = clip_plane[i];\n"
-    "        gl_ClipDistance[i] = ((p.x * position.x + p.y * position.y) + p.z * position.z) +\n"
-    "                             p.w * position.w;\n"
-    "    }\n"
-    "}\n";
-
-static GLuint compile(GLenum stage, const char *head, const char *body, bool clipped, char *error,
-                      size_t error_size)
-{
-    const char *parts[4] = {head, clipped ? clipped_head : "", body, clipped ? clipped_tail : ""};
-    const GLuint shader = glCreateShader(stage);
-    GLint compiled = 0;
-
-    glShaderSource(shader, 4, parts, NULL);
-    glCompileShader(shader);
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (!compiled) {
-        char log[1024] = "";
-
-        glGetShaderInfoLog(shader, sizeof log, NULL, log);
-        reference_fail(error, error_size, "a GLSL shader does not compile: %s", log);
-        glDeleteShader(shader);
-        return 0;
-    }
-    return shader;
-}
-
-static GLuint link_program(const char *vertex_body, const char *fragment_head,
-                           const char *fragment_body, bool clipped, char *error, size_t error_size)
-{
-    const GLuint vertex =
-        compile(GL_VERTEX_SHADER, vertex_head, vertex_body, clipped, error, error_size);
-    const GLuint fragment =
-        vertex ? compile(GL_FRAGMENT_SHADER, fragment_head, fragment_body, false, error, error_size)
-               : 0;
-    GLuint program = 0;
-
-    if (vertex && fragment) {
-        GLint linked = 0;
-
-        program = glCreateProgram();
-        glAttachShader(program, vertex);
-        glAttachShader(program, fragment);
-        glLinkProgram(program);
-        glGetProgramiv(program, GL_LINK_STATUS, &linked);
-        if (!linked) {
-            char log[1024] = "";
-
-            glGetProgramInfoLog(program, sizeof log, NULL, log);
-            reference_fail(error, error_size, "a GLSL program does not link: %s", log);
-            glDeleteProgram(program);
-            program = 0;
-        }
-    }
-    glDeleteShader(vertex);
-    glDeleteShader(fragment);
-    return program;
-}
-
-GLuint reference_link_clipped(const char *vertex, const char *fragment, bool clipped, char *error,
-                              size_t error_size)
-{
-    return link_program(vertex, "#version 450 core\n", fragment, clipped, error, error_size);
-}
-
-GLuint reference_link(const char *vertex, const char *fragment, char *error, size_t error_size)
-{
-    return reference_link_clipped(vertex, fragment, false, error, error_size);
-}
-
 static const char *qualifier(gn_interpolation interpolation)
 {
     switch (interpolation) {
@@ -287,7 +189,8 @@ static GLuint link_colors(const gn_pipeline *p, const char *fragment_main, bool 
     used = (size_t)snprintf(fragment, sizeof fragment, vertex_color_varyings, qualifier(i[0]), "in",
                             qualifier(i[1]), "in", qualifier(i[2]), "in", qualifier(i[3]), "in");
     snprintf(fragment + used, sizeof fragment - used, "%s", fragment_main);
-    return link_program(vertex, "#version 450 core\n", fragment, clipped, error, error_size);
+    return reference_link_parts(vertex, "#version 450 core\n", fragment, clipped, error,
+                                error_size);
 }
 
 static GLuint link_inputs(const gn_pipeline *p, bool clipped, char *error, size_t error_size)
@@ -304,7 +207,7 @@ static GLuint link_inputs(const gn_pipeline *p, bool clipped, char *error, size_
              p->fragment_writes_depth ? "#define DEPTH\n" : "",
              p->fragment_reads_sample_mask ? "#define SAMPLES\n" : "",
              p->fragment_writes_sample_mask ? "#define MASK\n" : "");
-    return link_program(vertex, head, inputs_fragment, clipped, error, error_size);
+    return reference_link_parts(vertex, head, inputs_fragment, clipped, error, error_size);
 }
 
 /* A line an output: colour a turned by a places, from one for odd a. The vertex shader is that of
@@ -328,7 +231,8 @@ static GLuint link_outputs(uint32_t count, bool clipped, char *error, size_t err
     }
     snprintf(fragment + used, sizeof fragment - used, "}\n");
     snprintf(vertex, sizeof vertex, inputs_vertex, "");
-    return link_program(vertex, "#version 450 core\n", fragment, clipped, error, error_size);
+    return reference_link_parts(vertex, "#version 450 core\n", fragment, clipped, error,
+                                error_size);
 }
 
 GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t error_size)
@@ -359,24 +263,26 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
     }
     case SCENE_FLAT:
         if (!*program) {
-            *program = link_program(flat_vertex, flat_fragment, "", clipped, error, error_size);
+            *program =
+                reference_link_parts(flat_vertex, flat_fragment, "", clipped, error, error_size);
         }
         break;
     case SCENE_GOURAUD:
         if (!*program) {
-            *program =
-                link_program(gouraud_vertex, gouraud_fragment, "", clipped, error, error_size);
+            *program = reference_link_parts(gouraud_vertex, gouraud_fragment, "", clipped, error,
+                                            error_size);
         }
         break;
     case SCENE_TEXTURED_GOURAUD:
         if (!*program) {
-            *program =
-                link_program(textured_vertex, textured_fragment, "", clipped, error, error_size);
+            *program = reference_link_parts(textured_vertex, textured_fragment, "", clipped, error,
+                                            error_size);
         }
         break;
     case SCENE_PHONG:
         if (!*program) {
-            *program = link_program(phong_vertex, phong_fragment, "", clipped, error, error_size);
+            *program =
+                reference_link_parts(phong_vertex, phong_fragment, "", clipped, error, error_size);
         }
         break;
     case SCENE_INPUTS:
