@@ -12,7 +12,4 @@ int command_transform(int argc, char **argv);
  * back end. */
 void print_picture_help(void);
 
-/* Flushes standard output. The status, or EXIT_FAULT where output was lost. */
-int finish_output(int status);
-
 #endif

@@ -1,8 +1,10 @@
-/* Error lines on standard error. */
+/* Error lines on standard error, and whether standard output took everything. */
 #include "report.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stddef.h>
+#include <string.h>
 
 /* Longer than any path with a reason behind it; what is longer is cut. */
 #define LINE_SIZE 8192
@@ -110,4 +112,11 @@ int report_usage(const char *command, const char *format, ...)
     print_line(*command != '\0' ? "gnomon " : "gnomon", command, suffix, format, arguments);
     va_end(arguments);
     return EXIT_USAGE;
+}
+
+int finish_output(int status)
+{
+    if (fflush(stdout) != 0 || ferror(stdout) != 0)
+        return report_fault("standard output", "cannot be written: %s", strerror(errno));
+    return status;
 }

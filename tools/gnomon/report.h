@@ -40,4 +40,7 @@ void report_to(report_sink *sink);
 /* Prints a line that a sink was given. */
 void report_line(const char *line);
 
+/* Flushes standard output. Returns the status, or EXIT_FAULT where output was lost. */
+int finish_output(int status);
+
 #endif
