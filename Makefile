@@ -480,6 +480,7 @@ test-steps:
 		'accuracy of textures=$(BUILD)/texture-accuracy --seed $(TEST_SEED) --lookups 2000' \
 		'differential=$(BUILD)/test_cglm $(TEST_SEED)' \
 		'a property for every function=tests/coverage.sh' \
+		'layers=tests/layers.sh $(BUILD)' \
 		'proofs=tests/proof/prove.sh -q' \
 		$(call unit_steps,$(BUILD),)
 

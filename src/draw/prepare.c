@@ -202,8 +202,7 @@ static void set_whole_mesh(mesh_run *whole, const gn_mesh *mesh)
 }
 
 gn_status gn_prepare_draw(draw_job *job, mesh_run *whole, const gn_target *target,
-                          const gn_pipeline *pipeline, const gn_mesh *mesh,
-                          gn_workspace *workspace)
+                          const gn_pipeline *pipeline, const gn_mesh *mesh, gn_workspace *workspace)
 {
     gn_status status = gn_target_check(target);
 
