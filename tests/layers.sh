@@ -74,7 +74,7 @@ against_order() {
             to = rank_of($2)
             if (from == 0 || $2 == "nothing" || (from > 0 && (to < 1 || to > from)) ||
                 $1 ~ "^include/" && $2 !~ "^include/") {
-                print $1 " " what " " $3 (what == "calls" ? " of " $2 : ": against the order of layers")
+                print $1 " " what " " $3 ($2 == "nothing" ? ": no such file" : what == "calls" ? " of " $2 : ": against the order of layers")
                 bad = 1
             }
         }
