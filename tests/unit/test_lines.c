@@ -156,9 +156,10 @@ static uint32_t next_random(uint32_t *seed, uint32_t below)
 
 static place random_place(uint32_t *seed)
 {
-    const place p = {(int)next_random(seed, (uint32_t)width),
-                     (int)next_random(seed, (uint32_t)height)};
+    place p;
 
+    p.x = (int)next_random(seed, (uint32_t)width);
+    p.y = (int)next_random(seed, (uint32_t)height);
     return p;
 }
 
@@ -201,7 +202,10 @@ static void strips_have_starts_and_joints(void **state)
 
     set_canvas(100, 75, GN_LINE_STRIP);
     for (int i = 0; i < STRIPS; ++i) {
-        const place p[3] = {random_place(&seed), random_place(&seed), random_place(&seed)};
+        place p[3];
+
+        for (int end = 0; end < 3; ++end)
+            p[end] = random_place(&seed);
         const int first = steps_between(p[0], p[1]), second = steps_between(p[1], p[2]);
 
         draw_between(p, 3);
