@@ -156,12 +156,22 @@ void scene_pixel_store(void *pixels, gn_format format, size_t index, const float
     }
 }
 
+/* Whether the reference may have made zero of a denormal: one float is zero, the other denormal. */
+static bool is_flushed(gn_format format, uint32_t a, uint32_t b)
+{
+    const uint32_t x = a & 0x7FFFFFFF, y = b & 0x7FFFFFFF, least_normal = 0x00800000;
+    const bool is_float =
+        format == GN_FORMAT_R32F || format == GN_FORMAT_RGBA32F || format == GN_FORMAT_D32F;
+
+    return is_float && x < least_normal && y < least_normal && (x == 0) != (y == 0);
+}
+
 bool scene_channels_equal(gn_format format, int c, uint32_t a, uint32_t b)
 {
     if (format == GN_FORMAT_SRGB8_A8 && c < 3 && (a - b == 1 || b - a == 1)) {
         return true;
     }
-    return a == b ||
+    return a == b || is_flushed(format, a, b) ||
            (isnan(scene_channel_value(format, a)) && isnan(scene_channel_value(format, b)));
 }
 

@@ -13,8 +13,9 @@ void scene_pixel_store(void *pixels, gn_format format, size_t index, const float
 /* What a clear to `value` makes of channel c, from OpenGL's conversion rules. */
 uint32_t scene_clear_channel(gn_format format, int c, float value);
 
-/* Whether two values of channel c are equal: bit for bit, but that two NaN are equal, and one
- * step is allowed to what is encoded as sRGB. */
+/* Whether two values of channel c are equal: bit for bit, but that two NaN are equal, a denormal
+ * float is equal to zero, and one step is allowed to what is encoded as sRGB
+ * (reference/RULES.md). */
 bool scene_channels_equal(gn_format format, int c, uint32_t a, uint32_t b);
 
 /* The number that a channel's bits stand for, in steps where the format is of integers. */
