@@ -381,8 +381,8 @@ size: $(BUILD)/libgnomon.a ## bytes of the library in a microcontroller's progra
 # besides from FRESH_SEED, the time, so that every run looks somewhere new; in continuous
 # integration (CI) there is no such seed, so that what passes once passes again.
 # Left to `make whole`, since they compile the back ends again: other compilers and levels of
-# optimisation, every back end through CMake, most other machines. Of scenes `make parity` and
-# `make parity-emulated` draw five to forty times as many.
+# optimisation, every back end through CMake, most other machines. `make parity` and
+# `make parity-emulated` draw five to forty times as many scenes.
 
 TEST_SEED ?= 1
 ifndef CI
@@ -405,7 +405,7 @@ test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)
 	$(BUILD)/textures
 
 .PHONY: test
-test: ## everything, in a few minutes: TEST_SEED=1 FRESH_SEED=the time; ends on "N passed, N failed"
+test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends on "N passed, N failed[, N skipped]"
 	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/test-lanes $(BUILD)/hashes \
 		$(EMULATED_PARITY)

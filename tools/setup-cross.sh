@@ -1,8 +1,7 @@
 #!/bin/sh
-# Installs from Debian's packages what the tests pass over where it is absent: what `make cross` and
-# `make size` need to build for other machines and to run there, compilers, C libraries for test
-# programs, and emulators, more than 1 GB in all; and the libraries that `make accuracy` compares
-# beside cglm. Does nothing where everything is there.
+# Installs Debian packages without which tests are skipped: compilers, C libraries and emulators for
+# `make cross` and `make size`, more than 1 GB, and libraries that `make accuracy` compares beside
+# cglm. Does nothing where everything is there.
 set -eu
 self=setup-cross
 . "$(dirname "$0")/debian.sh"

@@ -286,8 +286,9 @@ typedef struct gn_vertex_input {
 
 /* Output of a vertex shader; the memory is the library's. Every lane comes with a value, which
  * stays where the shader writes nothing: position 0, 0, 0, 1, varyings 0, the pipeline's point_size
- * and clip distances 0, which clip nothing. A triangle or line is clipped away where a clip
- * distance, linear over it, is negative. */
+ * and clip distances 0, which clip nothing. A clip distance is linear over a triangle or line; the
+ * part where it is negative is clipped away. A point with a clip distance that is negative, NaN or
+ * infinite is not drawn, nor is a triangle with one that is NaN or infinite. */
 typedef struct gn_vertex_output {
     float (*position)[GN_LANES];      /* [x, y, z, w][lane] in clip space */
     float (*varying)[GN_LANES];       /* [varying][lane], varying_count of them */
@@ -306,8 +307,9 @@ typedef struct gn_vertex_output {
  * the interpolated 1/w, which may be 0 or negative beyond an edge: where it is 0, the varying is
  * infinite or NaN. GN_FLAT varyings are constant. A shader that needs a range must clamp. As a
  * colour, NaN is stored as 0 in formats of integers and as NaN in formats of floats; an infinity,
- * or a number beyond 2^31 / 255, is stored as 0 in linear channels of up to 8 bits; an infinity as
- * 0 or 65,535 in channels of 16 bits, as 0 or 255 in sRGB, and as infinity in floats. */
+ * or a number beyond +-2^31 / 255, is stored as 0 in linear channels of up to 8 bits. In channels of
+ * 16 bits and in sRGB minus infinity is 0 and plus infinity the largest value. Floats hold
+ * infinities. */
 typedef struct gn_fragment_input {
     const float (*varying)[GN_LANES]; /* [varying][lane] */
     uint32_t coverage;                /* bit l: lane l is covered and passed early tests */
@@ -442,9 +444,10 @@ GN_BEGIN
  * beyond GN_CHANNEL_ALL) and GN_INVALID_ENUM or GN_NOT_FINITE (blend; the constant only where it is
  * enabled); GN_INVALID_ENUM (logic operation), GN_OUT_OF_RANGE (samples_disabled has bits beyond
  * GN_SAMPLES), GN_NOT_FINITE or GN_OUT_OF_RANGE (a point size or line width below 0),
- * GN_INVALID_ENUM (point_origin, a polygon mode); last, where a shader is a ready-made one,
- * GN_NULL_POINTER (uniforms) and GN_OUT_OF_RANGE (what its gn_use_ function set no longer serves
- * the uniforms, see gnomon/shaders.h; not found by a library compiled with GN_SMALL). */
+ * GN_INVALID_ENUM (point_origin, a polygon mode); last, of ready-made shaders, GN_NULL_POINTER
+ * (uniforms that they read) and GN_OUT_OF_RANGE (fragment_reads_position is off, but the shader
+ * reads it; varying_count is below what the shaders and their maps use). A library compiled with
+ * GN_SMALL does not find these last three. */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
 
 /* The same fault in words that name the field, such as "blend.source is no gn_blend_factor", in

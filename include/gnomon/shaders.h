@@ -1,9 +1,14 @@
 /* Ready-made shaders: each function sets the shaders, varyings, interpolation and uniforms of a
  * pipeline, gn_use_depth_color also fragment_reads_position, and leaves the rest of its state
  * alone. The uniforms and their textures are the caller's and must outlive the draws. They may
- * change between draws, but the function must be called again when a map appears or normal_space
- * changes, since varying_count depends on both; gn_draw refuses a varying_count that is too small
- * with GN_OUT_OF_RANGE.
+ * change between draws. gn_draw does not check their values: call the function again, or
+ * gn_lit_uniforms_check, after a change of maps, samplers, bands or the shadow map. The function
+ * must be called again when more varyings are needed: when gn_unlit_uniforms.map appears, with
+ * gn_use_gouraud when the diffuse map appears, and with the shaders that light fragments when a
+ * normal map of GN_NORMAL_OF_TANGENTS appears or a normal map becomes one. gn_draw refuses a
+ * varying_count that is too small, and gn_use_depth_color's shader without
+ * fragment_reads_position, with GN_OUT_OF_RANGE, and null uniforms with GN_NULL_POINTER. A library
+ * compiled with GN_SMALL checks none of the three; what is then drawn is undefined.
  *
  * The shaders write the first colour alone and neither point sizes nor clip distances: further
  * colours become 0, 0, 0, 0 (set color_write_disabled to keep an attachment as it is), points have

@@ -8,15 +8,16 @@
  *   GN_TEXTURE_3D           s, t, r                      depth, halved from level to level
  *   GN_TEXTURE_CUBE         a direction; width = height  6: +x, -x, +y, -y, +z, -z
  *
- * A direction (x, y, z) meets the face of its largest component m: s = (sc / |m| + 1) / 2 and
- * t = (tc / |m| + 1) / 2 there (OpenGL 4.5 table 8.19), t = 0 being the first row:
+ * A direction (x, y, z) meets a face of its component m of the greatest magnitude, +x where that is
+ * a positive x and so on: s = (sc / |m| + 1) / 2 and t = (tc / |m| + 1) / 2 there (OpenGL 4.5 table
+ * 8.19), t = 0 being the first row:
  *
  *   layer     0: +x  1: -x  2: +y  3: -y  4: +z  5: -z
  *   sc        -z     z      x      x      x      -x
  *   tc        -y     -y     z      -z     -y     -y
  *
  * So seen from outside the cube, y up, the faces +x, -x, +z and -z are upright images whose first
- * row is the upper one. Where components are as large, z comes before y, and y before x.
+ * row is the upper one. Where magnitudes are equal, z comes before y, and y before x.
  *
  * Levels are OpenGL's from TEXTURE_BASE_LEVEL to TEXTURE_MAX_LEVEL: level n has max(1, width >> n)
  * texels a row, and so on. A texture that begins at another level lists that one first.

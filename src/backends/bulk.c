@@ -118,7 +118,8 @@ static bool take_mat3(bulk_job *job, const gn_mat3 *m)
     return true;
 }
 
-/* Vectors are floats one after the other, as the structures that the caller has hold them. */
+/* v and result are arrays of gn_vec3 or gn_vec4, whose components are read as consecutive floats.
+ */
 static gn_status run_packed(bulk_job *job, const void *v, void *result, size_t count,
                             gn_backend backend)
 {

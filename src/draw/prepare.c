@@ -183,7 +183,7 @@ static bool is_left_out(const gn_target *target, const gn_pipeline *p, const gn_
            (!GN_HAVE_OFFSET && (p->polygon_offset.set || p->depth_clamp));
 }
 
-/* All elements of a mesh, of its first instance. */
+/* Sets `whole` to all elements of the mesh, in the first instance. */
 static void set_whole_mesh(mesh_run *whole, const gn_mesh *mesh)
 {
     const bool indexed = mesh->index_format != GN_INDEX_NONE;

@@ -1,4 +1,4 @@
-/* From what a caller gives to a job for a back end. */
+/* Makes a job for a back end from the arguments of gn_draw. */
 #ifndef GN_DRAW_PREPARE_H
 #define GN_DRAW_PREPARE_H
 
@@ -6,10 +6,11 @@
 
 #include "job.h"
 
-/* Checks what gn_draw is given and fills in all of `job` but its shading. Returns what gn_draw
- * documents, but for GN_BACKEND_UNAVAILABLE and what stages find in the indices; with a status
- * other than GN_OK `job` and `whole` are unspecified. The job points to all arguments, and to
- * `whole` for its mesh. */
+/* Checks the arguments of gn_draw and fills in all of `job` but its shading. Returns the statuses
+ * of gn_draw except GN_BACKEND_UNAVAILABLE and faults of index values. Writes workspace->needed
+ * with GN_WORKSPACE_TOO_SMALL. With a status other than GN_OK `job` and `whole` are unspecified.
+ * The job keeps pointers to target, pipeline and `whole`, and to what mesh and workspace point to.
+ */
 gn_status gn_prepare_draw(draw_job *job, mesh_run *whole, const gn_target *target,
                           const gn_pipeline *pipeline, const gn_mesh *mesh,
                           gn_workspace *workspace);

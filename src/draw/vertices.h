@@ -5,7 +5,8 @@
 #include "../geometry/fetch.h"
 #include "elements.h"
 
-/* Whether the vertex shader is a ready-made one that writes the same varyings in every call. */
+/* Whether the vertex shader is a ready-made one: it writes the same outputs in every call, so that
+ * defaults are set once. */
 static inline bool has_ready_made_vertices(const draw_state *draw)
 {
     const gn_pipeline *const p = draw->pipeline;

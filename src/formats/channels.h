@@ -1,4 +1,5 @@
-/* Channels of stored pixels to floats: what decode.h and texels share. */
+/* Channels of stored pixels to floats, and floats to the words that hold them: what encoding,
+ * decoding, clears and texels share. */
 #ifndef GN_FORMATS_CHANNELS_H
 #define GN_FORMATS_CHANNELS_H
 

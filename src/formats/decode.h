@@ -1,4 +1,5 @@
-/* The inverse of encode.h: one conversion a format to what it is combined in. */
+/* Pixels of formats of up to 8 bits a channel to pixels of GN_FORMAT_RGBA8, in which they are
+ * blended. channels.h decodes every format to floats. */
 #ifndef GN_FORMATS_DECODE_H
 #define GN_FORMATS_DECODE_H
 

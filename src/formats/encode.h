@@ -1,5 +1,5 @@
-/* Colours to pixels of the formats beside RGBA8 and RGBA32F: one conversion a format, its inverse
- * in decode.h, and a pixel stored by its size.
+/* Colours to pixels of the formats beside RGBA8 and RGBA32F: one conversion a format, and a pixel
+ * stored by its size. The inverses are in channels.h and decode.h.
  *
  * A pixel is up to two words: those of 32 bits and less in the low bits of the first, four
  * channels of 16 bits as red, green and blue, alpha. Colours of up to 8 bits a channel go through

@@ -163,8 +163,8 @@ GN_INLINE lanes_f w_at(const fragment_place *at, raster_triangle triangle)
     return lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
 }
 
-/* Makes the colours 0 that the shader need not write: those of a user's shader, and all but the
- * first of a ready-made one, which a back end has its own form of. */
+/* Sets to 0 the colours that a shader may leave unwritten. A ready-made shader writes the first
+ * colour whole. It is known by its function: the back end runs a form of its own. */
 static inline void set_color_defaults(const fragment_state *state, float (*color)[GN_LANES])
 {
     const gn_pipeline *const p = state->pipeline;

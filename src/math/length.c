@@ -4,8 +4,8 @@
  * multiplied by 2^96 or 2^-96, exactly or with errors as small, which brings any
  * float between them: 2^-149 * 2^96 squared is 2^-106, a normal float, and
  * 2^128 * 2^-96 squared 2^64. The length is divided by the factor in the end.
- * A direction divides the vector by its length as they are: components that the scaling of a square
- * would push below the normal floats lose no bit. */
+ * Normalising divides the unscaled components by the length: scaling down could push small ones
+ * below the normal floats, where they lose bits. */
 #include "length.h"
 
 #include <gnomon/scalar.h>
@@ -104,10 +104,9 @@ float gn_vec4_distance(gn_vec4 a, gn_vec4 b)
     return gn_vec4_length(gn_vec4_subtract(b, a));
 }
 
-/* The factor a vector of this length needs before it is divided by its length; 1 where that is
- * a normal float. Of the others, those below become normal. Those above are halved twice, by
- * which the longest vector's length is a float, and the only components to lose bits are so
- * small that their quotients are zero. */
+/* The factor for a vector of this length before it is divided by its length; 1 where the length is
+ * a normal float. Shorter vectors become normal. Longer ones are divided by 4, which makes the
+ * length of the longest a float; components that lose bits have quotients of zero. */
 static float divisible_for(float length)
 {
     if (length < FLT_MIN) {

@@ -29,8 +29,9 @@ typedef enum gn_ready_made_fault {
     GN_READY_MADE_FEW_VARYINGS /* a shader reads or writes varyings beyond varying_count */
 } gn_ready_made_fault;
 
-/* The first of them; GN_READY_MADE_OK where both shaders are the user's. The pipeline has a vertex
- * shader. Names every ready-made shader, so that a program which calls this has the code of all. */
+/* Returns the first fault; GN_READY_MADE_OK where both shaders are the user's. The pipeline has a
+ * vertex shader. Names every ready-made shader, so that a program which calls this has the code of
+ * all. */
 gn_ready_made_fault gn_find_ready_made_fault(const gn_pipeline *pipeline);
 
 #endif

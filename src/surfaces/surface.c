@@ -56,10 +56,13 @@ gn_surface gn_surface_multisampled(const gn_surface *image)
 
     if (image) {
         s = *image;
+
+        const size_t stride = stride_length(image->row_stride);
+        const bool fits = image->height > 0 && stride <= (size_t)PTRDIFF_MAX / image->height;
+
+        /* Where the images do not fit memory, gn_target_check finds a fault. */
         s.samples = GN_SAMPLES;
-        s.sample_stride = s.row_stride < 0 ? -s.row_stride : s.row_stride;
-        if (s.height <= GN_MAX_SIZE && s.sample_stride <= PTRDIFF_MAX / GN_MAX_SIZE)
-            s.sample_stride *= (ptrdiff_t)s.height;
+        s.sample_stride = fits ? (ptrdiff_t)(stride * image->height) : PTRDIFF_MAX;
     }
     return s;
 }

@@ -13,7 +13,7 @@ typedef enum failure_kind {
     FAILURE_PIXELS    /* pixels are not the reference's */
 } failure_kind;
 
-/* Of several failures the first of the enumeration. */
+/* Where a scene has several failures, the first in the order of the enumeration. */
 typedef struct failure {
     failure_kind kind;
     gn_status status;   /* of FAILURE_REFUSED, otherwise GN_OK */

@@ -1,9 +1,9 @@
 #!/bin/sh
 # The pictures are the same on every machine: builds the library for other processors, draws
 # the parity suite's scenes there (hashes.c), in an emulator or under Node, and compares the
-# hashes of every back end with those drawn here in plain C. `small`, `whole-program` and `memory`
-# are this machine, with the library as GN_SMALL makes it, optimised across files, and under the
-# memory sanitizer. A target whose tools are absent is
+# hashes of every back end with those drawn here in plain C. Three targets are this
+# machine: `small` compiles with GN_SMALL, `whole-program` optimises across files, `memory` runs
+# under the memory sanitizer. A target whose tools are absent is
 # named and passed over (skip.sh). Where there are forms of lanes of a target's own, their operations are
 # tested there as well (test_lanes.c). No library uses a fused operation, and as a WebAssembly module it
 # imports nothing.
@@ -29,6 +29,7 @@ trap 'rm -rf "$work"' EXIT
 describe() {
     flags=-O2
     forms=""
+    setup=setup-cross
     case $1 in
     aarch64)
         compiler=aarch64-linux-gnu-gcc
@@ -58,6 +59,7 @@ describe() {
         [ "$1" = wasm ] || { flags="-O2 -msimd128"; forms="portable wasm_simd128"; }
         ;;
     small) # this machine's, with little code
+        setup=setup
         compiler=${CC:-cc}
         flags="-Os -DGN_SMALL -DGN_ONLY_PORTABLE"
         runner="env"
@@ -65,12 +67,14 @@ describe() {
         fused='[[:space:]]vfn?m(add|sub)'
         ;;
     whole-program) # this machine's, optimised across files; a cast that may break aliasing is an error
+        setup=setup
         compiler=gcc
         flags="-O3 -flto=auto -Wstrict-aliasing=1 -DGN_ONLY_PORTABLE"
         runner="env"
         disassembler=""
         ;;
     memory) # this machine's; that anything depends on memory which nobody wrote is an error
+        setup=setup
         compiler=clang
         flags="-O0 -g1 -fno-omit-frame-pointer -DGN_SMALLEST_TASKS -DGN_ONLY_PORTABLE"
         flags="$flags -fsanitize=memory -fno-sanitize-recover=memory"
@@ -84,11 +88,11 @@ describe() {
     esac
 }
 
-# Whether the compiler has a C library to link with.
+# Whether the compiler finds what its programs are linked with: a C library, and the sanitizer's.
 links() {
     # shellcheck disable=SC2086
     echo '#include <stdio.h>
-int main(void) { return puts("") < 0; }' | $compiler -x c - -o "$work/links" >/dev/null 2>&1
+int main(void) { return puts("") < 0; }' | $compiler $flags -x c - -o "$work/links" >/dev/null 2>&1
 }
 
 have() { # the first absent of the commands, in `absent`
@@ -153,11 +157,11 @@ for target in ${*:-small whole-program memory aarch64 armhf s390x wasm wasm-simd
     describe "$target"
     directory=$build/$target
     if ! have "$compiler" "$runner" ${disassembler:+"$disassembler"}; then
-        skip "$target: not run, since $absent is absent: 'make setup-cross' installs it"
+        skip "$target: not run, since $absent is absent: 'make $setup' installs it"
         continue
     fi
     if ! links; then
-        skip "$target: not run, since $compiler has no C library: 'make setup-cross' installs it"
+        skip "$target: not run, since $compiler has no libraries to link with: 'make $setup' installs them"
         continue
     fi
     if ! ${MAKE:-make} -s -j2 BUILD="$directory" CC="$compiler" CFLAGS="$flags" \
@@ -183,8 +187,13 @@ for target in ${*:-small whole-program memory aarch64 armhf s390x wasm wasm-simd
         fail "$target: the operations of lanes differ"
     fi
     if [ -n "$disassembler" ]; then
-        count=$(find "$directory/src" -name '*.o' -exec "$disassembler" -d {} + | grep -c -E "$fused") || true
-        [ "$count" -eq 0 ] || fail "$target: $count fused operations"
+        if find "$directory/src" -name '*.o' -exec "$disassembler" -d {} + >"$work/disassembly" &&
+            [ -s "$work/disassembly" ]; then
+            count=$(grep -c -E "$fused" "$work/disassembly") || true
+            [ "$count" -eq 0 ] || fail "$target: $count fused operations"
+        else
+            fail "$target: $disassembler fails"
+        fi
     fi
     case $target in
     wasm*)

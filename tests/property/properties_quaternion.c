@@ -350,7 +350,6 @@ static bool finite_quat(gn_quat q)
     return isfinite(q.x) && isfinite(q.y) && isfinite(q.z) && isfinite(q.w);
 }
 
-/* Of any bits there is a status, and with GN_OK numbers. */
 /* Every component of conjugate(q) / |q|^2, however unlike their exponents are. */
 static bool inverse_is(gn_quat inverse, gn_quat q)
 {
@@ -363,6 +362,7 @@ static bool inverse_is(gn_quat inverse, gn_quat q)
     return true;
 }
 
+/* Every function returns a status for any bits, and with GN_OK its results are numbers. */
 static enum theft_trial_res any_bits_have_an_answer(struct theft *t, void *arg)
 {
     const float *f = arg;

@@ -80,7 +80,7 @@ static void crashes_are_named(void **state)
     expect(1, "compare n.obj -o a.png", "n.obj", "crashed");
 }
 
-/* Arrays within arrays, a hundred thousand deep. */
+/* Arrays within arrays, two hundred thousand deep. */
 static void deep_nesting_is_survived(void **state)
 {
     enum { DEPTH = 200000 };

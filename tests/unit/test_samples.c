@@ -79,6 +79,25 @@ static void faults(void **state)
     assert_int_equal(gn_target_check(&t), GN_OK);
 }
 
+/* Samples lie one after the other, or so that the target is refused. */
+static void long_rows_do_not_overlap(void **state)
+{
+    (void)state;
+    const ptrdiff_t stride = (PTRDIFF_MAX / GN_MAX_SIZE + 16) & ~(ptrdiff_t)15;
+    gn_target t = sampled_target();
+    gn_surface image = t.color[0];
+
+    image.samples = 0;
+    image.height = 2;
+    image.row_stride = stride;
+    assert_true(gn_surface_multisampled(&image).sample_stride == 2 * stride);
+    image.row_stride = -stride;
+    assert_true(gn_surface_multisampled(&image).sample_stride == 2 * stride);
+    image.row_stride = PTRDIFF_MIN;
+    t.color[0] = gn_surface_multisampled(&image);
+    assert_int_equal(gn_clear_color(&t.color[0], 0, 0, 0, 0), GN_INVALID_STRIDE);
+}
+
 static void clears_fill_every_sample(void **state)
 {
     (void)state;
@@ -396,6 +415,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(surfaces_and_views),
         cmocka_unit_test(faults),
+        cmocka_unit_test(long_rows_do_not_overlap),
         cmocka_unit_test(clears_fill_every_sample),
         cmocka_unit_test(coverage_is_of_samples),
         cmocka_unit_test(strides_of_samples_are_free),

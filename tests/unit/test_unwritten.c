@@ -216,6 +216,7 @@ static void points_of_nothing(void)
     c.pipeline.fragment_shader = show_varyings;
     c.pipeline.varying_count = 4;
     c.mesh.attribute[GN_ATTRIBUTE_POSITION].data = positions[0];
+    c.mesh.attribute[GN_ATTRIBUTE_COLOR].data = NULL;
     c.mesh.vertex_count = 40;
     for (uint32_t count = 1; count <= 40; ++count) {
         set_float_colors(1);

@@ -155,7 +155,8 @@ static void note_missing(const char *path, const char *reason)
         system_state.missing_count++;
 }
 
-/* It was missing in another place, or the one before it is. */
+/* A file found elsewhere is not missing. A found MODEL.mtl replaces the last file that is missing.
+ */
 static void note_found(const char *path)
 {
     size_t found = find_missing(path);

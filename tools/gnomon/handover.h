@@ -31,7 +31,7 @@ typedef struct handover {
     handover_state state;
 } handover;
 
-/* The bytes that a part's arrays take. */
+/* Bytes in the pipe of a part without its maps: its header and its arrays. */
 uint64_t handover_size(const model_part *part);
 
 /* The child's side. False: the pipe is closed. */

@@ -21,10 +21,10 @@
 #include "model_read.h"
 #include "report.h"
 
-/* How a child ends that has crashed for want of memory. */
+/* Exit status of a child that crashed because memory ran out. */
 #define EXIT_MEMORY 3
 
-/* Memory is taken to be what a crash is about where less than this is left. */
+/* A crash counts as want of memory if so many bytes cannot be mapped any more. */
 #define LITTLE_MEMORY ((size_t)32 << 20)
 
 /* Far more files than the child opens at once: the model, one beside it, the pipe. */
@@ -32,6 +32,9 @@
 
 /* The child's end of the pipe. */
 static int to_parent;
+
+/* The process that waits for the child. */
+static pid_t parent;
 
 static void send_line(const char *line)
 {
@@ -43,8 +46,8 @@ static void send_opened(const char *path)
     handover_send_text(to_parent, HANDOVER_OPENED, path);
 }
 
-/* A C++ library whose exception nobody catches calls abort, and one that does not look at what
- * malloc returns crashes. Otherwise the signal ends the child, of which the parent learns. */
+/* Where memory is short, C++ code calls abort after an exception that nobody catches, and code that
+ * does not check malloc crashes. Ends the child with EXIT_MEMORY then, otherwise by the signal. */
 static void tell_memory(int number)
 {
     void *probe =
@@ -55,7 +58,7 @@ static void tell_memory(int number)
     raise(number);
 }
 
-/* The stack may be what has run out. */
+/* Handlers have a stack of their own, since the usual one may be exhausted. */
 static void handle_crashes(void)
 {
     static const int numbers[] = {SIGABRT, SIGSEGV, SIGBUS};
@@ -81,8 +84,9 @@ static void set_limit(int which, rlim_t most)
         return;
     if (limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur > most)
         limit.rlim_cur = most;
-    if (limit.rlim_max == RLIM_INFINITY || limit.rlim_max > most)
-        limit.rlim_max = limit.rlim_cur;
+    /* A process at its hard limit of time gets SIGKILL, not SIGXCPU. */
+    if (limit.rlim_max == RLIM_INFINITY || limit.rlim_max > most + 1)
+        limit.rlim_max = most + 1;
     setrlimit(which, &limit);
 }
 
@@ -110,6 +114,8 @@ static void confine(const import_limits *limits)
         close(nowhere);
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) /* it ended before the line above */
+        _exit(EXIT_FAULT);
 #endif
     handle_crashes();
     set_limit(RLIMIT_CORE, 0);
@@ -194,6 +200,11 @@ static int end_fault(const options *o, int status, culprit c)
         return memory_fault(o);
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
         return late_fault(o, c);
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)
+        return report_fault(o->model,
+                            "cannot be imported: the importer was killed%s%s%s, most likely since "
+                            "memory ran out",
+                            c.before, c.path, c.after);
     if (WIFSIGNALED(status))
         return report_fault(o->model, "cannot be imported: the importer crashed%s%s%s (%s)",
                             c.before, c.path, c.after, strsignal(WTERMSIG(status)));
@@ -219,7 +230,8 @@ static int state_fault(const options *o, const handover *h, int status, culprit 
     }
 }
 
-/* Until the model is there, a fault has been printed, or something went wrong. */
+/* Receives until the model is there, the child sends a fault (*told: its reason is printed), or
+ * receiving fails. */
 static int receive(handover *h, char *opened, imported *result, bool *told)
 {
     static char text[HANDOVER_TEXT_SIZE];
@@ -254,7 +266,10 @@ int import_model(const options *o, unsigned int wanted, imported *result)
     opened[0] = '\0';
     if (pipe(ends) != 0)
         return report_fault(o->model, "cannot be imported: %s", strerror(errno));
+    /* Where it is ignored, as inherited, the child's status would be lost. */
+    signal(SIGCHLD, SIG_DFL);
     fflush(NULL);
+    parent = getpid();
     pid_t child = fork();
     if (child == 0) {
         close(ends[0]);
@@ -270,9 +285,8 @@ int import_model(const options *o, unsigned int wanted, imported *result)
     clock_gettime(CLOCK_MONOTONIC, &h.deadline);
     h.deadline.tv_sec += (time_t)o->limits.seconds;
     int fault = receive(&h, opened, result, &told);
-    /* Where it has closed the pipe it has ended, and how it did is of interest. */
-    if (h.state != HANDOVER_ENDED)
-        kill(child, SIGKILL);
+    /* A child that has ended keeps the status that it ended with. */
+    kill(child, SIGKILL);
     while (waitpid(child, &status, 0) < 0 && errno == EINTR)
         ;
     close(ends[0]);

@@ -143,7 +143,12 @@ int output_open(output *o, const char *path)
     if (output_is_standard(path)) {
         int copy = dup(STDOUT_FILENO);
         o->file = copy >= 0 ? fdopen(copy, "wb") : NULL;
-        return o->file != NULL ? 0 : report_fault(path, "cannot be written: %s", strerror(errno));
+        if (o->file != NULL)
+            return 0;
+        int reason = errno;
+        if (copy >= 0)
+            close(copy);
+        return report_fault(path, "cannot be written: %s", strerror(reason));
     }
     if (exists && S_ISDIR(status.st_mode))
         return report_fault(path, "cannot be written: it is a directory");
