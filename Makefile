@@ -240,7 +240,7 @@ $(UNIT_TESTS): $(BUILD)/%: $(BUILD)/tests/unit/%.o $(BUILD)/libgnomon.a
 RUNNER = $(BUILD)/tests/tools/runner.o
 TOOL_TESTS = $(BUILD)/test_faults $(BUILD)/test_pictures $(BUILD)/test_comparison $(BUILD)/test_teapot \
 	$(BUILD)/test_transform_command $(BUILD)/test_shading_command $(BUILD)/test_hostile_files \
-	$(BUILD)/test_odd_models $(BUILD)/test_outputs $(BUILD)/test_model_formats
+	$(BUILD)/test_odd_models $(BUILD)/test_outputs $(BUILD)/test_model_formats $(BUILD)/test_handover
 
 $(BUILD)/test_faults $(BUILD)/test_pictures $(BUILD)/test_hostile_files $(BUILD)/test_odd_models \
 		$(BUILD)/test_outputs: $(BUILD)/test_%: $(BUILD)/tests/tools/test_%.o $(RUNNER)
@@ -260,6 +260,10 @@ $(BUILD)/test_comparison: $(BUILD)/tests/tools/test_comparison.o $(RUNNER) \
 		$(call objects,$(addprefix tools/gnomon/,comparison.c png_write.c output.c report.c)) \
 		$(call objects,$(SCENE_SOURCES)) $(BUILD)/libgnomon.a
 	$(LINK) -lcmocka -lpng -lm
+
+$(BUILD)/test_handover: $(BUILD)/tests/tools/test_handover.o \
+		$(call objects,$(addprefix tools/gnomon/,handover.c model.c))
+	$(LINK) -lcmocka -lm
 
 $(BUILD)/test_teapot: $(BUILD)/tests/tools/test_teapot.o \
 		$(call objects,$(addprefix tools/gnomon/,teapot.c teapot_maps.c image.c image_file.c files.c model.c normals.c)) \
@@ -460,6 +464,7 @@ test-steps:
 		'sanitized textures=$(CHECKED)/textures --seed $(TEST_SEED) --cases 60' \
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
+		'command, hand-over=$(BUILD)/test_handover' \
 		'command, hostile files=$(BUILD)/test_hostile_files $(BUILD)/gnomon' \
 		'command, odd models=$(BUILD)/test_odd_models $(BUILD)/gnomon' \
 		'command, outputs=$(BUILD)/test_outputs $(BUILD)/gnomon' \

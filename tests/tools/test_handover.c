@@ -1,0 +1,111 @@
+/* What a child hands over is refused, with the state that says why, where it is no model that can
+ * be drawn, exceeds the bytes that are allowed, or comes late. */
+#define _POSIX_C_SOURCE 200809L
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "handover.h"
+
+static float floats[12];
+static uint32_t indices[4], texels[1];
+static model_part part;
+static part_maps maps;
+
+/* A triangle with a map of one texel, which fits the memory of a pipe. */
+static imported good_model(void)
+{
+    const imported what = {{1, &part}, &maps, {NULL}};
+
+    memset(&part, 0, sizeof part);
+    memset(&maps, 0, sizeof maps);
+    for (uint32_t i = 0; i < 3; i++)
+        indices[i] = i;
+    part.vertex_count = 3;
+    part.positions = part.normals = part.colors = floats;
+    part.index_count = 3;
+    part.indices = indices;
+    part.shine.exponent = 1;
+    maps.images[0] = (image){1, 1, texels};
+    return what;
+}
+
+/* The state after the model was sent and received, of so many bytes within so many seconds. */
+static handover_state state_after(const imported *what, uint64_t bytes, int seconds)
+{
+    static char text[HANDOVER_TEXT_SIZE];
+    handover h = {-1, {0, 0}, bytes, HANDOVER_GOING};
+    handover_record kind;
+    imported result;
+    int ends[2];
+
+    memset(&result, 0, sizeof result);
+    assert_int_equal(pipe(ends), 0);
+    assert_true(handover_send_model(ends[1], what));
+    close(ends[1]);
+    h.descriptor = ends[0];
+    clock_gettime(CLOCK_MONOTONIC, &h.deadline);
+    h.deadline.tv_sec += seconds;
+    if (handover_receive(&h, &kind, text))
+        handover_receive_model(&h, &result);
+    for (size_t p = 0; result.maps && p < result.model.part_count; p++)
+        for (int i = 0; i < MAP_COUNT; i++)
+            free(result.maps[p].images[i].texels);
+    free(result.maps);
+    model_free(&result.model);
+    close(ends[0]);
+    return h.state;
+}
+
+static void good_models_arrive(void **state)
+{
+    const imported what = good_model();
+
+    (void)state;
+    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_GOING);
+}
+
+static void limits_hold(void **state)
+{
+    const imported what = good_model();
+
+    (void)state;
+    assert_int_equal(state_after(&what, 100, 600), HANDOVER_TOO_MUCH);
+    assert_int_equal(state_after(&what, 1 << 20, -1), HANDOVER_LATE);
+}
+
+static void wrong_models_are_refused(void **state)
+{
+    imported what = good_model();
+
+    (void)state;
+    indices[2] = 3; /* there are vertices 0 to 2 */
+    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
+    what = good_model();
+    part.index_count = 4;
+    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
+    what = good_model();
+    part.shine.exponent = 0;
+    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
+    what = good_model();
+    maps.images[0].height = 0;
+    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
+    what = good_model();
+    what.model.part_count = 0;
+    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(good_models_arrive),
+        cmocka_unit_test(limits_hold),
+        cmocka_unit_test(wrong_models_are_refused),
+    };
+    return cmocka_run_group_tests_name("hand-over", tests, NULL, NULL);
+}
