@@ -16,6 +16,7 @@
  *   project.h     points to the window and back
  *   culling.h     planes of a view volume; boxes and spheres against them
  *   ray.h         rays through pixels, against triangles and boxes
+ *   compare.h     comparisons of depth, stencil and depth textures
  *   lanes.h       how many vertices or fragments are processed at a time
  *   surface.h     colour and depth images in the caller's memory, and clears
  *   blit.h        rectangles of surfaces onto others, converted and scaled
@@ -47,6 +48,7 @@
 #include "gnomon/backend.h"
 #include "gnomon/blit.h"
 #include "gnomon/bulk.h"
+#include "gnomon/compare.h"
 #include "gnomon/conventions.h"
 #include "gnomon/culling.h"
 #include "gnomon/decompose.h"

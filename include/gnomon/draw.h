@@ -147,7 +147,7 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  * nothing is drawn.
  *
  * Triangles, lines and points are drawn in order. Positions are clipped to -w <= x, y, z <= w (of
- * z, as clip_depth and depth_clamp say; then a z that is clipped against nothing may be anything)
+ * z, as depth.clip_depth and depth.clamp say; then a z that is clipped against nothing may be anything)
  * and to clip distances that are not negative, points being drawn whole or not at all, by their
  * centre, and mapped to window coordinates;
  * vertices snap to 1/256 pixel; a pixel is covered where its centre lies inside, or on a left edge

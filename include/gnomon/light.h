@@ -54,7 +54,7 @@ typedef struct gn_material {
 /* Shadows, where a map is there. It is the depth that gn_use_depth_only draws as the light sees it;
  * clip_from_world is that camera's matrix, and what lies outside it is lit where the sampler's
  * wraps clamp to a border of 1. The sampler compares, as a rule by
- * GN_TEXTURE_COMPARE_LESS_OR_EQUAL; polygon offset in the first pass keeps surfaces from shadowing
+ * GN_LESS_OR_EQUAL; polygon offset in the first pass keeps surfaces from shadowing
  * themselves. */
 typedef struct gn_shadow {
     const gn_texture *map; /* of a depth format; null: everything is lit */

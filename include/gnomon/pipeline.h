@@ -1,65 +1,76 @@
-/* The pipeline: shaders and the state a draw runs under. A zeroed gn_pipeline is
- * OpenGL's initial state, short of the shaders.
+/* The pipeline: the shaders of a draw and the state that it runs under. A zeroed gn_pipeline is
+ * OpenGL's initial state without shaders. Set program.vertex_shader and, for targets with colour,
+ * program.fragment_shader before drawing.
  *
- *   field                OpenGL                         zero value
- *   vertex_shader        the program in use             none, which is a fault
- *   fragment_shader      the program in use             none, for targets without colour
- *   uniforms             Uniform...                     null
- *   varying_count        outs of the vertex shader      0
- *   topology             mode of DrawArrays             GN_TRIANGLES
- *   provoking_vertex     ProvokingVertex                last vertex
- *   cull                 CULL_FACE with CullFace        nothing is culled
- *   front_face           FrontFace                      counter-clockwise
- *   viewport             Viewport                       the whole target
- *   scissor              SCISSOR_TEST with Scissor      off
- *   depth_range          DepthRange                     0 to 1
- *   clip_distance_count  CLIP_DISTANCEi for i below it  none
- *   clip_depth           ClipControl's depth            -1 to 1
- *   depth_clamp          DEPTH_CLAMP                    off
- *   polygon_offset       POLYGON_OFFSET_FILL, _LINE,    off
- *                        _POINT, PolygonOffsetClamp
- *   depth_test           DEPTH_TEST                     off
- *   depth_function       DepthFunc                      GN_LESS
- *   depth_write_disabled not DepthMask                  depth is written
- *   interpolation        smooth, noperspective, flat    smooth
- *   color_count          outputs of the shader,         1
- *                        DrawBuffers
- *   color_write_disabled not ColorMaski                 every channel is written
- *   blend[i].enabled     Enablei of BLEND               off
- *   blend[i]'s factors   BlendFunci, ..Separatei        source one, destination zero
- *   blend[i]'s equations BlendEquationi, ..Separatei    GN_EQUATION_ADD
- *   blend_constant       BlendColor                     0, 0, 0, 0
- *   color_logic          COLOR_LOGIC_OP                 off
- *   logic_operation      LogicOp                        GN_LOGIC_COPY
- *   stencil_test         STENCIL_TEST                   off
- *   stencil_front        StencilFuncSeparate and the    GN_STENCIL_ALWAYS, GN_STENCIL_KEEP,
- *   stencil_back         like, FRONT and BACK           reference 0, all bits
- *   fragment_reads_position  use of gl_FragCoord        not given to the shader
- *   fragment_reads_primitive use of gl_PrimitiveID      not given to the shader
- *   fragment_discards    discard                        the shader discards nothing
- *   fragment_writes_depth    gl_FragDepth               interpolated depth
- *   point_size           PointSize                      1
- *   program_point_size   PROGRAM_POINT_SIZE             off
- *   line_width           LineWidth                      1
- *   samples_disabled     SAMPLE_MASK, not SampleMaski   every sample is drawn
- *   alpha_to_coverage    SAMPLE_ALPHA_TO_COVERAGE       off
- *   alpha_to_one         SAMPLE_ALPHA_TO_ONE            off
- *   point_origin         POINT_SPRITE_COORD_ORIGIN      GN_POINT_UPPER_LEFT
- *   fragment_reads_point_coordinate use of gl_PointCoord  not given to the shader
- *   polygon_mode_front   PolygonMode(FRONT)             GN_POLYGON_FILL
- *   polygon_mode_back    PolygonMode(BACK)              GN_POLYGON_FILL
- *   fragment_reads_sample_mask  use of gl_SampleMaskIn  not given to the shader
- *   fragment_writes_sample_mask gl_SampleMask           the samples covered
+ *   field                            OpenGL                           zero value
+ *   program                          the program in use
+ *     .vertex_shader                                                  none, which is a fault
+ *     .fragment_shader                                                none: no colour is written
+ *     .uniforms                      Uniform...                       null
+ *     .varying_count                 outs of the vertex shader        0
+ *     .interpolation[n]              smooth, noperspective, flat      GN_SMOOTH
+ *     .color_count                   outs of the fragment shader,     0, which means 1
+ *                                    DrawBuffers
+ *     .clip_distance_count           CLIP_DISTANCEi for i below it    0
+ *     .vertex_writes_point_size      PROGRAM_POINT_SIZE               off: raster.point_size
+ *     .fragment_reads_position       use of gl_FragCoord              not given to the shader
+ *     .fragment_reads_primitive      use of gl_PrimitiveID            not given to the shader
+ *     .fragment_reads_point_coordinate use of gl_PointCoord           not given to the shader
+ *     .fragment_reads_sample_mask    use of gl_SampleMaskIn           not given to the shader
+ *     .fragment_discards             discard                          the shader discards nothing
+ *     .fragment_writes_depth         gl_FragDepth                     interpolated depth
+ *     .fragment_writes_sample_mask   gl_SampleMask                    the samples covered
+ *   raster
+ *     .topology                      mode of DrawArrays               GN_TRIANGLES
+ *     .provoking_vertex              ProvokingVertex                  GN_PROVOKING_LAST
+ *     .cull                          CULL_FACE with CullFace          GN_CULL_NONE
+ *     .front_face                    FrontFace                        GN_FRONT_COUNTER_CLOCKWISE
+ *     .polygon_mode_front, _back     PolygonMode                      GN_POLYGON_FILL
+ *     .polygon_offset                POLYGON_OFFSET_FILL, _LINE,      off
+ *                                    _POINT, PolygonOffsetClamp
+ *     .viewport                      Viewport                         the whole target
+ *     .scissor                       SCISSOR_TEST with Scissor        off
+ *     .point_size                    PointSize                        0, which means 1
+ *     .point_origin                  POINT_SPRITE_COORD_ORIGIN        GN_POINT_UPPER_LEFT
+ *     .line_width                    LineWidth                        0, which means 1
+ *   depth
+ *     .test                          DEPTH_TEST                       off
+ *     .function                      DepthFunc                        GN_COMPARE_DEFAULT: GN_LESS
+ *     .write_disabled                not DepthMask                    depth is written
+ *     .clamp                         DEPTH_CLAMP                      off
+ *     .clip_depth                    ClipControl's depth              GN_NEGATIVE_ONE_TO_ONE
+ *     .range                         DepthRange                       0 to 1
+ *   stencil
+ *     .test                          STENCIL_TEST                     off
+ *     .front, .back                  StencilFuncSeparate and the      GN_COMPARE_DEFAULT, which is
+ *                                    like, FRONT and BACK             GN_ALWAYS; reference 0, all
+ *                                                                     bits; GN_STENCIL_KEEP
+ *   color
+ *     .write_disabled[i]             not ColorMaski                   every channel is written
+ *     .blend[i].enabled              Enablei of BLEND                 off
+ *     .blend[i]'s factors            BlendFunci, ..Separatei          source one, destination zero
+ *     .blend[i]'s equations          BlendEquationi, ..Separatei      GN_EQUATION_ADD
+ *     .blend_constant                BlendColor                       0, 0, 0, 0
+ *     .logic                         COLOR_LOGIC_OP                   off
+ *     .logic_operation               LogicOp                          GN_LOGIC_COPY
+ *   samples
+ *     .write_disabled                SAMPLE_MASK, not SampleMaski     every sample is drawn
+ *     .alpha_to_coverage             SAMPLE_ALPHA_TO_COVERAGE         off
+ *     .alpha_to_one                  SAMPLE_ALPHA_TO_ONE              off
  *
- * As in OpenGL, depth is written only where the depth test is on, stencil only where the
- * stencil test is, and a test of what the target has not got passes. */
+ * What OpenGL writes at first is negated here, since zero is the default: every such field ends in
+ * `_disabled`, and its set bits are not written or not compared.
+ *
+ * As in OpenGL, depth is written only where the depth test is on, and stencil only where the
+ * stencil test is on. A test passes where the target lacks what it tests. */
 #ifndef GNOMON_PIPELINE_H
 #define GNOMON_PIPELINE_H
 
 #include <stdbool.h>
 
-#include "surface.h"
+#include "compare.h"
 #include "sampling.h"
+#include "surface.h"
 
 /* Scalar varyings a vertex shader may hand to the fragment shader. */
 #define GN_MAX_VARYINGS 32
@@ -109,18 +120,6 @@ typedef enum gn_polygon_mode {
     GN_POLYGON_LINE,
     GN_POLYGON_POINT
 } gn_polygon_mode;
-
-/* Passes where `incoming depth FUNCTION stored depth` holds. */
-typedef enum gn_compare {
-    GN_LESS = 0,
-    GN_NEVER,
-    GN_EQUAL,
-    GN_LESS_OR_EQUAL,
-    GN_GREATER,
-    GN_NOT_EQUAL,
-    GN_GREATER_OR_EQUAL,
-    GN_ALWAYS
-} gn_compare;
 
 /* Channels of a colour, as bits. */
 typedef enum gn_channel {
@@ -193,17 +192,6 @@ typedef enum gn_logic_operation {
     GN_LOGIC_NAND,          /* ~(s & d) */
     GN_LOGIC_SET            /* all ones */
 } gn_logic_operation;
-/* Passes where `reference FUNCTION stored stencil` holds, both without the ignored bits. */
-typedef enum gn_stencil_function {
-    GN_STENCIL_ALWAYS = 0,
-    GN_STENCIL_NEVER,
-    GN_STENCIL_EQUAL,
-    GN_STENCIL_LESS_OR_EQUAL,
-    GN_STENCIL_GREATER,
-    GN_STENCIL_NOT_EQUAL,
-    GN_STENCIL_GREATER_OR_EQUAL,
-    GN_STENCIL_LESS
-} gn_stencil_function;
 
 typedef enum gn_stencil_operation {
     GN_STENCIL_KEEP = 0,
@@ -217,13 +205,13 @@ typedef enum gn_stencil_operation {
 } gn_stencil_operation;
 
 typedef struct gn_stencil_face {
-    gn_stencil_function function;
+    gn_compare function; /* passes where `reference FUNCTION stored stencil` holds */
     uint8_t reference;
-    uint8_t ignored_bits;            /* not the mask of StencilFunc */
-    uint8_t write_disabled_bits;     /* not StencilMask */
-    gn_stencil_operation fail;       /* where the stencil test fails */
-    gn_stencil_operation depth_fail; /* where it passes and the depth test fails */
-    gn_stencil_operation pass;       /* where both pass */
+    uint8_t compare_disabled;  /* bits that both sides of the test lack: not StencilFunc's mask */
+    uint8_t write_disabled;    /* bits that stay as they are: not StencilMask */
+    gn_stencil_operation fail; /* applied where the stencil test fails */
+    gn_stencil_operation depth_fail; /* where the stencil test passes and the depth test fails */
+    gn_stencil_operation pass;       /* where both tests pass */
 } gn_stencil_face;
 
 /* How a varying gets its value at a fragment (OpenGL 4.5 section 14.6.1). */
@@ -292,7 +280,7 @@ typedef struct gn_vertex_input {
 typedef struct gn_vertex_output {
     float (*position)[GN_LANES];      /* [x, y, z, w][lane] in clip space */
     float (*varying)[GN_LANES];       /* [varying][lane], varying_count of them */
-    float *point_size;                /* [lane]; null without program_point_size */
+    float *point_size;                /* [lane]; null without program.vertex_writes_point_size */
     float (*clip_distance)[GN_LANES]; /* [distance][lane], clip_distance_count of them */
 } gn_vertex_output;
 
@@ -307,8 +295,8 @@ typedef struct gn_vertex_output {
  * the interpolated 1/w, which may be 0 or negative beyond an edge: where it is 0, the varying is
  * infinite or NaN. GN_FLAT varyings are constant. A shader that needs a range must clamp. As a
  * colour, NaN is stored as 0 in formats of integers and as NaN in formats of floats; an infinity,
- * or a number beyond +-2^31 / 255, is stored as 0 in linear channels of up to 8 bits. In channels of
- * 16 bits and in sRGB minus infinity is 0 and plus infinity the largest value. Floats hold
+ * or a number beyond +-2^31 / 255, is stored as 0 in linear channels of up to 8 bits. In channels
+ * of 16 bits and in sRGB minus infinity is 0 and plus infinity the largest value. Floats hold
  * infinities. */
 typedef struct gn_fragment_input {
     const float (*varying)[GN_LANES]; /* [varying][lane] */
@@ -336,7 +324,7 @@ typedef struct gn_fragment_input {
      * fragment_reads_point_coordinate. */
     const float (*point_coordinate)[GN_LANES];
 
-    /* gl_SampleMaskIn, [lane]: bit s: sample s is covered and not in samples_disabled, whether or
+    /* gl_SampleMaskIn, [lane]: bit s: sample s is covered and not in samples.write_disabled, whether or
      * not it passes the tests. With one sample a pixel 1 in the lanes of `coverage`, 0 in others.
      * Null without the pipeline's fragment_reads_sample_mask. */
     const uint32_t *sample_mask;
@@ -352,7 +340,7 @@ typedef struct gn_fragment_output {
      * discards. Looked at only with fragment_discards. */
     uint32_t kept;
 
-    /* gl_FragDepth, [lane], clamped to 0..1 afterwards (with depth_clamp to the depth range), NaN
+    /* gl_FragDepth, [lane], clamped to 0..1 afterwards (with depth.clamp to the depth range), NaN
      * to the upper end, without polygon offset; comes with the interpolated depth. Null without
      * fragment_writes_depth. */
     float *depth;
@@ -371,88 +359,120 @@ typedef void gn_vertex_shader(const void *uniforms, const gn_vertex_input *input
 typedef void gn_fragment_shader(const void *uniforms, const gn_fragment_input *input,
                                 gn_fragment_output *output);
 
-typedef struct gn_pipeline {
+/* The shaders, and what they read and write beyond varyings and colours. A fragment shader that
+ * discards, or writes depth or a sample mask, runs before the depth and stencil tests. Any other
+ * runs after them, on the fragments that passed. */
+typedef struct gn_program {
     gn_vertex_shader *vertex_shader;
     gn_fragment_shader *fragment_shader; /* may be null where the target has no colour */
-    const void *uniforms;
-    uint32_t varying_count; /* scalars, 0 to GN_MAX_VARYINGS */
+    const void *uniforms;                /* handed to both shaders */
+    uint32_t varying_count;              /* scalars, 0 to GN_MAX_VARYINGS */
     gn_interpolation interpolation[GN_MAX_VARYINGS];
+    uint32_t color_count; /* colours that the fragment shader writes, 0 meaning 1; attachments from
+                             color_count on stay as they are */
+    uint32_t clip_distance_count;  /* 0 to GN_MAX_CLIP_DISTANCES */
+    bool vertex_writes_point_size; /* points have the size that the vertex shader writes */
+    bool fragment_reads_position;
+    bool fragment_reads_primitive;
+    bool fragment_reads_point_coordinate;
+    bool fragment_reads_sample_mask;
+    bool fragment_discards;
+    bool fragment_writes_depth;
+    bool fragment_writes_sample_mask; /* without effect where a pixel has one sample */
+} gn_program;
 
+/* Which primitives are made of the vertices, and which pixels they cover. */
+typedef struct gn_raster {
     gn_topology topology;
     gn_provoking_vertex provoking_vertex;
     gn_cull cull;
     gn_front_face front_face;
-    gn_viewport viewport;
-    gn_depth_range depth_range;
-    gn_scissor scissor;
+    gn_polygon_mode polygon_mode_front;
+    gn_polygon_mode polygon_mode_back;
     gn_polygon_offset polygon_offset;
+    gn_viewport viewport;
+    gn_scissor scissor;
+    float point_size; /* in pixels; 0 means 1; see GN_MAX_POINT_SIZE */
+    gn_point_origin point_origin;
+    float line_width; /* in pixels; 0 means 1; see GN_MAX_LINE_WIDTH */
+} gn_raster;
+
+typedef struct gn_depth {
+    bool test;
+    gn_compare function; /* passes where `incoming depth FUNCTION stored depth` holds */
+    bool write_disabled;
+    bool clamp; /* depth clips nothing; the depths of fragments are clamped to the range */
     gn_clip_depth clip_depth;
-    uint32_t clip_distance_count; /* 0 to GN_MAX_CLIP_DISTANCES */
-    bool depth_clamp; /* depth clips nothing; fragments' depths go to the range's ends */
+    gn_depth_range range;
+} gn_depth;
 
-    bool depth_test;
-    gn_compare depth_function;
-    bool depth_write_disabled;
+typedef struct gn_stencil {
+    bool test;
+    gn_stencil_face front, back;
+} gn_stencil;
 
-    /* Of each attachment. Those from color_count on stay as they are. */
-    uint32_t color_count; /* colours that the fragment shader writes; 0: 1 */
-    uint32_t color_write_disabled[GN_MAX_COLORS]; /* GN_CHANNEL_RED and so on, or'ed */
+/* What becomes of the colours that the fragment shader writes, for each attachment. */
+typedef struct gn_color {
+    uint32_t write_disabled[GN_MAX_COLORS]; /* GN_CHANNEL_RED and so on, or'ed */
     gn_blend blend[GN_MAX_COLORS];
     float blend_constant[4]; /* red, green, blue, alpha */
 
-    bool color_logic; /* where set nothing is blended; floats and sRGB stay as they are */
+    /* Where `logic` is set, nothing is blended. In formats of floats and sRGB the colour is then
+     * written as it is. */
+    bool logic;
     gn_logic_operation logic_operation;
-    bool stencil_test;
-    gn_stencil_face stencil_front, stencil_back;
+} gn_color;
 
-    /* What the fragment shader does beyond reading varyings and writing colour. If it
-     * discards or writes depth or, of several samples, a mask, it runs before the depth and stencil
-     * tests, otherwise after them, on what has passed. */
-    bool fragment_reads_position;
-    bool fragment_reads_primitive;
-    bool fragment_discards;
-    bool fragment_writes_depth;
-    float point_size;        /* in pixels; 0: 1 */
-    bool program_point_size; /* points have the size that the vertex shader gives them */
-    float line_width;        /* in pixels; 0: 1; see GN_MAX_LINE_WIDTH */
+/* Without effect on targets with one sample a pixel. The alpha is that of the shader's first
+ * colour. */
+typedef struct gn_samples {
+    uint32_t write_disabled; /* bit s: nothing is drawn to sample s */
+    bool alpha_to_coverage; /* draws sample s unless alpha <= s / 4; the fragment shader runs before
+                               the tests then */
+    bool alpha_to_one;      /* sets alpha to 1 afterwards */
+} gn_samples;
 
-    /* Of targets with several samples a pixel; without effect on others. The alpha is that of the
-     * shader's colour; alpha_to_coverage makes it run before the tests. */
-    uint32_t samples_disabled; /* bit s: nothing is drawn to sample s */
-    bool alpha_to_coverage;    /* sample s is drawn unless the colour's alpha is at most s / 4 */
-    bool alpha_to_one;         /* afterwards alpha is 1 */
-    gn_point_origin point_origin;
-    bool fragment_reads_point_coordinate;
-    gn_polygon_mode polygon_mode_front;
-    gn_polygon_mode polygon_mode_back;
-    bool fragment_reads_sample_mask;
-    bool fragment_writes_sample_mask; /* then the shader runs before the tests */
+typedef struct gn_pipeline {
+    gn_program program;
+    gn_raster raster;
+    gn_depth depth;
+    gn_stencil stencil;
+    gn_color color;
+    gn_samples samples;
 } gn_pipeline;
 
 GN_BEGIN
 
-/* The first fault of a pipeline, in the order of its fields: GN_NULL_POINTER
- * (pipeline), GN_NO_SHADER (no vertex shader; no fragment shader, but it discards or
- * writes depth or a sample mask), GN_TOO_MANY_VARYINGS,
- * GN_INVALID_ENUM (an enumeration), GN_NOT_FINITE or GN_INVALID_VIEWPORT (a
- * viewport number that is not finite; a size below 0 or above GN_MAX_SIZE, an
- * origin beyond +-GN_MAX_SIZE), GN_NOT_FINITE or GN_OUT_OF_RANGE (a depth range
- * outside 0..1), GN_NOT_FINITE (a number of the polygon offset), GN_INVALID_ENUM
- * (clip_depth), GN_OUT_OF_RANGE (clip_distance_count above GN_MAX_CLIP_DISTANCES), GN_INVALID_ENUM
- * (functions and operations of depth and stencil), GN_OUT_OF_RANGE (color_count above
- * GN_MAX_COLORS); for each attachment GN_OUT_OF_RANGE (color_write_disabled has bits
- * beyond GN_CHANNEL_ALL) and GN_INVALID_ENUM or GN_NOT_FINITE (blend; the constant only where it is
- * enabled); GN_INVALID_ENUM (logic operation), GN_OUT_OF_RANGE (samples_disabled has bits beyond
- * GN_SAMPLES), GN_NOT_FINITE or GN_OUT_OF_RANGE (a point size or line width below 0),
- * GN_INVALID_ENUM (point_origin, a polygon mode); last, of ready-made shaders, GN_NULL_POINTER
- * (uniforms that they read) and GN_OUT_OF_RANGE (fragment_reads_position is off, but the shader
- * reads it; varying_count is below what the shaders and their maps use). A library compiled with
- * GN_SMALL does not find these last three. */
-GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline);
+/* Returns the first fault of a pipeline, or GN_OK where gn_draw takes it. `target` is the target it
+ * is to draw to; null leaves out the fault that depends on it. In the order of the checks:
+ * - GN_NULL_POINTER: the pipeline.
+ * - GN_NO_SHADER: no vertex shader; no fragment shader, but the target has colour, or the program
+ *   discards or writes depth or a sample mask.
+ * - GN_TOO_MANY_VARYINGS: program.varying_count. GN_INVALID_ENUM: the interpolation of a varying.
+ * - GN_INVALID_ENUM: an enumeration of raster or depth.clip_depth.
+ * - GN_NOT_FINITE or GN_INVALID_VIEWPORT: a number of the viewport that is not finite, a size below
+ *   0 or above GN_MAX_SIZE, an origin beyond +-GN_MAX_SIZE.
+ * - GN_NOT_FINITE or GN_OUT_OF_RANGE: an end of depth.range that is not in 0 to 1.
+ * - GN_NOT_FINITE: a number of the polygon offset.
+ * - GN_OUT_OF_RANGE: program.clip_distance_count above GN_MAX_CLIP_DISTANCES.
+ * - GN_INVALID_ENUM: a comparison or operation of depth or stencil.
+ * - GN_OUT_OF_RANGE: program.color_count above GN_MAX_COLORS.
+ * - GN_OUT_OF_RANGE: color.write_disabled[i] has bits beyond GN_CHANNEL_ALL. GN_INVALID_ENUM or
+ *   GN_NOT_FINITE: color.blend[i]; the constant is looked at only where blend[i] is enabled.
+ * - GN_INVALID_ENUM: color.logic_operation.
+ * - GN_OUT_OF_RANGE: samples.write_disabled has bits beyond GN_SAMPLES.
+ * - GN_NOT_FINITE or GN_OUT_OF_RANGE: a point size or line width that is not finite or below 0.
+ * - GN_INVALID_ENUM: raster.point_origin, a polygon mode.
+ * - For the ready-made shaders of gnomon/shaders.h: GN_NULL_POINTER (null uniforms that they read),
+ *   GN_OUT_OF_RANGE (program.fragment_reads_position is off, but the shader reads it;
+ *   program.varying_count is below what the shaders and their maps use). A library compiled with
+ *   GN_SMALL does not find these three.
+ * - GN_NOT_COMPILED: a feature that a GN_BASIC library lacks. */
+GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline, const gn_target *target);
 
-/* The same fault in words that name the field, such as "blend.source is no gn_blend_factor", in
- * static storage; null where there is none. */
-GN_API const char *gn_pipeline_fault(const gn_pipeline *pipeline);
+/* Returns the fault that gn_pipeline_check finds, in words that name the field, such as
+ * "color.blend[0].source is no gn_blend_factor", in static storage; null where there is none. */
+GN_API const char *gn_pipeline_fault(const gn_pipeline *pipeline, const gn_target *target);
 
 GN_END
 

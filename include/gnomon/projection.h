@@ -135,6 +135,11 @@ GN_API gn_status gn_perspective_lh_no_infinite_reversed(float fov_y, float aspec
 GN_API gn_status gn_perspective_lh_zo_infinite_reversed(float fov_y, float aspect, float z_near,
                                                         gn_transform *result);
 
+/* Returns in words what the perspective functions above find wrong with their arguments, such as
+ * "fov_y is not below pi: it is in radians", in static storage. An infinite z_far stands for the
+ * _infinite functions. Returns null where the functions of every convention return GN_OK. */
+GN_API const char *gn_perspective_fault(float fov_y, float aspect, float z_near, float z_far);
+
 /* Normalised device coordinates to window coordinates: x from -1..1 to
  * x..x + width, y from -1..1 to y..y + height, z from -1..1 (no) or 0..1 (zo) to
  * depth_near..depth_far. Pixel (i, j) is the square from (i, j) to

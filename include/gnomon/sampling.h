@@ -5,7 +5,7 @@
  *   wrap_s, t, r      TEXTURE_WRAP_S, T, R     GN_WRAP_REPEAT
  *   magnify           TEXTURE_MAG_FILTER       GN_MAGNIFY_LINEAR
  *   minify            TEXTURE_MIN_FILTER       GN_MINIFY_NEAREST_MIPMAP_LINEAR
- *   compare           TEXTURE_COMPARE_MODE,    GN_TEXTURE_COMPARE_NONE
+ *   compare           TEXTURE_COMPARE_MODE,    GN_COMPARE_DEFAULT: no comparison
  *                     TEXTURE_COMPARE_FUNC
  *   lod_bias          TEXTURE_LOD_BIAS         0
  *   lod_clamped       -                        false: -1000 to 1000
@@ -33,6 +33,7 @@
 
 #include <stdbool.h>
 
+#include "compare.h"
 #include "lanes.h"
 #include "texture.h"
 
@@ -60,27 +61,15 @@ typedef enum gn_minify {
     GN_MINIFY_LINEAR_MIPMAP_LINEAR
 } gn_minify;
 
-/* What becomes of a depth texel: 1 where `reference FUNCTION depth` holds, otherwise 0, before
- * filtering. Of colours this is not looked at. */
-typedef enum gn_texture_compare {
-    GN_TEXTURE_COMPARE_NONE = 0, /* the depth itself */
-    GN_TEXTURE_COMPARE_LESS_OR_EQUAL,
-    GN_TEXTURE_COMPARE_GREATER_OR_EQUAL,
-    GN_TEXTURE_COMPARE_LESS,
-    GN_TEXTURE_COMPARE_GREATER,
-    GN_TEXTURE_COMPARE_EQUAL,
-    GN_TEXTURE_COMPARE_NOT_EQUAL,
-    GN_TEXTURE_COMPARE_ALWAYS,
-    GN_TEXTURE_COMPARE_NEVER
-} gn_texture_compare;
-
 typedef struct gn_sampler {
     gn_wrap wrap_s;
     gn_wrap wrap_t;
     gn_magnify magnify;
     gn_minify minify;
     gn_wrap wrap_r;
-    gn_texture_compare compare;
+    gn_compare compare;      /* a depth texel becomes 1 where `reference FUNCTION depth` holds and 0
+                                elsewhere, before filtering; GN_COMPARE_DEFAULT keeps the depth;
+                                without effect on colours */
     float lod_bias;          /* within -16 to 16, rounded to a multiple of 1/256 */
     bool lod_clamped;        /* false: the next two are not looked at */
     float min_lod, max_lod;  /* min_lod <= max_lod */

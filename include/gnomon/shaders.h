@@ -11,7 +11,7 @@
  * compiled with GN_SMALL checks none of the three; what is then drawn is undefined.
  *
  * The shaders write the first colour alone and neither point sizes nor clip distances: further
- * colours become 0, 0, 0, 0 (set color_write_disabled to keep an attachment as it is), points have
+ * colours become 0, 0, 0, 0 (set color.write_disabled to keep an attachment as it is), points have
  * the pipeline's point_size, and nothing is clipped by clip distances.
  *
  *   gn_use_vertex_color  vertex colours                                     gn_color_uniforms

@@ -204,30 +204,30 @@ static long double compared(work *w, long double depth)
     }
     doubt(w, r - depth);
     switch (w->sampler->compare) {
-    case GN_TEXTURE_COMPARE_NONE:
+    case GN_COMPARE_DEFAULT:
         return depth;
-    case GN_TEXTURE_COMPARE_LESS_OR_EQUAL:
+    case GN_LESS_OR_EQUAL:
         holds = r <= depth;
         break;
-    case GN_TEXTURE_COMPARE_GREATER_OR_EQUAL:
+    case GN_GREATER_OR_EQUAL:
         holds = r >= depth;
         break;
-    case GN_TEXTURE_COMPARE_LESS:
+    case GN_LESS:
         holds = r < depth;
         break;
-    case GN_TEXTURE_COMPARE_GREATER:
+    case GN_GREATER:
         holds = r > depth;
         break;
-    case GN_TEXTURE_COMPARE_EQUAL:
+    case GN_EQUAL:
         holds = r == depth;
         break;
-    case GN_TEXTURE_COMPARE_NOT_EQUAL:
+    case GN_NOT_EQUAL:
         holds = r != depth;
         break;
-    case GN_TEXTURE_COMPARE_ALWAYS:
+    case GN_ALWAYS:
         holds = true;
         break;
-    case GN_TEXTURE_COMPARE_NEVER:
+    case GN_NEVER:
         break;
     }
     return holds ? 1.0L : 0.0L;
@@ -254,7 +254,7 @@ static texel fetch(work *w, int64_t i, int64_t j, int64_t k)
             decode(t->format, (const char *)level->texels + layer * level->layer_stride +
                                   j * level->row_stride + i * (int64_t)gn_format_size(t->format));
     }
-    if (is_depth(t->format) && w->sampler->compare != GN_TEXTURE_COMPARE_NONE) {
+    if (is_depth(t->format) && w->sampler->compare != GN_COMPARE_DEFAULT) {
         result.channel[0] = compared(w, result.channel[0]);
     }
     return result;

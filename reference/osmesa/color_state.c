@@ -93,13 +93,13 @@ static void set_logic(bool enabled, gn_logic_operation operation)
 void reference_set_color_state(const gn_pipeline *p)
 {
     for (GLuint a = 0; a < GN_MAX_COLORS; ++a) {
-        const uint32_t written = ~p->color_write_disabled[a];
+        const uint32_t written = ~p->color.write_disabled[a];
 
         glColorMaski(a, (written & GN_CHANNEL_RED) != 0, (written & GN_CHANNEL_GREEN) != 0,
                      (written & GN_CHANNEL_BLUE) != 0, (written & GN_CHANNEL_ALPHA) != 0);
-        set_blend(a, &p->blend[a]);
+        set_blend(a, &p->color.blend[a]);
     }
-    glBlendColor(p->blend_constant[0], p->blend_constant[1], p->blend_constant[2],
-                 p->blend_constant[3]);
-    set_logic(p->color_logic, p->logic_operation);
+    glBlendColor(p->color.blend_constant[0], p->color.blend_constant[1], p->color.blend_constant[2],
+                 p->color.blend_constant[3]);
+    set_logic(p->color.logic, p->color.logic_operation);
 }

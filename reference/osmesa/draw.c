@@ -10,7 +10,7 @@
  * through an index buffer it draws them. */
 static bool is_nine_vertices(const scene_draw *d)
 {
-    return d->mesh.index_format == GN_INDEX_NONE && d->state.topology == GN_TRIANGLES &&
+    return d->mesh.index_format == GN_INDEX_NONE && d->state.raster.topology == GN_TRIANGLES &&
            d->mesh.count / 3 == 3;
 }
 
@@ -47,37 +47,6 @@ static GLenum topology(gn_topology t)
     return GL_TRIANGLES;
 }
 
-static GLenum depth_function(gn_compare c)
-{
-    switch (c) {
-    case GN_NEVER:
-        return GL_NEVER;
-    case GN_EQUAL:
-        return GL_EQUAL;
-    case GN_LESS_OR_EQUAL:
-        return GL_LEQUAL;
-    case GN_GREATER:
-        return GL_GREATER;
-    case GN_NOT_EQUAL:
-        return GL_NOTEQUAL;
-    case GN_GREATER_OR_EQUAL:
-        return GL_GEQUAL;
-    case GN_ALWAYS:
-        return GL_ALWAYS;
-    case GN_LESS:
-        break;
-    }
-    return GL_LESS;
-}
-
-static GLenum stencil_function(gn_stencil_function f)
-{
-    static const GLenum functions[] = {GL_ALWAYS,  GL_NEVER,    GL_EQUAL,  GL_LEQUAL,
-                                       GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_LESS};
-
-    return functions[f];
-}
-
 static GLenum stencil_operation(gn_stencil_operation o)
 {
     static const GLenum operations[] = {GL_KEEP, GL_ZERO,   GL_REPLACE,   GL_INCR,
@@ -88,9 +57,9 @@ static GLenum stencil_operation(gn_stencil_operation o)
 
 static void set_stencil(GLenum face, const gn_stencil_face *f)
 {
-    glStencilFuncSeparate(face, stencil_function(f->function), f->reference,
-                          255u & ~(GLuint)f->ignored_bits);
-    glStencilMaskSeparate(face, 255u & ~(GLuint)f->write_disabled_bits);
+    glStencilFuncSeparate(face, gl_comparison(f->function, GL_ALWAYS), f->reference,
+                          255u & ~(GLuint)f->compare_disabled);
+    glStencilMaskSeparate(face, 255u & ~(GLuint)f->write_disabled);
     glStencilOpSeparate(face, stencil_operation(f->fail), stencil_operation(f->depth_fail),
                         stencil_operation(f->pass));
 }
@@ -266,53 +235,54 @@ static void set_clip_depth(gn_clip_depth depth)
 
 static void set_state(const scene *s, const gn_pipeline *p)
 {
-    const gn_viewport *v = &p->viewport;
+    const gn_viewport *v = &p->raster.viewport;
 
-    glProvokingVertex(p->provoking_vertex == GN_PROVOKING_FIRST ? GL_FIRST_VERTEX_CONVENTION
-                                                                : GL_LAST_VERTEX_CONVENTION);
-    switch_capability(GL_CULL_FACE, p->cull != GN_CULL_NONE);
-    glCullFace(p->cull == GN_CULL_FRONT            ? GL_FRONT
-               : p->cull == GN_CULL_FRONT_AND_BACK ? GL_FRONT_AND_BACK
-                                                   : GL_BACK);
-    glFrontFace(p->front_face == GN_FRONT_CLOCKWISE ? GL_CW : GL_CCW);
+    glProvokingVertex(p->raster.provoking_vertex == GN_PROVOKING_FIRST ? GL_FIRST_VERTEX_CONVENTION
+                                                                       : GL_LAST_VERTEX_CONVENTION);
+    switch_capability(GL_CULL_FACE, p->raster.cull != GN_CULL_NONE);
+    glCullFace(p->raster.cull == GN_CULL_FRONT            ? GL_FRONT
+               : p->raster.cull == GN_CULL_FRONT_AND_BACK ? GL_FRONT_AND_BACK
+                                                          : GL_BACK);
+    glFrontFace(p->raster.front_face == GN_FRONT_CLOCKWISE ? GL_CW : GL_CCW);
     if (v->set) {
         glViewportIndexedf(0, v->x, v->y, v->width, v->height);
     } else {
         glViewportIndexedf(0, 0.0f, 0.0f, (float)s->width, (float)s->height);
     }
-    if (p->depth_range.set) {
-        glDepthRangeIndexed(0, (double)p->depth_range.z_near, (double)p->depth_range.z_far);
+    if (p->depth.range.set) {
+        glDepthRangeIndexed(0, (double)p->depth.range.z_near, (double)p->depth.range.z_far);
     } else {
         glDepthRangeIndexed(0, 0.0, 1.0);
     }
-    switch_capability(GL_SCISSOR_TEST, p->scissor.set);
-    if (p->scissor.set) {
-        glScissor(p->scissor.x, p->scissor.y, clamped_size(p->scissor.width),
-                  clamped_size(p->scissor.height));
+    switch_capability(GL_SCISSOR_TEST, p->raster.scissor.set);
+    if (p->raster.scissor.set) {
+        glScissor(p->raster.scissor.x, p->raster.scissor.y, clamped_size(p->raster.scissor.width),
+                  clamped_size(p->raster.scissor.height));
     }
-    set_polygon_offset(&p->polygon_offset);
+    set_polygon_offset(&p->raster.polygon_offset);
     for (uint32_t i = 0; i < GN_MAX_CLIP_DISTANCES; ++i) {
-        switch_capability(GL_CLIP_DISTANCE0 + i, i < p->clip_distance_count);
+        switch_capability(GL_CLIP_DISTANCE0 + i, i < p->program.clip_distance_count);
     }
-    set_clip_depth(p->clip_depth);
-    switch_capability(GL_DEPTH_CLAMP, p->depth_clamp);
-    switch_capability(GL_DEPTH_TEST, p->depth_test);
-    glDepthFunc(depth_function(p->depth_function));
-    glDepthMask(!p->depth_write_disabled);
+    set_clip_depth(p->depth.clip_depth);
+    switch_capability(GL_DEPTH_CLAMP, p->depth.clamp);
+    switch_capability(GL_DEPTH_TEST, p->depth.test);
+    glDepthFunc(gl_comparison(p->depth.function, GL_LESS));
+    glDepthMask(!p->depth.write_disabled);
     reference_set_color_state(p);
-    switch_capability(GL_STENCIL_TEST, p->stencil_test);
-    set_stencil(GL_FRONT, &p->stencil_front);
-    set_stencil(GL_BACK, &p->stencil_back);
-    glPointSize(p->point_size == 0.0f ? 1.0f : p->point_size);
-    glLineWidth(p->line_width == 0.0f ? 1.0f : p->line_width);
+    switch_capability(GL_STENCIL_TEST, p->stencil.test);
+    set_stencil(GL_FRONT, &p->stencil.front);
+    set_stencil(GL_BACK, &p->stencil.back);
+    glPointSize(p->raster.point_size == 0.0f ? 1.0f : p->raster.point_size);
+    glLineWidth(p->raster.line_width == 0.0f ? 1.0f : p->raster.line_width);
     reference_set_sample_state(p);
-    glPointParameteri(GL_POINT_SPRITE_COORD_ORIGIN,
-                      p->point_origin == GN_POINT_LOWER_LEFT ? GL_LOWER_LEFT : GL_UPPER_LEFT);
-    if (p->polygon_mode_front == p->polygon_mode_back) {
-        glPolygonMode(GL_FRONT_AND_BACK, polygon_mode(p->polygon_mode_front));
+    glPointParameteri(GL_POINT_SPRITE_COORD_ORIGIN, p->raster.point_origin == GN_POINT_LOWER_LEFT
+                                                        ? GL_LOWER_LEFT
+                                                        : GL_UPPER_LEFT);
+    if (p->raster.polygon_mode_front == p->raster.polygon_mode_back) {
+        glPolygonMode(GL_FRONT_AND_BACK, polygon_mode(p->raster.polygon_mode_front));
     } else {
-        glPolygonMode(GL_FRONT, polygon_mode(p->polygon_mode_front));
-        glPolygonMode(GL_BACK, polygon_mode(p->polygon_mode_back));
+        glPolygonMode(GL_FRONT, polygon_mode(p->raster.polygon_mode_front));
+        glPolygonMode(GL_BACK, polygon_mode(p->raster.polygon_mode_back));
     }
 }
 
@@ -344,7 +314,7 @@ static void set_uniforms(const scene_draw *d, GLuint program)
 {
     const scene_light *light = &d->uniforms.light;
 
-    if (d->state.clip_distance_count > 0) {
+    if (d->state.program.clip_distance_count > 0) {
         glUniform4fv(8, GN_MAX_CLIP_DISTANCES, &d->clip_plane[0][0]);
     }
     if (reference_has_twin(d)) {
@@ -369,7 +339,7 @@ static void set_uniforms(const scene_draw *d, GLuint program)
  * transform does not (reference/RULES.md): a draw of nothing under another viewport. */
 static void renew_viewport(const scene_draw *d)
 {
-    if (d->state.depth_clamp && d->mesh.vertex_count > 0) {
+    if (d->state.depth.clamp && d->mesh.vertex_count > 0) {
         glEnable(GL_SCISSOR_TEST);
         glScissor(0, 0, 0, 0);
         glViewportIndexedf(0, 1.0f, 2.0f, 3.0f, 5.0f);
@@ -393,10 +363,11 @@ static void draw_elements(const scene_draw *d)
         glDisable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
         glDrawElementsInstanced(GL_TRIANGLES, count, GL_UNSIGNED_INT, NULL, instances);
     } else if (mesh->index_format == GN_INDEX_NONE) {
-        glDrawArraysInstanced(topology(d->state.topology), (GLint)mesh->first, count, instances);
+        glDrawArraysInstanced(topology(d->state.raster.topology), (GLint)mesh->first, count,
+                              instances);
     } else {
         glDrawElementsInstancedBaseVertex(
-            topology(d->state.topology), count, index_type(mesh->index_format),
+            topology(d->state.raster.topology), count, index_type(mesh->index_format),
             (const void *)(uintptr_t)skipped, instances, mesh->base_vertex);
     }
 }
@@ -406,7 +377,9 @@ static int drawn_colors(const scene_draw *d)
     if (d->shader == SCENE_DEPTH_ONLY) {
         return 0;
     }
-    return d->shader == SCENE_OUTPUTS && d->state.color_count ? (int)d->state.color_count : 1;
+    return d->shader == SCENE_OUTPUTS && d->state.program.color_count
+               ? (int)d->state.program.color_count
+               : 1;
 }
 
 void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u)
@@ -420,8 +393,8 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
     }
     framebuffer_choose_colors(s, drawn_colors(d));
     set_state(s, &d->state);
-    switch_capability(GL_PROGRAM_POINT_SIZE,
-                      d->state.program_point_size && scene_shader_has_sizes(d->shader));
+    switch_capability(GL_PROGRAM_POINT_SIZE, d->state.program.vertex_writes_point_size &&
+                                                 scene_shader_has_sizes(d->shader));
     set_attributes(mesh, u, d->shader != SCENE_SAMPLED);
     glUseProgram(u->program);
     set_uniforms(d, u->program);

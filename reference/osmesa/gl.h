@@ -9,6 +9,12 @@
 
 #include "osmesa.h"
 
+/* gn_compare lists the functions in the order of OpenGL's numbers. */
+static inline GLenum gl_comparison(gn_compare c, GLenum default_function)
+{
+    return c == GN_COMPARE_DEFAULT ? default_function : GL_NEVER + (GLenum)(c - GN_NEVER);
+}
+
 /* Framebuffers kept for the next scene of their size and formats. */
 #define FRAMEBUFFER_CACHE_SIZE 16
 

@@ -177,7 +177,7 @@ static const char *qualifier(gn_interpolation interpolation)
 static GLuint link_colors(const gn_pipeline *p, const char *fragment_main, bool clipped,
                           char *error, size_t error_size)
 {
-    const gn_interpolation *i = p->interpolation;
+    const gn_interpolation *i = p->program.interpolation;
     char vertex[1024];
     char fragment[1024];
     size_t used;
@@ -185,7 +185,7 @@ static GLuint link_colors(const gn_pipeline *p, const char *fragment_main, bool 
     used = (size_t)snprintf(vertex, sizeof vertex, vertex_color_varyings, qualifier(i[0]), "out",
                             qualifier(i[1]), "out", qualifier(i[2]), "out", qualifier(i[3]), "out");
     snprintf(vertex + used, sizeof vertex - used, vertex_color_main,
-             p->program_point_size ? set_point_size : "");
+             p->program.vertex_writes_point_size ? set_point_size : "");
     used = (size_t)snprintf(fragment, sizeof fragment, vertex_color_varyings, qualifier(i[0]), "in",
                             qualifier(i[1]), "in", qualifier(i[2]), "in", qualifier(i[3]), "in");
     snprintf(fragment + used, sizeof fragment - used, "%s", fragment_main);
@@ -198,15 +198,16 @@ static GLuint link_inputs(const gn_pipeline *p, bool clipped, char *error, size_
     char vertex[sizeof inputs_vertex + sizeof set_point_size];
     char head[200];
 
-    snprintf(vertex, sizeof vertex, inputs_vertex, p->program_point_size ? set_point_size : "");
+    snprintf(vertex, sizeof vertex, inputs_vertex,
+             p->program.vertex_writes_point_size ? set_point_size : "");
     snprintf(head, sizeof head, "#version 450 core\n%s%s%s%s%s%s%s",
-             p->fragment_reads_point_coordinate ? "#define POINT\n" : "",
-             p->fragment_reads_primitive ? "#define PRIMITIVE\n" : "",
-             p->fragment_reads_position ? "#define POSITION\n" : "",
-             p->fragment_discards ? "#define DISCARD\n" : "",
-             p->fragment_writes_depth ? "#define DEPTH\n" : "",
-             p->fragment_reads_sample_mask ? "#define SAMPLES\n" : "",
-             p->fragment_writes_sample_mask ? "#define MASK\n" : "");
+             p->program.fragment_reads_point_coordinate ? "#define POINT\n" : "",
+             p->program.fragment_reads_primitive ? "#define PRIMITIVE\n" : "",
+             p->program.fragment_reads_position ? "#define POSITION\n" : "",
+             p->program.fragment_discards ? "#define DISCARD\n" : "",
+             p->program.fragment_writes_depth ? "#define DEPTH\n" : "",
+             p->program.fragment_reads_sample_mask ? "#define SAMPLES\n" : "",
+             p->program.fragment_writes_sample_mask ? "#define MASK\n" : "");
     return reference_link_parts(vertex, head, inputs_fragment, clipped, error, error_size);
 }
 
@@ -237,7 +238,7 @@ static GLuint link_outputs(uint32_t count, bool clipped, char *error, size_t err
 
 GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t error_size)
 {
-    const bool clipped = d->state.clip_distance_count > 0;
+    const bool clipped = d->state.program.clip_distance_count > 0;
     GLuint *program = &r->lit_programs[clipped][d->shader < SCENE_SHADER_COUNT ? d->shader : 0];
 
     if (reference_has_twin(d)) {
@@ -247,10 +248,10 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
     case SCENE_VERTEX_COLOR:
     case SCENE_DERIVATIVES: {
         const bool colors = d->shader == SCENE_VERTEX_COLOR;
-        int variant = d->state.program_point_size;
+        int variant = d->state.program.vertex_writes_point_size;
 
         for (int c = 0; c < 4; ++c) {
-            variant = 3 * variant + (int)d->state.interpolation[c] % 3;
+            variant = 3 * variant + (int)d->state.program.interpolation[c] % 3;
         }
         program = colors ? &r->vertex_color_programs[clipped][variant]
                          : &r->derivatives_programs[clipped][variant];
@@ -286,20 +287,21 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
         }
         break;
     case SCENE_INPUTS:
-        program = &r->inputs_programs[clipped][d->state.fragment_reads_position +
-                                               2 * d->state.fragment_discards +
-                                               4 * d->state.fragment_writes_depth +
-                                               8 * d->state.fragment_reads_primitive +
-                                               16 * d->state.fragment_reads_point_coordinate +
-                                               32 * d->state.program_point_size +
-                                               64 * d->state.fragment_reads_sample_mask +
-                                               128 * d->state.fragment_writes_sample_mask];
+        program =
+            &r->inputs_programs[clipped][d->state.program.fragment_reads_position +
+                                         2 * d->state.program.fragment_discards +
+                                         4 * d->state.program.fragment_writes_depth +
+                                         8 * d->state.program.fragment_reads_primitive +
+                                         16 * d->state.program.fragment_reads_point_coordinate +
+                                         32 * d->state.program.vertex_writes_point_size +
+                                         64 * d->state.program.fragment_reads_sample_mask +
+                                         128 * d->state.program.fragment_writes_sample_mask];
         if (!*program) {
             *program = link_inputs(&d->state, clipped, error, error_size);
         }
         break;
     case SCENE_OUTPUTS: {
-        const uint32_t count = d->state.color_count ? d->state.color_count : 1;
+        const uint32_t count = d->state.program.color_count ? d->state.program.color_count : 1;
 
         program = &r->outputs_programs[clipped][(count - 1) % GN_MAX_COLORS];
         if (!*program) {

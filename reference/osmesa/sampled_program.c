@@ -43,7 +43,7 @@ static const sampler_kind kinds[SAMPLED_PROGRAMS / 3][3] = {
 GLuint reference_sampled_program(reference *r, const scene_draw *d, char *error, size_t error_size)
 {
     const scene_uniforms *const u = &d->uniforms;
-    const bool clipped = d->state.clip_distance_count > 0;
+    const bool clipped = d->state.program.clip_distance_count > 0;
     const int what = reference_is_compared(&u->texture, &u->sampler) ? COMPARED
                      : scene_is_color_format(u->texture.format)      ? COLORS
                                                                      : DEPTHS;

@@ -39,10 +39,10 @@ static void switch_on(GLenum capability, bool on)
 
 void reference_set_sample_state(const gn_pipeline *p)
 {
-    switch_on(GL_SAMPLE_ALPHA_TO_COVERAGE, p->alpha_to_coverage);
-    switch_on(GL_SAMPLE_ALPHA_TO_ONE, p->alpha_to_one);
-    switch_on(GL_SAMPLE_MASK, p->samples_disabled != 0);
-    glSampleMaski(0, ~(GLbitfield)p->samples_disabled);
+    switch_on(GL_SAMPLE_ALPHA_TO_COVERAGE, p->samples.alpha_to_coverage);
+    switch_on(GL_SAMPLE_ALPHA_TO_ONE, p->samples.alpha_to_one);
+    switch_on(GL_SAMPLE_MASK, p->samples.write_disabled != 0);
+    glSampleMaski(0, ~(GLbitfield)p->samples.write_disabled);
 }
 
 static void reset_state(const scene *s)

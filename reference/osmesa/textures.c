@@ -101,14 +101,6 @@ static GLint minify(gn_minify m)
     return filters[m];
 }
 
-static GLint compare_function(gn_texture_compare c)
-{
-    static const GLint functions[] = {GL_LEQUAL, GL_LEQUAL,   GL_GEQUAL, GL_LESS, GL_GREATER,
-                                      GL_EQUAL,  GL_NOTEQUAL, GL_ALWAYS, GL_NEVER};
-
-    return functions[c];
-}
-
 static void set_sampler(GLenum target, const gn_sampler *s, bool is_compared)
 {
     glTexParameteri(target, GL_TEXTURE_WRAP_S, wrap(s->wrap_s));
@@ -128,13 +120,14 @@ static void set_sampler(GLenum target, const gn_sampler *s, bool is_compared)
     glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, s->border);
     if (is_compared) {
         glTexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-        glTexParameteri(target, GL_TEXTURE_COMPARE_FUNC, compare_function(s->compare));
+        glTexParameteri(target, GL_TEXTURE_COMPARE_FUNC,
+                        (GLint)gl_comparison(s->compare, GL_LEQUAL));
     }
 }
 
 bool reference_is_compared(const gn_texture *t, const gn_sampler *sampler)
 {
-    return !scene_is_color_format(t->format) && sampler->compare != GN_TEXTURE_COMPARE_NONE;
+    return !scene_is_color_format(t->format) && sampler->compare != GN_COMPARE_DEFAULT;
 }
 
 GLuint reference_upload_texture(const gn_texture *t, const gn_sampler *sampler)

@@ -263,7 +263,7 @@ static int features_of_normals(const scene_draw *d)
 static int features_of(const scene_draw *d)
 {
     const bool is_phong = d->shader == SCENE_MAPPED_PHONG || d->shader == SCENE_BLINN_PHONG;
-    int features = d->state.clip_distance_count > 0 ? CLIPPED : 0;
+    int features = d->state.program.clip_distance_count > 0 ? CLIPPED : 0;
 
     if (d->shader != SCENE_NORMAL_COLOR && scene_draw_has_texture(d))
         features |= DIFFUSE_MAP;

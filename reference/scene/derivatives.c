@@ -21,6 +21,6 @@ gn_status derivatives_use(gn_pipeline *pipeline, const gn_color_uniforms *unifor
 {
     const gn_status status = gn_use_vertex_color(pipeline, uniforms);
 
-    pipeline->fragment_shader = shade_derivatives;
+    pipeline->program.fragment_shader = shade_derivatives;
     return status;
 }

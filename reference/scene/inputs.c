@@ -57,6 +57,6 @@ gn_status inputs_use(gn_pipeline *pipeline, const gn_color_uniforms *uniforms)
 {
     const gn_status status = gn_use_vertex_color(pipeline, uniforms);
 
-    pipeline->fragment_shader = shade_inputs;
+    pipeline->program.fragment_shader = shade_inputs;
     return status;
 }

@@ -36,8 +36,8 @@ gn_status outputs_use(gn_pipeline *pipeline, const gn_color_uniforms *uniforms)
     static gn_fragment_shader *const shaders[GN_MAX_COLORS] = {shade_1, shade_2, shade_3, shade_4,
                                                                shade_5, shade_6, shade_7, shade_8};
     const gn_status status = gn_use_vertex_color(pipeline, uniforms);
-    const uint32_t count = pipeline->color_count ? pipeline->color_count : 1;
+    const uint32_t count = pipeline->program.color_count ? pipeline->program.color_count : 1;
 
-    pipeline->fragment_shader = shaders[(count - 1) % GN_MAX_COLORS];
+    pipeline->program.fragment_shader = shaders[(count - 1) % GN_MAX_COLORS];
     return status;
 }

@@ -28,18 +28,18 @@ gn_status phong_use(gn_pipeline *pipeline, const phong_uniforms *uniforms, gn_ba
     if (status != GN_OK)
         return status;
     if (strcmp(name, "avx512") == 0 && processor_has_avx512()) {
-        pipeline->vertex_shader = phong_vertex_avx512;
-        pipeline->fragment_shader = phong_fragment_avx512;
+        pipeline->program.vertex_shader = phong_vertex_avx512;
+        pipeline->program.fragment_shader = phong_fragment_avx512;
     } else if (strcmp(name, "avx2") == 0) {
-        pipeline->vertex_shader = phong_vertex_avx2;
-        pipeline->fragment_shader = phong_fragment_avx2;
+        pipeline->program.vertex_shader = phong_vertex_avx2;
+        pipeline->program.fragment_shader = phong_fragment_avx2;
     } else {
-        pipeline->vertex_shader = phong_vertex_baseline;
-        pipeline->fragment_shader = phong_fragment_baseline;
+        pipeline->program.vertex_shader = phong_vertex_baseline;
+        pipeline->program.fragment_shader = phong_fragment_baseline;
     }
-    pipeline->uniforms = uniforms;
-    pipeline->varying_count = PHONG_VARYINGS;
+    pipeline->program.uniforms = uniforms;
+    pipeline->program.varying_count = PHONG_VARYINGS;
     for (int n = 0; n < PHONG_VARYINGS; ++n)
-        pipeline->interpolation[n] = GN_SMOOTH;
+        pipeline->program.interpolation[n] = GN_SMOOTH;
     return GN_OK;
 }

@@ -51,12 +51,12 @@ gn_status sampled_use(gn_pipeline *pipeline, const scene_uniforms *uniforms)
         status = gn_sampler_check(&uniforms->sampler);
     }
     if (status == GN_OK) {
-        pipeline->vertex_shader = shade_vertices;
-        pipeline->fragment_shader = shade_fragments;
-        pipeline->uniforms = uniforms;
-        pipeline->varying_count = VARYINGS;
+        pipeline->program.vertex_shader = shade_vertices;
+        pipeline->program.fragment_shader = shade_fragments;
+        pipeline->program.uniforms = uniforms;
+        pipeline->program.varying_count = VARYINGS;
         for (int i = 0; i < VARYINGS; ++i) {
-            pipeline->interpolation[i] = GN_SMOOTH;
+            pipeline->program.interpolation[i] = GN_SMOOTH;
         }
     }
     return status;

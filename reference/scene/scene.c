@@ -243,7 +243,7 @@ uint64_t scene_triangle_count(const scene *s)
     for (size_t i = 0; i < s->draw_count; ++i) {
         const uint32_t count = s->draws[i].mesh.count;
 
-        switch (s->draws[i].state.topology) {
+        switch (s->draws[i].state.raster.topology) {
         case GN_TRIANGLES:
             triangles += count / 3;
             break;

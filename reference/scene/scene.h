@@ -113,7 +113,7 @@ typedef struct scene_draw {
     /* State. The shader, uniforms and varying_count members are not looked at: the
      * drawing side sets them. With SCENE_VERTEX_COLOR and SCENE_DERIVATIVES, interpolation[0..3] is
      * honoured (red, green, blue, alpha); other shaders bring their own interpolation. With
-     * program_point_size, where the shader has sizes, a point's size is the first of the texture
+     * vertex_writes_point_size, where the shader has sizes, a point's size is the first of the texture
      * coordinates. What the fragment shader does (fragment_...) is honoured with SCENE_INPUTS, and
      * false otherwise; color_count with SCENE_OUTPUTS, and 1 otherwise. */
     gn_pipeline state;

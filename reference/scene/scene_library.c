@@ -89,10 +89,10 @@ static void shade_sized_points(const void *uniforms, const gn_vertex_input *inpu
 /* Makes a shader of vertex colours one of sizes too, where the pipeline asks for them. */
 static void use_sizes(gn_pipeline *pipeline, other_uniforms *other)
 {
-    if (pipeline->program_point_size) {
-        other->color_shader = pipeline->vertex_shader;
-        pipeline->vertex_shader = shade_sized_points;
-        pipeline->uniforms = other;
+    if (pipeline->program.vertex_writes_point_size) {
+        other->color_shader = pipeline->program.vertex_shader;
+        pipeline->program.vertex_shader = shade_sized_points;
+        pipeline->program.uniforms = other;
     }
 }
 
@@ -119,7 +119,7 @@ static void shade_clipped(const void *uniforms, const gn_vertex_input *input,
     const float(*position)[GN_LANES] = input->attribute[GN_ATTRIBUTE_POSITION];
 
     u->shade(&u->shader, input, output);
-    for (uint32_t i = 0; i < u->draw->state.clip_distance_count; ++i) {
+    for (uint32_t i = 0; i < u->draw->state.program.clip_distance_count; ++i) {
         const float *plane = u->draw->clip_plane[i];
 
         for (int l = 0; l < GN_LANES; ++l) {
@@ -136,36 +136,36 @@ static void use_clipped(gn_pipeline *pipeline, const scene_draw *d, clipped_unif
     case SCENE_VERTEX_COLOR:
     case SCENE_INPUTS:
     case SCENE_DERIVATIVES:
-        if (pipeline->program_point_size) {
-            clipped->shader.other = *(const other_uniforms *)pipeline->uniforms;
+        if (pipeline->program.vertex_writes_point_size) {
+            clipped->shader.other = *(const other_uniforms *)pipeline->program.uniforms;
         } else {
-            clipped->shader.color = *(const gn_color_uniforms *)pipeline->uniforms;
+            clipped->shader.color = *(const gn_color_uniforms *)pipeline->program.uniforms;
         }
         break;
     case SCENE_SAMPLED:
-        clipped->shader.sampled = *(const scene_uniforms *)pipeline->uniforms;
+        clipped->shader.sampled = *(const scene_uniforms *)pipeline->program.uniforms;
         break;
     case SCENE_UNLIT:
-        clipped->shader.unlit = *(const gn_unlit_uniforms *)pipeline->uniforms;
+        clipped->shader.unlit = *(const gn_unlit_uniforms *)pipeline->program.uniforms;
         break;
     case SCENE_DEPTH_ONLY:
     case SCENE_OUTPUTS:
-        clipped->shader.color = *(const gn_color_uniforms *)pipeline->uniforms;
+        clipped->shader.color = *(const gn_color_uniforms *)pipeline->program.uniforms;
         break;
     case SCENE_DEPTH_COLOR:
-        clipped->shader.depth = *(const gn_depth_color_uniforms *)pipeline->uniforms;
+        clipped->shader.depth = *(const gn_depth_color_uniforms *)pipeline->program.uniforms;
         break;
     case SCENE_PHONG:
-        clipped->shader.phong = *(const phong_uniforms *)pipeline->uniforms;
+        clipped->shader.phong = *(const phong_uniforms *)pipeline->program.uniforms;
         break;
     default:
-        clipped->shader.lit = *(const gn_lit_uniforms *)pipeline->uniforms;
+        clipped->shader.lit = *(const gn_lit_uniforms *)pipeline->program.uniforms;
         break;
     }
-    clipped->shade = pipeline->vertex_shader;
+    clipped->shade = pipeline->program.vertex_shader;
     clipped->draw = d;
-    pipeline->vertex_shader = shade_clipped;
-    pipeline->uniforms = clipped;
+    pipeline->program.vertex_shader = shade_clipped;
+    pipeline->program.uniforms = clipped;
 }
 
 /* Of a ready-made shader that lights, or shows what is lit. */
@@ -180,7 +180,7 @@ static gn_status use_lit(gn_pipeline *pipeline, const scene_draw *d, gn_lit_unif
     case SCENE_TEXTURED_GOURAUD:
         status = gn_use_gouraud(pipeline, lit);
         for (int c = 0; d->shader == SCENE_FLAT && c < 4; ++c) {
-            pipeline->interpolation[c] = GN_FLAT;
+            pipeline->program.interpolation[c] = GN_FLAT;
         }
         break;
     case SCENE_FACES:
@@ -214,7 +214,8 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
     case SCENE_VERTEX_COLOR:
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
         status = gn_use_vertex_color(pipeline, &other->color);
-        memcpy(pipeline->interpolation, d->state.interpolation, 4 * sizeof(gn_interpolation));
+        memcpy(pipeline->program.interpolation, d->state.program.interpolation,
+               4 * sizeof(gn_interpolation));
         use_sizes(pipeline, other);
         break;
     case SCENE_FLAT:
@@ -255,7 +256,8 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
     case SCENE_DERIVATIVES:
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
         status = derivatives_use(pipeline, &other->color);
-        memcpy(pipeline->interpolation, d->state.interpolation, 4 * sizeof(gn_interpolation));
+        memcpy(pipeline->program.interpolation, d->state.program.interpolation,
+               4 * sizeof(gn_interpolation));
         use_sizes(pipeline, other);
         break;
     case SCENE_OUTPUTS:
@@ -289,11 +291,11 @@ static gn_status draw_one(const gn_target *target, const scene_draw *d, gn_works
     clipped_uniforms clipped;
     gn_pipeline pipeline = d->state;
 
-    pipeline.program_point_size &= scene_shader_has_sizes(d->shader);
-    pipeline.color_count = d->shader == SCENE_OUTPUTS ? pipeline.color_count : 1;
+    pipeline.program.vertex_writes_point_size &= scene_shader_has_sizes(d->shader);
+    pipeline.program.color_count = d->shader == SCENE_OUTPUTS ? pipeline.program.color_count : 1;
     gn_status status = use_shader(&pipeline, d, workspace->backend, &other);
 
-    if (status == GN_OK && pipeline.clip_distance_count > 0) {
+    if (status == GN_OK && pipeline.program.clip_distance_count > 0) {
         use_clipped(&pipeline, d, &clipped);
     }
     if (status == GN_OK) {
@@ -310,7 +312,7 @@ uint32_t scene_varyings(const scene *s)
     uint32_t distances = 0;
 
     for (size_t i = 0; i < s->draw_count; ++i) {
-        const uint32_t count = s->draws[i].state.clip_distance_count;
+        const uint32_t count = s->draws[i].state.program.clip_distance_count;
 
         distances = count > distances ? count : distances;
     }

@@ -126,10 +126,10 @@ static void read_levels(reader *r, scene_draw *d, scene_map map)
 /* Function, reference, ignored bits, bits not written; fail, depth fail, pass. */
 static void read_stencil_face(reader *r, gn_stencil_face *f)
 {
-    f->function = (gn_stencil_function)read_name(r, TEXT_STENCIL_FUNCTION);
+    f->function = (gn_compare)read_name(r, TEXT_COMPARE);
     f->reference = (uint8_t)read_number(r, 10, 255);
-    f->ignored_bits = (uint8_t)read_number(r, 10, 255);
-    f->write_disabled_bits = (uint8_t)read_number(r, 10, 255);
+    f->compare_disabled = (uint8_t)read_number(r, 10, 255);
+    f->write_disabled = (uint8_t)read_number(r, 10, 255);
     f->fail = (gn_stencil_operation)read_name(r, TEXT_STENCIL_OPERATION);
     f->depth_fail = (gn_stencil_operation)read_name(r, TEXT_STENCIL_OPERATION);
     f->pass = (gn_stencil_operation)read_name(r, TEXT_STENCIL_OPERATION);
@@ -138,84 +138,84 @@ static void read_stencil_face(reader *r, gn_stencil_face *f)
 static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
 {
     if (!strcmp(keyword, "topology")) {
-        p->topology = (gn_topology)read_name(r, TEXT_TOPOLOGY);
+        p->raster.topology = (gn_topology)read_name(r, TEXT_TOPOLOGY);
     } else if (!strcmp(keyword, "provoking-vertex")) {
-        p->provoking_vertex = (gn_provoking_vertex)read_name(r, TEXT_PROVOKING);
+        p->raster.provoking_vertex = (gn_provoking_vertex)read_name(r, TEXT_PROVOKING);
     } else if (!strcmp(keyword, "cull")) {
-        p->cull = (gn_cull)read_name(r, TEXT_CULL);
+        p->raster.cull = (gn_cull)read_name(r, TEXT_CULL);
     } else if (!strcmp(keyword, "front-face")) {
-        p->front_face = (gn_front_face)read_name(r, TEXT_FRONT_FACE);
+        p->raster.front_face = (gn_front_face)read_name(r, TEXT_FRONT_FACE);
     } else if (!strcmp(keyword, "viewport")) {
-        p->viewport.set = true;
-        p->viewport.x = read_float(r);
-        p->viewport.y = read_float(r);
-        p->viewport.width = read_float(r);
-        p->viewport.height = read_float(r);
+        p->raster.viewport.set = true;
+        p->raster.viewport.x = read_float(r);
+        p->raster.viewport.y = read_float(r);
+        p->raster.viewport.width = read_float(r);
+        p->raster.viewport.height = read_float(r);
     } else if (!strcmp(keyword, "depth-range")) {
-        p->depth_range.set = true;
-        p->depth_range.z_near = read_float(r);
-        p->depth_range.z_far = read_float(r);
+        p->depth.range.set = true;
+        p->depth.range.z_near = read_float(r);
+        p->depth.range.z_far = read_float(r);
     } else if (!strcmp(keyword, "scissor")) {
-        p->scissor.set = true;
-        p->scissor.x = read_integer(r);
-        p->scissor.y = read_integer(r);
-        p->scissor.width = read_number(r, 10, UINT32_MAX);
-        p->scissor.height = read_number(r, 10, UINT32_MAX);
+        p->raster.scissor.set = true;
+        p->raster.scissor.x = read_integer(r);
+        p->raster.scissor.y = read_integer(r);
+        p->raster.scissor.width = read_number(r, 10, UINT32_MAX);
+        p->raster.scissor.height = read_number(r, 10, UINT32_MAX);
     } else if (!strcmp(keyword, "polygon-offset")) {
-        p->polygon_offset.set = true;
-        p->polygon_offset.factor = read_float(r);
-        p->polygon_offset.units = read_float(r);
-        p->polygon_offset.clamp = read_float(r);
+        p->raster.polygon_offset.set = true;
+        p->raster.polygon_offset.factor = read_float(r);
+        p->raster.polygon_offset.units = read_float(r);
+        p->raster.polygon_offset.clamp = read_float(r);
     } else if (!strcmp(keyword, "clip-depth")) {
-        p->clip_depth = (gn_clip_depth)read_name(r, TEXT_CLIP_DEPTH);
+        p->depth.clip_depth = (gn_clip_depth)read_name(r, TEXT_CLIP_DEPTH);
     } else if (!strcmp(keyword, "depth-clamp")) {
-        p->depth_clamp = read_name(r, TEXT_SWITCH) == 1;
+        p->depth.clamp = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "depth-test")) {
-        p->depth_test = read_name(r, TEXT_SWITCH) == 1;
+        p->depth.test = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "depth-function")) {
-        p->depth_function = (gn_compare)read_name(r, TEXT_COMPARE);
+        p->depth.function = (gn_compare)read_name(r, TEXT_COMPARE);
     } else if (!strcmp(keyword, "depth-write")) {
-        p->depth_write_disabled = read_name(r, TEXT_SWITCH) == 0;
+        p->depth.write_disabled = read_name(r, TEXT_SWITCH) == 0;
     } else if (!strcmp(keyword, "stencil-test")) {
-        p->stencil_test = read_name(r, TEXT_SWITCH) == 1;
+        p->stencil.test = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "stencil-front")) {
-        read_stencil_face(r, &p->stencil_front);
+        read_stencil_face(r, &p->stencil.front);
     } else if (!strcmp(keyword, "stencil-back")) {
-        read_stencil_face(r, &p->stencil_back);
+        read_stencil_face(r, &p->stencil.back);
     } else if (!strcmp(keyword, "samples-disabled")) {
-        p->samples_disabled = read_number(r, 10, (1u << GN_SAMPLES) - 1);
+        p->samples.write_disabled = read_number(r, 10, (1u << GN_SAMPLES) - 1);
     } else if (!strcmp(keyword, "alpha-to-coverage")) {
-        p->alpha_to_coverage = read_name(r, TEXT_SWITCH) == 1;
+        p->samples.alpha_to_coverage = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "alpha-to-one")) {
-        p->alpha_to_one = read_name(r, TEXT_SWITCH) == 1;
+        p->samples.alpha_to_one = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "reads-position")) {
-        p->fragment_reads_position = read_name(r, TEXT_SWITCH) == 1;
+        p->program.fragment_reads_position = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "reads-primitive")) {
-        p->fragment_reads_primitive = read_name(r, TEXT_SWITCH) == 1;
+        p->program.fragment_reads_primitive = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "discards")) {
-        p->fragment_discards = read_name(r, TEXT_SWITCH) == 1;
+        p->program.fragment_discards = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "writes-depth")) {
-        p->fragment_writes_depth = read_name(r, TEXT_SWITCH) == 1;
+        p->program.fragment_writes_depth = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "point-size")) {
-        p->point_size = read_float(r);
+        p->raster.point_size = read_float(r);
     } else if (!strcmp(keyword, "program-point-size")) {
-        p->program_point_size = read_name(r, TEXT_SWITCH) == 1;
+        p->program.vertex_writes_point_size = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "line-width")) {
-        p->line_width = read_float(r);
+        p->raster.line_width = read_float(r);
     } else if (!strcmp(keyword, "point-origin")) {
-        p->point_origin = (gn_point_origin)read_name(r, TEXT_POINT_ORIGIN);
+        p->raster.point_origin = (gn_point_origin)read_name(r, TEXT_POINT_ORIGIN);
     } else if (!strcmp(keyword, "reads-point-coordinate")) {
-        p->fragment_reads_point_coordinate = read_name(r, TEXT_SWITCH) == 1;
+        p->program.fragment_reads_point_coordinate = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "reads-sample-mask")) {
-        p->fragment_reads_sample_mask = read_name(r, TEXT_SWITCH) == 1;
+        p->program.fragment_reads_sample_mask = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "writes-sample-mask")) {
-        p->fragment_writes_sample_mask = read_name(r, TEXT_SWITCH) == 1;
+        p->program.fragment_writes_sample_mask = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "polygon-mode")) {
-        p->polygon_mode_front = (gn_polygon_mode)read_name(r, TEXT_POLYGON_MODE);
-        p->polygon_mode_back = (gn_polygon_mode)read_name(r, TEXT_POLYGON_MODE);
+        p->raster.polygon_mode_front = (gn_polygon_mode)read_name(r, TEXT_POLYGON_MODE);
+        p->raster.polygon_mode_back = (gn_polygon_mode)read_name(r, TEXT_POLYGON_MODE);
     } else if (!strcmp(keyword, "interpolation")) {
         for (int i = 0; i < 4; ++i) {
-            p->interpolation[i] = (gn_interpolation)read_name(r, TEXT_INTERPOLATION);
+            p->program.interpolation[i] = (gn_interpolation)read_name(r, TEXT_INTERPOLATION);
         }
     } else {
         return false;
@@ -256,19 +256,19 @@ static bool read_color_state(reader *r, const char *keyword, gn_pipeline *p)
     uint32_t a;
 
     if (!strcmp(keyword, "color-count")) {
-        p->color_count = read_number(r, 10, GN_MAX_COLORS);
+        p->program.color_count = read_number(r, 10, GN_MAX_COLORS);
     } else if (is_of_attachment(r, keyword, "color-mask", &a)) {
-        p->color_write_disabled[a] = 0;
+        p->color.write_disabled[a] = 0;
         for (unsigned c = 0; c < 4; ++c) {
-            p->color_write_disabled[a] |= read_name(r, TEXT_SWITCH) == 0 ? 1u << c : 0;
+            p->color.write_disabled[a] |= read_name(r, TEXT_SWITCH) == 0 ? 1u << c : 0;
         }
     } else if (!strcmp(keyword, "blend-constant")) {
-        read_floats(r, p->blend_constant, 4);
+        read_floats(r, p->color.blend_constant, 4);
     } else if (is_of_attachment(r, keyword, "blend", &a)) {
-        read_blend(r, &p->blend[a]);
+        read_blend(r, &p->color.blend[a]);
     } else if (!strcmp(keyword, "logic-operation")) {
-        p->color_logic = true;
-        p->logic_operation = (gn_logic_operation)read_name(r, TEXT_LOGIC);
+        p->color.logic = true;
+        p->color.logic_operation = (gn_logic_operation)read_name(r, TEXT_LOGIC);
     } else {
         return false;
     }
@@ -320,7 +320,7 @@ static bool read_surface(reader *r, const char *keyword, scene_surface *s)
         s->shadow_sampler.wrap_t = (gn_wrap)read_name(r, TEXT_WRAP);
         s->shadow_sampler.magnify = (gn_magnify)read_name(r, TEXT_MAGNIFY);
         s->shadow_sampler.minify = (gn_minify)read_name(r, TEXT_MINIFY);
-        s->shadow_sampler.compare = (gn_texture_compare)read_name(r, TEXT_TEXTURE_COMPARE);
+        s->shadow_sampler.compare = (gn_compare)read_name(r, TEXT_COMPARE);
         read_floats(r, s->shadow_sampler.border, 4);
     } else if (!strcmp(keyword, "shadow-from-world")) {
         read_floats(r, &s->shadow_from_world.m[0][0], 16);
@@ -343,7 +343,7 @@ static bool read_sampler(reader *r, const char *keyword, gn_sampler *s)
     } else if (!strcmp(keyword, "wrap-r")) {
         s->wrap_r = (gn_wrap)read_name(r, TEXT_WRAP);
     } else if (!strcmp(keyword, "texture-compare")) {
-        s->compare = (gn_texture_compare)read_name(r, TEXT_TEXTURE_COMPARE);
+        s->compare = (gn_compare)read_name(r, TEXT_COMPARE);
     } else if (!strcmp(keyword, "lod-bias")) {
         s->lod_bias = read_float(r);
     } else if (!strcmp(keyword, "lod-clamp")) {
@@ -413,7 +413,7 @@ static bool read_mesh(reader *r, const char *keyword, scene_draw *d)
 
 static void read_clip_plane(reader *r, scene_draw *d)
 {
-    uint32_t *const count = &d->state.clip_distance_count;
+    uint32_t *const count = &d->state.program.clip_distance_count;
 
     if (*count == GN_MAX_CLIP_DISTANCES) {
         reader_fail(r, "more than %d clip planes", GN_MAX_CLIP_DISTANCES);

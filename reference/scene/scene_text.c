@@ -20,11 +20,8 @@ static const char *const provoking_names[] = {"last", "first"};
 static const char *const cull_names[] = {"none", "back", "front", "front-and-back"};
 static const char *const front_face_names[] = {"counter-clockwise", "clockwise"};
 static const char *const compare_names[] = {
-    "less",  "never", "equal", "less-or-equal", "greater", "not-equal", "greater-or-equal",
-    "always"};
-static const char *const stencil_function_names[] = {"always",           "never",   "equal",
-                                                     "less-or-equal",    "greater", "not-equal",
-                                                     "greater-or-equal", "less"};
+    "default",          "never", "less", "equal", "less-or-equal", "greater", "not-equal",
+    "greater-or-equal", "always"};
 static const char *const stencil_operation_names[] = {"keep",           "zero",          "replace",
                                                       "increment",      "decrement",     "invert",
                                                       "increment-wrap", "decrement-wrap"};
@@ -42,10 +39,6 @@ static const char *const minify_names[] = {
 static const char *const normal_space_names[] = {"model", "tangents"};
 static const char *const map_names[] = {"normal-map", "specular-map", "glow-map", "shadow-map"};
 static const char *const texture_target_names[] = {"2d", "1d", "2d-array", "3d", "cube"};
-static const char *const texture_compare_names[] = {
-    "none",  "less-or-equal", "greater-or-equal", "less", "greater",
-    "equal", "not-equal",     "always",           "never"};
-
 static const char *const factor_names[] = {"default",
                                            "zero",
                                            "one",
@@ -88,7 +81,6 @@ static const char *const *names_of(text_names set, int *count)
         CASE(TEXT_CULL, cull_names);
         CASE(TEXT_FRONT_FACE, front_face_names);
         CASE(TEXT_COMPARE, compare_names);
-        CASE(TEXT_STENCIL_FUNCTION, stencil_function_names);
         CASE(TEXT_STENCIL_OPERATION, stencil_operation_names);
         CASE(TEXT_INTERPOLATION, interpolation_names);
         CASE(TEXT_INDEX, index_names);
@@ -107,7 +99,6 @@ static const char *const *names_of(text_names set, int *count)
         CASE(TEXT_NORMAL_SPACE, normal_space_names);
         CASE(TEXT_MAP, map_names);
         CASE(TEXT_TEXTURE_TARGET, texture_target_names);
-        CASE(TEXT_TEXTURE_COMPARE, texture_compare_names);
     }
 #undef CASE
     *count = 0;

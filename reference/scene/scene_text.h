@@ -37,7 +37,6 @@ typedef enum text_names {
     TEXT_CULL,
     TEXT_FRONT_FACE,
     TEXT_COMPARE,
-    TEXT_STENCIL_FUNCTION,
     TEXT_STENCIL_OPERATION,
     TEXT_INTERPOLATION,
     TEXT_INDEX,
@@ -55,8 +54,7 @@ typedef enum text_names {
     TEXT_POLYGON_MODE,
     TEXT_TEXTURE_TARGET,
     TEXT_NORMAL_SPACE,
-    TEXT_MAP,
-    TEXT_TEXTURE_COMPARE
+    TEXT_MAP
 } text_names;
 
 /* How many names a set has; those of the values from 0 on. */

@@ -108,8 +108,8 @@ static void write_sampler(FILE *out, const gn_sampler *s)
     if (s->wrap_r != GN_WRAP_REPEAT) {
         fprintf(out, "  wrap-r %s\n", text_name(TEXT_WRAP, (int)s->wrap_r));
     }
-    if (s->compare != GN_TEXTURE_COMPARE_NONE) {
-        fprintf(out, "  texture-compare %s\n", text_name(TEXT_TEXTURE_COMPARE, (int)s->compare));
+    if (s->compare != GN_COMPARE_DEFAULT) {
+        fprintf(out, "  texture-compare %s\n", text_name(TEXT_COMPARE, (int)s->compare));
     }
     if (s->lod_bias != 0.0f) {
         write_floats(out, "  lod-bias", &s->lod_bias, 1);
@@ -127,83 +127,92 @@ static void write_sampler(FILE *out, const gn_sampler *s)
 
 static void write_stencil_face(FILE *out, const char *keyword, const gn_stencil_face *f)
 {
-    fprintf(out, "  %s %s %d %d %d %s %s %s\n", keyword,
-            text_name(TEXT_STENCIL_FUNCTION, (int)f->function), f->reference, f->ignored_bits,
-            f->write_disabled_bits, text_name(TEXT_STENCIL_OPERATION, (int)f->fail),
+    fprintf(out, "  %s %s %d %d %d %s %s %s\n", keyword, text_name(TEXT_COMPARE, (int)f->function),
+            f->reference, f->compare_disabled, f->write_disabled,
+            text_name(TEXT_STENCIL_OPERATION, (int)f->fail),
             text_name(TEXT_STENCIL_OPERATION, (int)f->depth_fail),
             text_name(TEXT_STENCIL_OPERATION, (int)f->pass));
 }
 
 static void write_state(FILE *out, const gn_pipeline *p)
 {
-    const float viewport[4] = {p->viewport.x, p->viewport.y, p->viewport.width, p->viewport.height};
-    const float range[2] = {p->depth_range.z_near, p->depth_range.z_far};
+    const float viewport[4] = {p->raster.viewport.x, p->raster.viewport.y, p->raster.viewport.width,
+                               p->raster.viewport.height};
+    const float range[2] = {p->depth.range.z_near, p->depth.range.z_far};
 
-    fprintf(out, "  topology %s\n", text_name(TEXT_TOPOLOGY, (int)p->topology));
-    fprintf(out, "  provoking-vertex %s\n", text_name(TEXT_PROVOKING, (int)p->provoking_vertex));
-    fprintf(out, "  cull %s\n", text_name(TEXT_CULL, (int)p->cull));
-    fprintf(out, "  front-face %s\n", text_name(TEXT_FRONT_FACE, (int)p->front_face));
-    if (p->viewport.set) {
+    fprintf(out, "  topology %s\n", text_name(TEXT_TOPOLOGY, (int)p->raster.topology));
+    fprintf(out, "  provoking-vertex %s\n",
+            text_name(TEXT_PROVOKING, (int)p->raster.provoking_vertex));
+    fprintf(out, "  cull %s\n", text_name(TEXT_CULL, (int)p->raster.cull));
+    fprintf(out, "  front-face %s\n", text_name(TEXT_FRONT_FACE, (int)p->raster.front_face));
+    if (p->raster.viewport.set) {
         write_floats(out, "  viewport", viewport, 4);
     }
-    if (p->depth_range.set) {
+    if (p->depth.range.set) {
         write_floats(out, "  depth-range", range, 2);
     }
-    if (p->scissor.set) {
-        fprintf(out, "  scissor %" PRId32 " %" PRId32 " %" PRIu32 " %" PRIu32 "\n", p->scissor.x,
-                p->scissor.y, p->scissor.width, p->scissor.height);
+    if (p->raster.scissor.set) {
+        fprintf(out, "  scissor %" PRId32 " %" PRId32 " %" PRIu32 " %" PRIu32 "\n",
+                p->raster.scissor.x, p->raster.scissor.y, p->raster.scissor.width,
+                p->raster.scissor.height);
     }
-    if (p->polygon_offset.set) {
-        const float offset[3] = {p->polygon_offset.factor, p->polygon_offset.units,
-                                 p->polygon_offset.clamp};
+    if (p->raster.polygon_offset.set) {
+        const float offset[3] = {p->raster.polygon_offset.factor, p->raster.polygon_offset.units,
+                                 p->raster.polygon_offset.clamp};
 
         write_floats(out, "  polygon-offset", offset, 3);
     }
-    fprintf(out, "  clip-depth %s\n", text_name(TEXT_CLIP_DEPTH, (int)p->clip_depth));
-    fprintf(out, "  depth-clamp %s\n", text_name(TEXT_SWITCH, p->depth_clamp));
-    fprintf(out, "  depth-test %s\n", text_name(TEXT_SWITCH, p->depth_test));
-    fprintf(out, "  depth-function %s\n", text_name(TEXT_COMPARE, (int)p->depth_function));
-    fprintf(out, "  depth-write %s\n", text_name(TEXT_SWITCH, !p->depth_write_disabled));
-    fprintf(out, "  stencil-test %s\n", text_name(TEXT_SWITCH, p->stencil_test));
-    write_stencil_face(out, "stencil-front", &p->stencil_front);
-    write_stencil_face(out, "stencil-back", &p->stencil_back);
-    if (p->samples_disabled) {
-        fprintf(out, "  samples-disabled %" PRIu32 "\n", p->samples_disabled);
+    fprintf(out, "  clip-depth %s\n", text_name(TEXT_CLIP_DEPTH, (int)p->depth.clip_depth));
+    fprintf(out, "  depth-clamp %s\n", text_name(TEXT_SWITCH, p->depth.clamp));
+    fprintf(out, "  depth-test %s\n", text_name(TEXT_SWITCH, p->depth.test));
+    fprintf(out, "  depth-function %s\n", text_name(TEXT_COMPARE, (int)p->depth.function));
+    fprintf(out, "  depth-write %s\n", text_name(TEXT_SWITCH, !p->depth.write_disabled));
+    fprintf(out, "  stencil-test %s\n", text_name(TEXT_SWITCH, p->stencil.test));
+    write_stencil_face(out, "stencil-front", &p->stencil.front);
+    write_stencil_face(out, "stencil-back", &p->stencil.back);
+    if (p->samples.write_disabled) {
+        fprintf(out, "  samples-disabled %" PRIu32 "\n", p->samples.write_disabled);
     }
-    if (p->alpha_to_coverage || p->alpha_to_one) {
-        fprintf(out, "  alpha-to-coverage %s\n", text_name(TEXT_SWITCH, p->alpha_to_coverage));
-        fprintf(out, "  alpha-to-one %s\n", text_name(TEXT_SWITCH, p->alpha_to_one));
+    if (p->samples.alpha_to_coverage || p->samples.alpha_to_one) {
+        fprintf(out, "  alpha-to-coverage %s\n",
+                text_name(TEXT_SWITCH, p->samples.alpha_to_coverage));
+        fprintf(out, "  alpha-to-one %s\n", text_name(TEXT_SWITCH, p->samples.alpha_to_one));
     }
-    fprintf(out, "  reads-position %s\n", text_name(TEXT_SWITCH, p->fragment_reads_position));
-    fprintf(out, "  reads-primitive %s\n", text_name(TEXT_SWITCH, p->fragment_reads_primitive));
-    fprintf(out, "  discards %s\n", text_name(TEXT_SWITCH, p->fragment_discards));
-    fprintf(out, "  writes-depth %s\n", text_name(TEXT_SWITCH, p->fragment_writes_depth));
-    if (p->point_size != 0.0f) {
-        write_floats(out, "  point-size", &p->point_size, 1);
+    fprintf(out, "  reads-position %s\n",
+            text_name(TEXT_SWITCH, p->program.fragment_reads_position));
+    fprintf(out, "  reads-primitive %s\n",
+            text_name(TEXT_SWITCH, p->program.fragment_reads_primitive));
+    fprintf(out, "  discards %s\n", text_name(TEXT_SWITCH, p->program.fragment_discards));
+    fprintf(out, "  writes-depth %s\n", text_name(TEXT_SWITCH, p->program.fragment_writes_depth));
+    if (p->raster.point_size != 0.0f) {
+        write_floats(out, "  point-size", &p->raster.point_size, 1);
     }
-    fprintf(out, "  program-point-size %s\n", text_name(TEXT_SWITCH, p->program_point_size));
-    if (p->line_width != 0.0f) {
-        write_floats(out, "  line-width", &p->line_width, 1);
+    fprintf(out, "  program-point-size %s\n",
+            text_name(TEXT_SWITCH, p->program.vertex_writes_point_size));
+    if (p->raster.line_width != 0.0f) {
+        write_floats(out, "  line-width", &p->raster.line_width, 1);
     }
-    if (p->point_origin != GN_POINT_UPPER_LEFT) {
-        fprintf(out, "  point-origin %s\n", text_name(TEXT_POINT_ORIGIN, (int)p->point_origin));
+    if (p->raster.point_origin != GN_POINT_UPPER_LEFT) {
+        fprintf(out, "  point-origin %s\n",
+                text_name(TEXT_POINT_ORIGIN, (int)p->raster.point_origin));
     }
-    if (p->fragment_reads_point_coordinate) {
+    if (p->program.fragment_reads_point_coordinate) {
         fprintf(out, "  reads-point-coordinate on\n");
     }
-    if (p->fragment_reads_sample_mask) {
+    if (p->program.fragment_reads_sample_mask) {
         fprintf(out, "  reads-sample-mask on\n");
     }
-    if (p->fragment_writes_sample_mask) {
+    if (p->program.fragment_writes_sample_mask) {
         fprintf(out, "  writes-sample-mask on\n");
     }
-    fprintf(out, "  polygon-mode %s %s\n", text_name(TEXT_POLYGON_MODE, (int)p->polygon_mode_front),
-            text_name(TEXT_POLYGON_MODE, (int)p->polygon_mode_back));
+    fprintf(out, "  polygon-mode %s %s\n",
+            text_name(TEXT_POLYGON_MODE, (int)p->raster.polygon_mode_front),
+            text_name(TEXT_POLYGON_MODE, (int)p->raster.polygon_mode_back));
     fprintf(out, "  interpolation %s %s %s %s\n",
-            text_name(TEXT_INTERPOLATION, (int)p->interpolation[0]),
-            text_name(TEXT_INTERPOLATION, (int)p->interpolation[1]),
-            text_name(TEXT_INTERPOLATION, (int)p->interpolation[2]),
-            text_name(TEXT_INTERPOLATION, (int)p->interpolation[3]));
+            text_name(TEXT_INTERPOLATION, (int)p->program.interpolation[0]),
+            text_name(TEXT_INTERPOLATION, (int)p->program.interpolation[1]),
+            text_name(TEXT_INTERPOLATION, (int)p->program.interpolation[2]),
+            text_name(TEXT_INTERPOLATION, (int)p->program.interpolation[3]));
 }
 
 /* Which attachment a keyword is for; nothing for the first. */
@@ -219,18 +228,18 @@ static void write_color_state(FILE *out, const gn_pipeline *p)
 {
     static const float zero[4];
 
-    if (p->color_count) {
-        fprintf(out, "  color-count %" PRIu32 "\n", p->color_count);
+    if (p->program.color_count) {
+        fprintf(out, "  color-count %" PRIu32 "\n", p->program.color_count);
     }
     for (int a = 0; a < GN_MAX_COLORS; ++a) {
-        const gn_blend *b = &p->blend[a];
+        const gn_blend *b = &p->color.blend[a];
 
-        if (p->color_write_disabled[a]) {
+        if (p->color.write_disabled[a]) {
             fputs("  color-mask", out);
             write_attachment(out, a);
             for (unsigned c = 0; c < 4; ++c) {
                 fprintf(out, " %s",
-                        text_name(TEXT_SWITCH, !(p->color_write_disabled[a] >> c & 1u)));
+                        text_name(TEXT_SWITCH, !(p->color.write_disabled[a] >> c & 1u)));
             }
             fputc('\n', out);
         }
@@ -245,11 +254,12 @@ static void write_color_state(FILE *out, const gn_pipeline *p)
                     text_name(TEXT_FACTOR, (int)b->alpha_destination));
         }
     }
-    if (memcmp(p->blend_constant, zero, sizeof zero) != 0) {
-        write_floats(out, "  blend-constant", p->blend_constant, 4);
+    if (memcmp(p->color.blend_constant, zero, sizeof zero) != 0) {
+        write_floats(out, "  blend-constant", p->color.blend_constant, 4);
     }
-    if (p->color_logic) {
-        fprintf(out, "  logic-operation %s\n", text_name(TEXT_LOGIC, (int)p->logic_operation));
+    if (p->color.logic) {
+        fprintf(out, "  logic-operation %s\n",
+                text_name(TEXT_LOGIC, (int)p->color.logic_operation));
     }
 }
 
@@ -275,8 +285,7 @@ static void write_shadow_sampler(FILE *out, const gn_sampler *s)
 {
     fprintf(out, "  shadow-sampler %s %s %s %s %s", text_name(TEXT_WRAP, (int)s->wrap_s),
             text_name(TEXT_WRAP, (int)s->wrap_t), text_name(TEXT_MAGNIFY, (int)s->magnify),
-            text_name(TEXT_MINIFY, (int)s->minify),
-            text_name(TEXT_TEXTURE_COMPARE, (int)s->compare));
+            text_name(TEXT_MINIFY, (int)s->minify), text_name(TEXT_COMPARE, (int)s->compare));
     write_floats(out, "", s->border, 4);
 }
 
@@ -399,7 +408,7 @@ bool scene_write(const scene *s, FILE *out)
         write_clear(out, &d->clear);
         write_state(out, &d->state);
         write_color_state(out, &d->state);
-        for (uint32_t p = 0; p < d->state.clip_distance_count; ++p) {
+        for (uint32_t p = 0; p < d->state.program.clip_distance_count; ++p) {
             write_floats(out, "  clip-plane", d->clip_plane[p], 4);
         }
         write_uniforms(out, d);

@@ -36,8 +36,8 @@ static inline void fill_shading(const gn_pipeline *pipeline, shading_functions *
     out->sampling.sample = sample_any;
     out->sampling.gather = gather_any;
     out->sampling.fetch = fetch_numbered;
-    out->vertex_shader = own_vertex_shader(pipeline->vertex_shader);
-    out->fragment_shader = own_fragment_shader(pipeline->fragment_shader);
+    out->vertex_shader = own_vertex_shader(pipeline->program.vertex_shader);
+    out->fragment_shader = own_fragment_shader(pipeline->program.fragment_shader);
 }
 
 #endif

@@ -3,9 +3,9 @@
 
 #include "pipeline_faults.h"
 
-gn_status gn_pipeline_check(const gn_pipeline *pipeline)
+gn_status gn_pipeline_check(const gn_pipeline *pipeline, const gn_target *target)
 {
-    return fault_of_pipeline(pipeline);
+    return fault_of_pipeline(pipeline, target);
 }
 
 bool gn_indices_are_within(const gn_mesh *mesh)

@@ -71,7 +71,7 @@ static inline void read_drawn_elements(const draw_state *draw, uint32_t first, u
                                        uint32_t *vertex)
 {
     const uint32_t closing =
-        draw->pipeline->topology == GN_LINE_LOOP && first + count > draw->mesh->count;
+        draw->pipeline->raster.topology == GN_LINE_LOOP && first + count > draw->mesh->count;
 
     read_elements(draw->mesh, first, count - closing, vertex);
     read_elements(draw->mesh, 0, closing, vertex + count - closing);
@@ -202,7 +202,7 @@ static inline void locate_elements(const draw_state *draw, uint32_t first, uint3
 {
     const uint32_t vertices = draw->vertices;
     const uint32_t stride = draw->stride;
-    const bool is_fan = draw->pipeline->topology == GN_TRIANGLE_FAN;
+    const bool is_fan = draw->pipeline->raster.topology == GN_TRIANGLE_FAN;
 
     if (draw->map.shared) {
         read_drawn_elements(draw, first, count, offset);

@@ -2,9 +2,9 @@
 #define GN_FAULT_TEXTS
 #include "pipeline_faults.h"
 
-const char *gn_pipeline_fault(const gn_pipeline *pipeline)
+const char *gn_pipeline_fault(const gn_pipeline *pipeline, const gn_target *target)
 {
-    return fault_of_pipeline(pipeline);
+    return fault_of_pipeline(pipeline, target);
 }
 
 const char *gn_mesh_fault(const gn_mesh *mesh)

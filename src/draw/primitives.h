@@ -176,7 +176,7 @@ static void add_pieces(unfilled_parts *parts, triangle_group *pieces, uint32_t h
     unsigned char *const memory = w->draw->job->memory;
     const box_state *state = &w->cull.box;
     const uint32_t used = w->clip_used;
-    const bool moves = w->draw->pipeline->polygon_offset.set && !w->keeps;
+    const bool moves = w->draw->pipeline->raster.polygon_offset.set && !w->keeps;
     cull_result filled;
 
     cull_snapped(&w->cull, memory, pieces, &filled);
@@ -284,7 +284,7 @@ static inline void add_kept(worker *w, const uint32_t vertex[3], uint32_t provok
 /* Adds points or lines first to first + count - 1. */
 GN_OUT_OF_LINE void add_boxes(worker *w, uint32_t first, uint32_t count)
 {
-    const uint32_t step = element_step(w->draw->pipeline->topology);
+    const uint32_t step = element_step(w->draw->pipeline->raster.topology);
     const uint32_t provoking = w->cull.provoking_first ? 0 : 1;
     uint32_t offset[ASSEMBLE_MAX_ELEMENTS];
 
@@ -306,7 +306,7 @@ GN_OUT_OF_LINE void add_boxes(worker *w, uint32_t first, uint32_t count)
 /* Adds primitives first to first + count - 1 of the draw. */
 static void add_primitives(worker *w, uint32_t first, uint32_t count)
 {
-    if (!GN_HAVE_LINES || kind_of(w->draw->pipeline->topology) == KIND_TRIANGLE)
+    if (!GN_HAVE_LINES || kind_of(w->draw->pipeline->raster.topology) == KIND_TRIANGLE)
         add_triangles(w, first, count);
     else
         add_boxes(w, first, count);

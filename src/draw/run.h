@@ -35,7 +35,7 @@ static void take_slots(draw_state *draw, worker *w, uint32_t count)
 /* Shades the elements of triangles first to first + count - 1, each for itself. */
 static uint32_t shade_elements(draw_state *draw, worker *w, uint32_t first, uint32_t count)
 {
-    const gn_topology topology = draw->pipeline->topology;
+    const gn_topology topology = draw->pipeline->raster.topology;
     const uint32_t elements = element_count(topology, count);
 
     take_slots(draw, w, elements);
@@ -47,11 +47,11 @@ static uint32_t shade_elements(draw_state *draw, worker *w, uint32_t first, uint
  * parts a walk before tells whether any vertex is clipped, where that matters. */
 static void draw_segment(draw_state *draw, worker *w, uint32_t first, uint32_t count)
 {
-    const uint32_t step = triangles_of(draw->pipeline->topology, draw->job->capacity);
+    const uint32_t step = triangles_of(draw->pipeline->raster.topology, draw->job->capacity);
     const uint32_t end = first + count;
     uint32_t outcodes = 0;
 
-    if (count > step && draw->pipeline->cull != GN_CULL_NONE) {
+    if (count > step && draw->pipeline->raster.cull != GN_CULL_NONE) {
         for (uint32_t i = first, part; i < end; i += part) {
             part = end - i < step ? end - i : step;
             outcodes |= shade_elements(draw, w, i, part);
@@ -69,7 +69,7 @@ static void draw_segment(draw_state *draw, worker *w, uint32_t first, uint32_t c
  * part of the indices names, each once in the draw. */
 static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uint32_t count)
 {
-    const gn_topology topology = draw->pipeline->topology;
+    const gn_topology topology = draw->pipeline->raster.topology;
     slot_map *const map = &draw->map;
 
     if (map->shaded < map->count) {
@@ -84,14 +84,14 @@ static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uin
         }
     }
     /* With indices there is no quad, so that culling alone asks. */
-    if (draw->pipeline->cull != GN_CULL_NONE)
+    if (draw->pipeline->raster.cull != GN_CULL_NONE)
         resolve_segment(w, map->outcodes ? segment_outcodes(draw, first, count) : 0);
     add_primitives(w, first, count);
 }
 
 static void run_serial(draw_state *draw, worker *w)
 {
-    const gn_topology topology = draw->pipeline->topology;
+    const gn_topology topology = draw->pipeline->raster.topology;
     const uint32_t total = triangle_count(topology, draw->mesh->count);
     const uint32_t step = segment_triangles(topology, draw->mesh);
 
@@ -110,7 +110,7 @@ static void run_serial(draw_state *draw, worker *w)
 static uint32_t ring_of(const draw_state *draw)
 {
     const draw_job *job = draw->job;
-    const gn_topology topology = draw->pipeline->topology;
+    const gn_topology topology = draw->pipeline->raster.topology;
     const uint32_t segments = GN_HAVE_TASKS && job->parallel ? job->segment_count : 1;
     const uint32_t step = segments * segment_triangles(topology, draw->mesh);
     const uint32_t steps = GN_HAVE_TASKS && job->parallel ? 2 : 1;
@@ -161,7 +161,7 @@ static inline void begin_sharing(draw_state *draw, worker *w)
 /* Draws what is between restarts. Threads would gain nothing from short runs and instances. */
 static void draw_run(draw_state *draw, worker *w, bool is_one_of_many)
 {
-    const gn_topology topology = draw->pipeline->topology;
+    const gn_topology topology = draw->pipeline->raster.topology;
     const uint32_t total = triangle_count(topology, draw->mesh->count);
 
     if (total == 0)
@@ -199,7 +199,7 @@ static void draw_instance(draw_state *draw, worker *w)
             begin_sharing(draw, w);
         }
         draw_run(draw, w, true);
-        draw->run.primitive += triangle_count(draw->pipeline->topology, draw->run.count);
+        draw->run.primitive += triangle_count(draw->pipeline->raster.topology, draw->run.count);
     }
     draw->map.shared = is_shared;
 }

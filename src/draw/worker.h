@@ -39,7 +39,7 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
     w->draw = draw;
     w->cull = draw->cull;
     w->is_quad = false;
-    w->kind = kind_of(draw->pipeline->topology);
+    w->kind = kind_of(draw->pipeline->raster.topology);
     w->keeps = false;
     w->list = (triangle_list *)(void *)scratch;
     w->batch = (triangle_batch *)(void *)(scratch + scratch_batch_offset());
@@ -253,7 +253,7 @@ static inline void add_group(worker *w, const triangle_group *group, uint32_t fi
 static inline uint32_t locate_group(const draw_state *draw, uint32_t first, uint32_t count,
                                     uint32_t offset[ASSEMBLE_MAX_ELEMENTS])
 {
-    const gn_topology topology = draw->pipeline->topology;
+    const gn_topology topology = draw->pipeline->raster.topology;
     const uint32_t elements = element_count(topology, count);
 
     locate_elements(draw, first_element(topology, first), elements, offset);
@@ -275,7 +275,7 @@ static void add_triangles(worker *w, uint32_t first, uint32_t count)
         for (uint32_t i = locate_group(w->draw, first + done, group.count, offset);
              i < ASSEMBLE_MAX_ELEMENTS; ++i)
             offset[i] = offset[i - 1];
-        assemble_triangles(w->draw->pipeline->topology, w->cull.provoking_first, w->is_quad,
+        assemble_triangles(w->draw->pipeline->raster.topology, w->cull.provoking_first, w->is_quad,
                            first + done, offset, &group);
         if (GN_HAVE_LINES && w->cull.box.is_unfilled)
             add_unfilled_group(w, &group, w->draw->mesh->primitive + first + done);
@@ -286,8 +286,8 @@ static void add_triangles(worker *w, uint32_t first, uint32_t count)
 
 static bool has_flat_varying(const gn_pipeline *pipeline)
 {
-    for (uint32_t n = 0; n < pipeline->varying_count; ++n) {
-        if (pipeline->interpolation[n] == GN_FLAT)
+    for (uint32_t n = 0; n < pipeline->program.varying_count; ++n) {
+        if (pipeline->program.interpolation[n] == GN_FLAT)
             return true;
     }
     return false;
@@ -300,11 +300,12 @@ static void resolve_segment(worker *w, uint32_t outcodes)
 {
     const gn_pipeline *p = w->draw->pipeline;
 
-    w->cull.asks_unsnapped = outcodes != 0 && p->cull != GN_CULL_NONE;
+    w->cull.asks_unsnapped = outcodes != 0 && p->raster.cull != GN_CULL_NONE;
     w->is_quad = outcodes == 0 && !(GN_HAVE_LINES && w->cull.box.is_unfilled) &&
                  w->draw->mesh->count == 4 && w->draw->mesh->index_format == GN_INDEX_NONE &&
-                 p->topology == GN_TRIANGLE_FAN && p->provoking_vertex == GN_PROVOKING_FIRST &&
-                 !has_flat_varying(p) && !p->fragment_reads_primitive;
+                 p->raster.topology == GN_TRIANGLE_FAN &&
+                 p->raster.provoking_vertex == GN_PROVOKING_FIRST && !has_flat_varying(p) &&
+                 !p->program.fragment_reads_primitive;
 }
 
 /* The union of outcodes over triangles first to first + count - 1, whose vertices are

@@ -4,7 +4,8 @@
 
 #include "planes.h"
 
-/* What a function asks; writes nothing. */
+/* What a function asks; writes nothing. Precondition: f is not GN_COMPARE_DEFAULT, whose meaning
+ * the depth test and the stencil test know. */
 static inline depth_state comparison_of(gn_compare f)
 {
     depth_state s;
@@ -21,9 +22,10 @@ static inline depth_state comparison_of(gn_compare f)
 
 static inline depth_state depth_state_of(const gn_pipeline *pipeline)
 {
-    depth_state s = comparison_of(pipeline->depth_function);
+    const gn_compare f = pipeline->depth.function;
+    depth_state s = comparison_of(f == GN_COMPARE_DEFAULT ? GN_LESS : f);
 
-    s.write = !pipeline->depth_write_disabled;
+    s.write = !pipeline->depth.write_disabled;
     return s;
 }
 
@@ -38,7 +40,7 @@ static inline depth_limits depth_limits_of(const gn_pipeline *pipeline,
     const float b = translate + scale;
     depth_limits limits = {0.0f, 1.0f};
 
-    if (pipeline->depth_clamp) {
+    if (pipeline->depth.clamp) {
         limits.low = a < b ? a : b;
         limits.high = a < b ? b : a;
     }

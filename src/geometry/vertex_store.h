@@ -31,13 +31,13 @@ enum {
 
 static inline uint32_t distance_count(const gn_pipeline *pipeline)
 {
-    return GN_HAVE_DISTANCES ? pipeline->clip_distance_count : 0;
+    return GN_HAVE_DISTANCES ? pipeline->program.clip_distance_count : 0;
 }
 
 /* Values beside the position that a vertex shader gives and a vertex keeps. */
 static inline uint32_t stored_values(const gn_pipeline *pipeline)
 {
-    return pipeline->varying_count + distance_count(pipeline);
+    return pipeline->program.varying_count + distance_count(pipeline);
 }
 
 /* Bytes from a vertex of so many stored_values to the next. */

@@ -3,27 +3,16 @@
 
 #include <gnomon/scalar.h>
 
-/* The largest float below pi. */
-#define BELOW_PI 0x1.921fb4p+1f
+#include "perspective_faults.h"
 
 static gn_status perspective(float hand, unsigned depth, float fov_y, float aspect, float z_near,
                              float z_far, gn_transform *result)
 {
-    const float numbers[4] = {fov_y, aspect, z_near, z_far};
     const bool infinite = (depth & GN_DEPTH_INFINITE) != 0;
     if (!result) {
         return GN_NULL_POINTER;
     }
-    if (!gn_all_finite(numbers, 4)) {
-        return GN_NOT_FINITE;
-    }
-    if (!(fov_y > 0.0f) || !(fov_y <= BELOW_PI) || !(aspect > 0.0f) || !(z_near > 0.0f) ||
-        !(infinite || z_far > 0.0f)) {
-        return GN_OUT_OF_RANGE;
-    }
-    if (z_near == z_far) {
-        return GN_SINGULAR;
-    }
+    FAULT_FROM(fault_of_perspective(fov_y, aspect, z_near, z_far, infinite));
     const float y_scale = 1.0f / gn_tan(0.5f * fov_y);
     return gn_write_perspective(hand, depth, y_scale / aspect, y_scale, 0.0f, 0.0f, z_near, z_far,
                                 result);

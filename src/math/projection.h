@@ -11,7 +11,7 @@
 #define GN_LEFT_HANDED 1.0f
 
 /* The suffixes of a name after the hand: a sum of these, 0 for _no. */
-enum gn_depth { GN_DEPTH_ZO = 1, GN_DEPTH_REVERSED = 2, GN_DEPTH_INFINITE = 4 };
+enum projection_depth { GN_DEPTH_ZO = 1, GN_DEPTH_REVERSED = 2, GN_DEPTH_INFINITE = 4 };
 
 bool gn_all_finite(const float *numbers, int count);
 

@@ -15,16 +15,17 @@ static inline void gather_plane(const gn_pipeline *pipeline, const unsigned char
     GN_EACH_LANE (l) {
         const stored_vertex *v = (const stored_vertex *)(const void *)(memory + vertex[l]);
 
-        value[l] = plane == DEPTH_PLANE                      ? v->window[2]
-                   : plane == ONE_OVER_W_PLANE               ? v->window[3]
-                   : pipeline->interpolation[n] == GN_SMOOTH ? v->varying[n] * v->window[3]
-                                                             : v->varying[n];
+        value[l] = plane == DEPTH_PLANE                              ? v->window[2]
+                   : plane == ONE_OVER_W_PLANE                       ? v->window[3]
+                   : pipeline->program.interpolation[n] == GN_SMOOTH ? v->varying[n] * v->window[3]
+                                                                     : v->varying[n];
     }
 }
 
 static inline bool is_flat(const gn_pipeline *pipeline, uint32_t plane)
 {
-    return plane >= VARYING_PLANES && pipeline->interpolation[plane - VARYING_PLANES] == GN_FLAT;
+    return plane >= VARYING_PLANES &&
+           pipeline->program.interpolation[plane - VARYING_PLANES] == GN_FLAT;
 }
 
 static inline void make_constant_plane(lanes_f value, float plane[PLANE_TERMS][GN_LANES])
@@ -38,7 +39,7 @@ static inline void make_constant_plane(lanes_f value, float plane[PLANE_TERMS][G
 static inline void setup_box_identities(const gn_pipeline *pipeline, const triangle_list *list,
                                         triangle_batch *batch)
 {
-    const uint32_t plane = VARYING_PLANES + pipeline->varying_count;
+    const uint32_t plane = VARYING_PLANES + pipeline->program.varying_count;
 
     setup_identities(pipeline, list, batch);
     lanes_store(batch->plane[plane][IDENTITY_OFFSET], lanes_splat(0.0f));
@@ -50,10 +51,10 @@ static inline void setup_point_words(const box_state *state, const gn_pipeline *
                                      const unsigned char *memory, const triangle_list *list,
                                      triangle_batch *batch)
 {
-    const float up = pipeline->point_origin == GN_POINT_LOWER_LEFT ? 1.0f : -1.0f;
+    const float up = pipeline->raster.point_origin == GN_POINT_LOWER_LEFT ? 1.0f : -1.0f;
     stored_word *const back =
         (stored_word *)(void *)
-            batch->plane[VARYING_PLANES + pipeline->varying_count][IDENTITY_BACK];
+            batch->plane[VARYING_PLANES + pipeline->program.varying_count][IDENTITY_BACK];
 
     GN_EACH_LANE (l) {
         const stored_vertex *v = (const stored_vertex *)(const void *)(memory + list->vertex[0][l]);
@@ -77,7 +78,7 @@ static inline void setup_points(const box_state *state, const gn_pipeline *pipel
 
     setup_point_words(state, pipeline, memory, list, batch);
 
-    for (uint32_t n = 0; n < VARYING_PLANES + pipeline->varying_count; ++n) {
+    for (uint32_t n = 0; n < VARYING_PLANES + pipeline->program.varying_count; ++n) {
         if (is_flat(pipeline, n)) {
             make_flat_plane(memory, list, n - VARYING_PLANES, batch->plane[n]);
             continue;
@@ -192,7 +193,7 @@ static inline void setup_lines(const box_state *state, const gn_pipeline *pipeli
     if (!GN_HAVE_SAMPLES || !state->reach)
         setup_line_edges(state, memory, list, batch);
     set_line_basis(state, memory, list, &basis);
-    for (uint32_t n = 0; n < VARYING_PLANES + pipeline->varying_count; ++n) {
+    for (uint32_t n = 0; n < VARYING_PLANES + pipeline->program.varying_count; ++n) {
         if (is_flat(pipeline, n)) {
             make_flat_plane(memory, list, n - VARYING_PLANES, batch->plane[n]);
             continue;

@@ -52,12 +52,12 @@ static gn_status use(gn_pipeline *pipeline, const void *uniforms, gn_vertex_shad
 {
     if (!pipeline || !uniforms)
         return GN_NULL_POINTER;
-    pipeline->vertex_shader = vertex;
-    pipeline->fragment_shader = fragment;
-    pipeline->uniforms = uniforms;
-    pipeline->varying_count = varying_count;
+    pipeline->program.vertex_shader = vertex;
+    pipeline->program.fragment_shader = fragment;
+    pipeline->program.uniforms = uniforms;
+    pipeline->program.varying_count = varying_count;
     for (uint32_t n = 0; n < varying_count; ++n)
-        pipeline->interpolation[n] = GN_SMOOTH;
+        pipeline->program.interpolation[n] = GN_SMOOTH;
     return GN_OK;
 }
 
@@ -130,7 +130,7 @@ static gn_status check_shadow(const gn_shadow *shadow)
         status = GN_INVALID_FORMAT;
     if (!status)
         status = gn_sampler_check(&shadow->sampler);
-    if (!status && shadow->sampler.compare == GN_TEXTURE_COMPARE_NONE)
+    if (!status && shadow->sampler.compare == GN_COMPARE_DEFAULT)
         status = GN_INVALID_ENUM;
     return status;
 }
@@ -203,21 +203,22 @@ gn_status gn_use_depth_color(gn_pipeline *pipeline, const gn_depth_color_uniform
         return GN_NOT_FINITE;
     if (uniforms->black == uniforms->white && uniforms->black != 0.0f)
         return GN_OUT_OF_RANGE;
-    pipeline->fragment_reads_position = true;
+    pipeline->program.fragment_reads_position = true;
     return use(pipeline, uniforms, gn_shade_position, gn_shade_depth_color, 0);
 }
 
 /* Varyings that a ready-made vertex shader writes; 0 for others. */
 static uint32_t written_varyings(const gn_pipeline *p)
 {
-    if (p->vertex_shader == gn_shade_vertex_color)
+    if (p->program.vertex_shader == gn_shade_vertex_color)
         return VARYING_ALPHA + 1;
-    if (p->vertex_shader == gn_shade_unlit)
-        return mapped_varyings(((const gn_unlit_uniforms *)p->uniforms)->map);
-    if (p->vertex_shader == gn_shade_lit)
-        return mapped_varyings(((const gn_lit_uniforms *)p->uniforms)->material.diffuse_map);
-    if (p->vertex_shader == gn_shade_surface)
-        return surface_varyings(&((const gn_lit_uniforms *)p->uniforms)->material);
+    if (p->program.vertex_shader == gn_shade_unlit)
+        return mapped_varyings(((const gn_unlit_uniforms *)p->program.uniforms)->map);
+    if (p->program.vertex_shader == gn_shade_lit)
+        return mapped_varyings(
+            ((const gn_lit_uniforms *)p->program.uniforms)->material.diffuse_map);
+    if (p->program.vertex_shader == gn_shade_surface)
+        return surface_varyings(&((const gn_lit_uniforms *)p->program.uniforms)->material);
     return 0;
 }
 
@@ -230,35 +231,40 @@ static bool lights_fragments(gn_fragment_shader *shader)
 /* Varyings that a ready-made fragment shader reads; 0 for others. */
 static uint32_t read_varyings(const gn_pipeline *p)
 {
-    if (p->fragment_shader == gn_shade_color)
+    if (p->program.fragment_shader == gn_shade_color)
         return VARYING_ALPHA + 1;
-    if (p->fragment_shader == gn_shade_unlit_texture)
-        return mapped_varyings(((const gn_unlit_uniforms *)p->uniforms)->map);
-    if (p->fragment_shader == gn_shade_lit_texture)
-        return mapped_varyings(((const gn_lit_uniforms *)p->uniforms)->material.diffuse_map);
-    if (lights_fragments(p->fragment_shader))
-        return surface_varyings(&((const gn_lit_uniforms *)p->uniforms)->material);
+    if (p->program.fragment_shader == gn_shade_unlit_texture)
+        return mapped_varyings(((const gn_unlit_uniforms *)p->program.uniforms)->map);
+    if (p->program.fragment_shader == gn_shade_lit_texture)
+        return mapped_varyings(
+            ((const gn_lit_uniforms *)p->program.uniforms)->material.diffuse_map);
+    if (lights_fragments(p->program.fragment_shader))
+        return surface_varyings(&((const gn_lit_uniforms *)p->program.uniforms)->material);
     return 0;
 }
 
 /* Whether a shader of the pipeline is a ready-made one that looks at uniforms. */
 static bool reads_uniforms(const gn_pipeline *p)
 {
-    return p->vertex_shader == gn_shade_position || p->vertex_shader == gn_shade_vertex_color ||
-           p->vertex_shader == gn_shade_unlit || p->vertex_shader == gn_shade_lit ||
-           p->vertex_shader == gn_shade_surface || p->fragment_shader == gn_shade_unlit_texture ||
-           p->fragment_shader == gn_shade_lit_texture ||
-           p->fragment_shader == gn_shade_depth_color || lights_fragments(p->fragment_shader);
+    return p->program.vertex_shader == gn_shade_position ||
+           p->program.vertex_shader == gn_shade_vertex_color ||
+           p->program.vertex_shader == gn_shade_unlit || p->program.vertex_shader == gn_shade_lit ||
+           p->program.vertex_shader == gn_shade_surface ||
+           p->program.fragment_shader == gn_shade_unlit_texture ||
+           p->program.fragment_shader == gn_shade_lit_texture ||
+           p->program.fragment_shader == gn_shade_depth_color ||
+           lights_fragments(p->program.fragment_shader);
 }
 
 gn_ready_made_fault gn_find_ready_made_fault(const gn_pipeline *pipeline)
 {
-    if (!pipeline->uniforms && reads_uniforms(pipeline))
+    if (!pipeline->program.uniforms && reads_uniforms(pipeline))
         return GN_READY_MADE_NO_UNIFORMS;
-    if (pipeline->fragment_shader == gn_shade_depth_color && !pipeline->fragment_reads_position)
+    if (pipeline->program.fragment_shader == gn_shade_depth_color &&
+        !pipeline->program.fragment_reads_position)
         return GN_READY_MADE_NO_POSITION;
-    if (pipeline->varying_count < written_varyings(pipeline) ||
-        pipeline->varying_count < read_varyings(pipeline))
+    if (pipeline->program.varying_count < written_varyings(pipeline) ||
+        pipeline->program.varying_count < read_varyings(pipeline))
         return GN_READY_MADE_FEW_VARYINGS;
     return GN_READY_MADE_OK;
 }

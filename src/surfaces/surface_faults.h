@@ -77,6 +77,19 @@ static inline fault fault_of_surface(const gn_surface *s, bool format_fits, int 
                             which);
 }
 
+/* What a target asks for that this library was compiled without (config/small.h). */
+static inline fault fault_of_uncompiled_target(const gn_target *target)
+{
+    FAULT_IF(!GN_HAVE_FORMATS && format_is_encoded(target->color[0].format), GN_NOT_COMPILED,
+             "color[0].format is not GN_FORMAT_RGBA8 or RGBA32F in a GN_BASIC library");
+    for (int i = 1; !GN_HAVE_ATTACHMENTS && i < GN_MAX_COLORS; ++i)
+        FAULT_IF_SURFACE(target->color[i].format != GN_FORMAT_NONE, i, GN_NOT_COMPILED,
+                         "format is not GN_FORMAT_NONE in a GN_BASIC library");
+    FAULT_IF(!GN_HAVE_STENCIL && format_has_stencil(target->depth.format), GN_NOT_COMPILED,
+             "depth.format has stencil in a GN_BASIC library");
+    return NO_FAULT;
+}
+
 static inline fault fault_of_target(const gn_target *target)
 {
     FAULT_IF(!target, GN_NULL_POINTER, "the target is null");
@@ -104,6 +117,7 @@ static inline fault fault_of_target(const gn_target *target)
         FAULT_IF_SURFACE(samples_of(s) != samples_of(first), i, GN_SIZE_MISMATCH,
                          "samples is not that of the surfaces before it");
     }
+    FAULT_FROM(fault_of_uncompiled_target(target));
     return NO_FAULT;
 }
 

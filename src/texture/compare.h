@@ -10,7 +10,7 @@
 /* Whether a lookup gives comparisons' results. */
 static inline bool is_compared(gn_format format, const gn_sampler *sampler)
 {
-    return sampler->compare != GN_TEXTURE_COMPARE_NONE && format_has_depth(format);
+    return sampler->compare != GN_COMPARE_DEFAULT && format_has_depth(format);
 }
 
 /* What depths are compared with: depths of fixed point are 0 to 1, and so is the reference then.
@@ -23,23 +23,23 @@ static inline lanes_f compared_reference(gn_format format, lanes_f reference)
 }
 
 /* Where `reference FUNCTION depth` holds. NaN is not equal, and otherwise nothing holds. */
-static inline lanes_m compare_depths(gn_texture_compare function, lanes_f reference, lanes_f depth)
+static inline lanes_m compare_depths(gn_compare function, lanes_f reference, lanes_f depth)
 {
     switch (function) {
-    case GN_TEXTURE_COMPARE_LESS_OR_EQUAL:
+    case GN_LESS_OR_EQUAL:
         return lanes_less_equal(reference, depth);
-    case GN_TEXTURE_COMPARE_GREATER_OR_EQUAL:
+    case GN_GREATER_OR_EQUAL:
         return lanes_less_equal(depth, reference);
-    case GN_TEXTURE_COMPARE_LESS:
+    case GN_LESS:
         return lanes_greater(depth, reference);
-    case GN_TEXTURE_COMPARE_GREATER:
+    case GN_GREATER:
         return lanes_greater(reference, depth);
-    case GN_TEXTURE_COMPARE_EQUAL:
+    case GN_EQUAL:
         return lanes_and(lanes_less_equal(reference, depth), lanes_less_equal(depth, reference));
-    case GN_TEXTURE_COMPARE_NOT_EQUAL:
+    case GN_NOT_EQUAL:
         return lanes_not(
             lanes_and(lanes_less_equal(reference, depth), lanes_less_equal(depth, reference)));
-    case GN_TEXTURE_COMPARE_ALWAYS:
+    case GN_ALWAYS:
         return lanes_from_bits(GN_ALL_LANES);
     default:
         return lanes_from_bits(0);
@@ -47,7 +47,7 @@ static inline lanes_m compare_depths(gn_texture_compare function, lanes_f refere
 }
 
 /* The result of one texel: 1 or 0. */
-static inline lanes_f compared(gn_texture_compare function, lanes_f reference, lanes_f depth)
+static inline lanes_f compared(gn_compare function, lanes_f reference, lanes_f depth)
 {
     return lanes_select(compare_depths(function, reference, depth), lanes_splat(1.0f),
                         lanes_splat(0.0f));

@@ -67,7 +67,7 @@ GN_OUT_OF_LINE void filter_cube_nearest(const lookup_state *state, const lookup_
     const lanes_i row = lanes_i_clamp(lanes_truncate(lanes_mul(place->cube->t, n)), zero, last);
 
     fetch_cube(state->texture, level, levels, &column, &row, &place->cube->face, texel);
-    if (state->compare != GN_TEXTURE_COMPARE_NONE)
+    if (state->compare != GN_COMPARE_DEFAULT)
         texel[0] = compared(state->compare, place->reference, texel[0]);
 }
 
@@ -82,7 +82,7 @@ GN_OUT_OF_LINE void fetch_cube_texels(const lookup_state *state, const lookup_pl
     for (int i = 0; i < CUBE_TEXELS; ++i) {
         cube_find_texel(place->cube, size, texels, i, &column, &row, &face);
         fetch_cube(state->texture, level, levels, &column, &row, &face, texel[i]);
-        if (state->compare != GN_TEXTURE_COMPARE_NONE)
+        if (state->compare != GN_COMPARE_DEFAULT)
             texel[i][0] = compared(state->compare, place->reference, texel[i][0]);
     }
 }

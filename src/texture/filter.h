@@ -18,7 +18,7 @@ typedef struct lookup_state {
     bool masked[3];
     bool has_border;
     float border[4];
-    gn_texture_compare compare; /* GN_TEXTURE_COMPARE_NONE of colours too */
+    gn_compare compare; /* GN_COMPARE_DEFAULT of colours too */
 } lookup_state;
 
 /* Where the lanes look. */
@@ -71,7 +71,7 @@ GN_OUT_OF_LINE void fetch_place(const lookup_state *state, const lookup_place *p
         for (int c = 0; c < 4; ++c)
             texel[c] = lanes_select(is_border, lanes_splat(state->border[c]), texel[c]);
     }
-    if (state->compare != GN_TEXTURE_COMPARE_NONE)
+    if (state->compare != GN_COMPARE_DEFAULT)
         texel[0] = compared(state->compare, place->reference, texel[0]);
 }
 
@@ -80,7 +80,7 @@ GN_OUT_OF_LINE void fetch_place(const lookup_state *state, const lookup_place *p
 static inline lanes_f mix_along_s(const lookup_state *state, int channel, lanes_f weight,
                                   lanes_f first, lanes_f second)
 {
-    return state->compare != GN_TEXTURE_COMPARE_NONE && channel == 0
+    return state->compare != GN_COMPARE_DEFAULT && channel == 0
                ? mix_compared(weight, first, second)
                : mix(weight, first, second);
 }

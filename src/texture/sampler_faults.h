@@ -32,8 +32,7 @@ static inline fault fault_of_sampler(const gn_sampler *s)
     if (!GN_HAVE_TEXTURES) /* nothing else is looked at */
         return NO_FAULT;
     FAULT_IF((unsigned)s->wrap_r > last, GN_INVALID_ENUM, "wrap_r is no gn_wrap");
-    FAULT_IF((unsigned)s->compare > GN_TEXTURE_COMPARE_NEVER, GN_INVALID_ENUM,
-             "compare is no gn_texture_compare");
+    FAULT_IF((unsigned)s->compare > GN_ALWAYS, GN_INVALID_ENUM, "compare is no gn_compare");
     FAULT_IF(!gn_is_finite(s->lod_bias), GN_NOT_FINITE, "lod_bias is not finite");
     FAULT_FROM(fault_of_lod_range(s));
     FAULT_IF(s->max_anisotropy > GN_MAX_ANISOTROPY, GN_OUT_OF_RANGE,

@@ -66,7 +66,7 @@ GN_INLINE void set_lookup_state(lookup_state *state, const gn_texture *texture,
         state->masked[n] = is_masked(state->wrap[n], size[n]);
         state->has_border = state->has_border || state->wrap[n] == GN_WRAP_CLAMP_TO_BORDER;
     }
-    state->compare = format_has_depth(texture->format) ? sampler->compare : GN_TEXTURE_COMPARE_NONE;
+    state->compare = format_has_depth(texture->format) ? sampler->compare : GN_COMPARE_DEFAULT;
     if (state->has_border)
         set_border(state, sampler);
 }
@@ -83,7 +83,7 @@ GN_INLINE void set_lookup_place(const lookup_state *state, const gn_lookup *look
         place->layer =
             lanes_i_clamp(lanes_round(lanes_load(lookup->coordinate[2])), lanes_i_splat(0),
                           lanes_i_splat((int32_t)state->texture->depth - 1));
-    if (state->compare != GN_TEXTURE_COMPARE_NONE)
+    if (state->compare != GN_COMPARE_DEFAULT)
         place->reference = compared_reference(state->texture->format,
                                               lookup->reference ? lanes_load(lookup->reference)
                                                                 : lanes_splat(0.0f));
@@ -391,7 +391,7 @@ static inline void gather_any(const gn_texture *texture, const gn_sampler *sampl
     set_lookup_state(&state, texture, texture->target, sampler);
     set_lookup_place(&state, lookup, &place);
     set_cube_place(&state, lookup, false, &cube, &place);
-    if (state.compare != GN_TEXTURE_COMPARE_NONE)
+    if (state.compare != GN_COMPARE_DEFAULT)
         channel = 0;
     if (texture->target == GN_TEXTURE_CUBE) {
         gather_cube(&state, &place, channel & 3, fetched);

@@ -87,13 +87,13 @@ void builder_common_state(builder *b)
 {
     memset(&b->state, 0, sizeof b->state);
     if (b->scene->depth_format != GN_FORMAT_NONE)
-        b->state.depth_test = random_chance(&b->random, 75);
+        b->state.depth.test = random_chance(&b->random, 75);
 }
 
 gn_viewport builder_viewport(const builder *b)
 {
     gn_viewport whole = {false, 0.0f, 0.0f, (float)b->scene->width, (float)b->scene->height};
-    return b->state.viewport.set ? b->state.viewport : whole;
+    return b->state.raster.viewport.set ? b->state.raster.viewport : whole;
 }
 
 vertex *builder_vertex(builder *b)
@@ -236,9 +236,9 @@ void builder_draw(builder *b)
             builder_index(b, i);
     /* What reference/RULES.md leaves out. */
     if (has_vertex_at_eye(b))
-        b->state.depth_clamp = false;
+        b->state.depth.clamp = false;
     if (b->scene->depth_format == GN_FORMAT_NONE || b->scene->depth_format == GN_FORMAT_S8)
-        memset(&b->state.polygon_offset, 0, sizeof b->state.polygon_offset);
+        memset(&b->state.raster.polygon_offset, 0, sizeof b->state.raster.polygon_offset);
     const uint32_t count = b->index_format == GN_INDEX_NONE ? b->vertex_count : b->index_count;
     if (b->lead + b->trail > 0)
         add_margins(b);
@@ -257,7 +257,7 @@ void builder_draw(builder *b)
     if (scene_shader_is_lit(b->shader))
         set_attribute(b, d, GN_ATTRIBUTE_NORMAL, offsetof(vertex, normal), 3);
     if (scene_shader_is_textured(b->shader) || scene_shader_shows_surface(b->shader) ||
-        b->shader == SCENE_UNLIT || b->state.program_point_size)
+        b->shader == SCENE_UNLIT || b->state.program.vertex_writes_point_size)
         set_attribute(b, d, GN_ATTRIBUTE_TEXCOORD, offsetof(vertex, texcoord),
                       b->texcoord_components);
     if (scene_shader_shows_surface(b->shader) && b->has_tangents)

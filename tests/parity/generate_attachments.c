@@ -24,7 +24,7 @@ void add_attachments(builder *b)
 void random_outputs(builder *b)
 {
     b->shader = SCENE_OUTPUTS;
-    b->state.color_count = 2 + random_below(&b->random, GN_MAX_COLORS - 1);
+    b->state.program.color_count = 2 + random_below(&b->random, GN_MAX_COLORS - 1);
 }
 
 void mix_attachments(builder *b, bool blends_floats)
@@ -61,8 +61,8 @@ void generate_attachments(builder *b)
             random_mask(b, 0);
         mix_attachments(b, true);
         if (random_chance(r, 5)) {
-            b->state.color_logic = true;
-            b->state.logic_operation = (gn_logic_operation)random_below(r, 16);
+            b->state.color.logic = true;
+            b->state.color.logic_operation = (gn_logic_operation)random_below(r, 16);
         }
         shape_pile(b, 1 + random_below(r, 8));
         if (random_chance(r, 90))

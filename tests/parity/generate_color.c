@@ -7,7 +7,7 @@ void random_mask(builder *b, int attachment)
 {
     random_source *r = &b->random;
     const uint32_t which = random_below(r, 16);
-    b->state.color_write_disabled[attachment] = random_chance(r, 50) ? which : 1u << which % 4;
+    b->state.color.write_disabled[attachment] = random_chance(r, 50) ? which : 1u << which % 4;
 }
 
 /* A target of odd sizes now and then, whose blocks hang over its edges. */
@@ -106,9 +106,9 @@ static gn_blend_equation random_equation(random_source *r)
 
 void lay_over(builder *b, int attachment)
 {
-    b->state.blend[attachment].enabled = true;
-    b->state.blend[attachment].source = GN_FACTOR_SOURCE_ALPHA;
-    b->state.blend[attachment].destination = GN_FACTOR_ONE_MINUS_SOURCE_ALPHA;
+    b->state.color.blend[attachment].enabled = true;
+    b->state.color.blend[attachment].source = GN_FACTOR_SOURCE_ALPHA;
+    b->state.color.blend[attachment].destination = GN_FACTOR_ONE_MINUS_SOURCE_ALPHA;
 }
 
 /* A factor and one minus it, in either place, which formats of one channel take another way. */
@@ -130,7 +130,7 @@ static bool has_one_channel(gn_format format)
 void random_blend(builder *b, int attachment)
 {
     random_source *r = &b->random;
-    gn_blend *blend = &b->state.blend[attachment];
+    gn_blend *blend = &b->state.color.blend[attachment];
     blend->enabled = true;
     if (random_chance(r, 25)) { /* what the library has functions of its own for */
         lay_over(b, attachment);
@@ -146,7 +146,7 @@ void random_blend(builder *b, int attachment)
         random_mix(r, blend);
     const bool beyond = random_chance(r, 20);
     for (int c = 0; c < 4; c++)
-        b->state.blend_constant[c] = beyond ? random_float(r, -1.0f, 2.0f) : random_unit(r);
+        b->state.color.blend_constant[c] = beyond ? random_float(r, -1.0f, 2.0f) : random_unit(r);
 }
 
 /* One triangle over a colour that sRGB has: where the reference's encoding is a step off, a
@@ -206,8 +206,8 @@ void generate_float_blend(builder *b)
 
 static void random_logic(builder *b)
 {
-    b->state.color_logic = true;
-    b->state.logic_operation = (gn_logic_operation)random_below(&b->random, 16);
+    b->state.color.logic = true;
+    b->state.color.logic_operation = (gn_logic_operation)random_below(&b->random, 16);
 }
 
 void generate_logic(builder *b)

@@ -45,16 +45,16 @@ void generate_instances(builder *b)
     builder_common_target(b);
     for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
         builder_common_state(b);
-        b->state.depth_function = random_chance(r, 50) ? GN_LESS : GN_LESS_OR_EQUAL;
-        b->state.topology = (gn_topology)random_below(r, 3);
-        b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+        b->state.depth.function = random_chance(r, 50) ? GN_LESS : GN_LESS_OR_EQUAL;
+        b->state.raster.topology = (gn_topology)random_below(r, 3);
+        b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
         if (random_chance(r, 50)) {
-            b->state.cull = (gn_cull)random_below(r, 3);
-            b->state.front_face = (gn_front_face)random_below(r, 2);
+            b->state.raster.cull = (gn_cull)random_below(r, 3);
+            b->state.raster.front_face = (gn_front_face)random_below(r, 2);
         }
         const bool flat = random_chance(r, 30);
         for (int i = 0; flat && i < 4; i++)
-            b->state.interpolation[i] = GN_FLAT;
+            b->state.program.interpolation[i] = GN_FLAT;
         const uint32_t vertices =
             random_chance(r, 70) ? 3 + random_below(r, 40) : 200 + random_below(r, 400);
         const placement p = (placement)random_below(r, PLACE_COUNT);

@@ -66,10 +66,10 @@ void generate_fills(builder *b)
     for (uint32_t draws = 2 + random_below(r, 5); draws > 0; draws--) {
         void *texels = NULL;
         builder_common_state(b);
-        b->state.depth_test = b->scene->depth_format != GN_FORMAT_NONE && random_chance(r, 90);
+        b->state.depth.test = b->scene->depth_format != GN_FORMAT_NONE && random_chance(r, 90);
         if (random_chance(r, 60))
-            b->state.depth_function = (gn_compare)random_below(r, 8);
-        b->state.depth_write_disabled = random_chance(r, 15);
+            b->state.depth.function = random_comparison(r);
+        b->state.depth.write_disabled = random_chance(r, 15);
         for (uint32_t quads = 1 + random_below(r, 4); quads > 0; quads--)
             shape_fill(b);
         b->color_components = random_chance(r, 75) ? 3 : 4;

@@ -55,7 +55,7 @@ void generate_formats(builder *b)
         builder_common_state(b);
         const bool flat = random_chance(r, 60);
         for (int i = 0; flat && i < 4; i++)
-            b->state.interpolation[i] = GN_FLAT;
+            b->state.program.interpolation[i] = GN_FLAT;
         const placement p = (placement)random_below(r, PLACE_COUNT);
         shape_triangles(b, p, builder_triangle_count(b));
         const bool gradient = !flat && random_chance(r, 50);

@@ -22,9 +22,9 @@ static void stretch_colors(builder *b)
 /* Whether all that is drawn are points. */
 static bool draws_points(const gn_pipeline *p)
 {
-    return p->topology == GN_POINTS ||
-           (p->topology <= GN_TRIANGLE_FAN && p->polygon_mode_front == GN_POLYGON_POINT &&
-            p->polygon_mode_back == GN_POLYGON_POINT);
+    return p->raster.topology == GN_POINTS || (p->raster.topology <= GN_TRIANGLE_FAN &&
+                                               p->raster.polygon_mode_front == GN_POLYGON_POINT &&
+                                               p->raster.polygon_mode_back == GN_POLYGON_POINT);
 }
 
 void random_inputs(builder *b)
@@ -32,13 +32,14 @@ void random_inputs(builder *b)
     random_source *r = &b->random;
     b->shader = SCENE_INPUTS;
     b->color_components = 4;
-    b->state.fragment_reads_position = random_chance(r, 50);
-    b->state.fragment_reads_primitive = random_chance(r, 50);
-    b->state.fragment_discards = random_chance(r, 50);
-    b->state.fragment_writes_depth = random_chance(r, 40);
-    b->state.fragment_reads_point_coordinate = draws_points(&b->state) && random_chance(r, 70);
-    b->state.fragment_reads_sample_mask = random_chance(r, 25);
-    b->state.fragment_writes_sample_mask = random_chance(r, 25);
+    b->state.program.fragment_reads_position = random_chance(r, 50);
+    b->state.program.fragment_reads_primitive = random_chance(r, 50);
+    b->state.program.fragment_discards = random_chance(r, 50);
+    b->state.program.fragment_writes_depth = random_chance(r, 40);
+    b->state.program.fragment_reads_point_coordinate =
+        draws_points(&b->state) && random_chance(r, 70);
+    b->state.program.fragment_reads_sample_mask = random_chance(r, 25);
+    b->state.program.fragment_writes_sample_mask = random_chance(r, 25);
     stretch_colors(b);
 }
 
@@ -53,11 +54,11 @@ void generate_inputs(builder *b)
         b->scene->color_format = GN_FORMAT_RGBA32F;
     for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
         builder_common_state(b);
-        b->state.depth_function = (gn_compare)(random_chance(r, 50) ? random_below(r, 8) : 0);
-        b->state.depth_write_disabled = random_chance(r, 15);
-        b->state.cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
-        b->state.front_face = (gn_front_face)random_below(r, 2);
-        b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+        b->state.depth.function = random_chance(r, 50) ? random_comparison(r) : GN_COMPARE_DEFAULT;
+        b->state.depth.write_disabled = random_chance(r, 15);
+        b->state.raster.cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
+        b->state.raster.front_face = (gn_front_face)random_below(r, 2);
+        b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
         if (random_chance(r, 3)) /* more than the reference takes at once */
             shape_triangles(b, PLACE_ANYWHERE, 1300 + random_below(r, 1500));
         else
@@ -76,8 +77,8 @@ void generate_counting(builder *b)
     b->scene->depth_format = depths[random_below(r, 6)];
     for (uint32_t draws = 1 + random_below(r, 4); draws > 0; draws--) {
         builder_common_state(b);
-        b->state.depth_function = (gn_compare)(random_chance(r, 30) ? random_below(r, 8) : 0);
-        b->state.cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
+        b->state.depth.function = random_chance(r, 30) ? random_comparison(r) : GN_COMPARE_DEFAULT;
+        b->state.raster.cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
         if (random_chance(r, 15))
             random_stencil(b);
         if (random_chance(r, 10)) /* enough for several tasks */
@@ -99,7 +100,7 @@ void random_derivatives(builder *b)
     const gn_interpolation all = (gn_interpolation)random_below(r, 2);
     b->shader = SCENE_DERIVATIVES;
     for (int i = 0; i < 4; i++)
-        b->state.interpolation[i] = one ? all : mixed[i];
+        b->state.program.interpolation[i] = one ? all : mixed[i];
     /* So steep that bytes show it. */
     const float scale = b->scene->color_format == GN_FORMAT_RGBA32F ? 1.0f : 16.0f;
     for (uint32_t i = 0; i < b->vertex_count; i++)
@@ -115,7 +116,7 @@ void generate_derivatives(builder *b)
         b->scene->color_format = GN_FORMAT_RGBA32F;
     for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
         builder_common_state(b);
-        b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+        b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
         const uint32_t kind = random_below(r, 20);
         if (kind == 0)
             shape_points(b, builder_triangle_count(b));

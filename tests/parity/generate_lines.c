@@ -40,12 +40,12 @@ void shape_points(builder *b, uint32_t count)
 {
     random_source *r = &b->random;
     const placement p = (placement)random_below(r, PLACE_COUNT);
-    b->state.topology = GN_POINTS;
-    b->state.point_size = random_size(r);
-    b->state.point_origin = (gn_point_origin)random_below(r, 2);
+    b->state.raster.topology = GN_POINTS;
+    b->state.raster.point_size = random_size(r);
+    b->state.raster.point_origin = (gn_point_origin)random_below(r, 2);
     /* Sizes of the vertex shader are cut off at the viewport (reference/RULES.md). */
-    b->state.program_point_size =
-        scene_shader_has_sizes(b->shader) && !b->state.viewport.set && random_chance(r, 50);
+    b->state.program.vertex_writes_point_size =
+        scene_shader_has_sizes(b->shader) && !b->state.raster.viewport.set && random_chance(r, 50);
     for (uint32_t i = 0; i < count; i++) {
         place_end(b, p);
         b->vertices[b->vertex_count - 1].texcoord[0] =
@@ -60,8 +60,8 @@ void shape_lines(builder *b, uint32_t count)
     const gn_viewport view = builder_viewport(b);
     const placement p = (placement)random_below(r, PLACE_COUNT);
     const uint32_t kind = random_below(r, 3);
-    b->state.topology = topologies[random_below(r, 4)];
-    b->state.line_width = random_chance(r, 40) ? 0.0f : random_size(r);
+    b->state.raster.topology = topologies[random_below(r, 4)];
+    b->state.raster.line_width = random_chance(r, 40) ? 0.0f : random_size(r);
     /* Too few for a line now and then. */
     const uint32_t elements = random_chance(r, 5) ? random_below(r, 3) : count + 1;
     float x = 0.0f, y = 0.0f;
@@ -89,12 +89,12 @@ static void random_state(builder *b)
 {
     random_source *r = &b->random;
     builder_common_state(b);
-    b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
-    b->state.cull = (gn_cull)random_below(r, 4);
+    b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+    b->state.raster.cull = (gn_cull)random_below(r, 4);
     const bool one = random_chance(r, 50);
     const gn_interpolation all = (gn_interpolation)random_below(r, 3);
     for (int i = 0; i < 4; i++)
-        b->state.interpolation[i] = one ? all : (gn_interpolation)random_below(r, 3);
+        b->state.program.interpolation[i] = one ? all : (gn_interpolation)random_below(r, 3);
     if (random_chance(r, 15))
         b->shader = (scene_shader)random_below(r, 3);
     b->uniforms.light.light_direction.z = 1.0f;
@@ -151,7 +151,7 @@ void generate_point_coordinates(builder *b)
         b->shader = SCENE_INPUTS;
         shape_points(b, builder_triangle_count(b));
         random_inputs(b);
-        b->state.fragment_reads_point_coordinate = true;
+        b->state.program.fragment_reads_point_coordinate = true;
         if (random_chance(r, 20))
             shape_elements(b);
         builder_draw(b);
@@ -161,31 +161,31 @@ void generate_point_coordinates(builder *b)
 void state_outlines(builder *b)
 {
     random_source *r = &b->random;
-    b->state.polygon_mode_front = (gn_polygon_mode)random_below(r, 3);
-    b->state.polygon_mode_back =
-        random_chance(r, 40) ? b->state.polygon_mode_front : (gn_polygon_mode)random_below(r, 3);
-    b->state.line_width = random_chance(r, 60) ? 0.0f : random_size(r);
-    b->state.point_size = random_size(r);
+    b->state.raster.polygon_mode_front = (gn_polygon_mode)random_below(r, 3);
+    b->state.raster.polygon_mode_back = random_chance(r, 40) ? b->state.raster.polygon_mode_front
+                                                             : (gn_polygon_mode)random_below(r, 3);
+    b->state.raster.line_width = random_chance(r, 60) ? 0.0f : random_size(r);
+    b->state.raster.point_size = random_size(r);
 }
 
 /* Stencil: the reference takes the wrong face (reference/RULES.md). */
 void fit_outlines(builder *b)
 {
-    const bool unfilled = b->state.polygon_mode_front != GN_POLYGON_FILL ||
-                          b->state.polygon_mode_back != GN_POLYGON_FILL;
+    const bool unfilled = b->state.raster.polygon_mode_front != GN_POLYGON_FILL ||
+                          b->state.raster.polygon_mode_back != GN_POLYGON_FILL;
     const bool reads_facing =
-        b->shader == SCENE_INPUTS && !b->state.fragment_reads_point_coordinate;
-    if (unfilled && b->state.stencil_test && !reads_facing)
-        b->state.stencil_back = b->state.stencil_front;
+        b->shader == SCENE_INPUTS && !b->state.program.fragment_reads_point_coordinate;
+    if (unfilled && b->state.stencil.test && !reads_facing)
+        b->state.stencil.back = b->state.stencil.front;
 }
 
 static void shape_outlines(builder *b, uint32_t count)
 {
     random_source *r = &b->random;
     state_outlines(b);
-    b->state.front_face = (gn_front_face)random_below(r, 2);
-    b->state.cull = (gn_cull)(random_chance(r, 40) ? random_below(r, 3) : 0);
-    b->state.depth_clamp = random_chance(r, 10);
+    b->state.raster.front_face = (gn_front_face)random_below(r, 2);
+    b->state.raster.cull = (gn_cull)(random_chance(r, 40) ? random_below(r, 3) : 0);
+    b->state.depth.clamp = random_chance(r, 10);
     switch (random_below(r, 4)) {
     case 0:
         shape_any_grid(b, 5);
@@ -194,7 +194,8 @@ static void shape_outlines(builder *b, uint32_t count)
         shape_strip(b, count);
         break;
     default:
-        b->state.program_point_size = b->shader == SCENE_VERTEX_COLOR && random_chance(r, 50);
+        b->state.program.vertex_writes_point_size =
+            b->shader == SCENE_VERTEX_COLOR && random_chance(r, 50);
         shape_any(b, 1 + count / 3);
         for (uint32_t i = 0; i < b->vertex_count; i++)
             b->vertices[i].texcoord[0] = random_size(r);
@@ -207,10 +208,10 @@ static void shape_outlines(builder *b, uint32_t count)
     if (random_chance(r, 25))
         random_stencil(b);
     if (random_chance(r, 25)) {
-        b->state.polygon_offset = random_polygon_offset(b);
-        b->state.depth_range.set = random_chance(r, 50);
-        b->state.depth_range.z_near = 0.25f;
-        b->state.depth_range.z_far = random_chance(r, 50) ? 0.75f : 0.0f;
+        b->state.raster.polygon_offset = random_polygon_offset(b);
+        b->state.depth.range.set = random_chance(r, 50);
+        b->state.depth.range.z_near = 0.25f;
+        b->state.depth.range.z_far = random_chance(r, 50) ? 0.75f : 0.0f;
     }
     fit_outlines(b);
     b->counted = random_chance(r, 10);

@@ -142,7 +142,7 @@ void shape_strip(builder *b, uint32_t triangles)
     random_source *r = &b->random;
     const gn_viewport view = builder_viewport(b);
     const bool fan = random_chance(r, 50);
-    b->state.topology = fan ? GN_TRIANGLE_FAN : GN_TRIANGLE_STRIP;
+    b->state.raster.topology = fan ? GN_TRIANGLE_FAN : GN_TRIANGLE_STRIP;
     /* Too few for a triangle now and then; often four, which the reference may draw as
      * a quadrilateral. */
     const uint32_t kind = random_below(r, 20);
@@ -171,7 +171,7 @@ void shape_random_indices(builder *b, placement p, uint32_t vertices, uint32_t t
     const uint32_t base = b->vertex_count;
     for (uint32_t i = 0; i < vertices; i++)
         shape_place(b, builder_vertex(b), p);
-    const uint32_t per = b->state.topology == GN_TRIANGLES ? 3 * triangles : triangles + 2;
+    const uint32_t per = b->state.raster.topology == GN_TRIANGLES ? 3 * triangles : triangles + 2;
     for (uint32_t i = 0; i < per; i++)
         builder_index(b, base + random_below(r, vertices));
 }
@@ -208,12 +208,12 @@ void generate_piles(builder *b)
     b->scene->depth_format = depths[random_below(r, 3)];
     for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
         builder_common_state(b);
-        b->state.depth_test = true;
-        b->state.depth_function = functions[random_below(r, 2)];
+        b->state.depth.test = true;
+        b->state.depth.function = functions[random_below(r, 2)];
         shape_pile(b, 1 + builder_triangle_count(b) / 2);
         if (random_chance(r, 40)) { /* the same again, to meet the depths just written */
             builder_draw(b);
-            b->state.depth_function = functions[random_below(r, 4)];
+            b->state.depth.function = functions[random_below(r, 4)];
             scene_draw *first = &b->scene->draws[b->scene->draw_count - 1];
             const float *position = first->mesh.attribute[GN_ATTRIBUTE_POSITION].data;
             for (uint32_t i = 0; i < first->mesh.vertex_count; i++)
@@ -231,8 +231,8 @@ void generate_strips(builder *b)
         builder_common_state(b);
         const bool flat = random_chance(r, 50);
         for (int i = 0; flat && i < 4; i++)
-            b->state.interpolation[i] = GN_FLAT;
-        b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+            b->state.program.interpolation[i] = GN_FLAT;
+        b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
         shape_strip(b, builder_triangle_count(b));
         b->index_format = random_index_format(b);
         builder_draw(b);
@@ -245,14 +245,15 @@ void generate_indexed(builder *b)
     builder_common_target(b);
     for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
         builder_common_state(b);
-        b->state.topology = random_chance(r, 60) ? GN_TRIANGLES : (gn_topology)random_below(r, 3);
+        b->state.raster.topology =
+            random_chance(r, 60) ? GN_TRIANGLES : (gn_topology)random_below(r, 3);
         const uint32_t vertices =
             random_chance(r, 70) ? 3 + random_below(r, 40) : 200 + random_below(r, 400);
         const placement p = (placement)random_below(r, PLACE_COUNT);
         shape_random_indices(b, p, vertices, builder_triangle_count(b));
         const gn_index_format formats[] = {GN_INDEX_UINT8, GN_INDEX_UINT16, GN_INDEX_UINT32};
         b->index_format = formats[vertices > 256 ? 1 + random_below(r, 2) : random_below(r, 3)];
-        if (b->state.topology == GN_TRIANGLES && random_chance(r, 20)) {
+        if (b->state.raster.topology == GN_TRIANGLES && random_chance(r, 20)) {
             builder_index(b, 0); /* one or two elements that make no triangle */
             if (random_chance(r, 50))
                 builder_index(b, 0);

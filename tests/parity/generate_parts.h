@@ -53,6 +53,12 @@ void shape_random_indices(builder *b, placement p, uint32_t vertices, uint32_t t
 /* One of the shapes of separate triangles. */
 void shape_separate(builder *b, uint32_t count);
 
+/* Any comparison but the default. */
+static inline gn_compare random_comparison(random_source *r)
+{
+    return (gn_compare)(GN_NEVER + random_below(r, GN_ALWAYS - GN_NEVER + 1));
+}
+
 /* A range and a scissor to try things with; set. */
 gn_depth_range random_depth_range(builder *b);
 gn_scissor random_scissor(builder *b);

@@ -13,13 +13,13 @@ static bool line_in_window(const scene *s, const scene_draw *d, const float *con
                            double at[2][2])
 {
     const gn_viewport whole = {true, 0.0f, 0.0f, (float)s->width, (float)s->height};
-    const gn_viewport v = d->state.viewport.set ? d->state.viewport : whole;
+    const gn_viewport v = d->state.raster.viewport.set ? d->state.raster.viewport : whole;
     for (int i = 0; i < 2; i++) {
         const double w = (double)end[i][3];
         for (int c = 0; c < 3; c++)
             if (!(fabs((double)end[i][c]) < 0.999 * w))
                 return false;
-        if (d->state.clip_depth == GN_ZERO_TO_ONE && !((double)end[i][2] > 0.001 * w))
+        if (d->state.depth.clip_depth == GN_ZERO_TO_ONE && !((double)end[i][2] > 0.001 * w))
             return false;
         at[i][0] = (double)v.x + 0.5 * (double)v.width * (1.0 + (double)end[i][0] / w);
         at[i][1] = (double)v.y + 0.5 * (double)v.height * (1.0 + (double)end[i][1] / w);
@@ -33,7 +33,8 @@ static bool line_in_window(const scene *s, const scene_draw *d, const float *con
 static bool line_is_safe(const scene *s, const scene_draw *d, const float *const end[2])
 {
     const double size[2] = {(double)s->width, (double)s->height};
-    const double width = d->state.line_width > 1.0f ? (double)d->state.line_width : 1.0;
+    const double width =
+        d->state.raster.line_width > 1.0f ? (double)d->state.raster.line_width : 1.0;
     double at[2][2];
     if (!line_in_window(s, d, end, at))
         return false;
@@ -55,18 +56,19 @@ static bool move_lines(random_source *r, scene *s, scene_draw *d)
 {
     const gn_attribute *const position = &d->mesh.attribute[GN_ATTRIBUTE_POSITION];
     const gn_mesh *const mesh = &d->mesh;
-    const uint32_t step = d->state.topology == GN_LINES ? 2 : 1;
+    const uint32_t step = d->state.raster.topology == GN_LINES ? 2 : 1;
     gn_mat4 identity;
     gn_mat4_identity(&identity);
     if (memcmp(&identity, &d->uniforms.light.clip_from_model, sizeof identity) != 0 ||
         position->components != 4 || mesh->restart != GN_RESTART_NONE || mesh->base_vertex != 0)
         return false;
     float *const p = (float *)position->data;
-    const float least = d->state.clip_depth == GN_ZERO_TO_ONE ? 0.01f : -0.99f;
+    const float least = d->state.depth.clip_depth == GN_ZERO_TO_ONE ? 0.01f : -0.99f;
     bool moved = true;
     for (int attempt = 0; moved && attempt < 100; attempt++) {
         moved = false;
-        for (uint32_t i = 0; i + 1 < mesh->count + (d->state.topology == GN_LINE_LOOP); i += step) {
+        for (uint32_t i = 0; i + 1 < mesh->count + (d->state.raster.topology == GN_LINE_LOOP);
+             i += step) {
             float *const end[2] = {
                 p + (size_t)4 * scene_vertex_of(mesh, mesh->first + i),
                 p + (size_t)4 * scene_vertex_of(mesh, mesh->first + (i + 1) % mesh->count)};
@@ -88,14 +90,14 @@ static bool move_lines(random_source *r, scene *s, scene_draw *d)
 static void smooth_all(scene_draw *d)
 {
     for (int i = 0; i < GN_MAX_VARYINGS; i++)
-        if (d->state.interpolation[i] == GN_NOPERSPECTIVE)
-            d->state.interpolation[i] = GN_SMOOTH;
+        if (d->state.program.interpolation[i] == GN_NOPERSPECTIVE)
+            d->state.program.interpolation[i] = GN_SMOOTH;
 }
 
 /* What the reference draws otherwise than OpenGL says with several samples (reference/RULES.md). */
 static void avoid_defects(random_source *r, scene *s, scene_draw *d)
 {
-    gn_scissor *const scissor = &d->state.scissor;
+    gn_scissor *const scissor = &d->state.raster.scissor;
     /* A scissor leaks to the left and downward: the left and the lower side lie outside. */
     if (scissor->set && scissor->x > 0) {
         scissor->width += (uint32_t)scissor->x;
@@ -105,18 +107,18 @@ static void avoid_defects(random_source *r, scene *s, scene_draw *d)
         scissor->height += (uint32_t)scissor->y;
         scissor->y = 0;
     }
-    if (d->state.polygon_mode_front == GN_POLYGON_LINE ||
-        d->state.polygon_mode_back == GN_POLYGON_LINE) {
-        d->state.polygon_mode_front = d->state.polygon_mode_back = GN_POLYGON_FILL;
+    if (d->state.raster.polygon_mode_front == GN_POLYGON_LINE ||
+        d->state.raster.polygon_mode_back == GN_POLYGON_LINE) {
+        d->state.raster.polygon_mode_front = d->state.raster.polygon_mode_back = GN_POLYGON_FILL;
         smooth_all(d);
     }
-    if (d->state.topology > GN_POINTS) {
+    if (d->state.raster.topology > GN_POINTS) {
         scissor->set = false;
-        d->state.clip_distance_count = 0; /* cut lines begin anywhere */
+        d->state.program.clip_distance_count = 0; /* cut lines begin anywhere */
         /* Now and then one is lost at a tile's border beside what line_is_safe knows of. */
         const bool one_tile = (double)s->width <= TILE && (double)s->height <= TILE;
         if (!one_tile || !move_lines(r, s, d)) {
-            d->state.topology = GN_TRIANGLES;
+            d->state.raster.topology = GN_TRIANGLES;
             smooth_all(d);
         }
     }
@@ -124,11 +126,11 @@ static void avoid_defects(random_source *r, scene *s, scene_draw *d)
 
 static void random_sample_state(random_source *r, gn_pipeline *p)
 {
-    p->samples_disabled = random_chance(r, 30) ? random_below(r, 1u << GN_SAMPLES) : 0;
-    p->alpha_to_coverage = random_chance(r, 20);
+    p->samples.write_disabled = random_chance(r, 30) ? random_below(r, 1u << GN_SAMPLES) : 0;
+    p->samples.alpha_to_coverage = random_chance(r, 20);
     /* Which the reference forgets where a shader writes depth or a mask. */
-    p->alpha_to_one =
-        random_chance(r, 25) && !p->fragment_writes_depth && !p->fragment_writes_sample_mask;
+    p->samples.alpha_to_one = random_chance(r, 25) && !p->program.fragment_writes_depth &&
+                              !p->program.fragment_writes_sample_mask;
 }
 
 void make_sampled(random_source *r, scene *s)
@@ -157,8 +159,8 @@ static void mask_samples(random_source *r, scene_draw *d)
 {
     if (d->shader == SCENE_VERTEX_COLOR)
         d->shader = SCENE_INPUTS;
-    d->state.fragment_reads_sample_mask = random_chance(r, 60);
-    d->state.fragment_writes_sample_mask = random_chance(r, 60);
+    d->state.program.fragment_reads_sample_mask = random_chance(r, 60);
+    d->state.program.fragment_writes_sample_mask = random_chance(r, 60);
 }
 
 scene *generate_masks(uint64_t seed)

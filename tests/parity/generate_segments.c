@@ -73,7 +73,7 @@ static bool find_aside(place way, place *aside)
 static void add_sliver(segments *s, uint32_t sliver[3])
 {
     random_source *r = &s->b->random;
-    const place hub = s->b->state.topology == GN_TRIANGLE_FAN ? s->hub : random_hub(s->b);
+    const place hub = s->b->state.raster.topology == GN_TRIANGLE_FAN ? s->hub : random_hub(s->b);
     place way, aside;
     do {
         way.x = random_between(r, -7, 7);
@@ -87,7 +87,8 @@ static void add_sliver(segments *s, uint32_t sliver[3])
     const place end[2] = {{hub.x + right * way.x - aside.x, hub.y + right * way.y - aside.y},
                           {hub.x + left * way.x + aside.x, hub.y + left * way.y + aside.y}};
 
-    sliver[0] = s->b->state.topology == GN_TRIANGLE_FAN ? s->rest : add_vertex(s->b, hub, 0, 0);
+    sliver[0] =
+        s->b->state.raster.topology == GN_TRIANGLE_FAN ? s->rest : add_vertex(s->b, hub, 0, 0);
     for (int i = 0; i < 2; i++) {
         const float across = (i == 0 ? 0.42f : -0.42f) / length;
         float off_x = across * (float)-way.y, off_y = across * (float)way.x;
@@ -127,10 +128,10 @@ static void add_triangles(segments *s, uint32_t begin)
     random_source *r = &b->random;
     const uint32_t n = b->index_count - begin;
     uint32_t sliver[3] = {s->rest, s->rest, s->rest};
-    const bool is_third = b->state.topology == GN_TRIANGLES && n % 4095 == 6;
+    const bool is_third = b->state.raster.topology == GN_TRIANGLES && n % 4095 == 6;
     if (random_chance(r, is_near_boundary(n) ? 90 : 4) || is_third)
         choose_sliver(s, sliver);
-    switch (b->state.topology) {
+    switch (b->state.raster.topology) {
     case GN_TRIANGLE_STRIP: {
         const uint32_t odd = (n + 1) & 1; /* its first two change places */
         builder_index(b, sliver[odd]);
@@ -179,7 +180,7 @@ static void add_run(segments *s, uint32_t count)
     builder *b = s->b;
     const uint32_t begin = b->index_count;
     while (b->index_count < begin + count) {
-        if (b->state.topology <= GN_TRIANGLE_FAN)
+        if (b->state.raster.topology <= GN_TRIANGLE_FAN)
             add_triangles(s, begin);
         else
             add_step(s);
@@ -235,23 +236,23 @@ static void choose_state(builder *b)
     random_source *r = &b->random;
     builder_common_target(b);
     builder_common_state(b);
-    b->state.topology = triangles[random_below(r, 4)];
+    b->state.raster.topology = triangles[random_below(r, 4)];
     if (random_chance(r, 12)) {
-        b->state.topology = lines[random_below(r, 4)];
-        b->state.line_width = random_chance(r, 70) ? 0.0f : 2.0f;
-        b->state.point_size = random_float(r, 1.0f, 3.0f);
+        b->state.raster.topology = lines[random_below(r, 4)];
+        b->state.raster.line_width = random_chance(r, 70) ? 0.0f : 2.0f;
+        b->state.raster.point_size = random_float(r, 1.0f, 3.0f);
     }
-    b->state.cull = (gn_cull)(1 + random_below(r, 2));
+    b->state.raster.cull = (gn_cull)(1 + random_below(r, 2));
     if (random_chance(r, 8))
-        b->state.cull = GN_CULL_NONE;
-    b->state.front_face = (gn_front_face)random_below(r, 2);
-    b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
-    b->state.depth_test = false;
+        b->state.raster.cull = GN_CULL_NONE;
+    b->state.raster.front_face = (gn_front_face)random_below(r, 2);
+    b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+    b->state.depth.test = false;
     for (int i = 0; i < 4 && random_chance(r, 20); i++)
-        b->state.interpolation[i] = GN_FLAT;
+        b->state.program.interpolation[i] = GN_FLAT;
     if (random_chance(r, 8)) {
-        b->state.polygon_mode_front = (gn_polygon_mode)random_below(r, 3);
-        b->state.polygon_mode_back = (gn_polygon_mode)random_below(r, 3);
+        b->state.raster.polygon_mode_front = (gn_polygon_mode)random_below(r, 3);
+        b->state.raster.polygon_mode_back = (gn_polygon_mode)random_below(r, 3);
     }
 }
 
@@ -284,7 +285,8 @@ void generate_segments(builder *b)
     segments s = {.b = b};
 
     choose_state(b);
-    s.clockwise = (b->state.cull == GN_CULL_FRONT) == (b->state.front_face != GN_FRONT_CLOCKWISE);
+    s.clockwise = (b->state.raster.cull == GN_CULL_FRONT) ==
+                  (b->state.raster.front_face != GN_FRONT_CLOCKWISE);
     if (random_chance(r, 5))
         s.clockwise = !s.clockwise;
     s.turned = random_chance(r, 90);
@@ -292,7 +294,7 @@ void generate_segments(builder *b)
     if (random_chance(r, 60))
         b->index_format = formats[random_below(r, 3)];
     /* Longer loops with indices are a defect of the reference's (reference/RULES.md). */
-    if (b->state.topology == GN_LINE_LOOP)
+    if (b->state.raster.topology == GN_LINE_LOOP)
         b->index_format = GN_INDEX_NONE;
     add_unnamed(b, random_below(r, 10));
     const int32_t least = (int32_t)b->vertex_count;

@@ -10,10 +10,10 @@
 static gn_stencil_face any_face(random_source *r, uint8_t near)
 {
     gn_stencil_face f;
-    f.function = (gn_stencil_function)random_below(r, 8);
+    f.function = random_comparison(r);
     f.reference = (uint8_t)(near + random_below(r, 5) - 2);
-    f.ignored_bits = random_chance(r, 70) ? 0 : (uint8_t)random_below(r, 256);
-    f.write_disabled_bits = random_chance(r, 70) ? 0 : (uint8_t)random_below(r, 256);
+    f.compare_disabled = random_chance(r, 70) ? 0 : (uint8_t)random_below(r, 256);
+    f.write_disabled = random_chance(r, 70) ? 0 : (uint8_t)random_below(r, 256);
     f.fail = (gn_stencil_operation)random_below(r, 8);
     f.depth_fail = (gn_stencil_operation)random_below(r, 8);
     f.pass = (gn_stencil_operation)random_below(r, 8);
@@ -47,35 +47,35 @@ static gn_polygon_offset known_offset(builder *b)
 static void any_tests(builder *b)
 {
     random_source *r = &b->random;
-    b->state.depth_test = random_chance(r, 80);
-    b->state.depth_function = (gn_compare)random_below(r, 8);
-    b->state.depth_write_disabled = random_chance(r, 30);
-    b->state.stencil_test = random_chance(r, 40);
-    if (b->state.stencil_test) {
-        b->state.stencil_front = any_face(r, b->scene->clear_stencil);
-        b->state.stencil_back = any_face(r, b->scene->clear_stencil);
+    b->state.depth.test = random_chance(r, 80);
+    b->state.depth.function = random_comparison(r);
+    b->state.depth.write_disabled = random_chance(r, 30);
+    b->state.stencil.test = random_chance(r, 40);
+    if (b->state.stencil.test) {
+        b->state.stencil.front = any_face(r, b->scene->clear_stencil);
+        b->state.stencil.back = any_face(r, b->scene->clear_stencil);
     }
     if (random_chance(r, 30))
-        b->state.depth_range = random_depth_range(b);
+        b->state.depth.range = random_depth_range(b);
     if (random_chance(r, 40))
-        b->state.polygon_offset = known_offset(b);
-    b->state.depth_clamp = random_chance(r, 30);
-    b->state.clip_depth = (gn_clip_depth)random_below(r, 2);
+        b->state.raster.polygon_offset = known_offset(b);
+    b->state.depth.clamp = random_chance(r, 30);
+    b->state.depth.clip_depth = (gn_clip_depth)random_below(r, 2);
 }
 
 static void any_window(builder *b)
 {
     random_source *r = &b->random;
     if (random_chance(r, 30)) {
-        b->state.viewport = random_viewport(b);
-        if (!(b->state.viewport.width >= 1.0f && b->state.viewport.height >= 1.0f))
-            b->state.viewport.width = b->state.viewport.height = 1.0f;
+        b->state.raster.viewport = random_viewport(b);
+        if (!(b->state.raster.viewport.width >= 1.0f && b->state.raster.viewport.height >= 1.0f))
+            b->state.raster.viewport.width = b->state.raster.viewport.height = 1.0f;
     }
     if (random_chance(r, 30))
-        b->state.scissor = random_scissor(b);
-    b->state.cull = (gn_cull)(random_chance(r, 60) ? 0 : 1 + random_below(r, 3));
-    b->state.front_face = (gn_front_face)random_below(r, 2);
-    b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+        b->state.raster.scissor = random_scissor(b);
+    b->state.raster.cull = (gn_cull)(random_chance(r, 60) ? 0 : 1 + random_below(r, 3));
+    b->state.raster.front_face = (gn_front_face)random_below(r, 2);
+    b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
 }
 
 /* Writes most of the time all that it may. */
@@ -83,15 +83,15 @@ static void any_color_state(builder *b, bool may_blend)
 {
     random_source *r = &b->random;
     if (random_chance(r, 50))
-        b->state.color_write_disabled[0] = random_below(r, 16);
+        b->state.color.write_disabled[0] = random_below(r, 16);
     if (random_chance(r, 50) && may_blend)
-        b->state.blend[0] = any_blend(r);
+        b->state.color.blend[0] = any_blend(r);
     for (int c = 0; c < 4; c++)
-        b->state.blend_constant[c] = random_unit(r);
+        b->state.color.blend_constant[c] = random_unit(r);
     mix_attachments(b, false);
-    b->state.color_logic = random_chance(r, b->state.blend[0].enabled ? 50 : 30);
-    if (b->state.color_logic)
-        b->state.logic_operation = (gn_logic_operation)random_below(r, 16);
+    b->state.color.logic = random_chance(r, b->state.color.blend[0].enabled ? 50 : 30);
+    if (b->state.color.logic)
+        b->state.color.logic_operation = (gn_logic_operation)random_below(r, 16);
 }
 
 /* True where a varying is noperspective. */
@@ -119,8 +119,8 @@ static bool any_shader(builder *b)
         const bool one = random_chance(r, 80);
         const gn_interpolation all = (gn_interpolation)random_below(r, 3);
         for (int i = 0; i < 4; i++) {
-            b->state.interpolation[i] = one ? all : (gn_interpolation)random_below(r, 3);
-            noperspective = noperspective || b->state.interpolation[i] == GN_NOPERSPECTIVE;
+            b->state.program.interpolation[i] = one ? all : (gn_interpolation)random_below(r, 3);
+            noperspective = noperspective || b->state.program.interpolation[i] == GN_NOPERSPECTIVE;
         }
     }
     return noperspective;
@@ -158,8 +158,9 @@ static void any_mesh(builder *b, uint32_t count, bool noperspective)
     if (topology == GN_POINTS) {
         shape_points(b, count);
         /* More often than others, since few draws may have it. */
-        if (b->shader == SCENE_VERTEX_COLOR && !b->state.viewport.set && random_chance(r, 50))
-            b->state.program_point_size = true;
+        if (b->shader == SCENE_VERTEX_COLOR && !b->state.raster.viewport.set &&
+            random_chance(r, 50))
+            b->state.program.vertex_writes_point_size = true;
     } else if (topology >= GN_LINES) {
         shape_lines(b, count);
     } else if (topology == GN_TRIANGLES && !noperspective && random_chance(r, 70)) {
@@ -169,7 +170,7 @@ static void any_mesh(builder *b, uint32_t count, bool noperspective)
         for (uint32_t i = 0; i < count + 2 || i < 3; i++)
             shape_place(b, builder_vertex(b), p);
     }
-    b->state.topology = topology;
+    b->state.raster.topology = topology;
     b->index_format = (gn_index_format)random_below(r, 4);
     if (b->vertex_count > 256 && b->index_format == GN_INDEX_UINT8)
         b->index_format = GN_INDEX_UINT16;
@@ -178,9 +179,9 @@ static void any_mesh(builder *b, uint32_t count, bool noperspective)
         for (uint32_t i = 0, elements = b->vertex_count; i < elements; i++)
             builder_index(b, random_below(r, b->vertex_count));
     if (topology != GN_POINTS)
-        b->state.point_size = (float)random_below(r, 4);
+        b->state.raster.point_size = (float)random_below(r, 4);
     if (topology < GN_LINES)
-        b->state.line_width = (float)random_below(r, 4);
+        b->state.raster.line_width = (float)random_below(r, 4);
     b->lead = random_chance(r, 20) ? random_below(r, 9) : 0;
     b->trail = random_chance(r, 10) ? random_below(r, 9) : 0;
 }
@@ -188,11 +189,12 @@ static void any_mesh(builder *b, uint32_t count, bool noperspective)
 static void any_polygon_modes(builder *b)
 {
     random_source *r = &b->random;
-    b->state.point_origin = (gn_point_origin)random_below(r, 2);
+    b->state.raster.point_origin = (gn_point_origin)random_below(r, 2);
     if (random_chance(r, 35)) {
-        b->state.polygon_mode_front = (gn_polygon_mode)random_below(r, 3);
-        b->state.polygon_mode_back = random_chance(r, 50) ? b->state.polygon_mode_front
-                                                          : (gn_polygon_mode)random_below(r, 3);
+        b->state.raster.polygon_mode_front = (gn_polygon_mode)random_below(r, 3);
+        b->state.raster.polygon_mode_back = random_chance(r, 50)
+                                                ? b->state.raster.polygon_mode_front
+                                                : (gn_polygon_mode)random_below(r, 3);
     }
 }
 

@@ -164,7 +164,7 @@ static void add_shaded(builder *b, scene_shader shader)
     random_shape(b);
     random_shading(b, &memory);
     if (shader == SCENE_DEPTH_COLOR && random_chance(r, 30))
-        b->state.polygon_offset = random_polygon_offset(b);
+        b->state.raster.polygon_offset = random_polygon_offset(b);
     if (random_chance(r, 10))
         random_clip_planes(b, 1 + random_below(r, 2));
     if (b->scene->color_format == GN_FORMAT_RGBA8 && random_chance(r, 10))
@@ -249,17 +249,17 @@ static void add_shadow_map(builder *b)
     scene *first = scene_create(width, height, GN_FORMAT_RGBA8, format);
     scene *copy = scene_copy(b->scene);
     scene_draw seen = copy->draws[copy->draw_count - 1];
-    const gn_topology topology = seen.state.topology;
+    const gn_topology topology = seen.state.raster.topology;
     scene_frame frame;
     gn_texture map = {GN_TEXTURE_2D, first->depth_format, first->width, first->height, 1, 1, {{0}}};
 
     memset(&seen.state, 0, sizeof seen.state);
     memset(&seen.clear, 0, sizeof seen.clear);
     seen.shader = SCENE_DEPTH_ONLY;
-    seen.state.topology = topology;
-    seen.state.depth_test = true;
+    seen.state.raster.topology = topology;
+    seen.state.depth.test = true;
     if (random_chance(r, 70))
-        seen.state.polygon_offset = random_polygon_offset(b);
+        seen.state.raster.polygon_offset = random_polygon_offset(b);
     gn_mat4_multiply(&b->surface.shadow_from_world, &b->surface.world_from_model,
                      &seen.uniforms.light.clip_from_model);
     *scene_add_draw(first) = seen;
@@ -292,8 +292,7 @@ static void add_shadowed(builder *b)
     random_light_camera(b);
     sampler = &b->surface.shadow_sampler;
     random_map_sampler(r, sampler);
-    sampler->compare = random_chance(r, 60) ? GN_TEXTURE_COMPARE_LESS_OR_EQUAL
-                                            : (gn_texture_compare)(1 + random_below(r, 8));
+    sampler->compare = random_chance(r, 60) ? GN_LESS_OR_EQUAL : random_comparison(r);
     if (random_chance(r, 70))
         sampler->wrap_s = sampler->wrap_t = GN_WRAP_CLAMP_TO_BORDER;
     sampler->border[0] = random_chance(r, 80) ? 1.0f : random_unit(r);

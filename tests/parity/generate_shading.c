@@ -112,7 +112,7 @@ void add_body(builder *b)
     b->index_format = b->index_count > 0 && random_chance(r, 50) ? GN_INDEX_UINT16 : GN_INDEX_NONE;
     b->position_components = random_chance(r, 50) ? 3 : 4;
     if (random_chance(r, 30))
-        b->state.cull = GN_CULL_BACK;
+        b->state.raster.cull = GN_CULL_BACK;
 }
 
 void generate_lit(builder *b)
@@ -121,7 +121,7 @@ void generate_lit(builder *b)
     builder_common_target(b);
     for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
         builder_common_state(b);
-        b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+        b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
         b->shader = random_chance(r, 50) ? SCENE_FLAT : SCENE_GOURAUD;
         random_camera(b);
         random_light(b);

@@ -89,8 +89,8 @@ void generate_framebuffers(builder *b)
     for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
         builder_common_state(b);
         if (random_chance(r, 70))
-            b->state.viewport = random_viewport(b);
-        if (random_chance(r, 50) || b->state.viewport.width == 0.0f)
+            b->state.raster.viewport = random_viewport(b);
+        if (random_chance(r, 50) || b->state.raster.viewport.width == 0.0f)
             shape_separate(b, 1 + builder_triangle_count(b) / 2);
         else
             shape_any_grid(b, 5);
@@ -140,11 +140,11 @@ void generate_depth_state(builder *b)
     b->scene->clear_depth = clear_depths[random_below(r, 5)];
     for (uint32_t draws = 1 + random_below(r, 5); draws > 0; draws--) {
         builder_common_state(b);
-        b->state.depth_test = random_chance(r, 90);
-        b->state.depth_function = (gn_compare)random_below(r, 8);
-        b->state.depth_write_disabled = random_chance(r, 25);
+        b->state.depth.test = random_chance(r, 90);
+        b->state.depth.function = random_comparison(r);
+        b->state.depth.write_disabled = random_chance(r, 25);
         if (random_chance(r, 60))
-            b->state.depth_range = random_depth_range(b);
+            b->state.depth.range = random_depth_range(b);
         if (random_chance(r, 60))
             shape_pile(b, 1 + builder_triangle_count(b) / 3);
         else
@@ -159,12 +159,12 @@ void generate_culling(builder *b)
     builder_common_target(b);
     for (uint32_t draws = 1 + random_below(r, 4); draws > 0; draws--) {
         builder_common_state(b);
-        b->state.cull = (gn_cull)random_below(r, random_chance(r, 20) ? 4 : 3);
-        b->state.front_face = (gn_front_face)random_below(r, 2);
-        b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+        b->state.raster.cull = (gn_cull)random_below(r, random_chance(r, 20) ? 4 : 3);
+        b->state.raster.front_face = (gn_front_face)random_below(r, 2);
+        b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
         const bool flat = random_chance(r, 60);
         for (int i = 0; flat && i < 4; i++)
-            b->state.interpolation[i] = GN_FLAT;
+            b->state.program.interpolation[i] = GN_FLAT;
         const uint32_t kind = random_below(r, 10), count = 1 + builder_triangle_count(b) / 2;
         if (kind < 3) {
             shape_strip(b, count);
@@ -208,8 +208,8 @@ static bool random_interpolation(builder *b)
     const gn_interpolation all = (gn_interpolation)random_below(r, 3);
     bool noperspective = false;
     for (int i = 0; i < 4; i++) {
-        b->state.interpolation[i] = mixed ? (gn_interpolation)random_below(r, 3) : all;
-        noperspective = noperspective || b->state.interpolation[i] == GN_NOPERSPECTIVE;
+        b->state.program.interpolation[i] = mixed ? (gn_interpolation)random_below(r, 3) : all;
+        noperspective = noperspective || b->state.program.interpolation[i] == GN_NOPERSPECTIVE;
     }
     return noperspective;
 }
@@ -222,8 +222,8 @@ void generate_interpolation(builder *b)
     b->scene->depth_format = depths[random_below(r, 2)];
     for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
         builder_common_state(b);
-        b->state.depth_test = b->scene->depth_format != GN_FORMAT_NONE;
-        b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+        b->state.depth.test = b->scene->depth_format != GN_FORMAT_NONE;
+        b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
         const uint32_t count = builder_triangle_count(b);
         if (random_interpolation(b) || random_chance(r, 50))
             shape_across_one_axis(b, count);
@@ -242,11 +242,11 @@ void generate_float_color(builder *b)
         b->scene->clear_color[i] = random_float(r, -2.0f, 3.0f);
     for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
         builder_common_state(b);
-        b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+        b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
         const gn_interpolation all = random_chance(r, 75) ? GN_SMOOTH : GN_FLAT;
         const bool noperspective = random_chance(r, 25);
         for (int i = 0; i < 4; i++)
-            b->state.interpolation[i] = noperspective ? GN_NOPERSPECTIVE : all;
+            b->state.program.interpolation[i] = noperspective ? GN_NOPERSPECTIVE : all;
         const uint32_t count = builder_triangle_count(b);
         if (noperspective)
             shape_across_one_axis(b, count);
@@ -291,7 +291,7 @@ void generate_color_range(builder *b)
         builder_common_state(b);
         const bool flat = random_chance(r, 50);
         for (int i = 0; flat && i < 4; i++)
-            b->state.interpolation[i] = GN_FLAT;
+            b->state.program.interpolation[i] = GN_FLAT;
         any_triangles(b, builder_triangle_count(b));
         for (uint32_t i = 0; i < b->vertex_count; i++)
             for (int c = 0; c < 4; c++)
@@ -305,20 +305,20 @@ static void mixed_draw(builder *b)
     static const gn_compare functions[] = {GN_LESS, GN_LESS_OR_EQUAL, GN_ALWAYS, GN_GREATER};
     random_source *r = &b->random;
     builder_common_state(b);
-    b->state.depth_function = functions[random_below(r, 4)];
+    b->state.depth.function = functions[random_below(r, 4)];
     if (random_chance(r, 30))
-        b->state.viewport = random_viewport(b);
+        b->state.raster.viewport = random_viewport(b);
     if (random_chance(r, 30))
-        b->state.depth_range = random_depth_range(b);
+        b->state.depth.range = random_depth_range(b);
     if (random_chance(r, 20))
-        b->state.scissor = random_scissor(b);
+        b->state.raster.scissor = random_scissor(b);
     if (random_chance(r, 20))
-        b->state.polygon_offset = random_polygon_offset(b);
-    b->state.depth_clamp = random_chance(r, 15);
-    b->state.clip_depth = (gn_clip_depth)random_chance(r, 15);
-    b->state.cull = (gn_cull)(random_chance(r, 40) ? random_below(r, 3) : 0);
-    b->state.front_face = (gn_front_face)random_below(r, 2);
-    b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+        b->state.raster.polygon_offset = random_polygon_offset(b);
+    b->state.depth.clamp = random_chance(r, 15);
+    b->state.depth.clip_depth = (gn_clip_depth)random_chance(r, 15);
+    b->state.raster.cull = (gn_cull)(random_chance(r, 40) ? random_below(r, 3) : 0);
+    b->state.raster.front_face = (gn_front_face)random_below(r, 2);
+    b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
     b->shader = (scene_shader)(random_chance(r, 40) ? random_below(r, 3) : 0);
     b->uniforms.light.light_direction.z = 1.0f;
     b->uniforms.light.ambient = (gn_vec3){0.25f, 0.25f, 0.5f};
@@ -327,8 +327,8 @@ static void mixed_draw(builder *b)
     if (random_chance(r, 15))
         state_outlines(b);
     const uint32_t count = 1 + builder_triangle_count(b) / 3;
-    const bool empty = b->state.viewport.set &&
-                       (b->state.viewport.width == 0.0f || b->state.viewport.height == 0.0f);
+    const bool empty = b->state.raster.viewport.set && (b->state.raster.viewport.width == 0.0f ||
+                                                        b->state.raster.viewport.height == 0.0f);
     switch (empty ? 5 : random_below(r, 10)) {
     case 0:
         shape_any_grid(b, 6);

@@ -10,10 +10,10 @@ static uint8_t random_byte(random_source *r)
 static gn_stencil_face random_face(random_source *r, uint8_t near)
 {
     gn_stencil_face f;
-    f.function = (gn_stencil_function)random_below(r, 8);
+    f.function = random_comparison(r);
     f.reference = random_chance(r, 70) ? (uint8_t)(near + random_below(r, 3) - 1) : random_byte(r);
-    f.ignored_bits = random_chance(r, 70) ? 0 : random_byte(r);
-    f.write_disabled_bits = random_chance(r, 70) ? 0 : random_byte(r);
+    f.compare_disabled = random_chance(r, 70) ? 0 : random_byte(r);
+    f.write_disabled = random_chance(r, 70) ? 0 : random_byte(r);
     f.fail = (gn_stencil_operation)random_below(r, 8);
     f.depth_fail = (gn_stencil_operation)random_below(r, 8);
     f.pass = (gn_stencil_operation)random_below(r, 8);
@@ -31,14 +31,15 @@ void random_stencil(builder *b)
     random_source state = random_seed(random_below(r, KNOWN_STATES));
     if (random_chance(r, 4))
         state = random_seed(random_bits(r));
-    b->state.stencil_test = true;
-    b->state.stencil_front = random_face(&state, near);
-    b->state.stencil_back = random_face(&state, near);
-    b->state.depth_function = (gn_compare)(random_chance(&state, 50) ? random_below(&state, 8) : 0);
-    b->state.depth_write_disabled = random_chance(&state, 25);
+    b->state.stencil.test = true;
+    b->state.stencil.front = random_face(&state, near);
+    b->state.stencil.back = random_face(&state, near);
+    b->state.depth.function =
+        random_chance(&state, 50) ? random_comparison(&state) : GN_COMPARE_DEFAULT;
+    b->state.depth.write_disabled = random_chance(&state, 25);
     for (int i = 0; i < 2; i++)
         if (random_chance(r, 30))
-            (i ? &b->state.stencil_front : &b->state.stencil_back)->reference = random_byte(r);
+            (i ? &b->state.stencil.front : &b->state.stencil.back)->reference = random_byte(r);
 }
 
 void generate_stencil(builder *b)
@@ -53,8 +54,8 @@ void generate_stencil(builder *b)
     b->scene->clear_stencil = clears[random_below(r, 6)];
     for (uint32_t draws = 1 + random_below(r, 5); draws > 0; draws--) {
         builder_common_state(b);
-        b->state.front_face = (gn_front_face)random_below(r, 2);
-        b->state.cull = (gn_cull)(random_chance(r, 15) ? random_below(r, 3) : 0);
+        b->state.raster.front_face = (gn_front_face)random_below(r, 2);
+        b->state.raster.cull = (gn_cull)(random_chance(r, 15) ? random_below(r, 3) : 0);
         if (random_chance(r, 90))
             random_stencil(b);
         shape_any(b, 1 + builder_triangle_count(b) / 2);

@@ -139,7 +139,7 @@ static void random_sampler(random_source *r, const gn_texture *t, gn_sampler *s,
     for (int c = 0; c < 4; c++)
         s->border[c] = random_chance(r, 90) ? random_unit(r) : random_float(r, -1.0f, 2.0f);
     if (depths)
-        s->compare = (gn_texture_compare)random_below(r, 9);
+        s->compare = (gn_compare)random_below(r, GN_ALWAYS + 1);
 }
 
 /* How far coordinates reach. */

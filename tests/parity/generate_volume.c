@@ -52,7 +52,7 @@ void generate_scissor(builder *b)
     builder_common_target(b);
     for (uint32_t draws = 1 + random_below(r, 4); draws > 0; draws--) {
         builder_common_state(b);
-        b->state.scissor = random_scissor(b);
+        b->state.raster.scissor = random_scissor(b);
         const uint32_t count = builder_triangle_count(b);
         switch (random_below(r, 4)) {
         case 0:
@@ -109,12 +109,12 @@ void generate_offset(builder *b)
     b->scene->depth_format = depths[random_below(r, 3)];
     for (uint32_t draws = 1 + random_below(r, 4); draws > 0; draws--) {
         builder_common_state(b);
-        b->state.depth_test = true;
-        b->state.depth_function = random_chance(r, 30) ? GN_ALWAYS : GN_LESS;
+        b->state.depth.test = true;
+        b->state.depth.function = random_chance(r, 30) ? GN_ALWAYS : GN_LESS;
         if (random_chance(r, 30))
-            b->state.depth_range = random_depth_range(b);
+            b->state.depth.range = random_depth_range(b);
         if (random_chance(r, 85))
-            b->state.polygon_offset = random_polygon_offset(b);
+            b->state.raster.polygon_offset = random_polygon_offset(b);
         if (random_chance(r, 50))
             shape_pile(b, 1 + builder_triangle_count(b) / 3);
         else
@@ -144,14 +144,14 @@ void generate_clip_depth(builder *b)
         b->scene->depth_format = depths[random_below(r, 3)];
     for (uint32_t draws = 1 + random_below(r, 4); draws > 0; draws--) {
         builder_common_state(b);
-        b->state.depth_function = random_chance(r, 30) ? GN_ALWAYS : GN_LESS_OR_EQUAL;
-        b->state.depth_clamp = random_chance(r, 60);
-        b->state.clip_depth = (gn_clip_depth)random_chance(r, 60);
+        b->state.depth.function = random_chance(r, 30) ? GN_ALWAYS : GN_LESS_OR_EQUAL;
+        b->state.depth.clamp = random_chance(r, 60);
+        b->state.depth.clip_depth = (gn_clip_depth)random_chance(r, 60);
         if (random_chance(r, 50))
-            b->state.depth_range = random_depth_range(b);
+            b->state.depth.range = random_depth_range(b);
         if (random_chance(r, 20))
-            b->state.polygon_offset = random_polygon_offset(b);
-        b->state.cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
+            b->state.raster.polygon_offset = random_polygon_offset(b);
+        b->state.raster.cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
         if (random_chance(r, 30))
             shape_pile(b, 1 + builder_triangle_count(b) / 3);
         else
@@ -164,7 +164,7 @@ void generate_clip_depth(builder *b)
 void random_clip_planes(builder *b, uint32_t count)
 {
     random_source *r = &b->random;
-    b->state.clip_distance_count = count;
+    b->state.program.clip_distance_count = count;
     for (uint32_t i = 0; i < count; i++) {
         float *p = b->clip_plane[i];
         for (int c = 0; c < 3; c++)
@@ -205,12 +205,12 @@ void generate_clip_distance(builder *b)
     builder_common_target(b);
     for (uint32_t draws = 1 + random_below(r, 4); draws > 0; draws--) {
         builder_common_state(b);
-        b->state.cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
-        b->state.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
-        b->state.depth_clamp = random_chance(r, 10);
+        b->state.raster.cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
+        b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+        b->state.depth.clamp = random_chance(r, 10);
         const bool flat = random_chance(r, 25);
         for (int i = 0; flat && i < 4; i++)
-            b->state.interpolation[i] = GN_FLAT;
+            b->state.program.interpolation[i] = GN_FLAT;
         const uint32_t count = 1 + builder_triangle_count(b) / 2;
         switch (random_below(r, 6)) {
         case 0:
@@ -222,7 +222,7 @@ void generate_clip_distance(builder *b)
         case 2:
             shape_lines(b, count);
             for (int i = 0; !flat && i < 4; i++)
-                b->state.interpolation[i] = (gn_interpolation)random_below(r, 2);
+                b->state.program.interpolation[i] = (gn_interpolation)random_below(r, 2);
             break;
         case 3:
             shape_points(b, count);

@@ -38,12 +38,12 @@ typedef struct state_row {
 
 static bool is_fill(const place *p)
 {
-    return p->state->topology <= GN_TRIANGLE_FAN;
+    return p->state->raster.topology <= GN_TRIANGLE_FAN;
 }
 
 static bool is_line(const place *p)
 {
-    return p->state->topology >= GN_LINES;
+    return p->state->raster.topology >= GN_LINES;
 }
 
 static bool is_indexed(const place *p)
@@ -69,36 +69,42 @@ static bool is_shader(const place *p, scene_shader shader)
 /* How an interpolation of several numbers is told: all alike, or mixed. */
 static int interpolations(const place *p)
 {
-    const gn_interpolation *i = p->state->interpolation;
+    const gn_interpolation *i = p->state->program.interpolation;
     const bool alike = i[0] == i[1] && i[0] == i[2] && i[0] == i[3];
     return !is_shader(p, SCENE_VERTEX_COLOR) ? -1 : alike ? (int)i[0] : 3;
 }
 
+/* A comparison's number among eight. */
+static int comparison_number(gn_compare c, gn_compare default_comparison)
+{
+    return (int)((c == GN_COMPARE_DEFAULT ? default_comparison : c) - GN_NEVER);
+}
+
 static int depth_range(const place *p)
 {
-    const gn_depth_range *d = &p->state->depth_range;
+    const gn_depth_range *d = &p->state->depth.range;
     return !d->set ? 0 : d->z_near < d->z_far ? 1 : d->z_near > d->z_far ? 2 : 3;
 }
 
 static int polygon_offset(const place *p)
 {
-    const gn_polygon_offset *o = &p->state->polygon_offset;
+    const gn_polygon_offset *o = &p->state->raster.polygon_offset;
     return !o->set ? 0 : o->clamp == 0.0f ? 1 : o->clamp > 0.0f ? 2 : 3;
 }
 
 static int point_size(const place *p)
 {
-    const float size = p->state->point_size;
-    if (p->state->topology != GN_POINTS)
+    const float size = p->state->raster.point_size;
+    if (p->state->raster.topology != GN_POINTS)
         return -1;
-    if (p->state->program_point_size && is_shader(p, SCENE_VERTEX_COLOR))
+    if (p->state->program.vertex_writes_point_size && is_shader(p, SCENE_VERTEX_COLOR))
         return 0;
     return size <= 1.0f ? 1 : size <= 4.0f ? 2 : 3;
 }
 
 static int clip_distances(const place *p)
 {
-    const uint32_t count = p->state->clip_distance_count;
+    const uint32_t count = p->state->program.clip_distance_count;
     return count < 2 ? (int)count : count < 4 ? 2 : 3;
 }
 
@@ -115,24 +121,24 @@ static int attachments(const place *p)
 static int more_blends(const place *p)
 {
     bool blends = false;
-    for (uint32_t a = 1; a < p->state->color_count; a++)
-        blends |=
-            p->state->blend[a].enabled && scene_color_format(p->scene, (int)a) != GN_FORMAT_NONE;
+    for (uint32_t a = 1; a < p->state->program.color_count; a++)
+        blends |= p->state->color.blend[a].enabled &&
+                  scene_color_format(p->scene, (int)a) != GN_FORMAT_NONE;
     return is_shader(p, SCENE_OUTPUTS) && attachments(p) ? blends : -1;
 }
 
 static int more_masks(const place *p)
 {
     bool masks = false;
-    for (uint32_t a = 1; a < p->state->color_count; a++)
-        masks |= p->state->color_write_disabled[a] &&
+    for (uint32_t a = 1; a < p->state->program.color_count; a++)
+        masks |= p->state->color.write_disabled[a] &&
                  scene_color_format(p->scene, (int)a) != GN_FORMAT_NONE;
     return is_shader(p, SCENE_OUTPUTS) && attachments(p) ? masks : -1;
 }
 
 static int line_width(const place *p)
 {
-    const float width = p->state->line_width;
+    const float width = p->state->raster.line_width;
     return !is_line(p) ? -1 : width < 1.5f ? 0 : width < 4.5f ? 1 : 2;
 }
 
@@ -185,13 +191,13 @@ static int equation(gn_blend_equation e, gn_blend_equation otherwise)
     return (int)(e == GN_EQUATION_DEFAULT ? otherwise : e) - (int)GN_EQUATION_ADD;
 }
 
-#define BLEND (p->state->blend[0])
+#define BLEND (p->state->color.blend[0])
 #define COLOR_EQUATION ((gn_blend_equation)(equation(BLEND.equation, GN_EQUATION_ADD) + 1))
 #define COLOR_SOURCE ((gn_blend_factor)(factor(BLEND.source, GN_FACTOR_ONE) + 1))
 #define COLOR_DESTINATION ((gn_blend_factor)(factor(BLEND.destination, GN_FACTOR_ZERO) + 1))
 
-VALUE(topology, p->state->topology)
-VALUE(provoking_vertex, p->state->provoking_vertex)
+VALUE(topology, p->state->raster.topology)
+VALUE(provoking_vertex, p->state->raster.provoking_vertex)
 VALUE(index_format, p->draw->mesh.index_format)
 VALUE_WHERE(restart, is_indexed(p), p->draw->mesh.restart)
 VALUE_WHERE(base_vertex, is_indexed(p), p->draw->mesh.base_vertex != 0)
@@ -200,49 +206,54 @@ VALUE(instances, has_instances(p))
 VALUE_WHERE(divisor, has_instances(p), p->draw->mesh.attribute[GN_ATTRIBUTE_COLOR].divisor > 0)
 VALUE(shader, p->draw->shader)
 VALUE(alpha_given, p->draw->mesh.attribute[GN_ATTRIBUTE_COLOR].components == 4)
-VALUE_WHERE(cull, is_fill(p), p->state->cull)
-VALUE_WHERE(front_face, is_fill(p), p->state->front_face)
-VALUE(viewport, p->state->viewport.set)
-VALUE(scissor, p->state->scissor.set)
-VALUE(clip_depth, p->state->clip_depth)
-VALUE(depth_clamp, p->state->depth_clamp)
-VALUE(depth_test, p->state->depth_test ? 1 + (int)p->state->depth_function : 0)
-VALUE_WHERE(depth_write, p->state->depth_test, !p->state->depth_write_disabled)
-VALUE(stencil_front, p->state->stencil_test ? 1 + (int)p->state->stencil_front.function : 0)
-VALUE_WHERE(stencil_back, p->state->stencil_test, p->state->stencil_back.function)
-VALUE_WHERE(front_fail, p->state->stencil_test, p->state->stencil_front.fail)
-VALUE_WHERE(front_depth_fail, p->state->stencil_test, p->state->stencil_front.depth_fail)
-VALUE_WHERE(front_pass, p->state->stencil_test, p->state->stencil_front.pass)
-VALUE_WHERE(back_fail, p->state->stencil_test, p->state->stencil_back.fail)
-VALUE_WHERE(back_depth_fail, p->state->stencil_test, p->state->stencil_back.depth_fail)
-VALUE_WHERE(back_pass, p->state->stencil_test, p->state->stencil_back.pass)
-VALUE_WHERE(stencil_mask, p->state->stencil_test, p->state->stencil_front.ignored_bits != 0)
-VALUE_WHERE(stencil_write_mask, p->state->stencil_test,
-            p->state->stencil_front.write_disabled_bits != 0)
-VALUE(color_mask, p->state->color_write_disabled[0])
+VALUE_WHERE(cull, is_fill(p), p->state->raster.cull)
+VALUE_WHERE(front_face, is_fill(p), p->state->raster.front_face)
+VALUE(viewport, p->state->raster.viewport.set)
+VALUE(scissor, p->state->raster.scissor.set)
+VALUE(clip_depth, p->state->depth.clip_depth)
+VALUE(depth_clamp, p->state->depth.clamp)
+VALUE(depth_test,
+      p->state->depth.test ? 1 + comparison_number(p->state->depth.function, GN_LESS) : 0)
+VALUE_WHERE(depth_write, p->state->depth.test, !p->state->depth.write_disabled)
+VALUE(stencil_front, p->state->stencil.test
+                         ? 1 + comparison_number(p->state->stencil.front.function, GN_ALWAYS)
+                         : 0)
+VALUE_WHERE(stencil_back, p->state->stencil.test,
+            comparison_number(p->state->stencil.back.function, GN_ALWAYS))
+VALUE_WHERE(front_fail, p->state->stencil.test, p->state->stencil.front.fail)
+VALUE_WHERE(front_depth_fail, p->state->stencil.test, p->state->stencil.front.depth_fail)
+VALUE_WHERE(front_pass, p->state->stencil.test, p->state->stencil.front.pass)
+VALUE_WHERE(back_fail, p->state->stencil.test, p->state->stencil.back.fail)
+VALUE_WHERE(back_depth_fail, p->state->stencil.test, p->state->stencil.back.depth_fail)
+VALUE_WHERE(back_pass, p->state->stencil.test, p->state->stencil.back.pass)
+VALUE_WHERE(stencil_mask, p->state->stencil.test, p->state->stencil.front.compare_disabled != 0)
+VALUE_WHERE(stencil_write_mask, p->state->stencil.test, p->state->stencil.front.write_disabled != 0)
+VALUE(color_mask, p->state->color.write_disabled[0])
 VALUE(blend, BLEND.enabled ? 1 + equation(BLEND.equation, GN_EQUATION_ADD) : 0)
 VALUE_WHERE(blend_source, BLEND.enabled, factor(BLEND.source, GN_FACTOR_ONE))
 VALUE_WHERE(blend_destination, BLEND.enabled, factor(BLEND.destination, GN_FACTOR_ZERO))
 VALUE_WHERE(alpha_equation, BLEND.enabled, equation(BLEND.alpha_equation, COLOR_EQUATION))
 VALUE_WHERE(alpha_source, BLEND.enabled, factor(BLEND.alpha_source, COLOR_SOURCE))
 VALUE_WHERE(alpha_destination, BLEND.enabled, factor(BLEND.alpha_destination, COLOR_DESTINATION))
-VALUE(logic, p->state->color_logic ? 1 + (int)p->state->logic_operation : 0)
-VALUE_WHERE(reads_position, is_shader(p, SCENE_INPUTS), p->state->fragment_reads_position)
-VALUE_WHERE(reads_primitive, is_shader(p, SCENE_INPUTS), p->state->fragment_reads_primitive)
-VALUE_WHERE(discards, is_shader(p, SCENE_INPUTS), p->state->fragment_discards)
-VALUE_WHERE(writes_depth, is_shader(p, SCENE_INPUTS), p->state->fragment_writes_depth)
+VALUE(logic, p->state->color.logic ? 1 + (int)p->state->color.logic_operation : 0)
+VALUE_WHERE(reads_position, is_shader(p, SCENE_INPUTS), p->state->program.fragment_reads_position)
+VALUE_WHERE(reads_primitive, is_shader(p, SCENE_INPUTS), p->state->program.fragment_reads_primitive)
+VALUE_WHERE(discards, is_shader(p, SCENE_INPUTS), p->state->program.fragment_discards)
+VALUE_WHERE(writes_depth, is_shader(p, SCENE_INPUTS), p->state->program.fragment_writes_depth)
 VALUE_WHERE(reads_point_coordinate, is_shader(p, SCENE_INPUTS),
-            p->state->fragment_reads_point_coordinate)
-VALUE_WHERE(point_origin, reads_point_coordinate(p) == 1, p->state->point_origin)
-VALUE_WHERE(reads_sample_mask, is_shader(p, SCENE_INPUTS), p->state->fragment_reads_sample_mask)
-VALUE_WHERE(writes_sample_mask, is_shader(p, SCENE_INPUTS), p->state->fragment_writes_sample_mask)
+            p->state->program.fragment_reads_point_coordinate)
+VALUE_WHERE(point_origin, reads_point_coordinate(p) == 1, p->state->raster.point_origin)
+VALUE_WHERE(reads_sample_mask, is_shader(p, SCENE_INPUTS),
+            p->state->program.fragment_reads_sample_mask)
+VALUE_WHERE(writes_sample_mask, is_shader(p, SCENE_INPUTS),
+            p->state->program.fragment_writes_sample_mask)
 VALUE(samples, scene_is_sampled(p->scene))
-VALUE_WHERE(sample_mask, scene_is_sampled(p->scene), p->state->samples_disabled != 0)
-VALUE_WHERE(alpha_to_coverage, scene_is_sampled(p->scene), p->state->alpha_to_coverage)
-VALUE_WHERE(alpha_to_one, scene_is_sampled(p->scene), p->state->alpha_to_one)
-VALUE_WHERE(polygon_mode_front, is_fill(p), p->state->polygon_mode_front)
-VALUE_WHERE(polygon_mode_back, is_fill(p), p->state->polygon_mode_back)
-VALUE_WHERE(outputs, is_shader(p, SCENE_OUTPUTS), p->state->color_count > 4)
+VALUE_WHERE(sample_mask, scene_is_sampled(p->scene), p->state->samples.write_disabled != 0)
+VALUE_WHERE(alpha_to_coverage, scene_is_sampled(p->scene), p->state->samples.alpha_to_coverage)
+VALUE_WHERE(alpha_to_one, scene_is_sampled(p->scene), p->state->samples.alpha_to_one)
+VALUE_WHERE(polygon_mode_front, is_fill(p), p->state->raster.polygon_mode_front)
+VALUE_WHERE(polygon_mode_back, is_fill(p), p->state->raster.polygon_mode_back)
+VALUE_WHERE(outputs, is_shader(p, SCENE_OUTPUTS), p->state->program.color_count > 4)
 VALUE(counted, p->draw->counted)
 VALUE_WHERE(wrap_s, is_textured(p), p->draw->uniforms.sampler.wrap_s)
 VALUE_WHERE(wrap_t, is_textured(p), p->draw->uniforms.sampler.wrap_t)

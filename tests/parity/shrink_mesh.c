@@ -120,7 +120,7 @@ static uint32_t least_elements(gn_topology topology)
 static bool separate_runs(shrinking *s, size_t draw)
 {
     const gn_mesh *mesh = &s->best->draws[draw].mesh;
-    const uint32_t least = least_elements(s->best->draws[draw].state.topology);
+    const uint32_t least = least_elements(s->best->draws[draw].state.raster.topology);
     for (uint32_t start = 0, end; start < mesh->count; start = end + 1) {
         for (end = start; end < mesh->count && !is_restart(mesh, end);)
             end++;
@@ -162,16 +162,17 @@ static bool remove_indices(shrinking *s, size_t draw)
 static bool separate_triangles(shrinking *s, size_t draw)
 {
     const scene_draw *d = &s->best->draws[draw];
-    if ((d->state.topology != GN_TRIANGLE_STRIP && d->state.topology != GN_TRIANGLE_FAN) ||
+    if ((d->state.raster.topology != GN_TRIANGLE_STRIP &&
+         d->state.raster.topology != GN_TRIANGLE_FAN) ||
         d->mesh.index_format != GN_INDEX_NONE || d->mesh.count < 3)
         return false;
-    const bool first_provokes = d->state.provoking_vertex == GN_PROVOKING_FIRST;
+    const bool first_provokes = d->state.raster.provoking_vertex == GN_PROVOKING_FIRST;
     const uint32_t count = 3 * (d->mesh.count - 2);
     uint32_t *vertices = allocated(count, sizeof *vertices);
     for (uint32_t i = 0; i < d->mesh.count - 2; i++) {
         const uint32_t e = d->mesh.first + i;
         uint32_t corner[3] = {e, e + 1, e + 2};
-        if (d->state.topology == GN_TRIANGLE_FAN) {
+        if (d->state.raster.topology == GN_TRIANGLE_FAN) {
             /* In a fan the first vertex that provokes is the second of the three. */
             corner[0] = first_provokes ? e + 1 : d->mesh.first;
             corner[1] = first_provokes ? e + 2 : e + 1;
@@ -185,7 +186,7 @@ static bool separate_triangles(shrinking *s, size_t draw)
     }
     mesh_selection selection = {vertices, count, false, 0, count, ~0u};
     scene *candidate = copy_with_selection(s->best, draw, &selection);
-    candidate->draws[draw].state.topology = GN_TRIANGLES;
+    candidate->draws[draw].state.raster.topology = GN_TRIANGLES;
     free(vertices);
     return shrink_try(s, candidate);
 }
@@ -194,9 +195,9 @@ static bool separate_triangles(shrinking *s, size_t draw)
 static bool separate_lines(shrinking *s, size_t draw)
 {
     const scene_draw *d = &s->best->draws[draw];
-    const bool loop = d->state.topology == GN_LINE_LOOP;
-    if ((d->state.topology != GN_LINE_STRIP && !loop) || d->mesh.index_format != GN_INDEX_NONE ||
-        d->mesh.count < 2)
+    const bool loop = d->state.raster.topology == GN_LINE_LOOP;
+    if ((d->state.raster.topology != GN_LINE_STRIP && !loop) ||
+        d->mesh.index_format != GN_INDEX_NONE || d->mesh.count < 2)
         return false;
     const uint32_t lines = loop ? d->mesh.count : d->mesh.count - 1;
     uint32_t *vertices = allocated(2 * (size_t)lines, sizeof *vertices);
@@ -206,7 +207,7 @@ static bool separate_lines(shrinking *s, size_t draw)
     }
     const mesh_selection selection = {vertices, 2 * lines, false, 0, 2 * lines, ~0u};
     scene *candidate = copy_with_selection(s->best, draw, &selection);
-    candidate->draws[draw].state.topology = GN_LINES;
+    candidate->draws[draw].state.raster.topology = GN_LINES;
     free(vertices);
     return shrink_try(s, candidate);
 }
@@ -238,7 +239,7 @@ static bool remove_triangles(shrinking *s, size_t draw)
 {
     bool progress = false;
     const gn_mesh *mesh = &s->best->draws[draw].mesh;
-    const gn_topology topology = s->best->draws[draw].state.topology;
+    const gn_topology topology = s->best->draws[draw].state.raster.topology;
     const uint32_t unit = topology == GN_TRIANGLES                                ? 3
                           : topology == GN_TRIANGLE_STRIP || topology == GN_LINES ? 2
                                                                                   : 1;

@@ -76,13 +76,13 @@ static bool simplify_face(gn_stencil_face *f, unsigned member)
 {
     gn_stencil_face was = *f;
     if (member == 0)
-        f->function = GN_STENCIL_ALWAYS;
+        f->function = GN_COMPARE_DEFAULT;
     else if (member == 1)
         f->reference = 0;
     else if (member == 2)
-        f->ignored_bits = 0;
+        f->compare_disabled = 0;
     else if (member == 3)
-        f->write_disabled_bits = 0;
+        f->write_disabled = 0;
     else if (member == 4)
         f->fail = GN_STENCIL_KEEP;
     else if (member == 5)
@@ -101,52 +101,53 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
     case 0:
         change = d->shader != SCENE_VERTEX_COLOR;
         d->shader = SCENE_VERTEX_COLOR;
-        p->fragment_reads_primitive = p->fragment_reads_point_coordinate = false;
-        p->fragment_reads_sample_mask = p->fragment_writes_sample_mask = false;
-        p->fragment_reads_position = p->fragment_discards = p->fragment_writes_depth = false;
+        p->program.fragment_reads_primitive = p->program.fragment_reads_point_coordinate = false;
+        p->program.fragment_reads_sample_mask = p->program.fragment_writes_sample_mask = false;
+        p->program.fragment_reads_position = p->program.fragment_discards =
+            p->program.fragment_writes_depth = false;
         return change;
     case 1:
         change = d->shader > SCENE_GOURAUD;
         d->shader = change ? SCENE_GOURAUD : d->shader;
         return change;
     case 2:
-        change = p->depth_test;
-        p->depth_test = false;
+        change = p->depth.test;
+        p->depth.test = false;
         return change;
     case 3:
-        change = p->depth_function != GN_LESS;
-        p->depth_function = GN_LESS;
+        change = p->depth.function != GN_COMPARE_DEFAULT;
+        p->depth.function = GN_COMPARE_DEFAULT;
         return change;
     case 4:
-        change = p->depth_write_disabled;
-        p->depth_write_disabled = false;
+        change = p->depth.write_disabled;
+        p->depth.write_disabled = false;
         return change;
     case 5:
-        change = p->depth_range.set;
-        memset(&p->depth_range, 0, sizeof p->depth_range);
+        change = p->depth.range.set;
+        memset(&p->depth.range, 0, sizeof p->depth.range);
         return change;
     case 6:
-        change = p->viewport.set;
-        memset(&p->viewport, 0, sizeof p->viewport);
+        change = p->raster.viewport.set;
+        memset(&p->raster.viewport, 0, sizeof p->raster.viewport);
         return change;
     case 7:
-        change = p->cull != GN_CULL_NONE;
-        p->cull = GN_CULL_NONE;
+        change = p->raster.cull != GN_CULL_NONE;
+        p->raster.cull = GN_CULL_NONE;
         return change;
     case 8:
-        change = p->front_face != GN_FRONT_COUNTER_CLOCKWISE;
-        p->front_face = GN_FRONT_COUNTER_CLOCKWISE;
+        change = p->raster.front_face != GN_FRONT_COUNTER_CLOCKWISE;
+        p->raster.front_face = GN_FRONT_COUNTER_CLOCKWISE;
         return change;
     case 9:
-        change = p->provoking_vertex != GN_PROVOKING_LAST;
-        p->provoking_vertex = GN_PROVOKING_LAST;
+        change = p->raster.provoking_vertex != GN_PROVOKING_LAST;
+        p->raster.provoking_vertex = GN_PROVOKING_LAST;
         return change;
     case 10:
     case 11:
     case 12:
     case 13:
-        change = p->interpolation[step - 10] != GN_SMOOTH;
-        p->interpolation[step - 10] = GN_SMOOTH;
+        change = p->program.interpolation[step - 10] != GN_SMOOTH;
+        p->program.interpolation[step - 10] = GN_SMOOTH;
         return change;
     case 14:
         change = d->uniforms.sampler.magnify != GN_MAGNIFY_NEAREST ||
@@ -155,103 +156,103 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         d->uniforms.sampler.minify = GN_MINIFY_NEAREST;
         return change && scene_shader_is_textured(d->shader);
     case 15:
-        change = p->polygon_offset.set;
-        memset(&p->polygon_offset, 0, sizeof p->polygon_offset);
+        change = p->raster.polygon_offset.set;
+        memset(&p->raster.polygon_offset, 0, sizeof p->raster.polygon_offset);
         return change;
     case 16:
-        change = p->polygon_offset.clamp != 0.0f;
-        p->polygon_offset.clamp = 0.0f;
+        change = p->raster.polygon_offset.clamp != 0.0f;
+        p->raster.polygon_offset.clamp = 0.0f;
         return change;
     case 17:
-        change = p->polygon_offset.factor != 0.0f;
-        p->polygon_offset.factor = 0.0f;
+        change = p->raster.polygon_offset.factor != 0.0f;
+        p->raster.polygon_offset.factor = 0.0f;
         return change;
     case 18:
-        change = p->polygon_offset.units != 0.0f;
-        p->polygon_offset.units = 0.0f;
+        change = p->raster.polygon_offset.units != 0.0f;
+        p->raster.polygon_offset.units = 0.0f;
         return change;
     case 19:
-        change = p->depth_clamp;
-        p->depth_clamp = false;
+        change = p->depth.clamp;
+        p->depth.clamp = false;
         return change;
     case 20:
-        change = p->clip_depth != GN_NEGATIVE_ONE_TO_ONE;
-        p->clip_depth = GN_NEGATIVE_ONE_TO_ONE;
+        change = p->depth.clip_depth != GN_NEGATIVE_ONE_TO_ONE;
+        p->depth.clip_depth = GN_NEGATIVE_ONE_TO_ONE;
         return change;
     case 21:
-        change = p->scissor.set;
-        memset(&p->scissor, 0, sizeof p->scissor);
+        change = p->raster.scissor.set;
+        memset(&p->raster.scissor, 0, sizeof p->raster.scissor);
         return change;
     case 22:
-        change = p->color_write_disabled[0] != 0;
-        p->color_write_disabled[0] = 0;
+        change = p->color.write_disabled[0] != 0;
+        p->color.write_disabled[0] = 0;
         return change;
     case 23:
-        change = p->blend[0].enabled;
-        memset(&p->blend[0], 0, sizeof p->blend[0]);
+        change = p->color.blend[0].enabled;
+        memset(&p->color.blend[0], 0, sizeof p->color.blend[0]);
         return change;
     case 24:
-        change = p->blend[0].equation != GN_EQUATION_DEFAULT;
-        p->blend[0].equation = GN_EQUATION_DEFAULT;
+        change = p->color.blend[0].equation != GN_EQUATION_DEFAULT;
+        p->color.blend[0].equation = GN_EQUATION_DEFAULT;
         return change;
     case 25:
-        change = p->blend[0].alpha_equation != GN_EQUATION_DEFAULT;
-        p->blend[0].alpha_equation = GN_EQUATION_DEFAULT;
+        change = p->color.blend[0].alpha_equation != GN_EQUATION_DEFAULT;
+        p->color.blend[0].alpha_equation = GN_EQUATION_DEFAULT;
         return change;
     case 26:
-        change = p->blend[0].source != GN_FACTOR_DEFAULT;
-        p->blend[0].source = GN_FACTOR_DEFAULT;
+        change = p->color.blend[0].source != GN_FACTOR_DEFAULT;
+        p->color.blend[0].source = GN_FACTOR_DEFAULT;
         return change;
     case 27:
-        change = p->blend[0].destination != GN_FACTOR_DEFAULT;
-        p->blend[0].destination = GN_FACTOR_DEFAULT;
+        change = p->color.blend[0].destination != GN_FACTOR_DEFAULT;
+        p->color.blend[0].destination = GN_FACTOR_DEFAULT;
         return change;
     case 28:
-        change = p->blend[0].alpha_source != GN_FACTOR_DEFAULT;
-        p->blend[0].alpha_source = GN_FACTOR_DEFAULT;
+        change = p->color.blend[0].alpha_source != GN_FACTOR_DEFAULT;
+        p->color.blend[0].alpha_source = GN_FACTOR_DEFAULT;
         return change;
     case 29:
-        change = p->blend[0].alpha_destination != GN_FACTOR_DEFAULT;
-        p->blend[0].alpha_destination = GN_FACTOR_DEFAULT;
+        change = p->color.blend[0].alpha_destination != GN_FACTOR_DEFAULT;
+        p->color.blend[0].alpha_destination = GN_FACTOR_DEFAULT;
         return change;
     case 30:
         for (int c = 0; c < 4; c++) {
-            change = change || p->blend_constant[c] != 0.0f;
-            p->blend_constant[c] = 0.0f;
+            change = change || p->color.blend_constant[c] != 0.0f;
+            p->color.blend_constant[c] = 0.0f;
         }
         return change;
     case 31:
-        change = p->color_logic;
-        p->color_logic = false;
-        p->logic_operation = GN_LOGIC_COPY;
+        change = p->color.logic;
+        p->color.logic = false;
+        p->color.logic_operation = GN_LOGIC_COPY;
         return change;
     case 32:
-        change = p->logic_operation != GN_LOGIC_COPY;
-        p->logic_operation = GN_LOGIC_COPY;
+        change = p->color.logic_operation != GN_LOGIC_COPY;
+        p->color.logic_operation = GN_LOGIC_COPY;
         return change;
     case 33:
-        change = p->fragment_reads_position;
-        p->fragment_reads_position = false;
+        change = p->program.fragment_reads_position;
+        p->program.fragment_reads_position = false;
         return change;
     case 34:
-        change = p->fragment_discards;
-        p->fragment_discards = false;
+        change = p->program.fragment_discards;
+        p->program.fragment_discards = false;
         return change;
     case 35:
-        change = p->fragment_writes_depth;
-        p->fragment_writes_depth = false;
+        change = p->program.fragment_writes_depth;
+        p->program.fragment_writes_depth = false;
         return change;
     case 36:
-        change = p->fragment_reads_primitive;
-        p->fragment_reads_primitive = false;
+        change = p->program.fragment_reads_primitive;
+        p->program.fragment_reads_primitive = false;
         return change;
     case 37:
         change = d->counted;
         d->counted = false;
         return change;
     case 38:
-        change = p->stencil_test;
-        p->stencil_test = false;
+        change = p->stencil.test;
+        p->stencil.test = false;
         return change;
     case 39:
     case 40:
@@ -260,7 +261,7 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
     case 43:
     case 44:
     case 45:
-        return simplify_face(&p->stencil_front, step - 39);
+        return simplify_face(&p->stencil.front, step - 39);
     case 46:
     case 47:
     case 48:
@@ -268,18 +269,18 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
     case 50:
     case 51:
     case 52:
-        return simplify_face(&p->stencil_back, step - 46);
+        return simplify_face(&p->stencil.back, step - 46);
     case 53:
-        change = p->point_size != 0.0f;
-        p->point_size = 0.0f;
+        change = p->raster.point_size != 0.0f;
+        p->raster.point_size = 0.0f;
         return change;
     case 54:
-        change = p->program_point_size;
-        p->program_point_size = false;
+        change = p->program.vertex_writes_point_size;
+        p->program.vertex_writes_point_size = false;
         return change;
     case 55:
-        change = p->line_width != 0.0f;
-        p->line_width = 0.0f;
+        change = p->raster.line_width != 0.0f;
+        p->raster.line_width = 0.0f;
         return change;
     case 56:
         change = d->mesh.instance_count > 1;
@@ -293,8 +294,8 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
         }
         return change;
     case 58:
-        change = p->color_count > 1;
-        p->color_count = 0;
+        change = p->program.color_count > 1;
+        p->program.color_count = 0;
         return change;
     case 59:
     case 60:
@@ -303,8 +304,8 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
     case 63:
     case 64:
     case 65:
-        change = p->blend[step - 58].enabled;
-        memset(&p->blend[step - 58], 0, sizeof p->blend[0]);
+        change = p->color.blend[step - 58].enabled;
+        memset(&p->color.blend[step - 58], 0, sizeof p->color.blend[0]);
         return change;
     case 66:
     case 67:
@@ -313,57 +314,57 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
     case 70:
     case 71:
     case 72:
-        change = p->color_write_disabled[step - 65] != 0;
-        p->color_write_disabled[step - 65] = 0;
+        change = p->color.write_disabled[step - 65] != 0;
+        p->color.write_disabled[step - 65] = 0;
         return change;
     case 73:
-        change = p->samples_disabled != 0;
-        p->samples_disabled = 0;
+        change = p->samples.write_disabled != 0;
+        p->samples.write_disabled = 0;
         return change;
     case 74:
-        change = p->alpha_to_coverage;
-        p->alpha_to_coverage = false;
+        change = p->samples.alpha_to_coverage;
+        p->samples.alpha_to_coverage = false;
         return change;
     case 75:
-        change = p->alpha_to_one;
-        p->alpha_to_one = false;
+        change = p->samples.alpha_to_one;
+        p->samples.alpha_to_one = false;
         return change;
     case 76:
-        change = p->fragment_reads_point_coordinate;
-        p->fragment_reads_point_coordinate = false;
+        change = p->program.fragment_reads_point_coordinate;
+        p->program.fragment_reads_point_coordinate = false;
         return change;
     case 77:
-        change = p->point_origin != GN_POINT_UPPER_LEFT;
-        p->point_origin = GN_POINT_UPPER_LEFT;
+        change = p->raster.point_origin != GN_POINT_UPPER_LEFT;
+        p->raster.point_origin = GN_POINT_UPPER_LEFT;
         return change;
     case 78:
-        change = p->clip_distance_count > 0;
-        p->clip_distance_count = 0;
+        change = p->program.clip_distance_count > 0;
+        p->program.clip_distance_count = 0;
         return change;
     case 79:
-        change = p->clip_distance_count > 0;
-        p->clip_distance_count -= change;
+        change = p->program.clip_distance_count > 0;
+        p->program.clip_distance_count -= change;
         return change;
     case 80: /* without the first of them */
-        change = p->clip_distance_count > 1;
-        p->clip_distance_count -= change;
+        change = p->program.clip_distance_count > 1;
+        p->program.clip_distance_count -= change;
         memmove(d->clip_plane[0], d->clip_plane[change], 7 * sizeof *d->clip_plane);
         return change;
     case 81:
-        change = p->polygon_mode_front != GN_POLYGON_FILL;
-        p->polygon_mode_front = GN_POLYGON_FILL;
+        change = p->raster.polygon_mode_front != GN_POLYGON_FILL;
+        p->raster.polygon_mode_front = GN_POLYGON_FILL;
         return change;
     case 82:
-        change = p->polygon_mode_back != GN_POLYGON_FILL;
-        p->polygon_mode_back = GN_POLYGON_FILL;
+        change = p->raster.polygon_mode_back != GN_POLYGON_FILL;
+        p->raster.polygon_mode_back = GN_POLYGON_FILL;
         return change;
     case 83:
-        change = p->fragment_reads_sample_mask;
-        p->fragment_reads_sample_mask = false;
+        change = p->program.fragment_reads_sample_mask;
+        p->program.fragment_reads_sample_mask = false;
         return change;
     case 84:
-        change = p->fragment_writes_sample_mask;
-        p->fragment_writes_sample_mask = false;
+        change = p->program.fragment_writes_sample_mask;
+        p->program.fragment_writes_sample_mask = false;
         return change;
     default:
         return shrink_sampler(&d->uniforms.sampler, step - 83, last) &&
@@ -376,9 +377,10 @@ static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
 static bool is_left_out(const scene_draw *d)
 {
     const gn_pipeline *p = &d->state;
-    return (p->polygon_mode_front != GN_POLYGON_FILL || p->polygon_mode_back != GN_POLYGON_FILL) &&
-           p->stencil_test && d->shader != SCENE_INPUTS &&
-           memcmp(&p->stencil_front, &p->stencil_back, sizeof p->stencil_front) != 0;
+    return (p->raster.polygon_mode_front != GN_POLYGON_FILL ||
+            p->raster.polygon_mode_back != GN_POLYGON_FILL) &&
+           p->stencil.test && d->shader != SCENE_INPUTS &&
+           memcmp(&p->stencil.front, &p->stencil.back, sizeof p->stencil.front) != 0;
 }
 
 bool shrink_state(shrinking *s)
@@ -410,15 +412,15 @@ static scene *cropped(const scene *s, uint32_t x, uint32_t y, uint32_t width, ui
 {
     scene *copy = scene_copy(s);
     for (size_t i = 0; i < copy->draw_count; i++) {
-        gn_viewport *v = &copy->draws[i].state.viewport;
+        gn_viewport *v = &copy->draws[i].state.raster.viewport;
         if (!v->set) {
             const gn_viewport whole = {true, 0.0f, 0.0f, (float)s->width, (float)s->height};
             *v = whole;
         }
         v->x -= (float)x;
         v->y -= (float)y;
-        copy->draws[i].state.scissor.x -= (int32_t)x;
-        copy->draws[i].state.scissor.y -= (int32_t)y;
+        copy->draws[i].state.raster.scissor.x -= (int32_t)x;
+        copy->draws[i].state.raster.scissor.y -= (int32_t)y;
     }
     copy->width = width;
     copy->height = height;

@@ -26,8 +26,8 @@ bool shrink_sampler(gn_sampler *s, unsigned member, bool *last)
         s->min_lod = s->max_lod = 0.0f;
         return change;
     case 5:
-        change = s->compare != GN_TEXTURE_COMPARE_NONE;
-        s->compare = GN_TEXTURE_COMPARE_NONE;
+        change = s->compare != GN_COMPARE_DEFAULT;
+        s->compare = GN_COMPARE_DEFAULT;
         return change;
     case 6:
         change = s->max_anisotropy != 0;

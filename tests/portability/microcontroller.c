@@ -78,22 +78,22 @@ static bool refuses_the_rest(const gn_target *target, gn_pipeline pipeline, cons
     const gn_pipeline good = pipeline;
     int refused = 0;
 
-    pipeline.topology = GN_LINES;
+    pipeline.raster.topology = GN_LINES;
     refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
     pipeline = good;
-    pipeline.blend[0].enabled = true;
+    pipeline.color.blend[0].enabled = true;
     refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
     pipeline = good;
-    pipeline.polygon_offset.set = true;
+    pipeline.raster.polygon_offset.set = true;
     refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
     pipeline = good;
-    pipeline.color_count = 2;
+    pipeline.program.color_count = 2;
     refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
     pipeline = good;
-    pipeline.clip_distance_count = 1;
+    pipeline.program.clip_distance_count = 1;
     refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
     pipeline = good;
-    pipeline.polygon_mode_front = GN_POLYGON_LINE;
+    pipeline.raster.polygon_mode_front = GN_POLYGON_LINE;
     refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
     return refused == 6;
 }
@@ -111,8 +111,8 @@ static gn_status draw_cube(const gn_target *target, float away)
     mesh.attribute[GN_ATTRIBUTE_POSITION].components = 3;
     mesh.vertex_count = CORNERS;
     mesh.count = CORNERS;
-    pipeline.depth_test = DEPTH != GN_FORMAT_NONE;
-    pipeline.cull = GN_CULL_BACK;
+    pipeline.depth.test = DEPTH != GN_FORMAT_NONE;
+    pipeline.raster.cull = GN_CULL_BACK;
 #if TEXTURED
     static gn_texture texture;
     static gn_lit_uniforms uniforms;

@@ -200,8 +200,8 @@ static enum theft_trial_res shared_edges_once(struct theft *t, void *instance)
     gn_target target = {{gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, m->width, m->height)}, {0}};
     gn_pipeline pipeline;
     memset(&pipeline, 0, sizeof pipeline);
-    pipeline.vertex_shader = pass_position;
-    pipeline.fragment_shader = paint_white;
+    pipeline.program.vertex_shader = pass_position;
+    pipeline.program.fragment_shader = paint_white;
     gn_mesh one;
     memset(&one, 0, sizeof one);
     one.attribute[0] = (gn_attribute){&position[0][0], 4, 0, 0};

@@ -79,9 +79,9 @@ static void any_size(hostile *h, random_source *r)
 
 static void any_stencil(gn_stencil_face *f, random_source *r)
 {
-    f->function = (gn_stencil_function)random_below(r, 8);
+    f->function = (gn_compare)random_below(r, GN_ALWAYS + 1);
     f->reference = (uint8_t)random_below(r, 256);
-    f->write_disabled_bits = (uint8_t)(random_chance(r, 30) ? random_below(r, 256) : 0);
+    f->write_disabled = (uint8_t)(random_chance(r, 30) ? random_below(r, 256) : 0);
     f->fail = (gn_stencil_operation)random_below(r, 8);
     f->depth_fail = (gn_stencil_operation)random_below(r, 8);
     f->pass = (gn_stencil_operation)random_below(r, 8);
@@ -98,9 +98,9 @@ static int32_t scissor_edge(random_source *r)
 /* What becomes of the colours of an attachment. */
 static void any_color_state(gn_pipeline *p, int attachment, random_source *r)
 {
-    gn_blend *const blend = &p->blend[attachment];
+    gn_blend *const blend = &p->color.blend[attachment];
 
-    p->color_write_disabled[attachment] = random_chance(r, 30) ? random_below(r, 16) : 0;
+    p->color.write_disabled[attachment] = random_chance(r, 30) ? random_below(r, 16) : 0;
     if (random_chance(r, 30)) {
         blend->enabled = true;
         blend->source = (gn_blend_factor)random_below(r, 16);
@@ -111,73 +111,74 @@ static void any_color_state(gn_pipeline *p, int attachment, random_source *r)
 
 static void any_samples(gn_pipeline *p, random_source *r)
 {
-    p->samples_disabled = random_chance(r, 30) ? random_below(r, 1u << GN_SAMPLES) : 0;
+    p->samples.write_disabled = random_chance(r, 30) ? random_below(r, 1u << GN_SAMPLES) : 0;
     if (random_chance(r, 2))
-        p->samples_disabled = (uint32_t)random_bits(r);
-    p->alpha_to_coverage = random_chance(r, 20);
-    p->alpha_to_one = random_chance(r, 20);
-    p->fragment_reads_sample_mask = random_chance(r, 30);
-    p->fragment_writes_sample_mask = random_chance(r, 30);
+        p->samples.write_disabled = (uint32_t)random_bits(r);
+    p->samples.alpha_to_coverage = random_chance(r, 20);
+    p->samples.alpha_to_one = random_chance(r, 20);
+    p->program.fragment_reads_sample_mask = random_chance(r, 30);
+    p->program.fragment_writes_sample_mask = random_chance(r, 30);
 }
 
 static void any_state(hostile *h, random_source *r)
 {
     gn_pipeline *const p = &h->pipeline;
 
-    p->varying_count = 4;
-    p->topology = (gn_topology)random_below(r, GN_LINE_LOOP + 1);
-    p->provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
-    p->cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
+    p->program.varying_count = 4;
+    p->raster.topology = (gn_topology)random_below(r, GN_LINE_LOOP + 1);
+    p->raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
+    p->raster.cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
     for (int i = 0; i < 4; i++)
-        p->interpolation[i] = (gn_interpolation)random_below(r, 3);
+        p->program.interpolation[i] = (gn_interpolation)random_below(r, 3);
     if (random_chance(r, 20)) {
-        p->viewport.set = true;
-        p->viewport.x = state_number(r, -GN_MAX_SIZE, GN_MAX_SIZE);
-        p->viewport.y = state_number(r, -GN_MAX_SIZE, GN_MAX_SIZE);
-        p->viewport.width = state_number(r, 0.0f, GN_MAX_SIZE);
-        p->viewport.height = state_number(r, 0.0f, GN_MAX_SIZE);
+        p->raster.viewport.set = true;
+        p->raster.viewport.x = state_number(r, -GN_MAX_SIZE, GN_MAX_SIZE);
+        p->raster.viewport.y = state_number(r, -GN_MAX_SIZE, GN_MAX_SIZE);
+        p->raster.viewport.width = state_number(r, 0.0f, GN_MAX_SIZE);
+        p->raster.viewport.height = state_number(r, 0.0f, GN_MAX_SIZE);
     }
-    p->scissor.set = random_chance(r, 25);
-    p->scissor.x = scissor_edge(r);
-    p->scissor.y = scissor_edge(r);
-    p->scissor.width = (uint32_t)scissor_edge(r);
-    p->scissor.height = (uint32_t)scissor_edge(r);
+    p->raster.scissor.set = random_chance(r, 25);
+    p->raster.scissor.x = scissor_edge(r);
+    p->raster.scissor.y = scissor_edge(r);
+    p->raster.scissor.width = (uint32_t)scissor_edge(r);
+    p->raster.scissor.height = (uint32_t)scissor_edge(r);
     if (random_chance(r, 30)) {
-        p->depth_range.set = true;
-        p->depth_range.z_near = state_number(r, 0.0f, 1.0f);
-        p->depth_range.z_far = state_number(r, 0.0f, 1.0f);
+        p->depth.range.set = true;
+        p->depth.range.z_near = state_number(r, 0.0f, 1.0f);
+        p->depth.range.z_far = state_number(r, 0.0f, 1.0f);
     }
     if (random_chance(r, 30)) {
-        p->polygon_offset.set = true;
-        p->polygon_offset.factor = state_number(r, -FLT_MAX, FLT_MAX);
-        p->polygon_offset.units = state_number(r, -FLT_MAX, FLT_MAX);
-        p->polygon_offset.clamp = state_number(r, -FLT_MAX, FLT_MAX);
+        p->raster.polygon_offset.set = true;
+        p->raster.polygon_offset.factor = state_number(r, -FLT_MAX, FLT_MAX);
+        p->raster.polygon_offset.units = state_number(r, -FLT_MAX, FLT_MAX);
+        p->raster.polygon_offset.clamp = state_number(r, -FLT_MAX, FLT_MAX);
     }
-    p->clip_depth = (gn_clip_depth)random_below(r, 2);
-    p->depth_clamp = random_chance(r, 30);
-    p->depth_test = random_chance(r, 40);
-    p->depth_function = (gn_compare)random_below(r, 8);
-    p->stencil_test = random_chance(r, 30);
-    any_stencil(&p->stencil_front, r);
-    any_stencil(&p->stencil_back, r);
-    p->color_count = random_chance(r, 50) ? 0 : random_below(r, GN_MAX_COLORS + 1);
+    p->depth.clip_depth = (gn_clip_depth)random_below(r, 2);
+    p->depth.clamp = random_chance(r, 30);
+    p->depth.test = random_chance(r, 40);
+    p->depth.function = (gn_compare)random_below(r, GN_ALWAYS + 1);
+    p->stencil.test = random_chance(r, 30);
+    any_stencil(&p->stencil.front, r);
+    any_stencil(&p->stencil.back, r);
+    p->program.color_count = random_chance(r, 50) ? 0 : random_below(r, GN_MAX_COLORS + 1);
     if (random_chance(r, 1))
-        p->color_count = GN_MAX_COLORS + 1;
+        p->program.color_count = GN_MAX_COLORS + 1;
     for (int a = 0; a < GN_MAX_COLORS; a++)
         any_color_state(p, a, r);
     any_samples(p, r);
-    p->clip_distance_count = random_chance(r, 30) ? random_below(r, GN_MAX_CLIP_DISTANCES + 1) : 0;
-    p->color_logic = random_chance(r, 10);
-    p->logic_operation = (gn_logic_operation)random_below(r, 16);
-    p->polygon_mode_front = (gn_polygon_mode)random_below(r, 3);
-    p->polygon_mode_back = (gn_polygon_mode)random_below(r, 3);
-    p->point_size = state_number(r, 0.0f, FLT_MAX);
-    p->line_width = state_number(r, 0.0f, FLT_MAX);
-    p->program_point_size = random_chance(r, 50);
-    p->fragment_reads_position = random_chance(r, 30);
-    p->fragment_reads_point_coordinate = random_chance(r, 30);
-    p->fragment_writes_depth = random_chance(r, 30);
-    p->fragment_discards = random_chance(r, 30);
+    p->program.clip_distance_count =
+        random_chance(r, 30) ? random_below(r, GN_MAX_CLIP_DISTANCES + 1) : 0;
+    p->color.logic = random_chance(r, 10);
+    p->color.logic_operation = (gn_logic_operation)random_below(r, 16);
+    p->raster.polygon_mode_front = (gn_polygon_mode)random_below(r, 3);
+    p->raster.polygon_mode_back = (gn_polygon_mode)random_below(r, 3);
+    p->raster.point_size = state_number(r, 0.0f, FLT_MAX);
+    p->raster.line_width = state_number(r, 0.0f, FLT_MAX);
+    p->program.vertex_writes_point_size = random_chance(r, 50);
+    p->program.fragment_reads_position = random_chance(r, 30);
+    p->program.fragment_reads_point_coordinate = random_chance(r, 30);
+    p->program.fragment_writes_depth = random_chance(r, 30);
+    p->program.fragment_discards = random_chance(r, 30);
 }
 
 static void any_mesh(hostile *h, random_source *r)
@@ -249,7 +250,7 @@ static void print_hostile(FILE *f, const void *instance, void *env)
             "target %" PRIu32 "x%" PRIu32 ", %" PRIu32 " samples in layout %d, formats %d and %d, "
             "topology %d, count %" PRIu32 "\n",
             h->width, h->height, h->samples, (int)h->layout, (int)h->color[0], (int)h->depth,
-            (int)h->pipeline.topology, h->mesh.count);
+            (int)h->pipeline.raster.topology, h->mesh.count);
     for (uint32_t i = 0; i < MAX_VERTICES; i++)
         fprintf(f, "  %.9g %.9g %.9g %.9g\n", (double)h->position[i][0], (double)h->position[i][1],
                 (double)h->position[i][2], (double)h->position[i][3]);
@@ -264,7 +265,7 @@ static void pass_attributes(const void *uniforms, const gn_vertex_input *input,
     }
     const hostile *h = uniforms;
 
-    for (uint32_t i = 0; i < h->pipeline.clip_distance_count; i++)
+    for (uint32_t i = 0; i < h->pipeline.program.clip_distance_count; i++)
         memcpy(output->clip_distance[i], input->attribute[1][i % 4], GN_LANES * sizeof(float));
     if (output->point_size)
         memcpy(output->point_size, input->attribute[1][0], GN_LANES * sizeof(float));
@@ -274,7 +275,7 @@ static void use_all_inputs(const void *uniforms, const gn_fragment_input *input,
                            gn_fragment_output *output)
 {
     const hostile *h = uniforms;
-    const int colors = h->pipeline.color_count ? (int)h->pipeline.color_count : 1;
+    const int colors = h->pipeline.program.color_count ? (int)h->pipeline.program.color_count : 1;
 
     for (int c = 0; c < 4 * colors; c++)
         for (int lane = 0; lane < GN_LANES; lane++) {
@@ -348,11 +349,11 @@ static bool guards_hold(const hostile *h, const guarded *g, bool untouched)
         unsigned char *const plane =
             (unsigned char *)g->surface.pixels + g->surface.sample_stride * (ptrdiff_t)s;
 
-        if (samples > 1 && h->pipeline.samples_disabled >> s & 1)
+        if (samples > 1 && h->pipeline.samples.write_disabled >> s & 1)
             continue;
         for (uint32_t y = 0; y < h->height; y++)
             for (uint32_t x = 0; x < h->width; x++)
-                if (in_scissor(&h->pipeline.scissor, x, y))
+                if (in_scissor(&h->pipeline.raster.scissor, x, y))
                     memset(plane + g->surface.row_stride * (ptrdiff_t)y + x * pixel, GUARD, pixel);
     }
     for (size_t i = 0; i < g->size; i++)
@@ -364,8 +365,9 @@ static bool guards_hold(const hostile *h, const guarded *g, bool untouched)
 static enum theft_trial_res any_draw_stays_inside(struct theft *t, void *instance)
 {
     const hostile *h = instance;
-    const uint32_t colors = h->pipeline.color_count ? h->pipeline.color_count : 1;
-    const size_t size = gn_workspace_size(0, 4 + h->pipeline.clip_distance_count) + h->workspace;
+    const uint32_t colors = h->pipeline.program.color_count ? h->pipeline.program.color_count : 1;
+    const size_t size =
+        gn_workspace_size(0, 4 + h->pipeline.program.clip_distance_count) + h->workspace;
     guarded color[GN_MAX_COLORS], depth = guarded_surface(h, h->depth);
     gn_target target;
     gn_workspace workspace = {.memory = malloc(size), .size = size, .backend = h->backend};
@@ -378,15 +380,15 @@ static enum theft_trial_res any_draw_stays_inside(struct theft *t, void *instanc
         target.color[a] = color[a].surface;
     }
     target.depth = depth.surface;
-    pipeline.uniforms = h;
-    pipeline.vertex_shader = pass_attributes;
-    pipeline.fragment_shader = use_all_inputs;
+    pipeline.program.uniforms = h;
+    pipeline.program.vertex_shader = pass_attributes;
+    pipeline.program.fragment_shader = use_all_inputs;
     mesh.attribute[0] = (gn_attribute){&h->position[0][0], 4, 0, 0};
     mesh.attribute[1] = (gn_attribute){&h->varying[0][0], 4, 0, 0};
     mesh.indices = h->indices;
     const gn_status status = gn_draw(&target, &pipeline, &mesh, &workspace);
     bool hold = workspace.memory && guards_hold(h, &depth, status) &&
-                (status != GN_OK) == (gn_pipeline_fault(&pipeline) || gn_mesh_fault(&mesh));
+                (status != GN_OK) == (gn_pipeline_fault(&pipeline, NULL) || gn_mesh_fault(&mesh));
     for (uint32_t a = 0; a < GN_MAX_COLORS; a++) {
         hold &= guards_hold(h, &color[a], status || a >= colors);
         free(color[a].memory);

@@ -453,6 +453,36 @@ static enum theft_trial_res division_is_right(struct theft *t, void *arg)
     return THEFT_TRIAL_PASS;
 }
 
+/* gn_perspective_fault finds nothing where every convention returns GN_OK, and only there. */
+static enum theft_trial_res perspective_faults_agree(struct theft *t, void *arg)
+{
+    static gn_status (*const finite[8])(float, float, float, float, gn_transform *) = {
+        gn_perspective_rh_no,          gn_perspective_rh_zo,          gn_perspective_lh_no,
+        gn_perspective_lh_zo,          gn_perspective_rh_no_reversed, gn_perspective_rh_zo_reversed,
+        gn_perspective_lh_no_reversed, gn_perspective_lh_zo_reversed};
+    static gn_status (*const infinite[8])(float, float, float, gn_transform *) = {
+        gn_perspective_rh_no_infinite,          gn_perspective_rh_zo_infinite,
+        gn_perspective_lh_no_infinite,          gn_perspective_lh_zo_infinite,
+        gn_perspective_rh_no_infinite_reversed, gn_perspective_rh_zo_infinite_reversed,
+        gn_perspective_lh_no_infinite_reversed, gn_perspective_lh_zo_infinite_reversed};
+    const float *f = arg;
+    (void)t;
+    for (int i = 0; i + 3 < FLOATS; ++i) {
+        gn_transform result;
+        bool good = true, endless = true;
+        for (int c = 0; c < 8; ++c) {
+            good &= finite[c](f[i], f[i + 1], f[i + 2], f[i + 3], &result) == GN_OK;
+            endless &= infinite[c](f[i], f[i + 1], f[i + 2], &result) == GN_OK;
+        }
+        const bool is_endless = isinf(f[i + 3]) && f[i + 3] > 0.0f;
+        const bool found = gn_perspective_fault(f[i], f[i + 1], f[i + 2], f[i + 3]) != NULL;
+        const bool found_endless = gn_perspective_fault(f[i], f[i + 1], f[i + 2], INFINITY) != NULL;
+        if (found == (is_endless ? endless : good) || found_endless == endless)
+            return THEFT_TRIAL_FAIL;
+    }
+    return THEFT_TRIAL_PASS;
+}
+
 int properties_projections(uint64_t seed, size_t trials)
 {
     struct projection_choice any = {0, VOLUMES, 30, false}, ordinary = {0, VOLUMES, 5, true};
@@ -479,6 +509,12 @@ int properties_projections(uint64_t seed, size_t trials)
          .prop2 = projecting_can_be_undone,
          .type_info = {&ordinary_info, &moderate_info}},
         {.name = "clip to NDC: quotients", .prop1 = division_is_right, .type_info = {&float_info}},
+        {.name = "perspective: faults in words, any floats",
+         .prop1 = perspective_faults_agree,
+         .type_info = {&float_info}},
+        {.name = "perspective: faults in words, moderate floats",
+         .prop1 = perspective_faults_agree,
+         .type_info = {&moderate_info}},
     };
     int failed = 0;
     for (size_t i = 0; i < sizeof properties / sizeof properties[0]; ++i)

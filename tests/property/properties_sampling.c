@@ -166,7 +166,7 @@ static enum theft_trial_res centres_give_their_texels(struct theft *theft, void 
     (void)theft;
     s.magnify = GN_MAGNIFY_NEAREST;
     s.minify = GN_MINIFY_NEAREST_MIPMAP_NEAREST;
-    s.compare = GN_TEXTURE_COMPARE_NONE;
+    s.compare = GN_COMPARE_DEFAULT;
     s.lod_bias = 0.0f;
     s.lod_clamped = false;
     s.max_anisotropy = 0;
@@ -225,7 +225,7 @@ static enum theft_trial_res constants_stay(struct theft *theft, void *instance)
     bool good = true;
 
     (void)theft;
-    s.compare = GN_TEXTURE_COMPARE_NONE;
+    s.compare = GN_COMPARE_DEFAULT;
     lookup.lod_source = (gn_lod_source)random_below(&r, 3);
     gn_fetch(&t, numbers, zero, constant);
     for (int c = 0; c < 4; c++)

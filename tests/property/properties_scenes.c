@@ -220,7 +220,7 @@ static enum theft_trial_res failing_scene_shrinks(struct theft *t, void *argumen
     }
     scene *small = shrink_scene(s, covers_pixel, &p, 5000);
     const bool good = covers_pixel(small, &p) && small->draw_count == 1 &&
-                      scene_triangle_count(small) == 1 && !small->draws[0].state.depth_test &&
+                      scene_triangle_count(small) == 1 && !small->draws[0].state.depth.test &&
                       small->draws[0].mesh.index_format == GN_INDEX_NONE;
     scene_free(small);
     scene_free(s);

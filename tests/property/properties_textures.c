@@ -204,7 +204,7 @@ static bool is_of_texture(const hostile *h, bool filled, int c, float value)
     const gn_format format = h->texture.format;
     const bool any =
         format == GN_FORMAT_RGB565 || format == GN_FORMAT_RGB5_A1 || format == GN_FORMAT_RGBA4;
-    const bool compared = is_depth(format) && h->sampler.compare != GN_TEXTURE_COMPARE_NONE;
+    const bool compared = is_depth(format) && h->sampler.compare != GN_COMPARE_DEFAULT;
     const float least = !filled || any || compared              ? 0.0f
                         : format == GN_FORMAT_SRGB8_A8 && c < 3 ? 0.05f
                                                                 : 0.249f;
@@ -327,8 +327,9 @@ static bool shader_agrees(const shading *s, gn_backend backend, float texel[4][G
 {
     float pixels[GN_LANES][4];
     const gn_target target = {{gn_surface_bottom_up(pixels, GN_FORMAT_RGBA32F, 4, 4)}, {0}};
-    const gn_pipeline pipeline = {
-        .vertex_shader = cover_all, .fragment_shader = sample_hostile, .uniforms = s};
+    const gn_pipeline pipeline = {.program.vertex_shader = cover_all,
+                                  .program.fragment_shader = sample_hostile,
+                                  .program.uniforms = s};
     const gn_mesh mesh = {.vertex_count = 3, .count = 3};
     const size_t size = gn_workspace_size(0, 4);
     gn_workspace workspace = {.memory = malloc(size), .size = size, .backend = backend};
@@ -353,7 +354,7 @@ static bool fetched_is_good(const hostile *h, bool filled, float texel[4][GN_LAN
 {
     hostile plain = *h;
 
-    plain.sampler.compare = GN_TEXTURE_COMPARE_NONE;
+    plain.sampler.compare = GN_COMPARE_DEFAULT;
     for (int l = 0; l < GN_LANES; l++) {
         const uint32_t levels = scene_level_count(&h->texture);
         const bool has_level = h->level[l] >= 0 && (uint32_t)h->level[l] < levels;

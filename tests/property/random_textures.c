@@ -41,7 +41,7 @@ gn_sampler random_sampler_state(random_source *r)
     s.wrap_r = (gn_wrap)random_below(r, 5);
     s.magnify = (gn_magnify)random_below(r, 2);
     s.minify = (gn_minify)random_below(r, 6);
-    s.compare = (gn_texture_compare)random_below(r, 9);
+    s.compare = (gn_compare)random_below(r, 9);
     if (random_chance(r, 30))
         s.lod_bias = random_chance(r, 50) ? random_float(r, -4.0f, 4.0f)
                                           : random_signed_octave(r, -126, 126);

@@ -129,9 +129,9 @@ static gn_status library_fetches(gn_backend backend, const fetch_job *job)
     gn_workspace workspace = {0};
 
     target.color[0] = gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, SIZE, SIZE);
-    pipeline.vertex_shader = place_triangle;
-    pipeline.fragment_shader = fetch_fragments;
-    pipeline.uniforms = job;
+    pipeline.program.vertex_shader = place_triangle;
+    pipeline.program.fragment_shader = fetch_fragments;
+    pipeline.program.uniforms = job;
     mesh.attribute[0].data = position;
     mesh.attribute[0].components = 2;
     mesh.vertex_count = mesh.count = 3;

@@ -243,7 +243,7 @@ static void measure_block(random_source *r, const subject *s, bool is_implicit, 
 }
 
 static errors measure(uint64_t seed, uint64_t lookups, gn_texture_target target, gn_format format,
-                      gn_texture_compare compare, uint32_t max_anisotropy, const filter *f,
+                      gn_compare compare, uint32_t max_anisotropy, const filter *f,
                       bool is_implicit)
 {
     random_source r = random_seed(seed);
@@ -301,7 +301,7 @@ static void print_cell(table *t, const errors *e, long double most)
 }
 
 static void print_row(table *t, const char *name, gn_texture_target target, gn_format format,
-                      gn_texture_compare compare, uint32_t max_anisotropy, const filter *f)
+                      gn_compare compare, uint32_t max_anisotropy, const filter *f)
 {
     printf("| %s, %s%s |", name, max_anisotropy ? "anisotropic " : "", f->name);
     for (int implicit = 0; implicit < 2; implicit++) {
@@ -347,27 +347,27 @@ int main(int argc, char **argv)
     for (int target = 0; target < 5; target++) {
         for (int f = 0; f < FILTERS; f++) {
             print_row(&t, names[target], (gn_texture_target)target, GN_FORMAT_RGBA8,
-                      GN_TEXTURE_COMPARE_NONE, 0, &filters[f]);
+                      GN_COMPARE_DEFAULT, 0, &filters[f]);
         }
     }
-    print_row(&t, "2D of sRGB", GN_TEXTURE_2D, GN_FORMAT_SRGB8_A8, GN_TEXTURE_COMPARE_NONE, 0,
+    print_row(&t, "2D of sRGB", GN_TEXTURE_2D, GN_FORMAT_SRGB8_A8, GN_COMPARE_DEFAULT, 0,
               &filters[1]);
-    print_row(&t, "2D of 16 bits", GN_TEXTURE_2D, GN_FORMAT_RGBA16, GN_TEXTURE_COMPARE_NONE, 0,
+    print_row(&t, "2D of 16 bits", GN_TEXTURE_2D, GN_FORMAT_RGBA16, GN_COMPARE_DEFAULT, 0,
               &filters[1]);
-    print_row(&t, "2D of D24, compared", GN_TEXTURE_2D, GN_FORMAT_D24,
-              GN_TEXTURE_COMPARE_LESS_OR_EQUAL, 0, &filters[1]);
-    print_row(&t, "cube of D24, compared", GN_TEXTURE_CUBE, GN_FORMAT_D24,
-              GN_TEXTURE_COMPARE_LESS_OR_EQUAL, 0, &filters[1]);
+    print_row(&t, "2D of D24, compared", GN_TEXTURE_2D, GN_FORMAT_D24, GN_LESS_OR_EQUAL, 0,
+              &filters[1]);
+    print_row(&t, "cube of D24, compared", GN_TEXTURE_CUBE, GN_FORMAT_D24, GN_LESS_OR_EQUAL, 0,
+              &filters[1]);
     for (int target = 0; target < 5; target++) {
         for (int f = 1; f < FILTERS && target != GN_TEXTURE_1D; f += 2) { /* the linear ones */
             print_row(&t, names[target], (gn_texture_target)target, GN_FORMAT_RGBA8,
-                      GN_TEXTURE_COMPARE_NONE, GN_MAX_ANISOTROPY, &filters[f]);
+                      GN_COMPARE_DEFAULT, GN_MAX_ANISOTROPY, &filters[f]);
         }
     }
-    print_row(&t, names[0], GN_TEXTURE_2D, GN_FORMAT_RGBA8, GN_TEXTURE_COMPARE_NONE,
-              GN_MAX_ANISOTROPY, &filters[0]);
-    print_row(&t, "2D of D24, compared", GN_TEXTURE_2D, GN_FORMAT_D24,
-              GN_TEXTURE_COMPARE_LESS_OR_EQUAL, GN_MAX_ANISOTROPY, &filters[1]);
+    print_row(&t, names[0], GN_TEXTURE_2D, GN_FORMAT_RGBA8, GN_COMPARE_DEFAULT, GN_MAX_ANISOTROPY,
+              &filters[0]);
+    print_row(&t, "2D of D24, compared", GN_TEXTURE_2D, GN_FORMAT_D24, GN_LESS_OR_EQUAL,
+              GN_MAX_ANISOTROPY, &filters[1]);
     printf("\n%" PRIu64 " places, %" PRIu64
            " of them left out: nearer than %.0Le to where a texel, level or comparison changes\n",
            t.count, t.left_out, LEAST_DOUBT);

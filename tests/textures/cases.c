@@ -143,7 +143,7 @@ static void choose_sampler(lookup_case *c, random_source *r, const case_digits *
     for (int n = 0; n < 4; ++n)
         s->border[n] = random_float(r, -0.25f, 1.25f);
     if (is_depth(c->format) && can_compare(c->kind, c->target) && random_chance(r, 80))
-        s->compare = (gn_texture_compare)(1 + random_below(r, GN_TEXTURE_COMPARE_NEVER));
+        s->compare = (gn_compare)(1 + random_below(r, GN_ALWAYS));
 }
 
 static uint32_t element_size(gn_format f)

@@ -78,7 +78,7 @@ static void look_up_block(const lookup_case *c, const gn_sampling *f, const int3
         break;
     }
     if (c->kind == LOOKUP_IMPLICIT && c->target == GN_TEXTURE_2D && (x[0] / 4) % 2 == 1 &&
-        c->sampler.compare == GN_TEXTURE_COMPARE_NONE)
+        c->sampler.compare == GN_COMPARE_DEFAULT)
         f->sample_2d(&c->texture, &c->sampler, b.place[0], b.place[1], texel);
     else
         f->sample(&c->texture, &c->sampler, &lookup, texel);
@@ -115,9 +115,9 @@ bool library_look_up(const lookup_case *c, gn_backend backend, float (*texel)[4]
     memset(&mesh, 0, sizeof mesh);
     memset(&workspace, 0, sizeof workspace);
     target.color[0] = gn_surface_bottom_up(texel, GN_FORMAT_RGBA32F, GRID_WIDTH, GRID_HEIGHT);
-    pipeline.vertex_shader = cover;
-    pipeline.fragment_shader = shade;
-    pipeline.uniforms = c;
+    pipeline.program.vertex_shader = cover;
+    pipeline.program.fragment_shader = shade;
+    pipeline.program.uniforms = c;
     mesh.vertex_count = 3;
     mesh.count = 3;
     workspace.memory = memory;

@@ -31,7 +31,7 @@ static void write_shader(const lookup_case *c, char *text, size_t size)
     static const char *const gradients[] = {"xy", "x", "xy", "xyz", "xyz"};
     static const char *const integers[] = {"ivec2", "int", "ivec3", "ivec3", "ivec3"};
     const char *const along = gradients[c->target];
-    const bool compares = c->sampler.compare != GN_TEXTURE_COMPARE_NONE;
+    const bool compares = c->sampler.compare != GN_COMPARE_DEFAULT;
     /* The reference that is compared with is a component of the coordinates, but in gathers. */
     static const char *const compared[] = {"vec3(p.xy, dx.w)", "vec3(p.x, 0.0, dx.w)",
                                            "vec4(p.xyz, dx.w)", "", "vec4(p.xyz, dx.w)"};
@@ -82,8 +82,8 @@ static void write_shader(const lookup_case *c, char *text, size_t size)
 static GLuint program_of(const lookup_case *c, char *error, size_t error_size)
 {
     static GLuint programs[2][5][LOOKUP_KINDS][4];
-    GLuint *const program = &programs[c->sampler.compare != GN_TEXTURE_COMPARE_NONE][c->target]
-                                     [c->kind][c->kind == LOOKUP_GATHER ? c->channel : 0];
+    GLuint *const program = &programs[c->sampler.compare != GN_COMPARE_DEFAULT][c->target][c->kind]
+                                     [c->kind == LOOKUP_GATHER ? c->channel : 0];
     char text[1024];
 
     if (!*program) {
@@ -124,12 +124,10 @@ static void set_sampler(GLuint name, const gn_sampler *s)
     if (s->max_anisotropy > 1)
         glSamplerParameterf(name, MAX_ANISOTROPY, (float)s->max_anisotropy);
     glSamplerParameterfv(name, GL_TEXTURE_BORDER_COLOR, s->border);
-    if (s->compare != GN_TEXTURE_COMPARE_NONE) {
-        static const GLint functions[] = {0,        GL_LEQUAL,   GL_GEQUAL, GL_LESS, GL_GREATER,
-                                          GL_EQUAL, GL_NOTEQUAL, GL_ALWAYS, GL_NEVER};
-
+    if (s->compare != GN_COMPARE_DEFAULT) {
         glSamplerParameteri(name, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-        glSamplerParameteri(name, GL_TEXTURE_COMPARE_FUNC, functions[s->compare]);
+        glSamplerParameteri(name, GL_TEXTURE_COMPARE_FUNC,
+                            (GLint)gl_comparison(s->compare, GL_LEQUAL));
     }
 }
 

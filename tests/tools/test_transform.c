@@ -400,7 +400,9 @@ static void errors_name_the_line(void **state)
     expect_error("convention opengl\nscreen 9 9\nperspective 180\nnear 1\nfar 9\npoint 1 2 3\n",
                  ":3: ", "angle");
     expect_error("convention opengl\nscreen 9 9\nperspective 90\nnear 0\nfar 9\npoint 1 2 3\n",
-                 ":3: ", "near");
+                 ":4: ", "near: it is not above 0");
+    expect_error("convention opengl\nscreen 9 9\nperspective 90\nnear 1\nfar -9\npoint 1 2 3\n",
+                 ":5: ", "far: it is not above 0");
     expect_error("convention opengl\nscreen 9 9\nperspective 90\nnear 9\nfar 9\npoint 1 2 3\n",
                  ":3: ", "near and far");
     /* The second point overflows: nothing of the first is printed. */

@@ -34,7 +34,7 @@ static inline void reset(const float *positions, uint32_t vertex_count, gn_topol
     assert_int_equal(gn_clear_color(&c.target.color[0], 0, 0, 0, 0), GN_OK);
     assert_int_equal(gn_clear_depth(&c.target.depth, 1.0f), GN_OK);
     assert_int_equal(gn_use_vertex_color(&c.pipeline, &c.uniforms), GN_OK);
-    c.pipeline.topology = topology;
+    c.pipeline.raster.topology = topology;
     c.mesh.attribute[GN_ATTRIBUTE_POSITION].data = positions;
     c.mesh.attribute[GN_ATTRIBUTE_POSITION].components = 4;
     c.mesh.attribute[GN_ATTRIBUTE_COLOR].data = white;

@@ -63,11 +63,11 @@ static void reset(const float *positions, uint32_t vertex_count, gn_topology top
 {
     memset(&c, 0, sizeof c);
     c.target.color[0] = gn_surface_bottom_up(c.color, GN_FORMAT_RGBA8, SIZE, SIZE);
-    c.pipeline.vertex_shader = shade_vertices;
-    c.pipeline.fragment_shader = shade_fragments;
-    c.pipeline.uniforms = &c.planes;
-    c.pipeline.varying_count = 2;
-    c.pipeline.topology = topology;
+    c.pipeline.program.vertex_shader = shade_vertices;
+    c.pipeline.program.fragment_shader = shade_fragments;
+    c.pipeline.program.uniforms = &c.planes;
+    c.pipeline.program.varying_count = 2;
+    c.pipeline.raster.topology = topology;
     c.planes.broken = UINT32_MAX;
     c.mesh.attribute[0].data = positions;
     c.mesh.attribute[0].components = 2;
@@ -84,7 +84,7 @@ static void add_plane(float x, float y, float constant)
     p[0] = x;
     p[1] = y;
     p[2] = constant;
-    c.pipeline.clip_distance_count = c.planes.count;
+    c.pipeline.program.clip_distance_count = c.planes.count;
 }
 
 /* Pixels drawn. */
@@ -175,7 +175,7 @@ static void points_are_whole_or_not_there(void **state)
     static const float two[4] = {0.015625f, 0, -0.015625f, 0};
 
     reset(two, 2, GN_POINTS);
-    c.pipeline.point_size = 4.0f;
+    c.pipeline.raster.point_size = 4.0f;
     c.mesh.count = 1;
     const int one = draw();
     assert_true(one == 16 && pixel(2, 4));
@@ -197,7 +197,7 @@ static void what_is_not_finite_is_not_drawn(void **state)
     c.planes.broken = UINT32_MAX;
     c.planes.plane[0][2] = INFINITY;
     assert_int_equal(draw(), 0);
-    c.pipeline.topology = GN_LINES;
+    c.pipeline.raster.topology = GN_LINES;
     c.planes.plane[0][2] = 1;
     c.planes.broken = 0;
     assert_int_equal(draw(), 0);
@@ -223,7 +223,7 @@ static void distances_take_workspace(void **state)
     assert_int_equal(gn_draw(&c.target, &c.pipeline, &c.mesh, &c.workspace),
                      GN_WORKSPACE_TOO_SMALL);
     assert_int_equal(c.workspace.needed, c.workspace.size + 1);
-    c.pipeline.clip_distance_count = GN_MAX_CLIP_DISTANCES + 1;
+    c.pipeline.program.clip_distance_count = GN_MAX_CLIP_DISTANCES + 1;
     assert_int_equal(gn_draw(&c.target, &c.pipeline, &c.mesh, &c.workspace), GN_OUT_OF_RANGE);
 }
 

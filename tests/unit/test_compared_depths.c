@@ -5,9 +5,9 @@
 
 #include "unit.h"
 
-enum { FUNCTIONS = GN_TEXTURE_COMPARE_NEVER };
+enum { FUNCTIONS = GN_ALWAYS };
 
-static gn_sampler compares(gn_texture_compare function, bool is_linear)
+static gn_sampler compares(gn_compare function, bool is_linear)
 {
     gn_sampler s;
 
@@ -36,19 +36,19 @@ static void functions(void **state)
     static const float depth[1] = {0.5f};
     static const struct {
         float reference;
-        int holds[FUNCTIONS]; /* <=, >=, <, >, =, not =, always, never */
-    } cases[] = {{0.25f, {1, 0, 1, 0, 0, 1, 1, 0}},
-                 {0.5f, {1, 1, 0, 0, 1, 0, 1, 0}},
-                 {0.75f, {0, 1, 0, 1, 0, 1, 1, 0}},
-                 {INFINITY, {0, 1, 0, 1, 0, 1, 1, 0}},
-                 {NAN, {0, 0, 0, 0, 0, 1, 1, 0}}};
+        int holds[FUNCTIONS]; /* never, <, =, <=, >, not =, >=, always */
+    } cases[] = {{0.25f, {0, 1, 0, 1, 0, 1, 0, 1}},
+                 {0.5f, {0, 0, 1, 1, 0, 0, 1, 1}},
+                 {0.75f, {0, 0, 0, 0, 1, 1, 1, 1}},
+                 {INFINITY, {0, 0, 0, 0, 1, 1, 1, 1}},
+                 {NAN, {0, 0, 0, 0, 0, 1, 0, 1}}};
     gn_texture t;
 
     assert_int_equal(gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_D32F, 1, 1, 0, 1, depth, &t),
                      GN_OK);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         for (int f = 0; f < FUNCTIONS; ++f) {
-            const gn_sampler s = compares((gn_texture_compare)(f + 1), false);
+            const gn_sampler s = compares((gn_compare)(f + 1), false);
 
             assert_true(compared(&t, &s, 0.5f, cases[i].reference) == (float)cases[i].holds[f]);
         }
@@ -61,7 +61,7 @@ static void references(void **state)
     (void)state;
     static const uint16_t fractions[2] = {0, 65535};
     static const float floats[2] = {0.0f, 1.0f};
-    const gn_sampler equal = compares(GN_TEXTURE_COMPARE_EQUAL, false);
+    const gn_sampler equal = compares(GN_EQUAL, false);
     gn_texture t;
 
     assert_int_equal(gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_D16, 2, 1, 0, 1, fractions, &t),
@@ -83,10 +83,10 @@ static void linear(void **state)
 {
     (void)state;
     static const float depths[2] = {0.25f, 0.75f};
-    const gn_sampler farther = compares(GN_TEXTURE_COMPARE_LESS_OR_EQUAL, true);
-    const gn_sampler nearer = compares(GN_TEXTURE_COMPARE_GREATER_OR_EQUAL, true);
-    const gn_sampler none = compares(GN_TEXTURE_COMPARE_NONE, true);
-    gn_sampler never = compares(GN_TEXTURE_COMPARE_NEVER, true);
+    const gn_sampler farther = compares(GN_LESS_OR_EQUAL, true);
+    const gn_sampler nearer = compares(GN_GREATER_OR_EQUAL, true);
+    const gn_sampler none = compares(GN_COMPARE_DEFAULT, true);
+    gn_sampler never = compares(GN_NEVER, true);
     gn_texture t;
 
     assert_int_equal(gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_D32F, 2, 1, 0, 1, depths, &t),
@@ -104,7 +104,7 @@ static void cubes(void **state)
 {
     (void)state;
     float depths[6 * 4], at[3][GN_LANES], reference[GN_LANES], texel[4][GN_LANES];
-    const gn_sampler farther = compares(GN_TEXTURE_COMPARE_LESS, true);
+    const gn_sampler farther = compares(GN_LESS, true);
     const float edge[3] = {1.0f, 0.0f, 1.0f}, corner[3] = {1.0f, 1.0f, 1.0f};
     float one[4];
     gn_lookup lookup;

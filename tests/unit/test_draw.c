@@ -22,15 +22,15 @@ static void faults_touch_nothing(void **state)
 
     c.target.color[0].width = 0;
     EXPECT(GN_INVALID_SIZE);
-    c.pipeline.vertex_shader = NULL;
+    c.pipeline.program.vertex_shader = NULL;
     EXPECT(GN_NO_SHADER);
-    c.pipeline.fragment_shader = NULL;
+    c.pipeline.program.fragment_shader = NULL;
     EXPECT(GN_NO_SHADER);
     c.mesh.count = 5;
     EXPECT(GN_INDEX_OUT_OF_RANGE);
     c.workspace.memory = NULL;
     EXPECT(GN_NULL_POINTER);
-    c.workspace.size = gn_workspace_size(0, c.pipeline.varying_count) - 1;
+    c.workspace.size = gn_workspace_size(0, c.pipeline.program.varying_count) - 1;
     EXPECT(GN_WORKSPACE_TOO_SMALL);
     c.workspace.backend = GN_BACKEND_COUNT;
     EXPECT(GN_BACKEND_UNAVAILABLE);
@@ -54,7 +54,7 @@ static void a_square_covers_everything(void **state)
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(covered(), SIZE * (SIZE - 1) / 2);
     c.mesh.count = 2;
-    c.pipeline.topology = GN_TRIANGLE_FAN;
+    c.pipeline.raster.topology = GN_TRIANGLE_FAN;
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(covered(), SIZE * (SIZE - 1) / 2);
 }
@@ -107,8 +107,8 @@ static void winding_and_culling(void **state)
 
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         reset(square, 4, GN_TRIANGLE_STRIP); /* counter-clockwise */
-        c.pipeline.cull = cases[i].cull;
-        c.pipeline.front_face = cases[i].front;
+        c.pipeline.raster.cull = cases[i].cull;
+        c.pipeline.raster.front_face = cases[i].front;
         assert_int_equal(draw(), GN_OK);
         assert_int_equal(covered(), cases[i].drawn ? SIZE * SIZE : 0);
     }
@@ -122,9 +122,9 @@ static void flat_takes_the_provoking_vertex(void **state)
     for (int first = 0; first < 2; ++first) {
         reset(square, 4, GN_TRIANGLE_STRIP);
         c.mesh.attribute[GN_ATTRIBUTE_COLOR].data = colors;
-        c.pipeline.provoking_vertex = first ? GN_PROVOKING_FIRST : GN_PROVOKING_LAST;
+        c.pipeline.raster.provoking_vertex = first ? GN_PROVOKING_FIRST : GN_PROVOKING_LAST;
         for (int n = 0; n < 4; ++n)
-            c.pipeline.interpolation[n] = GN_FLAT;
+            c.pipeline.program.interpolation[n] = GN_FLAT;
         assert_int_equal(draw(), GN_OK);
         /* OpenGL 4.5 table 13.2: vertex i + 2, or i, of a strip's triangle i. */
         assert_int_equal(c.color[0], first ? 0xFF0000FFu : 0xFFFF0000u);
@@ -165,8 +165,8 @@ static void depth_functions(void **state)
                     positions[4 * v + 2] = (float)(depth - 1) * 0.5f;
                 reset(positions, 4, GN_TRIANGLE_STRIP);
                 c.target.depth = gn_surface_bottom_up(c.depth, formats[f], SIZE, SIZE);
-                c.pipeline.depth_test = true;
-                c.pipeline.depth_function = cases[i].function;
+                c.pipeline.depth.test = true;
+                c.pipeline.depth.function = cases[i].function;
                 assert_int_equal(gn_clear_depth(&c.target.depth, 0.5f), GN_OK);
                 assert_int_equal(draw(), GN_OK);
                 const bool passes = cases[i].passes[depth];
@@ -184,14 +184,14 @@ static void depth_is_written_only_when_asked(void **state)
     reset(square, 4, GN_TRIANGLE_STRIP);
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(c.depth[0], 0xFFFFFF); /* the test is off: OpenGL 4.5 section 17.3.5 */
-    c.pipeline.depth_test = true;
-    c.pipeline.depth_write_disabled = true;
+    c.pipeline.depth.test = true;
+    c.pipeline.depth.write_disabled = true;
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(c.depth[0], 0xFFFFFF);
-    c.pipeline.depth_write_disabled = false;
-    c.pipeline.depth_range.set = true;
-    c.pipeline.depth_range.z_near = 0.0f;
-    c.pipeline.depth_range.z_far = 0.0f;
+    c.pipeline.depth.write_disabled = false;
+    c.pipeline.depth.range.set = true;
+    c.pipeline.depth.range.z_near = 0.0f;
+    c.pipeline.depth.range.z_far = 0.0f;
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(c.depth[0], 0);
 }
@@ -202,15 +202,15 @@ static void one_surface_is_enough(void **state)
     (void)state;
     reset(square, 4, GN_TRIANGLE_STRIP);
     c.target.color[0].format = GN_FORMAT_NONE;
-    c.pipeline.fragment_shader = NULL;
-    c.pipeline.depth_test = true;
+    c.pipeline.program.fragment_shader = NULL;
+    c.pipeline.depth.test = true;
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(covered(), 0);
     assert_int_equal(c.depth[0], 8388608);
 
     reset(square, 4, GN_TRIANGLE_STRIP);
     c.target.depth.format = GN_FORMAT_NONE;
-    c.pipeline.depth_test = true;
+    c.pipeline.depth.test = true;
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(covered(), SIZE * SIZE);
 }
@@ -253,7 +253,7 @@ static void back_ends_have_names_and_agree(void **state)
     for (int b = GN_BACKEND_AUTO; b < GN_BACKEND_COUNT; ++b) {
         reset(square, 4, GN_TRIANGLE_STRIP);
         c.workspace.backend = (gn_backend)b;
-        c.pipeline.depth_test = true;
+        c.pipeline.depth.test = true;
         if (!gn_backend_available((gn_backend)b))
             continue;
         assert_int_equal(draw(), GN_OK);
@@ -360,7 +360,7 @@ static void shaders_know_their_pixels(void **state)
         c.target.color[0] =
             gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, (uint32_t)side, (uint32_t)side);
         c.target.depth.format = GN_FORMAT_NONE;
-        c.pipeline.fragment_shader = paint_places;
+        c.pipeline.program.fragment_shader = paint_places;
         places_are_even = true;
         memset(times_shaded, 0, sizeof times_shaded);
         assert_int_equal(draw(), GN_OK);
@@ -399,8 +399,8 @@ static void memory_ends_with_the_surface(void **state)
         c.target.color[0] = gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, width, height);
         c.target.depth = gn_surface_bottom_up(depths, GN_FORMAT_D24, width, height);
         assert_int_equal(gn_clear_depth(&c.target.depth, 1.0f), GN_OK);
-        c.pipeline.depth_test = true;
-        c.pipeline.fragment_shader = paint_places;
+        c.pipeline.depth.test = true;
+        c.pipeline.program.fragment_shader = paint_places;
         memset(times_shaded, 0, sizeof times_shaded);
         assert_int_equal(draw(), GN_OK);
         for (uint32_t y = 0; y < height; ++y) {
@@ -446,7 +446,7 @@ static void packed_pixels_are_the_same(void **state)
         if (!gn_backend_available(c.workspace.backend))
             c.workspace.backend = GN_BACKEND_AUTO;
         c.target.depth.format = GN_FORMAT_NONE;
-        c.pipeline.scissor =
+        c.pipeline.raster.scissor =
             (gn_scissor){i % 2, (int32_t)(seed >> 9) % SIDE, (int32_t)(seed >> 20) % SIDE,
                          1 + (uint32_t)i * 7 % 90, 1 + (uint32_t)i * 5 % 70};
         for (int shader = 0; shader < 2; ++shader) {
@@ -455,7 +455,7 @@ static void packed_pixels_are_the_same(void **state)
             memset(pixels, 0, sizeof squares);
             c.target.color[0] = gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, SIDE, SIDE);
             if (shader)
-                c.pipeline.fragment_shader = paint_places;
+                c.pipeline.program.fragment_shader = paint_places;
             assert_int_equal(draw(), GN_OK);
         }
         for (int p = 0; p < COUNT; ++p)
@@ -487,12 +487,12 @@ static void samples_are_counted(void **state)
     c.workspace.samples_passed = &passed;
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(passed, 5 + SIZE * SIZE); /* added */
-    c.pipeline.depth_test = true;
+    c.pipeline.depth.test = true;
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(passed, 5 + 2 * SIZE * SIZE);
     assert_int_equal(draw(), GN_OK); /* equal depth does not pass */
     assert_int_equal(passed, 5 + 2 * SIZE * SIZE);
-    c.pipeline.depth_test = false;
+    c.pipeline.depth.test = false;
     c.mesh.count = 3;
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(passed, 5 + 2 * SIZE * SIZE + SIZE * (SIZE - 1) / 2);
@@ -521,12 +521,12 @@ static void depth_comes_from_the_shader(void **state)
     c.target.depth.format = GN_FORMAT_D24S8;
     assert_int_equal(gn_clear_depth_stencil(&c.target.depth, 0.5f, 7), GN_OK);
     c.workspace.samples_passed = &passed;
-    c.pipeline.fragment_shader = keep_columns;
-    c.pipeline.fragment_discards = true;
-    c.pipeline.fragment_writes_depth = true;
-    c.pipeline.depth_test = true;
-    c.pipeline.stencil_test = true;
-    c.pipeline.stencil_front.pass = GN_STENCIL_INCREMENT;
+    c.pipeline.program.fragment_shader = keep_columns;
+    c.pipeline.program.fragment_discards = true;
+    c.pipeline.program.fragment_writes_depth = true;
+    c.pipeline.depth.test = true;
+    c.pipeline.stencil.test = true;
+    c.pipeline.stencil.front.pass = GN_STENCIL_INCREMENT;
     assert_int_equal(draw(), GN_OK);
     for (int i = 0; i < SIZE * SIZE; ++i)
         assert_int_equal(c.depth[i], i % 2 ? 7u << 24 | 0x800000 : 8u << 24 | 0x400000);

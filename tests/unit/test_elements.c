@@ -52,10 +52,10 @@ static void reset(void)
     memset(&mesh, 0, sizeof mesh);
     memset(row, 0, sizeof row);
     largest_instance = 0;
-    pipeline.vertex_shader = place;
-    pipeline.fragment_shader = shade;
-    pipeline.varying_count = 1;
-    pipeline.interpolation[0] = GN_FLAT;
+    pipeline.program.vertex_shader = place;
+    pipeline.program.fragment_shader = shade;
+    pipeline.program.varying_count = 1;
+    pipeline.program.interpolation[0] = GN_FLAT;
     for (int v = 0; v < VERTICES; ++v) {
         position[v][0] = ((float)(v / 3) + 0.5f + corner[v % 3][0]) / (PIXELS / 2) - 1.0f;
         position[v][1] = corner[v % 3][1];
@@ -85,7 +85,7 @@ static void instances_follow_each_other(void **state)
     (void)state;
     reset();
     mesh.count = 3;
-    pipeline.uniforms = &mesh;
+    pipeline.program.uniforms = &mesh;
     mesh.instance_count = 5;
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(row[0], 4);

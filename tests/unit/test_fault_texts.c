@@ -38,18 +38,18 @@ static gn_pipeline p;
 /* The pipeline with one fault and then without. */
 static void expect_pipeline(gn_status expected, const char *field)
 {
-    expect(gn_pipeline_check(&p), expected, gn_pipeline_fault(&p), field);
+    expect(gn_pipeline_check(&p, NULL), expected, gn_pipeline_fault(&p, NULL), field);
     memset(&p, 0, sizeof p);
-    p.vertex_shader = no_vertices;
-    assert_null(gn_pipeline_fault(&p));
-    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+    p.program.vertex_shader = no_vertices;
+    assert_null(gn_pipeline_fault(&p, NULL));
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
 }
 
 /* A value of member that is above its largest. */
 #define ABOVE(member, largest)                                                                     \
     do {                                                                                           \
         p.member = (largest);                                                                      \
-        assert_null(gn_pipeline_fault(&p));                                                        \
+        assert_null(gn_pipeline_fault(&p, NULL));                                                  \
         ++p.member;                                                                                \
         expect_pipeline(GN_INVALID_ENUM, #member " is no gn_");                                    \
     } while (0)
@@ -65,78 +65,106 @@ static void pipelines(void **state)
 {
     (void)state;
     met_count = 0;
-    expect(gn_pipeline_check(NULL), GN_NULL_POINTER, gn_pipeline_fault(NULL), "the pipeline");
+    expect(gn_pipeline_check(NULL, NULL), GN_NULL_POINTER, gn_pipeline_fault(NULL, NULL),
+           "the pipeline");
     memset(&p, 0, sizeof p);
-    expect_pipeline(GN_NO_SHADER, "vertex_shader");
-    p.fragment_discards = true;
-    expect_pipeline(GN_NO_SHADER, "fragment_discards");
-    p.fragment_writes_sample_mask = true;
-    expect_pipeline(GN_NO_SHADER, "fragment_writes_sample_mask");
-    p.fragment_writes_depth = true;
-    expect_pipeline(GN_NO_SHADER, "fragment_writes_depth");
-    p.varying_count = GN_MAX_VARYINGS + 1;
-    expect_pipeline(GN_TOO_MANY_VARYINGS, "varying_count");
-    p.varying_count = 3;
-    p.interpolation[2] = (gn_interpolation)3;
-    expect_pipeline(GN_INVALID_ENUM, "interpolation");
-    ABOVE(topology, GN_LINE_LOOP);
-    ABOVE(provoking_vertex, GN_PROVOKING_FIRST);
-    ABOVE(cull, GN_CULL_FRONT_AND_BACK);
-    ABOVE(front_face, GN_FRONT_CLOCKWISE);
-    ABOVE(clip_depth, GN_ZERO_TO_ONE);
-    ABOVE(depth_function, GN_ALWAYS);
-    ABOVE(stencil_front.function, GN_STENCIL_LESS);
-    ABOVE(stencil_front.fail, GN_STENCIL_DECREMENT_WRAP);
-    ABOVE(stencil_front.depth_fail, GN_STENCIL_DECREMENT_WRAP);
-    ABOVE(stencil_front.pass, GN_STENCIL_DECREMENT_WRAP);
-    ABOVE(stencil_back.function, GN_STENCIL_LESS);
-    ABOVE(stencil_back.fail, GN_STENCIL_DECREMENT_WRAP);
-    ABOVE(stencil_back.depth_fail, GN_STENCIL_DECREMENT_WRAP);
-    ABOVE(stencil_back.pass, GN_STENCIL_DECREMENT_WRAP);
-    ABOVE(blend[3].equation, GN_EQUATION_MAX);
-    ABOVE(blend[3].source, GN_FACTOR_SOURCE_ALPHA_SATURATE);
-    ABOVE(blend[3].destination, GN_FACTOR_SOURCE_ALPHA_SATURATE);
-    ABOVE(blend[3].alpha_equation, GN_EQUATION_MAX);
-    ABOVE(blend[3].alpha_source, GN_FACTOR_SOURCE_ALPHA_SATURATE);
-    ABOVE(blend[3].alpha_destination, GN_FACTOR_SOURCE_ALPHA_SATURATE);
-    ABOVE(logic_operation, GN_LOGIC_SET);
-    ABOVE(point_origin, GN_POINT_LOWER_LEFT);
-    ABOVE(polygon_mode_front, GN_POLYGON_POINT);
-    ABOVE(polygon_mode_back, GN_POLYGON_POINT);
-    NUMBER(viewport, x, NAN, GN_NOT_FINITE);
-    NUMBER(viewport, y, INFINITY, GN_NOT_FINITE);
-    NUMBER(viewport, width, NAN, GN_NOT_FINITE);
-    NUMBER(viewport, height, -INFINITY, GN_NOT_FINITE);
-    NUMBER(viewport, x, -1e5f, GN_INVALID_VIEWPORT);
-    NUMBER(viewport, y, 1e5f, GN_INVALID_VIEWPORT);
-    NUMBER(viewport, width, -1.0f, GN_INVALID_VIEWPORT);
-    NUMBER(viewport, height, 1e5f, GN_INVALID_VIEWPORT);
-    NUMBER(depth_range, z_near, NAN, GN_NOT_FINITE);
-    NUMBER(depth_range, z_far, INFINITY, GN_NOT_FINITE);
-    NUMBER(depth_range, z_near, -0.5f, GN_OUT_OF_RANGE);
-    NUMBER(depth_range, z_far, 1.5f, GN_OUT_OF_RANGE);
-    NUMBER(polygon_offset, factor, NAN, GN_NOT_FINITE);
-    NUMBER(polygon_offset, units, INFINITY, GN_NOT_FINITE);
-    NUMBER(polygon_offset, clamp, NAN, GN_NOT_FINITE);
-    p.clip_distance_count = GN_MAX_CLIP_DISTANCES + 1;
-    expect_pipeline(GN_OUT_OF_RANGE, "clip_distance_count");
-    p.color_count = GN_MAX_COLORS + 1;
-    expect_pipeline(GN_OUT_OF_RANGE, "color_count");
-    p.color_write_disabled[7] = 16;
-    expect_pipeline(GN_OUT_OF_RANGE, "color_write_disabled[7]");
-    p.blend[1].enabled = true;
-    p.blend_constant[3] = NAN;
-    expect_pipeline(GN_NOT_FINITE, "a number of blend_constant");
-    p.samples_disabled = 1u << GN_SAMPLES;
-    expect_pipeline(GN_OUT_OF_RANGE, "samples_disabled");
-    p.point_size = NAN;
-    expect_pipeline(GN_NOT_FINITE, "point_size");
-    p.point_size = -1.0f;
-    expect_pipeline(GN_OUT_OF_RANGE, "point_size");
-    p.line_width = INFINITY;
-    expect_pipeline(GN_NOT_FINITE, "line_width");
-    p.line_width = -1.0f;
-    expect_pipeline(GN_OUT_OF_RANGE, "line_width");
+    expect_pipeline(GN_NO_SHADER, "program.vertex_shader");
+    p.program.fragment_discards = true;
+    expect_pipeline(GN_NO_SHADER, "program.fragment_discards");
+    p.program.fragment_writes_sample_mask = true;
+    expect_pipeline(GN_NO_SHADER, "program.fragment_writes_sample_mask");
+    p.program.fragment_writes_depth = true;
+    expect_pipeline(GN_NO_SHADER, "program.fragment_writes_depth");
+    p.program.varying_count = GN_MAX_VARYINGS + 1;
+    expect_pipeline(GN_TOO_MANY_VARYINGS, "program.varying_count");
+    p.program.varying_count = 3;
+    p.program.interpolation[2] = (gn_interpolation)3;
+    expect_pipeline(GN_INVALID_ENUM, "program.interpolation");
+    ABOVE(raster.topology, GN_LINE_LOOP);
+    ABOVE(raster.provoking_vertex, GN_PROVOKING_FIRST);
+    ABOVE(raster.cull, GN_CULL_FRONT_AND_BACK);
+    ABOVE(raster.front_face, GN_FRONT_CLOCKWISE);
+    ABOVE(depth.clip_depth, GN_ZERO_TO_ONE);
+    ABOVE(depth.function, GN_ALWAYS);
+    ABOVE(stencil.front.function, GN_ALWAYS);
+    ABOVE(stencil.front.fail, GN_STENCIL_DECREMENT_WRAP);
+    ABOVE(stencil.front.depth_fail, GN_STENCIL_DECREMENT_WRAP);
+    ABOVE(stencil.front.pass, GN_STENCIL_DECREMENT_WRAP);
+    ABOVE(stencil.back.function, GN_ALWAYS);
+    ABOVE(stencil.back.fail, GN_STENCIL_DECREMENT_WRAP);
+    ABOVE(stencil.back.depth_fail, GN_STENCIL_DECREMENT_WRAP);
+    ABOVE(stencil.back.pass, GN_STENCIL_DECREMENT_WRAP);
+    ABOVE(color.blend[3].equation, GN_EQUATION_MAX);
+    ABOVE(color.blend[3].source, GN_FACTOR_SOURCE_ALPHA_SATURATE);
+    ABOVE(color.blend[3].destination, GN_FACTOR_SOURCE_ALPHA_SATURATE);
+    ABOVE(color.blend[3].alpha_equation, GN_EQUATION_MAX);
+    ABOVE(color.blend[3].alpha_source, GN_FACTOR_SOURCE_ALPHA_SATURATE);
+    ABOVE(color.blend[3].alpha_destination, GN_FACTOR_SOURCE_ALPHA_SATURATE);
+    ABOVE(color.logic_operation, GN_LOGIC_SET);
+    ABOVE(raster.point_origin, GN_POINT_LOWER_LEFT);
+    ABOVE(raster.polygon_mode_front, GN_POLYGON_POINT);
+    ABOVE(raster.polygon_mode_back, GN_POLYGON_POINT);
+    NUMBER(raster.viewport, x, NAN, GN_NOT_FINITE);
+    NUMBER(raster.viewport, y, INFINITY, GN_NOT_FINITE);
+    NUMBER(raster.viewport, width, NAN, GN_NOT_FINITE);
+    NUMBER(raster.viewport, height, -INFINITY, GN_NOT_FINITE);
+    NUMBER(raster.viewport, x, -1e5f, GN_INVALID_VIEWPORT);
+    NUMBER(raster.viewport, y, 1e5f, GN_INVALID_VIEWPORT);
+    NUMBER(raster.viewport, width, -1.0f, GN_INVALID_VIEWPORT);
+    NUMBER(raster.viewport, height, 1e5f, GN_INVALID_VIEWPORT);
+    NUMBER(depth.range, z_near, NAN, GN_NOT_FINITE);
+    NUMBER(depth.range, z_far, INFINITY, GN_NOT_FINITE);
+    NUMBER(depth.range, z_near, -0.5f, GN_OUT_OF_RANGE);
+    NUMBER(depth.range, z_far, 1.5f, GN_OUT_OF_RANGE);
+    NUMBER(raster.polygon_offset, factor, NAN, GN_NOT_FINITE);
+    NUMBER(raster.polygon_offset, units, INFINITY, GN_NOT_FINITE);
+    NUMBER(raster.polygon_offset, clamp, NAN, GN_NOT_FINITE);
+    p.program.clip_distance_count = GN_MAX_CLIP_DISTANCES + 1;
+    expect_pipeline(GN_OUT_OF_RANGE, "program.clip_distance_count");
+    p.program.color_count = GN_MAX_COLORS + 1;
+    expect_pipeline(GN_OUT_OF_RANGE, "program.color_count");
+    p.color.write_disabled[7] = 16;
+    expect_pipeline(GN_OUT_OF_RANGE, "color.write_disabled[7]");
+    p.color.blend[1].enabled = true;
+    p.color.blend_constant[3] = NAN;
+    expect_pipeline(GN_NOT_FINITE, "a number of color.blend_constant");
+    p.samples.write_disabled = 1u << GN_SAMPLES;
+    expect_pipeline(GN_OUT_OF_RANGE, "samples.write_disabled");
+    p.raster.point_size = NAN;
+    expect_pipeline(GN_NOT_FINITE, "raster.point_size");
+    p.raster.point_size = -1.0f;
+    expect_pipeline(GN_OUT_OF_RANGE, "raster.point_size");
+    p.raster.line_width = INFINITY;
+    expect_pipeline(GN_NOT_FINITE, "raster.line_width");
+    p.raster.line_width = -1.0f;
+    expect_pipeline(GN_OUT_OF_RANGE, "raster.line_width");
+}
+
+/* A target with colour needs a fragment shader; one without does not. gn_draw agrees. */
+static void pipelines_and_targets(void **state)
+{
+    (void)state;
+    static uint32_t pixels[4];
+    static unsigned char memory[GN_WORKSPACE_SIZE(3, 0)];
+    gn_target colored = {{gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, 2, 2)}, {0}};
+    gn_target second = {0};
+    gn_target depth = {.depth = gn_surface_bottom_up(pixels, GN_FORMAT_D24, 2, 2)};
+    gn_workspace workspace = {.memory = memory, .size = sizeof memory};
+    gn_mesh none = {0};
+
+    second.color[3] = colored.color[0];
+    memset(&p, 0, sizeof p);
+    p.program.vertex_shader = no_vertices;
+    const gn_target *const targets[] = {&colored, &second};
+    for (int i = 0; i < 2; ++i) {
+        assert_int_equal(gn_pipeline_check(&p, targets[i]), GN_NO_SHADER);
+        assert_string_equal(gn_pipeline_fault(&p, targets[i]),
+                            "program.fragment_shader is null, but the target has colour");
+        assert_int_equal(gn_draw(targets[i], &p, &none, &workspace), GN_NO_SHADER);
+    }
+    assert_int_equal(gn_pipeline_check(&p, &depth), GN_OK);
+    assert_null(gn_pipeline_fault(&p, &depth));
+    assert_int_equal(gn_draw(&depth, &p, &none, &workspace), GN_OK);
 }
 
 static gn_mesh mesh;
@@ -266,6 +294,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pipelines),
+        cmocka_unit_test(pipelines_and_targets),
         cmocka_unit_test(meshes),
         cmocka_unit_test(targets),
     };

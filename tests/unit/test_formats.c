@@ -116,9 +116,9 @@ static void draw_under(const gn_pipeline *state, gn_format format, uint32_t offs
     gn_target target = {0};
     gn_workspace workspace = {0};
 
-    pipeline.vertex_shader = cover_all;
-    pipeline.fragment_shader = shade_one_color;
-    pipeline.uniforms = color;
+    pipeline.program.vertex_shader = cover_all;
+    pipeline.program.fragment_shader = shade_one_color;
+    pipeline.program.uniforms = color;
     mesh.vertex_count = 3;
     mesh.count = 3;
     target.color[0] = gn_surface_bottom_up((unsigned char *)memory + offset, format, SIDE, SIDE);
@@ -259,14 +259,14 @@ static void blending_that_changes_nothing_gives_fragments(void **state)
     for (int f = 0; f < COLOR_FORMATS; ++f) {
         gn_pipeline p = {0};
 
-        p.blend[0].enabled = true;
-        p.blend[0].source = GN_FACTOR_ONE;
-        p.blend[0].destination = GN_FACTOR_ONE;
+        p.color.blend[0].enabled = true;
+        p.color.blend[0].source = GN_FACTOR_ONE;
+        p.color.blend[0].destination = GN_FACTOR_ONE;
         combine(&p, &table[f], zeros, table[f].fragment);
-        p.blend[0].source = GN_FACTOR_DESTINATION_COLOR;
-        p.blend[0].destination = GN_FACTOR_ZERO;
+        p.color.blend[0].source = GN_FACTOR_DESTINATION_COLOR;
+        p.color.blend[0].destination = GN_FACTOR_ZERO;
         combine(&p, &table[f], ones, table[f].fragment);
-        p.blend[0].equation = GN_EQUATION_MIN;
+        p.color.blend[0].equation = GN_EQUATION_MIN;
         combine(&p, &table[f], twos, table[f].fragment);
     }
 }
@@ -290,11 +290,11 @@ static void subtracting_what_was_added_gives_the_clear(void **state)
         assert_int_equal(gn_clear_color(&s, quarters[0], quarters[1], quarters[2], quarters[3]),
                          GN_OK);
         memcpy(before, memory, (size_t)row * SIDE);
-        p.blend[0].enabled = true;
-        p.blend[0].destination = GN_FACTOR_ONE;
+        p.color.blend[0].enabled = true;
+        p.color.blend[0].destination = GN_FACTOR_ONE;
         draw_under(&p, e->format, 0, row, small);
         assert_memory_not_equal(before, memory, (size_t)row * SIDE);
-        p.blend[0].equation = GN_EQUATION_REVERSE_SUBTRACT;
+        p.color.blend[0].equation = GN_EQUATION_REVERSE_SUBTRACT;
         draw_under(&p, e->format, 0, row, small);
         assert_memory_equal(before, memory, (size_t)row * SIDE);
     }
@@ -312,8 +312,8 @@ static void alpha_that_is_not_there_is_one(void **state)
                             e->format == GN_FORMAT_R16 || e->format == GN_FORMAT_R32F;
         gn_pipeline p = {0};
 
-        p.blend[0].enabled = true;
-        p.blend[0].source = GN_FACTOR_DESTINATION_ALPHA;
+        p.color.blend[0].enabled = true;
+        p.color.blend[0].source = GN_FACTOR_DESTINATION_ALPHA;
         combine(&p, e, clear, opaque ? e->fragment : nothing);
     }
 }
@@ -329,8 +329,8 @@ static void logic_inverts_the_bits_of_integers(void **state)
 
         for (uint32_t i = 0; i < 4; ++i)
             inverted[i] = ~e->clear[i] & (UINT32_MAX >> (32 - 8 * e->element));
-        p.color_logic = true;
-        p.logic_operation = GN_LOGIC_INVERT;
+        p.color.logic = true;
+        p.color.logic_operation = GN_LOGIC_INVERT;
         combine(&p, e, CLEAR,
                 is_float(e->format) || e->format == GN_FORMAT_SRGB8_A8 ? e->fragment : inverted);
     }
@@ -348,12 +348,12 @@ static void masks_keep_the_other_channels(void **state)
             uint32_t half[SIDE * SIDE * 4];
             gn_pipeline p = {0};
 
-            p.color_write_disabled[0] = GN_CHANNEL_ALL;
+            p.color.write_disabled[0] = GN_CHANNEL_ALL;
             combine(&p, e, CLEAR, e->clear);
-            p.color_write_disabled[0] = mask;
+            p.color.write_disabled[0] = mask;
             draw_under(&p, e->format, 0, row, SHADED);
             memcpy(half, memory, sizeof half);
-            p.color_write_disabled[0] = GN_CHANNEL_ALL & ~mask;
+            p.color.write_disabled[0] = GN_CHANNEL_ALL & ~mask;
             draw_under(&p, e->format, 0, row, SHADED);
             for (size_t i = 0; i < (size_t)SIDE * SIDE * e->count; ++i) {
                 const uint32_t changed = element_at(half, e->element, i) ^ e->clear[i % e->count];
@@ -395,9 +395,9 @@ static void each_attachment_has_its_color(void **state)
         gn_target t = {0};
         gn_workspace workspace = {0};
 
-        p.vertex_shader = cover_all;
-        p.fragment_shader = shade_all_colors;
-        p.color_count = GN_MAX_COLORS;
+        p.program.vertex_shader = cover_all;
+        p.program.fragment_shader = shade_all_colors;
+        p.program.color_count = GN_MAX_COLORS;
         for (int a = 0; a < GN_MAX_COLORS; ++a) {
             t.color[a] =
                 gn_surface_bottom_up(images[a], a % 2 ? GN_FORMAT_RG8 : GN_FORMAT_R32F, SIDE, SIDE);
@@ -406,9 +406,9 @@ static void each_attachment_has_its_color(void **state)
             if (a == hole || a >= written)
                 t.color[a].format = GN_FORMAT_NONE;
         }
-        p.blend[added].enabled = true;
-        p.blend[added].destination = GN_FACTOR_ONE;
-        p.color_write_disabled[masked] = GN_CHANNEL_RED;
+        p.color.blend[added].enabled = true;
+        p.color.blend[added].destination = GN_FACTOR_ONE;
+        p.color.write_disabled[masked] = GN_CHANNEL_RED;
         mesh.vertex_count = 3;
         mesh.count = 3;
         workspace.memory = work;
@@ -446,9 +446,9 @@ static void attachments_beyond_the_count_stay(void **state)
     gn_workspace workspace = {0};
 
     (void)state;
-    p.vertex_shader = cover_all;
-    p.fragment_shader = shade_all_colors;
-    p.color_count = GN_MAX_COLORS;
+    p.program.vertex_shader = cover_all;
+    p.program.fragment_shader = shade_all_colors;
+    p.program.color_count = GN_MAX_COLORS;
     for (int a = 0; a < 2; ++a) {
         t.color[a] = gn_surface_bottom_up(images[a], GN_FORMAT_RGBA8, SIDE, SIDE);
         assert_int_equal(gn_clear_color(&t.color[a], 0.0f, 0.0f, 1.0f, 0.0f), GN_OK);
@@ -460,14 +460,14 @@ static void attachments_beyond_the_count_stay(void **state)
     assert_int_equal(gn_draw(&t, &p, &mesh, &workspace), GN_OK);
     assert_int_equal(images[1][0], 0xFFFFFF20u);
     assert_int_equal(gn_clear_color(&t.color[1], 0.0f, 0.0f, 1.0f, 0.0f), GN_OK);
-    p.color_count = 0;
-    p.fragment_shader = shade_one_color;
-    p.uniforms = SHADED;
+    p.program.color_count = 0;
+    p.program.fragment_shader = shade_one_color;
+    p.program.uniforms = SHADED;
     assert_int_equal(gn_draw(&t, &p, &mesh, &workspace), GN_OK);
     assert_int_equal(images[0][0], 0x99FF00BFu);
     assert_int_equal(images[1][0], 0x00FF0000u);
     t.color[0].format = GN_FORMAT_NONE;
-    p.fragment_shader = NULL;
+    p.program.fragment_shader = NULL;
     assert_int_equal(gn_draw(&t, &p, &mesh, &workspace), GN_NO_SHADER);
 }
 

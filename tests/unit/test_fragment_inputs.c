@@ -38,8 +38,8 @@ static void reset(const float *positions, uint32_t vertex_count, gn_topology top
     for (int i = 0; i < 4; ++i)
         c.uniforms.clip_from_model.m[i][i] = 1.0f;
     assert_int_equal(gn_use_vertex_color(&c.pipeline, &c.uniforms), GN_OK);
-    c.pipeline.fragment_shader = show_point_coordinate;
-    c.pipeline.topology = topology;
+    c.pipeline.program.fragment_shader = show_point_coordinate;
+    c.pipeline.raster.topology = topology;
     c.mesh.attribute[GN_ATTRIBUTE_POSITION].data = positions;
     c.mesh.attribute[GN_ATTRIBUTE_POSITION].components = 4;
     c.mesh.vertex_count = vertex_count;
@@ -66,9 +66,9 @@ static void point_coordinates_follow_their_formula(void **state)
             int drawn = 0;
 
             reset(places[p], 1, GN_POINTS);
-            c.pipeline.point_size = 4.0f;
-            c.pipeline.point_origin = (gn_point_origin)origin;
-            c.pipeline.fragment_reads_point_coordinate = true;
+            c.pipeline.raster.point_size = 4.0f;
+            c.pipeline.raster.point_origin = (gn_point_origin)origin;
+            c.pipeline.program.fragment_reads_point_coordinate = true;
             assert_int_equal(draw(), GN_OK);
             for (int i = 0; i < SIZE * SIZE; ++i) {
                 const float s = 0.5f + ((float)(i % SIZE) + 0.5f - centre[p][0]) / 4.0f;
@@ -97,7 +97,7 @@ static void point_coordinates_are_given_where_asked(void **state)
         int drawn = 0;
 
         reset(square, 4, topologies[i]);
-        c.pipeline.fragment_reads_point_coordinate = i > 0;
+        c.pipeline.program.fragment_reads_point_coordinate = i > 0;
         assert_int_equal(draw(), GN_OK);
         for (int p = 0; p < SIZE * SIZE; ++p) {
             if (c.color[p][3] == 0.0f)
@@ -114,8 +114,8 @@ static void an_origin_is_checked(void **state)
 {
     (void)state;
     reset(NULL, 0, GN_POINTS);
-    c.pipeline.point_origin = (gn_point_origin)2;
-    assert_int_equal(gn_pipeline_check(&c.pipeline), GN_INVALID_ENUM);
+    c.pipeline.raster.point_origin = (gn_point_origin)2;
+    assert_int_equal(gn_pipeline_check(&c.pipeline, NULL), GN_INVALID_ENUM);
 }
 
 /* Quads have their corners at lanes 0, 2, 8 and 10. */

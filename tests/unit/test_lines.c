@@ -43,7 +43,7 @@ static void set_canvas(int columns, int rows, gn_topology topology)
     uniforms.clip_from_model = projection.matrix;
     memset(&pipeline, 0, sizeof pipeline);
     assert_int_equal(gn_use_vertex_color(&pipeline, &uniforms), GN_OK);
-    pipeline.topology = topology;
+    pipeline.raster.topology = topology;
 }
 
 static void draw_at(const float *positions, uint32_t count)
@@ -285,11 +285,11 @@ static void widths_do_not_move_ends(void **state)
             ends[n] = 2.0f + (float)(rest % QUARTERS) * 0.25f;
         const bool x_major = fabsf(ends[0] - ends[2]) >= fabsf(ends[1] - ends[3]);
 
-        pipeline.line_width = 1.0f;
+        pipeline.raster.line_width = 1.0f;
         const uint32_t thin = places_along(ends, x_major);
-        pipeline.line_width = 2.0f;
+        pipeline.raster.line_width = 2.0f;
         assert_int_equal(places_along(ends, x_major), thin);
-        pipeline.line_width = 3.0f;
+        pipeline.raster.line_width = 3.0f;
         assert_int_equal(places_along(ends, x_major), thin);
     }
 }
@@ -299,7 +299,7 @@ static uint64_t drawn_with_width(float line_width)
 {
     static const float ends[4] = {0.0f, 4.0f, 8.0f, 4.0f};
 
-    pipeline.line_width = line_width;
+    pipeline.raster.line_width = line_width;
     draw_at(ends, 2);
     return drawn;
 }

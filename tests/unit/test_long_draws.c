@@ -111,7 +111,7 @@ static void draw_in_parts(frame *f, gn_topology topology, uint32_t part, gn_work
     static gn_color_uniforms uniforms;
     gn_target target = {{gn_surface_bottom_up(f->color, GN_FORMAT_RGBA8, SIZE, SIZE)},
                         gn_surface_bottom_up(f->depth, GN_FORMAT_D24, SIZE, SIZE)};
-    gn_pipeline pipeline = {.depth_test = true, .topology = topology};
+    gn_pipeline pipeline = {.depth.test = true, .raster.topology = topology};
     gn_mesh mesh = {.vertex_count = VERTICES, .indices = indices, .index_format = GN_INDEX_UINT32};
     const uint32_t overlap = topology == GN_TRIANGLE_STRIP ? 2 : 0;
 
@@ -227,7 +227,7 @@ static void instances_are_alike(void **state)
     const size_t size = gn_workspace_size(VERTICES, VARYINGS);
     gn_workspace workspace = {.size = size, .memory = malloc(size), .samples_passed = &passed};
     gn_target target = {{gn_surface_bottom_up(f.color, GN_FORMAT_RGBA8, SIZE, SIZE)}, {0}};
-    gn_pipeline pipeline = {.cull = GN_CULL_FRONT};
+    gn_pipeline pipeline = {.raster.cull = GN_CULL_FRONT};
     gn_mesh mesh = {.vertex_count = VERTICES, .indices = indices, .index_format = GN_INDEX_UINT32};
 
     (void)state;
@@ -268,7 +268,7 @@ static void few_vertices_are_kept(void **state)
     static unsigned char memory[GN_WORKSPACE_SIZE(1024, 0)];
     gn_workspace workspace = {.memory = memory, .size = sizeof memory};
     gn_target target = {.depth = gn_surface_bottom_up(f.depth, GN_FORMAT_D24, SIZE, SIZE)};
-    gn_pipeline pipeline = {.depth_test = true, .vertex_shader = count_vertices};
+    gn_pipeline pipeline = {.depth.test = true, .program.vertex_shader = count_vertices};
     gn_mesh mesh = {.vertex_count = VERTICES, .indices = indices, .index_format = GN_INDEX_UINT32};
 
     (void)state;
@@ -294,7 +294,7 @@ static void two_blocks_are_kept(void **state)
     gn_workspace workspace = {.memory = memory, .size = sizeof memory, .samples_passed = &passed};
     gn_target target = {.depth = gn_surface_bottom_up(whole.depth, GN_FORMAT_D24, SIZE, SIZE)};
     gn_pipeline pipeline = {
-        .depth_test = true, .depth_function = GN_ALWAYS, .vertex_shader = count_vertices};
+        .depth.test = true, .depth.function = GN_ALWAYS, .program.vertex_shader = count_vertices};
     gn_mesh mesh = {.vertex_count = VERTICES, .indices = indices, .index_format = GN_INDEX_UINT32};
 
     (void)state;

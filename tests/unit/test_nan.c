@@ -41,8 +41,8 @@ static uint32_t drawn_bits(gn_backend backend, gn_format format, gn_pipeline pip
     gn_workspace workspace = {.memory = memory, .size = sizeof memory, .backend = backend};
     gn_target target = {.color = {gn_surface_bottom_up(pixels, format, width, 1)}};
 
-    pipeline.vertex_shader = cover_all;
-    pipeline.fragment_shader = shade_value;
+    pipeline.program.vertex_shader = cover_all;
+    pipeline.program.fragment_shader = shade_value;
     shaded = from_bits(source);
     for (size_t i = 0; i < channels; ++i)
         pixels[i] = from_bits(destination);
@@ -85,7 +85,7 @@ static void fragments(void **state)
             assert_one_nan(formats[f], pipeline, values[s], 0);
             assert_int_equal(drawn_bits(GN_BACKEND_AUTO, formats[f], pipeline, values[s], 0, SIZE),
                              stored);
-            pipeline.color_logic = true;
+            pipeline.color.logic = true;
             assert_one_nan(formats[f], pipeline, values[s], 0);
         }
     }
@@ -101,10 +101,10 @@ static void blending(void **state)
                     for (int d = 0; d < VALUES; ++d) {
                         gn_pipeline pipeline = {0};
 
-                        pipeline.blend[0].enabled = true;
-                        pipeline.blend[0].equation = (gn_blend_equation)equation;
-                        pipeline.blend[0].source = (gn_blend_factor)factor;
-                        pipeline.blend[0].destination =
+                        pipeline.color.blend[0].enabled = true;
+                        pipeline.color.blend[0].equation = (gn_blend_equation)equation;
+                        pipeline.color.blend[0].source = (gn_blend_factor)factor;
+                        pipeline.color.blend[0].destination =
                             (gn_blend_factor)((factor + s + d) %
                                               (GN_FACTOR_SOURCE_ALPHA_SATURATE + 1));
                         assert_one_nan(formats[f], pipeline, values[s], values[d]);
@@ -116,7 +116,7 @@ static void masked_channels_stay(void **state)
 {
     (void)state;
     for (int b = GN_BACKEND_AUTO; b < GN_BACKEND_COUNT; ++b) {
-        gn_pipeline pipeline = {.color_write_disabled = {GN_CHANNEL_ALL}};
+        gn_pipeline pipeline = {.color.write_disabled = {GN_CHANNEL_ALL}};
 
         if (!gn_backend_available((gn_backend)b))
             continue;

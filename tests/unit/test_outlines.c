@@ -18,14 +18,14 @@ static void points_are_squares(void **state)
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(covered(), 1);
     assert_true(pixel(4, 2));
-    c.pipeline.point_size = 3.0f;
+    c.pipeline.raster.point_size = 3.0f;
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(covered(), 9);
     assert_true(pixel(3, 1) && pixel(5, 3));
 
     /* A point whose centre is outside is not drawn, though it would reach in. */
     reset(outside, 1, GN_POINTS);
-    c.pipeline.point_size = 4.0f;
+    c.pipeline.raster.point_size = 4.0f;
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(covered(), 0);
 }
@@ -49,13 +49,13 @@ static void shaders_give_point_sizes(void **state)
     static const float corner[4] = {0, 0, 0, 1};
 
     reset(corner, 1, GN_POINTS);
-    c.pipeline.vertex_shader = two_pixels_large;
-    c.pipeline.point_size = 5.0f;
-    c.pipeline.program_point_size = true;
+    c.pipeline.program.vertex_shader = two_pixels_large;
+    c.pipeline.raster.point_size = 5.0f;
+    c.pipeline.program.vertex_writes_point_size = true;
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(covered(), 4);
     assert_true(pixel(3, 3) && pixel(4, 4));
-    c.pipeline.program_point_size = false;
+    c.pipeline.program.vertex_writes_point_size = false;
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(covered(), 25);
 }
@@ -83,7 +83,7 @@ static void lines_leave_out_their_last_pixel(void **state)
 
     /* Three wide, the bottom side: rows 0 to 2. */
     reset(ends, 2, GN_LINES);
-    c.pipeline.line_width = 3.0f;
+    c.pipeline.raster.line_width = 3.0f;
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(covered(), 15);
     assert_true(pixel(1, 0) && pixel(5, 2) && !pixel(6, 1) && !pixel(3, 3));
@@ -102,25 +102,25 @@ static void triangles_have_outlines(void **state)
                                      1,          -0.609375f, 0.640625f, 0, 1};
 
     reset(front, 3, GN_TRIANGLES);
-    c.pipeline.polygon_mode_front = GN_POLYGON_LINE;
-    c.pipeline.polygon_mode_back = GN_POLYGON_POINT;
+    c.pipeline.raster.polygon_mode_front = GN_POLYGON_LINE;
+    c.pipeline.raster.polygon_mode_back = GN_POLYGON_POINT;
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(covered(), 15);
     assert_true(pixel(1, 1) && pixel(6, 1) && pixel(1, 6) && !pixel(2, 2));
 
     reset(back, 3, GN_TRIANGLES);
-    c.pipeline.polygon_mode_front = GN_POLYGON_LINE;
-    c.pipeline.polygon_mode_back = GN_POLYGON_POINT;
+    c.pipeline.raster.polygon_mode_front = GN_POLYGON_LINE;
+    c.pipeline.raster.polygon_mode_back = GN_POLYGON_POINT;
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(covered(), 3);
     assert_true(pixel(1, 1) && pixel(6, 1) && pixel(1, 6));
-    c.pipeline.cull = GN_CULL_BACK;
+    c.pipeline.raster.cull = GN_CULL_BACK;
     assert_int_equal(gn_clear_color(&c.target.color[0], 0, 0, 0, 0), GN_OK);
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(covered(), 0);
 
     reset(across, 3, GN_TRIANGLES);
-    c.pipeline.polygon_mode_front = GN_POLYGON_LINE;
+    c.pipeline.raster.polygon_mode_front = GN_POLYGON_LINE;
     assert_int_equal(draw(), GN_OK);
     assert_true(pixel(7, 1) && !pixel(7, 2));
 }

@@ -16,7 +16,7 @@ static gn_pipeline good_pipeline(void)
     gn_pipeline p;
 
     memset(&p, 0, sizeof p);
-    p.vertex_shader = no_vertices;
+    p.program.vertex_shader = no_vertices;
     return p;
 }
 
@@ -25,8 +25,8 @@ static void zero_state_is_valid(void **state)
     (void)state;
     const gn_pipeline p = good_pipeline();
 
-    assert_int_equal(gn_pipeline_check(&p), GN_OK);
-    assert_int_equal(gn_pipeline_check(NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
+    assert_int_equal(gn_pipeline_check(NULL, NULL), GN_NULL_POINTER);
 }
 
 static void pipeline_faults(void **state)
@@ -34,62 +34,62 @@ static void pipeline_faults(void **state)
     (void)state;
     gn_pipeline p = good_pipeline();
 
-    p.vertex_shader = NULL;
-    assert_int_equal(gn_pipeline_check(&p), GN_NO_SHADER);
+    p.program.vertex_shader = NULL;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_NO_SHADER);
     p = good_pipeline();
-    p.varying_count = GN_MAX_VARYINGS + 1;
-    assert_int_equal(gn_pipeline_check(&p), GN_TOO_MANY_VARYINGS);
+    p.program.varying_count = GN_MAX_VARYINGS + 1;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_TOO_MANY_VARYINGS);
     p = good_pipeline();
-    p.varying_count = 3;
-    p.interpolation[2] = (gn_interpolation)3;
-    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
-    p.varying_count = 2;
-    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+    p.program.varying_count = 3;
+    p.program.interpolation[2] = (gn_interpolation)3;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_INVALID_ENUM);
+    p.program.varying_count = 2;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
 
     p = good_pipeline();
-    p.topology = (gn_topology)(GN_LINE_LOOP + 1);
-    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    p.raster.topology = (gn_topology)(GN_LINE_LOOP + 1);
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_INVALID_ENUM);
     p = good_pipeline();
-    p.provoking_vertex = (gn_provoking_vertex)2;
-    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    p.raster.provoking_vertex = (gn_provoking_vertex)2;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_INVALID_ENUM);
     p = good_pipeline();
-    p.cull = (gn_cull)4;
-    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    p.raster.cull = (gn_cull)4;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_INVALID_ENUM);
     p = good_pipeline();
-    p.front_face = (gn_front_face)2;
-    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    p.raster.front_face = (gn_front_face)2;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_INVALID_ENUM);
     p = good_pipeline();
-    p.clip_distance_count = GN_MAX_CLIP_DISTANCES + 1;
-    assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
-    p.clip_distance_count = GN_MAX_CLIP_DISTANCES;
-    assert_int_equal(gn_pipeline_check(&p), GN_OK);
-    p.clip_depth = (gn_clip_depth)2;
-    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    p.program.clip_distance_count = GN_MAX_CLIP_DISTANCES + 1;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OUT_OF_RANGE);
+    p.program.clip_distance_count = GN_MAX_CLIP_DISTANCES;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
+    p.depth.clip_depth = (gn_clip_depth)2;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_INVALID_ENUM);
     p = good_pipeline();
-    p.depth_function = (gn_compare)8;
-    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    p.depth.function = (gn_compare)(GN_ALWAYS + 1);
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_INVALID_ENUM);
     for (int member = 0; member < 8; ++member) {
         p = good_pipeline();
-        gn_stencil_face *f = member < 4 ? &p.stencil_front : &p.stencil_back;
+        gn_stencil_face *f = member < 4 ? &p.stencil.front : &p.stencil.back;
         if (member % 4 == 0)
-            f->function = (gn_stencil_function)8;
+            f->function = (gn_compare)(GN_ALWAYS + 1);
         else if (member % 4 == 1)
             f->fail = (gn_stencil_operation)8;
         else if (member % 4 == 2)
             f->depth_fail = (gn_stencil_operation)8;
         else
             f->pass = (gn_stencil_operation)8;
-        assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+        assert_int_equal(gn_pipeline_check(&p, NULL), GN_INVALID_ENUM);
     }
     p = good_pipeline();
-    p.fragment_discards = true;
-    assert_int_equal(gn_pipeline_check(&p), GN_NO_SHADER);
+    p.program.fragment_discards = true;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_NO_SHADER);
     p = good_pipeline();
-    p.fragment_writes_depth = true;
-    assert_int_equal(gn_pipeline_check(&p), GN_NO_SHADER);
+    p.program.fragment_writes_depth = true;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_NO_SHADER);
     p = good_pipeline();
-    p.fragment_writes_sample_mask = true;
-    assert_int_equal(gn_pipeline_check(&p), GN_NO_SHADER);
+    p.program.fragment_writes_sample_mask = true;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_NO_SHADER);
 }
 
 static void color_state_faults(void **state)
@@ -99,20 +99,20 @@ static void color_state_faults(void **state)
 
     for (int i = 0; i < GN_MAX_COLORS; ++i) {
         p = good_pipeline();
-        p.color_write_disabled[i] = GN_CHANNEL_ALL;
-        assert_int_equal(gn_pipeline_check(&p), GN_OK);
-        p.color_write_disabled[i] = GN_CHANNEL_ALL + 1;
-        assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
+        p.color.write_disabled[i] = GN_CHANNEL_ALL;
+        assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
+        p.color.write_disabled[i] = GN_CHANNEL_ALL + 1;
+        assert_int_equal(gn_pipeline_check(&p, NULL), GN_OUT_OF_RANGE);
     }
     p = good_pipeline();
-    p.color_count = GN_MAX_COLORS;
-    assert_int_equal(gn_pipeline_check(&p), GN_OK);
-    p.color_count = GN_MAX_COLORS + 1;
-    assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
+    p.program.color_count = GN_MAX_COLORS;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
+    p.program.color_count = GN_MAX_COLORS + 1;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OUT_OF_RANGE);
 
     for (int member = 0; member < 6; ++member) {
         p = good_pipeline();
-        gn_blend *b = &p.blend[member];
+        gn_blend *b = &p.color.blend[member];
         const int last = member < 2 ? GN_EQUATION_MAX : GN_FACTOR_SOURCE_ALPHA_SATURATE;
         for (int value = last; value <= last + 1; ++value) {
             switch (member) {
@@ -135,20 +135,20 @@ static void color_state_faults(void **state)
                 b->alpha_destination = (gn_blend_factor)value;
                 break;
             }
-            assert_int_equal(gn_pipeline_check(&p), value == last ? GN_OK : GN_INVALID_ENUM);
+            assert_int_equal(gn_pipeline_check(&p, NULL), value == last ? GN_OK : GN_INVALID_ENUM);
         }
     }
     p = good_pipeline();
-    p.blend_constant[3] = INFINITY;
-    assert_int_equal(gn_pipeline_check(&p), GN_OK); /* not enabled, not looked at */
-    p.blend[GN_MAX_COLORS - 1].enabled = true;
-    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
+    p.color.blend_constant[3] = INFINITY;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK); /* not enabled, not looked at */
+    p.color.blend[GN_MAX_COLORS - 1].enabled = true;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_NOT_FINITE);
 
     p = good_pipeline();
-    p.logic_operation = GN_LOGIC_SET;
-    assert_int_equal(gn_pipeline_check(&p), GN_OK);
-    p.logic_operation = (gn_logic_operation)16;
-    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    p.color.logic_operation = GN_LOGIC_SET;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
+    p.color.logic_operation = (gn_logic_operation)16;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_INVALID_ENUM);
 }
 
 static void size_faults(void **state)
@@ -156,29 +156,29 @@ static void size_faults(void **state)
     (void)state;
     gn_pipeline p = good_pipeline();
 
-    p.point_size = 1e30f;
-    p.line_width = 1e30f;
-    assert_int_equal(gn_pipeline_check(&p), GN_OK);
-    p.point_size = -1.0f;
-    assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
-    p.point_size = NAN;
-    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
+    p.raster.point_size = 1e30f;
+    p.raster.line_width = 1e30f;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
+    p.raster.point_size = -1.0f;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OUT_OF_RANGE);
+    p.raster.point_size = NAN;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_NOT_FINITE);
     p = good_pipeline();
-    p.samples_disabled = 16;
-    assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
-    p.samples_disabled = 15;
-    assert_int_equal(gn_pipeline_check(&p), GN_OK);
-    p.line_width = -0.5f;
-    assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
-    p.line_width = INFINITY;
-    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
+    p.samples.write_disabled = 16;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OUT_OF_RANGE);
+    p.samples.write_disabled = 15;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
+    p.raster.line_width = -0.5f;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OUT_OF_RANGE);
+    p.raster.line_width = INFINITY;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_NOT_FINITE);
     p = good_pipeline();
-    p.polygon_mode_front = (gn_polygon_mode)3;
-    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
-    p.polygon_mode_front = GN_POLYGON_POINT;
-    assert_int_equal(gn_pipeline_check(&p), GN_OK);
-    p.polygon_mode_back = (gn_polygon_mode)3;
-    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_ENUM);
+    p.raster.polygon_mode_front = (gn_polygon_mode)3;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_INVALID_ENUM);
+    p.raster.polygon_mode_front = GN_POLYGON_POINT;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
+    p.raster.polygon_mode_back = (gn_polygon_mode)3;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_INVALID_ENUM);
 }
 
 static void viewport_faults(void **state)
@@ -186,22 +186,22 @@ static void viewport_faults(void **state)
     (void)state;
     gn_pipeline p = good_pipeline();
 
-    p.viewport.width = NAN;
-    assert_int_equal(gn_pipeline_check(&p), GN_OK); /* not set, not looked at */
-    p.viewport.set = true;
-    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
-    p.viewport.width = -1.0f;
-    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_VIEWPORT);
-    p.viewport.width = (float)GN_MAX_SIZE;
-    assert_int_equal(gn_pipeline_check(&p), GN_OK);
-    p.viewport.height = (float)GN_MAX_SIZE + 1.0f;
-    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_VIEWPORT);
-    p.viewport.height = 1.0f;
-    p.viewport.x = -(float)GN_MAX_SIZE - 1.0f;
-    assert_int_equal(gn_pipeline_check(&p), GN_INVALID_VIEWPORT);
-    p.viewport.x = 0.0f;
-    p.viewport.y = INFINITY;
-    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
+    p.raster.viewport.width = NAN;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK); /* not set, not looked at */
+    p.raster.viewport.set = true;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_NOT_FINITE);
+    p.raster.viewport.width = -1.0f;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_INVALID_VIEWPORT);
+    p.raster.viewport.width = (float)GN_MAX_SIZE;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
+    p.raster.viewport.height = (float)GN_MAX_SIZE + 1.0f;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_INVALID_VIEWPORT);
+    p.raster.viewport.height = 1.0f;
+    p.raster.viewport.x = -(float)GN_MAX_SIZE - 1.0f;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_INVALID_VIEWPORT);
+    p.raster.viewport.x = 0.0f;
+    p.raster.viewport.y = INFINITY;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_NOT_FINITE);
 }
 
 static void depth_range_faults(void **state)
@@ -209,17 +209,17 @@ static void depth_range_faults(void **state)
     (void)state;
     gn_pipeline p = good_pipeline();
 
-    p.depth_range.z_near = NAN;
-    assert_int_equal(gn_pipeline_check(&p), GN_OK);
-    p.depth_range.set = true;
-    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
-    p.depth_range.z_near = 1.0f;
-    p.depth_range.z_far = 0.25f;
-    assert_int_equal(gn_pipeline_check(&p), GN_OK);
-    p.depth_range.z_far = 1.5f;
-    assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
-    p.depth_range.z_far = -0.5f;
-    assert_int_equal(gn_pipeline_check(&p), GN_OUT_OF_RANGE);
+    p.depth.range.z_near = NAN;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
+    p.depth.range.set = true;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_NOT_FINITE);
+    p.depth.range.z_near = 1.0f;
+    p.depth.range.z_far = 0.25f;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
+    p.depth.range.z_far = 1.5f;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OUT_OF_RANGE);
+    p.depth.range.z_far = -0.5f;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OUT_OF_RANGE);
 }
 
 static void any_scissor_is_valid(void **state)
@@ -227,8 +227,8 @@ static void any_scissor_is_valid(void **state)
     (void)state;
     gn_pipeline p = good_pipeline();
 
-    p.scissor = (gn_scissor){true, INT32_MIN, INT32_MAX, UINT32_MAX, 0};
-    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+    p.raster.scissor = (gn_scissor){true, INT32_MIN, INT32_MAX, UINT32_MAX, 0};
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
 }
 
 static void polygon_offset_faults(void **state)
@@ -236,16 +236,16 @@ static void polygon_offset_faults(void **state)
     (void)state;
     gn_pipeline p = good_pipeline();
 
-    p.polygon_offset.factor = NAN;
-    assert_int_equal(gn_pipeline_check(&p), GN_OK);
-    p.polygon_offset.set = true;
-    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
-    p.polygon_offset = (gn_polygon_offset){true, 1.0f, INFINITY, 0.0f};
-    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
-    p.polygon_offset = (gn_polygon_offset){true, 1.0f, 1.0f, NAN};
-    assert_int_equal(gn_pipeline_check(&p), GN_NOT_FINITE);
-    p.polygon_offset.clamp = -0.5f;
-    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+    p.raster.polygon_offset.factor = NAN;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
+    p.raster.polygon_offset.set = true;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_NOT_FINITE);
+    p.raster.polygon_offset = (gn_polygon_offset){true, 1.0f, INFINITY, 0.0f};
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_NOT_FINITE);
+    p.raster.polygon_offset = (gn_polygon_offset){true, 1.0f, 1.0f, NAN};
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_NOT_FINITE);
+    p.raster.polygon_offset.clamp = -0.5f;
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
 }
 
 static const float positions[8] = {0};

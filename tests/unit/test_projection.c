@@ -196,6 +196,37 @@ static void results_are_needed(void **state)
     assert_int_equal(gn_viewport_no(0, 0, 8, 8, 0, 1, NULL), GN_NULL_POINTER);
 }
 
+/* The words name the argument that is wrong. */
+static void perspective_faults(void **state)
+{
+    (void)state;
+    static const struct {
+        float fov_y, aspect, z_near, z_far;
+        const char *words;
+    } cases[] = {
+        {NAN, 1, 1, 10, "fov_y is not finite"},
+        {1, INFINITY, 1, 10, "aspect is not finite"},
+        {1, 1, NAN, 10, "z_near is not finite"},
+        {1, 1, 1, NAN, "z_far is not finite"},
+        {1, 1, 1, -INFINITY, "z_far is not finite"},
+        {0, 1, 1, 10, "fov_y is not above 0"},
+        {60, 1, 1, 10, "fov_y is not below pi: it is in radians"},
+        {1, 0, 1, 10, "aspect is not above 0"},
+        {1, 1, 0, 10, "z_near is not above 0"},
+        {1, 1, 1, -10, "z_far is not above 0"},
+        {1, 1, 1, 1, "z_near equals z_far"},
+        {1, 1e-44f, 1, 10, "an entry of the matrix or of its inverse would be no normal float"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const char *const words =
+            gn_perspective_fault(cases[i].fov_y, cases[i].aspect, cases[i].z_near, cases[i].z_far);
+        assert_non_null(words);
+        assert_string_equal(words, cases[i].words);
+    }
+    assert_null(gn_perspective_fault(1, 1, 1, 10));
+    assert_null(gn_perspective_fault(1, 1, 10, 1));
+    assert_null(gn_perspective_fault(1, 1, 1, INFINITY));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -203,6 +234,7 @@ int main(void)
         cmocka_unit_test(frustum),
         cmocka_unit_test(perspective),
         cmocka_unit_test(viewport),
+        cmocka_unit_test(perspective_faults),
         cmocka_unit_test(viewport_depth_is_the_rasterizers),
         cmocka_unit_test(numbers_must_be_finite),
         cmocka_unit_test(volumes_must_have_an_extent),

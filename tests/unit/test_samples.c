@@ -165,14 +165,14 @@ static uint64_t draw_strip(const gn_target *t, float right, gn_status wanted)
     mesh.attribute[GN_ATTRIBUTE_COLOR].data = white;
     mesh.attribute[GN_ATTRIBUTE_COLOR].components = 4;
     mesh.attribute[GN_ATTRIBUTE_COLOR].divisor = 1;
-    pipeline.alpha_to_coverage = alpha_covers;
-    pipeline.fragment_reads_sample_mask = reads_mask;
-    pipeline.fragment_writes_sample_mask = writes_mask;
+    pipeline.samples.alpha_to_coverage = alpha_covers;
+    pipeline.program.fragment_reads_sample_mask = reads_mask;
+    pipeline.program.fragment_writes_sample_mask = writes_mask;
     if (reads_mask || writes_mask) { /* a point, since triangles would share pixels */
-        pipeline.fragment_shader = show_masks;
-        pipeline.depth_test = true;
-        pipeline.topology = GN_POINTS;
-        pipeline.point_size = 2.0f * right;
+        pipeline.program.fragment_shader = show_masks;
+        pipeline.depth.test = true;
+        pipeline.raster.topology = GN_POINTS;
+        pipeline.raster.point_size = 2.0f * right;
         mesh.attribute[GN_ATTRIBUTE_POSITION].data = &middle_left[0];
         mesh.count = 1;
     }

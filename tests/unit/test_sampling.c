@@ -88,7 +88,7 @@ static void faults(void **state)
     s.minify = (gn_minify)6;
     expect_fault(&s, GN_INVALID_ENUM, "minify");
     s = good;
-    s.compare = (gn_texture_compare)9;
+    s.compare = (gn_compare)9;
     expect_fault(&s, GN_INVALID_ENUM, "compare");
     s = good;
     s.lod_bias = INFINITY;

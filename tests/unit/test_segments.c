@@ -68,7 +68,7 @@ static bool is_drawn(const division *d, uint32_t count)
     static gn_color_uniforms uniforms;
     static unsigned char memory[GN_WORKSPACE_SIZE(MOST, GN_SHADER_VARYINGS)];
     gn_target target = {{gn_surface_bottom_up(color, GN_FORMAT_RGBA8, SIZE, SIZE)}, {0}};
-    gn_pipeline pipeline = {.topology = d->topology, .cull = GN_CULL_BACK};
+    gn_pipeline pipeline = {.raster.topology = d->topology, .raster.cull = GN_CULL_BACK};
     gn_mesh mesh = {.vertex_count = MOST, .count = count};
     gn_workspace workspace = {.memory = memory, .backend = GN_BACKEND_PORTABLE};
     bool drawn = false;

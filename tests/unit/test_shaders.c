@@ -97,14 +97,14 @@ static void bad_uniforms_leave_the_pipeline(void **state)
     uniforms.material.bands = 257;
     assert_refused(GN_OUT_OF_RANGE);
     uniforms.shadow.map = &texture;
-    uniforms.shadow.sampler.compare = GN_TEXTURE_COMPARE_LESS;
+    uniforms.shadow.sampler.compare = GN_LESS;
     assert_refused(GN_INVALID_FORMAT);
     assert_int_equal(gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_D32F, 1, 1, 1, 1, &depth, &map),
                      GN_OK);
     uniforms.shadow.map = &map;
     assert_refused(GN_INVALID_ENUM); /* nothing is compared */
     uniforms.shadow.map = &map;
-    uniforms.shadow.sampler.compare = GN_TEXTURE_COMPARE_LESS;
+    uniforms.shadow.sampler.compare = GN_LESS;
     uniforms.material.bands = 256;
     assert_int_equal(gn_lit_uniforms_check(&uniforms), GN_OK);
 }
@@ -140,18 +140,18 @@ static void only_shader_fields_are_set(void **state)
 
     reset();
     memset(&p, 0, sizeof p);
-    p.topology = GN_TRIANGLE_FAN;
-    p.cull = GN_CULL_FRONT;
-    p.depth_test = true;
+    p.raster.topology = GN_TRIANGLE_FAN;
+    p.raster.cull = GN_CULL_FRONT;
+    p.depth.test = true;
     assert_int_equal(gn_use_gouraud(&p, &uniforms), GN_OK);
-    assert_int_equal(p.varying_count, 6);
-    for (uint32_t n = 0; n < p.varying_count; ++n)
-        assert_int_equal(p.interpolation[n], GN_SMOOTH);
-    assert_ptr_equal(p.uniforms, &uniforms);
-    assert_int_equal(p.topology, GN_TRIANGLE_FAN);
-    assert_int_equal(p.cull, GN_CULL_FRONT);
-    assert_true(p.depth_test);
-    assert_int_equal(gn_pipeline_check(&p), GN_OK);
+    assert_int_equal(p.program.varying_count, 6);
+    for (uint32_t n = 0; n < p.program.varying_count; ++n)
+        assert_int_equal(p.program.interpolation[n], GN_SMOOTH);
+    assert_ptr_equal(p.program.uniforms, &uniforms);
+    assert_int_equal(p.raster.topology, GN_TRIANGLE_FAN);
+    assert_int_equal(p.raster.cull, GN_CULL_FRONT);
+    assert_true(p.depth.test);
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
 }
 
 /* The attributes that the mesh is said to have, as bits. */
@@ -180,13 +180,13 @@ static void shade_vertex(const gn_pipeline *p, const float normal[3], float posi
     in.present = present;
     out.position = positions;
     out.varying = varyings;
-    p->vertex_shader(p->uniforms, &in, &out);
+    p->program.vertex_shader(p->program.uniforms, &in, &out);
     for (int l = 0; l < GN_LANES; ++l) {
         for (int c = 0; c < 4; ++c) {
             assert_true(positions[c][l] == positions[c][0]);
             position[c] = positions[c][l];
         }
-        for (uint32_t n = 0; n < p->varying_count; ++n)
+        for (uint32_t n = 0; n < p->program.varying_count; ++n)
             varying[n] = varyings[n][l];
     }
 }
@@ -253,7 +253,7 @@ static void texture_multiplies_every_channel(void **state)
     in.coverage = 0xFFFF;
     in.sampling = &(const gn_sampling){gn_sample_2d, NULL, NULL, NULL};
     out.color = color;
-    p.fragment_shader(p.uniforms, &in, &out);
+    p.program.fragment_shader(p.program.uniforms, &in, &out);
     for (int l = 0; l < GN_LANES; ++l) {
         assert_true(fabsf(color[0][l] - 0.5f) < 1e-6f && fabsf(color[2][l] - 0.5f) < 1e-6f);
         assert_true(fabsf(color[3][l] - 0.5f * 128.0f / 255.0f) < 1e-6f);

@@ -67,7 +67,7 @@ static void shade(use_function *use, float rgba[4])
     in.coverage = 0xFFFF;
     in.sampling = &sampling;
     out.color = color;
-    p.fragment_shader(p.uniforms, &in, &out);
+    p.program.fragment_shader(p.program.uniforms, &in, &out);
     for (int c = 0; c < 4; ++c)
         rgba[c] = color[c][5];
 }
@@ -234,7 +234,7 @@ static void shadows(void **state)
         assert_int_equal(
             gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_D32F, 1, 1, 1, 1, &texels[i], &map[i]),
             GN_OK);
-    uniforms.shadow.sampler.compare = GN_TEXTURE_COMPARE_LESS_OR_EQUAL;
+    uniforms.shadow.sampler.compare = GN_LESS_OR_EQUAL;
     uniforms.shadow.clip_from_world.m[2][2] = -0.1f;
     uniforms.shadow.clip_from_world.m[3][3] = 1.0f;
     uniforms.material.specular = (gn_vec3){1.0f, 1.0f, 1.0f};
@@ -256,16 +256,16 @@ static void depths_as_grey(void **state)
     gn_fragment_output out = {0};
 
     assert_int_equal(gn_use_depth_color(&p, &depth), GN_OK);
-    assert_true(p.fragment_reads_position);
+    assert_true(p.program.fragment_reads_position);
     for (int l = 0; l < GN_LANES; ++l)
         position[2][l] = 0.625f;
     in.position = (const float(*)[GN_LANES])position;
     out.color = color;
-    p.fragment_shader(&depth, &in, &out);
+    p.program.fragment_shader(&depth, &in, &out);
     assert_true(color[0][3] == 0.625f && color[3][3] == 1.0f);
     depth.black = 0.5f;
     depth.white = 0.75f;
-    p.fragment_shader(&depth, &in, &out);
+    p.program.fragment_shader(&depth, &in, &out);
     assert_true(color[1][15] == 0.5f);
 }
 

@@ -96,9 +96,9 @@ static void draw_at_the_edge(uint32_t width, bool ready, uint32_t *seed)
         uniforms.clip_from_model.m[i][i] = 1.0f;
     assert_int_equal(gn_use_vertex_color(&pipeline, &uniforms), GN_OK);
     if (!ready) {
-        pipeline.vertex_shader = place;
-        pipeline.fragment_shader = paint;
-        pipeline.varying_count = 0;
+        pipeline.program.vertex_shader = place;
+        pipeline.program.fragment_shader = paint;
+        pipeline.program.varying_count = 0;
     }
     mesh.attribute[GN_ATTRIBUTE_POSITION].data = positions[0];
     mesh.attribute[GN_ATTRIBUTE_POSITION].components = 4;

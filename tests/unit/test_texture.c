@@ -289,10 +289,10 @@ static void compare_on(gn_backend backend, const comparison *c)
     gn_workspace workspace = {0};
 
     target.color[0] = gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, 24, 24);
-    pipeline.vertex_shader = pass_attributes;
-    pipeline.fragment_shader = compare_samplers;
-    pipeline.uniforms = c;
-    pipeline.varying_count = 2;
+    pipeline.program.vertex_shader = pass_attributes;
+    pipeline.program.fragment_shader = compare_samplers;
+    pipeline.program.uniforms = c;
+    pipeline.program.varying_count = 2;
     mesh.attribute[0].data = position;
     mesh.attribute[0].components = 2;
     mesh.attribute[1].data = coordinates;

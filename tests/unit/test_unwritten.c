@@ -89,8 +89,8 @@ static void more_colors_of_ready_made_shaders(void)
 {
     for (int shader = 0; shader < SHADERS; ++shader) {
         memset(&c.pipeline, 0, sizeof c.pipeline);
-        c.pipeline.topology = GN_TRIANGLE_STRIP;
-        c.pipeline.color_count = 3;
+        c.pipeline.raster.topology = GN_TRIANGLE_STRIP;
+        c.pipeline.program.color_count = 3;
         set_float_colors(4);
         assert_int_equal(use_shader(shader, &c.pipeline), GN_OK);
         assert_int_equal(draw(), GN_OK);
@@ -123,9 +123,9 @@ static void sizes_of_ready_made_shaders(void)
             memset(&c.pipeline, 0, sizeof c.pipeline);
             c.mesh.attribute[GN_ATTRIBUTE_POSITION].data = middle;
             c.mesh.vertex_count = c.mesh.count = 1;
-            c.pipeline.topology = GN_POINTS;
-            c.pipeline.program_point_size = true;
-            c.pipeline.point_size = sizes[i].size;
+            c.pipeline.raster.topology = GN_POINTS;
+            c.pipeline.program.vertex_writes_point_size = true;
+            c.pipeline.raster.point_size = sizes[i].size;
             c.workspace.samples_passed = &passed;
             assert_int_equal(use_shader(shader, &c.pipeline), GN_OK);
             assert_int_equal(draw(), GN_OK);
@@ -149,8 +149,8 @@ static void distances_of_ready_made_shaders(void)
 
             memset(memory, c.memory[0], sizeof memory);
             memset(&c.pipeline, 0, sizeof c.pipeline);
-            c.pipeline.topology = GN_TRIANGLE_STRIP;
-            c.pipeline.clip_distance_count = count;
+            c.pipeline.raster.topology = GN_TRIANGLE_STRIP;
+            c.pipeline.program.clip_distance_count = count;
             c.workspace.memory = memory;
             c.workspace.size = sizeof memory;
             c.workspace.samples_passed = &passed;
@@ -211,10 +211,10 @@ static void points_of_nothing(void)
      * those with an odd number lie at x = 0.9, whose point is the pixel (7, 3). */
     set_float_colors(1);
     memset(&c.pipeline, 0, sizeof c.pipeline);
-    c.pipeline.topology = GN_POINTS;
-    c.pipeline.vertex_shader = write_odd_vertices;
-    c.pipeline.fragment_shader = show_varyings;
-    c.pipeline.varying_count = 4;
+    c.pipeline.raster.topology = GN_POINTS;
+    c.pipeline.program.vertex_shader = write_odd_vertices;
+    c.pipeline.program.fragment_shader = show_varyings;
+    c.pipeline.program.varying_count = 4;
     c.mesh.attribute[GN_ATTRIBUTE_POSITION].data = positions[0];
     c.mesh.attribute[GN_ATTRIBUTE_COLOR].data = NULL;
     c.mesh.vertex_count = 40;
@@ -230,7 +230,7 @@ static void points_of_nothing(void)
             assert_float_equal(colors[0][i][1], even ? 0.0f : odd ? 3.0f : 7.0f, 0.0f);
         }
     }
-    c.pipeline.vertex_shader = write_no_vertex;
+    c.pipeline.program.vertex_shader = write_no_vertex;
     c.mesh.count = 1;
     set_float_colors(1);
     assert_int_equal(draw(), GN_OK);
@@ -250,11 +250,11 @@ static void colors_of_nothing(void)
         for (int late = 0; late < 2; ++late) {
             reset(square, 4, GN_TRIANGLE_STRIP);
             set_float_colors(GN_MAX_COLORS);
-            c.pipeline.fragment_shader = write_no_fragment;
-            c.pipeline.fragment_discards = late;
-            c.pipeline.fragment_writes_depth = late;
-            c.pipeline.depth_test = true;
-            c.pipeline.color_count = count;
+            c.pipeline.program.fragment_shader = write_no_fragment;
+            c.pipeline.program.fragment_discards = late;
+            c.pipeline.program.fragment_writes_depth = late;
+            c.pipeline.depth.test = true;
+            c.pipeline.program.color_count = count;
             assert_int_equal(draw(), GN_OK);
             for (int a = 0; a < GN_MAX_COLORS; ++a)
                 assert_attachment_is(a, a < (int)count || a == 0 ? 0.0f : 7.0f);
@@ -290,12 +290,12 @@ static void too_few_varyings_are_refused(void **state)
     set_uniforms();
     for (int shader = 0; shader < SHADERS; ++shader) {
         assert_int_equal(use_shader(shader, &c.pipeline), GN_OK);
-        assert_int_equal(gn_pipeline_check(&c.pipeline), GN_OK);
-        if (c.pipeline.varying_count == 0)
+        assert_int_equal(gn_pipeline_check(&c.pipeline, NULL), GN_OK);
+        if (c.pipeline.program.varying_count == 0)
             continue;
-        --c.pipeline.varying_count;
-        assert_int_equal(gn_pipeline_check(&c.pipeline), GN_OUT_OF_RANGE);
-        assert_string_equal(gn_pipeline_fault(&c.pipeline),
+        --c.pipeline.program.varying_count;
+        assert_int_equal(gn_pipeline_check(&c.pipeline, NULL), GN_OUT_OF_RANGE);
+        assert_string_equal(gn_pipeline_fault(&c.pipeline, NULL),
                             "varying_count is below what the ready-made shaders and their maps "
                             "use: call the gn_use_ function again");
         assert_int_equal(draw(), GN_OUT_OF_RANGE);
@@ -323,14 +323,14 @@ static void what_ready_made_shaders_read_must_be_there(void **state)
     reset(square, 4, GN_TRIANGLE_STRIP);
     set_uniforms();
     assert_int_equal(gn_use_depth_color(&c.pipeline, &uniforms.depth), GN_OK);
-    c.pipeline.fragment_reads_position = false;
+    c.pipeline.program.fragment_reads_position = false;
     assert_int_equal(draw(), GN_OUT_OF_RANGE);
-    assert_string_equal(gn_pipeline_fault(&c.pipeline),
+    assert_string_equal(gn_pipeline_fault(&c.pipeline, NULL),
                         "fragment_reads_position is off, but gn_use_depth_color's shader reads it");
     assert_int_equal(gn_use_vertex_color(&c.pipeline, &uniforms.color), GN_OK);
-    c.pipeline.uniforms = NULL;
+    c.pipeline.program.uniforms = NULL;
     assert_int_equal(draw(), GN_NULL_POINTER);
-    assert_string_equal(gn_pipeline_fault(&c.pipeline),
+    assert_string_equal(gn_pipeline_fault(&c.pipeline, NULL),
                         "uniforms is null, but a shader is a ready-made one");
 }
 

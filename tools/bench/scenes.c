@@ -50,7 +50,7 @@ static scene_draw *add_draw(scene *s, scene_shader shader)
     gn_transform projection;
 
     d->shader = shader;
-    d->state.depth_test = true;
+    d->state.depth.test = true;
     gn_perspective_rh_no(GN_PI / 2, 1.0f, 0.5f, 200.0f, &projection);
     d->uniforms.light.clip_from_model = projection.matrix;
     return d;
@@ -229,7 +229,7 @@ static void add_sphere(scene *s, uint32_t n, float across, scene_shader shader)
     d->uniforms.light.light_direction = (gn_vec3){0.0f, 0.6f, 0.8f};
     d->uniforms.light.ambient = (gn_vec3){0.2f, 0.2f, 0.2f};
     d->uniforms.light.diffuse = (gn_vec3){0.8f, 0.8f, 0.8f};
-    d->state.cull = GN_CULL_BACK;
+    d->state.raster.cull = GN_CULL_BACK;
     scene_set_attribute(d, GN_ATTRIBUTE_POSITION, m.normal, 3, m.vertex_count);
     scene_set_attribute(d, GN_ATTRIBUTE_NORMAL, m.normal, 3, m.vertex_count);
     if (shader != SCENE_GOURAUD) {

@@ -135,10 +135,10 @@ scene_draw *look_add_part(scene *s, const look *l, const model_part *part, const
     scene_draw *draw = scene_add_draw(s);
     scene_light *light = &draw->uniforms.light;
     draw->shader = shader_of(l->shading, maps->images[MAP_DIFFUSE].texels != NULL);
-    draw->state.depth_test = true;
+    draw->state.depth.test = true;
     if (l->options->wireframe) {
-        draw->state.polygon_mode_front = GN_POLYGON_LINE;
-        draw->state.polygon_mode_back = GN_POLYGON_LINE;
+        draw->state.raster.polygon_mode_front = GN_POLYGON_LINE;
+        draw->state.raster.polygon_mode_back = GN_POLYGON_LINE;
     }
     light->clip_from_model = l->view.clip_from_world;
     gn_mat3_identity(&light->normal_matrix);

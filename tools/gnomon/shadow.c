@@ -50,10 +50,10 @@ void shadow_add_part(shadow_pass *pass, const model_part *part)
 {
     scene_draw *draw = scene_add_draw(pass->scene);
     draw->shader = SCENE_DEPTH_ONLY;
-    draw->state.depth_test = true;
-    draw->state.polygon_offset.set = true;
-    draw->state.polygon_offset.factor = OFFSET_FACTOR;
-    draw->state.polygon_offset.units = OFFSET_UNITS;
+    draw->state.depth.test = true;
+    draw->state.raster.polygon_offset.set = true;
+    draw->state.raster.polygon_offset.factor = OFFSET_FACTOR;
+    draw->state.raster.polygon_offset.units = OFFSET_UNITS;
     draw->uniforms.light.clip_from_model = pass->clip_from_world;
     scene_set_attribute(draw, GN_ATTRIBUTE_POSITION, part->positions, 3, part->vertex_count);
     scene_set_indices(draw, part->indices, part->index_count, GN_INDEX_UINT32);
@@ -74,7 +74,7 @@ static gn_sampler comparing_sampler(void)
     memset(&sampler, 0, sizeof sampler);
     sampler.wrap_s = sampler.wrap_t = GN_WRAP_CLAMP_TO_BORDER;
     sampler.minify = GN_MINIFY_LINEAR;
-    sampler.compare = GN_TEXTURE_COMPARE_LESS_OR_EQUAL;
+    sampler.compare = GN_LESS_OR_EQUAL;
     for (int c = 0; c < 4; c++)
         sampler.border[c] = 1.0f;
     return sampler;

@@ -171,13 +171,32 @@ static int make_view(const setup *s, gn_transform *view)
                                     : gn_look_to_rh(position, ahead, up, view));
 }
 
+/* A perspective's fault names the statement that is wrong. */
+static int perspective_fault(const setup *s)
+{
+    const statement *g = s->given;
+    const float angle = g[KEYWORD_PERSPECTIVE].number[0];
+    keyword which = KEYWORD_PERSPECTIVE;
+    const char *why = "a number of the matrix or of its inverse would be too large or too small";
+    if (!(angle > 0.0f && angle < 180.0f)) {
+        why = "the angle is not within 0 to 180 degrees";
+    } else if (!(g[KEYWORD_NEAR].number[0] > 0.0f)) {
+        which = KEYWORD_NEAR;
+        why = "it is not above 0";
+    } else if (!s->infinite && !(g[KEYWORD_FAR].number[0] > 0.0f)) {
+        which = KEYWORD_FAR;
+        why = "it is not above 0";
+    }
+    return transform_fault(s->file, g[which].line, "%s: %s", transform_keyword(which), why);
+}
+
 static int projection_fault(const setup *s, keyword which, gn_status status)
 {
     const char *why = gn_status_text(status);
+    if (status == GN_OUT_OF_RANGE && which == KEYWORD_PERSPECTIVE)
+        return perspective_fault(s);
     if (status == GN_SINGULAR)
         why = "two opposite planes, such as near and far, are the same";
-    else if (status == GN_OUT_OF_RANGE && which == KEYWORD_PERSPECTIVE)
-        why = "the angle is not within 0 to 180 degrees, or near or far not above 0";
     else if (status == GN_OUT_OF_RANGE && which == KEYWORD_FRUSTUM)
         why = "near or far is not above 0, or a number is out of range";
     return transform_fault(s->file, s->given[which].line, "%s: %s", transform_keyword(which), why);
