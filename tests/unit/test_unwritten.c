@@ -296,7 +296,7 @@ static void too_few_varyings_are_refused(void **state)
         --c.pipeline.program.varying_count;
         assert_int_equal(gn_pipeline_check(&c.pipeline, NULL), GN_OUT_OF_RANGE);
         assert_string_equal(gn_pipeline_fault(&c.pipeline, NULL),
-                            "varying_count is below what the ready-made shaders and their maps "
+                            "program.varying_count is below what the ready-made shaders and their maps "
                             "use: call the gn_use_ function again");
         assert_int_equal(draw(), GN_OUT_OF_RANGE);
         assert_int_equal(covered(), 0);
@@ -326,12 +326,12 @@ static void what_ready_made_shaders_read_must_be_there(void **state)
     c.pipeline.program.fragment_reads_position = false;
     assert_int_equal(draw(), GN_OUT_OF_RANGE);
     assert_string_equal(gn_pipeline_fault(&c.pipeline, NULL),
-                        "fragment_reads_position is off, but gn_use_depth_color's shader reads it");
+                        "program.fragment_reads_position is off, but gn_use_depth_color's shader reads it");
     assert_int_equal(gn_use_vertex_color(&c.pipeline, &uniforms.color), GN_OK);
     c.pipeline.program.uniforms = NULL;
     assert_int_equal(draw(), GN_NULL_POINTER);
     assert_string_equal(gn_pipeline_fault(&c.pipeline, NULL),
-                        "uniforms is null, but a shader is a ready-made one");
+                        "program.uniforms is null, but a shader is a ready-made one");
 }
 
 int main(void)
