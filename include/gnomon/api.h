@@ -1,5 +1,5 @@
-/* How the library's symbols are declared: C linkage, and the only visible
- * symbols of a shared library that is otherwise hidden. */
+/* How the library's symbols are declared: with C linkage, and visible in a shared library whose
+ * other symbols are hidden. */
 #ifndef GNOMON_API_H
 #define GNOMON_API_H
 

@@ -1,8 +1,10 @@
-/* Back ends: the same stages compiled for several instruction sets. All of them write the same bits
- * to surfaces and textures and differ in speed alone. Processors differ in the bits of a NaN that
- * arithmetic makes, so every NaN that is stored as a float of 32 bits is 0x7FC00000 and every NaN
- * that is stored as a float of 16 bits is 0x7E00; only copies keep other NaNs. Shaders, and callers
- * of the functions of gnomon/sampling.h and gnomon/bulk.h, may see a NaN of any bits. */
+/* Back ends: the same stages compiled for several instruction sets. All back ends write the same
+ * bits to surfaces and textures; they differ only in speed.
+ *
+ * Processors differ in the bits of a NaN that arithmetic produces. Therefore every NaN stored as a
+ * 32-bit float is 0x7FC00000, and every NaN stored as a 16-bit float is 0x7E00. Only copies keep
+ * other NaNs. Shaders, and callers of the functions of gnomon/sampling.h and gnomon/bulk.h, may see
+ * a NaN of any bits. */
 #ifndef GNOMON_BACKEND_H
 #define GNOMON_BACKEND_H
 
@@ -11,7 +13,7 @@
 #include "api.h"
 
 typedef enum gn_backend {
-    GN_BACKEND_AUTO = 0, /* the fastest there is, asked of the processor in every draw */
+    GN_BACKEND_AUTO = 0, /* the fastest available; each draw asks the processor */
     GN_BACKEND_PORTABLE, /* plain C */
     GN_BACKEND_SSE2,
     GN_BACKEND_AVX2,
@@ -23,16 +25,16 @@ typedef enum gn_backend {
 
 GN_BEGIN
 
-/* Whether the library holds this back end and the processor and its operating system
- * can run it. GN_BACKEND_AUTO always is; other values are not. */
+/* Returns whether the library contains this back end and the processor and the operating system can
+ * run it. Returns true for GN_BACKEND_AUTO and false for values that are no gn_backend. */
 GN_API bool gn_backend_available(gn_backend backend);
 
-/* The fastest available. Asking the processor takes 20 microseconds on some virtual
- * machines: a program with many small draws asks once and names the answer in its
+/* Returns the fastest available back end. Asking the processor takes 20 microseconds on some
+ * virtual machines: a program with many small draws should ask once and name the answer in its
  * workspace. */
 GN_API gn_backend gn_backend_best(void);
 
-/* "portable", "sse2" and so on; "unknown" for no gn_backend. */
+/* Returns the name: "portable", "sse2" and so on; "unknown" for a value that is no gn_backend. */
 GN_API const char *gn_backend_name(gn_backend backend);
 
 GN_END

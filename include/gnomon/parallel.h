@@ -1,19 +1,20 @@
-/* Threads: the caller's. The library starts none and takes no locks; it hands out tasks
- * that touch disjoint memory, through a function of the caller's. Compiled with GN_SMALL it
+/* Threads, which the caller provides. The library starts no threads and takes no locks; it passes
+ * tasks that touch disjoint memory to a function of the caller's. A library compiled with GN_SMALL
  * does not call that function. */
 #ifndef GNOMON_PARALLEL_H
 #define GNOMON_PARALLEL_H
 
 #include <stdint.h>
 
-/* One of a number of tasks. */
+/* Runs the task with this index. */
 typedef void gn_task(void *context, uint32_t index);
 
-/* Runs task(context, 0) to task(context, count - 1), each once, on any threads and in any
- * order, the calling one perhaps among them, and returns when all of them have returned.
- * What was written before the call is visible to the tasks, and what they write to the
- * caller after it: thread pools that hand out work under a lock or with atomic operations
- * give that. Tasks do not call it again. `user` is the workspace's pointer. */
+/* Runs task(context, 0) to task(context, count - 1), each once, on any threads and in any order,
+ * and returns when all of them have returned. The calling thread may run some of them. The tasks
+ * must see everything that was written before the call, and the caller must see, after the call,
+ * everything that the tasks wrote: thread pools that hand out work under a lock or with atomic
+ * operations ensure this. Tasks do not call the function again. `user` is the workspace's
+ * pointer. */
 typedef void gn_parallel(void *user, gn_task *task, void *context, uint32_t count);
 
 #endif

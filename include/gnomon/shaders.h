@@ -1,17 +1,20 @@
-/* Ready-made shaders: each function sets the shaders, varyings, interpolation and uniforms of a
- * pipeline, gn_use_depth_color also fragment_reads_position, and leaves the rest of its state
- * alone. The uniforms and their textures are the caller's and must outlive the draws. They may
- * change between draws. gn_draw does not check their values: call the function again, or
- * gn_lit_uniforms_check, after a change of maps, samplers, bands or the shadow map. The function
- * must be called again when more varyings are needed: when gn_unlit_uniforms.map appears, with
- * gn_use_gouraud when the diffuse map appears, and with the shaders that light fragments when a
- * normal map of GN_NORMAL_OF_TANGENTS appears or a normal map becomes one. gn_draw refuses a
- * varying_count that is too small, and gn_use_depth_color's shader without
- * fragment_reads_position, with GN_OUT_OF_RANGE, and null uniforms with GN_NULL_POINTER. A library
- * compiled with GN_SMALL checks none of the three; what is then drawn is undefined.
+/* Ready-made shaders: each gn_use_ function sets the shaders, varyings, interpolation and uniforms
+ * of a pipeline and leaves the rest of the pipeline's state alone; only gn_use_depth_color also
+ * sets fragment_reads_position. The caller owns the uniforms and their textures, which must outlive
+ * the draws. They may change between draws. gn_draw does not check the values of uniforms: after a
+ * change of maps, samplers, bands or the shadow map, call the gn_use_ function again, or
+ * gn_lit_uniforms_check.
  *
- * The shaders write the first colour alone and neither point sizes nor clip distances: further
- * colours become 0, 0, 0, 0 (set color.write_disabled to keep an attachment as it is), points have
+ * A gn_use_ function must be called again when its shader needs more varyings than before: for
+ * gn_use_unlit when gn_unlit_uniforms.map is no longer null, for gn_use_gouraud when the diffuse
+ * map is no longer null, and for the shaders that light fragments when a normal map of
+ * GN_NORMAL_OF_TANGENTS is set or a normal map becomes one. gn_draw refuses a varying_count that is
+ * too small, and the shader of gn_use_depth_color without fragment_reads_position, with
+ * GN_OUT_OF_RANGE; it refuses null uniforms with GN_NULL_POINTER. A library compiled with GN_SMALL
+ * checks none of the three; what it then draws is undefined.
+ *
+ * The shaders write only the first colour, and neither point sizes nor clip distances. Further
+ * colours become 0, 0, 0, 0 (set color_write_disabled to keep an attachment as it is), points have
  * the pipeline's point_size, and nothing is clipped by clip distances.
  *
  *   gn_use_vertex_color  vertex colours                                     gn_color_uniforms
@@ -25,29 +28,54 @@
  *   gn_use_normal_color  normals as colours                                 gn_lit_uniforms
  *   gn_use_depth_color   depth as grey                                      gn_depth_color_uniforms
  *
- * Shadow maps take two passes: gn_use_depth_only with the light's camera, then any shader
- * that lights pixels, with gn_lit_uniforms.shadow.
+ * Shadow maps take two passes: gn_use_depth_only with the light's camera, then, with
+ * gn_lit_uniforms.shadow, any shader that lights pixels.
  *
- * The attributes of a mesh, for all of them: */
+ * Varyings. To use a ready-made vertex shader with a fragment shader of your own, call the gn_use_
+ * function, then replace the fragment shader in the pipeline. Your shader receives the uniforms of
+ * the gn_use_ function and these varyings:
+ *
+ *   gn_use_ function                 varyings  with maps
+ *   vertex_color                     0 to 3
+ *   depth_only, depth_color          none
+ *   unlit                            0 to 3    0 to 5 with a map
+ *   gouraud                          0 to 3    0 to 5 with a diffuse map
+ *   flat, toon, phong, blinn_phong,  0 to 11   0 to 15 with a normal map of
+ *   normal_color                               GN_NORMAL_OF_TANGENTS
+ *
+ *   varying    value at a vertex
+ *   0 to 3     red, green, blue, alpha: the vertex colour, white where the mesh has none;
+ *              with gouraud lit, except alpha
+ *   4, 5       texture coordinates s, t
+ *   6 to 8     normal x, y, z in world space: of length 1, or 0 where the mesh has none
+ *   9 to 11    position x, y, z in world space
+ *   12 to 14   tangent x, y, z in world space: of length 1, or 0 where the mesh has none
+ *   15         component 3 of GN_ATTRIBUTE_TANGENT, the sign of the bitangent
+ *
+ * Every varying is GN_SMOOTH: between vertices, normals and tangents do not have length 1. Maps
+ * that the table does not name change nothing: the varyings of phong are the same with and without
+ * a diffuse map. */
 #ifndef GNOMON_SHADERS_H
 #define GNOMON_SHADERS_H
 
 #include "light.h"
 #include "pipeline.h"
 
+/* The attributes of a mesh that ready-made shaders read. */
 typedef enum gn_shader_attribute {
-    GN_ATTRIBUTE_POSITION = 0, /* model space, w = 1 where absent */
+    GN_ATTRIBUTE_POSITION = 0, /* model space; w = 1 where absent */
     GN_ATTRIBUTE_COLOR = 1,    /* red, green, blue, alpha; white where the mesh has none */
     GN_ATTRIBUTE_NORMAL = 2,   /* model space, any length but 0 */
     GN_ATTRIBUTE_TEXCOORD = 3, /* s, t */
 
-    /* For GN_NORMAL_OF_TANGENTS alone: towards greater s in model space, any length, and 1 or -1,
-     * by which cross(normal, tangent) is multiplied to give the bitangent, towards greater t
-     * (Mikkelsen's convention). Where the mesh has none, maps do not tilt its normals. */
+    /* Only for GN_NORMAL_OF_TANGENTS. Components 0 to 2 point towards greater s, in model space,
+     * with any length. Component 3 is 1 or -1: cross(normal, tangent) times it is the bitangent,
+     * which points towards greater t (Mikkelsen's convention). If the mesh has no tangents, maps do
+     * not tilt its normals. */
     GN_ATTRIBUTE_TANGENT = 4
 } gn_shader_attribute;
 
-/* The scalar varyings the ready-made shaders use at most, for sizing a workspace. */
+/* The largest number of scalar varyings of a ready-made shader, for sizing a workspace. */
 #define GN_SHADER_VARYINGS 16
 
 typedef struct gn_color_uniforms {
@@ -60,7 +88,7 @@ typedef struct gn_unlit_uniforms {
     gn_sampler sampler;
 } gn_unlit_uniforms;
 
-/* One for all lit shaders, so that one can be taken for another. What each looks at:
+/* The uniforms of all lit shaders, so that one shader can be replaced by another. Each shader uses:
  *
  *                    flat  Gouraud  toon  Phong, Blinn-Phong  normal colour
  *   normal_matrix    -     x        x     x                   x
@@ -71,7 +99,9 @@ typedef struct gn_unlit_uniforms {
  *   normal_map       -     -        -     x                   x
  *   specular ..      -     -        -     x                   -
  *   glow_map         -     -        -     x                   -
- *   shadow           x     -        x     x                   -  */
+ *   shadow           x     -        x     x                   -
+ *
+ * "point" means for point lights only, "of tangents" for GN_NORMAL_OF_TANGENTS only. */
 typedef struct gn_lit_uniforms {
     gn_mat4 clip_from_model;
     gn_mat4 world_from_model;
@@ -84,62 +114,64 @@ typedef struct gn_lit_uniforms {
 
 typedef struct gn_depth_color_uniforms {
     gn_mat4 clip_from_model;
-    float black, white; /* the window depths that are drawn so; both 0: 0 is black, 1 white */
+    float black, white; /* the window depths drawn black and white; both 0 mean 0 and 1 */
 } gn_depth_color_uniforms;
 
 GN_BEGIN
 
-/* What is wrong with the uniforms of lit shaders: GN_NULL_POINTER (uniforms); GN_NOT_COMPILED (a
- * point light or a shadow map, with GN_BASIC); for the maps that are
- * there, in the order of their members, the statuses of gn_texture_check, then GN_INVALID_ENUM (no
- * GN_TEXTURE_2D); where any is there those of gn_sampler_check; GN_INVALID_ENUM (normal_space);
- * GN_OUT_OF_RANGE (bands are 1 or above 256); of a shadow map the same and GN_INVALID_FORMAT (not
- * of depth), then of its sampler, and GN_INVALID_ENUM (it does not compare). Every function below
- * that takes them gives these, whether it looks at a map or not. */
+/* Returns the first fault of the uniforms of lit shaders: GN_NULL_POINTER (uniforms);
+ * GN_NOT_COMPILED (a point light or a shadow map, with GN_BASIC); for each map that is not null, in
+ * the order of the members, the statuses of gn_texture_check, then GN_INVALID_ENUM (not a
+ * GN_TEXTURE_2D); if any map is not null, the statuses of gn_sampler_check; GN_INVALID_ENUM
+ * (normal_space); GN_OUT_OF_RANGE (bands is 1 or above 256); for a shadow map the statuses of a
+ * map, then GN_INVALID_FORMAT (no depth format), the statuses of gn_sampler_check, and
+ * GN_INVALID_ENUM (the sampler does not compare). Every function below that takes gn_lit_uniforms
+ * returns these statuses, whether its shader uses a map or not. */
 GN_API gn_status gn_lit_uniforms_check(const gn_lit_uniforms *uniforms);
 
-/* In what follows a status other than GN_OK leaves the pipeline as it was, and GN_NULL_POINTER is
- * for null arguments. */
+/* For all functions below: a status other than GN_OK leaves the pipeline as it was, and
+ * GN_NULL_POINTER is returned for null arguments. */
 
-/* Vertex colours, interpolated: OpenGL's smooth shading without a light. */
+/* Draws vertex colours, interpolated: OpenGL's smooth shading without a light. */
 GN_API gn_status gn_use_vertex_color(gn_pipeline *pipeline, const gn_color_uniforms *uniforms);
 
-/* Positions alone, without a fragment shader: for targets that have no colour. */
+/* Draws depth only, without a fragment shader, for targets that have no colour. */
 GN_API gn_status gn_use_depth_only(gn_pipeline *pipeline, const gn_color_uniforms *uniforms);
 
-/* The vertex colour times the map, channel by channel, alpha too.
- * The statuses of gn_texture_check, GN_INVALID_ENUM (no GN_TEXTURE_2D) and those of
- * gn_sampler_check, where there is a map. */
+/* Draws the vertex colour times the map, channel by channel, including alpha. If there is a map,
+ * also returns the statuses of gn_texture_check, GN_INVALID_ENUM (not a GN_TEXTURE_2D) and the
+ * statuses of gn_sampler_check. */
 GN_API gn_status gn_use_unlit(gn_pipeline *pipeline, const gn_unlit_uniforms *uniforms);
 
-/* One normal for each triangle, which needs none in the mesh: N is the cross product of the
- * derivatives of the position along x and y of the window, so that it points to the eye, from
- * either side of a triangle. Without highlights. (The colour of the provoking vertex over the whole
- * triangle is gn_use_gouraud with interpolation[0] to [3] set to GN_FLAT afterwards.) */
+/* Draws lit triangles with one normal each; the mesh needs no normals. N is the cross product of
+ * the derivatives of the position along x and y of the window, so it points to the eye from either
+ * side of a triangle. There are no highlights. (To draw the colour of the provoking vertex over the
+ * whole triangle, call gn_use_gouraud and then set interpolation[0] to [3] to GN_FLAT.) */
 GN_API gn_status gn_use_flat(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
 
-/* The lit colours of the vertices, interpolated (Gouraud 1971), times the diffuse map. Without
- * highlights and shadows. */
+/* Draws the lit colours of the vertices, interpolated (Gouraud 1971), times the diffuse map. There
+ * are no highlights and no shadows. */
 GN_API gn_status gn_use_gouraud(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
 
-/* N.L at every pixel, from 0 to 1, in n = bands steps of equal height and width:
- * min(floor(max(N.L, 0) * n), n - 1) / (n - 1). Without highlights. */
+/* Draws N.L at every pixel, from 0 to 1, in n = bands steps of equal height and width:
+ * min(floor(max(N.L, 0) * n), n - 1) / (n - 1). There are no highlights. */
 GN_API gn_status gn_use_toon(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
 
-/* All of gnomon/light.h at every pixel, with the highlight max(R.V, 0)^exponent where N.L > 0, and
- * 0 elsewhere; R is the reflection of L (Phong 1975). The power is made by repeated squaring. */
+/* Draws the whole formula of gnomon/light.h at every pixel. The highlight is max(R.V, 0)^exponent
+ * where N.L > 0, and 0 elsewhere; R is the reflection of L (Phong 1975). The power is computed by
+ * repeated squaring. */
 GN_API gn_status gn_use_phong(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
 
-/* The same with the highlight max(N.H, 0)^exponent, H = (L + V) normalized (Blinn 1977), which
- * takes some four times the exponent to be as small. */
+/* Draws what gn_use_phong draws, with the highlight max(N.H, 0)^exponent, H = (L + V) normalized
+ * (Blinn 1977). It takes about four times the exponent to make a highlight as small as Phong's. */
 GN_API gn_status gn_use_blinn_phong(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
 
-/* rgb = 0.5 * N + 0.5, that of the normal map where there is one, alpha 1: shows whether normals,
- * tangents and maps are right. */
+/* Draws rgb = 0.5 * N + 0.5, alpha 1, with the N of the normal map if there is one. Shows whether
+ * normals, tangents and maps are right. */
 GN_API gn_status gn_use_normal_color(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
 
-/* rgb = (depth - black) / (white - black), alpha 1. GN_NOT_FINITE, or GN_OUT_OF_RANGE where black
- * and white are equal and not 0. */
+/* Draws rgb = (depth - black) / (white - black), alpha 1. GN_NOT_FINITE if black or white is not
+ * finite, GN_OUT_OF_RANGE if black and white are equal and not 0. */
 GN_API gn_status gn_use_depth_color(gn_pipeline *pipeline, const gn_depth_color_uniforms *uniforms);
 
 GN_END

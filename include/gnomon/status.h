@@ -1,6 +1,6 @@
-/* What a function says about its input. GN_OK is zero, so `if (status)` reads
- * as "something is wrong"; every other value names one fault. Unless a contract
- * says otherwise, a function that does not return GN_OK has written nothing. */
+/* What a function reports about its input. GN_OK is zero, so `if (status)` means "if something is
+ * wrong". Every other value names one fault. Unless a contract says otherwise, a function that does
+ * not return GN_OK has written nothing. */
 #ifndef GNOMON_STATUS_H
 #define GNOMON_STATUS_H
 
@@ -8,20 +8,19 @@
 
 typedef enum gn_status {
     GN_OK = 0,
-    GN_NULL_POINTER,   /* a pointer that must be given is null */
-    GN_NOT_FINITE,     /* a number is NaN or infinite */
-    GN_OUT_OF_RANGE,   /* a number lies outside what the contract allows */
-    GN_DEGENERATE,     /* a direction of length zero, or two that are parallel */
-    GN_SINGULAR,       /* a matrix without an inverse */
-    GN_INVALID_ENUM,   /* an enumeration field holds none of its values */
-    GN_INVALID_SIZE,   /* a width or height of zero or above GN_MAX_SIZE */
-    GN_INVALID_FORMAT, /* a surface or texture format that does not fit its use */
-    GN_INVALID_STRIDE, /* a row stride shorter than a row */
-    GN_MISALIGNED,     /* memory or a stride not aligned to the element it holds */
-    GN_SIZE_MISMATCH,  /* the surfaces of a target differ in size */
-    GN_NO_SURFACE,     /* a target without colour and depth */
-    GN_NO_SHADER, /* a pipeline without a vertex shader, or without the fragment shader its colour
-                     surface needs */
+    GN_NULL_POINTER,        /* a pointer that must be given is null */
+    GN_NOT_FINITE,          /* a number is NaN or infinite */
+    GN_OUT_OF_RANGE,        /* a number lies outside what the contract allows */
+    GN_DEGENERATE,          /* a direction of length zero, or two that are parallel */
+    GN_SINGULAR,            /* a matrix without an inverse */
+    GN_INVALID_ENUM,        /* an enumeration field holds none of its values */
+    GN_INVALID_SIZE,        /* a width or height of zero or above GN_MAX_SIZE */
+    GN_INVALID_FORMAT,      /* a surface or texture format that does not fit its use */
+    GN_INVALID_STRIDE,      /* a row stride shorter than a row */
+    GN_MISALIGNED,          /* memory or a stride not aligned to the element it holds */
+    GN_SIZE_MISMATCH,       /* the surfaces of a target differ in size */
+    GN_NO_SURFACE,          /* a target without colour and depth */
+    GN_NO_SHADER,           /* no vertex shader, or no fragment shader for a target with colour */
     GN_TOO_MANY_VARYINGS,   /* more than GN_MAX_VARYINGS */
     GN_INVALID_ATTRIBUTE,   /* an attribute with more than four components or a bad stride */
     GN_INVALID_VIEWPORT,    /* a viewport of negative size, or beyond GN_MAX_SIZE */
@@ -37,8 +36,8 @@ typedef enum gn_status {
 
 GN_BEGIN
 
-/* The status in words: a sentence without a full stop, in static storage. For
- * a value that is no gn_status, "unknown status". */
+/* Returns the status in words: a sentence without a full stop, in static storage. For a value that
+ * is no gn_status, returns "unknown status". */
 GN_API const char *gn_status_text(gn_status status);
 
 GN_END
