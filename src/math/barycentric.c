@@ -1,18 +1,18 @@
-/* Barycentric coordinates: areas of the three triangles the point makes with the sides,
- * divided by that of the whole.
+/* Barycentric coordinates: the areas of the three triangles that the point makes with the sides,
+ * divided by the area of the whole triangle.
  *
- * A product of two differences is off by 3 u of itself and the difference of two by another u
- * of the sum of their magnitudes P: 4 u P. The threshold of 16 u P leaves an area A of at least
- * 3/2 times |A| - 4 u P, and 3/2 * 4 u are the 6 u of the contract. In space the three components
- * of n are off like that; it is divided by its length so that no fourth powers arise, which cancels
- * in the quotient. */
+ * Bounds. A product of two differences is off by 3 u of itself. The difference of two such products
+ * adds another u of the sum of their magnitudes P: 4 u P in all. The threshold of 16 u P ensures
+ * that |A| - 4 u P is at least 2/3 |A|, and 4 u / (2/3) are the 6 u of the contract. In space the
+ * three components of n have the same bound. n is divided by its length so that no fourth powers
+ * arise; the length cancels in the quotient. */
 #include <gnomon/ray.h>
 
 #include "../scalars/bits.h"
 #include "length.h"
 #include "transform.h"
 
-/* a.x * b.y - a.y * b.x and the same with both terms positive. */
+/* Returns a.x * b.y - a.y * b.x; writes the same expression with both terms positive. */
 static float cross(gn_vec2 a, gn_vec2 b, float *positive)
 {
     float first = a.x * b.y, second = a.y * b.x;

@@ -1,11 +1,11 @@
-/* The box of a transformed box: each bound is the sum of what each coordinate can contribute
- * at least, or at most.
+/* The box of a transformed box: each bound is the sum of the least, or greatest, contributions of
+ * the coordinates.
  *
- * Summed in the order of gn_mat4_transform_point, the bounds contain what that function gives
- * for any point of the box even before they are moved: rounding keeps the order of products
- * and of sums. Against exact arithmetic three products and three sums are off by 4 u of the
- * magnitudes' sum, u = 2^-24, and moving the bound by one u more; that sum is itself rounded.
- * Each of four products may lose 2^-150 to underflow. */
+ * The sums are in the order of gn_mat4_transform_point. Rounding keeps the order of products and of
+ * sums, so even before the bounds are moved they contain what that function returns for any point
+ * of the box. Against exact arithmetic, three products and three sums are off by 4 u of the
+ * magnitudes' sum, with u = 2^-24. Moving the bound adds one u, and the sum of magnitudes is itself
+ * rounded. Each of four products may lose 2^-150 to underflow. */
 #include "box.h"
 #include "transform.h"
 

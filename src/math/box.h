@@ -8,7 +8,7 @@
 
 #include "../scalars/bits.h"
 
-/* The larger and the smaller of two floats that are not NaN. */
+/* Return the larger and the smaller of two floats that are not NaN. */
 static inline float gn_larger(float a, float b)
 {
     return a > b ? a : b;
@@ -19,7 +19,7 @@ static inline float gn_smaller(float a, float b)
     return a < b ? a : b;
 }
 
-/* No min exceeds its max. False with a NaN. */
+/* Returns whether no min exceeds its max; false if a number is NaN. */
 static inline bool gn_box_is_ordered(const gn_box *box)
 {
     return box->min.x <= box->max.x && box->min.y <= box->max.y && box->min.z <= box->max.z;

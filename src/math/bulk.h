@@ -1,4 +1,4 @@
-/* Many vectors and matrices, a block of lanes at a time: the text of every back end. The
+/* Many vectors and matrices, one block of lanes at a time. Every back end compiles this code. The
  * order of operations is that of the functions for one vector (mat4.c). */
 #ifndef GN_MATH_BULK_H
 #define GN_MATH_BULK_H
@@ -6,7 +6,7 @@
 #include "../lanes/packed.h"
 #include "bulk_job.h"
 
-/* The matrix where no result can lie, so that it need not be read again. */
+/* A copy of the matrix in memory that no result can overlap, so that it is read only once. */
 typedef struct bulk_matrix {
     float m[4][4];
 } bulk_matrix;
@@ -20,7 +20,7 @@ GN_INLINE bulk_matrix bulk_own_matrix(const bulk_job *job)
     return own;
 }
 
-/* One component of the product of GN_LANES vectors. */
+/* Returns one component of the product of GN_LANES vectors. */
 GN_INLINE lanes_f bulk_row(const bulk_matrix *c, int row, bulk_kind kind, const lanes_f *v)
 {
     const lanes_f x = lanes_mul(lanes_splat(c->m[0][row]), v[0]);
@@ -75,7 +75,7 @@ GN_INLINE void bulk_packed_vec3(const bulk_job *job, bulk_kind kind)
     }
 }
 
-/* As many vectors as there are groups of four lanes, each against whole columns. */
+/* Multiplies as many vectors as there are groups of four lanes, each by whole columns. */
 GN_INLINE lanes_f bulk_columns(lanes_f c0, lanes_f c1, lanes_f c2, lanes_f c3, lanes_f vectors)
 {
     lanes_f v[4];
@@ -97,7 +97,7 @@ static void bulk_packed_vec4(const bulk_job *job)
         lanes_store(to + at, bulk_columns(c0, c1, c2, c3, lanes_load(from + at)));
 }
 
-/* The lanes hold a matrix. */
+/* Multiplies matrices; the lanes hold one matrix. */
 static void bulk_packed_mat4(const bulk_job *job)
 {
     const float *left = job->left, *from = job->v[0];

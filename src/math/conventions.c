@@ -33,7 +33,7 @@ gn_status gn_clip_reverse_zo(gn_transform *result)
     return GN_OK;
 }
 
-/* One axis turned round, which is its own inverse. */
+/* Writes the mirror image in one axis, which is its own inverse. */
 static gn_status mirror(int axis, gn_transform *result)
 {
     if (!result) {

@@ -1,13 +1,14 @@
 /* Boxes and spheres against the planes of a view volume.
  *
- * With u = 2^-24 and s = |n.x p.x| + |n.y p.y| + |n.z p.z| + |offset|: the coefficients of a
- * plane are off by 2 u of themselves (frustum_planes.c; what is common to all four changes no
- * sign), and the three products and three sums of a distance by 4 u s. A sphere adds 3.5 u of
- * its radius, by which the length of the normal may be off, and the sum of distance and
- * radius another u of both: 7 u s + 4.5 u radius. 8 u (s + radius) covers either, the rounding
- * of s included. A coefficient below 2^-126 is off by as much as 2^-150, and so is a product;
- * that is what adding 2^-120 to each magnitude covers, the 8 u of which are 2^-141.
- * Where a distance overflows, or a coordinate is infinite, so does s, and no comparison with
+ * Let u = 2^-24 and s = |n.x p.x| + |n.y p.y| + |n.z p.z| + |offset|. The coefficients of a plane
+ * are off by 2 u of themselves (frustum_planes.c; a factor common to all four changes no sign). The
+ * three products and three sums of a distance are off by 4 u s. For a sphere, the length of the
+ * normal may be off by 3.5 u of the radius, and the sum of distance and radius by another u of
+ * both: 7 u s + 4.5 u radius. 8 u (s + radius) covers both cases, including the rounding of s. A
+ * coefficient below 2^-126 is off by as much as 2^-150, and so is a product. Adding 2^-120 to each
+ * magnitude covers this: 8 u of 2^-120 are 2^-141.
+ *
+ * If a distance overflows or a coordinate is infinite, s is infinite too, and no comparison with
  * infinity or NaN holds. */
 #include "box.h"
 #include "transform.h"
@@ -15,13 +16,14 @@
 #define TOLERANCE 0x1p-21f /* 8 u */
 #define UNDERFLOW 0x1p-120f
 
-/* The distance of a point from a plane, given its products with the normal. */
+/* Returns the distance of a point from a plane, from the products of its coordinates with the
+ * normal. */
 static float distance(float x, float y, float z, const gn_plane *plane)
 {
     return ((x + y) + z) + plane->offset;
 }
 
-/* What a distance may be off by, given the greatest magnitudes of coordinates. */
+/* Returns the bound on the error of a distance, from the greatest magnitudes of the coordinates. */
 static float uncertainty(const gn_plane *plane, gn_vec3 magnitude, float radius)
 {
     float x = (gn_magnitude(plane->normal.x) + UNDERFLOW) * magnitude.x;

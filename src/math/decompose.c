@@ -7,8 +7,8 @@
 
 #define PERPENDICULAR 0x1p-16f
 
-/* gn_vec3_length and gn_vec3_unit scale alike, so that length * unit differs from
- * the column by the roundings of a quotient and a product. */
+/* gn_vec3_length and gn_vec3_unit scale alike, so length * unit differs from the column only by the
+ * roundings of a quotient and a product. */
 gn_status gn_mat4_decompose_trs(const gn_mat4 *m, gn_vec3 *translation, gn_mat3 *rotation,
                                 gn_vec3 *scale)
 {

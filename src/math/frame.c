@@ -18,8 +18,8 @@ static bool is_orthonormal(gn_vec3 x, gn_vec3 y, gn_vec3 z)
            near_to(gn_vec3_dot(x, z), 0.0f) && near_to(gn_vec3_dot(y, z), 0.0f);
 }
 
-/* The translation of a transform whose upper-left parts are written: t, and
- * -L^-1 t in the inverse. */
+/* Writes the translations of a transform whose upper-left parts are written: t, and -L^-1 t in the
+ * inverse. */
 static gn_status write_translation(gn_vec3 t, gn_transform *transform)
 {
     const gn_vec3 moved = gn_mat4_transform_direction(&transform->inverse, t);

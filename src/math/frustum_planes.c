@@ -1,6 +1,6 @@
-/* The planes of a view volume. With r0 to r3 the rows of the matrix, a point p has the clip
- * coordinates r0.p to r3.p, so -w <= x is (r3 + r0).p >= 0, and so on. A sum of two floats is
- * off by u of itself, and the division by the length by another u. */
+/* The planes of a view volume. Let r0 to r3 be the rows of the matrix. A point p has the clip
+ * coordinates r0.p to r3.p, so -w <= x is (r3 + r0).p >= 0, and so on. A sum of two floats is off
+ * by u of itself, and the division by the length adds another u. */
 #include <gnomon/culling.h>
 
 #include "../scalars/bits.h"
@@ -26,7 +26,7 @@ static gn_status plane_from(const float c[4], gn_plane *plane)
     return gn_has_reciprocal(length) && gn_is_finite(plane->offset) ? GN_OK : GN_OUT_OF_RANGE;
 }
 
-/* The bound w + sign * (x, y or z) >= 0. */
+/* Writes the plane of the bound w + sign * (x, y or z) >= 0. */
 static gn_status bound(const gn_mat4 *m, int row, float sign, gn_plane *plane)
 {
     float c[4];

@@ -6,8 +6,8 @@
 #include "../scalars/bits.h"
 #include "transform.h"
 
-/* The power of two that brings the largest of three finite numbers to 1 .. 2, or
- * as near as a normal float with a normal reciprocal can. */
+/* Returns the power of two that scales the largest of three finite numbers to 1 .. 2, or as near to
+ * it as a normal float with a normal reciprocal can. */
 static float power_for(const float *column)
 {
     uint32_t largest = 1u << 23;
@@ -36,7 +36,7 @@ static gn_vec3 offset_of(const gn_mat4 *m)
     return offset;
 }
 
-/* The affine inverse with this upper-left 3x3, of a matrix with this offset. */
+/* Writes the affine inverse whose upper-left 3x3 is `linear`, of a matrix with this offset. */
 static gn_status write_affine(const gn_mat3 *linear, gn_vec3 offset, gn_mat4 *result)
 {
     const gn_vec3 moved = gn_mat3_multiply_vec3(linear, offset);
@@ -55,8 +55,8 @@ static gn_status write_affine(const gn_mat3 *linear, gn_vec3 offset, gn_mat4 *re
     return GN_OK;
 }
 
-/* A column is scaled by a power of two first, exactly, so that its square can be
- * taken. The square, of positive terms, is rounded three times, the quotient once: 4 u. */
+/* A column is first scaled by a power of two, exactly, so that its square can be taken. The square,
+ * a sum of positive terms, is rounded three times, the quotient once: 4 u. */
 gn_status gn_mat4_invert_trs(const gn_mat4 *m, gn_mat4 *result)
 {
     gn_mat3 linear, inverse;
@@ -136,10 +136,10 @@ gn_status gn_mat4_invert_orthographic(const gn_mat4 *m, gn_mat4 *result)
     return GN_OK;
 }
 
-/* x' = a x + e z, y' = b y + f z, z' = c z + d, w' = s z (of points with w = 1), so
- * z = w' / s, x = (x' - e w' / s) / a, 1 = (z' - c w' / s) / d. On the diagonal of E
- * stands a * fl(1/a) - 1, off it a * fl(e/a) - e or fl(1/a) * e - fl(e/a); dividing
- * by s = +-1 is exact. The sum with 0 leaves no negative zero. */
+/* For points with w = 1: x' = a x + e z, y' = b y + f z, z' = c z + d, w' = s z. So z = w' / s, x =
+ * (x' - e w' / s) / a, 1 = (z' - c w' / s) / d. On the diagonal of E stands a * fl(1/a) - 1, off it
+ * a * fl(e/a) - e or fl(1/a) * e - fl(e/a); dividing by s = +-1 is exact. Adding 0 leaves no
+ * negative zero. */
 gn_status gn_mat4_invert_perspective(const gn_mat4 *m, gn_mat4 *result)
 {
     if (!m || !result) {

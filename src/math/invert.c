@@ -1,10 +1,10 @@
-/* The general inverses of 3x3 and 4x4 matrices: the adjugate over the determinant, in
- * double. This is the one file of the library that computes in double.
+/* The general inverses of 3x3 and 4x4 matrices: the adjugate over the determinant, in double. This
+ * is the only file of the library that computes in double.
  *
- * The product of two floats is exact in double, 48 bits, so a 2x2 minor is rounded
- * once, by v = 2^-53 of itself. No product of four floats is above 2^512 or, if not zero,
- * below 2^-596: nothing overflows or underflows before the result is rounded to
- * float, whatever the scale of the matrix. */
+ * The product of two floats is exact in double (48 bits), so a 2x2 minor is rounded once, by v =
+ * 2^-53 of itself. No product of four floats is above 2^512 or, if not zero, below 2^-596. So
+ * nothing overflows or underflows before the result is rounded to float, whatever the scale of the
+ * matrix. */
 #include <gnomon/mat.h>
 
 #include <float.h>
@@ -17,21 +17,22 @@
 #error "Floats must be floats: -msse2 -mfpmath=sse on x86, -fexcess-precision=fast on s390x."
 #endif
 
-/* Kept out of what is done always, which then fits the registers. */
+/* Out of line, so that the code that always runs fits the registers. */
 #if defined(__GNUC__)
 #define RARELY static __attribute__((noinline, cold))
 #else
 #define RARELY static
 #endif
 
-/* A 4x4 determinant whose terms cancel further than this is summed again. */
+/* If the terms of a 4x4 determinant cancel further than this, they are summed again. */
 #define CANCELLED 0x1p24
 
-/* And one that is not above this part of their magnitudes then counts as zero: the second
- * sum is within 2^-99 of it, so what is above is within 2^-27 of itself. */
+/* A determinant summed again counts as zero if it is not above this part of the sum of its terms'
+ * magnitudes. The second sum is within 2^-99 of that sum, so a determinant above the limit is
+ * within 2^-27 of itself. */
 #define NOTHING 0x1p-72
 
-/* The same of a 3x3 determinant, whose sum is within 2^-51 of its terms. */
+/* The limit for a 3x3 determinant, whose sum is within 2^-51 of its terms. */
 #define NOTHING3 0x1p-48
 
 static double magnitude(double x)
@@ -39,7 +40,7 @@ static double magnitude(double x)
     return x < 0.0 ? -x : x;
 }
 
-/* The product of two norms as a float, or infinity. */
+/* Returns the product of two norms as a float, or infinity. */
 static float condition_of(double norm_before, double norm_after)
 {
     double product = norm_before * norm_after;
@@ -51,7 +52,7 @@ typedef struct split {
     double value, rest;
 } split;
 
-/* a + b, exactly (D. E. Knuth, The Art of Computer Programming 2, 4.2.2, theorem B). */
+/* Returns a + b, exactly (D. E. Knuth, The Art of Computer Programming 2, 4.2.2, theorem B). */
 static split add_exactly(double a, double b)
 {
     split sum;
@@ -61,7 +62,7 @@ static split add_exactly(double a, double b)
     return sum;
 }
 
-/* The upper 26 bits of x (T. J. Dekker, A floating-point technique for extending the
+/* Returns the upper 26 bits of x (T. J. Dekker, A floating-point technique for extending the
  * available precision, Numerische Mathematik 18, 1971). */
 static double upper_half(double x)
 {
@@ -69,7 +70,7 @@ static double upper_half(double x)
     return scaled - (scaled - x);
 }
 
-/* a * b, exactly, from the products of halves (the same). */
+/* Returns a * b, exactly, from the products of halves (Dekker 1971, as above). */
 static split multiply_exactly(double a, double b)
 {
     split product;
@@ -86,10 +87,10 @@ static split minor_exactly(const float *left, const float *right, int i, int j)
     return add_exactly((double)left[i] * (double)right[j], -((double)left[j] * (double)right[i]));
 }
 
-/* The Laplace expansion of gn_mat4_determinant with twice the digits. With v = 2^-53, T the
- * sum of the terms' magnitudes and to first order in v^2: a term leaves out v^2 of itself,
- * and 7 v^2 in the roundings of its rest, of at most 3 v; the six sums round rests of at most
- * 4 v T and 9 v T: 8 + 6 * 13 = 86 v^2 T < 2^-99 T. */
+/* Returns the determinant by the Laplace expansion of gn_mat4_determinant with twice the digits.
+ * With v = 2^-53, T the sum of the terms' magnitudes, and to first order in v^2: a term leaves out
+ * v^2 of itself, and 7 v^2 in the roundings of its rest, which is at most 3 v. The six sums round
+ * rests of at most 4 v T and 9 v T. In all 8 + 6 * 13 = 86 v^2 T < 2^-99 T. */
 RARELY double determinant_again(const gn_mat4 *m)
 {
     static const unsigned char rows[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
@@ -107,25 +108,26 @@ RARELY double determinant_again(const gn_mat4 *m)
     return value + rest;
 }
 
-/* left[i] * right[j] - left[j] * right[i]. */
+/* Returns left[i] * right[j] - left[j] * right[i]. */
 static inline pair_d minors(const pair_d left[4], const pair_d right[4], int i, int j)
 {
     return pair_sub(pair_mul(left[i], right[j]), pair_mul(left[j], right[i]));
 }
 
-/* x*p - y*q + z*r */
+/* Returns x*p - y*q + z*r. */
 static inline pair_d combine(pair_d x, pair_d p, pair_d y, pair_d q, pair_d z, pair_d r)
 {
     return pair_add(pair_sub(pair_mul(x, p), pair_mul(y, q)), pair_mul(z, r));
 }
 
-/* The larger of both numbers. */
+/* Returns the larger of both numbers. */
 static inline double largest(pair_d pair)
 {
     return pair_first(pair_larger(pair, pair_swap(pair)));
 }
 
-/* The largest sum of magnitudes in a row: of a matrix whose row i is in left[i] and right[i], */
+/* Returns the largest sum of magnitudes in a row of a matrix whose row i is in left[i] and
+ * right[i]. */
 static inline double norm_by_rows(const pair_d left[4], const pair_d right[4])
 {
     pair_d most = pair_set(0.0);
@@ -136,7 +138,8 @@ static inline double norm_by_rows(const pair_d left[4], const pair_d right[4])
     return pair_first(most);
 }
 
-/* and of one whose column i is. */
+/* Returns the largest sum of magnitudes in a row of a matrix whose column i is in even[i] and
+ * odd[i]. */
 static inline double norm_by_columns(const pair_d even[4], const pair_d odd[4])
 {
     pair_d first = pair_magnitude(even[0]), second = pair_magnitude(odd[0]);
@@ -147,7 +150,7 @@ static inline double norm_by_columns(const pair_d even[4], const pair_d odd[4])
     return largest(pair_larger(first, second));
 }
 
-/* Infinity less itself is NaN, all else zero. */
+/* Infinity minus itself is NaN; every finite number minus itself is zero. */
 static inline bool are_finite(const quad_f columns[4])
 {
     const quad_f first = quad_sub(columns[0], columns[0]),
@@ -156,17 +159,17 @@ static inline bool are_finite(const quad_f columns[4])
     return !quad_has_nan(quad_add(quad_add(first, second), quad_add(third, last)));
 }
 
-/* N m = I makes the rows n0 to n3 of N, but for their length, the vector products of three
- * columns: with s and t the minors of the columns a, b and c, d, n0 is b times t, n1 a times
- * t, n2 d times s and n3 c times s, with alternating signs. So the first two columns and the
- * last two take the same steps, side by side: a pair holds (a, c), (b, d) or (s, t).
+/* N m = I, so the rows n0 to n3 of N are, but for their length, vector products of three columns.
+ * Let s and t be the minors of the columns a, b and c, d. Then n0 is b times t, n1 a times t, n2 d
+ * times s and n3 c times s, with alternating signs. So the first two columns and the last two take
+ * the same steps, side by side: a pair holds (a, c), (b, d) or (s, t).
  *
- * Bound, with v = 2^-53 and the singular values s1 >= s2 >= s3 >= s4: an entry of the
- * adjugate is three products of an entry and a minor, off by at most 4 v of their magnitudes:
- * in all, in the Frobenius norm, by sqrt(2) * 2 s1 * sqrt(6) s1 s2 * 4 v < 2^5 s1^2 s2 v. Its
- * norm is at least s1 s2 s3, which leaves 2^-48 s1/s3. The determinant is off by
- * 6 v of its terms, 2^-26.4 of itself where CANCELLED lets it stand, 2^-27 otherwise; the rest
- * is the rounding to float, 2^-24. */
+ * Bound, with v = 2^-53 and the singular values s1 >= s2 >= s3 >= s4. An entry of the adjugate is
+ * the sum of three products of an entry and a minor, off by at most 4 v of their magnitudes. In
+ * all, in the Frobenius norm, the adjugate is off by at most sqrt(2) * 2 s1 * sqrt(6) s1 s2 * 4 v <
+ * 2^5 s1^2 s2 v. Its norm is at least s1 s2 s3, so the relative error is below 2^-48 s1/s3. The
+ * determinant is off by 6 v of its terms: by 2^-26.4 of itself where CANCELLED lets it stand, by
+ * 2^-27 otherwise. The rounding to float adds 2^-24. */
 gn_status gn_mat4_invert(const gn_mat4 *m, gn_mat4 *result, float *condition)
 {
     const quad_f zero = quad_set(0.0f, 0.0f, 0.0f, 0.0f); /* x + 0 is no negative zero */
@@ -184,7 +187,7 @@ gn_status gn_mat4_invert(const gn_mat4 *m, gn_mat4 *result, float *condition)
     const pair_d ts13 = pair_swap(minors(ac, bd, 1, 3));
     const pair_d ts23 = pair_swap(minors(ac, bd, 2, 3));
 
-    /* Half of the terms of the determinant in each place. */
+    /* Each of the two places holds half of the terms of the determinant. */
     const pair_d first = pair_mul(st01, ts23), second = pair_mul(st02, ts13);
     const pair_d third = pair_mul(st03, ts12);
     double determinant = pair_sum(pair_add(pair_sub(first, second), third));
@@ -202,7 +205,7 @@ gn_status gn_mat4_invert(const gn_mat4 *m, gn_mat4 *result, float *condition)
 
     const double factor = 1.0 / determinant;
     const pair_d plus = pair_set(factor), minus = pair_set(-factor);
-    pair_d even[4], odd[4]; /* rows 0 and 2, and 1 and 3, of each column of the inverse */
+    pair_d even[4], odd[4]; /* rows 0 and 2, rows 1 and 3 of the inverse's columns */
     even[0] = pair_mul(combine(bd[1], ts23, bd[2], ts13, bd[3], ts12), plus);
     odd[0] = pair_mul(combine(ac[1], ts23, ac[2], ts13, ac[3], ts12), minus);
     even[1] = pair_mul(combine(bd[0], ts23, bd[2], ts03, bd[3], ts02), minus);
@@ -226,7 +229,7 @@ gn_status gn_mat4_invert(const gn_mat4 *m, gn_mat4 *result, float *condition)
     return GN_OK;
 }
 
-/* As above; of [column][row]. */
+/* Returns the largest sum of magnitudes in a row; m is [column][row]. */
 static double norm3(double m[3][3])
 {
     double most = 0.0;
@@ -237,9 +240,9 @@ static double norm3(double m[3][3])
     return most;
 }
 
-/* The cofactors are minors here, rounded once. The determinant is off by 4 v of its terms,
- * which are at most s1 times the norm of the cofactors, sqrt(3) s1 s2: with the roundings
- * of the division below 2^-50 s1/s3 of itself. */
+/* The cofactors are minors here, rounded once. The determinant is off by 4 v of its terms, which
+ * are at most s1 times the norm of the cofactors, sqrt(3) s1 s2. Together with the roundings of the
+ * division, that is below 2^-50 s1/s3 of itself. */
 gn_status gn_mat3_invert(const gn_mat3 *m, gn_mat3 *result, float *condition)
 {
     double before[3][3], after[3][3];

@@ -1,11 +1,13 @@
-/* Lengths and normalisation. A squared length of 2^-100 to 2^120 has lost
- * nothing that matters: the squares were no larger, and one that underflowed was
- * below 2^-26 * 2^-100 and its error 2^-150. Beyond those limits the vector is
- * multiplied by 2^96 or 2^-96, exactly or with errors as small, which brings any
- * float between them: 2^-149 * 2^96 squared is 2^-106, a normal float, and
- * 2^128 * 2^-96 squared 2^64. The length is divided by the factor in the end.
- * Normalising divides the unscaled components by the length: scaling down could push small ones
- * below the normal floats, where they lose bits. */
+/* Lengths and normalisation.
+ *
+ * A squared length of 2^-100 to 2^120 has lost nothing that matters. Its squares were no larger,
+ * and a square that underflowed was below 2^-26 * 2^-100 and had an error of 2^-150. Beyond these
+ * limits the vector is first multiplied by 2^96 or 2^-96, exactly or with errors as small, which
+ * brings any float between the limits: 2^-149 * 2^96 squared is 2^-106, a normal float, and 2^128 *
+ * 2^-96 squared is 2^64. At the end the length is divided by the factor.
+ *
+ * Normalising divides the unscaled components by the length, because scaling down could push small
+ * components below the normal floats, where they lose bits. */
 #include "length.h"
 
 #include <gnomon/scalar.h>
@@ -20,8 +22,8 @@
 #define SCALE_UP 0x1p96f
 #define SCALE_DOWN 0x1p-96f
 
-/* The factor a vector of this squared length needs first; 1 where none. NaN,
- * which no scaling changes, needs none. */
+/* Returns the factor by which a vector of this squared length must first be multiplied; 1 if none
+ * is needed. NaN, which no scaling changes, needs none. */
 static float scale_for(float square)
 {
     if (square < SQUARE_SMALL) {
@@ -30,7 +32,7 @@ static float scale_for(float square)
     return square > SQUARE_LARGE ? SCALE_DOWN : 1.0f;
 }
 
-/* The inverse of a factor of scale_for, exactly. */
+/* Returns the inverse of a factor of scale_for, exactly. */
 static float unscale_for(float scale)
 {
     if (scale == 1.0f) {
@@ -104,9 +106,10 @@ float gn_vec4_distance(gn_vec4 a, gn_vec4 b)
     return gn_vec4_length(gn_vec4_subtract(b, a));
 }
 
-/* The factor for a vector of this length before it is divided by its length; 1 where the length is
- * a normal float. Shorter vectors become normal. Longer ones are divided by 4, which makes the
- * length of the longest a float; components that lose bits have quotients of zero. */
+/* Returns the factor for a vector of this length before it is divided by its length; 1 if the
+ * length is a normal float. Shorter vectors become normal. Longer vectors are divided by 4, which
+ * makes the length of the longest vector a float; components that lose bits by this have quotients
+ * of zero. */
 static float divisible_for(float length)
 {
     if (length < FLT_MIN) {

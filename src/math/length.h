@@ -4,8 +4,9 @@
 
 #include <gnomon/vec.h>
 
-/* gn_vec3_normalize of a result that is not null: v divided by its length, so that the squared
- * length is within 7 * 2^-24 of 1, or GN_NOT_FINITE or GN_DEGENERATE and nothing written. */
+/* Writes v divided by its length, so that the squared length is within 7 * 2^-24 of 1.
+ * Precondition: result is not null. Returns GN_NOT_FINITE or GN_DEGENERATE as gn_vec3_normalize
+ * does, and then writes nothing. */
 gn_status gn_vec3_unit(gn_vec3 v, gn_vec3 *result);
 
 #endif

@@ -1,5 +1,5 @@
-/* Views: a camera at one point that looks at another or in a direction, in a space
- * of either hand. */
+/* Views: a camera at one point that looks at another point or in a direction, in a space of either
+ * handedness. */
 #include "../scalars/bits.h"
 #include "length.h"
 #include "transform.h"
@@ -7,9 +7,9 @@
 /* The square of the sine below which up counts as parallel to the view. */
 #define PARALLEL_SQUARED 0x1p-40f
 
-/* side = forward x up, of length one and across forward. The cross product of
- * two nearly parallel vectors is off by their rounding, 2 u over the sine of
- * their angle, along forward too; taking that part out once leaves 6 u. */
+/* Writes side = forward x up, of length one and perpendicular to forward. The cross product of two
+ * nearly parallel vectors is off by their rounding, 2 u over the sine of their angle, and part of
+ * this error is along forward. Subtracting that part once leaves 6 u. */
 static gn_status side_of(gn_vec3 forward, gn_vec3 up, gn_vec3 *side)
 {
     gn_status status = gn_vec3_unit(up, &up);
@@ -25,14 +25,12 @@ static gn_status side_of(gn_vec3 forward, gn_vec3 up, gn_vec3 *side)
     return gn_vec3_unit(across, side);
 }
 
-/* Bound, with u = 2^-24. Each row has a squared length within 7 u of 1 (unit);
- * side and forward are within 6 u of perpendicular, and the cross product upward
- * = side x forward, its rounding and its normalisation leave 3.2 u against
- * either. R R^T - I therefore has entries of at most 7 u and row sums of at most
- * 17 u, which bounds the eigenvalues and thus the entries of R^T R - I too.
- * The translation t = -R*eye is rounded three times, 3 u * |eye|_1 at most, which
- * is the error of R*eye + t; R^T*t + eye adds 17 u * |eye|_1 to sqrt(3) times
- * that. */
+/* Bound, with u = 2^-24. Each row has a squared length within 7 u of 1 (gn_vec3_unit). side and
+ * forward are within 6 u of perpendicular; the cross product upward = side x forward, its rounding
+ * and its normalisation leave 3.2 u against either. So R R^T - I has entries of at most 7 u and row
+ * sums of at most 17 u. The row sums bound the eigenvalues, and thereby the entries of R^T R - I
+ * too. The translation t = -R*eye is rounded three times, 3 u * |eye|_1 at most, which is the error
+ * of R*eye + t. R^T*t + eye adds 17 u * |eye|_1 to sqrt(3) times that error. */
 static gn_status look(gn_vec3 eye, gn_vec3 view, gn_vec3 up, bool left_handed, gn_transform *result)
 {
     gn_vec3 forward, side, upward;
@@ -46,8 +44,8 @@ static gn_status look(gn_vec3 eye, gn_vec3 view, gn_vec3 up, bool left_handed, g
     if (status != GN_OK) {
         return status;
     }
-    /* z is forward in a left-handed space and backward in a right-handed one; the
-     * cross product, whose formula knows no hand, points to the left in the first. */
+    /* z is forward in a left-handed space and backward in a right-handed one. The formula of the
+     * cross product is the same in both; in a left-handed space it points to the left. */
     const gn_vec3 origin = {0.0f, 0.0f, 0.0f}; /* 0 - x is no negative zero */
     const gn_vec3 x = left_handed ? gn_vec3_subtract(origin, side) : side;
     const gn_vec3 z = left_handed ? forward : gn_vec3_subtract(origin, forward);
@@ -57,8 +55,8 @@ static gn_status look(gn_vec3 eye, gn_vec3 view, gn_vec3 up, bool left_handed, g
         return GN_OUT_OF_RANGE;
     }
 
-    /* The camera's axes are the columns of the inverse, so the rows of the view.
-     * The inverse of the translation t = -R*eye is -R^T*t, which is the eye. */
+    /* The camera's axes are the columns of the inverse, so they are the rows of the view. The
+     * inverse of the translation t = -R*eye is -R^T*t, which is the eye. */
     gn_transform placed;
     gn_transform_from_rotation(x, upward, z, &placed);
     gn_transform_invert(&placed, result);

@@ -1,5 +1,5 @@
-/* 3x3 matrices. Copies are loops: assigning a struct of this size makes some
- * compilers call memcpy. */
+/* 3x3 matrices. Copies are loops because assigning a struct of this size makes some compilers call
+ * memcpy. */
 #include <gnomon/mat.h>
 
 static void copy(gn_mat3 *to, const gn_mat3 *from)

@@ -1,5 +1,5 @@
-/* 4x4 matrices. Copies are loops: assigning a struct of this size makes some
- * compilers call memcpy. */
+/* 4x4 matrices. Copies are loops because assigning a struct of this size makes some compilers call
+ * memcpy. */
 #include <gnomon/mat.h>
 
 #include "../lanes/quad.h"
@@ -22,7 +22,7 @@ void gn_mat4_identity(gn_mat4 *result)
     }
 }
 
-/* (c0*x + c1*y) + c2*z, of components spread over quads. */
+/* Returns (c0*x + c1*y) + c2*z, with each component spread over a quad. */
 static quad_f combine3(const quad_f c[3], const quad_f spread[3])
 {
     /* Kernel: combine3. */
@@ -109,8 +109,8 @@ void gn_mat4_transpose(const gn_mat4 *m, gn_mat4 *result)
     copy(result, &transposed);
 }
 
-/* The columns of R^T are the rows of R. Their last entries are 0, which leaves the 1; 0 - x
- * is no negative zero. */
+/* The columns of R^T are the rows of R. Their last entries are 0, so the last entry of the
+ * translation column keeps its 1. 0 - x is no negative zero. */
 void gn_mat4_invert_rigid(const gn_mat4 *m, gn_mat4 *result)
 {
     const quad_f origin = quad_set(0.0f, 0.0f, 0.0f, 1.0f);
@@ -133,15 +133,15 @@ float gn_mat4_trace(const gn_mat4 *m)
     return (m->m[0][0] + m->m[1][1]) + (m->m[2][2] + m->m[3][3]);
 }
 
-/* The minor of rows i and j in two columns. */
+/* Returns the minor of rows i and j in two columns. */
 static float minor2(const float *left, const float *right, int i, int j)
 {
     return left[i] * right[j] - left[j] * right[i];
 }
 
-/* Laplace expansion over the columns 0, 1 and 2, 3: pairs of rows in the first
- * against the other two in the second. Added in pairs, so that no term passes
- * through more than three sums. */
+/* Laplace expansion over the columns 0, 1 and 2, 3: each pair of rows in the first two columns is
+ * multiplied by the other two rows in the last two columns. The terms are added in pairs, so that
+ * no term passes through more than three sums. */
 float gn_mat4_determinant(const gn_mat4 *m)
 {
     const float *a = m->m[0], *b = m->m[1], *c = m->m[2], *d = m->m[3];

@@ -2,8 +2,8 @@
 #include "projection.h"
 #include "transform.h"
 
-/* With t = hand * z the distance before the camera and d = second - first, depth is
- * (2 t - second - first) / d (no) or (t - first) / d (zo). */
+/* With t = hand * z the distance in front of the camera and d = second - first, depth is (2 t -
+ * second - first) / d (no) or (t - first) / d (zo). */
 static gn_status orthographic(float hand, unsigned depth, float left, float right, float bottom,
                               float top, float z_near, float z_far, gn_transform *result)
 {

@@ -1,15 +1,15 @@
-/* The ray through a pixel. The clip coordinates of the points behind one another in a pixel
- * are (x, y, z, 1), so those points are h(z) = P^-1 (x, y, 0, 1) + z c with c the third column
- * of P^-1, divided by their fourth component. The derivative of that by z has the direction of
- * c - c.w o, o being the point: no second point is taken whose difference would cancel, and
- * under a perspective, whose c is (0, 0, 0, c.w), the direction is that of o, seen from the
- * eye. The view then turns a direction and not two places. */
+/* The ray through a pixel. The points that lie behind one another in a pixel have the clip
+ * coordinates (x, y, z, 1). So these points are h(z) = P^-1 (x, y, 0, 1) + z c, divided by the
+ * fourth component of h; c is the third column of P^-1. With o the point, the derivative of the
+ * quotient by z has the direction of c - c.w o. So no second point is needed, whose difference from
+ * o would cancel. Under a perspective c is (0, 0, 0, c.w), and the direction is that of o, seen
+ * from the eye. The view then turns one direction instead of two points. */
 #include <gnomon/ray.h>
 
 #include "../scalars/bits.h"
 #include "transform.h"
 
-/* The ray in view space, or a status. */
+/* Writes the ray in view space, or returns a fault. */
 static gn_status unproject(const gn_mat4 *inverse, gn_vec3 ndc, float towards, gn_ray *ray)
 {
     const gn_vec4 clip = {ndc.x, ndc.y, ndc.z, 1.0f};
@@ -27,7 +27,7 @@ static gn_status unproject(const gn_mat4 *inverse, gn_vec3 ndc, float towards, g
     return gn_vec3_is_finite(origin) && gn_vec3_is_finite(direction) ? GN_OK : GN_OUT_OF_RANGE;
 }
 
-/* `towards` is the sign of what depth does along the ray. */
+/* `towards` is the sign of the change of depth along the ray. */
 static gn_status through_pixel(const gn_transform *projection, const gn_transform *view,
                                const gn_transform *viewport, float column, float row, float depth,
                                float towards, gn_ray *result)

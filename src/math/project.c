@@ -26,7 +26,7 @@ gn_status gn_clip_to_ndc(gn_vec4 clip, gn_vec3 *ndc)
     return GN_OK;
 }
 
-/* m * (point, 1) divided by its w. */
+/* Writes m * (point, 1) divided by its w. */
 static gn_status transform_and_divide(const gn_mat4 *m, gn_vec3 point, gn_vec3 *result)
 {
     const gn_vec4 homogeneous = {point.x, point.y, point.z, 1.0f};

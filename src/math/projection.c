@@ -1,4 +1,4 @@
-/* The matrix of perspective projections, which differ in hand and depth. */
+/* The matrix of perspective projections of every handedness and depth. */
 #include "projection.h"
 
 #include <gnomon/inverse.h>
@@ -15,13 +15,12 @@ bool gn_all_finite(const float *numbers, int count)
     return finite;
 }
 
-/* Clip z = a w + b and clip w = t, t being the distance before the camera, so that
- * depth is a + b / t: `first` where t = first, `second` where t = second. With d =
- * second - first,
+/* Clip z = a w + b and clip w = t, with t the distance in front of the camera, so depth is a + b /
+ * t: `first` where t = first, `second` where t = second. With d = second - first,
  *   no   a = (second + first) / d,  b = -2 second first / d;
  *   zo   a = second / d,            b = -second first / d.
- * Reversed, the near plane is the second. At infinity these become 1 and -2 near,
- * 1 and -near; reversed -1 and 2 near, 0 and near. */
+ * If depth is reversed, the near plane is the second. With an infinite far plane a and b become 1
+ * and -2 near (no), 1 and -near (zo); reversed, -1 and 2 near (no), 0 and near (zo). */
 static void depth_coefficients(unsigned depth, float z_near, float z_far, float *a, float *b)
 {
     const bool zero_to_one = (depth & GN_DEPTH_ZO) != 0,
@@ -38,7 +37,7 @@ static void depth_coefficients(unsigned depth, float z_near, float z_far, float 
     *b = zero_to_one ? -(*a * first) : -(second / difference * (2.0f * first));
 }
 
-/* Of z = hand * t, so clip z = hand * a * z + b, clip w = hand * z. */
+/* With t = hand * z: clip z = hand * a * z + b, clip w = hand * z. */
 gn_status gn_write_perspective(float hand, unsigned depth, float x_scale, float y_scale,
                                float skew_x, float skew_y, float z_near, float z_far,
                                gn_transform *result)

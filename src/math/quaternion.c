@@ -24,11 +24,12 @@ gn_quat gn_quat_conjugate(gn_quat q)
     return back;
 }
 
-/* The length is off by 3.5 u, twice, and each division by u. Where the length is less than 1, a
- * quotient by it is less than the result and may be below the normal floats where the result is
- * not. So dividend and divisors are multiplied by 2^96 = 2^64 * 2^32: a quotient is then below the
- * normal floats only if the length is above 1 and the result is below them too. Lengths near 1
- * all take this way, since a branch between them would be foretold wrongly. */
+/* The length is off by 3.5 u, and enters twice; each division adds u. If the length is less than 1,
+ * a quotient by it may be below the normal floats although the final result is not, because the
+ * first quotient is smaller than the result. So dividend and divisors are multiplied by 2^96 = 2^64
+ * * 2^32: a quotient is then below the normal floats only if the length is above 1 and the result
+ * is below them too. Lengths near 1 all take this path, because a branch between lengths near 1
+ * would be mispredicted. */
 gn_status gn_quat_invert(gn_quat q, gn_quat *result)
 {
     if (!result) {
@@ -73,8 +74,8 @@ gn_status gn_quat_normalize(gn_quat q, gn_quat *result)
     return status;
 }
 
-/* q v q^-1 = v + 2 (w (u x v) + u x (u x v)) / |q|^2: what a unit quaternion's rounding leaves of
- * its length does not stretch the vector. */
+/* q v q^-1 = v + 2 (w (u x v) + u x (u x v)) / |q|^2. Dividing by |q|^2 ensures that a unit
+ * quaternion whose length is off by rounding does not stretch the vector. */
 gn_vec3 gn_quat_rotate(gn_quat q, gn_vec3 v)
 {
     const gn_vec3 u = {q.x, q.y, q.z};

@@ -1,10 +1,10 @@
-/* Between two rotations. */
+/* Interpolation between two rotations. */
 #include <gnomon/scalar.h>
 
 #include "../scalars/bits.h"
 #include "quaternion.h"
 
-/* Both of length one, in the half space of each other. */
+/* Writes both quaternions normalised, with the second in the half space of the first. */
 static gn_status prepare(gn_quat from, gn_quat to, float t, gn_vec4 *a, gn_vec4 *b)
 {
     gn_status status = gn_vec4_normalize(gn_quat_components(from), a);
@@ -21,7 +21,7 @@ static gn_status prepare(gn_quat from, gn_quat to, float t, gn_vec4 *a, gn_vec4 
     return GN_OK;
 }
 
-/* The direction of v; its components are finite unless something overflowed. */
+/* Writes the direction of v; its components are finite unless something overflowed. */
 static gn_status finish(gn_vec4 v, gn_quat *result)
 {
     if (gn_vec4_normalize(v, &v) != GN_OK) {
@@ -31,7 +31,7 @@ static gn_status finish(gn_vec4 v, gn_quat *result)
     return GN_OK;
 }
 
-/* sin((1 - t) angle) a + sin(t angle) b is sin(angle) long, and is normalised. */
+/* sin((1 - t) angle) a + sin(t angle) b has the length sin(angle) and is normalised. */
 gn_status gn_quat_slerp(gn_quat a, gn_quat b, float t, gn_quat *result)
 {
     gn_vec4 first, last;

@@ -1,4 +1,4 @@
-/* Quaternions from an axis, a matrix, two directions, a view. */
+/* Quaternions from an axis and an angle, a matrix, two directions, a view. */
 #include <gnomon/scalar.h>
 #include <gnomon/transform.h>
 
@@ -9,10 +9,10 @@
 #include "quaternion.h"
 #include "transform.h"
 
-/* How far a matrix may be from a rotation, in an entry of m^T*m - I. */
+/* The largest magnitude that an entry of m^T*m - I may have. */
 #define ROTATION_TOLERANCE 0x1p-10f
 
-/* Directions whose cosine is below this turn by more than a third of a turn. */
+/* Directions whose cosine is below this are more than a third of a turn apart. */
 #define OBTUSE -0.5f
 
 gn_status gn_quat_from_axis_angle(gn_vec3 axis, float radians, gn_quat *result)
@@ -53,18 +53,20 @@ static bool is_rotation(const gn_mat3 *m)
     return rotation;
 }
 
-/* How far from 1 the squared length of a quotient may be, which is off by 4 u of its own, so
- * that its length is within 5.5 u of 1. */
+/* How far from 1 the squared length of a quotient may be. The computed square is off by 4 u of
+ * itself, so the length is within 5.5 u of 1. */
 #define UNIT_TOLERANCE 0x1.cp-22f
 
-/* `part` over the length of a column, of which the square's own is a quarter. */
+/* Returns `part` over the length of a column, length = 2 sqrt(square). For part == square the
+ * quotient is a quarter of the length. */
 static float quotient_of(float part, float square, float length)
 {
     return part == square ? 0.25f * length : part / length;
 }
 
-/* The direction of a column below, whose number on the diagonal is `square`. Of an exact rotation
- * the length is 2 sqrt(square), which is nearer to it than the root of a rounded sum of squares. */
+/* Writes the direction of a column of the table below, whose number on the diagonal is `square`.
+ * For an exact rotation the length is 2 sqrt(square), which is nearer to the exact length than the
+ * root of a rounded sum of squares. */
 static gn_status unit_of(gn_quat column, float square, gn_quat *result)
 {
     const float length = 2.0f * gn_sqrt(square);
@@ -78,10 +80,10 @@ static gn_status unit_of(gn_quat column, float square, gn_quat *result)
     return GN_OK;
 }
 
-/* For q = (x, y, z, w) of length one, sums and differences of m's entries are 4 q w, 4 q x,
- * 4 q y and 4 q z (S. W. Shepperd, Quaternion from rotation matrix, Journal of Guidance and
- * Control 1, 1978). The largest of the squares among them is at least 1, so that column
- * is the one to normalise; each is within what its entries lack. */
+/* For q = (x, y, z, w) of length one, sums and differences of m's entries are 4 q w, 4 q x, 4 q y
+ * and 4 q z (S. W. Shepperd, Quaternion from rotation matrix, Journal of Guidance and Control 1,
+ * 1978). The largest of the squares among them is at least 1, so that column is the one to
+ * normalise; each of its entries is off by at most the error of m's entries. */
 gn_status gn_quat_from_mat3(const gn_mat3 *m, gn_quat *result)
 {
     if (!m || !result) {
@@ -115,7 +117,7 @@ gn_status gn_quat_from_mat3(const gn_mat3 *m, gn_quat *result)
     return unit_of(most, square, result);
 }
 
-/* (a x b, 1 + a.b) is twice the cosine of half the angle, times the rotation. */
+/* Returns (a x b, 1 + a.b): the rotation times twice the cosine of half its angle. */
 static gn_quat between(gn_vec3 a, gn_vec3 b)
 {
     const gn_vec3 cross = gn_vec3_cross(a, b);
@@ -124,9 +126,9 @@ static gn_quat between(gn_vec3 a, gn_vec3 b)
     return q;
 }
 
-/* A direction across the unit vector a: what of v is, or, where v is nothing or mostly along a,
- * of a coordinate axis that is not. At least half of a length is left, so rounding leaves little
- * along a. */
+/* Returns a direction perpendicular to the unit vector a: the perpendicular part of v, or, if v is
+ * zero or mostly along a, the perpendicular part of a coordinate axis that is not mostly along a.
+ * At least half of the length is left, so rounding leaves little along a. */
 static gn_vec3 across(gn_vec3 a, gn_vec3 v)
 {
     gn_vec3 y = {0.0f, 1.0f, 0.0f}, z = {0.0f, 0.0f, 1.0f}, n;
@@ -138,8 +140,9 @@ static gn_vec3 across(gn_vec3 a, gn_vec3 v)
     return n;
 }
 
-/* Near opposite directions 1 + a.b is mostly rounding. A half turn about an axis across a takes
- * a to -a, which is near b; a x b is that axis, as far as there is one. */
+/* If the directions are nearly opposite, 1 + a.b is mostly rounding. A half turn about an axis
+ * perpendicular to a takes a to -a, which is near b. a x b is that axis, as far as it is
+ * determined. */
 gn_status gn_quat_from_directions(gn_vec3 from, gn_vec3 to, gn_quat *result)
 {
     gn_vec3 a, b;

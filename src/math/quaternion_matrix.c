@@ -1,13 +1,14 @@
 /* The rotation matrices of quaternions. */
 #include "quaternion.h"
 
-/* Squared lengths whose products with components neither overflow nor lose bits. */
+/* Squared lengths between these two neither overflow nor lose bits in products with components. */
 #define SQUARE_SMALL 0x1p-60f
 #define SQUARE_LARGE 0x1p60f
 
-/* s = 2 / |q|^2 is off by 5 u of itself, four for the sum of squares; products, their sum and
- * the product with s add 3 u. s (y^2 + z^2) is at most 2, which leaves 16 u and the last
- * rounding on the diagonal; s (|x y| + |z w|) at most 1, which leaves 8 u off it. */
+/* s = 2 / |q|^2 is off by 5 u of itself, four of them for the sum of squares; the products,
+ * their sum and the product with s add 3 u. On the diagonal s (y^2 + z^2) is at most 2, so the
+ * error is 16 u and the last rounding. Off the diagonal s (|x y| + |z w|) is at most 1, so the
+ * error is 8 u. */
 gn_status gn_quat_to_mat3(gn_quat q, gn_mat3 *result)
 {
     if (!result) {

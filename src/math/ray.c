@@ -9,11 +9,11 @@ static bool is_finite(const gn_ray *ray)
     return gn_vec3_is_finite(ray->origin) && gn_vec3_is_finite(ray->direction);
 }
 
-/* Each determinant is the sum of three components' products with a component of a cross
- * product: the differences of corners are off by u, twice, the products of the cross product
- * and its difference by 2 u, the outer product by u and the sum by 2 u. The numbers compared
- * are those returned. A number that is not finite makes D, or the quotient it is in, so, and
- * NaN is in no range. */
+/* Each determinant is a sum of three products, each of a component and a component of a cross
+ * product. The differences of corners are off by u, twice; the products of the cross product and
+ * its difference by 2 u; the outer product by u; the sum by 2 u. The numbers that are compared are
+ * those returned. A number that is not finite makes D, or the quotient that contains it, not
+ * finite, and NaN lies in no range. */
 static bool hits(const gn_ray *ray, gn_vec3 a, gn_vec3 b, gn_vec3 c, bool front_only,
                  gn_ray_hit *hit)
 {
@@ -47,8 +47,8 @@ bool gn_ray_hits_triangle_front(const gn_ray *ray, gn_vec3 a, gn_vec3 b, gn_vec3
     return hits(ray, a, b, c, true, hit);
 }
 
-/* The part of the span within min <= origin + t * direction <= max, which may be empty
- * (enter > leave). False where there is none for any t. */
+/* Cuts the span to the part within min <= origin + t * direction <= max, which may be empty (enter
+ * > leave). Returns false if no t lies in the slab. */
 static bool clip_to_slab(float origin, float direction, float min, float max, gn_ray_span *span)
 {
     if (direction == 0.0f) {
@@ -60,8 +60,8 @@ static bool clip_to_slab(float origin, float direction, float min, float max, gn
     return true;
 }
 
-/* A t is off by 2 u of itself (a difference and a quotient) or by 2^-150: a ray that meets
- * the box has enter <= leave exactly, and enter (1 - 2 u) <= leave (1 + 2 u) as computed. */
+/* A t is off by 2 u of itself (a difference and a quotient) or by 2^-150. A ray that meets the box
+ * has enter <= leave exactly, so enter (1 - 2 u) <= leave (1 + 2 u) as computed. */
 bool gn_ray_hits_box(const gn_ray *ray, const gn_box *box, gn_ray_span *span)
 {
     const gn_vec3 o = ray->origin, d = ray->direction;

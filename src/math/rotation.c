@@ -5,8 +5,8 @@
 #include "length.h"
 #include "transform.h"
 
-/* Sine and cosine are within half a last place, so s^2 + c^2 is within 2 u of 1;
- * off the diagonal c*s - s*c is exactly 0. */
+/* Sine and cosine are within half a unit in the last place, so s^2 + c^2 is within 2 u of 1. Off
+ * the diagonal c*s - s*c is exactly 0. */
 gn_status gn_rotate_x(float radians, gn_transform *result)
 {
     if (!result) {
@@ -54,14 +54,13 @@ gn_status gn_rotate_z(float radians, gn_transform *result)
 
 /* Rodrigues: R = c I + (1 - c) n n^T + s [n]x.
  *
- * Bound, with u = 2^-24; Gappa proves it from the lines of the kernel below
- * (tests/proof). For the stored n, s and c, rounding adds 4 u to an entry on the
- * diagonal and 4.51 u off it, and as R's rows and columns have the length 1, twice
- * the root of 4^2 + 2 * 4.51^2, 15.1 u, to R R^T and R^T R. Exactly computed, with
- * |n|^2 = 1 + v, |v| <= 7 u (gn_vec3_unit), and s^2 + c^2 = 1 + w, |w| <= 2 u, they
- * differ from I by v (t^2 n_i^2 + s^2) + w (1 - n_i^2) on the diagonal and
- * n_i n_j (t^2 v - w) off it: 30 u and 15 u. Lengths: half of a row's sum,
- * 46 + 2 * 31. */
+ * Bound, with u = 2^-24; Gappa proves it from the lines of the kernel below (tests/proof). For the
+ * stored n, s and c, rounding adds 4 u to an entry on the diagonal and 4.51 u to an entry off it.
+ * The rows and columns of R have length 1, so rounding adds twice the root of 4^2 + 2 * 4.51^2,
+ * 15.1 u, to R R^T and R^T R. Computed exactly, with |n|^2 = 1 + v, |v| <= 7 u (gn_vec3_unit), and
+ * s^2 + c^2 = 1 + w, |w| <= 2 u, they differ from I by v (t^2 n_i^2 + s^2) + w (1 - n_i^2) on the
+ * diagonal and by n_i n_j (t^2 v - w) off it: 30 u and 15 u. Lengths are off by half of a row's
+ * sum, 46 + 2 * 31. */
 gn_status gn_rotate_axis(gn_vec3 axis, float radians, gn_transform *result)
 {
     gn_vec3 n;

@@ -91,8 +91,8 @@ gn_status gn_transform_compose(const gn_transform *a, const gn_transform *b, gn_
     gn_mat4_multiply(&a->matrix, &b->matrix, &product.matrix);
     gn_mat4_multiply(&b->inverse, &a->inverse, &product.inverse);
     if (!gn_mat4_is_finite(&product.matrix) || !gn_mat4_is_finite(&product.inverse)) {
-        /* A product is not finite if an operand is not (even times zero), or if
-         * it overflows. */
+        /* A product is not finite if an operand is not finite (even times zero) or if the product
+         * overflows. */
         bool finite = gn_mat4_is_finite(&a->matrix) && gn_mat4_is_finite(&a->inverse) &&
                       gn_mat4_is_finite(&b->matrix) && gn_mat4_is_finite(&b->inverse);
         return finite ? GN_OUT_OF_RANGE : GN_NOT_FINITE;

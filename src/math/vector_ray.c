@@ -20,7 +20,8 @@ gn_vec4 gn_vec4_reflect(gn_vec4 v, gn_vec4 normal)
     return gn_vec4_subtract(v, gn_vec4_scale(along, 2.0f));
 }
 
-/* The square of the refracted direction's part along the normal; negative where there is none. */
+/* Returns the square of the part of the refracted direction along the normal; negative if no
+ * direction is refracted. */
 static float square_along(float eta, float d)
 {
     return 1.0f - eta * (eta * (1.0f - d * d));

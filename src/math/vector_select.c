@@ -1,7 +1,7 @@
 /* Selection, component by component. */
 #include <gnomon/vec.h>
 
-/* x != x is NaN. */
+/* x != x means that x is NaN. */
 static float lesser(float a, float b)
 {
     return a < b || b != b ? a : b;
