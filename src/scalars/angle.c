@@ -1,13 +1,12 @@
-/* Range reduction with the bits of 2/pi (M. H. Payne and R. N. Hanek, Radian
- * reduction for trigonometric functions, SIGNUM Newsletter 18, 1983) and the
- * series of sine and cosine, in integers. */
+/* Range reduction with the bits of 2/pi (M. H. Payne and R. N. Hanek, Radian reduction for
+ * trigonometric functions, SIGNUM Newsletter 18, 1983), and the series of sine and cosine, in
+ * integers. */
 #include "angle.h"
 
 #include "bits.h"
 #include "fixed_point.h"
 
-/* 2/pi after 64 zeros: bit i of the string, from the top of word 0, has the
- * weight 2^(63 - i). */
+/* 2/pi after 64 zeros: bit i, counted from the top of word 0, has the weight 2^(63 - i). */
 static const uint32_t two_over_pi[10] = {
     0x00000000u, 0x00000000u, 0xA2F9836Eu, 0x4E441529u, 0xFC2757D1u,
     0xF534DDC0u, 0xDB629599u, 0x3C439041u, 0xFE5163ABu, 0xDEBBC561u,
@@ -20,18 +19,17 @@ static uint32_t two_over_pi_bits(unsigned first)
     return (uint32_t)(pair >> (32 - offset));
 }
 
-/* |x| = significand * 2^e, e = exponent field - 150, 2^-12 <= |x| < 2^128 being
- * -35 <= e <= 104. In y = |x| * 2/pi, bits of 2/pi of weight 2^(2 - e) and above
- * contribute multiples of 4, whole turns, and are left out: the product of the
- * significand with the 128 bits from weight 2^(1 - e) on, modulo 2^128, is
- * y modulo 4 in units of 2^-126. The bits after those are worth less than
- * 2^24 units: y is low by less than 2^-102. No float in this range has its y
- * within 2^-30 of an integer (measured over all of them), so the relative error of
- * the fraction is below 2^-71.
+/* Let |x| = significand * 2^e with e = exponent field - 150; 2^-12 <= |x| < 2^128 means -35 <= e <=
+ * 104. In y = |x| * 2/pi, the bits of 2/pi of weight 2^(2 - e) and above contribute multiples of 4,
+ * which are whole turns; they are left out. So y modulo 4, in units of 2^-126, is the product of
+ * the significand with the 128 bits from weight 2^(1 - e) on, modulo 2^128. The bits after those
+ * are worth less than 2^24 units: y is low by less than 2^-102. No float in this range has a y
+ * within 2^-30 of an integer (measured over all of them), so the relative error of the fraction is
+ * below 2^-71.
  *
- * |r| = fraction * pi/2. The fraction is cut to 64 significant bits (2^-63
- * relative), pi/4 is rounded (2^-64) and so is their product, of at least
- * 0.39 * 2^64 units (2^-62.6): less than 3 * 2^-63 in all. */
+ * Then |r| = fraction * pi/2. The fraction is cut to 64 significant bits (2^-63 relative), pi/4 is
+ * rounded (2^-64), and so is their product, which is at least 0.39 * 2^64 units (2^-62.6): less
+ * than 3 * 2^-63 in all. */
 gn_reduced_angle gn_reduce_angle(uint32_t magnitude_bits)
 {
     const uint64_t quarter_pi = 0xC90FDAA22168C235u; /* pi/4 in Q64 */
@@ -51,7 +49,7 @@ gn_reduced_angle gn_reduce_angle(uint32_t magnitude_bits)
     high = high << 2 | low >> 62;
     low <<= 2;
 
-    /* To the nearest quadrant. The complement is one unit less than 1 - y. */
+    /* Reduces to the nearest quadrant. The complement is one unit less than 1 - y. */
     angle.negative = high >> 63 != 0;
     if (angle.negative) {
         angle.quadrant = (angle.quadrant + 1) & 3;
@@ -66,24 +64,25 @@ gn_reduced_angle gn_reduce_angle(uint32_t magnitude_bits)
     return angle;
 }
 
-/* r as a Q64 fraction, off by 6 units, then its square, off by 10: 3 * 2^-63 of
- * r <= 0.786 are 5 units, and every product is cut. */
+/* Returns r^2 in Q64, off by 10 units. r as a Q64 fraction is off by 6 units: 3 * 2^-63 of r <=
+ * 0.786 are 5 units, and every product is cut. */
 static uint64_t squared(const gn_reduced_angle *angle)
 {
     uint64_t r = angle->significand >> angle->shift;
     return gn_multiply_high(r, r);
 }
 
-/* Both series are summed by Horner's rule in Q64, coefficients 1/n! rounded. A
- * step adds at most 1.5 units of error (coefficient and product) and multiplies
- * what came before by z = r^2 <= 0.617, so it stays below 1.5 / (1 - 0.617) < 4
- * units; z itself, off by 10 units, adds 10/6 to the sine's and 10/2 to the
- * cosine's, and the leading 1 is one unit short. What is cut off is less than its
- * first term, z^10/21! < 2^-72 and z^10/20! < 2^-68. While a partial sum is below
- * 2^32 units, half of z is enough for its product. Every partial sum is positive
+/* Both series are summed by Horner's rule in Q64 with the coefficients 1/n! rounded. A step adds at
+ * most 1.5 units of error (coefficient and product) and multiplies the error so far by z = r^2 <=
+ * 0.617, so the error stays below 1.5 / (1 - 0.617) < 4 units. z itself, off by 10 units, adds 10/6
+ * units to the sine and 10/2 to the cosine, and the leading 1 is one unit short. The truncated rest
+ * of a series is less than its first term, z^10/21! < 2^-72 and z^10/20! < 2^-68. While a partial
+ * sum is below 2^32 units, half of z is enough for its product. Every partial sum is positive
  * because z < 1.
- * In all: 7 units of a sum of 0.9 and more, with r's 6 and the last product's 3
- * below 17 * 2^-64 of the sine, and 10 units of 0.7 below 17 * 2^-64 of the cosine. */
+ *
+ * In all: for the sine, 7 units of a sum of at least 0.9, which with r's 6 units and the last
+ * product's 3 are below 17 * 2^-64 of the sine; for the cosine, 10 units of a sum of at least 0.7,
+ * which are below 17 * 2^-64 of the cosine. */
 uint64_t gn_fixed_sine(const gn_reduced_angle *angle)
 {
     uint64_t z = squared(angle), z_high = z >> 32;

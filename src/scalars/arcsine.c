@@ -1,5 +1,4 @@
-/* Arcsine and arccosine: the angle of (sqrt(1 - x^2), x) and that of
- * (x, sqrt(1 - x^2)). */
+/* Arcsine and arccosine: the angles of the vectors (sqrt(1 - x^2), x) and (x, sqrt(1 - x^2)). */
 #include <gnomon/scalar.h>
 
 #include <stdbool.h>
@@ -11,24 +10,25 @@
 
 #define ONE_BITS 0x3F800000u
 
-/* |x| in Q64 and sqrt(1 - x^2) = cosine * 2^(-63 - shift), for 2^-26 <= |x| < 1. */
+/* x| in Q64, and sqrt(1 - x^2) = cosine * 2^(-63 - shift), for 2^-26 <= |x| < 1. */
 typedef struct sides {
     uint64_t sine;
     uint64_t cosine;
     int shift;
 } sides;
 
-/* From 1/2 on, x is a multiple of 2^-24 and x^2 of 2^-48; below, 1 - x^2 >= 3/4 and one
- * unit of 2^-64 for the cut is a relative 2^-63.5. The square root's is half of that.
+/* For |x| >= 1/2, x is a multiple of 2^-24 and x^2 of 2^-48, so 1 - x^2 is exact. For |x| < 1/2, 1
+ * - x^2 >= 3/4, and the cut of one unit of 2^-64 is a relative error of 2^-63.5. The square root
+ * has half of that error.
  *
- * w = (1 - x^2) * 4^shift is in (1/4, 1). Newton's iteration for R = 1/sqrt(w), in units
- * of 2^-63, R (3 - w R^2) / 2, takes the error e of the straight line that starts,
- * 0.086, to 3/2 e^2 + 1/2 e^3, 1.2e-2, 1.9e-4, 5.1e-8, 3.9e-15 and 2^-95, and R is at
- * most 1/sqrt(w), below 2 by far more than the errors here because no float's x^2 is 3/4
- * to 2^-24. In the last step w R is low by a unit of 2^-63 and the cut of w R^2, where
- * R <= 2, makes that 2 units of 2^-62 at most, so R's relative error is below 2^-62 from this
- * and 2^-62 from the product; that of w R is below 2^-61 + 2^-62, and of cosine with what
- * 1 - x^2 brings 2^-60. */
+ * w = (1 - x^2) * 4^shift is in (1/4, 1). Newton's iteration for R = 1/sqrt(w), in units of 2^-63,
+ * is R (3 - w R^2) / 2. It starts with a straight line, whose error e is 0.086. A step takes e to
+ * 3/2 e^2 + 1/2 e^3: 1.2e-2, 1.9e-4, 5.1e-8, 3.9e-15 and 2^-95. R is at most 1/sqrt(w), and stays
+ * below 2 by far more than the errors here because no float has an x^2 within 2^-24 of 3/4. In the
+ * last step w R is low by one unit of 2^-63. The cut of w R^2, with R <= 2, makes that 2 units of
+ * 2^-62 at most. So R's relative error is below 2^-62 from w R^2 and 2^-62 from the product; the
+ * relative error of w R is below 2^-61 + 2^-62, and that of cosine, including the error of 1 - x^2,
+ * is below 2^-60. */
 static sides sides_of(uint32_t magnitude)
 {
     const uint64_t start = 0x10FEB0D159A6C000u; /* 2.1328 - 2 */
@@ -51,10 +51,10 @@ static sides sides_of(uint32_t magnitude)
     return result;
 }
 
-/* Below 2^-12, x^3/6 is less than half of x's last place. The quotient's relative error,
- * 2^-60, moves the angle by no more of itself: it is right to 2^-57.3. The exact arcsines of
- * floats stay 2^-53.6 and more of themselves away from the middle between two floats
- * (enumerated with MPFR). */
+/* For |x| below 2^-12, x^3/6 is less than half a unit in x's last place. The quotient's relative
+ * error, 2^-60, changes the angle by no more than that part of itself, so the angle is right to
+ * 2^-57.3. The exact arcsines of floats are at least 2^-53.6 of themselves away from the middle
+ * between two floats (enumerated with MPFR). */
 float gn_asin(float x)
 {
     const uint32_t small = 0x39800000u;
@@ -73,9 +73,9 @@ float gn_asin(float x)
     return gn_round_arctangent(s.sine, s.cosine, s.shift - 1, false, sign);
 }
 
-/* pi/2 lies 2^-25.9 from the nearest tie: below 2^-26, x makes no difference. As above; but
- * the hardest cases, 2^-57.2 and 2^-54.6 of themselves from a tie, are for |x| < 2^-11, where
- * the angle is right to 2^-58.8. */
+/* pi/2 lies 2^-25.9 from the nearest tie, so x below 2^-26 makes no difference. The bound is that
+ * of gn_asin; but the hardest cases, 2^-57.2 and 2^-54.6 of themselves from a tie, have |x| <
+ * 2^-11, where the angle is right to 2^-58.8. */
 float gn_acos(float x)
 {
     const uint32_t small = 0x32800000u;

@@ -1,5 +1,5 @@
-/* Arctangents: the quotient by Newton's iteration, brought to at most 1/8 by the
- * addition theorem, the series, and one rounding. */
+/* Arctangents: the quotient by Newton's iteration, reduced to at most 1/8 by the addition theorem,
+ * then the series, and one rounding. */
 #include "arctangent.h"
 
 #include <gnomon/scalar.h>
@@ -7,14 +7,15 @@
 #include "bits.h"
 #include "fixed_point.h"
 
-/* 2^127 / divisor, for a divisor D = divisor * 2^-64 of at least 1/2: 1/D in units of
- * 2^-63. It is never too large, and low by less than 7 units.
- * The straight line that starts is off by 1/17 at most, and a step squares the error:
- * after four, 17^-16 < 2^-65. Such a step, R (2 - D R), gives at most 1/D; both
- * products are cut, and the complement stands for 2 - D R less one unit, so that the
- * factor is low by less than one unit of 2^-63 (the product it comes from is cut, too),
- * R, in [1, 2], by two of those, and the product by one more of twice the size:
- * less than 6, and the squared error. */
+/* Returns 2^127 / divisor, that is, 1/D in units of 2^-63 for D = divisor * 2^-64, which must be at
+ * least 1/2. The result is never too large, and low by less than 7 units.
+ *
+ * The straight line that starts is off by at most 1/17, and each step squares the error: after
+ * four steps 17^-16 < 2^-65. A step, R (2 - D R), yields at most 1/D. Both products are cut, and
+ * the complement is 2 - D R less one unit. So the factor is low by less than one unit of 2^-63
+ * (the product it comes from is cut too). The product with R, in [1, 2], is low by two of those
+ * units and, because it is cut, by one more of twice the size: less than 6 units, plus the
+ * squared error. */
 static uint64_t reciprocal(uint64_t divisor)
 {
     const uint64_t start = 0x6969696969696969u; /* 48/17 - 2 */
@@ -26,14 +27,14 @@ static uint64_t reciprocal(uint64_t divisor)
     return inverse;
 }
 
-/* The arctangent of r = quotient * 2^(-63 - shift) <= 0.1251, in the quotient's units,
- * by r (1 - z/3 + z^2/5 - ...) with z = r^2 < 2^-5.99.
- * Horner's rule in Q64: a step adds 1.5 units of error (coefficient, product) to 1/60 of
- * what came before, and z, off by 1.3 units (both cuts), adds 0.5: in all less than
- * 3 units of 2^-64, with the leading 1 a unit short. The four last coefficients have 32
- * bits: 2 units of 2^-32, by z^6. What is left out is less than z^10/21 < 2^-64.2. With
- * the last product's cut, the relative error is below 5 * 2^-64 + 2^-62 for a quotient
- * of 2^62 and more. */
+/* Returns the arctangent of r = quotient * 2^(-63 - shift) <= 0.1251, in the quotient's units, by r
+ * (1 - z/3 + z^2/5 - ...) with z = r^2 < 2^-5.99.
+ *
+ * Horner's rule in Q64: a step adds 1.5 units of error (coefficient, product) to 1/60 of the error
+ * so far, and z, off by 1.3 units (both cuts), adds 0.5. In all less than 3 units of 2^-64, with
+ * the leading 1 a unit short. The last four coefficients have 32 bits: 2 units of 2^-32, times z^6.
+ * The truncated rest is less than z^10/21 < 2^-64.2. With the cut of the last product, the relative
+ * error is below 5 * 2^-64 + 2^-62 for a quotient of at least 2^62. */
 static uint64_t fixed_arctangent(uint64_t quotient, unsigned shift)
 {
     static const uint64_t coefficient[5] = {
@@ -58,23 +59,24 @@ static uint64_t fixed_arctangent(uint64_t quotient, unsigned shift)
 
 /* With t the smaller of y and x over the larger, and j = 4t rounded,
  *   atan t = atan(j/4) + atan r,   r = (t - j/4) / (1 + t j/4) = (4y - jx) / (4x + jy),
- * |r| <= 1/8.
+ * and |r| <= 1/8.
  *
- * Where j = 0, r = t is a quotient of two exact numbers: its relative error is that of the
- * reciprocal, 7 * 2^-63, and a cut, 2^-62; with the series' 9 * 2^-64 less than
- * 27 * 2^-64. All these errors but the coefficients', which z multiplies, have one sign:
- * below 2^-33, where z is zero, the result is less than t.
+ * If j = 0, r = t is a quotient of two exact numbers. Its relative error is that of the reciprocal,
+ * 7 * 2^-63, and a cut, 2^-62; with the 9 * 2^-64 of the series it is less than 27 * 2^-64. All
+ * these errors have one sign, except those of the coefficients, which are multiplied by z. So below
+ * 2^-33, where z is zero, the result is less than t.
  *
- * Otherwise the numerator, less than 2^63 in magnitude, is exact modulo 2^64 but for what
- * leaves y and x on the right: in units of 2^-64, with x >= 2^63, at most 2 of the
- * denominator's 2^65 (y, doubled) and j/2 of its 2^65 (x), so r is off by less than
- * 2^-63. The denominator's cuts (5 units of 2^62 and more) and the errors of the above
- * are for an r of at most 1/8: 20/8 + 27/8 units of 2^-64. With r's own, the table's and the cuts
- * less than 10 units of 2^-64, of an angle of at least 0.124: 2^-57.6.
+ * Otherwise the numerator, less than 2^63 in magnitude, is exact modulo 2^64, except for the bits
+ * of y and x that are shifted out on the right. In units of 2^-64, with x >= 2^63, these are at
+ * most 2 units (y, doubled) and j/2 units (x), over a denominator of 2^65 units, so r is off by
+ * less than 2^-63. The cuts of the denominator (5 units of at least 2^62) and the errors of the
+ * reciprocal and the series apply to an r of at most 1/8: 20/8 + 27/8 units of 2^-64. Together with
+ * the error of r, of the table and of the cuts, the angle, which is at least 0.124, is off by less
+ * than 10 units of 2^-64: 2^-57.6.
  *
- * From the y axis and from the negative x axis, angles are sums in units of 2^-62: less
- * than 5 units (the above, in quarters, and two cuts and two constants) of at
- * least pi/4: 2^-59. */
+ * Angles measured from the y axis and from the negative x axis are sums in units of 2^-62. They are
+ * off by less than 5 units (a quarter of the above, two cuts and two constants) and are at least
+ * pi/4: 2^-59. */
 float gn_round_arctangent(uint64_t y, uint64_t x, int exponent, bool left, uint32_t sign)
 {
     static const uint64_t atan_of_quarters[5] = {
@@ -163,8 +165,9 @@ float gn_atan2(float y, float x)
     return gn_round_arctangent(y_significand, x_significand, y_exponent - x_exponent, left, sign);
 }
 
-/* Below 2^-12, x^3/3 is less than half of x's last place. From there on the exact arctangents
- * of floats stay 2^-55.1 and more of themselves away from ties (enumerated with MPFR). */
+/* For |x| below 2^-12, x^3/3 is less than half a unit in x's last place. From 2^-12 on, the
+ * exact arctangents of floats are at least 2^-55.1 of themselves away from ties (enumerated with
+ * MPFR). */
 float gn_atan(float x)
 {
     const uint32_t small = 0x39800000u;

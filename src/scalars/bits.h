@@ -1,5 +1,5 @@
-/* Floats as the bit patterns IEEE 754 gives them: sign, 8 bits of exponent with
- * bias 127, 23 bits of fraction. */
+/* Floats as the bit patterns of IEEE 754: sign, 8 bits of exponent with bias 127, 23 bits of
+ * fraction. */
 #ifndef GNOMON_SCALARS_BITS_H
 #define GNOMON_SCALARS_BITS_H
 
@@ -11,8 +11,8 @@
 #define GN_FRACTION_BITS 0x007FFFFFu
 #define GN_HIDDEN_BIT 0x00800000u
 
-/* The NaN every function of this folder makes. Processors differ in the NaN
- * they make themselves, so no result may come from an invalid operation. */
+/* The NaN that every function of this folder returns. Processors differ in the NaN that arithmetic
+ * produces, so no result may come from an invalid operation. */
 #define GN_NAN_BITS 0x7FC00000u
 
 static inline uint32_t gn_float_bits(float x)
@@ -35,7 +35,7 @@ static inline float gn_float_from_bits(uint32_t bits)
     return pun.number;
 }
 
-/* Neither NaN nor infinite. */
+/* Returns whether x is neither NaN nor infinite. */
 static inline bool gn_is_finite(float x)
 {
     return (gn_float_bits(x) & GN_EXPONENT_BITS) != GN_EXPONENT_BITS;

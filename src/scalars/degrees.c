@@ -6,9 +6,9 @@
 #include "bits.h"
 #include "fixed_point.h"
 
-/* x * factor * 2^-scale. The factor is rounded, 2^-64.8 of it, and the product cut,
- * 2^-62: its relative error is below 2^-61.7. The exact products stay 2^-50 of
- * themselves away from ties. */
+/* Returns x * factor * 2^-scale. The factor is rounded (2^-64.8 of itself) and the product cut
+ * (2^-62), so the relative error of the product is below 2^-61.7. The exact products are at least
+ * 2^-50 of themselves away from ties. */
 static float scaled(float x, uint64_t factor, int scale)
 {
     uint32_t bits = gn_float_bits(x), sign = bits & GN_SIGN_BIT, magnitude = bits ^ sign;

@@ -1,5 +1,5 @@
-/* Exponentials: the argument as an integer and a fraction of a power of two, the
- * fraction's power from a table and a series in integers, rounded once. */
+/* Exponentials: the exponent of 2 is split into an integer and a fraction; the power of the
+ * fraction comes from a table and a series in integers, and is rounded once. */
 #include <gnomon/scalar.h>
 
 #include "bits.h"
@@ -18,17 +18,17 @@ static const uint64_t powers[32] = {
     0xEAC0C6E7DD24392Fu, 0xEFE4B99BDCDAF5CBu, 0xF5257D152486CC2Cu, 0xFA83B2DB722A033Au,
 };
 
-/* 2^fraction = 2^(i/32) * (1 + v), v = 2^r - 1, where r is
- * the rest, below 2^-5. v = r * (c1 + r * (c2 + ...)), cn = (ln 2)^n / n!, by Horner's
- * rule, coefficients rounded.
- * What follows c8 is below 1.01 * (ln 2 / 32)^9 / 9! < 2^-68. The sums of c7 to c5 are in
- * Q48, from the upper 27 bits of r: those of c7 and c6 are off by less than 3 units, that
- * of c5 (2^-32 of r is lost, of a sum below 2^36 units) by less than 16, which four more
- * factors r make one unit of Q64. A step from c4 on adds at most 1.5 units, the next
- * multiplies them by r: the sum of c1 is off by less than 2.6 units, and v by less than
- * 2.6/32 + 1 (its product is cut) + 2^-4 < 1.2. The table is rounded and its product with v
- * is cut: p = 2^(i/32) makes it 1.2 * p/2 + 0.52 + 1 units of Q63, of p * 2^63, less than
- * 2.2 * 2^-63 relatively. r = 0 gives v = 0, so i = 0 is then exact. */
+/* 2^fraction = 2^(i/32) * (1 + v) with v = 2^r - 1; r is the rest, below 2^-5. v = r * (c1 + r *
+ * (c2 + ...)) with cn = (ln 2)^n / n!, by Horner's rule with rounded coefficients.
+ *
+ * The terms after c8 are below 1.01 * (ln 2 / 32)^9 / 9! < 2^-68. The sums of c7 to c5 are in Q48,
+ * from the upper 27 bits of r. Those of c7 and c6 are off by less than 3 units, that of c5 by less
+ * than 16 (2^-32 of r is lost, of a sum below 2^36 units), which four more factors r reduce to one
+ * unit of Q64. From c4 on a step adds at most 1.5 units, and the next step multiplies them by r:
+ * the sum of c1 is off by less than 2.6 units, and v by less than 2.6/32 + 1 (its product is cut) +
+ * 2^-4 < 1.2. The table is rounded and its product with v is cut. With p = 2^(i/32) the error is
+ * 1.2 * p/2 + 0.52 + 1 units of Q63, of p * 2^63: relatively less than 2.2 * 2^-63. r = 0 yields v
+ * = 0, so the result is exact for i = 0 and r = 0. */
 uint64_t gn_fixed_power(uint64_t fraction)
 {
     uint64_t power = powers[fraction >> 59];
@@ -44,9 +44,9 @@ uint64_t gn_fixed_power(uint64_t fraction)
     return power + gn_multiply_high(power, gn_multiply_high(r, sum));
 }
 
-/* The float nearest to significand * 2^(exponent - 63), for a significand of at
- * least 2^63; tolerance as for gn_power_of_two. A carry out of the fraction runs into
- * the exponent, up to infinity's. */
+/* Returns the float nearest to significand * 2^(exponent - 63), for a significand of at least 2^63;
+ * `tolerance` as in gn_power_of_two. A carry out of the fraction runs into the exponent, up to the
+ * exponent of infinity. */
 static float round_to_any_float(uint64_t significand, int exponent, uint32_t sign,
                                 uint64_t tolerance)
 {
@@ -72,10 +72,9 @@ static float round_to_any_float(uint64_t significand, int exponent, uint32_t sig
     return gn_float_from_bits((below + kept) | sign);
 }
 
-/* The product is of [2^86, 2^88). A shift up to 14 makes y at least 2^8; one above 48
- * makes it less than 2^-25, and 2^y is then nearer to 1 than to the floats beside it.
- * Bits of y below 2^-64 are cut off, which with gn_fixed_power's error is less than
- * (2.2 + 0.5 * ln 2) * 2^-63. */
+/* The product is in [2^86, 2^88). A shift up to 14 makes y at least 2^8. A shift above 48 makes y
+ * less than 2^-25; 2^y is then nearer to 1 than to the floats next to 1. Bits of y below 2^-64 are
+ * cut off, which together with gn_fixed_power's error is less than (2.2 + 0.5 * ln 2) * 2^-63. */
 float gn_power_of_two(const gn_exponent *y, uint32_t sign, uint64_t tolerance)
 {
     if (y->shift > 48) {
@@ -101,7 +100,8 @@ float gn_power_of_two(const gn_exponent *y, uint32_t sign, uint64_t tolerance)
     return round_to_any_float(gn_fixed_power(fraction), whole, sign, tolerance);
 }
 
-/* 2^(x * factor), factor in Q63. A denormal x gets a bit it has not, and a shift of 149. */
+/* Returns 2^(x * factor), with the factor in Q63. A denormal x is given a leading bit that it does
+ * not have, and a shift of 149; the result is 1 all the same. */
 static float exponential(float x, uint64_t factor)
 {
     uint32_t bits = gn_float_bits(x), magnitude = bits & ~GN_SIGN_BIT;
@@ -113,17 +113,17 @@ static float exponential(float x, uint64_t factor)
     return gn_power_of_two(&y, 0, 0);
 }
 
-/* y is exact. The exact result is 2^-58.9 of itself and more away from the middle between
- * two floats, unless it is one: x = -150, which gn_power_of_two knows. (Enumerated with MPFR,
- * for e^x too.) */
+/* y is exact. The exact result is at least 2^-58.9 of itself away from the middle between two
+ * floats, unless it is such a middle: x = -150, which gn_power_of_two handles. (Enumerated with
+ * MPFR, for e^x too.) */
 float gn_exp2(float x)
 {
     return exponential(x, 0x8000000000000000u);
 }
 
-/* log2(e) is rounded, 2^-65.4 of it, so y, up to 150 where it matters, is off by less than
- * 2^-58.1 and the result by less than 2^-58.5 of itself. e^x is 2^-52.7 and more away from
- * the middle between two floats. */
+/* log2(e) is rounded (2^-65.4 of itself). So y, up to 150 where it matters, is off by less than
+ * 2^-58.1, and the result by less than 2^-58.5 of itself. e^x is at least 2^-52.7 of itself away
+ * from the middle between two floats. */
 float gn_exp(float x)
 {
     return exponential(x, 0xB8AA3B295C17F0BCu);

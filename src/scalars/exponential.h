@@ -1,4 +1,4 @@
-/* Powers of two in fixed point: what exp2, exp and pow share. */
+/* Powers of two in fixed point, which exp2, exp and pow share. */
 #ifndef GNOMON_SCALARS_EXPONENTIAL_H
 #define GNOMON_SCALARS_EXPONENTIAL_H
 
@@ -8,20 +8,20 @@
 /* y = +-significand * factor * 2^(-64 - shift). */
 typedef struct gn_exponent {
     uint64_t factor;      /* at least 2^63 */
-    uint32_t significand; /* of [2^23, 2^24); of no account where shift is above 48 */
+    uint32_t significand; /* in [2^23, 2^24); has no effect if shift is above 48 */
     int shift;
     bool negative;
 } gn_exponent;
 
-/* 2^fraction in Q63, of a Q64 fraction. The relative error is below 2.2 * 2^-63; exact for
- * a fraction of 0. */
+/* Returns 2^fraction in Q63, for a fraction in Q64. The relative error is below 2.2 * 2^-63; the
+ * result is exact for a fraction of 0. */
 uint64_t gn_fixed_power(uint64_t fraction);
 
-/* 2^y with a sign bit, rounded once: to infinity from the middle of 2^128 and the float
- * below on, and to a multiple of 2^-149 below 2^-126. The relative error before that is
- * below 2.6 * 2^-63, and ln 2 times the error of y; 2^y is exact where y is an integer.
- * Within `tolerance` * 2^-64 units of the result's last place of the middle between two
- * floats, the even one is taken. */
+/* Returns 2^y with a sign bit, rounded once: to infinity from the middle between 2^128 and the next
+ * smaller float on, and to a multiple of 2^-149 below 2^-126. Before this rounding the relative
+ * error is below 2.6 * 2^-63 plus ln 2 times the error of y; 2^y is exact if y is an integer. If
+ * the value is within `tolerance` * 2^-64 units of the result's last place of the middle between
+ * two floats, returns the even one. */
 float gn_power_of_two(const gn_exponent *y, uint32_t sign, uint64_t tolerance);
 
 #endif

@@ -1,6 +1,6 @@
-/* 64-bit fixed-point arithmetic: from 32-bit products, which every target has
- * without a support library, and in the instructions of 64-bit processors known to
- * have them. "Q64" is an unsigned fraction in units of 2^-64. */
+/* 64-bit fixed-point arithmetic, from 32-bit products, which every target has without a support
+ * library, and from the instructions of 64-bit processors where they are known to exist. "Q64" is
+ * an unsigned fraction in units of 2^-64. */
 #ifndef GNOMON_SCALARS_FIXED_POINT_H
 #define GNOMON_SCALARS_FIXED_POINT_H
 
@@ -8,8 +8,8 @@
 
 #include "bits.h"
 
-/* floor(a * b / 2^64): the product of two Q64 fractions, low by less than one
- * unit. The middle sum is at most 2 * (2^32 - 1) + (2^32 - 1)^2 < 2^64. */
+/* Returns floor(a * b / 2^64): the product of two Q64 fractions, low by less than one unit. The
+ * middle sum is at most 2 * (2^32 - 1) + (2^32 - 1)^2 < 2^64. */
 static inline uint64_t gn_multiply_high_portable(uint64_t a, uint64_t b)
 {
     uint64_t a_low = a & 0xFFFFFFFFu, a_high = a >> 32;
@@ -19,7 +19,7 @@ static inline uint64_t gn_multiply_high_portable(uint64_t a, uint64_t b)
     return a_high * b_high + (cross >> 32) + (middle >> 32);
 }
 
-/* The number of zeros above the highest set bit; 63 for both 1 and 0. */
+/* Returns the number of zeros above the highest set bit; 63 for both 1 and 0. */
 static inline unsigned gn_leading_zeros_portable(uint64_t x)
 {
     unsigned zeros = 0;
@@ -60,8 +60,8 @@ static inline unsigned gn_leading_zeros(uint64_t x)
 
 #endif
 
-/* A positive, finite float, given by its bits, as significand * 2^(exponent - 23) with a
- * significand of [2^23, 2^24), which is returned. */
+/* Returns the significand, in [2^23, 2^24), of a positive, finite float given by its bits, which
+ * equals significand * 2^(exponent - 23). */
 static inline uint32_t gn_normal_significand(uint32_t bits, int *exponent)
 {
     uint32_t fraction = bits & GN_FRACTION_BITS;
@@ -74,10 +74,10 @@ static inline uint32_t gn_normal_significand(uint32_t bits, int *exponent)
     return fraction << zeros;
 }
 
-/* The float nearest to significand * 2^(-64 - shift), for a significand of at
- * least 2^62 and a result in the normal range; shift is modulo 2^32. No tie is looked for: the
- * caller's numbers are irrational. A carry out of the fraction runs into the exponent, which is
- * what rounding up to a power of two means. */
+/* Returns the float nearest to significand * 2^(-64 - shift), for a significand of at least 2^62
+ * and a result in the normal range; shift is modulo 2^32. Ties are not handled: the callers' exact
+ * numbers are irrational. A carry out of the fraction runs into the exponent, which is what
+ * rounding up to a power of two means. */
 static inline float gn_round_to_float(uint64_t significand, unsigned shift, uint32_t sign)
 {
     if (significand >> 63 == 0) {
@@ -89,10 +89,9 @@ static inline float gn_round_to_float(uint64_t significand, unsigned shift, uint
     return gn_float_from_bits((((uint32_t)125 - shift) << 23) + rounded + sign);
 }
 
-/* The float nearest to significand * 2^(-64 - shift), for any significand but zero
- * and any result: denormal, zero or infinite as it comes. A number that lies between
- * significand and significand + 1 is rounded right too, ties included: what looks
- * like a tie is above it. */
+/* Returns the float nearest to significand * 2^(-64 - shift), for any significand but zero and any
+ * result: normal, denormal, zero or infinite. An exact number between significand and significand +
+ * 1 is also rounded correctly, ties included: what looks like a tie is above it. */
 static inline float gn_round_to_any_float(uint64_t significand, int shift, uint32_t sign)
 {
     unsigned zeros = gn_leading_zeros(significand);

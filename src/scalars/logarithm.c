@@ -1,13 +1,13 @@
-/* Logarithms: the significand times a tabulated reciprocal is near 1, where a
- * series in integers converges fast. Rounded once. */
+/* Logarithms: the significand times a tabulated reciprocal is near 1, where a series in integers
+ * converges fast. The result is rounded once. */
 #include <gnomon/scalar.h>
 
 #include "bits.h"
 #include "fixed_point.h"
 #include "logarithm.h"
 
-/* c = 1 / (1 + i/32) rounded to Q15, and -log2(c) in Q64, but for the last one, 1, which
- * is carried into the integer. */
+/* c = 1 / (1 + i/32) rounded to Q15, and -log2(c) in Q64. The last -log2(c) is 1, which is carried
+ * into the integer. */
 static const uint16_t reciprocals[33] = {
     0x8000, 0x7C1F, 0x7878, 0x7507, 0x71C7, 0x6EB4, 0x6BCA, 0x6907, 0x6666, 0x63E7, 0x6186,
     0x5F41, 0x5D17, 0x5B06, 0x590B, 0x5726, 0x5555, 0x5398, 0x51EC, 0x5050, 0x4EC5, 0x4D48,
@@ -25,20 +25,22 @@ static const uint64_t logarithms[33] = {
     0x0000000000000000u,
 };
 
-/* log2(x) = whole + log2(m), and log2(m) = -log2(c) + log2(1 +- r), with 1 +- r = m * c and
- * log2(1 +- r) = +-r * log2(e) * (1 -+ r/2 + r^2/3 -+ ...), by Horner's rule, coefficients
- * rounded. r is at most 2^-6.
- * What follows 1/10 is below 1.02 * r^10 * log2(e)/11, 1.1 units of Q63. The sums of 1/9 to
- * 1/6 are in Q40, from the upper bits of r: they are off by less than 60 units (2^-32 of r is
- * lost, of a sum below 0.22 * 2^40 units), which five more factors r make 0.5 units of Q63. A step
- * from 1/5 on adds at most 1.5 units (coefficient and product, whose complement is its
- * negative less one), the next multiplies them by r: the sum is off by less than 3.2 units
- * of more than 1.43 * 2^63, and its product with r, normalized to 2^63 and more, is cut by one.
- * Relatively less than (3.2/1.43 + 1/0.71) * 2^-63 < 3.7 * 2^-63.
- * This is the result near 1, where whole and log2(c) are 0. Elsewhere it is added in Q64:
- * 0.5 units from the table, 1 from cutting, and log2(1 +- r) < 2^-5.4 is off by 0.2: 1.7. Of
- * a result of 1 and more, 64 bits are kept. The least of the others is -log2(1 - 2^-7) =
- * 2^-6.46. Powers of two have r = 0. */
+/* log2(x) = whole + log2(m) and log2(m) = -log2(c) + log2(1 +- r), with 1 +- r = m * c and log2(1
+ * +- r) = +-r * log2(e) * (1 -+ r/2 + r^2/3 -+ ...), by Horner's rule with rounded coefficients. r
+ * is at most 2^-6.
+ *
+ * The terms after 1/10 are below 1.02 * r^10 * log2(e)/11, 1.1 units of Q63. The sums of 1/9 to 1/6
+ * are in Q40, from the upper bits of r. They are off by less than 60 units (2^-32 of r is lost, of
+ * a sum below 0.22 * 2^40 units), which five more factors r reduce to 0.5 units of Q63. From 1/5 on
+ * a step adds at most 1.5 units (coefficient and product, whose complement is its negative less
+ * one), and the next step multiplies them by r. The sum is off by less than 3.2 units of more than
+ * 1.43 * 2^63, and its product with r, normalized to at least 2^63, is cut by one unit. The
+ * relative error is less than (3.2/1.43 + 1/0.71) * 2^-63 < 3.7 * 2^-63.
+ *
+ * Near 1, where whole and log2(c) are 0, this is the result. Elsewhere it is added in Q64: 0.5
+ * units from the table, 1 unit from cutting, and 0.2 units from log2(1 +- r) < 2^-5.4, in all 1.7
+ * units. For results of 1 and more, 64 bits are kept. The least of the other results is -log2(1 -
+ * 2^-7) = 2^-6.46. Powers of two have r = 0. */
 gn_logarithm gn_binary_logarithm(uint32_t bits)
 {
     const uint64_t one = (uint64_t)1 << 38;
@@ -120,17 +122,18 @@ static float logarithm(float x, bool natural)
                              result.negative ? GN_SIGN_BIT : 0);
 }
 
-/* The exact logarithm of a float that is no power of two is 2^-51.4 of itself and more away
- * from the middle between two floats; what is rounded is off by less than 2^-56.7 of it.
+/* The exact logarithm of a float that is no power of two is at least 2^-51.4 of itself away from
+ * the middle between two floats; the value that is rounded is off by less than 2^-56.7 of itself.
  * (Enumerated with MPFR, for gn_log too.) */
 float gn_log2(float x)
 {
     return logarithm(x, false);
 }
 
-/* The natural one is 2^-57.8 of itself and more away, 2^-43.4 where |log2 x| is of
- * 2^-7 .. 2^-4. The product with ln 2 is off by 2^-62.3 more, so what is rounded is off by less
- * than 2^-56.6 there, and elsewhere by less than 2^-58.8 (from 1.7 * 2^-60 + 2^-63) of it. */
+/* The exact natural logarithm is at least 2^-57.8 of itself away from the middle between two
+ * floats; where |log2 x| is in 2^-7 .. 2^-4, at least 2^-43.4. The product with ln 2 is off by
+ * 2^-62.3 more. So the value that is rounded is off by less than 2^-56.6 of itself in that range,
+ * and elsewhere by less than 2^-58.8 (from 1.7 * 2^-60 + 2^-63). */
 float gn_log(float x)
 {
     return logarithm(x, true);

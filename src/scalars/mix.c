@@ -1,4 +1,4 @@
-/* Between two numbers. */
+/* Linear interpolation between two numbers. */
 #include <gnomon/scalar.h>
 
 #include "bits.h"

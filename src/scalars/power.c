@@ -12,7 +12,7 @@
 
 typedef enum parity { NOT_INTEGER, EVEN, ODD } parity;
 
-/* Of a number that is not zero, given by its bits without the sign. Infinity is
+/* Returns the parity of a number that is not zero, given by its bits without the sign. Infinity is
  * even. */
 static parity parity_of(uint32_t magnitude)
 {
@@ -31,16 +31,18 @@ static parity parity_of(uint32_t magnitude)
     return (significand & unit) != 0 ? ODD : EVEN;
 }
 
-/* Let p = y * log2 |x|, |p| <= 150 where the result is neither zero nor infinite. Its error
- * is below 2^-56.7 of it (gn_binary_logarithm), 2^-49.4, and that of 2^p, with
- * gn_power_of_two's own, below 2^-49.9 of it: 2^-25.9 units in the last place of a float, and
- * less of denormal ones. So the result is within 1/2 + 2^-25 units of the exact value, also
- * where the tolerance takes the farther of two floats.
- * x^y is a float, or the middle between two, and no power of two only where x = n * 2^a, n
- * odd and at least 3, and n^y is an odd integer below 2^25: 0 < y < 15.8. Then p's error is
- * below 15.8 * 1.7 * 2^-64 + 150 * 2^-63 (or 3.7 * 2^-63 of a small p) < 2^-55.6, and that of
- * the result, in its last place, below 2^-56 * 2^24 < 2^-30, the tolerance: floats are found
- * exactly, and middles go to the even one. Powers of two have exact p. */
+/* Let p = y * log2 |x|; |p| <= 150 if the result is neither zero nor infinite. p is off by less
+ * than 2^-56.7 of itself (gn_binary_logarithm), which is 2^-49.4. 2^p, including gn_power_of_two's
+ * own error, is off by less than 2^-49.9 of itself: 2^-25.9 units in the last place of a float, and
+ * less of a denormal one. So the result is within 1/2 + 2^-25 units of the exact value, also where
+ * the tolerance takes the farther of two floats.
+ *
+ * x^y can be a float, or the middle between two floats, without being a power of two only if x = n
+ * * 2^a with n odd and at least 3, and n^y is an odd integer below 2^25: 0 < y < 15.8. Then the
+ * error of p is below 15.8 * 1.7 * 2^-64 + 150 * 2^-63 (or 3.7 * 2^-63 of a small p) < 2^-55.6. The
+ * error of the result, in units of its last place, is below 2^-56 * 2^24 < 2^-30, which is the
+ * tolerance. So exact floats are returned exactly, and middles round to the even float. Powers of
+ * two have an exact p. */
 float gn_pow(float x, float y)
 {
     const uint64_t tolerance = (uint64_t)1 << 34;
@@ -71,7 +73,7 @@ float gn_pow(float x, float y)
         bool grows = (x_magnitude > ONE_BITS) != y_negative;
         return gn_float_from_bits((grows ? GN_EXPONENT_BITS : 0) | sign);
     }
-    /* An infinite y makes the shift negative, as one of 2^128 would. */
+    /* An infinite y makes the shift negative, as a y of 2^128 would. */
     gn_logarithm logarithm = gn_binary_logarithm(x_magnitude);
     gn_exponent exponent = {logarithm.significand, (y_magnitude & GN_FRACTION_BITS) | GN_HIDDEN_BIT,
                             150 - (int)(y_magnitude >> 23) + logarithm.shift,

@@ -1,4 +1,4 @@
-/* To whole numbers, by the bits of the fraction: those below the one of weight 1. */
+/* Rounding to whole numbers, by the bits of the fraction: those of weight less than 1. */
 #include <gnomon/scalar.h>
 
 #include <stdint.h>
@@ -6,9 +6,9 @@
 #include "bits.h"
 
 #define ONE_BITS 0x3F800000u
-#define WHOLE_BITS 0x4B000000u /* 2^23: from here on all are whole */
+#define WHOLE_BITS 0x4B000000u /* 2^23: from here on all floats are whole */
 
-/* The bits of 1 <= |x| < 2^23 that are worth less than 1. */
+/* Returns the bits of weight less than 1, for 1 <= |x| < 2^23. */
 static uint32_t fraction_of(uint32_t magnitude)
 {
     return GN_FRACTION_BITS >> ((magnitude >> 23) - 127);
@@ -19,7 +19,7 @@ static float whole_already(float x)
     return x != x ? gn_float_from_bits(GN_NAN_BITS) : x;
 }
 
-/* A carry out of the fraction runs into the exponent: the next power of two. */
+/* A carry out of the fraction runs into the exponent: the result is the next power of two. */
 float gn_floor(float x)
 {
     uint32_t bits = gn_float_bits(x), sign = bits & GN_SIGN_BIT, magnitude = bits ^ sign;
@@ -66,7 +66,7 @@ float gn_round(float x)
     return gn_float_from_bits((bits + (fraction >> 1) + 1) & ~fraction);
 }
 
-/* The difference is exact except where -1/2 < x < 0. There the rounded 1 + x may be 1. */
+/* The difference is exact except for -1/2 < x < 0. There the rounded 1 + x may be 1. */
 float gn_fract(float x)
 {
     const uint32_t below_one = ONE_BITS - 1;

@@ -8,8 +8,8 @@
 #include "bits.h"
 #include "fixed_point.h"
 
-/* The sine of quadrant * pi/2 + r: of the four quadrants, odd ones take the
- * cosine of r and those from pi on the other sign. The cosine is even in r. */
+/* Returns the sine of quadrant * pi/2 + r. Odd quadrants take the cosine of r, and quadrants from
+ * pi on the opposite sign. The cosine is even in r. */
 static float sine_in_quadrant(const gn_reduced_angle *angle, unsigned quadrant, uint32_t sign)
 {
     if ((quadrant & 2) != 0) {

@@ -1,5 +1,5 @@
-/* Square root: the processor's instruction where IEEE 754 makes it exact, and
- * digit by digit in integers elsewhere. Both give the same bits. */
+/* Square root: the processor's instruction where IEEE 754 makes it exact, elsewhere digit by digit
+ * in integers. Both return the same bits. */
 #include <gnomon/scalar.h>
 
 #include <stdint.h>
@@ -30,11 +30,11 @@ float gn_sqrt_integer(float x)
         significand |= GN_HIDDEN_BIT;
     }
 
-    /* With s = significand, doubled where that makes the power of two even,
-     * the root is floor(sqrt(s * 2^25)) in 25 bits, found from the top: root is
-     * the prefix, remainder the rest of s * 2^25 under its square. s * 2^25 has
-     * 50 bits at most; two of them come down a step. 2^48 <= s * 2^25 makes the
-     * first of the 25 bits a one. */
+    /* Let s = significand, doubled if that makes the power of two even. The root is floor(sqrt(s *
+     * 2^25)) in 25 bits, found from the top. `root` is the prefix of the root, `remainder` the
+     * difference between the digits of s * 2^25 so far and the square of the prefix. s * 2^25 has
+     * at most 50 bits; each step brings down two of them. s * 2^25 >= 2^48, so the first of the 25
+     * bits is a one. */
     if ((exponent & 1) == 0) {
         significand <<= 1;
     }
@@ -51,8 +51,8 @@ float gn_sqrt_integer(float x)
         }
     }
 
-    /* Round the 25th bit away. A root of 25 bits ending in one squares to 50
-     * bits, more than s has, so the exact root is never the tie itself. */
+    /* Rounds the 25th bit away. A 25-bit root that ends in a one has a square of 50 bits, more than
+     * s has, so the exact root is never a tie. */
     uint32_t rounded = (root >> 1) + (root & 1);
     uint32_t result_exponent = (uint32_t)((exponent + 127) >> 1) - 1;
     return gn_float_from_bits((result_exponent << 23) + rounded);
@@ -61,8 +61,8 @@ float gn_sqrt_integer(float x)
 float gn_sqrt(float x)
 {
 #if defined(__GNUC__) && defined(__SSE2__)
-    /* The builtin is the instruction, unlike __builtin_sqrtf, which also calls
-     * the library's function to set errno. */
+    /* The builtin compiles to the instruction, unlike __builtin_sqrtf, which also calls the
+     * library's function to set errno. */
     typedef float lanes __attribute__((__vector_size__(16)));
     lanes value = {x, 0.0f, 0.0f, 0.0f};
     if (!(x >= 0.0f)) {

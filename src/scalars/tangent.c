@@ -7,17 +7,17 @@
 #include "angle.h"
 #include "bits.h"
 
-/* The float nearest to numerator / denominator * 2^exponent, for two numbers of
- * [2^62, 2^64), by long division: the quotient's 24 bits and the next one, which
- * decides the rounding (the quotient is irrational, so it is never a tie).
- * Halving them first leaves the top bit free for the doubled remainder and costs
- * at most 3 * 2^-64 of each: with their own 17, below 2^-58 in all. */
+/* Returns the float nearest to numerator / denominator * 2^exponent, for two numbers in [2^62,
+ * 2^64), by long division: 24 bits of the quotient and the next bit, which decides the rounding
+ * (the quotient is irrational, so it is never a tie). Halving both numbers first leaves the top bit
+ * free for the doubled remainder and costs at most 3 * 2^-64 of each. With their own 17 * 2^-64,
+ * the error is below 2^-58 in all. */
 static float quotient_to_float(uint64_t numerator, uint64_t denominator, int exponent,
                                uint32_t sign)
 {
     uint64_t remainder = numerator >> 1, divisor = denominator >> 1;
-    /* Bring the quotient into [1, 2): as both are within 2^62 .. 2^64, in two steps
-     * at most either way. */
+    /* Brings the quotient into [1, 2). Both numbers are within 2^62 .. 2^64, so this takes at most
+     * two steps either way. */
     while (remainder < divisor) {
         remainder <<= 1;
         exponent -= 1;
