@@ -66,7 +66,7 @@ static void usage_errors_are_status_2(void **state)
     expect(2, "render square.obj -o a.png --shader velvet", "--shader 'velvet'", "gouraud");
     expect(2, "render square.obj -o a.png --background red", "--background", "#rrggbb");
     expect(2, "render square.obj -o a.png --background 12345", "--background", "#rrggbb");
-    expect(2, "render square.obj -o a.png --fov 40 --orthographic 2", "--fov", "exclude");
+    expect(2, "render square.obj -o a.png --fov 40 --orthographic 2", "--fov", "together");
     expect(2, "render square.obj -o a.png --texture a.png --shader normals", "--texture",
            "--shader normals");
     expect(2, "render square.obj -o a.png --glow-map a.png --shader toon", "--glow-map",

@@ -217,7 +217,7 @@ static void other_pictures_are_refused(void **state)
         expect(1,
                "render skin.obj -o a.png --texture other.map --map-pixels 256 --import-output "
                "4000",
-               "other.map", "it is no PNG, JPEG, TGA or BMP");
+               "other.map", "it is not a PNG, JPEG, TGA or BMP");
     }
 }
 

@@ -226,7 +226,7 @@ static void other_formats_are_refused(void **state)
     }
     /* Nor by contents under a name that is. */
     write_text("text.gltf", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-    expect(1, "render text.gltf -o b.png", "text.gltf", "is no glTF file");
+    expect(1, "render text.gltf -o b.png", "text.gltf", "is not a glTF file");
     write_text("text.gltf", "{\"TYPE\":\"irrEdit\", \"x\":\"<mesh xmlns irrmesh>\"}");
     expect(1, "render text.gltf -o b.png", "text.gltf", "");
     run r = gnomon("render --help");

@@ -363,28 +363,28 @@ static void expect_error(const char *text, const char *place, const char *why)
 static void errors_name_the_line(void **state)
 {
     (void)state;
-    expect_error("\n# nothing\n  zoom 3 # x\n", "standard input:3: ", "'zoom' is no statement");
+    expect_error("\n# nothing\n  zoom 3 # x\n", "standard input:3: ", "'zoom' is not a statement");
     expect_error(GOOD "point 1 2\n", "standard input:6: ", "point takes 3 numbers, not 2");
     expect_error(GOOD "point 1 2 3 4\n", ":6: ", "point takes 3 numbers, not 4");
-    expect_error(GOOD "point 1 x 3\n", ":6: ", "'x' is no number");
-    expect_error(GOOD "point 1 2e 3\n", ":6: ", "'2e' is no number");
-    expect_error(GOOD "point 1 1e39 3\n", ":6: ", "'1e39' is no finite 32-bit number");
+    expect_error(GOOD "point 1 x 3\n", ":6: ", "'x' is not a number");
+    expect_error(GOOD "point 1 2e 3\n", ":6: ", "'2e' is not a number");
+    expect_error(GOOD "point 1 1e39 3\n", ":6: ", "'1e39' is not a finite 32-bit number");
     expect_error(GOOD "point 1 nan 3\n", ":6: ", "'nan'");
     expect_error(GOOD "point 1 2 3 4 5 6 7 8 9\n", ":6: ", "too many words");
     expect_error(GOOD "scale 1 2\n", ":6: ", "scale takes 1 or 3 numbers, not 2");
     expect_error(GOOD "scale 1 0 1\npoint 1 2 3\n", ":6: ", "zero");
     expect_error(GOOD "point 1 2 3\nrotate 0 0 0 90\n", ":7: ", "rotate: a direction");
-    expect_error(GOOD "near 2\n", ":6: ", "near stands in line 4 already");
-    expect_error(GOOD "frustum -1 1 -1 1\n", ":6: ", "line 3 says perspective");
+    expect_error(GOOD "near 2\n", ":6: ", "near is already in line 4");
+    expect_error(GOOD "frustum -1 1 -1 1\n", ":6: ", "line 3 already has perspective");
     expect_error("convention gl\n", ":1: ", "opengl, direct3d or vulkan");
     expect_error("depth\n", ":1: ", "plain or reversed");
-    expect_error("far away\n", ":1: ", "'away' is no number");
+    expect_error("far away\n", ":1: ", "'away' is not a number");
     expect_error("", "standard input: ", "no convention");
     expect_error("convention opengl\n", "standard input: ", "no screen");
     expect_error("convention opengl\nscreen 9 9\nnear 1\nfar 9\n",
                  "standard input: ", "no perspective, orthographic or frustum");
     expect_error("convention opengl\nscreen 9 9\nnear 1\nfar infinite\northographic -1 1 -1 1\n",
-                 ":4: ", "orthographic is not infinite");
+                 ":4: ", "orthographic cannot be infinite");
     expect_error("convention opengl\nscreen 9 0.5\nperspective 90\nnear 1\nfar 2\n",
                  ":2: ", "1 to 16384");
     expect_error(GOOD, "standard input: ", "no point");
@@ -441,9 +441,9 @@ static void bytes_of_other_kinds(void **state)
     expect_good(&marked);
     assert_string_equal(plain.out, marked.out);
     write_text("setup.txt", "\xef\xbb\xbf\xef\xbb\xbf" GOOD "point 0 0 -3");
-    expect(2, "transform setup.txt", "setup.txt:1: ", "convention' is no statement");
+    expect(2, "transform setup.txt", "setup.txt:1: ", "convention' is not a statement");
     write_text("setup.txt", "zo\033[31mom\xff\n");
-    expect(2, "transform setup.txt", "setup.txt:1: ", "'zo\\x1b[31mom\\xff' is no statement");
+    expect(2, "transform setup.txt", "setup.txt:1: ", "'zo\\x1b[31mom\\xff' is not a statement");
 }
 
 static void usage(void **state)

@@ -11,19 +11,19 @@
 
 static const char usage[] =
     "gnomon compare MODEL [-o OUT.png] [OPTION...]: draw a model with Gnomon and with OSMesa,\n"
-    "Mesa's software OpenGL, and count the pixels that are not the same bit for bit, in colour\n"
-    "and in depth (32-bit float). Exit status 0: none, 1: some.\n"
+    "Mesa's software OpenGL, and count the pixels that differ in any bit, in colour and in\n"
+    "depth (32-bit float). Exit status 0: no pixel differs, 1: some do.\n"
     "\n"
     "  gnomon compare bunny.obj\n"
     "  gnomon compare head.obj -o head_compared.png --eye 0,0.5,3 --size 512x512\n"
     "\n"
-    "  -o, --output OUT.png    one picture, three times as wide: Gnomon's, OSMesa's, and the\n"
-    "                          difference, black where all is equal, otherwise amplified,\n"
-    "                          magenta where only alpha or depth differ. Without -o it is\n"
-    "                          MODEL's name and _compared.png, bunny_compared.png for\n"
-    "                          models/bunny.obj, in the current directory. -: standard output,\n"
-    "                          and the words go to standard error\n"
-    "  --size WxH              in pixels, up to 16384x16384; 1024x1024\n"
+    "  -o, --output OUT.png    one picture, three times as wide: Gnomon's, OSMesa's and the\n"
+    "                          difference. The difference is black where both are equal,\n"
+    "                          amplified elsewhere, magenta where only alpha or depth differ.\n"
+    "                          Default: the model's name and _compared.png in the current\n"
+    "                          directory, so bunny_compared.png for models/bunny.obj. - is\n"
+    "                          standard output; messages then go to standard error\n"
+    "  --size WxH              size in pixels, up to 16384x16384; default: 1024x1024\n"
     "\n";
 
 /* "bunny_compared.png" for "models/bunny.obj", allocated. Null where there is no memory. */

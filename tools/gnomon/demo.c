@@ -15,23 +15,23 @@
 
 static const char usage[] =
     "gnomon demo [-o OUT.png] [OPTION...]: draw the Utah teapot, tessellated from Newell's\n"
-    "Bezier patches, with Gnomon and with OSMesa, and count the pixels that are not the same\n"
-    "bit for bit. Exit status 0: none, 1: some.\n"
+    "Bezier patches, with Gnomon and with OSMesa, and count the pixels that differ in any bit.\n"
+    "Exit status 0: no pixel differs, 1: some do.\n"
     "\n"
     "  gnomon demo\n"
     "  gnomon demo --picture teapot.png --tessellation 32 --size 1600x1200\n"
     "\n"
-    "  -o, --output OUT.png    Gnomon's picture, OSMesa's, and the difference side by side;\n"
-    "                          gnomon-demo.png. -, here and below: standard output, and the\n"
-    "                          words go to standard error\n"
+    "  -o, --output OUT.png    Gnomon's picture, OSMesa's and the difference, side by side;\n"
+    "                          default: gnomon-demo.png. For both options below and this one, -\n"
+    "                          is standard output; messages then go to standard error\n"
     "  --picture OUT.png       Gnomon's picture alone\n"
-    "  --size WxH              in pixels, up to 16384x16384; 800x600\n"
-    "  --samples 4             four samples a pixel; 1\n"
-    "  --tessellation N        segments along each side of a patch, 1 to 128; 16\n"
-    "  --shader NAME           a ready-made shader on the teapot, with maps made for it\n"
-    "                          (gnomon render --help lists them); without, Gouraud and plain\n"
-    "  --normal-map KIND       tangent, world or none; tangent\n"
-    "  --filter, --shadows, --exponent, --bands    as of gnomon render\n";
+    "  --size WxH              size in pixels, up to 16384x16384; default: 800x600\n"
+    "  --samples 4             four samples a pixel; default: 1\n"
+    "  --tessellation N        segments along each side of a patch, 1 to 128; default: 16\n"
+    "  --shader NAME           a ready-made shader (gnomon render --help lists them), with maps\n"
+    "                          made for the teapot; default: Gouraud without maps\n"
+    "  --normal-map KIND       tangent, world or none; default: tangent\n"
+    "  --filter, --shadows, --exponent, --bands    as for gnomon render\n";
 
 static const float background[4] = {0.933f, 0.925f, 0.906f, 1.0f};
 static const model_shine shine = {{0.45f, 0.45f, 0.45f}, 40};

@@ -23,9 +23,9 @@ static const char *kind_fault(mode_t mode)
     if (S_ISREG(mode))
         return NULL;
     return S_ISDIR(mode)                    ? "it is a directory"
-           : S_ISFIFO(mode)                 ? "it is a pipe, no regular file"
-           : S_ISCHR(mode) || S_ISBLK(mode) ? "it is a device, no regular file"
-                                            : "it is no regular file";
+           : S_ISFIFO(mode)                 ? "it is a pipe, not a regular file"
+           : S_ISCHR(mode) || S_ISBLK(mode) ? "it is a device, not a regular file"
+                                            : "it is not a regular file";
 }
 
 int files_open(const char *path, uint64_t *size, const char **reason)

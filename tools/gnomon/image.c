@@ -108,7 +108,7 @@ bool image_decode(const uint8_t *bytes, size_t size, image_budget *budget, image
     int channels;
     const image_kind kind = image_kind_of(bytes, size);
     memset(result, 0, sizeof *result);
-    *reason = kind == IMAGE_OTHER ? "it is no " IMAGE_FORMATS_IN_WORDS : NULL;
+    *reason = kind == IMAGE_OTHER ? "it is not a " IMAGE_FORMATS_IN_WORDS : NULL;
     if (size == 0)
         *reason = "the file is empty";
     if (*reason != NULL)

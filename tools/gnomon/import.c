@@ -202,7 +202,7 @@ static int end_fault(const options *o, int status, culprit c)
         return late_fault(o, c);
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)
         return report_fault(o->model,
-                            "cannot be imported: the importer was killed%s%s%s, most likely since "
+                            "cannot be imported: the importer was killed%s%s%s, probably because "
                             "memory ran out",
                             c.before, c.path, c.after);
     if (WIFSIGNALED(status))
@@ -222,7 +222,8 @@ static int state_fault(const options *o, const handover *h, int status, culprit 
                             "cannot be imported: it takes more than --import-output %u MiB",
                             (unsigned)o->limits.output);
     case HANDOVER_WRONG:
-        return report_fault(o->model, "cannot be imported: the importer sent what is no model");
+        return report_fault(
+            o->model, "cannot be imported: the importer returned something that is not a model");
     case HANDOVER_NO_MEMORY:
         return report_fault(o->model, "not enough memory");
     default:

@@ -11,28 +11,28 @@
 #include "report.h"
 
 static const char overview[] =
-    "gnomon: 3D models to pictures, by a software renderer whose every pixel is checked.\n"
+    "gnomon: draws 3D models with a software renderer whose every pixel is checked.\n"
     "\n"
     "  gnomon render MODEL -o OUT.png   draw a model\n"
-    "  gnomon compare MODEL             draw it with OSMesa as well and count the pixels\n"
-    "                                   that differ\n"
-    "  gnomon demo                      do that with a teapot, which needs no model\n"
-    "  gnomon transform < SETUP         where points are at every stage: local, world, view,\n"
-    "                                   clip, NDC and pixel coordinates\n"
+    "  gnomon compare MODEL             draw a model with Gnomon and with OSMesa, and count the\n"
+    "                                   pixels that differ\n"
+    "  gnomon demo                      compare pictures of a teapot; needs no model\n"
+    "  gnomon transform < SETUP         print where points are at every stage: local, world,\n"
+    "                                   view, clip, NDC and pixel coordinates\n"
     "\n"
-    "gnomon COMMAND --help explains a command and has examples. To see something at once:\n"
+    "gnomon COMMAND --help explains a command and shows examples. For a first picture:\n"
     "\n"
     "  gnomon demo --picture teapot.png\n"
     "\n"
-    "Results go to standard output, errors and warnings to standard error, one line each,\n"
-    "with the file or option they are about. Exit status: 0 success (compare, demo: the\n"
-    "pictures are equal), 1 something is wrong with the input (or the pictures differ), 2 the\n"
-    "command line, or transform's text, is not understood. An output file appears whole or\n"
-    "not at all.\n";
+    "Results go to standard output; errors and warnings go to standard error, one line each,\n"
+    "which names the file or option. Exit status: 0: success (compare, demo: the pictures are\n"
+    "equal); 1: something is wrong with the input (or the pictures differ); 2: the command\n"
+    "line, or transform's text, is wrong. An output file is written completely or not at\n"
+    "all.\n";
 
 /* Where memory is short, a scene's allocation calls exit, and a C++ library whose exception
  * nobody catches calls abort. The user still gets the command's own line and exit status. */
-static const char ended_early[] = "gnomon: memory: most likely not enough; had to end early\n";
+static const char ended_early[] = "gnomon: probably not enough memory; ended early\n";
 static bool finished;
 
 static void explain_exit(void)

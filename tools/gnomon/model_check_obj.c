@@ -131,7 +131,8 @@ int model_check_obj(const char *path, FILE *file)
     for (;;) {
         int c = getc_unlocked(file);
         if (c == '\0')
-            return report_fault(path, "line %lu has a NUL byte, which no OBJ file has", line);
+            return report_fault(path, "line %lu has a NUL byte, which an OBJ file cannot contain",
+                                line);
         if (c == '\n' && previous == '\\' && !comment) {
             line++;
             previous = c;
@@ -177,8 +178,8 @@ int model_check_obj(const char *path, FILE *file)
                                              : "");
     for (int i = 0; i < 3; i++) {
         if (list[i].highest > 0 && (unsigned long)list[i].highest > list[i].count)
-            return report_fault(path, "line %lu: f names %s %ld, and there are %lu", list[i].line,
-                                named_keywords[i], list[i].highest, list[i].count);
+            return report_fault(path, "line %lu: f names %s %ld, but there are only %lu",
+                                list[i].line, named_keywords[i], list[i].highest, list[i].count);
     }
     if (unended_line > 0)
         report_warning(path, "its last line, %lu, has no end: it may be cut short", unended_line);
@@ -187,7 +188,7 @@ int model_check_obj(const char *path, FILE *file)
         report_warning(
             path,
             "%lu of its texture coordinates (vt), the first in line %lu, are not finite; "
-            "0 is taken",
+            "0 is used",
             infinite, first_infinite);
     return 0;
 }

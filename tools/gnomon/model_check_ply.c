@@ -67,7 +67,7 @@ int model_check_ply(const char *path, FILE *file, uint64_t size)
             return report_fault(path, "it is cut short: the header of this PLY file has no end");
         int words = sscanf(line, "%63s %63s %63s", word[0], word[1], word[2]);
         if (first && strcmp(line, "ply") != 0)
-            return report_fault(path, "is no PLY file: its first line is not ply");
+            return report_fault(path, "is not a PLY file: its first line is not ply");
         first = false;
         bool ends = strncmp(line, "end_header", 10) == 0 &&
                     (line[10] == '\0' || line[10] == ' ' || line[10] == '\t');

@@ -96,7 +96,7 @@ static int check_glb(const char *path, FILE *file, uint64_t size)
     unsigned char start[12];
     size_t length = fread(start, 1, sizeof start, file);
     if (memcmp(start, "glTF", length < 4 ? length : 4) != 0)
-        return report_fault(path, "is no binary glTF file: it does not begin with glTF");
+        return report_fault(path, "is not a binary glTF file: it does not begin with glTF");
     if (length < sizeof start)
         return length_fault(path, sizeof start, size);
     uint64_t whole = little_endian_32(start + 8);
@@ -108,7 +108,7 @@ static int check_gltf(const char *path, FILE *file)
     int c = getc(file);
     while (c == ' ' || c == '\t' || c == '\r' || c == '\n')
         c = getc(file);
-    return c == '{' ? 0 : report_fault(path, "is no glTF file: it does not begin with {");
+    return c == '{' ? 0 : report_fault(path, "is not a glTF file: it does not begin with {");
 }
 
 /* The main chunk of a 3DS file: two bytes of kind, four of length. */
@@ -165,7 +165,7 @@ int model_format_check(const char *path)
     }
     int fault = 0;
     if (which == FORMAT_COUNT)
-        fault = report_fault(path, "its extension is none of a model that is read: %s",
+        fault = report_fault(path, "its extension is not that of a model format; formats are %s",
                              MODEL_FORMATS_IN_WORDS);
     else if (size == 0)
         fault = report_fault(path, "it is empty");

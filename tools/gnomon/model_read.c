@@ -302,16 +302,16 @@ static void warn(const char *path, const struct aiScene *file, const oddities *o
         struct aiString name;
         if (!material_is_finite(file->mMaterials[i], &name))
             report_warning(path,
-                           "material '%s' has a number that is not finite; what materials "
-                           "have without it is taken",
+                           "material '%s' has a number that is not finite; the default of "
+                           "materials is used",
                            name.data);
     }
     warn_of(path, odd->normals, "vertex has a normal", "vertices have normals",
             "that is not finite; it is computed from the triangles");
     warn_of(path, odd->texcoords, "vertex has texture coordinates",
-            "vertices have texture coordinates", "that are not finite; 0 is taken");
+            "vertices have texture coordinates", "that are not finite; 0 is used");
     warn_of(path, odd->colors, "vertex has a colour", "vertices have colours",
-            "that is not finite; 0 is taken");
+            "that is not finite; 0 is used");
     warn_of(path, odd->flat, "triangle has", "triangles have", "no area and cannot be seen");
 }
 
@@ -339,7 +339,7 @@ static int import_fault(const char *path)
     if (missing != NULL)
         return report_fault(path, "cannot be read: the file '%s' that it names: %s", missing,
                             reason);
-    return report_fault(path, "is no model that Assimp can read: %s", words);
+    return report_fault(path, "is not a model that Assimp can read: %s", words);
 }
 
 int model_read(const char *path, model *result)
@@ -359,7 +359,7 @@ int model_read(const char *path, model *result)
     if (file == NULL)
         fault = import_fault(path);
     else if (!is_of_its_format(path, file))
-        fault = report_fault(path, "its contents are not what its name says: read are %s",
+        fault = report_fault(path, "its extension does not match its contents; formats are %s",
                              MODEL_FORMATS_IN_WORDS);
     else {
         const char *wrong = convert(file, result, &odd);

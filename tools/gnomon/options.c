@@ -355,22 +355,23 @@ static int check(command which, const options *o)
     if (which == COMMAND_RENDER && o->output == NULL)
         return report_usage(name, "no output file; give one with -o OUT.png");
     if (o->camera.orthographic && o->camera.fov_given)
-        return report_usage(name, "--fov and --orthographic exclude each other");
+        return report_usage(name, "--fov and --orthographic cannot be used together");
     if (which == COMMAND_COMPARE && o->wireframe && o->samples > 1)
-        return report_usage(name, "--wireframe and --samples exclude each other: OSMesa loses "
-                                  "pieces of such lines");
+        return report_usage(name, "--wireframe and --samples cannot be used together: "
+                                  "OSMesa loses pieces of such lines");
     for (int i = 0; i < MAP_COUNT; i++) {
         static const char map_names[MAP_COUNT][16] = {"texture", "normal-map", "specular-map",
                                                       "glow-map"};
         if (o->maps[i].file != NULL && (traits->maps >> i & 1) == 0)
-            return report_usage(name, "--%s is not for --shader %s, which takes no such map",
+            return report_usage(name, "--%s cannot be used with --shader %s, which has no such map",
                                 map_names[i], traits->name);
     }
     if (which == COMMAND_DEMO && o->maps[MAP_NORMAL].file != NULL)
         return report_usage(name,
                             "--normal-map takes no file here: the teapot has maps of its own");
     if (o->shadows && !traits->takes_shadows)
-        return report_usage(name, "--shadows is not for --shader %s, which is not lit at pixels",
+        return report_usage(name,
+                            "--shadows cannot be used with --shader %s, which is not lit per pixel",
                             traits->name);
     if (!gn_backend_available(o->backend))
         return report_fault("--backend",
@@ -430,7 +431,7 @@ options_result options_parse(command which, int argc, char **argv, options *resu
         if (option == ':' || option == '?') {
             const char *why = option == ':' ? "no value after" : "unknown option";
             if (option == '?' && optopt != 0 && optopt != 'o' && optopt > 255)
-                why = "no value belongs to";
+                why = "no value allowed in";
             report_usage(name, "%s '%s'", why, argv[optind > word ? optind - 1 : word]);
             return OPTIONS_WRONG;
         }
@@ -451,7 +452,7 @@ options_result options_parse(command which, int argc, char **argv, options *resu
 
     int model_count = argc - optind;
     if (which == COMMAND_DEMO && model_count > 0) {
-        report_usage(name, "'%s': the demonstration takes no model", argv[optind]);
+        report_usage(name, "'%s': demo takes no model", argv[optind]);
         return OPTIONS_WRONG;
     }
     if (which != COMMAND_DEMO && model_count != 1) {

@@ -19,11 +19,11 @@ static const char usage[] =
     "  gnomon render part.stl -o part.png --up 0,0,1 --orthographic 120 --shader flat\n"
     "  gnomon render head.obj -o head.png --background 00000000 --depth head_depth.png\n"
     "\n"
-    "  -o, --output OUT.png    the picture, PNG with alpha and no other format; -: standard\n"
-    "                          output, and the words go to standard error\n"
-    "  --depth OUT.png         also the depth, 16-bit grey: 0 at the near plane, 65535 at\n"
-    "                          the far plane, which enclose the model closely\n"
-    "  --size WxH              in pixels, up to 16384x16384; 1024x1024\n"
+    "  -o, --output OUT.png    the picture, always a PNG file with alpha. - is standard output;\n"
+    "                          messages then go to standard error\n"
+    "  --depth OUT.png         writes the depth too, as 16-bit grey: 0 at the near plane, 65535\n"
+    "                          at the far plane; both planes enclose the model closely\n"
+    "  --size WxH              size in pixels, up to 16384x16384; default: 1024x1024\n"
     "\n";
 
 /* The image that is shown, of several what samples are resolved to. */

@@ -55,10 +55,10 @@ static int read_number(const setup *s, const words *w, int index, float *result)
     const char *text = w->word[index];
     *result = strtof(text, &end);
     if (end == text || *end != '\0')
-        return transform_fault(s->file, w->line, "%s: '%s' is no number", w->word[0], text);
+        return transform_fault(s->file, w->line, "%s: '%s' is not a number", w->word[0], text);
     if (!isfinite(*result))
-        return transform_fault(s->file, w->line, "%s: '%s' is no finite 32-bit number", w->word[0],
-                               text);
+        return transform_fault(s->file, w->line, "%s: '%s' is not a finite 32-bit number",
+                               w->word[0], text);
     return 0;
 }
 
@@ -118,8 +118,7 @@ static int read_single(setup *s, const words *w, keyword which)
     statement *to = &s->given[which];
     int value = 0, fault;
     if (to->line > 0)
-        return transform_fault(s->file, w->line, "%s stands in line %lu already", w->word[0],
-                               to->line);
+        return transform_fault(s->file, w->line, "%s is already in line %lu", w->word[0], to->line);
     to->line = w->line;
     switch (which) {
     case KEYWORD_CONVENTION:
@@ -147,7 +146,7 @@ static int read_statement(setup *s, const words *w)
     for (int i = 0; i < KEYWORD_COUNT; i++)
         if (strcmp(w->word[0], keywords[i].word) == 0)
             return read_single(s, w, (keyword)i);
-    return transform_fault(s->file, w->line, "'%s' is no statement", w->word[0]);
+    return transform_fault(s->file, w->line, "'%s' is not a statement", w->word[0]);
 }
 
 /* Cuts the line, which ends at # where there is one. */
@@ -179,7 +178,7 @@ static int check(const setup *s)
             return transform_fault(s->file, 0, "no %s", keywords[needed[i]].word);
     for (int i = KEYWORD_PERSPECTIVE; i <= KEYWORD_FRUSTUM; i++) {
         if (g[i].line > 0 && projection != KEYWORD_COUNT)
-            return transform_fault(s->file, g[i].line, "%s, but line %lu says %s already",
+            return transform_fault(s->file, g[i].line, "%s: line %lu already has %s",
                                    keywords[i].word, g[projection].line, keywords[projection].word);
         if (g[i].line > 0)
             projection = (keyword)i;
@@ -187,7 +186,8 @@ static int check(const setup *s)
     if (projection == KEYWORD_COUNT)
         return transform_fault(s->file, 0, "no perspective, orthographic or frustum");
     if (projection == KEYWORD_ORTHOGRAPHIC && s->infinite)
-        return transform_fault(s->file, g[KEYWORD_FAR].line, "far: orthographic is not infinite");
+        return transform_fault(s->file, g[KEYWORD_FAR].line,
+                               "far: orthographic cannot be infinite");
     for (int i = 0; i < 2; i++) {
         float size = g[KEYWORD_SCREEN].number[i];
         if (!(size >= 1.0f && size <= (float)GN_MAX_SIZE) || size != floorf(size))
@@ -238,7 +238,7 @@ int transform_read(FILE *in, const char *file, setup *result)
             return transform_fault(file, w.line, "a line of more than %d characters",
                                    LINE_SIZE - 1);
         if (got == LINE_HAS_NUL)
-            return transform_fault(file, w.line, "a NUL byte, which no text has");
+            return transform_fault(file, w.line, "a NUL byte, which a text cannot contain");
         bool marked = w.line == 1 && strncmp(text, mark, sizeof mark - 1) == 0;
         fault = cut(result, marked ? text + sizeof mark - 1 : text, &w);
         if (fault == 0 && w.count > 0)
