@@ -445,8 +445,8 @@ int main(int argc, char **argv)
                                                                : NULL;
         if (!number || i + 1 == argc) {
             fprintf(stderr, "usage: blits [--blits N] [--seed S] [--pair P] [--first K]\n"
-                            "Random blits of every pair of formats, or of pair number P, from "
-                            "number K on.\n");
+                            "Compares random blits with OSMesa's, for every pair of formats or for "
+                            "pair number P, from blit number K on.\n");
             return 2;
         }
         *number = strtoull(argv[i + 1], NULL, 10);

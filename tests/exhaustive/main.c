@@ -127,13 +127,13 @@ static void help(FILE *stream)
 {
     fprintf(stream,
             "usage: exhaustive [--stride N] [--jobs N] [NAME...]\n"
-            "Checks that scalar functions are correctly rounded for every float, or for one\n"
-            "in N of each sign. --jobs: threads, otherwise as many as there are processors.\n"
-            "Names (all, if none is given):\n ");
+            "Checks that scalar functions are correctly rounded, for every float or for every\n"
+            "N-th float of each sign. --jobs: number of threads (default: of processors).\n"
+            "Names of functions (default: all):\n ");
     for (unsigned f = 0; f < checked_function_count; ++f) {
         fprintf(stream, " %s", checked_functions[f].name);
     }
-    fprintf(stream, "\nExit status: 0 all are, 1 some are not, 2 it could not run.\n");
+    fprintf(stream, "\nExit status: 0: all are correctly rounded, 1: some are not, 2: it could not run.\n");
 }
 
 /* A number from 1 to most, or 0. */

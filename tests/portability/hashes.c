@@ -160,7 +160,7 @@ int main(int argc, char **argv)
         if (strcmp(argv[i], "--help") == 0) {
             printf("usage: hashes [--scenes N] [--seed S]\n"
                    "Draws the first N (%d) of the parity suite's scenes of seed S (%d), shared\n"
-                   "evenly by the classes, and prints of each class a hash of the scenes and of\n"
+                   "evenly by the classes. Prints a hash of each class's scenes and a hash of\n"
                    "each back end's frames: CLASS scenes HASH, CLASS BACK-END HASH.\n",
                    DEFAULT_SCENES, DEFAULT_SEED);
             return 0;

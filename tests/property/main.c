@@ -10,11 +10,12 @@
 static const char help[] =
     "usage: property-tests [--seed S] [--trials N]\n"
     "\n"
-    "Runs every property of the mathematics and of drawing on random inputs, one line a\n"
-    "property, and shrinks what fails. Exit status 0 where all hold, 1 otherwise.\n"
+    "Tests every property of the mathematics and of drawing with random inputs. Prints one line\n"
+    "per property, and makes a failing input smaller. Exit status: 0: all properties hold, 1:\n"
+    "one fails.\n"
     "\n"
-    "  --seed S     what the inputs are made from; printed first (default: the time)\n"
-    "  --trials N   inputs a property (default 1000; those that draw take a tenth)\n";
+    "  --seed S     seed of the inputs; printed first (default: the time)\n"
+    "  --trials N   inputs for each property (default 1000; properties that draw take a tenth)\n";
 
 static int parse(const char *text, uint64_t *number)
 {

@@ -10,8 +10,8 @@
 static int usage(FILE *out)
 {
     fprintf(out, "usage: texels [--seed S] [--textures N]\n"
-                 "Fetches every value of every format, then generates the levels of N textures of\n"
-                 "every target and colour format (60), beside OSMesa.\n");
+                 "Compares with OSMesa: fetches of every value of every format, and the levels\n"
+                 "generated for N textures of every target and colour format (60).\n");
     return out == stdout ? EXIT_SUCCESS : 2;
 }
 

@@ -21,15 +21,16 @@
 static const char help[] =
     "usage: texture-accuracy [--seed S] [--lookups N]\n"
     "\n"
-    "Prints how far gn_sample is from sampling in long double as OpenGL 4.5 states it: random\n"
-    "bytes as texels, so that neighbours and levels differ as much as they can; odd and even\n"
-    "sizes, all wraps, coordinates from -1 to 2. A difference is that of a channel, of 0 to 1.\n"
-    "Anisotropic ones have gradients of each place where others have implicit levels.\n"
+    "Prints how far gn_sample is from sampling in long double as OpenGL 4.5 specifies it.\n"
+    "Texels are random bytes, so that neighbours and levels differ as much as they can. Sizes are\n"
+    "odd and even, coordinates from -1 to 2, with all wraps. A difference is that of a channel,\n"
+    "whose range is 0 to 1. Anisotropic lookups have gradients for each place where other lookups\n"
+    "have an implicit level.\n"
     "\n"
-    "  --seed S       what textures and lookups are made from (1)\n"
-    "  --lookups N    of 16 places each, for each number (20000)\n"
+    "  --seed S       seed of textures and lookups (1)\n"
+    "  --lookups N    lookups of 16 places each behind every number printed (20000)\n"
     "\n"
-    "Exit status: 0 where no difference is above its bound, 1 where one is, 2 usage.\n";
+    "Exit status: 0: no difference is above its bound, 1: one is, 2: wrong command line.\n";
 
 typedef struct filter {
     const char *name;

@@ -166,13 +166,13 @@ static int usage(void)
     fprintf(stderr,
             "usage: textures [--seed N] [--cases N] [--quick] [--case NUMBER]\n"
             "                [--target 0..4] [--kind 0..5]\n"
-            "Random lookups in textures, by the library and by OSMesa.\n"
-            "  --cases   how many of the %" PRIu64 " (default: all)\n"
-            "  --quick   300 of them\n"
-            "  --case    one alone\n"
-            "  --target  2D, 1D, 2D array, 3D or cube alone\n"
-            "  --kind    texture, with bias, textureLod, textureGrad, textureGather or\n"
-            "            texelFetch alone\n",
+            "Compares random lookups in textures by the library and by OSMesa.\n"
+            "  --cases   number of cases, up to %" PRIu64 " (default: all)\n"
+            "  --quick   300 cases\n"
+            "  --case    only this case\n"
+            "  --target  only 2D, 1D, 2D array, 3D or cube\n"
+            "  --kind    only texture, texture with bias, textureLod, textureGrad,\n"
+            "            textureGather or texelFetch\n",
             case_count());
     return 2;
 }
