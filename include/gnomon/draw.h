@@ -130,30 +130,29 @@ GN_API size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangl
                                          uint32_t varying_count);
 
 /* Returns the first fault of a mesh: GN_NULL_POINTER (mesh); GN_INVALID_ENUM (index format or
- * restart); GN_NULL_POINTER (no indices although index_format needs them, unless count is 0);
- * GN_MISALIGNED (indices). Then for each attribute with data in turn: GN_MISALIGNED or
- * GN_INVALID_ATTRIBUTE (components or stride). Last GN_INDEX_OUT_OF_RANGE: without indices, first +
- * count is above vertex_count; with indices, an index that is no restart, plus base_vertex in
- * 32-bit arithmetic, is at or above vertex_count. The memory of the indices must hold first + count
- * elements; this cannot be checked. */
+ * restart); GN_NOT_COMPILED (restarts or instances in a GN_BASIC library); GN_NULL_POINTER (no
+ * indices although index_format needs them, unless count is 0); GN_MISALIGNED (indices). Then for
+ * each attribute with data in turn: GN_MISALIGNED or GN_INVALID_ATTRIBUTE (components or stride).
+ * Last GN_INDEX_OUT_OF_RANGE: without indices, first + count is above vertex_count; with indices,
+ * an index that is no restart, plus base_vertex in 32-bit arithmetic, is at or above vertex_count.
+ * The memory of the indices must hold first + count elements; this cannot be checked. */
 GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
 
 /* Returns the fault of gn_mesh_check in words that name the field, such as "attribute[2].stride is
  * no multiple of 4", in static storage; null if there is no fault. */
 GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
 
-/* Draws a mesh. Checks, in this order: the target, the pipeline and the mesh (gn_target_check,
- * gn_pipeline_check, gn_mesh_check); that a target with colour has a fragment shader
- * (GN_NO_SHADER); that the library was compiled with everything that is asked for
- * (GN_NOT_COMPILED); that the workspace is not null (GN_NULL_POINTER) and holds at least
- * gn_workspace_size(0, varying_count + clip_distance_count) bytes (GN_WORKSPACE_TOO_SMALL;
- * workspace->needed receives the number of bytes); that the library contains the workspace's back
- * end (GN_BACKEND_UNAVAILABLE). An index at or above vertex_count is found last. On a fault nothing
- * is drawn.
+/* Draws a mesh. Checks, in this order: the target (gn_target_check); the pipeline with that target
+ * (gn_pipeline_check); the mesh (gn_mesh_check, but for its indices); that the workspace is not
+ * null (GN_NULL_POINTER) and holds at least gn_workspace_size(0, varying_count +
+ * clip_distance_count) bytes (GN_WORKSPACE_TOO_SMALL; workspace->needed receives the number of
+ * bytes); that the library contains the workspace's back end (GN_BACKEND_UNAVAILABLE). An index at
+ * or above vertex_count is found last. On a fault nothing is drawn; gn_target_fault,
+ * gn_pipeline_fault and gn_mesh_fault say in words what is wrong.
  *
  * Triangles, lines and points are drawn in order. Positions are clipped to -w <= x, y, z <= w and
- * to clip distances that are not negative. clip_depth and depth_clamp change the bounds of z; a z
- * that is clipped against nothing may have any value. A point is drawn whole or not at all,
+ * to clip distances that are not negative. depth.clip_depth and depth.clamp change the bounds of z;
+ * a z that is clipped against nothing may have any value. A point is drawn whole or not at all,
  * depending on its centre. Clipped positions are mapped to window coordinates, and vertices snap to
  * 1/256 pixel. A pixel is covered if its centre lies inside, or on a left edge or a horizontal
  * bottom edge, so that triangles that share an edge never both cover a pixel on it. If pixels have

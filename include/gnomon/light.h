@@ -56,7 +56,7 @@ typedef struct gn_material {
 /* Shadows, if `map` is not null. The map is the depth that gn_use_depth_only draws with the light
  * as the camera; clip_from_world is that camera's matrix. Places outside the map are lit if the
  * sampler's wraps clamp to a border of 1. The sampler must compare, usually by
- * GN_TEXTURE_COMPARE_LESS_OR_EQUAL. Polygon offset in the first pass keeps surfaces from shadowing
+ * GN_LESS_OR_EQUAL. Polygon offset in the first pass keeps surfaces from shadowing
  * themselves. */
 typedef struct gn_shadow {
     const gn_texture *map; /* of a depth format; null: everything is lit */

@@ -324,9 +324,9 @@ typedef struct gn_fragment_input {
      * fragment_reads_point_coordinate. */
     const float (*point_coordinate)[GN_LANES];
 
-    /* gl_SampleMaskIn, [lane]: bit s: sample s is covered and not in samples.write_disabled, whether or
-     * not it passes the tests. With one sample a pixel 1 in the lanes of `coverage`, 0 in others.
-     * Null without the pipeline's fragment_reads_sample_mask. */
+    /* gl_SampleMaskIn, [lane]: bit s: sample s is covered and not in samples.write_disabled,
+     * whether or not it passes the tests. With one sample a pixel 1 in the lanes of `coverage`, 0
+     * in others. Null without the pipeline's fragment_reads_sample_mask. */
     const uint32_t *sample_mask;
 } gn_fragment_input;
 

@@ -14,7 +14,7 @@
  * checks none of the three; what it then draws is undefined.
  *
  * The shaders write only the first colour, and neither point sizes nor clip distances. Further
- * colours become 0, 0, 0, 0 (set color_write_disabled to keep an attachment as it is), points have
+ * colours become 0, 0, 0, 0 (set color.write_disabled to keep an attachment as it is), points have
  * the pipeline's point_size, and nothing is clipped by clip distances.
  *
  *   gn_use_vertex_color  vertex colours                                     gn_color_uniforms

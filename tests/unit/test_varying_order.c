@@ -97,13 +97,13 @@ static void assert_varyings(gn_pipeline *pipeline, uint32_t count, const float *
     gn_target target;
     gn_mesh mesh;
 
-    assert_int_equal(pipeline->varying_count, count);
+    assert_int_equal(pipeline->program.varying_count, count);
     varyings_read = count;
-    pipeline->fragment_shader = show_varyings;
-    pipeline->color_count = ALL / 4;
+    pipeline->program.fragment_shader = show_varyings;
+    pipeline->program.color_count = ALL / 4;
     for (uint32_t n = 0; n < count; ++n) {
-        assert_int_equal(pipeline->interpolation[n], GN_SMOOTH);
-        pipeline->interpolation[n] = GN_FLAT;
+        assert_int_equal(pipeline->program.interpolation[n], GN_SMOOTH);
+        pipeline->program.interpolation[n] = GN_FLAT;
     }
     memset(&target, 0, sizeof target);
     for (int i = 0; i < ALL / 4; ++i) {
