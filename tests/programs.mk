@@ -1,0 +1,141 @@
+# The programs that test: what each is made of, and flags of its own.
+
+PARITY_SOURCES = $(sort $(wildcard tests/parity/*.c))
+GATE_SOURCES = $(addprefix tests/parity/,gate.c compare.c failure.c pairs.c valid.c)
+GENERATOR_SOURCES = $(filter-out $(GATE_SOURCES),$(PARITY_SOURCES))
+PROPERTY_SOURCES = $(sort $(wildcard tests/property/*.c))
+ACCURACY_SOURCES = $(sort $(wildcard tests/accuracy/*.c))
+EXHAUSTIVE_SOURCES = $(sort $(wildcard tests/exhaustive/*.c))
+
+# Tests compile in half the time at -O1 and run as long; `make exhaustive` needs its loops fast.
+$(BUILD)/tests/%.o: TEST_LEVEL = -O1
+$(BUILD)/tests/exhaustive/%.o: TEST_LEVEL =
+
+# Parity: scenes, blits and textures against the reference.
+
+GATE_PARTS = $(PARITY_SOURCES) $(THREADS_SOURCES) $(REFERENCE_SOURCES)
+
+$(eval $(call program,parity,$(GATE_PARTS) $(LIBRARY),-lOSMesa -lm -pthread))
+
+define reference_test
+$(call program,$(1),$(sort $(wildcard tests/$(1)/*.c)) $(REFERENCE_SOURCES) $(LIBRARY),-lOSMesa -lm -pthread)
+endef
+
+$(foreach test,blits textures texels,$(eval $(call reference_test,$(test))))
+
+# Parity with AVX-512, NEON and WebAssembly's vectors emulated, which on x86 some processor
+# lacks: files of the library that know which back ends there are are compiled again.
+EMULATED_SOURCES = $(addprefix src/backends/,choose.c draw.c bulk.c \
+	$(foreach back_end,avx512 neon wasm_simd128,$(back_end).c shading_$(back_end).c))
+EMULATE = -Itests/portability -DGN_LANES_INTRINSICS_HEADER='<emulated.h>' -Wno-psabi -O1
+
+$(BUILD)/emulated/%.o: COMMAND = $(CC) $(LIBRARY_FLAGS) $(EMULATE) -DGN_SMALLEST_TASKS $(SANITIZE)
+$(BUILD)/emulated/%.o: %.c $(if_changed)
+	$(COMPILE)
+
+$(eval $(call program,parity-emulated,$(GATE_PARTS) $(patsubst %.c,$(BUILD)/emulated/%.o,$(EMULATED_SOURCES)) \
+	$(filter-out $(EMULATED_SOURCES),$(LIBRARY_SOURCES)),-lOSMesa -lm -pthread))
+
+# Of objects alone: the archiver may not know the target's.
+$(eval $(call program,hashes,tests/portability/hashes.c $(SCENE_SOURCES) $(LIBRARY_SOURCES) \
+	$(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)),-lm))
+
+# The forms of lanes that the compiler can make, one object each.
+ifeq ($(MACHINE),x86_64)
+LANES_FORMS = portable sse2 avx2 avx512 emulated_avx512 emulated_neon emulated_wasm_simd128
+else ifeq ($(MACHINE),aarch64)
+LANES_FORMS = portable neon
+else
+LANES_FORMS = portable
+endif
+LANES_OBJECTS = $(patsubst %,$(BUILD)/lanes/%.o,$(LANES_FORMS))
+
+$(BUILD)/lanes/portable.o: FORM_FLAGS = -DGN_LANES_PORTABLE
+$(BUILD)/lanes/avx2.o: FORM_FLAGS = -DGN_LANES_AVX2 -mavx2
+$(BUILD)/lanes/avx512.o: FORM_FLAGS = -DGN_LANES_AVX512 -mavx512f -mavx512bw -mavx512dq -mavx512vl
+$(BUILD)/lanes/neon.o: FORM_FLAGS = -DGN_LANES_NEON
+$(BUILD)/lanes/wasm_simd128.o: FORM_FLAGS = -DGN_LANES_WASM_SIMD128
+$(BUILD)/lanes/emulated_avx512.o: FORM_FLAGS = -DGN_LANES_AVX512 $(EMULATE)
+$(BUILD)/lanes/emulated_neon.o: FORM_FLAGS = -DGN_LANES_NEON $(EMULATE)
+$(BUILD)/lanes/emulated_wasm_simd128.o: FORM_FLAGS = -DGN_LANES_WASM_SIMD128 $(EMULATE)
+
+$(BUILD)/lanes/%.o: COMMAND = $(CC) $(LIBRARY_FLAGS) -Isrc/lanes $(FORM_FLAGS) -DLANES_FORM=$* $(SANITIZE)
+$(LANES_OBJECTS): $(BUILD)/lanes/%.o: tests/portability/lanes_form.c $(if_changed)
+	$(COMPILE)
+
+$(BUILD)/tests/portability/test_lanes.o: EXTRA_FLAGS = -DLANES_FORMS='$(foreach form,$(LANES_FORMS),FORM($(form)))'
+
+$(eval $(call program,test-lanes,tests/portability/test_lanes.c $(LANES_OBJECTS) src/backends/choose.c src/scalars/sqrt.c,-lm))
+
+# Properties, by libtheft where there is one, otherwise by our own.
+ifeq ($(shell $(PKG_CONFIG) --exists libtheft 2>/dev/null && echo yes),yes)
+THEFT_CFLAGS := $(shell $(PKG_CONFIG) --cflags libtheft)
+THEFT_LIBS := $(shell $(PKG_CONFIG) --libs libtheft)
+THEFT_SOURCES =
+else
+THEFT_CFLAGS = -Itests/theft
+THEFT_LIBS =
+THEFT_SOURCES = $(sort $(wildcard tests/theft/theft_*.c))
+endif
+
+$(BUILD)/tests/theft/%.o: EXTRA_FLAGS = -Itests/theft
+$(BUILD)/tests/property/%.o: EXTRA_FLAGS = $(THEFT_CFLAGS)
+
+$(eval $(call program,property-tests,$(PROPERTY_SOURCES) $(THEFT_SOURCES) $(SCENE_SOURCES) $(GENERATOR_SOURCES) \
+	$(LIBRARY),$(THEFT_LIBS) -lm))
+
+$(eval $(call program,theft-selftest,$(sort $(wildcard tests/theft/*.c)),-lcmocka -lm))
+
+# Accuracy. `make accuracy` compares besides cglm GLM and Eigen, where the C++ compiler finds
+# them, and is linked as C++ then.
+EIGEN_FLAGS = -isystem /usr/include/eigen3
+HASH := \#
+has_header = $(shell printf '$(HASH)if !__has_include(<$(1)>)\n$(HASH)error\n$(HASH)endif\n' | \
+	$(CXX) -std=c++17 $(EIGEN_FLAGS) -E -x c++ - >/dev/null 2>&1 && echo yes)
+ACCURACY_PEERS := $(if $(call has_header,glm/glm.hpp),glm) $(if $(call has_header,Eigen/Dense),eigen)
+PEER_OBJECTS = $(patsubst %,$(BUILD)/tests/accuracy/%.o,$(ACCURACY_PEERS))
+
+$(PEER_OBJECTS): COMMAND = $(CXX) -std=c++17 -pedantic -Wall -Wextra -Wshadow -Werror $(CFLAGS) $(FLOAT_FLAGS) $(EIGEN_FLAGS)
+$(PEER_OBJECTS): $(BUILD)/%.o: %.cpp $(if_changed)
+	$(COMPILE)
+
+$(BUILD)/accuracy: LINKER = $(if $(PEER_OBJECTS),$(CXX),$(CC))
+$(eval $(call program,accuracy,$(ACCURACY_SOURCES) $(PEER_OBJECTS) $(LIBRARY),-lm))
+
+$(eval $(call program,test_cglm,tests/differential/test_cglm.c $(filter-out %/main.c,$(ACCURACY_SOURCES)) $(LIBRARY),-lcmocka -lm))
+
+$(eval $(call program,texture-accuracy,tests/texture_accuracy/main.c reference/exact/sampler.c \
+	$(addprefix reference/scene/,scene.c scene_memory.c scene_texture.c) $(LIBRARY),-lm))
+
+$(eval $(call program,exhaustive,$(EXHAUSTIVE_SOURCES) $(LIBRARY),-lmpfr -lm -pthread))
+
+# Unit tests, one program for each tests/unit/test_*.c
+
+UNIT_TESTS = $(patsubst tests/unit/%.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c))
+
+define unit_test
+$(call program,$(1),tests/unit/$(1).c $(if $(filter test_threads,$(1)),$(THREADS_SOURCES)) $(LIBRARY),-lcmocka -lmpfr -lm -pthread)
+endef
+
+$(foreach test,$(notdir $(UNIT_TESTS)),$(eval $(call unit_test,$(test))))
+
+# Tests of the command, and of parts of it
+
+RUN_TESTS = test_faults test_pictures test_hostile_files test_odd_models test_outputs test_model_formats \
+	test_transform_command test_shading_command
+TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_teapot test_handover)
+
+# Models of all formats are written with Assimp.
+define run_test
+$(call program,$(1),$(patsubst %_command,%,tests/tools/$(1)).c tests/tools/runner.c,$(if $(filter test_model_formats,$(1)),-lassimp) -lcmocka -lpng -lstb -lm)
+endef
+
+$(foreach test,$(RUN_TESTS),$(eval $(call run_test,$(test))))
+
+$(eval $(call program,test_comparison,tests/tools/test_comparison.c tests/tools/runner.c \
+	$(addprefix tools/gnomon/,comparison.c png_write.c output.c report.c) $(SCENE_SOURCES) $(LIBRARY),-lcmocka -lpng -lm))
+
+$(eval $(call program,test_handover,tests/tools/test_handover.c $(addprefix tools/gnomon/,handover.c model.c),-lcmocka -lm))
+
+$(eval $(call program,test_teapot,tests/tools/test_teapot.c \
+	$(addprefix tools/gnomon/,teapot.c teapot_maps.c image.c image_file.c files.c model.c normals.c) $(LIBRARY),-lcmocka -lstb -lm))

@@ -1,0 +1,124 @@
+# The everyday gate, meant to take less than 8 minutes on two processors. The tests are built twice,
+# as they are and under the sanitizers. JOBS steps run at a time, the long ones first: each uses
+# one processor where it can choose, and files of its own. Random tests start from TEST_SEED, and
+# besides from FRESH_SEED, the time, so that every run looks somewhere new; in continuous
+# integration (CI) there is no such seed, so that what passes once passes again.
+# Left to `make whole`, since they compile the back ends again: other compilers and levels of
+# optimisation, every back end through CMake, most other machines. `make parity` and
+# `make parity-emulated` draw five to forty times as many scenes.
+
+TEST_SEED ?= 1
+ifndef CI
+FRESH_SEED := $(shell date +%s)
+endif
+FRESH_SCENES = 600
+FRESH_PARITY = $(BUILD)/parity --seed $(FRESH_SEED) --scenes $(FRESH_SCENES) --keep $(BUILD)/fresh-failure.scene
+REPLAY = || { echo "replay with: make test FRESH_SEED=$(FRESH_SEED)"; false; }
+CHECKED = $(BUILD)/sanitized
+CHECKED_FLAGS = BUILD=$(CHECKED) CFLAGS='-O1 -g1 -fno-inline -DGN_SMALLEST_TASKS' \
+	SANITIZE='-fsanitize=address,undefined -fno-sanitize-recover=all'
+
+EMULATED_PARITY = $(if $(filter x86_64,$(MACHINE)),$(BUILD)/parity-emulated)
+
+unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
+
+.PHONY: test-programs
+test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels \
+	$(BUILD)/textures
+
+.PHONY: test
+test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends on "N passed, N failed[, N skipped]"
+	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(BUILD)/theft-selftest \
+		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/test-lanes $(BUILD)/hashes \
+		$(EMULATED_PARITY)
+	@$(MAKE) --no-print-directory -j$(JOBS) $(CHECKED_FLAGS) test-programs
+	@$(MAKE) --no-print-directory test-steps
+
+.PHONY: whole
+whole: ## test, and what it leaves out: all of cross, size, check-freestanding, check-embedding
+	@$(MAKE) --no-print-directory test WHOLE=yes
+
+ifdef WHOLE
+WHOLE_STEPS = 'other machines=tests/portability/cross.sh $(BUILD)' \
+	'microcontroller=tests/portability/size.sh $(BUILD)' \
+	'proofs of what is wrong=tests/proof/test_prove.sh'
+ALL = --all
+EMULATED_SCENES = 2200
+else
+WHOLE_STEPS = 'other machines=tests/portability/cross.sh $(BUILD) --scenes 110 aarch64 wasm wasm-simd128' \
+	'little code=tests/portability/cross.sh $(BUILD) --scenes 330 small' \
+	'whole program$(comma) memory=tests/portability/cross.sh $(BUILD) --scenes 106 whole-program memory'
+EMULATED_SCENES = 550
+endif
+
+FRESH_STEPS = 'fresh parity=$(FRESH_PARITY) $(REPLAY)' \
+	'fresh properties=$(BUILD)/property-tests --seed $(FRESH_SEED) $(REPLAY)' \
+	'fresh scenes are valid=$(BUILD)/parity --check --seed $(FRESH_SEED) $(REPLAY)'
+
+# In a make of its own, which finds what a set-up has installed.
+.PHONY: test-steps
+test-steps:
+	@LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0 tests/run.sh -j $(JOBS) \
+		$(WHOLE_STEPS) \
+		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes $(if $(FRESH_SEED),2700,3300) --keep $(BUILD)/parity-failure.scene' \
+		$(if $(FRESH_SEED),$(FRESH_STEPS)) \
+		$(if $(EMULATED_PARITY),'parity$(comma) back ends emulated=$(EMULATED_PARITY) --seed $(TEST_SEED) --scenes $(EMULATED_SCENES) --keep $(BUILD)/emulated-failure.scene',\
+			'parity$(comma) back ends emulated=echo "skipped: on x86-64 alone"') \
+		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 275 --keep $(BUILD)/sanitized-failure.scene' \
+		'freestanding=tests/portability/freestanding.sh $(BUILD) $(ALL)' \
+		'embedding=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD) $(ALL)' \
+		'blits=$(BUILD)/blits --seed $(TEST_SEED) --blits 2020' \
+		'texels=$(BUILD)/texels --seed $(TEST_SEED) --textures 12' \
+		'textures=$(BUILD)/textures --seed $(TEST_SEED) --quick' \
+		'a denormal=$(BUILD)/parity --replay tests/parity/denormal.scene' \
+		'pairs of states=$(BUILD)/parity --pairs --seed $(TEST_SEED)' \
+		'scenes are valid=$(BUILD)/parity --check --seed $(TEST_SEED)' \
+		'shrinking=tests/parity/test_shrink.sh $(BUILD)/parity' \
+		'order of evaluation=tests/order/order.sh' \
+		$(call unit_steps,$(CHECKED),sanitized ) \
+		'sanitized differential=$(CHECKED)/test_cglm $(TEST_SEED)' \
+		'sanitized properties=$(CHECKED)/property-tests --seed $(TEST_SEED) --trials 100' \
+		'sanitized blits=$(CHECKED)/blits --seed $(TEST_SEED) --blits 404' \
+		'sanitized textures=$(CHECKED)/textures --seed $(TEST_SEED) --cases 60' \
+		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
+		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
+		'command, hand-over=$(BUILD)/test_handover' \
+		'command, hostile files=$(BUILD)/test_hostile_files $(BUILD)/gnomon' \
+		'command, odd models=$(BUILD)/test_odd_models $(BUILD)/gnomon' \
+		'command, outputs=$(BUILD)/test_outputs $(BUILD)/gnomon' \
+		'command, formats=$(BUILD)/test_model_formats $(BUILD)/gnomon' \
+		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \
+		'command, shaders=$(BUILD)/test_shading_command $(BUILD)/gnomon' \
+		'command, comparison=$(BUILD)/test_comparison $(BUILD)/gnomon' \
+		'command, transform=$(BUILD)/test_transform_command $(BUILD)/gnomon' \
+		'teapot=$(BUILD)/test_teapot' \
+		'set-up=sh tests/tools/test_setup.sh' \
+		'steps=tests/tools/test_run.sh' \
+		'what make makes again=tests/tools/test_makefile.sh' \
+		'benchmark, clears=$(BUILD)/bench --frames 1 --scene S6 | grep ": 0 differing"' \
+		'benchmark, a shader=$(BUILD)/bench --frames 1 --scene S4 | grep ": 0 differing"' \
+		'lanes=$(BUILD)/test-lanes $(TEST_SEED)' \
+		'theft=$(BUILD)/theft-selftest' \
+		'properties=$(BUILD)/property-tests --seed $(TEST_SEED)' \
+		'scalar functions=$(BUILD)/exhaustive --stride 9973' \
+		'accuracy=$(BUILD)/accuracy --seed $(TEST_SEED) --inputs 20000' \
+		'accuracy of textures=$(BUILD)/texture-accuracy --seed $(TEST_SEED) --lookups 2000' \
+		'differential=$(BUILD)/test_cglm $(TEST_SEED)' \
+		'a property for every function=tests/coverage.sh' \
+		'layers=tests/layers.sh $(BUILD)' \
+		'proofs=tests/proof/prove.sh -q' \
+		$(call unit_steps,$(BUILD),)
+
+SOAK_SCENES ?= 50000
+
+.PHONY: soak
+soak: $(BUILD)/parity $(BUILD)/property-tests $(BUILD)/accuracy $(BUILD)/test_cglm $(BUILD)/test-lanes
+soak: ## the random tests for longer, by a seed of your choice: SEED=1 SOAK_SCENES=50000
+	@tests/run.sh \
+		'lanes=$(BUILD)/test-lanes $(SEED)' \
+		'properties=$(BUILD)/property-tests --seed $(SEED) --trials 10000' \
+		'accuracy=$(BUILD)/accuracy --seed $(SEED) --inputs $(INPUTS)' \
+		'differential=$(BUILD)/test_cglm $(SEED)' \
+		'pairs of states=$(BUILD)/parity --pairs --seed $(TEST_SEED)' \
+		'parity=$(BUILD)/parity --seed $(SEED) --scenes $(SOAK_SCENES) --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene'
+

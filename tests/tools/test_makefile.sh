@@ -1,0 +1,94 @@
+#!/bin/sh
+# What the Makefile makes again, and what it leaves: in a copy of the project that has the scalar
+# functions alone, compiled in a second. usage: test_makefile.sh   (from the root of the project)
+set -u
+export MAKEFLAGS= # not those of the make that runs this
+directory=$(mktemp -d)
+trap 'rm -rf "$directory"' EXIT
+mkdir -p "$directory/src" "$directory/tests"
+cp -r Makefile include "$directory/"
+cp tests/*.mk "$directory/tests/"
+cp -r src/config src/scalars "$directory/src/"
+cd "$directory" || exit 1
+objects=$(find src -name '*.c' | wc -l)
+passed=0
+failed=0
+
+# build OPTION...: makes the library; the file made lists what make said it compiled and linked.
+build() {
+    make "$@" library >log 2>&1
+    status=$?
+    sed -n -e 's/^  \(CC\|AR\|LD\) //p' -e "s/^echo '  \(CC\|AR\|LD\) \(.*\)'/\2/p" log | sort >made
+}
+
+# check WHAT CONDITION...
+check() {
+    what=$1
+    shift
+    if [ "$status" = 0 ] && "$@"; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: $what: exit status $status" >&2
+        sed 's/^/    /' made log >&2
+    fi
+}
+
+nothing() {
+    [ ! -s made ]
+}
+
+# All objects, and what is linked of them.
+everything() {
+    [ "$(grep -c '\.o$' made)" = "$objects" ] && [ "$(grep -c '^libgnomon\.' made)" = 2 ]
+}
+
+build CFLAGS=-O0
+check "at first: everything" everything
+build CFLAGS=-O0
+check "again: nothing" nothing
+
+touch Makefile tests/*.mk
+build CFLAGS=-O0
+check "Makefile touched: nothing" nothing
+
+touch src/scalars/exponential.h
+build CFLAGS=-O0
+grep -l '[ /]exponential\.h' build/src/scalars/*.d | sed 's|build/\(.*\)d$|\1o|' >users
+check "header touched: its users" [ "$(grep '\.o$' made)" = "$(cat users)" ]
+check "header touched: some, not all" [ "$(wc -l <users)" -gt 0 -a "$(wc -l <users)" -lt "$objects" ]
+
+build -n CFLAGS=-O1
+check "other flags, make -n: everything" everything
+build CFLAGS=-O0
+check "after make -n: nothing" nothing
+build CFLAGS=-O1
+check "other flags: everything" everything
+build CFLAGS=-O1
+check "other flags again: nothing" nothing
+build CFLAGS=-O1 BUILD=other
+check "another directory: everything" everything
+build CFLAGS=-O1
+check "another directory: the first is as it was" nothing
+build CFLAGS=-O1 CC="${CC:-cc} -DGN_SMALL"
+check "another compiler: everything" everything
+build CFLAGS=-O1
+
+# What fails to compile leaves no object of other flags behind.
+build CFLAGS='-O2 -Dfloat=' && status=0
+check "flags that do not compile: nothing is linked" [ "$(grep -c '^libgnomon' made)" = 0 ]
+build CFLAGS=-O1
+find build -name '*.o.command' -exec grep -L -e ' -O1 ' {} + >wrong
+check "the flags before them: every record names them" [ ! -s wrong ]
+
+printf '$(BUILD)/src/scalars/sqrt.o: SANITIZE = -DONE\n' >>Makefile
+build CFLAGS=-O1
+check "flags of one object: that one" [ "$(grep '\.o$' made)" = src/scalars/sqrt.o ]
+
+rm src/scalars/tangent.c
+build CFLAGS=-O1
+check "a source removed: nothing is compiled" [ "$(grep -c '\.o$' made)" = 0 ]
+check "a source removed: it is not in the library" [ "$(ar t build/libgnomon.a | grep -c ^tangent)" = 0 ]
+
+echo "makefile: $passed passed, $failed failed"
+[ "$failed" = 0 ]
