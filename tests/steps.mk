@@ -100,6 +100,7 @@ test-steps:
 		'lanes=$(BUILD)/test-lanes $(TEST_SEED)' \
 		'theft=$(BUILD)/theft-selftest' \
 		'properties=$(BUILD)/property-tests --seed $(TEST_SEED)' \
+		'properties by name=tests/tools/test_only.sh $(BUILD)/property-tests' \
 		'scalar functions=$(BUILD)/exhaustive --stride 9973' \
 		'accuracy=$(BUILD)/accuracy --seed $(TEST_SEED) --inputs 20000' \
 		'accuracy of textures=$(BUILD)/texture-accuracy --seed $(TEST_SEED) --lookups 2000' \
