@@ -36,4 +36,36 @@ cmake -S "$root" -B "$directory/library" -DCMAKE_BUILD_TYPE=Debug -DGN_SMALL=$sm
     -DCMAKE_INSTALL_PREFIX="$directory/installed" >/dev/null
 cmake --build "$directory/library" -j 2 --target install >/dev/null
 try package "find_package(gnomon 0.1 REQUIRED)" -DCMAKE_PREFIX_PATH="$directory/installed"
-echo "2 passed, 0 failed"
+passed=2
+failed=0
+
+# Which levels of optimisation a file is compiled with: where no one asks for a level, the
+# library is optimised, and the files of its user are compiled as its user says.
+levels() { # levels NAME FILE EXPECTED SOURCE FLAGS...
+    name=$1
+    file=$2
+    expected=$3
+    source=$4
+    shift 4
+    cmake -S "$source" -B "$directory/levels/$(basename "$source")" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" >/dev/null
+    found=$(grep '"command":' "$directory/levels/$(basename "$source")/compile_commands.json" | grep "/$file\"" |
+        grep -o -e ' -O[^ ]*' | tr -d ' ' | paste -s -d ' ')
+    if [ "$found" = "$expected" ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "CMake, $name: $file is compiled with '$found', not '$expected'"
+    fi
+}
+
+none=-DCMAKE_BUILD_TYPE=
+levels "no build type" sqrt.c -O3 "$root" $none -DCMAKE_C_FLAGS= -DGN_SMALL=OFF
+levels "no build type, small" sqrt.c -Os "$root" $none -DCMAKE_C_FLAGS= -DGN_SMALL=ON
+levels "no build type, flags with a level" sqrt.c -O1 "$root" $none -DCMAKE_C_FLAGS="-g -O1" -DGN_SMALL=OFF
+levels "debugging" sqrt.c "" "$root" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS=
+levels "release for size" sqrt.c -Os "$root" -DCMAKE_BUILD_TYPE=MinSizeRel -DCMAKE_C_FLAGS=
+levels "subdirectory, no build type" sqrt.c -O3 "$directory/subdirectory" $none -DCMAKE_C_FLAGS=
+levels "subdirectory, no build type" triangle.c "" "$directory/subdirectory" $none -DCMAKE_C_FLAGS=
+levels "subdirectory, debugging" sqrt.c "" "$directory/subdirectory" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS=
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]
