@@ -201,8 +201,9 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
     *counted->passed += shade_whole_squares(counted->state, triangle, x, y, count, coverage);
 }
 
-/* A run_function for one state and its pack_function; the context is a fragment_state. */
-#define GN_RUN_FUNCTION(name, depth_format, color_format, source, use)                             \
+/* A run_function for one state and its pack_function, which are called `name` and `packed`; the
+ * context is a fragment_state. */
+#define GN_SQUARES_FUNCTIONS(name, packed, depth_format, color_format, source, use)                \
     static void name(const void *context, raster_triangle triangle, int32_t x, int32_t y,          \
                      uint32_t count, uint32_t coverage)                                            \
     {                                                                                              \
@@ -211,8 +212,8 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
                                                                                                    \
         shade_squares(state, kind, triangle, x, y, count, coverage);                               \
     }                                                                                              \
-    static void name##_packed(const void *context, raster_triangle triangle,                       \
-                              const packed_block *blocks, uint32_t count)                          \
+    static void packed(const void *context, raster_triangle triangle, const packed_block *blocks,  \
+                       uint32_t count)                                                             \
     {                                                                                              \
         const fragment_state *state = (const fragment_state *)context;                             \
         const fragment_kind kind = {depth_format, color_format, source, use, false, false, false}; \
@@ -220,11 +221,12 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
         shade_packed(state, kind, triangle, blocks, count);                                        \
     }
 
-/* A run_function for what is drawn in rows where it can be. Kept apart from the rows, single
- * squares, of which small triangles have most, begin with little ado. */
-#define GN_RUN_ROWS_FUNCTION(name, depth_format, color_format, source, use)                        \
-    GN_OUT_OF_LINE void name##_long(const fragment_state *state, raster_triangle triangle,         \
-                                    int32_t x, int32_t y, uint32_t count)                          \
+/* A run_function for one state, called `name`, which draws in rows where it can. The rows are out
+ * of line, in a function called `long_runs`, so that single squares, of which small triangles have
+ * most, keep a short prologue. */
+#define GN_ROWS_FUNCTION(name, long_runs, depth_format, color_format, source, use)                 \
+    GN_OUT_OF_LINE void long_runs(const fragment_state *state, raster_triangle triangle,           \
+                                  int32_t x, int32_t y, uint32_t count)                            \
     {                                                                                              \
         const fragment_kind kind = {                                                               \
             depth_format, color_format, source, use, triangle_is_solid(triangle), false, false};   \
@@ -239,40 +241,57 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
             depth_format, color_format, source, use, triangle_is_solid(triangle), false, false};   \
                                                                                                    \
         if (count > 1)                                                                             \
-            name##_long(state, triangle, x, y, count);                                             \
+            long_runs(state, triangle, x, y, count);                                               \
         else                                                                                       \
             shade_squares(state, kind, triangle, x, y, 1, coverage);                               \
     }
 
-GN_RUN_FUNCTION(run_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_REPLACES)
-GN_RUN_FUNCTION(run_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_REPLACES)
-GN_RUN_FUNCTION(run_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_REPLACES)
-GN_RUN_ROWS_FUNCTION(run_color_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_COLOR, COLOR_REPLACES)
-GN_RUN_ROWS_FUNCTION(run_color_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_COLOR,
-                     COLOR_REPLACES)
-GN_RUN_ROWS_FUNCTION(run_color_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_COLOR,
-                     COLOR_REPLACES)
-GN_RUN_ROWS_FUNCTION(run_texture_rgba8, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
-                     COLOR_REPLACES)
-GN_RUN_ROWS_FUNCTION(run_texture_rgba8_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
-                     COLOR_REPLACES)
-GN_RUN_ROWS_FUNCTION(run_texture_rgba8_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
-                     COLOR_REPLACES)
-GN_RUN_ROWS_FUNCTION(run_depth_d24, GN_FORMAT_D24, GN_FORMAT_NONE, SOURCE_SHADER, COLOR_REPLACES)
-GN_RUN_ROWS_FUNCTION(run_depth_d32f, GN_FORMAT_D32F, GN_FORMAT_NONE, SOURCE_SHADER, COLOR_REPLACES)
+/* The states that have functions of their own. A line names the functions, then the state: depth
+ * format, colour format, source and use. SQUARES are drawn in squares, and packed where triangles
+ * are small; ROWS are drawn in rows where they can be. To give a state functions of its own, add
+ * its line: the functions and their selection come from it. */
+#define GN_SPECIAL_STATES(SQUARES, ROWS)                                                           \
+    SQUARES(run_rgba8, run_rgba8_packed, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_SHADER,           \
+            COLOR_REPLACES)                                                                        \
+    SQUARES(run_rgba8_d24, run_rgba8_d24_packed, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_SHADER,    \
+            COLOR_REPLACES)                                                                        \
+    SQUARES(run_rgba8_d32f, run_rgba8_d32f_packed, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_SHADER, \
+            COLOR_REPLACES)                                                                        \
+    ROWS(run_color_rgba8, run_color_rgba8_long, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_COLOR,     \
+         COLOR_REPLACES)                                                                           \
+    ROWS(run_color_rgba8_d24, run_color_rgba8_d24_long, GN_FORMAT_D24, GN_FORMAT_RGBA8,            \
+         SOURCE_COLOR, COLOR_REPLACES)                                                             \
+    ROWS(run_color_rgba8_d32f, run_color_rgba8_d32f_long, GN_FORMAT_D32F, GN_FORMAT_RGBA8,         \
+         SOURCE_COLOR, COLOR_REPLACES)                                                             \
+    ROWS(run_texture_rgba8, run_texture_rgba8_long, GN_FORMAT_NONE, GN_FORMAT_RGBA8,               \
+         SOURCE_TEXTURE, COLOR_REPLACES)                                                           \
+    ROWS(run_texture_rgba8_d24, run_texture_rgba8_d24_long, GN_FORMAT_D24, GN_FORMAT_RGBA8,        \
+         SOURCE_TEXTURE, COLOR_REPLACES)                                                           \
+    ROWS(run_texture_rgba8_d32f, run_texture_rgba8_d32f_long, GN_FORMAT_D32F, GN_FORMAT_RGBA8,     \
+         SOURCE_TEXTURE, COLOR_REPLACES)                                                           \
+    ROWS(run_depth_d24, run_depth_d24_long, GN_FORMAT_D24, GN_FORMAT_NONE, SOURCE_SHADER,          \
+         COLOR_REPLACES)                                                                           \
+    ROWS(run_depth_d32f, run_depth_d32f_long, GN_FORMAT_D32F, GN_FORMAT_NONE, SOURCE_SHADER,       \
+         COLOR_REPLACES)                                                                           \
+    SQUARES(run_over, run_over_packed, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_OVER) \
+    SQUARES(run_over_d24, run_over_d24_packed, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_SHADER,      \
+            COLOR_OVER)                                                                            \
+    SQUARES(run_over_d32f, run_over_d32f_packed, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_SHADER,   \
+            COLOR_OVER)                                                                            \
+    ROWS(run_over_color, run_over_color_long, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_COLOR,       \
+         COLOR_OVER)                                                                               \
+    ROWS(run_over_color_d24, run_over_color_d24_long, GN_FORMAT_D24, GN_FORMAT_RGBA8,              \
+         SOURCE_COLOR, COLOR_OVER)                                                                 \
+    ROWS(run_over_color_d32f, run_over_color_d32f_long, GN_FORMAT_D32F, GN_FORMAT_RGBA8,           \
+         SOURCE_COLOR, COLOR_OVER)                                                                 \
+    ROWS(run_over_texture, run_over_texture_long, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_TEXTURE, \
+         COLOR_OVER)                                                                               \
+    ROWS(run_over_texture_d24, run_over_texture_d24_long, GN_FORMAT_D24, GN_FORMAT_RGBA8,          \
+         SOURCE_TEXTURE, COLOR_OVER)                                                               \
+    ROWS(run_over_texture_d32f, run_over_texture_d32f_long, GN_FORMAT_D32F, GN_FORMAT_RGBA8,       \
+         SOURCE_TEXTURE, COLOR_OVER)
 
-/* Colours laid over those that are there. */
-GN_RUN_FUNCTION(run_over, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_OVER)
-GN_RUN_FUNCTION(run_over_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_OVER)
-GN_RUN_FUNCTION(run_over_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_SHADER, COLOR_OVER)
-GN_RUN_ROWS_FUNCTION(run_over_color, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_COLOR, COLOR_OVER)
-GN_RUN_ROWS_FUNCTION(run_over_color_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_COLOR, COLOR_OVER)
-GN_RUN_ROWS_FUNCTION(run_over_color_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_COLOR, COLOR_OVER)
-GN_RUN_ROWS_FUNCTION(run_over_texture, GN_FORMAT_NONE, GN_FORMAT_RGBA8, SOURCE_TEXTURE, COLOR_OVER)
-GN_RUN_ROWS_FUNCTION(run_over_texture_d24, GN_FORMAT_D24, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
-                     COLOR_OVER)
-GN_RUN_ROWS_FUNCTION(run_over_texture_d32f, GN_FORMAT_D32F, GN_FORMAT_RGBA8, SOURCE_TEXTURE,
-                     COLOR_OVER)
+GN_SPECIAL_STATES(GN_SQUARES_FUNCTIONS, GN_ROWS_FUNCTION)
 
 /* Whether the state asks nothing of the order of shader and tests, of depth or of colours that
  * the special functions leave out. */
@@ -300,76 +319,51 @@ static inline fragment_source source_of(const fragment_state *state)
     return texture ? SOURCE_TEXTURE : SOURCE_COLOR;
 }
 
-/* Of those with GN_FORMAT_RGBA8 that lay colours over others. */
-static inline run_function *run_over_function_of(gn_format depth, fragment_source source)
+/* The fragments of a state, as GN_SPECIAL_STATES describes them. */
+static inline fragment_kind fragment_kind_of(const fragment_state *state)
 {
-    switch (depth) {
-    case GN_FORMAT_NONE:
-        return source == SOURCE_COLOR     ? run_over_color
-               : source == SOURCE_TEXTURE ? run_over_texture
-                                          : run_over;
-    case GN_FORMAT_D24:
-        return source == SOURCE_COLOR     ? run_over_color_d24
-               : source == SOURCE_TEXTURE ? run_over_texture_d24
-                                          : run_over_d24;
-    case GN_FORMAT_D32F:
-        return source == SOURCE_COLOR     ? run_over_color_d32f
-               : source == SOURCE_TEXTURE ? run_over_texture_d32f
-                                          : run_over_d32f;
-    default:
-        return run_any;
-    }
+    const bool has_color = state->color.format != GN_FORMAT_NONE;
+    const fragment_kind kind = {
+        .depth_format = state->depth.format,
+        .color_format = state->color.format,
+        .source = has_color ? source_of(state) : SOURCE_SHADER,
+        .use = has_color ? state->combine.use : COLOR_REPLACES,
+    };
+
+    return kind;
 }
 
-/* The function that draws blocks under a state. */
-static inline run_function *run_function_of(const fragment_state *state)
+static inline bool is_kind(fragment_kind kind, gn_format depth_format, gn_format color_format,
+                           fragment_source source, color_use use)
 {
-    if (!GN_SPECIALISED || !is_plain(state))
-        return run_any;
-
-    const fragment_source source = source_of(state);
-    if (state->color.format == GN_FORMAT_NONE)
-        return state->depth.format == GN_FORMAT_D24    ? run_depth_d24
-               : state->depth.format == GN_FORMAT_D32F ? run_depth_d32f
-                                                       : run_any;
-    if (state->color.format != GN_FORMAT_RGBA8)
-        return run_any;
-    if (state->combine.use == COLOR_OVER)
-        return run_over_function_of(state->depth.format, source);
-    switch (state->depth.format) {
-    case GN_FORMAT_NONE:
-        return source == SOURCE_COLOR     ? run_color_rgba8
-               : source == SOURCE_TEXTURE ? run_texture_rgba8
-                                          : run_rgba8;
-    case GN_FORMAT_D24:
-        return source == SOURCE_COLOR     ? run_color_rgba8_d24
-               : source == SOURCE_TEXTURE ? run_texture_rgba8_d24
-                                          : run_rgba8_d24;
-    case GN_FORMAT_D32F:
-        return source == SOURCE_COLOR     ? run_color_rgba8_d32f
-               : source == SOURCE_TEXTURE ? run_texture_rgba8_d32f
-                                          : run_rgba8_d32f;
-    default:
-        return run_any;
-    }
+    return kind.depth_format == depth_format && kind.color_format == color_format &&
+           kind.source == source && kind.use == use;
 }
 
-/* With what draws packed blocks, where a shader gives colours. With `counts` the context is a
- * counted_state. */
+/* The functions that draw the blocks of a state. By comparisons, since a table of functions would
+ * need relocation. With `counts` the context is a counted_state. */
 static inline block_functions block_functions_of(const fragment_state *state, bool counts)
 {
-    const bool over = state->combine.use == COLOR_OVER;
-    block_functions f = {counts ? run_counted : run_function_of(state), 0};
+    block_functions f = {counts ? run_counted : run_any, 0};
 
-    if (!GN_SPECIALISED || counts || f.squares == run_any ||
-        state->color.format == GN_FORMAT_NONE || source_of(state) != SOURCE_SHADER)
+    if (!GN_SPECIALISED || counts || !is_plain(state))
         return f;
-    if (state->depth.format == GN_FORMAT_NONE)
-        f.packed = over ? run_over_packed : run_rgba8_packed;
-    else if (state->depth.format == GN_FORMAT_D24)
-        f.packed = over ? run_over_d24_packed : run_rgba8_d24_packed;
-    else
-        f.packed = over ? run_over_d32f_packed : run_rgba8_d32f_packed;
+
+    const fragment_kind kind = fragment_kind_of(state);
+#define GN_SELECT_SQUARES(name, pack, depth_format, color_format, source, use)                     \
+    if (is_kind(kind, depth_format, color_format, source, use)) {                                  \
+        f.squares = name;                                                                          \
+        f.packed = pack;                                                                           \
+        return f;                                                                                  \
+    }
+#define GN_SELECT_ROWS(name, long_runs, depth_format, color_format, source, use)                   \
+    if (is_kind(kind, depth_format, color_format, source, use)) {                                  \
+        f.squares = name;                                                                          \
+        return f;                                                                                  \
+    }
+    GN_SPECIAL_STATES(GN_SELECT_SQUARES, GN_SELECT_ROWS)
+#undef GN_SELECT_SQUARES
+#undef GN_SELECT_ROWS
     return f;
 }
 
