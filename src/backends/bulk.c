@@ -6,53 +6,33 @@
 #include "../config/have.h"
 #include "stages.h"
 
-typedef void bulk_function(const bulk_job *job);
-
-/* Null where the library does not hold the back end. */
-static bulk_function *function_of(gn_backend backend, size_t count)
+/* The back end that GN_BACKEND_AUTO stands for. */
+static gn_backend chosen(gn_backend backend, size_t count)
 {
-    if (backend == GN_BACKEND_AUTO && count >= GN_BULK_ASK)
-        backend = gn_backend_best();
-    switch (backend) {
-    case GN_BACKEND_AUTO:
-#if GN_HAVE_SSE2
-        return gn_bulk_sse2;
-#elif GN_HAVE_NEON && !GN_HAVE_EMULATED
-        return gn_bulk_neon;
-#elif GN_HAVE_WASM_SIMD128 && !GN_HAVE_EMULATED
-        return gn_bulk_wasm_simd128;
-#else
-        return gn_bulk_portable;
-#endif
-    case GN_BACKEND_PORTABLE:
-        return gn_bulk_portable;
-#if GN_HAVE_SSE2
-    case GN_BACKEND_SSE2:
-        return gn_bulk_sse2;
-#endif
-#if GN_HAVE_AVX2
-    case GN_BACKEND_AVX2:
-        return gn_bulk_avx2;
-#endif
-#if GN_HAVE_AVX512
-    case GN_BACKEND_AVX512:
-        return gn_bulk_avx512;
-#endif
-#if GN_HAVE_NEON
-    case GN_BACKEND_NEON:
-        return gn_bulk_neon;
-#endif
-#if GN_HAVE_WASM_SIMD128
-    case GN_BACKEND_WASM_SIMD128:
-        return gn_bulk_wasm_simd128;
-#endif
-    default:
-        return NULL;
-    }
+    if (backend != GN_BACKEND_AUTO)
+        return backend;
+    return count >= GN_BULK_ASK ? gn_backend_best() : backend_of_every_processor();
+}
+
+static bool is_compiled(gn_backend backend)
+{
+#define IS_COMPILED(name, NAME) || backend == GN_BACKEND_##NAME
+    return false GN_COMPILED_BACKENDS(IS_COMPILED);
+#undef IS_COMPILED
+}
+
+/* Calls gn_bulk_<name> of a back end that is compiled. */
+static void run_blocks(gn_backend backend, const bulk_job *job)
+{
+#define RUN_BLOCKS(name, NAME)                                                                     \
+    if (backend == GN_BACKEND_##NAME)                                                              \
+        gn_bulk_##name(job);
+    GN_COMPILED_BACKENDS(RUN_BLOCKS)
+#undef RUN_BLOCKS
 }
 
 /* The last `rest` vectors, fewer than a block, where the job's pointers are. */
-static void run_rest(bulk_function *run_blocks, bulk_job *job, size_t rest)
+static void run_rest(gn_backend backend, bulk_job *job, size_t rest)
 {
     const int components = job->kind == BULK_VEC4 ? 4 : 3;
     const int arrays = job->packed ? 1 : components;
@@ -71,13 +51,13 @@ static void run_rest(bulk_function *run_blocks, bulk_job *job, size_t rest)
         job->v[array] = job->result[array] = own;
     }
     job->count = GN_LANES;
-    run_blocks(job);
+    run_blocks(backend, job);
     for (int array = 0; array < arrays; ++array)
         for (size_t i = 0; i < floats; ++i)
             to[array][i] = job->result[array][i];
 }
 
-static void run(bulk_function *run_blocks, bulk_job *job, size_t count)
+static void run(gn_backend backend, bulk_job *job, size_t count)
 {
     const size_t rest = count % GN_LANES;
     const int components = job->kind == BULK_VEC4 ? 4 : 3;
@@ -85,13 +65,13 @@ static void run(bulk_function *run_blocks, bulk_job *job, size_t count)
 
     job->count = count - rest;
     if (job->count > 0)
-        run_blocks(job);
+        run_blocks(backend, job);
     if (rest > 0) {
         for (int i = 0; i < arrays; ++i) {
             job->v[i] += job->packed ? job->count * (size_t)components : job->count;
             job->result[i] += job->packed ? job->count * (size_t)components : job->count;
         }
-        run_rest(run_blocks, job, rest);
+        run_rest(backend, job, rest);
     }
 }
 
@@ -123,17 +103,16 @@ static bool take_mat3(bulk_job *job, const gn_mat3 *m)
 static gn_status run_packed(bulk_job *job, const void *v, void *result, size_t count,
                             gn_backend backend)
 {
-    bulk_function *const run_blocks = function_of(backend, count);
-
     if (count > 0 && (!v || !result))
         return GN_NULL_POINTER;
-    if (!run_blocks)
+    backend = chosen(backend, count);
+    if (!is_compiled(backend))
         return GN_BACKEND_UNAVAILABLE;
     if (count > 0) {
         job->packed = true;
         job->v[0] = v;
         job->result[0] = result;
-        run(run_blocks, job, count);
+        run(backend, job, count);
     }
     return GN_OK;
 }
@@ -141,7 +120,6 @@ static gn_status run_packed(bulk_job *job, const void *v, void *result, size_t c
 static gn_status run_arrays(bulk_job *job, const float *const *v, float *const *result,
                             size_t count, gn_backend backend)
 {
-    bulk_function *const run_blocks = function_of(backend, count);
     const int components = job->kind == BULK_VEC4 ? 4 : 3;
 
     if (count > 0) {
@@ -154,11 +132,12 @@ static gn_status run_arrays(bulk_job *job, const float *const *v, float *const *
             job->result[i] = result[i];
         }
     }
-    if (!run_blocks)
+    backend = chosen(backend, count);
+    if (!is_compiled(backend))
         return GN_BACKEND_UNAVAILABLE;
     if (count > 0) {
         job->packed = false;
-        run(run_blocks, job, count);
+        run(backend, job, count);
     }
     return GN_OK;
 }
@@ -166,12 +145,12 @@ static gn_status run_arrays(bulk_job *job, const float *const *v, float *const *
 gn_status gn_mat4_multiply_packed(const gn_mat4 *a, const gn_mat4 *b, gn_mat4 *result, size_t count,
                                   gn_backend backend)
 {
-    bulk_function *const run_blocks = function_of(backend, 4 * count);
     bulk_job job;
 
     if (count > 0 && (!a || !b || !result))
         return GN_NULL_POINTER;
-    if (!run_blocks)
+    backend = chosen(backend, 4 * count);
+    if (!is_compiled(backend))
         return GN_BACKEND_UNAVAILABLE;
     if (count > 0) {
         job.kind = BULK_MATRIX;
@@ -180,7 +159,7 @@ gn_status gn_mat4_multiply_packed(const gn_mat4 *a, const gn_mat4 *b, gn_mat4 *r
         job.v[0] = b->m[0];
         job.result[0] = result->m[0];
         job.count = count;
-        run_blocks(&job);
+        run_blocks(backend, &job);
     }
     return GN_OK;
 }

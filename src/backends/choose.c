@@ -30,43 +30,40 @@ gn_backend gn_backend_best(void)
 {
 #if GN_HAVE_AVX2
     return best_of_x86();
-#elif GN_HAVE_SSE2
-    return GN_BACKEND_SSE2;
-#elif GN_HAVE_NEON
-    return GN_BACKEND_NEON;
-#elif GN_HAVE_WASM_SIMD128
-    return GN_BACKEND_WASM_SIMD128;
 #else
-    return GN_BACKEND_PORTABLE;
+    return backend_of_every_processor();
 #endif
+}
+
+/* GN_HAVE_NAME of the back end. */
+static int presence_of(gn_backend backend)
+{
+#define PRESENCE(name, NAME, have, text)                                                           \
+    if (backend == GN_BACKEND_##NAME)                                                              \
+        return have;
+    GN_BACKENDS(PRESENCE)
+#undef PRESENCE
+    return backend == GN_BACKEND_AUTO ? GN_PRESENT_ALWAYS : GN_ABSENT;
 }
 
 bool gn_backend_available(gn_backend backend)
 {
-    switch (backend) {
-    case GN_BACKEND_AUTO:
-    case GN_BACKEND_PORTABLE:
-        return true;
-    case GN_BACKEND_SSE2:
-        return GN_HAVE_SSE2;
-    case GN_BACKEND_AVX2:
-        return GN_HAVE_AVX2 && gn_backend_best() >= GN_BACKEND_AVX2;
-    case GN_BACKEND_AVX512:
-        return GN_HAVE_EMULATED || (GN_HAVE_AVX512 && gn_backend_best() == GN_BACKEND_AVX512);
-    case GN_BACKEND_NEON:
-        return GN_HAVE_NEON;
-    case GN_BACKEND_WASM_SIMD128:
-        return GN_HAVE_WASM_SIMD128;
-    default:
-        return false;
-    }
+    const int presence = presence_of(backend);
+
+    return presence == GN_PRESENT_ASKED ? gn_backend_best() >= backend : presence != GN_ABSENT;
 }
+
+/* Every value of gn_backend but GN_BACKEND_AUTO has a row in GN_BACKENDS. */
+#define ONE(name, NAME, have, text) +1
+typedef char all_are_listed[1 GN_BACKENDS(ONE) == GN_BACKEND_COUNT ? 1 : -1];
+#undef ONE
 
 const char *gn_backend_name(gn_backend backend)
 {
     /* Fixed-width text, since a table of pointers would need relocation. */
-    static const char names[GN_BACKEND_COUNT][16] = {"auto",   "portable", "sse2",        "avx2",
-                                                     "avx512", "neon",     "wasm-simd128"};
+#define NAMED(name, NAME, have, text) [GN_BACKEND_##NAME] = text,
+    static const char names[GN_BACKEND_COUNT][16] = {"auto", GN_BACKENDS(NAMED)};
+#undef NAMED
 
     return (unsigned)backend < GN_BACKEND_COUNT ? names[backend] : "unknown";
 }

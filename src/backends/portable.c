@@ -1,16 +1,9 @@
 /* The stages in plain C. */
-#include "stages.h"
+#include "../config/have.h"
 
+#if GN_HAVE_PORTABLE
 #define GN_LANES_PORTABLE
-#include "../draw/run.h"
-#include "../math/bulk.h"
-
-gn_status gn_run_portable(const draw_job *job)
-{
-    return run_draw(job);
-}
-
-void gn_bulk_portable(const bulk_job *job)
-{
-    run_bulk(job);
-}
+#define GN_RUN gn_run_portable
+#define GN_BULK gn_bulk_portable
+#include "stages_form.h"
+#endif

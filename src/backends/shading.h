@@ -4,17 +4,15 @@
 #ifndef GN_BACKENDS_SHADING_H
 #define GN_BACKENDS_SHADING_H
 
-#include "../config/small.h"
+#include "../config/have.h"
 #include "../shaders/shading.h"
 
-/* Fills `out` in for a pipeline's shaders, one function a back end; those of the user's stay what
- * they are. Those that the target's instruction set does not have are not defined, and
- * with GN_SMALL none is. */
-void gn_shading_portable(const gn_pipeline *pipeline, shading_functions *out);
-void gn_shading_sse2(const gn_pipeline *pipeline, shading_functions *out);
-void gn_shading_avx2(const gn_pipeline *pipeline, shading_functions *out);
-void gn_shading_avx512(const gn_pipeline *pipeline, shading_functions *out);
-void gn_shading_neon(const gn_pipeline *pipeline, shading_functions *out);
-void gn_shading_wasm_simd128(const gn_pipeline *pipeline, shading_functions *out);
+/* Declares gn_shading_portable, gn_shading_sse2 and so on, one for each row of GN_BACKENDS: fills
+ * `out` in for a pipeline's shaders; the user's shaders stay what they are. Those of back ends that
+ * are not compiled are not defined, and with GN_SMALL none is. */
+#define GN_DECLARE_SHADING(name, NAME, have, text)                                                 \
+    void gn_shading_##name(const gn_pipeline *pipeline, shading_functions *out);
+GN_BACKENDS(GN_DECLARE_SHADING)
+#undef GN_DECLARE_SHADING
 
 #endif

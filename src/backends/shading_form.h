@@ -1,13 +1,13 @@
-/* A back end's shading: the text that each compiles for its own lanes. */
-#ifndef GN_BACKENDS_SHADING_FORM_H
-#define GN_BACKENDS_SHADING_FORM_H
+/* A back end's shading: the text that each compiles for its own lanes. The file that includes this
+ * first defines its form of lanes and the name of its function, GN_SHADING. */
+#include "shading.h"
+
+#include "../lanes/target_begin.h"
 
 #include "../shaders/lit.h"
 #include "../shaders/unlit.h"
 #include "../texture/fetch.h"
 #include "../texture/anisotropic.h"
-
-#include "shading.h"
 
 /* The back end's form of a ready-made shader; of others the shader itself. By comparisons, since a
  * table of functions would need relocation. */
@@ -30,7 +30,7 @@ static inline gn_vertex_shader *own_vertex_shader(gn_vertex_shader *shader)
     return shader == gn_shade_surface ? shade_surface : shader;
 }
 
-static inline void fill_shading(const gn_pipeline *pipeline, shading_functions *out)
+void GN_SHADING(const gn_pipeline *pipeline, shading_functions *out)
 {
     out->sampling.sample_2d = sample_any_2d;
     out->sampling.sample = sample_any;
@@ -40,4 +40,4 @@ static inline void fill_shading(const gn_pipeline *pipeline, shading_functions *
     out->fragment_shader = own_fragment_shader(pipeline->program.fragment_shader);
 }
 
-#endif
+#include "../lanes/target_end.h"

@@ -1,14 +1,9 @@
-/* Shading over 64-bit Arm's Advanced SIMD registers. */
+/* Shading over the registers of 64-bit Arm's Advanced SIMD. */
 #include "../config/have.h"
-
-#include "shading.h"
+#include "../config/small.h"
 
 #if GN_HAVE_NEON && GN_SPECIALISED
 #define GN_LANES_NEON
+#define GN_SHADING gn_shading_neon
 #include "shading_form.h"
-
-void gn_shading_neon(const gn_pipeline *pipeline, shading_functions *out)
-{
-    fill_shading(pipeline, out);
-}
 #endif

@@ -1,13 +1,9 @@
 /* Shading in plain C. */
+#include "../config/have.h"
+#include "../config/small.h"
+
+#if GN_HAVE_PORTABLE && GN_SPECIALISED
 #define GN_LANES_PORTABLE
-
-#include "shading.h"
-
-#if GN_SPECIALISED
+#define GN_SHADING gn_shading_portable
 #include "shading_form.h"
-
-void gn_shading_portable(const gn_pipeline *pipeline, shading_functions *out)
-{
-    fill_shading(pipeline, out);
-}
 #endif

@@ -1,13 +1,8 @@
-/* Shading over SSE2 registers. */
+/* Shading over SSE2 registers, the form that lanes.h takes by itself on x86. */
 #include "../config/have.h"
-
-#include "shading.h"
+#include "../config/small.h"
 
 #if GN_HAVE_SSE2 && GN_SPECIALISED
+#define GN_SHADING gn_shading_sse2
 #include "shading_form.h"
-
-void gn_shading_sse2(const gn_pipeline *pipeline, shading_functions *out)
-{
-    fill_shading(pipeline, out);
-}
 #endif

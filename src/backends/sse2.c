@@ -1,18 +1,8 @@
-/* The stages over SSE2 registers. */
+/* The stages over SSE2 registers, the form that lanes.h takes by itself on x86. */
 #include "../config/have.h"
-#include "stages.h"
 
 #if GN_HAVE_SSE2
-#include "../draw/run.h"
-#include "../math/bulk.h"
-
-gn_status gn_run_sse2(const draw_job *job)
-{
-    return run_draw(job);
-}
-
-void gn_bulk_sse2(const bulk_job *job)
-{
-    run_bulk(job);
-}
+#define GN_RUN gn_run_sse2
+#define GN_BULK gn_bulk_sse2
+#include "stages_form.h"
 #endif

@@ -1,25 +1,21 @@
 /* What every back end compiles for its own lanes: a whole draw, and blocks of vectors or matrices.
- * Functions of back ends that this target does not have are not defined. */
+ */
 #ifndef GN_BACKENDS_STAGES_H
 #define GN_BACKENDS_STAGES_H
 
+#include "../config/have.h"
 #include "../draw/job.h"
 #include "../math/bulk_job.h"
 
-/* Returns GN_INDEX_OUT_OF_RANGE, and nothing is drawn, where an index is at or beyond the mesh's
- * vertex_count. */
-gn_status gn_run_portable(const draw_job *job);
-gn_status gn_run_sse2(const draw_job *job);
-gn_status gn_run_avx2(const draw_job *job);
-gn_status gn_run_avx512(const draw_job *job);
-gn_status gn_run_neon(const draw_job *job);
-gn_status gn_run_wasm_simd128(const draw_job *job);
-
-void gn_bulk_portable(const bulk_job *job);
-void gn_bulk_sse2(const bulk_job *job);
-void gn_bulk_avx2(const bulk_job *job);
-void gn_bulk_avx512(const bulk_job *job);
-void gn_bulk_neon(const bulk_job *job);
-void gn_bulk_wasm_simd128(const bulk_job *job);
+/* Declares gn_run_portable and gn_bulk_portable, gn_run_sse2 and gn_bulk_sse2 and so on, a pair for
+ * each row of GN_BACKENDS. Those of back ends that are not compiled are not defined.
+ * gn_run_<name>: a whole draw. Returns GN_INDEX_OUT_OF_RANGE, and nothing is drawn, where an index
+ * is at or beyond the mesh's vertex_count.
+ * gn_bulk_<name>: whole blocks of vectors or matrices. */
+#define GN_DECLARE_STAGES(name, NAME, have, text)                                                  \
+    gn_status gn_run_##name(const draw_job *job);                                                  \
+    void gn_bulk_##name(const bulk_job *job);
+GN_BACKENDS(GN_DECLARE_STAGES)
+#undef GN_DECLARE_STAGES
 
 #endif

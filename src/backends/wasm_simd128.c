@@ -1,21 +1,9 @@
-/* The stages over WebAssembly's 128-bit vectors. A module is valid on a machine as a
- * whole or not at all, so that the choice falls where the program is compiled
- * (-msimd128). */
+/* The stages over WebAssembly's 128-bit vectors. */
 #include "../config/have.h"
-#include "stages.h"
 
 #if GN_HAVE_WASM_SIMD128
 #define GN_LANES_WASM_SIMD128
-#include "../draw/run.h"
-#include "../math/bulk.h"
-
-gn_status gn_run_wasm_simd128(const draw_job *job)
-{
-    return run_draw(job);
-}
-
-void gn_bulk_wasm_simd128(const bulk_job *job)
-{
-    run_bulk(job);
-}
+#define GN_RUN gn_run_wasm_simd128
+#define GN_BULK gn_bulk_wasm_simd128
+#include "stages_form.h"
 #endif

@@ -1,0 +1,24 @@
+/* Compiles what follows, up to target_end.h, for the instruction set of the chosen form of lanes.
+ * Forms that are not named here use what every processor of the target has, and an emulated form
+ * uses that as well. AVX2 is asked for without fused multiply-add, which AVX-512 cannot be:
+ * -ffp-contract=off keeps the compiler from fusing there. The intrinsics' header comes first, so
+ * that its functions keep targets of their own. Included once in a file. */
+#if defined(GN_LANES_AVX512) && !defined(GN_LANES_INTRINSICS_HEADER)
+#define GN_LANES_TARGET "avx512f,avx512bw,avx512dq,avx512vl"
+#elif defined(GN_LANES_AVX2)
+#define GN_LANES_TARGET "avx2"
+#endif
+
+#if defined(GN_LANES_TARGET)
+#include <immintrin.h>
+
+#define GN_PRAGMA_TEXT(...) _Pragma(#__VA_ARGS__)
+#define GN_PRAGMA(...) GN_PRAGMA_TEXT(__VA_ARGS__)
+
+#if defined(__clang__)
+GN_PRAGMA(clang attribute push(__attribute__((target(GN_LANES_TARGET))), apply_to = function))
+#else
+#pragma GCC push_options
+GN_PRAGMA(GCC target(GN_LANES_TARGET))
+#endif
+#endif
