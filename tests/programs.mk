@@ -125,9 +125,9 @@ RUN_TESTS = test_faults test_pictures test_hostile_files test_odd_models test_ou
 	test_transform_command test_shading_command
 TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_teapot test_handover)
 
-# Models of all formats are written with Assimp.
+# Models of all formats are written with Assimp; test_faults knows the back ends by the library.
 define run_test
-$(call program,$(1),$(patsubst %_command,%,tests/tools/$(1)).c tests/tools/runner.c,$(if $(filter test_model_formats,$(1)),-lassimp) -lcmocka -lpng -lstb -lm)
+$(call program,$(1),$(patsubst %_command,%,tests/tools/$(1)).c tests/tools/runner.c $(if $(filter test_faults,$(1)),$(LIBRARY)),$(if $(filter test_model_formats,$(1)),-lassimp) -lcmocka -lpng -lstb -lm)
 endef
 
 $(foreach test,$(RUN_TESTS),$(eval $(call run_test,$(test))))

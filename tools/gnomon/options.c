@@ -4,6 +4,7 @@
 #include <ctype.h>
 #include <getopt.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -253,6 +254,21 @@ static bool parse_backend(const char *text, gn_backend *result)
     return false;
 }
 
+/* "auto, portable, .. or wasm-simd128": every back end, present here or not. */
+static const char *backend_names(void)
+{
+    static char names[GN_BACKEND_COUNT * 20];
+    size_t end = 0;
+
+    for (int i = 0; i < GN_BACKEND_COUNT; i++)
+        end += (size_t)snprintf(names + end, sizeof names - end, "%s%s",
+                                i == 0                      ? ""
+                                : i == GN_BACKEND_COUNT - 1 ? " or "
+                                                            : ", ",
+                                gn_backend_name((gn_backend)i));
+    return names;
+}
+
 /* The value of one option. Null: taken; otherwise what it should have looked like. */
 static const char *take_value(int option, const char *text, options *o)
 {
@@ -321,9 +337,7 @@ static const char *take_value(int option, const char *text, options *o)
                    : "vertex-color, unlit, flat, gouraud, toon, phong, blinn-phong, normals or "
                      "depth";
     case OPTION_BACKEND:
-        return parse_backend(text, &o->backend)
-                   ? NULL
-                   : "auto, portable, sse2, avx2, avx512, neon or wasm-simd128";
+        return parse_backend(text, &o->backend) ? NULL : backend_names();
     case OPTION_IMPORT_SECONDS:
         return parse_within(text, 1, MAX_SECONDS, &o->limits.seconds)
                    ? NULL
