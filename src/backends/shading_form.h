@@ -7,7 +7,7 @@
 #include "../shaders/lit.h"
 #include "../shaders/unlit.h"
 #include "../texture/fetch.h"
-#include "../texture/anisotropic.h"
+#include "../texture/sample_any.h"
 
 /* The back end's form of a ready-made shader; of others the shader itself. By comparisons, since a
  * table of functions would need relocation. */

@@ -1,7 +1,7 @@
 /* Sampling a 2D texture of one level, of words or floats, which repeats or is clamped to its edge,
  * at 16 fragments: the choice of the filter, fetch and filter (OpenGL 4.5 sections 8.14 and 8.15),
  * in the order of operations of the reference rasterizer. Most textures are such, and the
- * rasterizer samples them itself; for others there is sampling.h. */
+ * rasterizer samples them itself; for others there is sample_any.h. */
 #ifndef GN_TEXTURE_SAMPLE_H
 #define GN_TEXTURE_SAMPLE_H
 

@@ -1,5 +1,5 @@
 /* Sampling for callers, in the form that every processor of the target has. */
-#include "anisotropic.h"
+#include "sample_any.h"
 
 void gn_sample_2d(const gn_texture *texture, const gn_sampler *sampler, const float s[GN_LANES],
                   const float t[GN_LANES], float texel[4][GN_LANES])
