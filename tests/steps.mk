@@ -107,6 +107,7 @@ test-steps:
 		'differential=$(BUILD)/test_cglm $(TEST_SEED)' \
 		'a property for every function=tests/coverage.sh' \
 		'layers=tests/layers.sh $(BUILD)' \
+		'headers=tests/headers.sh' \
 		'proofs=tests/proof/prove.sh -q' \
 		$(call unit_steps,$(BUILD),)
 

@@ -1,7 +1,8 @@
 /* The text of Phong's shaders, compiled once per instruction set under names of its own:
  * PHONG(vertex) and PHONG(fragment). The loops over lanes are plain C, which the compiler
  * makes into vector instructions. sqrtf is correctly rounded, as all of IEEE's square
- * roots are. The order of operations is GLSL's in the reference (reference/RULES.md). */
+ * roots are. The order of operations is GLSL's in the reference (reference/RULES.md).
+ * Not alone: PHONG is defined by each file that includes it. */
 #ifndef SCENE_PHONG_SHADER_H
 #define SCENE_PHONG_SHADER_H
 

@@ -2,7 +2,8 @@
  * code: handing over 64 bytes by value takes more than most operations do, at every call.
  * An operand is the array in it, whose address C takes by itself, also of what another
  * operation returned: that lasts to the end of the expression (C11 6.2.4; GCC and Clang
- * have it so in C99 too). Operations that are not here go by value. */
+ * have it so in C99 too). Operations that are not here go by value.
+ * Not alone: lanes.h includes it after the portable form, whose types it uses. */
 #ifndef GN_LANES_CALLS_H
 #define GN_LANES_CALLS_H
 

@@ -2,7 +2,8 @@
  * masks in mask registers (AVX-512 F, BW and DQ). The same bits as lanes_portable.h; see
  * there for what each operation does. Conversions give INT32_MIN where out of range, and
  * min and max their second operand where either is NaN (Intel SDM volume 1, section
- * 11.5.2). */
+ * 11.5.2).
+ * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
 #ifndef GN_LANES_LANES_AVX512_H
 #define GN_LANES_LANES_AVX512_H
 

@@ -2,7 +2,8 @@
  * lanes_portable.h; see there for what each operation does. Conversions to integers
  * saturate and make NaN 0 here (Arm ARM, FPToFixed), and min and max give NaN where either
  * is, so both are put together with a comparison. Precondition: FPCR in its initial state
- * (round to nearest, denormals kept). */
+ * (round to nearest, denormals kept).
+ * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
 #ifndef GN_LANES_LANES_NEON_H
 #define GN_LANES_LANES_NEON_H
 

@@ -1,6 +1,7 @@
 /* Lanes as plain arrays in C99, for every target: the definition of the operations
  * that lanes.h lists. Every operation is one IEEE operation a lane, rounded to
- * nearest, so that every other form gives the same bits. */
+ * nearest, so that every other form gives the same bits.
+ * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
 #ifndef GN_LANES_LANES_PORTABLE_H
 #define GN_LANES_LANES_PORTABLE_H
 

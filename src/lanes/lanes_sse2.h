@@ -1,6 +1,7 @@
 /* Lanes in four SSE2 registers. Conversions give INT32_MIN where out of range, so that
  * all bits are those of lanes_portable.h. Precondition: MXCSR in its initial state (round
- * to nearest, denormals kept). */
+ * to nearest, denormals kept).
+ * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
 #ifndef GN_LANES_LANES_SSE2_H
 #define GN_LANES_LANES_SSE2_H
 

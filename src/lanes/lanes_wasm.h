@@ -2,7 +2,8 @@
  * there for what each operation does. Conversions to integers saturate and make NaN 0 here,
  * so they are put together with a comparison; pmin(a, b) is b < a ? b : a and pmax(a, b) is
  * a < b ? b : a, which with the operands exchanged are min and max (WebAssembly
- * specification, section 4.3.3). */
+ * specification, section 4.3.3).
+ * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
 #ifndef GN_LANES_LANES_WASM_H
 #define GN_LANES_LANES_WASM_H
 

@@ -13,6 +13,7 @@
 #include "lanes_test.h"
 #include "random.h"
 
+/* Declares run_portable and so on, one for each form: lanes_form.c defines it as RUN_FORM. */
 #define FORM(name) lanes_form run_##name;
 LANES_FORMS
 #undef FORM
