@@ -1,5 +1,5 @@
 /* The stages over AVX2 registers. */
-#include "../config/have.h"
+#include "../config/backends.h"
 
 #if GN_HAVE_AVX2
 #define GN_LANES_AVX2

@@ -1,5 +1,5 @@
 /* The stages over AVX-512 registers. */
-#include "../config/have.h"
+#include "../config/backends.h"
 
 #if GN_HAVE_AVX512
 #define GN_LANES_AVX512

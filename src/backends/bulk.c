@@ -3,7 +3,7 @@
 #include "gnomon/bulk.h"
 #include "gnomon/lanes.h"
 
-#include "../config/have.h"
+#include "../config/backends.h"
 #include "stages.h"
 
 /* The back end that GN_BACKEND_AUTO stands for. */

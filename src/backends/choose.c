@@ -1,7 +1,7 @@
 /* What the processor can run. */
 #include "gnomon/backend.h"
 
-#include "../config/have.h"
+#include "../config/backends.h"
 
 #if GN_HAVE_AVX2
 #include <cpuid.h>

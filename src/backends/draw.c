@@ -1,8 +1,8 @@
 /* The draw: prepares it, chooses a back end and hands it the job. */
 #include "gnomon/draw.h"
 
-#include "../config/have.h"
-#include "../config/small.h"
+#include "../config/backends.h"
+#include "../config/features.h"
 #include "../draw/prepare.h"
 #include "shading.h"
 #include "stages.h"

@@ -1,5 +1,5 @@
 /* The stages over the registers of 64-bit Arm's Advanced SIMD. */
-#include "../config/have.h"
+#include "../config/backends.h"
 
 #if GN_HAVE_NEON
 #define GN_LANES_NEON

@@ -1,5 +1,5 @@
 /* The stages in plain C. */
-#include "../config/have.h"
+#include "../config/backends.h"
 
 #if GN_HAVE_PORTABLE
 #define GN_LANES_PORTABLE

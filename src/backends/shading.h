@@ -4,7 +4,7 @@
 #ifndef GN_BACKENDS_SHADING_H
 #define GN_BACKENDS_SHADING_H
 
-#include "../config/have.h"
+#include "../config/backends.h"
 #include "../shaders/shading.h"
 
 /* Declares gn_shading_portable, gn_shading_sse2 and so on, one for each row of GN_BACKENDS: fills

@@ -1,6 +1,6 @@
 /* Shading over AVX2 registers. */
-#include "../config/have.h"
-#include "../config/small.h"
+#include "../config/backends.h"
+#include "../config/features.h"
 
 #if GN_HAVE_AVX2 && GN_SPECIALISED
 #define GN_LANES_AVX2

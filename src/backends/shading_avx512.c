@@ -1,6 +1,6 @@
 /* Shading over AVX-512 registers. */
-#include "../config/have.h"
-#include "../config/small.h"
+#include "../config/backends.h"
+#include "../config/features.h"
 
 #if GN_HAVE_AVX512 && GN_SPECIALISED
 #define GN_LANES_AVX512

@@ -1,6 +1,6 @@
 /* Shading over the registers of 64-bit Arm's Advanced SIMD. */
-#include "../config/have.h"
-#include "../config/small.h"
+#include "../config/backends.h"
+#include "../config/features.h"
 
 #if GN_HAVE_NEON && GN_SPECIALISED
 #define GN_LANES_NEON

@@ -1,6 +1,6 @@
 /* Shading in plain C. */
-#include "../config/have.h"
-#include "../config/small.h"
+#include "../config/backends.h"
+#include "../config/features.h"
 
 #if GN_HAVE_PORTABLE && GN_SPECIALISED
 #define GN_LANES_PORTABLE

@@ -1,6 +1,6 @@
 /* Shading over SSE2 registers, the form that lanes.h takes by itself on x86. */
-#include "../config/have.h"
-#include "../config/small.h"
+#include "../config/backends.h"
+#include "../config/features.h"
 
 #if GN_HAVE_SSE2 && GN_SPECIALISED
 #define GN_SHADING gn_shading_sse2

@@ -1,6 +1,6 @@
 /* Shading over WebAssembly's 128-bit vectors. */
-#include "../config/have.h"
-#include "../config/small.h"
+#include "../config/backends.h"
+#include "../config/features.h"
 
 #if GN_HAVE_WASM_SIMD128 && GN_SPECIALISED
 #define GN_LANES_WASM_SIMD128

@@ -1,5 +1,5 @@
 /* The stages over SSE2 registers, the form that lanes.h takes by itself on x86. */
-#include "../config/have.h"
+#include "../config/backends.h"
 
 #if GN_HAVE_SSE2
 #define GN_RUN gn_run_sse2

@@ -3,7 +3,7 @@
 #ifndef GN_BACKENDS_STAGES_H
 #define GN_BACKENDS_STAGES_H
 
-#include "../config/have.h"
+#include "../config/backends.h"
 #include "../draw/job.h"
 #include "../math/bulk_job.h"
 

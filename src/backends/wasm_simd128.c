@@ -1,5 +1,5 @@
 /* The stages over WebAssembly's 128-bit vectors. */
-#include "../config/have.h"
+#include "../config/backends.h"
 
 #if GN_HAVE_WASM_SIMD128
 #define GN_LANES_WASM_SIMD128

@@ -3,7 +3,7 @@
 #define GN_DRAW_PIPELINE_FAULTS_H
 
 #include "../config/faults.h"
-#include "../config/small.h"
+#include "../config/features.h"
 #include "../scalars/bits.h"
 #include "../shaders/shaders.h"
 #include "../surfaces/target.h"
@@ -142,7 +142,7 @@ static inline fault fault_of_ready_made(const gn_pipeline *p)
     return NO_FAULT;
 }
 
-/* What a pipeline asks for that this library was compiled without (config/small.h). Of several
+/* What a pipeline asks for that this library was compiled without (config/features.h). Of several
  * colours only the first matters, since a library without combining has no others. */
 static inline fault fault_of_uncompiled_pipeline(const gn_pipeline *p)
 {

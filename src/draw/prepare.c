@@ -1,7 +1,7 @@
 /* The draw before its stages: checks what is given and divides the workspace. */
 #include "prepare.h"
 
-#include "../config/small.h"
+#include "../config/features.h"
 #include "../formats/holds.h"
 #include "../geometry/assemble.h"
 #include "../surfaces/target.h"

@@ -9,7 +9,7 @@
 
 #include "gnomon/draw.h"
 
-#include "../config/small.h"
+#include "../config/features.h"
 
 typedef struct stored_vertex {
     float window[4];    /* window coordinates x, y, z and 1 / clip w */

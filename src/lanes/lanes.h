@@ -37,7 +37,7 @@
 
 #include "gnomon/lanes.h"
 
-#include "../config/small.h"
+#include "../config/features.h"
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "The library's bits are exact only with -fno-fast-math, after all other flags."

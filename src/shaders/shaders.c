@@ -1,5 +1,5 @@
 /* The ready-made shaders as functions, and their choice for a pipeline. */
-#include "../config/small.h"
+#include "../config/features.h"
 #include "../formats/holds.h"
 #include "../scalars/bits.h"
 

@@ -3,7 +3,7 @@
 #define GN_SURFACES_SURFACE_FAULTS_H
 
 #include "../config/faults.h"
-#include "../config/small.h"
+#include "../config/features.h"
 #include "../formats/holds.h"
 #include "../formats/size.h"
 #include "../formats/surface_memory.h"
@@ -77,7 +77,7 @@ static inline fault fault_of_surface(const gn_surface *s, bool format_fits, int 
                             which);
 }
 
-/* What a target asks for that this library was compiled without (config/small.h). */
+/* What a target asks for that this library was compiled without (config/features.h). */
 static inline fault fault_of_uncompiled_target(const gn_target *target)
 {
     FAULT_IF(!GN_HAVE_FORMATS && format_is_encoded(target->color[0].format), GN_NOT_COMPILED,

@@ -5,7 +5,7 @@
 #ifndef GN_TEXTURE_SAMPLE_H
 #define GN_TEXTURE_SAMPLE_H
 
-#include "../config/small.h"
+#include "../config/features.h"
 #include "wrap.h"
 
 /* Whether a level's texels are 32-bit words with an index of 32 bits: rows are then at most 2^16

@@ -5,7 +5,7 @@
 #include "gnomon/sampling.h"
 
 #include "../config/faults.h"
-#include "../config/small.h"
+#include "../config/features.h"
 #include "../scalars/bits.h"
 
 static inline fault fault_of_lod_range(const gn_sampler *s)

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 
 #include "../config/faults.h"
-#include "../config/small.h"
+#include "../config/features.h"
 #include "../formats/size.h"
 #include "../formats/surface_memory.h"
 #include "extent.h"

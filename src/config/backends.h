@@ -8,14 +8,14 @@
  *   src/lanes/lanes_name.h            its form of the operations of lanes
  *   src/lanes/lanes.h                 GN_LANES_NAME includes that form; packed.h may have faster
  * ones src/lanes/target_begin.h          its instruction set, unless every processor of the target
- * has it src/backends/name.c               the stages, three lines as in avx2.c
- *   src/backends/shading_name.c       the shading, two lines as in shading_avx2.c
+ * has it src/backends/name.c               the stages: a copy of avx2.c with other names
+ *   src/backends/shading_name.c       the shading: a copy of shading_avx2.c likewise
  *   src/backends/choose.c             how the processor is asked, if GN_HAVE_NAME can be
  * GN_PRESENT_ASKED Makefile                          LANES_FORMS, so that test-lanes compares its
  * operations; where tests/portability/emulated.h emulates it, EMULATED_SOURCES The tests, the
  * command and the benchmark go by gn_backend, gn_backend_available and gn_backend_name. */
-#ifndef GN_CONFIG_HAVE_H
-#define GN_CONFIG_HAVE_H
+#ifndef GN_CONFIG_BACKENDS_H
+#define GN_CONFIG_BACKENDS_H
 
 #include "gnomon/backend.h"
 

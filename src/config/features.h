@@ -1,7 +1,7 @@
-/* What GN_SMALL implies, which asks for little code at the price of speed, the pixels and the
- * sizes of workspaces being the same, and GN_BASIC, which asks for fewer features. */
-#ifndef GN_CONFIG_SMALL_H
-#define GN_CONFIG_SMALL_H
+/* What is compiled in. GN_SMALL asks for little code at the price of speed; the pixels and the
+ * sizes of workspaces are the same. GN_BASIC asks for fewer features. */
+#ifndef GN_CONFIG_FEATURES_H
+#define GN_CONFIG_FEATURES_H
 
 #if defined(GN_SMALL)
 #define GN_IS_SMALL 1
