@@ -11,24 +11,15 @@
 static const char help[] =
     "usage: property-tests [--seed S] [--trials N] [--only NAME] [--list]\n"
     "\n"
-    "Tests every property of the mathematics and of drawing with random inputs. Prints one line
-"
-    "per property, and makes a failing input smaller. Exit status: 0: all properties hold, 1:
-"
-    "one fails, 2: an option is wrong.
-"
-    "
-"
-    "  --seed S     seed of the inputs; printed first (default: the time)
-"
-    "  --trials N   inputs for each property (default 1000; properties that draw take a tenth)
-"
-    "  --only NAME  runs the property of that name, or, if none has it, all whose names contain
-"
-    "               NAME; the inputs are those of a run of all properties from the same seed
-"
-    "  --list       prints the names of the properties, or of those that --only chooses
-";
+    "Tests every property of the mathematics and of drawing with random inputs. Prints one line\n"
+    "per property, and makes a failing input smaller. Exit status: 0: all properties hold, 1:\n"
+    "one fails, 2: an option is wrong.\n"
+    "\n"
+    "  --seed S     seed of the inputs; printed first (default: the time)\n"
+    "  --trials N   inputs for each property (default 1000; properties that draw take a tenth)\n"
+    "  --only NAME  runs the property of that name, or, if none has it, all whose names contain\n"
+    "               NAME; the inputs are those of a run of all properties from the same seed\n"
+    "  --list       prints the names of the properties, or of those that --only chooses\n";
 
 static int parse(const char *text, uint64_t *number)
 {
