@@ -3,17 +3,18 @@
  * within a program get the portable one alone.
  *
  * To add a back end, here called `name`:
- *   include/gnomon/backend.h          its value in gn_backend
- *   this file                         GN_HAVE_NAME, and its row in GN_BACKENDS
- *   src/lanes/lanes_name.h            its form of the operations of lanes
- *   src/lanes/lanes.h                 GN_LANES_NAME includes that form; packed.h may have faster
- * ones src/lanes/target_begin.h          its instruction set, unless every processor of the target
- * has it src/backends/name.c               the stages: a copy of avx2.c with other names
- *   src/backends/shading_name.c       the shading: a copy of shading_avx2.c likewise
- *   src/backends/choose.c             how the processor is asked, if GN_HAVE_NAME can be
- * GN_PRESENT_ASKED Makefile                          LANES_FORMS, so that test-lanes compares its
- * operations; where tests/portability/emulated.h emulates it, EMULATED_SOURCES The tests, the
- * command and the benchmark go by gn_backend, gn_backend_available and gn_backend_name. */
+ * - include/gnomon/backend.h: its value in gn_backend;
+ * - this file: GN_HAVE_NAME, and its row in GN_BACKEND_ROWS;
+ * - src/lanes/lanes_name.h: its form of the operations of lanes;
+ * - src/lanes/lanes.h: GN_LANES_NAME includes that form; in packed.h, operations it does faster;
+ * - src/lanes/target_begin.h: its instruction set, unless every processor of the target has it;
+ * - src/backends/name.c and shading_name.c: copies of avx2.c and shading_avx2.c with other names;
+ * - src/backends/choose.c: how the processor is asked, if GN_HAVE_NAME can be GN_PRESENT_ASKED;
+ * - tools/gnomon/picture_help.c: its name in --help;
+ * - tests/programs.mk: LANES_FORMS, so that test-lanes compares its operations with the portable ones, and
+ *   EMULATED_SOURCES, if tests/portability/emulated.h emulates it.
+ * Tests, benchmark and command take the list from gn_backend, gn_backend_available and
+ * gn_backend_name. */
 #ifndef GN_CONFIG_BACKENDS_H
 #define GN_CONFIG_BACKENDS_H
 
@@ -93,7 +94,8 @@
 #define GN_BACKENDS(X) GN_BACKEND_ROWS(GN_EVERY_ROW, X)
 #define GN_EVERY_ROW(X, name, NAME, have, text) X(name, NAME, have, text)
 
-/* X(name, NAME) for those that are compiled: GN_ROW_IF_0 to _3 are named after GN_HAVE_NAME. */
+/* X(name, NAME) for every back end that is compiled: GN_ROW_IF_0 to GN_ROW_IF_3 are chosen by the
+ * number GN_HAVE_NAME. */
 #define GN_COMPILED_BACKENDS(X) GN_BACKEND_ROWS(GN_COMPILED_ROW, X)
 #define GN_COMPILED_ROW(X, name, NAME, have, text) GN_ROW_IF(have, X, name, NAME)
 #define GN_ROW_IF(have, X, name, NAME) GN_ROW_IF_##have(X, name, NAME)

@@ -134,6 +134,7 @@ static inline uint32_t first_lane(uint32_t bits)
 #elif defined(GN_LANES_WASM_SIMD128)
 #include "lanes_wasm.h"
 #elif defined(__SSE2__) && !defined(GN_LANES_PORTABLE)
+#define GN_LANES_SSE2
 #include "lanes_sse2.h"
 #else
 #include "lanes_portable.h"

@@ -162,7 +162,7 @@ static inline void lanes_store_vec3(float *p, lanes_f v[3])
     }
 }
 
-#elif defined(__SSE2__) && !defined(GN_LANES_PORTABLE) && !defined(GN_LANES_WASM_SIMD128)
+#elif defined(GN_LANES_SSE2)
 
 static inline lanes_f lanes_quad(const float p[4])
 {
