@@ -11,8 +11,8 @@
  * - src/backends/name.c and shading_name.c: copies of avx2.c and shading_avx2.c with other names;
  * - src/backends/choose.c: how the processor is asked, if GN_HAVE_NAME can be GN_PRESENT_ASKED;
  * - tools/gnomon/picture_help.c: its name in --help;
- * - tests/programs.mk: LANES_FORMS, so that test-lanes compares its operations with the portable ones, and
- *   EMULATED_SOURCES, if tests/portability/emulated.h emulates it.
+ * - tests/programs.mk: LANES_FORMS, so that test-lanes compares its operations with the portable
+ *   ones, and EMULATED_SOURCES, if tests/portability/emulated.h emulates it.
  * Tests, benchmark and command take the list from gn_backend, gn_backend_available and
  * gn_backend_name. */
 #ifndef GN_CONFIG_BACKENDS_H
