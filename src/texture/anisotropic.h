@@ -1,6 +1,6 @@
-/* Anisotropic filtering (EXT_texture_filter_anisotropic; OpenGL 4.6 section 8.14): a lookup whose
- * footprint is longer one way than the other is the mean of several samples along the longer
- * gradient, each of a footprint that much shorter. */
+/* Anisotropic filtering (EXT_texture_filter_anisotropic; OpenGL 4.6 section 8.14). If the footprint
+ * of a lookup is longer in one direction than in the other, the lookup is the mean of several
+ * samples along the longer gradient, each with a footprint shorter by the number of samples. */
 #ifndef GN_TEXTURE_ANISOTROPIC_H
 #define GN_TEXTURE_ANISOTROPIC_H
 
@@ -9,14 +9,14 @@
 /* The samples of each lane's lookup. */
 typedef struct anisotropy {
     lanes_f count;     /* 1 to GN_MAX_ANISOTROPY */
-    lanes_f footprint; /* of one of them, as find_footprint has it */
-    lanes_f middle[3]; /* coordinates, of cubes the direction */
-    lanes_f along[3];  /* the longer gradient of these */
-    int dimensions;    /* how many they are: 2 or 3 */
+    lanes_f footprint; /* of one sample, as find_footprint returns it */
+    lanes_f middle[3]; /* coordinates; for cubes the direction */
+    lanes_f along[3];  /* the longer gradient of the coordinates */
+    int dimensions;    /* number of coordinates: 2 or 3 */
 } anisotropy;
 
-/* The gradients that are given, or the differences within each lane's row and column of its quad.
- */
+/* Writes the gradients of the lookup, or the differences within each lane's row and column of its
+ * quad. */
 static inline void coordinate_gradients(const gn_lookup *lookup, int dimension, lanes_f *along_x,
                                         lanes_f *along_y)
 {
@@ -28,9 +28,9 @@ static inline void coordinate_gradients(const gn_lookup *lookup, int dimension, 
     }
 }
 
-/* min(ceil(Pmax / Pmin), most) from the squares of the lengths: the least n for which n^2 Pmin^2 is
- * not below Pmax^2, so that no root or quotient is rounded. 1 where Pmax is not above a texel, the
- * texture being magnified, and where a square is infinite or not a number. */
+/* Returns min(ceil(Pmax / Pmin), most), from the squares of the lengths: the least n for which n^2
+ * Pmin^2 is not below Pmax^2, so that no root or quotient is rounded. Returns 1 if Pmax is not
+ * above one texel (the texture is magnified) and if a square is infinite or not a number. */
 static inline lanes_f count_samples(lanes_f longer, lanes_f shorter, uint32_t most)
 {
     const lanes_m is_minified = lanes_and(lanes_greater(longer, lanes_splat(1.0f)),
@@ -48,8 +48,8 @@ static inline lanes_f count_samples(lanes_f longer, lanes_f shorter, uint32_t mo
     return count;
 }
 
-/* Where lanes of a quad share a footprint they share the count and the gradient of the lower left
- * one. Of cubes the lengths are those on the face. */
+/* If the lanes of a quad share a footprint, they share the count and the gradient of the lower left
+ * lane. For cubes the lengths are measured on the face. */
 GN_OUT_OF_LINE void find_anisotropy(const lookup_state *state, const gn_sampler *sampler,
                                     const lookup_place *place, const gn_lookup *lookup,
                                     anisotropy *out)
@@ -83,9 +83,9 @@ GN_OUT_OF_LINE void find_anisotropy(const lookup_state *state, const gn_sampler 
     }
 }
 
-/* The coordinates of sample i of 1 to count: i / (count + 1) - 1/2 of the longer gradient from the
- * middle. A lane of one sample stays there, also where its gradient is not finite; those of fewer
- * than i look anywhere. */
+/* Writes the coordinates of sample i, from 1 to count: i / (count + 1) - 1/2 of the longer gradient
+ * from the middle. A lane with one sample stays at the middle, also if its gradient is not finite.
+ * Lanes with fewer than i samples look at an arbitrary place. */
 static inline void find_sample(const anisotropy *a, int i, lanes_f at[3])
 {
     const lanes_f parts = lanes_add(a->count, lanes_splat(1.0f));
@@ -98,13 +98,13 @@ static inline void find_sample(const anisotropy *a, int i, lanes_f at[3])
                              a->middle[n]);
 }
 
-/* The lanes that have a sample i. */
+/* Returns the lanes that have a sample i. */
 static inline lanes_m has_sample(const anisotropy *a, int i)
 {
     return lanes_less_equal(lanes_splat((float)i), a->count);
 }
 
-/* Takes sample i into the mean of those before it, so that equal samples stay what they are. */
+/* Adds sample i to the mean of the samples before it, in a way that keeps equal samples exact. */
 static inline void take_sample(const anisotropy *a, int i, const lanes_f sample[4], lanes_f mean[4])
 {
     const lanes_m is_there = has_sample(a, i);
@@ -114,7 +114,7 @@ static inline void take_sample(const anisotropy *a, int i, const lanes_f sample[
         mean[c] = lanes_select(is_there, mix(weight, mean[c], sample[c]), mean[c]);
 }
 
-/* Moves a place to coordinates, of cubes a direction. */
+/* Moves a place to coordinates; for cubes to a direction. */
 static inline void move_place(const lookup_state *state, const lanes_f at[3], bool has_gradients,
                               cube_place *cube, lookup_place *place)
 {

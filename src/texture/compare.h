@@ -7,14 +7,14 @@
 #include "../formats/holds.h"
 #include "../lanes/lanes.h"
 
-/* Whether a lookup gives comparisons' results. */
+/* Returns whether a lookup returns the results of comparisons. */
 static inline bool is_compared(gn_format format, const gn_sampler *sampler)
 {
     return sampler->compare != GN_COMPARE_DEFAULT && format_has_depth(format);
 }
 
-/* What depths are compared with: depths of fixed point are 0 to 1, and so is the reference then.
- * NaN becomes 1. */
+/* Returns the reference that depths are compared with. Fixed-point depths are 0 to 1, so for these
+ * formats the reference is clamped to 0 to 1, and NaN becomes 1. */
 static inline lanes_f compared_reference(gn_format format, lanes_f reference)
 {
     if (format == GN_FORMAT_D32F || format == GN_FORMAT_D32FS8)
@@ -22,7 +22,8 @@ static inline lanes_f compared_reference(gn_format format, lanes_f reference)
     return lanes_max(lanes_min(reference, lanes_splat(1.0f)), lanes_splat(0.0f));
 }
 
-/* Where `reference FUNCTION depth` holds. NaN is not equal, and otherwise nothing holds. */
+/* Returns the lanes in which `reference FUNCTION depth` holds. With NaN only "not equal" and
+ * "always" hold. */
 static inline lanes_m compare_depths(gn_compare function, lanes_f reference, lanes_f depth)
 {
     switch (function) {
@@ -46,15 +47,15 @@ static inline lanes_m compare_depths(gn_compare function, lanes_f reference, lan
     }
 }
 
-/* The result of one texel: 1 or 0. */
+/* Returns the result of one texel: 1 or 0. */
 static inline lanes_f compared(gn_compare function, lanes_f reference, lanes_f depth)
 {
     return lanes_select(compare_depths(function, reference, depth), lanes_splat(1.0f),
                         lanes_splat(0.0f));
 }
 
-/* Two results, each 1 or 0, mixed: the weights of those that hold, added, where mix(weight, a, b)
- * would round otherwise. What holds nowhere has no weight, which may be NaN. */
+/* Mixes two results that are 1 or 0: adds the weights of those that hold. mix(weight, a, b) would
+ * round otherwise. A result that does not hold contributes no weight, even if the weight is NaN. */
 static inline lanes_f mix_compared(lanes_f weight, lanes_f first, lanes_f second)
 {
     const lanes_f none = lanes_splat(0.0f);

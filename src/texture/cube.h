@@ -1,7 +1,7 @@
-/* Cube maps over lanes: which face a direction meets and where, how far the place moves
- * from fragment to fragment, and the texels and weights of the linear filter, which reaches over
- * edges and corners (OpenGL 4.5 sections 8.13 and 8.14), in the order of operations of the
- * reference rasterizer. */
+/* Cube maps over lanes: which face a direction meets and where, how far the place moves from
+ * fragment to fragment, and the texels and weights of the linear filter, which reaches across edges
+ * and corners (OpenGL 4.5 sections 8.13 and 8.14), in the order of operations of the reference
+ * rasterizer. */
 #ifndef GN_TEXTURE_CUBE_H
 #define GN_TEXTURE_CUBE_H
 
@@ -9,7 +9,7 @@
 
 #include "../lanes/lanes.h"
 
-/* The lanes, as bits, of quads that have one of `lanes`; most often all or none. */
+/* Returns the lanes, as bits, of all quads that contain one of `lanes`; usually all or none. */
 static inline uint32_t quads_of(uint32_t lanes)
 {
     if (lanes == 0 || lanes == GN_ALL_LANES)
@@ -18,19 +18,19 @@ static inline uint32_t quads_of(uint32_t lanes)
     return lanes | (lanes & 0x0F0Fu) << 4 | (lanes & 0xF0F0u) >> 4;
 }
 
-/* Which component of a direction is the largest: z wins ties, then y. NaN in y or z counts as
+/* The component of a direction that is the largest: z wins ties, then y. NaN in y or z counts as
  * larger than numbers. */
 typedef struct cube_axis {
     lanes_m is_x; /* unless is_z */
     lanes_m is_z;
-    lanes_f sign; /* 1 or -1, that of the component */
+    lanes_f sign; /* 1 or -1: the component's sign */
 } cube_axis;
 
 typedef struct cube_place {
     cube_axis axis;
     lanes_i face;     /* 0 to 5 */
     lanes_f inverse;  /* 1 / the largest component */
-    lanes_f minor[2]; /* the others, along s and t of the face */
+    lanes_f minor[2]; /* the other two, along s and t of the face */
     lanes_f s, t;     /* 0 to 1, or NaN */
 } cube_place;
 
@@ -52,7 +52,7 @@ static inline void cube_choose_axis(const lanes_f direction[3], cube_axis *axis)
                      lanes_splat(-1.0f), lanes_splat(1.0f));
 }
 
-/* The components of a vector along s and t of a face (OpenGL 4.5 table 8.19). */
+/* Writes the components of a vector along s and t of a face (OpenGL 4.5 table 8.19). */
 GN_STEP void cube_minors(const cube_axis *axis, const lanes_f v[3], lanes_f minor[2])
 {
     const lanes_f minus = lanes_splat(-1.0f);
@@ -64,8 +64,8 @@ GN_STEP void cube_minors(const cube_axis *axis, const lanes_f v[3], lanes_f mino
     minor[1] = lanes_select(up, lanes_mul(axis->sign, v[2]), lanes_mul(minus, v[1]));
 }
 
-/* The zero vector meets +z or -z, by the sign of its z: in the centre, or where gradients are asked
- * for nowhere, which filters take for the first texel. */
+/* The zero vector meets +z or -z, by the sign of its z. Without gradients it meets the centre of
+ * the face; with gradients s and t become NaN, for which the filters take the first texel. */
 GN_STEP void cube_project(const lanes_f direction[3], bool has_gradients, cube_place *place)
 {
     const lanes_f half = lanes_splat(0.5f);
@@ -89,8 +89,8 @@ GN_STEP void cube_project(const lanes_f direction[3], bool has_gradients, cube_p
                        lanes_i_splat(0)));
 }
 
-/* How s and t change where the direction changes by a gradient: the derivative of
- * (minor / major + 1) / 2, each lane's on its own face. */
+/* Writes how s and t change when the direction changes by a gradient: the derivative of (minor /
+ * major + 1) / 2, for each lane on its own face. */
 GN_STEP void cube_gradient(const cube_place *place, const lanes_f gradient[3], lanes_f out[2])
 {
     const lanes_f half_inverse = lanes_mul(lanes_splat(0.5f), place->inverse);
@@ -106,17 +106,18 @@ GN_STEP void cube_gradient(const cube_place *place, const lanes_f gradient[3], l
 enum { CUBE_TEXELS = 4 };
 
 typedef struct cube_texels {
-    lanes_i left, below; /* column and row of the first; those beyond an edge are -1 */
+    lanes_i left, below; /* column and row of the first; -1 beyond an edge */
     lanes_f weight_s, weight_t;
     bool are_within;               /* all texels of all lanes are on the lane's face */
-    uint32_t missing[CUBE_TEXELS]; /* lanes where three faces meet and the texel is none */
-    uint32_t weighted;             /* lanes of quads that have a missing texel in a lane */
+    uint32_t missing[CUBE_TEXELS]; /* lanes where three faces meet: the texel does not exist */
+    uint32_t weighted;             /* lanes of quads in which a lane has a missing texel */
 } cube_texels;
 
-/* Where a texel beyond the edge of a face lies: the neighbouring face, and the column and row
- * there, each the first or last, or as far along the edge as it was, from the one end or the
- * other. The edges are s < 0, s > 1, t < 0, t > 1. A point a little beyond an edge has its largest
- * component where the minor one was; the table is that point's projection. */
+/* Where a texel beyond the edge of a face lies: on the neighbouring face, at a column and a row
+ * that are each the first, the last, or the position along the edge, counted from one end (ALONG)
+ * or from the other (BACK). The edges of a face are s < 0, s > 1, t < 0, t > 1, in this order. The
+ * table follows from projecting a point slightly beyond the edge: its largest component is the one
+ * that was minor before. */
 #define CUBE_FIRST 0
 #define CUBE_ALONG 1
 #define CUBE_LAST 2
@@ -137,8 +138,8 @@ static const stored_word cube_edges[6 * 4] = {
     CUBE_EDGE(0, LAST, ALONG),  CUBE_EDGE(1, FIRST, ALONG), /* -z */
     CUBE_EDGE(2, BACK, FIRST),  CUBE_EDGE(3, BACK, LAST)};
 
-/* A column or row of the neighbour: bit 0 of kind asks for `along`, bit 1 for counting from
- * the last. */
+/* Returns a column or row of the neighbour. Bit 0 of kind selects `along` instead of 0, bit 1
+ * counts from the last. */
 static inline lanes_i cube_beyond(lanes_i kind, lanes_i along, lanes_i last)
 {
     const lanes_i one = lanes_i_splat(1), two = lanes_i_splat(2);
@@ -149,8 +150,8 @@ static inline lanes_i cube_beyond(lanes_i kind, lanes_i along, lanes_i last)
                           count);
 }
 
-/* Moves texels with a column or row of -1 or last + 1 to the face where they are. One that is
- * beyond both is missing, and moves to some texel. */
+/* Moves texels with a column or row of -1 or last + 1 to the face where they are. A texel that is
+ * beyond in both is missing; it moves to an arbitrary texel. */
 GN_STEP void cube_move(lanes_i last, lanes_i *column, lanes_i *row, lanes_i *face)
 {
     const lanes_i zero = lanes_i_splat(0);
@@ -161,7 +162,7 @@ GN_STEP void cube_move(lanes_i last, lanes_i *column, lanes_i *row, lanes_i *fac
         lanes_i_or(beyond_s, lanes_i_or(above, lanes_m_as_int(lanes_i_greater(zero, *row))));
     const lanes_m is_beyond_s = lanes_i_greater(zero, beyond_s);
     const lanes_m is_beyond = lanes_i_greater(zero, beyond);
-    /* A mask is -1. */
+    /* A set lane of a mask is -1 as an integer. */
     const lanes_i edge =
         lanes_i_select(is_beyond_s, lanes_i_sub(zero, right), lanes_i_sub(lanes_i_splat(2), above));
     const lanes_i word =
@@ -174,13 +175,13 @@ GN_STEP void cube_move(lanes_i last, lanes_i *column, lanes_i *row, lanes_i *fac
     *row = lanes_i_select(is_beyond, cube_beyond(lanes_i_shift_right(word, 8), along, last), *row);
 }
 
-/* NaN becomes 0. Infinities come from a NaN in the direction alone. */
+/* NaN becomes 0. Only a NaN in the direction produces infinities. */
 static inline lanes_f cube_clamp(lanes_f a)
 {
     return lanes_min(lanes_max(a, lanes_splat(0.0f)), lanes_splat(1.0f));
 }
 
-/* The texels of the linear filter in levels of size x size. */
+/* Finds the texels of the linear filter in levels of size x size. */
 GN_STEP void cube_linear(const cube_place *place, lanes_i size, cube_texels *out)
 {
     const lanes_f n = lanes_to_float(size), half = lanes_splat(0.5f);
@@ -206,7 +207,7 @@ GN_STEP void cube_linear(const cube_place *place, lanes_i size, cube_texels *out
     out->weighted = quads_of((off_left | off_right) & (off_below | off_above));
 }
 
-/* Where texel i lies. */
+/* Finds the column, row and face of texel i. */
 GN_STEP void cube_find_texel(const cube_place *place, lanes_i size, const cube_texels *texels,
                              int i, lanes_i *column, lanes_i *row, lanes_i *face)
 {
@@ -219,8 +220,8 @@ GN_STEP void cube_find_texel(const cube_place *place, lanes_i size, const cube_t
         cube_move(lanes_i_sub(size, one), column, row, face);
 }
 
-/* The weights of the four texels in quads at a corner: those of the bilinear filter, a missing
- * texel's given to the other three, a third to each. */
+/* Writes the weights of the four texels in quads at a corner: those of the bilinear filter, with
+ * the weight of a missing texel divided equally among the other three. */
 GN_STEP void cube_weights(const cube_texels *texels, lanes_f weight[CUBE_TEXELS])
 {
     const lanes_f one = lanes_splat(1.0f), zero = lanes_splat(0.0f);
@@ -240,7 +241,7 @@ GN_STEP void cube_weights(const cube_texels *texels, lanes_f weight[CUBE_TEXELS]
             lanes_select(lanes_from_bits(texels->missing[i]), zero, lanes_add(weight[i], spread));
 }
 
-/* The texels of one channel, mixed by these weights. */
+/* Returns the texels of one channel, mixed by these weights. */
 static inline lanes_f cube_mix(const lanes_f weight[CUBE_TEXELS], const lanes_f texel[CUBE_TEXELS])
 {
     lanes_f sum = lanes_mul(weight[0], texel[0]);
@@ -250,7 +251,7 @@ static inline lanes_f cube_mix(const lanes_f weight[CUBE_TEXELS], const lanes_f 
     return sum;
 }
 
-/* What a gather finds at a corner: the mean of the other three in the place of what is missing. */
+/* Replaces a missing texel of a gather at a corner by the mean of the other three. */
 GN_STEP void cube_fill_missing(const cube_texels *texels, lanes_f texel[CUBE_TEXELS])
 {
     lanes_f kept[CUBE_TEXELS];

@@ -1,12 +1,12 @@
-/* The filters within one level of a cube map. Unlike those of other targets they work on lanes
- * whose levels differ, since a texel that is missing in one lane changes how its whole quad is
- * mixed. */
+/* The filters within one level of a cube map. Unlike the filters of other targets they work on
+ * lanes whose levels differ, because a texel that is missing in one lane changes how its whole quad
+ * is mixed. */
 #ifndef GN_TEXTURE_CUBE_FILTER_H
 #define GN_TEXTURE_CUBE_FILTER_H
 
 #include "words.h"
 
-/* The levels that the lanes ask for, as bits; most often it is one. */
+/* Returns the levels of the lanes, as bits; usually one. */
 static inline uint32_t levels_in(lanes_i level)
 {
     int32_t number[GN_LANES];
@@ -20,7 +20,7 @@ static inline uint32_t levels_in(lanes_i level)
     return bits;
 }
 
-/* Columns of each lane's level, of the set `levels`. */
+/* Returns the columns of each lane's level; `levels` is the set of all lanes' levels. */
 static inline lanes_i cube_sizes(const gn_texture *texture, lanes_i level, uint32_t levels)
 {
     int32_t number[GN_LANES];
@@ -33,7 +33,7 @@ static inline lanes_i cube_sizes(const gn_texture *texture, lanes_i level, uint3
     return lanes_i_load(number);
 }
 
-/* Texels of each lane's own level, of the set `levels`. */
+/* Fetches texels of each lane's own level; `levels` is the set of all lanes' levels. */
 GN_OUT_OF_LINE void fetch_cube(const gn_texture *texture, const lanes_i *level, uint32_t levels,
                                const lanes_i *column, const lanes_i *row, const lanes_i *face,
                                lanes_f texel[4])
@@ -71,7 +71,7 @@ GN_OUT_OF_LINE void filter_cube_nearest(const lookup_state *state, const lookup_
         texel[0] = compared(state->compare, place->reference, texel[0]);
 }
 
-/* The four texels, compared where that is asked for. */
+/* Fetches the four texels, compared if the lookup compares. */
 GN_OUT_OF_LINE void fetch_cube_texels(const lookup_state *state, const lookup_place *place,
                                       const lanes_i *level, uint32_t levels,
                                       const cube_texels *texels, lanes_f texel[CUBE_TEXELS][4])
@@ -87,7 +87,7 @@ GN_OUT_OF_LINE void fetch_cube_texels(const lookup_state *state, const lookup_pl
     }
 }
 
-/* As filter_linear has it for other targets. */
+/* Mixes the four texels as filter_linear does for other targets. */
 GN_OUT_OF_LINE void mix_cube_texels(const lookup_state *state, const lookup_place *place,
                                     const lanes_i *level, uint32_t levels,
                                     const cube_texels *texels, lanes_f texel[4])
@@ -102,7 +102,8 @@ GN_OUT_OF_LINE void mix_cube_texels(const lookup_state *state, const lookup_plac
     if (texels->weighted == 0)
         return;
     cube_weights(texels, weight);
-    /* Weights may add up to a little less than 1: what the format lacks stays 0 or 1. */
+    /* The sum of the weights may be a little less than 1, so channels that the format lacks are
+     * left out: they stay 0 or 1. */
     for (int c = 0; c < texel_channels(state->texture->format); ++c) {
         const lanes_f of_channel[CUBE_TEXELS] = {corner[0][c], corner[1][c], corner[2][c],
                                                  corner[3][c]};
@@ -112,7 +113,8 @@ GN_OUT_OF_LINE void mix_cube_texels(const lookup_state *state, const lookup_plac
     }
 }
 
-/* Where all texels are words within the lanes' faces: those of a row are neighbours. */
+/* Mixes four texels if all of them are words on the lanes' own faces: the texels of a row are then
+ * neighbours in memory. */
 static inline void mix_cube_words(const lookup_state *state, const lookup_place *place,
                                   uint32_t level, const cube_texels *texels, lanes_f texel[4])
 {
@@ -145,8 +147,8 @@ GN_OUT_OF_LINE void filter_cube_linear(const lookup_state *state, const lookup_p
         mix_cube_texels(state, place, level, levels, &texels, texel);
 }
 
-/* One level a lane, of the set `levels`, of lanes that are `linear` by the linear filter; quads as
- * filter_level does. */
+/* Filters one level per lane; `levels` is the set of all lanes' levels. Lanes in `linear` use the
+ * linear filter. Quads are treated as in filter_level_by_quads. */
 GN_OUT_OF_LINE void filter_cube(const lookup_state *state, const lookup_place *place,
                                 const lanes_i *level, uint32_t levels, uint32_t linear,
                                 lanes_f texel[4])
@@ -166,7 +168,7 @@ GN_OUT_OF_LINE void filter_cube(const lookup_state *state, const lookup_place *p
         texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
 }
 
-/* One channel of the four texels, which a gather finds, in the order of its results. */
+/* Writes one channel of the four texels of a gather, in the order of its results. */
 GN_OUT_OF_LINE void gather_cube(const lookup_state *state, const lookup_place *place, int channel,
                                 lanes_f texel[4])
 {

@@ -1,5 +1,4 @@
-/* How many texels the levels of a texture have (OpenGL 4.5 section 8.14.3), and how far they reach
- * in memory. */
+/* How many texels the levels of a texture have (OpenGL 4.5 section 8.14.3). */
 #ifndef GN_TEXTURE_EXTENT_H
 #define GN_TEXTURE_EXTENT_H
 
@@ -10,7 +9,7 @@ typedef struct texel_extent {
     uint32_t width, height, layers;
 } texel_extent;
 
-/* size >> level, but at least 1. */
+/* Returns size >> level, but at least 1. */
 static inline uint32_t size_of_level(uint32_t size, uint32_t level)
 {
     const uint32_t halved = size >> level;
@@ -18,7 +17,8 @@ static inline uint32_t size_of_level(uint32_t size, uint32_t level)
     return halved > 0 ? halved : 1;
 }
 
-/* Of a texture that gn_texture_check passes, level being below 32. */
+/* Returns the extent of a level. Preconditions: gn_texture_check returns GN_OK for the texture, and
+ * level is below 32. */
 static inline texel_extent extent_of_level(const gn_texture *texture, uint32_t level)
 {
     texel_extent e;

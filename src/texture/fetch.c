@@ -1,4 +1,5 @@
-/* Fetching texels for callers, in the form that every processor of the target has. */
+/* Fetching texels for callers, compiled for the instruction set that every processor of the target
+ * has. */
 #include "fetch.h"
 
 void gn_fetch(const gn_texture *texture, const int32_t *const coordinate[3], const int32_t *level,

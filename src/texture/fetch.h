@@ -1,5 +1,5 @@
-/* Texels by their numbers, GLSL's texelFetch (OpenGL 4.5 section 8.14.3 and 11.1.3.2), over a back
- * end's lanes. */
+/* Texels by number: GLSL's texelFetch (OpenGL 4.5 sections 8.14.3 and 11.1.3.2), over a back end's
+ * lanes. */
 #ifndef GN_TEXTURE_FETCH_H
 #define GN_TEXTURE_FETCH_H
 
@@ -7,14 +7,14 @@
 
 #include "texel.h"
 
-/* Lanes where 0 <= number < count. */
+/* Returns the lanes where 0 <= number < count. */
 static inline lanes_m is_below(lanes_i number, uint32_t count)
 {
     return lanes_and(lanes_i_greater(number, lanes_i_splat(-1)),
                      lanes_i_greater(lanes_i_splat((int32_t)count), number));
 }
 
-/* The texels of one level into those of the lanes that are in it. */
+/* Fetches the texels of one level into the lanes that read this level. */
 static inline void fetch_from_level(const gn_texture *texture, uint32_t level, lanes_m lanes,
                                     const lanes_i number[3], lanes_f texel[4])
 {

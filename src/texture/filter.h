@@ -1,5 +1,5 @@
 /* The filters within one level, for all 16 lanes (OpenGL 4.5 section 8.14.3): which texels a place
- * asks for, with the border where it asks for others, and how they are mixed. */
+ * needs, with the border in place of texels outside, and how they are mixed. */
 #ifndef GN_TEXTURE_FILTER_H
 #define GN_TEXTURE_FILTER_H
 
@@ -8,34 +8,34 @@
 #include "sample.h"
 #include "texel.h"
 
-/* What is the same for all lanes and levels of a lookup. */
+/* What is constant for all lanes and levels of a lookup. */
 typedef struct lookup_state {
     const gn_texture *texture;
-    gn_texture_target target; /* the texture's */
-    int channels;             /* of the format: the first ones */
-    int dimensions;           /* that are filtered along: 1 to 3 */
+    gn_texture_target target; /* the texture's target */
+    int channels;             /* how many channels the format has, from the first */
+    int dimensions;           /* 1 to 3: the dimensions that are filtered */
     gn_wrap wrap[3];
     bool masked[3];
     bool has_border;
     float border[4];
-    gn_compare compare; /* GN_COMPARE_DEFAULT of colours too */
+    gn_compare compare; /* GN_COMPARE_DEFAULT for colours too */
 } lookup_state;
 
-/* Where the lanes look. */
+/* The place that each lane looks up. */
 typedef struct lookup_place {
     lanes_f coordinate[3];
-    lanes_i layer;          /* of what is not filtered along: an array's layers */
-    lanes_f reference;      /* where depths are compared */
-    const cube_place *cube; /* of cubes, instead of coordinates and layer */
+    lanes_i layer;          /* the layer of an array; not filtered */
+    lanes_f reference;      /* for compared depths */
+    const cube_place *cube; /* for cubes, instead of coordinate and layer */
 } lookup_place;
 
-/* Channels that a format has, the first ones of a texel. */
+/* Returns how many channels a format has, from the first of a texel. */
 static inline int texel_channels(gn_format format)
 {
     return format_is_color(format) ? format_channels(format) : 1;
 }
 
-/* Columns, rows and layers of a level. */
+/* Returns the columns, rows or layers of a level. */
 static inline uint32_t size_along(const lookup_state *state, uint32_t level, int dimension)
 {
     const gn_texture *const t = state->texture;
@@ -43,7 +43,7 @@ static inline uint32_t size_along(const lookup_state *state, uint32_t level, int
     return size_of_level(dimension == 0 ? t->width : dimension == 1 ? t->height : t->depth, level);
 }
 
-/* The texels of a level by their numbers along the dimensions, those outside being the
+/* Fetches the texels of a level by their numbers along the dimensions; texels outside are the
  * border. */
 GN_OUT_OF_LINE void fetch_place(const lookup_state *state, const lookup_place *place,
                                 uint32_t level, const lanes_i *const number[3], lanes_f texel[4])
@@ -75,8 +75,8 @@ GN_OUT_OF_LINE void fetch_place(const lookup_state *state, const lookup_place *p
         texel[0] = compared(state->compare, place->reference, texel[0]);
 }
 
-/* Two texels' channel mixed along the first dimension, where the results of comparisons are
- * mixed otherwise. */
+/* Mixes one channel of two texels along the first dimension; the results of comparisons are mixed
+ * differently from colours. */
 static inline lanes_f mix_along_s(const lookup_state *state, int channel, lanes_f weight,
                                   lanes_f first, lanes_f second)
 {
@@ -97,7 +97,8 @@ GN_OUT_OF_LINE void filter_nearest(const lookup_state *state, const lookup_place
     fetch_place(state, place, level, numbers, texel);
 }
 
-/* The texels that the linear filter mixes along each dimension, and the weights of the second. */
+/* The two texels that the linear filter mixes along each dimension, and the weight of the
+ * second. */
 typedef struct linear_texels {
     lanes_i number[3][2];
     lanes_f weight[3];
@@ -111,7 +112,7 @@ static inline void find_linear_texels(const lookup_state *state, const lookup_pl
                                          size_along(state, level, n), out->number[n]);
 }
 
-/* Mixes the `count` texels from the first on, number i being the second along dimension n where
+/* Fetches the 2^dimensions texels and mixes them. Texel i is the second one along dimension n if
  * bit n of i is set. */
 static inline void fetch_and_mix(const lookup_state *state, const lookup_place *place,
                                  uint32_t level, const linear_texels *texels, lanes_f texel[4])
@@ -138,8 +139,8 @@ static inline void fetch_and_mix(const lookup_state *state, const lookup_place *
         texel[c] = corner[0][c];
 }
 
-/* The weights of a linear filter in quads some lanes of which are not `linear`, bits: there only
- * the nearer texel counts. */
+/* Returns the weights of a linear filter. In lanes whose bit is not set in `linear`, only the
+ * nearer texel counts, with weight 0 or 1. */
 static inline lanes_f weights_of(uint32_t linear, lanes_f weight)
 {
     const lanes_m is_near = lanes_less_equal(weight, lanes_splat(0.5f));

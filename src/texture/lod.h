@@ -1,12 +1,12 @@
-/* The level of detail of each lane, and the levels that it means (OpenGL 4.5 section 8.14.1 and
+/* The level of detail of each lane, and the levels that it selects (OpenGL 4.5 sections 8.14.1 and
  * 8.14.3), in the order of operations of the reference rasterizer. */
 #ifndef GN_TEXTURE_LOD_H
 #define GN_TEXTURE_LOD_H
 
 #include "cube_filter.h"
 
-/* The two levels of each lane, the weight of the second, and the lanes, as bits, where the texture
- * is minified. */
+/* The two levels of each lane, the weight of the second, and the lanes, as bits, in which the
+ * texture is minified. */
 typedef struct level_choice {
     lanes_i level, next;
     lanes_f weight;
@@ -23,20 +23,21 @@ static inline bool has_levels(gn_minify minify)
     return minify != GN_MINIFY_NEAREST && minify != GN_MINIFY_LINEAR;
 }
 
-/* Every lane has the value of its quad's lower left one. */
+/* Returns in every lane the value of its quad's lower left lane. */
 static inline lanes_f of_first_in_quad(lanes_f a)
 {
     return lanes_quad_lower(lanes_quad_left(a));
 }
 
-/* Differences to the next column and row, of each lane's own row and column of the quad. */
+/* Writes the differences to the next column and row, within each lane's own row and column of the
+ * quad. */
 static inline void quad_differences(lanes_f a, lanes_f *along_x, lanes_f *along_y)
 {
     *along_x = lanes_sub(lanes_quad_right(a), lanes_quad_left(a));
     *along_y = lanes_sub(lanes_quad_upper(a), lanes_quad_lower(a));
 }
 
-/* The squared lengths of two gradients, in texels. */
+/* Writes the squared lengths of two gradients, in texels. */
 GN_INLINE void squared_lengths(const lookup_state *state, const lanes_f along_x[3],
                                const lanes_f along_y[3], lanes_f *out_x, lanes_f *out_y)
 {
@@ -54,7 +55,7 @@ GN_INLINE void squared_lengths(const lookup_state *state, const lanes_f along_x[
     *out_y = y;
 }
 
-/* The greater of the squared lengths; of a single dimension the greater length itself. */
+/* Returns the greater of the squared lengths; for a single dimension the greater length itself. */
 GN_INLINE lanes_f footprint_of(const lookup_state *state, const lanes_f along_x[3],
                                const lanes_f along_y[3])
 {
@@ -67,14 +68,14 @@ GN_INLINE lanes_f footprint_of(const lookup_state *state, const lanes_f along_x[
     return lanes_max(x, y);
 }
 
-/* The exponent of a positive float, 2^n being n. */
+/* Returns the exponent of a positive float: n for 2^n. */
 static inline lanes_i exponent_of(lanes_f a)
 {
     return lanes_i_sub(lanes_i_and(lanes_i_shift_right(lanes_as_int(a), 23), lanes_i_splat(255)),
                        lanes_i_splat(127));
 }
 
-/* log2, linear between powers of two. */
+/* Returns log2, linear between powers of two. */
 static inline lanes_f rough_log2(lanes_f a)
 {
     const lanes_i mantissa = lanes_i_or(lanes_i_and(lanes_as_int(a), lanes_i_splat(0x007FFFFF)),
@@ -84,20 +85,20 @@ static inline lanes_f rough_log2(lanes_f a)
     return lanes_add(lanes_to_float(below), lanes_as_float(mantissa));
 }
 
-/* Whether the lanes of a quad may have levels of their own. */
+/* Returns whether the lanes of a quad may have levels of their own. */
 static inline bool has_lod_per_lane(const gn_lookup *lookup)
 {
     return lookup->lod_source == GN_LOD_GRADIENTS || lookup->lod;
 }
 
-/* What a lookup and its sampler add to the level of detail. */
+/* What a lookup and its sampler add to the level of detail, and its limits. */
 typedef struct lod_adjustment {
     float bias;
     bool has_least, has_most;
     float least, most;
 } lod_adjustment;
 
-/* Biases are multiples of 1/256 within -16 to 16, ties away from zero. */
+/* Returns the bias clamped to -16 to 16 and rounded to a multiple of 1/256, ties away from zero. */
 static inline float quantised_bias(float bias)
 {
     const float limited = bias > 16.0f ? 16.0f : bias < -16.0f ? -16.0f : bias;
@@ -106,7 +107,7 @@ static inline float quantised_bias(float bias)
     return (float)(int32_t)scaled * (1.0f / 256.0f);
 }
 
-/* Limits below 0 and above all levels do not matter. */
+/* A lower limit at or below 0, or an upper limit above all levels, has no effect. */
 static inline lod_adjustment lod_adjustment_of(const gn_sampler *sampler)
 {
     lod_adjustment a;
@@ -119,13 +120,13 @@ static inline lod_adjustment lod_adjustment_of(const gn_sampler *sampler)
     return a;
 }
 
-/* Whether the limits leave one level of detail. */
+/* Returns whether the limits leave only one level of detail. */
 static inline bool has_one_lod(const gn_sampler *sampler)
 {
     return sampler->lod_clamped && sampler->min_lod == sampler->max_lod;
 }
 
-/* The levels of a level of detail. */
+/* Chooses the levels of a level of detail. */
 static inline void choose_levels(const gn_sampler *sampler, int32_t last, lanes_f lod,
                                  level_choice *out)
 {
@@ -139,7 +140,7 @@ static inline void choose_levels(const gn_sampler *sampler, int32_t last, lanes_
 
         out->level = lanes_i_max(lanes_i_min(level, top), zero);
         out->next = lanes_i_max(lanes_i_min(next, top), zero);
-        /* Below the first level and from the last on both are the same. */
+        /* Below the first level, and from the last on, both levels are the same. */
         out->weight = lanes_select(lanes_i_greater(out->next, out->level), lanes_sub(lod, whole),
                                    lanes_splat(0.0f));
     } else {
@@ -148,8 +149,8 @@ static inline void choose_levels(const gn_sampler *sampler, int32_t last, lanes_
     }
 }
 
-/* Where nothing is added to the level of detail the nearest one is half the exponent of the
- * footprint's square, rounded up. */
+/* Chooses the nearest level if nothing is added to the level of detail: half the exponent of the
+ * squared footprint, rounded up. */
 static inline void choose_nearest_level(bool squared, int32_t last, lanes_f footprint,
                                         level_choice *out)
 {
@@ -162,8 +163,8 @@ static inline void choose_nearest_level(bool squared, int32_t last, lanes_f foot
     out->weight = lanes_splat(0.0f);
 }
 
-/* The gradients that a lookup gives, or the differences of its coordinates: of a cube's direction,
- * of which a lane has its own. */
+/* Writes the gradients of the lookup, or the differences of its coordinates. For cubes these are
+ * converted from gradients of the direction to gradients on each lane's face. */
 GN_INLINE void find_gradients(const lookup_state *state, const lookup_place *place,
                               const gn_lookup *lookup, lanes_f along_x[3], lanes_f along_y[3])
 {
@@ -190,15 +191,16 @@ GN_INLINE void find_gradients(const lookup_state *state, const lookup_place *pla
     }
 }
 
-/* Where a footprint is not a number or infinite, the texture is magnified. */
+/* If a footprint is infinite or not a number, the texture counts as magnified. */
 static inline lanes_f finite_footprint(lanes_f footprint)
 {
     return lanes_select(lanes_less_equal(footprint, lanes_splat(FLT_MAX)), footprint,
                         lanes_splat(0.0f));
 }
 
-/* A quad has one footprint, its lower left lane's, but where gradients are given, and on cubes with
- * levels or a level of detail of each lane. */
+/* Returns whether each lane has its own footprint: if gradients are given, and for cubes with
+ * several levels or with a lod for each lane. Otherwise a quad has one footprint, that of its lower
+ * left lane. */
 static inline bool has_own_footprint(const lookup_state *state, const gn_sampler *sampler,
                                      const gn_lookup *lookup)
 {
@@ -207,7 +209,7 @@ static inline bool has_own_footprint(const lookup_state *state, const gn_sampler
             (lookup->lod || (has_levels(sampler->minify) && levels_of(state->texture) > 1)));
 }
 
-/* That of each lane, from the lanes' own. */
+/* Returns each lane's footprint, shared within quads where has_own_footprint is false. */
 GN_INLINE lanes_f shared_footprint(const lookup_state *state, const gn_sampler *sampler,
                                    const gn_lookup *lookup, lanes_f footprint)
 {
@@ -228,7 +230,7 @@ GN_INLINE lanes_f find_footprint(const lookup_state *state, const gn_sampler *sa
     return shared_footprint(state, sampler, lookup, footprint_of(state, along_x, along_y));
 }
 
-/* The levels of a lookup, of a footprint that is known where it is not null. */
+/* Chooses the levels of a lookup. `known` is the footprint, or null if it must be computed. */
 GN_INLINE void find_levels(const lookup_state *state, const gn_sampler *sampler,
                            const lookup_place *place, const gn_lookup *lookup, const lanes_f *known,
                            level_choice *out)

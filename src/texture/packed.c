@@ -1,10 +1,10 @@
-/* Textures whose levels follow each other tightly packed: how much memory they take and where in
- * it they are. */
+/* Textures whose levels are tightly packed one after the other: how much memory they take and where
+ * in it they lie. */
 #include "packed.h"
 
 #include "texture_faults.h"
 
-/* At most 2^46. */
+/* Returns at most 2^46. */
 static uint64_t bytes_of_level(const gn_texture *texture, uint32_t level)
 {
     const texel_extent e = extent_of_level(texture, level);
@@ -36,7 +36,7 @@ void gn_place_levels(gn_texture *texture, uint32_t first, uint32_t end, const vo
     }
 }
 
-/* Fills in all but the levels, of which there is at least one. */
+/* Sets all members except the levels; level_count becomes at least one. */
 static void set_shape(gn_texture *texture, const texture_shape *s)
 {
     texture->target = s->target;

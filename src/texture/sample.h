@@ -1,15 +1,16 @@
-/* Sampling a 2D texture of one level, of words or floats, which repeats or is clamped to its edge,
- * at 16 fragments: the choice of the filter, fetch and filter (OpenGL 4.5 sections 8.14 and 8.15),
- * in the order of operations of the reference rasterizer. Most textures are such, and the
- * rasterizer samples them itself; for others there is sample_any.h. */
+/* Sampling a 2D texture of one level, of words or floats, that repeats or is clamped to its edge,
+ * at 16 fragments: the choice of the filter, the fetch and the filter (OpenGL 4.5 sections 8.14 and
+ * 8.15), in the order of operations of the reference rasterizer. Most textures are of this kind;
+ * sample_any.h handles all others. */
 #ifndef GN_TEXTURE_SAMPLE_H
 #define GN_TEXTURE_SAMPLE_H
 
 #include "../config/features.h"
 #include "wrap.h"
 
-/* Whether a level's texels are 32-bit words with an index of 32 bits: rows are then at most 2^16
- * words apart, of which there are at most 2^14. Small builds fetch all textures texel by texel. */
+/* Returns whether a level's texels are 32-bit words that a 32-bit index reaches: rows are at most
+ * 2^16 words apart, and there are at most 2^14 of them. Small builds fetch all textures texel by
+ * texel. */
 static inline bool has_word_texels(const gn_texture *texture, uint32_t level)
 {
     const ptrdiff_t stride = texture->level[level].row_stride;
@@ -25,7 +26,7 @@ static inline lanes_i word_index(const gn_texture *texture, lanes_i column, lane
     return lanes_i_add(lanes_i_mul(row, words_per_row), column);
 }
 
-/* Texel by texel, for every texture. */
+/* Fetches texel by texel, from every texture. */
 GN_OUT_OF_LINE void fetch_any(const gn_texture *texture, const lanes_i *column, const lanes_i *row,
                               lanes_f texel[4])
 {
@@ -74,7 +75,7 @@ static inline lanes_f mix(lanes_f weight, lanes_f a, lanes_f b)
     return lanes_add(a, lanes_mul(weight, lanes_sub(b, a)));
 }
 
-/* The four texels around a coordinate, in the order they are mixed in. */
+/* The four texels around a coordinate, in the order in which they are mixed. */
 enum { CORNER_00, CORNER_10, CORNER_01, CORNER_11, CORNER_COUNT };
 
 GN_OUT_OF_LINE void sample_linear_any(const gn_texture *texture, const gn_sampler *sampler,
@@ -97,7 +98,7 @@ GN_OUT_OF_LINE void sample_linear_any(const gn_texture *texture, const gn_sample
                        mix(u.weight, corner[CORNER_01][c], corner[CORNER_11][c]));
 }
 
-/* The words of the four texels. Where no lane is at an end, the texels of a row are
+/* Fetches the words of the four texels. If no lane is at an end, the two texels of a row are
  * neighbours in memory. */
 GN_WIDE_INLINE void fetch_corners(const gn_texture *texture, const gn_sampler *sampler,
                                   const texel_pair *u, const texel_pair *v,
@@ -122,7 +123,7 @@ GN_WIDE_INLINE void fetch_corners(const gn_texture *texture, const gn_sampler *s
     }
 }
 
-/* One channel of the four texels, mixed. The channel is a constant. */
+/* Returns one channel of the four texels, mixed. The channel must be a constant. */
 GN_INLINE lanes_f mix_corners(const lanes_i corner[CORNER_COUNT], int channel, lanes_f u, lanes_f v)
 {
     const lanes_f below = mix(u, lanes_unpack_unorm8(corner[CORNER_00], channel),
@@ -133,7 +134,8 @@ GN_INLINE lanes_f mix_corners(const lanes_i corner[CORNER_COUNT], int channel, l
     return mix(v, below, above);
 }
 
-/* What calls write to is in arrays of their own, since these stay in memory. */
+/* The arrays that calls write to are separate from `texel`, because such arrays stay in memory
+ * instead of registers. */
 GN_INLINE void sample_linear_inline(const gn_texture *texture, const gn_sampler *sampler,
                                     const lanes_f *s, const lanes_f *t, lanes_f texel[4])
 {
@@ -164,8 +166,8 @@ GN_OUT_OF_LINE void sample_linear(const gn_texture *texture, const gn_sampler *s
     sample_linear_inline(texture, sampler, s, t, texel);
 }
 
-/* Where the texture is minified: the squared length of a quad's longer derivative,
- * in texels, is above 1, or NaN. All four fragments of a quad decide as its first does. */
+/* Returns the lanes in which the texture is minified: the squared length of a quad's longer
+ * derivative, in texels, is above 1 or NaN. The first fragment of a quad decides for all four. */
 static inline uint32_t minified_lanes(const gn_texture *texture, const float *s, const float *t)
 {
     const float width = (float)texture->width;
@@ -187,8 +189,8 @@ static inline uint32_t minified_lanes(const gn_texture *texture, const float *s,
     return bits;
 }
 
-/* Whether the texture and the sampler are of the kinds that this file is for. With GN_BASIC all
- * are. */
+/* Returns whether this file can sample the texture with the sampler. With GN_BASIC it always
+ * can. */
 static inline bool is_simple(const gn_texture *texture, const gn_sampler *sampler)
 {
     return !GN_HAVE_TEXTURES ||
@@ -204,13 +206,14 @@ static inline bool minifies_linearly(gn_minify minify)
            minify == GN_MINIFY_LINEAR_MIPMAP_LINEAR;
 }
 
-/* Whether both filters are one, so that nothing is asked of neighbouring fragments. */
+/* Returns whether both filters are the same, so that the result does not depend on neighbouring
+ * fragments. */
 static inline bool has_one_filter(const gn_sampler *sampler)
 {
     return (sampler->magnify == GN_MAGNIFY_LINEAR) == minifies_linearly(sampler->minify);
 }
 
-/* The lanes, as bits, that the linear filter serves. */
+/* Returns the lanes, as bits, that use the linear filter. */
 static inline uint32_t linear_lanes(const gn_texture *texture, const gn_sampler *sampler,
                                     const lanes_f *s, const lanes_f *t)
 {
@@ -237,7 +240,7 @@ GN_OUT_OF_LINE void sample_both(const gn_texture *texture, const gn_sampler *sam
         texel[c] = lanes_select(use_linear, linear[c], nearest[c]);
 }
 
-/* The lanes are a block's, or of any shape where has_one_filter. */
+/* Samples at 16 places. The lanes must be those of a block, unless has_one_filter is true. */
 static inline void sample(const gn_texture *texture, const gn_sampler *sampler, const lanes_f *s,
                           const lanes_f *t, lanes_f texel[4])
 {

@@ -1,11 +1,11 @@
-/* Sampling textures of every target at 16 places: what shaders are handed (gnomon/sampling.h),
- * over a back end's lanes. */
+/* Sampling textures of every target at 16 places, over a back end's lanes: the functions that
+ * shaders receive (gnomon/sampling.h). */
 #ifndef GN_TEXTURE_SAMPLE_ANY_H
 #define GN_TEXTURE_SAMPLE_ANY_H
 
 #include "anisotropic.h"
 
-/* A gn_sample_2d_function for the textures of sample.h. */
+/* A gn_sample_2d_function for the textures that sample.h can sample. */
 static inline void sample_simple_2d(const gn_texture *texture, const gn_sampler *sampler,
                                     const float s[GN_LANES], const float t[GN_LANES],
                                     float texel[4][GN_LANES])
@@ -25,8 +25,8 @@ static inline void sample_simple_2d(const gn_texture *texture, const gn_sampler 
     }
 }
 
-/* Whether lookups may have several samples. A level that is given has no footprint, and that of one
- * dimension no other direction. */
+/* Returns whether lookups may take several samples. An explicit level has no footprint, and the
+ * footprint of a 1D texture has no second direction. */
 static inline bool is_anisotropic(const gn_texture *texture, const gn_sampler *sampler,
                                   const gn_lookup *lookup)
 {
@@ -34,7 +34,7 @@ static inline bool is_anisotropic(const gn_texture *texture, const gn_sampler *s
            texture->target != GN_TEXTURE_1D;
 }
 
-/* A lookup in a texture of a target, which is a constant where it is a common one. */
+/* Samples a texture of a target. Callers pass common targets as constants. */
 GN_INLINE void sample_target(const gn_texture *texture, gn_texture_target target,
                              const gn_sampler *sampler, const gn_lookup *lookup,
                              float texel[4][GN_LANES])
@@ -67,7 +67,7 @@ GN_INLINE void sample_target(const gn_texture *texture, gn_texture_target target
         store_channel(&state, c, out[c], texel[c]);
 }
 
-/* A lookup in a 2D texture by differences of coordinates alone, the most common one. */
+/* Samples a 2D texture by differences of coordinates only: the most common lookup. */
 GN_OUT_OF_LINE void sample_implicit_2d(const gn_texture *texture, const gn_sampler *sampler,
                                        const float s[GN_LANES], const float t[GN_LANES],
                                        float texel[4][GN_LANES])
@@ -131,7 +131,7 @@ static inline void sample_any_2d(const gn_texture *texture, const gn_sampler *sa
     sample_any(texture, sampler, &lookup, texel);
 }
 
-/* A gn_gather_function: the texels in the order of counting round. */
+/* A gn_gather_function: writes the four texels in the order that gnomon/sampling.h states. */
 static inline void gather_any(const gn_texture *texture, const gn_sampler *sampler,
                               const gn_lookup *lookup, int channel, float texel[4][GN_LANES])
 {

@@ -1,4 +1,4 @@
-/* Validation of samplers: the first fault's status. */
+/* Validation of samplers: returns the status of the first fault. */
 #include "sampler_faults.h"
 
 gn_status gn_sampler_check(const gn_sampler *sampler)

@@ -29,7 +29,7 @@ static inline fault fault_of_sampler(const gn_sampler *s)
              "magnify is no gn_magnify");
     FAULT_IF((unsigned)s->minify > GN_MINIFY_LINEAR_MIPMAP_LINEAR, GN_INVALID_ENUM,
              "minify is no gn_minify");
-    if (!GN_HAVE_TEXTURES) /* nothing else is looked at */
+    if (!GN_HAVE_TEXTURES) /* the other members have no effect */
         return NO_FAULT;
     FAULT_IF((unsigned)s->wrap_r > last, GN_INVALID_ENUM, "wrap_r is no gn_wrap");
     FAULT_IF((unsigned)s->compare > GN_ALWAYS, GN_INVALID_ENUM, "compare is no gn_compare");

@@ -1,4 +1,4 @@
-/* Sampling for callers, in the form that every processor of the target has. */
+/* Sampling for callers, compiled for the instruction set that every processor of the target has. */
 #include "sample_any.h"
 
 void gn_sample_2d(const gn_texture *texture, const gn_sampler *sampler, const float s[GN_LANES],
@@ -28,7 +28,7 @@ void gn_sample_at(const gn_texture *texture, const gn_sampler *sampler, const fl
     float place[3][GN_LANES], lods[GN_LANES], references[GN_LANES], texels[4][GN_LANES];
     const int count = texture->target == GN_TEXTURE_1D   ? 1
                       : texture->target == GN_TEXTURE_2D ? 2
-                                                         : 3; /* of those that are there */
+                                                         : 3; /* coordinates that the target has */
     gn_lookup lookup;
 
     for (int n = 0; n < 3; ++n) {

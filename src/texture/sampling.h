@@ -6,7 +6,7 @@
 #include "lod.h"
 #include "words.h"
 
-/* The border as a texel: within the range of the format. */
+/* Sets the border as a texel: clamped to the range of the format. */
 static inline void set_border(lookup_state *state, const gn_sampler *sampler)
 {
     const bool has_range = !format_is_float(state->texture->format);
@@ -20,7 +20,7 @@ static inline void set_border(lookup_state *state, const gn_sampler *sampler)
     }
 }
 
-/* A channel that the format lacks is 0, alpha 1, whatever the weights. */
+/* A channel that the format lacks is 0, or 1 for alpha, whatever the weights. */
 static inline void store_channel(const lookup_state *state, int channel, lanes_f value,
                                  float out[GN_LANES])
 {
@@ -69,7 +69,8 @@ GN_INLINE void set_lookup_place(const lookup_state *state, const gn_lookup *look
                                                                 : lanes_splat(0.0f));
 }
 
-/* The same of a cube, of which `cube` says more as long as the place is used. */
+/* Sets the place of a cube lookup. `place` points to `cube`, which must live as long as the place
+ * is used. */
 GN_INLINE void set_cube_place(const lookup_state *state, const gn_lookup *lookup,
                               bool has_gradients, cube_place *cube, lookup_place *place)
 {
@@ -101,8 +102,9 @@ static inline void filter_level_linear(const lookup_state *state, const lookup_p
         filter_linear(state, place, level, linear, texel);
 }
 
-/* One level, of lanes that are `linear` by the linear filter. Quads are filtered as a whole: one
- * with a linear lane by the linear filter, of which the others take the nearer texels. */
+/* Filters one level. Lanes in `linear` use the linear filter. Quads are filtered as a whole: a
+ * quad with at least one linear lane uses the linear filter, and its other lanes take the nearer
+ * texels. */
 GN_OUT_OF_LINE void filter_level_by_quads(const lookup_state *state, const lookup_place *place,
                                           uint32_t level, uint32_t linear, lanes_f texel[4])
 {
@@ -130,7 +132,7 @@ static inline void filter_level(const lookup_state *state, const lookup_place *p
         filter_level_by_quads(state, place, level, linear, texel);
 }
 
-/* A lane's level, the set of all lanes' being `levels`. */
+/* Filters each lane's level; `levels` is the set of all lanes' levels. */
 static inline void filter_lanes_level(const lookup_state *state, const lookup_place *place,
                                       const lanes_i *level, uint32_t levels, uint32_t linear,
                                       lanes_f texel[4])
@@ -141,7 +143,8 @@ static inline void filter_lanes_level(const lookup_state *state, const lookup_pl
         filter_level(state, place, first_lane(levels), linear, texel);
 }
 
-/* The quads that mix two levels, all their lanes: weights of 0 show where a texel is not finite. */
+/* Returns the quads that mix two levels, with all their lanes: even a weight of 0 has an effect if
+ * a texel is not finite. */
 static inline uint32_t mixed_quads(const gn_sampler *sampler, const level_choice *choice,
                                    bool lod_per_lane, uint32_t linear)
 {
@@ -153,7 +156,7 @@ static inline uint32_t mixed_quads(const gn_sampler *sampler, const level_choice
     return weighted | (quads_of(linear) & quads_of(choice->minified));
 }
 
-/* Two levels mixed in the lanes that are `mixed`, in others the first. */
+/* Mixes two levels in the lanes in `mixed`; the other lanes keep the first level. */
 static inline void mix_levels(const level_choice *choice, uint32_t mixed, const lanes_f above[4],
                               lanes_f texel[4])
 {
@@ -166,7 +169,8 @@ static inline void mix_levels(const level_choice *choice, uint32_t mixed, const 
     }
 }
 
-/* Where lanes have several levels: one after the other, for all lanes. */
+/* Filters the levels of lanes that differ in level: one level after the other, each for all
+ * lanes. */
 GN_OUT_OF_LINE void filter_each_level(const lookup_state *state, const lookup_place *place,
                                       const level_choice *choice, uint32_t levels, uint32_t linear,
                                       lanes_f texel[4], lanes_f above[4])
@@ -189,7 +193,7 @@ GN_OUT_OF_LINE void filter_each_level(const lookup_state *state, const lookup_pl
     }
 }
 
-/* The levels of the lanes, mixed where `mixed`. */
+/* Filters the levels of the lanes, and mixes two levels in the lanes in `mixed`. */
 GN_INLINE void filter_levels(const lookup_state *state, const lookup_place *place,
                              const level_choice *choice, uint32_t linear, uint32_t mixed,
                              lanes_f texel[4])
@@ -216,13 +220,13 @@ GN_INLINE void filter_levels(const lookup_state *state, const lookup_place *plac
         mix_levels(choice, mixed, above, texel);
 }
 
-/* Whether the level of detail decides anything. */
+/* Returns whether the level of detail affects the result. */
 static inline bool asks_for_lod(const gn_texture *texture, const gn_sampler *sampler)
 {
     return !has_one_filter(sampler) || (has_levels(sampler->minify) && levels_of(texture) > 1);
 }
 
-/* Whether gradients decide anything, but those of several samples. */
+/* Returns whether gradients affect the result, apart from anisotropy. */
 static inline bool asks_for_gradients(const gn_texture *texture, const gn_sampler *sampler,
                                       const gn_lookup *lookup)
 {
@@ -230,7 +234,7 @@ static inline bool asks_for_gradients(const gn_texture *texture, const gn_sample
            !(has_one_lod(sampler) && sampler->min_lod >= 0.0f);
 }
 
-/* Which lanes the linear filter serves, and which mix two levels. */
+/* Chooses the lanes that use the linear filter and the lanes that mix two levels. */
 GN_INLINE void choose_filters(const lookup_state *state, const gn_sampler *sampler,
                               const gn_lookup *lookup, level_choice *choice, uint32_t *linear,
                               uint32_t *mixed)

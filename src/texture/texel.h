@@ -1,5 +1,5 @@
-/* Texels of one level, of every format, as floats over lanes. They are loaded as words of 32 bits:
- * where all indices fit 32 bits by gathers, otherwise one by one. */
+/* Texels of one level, of every format, as floats over lanes. They are loaded as 32-bit words: by
+ * gathers if all indices fit 32 bits, otherwise one by one. */
 #ifndef GN_TEXTURE_TEXEL_H
 #define GN_TEXTURE_TEXEL_H
 
@@ -7,15 +7,15 @@
 #include "../formats/size.h"
 #include "extent.h"
 
-/* Where the texels of a level are, in bytes from the first one. */
+/* Where the texels of a level lie, in bytes from the first one. */
 typedef struct texel_layout {
     const unsigned char *texels;
     ptrdiff_t row_stride, layer_stride;
     bool has_layers;
-    bool has_word_index; /* every texel is a whole number of words away that fits 31 bits */
+    bool has_word_index; /* every texel is a whole number of words away, which fits 31 bits */
 } texel_layout;
 
-/* The strides of a checked texture do not overflow, since all of a level fits memory. */
+/* The strides of a checked texture do not overflow, because the whole level fits memory. */
 static inline texel_layout texel_layout_of(const gn_texture *texture, uint32_t level,
                                            uint32_t texel_size)
 {
@@ -37,7 +37,7 @@ static inline texel_layout texel_layout_of(const gn_texture *texture, uint32_t l
     return out;
 }
 
-/* Words 0 to count - 1, 1 or 4, of texels that are `step` words long. */
+/* Gathers words 0 to count - 1 (count is 1 or 4) of texels that are `step` words long. */
 static inline void gather_texel_words(const texel_layout *layout, const lanes_i *column,
                                       const lanes_i *row, const lanes_i *layer, int32_t step,
                                       int count, lanes_i word[4])
@@ -53,7 +53,7 @@ static inline void gather_texel_words(const texel_layout *layout, const lanes_i 
         word[n] = lanes_i_gather(words + n, index);
 }
 
-/* Where the lanes' rows begin. */
+/* Finds where the lanes' rows begin. */
 static inline void find_rows(const texel_layout *layout, const lanes_i *row, const lanes_i *layer,
                              const unsigned char *line[GN_LANES])
 {
@@ -69,7 +69,7 @@ static inline void find_rows(const texel_layout *layout, const lanes_i *row, con
         line[l] += (ptrdiff_t)z[l] * layout->layer_stride;
 }
 
-/* The same, texel by texel. */
+/* Does what gather_texel_words does, texel by texel. */
 static inline void load_texel_words(const texel_layout *layout, const lanes_i *column,
                                     const lanes_i *row, const lanes_i *layer, int32_t step,
                                     int count, lanes_i word[4])
@@ -88,7 +88,8 @@ static inline void load_texel_words(const texel_layout *layout, const lanes_i *c
     }
 }
 
-/* Texels that are no words, in the low bits of one or two (../formats/encode.h). */
+/* Loads texels that are not 32-bit words into the low bits of one or two words
+ * (../formats/encode.h). */
 static inline void load_small_texels(const texel_layout *layout, const lanes_i *column,
                                      const lanes_i *row, const lanes_i *layer, uint32_t texel_size,
                                      lanes_i word[4])
@@ -109,9 +110,9 @@ static inline void load_small_texels(const texel_layout *layout, const lanes_i *
     word[1] = lanes_i_load(texel[1]);
 }
 
-/* Texels of a level of a checked texture by their numbers, which must be in it. The layer is read
- * where the level has more than one, and may be null otherwise; of cubes it is the face. Channels
- * that the format lacks are 0, alpha 1; of depth formats all but red. */
+/* Fetches texels of a level of a checked texture by number. Precondition: the texels lie in the
+ * level. The layer, or the face of a cube, is read only if the level has more than one, and may be
+ * null otherwise. Channels that the format lacks are 0, alpha 1; depth formats have only red. */
 GN_OUT_OF_LINE void fetch_texels(const gn_texture *texture, uint32_t level, const lanes_i *column,
                                  const lanes_i *row, const lanes_i *layer, lanes_f texel[4])
 {

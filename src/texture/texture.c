@@ -1,4 +1,4 @@
-/* Validation of textures: the first fault's status. */
+/* Validation of textures: returns the status of the first fault. */
 #include "texture_faults.h"
 
 gn_status gn_texture_check(const gn_texture *texture)

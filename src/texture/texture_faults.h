@@ -1,4 +1,4 @@
-/* The first fault of a texture: of its shape, then of each level's memory. */
+/* The first fault of a texture: first of its shape, then of each level's memory. */
 #ifndef GN_TEXTURE_TEXTURE_FAULTS_H
 #define GN_TEXTURE_TEXTURE_FAULTS_H
 
@@ -10,7 +10,7 @@
 #include "../formats/surface_memory.h"
 #include "extent.h"
 
-/* The words of a member of level n, as FAULT_IF_EIGHTH has them. */
+/* The fault text of a member of level n, like FAULT_IF_EIGHTH. */
 #if defined(GN_FAULT_TEXTS)
 #define FAULT_IF_LEVEL(condition, n, status, after)                                                \
     do {                                                                                           \
@@ -26,7 +26,7 @@
 #define FAULT_IF_LEVEL(condition, n, status, after) FAULT_IF(condition, status, "")
 #endif
 
-/* All of a texture but where its texels are. */
+/* All members of a texture except the places of its texels. */
 typedef struct texture_shape {
     gn_texture_target target;
     gn_format format;
@@ -39,7 +39,7 @@ static inline bool format_has_texels(gn_format format)
                             : format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F;
 }
 
-/* Of a format that has texels. */
+/* Returns the bytes of a texel. Precondition: the format has texels. */
 static inline size_t texel_size(gn_format format)
 {
     if (!GN_HAVE_TEXTURES)
@@ -47,7 +47,7 @@ static inline size_t texel_size(gn_format format)
     return format_size(format);
 }
 
-/* Bytes that texels of a format, and all strides between them, are a multiple of. */
+/* Returns the bytes of an element of a format: texels and all strides are multiples of it. */
 static inline uint32_t texel_element(gn_format format)
 {
     switch (GN_HAVE_TEXTURES ? format : GN_FORMAT_RGBA8) {
@@ -68,7 +68,7 @@ static inline uint32_t texel_element(gn_format format)
     }
 }
 
-/* Levels that a texture of this size has, down to one texel. */
+/* Returns the number of levels that a texture of this size has, down to one texel. */
 static inline uint32_t levels_of_shape(const texture_shape *s)
 {
     uint32_t largest = s->width > s->height ? s->width : s->height;
@@ -126,7 +126,7 @@ static inline fault fault_of_layers(const gn_texture_level *l, uint32_t n, uint3
     return NO_FAULT;
 }
 
-/* Of level n, in a texture without a fault of its shape. */
+/* Returns the first fault of level n. Precondition: the texture's shape has no fault. */
 static inline fault fault_of_level(const gn_texture *t, uint32_t n)
 {
     const gn_texture_level *const l = &t->level[n];

@@ -1,5 +1,5 @@
 /* The filters within a level of a 2D texture of RGBA8 without a border, whose texels are words that
- * are gathered and mixed channel by channel: the same texels as filter.h's, in less time. */
+ * are gathered and mixed channel by channel. The results equal those of filter.h, in less time. */
 #ifndef GN_TEXTURE_WORDS_H
 #define GN_TEXTURE_WORDS_H
 
@@ -11,7 +11,7 @@ static inline bool level_has_words(const lookup_state *state, uint32_t level)
            has_word_texels(state->texture, level);
 }
 
-/* The same of a cube, all of whose faces are within reach of an index. */
+/* Returns whether a level of a cube has word texels and an index reaches all faces. */
 static inline bool cube_has_words(const lookup_state *state, uint32_t level)
 {
     const ptrdiff_t stride = state->texture->level[level].layer_stride;
@@ -24,7 +24,7 @@ static inline int32_t words_per_row(const lookup_state *state, uint32_t level)
     return (int32_t)(state->texture->level[level].row_stride / 4);
 }
 
-/* Word indices of a row's first texels. */
+/* Returns the word indices of the first texels of rows. */
 static inline lanes_i row_of_words(const lookup_state *state, uint32_t level, lanes_i row)
 {
     return lanes_i_mul(row, lanes_i_splat(words_per_row(state, level)));
@@ -46,7 +46,7 @@ GN_OUT_OF_LINE void filter_words_nearest(const lookup_state *state, const lookup
     texel[3] = lanes_unpack_unorm8(word, 3);
 }
 
-/* The four texels mixed. */
+/* Writes the four texels, mixed. */
 static inline void mix_words(const lanes_i corner[CORNER_COUNT], lanes_f weight_s, lanes_f weight_t,
                              lanes_f texel[4])
 {
@@ -56,8 +56,9 @@ static inline void mix_words(const lanes_i corner[CORNER_COUNT], lanes_f weight_
     texel[3] = mix_corners(corner, 3, weight_s, weight_t);
 }
 
-/* The two texels that the linear filter mixes along a dimension, `unit` words apart where they are
- * neighbours: the first one's number, how many words the second is from it, and its weight. */
+/* Finds the two texels that the linear filter mixes along a dimension; neighbours are `unit` words
+ * apart. Writes the number of the first texel and the words from it to the second; returns the
+ * weight of the second. */
 static inline lanes_f find_words(gn_wrap wrap, bool masked, lanes_f coordinate, uint32_t size,
                                  int32_t unit, lanes_i *first, lanes_i *step)
 {
@@ -78,7 +79,7 @@ static inline lanes_f find_words(gn_wrap wrap, bool masked, lanes_f coordinate, 
     return weight;
 }
 
-/* Two texels of a row; where they are neighbours in every lane, both at once. */
+/* Gathers two texels of a row; both at once if they are neighbours in every lane. */
 static inline void gather_columns(const stored_word *words, lanes_i index, lanes_i step,
                                   bool are_neighbours, lanes_i word[2])
 {
@@ -90,7 +91,7 @@ static inline void gather_columns(const stored_word *words, lanes_i index, lanes
     }
 }
 
-/* What the linear filter mixes in a level: words and weights along s and t. */
+/* What the linear filter mixes in a level: words, and weights along s and t. */
 typedef struct word_corners {
     lanes_i corner[CORNER_COUNT];
     lanes_f weight_s, weight_t;
@@ -122,7 +123,7 @@ GN_OUT_OF_LINE void filter_words_linear(const lookup_state *state, const lookup_
     mix_words(w.corner, weights_of(linear, w.weight_s), weights_of(linear, w.weight_t), texel);
 }
 
-/* One channel of two levels, mixed. The channel is a constant. */
+/* Returns one channel of two levels, mixed. The channel must be a constant. */
 GN_INLINE lanes_f mix_word_levels(const word_corners *first, const word_corners *next, int channel,
                                   lanes_f weight)
 {
@@ -130,7 +131,7 @@ GN_INLINE lanes_f mix_word_levels(const word_corners *first, const word_corners 
                mix_corners(next->corner, channel, next->weight_s, next->weight_t));
 }
 
-/* Two levels by the linear filter in all lanes, mixed with the weights of the second. */
+/* Filters two levels linearly in all lanes and mixes them by the weight of the second. */
 GN_OUT_OF_LINE void filter_words_between(const lookup_state *state, const lookup_place *place,
                                          uint32_t level, uint32_t next, const lanes_f *weight,
                                          lanes_f texel[4])

@@ -1,7 +1,7 @@
-/* Texture coordinates to texel numbers and weights, over lanes (OpenGL 4.5 section
- * 8.14.2), in the order of operations of the reference rasterizer. Whatever the coordinate, NaN
- * too, numbers lie within the texture, but with GN_WRAP_CLAMP_TO_BORDER, where those that do not
- * are the border's. */
+/* Texture coordinates to texel numbers and weights, over lanes (OpenGL 4.5 section 8.14.2), in the
+ * order of operations of the reference rasterizer. For every coordinate, including NaN, texel
+ * numbers lie within the texture. The exception is GN_WRAP_CLAMP_TO_BORDER, where numbers outside
+ * mean the border. */
 #ifndef GN_TEXTURE_WRAP_H
 #define GN_TEXTURE_WRAP_H
 
@@ -11,8 +11,8 @@
 
 #include "../lanes/lanes.h"
 
-/* The two texels along one dimension that a linear filter mixes: `first` and the next one,
- * of which `weight` is taken. */
+/* The two texels along one dimension that a linear filter mixes: `first` and the next one. `weight`
+ * is the weight of the next one. */
 typedef struct texel_pair {
     lanes_i first; /* 0 to size - 1 */
     lanes_f weight;
@@ -24,7 +24,7 @@ static inline bool is_power_of_two(uint32_t n)
     return (n & (n - 1)) == 0;
 }
 
-/* Whether a dimension repeats by a mask: where its largest level is a power of two. */
+/* Returns whether a dimension repeats by a mask: if its largest level is a power of two. */
 static inline bool is_masked(gn_wrap wrap, uint32_t largest)
 {
     return wrap == GN_WRAP_REPEAT && is_power_of_two(largest);
@@ -35,14 +35,15 @@ static inline lanes_f fraction_of(lanes_f a)
     return lanes_sub(a, lanes_floor(a));
 }
 
-/* To the nearest integer, halves to even; floats from 2^23 on are integers. */
+/* Returns the nearest integer, halves to even. Floats from 2^23 on are integers. */
 static inline lanes_f nearest_integer(lanes_f a)
 {
     return lanes_select(lanes_greater(lanes_splat(8388608.0f), lanes_magnitude(a)),
                         lanes_to_float(lanes_round(a)), a);
 }
 
-/* -1 to 1, of the same distance from an even number: its magnitude goes up and down again. */
+/* Returns the coordinate minus the nearest even number, from -1 to 1. Its magnitude is the mirrored
+ * coordinate. */
 static inline lanes_f mirrored(lanes_f coordinate)
 {
     const lanes_f halved = lanes_mul(coordinate, lanes_splat(0.5f));
@@ -51,7 +52,7 @@ static inline lanes_f mirrored(lanes_f coordinate)
     return lanes_add(f, f);
 }
 
-/* `size` is that of the level. */
+/* Returns the number of the nearest texel. `size` is that of the level. */
 static inline lanes_i wrap_nearest(gn_wrap wrap, bool masked, lanes_f coordinate, uint32_t size)
 {
     const lanes_f n = lanes_splat((float)size);
@@ -61,7 +62,7 @@ static inline lanes_i wrap_nearest(gn_wrap wrap, bool masked, lanes_f coordinate
         return lanes_i_and(lanes_truncate(lanes_floor(lanes_mul(coordinate, n))), last);
     if (GN_HAVE_TEXTURES && wrap == GN_WRAP_CLAMP_TO_BORDER)
         return lanes_truncate(lanes_floor(lanes_mul(coordinate, n)));
-    if (GN_HAVE_TEXTURES && wrap == GN_WRAP_MIRROR_CLAMP_TO_EDGE) /* NaN to the last */
+    if (GN_HAVE_TEXTURES && wrap == GN_WRAP_MIRROR_CLAMP_TO_EDGE) /* NaN reads the last texel */
         return lanes_i_min(lanes_truncate(lanes_min(lanes_mul(lanes_magnitude(coordinate), n), n)),
                            last);
     if (GN_HAVE_TEXTURES && wrap == GN_WRAP_MIRRORED_REPEAT)
@@ -71,16 +72,16 @@ static inline lanes_i wrap_nearest(gn_wrap wrap, bool masked, lanes_f coordinate
     return lanes_i_clamp(lanes_truncate(lanes_mul(coordinate, n)), lanes_i_splat(0), last);
 }
 
-/* 0 to size - 0.5, in texels from the centre of the first. */
+/* Returns 0 to size - 0.5, in texels from the centre of the first. */
 static inline lanes_f clamped_texels(lanes_f coordinate, lanes_f n)
 {
     return lanes_max(lanes_sub(lanes_min(lanes_mul(coordinate, n), n), lanes_splat(0.5f)),
                      lanes_splat(0.0f));
 }
 
-/* Of GN_WRAP_REPEAT and GN_WRAP_CLAMP_TO_EDGE. Numbers beyond the integers are converted to
- * INT32_MIN: texel 0 of a power of two, which a mask takes it to, and otherwise, as all that is
- * negative, the last. */
+/* For GN_WRAP_REPEAT and GN_WRAP_CLAMP_TO_EDGE. Numbers beyond the integers are converted to
+ * INT32_MIN. With a mask this becomes texel 0; without a mask it becomes the last texel, as every
+ * negative number does. */
 GN_WIDE_INLINE texel_pair wrap_linear(gn_wrap wrap, bool masked, lanes_f coordinate, uint32_t size)
 {
     const lanes_f n = lanes_splat((float)size);
@@ -107,7 +108,7 @@ GN_WIDE_INLINE texel_pair wrap_linear(gn_wrap wrap, bool masked, lanes_f coordin
     return t;
 }
 
-/* The texel after the first. */
+/* Returns the number of the texel after the first. */
 static inline lanes_i second_texel(gn_wrap wrap, const texel_pair *t)
 {
     const lanes_i beyond = wrap == GN_WRAP_REPEAT ? lanes_i_splat(0) : t->first;
@@ -115,7 +116,7 @@ static inline lanes_i second_texel(gn_wrap wrap, const texel_pair *t)
     return lanes_i_select(t->at_end, beyond, lanes_i_add(t->first, lanes_i_splat(1)));
 }
 
-/* Of every wrap: both texels, and the weight of the second. */
+/* For every wrap: writes both texels and returns the weight of the second. */
 static inline lanes_f wrap_linear_any(gn_wrap wrap, bool masked, lanes_f coordinate, uint32_t size,
                                       lanes_i texel[2])
 {
@@ -150,7 +151,8 @@ static inline lanes_f wrap_linear_any(gn_wrap wrap, bool masked, lanes_f coordin
     return lanes_sub(c, whole);
 }
 
-/* The texels that a gather gives: as above, but that each is clamped or mirrored by itself. */
+/* Writes the two texels that a gather reads along a dimension: those of wrap_linear_any, except
+ * that each is clamped or mirrored by itself. */
 static inline void wrap_gathered(gn_wrap wrap, bool masked, lanes_f coordinate, uint32_t size,
                                  lanes_i texel[2])
 {
