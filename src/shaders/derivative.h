@@ -1,10 +1,10 @@
-/* Differences within quads of 2x2 fragments; lane l of a block is the pixel (l % 4, l / 4). */
+/* Differences within quads of 2x2 fragments. Lane l of a block is the pixel (l % 4, l / 4). */
 #ifndef GN_SHADERS_DERIVATIVE_H
 #define GN_SHADERS_DERIVATIVE_H
 
 #include "gnomon/sampling.h"
 
-/* To the neighbour in a row and in a column. */
+/* Distance in lanes to the next column and to the next row. */
 #define COLUMN 1
 #define ROW 4
 

@@ -1,4 +1,4 @@
-/* What a light gives a place, at vertices or at fragments. */
+/* The light that reaches a place, for vertices and for fragments. */
 #ifndef GN_SHADERS_LIGHTING_H
 #define GN_SHADERS_LIGHTING_H
 
@@ -11,7 +11,8 @@ static inline bool has_attenuation(const gn_light *light)
     return light->constant != 0.0f || light->linear != 0.0f || light->quadratic != 0.0f;
 }
 
-/* The direction from a place towards the light, normalized, and what distance leaves of it. */
+/* Writes the normalized direction from a place towards the light, and the attenuation of the light
+ * by distance. */
 static inline void light_at(const gn_light *light, const lanes_f place[3], lanes_f to_light[3],
                             lanes_f *left)
 {
@@ -35,7 +36,7 @@ static inline void light_at(const gn_light *light, const lanes_f place[3], lanes
     }
 }
 
-/* color * (ambient + diffuse * lit), in place. */
+/* Replaces color by color * (ambient + diffuse * lit). */
 static inline void light_color(const gn_light *light, lanes_f lit, lanes_f color[3])
 {
     lanes_f ambient[3], diffuse[3];

@@ -6,8 +6,8 @@
 #include "shadow.h"
 #include "surface.h"
 
-/* The light at a fragment: the direction towards it, normalized, and what distance and shadows
- * leave of it. */
+/* Writes the normalized direction from a fragment towards the light, and the part of the light that
+ * distance and shadows leave. */
 static inline void light_fragment(const gn_lit_uniforms *u, const gn_fragment_input *input,
                                   const lanes_f place[3], lanes_f to_light[3], lanes_f *left)
 {
@@ -16,8 +16,8 @@ static inline void light_fragment(const gn_lit_uniforms *u, const gn_fragment_in
         *left = lanes_mul(*left, light_in_shadow(&u->shadow, input->sampling, place));
 }
 
-/* The normal of the triangle: the cross product of how the place changes along x and y of the
- * window. */
+/* Writes the normal of the triangle: the cross product of the derivatives of the place along x and
+ * y of the window. */
 static inline void face_normal(const gn_fragment_input *input, lanes_f normal[3])
 {
     float x[3][GN_LANES], y[3][GN_LANES];
@@ -72,8 +72,8 @@ static inline void shade_toon(const void *uniforms, const gn_fragment_input *inp
     put_color(color, output);
 }
 
-/* By squaring (Knuth, The Art of Computer Programming 4.6.3), from the lowest bit of the exponent
- * on. */
+/* Returns base to the power of exponent by squaring (Knuth, The Art of Computer Programming 4.6.3),
+ * from the lowest bit of the exponent on. */
 static inline lanes_f raise(lanes_f base, uint32_t exponent)
 {
     lanes_f power = exponent & 1 ? base : lanes_splat(1.0f);
@@ -86,7 +86,7 @@ static inline lanes_f raise(lanes_f base, uint32_t exponent)
     return power;
 }
 
-/* The cosine whose power is Phong's highlight: R.V, R = 2 * N.L * N - L. */
+/* Returns the cosine whose power is Phong's highlight: R.V with R = 2 * N.L * N - L. */
 static inline lanes_f reflected_cosine(const lanes_f normal[3], const lanes_f to_light[3],
                                        lanes_f cosine, const lanes_f to_eye[3])
 {
@@ -98,7 +98,7 @@ static inline lanes_f reflected_cosine(const lanes_f normal[3], const lanes_f to
     return dot(reflected, to_eye);
 }
 
-/* Blinn's: N.H. */
+/* Returns the cosine whose power is Blinn's highlight: N.H. */
 static inline lanes_f halfway_cosine(const lanes_f normal[3], const lanes_f to_light[3],
                                      const lanes_f to_eye[3])
 {
@@ -138,7 +138,7 @@ static inline void add_glow(const gn_material *material, const gn_fragment_input
         color[c] = lanes_add(color[c], texel[c]);
 }
 
-/* Phong's and Blinn's, which differ in the highlight. */
+/* Phong's and Blinn's shaders, which differ only in the highlight. */
 GN_INLINE void shade_shiny(const gn_lit_uniforms *u, bool is_blinn, const gn_fragment_input *input,
                            gn_fragment_output *output)
 {

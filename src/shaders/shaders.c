@@ -1,4 +1,4 @@
-/* The ready-made shaders as functions, and their choice for a pipeline. */
+/* The ready-made shaders as functions, and the functions that select them for a pipeline. */
 #include "../config/features.h"
 #include "../formats/holds.h"
 #include "../scalars/bits.h"
@@ -35,13 +35,14 @@ FRAGMENT_SHADER(shade_blinn_phong)
 FRAGMENT_SHADER(shade_normal_color)
 FRAGMENT_SHADER(shade_depth_color)
 
-/* Varyings of shaders whose texture coordinates follow the colour where there is a map. */
+/* Returns the varyings of shaders whose colour is followed by texture coordinates if there is a
+ * map. */
 static uint32_t mapped_varyings(const gn_texture *map)
 {
     return map ? VARYING_END : VARYING_ALPHA + 1;
 }
 
-/* Varyings of shaders that light fragments. */
+/* Returns the varyings of shaders that light fragments. */
 static uint32_t surface_varyings(const gn_material *material)
 {
     return has_tangents(material) ? VARYING_ALL : VARYING_TANGENT;
@@ -71,7 +72,7 @@ gn_status gn_use_depth_only(gn_pipeline *pipeline, const gn_color_uniforms *unif
     return use(pipeline, uniforms, gn_shade_position, 0, 0);
 }
 
-/* Of a map that is there. */
+/* Returns the first fault of a map. Precondition: the map is not null. */
 static gn_status check_map(const gn_texture *map)
 {
     const gn_status status = gn_texture_check(map);
@@ -162,7 +163,7 @@ gn_status gn_use_gouraud(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
                    uniforms ? mapped_varyings(uniforms->material.diffuse_map) : 0);
 }
 
-/* Of shaders that light fragments. */
+/* Selects a shader that lights fragments. */
 static gn_status use_surface(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms,
                              gn_fragment_shader *fragment)
 {
@@ -207,7 +208,7 @@ gn_status gn_use_depth_color(gn_pipeline *pipeline, const gn_depth_color_uniform
     return use(pipeline, uniforms, gn_shade_position, gn_shade_depth_color, 0);
 }
 
-/* Varyings that a ready-made vertex shader writes; 0 for others. */
+/* Returns the number of varyings that a ready-made vertex shader writes; 0 for other shaders. */
 static uint32_t written_varyings(const gn_pipeline *p)
 {
     if (p->program.vertex_shader == gn_shade_vertex_color)
@@ -228,7 +229,7 @@ static bool lights_fragments(gn_fragment_shader *shader)
            shader == gn_shade_blinn_phong || shader == gn_shade_normal_color;
 }
 
-/* Varyings that a ready-made fragment shader reads; 0 for others. */
+/* Returns the number of varyings that a ready-made fragment shader reads; 0 for other shaders. */
 static uint32_t read_varyings(const gn_pipeline *p)
 {
     if (p->program.fragment_shader == gn_shade_color)
@@ -243,7 +244,7 @@ static uint32_t read_varyings(const gn_pipeline *p)
     return 0;
 }
 
-/* Whether a shader of the pipeline is a ready-made one that looks at uniforms. */
+/* Returns whether a shader of the pipeline is a ready-made one that reads uniforms. */
 static bool reads_uniforms(const gn_pipeline *p)
 {
     return p->program.vertex_shader == gn_shade_position ||

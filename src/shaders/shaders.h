@@ -1,5 +1,5 @@
-/* The functions that pipelines with ready-made shaders point to. Back ends recognise
- * them and run their own form instead. */
+/* The functions that pipelines with ready-made shaders point to. Back ends recognise these
+ * functions and run their own form instead. */
 #ifndef GN_SHADERS_SHADERS_H
 #define GN_SHADERS_SHADERS_H
 
@@ -21,17 +21,17 @@ gn_fragment_shader gn_shade_blinn_phong;
 gn_fragment_shader gn_shade_normal_color;
 gn_fragment_shader gn_shade_depth_color;
 
-/* What is wrong with a pipeline that has ready-made shaders: changes after its gn_use_ function. */
+/* Faults of a pipeline with ready-made shaders, from changes after its gn_use_ function. */
 typedef enum gn_ready_made_fault {
     GN_READY_MADE_OK,
     GN_READY_MADE_NO_UNIFORMS, /* the uniforms are null */
-    GN_READY_MADE_NO_POSITION, /* a shader reads positions that the pipeline does not ask for */
+    GN_READY_MADE_NO_POSITION, /* a shader reads the position, but fragment_reads_position is off */
     GN_READY_MADE_FEW_VARYINGS /* a shader reads or writes varyings beyond varying_count */
 } gn_ready_made_fault;
 
-/* Returns the first fault; GN_READY_MADE_OK where both shaders are the user's. The pipeline has a
- * vertex shader. Names every ready-made shader, so that a program which calls this has the code of
- * all. */
+/* Returns the first fault; GN_READY_MADE_OK if both shaders are the user's. Precondition: the
+ * pipeline has a vertex shader. The function refers to every ready-made shader, so a program that
+ * calls it contains the code of all of them. */
 gn_ready_made_fault gn_find_ready_made_fault(const gn_pipeline *pipeline);
 
 #endif

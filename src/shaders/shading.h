@@ -1,5 +1,5 @@
-/* What a draw shades with: the functions of sampling and the shaders, in the forms that were chosen
- * for it. */
+/* The functions that a draw shades with: sampling functions and shaders, in the forms chosen for
+ * the draw. */
 #ifndef GN_SHADERS_SHADING_H
 #define GN_SHADERS_SHADING_H
 

@@ -1,4 +1,5 @@
-/* Shadow maps (Williams 1978): how much of the light reaches a place, by what the light sees. */
+/* Shadow maps (Williams 1978): how much of the light reaches a place, according to the depths that
+ * the light sees. */
 #ifndef GN_SHADERS_SHADOW_H
 #define GN_SHADERS_SHADOW_H
 
@@ -6,8 +7,8 @@
 
 #include "vectors.h"
 
-/* 1 without a map, otherwise the sampler's mean of 1 where the place is as near to the light as the
- * map says, and 0 where it is farther. */
+/* Returns the filtered result of the sampler's comparison: per texel 1 if the place is as near to
+ * the light as the map says, and 0 if it is farther. Precondition: there is a map. */
 static inline lanes_f light_in_shadow(const gn_shadow *shadow, const gn_sampling *sampling,
                                       const lanes_f place[3])
 {

@@ -1,10 +1,10 @@
-/* What a fragment shows of the surface: its colour, normal and place, by varyings and maps. */
+/* What a fragment shows of the surface: its colour, normal and place, from varyings and maps. */
 #ifndef GN_SHADERS_SURFACE_H
 #define GN_SHADERS_SURFACE_H
 
 #include "vertex.h"
 
-/* A map's texels at the texture coordinates. */
+/* Samples a map at the texture coordinates. */
 static inline void sample_map(const gn_texture *map, const gn_sampler *sampler,
                               const gn_fragment_input *input, lanes_f texel[4])
 {
@@ -16,7 +16,7 @@ static inline void sample_map(const gn_texture *map, const gn_sampler *sampler,
         texel[c] = lanes_load(sampled[c]);
 }
 
-/* The vertex colour times the diffuse map. */
+/* Writes the vertex colour times the diffuse map. */
 static inline void surface_color(const gn_material *material, const gn_fragment_input *input,
                                  lanes_f color[4])
 {
@@ -37,8 +37,9 @@ static inline void put_color(const lanes_f color[4], gn_fragment_output *output)
         lanes_store(output->color[c], color[c]);
 }
 
-/* (v.x * tangent + v.y * bitangent) + v.z * normal. Between vertices these are neither normalized
- * nor made orthogonal, since tools that bake maps undo it without (Mikkelsen 2008, section 3). */
+/* Replaces normal by (v.x * tangent + v.y * bitangent) + v.z * normal. The interpolated vectors are
+ * neither normalized nor made orthogonal, because tools that bake maps expect this (Mikkelsen 2008,
+ * section 3). */
 static inline void from_tangents(const gn_fragment_input *input, const lanes_f v[3],
                                  lanes_f normal[3])
 {
@@ -52,7 +53,8 @@ static inline void from_tangents(const gn_fragment_input *input, const lanes_f v
                               lanes_mul(v[2], normal[c]));
 }
 
-/* In world space, normalized: that of the normal map, where there is one. */
+/* Writes the normal in world space, normalized: the normal map's if there is one, otherwise the
+ * interpolated normal. */
 static inline void surface_normal(const gn_lit_uniforms *u, const gn_fragment_input *input,
                                   lanes_f normal[3])
 {

@@ -1,5 +1,5 @@
-/* The fragment shaders without a light: colours and textures as they are, normals and depths as
- * colours. */
+/* The fragment shaders without a light: colours and textures as they are, normals as colours,
+ * depths as colours. */
 #ifndef GN_SHADERS_UNLIT_H
 #define GN_SHADERS_UNLIT_H
 
@@ -32,7 +32,7 @@ static inline void shade_mapped(const gn_texture *map, const gn_sampler *sampler
     }
 }
 
-/* Of gn_unlit_uniforms. */
+/* The fragment shader of gn_use_unlit. */
 static inline void shade_unlit_texture(const void *uniforms, const gn_fragment_input *input,
                                        gn_fragment_output *output)
 {
@@ -41,7 +41,7 @@ static inline void shade_unlit_texture(const void *uniforms, const gn_fragment_i
     shade_mapped(u->map, &u->sampler, input, output);
 }
 
-/* Of gn_lit_uniforms, lit at the vertices. */
+/* The fragment shader of gn_use_gouraud, whose colours are lit at the vertices. */
 static inline void shade_lit_texture(const void *uniforms, const gn_fragment_input *input,
                                      gn_fragment_output *output)
 {

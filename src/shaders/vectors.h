@@ -1,5 +1,5 @@
-/* Vectors over lanes, in the order of operations of GLSL in the reference (reference/RULES.md):
- * dot products are summed from the last component. */
+/* Vectors over lanes, in the order of operations of the reference's GLSL (reference/RULES.md): dot
+ * products are summed from the last component to the first. */
 #ifndef GN_SHADERS_VECTORS_H
 #define GN_SHADERS_VECTORS_H
 
@@ -43,13 +43,13 @@ static inline lanes_f one_over(lanes_f a)
     return lanes_div(lanes_splat(1.0f), a);
 }
 
-/* NaN where the vector is 0. */
+/* Normalizes a vector; a zero vector becomes NaN. */
 static inline void normalize(lanes_f v[3])
 {
     scale_vector(v, one_over(lanes_sqrt(dot(v, v))));
 }
 
-/* 0 stays 0. */
+/* Normalizes a vector; a zero vector stays 0. */
 static inline void normalize_or_zero(lanes_f v[3])
 {
     const lanes_f zero = lanes_splat(0.0f);
@@ -66,7 +66,7 @@ static inline void cross(const lanes_f a[3], const lanes_f b[3], lanes_f out[3])
     out[2] = lanes_sub(lanes_mul(a[0], b[1]), lanes_mul(b[0], a[1]));
 }
 
-/* NaN gives 0. */
+/* Returns the greater of a and 0; 0 for NaN. */
 static inline lanes_f above_zero(lanes_f a)
 {
     const lanes_f zero = lanes_splat(0.0f);
@@ -74,7 +74,7 @@ static inline lanes_f above_zero(lanes_f a)
     return lanes_select(lanes_greater(a, zero), a, zero);
 }
 
-/* m0*x + m1*y + m2*z, from left to right. */
+/* Returns m0*x + m1*y + m2*z, summed from left to right. */
 static inline lanes_f sum_of_products(float m0, lanes_f x, float m1, lanes_f y, float m2, lanes_f z)
 {
     return lanes_add(lanes_add(lanes_mul(lanes_splat(m0), x), lanes_mul(lanes_splat(m1), y)),
@@ -87,14 +87,14 @@ static inline void turn_by_mat3(const gn_mat3 *m, const lanes_f v[3], lanes_f ou
         out[row] = sum_of_products(m->m[0][row], v[0], m->m[1][row], v[1], m->m[2][row], v[2]);
 }
 
-/* By the upper left of a matrix. */
+/* Multiplies a vector by the upper-left 3x3 of a matrix. */
 static inline void turn_by_mat4(const gn_mat4 *m, const lanes_f v[3], lanes_f out[3])
 {
     for (int row = 0; row < 3; ++row)
         out[row] = sum_of_products(m->m[0][row], v[0], m->m[1][row], v[1], m->m[2][row], v[2]);
 }
 
-/* The first `rows` rows of m * (x, y, z, w). */
+/* Writes the first `rows` rows of m * (x, y, z, w). */
 static inline void transform(const gn_mat4 *m, const lanes_f v[4], int rows, lanes_f out[4])
 {
     for (int row = 0; row < rows; ++row)

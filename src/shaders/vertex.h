@@ -1,5 +1,5 @@
-/* The ready-made vertex shaders over lanes, and the order of the varyings that they give. Compiled
- * for each back end, and once for the functions a pipeline points to (shaders.c). */
+/* The ready-made vertex shaders over lanes, and the order of their varyings. Compiled for each back
+ * end, and once for the functions that a pipeline points to (shaders.c). */
 #ifndef GN_SHADERS_VERTEX_H
 #define GN_SHADERS_VERTEX_H
 
@@ -8,14 +8,15 @@
 #include "lighting.h"
 #include "shaders.h"
 
-/* A shader has the first so many of them. */
+/* The order of varyings, which gnomon/shaders.h documents. Each shader uses the first of them, up
+ * to one of VARYING_S, VARYING_END, VARYING_TANGENT and VARYING_ALL. */
 enum {
     VARYING_RED,
     VARYING_ALPHA = 3,
     VARYING_S,
     VARYING_T,
-    VARYING_END,                  /* of what is lit at vertices */
-    VARYING_NORMAL = VARYING_END, /* in world space, as is what follows */
+    VARYING_END,                  /* the number of varyings if vertices are lit */
+    VARYING_NORMAL = VARYING_END, /* in world space, as are the following ones */
     VARYING_PLACE = VARYING_NORMAL + 3,
     VARYING_TANGENT = VARYING_PLACE + 3,
     VARYING_HANDEDNESS = VARYING_TANGENT + 3,
@@ -46,7 +47,7 @@ static inline void place_vertex(const gn_mat4 *clip_from_model, const gn_vertex_
         lanes_store(output->position[c], clip[c]);
 }
 
-/* White where the mesh has no colours. */
+/* Loads the vertex colours; white if the mesh has none. */
 static inline void load_color(const gn_vertex_input *input, lanes_f color[4])
 {
     for (int c = 0; c < 4; ++c)
@@ -101,7 +102,7 @@ static inline void shade_unlit(const void *uniforms, const gn_vertex_input *inpu
         copy_texcoord(input, output);
 }
 
-/* In world space; 0 where the mesh has none. */
+/* Writes the normal in world space; 0 if the mesh has none. */
 static inline void load_normal(const gn_lit_uniforms *u, const gn_vertex_input *input,
                                lanes_f normal[3])
 {
@@ -111,7 +112,7 @@ static inline void load_normal(const gn_lit_uniforms *u, const gn_vertex_input *
     turn_by_mat3(&u->normal_matrix, of_model, normal);
 }
 
-/* Gouraud's. */
+/* The vertex shader of gn_use_gouraud. */
 static inline void shade_lit(const void *uniforms, const gn_vertex_input *input,
                              gn_vertex_output *output)
 {
@@ -134,8 +135,8 @@ static inline void shade_lit(const void *uniforms, const gn_vertex_input *input,
         copy_texcoord(input, output);
 }
 
-/* What shaders that light fragments ask for. Normals and tangents have one length, so that between
- * vertices none counts for more than another. */
+/* The vertex shader of all shaders that light fragments. Normals and tangents are given length one,
+ * so that interpolation weighs all vertices alike. */
 static inline void shade_surface(const void *uniforms, const gn_vertex_input *input,
                                  gn_vertex_output *output)
 {
