@@ -1,5 +1,5 @@
-/* Blits: what is asked, which texel each pixel takes, and the conversion, sixteen pixels of a row
- * at a time. */
+/* Blits: checks of the arguments, the choice of each pixel's texel, and the conversion of formats,
+ * sixteen pixels of a row at a time. */
 #include "gnomon/blit.h"
 
 #include "../formats/pixel_rows.h"
@@ -11,15 +11,15 @@
 
 typedef struct blit {
     const gn_surface *destination, *source;
-    int dimensions;         /* in which texels are mixed */
-    const gn_surface *next; /* with 3 dimensions a second source, of which `between` is mixed in */
+    int dimensions;         /* in which texels are mixed: 1 to 3 */
+    const gn_surface *next; /* with 3 dimensions, a second source; see between */
     float between;
-    bool mixes;          /* linear */
+    bool mixes;          /* the filter is linear */
     bool copies;         /* pixels keep their bits */
-    uint32_t written[2]; /* bits of the words of a copied pixel of 32 bits or of depth */
+    uint32_t written[2]; /* bits that are copied of a pixel's words (32-bit formats and depth) */
 } blit;
 
-/* The texels of sixteen pixels: columns and rows, of two each where they are mixed. */
+/* The texels of sixteen pixels: columns and rows, two of each if texels are mixed. */
 typedef struct blit_texels {
     int32_t column[2][GN_LANES], row[2][GN_LANES];
     float weight[2][GN_LANES];
@@ -44,7 +44,7 @@ static gn_rectangle whole(const gn_surface *surface)
     return r;
 }
 
-/* Corner 0 below and left of corner 1. */
+/* Returns the rectangle with corner 0 below and left of corner 1. */
 static gn_rectangle upright(const gn_rectangle *r)
 {
     gn_rectangle u;
@@ -56,7 +56,8 @@ static gn_rectangle upright(const gn_rectangle *r)
     return u;
 }
 
-/* What of an upright rectangle lies on another; empty ones have corner 1 at most at corner 0. */
+/* Returns the intersection of two upright rectangles. If it is empty, corner 1 is not above and
+ * right of corner 0. */
 static gn_rectangle intersection(const gn_rectangle *a, const gn_rectangle *b)
 {
     gn_rectangle r;
@@ -73,7 +74,7 @@ static bool is_empty(const gn_rectangle *r)
     return r->x0 >= r->x1 || r->y0 >= r->y1;
 }
 
-/* What the scissor leaves of the destination. */
+/* Returns the part of the destination that the scissor leaves. */
 static gn_rectangle scissored(const gn_surface *destination, const gn_scissor *scissor)
 {
     const pixel_rectangle part = scissored_target(scissor, destination->width, destination->height);
@@ -86,7 +87,8 @@ static gn_rectangle scissored(const gn_surface *destination, const gn_scissor *s
     return r;
 }
 
-/* The addresses of a rectangle's pixels, the last byte's included, which is not empty. */
+/* Writes the first and the last byte's address of a rectangle's pixels. Precondition: the rectangle
+ * is not empty. */
 static void address_range(const gn_surface *surface, const gn_rectangle *r, uintptr_t range[2])
 {
     const uint32_t size = format_size(surface->format);
@@ -98,7 +100,7 @@ static void address_range(const gn_surface *surface, const gn_rectangle *r, uint
     range[1] = (uintptr_t)surface_row(surface, highest) + (uintptr_t)r->x1 * size - 1;
 }
 
-/* Whether a pixel that is read may be one that is written. */
+/* Returns whether a pixel that is read may be a pixel that is written. */
 static bool overlap(const blit *b, const gn_rectangle *to, const gn_rectangle *from)
 {
     const gn_rectangle destination = whole(b->destination);
@@ -133,7 +135,7 @@ static void copy_word(stored_word *to, int32_t from, uint32_t bits)
     *to = (int32_t)(((uint32_t)*to & ~bits) | ((uint32_t)from & bits));
 }
 
-/* One pixel's bits from a row to another. */
+/* Copies one pixel's bits from a row to another. */
 static void copy_pixel(const blit *b, unsigned char *to, int32_t x, const unsigned char *from,
                        int32_t column)
 {
@@ -173,7 +175,7 @@ static void copy_pixel(const blit *b, unsigned char *to, int32_t x, const unsign
     }
 }
 
-/* The texels whose columns and rows are the first or the second of each lane's. */
+/* Loads the texels at each lane's first or second column (`right`) and row (`above`). */
 static void fetch_texels(const gn_surface *source, const blit_texels *t, int right, int above,
                          lanes_f color[4])
 {
@@ -209,7 +211,7 @@ static void mix_source(const gn_surface *source, int dimensions, const blit_texe
         color[c] = mix_texels(along_y, color[c], mix_texels(along_x, above[c], right[c]));
 }
 
-/* All that a pixel is mixed of. */
+/* Mixes everything that contributes to a pixel. */
 static void mix_sources(const blit *b, const blit_texels *t, lanes_f color[4])
 {
     lanes_f second[4];
@@ -222,7 +224,7 @@ static void mix_sources(const blit *b, const blit_texels *t, lanes_f color[4])
     }
 }
 
-/* Writes the pixels from x to x + count - 1 of row y. */
+/* Writes pixels x to x + count - 1 of row y. */
 static void write_run(const blit *b, int32_t x, int32_t y, uint32_t count, const blit_texels *t)
 {
     lanes_f color[4];
@@ -240,7 +242,7 @@ static void write_run(const blit *b, int32_t x, int32_t y, uint32_t count, const
     store_colors(b->destination, x, y, count, color);
 }
 
-/* The texels of a lane along a dimension, of a coordinate from 0 to 1. */
+/* Finds the texels of a lane along a dimension, from a coordinate from 0 to 1. */
 static void find_texel(float coordinate, uint32_t size, bool mixes, int l,
                        int32_t texel[2][GN_LANES], float weight[GN_LANES])
 {
@@ -296,8 +298,8 @@ static void blit_scaled(const blit *b, const gn_rectangle *to, const gn_rectangl
     }
 }
 
-/* Texel of a pixel, of rectangles of one size of which `to` is not mirrored; lanes beyond the
- * surface take its last. */
+/* Returns the texel of a pixel along one dimension, for rectangles of equal size of which `to` is
+ * not mirrored. For lanes beyond the surface it is clamped to the surface. */
 static int32_t moved_texel(int32_t pixel, int32_t to, int32_t from0, int32_t from1, uint32_t size)
 {
     const int32_t texel = from0 <= from1 ? from0 + (pixel - to) : from0 - 1 - (pixel - to);
@@ -328,7 +330,7 @@ static int32_t length_of(int32_t first, int32_t last)
     return first < last ? last - first : first - last;
 }
 
-/* Cuts, turns the rectangles so that `to` is not mirrored, and blits. */
+/* Cuts the rectangles, exchanges corners so that `to` is not mirrored, and blits. */
 static void blit_checked(blit *b, gn_rectangle to, gn_rectangle from, const gn_scissor *scissor)
 {
     const gn_rectangle bounds = scissored(b->destination, scissor);
@@ -367,7 +369,7 @@ static void blit_checked(blit *b, gn_rectangle to, gn_rectangle from, const gn_s
         blit_moved(b, &to, &from, &drawn);
 }
 
-/* The bits of depth and stencil that are written. */
+/* Sets the bits of depth and stencil that are written. */
 static void set_written(blit *b, const gn_blit_options *options)
 {
     const gn_format format = b->source->format;
@@ -383,7 +385,7 @@ static void set_written(blit *b, const gn_blit_options *options)
         b->written[1] = 0;
 }
 
-/* Whether all that the format has is to stay. */
+/* Returns whether the destination keeps everything that the format has. */
 static bool keeps_all(gn_format format, const gn_blit_options *options)
 {
     if (format_is_color(format))

@@ -1,4 +1,5 @@
-/* Which rectangles a blit is left with where they reach beyond the surfaces or the scissor. */
+/* The parts of a blit's rectangles that are left if the rectangles reach beyond the surfaces or the
+ * scissor. */
 #ifndef GN_SURFACES_BLIT_CUT_H
 #define GN_SURFACES_BLIT_CUT_H
 
@@ -6,14 +7,14 @@
 
 #include "gnomon/blit.h"
 
-/* One dimension of a rectangle: from a first end to a last, which may be below it. */
+/* One dimension of a rectangle, from a first end to a last end, which may be the lower one. */
 typedef struct blit_range {
     int32_t first, last;
 } blit_range;
 
-/* Moves the end of `cut` that is beyond `limit`, which one at most is, onto it, and the end of the
- * other range in proportion, as counted from the lower end of `cut`, to the nearest number.
- * `above` says on which side beyond is. */
+/* Cuts `cut` at `limit`; `above` says whether numbers above or below the limit are cut off. At most
+ * one end of `cut` lies there and is moved to the limit. The corresponding end of `other` is moved
+ * in proportion, counted from the lower end of `cut`, to the nearest integer. */
 static inline void cut_end(blit_range *cut, blit_range *other, int32_t limit, bool above)
 {
     const bool rises = cut->first < cut->last;
@@ -40,7 +41,7 @@ static inline bool lies_outside(const blit_range *r, int32_t low, int32_t high)
     return (r->first <= low && r->last <= low) || (r->first >= high && r->last >= high);
 }
 
-/* Cuts the ranges to low..high of the destination and 0..size of the source; false where
+/* Cuts the ranges to low..high of the destination and 0..size of the source. Returns false if
  * nothing is left. */
 static inline bool cut_ranges(blit_range *to, blit_range *from, int32_t low, int32_t high,
                               int32_t size)
@@ -51,7 +52,7 @@ static inline bool cut_ranges(blit_range *to, blit_range *from, int32_t low, int
     cut_end(to, from, high, true);
     cut_end(to, from, low, false);
 
-    /* The counterpart of what is left may have no texel's width, and yet a place. */
+    /* The part of the source that is left may round to no texel and still have a place to read. */
     if (from->first == from->last)
         return from->first >= 0 && from->first <= size;
     if (lies_outside(from, 0, size))

@@ -1,13 +1,13 @@
 /* A scaled blit as the reference draws it: two triangles, clipped to the destination, over which
- * texture coordinates are planes. Only their low bits depend on that, and with them which texel a
- * pixel takes whose centre falls between two (reference/RULES.md). */
+ * texture coordinates are planes. This affects only the low bits of the coordinates, and thereby
+ * which texel a pixel reads whose centre falls between two texels (reference/RULES.md). */
 #ifndef GN_SURFACES_BLIT_QUAD_H
 #define GN_SURFACES_BLIT_QUAD_H
 
 #include "../lanes/lanes.h"
 #include "gnomon/blit.h"
 
-/* A triangle has three vertices and one more a side of the destination. */
+/* A triangle has three vertices; clipping adds at most one for each side of the destination. */
 #define BLIT_POLYGON 7
 #define BLIT_PIECES (2 * (BLIT_POLYGON - 2))
 
@@ -16,8 +16,8 @@ typedef struct blit_vertex {
     int32_t snapped[2];
 } blit_vertex;
 
-/* A triangle: inside where start - 256 * per_x * x + 256 * per_y * y > 0 for all three edges; a
- * coordinate of the texture is per_y * y + (per_x * x + origin). */
+/* A triangle. A pixel (x, y) is inside if start - 256 * per_x * x + 256 * per_y * y > 0 for all
+ * three edges. A coordinate of the texture is per_y * y + (per_x * x + origin). */
 typedef struct blit_piece {
     struct {
         int64_t start;
@@ -31,7 +31,7 @@ typedef struct blit_piece {
 typedef struct blit_quad {
     blit_piece piece[BLIT_PIECES];
     uint32_t count;
-    float scale[2]; /* of the viewport */
+    float scale[2]; /* of the viewport: half of the destination's size */
 } blit_quad;
 
 static inline void place_blit_vertex(const blit_quad *q, blit_vertex *v)
@@ -45,10 +45,10 @@ static inline void place_blit_vertex(const blit_quad *q, blit_vertex *v)
     }
 }
 
-/* Sides of the destination, in the order of clipping. */
+/* The sides of the destination, in the order of clipping. */
 enum { BLIT_RIGHT, BLIT_LEFT, BLIT_TOP, BLIT_BOTTOM, BLIT_SIDES };
 
-/* Not negative inside. */
+/* Returns a vertex' distance to a side; not negative inside. */
 static inline float blit_distance(const blit_vertex *v, int side)
 {
     const float c = v->clip[side / 2];
@@ -63,8 +63,8 @@ static inline bool is_outside(const blit_vertex *v, int side)
     return side % 2 != 0 ? !(0.0f <= c + 1.0f) : !(c <= 1.0f);
 }
 
-/* A new vertex at p + t * (q - p). Texture coordinates go by the window, as noperspective
- * varyings do. */
+/* Writes a new vertex at p + t * (q - p). Texture coordinates are interpolated in the window, as
+ * noperspective varyings are. */
 static inline void make_blit_vertex(const blit_quad *quad, blit_vertex *made, const blit_vertex *p,
                                     const blit_vertex *q, float t)
 {
@@ -79,7 +79,8 @@ static inline void make_blit_vertex(const blit_quad *quad, blit_vertex *made, co
     place_blit_vertex(quad, made);
 }
 
-/* Clips a polygon to a side, as triangles are (geometry/clip.h). Gives the number of vertices. */
+/* Clips a polygon to a side, as triangles are clipped (geometry/clip.h). Returns the number of
+ * vertices. */
 static inline uint32_t clip_blit(const blit_quad *quad, int side, const blit_vertex *in,
                                  uint32_t count, blit_vertex *out)
 {
@@ -112,8 +113,8 @@ static inline uint32_t clip_blit(const blit_quad *quad, int side, const blit_ver
     return made;
 }
 
-/* Sets a triangle up as others are (raster/setup.h). Those of a blit are counter-clockwise, so
- * that the first two vertices change places. */
+/* Sets up a triangle as draws do (raster/setup.h). Triangles of a blit are counter-clockwise, so
+ * their first two vertices are exchanged. */
 static inline void add_blit_piece(blit_quad *q, const blit_vertex *first, const blit_vertex *second,
                                   const blit_vertex *c)
 {
@@ -193,8 +194,8 @@ static inline void add_blit_triangle(blit_quad *q, const blit_vertex *a, const b
         add_blit_piece(q, &in[n - 1], &in[n], &in[0]);
 }
 
-/* The pieces of a blit onto `to`, which is not mirrored. Texture coordinates are from 0 to 1 over
- * the source. */
+/* Sets the pieces of a blit to `to`, which is not mirrored. Texture coordinates are from 0 to 1
+ * over the source. */
 static inline void set_blit_quad(blit_quad *q, const gn_surface *destination,
                                  const gn_rectangle *to, const gn_surface *source,
                                  const gn_rectangle *from)
@@ -221,7 +222,7 @@ static inline void set_blit_quad(blit_quad *q, const gn_surface *destination,
     add_blit_triangle(q, &corner[0], &corner[2], &corner[3]);
 }
 
-/* The columns of a row that a piece covers, of those from *first to *end. */
+/* Reduces *first to *end to the columns of row y that a piece covers. */
 static inline void blit_columns(const blit_piece *p, int32_t y, int32_t *first, int32_t *end)
 {
     int64_t value[3];

@@ -1,10 +1,10 @@
-/* What functions that take surfaces of any kind ask of them first. */
+/* The check that functions begin with which take surfaces of any kind. */
 #ifndef GN_SURFACES_CHECK_H
 #define GN_SURFACES_CHECK_H
 
 #include "gnomon/surface.h"
 
-/* The first fault of a surface of any format but GN_FORMAT_NONE. */
+/* Returns the first fault of a surface; GN_FORMAT_NONE is a fault. */
 gn_status gn_check_any_surface(const gn_surface *surface);
 
 #endif

@@ -1,4 +1,4 @@
-/* Clears in the formats beside RGBA8 and RGBA32F: the pixel, and memory filled with it. */
+/* Clears in all formats but RGBA8 and RGBA32F: the pixel, and memory filled with it. */
 #ifndef GN_SURFACES_CLEAR_PIXEL_H
 #define GN_SURFACES_CLEAR_PIXEL_H
 
@@ -6,7 +6,7 @@
 #include "../formats/size.h"
 #include "fill.h"
 
-/* A pixel's bytes as memory has them. */
+/* A pixel's bytes as they lie in memory. */
 typedef union clear_pixel_memory {
     unsigned char byte[8];
     uint16_t half[4];
@@ -18,7 +18,8 @@ typedef struct clear_pixel {
     uint32_t size;
 } clear_pixel;
 
-/* A clear rounds halves up where a channel has not 8 bits. */
+/* Returns a channel of a clear in a format whose channels do not have 8 bits: halves are rounded
+ * up. */
 static inline uint32_t clear_unorm(float c, uint32_t largest)
 {
     const float saturated_c = !(c > 0.0f) ? 0.0f : c >= 1.0f ? 1.0f : c;
@@ -26,7 +27,7 @@ static inline uint32_t clear_unorm(float c, uint32_t largest)
     return (uint32_t)(saturated_c * (float)largest + 0.5f);
 }
 
-/* The pixel that a clear to a colour makes, in the words that encode_colors gives. */
+/* Writes the pixel of a clear as the words that encode_colors returns. */
 static inline void encode_clear(gn_format format, const float c[4], uint32_t word[2])
 {
     lanes_f color[4];
@@ -53,7 +54,8 @@ static inline void encode_clear(gn_format format, const float c[4], uint32_t wor
     default:
         break;
     }
-    /* The others are as fragments are, but that bytes saturate before they round. */
+    /* The other formats are converted as fragments are, except that bytes saturate before they are
+     * rounded. */
     const bool is_float = format == GN_FORMAT_R32F || format == GN_FORMAT_RGBA16F;
 
     for (int i = 0; i < 4; ++i)
@@ -89,10 +91,10 @@ static inline void set_clear_pixel(clear_pixel *pixel, gn_format format, const f
     }
 }
 
-/* Bytes after which the pattern of every size of pixels repeats in whole words. */
+/* Bytes after which the pattern of every pixel size repeats in whole words. */
 #define CLEAR_PATTERN 24
 
-/* Fills `size` bytes, whole pixels. */
+/* Fills `size` bytes, which are whole pixels. */
 static inline void fill_pixels(unsigned char *memory, size_t size, const clear_pixel *pixel)
 {
     union {

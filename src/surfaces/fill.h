@@ -1,14 +1,14 @@
-/* Filling memory with a value over and over: what clears are made of. */
+/* Filling memory with a repeated value, from which clears are built. */
 #ifndef GN_SURFACES_FILL_H
 #define GN_SURFACES_FILL_H
 
 #include "../lanes/lanes.h"
 
-/* From this many words on a string instruction pays: it fills whole cache lines without
+/* From this many words on a string instruction is faster: it fills whole cache lines without
  * reading them, at up to twice the speed of 16-byte stores, after a start of 30 ns. */
 #define STRING_WORDS 1024
 
-/* Fills with one word where all of `pattern`, which repeats every four words, are equal. */
+/* Fills memory with `pattern`, which repeats every four words. */
 static inline void fill_words(stored_word *memory, size_t count, const int32_t pattern[GN_LANES])
 {
     const lanes_i value = lanes_i_load(pattern);

@@ -1,11 +1,11 @@
-/* Levels made from the first: each from the one before it, by the reference's rules for linear
- * blits, in three dimensions between two layers. */
+/* Levels made from the first: each is made from the level before it, by the reference's rules for
+ * linear blits; in three dimensions between two layers. */
 #include "../formats/holds.h"
 #include "../texture/packed.h"
 #include "../texture/texture_faults.h"
 #include "reduce.h"
 
-/* The addresses of level 0, the last byte's included. */
+/* Writes the first and the last byte's address of level 0. */
 static void address_range(const gn_texture *t, uintptr_t range[2])
 {
     const gn_texture_level *const l = &t->level[0];
@@ -34,7 +34,7 @@ static gn_surface surface_of(const gn_texture *t, uint32_t level, uint32_t layer
 
     if (e.layers > 1)
         texels += (ptrdiff_t)layer * l->layer_stride;
-    /* A surface's pixels are not const; only those in the caller's memory are written. */
+    /* A surface's pixels are not const; only the levels in the caller's memory are written. */
     s.pixels = (void *)(uintptr_t)texels;
     s.row_stride = l->row_stride;
     s.width = e.width;
@@ -45,8 +45,8 @@ static gn_surface surface_of(const gn_texture *t, uint32_t level, uint32_t layer
     return s;
 }
 
-/* Level `level` of a 3D texture: layers are mixed at the centres of the new ones, which are found
- * as the reference finds them. */
+/* Makes level `level` of a 3D texture. Layers are mixed at the centres of the new layers, which are
+ * computed in the reference's operations. */
 static void make_slices(const gn_texture *t, uint32_t level)
 {
     const uint32_t count = extent_of_level(t, level).layers;

@@ -1,13 +1,13 @@
-/* A layer of a level of a texture out of the level before: a linear blit of the whole, in three
- * dimensions between two layers. */
+/* A layer of a texture's level made from the level before it: a linear blit of the whole layer, in
+ * three dimensions between two layers. */
 #ifndef GN_SURFACES_REDUCE_H
 #define GN_SURFACES_REDUCE_H
 
 #include "gnomon/surface.h"
 
-/* The surfaces are of colours, have one sample and no fault, and the destination overlaps neither
- * source. In 3 dimensions `between` of `next`, which has the source's size, is mixed in; in 1 there
- * is one row. */
+/* Writes the destination. Preconditions: the surfaces have colour formats, one sample and no fault;
+ * the destination overlaps neither source. With 3 dimensions, the part `between` of `next` is mixed
+ * in, which has the source's size. With 1 dimension there is one row. */
 void gn_reduce(const gn_surface *destination, int dimensions, const gn_surface *source,
                const gn_surface *next, float between);
 

@@ -1,10 +1,11 @@
-/* Resolving: several samples of a pixel to one. */
+/* Resolving several samples per pixel to one. */
 #include "../formats/pixel_rows.h"
 #include "check.h"
 
 #if GN_HAVE_SAMPLES
 
-/* The means of sixteen pixels' samples from x on, as far as the row goes. */
+/* Writes the means of the samples of sixteen pixels from x on. Beyond the end of the row a lane
+ * repeats pixel x. */
 static void average_row(const gn_surface *from, uint32_t x, uint32_t y, lanes_f color[4])
 {
     const unsigned char *row[GN_LANES];
@@ -26,7 +27,7 @@ static void average_row(const gn_surface *from, uint32_t x, uint32_t y, lanes_f 
         color[c] = lanes_mul(color[c], lanes_splat(0.25f));
 }
 
-/* Sample 0 as it is. */
+/* Copies sample 0 unchanged. */
 static void copy_rows(const gn_surface *to, const gn_surface *from)
 {
     const uint32_t size = to->width * format_size(to->format);

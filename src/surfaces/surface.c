@@ -60,7 +60,7 @@ gn_surface gn_surface_multisampled(const gn_surface *image)
         const size_t stride = stride_length(image->row_stride);
         const bool fits = image->height > 0 && stride <= (size_t)PTRDIFF_MAX / image->height;
 
-        /* Where the images do not fit memory, gn_target_check finds a fault. */
+        /* If the images do not fit memory, gn_target_check finds the fault. */
         s.samples = GN_SAMPLES;
         s.sample_stride = fits ? (ptrdiff_t)(stride * image->height) : PTRDIFF_MAX;
     }
@@ -90,15 +90,15 @@ gn_status gn_target_check(const gn_target *target)
     return fault_of_target(target);
 }
 
-/* What the reference's clear makes of a channel; unlike a fragment's conversion it
- * saturates before rounding. */
+/* Returns a channel as the reference's clear converts it: unlike a fragment's channel it saturates
+ * before rounding. */
 static lanes_f saturate(float c)
 {
     return lanes_splat(!(c > 0.0f) ? 0.0f : c >= 1.0f ? 1.0f : c);
 }
 
-/* A surface's memory in pieces without gaps: all of it, lowest address first, where rows
- * follow each other tightly, otherwise each row. */
+/* A surface's memory in pieces without gaps: one piece from the lowest address on if rows are
+ * tightly packed, otherwise one piece per row. */
 typedef struct surface_spans {
     unsigned char *first;
     ptrdiff_t stride;
@@ -124,7 +124,7 @@ static surface_spans spans_of(const gn_surface *surface)
     return s;
 }
 
-/* Fills with the first four words of the pattern over and over. */
+/* Fills a surface with the first four words of the pattern, repeated. */
 static void fill_surface(const gn_surface *surface, const int32_t pattern[GN_LANES])
 {
     const surface_spans spans = spans_of(surface);
@@ -163,7 +163,7 @@ static int32_t bits_of(float f)
     return bits[0];
 }
 
-/* A float as surfaces hold it. */
+/* Returns the bits of a float as surfaces store it. */
 static int32_t color_bits(float f)
 {
     int32_t bits[GN_LANES];
@@ -172,7 +172,7 @@ static int32_t color_bits(float f)
     return bits[0];
 }
 
-/* Fills with a pixel of any size but RGBA32F's. */
+/* Fills a surface with a pixel of any size except that of RGBA32F. */
 static void clear_pixels(const gn_surface *surface, const float channel[4])
 {
     const surface_spans spans = spans_of(surface);
@@ -227,7 +227,7 @@ gn_status gn_clear_color(const gn_surface *surface, float red, float green, floa
     return GN_OK;
 }
 
-/* round-half-even(depth * scale) without rounding the product: a float in (0, 1) is
+/* Returns round-half-even(depth * scale) without rounding the product: a float in (0, 1) is
  * mantissa * 2^-shift, and the product of mantissa and scale has at most 48 bits. */
 static uint32_t scale_exactly(float depth, uint32_t scale)
 {
@@ -266,7 +266,7 @@ static void fill_bytes(const gn_surface *surface, uint8_t value)
     }
 }
 
-/* The first two words of a pattern over and over, in the bits of a mask. */
+/* Fills a surface with the first two words of a pattern, repeated, in the bits of a mask. */
 static void fill_bits(const gn_surface *surface, const int32_t pattern[GN_LANES],
                       const int32_t mask[2])
 {
@@ -281,7 +281,8 @@ static void fill_bits(const gn_surface *surface, const int32_t pattern[GN_LANES]
     }
 }
 
-/* Clears what is asked for of one sample of a checked surface, which has it. */
+/* Clears depth, stencil or both of one sample of a checked surface. Precondition: the surface has
+ * what is cleared. */
 static void clear_sample(const gn_surface *surface, bool clears_depth, float depth,
                          bool clears_stencil, uint8_t stencil)
 {

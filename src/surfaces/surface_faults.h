@@ -9,7 +9,7 @@
 #include "../formats/surface_memory.h"
 #include "target.h"
 
-/* Colours of a target are surfaces 0 to 7, its depth is this one. */
+/* Colours of a target are surfaces 0 to 7; its depth is surface 8. */
 #define SURFACE_DEPTH 8
 
 #if defined(GN_FAULT_TEXTS)
@@ -24,7 +24,7 @@
 #define FAULT_IF_SURFACE(condition, which, status, text) FAULT_IF(condition, status, text)
 #endif
 
-/* A sample's rows take `rows` bytes. */
+/* Returns the first fault of a surface's samples. The rows of one sample take `rows` bytes. */
 static inline fault fault_of_samples(const gn_surface *s, size_t element, size_t rows, int which)
 {
     const size_t stride = stride_length(s->sample_stride);
