@@ -1,9 +1,8 @@
-/* The operations of the portable lanes as functions that are handed addresses, for little
- * code: handing over 64 bytes by value takes more than most operations do, at every call.
- * An operand is the array in it, whose address C takes by itself, also of what another
- * operation returned: that lasts to the end of the expression (C11 6.2.4; GCC and Clang
- * have it so in C99 too). Operations that are not here go by value.
- * Not alone: lanes.h includes it after the portable form, whose types it uses. */
+/* The operations of the portable lanes as functions that take addresses, so that code is small:
+ * passing 64 bytes by value takes more code than most operations, at every call. Each operand is
+ * passed as the array in its structure, whose address C takes implicitly, also for the result of
+ * another operation. Such a result lives until the end of the expression (C11 6.2.4; GCC and Clang
+ * do the same in C99). Operations that are not listed here pass by value. */
 #ifndef GN_LANES_CALLS_H
 #define GN_LANES_CALLS_H
 
@@ -11,7 +10,7 @@
 #define GN_ELEMENT_lanes_i int32_t
 #define GN_ELEMENT_lanes_m uint32_t
 
-/* Result, name and operands. */
+/* The type of the result, the name, and the type of the operands. */
 #define GN_LANES_CALLS(UNARY, BINARY, SELECT, CONSTANT)                                            \
     BINARY(lanes_f, add, lanes_f)                                                                  \
     BINARY(lanes_f, sub, lanes_f)                                                                  \

@@ -1,4 +1,4 @@
-/* What lanes in four registers of 128 bits have in common, a row of a block in each. */
+/* What lanes in four 128-bit registers have in common; each register holds a row of a block. */
 #ifndef GN_LANES_FOUR_REGISTERS_H
 #define GN_LANES_FOUR_REGISTERS_H
 

@@ -1,17 +1,17 @@
-/* Sixteen-wide floats, integers and masks: the only place that knows how they are
- * held. Stages are written once over these operations; what each does is stated in
- * lanes_portable.h, and the other forms give the same bits.
+/* Floats, integers and masks of sixteen lanes: the only place that knows how they are held. Stages
+ * are written once over these operations. lanes_portable.h defines each operation; the other forms
+ * return the same bits.
  *
  *   load store splat              memory and constants
  *   columns rows plane            the terms of a plane over a block
- *   add sub mul div sqrt min max  one IEEE operation a lane; min and max give their
- *                                 second operand where either is NaN
+ *   add sub mul div sqrt min max  one IEEE operation per lane; min and max return their
+ *                                 second operand if either is NaN
  *   greater less_equal and not    masks, and bits and sign_bits of them
  *   select
  *   from_bits m_as_int
  *   truncate round                to integers; to_float, as_int, as_float back and across
  *   floor                         stays a float
- *   quad_left quad_right          of the other column or row of each 2x2 quad
+ *   quad_left quad_right          the value in one column or row of each 2x2 quad
  *   quad_lower quad_upper
  *   i_add i_sub i_mul i_or i_and  integers, which wrap around
  *   i_shift_left i_shift_right
@@ -19,15 +19,15 @@
  *   i_greater i_equal
  *   i_halves                      one value in the lower lanes, one in the upper
  *   i_gather i_gather_pairs       words of memory by index
- *   i_gather_rows i_scatter_rows  rows of four words, one a lane, and four lanes_i
+ *   i_gather_rows i_scatter_rows  rows of four words, one per lane, and four lanes_i
  *   pack_unorm8 unpack_unorm8     colours
  *   load_block store_block        the two halves of a block in rows of memory
  *
- * A back end (backends/) says which form it is made of: GN_LANES_PORTABLE, _AVX2, _AVX512,
- * _NEON or _WASM_SIMD128; with none of them it is SSE2 or portable, what every processor
- * of the target has. The portable form may be called with addresses (calls.h).
- * GN_LANES_INTRINSICS_HEADER is a header that stands in for the intrinsics of the last three where
- * the target has not got them (tests/portability). */
+ * A back end (backends/) selects its form by GN_LANES_PORTABLE, _AVX2, _AVX512, _NEON or
+ * _WASM_SIMD128. With none of these the form is SSE2 or portable, whichever every processor of the
+ * target has. The portable form may be called with addresses (calls.h). GN_LANES_INTRINSICS_HEADER
+ * names a header that replaces the intrinsics of the last three where the target lacks them
+ * (tests/portability). */
 #ifndef GN_LANES_LANES_H
 #define GN_LANES_LANES_H
 
@@ -51,7 +51,8 @@
 
 /* Words and halves of memory that hold values of any type: users' pixels and texels, and floats
  * whose bits are handled as integers. C99 section 6.5 paragraph 7 lets a compiler assume that
- * lvalues of other types do not name such an object; compilers that use this know may_alias. */
+ * lvalues of other types do not refer to such an object. Compilers that use this assumption know
+ * may_alias. */
 #if defined(__GNUC__)
 typedef int32_t __attribute__((may_alias)) stored_word;
 typedef uint16_t __attribute__((may_alias)) stored_half;
@@ -62,7 +63,7 @@ typedef uint16_t stored_half;
 
 #define GN_EACH_LANE(l) for (int l = 0; l < GN_LANES; ++l)
 
-/* How many lanes have their bit set. */
+/* Returns how many bits of lanes are set. */
 static inline uint32_t count_lanes(uint32_t bits)
 {
     bits = (bits & 0x5555) + (bits >> 1 & 0x5555);
@@ -71,10 +72,11 @@ static inline uint32_t count_lanes(uint32_t bits)
     return (bits & 0x1F) + (bits >> 8);
 }
 
-/* For functions whose arguments are constants where they are called: one version of the
- * text, a version of the code for each state. What is seldom needed there stays out of line.
- * Where operations are loops, or have a sanitizer's checks in every lane, so much code would
- * take compilers minutes. With GN_SMALL there is one version, a step as those below. */
+/* GN_INLINE is for functions whose callers pass constants: they are written once and compiled once
+ * per state. GN_OUT_OF_LINE is for code in them that is rarely needed. If operations are loops
+ * (portable lanes) or carry a sanitizer's checks in every lane, forced inlining would take
+ * compilers minutes, so the compiler decides. With GN_SMALL there is only one version, out of line
+ * like GN_STEP. */
 #if defined(__GNUC__)
 #if GN_IS_SMALL
 #define GN_INLINE static __attribute__((noinline, unused))
@@ -89,28 +91,28 @@ static inline uint32_t count_lanes(uint32_t bits)
 #define GN_OUT_OF_LINE static
 #endif
 
-/* The same where lanes fill one or two registers. Of four, the values of so long a function would
- * leave them for memory, and compilers decide. */
+/* GN_INLINE if lanes fill one or two registers. If they fill four, the values of so long a function
+ * would leave the registers for memory, so the compiler decides. */
 #if defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2)
 #define GN_WIDE_INLINE GN_INLINE
 #else
 #define GN_WIDE_INLINE static inline
 #endif
 
-/* For the steps of long functions, inline but with GN_SMALL: compilers give every value of
- * lanes in a function a place of its own in its frame, so that one long function takes more
- * stack than any of its steps. */
+/* For the steps of long functions: inline, except with GN_SMALL. Compilers give every value of
+ * lanes in a function its own place in the frame, so one long function needs more stack than any of
+ * its steps. */
 #if GN_IS_SMALL && defined(__GNUC__)
 #define GN_STEP static __attribute__((noinline, unused))
 #else
 #define GN_STEP static inline
 #endif
 
-/* All lanes set, as lanes_bits gives it. */
+/* All lanes set, as lanes_bits returns it. */
 #define GN_ALL_LANES 0xFFFFu
 
-/* The lowest lane of those set, of which there must be one. The builtin is an instruction
- * on these targets; on others it may be a call. */
+/* Returns the lowest lane that is set. Precondition: one is set. The builtin is an instruction on
+ * these targets; on others it may be a call. */
 static inline uint32_t first_lane(uint32_t bits)
 {
 #if defined(__GNUC__) &&                                                                           \
@@ -143,14 +145,14 @@ static inline uint32_t first_lane(uint32_t bits)
 #endif
 #endif
 
-/* Into low..high. */
+/* Returns a clamped to low..high. */
 static inline lanes_i lanes_i_clamp(lanes_i a, lanes_i low, lanes_i high)
 {
     a = lanes_i_select(lanes_i_greater(low, a), low, a);
     return lanes_i_select(lanes_i_greater(a, high), high, a);
 }
 
-/* Without the sign, of NaN too. */
+/* Returns a without its sign; also for NaN. */
 static inline lanes_f lanes_magnitude(lanes_f a)
 {
     return lanes_as_float(lanes_i_and(lanes_as_int(a), lanes_i_splat(INT32_MAX)));

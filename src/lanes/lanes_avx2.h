@@ -1,6 +1,5 @@
-/* Lanes in two AVX2 registers, two rows of a block each. The same bits as
- * lanes_portable.h; see there for what each operation does.
- * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
+/* Lanes in two AVX2 registers, two rows of a block in each. The results are those of
+ * lanes_portable.h, which defines each operation. */
 #ifndef GN_LANES_LANES_AVX2_H
 #define GN_LANES_LANES_AVX2_H
 
@@ -312,7 +311,7 @@ static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue
     LANES_EACH_REGISTER(lanes_i, lanes_avx2_pack(red.q[n], green.q[n], blue.q[n], alpha.q[n]));
 }
 
-/* Two rows of four values. */
+/* Loads two rows of four values. */
 static inline __m256i lanes_avx2_load_rows(const unsigned char *memory, ptrdiff_t stride)
 {
     const __m128i low = _mm_loadu_si128((const __m128i *)(const void *)memory);
@@ -338,7 +337,7 @@ static inline void lanes_i_store_block(unsigned char *lower, unsigned char *uppe
     }
 }
 
-/* Rows l and l + 4 in the halves of a register. */
+/* Loads row l and row l + 4, one in each half of a register. */
 static inline __m256 lanes_avx2_row_pair(const unsigned char *memory, const uint32_t *offset,
                                          uint32_t step)
 {
@@ -393,8 +392,8 @@ static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, co
     }
 }
 
-/* A byte above the lowest is converted where it stands, and the factor is smaller by the
- * same power of two, which changes no rounding. */
+/* A byte above the lowest is converted in place, and the factor is smaller by the same power of
+ * two, which changes no rounding. */
 static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
 {
     const float scale = (float)(1.0 / 255.0) / (float)(1 << 8 * (channel % 3));
@@ -410,8 +409,8 @@ static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
                                       _mm256_set1_ps(scale)));
 }
 
-/* Loads of single words measure faster than the gather instruction on some processors and
- * no slower on others. */
+/* Loads of single words measure faster than the gather instruction on some processors and no slower
+ * on others. */
 static inline __m256i lanes_avx2_gather(const stored_word *base, const int32_t *index)
 {
     return _mm256_setr_epi32(base[index[0]], base[index[1]], base[index[2]], base[index[3]],
@@ -426,7 +425,7 @@ static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
     LANES_EACH_REGISTER(lanes_i, lanes_avx2_gather(base, at + 8 * n));
 }
 
-/* Two pairs of words. */
+/* Loads two pairs of words. */
 static inline __m128 lanes_avx2_pairs(const stored_word *base, const int32_t *index)
 {
     const __m128 low =

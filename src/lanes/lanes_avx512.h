@@ -1,9 +1,7 @@
-/* Lanes in one AVX-512 register, the rows of a block in its four parts of 128 bits, and
- * masks in mask registers (AVX-512 F, BW and DQ). The same bits as lanes_portable.h; see
- * there for what each operation does. Conversions give INT32_MIN where out of range, and
- * min and max their second operand where either is NaN (Intel SDM volume 1, section
- * 11.5.2).
- * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
+/* Lanes in one AVX-512 register, with the rows of a block in its four 128-bit parts, and masks in
+ * mask registers (AVX-512 F, BW and DQ). The results are those of lanes_portable.h, which defines
+ * each operation. Conversions return INT32_MIN if out of range; min and max return their second
+ * operand if either is NaN (Intel SDM volume 1, section 11.5.2). */
 #ifndef GN_LANES_LANES_AVX512_H
 #define GN_LANES_LANES_AVX512_H
 
@@ -300,8 +298,8 @@ static inline lanes_i lanes_round(lanes_f a)
     return lanes_avx512_i(_mm512_cvtps_epi32(a.q));
 }
 
-/* The packs saturate, and interleave within each row of the block; there the bytes are
- * then transposed. */
+/* The packs saturate and interleave within each row of the block; the bytes of each row are then
+ * transposed. */
 static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
 {
     const __m512 scale = _mm512_set1_ps(255.0f);
@@ -338,7 +336,7 @@ static inline void lanes_i_store_block(unsigned char *lower, unsigned char *uppe
     _mm_storeu_si128((__m128i *)(void *)(upper + stride), _mm512_extracti32x4_epi32(a.q, 3));
 }
 
-/* Transposes 4x4 words in each part of 128 bits. */
+/* Transposes 4x4 words in each 128-bit part. */
 static inline void lanes_avx512_transpose(__m512i r[4])
 {
     const __m512i a = _mm512_unpacklo_epi32(r[0], r[1]);
@@ -382,8 +380,8 @@ static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, co
                             lanes_avx512_i(r[l]));
 }
 
-/* A byte above the lowest is converted where it stands, and the factor is smaller by the
- * same power of two, which changes no rounding. */
+/* A byte above the lowest is converted in place, and the factor is smaller by the same power of
+ * two, which changes no rounding. */
 static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
 {
     const float scale = (float)(1.0 / 255.0) / (float)(1 << 8 * (channel % 3));
@@ -394,8 +392,9 @@ static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
     return lanes_avx512_f(_mm512_mul_ps(_mm512_cvtepi32_ps(in_place), _mm512_set1_ps(scale)));
 }
 
-/* The instruction takes half the time of single loads, whose indices compilers would take
- * from the register one by one. Without optimisation it is a macro that converts its mask. */
+/* The gather instruction takes half the time of single loads, for which compilers would extract the
+ * indices from the register one by one. Without optimisation the intrinsic is a macro that converts
+ * its mask. */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wsign-conversion"
 static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)

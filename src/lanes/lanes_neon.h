@@ -1,9 +1,8 @@
-/* Lanes in four registers of 64-bit Arm's Advanced SIMD. The same bits as
- * lanes_portable.h; see there for what each operation does. Conversions to integers
- * saturate and make NaN 0 here (Arm ARM, FPToFixed), and min and max give NaN where either
- * is, so both are put together with a comparison. Precondition: FPCR in its initial state
- * (round to nearest, denormals kept).
- * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
+/* Lanes in four registers of 64-bit Arm's Advanced SIMD. The results are those of lanes_portable.h,
+ * which defines each operation. On Arm, conversions to integers saturate and turn NaN into 0 (Arm
+ * ARM, FPToFixed), and min and max return NaN if either operand is NaN, so these operations are
+ * composed with a comparison. Precondition: FPCR is in its initial state (round to nearest,
+ * denormals kept). */
 #ifndef GN_LANES_LANES_NEON_H
 #define GN_LANES_LANES_NEON_H
 
@@ -27,7 +26,7 @@ typedef struct lanes_m {
     uint32x4_t q[4];
 } lanes_m;
 
-/* 0, 1, 2, 3. */
+/* Returns 0, 1, 2, 3. */
 static inline float32x4_t lanes_neon_columns(void)
 {
     static const float columns[4] = {0.0f, 1.0f, 2.0f, 3.0f};
@@ -35,7 +34,7 @@ static inline float32x4_t lanes_neon_columns(void)
     return vld1q_f32(columns);
 }
 
-/* The bits of lanes 4 * n to 4 * n + 3. */
+/* Returns the bits of lanes 4 * n to 4 * n + 3. */
 static inline uint32x4_t lanes_neon_bits(int n)
 {
     static const uint32_t bits[4] = {1, 2, 4, 8};
@@ -200,7 +199,7 @@ static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
     LANES_EACH_REGISTER(lanes_i, vshlq_s32(a.q[n], vdupq_n_s32(count)));
 }
 
-/* A shift to the left by a negative number of bits is one to the right. */
+/* A shift to the left by a negative number of bits is a shift to the right. */
 static inline lanes_i lanes_i_shift_right(lanes_i a, int count)
 {
     LANES_EACH_REGISTER(lanes_i, vshlq_s32(a.q[n], vdupq_n_s32(-count)));
@@ -266,8 +265,8 @@ static inline lanes_i lanes_as_int(lanes_f a)
     LANES_EACH_REGISTER(lanes_i, vreinterpretq_s32_f32(a.q[n]));
 }
 
-/* `converted` of a, but INT32_MIN where a is NaN or 2^31 and above; below -2^31 that is what
- * saturation gives. */
+/* Returns `converted`, but INT32_MIN where a is NaN or at least 2^31. Below -2^31, saturation
+ * already returns INT32_MIN. */
 static inline int32x4_t lanes_neon_converted(float32x4_t a, int32x4_t converted)
 {
     return vbslq_s32(vcgtq_f32(vdupq_n_f32(2147483648.0f), a), converted, vdupq_n_s32(INT32_MIN));

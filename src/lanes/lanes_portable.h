@@ -1,16 +1,15 @@
-/* Lanes as plain arrays in C99, for every target: the definition of the operations
- * that lanes.h lists. Every operation is one IEEE operation a lane, rounded to
- * nearest, so that every other form gives the same bits.
- * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
+/* Lanes as plain arrays in C99, for every target. This file defines the operations that lanes.h
+ * lists. Every operation is one IEEE operation per lane, rounded to nearest, so that every other
+ * form returns the same bits. */
 #ifndef GN_LANES_LANES_PORTABLE_H
 #define GN_LANES_LANES_PORTABLE_H
 
 #include "gnomon/scalar.h"
 
-/* Operations are loops without branches or calls, which compilers can make vector
- * instructions of, where there are any. Floats are compared with constants by their bits, and
- * masks select by and and or. gcc unrolls loops of 16 before it looks for vectors, and then
- * finds few; asked to unroll less, it does so afterwards, when there are four of each. */
+/* Operations are loops without branches or calls, which compilers can turn into vector instructions
+ * if the target has any. Floats are compared with constants by their bits, and masks select by
+ * `and` and `or`. gcc unrolls loops of 16 before it looks for vectors, and then finds few. With
+ * less unrolling it vectorises the loops first. */
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__)
 #undef GN_EACH_LANE
 #define GN_EACH_LANE(l) _Pragma("GCC unroll 4") for (int l = 0; l < GN_LANES; ++l)
@@ -28,12 +27,12 @@ typedef struct lanes_i {
     int32_t v[GN_LANES];
 } lanes_i;
 
-/* A lane is all ones or all zeros. */
+/* Each lane is all ones or all zeros. */
 typedef struct lanes_m {
     uint32_t v[GN_LANES];
 } lanes_m;
 
-/* Bit l of lane l. */
+/* Lane l holds bit l. */
 static const uint32_t lanes_lane_bit[GN_LANES] = {
     1u << 0, 1u << 1, 1u << 2,  1u << 3,  1u << 4,  1u << 5,  1u << 6,  1u << 7,
     1u << 8, 1u << 9, 1u << 10, 1u << 11, 1u << 12, 1u << 13, 1u << 14, 1u << 15};
@@ -60,7 +59,7 @@ static inline float lane_as_float(int32_t a)
     return bits.f;
 }
 
-/* All ones where true. */
+/* Returns all ones if true, otherwise 0. */
 static inline int32_t lane_mask(int truth)
 {
     return -truth;
@@ -88,7 +87,8 @@ static inline lanes_f lanes_splat(float a)
     return r;
 }
 
-/* Over a 4x4 block: per_x * (x + column) + origin, and per_y * (y + row). */
+/* Over a 4x4 block: lanes_columns returns per_x * (x + column) + origin, lanes_rows per_y * (y +
+ * row). */
 static inline lanes_f lanes_columns(float per_x, float x, float origin)
 {
     lanes_f r;
@@ -133,7 +133,7 @@ static inline lanes_f lanes_div(lanes_f a, lanes_f b)
     return a;
 }
 
-/* Correctly rounded; some NaN where a is negative or NaN. */
+/* Returns the square root, correctly rounded; some NaN if a is negative or NaN. */
 static inline lanes_f lanes_sqrt(lanes_f a)
 {
     GN_EACH_LANE (l)
@@ -141,7 +141,7 @@ static inline lanes_f lanes_sqrt(lanes_f a)
     return a;
 }
 
-/* a > b; false where either is NaN. */
+/* Returns a > b; false if either is NaN. */
 static inline lanes_m lanes_greater(lanes_f a, lanes_f b)
 {
     lanes_m r;
@@ -150,7 +150,7 @@ static inline lanes_m lanes_greater(lanes_f a, lanes_f b)
     return r;
 }
 
-/* a <= b; false where either is NaN. */
+/* Returns a <= b; false if either is NaN. */
 static inline lanes_m lanes_less_equal(lanes_f a, lanes_f b)
 {
     lanes_m r;
@@ -173,7 +173,7 @@ static inline lanes_m lanes_not(lanes_m a)
     return a;
 }
 
-/* Bit l of the result is lane l. */
+/* Returns lane l as bit l. */
 static inline uint32_t lanes_bits(lanes_m a)
 {
     uint32_t r = 0;
@@ -191,7 +191,7 @@ static inline lanes_f lanes_select(lanes_m m, lanes_f a, lanes_f b)
     return r;
 }
 
-/* The smaller of two: b where either is NaN or both are zero, as MINPS has it. */
+/* Returns the smaller of two; b if either is NaN or both are zero, as MINPS does. */
 static inline lanes_f lanes_min(lanes_f a, lanes_f b)
 {
     GN_EACH_LANE (l)
@@ -199,7 +199,7 @@ static inline lanes_f lanes_min(lanes_f a, lanes_f b)
     return a;
 }
 
-/* The larger of two: b where either is NaN or both are zero. */
+/* Returns the larger of two; b if either is NaN or both are zero. */
 static inline lanes_f lanes_max(lanes_f a, lanes_f b)
 {
     GN_EACH_LANE (l)
@@ -207,8 +207,8 @@ static inline lanes_f lanes_max(lanes_f a, lanes_f b)
     return a;
 }
 
-/* Every lane has the value of the lane in its quad that is in the left or right column and its own
- * row, or in the lower or upper row and its own column. */
+/* These return in every lane the value of another lane of its quad: the lane in the left or right
+ * column and the same row, or in the lower or upper row and the same column. */
 static inline lanes_f lanes_quad_left(lanes_f a)
 {
     lanes_f r;
@@ -249,7 +249,7 @@ static inline lanes_i lanes_i_splat(int32_t a)
     return r;
 }
 
-/* One value in the lower eight lanes, one in the upper. */
+/* Returns one value in the lower eight lanes and another in the upper eight. */
 static inline lanes_i lanes_i_halves(int32_t lower, int32_t upper)
 {
     lanes_i r;
@@ -258,7 +258,7 @@ static inline lanes_i lanes_i_halves(int32_t lower, int32_t upper)
     return r;
 }
 
-/* Over a 4x4 block: per_column * column + per_row * row. */
+/* Returns per_column * column + per_row * row over a 4x4 block. */
 static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
 {
     lanes_i r;
@@ -281,7 +281,7 @@ static inline void lanes_i_store(stored_word *p, lanes_i a)
         p[l] = a.v[l];
 }
 
-/* Wraps around, as unsigned arithmetic does. */
+/* Returns the sum, which wraps around as unsigned arithmetic does. */
 static inline lanes_i lanes_i_add(lanes_i a, lanes_i b)
 {
     GN_EACH_LANE (l)
@@ -296,7 +296,7 @@ static inline lanes_i lanes_i_sub(lanes_i a, lanes_i b)
     return a;
 }
 
-/* The low 32 bits of the products. */
+/* Returns the low 32 bits of the products. */
 static inline lanes_i lanes_i_mul(lanes_i a, lanes_i b)
 {
     GN_EACH_LANE (l)
@@ -304,7 +304,7 @@ static inline lanes_i lanes_i_mul(lanes_i a, lanes_i b)
     return a;
 }
 
-/* By a constant, of bits. */
+/* Shifts bits to the left. count must be a constant. */
 static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     GN_EACH_LANE (l)
@@ -312,7 +312,7 @@ static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
     return a;
 }
 
-/* By a constant, of two's complement numbers: rounds down. */
+/* Shifts two's complement numbers to the right, which rounds down. count must be a constant. */
 static inline lanes_i lanes_i_shift_right(lanes_i a, int count)
 {
     GN_EACH_LANE (l)
@@ -372,7 +372,7 @@ static inline lanes_i lanes_i_select(lanes_m m, lanes_i a, lanes_i b)
     return r;
 }
 
-/* Bit l of the result is set where lane l is negative. */
+/* Returns bit l set if lane l is negative. */
 static inline uint32_t lanes_i_sign_bits(lanes_i a)
 {
     uint32_t r = 0;
@@ -389,12 +389,12 @@ static inline lanes_f lanes_to_float(lanes_i a)
     return r;
 }
 
-/* The bits of 255, 2^23 and 2^31, which order as the floats do. */
+/* The bits of 255, 2^23 and 2^31. As integers they have the order of the floats. */
 #define LANE_BITS_255 0x437F0000
 #define LANE_BITS_2_23 0x4B000000
 #define LANE_BITS_2_31 0x4F000000
 
-/* Toward zero; INT32_MIN where NaN or out of range. */
+/* Converts toward zero; INT32_MIN if NaN or out of range. */
 static inline lanes_i lanes_truncate(lanes_f a)
 {
     lanes_i r;
@@ -406,8 +406,8 @@ static inline lanes_i lanes_truncate(lanes_f a)
     return r;
 }
 
-/* To nearest, halves to even; INT32_MIN where NaN or out of range. From 2^23 on, floats
- * are integers; between it and 2^24 the last place is 1, so that adding 2^23 rounds. */
+/* Converts to nearest, halves to even; INT32_MIN if NaN or out of range. From 2^23 on, floats are
+ * integers. Between 2^23 and 2^24 the last place is 1, so adding 2^23 rounds. */
 static inline lanes_i lanes_round(lanes_f a)
 {
     lanes_i r;
@@ -423,7 +423,8 @@ static inline lanes_i lanes_round(lanes_f a)
     return r;
 }
 
-/* The largest integer not above a, a zero of either sign; NaN and infinities as they are. */
+/* Returns the largest integer not above a. A zero may have either sign; NaN and infinities are
+ * returned unchanged. */
 static inline lanes_f lanes_floor(lanes_f a)
 {
     GN_EACH_LANE (l) {
@@ -434,7 +435,7 @@ static inline lanes_f lanes_floor(lanes_f a)
     return a;
 }
 
-/* The bits of the floats. */
+/* Returns the bits of the floats. */
 static inline lanes_i lanes_as_int(lanes_f a)
 {
     lanes_i r;
@@ -443,7 +444,7 @@ static inline lanes_i lanes_as_int(lanes_f a)
     return r;
 }
 
-/* The floats of the bits. */
+/* Returns the floats with these bits. */
 static inline lanes_f lanes_as_float(lanes_i a)
 {
     lanes_f r;
@@ -460,7 +461,7 @@ static inline lanes_i lanes_m_as_int(lanes_m a)
     return r;
 }
 
-/* Lane l is set where bit l is. */
+/* Returns lane l set if bit l is set. */
 static inline lanes_m lanes_from_bits(uint32_t bits)
 {
     lanes_m r;
@@ -469,8 +470,9 @@ static inline lanes_m lanes_from_bits(uint32_t bits)
     return r;
 }
 
-/* A channel as lanes_pack_unorm8 has it. From 0 to 255, adding 2^23 rounds and leaves the
- * integer in the low bits; as unsigned numbers the bits of all that gives 0 are greater. */
+/* Returns one channel of lanes_pack_unorm8. From 0 to 255, adding 2^23 rounds and leaves the
+ * integer in the low bits. The bits of every input that yields 0 are greater as unsigned
+ * numbers. */
 static inline uint32_t lane_unorm8(float channel)
 {
     const float scaled = channel * 255.0f;
@@ -481,8 +483,8 @@ static inline uint32_t lane_unorm8(float channel)
     return (uint32_t)((lane_as_int(scaled + 8388608.0f) | full) & ~none) & 0xFFu;
 }
 
-/* Channels as round-half-even(c * 255) saturated to 0..255 and packed, the first in the
- * low byte. NaN and products beyond the 32-bit integers give 0. */
+/* Packs channels as round-half-even(c * 255) saturated to 0..255, the first in the low byte. NaN
+ * and products beyond the 32-bit integers become 0. */
 static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
 {
     lanes_i r;
@@ -492,7 +494,7 @@ static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue
     return r;
 }
 
-/* The lanes of a block: of each half two rows of four values, `stride` bytes apart. */
+/* Loads the lanes of a block: from each half, two rows of four values, `stride` bytes apart. */
 static inline lanes_i lanes_i_load_block(const unsigned char *lower, const unsigned char *upper,
                                          ptrdiff_t stride)
 {
@@ -513,7 +515,7 @@ static inline void lanes_i_store_block(unsigned char *lower, unsigned char *uppe
     }
 }
 
-/* Sixteen rows of four words, row l at offset[l * step]: word c of row l is lane l of
+/* Loads sixteen rows of four words; row l is at offset[l * step]. Word c of row l becomes lane l of
  * out[c]. */
 static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32_t *offset,
                                        uint32_t step, lanes_i out[4])
@@ -526,7 +528,7 @@ static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32
     }
 }
 
-/* The contrary, into rows `stride` bytes apart. */
+/* Stores sixteen rows of four words, `stride` bytes apart: the inverse of lanes_i_gather_rows. */
 static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, const lanes_i in[4])
 {
     GN_EACH_LANE (l) {
@@ -536,7 +538,7 @@ static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, co
     }
 }
 
-/* Channel 0 to 3 of packed colours, byte * (1/255). */
+/* Returns channel 0 to 3 of packed colours: byte * (1/255). */
 static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
 {
     lanes_f r;
@@ -545,7 +547,7 @@ static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
     return r;
 }
 
-/* base[index]. */
+/* Returns base[index]. */
 static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
 {
     GN_EACH_LANE (l)
@@ -553,7 +555,7 @@ static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
     return index;
 }
 
-/* base[index] and base[index + 1]. */
+/* Writes base[index] and base[index + 1]. */
 static inline void lanes_i_gather_pairs(const stored_word *base, lanes_i index, lanes_i *first,
                                         lanes_i *second)
 {

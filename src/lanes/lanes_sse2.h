@@ -1,7 +1,6 @@
-/* Lanes in four SSE2 registers. Conversions give INT32_MIN where out of range, so that
- * all bits are those of lanes_portable.h. Precondition: MXCSR in its initial state (round
- * to nearest, denormals kept).
- * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
+/* Lanes in four SSE2 registers. Conversions return INT32_MIN if out of range, so all results are
+ * those of lanes_portable.h. Precondition: MXCSR is in its initial state (round to nearest,
+ * denormals kept). */
 #ifndef GN_LANES_LANES_SSE2_H
 #define GN_LANES_LANES_SSE2_H
 
@@ -171,7 +170,8 @@ static inline lanes_i lanes_i_sub(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, _mm_sub_epi32(a.q[n], b.q[n]));
 }
 
-/* Unsigned products of 64 bits, two at a time: the low halves are those of signed ones. */
+/* Multiplies as unsigned numbers to 64 bits, two at a time; the low halves equal those of signed
+ * products. */
 static inline __m128i lanes_sse2_mul(__m128i a, __m128i b)
 {
     const __m128i even = _mm_mul_epu32(a, b);
@@ -349,7 +349,7 @@ static inline void lanes_i_store_block(unsigned char *lower, unsigned char *uppe
     _mm_storeu_si128((__m128i *)(void *)(upper + stride), a.q[3]);
 }
 
-/* Rows n * 4 to n * 4 + 3, transposed. */
+/* Loads and transposes rows n * 4 to n * 4 + 3. */
 static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32_t *offset,
                                        uint32_t step, lanes_i out[4])
 {
@@ -378,8 +378,8 @@ static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, co
     }
 }
 
-/* A byte above the lowest is converted where it stands, and the factor is smaller by the
- * same power of two, which changes no rounding. */
+/* A byte above the lowest is converted in place, and the factor is smaller by the same power of
+ * two, which changes no rounding. */
 static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
 {
     const float scale = (float)(1.0 / 255.0) / (float)(1 << 8 * (channel % 3));
@@ -406,7 +406,7 @@ static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
     LANES_EACH_REGISTER(lanes_i, lanes_sse2_gather(base, at + 4 * n));
 }
 
-/* Two pairs of words. */
+/* Loads two pairs of words. */
 static inline __m128 lanes_sse2_pairs(const stored_word *base, const int32_t *index)
 {
     const __m128 low =

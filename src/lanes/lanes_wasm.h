@@ -1,9 +1,7 @@
-/* Lanes in four of WebAssembly's 128-bit vectors. The same bits as lanes_portable.h; see
- * there for what each operation does. Conversions to integers saturate and make NaN 0 here,
- * so they are put together with a comparison; pmin(a, b) is b < a ? b : a and pmax(a, b) is
- * a < b ? b : a, which with the operands exchanged are min and max (WebAssembly
- * specification, section 4.3.3).
- * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
+/* Lanes in four of WebAssembly's 128-bit vectors. The results are those of lanes_portable.h, which
+ * defines each operation. In WebAssembly conversions to integers saturate and turn NaN into 0, so
+ * they are composed with a comparison. pmin(a, b) is b < a ? b : a and pmax(a, b) is a < b ? b : a;
+ * with the operands exchanged they are min and max (WebAssembly specification, section 4.3.3). */
 #ifndef GN_LANES_LANES_WASM_H
 #define GN_LANES_LANES_WASM_H
 
@@ -251,7 +249,8 @@ static inline lanes_i lanes_as_int(lanes_f a)
     LANES_EACH_REGISTER(lanes_i, a.q[n]);
 }
 
-/* INT32_MIN where a is NaN or 2^31 and above; below -2^31 that is what saturation gives. */
+/* Returns INT32_MIN where a is NaN or at least 2^31. Below -2^31, saturation already returns
+ * INT32_MIN. */
 static inline v128_t lanes_wasm_truncate(v128_t a)
 {
     return wasm_v128_bitselect(wasm_i32x4_trunc_sat_f32x4(a), wasm_i32x4_splat(INT32_MIN),

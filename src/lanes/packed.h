@@ -3,7 +3,7 @@
  *   quad                    four floats, in each group of four lanes
  *   spread                  each lane of a group in all of the group: spread[i] holds lane i
  *   load_vec3 store_vec3    GN_LANES vectors of three floats, one after the other in memory,
- *                           to and from the lanes of a component each; nothing else is read
+ *                           to and from one lanes_f per component; no other memory is read
  *                           or written */
 #ifndef GN_LANES_PACKED_H
 #define GN_LANES_PACKED_H
@@ -32,9 +32,9 @@ static inline void lanes_spread(lanes_f a, lanes_f spread[4])
                       INDEX(10, i), INDEX(11, i), INDEX(12, i), INDEX(13, i), INDEX(14, i),        \
                       INDEX(15, i))
 
-/* Component i of vector l is number 3 * l + i of three registers. Two operands are indexed
- * as 0 to 15 and 16 to 31: it comes from the first two registers, and then stays, or is
- * taken from the third. */
+/* Loading: component i of vector l is number 3 * l + i of three registers. An instruction indexes
+ * two operands as 0 to 15 and 16 to 31. So the component first comes from the first two registers
+ * if it is there; a second instruction keeps it or takes it from the third. */
 #define PACKED_FROM_TWO(l, i) (3 * (l) + (i) < 32 ? 3 * (l) + (i) : 0)
 #define PACKED_FROM_THIRD(l, i) (3 * (l) + (i) < 32 ? (l) : 3 * (l) + (i)-16)
 
@@ -50,7 +50,8 @@ static inline void lanes_load_vec3(const float *p, lanes_f v[3])
     v[2].q = _mm512_permutex2var_ps(z, PACKED_INDICES(PACKED_FROM_THIRD, 2), c);
 }
 
-/* The other way: lane l of register r is component (16 * r + l) % 3, x and y first. */
+/* Storing: lane l of register r is component (16 * r + l) % 3. The first instruction takes x and y,
+ * the second z. */
 #define PACKED_FROM_XY(l, r) ((16 * (r) + (l)) / 3 + ((16 * (r) + (l)) % 3 == 1 ? 16 : 0))
 #define PACKED_FROM_Z(l, r) ((16 * (r) + (l)) % 3 == 2 ? (16 * (r) + (l)) / 3 + 16 : (l))
 
@@ -83,7 +84,7 @@ static inline void lanes_spread(lanes_f a, lanes_f spread[4])
     }
 }
 
-/* Four floats at p and four that lie four vectors further on. */
+/* Loads four floats at p and four floats that lie four vectors further on. */
 static inline __m256 load_halves(const float *p)
 {
     return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(p)), _mm_loadu_ps(p + 12), 1);
@@ -210,7 +211,7 @@ static inline void lanes_store_vec3(float *p, lanes_f v[3])
 
 #else
 
-/* Through memory, over any lanes. */
+/* Through memory, for any form of lanes. */
 
 static inline lanes_f lanes_quad(const float p[4])
 {

@@ -1,5 +1,5 @@
-/* Two doubles at a time, for the general inverse: in registers of SSE2 where x86 computes in
- * those, and in two variables elsewhere. */
+/* Two doubles at a time, for the general inverse: in SSE2 registers where x86 computes in them,
+ * otherwise in two variables. */
 #ifndef GN_LANES_PAIR_H
 #define GN_LANES_PAIR_H
 
@@ -38,7 +38,7 @@ static inline pair_d pair_magnitude(pair_d a)
     return _mm_andnot_pd(_mm_set1_pd(-0.0), a);
 }
 
-/* The second, then the first. */
+/* Returns the second, then the first. */
 static inline pair_d pair_swap(pair_d a)
 {
     return _mm_shuffle_pd(a, a, 1);
@@ -54,13 +54,13 @@ static inline double pair_sum(pair_d a)
     return _mm_cvtsd_f64(_mm_add_sd(a, _mm_unpackhi_pd(a, a)));
 }
 
-/* Of numbers. */
+/* Returns the larger number of each place. Precondition: no number is NaN. */
 static inline pair_d pair_larger(pair_d a, pair_d b)
 {
     return _mm_max_pd(a, b);
 }
 
-/* (a[i], b[i]) for each i. */
+/* Writes (a[i], b[i]) for each i. */
 static inline void pair_load(const float a[4], const float b[4], pair_d pairs[4])
 {
     const __m128 x = _mm_loadu_ps(a), y = _mm_loadu_ps(b);
@@ -72,7 +72,7 @@ static inline void pair_load(const float a[4], const float b[4], pair_d pairs[4]
     pairs[3] = _mm_cvtps_pd(_mm_movehl_ps(high, high));
 }
 
-/* Rounded to floats: first of a, first of b, second of a, second of b. */
+/* Returns, rounded to floats: first of a, first of b, second of a, second of b. */
 static inline quad_f pair_round(pair_d a, pair_d b)
 {
     return (quad_f)_mm_unpacklo_ps(_mm_cvtpd_ps(a), _mm_cvtpd_ps(b));

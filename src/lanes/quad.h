@@ -1,6 +1,6 @@
-/* Four floats at a time, for single vectors and matrices: a column, or a vector. In the
- * vectors of GNU C where every processor of the target has such registers and computes in
- * them as IEEE 754 says, and in four variables elsewhere. */
+/* Four floats at a time, for single vectors and matrices: a column or a vector. They are held in
+ * the vectors of GNU C where every processor of the target has such registers and computes in them
+ * as IEEE 754 says, otherwise in four variables. */
 #ifndef GN_LANES_QUAD_H
 #define GN_LANES_QUAD_H
 
@@ -14,12 +14,13 @@
 
 typedef float quad_f __attribute__((__vector_size__(16)));
 
-/* At any address of a float, and two floats as the number of one register. */
+/* quad_stored is four floats at any address of a float; quad_pair is two floats as one number of a
+ * register. */
 typedef float quad_stored __attribute__((__vector_size__(16), __aligned__(4), __may_alias__));
 typedef double quad_pair __attribute__((__aligned__(4), __may_alias__));
 typedef double quad_pairs __attribute__((__vector_size__(16)));
 
-/* Places 0 to 3 are of a, 4 to 7 of b. */
+/* Places 0 to 3 are those of a, 4 to 7 those of b. */
 typedef int32_t quad_places __attribute__((__vector_size__(16)));
 #if defined(__clang__)
 #define QUAD_SHUFFLE(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
@@ -27,7 +28,7 @@ typedef int32_t quad_places __attribute__((__vector_size__(16)));
 #define QUAD_SHUFFLE(a, b, i, j, k, l) __builtin_shuffle(a, b, (quad_places){i, j, k, l})
 #endif
 
-/* One place in all four; as integers, which x86 shuffles without a copy. */
+/* Repeats one place in all four. Computed as integers, which x86 shuffles without a copy. */
 #define QUAD_SPREAD(a, i) ((quad_f)QUAD_SHUFFLE((quad_places)(a), (quad_places)(a), i, i, i, i))
 
 static inline quad_f quad_set(float x, float y, float z, float w)
@@ -70,7 +71,8 @@ static inline void quad_spread(quad_f a, quad_f spread[4])
     spread[3] = QUAD_SPREAD(a, 3);
 }
 
-/* Rows and columns of the first three components of a, b and c exchanged, and zeros. */
+/* Exchanges rows and columns of the first three components of a, b and c; the fourth components
+ * become 0. */
 static inline void quad_transpose3(quad_f *a, quad_f *b, quad_f *c)
 {
     const quad_places xyz = {-1, -1, -1, 0};
@@ -83,7 +85,8 @@ static inline void quad_transpose3(quad_f *a, quad_f *b, quad_f *c)
     *c = QUAD_SHUFFLE(high, last, 0, 1, 6, 7);
 }
 
-/* Structures of floats come and go as pairs in two registers, where these leave them. */
+/* Compilers pass structures of floats as pairs in two registers; loading pairs leaves them
+ * there. */
 static inline void quad_spread_vec4(gn_vec4 v, quad_f spread[4])
 {
     const quad_pairs xy = {*(const quad_pair *)&v.x, 0.0}, zw = {*(const quad_pair *)&v.z, 0.0};
