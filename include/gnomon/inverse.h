@@ -52,8 +52,8 @@ GN_API gn_status gn_mat4_invert_affine(const gn_mat4 *m, gn_mat4 *result);
  * scale is zero, GN_OUT_OF_RANGE if its magnitude is not within 2^-126 .. 2^126. */
 GN_API gn_status gn_mat4_invert_orthographic(const gn_mat4 *m, gn_mat4 *result);
 
-/* Writes the inverse of a perspective projection: x and y are scaled and skewed by z, clip z = c z
- * + d, clip w = s z. If s is 1 or -1, |E| <= u |M||M^-1|, and u |M^-1||M| with the factors
+/* Writes the inverse of a perspective projection: x and y are scaled and skewed by z, clip z = c
+ * z + d, clip w = s z. If s is 1 or -1, |E| <= u |M||M^-1|, and u |M^-1||M| with the factors
  * exchanged; if s is another number, 3 u instead of u. GN_SINGULAR if a scale, d or s is zero,
  * GN_OUT_OF_RANGE if its magnitude is not within 2^-126 .. 2^126. */
 GN_API gn_status gn_mat4_invert_perspective(const gn_mat4 *m, gn_mat4 *result);

@@ -56,9 +56,9 @@ GN_API float gn_atan(float x);
  *
  * Zeros and infinities follow C99's annex F. With y = +0, returns +0 for x > 0 or x = +0, and pi
  * for x < 0 or x = -0. With y > 0 and x = +0 or -0, returns pi/2. With finite y > 0, returns +0 for
- * x = +infinity and pi for x = -infinity. With y = +infinity, returns pi/2 for finite x, pi/4 for x
- * = +infinity and 3pi/4 for x = -infinity. For -y, returns the negative of these results. If x or y
- * is NaN, returns NaN. */
+ * x = +infinity and pi for x = -infinity. With y = +infinity, returns pi/2 for finite x, pi/4 for
+ * x = +infinity and 3pi/4 for x = -infinity. For -y, returns the negative of these results. If x or
+ * y is NaN, returns NaN. */
 GN_API float gn_atan2(float y, float x);
 
 /* Returns the largest whole number not above x. Exact. For -0 returns -0, for the infinities

@@ -154,10 +154,10 @@ GN_API const char *gn_target_fault(const gn_target *target);
 
 /* Fills a colour surface, all its samples, with one colour (OpenGL 4.5 section 17.4.3). A channel c
  * of n bits is stored as c * (2^n - 1): the product is rounded to binary32 and then to the nearest
- * integer, halves to even with 8 bits and up otherwise. It is 0 for c below 0 and for NaN, and 2^n
- * - 1 for c from 1 up. 32-bit floats are stored as they are, 16-bit floats are rounded toward zero,
- * and every NaN is stored as gnomon/backend.h says. Red, green and blue of GN_FORMAT_SRGB8_A8 are
- * the exactly nearest values of sRGB. A bad surface returns the statuses of gn_target_check; a
+ * integer, halves to even with 8 bits and up otherwise. It is 0 for c below 0 and for NaN, and
+ * 2^n - 1 for c from 1 up. 32-bit floats are stored as they are, 16-bit floats are rounded toward
+ * zero, and every NaN is stored as gnomon/backend.h says. Red, green and blue of GN_FORMAT_SRGB8_A8
+ * are the exactly nearest values of sRGB. A bad surface returns the statuses of gn_target_check; a
  * format that the library was compiled without returns GN_NOT_COMPILED. */
 GN_API gn_status gn_clear_color(const gn_surface *surface, float red, float green, float blue,
                                 float alpha);

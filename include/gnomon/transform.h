@@ -67,10 +67,10 @@ GN_API gn_status gn_affine(const gn_mat3 *linear, gn_vec3 offset, gn_transform *
 
 /* Writes the model matrix T R S: points are scaled, then turned, then moved. The rotation must be
  * orthonormal as in gn_frame_orthonormal (gn_mat4_upper_left extracts it from a transform's
- * matrix); the scale must be one that gn_scale accepts. The inverse is S^-1 R^T T^-1. Let D = R R^T
- * - I and D' = R^T R - I, which measure what the stored floats of R lack to be a rotation. Let L be
- * the upper-left 3x3 of the matrix, L^-1 that of the inverse, S the scale and t the translation.
- * Barring underflow:
+ * matrix); the scale must be one that gn_scale accepts. The inverse is S^-1 R^T T^-1. Let D = R
+ * R^T - I and D' = R^T R - I, which measure what the stored floats of R lack to be a rotation. Let
+ * L be the upper-left 3x3 of the matrix, L^-1 that of the inverse, S the scale and t the
+ * translation. Barring underflow:
  *   matrix * inverse   |E| <= |D| + 2 u |R||R^T| in the upper-left 3x3,
  *                      |E| <= (|D| + 5 u |R||R^T|) |t| in the translation;
  *   inverse * matrix   |E| <= |S^-1| (|D'| + 2 u |R^T||R|) |S| and 3 u |L^-1||t|.

@@ -47,8 +47,8 @@ bool gn_ray_hits_triangle_front(const gn_ray *ray, gn_vec3 a, gn_vec3 b, gn_vec3
     return hits(ray, a, b, c, true, hit);
 }
 
-/* Cuts the span to the part within min <= origin + t * direction <= max, which may be empty (enter
- * > leave). Returns false if no t lies in the slab. */
+/* Cuts the span to the part within min <= origin + t * direction <= max, which may be empty
+ * (enter > leave). Returns false if no t lies in the slab. */
 static bool clip_to_slab(float origin, float direction, float min, float max, gn_ray_span *span)
 {
     if (direction == 0.0f) {

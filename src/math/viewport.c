@@ -5,8 +5,9 @@
 #include "transform.h"
 
 /* OpenGL implementations compute the depth scale and offset in double and round them to float. A
- * sum of two floats, rounded to double and then to float, equals the sum rounded to float (53 >= 2
- * * 24 + 2). Halving is exact. So float arithmetic returns the same bits, barring denormals. */
+ * sum of two floats, rounded to double and then to float, equals the sum rounded to float
+ * (53 >= 2 * 24 + 2). Halving is exact. So float arithmetic returns the same bits, barring
+ * denormals. */
 static gn_status viewport(float x, float y, float width, float height, float depth_near,
                           float depth_far, bool zero_to_one, bool y_down, gn_transform *result)
 {

@@ -17,8 +17,8 @@ typedef struct sides {
     int shift;
 } sides;
 
-/* For |x| >= 1/2, x is a multiple of 2^-24 and x^2 of 2^-48, so 1 - x^2 is exact. For |x| < 1/2, 1
- * - x^2 >= 3/4, and the cut of one unit of 2^-64 is a relative error of 2^-63.5. The square root
+/* For |x| >= 1/2, x is a multiple of 2^-24 and x^2 of 2^-48, so 1 - x^2 is exact. For |x| < 1/2,
+ * 1 - x^2 >= 3/4, and the cut of one unit of 2^-64 is a relative error of 2^-63.5. The square root
  * has half of that error.
  *
  * w = (1 - x^2) * 4^shift is in (1/4, 1). Newton's iteration for R = 1/sqrt(w), in units of 2^-63,

@@ -25,10 +25,10 @@ static const uint64_t powers[32] = {
  * from the upper 27 bits of r. Those of c7 and c6 are off by less than 3 units, that of c5 by less
  * than 16 (2^-32 of r is lost, of a sum below 2^36 units), which four more factors r reduce to one
  * unit of Q64. From c4 on a step adds at most 1.5 units, and the next step multiplies them by r:
- * the sum of c1 is off by less than 2.6 units, and v by less than 2.6/32 + 1 (its product is cut) +
- * 2^-4 < 1.2. The table is rounded and its product with v is cut. With p = 2^(i/32) the error is
- * 1.2 * p/2 + 0.52 + 1 units of Q63, of p * 2^63: relatively less than 2.2 * 2^-63. r = 0 yields v
- * = 0, so the result is exact for i = 0 and r = 0. */
+ * the sum of c1 is off by less than 2.6 units, and v by less than 2.6/32 + 1 (its product is
+ * cut) + 2^-4 < 1.2. The table is rounded and its product with v is cut. With p = 2^(i/32) the
+ * error is 1.2 * p/2 + 0.52 + 1 units of Q63, of p * 2^63: relatively less than 2.2 * 2^-63. r = 0
+ * yields v = 0, so the result is exact for i = 0 and r = 0. */
 uint64_t gn_fixed_power(uint64_t fraction)
 {
     uint64_t power = powers[fraction >> 59];

@@ -25,9 +25,9 @@ static const uint64_t logarithms[33] = {
     0x0000000000000000u,
 };
 
-/* log2(x) = whole + log2(m) and log2(m) = -log2(c) + log2(1 +- r), with 1 +- r = m * c and log2(1
- * +- r) = +-r * log2(e) * (1 -+ r/2 + r^2/3 -+ ...), by Horner's rule with rounded coefficients. r
- * is at most 2^-6.
+/* log2(x) = whole + log2(m) and log2(m) = -log2(c) + log2(1 +- r), with 1 +- r = m * c and
+ * log2(1 +- r) = +-r * log2(e) * (1 -+ r/2 + r^2/3 -+ ...), by Horner's rule with rounded
+ * coefficients. r is at most 2^-6.
  *
  * The terms after 1/10 are below 1.02 * r^10 * log2(e)/11, 1.1 units of Q63. The sums of 1/9 to 1/6
  * are in Q40, from the upper bits of r. They are off by less than 60 units (2^-32 of r is lost, of

@@ -37,10 +37,10 @@ static parity parity_of(uint32_t magnitude)
  * less of a denormal one. So the result is within 1/2 + 2^-25 units of the exact value, also where
  * the tolerance takes the farther of two floats.
  *
- * x^y can be a float, or the middle between two floats, without being a power of two only if x = n
- * * 2^a with n odd and at least 3, and n^y is an odd integer below 2^25: 0 < y < 15.8. Then the
- * error of p is below 15.8 * 1.7 * 2^-64 + 150 * 2^-63 (or 3.7 * 2^-63 of a small p) < 2^-55.6. The
- * error of the result, in units of its last place, is below 2^-56 * 2^24 < 2^-30, which is the
+ * x^y can be a float, or the middle between two floats, without being a power of two only if
+ * x = n * 2^a with n odd and at least 3, and n^y is an odd integer below 2^25: 0 < y < 15.8. Then
+ * the error of p is below 15.8 * 1.7 * 2^-64 + 150 * 2^-63 (or 3.7 * 2^-63 of a small p) < 2^-55.6.
+ * The error of the result, in units of its last place, is below 2^-56 * 2^24 < 2^-30, which is the
  * tolerance. So exact floats are returned exactly, and middles round to the even float. Powers of
  * two have an exact p. */
 float gn_pow(float x, float y)

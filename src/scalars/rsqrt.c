@@ -17,14 +17,14 @@ static const uint8_t seeds[96] = {
     17,  16,  15,  13,  12,  11,  10,  9,   8,   7,   6,   5,   4,   3,   2,   0,
 };
 
-/* x = m * 2^exponent, 1 <= m < 4, exponent even. With t = m * y^2, an estimate y becomes y * (15/8
- * - t * (5/4 - t * 3/8)): the first three terms of y * t^(-1/2) around t = 1. With e = 1 - t and
- * |e| <= 0.01653, the truncated rest is below 5/16 * 1.02 * |e|^3: 2^-19.4 after the first step, to
- * which rounding to Q20 adds 2^-20 and all the cuts 2^-27. After the second step it is below
- * 2^-54.5; its t is exact, and its products, cut, add less than 2^-59. The exact value for a float
- * that is no power of 4 is at least 2^-51.8 of itself away from the middle between two floats
- * (enumerated with MPFR). For a power of 4 the exact value is a power of two, and the error is as
- * small. */
+/* x = m * 2^exponent, 1 <= m < 4, exponent even. With t = m * y^2, an estimate y becomes
+ * y * (15/8 - t * (5/4 - t * 3/8)): the first three terms of y * t^(-1/2) around t = 1. With
+ * e = 1 - t and |e| <= 0.01653, the truncated rest is below 5/16 * 1.02 * |e|^3: 2^-19.4 after the
+ * first step, to which rounding to Q20 adds 2^-20 and all the cuts 2^-27. After the second step it
+ * is below 2^-54.5; its t is exact, and its products, cut, add less than 2^-59. The exact value for
+ * a float that is no power of 4 is at least 2^-51.8 of itself away from the middle between two
+ * floats (enumerated with MPFR). For a power of 4 the exact value is a power of two, and the error
+ * is as small. */
 float gn_rsqrt(float x)
 {
     uint32_t bits = gn_float_bits(x);
