@@ -54,9 +54,9 @@ GN_BEGIN
 /* Writes the six planes of the volume that the matrix takes to clip space, with normals that point
  * inwards (Gribb and Hartmann, Fast extraction of viewing frustum planes, 2001).
  *
- * Compare each written plane with the exact plane of the stored matrix, multiplied by a factor that
- * makes the length of its normal 1 within 6 u and that is common to its four coefficients. Each
- * coefficient is within 2 u of it, relative to itself, barring underflow.
+ * A written plane is the exact plane of the stored matrix times one factor, which makes the length
+ * of the normal 1 within 6 u. Beside this factor each coefficient has a relative error of at most
+ * 2 u, barring underflow.
  *
  * A bound that depends on no coordinate, such as the far bound of an infinite projection, is no
  * plane. Its normal is zero, and its offset is 1 if every point is within the bound, -1 if no point

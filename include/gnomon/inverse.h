@@ -41,7 +41,7 @@ GN_API gn_status gn_mat4_invert_trs(const gn_mat4 *m, gn_mat4 *result);
 
 /* Writes the inverse of an affine matrix: gn_mat3_invert of L (adjugate over determinant, in
  * double), and -L^-1 t. Let k be the permanent of |L| over the magnitude of the determinant of L,
- * and v = u + 2^-50 k. Every entry of L^-1 is within v of itself (2 u up to k = 2^26):
+ * and v = u + 2^-50 k. Every entry of L^-1 has a relative error of at most v (2 u up to k = 2^26):
  *   m * result   |E| <= v |L||L^-1|, and (v + 3 u) |L||L^-1||t| in the translation;
  *   result * m   |E| <= v |L^-1||L|, and 3 u |L^-1||t|.
  * GN_SINGULAR if k is above 2^48. */

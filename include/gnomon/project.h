@@ -19,9 +19,9 @@
 GN_BEGIN
 
 /* Converts clip coordinates to normalised device coordinates: x, y and z times 1 / w, in the
- * rasterizer's order of operations. Each is within 2 u of itself (u = 2^-24), barring underflow.
- * Points outside the view volume are divided like others. GN_BEHIND_EYE if w is zero or negative:
- * the point lies in the plane of the eye or behind it. */
+ * rasterizer's order of operations. Each has a relative error of at most 2 u (u = 2^-24), barring
+ * underflow. Points outside the view volume are divided like others. GN_BEHIND_EYE if w is zero or
+ * negative: the point lies in the plane of the eye or behind it. */
 GN_API gn_status gn_clip_to_ndc(gn_vec4 clip, gn_vec3 *ndc);
 
 /* Writes the window coordinates of the point, with depth in z. to_clip's matrix M takes the point

@@ -51,11 +51,12 @@ GN_API gn_status gn_quat_from_mat3(const gn_mat3 *m, gn_quat *result);
  * their rounding, the axis is perpendicular to `from`. GN_DEGENERATE if `from` or `to` is zero. */
 GN_API gn_status gn_quat_from_directions(gn_vec3 from, gn_vec3 to, gn_quat *result);
 
-/* Writes the orientation of an object that looks along `forward` and has `up` in the half plane of
- * its own up direction (right-handed). The rotation takes -z to the direction of forward within 12
- * u, and +y to the direction of the part of `up` perpendicular to forward within 12 u over the sine
- * of the angle between forward and up. The conjugate is the rotation of the view (gn_look_at_rh).
- * GN_DEGENERATE as in gn_look_at_rh: forward or up is zero, or they are parallel. */
+/* Writes the orientation of an object that looks along `forward` and has `up` in the half plane
+ * of its own up direction (right-handed). The rotation takes -z to the direction of forward
+ * within 12 u, and +y to the direction of the part of `up` perpendicular to forward within 12 u
+ * over the sine of the angle between forward and up. The conjugate is the rotation of the view
+ * (gn_look_at_rh). GN_DEGENERATE as in gn_look_at_rh: forward or up is zero, or they are
+ * parallel. */
 GN_API gn_status gn_quat_look_rh(gn_vec3 forward, gn_vec3 up, gn_quat *result);
 
 /* Writes the matrix of the rotation. q may have any length but zero. Entries are within 17 u on the
@@ -77,9 +78,9 @@ GN_API gn_quat gn_quat_multiply(gn_quat a, gn_quat b);
 GN_API gn_quat gn_quat_conjugate(gn_quat q);
 
 /* Writes the quaternion whose product with q is 1: conjugate(q) / |q| / |q|. If the length is a
- * normal float, each component is within 9 u of itself, or within 2^-146 if the component is no
- * normal float. GN_DEGENERATE if q is zero, GN_OUT_OF_RANGE if its length or a component of the
- * inverse overflows. */
+ * normal float, each component has a relative error of at most 9 u, or an error of at most 2^-146
+ * if the component is no normal float. GN_DEGENERATE if q is zero, GN_OUT_OF_RANGE if its length or
+ * a component of the inverse overflows. */
 GN_API gn_status gn_quat_invert(gn_quat q, gn_quat *result);
 
 /* Returns the scalar product, with the products summed as ((w + z) + y) + x. For unit quaternions

@@ -89,15 +89,15 @@ GN_API bool gn_ray_hits_triangle_front(const gn_ray *ray, gn_vec3 a, gn_vec3 b, 
 
 /* Returns whether the ray meets the box, surface included, and writes between which t (slabs: T. L.
  * Kay and J. T. Kajiya, Ray tracing complex scenes, 1986; the tolerance: T. Ize, Robust BVH ray
- * traversal, 2013). The answer is conservative: it is never false for a ray that meets the box. For
- * a ray that misses the box it is true only in two cases: the t at which the ray leaves the first
- * of the slabs is less than 12 u of itself, and 2^-146, below the t at which it enters the last of
- * them; or those t exceed 2^127.
+ * traversal, 2013). The answer is conservative: it is never false for a ray that meets the box. Let
+ * t0 be the greatest t at which the ray enters a slab, and t1 the least t at which it leaves a
+ * slab. For a ray that misses the box, t0 > t1, the answer is true only if t0 - t1 is less than
+ * 12 u of t1 plus 2^-146, or if t0 and t1 exceed 2^127.
  *
- * Both t are within 2 u of themselves; enter is 0 if the origin is inside; a t beyond the largest
- * float is infinite. If a component of the direction is zero, the ray meets the box only if the
- * origin lies in that slab. So for a direction of zero the origin must lie in the box, and leave is
- * infinite. Bounds of the box may be infinite.
+ * Both t have a relative error of at most 2 u; enter is 0 if the origin is inside; a t beyond the
+ * largest float is infinite. If a component of the direction is zero, the ray meets the box only if
+ * the origin lies in that slab. So for a direction of zero the origin must lie in the box, and
+ * leave is infinite. Bounds of the box may be infinite.
  *
  * Returns false if the ray is not finite, or if a min is NaN or exceeds its max. */
 GN_API bool gn_ray_hits_box(const gn_ray *ray, const gn_box *box, gn_ray_span *span);

@@ -45,8 +45,8 @@ GN_API float gn_asin(float x);
  * above pi by 8.7e-8. For 1 returns +0; for x outside [-1, 1] and for NaN returns NaN. */
 GN_API float gn_acos(float x);
 
-/* Returns the arctangent of x, in [-pi/2, pi/2]. Correctly rounded. For -0 returns -0, for the
- * infinities pi/2 with their sign, for NaN NaN. */
+/* Returns the arctangent of x, in [-pi/2, pi/2]. Correctly rounded. For -0 returns -0, for an
+ * infinity pi/2 with its sign, for NaN returns NaN. */
 GN_API float gn_atan(float x);
 
 /* Returns the angle of the vector (x, y) from the positive x axis, in [-pi, pi], with the sign of
@@ -61,17 +61,17 @@ GN_API float gn_atan(float x);
  * y is NaN, returns NaN. */
 GN_API float gn_atan2(float y, float x);
 
-/* Returns the largest whole number not above x. Exact. For -0 returns -0, for the infinities
- * themselves, for NaN NaN. */
+/* Returns the largest whole number not above x. Exact. For -0 returns -0, for an infinity returns
+ * x, for NaN returns NaN. */
 GN_API float gn_floor(float x);
 
-/* Returns the smallest whole number not below x. Exact. For -1 < x <= -0 returns -0, for the
- * infinities themselves, for NaN NaN. */
+/* Returns the smallest whole number not below x. Exact. For -1 < x <= -0 returns -0, for an
+ * infinity returns x, for NaN returns NaN. */
 GN_API float gn_ceil(float x);
 
 /* Returns the whole number nearest to x; halfway between two, the one farther from zero, as C99's
- * roundf. Exact. The sign is kept, also of zeros: for -1/2 < x <= -0 returns -0. For the infinities
- * returns themselves, for NaN NaN. */
+ * roundf. Exact. The sign is kept, also of zeros: for -1/2 < x <= -0 returns -0. For an infinity
+ * returns x, for NaN returns NaN. */
 GN_API float gn_round(float x);
 
 /* Returns x - gn_floor(x), in [0, 1) and never -0. Exact for x >= 0 and x <= -1/2. For -1/2 < x < 0
@@ -91,16 +91,16 @@ GN_API float gn_clamp(float x, float low, float high);
 GN_API float gn_mix(float a, float b, float t);
 
 /* Returns an angle of x radians in degrees: x * 180/pi. Correctly rounded, to infinity if the
- * result is beyond the largest float. For -0 returns -0, for the infinities themselves, for NaN
+ * result is beyond the largest float. For -0 returns -0, for an infinity returns x, for NaN returns
  * NaN. */
 GN_API float gn_degrees(float radians);
 
 /* Returns an angle of x degrees in radians: x * pi/180. Correctly rounded, including denormal
- * results. For -0 returns -0, for the infinities themselves, for NaN NaN. */
+ * results. For -0 returns -0, for an infinity returns x, for NaN returns NaN. */
 GN_API float gn_radians(float degrees);
 
 /* Returns 2 to the power of x. Correctly rounded, to infinity, and through the denormal numbers to
- * +0. For -infinity returns +0, for +infinity +infinity, for NaN NaN. */
+ * +0. For -infinity returns +0, for +infinity returns x, for NaN returns NaN. */
 GN_API float gn_exp2(float x);
 
 /* Returns e to the power of x. Rounding and special values as in gn_exp2. */

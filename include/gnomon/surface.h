@@ -171,8 +171,9 @@ GN_API gn_status gn_clear_depth(const gn_surface *surface, float depth);
  * returns the statuses of gn_target_check. */
 GN_API gn_status gn_clear_stencil(const gn_surface *surface, uint8_t stencil);
 
-/* Fills depth and stencil at once, those of the two that the surface has. Faster than one clear
- * after the other. */
+/* Fills depth and stencil at once, which is faster than two clears. If the surface has only one of
+ * the two, fills that one. A surface that is bad or has neither returns the statuses of
+ * gn_target_check. */
 GN_API gn_status gn_clear_depth_stencil(const gn_surface *surface, float depth, uint8_t stencil);
 
 /* Reduces a surface with several samples to one sample per pixel (OpenGL's BlitFramebuffer from a

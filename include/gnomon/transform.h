@@ -43,8 +43,8 @@ GN_API gn_status gn_rotate_z(float radians, gn_transform *result);
 
 /* Writes the rotation about an axis through the origin, of any length but zero (Rodrigues' formula
  * on the normalised axis). The inverse is the transpose. |E| <= 46 u on the diagonal and 31 u off
- * it (proved: tests/proof), of which 28 u and 14 u come from the length of the rounded axis.
- * Lengths are kept within 54 u. GN_DEGENERATE if the axis is zero. */
+ * it (proved: tests/proof), of which 28 u and 14 u come from the length of the rounded axis. Turned
+ * vectors keep their lengths within 54 u. GN_DEGENERATE if the axis is zero. */
 GN_API gn_status gn_rotate_axis(gn_vec3 axis, float radians, gn_transform *result);
 
 /* Writes the transform from coordinates in a frame to coordinates outside it. x, y and z are the

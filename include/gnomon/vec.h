@@ -102,11 +102,11 @@ GN_API float gn_vec3_distance(gn_vec3 a, gn_vec3 b);
 GN_API float gn_vec4_distance(gn_vec4 a, gn_vec4 b);
 
 /* Writes the vector of length one in the direction of v: v / length(v), one division per component.
- * With n components, every component is within (n / 2 + 2) * 2^-24 of itself, or within 2^-148 if
- * it is no normal float; the length of the result is within (n / 2 + 2) * 2^-24 of 1. Every finite
- * vector but zero has a result: very short and very long vectors are first scaled by a power of
- * two. GN_NULL_POINTER, GN_NOT_FINITE (a component is NaN or infinite) and GN_DEGENERATE (v is
- * zero) leave the result untouched. */
+ * With n components, every component has a relative error of at most (n / 2 + 2) * 2^-24, or an
+ * error of at most 2^-148 if it is no normal float; the length of the result is within
+ * (n / 2 + 2) * 2^-24 of 1. Every finite vector but zero has a result: very short and very long
+ * vectors are first scaled by a power of two. GN_NULL_POINTER, GN_NOT_FINITE (a component is NaN or
+ * infinite) and GN_DEGENERATE (v is zero) leave the result untouched. */
 GN_API gn_status gn_vec2_normalize(gn_vec2 v, gn_vec2 *result);
 GN_API gn_status gn_vec3_normalize(gn_vec3 v, gn_vec3 *result);
 GN_API gn_status gn_vec4_normalize(gn_vec4 v, gn_vec4 *result);
@@ -135,8 +135,8 @@ GN_API gn_vec4 gn_vec4_reflect(gn_vec4 v, gn_vec4 normal);
  * of the other side. This is GLSL's refract in its specification's operations: with d = dot(normal,
  * v) and k = 1 - eta * (eta * (1 - d * d)), the result is eta * v - (eta * d + sqrt(k)) * normal,
  * or zero if k < 0 (total internal reflection). With u = 2^-24, k is off by at most (10 eta^2 + 1)
- * u. If k is more than twice that, the result is off by at most (8 eta + 4) u + (6 eta^2 + 1) u /
- * sqrt(k), barring underflow. */
+ * u. If k is more than twice that, the result is off by at most (8 eta + 4) u + (6 eta^2 + 1)
+ * u / sqrt(k), barring underflow. */
 GN_API gn_vec2 gn_vec2_refract(gn_vec2 v, gn_vec2 normal, float eta);
 GN_API gn_vec3 gn_vec3_refract(gn_vec3 v, gn_vec3 normal, float eta);
 GN_API gn_vec4 gn_vec4_refract(gn_vec4 v, gn_vec4 normal, float eta);
