@@ -66,10 +66,10 @@ GN_BEGIN
  * - GN_INVALID_FORMAT: one format is of colours and the other of depth or stencil; or both are of
  *   depth or stencil and differ, or are blitted with a linear filter;
  * - GN_OUT_OF_RANGE: a corner is out of range;
- * - GN_OVERLAP: memory of pixels that are read overlaps memory of pixels that may be written. If
- *   both surfaces are views of one image (equal pixels, stride and format), it is enough that the
- *   rectangles have no pixel in common; for a linear filter `from` counts as one texel wider on
- *   each side.
+ * - GN_OVERLAP: memory of pixels that are read overlaps memory of pixels that may be written.
+ *   Surfaces that are views of one image (equal pixels, stride and format) are allowed if the
+ *   rectangles have no pixel in common; for a linear filter `from` then counts as one texel wider
+ *   on each side.
  *
  * Empty rectangles are no fault. */
 GN_API gn_status gn_blit(const gn_surface *destination, const gn_rectangle *to,

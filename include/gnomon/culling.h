@@ -55,8 +55,8 @@ GN_BEGIN
  * inwards (Gribb and Hartmann, Fast extraction of viewing frustum planes, 2001).
  *
  * A written plane is the exact plane of the stored matrix times one factor, which makes the length
- * of the normal 1 within 6 u. Beside this factor each coefficient has a relative error of at most
- * 2 u, barring underflow.
+ * of the normal 1 within 6 u. Apart from this factor each coefficient has a relative error of at
+ * most 2 u, barring underflow.
  *
  * A bound that depends on no coordinate, such as the far bound of an infinite projection, is no
  * plane. Its normal is zero, and its offset is 1 if every point is within the bound, -1 if no point
@@ -74,13 +74,12 @@ GN_API gn_status gn_frustum_planes_zo(const gn_mat4 *clip_from_space,
  * gn_frustum_planes_no or _zo has written. GN_OUTSIDE: it lies wholly behind at least one plane.
  * GN_INSIDE: no part of it lies behind any plane.
  *
- * Each of these two answers is certain to be returned where it is true and the distances to the
- * planes that decide it exceed 16 u times the sum of the magnitudes that the distance is computed
- * from: |normal.x x| + |normal.y y| + |normal.z z| + |offset|, plus the radius. The coordinates x,
- * y, z are the largest of the box, or the center's; every coefficient counts as 2^-120 larger. If
- * that sum overflows, or the distance is smaller, the answer may be GN_INTERSECTING. An object
- * outside the volume that is wholly behind no single plane, for example beyond an edge of the
- * volume, is GN_INTERSECTING.
+ * Each of these two answers is guaranteed if it is true and every distance to a plane that decides
+ * it exceeds 16 u times the sum of the magnitudes it is computed from: |normal.x x| + |normal.y
+ * y| + |normal.z z| + |offset|, plus the radius. The coordinates x, y, z are the largest of the
+ * box, or the center's; every coefficient counts as 2^-120 larger. If that sum overflows, or a
+ * distance is smaller, the answer may be GN_INTERSECTING. An object outside the volume that is
+ * wholly behind no single plane, for example beyond an edge of the volume, is GN_INTERSECTING.
  *
  * Returns GN_INTERSECTING for an invalid box, for a center or radius that is not finite and for a
  * radius below zero. Pointers must be valid. */

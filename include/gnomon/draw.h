@@ -79,7 +79,7 @@ typedef struct gn_workspace {
     gn_backend backend;    /* GN_BACKEND_AUTO: the fastest; any other must be available */
     gn_parallel *parallel; /* null: only the calling thread; the pixels are the same */
     void *user;            /* passed to parallel */
-    uint32_t threads; /* that run parallel's tasks; 0: unknown. Fewer threads get larger tasks */
+    uint32_t threads; /* threads that run the tasks; 0: unknown. Few threads get larger tasks */
     size_t needed;    /* written with GN_WORKSPACE_TOO_SMALL: the least size that is enough */
 
     /* Null, or a counter: a draw adds to it the number of its fragments that are covered, kept by
@@ -151,13 +151,13 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  * gn_pipeline_fault and gn_mesh_fault say in words what is wrong.
  *
  * Triangles, lines and points are drawn in order. Positions are clipped to -w <= x, y, z <= w and
- * to clip distances that are not negative. depth.clip_depth and depth.clamp change the bounds of z;
- * a z that is clipped against nothing may have any value. A point is drawn whole or not at all,
- * depending on its centre. Clipped positions are mapped to window coordinates, and vertices snap to
- * 1/256 pixel. A pixel is covered if its centre lies inside, or on a left edge or a horizontal
- * bottom edge, so that triangles that share an edge never both cover a pixel on it. If pixels have
- * several samples, the rule applies to each sample, and lines are rectangles; the fragment shader
- * runs once per pixel, at the pixel's centre.
+ * to clip distances that are not negative. clip_depth and depth_clamp change the bounds of z; a z
+ * that is clipped against nothing may have any value, even one that is not finite. A point is drawn
+ * whole or not at all, depending on its centre. Clipped positions are mapped to window coordinates,
+ * and vertices snap to 1/256 pixel. A pixel is covered if its centre lies inside, or on a left edge
+ * or a horizontal bottom edge, so that triangles that share an edge never both cover a pixel on it.
+ * If pixels have several samples, the rule applies to each sample, and lines are rectangles; the
+ * fragment shader runs once per pixel, at the pixel's centre.
  *
  * Points are squares. If a pixel has one sample, lines follow these rules. A line that is at least
  * as long along x as along y covers its width along y in every column; any other line covers its
@@ -173,15 +173,17 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  * - every line has the pixel it begins in, one pixel in each column or row, and not the pixel it
  *   ends in, so that a strip has every joint; a point of size 1 at the last vertex adds that pixel;
  * - a line that leads to the right, or up if it is longer along y, has the pixels nearest to the
- *   line between the centres; of two that are equally near it has the left one (Bresenham's line).
- *   A line that leads the other way has pixels at most 1/256 pixel farther away than the nearest.
+ *   line between the centres (Bresenham's line); of two that are equally near it has the one on its
+ *   left-hand side. A line that leads the other way has pixels at most 1/256 pixel farther away
+ *   than the nearest.
  * This placement needs window coordinates that are off by less than 1/1024 pixel, as they are with
  * gn_orthographic_rh_no(0, width, 0, height, ...) in targets of up to 4,096 pixels a side.
  *
  * Drawing follows OpenGL 4.5 chapters 10 to 17. The order of every operation is the reference
  * rasterizer's, so that results are equal bit for bit (reference/RULES.md). These primitives are
  * not drawn:
- * - primitives with a vertex whose x, y or z is not finite or whose w is NaN;
+ * - primitives with a vertex whose x or y is not finite, whose z is not finite and is clipped, or
+ *   whose w is NaN;
  * - primitives to be clipped, with a vertex whose distance w +- x, y or z to a plane they cross is
  *   not finite;
  * - primitives with a vertex left more than 32,768 pixels from the origin after clipping, which

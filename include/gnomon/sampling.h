@@ -99,8 +99,7 @@ typedef enum gn_lod_source {
  * others the nearest one, the latter use the linear filter with weights of 0 and 1. */
 typedef struct gn_lookup {
     const float *coordinate[3]; /* s, t, r; or a direction; or s, t and the layer's number */
-    const float *reference;     /* for compared depth textures; clamped to 0 to 1 for D16, D24 and
-                                   D24S8; null: 0 */
+    const float *reference;     /* of comparisons; clamped to 0..1 for D16, D24, D24S8; null: 0 */
     gn_lod_source lod_source;
     const float *lod; /* null: 0, and the nearest level comes from the exponent of the footprint */
     const float *gradient_x[3]; /* change of the coordinates to the next fragment along x */

@@ -97,9 +97,10 @@ GN_API gn_status gn_texture_packed(gn_texture_target target, gn_format format, u
  * first. The memory must hold at least gn_texture_memory_size of all levels less that of one level.
  *
  * Each level is a linear blit of the level before it, layer by layer, in 3D also mixed between
- * slices. A new texel is the mean of its texels if a size is even, otherwise the mix of the texels
- * around its centre, as the reference filters (reference/RULES.md; OpenGL 4.5 section 8.14.4 leaves
- * it open). Red, green and blue of sRGB are mixed as linear colours. Every NaN is 0x7FC00000.
+ * slices. Along a dimension of even size a new texel is the mean of the two texels that it covers;
+ * otherwise it mixes the texels around its centre, as the reference filters (reference/RULES.md;
+ * OpenGL 4.5 section 8.14.4 leaves it open). Red, green and blue of sRGB are mixed as linear
+ * colours. Every NaN is 0x7FC00000.
  *
  * Returns the statuses of gn_texture_check; GN_NOT_COMPILED; GN_INVALID_FORMAT (depth formats);
  * and, if memory is needed, GN_NULL_POINTER (memory), GN_MISALIGNED (memory is not aligned to the
