@@ -25,11 +25,11 @@ gn_quat gn_quat_conjugate(gn_quat q)
 }
 
 /* The length is off by 3.5 u, and enters twice; each division adds u. If the length is less than 1,
- * a quotient by it may be below the normal floats although the final result is not, because the
- * first quotient is smaller than the result. So dividend and divisors are multiplied by
- * 2^96 = 2^64 * 2^32: a quotient is then below the normal floats only if the length is above 1 and
- * the result is below them too. Lengths near 1 all take this path, because a branch between lengths
- * near 1 would be mispredicted. */
+ * the first of the two quotients is smaller than the result, so it may be below the normal floats
+ * although the result is not. So dividend and divisors are multiplied by 2^96 = 2^64 * 2^32: a
+ * quotient is then below the normal floats only if the length is above 1 and the result is below
+ * them too. Lengths near 1 all take this path, because a branch between lengths near 1 would be
+ * mispredicted. */
 gn_status gn_quat_invert(gn_quat q, gn_quat *result)
 {
     if (!result) {

@@ -8,7 +8,7 @@
  * not fit memory. */
 size_t gn_packed_bytes(const gn_texture *texture, uint32_t first, uint32_t end);
 
-/* Lists levels first to end - 1 in the texture, beginning at `memory`. */
+/* Sets where levels first to end - 1 of the texture lie: tightly packed from `memory` on. */
 void gn_place_levels(gn_texture *texture, uint32_t first, uint32_t end, const void *memory);
 
 #endif
