@@ -1,4 +1,4 @@
-/* The sampler of sampler.h. */
+/* Implements sampler.h. */
 #include "sampler.h"
 
 #include <math.h>
@@ -16,7 +16,7 @@ static long double fraction(uint32_t value, unsigned bits)
     return (long double)value / (long double)((UINT64_C(1) << bits) - 1);
 }
 
-/* A binary16 (IEEE 754). */
+/* Value of a binary16 (IEEE 754). */
 static long double half(uint16_t bits)
 {
     const int exponent = bits >> 10 & 31;
@@ -29,7 +29,7 @@ static long double half(uint16_t bits)
     return sign * (exponent ? ldexpl(1024.0L + digits, exponent - 25) : ldexpl(digits, -24));
 }
 
-/* Equation 8.15's inverse of the encoding. */
+/* The inverse of the sRGB encoding, equation 8.15. */
 static long double linear(long double encoded)
 {
     return encoded <= 0.04045L ? encoded / 12.92L : powl((encoded + 0.055L) / 1.055L, 2.4L);
@@ -128,7 +128,7 @@ static bool is_depth(gn_format format)
     return format >= GN_FORMAT_D16 && format <= GN_FORMAT_D32FS8;
 }
 
-/* ---- A sample in the making ---- */
+/* ---- The state of a sample ---- */
 
 typedef struct work {
     const gn_texture *texture;
@@ -136,7 +136,7 @@ typedef struct work {
     const exact_lookup *lookup;
     int64_t size[3]; /* of the level: columns, rows, slices */
     uint32_t level;
-    int64_t layer; /* of an array; of a cube the face */
+    int64_t layer; /* of an array; for a cube the face */
     long double doubt;
 } work;
 
@@ -155,7 +155,7 @@ static int64_t within(int64_t i, int64_t low, int64_t high)
     return i < low ? low : i > high ? high : i;
 }
 
-/* Not below 0, whatever the sign of i. */
+/* Remainder that is never negative, whatever the sign of i. */
 static int64_t modulo(int64_t i, int64_t n)
 {
     return (i % n + n) % n;
@@ -166,7 +166,7 @@ static int64_t mirror(int64_t i)
     return i >= 0 ? i : -(1 + i);
 }
 
-/* Table 8.20. */
+/* Wrap modes, table 8.20. */
 static int64_t wrapped(gn_wrap wrap, int64_t i, int64_t n)
 {
     switch (wrap) {
@@ -191,7 +191,7 @@ static int64_t whole(long double x)
                         : (int64_t)floorl(x);
 }
 
-/* Section 8.23.1: what a depth becomes that is compared. */
+/* Section 8.23.1: the result of comparing a depth. */
 static long double compared(work *w, long double depth)
 {
     const bool fixed =
@@ -233,7 +233,7 @@ static long double compared(work *w, long double depth)
     return holds ? 1.0L : 0.0L;
 }
 
-/* A texel by its wrapped numbers, or the border. */
+/* The texel with these wrapped numbers, or the border. */
 static texel fetch(work *w, int64_t i, int64_t j, int64_t k)
 {
     const gn_texture *const t = w->texture;
@@ -269,7 +269,7 @@ static void add(texel *sum, const texel *t, long double weight)
 
 /* ---- Cubes ---- */
 
-/* Table 8.19: of face f, the axes of s, t and the major axis, and whether they are negative. */
+/* Table 8.19: the axes of s, t and the major axis of face f, and whether each is negated. */
 typedef struct cube_face {
     int axis[3];
     long double sign[3];
@@ -281,7 +281,7 @@ static const cube_face faces[6] = {
     {{0, 1, 2}, {1.0L, -1.0L, 1.0L}},  {{0, 1, 2}, {-1.0L, -1.0L, -1.0L}},
 };
 
-/* The face of a direction; where magnitudes tie, that of z, then of y. */
+/* The face of a direction. If magnitudes tie, z wins over y and y over x. */
 static int face_of(const long double d[3])
 {
     const long double x = fabsl(d[0]), y = fabsl(d[1]), z = fabsl(d[2]);
@@ -290,7 +290,7 @@ static int face_of(const long double d[3])
     return 2 * axis + (d[axis] < 0.0L);
 }
 
-/* The point of a direction on the plane of a face: s and t from -1 to 1 within it. */
+/* The point where a direction meets the plane of a face: s and t are -1 to 1 within the face. */
 static void on_face(int face, const long double d[3], long double s_t[2])
 {
     const cube_face *const f = &faces[face];
@@ -301,8 +301,8 @@ static void on_face(int face, const long double d[3], long double s_t[2])
     }
 }
 
-/* A texel that may lie beyond one edge of the face: there it is that of the face behind the edge
- * which touches it. */
+/* A texel that may lie beyond one edge of its face: in that case it is a texel of the face that
+ * touches that edge. */
 static texel fetch_over_edge(work *w, int face, int64_t i, int64_t j)
 {
     const cube_face *const f = &faces[face];
@@ -310,7 +310,7 @@ static texel fetch_over_edge(work *w, int face, int64_t i, int64_t j)
     const int64_t number[2] = {i, j};
     long double d[3];
 
-    /* The centre of the texel, folded over the edge that it lies beyond. */
+    /* The centre of the texel, folded over the edge that the texel lies beyond. */
     d[f->axis[2]] = f->sign[2];
     for (int c = 0; c < 2; ++c) {
         long double at = (2.0L * (long double)number[c] + 1.0L) / (long double)n - 1.0L;
@@ -325,7 +325,8 @@ static texel fetch_over_edge(work *w, int face, int64_t i, int64_t j)
     const bool beyond = i < 0 || i >= n || j < 0 || j >= n;
     long double s_t[2];
 
-    /* Folded, the largest component is that of the neighbour, by 1 to 1 - 1/n and less. */
+    /* After folding, the neighbour's component is the largest: it is 1, the others are at most 1 -
+     * 1/n. */
     w->layer = beyond ? face_of(d) : face;
     if (!beyond) {
         return fetch(w, i, j, 0);
@@ -395,7 +396,7 @@ static int dimensions(gn_texture_target target)
     return target == GN_TEXTURE_1D ? 1 : target == GN_TEXTURE_3D ? 3 : 2;
 }
 
-/* Section 8.14.2 within a level. */
+/* Filtering within one level, section 8.14.2. */
 static texel sample_level(work *w, uint32_t level, bool is_linear)
 {
     const gn_texture *const t = w->texture;
@@ -449,7 +450,7 @@ static texel sample_level(work *w, uint32_t level, bool is_linear)
 
 /* ---- Between levels ---- */
 
-/* Equation 8.10's clamps. */
+/* The clamps of equation 8.10. */
 static long double clamped_lod(work *w, long double lod)
 {
     const gn_sampler *const s = w->sampler;
@@ -511,7 +512,8 @@ exact_texel exact_sample(const gn_texture *texture, const gn_sampler *sampler,
     return e;
 }
 
-/* The derivatives of a face's s and t, as textures have them: half of those on the plane. */
+/* The derivatives of a face's s and t, from 0 to 1 over the face: half of the derivatives on the
+ * plane. */
 static void cube_derivatives(const long double d[3], const long double step[3], long double out[3])
 {
     const cube_face *const f = &faces[face_of(d)];
@@ -527,7 +529,7 @@ static void cube_derivatives(const long double d[3], const long double step[3], 
     out[2] = 0.0L;
 }
 
-/* The lengths of two gradients in texels of level 0. */
+/* The lengths of two gradients, in texels of level 0. */
 static void lengths(const gn_texture *texture, const long double coordinate[3],
                     const long double dx[3], const long double dy[3], long double length[2])
 {

@@ -34,7 +34,7 @@ typedef struct image {
     GLuint texture, framebuffer;
 } image;
 
-/* A tightly packed surface as the texture of a framebuffer. */
+/* Attaches a tightly packed surface to a framebuffer, as its texture. */
 static image upload(const gn_surface *s)
 {
     const reference_image_format f = reference_image_format_of(s->format);

@@ -1,4 +1,4 @@
-/* How colours go into the framebuffer, as OpenGL's state. */
+/* OpenGL's state for writing colours to the framebuffer: blending, logical operations, masks. */
 #include "gl.h"
 
 static GLenum factor(gn_blend_factor f, GLenum otherwise)

@@ -1,19 +1,19 @@
-/* The GL context: the environment Mesa reads, creation, version. */
+/* The GL context: the environment that Mesa reads, creation, version. */
 #include "gl.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* Of the compatibility profile, which the core header does not have. */
+/* These belong to the compatibility profile; the core header does not declare them. */
 #define POINT_SPRITE 0x8861
 
-/* What OSMesa calls the window; nothing is drawn to it. */
+/* The window's buffer, which OSMesa requires; nothing is drawn to it. */
 #define WINDOW_SIZE 16
 static unsigned char window[WINDOW_SIZE * WINDOW_SIZE * 4];
 
-/* Mesa reads these once, when the first context is created. The pinned ones decide
- * about bits; LP_NUM_THREADS does not, but 0 keeps all work in the calling thread,
- * whose CPU time is then the whole cost. */
+/* Mesa reads these variables once, when the first context is created. The pinned values decide
+ * about bits, except LP_NUM_THREADS: its value 0 keeps all work in the calling thread, so that this
+ * thread's CPU time is the whole cost. */
 static void set_environment(reference_profile profile)
 {
     if (profile == REFERENCE_PINNED) {
@@ -27,7 +27,7 @@ static void set_environment(reference_profile profile)
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
 }
 
-/* "22.3.6" from "4.5 (Core Profile) Mesa 22.3.6". */
+/* Finds "22.3.6" in "4.5 (Core Profile) Mesa 22.3.6". */
 static void read_version(reference *r)
 {
     const char *text = (const char *)glGetString(GL_VERSION);
@@ -40,8 +40,9 @@ static void read_version(reference *r)
 
 reference *reference_create(reference_profile profile, char *error, size_t error_size)
 {
-    /* The core profile has one polygon mode for both faces; the other's draws the same
-     * where points are sprites. */
+    /* The core profile has one polygon mode for both faces, so this is a context of the
+     * compatibility profile. With point sprites on, it draws the same pixels as the core
+     * profile. */
     const bool pinned = profile == REFERENCE_PINNED;
     const int attributes[] = {OSMESA_FORMAT,
                               OSMESA_RGBA,

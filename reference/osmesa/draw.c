@@ -6,8 +6,8 @@
 
 #define ATTRIBUTES 5
 
-/* Draws that Mesa 22.3 loses where the third triangle has no height (reference/RULES.md);
- * through an index buffer it draws them. */
+/* Mesa 22.3 does not draw these three triangles if the third has no height (reference/RULES.md).
+ * With an index buffer it draws them. */
 static bool is_nine_vertices(const scene_draw *d)
 {
     return d->mesh.index_format == GN_INDEX_NONE && d->state.raster.topology == GN_TRIANGLES &&
@@ -85,7 +85,7 @@ static size_t attribute_stride(const gn_attribute *a)
     return a->stride ? a->stride : a->components * sizeof(float);
 }
 
-/* Bytes from the first vertex's first component to the last one's last. */
+/* Bytes from the first vertex's first component to the last vertex's last component. */
 static size_t attribute_size(const gn_attribute *a, uint32_t vertex_count)
 {
     return a->data && vertex_count
@@ -194,18 +194,18 @@ void reference_clear(const scene *s)
         mask |= GL_DEPTH_BUFFER_BIT;
         glStencilMask(255);
         glClearStencil(s->clear_stencil);
-        mask |= GL_STENCIL_BUFFER_BIT; /* of what is not there, nothing is cleared */
+        mask |= GL_STENCIL_BUFFER_BIT; /* an attachment that does not exist is not cleared */
     }
     glClear(mask);
 }
 
-/* OpenGL's sizes are signed. No origin lies so far below 0 that the difference shows. */
+/* OpenGL's sizes are signed. No origin is so far below 0 that the difference shows. */
 static GLsizei clamped_size(uint32_t size)
 {
     return (GLsizei)(size < INT32_MAX ? size : INT32_MAX);
 }
 
-/* Without a clamp the old call, which needs no extension. */
+/* Without a clamp the older function suffices; it needs no extension. */
 static void set_polygon_offset(const gn_polygon_offset *p)
 {
     typedef void offset_clamp(GLfloat factor, GLfloat units, GLfloat clamp);
@@ -222,7 +222,7 @@ static void set_polygon_offset(const gn_polygon_offset *p)
     }
 }
 
-/* The library OSMesa does not export this one. */
+/* libOSMesa does not export this function. */
 static void set_clip_depth(gn_clip_depth depth)
 {
     typedef void clip_control(GLenum origin, GLenum depth);
@@ -286,7 +286,7 @@ static void set_state(const scene *s, const gn_pipeline *p)
     }
 }
 
-/* Colours of the ready-made vertex shaders are white where the mesh has none. */
+/* The ready-made vertex shaders use white if the mesh has no colours. */
 static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u, bool whitens)
 {
     glBindBuffer(GL_ARRAY_BUFFER, u->vertices);
@@ -309,7 +309,8 @@ static void set_attributes(const gn_mesh *mesh, const uploaded_draw *u, bool whi
     }
 }
 
-/* To set a uniform the program does not use is an error: what is not lit has the matrix alone. */
+/* Setting a uniform that the program does not use is an error, so shaders without light get only
+ * the matrix. */
 static void set_uniforms(const scene_draw *d, GLuint program)
 {
     const scene_light *light = &d->uniforms.light;
@@ -335,8 +336,9 @@ static void set_uniforms(const scene_draw *d, GLuint program)
     }
 }
 
-/* Mesa 22.3 keeps the limits of depth clamp where the clip depth changes and the viewport's
- * transform does not (reference/RULES.md): a draw of nothing under another viewport. */
+/* Mesa 22.3 keeps the limits of depth clamp when the clip depth changes and the viewport's
+ * transform does not (reference/RULES.md). Drawing nothing under another viewport makes it compute
+ * them again. */
 static void renew_viewport(const scene_draw *d)
 {
     if (d->state.depth.clamp && d->mesh.vertex_count > 0) {

@@ -1,4 +1,4 @@
-/* Why something failed, in words: reasons of the reference's own and OpenGL's errors. */
+/* Error messages: reasons of the reference's own, and OpenGL's errors. */
 #include "gl.h"
 
 #include <stdarg.h>

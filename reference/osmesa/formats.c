@@ -1,4 +1,4 @@
-/* What OpenGL calls the formats of surfaces and textures. */
+/* OpenGL's names for the formats of surfaces and textures. */
 #include "gl.h"
 
 reference_image_format reference_image_format_of(gn_format format)

@@ -1,4 +1,4 @@
-/* Framebuffer objects for scenes, the last few of them kept. */
+/* Framebuffer objects for scenes. The last few are kept for later scenes. */
 #include "gl.h"
 
 #include <string.h>
@@ -16,7 +16,7 @@ static GLuint attach(GLenum attachment, GLenum format, uint32_t width, uint32_t 
     return name;
 }
 
-/* Samples can be read from textures alone. */
+/* Only textures allow reading single samples. */
 static GLuint attach_samples(GLenum attachment, GLenum format, uint32_t width, uint32_t height)
 {
     GLuint name = 0;

@@ -1,5 +1,5 @@
-/* What the files of the reference share: the GL entry points, the state of a
- * reference, and the steps from a scene to its pixels. */
+/* Declarations shared by the files of the reference: the GL entry points, the state of a reference,
+ * and the steps from a scene to its pixels. */
 #ifndef OSMESA_GL_H
 #define OSMESA_GL_H
 
@@ -15,18 +15,19 @@ static inline GLenum gl_comparison(gn_compare c, GLenum default_function)
     return c == GN_COMPARE_DEFAULT ? default_function : GL_NEVER + (GLenum)(c - GN_NEVER);
 }
 
-/* Framebuffers kept for the next scene of their size and formats. */
+/* Number of framebuffers kept for later scenes of equal size and formats. */
 #define FRAMEBUFFER_CACHE_SIZE 16
 
-/* Variants of the vertex-colour program: three qualifiers to the power of four, with and without
- * sizes of points. */
+/* Variants of the vertex-colour program: each of four scalars has one of three qualifiers; with and
+ * without point sizes. */
 #define VERTEX_COLOR_PROGRAMS 162
 
-/* Of the program of inputs.h: with and without position, primitive, discard, depth, point
- * coordinates, sizes of points, sample masks read and written. */
+/* Variants of the program of inputs.h: with and without position, primitive, discard, depth, point
+ * coordinates, point sizes, reading sample masks and writing them. */
 #define INPUTS_PROGRAMS 256
 
-/* Of the program of sampled.h: targets of textures times colours, depths and compared depths. */
+/* Variants of the program of sampled.h: each texture target with colours, depths and compared
+ * depths. */
 #define SAMPLED_PROGRAMS 15
 
 typedef struct framebuffer {
@@ -35,10 +36,10 @@ typedef struct framebuffer {
     uint32_t width, height;
     gn_format color_format[GN_MAX_COLORS], depth_format;
     uint64_t last_use;
-    bool is_sampled; /* then color and depth are textures */
+    bool is_sampled; /* with samples, color and depth are textures */
 } framebuffer;
 
-/* A program of twins.c: of a shader and what its draw has. */
+/* A program of twins.c, for one shader and the maps and lights of its draw. */
 typedef struct reference_twin {
     uint32_t key;
     GLuint program;
@@ -59,51 +60,52 @@ struct reference {
     size_t twin_count;
     framebuffer framebuffers[FRAMEBUFFER_CACHE_SIZE];
     uint64_t uses;
-    GLuint sample_programs[2]; /* reading numbers, and stencil */
+    GLuint sample_programs[2]; /* programs that read numbers, and stencil */
 };
 
-/* A draw's mesh and texture in GL objects. */
+/* A draw's mesh and texture as GL objects. */
 typedef struct uploaded_draw {
     GLuint vertices;
     GLuint indices;
     GLuint texture;
     GLuint maps[SCENE_MAP_COUNT];
     GLuint program;
-    GLuint query;     /* of a counted draw */
+    GLuint query;     /* the query of a counted draw */
     size_t offset[5]; /* of the attributes in `vertices` */
 } uploaded_draw;
 
-/* Puts a formatted reason into error. Returns false. */
+/* Writes a formatted reason into error. Returns false. */
 bool reference_fail(char *error, size_t error_size, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* False, with a reason that names `doing`, where GL has an error. */
+/* Returns false if GL has an error; error then holds a reason that names `doing`. */
 bool reference_check(const char *doing, char *error, size_t error_size);
 
-/* The GL program of a draw, made when it is first asked for; 0 with the compiler's log in error. */
+/* Returns the GL program of a draw, which is made on first use; 0 with the compiler's log in
+ * error. */
 GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t error_size);
 
-/* The bound framebuffer of a scene; null with the reason in error. */
+/* Binds and returns the framebuffer of a scene; null with the reason in error. */
 framebuffer *reference_framebuffer(reference *r, const scene *s, char *error, size_t error_size);
 bool framebuffer_create(framebuffer *f, const scene *s, reference_depth depth, char *error,
                         size_t error_size);
 void framebuffer_destroy(framebuffer *f);
 
-/* Draws go to the first attachments of the scene, as many as `count`. */
+/* Makes draws go to the scene's first `count` attachments. */
 void framebuffer_choose_colors(const scene *s, int count);
 
-/* Steps of drawing: the draws' data into GL objects (null with the reason in error), the
- * clears, one draw's state and draw call, and the objects' end. */
+/* The steps of drawing: create GL objects for the draws' data (null with the reason in error),
+ * clear, set one draw's state and draw it, delete the objects. */
 uploaded_draw *reference_upload(reference *r, const scene *s, char *error, size_t error_size);
 void reference_clear(const scene *s);
 void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u);
 void reference_discard(uploaded_draw *draws, size_t count);
 
-/* A program of a vertex shader, after its declarations, and a whole fragment shader; 0 with the
- * compiler's log in error. */
+/* Makes a program from a vertex shader, without its declarations, and a complete fragment shader; 0
+ * with the compiler's log in error. */
 GLuint reference_link(const char *vertex, const char *fragment, char *error, size_t error_size);
 
-/* The same, with the clip distances of a scene's draws where `clipped`. */
+/* As reference_link, with the clip distances of a scene's draws if `clipped`. */
 GLuint reference_link_clipped(const char *vertex, const char *fragment, bool clipped, char *error,
                               size_t error_size);
 
@@ -112,14 +114,14 @@ GLuint reference_link_parts(const char *vertex_body, const char *fragment_head,
                             const char *fragment_body, bool clipped, char *error,
                             size_t error_size);
 
-/* The program of a draw with SCENE_SAMPLED, as reference_program. */
+/* The program of a draw with SCENE_SAMPLED; returns as reference_program does. */
 GLuint reference_sampled_program(reference *r, const scene_draw *d, char *error, size_t error_size);
 
-/* A texture with its sampler's state, bound; 0 where memory is short. */
+/* Creates and binds a texture with its sampler's state; 0 if there is not enough memory. */
 GLuint reference_upload_texture(const gn_texture *t, const gn_sampler *sampler);
 
-/* Whether the program of a draw is one of twins.c; the program, its uniforms, its maps in GL
- * objects, to units 1 and on, and the end of all programs. */
+/* Whether the program of a draw is one of twins.c; then that program, its uniforms, its maps as GL
+ * objects bound to units from 1 on, and the deletion of all programs. */
 bool reference_has_twin(const scene_draw *d);
 GLuint reference_twin_program(reference *r, const scene_draw *d, char *error, size_t error_size);
 void reference_set_twin_uniforms(const scene_draw *d, GLuint program);
@@ -129,34 +131,35 @@ void reference_free_twins(reference *r);
 
 GLenum reference_texture_target(gn_texture_target target);
 
-/* Whether texels are compared: the sampler says so, and they are depths. */
+/* Whether lookups compare: the sampler asks for it and the texels are depths. */
 bool reference_is_compared(const gn_texture *t, const gn_sampler *sampler);
 
-/* Reads every sample of the bound framebuffer of a scene, and what they resolve to. */
+/* Reads every sample of the bound framebuffer of a scene, and the resolved pixels. */
 bool reference_read_samples(reference *r, const scene *s, const framebuffer *f, scene_frame *frame,
                             char *error, size_t error_size);
 
 /* Reads the bound framebuffer, of one sample, into an image of a frame. */
 void reference_read_image(const scene *s, uint32_t image, scene_frame *frame);
 
-/* How OpenGL names a format, and what its pixels are in memory. */
+/* OpenGL's name of a format, and the type of its pixels in memory. */
 typedef struct reference_image_format {
     GLenum internal, format, type;
 } reference_image_format;
 
 reference_image_format reference_image_format_of(gn_format format);
 
-/* A depth of 24 bits as one of 32, from which the driver cuts off or rounds it again: in the middle
- * of those that become it. (With the upper bits repeated below, 1 to 65,535 come out one less.) */
+/* Converts a depth of 24 bits to one of 32. The driver cuts the 32 bits off or rounds them to 24
+ * again, so the result lies in the middle of those that become the depth. (If the upper bits were
+ * repeated below, the depths 1 to 65,535 would come out one less.) */
 uint32_t reference_depth32_of(uint32_t depth24);
 
-/* Words of depth, from Gnomon's form to OpenGL's or back. */
+/* Converts words of depth from Gnomon's form to OpenGL's, or back. */
 void reference_turn_depths(gn_format format, void *pixels, size_t count, bool to_opengl);
 
 /* Sets which samples are drawn. */
 void reference_set_sample_state(const gn_pipeline *p);
 
-/* Sets how colours go into the framebuffer. */
+/* Sets OpenGL's state for writing colours to the framebuffer. */
 void reference_set_color_state(const gn_pipeline *p);
 
 #endif

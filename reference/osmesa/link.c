@@ -1,4 +1,4 @@
-/* Compiling and linking of GLSL: what stands before every vertex shader, and what is put around it
+/* Compiling and linking GLSL: the declarations before every vertex shader, and the code around it
  * for clip distances. Attributes and uniforms have fixed locations. */
 #include "gl.h"
 
@@ -19,7 +19,8 @@ static const char vertex_head[] = "#version 450 core\n"
                                   "    return vec4(color.rgb * (ambient + diffuse * d), color.a);\n"
                                   "}\n";
 
-/* Around a vertex shader: clip distances beside what its main writes. */
+/* Code around a vertex shader, which writes clip distances besides what the shader's main
+ * writes. */
 static const char clipped_head[] = "#define main place_and_shade\n";
 static const char clipped_tail[] =
     "#undef main\n"

@@ -1,11 +1,12 @@
-/* Scenes prepared for measuring: uploaded once, drawn many times, never read back. */
+/* Scenes prepared for timing: uploaded once, drawn many times, never read back. */
 #include "gl.h"
 
 #include <stdlib.h>
 
 struct reference_prepared {
-    const scene *scene; /* the caller's, for state and uniforms */
-    framebuffer target; /* its own, out of reach of the cache's limit */
+    const scene *scene; /* the caller's; for state and uniforms */
+    framebuffer
+        target; /* the prepared scene's own, which the cache of framebuffers never deletes */
     uploaded_draw *draws;
 };
 

@@ -1,10 +1,10 @@
 /* The GLSL twins of the ready-made shaders, of phong.h, inputs.h and outputs.h. Their expressions
- * are written in the order of operations of the library's. */
+ * have the library's order of operations. */
 #include "gl.h"
 
 #include <string.h>
 
-/* Four scalars, since each may have a qualifier of its own. */
+/* Four scalars, because each may have its own qualifier. */
 static const char vertex_color_varyings[] = "%s %s float red;\n"
                                             "%s %s float green;\n"
                                             "%s %s float blue;\n"
@@ -173,7 +173,7 @@ static const char *qualifier(gn_interpolation interpolation)
     return "smooth";
 }
 
-/* A program of vertex colours or of their derivatives. */
+/* A program that writes vertex colours or their derivatives. */
 static GLuint link_colors(const gn_pipeline *p, const char *fragment_main, bool clipped,
                           char *error, size_t error_size)
 {
@@ -211,8 +211,8 @@ static GLuint link_inputs(const gn_pipeline *p, bool clipped, char *error, size_
     return reference_link_parts(vertex, head, inputs_fragment, clipped, error, error_size);
 }
 
-/* A line an output: colour a turned by a places, from one for odd a. The vertex shader is that of
- * inputs.h. */
+/* One line per output: colour a is the colour with its channels turned by a places, and one minus
+ * that for odd a. The vertex shader is that of inputs.h. */
 static GLuint link_outputs(uint32_t count, bool clipped, char *error, size_t error_size)
 {
     static const char *const turned[4] = {"rgba", "gbar", "barg", "argb"};

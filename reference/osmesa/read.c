@@ -32,7 +32,7 @@ void reference_read_image(const scene *s, uint32_t image, scene_frame *frame)
         glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, depth);
         break;
     case GN_FORMAT_D24:
-        /* As 32 bits the value comes with its own upper bits repeated below it. */
+        /* OpenGL returns the value as 32 bits, with its own upper bits repeated below it. */
         glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depth);
         for (size_t i = 0; i < (size_t)s->width * s->height; ++i) {
             ((uint32_t *)(void *)depth)[i] >>= 8;

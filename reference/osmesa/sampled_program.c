@@ -10,7 +10,7 @@ static const char vertex[] = "smooth out vec4 shade;\n"
                              "    coordinates = texcoord;\n"
                              "}\n";
 
-/* A sampler's type, and the texel that it reads. */
+/* The type of a sampler, and the expression that reads a texel. */
 static const char fragment[] = "smooth in vec4 shade;\n"
                                "smooth in vec4 coordinates;\n"
                                "layout(binding = 0) uniform %s image;\n"
@@ -23,7 +23,7 @@ typedef struct sampler_kind {
     const char *type, *texel;
 } sampler_kind;
 
-/* In the order of gn_texture_target. Of depths only red is the same in all of OpenGL's versions. */
+/* In the order of gn_texture_target. For depths only red is the same in all versions of OpenGL. */
 static const sampler_kind kinds[SAMPLED_PROGRAMS / 3][3] = {
     {{"sampler2D", "texture(image, coordinates.st)"},
      {"sampler2D", "vec4(texture(image, coordinates.st).r, 0.0, 0.0, 1.0)"},

@@ -1,5 +1,5 @@
-/* Reading the samples of a framebuffer: shaders fetch each one and write it as floats, from which
- * the pixel's bits follow. And what OpenGL resolves them to. */
+/* Reading the samples of a framebuffer: shaders fetch each sample and write it as floats, from
+ * which the pixel's bits are computed. Reads the resolved pixels too. */
 #include "gl.h"
 
 #include <math.h>
@@ -8,7 +8,7 @@
 
 #include "scene_pixel.h"
 
-/* A triangle around the whole viewport. */
+/* A triangle that covers the whole viewport. */
 static const char vertex_shader[] =
     "void main()\n"
     "{\n"
@@ -65,7 +65,7 @@ static void reset_state(const scene *s)
     glViewportIndexedf(0, 0.0f, 0.0f, (float)s->width, (float)s->height);
 }
 
-/* One sample of every pixel of a texture into `values`, four each. */
+/* Writes one sample of every pixel of a texture into `values`, four floats each. */
 static void fetch(const scene *s, GLuint program, GLuint texture, GLint sample, float *values)
 {
     glUseProgram(program);
@@ -76,8 +76,8 @@ static void fetch(const scene *s, GLuint program, GLuint texture, GLint sample, 
     glReadPixels(0, 0, (GLsizei)s->width, (GLsizei)s->height, GL_RGBA, GL_FLOAT, values);
 }
 
-/* What depths of 24 bits become in the reference: the product with a binary32 reciprocal, which is
- * a little above 2^-24. The highest two become 1. */
+/* The float that the reference makes of a depth of 24 bits: the product with a binary32 reciprocal,
+ * which is a little above 2^-24. The highest two depths become 1. */
 static float depth24_as_read(uint32_t value)
 {
     return (float)value * (float)(1.0 / 16777215.0);
@@ -93,8 +93,9 @@ static uint32_t depth24_of(float z)
     return z >= 1.0f ? 16777215 : value;
 }
 
-/* Mesa resolves depths of 24 bits through such floats, which changes them by a step
- * (reference/RULES.md). Where that is all, sample 0's is put in their place. */
+/* Mesa resolves depths of 24 bits through these floats, which changes depths by a step
+ * (reference/RULES.md). If that is the whole difference, the depth of sample 0 replaces the
+ * resolved one. */
 static void undo_depth24(const scene *s, void *depth)
 {
     const size_t pixels = (size_t)s->width * s->height;

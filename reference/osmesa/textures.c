@@ -1,10 +1,10 @@
-/* Textures and samplers of scenes as OpenGL's. */
+/* Textures and samplers of scenes as OpenGL's objects. */
 #include "gl.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* Not in core headers of every age. */
+/* Older core headers lack these. */
 #define MAX_ANISOTROPY 0x84FE
 
 GLenum reference_texture_target(gn_texture_target target)
@@ -15,8 +15,8 @@ GLenum reference_texture_target(gn_texture_target target)
     return targets[target];
 }
 
-/* The row itself, or what OpenGL is given for it, in `converted`: depths of 24 bits fill 32 bits,
- * or stand above the stencil. */
+/* Returns the row itself, or OpenGL's form of it in `converted`: depths of 24 bits fill 32 bits, or
+ * lie above the stencil. */
 static const void *convert_row(gn_format format, const void *row, uint32_t width,
                                uint32_t *converted)
 {

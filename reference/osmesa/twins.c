@@ -1,5 +1,5 @@
-/* The GLSL twins of the ready-made shaders that gnomon/shaders.h lists, as a user would write
- * them. What a draw has of maps and lights is defined above their text. */
+/* The GLSL twins of the ready-made shaders of gnomon/shaders.h, written as a user would write them.
+ * Macros in front of the text say which maps and lights the draw has. */
 #include "gl.h"
 
 #include <stdlib.h>
@@ -16,7 +16,7 @@ static const char unlit_vertex[] = "smooth out vec4 shade;\n"
                                    "    coordinates = texcoord.st;\n"
                                    "}\n";
 
-/* The direction towards the light at a place, and what distance leaves of it. */
+/* The direction towards the light at a place, and the light's attenuation there. */
 static const char light_text[] = "uniform vec3 light_position;\n"
                                  "uniform vec3 attenuation;\n"
                                  "void light_at(vec3 place, out vec3 to_light, out float left)\n"
@@ -224,7 +224,7 @@ static const char no_fragment[] = "void main() {}\n";
 
 /* ---- Programs ---- */
 
-/* What a program is made for, as bits. */
+/* The variant of a program, as bits. */
 enum {
     POINT_LIGHT = 1,
     ATTENUATION = 2,
@@ -259,7 +259,7 @@ static int features_of_normals(const scene_draw *d)
     return d->surface.normal_space == GN_NORMAL_OF_TANGENTS ? NORMAL_MAP | TANGENTS : NORMAL_MAP;
 }
 
-/* Of those that the shader looks at. */
+/* Those of the draw's maps that the shader reads. */
 static int features_of(const scene_draw *d)
 {
     const bool is_phong = d->shader == SCENE_MAPPED_PHONG || d->shader == SCENE_BLINN_PHONG;
@@ -394,8 +394,8 @@ void reference_free_twins(reference *r)
     free(r->twins);
 }
 
-/* ---- Uniforms and maps; what a program does not use has no location, and setting it there does
- * nothing ---- */
+/* ---- Uniforms and maps. A uniform that a program does not use has location -1, and setting it
+ * there does nothing. ---- */
 
 static void set_vec3(GLuint program, const char *name, gn_vec3 v)
 {

@@ -1,4 +1,4 @@
-/* The shader of derivatives.h. */
+/* Implements the shader of derivatives.h. */
 #include "derivatives.h"
 
 enum { RED, GREEN, BLUE, ALPHA };

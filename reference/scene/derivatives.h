@@ -4,8 +4,8 @@
 
 #include <gnomon.h>
 
-/* Sets shaders, varyings and uniforms: those of vertex colours, but the colours' derivatives
- * instead of the colours. */
+/* Sets shaders, varyings and uniforms: those of vertex colours, but the fragment shader writes the
+ * colours' derivatives instead of the colours. */
 gn_status derivatives_use(gn_pipeline *pipeline, const gn_color_uniforms *uniforms);
 
 #endif

@@ -1,17 +1,17 @@
-/* The shader of inputs.h. The order of operations is GLSL's in the reference. */
+/* Implements the shader of inputs.h, in the order of operations of GLSL in the reference. */
 #include "inputs.h"
 
-/* 1/64, 1/128 and 1/16: products with them are exact. */
+/* 1/64, 1/128 and 1/16: products with powers of two are exact. */
 #define PRIMITIVE_STEP 0.015625f
 #define PIXEL_STEP 0.0078125f
 #define SAMPLES_STEP 0.0625f
 
 enum { RED, GREEN, BLUE, ALPHA };
 
-/* Facing turns red around, the primitive's number is added to green (0 where it is not read), and
- * the sample mask. A mask that is written is a pattern of the window, with bits that are covered,
- * bits that are not, and bits of no sample. What the pipeline asks of the shader comes as what is
- * not null. */
+/* Facing replaces red by one minus red. The primitive number (0 if it is not read) and the sample
+ * mask are added to green. A mask that the shader writes is a pattern of window coordinates, with
+ * bits of covered samples, of samples that are not covered, and of no sample. The pointers that are
+ * not null tell what the pipeline asks of the shader. */
 static void shade_inputs(const void *uniforms, const gn_fragment_input *in, gn_fragment_output *out)
 {
     const float primitive = (float)(int32_t)(in->primitive_id & 1023u) * PRIMITIVE_STEP;

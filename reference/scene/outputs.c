@@ -1,4 +1,5 @@
-/* The shaders of outputs.h: one a number of colours, which a fragment shader is not told. */
+/* Implements the shaders of outputs.h: one for each number of colours, since a fragment shader is
+ * not told that number. */
 #include "outputs.h"
 
 static void shade_outputs(const gn_fragment_input *in, gn_fragment_output *out, int count)

@@ -1,6 +1,7 @@
-/* The choice of Phong's shaders for a pipeline. A user who wants speed compiles a shader
- * once per instruction set and takes the one of the back end that will run it, since the
- * processor can then run it too: the library cannot make a user's function wider. */
+/* Chooses Phong's shaders for a pipeline. The library cannot compile a user's function for wider
+ * vectors. A user who wants speed compiles a shader once per instruction set, and takes the one for
+ * the back end that will run it: that the back end is available shows that the processor has the
+ * instruction set. */
 #include "phong.h"
 
 #include <string.h>

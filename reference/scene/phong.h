@@ -1,12 +1,11 @@
-/* A user's shader: a textured surface with Phong's highlight (1975), lit at every pixel.
- * Written against the library's public headers alone, as a program that uses the library
- * would write it. */
+/* A user's shader: a textured surface with Phong's highlight (1975), lit at every pixel. It uses
+ * only the library's public headers, as a program of a user would. */
 #ifndef SCENE_PHONG_H
 #define SCENE_PHONG_H
 
 #include <gnomon.h>
 
-/* N, the normal, turned; the vector to the eye; the texture coordinates. */
+/* The turned normal N, the vector to the eye, the texture coordinates. */
 enum {
     PHONG_NORMAL = 0,
     PHONG_TO_EYE = 3,
@@ -15,9 +14,9 @@ enum {
     PHONG_VARYINGS = 8 /* scalars */
 };
 
-/* rgb = texel.rgb * (ambient + diffuse * max(N.L, 0)) + specular * max(R.V, 0)^32, alpha
- * the texel's. N and V, towards the eye, are normalized at every pixel, R is the
- * reflection of L. */
+/* rgb = texel.rgb * (ambient + diffuse * max(N.L, 0)) + specular * max(R.V, 0)^32; alpha is the
+ * texel's. N and V, the vector towards the eye, are normalized at every pixel. R is the reflection
+ * of L. */
 typedef struct phong_uniforms {
     gn_mat4 clip_from_model;
     gn_mat4 view_from_model; /* to a space in which the eye is the origin */
@@ -28,8 +27,8 @@ typedef struct phong_uniforms {
     gn_sampler sampler;
 } phong_uniforms;
 
-/* Sets the shaders, varyings and uniforms of a pipeline for draws on that back end, which
- * may be GN_BACKEND_AUTO; the pixels are the same with any. The statuses of
+/* Sets the shaders, varyings and uniforms of a pipeline for draws on this back end, which may be
+ * GN_BACKEND_AUTO; the pixels are the same with any back end. Returns the statuses of
  * gn_texture_check and gn_sampler_check. */
 gn_status phong_use(gn_pipeline *pipeline, const phong_uniforms *uniforms, gn_backend backend);
 

@@ -1,7 +1,7 @@
-/* The text of Phong's shaders, compiled once per instruction set under names of its own:
- * PHONG(vertex) and PHONG(fragment). The loops over lanes are plain C, which the compiler
- * makes into vector instructions. sqrtf is correctly rounded, as all of IEEE's square
- * roots are. The order of operations is GLSL's in the reference (reference/RULES.md).
+/* The text of Phong's shaders, compiled once per instruction set under different names:
+ * PHONG(vertex) and PHONG(fragment). The loops over lanes are plain C, which the compiler turns
+ * into vector instructions. sqrtf is correctly rounded, as IEEE 754 requires. The order of
+ * operations is GLSL's in the reference (reference/RULES.md).
  * Not alone: PHONG is defined by each file that includes it. */
 #ifndef SCENE_PHONG_SHADER_H
 #define SCENE_PHONG_SHADER_H
@@ -59,8 +59,8 @@ void PHONG(vertex)(const void *uniforms, const gn_vertex_input *input, gn_vertex
     }
 }
 
-/* Lights a block's texels in place. Compilers, told that the arrays do not overlap, need not make
- * a second loop for where they do. */
+/* Lights the texels of a block in place. The compiler is told that the arrays do not overlap, so it
+ * needs no second loop for arrays that do. */
 static inline void light_texels(const phong_uniforms *u, const float (*restrict normal)[GN_LANES],
                                 const float (*restrict to_eye)[GN_LANES],
                                 float (*restrict color)[GN_LANES])
@@ -83,7 +83,7 @@ static inline void light_texels(const phong_uniforms *u, const float (*restrict 
         const float ry = twice * ny - light.y;
         const float rz = twice * nz - light.z;
         const float lit = cosine > 0.0f ? cosine : 0.0f;
-        float shine = dot(rx, ry, rz, vx, vy, vz); /* R.V, then to the power of 32 */
+        float shine = dot(rx, ry, rz, vx, vy, vz); /* R.V, then its power of 32 */
 
         shine = shine > 0.0f ? shine : 0.0f;
         shine = shine * shine;

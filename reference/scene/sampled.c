@@ -1,4 +1,4 @@
-/* The shader of sampled.h. The order of operations is GLSL's in the reference. */
+/* Implements the shader of sampled.h, in the order of operations of GLSL in the reference. */
 #include "sampled.h"
 
 #include <string.h>
@@ -23,7 +23,8 @@ static void shade_vertices(const void *uniforms, const gn_vertex_input *in, gn_v
     memcpy(out->varying[COORDINATES], in->attribute[GN_ATTRIBUTE_TEXCOORD], sizeof *in->attribute);
 }
 
-/* The twins of depths write 0 for green and blue: to GLSL's compilers 0 times anything is +0. */
+/* For depths the GLSL twins write 0 to green and blue, because GLSL's compilers take 0 times
+ * anything as +0. */
 static void shade_fragments(const void *uniforms, const gn_fragment_input *in,
                             gn_fragment_output *out)
 {

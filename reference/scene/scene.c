@@ -79,7 +79,7 @@ void scene_free(scene *s)
 
 scene_draw *scene_add_draw(scene *s)
 {
-    /* The list holds a power of two of draws, or none. */
+    /* The capacity of the list is a power of two of draws, or 0. */
     if ((s->draw_count & (s->draw_count - 1)) == 0) {
         const size_t capacity = s->draw_count ? 2 * s->draw_count : 1;
 
@@ -105,7 +105,7 @@ void scene_remove_draw(scene *s, size_t index)
     free_draw(&s->draws[index]);
     s->draw_count--;
     memmove(&s->draws[index], &s->draws[index + 1], (s->draw_count - index) * sizeof *s->draws);
-    /* Keeps to the rule of scene_add_draw: at a power of two the list is exactly full. */
+    /* Keeps the rule of scene_add_draw: at a power of two the list is exactly full. */
     if (s->draw_count && (s->draw_count & (s->draw_count - 1)) == 0) {
         s->draws = scene_reallocate(s->draws, s->draw_count, sizeof *s->draws);
     }
@@ -179,7 +179,7 @@ void scene_set_indices(scene_draw *d, const uint32_t *indices, uint32_t count,
     d->index_count = copy ? count : 0;
 }
 
-/* The attribute as one tightly packed array, whatever its stride. */
+/* Copies the attribute into one tightly packed array, whatever its stride. */
 static void copy_attribute(gn_attribute *to, const gn_attribute *from, uint32_t vertex_count)
 {
     const size_t size = from->components * sizeof(float);

@@ -1,4 +1,4 @@
-/* Frames: the pixels of a drawn scene, and how two of them differ. */
+/* Frames: the pixels of a drawn scene, and the difference of two frames. */
 #include "scene.h"
 
 #include <math.h>
@@ -48,7 +48,7 @@ void scene_frame_free(scene_frame *frame)
     }
 }
 
-/* A pixel of any format as up to four channels of bits. */
+/* Splits a pixel of any format into the bits of up to four channels. */
 typedef struct pixel {
     uint32_t channel[4];
     int count;
@@ -121,7 +121,7 @@ static bool equal_pixels(const pixel *a, const pixel *b, gn_format format)
     return true;
 }
 
-/* What is resolved from sRGB samples a step apart may be two apart. */
+/* Averages of sRGB samples that are one step apart may be two steps apart. */
 static bool equal_resolved(const pixel *a, const pixel *b, gn_format format)
 {
     for (int c = 0; format == GN_FORMAT_SRGB8_A8 && c < a->count; ++c) {
@@ -132,7 +132,7 @@ static bool equal_resolved(const pixel *a, const pixel *b, gn_format format)
     return format == GN_FORMAT_SRGB8_A8 || equal_pixels(a, b, format);
 }
 
-/* The largest distance of two pixels' channels: infinite between NaN and a number. */
+/* The largest difference of two pixels' channels; infinite between NaN and a number. */
 static double distance(const pixel *a, const pixel *b, gn_format format)
 {
     double largest = 0.0;
@@ -153,7 +153,7 @@ static double distance(const pixel *a, const pixel *b, gn_format format)
     return largest;
 }
 
-/* The clear values, from OpenGL's conversion rules rather than from either side. */
+/* The clear values, computed from OpenGL's conversion rules rather than taken from either side. */
 static pixel clear_color_pixel(const scene *s, gn_format format)
 {
     pixel p = {{0, 0, 0, 0}, 4};
@@ -196,7 +196,7 @@ static pixel clear_depth_pixel(const scene *s)
     return p;
 }
 
-/* A buffer of both frames, and what a clear makes of it. */
+/* One attachment of both frames, and its clear value. */
 typedef struct buffer {
     gn_format format;
     const void *ours, *reference;
@@ -204,15 +204,15 @@ typedef struct buffer {
     bool sampled; /* read sample by sample */
 } buffer;
 
-/* What one pixel of a buffer says. */
+/* The result for one pixel of an attachment. */
 typedef struct verdict {
     bool differs;
     bool drawn[2];
     double largest;
 } verdict;
 
-/* A pixel of a buffer. Samples of depths of 24 bits are read as floats, which the highest two, and
- * they alone, have in common: they count as one. */
+/* Reads a pixel of an attachment. Samples of depths of 24 bits are read as floats; the highest two
+ * depths become one float, so they count as equal. */
 static pixel read_pixel(const buffer *b, const void *pixels, size_t i)
 {
     pixel p = load_pixel(pixels, b->format, i);
@@ -236,7 +236,8 @@ static void compare_pixel(const buffer *b, size_t i, bool resolved, verdict *v)
     v->drawn[1] |= !equal_pixels(&y, &b->clear, b->format);
 }
 
-/* Colours in order, then depth. Gives how many buffers there are, and of them colours. */
+/* Lists the attachments: colours in order, then depth. Returns their number, and sets the number of
+ * colours. */
 static int list_buffers(const scene *s, const scene_frame *ours, const scene_frame *reference,
                         buffer list[GN_MAX_COLORS + 1], int *colors)
 {

@@ -1,4 +1,4 @@
-/* A scene drawn by the library. */
+/* Draws a scene with the library. */
 #include "scene.h"
 
 #include <stdlib.h>
@@ -65,7 +65,7 @@ static gn_lit_uniforms lit_uniforms_of(const scene_draw *d)
     return u;
 }
 
-/* Uniforms that a scene has in another form. */
+/* Uniforms that a scene stores in another form than the library. */
 typedef struct other_uniforms {
     gn_color_uniforms color;
     gn_unlit_uniforms unlit;
@@ -75,7 +75,7 @@ typedef struct other_uniforms {
     gn_vertex_shader *color_shader;
 } other_uniforms;
 
-/* Vertex colours, and the points' sizes from the texture coordinates. */
+/* A vertex shader of colours whose points take their sizes from the texture coordinates. */
 static void shade_sized_points(const void *uniforms, const gn_vertex_input *input,
                                gn_vertex_output *output)
 {
@@ -86,7 +86,7 @@ static void shade_sized_points(const void *uniforms, const gn_vertex_input *inpu
            GN_LANES * sizeof *output->point_size);
 }
 
-/* Makes a shader of vertex colours one of sizes too, where the pipeline asks for them. */
+/* Gives a shader of vertex colours point sizes, if the pipeline asks for them. */
 static void use_sizes(gn_pipeline *pipeline, other_uniforms *other)
 {
     if (pipeline->program.vertex_writes_point_size) {
@@ -96,7 +96,8 @@ static void use_sizes(gn_pipeline *pipeline, other_uniforms *other)
     }
 }
 
-/* A shader's uniforms and what clips beside it; a pointer to them is one to the shader's. */
+/* A shader's uniforms, and the clip distances behind them. A pointer to this struct is also one to
+ * the uniforms. */
 typedef struct clipped_uniforms {
     union {
         other_uniforms other;
@@ -111,7 +112,7 @@ typedef struct clipped_uniforms {
     const scene_draw *draw;
 } clipped_uniforms;
 
-/* The shader's vertices with clip distances. */
+/* Runs the shader's vertex function and adds clip distances. */
 static void shade_clipped(const void *uniforms, const gn_vertex_input *input,
                           gn_vertex_output *output)
 {
@@ -168,7 +169,7 @@ static void use_clipped(gn_pipeline *pipeline, const scene_draw *d, clipped_unif
     pipeline->program.uniforms = clipped;
 }
 
-/* Of a ready-made shader that lights, or shows what is lit. */
+/* Uniforms of a ready-made shader that lights or shows a surface. */
 static gn_status use_lit(gn_pipeline *pipeline, const scene_draw *d, gn_lit_uniforms *lit)
 {
     gn_status status = GN_INVALID_ENUM;
@@ -273,7 +274,7 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
     return status;
 }
 
-/* What a shader that gives no colour draws to. */
+/* The target of a shader that writes no colour. */
 static gn_target depth_of(const gn_target *target)
 {
     gn_target depth;
@@ -331,13 +332,13 @@ size_t scene_workspace_size(const scene *s)
             vertices = mesh->vertex_count;
         }
         if (mesh->count > triangles) {
-            triangles = mesh->count; /* at most, of a strip */
+            triangles = mesh->count; /* at most, for a strip */
         }
     }
     return gn_workspace_size_parallel(vertices, triangles, scene_varyings(s));
 }
 
-/* Bands of rows that a clear is divided into where there are threads. */
+/* The number of bands of rows that threads share a clear in. */
 #define CLEAR_BANDS 8
 
 typedef struct clear {
@@ -405,7 +406,8 @@ gn_status scene_draw_to_target(const scene *s, const gn_target *target, gn_works
     return status;
 }
 
-/* An image of a frame's memory, and all that are samples of the scene. */
+/* frame_image returns one image of a frame's memory, frame_surface the surface with all of the
+ * scene's samples. */
 static gn_surface frame_image(const scene *s, void *memory, gn_format format, uint32_t image)
 {
     const size_t size = (size_t)s->width * s->height * gn_format_size(format);
@@ -420,7 +422,7 @@ static gn_surface frame_surface(const scene *s, void *memory, gn_format format)
     return scene_is_sampled(s) ? gn_surface_multisampled(&first) : first;
 }
 
-/* Resolves what has been drawn into the last image of the frame. */
+/* Resolves the drawn samples into the last image of the frame. */
 static gn_status resolve_frame(const scene *s, const gn_target *target, const scene_frame *frame)
 {
     gn_status status = GN_OK;

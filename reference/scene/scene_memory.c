@@ -1,4 +1,5 @@
-/* Memory for scenes, or the end of the program with a line that says how much was asked for. */
+/* Memory for scenes. If there is not enough, the program ends with a line that says how much was
+ * asked for. */
 #include "scene_memory.h"
 
 #include <stdint.h>

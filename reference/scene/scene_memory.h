@@ -1,13 +1,13 @@
-/* Memory for scenes: allocation that ends the program rather than fail. */
+/* Memory for scenes: an allocation that fails ends the program. */
 #ifndef SCENE_MEMORY_H
 #define SCENE_MEMORY_H
 
 #include <stddef.h>
 
-/* count elements of size bytes, zeroed; at least one byte, so never null. */
+/* Returns count zeroed elements of size bytes; at least one byte, so never null. */
 void *scene_allocate(size_t count, size_t size);
 
-/* The memory grown or shrunk to count elements of size bytes. */
+/* Returns the memory grown or shrunk to count elements of size bytes. */
 void *scene_reallocate(void *memory, size_t count, size_t size);
 
 #endif

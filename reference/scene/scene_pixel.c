@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Where channels are in a pixel taken as one number. */
+/* Positions of the channels in a pixel taken as one number. */
 typedef struct layout {
     int count;
     unsigned char shift[4], bits[4];
@@ -77,7 +77,7 @@ int scene_pixel_channels(const void *pixels, gn_format format, size_t index, uin
     return l.count;
 }
 
-/* Toward zero, the value as a multiple of the step its size has. */
+/* Rounds toward zero to a multiple of the step that the value's size has. */
 static uint32_t half_of(float value)
 {
     const uint32_t sign = signbit(value) ? 0x8000 : 0;
@@ -94,7 +94,8 @@ static uint32_t half_of(float value)
         return sign | 0x7BFF;
     }
     exponent = exponent < -13 ? -13 : exponent;
-    /* 11 bits of fraction; the leading one is the exponent's lowest place but in the least. */
+    /* 11 bits: 10 of the fraction and the leading one, whose place is the exponent's lowest bit,
+     * except in the least values. */
     return sign + ((uint32_t)(exponent + 13) << 10) +
            (uint32_t)trunc(ldexp(fabs((double)value), 11 - exponent));
 }
@@ -156,7 +157,7 @@ void scene_pixel_store(void *pixels, gn_format format, size_t index, const float
     }
 }
 
-/* Whether the reference may have made zero of a denormal: one float is zero, the other denormal. */
+/* Whether one float is zero and the other denormal: the reference may have flushed the denormal. */
 static bool is_flushed(gn_format format, uint32_t a, uint32_t b)
 {
     const uint32_t x = a & 0x7FFFFFFF, y = b & 0x7FFFFFFF, least_normal = 0x00800000;

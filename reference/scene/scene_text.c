@@ -1,4 +1,4 @@
-/* The names that the text of a scene has for the values of enumerations. */
+/* The names of enumerators in the text of a scene. */
 #include "scene_text.h"
 
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* Textures of scenes: how large their levels are, and copying them. */
+/* Textures of scenes: the extents of their levels, and copies. */
 #include "scene.h"
 
 #include <stdlib.h>

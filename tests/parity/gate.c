@@ -87,12 +87,11 @@ static void print_help(void)
         "  --replay FILE       compares this scene and prints the differing pixels\n"
         "  --shrink            with --replay: removes from a failing scene what its failure does\n"
         "                      not need, and keeps the result\n"
-        "  --pairs             draws nothing; checks that all values of all states meet in pairs "
-        "in\n"
-        "                      first N (%d) scenes of each of the classes mixed and sequences\n"
-        "  --check             draws nothing; checks that the library accepts the meshes, "
-        "textures\n"
-        "                      and samplers of the first N (%d) scenes\n"
+        "  --pairs             draws nothing; checks that all values of all states meet in\n"
+        "                      pairs in the first N (%d) scenes of each of the classes mixed\n"
+        "                      and sequences\n"
+        "  --check             draws nothing; checks that the library accepts the meshes,\n"
+        "                      textures and samplers of the first N (%d) scenes\n"
         "\n"
         "classes:",
         DEFAULT_SCENES, DEFAULT_SEED, DEFAULT_PAIR_SCENES, DEFAULT_CHECKED_SCENES);
