@@ -1,5 +1,5 @@
-/* Building one scene: targets, vertices, placement in the window, and the draw they
- * become. */
+/* Builds one scene: its targets, vertices, their placement in the window, and the draw made of
+ * them. */
 #include "builder.h"
 
 #include <math.h>
@@ -135,7 +135,7 @@ void builder_place(const builder *b, vertex *v, float x, float y, float z, float
     v->position[3] = w;
 }
 
-/* Makes the vertices what the indices say, and the indices none. */
+/* Writes out the vertices that the indices name, and removes the indices. */
 static void expand_indices(builder *b)
 {
     const uint32_t count = b->index_count, old = b->vertex_count;
@@ -148,7 +148,7 @@ static void expand_indices(builder *b)
     b->index_count = 0;
 }
 
-/* Elements that the draw's first and count leave out, at both ends. */
+/* Adds elements at both ends that the draw's first and count leave out. */
 static void add_margins(builder *b)
 {
     random_source *r = &b->random;
@@ -190,7 +190,7 @@ static void set_attribute(const builder *b, scene_draw *d, gn_shader_attribute a
     free(data);
 }
 
-/* Whether a vertex keeps a clip w of 0 whatever x and y are clipped to. */
+/* Whether some vertex has a clip w of 0 that stays 0 when x and y are clipped. */
 static bool has_vertex_at_eye(const builder *b)
 {
     for (uint32_t i = 0; i < b->vertex_count; i++) {
@@ -201,13 +201,13 @@ static bool has_vertex_at_eye(const builder *b)
     return false;
 }
 
-/* Indices as the mesh has them. */
+/* Converts indices to the form that the mesh stores. */
 static void store_indices(builder *b)
 {
     const uint32_t largest = b->index_format == GN_INDEX_UINT8    ? UINT8_MAX
                              : b->index_format == GN_INDEX_UINT16 ? UINT16_MAX
                                                                   : UINT32_MAX;
-    b->restart_index &= largest; /* one below the base vertex has wrapped around */
+    b->restart_index &= largest; /* an index below the base vertex has wrapped around */
     for (uint32_t i = 0; i < b->index_count; i++)
         if (b->indices[i] != BUILDER_RESTART)
             b->indices[i] -= (uint32_t)b->base_vertex;
@@ -234,7 +234,7 @@ void builder_draw(builder *b)
     if (b->index_format != GN_INDEX_NONE && b->index_count == 0)
         for (uint32_t i = 0; i < b->vertex_count; i++)
             builder_index(b, i);
-    /* What reference/RULES.md leaves out. */
+    /* reference/RULES.md leaves these out. */
     if (has_vertex_at_eye(b))
         b->state.depth.clamp = false;
     if (b->scene->depth_format == GN_FORMAT_NONE || b->scene->depth_format == GN_FORMAT_S8)

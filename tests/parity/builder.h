@@ -1,5 +1,5 @@
-/* Building one scene: the state of the draw in the making, its vertices and
- * indices, and the random source all of it comes from. */
+/* Builds one scene. A builder holds the state, the vertices and the indices of the next draw, and
+ * the random source of them all. */
 #ifndef PARITY_BUILDER_H
 #define PARITY_BUILDER_H
 
@@ -14,78 +14,80 @@ typedef struct vertex {
     float tangent[4];
 } vertex;
 
-/* Stands for the index that restarts. */
+/* Stands for the restart index among a builder's indices. */
 #define BUILDER_RESTART UINT32_MAX
 
 typedef struct builder {
     random_source random;
     scene *scene;
 
-    /* Of the next draw; builder_draw resets all but the state. */
+    /* The members below belong to the next draw; builder_draw resets all but the state. */
     gn_pipeline state;
     scene_shader shader;
     bool counted;
-    scene_uniforms uniforms; /* of the texture's levels the first's texels, packed, alone */
-    scene_surface surface;   /* as uniforms */
+    scene_uniforms
+        uniforms; /* only the texture's level[0].texels is set; all levels are packed there */
+    scene_surface surface; /* maps as uniforms.texture */
     bool has_tangents;
     gn_mat4 view_from_model;
     gn_vec3 specular;
     float clip_plane[GN_MAX_CLIP_DISTANCES][4];
-    gn_index_format index_format; /* GN_INDEX_NONE: vertices are repeated as indices say */
-    uint32_t color_components;    /* 0: the attribute is absent */
+    gn_index_format
+        index_format; /* GN_INDEX_NONE: vertices are written out as the indices name them */
+    uint32_t color_components; /* 0: the attribute is absent */
     uint32_t position_components;
     uint32_t texcoord_components;
-    gn_restart restart; /* BUILDER_RESTART among the indices */
+    gn_restart restart; /* how BUILDER_RESTART among the indices is stored */
     uint32_t restart_index;
-    int32_t base_vertex; /* not above the least index: indices are stored without it */
+    int32_t base_vertex; /* at most the least index: it is subtracted from stored indices */
     uint32_t instance_count;
     uint32_t color_divisor;
     uint32_t lead;  /* elements before the first drawn one */
-    uint32_t trail; /* elements after the last */
+    uint32_t trail; /* elements after the last drawn one */
 
     vertex *vertices;
     uint32_t vertex_count, vertex_capacity;
-    uint32_t *indices; /* none: the vertices in order */
+    uint32_t *indices; /* without indices: the vertices in order */
     uint32_t index_count, index_capacity;
 } builder;
 
-/* Starts a scene; its target comes with one of the two calls below. */
+/* Starts a scene. One of the two calls below adds its target. */
 void builder_begin(builder *b, uint64_t seed);
 
-/* The finished scene. */
+/* Returns the finished scene. */
 scene *builder_end(builder *b);
 
-/* A target of the given size with random clear values. */
+/* Adds a target of this size, with random clear values. */
 void builder_target(builder *b, uint32_t width, uint32_t height, gn_format color, gn_format depth);
 
-/* A target of 16 to 128 pixels a side, RGBA8, any depth format or none; half of the
- * time its sides are powers of two, on which every placement is exact. */
+/* Adds a target of 16 to 128 pixels a side, RGBA8, with any depth format or none. Half of the time
+ * its sides are powers of two, for which every placement is exact. */
 void builder_common_target(builder *b);
 
-/* Resets the state of the next draw; tests depth, mostly, where there is depth. */
+/* Resets the state of the next draw. If there is depth, the depth test is mostly on. */
 void builder_common_state(builder *b);
 
-/* The viewport the next draw will have. */
+/* Returns the viewport of the next draw. */
 gn_viewport builder_viewport(const builder *b);
 
-/* A new vertex with random colour, normal and texture coordinates, its position
- * (0, 0, 0, 1). The pointer is good until the next one. */
+/* Returns a new vertex with random colour, normal and texture coordinates, at position (0, 0, 0,
+ * 1). The pointer is valid until the next call. */
 vertex *builder_vertex(builder *b);
 
 void builder_index(builder *b, uint32_t index);
 
-/* Sets the position that the viewport maps to window coordinates x, y, exactly where
- * half of its size and w are powers of two, and within 1e-5 of it otherwise; z is
- * the normalised device depth. */
+/* Sets the position that the viewport maps to window coordinates x, y: exactly, if half of the
+ * viewport's size and w are powers of two, otherwise within 1e-5. z is the normalised device
+ * depth. */
 void builder_place(const builder *b, vertex *v, float x, float y, float z, float w);
 
-/* Adds the draw of the collected vertices and indices, and forgets them. */
+/* Adds the draw of the collected vertices and indices, and clears them. */
 void builder_draw(builder *b);
 
-/* 1 to 200 triangles, about 40 in the mean. */
+/* Returns 1 to 200 triangles, about 40 on average. */
 uint32_t builder_triangle_count(builder *b);
 
-/* A random rotation, uniform over all orientations. */
+/* Returns a random rotation, uniform over all orientations. */
 gn_mat3 builder_rotation(builder *b);
 
 #endif

@@ -1,5 +1,5 @@
-/* Drawing a scene on both sides, with several workspaces, back ends and numbers of threads,
- * and comparing. */
+/* Draws a scene with both sides, with several workspaces, back ends and numbers of threads, and
+ * compares. */
 #include "compare.h"
 
 #include <inttypes.h>
@@ -26,12 +26,12 @@ void compare_stop(comparer *c)
         thread_pool_destroy(c->pools[i]);
 }
 
-/* How a scene is drawn, where the pixels must not depend on it. */
+/* One way to draw a scene. The pixels must not depend on it. */
 typedef struct variant {
     size_t workspace; /* bytes; 0: scene_workspace_size */
     gn_backend backend;
-    thread_pool *pool; /* null: the calling thread alone */
-    uint32_t threads;  /* that the library is told of */
+    thread_pool *pool; /* null: only the calling thread */
+    uint32_t threads;  /* the number that the library is told */
 } variant;
 
 static bool same_bits(const void *a, const void *b, gn_format format, size_t i)
@@ -49,7 +49,7 @@ static bool same_pixels(const scene_frame *a, const scene_frame *b, size_t i)
     return same;
 }
 
-/* Bit for bit, also where the reference is allowed a step of sRGB or another NaN. */
+/* Compares bit for bit: no step of sRGB and no other NaN is allowed here. */
 static scene_difference compare_exactly(const scene_frame *a, const scene_frame *b)
 {
     const size_t image = (size_t)a->width * a->height;
@@ -66,8 +66,8 @@ static scene_difference compare_exactly(const scene_frame *a, const scene_frame 
     return d;
 }
 
-/* The scene drawn that way, against `ours`; the first difference of several is kept. False
- * where there is no memory. */
+/* Draws the scene in this way and compares with `ours`; keeps the first difference. Returns false
+ * if there is not enough memory. */
 static bool compare_variant(const scene *s, const variant *v, comparison *result,
                             scene_difference *difference)
 {
@@ -94,7 +94,8 @@ static bool compare_variant(const scene *s, const variant *v, comparison *result
     return allocated;
 }
 
-/* The least and some kilobytes: room for whole small meshes, for parts of larger ones. */
+/* The least size and up to 20 kilobytes more: room for small meshes whole and for larger ones in
+ * parts. */
 static size_t odd_workspace(const scene *s, uint64_t number)
 {
     return gn_workspace_size(0, scene_varyings(s)) + (size_t)(number * 619 % 20011);
@@ -118,14 +119,15 @@ static bool compare_workspaces(const comparer *c, const scene *s, uint64_t numbe
     return allocated;
 }
 
-/* The least that serves several threads, and more: from a segment to a round up. */
+/* The least size for several threads and up to 100 kilobytes more: from one segment to one round of
+ * work. */
 static size_t odd_threads_workspace(const scene *s, uint64_t number)
 {
     return gn_workspace_size_parallel(0, 0, scene_varyings(s)) + (size_t)(number * 619 % 100003);
 }
 
-/* One number of threads a scene; every fourth run of four scenes in an odd workspace, and
- * runs of sixteen on the back ends in turn. */
+/* Uses one number of threads per scene. Of every four runs of four scenes the last has an odd
+ * workspace. Every run of sixteen scenes has another back end, in turn. */
 static bool compare_threads(const comparer *c, const scene *s, uint64_t number, comparison *result)
 {
     const int backends = GN_BACKEND_COUNT - GN_BACKEND_PORTABLE;
@@ -142,7 +144,7 @@ static bool compare_threads(const comparer *c, const scene *s, uint64_t number, 
     return allocated;
 }
 
-/* Pixels of the reference that are not as a clear leaves them. */
+/* Counts the reference's pixels that no longer have the clear value. */
 static bool count_drawn(const scene *s, comparison *result)
 {
     scene empty = *s;

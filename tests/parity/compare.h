@@ -1,4 +1,4 @@
-/* One scene drawn by the library and by the reference, compared. */
+/* Draws one scene with the library and with the reference and compares the frames. */
 #ifndef PARITY_COMPARE_H
 #define PARITY_COMPARE_H
 
@@ -12,27 +12,30 @@
 typedef struct comparer {
     reference *reference;
     thread_pool *pools[COMPARE_POOLS];
-    bool coverage_only; /* colour and depth may differ: not the contract's Mesa */
-    bool everything;    /* all workspaces and numbers of threads on every scene, not some */
+    bool coverage_only; /* colour and depth may differ, because this is not the contract's version
+                           of Mesa */
+    bool everything;    /* every scene with all workspaces and numbers of threads, not with some */
 } comparer;
 
-/* What became of a scene. The frames are empty (null) where the status is a fault. */
+/* The result for one scene. The frames are empty (null) if the status is a fault. */
 typedef struct comparison {
     gn_status status;           /* the library's */
-    scene_difference reference; /* ours and the reference's */
-    scene_difference workspace; /* ours with other workspaces and back ends */
-    scene_difference threads;   /* ours with threads */
-    gn_backend differing;       /* where workspace has pixels: the back end asked for there */
-    uint64_t drawn;             /* pixels the reference drew on */
+    scene_difference reference; /* the library's frame against the reference's */
+    scene_difference
+        workspace; /* the library's frame against those with other workspaces and back ends */
+    scene_difference threads; /* the library's frame against those with threads */
+    gn_backend differing;     /* if `workspace` counts pixels: the back end that differs */
+    uint64_t drawn;           /* pixels that the reference drew on */
     scene_frame ours, theirs;
 } comparison;
 
-/* The pools of a comparer, for the whole run; false where threads cannot be had. */
+/* Creates a comparer's pools of threads, for the whole run. Returns false if threads cannot be
+ * started. */
 bool compare_start(comparer *c);
 void compare_stop(comparer *c);
 
-/* Draws and compares; the number chooses the smaller workspace and the threads. False with
- * a reason where the reference could not draw. compare_free frees the frames. */
+/* Draws and compares. The number selects the smaller workspaces and the threads. Returns false with
+ * a reason if the reference could not draw. compare_free frees the frames. */
 bool compare_scene(const comparer *c, const scene *s, uint64_t number, comparison *result,
                    char *error, size_t error_size);
 void compare_free(comparison *result);
@@ -40,7 +43,7 @@ void compare_free(comparison *result);
 /* Whether the scene fails the gate. */
 bool compare_fails(const comparer *c, const comparison *result);
 
-/* Pixels that differ, in whatever way; at least 1 where the library reports a fault. */
+/* Pixels that differ in any way; at least 1 if the library reports a fault. */
 uint64_t compare_count(const comparison *result);
 
 /* Prints both values of the first `limit` differing pixels to stdout. */

@@ -1,4 +1,4 @@
-/* Shrinking scenes that fail the gate: another failure than the scene's own does not count. */
+/* Shrinks scenes that fail the gate. A smaller scene must fail in the same way. */
 #include "failure.h"
 
 #include <errno.h>
@@ -24,7 +24,7 @@ failure failure_of(const comparer *c, const comparison *r)
     return (failure){FAILURE_PIXELS, GN_OK, GN_BACKEND_AUTO};
 }
 
-/* What a smaller scene must show. */
+/* The failure that a smaller scene must show. */
 typedef struct wanted {
     comparer comparer;
     uint64_t number;

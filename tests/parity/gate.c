@@ -1,5 +1,5 @@
-/* The parity gate: random scenes drawn by the library and by the pinned reference must be
- * equal, colour and depth, bit for bit. */
+/* The parity gate: random scenes drawn by the library and by the pinned reference must be equal in
+ * colour and depth, bit for bit. */
 #include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
@@ -20,10 +20,10 @@
 #define DEFAULT_KEEP "build/parity-failure.scene"
 #define REPORTED_PER_CLASS 3
 
-/* Processes at most. */
+/* The most processes. */
 #define MOST_JOBS 64
 
-/* So many scenes of a class draw on some pixel; fewer may all be off screen. */
+/* Among this many scenes of a class some draw on a pixel; all of fewer scenes may be off screen. */
 #define ENOUGH_SCENES 40
 
 typedef struct options {
@@ -36,9 +36,9 @@ typedef struct options {
 typedef struct totals {
     uint64_t scenes, failing_scenes, triangles, pixels, drawn;
     uint64_t color, depth, coverage, workspace, threads, faults, differ;
-    uint64_t broken; /* scenes that something else than a difference is wrong with */
+    uint64_t broken; /* scenes with an error other than a difference */
 
-    /* The failing scene with the fewest triangles, of those the first. */
+    /* The failing scene with the fewest triangles; of several, the first. */
     bool fails;
     scene_class failing_class;
     uint64_t failing_number, failing_triangles;
@@ -48,11 +48,11 @@ typedef struct gate {
     options options;
     comparer comparer;
     totals all;
-    bool broken; /* something else than a difference is wrong */
+    bool broken; /* an error other than a difference occurred */
     time_t last_progress;
 } gate;
 
-/* A process that compares every so many-th scene and sends its totals, class by class. */
+/* A process that compares every n-th scene and sends its totals, class by class. */
 typedef struct job {
     pid_t process;
     FILE *totals;
@@ -251,7 +251,7 @@ static void count_scene(totals *t, const scene *s, const comparison *r)
     t->differ += compare_count(r);
 }
 
-/* One scene; false where the reference itself fails. */
+/* Compares one scene; false if the reference itself fails. */
 static bool run_scene(gate *g, scene_class c, uint64_t number, totals *t)
 {
     char error[512] = "out of memory";
@@ -274,7 +274,7 @@ static bool run_scene(gate *g, scene_class c, uint64_t number, totals *t)
     return drawn;
 }
 
-/* The scenes of a class that this process has: every so many-th. */
+/* Compares this process's share of the scenes of a class: every n-th. */
 static totals run_class(gate *g, scene_class c, uint64_t count, uint64_t start)
 {
     totals t;
@@ -322,7 +322,7 @@ static void print_backends(void)
 #endif
 }
 
-/* Starts what draws; a process can do that once. */
+/* Starts the reference and the threads. A process can do that once. */
 static bool start(gate *g)
 {
     char error[512] = "";
@@ -365,7 +365,8 @@ static uint64_t scenes_of_class(const options *o, int c)
     return o->scenes / CLASS_COUNT + ((uint64_t)c < o->scenes % CLASS_COUNT);
 }
 
-/* The whole of a process of several: its share of every class, sent as it is done. */
+/* The work of one of several processes: compares its share of every class, and sends the totals of
+ * a class when it is done. */
 static int run_job(gate *g, uint64_t number, FILE *out)
 {
     bool good = start(g);
@@ -399,7 +400,7 @@ static bool start_job(gate *g, uint64_t number, job *j)
     return true;
 }
 
-/* What the processes have done of every class. */
+/* Adds up the totals of the processes and reports every class. */
 static void gather(gate *g, job *jobs, uint64_t count)
 {
     for (int c = 0; c < CLASS_COUNT; c++) {
@@ -432,7 +433,7 @@ static bool run_all(gate *g)
     uint64_t started = 0;
     while (o->jobs > 1 && started < o->jobs && start_job(g, started, &jobs[started]))
         started++;
-    /* Not before there are the processes: a reference does not survive a fork. */
+    /* The reference is started after the processes, because it does not survive a fork. */
     if (started < o->jobs && o->jobs > 1) {
         fprintf(stderr, "parity: %" PRIu64 " processes cannot be started\n", o->jobs);
         g->broken = true;

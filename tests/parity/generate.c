@@ -128,7 +128,7 @@ scene_class scene_class_of(const char *name)
     return (scene_class)c;
 }
 
-/* A scene of separate triangles under common state. */
+/* A scene of separate triangles under the common state. */
 static void generate_triangles(builder *b, void (*shape)(builder *, uint32_t))
 {
     builder_common_target(b);
@@ -139,8 +139,8 @@ static void generate_triangles(builder *b, void (*shape)(builder *, uint32_t))
 
 scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
 {
-    /* The name and not the position in the enumeration, so that a new class leaves
-     * the scenes of the others as they are. */
+    /* The seed comes from the class's name, not from its position in the enumeration, so that a new
+     * class leaves the scenes of the others unchanged. */
     uint64_t mix = seed;
     for (const char *name = scene_class_name(c); *name; name++)
         mix = random_splitmix(&mix) ^ (unsigned char)*name;

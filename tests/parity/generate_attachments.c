@@ -1,5 +1,5 @@
-/* Several colour attachments of different formats, holes among them, each blended and masked its
- * own way; shaders that write more colours than there are, and fewer. */
+/* Several colour attachments of different formats, with holes among them, each with its own
+ * blending and mask; shaders that write more colours than there are attachments, and fewer. */
 #include "generate_parts.h"
 
 static gn_format attachment_format(builder *b)
@@ -47,7 +47,7 @@ void generate_attachments(builder *b)
     random_source *r = &b->random;
     builder_common_target(b);
     add_attachments(b);
-    if (random_chance(r, 30)) { /* blocks that hang over */
+    if (random_chance(r, 30)) { /* blocks reach beyond the target */
         b->scene->width = 1 + random_below(r, 40);
         b->scene->height = 1 + random_below(r, 40);
     }

@@ -1,8 +1,7 @@
-/* Colours combined with those of the target: write masks, blending and logical
- * operations. */
+/* Colours combined with the target's colours: write masks, blending and logical operations. */
 #include "generate_parts.h"
 
-/* Channels that are not written: mostly one to three. */
+/* Masks one to three channels, mostly. */
 void random_mask(builder *b, int attachment)
 {
     random_source *r = &b->random;
@@ -10,7 +9,7 @@ void random_mask(builder *b, int attachment)
     b->state.color.write_disabled[attachment] = random_chance(r, 50) ? which : 1u << which % 4;
 }
 
-/* A target of odd sizes now and then, whose blocks hang over its edges. */
+/* A target whose size is odd now and then, so that blocks reach beyond its edges. */
 static void color_target(builder *b)
 {
     static const gn_format depths[] = {GN_FORMAT_NONE, GN_FORMAT_D16, GN_FORMAT_D24,
@@ -29,7 +28,7 @@ static bool is_float(gn_format format)
     return format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F || format == GN_FORMAT_RGBA16F;
 }
 
-/* RGBA8, which has functions of its own, or another format of fractions. */
+/* RGBA8, for which the library has functions of its own, or another normalized format. */
 static void fixed_format(builder *b)
 {
     while (random_chance(&b->random, 60) || is_float(b->scene->color_format))
@@ -73,7 +72,7 @@ void generate_color_mask(builder *b)
     }
 }
 
-/* Half of the time one of the pairs that people use. */
+/* Half of the time the factors are one of the pairs that are common in programs. */
 static void random_factors(random_source *r, gn_blend_factor *source, gn_blend_factor *destination)
 {
     static const gn_blend_factor pairs[][2] = {
@@ -111,7 +110,8 @@ void lay_over(builder *b, int attachment)
     b->state.color.blend[attachment].destination = GN_FACTOR_ONE_MINUS_SOURCE_ALPHA;
 }
 
-/* A factor and one minus it, in either place, which formats of one channel take another way. */
+/* A factor and one minus that factor, in either order; formats of one channel compute that pair
+ * differently. */
 static void random_mix(random_source *r, gn_blend *blend)
 {
     static const gn_blend_equation equations[] = {GN_EQUATION_ADD, GN_EQUATION_SUBTRACT,
@@ -132,7 +132,7 @@ void random_blend(builder *b, int attachment)
     random_source *r = &b->random;
     gn_blend *blend = &b->state.color.blend[attachment];
     blend->enabled = true;
-    if (random_chance(r, 25)) { /* what the library has functions of its own for */
+    if (random_chance(r, 25)) { /* formats for which the library has functions of its own */
         lay_over(b, attachment);
         return;
     }
@@ -149,8 +149,8 @@ void random_blend(builder *b, int attachment)
         b->state.color.blend_constant[c] = beyond ? random_float(r, -1.0f, 2.0f) : random_unit(r);
 }
 
-/* One triangle over a colour that sRGB has: where the reference's encoding is a step off, a
- * second layer would multiply that. */
+/* One triangle over a colour that sRGB represents. If the reference's encoding is a step off, a
+ * second layer would multiply that step. */
 static void srgb_blend(builder *b)
 {
     random_source *r = &b->random;
@@ -185,7 +185,7 @@ void generate_blend(builder *b)
     }
 }
 
-/* Few layers, since products of many come to be denormals, which the reference has not. */
+/* Draws few layers: products of many layers become denormals, which the reference flushes. */
 void generate_float_blend(builder *b)
 {
     random_source *r = &b->random;
@@ -228,7 +228,7 @@ void generate_logic(builder *b)
     }
 }
 
-/* Over many layers R32F comes to hold denormals, and sRGB more than a step of difference. */
+/* Over many layers R32F would hold denormals, and sRGB would differ by more than a step. */
 void mix_color_state(builder *b)
 {
     const gn_format format = b->scene->color_format;

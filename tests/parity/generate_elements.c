@@ -1,13 +1,13 @@
-/* The elements of draws: instances, base vertices, restarts. */
+/* The elements of draws: instances, base vertices, primitive restart. */
 #include "generate_parts.h"
 
-/* Replaces indices by restarts: few, many, several in a row, at the ends. */
+/* Replaces indices by restart indices: few, many, several in a row, at the ends. */
 static void add_restarts(builder *b)
 {
     random_source *r = &b->random;
     const uint32_t percent = random_chance(r, 50) ? 2 : 20;
     b->restart = random_chance(r, 50) ? GN_RESTART_FIXED_INDEX : GN_RESTART_INDEX;
-    if (b->restart == GN_RESTART_INDEX) /* an index in use, or none */
+    if (b->restart == GN_RESTART_INDEX) /* an index in use, or an index that is not used */
         b->restart_index = random_chance(r, 30)
                                ? 250
                                : random_below(r, b->vertex_count) - (uint32_t)b->base_vertex;
@@ -30,7 +30,7 @@ void shape_elements(builder *b)
         uint32_t least = b->index_format == GN_INDEX_UINT8 ? 0 : 9;
         for (uint32_t i = 0; i < b->index_count; i++)
             least = b->indices[i] < least ? b->indices[i] : least;
-        /* What leads and trails names any vertex. */
+        /* The elements left out at both ends may name any vertex. */
         least = b->lead + b->trail > 0 ? 0 : least;
         b->base_vertex = random_between(r, b->vertex_count < 200 ? -20 : 0, (int32_t)least);
     }
@@ -58,7 +58,7 @@ void generate_instances(builder *b)
         const uint32_t vertices =
             random_chance(r, 70) ? 3 + random_below(r, 40) : 200 + random_below(r, 400);
         const placement p = (placement)random_below(r, PLACE_COUNT);
-        /* Now and then longer than the reference takes at once. */
+        /* Now and then longer than a segment of the reference. */
         const uint32_t triangles =
             random_chance(r, 8) ? 300 + random_below(r, 1500) : builder_triangle_count(b);
         shape_random_indices(b, p, vertices, triangles);
@@ -68,7 +68,7 @@ void generate_instances(builder *b)
         if (random_chance(r, 40))
             b->lead = random_below(r, 20);
         if (random_chance(r, 25))
-            random_inputs(b); /* numbers of primitives go on over restarts */
+            random_inputs(b); /* primitive numbers continue over restarts */
         shape_elements(b);
         builder_draw(b);
     }

@@ -4,8 +4,8 @@
 
 #include <stdlib.h>
 
-/* A quad over most of the target, of one w in every row, in every column, everywhere or at random.
- */
+/* A quad over most of the target; w is constant along every row, along every column, everywhere, or
+ * is random. */
 static void shape_fill(builder *b)
 {
     random_source *r = &b->random;

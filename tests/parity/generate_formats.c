@@ -1,4 +1,4 @@
-/* Targets of every colour format, and colours at which its conversion decides something. */
+/* Targets of every colour format, with colours at the limits of its conversion. */
 #include "generate_parts.h"
 
 #include <math.h>
@@ -12,8 +12,8 @@ gn_format random_color_format(builder *b)
     return formats[random_below(&b->random, sizeof formats / sizeof *formats)];
 }
 
-/* Steps and half steps of channels of 1 to 16 bits, the edges of the range, magnitudes beyond
- * it, and among them those where halves become denormal and infinite. */
+/* Steps and half steps of channels of 1 to 16 bits, the ends of the range, and magnitudes beyond
+ * it, among them those at which halves become denormal and infinite. */
 static float format_color(random_source *r)
 {
     static const float largest[] = {1.0f, 15.0f, 31.0f, 63.0f, 255.0f, 255.0f, 65535.0f, 65535.0f};
@@ -45,7 +45,7 @@ void generate_formats(builder *b)
     random_source *r = &b->random;
     builder_common_target(b);
     b->scene->color_format = random_color_format(b);
-    if (random_chance(r, 30)) { /* blocks that hang over */
+    if (random_chance(r, 30)) { /* blocks reach beyond the target */
         b->scene->width = 1 + random_below(r, 40);
         b->scene->height = 1 + random_below(r, 40);
     }

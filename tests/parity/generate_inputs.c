@@ -1,11 +1,11 @@
-/* What fragment shaders are told and may say: facing, primitive, position, samples; discard,
- * depth, samples. And fragments that are counted. */
+/* Inputs and outputs of fragment shaders: facing, primitive, position, samples; discard, depth,
+ * samples. And counting of fragments. */
 #include "generate_parts.h"
 
 #include <math.h>
 
-/* The alpha that fragments are discarded by is about the threshold, and the blue that
- * becomes depth beyond 0 and 1 now and then: colours are stretched. */
+/* Stretches colours, so that the alpha that decides about discarding lies around the threshold, and
+ * the blue that becomes depth is outside 0..1 now and then. */
 static void stretch_colors(builder *b)
 {
     random_source *r = &b->random;
@@ -19,7 +19,7 @@ static void stretch_colors(builder *b)
         b->vertices[random_below(r, b->vertex_count)].color[2] = NAN;
 }
 
-/* Whether all that is drawn are points. */
+/* Whether the draw has points alone. */
 static bool draws_points(const gn_pipeline *p)
 {
     return p->raster.topology == GN_POINTS || (p->raster.topology <= GN_TRIANGLE_FAN &&

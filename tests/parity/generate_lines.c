@@ -1,9 +1,10 @@
-/* Points and lines: sizes, widths, ends on every place where the rules decide something. */
+/* Points and lines: sizes and widths, and ends at every kind of place that the rules
+ * distinguish. */
 #include "generate_parts.h"
 
 #include <math.h>
 
-/* Most are small; halves and steps of 1/256 decide how they are rounded. */
+/* Most sizes are small; halves and steps of 1/256 test rounding. */
 static float random_size(random_source *r)
 {
     switch (random_below(r, 8)) {
@@ -66,7 +67,7 @@ void shape_lines(builder *b, uint32_t count)
     const uint32_t elements = random_chance(r, 5) ? random_below(r, 3) : count + 1;
     float x = 0.0f, y = 0.0f;
     for (uint32_t i = 0; i < elements; i++) {
-        if (kind == 0 && p != PLACE_CLIP) { /* near the one before */
+        if (kind == 0 && p != PLACE_CLIP) { /* near the previous one */
             const bool far = i == 0 || random_chance(r, 10);
             const float grain = random_chance(r, 60) ? 4.0f : 256.0f;
             const float dx = random_float(r, -4.0f, 4.0f), dy = random_float(r, -4.0f, 4.0f);
@@ -168,7 +169,7 @@ void state_outlines(builder *b)
     b->state.raster.point_size = random_size(r);
 }
 
-/* Stencil: the reference takes the wrong face (reference/RULES.md). */
+/* The reference tests the stencil with the wrong face (reference/RULES.md). */
 void fit_outlines(builder *b)
 {
     const bool unfilled = b->state.raster.polygon_mode_front != GN_POLYGON_FILL ||

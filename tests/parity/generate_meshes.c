@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Depth and w of a mesh: linear functions of the place, so that the mesh is a plane
- * or nearly one, sometimes with vertices moved off it. */
+/* Depth and w of a mesh are linear functions of the place, so that the mesh is a plane or nearly
+ * one; sometimes vertices are moved off the plane. */
 typedef struct relief {
     float z[3], w[3];
     float roughness;
@@ -34,7 +34,7 @@ static void place_on_relief(builder *b, const relief *f, vertex *v, float x, flo
     const float rough = f->roughness * random_float(&b->random, -1.0f, 1.0f);
     float w = f->w[0] + f->w[1] * u + f->w[2] * t;
     if (w < 0.05f && f->w[0] > 0.0f)
-        w = 0.05f; /* far outside the viewport: no plane needs to go through the eye */
+        w = 0.05f; /* far outside the viewport, so that no plane has to go through the eye */
     builder_place(b, v, x, y, f->z[0] + f->z[1] * u + f->z[2] * t + rough, w);
 }
 
@@ -100,7 +100,7 @@ void shape_hub(builder *b, uint32_t spokes)
     const float radius = fmaxf(view.width, view.height) * random_octave(r, -3, 0);
     const uint32_t hub = b->vertex_count;
     place_on_relief(b, &f, builder_vertex(b), x, y);
-    /* Around a square rather than a circle: no trigonometry, and some exact ties. */
+    /* The places are around a square, not a circle: no trigonometry, and some exact ties. */
     for (uint32_t i = 0; i < spokes; i++) {
         const float t = 4.0f * (float)i / (float)spokes, side = floorf(t), along = t - side;
         const float u = side == 0.0f   ? 1.0f
@@ -211,7 +211,7 @@ void generate_piles(builder *b)
         b->state.depth.test = true;
         b->state.depth.function = functions[random_below(r, 2)];
         shape_pile(b, 1 + builder_triangle_count(b) / 2);
-        if (random_chance(r, 40)) { /* the same again, to meet the depths just written */
+        if (random_chance(r, 40)) { /* the triangles again, to meet the depths just written */
             builder_draw(b);
             b->state.depth.function = functions[random_below(r, 4)];
             scene_draw *first = &b->scene->draws[b->scene->draw_count - 1];

@@ -5,10 +5,11 @@
 #include <math.h>
 #include <string.h>
 
-/* Tiles of the reference, at whose lower left sides it loses lines (reference/RULES.md). */
+/* The size of the reference's tiles. At their lower left sides the reference loses lines
+ * (reference/RULES.md). */
 #define TILE 64.0
 
-/* The places of a line's ends in the window; false where it is clipped, or nearly. */
+/* Computes the window coordinates of a line's ends; false if the line is clipped, or nearly. */
 static bool line_in_window(const scene *s, const scene_draw *d, const float *const end[2],
                            double at[2][2])
 {
@@ -27,9 +28,9 @@ static bool line_in_window(const scene *s, const scene_draw *d, const float *con
     return true;
 }
 
-/* Whether the reference draws all of a line. What it takes for the pixels of a line begins with
- * the first whole one, so that it loses a part that reaches just beyond a tile, and lines less
- * than a pixel wide or high. */
+/* Whether the reference draws the whole line. It takes the pixels of a line to begin with the first
+ * whole pixel. So it loses a part that reaches just beyond a tile, and lines less than a pixel wide
+ * or high. */
 static bool line_is_safe(const scene *s, const scene_draw *d, const float *const end[2])
 {
     const double size[2] = {(double)s->width, (double)s->height};
@@ -50,8 +51,8 @@ static bool line_is_safe(const scene *s, const scene_draw *d, const float *const
     return true;
 }
 
-/* Places the ends of lines anew that the reference does not draw whole. False where that is of
- * no use. */
+/* Moves the ends of lines that the reference does not draw whole. Returns false if that does not
+ * help. */
 static bool move_lines(random_source *r, scene *s, scene_draw *d)
 {
     const gn_attribute *const position = &d->mesh.attribute[GN_ATTRIBUTE_POSITION];
@@ -86,7 +87,7 @@ static bool move_lines(random_source *r, scene *s, scene_draw *d)
     return !moved;
 }
 
-/* Noperspective varyings are for triangles within the sides of the viewport. */
+/* Noperspective varyings are only for triangles within the sides of the viewport. */
 static void smooth_all(scene_draw *d)
 {
     for (int i = 0; i < GN_MAX_VARYINGS; i++)
@@ -94,7 +95,8 @@ static void smooth_all(scene_draw *d)
             d->state.program.interpolation[i] = GN_SMOOTH;
 }
 
-/* What the reference draws otherwise than OpenGL says with several samples (reference/RULES.md). */
+/* Avoids what the reference draws otherwise than OpenGL with several samples
+ * (reference/RULES.md). */
 static void avoid_defects(random_source *r, scene *s, scene_draw *d)
 {
     gn_scissor *const scissor = &d->state.raster.scissor;
@@ -154,7 +156,7 @@ scene *generate_sampled(uint64_t seed)
     return s;
 }
 
-/* Vertex colours become what the shader of inputs.h makes of them. */
+/* Replaces the shader of vertex colours by that of inputs.h. */
 static void mask_samples(random_source *r, scene_draw *d)
 {
     if (d->shader == SCENE_VERTEX_COLOR)

@@ -1,6 +1,6 @@
-/* Draws about as long as the segments in which the reference takes them. Most are slivers that
- * are culled only where their segment has a vertex outside the view volume; slivers and such
- * vertices lie about the boundaries of segments. */
+/* Draws about as long as the reference's segments. Most of their triangles are slivers that are
+ * culled only if their segment has a vertex outside the view volume. Slivers and such vertices lie
+ * around the boundaries of segments. */
 #include "generate_parts.h"
 
 #include <math.h>
@@ -8,26 +8,26 @@
 /* A pixel in steps of snapping. */
 #define STEPS 256
 
-/* Slivers that a draw names again and again, where it does: few enough for indices of 8 bits. */
+/* Draws that repeat slivers have at most this many: few enough for indices of 8 bits. */
 #define MAX_POOL 60
 
-/* A place in the window: (0, 0) is the first pixel's centre. */
+/* A place in the window; (0, 0) is the first pixel's centre. */
 typedef struct place {
     int32_t x, y;
 } place;
 
-/* A draw in the making. */
+/* The draw that is being generated. */
 typedef struct segments {
     builder *b;
-    bool clockwise; /* the winding that slivers have once they are snapped */
-    bool turned;    /* before that they have the other one */
-    place hub;      /* of all slivers of a fan */
-    uint32_t rest;  /* the vertex of triangles without an area; of a fan, its hub */
+    bool clockwise; /* the winding of slivers after snapping */
+    bool turned;    /* before snapping slivers have the other winding */
+    place hub;      /* common to all slivers of a fan */
+    uint32_t rest;  /* the vertex of triangles without area; for a fan, its hub */
     uint32_t pool[MAX_POOL][3];
     uint32_t pool_size; /* 0: every sliver has vertices of its own */
 } segments;
 
-/* In elements, from the first of a run on. */
+/* Lengths of segments in elements, from the first element of a run. */
 static const uint32_t lengths[] = {1022, 1023, 1024, 4094, 4095, 4096};
 
 static uint32_t random_length(builder *b)
@@ -35,7 +35,7 @@ static uint32_t random_length(builder *b)
     return lengths[random_below(&b->random, 6)];
 }
 
-/* A vertex beside a place; less than half a step beside it, it snaps to it. */
+/* Adds a vertex beside a place. If it is less than half a step away, it snaps to the place. */
 static uint32_t add_vertex(builder *b, place p, float off_x, float off_y)
 {
     const uint32_t index = b->vertex_count;
@@ -46,7 +46,7 @@ static uint32_t add_vertex(builder *b, place p, float off_x, float off_y)
     return index;
 }
 
-/* At a pixel's centre, about the middle of the target. */
+/* Returns a pixel's centre, about the middle of the target. */
 static place random_hub(builder *b)
 {
     random_source *r = &b->random;
@@ -56,8 +56,8 @@ static place random_hub(builder *b)
     return p;
 }
 
-/* A point of the lattice as near to the line through (0, 0) and `way` as any beside it, on the
- * left. False where points between those two are on the line. */
+/* Finds the point of the lattice on the left of the line through (0, 0) and `way` that is nearest
+ * to the line. Returns false if the line has lattice points between those two. */
 static bool find_aside(place way, place *aside)
 {
     for (aside->x = -7; aside->x <= 7; aside->x++)
@@ -67,9 +67,10 @@ static bool find_aside(place way, place *aside)
     return false;
 }
 
-/* A sliver from a hub to a little beyond the centre of another pixel, which lies in it once it is
- * snapped: the far corners are then on either side of the line through both centres, 1 / length
- * of a step away from it, and may come from 0.4 steps beyond. */
+/* Adds a sliver from a hub to a little beyond the centre of another pixel. The sliver covers that
+ * centre once it is snapped: its far corners are then on either side of the line through both
+ * centres, 1 / length of a step away from the line. Before snapping they may be 0.4 steps
+ * elsewhere. */
 static void add_sliver(segments *s, uint32_t sliver[3])
 {
     random_source *r = &s->b->random;
@@ -81,7 +82,7 @@ static void add_sliver(segments *s, uint32_t sliver[3])
     } while (way.x * way.x + way.y * way.y < 9 || !find_aside(way, &aside));
 
     const float length = sqrtf((float)(way.x * way.x + way.y * way.y));
-    /* Beyond the centre, from wherever on its own line the point aside is. */
+    /* Beyond the centre, starting from the lattice point `aside`. */
     const int32_t right = STEPS + random_between(r, 4, 40);
     const int32_t left = STEPS + random_between(r, 4, 40);
     const place end[2] = {{hub.x + right * way.x - aside.x, hub.y + right * way.y - aside.y},
@@ -119,9 +120,10 @@ static bool is_near_boundary(uint32_t element)
     return false;
 }
 
-/* Adds elements to a run of triangles: of a sliver, or of no area; those between two slivers have
- * none either. The third triangle of a segment without indices is a sliver, since the reference
- * loses it and the two before it where it has no height and is the last (reference/RULES.md). */
+/* Adds the elements of a triangle to a run: a sliver or a triangle without area; the triangles of a
+ * strip between two slivers have no area either. The third triangle of a segment without indices is
+ * a sliver: if it had no height and were the last, the reference would lose it and the two before
+ * it (reference/RULES.md). */
 static void add_triangles(segments *s, uint32_t begin)
 {
     builder *b = s->b;
@@ -133,7 +135,7 @@ static void add_triangles(segments *s, uint32_t begin)
         choose_sliver(s, sliver);
     switch (b->state.raster.topology) {
     case GN_TRIANGLE_STRIP: {
-        const uint32_t odd = (n + 1) & 1; /* its first two change places */
+        const uint32_t odd = (n + 1) & 1; /* its first two vertices are exchanged */
         builder_index(b, sliver[odd]);
         builder_index(b, sliver[odd]);
         builder_index(b, sliver[1 - odd]);
@@ -157,7 +159,7 @@ static void add_triangles(segments *s, uint32_t begin)
     }
 }
 
-/* A vertex of points or lines, which goes on from the one before. */
+/* Adds a vertex of points or lines, near the previous one. */
 static void add_step(segments *s)
 {
     random_source *r = &s->b->random;
@@ -188,7 +190,7 @@ static void add_run(segments *s, uint32_t count)
     b->index_count = begin + count;
 }
 
-/* An element beside a boundary of segments that begin with element `begin`. */
+/* Returns an element beside a boundary of the segments that begin at element `begin`. */
 static uint32_t random_boundary(builder *b, uint32_t begin)
 {
     random_source *r = &b->random;
@@ -202,7 +204,7 @@ static uint32_t random_boundary(builder *b, uint32_t begin)
     return element < 4 ? 0 : element - 4 < last ? element - 4 : last;
 }
 
-/* Makes an element name a vertex outside. */
+/* Makes an element name a vertex outside the view volume. */
 static void put_outside(builder *b, uint32_t element)
 {
     random_source *r = &b->random;
@@ -221,7 +223,7 @@ static void put_outside(builder *b, uint32_t element)
         v->position[2] = kind % 2 ? 2.0f : -1.5f;
 }
 
-/* Adds vertices that no element names, some of them outside. */
+/* Adds vertices that no element names, some of them outside the view volume. */
 static void add_unnamed(builder *b, uint32_t count)
 {
     for (uint32_t n = 0; n < count; n++)
@@ -256,8 +258,8 @@ static void choose_state(builder *b)
     }
 }
 
-/* Elements of a draw: one more than whole segments, or as many, or one less; or about as many, or
- * any number. */
+/* Elements of a draw: a number of whole segments, one element more, one less, about as many, or any
+ * number. */
 static uint32_t choose_count(builder *b)
 {
     random_source *r = &b->random;

@@ -1,5 +1,5 @@
-/* Draws each state of which is chosen for itself, so that every pair of values meets
- * (tests/parity/pairs.c says which do), and long sequences of them into one target. */
+/* Draws whose states are all chosen independently, so that every pair of values meets
+ * (tests/parity/pairs.c checks which do), and long sequences of such draws into one target. */
 #include "generate_parts.h"
 
 #include <stdlib.h>
@@ -33,7 +33,7 @@ static gn_blend any_blend(random_source *r)
     return b;
 }
 
-/* The reference compiles a function for every offset: there are a few. */
+/* The reference compiles a function for every offset, so there are only a few offsets. */
 static gn_polygon_offset known_offset(builder *b)
 {
     const random_source own = b->random;
@@ -78,7 +78,7 @@ static void any_window(builder *b)
     b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
 }
 
-/* Writes most of the time all that it may. */
+/* Mostly allows writing everything. */
 static void any_color_state(builder *b, bool may_blend)
 {
     random_source *r = &b->random;
@@ -94,12 +94,12 @@ static void any_color_state(builder *b, bool may_blend)
         b->state.color.logic_operation = (gn_logic_operation)random_below(r, 16);
 }
 
-/* True where a varying is noperspective. */
+/* Whether a varying is noperspective. */
 static bool any_shader(builder *b)
 {
     random_source *r = &b->random;
     bool noperspective = false;
-    const uint32_t which = random_below(r, 100); /* those with states of their own more often */
+    const uint32_t which = random_below(r, 100); /* shaders with states of their own, more often */
     const uint32_t any = random_below(r, SCENE_SHADER_COUNT);
     b->shader = which < 21   ? SCENE_VERTEX_COLOR
                 : which < 33 ? SCENE_INPUTS
@@ -126,7 +126,7 @@ static bool any_shader(builder *b)
     return noperspective;
 }
 
-/* No byte is 0: what is added to a texel may be denormal. */
+/* No byte is 0: a denormal may be added to a texel, and shows only if the texel is 0. */
 static void any_texture(builder *b, uint32_t *texels)
 {
     random_source *r = &b->random;
@@ -139,7 +139,7 @@ static void any_texture(builder *b, uint32_t *texels)
         texels[i] = (uint32_t)(random_bits(r) >> 32) | 0x01010101u;
     b->uniforms.sampler.wrap_s = (gn_wrap)random_below(r, 5);
     b->uniforms.sampler.wrap_t = (gn_wrap)random_below(r, 5);
-    for (int c = 0; c < 4; ++c) /* as texels, not 0 */
+    for (int c = 0; c < 4; ++c) /* not 0, like the texels */
         b->uniforms.sampler.border[c] = random_float(r, 0.25f, 1.0f);
     b->uniforms.sampler.magnify = (gn_magnify)random_below(r, 2);
     b->uniforms.sampler.minify = (gn_minify)random_below(r, 6);
@@ -148,7 +148,7 @@ static void any_texture(builder *b, uint32_t *texels)
             b->vertices[i].texcoord[c] = random_float(r, -1.0f, 2.0f);
 }
 
-/* Of any topology. Noperspective varyings want triangles within the sides of the viewport
+/* A mesh of any topology. Noperspective varyings need triangles within the sides of the viewport
  * (reference/RULES.md). */
 static void any_mesh(builder *b, uint32_t count, bool noperspective)
 {
@@ -239,8 +239,8 @@ void varied_draw(builder *b, bool may_blend)
     free_shading(&shading);
 }
 
-/* Products of many layers in floats come to be denormals, which the reference has not; where it
- * is a step off in sRGB, a second layer would multiply that. */
+/* Products of many layers of floats become denormals, which the reference flushes. If the reference
+ * is a step off in sRGB, a second layer would multiply that step. */
 bool may_blend_after(const builder *b, uint32_t draws)
 {
     const gn_format format = b->scene->color_format;
@@ -256,7 +256,7 @@ gn_format random_depth_format(builder *b)
     return formats[random_below(&b->random, 9)];
 }
 
-/* Colour, depth with stencil, or both. */
+/* Clears colour, depth with stencil, or both. */
 static void random_clear(builder *b, scene_clear *clear)
 {
     random_source *r = &b->random;

@@ -1,10 +1,11 @@
-/* The ready-made shaders: every one, with every combination of maps and lights. */
+/* The ready-made shaders: each with every combination of maps and lights. */
 #include "generate_parts.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* No byte is 0, nor is a float: what is added to a texel may be denormal. */
+/* No byte and no float is 0: a denormal may be added to a texel, and shows only if the texel is
+ * 0. */
 static void random_map_texels(random_source *r, const gn_texture *t, void *texels)
 {
     const size_t count = scene_texture_elements(t) / (t->format == GN_FORMAT_RGBA32F ? 4u : 1u);
@@ -116,7 +117,7 @@ static void random_shape(builder *b)
     }
 }
 
-/* Wraps and filters of maps, one level or several. As texels, borders are not 0. */
+/* Wraps and filters of maps, with one level or several. Borders are not 0, like the texels. */
 static void random_map_sampler(random_source *r, gn_sampler *s)
 {
     s->wrap_s = (gn_wrap)random_below(r, 5);
@@ -173,7 +174,7 @@ static void add_shaded(builder *b, scene_shader shader)
     free_shading(&memory);
 }
 
-/* Depth alone needs a depth buffer. */
+/* A shader that writes only depth needs a depth buffer. */
 static scene_shader random_shader(builder *b)
 {
     static const scene_shader shaders[] = {
@@ -199,8 +200,8 @@ void generate_shaders(builder *b)
 
 /* ---- Shadow maps ---- */
 
-/* A light that sees the body from a random side: afar, along an orthographic projection, or near.
- * The body is at the origin of model space. */
+/* A light that sees the body from a random side: from afar with an orthographic projection, or from
+ * near. The body is at the origin of model space. */
 static void random_light_camera(builder *b)
 {
     random_source *r = &b->random;
@@ -235,8 +236,8 @@ static void random_light_camera(builder *b)
                   center[2] + distance * towards[2]};
 }
 
-/* The first pass: what the light sees of the last draw, drawn by the library; that the reference
- * draws the same depths is the matter of the shader that draws depth alone. */
+/* The first pass: the library draws the last draw as the light sees it. The class of the shader
+ * that writes only depth tests that the reference draws equal depths. */
 static void add_shadow_map(builder *b)
 {
     static const gn_format formats[] = {GN_FORMAT_D16, GN_FORMAT_D24, GN_FORMAT_D32F,

@@ -1,5 +1,5 @@
-/* The ready-made shaders with a light and a texture: bodies and loose triangles under
- * a camera, with random rotations. */
+/* The ready-made shaders with a light and a texture: bodies and loose triangles under a camera,
+ * with random rotations. */
 #include "generate_parts.h"
 
 #include <math.h>
@@ -60,7 +60,7 @@ void random_light(builder *b)
         b->uniforms.light.diffuse.y *= 8.0f;
 }
 
-/* A cube of 6 * n * n cells blown up to a sphere; every face has its own vertices. */
+/* A cube of 6 * n * n cells, projected to a sphere; every face has its own vertices. */
 static void add_sphere(builder *b, uint32_t n)
 {
     for (uint32_t face = 0; face < 6; face++) {
@@ -150,7 +150,7 @@ static void *random_texels(builder *b, uint32_t count, gn_format format)
     return texels;
 }
 
-/* Coordinates of the drawn vertices: within the texture, repeated, far away, beyond the
+/* Texture coordinates of the drawn vertices: within the texture, repeated, far away, beyond the
  * integers, not finite, or on texel borders and centres, where the nearest filter and the weights
  * tie. */
 static void random_texcoords(builder *b)
@@ -180,7 +180,7 @@ static void random_texcoords(builder *b)
         }
 }
 
-/* A draw with that shader and a random texture. */
+/* A draw with this shader and a random texture. */
 static void add_textured(builder *b, scene_shader shader, gn_format format)
 {
     static const uint32_t sizes[] = {1, 1, 2, 3, 4, 5, 7, 8, 16, 20, 32, 37, 50, 64};
@@ -206,7 +206,7 @@ static void add_textured(builder *b, scene_shader shader, gn_format format)
     t->level[0].texels = texels;
     b->uniforms.sampler.wrap_s = (gn_wrap)random_below(r, 5);
     b->uniforms.sampler.wrap_t = (gn_wrap)random_below(r, 5);
-    for (int c = 0; c < 4; ++c) /* as texels, not 0 */
+    for (int c = 0; c < 4; ++c) /* not 0, like the texels */
         b->uniforms.sampler.border[c] = random_float(r, 0.25f, 1.0f);
     b->uniforms.sampler.magnify = (gn_magnify)random_below(r, 2);
     b->uniforms.sampler.minify = (gn_minify)random_below(r, 6);
@@ -227,8 +227,9 @@ void generate_textured(builder *b)
         add_textured(b, SCENE_TEXTURED_GOURAUD, GN_FORMAT_NONE);
 }
 
-/* The power of 32 may be denormal, which the contract leaves out: it is added to a texel,
- * that in a target of floats must not be 0, as bytes often are. */
+/* The power of 32 may be denormal, which the contract leaves out. It is added to a texel, so it
+ * shows only if the texel is 0. Bytes often are 0, so a target of floats gets a texture of
+ * floats. */
 void generate_phong(builder *b)
 {
     random_source *r = &b->random;

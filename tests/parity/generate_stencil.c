@@ -20,8 +20,8 @@ static gn_stencil_face random_face(random_source *r, uint8_t near)
     return f;
 }
 
-/* The reference compiles a program for every state but references, which takes longer than
- * all else: most draws have one of a few states, which the same number always means. */
+/* The reference compiles a program for every state except references, which takes longer than
+ * everything else. So most draws have one of a few states; each state belongs to one number. */
 #define KNOWN_STATES 64
 
 void random_stencil(builder *b)

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Levels of random_sampling: as many as there may be, or some. */
+/* The `levels` argument of random_sampling: all possible levels, or some. */
 #define ANY_LEVELS 0
 
 static uint32_t random_side(random_source *r, gn_texture_target target)
@@ -57,7 +57,7 @@ static uint32_t bits_of(float f)
     return bits;
 }
 
-/* A binary16 from 0 to 1, mostly, and otherwise any that is a number. */
+/* A binary16, mostly from 0 to 1, otherwise any that is not NaN or infinite. */
 static uint32_t random_half(random_source *r)
 {
     const uint32_t bits = (uint32_t)(random_bits(r) >> 48);
@@ -67,7 +67,7 @@ static uint32_t random_half(random_source *r)
     return (bits & 0x7C00) == 0x7C00 ? bits & 0xBFFF : bits;
 }
 
-/* Not so small that products become denormal, which the contract leaves out. */
+/* Large enough that products do not become denormal; the contract leaves denormals out. */
 static float random_texel(random_source *r)
 {
     const float within = random_unit(r), beyond = random_float(r, -1.0f, 2.0f);
@@ -75,7 +75,7 @@ static float random_texel(random_source *r)
     return random_chance(r, 80) ? within : beyond;
 }
 
-/* Depths that meet what they are compared with. */
+/* Depths, some of which equal the values that they are compared with. */
 static float random_depth(random_source *r)
 {
     const float any = random_unit(r), eighth = (float)random_below(r, 9) * 0.125f;
@@ -142,7 +142,7 @@ static void random_sampler(random_source *r, const gn_texture *t, gn_sampler *s,
         s->compare = (gn_compare)random_below(r, GN_ALWAYS + 1);
 }
 
-/* How far coordinates reach. */
+/* The range of texture coordinates. */
 typedef struct reach {
     uint32_t kind;
     float extent;
@@ -171,7 +171,7 @@ static float random_coordinate(random_source *r, const reach *a, float from, flo
     }
 }
 
-/* A direction: any, along axes and diagonals, where faces tie, or near an edge; of any length. */
+/* A direction of any length: random, along axes and diagonals, where faces tie, or near an edge. */
 static void random_direction(random_source *r, float d[3])
 {
     const uint32_t kind = random_below(r, 4);

@@ -1,4 +1,4 @@
-/* Separate triangles of every kind the clipper and the rasterizer must tell apart. */
+/* Separate triangles of every kind that the clipper and the rasterizer must distinguish. */
 #include "generate_parts.h"
 
 #include <math.h>
@@ -20,7 +20,7 @@ static float device_depth(builder *b)
     return random_float(&b->random, -1.0f, 1.0f);
 }
 
-/* Coordinates are integers divided by one of these. 512 puts a vertex half way
+/* Coordinates are integers divided by one of these numbers. With 512 a vertex may be half way
  * between two snapped positions, where rounding goes to the even one. */
 static float tie_grain(random_source *r)
 {
@@ -33,7 +33,7 @@ static float on_grain(float coordinate, float grain)
     return floorf(coordinate * grain) / grain;
 }
 
-/* Within a margin of the viewport, at depths to +-depth. */
+/* A place within a margin of the viewport, at a depth from -depth to depth. */
 static void place_in_viewport(builder *b, vertex *v, float margin, float depth, float w)
 {
     const float x = viewport_x(b, margin), y = viewport_y(b, margin);
@@ -141,9 +141,9 @@ void shape_turning(builder *b, uint32_t count)
         float p[3][2], s[3][2];
         bool turned = false;
         for (int attempt = 0; attempt < 100 && !turned; attempt++) {
-            const bool middle = random_chance(r, 50); /* no area until it is snapped */
+            const bool middle = random_chance(r, 50); /* no area before it is snapped */
             const float t = middle ? 0.5f : random_unit(r);
-            /* The long side goes through the centre of a pixel, or just by it. */
+            /* The long side goes through the centre of a pixel, or just beside it. */
             const float x = viewport_x(b, -0.2f), y = viewport_y(b, -0.2f);
             const float centre[2] = {floorf(x) + 0.5f, floorf(y) + 0.5f};
             p[0][0] = on_grain(viewport_x(b, -0.02f), 256.0f);
@@ -169,8 +169,8 @@ void shape_turning(builder *b, uint32_t count)
     }
 }
 
-/* Triangles in pairs that share an edge, so that a tie drawn twice or not at all
- * shows; vertices close together half of the time, so that there are many ties. */
+/* Triangles in pairs that share an edge, so that a tie drawn twice or not at all shows. Half of the
+ * time vertices are close together, so that there are many ties. */
 void shape_ties(builder *b, uint32_t count)
 {
     random_source *r = &b->random;
@@ -207,9 +207,9 @@ void shape_huge(builder *b, uint32_t count)
 {
     random_source *r = &b->random;
     for (uint32_t i = 0; i < count; i++) {
-        /* Mostly to 1e5 pixels; beyond 2^23 neighbouring floats are pixels apart. Out of
-         * contract beyond 2^35: clipping an edge twice then leaves vertices so far from
-         * the viewport that their snapped coordinates overflow. */
+        /* Mostly up to 1e5 pixels; from 2^23 on, neighbouring floats are pixels apart. Beyond 2^35
+         * the contract ends: clipping an edge twice there leaves vertices so far from the viewport
+         * that their snapped coordinates overflow. */
         const float size = random_chance(r, 85)   ? random_octave(r, 8, 16)
                            : random_chance(r, 80) ? random_octave(r, 17, 26)
                                                   : random_octave(r, 27, 34);
@@ -239,7 +239,7 @@ void shape_offscreen(builder *b, uint32_t count)
             const float w = affine ? random_power(r, -1, 1) : random_octave(r, -2, 1);
             vertex *p = builder_vertex(b);
             place_in_viewport(b, p, kind == 0 ? 3.0f : 0.5f, 2.0f, w);
-            /* All vertices beyond one plane, on it, or one or two of them within. */
+            /* All vertices are beyond one plane or on it, or one or two of them are inside. */
             if (kind == 1)
                 p->position[axis] = side * w * random_float(r, 1.0f, 3.0f);
             else if (kind == 2 && random_chance(r, 60))
@@ -293,9 +293,9 @@ void shape_near_crossing(builder *b, uint32_t count)
     }
 }
 
-/* A clip position of w = 0 which is not the origin: a point at infinity. On an axis or
- * a coordinate plane for one vertex of a triangle at most: an edge between two such may
- * go through the origin, and a clipped vertex of 0, 0, 0, 0 is out of contract. */
+/* A clip position of w = 0 that is not the origin: a point at infinity. At most one vertex of a
+ * triangle is on an axis or a coordinate plane: an edge between two such vertices may go through
+ * the origin, and the contract leaves out a clipped vertex of 0, 0, 0, 0. */
 static void place_at_infinity(builder *b, vertex *v, bool on_axis)
 {
     random_source *r = &b->random;
@@ -315,7 +315,7 @@ void shape_degenerate(builder *b, uint32_t count)
         vertex *v = b->vertices + b->vertex_count - 3;
         const uint32_t k = random_below(r, 3), other = (k + 1 + random_below(r, 2)) % 3;
         switch (random_below(r, 7)) {
-        case 0: /* two corners the same, sometimes all three */
+        case 0: /* two corners equal, sometimes all three */
             v[k] = v[other];
             if (random_chance(r, 30))
                 v[3 - k - other] = v[other];
@@ -332,7 +332,7 @@ void shape_degenerate(builder *b, uint32_t count)
             }
             break;
         }
-        case 2: { /* no area once snapped to 1/256 pixel, or nearly none */
+        case 2: { /* little or no area after snapping to 1/256 pixel */
             const float x = on_grain(viewport_x(b, 0.0f), 2.0f);
             const float y = on_grain(viewport_y(b, 0.0f), 2.0f);
             for (int n = 0; n < 3; n++) {
@@ -347,11 +347,11 @@ void shape_degenerate(builder *b, uint32_t count)
             if (random_chance(r, 30))
                 place_at_infinity(b, &v[other], false);
             break;
-        case 4: /* at w = 0 all of them */
+        case 4: /* all of them at w = 0 */
             for (int n = 0; n < 3; n++)
                 place_at_infinity(b, &v[n], n == 0 && random_chance(r, 50));
             break;
-        case 5: /* of no extent in depth or seen from the side */
+        case 5: /* without extent in depth, or seen from the side */
             for (int n = 0; n < 3; n++)
                 v[n].position[random_chance(r, 50) ? 2 : 0] = 0.0f;
             break;

@@ -1,4 +1,4 @@
-/* What bounds drawing in window and clip space, the scissor and more, and what moves depth. */
+/* What limits drawing in window and clip space (the scissor and more), and what changes depth. */
 #include "generate_parts.h"
 
 gn_scissor random_scissor(builder *b)
@@ -13,13 +13,13 @@ gn_scissor random_scissor(builder *b)
         s.width = random_below(r, 7);
         s.height = random_below(r, 7);
         break;
-    case 1: /* over some sides of the target, or beside it */
+    case 1: /* over some sides of the target, or beside the target */
         s.x = random_between(r, -width, width + 4);
         s.y = random_between(r, -height, height + 4);
         s.width = random_below(r, 2 * b->scene->width);
         s.height = random_below(r, 2 * b->scene->height);
         break;
-    case 2: /* as large as there are */
+    case 2: /* the largest possible */
         s.x = random_between(r, -8, width);
         s.y = random_between(r, -8, height);
         s.width = random_chance(r, 50) ? INT32_MAX / 2 : 16384;
@@ -93,7 +93,7 @@ gn_polygon_offset random_polygon_offset(builder *b)
     o.factor = offset_number(b);
     o.units = offset_number(b);
     if (random_chance(r, 40))
-        o.units *= random_octave(r, 0, 20); /* much of a depth range of 24 bits */
+        o.units *= random_octave(r, 0, 20); /* a large part of the range of 24-bit depths */
     if (random_chance(r, 40)) {
         const float sign = random_sign(r);
         o.clamp = sign * random_octave(r, -16, -2);
@@ -123,7 +123,7 @@ void generate_offset(builder *b)
     }
 }
 
-/* Depths far outside the view volume, or moved to where z starts at 0. */
+/* Depths far outside the view volume, or moved so that z starts at 0. */
 static void move_depths(builder *b)
 {
     random_source *r = &b->random;
@@ -175,14 +175,14 @@ void random_clip_planes(builder *b, uint32_t count)
             p[random_below(r, 3)] = 0.0f;
             p[random_below(r, 3)] = 0.0f;
             break;
-        case 1: /* through a vertex, about */
+        case 1: /* about through a vertex */
             if (b->vertex_count > 0) {
                 const vertex *v = &b->vertices[random_below(r, b->vertex_count)];
                 const float d = p[0] * v->position[0] + p[1] * v->position[1];
                 p[3] = -(d + p[2] * v->position[2]) / (v->position[3] != 0.0f ? v->position[3] : 1);
             }
             break;
-        case 2: { /* nearly all, and all, inside or outside */
+        case 2: { /* nearly all or all vertices inside or outside */
             const float sign = random_sign(r);
             p[3] = sign * random_octave(r, 0, 6);
             break;

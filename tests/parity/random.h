@@ -1,8 +1,8 @@
-/* A small random number generator for scenes: xoshiro256** (Blackman and Vigna
- * 2018), seeded through splitmix64 (Steele, Lea and Flood 2014). The same numbers
- * on every machine, so that a scene is a pure function of what seeds it. For that no
- * expression may draw two of them: C leaves the order to the compiler, but in initializers
- * of several declarators, after && and ||, and in conditions. tests/order looks for such. */
+/* A small random number generator for scenes: xoshiro256** (Blackman and Vigna 2018), seeded
+ * through splitmix64 (Steele, Lea and Flood 2014). Its numbers are the same on every machine, so
+ * that a scene is a pure function of its seed. For that, no expression may draw two random numbers:
+ * C leaves the order to the compiler, except in initializers of several declarators, after && and
+ * ||, and in conditions. tests/order looks for such expressions. */
 #ifndef PARITY_RANDOM_H
 #define PARITY_RANDOM_H
 
@@ -13,7 +13,7 @@ typedef struct random_source {
     uint64_t state[4];
 } random_source;
 
-/* The next output of splitmix64, whose state is *x. */
+/* Returns the next output of splitmix64, whose state is *x. */
 static inline uint64_t random_splitmix(uint64_t *x)
 {
     uint64_t z = (*x += UINT64_C(0x9E3779B97F4A7C15));
@@ -49,13 +49,13 @@ static inline uint64_t random_bits(random_source *r)
     return result;
 }
 
-/* 0 to n - 1. The bias of the multiplication, n / 2^32, does not matter here. */
+/* Returns 0 to n - 1. The bias of the multiplication, n / 2^32, does not matter here. */
 static inline uint32_t random_below(random_source *r, uint32_t n)
 {
     return (uint32_t)(((random_bits(r) >> 32) * n) >> 32);
 }
 
-/* lowest to highest, both included. */
+/* Returns lowest to highest, both included. */
 static inline int32_t random_between(random_source *r, int32_t lowest, int32_t highest)
 {
     return lowest + (int32_t)random_below(r, (uint32_t)(highest - lowest) + 1);
@@ -77,7 +77,7 @@ static inline float random_float(random_source *r, float lowest, float highest)
     return lowest + (highest - lowest) * random_unit(r);
 }
 
-/* 2^exponent with an exponent from lowest to highest, within -126..127. */
+/* Returns 2^exponent, with an exponent from lowest to highest, within -126..127. */
 static inline float random_power(random_source *r, int32_t lowest, int32_t highest)
 {
     const int32_t exponent = random_between(r, lowest, highest);
@@ -95,14 +95,14 @@ static inline float random_sign(random_source *r)
     return random_chance(r, 50) ? 1.0f : -1.0f;
 }
 
-/* A magnitude spread evenly over the octaves from 2^lowest to 2^(highest + 1). */
+/* Returns a magnitude spread evenly over the octaves from 2^lowest to 2^(highest + 1). */
 static inline float random_octave(random_source *r, int32_t lowest, int32_t highest)
 {
     const float power = random_power(r, lowest, highest);
     return power * random_float(r, 1.0f, 2.0f);
 }
 
-/* Such a magnitude with either sign. */
+/* Returns such a magnitude with a random sign. */
 static inline float random_signed_octave(random_source *r, int32_t lowest, int32_t highest)
 {
     const float sign = random_sign(r);

@@ -1,4 +1,4 @@
-/* Shrinking: passes over a scene until none of them finds anything to leave out. */
+/* Shrinking: repeats passes over a scene until none of them finds anything to remove. */
 #include "shrink.h"
 
 #include <stdlib.h>
@@ -19,7 +19,7 @@ bool shrink_try(shrinking *s, scene *candidate)
     return false;
 }
 
-/* Leaves out draws: half of them, a quarter, down to each alone. */
+/* Removes draws: half of them, a quarter, and so on down to single draws. */
 bool shrink_draws(shrinking *s)
 {
     bool progress = false;
@@ -38,7 +38,7 @@ bool shrink_draws(shrinking *s)
     return progress;
 }
 
-/* Leaves out clears between draws. */
+/* Removes clears between draws. */
 static bool shrink_clears(shrinking *s)
 {
     bool progress = false;

@@ -1,5 +1,5 @@
-/* Shrinking meshes: plain triangles in place of strips, fans and indices; fewer
- * triangles; fewer attributes. */
+/* Shrinking meshes: separate triangles instead of strips, fans and indices; fewer triangles; fewer
+ * attributes. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -64,7 +64,7 @@ static void copy_draw(scene *to, const scene_draw *from, const mesh_selection *s
     for (int a = 0; a < GN_MAX_ATTRIBUTES; a++)
         if (d->mesh.attribute[a].data)
             d->mesh.attribute[a].divisor = from->mesh.attribute[a].divisor;
-    /* Arrays have an element for each vertex, and must have one for each instance. */
+    /* Arrays have an element for each vertex, and need one for each instance. */
     d->mesh.instance_count = from->mesh.instance_count < selection->vertex_count
                                  ? from->mesh.instance_count
                                  : selection->vertex_count;
@@ -110,13 +110,13 @@ static bool is_restart(const gn_mesh *mesh, uint32_t i)
            (mesh->restart == GN_RESTART_INDEX ? mesh->restart_index : largest);
 }
 
-/* The elements of the first primitive. */
+/* Keeps the elements of the first primitive. */
 static uint32_t least_elements(gn_topology topology)
 {
     return topology == GN_POINTS ? 1 : topology >= GN_LINES ? 2 : 3;
 }
 
-/* One of the runs of elements between restarts, without the restarts. */
+/* Keeps one of the runs of elements between restarts, without the restarts. */
 static bool separate_runs(shrinking *s, size_t draw)
 {
     const gn_mesh *mesh = &s->best->draws[draw].mesh;
@@ -137,7 +137,7 @@ static bool separate_runs(shrinking *s, size_t draw)
     return false;
 }
 
-/* The drawn elements of a mesh one after the other, without indices. */
+/* Writes out the drawn elements of a mesh, without indices. */
 static bool remove_indices(shrinking *s, size_t draw)
 {
     const gn_mesh *mesh = &s->best->draws[draw].mesh;
@@ -158,7 +158,7 @@ static bool remove_indices(shrinking *s, size_t draw)
     return kept;
 }
 
-/* Separate triangles with the provoking vertex where it was; needs no indices. */
+/* Turns a mesh into separate triangles with the same provoking vertices; needs no indices. */
 static bool separate_triangles(shrinking *s, size_t draw)
 {
     const scene_draw *d = &s->best->draws[draw];
@@ -191,7 +191,7 @@ static bool separate_triangles(shrinking *s, size_t draw)
     return shrink_try(s, candidate);
 }
 
-/* Separate lines; needs no indices. */
+/* Turns a mesh into separate lines; needs no indices. */
 static bool separate_lines(shrinking *s, size_t draw)
 {
     const scene_draw *d = &s->best->draws[draw];
@@ -212,8 +212,8 @@ static bool separate_lines(shrinking *s, size_t draw)
     return shrink_try(s, candidate);
 }
 
-/* The best scene without `length` drawn elements of a draw from `start` on. Where there
- * are indices, only the two ends can go. */
+/* Returns the best scene without `length` drawn elements of a draw, from `start` on. With indices,
+ * only elements at the two ends can be removed. */
 static scene *without_elements(const scene *s, size_t draw, uint32_t start, uint32_t length)
 {
     const gn_mesh *mesh = &s->draws[draw].mesh;
@@ -233,8 +233,8 @@ static scene *without_elements(const scene *s, size_t draw, uint32_t start, uint
     return copy;
 }
 
-/* Leaves out triangles: half of them, a quarter, down to each alone. Strips lose an
- * even number of vertices, so that the windings stay. */
+/* Removes triangles: half of them, a quarter, and so on down to single ones. Strips lose an even
+ * number of vertices, so that the windings stay. */
 static bool remove_triangles(shrinking *s, size_t draw)
 {
     bool progress = false;
@@ -252,7 +252,7 @@ static bool remove_triangles(shrinking *s, size_t draw)
             if (length > mesh->count - start)
                 length = mesh->count - start;
             const bool end = start == 0 || start + length == mesh->count;
-            /* Fewer elements are no primitive: that is for the pass over draws. */
+            /* Fewer elements are no primitive; the pass over draws removes the whole draw. */
             if (mesh->count - length < least || (mesh->index_format != GN_INDEX_NONE && !end)) {
                 start += length;
                 continue;

@@ -43,8 +43,8 @@ bool shrink_sampler(gn_sampler *s, unsigned member, bool *last)
     }
 }
 
-/* A texture with fewer levels, layers or rows, by the step; false where there are none to leave
- * out. The texels that stay are those of the lowest rows, layers and levels. */
+/* Returns a texture with fewer levels, layers or rows, by the step; false if there are none to
+ * remove. The texels that remain are those of the lowest rows, layers and levels. */
 static bool smaller_texture(gn_texture *t, unsigned step)
 {
     const bool has_layers = t->target == GN_TEXTURE_2D_ARRAY || t->target == GN_TEXTURE_3D;
@@ -61,7 +61,7 @@ static bool smaller_texture(gn_texture *t, unsigned step)
     case 3:
         t->height /= 2;
         return t->target != GN_TEXTURE_CUBE && t->height > 0;
-    default: /* as the first level the second */
+    default: /* the second level becomes the first */
         t->level_count = scene_level_count(t) - 1;
         t->width = t->width > 1 ? t->width / 2 : 1;
         t->height = t->height > 1 ? t->height / 2 : 1;
@@ -71,7 +71,7 @@ static bool smaller_texture(gn_texture *t, unsigned step)
     }
 }
 
-/* Whether the other levels' sizes still follow from the first's. */
+/* Whether the sizes of the other levels still follow from the first level's. */
 static bool has_levels(const gn_texture *now, const gn_texture *before)
 {
     for (uint32_t level = 0; level < scene_level_count(now); level++) {
@@ -89,7 +89,7 @@ static void remove_texels(gn_texture *t)
     memset(t, 0, sizeof *t);
 }
 
-/* Maps that a shader may go without. */
+/* Removes maps that a shader may do without. */
 static bool shrink_maps(shrinking *s, size_t draw)
 {
     bool progress = false;

@@ -1,5 +1,5 @@
-/* Scenes that are generated and not drawn, but checked: many more than a gate can draw, for faults
- * of generators that one scene in tens of thousands shows. */
+/* Generates and checks many more scenes than a gate can draw, to find faults of generators that one
+ * scene in tens of thousands shows. */
 #include "valid.h"
 
 #include <inttypes.h>
@@ -26,7 +26,7 @@ static gn_status draw_status(const scene_draw *d)
     return status;
 }
 
-/* Prints the first refused scene and stops there. */
+/* Prints the first refused scene and ends the class. */
 static bool class_is_valid(uint64_t seed, scene_class c, uint64_t scenes)
 {
     gn_status status = GN_OK;
