@@ -1,5 +1,5 @@
-/* 4x4 matrices in double, in which products of stored floats are exact but for
- * 2^-50 of their terms, and bounds on them entry by entry. */
+/* 4x4 matrices in double, whose products of stored floats are exact except for 2^-50 of their
+ * terms, and bounds on the matrices entry by entry. */
 #ifndef DOUBLE_MATRIX_H
 #define DOUBLE_MATRIX_H
 
@@ -9,7 +9,7 @@
 #include <gnomon/mat.h>
 
 #define U 0x1p-24             /* half a last place of 1, the unit of the bounds */
-#define SLACK (1.0 + 0x1p-20) /* what a first-order bound leaves out */
+#define SLACK (1.0 + 0x1p-20) /* covers the terms that a first-order bound leaves out */
 
 typedef struct matrix {
     double m[4][4];

@@ -11,7 +11,7 @@
 #include "random.h"
 #include "scene.h"
 
-/* Bytes of a level that are filled. */
+/* The bytes of a level that the test fills. */
 #define MOST_FILLED ((size_t)1 << 20)
 
 size_t guarded_length(ptrdiff_t stride)
@@ -28,7 +28,7 @@ size_t guarded_span(const gn_texture *t, uint32_t level)
            e.width * gn_format_size(t->format);
 }
 
-/* Memory for a level between pages that may not be read; gives its first byte. */
+/* Allocates memory for a level between pages that may not be read; returns its first byte. */
 static unsigned char *map_level(guarded *g, size_t bytes, bool at_end)
 {
     const size_t page = (size_t)sysconf(_SC_PAGESIZE), whole = (bytes + page - 1) / page * page;
@@ -44,8 +44,8 @@ static unsigned char *map_level(guarded *g, size_t bytes, bool at_end)
     return g->mapping + page + (at_end ? whole - bytes : 0);
 }
 
-/* An element of a texel, or of what lies between: texels' channels are of 0.25 to 0.5 (of sRGB
- * encoded so; of less than 8 bits any), others' above. */
+/* An element of a texel, or of a gap between texels. Channels of texels are 0.25 to 0.5 (in sRGB
+ * the encoding of that; channels of less than 8 bits have any value), those of gaps are greater. */
 static uint32_t element(random_source *r, gn_format format, size_t i, bool is_texel)
 {
     const float number = is_texel ? random_float(r, 0.25f, 0.5f) : NAN;
@@ -105,7 +105,7 @@ bool guarded_map(const gn_texture *shape, uint64_t seed, const bool at_end[GN_MA
     for (uint32_t level = 0; level < scene_level_count(t); level++) {
         const scene_extent e = scene_level_extent(t, level);
         gn_texture_level *const l = &t->level[level];
-        gn_texture_level counted = *l; /* strides that do not count are 0 */
+        gn_texture_level counted = *l; /* strides that have no effect are 0 */
 
         counted.row_stride = e.height > 1 ? l->row_stride : 0;
         counted.layer_stride = e.layers > 1 ? l->layer_stride : 0;

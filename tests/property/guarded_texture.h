@@ -1,5 +1,5 @@
-/* Textures in memory beyond whose ends nothing may be read, with texels that tell themselves from
- * what lies between their rows. */
+/* Textures in memory beyond whose ends nothing may be read. The values of texels differ from those
+ * of the gaps between rows. */
 #ifndef GUARDED_TEXTURE_H
 #define GUARDED_TEXTURE_H
 
@@ -12,16 +12,16 @@ typedef struct guarded {
     size_t mapped;
 } guarded;
 
-/* A stride's magnitude. */
+/* The magnitude of a stride. */
 size_t guarded_length(ptrdiff_t stride);
 
 /* A level's bytes from the first to the last, by its strides. */
 size_t guarded_span(const gn_texture *t, uint32_t level);
 
-/* Puts a texture of that shape and those strides (which do not count where there is one row or
- * layer) into guarded memory, each level at its end or beginning. Texels have channels from 0.25 to
- * 0.5, those of less than 8 bits any; what lies between them is NaN or above. False where some
- * level is too large to be filled: it is 0, and nothing of it is NaN or above. */
+/* Puts a texture of this shape with these strides (which have no effect with one row or layer) into
+ * guarded memory, each level at its end or beginning. Channels of texels are 0.25 to 0.5; those of
+ * less than 8 bits have any value. Gaps hold NaN or greater values. Returns false if some level is
+ * too large to be filled: then that level is 0 and has no gaps of NaN or greater values. */
 bool guarded_map(const gn_texture *shape, uint64_t seed, const bool at_end[GN_MAX_LEVELS],
                  gn_texture *t, guarded memory[GN_MAX_LEVELS]);
 void guarded_unmap(const gn_texture *t, const guarded memory[GN_MAX_LEVELS]);

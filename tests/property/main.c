@@ -1,4 +1,4 @@
-/* The property tests: every suite, from one seed. */
+/* Runs every suite of property tests from one seed. */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>

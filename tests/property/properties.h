@@ -10,8 +10,8 @@
 
 #include <theft.h>
 
-/* Every property of a suite over `trials` random inputs. Prints one line a
- * property and the shrunk counterexamples; returns how many properties failed. */
+/* Run every property of a suite over `trials` random inputs. They print one line per property and
+ * the shrunk counterexamples, and return how many properties failed. */
 int properties_math(uint64_t seed, size_t trials);
 int properties_scalar(uint64_t seed, size_t trials);
 int properties_vectors(uint64_t seed, size_t trials);

@@ -1,4 +1,4 @@
-/* The suite of drawing, in its parts; each returns how many of its properties failed. */
+/* The parts of the suite of drawing; each returns how many of its properties failed. */
 #ifndef PROPERTIES_DRAW_H
 #define PROPERTIES_DRAW_H
 

@@ -1,5 +1,5 @@
-/* Shared edges are drawn once and only once: triangulations of a rectangle, each triangle
- * drawn alone, cover every pixel of the rectangle exactly once and no other. */
+/* Shared edges are drawn once and only once: the triangles of a triangulated rectangle, each drawn
+ * alone, cover every pixel of the rectangle exactly once and no other pixel. */
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,10 +14,9 @@
 #define MAX_TRIANGLES (2 * MAX_CELLS * MAX_CELLS)
 #define MAX_SIDE 64
 
-/* A triangulation in units of 1/256 pixel, so that what snapping does to it is known:
- * nothing. */
+/* A triangulation in units of 1/256 pixel, so that snapping changes nothing. */
 typedef struct mesh {
-    uint32_t width, height; /* of the target, powers of two: placement is exact */
+    uint32_t width, height; /* of the target; powers of two, so that placement is exact */
     int32_t x0, y0, x1, y1; /* the outline */
     uint32_t vertex_count, triangle_count;
     int32_t position[MAX_VERTICES][2];
@@ -31,7 +30,7 @@ static int64_t doubled_area(const mesh *m, const uint32_t *t)
     return (int64_t)(b[0] - a[0]) * (c[1] - a[1]) - (int64_t)(c[0] - a[0]) * (b[1] - a[1]);
 }
 
-/* Whether no triangle is turned over, so that the triangles tile the outline. */
+/* Whether every triangle has the proper winding, so that the triangles tile the outline. */
 static bool tiles(const mesh *m)
 {
     for (uint32_t i = 0; i < m->triangle_count; i++)
@@ -122,7 +121,7 @@ static enum theft_alloc_res make_mesh(struct theft *t, void *env, void **output)
 
     m->width = 8u << random_below(&r, 4);
     m->height = 8u << random_below(&r, 4);
-    /* The outline, sometimes partly outside the viewport; a pixel per cell at least. */
+    /* The outline, sometimes partly outside the viewport, with at least a pixel per cell. */
     const int32_t reach = shape & 1 ? 8 : 0;
     const int32_t low_x = random_between(&r, -reach, (int32_t)m->width - MAX_CELLS - 1);
     const int32_t low_y = random_between(&r, -reach, (int32_t)m->height - MAX_CELLS - 1);

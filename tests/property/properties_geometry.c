@@ -1,6 +1,6 @@
-/* Properties of culling, rays and barycentric coordinates: each answer against the same
- * question asked of the stored floats in long double, with the bounds of the public headers.
- * Half of the boxes, spheres and rays are made to touch, where rounding decides. */
+/* Properties of culling, rays and barycentric coordinates: each answer against the answer computed
+ * from the stored floats in long double, with the bounds of the public headers. Half of the boxes,
+ * spheres and rays are made to touch, so that rounding decides. */
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
@@ -62,8 +62,8 @@ static gn_vec3 narrowed(const wide *v)
 
 /* Planes. */
 
-/* The bound i of clip space as a plane of the stored matrix, its normal of length one; false
- * where the normal is zero, and then only the sign of the offset is kept. */
+/* Bound i of clip space as a plane of the stored matrix, with a normal of length one. Returns false
+ * if the normal is zero; then only the sign of the offset is kept. */
 static bool exact_plane(const gn_mat4 *m, int i, bool zero_to_one, wide plane[4])
 {
     const bool alone = zero_to_one && i == GN_PLANE_NEAR;
@@ -132,8 +132,8 @@ static enum theft_trial_res planes_are_the_bounds(struct theft *t, void *arg)
     return THEFT_TRIAL_PASS;
 }
 
-/* Culling. What is certain of a set whose largest and smallest sums over each plane are given,
- * with the magnitudes of the terms: the answers allowed. */
+/* Culling. For a set, its largest and smallest sums over each plane and the magnitudes of the terms
+ * are given; the result is which answers are allowed. */
 struct sums {
     wide most, least, terms;
 };
@@ -154,7 +154,7 @@ static bool answer_is(gn_containment answer, const struct sums *sums)
                                  : !surely_outside && !surely_inside;
 }
 
-/* A plane's coefficients as the contract of culling counts their magnitudes. */
+/* The magnitudes of a plane's coefficients as the contract of culling counts them. */
 static void counted(const wide plane[4], wide result[4])
 {
     for (int k = 0; k < 4; ++k)
@@ -170,7 +170,7 @@ static enum theft_trial_res boxes_are_culled_safely(struct theft *t, void *arg1,
     if (!make_volume(m, theft_random_bits(t, 1) != 0, &volume))
         return THEFT_TRIAL_SKIP;
 
-    /* The corner farthest along some plane's normal, or against it, and often on it. */
+    /* The corner farthest along some plane's normal, or against it, and often on the plane. */
     const int touched = (int)theft_random_bits(t, 8) % GN_PLANE_COUNT;
     const wide *plane = volume.exact[touched];
     const bool touch = theft_random_bits(t, 2) != 0, behind = theft_random_bits(t, 1) != 0;
@@ -286,7 +286,7 @@ static enum theft_trial_res boxes_hold_their_corners(struct theft *t, void *arg1
     return THEFT_TRIAL_PASS;
 }
 
-/* Matrices: a projection after a view or model, or numbers. */
+/* Matrices: a projection after a view or model, or random numbers. */
 
 static enum theft_trial_res on_projection(struct theft *t, void *arg1, void *arg2, void *arg3,
                                           enum theft_trial_res (*property)(struct theft *, void *,

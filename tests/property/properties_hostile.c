@@ -1,6 +1,6 @@
-/* Draws under any state of any numbers write where they may and nowhere else: pixels of the
- * target inside the scissor, samples that are not disabled, attachments that the shader writes,
- * nothing at all where a status says so. */
+/* Draws under any state with any numbers write only where they may: to pixels of the target inside
+ * the scissor, to samples that are not disabled, to attachments that the shader writes, and nowhere
+ * if a status says so. */
 #include <float.h>
 #include <inttypes.h>
 #include <math.h>
@@ -17,8 +17,8 @@
 #define PADDING 4 /* pixels around the surface and at the end of each row */
 #define GUARD 0x5A
 
-/* Where the samples of a surface are: planes from the lowest address on or from the highest, or
- * the rows of all samples in turn. */
+/* Where the samples of a surface are: planes from the lowest address on or from the highest, or the
+ * rows of all samples in turn. */
 typedef enum layout { PLANES_UP, PLANES_DOWN, ROWS_IN_TURN, LAYOUT_COUNT } layout;
 
 typedef struct hostile {
@@ -27,16 +27,16 @@ typedef struct hostile {
     bool top_down;
     uint32_t samples;
     layout layout;
-    gn_pipeline pipeline; /* short of shaders */
-    gn_mesh mesh;         /* short of pointers */
+    gn_pipeline pipeline; /* without shaders */
+    gn_mesh mesh;         /* without pointers */
     float position[MAX_VERTICES][4];
-    float varying[MAX_VERTICES][4]; /* the first is a point's size too */
+    float varying[MAX_VERTICES][4]; /* the first is also a point's size */
     uint16_t indices[MAX_INDICES];
     gn_backend backend;
-    uint32_t workspace; /* bytes beyond the least */
+    uint32_t workspace; /* bytes beyond the least size */
 } hostile;
 
-/* Numbers that arithmetic goes wrong on, and ordinary ones. */
+/* Numbers with which arithmetic goes wrong, and ordinary ones. */
 static float any_number(random_source *r)
 {
     static const float numbers[] = {0.0f,        1.0f,     16777216.0f, FLT_MAX, FLT_MIN,
@@ -53,7 +53,7 @@ static float any_number(random_source *r)
     }
 }
 
-/* One that a state may have, but for now and then. */
+/* Mostly a number that the state may have. */
 static float state_number(random_source *r, float low, float high)
 {
     const float any = any_number(r);
@@ -87,7 +87,7 @@ static void any_stencil(gn_stencil_face *f, random_source *r)
     f->pass = (gn_stencil_operation)random_below(r, 8);
 }
 
-/* An edge of a scissor: about the target, or as far as numbers go. */
+/* An edge of a scissor: near the target, or as far away as numbers go. */
 static int32_t scissor_edge(random_source *r)
 {
     static const int32_t edges[] = {INT32_MIN, INT32_MIN + 1, INT32_MAX, INT32_MAX - 1, 0, -1};
@@ -95,7 +95,7 @@ static int32_t scissor_edge(random_source *r)
     return random_chance(r, 30) ? edges[random_below(r, 6)] : random_between(r, -10, 45);
 }
 
-/* What becomes of the colours of an attachment. */
+/* How the colours of an attachment are combined. */
 static void any_color_state(gn_pipeline *p, int attachment, random_source *r)
 {
     gn_blend *const blend = &p->color.blend[attachment];
@@ -338,8 +338,8 @@ static bool in_scissor(const gn_scissor *s, uint32_t x, uint32_t y)
            ((int64_t)x >= s->x && (int64_t)x < right && (int64_t)y >= s->y && (int64_t)y < top);
 }
 
-/* Whether every byte but those of pixels in the scissor, of samples that are drawn, or,
- * `untouched`, every byte, is as at first. */
+/* Whether every byte is as at first, except those of pixels in the scissor and of samples that are
+ * drawn; with `untouched`, every byte. */
 static bool guards_hold(const hostile *h, const guarded *g, bool untouched)
 {
     const size_t pixel = gn_format_size(g->surface.format);

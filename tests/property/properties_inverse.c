@@ -1,5 +1,5 @@
-/* Properties of the general inverses: of matrices of every kind, condition and scale, against
- * inverses in long double. Bounds are those of mat.h. */
+/* Properties of the general inverses: matrices of every kind, condition and scale, against inverses
+ * in long double. Bounds are those of mat.h. */
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
@@ -17,20 +17,20 @@ static enum theft_trial_res verdict(bool holds)
     return holds ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
 }
 
-/* Matrices with known singular values: left * diagonal * right, the outer two orthogonal, in
- * double, rounded to float. */
+/* Matrices with known singular values: left * diagonal * right, with orthogonal left and right,
+ * computed in double, rounded to float. */
 
-/* Which of the singular values are large; between, they fall evenly. */
+/* Which of the singular values are large; in between they fall evenly. */
 enum spectrum { EVEN, ONE_LARGE, TWO_LARGE, ONE_SMALL, SPECTRA };
 
 struct made_matrix {
     enum spectrum spectrum;
     int tenths;   /* log10 of the condition, in tenths */
-    int exponent; /* of two: the scale */
+    int exponent; /* exponent of the scale, a power of two */
     gn_mat4 m;
 };
 
-/* Reflections at random planes; none for zero bits. */
+/* Reflections at random planes; zero bits give no reflection. */
 static void turn(struct theft *t, double m[4][4], bool columns, int size)
 {
     for (int i = 0; i < size; ++i) {
@@ -63,7 +63,7 @@ static double singular_value(enum spectrum spectrum, int i, int size, double con
     }
 }
 
-/* The last row and column stay those of the identity for a size of 3. */
+/* For a size of 3 the last row and column stay those of the identity. */
 static void make_spectral(struct theft *t, struct made_matrix *made, int size, int most_tenths)
 {
     double m[4][4] = {{0.0}};
@@ -102,7 +102,7 @@ static void print_matrix(FILE *f, const void *instance, void *env)
         fprintf(f, "%a%c", (double)made->m.m[i / 4][i % 4], i % 4 == 3 ? '\n' : ' ');
 }
 
-/* Inverses in long double, of the leading part. */
+/* Inverses of the leading part in long double. */
 
 struct wide {
     long double m[4][4];
@@ -116,7 +116,8 @@ static struct wide wide_of(const float *columns, int size)
     return w;
 }
 
-/* Gauss and Jordan, with the largest remaining entry as pivot; false where there is none. */
+/* Gauss and Jordan's elimination, with the largest remaining entry as pivot; false if there is
+ * none. */
 static bool invert_wide(struct wide a, int size, struct wide *inverse)
 {
     int rows[4], columns[4];
@@ -199,15 +200,16 @@ static gn_status invert(const float *columns, int size, float *result, float *co
                                       (gn_mat4 *)(void *)result, condition);
 }
 
-/* The matrix as its size's columns, one after the other. */
+/* The matrix as columns of its size, one after the other. */
 static void columns_of(const struct made_matrix *made, int size, float columns[16])
 {
     for (int i = 0; i < size * size; ++i)
         columns[i] = made->m.m[i / size][i % size];
 }
 
-/* The singular values of the rounded matrix are others, so the ratio of the extremes comes from
- * the inverse: the Frobenius norms' product is no less, and at most `size` times as much. */
+/* The rounded matrix has other singular values, so the ratio of the extremes comes from the
+ * inverse: the product of the Frobenius norms is no less than the ratio, and at most `size` times
+ * as much. */
 static enum theft_trial_res inverse_is_exact(const struct made_matrix *made, int size)
 {
     float m[16], got[16], condition;
@@ -246,8 +248,8 @@ static enum theft_trial_res inverse3_is_exact(struct theft *t, void *arg)
     return inverse_is_exact(arg, 3);
 }
 
-/* m * inverse and inverse * m are the identity but for the error of the inverse, and rows and
- * columns may be exchanged before or after. */
+/* m * inverse and inverse * m are the identity within the error of the inverse. Rows and columns
+ * may be exchanged before or after inverting. */
 static enum theft_trial_res inverse_works_both_ways(struct theft *t, void *arg)
 {
     const struct made_matrix *made = arg;
@@ -277,7 +279,7 @@ static enum theft_trial_res inverse_works_both_ways(struct theft *t, void *arg)
     return THEFT_TRIAL_PASS;
 }
 
-/* A power of two times m has that part of the inverse, to the bit, and the same condition. */
+/* The inverse of 2^k m is 2^-k times the inverse of m, to the bit, and the condition is equal. */
 static enum theft_trial_res inverse_knows_no_scale(struct theft *t, void *arg)
 {
     struct made_matrix scaled_up = *(struct made_matrix *)arg;
@@ -295,7 +297,7 @@ static enum theft_trial_res inverse_knows_no_scale(struct theft *t, void *arg)
     return verdict(memcmp(&inverse, &other, sizeof other) == 0 && condition == same);
 }
 
-/* The last column is a sum of whole multiples of the others, or nothing. */
+/* The last column is a sum of whole multiples of the others, or zero. */
 static enum theft_trial_res singular_matrices_are_named(struct theft *t, void *arg)
 {
     (void)arg;
@@ -324,7 +326,7 @@ static enum theft_trial_res singular_matrices_are_named(struct theft *t, void *a
 }
 
 /* Two columns that differ by a power of two, of numbers whose products of products do not fit a
- * double: the sums leave their rounding. */
+ * double: only rounding is left of the sums. */
 static enum theft_trial_res parallel_columns_are_named(struct theft *t, void *arg)
 {
     const float *floats = arg;
@@ -342,7 +344,7 @@ static enum theft_trial_res parallel_columns_are_named(struct theft *t, void *ar
     return THEFT_TRIAL_PASS;
 }
 
-/* Of any bits there is a status, and with GN_OK numbers. */
+/* Any bits give a status; with GN_OK the results are finite numbers. */
 static enum theft_trial_res any_bits_have_an_answer(struct theft *t, void *arg)
 {
     const float *floats = arg;
@@ -368,7 +370,7 @@ static enum theft_trial_res any_bits_have_an_answer(struct theft *t, void *arg)
 }
 
 /* Transforms have analytic inverses. The general inverse of the stored matrix is within its own
- * error of the exact one, and that within E of the analytic. */
+ * error of the exact inverse, which is within E of the analytic one. */
 static enum theft_trial_res inverse_is_analytic(struct theft *t, void *arg)
 {
     const gn_transform *transform = &((struct made *)arg)->transform;

@@ -52,7 +52,7 @@ static enum theft_trial_res products_are_associative(struct theft *t, void *arg1
     if (!within(sum(widened(&left), -1.0, widened(&right)), scaled(12.0 * U, wide3)))
         return THEFT_TRIAL_FAIL;
 
-    /* (a b)^T = b^T a^T: the same products in the same order. */
+    /* (a b)^T = b^T a^T: equal products in equal order. */
     gn_mat4_multiply(&a, &b, &left);
     gn_mat4_transpose(&left, &left);
     gn_mat4_transpose(&a, &transposed);
@@ -91,7 +91,7 @@ static enum theft_trial_res rows_and_traces(struct theft *t, void *arg)
                    fabs((double)gn_mat4_trace(&m4) - trace4) <= 2.0 * U * terms4 * SLACK);
 }
 
-/* Vectors: arrays of components, so that one loop serves three sizes. */
+/* Vectors as arrays of components, so that one loop serves three sizes. */
 
 static bool selects(float got, float a, float b, bool least)
 {
@@ -163,7 +163,7 @@ static enum theft_trial_res rays_follow_the_laws(struct theft *t, void *arg)
                    sqrt(refracted) <= ((8.0 * e + 4.0) + (6.0 * e * e + 1.0) / sqrt(k)) * U);
 }
 
-/* The same vectors with fewer or more components, and distances and angles in double. */
+/* Vectors with fewer or more components, and distances and angles in double. */
 static enum theft_trial_res distances_and_angles(struct theft *t, void *arg)
 {
     const float *f = arg;

@@ -1,5 +1,5 @@
-/* Properties of the mathematics. Bounds are those the public headers state,
- * over products taken in double of the stored floats. */
+/* Properties of the mathematics. Bounds are those of the public headers; products of the stored
+ * floats are computed in double. */
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
@@ -17,8 +17,8 @@ static enum theft_trial_res verdict(bool holds)
 
 /* Inverses. */
 
-/* The bound on |E| the constructor's contract states. `inverse_first` asks for
- * E = inverse * matrix - identity. */
+/* The bound on |E| in the constructor's contract. `inverse_first` selects E = inverse * matrix -
+ * identity. */
 static matrix stated_bound(const struct made *made, bool inverse_first)
 {
     matrix bound = {{{0}}}, m = magnitudes(widened(&made->transform.matrix));
@@ -87,8 +87,8 @@ static enum theft_trial_res composition_has_inverse(struct theft *t, void *arg1,
     return verdict(within(error_of(&both, true), bound));
 }
 
-/* A transform composed with its inversion: both matrices hold the product of the
- * same two, which is the identity but for its own rounding. */
+/* A transform composed with its inversion: both matrices hold the product of the same two, which is
+ * the identity within its own rounding. */
 static enum theft_trial_res inversion_undoes(struct theft *t, void *arg)
 {
     const struct made *made = arg;
@@ -127,8 +127,8 @@ static enum theft_trial_res composition_is_associative(struct theft *t, void *ar
                           scaled(16.0 * U, product(ic, product(ib, ia)))));
 }
 
-/* R^T to the bit, and the translation within its bounds, for a rotation and the numbers
- * of another transform as its translation. */
+/* R^T to the bit, and the translation within its bounds, for a rotation that gets the numbers of
+ * another transform as its translation. */
 static enum theft_trial_res rigid_inverse_is_inverse(struct theft *t, void *arg1, void *arg2)
 {
     gn_transform both = ((struct made *)arg1)->transform;
@@ -162,7 +162,7 @@ static enum theft_trial_res rigid_inverse_is_inverse(struct theft *t, void *arg1
     return THEFT_TRIAL_PASS;
 }
 
-/* What transforms do. */
+/* The effect of transforms. */
 
 /* A small integer, exact in every product below. */
 static float whole(struct theft *t)
@@ -206,7 +206,7 @@ static enum theft_trial_res normals_stay_perpendicular(struct theft *t, void *ar
     return verdict(fabs(dot_in_double(moved_normal, moved_tangent)) <= allowed * SLACK);
 }
 
-/* In double over the stored matrix. */
+/* In double, with the stored matrix. */
 static enum theft_trial_res rotations_keep_lengths(struct theft *t, void *arg)
 {
     const struct made *made = arg;
@@ -239,7 +239,7 @@ static enum theft_trial_res depth_planes_are_kept(struct theft *t, void *arg)
     return THEFT_TRIAL_PASS;
 }
 
-/* Three roundings in the scale and the offset each, of terms given by those. */
+/* Three roundings each in the scale and the offset, of terms made from these. */
 static enum theft_trial_res boxes_go_to_the_cube(struct theft *t, void *arg)
 {
     const struct made *made = arg;
@@ -277,7 +277,7 @@ static enum theft_trial_res scalars_round_correctly(struct theft *t, void *arg)
     return THEFT_TRIAL_PASS;
 }
 
-/* Where the length is a normal float; longer than the largest is infinite. */
+/* If the length is a normal float; a length beyond the largest float is infinite. */
 static bool length_is(float got, const double *v, int count)
 {
     double square = 0.0;
@@ -291,7 +291,7 @@ static bool length_is(float got, const double *v, int count)
                                    (isinf(got) && length > 0x1.fffff0p127);
 }
 
-/* Its length, and each component of v / |v|, however unlike their exponents are. */
+/* The length of v, and each component of v / |v|, however different their exponents are. */
 static bool direction_is(const double *got, const double *v, int count)
 {
     const double bound = (count / 2.0 + 2.0) * U;
@@ -338,8 +338,8 @@ static enum theft_trial_res lengths_and_directions(struct theft *t, void *arg)
     return THEFT_TRIAL_PASS;
 }
 
-/* The determinant of the leading part of a, in double; with `permanent`, every
- * term taken positive. */
+/* The determinant of the leading part of a, in double; with `permanent`, every term counts as
+ * positive. */
 static double determinant(const matrix *a, int size, bool permanent)
 {
     int order[4] = {0, 1, 2, 3};
@@ -390,8 +390,8 @@ static enum theft_trial_res products_and_determinants(struct theft *t, void *arg
                        9.0 * U * determinant(&wide, 4, true) * SLACK);
 }
 
-/* Many vectors by one matrix, on every back end: the bits of the function for one vector,
- * for any bits of the operands; a NaN may be another. */
+/* Many vectors by one matrix, on every back end: the bits of the function for one vector, for any
+ * bits of the operands, except that a NaN may be another NaN. */
 
 static bool same_floats(const float *a, const float *b, size_t count)
 {

@@ -1,5 +1,5 @@
-/* Draws write where they may and nowhere else: within the viewport and the target,
- * whatever the vertices hold, in surfaces with rows going either way. */
+/* Draws write only where they may: within the viewport and the target, whatever the vertices hold,
+ * in surfaces with rows in either direction. */
 #include <float.h>
 #include <inttypes.h>
 #include <math.h>
@@ -25,7 +25,7 @@ typedef struct hostile {
     float position[3 * MAX_TRIANGLES][4];
 } hostile;
 
-/* Numbers that arithmetic goes wrong on, and ordinary ones. */
+/* Numbers with which arithmetic goes wrong, and ordinary ones. */
 static float hostile_number(random_source *r, bool finite)
 {
     const float sign = random_chance(r, 50) ? 1.0f : -1.0f;
@@ -132,7 +132,7 @@ static guarded guarded_surface(const hostile *h, gn_format format)
     return g;
 }
 
-/* Whether a pixel's centre lies in the viewport, or within what snapping moves it. */
+/* Whether a pixel's centre lies in the viewport, or as near to it as snapping moves vertices. */
 static bool in_viewport(const gn_viewport *v, uint32_t x, uint32_t y)
 {
     const double slack = 1.0 / 128.0, cx = x + 0.5 - (double)v->x, cy = y + 0.5 - (double)v->y;
@@ -140,8 +140,8 @@ static bool in_viewport(const gn_viewport *v, uint32_t x, uint32_t y)
            cy <= (double)v->height + slack;
 }
 
-/* Every byte that is not of a pixel must be as `before`; with `clipped`, those of
- * pixels outside the viewport too; with `untouched`, all. */
+/* Every byte outside pixels must be as `before`; with `clipped`, the bytes of pixels outside the
+ * viewport too; with `untouched`, all bytes. */
 static bool guards_hold(const guarded *g, const unsigned char *before, const hostile *h,
                         bool untouched, bool clipped)
 {
@@ -167,8 +167,8 @@ static bool guards_hold(const guarded *g, const unsigned char *before, const hos
     return hold;
 }
 
-/* Whether all vertices are finite, a w of +infinity aside: such a vertex may lie inside
- * all planes, at the middle of the view, and is then drawn. */
+/* Whether all vertices are finite. A w of +infinity is allowed: such a vertex may be inside all
+ * planes, at the middle of the view, and is then drawn. */
 static bool is_drawable(const float position[3][4])
 {
     for (int v = 0; v < 3; v++)
@@ -230,8 +230,8 @@ static bool draw_guarded(const hostile *h, const guarded *color, const guarded *
     return status == GN_OK;
 }
 
-/* Beyond such magnitudes a clip against z may move x and y by pixels: as the reference
- * does, the pixels are then drawn wherever they are within the target. */
+/* With greater magnitudes, clipping against z may move x and y by pixels. Then, as in the
+ * reference, the pixels are drawn wherever they are within the target. */
 static bool is_ordinary(const float position[3][4])
 {
     for (int v = 0; v < 3; v++)

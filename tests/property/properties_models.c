@@ -1,6 +1,6 @@
-/* Properties of frames, affine maps, model matrices and views of either hand, of the
- * inverses of bare matrices, and of decomposition. Bounds are those of the public
- * headers; expected values come from long double. */
+/* Properties of frames, affine maps, model matrices, views of either handedness, inverses of bare
+ * matrices, and decomposition. Bounds are those of the public headers; expected values come from
+ * long double. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -19,8 +19,8 @@ static enum theft_trial_res verdict(bool holds)
 
 /* Random models. */
 
-/* The parts of a model matrix, and a general 3x3 matrix, now and then nearly or
- * exactly singular, or with a minor in which all leading digits cancel. */
+/* The parts of a model matrix, and a general 3x3 matrix, which now and then is nearly or exactly
+ * singular, or has a minor in which all leading digits cancel. */
 struct model {
     gn_vec3 translation, scale;
     gn_mat3 rotation, linear;
@@ -86,7 +86,7 @@ static void print(FILE *f, const void *instance, void *env)
     }
 }
 
-/* 3x3 matrices in double, as 4x4 ones with nothing around them. */
+/* 3x3 matrices in double, as 4x4 matrices whose other entries are zero. */
 
 static matrix upper(matrix m)
 {
@@ -117,7 +117,7 @@ static matrix transposed(matrix a)
     return result;
 }
 
-/* factor * |v|, as the translation of a matrix of bounds that is m elsewhere. */
+/* factor * |v| as the translation of a matrix of bounds, whose other entries are m's. */
 static matrix with_offset(matrix m, matrix factor, const float *v)
 {
     for (int row = 0; row < 3; ++row) {
@@ -128,10 +128,10 @@ static matrix with_offset(matrix m, matrix factor, const float *v)
     return m;
 }
 
-/* What the bounds of affine matrices are made of. */
+/* The bounds of affine matrices are made of these. */
 struct affine_bounds {
-    matrix forward, backward; /* on the upper-left of m * inverse and inverse * m */
-    double rounding;          /* u of |L||L^-1|, in `forward` and the translation's own */
+    matrix forward, backward; /* on the upper left of m * inverse and inverse * m */
+    double rounding;          /* u of |L||L^-1|, in `forward` and in the translation */
 };
 
 static bool inverts_affinely(const gn_mat4 *m, const gn_mat4 *inverse,
@@ -149,7 +149,7 @@ static bool inverts_affinely(const gn_mat4 *m, const gn_mat4 *inverse,
                   with_offset(b->backward, scaled(3.0 * U, inverse_size), offset));
 }
 
-/* What the stored floats of r lack to be a rotation: |R R^T - I| and |R^T R - I|. */
+/* How far the stored floats of r are from a rotation: |R R^T - I| and |R^T R - I|. */
 static void lacks(matrix r, matrix *forward, matrix *backward)
 {
     *forward = magnitudes(sum(product(r, transposed(r)), -1.0, one3()));
@@ -193,7 +193,7 @@ static enum theft_trial_res orthonormal_frames(struct theft *t, void *arg)
                    inverts_affinely(&frame.matrix, &frame.inverse, &bounds));
 }
 
-/* The matrix is T R S; the inverse of the pair and that of the bare matrix. */
+/* The matrix is T R S; its inverse in the pair, and the inverse of the bare matrix. */
 static enum theft_trial_res models_have_inverses(struct theft *t, void *arg)
 {
     const struct model *model = arg;
@@ -242,8 +242,9 @@ static enum theft_trial_res models_have_inverses(struct theft *t, void *arg)
     return verdict(inverts_affinely(&both.matrix, &bare, &bounds));
 }
 
-/* The adjugate and the determinant of floats: products of two are exact in double, so that a
- * minor is rounded once to 53 bits. Gives |determinant| over the permanent of magnitudes. */
+/* The adjugate and the determinant of floats. Products of two floats are exact in double, so a
+ * minor is rounded once to 53 bits. Returns |determinant| divided by the permanent of
+ * magnitudes. */
 static double exact_inverse(const gn_mat3 *a, long double inverse[3][3])
 {
     long double determinant = 0.0L, permanent = 0.0L;
@@ -266,8 +267,8 @@ static double exact_inverse(const gn_mat3 *a, long double inverse[3][3])
     return (double)(fabsl(determinant) / permanent);
 }
 
-/* Every entry within u + 2^-50 k of itself, and singular where k is above 2^48, a
- * sixteenth of which is left to the rounding of the determinant. */
+/* Every entry within a relative error of u + 2^-50 k, and singular if k is above 2^48; a sixteenth
+ * of that is left to the rounding of the determinant. */
 static enum theft_trial_res affine_maps_have_inverses(struct theft *t, void *arg)
 {
     const struct model *model = arg;
@@ -308,8 +309,8 @@ static enum theft_trial_res affine_maps_have_inverses(struct theft *t, void *arg
     return verdict(inverts_affinely(&m, &inverse, &bounds));
 }
 
-/* Translation to the bit; entries within 2 u; a proper rotation; and the parts that went in,
- * up to the sign of two axes. */
+/* The translation to the bit, entries within 2 u, a proper rotation, and the parts that were
+ * composed, up to the sign of two axes. */
 static enum theft_trial_res models_can_be_decomposed(struct theft *t, void *arg)
 {
     const struct model *model = arg;
@@ -331,7 +332,7 @@ static enum theft_trial_res models_can_be_decomposed(struct theft *t, void *arg)
     for (int i = 0; i < 3; ++i) {
         const gn_vec3 axis = column_of(&rotation, i);
         const double x = (double)axis.x, y = (double)axis.y, z = (double)axis.z;
-        /* The columns of what gn_rotate_axis makes are within 30 u of length one. */
+        /* The columns of gn_rotate_axis's result are within 30 u of length one. */
         if (!(fabs(sqrt(x * x + y * y + z * z) - 1.0) <= 4.0 * U) ||
             !(fabs(fabs((double)got[i] / (double)s[i]) - 1.0) <= 36.0 * U))
             return THEFT_TRIAL_FAIL;
@@ -344,7 +345,7 @@ static enum theft_trial_res models_can_be_decomposed(struct theft *t, void *arg)
     return THEFT_TRIAL_PASS;
 }
 
-/* A sheared model is refused, from the tolerance on. */
+/* A sheared model is refused if the shear exceeds the tolerance. */
 static enum theft_trial_res shear_is_seen(struct theft *t, void *arg)
 {
     const struct model *model = arg;
@@ -356,13 +357,13 @@ static enum theft_trial_res shear_is_seen(struct theft *t, void *arg)
         sheared.m[to][row] += (float)shear * sheared.m[from][row];
     const gn_mat4 m = affine_matrix(&sheared, model->translation);
     const gn_status status = gn_mat4_decompose_trs(&m, &translation, &rotation, &scale);
-    /* The cosine is the shear within 60 u: that of the rotation, and roundings. */
+    /* The cosine is the shear within 60 u: the error of the rotation, and roundings. */
     return verdict(shear > 0x1p-16 + 60.0 * U   ? status == GN_OUT_OF_RANGE
                    : shear < 0x1p-16 - 60.0 * U ? status == GN_OK
                                                 : true);
 }
 
-/* Views: bounds of the inverse, and the same camera by hand and by target. */
+/* Views: bounds of the inverse, and cameras built by hand and by target are equal. */
 static enum theft_trial_res views_agree(struct theft *t, void *arg)
 {
     const float *f = arg;
@@ -390,7 +391,7 @@ static enum theft_trial_res views_agree(struct theft *t, void *arg)
             !within(sum(product(inverse, m), -1.0, identity()), bound))
             return THEFT_TRIAL_FAIL;
     }
-    /* Of the mirrored world. */
+    /* In the mirrored world. */
     if (gn_look_to_rh(eye, direction, up, &views[0]) != GN_OK)
         return THEFT_TRIAL_SKIP;
     if (gn_look_to_lh(mirrored_eye, mirrored_direction, mirrored_up, &mirrored) != GN_OK ||
@@ -404,7 +405,7 @@ static enum theft_trial_res views_agree(struct theft *t, void *arg)
     return THEFT_TRIAL_PASS;
 }
 
-/* The minor of m without a row and a column. */
+/* The minor of m without one row and one column. */
 static long double minor3(const gn_mat4 *m, int row, int column)
 {
     long double a[3][3], total = 0.0L;
@@ -435,9 +436,9 @@ static bool general_inverse(const gn_mat4 *m, matrix *inverse)
     return determinant != 0.0L;
 }
 
-/* X - M^-1 = M^-1 (M X - I): the inverse of every kind of transform is the general one, within
- * |M^-1| times the error E, and E is no more than 60 u, the largest of the contracts, of the
- * terms it is summed from, which for rotations are measured by the length of a row. */
+/* X - M^-1 = M^-1 (M X - I). So the inverse of every kind of transform equals the general inverse
+ * within |M^-1| times the error E. E is at most 60 u, the largest bound of the contracts, of the
+ * terms that it is summed from; for rotations these are measured by the length of a row. */
 static enum theft_trial_res analytic_is_general(struct theft *t, void *arg)
 {
     const struct made *made = arg;

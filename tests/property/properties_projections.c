@@ -1,6 +1,6 @@
-/* Properties of projections, viewports and what leads from one convention to
- * another. Expected values come from the definition of the volume, bounds from the
- * public headers; sums are taken in double of the stored floats. */
+/* Properties of projections, viewports and the transforms between conventions. Expected values come
+ * from the definition of the volume, bounds from the public headers; sums of the stored floats are
+ * computed in double. */
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
@@ -22,7 +22,7 @@ static matrix error_of(matrix a, matrix b)
     return sum(product(a, b), -1.0, identity());
 }
 
-/* |E| <= factor u |M||M^-1|, and with the factors exchanged. */
+/* |E| <= factor u |M||M^-1|, for both orders of the product. */
 static bool inverts(const gn_mat4 *a, const gn_mat4 *b, double factor)
 {
     const matrix m = widened(a), inverse = widened(b);
@@ -31,8 +31,8 @@ static bool inverts(const gn_mat4 *a, const gn_mat4 *b, double factor)
            within(error_of(inverse, m), scaled(factor * U, product(inverse_size, m_size)));
 }
 
-/* The pair's inverse, and the one from the entries of the matrix, also of one whose
- * clip w is scaled. */
+/* The inverse in the pair, and the inverse computed from the matrix's entries, also for a matrix
+ * whose clip w is scaled. */
 static enum theft_trial_res projections_have_inverses(struct theft *t, void *arg)
 {
     const struct projection *p = arg;
@@ -58,8 +58,8 @@ static void depths_of(struct convention c, double depths[2])
     depths[!c.reversed] = 1.0;
 }
 
-/* The eight corners of a volume, those at infinity as directions, go to the corners
- * of the clip volume, within the bounds of each coordinate. */
+/* The eight corners of a volume, those at infinity as directions, become the corners of the clip
+ * volume, within the bounds of each coordinate. */
 static enum theft_trial_res corners_go_to_corners(struct theft *t, void *arg)
 {
     const struct projection *p = arg;
@@ -103,7 +103,7 @@ static enum theft_trial_res corners_go_to_corners(struct theft *t, void *arg)
     return THEFT_TRIAL_PASS;
 }
 
-/* Viewports: -1 and 1 go to the borders named, there and back. */
+/* Viewports: -1 and 1 become the named borders, and back. */
 static enum theft_trial_res viewports_fill_windows(struct theft *t, void *arg)
 {
     static gn_status (*const viewports[4])(float, float, float, float, float, float,
@@ -157,8 +157,8 @@ static struct camera camera_of(const float *f)
     return camera;
 }
 
-/* A way to the window: the projection in a convention, with transforms before and
- * after it, and the viewport. */
+/* A way to the window: the projection in a convention, with transforms before and after it, and the
+ * viewport. */
 enum step { NOTHING, FLIP_Y, FLIP_Z, NO_TO_ZO, ZO_TO_NO, REVERSE_ZO };
 
 struct route {
@@ -236,7 +236,7 @@ static gn_status follow(const struct route *route, const struct projection *p,
                 : gn_viewport_no)(c->x, c->y, c->width, c->height, first, last, &stages->viewport);
 }
 
-/* Window coordinates of a point of view space, y up, from the planes alone. */
+/* Window coordinates of a point of view space, y up, computed from the planes alone. */
 static void window_of(const struct projection *p, const struct camera *c, const double view[3],
                       double window[3])
 {
@@ -262,17 +262,17 @@ static void column(const matrix *m, const double v[4], double result[4])
     }
 }
 
-/* How far errors e of the coordinates c move c / c.w: to first order, and with `division`
- * for the rounding of the division itself. */
+/* How far errors e of the coordinates c move c / c.w, to first order; `division` is for the
+ * rounding of the division itself. */
 static double divided_error(const double c[4], const double e[4], int axis, double division)
 {
     const double quotient = fabs(c[axis] / c[3]);
     return (e[axis] + quotient * e[3]) / fabs(c[3]) + division * U * quotient;
 }
 
-/* The same camera gives the same pixels in every convention. 32 u of the terms is what
- * rounding the entries (3 u at most each), composing the step, the view and the projection and
- * transforming the point may come to. */
+/* One camera gives equal pixels in every convention. The error is at most 32 u of the terms:
+ * rounding the entries (3 u at most each), composing the step, the view and the projection, and
+ * transforming the point. */
 static enum theft_trial_res conventions_agree(struct theft *t, void *arg1, void *arg2)
 {
     const struct projection *p = arg1;
@@ -399,8 +399,8 @@ static enum theft_trial_res projecting_can_be_undone(struct theft *t, void *arg1
               divided_error(lifted, error, axis, 2.0) * (1.0 + 0x1p-8)))
             return THEFT_TRIAL_FAIL;
 
-    /* The point itself: (I + E) (p, 1) / w, E being what the inverse lacks, and the inverse of
-     * what projecting was off by. */
+    /* The point itself: (I + E) (p, 1) / w, where E is the error of the inverse, and the inverse of
+     * the error of projecting. */
     const matrix lacking = magnitudes(error_of(inverse, m));
     double whole[4], projected[4];
     for (int axis = 0; axis < 3; ++axis)
@@ -420,7 +420,7 @@ static enum theft_trial_res projecting_can_be_undone(struct theft *t, void *arg1
     return THEFT_TRIAL_PASS;
 }
 
-/* Clip coordinates of any floats: a status, or a quotient within two roundings. */
+/* Clip coordinates of any floats give a status, or a quotient within two roundings. */
 static enum theft_trial_res division_is_right(struct theft *t, void *arg)
 {
     const float *f = arg;

@@ -1,5 +1,4 @@
-/* Properties of quaternions, against the same formulas in long double. Bounds are those of
- * quat.h. */
+/* Properties of quaternions, against the formulas in long double. Bounds are those of quat.h. */
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
@@ -61,7 +60,7 @@ static struct wide4 unit(struct wide4 a)
     return combined(1.0L / length(a), a, 0.0L, a);
 }
 
-/* The largest difference of components. */
+/* The largest difference of any component. */
 static long double apart(struct wide4 a, struct wide4 b)
 {
     long double most = 0.0L;
@@ -121,7 +120,7 @@ static enum theft_trial_res axis_and_angle(struct theft *t, void *arg)
     exact.c[3] = cosl(half);
     if (apart(exact, wide_quat(q)) > 5.0L * UL)
         return THEFT_TRIAL_FAIL;
-    /* The rotation of transform.h: each is within 25 u of the exact one. */
+    /* The rotation of transform.h: each entry is within 25 u of the exact one. */
     if (gn_rotate_axis(axis, f[3], &turn) != GN_OK || gn_quat_to_mat3(q, &m) != GN_OK)
         return THEFT_TRIAL_FAIL;
     for (int i = 0; i < 9; ++i)
@@ -155,7 +154,7 @@ static enum theft_trial_res matrices_are_rotations(struct theft *t, void *arg)
     return verdict(memcmp(&m, &part, sizeof m) == 0 && near_rotation(&m, q, 17.0L * UL, 8.0L * UL));
 }
 
-/* Matrix and back, also of one that lacks a little to be a rotation. */
+/* To the matrix and back, also for a matrix that is not quite a rotation. */
 static enum theft_trial_res matrices_give_quaternions(struct theft *t, void *arg)
 {
     const float *f = arg;
@@ -185,7 +184,7 @@ static enum theft_trial_res matrices_give_quaternions(struct theft *t, void *arg
     if (!near_rotation(&m, q, bound, bound))
         return THEFT_TRIAL_FAIL;
 
-    /* What is no rotation: a reflection, a scaling. */
+    /* Matrices that are not rotations: a reflection, a scaling. */
     gn_mat3 reflected = m, larger = m;
     gn_quat untouched = q;
     const int column = (int)(theft_random_bits(t, 8) % 3);
@@ -198,7 +197,7 @@ static enum theft_trial_res matrices_give_quaternions(struct theft *t, void *arg
                    memcmp(&untouched, &q, sizeof q) == 0);
 }
 
-/* A direction anywhere, or near the first, or opposite to it. */
+/* A direction anywhere, near the first, or opposite to it. */
 static gn_vec3 another(struct theft *t, gn_vec3 a, const float *f)
 {
     const unsigned kind = (unsigned)theft_random_bits(t, 2);
@@ -266,7 +265,7 @@ static enum theft_trial_res products_compose(struct theft *t, void *arg)
         if (!(fabsl(product.c[i] - sum) <= 4.0L * UL * terms * (1.0L + 0x1p-20L)))
             return THEFT_TRIAL_FAIL;
     }
-    /* q * inverse = 1, every component of which is off by 9 u and the rounding of a product. */
+    /* q * inverse = 1; every component is off by at most 9 u and the rounding of a product. */
     if (gn_quat_invert(a, &back) != GN_OK)
         return THEFT_TRIAL_FAIL;
     const struct wide4 square = {{0.0L, 0.0L, 0.0L, 1.0L}};
@@ -282,8 +281,8 @@ static enum theft_trial_res products_compose(struct theft *t, void *arg)
     const long double bound = 22.0L * UL * length(w);
     if (!(length(combined(1.0L, wide_vec(turned), -1.0L, once)) <= bound))
         return THEFT_TRIAL_FAIL;
-    /* b and then a; the product of unit quaternions is off by 8 u, twice that in the vector, and
-     * its length by 11 u and 8 u. */
+    /* First b, then a. The product of unit quaternions is off by 8 u, twice that in the vector; its
+     * length is off by 11 u and 8 u. */
     const gn_vec3 both = gn_quat_rotate(gn_quat_multiply(a, b), v);
     const gn_vec3 after = gn_quat_rotate(a, turned);
     const struct wide4 difference = combined(1.0L, wide_vec(both), -1.0L, wide_vec(after));
@@ -293,7 +292,7 @@ static enum theft_trial_res products_compose(struct theft *t, void *arg)
     return verdict(length(combined(1.0L, wide_vec(home), -1.0L, w)) <= 2.01L * bound);
 }
 
-/* Both paths. Where the dot product is all rounding, either half space is right. */
+/* Both paths. If the dot product is nothing but rounding, either half space is right. */
 static enum theft_trial_res paths_are_followed(struct theft *t, void *arg)
 {
     const float *f = arg;
@@ -332,7 +331,7 @@ static enum theft_trial_res paths_are_followed(struct theft *t, void *arg)
             10.0L * UL)
         return THEFT_TRIAL_FAIL;
 
-    /* The ends, the other sign, and the angle passed in between. */
+    /* The ends, the other sign, and the angle in between. */
     gn_quat opposite = {-b.x, -b.y, -b.z, -b.w};
     if (gn_quat_slerp(a, b, 0.0f, &first) != GN_OK || gn_quat_slerp(a, b, 1.0f, &last) != GN_OK ||
         gn_quat_slerp(a, opposite, time, &same) != GN_OK || memcmp(&same, &r, sizeof r) != 0 ||
@@ -350,7 +349,7 @@ static bool finite_quat(gn_quat q)
     return isfinite(q.x) && isfinite(q.y) && isfinite(q.z) && isfinite(q.w);
 }
 
-/* Every component of conjugate(q) / |q|^2, however unlike their exponents are. */
+/* Every component of conjugate(q) / |q|^2, however different the exponents are. */
 static bool inverse_is(gn_quat inverse, gn_quat q)
 {
     const struct wide4 got = wide_quat(inverse), from = wide_quat(gn_quat_conjugate(q));
@@ -362,7 +361,7 @@ static bool inverse_is(gn_quat inverse, gn_quat q)
     return true;
 }
 
-/* Every function returns a status for any bits, and with GN_OK its results are numbers. */
+/* Every function returns a status for any bits; with GN_OK its results are finite numbers. */
 static enum theft_trial_res any_bits_have_an_answer(struct theft *t, void *arg)
 {
     const float *f = arg;

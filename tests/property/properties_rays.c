@@ -1,6 +1,6 @@
-/* Properties of rays and barycentric coordinates: each answer against the same question asked
- * of the stored floats in long double, with the bounds of ray.h. Half of the rays and points
- * are aimed at edges and corners, where rounding decides, and many triangles are slivers. */
+/* Properties of rays and barycentric coordinates: each answer against the answer computed from the
+ * stored floats in long double, with the bounds of ray.h. Half of the rays and points are aimed at
+ * edges and corners, where rounding decides, and many triangles are slivers. */
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
@@ -52,7 +52,7 @@ static triple positive(triple a)
     return a;
 }
 
-/* The cross product; with sign = 1, every term taken positive if a and b are. */
+/* The cross product; with sign = 1, every term is positive if a and b are. */
 static triple crossed(triple a, triple b, wide sign)
 {
     triple c;
@@ -88,7 +88,7 @@ static wide permanent(triple a, triple b, triple c)
     return dot(positive(a), positive_cross(b, c));
 }
 
-/* A weight of a corner: 0, 1, or about between them. */
+/* A weight of a corner: 0, 1, or roughly between them. */
 static wide some_weight(struct theft *t)
 {
     switch (theft_random_bits(t, 2)) {
@@ -101,7 +101,7 @@ static wide some_weight(struct theft *t)
     }
 }
 
-/* A triangle of the numbers, often a sliver: c almost on the line through a and b. */
+/* A triangle of these numbers, often a sliver: c is almost on the line through a and b. */
 struct triangle {
     gn_vec3 a, b, c;
     triple from, to_b, to_c; /* a, b - a, c - a */
@@ -122,14 +122,14 @@ static struct triangle some_triangle(struct theft *t, const float *f)
     return tri;
 }
 
-/* A point of its plane, in the triangle or near it. */
+/* A point of the triangle's plane, in the triangle or near it. */
 static triple some_point(struct theft *t, const struct triangle *tri)
 {
     const triple on_side = added(tri->from, some_weight(t), tri->to_b);
     return added(on_side, some_weight(t), tri->to_c);
 }
 
-/* A quotient of two determinants and what the contract allows it to be off by. */
+/* A quotient of two determinants, and the error that the contract allows. */
 struct quotient {
     wide value, error;
 };
@@ -149,7 +149,7 @@ static bool near(float got, struct quotient q)
     return fabsl((wide)got - q.value) <= q.error;
 }
 
-/* The same point from both descriptions of a hit, within their errors. */
+/* Both descriptions of a hit give one point, within their errors. */
 static bool same_point(const gn_ray *ray, const struct triangle *tri, const gn_ray_hit *hit,
                        const struct quotient q[3])
 {
@@ -208,8 +208,8 @@ static enum theft_trial_res triangles_are_hit(struct theft *t, void *arg)
 
 /* Boxes. */
 
-/* The numbers as a box and a ray, components of whose direction are zero at times, and which
- * often is aimed at a corner, an edge or a face. */
+/* The numbers as a box and a ray. Components of the ray's direction are zero at times; the ray is
+ * often aimed at a corner, an edge or a face. */
 static gn_ray some_ray(struct theft *t, const float *f, gn_box *box)
 {
     float *const low = &box->min.x, *const high = &box->max.x;
@@ -232,9 +232,9 @@ static gn_ray some_ray(struct theft *t, const float *f, gn_box *box)
     return ray;
 }
 
-/* A ray that meets an edge or a corner at t = (1 + j * 2^-shift) * scale exactly, though the
- * differences of the coordinates are no floats; or misses it by some u. Of the three slabs it
- * enters some and leaves the others there. */
+/* A ray that meets an edge or a corner at t = (1 + j * 2^-shift) * scale exactly, although the
+ * differences of the coordinates are not floats; or misses it by some u. At that place it enters
+ * some of the three slabs and leaves the others. */
 static gn_ray touching_ray(struct theft *t, gn_box *box)
 {
     float *const low = &box->min.x, *const high = &box->max.x;
@@ -374,7 +374,7 @@ static enum theft_trial_res weights_are_in_space(struct theft *t, void *arg)
 
 /* Rays through pixels, over the stored inverses as ray.h does it. */
 
-/* The first three rows of m times (v, w), or with `positive` the sum of magnitudes. */
+/* The first three rows of m times (v, w); with `positive`, the sum of magnitudes. */
 static triple times(const gn_mat4 *m, triple v, wide w, bool positive_terms)
 {
     triple result;
@@ -406,7 +406,7 @@ static bool within3(triple error, triple bound)
     return true;
 }
 
-/* A viewport at the origin and a pixel within, or at least near it. */
+/* A viewport at the origin and a pixel in it, or at least near it. */
 static void some_pixel(struct theft *t, const struct made *window, gn_transform *viewport,
                        float *column, float *row)
 {

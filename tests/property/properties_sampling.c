@@ -1,5 +1,5 @@
-/* What sampling must give whatever the texture: one place at a time what sixteen give, the texel at
- * its centre, and of a constant texture the constant. */
+/* Properties of sampling that hold for every texture: a lookup of one place equals the lookup of
+ * sixteen, a texel's centre gives the texel, and a constant texture gives the constant. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
@@ -11,7 +11,7 @@
 #include "random_textures.h"
 #include "scene.h"
 
-/* The seed of all that is random in a trial. */
+/* The seed of everything random in a trial. */
 static enum theft_alloc_res make_seed(struct theft *t, void *env, void **output)
 {
     uint64_t *seed = malloc(sizeof *seed);
@@ -30,7 +30,7 @@ static void print_seed(FILE *f, const void *instance, void *env)
     fprintf(f, "seed of the trial %" PRIu64 "\n", *(const uint64_t *)instance);
 }
 
-/* A texture with its texels, which the caller frees. All are alike where `constant`. */
+/* A texture with its texels, which the caller frees; with `constant` all texels are equal. */
 static gn_texture random_texture(random_source *r, bool constant)
 {
     gn_texture t = random_texture_shape(r, 24);
@@ -79,10 +79,10 @@ static enum theft_trial_res verdict(bool good)
     return good ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
 }
 
-/* Whether places do not look at those beside them. Otherwise, where one of four places is filtered
- * linearly, so are the other three, a nearest texel with the weight 1; and a cube's corner changes
- * the order of their sums: a rounding or two of texels up to 1, of coordinates that are not beyond
- * the integers. */
+/* Whether places do not affect their neighbours. Otherwise, if one of four places is filtered
+ * linearly, so are the other three, whose nearest texel gets the weight 1; and a cube's corner
+ * changes the order of their sums. That changes results by a rounding or two of texels up to 1, if
+ * coordinates are not beyond the integers. */
 static bool stand_alone(const gn_texture *t, const gn_sampler *s)
 {
     const bool minifies_linearly = s->minify == GN_MINIFY_LINEAR ||
@@ -110,8 +110,8 @@ static enum theft_trial_res one_place_is_one_of_sixteen(struct theft *theft, voi
     (void)theft;
     for (int l = 0; l < GN_LANES; l++) {
         for (int c = 0; c < 3; c++)
-            /* Never on a texel's border, where places beside each other choose as they like, nor,
-             * by the offsets of their own, on an edge of a cube. */
+            /* Never on a texel's border, where neighbouring places choose independently, nor,
+             * because each has its own offset, on an edge of a cube. */
             coordinate[c][l] = is_tame
                                    ? ((float)random_between(&r, -2048, 3071) + offset[c]) / 1024.0f
                                    : random_hostile_number(&r);
@@ -131,7 +131,7 @@ static enum theft_trial_res one_place_is_one_of_sixteen(struct theft *theft, voi
     return verdict(good);
 }
 
-/* A texel's number on a repeat of the texture. */
+/* The number of a texel on a repeat of the texture. */
 static int32_t repeated(gn_wrap wrap, int32_t number, int32_t size, int32_t repeat)
 {
     return wrap == GN_WRAP_MIRRORED_REPEAT && repeat % 2 ? size - 1 - number : number;

@@ -1,5 +1,6 @@
-/* Properties of the scalar functions, for any bits of the arguments, beside the C library's in
- * double: what make exhaustive shows for all arguments of one, and functions of two. */
+/* Properties of the scalar functions, for any bits of the arguments, against the C library's in
+ * double: what `make exhaustive` checks for all arguments of functions of one, and functions of two
+ * arguments. */
 #include <math.h>
 #include <string.h>
 
@@ -9,8 +10,8 @@
 #include "properties.h"
 #include "random_inputs.h"
 
-/* Whether `got` is a float that the exact value rounds to, which `near` is within
- * `relative` of; signs of zeros and infinities too. */
+/* Whether the exact value may round to the float `got`, if `near` is within a relative error of
+ * `relative`; signs of zeros and infinities count too. */
 static bool rounds(float got, double near, double relative)
 {
     if (isnan(near) || isinf(near) || near == 0.0)
@@ -46,13 +47,13 @@ static enum theft_trial_res functions_of_two(struct theft *t, void *arg)
     return THEFT_TRIAL_PASS;
 }
 
-/* The same bits, or any NaN for a NaN. */
+/* Equal bits, or any NaN for a NaN. */
 static bool same(float got, float expected)
 {
     return memcmp(&got, &expected, sizeof got) == 0 || (isnan(got) && isnan(expected));
 }
 
-/* x - floor(x) in double is exact or, as a sum rounded to float again, as if rounded once. */
+/* x - floor(x) in double is exact, or the sum, rounded to float again, is as if rounded once. */
 static float fraction_of(float x)
 {
     const float fraction = (float)((double)x - floor((double)x));

@@ -1,6 +1,6 @@
-/* Properties over the random scenes of the parity gate, without a reference: a picture
- * depends on the scene alone, not on memory, workspace or rows; scenes survive being
- * written; failing ones shrink. */
+/* Properties over the random scenes of the parity gate, without a reference: a picture depends only
+ * on the scene, not on memory, workspace or rows; scenes survive being written; failing scenes
+ * shrink. */
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,7 +13,7 @@
 typedef struct instance {
     scene_class class;
     uint64_t number;
-    uint64_t choice; /* what a property needs beside the scene */
+    uint64_t choice; /* what a property needs besides the scene */
 } instance;
 
 static enum theft_alloc_res make_instance(struct theft *t, void *env, void **output)
@@ -52,7 +52,7 @@ static scene_frame frame_of(const scene *s)
     return frame;
 }
 
-/* Draws both scenes, each with its workspace, and compares the bits. */
+/* Draws both scenes, each in its workspace, and compares the bits. */
 static bool same_picture(const scene *a, size_t workspace_a, const scene *b, size_t workspace_b)
 {
     scene_frame frame_a = frame_of(a), frame_b = frame_of(b);
@@ -116,7 +116,7 @@ static gn_surface top_down(const scene *s, void *memory, gn_format format)
     return scene_is_sampled(s) ? gn_surface_multisampled(&image) : image;
 }
 
-/* A scene drawn into surfaces whose first row in memory is the top one. */
+/* A scene drawn into surfaces whose first row in memory is the top row. */
 static bool draw_top_down(const scene *s, scene_frame *frame)
 {
     gn_target target;
@@ -133,7 +133,7 @@ static bool draw_top_down(const scene *s, scene_frame *frame)
     return good;
 }
 
-/* Of every sample's image. */
+/* For the image of every sample. */
 static bool rows_reversed(const scene *s, const void *a, const void *b, gn_format format)
 {
     const size_t row = s->width * gn_format_size(format);
@@ -180,7 +180,7 @@ static bool same_pixel(const void *a, const void *b, gn_format format, size_t at
     return size == 0 || memcmp((const char *)a + at * size, (const char *)b + at * size, size) == 0;
 }
 
-/* The planted fault: something is drawn on a pixel that clears alone leave otherwise. */
+/* The planted fault: a pixel differs from what clears alone leave there. */
 static bool covers_pixel(const scene *s, void *context)
 {
     const pixel_place *p = context;

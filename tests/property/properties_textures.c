@@ -1,5 +1,5 @@
-/* Sampling any texture at any numbers reads its texels and nothing else: each level lies at an end
- * of memory beyond which nothing may be read, and its texels tell themselves from what lies between
+/* Sampling any texture with any numbers reads only its texels: each level is at an end of memory
+ * beyond which nothing may be read, and the values of texels differ from those of the gaps between
  * rows and layers. Faulty textures are refused. */
 #include <float.h>
 #include <inttypes.h>
@@ -33,12 +33,12 @@ typedef enum fault_kind {
 } fault_kind;
 
 typedef struct hostile {
-    gn_texture texture; /* short of levels' texels; strides are there */
+    gn_texture texture; /* without the levels' texels; strides are set */
     gn_sampler sampler;
     fault_kind fault;
     uint32_t faulty_level;
-    bool at_end[GN_MAX_LEVELS]; /* of its memory, or at its beginning */
-    uint64_t texels;            /* what they are made from */
+    bool at_end[GN_MAX_LEVELS]; /* at the end of its memory, or at its beginning */
+    uint64_t texels;            /* the seed of the texels */
     gn_lod_source lod_source;
     int channel;
     float coordinate[3][GN_LANES], reference[GN_LANES], lod[GN_LANES];
@@ -57,7 +57,7 @@ static ptrdiff_t random_stride(random_source *r, size_t least, size_t element, b
     return random_chance(r, 70) ? stride : -stride;
 }
 
-/* Where there is one row or layer, its stride may be any multiple of the element. */
+/* With one row or layer, its stride may be any multiple of the element. */
 static void random_strides(random_source *r, gn_texture *t)
 {
     const size_t element = scene_element_size(t->format);
@@ -169,7 +169,7 @@ static void leave_read(int signal)
     siglongjmp(before_read, 1);
 }
 
-/* ---- What lookups may give ---- */
+/* ---- Possible results of lookups ---- */
 
 static bool is_depth(gn_format format)
 {
@@ -198,7 +198,7 @@ static int channels_of(gn_format format)
     }
 }
 
-/* Whether a channel is one that texels and the border have. */
+/* Whether a channel's value is one that texels and the border have. */
 static bool is_of_texture(const hostile *h, bool filled, int c, float value)
 {
     const gn_format format = h->texture.format;
@@ -219,7 +219,7 @@ static bool is_tame(float x)
     return fabsf(x) <= 1e30f;
 }
 
-/* Whether nothing that the lookup looks at makes a weight or a direction NaN. */
+/* Whether no input of the lookup makes a weight or a direction NaN. */
 static bool has_numbers(const hostile *h, int lane)
 {
     const bool is_cube = h->texture.target == GN_TEXTURE_CUBE;
@@ -243,8 +243,8 @@ static bool has_numbers(const hostile *h, int lane)
     return tame && (!is_cube || length >= 1e-9f);
 }
 
-/* Whether some filter has weights that may become NaN: those along repeating dimensions and
- * borders, and of cubes. */
+/* Whether some filter has weights that may become NaN: along repeating dimensions and borders, and
+ * in cubes. */
 static bool has_weights(const gn_texture *t, const gn_sampler *s)
 {
     const gn_wrap wraps[3] = {s->wrap_s, s->wrap_t, s->wrap_r};
@@ -322,7 +322,7 @@ static bool same(float a, float b)
     return (a != a && b != b) || memcmp(&a, &b, sizeof a) == 0;
 }
 
-/* Whether a shader on the back end reads what gn_sample gave. */
+/* Whether a shader on the back end reads the result of gn_sample. */
 static bool shader_agrees(const shading *s, gn_backend backend, float texel[4][GN_LANES])
 {
     float pixels[GN_LANES][4];
@@ -349,7 +349,7 @@ static bool has_gather(gn_texture_target target)
     return target == GN_TEXTURE_2D || target == GN_TEXTURE_2D_ARRAY || target == GN_TEXTURE_CUBE;
 }
 
-/* What is fetched outside the texture is 0. */
+/* Fetches outside the texture return 0. */
 static bool fetched_is_good(const hostile *h, bool filled, float texel[4][GN_LANES])
 {
     hostile plain = *h;
@@ -411,7 +411,7 @@ static bool lookups_stay_inside(const hostile *h, const gn_texture *t, bool fill
 
 /* ---- Faults ---- */
 
-/* Puts the fault into the texture; false where such a texture cannot have it. */
+/* Puts the fault into the texture; false if such a texture cannot have that fault. */
 static bool spoil(const hostile *h, gn_texture *t, gn_status *status)
 {
     const uint32_t level = h->faulty_level;
@@ -466,7 +466,7 @@ static bool spoil(const hostile *h, gn_texture *t, gn_status *status)
     return true;
 }
 
-/* False where a read outside the texture's memory stops it, too. */
+/* Also returns false if the lookup reads outside the texture's memory. */
 static bool is_checked_and_read(const hostile *h, const gn_texture *t, bool filled,
                                 gn_status expected)
 {

@@ -1,5 +1,5 @@
-/* Properties of vector arithmetic and of the plain matrix operations: each component for any
- * bits of the operands, sums of products within the bounds of vec.h and mat.h, identities. */
+/* Properties of vector arithmetic and of the plain matrix operations: each component for any bits
+ * of the operands, sums of products within the bounds of vec.h and mat.h, identities. */
 #include <math.h>
 #include <string.h>
 
@@ -14,7 +14,7 @@ static enum theft_trial_res verdict(bool holds)
     return holds ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
 }
 
-/* The same bits, or any NaN for a NaN. */
+/* Equal bits, or any NaN for a NaN. */
 static bool same(const float *got, const float *expected, size_t count)
 {
     for (size_t i = 0; i < count; ++i)
@@ -24,9 +24,9 @@ static bool same(const float *got, const float *expected, size_t count)
     return true;
 }
 
-/* Sum, difference and product of two floats, rounded once: a double holds the product exactly
- * and the sum in enough bits that rounding it again changes nothing (53 >= 2 * 24 + 2).
- * Negating changes the sign's bit. */
+/* Sum, difference and product of two floats, rounded once: a double holds the product exactly, and
+ * the sum in enough bits that rounding it again changes nothing (53 >= 2 * 24 + 2). Negating
+ * changes the sign bit. */
 static enum theft_trial_res components_round_once(struct theft *t, void *arg)
 {
     const float *f = arg;
@@ -122,7 +122,8 @@ static enum theft_trial_res interpolation(struct theft *t, void *arg)
     return THEFT_TRIAL_PASS;
 }
 
-/* Clamped to two bounds in order: neither number beyond them nor any other but itself. */
+/* Clamped to two ordered bounds: a number beyond them becomes the bound, every other number
+ * stays. */
 static bool clamped(const float *got, const float *v, float low, float high, int count)
 {
     for (int i = 0; i < count; ++i)
@@ -146,9 +147,9 @@ static enum theft_trial_res clamping(struct theft *t, void *arg)
                    clamped(&r4.x, f, low, high, 4));
 }
 
-/* v - 2 (n.v) n within (2 count + 4) u |v|. Refraction away from the angle where it ends, in
- * double: with eta <= 2 and k >= 1/16, n.v is off by (count + 1) u, k by 47 u, its root by
- * 2 * 47 u and eta (n.v) by 10 u, and three more roundings of numbers up to 4. */
+/* v - 2 (n.v) n within (2 count + 4) u |v|. Refraction away from the limit angle, in double: with
+ * eta <= 2 and k >= 1/16, n.v is off by (count + 1) u, k by 47 u, its root by 2 * 47 u and eta
+ * (n.v) by 10 u, with three more roundings of numbers up to 4. */
 static bool bent(const float *reflected, const float *refracted, const float *v, const float *n,
                  float eta, int count)
 {
@@ -191,7 +192,8 @@ static enum theft_trial_res reflection_and_refraction(struct theft *t, void *arg
                    bent(&back4.x, &through4.x, &v4.x, &n4.x, eta, 4));
 }
 
-/* The identity quaternion times any is that one; the product of two with the scalar product. */
+/* The identity quaternion times any quaternion is that quaternion; the product of two against the
+ * scalar product. */
 static enum theft_trial_res quaternions_as_vectors(struct theft *t, void *arg)
 {
     const float *f = arg;
@@ -203,7 +205,7 @@ static enum theft_trial_res quaternions_as_vectors(struct theft *t, void *arg)
                    dot_is(gn_quat_dot(a, b), f, f + 4, 4));
 }
 
-/* Transposing moves bits, and twice leaves them where they were. */
+/* Transposing moves bits; transposing twice restores them. */
 static enum theft_trial_res transposition(struct theft *t, void *arg)
 {
     gn_mat3 a3, t3, back3;
@@ -222,8 +224,8 @@ static enum theft_trial_res transposition(struct theft *t, void *arg)
     return verdict(same(back3.m[0], a3.m[0], 9) && same(back4.m[0], a4.m[0], 16));
 }
 
-/* Products of 3x3 matrices within their bound, and (AB)^T = B^T A^T to the bit, since both sum
- * the same products in the same order. */
+/* Products of 3x3 matrices are within their bound, and (AB)^T = B^T A^T to the bit, since both sum
+ * equal products in equal order. */
 static enum theft_trial_res products_of_matrices(struct theft *t, void *arg)
 {
     const float *f = arg;
@@ -255,7 +257,7 @@ static enum theft_trial_res products_of_matrices(struct theft *t, void *arg)
     return verdict(same(a4.m[0], ab4.m[0], 16));
 }
 
-/* Finite numbers but zeros, whose sign a sum with 0 loses, come back to the bit. */
+/* Finite numbers return to the bit, except zeros, whose sign a sum with 0 loses. */
 static enum theft_trial_res identities(struct theft *t, void *arg)
 {
     gn_mat3 one3, a3, left3, right3;

@@ -1,4 +1,4 @@
-/* Random transforms and floats: see the header. */
+/* Implements random_inputs.h. */
 #include "random_inputs.h"
 
 #include <math.h>
@@ -57,7 +57,7 @@ static gn_status construct(enum kind kind, const float *n, gn_transform *result)
     }
 }
 
-/* Signs and ranges as the constructor asks, and now and then neighbours where
+/* Signs and ranges are those that the constructor accepts; now and then neighbours whose
  * differences cancel: opposite planes, or up almost along the view. */
 static void constrain(struct theft *t, enum kind kind, float *n)
 {
@@ -116,8 +116,8 @@ static void print_made(FILE *f, const void *instance, void *env)
     fprintf(f, "\n");
 }
 
-/* Random numbers: as many floats of any class as the property looks at, and
- * matrices of small numbers. */
+/* Random numbers: floats of any class, as many as the property reads, and matrices of small
+ * numbers. */
 
 static enum theft_alloc_res make_floats(struct theft *t, void *env, void **output)
 {

@@ -1,5 +1,5 @@
-/* Random transforms and floats for the properties of the mathematics. Both
- * shrink: all-zero bits give the simplest. */
+/* Random transforms and floats for the properties of the mathematics. Both shrink: zero bits give
+ * the simplest. */
 #ifndef RANDOM_INPUTS_H
 #define RANDOM_INPUTS_H
 
@@ -15,7 +15,7 @@ enum kind {
     ROTATE_Z,
     ROTATE_AXIS,
     LOOK_AT,
-    AFFINE_KINDS, /* those above */
+    AFFINE_KINDS, /* number of the kinds above */
     ORTHOGRAPHIC = AFFINE_KINDS,
     FRUSTUM,
     PERSPECTIVE,
@@ -25,13 +25,13 @@ enum kind {
 
 extern const char *const kind_names[KINDS];
 
-/* What to make: kinds first to last - 1, numbers of 2^-exponents to 2^exponents. */
+/* Which kinds to generate: first to last - 1, with numbers of 2^-exponents to 2^exponents. */
 struct choice {
     int first, last;
     int exponents;
 };
 
-/* A constructor, the numbers it was given, and what it made of them. */
+/* A constructor, its arguments, and its result. */
 struct made {
     enum kind kind;
     float numbers[9];
@@ -40,15 +40,15 @@ struct made {
 
 enum { FLOATS = 32 };
 
-/* A number of 2^-exponents to 2^exponents in magnitude. */
+/* A number with a magnitude of 2^-exponents to 2^exponents. */
 float random_number(struct theft *t, int exponents);
 
-/* Instances are struct made: one of the kinds chosen, of numbers its constructor
- * accepts. The choice must outlive the runs. */
+/* Instances are struct made: one of the chosen kinds, of numbers that its constructor accepts. The
+ * choice must outlive the runs. */
 struct theft_type_info random_transforms(struct choice *choice);
 
-/* Instances are FLOATS floats: of the exponents chosen, or with a null pointer of
- * any bit pattern. */
+/* Instances are FLOATS floats: with the chosen exponents, or with a null pointer of any bit
+ * pattern. */
 struct theft_type_info random_floats(struct choice *choice);
 
 #endif

@@ -1,4 +1,4 @@
-/* Random projections: see the header. */
+/* Implements random_projections.h. */
 #include "random_projections.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@ typedef gn_status five_planes(float, float, float, float, float, gn_transform *)
 typedef gn_status symmetric(float, float, float, float, gn_transform *);
 typedef gn_status symmetric_infinite(float, float, float, gn_transform *);
 
-/* By hand, depth and order of depth. */
+/* By handedness, depth range and order of depth. */
 static six_planes *const boxes[2][2][2] = {
     {{gn_orthographic_rh_no, gn_orthographic_rh_no_reversed},
      {gn_orthographic_rh_zo, gn_orthographic_rh_zo_reversed}},
@@ -66,7 +66,7 @@ void planes_of(const struct projection *projection, double planes[6])
     planes[5] = projection->convention.infinite ? INFINITY : z_far;
 }
 
-/* Signs and ranges as the constructor asks; now and then planes so near to each
+/* Signs and ranges are those that the constructor accepts; now and then planes are so near to each
  * other that their differences cancel. */
 static void constrain(struct theft *t, const struct projection_choice *choice, struct projection *p)
 {

@@ -1,4 +1,4 @@
-/* A small canvas and a draw to it, each part of which a test may change. */
+/* A small canvas and a draw to it. A test may change any part of the draw. */
 #ifndef CANVAS_H
 #define CANVAS_H
 
@@ -23,7 +23,7 @@ static canvas c;
 
 static const float white[16] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
 
-/* A cleared canvas of 8x8 on which NDC x, y in -1..1 is 0..8 pixels. */
+/* Clears a canvas of 8x8 pixels, on which NDC x, y in -1..1 is 0..8 pixels. */
 static inline void reset(const float *positions, uint32_t vertex_count, gn_topology topology)
 {
     memset(&c, 0, sizeof c);

@@ -1,4 +1,4 @@
-/* Floats as their bits, for tests of functions whose every bit is known. */
+/* Floats by their bits, for tests of functions whose every bit is known. */
 #ifndef UNIT_FLOAT_BITS_H
 #define UNIT_FLOAT_BITS_H
 

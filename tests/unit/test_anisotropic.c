@@ -1,5 +1,5 @@
-/* Anisotropic lookups by hand-worked cases: how many samples, of which level, and where; what has
- * one alone, and is then what it is without. */
+/* Anisotropic lookups, with cases worked by hand: the number of samples, their level, and their
+ * places; and lookups with one sample, which equal lookups without anisotropy. */
 #include <math.h>
 #include <string.h>
 
@@ -7,7 +7,7 @@
 
 enum { SIZE = 16, LEVELS = 5, LAYERS = 6 };
 
-/* Level n is n in 1/255 in green; red is the column, blue the row, alpha the layer. */
+/* Level n has green n/255; red is the column, blue the row, alpha the layer, all in 1/255. */
 static uint32_t image[LEVELS][LAYERS * SIZE * SIZE];
 
 static gn_texture texture_of(gn_texture_target target)
@@ -47,7 +47,7 @@ static gn_sampler sampler_of(gn_minify minify, uint32_t max_anisotropy)
     return s;
 }
 
-/* A lookup of 16 equal places, in 255ths; gradients in texels of level 0. */
+/* A lookup at 16 equal places, whose result is in 1/255. Gradients are in texels of level 0. */
 static void look_up(const gn_texture *t, const gn_sampler *s, const float at[3],
                     const float along_x[3], const float along_y[3], float texel[4])
 {
@@ -78,7 +78,7 @@ static void look_up(const gn_texture *t, const gn_sampler *s, const float at[3],
     }
 }
 
-/* The level that samples are of where s changes by `along` texels and t by `across`. */
+/* The level of the samples if s changes by `along` texels and t by `across`. */
 static float level_of(float along, float across, uint32_t max_anisotropy)
 {
     const gn_texture t = texture_of(GN_TEXTURE_2D);
@@ -105,13 +105,13 @@ static void test_levels(void **state)
     assert_float_equal(level_of(8.0f, 1.0f, 4), 1.0, 1e-5);
     assert_float_equal(level_of(8.0f, 7.99f, 16), 2.0, 1e-5); /* two samples */
     assert_float_equal(level_of(12.0f, 4.001f, 16), 2.0, 1e-5);
-    /* Four samples of three texels, of which the logarithm is linear between powers of two. */
+    /* Four samples, three texels apart; the logarithm is linear between powers of two. */
     assert_float_equal(level_of(12.0f, 3.999f, 16), 1.5625, 1e-5);
     assert_float_equal(level_of(16.0f, 0.0f, 16), 0.0, 1e-5);
     assert_float_equal(level_of(16.0f, 0.0f, 8), 1.0, 1e-5);
 }
 
-/* Four samples of a footprint of four texels: at 1/5, 2/5, 3/5 and 4/5 of it. */
+/* Four samples of a footprint of four texels, at 1/5, 2/5, 3/5 and 4/5 of its length. */
 static void test_places(void **state)
 {
     const gn_texture t = texture_of(GN_TEXTURE_2D);
@@ -128,11 +128,11 @@ static void test_places(void **state)
     look_up(&t, &s, at, y, diagonal, texel); /* rows 8.7, 7.9, 7.1, 6.3 */
     assert_float_equal(texel[0], 3.75, 1e-4);
     assert_float_equal(texel[2], 7.0, 1e-4);
-    look_up(&t, &s, at, diagonal, diagonal, texel); /* as long one way as the other */
+    look_up(&t, &s, at, diagonal, diagonal, texel); /* both gradients are equally long */
     assert_float_equal(texel[0], 4.0, 1e-4);
 }
 
-/* What changes across the footprint alone is seen as sharply as in level 0. */
+/* What changes only across the footprint is as sharp as in level 0. */
 static void test_stripes_stay_sharp(void **state)
 {
     const gn_texture t = texture_of(GN_TEXTURE_2D);
@@ -203,7 +203,8 @@ static void test_what_has_no_footprint_is_isotropic(void **state)
     expect_isotropic(GN_TEXTURE_2D, far, infinite, infinite);
 }
 
-/* An array's layer stays; slices of 3D are gone along; a cube's direction leaves its face. */
+/* An array's layer does not change, samples of a 3D texture go along its slices, and samples of a
+ * cube may leave the face of the direction. */
 static void test_targets(void **state)
 {
     const gn_sampler s = sampler_of(GN_MINIFY_NEAREST, 4);
@@ -220,11 +221,11 @@ static void test_targets(void **state)
     assert_float_equal(texel[3], 2.0, 1e-5);
     look_up(&slices, &s, middle, deep, y, texel); /* slices 0.8, 1.6, 2.4, 3.2 */
     assert_float_equal(texel[3], 1.5, 1e-5);
-    look_up(&cube, &s, edge, across, y, texel); /* two samples on +z, layer 4, two on +x, 0 */
+    look_up(&cube, &s, edge, across, y, texel); /* two samples on +z, layer 4; two on +x, layer 0 */
     assert_float_equal(texel[3], 2.0, 1e-5);
 }
 
-/* A level that is given has no footprint, nor have gathers. */
+/* An explicit level has no footprint, and gathers have none. */
 static void test_explicit_levels(void **state)
 {
     const gn_texture t = texture_of(GN_TEXTURE_2D);
@@ -252,7 +253,8 @@ static void test_explicit_levels(void **state)
     assert_memory_equal(found, expected, sizeof found);
 }
 
-/* Places beside others with fewer or more samples give what they give among their like. */
+/* Places give the same result beside places with fewer or more samples as beside places with
+ * equally many. */
 static void test_places_beside_others(void **state)
 {
     const gn_texture t = texture_of(GN_TEXTURE_2D);
@@ -297,7 +299,7 @@ static void test_places_beside_others(void **state)
     assert_memory_equal(same, texels, sizeof same);
 }
 
-/* All places of a quad go by the differences of the lower left one, whatever their own. */
+/* All places of a quad use the differences of the lower left one. */
 static void test_quads_share_their_samples(void **state)
 {
     const gn_texture t = texture_of(GN_TEXTURE_2D);
@@ -307,7 +309,8 @@ static void test_quads_share_their_samples(void **state)
     float place[2][GN_LANES], texels[4][GN_LANES];
 
     (void)state;
-    for (uint32_t i = 0; i < SIZE * SIZE; ++i) /* not linear, of which all means are alike */
+    for (uint32_t i = 0; i < SIZE * SIZE;
+         ++i) /* not linear, because then all means would be equal */
         image[0][i] = i * 2654435761u;
     for (int l = 0; l < GN_LANES; ++l) {
         for (int n = 0; n < 2; ++n)

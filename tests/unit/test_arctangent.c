@@ -1,5 +1,5 @@
-/* Inverse trigonometric functions against MPFR: special values, every exponent, random
- * numbers, and pairs for the angle of a vector. All 2^32 inputs are tests/exhaustive's. */
+/* Inverse trigonometric functions against MPFR: special values, every exponent, random numbers, and
+ * pairs for the angle of a vector. tests/exhaustive tests all 2^32 inputs. */
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
@@ -36,7 +36,7 @@ static void assert_rounded(float (*function)(float), wide_function *wide_value, 
     }
 }
 
-/* Every exponent's ends and middle, both signs, and random numbers of it. */
+/* For every exponent both ends and the middle, with both signs, and random numbers. */
 static void assert_rounded_everywhere(float (*function)(float), wide_function *wide_value)
 {
     for (uint32_t exponent = 0; exponent < 512; ++exponent) {
@@ -49,7 +49,7 @@ static void assert_rounded_everywhere(float (*function)(float), wide_function *w
             assert_rounded(function, wide_value, from_bits(bits | random_bits() >> 9));
         }
     }
-    /* Where the work is: 2^-13 to 2. */
+    /* The range in which the function computes: 2^-13 to 2. */
     for (int i = 0; i < 20000; ++i) {
         uint32_t sign = random_bits() & 0x80000000u;
         float x = from_bits(sign | (0x39000000u + random_bits() % 0x07000000u));
@@ -94,8 +94,8 @@ static void arctangent_is_rounded(void **state)
     assert_canonical_nan(gn_atan(-NAN));
 }
 
-/* The arguments whose exact results come closest to the middle between two floats, to 2^-50
- * or less of themselves, from an enumeration of all floats with MPFR, which also gave the
+/* The arguments whose exact results are closest to the middle between two floats, within 2^-50 of
+ * the result or less. They come from an enumeration of all floats with MPFR, which also gave the
  * results. */
 static void hardest_to_round(void **state)
 {
@@ -122,7 +122,7 @@ static void hardest_to_round(void **state)
     assert_same_bits(gn_atan(0x1.4f7476p-11f), 0x1.4f7474p-11f);
 }
 
-/* C99, F.9.1.4. */
+/* Special values of C99, F.9.1.4. */
 static void angles_of_zeros_and_infinities(void **state)
 {
     (void)state;
@@ -157,8 +157,8 @@ static void angles_of_zeros_and_infinities(void **state)
     assert_canonical_nan(gn_atan2(NAN, NAN));
 }
 
-/* The bound of the contract in units of the last place, or correct rounding where that is
- * promised, of finite y and x that are not zero. */
+/* For finite y and x other than zero: the contract's bound in units of the last place, or correct
+ * rounding where the contract promises it. */
 static void assert_angle(float y, float x)
 {
     float got = gn_atan2(y, x), nearest;
@@ -166,8 +166,8 @@ static void assert_angle(float y, float x)
     mpfr_inits2(400, wide, other, (mpfr_ptr)0);
     mpfr_set_flt(other, x, MPFR_RNDN);
     mpfr_set_flt(wide, y, MPFR_RNDN);
-    /* A small quotient's arctangent is too close to it for 400 bits: toward zero, the last
-     * of them says that it is below. */
+    /* The arctangent of a small quotient differs from it by too little for 400 bits. Rounding
+     * toward zero makes the last bit show that the arctangent is less than the quotient. */
     mpfr_atan2(wide, wide, other, MPFR_RNDZ);
     nearest = mpfr_get_flt(wide, MPFR_RNDN);
     bool same = bits_of(got) == bits_of(nearest);
@@ -202,14 +202,14 @@ static void angles_of_random_vectors(void **state)
     for (int i = 0; i < 20000; ++i) {
         uint32_t y = random_bits(), x = random_bits();
         assert_angle_in_all_quadrants(from_bits(y), from_bits(x));
-        /* Of about the same length, where the quotient is worked for. */
+        /* Pairs of about equal length, for which the function computes the quotient. */
         uint32_t near = (x & 0x7FFFFFu) | ((y >> 23 & 0xFF) + x % 32 - 16) << 23;
         assert_angle_in_all_quadrants(from_bits(y), from_bits(near & 0x7FFFFFFFu));
     }
 }
 
-/* Multiples of eighths and their neighbours, where the quarter to reduce by changes, of
- * every size and of small integers. */
+/* Multiples of eighths and their neighbours, at which the quarter of the argument reduction
+ * changes, for every size and for small integers. */
 static void angles_of_structured_vectors(void **state)
 {
     (void)state;
@@ -248,8 +248,8 @@ static void angles_of_extreme_vectors(void **state)
     }
 }
 
-/* Denormal quotients, most of which this makes ties (n + 1/2) 2^-149: the arctangent is below
- * them. y = (2n + 1) x 2^-150. */
+/* Denormal quotients. Most of these are ties (n + 1/2) 2^-149, and the arctangent is less than they
+ * are. y = (2n + 1) x 2^-150. */
 static void angles_among_the_denormal_numbers(void **state)
 {
     (void)state;

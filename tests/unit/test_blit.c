@@ -1,5 +1,5 @@
-/* Blits: faults, places of texels, masks of depth and stencil, overlapping memory. Expected
- * values follow from OpenGL 4.5 section 18.3.2; those beside the reference are in tests/blits. */
+/* Blits: faults, places of texels, masks of depth and stencil, overlapping memory. Expected values
+ * follow from OpenGL 4.5 section 18.3.2; tests/blits compares with the reference. */
 #include <string.h>
 
 #include "unit.h"
@@ -208,7 +208,7 @@ static void depth_and_stencil_are_kept_where_asked(void **state)
     }
 }
 
-/* Parts of one image may be blitted to others; a linear filter reads one texel more. */
+/* One part of an image may be blitted to another part; a linear filter reads one texel more. */
 static void overlap_is_refused_pixel_by_pixel_in_one_image(void **state)
 {
     (void)state;
@@ -230,7 +230,8 @@ static void overlap_is_refused_pixel_by_pixel_in_one_image(void **state)
     assert_int_equal(gn_blit(&image, &narrow, &image, &left, &linear), GN_OK);
 }
 
-/* 0.5 is 128 of 255, the byte of sRGB nearest to it 188; what a format lacks is 0, 0, 1. */
+/* 0.5 is 128 of 255, and the nearest byte of sRGB is 188. Channels that a format lacks are 0, 0,
+ * 1. */
 static void formats_are_converted(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* Many vectors and matrices: every function against the one for a single product, at all
- * lengths around a block and all alignments, on every back end, in place and not; nothing
- * else is written; each status. */
+/* Many vectors and matrices: every function against the one for a single product, at all lengths
+ * around a block and all alignments, on every back end, in place and not. Nothing else is written.
+ * Every status. */
 #include <stdio.h>
 #include <string.h>
 
@@ -24,7 +24,7 @@ static int components_of(enum function function)
     return function == VEC4 ? 4 : 3;
 }
 
-/* What the function for one vector makes of v. */
+/* Returns the result of the function for one vector. */
 static void one(enum function function, const float v[4], float result[4])
 {
     const gn_vec3 v3 = {v[0], v[1], v[2]};
@@ -78,8 +78,8 @@ static void fill(float *memory, size_t count, float first)
         memory[i] = first + (float)(i * 37 % 101) * 0.13f;
 }
 
-/* Where component i of vector k of `count` lies, in floats: the arrays of a structure lie
- * one after the other. */
+/* The place in floats of component i of vector k of `count`. The arrays of a structure are one
+ * after the other. */
 static size_t place(bool is_packed, int components, size_t count, size_t k, int i)
 {
     return is_packed ? k * (size_t)components + (size_t)i : (size_t)i * count + k;
@@ -142,7 +142,7 @@ static void bits_of_the_single_functions(void **state)
     }
 }
 
-/* The result arrays are the operand's in another order. */
+/* The result arrays are the operand's arrays in another order. */
 static void arrays_exchanged(void **state)
 {
     (void)state;
@@ -169,7 +169,7 @@ static void arrays_exchanged(void **state)
 
 enum { MATRICES = 9 };
 
-/* At every alignment, into a third array, over the left and over the right operands. */
+/* At every alignment, into a third array, over the left operands and over the right operands. */
 static void many_matrices(void **state)
 {
     (void)state;
@@ -198,7 +198,7 @@ static void many_matrices(void **state)
     }
 }
 
-/* The matrix lies where the results go. */
+/* The matrix is in the memory of the results. */
 static void matrix_in_the_result(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* Clip distances of the user's: triangles and lines end where one becomes negative, points are
+/* The user's clip distances: triangles and lines end where a distance becomes negative, points are
  * drawn whole or not at all. */
 #include <math.h>
 #include <string.h>
@@ -7,8 +7,8 @@
 
 enum { SIZE = 8 };
 
-/* Distance i of a vertex at (x, y) is a * x + b * y + c of plane i; those of vertex `broken`, from
- * 0 on, are NaN. */
+/* Distance i of a vertex at (x, y) is a * x + b * y + c of plane i. The distances of vertex number
+ * `broken`, counted from 0, are NaN. */
 typedef struct planes {
     float plane[GN_MAX_CLIP_DISTANCES][3];
     uint32_t count;
@@ -87,7 +87,7 @@ static void add_plane(float x, float y, float constant)
     c.pipeline.program.clip_distance_count = c.planes.count;
 }
 
-/* Pixels drawn. */
+/* Returns the number of pixels drawn. */
 static int draw(void)
 {
     int n = 0;
@@ -121,8 +121,8 @@ static void triangles_end_at_planes(void **state)
     assert_int_equal(draw(), 4);
     assert_true(pixel(4, 3) && pixel(5, 4));
 
-    /* All eight: an octagon of pixels whose centres are less than 3 pixels away from the middle
-     * along x and y, and less than 4 along both together. */
+    /* All eight distances make an octagon of the pixels whose centres are less than 3 pixels away
+     * from the middle along x and y, and less than 4 along both together. */
     reset(square, 4, GN_TRIANGLE_STRIP);
     for (int i = 0; i < 4; ++i) {
         const float sx = i & 1 ? 1.0f : -1.0f;
@@ -144,7 +144,7 @@ static void triangles_end_at_planes(void **state)
     }
     assert_int_equal(drawn, expected);
 
-    /* Varyings go on as without. */
+    /* Clipping leaves the values of varyings as they are. */
     reset(square, 4, GN_TRIANGLE_STRIP);
     draw();
     const uint32_t whole = c.color[5 * SIZE + 6];

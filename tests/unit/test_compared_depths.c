@@ -1,5 +1,5 @@
-/* Depth textures that are compared: every function, references beyond the format's range and not
- * numbers, and filters over the results, by hand. */
+/* Compared depth textures, worked by hand: every function, reference values beyond the format's
+ * range and NaN, and filters over the results. */
 #include <math.h>
 #include <string.h>
 
@@ -19,7 +19,7 @@ static gn_sampler compares(gn_compare function, bool is_linear)
     return s;
 }
 
-/* At (s, 0.5). */
+/* The result at (s, 0.5). */
 static float compared(const gn_texture *t, const gn_sampler *sampler, float s, float reference)
 {
     const float at[3] = {s, 0.5f, 0.0f};
@@ -55,7 +55,8 @@ static void functions(void **state)
     }
 }
 
-/* References of formats of fractions are clamped to 0 to 1, NaN to 1; of floats they are not. */
+/* For normalized formats, reference values are clamped to 0..1 and NaN becomes 1; for formats of
+ * floats they are not. */
 static void references(void **state)
 {
     (void)state;
@@ -78,7 +79,7 @@ static void references(void **state)
     assert_true(compared(&t, &equal, 0.75f, 1.0f) == 1.0f);
 }
 
-/* Of depths 0.25 and 0.75 the second alone is as far as 0.5: results are mixed, not depths. */
+/* Of depths 0.25 and 0.75 only the second is at least 0.5: the filter mixes results, not depths. */
 static void linear(void **state)
 {
     (void)state;
@@ -95,11 +96,11 @@ static void linear(void **state)
     assert_true(compared(&t, &nearer, 0.625f, 0.5f) == 0.25f);
     assert_true(compared(&t, &farther, 0.625f, 0.125f) == 1.0f);
     assert_true(compared(&t, &none, 0.625f, 0.5f) == 0.625f);
-    never.wrap_s = GN_WRAP_REPEAT; /* where the weight is not a number */
+    never.wrap_s = GN_WRAP_REPEAT; /* where the weight is NaN */
     assert_true(compared(&t, &never, INFINITY, 0.5f) == 0.0f);
 }
 
-/* Of six faces +z alone is nearer than the reference: a gather, an edge and a corner. */
+/* Of six faces only +z is nearer than the reference value: a gather, an edge and a corner. */
 static void cubes(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Projections, viewports and views in every convention: entries worked by hand, cglm's
- * opinion on others, statuses; and the transforms from one convention to another. */
+/* Projections, viewports and views in every convention: entries worked by hand, comparison with
+ * cglm for others, statuses; and the transforms from one convention to another. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -25,7 +25,7 @@ typedef gn_status symmetric(float, float, float, float, gn_transform *);
 typedef gn_status symmetric_infinite(float, float, float, gn_transform *);
 typedef gn_status view_function(gn_vec3, gn_vec3, gn_vec3, gn_transform *);
 
-/* Rows and columns as written on paper. */
+/* Rows and columns as they are written on paper. */
 static void assert_entries(const gn_mat4 *m, const float rows[4][4], float tolerance)
 {
     for (int row = 0; row < 4; ++row)
@@ -54,8 +54,8 @@ static void assert_untouched(const gn_transform *transform)
     assert_memory_equal(transform, &expected, sizeof expected);
 }
 
-/* Depth of near 1, far 3 as clip z = a t + b of the distance t: at t = 1 and t = 3 it is
- * a + b and (3 a + b) / 3, which are the two ends of the range. */
+/* For near 1 and far 3, clip z = a t + b at the distance t. Depths at t = 1 and t = 3 are a + b and
+ * (3 a + b) / 3, the two ends of the range. */
 static const struct named {
     six_planes *box, *pyramid;
     five_planes *endless_pyramid;
@@ -129,7 +129,7 @@ static void pyramids_by_hand(void **state)
     }
 }
 
-/* A right angle, twice as wide as high. */
+/* A right angle, and a picture twice as wide as high. */
 static void perspectives_by_hand(void **state)
 {
     (void)state;
@@ -153,8 +153,8 @@ static void perspectives_by_hand(void **state)
     }
 }
 
-/* But for the skew of left-handed frusta, which cglm 0.8 gives the sign of the right-handed
- * ones: it takes the point (left, bottom, near) of a frustum to the opposite side of the axis. */
+/* Without the skew of left-handed frusta: cglm 0.8 gives them the sign of right-handed ones, and so
+ * takes the point (left, bottom, near) of a frustum to the opposite side of the axis. */
 static void cglm_agrees(void **state)
 {
     (void)state;
@@ -242,8 +242,8 @@ static void bad_volumes(void **state)
     assert_untouched(&t);
 }
 
-/* Of 640 x 480 pixels at (10, 20), the point (1/2, 1/2, 1/2) is three quarters to the
- * right and up, and at depth 3/4 or 1/2 of 0.25 .. 0.75. */
+/* For 640 x 480 pixels at (10, 20), the point (1/2, 1/2, 1/2) is three quarters to the right and
+ * up. Its depth is 3/4 or 1/2 of the range 0.25 .. 0.75. */
 static void viewports(void **state)
 {
     (void)state;
@@ -283,8 +283,9 @@ static void assert_seen(const gn_transform *view, gn_vec3 from, float x, float y
     assert_true(back.x == from.x && back.y == from.y && back.z == from.z);
 }
 
-/* What is ahead of a camera lies on -z or +z, what is to its right on +x. Looking along x
- * with y up, the right is +z in a right-handed world and -z in a left-handed one. */
+/* The direction ahead of a camera becomes -z or +z, and the direction to its right +x. For a camera
+ * that looks along x with y up, the right is +z in a right-handed world and -z in a left-handed
+ * one. */
 static void views_by_hand(void **state)
 {
     (void)state;
@@ -299,7 +300,7 @@ static void views_by_hand(void **state)
     assert_seen(&t, seen, 1, 2, 7);
     assert_int_equal(gn_look_to_lh(eye, along, up, &t), GN_OK);
     assert_seen(&t, seen, 1, 2, 7);
-    /* The camera that stands where it already is. */
+    /* A camera that already is at the origin gives the identity. */
     const gn_vec3 origin = {0, 0, 0}, ahead = {0, 0, 1};
     assert_int_equal(gn_look_to_lh(origin, ahead, up, &t), GN_OK);
     gn_mat4 one;
@@ -373,7 +374,7 @@ static void conversions(void **state)
     (void)state;
     static gn_status (*const functions[5])(gn_transform *) = {
         gn_clip_no_to_zo, gn_clip_zo_to_no, gn_clip_reverse_zo, gn_flip_y, gn_flip_z};
-    /* (2, 3, 1, 2) goes to these; z = -w and z = w to the ends of the range. */
+    /* (2, 3, 1, 2) becomes these; z = -w and z = w become the ends of the range. */
     static const float expected[5][2] = {{3, 1.5f}, {3, 0}, {3, 1}, {-3, 1}, {3, -1}};
     static const float ends[5][2] = {{0, 2}, {-6, 2}, {4, 0}, {-2, 2}, {2, -2}};
     const gn_vec4 v = {2, 3, 1, 2}, lower = {0, 0, -2, 2}, upper = {0, 0, 2, 2};

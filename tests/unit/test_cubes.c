@@ -1,5 +1,6 @@
-/* Cubes: which face and texel a direction meets, filters over edges and corners, gathers there, and
- * levels of detail, beside OpenGL 4.5 table 8.19 written out and cases worked by hand. */
+/* Cubes: the face and texel that a direction meets, filters over edges and corners, gathers there,
+ * and levels of detail. Expected values come from OpenGL 4.5 table 8.19, written out, and from
+ * cases worked by hand. */
 #include <math.h>
 #include <string.h>
 
@@ -45,7 +46,7 @@ static float sampled(bool is_linear, float x, float y, float z)
     return texel[0];
 }
 
-/* The direction of sc and tc, -1 to 1, on a face: table 8.19 solved for the direction. */
+/* The direction with sc and tc, -1 to 1, on a face: table 8.19 solved for the direction. */
 static void direction_of(int face, float sc, float tc, float d[3])
 {
     const float directions[6][3] = {{1, -tc, -sc}, {-1, -tc, sc}, {sc, 1, tc},
@@ -54,7 +55,7 @@ static void direction_of(int face, float sc, float tc, float d[3])
     memcpy(d, directions[face], sizeof directions[face]);
 }
 
-/* The number of the texel that a direction meets, by the table. */
+/* The value of the texel that a direction meets, by the table. */
 static float texel_towards(const float d[3])
 {
     const float x = fabsf(d[0]), y = fabsf(d[1]), z = fabsf(d[2]);
@@ -89,7 +90,7 @@ static void faces(void **state)
     }
 }
 
-/* The centre of every texel: s and t of each face run as the table has them, row 0 first. */
+/* The centre of every texel: s and t of each face are those of the table, row 0 first. */
 static void every_texel_of_every_face(void **state)
 {
     (void)state;
@@ -110,8 +111,8 @@ static void every_texel_of_every_face(void **state)
     }
 }
 
-/* z wins ties, then y; the zero vector is the middle of +z or -z; x or z that is not a number wins
- * too, and meets the first texel. */
+/* In ties z wins, then y. The zero vector meets the middle of +z or -z. NaN in x or z wins too, and
+ * meets the first texel. */
 static void ties(void **state)
 {
     (void)state;
@@ -134,7 +135,8 @@ static void linear_within_a_face(void **state)
     NEAR(sampled(true, -0.125f, -1.0f, 0.25f), 311.25f); /* s 0.4375, t 0.375: (1.25, 1) */
 }
 
-/* A sixteenth from each edge of each face, at every texel along it: 3/8 of the neighbour's. */
+/* A sixteenth from each edge of each face, at every texel along the edge: 3/8 of the result is the
+ * neighbour's texel. */
 static void edges(void **state)
 {
     (void)state;
@@ -152,12 +154,12 @@ static void edges(void **state)
             }
         }
     }
-    /* By hand: between +x, column 0, and +z, column 3, row 0; +y, row 3, and +z, row 0. */
+    /* Worked by hand: between +x, column 0, and +z, column 3, row 0; +y, row 3, and +z, row 0. */
     NEAR(sampled(true, 1.0f, 0.75f, 1.0f), 0.5f * (0.0f + 403.0f));
     NEAR(sampled(true, -0.25f, 1.0f, 1.0f), 0.5f * (231.0f + 401.0f));
 }
 
-/* Three texels meet, and each has a third. */
+/* Three texels meet, each with a weight of a third. */
 static void corners(void **state)
 {
     (void)state;
@@ -178,7 +180,8 @@ static void corners(void **state)
     }
 }
 
-/* Counted round from the upper left; what is missing at a corner is the mean of the others. */
+/* In the order from the upper left round. The missing texel at a corner is the mean of the
+ * others. */
 static void gathers(void **state)
 {
     (void)state;
@@ -204,7 +207,7 @@ static void gathers(void **state)
     }
 }
 
-/* Level n of a cube of 8x8 is n all over. */
+/* All texels of level n of a cube of 8x8 are n. */
 static gn_texture levelled(void)
 {
     enum { LARGEST = 8, LEVELS = 4 };
@@ -222,8 +225,9 @@ static gn_texture levelled(void)
     return t;
 }
 
-/* With s = (sc / ma + 1) / 2 a direction's change along sc moves s by half of it, and along ma by
- * sc / 2 against it, in units of ma: here 2 texels of 8, or 4 of a length of 2 and so on. */
+/* s = (sc / ma + 1) / 2. So if a direction changes along sc, s moves by half of the change; along
+ * ma by sc / 2 in the opposite direction; in units of ma. Here that is 2 texels of 8, or 4 for a
+ * length of 2 and so on. */
 static void levels_of_gradients(void **state)
 {
     (void)state;
@@ -259,8 +263,8 @@ static void levels_of_gradients(void **state)
     }
 }
 
-/* Differences are those of each lane's row and column: 2 texels in the right column of a quad,
- * 1 in the left one. */
+/* Differences are those of each lane's row and column: 2 texels in the right column of a quad, 1 in
+ * the left one. */
 static void levels_of_differences(void **state)
 {
     (void)state;

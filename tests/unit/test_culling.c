@@ -1,6 +1,6 @@
-/* Planes of a view volume, boxes and spheres against them, transformed boxes: values worked
- * out by hand, statuses, results left untouched. cglm gives the second opinion on planes and
- * boxes; bounds are tests/property's. */
+/* Planes of a view volume; boxes and spheres against these planes; transformed boxes: values worked
+ * by hand, statuses, results left untouched. cglm is a second source for planes and boxes.
+ * tests/property tests bounds. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -16,7 +16,7 @@
  * z' = -2 z - 3, w' = -z. */
 static const gn_mat4 camera_no = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -2, -1}, {0, 0, -3, 0}}};
 
-/* The same with z' = -1.5 z - 1.5. */
+/* That camera with z' = -1.5 z - 1.5. */
 static const gn_mat4 camera_zo = {
     {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -1.5f, -1}, {0, 0, -1.5f, 0}}};
 
@@ -50,7 +50,7 @@ static void planes_of_both_depths(void **state)
     }
 }
 
-/* The same camera at (5, 0, 0) looking along +x: its right is +z, and view = (z, y, -x + 5). */
+/* That camera at (5, 0, 0), looking along +x: its right is +z, and view = (z, y, -x + 5). */
 static void planes_in_the_world(void **state)
 {
     (void)state;
@@ -67,7 +67,7 @@ static void planes_in_the_world(void **state)
     assert_plane(&planes[GN_PLANE_FAR], -1, 0, 0, 8);
 }
 
-/* Left-handed and reversed matrices of the constructors: the same volumes. */
+/* Left-handed and reversed matrices of the constructors have equal volumes. */
 static void planes_of_every_convention(void **state)
 {
     (void)state;
@@ -111,7 +111,7 @@ static void infinite_projections_have_no_far_plane(void **state)
     assert_int_equal(gn_cull_sphere(p, behind, 1.9f), GN_OUTSIDE);
 }
 
-/* Bounds without a normal: z' is -5, or 0, whatever the point. */
+/* Bounds without a normal: z' is -5, or 0, for every point. */
 static void bounds_may_hold_no_point(void **state)
 {
     (void)state;
@@ -148,10 +148,10 @@ static void bad_matrices_are_named(void **state)
     m.m[3][0] = INFINITY;
     assert_int_equal(gn_frustum_planes_zo(&m, planes), GN_NOT_FINITE);
     m = camera_no;
-    m.m[0][0] = FLT_MAX; /* its length is, its reciprocal is no normal float */
+    m.m[0][0] = FLT_MAX; /* its length is a normal float, the reciprocal is not */
     assert_int_equal(gn_frustum_planes_no(&m, planes), GN_OUT_OF_RANGE);
     m = camera_no;
-    m.m[3][1] = m.m[3][3] = FLT_MAX; /* their sum */
+    m.m[3][1] = m.m[3][3] = FLT_MAX; /* the sum of the two */
     assert_int_equal(gn_frustum_planes_no(&m, planes), GN_OUT_OF_RANGE);
     m = camera_zo;
     m.m[2][2] = 0x1p-127f;
@@ -181,7 +181,7 @@ static void boxes_by_hand(void **state)
         gn_containment answer;
     } cases[] = {
         {{-1, -1, -2.5f}, {1, 1, -1.5f}, GN_INSIDE},
-        {{-9, -9, -9}, {9, 9, 9}, GN_INTERSECTING}, /* around all of it */
+        {{-9, -9, -9}, {9, 9, 9}, GN_INTERSECTING}, /* around the whole volume */
         {{1, -1, -2.5f}, {3, 1, -1.5f}, GN_INTERSECTING},
         {{-1, -1, -2}, {1, 1, 0}, GN_INTERSECTING},  /* through the near plane */
         {{-1, -1, -4}, {1, 1, -2}, GN_INTERSECTING}, /* through the far plane */
@@ -189,7 +189,7 @@ static void boxes_by_hand(void **state)
         {{-3, -1, -2.5f}, {-2.6f, 1, -2}, GN_OUTSIDE},
         {{-1, 2.6f, -2.5f}, {1, 3, -2}, GN_OUTSIDE},
         {{-1, -3, -2.5f}, {1, -2.6f, -2}, GN_OUTSIDE},
-        {{-1, -1, -0.99f}, {1, 1, 1}, GN_OUTSIDE}, /* before the near plane */
+        {{-1, -1, -0.99f}, {1, 1, 1}, GN_OUTSIDE}, /* in front of the near plane */
         {{-1, -1, -4}, {1, 1, -3.01f}, GN_OUTSIDE},
         {{2.5f, -1, -2.5f}, {3, 1, -2}, GN_INTERSECTING},    /* an edge on the right plane */
         {{-1, -1, -1}, {1, 1, 1}, GN_INTERSECTING},          /* a face on the near plane */
@@ -232,8 +232,8 @@ static void spheres_by_hand(void **state)
             fail_msg("case %zu", i);
 }
 
-/* A normal of (0.75 * 2^-149, 0, 1), whose x is rounded to 2^-149, at x = 2^127: the distance
- * is (0.75 - 0.875) * 2^-22, the sum of the stored numbers (1 - 0.875) * 2^-22. The other five
+/* The stored normal is (0.75 * 2^-149, 0, 1) with x rounded to 2^-149. At x = 2^127 the distance is
+ * (0.75 - 0.875) * 2^-22, but the sum of the stored numbers is (1 - 0.875) * 2^-22. The other five
  * bounds are far away. */
 static void underflow_decides_nothing(void **state)
 {
@@ -250,7 +250,7 @@ static void underflow_decides_nothing(void **state)
     assert_int_equal(gn_cull_sphere(planes, point, 0.0f), GN_INTERSECTING);
 }
 
-/* cglm's planes, right for OpenGL's depth, and its box test, which knows no tolerance. */
+/* cglm's planes, which are right for OpenGL's depth, and its box test, which has no tolerance. */
 static void cglm_agrees(void **state)
 {
     (void)state;
@@ -305,7 +305,7 @@ static void transformed_boxes(void **state)
     assert_int_equal(gn_mat4_transform_box(&m, &box, &box), GN_OK);
     assert_memory_equal(&box, &result, sizeof box);
 
-    /* 0.75 * 2^-149, and its negative, are no floats. */
+    /* 0.75 * 2^-149 and its negative are not floats. */
     const gn_mat4 tiny = {
         {{0x1.8p-75f, 0, 0, 0}, {0, -0x1.8p-75f, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 1}}};
     const gn_box small = {{0x1p-75f, 0x1p-75f, 0}, {0x1p-75f, 0x1p-75f, 0}};

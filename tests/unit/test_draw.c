@@ -1,5 +1,4 @@
-/* The draw: its statuses, which leave everything untouched, and small pictures
- * worked out by hand. */
+/* gn_draw: its statuses, after which nothing has changed, and small pictures worked by hand. */
 #include <stdlib.h>
 
 #include "canvas.h"
@@ -49,7 +48,7 @@ static void a_square_covers_everything(void **state)
     for (int i = 0; i < SIZE * SIZE; ++i)
         assert_int_equal(c.color[i], 0xFFFFFFFFu);
 
-    /* The last, incomplete triangle and fewer than three vertices draw nothing. */
+    /* The last, incomplete triangle draws nothing; fewer than three vertices draw nothing. */
     reset(square, 4, GN_TRIANGLES);
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(covered(), SIZE * (SIZE - 1) / 2);
@@ -59,9 +58,8 @@ static void a_square_covers_everything(void **state)
     assert_int_equal(covered(), SIZE * (SIZE - 1) / 2);
 }
 
-/* Pixel centres lie on the diagonal: the triangle to whose left edge it belongs
- * owns them. Window (0,0) (8,0) (0,8) has the diagonal as its right edge, the other
- * half has it on the left. */
+/* Pixel centres are on the diagonal. They belong to the triangle whose left edge is the diagonal:
+ * window (0,0) (8,0) (0,8) has it as its right edge, the other half as its left edge. */
 static void ties_belong_to_left_and_bottom_edges(void **state)
 {
     (void)state;
@@ -126,13 +124,13 @@ static void flat_takes_the_provoking_vertex(void **state)
         for (int n = 0; n < 4; ++n)
             c.pipeline.program.interpolation[n] = GN_FLAT;
         assert_int_equal(draw(), GN_OK);
-        /* OpenGL 4.5 table 13.2: vertex i + 2, or i, of a strip's triangle i. */
+        /* OpenGL 4.5 table 13.2: vertex i + 2 of a strip's triangle i, or vertex i. */
         assert_int_equal(c.color[0], first ? 0xFF0000FFu : 0xFFFF0000u);
         assert_int_equal(c.color[SIZE * SIZE - 1], first ? 0xFF00FF00u : 0xFF00FFFFu);
     }
 }
 
-/* Stored depth is 0.5; squares at window depth 0.25, 0.5 and 0.75 are tested. */
+/* The stored depth is 0.5; squares at window depth 0.25, 0.5 and 0.75 are tested. */
 static void depth_functions(void **state)
 {
     (void)state;
@@ -196,7 +194,7 @@ static void depth_is_written_only_when_asked(void **state)
     assert_int_equal(c.depth[0], 0);
 }
 
-/* Depth alone, without colour or a fragment shader, and colour alone. */
+/* Only depth, without colour or a fragment shader, and only colour. */
 static void one_surface_is_enough(void **state)
 {
     (void)state;
@@ -277,16 +275,17 @@ static void on_this_thread(void *user, gn_task *task, void *context, uint32_t co
         task(context, i);
 }
 
-/* Steps between sizes of workspaces, in bytes: all sizes of whole floats, or one in five where the
- * sanitizer makes that half a minute; they leave every rest of a row of lanes. */
+/* Steps between sizes of workspaces, in bytes: every whole number of floats, or one in five where
+ * the sanitizer would make that half a minute. The steps leave every remainder of a row of
+ * lanes. */
 #if defined(__SANITIZE_ADDRESS__)
 #define SIZE_STEP 20
 #else
 #define SIZE_STEP 4
 #endif
 
-/* From the smallest workspace to one for threads, some leave hardly a byte beside what is
- * divided first. What follows a workspace is not touched. */
+/* From the smallest workspace to one for threads. Some sizes leave hardly a byte besides the parts
+ * that are allotted first. The bytes behind a workspace stay unchanged. */
 static void every_workspace_serves_threads(void **state)
 {
     (void)state;
@@ -321,7 +320,7 @@ enum { PLACES_SIDE = 200 };
 static bool places_are_even;
 static uint8_t times_shaded[PLACES_SIDE][PLACES_SIDE];
 
-/* Red and green say which pixel a lane is. */
+/* Red and green are the lane's pixel. */
 static void paint_places(const void *uniforms, const gn_fragment_input *input,
                          gn_fragment_output *output)
 {
@@ -341,8 +340,8 @@ static void paint_places(const void *uniforms, const gn_fragment_input *input,
     }
 }
 
-/* And are asked for each once. From every row on, small blocks and, on a target of its own, large
- * ones. */
+/* The shader is called for each pixel once. Small blocks, from every row on, and large blocks on a
+ * target of their own. */
 static void shaders_know_their_pixels(void **state)
 {
     (void)state;
@@ -376,8 +375,8 @@ static void shaders_know_their_pixels(void **state)
     }
 }
 
-/* On memory that ends with the surface, as the sanitizers see; sizes are odd too, and triangles
- * small, so that their blocks hang over the edges. */
+/* On memory that ends with the surface, so that the sanitizers see accesses beyond. Sizes are odd
+ * too, and triangles are small, so that their blocks reach over the edges. */
 static void memory_ends_with_the_surface(void **state)
 {
     (void)state;
@@ -427,8 +426,8 @@ static void set_random_triangle(float positions[12], float size, uint32_t *seed)
     }
 }
 
-/* Shaders that are called get pixels packed, the ready-made one squares of them: the same pixels,
- * of triangles of all sizes, cut by scissors, by every back end. */
+/* A called shader gets packed pixels, the ready-made shader squares of pixels. Both draw the same
+ * pixels, for triangles of all sizes, cut by scissors, on every back end. */
 static void packed_pixels_are_the_same(void **state)
 {
     (void)state;
@@ -467,9 +466,9 @@ static void packed_pixels_are_the_same(void **state)
 static void a_triangle_through_the_eye_is_clipped(void **state)
 {
     (void)state;
-    /* The third vertex is behind the eye. A point with the weight c of that vertex has
-     * z = -2c and w = 1 - 2c, in front of the near plane for c <= 1/4; its NDC y is
-     * (4c - 1) / (1 - 2c), from -1 to 0, and |x| <= (y + 3) / 2 covers the width. */
+    /* The third vertex is behind the eye. A point with the weight c of that vertex has z = -2c and
+     * w = 1 - 2c, in front of the near plane for c <= 1/4. Its NDC y is (4c - 1) / (1 - 2c), from
+     * -1 to 0, and |x| <= (y + 3) / 2 covers the width. */
     static const float positions[12] = {-1, -1, 0, 1, 1, -1, 0, 1, 0, 3, -2, -1};
 
     reset(positions, 3, GN_TRIANGLES);
@@ -510,7 +509,7 @@ static void keep_columns(const void *uniforms, const gn_fragment_input *in, gn_f
     }
 }
 
-/* The shader runs where there is no colour, for depth and stencil. */
+/* The shader runs also without colours, for depth and stencil. */
 static void depth_comes_from_the_shader(void **state)
 {
     (void)state;

@@ -9,8 +9,8 @@
 
 #include <gnomon.h>
 
-/* A column of pixels a vertex: vertex n is the lower left corner of a triangle over pixel n
- * of a row, and its attribute 1 is what the pixel becomes, from 0 to 255. */
+/* A column of pixels per vertex: vertex n is the lower left corner of a triangle over pixel n of a
+ * row. Its attribute 1, from 0 to 255, is the pixel's value. */
 #define PIXELS 16
 #define VERTICES (3 * PIXELS)
 
@@ -139,7 +139,7 @@ static void a_base_vertex_is_added_to_indices(void **state)
     assert_int_equal(gn_mesh_check(&mesh), GN_INDEX_OUT_OF_RANGE);
     assert_int_equal(draw(), GN_INDEX_OUT_OF_RANGE);
 
-    /* Without indices it means nothing. */
+    /* Without indices a restart has no effect. */
     mesh.index_format = GN_INDEX_NONE;
     assert_int_equal(draw(), GN_OK);
     assert_int_equal(row[1], 6);
@@ -160,7 +160,8 @@ static void a_restart_begins_anew(void **state)
     for (int i = 0; i < PIXELS; ++i)
         assert_int_equal(row[i], i == 2 || i == 4 ? 3 * i + 3 : 0);
 
-    /* Another index, beside which 65535 is out of range; compared before the base. */
+    /* Another restart index, so that 65535 is out of range. The index is compared before the base
+     * vertex is added. */
     mesh.restart = GN_RESTART_INDEX;
     mesh.restart_index = 65535;
     mesh.base_vertex = 3;

@@ -1,6 +1,6 @@
-/* Exponentials, logarithms, powers and the reciprocal square root: special values, exact
- * cases, and MPFR's correctly rounded results on arguments of every exponent. All 2^32
- * arguments are tests/exhaustive's. */
+/* Exponentials, logarithms, powers and the reciprocal square root: special values, exact cases, and
+ * MPFR's correctly rounded results for arguments of every exponent. tests/exhaustive tests all 2^32
+ * arguments. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -14,7 +14,7 @@
 #include "../../src/scalars/exponential.h"
 #include "../../src/scalars/logarithm.h"
 
-/* A generator of Knuth's (MMIX); its upper half. */
+/* Knuth's linear congruential generator (MMIX); returns the upper half of its state. */
 static uint64_t seed = 1;
 
 static uint32_t random_bits(void)
@@ -50,7 +50,7 @@ static const struct function {
 };
 enum { FUNCTION_COUNT = sizeof functions / sizeof functions[0] };
 
-/* The nearest float, denormal ones too: MPFR with a float's precision and exponents. */
+/* The nearest float, denormal or not: MPFR with a float's precision and exponents. */
 static float nearest(mpfr_function *exact, float x)
 {
     mpfr_t argument, value;
@@ -72,7 +72,7 @@ static float nearest(mpfr_function *exact, float x)
 static void assert_nearest(const struct function *function, float x)
 {
     if (x == 0.0f && function->own == gn_rsqrt) {
-        return; /* MPFR has +infinity for -0, unlike IEEE 754-2019 */
+        return; /* MPFR returns +infinity for -0, unlike IEEE 754-2019 */
     }
     float got = function->own(x), expected = nearest(function->exact, x);
     if (bits_of(got) != bits_of(expected)) {
@@ -153,7 +153,7 @@ static void powers_of_two_are_exact(void **state)
     }
 }
 
-/* At 2^128 infinity begins for what rounds to it, at 2^-150 zero, the tie being zero's. */
+/* Results that round to 2^128 are infinite. At 2^-150, a tie, results become zero. */
 static void edges_of_the_range(void **state)
 {
     (void)state;
@@ -176,7 +176,7 @@ static void edges_of_the_range(void **state)
     }
 }
 
-/* Every exponent and both signs, with significands at both ends, of few bits, and random. */
+/* Every exponent and both signs, with significands at both ends, with few bits, and random ones. */
 static void arguments_of_every_exponent(void **state)
 {
     (void)state;
@@ -197,7 +197,8 @@ static void arguments_of_every_exponent(void **state)
     }
 }
 
-/* Where the exponentials are neither 1 nor infinite, and where the logarithms cancel. */
+/* Arguments for which the exponentials are neither 1 nor infinite, and for which the logarithms
+ * cancel. */
 static void arguments_of_interest(void **state)
 {
     (void)state;
@@ -211,7 +212,7 @@ static void arguments_of_interest(void **state)
         assert_nearest(&functions[4], y);
         assert_nearest(&functions[0], y);
     }
-    /* All significands' intervals of the tables, and the floats beside. */
+    /* The intervals of the tables for all significands, and the neighbouring floats. */
     for (uint32_t i = 0; i <= 256; ++i) {
         for (uint32_t step = 0; step < 5; ++step) {
             float x = from_bits(0x3F7FFFFE + (i << 16) + step);
@@ -223,7 +224,7 @@ static void arguments_of_interest(void **state)
     }
 }
 
-/* Right, where the C library's double result decides what is. */
+/* Correct, where the C library's double result determines the correct one. */
 static void assert_rounds(const struct function *function, float x)
 {
     double exact = function->wide((double)x);
@@ -254,7 +255,7 @@ static void many_arguments(void **state)
     }
 }
 
-/* Bounds of the fixed-point values, which rounding to a float hides. */
+/* Bounds of the fixed-point values; rounding to a float would hide an error. */
 static void logarithms_in_fixed_point(void **state)
 {
     (void)state;
@@ -331,7 +332,7 @@ static void hard_arguments(void **state)
     }
 }
 
-/* C99, F.9.4.4. */
+/* Special values of C99, F.9.4.4. */
 static void special_powers(void **state)
 {
     (void)state;
@@ -400,8 +401,8 @@ static void special_powers(void **state)
     assert_same_bits(gn_pow(-1.0f, -INFINITY), 1.0f);
 }
 
-/* n^k of up to 25 bits, scaled from one end of the range to the other: all floats and all
- * middles between two floats that odd integers' powers are. Doubles hold them. */
+/* n^k of up to 25 bits, scaled from one end of the range to the other. These are all floats, and
+ * all middles between two floats, that are powers of odd integers. Doubles represent them. */
 static void exact_powers(void **state)
 {
     (void)state;
@@ -439,7 +440,7 @@ static void exact_powers(void **state)
     }
 }
 
-/* Fails where the error is above what gn_pow's contract says; infinity stands for 2^128. */
+/* Fails if the error exceeds the bound of gn_pow's contract; infinity counts as 2^128. */
 static void assert_power(float x, float y)
 {
     mpfr_t base, exponent, exact, error;
@@ -485,7 +486,7 @@ static void powers_are_within_their_bound(void **state)
         if (x == 0.0f) {
             continue;
         }
-        /* Results of every size, and at either edge of the range. */
+        /* Results of every size, and at both ends of the range. */
         double logarithm = log2((double)x);
         assert_power(x, (float)((double)random_between(-152.0f, 129.0f) / logarithm));
         assert_power(x, (float)((double)random_between(-152.0f, -125.0f) / logarithm));
@@ -500,8 +501,8 @@ static void powers_are_within_their_bound(void **state)
     }
 }
 
-/* Results that are 2^-24 to 2^-20 of their last place from the middle between two floats, the
- * even one of which is the farther. */
+/* Results within 2^-24 to 2^-20 of their last place from the middle between two floats, of which
+ * the even one is farther. */
 static void powers_near_the_middle(void **state)
 {
     (void)state;

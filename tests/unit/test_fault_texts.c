@@ -1,5 +1,5 @@
-/* The faults of descriptions in words: every fault has its own, which name its field, and agree
- * with the status. */
+/* The texts of faults: every fault has its own, which names the field, and it agrees with the
+ * status. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,11 +8,11 @@
 
 #define MAX_TEXTS 256
 
-/* The texts met so far. */
+/* The texts seen so far. */
 static const char *met[MAX_TEXTS];
 static int met_count;
 
-/* Of a fault just made: its text begins with the field's name and is new. */
+/* Checks the text of a fault: it begins with the field's name and is new. */
 static void expect(gn_status status, gn_status expected, const char *text, const char *field)
 {
     assert_int_equal(status, expected);
@@ -35,7 +35,7 @@ static void no_vertices(const void *uniforms, const gn_vertex_input *in, gn_vert
 
 static gn_pipeline p;
 
-/* The pipeline with one fault and then without. */
+/* Tests the pipeline with one fault and then without it. */
 static void expect_pipeline(gn_status expected, const char *field)
 {
     expect(gn_pipeline_check(&p, NULL), expected, gn_pipeline_fault(&p, NULL), field);
@@ -45,7 +45,7 @@ static void expect_pipeline(gn_status expected, const char *field)
     assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
 }
 
-/* A value of member that is above its largest. */
+/* Sets a member above its largest value. */
 #define ABOVE(member, largest)                                                                     \
     do {                                                                                           \
         p.member = (largest);                                                                      \

@@ -1,5 +1,5 @@
-/* Colour formats: where channels are in a pixel, what clears and fragments make of colours,
- * alignment. Expected values are written out from the tables of surface.h. */
+/* Colour formats: positions of channels in a pixel, results of clears and fragments, alignment.
+ * Expected values are written out from the tables of surface.h. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +12,7 @@
 
 #define COLOR_FORMATS 14
 
-/* A pixel in the units of its format: bytes, 16 bits or 32. */
+/* A pixel in the units of its format: bytes, words of 16 bits or of 32. */
 typedef struct expected {
     gn_format format;
     uint32_t element; /* bytes */
@@ -106,7 +106,7 @@ static void shade_one_color(const void *uniforms, const gn_fragment_input *input
             output->color[c][l] = color[c];
 }
 
-/* Draws a triangle under a state over a surface whose memory begins `offset` bytes on. */
+/* Draws a triangle under a state over a surface whose memory begins at `offset` bytes. */
 static void draw_under(const gn_pipeline *state, gn_format format, uint32_t offset, uint32_t stride,
                        const float color[4])
 {
@@ -153,7 +153,7 @@ static void fragments_give_the_values_of_the_table(void **state)
     }
 }
 
-/* As little aligned as may be, with a gap of one element between rows. */
+/* With the least alignment allowed, and a gap of one element between rows. */
 static void fragments_leave_what_is_beside_them(void **state)
 {
     (void)state;
@@ -228,8 +228,8 @@ static void pixels_are_aligned_to_their_element(void **state)
     }
 }
 
-/* SHADED drawn under a state over a cleared surface; every element of the result must be the
- * wanted one. */
+/* Draws SHADED under a state over a cleared surface; every element of the result must be the wanted
+ * one. */
 static void combine(const gn_pipeline *state, const expected *e, const float clear[4],
                     const uint32_t wanted[4])
 {
@@ -249,7 +249,7 @@ static bool is_float(gn_format format)
     return format == GN_FORMAT_R32F || format == GN_FORMAT_RGBA16F || format == GN_FORMAT_RGBA32F;
 }
 
-/* 0 + s, s * 1 and the least of s and what is above it are s. */
+/* 0 + s, s * 1, and the minimum of s and a greater value are s. */
 static void blending_that_changes_nothing_gives_fragments(void **state)
 {
     static const float zeros[4] = {0.0f, 0.0f, 0.0f, 0.0f};
@@ -286,7 +286,7 @@ static void subtracting_what_was_added_gives_the_clear(void **state)
 
         if (e->format == GN_FORMAT_RGB565 || e->format == GN_FORMAT_RGB5_A1 ||
             e->format == GN_FORMAT_RGBA4 || e->format == GN_FORMAT_SRGB8_A8)
-            continue; /* which lose digits between */
+            continue; /* these formats lose digits in between */
         assert_int_equal(gn_clear_color(&s, quarters[0], quarters[1], quarters[2], quarters[3]),
                          GN_OK);
         memcpy(before, memory, (size_t)row * SIDE);
@@ -318,7 +318,8 @@ static void alpha_that_is_not_there_is_one(void **state)
     }
 }
 
-/* Of integers the bits of the clear, 0.5, 1, 0.25 and 0; floats and sRGB are as fragments are. */
+/* In formats of integers the bits of the clear, 0.5, 1, 0.25 and 0. In formats of floats and sRGB
+ * colours stay as the fragments' are. */
 static void logic_inverts_the_bits_of_integers(void **state)
 {
     (void)state;
@@ -336,8 +337,8 @@ static void logic_inverts_the_bits_of_integers(void **state)
     }
 }
 
-/* The channels of a mask, then the others: as without masks, and the first alone changes what the
- * format has of them. */
+/* The channels of a mask, then the others: the result is as without masks. The first mask alone
+ * changes those of its channels that the format has. */
 static void masks_keep_the_other_channels(void **state)
 {
     (void)state;
@@ -359,7 +360,7 @@ static void masks_keep_the_other_channels(void **state)
                 const uint32_t changed = element_at(half, e->element, i) ^ e->clear[i % e->count];
 
                 assert_int_equal(element_at(memory, e->element, i), e->fragment[i % e->count]);
-                /* Green is the second byte of four. */
+                /* Green is the second of four bytes. */
                 if (mask == (GN_CHANNEL_ALL & ~GN_CHANNEL_GREEN) && e->count == 1 &&
                     (e->element == 4 && !is_float(e->format)))
                     assert_int_equal(changed & ~0xFF00u, 0);
@@ -380,8 +381,9 @@ static void shade_all_colors(const void *uniforms, const gn_fragment_input *inpu
                 output->color[4 * a + c][l] = c == 0 ? (float)a / 8.0f : 1.0f;
 }
 
-/* Surfaces of R32F and in odd places RG8, cleared to 0.25, one of them a hole: those that the
- * shader writes have its colour, added where blending says so, not where a mask forbids it. */
+/* Surfaces of R32F, and of RG8 at odd places, cleared to 0.25; one attachment is a hole.
+ * Attachments that the shader writes have its colour, added if blending says so, but not where a
+ * mask forbids it. */
 static void each_attachment_has_its_color(void **state)
 {
     static unsigned char work[GN_WORKSPACE_SIZE(3, 0)];
@@ -402,7 +404,7 @@ static void each_attachment_has_its_color(void **state)
             t.color[a] =
                 gn_surface_bottom_up(images[a], a % 2 ? GN_FORMAT_RG8 : GN_FORMAT_R32F, SIDE, SIDE);
             assert_int_equal(gn_clear_color(&t.color[a], 0.25f, 0.25f, 0.25f, 0.25f), GN_OK);
-            /* Those that are not there are not written, whatever the shader gives. */
+            /* Missing attachments are not written, whatever colour the shader outputs. */
             if (a == hole || a >= written)
                 t.color[a].format = GN_FORMAT_NONE;
         }
@@ -435,7 +437,7 @@ static void each_attachment_has_its_color(void **state)
     }
 }
 
-/* Attachments beyond the pipeline's count stay as they are, and need a shader all the same. */
+/* Attachments beyond the pipeline's count stay as they are; they need a shader all the same. */
 static void attachments_beyond_the_count_stay(void **state)
 {
     static unsigned char work[GN_WORKSPACE_SIZE(3, 0)];

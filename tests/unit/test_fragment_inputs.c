@@ -1,4 +1,4 @@
-/* What fragment shaders are told beside varyings, worked out by hand; derivatives. */
+/* Inputs of fragment shaders besides varyings, worked by hand; derivatives. */
 #include <math.h>
 #include <string.h>
 
@@ -18,7 +18,7 @@ typedef struct canvas {
 
 static canvas c;
 
-/* Point coordinates as red and green; red is 7 where there are none. */
+/* Point coordinates as red and green; red is 7 if there are none. */
 static void show_point_coordinate(const void *uniforms, const gn_fragment_input *in,
                                   gn_fragment_output *out)
 {
@@ -30,7 +30,7 @@ static void show_point_coordinate(const void *uniforms, const gn_fragment_input 
     }
 }
 
-/* A canvas of 16x16 on which NDC x, y in -1..1 is 0..16 pixels. */
+/* Clears a canvas of 16x16 pixels, on which NDC x, y in -1..1 is 0..16 pixels. */
 static void reset(const float *positions, uint32_t vertex_count, gn_topology topology)
 {
     memset(&c, 0, sizeof c);
@@ -118,7 +118,7 @@ static void an_origin_is_checked(void **state)
     assert_int_equal(gn_pipeline_check(&c.pipeline, NULL), GN_INVALID_ENUM);
 }
 
-/* Quads have their corners at lanes 0, 2, 8 and 10. */
+/* Quads have their lower left corners at lanes 0, 2, 8 and 10. */
 static void derivatives_are_differences_in_quads(void **state)
 {
     (void)state;

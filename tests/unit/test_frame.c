@@ -1,5 +1,5 @@
-/* Frames, affine maps, model matrices and their decomposition: worked by hand, statuses,
- * results left untouched. */
+/* Frames, affine maps, model matrices and their decomposition: worked by hand, statuses, results
+ * left untouched. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -12,7 +12,7 @@
 static const gn_vec3 x_axis = {1, 0, 0}, y_axis = {0, 1, 0}, z_axis = {0, 0, 1};
 static const gn_vec3 offset = {1, 2, 3}, ones = {1, 1, 1}, nan_vector = {0, NAN, 0};
 static const gn_vec3 infinite = {0, 0, -INFINITY};
-/* A quarter turn about z: x to y. */
+/* A quarter turn about z takes x to y. */
 static const gn_mat3 quarter = {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}};
 static const gn_mat3 mirrored = {{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}}};
 
@@ -39,7 +39,7 @@ static void assert_point(const gn_transform *transform, gn_vec3 from, float x, f
     assert_float_equal(back.z, from.z, 1e-6f);
 }
 
-/* The point (5, 6, 7) of a frame at (1, 2, 3) whose x is the world's y, and so on. */
+/* The point (5, 6, 7) of a frame at (1, 2, 3) whose x axis is the world's y axis, and so on. */
 static void orthonormal(void **state)
 {
     (void)state;
@@ -102,7 +102,7 @@ static void general(void **state)
     assert_memory_equal(&t, &frame, sizeof t);
 }
 
-/* Scaled, then turned, then moved: (1, 1, 1) to (2, 3, 4), (-3, 2, 4), (-2, 4, 7). */
+/* Scaled, then turned, then moved: (1, 1, 1) becomes (2, 3, 4), (-3, 2, 4), (-2, 4, 7). */
 static void model(void **state)
 {
     (void)state;
@@ -125,7 +125,7 @@ static void model(void **state)
     assert_int_equal(gn_trs(offset, &quarter, scale, &t), GN_OK);
     assert_point(&t, ones, -2, 4, 7);
 
-    /* The same as the three composed. */
+    /* Equal to the composition of the three. */
     gn_transform move, turn, grow, both;
     assert_int_equal(gn_translate(offset, &move), GN_OK);
     assert_int_equal(
@@ -140,7 +140,7 @@ static void model(void **state)
     }
 }
 
-/* Whatever was mirrored, scale.x and the first column carry it. */
+/* Whatever axis was mirrored, scale.x and the first column have the reflection. */
 static void decomposition(void **state)
 {
     (void)state;
@@ -167,7 +167,7 @@ static void decomposition(void **state)
     }
 }
 
-/* cglm puts the sign on all three scales; of what does not reflect it agrees. */
+/* cglm puts the sign on all three scales; without a reflection it agrees. */
 static void cglm_agrees(void **state)
 {
     (void)state;
@@ -219,7 +219,7 @@ static void what_is_no_model(void **state)
         assert_int_equal(gn_mat4_decompose_trs(&m, &translation, &rotation, &scale),
                          GN_OUT_OF_RANGE);
     }
-    /* Sheared by more than 2^-16 and by less, between each two columns. */
+    /* Sheared by more than 2^-16 and by less, between every two columns. */
     for (int i = 0; i < 3; ++i) {
         const int other = (i + 1) % 3;
         for (int row = 0; row < 3; ++row) {

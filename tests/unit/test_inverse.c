@@ -1,5 +1,5 @@
-/* Inverses of bare matrices: worked by hand, in place, statuses, nearly singular ones;
- * bounds on random matrices are tests/property's. */
+/* Inverses of bare matrices: worked by hand, in place, statuses, nearly singular matrices.
+ * tests/property tests bounds with random matrices. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 
 typedef gn_status inverter(const gn_mat4 *, gn_mat4 *);
 
-/* Columns, as stored. */
+/* Columns, as they are stored. */
 static const gn_mat4 model = {{{0, 2, 0, 0}, {-3, 0, 0, 0}, {0, 0, 4, 0}, {1, 2, 3, 1}}};
 static const gn_mat4 model_inverse = {
     {{0, -1.0f / 3.0f, 0, 0}, {0.5f, 0, 0, 0}, {0, 0, 0.25f, 0}, {-1, 1.0f / 3.0f, -0.75f, 1}}};
@@ -43,7 +43,8 @@ static void by_hand(void **state)
     assert_inverse(gn_mat4_invert_perspective, &pyramid, &pyramid_inverse);
 }
 
-/* The rows of the inverse, which a plane through the origin of the old coordinates keeps. */
+/* The normal matrix is the transposed inverse of the upper left 3x3, so that normals stay
+ * perpendicular to their planes. */
 static void normals_by_hand(void **state)
 {
     (void)state;
@@ -58,7 +59,7 @@ static inverter *const inverters[4] = {gn_mat4_invert_trs, gn_mat4_invert_affine
                                        gn_mat4_invert_orthographic, gn_mat4_invert_perspective};
 static const gn_mat4 *const regular[4] = {&model, &sheared, &box, &pyramid};
 
-/* Any entry that is read and is not finite; what is fixed in a kind is not read. */
+/* Any entry that is read may be not finite. Entries that a kind of matrix fixes are not read. */
 static void numbers_must_be_finite(void **state)
 {
     (void)state;
@@ -143,8 +144,8 @@ static void singular_matrices(void **state)
     assert_memory_equal(&normals, &normals_before, sizeof normals);
 }
 
-/* Columns (1, 0, 0), (0, 1, 0), (1, 1, s) have the determinant and permanent s; (1, 1, 0),
- * (1, 1 + s, 0), (0, 0, 1) the determinant s and the permanent 2 + s. */
+/* Columns (1, 0, 0), (0, 1, 0), (1, 1, s) have the determinant and the permanent s; (1, 1, 0), (1,
+ * 1 + s, 0), (0, 0, 1) have the determinant s and the permanent 2 + s. */
 static void nearly_singular_matrices(void **state)
 {
     (void)state;
@@ -166,7 +167,7 @@ static void nearly_singular_matrices(void **state)
     assert_true(inverse.m[1][1] == 0x1p23f);
 }
 
-/* Scales from the smallest to the largest with a reciprocal, and beyond. */
+/* Scales from the smallest to the largest that has a reciprocal, and beyond. */
 static void sizes(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* General inverses: matrices whose inverses are known in whole numbers, scales, conditions,
- * each status, results left untouched. tests/property has the error bounds. */
+/* General inverses: matrices whose inverses are whole numbers, scales, conditions, every status,
+ * results left untouched. tests/property tests error bounds. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -33,15 +33,15 @@ static void identities(void **state)
     assert_true(condition == 1.0f);
 }
 
-/* T. S. Wilson's matrix is the known example of whole numbers; its largest row sums to 33, that
- * of its inverse, without signs, to 136. */
+/* T. S. Wilson's matrix is the known example with whole numbers. Its largest row sum is 33; that of
+ * its inverse, without signs, is 136. */
 static void whole_numbers(void **state)
 {
     (void)state;
     const gn_mat4 wilson = {{{10, 7, 8, 7}, {7, 5, 6, 5}, {8, 6, 10, 9}, {7, 5, 9, 10}}};
     const gn_mat4 of_wilson = {
         {{25, -41, 10, -6}, {-41, 68, -17, 10}, {10, -17, 5, -3}, {-6, 10, -3, 2}}};
-    /* Not symmetric, by back substitution. */
+    /* A matrix that is not symmetric, inverted by back substitution. */
     const gn_mat4 upper = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {2, 4, 1, 0}, {3, -5, 6, 1}}};
     const gn_mat4 of_upper = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {-2, -4, 1, 0}, {9, 29, -6, 1}}};
     const gn_mat4 cycle = {{{0, 2, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}, {1, 0, 0, 0}}};
@@ -100,8 +100,8 @@ static void scales(void **state)
     }
 }
 
-/* Axes of very different scale are regular, and their condition is their ratio; what no float
- * holds is infinite. */
+/* Axes of very different scale are regular, and their condition number is their ratio; a condition
+ * that no float represents is infinite. */
 static void conditions(void **state)
 {
     (void)state;
@@ -124,9 +124,9 @@ static void conditions(void **state)
     }
 }
 
-/* Two matrices (a b; b c) of determinant -1 in rows 0 and 1, 2 and 3, columns 0 and 2, 1 and 3:
- * the minors of columns 0, 1 and 2, 3 are near 2^24 and exact, and their products, near
- * 2^48, leave 1. */
+/* Two matrices (a b; b c) of determinant -1 in rows 0 and 1, 2 and 3, columns 0 and 2, 1 and 3. The
+ * minors of columns 0, 1 and 2, 3 are near 2^24 and exact; their products, near 2^48, cancel to
+ * 1. */
 static void terms_that_cancel(void **state)
 {
     (void)state;
@@ -174,7 +174,7 @@ static void bad_numbers(void **state)
     memset(&marked3, 0x5A, sizeof marked3);
     result = marked;
     result3 = marked3;
-    /* In an identity nearly every product of the bad number is one with zero. */
+    /* In an identity nearly every product with the bad number has zero as its other factor. */
     for (int i = 0; i < 48; ++i) {
         gn_mat4_identity(&m);
         gn_mat3_identity(&m3);
@@ -183,7 +183,7 @@ static void bad_numbers(void **state)
         assert_int_equal(gn_mat4_invert(&m, &result, &condition), GN_NOT_FINITE);
         assert_int_equal(gn_mat3_invert(&m3, &result3, &condition), GN_NOT_FINITE);
     }
-    /* The inverse of 2^-129 is 2^129: in every place. */
+    /* The inverse of 2^-129 is 2^129, at every place. */
     for (int row = 0; row < 4; ++row) {
         for (int column = 0; column < 4; ++column) {
             memset(&m, 0, sizeof m);

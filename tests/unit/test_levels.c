@@ -1,5 +1,5 @@
-/* Generated levels: cases worked by hand, where they are put, and every fault. That they are the
- * reference's is tested beside it (tests/texels). */
+/* Generated levels: cases worked by hand, where they are stored, and every fault. tests/texels
+ * compares them with the reference. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,7 +23,7 @@ static void expect_texel(const gn_texture *t, int level, int x, int y, int z, fl
                  (double)expected);
 }
 
-/* Even sizes: the mean of four; a level is made of the one before it. */
+/* Even sizes: the mean of four texels. A level is made from the level before it. */
 static void even_sizes(void **state)
 {
     (void)state;
@@ -43,8 +43,8 @@ static void even_sizes(void **state)
     expect_texel(&t, 2, 0, 0, 0, 13.75f);
 }
 
-/* Odd sizes: mixed at the new texel's centre, so that of three the middle one is taken, and of
- * five texels two centres lie 3/4 past the first and 1/4 past the fourth. */
+/* Odd sizes: mixed at the new texel's centre. So of three texels the middle one is taken; of five
+ * texels the two centres lie 3/4 past the first and 1/4 past the fourth. */
 static void odd_sizes(void **state)
 {
     (void)state;
@@ -62,7 +62,7 @@ static void odd_sizes(void **state)
     expect_texel(&t, 2, 0, 0, 0, 13.0f);
 }
 
-/* Layers of arrays and faces of cubes stay apart, slices of 3D textures are mixed. */
+/* Layers of arrays and faces of cubes are not mixed, slices of 3D textures are. */
 static void layers(void **state)
 {
     (void)state;
@@ -89,7 +89,8 @@ static void layers(void **state)
     expect_texel(&t, 2, 0, 0, 0, 26.5f);
 }
 
-/* One row is mixed with itself in two dimensions, not in one: an infinity less itself is NaN. */
+/* In two dimensions one row is mixed with itself, in one dimension it is not: infinity minus
+ * infinity is NaN. */
 static void infinities(void **state)
 {
     (void)state;
@@ -106,7 +107,7 @@ static void infinities(void **state)
     assert_true(isnan(memory));
 }
 
-/* Bytes are rounded to nearest; red, green and blue of sRGB are mixed as linear colours: half of
+/* Bytes are rounded to nearest. Red, green and blue of sRGB are mixed as linear colours: half of
  * white's light is 188. */
 static void conversions(void **state)
 {
@@ -123,7 +124,7 @@ static void conversions(void **state)
     assert_int_equal(memory, 0x80BCBCBCu);
 }
 
-/* An image from the top down, in rows and layers that are apart, has the same levels. */
+/* An image stored from the top down, with gaps between rows and layers, has equal levels. */
 static void strides(void **state)
 {
     (void)state;
@@ -145,7 +146,7 @@ static void strides(void **state)
     assert_memory_equal(memory, expected, sizeof(float) * 2 * (2 + 1));
 }
 
-/* The largest sizes, in memory of just that size: one value stays what it is. */
+/* The largest sizes, in memory of exactly that size: one value stays as it is. */
 static void largest_sizes(void **state)
 {
     (void)state;
@@ -210,7 +211,7 @@ static void faults(void **state)
     assert_int_equal(gn_texture_generate_levels(&t, memory, sizeof memory), GN_INVALID_STRIDE);
     assert_memory_equal(memory, untouched, sizeof memory);
 
-    /* Next to each other is not over each other, upside down neither. */
+    /* Adjacent memory does not overlap, also with rows upside down. */
     memcpy(&t, &before, sizeof t);
     assert_int_equal(gn_texture_generate_levels(&t, texels + 16, 20), GN_OK);
     t.level_count = 1;

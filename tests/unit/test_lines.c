@@ -1,6 +1,5 @@
-/* Lines from pixel to pixel, as gnomon/draw.h says to draw them: every joint and every start is
- * there, each pixel of a line once, and which pixels they are; and what the width of a line does.
- */
+/* Lines from pixel to pixel, drawn as gnomon/draw.h describes: every joint and every start is
+ * drawn, each pixel of a line once; which pixels they are; and the effect of the width. */
 #include <math.h>
 #include <string.h>
 
@@ -8,14 +7,14 @@
 
 enum { LARGEST = 1000 };
 
-/* Random strips: fewer where the sanitizer makes them half a minute. */
+/* The number of random strips: smaller where the sanitizer would make them take half a minute. */
 #if defined(__SANITIZE_ADDRESS__)
 #define STRIPS 10000
 #else
 #define STRIPS 100000
 #endif
 
-/* What vertices are short of a pixel's centre, in x and y. */
+/* The vertices' distance below a pixel's centre, in x and y. */
 #define SHORT 0x1p-10f
 
 static uint32_t pixels[LARGEST * LARGEST];
@@ -23,7 +22,7 @@ static unsigned char memory[GN_WORKSPACE_SIZE(3, GN_SHADER_VARYINGS)];
 static gn_target target;
 static gn_pipeline pipeline;
 static gn_color_uniforms uniforms;
-static gn_backend backend; /* asked for once, since asking takes longer than a line */
+static gn_backend backend; /* computed once, because that takes longer than a line */
 static uint64_t drawn;     /* pixels, or samples, of one draw */
 static int width, height;
 
@@ -63,7 +62,7 @@ typedef struct place {
     int x, y;
 } place;
 
-/* Up to three pixels as the ends of lines. */
+/* Draws lines whose ends are up to three pixels. */
 static void draw_between(const place *p, uint32_t count)
 {
     float positions[6];
@@ -90,13 +89,14 @@ static bool is_x_major(place a, place b)
     return magnitude(a.x - b.x) >= magnitude(a.y - b.y);
 }
 
-/* Pixels of the line: columns of one that is long along x, rows of one along y. */
+/* The number of the line's pixels: columns if it is long along x, rows if it is long along y. */
 static int steps_between(place a, place b)
 {
     return is_x_major(a, b) ? magnitude(a.x - b.x) : magnitude(a.y - b.y);
 }
 
-/* The pixel nearest to the line after `step` steps, of two as near the one to its left. */
+/* The pixel nearest to the line after `step` steps; of two equally near, the one to the left of the
+ * line. */
 static place nearest_pixel(place a, place b, int step)
 {
     const int n = steps_between(a, b), dx = b.x - a.x, dy = b.y - a.y;
@@ -110,8 +110,9 @@ static place nearest_pixel(place a, place b, int step)
     return p;
 }
 
-/* Draws the line, clears its pixels, and asserts that it has one for every step but the last, from
- * its first end on, each within `bound` of the exact line; true where all are nearest_pixel's. */
+/* Draws the line, clears its pixels, and asserts that it has one pixel for every step except the
+ * last, from its first end on, each within `bound` of the exact line. Returns true if all are
+ * nearest_pixel's. */
 static bool is_line(place a, place b, double bound)
 {
     const place ends[2] = {a, b};
@@ -178,7 +179,7 @@ static void all_lines_of_a_grid(void **state)
     }
 }
 
-/* A target whose sides are no powers of two, on which transforms round. */
+/* A target whose sides are not powers of two, so that transforms round. */
 static void long_lines(void **state)
 {
     (void)state;
@@ -216,7 +217,7 @@ static void strips_have_starts_and_joints(void **state)
     }
 }
 
-/* A point where a strip ends is the pixel that the strip leaves out. */
+/* A point at the end of a strip is the pixel that the strip leaves out. */
 static void a_point_is_the_last_pixel(void **state)
 {
     (void)state;
@@ -232,8 +233,8 @@ static void a_point_is_the_last_pixel(void **state)
     }
 }
 
-/* Of vertices at the very centre the reference, too, leaves out the first pixel of lines that are
- * longer along y and lead down (reference/RULES.md); the other three kinds have it. */
+/* With vertices at the exact centre, the reference too leaves out the first pixel of lines that are
+ * longer along y and lead down (reference/RULES.md). The other three kinds of lines have it. */
 static void centres_lack_starts(void **state)
 {
     (void)state;
@@ -269,9 +270,9 @@ static uint32_t places_along(const float ends[4], bool x_major)
     return along;
 }
 
-/* Every line between quarter pixels of three pixels each way: the width changes nothing along the
- * line, since its diamonds are those of the line itself. OpenGL would shift lines of even width by
- * half a pixel first. */
+/* Every line between quarter pixels of three pixels each way. The width changes nothing along the
+ * line, since its diamonds are those of the line itself. OpenGL would first shift lines of even
+ * width by half a pixel. */
 static void widths_do_not_move_ends(void **state)
 {
     (void)state;
@@ -294,7 +295,7 @@ static void widths_do_not_move_ends(void **state)
     }
 }
 
-/* A level line along the side between two rows of eight pixels. */
+/* A level line along the side between two rows, eight pixels long. */
 static uint64_t drawn_with_width(float line_width)
 {
     static const float ends[4] = {0.0f, 4.0f, 8.0f, 4.0f};
@@ -313,8 +314,8 @@ static void widths_are_rounded_without_samples(void **state)
     assert_int_equal(drawn_with_width(1.5f), 2 * 8);
     assert_int_equal(drawn_with_width(2.5f), 3 * 8);
 
-    /* Samples lie 1, 3, 5 and 7 eighths above a pixel's lower side; those on the line's lower side
-     * are its own. */
+    /* Samples lie 1, 3, 5 and 7 eighths above a pixel's lower side. The line owns samples on its
+     * lower side. */
     const gn_surface image = target.color[0];
     target.color[0] = gn_surface_multisampled(&image);
     assert_int_equal(drawn_with_width(0.25f), 4 * 8);

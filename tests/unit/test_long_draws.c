@@ -1,12 +1,13 @@
-/* Long draws: a draw of thousands of triangles keeps few of its vertices at a time,
- * and what it draws is what its parts draw one after the other. */
+/* Long draws: a draw of thousands of triangles keeps few of its vertices at a time, and draws what
+ * its parts draw one after the other. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "unit.h"
 
-/* Pixels a side: fewer where the sanitizer makes each dear. The vertices are as many. */
+/* Pixels a side: fewer where the sanitizer makes each one slow. The number of vertices is the
+ * same. */
 #if defined(__SANITIZE_ADDRESS__)
 #define SIZE 48
 #else
@@ -36,7 +37,7 @@ static float noise(uint32_t *seed)
     return (float)(*seed >> 8) / 16777216.0f;
 }
 
-/* A band wound up and down over the whole target, its rows one over the other. */
+/* A band wound up and down over the whole target, with its rows one over the other. */
 static void make_vertices(void)
 {
     uint32_t seed = 1;
@@ -80,7 +81,7 @@ static uint32_t backwards(uint32_t n)
     return ROWS - 2 - n;
 }
 
-/* Every fiftieth goes far back. */
+/* Every fiftieth quad goes far back. */
 static uint32_t stepping_back(uint32_t n)
 {
     return n % 50 == 49 ? n - 40 : n;
@@ -91,13 +92,13 @@ static uint32_t scattered(uint32_t n)
     return n * 7 % (ROWS - 1);
 }
 
-/* The last row needs the first one's vertices. */
+/* The last row needs the first row's vertices. */
 static uint32_t closing(uint32_t n)
 {
     return n == ROWS - 2 ? 0 : n;
 }
 
-/* In the reverse order, as threads might. */
+/* Runs tasks in reverse order, as threads might. */
 static void backwards_on_this_thread(void *user, gn_task *task, void *context, uint32_t tasks)
 {
     (void)user;
@@ -105,7 +106,7 @@ static void backwards_on_this_thread(void *user, gn_task *task, void *context, u
         task(context, tasks);
 }
 
-/* Draws the elements, `part` at a time, in a workspace of that size. */
+/* Draws the elements in parts of `part` elements, in a workspace of that size. */
 static void draw_in_parts(frame *f, gn_topology topology, uint32_t part, gn_workspace *workspace)
 {
     static gn_color_uniforms uniforms;
@@ -129,7 +130,7 @@ static void draw_in_parts(frame *f, gn_topology topology, uint32_t part, gn_work
     }
 }
 
-/* Leaves little to be seen: some quads in every sixty-fourth row. */
+/* Makes little visible: some quads in every sixty-fourth row. */
 static void hide_most(void)
 {
     for (int i = 0; i < VERTICES; ++i)
@@ -137,7 +138,7 @@ static void hide_most(void)
             position[i][2] = 3.0f;
 }
 
-/* In one draw, on one thread and in tasks, with much and little memory, as in parts. */
+/* One draw, on one thread and in tasks, with much and little memory, draws what its parts draw. */
 static void draw_both_ways(gn_topology topology)
 {
     static frame parts, whole;
@@ -176,7 +177,7 @@ static void rows_in_any_order(void **state)
     }
 }
 
-/* What is seen waits for more, while vertices after it are shaded. */
+/* Visible triangles wait for more, while later vertices are shaded. */
 static void few_triangles_are_seen(void **state)
 {
     (void)state;
@@ -194,8 +195,8 @@ static void strips(void **state)
     draw_both_ways(GN_TRIANGLE_STRIP);
 }
 
-/* Slivers through centres of pixels, many of whose windings change where they are snapped: which
- * of them are culled depends on whether their part of the draw has vertices outside. */
+/* Slivers through centres of pixels. Snapping changes the winding of many. Which of them are culled
+ * depends on whether their part of the draw has vertices outside. */
 static void make_slivers(void)
 {
     uint32_t seed = 7;
@@ -218,7 +219,7 @@ static void make_slivers(void)
     position[VERTICES - 1][0] = 5.0f;
 }
 
-/* Every instance of a draw whose last part alone has a vertex outside draws the same. */
+/* Every instance of a draw draws the same pixels if only the last part has a vertex outside. */
 static void instances_are_alike(void **state)
 {
     static frame f;
@@ -249,7 +250,7 @@ static void instances_are_alike(void **state)
     free(workspace.memory);
 }
 
-/* Little memory is enough to shade each vertex once, where indices go along with them. */
+/* Little memory is enough to shade each vertex once if indices follow the vertices' order. */
 static uint64_t shaded;
 
 static void count_vertices(const void *uniforms, const gn_vertex_input *input,
@@ -281,9 +282,10 @@ static void few_vertices_are_kept(void **state)
     assert_int_equal(shaded, VERTICES);
 }
 
-/* Blocks of as many indices as the library finds ranges of, each of vertices of its own in no
- * order. The triangles of a step, some of which begin in the block before, need the vertices of two
- * blocks: more than 512, and not above the 1024 that there is memory for. Three would not fit. */
+/* Blocks of as many indices as the library finds ranges of. Each block has vertices of its own in
+ * no order. The triangles of a step, some of which begin in the block before, need the vertices of
+ * two blocks: more than 512, but not above the 1024 that memory is there for. The vertices of three
+ * blocks would not fit. */
 enum { BLOCKS = 6, BLOCK_INDICES = 1024, BLOCK_VERTICES = 480 };
 
 static void two_blocks_are_kept(void **state)

@@ -1,6 +1,5 @@
-/* Matrices: products, transposes and determinants in small integers, where every
- * operation is exact; the order of summation; results over operands. cglm gives
- * the second opinion. */
+/* Matrices: products, transposes and determinants in small integers, with exact operations; the
+ * order of summation; results over operands. cglm is a second source. */
 #include <math.h>
 #include <string.h>
 
@@ -93,8 +92,8 @@ static void products_with_vectors(void **state)
     assert_true(point.x == 26.0f && point.y == -12.0f && point.z == 21.0f);
 }
 
-/* In every row, the columns are 1 and half a last place or cancel: any other
- * order of the sums gives another number. */
+/* In every row the columns are 1 and half a last place, or cancel: any other order of the sums
+ * gives another number. */
 static void products_are_summed_from_the_first_column(void **state)
 {
     (void)state;
@@ -156,7 +155,7 @@ static void transposed(void **state)
     assert_mat4(&back4, &p4);
 }
 
-/* By cofactors of the last column: a different expansion than the library's. */
+/* By cofactors of the last column: another expansion than the library's. */
 static float determinant_by_last_column(const gn_mat4 *m)
 {
     float sum = 0.0f;
@@ -195,7 +194,7 @@ static void determinants(void **state)
     assert_true(gn_mat4_determinant(&singular) == 0.0f);
 }
 
-/* A turn that takes axes to axes, where every operation is exact. */
+/* A rotation that takes axes to axes, so that every operation is exact. */
 static void rigid_inverses(void **state)
 {
     (void)state;
@@ -217,7 +216,7 @@ static void rigid_inverses(void **state)
     gn_mat4_invert_rigid(&unread, &inverse);
     assert_mat4(&inverse, &expected);
 
-    /* Without a translation there is none, and no negative zero. */
+    /* Without a translation the inverse has none, and no negative zero. */
     gn_mat4_invert_rigid(&one, &inverse);
     assert_memory_equal(&inverse, &one, sizeof one);
 
@@ -236,7 +235,8 @@ static void rigid_inverses(void **state)
     }
 }
 
-/* The columns of R^T against t are 1 and half a last place, in the order of the contract. */
+/* The products of the columns of R^T with t are 1 and half a last place, in the order of the
+ * contract. */
 static void rigid_inverses_are_summed_in_order(void **state)
 {
     (void)state;

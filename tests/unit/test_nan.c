@@ -1,5 +1,5 @@
-/* NaN in surfaces of floats has one pattern of bits, whatever it was made from, on every back end;
- * only copies keep the bits that are there. */
+/* A NaN that is written to a surface of floats has one pattern of bits on every back end, whatever
+ * it was computed from. Only copies keep the bits. */
 #include "float_bits.h"
 
 static const uint32_t values[] = {0x7FC00000, 0xFFC00000, 0xFFFFFFFF, 0x7F800001, 0x7FC12345,
@@ -55,7 +55,7 @@ static bool is_nan(uint32_t bits)
     return (bits & 0x7FFFFFFF) > 0x7F800000;
 }
 
-/* Asserts that all back ends draw the same bits, of NaN the one pattern. */
+/* Asserts that all back ends draw equal bits, and the one pattern for NaN. */
 static void assert_one_nan(gn_format format, gn_pipeline pipeline, uint32_t source,
                            uint32_t destination)
 {
@@ -111,7 +111,7 @@ static void blending(void **state)
                     }
 }
 
-/* A channel that is masked keeps what it has, also a NaN of other bits. */
+/* A masked channel keeps its bits, also those of another NaN. */
 static void masked_channels_stay(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* Points, lines, and triangles drawn as them: small pictures worked out by hand. */
+/* Points, lines, and triangles drawn as points or lines: small pictures worked by hand. */
 #include "canvas.h"
 
 static uint32_t pixel(int x, int y)
@@ -6,8 +6,8 @@ static uint32_t pixel(int x, int y)
     return c.color[y * SIZE + x] != 0;
 }
 
-/* A point of 3 pixels about the centre of pixel (4, 2), and one whose shader says 2: about a
- * corner of four pixels. */
+/* A point of 3 pixels about the centre of pixel (4, 2), and a point whose shader sets the size 2
+ * about a corner of four pixels. */
 static void points_are_squares(void **state)
 {
     (void)state;
@@ -23,7 +23,7 @@ static void points_are_squares(void **state)
     assert_int_equal(covered(), 9);
     assert_true(pixel(3, 1) && pixel(5, 3));
 
-    /* A point whose centre is outside is not drawn, though it would reach in. */
+    /* A point whose centre is outside is not drawn, even if part of it is inside. */
     reset(outside, 1, GN_POINTS);
     c.pipeline.raster.point_size = 4.0f;
     assert_int_equal(draw(), GN_OK);
@@ -60,8 +60,8 @@ static void shaders_give_point_sizes(void **state)
     assert_int_equal(covered(), 25);
 }
 
-/* A square near pixel centres (on them the reference loses one pixel, reference/RULES.md): a loop
- * has every pixel of it, a strip ends before its last, separate lines have two sides. */
+/* A square near pixel centres (on them the reference loses one pixel, reference/RULES.md). A loop
+ * draws every pixel of it, a strip ends before its last pixel, separate lines draw two sides. */
 static void lines_leave_out_their_last_pixel(void **state)
 {
     (void)state;
@@ -89,8 +89,8 @@ static void lines_leave_out_their_last_pixel(void **state)
     assert_true(pixel(1, 0) && pixel(5, 2) && !pixel(6, 1) && !pixel(3, 3));
 }
 
-/* A triangle near pixel centres, from (1, 1) to (6, 1) and (1, 6): the front as lines, the back as
- * points, and clipped at the right, where the side of the view volume is no edge. */
+/* A triangle near pixel centres, from (1, 1) to (6, 1) and (1, 6): the front face as lines, the
+ * back face as points, and clipped at the right, where the side of the view volume is no edge. */
 static void triangles_have_outlines(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Points to the window and back: one worked by hand in each convention, the half-pixel rule,
- * points that have no window coordinates, cglm's opinion. */
+/* Points to the window and back: one worked by hand in each convention, the half-pixel rule, points
+ * without window coordinates, comparison with cglm. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -20,10 +20,10 @@ static void assert_vector(gn_vec3 got, float x, float y, float z, float toleranc
 
 static const float right_angle = 0.5f * GN_PI;
 
-/* A camera at the origin that sees a right angle upwards and twice as much across, from 1
- * to 3, on 8 x 4 pixels. A point 2 ahead, 1 to the right and 1/2 up is a quarter of the way
- * from the middle to the border, so at x = 4 + 1, y = 2 + 1/2 from the bottom; its depth is
- * (1 - 1/2) / (1 - 1/3) = 3/4. */
+/* A camera at the origin sees a right angle upwards and twice as much across, from 1 to 3, on 8 x 4
+ * pixels. A point 2 ahead, 1 to the right and 1/2 up is a quarter of the way from the middle to the
+ * border. So it is at x = 4 + 1, y = 2 + 1/2 from the bottom; its depth is (1 - 1/2) / (1 - 1/3) =
+ * 3/4. */
 static void in_each_convention(void **state)
 {
     (void)state;
@@ -55,8 +55,8 @@ static void in_each_convention(void **state)
     assert_vector(point, 1, 0.5f, -2, 2e-6f);
 }
 
-/* Pixel (4, 2) of the 8 x 4 has its centre at (4.5, 2.5), an eighth and a quarter of the way
- * from the middle to the border, which at distance 2 is 4 and 2 away. */
+/* Pixel (4, 2) of the 8 x 4 has its centre at (4.5, 2.5): an eighth and a quarter of the way from
+ * the middle to the border. The border is 4 and 2 away at distance 2. */
 static void pixel_centres(void **state)
 {
     (void)state;
@@ -112,7 +112,7 @@ static void points_without_a_window(void **state)
     assert_int_equal(gn_unproject(&projection, NULL, last, &result), GN_NULL_POINTER);
     assert_int_equal(gn_unproject(&projection, &viewport, last, NULL), GN_NULL_POINTER);
     assert_vector(result, 7, 7, 7, 0);
-    /* Half of the depth of an infinite projection is twice the near distance. */
+    /* In an infinite projection the depth 1/2 is at twice the near distance. */
     const gn_vec3 middle = {4, 2, 0.5f};
     assert_int_equal(gn_unproject(&projection, &viewport, middle, &at_depth), GN_OK);
     assert_vector(at_depth, 0, 0, -2, 1e-6f);

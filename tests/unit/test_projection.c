@@ -1,5 +1,5 @@
-/* Projections and the viewport: where the corners of the view volume go, there
- * and back, each status, results left untouched. cglm gives the second opinion. */
+/* Projections and the viewport: where the corners of the view volume go, there and back, every
+ * status, results left untouched. cglm is a second source. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -16,7 +16,7 @@ static void assert_near(const gn_mat4 *got, const gn_mat4 *expected, float toler
             assert_float_equal(got->m[column][row], expected->m[column][row], tolerance);
 }
 
-/* The point goes to ndc, and from there, with the w it got, back to itself. */
+/* The point goes to ndc, and from there, with its w, back to itself. */
 static void assert_projected(const gn_transform *transform, float x, float y, float z, float ndc_x,
                              float ndc_y, float ndc_z)
 {
@@ -43,7 +43,7 @@ static void orthographic(void **state)
     assert_projected(&t, -2, -1, -0.5f, -1, -1, -1);
     assert_projected(&t, 6, 3, -20, 1, 1, 1);
     assert_projected(&t, 2, 1, -10.25f, 0, 0, 0);
-    /* Planes in the other order, and behind the eye. */
+    /* Planes in the other order, and planes behind the eye. */
     assert_int_equal(gn_orthographic_rh_no(6, -2, 3, -1, 20, -3, &t), GN_OK);
     assert_projected(&t, 6, 3, -20, -1, -1, -1);
     assert_projected(&t, -2, -1, 3, 1, 1, 1);
@@ -79,13 +79,13 @@ static void perspective(void **state)
         glm_perspective_rh_no(fov, 1.5f, 0.5f, 200, expected.m);
         assert_near(&t.matrix, &expected, 3e-6f);
     }
-    /* A right angle from bottom to top: y = z is the border. */
+    /* With a right angle from bottom to top, y = z is the border. */
     assert_int_equal(gn_perspective_rh_no(0.5f * GN_PI, 2, 1, 10, &t), GN_OK);
     assert_projected(&t, 2, 1, -1, 1, 1, -1);
     assert_projected(&t, -20, -10, -10, -1, -1, 1);
     assert_int_equal(gn_perspective_rh_no(0.5f * GN_PI, 2, 10, 1, &t), GN_OK);
     assert_projected(&t, 2, 1, -1, 1, 1, 1);
-    /* The widest angle a float can hold. */
+    /* The widest angle that a float represents. */
     assert_int_equal(gn_perspective_rh_no(nextafterf(GN_PI, 0.0f), 1, 1, 10, &t), GN_OK);
 }
 
@@ -173,7 +173,7 @@ static void numbers_must_be_in_range(void **state)
     assert_int_equal(gn_perspective_rh_no(1, -2, 1, 10, &t), GN_OUT_OF_RANGE);
     assert_int_equal(gn_perspective_rh_no(1, 1, 0, 10, &t), GN_OUT_OF_RANGE);
     assert_int_equal(gn_perspective_rh_no(1, 1, 1, 0, &t), GN_OUT_OF_RANGE);
-    /* Overflow on the way, and reciprocals that are no normal float. */
+    /* Overflow in intermediate results, and reciprocals that are not normal floats. */
     assert_int_equal(gn_orthographic_rh_no(-FLT_MAX, FLT_MAX, -1, 1, 1, 10, &t), GN_OUT_OF_RANGE);
     assert_int_equal(gn_orthographic_rh_no(0, 1e-45f, -1, 1, 1, 10, &t), GN_OUT_OF_RANGE);
     assert_int_equal(gn_orthographic_rh_no(3e38f, 2e38f, -1, 1, 1, 10, &t), GN_OUT_OF_RANGE);

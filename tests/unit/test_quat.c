@@ -1,6 +1,6 @@
-/* Quaternions: products and rotations worked by hand, all rotations of a cube, half turns,
- * opposite directions, each status. cglm gives the second opinion on matrices,
- * products and slerp; error bounds are tests/property's. */
+/* Quaternions: products and rotations worked by hand, all rotations of a cube, half turns, opposite
+ * directions, every status. cglm is a second source for matrices, products and slerp.
+ * tests/property tests error bounds. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -68,8 +68,8 @@ static void units_multiply_as_hamilton_says(void **state)
     assert_quat(gn_quat_multiply(p, q), theirs[0], theirs[1], theirs[2], theirs[3], 0.0f);
 }
 
-/* Every pair of exponents: conjugate(q) / |q|^2 to 9 u of each component, or to 2^-146 below the
- * normal floats. */
+/* Every pair of exponents: conjugate(q) / |q|^2 within 9 u of each component, or within 2^-146
+ * below the normal floats. */
 static void inverses_of_unlike_components(void **state)
 {
     (void)state;
@@ -137,7 +137,7 @@ static void axes_and_angles(void **state)
     assert_vec3(gn_quat_rotate(turn, x), 0, 1, 0);
     assert_vec3(gn_quat_rotate(turn, y), -1, 0, 0);
     assert_vec3(gn_quat_rotate(turn, z), 0, 0, 1);
-    /* A third of a turn about the diagonal: x to y to z to x. */
+    /* A third of a turn about the diagonal takes x to y to z to x. */
     assert_int_equal(gn_quat_from_axis_angle(diagonal, 2.0f * GN_PI / 3.0f, &turn), GN_OK);
     assert_quat(turn, 0.5f, 0.5f, 0.5f, 0.5f, 1e-7f);
     assert_vec3(gn_quat_rotate(turn, x), 0, 1, 0);
@@ -145,7 +145,7 @@ static void axes_and_angles(void **state)
     assert_vec3(gn_quat_rotate(turn, z), 1, 0, 0);
 }
 
-/* The 24 turns of a cube: whole numbers, half turns and negative traces among them. */
+/* The 24 rotations of a cube: whole numbers; half turns and negative traces are among them. */
 static void cubes(void **state)
 {
     (void)state;
@@ -216,7 +216,7 @@ static void matrices_that_are_no_rotations(void **state)
     assert_int_equal(gn_quat_to_mat4(p, NULL), GN_NULL_POINTER);
 }
 
-/* The length of q does not matter to its matrix. */
+/* The length of q does not change its matrix. */
 static void matrices_match_cglm(void **state)
 {
     (void)state;
@@ -239,7 +239,7 @@ static void matrices_match_cglm(void **state)
             long_turn.z = turn.z * factor;
             long_turn.w = turn.w * factor;
             assert_int_equal(gn_quat_to_mat3(long_turn, &ours), GN_OK);
-            /* 2^-140 leaves ten bits. */
+            /* At 2^-140 ten bits remain. */
             for (int i = 0; i < 9; ++i)
                 assert_float_equal(ours.m[i / 3][i % 3], m[i / 3][i % 3],
                                    exponent < -120 ? 1e-2f : 2e-6f);
@@ -275,7 +275,8 @@ static void directions(void **state)
         assert_int_equal(gn_quat_from_directions(some[i], gn_vec3_negate(some[i]), &turn), GN_OK);
         assert_float_equal(turn.w, 0.0f, 1e-6f);
         assert_vec3(gn_quat_rotate(turn, unit), -unit.x, -unit.y, -unit.z);
-        /* Almost opposite, in the plane of some[i] and another: the axis is across both. */
+        /* Almost opposite directions in the plane of some[i] and another axis: the rotation's axis
+         * is perpendicular to both. */
         gn_vec3 other = gn_vec3_negate(some[i]);
         other.x += 0.001f;
         other.z -= 0.002f;
@@ -308,10 +309,10 @@ static void views(void **state)
     assert_int_equal(gn_quat_look_rh(ahead, y, NULL), GN_NULL_POINTER);
     assert_int_equal(gn_quat_look_rh(ahead, y, &turn), GN_OK);
     assert_quat(turn, 0, 0, 0, 1, 0.0f);
-    /* To look along x is to turn right, clockwise about y. */
+    /* To look along x is a turn to the right, clockwise about y. */
     assert_int_equal(gn_quat_look_rh(x, y, &turn), GN_OK);
     assert_quat(turn, 0, -HALF_ROOT, 0, HALF_ROOT, 1e-7f);
-    /* The view of look-at is the rotation back. */
+    /* The view of look-at is the inverse rotation. */
     assert_int_equal(gn_quat_look_rh(forward, up, &turn), GN_OK);
     assert_int_equal(gn_look_at_rh(eye, gn_vec3_add(eye, forward), up, &view), GN_OK);
     assert_int_equal(gn_quat_to_mat3(gn_quat_conjugate(turn), &m), GN_OK);
@@ -326,8 +327,8 @@ static void between_rotations(void **state)
     const gn_quat minus = {0, 0, -5 * HALF_ROOT, -5 * HALF_ROOT}, half = {1, 0, 0, 0};
     const float eighth = GN_PI / 8.0f;
     gn_quat result;
-    /* Half way to a quarter turn, and as far again; -q is the same turn and lengths do not count.
-     */
+    /* Half way to a quarter turn, and as far again. -q is the same turn, and lengths do not
+     * matter. */
     assert_int_equal(gn_quat_slerp(one, quarter, 0.5f, &result), GN_OK);
     assert_quat(result, 0, 0, sinf(eighth), cosf(eighth), 2e-7f);
     assert_int_equal(gn_quat_slerp(one, minus, 0.5f, &result), GN_OK);
@@ -351,7 +352,7 @@ static void between_rotations(void **state)
     assert_int_equal(gn_quat_slerp(one, one, 0.3f, &result), GN_OK);
     assert_quat(result, 0, 0, 0, 1, 0.0f);
 
-    /* Nearly equal and nearly opposite: the small angle is divided as it should be. */
+    /* Nearly equal and nearly opposite: the small angle is divided correctly. */
     for (int exponent = -1; exponent >= -60; --exponent) {
         const float small = ldexpf(1.0f, exponent), angle = atanf(small);
         const gn_quat close = {small, 0, 0, 1}, opposite = {-small, 0, 0, -1};

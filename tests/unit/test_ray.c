@@ -1,5 +1,5 @@
-/* Rays through pixels, against triangles and boxes, and barycentric coordinates: values worked
- * out by hand, statuses, results left untouched. Bounds are tests/property's. */
+/* Rays through pixels, rays against triangles and boxes, and barycentric coordinates: values worked
+ * by hand, statuses, results left untouched. tests/property tests bounds. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -13,8 +13,8 @@ static void assert_vec3(gn_vec3 got, float x, float y, float z)
     assert_float_equal(got.z, z, 2e-7f * (1.0f + fabsf(z)));
 }
 
-/* A right angle of view from the near plane at 1 to 3, in a window of 2x2 pixels, whose
- * centres are at -0.5 and 0.5 of -1..1: directions (+-0.5, +-0.5, +-1) / sqrt(1.5). */
+/* A right angle of view, near plane 1 and far plane 3, in a window of 2x2 pixels, whose centres are
+ * at -0.5 and 0.5 of -1..1: directions (+-0.5, +-0.5, +-1) / sqrt(1.5). */
 #define ACROSS 0.40824829f
 #define AHEAD 0.81649658f
 
@@ -50,7 +50,7 @@ static void pixels_of_opengl(void **state)
 static void pixels_of_direct3d(void **state)
 {
     (void)state;
-    /* At (0, 0, 5), along -x; z is to its right. */
+    /* At (0, 0, 5), looking along -x; z is to the right. */
     const gn_vec3 eye = {0, 0, 5}, ahead = {-1, 0, 0}, up = {0, 1, 0};
     gn_transform projection, view, window;
     gn_ray ray;
@@ -123,7 +123,7 @@ static void impossible_pixels_are_named(void **state)
     assert_memory_equal(&ray, &before, sizeof ray);
 }
 
-/* The triangle (0,0,0), (2,0,0), (0,4,0), counterclockwise from +z. */
+/* The triangle (0,0,0), (2,0,0), (0,4,0), counterclockwise seen from +z. */
 static const gn_vec3 tri_a = {0, 0, 0}, tri_b = {2, 0, 0}, tri_c = {0, 4, 0};
 
 static void triangles_by_hand(void **state)
@@ -282,7 +282,7 @@ static void barycentric_in_the_plane(void **state)
     assert_int_equal(gn_barycentric_2d(off, a, tiny_b, c, &w), GN_OUT_OF_RANGE);
     assert_int_equal(gn_barycentric_2d(a, a, small_b, small_c, &w), GN_DEGENERATE);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
-        /* Either way round, and every corner first. */
+        /* In both windings, and with every corner first. */
         assert_int_equal(gn_barycentric_2d(cases[i].point, a, b, c, &w), GN_OK);
         assert_vec3(w, cases[i].weights.x, cases[i].weights.y, cases[i].weights.z);
         assert_int_equal(gn_barycentric_2d(cases[i].point, b, a, c, &w), GN_OK);
@@ -292,7 +292,8 @@ static void barycentric_in_the_plane(void **state)
     }
 }
 
-/* In the plane z = 1, and a triangle in no coordinate plane, normal (1, 1, 1). */
+/* In the plane z = 1, and a triangle that is parallel to no coordinate plane, with normal (1, 1,
+ * 1). */
 static void barycentric_in_space(void **state)
 {
     (void)state;

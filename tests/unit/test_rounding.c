@@ -1,5 +1,5 @@
-/* Whole numbers, fractions, mixing, degrees: against the C library where its functions are
- * exact, and MPFR. */
+/* Whole numbers, fractions, mixing, degrees: against the C library where its functions are exact,
+ * and against MPFR. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -8,14 +8,14 @@
 
 #include "float_bits.h"
 
-enum { STRIDE = 16381 }; /* of bit patterns, a prime: 262,191 floats of every class */
+enum { STRIDE = 16381 }; /* step between bit patterns, a prime: 262,191 floats of every class */
 
 static float largest_below_one(void)
 {
     return nextafterf(1.0f, 0.0f);
 }
 
-/* x - floor(x) in double is exact to 2^-53 of itself or more. */
+/* x - floor(x) in double has a relative error of at most 2^-53. */
 static float expected_fraction(float x)
 {
     float fraction = (float)((double)x - floor((double)x));
@@ -49,7 +49,7 @@ static void whole_numbers_of_every_class(void **state)
     }
 }
 
-/* Whole numbers and halves, and what is next to them, in every binade. */
+/* Whole numbers and halves, and their neighbours, in every binade. */
 static void whole_numbers_and_neighbours(void **state)
 {
     (void)state;

@@ -79,7 +79,7 @@ static void faults(void **state)
     assert_int_equal(gn_target_check(&t), GN_OK);
 }
 
-/* Samples lie one after the other, or so that the target is refused. */
+/* Samples follow one another without overlap, otherwise the target is refused. */
 static void long_rows_do_not_overlap(void **state)
 {
     (void)state;
@@ -115,8 +115,8 @@ static void clears_fill_every_sample(void **state)
     }
 }
 
-/* What draw_strip's shader does beyond white: the mask it reads is red in steps, the one it writes
- * leaves samples 1 and 2. */
+/* The shader of draw_strip besides writing white: red shows the mask that it reads, in steps; the
+ * mask that it writes leaves samples 1 and 2. */
 static bool reads_mask, writes_mask, alpha_covers;
 static float strip_alpha = 1.0f;
 static uint32_t mask_bits = 6;
@@ -139,7 +139,7 @@ static void show_masks(const void *uniforms, const gn_fragment_input *in, gn_fra
     }
 }
 
-/* White from x = 0 to `right` pixels, over the whole height. */
+/* Draws white from x = 0 to `right` pixels, over the whole height. */
 static uint64_t draw_strip(const gn_target *t, float right, gn_status wanted)
 {
     static unsigned char memory[65536];
@@ -210,7 +210,7 @@ static void coverage_is_of_samples(void **state)
     }
 }
 
-/* A strip to the middle of pixel 3 covers samples 0 and 2 of that. */
+/* A strip to the middle of pixel 3 covers samples 0 and 2 of that pixel. */
 static void masks_are_of_samples(void **state)
 {
     (void)state;
@@ -222,7 +222,7 @@ static void masks_are_of_samples(void **state)
         writes_mask = what != 1;
         mask_bits = what > 3 ? 0x7FFFFFF6 : 6;
         assert_int_equal(gn_clear_depth(&t.depth, 1.0f), GN_OK);
-        for (int p = 0; p < SIDE; ++p) /* sample 3 of some fails the depth test */
+        for (int p = 0; p < SIDE; ++p) /* sample 3 of some pixels fails the depth test */
             depths[3 * PIXELS + p] = 0.25f;
         const uint64_t passed = draw_strip(&t, 3.5f, GN_OK);
         for (int n = 0; n < GN_SAMPLES; ++n) {
@@ -242,7 +242,7 @@ static void masks_are_of_samples(void **state)
     reads_mask = writes_mask = false;
 }
 
-/* Which a written mask does not touch. */
+/* A mask that the shader writes does not change this. */
 static void one_sample_has_mask_1(void **state)
 {
     (void)state;
@@ -258,7 +258,7 @@ static void one_sample_has_mask_1(void **state)
         assert_int_equal(colors[PAD + p], p % SIDE < 3 ? 0xFFFFFF01 : 0);
 }
 
-/* A sample stays unless alpha is at most s / 4; of NaN all do. */
+/* A sample stays unless alpha is at most s / 4; with NaN all samples stay. */
 static void alpha_covers_samples(void **state)
 {
     (void)state;
@@ -283,7 +283,7 @@ static void alpha_covers_samples(void **state)
     strip_alpha = 1.0f;
 }
 
-/* The planes in any order of memory, and rows of the samples side by side. */
+/* The sample planes in any order in memory, and rows of the samples side by side. */
 static void strides_of_samples_are_free(void **state)
 {
     (void)state;
@@ -338,9 +338,9 @@ static void resolving_averages(void **state)
     assert_int_equal(gn_resolve(&to, &t.depth), GN_INVALID_SIZE);
 }
 
-/* A triangle from w = 1 at x = 0.5 to `w` at its right edge, x = 8.25: 1/w falls along x and, for w
- * of 32, is 0 at the centre of pixel 8, whose sample 2 is covered. Red is 1, green falls from 1
- * to 0 and blue rises from 0 to 1, all smooth. The colour of that sample. */
+/* A triangle from w = 1 at x = 0.5 to `w` at its right edge, x = 8.25. 1/w falls along x; for w =
+ * 32 it is 0 at the centre of pixel 8, whose sample 2 is covered. Red is 1, green falls from 1 to 0
+ * and blue rises from 0 to 1, all smooth. Returns the colour of that sample. */
 static void color_beyond_an_edge(gn_format format, float w, gn_backend backend, void *color)
 {
     static unsigned char memory[65536];
@@ -381,7 +381,7 @@ static void color_beyond_an_edge(gn_format format, float w, gn_backend backend, 
     memcpy(color, (const char *)pixels + (size_t)(2 * 16 * 16 + 2 * 16 + 8) * size, size);
 }
 
-/* What the reference draws, on every back end (reference/RULES.md). */
+/* The reference's results, expected of every back end (reference/RULES.md). */
 static void varyings_are_those_of_the_centre(void **state)
 {
     (void)state;
@@ -393,14 +393,14 @@ static void varyings_are_those_of_the_centre(void **state)
 
         if (!gn_backend_available(backend))
             continue;
-        /* 1/w is negative at the centre: the plane goes on, beyond the range of the vertices. */
+        /* 1/w is negative at the centre: the plane continues beyond the range of the vertices. */
         color_beyond_an_edge(GN_FORMAT_RGBA32F, 33.0f, backend, color);
         assert_true(fabsf(color[0] - 1.0f) < 1e-3f && fabsf(color[1] - 33.0f) < 1e-2f &&
                     fabsf(color[2] + 32.0f) < 1e-2f);
         color_beyond_an_edge(GN_FORMAT_RGBA8, 33.0f, backend, &bytes);
         assert_int_equal(bytes, 0xFF00FFFFu);
 
-        /* 1/w is 0 there: infinite, or not a number, and what formats make of either. */
+        /* 1/w is 0 at the centre: infinity or NaN, and what formats store for them. */
         color_beyond_an_edge(GN_FORMAT_RGBA32F, 32.0f, backend, color);
         assert_true(isnan(color[0]) && color[1] == -INFINITY && color[2] == INFINITY);
         color_beyond_an_edge(GN_FORMAT_RGBA16, 32.0f, backend, words);

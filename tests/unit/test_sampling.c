@@ -1,5 +1,5 @@
-/* Sampling: every fault of a sampler in statuses and words; wraps, borders, gathers, levels and
- * where a level of detail comes from, by hand-worked cases; one place beside sixteen. */
+/* Sampling: every fault of a sampler as status and text; wraps, borders, gathers, levels and the
+ * sources of the level of detail, with cases worked by hand; one place compared with sixteen. */
 #include <math.h>
 #include <string.h>
 
@@ -25,7 +25,7 @@ static gn_texture columns(void)
     return t;
 }
 
-/* Level n is red n in 1/255 all over. */
+/* All texels of level n have red n/255. */
 static gn_texture levels(void)
 {
     static uint32_t texels[LEVELS][WIDTH * WIDTH];
@@ -115,7 +115,7 @@ static void faults(void **state)
     assert_int_equal(gn_sampler_check(&s), GN_OK);
 }
 
-/* Red in 1/255 at (s, 0.25), from one place and from a block. */
+/* Red in 1/255 at (s, 0.25), looked up at one place and at sixteen. */
 static float red_at(const gn_texture *t, const gn_sampler *sampler, float s, float lod)
 {
     const float at[3] = {s, 0.25f, 0.0f};
@@ -192,7 +192,7 @@ static void linear_wraps(void **state)
     }
 }
 
-/* A border of a format of fractions is clamped; half of it is mixed at the edge. */
+/* The border is clamped for a normalized format; at the edge half of it is mixed in. */
 static void borders(void **state)
 {
     (void)state;
@@ -218,7 +218,7 @@ static void explicit_levels(void **state)
     const gn_texture t = levels();
     gn_sampler s = nearest(GN_WRAP_REPEAT);
 
-    NEAR(red_at(&t, &s, 0.3f, 2.0f), 0.0f); /* no levels asked for */
+    NEAR(red_at(&t, &s, 0.3f, 2.0f), 0.0f); /* the filter has no levels */
     s.minify = GN_MINIFY_NEAREST_MIPMAP_NEAREST;
     NEAR(red_at(&t, &s, 0.3f, -5.0f), 0.0f);
     NEAR(red_at(&t, &s, 0.3f, 1.4f), 1.0f);
@@ -230,7 +230,7 @@ static void explicit_levels(void **state)
     NEAR(red_at(&t, &s, 0.3f, 3.75f), 3.0f);
     s.lod_bias = 0.5f;
     NEAR(red_at(&t, &s, 0.3f, 1.25f), 1.75f);
-    s.lod_bias = 0.5f + 1.0f / 1024.0f; /* biases are whole 1/256 */
+    s.lod_bias = 0.5f + 1.0f / 1024.0f; /* biases are multiples of 1/256 */
     NEAR(red_at(&t, &s, 0.3f, 1.25f), 1.75f);
     s.lod_bias = 0.0f;
     s.lod_clamped = true;
@@ -242,7 +242,7 @@ static void explicit_levels(void **state)
     NEAR(red_at(&t, &s, 0.3f, 0.0f), 2.25f);
 }
 
-/* Of the largest texture a limit between its last two levels counts. */
+/* For the largest texture a limit between its last two levels has an effect. */
 static void limits_of_the_last_levels(void **state)
 {
     (void)state;
@@ -266,8 +266,8 @@ static void limits_of_the_last_levels(void **state)
     NEAR(red_at(&t, &s, 0.5f, 20.0f), 14.0f * 255.0f);
 }
 
-/* A texture of one level has no filter between levels, which would make NaN of infinite texels,
- * even where lanes of a quad want different filters. */
+/* A texture of one level has no filter between levels, which would turn infinite texels into NaN,
+ * even if lanes of a quad need different filters. */
 static void one_level_is_not_mixed(void **state)
 {
     (void)state;
@@ -286,8 +286,8 @@ static void one_level_is_not_mixed(void **state)
     assert_true(red_at(&t, &s, 0.5f, 1.5f) == INFINITY);
 }
 
-/* Steps of 2 and 4 texels ask for levels 1 and 2, from differences and from gradients; what a
- * shader adds goes on top. */
+/* Steps of 2 and 4 texels ask for levels 1 and 2, from differences and from gradients; the shader's
+ * bias is added. */
 static void levels_of_footprints(void **state)
 {
     (void)state;
@@ -327,7 +327,7 @@ static void levels_of_footprints(void **state)
     }
 }
 
-/* Of one dimension the nearest level is the second from steps of sqrt 2 texels on. */
+/* In one dimension the nearest level is the second for steps of sqrt 2 texels and more. */
 static void nearest_levels_of_one_dimension(void **state)
 {
     (void)state;
@@ -350,7 +350,7 @@ static void nearest_levels_of_one_dimension(void **state)
     }
 }
 
-/* Around (0.5, 0.5) are columns 3 and 4, rows 0 and 1: counted round from the upper left. */
+/* Around (0.5, 0.5) are columns 3 and 4, rows 0 and 1, in the order from the upper left round. */
 static void gathers(void **state)
 {
     (void)state;
@@ -375,7 +375,7 @@ static void gathers(void **state)
         NEAR(texel[i][7], 1.0f);
 }
 
-/* Wherever a coordinate is, a nearest filter gives a column of the texture or the border. */
+/* For every coordinate a nearest filter returns a column of the texture or the border. */
 static void no_coordinate_is_outside(void **state)
 {
     (void)state;

@@ -1,6 +1,5 @@
-/* Scalar functions: special values, agreement with the C library's double
- * results, and of the two square roots with each other. All 2^32 inputs are
- * tests/exhaustive's. */
+/* Scalar functions: special values, comparison with the C library's double results, and of the two
+ * square roots with each other. tests/exhaustive tests all 2^32 inputs. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -10,9 +9,9 @@
 #include "../../src/scalars/fixed_point.h"
 #include "../../src/scalars/sqrt.h"
 
-enum { STRIDE = 65537 }; /* of bit patterns: 65,535 floats of every class */
+enum { STRIDE = 65537 }; /* step between bit patterns: 65,535 floats of every class */
 
-/* Correctly rounded wherever the double result decides it; else its neighbour. */
+/* Correctly rounded where the double result decides it; otherwise one of the two neighbours. */
 static void assert_rounds(float got, double exact)
 {
     float below = (float)(exact - exact * 0x1p-50), above = (float)(exact + exact * 0x1p-50);
@@ -51,7 +50,7 @@ static void integer_square_root_is_the_same(void **state)
     assert_canonical_nan(gn_sqrt_integer(-1.0f));
 }
 
-/* The processor's products and zeros, and those of any other. */
+/* The processor's products and zeros, and those of other processors. */
 static void fixed_point_is_the_same(void **state)
 {
     (void)state;
@@ -61,7 +60,7 @@ static void fixed_point_is_the_same(void **state)
     assert_int_equal(gn_leading_zeros_portable(0), 63);
     assert_int_equal(gn_leading_zeros(0), 63);
     for (int i = 0; i < 10000; ++i) {
-        /* A generator of Knuth's (MMIX), and what its top bits leave of it. */
+        /* Knuth's linear congruential generator (MMIX), and floats from its top bits. */
         a = a * 6364136223846793005u + 1442695040888963407u;
         b = (b ^ a) >> (a >> 58);
         assert_true(gn_multiply_high(a, b) == gn_multiply_high_portable(a, b));
@@ -96,7 +95,7 @@ static void small_angles_keep_their_bits(void **state)
     }
 }
 
-/* Decimals of the exact values; what the float GN_PI misses pi by is its sine. */
+/* Decimals of the exact values. The sine of the float GN_PI is its error against pi. */
 static void known_values(void **state)
 {
     (void)state;
@@ -130,16 +129,16 @@ static void angles_of_every_size(void **state)
         assert_same_bits(sine, gn_sin(x));
         assert_same_bits(cosine, gn_cos(x));
     }
-    /* The largest float, and the one next to a multiple of pi/2. */
+    /* The largest float, and the float nearest to a multiple of pi/2. */
     assert_rounds(gn_sin(FLT_MAX), sin((double)FLT_MAX));
     assert_rounds(gn_sin(from_bits(0x6F79BE45)), sin((double)from_bits(0x6F79BE45)));
     assert_rounds(gn_cos(from_bits(0x6F79BE45)), cos((double)from_bits(0x6F79BE45)));
     assert_rounds(gn_tan(from_bits(0x6F79BE45)), tan((double)from_bits(0x6F79BE45)));
 }
 
-/* The arguments whose exact results come closest to the middle between two
- * floats, 2^-52 to 2^-56 of themselves, from an enumeration of all floats with
- * MPFR, which also gave the results. */
+/* The arguments whose exact results are closest to the middle between two floats, within 2^-52 to
+ * 2^-56 of the result. They come from an enumeration of all floats with MPFR, which also gave the
+ * results. */
 static void hardest_to_round(void **state)
 {
     (void)state;

@@ -1,15 +1,15 @@
-/* Segments of long draws: a sliver that culling keeps only once it is snapped is drawn where no
- * vertex of its segment is outside the view volume. The boundaries are those measured of the
- * reference (reference/RULES.md, 'From clip space to triangles'). */
+/* Segments of long draws: a sliver that only culling after snapping keeps is drawn if no vertex of
+ * its segment is outside the view volume. The boundaries are those measured of the reference
+ * (reference/RULES.md, 'From clip space to triangles'). */
 #include <stdlib.h>
 
 #include "unit.h"
 
 enum { SIZE = 16, MOST = 9000, GOAL = 5 * SIZE + 7 };
 
-/* Corners of the sliver in steps of 1/256 pixel from the centre of pixel (4, 4), on the way to that
- * of pixel (7, 5): snapped it is counter-clockwise and has that pixel's centre inside, unsnapped it
- * is clockwise. */
+/* Corners of the sliver in steps of 1/256 pixel from the centre of pixel (4, 4), on the way to the
+ * centre of pixel (7, 5). Snapped, it is counter-clockwise and contains the centre of pixel (7, 5);
+ * unsnapped, it is clockwise. */
 static const float sliver[3][2] = {
     {0.0f, 0.0f},
     {266.0f * 3.0f + 1.0f - 0.133f, 266.0f + 0.398f},
@@ -19,8 +19,8 @@ static const float sliver[3][2] = {
 static float position[MOST][4];
 static uint16_t indices[MOST];
 
-/* How a draw is divided: into one segment of all triangles up to `whole` elements, into segments of
- * `step` triangles beyond. */
+/* How a draw is divided: one segment of all triangles up to `whole` elements, above that segments
+ * of `step` triangles. */
 typedef struct division {
     gn_topology topology;
     bool indexed;
@@ -39,9 +39,9 @@ static void place(uint32_t element, int corner)
         position[element][i] = (4.5f + sliver[corner][i] / 256.0f) * (2.0f / SIZE) - 1.0f;
 }
 
-/* Makes the elements of a triangle the sliver, all others its first corner, which adds no area,
- * and one of them lies outside. A strip's odd triangles have their first two elements the other way
- * round. */
+/* Makes the elements of one triangle the sliver and all others its first corner, which has no area;
+ * one of those others is outside. In a strip's odd triangles the first two elements are
+ * exchanged. */
 static void place_all(const division *d, uint32_t count, uint32_t triangle, uint32_t outside)
 {
     const uint32_t odd = d->topology == GN_TRIANGLE_STRIP ? triangle & 1 : 0;
@@ -57,11 +57,11 @@ static void place_all(const division *d, uint32_t count, uint32_t triangle, uint
         place(triangle + odd, 0);
     place(triangle + 1 - odd, 1);
     place(triangle + 2, 2);
-    if (d->topology == GN_TRIANGLE_STRIP) /* so that the next has no area either */
+    if (d->topology == GN_TRIANGLE_STRIP) /* so that the next triangle has no area either */
         place(triangle + 3, 2);
 }
 
-/* Whether the sliver is drawn, which every back end and number of tasks must agree on. */
+/* Whether the sliver is drawn. Every back end and number of tasks must agree. */
 static bool is_drawn(const division *d, uint32_t count)
 {
     static uint32_t color[SIZE * SIZE];
@@ -92,7 +92,8 @@ static bool is_drawn(const division *d, uint32_t count)
     return drawn;
 }
 
-/* The sliver as a triangle of segment `segment`, an outside vertex about the ends of this one. */
+/* Tests the sliver as a triangle of segment `segment`, with an outside vertex around the ends of
+ * this segment. */
 static void check_triangle(const division *d, uint32_t count, uint32_t step, uint32_t triangle,
                            uint32_t segment)
 {
@@ -100,7 +101,7 @@ static void check_triangle(const division *d, uint32_t count, uint32_t step, uin
     const uint32_t total = (count - 3) / scale + 1;
     const uint32_t end = (segment + 1) * step < total ? (segment + 1) * step : total;
     const bool is_fan = d->topology == GN_TRIANGLE_FAN;
-    /* The first vertex of a fan stands for the first of each segment. */
+    /* The first vertex of a fan belongs to every segment. */
     const uint32_t low = scale * segment * step + (is_fan && segment > 0);
     const uint32_t high = scale * (end - 1) + 2;
     const uint32_t own = scale * triangle + is_fan;
@@ -109,7 +110,7 @@ static void check_triangle(const division *d, uint32_t count, uint32_t step, uin
     for (int i = 0; i < 4; ++i) {
         const uint32_t outside = beside[i];
 
-        /* Not in the sliver, which would be clipped, nor the hub, which all slivers have. */
+        /* Not in the sliver, which would be clipped, and not the hub, which all slivers share. */
         if (outside >= count || (is_fan && outside == 0) || (outside >= own && outside <= own + 2))
             continue;
         place_all(d, count, triangle, outside);
@@ -127,7 +128,7 @@ static void segments_end_where_measured(void **state)
     for (size_t n = 0; n < sizeof divisions / sizeof *divisions; ++n) {
         const division *d = &divisions[n];
         const uint32_t scale = d->topology == GN_TRIANGLES ? 3 : 1;
-        /* Those of the fan whose pixel differed from the reference's are among them. */
+        /* These include the triangles of the fan whose pixel once differed from the reference's. */
         const uint32_t counts[] = {d->whole - 1, d->whole, d->whole + 1, d->whole + 2,
                                    d->whole + d->step * scale + 3};
 

@@ -1,5 +1,5 @@
-/* The ready-made shaders: what they set, what they refuse, and their formulas at a
- * vertex and a fragment. */
+/* The ready-made shaders: what they set, what they refuse, and their formulas for a vertex and a
+ * fragment. */
 #include <math.h>
 #include <string.h>
 
@@ -60,7 +60,7 @@ static void null_pointers(void **state)
     }
 }
 
-/* All that light refuse it, and leave the pipeline. */
+/* All shaders with light refuse it, and leave the pipeline unchanged. */
 static void assert_refused(gn_status expected)
 {
     gn_pipeline p, before;
@@ -194,7 +194,7 @@ static void shade_vertex(const gn_pipeline *p, const float normal[3], float posi
 static void light_follows_the_cosine(void **state)
 {
     (void)state;
-    /* N.L is 1, 0.6 (a normal of length 5), 0 and negative, which gives 0. */
+    /* N.L is 1, 0.6 (a normal of length 5), 0, and negative, which becomes 0. */
     static const float normals[4][3] = {{0, 0, 1}, {4, 0, 3}, {1, 0, 0}, {0, 0, -2}};
     static const float lit[4] = {0.75f, 0.55f, 0.25f, 0.25f};
     gn_pipeline p;

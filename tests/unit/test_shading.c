@@ -1,5 +1,5 @@
-/* The ready-made fragment shaders against gnomon/light.h, at chosen vectors: in double, and not in
- * the library's order of operations. */
+/* The ready-made fragment shaders against gnomon/light.h, at chosen vectors, computed in double and
+ * not in the library's order of operations. */
 #include <math.h>
 #include <string.h>
 
@@ -10,8 +10,8 @@ enum { NORMAL = 6, PLACE = 9, TANGENT = 12, HANDEDNESS = 15 };
 static gn_lit_uniforms uniforms;
 static float varying[GN_SHADER_VARYINGS][GN_LANES];
 
-/* A camera at the origin of world space that looks along -z at a surface of grey 0.5 that faces it,
- * 2 away, under a light in its back. */
+/* A camera at the origin of world space looks along -z at a surface of grey 0.5, which faces it at
+ * distance 2. The light is behind the camera. */
 static int reset(void **state)
 {
     (void)state;
@@ -53,7 +53,8 @@ static gn_texture single(const float texel[4])
 
 typedef gn_status use_function(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
 
-/* The pixel in lane 5 after the shader, which must be that of all lanes where all are alike. */
+/* The pixel in lane 5 after the shader. Where all lanes have equal inputs, all lanes must have this
+ * pixel. */
 static void shade(use_function *use, float rgba[4])
 {
     static float color[4][GN_LANES];
@@ -154,8 +155,8 @@ static void point_lights(void **state)
     NEAR(rgba[0], 0.5 * (0.1 + 0.8 * 0.6 / 2.0) + 0.5);
 }
 
-/* A plane with the normal (0.6, 0, 0.8): from pixel to pixel it goes by (0.08, 0, -0.06) to the
- * right and by (0, 0.1, 0) up. */
+/* A plane with the normal (0.6, 0, 0.8): from pixel to pixel the place moves by (0.08, 0, -0.06) to
+ * the right and by (0, 0.1, 0) up. */
 static void normals_of_faces(void **state)
 {
     (void)state;
@@ -192,8 +193,8 @@ static void maps_multiply_and_add(void **state)
     NEAR(rgba[3], 0.125);
 }
 
-/* The map's vector is (0.6, 0, 0.8); normals are given twice, and tangents thrice, as long as they
- * are to be, as the rasterizer may give them. */
+/* The map's vector is (0.6, 0, 0.8). Normals have twice and tangents three times their proper
+ * length, as interpolation may make them. */
 static void normal_maps(void **state)
 {
     (void)state;

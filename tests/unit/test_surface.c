@@ -138,7 +138,7 @@ static void target_faults(void **state)
     t.color[0].row_stride = PTRDIFF_MIN;
     assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
 
-    /* The rows below the last would fit memory, the last does not. */
+    /* The rows below the last would fit memory, the last would not. */
     t = good_target();
     t.color[0].row_stride = PTRDIFF_MAX / (HEIGHT - 1) & ~(ptrdiff_t)3;
     assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
@@ -164,9 +164,9 @@ static void target_faults(void **state)
         t = good_target();
         t.color[i] = gn_surface_bottom_up(more, GN_FORMAT_R8, WIDTH, HEIGHT - 1);
         assert_int_equal(gn_target_check(&t), GN_SIZE_MISMATCH);
-        t.depth.pixels = NULL; /* a surface's own fault comes first */
+        t.depth.pixels = NULL; /* a surface's own fault is reported first */
         assert_int_equal(gn_target_check(&t), GN_NULL_POINTER);
-        t.color[i].format = GN_FORMAT_S8; /* and the earlier surface's */
+        t.color[i].format = GN_FORMAT_S8; /* and the earlier surface's fault first */
         assert_int_equal(gn_target_check(&t), GN_INVALID_FORMAT);
     }
 }
@@ -225,8 +225,8 @@ static uint32_t cleared_depth(gn_format format, float depth)
     return format == GN_FORMAT_D16 ? low : memory[0];
 }
 
-/* The reference is a double, which holds the product of a float and 2^24 - 1
- * exactly, rounded by the C library. */
+/* The expected value is a double, which represents the product of a float and 2^24 - 1 exactly,
+ * rounded by the C library. */
 static void clear_depth_rounds_exactly(void **state)
 {
     (void)state;
@@ -258,7 +258,7 @@ static void clear_depth_clamps(void **state)
     assert_int_equal(cleared_depth(GN_FORMAT_D32F, INFINITY), 0x3F800000u);
 }
 
-/* What a clear of `format` to white, or to depth 1 and stencil 0x99, puts into byte i of a row. */
+/* Byte i of a row after a clear of `format` to white, or to depth 1 and stencil 0x99. */
 static unsigned char cleared_byte(gn_format format, size_t i)
 {
     static const unsigned char one[4] = {0, 0, 0x80, 0x3F};
@@ -275,7 +275,7 @@ static unsigned char cleared_byte(gn_format format, size_t i)
     return format == GN_FORMAT_D24 && i % 4 == 3 ? 0 : 0xFF;
 }
 
-/* To depth 1 and stencil 0x99, at once or one after the other, in both orders. */
+/* Clears to depth 1 and stencil 0x99, at once and one after the other, in both orders. */
 static gn_status clear_both(const gn_surface *s, uint32_t how, bool has_depth, bool has_stencil)
 {
     if (how == 0)
@@ -290,8 +290,8 @@ static gn_status clear_both(const gn_surface *s, uint32_t how, bool has_depth, b
     return status;
 }
 
-/* Widths and heights on both sides of what is filled at a time, rows tight and with a gap,
- * upwards and downwards, memory as little aligned as may be; not a byte beside them. */
+/* Widths and heights on both sides of what is filled at a time, rows with and without a gap,
+ * upwards and downwards, memory with the least alignment. No byte beside the surface may change. */
 static void clear_fills_its_pixels_alone(void **state)
 {
     (void)state;

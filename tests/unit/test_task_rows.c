@@ -1,5 +1,5 @@
-/* Tasks of a draw write rows of their own: two may run at once. Shown on one thread, by rows that
- * are a page of memory each and may not be written to until a task's first write is caught. */
+/* Tasks of a draw write different rows, so that two may run at once. The test runs on one thread.
+ * Each row is a page of memory, write-protected until a task's first write to it is caught. */
 #define _DEFAULT_SOURCE
 #include <signal.h>
 #include <string.h>
@@ -11,7 +11,7 @@
 enum { PAGE = 4096, ROWS = 256, TRIANGLES = 3000, WIDTH_MOST = PAGE / 4 };
 
 static unsigned char *rows;
-static uint32_t writer[ROWS]; /* the task + 1 that wrote a row in this round */
+static uint32_t writer[ROWS]; /* the number of the task that wrote a row in this round, plus 1 */
 static volatile sig_atomic_t at_work, shared_rows, tasks_that_wrote;
 static struct sigaction before;
 
@@ -65,7 +65,7 @@ static void paint(const void *uniforms, const gn_fragment_input *in, gn_fragment
     }
 }
 
-/* Small triangles on the last columns of a surface, over whose edge their blocks hang. */
+/* Small triangles on the last columns of a surface; their blocks reach over its edge. */
 static void draw_at_the_edge(uint32_t width, bool ready, uint32_t *seed)
 {
     static float positions[3 * TRIANGLES][4];
@@ -116,7 +116,8 @@ static void tasks_write_rows_of_their_own(void **state)
     struct sigaction action;
     uint32_t seed = 1;
 
-    /* Rows of larger pages would be other surfaces' than the edges here are made for. */
+    /* Rows of larger pages would make other surfaces than those that the edges here are made
+     * for. */
     if (sysconf(_SC_PAGESIZE) != PAGE)
         skip();
     rows = mmap(NULL, ROWS * PAGE, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -130,7 +131,7 @@ static void tasks_write_rows_of_their_own(void **state)
             draw_at_the_edge(width, ready != 0, &seed);
     }
     assert_int_equal(sigaction(SIGSEGV, &before, NULL), 0);
-    assert_true(tasks_that_wrote > 2 * 9 * 2); /* more than two a draw */
+    assert_true(tasks_that_wrote > 2 * 9 * 2); /* more than two per draw */
     assert_int_equal(shared_rows, 0);
     munmap(rows, ROWS * PAGE);
 }

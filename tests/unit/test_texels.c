@@ -1,5 +1,5 @@
-/* Textures of every target and format: their faults with words, tight packing, and texels by their
- * numbers, which are never read outside. */
+/* Textures of every target and format: their faults with texts, tight packing, and fetches of
+ * texels by number, which never read outside. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -82,7 +82,7 @@ static void faults_of_the_shape(void **state)
     expect(&t, GN_INVALID_SIZE, "level_count is above the number of levels of that size");
 }
 
-/* Depth adds to the levels of a 3D texture alone. */
+/* Depth adds levels only to 3D textures. */
 static void levels_of_a_size(void **state)
 {
     (void)state;
@@ -155,7 +155,7 @@ static void faults_of_levels(void **state)
     assert_int_equal(gn_texture_check(&t), GN_OK);
 }
 
-/* Every level has words of its own for each fault. */
+/* Every level has a text of its own for each fault. */
 static void words_of_all_levels(void **state)
 {
     (void)state;
@@ -241,12 +241,12 @@ static void packing_refuses(void **state)
     assert_memory_equal(&t, &before, sizeof t);
     assert_true(gn_texture_memory_size(GN_TEXTURE_2D, GN_FORMAT_S8, 4, 4, 0, 1) == 0);
     assert_true(gn_texture_memory_size((gn_texture_target)9, GN_FORMAT_R8, 4, 4, 0, 1) == 0);
-    /* 2^46 bytes are memory on machines of 64 bits alone. */
+    /* Only 64-bit machines have 2^46 bytes of addresses. */
     assert_true((gn_texture_memory_size(GN_TEXTURE_3D, GN_FORMAT_RGBA32F, GN_MAX_SIZE, GN_MAX_SIZE,
                                         GN_MAX_SIZE, 1) > 0) == (PTRDIFF_MAX > INT32_MAX));
 }
 
-/* Column, row, layer and level of lane 0, a texel in its level for the others. */
+/* Column, row, layer and level of lane 0; the other lanes have a texel within its level. */
 static void fetch_one(const gn_texture *t, const int32_t place[4], float out[4])
 {
     int32_t number[4][GN_LANES];
@@ -276,7 +276,7 @@ static void expect_texel(gn_format format, const void *texels, float red, float 
             fail_msg("format %d, channel %d: %a", format, c, (double)texel[c]);
 }
 
-/* The second of two texels, of channels that tell their place. */
+/* The second of two texels; the values of its channels show their positions. */
 static void formats_have_their_channels(void **state)
 {
     (void)state;
@@ -316,7 +316,7 @@ static void formats_have_their_channels(void **state)
     expect_texel(GN_FORMAT_D32FS8, with_stencil.word, 0.25f, 0, 0, 1);
 }
 
-/* Numbers of all targets, inside and outside: every lane has a level of its own. */
+/* Numbers inside and outside, for all targets; every lane has its own level. */
 static void fetches_within_and_beyond(void **state)
 {
     (void)state;
@@ -400,7 +400,7 @@ static void fetches_within_and_beyond(void **state)
     }
 }
 
-/* Memory that ends with the last texel, rows and layers in either direction. Run under the address
+/* Memory ends with the last texel, with rows and layers in either direction. Run under the address
  * sanitizer, this shows that nothing outside is read. */
 static void nothing_outside_is_read(void **state)
 {
@@ -448,7 +448,7 @@ static void nothing_outside_is_read(void **state)
     }
 }
 
-/* The ends of the largest sizes, in memory of just that size. */
+/* The last texels of the largest sizes, in memory of exactly that size. */
 static void largest_sizes(void **state)
 {
     (void)state;
@@ -487,7 +487,7 @@ static void largest_sizes(void **state)
     }
 }
 
-/* Rows and layers that no index of 32 bits reaches, in a file of holes. */
+/* Rows and layers beyond the reach of 32-bit indices, in a sparse file. */
 static void texels_far_apart(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* Textures: every fault, wrapping and filtering by hand-worked cases, coordinates that are
- * not finite, and what shaders are handed. */
+/* Textures: every fault, wrapping and filtering with cases worked by hand, coordinates that are not
+ * finite, and the sampling functions that shaders receive. */
 #include <math.h>
 #include <string.h>
 
@@ -122,11 +122,11 @@ static void linear_repeat_and_clamp(void **state)
     gn_sampler sampler = {0};
     float x, y;
 
-    /* Between texels 1 and 2 across, on texel 1 up. */
+    /* Between texels 1 and 2 horizontally, on texel 1 vertically. */
     sampler.minify = GN_MINIFY_LINEAR;
     sample_one(&sampler, 0.5f, 0.5f, &x, &y);
     assert_true(fabsf(x - 1.5f) < 1e-5f && fabsf(y - 1.0f) < 1e-5f);
-    /* At the seam: half texel 3, half texel 0; a third of the way up. */
+    /* At the seam: half texel 3, half texel 0; vertically a third of the way. */
     sample_one(&sampler, 1.0f, 1.0f, &x, &y);
     assert_true(fabsf(x - 1.5f) < 1e-5f && fabsf(y - 1.0f) < 1e-5f);
     sampler.wrap_s = GN_WRAP_CLAMP_TO_EDGE;
@@ -135,7 +135,7 @@ static void linear_repeat_and_clamp(void **state)
     assert_true(fabsf(x - 3.0f) < 1e-5f && fabsf(y) < 1e-5f);
 }
 
-/* Filters differ, and derivatives decide: half a texel a fragment magnifies, two
+/* The filters differ, and derivatives choose: half a texel per fragment magnifies, two texels
  * minify. */
 static void derivatives_choose_the_filter(void **state)
 {
@@ -175,8 +175,8 @@ static void negative_stride_flips(void **state)
     assert_true(fabsf(texel[1][0] * 25.5f - 2.0f) < 1e-5f);
 }
 
-/* Beyond the integers: repeated power-of-two sizes read texel 0, clamped ones the texel
- * that RULES.md names. */
+/* Beyond the integers, repeated power-of-two sizes read texel 0, clamped sizes the texel that
+ * RULES.md states. */
 static void coordinates_beyond_the_integers(void **state)
 {
     (void)state;
@@ -235,8 +235,8 @@ static void hostile_coordinates_read_inside(void **state)
     }
 }
 
-/* A shader that samples by both functions and counts lanes that differ, NaN being equal to
- * NaN. Coordinates are the varyings and, in every fourth block, hostile. */
+/* A shader that samples with both functions and counts the lanes that differ, NaN being equal to
+ * NaN. Coordinates are the varyings; every fourth block has hostile ones. */
 typedef struct comparison {
     gn_texture texture;
     gn_sampler sampler;
@@ -304,9 +304,9 @@ static void compare_on(gn_backend backend, const comparison *c)
     assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
 }
 
-/* What a shader is handed is gn_sample_2d, for every kind of texture and sampler: sizes that
- * are powers of two and not, texels of both formats, rows upside down, and rows further apart
- * than 16 bits count texels. */
+/* The function that shaders receive equals gn_sample_2d, for every kind of texture and sampler:
+ * sizes that are powers of two and others, texels of both formats, rows upside down, and rows whose
+ * distance in texels exceeds 16 bits. */
 static void shaders_sample_the_same(void **state)
 {
     (void)state;

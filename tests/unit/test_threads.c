@@ -12,7 +12,7 @@ static const uint32_t thread_counts[] = {1, 2, 3, 8};
 
 typedef struct tally {
     _Atomic uint32_t runs[MOST_TASKS];
-    uint32_t plain[MOST_TASKS]; /* of which each task writes its own */
+    uint32_t plain[MOST_TASKS]; /* each task writes its own element */
     uint32_t round;
 } tally;
 
@@ -25,7 +25,7 @@ static void count_run(void *context, uint32_t index)
     t->plain[index] = t->round * MOST_TASKS + index;
 }
 
-/* What a call wrote is there when it returns, and nothing runs after that: the next round
+/* The writes of a call are visible when it returns, and nothing runs after that: the next round
  * would find its counts too high. */
 static void run_rounds(thread_pool *pool, uint32_t rounds, uint32_t step, uint32_t most)
 {
@@ -63,7 +63,7 @@ static void sleep_milliseconds(long milliseconds)
     nanosleep(&time, NULL);
 }
 
-/* Threads fall asleep between calls and are woken, and so is the caller. */
+/* Threads fall asleep between calls and are woken; the caller does too. */
 static void sleepers_are_woken(void **state)
 {
     (void)state;
@@ -83,8 +83,8 @@ typedef struct meeting {
     _Atomic uint32_t begun, met;
 } meeting;
 
-/* Waits until both tasks have begun: for ever where they run one after the other, but that the
- * test gives up after minutes, longer than any machine keeps a thread from running. */
+/* Waits until both tasks have begun. If they ran one after the other that would be for ever, so the
+ * test gives up after minutes: longer than any machine keeps a thread from running. */
 static void meet(void *context, uint32_t index)
 {
     meeting *m = context;
@@ -96,7 +96,7 @@ static void meet(void *context, uint32_t index)
     atomic_fetch_add(&m->met, atomic_load(&m->begun) == 2);
 }
 
-/* The first of two tasks run one after the other would not meet the second. */
+/* If the two tasks ran one after the other, the first would wait in vain for the second. */
 static void two_threads_run_at_once(void **state)
 {
     meeting m = {0, 0};

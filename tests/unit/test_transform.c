@@ -1,6 +1,6 @@
-/* Transforms: what each constructor does to points, that it keeps a matrix and
- * its inverse, each status, results left untouched. cglm gives the second
- * opinion on matrices; bounds of the inverses are tests/property's. */
+/* Transforms: the effect of each constructor on points; that it keeps a matrix and its inverse;
+ * every status; results left untouched. cglm is a second source for matrices. tests/property tests
+ * bounds of the inverses. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -92,8 +92,8 @@ static void scaling(void **state)
     assert_false(signbit(t.inverse.m[3][0]));
 }
 
-/* Quarter turns take axes to axes in the right-handed direction; cglm agrees on
- * other angles. */
+/* Quarter turns take axes to axes in the right-handed direction; for other angles the results are
+ * compared with cglm. */
 static void coordinate_rotations(void **state)
 {
     (void)state;
@@ -148,7 +148,7 @@ static void rotation_about_any_axis(void **state)
         {-0.1f, 0.7f, 0.2f}, {1e-45f, 0, 1e-45f}, {3e38f, -3e38f, 1e38f}};
     for (size_t i = 0; i < sizeof directions / sizeof directions[0]; ++i) {
         for (float angle = -7.0f; angle < 7.0f; angle += 0.37f) {
-            /* cglm squares in float: give it the direction in a size it can take. */
+            /* cglm squares in float, so its direction gets a size that it can square. */
             gn_mat4 expected;
             gn_vec3 unit;
             assert_int_equal(gn_vec3_normalize(directions[i], &unit), GN_OK);
@@ -184,7 +184,7 @@ static void camera(void **state)
                 t.inverse.m[3][2] == eye.z);
 }
 
-/* The camera that stands where it already is. */
+/* A camera that already is at the origin gives the identity. */
 static void camera_at_home(void **state)
 {
     (void)state;
@@ -220,8 +220,7 @@ static void cameras_that_cannot_be(void **state)
     assert_int_equal(gn_look_at_rh(eye, target, up, NULL), GN_NULL_POINTER);
 }
 
-/* Just beyond the threshold, a camera that looks almost straight down is still
- * a rotation. */
+/* Just beyond the threshold, a camera that looks almost straight down still gives a rotation. */
 static void camera_almost_along_up(void **state)
 {
     (void)state;
@@ -304,7 +303,7 @@ static void normal_matrix(void **state)
     assert_true(moved.x == 1.0f && moved.y == -0.25f && moved.z == 0.0f);
     assert_true(gn_vec3_dot(moved, gn_mat4_transform_direction(&grow.matrix, slope)) == 0.0f);
 
-    /* A rotation turns normals as it turns everything else. */
+    /* A rotation turns normals as it turns other vectors. */
     assert_int_equal(gn_rotate_axis(axis, 0.7f, &turn), GN_OK);
     assert_int_equal(gn_transform_normal_matrix(&turn, &normals), GN_OK);
     gn_mat4_upper_left(&turn.matrix, &part);

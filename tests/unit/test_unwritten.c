@@ -1,8 +1,8 @@
-/* What a shader leaves unwritten has the value that gnomon/pipeline.h states, on every back end and
- * whatever the workspace held before. */
+/* Outputs that a shader leaves unwritten have the values that gnomon/pipeline.h states, on every
+ * back end and whatever the workspace held before. */
 #include "canvas.h"
 
-/* Bytes that a workspace is filled with: as floats 0, 8.1 and -24.2. */
+/* Bytes that a workspace is filled with; as floats they are 0, 8.1 and -24.2. */
 static const unsigned char fills[] = {0x00, 0x41, 0xC1};
 
 static float colors[GN_MAX_COLORS][SIZE * SIZE][4];
@@ -69,7 +69,7 @@ static void everywhere(void (*check)(void))
     }
 }
 
-/* A target of so many attachments of floats that hold 7 in every channel. */
+/* A target with this many attachments of floats, all of whose channels are 7. */
 static void set_float_colors(int count)
 {
     for (int a = 0; a < count; ++a) {
@@ -182,7 +182,7 @@ static void write_no_fragment(const void *unused, const gn_fragment_input *in,
     (void)out;
 }
 
-/* Positions and varying 1 of the vertices with an odd number alone. */
+/* Writes positions and varying 1 only for the vertices with an odd number. */
 static void write_odd_vertices(const void *unused, const gn_vertex_input *in, gn_vertex_output *out)
 {
     (void)unused;
@@ -207,8 +207,8 @@ static void points_of_nothing(void)
 {
     float positions[40][4] = {{0}};
 
-    /* Vertices lie at the middle of clip space, a corner of the pixel (3, 3), which has the point;
-     * those with an odd number lie at x = 0.9, whose point is the pixel (7, 3). */
+    /* Vertices are at the middle of clip space, which is a corner of the pixel (3, 3): that pixel
+     * has the point. Those with an odd number are at x = 0.9, whose point is the pixel (7, 3). */
     set_float_colors(1);
     memset(&c.pipeline, 0, sizeof c.pipeline);
     c.pipeline.raster.topology = GN_POINTS;
@@ -258,7 +258,7 @@ static void colors_of_nothing(void)
             assert_int_equal(draw(), GN_OK);
             for (int a = 0; a < GN_MAX_COLORS; ++a)
                 assert_attachment_is(a, a < (int)count || a == 0 ? 0.0f : 7.0f);
-            /* Half of 2^24 - 1, to even. */
+            /* Half of 2^24 - 1, rounded to even. */
             assert_int_equal(c.depth[9], 0x800000);
         }
     }
@@ -301,7 +301,7 @@ static void too_few_varyings_are_refused(void **state)
         assert_int_equal(draw(), GN_OUT_OF_RANGE);
         assert_int_equal(covered(), 0);
     }
-    /* A map that comes after gn_use_unlit needs texture coordinates. */
+    /* A map that is added after gn_use_unlit needs texture coordinates. */
     assert_int_equal(gn_use_unlit(&c.pipeline, &uniforms.unlit), GN_OK);
     uniforms.unlit.map = &map;
     assert_int_equal(draw(), GN_OUT_OF_RANGE);

@@ -1,5 +1,5 @@
-/* Vectors: every operation by hand, the order of summation, lengths and
- * directions at both ends of the range, each status. */
+/* Vectors: every operation worked by hand, the order of summation, lengths and directions at both
+ * ends of the range, every status. */
 #include <float.h>
 #include <math.h>
 
@@ -62,7 +62,7 @@ static void selected(void **state)
     assert_vec4(gn_vec4_clamp(a4, -3.0f, 3.0f), 1.0f, -2.0f, 3.0f, 3.0f);
     assert_vec2(gn_vec2_clamp(a2, 3.0f, 2.0f), 2.0f, 2.0f);
 
-    /* Zeros and NaN: the second zero, the number. */
+    /* With zeros of both signs the result is the second operand; with NaN it is the number. */
     const gn_vec4 a = {0.0f, -0.0f, NAN, 5.0f}, b = {-0.0f, 0.0f, 5.0f, NAN};
     const gn_vec4 least = gn_vec4_minimum(a, b), most = gn_vec4_maximum(a, b);
     assert_vec4(least, 0.0f, 0.0f, 5.0f, 5.0f);
@@ -103,7 +103,7 @@ static void angles(void **state)
     assert_true(angle == 0.0f);
     assert_int_equal(gn_vec3_angle(x, back, &angle), GN_OK);
     assert_float_equal(angle, GN_PI, 1e-6f);
-    /* Where the arccosine of the dot product gives 0 or pi. */
+    /* Angles for which the arccosine of the dot product gives 0 or pi. */
     assert_int_equal(gn_vec3_angle(x, near_x, &angle), GN_OK);
     assert_float_equal(angle, 0x1p-20f, 1e-7f);
     assert_int_equal(gn_vec3_angle(x, near_back, &angle), GN_OK);
@@ -134,7 +134,7 @@ static void refracted(void **state)
     const gn_vec3 v3 = {0.0f, -0.8f, 0.6f}, up3 = {0.0f, 1.0f, 0.0f};
     const gn_vec4 v4 = {0.6f, 0.0f, 0.0f, -0.8f}, up4 = {0.0f, 0.0f, 0.0f, 1.0f};
     const gn_vec3 straight = {0.0f, -1.0f, 0.0f};
-    /* Snell: sine 0.6 to 0.8 at 4/3, to 0.36 at 0.6, and beyond 1 at 2. */
+    /* Snell's law: a sine of 0.6 becomes 0.8 at 4/3, 0.36 at 0.6, and exceeds 1 at 2. */
     gn_vec2 r2 = gn_vec2_refract(v2, up2, 4.0f / 3.0f);
     assert_float_equal(r2.x, 0.8f, 1e-6f);
     assert_float_equal(r2.y, -0.6f, 1e-6f);
@@ -171,8 +171,8 @@ static void products(void **state)
     assert_vec3(gn_vec3_cross(a3, b3), 0.5f, 13.0f, 8.5f);
 }
 
-/* Halves of a last place that count only when they are added to each other
- * first, or that are lost in a large sum before it is taken away again. */
+/* Halves of a last place that count only if they are added to each other first, or that are lost in
+ * a large sum that is then subtracted. */
 static void products_are_summed_from_the_last(void **state)
 {
     (void)state;
@@ -255,7 +255,7 @@ static void directions(void **state)
     }
 }
 
-/* v / |v| to (n / 2 + 2) u, or 2^-148 below the normal floats. */
+/* v / |v| within (n / 2 + 2) u, or within 2^-148 below the normal floats. */
 static void assert_direction(const float *result, const float *v, int count)
 {
     double square = 0.0;
@@ -268,7 +268,8 @@ static void assert_direction(const float *result, const float *v, int count)
     }
 }
 
-/* Every pair of exponents: the greater may need scaling, which must not cost the lesser a bit. */
+/* Every pair of exponents: the greater component may need scaling, which must keep every bit of the
+ * lesser. */
 static void directions_of_unlike_components(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* What every unit test includes: CMocka and its prerequisites, the library. */
+/* Common header of the unit tests: CMocka with its prerequisites, and the library. */
 #ifndef UNIT_H
 #define UNIT_H
 

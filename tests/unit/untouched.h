@@ -1,4 +1,4 @@
-/* A transform as a result that shows whether anything was written. */
+/* A transform as a result that shows whether anything was written to it. */
 #ifndef UNIT_UNTOUCHED_H
 #define UNIT_UNTOUCHED_H
 
