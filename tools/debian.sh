@@ -1,9 +1,9 @@
-# Installing Debian packages, for tools/setup.sh and tools/setup-cross.sh, which source this.
+# Functions that install Debian packages; tools/setup.sh and tools/setup-cross.sh source this file.
 
 say() { echo "$self: $*"; }
 fail() { echo "$self: $*" >&2; exit 1; }
 
-# Runs one step quietly; what it printed is shown where it fails.
+# Runs one step quietly; prints the step's output if it fails.
 step() {
     say "$1"
     shift

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Installs what Gnomon's tests, reference and command need from Debian's packages. The
-# library itself needs a C compiler alone. Does nothing where everything is there.
+# Installs the Debian packages that Gnomon's tests, reference and command need. The
+# library itself needs only a C compiler. Does nothing if everything is installed.
 set -eu
 self=setup
 . "$(dirname "$0")/debian.sh"

@@ -1,5 +1,4 @@
-/* A child of the benchmark: one renderer, which draws a frame on request and says how long
- * it took. */
+/* A child of the benchmark: one renderer, which draws a frame on request and measures the time. */
 #if defined(__linux__) && !defined(_GNU_SOURCE)
 #define _GNU_SOURCE /* processor affinity */
 #endif
@@ -14,17 +13,17 @@
 #include "osmesa.h"
 #include "protocol.h"
 
-/* The other renderers' frames push this one's memory out of the caches and its code out of
- * the predictors. So a frame is drawn untimed first, again and again if it is short, unless
- * it is so long that it does not matter. */
+/* The other renderers' frames displace this renderer's memory from the caches and its code from the
+ * branch predictors. So a frame is first drawn untimed, several times if it is short, but not at
+ * all if it is so long that this does not matter. */
 #define WARMED_MILLISECONDS 50.0
 #define WARMING_MILLISECONDS 5.0
 
 typedef struct child {
     renderer_kind kind;
     scene *scene;
-    scene_frame frame; /* Gnomon draws into it; OSMesa is read into it */
-    double last_ms;    /* of the frame before, 0 after a load */
+    scene_frame frame; /* Gnomon draws into it; OSMesa's frame is read into it */
+    double last_ms;    /* time of the frame before, 0 after a load */
     gn_workspace workspace;
     thread_pool *pools[THREAD_POOL_MOST + 1];
     reference *reference;
@@ -45,8 +44,8 @@ static bool fail(answer *a, const char *why)
     return false;
 }
 
-/* llvmpipe draws fastest on a depth buffer of floats: by 1 to 4 % over 24 bits without a
- * stencil, measured on S1 to S5. */
+/* llvmpipe draws fastest with a depth buffer of floats: by 1 to 4 % over 24 bits without a stencil,
+ * measured on S1 to S5. */
 static reference_depth depth_of(renderer_kind kind)
 {
     return kind == RENDERER_SHIPPED ? REFERENCE_DEPTH_24_STENCIL_8 : REFERENCE_DEPTH_FLOAT;
@@ -91,7 +90,7 @@ static bool load(child *c, const request *r, answer *a)
     return true;
 }
 
-/* A workspace with threads may need more than one without. */
+/* A workspace with threads may need more memory than one without. */
 static gn_status draw_gnomon(child *c)
 {
     gn_status status = scene_draw_in_workspace(c->scene, &c->frame, &c->workspace);
@@ -108,8 +107,8 @@ static gn_status draw_gnomon(child *c)
     return status;
 }
 
-/* Keeps this thread where it is: the pool keeps the others elsewhere. Woken between other
- * processes' frames it would often be put on the processor of one of them. */
+/* Keeps this thread on its processor; the pool keeps the others elsewhere. A thread that is woken
+ * between other processes' frames would often be moved to the processor of one of them. */
 static void stay_on_processor(void)
 {
 #if defined(__linux__)
@@ -175,7 +174,7 @@ static bool draw(child *c, const request *r, answer *a)
     return draw_once(c, a);
 }
 
-/* A frame to be compared starts from bytes that no scene draws all over. */
+/* A frame that is compared starts from bytes that no scene draws everywhere. */
 static bool draw_frame(child *c, const request *r, answer *a)
 {
     const size_t pixels = (size_t)c->scene->width * c->scene->height;

@@ -1,6 +1,5 @@
-/* The benchmark: scenes drawn by the library and by OSMesa's llvmpipe, each renderer in a
- * process of its own and frame by frame in turn, so that ratios hold where absolute times
- * drift. */
+/* The benchmark: the library and OSMesa's llvmpipe draw scenes, each renderer in its own process
+ * and frame by frame in turn, so that ratios hold even if absolute times drift. */
 #include <inttypes.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -173,7 +172,7 @@ static bool has_scene(const options *o)
     return found;
 }
 
-/* The last lines; false where pixels differ that must not. */
+/* Prints the last lines; returns false if pixels differ that must be equal. */
 static bool report(const family *f, const record_list *list)
 {
     const renderer *tuned = f->renderers[RENDERER_TUNED].process ? &f->renderers[RENDERER_TUNED]
@@ -219,7 +218,7 @@ int main(int argc, char **argv)
     }
     if (argc == 2 && strcmp(argv[1], "--maths") == 0)
         return bench_maths(stdout, MATHS_REPEATS);
-    /* How the benchmark starts itself as a renderer (renderer.c). */
+    /* The benchmark starts itself with this option as a renderer (renderer.c). */
     if (argc == 3 && strcmp(argv[1], "--renderer") == 0 &&
         renderer_kind_of(argv[2]) != RENDERER_COUNT)
         return child_main(renderer_kind_of(argv[2]));
@@ -232,6 +231,6 @@ int main(int argc, char **argv)
         return plot(o.plot, o.svg) ? EXIT_SUCCESS : EXIT_FAILURE;
     if (!has_scene(&o))
         return usage_error("no scene", o.scene);
-    signal(SIGPIPE, SIG_IGN); /* a child that has ended is told by the failing write */
+    signal(SIGPIPE, SIG_IGN); /* a failing write shows that a child has ended */
     return measure(&o);
 }

@@ -1,5 +1,5 @@
-/* The table of the mathematics: every operation timed over the library, and over cglm and
- * the C library with the target's instructions and with the machine's, in turn. */
+/* The table of the mathematics: every operation timed in turn with the library, and with cglm and
+ * the C library, compiled for the target's instructions and for the machine's. */
 #include "maths.h"
 
 #include <math.h>
@@ -11,15 +11,15 @@
 #include "median.h"
 
 #define MAX_REPEATS 1000
-#define SHORTEST 200e3 /* nanoseconds of a timing, which the clock's own time is little of */
+#define SHORTEST 200e3 /* nanoseconds of a timing, much longer than the clock takes */
 
 enum contestant { OURS, BASELINE, BEST, CONTESTANTS };
 
-/* What is printed, and how many operations a pass is. */
+/* The name that is printed, and how many operations a pass has. */
 static const struct {
     const char *name;
     int count;
-    bool bulk;   /* measured on every back end */
+    bool bulk;   /* timed on every back end */
     bool arrays; /* Gnomon's vectors are a structure of arrays */
 } operations[MATHS_OPERATIONS] = {
     [MATHS_MULTIPLY] = {"mat4 * mat4", MATHS_FEW, false, false},
@@ -44,7 +44,7 @@ static double cpu_nanoseconds(void)
     return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
 }
 
-/* -1 to 1, from a sequence that is the same in every run (Numerical Recipes' generator). */
+/* -1 to 1, from a sequence that is equal in every run (Numerical Recipes' generator). */
 static float number(uint32_t *state)
 {
     *state = *state * 1664525u + 1013904223u;
@@ -79,7 +79,7 @@ static void fill(maths_data *d, maths_operation operation, bool arrays)
             d->many[arrays ? k * MATHS_MANY + i : i * components + k] = number(&state);
 }
 
-/* The results of a pass, vectors packed; returns how many. */
+/* The results of a pass, with vectors packed; returns their number. */
 static size_t results(const maths_data *d, maths_operation operation, bool arrays, float *out)
 {
     const size_t components = operation >= MATHS_POINTS_PACKED ? 3 : 4;
@@ -123,7 +123,7 @@ static size_t results(const maths_data *d, maths_operation operation, bool array
     return count;
 }
 
-/* Whether both compute the same thing: one pass of each from the same numbers. */
+/* Whether both compute equal results: one pass of each from equal numbers. */
 static bool agree(maths_data *ours, maths_data *theirs, maths_operation operation, maths_pass *our,
                   maths_pass *their)
 {
@@ -152,17 +152,17 @@ static double time_passes(maths_pass *pass, maths_data *d, int passes)
 
 static void print_number(FILE *out, const char *format, double number)
 {
-    char text[32] = "-"; /* where there is nothing to measure */
+    char text[32] = "-"; /* if there is nothing to time */
 
     if (number > 0.0)
         snprintf(text, sizeof text, format, number);
     fprintf(out, " %10s", text);
 }
 
-/* One line: the medians of interleaved timings, and the others' over ours. */
+/* One line: the medians of interleaved timings, and the other libraries' times over Gnomon's. */
 static int measure(FILE *out, maths_operation operation, gn_backend backend, int repeats)
 {
-    static maths_data data[2]; /* ours, theirs */
+    static maths_data data[2]; /* Gnomon's, the other library's */
     static double times[CONTESTANTS][MAX_REPEATS];
     maths_pass *const pass[CONTESTANTS] = {maths_gnomon(operation), maths_cglm_baseline(operation),
                                            maths_cglm_best(operation)};

@@ -1,4 +1,4 @@
-/* The passes over cglm and the C library, compiled once for each set of instructions. */
+/* The passes with cglm and the C library, compiled once per instruction set. */
 #ifndef BENCH_MATHS_CGLM_H
 #define BENCH_MATHS_CGLM_H
 
@@ -10,7 +10,7 @@
 
 #include "maths_passes.h"
 
-/* As aligned as the arrays are (maths_passes.h), and as cglm's types are. */
+/* Aligned as the arrays (maths_passes.h) and as cglm's types. */
 static vec4 *aligned(float (*columns)[4])
 {
     return (vec4 *)(void *)columns;
@@ -40,7 +40,7 @@ static void multiply_vector(maths_data *d)
         glm_mat4_mulv(aligned(d->a[i]), d->v[i], d->moved[i]);
 }
 
-/* In a copy that no result can change, the matrix stays in registers. */
+/* The matrix is copied so that results cannot change it and it stays in registers. */
 static void bulk(maths_data *d)
 {
     CGLM_ALIGN_MAT mat4 m;

@@ -1,5 +1,5 @@
-/* cglm at its best: the Makefile compiles this file with AVX2 and fused multiply-add where
- * the target can have them. */
+/* cglm at its fastest: the Makefile compiles this file with AVX2 and fused multiply-add, if the
+ * target can have them. */
 #include "maths_cglm.h"
 
 #if defined(__AVX2__) && defined(__FMA__)

@@ -1,7 +1,7 @@
-/* The passes over the library. */
+/* The passes with the library. */
 #include "maths_passes.h"
 
-/* A gn_mat4 is these bytes (mat.h). */
+/* A gn_mat4 has exactly these bytes (mat.h). */
 static gn_mat4 *matrix(float (*columns)[4])
 {
     return (gn_mat4 *)columns;

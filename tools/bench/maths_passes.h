@@ -1,6 +1,6 @@
-/* The operations of the mathematics benchmark, as passes over arrays that are too many for
- * registers and, but for those in bulk, few enough for the nearest cache. A pass is called
- * through a pointer, so that compilers can neither hoist its work nor drop it. */
+/* The operations of the mathematics benchmark, as passes over arrays. The arrays are too large for
+ * registers, and small enough for the nearest cache, except those of bulk operations. A pass is
+ * called through a pointer, so that compilers can neither hoist its work nor drop it. */
 #ifndef BENCH_MATHS_PASSES_H
 #define BENCH_MATHS_PASSES_H
 
@@ -27,12 +27,13 @@ typedef enum maths_operation {
     MATHS_OPERATIONS
 } maths_operation;
 
-/* Aligned as cglm likes it best. */
+/* Aligned as cglm prefers. */
 typedef struct maths_data {
     alignas(64) float a[MATHS_FEW][4][4]; /* matrices: [column][row] */
     alignas(64) float b[MATHS_FEW][4][4];
     alignas(64) float product[MATHS_FEW][4][4];
-    alignas(64) float rigid[MATHS_FEW][4][4]; /* rotations and translations, inverted in place */
+    alignas(64) float rigid[MATHS_FEW][4]
+                           [4]; /* rotations and translations, which are inverted in place */
     alignas(64) float v[MATHS_FEW][4];
     alignas(64) float moved[MATHS_FEW][4];
     alignas(64) float x[MATHS_FEW]; /* arguments of the scalar functions */
@@ -41,14 +42,14 @@ typedef struct maths_data {
     alignas(64) float root[MATHS_FEW];
     alignas(4096) float many[4 * MATHS_MANY]; /* packed, or one component after the other */
     alignas(4096) float many_moved[4 * MATHS_MANY];
-    gn_backend backend; /* of Gnomon's passes in bulk */
+    gn_backend backend; /* of Gnomon's bulk passes */
 } maths_data;
 
 typedef void maths_pass(maths_data *data);
 
-/* The pass of an operation, or null where there is none to compare. */
+/* Returns the pass of an operation, or null if there is none. */
 maths_pass *maths_gnomon(maths_operation operation);
 maths_pass *maths_cglm_baseline(maths_operation operation);
-maths_pass *maths_cglm_best(maths_operation operation); /* null where it was not compiled */
+maths_pass *maths_cglm_best(maths_operation operation); /* null if it was not compiled */
 
 #endif

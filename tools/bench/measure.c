@@ -1,4 +1,4 @@
-/* Interleaved measuring and the check of the frames. */
+/* Interleaved timing, and the comparison of the frames. */
 #include "measure.h"
 
 #include <inttypes.h>
@@ -9,12 +9,12 @@
 
 #include "median.h"
 
-/* Rows compared at a time: frames of 8192 pixels a side need not be held here. */
+/* Rows compared at a time, so that frames of 8192 pixels a side need not be kept here. */
 #define BAND_ROWS 64
 
 #define MOST_LINES (3 + 2 * GN_BACKEND_COUNT)
 
-/* One line of the table in the making. */
+/* One line of the table, while it is filled. */
 typedef struct line {
     renderer *renderer;
     gn_backend backend;
@@ -188,7 +188,7 @@ static bool count_differing(const bench_scene *b, renderer *ours, renderer *pinn
     return good;
 }
 
-/* Compiles shaders and touches memory, too, before anything is timed. */
+/* Draws once before anything is timed, which also compiles shaders and touches memory. */
 static bool check_frames(lines *l, const bench_scene *b, renderer *pinned)
 {
     if (!renderer_frame(pinned, GN_BACKEND_AUTO, 1))

@@ -1,5 +1,5 @@
-/* Measuring: every renderer draws a frame in turn, as often as asked, and each frame of a
- * kind is compared with the pinned reference's. */
+/* Timing: every renderer draws a frame in turn, as often as asked; every frame is compared with the
+ * pinned reference's. */
 #ifndef BENCH_MEASURE_H
 #define BENCH_MEASURE_H
 
@@ -11,20 +11,20 @@
 typedef struct measure_options {
     int frames;
     gn_backend backend; /* GN_BACKEND_AUTO: all that are available */
-    uint32_t threads;   /* 0: 1 and 2 */
-    bool scale;         /* one thread, the best back end and the tuned llvmpipe alone */
+    uint32_t threads;   /* 0: both 1 and 2 */
+    bool scale;         /* only one thread, the best back end and the tuned llvmpipe */
 } measure_options;
 
 typedef struct family {
     renderer renderers[RENDERER_COUNT];
-    bool is_contract; /* the pinned one's version is one that bits are promised for */
+    bool is_contract; /* bit equality is promised for the pinned Mesa's version */
 } family;
 
-/* Starts the processes that the options need. False with a message on standard error. */
+/* Starts the processes that the options need. Returns false with a message on standard error. */
 bool family_start(family *f, const measure_options *o);
 void family_stop(family *f);
 
-/* Measures a scene, prints its lines and adds them to the list. False with a message. */
+/* Times a scene, prints its lines and adds them to the list. Returns false with a message. */
 bool measure_scene(family *f, const measure_options *o, const bench_scene *b, record_list *list);
 
 #endif

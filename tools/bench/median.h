@@ -2,7 +2,7 @@
 #ifndef BENCH_MEDIAN_H
 #define BENCH_MEDIAN_H
 
-/* The median of more than no values, which are put in order. */
+/* Returns the median of one value or more, and sorts the values. */
 double median(double *values, int count);
 
 #endif

@@ -1,4 +1,4 @@
-/* From results to a picture; and the picture of the ratios. */
+/* Reads results and draws a picture; the picture of the ratios. */
 #include "plot.h"
 
 #include <errno.h>
@@ -12,7 +12,7 @@ enum { COLUMNS = 2, PANEL = 470, LABELS = 106, VALUES = 120, BAR = 11, STEP = 12
 enum { HEAD = 30, AXIS = 44, TOP = 74 };
 
 typedef struct style {
-    const char *backend, *label, *color, *light; /* light: with two threads */
+    const char *backend, *label, *color, *light; /* light colour: with two threads */
 } style;
 
 static const style styles[] = {{"host", "llvmpipe", "#e8710a", "#f6bf8f"},
@@ -51,8 +51,8 @@ static bool same_scene(const record_list *list, size_t a, size_t b)
     return b < list->count && strcmp(list->records[a].scene, list->records[b].scene) == 0;
 }
 
-/* The record after the scene's that starts at `first`, and the height of its bars: two for
- * a back end with one and two threads stand close together. */
+/* Finds the record after the scene's that starts at `first`, and the height of its bars: a back
+ * end's bars for one and two threads stand close together. */
 static size_t measure_panel(const record_list *list, size_t first, double *height)
 {
     const char *backend = "";
@@ -116,7 +116,7 @@ static void plot_bar(FILE *out, const record *r, double x, double y, double scal
               "%.2f (%.*f ms%s)", r->ratio, digits, ms, r->threads > 1 ? ", 2 threads" : "");
 }
 
-/* The panel of the scene whose records start at `first`; the index after them. */
+/* The panel of the scene whose records start at `first`; returns the index after them. */
 static size_t plot_panel(FILE *out, const record_list *list, size_t first, double left, double top,
                          double most)
 {

@@ -1,4 +1,4 @@
-/* The parts that pictures are made of. Coordinates are SVG's, y downwards. */
+/* The parts of pictures. Coordinates are SVG's, y downwards. */
 #ifndef BENCH_PLOT_PARTS_H
 #define BENCH_PLOT_PARTS_H
 
@@ -17,7 +17,7 @@ void part_line(FILE *out, double x0, double y0, double x1, double y1, const char
 void part_bar(FILE *out, double x, double y, double width, double height, const char *color);
 void part_dot(FILE *out, double x, double y, const char *color);
 
-/* Text of printf's kind with its base line at y. */
+/* Formatted text, as by printf, with its base line at y. */
 void part_text(FILE *out, double x, double y, anchor a, int size, const char *color,
                const char *format, ...) __attribute__((format(printf, 7, 8)));
 

@@ -1,4 +1,4 @@
-/* The pipes' ends. */
+/* Reading from the pipes and writing to them. */
 #include "protocol.h"
 
 #include <errno.h>

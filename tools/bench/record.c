@@ -1,4 +1,4 @@
-/* Results to and from text. */
+/* Writing results as text and reading them. */
 #include "record.h"
 
 #include <errno.h>

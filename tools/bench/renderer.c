@@ -1,4 +1,4 @@
-/* Starting the benchmark's child processes and asking them. */
+/* Starts the benchmark's child processes and sends them requests. */
 #include "renderer.h"
 
 #include <errno.h>
@@ -14,8 +14,8 @@ static bool fail(renderer *r, const char *why)
     return false;
 }
 
-/* The environment of a child. What a user has set for Mesa or malloc would be measured
- * otherwise. */
+/* The environment of a child. A user's settings for Mesa or malloc would change the timing, so they
+ * are removed. */
 static void set_environment(renderer_kind kind)
 {
     static const char *const cleared[] = {"GALLIUM_DRIVER",
@@ -37,7 +37,7 @@ static void set_environment(renderer_kind kind)
     setenv("GALLIUM_DRIVER", "llvmpipe", 1);
     setenv("LP_NUM_THREADS", kind == RENDERER_TUNED_2 ? "2" : "0", 1);
     if (kind == RENDERER_TUNED || kind == RENDERER_TUNED_2) {
-        /* Memory that a frame frees stays for the next one. */
+        /* malloc keeps the memory that a frame frees for the next one. */
         setenv("MALLOC_TRIM_THRESHOLD_", "1073741824", 1);
         setenv("MALLOC_MMAP_THRESHOLD_", "1073741824", 1);
         setenv("MALLOC_TOP_PAD_", "67108864", 1);
@@ -73,7 +73,7 @@ bool renderer_start(renderer *r, renderer_kind kind)
     close(from[1]);
     r->to = to[1];
     r->from = from[0];
-    /* A child started later would otherwise hold this one's pipes open. */
+    /* Otherwise a child that is started later would hold this child's pipes open. */
     fcntl(r->to, F_SETFD, FD_CLOEXEC);
     fcntl(r->from, F_SETFD, FD_CLOEXEC);
     if (r->process < 0) {
@@ -94,7 +94,7 @@ static bool ask(renderer *r, const request *question, answer *a)
     return true;
 }
 
-/* A zeroed request: its padding goes through the pipe too. */
+/* Returns a zeroed request, since its padding goes through the pipe too. */
 static request request_of(request_kind kind)
 {
     request q;

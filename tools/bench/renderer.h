@@ -10,21 +10,21 @@ typedef struct renderer {
     renderer_kind kind;
     pid_t process; /* 0: not started */
     int to, from;
-    char text[512];   /* who draws; after a fault the reason */
-    bool is_contract; /* of the pinned one */
+    char text[512];   /* the renderer's name; after a fault the reason */
+    bool is_contract; /* of the pinned reference */
 } renderer;
 
-/* Each is false on a fault, with the reason in text. */
+/* Each returns false on a fault, with the reason in text. */
 bool renderer_start(renderer *r, renderer_kind kind);
 bool renderer_load(renderer *r, const bench_scene *b);
 bool renderer_draw(renderer *r, gn_backend backend, uint32_t threads, double *cpu_ms,
                    double *wall_ms);
 bool renderer_frame(renderer *r, gn_backend backend, uint32_t threads);
 
-/* Rows of the frame that renderer_frame drew, into a frame of as many rows. */
+/* Reads rows of the frame that renderer_frame drew into a frame of equally many rows. */
 bool renderer_rows(renderer *r, uint32_t first_row, scene_frame *rows);
 
-/* Ends the process; nothing where it was not started. */
+/* Ends the process; does nothing if it was not started. */
 void renderer_stop(renderer *r);
 
 #endif

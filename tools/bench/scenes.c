@@ -1,4 +1,4 @@
-/* Construction of the benchmark's scenes. */
+/* Builds the benchmark's scenes. */
 #include "scenes.h"
 
 #include <math.h>
@@ -56,7 +56,7 @@ static scene_draw *add_draw(scene *s, scene_shader shader)
     return d;
 }
 
-/* Bytes that follow no pattern, the same in every run (the finalizer of MurmurHash3). */
+/* Bytes without a pattern, equal in every run (the finalizer of MurmurHash3). */
 static void fill_texels(uint32_t *texels, uint32_t count)
 {
     for (uint32_t i = 0; i < count; ++i) {
@@ -78,7 +78,7 @@ static void add_texture(scene_draw *d)
     d->uniforms.sampler.minify = GN_MINIFY_LINEAR;
 }
 
-/* All levels of a texture, each of texels of its own. */
+/* All levels of a texture, each with texels of its own. */
 static void add_levels(scene_draw *d, gn_texture_target target)
 {
     static uint32_t texels[2 * 6 * TEXTURE_SIDE * TEXTURE_SIDE];
@@ -107,8 +107,8 @@ static void set_quads_texture(scene_draw *d, bench_shape shape)
     }
 }
 
-/* Of a cube the texture coordinates are a direction, that of the corner. Rolled quads are turned
- * and enlarged so that they still cover the target: a rotation times 1.36. */
+/* For a cube the texture coordinates are a direction, the corner's. Rolled quads are turned and
+ * enlarged so that they still cover the target: a rotation times 1.36. */
 static void add_quads(scene *s, uint32_t quads, bench_shape shape)
 {
     static const float corner_color[4][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}};
@@ -168,7 +168,7 @@ typedef struct sphere_mesh {
     uint32_t *index;
 } sphere_mesh;
 
-/* A cube of n x n squares a face, blown up to a unit sphere; each face has its own
+/* A cube with n x n squares per face, projected to a unit sphere; each face has its own
  * vertices. */
 static sphere_mesh make_sphere(uint32_t n)
 {
@@ -214,7 +214,7 @@ static sphere_mesh make_sphere(uint32_t n)
     return m;
 }
 
-/* Seen so that the outline, at the angle whose sine is 1 / distance, is as wide as
+/* From a distance at which the outline, at the angle whose sine is 1 / distance, is as wide as
  * `across`. */
 static void add_sphere(scene *s, uint32_t n, float across, scene_shader shader)
 {

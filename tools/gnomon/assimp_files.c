@@ -1,4 +1,4 @@
-/* A file system for Assimp. */
+/* Implements the file system for Assimp. */
 #define _POSIX_C_SOURCE 200809L
 #include "assimp_files.h"
 
@@ -11,16 +11,17 @@
 #include "files.h"
 #include "report.h"
 
-/* A model that names more files than these that are not there is warned of by the first ones. */
+/* Warnings name at most this many missing files. */
 #define MISSING_LIMIT 16
 
 typedef struct missing_file {
     char *path;
     char *reason;
-    bool replaced; /* by the OBJ file's own .mtl, which Assimp takes then */
+    bool replaced; /* replaced by the OBJ file's own .mtl, which Assimp reads instead */
 } missing_file;
 
-/* Assimp's interface has one place for a user's pointer, but there is one import at a time. */
+/* Assimp's interface has one place for a user's pointer. There is one import at a time, so the
+ * state is a variable. */
 static struct {
     struct aiFileIO functions;
     const char *model_path;
@@ -31,8 +32,8 @@ static struct {
 typedef struct open_file {
     struct aiFile functions;
     int descriptor;
-    uint64_t start; /* behind the byte-order mark */
-    uint64_t size;  /* from there on */
+    uint64_t start; /* after the byte-order mark */
+    uint64_t size;  /* size from there on */
     uint64_t position;
 } open_file;
 
@@ -99,8 +100,8 @@ static enum aiReturn file_seek(struct aiFile *file, size_t offset, enum aiOrigin
     return aiReturn_SUCCESS;
 }
 
-/* Assimp takes the mark of OBJ and MTL files for the beginning of a word, and so loses their first
- * line, and does not know PLY files with one. */
+/* Assimp takes the byte-order mark of OBJ and MTL files for the beginning of a word, and so loses
+ * their first line. It does not recognise PLY files with a mark. */
 static uint64_t mark_size(int descriptor, const char *path)
 {
     static const char *const texts[] = {"obj", "mtl", "ply", "gltf"};
@@ -129,7 +130,8 @@ static bool is_own_material_file(const char *path)
            strncmp(name, model, length - 3) == 0 && strcmp(name + length - 3, "mtl") == 0;
 }
 
-/* The file of that name among the missing ones, wherever it was looked for; or their number. */
+/* The index of the missing file with this name, wherever it was looked for; or the number of
+ * missing files. */
 static size_t find_missing(const char *path)
 {
     size_t i = 0;
@@ -139,8 +141,8 @@ static size_t find_missing(const char *path)
     return i;
 }
 
-/* Assimp looks for one file in several places, and for an OBJ file's own .mtl where the one named
- * is not there. */
+/* Assimp looks for one file in several places, and for an OBJ file's own .mtl if the named one does
+ * not exist. */
 static void note_missing(const char *path, const char *reason)
 {
     size_t count = system_state.missing_count;
@@ -155,8 +157,8 @@ static void note_missing(const char *path, const char *reason)
         system_state.missing_count++;
 }
 
-/* A file found elsewhere is not missing. A found MODEL.mtl replaces the last file that is missing.
- */
+/* A file found elsewhere is not missing. A MODEL.mtl that is found replaces the last missing
+ * file. */
 static void note_found(const char *path)
 {
     size_t found = find_missing(path);

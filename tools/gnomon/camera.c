@@ -1,27 +1,27 @@
-/* Placing the camera and its clipping planes. */
+/* Places the camera and its clipping planes. */
 #include "camera.h"
 
 #include <math.h>
 
 #include "report.h"
 
-/* Room around a framed sphere, and around it in depth. */
+/* Margins around a framed sphere, and around it in depth. */
 #define FRAME_MARGIN 1.02
 #define DEPTH_MARGIN 1.01
 
-/* The nearest plane, as a fraction of the sphere and of the farthest plane, where the eye
- * is inside the sphere. */
+/* The near plane if the eye is inside the sphere, as a fraction of the sphere and of the far
+ * plane. */
 #define NEAREST_OF_RADIUS 1e-3
 #define NEAREST_OF_FAR 1e-4
 
 /* The least distance from the middle to either clipping plane, as a fraction of the middle's
- * distance, so that the planes stay apart as floats when the eye is far away. */
+ * distance. It keeps the planes apart as floats if the eye is far away. */
 #define THINNEST_SLICE 1e-4
 
 static const double degree = 3.14159265358979323846 / 180.0;
 
-/* Where the eye goes, as seen from the target: forward is +z, or -y for models whose up is
- * z, turned a little to the right and lifted. Any length. */
+/* The direction from the target to the eye: +z, or -y for models whose up is z, turned a little to
+ * the right and lifted. It may have any length. */
 static gn_vec3 default_direction(gn_vec3 up)
 {
     gn_vec3 forward = {0.0f, 0.0f, 1.0f};
@@ -54,7 +54,7 @@ static int check(const camera_options *asked)
     return 0;
 }
 
-/* Distance from which a sphere of radius 1 just fits into the narrower of both angles. */
+/* The distance from which a sphere of radius 1 just fits into the narrower of both angles. */
 static double framing_distance(double fov_degrees, double aspect)
 {
     double half = 0.5 * fov_degrees * degree;
@@ -90,7 +90,7 @@ int camera_place(const camera_options *asked, const bounding_sphere *sphere, uin
     gn_transform view;
     gn_status status = gn_look_at_rh(eye, target, up, &view);
     if (status == GN_DEGENERATE && !asked->up_given) {
-        /* Straight from above or below: the top of the picture is then away from +z. */
+        /* If the camera looks straight down or up, the top of the picture points away from +z. */
         up = (gn_vec3){0.0f, 0.0f, -1.0f};
         status = gn_look_at_rh(eye, target, up, &view);
     }

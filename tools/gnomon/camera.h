@@ -1,4 +1,4 @@
-/* The camera: from what was asked for and where the model is to a matrix. */
+/* The camera: computes matrices from the options and the place of the model. */
 #ifndef CAMERA_H
 #define CAMERA_H
 
@@ -6,7 +6,7 @@
 
 #include "options.h"
 
-/* A ball that holds everything drawn; radius > 0. */
+/* A sphere around everything that is drawn; radius > 0. */
 typedef struct bounding_sphere {
     double center[3];
     double radius;
@@ -18,9 +18,9 @@ typedef struct camera {
     gn_vec3 light_direction; /* over the viewer's left shoulder, world space, unit length */
 } camera;
 
-/* Places the camera. What is not given frames the sphere: the target is its centre, the
- * eye stands in front (+z), a little to the right and above, where the whole sphere fits
- * into the picture. 0, or EXIT_FAULT with the reason printed. */
+/* Places the camera. Options that are not given are chosen so that the sphere is framed: the target
+ * is its centre; the eye is in front (+z), a little to the right and above, where the whole sphere
+ * fits into the picture. Returns 0, or EXIT_FAULT with the reason printed. */
 int camera_place(const camera_options *asked, const bounding_sphere *sphere, uint32_t width,
                  uint32_t height, camera *result);
 

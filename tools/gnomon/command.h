@@ -1,5 +1,5 @@
-/* The commands. Each takes its argument list, argv[0] being its own name, and returns the
- * exit status. */
+/* The commands. Each takes its argument list, in which argv[0] is the command's name, and returns
+ * the exit status. */
 #ifndef COMMAND_H
 #define COMMAND_H
 
@@ -8,8 +8,8 @@ int command_compare(int argc, char **argv);
 int command_demo(int argc, char **argv);
 int command_transform(int argc, char **argv);
 
-/* The part of --help that render and compare share: camera, light, shaders, colours,
- * back end. */
+/* Prints the part of --help that render and compare share: camera, light, shaders, colours, back
+ * end. */
 void print_picture_help(void);
 
 #endif

@@ -1,4 +1,4 @@
-/* gnomon compare: a model drawn by the library and by OSMesa. */
+/* gnomon compare: the library and OSMesa draw a model. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,7 +26,8 @@ static const char usage[] =
     "  --size WxH              size in pixels, up to 16384x16384; default: 1024x1024\n"
     "\n";
 
-/* "bunny_compared.png" for "models/bunny.obj", allocated. Null where there is no memory. */
+/* Returns "bunny_compared.png" for "models/bunny.obj", allocated; null if there is not enough
+ * memory. */
 static char *default_output(const char *model_path)
 {
     static const char ending[] = "_compared.png";

@@ -1,4 +1,4 @@
-/* The library's picture beside OSMesa's. */
+/* Compares the library's picture with OSMesa's. */
 #include "comparison.h"
 
 #include <inttypes.h>
@@ -11,7 +11,7 @@
 #include "png_write.h"
 #include "report.h"
 
-/* How differences are made visible: the least one is a clear grey already. */
+/* Makes differences visible: even the least difference is a clear grey. */
 #define DIFFERENCE_BASE 79
 #define DIFFERENCE_STEP 16
 
@@ -42,7 +42,7 @@ static void print_samples(FILE *words, const scene_difference *d, uint64_t sampl
     fprintf(words, "\n");
 }
 
-/* Some images of a frame as a frame, which owns nothing. */
+/* Some images of a frame, as a frame that owns nothing. */
 static scene_frame part_of_frame(const scene_frame *frame, uint32_t first, uint32_t count)
 {
     const size_t pixels = (size_t)first * frame->width * frame->height;
@@ -61,7 +61,8 @@ static scene_difference compare_images(const scene *s, const comparison *c, uint
     return scene_compare(s, &ours, &theirs);
 }
 
-/* The library's shadow map is part of the scene, so the reference draws it for this alone. */
+/* The library's shadow map is part of the scene, so the reference draws the map only for this
+ * comparison. */
 static bool compare_shadow(reference *mesa, const shadow_pass *shadow, FILE *words, comparison *c,
                            char *error, size_t error_size)
 {
@@ -118,7 +119,7 @@ int comparison_make(const scene *s, const shadow_pass *shadow, gn_backend backen
     return 0;
 }
 
-/* The image that is shown, of several what samples are resolved to. */
+/* The image that is shown; with several samples, the resolved image. */
 static size_t shown_row(const scene_frame *frame, uint32_t y)
 {
     return ((size_t)frame->images * frame->height - 1 - y) * frame->width;

@@ -1,4 +1,4 @@
-/* gnomon demo: the teapot, drawn by the library and by OSMesa. */
+/* gnomon demo: the library and OSMesa draw the teapot. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -37,11 +37,11 @@ static const float background[4] = {0.933f, 0.925f, 0.906f, 1.0f};
 static const model_shine shine = {{0.45f, 0.45f, 0.45f}, 40};
 static const float glaze[4] = {0.80f, 0.46f, 0.31f, 1.0f};
 
-/* Texels a side of each patch's cell of the maps. */
+/* Texels per side of each patch's cell of the maps. */
 #define MAP_CELL 64
 
-/* The shadow is a disc on the ground, dark in the middle and of the background's colour at
- * its edge, so that no edge is seen. */
+/* The shadow is a disc on the ground, dark in the middle and of the background's colour at its
+ * edge, so that the edge is not visible. */
 #define SHADOW_SEGMENTS 64
 #define SHADOW_RINGS 16
 
@@ -83,7 +83,7 @@ static bool create_shadow(model *result)
     return true;
 }
 
-/* The ground as it is lit, of the background's colour where there is no shadow. */
+/* The lit ground, which has the background's colour where there is no shadow. */
 static void light_ground(model_part *ground, const look *l)
 {
     float lit = fmaxf(l->light_direction.y, 0.0f);
@@ -112,7 +112,7 @@ static bool create_maps(const options *o, part_maps *maps)
     return true;
 }
 
-/* The teapot on its ground, which pictures of normals and depths do without. */
+/* The teapot on its ground; pictures of normals and depths have no ground. */
 static void add_draws(const look *l, const part_maps *maps, model *ground, const model *teapot,
                       scene *s)
 {

@@ -1,4 +1,4 @@
-/* Opening regular files. */
+/* Opens regular files. */
 #define _POSIX_C_SOURCE 200809L
 #include "files.h"
 
@@ -17,7 +17,7 @@ void files_observe(files_observer *observer)
     told_of_files = observer;
 }
 
-/* Null where the file is regular. */
+/* Returns null if the file is regular, otherwise the reason why not. */
 static const char *kind_fault(mode_t mode)
 {
     if (S_ISREG(mode))
@@ -34,8 +34,8 @@ int files_open(const char *path, uint64_t *size, const char **reason)
     int descriptor = -1;
     *size = 0;
     *reason = NULL;
-    /* Before the file is opened, since devices may act on that; and after, since the name may
-     * have been given to another file meanwhile. */
+    /* The check runs before the file is opened, since opening may make a device act; and after,
+     * since the name may have been given to another file in between. */
     if (stat(path, &status) != 0)
         *reason = strerror(errno);
     else

@@ -1,4 +1,4 @@
-/* Sending and receiving what was imported. */
+/* Sends and receives imported models. */
 #define _POSIX_C_SOURCE 200809L
 #include "handover.h"
 
@@ -11,7 +11,7 @@
 
 #include <gnomon/surface.h>
 
-/* What precedes a part's arrays. */
+/* The header in front of a part's arrays. */
 typedef struct part_header {
     uint32_t vertex_count;
     uint32_t index_count;
@@ -34,7 +34,7 @@ typedef struct array {
 
 #define ARRAY_COUNT 6
 
-/* The arrays of a part in the order in which they are sent; those that it lacks have no size. */
+/* The arrays of a part in the order in which they are sent; missing arrays have size 0. */
 static void list_arrays(const model_part *part, array list[ARRAY_COUNT])
 {
     const uint64_t vertices = part->vertex_count;
@@ -171,7 +171,7 @@ bool handover_receive(handover *h, handover_record *kind, char text[HANDOVER_TEX
     return true;
 }
 
-/* What is taken for granted of a part when it is drawn. */
+/* Properties that drawing assumes of a part. */
 static bool is_sound(const part_header *header)
 {
     for (int i = 0; i < MAP_COUNT; i++) {

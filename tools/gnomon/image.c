@@ -1,4 +1,4 @@
-/* Reading images with stb_image. */
+/* Reads images with stb_image. */
 #include "image.h"
 
 #include <inttypes.h>
@@ -12,7 +12,7 @@
 #include "files.h"
 #include "image_file.h"
 
-/* Reasons are made here, one at a time. */
+/* Holds the text of one reason at a time. */
 static char reason_text[256];
 
 static const char *decoder_reason(image_kind kind)
@@ -25,7 +25,7 @@ static const char *decoder_reason(image_kind kind)
     return reason_text;
 }
 
-/* Bytes R, G, B, A to the library's pixels, in place. */
+/* Converts bytes R, G, B, A to the library's pixels, in place. */
 static void pack(uint8_t *bytes, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
@@ -36,7 +36,7 @@ static void pack(uint8_t *bytes, size_t count)
     }
 }
 
-/* Null, or why an image of this size is not decoded. */
+/* Returns null, or why an image of this size is not decoded. */
 static const char *size_fault(int width, int height, const image_budget *budget)
 {
     if (width < 1 || height < 1 || width > GN_MAX_SIZE || height > GN_MAX_SIZE)
@@ -57,8 +57,8 @@ static const char *size_fault(int width, int height, const image_budget *budget)
     return NULL;
 }
 
-/* Where stb_image reads from. It takes what lies behind the end for zeros without a word, so
- * it is noted that it wanted more than there was. */
+/* The source that stb_image reads from. stb_image reads zeros behind the end without an error, so
+ * the source records that more was read than exists. */
 typedef struct source {
     const uint8_t *bytes;
     size_t size;
@@ -66,7 +66,7 @@ typedef struct source {
     bool ran_out;
 } source;
 
-/* Reads of this size are stb_image filling its buffer, which may end early. */
+/* Reads of this size fill stb_image's buffer, and may end early. */
 #define BUFFER_SIZE 128
 
 static int source_read(void *user, char *data, int size)

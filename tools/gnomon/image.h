@@ -14,18 +14,18 @@ typedef struct image {
     uint32_t *texels;
 } image;
 
-/* What images may take. */
+/* The budget of images. */
 typedef struct image_budget {
     uint32_t megapixels; /* of one image, in units of 2^20 pixels */
-    uint64_t bytes_left; /* for the texels of all; each image that is read takes its share */
+    uint64_t bytes_left; /* for the texels of all images; each image that is read uses part of it */
 } image_budget;
 
-/* Reads a PNG, JPEG, TGA or BMP. Its header is read first: an image that is larger than the budget
- * or a texture may be, or whose file is too short for its size, is not decoded. False with the
- * reason (good until the next call) otherwise. */
+/* Reads a PNG, JPEG, TGA or BMP. Its header is read first. The image is not decoded if it is larger
+ * than the budget or than a texture may be, or if the file is too short for its size. Returns false
+ * with the reason (valid until the next call). */
 bool image_read(const char *path, image_budget *budget, image *result, const char **reason);
 
-/* The same from memory. */
+/* As image_read, from memory. */
 bool image_decode(const uint8_t *bytes, size_t size, image_budget *budget, image *result,
                   const char **reason);
 

@@ -1,4 +1,4 @@
-/* Headers of image files. */
+/* Reads the headers of image files. */
 #include "image_file.h"
 
 #include <string.h>
@@ -7,19 +7,20 @@
 static const uint8_t png_mark[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 #define PNG_CHUNK_OVERHEAD 12
 
-/* Deflate makes at most 1032 bytes of one: 258 bytes of two bits (RFC 1951). */
+/* Deflate expands one byte to at most 1032: 258 bytes from two bits (RFC 1951). */
 #define DEFLATE_RATIO 1032
 
 #define TGA_HEADER 18
-#define BMP_HEADER 26 /* up to the bits of a pixel, of the shorter kind */
+#define BMP_HEADER 26 /* bytes up to the bits per pixel, in the shorter kind of header */
 
-/* The beginning of the file, as long as there is one, is the mark. */
+/* Whether the file begins with this mark; of a file shorter than the mark, all bytes are
+ * compared. */
 static bool begins(const uint8_t *bytes, size_t size, const void *mark, size_t length)
 {
     return size > 0 && memcmp(bytes, mark, size < length ? size : length) == 0;
 }
 
-/* Truevision TGA 2.0: kinds of images, their bits, and whether there is a table of colours. */
+/* Truevision TGA 2.0: kinds of images, their bits, and whether there is a colour table. */
 static bool is_tga(const uint8_t *bytes, size_t size)
 {
     if (size < TGA_HEADER)
@@ -70,7 +71,8 @@ static bool png_chunks_end(const uint8_t *bytes, size_t size)
     }
 }
 
-/* Bits of a pixel by a PNG's header, the first chunk: its depth times the channels of its type. */
+/* Bits per pixel by a PNG's header, which is the first chunk: its depth times the channels of its
+ * type. */
 static uint64_t png_bits(const uint8_t *bytes)
 {
     static const uint8_t channels[8] = {1, 0, 3, 1, 2, 0, 4, 0};

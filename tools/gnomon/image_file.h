@@ -1,4 +1,4 @@
-/* Files of images as bytes: which format they are of, and whether they are whole. */
+/* Image files as bytes: their format, and whether they are complete. */
 #ifndef IMAGE_FILE_H
 #define IMAGE_FILE_H
 
@@ -8,14 +8,14 @@
 
 typedef enum image_kind { IMAGE_PNG, IMAGE_JPEG, IMAGE_TGA, IMAGE_BMP, IMAGE_OTHER } image_kind;
 
-/* The format by the first bytes; a TGA, which has no mark, by a header that makes sense. */
+/* The format by the first bytes. A TGA has no mark and is recognised by a plausible header. */
 image_kind image_kind_of(const uint8_t *bytes, size_t size);
 
-/* "PNG" and the like. */
+/* The format's name, such as "PNG". */
 const char *image_kind_name(image_kind kind);
 
-/* Whether the file ends too early, as far as can be seen without decoding: of a PNG by its
- * chunks, otherwise where the bytes cannot hold as many pixels. */
+/* Whether the file ends too early, as far as can be seen without decoding: a PNG by its chunks,
+ * other files because their bytes cannot hold as many pixels. */
 bool image_is_cut_short(image_kind kind, const uint8_t *bytes, size_t size, uint32_t width,
                         uint32_t height);
 

@@ -24,16 +24,16 @@
 /* Exit status of a child that crashed because memory ran out. */
 #define EXIT_MEMORY 3
 
-/* A crash counts as want of memory if so many bytes cannot be mapped any more. */
+/* A crash counts as lack of memory if this many bytes cannot be mapped any more. */
 #define LITTLE_MEMORY ((size_t)32 << 20)
 
-/* Far more files than the child opens at once: the model, one beside it, the pipe. */
+/* Many more files than the child opens at once: the model, one beside it, the pipe. */
 #define OPEN_FILES 256
 
 /* The child's end of the pipe. */
 static int to_parent;
 
-/* The process that waits for the child. */
+/* The parent process, which waits for the child. */
 static pid_t parent;
 
 static void send_line(const char *line)
@@ -46,8 +46,9 @@ static void send_opened(const char *path)
     handover_send_text(to_parent, HANDOVER_OPENED, path);
 }
 
-/* Where memory is short, C++ code calls abort after an exception that nobody catches, and code that
- * does not check malloc crashes. Ends the child with EXIT_MEMORY then, otherwise by the signal. */
+/* If memory is short, C++ code calls abort after an exception that nobody catches, and code that
+ * does not check malloc crashes. Ends the child with EXIT_MEMORY in these cases, otherwise by the
+ * signal. */
 static void tell_memory(int number)
 {
     void *probe =
@@ -76,7 +77,7 @@ static void handle_crashes(void)
         sigaction(numbers[i], &action, NULL);
 }
 
-/* Lowers a limit; one that is lower already stays. */
+/* Lowers a limit; a lower limit stays. */
 static void set_limit(int which, rlim_t most)
 {
     struct rlimit limit;
@@ -84,13 +85,13 @@ static void set_limit(int which, rlim_t most)
         return;
     if (limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur > most)
         limit.rlim_cur = most;
-    /* A process at its hard limit of time gets SIGKILL, not SIGXCPU. */
+    /* A process that reaches its hard limit of time gets SIGKILL, not SIGXCPU. */
     if (limit.rlim_max == RLIM_INFINITY || limit.rlim_max > most + 1)
         limit.rlim_max = most + 1;
     setrlimit(which, &limit);
 }
 
-/* Bytes of address space that the process has before it begins; 0 where that is not known. */
+/* Bytes of address space that the process uses before it begins; 0 if not known. */
 static rlim_t address_space(void)
 {
     unsigned long pages = 0;
@@ -103,8 +104,8 @@ static rlim_t address_space(void)
     return (rlim_t)pages * (rlim_t)sysconf(_SC_PAGESIZE);
 }
 
-/* What others print is not the command's: standard input, output and error lead nowhere. The
- * child does not outlive its parent. */
+/* Libraries must not print in the command's name, so standard input, output and error lead nowhere.
+ * The child does not outlive its parent. */
 static void confine(const import_limits *limits)
 {
     int nowhere = open("/dev/null", O_RDWR);
@@ -114,7 +115,7 @@ static void confine(const import_limits *limits)
         close(nowhere);
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) /* it ended before the line above */
+    if (getppid() != parent) /* the parent ended before the line above */
         _exit(EXIT_FAULT);
 #endif
     handle_crashes();
@@ -155,7 +156,7 @@ static int read_all(const options *o, unsigned int wanted, imported *result)
     return fault != 0 ? fault : read_maps(o, wanted, most - size, result);
 }
 
-/* Nothing is freed: the process ends. */
+/* Nothing is freed, since the process ends. */
 static void run_child(const options *o, unsigned int wanted)
 {
     imported what;
@@ -168,7 +169,7 @@ static void run_child(const options *o, unsigned int wanted)
     _exit(good ? 0 : EXIT_FAULT);
 }
 
-/* " over 'FILE'" in three pieces, all empty where that file is the model itself. */
+/* Returns " over 'FILE'" in three pieces, all empty if that file is the model itself. */
 typedef struct culprit {
     const char *before, *path, *after;
 } culprit;
@@ -193,7 +194,7 @@ static int late_fault(const options *o, culprit c)
                         (unsigned)o->limits.seconds, c.before, c.path, c.after);
 }
 
-/* The child is gone without a word. */
+/* The child has ended without a record that says why. */
 static int end_fault(const options *o, int status, culprit c)
 {
     if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_MEMORY)
@@ -231,7 +232,7 @@ static int state_fault(const options *o, const handover *h, int status, culprit 
     }
 }
 
-/* Receives until the model is there, the child sends a fault (*told: its reason is printed), or
+/* Receives until the model is complete, the child sends a fault (*told: its reason is printed), or
  * receiving fails. */
 static int receive(handover *h, char *opened, imported *result, bool *told)
 {
@@ -261,13 +262,13 @@ int import_model(const options *o, unsigned int wanted, imported *result)
     int status = 0;
     bool told = false;
     handover h = {-1, {0, 0}, (uint64_t)o->limits.output << 20, HANDOVER_GOING};
-    /* Room for headers and lines, so that what is counted is the model. */
+    /* Adds room for headers and lines, so that the limit counts the model alone. */
     h.bytes_left += (uint64_t)1 << 20;
     memset(result, 0, sizeof *result);
     opened[0] = '\0';
     if (pipe(ends) != 0)
         return report_fault(o->model, "cannot be imported: %s", strerror(errno));
-    /* Where it is ignored, as inherited, the child's status would be lost. */
+    /* If an ignored SIGCHLD was inherited, the child's status would be lost. */
     signal(SIGCHLD, SIG_DFL);
     fflush(NULL);
     parent = getpid();
@@ -286,7 +287,7 @@ int import_model(const options *o, unsigned int wanted, imported *result)
     clock_gettime(CLOCK_MONOTONIC, &h.deadline);
     h.deadline.tv_sec += (time_t)o->limits.seconds;
     int fault = receive(&h, opened, result, &told);
-    /* A child that has ended keeps the status that it ended with. */
+    /* A child that has ended keeps its exit status. */
     kill(child, SIGKILL);
     while (waitpid(child, &status, 0) < 0 && errno == EINTR)
         ;

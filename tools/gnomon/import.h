@@ -1,6 +1,6 @@
-/* Importing a model and its maps. Files come from anywhere, and those who read them, Assimp and
- * stb_image, may crash, hang or take all memory over one. So a child process reads them, within
- * limits, and hands over what they hold. */
+/* Imports a model and its maps. Files may be hostile: they may make their readers, Assimp and
+ * stb_image, crash, hang or use all memory. So a child process reads them under limits, and sends
+ * the contents to this process. */
 #ifndef IMPORT_H
 #define IMPORT_H
 
@@ -8,14 +8,14 @@
 #include "options.h"
 
 typedef struct imported {
-    model model;     /* its parts' maps have no names */
+    model model;     /* the maps of its parts have no names */
     part_maps *maps; /* one of each part */
     maps_told told;
 } imported;
 
-/* Reads the model and those maps of `wanted`, a set of 1 << map_kind, that there are. 0, to be
- * freed with import_free; otherwise EXIT_FAULT with the reason printed, which names the file and,
- * where a limit ended it, the option that raises it. Call it before threads are started. */
+/* Reads the model and those of its maps that are in `wanted`, a set of 1 << map_kind. Returns 0;
+ * free with import_free. Otherwise returns EXIT_FAULT with the reason printed, which names the file
+ * and, if a limit was reached, the option that raises it. Call it before threads are started. */
 int import_model(const options *o, unsigned int wanted, imported *result);
 
 void import_free(imported *i);

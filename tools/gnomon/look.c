@@ -1,4 +1,4 @@
-/* Draws from parts. */
+/* Turns parts into draws. */
 #include "look.h"
 
 #include <stdlib.h>
@@ -68,7 +68,7 @@ static uint32_t count_levels(uint32_t width, uint32_t height)
     return count;
 }
 
-/* The memory of levels that have been made for it; a scene has copies. */
+/* The memory of levels generated for the texture; a scene has copies. */
 static gn_texture texture_of(const image *from, filter_option filter, void **memory)
 {
     gn_texture texture;

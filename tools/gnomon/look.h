@@ -1,4 +1,4 @@
-/* How what is in a picture is drawn: shader, light and maps, as draws of a scene. */
+/* How a picture's contents are drawn: shader, light and maps, as draws of a scene. */
 #ifndef LOOK_H
 #define LOOK_H
 
@@ -14,19 +14,19 @@ typedef struct look {
     const options *options; /* filter, highlights, bands, wireframe */
     shading shading;        /* any but SHADING_AUTOMATIC */
     camera view;
-    bounding_sphere bounds;  /* of all that may throw shadows */
+    bounding_sphere bounds;  /* the sphere around everything that may throw shadows */
     gn_vec3 light_direction; /* towards the light, unit length */
     gn_vec3 ambient;
     gn_vec3 diffuse;
-    const shadow_pass *shadow; /* drawn; null: everything is in the light */
+    const shadow_pass *shadow; /* the drawn map; null: no shadows */
 } look;
 
-/* A look of light over the viewer's shoulder, or from where the options say, and enough from
- * everywhere to see the rest by. 0, or EXIT_FAULT with the reason printed. */
+/* Sets a look with light over the viewer's shoulder, or from where the options say, and enough
+ * ambient light to see the rest. Returns 0, or EXIT_FAULT with the reason printed. */
 int look_choose(const options *o, const camera *view, shading which, look *result);
 
-/* Adds a part to a scene, with copies of what it needs. A part with a diffuse map has no colours
- * but those of its vertices. */
+/* Adds a part to a scene, with copies of everything that it needs. A part with a diffuse map has
+ * only its vertices' colours. */
 scene_draw *look_add_part(scene *s, const look *l, const model_part *part, const part_maps *maps);
 
 #endif

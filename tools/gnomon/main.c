@@ -1,4 +1,4 @@
-/* The gnomon command: dispatch and the overview. */
+/* The gnomon command: the overview, and the choice of a command. */
 #include <fcntl.h>
 #include <signal.h>
 #include <stdbool.h>
@@ -30,8 +30,8 @@ static const char overview[] =
     "line, or transform's text, is wrong. An output file is written completely or not at\n"
     "all.\n";
 
-/* Where memory is short, a scene's allocation calls exit, and a C++ library whose exception
- * nobody catches calls abort. The user still gets the command's own line and exit status. */
+/* If memory is short, a scene's allocation calls exit, and a C++ library whose exception nobody
+ * catches calls abort. The user still gets a line of the command's own, and its exit status. */
 static const char ended_early[] = "gnomon: probably not enough memory; ended early\n";
 static bool finished;
 
@@ -69,8 +69,9 @@ static int run(int argc, char **argv)
     return report_usage("", "'%s': no such command", argv[1]);
 }
 
-/* Where standard input, output or error is closed, a file opened later would take its number and
- * be written to by mistake. What takes it instead cannot be written to, so that writing fails. */
+/* If standard input, output or error is closed, a file that is opened later would take its number
+ * and be written to by mistake. /dev/null, opened for reading, takes the number instead, so that
+ * writing fails. */
 static void occupy_standard_files(void)
 {
     for (int i = 0; i < 3; i++) {

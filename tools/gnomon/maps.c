@@ -1,4 +1,4 @@
-/* Finding and reading maps. */
+/* Finds and reads maps. */
 #include "maps.h"
 
 #include <stdio.h>
@@ -8,7 +8,7 @@
 
 #include "report.h"
 
-/* How a map is called, chosen, and what names its files end on beside a model. */
+/* A map's option, its name in sentences, and the ending of its file name beside a model. */
 static const struct {
     char option[16];
     char words[32];
@@ -21,8 +21,8 @@ static const struct {
 static const char world_space_words[] = "world-space normals";
 static const char world_space_suffix[] = "_nm";
 
-/* "DIRECTORY OF MODEL/name", allocated; an absolute name as it is. Backslashes, as some
- * exporters write, are slashes. Null where there is no memory. */
+/* Returns "DIRECTORY OF MODEL/name", allocated; an absolute name stays as it is. Backslashes, which
+ * some exporters write, become slashes. Returns null if there is not enough memory. */
 static char *beside_model(const char *model_path, const char *name)
 {
     const char *slash = strrchr(model_path, '/');
@@ -47,8 +47,8 @@ size_t maps_stem_length(const char *model_path)
     return dot != NULL && dot > name ? (size_t)(dot - model_path) : strlen(model_path);
 }
 
-/* MODEL without its extension + suffix + .tga, .png or .jpg, allocated, where there is such a
- * file; otherwise null. */
+/* Returns MODEL without its extension + suffix + .tga, .png or .jpg, allocated, if such a file
+ * exists; otherwise null. */
 static char *conventional_file(const char *model_path, const char *suffix)
 {
     static const char endings[][8] = {".tga", ".png", ".jpg"};
@@ -67,7 +67,7 @@ static char *conventional_file(const char *model_path, const char *suffix)
     return NULL;
 }
 
-/* Adds "words file" to the list, once. Where memory is short the list stays as it is. */
+/* Adds "words file" to the list, once. If there is not enough memory, the list stays as it is. */
 static void tell(maps_told *told, const char *words, const char *file)
 {
     size_t length = told->text != NULL ? strlen(told->text) : 0;
@@ -86,7 +86,7 @@ static void tell(maps_told *told, const char *words, const char *file)
     free(entry);
 }
 
-/* What is handed from maps_read to everything below it. */
+/* The arguments of maps_read, for the functions that it calls. */
 typedef struct reader {
     const options *o;
     const model_part *part;
@@ -105,7 +105,7 @@ static int read_file(const reader *r, const char *path, const char *option, cons
     return 0;
 }
 
-/* The map that the material names. */
+/* Reads the map that the material names. */
 static int read_named(const reader *r, const model_texture *texture, const char *option,
                       image *result)
 {
@@ -137,7 +137,7 @@ static void tell_named(const reader *r, const char *words, const model_texture *
     tell(r->told, words, texture->bytes != NULL ? "inside the model" : texture->name);
 }
 
-/* A file beside the model by its suffix; where there is none, nothing. */
+/* Reads a file beside the model, found by its suffix; does nothing if there is none. */
 static int read_conventional(const reader *r, const char *suffix, const char *option,
                              const char *words, image *result)
 {
@@ -147,7 +147,7 @@ static int read_conventional(const reader *r, const char *suffix, const char *op
     return fault;
 }
 
-/* Whether an image is one of heights, as bump maps are, which no shader takes. */
+/* Whether an image holds heights, as bump maps do; no shader takes them. */
 static bool is_grey(const image *i)
 {
     for (size_t k = 0; k < (size_t)i->width * i->height; k++) {
@@ -157,7 +157,7 @@ static bool is_grey(const image *i)
     return true;
 }
 
-/* The normals that the material names, or nothing where they are heights. */
+/* Reads the normals that the material names; does nothing if they are heights. */
 static int read_named_normals(const reader *r, const model_texture *texture, image *result)
 {
     int fault = read_named(r, texture, kinds[MAP_NORMAL].option, result);
@@ -170,7 +170,7 @@ static int read_named_normals(const reader *r, const model_texture *texture, ima
     return 0;
 }
 
-/* Normals in tangent space need tangents, so a part that has none takes the world's. */
+/* Normals in tangent space need tangents, so a part without tangents takes those in world space. */
 static int read_normals(const reader *r, part_maps *result)
 {
     const options *o = r->o;

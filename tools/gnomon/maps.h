@@ -1,4 +1,4 @@
-/* The maps a part of a model is drawn with: found, read, and told of. */
+/* The maps of a part of a model: finds them, reads them, and lists them in words. */
 #ifndef MAPS_H
 #define MAPS_H
 
@@ -8,27 +8,27 @@
 
 typedef struct part_maps {
     image images[MAP_COUNT];       /* without texels: none */
-    bool normals_in_tangent_space; /* otherwise in that of the model, which is the world's */
+    bool normals_in_tangent_space; /* otherwise in the model's space, which is the world's */
 } part_maps;
 
-/* What has been read so far, as a list in words; zeroed it is empty. */
+/* The maps read so far, as a list in words; zeroed, it is empty. */
 typedef struct maps_told {
     char *text; /* null: nothing */
 } maps_told;
 
-/* Reads those maps of `wanted`, a set of 1 << map_kind, that there are: by the options; otherwise
- * the one that the material names, a file beside the model or an image inside it; otherwise
+/* Reads the maps of `wanted`, a set of 1 << map_kind, if they exist: by the options; otherwise the
+ * map that the material names, a file beside the model or an image inside it; otherwise
  * MODEL_diffuse, _nm_tangent, _nm, _spec or _glow with .tga, .png or .jpg beside MODEL.obj. A part
- * without texture coordinates has none. What is read is added to `told` and taken from the budget.
- * 0, to be freed with maps_free; otherwise EXIT_FAULT with the reason printed and nothing to free.
- */
+ * without texture coordinates has no maps. Maps that are read are added to `told`, and their size
+ * is subtracted from the budget. Returns 0; free with maps_free. Otherwise returns EXIT_FAULT with
+ * the reason printed and nothing to free. */
 int maps_read(const options *o, const model_part *part, unsigned int wanted, image_budget *budget,
               part_maps *result, maps_told *told);
 
 void maps_free(part_maps *maps);
 void maps_told_free(maps_told *told);
 
-/* Length of a model's path without its extension. */
+/* The length of a model's path without its extension. */
 size_t maps_stem_length(const char *model_path);
 
 #endif

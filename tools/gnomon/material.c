@@ -1,4 +1,4 @@
-/* Reading Assimp's materials. */
+/* Reads Assimp's materials. */
 #include "material.h"
 
 #include <assimp/cimport.h>
@@ -8,21 +8,23 @@
 
 #define LIGHT_GREY 0.8f
 
-/* Of what has no material: highlights that show the shape. */
+/* For parts without a material: highlights that show the shape. */
 #define DEFAULT_SPECULAR 0.25f
 #define DEFAULT_EXPONENT 32
 
-/* What Assimp calls the material of a file that has none; its colours mean nothing. */
+/* Assimp's name for the material of a file that has none; its colours have no meaning. */
 #define NO_MATERIAL "DefaultMaterial"
 
-/* The types that formats have for a map; OBJ files name one of normals as one of heights. */
+/* The texture types that formats use for a map; OBJ files name a map of normals as one of
+ * heights. */
 static const enum aiTextureType map_types[MAP_COUNT][2] = {
     {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR},
     {aiTextureType_NORMALS, aiTextureType_HEIGHT},
     {aiTextureType_SPECULAR, aiTextureType_NONE},
     {aiTextureType_EMISSIVE, aiTextureType_EMISSION_COLOR}};
 
-/* The name of a material's map and its channel of texture coordinates. False: there is none. */
+/* Finds the name of a material's map and its channel of texture coordinates. Returns false if there
+ * is none. */
 static bool find_map(const struct aiMaterial *material, map_kind map, struct aiString *name,
                      unsigned int *channel)
 {

@@ -7,16 +7,17 @@
 #include "model.h"
 
 typedef struct mesh_material {
-    float color[4];                  /* the diffuse one, or light grey */
-    model_shine shine;               /* the material's, or a little */
+    float color[4];                  /* the diffuse colour, or light grey */
+    model_shine shine;               /* the material's, or weak ones */
     int texcoord_channel;            /* -1: the mesh has no texture coordinates */
-    struct aiString maps[MAP_COUNT]; /* their names; empty: none */
+    struct aiString maps[MAP_COUNT]; /* names of the maps; empty: no map */
 } mesh_material;
 
-/* The channel is that of the material's first map; maps by another one are left out. */
+/* The channel is the one of the material's first map; maps with another channel are left out. */
 void material_read(const struct aiScene *file, const struct aiMesh *mesh, mesh_material *result);
 
-/* Whether the numbers that material_read takes from a material are finite, and its name. */
+/* Whether the numbers that material_read reads from a material are finite; and the material's
+ * name. */
 bool material_is_finite(const struct aiMaterial *material, struct aiString *name);
 
 #endif

@@ -1,5 +1,6 @@
-/* OBJ files, statement by statement, before Assimp reads them: Assimp's words for what is cut
- * short name neither the line nor the reason, and some of it is drawn as if it were whole. */
+/* Checks OBJ files, statement by statement, before Assimp reads them. Assimp's messages for files
+ * that are cut short name neither the line nor the reason, and it draws some of these files as if
+ * they were complete. */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
 #include <stdbool.h>
@@ -9,18 +10,19 @@
 #include "model_formats.h"
 #include "report.h"
 
-/* What is known of a statement while it is read. */
+/* The state of reading a statement. */
 typedef struct statement {
-    char keyword[8]; /* the first word, cut */
-    size_t words;    /* behind it */
+    char keyword[8]; /* the first word, truncated */
+    size_t words;    /* number of words after it */
     size_t length;   /* of the word being read */
     char last;       /* its last byte */
-    char word[40];   /* the word being read, cut */
-    bool infinite;   /* one of the texture coordinates is no finite float */
+    char word[40];   /* the word that is being read, truncated */
+    bool infinite;   /* one of the texture coordinates is not a finite float */
     long highest[3]; /* of the vertices, texture coordinates and normals that corners name */
-    /* Of a face's corners. */
-    unsigned int form;       /* of the word: two bits a field, 1 for an empty one, 2 for a filled */
-    unsigned int first_form; /* of the first word; 0: none yet */
+    /* State of a face's corners. */
+    unsigned int
+        form; /* of this word: two bits per field, 1 for an empty field, 2 for a filled one */
+    unsigned int first_form; /* of the first corner; 0: none yet */
     bool forms_differ;
 } statement;
 
@@ -71,7 +73,7 @@ static void add_byte(statement *s, int c)
     s->last = (char)c;
 }
 
-/* The fewest words a statement has; 0: it is no statement that this file looks at. */
+/* The fewest words that a statement has; 0: not a statement that this file checks. */
 static size_t least_words(const statement *s)
 {
     if (is(s, "v") || is(s, "vn") || is(s, "f"))
@@ -79,14 +81,14 @@ static size_t least_words(const statement *s)
     return is(s, "vt") ? 2 : 0;
 }
 
-/* Of the last statement in a file without a line end. */
+/* Whether the last statement of a file without a final line end is incomplete. */
 static bool is_incomplete(const statement *s)
 {
     bool ends_well = (s->last >= '0' && s->last <= '9') || s->last == '.';
     return s->words < least_words(s) || !ends_well || (is(s, "f") && s->forms_differ);
 }
 
-/* Null, or what is wrong with it, in a sentence about the statement. */
+/* Returns null, or what is wrong with the statement, as the end of a sentence. */
 static const char *fault_of(const statement *s)
 {
     if ((is(s, "v") || is(s, "vn")) && s->words < 3)
@@ -96,7 +98,7 @@ static const char *fault_of(const statement *s)
     return NULL;
 }
 
-/* What corners can name: how many there are, and the highest number named, with its line. */
+/* Elements that corners can name: their number, and the highest number named, with its line. */
 typedef struct named {
     unsigned long count;
     long highest;
@@ -183,7 +185,7 @@ int model_check_obj(const char *path, FILE *file)
     }
     if (unended_line > 0)
         report_warning(path, "its last line, %lu, has no end: it may be cut short", unended_line);
-    /* Assimp makes zeros of them itself. */
+    /* Assimp itself replaces them by zero. */
     if (infinite > 0)
         report_warning(
             path,

@@ -1,5 +1,5 @@
-/* Headers of PLY files before Assimp reads them: Assimp 5.2 does not come to the end of one that
- * has no end, and sets up as many elements as a header announces. */
+/* Checks headers of PLY files before Assimp reads them. Assimp 5.2 never ends on a header without
+ * an end, and allocates as many elements as a header announces. */
 #define _POSIX_C_SOURCE 200809L
 #include <stdbool.h>
 #include <stdlib.h>
@@ -13,7 +13,7 @@
 typedef struct element {
     char name[64];
     unsigned long long count;
-    unsigned long long least; /* bytes of one of them */
+    unsigned long long least; /* bytes of one element */
 } element;
 
 /* Bytes of a scalar in a binary file. */
@@ -33,8 +33,8 @@ static unsigned int scalar_size(const char *type)
     return 1;
 }
 
-/* Reads a line, cut where it is longer than `text`. False: there is none with an end, or a byte
- * that no header has. */
+/* Reads a line, cut if it is longer than `text`. Returns false if no line with an end follows, or
+ * if a byte cannot belong to a header. */
 static bool read_line(FILE *file, char *text, uint64_t *read)
 {
     size_t length = 0;
@@ -58,7 +58,7 @@ int model_check_ply(const char *path, FILE *file, uint64_t size)
     uint64_t header = 0;
     bool binary = false;
     element e = {"", 0, 0};
-    /* No sum overflows: it ends where it exceeds the file. */
+    /* The sum cannot overflow: it ends when it exceeds the file's size. */
     unsigned long long needed = 0;
     bool first = true;
     for (;;) {
@@ -89,7 +89,7 @@ int model_check_ply(const char *path, FILE *file, uint64_t size)
             strcpy(e.name, word[1]);
             e.count = strtoull(word[2], NULL, 10);
         }
-        /* In a text, a digit and a space. */
+        /* In a text an element needs at least a digit and a space. */
         if (strcmp(word[0], "property") == 0)
             e.least += !binary                        ? 2
                        : strcmp(word[1], "list") == 0 ? scalar_size(word[2])

@@ -1,4 +1,4 @@
-/* The table of formats, and files that tell their own length. */
+/* The table of formats, and checks of formats that state their own length. */
 #define _POSIX_C_SOURCE 200809L
 #include "model_formats.h"
 
@@ -23,7 +23,7 @@ typedef enum format {
     FORMAT_COUNT
 } format;
 
-/* The beginning of the name that Assimp's importer has. */
+/* The beginning of the name of Assimp's importer. */
 static const struct {
     char extension[8];
     char importer[24];
@@ -66,7 +66,7 @@ static int length_fault(const char *path, uint64_t announced, uint64_t size)
                         (unsigned long long)announced, (unsigned long long)size);
 }
 
-/* A text of facets, or 80 bytes, a count and 50 bytes a triangle (3D Systems, 1989). */
+/* STL is a text of facets, or 80 bytes, a count and 50 bytes per triangle (3D Systems, 1989). */
 static int check_stl(const char *path, FILE *file, uint64_t size)
 {
     unsigned char start[84];
@@ -90,7 +90,7 @@ static int check_stl(const char *path, FILE *file, uint64_t size)
     return 0;
 }
 
-/* glTF 2.0, section 4.4.1: the magic number, the version and the length of the whole. */
+/* glTF 2.0, section 4.4.1: the magic number, the version and the total length. */
 static int check_glb(const char *path, FILE *file, uint64_t size)
 {
     unsigned char start[12];
@@ -141,7 +141,7 @@ static int check(const char *path, format which, FILE *file, uint64_t size)
     }
 }
 
-/* As assimp_files.c has it, a text may begin with a byte-order mark. */
+/* Skips a byte-order mark, as assimp_files.c does. */
 static void skip_mark(FILE *file)
 {
     char start[3];

@@ -1,4 +1,4 @@
-/* Reading models with Assimp. */
+/* Reads models with Assimp. */
 #define _POSIX_C_SOURCE 200809L
 #include "model_read.h"
 
@@ -16,14 +16,14 @@
 #include "model_formats.h"
 #include "report.h"
 
-/* What is drawn otherwise than the file has it. */
+/* Counts of what is drawn differently from what the file says. */
 typedef struct oddities {
-    uint64_t normals, texcoords, colors; /* that are not finite, of vertices */
+    uint64_t normals, texcoords, colors; /* vertices with such numbers that are not finite */
     uint64_t flat;                       /* triangles without area */
 } oddities;
 
-/* Materials that an OBJ file names and that no material file has. Only Assimp's log tells of them.
- */
+/* Materials that an OBJ file names and that no material file has. Only Assimp's log mentions
+ * them. */
 static struct {
     unsigned int count;
     char first[256];
@@ -64,8 +64,8 @@ static bool belongs(const model_part *part, const struct aiMesh *mesh,
            memcmp(&part->shine, &material->shine, sizeof part->shine) == 0;
 }
 
-/* The part a mesh goes to; a new one where none fits. There are never more parts than
- * meshes, which is what is allocated. Null where there is no memory. */
+/* The part that a mesh goes to, a new one if none fits. There are never more parts than meshes, so
+ * there is room for that many. Returns null if there is not enough memory. */
 static model_part *find_part(model *m, const struct aiMesh *mesh, const mesh_material *material)
 {
     for (size_t i = 0; i < m->part_count; i++) {
@@ -95,7 +95,7 @@ static uint64_t count_triangles(const struct aiMesh *mesh)
     return count;
 }
 
-/* Copies numbers, those that are not finite as zero. False where there is one. */
+/* Copies numbers; those that are not finite become zero. Returns false if there was one. */
 static bool copy_finite(const float *from, size_t count, float *to)
 {
     bool finite = true;
@@ -107,7 +107,7 @@ static bool copy_finite(const float *from, size_t count, float *to)
     return finite;
 }
 
-/* Whether a triangle has no area: its edges are parallel, or there are none. */
+/* Whether a triangle has no area: its edges are parallel, or one has no length. */
 static bool is_flat(const model_part *part, const uint32_t corner[3])
 {
     const float *p = part->positions + 3 * (size_t)corner[0];
@@ -122,8 +122,8 @@ static bool is_flat(const model_part *part, const uint32_t corner[3])
     return a[1] * b[2] == a[2] * b[1] && a[2] * b[0] == a[0] * b[2] && a[0] * b[1] == a[1] * b[0];
 }
 
-/* The tangent of a vertex and on which side of it and the normal the bitangent is. Assimp has none
- * where texture coordinates do not change: then any direction along the surface. */
+/* The tangent of a vertex, and on which side of tangent and normal the bitangent is. If texture
+ * coordinates do not change, Assimp has no tangent; any direction along the surface is used. */
 static void copy_tangent(const struct aiMesh *mesh, size_t i, float *result)
 {
     const struct aiVector3D n = mesh->mNormals[i];
@@ -147,8 +147,8 @@ static void copy_tangent(const struct aiMesh *mesh, size_t i, float *result)
     }
 }
 
-/* Appends a mesh to a part whose arrays are large enough, and counts what is odd. Null, or what is
- * wrong with it. */
+/* Appends a mesh to a part whose arrays are large enough, and counts oddities. Returns null, or
+ * what is wrong with the mesh. */
 static const char *append(const struct aiMesh *mesh, const mesh_material *material,
                           model_part *part, oddities *odd)
 {
@@ -164,7 +164,7 @@ static const char *append(const struct aiMesh *mesh, const mesh_material *materi
             float *normal = part->normals + 3 * v;
             const struct aiVector3D n = mesh->mNormals[i];
             if (!copy_finite((const float[3]){n.x, n.y, n.z}, 3, normal)) {
-                /* A zero one is computed. */
+                /* A zero normal is computed later. */
                 memset(normal, 0, 3 * sizeof *normal);
                 odd->normals++;
             }
@@ -201,8 +201,8 @@ static const char *append(const struct aiMesh *mesh, const mesh_material *materi
     return NULL;
 }
 
-/* Copies the image inside the file that a part's texture names, where it names one: by
- * number, "*0", or by file name. Null, or what is wrong. */
+/* Copies the image inside the file that a part's texture names, if it names one: by number, "*0",
+ * or by file name. Returns null, or what is wrong. */
 static const char *copy_embedded(const struct aiScene *file, model_texture *texture)
 {
     const struct aiTexture *found = NULL;
@@ -220,7 +220,7 @@ static const char *copy_embedded(const struct aiScene *file, model_texture *text
     }
     if (found == NULL)
         return NULL;
-    /* Assimp: height 0 means an image file of mWidth bytes, otherwise bare texels. */
+    /* In Assimp, height 0 means an image file of mWidth bytes; otherwise there are raw texels. */
     texture->bare = found->mHeight != 0;
     if (texture->bare)
         return NULL;
@@ -232,7 +232,7 @@ static const char *copy_embedded(const struct aiScene *file, model_texture *text
     return NULL;
 }
 
-/* From Assimp's scene to parts. Null, or what is wrong. */
+/* Converts Assimp's scene to parts. Returns null, or what is wrong. */
 static const char *convert(const struct aiScene *file, model *m, oddities *odd)
 {
     static const char no_memory[] = "not enough memory";
@@ -315,8 +315,8 @@ static void warn(const char *path, const struct aiScene *file, const oddities *o
     warn_of(path, odd->flat, "triangle has", "triangles have", "no area and cannot be seen");
 }
 
-/* Whether the importer that Assimp chose is that of the file's extension; Assimp goes by the
- * contents where it does not know what to make of it. */
+/* Whether the importer that Assimp chose is for the file's extension. If Assimp does not recognise
+ * the contents by extension, it chooses by the contents. */
 static bool is_of_its_format(const char *path, const struct aiScene *file)
 {
     const struct aiMetadata *data = file->mMetaData;

@@ -4,12 +4,12 @@
 
 #include "model.h"
 
-/* Reads a file of one of the formats of model_formats.h: node transforms applied, polygons made
- * triangles, points and lines left out, missing normals computed. 0, or EXIT_FAULT with the reason
- * printed. Maps of a material that lie by other texture coordinates than its first one are left
- * out. What is drawn otherwise than the file says (numbers that are not finite, files that are
- * missing, triangles without area) is warned of. Assimp may crash, hang or take all memory over a
- * file: call it in a process of its own (import.h). */
+/* Reads a file of one of the formats of model_formats.h: node transforms are applied, polygons
+ * divided into triangles, points and lines left out, missing normals computed. Returns 0, or
+ * EXIT_FAULT with the reason printed. Maps of a material that use other texture coordinates than
+ * its first map are left out. Warns of everything that is drawn differently from what the file says
+ * (numbers that are not finite, missing files, triangles without area). Assimp may crash, hang or
+ * use all memory on a file, so call it in a process of its own (import.h). */
 int model_read(const char *path, model *result);
 
 #endif

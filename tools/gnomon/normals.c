@@ -1,11 +1,11 @@
-/* Normals computed from positions. */
+/* Computes normals from positions. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "model.h"
 
-/* A vertex by its position. */
+/* A vertex, sorted by its position. */
 typedef struct located {
     float position[3];
     uint32_t vertex;
@@ -41,7 +41,7 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Of unit length; false where the triangle has no area. */
+/* The triangle's normal, of unit length; false if the triangle has no area. */
 static bool face_normal(const float *a, const float *b, const float *c, double result[3])
 {
     double ab[3];
@@ -93,7 +93,7 @@ static void add_faces(const model_part *part, double *sums)
     }
 }
 
-/* Vertices first to last - 1 stand in one place: those without a normal get the sum. */
+/* Vertices first to last - 1 have one position: those without a normal get the sum. */
 static void assign(model *m, double *const *sums, const located *first, const located *last)
 {
     double total[3] = {0.0, 0.0, 0.0};

@@ -1,4 +1,4 @@
-/* Parsing of the command line. */
+/* Parses the command line. */
 #include "options.h"
 
 #include <ctype.h>
@@ -16,7 +16,7 @@
 #define DEFAULT_TESSELLATION 16
 #define MAX_TESSELLATION 128
 
-/* A day; a TiB; the pixels of the largest texture there is. */
+/* A day; a TiB; the pixels of the largest possible texture. */
 #define MAX_SECONDS 86400
 #define MAX_MEBIBYTES (1 << 20)
 #define MAX_MEGAPIXELS 256
@@ -106,7 +106,7 @@ const char *options_command_name(command which)
     }
 }
 
-/* A finite float at *text, which then points behind it. */
+/* Reads a finite float at *text and moves *text behind it. */
 static bool parse_float(const char **text, float *result)
 {
     char *end;
@@ -120,7 +120,7 @@ static bool parse_float(const char **text, float *result)
     return true;
 }
 
-/* Whether what would be a list of numbers has one that is not finite as a float. */
+/* Whether the text is a list of numbers one of which is not finite as a float. */
 static bool has_infinite(const char *text)
 {
     char *end;
@@ -153,7 +153,7 @@ static bool parse_vector(const char *text, gn_vec3 *result)
            *text++ == ',' && parse_float(&text, &result->z) && *text == '\0';
 }
 
-/* A whole number of digits alone; beyond 32 bits it is UINT32_MAX. */
+/* Reads a whole number of digits only; numbers beyond 32 bits become UINT32_MAX. */
 static bool parse_count(const char **text, uint32_t *result)
 {
     uint64_t value = 0;
@@ -179,7 +179,7 @@ static bool parse_size(const char *text, uint32_t *width, uint32_t *height)
            parse_count(&text, height) && *text == '\0';
 }
 
-/* #rrggbb or #rrggbbaa, the # may be left out since shells take it for a comment. */
+/* #rrggbb or #rrggbbaa. The # may be left out, since shells take it for a comment. */
 static bool parse_color(const char *text, float color[4])
 {
     if (*text == '#')
@@ -195,7 +195,7 @@ static bool parse_color(const char *text, float color[4])
     return true;
 }
 
-/* One word of a list, as its number. */
+/* The number of a word in a list. */
 static bool parse_word(const char *text, const char words[][12], int count, int *result)
 {
     for (int i = 0; i < count; i++) {
@@ -224,7 +224,7 @@ static bool parse_map(const char *text, map_option *result)
     return *text != '\0';
 }
 
-/* none, or which of those that there are, or a file with its kind before a colon. */
+/* `none`, or which of the existing maps, or a file with its kind before a colon. */
 static bool parse_normal_map(const char *text, options *o)
 {
     static const char words[][12] = {"any", "tangent", "world", "none"};
@@ -361,7 +361,7 @@ static const char *take_value(int option, const char *text, options *o)
     }
 }
 
-/* What is wrong with options that are well-formed one by one. 0: nothing. */
+/* Checks options that are valid one by one against each other. Returns 0 if nothing is wrong. */
 static int check(command which, const options *o)
 {
     const char *name = options_command_name(which);
@@ -435,7 +435,7 @@ options_result options_parse(command which, int argc, char **argv, options *resu
     opterr = 0;
     optind = 1;
     for (;;) {
-        /* A lone letter that is unknown leaves optind at its word, hence the copy. */
+        /* An unknown letter alone leaves optind at its word, so the word is remembered. */
         int word = optind < argc ? optind : argc - 1;
         int option = getopt_long(argc, argv, ":ho:", long_options, NULL);
         if (option == -1)

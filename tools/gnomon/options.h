@@ -12,7 +12,7 @@
 
 typedef enum command { COMMAND_RENDER = 1, COMMAND_COMPARE = 2, COMMAND_DEMO = 4 } command;
 
-/* A map as asked for; zeroed, the model decides. */
+/* A map as the options name it; zeroed, the model decides. */
 typedef struct map_option {
     const char *file;
     bool none;
@@ -21,10 +21,10 @@ typedef struct map_option {
 /* Which normal maps may be used. */
 typedef enum normal_option { NORMALS_ANY = 0, NORMALS_TANGENT, NORMALS_WORLD } normal_option;
 
-/* How maps are filtered. */
+/* The filter of maps. */
 typedef enum filter_option { FILTER_MIPMAP = 0, FILTER_LINEAR, FILTER_NEAREST } filter_option;
 
-/* The camera as asked for; what is not given is chosen by camera_place. */
+/* The camera as the options describe it; camera_place chooses what is missing. */
 typedef struct camera_options {
     bool eye_given, target_given, up_given, fov_given, orthographic;
     gn_vec3 eye, target, up;
@@ -32,11 +32,11 @@ typedef struct camera_options {
     float orthographic_height; /* world units from the lower to the upper edge */
 } camera_options;
 
-/* What importing a model may take, all above 0. */
+/* Limits of importing a model, all above 0. */
 typedef struct import_limits {
     uint32_t seconds;
     uint32_t memory;     /* MiB */
-    uint32_t output;     /* MiB of what it hands over */
+    uint32_t output;     /* MiB of the imported data */
     uint32_t megapixels; /* of one map, in units of 2^20 pixels */
 } import_limits;
 
@@ -46,19 +46,19 @@ typedef struct options {
     const char *depth_output;
     const char *picture_output;
     uint32_t width, height;
-    uint32_t samples; /* of a pixel: 1 or GN_SAMPLES */
+    uint32_t samples; /* per pixel: 1 or GN_SAMPLES */
     shading shading;
     map_option maps[MAP_COUNT];
     normal_option normals;
     filter_option filter;
     bool shadows;
-    uint32_t exponent; /* of highlights; 0: the material's */
-    uint32_t bands;    /* of the toon shader; 0: its own choice */
+    uint32_t exponent; /* exponent of highlights; 0: the material's */
+    uint32_t bands;    /* of the toon shader; 0: the shader's default */
     bool wireframe;
     camera_options camera;
     float background[4];
     bool light_given;
-    gn_vec3 light; /* towards the light, world space, any length but 0 */
+    gn_vec3 light; /* towards the light, in world space, of any length except 0 */
     uint32_t tessellation;
     gn_backend backend; /* one that is available */
     import_limits limits;
@@ -69,10 +69,9 @@ typedef enum options_result { OPTIONS_READY, OPTIONS_HELP, OPTIONS_WRONG } optio
 /* The command's name as typed. */
 const char *options_command_name(command which);
 
-/* Reads argv[1...], argv[0] being the command's name. OPTIONS_HELP: --help was given.
- * OPTIONS_WRONG: the reason has been printed, *exit_status is EXIT_USAGE for what is no
- * valid command line and EXIT_FAULT for a value that is impossible. Strings point into
- * argv. */
+/* Reads argv[1...]; argv[0] is the command's name. OPTIONS_HELP: --help was given. OPTIONS_WRONG:
+ * the reason has been printed; *exit_status is EXIT_USAGE if the command line is not valid and
+ * EXIT_FAULT if a value is impossible. Strings point into argv. */
 options_result options_parse(command which, int argc, char **argv, options *result,
                              int *exit_status);
 

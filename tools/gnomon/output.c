@@ -1,4 +1,4 @@
-/* Files written beside their place and renamed at the end. */
+/* Output files: written beside their final place and renamed at the end. */
 #define _XOPEN_SOURCE 700
 #include "output.h"
 
@@ -12,7 +12,7 @@
 
 #include "report.h"
 
-/* What the signal handler removes. A slot is written only while its signals are blocked. */
+/* Files that the signal handler removes. A slot is written only while its signals are blocked. */
 static char *pending[OUTPUT_LIMIT];
 
 static const int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ};
@@ -52,7 +52,7 @@ static void handle_signals(void)
     memset(&action, 0, sizeof action);
     action.sa_handler = remove_pending;
     for (size_t i = 0; i < SIGNAL_COUNT; i++) {
-        /* What was ignored on purpose, as under nohup, stays ignored. */
+        /* A signal that was ignored on purpose, as under nohup, stays ignored. */
         if (sigaction(ending_signals[i], NULL, &previous) == 0 && previous.sa_handler == SIG_DFL)
             sigaction(ending_signals[i], &action, NULL);
     }
@@ -71,7 +71,7 @@ static const char *base_name(const char *path)
     return slash != NULL ? slash + 1 : path;
 }
 
-/* The directory a path's last name is in, allocated. Null where there is no memory. */
+/* The directory of a path's last name, allocated; null if there is not enough memory. */
 static char *directory_of(const char *path)
 {
     size_t length = (size_t)(base_name(path) - path);
@@ -103,7 +103,7 @@ FILE *output_words(const char *first, const char *second)
                : stdout;
 }
 
-/* Null, or why a file cannot be made or replaced there. */
+/* Returns null, or why a file cannot be made or replaced there. */
 static const char *place_fault(const char *path)
 {
     struct stat status;
@@ -115,7 +115,7 @@ static const char *place_fault(const char *path)
         if (access(path, W_OK) != 0 || !S_ISREG(status.st_mode))
             return access(path, W_OK) != 0 ? strerror(errno) : NULL;
     }
-    /* A symbolic link's file stands elsewhere; that is found out when it is opened. */
+    /* A symbolic link's file is elsewhere; whether it can be written shows when it is opened. */
     char *directory = directory_of(path);
     const char *fault = directory == NULL ? "not enough memory" : NULL;
     if (fault == NULL && access(directory, W_OK | X_OK) != 0)
@@ -193,7 +193,7 @@ int output_open(output *o, const char *path)
     return 0;
 }
 
-/* EXIT_FAULT, the output abandoned. */
+/* Returns EXIT_FAULT after abandoning the output. */
 static int fail(output *o, int reason)
 {
     const char *path = o->path;
@@ -235,7 +235,7 @@ void output_abandon(output *o)
     release(o);
 }
 
-/* stat of the directory a path's last name is in. */
+/* stat of the directory that a path's last name is in. */
 static bool stat_directory(const char *path, struct stat *status)
 {
     char *directory = directory_of(path);

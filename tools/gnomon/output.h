@@ -1,5 +1,5 @@
-/* Output files that are there whole or not at all: written beside their final place under
- * another name, and renamed when everything has succeeded. */
+/* Output files that appear completely or not at all: they are written beside their final place
+ * under another name, and renamed when everything has succeeded. */
 #ifndef OUTPUT_H
 #define OUTPUT_H
 
@@ -8,43 +8,43 @@
 
 typedef struct output {
     const char *path; /* as the user wrote it, for messages */
-    char *final;      /* what is replaced: the path with symbolic links followed */
-    char *temporary;  /* null where the path is no regular file (a pipe, /dev/null) */
+    char *final;      /* the file that is replaced: the path with symbolic links followed */
+    char *temporary;  /* null if the path is not a regular file (a pipe, /dev/null) */
     FILE *file;
 } output;
 
-/* Whether a picture can be written there, before anything is drawn: the name ends on .png or has no
- * extension, and the directory and what is there already may be written to. 0, or EXIT_FAULT with
- * the reason printed. */
+/* Checks, before anything is drawn, whether a picture can be written to this path: the name ends in
+ * .png or has no extension; the directory, and the file if it exists, can be written to. Returns 0,
+ * or EXIT_FAULT with the reason printed. */
 int output_check(const char *path);
 
-/* Whether the path means standard output: "-", its names below /dev, or the file or pipe that
+/* Whether the path means standard output: "-", one of its names in /dev, or the file or pipe that
  * standard output leads to. */
 bool output_is_standard(const char *path);
 
-/* Where the command's words go when these outputs are written, either of which may be null:
- * standard output, or standard error where a picture goes there. */
+/* The stream for the command's messages when these outputs, each of which may be null, are written:
+ * standard output, or standard error if a picture goes to standard output. */
 FILE *output_words(const char *first, const char *second);
 
-/* Starts an output file. 0, or EXIT_FAULT with the reason printed and nothing left to clean
- * up. Between open and rename or abandon, a signal that ends the program removes the
- * temporary file. At most OUTPUT_LIMIT files are open at a time. */
+/* Starts an output file. Returns 0, or EXIT_FAULT with the reason printed and nothing left to clean
+ * up. Between open and rename or abandon, a signal that ends the program removes the temporary
+ * file. At most OUTPUT_LIMIT files are open at a time. */
 #define OUTPUT_LIMIT 4
 int output_open(output *o, const char *path);
 
-/* Flushes and closes: all bytes are then in the temporary file. 0, or EXIT_FAULT with the
- * reason printed and the temporary file gone. */
+/* Flushes and closes: then all bytes are in the temporary file. Returns 0, or EXIT_FAULT with the
+ * reason printed and the temporary file removed. */
 int output_finish(output *o);
 
-/* Gives a finished file its final name. 0, or EXIT_FAULT with the reason printed; the
+/* Gives a finished file its final name. Returns 0, or EXIT_FAULT with the reason printed. The
  * temporary file is gone either way. */
 int output_rename(output *o);
 
-/* Closes and removes. Harmless after rename and on a zeroed output. */
+/* Closes and removes the temporary file. Harmless after rename and on a zeroed output. */
 void output_abandon(output *o);
 
-/* Whether both names lead to one file, that exists or would be made: then by its directory and
- * its name in it. */
+/* Whether both names lead to one file. A file that does not exist yet is compared by its directory
+ * and its name there. */
 bool output_same_file(const char *a, const char *b);
 
 #endif

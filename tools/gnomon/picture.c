@@ -1,4 +1,4 @@
-/* From options and a model file to a scene. */
+/* Turns options and a model file into a scene. */
 #include "picture.h"
 
 #include <stdio.h>
@@ -19,8 +19,8 @@ static bool has_any(const part_maps *maps)
     return false;
 }
 
-/* Whether what was asked for by name is there: a map's file or a kind of normals that no part
- * could take is an error. */
+/* Checks that named maps can be used: a map's file, or a kind of normals, that no part can take is
+ * an error. */
 static int check_found(const options *o, const model *m, const part_maps *maps)
 {
     bool has_texcoords = false;

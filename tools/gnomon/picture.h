@@ -1,4 +1,4 @@
-/* Pictures: what the options ask for and what the model holds, as a scene. */
+/* Pictures: the options and the model's contents, as a scene. */
 #ifndef PICTURE_H
 #define PICTURE_H
 
@@ -14,20 +14,20 @@ typedef struct picture {
     scene *scene; /* into GN_FORMAT_RGBA8 and GN_FORMAT_D32F */
     shading shading;
     maps_told maps;
-    shadow_pass shadow; /* zeroed: none */
+    shadow_pass shadow; /* zeroed: no shadow */
 } picture;
 
-/* Reads the model and its maps, places the camera and describes it all as a scene to draw. 0, to
- * be freed with picture_free; otherwise EXIT_FAULT with the reason printed and nothing to free. */
+/* Reads the model and its maps, places the camera and builds the scene to draw. Returns 0; free
+ * with picture_free. Otherwise returns EXIT_FAULT with the reason printed and nothing to free. */
 int picture_describe(const options *o, picture *result);
 
 void picture_free(picture *p);
 
-/* Prints "out.png: 1024x1024, 2492 triangles, Phong", and the maps in a second line. */
+/* Prints "out.png: 1024x1024, 2492 triangles, Phong", and the maps on a second line. */
 void picture_print_summary(FILE *file, const char *name, const picture *p);
 
-/* Whether a file that is read would be overwritten by one that is written, or that one cannot be
- * written: EXIT_FAULT with the reason printed, otherwise 0. Null names no file. */
+/* Checks that no output overwrites an input and that outputs can be written. Returns EXIT_FAULT
+ * with the reason printed, otherwise 0. Null names no file. */
 int picture_check_output(const options *o, const char *output_path);
 
 #endif

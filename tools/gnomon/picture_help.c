@@ -58,7 +58,7 @@ static const char picture_help[] =
     "  --background COLOR      #rrggbb or #rrggbbaa (the # may be left out); default: #edeeef\n"
     "\n";
 
-/* C99 compilers need not take strings of more than 4095 characters. */
+/* C99 compilers need not accept strings of more than 4095 characters. */
 static const char picture_help_rest[] =
     "Limits. A child process imports the model and its maps, and reads regular files only.\n"
     "  --import-seconds N      the most seconds that importing may take, 1 to 86400;\n"

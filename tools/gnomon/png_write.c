@@ -1,4 +1,4 @@
-/* Writing PNG files. */
+/* Writes PNG files. */
 #include "png_write.h"
 
 #include <errno.h>
@@ -9,7 +9,7 @@
 
 #include "report.h"
 
-/* libpng reports through this and must not return from it. */
+/* libpng reports errors through this function, which must not return. */
 static void on_error(png_structp png, png_const_charp message)
 {
     const char *path = png_get_error_ptr(png);
@@ -31,7 +31,7 @@ int png_write(output *o, png_kind kind, uint32_t width, uint32_t height, png_row
 {
     static const int color_types[] = {PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA,
                                       PNG_COLOR_TYPE_GRAY};
-    /* Written before setjmp alone, so that they hold their values after longjmp. */
+    /* Assigned only before setjmp, so that they keep their values after longjmp. */
     uint8_t *bytes = malloc((size_t)width * 4);
     png_structp png =
         png_create_write_struct(PNG_LIBPNG_VER_STRING, (png_voidp)o->path, on_error, on_warning);

@@ -15,8 +15,8 @@ typedef enum png_kind {
 /* Fills `row` with row y of the picture, counted from the top. */
 typedef void png_row(const void *context, uint32_t y, uint8_t *row);
 
-/* Writes a whole PNG into an open output, which stays open. 0, or EXIT_FAULT with the reason
- * printed. */
+/* Writes a complete PNG into an open output, which stays open. Returns 0, or EXIT_FAULT with the
+ * reason printed. */
 int png_write(output *o, png_kind kind, uint32_t width, uint32_t height, png_row *row,
               const void *context);
 

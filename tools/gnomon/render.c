@@ -1,4 +1,4 @@
-/* gnomon render: a model to a PNG. */
+/* gnomon render: draws a model to a PNG. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,7 +26,7 @@ static const char usage[] =
     "  --size WxH              size in pixels, up to 16384x16384; default: 1024x1024\n"
     "\n";
 
-/* The image that is shown, of several what samples are resolved to. */
+/* The image that is shown; with several samples, the resolved image. */
 static size_t shown_row(const scene_frame *frame, uint32_t y)
 {
     return ((size_t)frame->images * frame->height - 1 - y) * frame->width;
@@ -68,8 +68,8 @@ static int draw_frame(const scene *s, gn_backend backend, scene_frame *frame)
     return status == GN_OK ? 0 : report_fault("drawing", "%s", gn_status_text(status));
 }
 
-/* Both files or neither: neither takes its name before both are complete on disk. What is no
- * regular file has no such moment, and cannot be taken back. */
+/* Writes both files or neither: neither gets its name before both are complete on disk. An output
+ * that is not a regular file has no such moment and cannot be undone. */
 static int write_files(const options *o, const scene_frame *frame)
 {
     output color;

@@ -1,4 +1,4 @@
-/* Error lines on standard error, and whether standard output took everything. */
+/* Error lines on standard error, and the check that standard output took everything. */
 #include "report.h"
 
 #include <errno.h>
@@ -6,12 +6,12 @@
 #include <stddef.h>
 #include <string.h>
 
-/* Longer than any path with a reason behind it; what is longer is cut. */
+/* Longer than any path followed by a reason; longer lines are cut. */
 #define LINE_SIZE 8192
 
 static report_sink *sink_of_lines;
 
-/* Bytes of the character at `c`, where it is well-formed UTF-8 (Unicode 15, table 3-7) and no
+/* Bytes of the character at `c` if it is well-formed UTF-8 (Unicode 15, table 3-7) and not a
  * control character; otherwise 0. */
 static size_t character_length(const unsigned char *c)
 {
@@ -29,7 +29,7 @@ static size_t character_length(const unsigned char *c)
     return length;
 }
 
-/* Escapes all of the text that fits. */
+/* Escapes as much of the text as fits. */
 static void escape(const char *text, char *result, size_t size)
 {
     const unsigned char *c = (const unsigned char *)text;

@@ -1,15 +1,15 @@
-/* How the command ends and what it says when something is wrong: one line on
- * standard error, "gnomon: what: why". */
+/* How the command ends and what it prints when something is wrong: one line on standard error,
+ * "gnomon: what: why". */
 #ifndef REPORT_H
 #define REPORT_H
 
 #include <stdio.h>
 
-/* EXIT_SUCCESS is 0; a fault of the input is 1, of the command line 2. */
+/* EXIT_SUCCESS is 0; 1 is a fault of the input, 2 a fault of the command line. */
 enum { EXIT_FAULT = 1, EXIT_USAGE = 2 };
 
-/* In every line that these functions print, bytes that cannot be printed (control characters
- * and what is no UTF-8) become \xNN; what exceeds 16 KiB is cut. */
+/* In every line that these functions print, bytes that cannot be printed (control characters and
+ * bytes that are not UTF-8) become \xNN; lines are cut at 16 KiB. */
 
 /* Prints the line and returns EXIT_FAULT. */
 #if defined(__GNUC__)
@@ -29,18 +29,18 @@ __attribute__((format(printf, 2, 3)))
 #endif
 int report_usage(const char *command, const char *format, ...);
 
-/* Prints text, escaped as lines are. */
+/* Prints text, escaped like lines. */
 void report_print(FILE *file, const char *text);
 
-/* Lines go to this function instead of standard error; null: to standard error again. They are
+/* Sends lines to this function instead of standard error; null: to standard error again. They are
  * not escaped and have no line end. */
 typedef void report_sink(const char *line);
 void report_to(report_sink *sink);
 
-/* Prints a line that a sink was given. */
+/* Prints a line that a sink received. */
 void report_line(const char *line);
 
-/* Flushes standard output. Returns the status, or EXIT_FAULT where output was lost. */
+/* Flushes standard output. Returns the status, or EXIT_FAULT if output was lost. */
 int finish_output(int status);
 
 #endif

@@ -1,4 +1,4 @@
-/* The shaders that pictures are drawn with, by name, and the maps that they take. */
+/* The shaders for pictures, by name, and the maps that they take. */
 #ifndef SHADING_H
 #define SHADING_H
 
@@ -7,7 +7,7 @@
 typedef enum map_kind { MAP_DIFFUSE = 0, MAP_NORMAL, MAP_SPECULAR, MAP_GLOW, MAP_COUNT } map_kind;
 
 typedef enum shading {
-    SHADING_AUTOMATIC = 0, /* Phong where there is a map, otherwise Gouraud */
+    SHADING_AUTOMATIC = 0, /* Phong if there is a map, otherwise Gouraud */
     SHADING_VERTEX_COLOR,
     SHADING_UNLIT,
     SHADING_FLAT,
@@ -21,7 +21,7 @@ typedef enum shading {
 } shading;
 
 typedef struct shading_traits {
-    char name[16];      /* as --shader has it; of SHADING_AUTOMATIC empty */
+    char name[16];      /* as --shader names it; empty for SHADING_AUTOMATIC */
     char words[16];     /* in sentences */
     unsigned int maps;  /* a set of 1 << map_kind */
     bool takes_shadows; /* lit at every pixel */
@@ -29,7 +29,7 @@ typedef struct shading_traits {
 
 const shading_traits *shading_traits_of(shading which);
 
-/* False: no shader has that name. */
+/* Returns false if no shader has this name. */
 bool shading_by_name(const char *name, shading *result);
 
 #endif

@@ -1,4 +1,4 @@
-/* Drawing and using shadow maps. */
+/* Draws and uses shadow maps. */
 #include "shadow.h"
 
 #include <math.h>
@@ -8,15 +8,16 @@
 
 #define MAP_SIZE 1024
 
-/* Room around the sphere, so that nothing lies on the border of the map or on a plane of depth. */
+/* Margin around the sphere, so that nothing lies on the border of the map or on a plane of
+ * depth. */
 #define MARGIN 1.01
 
-/* What keeps a surface from shadowing itself: the map's depths move away from the light by this
- * many times their slope from texel to texel, and by this many of the smallest steps. */
+/* Keeps a surface from shadowing itself: the map's depths move away from the light by this many
+ * times their slope from texel to texel, and by this many of the smallest steps. */
 #define OFFSET_FACTOR 2.0f
 #define OFFSET_UNITS 4.0f
 
-/* What is up in the map is of no matter, but must not lie along the light. */
+/* The up direction of the map does not matter, but must not be parallel to the light. */
 static gn_vec3 any_up(gn_vec3 direction)
 {
     return fabsf(direction.y) < 0.9f ? (gn_vec3){0.0f, 1.0f, 0.0f} : (gn_vec3){0.0f, 0.0f, 1.0f};
@@ -67,7 +68,8 @@ int shadow_draw(shadow_pass *pass, gn_backend backend)
     return status == GN_OK ? 0 : report_fault("drawing", "%s", gn_status_text(status));
 }
 
-/* Compared and mixed in fours (percentage-closer filtering); beyond the map is light. */
+/* Four texels are compared and the results mixed (percentage-closer filtering); places beyond the
+ * map are lit. */
 static gn_sampler comparing_sampler(void)
 {
     gn_sampler sampler;

@@ -1,5 +1,5 @@
-/* The first of two passes for shadows: what the light sees, as a scene of depth alone, and the map
- * that the library draws of it. */
+/* The first of two passes for shadows: a scene with depth alone, as the light sees it, and the map
+ * that the library draws from it. */
 #ifndef SHADOW_H
 #define SHADOW_H
 
@@ -9,22 +9,22 @@
 #include "model.h"
 
 typedef struct shadow_pass {
-    scene *scene;      /* no colour, and GN_FORMAT_D32F */
+    scene *scene;      /* without colour, depth GN_FORMAT_D32F */
     scene_frame frame; /* drawn by the library */
     gn_mat4 clip_from_world;
 } shadow_pass;
 
 /* Begins a pass with a directional light that sees the whole sphere. `direction` is towards the
- * light, of unit length. 0, or EXIT_FAULT with the reason printed and nothing to free. */
+ * light, of unit length. Returns 0, or EXIT_FAULT with the reason printed and nothing to free. */
 int shadow_begin(const bounding_sphere *bounds, gn_vec3 direction, shadow_pass *result);
 
-/* Adds what throws shadows. */
+/* Adds a part that throws shadows. */
 void shadow_add_part(shadow_pass *pass, const model_part *part);
 
-/* Draws the map. 0, or EXIT_FAULT with the reason printed; the pass is to be freed all the same. */
+/* Draws the map. Returns 0, or EXIT_FAULT with the reason printed; free the pass either way. */
 int shadow_draw(shadow_pass *pass, gn_backend backend);
 
-/* Gives a draw the map, drawn before. */
+/* Gives the drawn map to a draw. */
 void shadow_apply(const shadow_pass *pass, scene_draw *draw);
 
 /* Frees a pass, or a zeroed one. */

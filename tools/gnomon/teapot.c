@@ -160,8 +160,8 @@ static void basis(double t, double value[4], double slope[4])
     slope[3] = 3.0 * t * t;
 }
 
-/* The patch's points weighted by rows and columns. Weights 1, 0, 0, 0 give an edge's points
- * exactly, so patches that share an edge share its vertices bit for bit. */
+/* Sums the patch's points with weights for rows and columns. Weights 1, 0, 0, 0 give an edge's
+ * points exactly, so patches that share an edge share its vertices bit for bit. */
 static void evaluate(const uint16_t patch[16], const double u[4], const double v[4],
                      double result[3])
 {
@@ -176,14 +176,14 @@ static void evaluate(const uint16_t patch[16], const double u[4], const double v
     }
 }
 
-/* Whether the edge u = 0 is one point, as at the top of the lid and in the bottom's middle. */
+/* Whether the edge u = 0 is one point, as at the top of the lid and in the middle of the bottom. */
 static bool starts_at_pole(const uint16_t patch[16])
 {
     return patch[0] == patch[1] && patch[0] == patch[2] && patch[0] == patch[3];
 }
 
-/* Position, outward unit normal and unit tangent towards greater u at (u, v). At a pole dS/dv is 0,
- * but along the way there it is u * d2S/dudv to first order, which has its direction. */
+/* Position, outward unit normal and unit tangent towards greater u at (u, v). At a pole dS/dv is 0.
+ * Near the pole it is u * d2S/dudv to first order, so that derivative gives its direction. */
 static void surface_point(const uint16_t patch[16], double u, double v, double position[3],
                           double normal[3], double tangent[3])
 {
@@ -214,7 +214,7 @@ static void surface_point(const uint16_t patch[16], double u, double v, double p
         tangent[c] = along_u[c] / length;
 }
 
-/* z up to y up: a turn about the x axis. */
+/* Turns z up into y up, by a rotation about the x axis. */
 static void stand_up(double v[3])
 {
     double y = v[1];
@@ -237,7 +237,7 @@ static void store(const double from[3], float *to)
         to[c] = (float)from[c];
 }
 
-/* Two triangles a cell, one where the cell touches a pole. */
+/* Two triangles per cell, one if the cell touches a pole. */
 static void add_cells(const uint16_t patch[16], uint32_t level, uint32_t base, model_part *part)
 {
     bool pole = starts_at_pole(patch);

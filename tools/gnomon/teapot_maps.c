@@ -1,4 +1,4 @@
-/* The teapot's maps, texel by texel. */
+/* Computes the teapot's maps texel by texel. */
 #include "teapot_maps.h"
 
 #include <math.h>
@@ -7,7 +7,7 @@
 
 #include "teapot.h"
 
-/* Chequers around the axis and in height, and dents as waves in all directions. */
+/* Chequers around the axis and in height; dents as waves in all directions. */
 #define CHEQUERS_AROUND 16
 #define CHEQUERS_HIGH 3.0
 #define DOT_RADIUS 0.22
@@ -16,7 +16,8 @@
 
 static const double tau = 6.28318530717958647692;
 
-/* Where a point lies in its chequer, from -0.5 to 0.5 both ways; true on the dark ones. */
+/* The place of a point in its chequer, from -0.5 to 0.5 both ways; returns true on the dark
+ * ones. */
 static bool chequer(const double p[3], double *across, double *up)
 {
     double a = (atan2(p[2], p[0]) / tau + 1.0) * CHEQUERS_AROUND;
@@ -56,8 +57,8 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* The normal less the slope along the surface of d = depth * sin(x) * sin(y) * sin(z), by which
- * the surface is raised. */
+/* The normal minus the slope along the surface of d = depth * sin(x) * sin(y) * sin(z); d is the
+ * height by which the surface is raised. */
 static void dented_normal(const double p[3], const double n[3], double result[3])
 {
     double slope[3];
@@ -82,7 +83,7 @@ static void to_tangent_space(const double n[3], const double t[3], double v[3])
     memcpy(v, along, sizeof along);
 }
 
-/* Of texel i of a cell: 0 to 1 from margin to margin. */
+/* The parameter of texel i of a cell: 0 to 1 from margin to margin. */
 static double parameter(uint32_t i, uint32_t size)
 {
     double along = (((double)i + 0.5) / size - TEAPOT_MARGIN) / (1.0 - 2.0 * TEAPOT_MARGIN);

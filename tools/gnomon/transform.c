@@ -50,7 +50,7 @@ static const char usage[] =
     "Exit status: 0, or 2 if the setup or the command line is wrong. In that case the command\n"
     "prints only the file, the line and what is wrong.\n";
 
-/* The setup's file, "-" being standard input, and whether matrices are asked for. */
+/* Reads the setup's file name, where "-" is standard input, and whether matrices are asked for. */
 static int parse(int argc, char **argv, const char **path, bool *with_matrices, bool *help)
 {
     for (int i = 1; i < argc; i++) {

@@ -1,6 +1,6 @@
-/* gnomon transform: a text becomes a setup (transform_read.c), the setup matrices and places
- * (transform_compute.c), those lines (transform_print.c). Only the last prints to standard
- * output, when all else has succeeded. The text is described in TRANSFORM.md. */
+/* gnomon transform: transform_read.c turns a text into a setup, transform_compute.c the setup into
+ * matrices and places, transform_print.c these into lines. Only the last one prints to standard
+ * output, after everything else has succeeded. TRANSFORM.md describes the text. */
 #ifndef TRANSFORM_H
 #define TRANSFORM_H
 
@@ -12,7 +12,7 @@
 
 typedef enum convention { CONVENTION_OPENGL, CONVENTION_DIRECT3D, CONVENTION_VULKAN } convention;
 
-/* The statements that stand at most once. */
+/* The statements that may occur at most once. */
 typedef enum keyword {
     KEYWORD_SCREEN,
     KEYWORD_SCALE,
@@ -32,7 +32,7 @@ typedef enum keyword {
     KEYWORD_COUNT
 } keyword;
 
-/* Numbers of a statement and the line it stands in, 0 where it does not. */
+/* Numbers of a statement and its line; the line is 0 if the statement does not occur. */
 typedef struct statement {
     unsigned long line;
     float number[4];
@@ -43,7 +43,7 @@ typedef struct statements {
     size_t count;
 } statements;
 
-/* What a text says. */
+/* The contents of a setup's text. */
 typedef struct setup {
     const char *file; /* for messages */
     convention convention;
@@ -55,7 +55,7 @@ typedef struct setup {
 /* Why a place has no normalised device coordinates and no pixel. */
 typedef enum division { DIVIDED, IN_EYE_PLANE, BEHIND_EYE, TOO_LARGE } division;
 
-/* Bits of place.outside, as the camera sees them. */
+/* Bits of place.outside; the planes as the camera sees them. */
 enum {
     OUTSIDE_LEFT = 1,
     OUTSIDE_RIGHT = 2,
@@ -65,7 +65,7 @@ enum {
     OUTSIDE_FAR = 32
 };
 
-/* A point at every stage; ndc and pixel where it was divided. */
+/* A point at every stage; ndc and pixel only if it was divided. */
 typedef struct place {
     gn_vec3 local, world, view;
     gn_vec4 clip;
@@ -80,8 +80,8 @@ typedef struct places {
     size_t count;
 } places;
 
-/* Each returns 0, or the exit status with the reason printed. A setup or places begin zeroed
- * and are freed in either case. */
+/* Each returns 0, or the exit status with the reason printed. A setup or places must be zeroed
+ * before, and freed in either case. */
 int transform_read(FILE *in, const char *file, setup *result);
 int transform_compute(const setup *s, places *result);
 
@@ -90,10 +90,10 @@ void transform_print(const setup *s, const places *p, bool with_matrices);
 void transform_setup_free(setup *s);
 void transform_places_free(places *p);
 
-/* The word of the statement, as in the text. */
+/* The statement's word in the text. */
 const char *transform_keyword(keyword which);
 
-/* Prints "gnomon: FILE:LINE: why", without the line where it is 0, and returns EXIT_USAGE. */
+/* Prints "gnomon: FILE:LINE: why", without the line if it is 0, and returns EXIT_USAGE. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
 #endif

@@ -1,4 +1,4 @@
-/* Matrices of a setup, and its points at every stage. */
+/* Computes the matrices of a setup, and its points at every stage. */
 #include "transform.h"
 
 #include <math.h>
@@ -51,7 +51,7 @@ static int status_fault(const setup *s, unsigned long line, const char *what, gn
                            : transform_fault(s->file, line, "%s: %s", what, gn_status_text(status));
 }
 
-/* The vector of a statement, or what it is without one. */
+/* The vector of a statement, or its default. */
 static gn_vec3 vector(const setup *s, keyword which, float x, float y, float z)
 {
     const float *n = s->given[which].number;
@@ -59,7 +59,8 @@ static gn_vec3 vector(const setup *s, keyword which, float x, float y, float z)
     return s->given[which].line > 0 ? given : otherwise;
 }
 
-/* About the coordinate axis k, whose component has this sign; quarter turns exactly. */
+/* A rotation about the coordinate axis k, whose component has this sign; quarter turns are
+ * exact. */
 static gn_status rotate_coordinate_axis(int k, float sign, float degrees, gn_transform *result)
 {
     static const float quarter_sines[4] = {0.0f, 1.0f, 0.0f, -1.0f};
@@ -98,7 +99,7 @@ static gn_status rotate(const float n[4], gn_transform *result)
                : gn_rotate_axis(axis, radians(n[3]), result);
 }
 
-/* T R S, the rotations one after another. */
+/* T R S, with the rotations one after another. */
 static int make_model(const setup *s, gn_transform *model)
 {
     const gn_vec3 scale = vector(s, KEYWORD_SCALE, 1.0f, 1.0f, 1.0f), none = {0.0f, 0.0f, 0.0f};
@@ -124,7 +125,7 @@ static int make_model(const setup *s, gn_transform *model)
                                      gn_trs(offset, &turn, scale, model));
 }
 
-/* From right, up and forward, made one long. */
+/* From right, up and forward, normalized. */
 static int make_view_of_axes(const setup *s, gn_vec3 position, gn_transform *view)
 {
     static const keyword names[3] = {KEYWORD_RIGHT, KEYWORD_UP, KEYWORD_FORWARD};
@@ -243,8 +244,8 @@ static int make_viewport(const setup *s, gn_transform *viewport)
     return status_fault(s, s->given[KEYWORD_SCREEN].line, "screen", status);
 }
 
-/* Which bounds the clip coordinates exceed. Vulkan's clip y points down; reversed depth has
- * near where far is otherwise. */
+/* The planes that the clip coordinates are beyond. Vulkan's clip y points down. With reversed
+ * depth, near and far are exchanged. */
 static unsigned outside(const setup *s, gn_vec4 c)
 {
     const unsigned low = s->reversed ? OUTSIDE_FAR : OUTSIDE_NEAR;

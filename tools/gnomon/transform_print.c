@@ -1,15 +1,15 @@
-/* Matrices and places as text: nine significant digits, which give every float back. */
+/* Prints matrices and places: nine significant digits, enough to restore every float. */
 #include "transform.h"
 
 #include <math.h>
 
-/* No negative zero. */
+/* Prints no negative zero. */
 static double shown(float x)
 {
     return (double)(x + 0.0f);
 }
 
-/* Row vectors have their matrices transposed. */
+/* For row vectors the matrices are transposed. */
 static void print_matrix(const char *name, const gn_mat4 *m, bool row_vectors)
 {
     printf("%s\n", name);

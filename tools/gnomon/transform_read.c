@@ -1,4 +1,4 @@
-/* The text of gnomon transform: one statement a line. */
+/* Reads the text of gnomon transform: one statement per line. */
 #include "transform.h"
 
 #include <ctype.h>
@@ -11,7 +11,7 @@
 
 enum { LINE_SIZE = 1024, MAX_WORDS = 8 };
 
-/* Statements of numbers alone: how many there are, or may be. */
+/* Statements that have only numbers, and how many: at least and at most. */
 static const struct {
     char word[16];
     int least, most;
@@ -80,7 +80,7 @@ static int read_numbers(const setup *s, const words *w, int least, int most, sta
     return fault;
 }
 
-/* A statement that may stand as often as one likes. */
+/* A statement that may occur any number of times. */
 static int add_numbers(const setup *s, const words *w, int count, statements *list)
 {
     if ((list->count & (list->count - 1)) == 0) { /* full: the capacity is a power of two */
@@ -149,7 +149,7 @@ static int read_statement(setup *s, const words *w)
     return transform_fault(s->file, w->line, "'%s' is not a statement", w->word[0]);
 }
 
-/* Cuts the line, which ends at # where there is one. */
+/* Cuts the line into words; # ends it. */
 static int cut(const setup *s, char *text, words *w)
 {
     char *c = text;
@@ -167,7 +167,7 @@ static int cut(const setup *s, char *text, words *w)
     }
 }
 
-/* What the text as a whole lacks or says twice. */
+/* Checks the text as a whole: missing statements, and statements that exclude each other. */
 static int check(const setup *s)
 {
     static const keyword needed[] = {KEYWORD_CONVENTION, KEYWORD_SCREEN, KEYWORD_NEAR, KEYWORD_FAR};
@@ -205,10 +205,10 @@ static int check(const setup *s)
     return 0;
 }
 
-/* What reading a line came to. */
+/* The result of reading a line. */
 typedef enum line_result { LINE_READ, LINE_NONE, LINE_TOO_LONG, LINE_HAS_NUL } line_result;
 
-/* A line without its end. */
+/* Reads a line without its end. */
 static line_result read_line(FILE *in, char text[LINE_SIZE])
 {
     size_t length = 0;

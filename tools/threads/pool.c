@@ -1,6 +1,6 @@
-/* The pool: tasks are claimed one by one from an atomic counter. A frame makes hundreds
- * of short calls, so that threads without work look for more for a while before they
- * sleep: to wake a thread takes longer than most calls do. */
+/* The pool: tasks are claimed one by one from an atomic counter. A frame has hundreds of short
+ * calls. So threads without work look for more for a while before they sleep: waking a thread takes
+ * longer than most calls do. */
 #if defined(__linux__) && !defined(_GNU_SOURCE)
 #define _GNU_SOURCE /* processor affinity */
 #endif
@@ -19,14 +19,13 @@
 #define PAUSES_A_LOOK_AT_THE_CLOCK 32
 #define CACHE_LINE 64
 
-/* A call's number in the upper half, its unclaimed tasks in the lower. */
+/* The number of a call in the upper half, its unclaimed tasks in the lower. */
 typedef uint64_t ticket;
 
 struct thread_pool {
-    /* The call. A thread that is late may read these while the next call writes them, so
-     * they are atomic; what it has read counts only where it then claims a task with the
-     * ticket it saw before, which the caller cannot have replaced as long as a task of
-     * that call was unclaimed. */
+    /* The current call. A late thread may read these while the next call writes them, so they are
+     * atomic. What it has read is valid only if it then claims a task with the ticket that it saw
+     * before: as long as a task of that call was unclaimed, the caller cannot have replaced it. */
     _Atomic(gn_task *) task;
     _Atomic(void *) context;
     _Atomic uint32_t count;
@@ -39,7 +38,7 @@ struct thread_pool {
     _Atomic uint32_t sleepers;  /* threads that wait for work */
     _Atomic bool caller_sleeps; /* the caller waits for the end of its call */
     _Atomic bool stop;
-    bool spins; /* more threads than processors would only keep each other from running */
+    bool spins; /* more threads than processors only keep each other from running */
     uint32_t started;
     pthread_t threads[THREAD_POOL_MOST - 1];
 };
@@ -98,7 +97,7 @@ static bool has_finished(thread_pool *pool)
     return atomic_load(&pool->unfinished) == 0;
 }
 
-/* Looks until there is something, for a while: whether there is. */
+/* Looks for work for a while; returns whether there is any. */
 static bool spin(thread_pool *pool, bool (*is_there)(thread_pool *pool))
 {
     uint64_t start = 0;
@@ -118,9 +117,9 @@ static bool spin(thread_pool *pool, bool (*is_there)(thread_pool *pool))
     return false;
 }
 
-/* A thread first says that it sleeps and then looks once more; a caller first says that
- * there is work and then looks for sleepers. One of the two sees the other, since these
- * accesses are sequentially consistent. */
+/* A thread first announces that it sleeps and then looks once more; a caller first announces work
+ * and then looks for sleepers. One of the two sees the other, since these accesses are sequentially
+ * consistent. */
 static void sleep_for_work(thread_pool *pool)
 {
     pthread_mutex_lock(&pool->mutex);
@@ -162,9 +161,9 @@ static void *run_thread(void *argument)
     return NULL;
 }
 
-/* Gives every thread but the caller's a processor of its own, other than the caller's at
- * the moment. A kernel that wakes a thread tends to put it where the waker runs, and with
- * calls this short takes many frames to find that another processor is idle. */
+/* Gives every thread except the caller's a processor of its own, other than the caller's at this
+ * moment. A kernel that wakes a thread tends to put it on the waker's processor; with calls this
+ * short, it takes many frames until the kernel finds that another processor is idle. */
 static void spread(thread_pool *pool)
 {
 #if defined(__linux__)

@@ -18,14 +18,14 @@
 
 typedef struct thread_pool thread_pool;
 
-/* A pool of 1 to THREAD_POOL_MOST threads, the caller's counted. Null where the number is
- * outside that or a thread cannot be had. */
+/* Creates a pool of 1 to THREAD_POOL_MOST threads; the caller's counts. Returns null if the number
+ * is outside that range or a thread cannot be started. */
 thread_pool *thread_pool_create(uint32_t threads);
 
-/* Ends its threads; null is allowed. No call of thread_pool_run may be under way. */
+/* Ends the pool's threads; null is allowed. No call of thread_pool_run may be active. */
 void thread_pool_destroy(thread_pool *pool);
 
-/* A gn_parallel; `pool` is a thread_pool. One caller at a time. */
+/* A gn_parallel; `pool` is a thread_pool. Only one thread may call it at a time. */
 void thread_pool_run(void *pool, gn_task *task, void *context, uint32_t count);
 
 #endif
