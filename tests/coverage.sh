@@ -1,16 +1,16 @@
 #!/bin/sh
 # Lists the public functions of the mathematics that no property test (tests/property) and no
 # exhaustive test (tests/exhaustive) calls. usage: coverage.sh [DIRECTORY]
-# DIRECTORY holds include/, tests/ (default: this repository). Headers are all but those of
-# drawing. Ends with "functions: N called
-# by a property or an exhaustive test, N not". Exit status 1 where there are such.
+# DIRECTORY holds include/ and tests/ (default: this repository). All headers count except those of
+# drawing. Ends with "functions: N called by a property or an exhaustive test, N not". Exit status 1
+# if a function is not called.
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 headers=$(ls include/gnomon/*.h | grep -v -E \
     '/(api|backend|blit|derivatives|draw|parallel|pipeline|sampling|shaders|status|surface|texture)\.h$')
 
-# Comments and texts are taken out first: to name a function is not to call it. A table of
-# functions names it without a parenthesis, so any use of the name counts.
+# Comments and strings are removed first, because a name in them is not a call. Tables of functions
+# use names without a parenthesis, so any use of a name counts.
 awk '
 FNR == 1 { header = FILENAME ~ /^include\// }
 {

@@ -1,7 +1,7 @@
 #!/bin/sh
 # The layers of the library. A file of src/ may include, and call at link time, files of its own
-# folder and of folders to the left in the list below. Public headers stand leftmost, but those that
-# describe surfaces, textures and draws stand with `formats`, so that a change to one of them does
+# folder and of folders to the left in the list below. Public headers are leftmost, except those that
+# describe surfaces, textures and draws: they belong to `formats`, so that a change to one of them does
 # not compile the mathematics again. In src/, reference/ and tools/ no files include each other in a
 # circle, and none call each other in a circle. There are no exceptions.
 #

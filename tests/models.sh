@@ -1,7 +1,7 @@
 #!/bin/sh
 # Compares real models, drawn by the command and by OSMesa, with every shader, with one sample a
-# pixel and with four: tests/models.sh BUILD_DIRECTORY DIRECTORY_OF_MODELS. What is compared are the
-# .obj files below the directory. Without a directory it says so and succeeds.
+# pixel and with four: tests/models.sh BUILD_DIRECTORY DIRECTORY_OF_MODELS. Compares every .obj file
+# below the directory. Without a directory it says so and succeeds.
 set -u
 gnomon=$1/gnomon
 models=${2:-}
@@ -15,7 +15,7 @@ if [ -z "$models" ]; then
     exit 0
 fi
 
-# Every shader, what maps of normals it can have, and shadows.
+# Every shader, with the normal maps that it can have, and with shadows.
 looks='--shader=vertex-color
 --shader=unlit
 --shader=unlit --filter=nearest
@@ -59,7 +59,7 @@ fi
 while read -r model; do
     while read -r look; do
         for samples in 1 4; do
-            # The look is several words.
+            # The look must be split into words.
             # shellcheck disable=SC2086
             one "$model" $look --samples="$samples"
         done

@@ -1,15 +1,15 @@
 #!/bin/sh
 # Runs the steps named on the command line, each `NAME=COMMAND`, N at a time, and adds up their
 # tests: CMocka's "N test(s)." lines, lines "N passed, N failed" and lines "properties: ... PASS"
-# or "FAIL". A step that names no test counts as one, by its exit status; one that exits
-# non-zero without naming a failure counts as one failure. What steps print stands whole, in the
-# order of the command line, with the seconds that each took, by the clock and of processors: the
-# first depend on what ran beside it. At the end stand the steps that
-# failed, each with the lines of its output that say so and the last of all, so that the tail
-# of a log says what failed; before them what was skipped, as lines "skipped: ..." and CMocka's
-# say, and what stands in for what this machine lacks (lines "in emulation: ..."). Under GN_NO_SKIP a
-# step that skips something fails. The last line is the sum.
-# usage: run.sh [-j N] NAME=COMMAND...   (steps that use one another's files: make one of them)
+# or "FAIL". A step that prints no such line counts as one test, by its exit status. A step that
+# exits non-zero without printing a failure counts as one failure. The output of each step is
+# printed unbroken, in the order of the command line, with the seconds that the step took, by the
+# clock and by processors; the seconds by the clock depend on the steps that ran at the same time.
+# The end of the output lists: what was skipped, from lines "skipped: ..." and CMocka's; what
+# emulation stands in for (lines "in emulation: ..."); and the steps that failed, each with the
+# lines of its output that say so and its last line. So the tail of a log says what failed. Under
+# GN_NO_SKIP a step that skips something fails. The last line is the sum.
+# usage: run.sh [-j N] NAME=COMMAND...   (steps that use each other's files must be one step)
 set -u
 at_once=1
 if [ "${1:-}" = -j ]; then
@@ -30,19 +30,19 @@ workers=
 trap 'kill $workers 2>/dev/null; rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM
 
-# Runs a step; its end is told through a pipe, at once or when it is asked for.
+# Runs a step. A pipe tells when it has ended, also if the pipe is read later.
 run_step() { # run_step NUMBER STEP
     start=$(date +%s)
     sh -c "${2#*=}" >"$work/$1.log" 2>&1
     status=$?
-    times >"$work/$1.times" # in a pipe it would be that of another shell
+    times >"$work/$1.times" # in a pipeline these would be the times of another shell
     sed 's/[ms]/ /g' "$work/$1.times" | awk -v status="$status" -v wall=$(($(date +%s) - start)) '
-        # Of the commands that ended, user and system.
+        # User and system time of the commands that have ended.
         NR == 2 { printf "%d %d %d\n", status, wall, 60 * $1 + $2 + 60 * $3 + $4 + 0.5 }' >"$work/$1.result"
     : >"$work/$1.ended" &
 }
 
-# Takes steps that no other worker took, the directory being the token, until there is none.
+# Takes steps that no other worker has taken, until there is none; creating the directory takes a step.
 work_off() {
     number=0
     for step in "$@"; do

@@ -1,5 +1,5 @@
-/* The rows of the tables as Eigen computes them. Of scalar functions those it has its own of,
- * for arrays; the others are the C library's. */
+/* The rows of the tables computed with Eigen. Scalar functions are Eigen's own, which are for
+ * arrays, if it has them, otherwise the C library's. */
 #include <Eigen/Dense>
 
 #include "peers.h"

@@ -1,5 +1,5 @@
-/* The rows of the tables as GLM computes them, by its functions that name their convention. Its
- * scalar functions are the C library's. */
+/* The rows of the tables computed with GLM, by its functions that name their convention. Its scalar
+ * functions are the C library's. */
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/glm.hpp>
 
@@ -65,7 +65,7 @@ glm::vec3 hit(const float *in)
 
 #define FUNCTION [](float *in, float *out)
 
-/* What is named alike for vectors of n components. */
+/* Functions with one name for vectors of n components. */
 #define VECTORS(n)                                                                                 \
     {"vec" #n " dot", FUNCTION{ *out = glm::dot(of<glm::vec##n>(in), of<glm::vec##n>(in + n));     \
     }                                                                                              \

@@ -1,5 +1,5 @@
-/* make accuracy: errors of our functions beside other libraries' over the same inputs, against
- * long double. Exit status 1 where another library is closer. */
+/* make accuracy: errors of Gnomon's functions beside other libraries' for equal inputs, against
+ * long double. Exit status 1 if another library is closer. */
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
@@ -46,12 +46,13 @@ enum { CGLM, MOST_PEERS = 3 };
 static const struct peer *peers[MOST_PEERS];
 static int peer_count;
 
-/* Of one library in one row; `difference_squares` of the errors, ours minus theirs. */
+/* The errors of one library in one row; `difference_squares` is of the errors, Gnomon's minus the
+ * other library's. */
 struct errors {
     double largest, sum, difference_squares;
 };
 
-/* Of one row over all inputs. */
+/* The errors of one row over all inputs. */
 struct measured {
     uint64_t count;
     struct errors own, other[MOST_PEERS];
@@ -59,7 +60,7 @@ struct measured {
 
 typedef void call(float *in, float *out);
 
-/* Null where the library has no such function. */
+/* Null if the library has no such function. */
 static call *function_of(const struct row *row, int peer)
 {
     if (peer == CGLM)
@@ -108,7 +109,8 @@ static void measure(const struct row *row, uint64_t seed, uint64_t inputs, struc
     }
 }
 
-/* An infinite error of theirs is never closer, one of ours always worse. */
+/* An infinite error of another library is never closer; an infinite error of Gnomon's is always
+ * worse. */
 static bool is_closer(const struct measured *m, const struct errors *other)
 {
     const double n = (double)m->count;
@@ -128,7 +130,7 @@ static void print_errors(const struct errors *errors, double n)
     printf(" %9.4g %7.4f", errors->largest, errors->sum / n);
 }
 
-/* Prints the row; whether another library is closer where nothing fixes that. */
+/* Prints the row; returns whether another library is closer and no contract fixes the reason. */
 static bool print_row(const struct row *row, const struct measured *m)
 {
     int closer = 0;
@@ -150,7 +152,7 @@ static bool print_row(const struct row *row, const struct measured *m)
     return closer > 0 && !row->fixed;
 }
 
-/* The libraries; whether every function of theirs is in a row. */
+/* Prints the libraries; returns whether every function of theirs is in a row. */
 static bool find_peers(const struct table *const *tables, size_t count)
 {
     static const struct peer cglm = {"cglm", CGLM_VERSION, NULL, 0};

@@ -1,11 +1,11 @@
-/* Libraries in C++, compared where they are installed: a file each, compiled where its headers
- * are found (Makefile). A peer without a file is a null pointer. */
+/* Libraries in C++, compared if they are installed: one file for each, compiled if its headers are
+ * found (Makefile). A peer without a file is a null pointer. */
 #ifndef PEERS_H
 #define PEERS_H
 
 #include <stddef.h>
 
-/* A row of the tables in rows.h, by its name, as a library computes it. */
+/* A row of the tables in rows.h, found by its name, computed by a library. */
 struct peer_function {
     const char *row;
     void (*call)(float *in, float *out);

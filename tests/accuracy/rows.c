@@ -1,4 +1,4 @@
-/* Inputs of the tables and errors of results: see rows.h. */
+/* Inputs of the tables and errors of results; rows.h describes them. */
 #include "rows.h"
 
 #include <math.h>
@@ -23,8 +23,8 @@ static float number(uint64_t *state, int exponents)
     return (bits & 1) != 0 ? -magnitude : magnitude;
 }
 
-/* Whole numbers of -4 to 4, powers of two, and a neighbour of the number before: what makes
- * sums cancel and results exact. */
+/* Whole numbers of -4 to 4, powers of two, and a neighbour of the previous number: these make sums
+ * cancel and results exact. */
 static float structured(uint64_t *state, float before)
 {
     const uint32_t choice = next(state);

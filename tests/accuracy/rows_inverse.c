@@ -1,5 +1,5 @@
-/* Determinants and inverses of matrices beside cglm's. Left out for what cglm makes of it:
- * inverses of matrices with tiny scales, whose determinant underflows. */
+/* Determinants and inverses of matrices beside cglm's. Inverses of matrices with tiny scales are
+ * left out, because cglm's determinant underflows. */
 #include <string.h>
 
 #define CGLM_ALL_UNALIGNED
@@ -61,10 +61,10 @@ EXACT(determinant4)
     exact->value[0] = minor_of(in, 4, 0, 0, exact->scale);
 }
 
-/* The general inverse, ours 2 u in the Frobenius norm and more with the condition (mat.h), which
- * is kept below 2^20 here, 2^-48 * 2^20 being 2^-28. An entry of cglm's is a minor of n - 1
- * columns over the determinant: off, like those (2 u and 5 u; 6 u and 9 u), by so much of the
- * permanents, and by 3 u of itself, to first order in a determinant's error. */
+/* The general inverse. Gnomon's error is 2 u in the Frobenius norm, and more with the condition
+ * (mat.h), which is kept below 2^20 here; 2^-48 * 2^20 is 2^-28. An entry of cglm's is a minor of n
+ * - 1 columns over the determinant. To first order in a determinant's error it is off by as much of
+ * the permanents as these are (2 u and 5 u; 6 u and 9 u), and by 3 u of itself. */
 static void exact_inverse(const float *in, int n, struct exact *exact)
 {
     wide norm = 0.0L, permanent, minor_permanent;
@@ -81,7 +81,7 @@ static void exact_inverse(const float *in, int n, struct exact *exact)
         exact->scale[i] = sqrtl(norm);
 }
 
-/* Determinants not too small beside their terms for cglm's to have some digits. */
+/* Determinants that are not too small beside their terms, so that cglm's have some digits. */
 static void regular(float *in, int n)
 {
     wide permanent;
@@ -127,8 +127,8 @@ EXACT(invert4)
     exact_inverse(in, 4, exact);
 }
 
-/* A rotation of the first three numbers' axis by the fourth, then the translation by the rest,
- * as floats of their own: what the rigid inverse is for. */
+/* A rotation about the axis of the first three numbers by the fourth, then a translation by the
+ * rest, as floats of their own: the matrices that the rigid inverse is for. */
 static void prepare_rigid(float *in)
 {
     gn_transform turn;

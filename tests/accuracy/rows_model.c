@@ -1,4 +1,4 @@
-/* Model matrices, their parts and boxes under them, beside cglm's. */
+/* Model matrices, their parts, and transformed boxes, beside cglm's. */
 #include <string.h>
 
 #define CGLM_ALL_UNALIGNED
@@ -73,7 +73,7 @@ EXACT(model)
     relative(exact, 15, 1.0L);
 }
 
-/* Of the exact model. Ours adds a quotient to the rotation's entries, and to the translation
+/* For the exact model. Gnomon adds a quotient to the rotation's entries, and to the translation
  * three sums, three products and two of the quotient's; the others invert their matrix. */
 OWN(model_inverse)
 {
@@ -106,8 +106,8 @@ EXACT(model_inverse)
     relative(exact, 15, 1.0L);
 }
 
-/* The matrix itself, of a scale that does not reflect: cglm turns all axes round where one is
- * reflected, ours x alone. */
+/* The matrix itself, with a scale that does not reflect: if one axis is reflected, cglm turns all
+ * axes round, Gnomon x alone. */
 static void prepare_matrix(float *in)
 {
     gn_transform model;
@@ -146,8 +146,8 @@ EXACT(parts_scale)
         relative(exact, i, wide_length(in + 4 * i, 3));
 }
 
-/* Directions of the columns, divided by (ours) or multiplied with the reciprocal of (cglm) their
- * length. Eigen's rotation is the nearest one and GLM's a quaternion, which no row compares. */
+/* Directions of the columns, divided by their length (Gnomon) or multiplied by its reciprocal
+ * (cglm). Eigen's rotation is the nearest one and GLM's a quaternion, which no row compares. */
 OWN(parts_rotation)
 {
     gn_mat3 rotation;
@@ -185,8 +185,8 @@ static void prepare_box(float *in)
     }
 }
 
-/* Ours moved by 6 u of the magnitudes' sum, and at most that much more; and by 2^-147, which is
- * less than u of what is added to the sum here. cglm's: a sum of four. */
+/* Gnomon's box is moved by 6 u of the magnitudes' sum, and at most that much more; and by 2^-147,
+ * which is less than u of what is added to the sum here. cglm's is a sum of four. */
 OWN(box)
 {
     gn_mat4 m;

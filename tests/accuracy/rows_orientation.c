@@ -1,4 +1,4 @@
-/* Quaternions of a matrix and of two directions beside cglm's. */
+/* Quaternions from a matrix and from two directions, beside cglm's. */
 #include <string.h>
 
 #define CGLM_ALL_UNALIGNED
@@ -12,7 +12,7 @@ static bool put_quat(gn_quat q, float *out)
     return put_vec4((gn_vec4){q.x, q.y, q.z, q.w}, out);
 }
 
-/* The matrix of the quaternion's rotation, rounded once, and from in[9] on the quaternion. */
+/* The matrix of the quaternion's rotation, rounded once; the quaternion follows from in[9] on. */
 static void prepare_rotation(float *in)
 {
     const wide length = wide_length(in, 4);
@@ -74,8 +74,8 @@ EXACT(from_matrix)
         absolute(exact, i, q[i], 1.0L);
 }
 
-/* Two directions, normalised for those who ask for it. A half turn and what is nearly one is left
- * out: there cglm and GLM have no more than the rounding of 1 + cosine. */
+/* Two directions, normalised for functions that require it. Half turns and nearly half turns are
+ * left out: there cglm and GLM have only the rounding of 1 + cosine. */
 static void prepare_directions(float *in)
 {
     wide cosine = 0.0L;

@@ -1,5 +1,5 @@
-/* Projections beside cglm's, every entry relative to itself, and the perspective inverse. Left
- * out for what cglm makes of it: left-handed frusta that are not symmetric, and the planes of a
+/* Projections beside cglm's, every entry relative to itself, and the perspective inverse. Left out
+ * because of errors of cglm's: left-handed frusta that are not symmetric, and the planes of a
  * frustum with a depth of zero to one. */
 #include <string.h>
 
@@ -53,8 +53,8 @@ static void prepare_perspective(float *in)
         in[3] += 1.0f;
 }
 
-/* Roundings: a scale has two (difference, quotient), an offset three; cglm multiplies by a
- * rounded reciprocal of the difference and has one more. */
+/* Roundings: a scale has two (difference, quotient), an offset three. cglm multiplies by a rounded
+ * reciprocal of the difference and has one more. */
 OWN(orthographic)
 {
     gn_transform t;
@@ -102,8 +102,8 @@ EXACT(frustum)
     exact_matrix(m, exact);
 }
 
-/* The tangent's rounding, its reciprocal's and the division by the aspect; of cglm the C
- * library's tangent taken to be within a last place, 2 u. Depth as for a frustum. */
+/* The tangent's rounding, its reciprocal's and the division by the aspect. For cglm the C library's
+ * tangent is taken to be within a last place, 2 u. Depth is as for a frustum. */
 OWN(perspective)
 {
     gn_transform t;
@@ -125,7 +125,7 @@ EXACT(perspective)
     exact_matrix(m, exact);
 }
 
-/* Of the exact projection: ours divides by entries of 3 u each, cglm inverts its matrix. */
+/* For the exact projection: Gnomon divides by entries of 3 u each, cglm inverts its matrix. */
 OWN(perspective_inverse)
 {
     gn_transform t;
@@ -149,7 +149,7 @@ EXACT(perspective_inverse)
     exact_matrix(m, exact);
 }
 
-/* The other conventions: depth of 0..1 instead of -1..1, and z for -z, of the matrix to -1..1
+/* The other conventions: depth of 0..1 instead of -1..1, and z for -z, from the matrix for -1..1
  * whose planes are in[planes] and the next. */
 static void exact_convention(const float *in, int planes, bool zero_to_one, bool left,
                              void (*exact_rh_no)(const float *, struct exact *),
@@ -168,7 +168,7 @@ static void exact_convention(const float *in, int planes, bool zero_to_one, bool
         relative(exact, 8 + row, -exact->value[8 + row]);
 }
 
-/* cglm gives left-handed frusta the skew of right-handed ones: only symmetric ones can be
+/* cglm gives left-handed frusta the skew of right-handed ones, so only symmetric ones are
  * compared. */
 static void prepare_symmetric(float *in)
 {

@@ -1,5 +1,5 @@
-/* Quaternions beside cglm's. Left out for what cglm makes of it: slerp near antipodes, and as
- * near as its way to the sine of the angle, sqrt(1 - cos^2), loses it. */
+/* Quaternions beside cglm's. Left out because of cglm: slerp near antipodes, and as near as its way
+ * to the sine of the angle, sqrt(1 - cos^2), loses the sine. */
 #define CGLM_ALL_UNALIGNED
 #include <cglm/cglm.h>
 
@@ -71,8 +71,9 @@ EXACT(multiply)
         exact->value[i] = sum_of_products(left[i], 1, right[i], 1, 4, &exact->scale[i]);
 }
 
-/* cglm divides by the length once where its square is meant, which a unit quaternion's being off
- * by 4 u makes 8 u at the most, by a quotient off by 4 u, and rounds three times more. */
+/* cglm divides by the length where its square is meant. The length of a unit quaternion is off by 4
+ * u, so that makes at most 8 u, in a quotient that is off by 4 u; and cglm rounds three times
+ * more. */
 OWN(matrix)
 {
     gn_mat3 m;
@@ -175,8 +176,8 @@ static void prepare_slerp(float *in)
     }
 }
 
-/* Ours 10 u (quat.h); cglm does not normalise a and b, whose lengths of their own are off by
- * 5.5 u: the shorter the sum the more, cosine half the angle being 0.7 at the least. */
+/* Gnomon: 10 u (quat.h). cglm does not normalise a and b, whose lengths are off by 5.5 u: the
+ * shorter the sum, the greater the error; the cosine of half the angle is at least 0.7. */
 OWN(nlerp)
 {
     gn_quat q;

@@ -1,4 +1,4 @@
-/* Rays beside cglm's, which gives t alone. */
+/* Rays beside cglm's, which returns only t. */
 #include <string.h>
 
 #define CGLM_ALL_UNALIGNED
@@ -7,7 +7,7 @@
 #include "rows.h"
 #include "wide.h"
 
-/* The determinant of three vectors, and of their magnitudes with every term taken positive. */
+/* The determinant of three vectors, and of their magnitudes with every term positive. */
 static wide determinant(const wide *a, const wide *b, const wide *c, wide *permanent)
 {
     wide sum = 0.0L;
@@ -20,9 +20,9 @@ static wide determinant(const wide *a, const wide *b, const wide *c, wide *perma
     return sum;
 }
 
-/* t, u and v as in ray.h and what the contract says they are off by, in u. False where the
- * determinant is less than 2^-8 of its terms, or so small that cglm and GLM, which compare it
- * with 2^-20 and 2^-23 whatever the size of the triangle, may find no hit. */
+/* t, u and v as in ray.h and their errors by the contract, in u. Returns false if the determinant
+ * is less than 2^-8 of its terms, or so small that cglm and GLM may find no hit, because they
+ * compare it with 2^-20 and 2^-23 whatever the triangle's size. */
 static bool intersect(const float *in, wide *result, wide *errors)
 {
     wide b[3], c[3], from[3], d[3], permanent[4], sum[4];
@@ -45,7 +45,7 @@ static bool intersect(const float *in, wide *result, wide *errors)
     return fabsl(sum[3]) > fmaxl(0x1p-8L * permanent[3], 0x1p-12L);
 }
 
-/* Corners, the origin, weights and the t of a point well inside: to corners, origin and the
+/* Turns corners, an origin, weights and the t of a point well inside into corners, origin and the
  * direction to that point. */
 static void prepare_ray(float *in)
 {
@@ -70,7 +70,7 @@ static bool own_hit(const float *in, gn_ray_hit *hit)
     return gn_ray_hits_triangle(&ray, vec3_of(in), vec3_of(in + 3), vec3_of(in + 6), hit);
 }
 
-/* Off by one unit of what the contract says. */
+/* An error of one unit is the contract's bound. */
 OWN(distance)
 {
     gn_ray_hit hit;

@@ -1,5 +1,5 @@
-/* Scalar functions beside the C library's, which cglm calls, in units in the last place. Ours
- * are correctly rounded, atan2 and pow within 0.5000001; of the C library's no bound is promised
+/* Scalar functions beside the C library's, which cglm calls, in units in the last place. Gnomon's
+ * are correctly rounded, atan2 and pow within 0.5000001. The C library promises no bound
  * (other_bound -1). */
 #include "rows.h"
 #include "wide.h"
@@ -87,7 +87,7 @@ static void at_most_1(float *in)
     in[0] = remainderf(in[0], 2.0f);
 }
 
-/* Powers that are no infinity: of 2^-121 to 2^121, 40 at most. */
+/* Powers that are not infinite: of 2^-121 to 2^121, at most the 40th. */
 static void prepare_pow(float *in)
 {
     positive(in);

@@ -1,4 +1,4 @@
-/* Distances beside cglm's, and rays at a surface, which cglm has none of. Bounds are vec.h's. */
+/* Distances beside cglm's, and rays at a surface, which cglm lacks. Bounds are vec.h's. */
 #define CGLM_ALL_UNALIGNED
 #include <cglm/cglm.h>
 
@@ -28,7 +28,7 @@ static void exact_distance(const float *in, int count, struct exact *exact)
     relative(exact, 0, sqrtl(squares));
 }
 
-/* Off by (2 n + 4) u |v|. */
+/* An error of at most (2 n + 4) u |v|. */
 static void exact_reflect(const float *in, int count, struct exact *exact)
 {
     const wide twice = 2.0L * wide_dot(in, in + count, count);
@@ -48,7 +48,7 @@ static wide square_along(const float *in, int count)
     return 1.0L - eta * eta * (1.0L - d * d);
 }
 
-/* Off by one unit of what the contract says. */
+/* An error of one unit is the contract's bound. */
 static void exact_refract(const float *in, int count, struct exact *exact)
 {
     const wide eta = (wide)in[2 * count], k = square_along(in, count);

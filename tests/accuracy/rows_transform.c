@@ -1,5 +1,5 @@
-/* Rotations and views beside cglm's. Left out for what cglm makes of them: views with up
- * parallel, or nearly, to the direction of view. */
+/* Rotations and views beside cglm's. Views with up parallel, or nearly parallel, to the direction
+ * of view are left out because of cglm. */
 #include <string.h>
 
 #define CGLM_ALL_UNALIGNED
@@ -27,8 +27,8 @@ static void angle_first(float *in)
     in[0] = as_angle(in[0]);
 }
 
-/* About the coordinate axis k: ours correctly rounded, half a last place of 1 or less; cglm's by
- * the C library, taken to be within one. */
+/* About the coordinate axis k: Gnomon's is correctly rounded, half a last place of 1 or less;
+ * cglm's uses the C library, taken to be within one last place. */
 static void exact_turn(const float *in, int k, struct exact *exact)
 {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
@@ -206,14 +206,14 @@ EXACT(look_at)
     }
     relative(exact, 15, 1.0L);
 }
-/* Of a left-handed space: x = up cross forward and z = forward, both the other way. */
+/* In a left-handed space: x = up cross forward and z = forward, both the other way round. */
 EXACT(look_at_lh)
 {
     exact_look_at(in, exact);
     for (int i = 0; i < 16; i += 2)
         exact->value[i] = -exact->value[i];
 }
-/* Structured inputs whose view or up is nothing, or nearly the other, get another. */
+/* Structured inputs whose view or up is zero, or nearly parallel to the other, get another one. */
 static void prepare_view(float *in)
 {
     wide view[3], up[3], across[3], size;

@@ -159,8 +159,8 @@ EXACT(length4)
     relative(exact, 0, wide_length(in, 4));
 }
 
-/* Directions: every component relative to itself, which none may be too small for: 2^-45 to
- * 2^45 come out above 2^-91, and are not scaled down on the way (length.c). */
+/* Directions: the error of every component is relative to the component, so no component may be too
+ * small. 2^-45 to 2^45 give results above 2^-91, and are not scaled down in between (length.c). */
 static void exact_direction(const float *in, int count, struct exact *exact)
 {
     for (int i = 0; i < count; ++i)
@@ -213,7 +213,7 @@ EXACT(normalize4)
     exact_direction(in, 4, exact);
 }
 
-/* The change b - a is rounded twice more, the sum once. */
+/* The change b - a is rounded two more times, the sum once. */
 OWN(lerp)
 {
     return put_vec3(gn_vec3_lerp(vec3_of(in), vec3_of(in + 3), in[6]), out);

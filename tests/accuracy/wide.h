@@ -1,5 +1,5 @@
-/* What the exact results of several tables are made of, in long double: 64 bits and more, where
- * products of two floats are exact. */
+/* Shared by the exact results of several tables, in long double: 64 bits and more, so that products
+ * of two floats are exact. */
 #ifndef WIDE_H
 #define WIDE_H
 
@@ -8,7 +8,7 @@
 
 #include "rows.h"
 
-/* What a row calls, on arguments `in`. */
+/* The functions that a row calls with arguments `in`. */
 #define OWN(name) static bool own_##name(const float *in, float *out)
 #define OTHER(name) static void other_##name(float *in, float *out)
 #define EXACT(name) static void exact_##name(const float *in, struct exact *exact)
@@ -50,14 +50,14 @@ static inline bool put(float x, float *out)
 
 typedef long double wide;
 
-/* Makes entry i of the exact result x, with errors relative to it. */
+/* Sets entry i of the exact result to x, with errors relative to it. */
 static inline void relative(struct exact *exact, int i, wide x)
 {
     exact->value[i] = x;
     exact->scale[i] = fabsl(x);
 }
 
-/* The same with an error in units of u * scale. */
+/* Sets an entry with an error in units of u * scale. */
 static inline void absolute(struct exact *exact, int i, wide x, wide scale)
 {
     exact->value[i] = x;
@@ -84,7 +84,7 @@ static inline wide wide_length(const float *v, int count)
     return sqrtl(sum_of_products(v, 1, v, 1, count, &magnitudes));
 }
 
-/* Angles up to 10 either way, more than a turn and a half, of any number. */
+/* Angles from -10 to 10, more than a turn and a half, made from any number. */
 static inline float as_angle(float x)
 {
     return remainderf(x, 20.0f);

@@ -1,5 +1,5 @@
-/* Random blits by the library and by the pinned reference: what each writes must be equal, bit
- * for bit, and nothing else may be written. */
+/* Random blits by the library and by the pinned reference. What both write must be equal, bit for
+ * bit, and nothing else may be written. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -51,7 +51,7 @@ static uint32_t element_size(gn_format f)
                                                              : size;
 }
 
-/* A float: any bits but denormals, the ends of ranges, ties of 4 to 16 bits and their
+/* A float: any bits except denormals, the ends of ranges, ties of 4 to 16 bits and their
  * neighbours. */
 static uint32_t random_float_bits(random_source *r)
 {
@@ -86,7 +86,7 @@ static uint32_t random_float_bits(random_source *r)
     return bits;
 }
 
-/* Depths are such as draws store. */
+/* Depths have values that draws store. */
 static uint32_t random_depth_bits(random_source *r)
 {
     const float value =
@@ -96,8 +96,8 @@ static uint32_t random_depth_bits(random_source *r)
     return bits;
 }
 
-/* The reference blits depths of 24 bits through floats where it does not copy memory, and some
- * come out a step off (reference/RULES.md): a lesser one that does not. */
+/* Where the reference does not copy memory, it blits depths of 24 bits through floats, and some
+ * come out a step off (reference/RULES.md). Returns a lesser depth that does not. */
 static uint32_t lasting_depth(uint32_t depth)
 {
     for (; depth > 0; depth = depth * 3 / 4) {
@@ -206,7 +206,7 @@ static blit_case random_case(random_source *r, uint64_t number)
     return c;
 }
 
-/* A surface with a random stride and alignment within guarded memory, and what it holds. */
+/* A surface with a random stride and alignment in guarded memory, and its contents. */
 typedef struct guarded {
     gn_surface surface;
     unsigned char *memory;
@@ -232,7 +232,7 @@ static guarded guard(random_source *r, unsigned char *memory, const gn_surface *
     return g;
 }
 
-/* Takes the rows out into packed memory; false where anything beside them was written. */
+/* Copies the rows into packed memory; returns false if anything beside them was written. */
 static bool unguard(const guarded *g, const gn_surface *packed)
 {
     bool clean = true;
@@ -278,7 +278,7 @@ static bool elements_equal(gn_format format, bool exact, const unsigned char *a,
     return true;
 }
 
-/* How many texels of the source what is visible of the destination spans, along a dimension. */
+/* How many texels of the source the visible part of the destination spans along a dimension. */
 static double visible_texels(int32_t to0, int32_t to1, double low, double high, int32_t from0,
                              int32_t from1, uint32_t size)
 {
@@ -293,8 +293,8 @@ static double visible_texels(int32_t to0, int32_t to1, double low, double high, 
     return (highest < size ? highest : size) - (lowest > 0.0 ? lowest : 0.0);
 }
 
-/* Whether what is visible of the destination has hardly a texel: where it has none the
- * reference cuts a rectangle that is empty, and may draw beside it (reference/RULES.md). */
+/* Whether the visible part of the destination has hardly a texel. If it has none, the reference
+ * cuts a rectangle that is empty, and may draw beside it (reference/RULES.md). */
 static bool is_nearly_outside(const blit_case *c)
 {
     const gn_scissor *const s = &c->options.scissor;
@@ -347,7 +347,7 @@ static void print_bytes(const char *name, const unsigned char *p, size_t size)
         fprintf(stderr, "%s%02x", i % 4 == 0 ? " " : "", p[i]);
 }
 
-/* One blit; false where one of both refuses it. */
+/* Tests one blit; returns false if either side refuses it. */
 static bool compare(reference *osmesa, random_source *r, uint64_t number, totals *t,
                     uint64_t *pair_differ)
 {

@@ -1,12 +1,12 @@
-/* Every function of tests/accuracy's tables against the other library's, cglm's, on random,
- * extreme and structured inputs: they may differ by what both may be off from the exact result,
- *   |ours - theirs| <= u (own_bound * scale + other_bound * other_scale),
- * with the bounds derived beside the rows. What cglm gets wrong is left out there and said:
- * frustum planes with a depth of zero to one, slerp near antipodes, inverses of matrices with
- * tiny scales, look-at with up parallel to the view.
+/* Every function of tests/accuracy's tables against cglm's, for random, extreme and structured
+ * inputs. The results may differ by the sum of both errors against the exact result,
+ * |ours - theirs| <= u (own_bound * scale + other_bound * other_scale),
+ * with the bounds derived beside the rows. Inputs for which cglm is wrong are left out there, with
+ * the reason: frustum planes with a depth of zero to one, slerp near antipodes, inverses of
+ * matrices with tiny scales, look-at with up parallel to the view.
  *
- * Each library is held to its bound of the exact result too: ours, so that the bound of the
- * table is what is true, and theirs, so that the tolerance is no wider than it must be. */
+ * Each library is also tested against its bound of the exact result: Gnomon's, so that the table's
+ * bound is true, and cglm's, so that the tolerance is no wider than necessary. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -19,9 +19,9 @@
 #include "rows.h"
 
 #define U 0x1p-24L
-#define SLACK (1.0L + 0x1p-18L) /* what bounds of first order leave out */
+#define SLACK (1.0L + 0x1p-18L) /* covers the terms that first-order bounds leave out */
 
-/* Of each kind for each row; fewer where the sanitizer makes each dear. */
+/* Inputs of each kind for each row; fewer where the sanitizer makes each one slow. */
 #if defined(__SANITIZE_ADDRESS__)
 enum { INPUTS = 4000 };
 #else

@@ -1,8 +1,8 @@
 #!/bin/sh
-# The README's program in projects of users of CMake, whose flags ask for fast mathematics:
-# the library in their tree, and the library installed and found. Both draw the picture that
-# the Makefile's library draws. The everyday gate compiles plain C alone in the tree, and little
-# code to install, which is faster; --all compiles every back end in both.
+# Builds the README's program in two CMake projects whose flags ask for fast mathematics: with the
+# library in their tree, and with the library installed and found. Both draw the picture that the
+# Makefile's library draws. The everyday gate compiles only plain C in the tree, and the small library
+# for installing, which is faster; --all compiles every back end in both.
 # usage: cmake.sh BUILD-DIRECTORY [--all]   (after readme.sh, from the root of the project)
 set -eu
 fewer=-DGN_ONLY_PORTABLE

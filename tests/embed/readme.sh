@@ -1,6 +1,6 @@
 #!/bin/sh
-# The README's program compiles as it stands, with warnings as errors, draws, and is no
-# longer than it says: about thirty lines. Every file the documentation names is there.
+# Checks that the README's program compiles as it is, with warnings as errors, that it draws, and that
+# it has no more than 40 lines. Every file that the documentation names must exist.
 # usage: readme.sh BUILD-DIRECTORY   (from the root of the project)
 set -eu
 . tests/skip.sh
@@ -25,7 +25,7 @@ colors=$(od -An -v -tx4 -w4 "$directory/triangle.rgba" | sort -u | wc -l)
 echo "README's program: $lines lines, \"$message\", $size bytes, $colors colours"
 [ "$message" = "no error" ] && [ "$size" -eq 307200 ] && [ "$colors" -gt 1000 ]
 
-# The installed library serves a program that finds it through pkg-config.
+# A program finds the installed library through pkg-config.
 prefix=$(cd "$directory" && pwd)/installed
 rm -rf "$prefix"
 make -s install BUILD="$1" PREFIX="$prefix"

@@ -6,12 +6,12 @@
 
 typedef struct checked_function {
     const char *name;
-    float (*one)(float);                  /* or null, and */
-    void (*two)(float, float *, float *); /* both results at once */
+    float (*one)(float);                  /* or null; then the next */
+    void (*two)(float, float *, float *); /* computes both results at once */
     reference references[2];
 } checked_function;
 
-/* Functions next to each other that have a reference in common are checked in one pass. */
+/* Neighbours in the table with a common reference are checked in one pass. */
 extern const checked_function checked_functions[];
 extern const unsigned checked_function_count;
 

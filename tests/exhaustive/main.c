@@ -1,5 +1,5 @@
-/* Every float through every correctly rounded scalar function, against references
- * (references.c), in all processors. */
+/* Checks every correctly rounded scalar function for every float against references (references.c),
+ * on all processors. */
 #include <inttypes.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -27,7 +27,8 @@ static void print_names(FILE *stream, const struct pass *pass)
     }
 }
 
-/* The time left is what the part that is done took, in proportion to the costs. */
+/* The time left is estimated from the time that the finished part took, in proportion to the
+ * costs. */
 static void report(void *context, double done)
 {
     struct progress *progress = context;
@@ -79,7 +80,7 @@ static unsigned divide_into_passes(const bool chosen[], uint64_t stride, struct 
     return count;
 }
 
-/* 0 all are correctly rounded, 1 some are not, 2 there was no running. */
+/* Returns 0 if all are correctly rounded, 1 if some are not, 2 if the test could not run. */
 static int run(const bool chosen[], uint64_t stride, unsigned jobs)
 {
     static struct pass passes[MOST_FUNCTIONS];
@@ -133,10 +134,11 @@ static void help(FILE *stream)
     for (unsigned f = 0; f < checked_function_count; ++f) {
         fprintf(stream, " %s", checked_functions[f].name);
     }
-    fprintf(stream, "\nExit status: 0: all are correctly rounded, 1: some are not, 2: it could not run.\n");
+    fprintf(stream,
+            "\nExit status: 0: all are correctly rounded, 1: some are not, 2: it could not run.\n");
 }
 
-/* A number from 1 to most, or 0. */
+/* Reads a number from 1 to most; returns 0 if there is none. */
 static uint64_t parse(const char *text, uint64_t most)
 {
     char *end;

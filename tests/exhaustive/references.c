@@ -1,10 +1,9 @@
-/* The reference is the C library's double result d, whose error is below one part in 2^51
- * (glibc states at most 1 ulp for each of its functions here, and a division or a
- * product by pi adds half of one). Where d * (1 - 2^-50) and
- * d * (1 + 2^-50) round to the same float, so does the exact value; else MPFR decides, and
- * for one magnitude in 2^14 it does in any case, which checks this filter. The values at x
- * and -x are taken from one evaluation where the mathematics says so: that is no assumption
- * about the functions under test. */
+/* The reference is the C library's double result d, whose error is below one part in 2^51 (glibc
+ * states at most 1 ulp for each of its functions here; a division or a product by pi adds half of
+ * one). If d * (1 - 2^-50) and d * (1 + 2^-50) round to one float, the exact value rounds to it
+ * too; otherwise MPFR decides. MPFR also decides for one magnitude in 2^14, which checks this
+ * filter. One evaluation gives the values at x and -x where the mathematics has that symmetry; that
+ * assumes nothing about the functions under test. */
 #include "references.h"
 
 #include <math.h>
@@ -15,10 +14,10 @@
 #define NAN_BITS 0x7FC00000u
 #define SIGN_BIT 0x80000000u
 
-/* Enough for every result not to be rounded to a middle between two floats that it is not. */
+/* Enough precision that no result is rounded to a middle between two floats unless it is one. */
 enum { PRECISION = 160 };
 
-/* Where there is no value the library would also set errno, which takes its time. */
+/* For arguments without a value the library would also set errno, which takes time. */
 static double double_sqrt(double x)
 {
     return x < 0.0 ? NAN : sqrt(x);
@@ -115,7 +114,7 @@ static uint32_t canonical(float value)
     return isnan(value) ? NAN_BITS : bits_of(value);
 }
 
-/* mpfr_get_flt rounds to a denormal once, too. */
+/* mpfr_get_flt rounds only once also to a denormal. */
 static uint32_t decide(const struct definition *function, float x)
 {
     mpfr_t wide;

@@ -26,9 +26,9 @@ typedef enum reference {
 
 #define BLOCK 512 /* floats at a time */
 
-/* For each of the magnitudes (bits of floats without a sign) the float nearest to the
- * function's value there, and there with the sign bit set. NaN is 0x7FC00000. Returns how many
- * values MPFR was asked for. */
+/* For each magnitude (the bits of a float without sign), stores the float nearest to the function's
+ * value there, and there with the sign bit set. NaN is 0x7FC00000. Returns how many values MPFR
+ * computed. */
 uint64_t reference_values(reference which, const uint32_t magnitudes[], unsigned count,
                           uint32_t positive[], uint32_t negative[]);
 

@@ -9,9 +9,10 @@
 
 #define SIGN_BIT 0x80000000u
 #define MAGNITUDES ((uint64_t)1 << 31)
-#define PIECES 4096u  /* a power of two */
-#define SCATTER 1597u /* odd: a piece's place among the magnitudes is its number times this */
-#define SHOWN 10      /* misrounded inputs named of each function */
+#define PIECES 4096u /* a power of two */
+/* Odd, so that a piece's place among the magnitudes is its number times this. */
+#define SCATTER 1597u
+#define SHOWN 10 /* misrounded inputs printed for each function */
 
 struct shared {
     const struct pass *pass;

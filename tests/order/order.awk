@@ -1,14 +1,14 @@
-# Reads what `clang -Xclang -ast-dump` prints of a C source and names the expressions of it whose
-# meaning C leaves to the compiler: of two operands, arguments or initializers, whose order C does
-# not say, both call functions that may change one thing. What a call may change is taken from
-# the function's type: what its pointers without const lead to, told apart by their types, and
-# anything, where it has no parameters. Pointers to void and characters lead to memory of any
-# use and are passed over, as are the compiler's built-in functions and what one of both only reads.
-# Prints a line an expression of the project: FILE:LINE: what both may change. Exit status 1 where
+# Reads the output of `clang -Xclang -ast-dump` for a C source, and prints the expressions whose
+# meaning C leaves to the compiler: C does not order two operands, arguments or initializers, and
+# both call functions that may change one thing. The types of a function say what a call may
+# change: what its pointers without const lead to, distinguished by their types; anything, if it has
+# no parameters. Pointers to void and characters lead to memory of any use and are ignored. Also
+# ignored are the compiler's built-in functions, and things that one of the two calls only reads.
+# Prints one line per expression of the project: FILE:LINE: what both may change. Exit status 1 if
 # there is one.
 # usage: clang ... -Xclang -ast-dump SOURCE | awk -f order.awk
 
-# A node's place is told by what differs from the last one told: file and line, line, or column.
+# A node's place is given as the difference from the last one given: file and line, line, or column.
 function follow_place(text,    part) {
     begin = source ":" line
     if (text !~ /[0-9]:[0-9]/)
@@ -27,7 +27,7 @@ function follow_place(text,    part) {
     }
 }
 
-# What a function of that type may change, between bars.
+# What a function of this type may change, between bars.
 function changeable(type,    parameters, all, count, i) {
     all = "|"
     if (!match(type, /\(\*\)\(/))
@@ -65,7 +65,7 @@ function end_node(    both) {
     }
 }
 
-# Outside of expressions most lines are of names and types: nothing of them is needed but places.
+# Outside expressions most lines describe names and types; only their places are needed.
 !nodes && !/Call|InitList|Subscript|Operator|[0-9]:[0-9]/ { next }
 
 {

@@ -1,8 +1,8 @@
 #!/bin/sh
-# No expression of the tests, the reference's scenes and the tools draws two random numbers, or
-# changes another state twice, in an order that C leaves to the compiler: order.awk looks for them
-# in what Clang has parsed. Generators with such an expression make other tests with each
-# compiler. First sample.c shows what is found and what is not.
+# Checks that no expression of the tests, the reference's scenes and the tools draws two random
+# numbers, or changes another state twice, in an order that C leaves to the compiler. order.awk looks
+# for such expressions in the program as Clang parses it. A generator with such an expression would
+# make different tests with each compiler. First, sample.c shows what is found and what is not.
 # usage: order.sh [SOURCE...]   (from the root of the project; default: every source of C)
 set -u
 here=tests/order
@@ -18,8 +18,8 @@ fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# unordered SOURCE: prints what order.awk names. Status 1: it names something; 2: Clang cannot parse
-# the source.
+# unordered SOURCE: prints the expressions that order.awk finds. Status 1: it found one; 2: Clang
+# cannot parse the source.
 unordered() {
     : >"$work/lines"
     clang -std=c11 -D_POSIX_C_SOURCE=200809L -w -Iinclude -Ireference/scene -Ireference/osmesa \

@@ -1,7 +1,7 @@
 #!/bin/sh
-# A failing scene that is made smaller keeps the failure it began with. The scenes here have two: a
-# draw that the library refuses, and one that it refuses for another reason or draws otherwise
-# than the reference does, whose scissors leak among samples (reference/RULES.md).
+# Checks that a failing scene keeps its failure when it is made smaller. The scenes here have two
+# failures: a draw that the library refuses, and a draw that the library refuses for another reason or
+# draws otherwise than the reference, whose scissors leak among samples (reference/RULES.md).
 # usage: test_shrink.sh PARITY-PROGRAM
 set -u
 parity=$1
@@ -43,7 +43,7 @@ says_outside='an index or range lies outside'
 says_other='NaN or infinite'
 says_differ='no error'
 
-# check WHAT EXPECTED DRAW...: of those draws what is kept is one that says what is expected.
+# check WHAT EXPECTED DRAW...: shrinking a scene of these draws keeps one draw, whose message is EXPECTED.
 check() {
     what=$1
     expected=$2

@@ -1,12 +1,12 @@
 #!/bin/sh
-# The pictures are the same on every machine: builds the library for other processors, draws
-# the parity suite's scenes there (hashes.c), in an emulator or under Node, and compares the
-# hashes of every back end with those drawn here in plain C. Three targets are this
-# machine: `small` compiles with GN_SMALL, `whole-program` optimises across files, `memory` runs
-# under the memory sanitizer. A target whose tools are absent is
-# named and passed over (skip.sh). Where there are forms of lanes of a target's own, their operations are
-# tested there as well (test_lanes.c). No library uses a fused operation, and as a WebAssembly module it
-# imports nothing.
+# Shows that the pictures are equal on every machine. Builds the library for other processors,
+# draws the parity suite's scenes there (hashes.c), in an emulator or under Node, and compares the
+# hashes of every back end with those of plain C on this machine. Three targets are this machine
+# itself: `small` compiles with GN_SMALL, `whole-program` optimises across files, `memory` runs
+# under the memory sanitizer. If a target's tools are absent, the target is named and skipped
+# (skip.sh). If a target has its own form of lanes, the operations of that form are tested too
+# (test_lanes.c). Also checks that no library uses a fused operation, and that the library as a
+# WebAssembly module imports nothing.
 # usage: cross.sh BUILD-DIRECTORY [--scenes N] [TARGET...]   (from the root of the project)
 set -eu
 . tests/skip.sh
@@ -21,11 +21,11 @@ fi
 passed=0
 failed=0
 mkdir -p "$build"
-work=$(mktemp -d) # of this run alone
+work=$(mktemp -d) # only of this run
 trap 'rm -rf "$work"' EXIT
 
-# describe TARGET: its compiler, flags, what runs its programs, its disassembler and the
-# instructions that fuse. Those flags let a careless compiler fuse.
+# describe TARGET: sets its compiler, flags, the program that runs its programs, its disassembler
+# and the names of fused instructions. The flags allow a careless compiler to fuse.
 describe() {
     flags=-O2
     forms=""
@@ -45,7 +45,7 @@ describe() {
         disassembler=arm-linux-gnueabihf-objdump
         fused='[[:space:]]vfn?m[as]'
         ;;
-    s390x) # big-endian; C's standard modes would evaluate floats as doubles
+    s390x) # big-endian; in C's standard modes compilers evaluate floats as doubles
         compiler=s390x-linux-gnu-gcc
         flags="-O2 -march=z14 -fexcess-precision=fast"
         runner="qemu-s390x -L /usr/s390x-linux-gnu"
@@ -58,7 +58,7 @@ describe() {
         disassembler=""
         [ "$1" = wasm ] || { flags="-O2 -msimd128"; forms="portable wasm_simd128"; }
         ;;
-    small) # this machine's, with little code
+    small) # this machine, with little code
         setup=setup
         compiler=${CC:-cc}
         flags="-Os -DGN_SMALL -DGN_ONLY_PORTABLE"
@@ -66,14 +66,14 @@ describe() {
         disassembler=objdump
         fused='[[:space:]]vfn?m(add|sub)'
         ;;
-    whole-program) # this machine's, optimised across files; a cast that may break aliasing is an error
+    whole-program) # this machine, optimised across files; a cast that may break aliasing is an error
         setup=setup
         compiler=gcc
         flags="-O3 -flto=auto -Wstrict-aliasing=1 -DGN_ONLY_PORTABLE"
         runner="env"
         disassembler=""
         ;;
-    memory) # this machine's; that anything depends on memory which nobody wrote is an error
+    memory) # this machine; a result that depends on uninitialised memory is an error
         setup=setup
         compiler=clang
         flags="-O0 -g1 -fno-omit-frame-pointer -DGN_SMALLEST_TASKS -DGN_ONLY_PORTABLE"
@@ -88,14 +88,14 @@ describe() {
     esac
 }
 
-# Whether the compiler finds what its programs are linked with: a C library, and the sanitizer's.
+# Whether the compiler finds the libraries that it links: a C library, and the sanitizer's.
 links() {
     # shellcheck disable=SC2086
     echo '#include <stdio.h>
 int main(void) { return puts("") < 0; }' | $compiler $flags -x c - -o "$work/links" >/dev/null 2>&1
 }
 
-have() { # the first absent of the commands, in `absent`
+have() { # sets `absent` to the first of the commands that is absent
     absent=""
     for command in "$@"; do
         command -v "${command%% *}" >/dev/null 2>&1 || { absent=${command%% *}; return 1; }
@@ -112,8 +112,8 @@ fail() {
     failed=$((failed + 1))
 }
 
-# hashes_differ FILE: says which, of what classes, beside the scenes made here and their frames in
-# plain C. Status 1 where there is nothing to say.
+# hashes_differ FILE: prints which hashes differ, and of which classes, from those of the scenes made
+# here and of their frames in plain C. Status 1 if none differs.
 hashes_differ() {
     awk '
         NR == FNR {

@@ -1,7 +1,7 @@
-/* Intrinsics that the machine of the tests need not have, emulated by SIMDe: given to the
- * library as GN_LANES_INTRINSICS_HEADER, it has the back ends of AVX-512, NEON and
- * WebAssembly on any x86. What SIMDe 0.7.4 lacks is made here of SSE2 instructions after
- * the manuals. */
+/* Intrinsics that the test machine may lack, emulated by SIMDe. Given to the library as
+ * GN_LANES_INTRINSICS_HEADER, this header makes the back ends of AVX-512, NEON and WebAssembly run
+ * on any x86. Intrinsics that SIMDe 0.7.4 lacks are implemented here with SSE2 instructions, by the
+ * manuals. */
 #ifndef PORTABILITY_EMULATED_H
 #define PORTABILITY_EMULATED_H
 
@@ -19,8 +19,8 @@
 
 typedef simde__mmask16 __mmask16;
 
-/* Intel SDM volume 2: VCVTTPS2DQ, VCVTPS2DQ and VCVTDQ2PS do in each lane what the
- * forms of SSE2 do. */
+/* Intel SDM volume 2: VCVTTPS2DQ, VCVTPS2DQ and VCVTDQ2PS do in each lane what the SSE2 forms
+ * do. */
 static inline __m512i emulated_cvttps(__m512 a)
 {
     simde__m512_private in = simde__m512_to_private(a);
@@ -61,8 +61,8 @@ static inline __m512i emulated_sra(__m512i a, __m128i count)
     return simde__m512i_from_private(in);
 }
 
-/* VRNDSCALEPS to whole numbers, downward, the only form that is asked for; SIMDe 0.7.4 gives
- * 20.5 for 20.5. From 2^31 up, and for NaN, the conversion gives INT32_MIN. */
+/* VRNDSCALEPS to whole numbers, downward, the only form that is used; SIMDe 0.7.4 returns 20.5 for
+ * 20.5. From 2^31 on, and for NaN, the conversion gives INT32_MIN. */
 static inline __m512 emulated_floor(__m512 a)
 {
     simde__m512_private x = simde__m512_to_private(a);
@@ -133,7 +133,7 @@ static inline float32x4_t emulated_sqrt(float32x4_t a)
     return simde_float32x4_from_private(x);
 }
 
-/* Arm ARM, FPToFixed with FPRounding_TIEEVEN: saturates, NaN gives 0. */
+/* Arm ARM, FPToFixed with FPRounding_TIEEVEN: saturates; NaN becomes 0. */
 static inline int32x4_t emulated_cvtn(float32x4_t a)
 {
     simde_float32x4_private in = simde_float32x4_to_private(a);

@@ -1,14 +1,13 @@
 #!/bin/sh
-# The library is freestanding: linked with -nostdlib -Wl,-z,defs it has no undefined
-# symbol and no writable data, as built, with every compiler found and at several levels of
-# optimisation, nor has it on a microcontroller; the flags of users who ask for fast
-# mathematics do not reach it: no multiplication is fused with an addition, of the processors
-# that can, and AVX-512's back end is always compiled for one; its headers compile alone, as
+# Checks that the library is freestanding: linked with -nostdlib -Wl,-z,defs it has no undefined
+# symbol and no writable data. That holds for the default build, for every compiler found, for
+# several levels of optimisation, and on a microcontroller. The flags of users who ask for fast
+# mathematics have no effect: no multiplication is fused with an addition on processors that can
+# fuse; AVX-512's back end is always compiled for such a processor. The headers compile alone, as
 # C99 and as C++.
-# Optimising the back ends takes minutes. The everyday gate therefore compiles them once more, at
-# -O0, where compilers call memcpy and memset most, and asks for fast mathematics where there is
-# plain C alone, at -O2, the least level that fuses; with --all they are compiled by all compilers
-# and at all levels.
+# Optimising the back ends takes minutes. So the everyday gate compiles them only once more, at
+# -O0, where compilers call memcpy and memset most. It tests fast mathematics only with plain C, at
+# -O2, the lowest level that fuses. With --all, all compilers compile the back ends at all levels.
 # usage: freestanding.sh BUILD-DIRECTORY [--all]   (from the root of the project, with the library in it)
 set -eu
 . tests/skip.sh
@@ -20,8 +19,8 @@ names=
 passed=0
 failed=0
 
-# plan NAME COMPILER FLAGS...: the library shall be compiled so. All that is planned is compiled
-# together, since one file of the back ends takes as long as all that are none.
+# plan NAME COMPILER FLAGS...: plans to compile the library so. All planned libraries are compiled
+# together, since one file of the back ends takes as long as all other files.
 plan() {
     name=$1
     names="$names $name"
@@ -30,7 +29,7 @@ plan() {
     echo "exec $* -std=c99 -pedantic $warnings -Iinclude $own -c \"\$1\" -o \"\$2\"" >"$build/$name/compile"
 }
 
-# As many files at a time as there are processors, those that take longest first.
+# Compiles as many files at a time as there are processors, the slowest first.
 compile_all() {
     for source in src/backends/*.c $(printf '%s\n' src/*/*.c | grep -v '^src/backends/'); do
         for name in $names; do
@@ -54,7 +53,7 @@ check_shared() { # check_shared NAME LIBRARY OK
     fi
 }
 
-check() { # check NAME: what was planned under that name
+check() { # check NAME: checks the library that was planned under this name
     directory=$build/$1
     ok=yes
     [ ! -e "$directory/failed" ] || ok=no
@@ -62,8 +61,9 @@ check() { # check NAME: what was planned under that name
     check_shared "$1" "$directory/libgnomon.so" "$ok"
 }
 
-# A Cortex-M4, whose compiler calls memcpy and memset for little: nothing is undefined but its
-# own routines for floats and 64-bit integers, and for doubles in the one file that has any.
+# On a Cortex-M4 the compiler calls memcpy and memset even for small copies. Nothing is undefined
+# except the compiler's own routines for floats and 64-bit integers, and for doubles in the only
+# file that uses doubles.
 check_microcontroller() { # check_microcontroller NAME
     directory=$build/$1
     ok=yes

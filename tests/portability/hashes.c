@@ -1,6 +1,6 @@
-/* The parity suite's scenes and their pictures as numbers, by class: one for the scenes, of all
- * that scene_write writes of them, and one for each back end's frames. They are the same on every
- * machine: values are hashed, not bytes of memory. Needs neither OpenGL nor files. */
+/* Hashes the parity suite's scenes and their pictures, by class: one hash of everything that
+ * scene_write writes of the scenes, and one of each back end's frames. Hashes are equal on every
+ * machine, because values are hashed, not bytes of memory. Needs neither OpenGL nor files. */
 #include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
@@ -29,7 +29,7 @@ static void add_word(hash *h, uint32_t word)
         add_byte(h, word >> 8 * i & 255);
 }
 
-/* Words in the order of memory, each by its value. */
+/* Hashes words in the order of memory, each by its value. */
 static void add_words(hash *h, const void *memory, size_t count)
 {
     for (size_t i = 0; i < count; i++) {

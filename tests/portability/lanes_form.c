@@ -1,4 +1,4 @@
-/* The operations of lanes in one form. A new operation is a line in run_form. */
+/* The operations of lanes in one form. To add an operation, add a line to run_form. */
 #include "lanes_test.h"
 
 #include "lanes.h"
@@ -53,7 +53,7 @@ static void record_m(recorder *r, const char *operation, lanes_m value)
     record_i(r, operation, lanes_m_as_int(value));
 }
 
-/* A block of words in memory, and whether the bytes between its rows are as they were. */
+/* A block of words in memory, and whether the bytes between its rows have changed. */
 static void record_memory(recorder *r, const char *operation, const unsigned char *memory,
                           const unsigned char *before)
 {

@@ -1,5 +1,5 @@
-/* Every operation of lanes, in every form, on the same inputs. lanes_form.c is compiled once
- * for each form, LANES_FORM being its name; test_lanes.c compares. */
+/* Every operation of lanes, in every form, with equal inputs. lanes_form.c is compiled once for
+ * each form, with LANES_FORM as its name; test_lanes.c compares. */
 #ifndef PORTABILITY_LANES_TEST_H
 #define PORTABILITY_LANES_TEST_H
 
@@ -19,13 +19,13 @@ typedef struct lanes_input {
     unsigned char memory[LANES_MEMORY]; /* of a block of words, LANES_STRIDE bytes a row */
 } lanes_input;
 
-/* What an operation gave, as bits; all NaN are one. */
+/* The result of an operation as bits; all NaN are equal. */
 typedef struct lanes_output {
     const char *operation;
     uint32_t word[GN_LANES];
 } lanes_output;
 
-/* Runs all operations; gives their number. */
+/* Runs all operations; returns their number. */
 typedef int lanes_form(const lanes_input *in, lanes_output out[LANES_OPERATIONS_MAX]);
 
 #endif

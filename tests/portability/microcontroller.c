@@ -1,10 +1,10 @@
-/* A program for a Cortex-M4 without an operating system or a C library: draws two cubes, one
- * of them through the near plane, in a workspace of 16 KiB. `make size` measures what of the
- * library such a program holds, and runs it in an emulator; built for a hosted machine it
- * prints the same hash.
+/* A program for a Cortex-M4 without an operating system or a C library: draws two cubes, one of
+ * them through the near plane, in a workspace of 16 KiB. `make size` measures how much of the
+ * library this program holds, and runs it in an emulator. Built for a hosted machine, it prints the
+ * same hash.
  *
- *   TEXTURED  1: a texture with the nearest filter under light, 0: vertex colours
- *   DEPTH     the depth format, GN_FORMAT_D16 or GN_FORMAT_NONE */
+ * TEXTURED  1: a texture with the nearest filter under light, 0: vertex colours
+ * DEPTH     the depth format, GN_FORMAT_D16 or GN_FORMAT_NONE */
 #include <gnomon.h>
 
 #ifndef TEXTURED
@@ -47,8 +47,8 @@ static void make_cube(void)
     }
 }
 
-/* Turned about y by the angle of 3, 4 and 5, then moved away, then a near plane at 0.5 and a
- * far one at 10. */
+/* Turned about y by an angle of the triangle 3, 4, 5, then moved away; near plane at 0.5, far plane
+ * at 10. */
 static gn_mat4 camera(float away)
 {
     const float sine = 0.6f, cosine = 0.8f, zoom = 1.5f;
@@ -71,7 +71,7 @@ static gn_mat4 camera(float away)
 }
 
 #if defined(GN_BASIC)
-/* Whether what the library was compiled without is refused. */
+/* Whether features that the library was compiled without are refused. */
 static bool refuses_the_rest(const gn_target *target, gn_pipeline pipeline, const gn_mesh *mesh,
                              gn_workspace *workspace)
 {
@@ -201,10 +201,10 @@ static void to_text(uint32_t value, char text[11])
 
 #if defined(__arm__) && !defined(__linux__)
 
-/* The ends of what the linker script lays out. */
+/* The ends of the sections of the linker script. */
 extern uint32_t bss_begin[], bss_end[], stack_top[];
 
-/* What compilers may call without a C library. */
+/* Functions that compilers may call even without a C library. */
 void *memset(void *to, int value, __SIZE_TYPE__ count);
 void *memcpy(void *restrict to, const void *restrict from, __SIZE_TYPE__ count);
 
@@ -225,7 +225,7 @@ void *memcpy(void *restrict to, const void *restrict from, __SIZE_TYPE__ count)
     return to;
 }
 
-/* Arm's semihosting: the debugger, or here the emulator, does what is asked. */
+/* Arm's semihosting: the debugger, or here the emulator, carries out the request. */
 static void ask_host(int operation, const void *argument)
 {
     register int r0 __asm__("r0") = operation;
@@ -261,7 +261,7 @@ void run(void)
     }
 }
 
-/* The vector table: where the stack begins, and what runs at reset. */
+/* The vector table: where the stack begins, and the function that runs at reset. */
 __attribute__((section(".vectors"), used)) static const struct {
     uint32_t *stack;
     void (*reset)(void);

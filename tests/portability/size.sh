@@ -1,10 +1,10 @@
 #!/bin/sh
-# How much a microcontroller's program holds of the library: compiled at -Os for a Cortex-M4,
-# with software and hardware floats, whole and with GN_SMALL and GN_BASIC, and linked so that only what
-# microcontroller.c reaches stays, with the compiler's own routines for floats. The same
-# program then draws in an emulator, in a workspace of 16 KiB, and its picture is compared with
-# one drawn here; the stack is what it changed of the paint. Fails where a picture differs, a
-# symbol is undefined, there is writable data, or of the small ones the text is too long.
+# Measures how much of the library a microcontroller's program holds: compiled at -Os for a
+# Cortex-M4, with software and hardware floats, complete and with GN_SMALL and GN_BASIC. Only what
+# microcontroller.c reaches is linked, with the compiler's own routines for floats. The program then
+# draws in an emulator, in a workspace of 16 KiB, and its picture is compared with one drawn here.
+# The stack size is the part of the stack's fill pattern that the program has overwritten. Fails if a picture differs,
+# a symbol is undefined, there is writable data, or the text of the small library is too long.
 # usage: size.sh BUILD-DIRECTORY   (from the root of the project)
 set -eu
 . tests/skip.sh
@@ -27,7 +27,7 @@ own="-Os -ffreestanding -fvisibility=hidden -fno-math-errno -fno-fast-math -ffp-
 sections="-ffunction-sections -fdata-sections"
 common="-std=c99 -Wall -Wextra -Werror -Iinclude"
 
-# least VARYINGS: bytes of the least workspace.
+# least VARYINGS: prints the bytes of the least workspace.
 least() {
     printf '#include <gnomon.h>\nchar least[GN_WORKSPACE_SIZE(0, %s)];\n' "$1" |
         $compiler -mcpu=cortex-m4 -mthumb -Iinclude -x c -c - -o "$build/least.o"
@@ -82,8 +82,8 @@ measure() {
     fi
 }
 
-# run FLAGS...: runs the program that `measure` compiled and compares its picture; `stack` is
-# then what it used.
+# run FLAGS...: runs the program that `measure` compiled, compares its picture, and sets `stack` to
+# the bytes of stack that it used.
 run() {
     # shellcheck disable=SC2086
     $compiler "$@" -nostdlib -Wl,--gc-sections -T tests/portability/microcontroller.ld \
@@ -98,7 +98,7 @@ run() {
     fi
 }
 
-# draw_here FLAGS...: the picture's hash in `here`.
+# draw_here FLAGS...: sets `here` to the hash of the picture drawn on this machine.
 draw_here() {
     ${CC:-cc} -std=c99 -O2 -fno-fast-math -ffp-contract=off -Iinclude "$@" \
         tests/portability/microcontroller.c "$archive" -o "$build/here"

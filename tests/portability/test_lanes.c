@@ -1,6 +1,6 @@
-/* Compares the forms of lanes, given by the Makefile as LANES_FORMS, with the portable one,
- * operation by operation, and its conversions with their definitions in doubles: on special
- * values and random bits. */
+/* Compares the forms of lanes, which the Makefile lists in LANES_FORMS, with the portable form,
+ * operation by operation, and the portable conversions with their definitions in doubles: for
+ * special values and random bits. */
 #include <float.h>
 #include <inttypes.h>
 #include <math.h>
@@ -31,7 +31,7 @@ static const named_form forms[] = {
 
 enum { FORM_COUNT = sizeof forms / sizeof *forms, TRIALS = 20000 };
 
-/* Where conversions, comparisons and roundings turn. */
+/* Values around which conversions, comparisons and roundings change. */
 static const float special_floats[] = {
     0.0f,          -0.0f,        FLT_MIN,       -FLT_MIN,      1e-45f,         -1e-45f,
     1e-40f,        0.5f,         -0.5f,         1.0f,          -1.0f,          1.5f,
@@ -97,7 +97,7 @@ static void make_input(lanes_input *in, random_source *r)
         in->memory[n] = (unsigned char)random_below(r, 256);
 }
 
-/* Those of the processor's own instructions can be asked of it; what is emulated runs. */
+/* For the processor's own instructions the processor is asked; emulated forms always run. */
 static bool can_run(const char *name)
 {
     for (int b = 0; b < GN_BACKEND_COUNT; b++)
@@ -127,7 +127,7 @@ static uint32_t integer_of(double (*whole)(double), float a)
                                                    : (uint32_t)INT32_MIN;
 }
 
-/* A float's bits, as they are recorded: of a zero of either sign, those of the positive. */
+/* A float's bits as they are recorded: a zero of either sign is recorded as the positive one. */
 static uint32_t floor_of(float a)
 {
     const float whole = floorf(a) + 0.0f;
@@ -170,8 +170,8 @@ static uint32_t definition(defined_operation operation, const lanes_input *in, i
     }
 }
 
-/* Whether an operation of the portable form gives what is defined; the first lane that does
- * not is reported. */
+/* Whether an operation of the portable form has the defined results; the first lane that has not is
+ * reported. */
 static bool as_defined(defined_operation operation, const lanes_input *in,
                        const lanes_output *given, int operations)
 {

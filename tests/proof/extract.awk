@@ -1,16 +1,16 @@
-# The statements of one kernel of a C file as definitions of Gappa's.
+# Prints the statements of one kernel of a C file as definitions for Gappa.
 #   awk -f extract.awk -v kernel=NAME -v rounding=ROUNDING FILE.c
-# A kernel stands between the lines "/* Kernel: NAME. */" and "/* End of kernel. */" and is
-# made of statements `const float NAME = EXPRESSION;` (or quad_f, one lane standing for all);
-# anything else is an error. a.x becomes ax, c[0] becomes c0. ROUNDING is an operator of
-# Gappa's, applied to every operation, or `model`: the operation numbered k is then exact but
-# for a factor 1 + ek, the standard model of floating-point arithmetic (quad_f kernels alone,
-# whose operations are calls). Exit status 1 where there is no such kernel.
+# A kernel is between the lines "/* Kernel: NAME. */" and "/* End of kernel. */". It consists of
+# statements `const float NAME = EXPRESSION;` (or quad_f, where one lane stands for all); anything
+# else is an error. a.x becomes ax, c[0] becomes c0. ROUNDING is an operator of Gappa's, applied to
+# every operation, or `model`: operation number k is then exact except for a factor 1 + ek, the
+# standard model of floating-point arithmetic (only for quad_f kernels, whose operations are
+# calls). Exit status 1 if there is no such kernel.
 
 function fail(why) { print FILENAME ": kernel " kernel ": " why > "/dev/stderr"; bad = 1; exit 1 }
 
-# The innermost call NAME(A, B) of a lane operation as <A SIGN B>, with brackets that do not
-# hide the next one out; false where there is none.
+# Replaces the innermost call NAME(A, B) of a lane operation by <A SIGN B>, with brackets that do
+# not hide the next outer call; returns false if there is none.
 function rewrite_call(name, sign,   call, comma, arguments) {
     if (!match(text, name "\\([^(),]*,[^(),]*\\)"))
         return 0

@@ -1,17 +1,17 @@
 #!/bin/sh
-# Proves bounds on rounding errors with Gappa (https://gappa.gitlabpages.inria.fr), about the
-# text of the C sources: see the templates beside this script.
+# Proves bounds on rounding errors with Gappa (https://gappa.gitlabpages.inria.fr) from the text of
+# the C sources, by the templates beside this script.
 # usage: prove.sh [-q] [SOURCES [TEMPLATE.proof ...]]
-# SOURCES is the directory of src/ (default: this repository's). Each goal is one run of Gappa,
-# or one for every case of @case. It counts as proved where Gappa succeeds without a warning
-# in all of them; the hypotheses must not prove what is false too. Prints a line a goal (-q:
-# only of failures), ends with "N bounds proved, N failed". Exit status 1 where one failed.
+# SOURCES is the directory of src/ (default: this repository's). Each goal is one run of Gappa, or
+# one run for every case of @case. A goal counts as proved if Gappa succeeds without a warning in
+# all runs; and the hypotheses must not prove a false statement. Prints one line per goal (-q: only
+# failures), ends with "N bounds proved, N failed". Exit status 1 if one failed.
 #
-# A template is a script of Gappa's with lines
+# A template is a script for Gappa with lines
 #   @kernel FILE NAME ROUNDING   the kernel's statements (extract.awk)
 #   @assume HYPOTHESIS           a hypothesis of all goals
-#   @case NAME=VALUE ...         definitions, one line for each case to be proved; they stand
-#   @define                      here
+#   @case NAME=VALUE ...         definitions, one line for each case to be proved; they are
+#   @define                      inserted here
 #   @goal NAME: PROPOSITION      a goal
 #   @hint EXPRESSION             a rewriting, which Gappa checks to be an identity
 # and definitions, which are copied.
@@ -32,10 +32,10 @@ failed=0
 
 command -v gappa >/dev/null 2>&1 || { echo "prove: gappa is missing: make setup" >&2; exit 1; }
 
-# part LETTERS: the arguments of the template's lines of that kind.
+# part LETTERS: prints the arguments of the template's lines of this kind.
 part() { sed -n "s/^@$1 //p" "$template"; }
 
-# definitions CASE: the template's, with kernels and the case's definitions in their places.
+# definitions CASE: prints the template's definitions, with kernels and the case's definitions inserted.
 definitions() {
     grep -e '^@kernel' -e '^@define' -e '^[^@#]' "$template" |
     while read -r first file name rounding; do
@@ -50,7 +50,7 @@ definitions() {
     done
 }
 
-# gappa_proves CASE PROPOSITION: leaves the script and what Gappa said.
+# gappa_proves CASE PROPOSITION: leaves the script and Gappa's output in files.
 gappa_proves() {
     definitions "$1" >"$directory/script" || return 1
     {
@@ -63,7 +63,7 @@ gappa_proves() {
         ! grep -v 'Warning: renaming identifier' "$directory/output" | grep -q .
 }
 
-# proves PROPOSITION: in every case.
+# proves PROPOSITION: whether Gappa proves it in every case.
 proves() {
     if [ -z "$cases" ]; then
         gappa_proves "" "$1"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# tests/proof/prove.sh must reject what is wrong: kernels mutated in a copy of the sources,
-# templates mutated likewise. usage: test_prove.sh
+# Checks that tests/proof/prove.sh rejects what is wrong: kernels mutated in a copy of the sources,
+# and mutated templates. usage: test_prove.sh
 set -u
 here=$(dirname "$0")
 directory=$(mktemp -d)
@@ -8,7 +8,7 @@ trap 'rm -rf "$directory"' EXIT
 passed=0
 failed=0
 
-# rejects WHAT TEMPLATE: the proofs from what lies in the directory must fail.
+# rejects WHAT TEMPLATE: the proofs from the files in the directory must fail.
 rejects() {
     if "$directory/proof/prove.sh" -q "$directory" "$directory/proof/$2.proof" >"$directory/log" 2>&1 ||
         ! grep -q '^FAILED' "$directory/log"; then
@@ -20,7 +20,7 @@ rejects() {
     fi
 }
 
-# mutate FILE EXPRESSION: fresh copies, one of them changed by sed.
+# mutate FILE EXPRESSION: makes fresh copies and changes one of them by sed.
 mutate() {
     rm -rf "$directory/src" "$directory/proof"
     mkdir "$directory/src"
@@ -56,8 +56,8 @@ kernel_mutant vector.c unit 's/sum = (a\.z \* b\.z + a\.y/sum = (a.z * b.z - a.y
 kernel_mutant vector.c unit '/Kernel: dot\./d'
 kernel_mutant length.c unit 's/const float z = v\.z/float z = v.z/'
 
-# A bound just below what holds, a hypothesis that contradicts another, a rewriting that is no
-# identity, a looser hypothesis.
+# A bound just below the true one, a hypothesis that contradicts another, a rewriting that is not
+# an identity, a looser hypothesis.
 template_mutant rodrigues_diagonal 's/<= 4b-24/<= 0x3.8p-24/'
 template_mutant rodrigues_lengths 's/<= 0x2d.8p-24/<= 0x2c.8p-24/'
 template_mutant rodrigues_lengths 's/^@assume |a| <= 1$/@assume a in [2,3]\n@assume a in [0,1]/'

@@ -1,5 +1,5 @@
-/* Single texels: all values of the formats of up to 16 bits a channel, random ones of the others,
- * as texelFetch gives them. */
+/* Single texels, as texelFetch returns them: all values of the formats of up to 16 bits a channel,
+ * random values of the others. */
 #include "texels.h"
 
 #include <math.h>
@@ -23,7 +23,7 @@ static const char vertex_text[] =
     "1.0);\n"
     "}\n";
 
-/* Every value in every channel, where there are as many texels. */
+/* Every value in every channel, if there are as many texels. */
 static void fill_all_values(random_source *r, gn_format format, void *texels)
 {
     const size_t size = gn_format_size(format);
@@ -146,7 +146,7 @@ static bool has_depth(gn_format format)
     return format >= GN_FORMAT_D16 && format <= GN_FORMAT_D32FS8;
 }
 
-/* Of depths only red is compared: what the others are depends on the profile. */
+/* For depths only red is compared, because the other channels depend on the profile. */
 static void count_differences(const char *by, gn_format format, color *ours, color *theirs,
                               tally *t)
 {

@@ -1,4 +1,4 @@
-/* Levels as glGenerateMipmap makes them. */
+/* Levels generated as by glGenerateMipmap. */
 #include "texels.h"
 
 #include <math.h>
@@ -32,8 +32,8 @@ static size_t level_texels(const level_case *c, uint32_t level)
     return (size_t)size[0] * size[1] * size[2];
 }
 
-/* Every second of the first cases of a target and format has one of all small sizes, the others are
- * random: most of them small too, since that is where the ends of rows are. */
+/* Every second of the first cases of a target and format has one of all small sizes. The other
+ * sizes are random, most of them small too, to test the ends of rows. */
 static level_case make_case(random_source *r, gn_texture_target target, gn_format format,
                             uint64_t number)
 {
@@ -89,7 +89,7 @@ static bool is_nan_float(const unsigned char *p)
     return isnan(value);
 }
 
-/* Whether two texels are equal, a NaN to any other, or of sRGB no more than a step apart. */
+/* Whether two texels are equal; a NaN equals any other, and sRGB channels may be a step apart. */
 static bool are_equal(gn_format format, const unsigned char *a, const unsigned char *b, tally *t)
 {
     const size_t size = gn_format_size(format);
@@ -139,8 +139,8 @@ static uint64_t compare_level(const level_case *c, uint32_t level, const unsigne
     return differ;
 }
 
-/* Makes levels from the reference's level `level` on, of which level + 1 is compared and, but for
- * sRGB, whose steps would add up, all after it. */
+/* Generates levels from the reference's level `level`. Compares level + 1 and all later levels, but
+ * for sRGB only level + 1, since its steps would add up. */
 static bool compare_from(const level_case *c, uint32_t level, uint32_t count,
                          unsigned char *const theirs[], tally *t, uint64_t *differ)
 {

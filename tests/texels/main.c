@@ -1,5 +1,5 @@
-/* Texels of every format, fetched one by one, and levels made from others, by the library and by
- * the pinned reference: bit for bit, but for a step of sRGB. */
+/* Compares with the pinned reference, bit for bit except for a step of sRGB: texels of every
+ * format, fetched one by one, and generated levels. */
 #include "texels.h"
 
 #include <inttypes.h>

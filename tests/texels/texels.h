@@ -1,4 +1,5 @@
-/* Texels and levels of the library beside the reference's: what the parts of the program share. */
+/* Compares texels and levels of the library with the reference's; shared by the parts of the
+ * program. */
 #ifndef TEXELS_TEXELS_H
 #define TEXELS_TEXELS_H
 
@@ -8,7 +9,7 @@
 #include "random.h"
 #include "scene_text.h"
 
-/* What was compared; `differ` are failures, `steps` what the contract allows of sRGB. */
+/* Counts of comparisons; `differ` are failures, `steps` are what the contract allows for sRGB. */
 typedef struct tally {
     uint64_t cases, failed, texels, differ, steps;
 } tally;
@@ -19,8 +20,8 @@ extern const size_t texel_format_count;
 /* Whether a format's values are floats, of 16 or 32 bits. */
 bool has_floats(gn_format format);
 
-/* Random texels that OpenGL keeps as they are: depths are from 0 to 1. Of floats none is a
- * denormal; NaN and infinities where asked for. */
+/* Random texels that OpenGL stores unchanged: depths are from 0 to 1; floats are never denormal,
+ * and NaN or infinite only if asked for. */
 void fill_texels(random_source *r, gn_format format, bool with_specials, void *texels,
                  size_t count);
 
@@ -28,11 +29,11 @@ void fill_texels(random_source *r, gn_format format, bool with_specials, void *t
 void upload_level(gn_texture_target target, gn_format format, uint32_t level,
                   const uint32_t size[3], const void *texels);
 
-/* texelFetch of every value of every format, on every back end. False where the reference fails,
- * with the reason in error. */
+/* Compares texelFetch of every value of every format, on every back end. Returns false if the
+ * reference fails, with the reason in error. */
 bool compare_fetches(uint64_t seed, tally *t, char *error, size_t error_size);
 
-/* glGenerateMipmap of textures of every target, colour format and some random sizes. */
+/* Compares glGenerateMipmap for textures of every target, colour format and some random sizes. */
 bool compare_levels(uint64_t seed, uint64_t textures, tally *t, char *error, size_t error_size);
 
 #endif

@@ -14,8 +14,9 @@
 #define DEFAULT_SEED 1
 #define DEFAULT_LOOKUPS 20000
 
-/* Of what is discontinuous, lookups this near to where the choice changes are left out: more than
- * coordinates of a few textures' length lose when they are multiplied by the size. */
+/* Lookups are left out if they are this near to where a discontinuous choice changes: more than the
+ * error of coordinates, up to a few times the texture's length, when they are multiplied by the
+ * size. */
 #define LEAST_DOUBT 1e-4L
 
 static const char help[] =
@@ -109,7 +110,7 @@ static subject random_subject(random_source *r, gn_texture_target target, gn_for
     return s;
 }
 
-/* Coordinates of a block: of a plane over its fragments, as a triangle has them. */
+/* Coordinates of a block: a plane over its fragments, as in a triangle. */
 static void random_block(random_source *r, const gn_texture *t, float coordinate[3][GN_LANES])
 {
     const float size[3] = {(float)t->width, (float)t->height, (float)t->depth};
@@ -131,8 +132,9 @@ static void random_block(random_source *r, const gn_texture *t, float coordinate
     }
 }
 
-/* The level of detail of each quad from the coordinates of its lower left, as gn_lookup says; of
- * cubes from the same differences of directions, but derived at each place on its own face. */
+/* The level of detail of each quad from the coordinates of its lower left lane, as gn_lookup
+ * specifies. For cubes the differences of directions are the quad's, but each place derives them on
+ * its own face. */
 static long double quad_lod(const gn_texture *t, float coordinate[3][GN_LANES], int lane)
 {
     const int first = lane / 8 * 8 + lane % 4 / 2 * 2;
@@ -148,7 +150,7 @@ static long double quad_lod(const gn_texture *t, float coordinate[3][GN_LANES], 
     return exact_lod(t, at, dx, dy);
 }
 
-/* Adds the differences of a lane, unless another choice would do as well. */
+/* Adds the differences of a lane, unless another choice would be as right. */
 static void add_lane(errors *e, float texel[4][GN_LANES], int lane, const exact_texel *expected)
 {
     e->left_out += expected->doubt < LEAST_DOUBT;
@@ -161,7 +163,7 @@ static void add_lane(errors *e, float texel[4][GN_LANES], int lane, const exact_
     }
 }
 
-/* Gradients of every lane, one up to 20 times as long as the other. */
+/* Gradients for every lane, one up to 20 times as long as the other. */
 static void random_gradients(random_source *r, const gn_texture *t, float gradient[2][3][GN_LANES])
 {
     const float size[3] = {(float)t->width, (float)t->height, (float)t->depth};

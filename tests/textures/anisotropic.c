@@ -1,6 +1,6 @@
-/* Anisotropic lookups: by the library on every back end, whose bits must be equal, and by the
- * reference, which weighs the texels of an ellipse (EWA) where the library takes the extension's
- * samples. Those two are compared by the mean of their differences. */
+/* Anisotropic lookups by the library, on every back end, whose bits must be equal; and by the
+ * reference, which weighs the texels of an ellipse (EWA) while the library takes the extension's
+ * samples. Library and reference are compared by the mean of their differences. */
 #include "lookups.h"
 
 #include <inttypes.h>
@@ -9,12 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The largest mean difference of a channel, of 0 to 1, that a target may have. */
+/* The largest mean difference of a channel, whose range is 0 to 1, that a target may have. */
 #define MOST_MEAN 0.09
 
 #define TARGETS 5
 
-/* Of a target: the mean of fewer says little. */
+/* Cases of a target; a mean of fewer is not meaningful. */
 #define LEAST_CASES 16
 
 /* Steps through all cases (main.c). */
@@ -25,8 +25,8 @@ typedef struct differences {
     uint64_t count, lookups;
 } differences;
 
-/* A quad's places over a footprint 1 to 16 texels long, up to 24 times as long as wide, the longer
- * side along x or y, of any direction. */
+/* A quad's places over a footprint 1 to 16 texels long and up to 24 times as long as wide, with the
+ * longer side along x or y, in any direction. */
 static void spread_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y)
 {
     const gn_texture *const t = &c->texture;
@@ -65,8 +65,8 @@ static void spread_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y
     }
 }
 
-/* Levels made from the first, as textures have them; of independent ones nothing is to be said
- * where one filter takes another level than the other. */
+/* Levels are generated from the first, as textures usually have them. With independent levels
+ * nothing could be compared where one filter takes another level than the other. */
 static bool make_levels(lookup_case *c)
 {
     const size_t size =
@@ -90,10 +90,10 @@ static bool make_levels(lookup_case *c)
     return done;
 }
 
-/* Whether the reference can be compared with. It has no rule for floats here that keeps differences
- * within 0 to 1; compares depths after it has filtered them; stops with a fault of its own in
- * textures of one dimension, and where levels are neither filtered nor mixed but there is a bias or
- * a gradient. */
+/* Whether the reference can be compared with. For floats its filter does not keep differences
+ * within 0 to 1. It compares depths after filtering them. It stops with a fault of its own for
+ * textures of one dimension, and if the filter has no levels but the shader gives a bias or
+ * gradients. */
 static bool is_comparable(const lookup_case *c)
 {
     const bool has_levels =
@@ -148,7 +148,7 @@ static bool compare_with_reference(lookup_case *c, random_source *r, differences
     return true;
 }
 
-/* Texels of which some back end gives another than gn_sample; -1 where one cannot look up. */
+/* Counts texels that differ between a back end and gn_sample; -1 if a lookup failed. */
 static int64_t count_unequal(const lookup_case *c)
 {
     static float ours[GRID_PIXELS][4], others[GRID_PIXELS][4];
@@ -188,7 +188,7 @@ static void print_target(int target, const differences *d, lookup_totals *t)
     t->failed += !good;
 }
 
-/* NULL without memory. */
+/* Null if there is not enough memory. */
 static lookup_case *make_case(uint64_t number, uint64_t seed, random_source *r)
 {
     lookup_case *const c = malloc(sizeof *c);
@@ -228,7 +228,7 @@ static bool compare_back_ends(uint64_t seed, uint64_t cases, lookup_totals *t)
     return true;
 }
 
-/* As many cases of a target as can be compared. */
+/* Runs as many cases of a target as can be compared. */
 static bool compare_target(uint64_t seed, uint64_t cases, int target, lookup_totals *t)
 {
     differences d = {0.0, 0.0, 0.0, 0, 0};

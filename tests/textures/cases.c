@@ -1,4 +1,4 @@
-/* Cases: what is enumerated by their numbers, and what is drawn at random in each. */
+/* Cases: the properties that their numbers enumerate, and those that are random in each. */
 #include "lookups.h"
 
 #include <inttypes.h>
@@ -9,7 +9,7 @@
 
 enum { WRAPS = 5, MINIFIERS = 6, MAGNIFIERS = 2, TARGETS = 5, SHAPES = 3 };
 
-/* The numbers of a case, from its number. */
+/* The properties of a case, from its number. */
 typedef struct case_digits {
     uint32_t target, kind, wrap, minify, magnify, shape;
 } case_digits;
@@ -91,13 +91,13 @@ static void choose_sizes(lookup_case *c, random_source *r, uint32_t shape)
     if (c->target == GN_TEXTURE_1D || c->target == GN_TEXTURE_2D)
         c->size[2] = 1;
     levels = levels_of(c->size, c->target);
-    /* Wraps ask of OpenGL's level 0 whether a size is a power of two, which the library cannot know
-     * from another base level. */
+    /* For wraps, OpenGL's level 0 decides whether a size is a power of two; with another base level
+     * the library cannot know it. */
     c->base = shape == 0 && random_chance(r, 20) ? random_below(r, levels) : 0;
     levels -= c->base;
     c->level_count = random_chance(r, 70) ? levels : 1 + random_below(r, levels);
-    /* A single level has no filter between levels, in the reference only where it is the texture's
-     * first (reference/RULES.md). */
+    /* A single level has no filter between levels; in the reference only if it is the texture's
+     * first level (reference/RULES.md). */
     if (c->level_count == 1)
         c->base = 0;
 }
@@ -163,7 +163,7 @@ static float random_special(random_source *r)
     return special[random_below(r, sizeof special / sizeof *special)];
 }
 
-/* Of floats, `wild` percent are not finite, large or a zero of either sign. */
+/* Of floats, `wild` percent are not finite, large, or a zero of either sign. */
 static void fill_texels(random_source *r, gn_format format, uint32_t wild, void *texels,
                         size_t count)
 {
@@ -187,8 +187,8 @@ static void fill_texels(random_source *r, gn_format format, uint32_t wild, void 
     }
 }
 
-/* Fills a level in and copies it into the library's memory, where rows and layers are a random
- * distance apart and may run downwards. */
+/* Fills a level and copies it into the library's memory, where rows and layers have a random
+ * distance and may run downwards. */
 static bool make_level(lookup_case *c, random_source *r, uint32_t n, unsigned char *memory,
                        size_t *used)
 {
@@ -296,8 +296,8 @@ static float random_component(random_source *r, bool is_wild)
     return random_chance(r, 10) ? special[random_below(r, 7)] : random_float(r, -1.0f, 1.0f);
 }
 
-/* Directions of a quad and their gradients: near a face's middle, an edge or a corner. Not a number
- * is no component: of some the reference takes undefined texels. */
+/* Directions of a quad and their gradients: near a face's middle, an edge or a corner. No component
+ * is NaN: for some of these the reference reads undefined texels. */
 static void direct_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y)
 {
     const int32_t top = (int32_t)c->level_count + 1;
@@ -385,7 +385,7 @@ static void place_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y)
     }
 }
 
-/* Texels of random levels, by their numbers. */
+/* Numbers of texels of random levels. */
 static void number_texels(lookup_case *c, random_source *r)
 {
     for (uint32_t p = 0; p < GRID_PIXELS; ++p) {

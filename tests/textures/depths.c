@@ -1,10 +1,11 @@
-/* Depth textures: their texels, what they are compared with, and where GLSL compares. */
+/* Depth textures: their texels, the values that they are compared with, and the lookups that
+ * compare in GLSL. */
 #include <math.h>
 #include <string.h>
 
 #include "lookups.h"
 
-/* How many depths are met often, 0 and 1 among them. */
+/* How many depths occur often, 0 and 1 among them. */
 #define STEPS 8
 
 static bool is_fixed_point(gn_format format)
@@ -17,7 +18,7 @@ static uint32_t largest_of(gn_format format)
     return format == GN_FORMAT_D16 ? 0xFFFF : 0xFFFFFF;
 }
 
-/* In units of the largest, of fixed-point formats. */
+/* In units of the largest depth, for fixed-point formats. */
 static uint32_t random_depth(random_source *r, gn_format format)
 {
     const uint32_t largest = largest_of(format);

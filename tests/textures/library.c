@@ -1,15 +1,15 @@
-/* Lookups by the library: a shader of a user's in a draw on a back end, and calls. */
+/* Lookups by the library: by a user's shader in a draw on a back end, and by calls. */
 #include "lookups.h"
 
 #include <stdio.h>
 #include <string.h>
 
-/* A block's values of a grid, one array a component. */
+/* A block's values from a grid, one array per component. */
 typedef struct block_places {
     float place[4][GN_LANES], gradient_x[4][GN_LANES], gradient_y[4][GN_LANES];
 } block_places;
 
-/* Of a block whose halves begin at (x[0], y[0]) and (x[1], y[1]). */
+/* For a block whose halves begin at (x[0], y[0]) and (x[1], y[1]). */
 static int32_t place_of_lane(const int32_t x[2], const int32_t y[2], int l)
 {
     return (y[l / 8] + l / 4 % 2) * GRID_WIDTH + x[l / 8] + l % 4;

@@ -1,5 +1,5 @@
-/* Lookups in textures, made of random numbers, for the library and the reference to answer: a
- * texture, a sampler, and for every pixel of a grid where and how it is looked up. */
+/* Lookups in textures, made from random numbers, for the library and the reference: a texture, a
+ * sampler, and for every pixel of a grid the place and the kind of lookup. */
 #ifndef TEXTURES_LOOKUPS_H
 #define TEXTURES_LOOKUPS_H
 
@@ -24,8 +24,8 @@ typedef enum lookup_kind {
     LOOKUP_KINDS
 } lookup_kind;
 
-/* Where a pixel looks: coordinates, then the level of detail or bias; of gradients the last is the
- * reference that depths are compared with, in gradient_x. */
+/* A pixel's lookup: coordinates, then the level of detail or bias. With gradients, the reference
+ * value of depth comparisons is in gradient_x. */
 typedef struct lookup_places {
     float place[GRID_PIXELS][4];
     float gradient_x[GRID_PIXELS][4];
@@ -40,7 +40,7 @@ typedef struct lookup_case {
     gn_format format;
     uint32_t size[3]; /* of OpenGL's level 0 */
     uint32_t base, level_count;
-    bool is_wild; /* coordinates far away, infinite or NaN too */
+    bool is_wild; /* coordinates may be far away, infinite or NaN */
     gn_sampler sampler;
     lookup_places places;
 
@@ -50,42 +50,42 @@ typedef struct lookup_case {
     gn_texture texture;
 } lookup_case;
 
-/* How many different cases there are, short of what is random in each. */
+/* The number of different cases, not counting what is random in each. */
 uint64_t case_count(void);
 
-/* Makes case `number` of a seed; false without memory. */
+/* Makes case `number` of a seed; false if there is not enough memory. */
 bool case_make(lookup_case *c, uint64_t number, uint64_t seed);
 void case_free(lookup_case *c);
 
 /* Size of a level of a case, counted from OpenGL's level 0. */
 void case_level_size(const lookup_case *c, uint32_t level, uint32_t size[3]);
 
-/* Texels of a depth format, many of them of few values, and references, among them those values
- * exactly as the library and the reference read them, numbers beyond 0 to 1 and, where is_wild,
- * infinities and NaN. */
+/* Makes texels of a depth format, many of them with few values, and reference values. These include
+ * the texels' values exactly as the library and the reference read them, numbers beyond 0 to 1 and,
+ * if is_wild, infinities and NaN. */
 void fill_depths(random_source *r, gn_format format, void *texels, size_t count);
 float random_reference(random_source *r, gn_format format, bool is_wild);
 
-/* Whether GLSL has a function that compares for a kind of lookup in a target. */
+/* Whether GLSL has a comparing function for this kind of lookup and target. */
 bool can_compare(lookup_kind kind, gn_texture_target target);
 
-/* One line that says what a case is. */
+/* Prints one line that describes a case. */
 void case_describe(const lookup_case *c, char *text, size_t size);
 
-/* The texels that each side gives for the grid. False with the reason in error. */
+/* The texels that each side returns for the grid. Returns false with the reason in error. */
 bool opengl_look_up(const lookup_case *c, float (*texel)[4], char *error, size_t error_size);
 bool library_look_up(const lookup_case *c, gn_backend backend, float (*texel)[4], char *error,
                      size_t error_size);
 
-/* The same by calls of gn_sample, gn_gather and gn_fetch themselves. */
+/* As library_look_up, by calls of gn_sample, gn_gather and gn_fetch. */
 void library_look_up_directly(const lookup_case *c, float (*texel)[4]);
 
 typedef struct lookup_totals {
     uint64_t passed, failed;
 } lookup_totals;
 
-/* Compares anisotropic lookups of `cases` cases, prints what was found and counts it. False where
- * something could not be looked up. */
+/* Compares anisotropic lookups of `cases` cases, prints the results and counts them. Returns false
+ * if a lookup failed. */
 bool anisotropic_run(uint64_t seed, uint64_t cases, lookup_totals *t);
 
 #endif

@@ -1,5 +1,5 @@
-/* Lookups in textures by the library, on every back end, and by the pinned reference: every bit of
- * every texel must be equal, but of anisotropic ones (anisotropic.c). */
+/* Lookups in textures by the library, on every back end, and by the pinned reference. Every bit of
+ * every texel must be equal, except for anisotropic lookups (anisotropic.c). */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,11 +9,11 @@
 
 #define REPORTED 5
 
-/* Steps through all cases in an order that spreads every property over the first few: a number
- * without a factor in common with theirs. */
+/* Visits all cases in an order that spreads every property over the first few: steps of a number
+ * that has no common factor with the number of cases. */
 #define STRIDE UINT64_C(7919)
 
-/* How many cases there are for one of anisotropic lookups. */
+/* Cases for each case of anisotropic lookups. */
 #define CASES_PER_ANISOTROPIC 4
 
 typedef struct totals {
@@ -81,7 +81,7 @@ static uint64_t count_differing(const float (*ours)[4], const float (*theirs)[4]
     return differ;
 }
 
-/* One case on every back end; false where it could not be looked up. */
+/* Runs one case on every back end; false if a lookup failed. */
 static bool compare(const lookup_case *c, totals *t)
 {
     static float ours[GRID_PIXELS][4], theirs[GRID_PIXELS][4];

@@ -1,4 +1,4 @@
-/* Lookups by the reference: a triangle over the grid into floats. Coordinates come out of
+/* Lookups by the reference: a triangle over the grid, drawn into floats. Coordinates come from
  * textures, texel by texel, so that they are exact. */
 #include "gl.h"
 
@@ -10,7 +10,7 @@
 static const GLenum targets[] = {GL_TEXTURE_2D, GL_TEXTURE_1D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_3D,
                                  GL_TEXTURE_CUBE_MAP};
 
-/* Of the compatibility profile: what a depth texture gives beside red, which in the core profile is
+/* Compatibility profile only: what a depth texture returns besides red. In the core profile that is
  * 0, 0, 1. */
 #define DEPTH_TEXTURE_MODE 0x884B
 
@@ -78,7 +78,7 @@ static void write_shader(const lookup_case *c, char *text, size_t size)
              compares && c->kind != LOOKUP_GATHER ? ", 0.0, 0.0, 1.0)" : "");
 }
 
-/* Kept from case to case. */
+/* Kept from one case to the next. */
 static GLuint program_of(const lookup_case *c, char *error, size_t error_size)
 {
     static GLuint programs[2][5][LOOKUP_KINDS][4];

@@ -185,7 +185,7 @@ picture picture_read(const char *name)
     return result;
 }
 
-/* Not with png_image: that takes 16 bits for linear light. */
+/* png_image is not used, because it takes 16 bits for linear light. */
 picture picture_read_grey16(const char *name)
 {
     picture result = {0, 0, NULL, NULL};

@@ -1,5 +1,5 @@
-/* The comparison on pictures that do differ: the library draws both, and what stands in for
- * OSMesa here changes chosen pixels. */
+/* Tests the comparison with pictures that differ: the library draws both, and a stand-in for OSMesa
+ * changes chosen pixels. */
 #define _POSIX_C_SOURCE 200809L
 #include "runner.h"
 
@@ -11,7 +11,7 @@
 #include <osmesa.h>
 #include <output.h>
 
-/* What is done to the second picture. */
+/* The change made to the second picture. */
 static bool change_color;
 static bool change_alpha;
 static bool change_depth;
@@ -151,7 +151,7 @@ static void differences_are_counted_and_shown(void **state)
     picture_free(&p);
 }
 
-/* Changed are samples alone: the first ones are at the places that differ in a plain picture. */
+/* Only samples are changed; the first ones are at the places that differ in a plain picture. */
 static void samples_are_counted_apart(void **state)
 {
     (void)state;
@@ -171,7 +171,7 @@ static void samples_are_counted_apart(void **state)
     scene_free(s);
 }
 
-/* Only the reference's own map has the change. */
+/* The change is only in the reference's own map. */
 static void shadow_maps_are_compared(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* The gnomon command on bad input: exit status, one clear line, nothing left behind. */
+/* The gnomon command with bad input: exit status, one clear line, nothing left behind. */
 #define _POSIX_C_SOURCE 200809L
 #include "runner.h"
 
@@ -234,19 +234,20 @@ static void outputs_are_whole_or_absent(void **state)
     expect(1, "render square.obj -o kept.png --depth nowhere/d.png", "nowhere/d.png",
            "No such file");
     expect(1, "render square.obj -o /dev/full", "/dev/full", "No space");
-    /* So small that the disk is found full only when the file is closed. */
+    /* So small that the full disk shows only when the file is closed. */
     expect(1, "render square.obj -o /dev/full --depth d.png --size 8x8", "/dev/full", "No space");
     expect(1, "render square.obj -o a.png --depth /dev/full --size 8x8", "/dev/full", "No space");
     expect(1, "render square.obj -o kept.png --depth /dev/full --size 8x8", "/dev/full",
            "No space");
 
-    /* A signal in the middle of writing: the limit of the file's size, in blocks of 512. */
+    /* A signal in the middle of writing, caused by the limit of the file's size in blocks of
+     * 512. */
     runner_mark();
     run r = shell("(ulimit -f 1; exec \"$GNOMON\" render square.obj -o kept.png --size "
                   "2000x2000 --background 123456 --orthographic 3)");
     assert_int_not_equal(r.status, 0);
     assert_int_equal(new_files(), 0);
-    /* The same as an error, not a signal. */
+    /* That limit as an error instead of a signal. */
     r = shell("(trap '' XFSZ; ulimit -f 1; exec \"$GNOMON\" render square.obj -o kept.png "
               "--size 2000x2000 --orthographic 3)");
     assert_int_equal(r.status, 1);
@@ -269,14 +270,14 @@ static void one_file_has_many_names(void **state)
     mkdir(path_of("below"), 0777);
     run r = shell("ln -sfn . here; ln -sf square.obj other.obj");
     assert_int_equal(r.status, 0);
-    /* None of the pictures is there yet. */
+    /* None of the pictures exists yet. */
     expect(1, "render square.obj -o same.png --depth ./same.png", "same.png", "both");
     expect(1, "render square.obj -o same.png --depth below/../same.png", "same.png", "both");
     expect(1, "render square.obj -o here/same.png --depth \"$PWD/same.png\"", "same.png", "both");
     expect(1, "demo --picture ./gnomon-demo.png", "gnomon-demo.png", "both");
     expect(1, "render square.obj -o other.obj", "square.obj", "overwritten");
 
-    /* One name in two directories is two files, and so are two names in one. */
+    /* One name in two directories is two files, and two names in one directory are two files. */
     r = gnomon("render square.obj -o two.png --depth below/two.png --size 4x4");
     assert_int_equal(r.status, 0);
     assert_true(exists("two.png") && exists("below/two.png"));
@@ -287,7 +288,7 @@ static void one_file_has_many_names(void **state)
     assert_int_equal(r.status, 0);
     assert_true(exists("one.png") && exists("three.png"));
 
-    /* Now that both are there. */
+    /* The pictures exist here. */
     expect(1, "render square.obj -o two.png --depth ./two.png", "two.png", "both");
     r = gnomon("render square.obj -o two.png --depth below/two.png --size 4x4");
     assert_int_equal(r.status, 0);
@@ -364,8 +365,8 @@ static bool ends_with_own_line(char *text)
     return strncmp(last != NULL ? last + 1 : text, "gnomon: ", 8) == 0;
 }
 
-/* Runs in more and more address space, from `least` MiB on. Every run succeeds or ends with the
- * command's own line about memory. The number of those that did not succeed. */
+/* Runs with more and more address space, from `least` MiB on. Every run succeeds or ends with the
+ * command's own line about memory. Returns the number of runs that did not succeed. */
 static int count_failures(const char *arguments, int least)
 {
     int failures = 0;
@@ -403,7 +404,7 @@ static void short_memory_is_said(void **state)
     assert_int_equal(new_files(), 0);
 }
 
-/* As a library does that knows no other end. The pipe opens when the command reads it. */
+/* Aborts as a library would that cannot end otherwise. The pipe opens when the command reads it. */
 static void abort_is_explained(void **state)
 {
     (void)state;

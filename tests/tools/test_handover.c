@@ -1,5 +1,5 @@
-/* What a child hands over is refused, with the state that says why, where it is no model that can
- * be drawn, exceeds the bytes that are allowed, or comes late. */
+/* Data that a child sends is refused, with the state that says why, if it is not a model that can
+ * be drawn, exceeds the allowed bytes, or comes late. */
 #define _POSIX_C_SOURCE 200809L
 #include <setjmp.h>
 #include <stdarg.h>
@@ -35,7 +35,8 @@ static imported good_model(void)
     return what;
 }
 
-/* The state after the model was sent and received, of so many bytes within so many seconds. */
+/* Returns the state after the model was sent and received, with this many bytes allowed and this
+ * many seconds. */
 static handover_state state_after(const imported *what, uint64_t bytes, int seconds)
 {
     static char text[HANDOVER_TEXT_SIZE];

@@ -1,5 +1,5 @@
-/* Small files that make importers hang, crash or take all memory: each is refused within the
- * limits, in one line that names it. */
+/* Small files that make importers hang, crash or use all memory: each is refused within the limits,
+ * in one line that names it. */
 #define _POSIX_C_SOURCE 200809L
 #include "runner.h"
 
@@ -38,7 +38,8 @@ static void ply_headers_have_an_end(void **state)
     }
 }
 
-/* 84 bytes of an STL file, or a header of a PLY file, that announce four thousand million. */
+/* 84 bytes of an STL file, or a header of a PLY file, that announce four thousand million
+ * elements. */
 static void announced_counts_are_checked(void **state)
 {
     uint8_t stl[84] = {0};
@@ -61,7 +62,7 @@ static void announced_counts_are_checked(void **state)
     expect(1, "render a.glb -o a.png", "a.glb", "cut short: it announces 2147483647 bytes");
     write_bytes("a.3ds", "\x4d\x4d\xff\xff\xff\x7f", 6);
     expect(1, "render a.3ds -o a.png", "a.3ds", "cut short: it announces 2147483647 bytes");
-    /* More than there is, of a buffer that a glTF file has not. */
+    /* More elements than exist, of a buffer that a glTF file does not have. */
     write_text("a.gltf", "{\"asset\":{\"version\":\"2.0\"},\"accessors\":[{\"componentType\":5126,"
                          "\"count\":4000000000,\"type\":\"VEC3\"}],\"meshes\":[{\"primitives\":[{"
                          "\"attributes\":{\"POSITION\":0}}]}],\"nodes\":[{\"mesh\":0}],"
@@ -69,7 +70,7 @@ static void announced_counts_are_checked(void **state)
     expect(1, "render a.gltf -o a.png", "a.gltf", "");
 }
 
-/* Assimp 5.2 writes to the material that is not there yet. */
+/* Assimp 5.2 writes to a material that does not exist yet. */
 static void crashes_are_named(void **state)
 {
     (void)state;
@@ -80,7 +81,7 @@ static void crashes_are_named(void **state)
     expect(1, "compare n.obj -o a.png", "n.obj", "crashed");
 }
 
-/* Arrays within arrays, two hundred thousand deep. */
+/* Arrays within arrays, two hundred thousand levels deep. */
 static void deep_nesting_is_survived(void **state)
 {
     enum { DEPTH = 200000 };
@@ -95,7 +96,7 @@ static void deep_nesting_is_survived(void **state)
     expect(1, "render deep.gltf -o a.png --import-seconds 20", "deep.gltf", "");
 }
 
-/* What is no regular file is neither read nor waited for, whoever names it. */
+/* A file that is not regular is neither read nor waited for, whoever names it. */
 static void regular_files_alone_are_read(void **state)
 {
     static const char maps[][12] = {"map_Kd", "map_Ks", "map_Ke", "map_Bump", "norm"};
@@ -124,7 +125,7 @@ static void regular_files_alone_are_read(void **state)
         snprintf(line, sizeof line, "render %s -o a.png", names[n][0]);
         expect(1, line, names[n][0], names[n][1]);
     }
-    /* Beside the model, by its name. */
+    /* Beside the model, found by its name. */
     assert_int_equal(mkfifo(path_of("skin_diffuse.tga"), 0600), 0);
     expect(1, "render skin.obj -o a.png", "skin_diffuse.tga", "pipe");
     remove_file("skin_diffuse.tga");
@@ -133,7 +134,7 @@ static void regular_files_alone_are_read(void **state)
     remove_file("pipe.obj");
 }
 
-/* What lies beside the model and Assimp opens. */
+/* A file beside the model that Assimp opens. */
 static void assimp_reads_regular_files_alone(void **state)
 {
     static const char names[][2][16] = {{"/dev/zero", "device"}, {"pipe.mtl", "pipe"}};
@@ -163,7 +164,7 @@ static void assimp_reads_regular_files_alone(void **state)
     }
 }
 
-/* Headers alone, of 16384x16384 pixels, and what is read of them with the budget raised. */
+/* Only headers, for 16384x16384 pixels, and the result with the budget raised. */
 static void pictures_are_sized_first(void **state)
 {
     static const uint8_t tga[18] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x40, 0, 0x40, 24, 0};
@@ -193,7 +194,7 @@ static void pictures_are_sized_first(void **state)
         expect(1, line, files[i].name, "16384x16384 pixels, more than --map-pixels 64");
         strcat(line, " --map-pixels 256 --import-output 1000");
         expect(1, line, files[i].name, "--import-output");
-        /* Without the memory that decoding would take. */
+        /* Without the memory that decoding would need. */
         strcpy(strstr(line, "1000"), "2000 --import-memory 100");
         expect(1, line, files[i].name, "cut short");
     }
@@ -221,7 +222,7 @@ static void other_pictures_are_refused(void **state)
     }
 }
 
-/* All black, of one bit a pixel: a few kilobytes. */
+/* All black, one bit per pixel: a few kilobytes. */
 static void write_black_png(const char *name, uint32_t width, uint32_t height)
 {
     FILE *file = fopen(path_of(name), "wb");
@@ -243,7 +244,7 @@ static void write_black_png(const char *name, uint32_t width, uint32_t height)
     fclose(file);
 }
 
-/* What takes seconds and gigabytes ends at the limit. */
+/* Importing that takes seconds and gigabytes ends at the limit. */
 static void time_is_limited(void **state)
 {
     (void)state;
@@ -271,7 +272,7 @@ static void write_grid(const char *name, int size)
     assert_int_equal(fclose(file), 0);
 }
 
-/* The same files are refused and read, as the options say. */
+/* Options decide whether the same files are refused or read. */
 static void limits_are_raised(void **state)
 {
     (void)state;
@@ -310,7 +311,7 @@ static void limits_are_raised(void **state)
         assert_non_null(strstr(r.out, names[i]));
 }
 
-/* The importing process ends with the one that started it. Whose child it then is may leave it a
+/* The importing process ends with the process that started it. Its new parent may leave it as a
  * zombie. */
 static void nothing_is_left_running(void **state)
 {

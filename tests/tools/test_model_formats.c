@@ -1,4 +1,4 @@
-/* Every format that the command names draws the square: Assimp writes it in all of them, but for
+/* The command draws the square from every format that it names. Assimp writes the files, except
  * binary FBX, whose writer leaves out ends that its reader needs. */
 #include "runner.h"
 
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* By Assimp's own identifiers. */
+/* Assimp's own identifiers. */
 static const struct {
     char identifier[12];
     char name[16];
@@ -18,7 +18,7 @@ static const struct {
                {"glb2", "square.glb"}, {"collada", "square.dae"}, {"fbxa", "text.fbx"},
                {"3ds", "square.3ds"}};
 
-/* In 3DS files z is up, so what faced +z faces +y when Assimp has read one. */
+/* In 3DS files z is up, so the side that faced +z faces +y after Assimp has read the file. */
 #define ABOVE "--eye 0,5,0 --up 0,0,-1 --target 0,0,0 --orthographic 2"
 
 static void expect_square(const char *name)
@@ -55,7 +55,7 @@ static void formats_are_read(void **state)
     aiReleaseImport(scene);
 }
 
-/* Extensions in capitals are the same ones. */
+/* Extensions in capitals mean the same formats. */
 static void capitals_are_read(void **state)
 {
     (void)state;
@@ -63,8 +63,8 @@ static void capitals_are_read(void **state)
     expect_square("SQUARE.OBJ");
 }
 
-/* A binary FBX file, version 7400: nodes with the place of their end, the number and size of their
- * properties, their name, these properties, and the nodes within, which end on 13 zeros. */
+/* A binary FBX file, version 7400. A node has the position of its end, the number and size of its
+ * properties, its name, these properties, and the nodes within it, which end with 13 zeros. */
 static struct {
     uint8_t bytes[4096];
     size_t size;
@@ -208,7 +208,7 @@ static void binary_fbx_is_read(void **state)
     expect_square("binary.fbx");
 }
 
-/* Assimp reads these too, by extension or contents; the help does not name them. */
+/* Assimp reads these too, by extension or contents, but the help does not name them. */
 static void other_formats_are_refused(void **state)
 {
     static const char *const names[] = {"square.x",     "square.off", "square.x3d",
@@ -224,7 +224,7 @@ static void other_formats_are_refused(void **state)
                    ? "no line has a face"
                    : "OBJ, PLY, STL, glTF (.gltf, .glb), Collada (.dae), FBX and 3DS");
     }
-    /* Nor by contents under a name that is. */
+    /* Contents of such a format under a supported extension are refused too. */
     write_text("text.gltf", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     expect(1, "render text.gltf -o b.png", "text.gltf", "is not a glTF file");
     write_text("text.gltf", "{\"TYPE\":\"irrEdit\", \"x\":\"<mesh xmlns irrmesh>\"}");

@@ -1,5 +1,5 @@
-/* Models and pictures that are drawn otherwise than they say, or are cut short: the command names
- * what is odd about them. */
+/* Models and pictures that are drawn differently from what they say, or are cut short: the command
+ * names what is odd about them. */
 #define _POSIX_C_SOURCE 200809L
 #include "runner.h"
 
@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Draws and expects one warning that holds both texts, or none where `first` is null. */
+/* Draws and expects one warning that holds both texts, or no warning if `first` is null. */
 static void expect_warning(const char *arguments, const char *first, const char *second)
 {
     run r = gnomon("render %s -o a.png --size 8x8", arguments);
@@ -93,7 +93,7 @@ static void missing_material_files_are_named(void **state)
     write_text("named.obj", text);
     remove_file("named.mtl");
     expect_warning("named.obj", "'gone.mtl'", "No such file");
-    /* Assimp takes this one in its place. */
+    /* Assimp reads this file instead. */
     write_text("named.mtl", "newmtl skin\nKd 1 0 0\n");
     expect_warning("named.obj", "'gone.mtl'", "in its place");
     write_text("gone.mtl", "newmtl skin\nKd 1 0 0\n");
@@ -116,8 +116,8 @@ static void triangles_without_area_are_counted(void **state)
     expect_square_warning("v -1 -1 0\nv 1 -1 0", "v 1 1 0\nv 1 1 0", "odd.obj", "no area");
 }
 
-/* A beginning of a file is told to be cut short, drawn with a warning, or whole: every seventh one,
- * and all that end within the faces. */
+/* The beginning of a file is refused as cut short, drawn with a warning, or complete. Tests every
+ * seventh length, and all lengths that end within the faces. */
 static void cut_models_are_named(void **state)
 {
     static const char text[] = "# a model\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
@@ -151,7 +151,7 @@ static void cut_models_are_named(void **state)
     expect(1, "render cut.obj -o b.png", "cut.obj", "line 5: f names v 4, but there are only 3");
     write_text("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//2\n");
     expect(1, "render cut.obj -o b.png", "cut.obj", "line 5: f names vn 2, but there are only 1");
-    /* Lines that go on, comments, blanks. */
+    /* Lines that continue, comments, blanks. */
     write_text("cut.obj", "v 0 0 0 # here\r\nv 1 \\\n 0 0\nv 0 1 0\n\nf 1 2 \\\n 3\n# the end");
     expect_warning("cut.obj", NULL, "");
     write_text("cut.ply",
@@ -174,7 +174,7 @@ static uint8_t *read_whole(const char *name, size_t *size)
     return bytes;
 }
 
-/* The formats, each with an ending of its own, at a few dozen lengths. */
+/* The formats, each with its own ending, at a few dozen lengths. */
 static void cut_pictures_are_named(void **state)
 {
     static const char names[][8] = {"t.png", "t.jpg", "t.tga", "t.bmp"};
@@ -194,7 +194,8 @@ static void cut_pictures_are_named(void **state)
         expect_warning("square.obj --texture cut.map", NULL, "");
         for (size_t k = 1; k < 24; k += k < 20 ? 2 : 1) {
             size_t length = k < 10 ? k * k : k < 20 ? size * (k - 9) / 11 : size - (24 - k) * 4;
-            /* A JPEG lacks nothing without its last marker, nor TGA a whole header without one. */
+            /* A JPEG without its last marker is complete. A TGA shorter than its header is
+             * not recognised as one. */
             if ((i == 1 && length + 3 > size) || (i == 2 && length < 18))
                 continue;
             write_bytes("cut.map", bytes, length);
@@ -238,7 +239,7 @@ static void byte_order_marks_are_accepted(void **state)
     expect_warning("marked.ply", NULL, "");
 }
 
-/* Names come from files; a terminal must not act on them. */
+/* Names come from files, and a terminal must not act on them. */
 static void bytes_are_escaped(void **state)
 {
     char text[1024];

@@ -32,8 +32,7 @@ static void other_extensions_are_refused(void **state)
     assert_int_equal(r.status, 0);
 }
 
-/* Nothing is printed about the picture before the name has been refused; nor has the model been
- * read. */
+/* The name is refused before anything is printed about the picture and before the model is read. */
 static void names_are_checked_first(void **state)
 {
     static const char commands[][40] = {"render nothing.obj -o",
@@ -57,7 +56,7 @@ static void names_are_checked_first(void **state)
     }
 }
 
-/* The picture alone, whichever way standard output is named, and the words on standard error. */
+/* Only the picture, however standard output is named; messages are on standard error. */
 static void standard_output_is_the_picture(void **state)
 {
     static const char lines_of_shell[][96] = {
@@ -90,7 +89,7 @@ static void standard_output_is_the_picture(void **state)
               "32x24 --picture /dev/stdout -o c2.png | cmp - p.png && cmp c.png c2.png");
     assert_int_equal(r.status, 0);
     assert_non_null(strstr(r.error, "depth:  0 of 768"));
-    /* The depth alone. */
+    /* Only the depth. */
     r = shell(
         "\"$GNOMON\" render square.obj --size 16x16 -o d.png --depth e.png && \"$GNOMON\" render "
         "square.obj --size 16x16 -o d.png --depth - | cmp - e.png");
@@ -103,7 +102,7 @@ static void standard_output_is_the_picture(void **state)
     assert_false(exists("-"));
 }
 
-/* Files that are opened then must not take their numbers. */
+/* Files that the command opens later must not take their numbers. */
 static void standard_files_may_be_closed(void **state)
 {
     (void)state;

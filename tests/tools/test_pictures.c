@@ -1,4 +1,4 @@
-/* The pictures of the gnomon command, read back: what is expected follows from the models. */
+/* The pictures of the gnomon command, read back. Expected values follow from the models. */
 #include "runner.h"
 
 #include <stb/stb_image_write.h>
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A square whose vertices bring a colour. */
+/* A square whose vertices have a colour. */
 static const char red_square[] = "v -1 -1 0 1 0 0\nv 1 -1 0 1 0 0\nv 1 1 0 1 0 0\nv -1 1 0 1 0 0\n"
                                  "f 1 2 3\nf 1 3 4\n";
 
@@ -74,8 +74,8 @@ static void wireframe_draws_the_edges(void **state)
     assert_int_equal(r.status, 2);
 }
 
-/* The square from 10.25 to 30.75: sample places 0.375, 0.875, 0.125 and 0.625 of a pixel along x
- * and 0.125, 0.375, 0.625 and 0.875 along y decide how much of a pixel at its sides is red. */
+/* The square from 10.25 to 30.75. Samples at 0.375, 0.875, 0.125 and 0.625 of a pixel along x and
+ * 0.125, 0.375, 0.625 and 0.875 along y decide how much of a pixel at its sides is red. */
 static void samples_smooth_edges(void **state)
 {
     static const char from[] = "--eye 0,0,5 --target 0,0,0 --orthographic 4 --shader vertex-color"
@@ -135,7 +135,7 @@ static void top_row_is_the_top(void **state)
             assert_int_equal(pixel(&p, x, y), x < 10 && y < 10 ? 0x0000ffff : 0xffffffff);
     }
     picture_free(&p);
-    /* Seen from behind, left is right; with up reversed, top is bottom. */
+    /* Seen from behind, left and right are exchanged; with up reversed, top and bottom are. */
     p = render("upper.obj", "--eye 0,0,-5 --target 0,0,0 --orthographic 2 --shader vertex-color"
                             " --size 20x20 --background ffffff");
     assert_int_equal(pixel(&p, 15, 5), 0x0000ffff);
@@ -206,7 +206,7 @@ static void depth_is_16_bit_grey(void **state)
         assert_true(abs((int)p.grey[y * 12 + 6] - 32768) <= 2);
     }
     picture_free(&p);
-    /* Nearer is darker, and on top is on top: the left half stands in front. */
+    /* Nearer is darker, and the top row is the top: the left half is in front. */
     write_text("steps.obj", "v -1 -1 1 1 1 0\nv 0 -1 1 1 1 0\nv 0 1 1 1 1 0\nv -1 1 1 1 1 0\n"
                             "v -1 -1 -1 0 1 1\nv 1 -1 -1 0 1 1\nv 1 1 -1 0 1 1\nv -1 1 -1 0 1 1\n"
                             "f 1 2 3 4\nf 5 6 7 8\n");
@@ -273,7 +273,7 @@ static void textures_stand_upright(void **state)
     expect_quadrants(LIT "--texture t.tga", 0);
     expect_quadrants(LIT "--texture t.jpg", 8);
 
-    /* Without --texture and without a material: by the model's name. */
+    /* Without --texture and without a material: the map is found by the model's name. */
     picture p = render("square.obj", FRONT " --light 0,0,1 --size 10x10");
     expect_all(&p, 0xccccccff);
     picture_free(&p);
@@ -349,11 +349,11 @@ static void maps_are_found_by_material(void **state)
     write_text("coat.obj", text);
     expect_maps("coat.obj", "diffuse c1.png, tangent-space normals c4.png, specular c2.png, "
                             "glow c3.png\n");
-    /* One that is grey holds heights. */
+    /* A grey map holds heights. */
     write_color("c4.png", 120, 120, 120);
     expect_maps("coat.obj", "diffuse c1.png, (heights, not used) c4.png, specular c2.png, "
                             "glow c3.png\n");
-    /* Of an option instead. */
+    /* Given by an option instead. */
     expect_maps("coat.obj --normal-map tangent:c3.png --texture c2.png",
                 "diffuse c2.png, tangent-space normals c3.png, specular c2.png, glow c3.png\n");
 }
@@ -415,8 +415,8 @@ static void materials_are_followed(void **state)
 
 static void missing_normals_are_smooth(void **state)
 {
-    /* The corner normals of a cube are its diagonals, however its faces are cut into
-     * triangles, when corners are weighted by angle; here the top is cut the other way. */
+    /* If corners are weighted by angle, the corner normals of a cube are its diagonals, however its
+     * faces are cut into triangles; here the top is cut the other way. */
     static const char shared[] = "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n"
                                  "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
                                  "f 5 6 7\nf 5 7 8\nf 1 4 3\nf 1 3 2\nf 1 2 6\nf 1 6 5\n"
@@ -454,7 +454,7 @@ static void flat_shows_facets(void **state)
             assert_int_equal(pixel(&p, x, y), x < 10 ? 0xccccccff : 0x333333ff);
     }
     picture_free(&p);
-    /* Gouraud has the ridge's mean normal instead: (0, 0, 1), N.L = sqrt(1/2). */
+    /* Gouraud uses the ridge's mean normal instead: (0, 0, 1), N.L = sqrt(1/2). */
     p = render("roof.obj", FRONT " --light -1,0,1 --size 200x200 --shader gouraud");
     expect_near(pixel(&p, 100, 100), 0x9f9f9fff, 3, "ridge");
     picture_free(&p);
@@ -519,7 +519,7 @@ static void compare_names_its_picture_after_the_model(void **state)
     assert_int_equal(p.width, 60);
     assert_int_equal(p.height, 10);
     picture_free(&p);
-    /* With -o there is that picture alone. */
+    /* With -o only that picture is written. */
     remove_file("red.v2_compared.png");
     r = gnomon("compare models.d/red.v2.obj --size 20x10 -o c.png");
     assert_int_equal(r.status, 0);

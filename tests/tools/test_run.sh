@@ -1,5 +1,6 @@
 #!/bin/sh
-# tests/run.sh: sums, closing lines, and what is skipped. usage: test_run.sh   (from the root of the project)
+# Tests tests/run.sh: its sums, its closing lines, and skipped tests.
+# usage: test_run.sh   (from the root of the project)
 set -u
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
@@ -23,7 +24,7 @@ check() {
     fi
 }
 
-# says WHAT PATTERN: in the closing lines, those after the last step.
+# says WHAT PATTERN: the closing lines, after the last step, have the pattern.
 says() {
     if sed '1,/^-- last/d' "$log" | grep -q -- "$2"; then
         passed=$((passed + 1))

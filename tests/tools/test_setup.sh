@@ -1,5 +1,5 @@
 #!/bin/sh
-# tools/setup.sh against stand-ins for dpkg-query, apt-get and id: nothing is installed.
+# Tests tools/setup.sh with stand-ins for dpkg-query, apt-get and id: nothing is installed.
 # usage: test_setup.sh [PATH_OF_SETUP]
 set -u
 setup=$(realpath "${1:-$(dirname "$0")/../../tools/setup.sh}")
@@ -8,7 +8,7 @@ trap 'rm -rf "$directory"' EXIT
 passed=0
 failed=0
 
-# stand_in NAME BODY: a command that comes before the real one.
+# stand_in NAME BODY: makes a command that PATH finds before the real one.
 stand_in() {
     printf '#!/bin/sh\n%s\n' "$2" >"$directory/bin/$1"
     chmod +x "$directory/bin/$1"
@@ -25,7 +25,7 @@ echo installed'
     stand_in id 'echo "$USER_ID"'
 }
 
-# run MISSING USER_ID: leaves status, out and error.
+# run MISSING USER_ID: sets status, out and error.
 run() {
     MISSING=$1 USER_ID=$2 PATH="$directory/bin:$PATH" sh "$setup" >"$directory/out" \
         2>"$directory/error"

@@ -43,8 +43,8 @@ static const char mirrored_obj[] = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
                                    "vn 0 0 1\n"
                                    "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/3/1 4/4/1\n";
 
-/* A texel (1, 0.5, 0.5) is the first axis of its space, (0.5, 1, 0.5) the second: as colours of the
- * picture they tell where these axes point. */
+/* A texel (1, 0.5, 0.5) is the first axis of its space, (0.5, 1, 0.5) the second. As colours of the
+ * picture they show where these axes point. */
 static void normal_maps_have_their_axes(void **state)
 {
     (void)state;
@@ -66,7 +66,7 @@ static void normal_maps_have_their_axes(void **state)
     expect_color("turned.obj", "--shader normals --normal-map none", 0x8080ffff);
 }
 
-/* In full light a surface of the texture's colour: ambient 0.25 and diffuse 0.75. */
+/* In full light a surface has the texture's colour: ambient 0.25 and diffuse 0.75. */
 static void maps_make_the_colors(void **state)
 {
     (void)state;
@@ -96,8 +96,8 @@ static void maps_make_the_colors(void **state)
     expect_color("square.obj", "--shader depth", 0x808080ff);
 }
 
-/* How far the pixels of a picture of black and white texels, larger than these, are apart, and how
- * far from one of the two. */
+/* How far apart the pixels of a picture of black and white texels, larger than pixels, are, and how
+ * far they are from one of the two colours. */
 static void measure_greys(const char *flags, int *range, int *mixed)
 {
     int low = 255;
@@ -162,7 +162,7 @@ static void highlights_have_their_map_and_exponent(void **state)
                        flags, i == 0 ? 5 : 500);
         assert_int_equal(r.status, 0);
         picture p = picture_read("a.png");
-        assert_int_equal(pixel(&p, 32, 32), 0x004000ff); /* a quarter, where nothing says more */
+        assert_int_equal(pixel(&p, 32, 32), 0x004000ff); /* a quarter is the default */
         bright[i] = 0;
         for (uint32_t k = 0; k < 65 * 65; k++)
             bright[i] += (pixel(&p, k % 65, k / 65) >> 16 & 255) > 32;
@@ -175,7 +175,7 @@ static void highlights_have_their_map_and_exponent(void **state)
                  0x000000ff);
 }
 
-/* A square above a larger one, light from above: its shadow is as large as itself. */
+/* A square above a larger one, with light from above: its shadow is as large as the square. */
 static void shadows_fall_where_light_is_kept_away(void **state)
 {
     static const char flags[] =
@@ -189,8 +189,8 @@ static void shadows_fall_where_light_is_kept_away(void **state)
         run r = gnomon("render lid.obj -o a.png %s %s", flags, shadows ? "--shadows" : "");
         assert_int_equal(r.status, 0);
         picture p = picture_read("a.png");
-        /* Lit: 0.8; in shadow a quarter of it. The lid itself lies over -1 to 1, its shadow over -3
-         * to -1 along x: columns 10 to 30. */
+        /* Lit: 0.8; in shadow a quarter of it. The lid itself is over -1 to 1 along x, its shadow
+         * over -3 to -1: columns 10 to 30. */
         assert_int_equal(pixel(&p, 40, 40), 0xccccccff);
         assert_int_equal(pixel(&p, 20, 40), shadows ? 0x333333ff : 0xccccccff);
         assert_int_equal(pixel(&p, 12, 32), shadows ? 0x333333ff : 0xccccccff);
@@ -201,7 +201,7 @@ static void shadows_fall_where_light_is_kept_away(void **state)
     }
 }
 
-/* The teapot, and `also` in what is printed. */
+/* Draws the teapot and expects `also` in the output. */
 static void expect_equal(const char *look, int samples, const char *also)
 {
     run r = gnomon("demo --size 97x71 --tessellation 5 --shader %s --samples %d", look, samples);

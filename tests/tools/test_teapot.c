@@ -1,4 +1,4 @@
-/* The teapot's shape: what is known of it without our own pictures. */
+/* The teapot's shape, against facts known without our own pictures. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -15,8 +15,8 @@
 #define PATCH_VERTICES ((LEVEL + 1) * (LEVEL + 1))
 #define PATCHES 32u
 
-/* In the order of the patches: 12 of rim and body, 4 of the handle, 4 of the spout, 12 of lid
- * and bottom. */
+/* In the order of the patches: 12 of rim and body, 4 of the handle, 4 of the spout, 12 of lid and
+ * bottom. */
 #define HANDLE 12u
 #define LID 20u
 #define BOTTOM 28u
