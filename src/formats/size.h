@@ -6,7 +6,8 @@
 
 #include "../lanes/lanes.h"
 
-/* Bytes of one pixel of a format; 0 for GN_FORMAT_NONE and for no format. */
+/* Returns the bytes of one pixel of a format; 0 for GN_FORMAT_NONE and for a value that is no
+ * gn_format. */
 GN_INLINE uint32_t format_size(gn_format format)
 {
     switch (format) {

@@ -2,7 +2,8 @@
  * passing 64 bytes by value takes more code than most operations, at every call. Each operand is
  * passed as the array in its structure, whose address C takes implicitly, also for the result of
  * another operation. Such a result lives until the end of the expression (C11 6.2.4; GCC and Clang
- * do the same in C99). Operations that are not listed here pass by value. */
+ * do the same in C99). Operations that are not listed here pass by value.
+ * Not alone: lanes.h includes it after the portable form, whose types it uses. */
 #ifndef GN_LANES_CALLS_H
 #define GN_LANES_CALLS_H
 

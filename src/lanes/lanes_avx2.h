@@ -1,5 +1,6 @@
 /* Lanes in two AVX2 registers, two rows of a block in each. The results are those of
- * lanes_portable.h, which defines each operation. */
+ * lanes_portable.h, which defines each operation.
+ * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
 #ifndef GN_LANES_LANES_AVX2_H
 #define GN_LANES_LANES_AVX2_H
 

@@ -1,7 +1,8 @@
 /* Lanes in one AVX-512 register, with the rows of a block in its four 128-bit parts, and masks in
  * mask registers (AVX-512 F, BW and DQ). The results are those of lanes_portable.h, which defines
  * each operation. Conversions return INT32_MIN if out of range; min and max return their second
- * operand if either is NaN (Intel SDM volume 1, section 11.5.2). */
+ * operand if either is NaN (Intel SDM volume 1, section 11.5.2).
+ * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
 #ifndef GN_LANES_LANES_AVX512_H
 #define GN_LANES_LANES_AVX512_H
 

@@ -2,7 +2,8 @@
  * which defines each operation. On Arm, conversions to integers saturate and turn NaN into 0 (Arm
  * ARM, FPToFixed), and min and max return NaN if either operand is NaN, so these operations are
  * composed with a comparison. Precondition: FPCR is in its initial state (round to nearest,
- * denormals kept). */
+ * denormals kept).
+ * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
 #ifndef GN_LANES_LANES_NEON_H
 #define GN_LANES_LANES_NEON_H
 

@@ -1,6 +1,7 @@
 /* Lanes in four SSE2 registers. Conversions return INT32_MIN if out of range, so all results are
  * those of lanes_portable.h. Precondition: MXCSR is in its initial state (round to nearest,
- * denormals kept). */
+ * denormals kept).
+ * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
 #ifndef GN_LANES_LANES_SSE2_H
 #define GN_LANES_LANES_SSE2_H
 

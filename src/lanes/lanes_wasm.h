@@ -1,7 +1,8 @@
 /* Lanes in four of WebAssembly's 128-bit vectors. The results are those of lanes_portable.h, which
  * defines each operation. In WebAssembly conversions to integers saturate and turn NaN into 0, so
  * they are composed with a comparison. pmin(a, b) is b < a ? b : a and pmax(a, b) is a < b ? b : a;
- * with the operands exchanged they are min and max (WebAssembly specification, section 4.3.3). */
+ * with the operands exchanged they are min and max (WebAssembly specification, section 4.3.3).
+ * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
 #ifndef GN_LANES_LANES_WASM_H
 #define GN_LANES_LANES_WASM_H
 

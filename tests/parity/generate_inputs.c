@@ -59,7 +59,7 @@ void generate_inputs(builder *b)
         b->state.raster.cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
         b->state.raster.front_face = (gn_front_face)random_below(r, 2);
         b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
-        if (random_chance(r, 3)) /* more than the reference takes at once */
+        if (random_chance(r, 3)) /* longer than a segment of the reference */
             shape_triangles(b, PLACE_ANYWHERE, 1300 + random_below(r, 1500));
         else
             shape_any(b, builder_triangle_count(b));
@@ -101,7 +101,7 @@ void random_derivatives(builder *b)
     b->shader = SCENE_DERIVATIVES;
     for (int i = 0; i < 4; i++)
         b->state.program.interpolation[i] = one ? all : mixed[i];
-    /* So steep that bytes show it. */
+    /* Steep enough to change bytes. */
     const float scale = b->scene->color_format == GN_FORMAT_RGBA32F ? 1.0f : 16.0f;
     for (uint32_t i = 0; i < b->vertex_count; i++)
         for (int c = 0; c < 4; c++)

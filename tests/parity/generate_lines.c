@@ -44,7 +44,8 @@ void shape_points(builder *b, uint32_t count)
     b->state.raster.topology = GN_POINTS;
     b->state.raster.point_size = random_size(r);
     b->state.raster.point_origin = (gn_point_origin)random_below(r, 2);
-    /* Sizes of the vertex shader are cut off at the viewport (reference/RULES.md). */
+    /* The reference cuts off points of the vertex shader's size at the viewport
+     * (reference/RULES.md). */
     b->state.program.vertex_writes_point_size =
         scene_shader_has_sizes(b->shader) && !b->state.raster.viewport.set && random_chance(r, 50);
     for (uint32_t i = 0; i < count; i++) {
@@ -63,7 +64,7 @@ void shape_lines(builder *b, uint32_t count)
     const uint32_t kind = random_below(r, 3);
     b->state.raster.topology = topologies[random_below(r, 4)];
     b->state.raster.line_width = random_chance(r, 40) ? 0.0f : random_size(r);
-    /* Too few for a line now and then. */
+    /* Now and then too few vertices for a line. */
     const uint32_t elements = random_chance(r, 5) ? random_below(r, 3) : count + 1;
     float x = 0.0f, y = 0.0f;
     for (uint32_t i = 0; i < elements; i++) {

@@ -143,8 +143,8 @@ void shape_strip(builder *b, uint32_t triangles)
     const gn_viewport view = builder_viewport(b);
     const bool fan = random_chance(r, 50);
     b->state.raster.topology = fan ? GN_TRIANGLE_FAN : GN_TRIANGLE_STRIP;
-    /* Too few for a triangle now and then; often four, which the reference may draw as
-     * a quadrilateral. */
+    /* Now and then too few vertices for a triangle; often four, which the reference may draw as a
+     * quadrilateral. */
     const uint32_t kind = random_below(r, 20);
     const uint32_t count = kind == 0 ? random_below(r, 3) : kind < 5 ? 4 : triangles + 2;
     const bool walk = random_chance(r, 60);

@@ -100,7 +100,8 @@ static void smooth_all(scene_draw *d)
 static void avoid_defects(random_source *r, scene *s, scene_draw *d)
 {
     gn_scissor *const scissor = &d->state.raster.scissor;
-    /* A scissor leaks to the left and downward: the left and the lower side lie outside. */
+    /* A scissor leaks to the left and downward, so its left and lower sides are outside the
+     * target. */
     if (scissor->set && scissor->x > 0) {
         scissor->width += (uint32_t)scissor->x;
         scissor->x = 0;
@@ -116,8 +117,9 @@ static void avoid_defects(random_source *r, scene *s, scene_draw *d)
     }
     if (d->state.raster.topology > GN_POINTS) {
         scissor->set = false;
-        d->state.program.clip_distance_count = 0; /* cut lines begin anywhere */
-        /* Now and then one is lost at a tile's border beside what line_is_safe knows of. */
+        d->state.program.clip_distance_count = 0; /* the ends of clipped lines are not known here */
+        /* Now and then the reference loses a line at a tile's border for a reason that line_is_safe
+         * does not test. */
         const bool one_tile = (double)s->width <= TILE && (double)s->height <= TILE;
         if (!one_tile || !move_lines(r, s, d)) {
             d->state.raster.topology = GN_TRIANGLES;
@@ -130,7 +132,7 @@ static void random_sample_state(random_source *r, gn_pipeline *p)
 {
     p->samples.write_disabled = random_chance(r, 30) ? random_below(r, 1u << GN_SAMPLES) : 0;
     p->samples.alpha_to_coverage = random_chance(r, 20);
-    /* Which the reference forgets where a shader writes depth or a mask. */
+    /* The reference ignores alpha to one if a shader writes depth or a mask. */
     p->samples.alpha_to_one = random_chance(r, 25) && !p->program.fragment_writes_depth &&
                               !p->program.fragment_writes_sample_mask;
 }

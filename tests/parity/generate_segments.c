@@ -295,7 +295,7 @@ void generate_segments(builder *b)
     s.hub = random_hub(b);
     if (random_chance(r, 60))
         b->index_format = formats[random_below(r, 3)];
-    /* Longer loops with indices are a defect of the reference's (reference/RULES.md). */
+    /* The reference draws longer loops with indices wrongly (reference/RULES.md). */
     if (b->state.raster.topology == GN_LINE_LOOP)
         b->index_format = GN_INDEX_NONE;
     add_unnamed(b, random_below(r, 10));

@@ -157,7 +157,7 @@ static void any_mesh(builder *b, uint32_t count, bool noperspective)
     const gn_topology topology = which < 7 ? (gn_topology)which : GN_POINTS;
     if (topology == GN_POINTS) {
         shape_points(b, count);
-        /* More often than others, since few draws may have it. */
+        /* Often on, since few draws may have it. */
         if (b->shader == SCENE_VERTEX_COLOR && !b->state.raster.viewport.set &&
             random_chance(r, 50))
             b->state.program.vertex_writes_point_size = true;

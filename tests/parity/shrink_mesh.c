@@ -173,7 +173,8 @@ static bool separate_triangles(shrinking *s, size_t draw)
         const uint32_t e = d->mesh.first + i;
         uint32_t corner[3] = {e, e + 1, e + 2};
         if (d->state.raster.topology == GN_TRIANGLE_FAN) {
-            /* In a fan the first vertex that provokes is the second of the three. */
+            /* In a fan whose first vertex provokes, the provoking vertex is the second of the
+             * three. */
             corner[0] = first_provokes ? e + 1 : d->mesh.first;
             corner[1] = first_provokes ? e + 2 : e + 1;
             corner[2] = first_provokes ? d->mesh.first : e + 2;

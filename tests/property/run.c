@@ -17,7 +17,7 @@ static enum theft_hook_trial_post_res quiet_post(const struct theft_hook_trial_p
     return THEFT_HOOK_TRIAL_POST_CONTINUE;
 }
 
-/* Later failures of the same property seldom say more than the first. */
+/* Later failures of one property seldom show more than the first. */
 static enum theft_hook_trial_pre_res stop_at_failure(const struct theft_hook_trial_pre_info *info,
                                                      void *env)
 {

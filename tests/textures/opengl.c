@@ -32,7 +32,7 @@ static void write_shader(const lookup_case *c, char *text, size_t size)
     static const char *const integers[] = {"ivec2", "int", "ivec3", "ivec3", "ivec3"};
     const char *const along = gradients[c->target];
     const bool compares = c->sampler.compare != GN_COMPARE_DEFAULT;
-    /* The reference that is compared with is a component of the coordinates, but in gathers. */
+    /* The reference value of comparisons is a component of the coordinates, except in gathers. */
     static const char *const compared[] = {"vec3(p.xy, dx.w)", "vec3(p.x, 0.0, dx.w)",
                                            "vec4(p.xyz, dx.w)", "", "vec4(p.xyz, dx.w)"};
     char at[32], call[160];

@@ -140,7 +140,7 @@ static void color_state_faults(void **state)
     }
     p = good_pipeline();
     p.color.blend_constant[3] = INFINITY;
-    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK); /* not enabled, not looked at */
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK); /* not enabled, so not checked */
     p.color.blend[GN_MAX_COLORS - 1].enabled = true;
     assert_int_equal(gn_pipeline_check(&p, NULL), GN_NOT_FINITE);
 
@@ -187,7 +187,7 @@ static void viewport_faults(void **state)
     gn_pipeline p = good_pipeline();
 
     p.raster.viewport.width = NAN;
-    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK); /* not set, not looked at */
+    assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK); /* not set, so not checked */
     p.raster.viewport.set = true;
     assert_int_equal(gn_pipeline_check(&p, NULL), GN_NOT_FINITE);
     p.raster.viewport.width = -1.0f;

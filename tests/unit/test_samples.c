@@ -168,7 +168,7 @@ static uint64_t draw_strip(const gn_target *t, float right, gn_status wanted)
     pipeline.samples.alpha_to_coverage = alpha_covers;
     pipeline.program.fragment_reads_sample_mask = reads_mask;
     pipeline.program.fragment_writes_sample_mask = writes_mask;
-    if (reads_mask || writes_mask) { /* a point, since triangles would share pixels */
+    if (reads_mask || writes_mask) { /* a point, because triangles would share pixels */
         pipeline.program.fragment_shader = show_masks;
         pipeline.depth.test = true;
         pipeline.raster.topology = GN_POINTS;

@@ -1,4 +1,4 @@
-/* Reading models with Assimp. */
+/* Reads models with Assimp. */
 #ifndef MODEL_READ_H
 #define MODEL_READ_H
 

@@ -269,7 +269,7 @@ static const char *backend_names(void)
     return names;
 }
 
-/* The value of one option. Null: taken; otherwise what it should have looked like. */
+/* Reads the value of one option. Returns null, or a description of the expected value. */
 static const char *take_value(int option, const char *text, options *o)
 {
     static const char vector_form[] = "three numbers X,Y,Z";
