@@ -14,12 +14,12 @@
 #endif
 
 #define GN_LANES_AVX2
-#include "../draw/run.h"
+#include "../draw/mesh.h"
 #include "../math/bulk.h"
 
 gn_status gn_run_avx2(const draw_job *job)
 {
-    return run_draw(job);
+    return draw_mesh(job);
 }
 
 void gn_bulk_avx2(const bulk_job *job)

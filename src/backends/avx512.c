@@ -18,12 +18,12 @@
 #endif
 
 #define GN_LANES_AVX512
-#include "../draw/run.h"
+#include "../draw/mesh.h"
 #include "../math/bulk.h"
 
 gn_status gn_run_avx512(const draw_job *job)
 {
-    return run_draw(job);
+    return draw_mesh(job);
 }
 
 void gn_bulk_avx512(const bulk_job *job)

@@ -4,12 +4,12 @@
 
 #if GN_HAVE_NEON
 #define GN_LANES_NEON
-#include "../draw/run.h"
+#include "../draw/mesh.h"
 #include "../math/bulk.h"
 
 gn_status gn_run_neon(const draw_job *job)
 {
-    return run_draw(job);
+    return draw_mesh(job);
 }
 
 void gn_bulk_neon(const bulk_job *job)

@@ -3,12 +3,12 @@
 #include "stages.h"
 
 #if GN_HAVE_SSE2
-#include "../draw/run.h"
+#include "../draw/mesh.h"
 #include "../math/bulk.h"
 
 gn_status gn_run_sse2(const draw_job *job)
 {
-    return run_draw(job);
+    return draw_mesh(job);
 }
 
 void gn_bulk_sse2(const bulk_job *job)

@@ -6,12 +6,12 @@
 
 #if GN_HAVE_WASM_SIMD128
 #define GN_LANES_WASM_SIMD128
-#include "../draw/run.h"
+#include "../draw/mesh.h"
 #include "../math/bulk.h"
 
 gn_status gn_run_wasm_simd128(const draw_job *job)
 {
-    return run_draw(job);
+    return draw_mesh(job);
 }
 
 void gn_bulk_wasm_simd128(const bulk_job *job)

@@ -5,7 +5,7 @@
 #include "state.h"
 
 /* The vertices that elements first to first + count - 1 name. */
-static inline void read_elements(const mesh_run *mesh, uint32_t first, uint32_t count,
+static inline void read_elements(const mesh_slice *mesh, uint32_t first, uint32_t count,
                                  uint32_t *vertex)
 {
     const size_t at = (size_t)mesh->first + first;
@@ -30,14 +30,14 @@ static inline void read_elements(const mesh_run *mesh, uint32_t first, uint32_t 
     }
 }
 
-static inline bool has_restarts(const mesh_run *mesh)
+static inline bool has_restarts(const mesh_slice *mesh)
 {
     return GN_HAVE_INSTANCES && mesh->restarts;
 }
 
 /* The next run of elements between restarts of the whole, from element *from on; false where there
  * is none. */
-static bool next_run(const mesh_run *whole, uint32_t *from, mesh_run *run)
+static bool next_slice(const mesh_slice *whole, uint32_t *from, mesh_slice *run)
 {
     const uint32_t none = whole->restart_index + whole->base;
     uint32_t begin = 0, i = *from;
@@ -79,7 +79,7 @@ static inline void read_drawn_elements(const draw_state *draw, uint32_t first, u
 
 /* The least and the greatest vertex that elements first to first + count - 1 name; of
  * none, restarts aside, an empty range. Unsigned order is the signed one of numbers less 2^31. */
-static index_range find_range(const mesh_run *mesh, uint32_t first, uint32_t count)
+static index_range find_range(const mesh_slice *mesh, uint32_t first, uint32_t count)
 {
     const lanes_i bias = lanes_i_splat(INT32_MIN);
     const lanes_i base = lanes_i_add(bias, lanes_i_splat((int32_t)mesh->base));
@@ -120,7 +120,7 @@ static index_range find_range(const mesh_run *mesh, uint32_t first, uint32_t cou
 }
 
 /* Divides a mesh's indices into parts. */
-static inline void divide_indices(index_parts *parts, const mesh_run *mesh)
+static inline void divide_indices(index_parts *parts, const mesh_slice *mesh)
 {
     const uint32_t count = mesh->count;
     const uint32_t even = (count - 1) / INDEX_PARTS + 1;

@@ -19,7 +19,7 @@
 
 /* Elements of a segment. A fan without indices that is longer than one segment is divided as if
  * it had indices, since only then can each segment have the fan's first vertex. */
-static inline uint32_t segment_elements(gn_topology topology, const mesh_run *mesh)
+static inline uint32_t segment_elements(gn_topology topology, const mesh_slice *mesh)
 {
     const bool divides_fan = topology == GN_TRIANGLE_FAN && mesh->count > SEGMENT_ELEMENTS;
 
@@ -53,7 +53,7 @@ typedef struct draw_job {
     const gn_target *target;
     const gn_pipeline *pipeline;
     shading_functions shading;
-    const mesh_run *mesh; /* all elements, of the first instance */
+    const mesh_slice *mesh; /* all elements, of the first instance */
     uint32_t instances;
     unsigned char *memory; /* vertices are named by their offset from here */
     uint32_t vertices;     /* offset of the first */
@@ -70,16 +70,16 @@ typedef struct draw_job {
     uint32_t lists_per_segment, rows_per_segment;
 } draw_job;
 
-/* A task's scratch, for so many stored_values: a triangle_list, its triangle_batch, new vertices.
+/* A task's scratch, for so many stored_values: a triangle_list, its triangle_setup, new vertices.
  */
-static inline uint32_t scratch_batch_offset(void)
+static inline uint32_t scratch_setup_offset(void)
 {
     return (uint32_t)(sizeof(triangle_list) + 63) & ~63u;
 }
 
 static inline uint32_t scratch_vertices_offset(uint32_t value_count)
 {
-    return scratch_batch_offset() + ((uint32_t)(triangle_batch_size(value_count) + 63) & ~63u);
+    return scratch_setup_offset() + ((uint32_t)(triangle_setup_size(value_count) + 63) & ~63u);
 }
 
 static inline uint32_t scratch_size(uint32_t value_count)

@@ -74,7 +74,7 @@ size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count
  * vertices: of a draw whose vertices are all kept, or of those segments alone. */
 static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
 {
-    const mesh_run *mesh = job->mesh;
+    const mesh_slice *mesh = job->mesh;
     const bool indexed = mesh->index_format != GN_INDEX_NONE;
     const uint32_t elements = segment_elements(job->pipeline->topology, mesh);
     const uint32_t varyings = stored_values(job->pipeline);
@@ -184,7 +184,7 @@ static bool is_left_out(const gn_target *target, const gn_pipeline *p, const gn_
 }
 
 /* Sets `whole` to all elements of the mesh, in the first instance. */
-static void set_whole_mesh(mesh_run *whole, const gn_mesh *mesh)
+static void set_whole_mesh(mesh_slice *whole, const gn_mesh *mesh)
 {
     const bool indexed = mesh->index_format != GN_INDEX_NONE;
 
@@ -201,7 +201,7 @@ static void set_whole_mesh(mesh_run *whole, const gn_mesh *mesh)
     whole->restart_index = GN_HAVE_INSTANCES ? restart_index_of(mesh) : 0;
 }
 
-gn_status gn_prepare_draw(draw_job *job, mesh_run *whole, const gn_target *target,
+gn_status gn_prepare_draw(draw_job *job, mesh_slice *whole, const gn_target *target,
                           const gn_pipeline *pipeline, const gn_mesh *mesh, gn_workspace *workspace)
 {
     gn_status status = gn_target_check(target);

@@ -11,7 +11,7 @@
  * with GN_WORKSPACE_TOO_SMALL. With a status other than GN_OK `job` and `whole` are unspecified.
  * The job keeps pointers to target, pipeline and `whole`, and to what mesh and workspace point to.
  */
-gn_status gn_prepare_draw(draw_job *job, mesh_run *whole, const gn_target *target,
+gn_status gn_prepare_draw(draw_job *job, mesh_slice *whole, const gn_target *target,
                           const gn_pipeline *pipeline, const gn_mesh *mesh,
                           gn_workspace *workspace);
 

@@ -53,7 +53,7 @@ static inline index_range join_ranges(index_range a, index_range b)
 /* A mesh's indices in parts of `size`: the lowest vertex that a part names and the highest
  * that it or one before it does. */
 typedef struct index_parts {
-    const mesh_run *mesh;
+    const mesh_slice *mesh;
     uint32_t size, count;
     index_range range[INDEX_PARTS];
 } index_parts;
@@ -61,11 +61,11 @@ typedef struct index_parts {
 typedef struct draw_state {
     const draw_job *job;
     const gn_pipeline *pipeline;
-    const mesh_run *mesh; /* what is drawn at present */
-    mesh_run run;         /* what mesh is, where a draw may have several */
-    uint32_t stride;      /* bytes from vertex to vertex */
-    uint32_t vertices;    /* offset of slot 0 */
-    uint32_t used;        /* slots from job->vertices on that hold vertices which a list may need */
+    const mesh_slice *mesh; /* what is drawn at present */
+    mesh_slice run;         /* what mesh is, where a draw may have several */
+    uint32_t stride;        /* bytes from vertex to vertex */
+    uint32_t vertices;      /* offset of slot 0 */
+    uint32_t used; /* slots from job->vertices on that hold vertices which a list may need */
     slot_map map;
     index_parts parts; /* of a draw with indices */
     viewport_transform viewport;
@@ -125,7 +125,7 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
 }
 
 /* Triangles that a segment's elements make. */
-static inline uint32_t segment_triangles(gn_topology topology, const mesh_run *mesh)
+static inline uint32_t segment_triangles(gn_topology topology, const mesh_slice *mesh)
 {
     return triangles_of(topology, segment_elements(topology, mesh));
 }

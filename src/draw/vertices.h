@@ -18,8 +18,8 @@ static inline bool has_ready_made_vertices(const draw_state *draw)
 }
 
 /* The smallest shaders go without a call. */
-static void run_vertex_shader(const draw_state *draw, const gn_vertex_input *input,
-                              gn_vertex_output *output)
+static void call_vertex_shader(const draw_state *draw, const gn_vertex_input *input,
+                               gn_vertex_output *output)
 {
     const gn_pipeline *const pipeline = draw->pipeline;
 
@@ -92,12 +92,12 @@ GN_STEP void set_vertex_defaults(const gn_pipeline *pipeline, const gn_vertex_ou
         lanes_store(output->point_size, lanes_splat(pipeline->point_size));
 }
 
-/* Shades slots `from`, a multiple of sixteen, to end - 1. The triangle_batch of the task
+/* Shades slots `from`, a multiple of sixteen, to end - 1. The triangle_setup of the task
  * lends its memory to what the shader gives. Gives the union of their outcodes. */
 static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from, uint32_t end)
 {
     float(*const staging)[GN_LANES] =
-        (float(*)[GN_LANES])(void *)(task_scratch(draw, task) + scratch_batch_offset());
+        (float(*)[GN_LANES])(void *)(task_scratch(draw, task) + scratch_setup_offset());
     float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES];
     uint32_t vertex_id[GN_LANES];
     int32_t outcode[GN_LANES];
@@ -125,7 +125,7 @@ static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from
         fetch_attributes(draw->mesh, vertex_id, attribute);
         if (slot > from && !is_ready_made)
             set_vertex_defaults(draw->pipeline, &output);
-        run_vertex_shader(draw, &input, &output);
+        call_vertex_shader(draw, &input, &output);
         outcodes = lanes_i_or(outcodes, store_vertices(draw, &output, slot));
     }
     lanes_i_store(outcode, outcodes);

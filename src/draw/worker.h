@@ -5,9 +5,9 @@
 
 #include "../geometry/assemble.h"
 #include "../geometry/clip.h"
-#include "../raster/halves.h"
-#include "../raster/samples.h"
-#include "../raster/setup_box.h"
+#include "../raster/cover_packed.h"
+#include "../raster/cover_samples.h"
+#include "../raster/setup_points_and_lines.h"
 #include "elements.h"
 
 typedef struct worker {
@@ -17,7 +17,7 @@ typedef struct worker {
     primitive_kind kind; /* of what is in the list */
     bool keeps;          /* lists are kept, in consecutive memory, rather than drawn */
     triangle_list *list;
-    triangle_batch *batch;
+    triangle_setup *setup;
     clipper clipper;
     uint32_t clip_vertices; /* offset of CLIP_SCRATCH vertices */
     uint32_t clip_used;
@@ -42,7 +42,7 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
     w->kind = kind_of(draw->pipeline->topology);
     w->keeps = false;
     w->list = (triangle_list *)(void *)scratch;
-    w->batch = (triangle_batch *)(void *)(scratch + scratch_batch_offset());
+    w->setup = (triangle_setup *)(void *)(scratch + scratch_setup_offset());
     w->clipper.pipeline = draw->pipeline;
     w->clipper.viewport = &draw->viewport;
     w->clipper.memory = draw->job->memory;
@@ -60,15 +60,15 @@ GN_OUT_OF_LINE void draw_boxes(worker *w, const triangle_list *list, const void 
 {
     const draw_state *draw = w->draw;
 
-    setup_box_identities(draw->pipeline, list, w->batch);
+    setup_box_identities(draw->pipeline, list, w->setup);
     if (w->kind == KIND_POINT) {
-        setup_points(&w->cull.box, draw->pipeline, draw->job->memory, list, w->batch);
+        setup_points(&w->cull.box, draw->pipeline, draw->job->memory, list, w->setup);
         for (uint32_t l = 0; l < list->count; ++l)
-            cover_point(w->batch, list, l, draw->shade.squares, context);
+            cover_point(w->setup, list, l, draw->shade.squares, context);
     } else {
-        setup_lines(&w->cull.box, draw->pipeline, draw->job->memory, list, w->batch);
+        setup_lines(&w->cull.box, draw->pipeline, draw->job->memory, list, w->setup);
         for (uint32_t l = 0; l < list->count; ++l)
-            cover_line(w->batch, list, l, draw->shade.squares, context);
+            cover_line(w->setup, list, l, draw->shade.squares, context);
     }
 }
 
@@ -79,21 +79,21 @@ GN_OUT_OF_LINE void draw_sampled_boxes(worker *w, const triangle_list *list, con
     const box_state *const state = &w->cull.box;
     unsigned char *const memory = w->draw->job->memory;
 
-    setup_box_identities(pipeline, list, w->batch);
+    setup_box_identities(pipeline, list, w->setup);
     if (w->kind == KIND_POINT)
-        setup_points(state, pipeline, memory, list, w->batch);
+        setup_points(state, pipeline, memory, list, w->setup);
     else
-        setup_lines(state, pipeline, memory, list, w->batch);
+        setup_lines(state, pipeline, memory, list, w->setup);
     for (uint32_t l = 0; l < list->count; ++l) {
-        const raster_triangle triangle = {&w->batch->plane[0][0][l]};
+        const raster_triangle triangle = {&w->setup->plane[0][0][l]};
         const stored_vertex *const first = vertex_at(memory, list->vertex[0][l]);
         const stored_vertex *const second = vertex_at(memory, list->vertex[1][l]);
         const pixel_rectangle box = listed_box(list, l);
 
         if (w->kind == KIND_POINT)
-            cover_point_samples(state, first, &box, triangle, run_samples, context);
+            cover_point_samples(state, first, &box, triangle, shade_sampled_square, context);
         else
-            cover_line_samples(state, first, second, &box, triangle, run_samples, context);
+            cover_line_samples(state, first, second, &box, triangle, shade_sampled_square, context);
     }
 }
 
@@ -108,9 +108,9 @@ GN_OUT_OF_LINE void draw_sampled(worker *w, const triangle_list *list)
         return;
     }
     setup_triangles(draw->pipeline, &draw->offset, draw->center, &w->cull.target, draw->job->memory,
-                    list, w->batch);
+                    list, w->setup);
     for (uint32_t l = 0; l < list->count; ++l)
-        cover_samples(&w->cull.target, w->batch, list, l, run_samples, &context);
+        cover_samples(&w->cull.target, w->setup, list, l, shade_sampled_square, &context);
 }
 
 /* Sets up and draws the triangles of a list whose lanes are all filled. */
@@ -130,8 +130,8 @@ static void draw_triangles(worker *w, const triangle_list *list)
         return;
     }
     setup_triangles(draw->pipeline, &draw->offset, 0.5f, &w->cull.target, draw->job->memory, list,
-                    w->batch);
-    cover_triangles(&w->cull.target, w->batch, list, &draw->shade, context);
+                    w->setup);
+    cover_triangles(&w->cull.target, w->setup, list, &draw->shade, context);
 }
 
 /* Draws what is in the worker's list, and starts it anew. */

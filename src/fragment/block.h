@@ -74,8 +74,8 @@ static void place_fragments(const gn_pipeline *pipeline, raster_triangle triangl
     GN_EACH_LANE (l) {
         const int half = l / HALF_LANES;
 
-        position[0][l] = (float)(input->x[half] + l % BLOCK_SIZE) + 0.5f;
-        position[1][l] = (float)(input->y[half] + l / BLOCK_SIZE % 2) + 0.5f;
+        position[0][l] = (float)(input->x[half] + l % SQUARE_SIZE) + 0.5f;
+        position[1][l] = (float)(input->y[half] + l / SQUARE_SIZE % 2) + 0.5f;
     }
     if (GN_HAVE_OFFSET && pipeline->polygon_offset.set)
         depth = lanes_add(depth, lanes_splat(triangle_offset(triangle, pipeline->varying_count)));
@@ -177,9 +177,10 @@ static inline void set_color_defaults(const fragment_state *state, float (*color
 
 /* Runs the shader on a block, whose planes are asked at `places`. Colours are left in
  * `color`, room for which the pipeline's color_count asks. */
-GN_STEP void run_shader(const fragment_state *state, raster_triangle triangle,
-                        const pixel_block *block, const block_places *places, uint32_t coverage,
-                        lanes_f w, float (*color)[GN_LANES], shader_verdict *verdict)
+GN_STEP void call_fragment_shader(const fragment_state *state, raster_triangle triangle,
+                                  const pixel_block *block, const block_places *places,
+                                  uint32_t coverage, lanes_f w, float (*color)[GN_LANES],
+                                  shader_verdict *verdict)
 {
     const gn_pipeline *const pipeline = state->pipeline;
     float varying[GN_MAX_VARYINGS][GN_LANES];
@@ -274,7 +275,7 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
 
     const lanes_f w = w_at(at, triangle);
     const pixel_block block = square_block(at->x, at->y);
-    run_shader(state, triangle, &block, at->places, coverage, w, color, &verdict);
+    call_fragment_shader(state, triangle, &block, at->places, coverage, w, color, &verdict);
     if (p->fragment_discards)
         coverage &= verdict.kept;
     if (p->fragment_writes_depth)
@@ -298,7 +299,7 @@ GN_OUT_OF_LINE uint32_t shade_whole_squares(const fragment_state *state, raster_
     set_block(&at, SHAPE_SQUARE, &places);
     at.y = y;
     for (uint32_t i = 0; i < count; ++i) {
-        at.x = x + (int32_t)i * BLOCK_SIZE;
+        at.x = x + (int32_t)i * SQUARE_SIZE;
         set_columns_of_block(&places, (float)at.x);
         at.color = square_memory(&state->color, state->color.format, at.x, y);
         at.depth = square_memory(&state->depth, state->depth.format, at.x, y);
@@ -328,7 +329,7 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
     const lanes_f w = kind.level ? *at->w : w_at(at, triangle);
     if (kind.source == SOURCE_SHADER) {
         set_verdict(&verdict);
-        run_shader(state, triangle, block, at->places, coverage, w, shaded, &verdict);
+        call_fragment_shader(state, triangle, block, at->places, coverage, w, shaded, &verdict);
         for (int c = 0; c < 4; ++c)
             color[c] = lanes_load(shaded[c]);
     } else {

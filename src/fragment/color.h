@@ -14,8 +14,8 @@ GN_OUT_OF_LINE void store_covered_pixels(const gn_surface *surface, int32_t x, i
     lanes_i_store(pixel, pixels);
     GN_EACH_LANE (l) {
         if (coverage >> l & 1u) {
-            void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
-            ((stored_word *)row)[x + l % BLOCK_SIZE] = pixel[l];
+            void *const row = surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE));
+            ((stored_word *)row)[x + l % SQUARE_SIZE] = pixel[l];
         }
     }
 }
@@ -45,8 +45,8 @@ static inline void write_rgba32f(const gn_surface *surface, int32_t x, int32_t y
         lanes_i_store(channel[c], float_words(color[c]));
     GN_EACH_LANE (l) {
         if (coverage >> l & 1u) {
-            void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
-            stored_word *const out = (stored_word *)row + 4 * (x + l % BLOCK_SIZE);
+            void *const row = surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE));
+            stored_word *const out = (stored_word *)row + 4 * (x + l % SQUARE_SIZE);
 
             for (int c = 0; c < 4; ++c) {
                 if (written >> c & 1u)

@@ -41,8 +41,8 @@ GN_OUT_OF_LINE lanes_i load_covered_pixels(const gn_surface *surface, int32_t x,
     GN_EACH_LANE (l) {
         pixel[l] = 0;
         if (coverage >> l & 1u) {
-            const void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
-            pixel[l] = ((const stored_word *)row)[x + l % BLOCK_SIZE];
+            const void *const row = surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE));
+            pixel[l] = ((const stored_word *)row)[x + l % SQUARE_SIZE];
         }
     }
     return lanes_i_load(pixel);
@@ -83,9 +83,9 @@ static inline void load_rgba32f(const gn_surface *surface, int32_t x, int32_t y,
     GN_EACH_LANE (l) {
         const bool covered = coverage >> l & 1u;
         const void *const row =
-            surface_row(surface, (uint32_t)(y + (covered ? l / BLOCK_SIZE : 0)));
+            surface_row(surface, (uint32_t)(y + (covered ? l / SQUARE_SIZE : 0)));
         const stored_word *const in =
-            (const stored_word *)row + 4 * (x + (covered ? l % BLOCK_SIZE : 0));
+            (const stored_word *)row + 4 * (x + (covered ? l % SQUARE_SIZE : 0));
 
         for (int c = 0; c < 4; ++c)
             channel[c][l] = covered ? in[c] : 0;

@@ -75,8 +75,8 @@ GN_OUT_OF_LINE lanes_i load_covered_depth(const gn_surface *surface, int32_t x, 
     int32_t depth[GN_LANES];
 
     GN_EACH_LANE (l) {
-        const void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
-        const int32_t column = x + l % BLOCK_SIZE;
+        const void *const row = surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE));
+        const int32_t column = x + l % SQUARE_SIZE;
 
         depth[l] = 0;
         if (coverage >> l & 1u)
@@ -93,8 +93,8 @@ GN_OUT_OF_LINE void store_covered_depth(const gn_surface *surface, int32_t x, in
 
     lanes_i_store(depth, value);
     GN_EACH_LANE (l) {
-        void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
-        const int32_t column = x + l % BLOCK_SIZE;
+        void *const row = surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE));
+        const int32_t column = x + l % SQUARE_SIZE;
 
         if (!(coverage >> l & 1u))
             continue;

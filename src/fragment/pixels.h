@@ -18,7 +18,7 @@ GN_INLINE void store_sized_pixels(const gn_surface *surface, int32_t x, int32_t 
         lanes_i_store(second, word[1]);
     GN_EACH_LANE (l) {
         if (coverage >> l & 1u)
-            store_pixel(surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE)), x + l % BLOCK_SIZE,
+            store_pixel(surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE)), x + l % SQUARE_SIZE,
                         size, first[l], size == 8 ? second[l] : 0);
     }
 }
@@ -65,7 +65,7 @@ static inline void load_pixels(const gn_surface *surface, int32_t x, int32_t y, 
         int32_t pixel[2] = {0, 0};
 
         if (coverage >> l & 1u)
-            load_pixel(surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE)), x + l % BLOCK_SIZE,
+            load_pixel(surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE)), x + l % SQUARE_SIZE,
                        size, pixel);
         first[l] = pixel[0];
         second[l] = pixel[1];

@@ -75,7 +75,7 @@ static inline triangle_identity identity_of(raster_triangle t, uint32_t varying_
 /* The two terms of a value: per_y * y for the rows of a run of blocks and per_x * x + origin
  * for 16 of its columns, so that every pixel takes but their sum. */
 typedef struct row_terms {
-    float value[BLOCK_SIZE][RUN_ATTRIBUTES];
+    float value[SQUARE_SIZE][RUN_ATTRIBUTES];
 } row_terms;
 
 typedef struct column_terms {
@@ -84,7 +84,7 @@ typedef struct column_terms {
 
 GN_INLINE void set_row_terms(row_terms *terms, uint32_t attribute, attribute_plane plane, int32_t y)
 {
-    for (int32_t row = 0; row < BLOCK_SIZE; ++row)
+    for (int32_t row = 0; row < SQUARE_SIZE; ++row)
         terms->value[row][attribute] = plane.per_y * (float)(y + row);
 }
 

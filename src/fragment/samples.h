@@ -3,7 +3,7 @@
 #ifndef GN_FRAGMENT_SAMPLES_H
 #define GN_FRAGMENT_SAMPLES_H
 
-#include "../raster/samples.h"
+#include "../raster/cover_samples.h"
 #include "block.h"
 
 /* States of a draw, one a sample. */
@@ -139,7 +139,8 @@ static void shade_samples(const fragment_state *state, fragment_place *at, raste
     const lanes_f w =
         lanes_div(lanes_splat(1.0f), plane_at(triangle_plane(triangle, ONE_OVER_W_PLANE), &middle));
     const pixel_block block = square_block(at->x, at->y);
-    run_shader(state, triangle, &block, &middle, covered_pixels(coverage), w, color, &verdict);
+    call_fragment_shader(state, triangle, &block, &middle, covered_pixels(coverage), w, color,
+                         &verdict);
     cover_by_shader(state, &verdict, to_coverage, color, coverage);
     if (late)
         test_samples(state, at, triangle, verdict.depth, coverage);
@@ -151,8 +152,8 @@ static void shade_samples(const fragment_state *state, fragment_place *at, raste
 }
 
 /* A samples_function; the context is a counted_state with one state a sample. */
-static void run_samples(const void *context, raster_triangle triangle, int32_t x, int32_t y,
-                        const uint32_t coverage[GN_SAMPLES])
+static void shade_sampled_square(const void *context, raster_triangle triangle, int32_t x,
+                                 int32_t y, const uint32_t coverage[GN_SAMPLES])
 {
     const counted_state *const counted = (const counted_state *)context;
     uint32_t passed[GN_SAMPLES];

@@ -62,9 +62,9 @@ GN_OUT_OF_LINE stored_block load_stored(const gn_surface *surface, const fragmen
         return b;
     }
     GN_EACH_LANE (l) {
-        const unsigned char *const row = surface_row(surface, (uint32_t)(at->y + l / BLOCK_SIZE));
+        const unsigned char *const row = surface_row(surface, (uint32_t)(at->y + l / SQUARE_SIZE));
         const stored_word *const words = (const stored_word *)(const void *)row;
-        const int32_t x = at->x + l % BLOCK_SIZE;
+        const int32_t x = at->x + l % SQUARE_SIZE;
 
         depth[l] = 0;
         stencil[l] = 0;
@@ -98,9 +98,9 @@ GN_OUT_OF_LINE void store_stored(const gn_surface *surface, const fragment_place
     lanes_i_store(depth, b->depth);
     lanes_i_store(stencil, b->stencil);
     GN_EACH_LANE (l) {
-        unsigned char *const row = surface_row(surface, (uint32_t)(at->y + l / BLOCK_SIZE));
+        unsigned char *const row = surface_row(surface, (uint32_t)(at->y + l / SQUARE_SIZE));
         stored_word *const words = (stored_word *)(void *)row;
-        const int32_t x = at->x + l % BLOCK_SIZE;
+        const int32_t x = at->x + l % SQUARE_SIZE;
 
         if (!(coverage >> l & 1u))
             continue;

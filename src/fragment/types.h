@@ -135,8 +135,8 @@ typedef enum fragment_shape {
  * stored whole; squares hang over the right and the top edge of odd sizes. */
 static inline bool surface_holds_square(const gn_surface *surface, int32_t x, int32_t y)
 {
-    return (uint32_t)x + BLOCK_SIZE <= surface->width &&
-           (uint32_t)y + BLOCK_SIZE <= surface->height;
+    return (uint32_t)x + SQUARE_SIZE <= surface->width &&
+           (uint32_t)y + SQUARE_SIZE <= surface->height;
 }
 
 static inline bool surface_holds_block(const gn_surface *surface, const pixel_block *block)
@@ -144,8 +144,8 @@ static inline bool surface_holds_block(const gn_surface *surface, const pixel_bl
     const int32_t x = block->x[0] > block->x[1] ? block->x[0] : block->x[1];
     const int32_t y = block->y[0] > block->y[1] ? block->y[0] : block->y[1];
 
-    return (uint32_t)x + BLOCK_SIZE <= surface->width &&
-           (uint32_t)y + BLOCK_SIZE / 2 <= surface->height;
+    return (uint32_t)x + SQUARE_SIZE <= surface->width &&
+           (uint32_t)y + SQUARE_SIZE / 2 <= surface->height;
 }
 
 /* The memory of a pixel on a surface of the given format, null where there is none. */
@@ -177,7 +177,7 @@ GN_INLINE surface_place square_memory(const gn_surface *surface, gn_format forma
     surface_place place = row_memory(surface, format, x, y);
 
     if (format != GN_FORMAT_NONE)
-        place.half[1] = place.half[0] + BLOCK_SIZE / 2 * surface->row_stride;
+        place.half[1] = place.half[0] + SQUARE_SIZE / 2 * surface->row_stride;
     return place;
 }
 

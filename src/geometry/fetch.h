@@ -12,7 +12,7 @@ static inline uint32_t array_components(const gn_attribute *attribute)
     return attribute->data && attribute->divisor == 0 ? attribute->components : 0;
 }
 
-static inline uint32_t present_attributes(const mesh_run *mesh)
+static inline uint32_t present_attributes(const mesh_slice *mesh)
 {
     uint32_t bits = 0;
 
@@ -32,7 +32,7 @@ static inline float constant_component(const gn_attribute *source, uint32_t inst
 }
 
 /* What does not differ from vertex to vertex, which fetch_attributes leaves as it is. */
-static inline void fetch_defaults(const mesh_run *mesh,
+static inline void fetch_defaults(const mesh_slice *mesh,
                                   float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
 {
     for (uint32_t a = 0; a < GN_MAX_ATTRIBUTES; ++a) {
@@ -69,7 +69,7 @@ static inline void fetch_rows(const gn_attribute *source, size_t stride,
 }
 
 /* Sixteen vertices' attributes, as far as the arrays have them. */
-GN_STEP void fetch_attributes(const mesh_run *mesh, const uint32_t vertex[GN_LANES],
+GN_STEP void fetch_attributes(const mesh_slice *mesh, const uint32_t vertex[GN_LANES],
                               float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
 {
     uint32_t last = 0;

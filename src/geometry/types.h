@@ -20,7 +20,7 @@ typedef struct viewport_transform {
 
 /* What of a mesh is drawn at a time: an instance of elements without a restart, or, as a job
  * has it, of all elements. Members are those of gn_mesh but for `base`, instance and primitive. */
-typedef struct mesh_run {
+typedef struct mesh_slice {
     const gn_attribute *attribute;
     uint32_t vertex_count;
     const void *indices;
@@ -31,7 +31,7 @@ typedef struct mesh_run {
     uint32_t primitive; /* the number of its first: restarts do not begin anew */
     bool restarts;      /* at restart_index, before the base is added */
     uint32_t restart_index;
-} mesh_run;
+} mesh_slice;
 
 /* Up to sixteen triangles as offsets of their vertices, in the order that decides the low
  * bits of their attributes: corner[i][l * step] is vertex i of triangle l. Lanes beyond

@@ -6,7 +6,7 @@
  * and of sums. Against exact arithmetic three products and three sums are off by 4 u of the
  * magnitudes' sum, u = 2^-24, and moving the bound by one u more; that sum is itself rounded.
  * Each of four products may lose 2^-150 to underflow. */
-#include "box.h"
+#include "bounding_box.h"
 #include "transform.h"
 
 #define TOLERANCE 0x1.8p-22f /* 6 u */

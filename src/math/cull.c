@@ -9,7 +9,7 @@
  * that is what adding 2^-120 to each magnitude covers, the 8 u of which are 2^-141.
  * Where a distance overflows, or a coordinate is infinite, so does s, and no comparison with
  * infinity or NaN holds. */
-#include "box.h"
+#include "bounding_box.h"
 #include "transform.h"
 
 #define TOLERANCE 0x1p-21f /* 8 u */

@@ -18,11 +18,11 @@ static uint32_t overhang_mask(const pixel_rectangle *r, int32_t x, int32_t y)
     if (x < r->min_x)
         columns &= columns << (r->min_x - x);
     if (y < r->min_y)
-        rows &= rows << BLOCK_SIZE * (r->min_y - y);
-    if (x + (BLOCK_SIZE - 1) > r->max_x)
-        columns &= 0xFu >> (x + (BLOCK_SIZE - 1) - r->max_x);
-    if (y + (BLOCK_SIZE - 1) > r->max_y)
-        rows &= GN_ALL_LANES >> BLOCK_SIZE * (y + (BLOCK_SIZE - 1) - r->max_y);
+        rows &= rows << SQUARE_SIZE * (r->min_y - y);
+    if (x + (SQUARE_SIZE - 1) > r->max_x)
+        columns &= 0xFu >> (x + (SQUARE_SIZE - 1) - r->max_x);
+    if (y + (SQUARE_SIZE - 1) > r->max_y)
+        rows &= GN_ALL_LANES >> SQUARE_SIZE * (y + (SQUARE_SIZE - 1) - r->max_y);
     return columns * 0x1111u & rows;
 }
 
@@ -34,7 +34,7 @@ typedef struct block_span {
 
 static inline block_span blocks_inside(int32_t min, int32_t max)
 {
-    const int32_t last = max - (BLOCK_SIZE - 1);
+    const int32_t last = max - (SQUARE_SIZE - 1);
     const block_span span = {min, last < min ? 0 : (uint32_t)(last - min) + 1};
 
     return span;
@@ -58,13 +58,13 @@ static inline uint32_t not_negative(const lanes_i value[3])
 }
 
 /* Covered blocks of a small triangle, as many as are run together. */
-#define FOUND_BLOCKS (GN_SPECIALISED ? 32 : 1)
+#define SQUARES_IN_BATCH (GN_SPECIALISED ? 32 : 1)
 
-typedef struct found_blocks {
+typedef struct square_batch {
     uint32_t count;
-    int32_t x[FOUND_BLOCKS], y[FOUND_BLOCKS];
-    uint32_t coverage[FOUND_BLOCKS];
-} found_blocks;
+    int32_t x[SQUARES_IN_BATCH], y[SQUARES_IN_BATCH];
+    uint32_t coverage[SQUARES_IN_BATCH];
+} square_batch;
 
 /* Lanes of the left and of the right half of a block. */
 #define LEFT_HALF 0x3333u
@@ -73,7 +73,7 @@ typedef struct found_blocks {
 /* Blocks of one row, found from number `first` on: where neither the left half of the first nor
  * the right half of the last is covered, they are laid anew from two columns further on, which
  * takes one less. */
-static inline void join_halves(found_blocks *found, uint32_t first)
+static inline void join_halves(square_batch *found, uint32_t first)
 {
     uint32_t kept = first;
 
@@ -81,10 +81,10 @@ static inline void join_halves(found_blocks *found, uint32_t first)
         return;
     const uint32_t last = found->count - 1;
     if ((found->coverage[first] & LEFT_HALF) || (found->coverage[last] & RIGHT_HALF) ||
-        (uint32_t)(found->x[last] - found->x[first]) != (last - first) * BLOCK_SIZE)
+        (uint32_t)(found->x[last] - found->x[first]) != (last - first) * SQUARE_SIZE)
         return;
     for (uint32_t i = first; i < last; ++i) {
-        found->x[kept] = found->x[i] + BLOCK_SIZE / 2;
+        found->x[kept] = found->x[i] + SQUARE_SIZE / 2;
         found->coverage[kept] =
             (found->coverage[i] >> 2 & LEFT_HALF) | (found->coverage[i + 1] << 2 & RIGHT_HALF);
         kept += found->coverage[kept] != 0;
@@ -92,7 +92,7 @@ static inline void join_halves(found_blocks *found, uint32_t first)
     found->count = kept;
 }
 
-static inline void run_found(found_blocks *found, raster_triangle triangle, run_function *run,
+static inline void run_found(square_batch *found, raster_triangle triangle, run_function *run,
                              const void *context)
 {
     for (uint32_t i = 0; i < found->count; ++i)
@@ -103,30 +103,30 @@ static inline void run_found(found_blocks *found, raster_triangle triangle, run_
 /* A small triangle. Pixels outside its bounds are outside an edge too, so that only what
  * hangs over the target's part is masked. Blocks are kept without a branch on whether they are
  * covered, which processors cannot foresee, and run afterwards. */
-static inline void cover_small(const pixel_rectangle *target, const triangle_batch *batch,
+static inline void cover_small(const pixel_rectangle *target, const triangle_setup *setup,
                                const triangle_list *list, uint32_t lane, run_function *run,
                                const void *context)
 {
-    const raster_triangle triangle = {&batch->plane[0][0][lane]};
-    const int32_t left = batch->origin[0][lane];
+    const raster_triangle triangle = {&setup->plane[0][0][lane]};
+    const int32_t left = setup->origin[0][lane];
     const int32_t max_x = list->bounds[BOUNDS_MAX_X][lane];
     const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
     const block_span columns = blocks_inside(target->min_x, target->max_x);
     const block_span rows = blocks_inside(target->min_y, target->max_y);
-    found_blocks found;
+    square_batch found;
     lanes_i row[3], across[3];
 
     found.count = 0;
     for (int i = 0; i < 3; ++i) {
-        const edge_lanes *edge = &batch->edge[i];
+        const edge_lanes *edge = &setup->edge[i];
         row[i] = edge_values(edge->start[lane], edge->per_x[lane], edge->per_y[lane]);
-        across[i] = lanes_i_splat(BLOCK_SIZE * edge->per_x[lane]);
+        across[i] = lanes_i_splat(SQUARE_SIZE * edge->per_x[lane]);
     }
-    for (int32_t y = batch->origin[1][lane];; y += BLOCK_SIZE) {
+    for (int32_t y = setup->origin[1][lane];; y += SQUARE_SIZE) {
         lanes_i value[3] = {row[0], row[1], row[2]};
         uint32_t first = found.count;
 
-        for (int32_t x = left;; x += BLOCK_SIZE) {
+        for (int32_t x = left;; x += SQUARE_SIZE) {
             uint32_t coverage = not_negative(value);
 
             if (begins_outside(columns, x) || begins_outside(rows, y))
@@ -135,21 +135,21 @@ static inline void cover_small(const pixel_rectangle *target, const triangle_bat
             found.y[found.count] = y;
             found.coverage[found.count] = coverage;
             found.count += coverage != 0;
-            if (found.count == FOUND_BLOCKS) {
+            if (found.count == SQUARES_IN_BATCH) {
                 run_found(&found, triangle, run, context);
                 first = 0;
             }
-            if (x + BLOCK_SIZE > max_x)
+            if (x + SQUARE_SIZE > max_x)
                 break;
             for (int i = 0; i < 3; ++i)
                 value[i] = lanes_i_sub(value[i], across[i]);
         }
         if (GN_SPECIALISED)
             join_halves(&found, first);
-        if (y + BLOCK_SIZE > max_y)
+        if (y + SQUARE_SIZE > max_y)
             break;
         for (int i = 0; i < 3; ++i)
-            row[i] = lanes_i_add(row[i], lanes_i_splat(BLOCK_SIZE * batch->edge[i].per_y[lane]));
+            row[i] = lanes_i_add(row[i], lanes_i_splat(SQUARE_SIZE * setup->edge[i].per_y[lane]));
     }
     run_found(&found, triangle, run, context);
 }
@@ -171,8 +171,8 @@ typedef struct large_edge {
 static inline void set_edge_through(large_edge *e, int32_t per_x, int32_t per_y, int32_t x,
                                     int32_t y)
 {
-    const int32_t along_x = -per_x * (BLOCK_SIZE - 1);
-    const int32_t along_y = per_y * (BLOCK_SIZE - 1);
+    const int32_t along_x = -per_x * (SQUARE_SIZE - 1);
+    const int32_t along_y = per_y * (SQUARE_SIZE - 1);
     const int32_t owns_ties = per_x < 0 || (per_x == 0 && per_y > 0);
 
     e->constant = ((int64_t)per_x * x - (int64_t)per_y * y + owns_ties - 1) >> 8;
@@ -183,10 +183,10 @@ static inline void set_edge_through(large_edge *e, int32_t per_x, int32_t per_y,
     e->offset = edge_values(0, per_x, per_y);
 }
 
-static void set_large_edge(large_edge *e, const triangle_batch *batch, int edge, uint32_t lane)
+static void set_large_edge(large_edge *e, const triangle_setup *setup, int edge, uint32_t lane)
 {
-    set_edge_through(e, batch->edge[edge].per_x[lane], batch->edge[edge].per_y[lane],
-                     batch->corner.snapped[edge][0][lane], batch->corner.snapped[edge][1][lane]);
+    set_edge_through(e, setup->edge[edge].per_x[lane], setup->edge[edge].per_y[lane],
+                     setup->corner.snapped[edge][0][lane], setup->corner.snapped[edge][1][lane]);
 }
 
 /* The values of the three edge functions at the lower left pixel of a block. */
@@ -207,7 +207,7 @@ static inline corner_values values_at(const large_edge edge[3], int32_t x, int32
 static inline corner_values step_right(const large_edge edge[3], corner_values c, int32_t blocks)
 {
     for (int i = 0; i < 3; ++i)
-        c.v[i] -= (int64_t)edge[i].per_x * (blocks * BLOCK_SIZE);
+        c.v[i] -= (int64_t)edge[i].per_x * (blocks * SQUARE_SIZE);
     return c;
 }
 
@@ -276,7 +276,7 @@ static uint32_t box_mask(const pixel_rectangle *r, int32_t x, int32_t y)
     if (x < r->min_x)
         columns = columns << (r->min_x - x) & 0xF;
     if (y < r->min_y)
-        rows = rows << BLOCK_SIZE * (r->min_y - y);
+        rows = rows << SQUARE_SIZE * (r->min_y - y);
     return columns * 0x1111u & rows & overhang_mask(r, x, y);
 }
 
@@ -287,13 +287,13 @@ GN_INLINE void cover_row(const pixel_rectangle *target, bool is_box, const large
                          run_function *run, const void *context)
 {
     corner_values c = values_at(edge, left, y);
-    int32_t blocks = (max_x - left) / BLOCK_SIZE + 1;
+    int32_t blocks = (max_x - left) / SQUARE_SIZE + 1;
     int32_t skip = is_outside(edge, c, true) ? count_outside(edge, c, blocks) : 0;
     int32_t x = left;
 
     while (blocks > skip) {
         c = step_right(edge, c, skip);
-        x += skip * BLOCK_SIZE;
+        x += skip * SQUARE_SIZE;
         blocks -= skip;
         if (is_outside(edge, c, false))
             return;
@@ -308,7 +308,7 @@ GN_INLINE void cover_row(const pixel_rectangle *target, bool is_box, const large
             run(context, triangle, x, y, 1, overhang);
         } else {
             /* The last block of a row may hang over the target. */
-            const int32_t whole = (target->max_x + 1 - x) / BLOCK_SIZE;
+            const int32_t whole = (target->max_x + 1 - x) / SQUARE_SIZE;
             skip = count_inside(edge, c, blocks < whole ? blocks : whole);
             run(context, triangle, x, y, (uint32_t)skip, GN_ALL_LANES);
         }
@@ -321,7 +321,7 @@ GN_INLINE void cover_row(const pixel_rectangle *target, bool is_box, const large
 /* Covers lanes `first` to `end` - 1 of a list, all of them large and no more than
  * LARGE_TOGETHER: each row of blocks of all triangles in turn, while the pixels are in the
  * nearest cache. In every block the triangles come in their order. */
-GN_OUT_OF_LINE void cover_large(const pixel_rectangle *target, const triangle_batch *batch,
+GN_OUT_OF_LINE void cover_large(const pixel_rectangle *target, const triangle_setup *setup,
                                 const triangle_list *list, uint32_t first, uint32_t end,
                                 run_function *run, const void *context)
 {
@@ -335,17 +335,17 @@ GN_OUT_OF_LINE void cover_large(const pixel_rectangle *target, const triangle_ba
 
     for (uint32_t l = first; l < end; ++l) {
         for (int i = 0; i < 3; ++i)
-            set_large_edge(&edge[l - first][i], batch, i, l);
+            set_large_edge(&edge[l - first][i], setup, i, l);
         bottom = min_y[l] < bottom ? min_y[l] : bottom;
         top = max_y[l] > top ? max_y[l] : top;
     }
-    for (int32_t y = bottom & ~(BLOCK_SIZE - 1); y <= top; y += BLOCK_SIZE) {
+    for (int32_t y = bottom & ~(SQUARE_SIZE - 1); y <= top; y += SQUARE_SIZE) {
         for (uint32_t l = first; l < end; ++l) {
-            const raster_triangle triangle = {&batch->plane[0][0][l]};
+            const raster_triangle triangle = {&setup->plane[0][0][l]};
 
-            if (y + BLOCK_SIZE > min_y[l] && y <= max_y[l])
-                cover_row(target, false, edge[l - first], min_x[l] & ~(BLOCK_SIZE - 1), max_x[l], y,
-                          triangle, run, context);
+            if (y + SQUARE_SIZE > min_y[l] && y <= max_y[l])
+                cover_row(target, false, edge[l - first], min_x[l] & ~(SQUARE_SIZE - 1), max_x[l],
+                          y, triangle, run, context);
         }
     }
 }
@@ -362,36 +362,37 @@ static inline pixel_rectangle listed_box(const triangle_list *list, uint32_t lan
 }
 
 /* The same for a point, which is all of its bounds. */
-static inline void cover_point(const triangle_batch *batch, const triangle_list *list,
+static inline void cover_point(const triangle_setup *setup, const triangle_list *list,
                                uint32_t lane, run_function *run, const void *context)
 {
-    const raster_triangle triangle = {&batch->plane[0][0][lane]};
+    const raster_triangle triangle = {&setup->plane[0][0][lane]};
     const pixel_rectangle box = listed_box(list, lane);
 
-    for (int32_t y = box.min_y & ~(BLOCK_SIZE - 1); y <= box.max_y; y += BLOCK_SIZE) {
+    for (int32_t y = box.min_y & ~(SQUARE_SIZE - 1); y <= box.max_y; y += SQUARE_SIZE) {
         int32_t blocks = 1;
 
-        for (int32_t x = box.min_x & ~(BLOCK_SIZE - 1); x <= box.max_x; x += blocks * BLOCK_SIZE) {
+        for (int32_t x = box.min_x & ~(SQUARE_SIZE - 1); x <= box.max_x;
+             x += blocks * SQUARE_SIZE) {
             const uint32_t coverage = box_mask(&box, x, y);
 
-            blocks = coverage == GN_ALL_LANES ? (box.max_x + 1 - x) / BLOCK_SIZE : 1;
+            blocks = coverage == GN_ALL_LANES ? (box.max_x + 1 - x) / SQUARE_SIZE : 1;
             run(context, triangle, x, y, (uint32_t)blocks, coverage);
         }
     }
 }
 
 /* The same for a line: what lies in its bounds between its two long edges. */
-static inline void cover_line(const triangle_batch *batch, const triangle_list *list, uint32_t lane,
+static inline void cover_line(const triangle_setup *setup, const triangle_list *list, uint32_t lane,
                               run_function *run, const void *context)
 {
-    const raster_triangle triangle = {&batch->plane[0][0][lane]};
+    const raster_triangle triangle = {&setup->plane[0][0][lane]};
     const pixel_rectangle box = listed_box(list, lane);
-    const int32_t left = box.min_x & ~(BLOCK_SIZE - 1);
+    const int32_t left = box.min_x & ~(SQUARE_SIZE - 1);
     large_edge edge[3];
 
     for (int i = 0; i < 3; ++i)
-        set_large_edge(&edge[i], batch, i, lane);
-    for (int32_t y = box.min_y & ~(BLOCK_SIZE - 1); y <= box.max_y; y += BLOCK_SIZE)
+        set_large_edge(&edge[i], setup, i, lane);
+    for (int32_t y = box.min_y & ~(SQUARE_SIZE - 1); y <= box.max_y; y += SQUARE_SIZE)
         cover_row(&box, true, edge, left, box.max_x, y, triangle, run, context);
 }
 

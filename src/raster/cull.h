@@ -5,7 +5,7 @@
 #define GN_RASTER_CULL_H
 
 #include "../lanes/lanes.h"
-#include "box.h"
+#include "points_and_lines.h"
 #include "scissor.h"
 
 /* What culling needs of a draw. */

@@ -17,12 +17,12 @@ GN_STEP void place_blocks(const pixel_rectangle *target, const triangle_list *li
 {
     const lanes_i min_y = lanes_i_load(list->bounds[BOUNDS_MIN_Y]);
     const lanes_i max_y = lanes_i_load(list->bounds[BOUNDS_MAX_Y]);
-    const lanes_i to_block = lanes_i_splat(~(BLOCK_SIZE - 1));
+    const lanes_i to_block = lanes_i_splat(~(SQUARE_SIZE - 1));
     const lanes_i to_quad = lanes_i_splat(~1);
     const lanes_i even = lanes_i_and(min_y, to_quad);
     const lanes_i highest = lanes_i_add(even, lanes_i_and(lanes_i_sub(max_y, even), to_block));
     const lanes_m leaves =
-        lanes_i_greater(highest, lanes_i_splat(target->max_y - (BLOCK_SIZE - 1)));
+        lanes_i_greater(highest, lanes_i_splat(target->max_y - (SQUARE_SIZE - 1)));
 
     origin[0] = lanes_i_and(lanes_i_load(list->bounds[BOUNDS_MIN_X]), to_quad);
     origin[1] = lanes_i_select(leaves, lanes_i_and(min_y, to_block), even);
@@ -31,7 +31,7 @@ GN_STEP void place_blocks(const pixel_rectangle *target, const triangle_list *li
 /* A pixel is inside where C - 256*dx*px + 256*dy*py > 0, C having 1 added on edges
  * that own their ties. With integers, C + 256*k > 0 is floor((C - 1) / 256) + k >= 0. */
 static inline void setup_edges(const pixel_rectangle *target, const unsigned char *memory,
-                               const triangle_list *list, triangle_batch *batch)
+                               const triangle_list *list, triangle_setup *setup)
 {
     const lanes_i zero = lanes_i_splat(0);
     lanes_i x[3], y[3], origin[2];
@@ -41,16 +41,16 @@ static inline void setup_edges(const pixel_rectangle *target, const unsigned cha
         lanes_i_gather_rows(memory + VERTEX_SNAPPED, list->vertex[i], 1, row);
         x[i] = row[0];
         y[i] = row[1];
-        lanes_i_store(batch->corner.snapped[i][0], x[i]);
-        lanes_i_store(batch->corner.snapped[i][1], y[i]);
+        lanes_i_store(setup->corner.snapped[i][0], x[i]);
+        lanes_i_store(setup->corner.snapped[i][1], y[i]);
     }
     const lanes_i extent = lanes_i_max(lanes_i_sub(greatest_of(x), least_of(x)),
                                        lanes_i_sub(greatest_of(y), least_of(y)));
-    batch->large = lanes_bits(lanes_i_greater(extent, lanes_i_splat(SMALL_EXTENT - 1)));
-    batch->unpacked = lanes_bits(lanes_i_greater(extent, lanes_i_splat(PACKED_EXTENT - 1)));
+    setup->large = lanes_bits(lanes_i_greater(extent, lanes_i_splat(SMALL_EXTENT - 1)));
+    setup->unpacked = lanes_bits(lanes_i_greater(extent, lanes_i_splat(PACKED_EXTENT - 1)));
     place_blocks(target, list, origin);
-    lanes_i_store(batch->origin[0], origin[0]);
-    lanes_i_store(batch->origin[1], origin[1]);
+    lanes_i_store(setup->origin[0], origin[0]);
+    lanes_i_store(setup->origin[1], origin[1]);
 
     const lanes_i left = lanes_i_shift_left(origin[0], 8);
     const lanes_i bottom = lanes_i_shift_left(origin[1], 8);
@@ -66,10 +66,10 @@ static inline void setup_edges(const pixel_rectangle *target, const unsigned cha
 
         /* The mask is -1 where ties are owned: C - 1 is c - 1 - mask. */
         lanes_i_store(
-            batch->edge[i].start,
+            setup->edge[i].start,
             lanes_i_shift_right(lanes_i_sub(lanes_i_add(c, lanes_i_splat(-1)), owns_ties), 8));
-        lanes_i_store(batch->edge[i].per_x, dx);
-        lanes_i_store(batch->edge[i].per_y, dy);
+        lanes_i_store(setup->edge[i].per_x, dx);
+        lanes_i_store(setup->edge[i].per_y, dy);
     }
 }
 
@@ -129,7 +129,7 @@ static inline void make_flat_plane(const unsigned char *memory, const triangle_l
  * they have their value at so much from the corner of a pixel. */
 static inline void setup_planes(const gn_pipeline *pipeline, const offset_state *offset,
                                 float center, const unsigned char *memory,
-                                const triangle_list *list, triangle_batch *batch)
+                                const triangle_list *list, triangle_setup *setup)
 {
     const unsigned char *const varyings = memory + VERTEX_VARYING;
     lanes_i row[3][4];
@@ -144,15 +144,15 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
         w[i] = lanes_as_float(row[i][3]);
     }
     set_basis(&basis, x, y, center);
-    make_plane(&basis, z, batch->plane[DEPTH_PLANE]);
+    make_plane(&basis, z, setup->plane[DEPTH_PLANE]);
     /* 0 where the vertices have moved. */
     if (GN_HAVE_OFFSET && pipeline->polygon_offset.set)
-        lanes_store(batch->plane[VARYING_PLANES + pipeline->varying_count][IDENTITY_OFFSET],
+        lanes_store(setup->plane[VARYING_PLANES + pipeline->varying_count][IDENTITY_OFFSET],
                     offset->moves ? offset_depths(offset, x, y, z) : lanes_splat(0.0f));
-    make_plane(&basis, w, batch->plane[ONE_OVER_W_PLANE]);
+    make_plane(&basis, w, setup->plane[ONE_OVER_W_PLANE]);
 
     for (uint32_t n = 0; n < pipeline->varying_count; ++n) {
-        float(*const plane)[GN_LANES] = batch->plane[VARYING_PLANES + n];
+        float(*const plane)[GN_LANES] = setup->plane[VARYING_PLANES + n];
         lanes_f a[3];
 
         if (n % 4 == 0) {
@@ -173,9 +173,9 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
 }
 
 static inline void setup_identities(const gn_pipeline *pipeline, const triangle_list *list,
-                                    triangle_batch *batch)
+                                    triangle_setup *setup)
 {
-    float(*const words)[GN_LANES] = batch->plane[VARYING_PLANES + pipeline->varying_count];
+    float(*const words)[GN_LANES] = setup->plane[VARYING_PLANES + pipeline->varying_count];
 
     lanes_i_store((stored_word *)(void *)words[IDENTITY_PRIMITIVE], lanes_i_load(list->primitive));
     lanes_i_store((stored_word *)(void *)words[IDENTITY_BACK],
@@ -201,12 +201,12 @@ static inline lanes_m lies_between(lanes_f a, float low, float high)
  * corners of the triangle's bounds. There they have their extremes over all pixels, since every
  * rounded operation on the way is monotonic. */
 GN_STEP void setup_solid(const gn_pipeline *pipeline, const triangle_list *list,
-                         triangle_batch *batch)
+                         triangle_setup *setup)
 {
     const float tiny = 1.0f / ((float)(1 << 30) * (float)(1 << 30));
-    float(*const depth)[GN_LANES] = batch->plane[DEPTH_PLANE];
-    float(*const w)[GN_LANES] = batch->plane[ONE_OVER_W_PLANE];
-    float(*const alpha)[GN_LANES] = batch->plane[VARYING_PLANES + 3];
+    float(*const depth)[GN_LANES] = setup->plane[DEPTH_PLANE];
+    float(*const w)[GN_LANES] = setup->plane[ONE_OVER_W_PLANE];
+    float(*const alpha)[GN_LANES] = setup->plane[VARYING_PLANES + 3];
     lanes_m solid = lanes_from_bits(0);
 
     if (pipeline->varying_count > 3 && pipeline->interpolation[3] == GN_SMOOTH) {
@@ -224,7 +224,7 @@ GN_STEP void setup_solid(const gn_pipeline *pipeline, const triangle_list *list,
             solid = lanes_and(solid, lies_between(plane_at_pixels(w, x, y), tiny, 1.0f / tiny));
         }
     }
-    lanes_i_store(batch->solid, lanes_m_as_int(solid));
+    lanes_i_store(setup->solid, lanes_m_as_int(solid));
 }
 
 /* Makes the lanes beyond a list's count equal to its first. */
@@ -243,13 +243,13 @@ static inline void fill_list(triangle_list *list)
 static inline void setup_triangles(const gn_pipeline *pipeline, const offset_state *offset,
                                    float center, const pixel_rectangle *target,
                                    const unsigned char *memory, const triangle_list *list,
-                                   triangle_batch *batch)
+                                   triangle_setup *setup)
 {
-    setup_edges(target, memory, list, batch);
-    setup_planes(pipeline, offset, center, memory, list, batch);
-    setup_identities(pipeline, list, batch);
+    setup_edges(target, memory, list, setup);
+    setup_planes(pipeline, offset, center, memory, list, setup);
+    setup_identities(pipeline, list, setup);
     if (GN_SPECIALISED)
-        setup_solid(pipeline, list, batch);
+        setup_solid(pipeline, list, setup);
 }
 
 #endif

@@ -11,7 +11,7 @@
 #include "../geometry/types.h"
 
 /* Squares are 4x4 pixels: lane l is the pixel (x + l % 4, y + l / 4). */
-#define BLOCK_SIZE 4
+#define SQUARE_SIZE 4
 
 /* Lanes of half a square, and the coverage of all of them. */
 #define HALF_LANES (GN_LANES / 2)
@@ -25,7 +25,7 @@ typedef struct pixel_block {
 
 static inline pixel_block square_block(int32_t x, int32_t y)
 {
-    const pixel_block block = {{x, x}, {y, y + BLOCK_SIZE / 2}};
+    const pixel_block block = {{x, x}, {y, y + SQUARE_SIZE / 2}};
 
     return block;
 }
@@ -94,7 +94,7 @@ typedef struct edge_lanes {
 
 /* The triangles of a list, set up. After the varyings' planes come, where fragments are to add
  * one, polygon offsets in the place of another plane's origin. */
-typedef struct triangle_batch {
+typedef struct triangle_setup {
     uint32_t large;    /* bit l: an extent is SMALL_EXTENT or more */
     uint32_t unpacked; /* the same of PACKED_EXTENT */
     int32_t origin[2][GN_LANES];
@@ -102,15 +102,15 @@ typedef struct triangle_batch {
     edge_lanes edge[3];
     int32_t solid[GN_LANES]; /* -1 or 0: setup_solid */
     float plane[][PLANE_TERMS][GN_LANES];
-} triangle_batch;
+} triangle_setup;
 
-static inline size_t triangle_batch_size(uint32_t varying_count)
+static inline size_t triangle_setup_size(uint32_t varying_count)
 {
-    return sizeof(triangle_batch) +
+    return sizeof(triangle_setup) +
            (VARYING_PLANES + varying_count + 1) * sizeof(float[PLANE_TERMS][GN_LANES]);
 }
 
-/* A triangle as its fragments see it: its planes in a batch, from its lane on. */
+/* A triangle as its fragments see it: its planes in a setup, from its lane on. */
 typedef struct raster_triangle {
     const float *planes;
 } raster_triangle;
@@ -127,7 +127,7 @@ static inline attribute_plane triangle_plane(raster_triangle t, uint32_t n)
 /* A word of a point. */
 static inline float point_word(raster_triangle t, uint32_t word)
 {
-    const ptrdiff_t back = offsetof(triangle_batch, plane) - offsetof(triangle_batch, corner);
+    const ptrdiff_t back = offsetof(triangle_setup, plane) - offsetof(triangle_setup, corner);
     const unsigned char *const words = (const unsigned char *)t.planes - back;
 
     return ((const float *)(const void *)words)[word * GN_LANES];
@@ -136,7 +136,7 @@ static inline float point_word(raster_triangle t, uint32_t word)
 /* Whether the triangle's depths and alpha are known to be such as setup_solid says. */
 static inline bool triangle_is_solid(raster_triangle t)
 {
-    const ptrdiff_t back = offsetof(triangle_batch, plane) - offsetof(triangle_batch, solid);
+    const ptrdiff_t back = offsetof(triangle_setup, plane) - offsetof(triangle_setup, solid);
     const unsigned char *const words = (const unsigned char *)t.planes - back;
 
     return *(const int32_t *)(const void *)words != 0;

@@ -1,9 +1,9 @@
 /* Coverage of multisampled surfaces: the edge rule of coverage.h asked at four places of every
  * pixel instead of at its centre. Blocks come one by one with a mask for each sample. */
-#ifndef GN_RASTER_SAMPLES_H
-#define GN_RASTER_SAMPLES_H
+#ifndef GN_RASTER_COVER_SAMPLES_H
+#define GN_RASTER_COVER_SAMPLES_H
 
-#include "box.h"
+#include "points_and_lines.h"
 #include "coverage.h"
 
 /* Samples lie at most so far from the centre of their pixel, in 1/256 pixel. */
@@ -84,25 +84,25 @@ static inline bool any_sample(const uint32_t coverage[GN_SAMPLES])
 
 /* Calls `run` for every block with covered samples of the triangle in a lane of a list, from
  * the bottom up and from left to right. Its bounds are those of pixels with samples inside. */
-static inline void cover_samples(const pixel_rectangle *target, const triangle_batch *batch,
+static inline void cover_samples(const pixel_rectangle *target, const triangle_setup *setup,
                                  const triangle_list *list, uint32_t lane, samples_function *run,
                                  const void *context)
 {
-    const raster_triangle triangle = {&batch->plane[0][0][lane]};
-    const int32_t left = list->bounds[BOUNDS_MIN_X][lane] & ~(BLOCK_SIZE - 1);
-    const int32_t bottom = list->bounds[BOUNDS_MIN_Y][lane] & ~(BLOCK_SIZE - 1);
+    const raster_triangle triangle = {&setup->plane[0][0][lane]};
+    const int32_t left = list->bounds[BOUNDS_MIN_X][lane] & ~(SQUARE_SIZE - 1);
+    const int32_t bottom = list->bounds[BOUNDS_MIN_Y][lane] & ~(SQUARE_SIZE - 1);
     const int32_t max_x = list->bounds[BOUNDS_MAX_X][lane];
     sampled_edges edges;
 
     for (int i = 0; i < 3; ++i)
-        set_sampled_edge(&edges, i, batch->edge[i].per_x[lane], batch->edge[i].per_y[lane],
-                         batch->corner.snapped[i][0][lane], batch->corner.snapped[i][1][lane]);
-    for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += BLOCK_SIZE) {
-        const int32_t blocks = (max_x - left) / BLOCK_SIZE + 1;
+        set_sampled_edge(&edges, i, setup->edge[i].per_x[lane], setup->edge[i].per_y[lane],
+                         setup->corner.snapped[i][0][lane], setup->corner.snapped[i][1][lane]);
+    for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += SQUARE_SIZE) {
+        const int32_t blocks = (max_x - left) / SQUARE_SIZE + 1;
         bool goes_on = true;
 
-        for (int32_t x = left + skip_outside(&edges, left, y, blocks) * BLOCK_SIZE;
-             goes_on && x <= max_x; x += BLOCK_SIZE) {
+        for (int32_t x = left + skip_outside(&edges, left, y, blocks) * SQUARE_SIZE;
+             goes_on && x <= max_x; x += SQUARE_SIZE) {
             uint32_t coverage[GN_SAMPLES];
 
             goes_on = sample_masks(&edges, x, y, box_mask(target, x, y), coverage);
@@ -135,8 +135,8 @@ static inline void cover_line_samples(const box_state *state, const stored_verte
         if (i > 0)
             set_sampled_edge(&others, i - 1, per_x, per_y, from[0], from[1]);
     }
-    for (int32_t y = box->min_y & ~(BLOCK_SIZE - 1); y <= box->max_y; y += BLOCK_SIZE) {
-        for (int32_t x = box->min_x & ~(BLOCK_SIZE - 1); x <= box->max_x; x += BLOCK_SIZE) {
+    for (int32_t y = box->min_y & ~(SQUARE_SIZE - 1); y <= box->max_y; y += SQUARE_SIZE) {
+        for (int32_t x = box->min_x & ~(SQUARE_SIZE - 1); x <= box->max_x; x += SQUARE_SIZE) {
             uint32_t coverage[GN_SAMPLES], rest[GN_SAMPLES];
 
             sample_masks(&edges, x, y, box_mask(box, x, y), coverage);
@@ -152,7 +152,7 @@ static inline void cover_line_samples(const box_state *state, const stored_verte
 /* Pixels of the block at (x, y) inside a rectangle, which need not reach into it. */
 static inline uint32_t rectangle_mask(const pixel_rectangle *r, int32_t x, int32_t y)
 {
-    if (r->min_x > x + (BLOCK_SIZE - 1) || r->max_x < x || r->min_y > y + (BLOCK_SIZE - 1) ||
+    if (r->min_x > x + (SQUARE_SIZE - 1) || r->max_x < x || r->min_y > y + (SQUARE_SIZE - 1) ||
         r->max_y < y)
         return 0;
     return box_mask(r, x, y);
@@ -176,10 +176,10 @@ static inline void cover_point_samples(const box_state *state, const stored_vert
             to[c] = high[c] - sample_offset(s, c);
         }
         if (!pixels_of_box(box, from, to, &part[s]))
-            part[s].max_y = part[s].min_y - BLOCK_SIZE;
+            part[s].max_y = part[s].min_y - SQUARE_SIZE;
     }
-    for (int32_t y = box->min_y & ~(BLOCK_SIZE - 1); y <= box->max_y; y += BLOCK_SIZE) {
-        for (int32_t x = box->min_x & ~(BLOCK_SIZE - 1); x <= box->max_x; x += BLOCK_SIZE) {
+    for (int32_t y = box->min_y & ~(SQUARE_SIZE - 1); y <= box->max_y; y += SQUARE_SIZE) {
+        for (int32_t x = box->min_x & ~(SQUARE_SIZE - 1); x <= box->max_x; x += SQUARE_SIZE) {
             uint32_t coverage[GN_SAMPLES];
 
             for (uint32_t s = 0; s < GN_SAMPLES; ++s)

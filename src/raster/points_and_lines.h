@@ -1,8 +1,8 @@
 /* Points and lines as boxes of pixels: a point is all of one, a line what of one lies between
  * its two long edges (reference/RULES.md). The sides of the box are the line's other two, its
  * ends, since those are upright or level. */
-#ifndef GN_RASTER_BOX_H
-#define GN_RASTER_BOX_H
+#ifndef GN_RASTER_POINTS_AND_LINES_H
+#define GN_RASTER_POINTS_AND_LINES_H
 
 #include "types.h"
 

@@ -1,17 +1,17 @@
 /* Coverage in packed blocks: halves of squares, found in small triangles and laid two a block, so
  * that fewer pixels at a triangle's edges are shaded in vain. */
-#ifndef GN_RASTER_HALVES_H
-#define GN_RASTER_HALVES_H
+#ifndef GN_RASTER_COVER_PACKED_H
+#define GN_RASTER_COVER_PACKED_H
 
 #include "coverage.h"
 
 /* Halves that are run together. */
-#define FOUND_HALVES 64
+#define HALVES_IN_BATCH 64
 
-typedef struct found_halves {
+typedef struct half_batch {
     uint32_t count;
-    packed_block block[FOUND_HALVES / 2];
-} found_halves;
+    packed_block block[HALVES_IN_BATCH / 2];
+} half_batch;
 
 /* The coverage of up to eight halves side by side is a byte of each, the first in the lowest. */
 #define STRIP_HALVES 8
@@ -33,8 +33,7 @@ static inline uint32_t count_covered(uint64_t strip)
  * it, which processors cannot foresee. Where the outer quads on both sides are empty, they are laid
  * from two columns further on if there are fewer then, so that they stay on these squares and none
  * lies on what another strip has. */
-static inline void add_strip(found_halves *found, uint64_t strip, uint32_t size, int32_t x,
-                             int32_t y)
+static inline void add_strip(half_batch *found, uint64_t strip, uint32_t size, int32_t x, int32_t y)
 {
     uint32_t count = found->count;
 
@@ -44,14 +43,14 @@ static inline void add_strip(found_halves *found, uint64_t strip, uint32_t size,
 
         if (count_covered(moved) < count_covered(strip)) {
             strip = moved;
-            x += BLOCK_SIZE / 2;
+            x += SQUARE_SIZE / 2;
         }
     }
     for (uint32_t i = 0; i < size; ++i) {
         packed_block *const block = &found->block[count / 2];
         const uint32_t covered = (uint32_t)(strip >> 8 * i) & HALF_COVERED;
 
-        block->at.x[count % 2] = x + (int32_t)i * BLOCK_SIZE;
+        block->at.x[count % 2] = x + (int32_t)i * SQUARE_SIZE;
         block->at.y[count % 2] = y;
         block->covered[count % 2] = covered;
         count += covered != 0;
@@ -61,14 +60,14 @@ static inline void add_strip(found_halves *found, uint64_t strip, uint32_t size,
 
 /* One half that is left over has its neighbour in a square at a multiple of four beside it, whose
  * rows are all in the part of the target that is drawn (place_blocks). */
-static inline void run_halves(found_halves *found, raster_triangle triangle, pack_function *run,
+static inline void run_halves(half_batch *found, raster_triangle triangle, pack_function *run,
                               const void *context)
 {
     packed_block *const last = &found->block[found->count / 2];
 
     if (found->count % 2) {
         last->at.x[1] = last->at.x[0];
-        last->at.y[1] = last->at.y[0] ^ (BLOCK_SIZE / 2);
+        last->at.y[1] = last->at.y[0] ^ (SQUARE_SIZE / 2);
         last->covered[1] = 0;
     }
     if (found->count)
@@ -84,20 +83,20 @@ typedef struct small_edges {
     lanes_i greatest[3];         /* from there to the greatest value of each of sixteen */
 } small_edges;
 
-static inline void set_small_edge(small_edges *e, const triangle_batch *batch, int edge,
+static inline void set_small_edge(small_edges *e, const triangle_setup *setup, int edge,
                                   uint32_t lane)
 {
     static const int32_t number[GN_LANES] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-    const int32_t per_x = batch->edge[edge].per_x[lane];
-    const int32_t per_y = batch->edge[edge].per_y[lane];
+    const int32_t per_x = setup->edge[edge].per_x[lane];
+    const int32_t per_y = setup->edge[edge].per_y[lane];
     const int32_t rise = (per_x < 0 ? -per_x : 0) + (per_y > 0 ? per_y : 0);
 
-    e->start[edge] = batch->edge[edge].start[lane];
-    e->along[edge] = BLOCK_SIZE * per_x;
-    e->across[edge] = BLOCK_SIZE * per_y;
+    e->start[edge] = setup->edge[edge].start[lane];
+    e->along[edge] = SQUARE_SIZE * per_x;
+    e->across[edge] = SQUARE_SIZE * per_y;
     e->pixel[edge] = edge_values(0, per_x, per_y);
     e->greatest[edge] =
-        lanes_i_sub(lanes_i_splat((BLOCK_SIZE - 1) * rise),
+        lanes_i_sub(lanes_i_splat((SQUARE_SIZE - 1) * rise),
                     lanes_i_mul(lanes_i_splat(e->along[edge]), lanes_i_load(number)));
 }
 
@@ -114,23 +113,23 @@ static inline uint32_t lanes_met(const small_edges *e, int32_t number, const lan
 
 /* A triangle below PACKED_EXTENT. Pixels outside its bounds are outside an edge too, so that only
  * what hangs over the target's part is masked. */
-GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_batch *batch,
+GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_setup *setup,
                                  const triangle_list *list, uint32_t lane, pack_function *run,
                                  const void *context)
 {
-    const raster_triangle triangle = {&batch->plane[0][0][lane]};
-    const int32_t left = batch->origin[0][lane];
-    const int32_t bottom = batch->origin[1][lane];
-    const int32_t squares = (list->bounds[BOUNDS_MAX_X][lane] - left) / BLOCK_SIZE + 1;
+    const raster_triangle triangle = {&setup->plane[0][0][lane]};
+    const int32_t left = setup->origin[0][lane];
+    const int32_t bottom = setup->origin[1][lane];
+    const int32_t squares = (list->bounds[BOUNDS_MAX_X][lane] - left) / SQUARE_SIZE + 1;
     const block_span columns = blocks_inside(target->min_x, target->max_x);
     const block_span rows = blocks_inside(target->min_y, target->max_y);
     small_edges edges;
-    found_halves found;
+    half_batch found;
 
     found.count = 0;
     for (int i = 0; i < 3; ++i)
-        set_small_edge(&edges, batch, i, lane);
-    for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += BLOCK_SIZE) {
+        set_small_edge(&edges, setup, i, lane);
+    for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += SQUARE_SIZE) {
         const bool hangs = begins_outside(rows, y);
 
         for (int32_t from = 0; from < squares; from += GN_LANES) {
@@ -141,11 +140,11 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_b
 
             for (int32_t n = first; n < end; n += STRIP_HALVES) {
                 const uint32_t size = end - n < STRIP_HALVES ? (uint32_t)(end - n) : STRIP_HALVES;
-                const int32_t x = left + n * BLOCK_SIZE;
+                const int32_t x = left + n * SQUARE_SIZE;
                 uint64_t lower = 0, upper = 0;
 
                 for (uint32_t i = 0; i < size; ++i) {
-                    const int32_t column = x + (int32_t)i * BLOCK_SIZE;
+                    const int32_t column = x + (int32_t)i * SQUARE_SIZE;
                     uint32_t coverage = lanes_met(&edges, n + (int32_t)i, edges.pixel);
 
                     if (hangs || begins_outside(columns, column))
@@ -153,10 +152,10 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_b
                     lower |= (uint64_t)(coverage & HALF_COVERED) << 8 * i;
                     upper |= (uint64_t)(coverage >> HALF_LANES) << 8 * i;
                 }
-                if (found.count > FOUND_HALVES - 1 - 2 * STRIP_HALVES)
+                if (found.count > HALVES_IN_BATCH - 1 - 2 * STRIP_HALVES)
                     run_halves(&found, triangle, run, context);
                 add_strip(&found, lower, size, x, y);
-                add_strip(&found, upper, size, x, y + BLOCK_SIZE / 2);
+                add_strip(&found, upper, size, x, y + SQUARE_SIZE / 2);
             }
         }
         for (int i = 0; i < 3; ++i)
@@ -167,25 +166,25 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_b
 
 /* Calls the functions for every block with covered pixels of the triangles in a list: of each
  * triangle from the bottom up, and in every pixel in the order of triangles. */
-static inline void cover_triangles(const pixel_rectangle *target, const triangle_batch *batch,
+static inline void cover_triangles(const pixel_rectangle *target, const triangle_setup *setup,
                                    const triangle_list *list, const block_functions *run,
                                    const void *context)
 {
     const bool packs = GN_SPECIALISED && run->packed;
-    const uint32_t large = packs ? batch->unpacked : batch->large;
+    const uint32_t large = packs ? setup->unpacked : setup->large;
 
     for (uint32_t l = 0, end; l < list->count; l = end) {
         end = l + 1;
         if (!(large >> l & 1u)) {
             if (packs)
-                cover_packed(target, batch, list, l, run->packed, context);
+                cover_packed(target, setup, list, l, run->packed, context);
             else
-                cover_small(target, batch, list, l, run->squares, context);
+                cover_small(target, setup, list, l, run->squares, context);
             continue;
         }
         while (end < list->count && end - l < LARGE_TOGETHER && (large >> end & 1u))
             ++end;
-        cover_large(target, batch, list, l, end, run->squares, context);
+        cover_large(target, setup, list, l, end, run->squares, context);
     }
 }
 

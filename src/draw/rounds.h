@@ -9,8 +9,8 @@
  *
  * A step begins when the one before has ended and its tasks write to disjoint memory, so
  * there are no locks, and what a pixel gets depends on the order of triangles alone. */
-#ifndef GN_DRAW_PARALLEL_H
-#define GN_DRAW_PARALLEL_H
+#ifndef GN_DRAW_ROUNDS_H
+#define GN_DRAW_ROUNDS_H
 
 #include "primitives.h"
 #include "vertices.h"
@@ -51,7 +51,7 @@ typedef struct round_state {
 } round_state;
 
 /* Runs a step of so many tasks. */
-static void run_tasks(round_state *round, gn_task *task, uint32_t count)
+static void call_tasks(round_state *round, gn_task *task, uint32_t count)
 {
     const draw_job *job = round->draw->job;
 
@@ -105,7 +105,7 @@ static void scan_in_tasks(draw_state *draw)
 
     round.draw = draw;
     if (GN_HAVE_TASKS && draw->job->parallel)
-        run_tasks(
+        call_tasks(
             &round, scan_task,
             divide_items(&round, 0, parts, (TASK_ELEMENTS - 1) / draw->parts.size + 1, MAX_TASKS));
     else
@@ -151,7 +151,7 @@ static void shade_unshared(round_state *round)
     round->strips = 0;
     const uint32_t tasks = divide_slots(round, 0, element_count(topology, round->count));
 
-    run_tasks(round, shade_task, tasks);
+    call_tasks(round, shade_task, tasks);
     draw->map.outcodes = shaded_outcodes(round, tasks);
 }
 
@@ -393,15 +393,15 @@ static void divide_rows(round_state *round, uint32_t segments)
     }
     if (round->rows.max < 0)
         return;
-    round->rows.min &= ~(BLOCK_SIZE - 1);
+    round->rows.min &= ~(SQUARE_SIZE - 1);
 
     const uint64_t worth = area / TASK_PIXELS + triangles / TASK_TRIANGLES;
-    const uint32_t blocks = (uint32_t)(round->rows.max - round->rows.min) / BLOCK_SIZE + 1;
+    const uint32_t blocks = (uint32_t)(round->rows.max - round->rows.min) / SQUARE_SIZE + 1;
     const uint32_t most = most_strips(round->draw->job->threads, area, triangles);
     const uint32_t wanted = worth < most ? (uint32_t)worth + 1 : most;
     const uint32_t strip_blocks = (blocks + wanted - 1) / wanted;
 
-    round->strip_rows = (int32_t)(strip_blocks * BLOCK_SIZE);
+    round->strip_rows = (int32_t)(strip_blocks * SQUARE_SIZE);
     round->strips = (blocks + strip_blocks - 1) / strip_blocks;
 }
 
@@ -425,7 +425,7 @@ static void draw_and_shade(round_state *round, uint32_t end)
     const uint32_t slots = shades ? slots_before(draw, end) : 0;
     const uint32_t tasks = divide_slots(round, map->shaded, slots);
 
-    run_tasks(round, strip_or_shade_task, round->strips + tasks);
+    call_tasks(round, strip_or_shade_task, round->strips + tasks);
     map->outcodes |= shaded_outcodes(round, tasks);
     map->shaded = slots > map->shaded ? slots : map->shaded;
     for (uint32_t i = 0; draw->job->samples_passed && i < round->strips; ++i)
@@ -446,7 +446,7 @@ static uint32_t round_segments(const draw_state *draw)
     return draw->mesh->count <= job->capacity - closing ? job->segment_count : fitting;
 }
 
-static void run_parallel(draw_state *draw)
+static void draw_rounds(draw_state *draw)
 {
     const gn_topology topology = draw->pipeline->topology;
     const uint32_t total = triangle_count(topology, draw->mesh->count);
@@ -465,7 +465,7 @@ static void run_parallel(draw_state *draw)
         const uint32_t shaded = rest - round.count < most ? rest : 2 * most;
         if (!draw->map.shared)
             shade_unshared(&round);
-        run_tasks(&round, cull_task, divide_items(&round, 0, segments, 1, MAX_TASKS));
+        call_tasks(&round, cull_task, divide_items(&round, 0, segments, 1, MAX_TASKS));
         divide_rows(&round, segments);
         draw_and_shade(&round,
                        first_element(topology, round.first) + element_count(topology, shaded));

@@ -1,9 +1,9 @@
 /* Running a draw. On one thread: its segments, in parts that fit the workspace, through
- * the stages; in tasks: parallel.h. */
-#ifndef GN_DRAW_RUN_H
-#define GN_DRAW_RUN_H
+ * the stages; in tasks: rounds.h. */
+#ifndef GN_DRAW_MESH_H
+#define GN_DRAW_MESH_H
 
-#include "parallel.h"
+#include "rounds.h"
 #include "primitives.h"
 #include "vertices.h"
 
@@ -89,7 +89,7 @@ static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uin
     add_primitives(w, first, count);
 }
 
-static void run_serial(draw_state *draw, worker *w)
+static void draw_segments(draw_state *draw, worker *w)
 {
     const gn_topology topology = draw->pipeline->topology;
     const uint32_t total = triangle_count(topology, draw->mesh->count);
@@ -126,7 +126,7 @@ static uint32_t ring_of(const draw_state *draw)
 
 /* Shares vertices where the range that the elements name is no longer than the elements and
  * what of it is in use at once fits the workspace: then it is shaded once for all of them. */
-static void map_slots(draw_state *draw, const mesh_run *mesh, index_range range)
+static void map_slots(draw_state *draw, const mesh_slice *mesh, index_range range)
 {
     slot_map *const map = &draw->map;
     const uint32_t last = range.high - range.low;
@@ -141,7 +141,7 @@ static void map_slots(draw_state *draw, const mesh_run *mesh, index_range range)
     map->shared = (map->ring < last ? map->ring : last) < draw->job->capacity;
 }
 
-static index_range scan_indices(draw_state *draw, const mesh_run *mesh)
+static index_range scan_indices(draw_state *draw, const mesh_slice *mesh)
 {
     divide_indices(&draw->parts, mesh);
     scan_in_tasks(draw);
@@ -159,7 +159,7 @@ static inline void begin_sharing(draw_state *draw, worker *w)
 }
 
 /* Draws what is between restarts. Threads would gain nothing from short runs and instances. */
-static void draw_run(draw_state *draw, worker *w, bool is_one_of_many)
+static void draw_slice(draw_state *draw, worker *w, bool is_one_of_many)
 {
     const gn_topology topology = draw->pipeline->topology;
     const uint32_t total = triangle_count(topology, draw->mesh->count);
@@ -168,7 +168,7 @@ static void draw_run(draw_state *draw, worker *w, bool is_one_of_many)
         return;
     if (!GN_HAVE_TASKS || round_segments(draw) == 0 ||
         (is_one_of_many && total <= segment_triangles(topology, draw->mesh))) {
-        run_serial(draw, w);
+        draw_segments(draw, w);
         return;
     }
     draw_list(w);
@@ -176,35 +176,35 @@ static void draw_run(draw_state *draw, worker *w, bool is_one_of_many)
         draw->vertices = draw->job->vertices;
         draw->used = 0;
     }
-    run_parallel(draw);
+    draw_rounds(draw);
     start_list(w->list); /* whose memory the tasks had */
 }
 
 /* Draws one instance. */
 static void draw_instance(draw_state *draw, worker *w)
 {
-    const mesh_run *whole = draw->job->mesh;
+    const mesh_slice *whole = draw->job->mesh;
     const bool is_shared = draw->map.shared;
 
     begin_sharing(draw, w);
     if (GN_HAVE_INSTANCES)
         draw->run.primitive = 0;
     if (!has_restarts(whole)) {
-        draw_run(draw, w, draw->job->instances > 1);
+        draw_slice(draw, w, draw->job->instances > 1);
         return;
     }
-    for (uint32_t from = 0; next_run(whole, &from, &draw->run);) {
+    for (uint32_t from = 0; next_slice(whole, &from, &draw->run);) {
         if (!is_shared) {
             map_slots(draw, draw->mesh, scan_indices(draw, draw->mesh));
             begin_sharing(draw, w);
         }
-        draw_run(draw, w, true);
+        draw_slice(draw, w, true);
         draw->run.primitive += triangle_count(draw->pipeline->topology, draw->run.count);
     }
     draw->map.shared = is_shared;
 }
 
-static inline gn_status run_draw(const draw_job *job)
+static inline gn_status draw_mesh(const draw_job *job)
 {
     draw_state draw;
     worker w;
