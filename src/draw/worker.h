@@ -5,8 +5,9 @@
 
 #include "../geometry/assemble.h"
 #include "../geometry/clip.h"
-#include "../raster/cover_packed.h"
+#include "../raster/cover_points_and_lines.h"
 #include "../raster/cover_samples.h"
+#include "../raster/coverage.h"
 #include "../raster/setup_points_and_lines.h"
 #include "elements.h"
 
@@ -60,7 +61,7 @@ GN_OUT_OF_LINE void draw_boxes(worker *w, const triangle_list *list, const void 
 {
     const draw_state *draw = w->draw;
 
-    setup_box_identities(draw->pipeline, list, w->setup);
+    setup_box_identities(w->kind, list, w->setup);
     if (w->kind == KIND_POINT) {
         setup_points(&w->cull.box, draw->pipeline, draw->job->memory, list, w->setup);
         for (uint32_t l = 0; l < list->count; ++l)
@@ -79,7 +80,7 @@ GN_OUT_OF_LINE void draw_sampled_boxes(worker *w, const triangle_list *list, con
     const box_state *const state = &w->cull.box;
     unsigned char *const memory = w->draw->job->memory;
 
-    setup_box_identities(pipeline, list, w->setup);
+    setup_box_identities(w->kind, list, w->setup);
     if (w->kind == KIND_POINT)
         setup_points(state, pipeline, memory, list, w->setup);
     else

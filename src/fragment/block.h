@@ -78,7 +78,7 @@ static void place_fragments(const gn_pipeline *pipeline, raster_triangle triangl
         position[1][l] = (float)(input->y[half] + l / SQUARE_SIZE % 2) + 0.5f;
     }
     if (GN_HAVE_OFFSET && pipeline->polygon_offset.set)
-        depth = lanes_add(depth, lanes_splat(triangle_offset(triangle, pipeline->varying_count)));
+        depth = lanes_add(depth, lanes_splat(triangle_offset(triangle)));
     lanes_store(position[2], depth);
     lanes_store(position[3], plane_at(triangle_plane(triangle, ONE_OVER_W_PLANE), at));
 }
@@ -91,7 +91,7 @@ static void locate_in_point(const gn_pipeline *pipeline, raster_triangle triangl
     const float up = pipeline->point_origin == GN_POINT_LOWER_LEFT ? across : -across;
     const attribute_plane s = {point_word(triangle, POINT_ORIGIN_S), across, 0.0f};
     const attribute_plane t = {point_word(triangle, POINT_ORIGIN_T), 0.0f, up};
-    const bool is_point = identity_of(triangle, pipeline->varying_count).is_point;
+    const bool is_point = triangle_is_point(triangle);
     const lanes_f zero = lanes_splat(0.0f);
 
     lanes_store(coordinate[0], is_point ? lanes_mul(plane_at(s, at), w) : zero);
@@ -138,7 +138,7 @@ GN_OUT_OF_LINE void set_asked_inputs(const gn_pipeline *pipeline, raster_triangl
                                      gn_fragment_input *input, gn_fragment_output *output)
 {
     if (pipeline->fragment_reads_primitive)
-        input->primitive_id = (uint32_t)identity_of(triangle, pipeline->varying_count).primitive;
+        input->primitive_id = triangle_number(triangle);
     if (pipeline->fragment_reads_position) {
         place_fragments(pipeline, triangle, input, at, asked->position);
         input->position = (const float(*)[GN_LANES])asked->position;
@@ -196,7 +196,7 @@ GN_STEP void call_fragment_shader(const fragment_state *state, raster_triangle t
         input.y[half] = block->y[half];
     }
     input.sampling = &state->shading->sampling;
-    input.front_facing = !identity_of(triangle, pipeline->varying_count).back;
+    input.front_facing = !triangle_is_back(triangle);
     input.primitive_id = 0;
     input.position = 0;
     input.point_coordinate = 0;
@@ -238,11 +238,8 @@ GN_INLINE uint32_t test_whole(const fragment_state *state, const fragment_place 
     if (GN_HAVE_OFFSET && state->clamps_depth)
         depth = lanes_max(lanes_min(depth, lanes_splat(state->limits.high)),
                           lanes_splat(state->limits.low));
-    if (GN_HAVE_STENCIL && format_has_stencil(state->depth.format)) {
-        const uint32_t varyings = state->pipeline->varying_count;
-
-        return test_stencil(state, at, identity_of(triangle, varyings).back, coverage, depth);
-    }
+    if (GN_HAVE_STENCIL && format_has_stencil(state->depth.format))
+        return test_stencil(state, at, triangle_is_back(triangle), coverage, depth);
     if (state->depth.format == GN_FORMAT_NONE)
         return coverage;
     return test_depth(&state->test, &state->depth, state->depth.format, at, coverage, depth, false);
@@ -266,7 +263,7 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
         lanes_store(written, depth);
         verdict.depth = written;
     } else if (GN_HAVE_OFFSET && state->moves_depth) {
-        depth = lanes_add(depth, lanes_splat(triangle_offset(triangle, p->varying_count)));
+        depth = lanes_add(depth, lanes_splat(triangle_offset(triangle)));
     }
     if (!late)
         coverage = test_whole(state, at, triangle, coverage, depth);

@@ -51,23 +51,6 @@ GN_INLINE lanes_f plane_at(attribute_plane plane, const block_places *at)
         lanes_add(lanes_mul(lanes_splat(plane.per_x), at->x), lanes_splat(plane.origin)));
 }
 
-/* A primitive's number in the draw, what it is, and its facing. */
-typedef struct triangle_identity {
-    int32_t primitive;
-    bool back, is_point;
-} triangle_identity;
-
-static inline triangle_identity identity_of(raster_triangle t, uint32_t varying_count)
-{
-    const stored_word *const words = (const stored_word *)(const void *)t.planes +
-                                     (VARYING_PLANES + varying_count) * (PLANE_TERMS * GN_LANES);
-    const int32_t back = words[IDENTITY_BACK * GN_LANES];
-    const triangle_identity identity = {words[IDENTITY_PRIMITIVE * GN_LANES], back < 0,
-                                        GN_HAVE_LINES && ((back < 0) != (back & 1))};
-
-    return identity;
-}
-
 /* The attributes that the library itself interpolates over long runs: of varyings a colour and
  * two texture coordinates. */
 #define RUN_ATTRIBUTES (VARYING_PLANES + 6)

@@ -47,7 +47,6 @@ static inline uint32_t covered_pixels(const uint32_t coverage[GN_SAMPLES])
 static void test_samples(const fragment_state *state, fragment_place *at, raster_triangle triangle,
                          const float *written, uint32_t coverage[GN_SAMPLES])
 {
-    const gn_pipeline *p = state->pipeline;
     const attribute_plane plane = triangle_plane(triangle, DEPTH_PLANE);
 
     for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
@@ -59,7 +58,7 @@ static void test_samples(const fragment_state *state, fragment_place *at, raster
         if (written)
             depth = lanes_load(written);
         else if (state->moves_depth)
-            depth = lanes_add(depth, lanes_splat(triangle_offset(triangle, p->varying_count)));
+            depth = lanes_add(depth, lanes_splat(triangle_offset(triangle)));
         enter_sample(&state[s], at);
         coverage[s] = test_whole(&state[s], at, triangle, coverage[s], depth);
     }

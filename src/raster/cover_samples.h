@@ -3,8 +3,8 @@
 #ifndef GN_RASTER_COVER_SAMPLES_H
 #define GN_RASTER_COVER_SAMPLES_H
 
+#include "cover_large.h"
 #include "points_and_lines.h"
-#include "coverage.h"
 
 /* Samples lie at most so far from the centre of their pixel, in 1/256 pixel. */
 #define SAMPLE_REACH 96

@@ -147,7 +147,7 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
     make_plane(&basis, z, setup->plane[DEPTH_PLANE]);
     /* 0 where the vertices have moved. */
     if (GN_HAVE_OFFSET && pipeline->polygon_offset.set)
-        lanes_store(setup->plane[VARYING_PLANES + pipeline->varying_count][IDENTITY_OFFSET],
+        lanes_store(setup->offset,
                     offset->moves ? offset_depths(offset, x, y, z) : lanes_splat(0.0f));
     make_plane(&basis, w, setup->plane[ONE_OVER_W_PLANE]);
 
@@ -172,14 +172,14 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
     }
 }
 
-static inline void setup_identities(const gn_pipeline *pipeline, const triangle_list *list,
+/* What they are; `kind` is that of all of them. */
+static inline void setup_identities(primitive_kind kind, const triangle_list *list,
                                     triangle_setup *setup)
 {
-    float(*const words)[GN_LANES] = setup->plane[VARYING_PLANES + pipeline->varying_count];
-
-    lanes_i_store((stored_word *)(void *)words[IDENTITY_PRIMITIVE], lanes_i_load(list->primitive));
-    lanes_i_store((stored_word *)(void *)words[IDENTITY_BACK],
-                  lanes_m_as_int(lanes_from_bits(list->back)));
+    lanes_i_store(setup->primitive, lanes_i_load(list->primitive));
+    lanes_i_store(setup->back, lanes_m_as_int(lanes_from_bits(list->back)));
+    if (GN_HAVE_LINES)
+        lanes_i_store(setup->point, lanes_i_splat(kind == KIND_POINT ? -1 : 0));
 }
 
 /* The values of a plane at a pixel of each lane's triangle, as its fragments get them. */
@@ -247,7 +247,7 @@ static inline void setup_triangles(const gn_pipeline *pipeline, const offset_sta
 {
     setup_edges(target, memory, list, setup);
     setup_planes(pipeline, offset, center, memory, list, setup);
-    setup_identities(pipeline, list, setup);
+    setup_identities(KIND_TRIANGLE, list, setup);
     if (GN_SPECIALISED)
         setup_solid(pipeline, list, setup);
 }

@@ -34,26 +34,21 @@ static inline void make_constant_plane(lanes_f value, float plane[PLANE_TERMS][G
     lanes_store(plane[PLANE_PER_Y], lanes_splat(0.0f));
 }
 
-/* What they are; polygon offset is of polygons. */
-static inline void setup_box_identities(const gn_pipeline *pipeline, const triangle_list *list,
+/* What they are. Polygon offset is for polygons alone. */
+static inline void setup_box_identities(primitive_kind kind, const triangle_list *list,
                                         triangle_setup *setup)
 {
-    const uint32_t plane = VARYING_PLANES + pipeline->varying_count;
-
-    setup_identities(pipeline, list, setup);
-    lanes_store(setup->plane[plane][IDENTITY_OFFSET], lanes_splat(0.0f));
+    setup_identities(kind, list, setup);
+    lanes_store(setup->offset, lanes_splat(0.0f));
     lanes_i_store(setup->solid, lanes_i_splat(0));
 }
 
-/* What point_coordinates takes. A point's identity has the lowest bit of its facing inverted. */
+/* What point_coordinates takes. */
 static inline void setup_point_words(const box_state *state, const gn_pipeline *pipeline,
                                      const unsigned char *memory, const triangle_list *list,
                                      triangle_setup *setup)
 {
     const float up = pipeline->point_origin == GN_POINT_LOWER_LEFT ? 1.0f : -1.0f;
-    stored_word *const back =
-        (stored_word *)(void *)
-            setup->plane[VARYING_PLANES + pipeline->varying_count][IDENTITY_BACK];
 
     GN_EACH_LANE (l) {
         const stored_vertex *v = (const stored_vertex *)(const void *)(memory + list->vertex[0][l]);
@@ -64,7 +59,6 @@ static inline void setup_point_words(const box_state *state, const gn_pipeline *
         setup->corner.point[POINT_ORIGIN_S][l] = (0.5f - per_pixel * (v->window[0] - 0.5f)) * w;
         setup->corner.point[POINT_ORIGIN_T][l] =
             (0.5f - up * per_pixel * (v->window[1] - 0.5f)) * w;
-        back[l] ^= 1;
     }
 }
 

@@ -68,11 +68,9 @@ typedef struct attribute_plane {
     float origin, per_x, per_y;
 } attribute_plane;
 
-/* Planes of a triangle: depth, 1/w, and the varyings, smooth ones divided by w. After them
- * what it is, in the words of one more: identity_of. */
+/* Planes of a triangle: depth, 1/w, and the varyings, smooth ones divided by w. */
 enum { DEPTH_PLANE, ONE_OVER_W_PLANE, VARYING_PLANES };
 enum { PLANE_ORIGIN, PLANE_PER_X, PLANE_PER_Y, PLANE_TERMS };
-enum { IDENTITY_PRIMITIVE, IDENTITY_BACK, IDENTITY_OFFSET };
 
 /* Words of a point: by how much its coordinates, over w, grow with a pixel, and what they are at
  * the pixel (0, 0). */
@@ -92,22 +90,25 @@ typedef struct edge_lanes {
     int32_t per_y[GN_LANES];
 } edge_lanes;
 
-/* The triangles of a list, set up. After the varyings' planes come, where fragments are to add
- * one, polygon offsets in the place of another plane's origin. */
+/* The triangles of a list, set up. Flags are -1 or 0. */
 typedef struct triangle_setup {
     uint32_t large;    /* bit l: an extent is SMALL_EXTENT or more */
     uint32_t unpacked; /* the same of PACKED_EXTENT */
     int32_t origin[2][GN_LANES];
     corner_lanes corner;
     edge_lanes edge[3];
-    int32_t solid[GN_LANES]; /* -1 or 0: setup_solid */
+    int32_t primitive[GN_LANES]; /* its number in the draw */
+    int32_t back[GN_LANES];      /* a flag: back-facing */
+    int32_t point[GN_LANES];     /* a flag: a point; not set without GN_HAVE_LINES */
+    int32_t solid[GN_LANES];     /* a flag: setup_solid */
+    float offset[GN_LANES];      /* polygon offset; set only where the pipeline has one */
     float plane[][PLANE_TERMS][GN_LANES];
 } triangle_setup;
 
 static inline size_t triangle_setup_size(uint32_t varying_count)
 {
     return sizeof(triangle_setup) +
-           (VARYING_PLANES + varying_count + 1) * sizeof(float[PLANE_TERMS][GN_LANES]);
+           (VARYING_PLANES + varying_count) * sizeof(float[PLANE_TERMS][GN_LANES]);
 }
 
 /* A triangle as its fragments see it: its planes in a setup, from its lane on. */
@@ -124,30 +125,56 @@ static inline attribute_plane triangle_plane(raster_triangle t, uint32_t n)
     return plane;
 }
 
+/* The triangle's lane of a member of its set-up, which lies before the planes. */
+static inline const void *setup_member(raster_triangle t, size_t member)
+{
+    return (const unsigned char *)t.planes - (offsetof(triangle_setup, plane) - member);
+}
+
 /* A word of a point. */
 static inline float point_word(raster_triangle t, uint32_t word)
 {
-    const ptrdiff_t back = offsetof(triangle_setup, plane) - offsetof(triangle_setup, corner);
-    const unsigned char *const words = (const unsigned char *)t.planes - back;
+    const float *const first = setup_member(t, offsetof(triangle_setup, corner));
 
-    return ((const float *)(const void *)words)[word * GN_LANES];
+    return first[word * GN_LANES];
 }
 
 /* Whether the triangle's depths and alpha are known to be such as setup_solid says. */
 static inline bool triangle_is_solid(raster_triangle t)
 {
-    const ptrdiff_t back = offsetof(triangle_setup, plane) - offsetof(triangle_setup, solid);
-    const unsigned char *const words = (const unsigned char *)t.planes - back;
+    const int32_t *const solid = setup_member(t, offsetof(triangle_setup, solid));
 
-    return *(const int32_t *)(const void *)words != 0;
+    return *solid != 0;
 }
 
-/* What polygon offset adds to the depths of a triangle with so many varyings. */
-static inline float triangle_offset(raster_triangle t, uint32_t varying_count)
+/* What polygon offset adds to the triangle's depths. */
+static inline float triangle_offset(raster_triangle t)
 {
-    const uint32_t plane = VARYING_PLANES + varying_count;
+    const float *const offset = setup_member(t, offsetof(triangle_setup, offset));
 
-    return t.planes[(plane * PLANE_TERMS + IDENTITY_OFFSET) * GN_LANES];
+    return *offset;
+}
+
+/* The primitive's number in the draw. */
+static inline uint32_t triangle_number(raster_triangle t)
+{
+    const int32_t *const primitive = setup_member(t, offsetof(triangle_setup, primitive));
+
+    return (uint32_t)*primitive;
+}
+
+static inline bool triangle_is_back(raster_triangle t)
+{
+    const int32_t *const back = setup_member(t, offsetof(triangle_setup, back));
+
+    return *back != 0;
+}
+
+static inline bool triangle_is_point(raster_triangle t)
+{
+    const int32_t *const point = setup_member(t, offsetof(triangle_setup, point));
+
+    return GN_HAVE_LINES && *point != 0;
 }
 
 /* Called for runs of `count` neighbouring squares in a row, the first at (x, y), both

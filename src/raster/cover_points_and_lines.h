@@ -1,0 +1,53 @@
+/* Coverage of points and lines. */
+#ifndef GN_RASTER_COVER_POINTS_AND_LINES_H
+#define GN_RASTER_COVER_POINTS_AND_LINES_H
+
+#include "cover_large.h"
+
+static inline pixel_rectangle listed_box(const triangle_list *list, uint32_t lane)
+{
+    pixel_rectangle box;
+
+    box.min_x = list->bounds[BOUNDS_MIN_X][lane];
+    box.min_y = list->bounds[BOUNDS_MIN_Y][lane];
+    box.max_x = list->bounds[BOUNDS_MAX_X][lane];
+    box.max_y = list->bounds[BOUNDS_MAX_Y][lane];
+    return box;
+}
+
+/* The same for a point, which is all of its bounds. */
+static inline void cover_point(const triangle_setup *setup, const triangle_list *list,
+                               uint32_t lane, run_function *run, const void *context)
+{
+    const raster_triangle triangle = {&setup->plane[0][0][lane]};
+    const pixel_rectangle box = listed_box(list, lane);
+
+    for (int32_t y = box.min_y & ~(SQUARE_SIZE - 1); y <= box.max_y; y += SQUARE_SIZE) {
+        int32_t blocks = 1;
+
+        for (int32_t x = box.min_x & ~(SQUARE_SIZE - 1); x <= box.max_x;
+             x += blocks * SQUARE_SIZE) {
+            const uint32_t coverage = box_mask(&box, x, y);
+
+            blocks = coverage == GN_ALL_LANES ? (box.max_x + 1 - x) / SQUARE_SIZE : 1;
+            run(context, triangle, x, y, (uint32_t)blocks, coverage);
+        }
+    }
+}
+
+/* The same for a line: what lies in its bounds between its two long edges. */
+static inline void cover_line(const triangle_setup *setup, const triangle_list *list, uint32_t lane,
+                              run_function *run, const void *context)
+{
+    const raster_triangle triangle = {&setup->plane[0][0][lane]};
+    const pixel_rectangle box = listed_box(list, lane);
+    const int32_t left = box.min_x & ~(SQUARE_SIZE - 1);
+    large_edge edge[3];
+
+    for (int i = 0; i < 3; ++i)
+        set_large_edge(&edge[i], setup, i, lane);
+    for (int32_t y = box.min_y & ~(SQUARE_SIZE - 1); y <= box.max_y; y += SQUARE_SIZE)
+        cover_row(&box, true, edge, left, box.max_x, y, triangle, run, context);
+}
+
+#endif

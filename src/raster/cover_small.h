@@ -1,0 +1,104 @@
+/* Coverage of small triangles, whose edge functions fit 32 bits: square by square. */
+#ifndef GN_RASTER_COVER_SMALL_H
+#define GN_RASTER_COVER_SMALL_H
+
+#include "square.h"
+
+/* Covered blocks of a small triangle, as many as are run together. */
+#define SQUARES_IN_BATCH (GN_SPECIALISED ? 32 : 1)
+
+typedef struct square_batch {
+    uint32_t count;
+    int32_t x[SQUARES_IN_BATCH], y[SQUARES_IN_BATCH];
+    uint32_t coverage[SQUARES_IN_BATCH];
+} square_batch;
+
+/* Lanes of the left and of the right half of a block. */
+#define LEFT_HALF 0x3333u
+#define RIGHT_HALF 0xCCCCu
+
+/* Blocks of one row, found from number `first` on: where neither the left half of the first nor
+ * the right half of the last is covered, they are laid anew from two columns further on, which
+ * takes one less. */
+static inline void join_halves(square_batch *found, uint32_t first)
+{
+    uint32_t kept = first;
+
+    if (found->count < first + 2)
+        return;
+    const uint32_t last = found->count - 1;
+    if ((found->coverage[first] & LEFT_HALF) || (found->coverage[last] & RIGHT_HALF) ||
+        (uint32_t)(found->x[last] - found->x[first]) != (last - first) * SQUARE_SIZE)
+        return;
+    for (uint32_t i = first; i < last; ++i) {
+        found->x[kept] = found->x[i] + SQUARE_SIZE / 2;
+        found->coverage[kept] =
+            (found->coverage[i] >> 2 & LEFT_HALF) | (found->coverage[i + 1] << 2 & RIGHT_HALF);
+        kept += found->coverage[kept] != 0;
+    }
+    found->count = kept;
+}
+
+static inline void run_found(square_batch *found, raster_triangle triangle, run_function *run,
+                             const void *context)
+{
+    for (uint32_t i = 0; i < found->count; ++i)
+        run(context, triangle, found->x[i], found->y[i], 1, found->coverage[i]);
+    found->count = 0;
+}
+
+/* A small triangle. Pixels outside its bounds are outside an edge too, so that only what
+ * hangs over the target's part is masked. Blocks are kept without a branch on whether they are
+ * covered, which processors cannot foresee, and run afterwards. */
+static inline void cover_small(const pixel_rectangle *target, const triangle_setup *setup,
+                               const triangle_list *list, uint32_t lane, run_function *run,
+                               const void *context)
+{
+    const raster_triangle triangle = {&setup->plane[0][0][lane]};
+    const int32_t left = setup->origin[0][lane];
+    const int32_t max_x = list->bounds[BOUNDS_MAX_X][lane];
+    const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
+    const block_span columns = blocks_inside(target->min_x, target->max_x);
+    const block_span rows = blocks_inside(target->min_y, target->max_y);
+    square_batch found;
+    lanes_i row[3], across[3];
+
+    found.count = 0;
+    for (int i = 0; i < 3; ++i) {
+        const edge_lanes *edge = &setup->edge[i];
+        row[i] = edge_values(edge->start[lane], edge->per_x[lane], edge->per_y[lane]);
+        across[i] = lanes_i_splat(SQUARE_SIZE * edge->per_x[lane]);
+    }
+    for (int32_t y = setup->origin[1][lane];; y += SQUARE_SIZE) {
+        lanes_i value[3] = {row[0], row[1], row[2]};
+        uint32_t first = found.count;
+
+        for (int32_t x = left;; x += SQUARE_SIZE) {
+            uint32_t coverage = not_negative(value);
+
+            if (begins_outside(columns, x) || begins_outside(rows, y))
+                coverage &= overhang_mask(target, x, y);
+            found.x[found.count] = x;
+            found.y[found.count] = y;
+            found.coverage[found.count] = coverage;
+            found.count += coverage != 0;
+            if (found.count == SQUARES_IN_BATCH) {
+                run_found(&found, triangle, run, context);
+                first = 0;
+            }
+            if (x + SQUARE_SIZE > max_x)
+                break;
+            for (int i = 0; i < 3; ++i)
+                value[i] = lanes_i_sub(value[i], across[i]);
+        }
+        if (GN_SPECIALISED)
+            join_halves(&found, first);
+        if (y + SQUARE_SIZE > max_y)
+            break;
+        for (int i = 0; i < 3; ++i)
+            row[i] = lanes_i_add(row[i], lanes_i_splat(SQUARE_SIZE * setup->edge[i].per_y[lane]));
+    }
+    run_found(&found, triangle, run, context);
+}
+
+#endif
