@@ -37,7 +37,7 @@ static inline bool has_restarts(const mesh_slice *mesh)
 
 /* The next run of elements between restarts of the whole, from element *from on; false where there
  * is none. */
-static bool next_slice(const mesh_slice *whole, uint32_t *from, mesh_slice *run)
+static bool find_slice(const mesh_slice *whole, uint32_t *from, mesh_slice *slice)
 {
     const uint32_t none = whole->restart_index + whole->base;
     uint32_t begin = 0, i = *from;
@@ -60,8 +60,8 @@ static bool next_slice(const mesh_slice *whole, uint32_t *from, mesh_slice *run)
         if (found && l < part)
             break;
     }
-    run->first = whole->first + begin;
-    run->count = i - begin;
+    slice->first = whole->first + begin;
+    slice->count = i - begin;
     *from = i;
     return found;
 }
@@ -195,27 +195,32 @@ static uint32_t slots_in_use(const draw_state *draw, uint32_t elements)
     return most;
 }
 
-/* Where the vertices of elements first to first + count - 1 are kept; of a fan, the first
- * is the draw's first element instead. */
-static inline void locate_elements(const draw_state *draw, uint32_t first, uint32_t count,
-                                   uint32_t *offset)
+/* Finds where the vertices of triangles first to first + count - 1 of the slice are stored: writes
+ * the offset of each of their elements and returns how many elements there are. A fan's first
+ * offset is that of the slice's first element. */
+static inline uint32_t locate_elements(const draw_state *draw, uint32_t first, uint32_t count,
+                                       uint32_t offset[ASSEMBLE_MAX_ELEMENTS])
 {
+    const gn_topology topology = draw->pipeline->topology;
+    const uint32_t elements = element_count(topology, count);
+    const uint32_t element = first_element(topology, first);
     const uint32_t vertices = draw->vertices;
     const uint32_t stride = draw->stride;
-    const bool is_fan = draw->pipeline->topology == GN_TRIANGLE_FAN;
+    const bool is_fan = topology == GN_TRIANGLE_FAN;
 
     if (draw->map.shared) {
-        read_drawn_elements(draw, first, count, offset);
+        read_drawn_elements(draw, element, elements, offset);
         if (is_fan)
             read_elements(draw->mesh, 0, 1, offset);
-        for (uint32_t i = 0; i < count; ++i)
+        for (uint32_t i = 0; i < elements; ++i)
             offset[i] = vertices + ((offset[i] - draw->map.base) & draw->map.ring) * stride;
     } else {
-        for (uint32_t i = 0; i < count; ++i)
-            offset[i] = vertices + (first + i - draw->map.first) * stride;
+        for (uint32_t i = 0; i < elements; ++i)
+            offset[i] = vertices + (element + i - draw->map.first) * stride;
         if (is_fan)
             offset[0] = vertices;
     }
+    return elements;
 }
 
 #endif

@@ -13,10 +13,10 @@
 
 /* Places slot 0 so that `count` slots leave those alone whose vertices the list needs, or draws
  * the list. */
-static void take_slots(draw_state *draw, worker *w, uint32_t count)
+static void reserve_slots(draw_state *draw, worker *w, uint32_t count)
 {
     if (!GN_HAVE_INSTANCES) {
-        draw_list(w);
+        finish_list(w);
         return;
     }
 
@@ -25,43 +25,37 @@ static void take_slots(draw_state *draw, worker *w, uint32_t count)
     const uint32_t whole = (count + GN_LANES - 1) & ~(uint32_t)(GN_LANES - 1);
 
     if (draw->used > window || whole > window - draw->used) {
-        draw_list(w);
+        finish_list(w);
         draw->used = 0;
     }
     draw->vertices = draw->job->vertices + draw->used * draw->stride;
     draw->used += whole;
 }
 
-/* Shades the elements of triangles first to first + count - 1, each for itself. */
-static uint32_t shade_elements(draw_state *draw, worker *w, uint32_t first, uint32_t count)
-{
-    const gn_topology topology = draw->pipeline->topology;
-    const uint32_t elements = element_count(topology, count);
-
-    take_slots(draw, w, elements);
-    draw->map.first = first_element(topology, first);
-    return shade_slots(draw, 0, 0, elements);
-}
-
-/* Draws a segment as many triangles at a time as the workspace has room for. With several
- * parts a walk before tells whether any vertex is clipped, where that matters. */
+/* Draws a segment whose vertices are not shared, as many triangles at a time as the workspace has
+ * room for. If that is not all of them and culling asks whether any vertex of the segment is
+ * clipped, a first pass shades them to find out. */
 static void draw_segment(draw_state *draw, worker *w, uint32_t first, uint32_t count)
 {
-    const uint32_t step = triangles_of(draw->pipeline->topology, draw->job->capacity);
+    const gn_topology topology = draw->pipeline->topology;
+    const uint32_t most = triangles_of(topology, draw->job->capacity);
+    const bool looks_ahead = count > most && draw->pipeline->cull != GN_CULL_NONE;
     const uint32_t end = first + count;
     uint32_t outcodes = 0;
 
-    if (count > step && draw->pipeline->cull != GN_CULL_NONE) {
-        for (uint32_t i = first, part; i < end; i += part) {
-            part = end - i < step ? end - i : step;
-            outcodes |= shade_elements(draw, w, i, part);
+    for (uint32_t pass = looks_ahead ? 0 : 1; pass < 2; ++pass) {
+        for (uint32_t at = first, fitting; at < end; at += fitting) {
+            fitting = end - at < most ? end - at : most;
+            const uint32_t elements = element_count(topology, fitting);
+
+            reserve_slots(draw, w, elements);
+            draw->map.first = first_element(topology, at);
+            outcodes |= shade_slots(draw, 0, 0, elements);
+            if (pass == 0)
+                continue;
+            resolve_segment(w, outcodes);
+            add_primitives(w, at, fitting);
         }
-    }
-    for (uint32_t i = first, part; i < end; i += part) {
-        part = end - i < step ? end - i : step;
-        outcodes |= shade_elements(draw, w, i, part);
-        resolve_segment(w, outcodes);
-        add_primitives(w, i, part);
     }
 }
 
@@ -78,7 +72,7 @@ static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uin
 
         if (end > map->shaded) {
             if (map->ring < map->count - 1)
-                draw_list(w);
+                finish_list(w);
             map->outcodes |= shade_slots(draw, 0, map->shaded, end);
             map->shaded = end;
         }
@@ -87,21 +81,6 @@ static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uin
     if (draw->pipeline->cull != GN_CULL_NONE)
         resolve_segment(w, map->outcodes ? segment_outcodes(draw, first, count) : 0);
     add_primitives(w, first, count);
-}
-
-static void draw_segments(draw_state *draw, worker *w)
-{
-    const gn_topology topology = draw->pipeline->topology;
-    const uint32_t total = triangle_count(topology, draw->mesh->count);
-    const uint32_t step = segment_triangles(topology, draw->mesh);
-
-    for (uint32_t first = 0, count; first < total; first += count) {
-        count = total - first < step ? total - first : step;
-        if (draw->map.shared)
-            draw_shared_segment(draw, w, first, count);
-        else
-            draw_segment(draw, w, first, count);
-    }
 }
 
 /* The ring of a draw whose vertices are shared: the least that holds what is in use at once,
@@ -148,62 +127,85 @@ static index_range scan_indices(draw_state *draw, const mesh_slice *mesh)
     return join_parts(&draw->parts);
 }
 
-/* Of what is shared, nothing is shaded yet. */
+/* Reserves the slots of shared vertices, none of which is shaded yet. */
 static inline void begin_sharing(draw_state *draw, worker *w)
 {
     draw->map.shaded = 0;
     draw->map.outcodes = 0;
     if (draw->map.shared)
-        take_slots(draw, w,
-                   draw->map.ring < draw->map.count ? draw->map.ring + 1 : draw->map.count);
+        reserve_slots(draw, w,
+                      draw->map.ring < draw->map.count ? draw->map.ring + 1 : draw->map.count);
 }
 
-/* Draws what is between restarts. Threads would gain nothing from short runs and instances. */
-static void draw_slice(draw_state *draw, worker *w, bool is_one_of_many)
+static inline void begin_instance(draw_state *draw, worker *w, uint32_t instance)
+{
+    if (GN_HAVE_INSTANCES) {
+        draw->slice.instance = instance;
+        draw->slice.primitive = 0;
+    }
+    draw->next = 0;
+    draw->map.shared = draw->shares_slices;
+    begin_sharing(draw, w);
+}
+
+/* Makes the instance's next slice the draw's; returns false after the last. */
+static bool next_slice(draw_state *draw, worker *w)
+{
+    const mesh_slice *whole = draw->job->mesh;
+    const bool is_first = draw->next == 0;
+
+    if (!has_restarts(whole)) {
+        draw->next = UINT32_MAX;
+        return is_first;
+    }
+    if (!is_first)
+        draw->slice.primitive += triangle_count(draw->pipeline->topology, draw->slice.count);
+    if (!find_slice(whole, &draw->next, &draw->slice))
+        return false;
+    if (!draw->shares_slices) {
+        map_slots(draw, draw->mesh, scan_indices(draw, draw->mesh));
+        begin_sharing(draw, w);
+    }
+    return true;
+}
+
+/* Whether the draw's slice is drawn in rounds. Threads would gain nothing from short slices. */
+static inline bool goes_in_rounds(const draw_state *draw, uint32_t triangles)
+{
+    const draw_job *job = draw->job;
+    const bool is_one_of_many = job->instances > 1 || has_restarts(job->mesh);
+
+    return GN_HAVE_TASKS && round_segments(draw) > 0 &&
+           !(is_one_of_many &&
+             triangles <= segment_triangles(draw->pipeline->topology, draw->mesh));
+}
+
+static void draw_slice(draw_state *draw, worker *w)
 {
     const gn_topology topology = draw->pipeline->topology;
     const uint32_t total = triangle_count(topology, draw->mesh->count);
+    const uint32_t step = segment_triangles(topology, draw->mesh);
 
-    if (total == 0)
-        return;
-    if (!GN_HAVE_TASKS || round_segments(draw) == 0 ||
-        (is_one_of_many && total <= segment_triangles(topology, draw->mesh))) {
-        draw_segments(draw, w);
-        return;
-    }
-    draw_list(w);
-    if (!draw->map.shared) {
-        draw->vertices = draw->job->vertices;
-        draw->used = 0;
-    }
-    draw_rounds(draw);
-    start_list(w->list); /* whose memory the tasks had */
-}
-
-/* Draws one instance. */
-static void draw_instance(draw_state *draw, worker *w)
-{
-    const mesh_slice *whole = draw->job->mesh;
-    const bool is_shared = draw->map.shared;
-
-    begin_sharing(draw, w);
-    if (GN_HAVE_INSTANCES)
-        draw->run.primitive = 0;
-    if (!has_restarts(whole)) {
-        draw_slice(draw, w, draw->job->instances > 1);
-        return;
-    }
-    for (uint32_t from = 0; next_slice(whole, &from, &draw->run);) {
-        if (!is_shared) {
-            map_slots(draw, draw->mesh, scan_indices(draw, draw->mesh));
-            begin_sharing(draw, w);
+    if (total > 0 && goes_in_rounds(draw, total)) {
+        finish_list(w);
+        if (!draw->map.shared) {
+            draw->vertices = draw->job->vertices;
+            draw->used = 0;
         }
-        draw_slice(draw, w, true);
-        draw->run.primitive += triangle_count(draw->pipeline->topology, draw->run.count);
+        draw_rounds(draw);
+        start_list(w->list); /* tasks have used its memory */
+        return;
     }
-    draw->map.shared = is_shared;
+    for (uint32_t first = 0, count; first < total; first += count) {
+        count = total - first < step ? total - first : step;
+        if (draw->map.shared)
+            draw_shared_segment(draw, w, first, count);
+        else
+            draw_segment(draw, w, first, count);
+    }
 }
 
+/* Runs a job. Returns GN_INDEX_OUT_OF_RANGE, and draws nothing, if an index names no vertex. */
 static inline gn_status draw_mesh(const draw_job *job)
 {
     draw_state draw;
@@ -218,12 +220,15 @@ static inline gn_status draw_mesh(const draw_job *job)
         if (range.high >= job->mesh->vertex_count)
             return GN_INDEX_OUT_OF_RANGE;
         map_slots(&draw, job->mesh, range);
+        draw.shares_slices = draw.map.shared;
     }
     start_worker(&w, &draw, 0);
-    draw_instance(&draw, &w);
-    while (GN_HAVE_INSTANCES && ++draw.run.instance < job->instances)
-        draw_instance(&draw, &w);
-    draw_list(&w);
+    for (uint32_t i = 0; i < (GN_HAVE_INSTANCES ? job->instances : 1); ++i) {
+        begin_instance(&draw, &w, i);
+        while (next_slice(&draw, &w))
+            draw_slice(&draw, &w);
+    }
+    finish_list(&w);
     if (job->samples_passed)
         *job->samples_passed += w.passed;
     return GN_OK;

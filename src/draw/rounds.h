@@ -200,7 +200,7 @@ static lanes_i areas_of_list(const triangle_list *list)
 }
 
 /* Sums up the lists of a segment, all of whose lanes are filled. */
-static void measure_segment(segment_lists *segment, const triangle_list *lists, list_rows *groups)
+static void measure_segment(segment_lists *segment, const triangle_list *lists, list_rows *kept)
 {
     const pixel_rows none = {INT32_MAX, -1};
     lanes_i areas = lanes_i_splat(0);
@@ -210,17 +210,17 @@ static void measure_segment(segment_lists *segment, const triangle_list *lists, 
     segment->rows = none;
     for (uint32_t first = 0; first < segment->list_count; first += GN_LANES) {
         const uint32_t rest = segment->list_count - first;
-        list_rows *const group = &groups[first / GN_LANES];
+        list_rows *const sixteen = &kept[first / GN_LANES];
 
-        lanes_i_store(group->min, rows_of_lists(&lists[first], rest, BOUNDS_MIN_Y));
-        lanes_i_store(group->max, rows_of_lists(&lists[first], rest, BOUNDS_MAX_Y));
+        lanes_i_store(sixteen->min, rows_of_lists(&lists[first], rest, BOUNDS_MIN_Y));
+        lanes_i_store(sixteen->max, rows_of_lists(&lists[first], rest, BOUNDS_MAX_Y));
         for (uint32_t l = 0; l < GN_LANES; ++l) {
             if (l >= rest) {
-                group->min[l] = none.min;
-                group->max[l] = none.max;
+                sixteen->min[l] = none.min;
+                sixteen->max[l] = none.max;
                 continue;
             }
-            const pixel_rows rows = {group->min[l], group->max[l]};
+            const pixel_rows rows = {sixteen->min[l], sixteen->max[l]};
             segment->rows = join_rows(segment->rows, rows);
             segment->triangle_count += lists[first + l].count;
             areas = lanes_i_add(areas, areas_of_list(&lists[first + l]));
@@ -270,7 +270,7 @@ static void cull_task(void *context, uint32_t task)
 /* Adds a triangle of a list that reaches into the worker's part of the target. */
 static inline void add_listed(worker *w, const triangle_list *from, uint32_t l)
 {
-    const pixel_rectangle *part = &w->cull.target;
+    const pixel_rectangle *strip = &w->cull.target;
     triangle_list *const list = w->list;
     const uint32_t n = list->count++;
     const int32_t low = from->bounds[BOUNDS_MIN_Y][l];
@@ -283,32 +283,33 @@ static inline void add_listed(worker *w, const triangle_list *from, uint32_t l)
     list->back |= (from->back >> l & 1u) << n;
     list->bounds[BOUNDS_MIN_X][n] = from->bounds[BOUNDS_MIN_X][l];
     list->bounds[BOUNDS_MAX_X][n] = from->bounds[BOUNDS_MAX_X][l];
-    list->bounds[BOUNDS_MIN_Y][n] = low > part->min_y ? low : part->min_y;
-    list->bounds[BOUNDS_MAX_Y][n] = high < part->max_y ? high : part->max_y;
+    list->bounds[BOUNDS_MIN_Y][n] = low > strip->min_y ? low : strip->min_y;
+    list->bounds[BOUNDS_MAX_Y][n] = high < strip->max_y ? high : strip->max_y;
     finish_if_full(w);
 }
 
 /* The lanes whose rows, min to max, reach into a part of the target. */
-static inline uint32_t lanes_in_part(const pixel_rectangle *part, const int32_t *min,
-                                     const int32_t *max)
+static inline uint32_t lanes_in_strip(const pixel_rectangle *strip, const int32_t *min,
+                                      const int32_t *max)
 {
-    return ~(lanes_bits(lanes_i_greater(lanes_i_load(min), lanes_i_splat(part->max_y))) |
-             lanes_bits(lanes_i_greater(lanes_i_splat(part->min_y), lanes_i_load(max))));
+    return ~(lanes_bits(lanes_i_greater(lanes_i_load(min), lanes_i_splat(strip->max_y))) |
+             lanes_bits(lanes_i_greater(lanes_i_splat(strip->min_y), lanes_i_load(max))));
 }
 
 /* Draws the triangles of a list that reach into the worker's part of the target: a list
  * all of which lies in it as it is, from others what does. */
 static void add_list(worker *w, const triangle_list *from, bool lies_inside)
 {
-    const pixel_rectangle *part = &w->cull.target;
+    const pixel_rectangle *strip = &w->cull.target;
     const int32_t(*const bounds)[GN_LANES] = from->bounds;
 
     if (lies_inside && from->count == GN_LANES && !from->clipped) {
-        draw_list(w);
-        draw_triangles(w, from);
+        finish_list(w);
+        *w->list = *from;
+        finish_list(w);
         return;
     }
-    for (uint32_t bits = lanes_in_part(part, bounds[BOUNDS_MIN_Y], bounds[BOUNDS_MAX_Y]) &
+    for (uint32_t bits = lanes_in_strip(strip, bounds[BOUNDS_MIN_Y], bounds[BOUNDS_MAX_Y]) &
                          (GN_ALL_LANES >> (GN_LANES - from->count));
          bits; bits &= bits - 1) {
         const uint32_t l = first_lane(bits);
@@ -323,18 +324,18 @@ static void add_list(worker *w, const triangle_list *from, bool lies_inside)
 }
 
 /* Draws what of a segment's lists reaches into the worker's part of the target. */
-static void draw_segment_part(worker *w, const segment_lists *segment, const triangle_list *lists,
-                              const list_rows *rows)
+static void draw_segment_in_strip(worker *w, const segment_lists *segment,
+                                  const triangle_list *lists, const list_rows *rows)
 {
-    const pixel_rectangle *part = &w->cull.target;
+    const pixel_rectangle *strip = &w->cull.target;
 
-    if (segment->rows.min > part->max_y || segment->rows.max < part->min_y)
+    if (segment->rows.min > strip->max_y || segment->rows.max < strip->min_y)
         return;
     for (uint32_t first = 0; first < segment->list_count; first += GN_LANES, ++rows) {
-        for (uint32_t bits = lanes_in_part(part, rows->min, rows->max) & GN_ALL_LANES; bits;
+        for (uint32_t bits = lanes_in_strip(strip, rows->min, rows->max) & GN_ALL_LANES; bits;
              bits &= bits - 1) {
             const uint32_t l = first_lane(bits);
-            const bool inside = rows->min[l] >= part->min_y && rows->max[l] <= part->max_y;
+            const bool inside = rows->min[l] >= strip->min_y && rows->max[l] <= strip->max_y;
 
             add_list(w, &lists[first + l], inside);
         }
@@ -351,19 +352,20 @@ static void strip_task(void *context, uint32_t task)
     worker w;
 
     start_worker(&w, draw, task);
-    pixel_rectangle *const part = &w.cull.target;
-    const pixel_rows all = {part->min_y, part->max_y};
+    pixel_rectangle *const strip = &w.cull.target;
+    const pixel_rows all = {strip->min_y, strip->max_y};
     const int32_t low = round->rows.min + (int32_t)task * round->strip_rows;
     const int32_t high = low + round->strip_rows - 1;
 
-    part->min_y = low > all.min ? low : all.min;
-    part->max_y = high < all.max ? high : all.max;
+    strip->min_y = low > all.min ? low : all.min;
+    strip->max_y = high < all.max ? high : all.max;
     /* Clipped triangles are of segments in which culling asks, if it does in any. */
     w.cull.asks_unsnapped = draw->pipeline->cull != GN_CULL_NONE;
     for (uint32_t s = 0; s < segments; ++s)
-        draw_segment_part(&w, &job->segments[s], job->lists + (size_t)s * job->lists_per_segment,
-                          job->rows + (size_t)s * job->rows_per_segment);
-    draw_list(&w);
+        draw_segment_in_strip(&w, &job->segments[s],
+                              job->lists + (size_t)s * job->lists_per_segment,
+                              job->rows + (size_t)s * job->rows_per_segment);
+    finish_list(&w);
     *(uint64_t *)(void *)task_scratch(draw, task) = w.passed;
 }
 

@@ -61,8 +61,10 @@ typedef struct index_parts {
 typedef struct draw_state {
     const draw_job *job;
     const gn_pipeline *pipeline;
-    const mesh_slice *mesh; /* what is drawn at present */
-    mesh_slice run;         /* what mesh is, where a draw may have several */
+    const mesh_slice *mesh; /* the slice that is drawn: `slice`, or the job's */
+    mesh_slice slice;       /* used with GN_HAVE_INSTANCES */
+    uint32_t next;          /* element of the instance from which the next slice begins */
+    bool shares_slices;     /* an instance's slices share their vertices */
     uint32_t stride;        /* bytes from vertex to vertex */
     uint32_t vertices;      /* offset of slot 0 */
     uint32_t used; /* slots from job->vertices on that hold vertices which a list may need */
@@ -95,12 +97,13 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     draw->pipeline = job->pipeline;
     draw->mesh = job->mesh;
     if (GN_HAVE_INSTANCES) {
-        draw->run = *job->mesh;
-        draw->mesh = &draw->run;
+        draw->slice = *job->mesh;
+        draw->mesh = &draw->slice;
     }
     draw->stride = vertex_stride(stored_values(job->pipeline));
     draw->vertices = job->vertices;
     draw->used = 0;
+    draw->shares_slices = false;
     draw->map.shared = false;
     draw->map.ring = UINT32_MAX;
     draw->viewport = viewport_transform_of(job->pipeline, any->width, any->height);

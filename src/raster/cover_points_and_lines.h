@@ -4,23 +4,12 @@
 
 #include "cover_large.h"
 
-static inline pixel_rectangle listed_box(const triangle_list *list, uint32_t lane)
-{
-    pixel_rectangle box;
-
-    box.min_x = list->bounds[BOUNDS_MIN_X][lane];
-    box.min_y = list->bounds[BOUNDS_MIN_Y][lane];
-    box.max_x = list->bounds[BOUNDS_MAX_X][lane];
-    box.max_y = list->bounds[BOUNDS_MAX_Y][lane];
-    return box;
-}
-
 /* The same for a point, which is all of its bounds. */
 static inline void cover_point(const triangle_setup *setup, const triangle_list *list,
                                uint32_t lane, run_function *run, const void *context)
 {
     const raster_triangle triangle = {&setup->plane[0][0][lane]};
-    const pixel_rectangle box = listed_box(list, lane);
+    const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
 
     for (int32_t y = box.min_y & ~(SQUARE_SIZE - 1); y <= box.max_y; y += SQUARE_SIZE) {
         int32_t blocks = 1;
@@ -40,7 +29,7 @@ static inline void cover_line(const triangle_setup *setup, const triangle_list *
                               run_function *run, const void *context)
 {
     const raster_triangle triangle = {&setup->plane[0][0][lane]};
-    const pixel_rectangle box = listed_box(list, lane);
+    const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
     const int32_t left = box.min_x & ~(SQUARE_SIZE - 1);
     large_edge edge[3];
 

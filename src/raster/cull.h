@@ -140,9 +140,10 @@ GN_STEP uint32_t find_bounds(const pixel_rectangle *target, int32_t reach, lanes
     return ~lanes_bits(lanes_i_greater(min_x, max_x)) & ~lanes_bits(lanes_i_greater(min_y, max_y));
 }
 
-/* Culling but for what cull_unsnapped says. */
-GN_STEP void cull_snapped(const cull_state *state, const unsigned char *memory,
-                          const triangle_group *group, cull_result *result)
+/* Culls a group. With `asks_unsnapped` the reference culls a second time (cull_unsnapped). */
+GN_STEP void cull_triangles(const cull_state *state, bool asks_unsnapped,
+                            const unsigned char *memory, const triangle_group *group,
+                            cull_result *result)
 {
     const uint32_t lanes = GN_ALL_LANES >> (GN_LANES - group->count);
     lanes_i row[3][4], x[3], y[3];
@@ -184,36 +185,9 @@ GN_STEP void cull_snapped(const cull_state *state, const unsigned char *memory,
         drawn &= ~result->clockwise;
     if (state->drop_counter_clockwise)
         drawn &= result->clockwise;
+    if (asks_unsnapped && drawn)
+        drawn &= cull_unsnapped(state, memory, group);
     result->drawn = drawn;
-}
-
-static inline void cull_triangles(const cull_state *state, const unsigned char *memory,
-                                  const triangle_group *group, cull_result *result)
-{
-    cull_snapped(state, memory, group, result);
-    if (state->asks_unsnapped && result->drawn)
-        result->drawn &= cull_unsnapped(state, memory, group);
-}
-
-/* Adds the triangle in a lane of a group to a list that has room. Inside is to one side of
- * every edge only in one winding; the provoking vertex keeps its place. */
-static inline void append_triangle(const cull_state *state, const triangle_group *group,
-                                   const cull_result *result, uint32_t lane, uint32_t provoking,
-                                   uint32_t primitive, triangle_list *list)
-{
-    const uint32_t n = list->count++;
-    const uint32_t reversed = ~result->clockwise >> lane & 1u;
-    const uint32_t a = state->provoking_first ? 1 : 0;
-    const uint32_t kept = state->provoking_first ? 0 : 2;
-
-    list->vertex[kept][n] = group_vertex(group, kept, lane);
-    list->vertex[a][n] = group_vertex(group, a + reversed, lane);
-    list->vertex[a + 1][n] = group_vertex(group, a + 1 - reversed, lane);
-    list->provoking[n] = provoking;
-    list->primitive[n] = (int32_t)primitive;
-    list->back |= (reversed ^ (state->front_clockwise ? 0u : 1u)) << n;
-    for (int b = 0; b < BOUNDS_COUNT; ++b)
-        list->bounds[b][n] = result->bounds[b][lane];
 }
 
 #endif

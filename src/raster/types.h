@@ -47,7 +47,27 @@ typedef struct pixel_rectangle {
     int32_t min_x, min_y, max_x, max_y;
 } pixel_rectangle;
 
+/* The smallest rectangle that holds both. */
+static inline pixel_rectangle join_rectangles(const pixel_rectangle *a, const pixel_rectangle *b)
+{
+    pixel_rectangle r;
+
+    r.min_x = a->min_x < b->min_x ? a->min_x : b->min_x;
+    r.min_y = a->min_y < b->min_y ? a->min_y : b->min_y;
+    r.max_x = a->max_x > b->max_x ? a->max_x : b->max_x;
+    r.max_y = a->max_y > b->max_y ? a->max_y : b->max_y;
+    return r;
+}
+
 enum { BOUNDS_MIN_X, BOUNDS_MIN_Y, BOUNDS_MAX_X, BOUNDS_MAX_Y, BOUNDS_COUNT };
+
+static inline pixel_rectangle bounds_of_lane(const int32_t (*bounds)[GN_LANES], uint32_t lane)
+{
+    const pixel_rectangle r = {bounds[BOUNDS_MIN_X][lane], bounds[BOUNDS_MIN_Y][lane],
+                               bounds[BOUNDS_MAX_X][lane], bounds[BOUNDS_MAX_Y][lane]};
+
+    return r;
+}
 
 /* Up to sixteen triangles that can be seen, in order. The vertices are those of the group
  * they come from, or, where `clipped` has the lane's bit, of a triangle still to be
