@@ -91,7 +91,7 @@ static void locate_in_point(const gn_pipeline *pipeline, raster_triangle triangl
     const float up = pipeline->point_origin == GN_POINT_LOWER_LEFT ? across : -across;
     const attribute_plane s = {point_word(triangle, POINT_ORIGIN_S), across, 0.0f};
     const attribute_plane t = {point_word(triangle, POINT_ORIGIN_T), 0.0f, up};
-    const bool is_point = triangle_is_point(triangle);
+    const bool is_point = GN_HAVE_LINES && triangle_is(triangle, PRIMITIVE_IS_POINT);
     const lanes_f zero = lanes_splat(0.0f);
 
     lanes_store(coordinate[0], is_point ? lanes_mul(plane_at(s, at), w) : zero);
@@ -196,7 +196,7 @@ GN_STEP void call_fragment_shader(const fragment_state *state, raster_triangle t
         input.y[half] = block->y[half];
     }
     input.sampling = &state->shading->sampling;
-    input.front_facing = !triangle_is_back(triangle);
+    input.front_facing = !triangle_is(triangle, PRIMITIVE_IS_BACK);
     input.primitive_id = 0;
     input.position = 0;
     input.point_coordinate = 0;
@@ -239,7 +239,7 @@ GN_INLINE uint32_t test_whole(const fragment_state *state, const fragment_place 
         depth = lanes_max(lanes_min(depth, lanes_splat(state->limits.high)),
                           lanes_splat(state->limits.low));
     if (GN_HAVE_STENCIL && format_has_stencil(state->depth.format))
-        return test_stencil(state, at, triangle_is_back(triangle), coverage, depth);
+        return test_stencil(state, at, triangle_is(triangle, PRIMITIVE_IS_BACK), coverage, depth);
     if (state->depth.format == GN_FORMAT_NONE)
         return coverage;
     return test_depth(&state->test, &state->depth, state->depth.format, at, coverage, depth, false);

@@ -177,9 +177,10 @@ static inline void setup_identities(primitive_kind kind, const triangle_list *li
                                     triangle_setup *setup)
 {
     lanes_i_store(setup->primitive, lanes_i_load(list->primitive));
-    lanes_i_store(setup->back, lanes_m_as_int(lanes_from_bits(list->back)));
-    if (GN_HAVE_LINES)
-        lanes_i_store(setup->point, lanes_i_splat(kind == KIND_POINT ? -1 : 0));
+    lanes_i_store(setup->flags,
+                  lanes_i_or(lanes_i_and(lanes_m_as_int(lanes_from_bits(list->back)),
+                                         lanes_i_splat(PRIMITIVE_IS_BACK)),
+                             lanes_i_splat(kind == KIND_POINT ? PRIMITIVE_IS_POINT : 0)));
 }
 
 /* The values of a plane at a pixel of each lane's triangle, as its fragments get them. */

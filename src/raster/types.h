@@ -110,7 +110,10 @@ typedef struct edge_lanes {
     int32_t per_y[GN_LANES];
 } edge_lanes;
 
-/* The triangles of a list, set up. Flags are -1 or 0. */
+/* What a set-up says of a primitive: bits of `flags`. */
+enum { PRIMITIVE_IS_BACK = 1, PRIMITIVE_IS_POINT = 2 };
+
+/* The triangles of a list, set up. */
 typedef struct triangle_setup {
     uint32_t large;    /* bit l: an extent is SMALL_EXTENT or more */
     uint32_t unpacked; /* the same of PACKED_EXTENT */
@@ -118,9 +121,8 @@ typedef struct triangle_setup {
     corner_lanes corner;
     edge_lanes edge[3];
     int32_t primitive[GN_LANES]; /* its number in the draw */
-    int32_t back[GN_LANES];      /* a flag: back-facing */
-    int32_t point[GN_LANES];     /* a flag: a point; not set without GN_HAVE_LINES */
-    int32_t solid[GN_LANES];     /* a flag: setup_solid */
+    int32_t flags[GN_LANES];     /* PRIMITIVE_IS_.. */
+    int32_t solid[GN_LANES];     /* -1 or 0: setup_solid */
     float offset[GN_LANES];      /* polygon offset; set only where the pipeline has one */
     float plane[][PLANE_TERMS][GN_LANES];
 } triangle_setup;
@@ -183,18 +185,12 @@ static inline uint32_t triangle_number(raster_triangle t)
     return (uint32_t)*primitive;
 }
 
-static inline bool triangle_is_back(raster_triangle t)
+/* Whether one of PRIMITIVE_IS_.. holds. */
+static inline bool triangle_is(raster_triangle t, int32_t flag)
 {
-    const int32_t *const back = setup_member(t, offsetof(triangle_setup, back));
+    const int32_t *const flags = setup_member(t, offsetof(triangle_setup, flags));
 
-    return *back != 0;
-}
-
-static inline bool triangle_is_point(raster_triangle t)
-{
-    const int32_t *const point = setup_member(t, offsetof(triangle_setup, point));
-
-    return GN_HAVE_LINES && *point != 0;
+    return (*flags & flag) != 0;
 }
 
 /* Called for runs of `count` neighbouring squares in a row, the first at (x, y), both
