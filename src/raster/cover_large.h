@@ -122,7 +122,7 @@ static inline uint32_t edge_mask(const large_edge edge[3], corner_values c)
  * lower side are asked only of a box. */
 GN_INLINE void cover_row(const pixel_rectangle *target, bool is_box, const large_edge edge[3],
                          int32_t left, int32_t max_x, int32_t y, raster_triangle triangle,
-                         run_function *run, const void *context)
+                         run_function *shade, const void *context)
 {
     corner_values c = values_at(edge, left, y);
     int32_t blocks = (max_x - left) / SQUARE_SIZE + 1;
@@ -141,14 +141,14 @@ GN_INLINE void cover_row(const pixel_rectangle *target, bool is_box, const large
         if (!is_inside(edge, c)) {
             const uint32_t coverage = overhang & edge_mask(edge, c);
             if (coverage)
-                run(context, triangle, x, y, 1, coverage);
+                shade(context, triangle, x, y, 1, coverage);
         } else if (overhang != GN_ALL_LANES) {
-            run(context, triangle, x, y, 1, overhang);
+            shade(context, triangle, x, y, 1, overhang);
         } else {
             /* The last block of a row may hang over the target. */
             const int32_t whole = (target->max_x + 1 - x) / SQUARE_SIZE;
             skip = count_inside(edge, c, blocks < whole ? blocks : whole);
-            run(context, triangle, x, y, (uint32_t)skip, GN_ALL_LANES);
+            shade(context, triangle, x, y, (uint32_t)skip, GN_ALL_LANES);
         }
     }
 }
@@ -161,7 +161,7 @@ GN_INLINE void cover_row(const pixel_rectangle *target, bool is_box, const large
  * nearest cache. In every block the triangles come in their order. */
 GN_OUT_OF_LINE void cover_large(const pixel_rectangle *target, const triangle_setup *setup,
                                 const triangle_list *list, uint32_t first, uint32_t end,
-                                run_function *run, const void *context)
+                                run_function *shade, const void *context)
 {
     const int32_t *const min_x = list->bounds[BOUNDS_MIN_X];
     const int32_t *const min_y = list->bounds[BOUNDS_MIN_Y];
@@ -183,7 +183,7 @@ GN_OUT_OF_LINE void cover_large(const pixel_rectangle *target, const triangle_se
 
             if (y + SQUARE_SIZE > min_y[l] && y <= max_y[l])
                 cover_row(target, false, edge[l - first], min_x[l] & ~(SQUARE_SIZE - 1), max_x[l],
-                          y, triangle, run, context);
+                          y, triangle, shade, context);
         }
     }
 }

@@ -14,65 +14,66 @@ typedef struct half_batch {
 } half_batch;
 
 /* The coverage of up to eight halves side by side is a byte of each, the first in the lowest. */
-#define STRIP_HALVES 8
+#define HALVES_TOGETHER 8
 #define EVERY_HALF(byte) (UINT64_C(0x0101010101010101) * (byte))
 
 /* Lanes of the left and of the right quad of a half. */
 #define LEFT_QUAD 0x33u
 #define RIGHT_QUAD 0xCCu
 
-static inline uint32_t count_covered(uint64_t strip)
+static inline uint32_t count_covered(uint64_t halves)
 {
-    strip = (strip | strip >> 4) & EVERY_HALF(15);
-    strip = (strip | strip >> 2) & EVERY_HALF(3);
-    strip = (strip | strip >> 1) & EVERY_HALF(1);
-    return (uint32_t)(strip * EVERY_HALF(1) >> 56);
+    halves = (halves | halves >> 4) & EVERY_HALF(15);
+    halves = (halves | halves >> 2) & EVERY_HALF(3);
+    halves = (halves | halves >> 1) & EVERY_HALF(1);
+    return (uint32_t)(halves * EVERY_HALF(1) >> 56);
 }
 
 /* The halves of `size` squares from (x, y) on; those that are covered are kept, without a branch on
  * it, which processors cannot foresee. Where the outer quads on both sides are empty, they are laid
  * from two columns further on if there are fewer then, so that they stay on these squares and none
- * lies on what another strip has. */
-static inline void add_strip(half_batch *found, uint64_t strip, uint32_t size, int32_t x, int32_t y)
+ * lies on what another halves has. */
+static inline void add_halves(half_batch *batch, uint64_t halves, uint32_t size, int32_t x,
+                              int32_t y)
 {
-    uint32_t count = found->count;
+    uint32_t count = batch->count;
 
-    if (!(strip & LEFT_QUAD) && !(strip >> 8 * (size - 1) & RIGHT_QUAD)) {
+    if (!(halves & LEFT_QUAD) && !(halves >> 8 * (size - 1) & RIGHT_QUAD)) {
         const uint64_t moved =
-            (strip >> 2 & EVERY_HALF(LEFT_QUAD)) | (strip >> 6 & EVERY_HALF(RIGHT_QUAD));
+            (halves >> 2 & EVERY_HALF(LEFT_QUAD)) | (halves >> 6 & EVERY_HALF(RIGHT_QUAD));
 
-        if (count_covered(moved) < count_covered(strip)) {
-            strip = moved;
+        if (count_covered(moved) < count_covered(halves)) {
+            halves = moved;
             x += SQUARE_SIZE / 2;
         }
     }
     for (uint32_t i = 0; i < size; ++i) {
-        packed_block *const block = &found->block[count / 2];
-        const uint32_t covered = (uint32_t)(strip >> 8 * i) & HALF_COVERED;
+        packed_block *const block = &batch->block[count / 2];
+        const uint32_t covered = (uint32_t)(halves >> 8 * i) & HALF_COVERED;
 
         block->at.x[count % 2] = x + (int32_t)i * SQUARE_SIZE;
         block->at.y[count % 2] = y;
         block->covered[count % 2] = covered;
         count += covered != 0;
     }
-    found->count = count;
+    batch->count = count;
 }
 
 /* One half that is left over has its neighbour in a square at a multiple of four beside it, whose
  * rows are all in the part of the target that is drawn (place_blocks). */
-static inline void run_halves(half_batch *found, raster_triangle triangle, pack_function *run,
-                              const void *context)
+static inline void shade_batch(half_batch *batch, raster_triangle triangle, pack_function *shade,
+                               const void *context)
 {
-    packed_block *const last = &found->block[found->count / 2];
+    packed_block *const last = &batch->block[batch->count / 2];
 
-    if (found->count % 2) {
+    if (batch->count % 2) {
         last->at.x[1] = last->at.x[0];
         last->at.y[1] = last->at.y[0] ^ (SQUARE_SIZE / 2);
         last->covered[1] = 0;
     }
-    if (found->count)
-        run(context, triangle, found->block, (found->count + 1) / 2);
-    found->count = 0;
+    if (batch->count)
+        shade(context, triangle, batch->block, (batch->count + 1) / 2);
+    batch->count = 0;
 }
 
 /* The edge functions of a small triangle. */
@@ -114,7 +115,7 @@ static inline uint32_t lanes_met(const small_edges *e, int32_t number, const lan
 /* A triangle below PACKED_EXTENT. Pixels outside its bounds are outside an edge too, so that only
  * what hangs over the target's part is masked. */
 GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_setup *setup,
-                                 const triangle_list *list, uint32_t lane, pack_function *run,
+                                 const triangle_list *list, uint32_t lane, pack_function *shade,
                                  const void *context)
 {
     const raster_triangle triangle = {&setup->plane[0][0][lane]};
@@ -124,9 +125,9 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_s
     const block_span columns = blocks_inside(target->min_x, target->max_x);
     const block_span rows = blocks_inside(target->min_y, target->max_y);
     small_edges edges;
-    half_batch found;
+    half_batch batch;
 
-    found.count = 0;
+    batch.count = 0;
     for (int i = 0; i < 3; ++i)
         set_small_edge(&edges, setup, i, lane);
     for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += SQUARE_SIZE) {
@@ -138,8 +139,9 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_s
             const int32_t after = first + (int32_t)count_lanes(met);
             const int32_t end = after < squares ? after : squares;
 
-            for (int32_t n = first; n < end; n += STRIP_HALVES) {
-                const uint32_t size = end - n < STRIP_HALVES ? (uint32_t)(end - n) : STRIP_HALVES;
+            for (int32_t n = first; n < end; n += HALVES_TOGETHER) {
+                const uint32_t size =
+                    end - n < HALVES_TOGETHER ? (uint32_t)(end - n) : HALVES_TOGETHER;
                 const int32_t x = left + n * SQUARE_SIZE;
                 uint64_t lower = 0, upper = 0;
 
@@ -152,16 +154,16 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_s
                     lower |= (uint64_t)(coverage & HALF_COVERED) << 8 * i;
                     upper |= (uint64_t)(coverage >> HALF_LANES) << 8 * i;
                 }
-                if (found.count > HALVES_IN_BATCH - 1 - 2 * STRIP_HALVES)
-                    run_halves(&found, triangle, run, context);
-                add_strip(&found, lower, size, x, y);
-                add_strip(&found, upper, size, x, y + SQUARE_SIZE / 2);
+                if (batch.count > HALVES_IN_BATCH - 1 - 2 * HALVES_TOGETHER)
+                    shade_batch(&batch, triangle, shade, context);
+                add_halves(&batch, lower, size, x, y);
+                add_halves(&batch, upper, size, x, y + SQUARE_SIZE / 2);
             }
         }
         for (int i = 0; i < 3; ++i)
             edges.start[i] += edges.across[i];
     }
-    run_halves(&found, triangle, run, context);
+    shade_batch(&batch, triangle, shade, context);
 }
 
 #endif

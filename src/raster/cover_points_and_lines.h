@@ -6,7 +6,7 @@
 
 /* The same for a point, which is all of its bounds. */
 static inline void cover_point(const triangle_setup *setup, const triangle_list *list,
-                               uint32_t lane, run_function *run, const void *context)
+                               uint32_t lane, run_function *shade, const void *context)
 {
     const raster_triangle triangle = {&setup->plane[0][0][lane]};
     const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
@@ -19,14 +19,14 @@ static inline void cover_point(const triangle_setup *setup, const triangle_list 
             const uint32_t coverage = box_mask(&box, x, y);
 
             blocks = coverage == GN_ALL_LANES ? (box.max_x + 1 - x) / SQUARE_SIZE : 1;
-            run(context, triangle, x, y, (uint32_t)blocks, coverage);
+            shade(context, triangle, x, y, (uint32_t)blocks, coverage);
         }
     }
 }
 
 /* The same for a line: what lies in its bounds between its two long edges. */
 static inline void cover_line(const triangle_setup *setup, const triangle_list *list, uint32_t lane,
-                              run_function *run, const void *context)
+                              run_function *shade, const void *context)
 {
     const raster_triangle triangle = {&setup->plane[0][0][lane]};
     const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
@@ -36,7 +36,7 @@ static inline void cover_line(const triangle_setup *setup, const triangle_list *
     for (int i = 0; i < 3; ++i)
         set_large_edge(&edge[i], setup, i, lane);
     for (int32_t y = box.min_y & ~(SQUARE_SIZE - 1); y <= box.max_y; y += SQUARE_SIZE)
-        cover_row(&box, true, edge, left, box.max_x, y, triangle, run, context);
+        cover_row(&box, true, edge, left, box.max_x, y, triangle, shade, context);
 }
 
 #endif

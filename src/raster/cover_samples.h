@@ -85,7 +85,7 @@ static inline bool any_sample(const uint32_t coverage[GN_SAMPLES])
 /* Calls `run` for every block with covered samples of the triangle in a lane of a list, from
  * the bottom up and from left to right. Its bounds are those of pixels with samples inside. */
 static inline void cover_samples(const pixel_rectangle *target, const triangle_setup *setup,
-                                 const triangle_list *list, uint32_t lane, samples_function *run,
+                                 const triangle_list *list, uint32_t lane, samples_function *shade,
                                  const void *context)
 {
     const raster_triangle triangle = {&setup->plane[0][0][lane]};
@@ -107,7 +107,7 @@ static inline void cover_samples(const pixel_rectangle *target, const triangle_s
 
             goes_on = sample_masks(&edges, x, y, box_mask(target, x, y), coverage);
             if (any_sample(coverage))
-                run(context, triangle, x, y, coverage);
+                shade(context, triangle, x, y, coverage);
         }
     }
 }
@@ -116,7 +116,7 @@ static inline void cover_samples(const pixel_rectangle *target, const triangle_s
  * right of its first three edges and of its last three. */
 static inline void cover_line_samples(const box_state *state, const stored_vertex *first,
                                       const stored_vertex *second, const pixel_rectangle *box,
-                                      raster_triangle triangle, samples_function *run,
+                                      raster_triangle triangle, samples_function *shade,
                                       const void *context)
 {
     int32_t corner[4][2];
@@ -144,7 +144,7 @@ static inline void cover_line_samples(const box_state *state, const stored_verte
             for (uint32_t s = 0; s < GN_SAMPLES; ++s)
                 coverage[s] &= rest[s];
             if (any_sample(coverage))
-                run(context, triangle, x, y, coverage);
+                shade(context, triangle, x, y, coverage);
         }
     }
 }
@@ -161,7 +161,7 @@ static inline uint32_t rectangle_mask(const pixel_rectangle *r, int32_t x, int32
 /* The same for a point, of which a vertex and the pixels are given that it may have. */
 static inline void cover_point_samples(const box_state *state, const stored_vertex *v,
                                        const pixel_rectangle *box, raster_triangle triangle,
-                                       samples_function *run, const void *context)
+                                       samples_function *shade, const void *context)
 {
     pixel_rectangle part[GN_SAMPLES];
     int32_t low[2], high[2];
@@ -185,7 +185,7 @@ static inline void cover_point_samples(const box_state *state, const stored_vert
             for (uint32_t s = 0; s < GN_SAMPLES; ++s)
                 coverage[s] = rectangle_mask(&part[s], x, y);
             if (any_sample(coverage))
-                run(context, triangle, x, y, coverage);
+                shade(context, triangle, x, y, coverage);
         }
     }
 }

@@ -4,8 +4,11 @@
 
 #include "square.h"
 
-/* Covered blocks of a small triangle, as many as are run together. */
-#define SQUARES_IN_BATCH (GN_SPECIALISED ? 32 : 1)
+/* Squares in a row of a small triangle: the 64 pixels of SMALL_EXTENT and one to an even place. */
+#define SMALL_SQUARES (SMALL_EXTENT / 256 / SQUARE_SIZE + 1)
+
+/* Squares that are shaded together, among them whole rows alone. */
+#define SQUARES_IN_BATCH (GN_SPECIALISED ? 3 * SMALL_SQUARES : SMALL_SQUARES)
 
 typedef struct square_batch {
     uint32_t count;
@@ -20,38 +23,30 @@ typedef struct square_batch {
 /* Blocks of one row, found from number `first` on: where neither the left half of the first nor
  * the right half of the last is covered, they are laid anew from two columns further on, which
  * takes one less. */
-static inline void join_halves(square_batch *found, uint32_t first)
+static inline void join_halves(square_batch *batch, uint32_t first)
 {
     uint32_t kept = first;
 
-    if (found->count < first + 2)
+    if (batch->count < first + 2)
         return;
-    const uint32_t last = found->count - 1;
-    if ((found->coverage[first] & LEFT_HALF) || (found->coverage[last] & RIGHT_HALF) ||
-        (uint32_t)(found->x[last] - found->x[first]) != (last - first) * SQUARE_SIZE)
+    const uint32_t last = batch->count - 1;
+    if ((batch->coverage[first] & LEFT_HALF) || (batch->coverage[last] & RIGHT_HALF) ||
+        (uint32_t)(batch->x[last] - batch->x[first]) != (last - first) * SQUARE_SIZE)
         return;
     for (uint32_t i = first; i < last; ++i) {
-        found->x[kept] = found->x[i] + SQUARE_SIZE / 2;
-        found->coverage[kept] =
-            (found->coverage[i] >> 2 & LEFT_HALF) | (found->coverage[i + 1] << 2 & RIGHT_HALF);
-        kept += found->coverage[kept] != 0;
+        batch->x[kept] = batch->x[i] + SQUARE_SIZE / 2;
+        batch->coverage[kept] =
+            (batch->coverage[i] >> 2 & LEFT_HALF) | (batch->coverage[i + 1] << 2 & RIGHT_HALF);
+        kept += batch->coverage[kept] != 0;
     }
-    found->count = kept;
-}
-
-static inline void run_found(square_batch *found, raster_triangle triangle, run_function *run,
-                             const void *context)
-{
-    for (uint32_t i = 0; i < found->count; ++i)
-        run(context, triangle, found->x[i], found->y[i], 1, found->coverage[i]);
-    found->count = 0;
+    batch->count = kept;
 }
 
 /* A small triangle. Pixels outside its bounds are outside an edge too, so that only what
  * hangs over the target's part is masked. Blocks are kept without a branch on whether they are
  * covered, which processors cannot foresee, and run afterwards. */
 static inline void cover_small(const pixel_rectangle *target, const triangle_setup *setup,
-                               const triangle_list *list, uint32_t lane, run_function *run,
+                               const triangle_list *list, uint32_t lane, run_function *shade,
                                const void *context)
 {
     const raster_triangle triangle = {&setup->plane[0][0][lane]};
@@ -60,45 +55,46 @@ static inline void cover_small(const pixel_rectangle *target, const triangle_set
     const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
     const block_span columns = blocks_inside(target->min_x, target->max_x);
     const block_span rows = blocks_inside(target->min_y, target->max_y);
-    square_batch found;
+    square_batch batch;
     lanes_i row[3], across[3];
 
-    found.count = 0;
+    batch.count = 0;
     for (int i = 0; i < 3; ++i) {
         const edge_lanes *edge = &setup->edge[i];
         row[i] = edge_values(edge->start[lane], edge->per_x[lane], edge->per_y[lane]);
         across[i] = lanes_i_splat(SQUARE_SIZE * edge->per_x[lane]);
     }
     for (int32_t y = setup->origin[1][lane];; y += SQUARE_SIZE) {
+        const bool is_last = y + SQUARE_SIZE > max_y;
+        const uint32_t first = batch.count;
         lanes_i value[3] = {row[0], row[1], row[2]};
-        uint32_t first = found.count;
 
         for (int32_t x = left;; x += SQUARE_SIZE) {
             uint32_t coverage = not_negative(value);
 
             if (begins_outside(columns, x) || begins_outside(rows, y))
                 coverage &= overhang_mask(target, x, y);
-            found.x[found.count] = x;
-            found.y[found.count] = y;
-            found.coverage[found.count] = coverage;
-            found.count += coverage != 0;
-            if (found.count == SQUARES_IN_BATCH) {
-                run_found(&found, triangle, run, context);
-                first = 0;
-            }
+            batch.x[batch.count] = x;
+            batch.y[batch.count] = y;
+            batch.coverage[batch.count] = coverage;
+            batch.count += coverage != 0;
             if (x + SQUARE_SIZE > max_x)
                 break;
             for (int i = 0; i < 3; ++i)
                 value[i] = lanes_i_sub(value[i], across[i]);
         }
         if (GN_SPECIALISED)
-            join_halves(&found, first);
-        if (y + SQUARE_SIZE > max_y)
-            break;
+            join_halves(&batch, first);
+        if (is_last || batch.count > SQUARES_IN_BATCH - SMALL_SQUARES) {
+            for (uint32_t i = 0; i < batch.count; ++i)
+                shade(context, triangle, batch.x[i], batch.y[i], 1, batch.coverage[i]);
+            batch.count = 0;
+        }
+        if (is_last)
+            return;
         for (int i = 0; i < 3; ++i)
             row[i] = lanes_i_add(row[i], lanes_i_splat(SQUARE_SIZE * setup->edge[i].per_y[lane]));
     }
-    run_found(&found, triangle, run, context);
 }
 
 #endif

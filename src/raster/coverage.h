@@ -9,24 +9,24 @@
 /* Calls the functions for every block with covered pixels of the triangles in a list: of each
  * triangle from the bottom up, and in every pixel in the order of triangles. */
 static inline void cover_triangles(const pixel_rectangle *target, const triangle_setup *setup,
-                                   const triangle_list *list, const block_functions *run,
+                                   const triangle_list *list, const block_functions *shade,
                                    const void *context)
 {
-    const bool packs = GN_SPECIALISED && run->packed;
+    const bool packs = GN_SPECIALISED && shade->packed;
     const uint32_t large = packs ? setup->unpacked : setup->large;
 
     for (uint32_t l = 0, end; l < list->count; l = end) {
         end = l + 1;
         if (!(large >> l & 1u)) {
             if (packs)
-                cover_packed(target, setup, list, l, run->packed, context);
+                cover_packed(target, setup, list, l, shade->packed, context);
             else
-                cover_small(target, setup, list, l, run->squares, context);
+                cover_small(target, setup, list, l, shade->squares, context);
             continue;
         }
         while (end < list->count && end - l < LARGE_TOGETHER && (large >> end & 1u))
             ++end;
-        cover_large(target, setup, list, l, end, run->squares, context);
+        cover_large(target, setup, list, l, end, shade->squares, context);
     }
 }
 
