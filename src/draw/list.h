@@ -101,12 +101,6 @@ static void finish_list(worker *w)
     start_list(w->list);
 }
 
-static inline void finish_if_full(worker *w)
-{
-    if (w->list->count == GN_LANES)
-        finish_list(w);
-}
-
 /* Makes room for `count` new vertices, or for as many as the scratch holds. The vertices that the
  * list's triangles use must last until the list is drawn. */
 static inline void make_room(worker *w, uint32_t count)
@@ -147,7 +141,8 @@ static inline void append_triangle(worker *w, const triangle_group *group,
     list->back |= (reversed ^ (state->front_clockwise ? 0u : 1u)) << n;
     for (int b = 0; b < BOUNDS_COUNT; ++b)
         list->bounds[b][n] = result->bounds[b][lane];
-    finish_if_full(w);
+    if (list->count == GN_LANES)
+        finish_list(w);
 }
 
 /* Appends a primitive that can be seen in `box`. If `is_kept`, strips clip it or make its outline
@@ -167,7 +162,8 @@ static inline void append_box(worker *w, const uint32_t vertex[3], uint32_t prov
     list->bounds[BOUNDS_MIN_Y][n] = box->min_y;
     list->bounds[BOUNDS_MAX_X][n] = box->max_x;
     list->bounds[BOUNDS_MAX_Y][n] = box->max_y;
-    finish_if_full(w);
+    if (list->count == GN_LANES)
+        finish_list(w);
 }
 
 #endif

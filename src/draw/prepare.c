@@ -20,9 +20,9 @@
 
 static uint64_t vertices_size(uint32_t vertex_count, uint32_t varying_count)
 {
-    const uint64_t batches = vertex_count == 0 ? 1 : ((uint64_t)vertex_count - 1) / GN_LANES + 1;
+    const uint64_t sixteens = vertex_count == 0 ? 1 : ((uint64_t)vertex_count - 1) / GN_LANES + 1;
 
-    return batches * GN_LANES * vertex_stride(varying_count);
+    return sixteens * GN_LANES * vertex_stride(varying_count);
 }
 
 static size_t as_size(uint64_t size)
@@ -127,7 +127,7 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     const size_t skip = (0 - (uintptr_t)workspace->memory) & (WORKSPACE_ALIGNMENT - 1);
     const uint64_t given = workspace->size - skip;
     const uint32_t available = (uint32_t)(given < MEMORY_LIMIT ? given : MEMORY_LIMIT);
-    const uint32_t batch = GN_LANES * vertex_stride(stored_values(job->pipeline));
+    const uint32_t sixteen = GN_LANES * vertex_stride(stored_values(job->pipeline));
 
     job->memory = (unsigned char *)workspace->memory + skip;
     job->parallel = GN_HAVE_TASKS ? workspace->parallel : NULL;
@@ -141,7 +141,7 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     job->lists_per_segment = 0;
     job->rows_per_segment = 0;
     job->vertices = divide_for_tasks(job, available);
-    job->capacity = (available - job->vertices) / batch * GN_LANES;
+    job->capacity = (available - job->vertices) / sixteen * GN_LANES;
 }
 
 /* Of the first colour, the only one where the answer matters. */

@@ -285,7 +285,8 @@ static inline void add_listed(worker *w, const triangle_list *from, uint32_t l)
     list->bounds[BOUNDS_MAX_X][n] = from->bounds[BOUNDS_MAX_X][l];
     list->bounds[BOUNDS_MIN_Y][n] = low > strip->min_y ? low : strip->min_y;
     list->bounds[BOUNDS_MAX_Y][n] = high < strip->max_y ? high : strip->max_y;
-    finish_if_full(w);
+    if (list->count == GN_LANES)
+        finish_list(w);
 }
 
 /* The lanes whose rows, min to max, reach into a part of the target. */

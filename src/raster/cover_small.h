@@ -8,7 +8,7 @@
 #define SMALL_SQUARES (SMALL_EXTENT / 256 / SQUARE_SIZE + 1)
 
 /* Squares that are shaded together, among them whole rows alone. */
-#define SQUARES_IN_BATCH (GN_SPECIALISED ? 3 * SMALL_SQUARES : SMALL_SQUARES)
+#define SQUARES_IN_BATCH (GN_SPECIALISED ? 2 * SMALL_SQUARES : SMALL_SQUARES)
 
 typedef struct square_batch {
     uint32_t count;
@@ -55,46 +55,45 @@ static inline void cover_small(const pixel_rectangle *target, const triangle_set
     const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
     const block_span columns = blocks_inside(target->min_x, target->max_x);
     const block_span rows = blocks_inside(target->min_y, target->max_y);
+    int32_t y = setup->origin[1][lane];
     square_batch batch;
     lanes_i row[3], across[3];
 
-    batch.count = 0;
     for (int i = 0; i < 3; ++i) {
         const edge_lanes *edge = &setup->edge[i];
         row[i] = edge_values(edge->start[lane], edge->per_x[lane], edge->per_y[lane]);
         across[i] = lanes_i_splat(SQUARE_SIZE * edge->per_x[lane]);
     }
-    for (int32_t y = setup->origin[1][lane];; y += SQUARE_SIZE) {
-        const bool is_last = y + SQUARE_SIZE > max_y;
-        const uint32_t first = batch.count;
-        lanes_i value[3] = {row[0], row[1], row[2]};
+    do {
+        batch.count = 0;
+        do {
+            const uint32_t first = batch.count;
+            lanes_i value[3] = {row[0], row[1], row[2]};
 
-        for (int32_t x = left;; x += SQUARE_SIZE) {
-            uint32_t coverage = not_negative(value);
+            for (int32_t x = left;; x += SQUARE_SIZE) {
+                uint32_t coverage = not_negative(value);
 
-            if (begins_outside(columns, x) || begins_outside(rows, y))
-                coverage &= overhang_mask(target, x, y);
-            batch.x[batch.count] = x;
-            batch.y[batch.count] = y;
-            batch.coverage[batch.count] = coverage;
-            batch.count += coverage != 0;
-            if (x + SQUARE_SIZE > max_x)
-                break;
+                if (begins_outside(columns, x) || begins_outside(rows, y))
+                    coverage &= overhang_mask(target, x, y);
+                batch.x[batch.count] = x;
+                batch.y[batch.count] = y;
+                batch.coverage[batch.count] = coverage;
+                batch.count += coverage != 0;
+                if (x + SQUARE_SIZE > max_x)
+                    break;
+                for (int i = 0; i < 3; ++i)
+                    value[i] = lanes_i_sub(value[i], across[i]);
+            }
+            if (GN_SPECIALISED)
+                join_halves(&batch, first);
             for (int i = 0; i < 3; ++i)
-                value[i] = lanes_i_sub(value[i], across[i]);
-        }
-        if (GN_SPECIALISED)
-            join_halves(&batch, first);
-        if (is_last || batch.count > SQUARES_IN_BATCH - SMALL_SQUARES) {
-            for (uint32_t i = 0; i < batch.count; ++i)
-                shade(context, triangle, batch.x[i], batch.y[i], 1, batch.coverage[i]);
-            batch.count = 0;
-        }
-        if (is_last)
-            return;
-        for (int i = 0; i < 3; ++i)
-            row[i] = lanes_i_add(row[i], lanes_i_splat(SQUARE_SIZE * setup->edge[i].per_y[lane]));
-    }
+                row[i] =
+                    lanes_i_add(row[i], lanes_i_splat(SQUARE_SIZE * setup->edge[i].per_y[lane]));
+            y += SQUARE_SIZE;
+        } while (y <= max_y && batch.count <= SQUARES_IN_BATCH - SMALL_SQUARES);
+        for (uint32_t i = 0; i < batch.count; ++i)
+            shade(context, triangle, batch.x[i], batch.y[i], 1, batch.coverage[i]);
+    } while (y <= max_y);
 }
 
 #endif
