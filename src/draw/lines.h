@@ -1,4 +1,4 @@
-/* Points and lines: clipped, and appended to the list. */
+/* Points and lines: clips them and appends them to the list. */
 #ifndef GN_DRAW_LINES_H
 #define GN_DRAW_LINES_H
 
@@ -15,7 +15,7 @@ static inline void add_point(worker *w, uint32_t offset, uint32_t primitive)
         append_box(w, vertex, offset, primitive, false, &box);
 }
 
-/* Adds a line as a whole or what clipping leaves of it. */
+/* Adds a line, or what clipping leaves of it. */
 static inline void add_line(worker *w, const uint32_t vertex[2], uint32_t provoking,
                             uint32_t primitive)
 {
@@ -42,8 +42,8 @@ static inline void add_line(worker *w, const uint32_t vertex[2], uint32_t provok
         append_box(w, w->keeps ? line : ends, provoking, primitive, crosses && w->keeps, &box);
 }
 
-/* Adds `count` points or lines, the elements of which are stored at `offset`. `first` is the number
- * of the first in the draw. */
+/* Adds `count` points or lines. `offset` names the vertices of their elements; `first` is the first
+ * primitive's number in the draw. */
 GN_OUT_OF_LINE void add_points_or_lines(worker *w, const uint32_t *offset, uint32_t first,
                                         uint32_t count)
 {

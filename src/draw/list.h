@@ -73,8 +73,8 @@ GN_OUT_OF_LINE void draw_sampled(worker *w)
         cover_samples(&w->cull.target, w->setup, w->list, l, shade_sampled_square, &context);
 }
 
-/* Draws the list and starts it anew. A worker that keeps lists calls this for full lists alone:
- * it keeps the list and starts the one behind it. */
+/* Draws the list and starts it again. A worker that keeps lists calls this for full lists alone:
+ * the list is kept and the next one in memory is started. */
 static void finish_list(worker *w)
 {
     const draw_state *draw = w->draw;
@@ -112,7 +112,8 @@ static inline void make_room(worker *w, uint32_t count)
     w->clipper.scratch = w->clip_vertices + w->clip_used * w->draw->stride;
 }
 
-/* Every list holds primitives of one kind: before one of another kind the list is drawn. */
+/* Sets the kind of the primitives that follow. A list holds one kind: if the kind changes, the list
+ * is drawn first. */
 static inline void use_kind(worker *w, primitive_kind kind)
 {
     if (w->kind != kind)
@@ -120,8 +121,8 @@ static inline void use_kind(worker *w, primitive_kind kind)
     w->kind = kind;
 }
 
-/* Appends the triangle in a lane of a culled group. The corners are put in the order in which
- * inside is right of every edge; the provoking vertex keeps its place. */
+/* Appends the triangle in a lane of a culled group. The corners are ordered so that inside is right
+ * of every edge; the provoking vertex keeps its place. */
 static inline void append_triangle(worker *w, const triangle_group *group,
                                    const cull_result *result, uint32_t lane, uint32_t provoking,
                                    uint32_t primitive)
@@ -145,8 +146,8 @@ static inline void append_triangle(worker *w, const triangle_group *group,
         finish_list(w);
 }
 
-/* Appends a primitive that can be seen in `box`. If `is_kept`, strips clip it or make its outline
- * when they draw it. */
+/* Appends a primitive that can be seen in `box`. If `is_kept`, the strips clip it or make its
+ * outline when they draw it. */
 static inline void append_box(worker *w, const uint32_t vertex[3], uint32_t provoking,
                               uint32_t primitive, bool is_kept, const pixel_rectangle *box)
 {

@@ -1,5 +1,5 @@
-/* Running a draw. On one thread: its segments, in parts that fit the workspace, through
- * the stages; in tasks: rounds.h. */
+/* Draws a job: its instances, slices and segments, on the calling thread or in rounds (rounds.h).
+ */
 #ifndef GN_DRAW_MESH_H
 #define GN_DRAW_MESH_H
 
@@ -7,12 +7,13 @@
 #include "primitives.h"
 #include "vertices.h"
 
-/* Slots that are filled before they are used again, where fewer would do: vertices of short runs
- * and of instances, whose triangles are set up together. More would leave the cache. */
+/* How many slots are filled before slot 0 is used again, when fewer would do: vertices of short
+ * slices and of instances, whose triangles are set up together. More slots would leave the cache.
+ */
 #define SLOT_WINDOW 512
 
-/* Places slot 0 so that `count` slots leave those alone whose vertices the list needs, or draws
- * the list. */
+/* Places slot 0 so that the next `count` slots overwrite no vertex that the list needs. If there is
+ * no such place, the list is drawn first. */
 static void reserve_slots(draw_state *draw, worker *w, uint32_t count)
 {
     if (!GN_HAVE_INSTANCES) {
@@ -59,8 +60,8 @@ static void draw_segment(draw_state *draw, worker *w, uint32_t first, uint32_t c
     }
 }
 
-/* Draws a segment of a shared draw. Vertices are shaded up to the last one that its
- * part of the indices names, each once in the draw. */
+/* Draws a segment of a shared draw. Shades vertices up to the last one that the segment's parts
+ * name; each vertex is shaded once in the draw. */
 static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uint32_t count)
 {
     const gn_topology topology = draw->pipeline->topology;
@@ -77,15 +78,15 @@ static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uin
             map->shaded = end;
         }
     }
-    /* With indices there is no quad, so that culling alone asks. */
+    /* A draw with indices has no quads, so only culling depends on the outcodes. */
     if (draw->pipeline->cull != GN_CULL_NONE)
         resolve_segment(w, map->outcodes ? segment_outcodes(draw, first, count) : 0);
     add_primitives(w, first, count);
 }
 
-/* The ring of a draw whose vertices are shared: the least that holds what is in use at once,
- * or no ring where that is all of them. The first vertex of a fan and of a loop is in use to
- * the end. */
+/* Returns the ring for a shared draw: the smallest that holds the slots in use at once, or no ring
+ * (UINT32_MAX) if that is all slots. The first vertex of a fan and of a line loop is in use to the
+ * end. */
 static uint32_t ring_of(const draw_state *draw)
 {
     const draw_job *job = draw->job;
@@ -103,8 +104,9 @@ static uint32_t ring_of(const draw_state *draw)
     return ring < draw->map.count - 1 ? ring : UINT32_MAX;
 }
 
-/* Shares vertices where the range that the elements name is no longer than the elements and
- * what of it is in use at once fits the workspace: then it is shaded once for all of them. */
+/* Decides whether vertices are shared. If the index range is no longer than the index count and its
+ * slots in use at once fit the workspace, each vertex in the range is shaded once, referenced or
+ * not. */
 static void map_slots(draw_state *draw, const mesh_slice *mesh, index_range range)
 {
     slot_map *const map = &draw->map;
@@ -148,7 +150,7 @@ static inline void begin_instance(draw_state *draw, worker *w, uint32_t instance
     begin_sharing(draw, w);
 }
 
-/* Makes the instance's next slice the draw's; returns false after the last. */
+/* Makes the instance's next slice the draw's slice. Returns false after the last one. */
 static bool next_slice(draw_state *draw, worker *w)
 {
     const mesh_slice *whole = draw->job->mesh;
@@ -169,7 +171,8 @@ static bool next_slice(draw_state *draw, worker *w)
     return true;
 }
 
-/* Whether the draw's slice is drawn in rounds. Threads would gain nothing from short slices. */
+/* Returns whether the draw's slice is drawn in rounds. Threads would gain nothing from short
+ * slices. */
 static inline bool goes_in_rounds(const draw_state *draw, uint32_t triangles)
 {
     const draw_job *job = draw->job;
@@ -193,7 +196,7 @@ static void draw_slice(draw_state *draw, worker *w)
             draw->used = 0;
         }
         draw_rounds(draw);
-        start_list(w->list); /* tasks have used its memory */
+        start_list(w->list); /* the tasks used its memory */
         return;
     }
     for (uint32_t first = 0, count; first < total; first += count) {
@@ -205,7 +208,8 @@ static void draw_slice(draw_state *draw, worker *w)
     }
 }
 
-/* Runs a job. Returns GN_INDEX_OUT_OF_RANGE, and draws nothing, if an index names no vertex. */
+/* Runs a job. Returns GN_INDEX_OUT_OF_RANGE, and draws nothing, if an index names no vertex;
+ * otherwise GN_OK. */
 static inline gn_status draw_mesh(const draw_job *job)
 {
     draw_state draw;

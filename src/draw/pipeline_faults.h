@@ -83,7 +83,7 @@ static inline fault fault_of_stencil_back(const gn_stencil_face *f)
 #define NO_EQUATION " is no gn_blend_equation"
 #define NO_FACTOR " is no gn_blend_factor"
 
-/* Of attachment i. */
+/* The first fault of attachment i's blending. */
 static inline fault fault_of_blend(const gn_blend *b, int i, const float constant[4])
 {
     const unsigned equation = GN_EQUATION_MAX, factor = GN_FACTOR_SOURCE_ALPHA_SATURATE;
@@ -121,7 +121,7 @@ static inline fault fault_of_points_and_lines(const gn_pipeline *p)
     return NO_FAULT;
 }
 
-/* Not asked in small libraries, which have the code of ready-made shaders in use alone. */
+/* Small libraries do not ask this: they contain only the ready-made shaders that a program uses. */
 static inline fault fault_of_ready_made(const gn_pipeline *p)
 {
 #if GN_SPECIALISED
@@ -192,7 +192,7 @@ static inline fault fault_of_pipeline(const gn_pipeline *p)
     return NO_FAULT;
 }
 
-/* But for what its indices are. */
+/* The first fault of a mesh, without a look at the values of indices. */
 static inline fault fault_of_mesh(const gn_mesh *mesh)
 {
     FAULT_IF(!mesh, GN_NULL_POINTER, "the mesh is null");

@@ -1,4 +1,4 @@
-/* The draw before its stages: checks what is given and divides the workspace. */
+/* Prepares a draw: checks the arguments and divides the workspace. */
 #include "prepare.h"
 
 #include "../config/small.h"
@@ -10,12 +10,12 @@
 /* A cache line. */
 #define WORKSPACE_ALIGNMENT 64
 
-/* Triangles of a round, about: enough to be worth two meetings of the threads, few enough
- * for their vertices and lists to stay in the cache. Of a closed surface the vertices of two
- * rounds, half as many as triangles, fit a ring of 65,536. */
+/* About how many triangles a round has: enough to be worth two meetings of the threads, few enough
+ * for their vertices and lists to stay in the cache. A closed surface has half as many vertices as
+ * triangles, so the vertices of two rounds fit a ring of 65,536. */
 #define ROUND_TRIANGLES 57344
 
-/* Offsets of vertices are 32 bits; a round number below that. */
+/* Offsets of vertices have 32 bits; this is a round number below that. */
 #define MEMORY_LIMIT ((uint64_t)UINT32_MAX - 65535)
 
 static uint64_t vertices_size(uint32_t vertex_count, uint32_t varying_count)
@@ -38,7 +38,7 @@ size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count)
                    vertices_size(vertex_count, varying_count));
 }
 
-/* Lists that hold a segment's triangles, the last of them never full. */
+/* Returns how many lists hold a segment's triangles; the last one is never full. */
 static uint32_t lists_per_segment(uint32_t triangles)
 {
     return triangles / GN_LANES + 1;
@@ -70,8 +70,9 @@ size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count
                    vertices_size(vertex_count, varying_count));
 }
 
-/* Segments of a round that the memory beyond the tasks' scratch has room for, beside the
- * vertices: of a draw whose vertices are all kept, or of those segments alone. */
+/* Returns how many segments of a round fit `memory`, which is what the tasks' scratch leaves,
+ * beside the vertices. The vertices are all of the draw's if these fit, otherwise those of the
+ * round's segments. */
 static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
 {
     const mesh_slice *mesh = job->mesh;
@@ -86,8 +87,8 @@ static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
     return memory / (lists + vertices_size(elements, varyings));
 }
 
-/* Divides the memory for tasks, if that is asked for and possible. Gives the bytes taken
- * before the vertices. */
+/* Divides the memory for tasks, if tasks are asked for and fit. Returns the bytes before the
+ * vertices. */
 static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
 {
     const uint32_t varyings = stored_values(job->pipeline);
@@ -95,7 +96,7 @@ static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
     const uint32_t step = triangles_of(job->pipeline->topology, elements);
     const uint32_t total = triangle_count(job->pipeline->topology, job->mesh->count);
     const uint64_t scratch = MAX_TASKS * (uint64_t)scratch_size(varyings);
-    /* Rounding the end of the lists up may take so much more. */
+    /* Rounding up the end of the lists may take this much more. */
     const uint64_t taken = scratch + WORKSPACE_ALIGNMENT - 1;
     uint64_t segments = 0;
 
@@ -144,7 +145,8 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     job->capacity = (available - job->vertices) / sixteen * GN_LANES;
 }
 
-/* Of the first colour, the only one where the answer matters. */
+/* Returns whether colours are combined. Only the first colour matters: a library without combining
+ * has no others. */
 static bool combines_colors(const gn_pipeline *p)
 {
     return p->color_write_disabled[0] != 0 || p->blend[0].enabled || p->color_logic;
@@ -155,7 +157,7 @@ static bool has_color(const gn_target *target)
     return first_surface(target) != &target->depth;
 }
 
-/* Whether the first colour is not all that there is. */
+/* Returns whether there are colours beyond the first. */
 static bool has_more_colors(const gn_target *target, const gn_pipeline *p)
 {
     for (int i = 1; i < GN_MAX_COLORS; ++i) {
@@ -165,7 +167,7 @@ static bool has_more_colors(const gn_target *target, const gn_pipeline *p)
     return p->color_count > 1;
 }
 
-/* Whether the draw asks for what this library was compiled without (config/small.h). */
+/* Returns whether the draw asks for what this library was compiled without (config/small.h). */
 static bool is_left_out(const gn_target *target, const gn_pipeline *p, const gn_mesh *mesh)
 {
     return (!GN_HAVE_LINES &&

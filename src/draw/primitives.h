@@ -1,4 +1,4 @@
-/* Primitives of every kind: assembled, sixteen at a time, and added to the worker's list. */
+/* Primitives of every kind: assembles sixteen at a time and adds them to the worker's list. */
 #ifndef GN_DRAW_PRIMITIVES_H
 #define GN_DRAW_PRIMITIVES_H
 
@@ -15,9 +15,9 @@ static bool has_flat_varying(const gn_pipeline *pipeline)
     return false;
 }
 
-/* What depends on the outcodes of all vertices of a segment: culling (cull_unsnapped), and
- * that a fan of four vertices without indices, none clipped, is taken as a quad, which can
- * show only where the first vertex would provoke and nothing is flat. */
+/* Decides what depends on the outcodes of all vertices of a segment. First, whether the reference
+ * culls a second time (cull_unsnapped). Second, whether a fan of four unclipped vertices without
+ * indices is taken as a quad; this shows only if the first vertex provokes and nothing is flat. */
 static void resolve_segment(worker *w, uint32_t outcodes)
 {
     const gn_pipeline *p = w->draw->pipeline;
@@ -29,7 +29,7 @@ static void resolve_segment(worker *w, uint32_t outcodes)
                  !has_flat_varying(p) && !p->fragment_reads_primitive;
 }
 
-/* The union of outcodes over triangles first to first + count - 1, whose vertices are
+/* Returns the union of the outcodes of triangles first to first + count - 1, whose vertices are
  * shaded. */
 static uint32_t segment_outcodes(const draw_state *draw, uint32_t first, uint32_t count)
 {
@@ -77,7 +77,7 @@ static void add_primitives(worker *w, uint32_t first, uint32_t count)
     }
 }
 
-/* Adds again what was kept to be clipped or outlined later. */
+/* Adds a primitive that a list kept to be clipped, or to have its outline made, by the strips. */
 static inline void add_kept(worker *w, const uint32_t vertex[3], uint32_t provoking,
                             uint32_t primitive)
 {

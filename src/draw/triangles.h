@@ -1,10 +1,11 @@
-/* Filled triangles: culled, clipped if they cross the view volume, and appended to the list. */
+/* Filled triangles: culls them, clips those that cross the view volume, and appends them to the
+ * list. */
 #ifndef GN_DRAW_TRIANGLES_H
 #define GN_DRAW_TRIANGLES_H
 
 #include "list.h"
 
-/* Adds a triangle that is to be clipped later, with the bounds of its pieces. */
+/* Keeps a triangle to be clipped by the strips, with the bounds of its pieces. */
 static void keep_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking,
                           uint32_t primitive, const cull_result *pieces)
 {
@@ -19,7 +20,7 @@ static void keep_crossing(worker *w, const uint32_t vertex[3], uint32_t provokin
     append_box(w, vertex, provoking, primitive, true, &all);
 }
 
-/* Clips a triangle and adds what is left of it. */
+/* Clips a triangle and adds its pieces. */
 GN_OUT_OF_LINE void add_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking,
                                  uint32_t primitive)
 {
@@ -45,7 +46,7 @@ GN_OUT_OF_LINE void add_crossing(worker *w, const uint32_t vertex[3], uint32_t p
         append_triangle(w, &pieces, &result, first_lane(bits), provoking, primitive);
 }
 
-/* Adds the triangles of a group, whose numbers in the instance are `first` and so on. */
+/* Adds the triangles of a group; `first` is the first triangle's number in the draw. */
 static inline void add_group(worker *w, const triangle_group *group, uint32_t first)
 {
     const uint32_t provoking_corner = w->cull.provoking_first ? 0 : 2;

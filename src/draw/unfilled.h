@@ -1,15 +1,15 @@
-/* Triangles that are drawn as lines or points on some side. */
+/* Triangles that are drawn as lines or points if they face one way or either way. */
 #ifndef GN_DRAW_UNFILLED_H
 #define GN_DRAW_UNFILLED_H
 
 #include "list.h"
 
-/* What is made of an unfilled triangle: added to the list, or, where the worker keeps, summed
- * up in what the triangle is kept with. */
+/* An unfilled triangle while its pieces are added. A worker that keeps lists appends the whole
+ * triangle, with the bounds of all it would draw. */
 typedef struct unfilled_triangle {
     worker *w;
     uint32_t provoking, primitive;
-    bool back; /* of the piece that is being added */
+    bool back; /* of the piece that is added */
     pixel_rectangle box;
 } unfilled_triangle;
 
@@ -27,8 +27,8 @@ static inline void add_piece_of_outline(unfilled_triangle *outline, primitive_ki
     outline->box = join_rectangles(&outline->box, box);
 }
 
-/* The edges or vertices of a triangle, of those whose bit is set: edge n goes from vertex n to
- * the next. The last edge comes first. */
+/* Adds the edges, or as points the vertices, of a triangle whose bits are set in `edges`. Edge n
+ * goes from vertex n to the next one. The last edge comes first. */
 static inline void add_outline(unfilled_triangle *outline, gn_polygon_mode mode,
                                const uint32_t corner[3], uint32_t edges)
 {
@@ -50,7 +50,7 @@ static inline void add_outline(unfilled_triangle *outline, gn_polygon_mode mode,
     }
 }
 
-/* Twice the signed area of the unsnapped triangle, positive counter-clockwise. */
+/* Returns twice the signed area of the unsnapped triangle; counter-clockwise is positive. */
 static inline float unsnapped_area(const stored_vertex *a, const stored_vertex *b,
                                    const stored_vertex *c)
 {
@@ -58,8 +58,8 @@ static inline float unsnapped_area(const stored_vertex *a, const stored_vertex *
            (a->window[1] - c->window[1]) * (b->window[0] - c->window[0]);
 }
 
-/* Edges of piece `n` of a polygon of `count` pieces that are the polygon's own and do not lie
- * on a clipping plane. */
+/* Returns the edges of piece `n` of a polygon of `count` pieces that are edges of the polygon and
+ * do not lie on a clipping plane. */
 static inline uint32_t own_edges(uint32_t hidden, bool provoking_first, uint32_t n, uint32_t count)
 {
     const uint32_t first = n == 0 && !(hidden & 1u);
@@ -69,8 +69,8 @@ static inline uint32_t own_edges(uint32_t hidden, bool provoking_first, uint32_t
     return provoking_first ? first | middle << 1 | last << 2 : middle | last << 1 | first << 2;
 }
 
-/* Puts copies of a piece's vertices, with polygon offset, in their place, after the `used` new
- * vertices that its polygon needs. */
+/* Replaces a piece's vertices by copies with polygon offset. The copies follow the `used` new
+ * vertices that the polygon needs. */
 static void offset_piece(worker *w, uint32_t used, triangle_group *pieces, uint32_t l)
 {
     unsigned char *const memory = w->draw->job->memory;
@@ -99,8 +99,8 @@ static void offset_piece(worker *w, uint32_t used, triangle_group *pieces, uint3
     }
 }
 
-/* The pieces of a triangle, each in the mode of its winding. One of no area is counter-clockwise
- * for its mode and back-facing for culling. */
+/* Adds the pieces of a triangle, each in the mode of its winding. A piece without area is
+ * counter-clockwise for its mode and back-facing for culling. */
 static void add_pieces(unfilled_triangle *outline, triangle_group *pieces, uint32_t hidden)
 {
     worker *const w = outline->w;
@@ -145,7 +145,7 @@ static void add_pieces(unfilled_triangle *outline, triangle_group *pieces, uint3
     }
 }
 
-/* Adds a triangle that is not filled on some side. */
+/* Adds a triangle that is not filled if it faces one way. */
 static void add_unfilled(worker *w, const uint32_t vertex[3], uint32_t provoking,
                          uint32_t primitive)
 {

@@ -1,5 +1,5 @@
 /* The worker: one thread's work on primitives, from assembly to their fragments. A draw on one
- * thread has one worker, every task of a draw in rounds has its own. */
+ * thread has one worker; in a round every task has its own. */
 #ifndef GN_DRAW_WORKER_H
 #define GN_DRAW_WORKER_H
 
@@ -9,15 +9,15 @@
 
 typedef struct worker {
     const draw_state *draw;
-    cull_state cull; /* its target is the worker's strip, or the whole target */
+    cull_state cull; /* cull.target is the worker's strip, or the whole target */
     bool is_quad;
-    primitive_kind kind; /* of what is in the list */
+    primitive_kind kind; /* of the primitives in the list */
     bool keeps;          /* full lists are kept, in consecutive memory, and not drawn */
-    triangle_list *list; /* the list that primitives are added to */
+    triangle_list *list; /* primitives are appended here */
     triangle_setup *setup;
     clipper clipper;
     uint32_t clip_vertices; /* offset of CLIP_SCRATCH vertices */
-    uint32_t clip_used;     /* how many of them hold vertices that the list needs */
+    uint32_t clip_used;     /* how many of them the list may need */
     uint64_t passed;        /* fragments that passed, if the draw counts them */
 } worker;
 

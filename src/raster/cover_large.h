@@ -1,24 +1,24 @@
-/* Coverage of large triangles: edge functions exact in 64 bits at the corner of a square; walks
- * gallop over squares that are empty or whole. */
+/* Coverage of large triangles. Edge functions are exact in 64 bits at the corner of a square. A row
+ * is walked in strides that double over squares that are empty or whole. */
 #ifndef GN_RASTER_COVER_LARGE_H
 #define GN_RASTER_COVER_LARGE_H
 
 #include "square.h"
 
-/* Above every change of an edge function within a block, 3 * (|per_x| + |per_y|),
- * the differences being below 2^25. A value clamped to it keeps its sign there. */
+/* Above every change of an edge function within a square, 3 * (|per_x| + |per_y|), the differences
+ * being below 2^25. A value that is clamped to this keeps its sign in all of the square. */
 #define EDGE_LIMIT ((int64_t)1 << 28)
 
 /* An edge function of a large triangle. */
 typedef struct large_edge {
-    int64_t constant; /* at the target's pixel (0, 0) */
+    int64_t constant; /* at the pixel (0, 0) of the target */
     int32_t per_x, per_y;
-    int32_t least; /* the extremes over a block, from its lower left pixel */
+    int32_t least; /* least and greatest change within a square, from its lower left pixel */
     int32_t greatest;
-    lanes_i offset; /* from there to each of its pixels */
+    lanes_i offset; /* change from there to each of its pixels */
 } large_edge;
 
-/* Of the edge through a point of snapped coordinates. */
+/* Sets the edge function of the edge through a point in snapped coordinates. */
 static inline void set_edge_through(large_edge *e, int32_t per_x, int32_t per_y, int32_t x,
                                     int32_t y)
 {
@@ -40,7 +40,7 @@ static void set_large_edge(large_edge *e, const triangle_setup *setup, int edge,
                      setup->corner.snapped[edge][0][lane], setup->corner.snapped[edge][1][lane]);
 }
 
-/* The values of the three edge functions at the lower left pixel of a block. */
+/* The values of the three edge functions at the lower left pixel of a square. */
 typedef struct corner_values {
     int64_t v[3];
 } corner_values;
@@ -54,16 +54,16 @@ static inline corner_values values_at(const large_edge edge[3], int32_t x, int32
     return c;
 }
 
-/* The values `blocks` blocks further to the right. */
-static inline corner_values step_right(const large_edge edge[3], corner_values c, int32_t blocks)
+/* Returns the values `squares` squares further to the right. */
+static inline corner_values step_right(const large_edge edge[3], corner_values c, int32_t squares)
 {
     for (int i = 0; i < 3; ++i)
-        c.v[i] -= (int64_t)edge[i].per_x * (blocks * SQUARE_SIZE);
+        c.v[i] -= (int64_t)edge[i].per_x * (squares * SQUARE_SIZE);
     return c;
 }
 
-/* No pixel of the block is inside. With `rising`, only edges that it would leave
- * behind further to the right are asked, so that blocks to the left are outside too. */
+/* Returns whether no pixel of the square is inside. With `rising`, only edges count whose functions
+ * grow to the right: then squares to the left are outside too. */
 static inline bool is_outside(const large_edge edge[3], corner_values c, bool rising)
 {
     bool outside = false;
@@ -79,8 +79,8 @@ static inline bool is_inside(const large_edge edge[3], corner_values c)
            c.v[2] + edge[2].least >= 0;
 }
 
-/* How many blocks from the present one on, which is inside, are inside as well, up to
- * `limit`: triangles are convex, so that two blocks inside have none between that is not. */
+/* Returns how many squares from this one on are inside, up to `limit`. Precondition: this square is
+ * inside. Triangles are convex, so every square between two that are inside is inside. */
 static inline int32_t count_inside(const large_edge edge[3], corner_values c, int32_t limit)
 {
     int32_t count = 1;
@@ -92,7 +92,7 @@ static inline int32_t count_inside(const large_edge edge[3], corner_values c, in
     return count;
 }
 
-/* How many blocks from the present one on are certainly outside, up to `limit`. */
+/* Returns how many squares from this one on are certainly outside, up to `limit`. */
 static inline int32_t count_outside(const large_edge edge[3], corner_values c, int32_t limit)
 {
     int32_t count = 0;
@@ -118,25 +118,25 @@ static inline uint32_t edge_mask(const large_edge edge[3], corner_values c)
     return GN_ALL_LANES & ~lanes_i_sign_bits(sign);
 }
 
-/* One row of blocks, from the block at (left, y) to the pixel max_x. The target's left and
- * lower side are asked only of a box. */
-GN_INLINE void cover_row(const pixel_rectangle *target, bool is_box, const large_edge edge[3],
-                         int32_t left, int32_t max_x, int32_t y, raster_triangle triangle,
-                         run_function *shade, const void *context)
+/* Covers one row of squares, from the square at (left, y) to the pixel max_x. Only a box needs its
+ * left and lower side checked. */
+GN_INLINE void cover_row(const pixel_rectangle *target, const large_edge edge[3], int32_t left,
+                         int32_t max_x, int32_t y, raster_triangle triangle, run_function *shade,
+                         const void *context)
 {
     corner_values c = values_at(edge, left, y);
-    int32_t blocks = (max_x - left) / SQUARE_SIZE + 1;
-    int32_t skip = is_outside(edge, c, true) ? count_outside(edge, c, blocks) : 0;
+    int32_t squares = (max_x - left) / SQUARE_SIZE + 1;
+    int32_t skip = is_outside(edge, c, true) ? count_outside(edge, c, squares) : 0;
     int32_t x = left;
 
-    while (blocks > skip) {
+    while (squares > skip) {
         c = step_right(edge, c, skip);
         x += skip * SQUARE_SIZE;
-        blocks -= skip;
+        squares -= skip;
         if (is_outside(edge, c, false))
             return;
 
-        const uint32_t overhang = is_box ? box_mask(target, x, y) : overhang_mask(target, x, y);
+        const uint32_t overhang = square_mask(target, x, y);
         skip = 1;
         if (!is_inside(edge, c)) {
             const uint32_t coverage = overhang & edge_mask(edge, c);
@@ -145,20 +145,20 @@ GN_INLINE void cover_row(const pixel_rectangle *target, bool is_box, const large
         } else if (overhang != GN_ALL_LANES) {
             shade(context, triangle, x, y, 1, overhang);
         } else {
-            /* The last block of a row may hang over the target. */
+            /* The last square of a row may hang over the target. */
             const int32_t whole = (target->max_x + 1 - x) / SQUARE_SIZE;
-            skip = count_inside(edge, c, blocks < whole ? blocks : whole);
+            skip = count_inside(edge, c, squares < whole ? squares : whole);
             shade(context, triangle, x, y, (uint32_t)skip, GN_ALL_LANES);
         }
     }
 }
 
-/* Large triangles that are drawn together. */
+/* Large triangles that are covered together. */
 #define LARGE_TOGETHER (GN_SPECIALISED ? GN_LANES : 1)
 
-/* Covers lanes `first` to `end` - 1 of a list, all of them large and no more than
- * LARGE_TOGETHER: each row of blocks of all triangles in turn, while the pixels are in the
- * nearest cache. In every block the triangles come in their order. */
+/* Covers lanes `first` to `end` - 1 of a list. Precondition: they are large, and at most
+ * LARGE_TOGETHER. Each row of squares is covered for all triangles before the next row, while its
+ * pixels are in the nearest cache. Within a square the triangles keep their order. */
 GN_OUT_OF_LINE void cover_large(const pixel_rectangle *target, const triangle_setup *setup,
                                 const triangle_list *list, uint32_t first, uint32_t end,
                                 run_function *shade, const void *context)
@@ -182,8 +182,8 @@ GN_OUT_OF_LINE void cover_large(const pixel_rectangle *target, const triangle_se
             const raster_triangle triangle = {&setup->plane[0][0][l]};
 
             if (y + SQUARE_SIZE > min_y[l] && y <= max_y[l])
-                cover_row(target, false, edge[l - first], min_x[l] & ~(SQUARE_SIZE - 1), max_x[l],
-                          y, triangle, shade, context);
+                cover_row(target, edge[l - first], min_x[l] & ~(SQUARE_SIZE - 1), max_x[l], y,
+                          triangle, shade, context);
         }
     }
 }

@@ -1,11 +1,11 @@
-/* Coverage in packed blocks: halves of squares, found in small triangles and laid two a block, so
- * that fewer pixels at a triangle's edges are shaded in vain. */
+/* Coverage in packed blocks: the covered halves of a small triangle's squares, two to a block, so
+ * that fewer pixels outside the triangle are shaded in vain. */
 #ifndef GN_RASTER_COVER_PACKED_H
 #define GN_RASTER_COVER_PACKED_H
 
 #include "square.h"
 
-/* Halves that are run together. */
+/* Halves that are shaded together. */
 #define HALVES_IN_BATCH 64
 
 typedef struct half_batch {
@@ -13,7 +13,8 @@ typedef struct half_batch {
     packed_block block[HALVES_IN_BATCH / 2];
 } half_batch;
 
-/* The coverage of up to eight halves side by side is a byte of each, the first in the lowest. */
+/* Up to eight halves side by side: their coverage is one byte each, the first in the lowest byte.
+ */
 #define HALVES_TOGETHER 8
 #define EVERY_HALF(byte) (UINT64_C(0x0101010101010101) * (byte))
 
@@ -29,10 +30,10 @@ static inline uint32_t count_covered(uint64_t halves)
     return (uint32_t)(halves * EVERY_HALF(1) >> 56);
 }
 
-/* The halves of `size` squares from (x, y) on; those that are covered are kept, without a branch on
- * it, which processors cannot foresee. Where the outer quads on both sides are empty, they are laid
- * from two columns further on if there are fewer then, so that they stay on these squares and none
- * lies on what another halves has. */
+/* Adds the covered halves among those of `size` squares from (x, y) on. They are stored without a
+ * branch on their coverage, which processors cannot predict. If the outer quads on both sides are
+ * empty, the halves may be laid from two columns further on: they stay on these squares, and none
+ * overlaps another row's. This is done if it leaves fewer halves. */
 static inline void add_halves(half_batch *batch, uint64_t halves, uint32_t size, int32_t x,
                               int32_t y)
 {
@@ -59,8 +60,8 @@ static inline void add_halves(half_batch *batch, uint64_t halves, uint32_t size,
     batch->count = count;
 }
 
-/* One half that is left over has its neighbour in a square at a multiple of four beside it, whose
- * rows are all in the part of the target that is drawn (place_blocks). */
+/* Shades the batch. A half that is left over is paired with an empty half beside it, in the square
+ * at a multiple of four rows; all rows of that square are in the strip (place_blocks). */
 static inline void shade_batch(half_batch *batch, raster_triangle triangle, pack_function *shade,
                                const void *context)
 {
@@ -78,10 +79,10 @@ static inline void shade_batch(half_batch *batch, raster_triangle triangle, pack
 
 /* The edge functions of a small triangle. */
 typedef struct small_edges {
-    int32_t start[3];            /* in the lower left pixel of the first square of a row */
-    int32_t along[3], across[3]; /* how much they fall to the next square, rise to the next row */
-    lanes_i pixel[3];            /* from there to each pixel of a square */
-    lanes_i greatest[3];         /* from there to the greatest value of each of sixteen */
+    int32_t start[3];            /* at the lower left pixel of a row's first square */
+    int32_t along[3], across[3]; /* fall from square to square, rise from row to row */
+    lanes_i pixel[3];            /* change from there to each pixel of a square */
+    lanes_i greatest[3]; /* change from there to the greatest value in each of sixteen squares */
 } small_edges;
 
 static inline void set_small_edge(small_edges *e, const triangle_setup *setup, int edge,
@@ -101,8 +102,9 @@ static inline void set_small_edge(small_edges *e, const triangle_setup *setup, i
                     lanes_i_mul(lanes_i_splat(e->along[edge]), lanes_i_load(number)));
 }
 
-/* The lanes that no edge leaves out, from the start of a row's square of that number on: of its
- * pixels, or of it and the next fifteen squares those from some one on up to another. */
+/* Returns the lanes in which no edge function is negative. `term` says what lanes are: the pixels
+ * of square `number` of a row (`pixel`), or that square and the next fifteen (`greatest`). Squares
+ * that are met are consecutive. */
 static inline uint32_t lanes_met(const small_edges *e, int32_t number, const lanes_i term[3])
 {
     lanes_i value[3];
@@ -112,8 +114,8 @@ static inline uint32_t lanes_met(const small_edges *e, int32_t number, const lan
     return not_negative(value);
 }
 
-/* A triangle below PACKED_EXTENT. Pixels outside its bounds are outside an edge too, so that only
- * what hangs over the target's part is masked. */
+/* Covers a triangle below PACKED_EXTENT. Pixels outside the triangle's bounds are outside an edge
+ * too, so only what hangs over the strip is masked. */
 GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_setup *setup,
                                  const triangle_list *list, uint32_t lane, pack_function *shade,
                                  const void *context)
@@ -122,8 +124,8 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_s
     const int32_t left = setup->origin[0][lane];
     const int32_t bottom = setup->origin[1][lane];
     const int32_t squares = (list->bounds[BOUNDS_MAX_X][lane] - left) / SQUARE_SIZE + 1;
-    const block_span columns = blocks_inside(target->min_x, target->max_x);
-    const block_span rows = blocks_inside(target->min_y, target->max_y);
+    const square_span columns = squares_inside(target->min_x, target->max_x);
+    const square_span rows = squares_inside(target->min_y, target->max_y);
     small_edges edges;
     half_batch batch;
 
@@ -150,7 +152,7 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_s
                     uint32_t coverage = lanes_met(&edges, n + (int32_t)i, edges.pixel);
 
                     if (hangs || begins_outside(columns, column))
-                        coverage &= overhang_mask(target, column, y);
+                        coverage &= square_mask(target, column, y);
                     lower |= (uint64_t)(coverage & HALF_COVERED) << 8 * i;
                     upper |= (uint64_t)(coverage >> HALF_LANES) << 8 * i;
                 }

@@ -4,7 +4,7 @@
 
 #include "cover_large.h"
 
-/* The same for a point, which is all of its bounds. */
+/* Covers a point: all of its bounds. */
 static inline void cover_point(const triangle_setup *setup, const triangle_list *list,
                                uint32_t lane, run_function *shade, const void *context)
 {
@@ -12,19 +12,19 @@ static inline void cover_point(const triangle_setup *setup, const triangle_list 
     const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
 
     for (int32_t y = box.min_y & ~(SQUARE_SIZE - 1); y <= box.max_y; y += SQUARE_SIZE) {
-        int32_t blocks = 1;
+        int32_t squares = 1;
 
         for (int32_t x = box.min_x & ~(SQUARE_SIZE - 1); x <= box.max_x;
-             x += blocks * SQUARE_SIZE) {
-            const uint32_t coverage = box_mask(&box, x, y);
+             x += squares * SQUARE_SIZE) {
+            const uint32_t coverage = square_mask(&box, x, y);
 
-            blocks = coverage == GN_ALL_LANES ? (box.max_x + 1 - x) / SQUARE_SIZE : 1;
-            shade(context, triangle, x, y, (uint32_t)blocks, coverage);
+            squares = coverage == GN_ALL_LANES ? (box.max_x + 1 - x) / SQUARE_SIZE : 1;
+            shade(context, triangle, x, y, (uint32_t)squares, coverage);
         }
     }
 }
 
-/* The same for a line: what lies in its bounds between its two long edges. */
+/* Covers a line: the part of its bounds between its two long edges. */
 static inline void cover_line(const triangle_setup *setup, const triangle_list *list, uint32_t lane,
                               run_function *shade, const void *context)
 {
@@ -36,7 +36,7 @@ static inline void cover_line(const triangle_setup *setup, const triangle_list *
     for (int i = 0; i < 3; ++i)
         set_large_edge(&edge[i], setup, i, lane);
     for (int32_t y = box.min_y & ~(SQUARE_SIZE - 1); y <= box.max_y; y += SQUARE_SIZE)
-        cover_row(&box, true, edge, left, box.max_x, y, triangle, shade, context);
+        cover_row(&box, edge, left, box.max_x, y, triangle, shade, context);
 }
 
 #endif

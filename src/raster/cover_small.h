@@ -4,10 +4,11 @@
 
 #include "square.h"
 
-/* Squares in a row of a small triangle: the 64 pixels of SMALL_EXTENT and one to an even place. */
+/* The most squares in a row of a small triangle: the 64 pixels of SMALL_EXTENT, and one more to
+ * begin at an even place. */
 #define SMALL_SQUARES (SMALL_EXTENT / 256 / SQUARE_SIZE + 1)
 
-/* Squares that are shaded together, among them whole rows alone. */
+/* Squares that are shaded together. A row is never divided between two batches. */
 #define SQUARES_IN_BATCH (GN_SPECIALISED ? 2 * SMALL_SQUARES : SMALL_SQUARES)
 
 typedef struct square_batch {
@@ -16,13 +17,13 @@ typedef struct square_batch {
     uint32_t coverage[SQUARES_IN_BATCH];
 } square_batch;
 
-/* Lanes of the left and of the right half of a block. */
+/* Lanes of the left and of the right half of a square's columns. */
 #define LEFT_HALF 0x3333u
 #define RIGHT_HALF 0xCCCCu
 
-/* Blocks of one row, found from number `first` on: where neither the left half of the first nor
- * the right half of the last is covered, they are laid anew from two columns further on, which
- * takes one less. */
+/* Joins squares of one row, which the batch holds from number `first` on. If the left columns of
+ * the first and the right columns of the last are empty, the squares are laid again from two
+ * columns further on: this takes one square less. */
 static inline void join_halves(square_batch *batch, uint32_t first)
 {
     uint32_t kept = first;
@@ -42,9 +43,9 @@ static inline void join_halves(square_batch *batch, uint32_t first)
     batch->count = kept;
 }
 
-/* A small triangle. Pixels outside its bounds are outside an edge too, so that only what
- * hangs over the target's part is masked. Blocks are kept without a branch on whether they are
- * covered, which processors cannot foresee, and run afterwards. */
+/* Covers a small triangle. Pixels outside the triangle's bounds are outside an edge too, so only
+ * what hangs over the strip is masked. Squares are stored without a branch on their coverage, which
+ * processors cannot predict, and shaded afterwards. */
 static inline void cover_small(const pixel_rectangle *target, const triangle_setup *setup,
                                const triangle_list *list, uint32_t lane, run_function *shade,
                                const void *context)
@@ -53,8 +54,8 @@ static inline void cover_small(const pixel_rectangle *target, const triangle_set
     const int32_t left = setup->origin[0][lane];
     const int32_t max_x = list->bounds[BOUNDS_MAX_X][lane];
     const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
-    const block_span columns = blocks_inside(target->min_x, target->max_x);
-    const block_span rows = blocks_inside(target->min_y, target->max_y);
+    const square_span columns = squares_inside(target->min_x, target->max_x);
+    const square_span rows = squares_inside(target->min_y, target->max_y);
     int32_t y = setup->origin[1][lane];
     square_batch batch;
     lanes_i row[3], across[3];
@@ -74,7 +75,7 @@ static inline void cover_small(const pixel_rectangle *target, const triangle_set
                 uint32_t coverage = not_negative(value);
 
                 if (begins_outside(columns, x) || begins_outside(rows, y))
-                    coverage &= overhang_mask(target, x, y);
+                    coverage &= square_mask(target, x, y);
                 batch.x[batch.count] = x;
                 batch.y[batch.count] = y;
                 batch.coverage[batch.count] = coverage;

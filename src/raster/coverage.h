@@ -1,4 +1,4 @@
-/* Coverage of triangles: chooses a kernel for each triangle of a list. */
+/* Coverage of triangles, the entry: chooses a kernel for each triangle of a list. */
 #ifndef GN_RASTER_COVERAGE_H
 #define GN_RASTER_COVERAGE_H
 
@@ -6,8 +6,8 @@
 #include "cover_packed.h"
 #include "cover_small.h"
 
-/* Calls the functions for every block with covered pixels of the triangles in a list: of each
- * triangle from the bottom up, and in every pixel in the order of triangles. */
+/* Calls `shade` for every run of squares, or for every packed block, of the triangles in a list.
+ * Each triangle is covered from the bottom up; every pixel sees the triangles in order. */
 static inline void cover_triangles(const pixel_rectangle *target, const triangle_setup *setup,
                                    const triangle_list *list, const block_functions *shade,
                                    const void *context)

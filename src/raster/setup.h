@@ -1,17 +1,17 @@
-/* Triangle set-up, sixteen at a time: edge functions with the tie rule folded in, and the
- * planes of depth, 1/w and the varyings. Coverage is decided on snapped coordinates in
- * integers (exact), attributes on the unsnapped ones (OpenGL 4.5 section 14.6.1; Pineda
- * 1988 for edge functions). */
+/* Triangle set-up, sixteen at a time: edge functions with the tie rule folded in, and the planes of
+ * depth, 1/w and the varyings. Coverage is decided on snapped coordinates in integers, which is
+ * exact; attributes use the unsnapped ones (OpenGL 4.5 section 14.6.1; Pineda 1988 for edge
+ * functions). */
 #ifndef GN_RASTER_SETUP_H
 #define GN_RASTER_SETUP_H
 
 #include "cull.h"
 #include "offset.h"
 
-/* The pixel from which a triangle's blocks are laid: the first even one, so that blocks are made
- * of whole quads. Rows start at a multiple of four where the highest block would otherwise leave
- * the part of the target that is drawn: the rows above may be another thread's, and the part ends
- * at a multiple of four or with the target. */
+/* Finds the pixel at which a triangle's squares begin: the first even one, so that squares consist
+ * of whole quads. If the highest square would then leave the strip, rows begin at a multiple of
+ * four instead: the rows above may be another thread's, and a strip ends at a multiple of four or
+ * with the target. */
 GN_STEP void place_blocks(const pixel_rectangle *target, const triangle_list *list,
                           lanes_i origin[2])
 {
@@ -28,8 +28,8 @@ GN_STEP void place_blocks(const pixel_rectangle *target, const triangle_list *li
     origin[1] = lanes_i_select(leaves, lanes_i_and(min_y, to_block), even);
 }
 
-/* A pixel is inside where C - 256*dx*px + 256*dy*py > 0, C having 1 added on edges
- * that own their ties. With integers, C + 256*k > 0 is floor((C - 1) / 256) + k >= 0. */
+/* Sets up the edge functions. A pixel is inside where C - 256*dx*px + 256*dy*py > 0; edges that own
+ * their ties have 1 added to C. In integers, C + 256*k > 0 is floor((C - 1) / 256) + k >= 0. */
 static inline void setup_edges(const pixel_rectangle *target, const unsigned char *memory,
                                const triangle_list *list, triangle_setup *setup)
 {
@@ -75,7 +75,8 @@ static inline void setup_edges(const pixel_rectangle *target, const unsigned cha
 
 /* Window differences of the vertices, divided by the triangle's area. */
 typedef struct plane_basis {
-    lanes_f x0, y0; /* vertex 0, from the place in the pixel that planes are given for */
+    lanes_f x0,
+        y0; /* vertex 0, measured from the place in the pixel where planes have their values */
     lanes_f dx01, dy01, dx20, dy20;
 } plane_basis;
 
@@ -125,8 +126,8 @@ static inline void make_flat_plane(const unsigned char *memory, const triangle_l
     }
 }
 
-/* The planes of depth, 1/w and the varyings, four of which share a row of a vertex. At integers
- * they have their value at so much from the corner of a pixel. */
+/* Sets up the planes of depth, 1/w and the varyings; a vertex has four varyings in a row. A plane's
+ * value at integers is that at `center` from the corner of a pixel. */
 static inline void setup_planes(const gn_pipeline *pipeline, const offset_state *offset,
                                 float center, const unsigned char *memory,
                                 const triangle_list *list, triangle_setup *setup)
@@ -145,7 +146,7 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
     }
     set_basis(&basis, x, y, center);
     make_plane(&basis, z, setup->plane[DEPTH_PLANE]);
-    /* 0 where the vertices have moved. */
+    /* The offset is 0 if the vertices have moved instead. */
     if (GN_HAVE_OFFSET && pipeline->polygon_offset.set)
         lanes_store(setup->offset,
                     offset->moves ? offset_depths(offset, x, y, z) : lanes_splat(0.0f));
@@ -172,7 +173,7 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
     }
 }
 
-/* What they are; `kind` is that of all of them. */
+/* Stores what the primitives are; all are of one kind. */
 static inline void setup_identities(primitive_kind kind, const triangle_list *list,
                                     triangle_setup *setup)
 {
@@ -183,7 +184,7 @@ static inline void setup_identities(primitive_kind kind, const triangle_list *li
                              lanes_i_splat(kind == KIND_POINT ? PRIMITIVE_IS_POINT : 0)));
 }
 
-/* The values of a plane at a pixel of each lane's triangle, as its fragments get them. */
+/* Returns the values of a plane at one pixel of each lane's triangle, computed as for fragments. */
 static inline lanes_f plane_at_pixels(float plane[PLANE_TERMS][GN_LANES], lanes_f x, lanes_f y)
 {
     return lanes_add(
@@ -196,11 +197,11 @@ static inline lanes_m lies_between(lanes_f a, float low, float high)
     return lanes_and(lanes_greater(a, lanes_splat(low)), lanes_less_equal(a, lanes_splat(high)));
 }
 
-/* Which triangles have depths above 0 and up to 1, which need not be clamped, and a fourth varying
- * of 1 but for less than 2^-22, as opaque colours have: it is the plane of 1/w times its
- * reciprocal, if neither is out of the range of normal floats. Both planes are asked at the
- * corners of the triangle's bounds. There they have their extremes over all pixels, since every
- * rounded operation on the way is monotonic. */
+/* Finds the solid triangles. Their depths are above 0 and at most 1, so they need no clamping.
+ * Their fourth varying is within 2^-22 of 1, like the alpha of opaque colours: its plane equals the
+ * plane of 1/w, and it is multiplied by the reciprocal of 1/w, if both are in the range of normal
+ * floats. Both planes are evaluated at the corners of the triangle's bounds. Every rounded
+ * operation is monotonic, so the extremes over all pixels lie there. */
 GN_STEP void setup_solid(const gn_pipeline *pipeline, const triangle_list *list,
                          triangle_setup *setup)
 {
@@ -228,7 +229,7 @@ GN_STEP void setup_solid(const gn_pipeline *pipeline, const triangle_list *list,
     lanes_i_store(setup->solid, lanes_m_as_int(solid));
 }
 
-/* Makes the lanes beyond a list's count equal to its first. */
+/* Makes the lanes beyond a list's count equal to its first lane. */
 static inline void fill_list(triangle_list *list)
 {
     for (uint32_t l = list->count; l < GN_LANES; ++l) {
@@ -240,7 +241,7 @@ static inline void fill_list(triangle_list *list)
     }
 }
 
-/* Sets up the triangles of a list whose lanes are all filled. */
+/* Sets up the triangles of a list. Precondition: all lanes are filled (fill_list). */
 static inline void setup_triangles(const gn_pipeline *pipeline, const offset_state *offset,
                                    float center, const pixel_rectangle *target,
                                    const unsigned char *memory, const triangle_list *list,

@@ -1,11 +1,12 @@
-/* Set-up of points and lines, sixteen at a time: a line's two long edges, and the planes of
- * depth, 1/w and the varyings. */
+/* Set-up of points and lines, sixteen at a time: a line's two long edges, and the planes of depth,
+ * 1/w and the varyings. */
 #ifndef GN_RASTER_SETUP_POINTS_AND_LINES_H
 #define GN_RASTER_SETUP_POINTS_AND_LINES_H
 
 #include "setup.h"
 
-/* Planes of a draw: depth, 1/w and the varyings. Of those, smooth ones are divided by w. */
+/* Gathers the values of a plane's attribute at one vertex of each primitive: depth, 1/w or a
+ * varying. Smooth varyings are divided by w. */
 static inline void gather_plane(const gn_pipeline *pipeline, const unsigned char *memory,
                                 const uint32_t vertex[GN_LANES], uint32_t plane,
                                 float value[GN_LANES])
@@ -34,7 +35,7 @@ static inline void make_constant_plane(lanes_f value, float plane[PLANE_TERMS][G
     lanes_store(plane[PLANE_PER_Y], lanes_splat(0.0f));
 }
 
-/* What they are. Polygon offset is for polygons alone. */
+/* Stores what the primitives are. Only polygons have polygon offset. */
 static inline void setup_box_identities(primitive_kind kind, const triangle_list *list,
                                         triangle_setup *setup)
 {
@@ -43,7 +44,7 @@ static inline void setup_box_identities(primitive_kind kind, const triangle_list
     lanes_i_store(setup->solid, lanes_i_splat(0));
 }
 
-/* What point_coordinates takes. */
+/* Sets the words from which locate_in_point computes gl_PointCoord. */
 static inline void setup_point_words(const box_state *state, const gn_pipeline *pipeline,
                                      const unsigned char *memory, const triangle_list *list,
                                      triangle_setup *setup)
@@ -62,7 +63,7 @@ static inline void setup_point_words(const box_state *state, const gn_pipeline *
     }
 }
 
-/* Sets up the points of a list whose lanes are all filled. */
+/* Sets up the points of a list. Precondition: all lanes are filled (fill_list). */
 static inline void setup_points(const box_state *state, const gn_pipeline *pipeline,
                                 const unsigned char *memory, const triangle_list *list,
                                 triangle_setup *setup)
@@ -81,7 +82,7 @@ static inline void setup_points(const box_state *state, const gn_pipeline *pipel
     }
 }
 
-/* Edge `edge` of the line in a lane, from point a to b, moved across by `offset`. */
+/* Sets edge `edge` of the line in a lane: from point a to b, moved across by `offset`. */
 static inline void set_line_edge(triangle_setup *setup, int edge, uint32_t lane, int minor,
                                  const int32_t a[2], const int32_t b[2], int32_t offset)
 {
@@ -91,7 +92,8 @@ static inline void set_line_edge(triangle_setup *setup, int edge, uint32_t lane,
     setup->corner.snapped[edge][minor][lane] = a[minor] + offset;
 }
 
-/* The long edges, with the inside to the right; the second one twice, there being three. */
+/* Sets the two long edges of each line, with inside to their right. The second edge is set twice,
+ * since coverage takes three. */
 static inline void setup_line_edges(const box_state *state, const unsigned char *memory,
                                     const triangle_list *list, triangle_setup *setup)
 {
@@ -103,8 +105,8 @@ static inline void setup_line_edges(const box_state *state, const unsigned char 
         line_middle m;
 
         middle_of_line(first, second, &m);
-        /* Of a line along x the lower edge goes left and the upper one right, of one along y
-         * the left edge goes up and the right one down. */
+        /* For a line along x the lower edge goes left and the upper one right; for one along y the
+         * left edge goes up and the right one down. */
         const int32_t *const low = m.end[0];
         const int32_t *const high = m.end[1];
         const bool level = m.major == 0;
@@ -117,11 +119,12 @@ static inline void setup_line_edges(const box_state *state, const unsigned char 
     }
 }
 
-/* Window differences of a line's ends, along the major axis alone. */
+/* Differences of a line's ends in window coordinates. Values change along the major axis alone. */
 typedef struct line_basis {
-    bool is_sampled; /* then values change along the line, in both directions */
+    bool is_sampled; /* multisampled: values change along the line, in both directions */
     lanes_f d[2];
-    lanes_f x0, y0; /* the first end, from the pixel's centre, among samples too */
+    lanes_f x0,
+        y0; /* the first end, measured from the pixel's centre, also on multisampled targets */
     lanes_f extent, one_over_square;
     lanes_m x_major;
 } line_basis;
@@ -175,7 +178,7 @@ static inline void make_line_plane(const line_basis *b, lanes_f a0, lanes_f a1,
     lanes_store(plane[PLANE_PER_Y], per_y);
 }
 
-/* Sets up the lines of a list whose lanes are all filled. */
+/* Sets up the lines of a list. Precondition: all lanes are filled (fill_list). */
 static inline void setup_lines(const box_state *state, const gn_pipeline *pipeline,
                                const unsigned char *memory, const triangle_list *list,
                                triangle_setup *setup)
