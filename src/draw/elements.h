@@ -72,7 +72,7 @@ static inline void read_drawn_elements(const draw_state *draw, uint32_t first, u
                                        uint32_t *vertex)
 {
     const uint32_t closing =
-        draw->pipeline->topology == GN_LINE_LOOP && first + count > draw->mesh->count;
+        draw->pipeline->raster.topology == GN_LINE_LOOP && first + count > draw->mesh->count;
 
     read_elements(draw->mesh, first, count - closing, vertex);
     read_elements(draw->mesh, 0, closing, vertex + count - closing);
@@ -204,7 +204,7 @@ static uint32_t slots_in_use(const draw_state *draw, uint32_t elements)
 static inline uint32_t locate_elements(const draw_state *draw, uint32_t first, uint32_t count,
                                        uint32_t offset[ASSEMBLE_MAX_ELEMENTS])
 {
-    const gn_topology topology = draw->pipeline->topology;
+    const gn_topology topology = draw->pipeline->raster.topology;
     const uint32_t elements = element_count(topology, count);
     const uint32_t element = first_element(topology, first);
     const uint32_t vertices = draw->vertices;

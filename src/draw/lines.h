@@ -47,7 +47,7 @@ static inline void add_line(worker *w, const uint32_t vertex[2], uint32_t provok
 GN_OUT_OF_LINE void add_points_or_lines(worker *w, const uint32_t *offset, uint32_t first,
                                         uint32_t count)
 {
-    const uint32_t step = element_step(w->draw->pipeline->topology);
+    const uint32_t step = element_step(w->draw->pipeline->raster.topology);
     const uint32_t provoking = w->cull.provoking_first ? 0 : 1;
 
     for (uint32_t i = 0; i < count; ++i) {

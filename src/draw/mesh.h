@@ -38,9 +38,9 @@ static void reserve_slots(draw_state *draw, worker *w, uint32_t count)
  * clipped, a first pass shades them to find out. */
 static void draw_segment(draw_state *draw, worker *w, uint32_t first, uint32_t count)
 {
-    const gn_topology topology = draw->pipeline->topology;
+    const gn_topology topology = draw->pipeline->raster.topology;
     const uint32_t most = triangles_of(topology, draw->job->capacity);
-    const bool looks_ahead = count > most && draw->pipeline->cull != GN_CULL_NONE;
+    const bool looks_ahead = count > most && draw->pipeline->raster.cull != GN_CULL_NONE;
     const uint32_t end = first + count;
     uint32_t outcodes = 0;
 
@@ -64,7 +64,7 @@ static void draw_segment(draw_state *draw, worker *w, uint32_t first, uint32_t c
  * name; each vertex is shaded once in the draw. */
 static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uint32_t count)
 {
-    const gn_topology topology = draw->pipeline->topology;
+    const gn_topology topology = draw->pipeline->raster.topology;
     slot_map *const map = &draw->map;
 
     if (map->shaded < map->count) {
@@ -79,7 +79,7 @@ static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uin
         }
     }
     /* A draw with indices has no quads, so only culling depends on the outcodes. */
-    if (draw->pipeline->cull != GN_CULL_NONE)
+    if (draw->pipeline->raster.cull != GN_CULL_NONE)
         resolve_segment(w, map->outcodes ? segment_outcodes(draw, first, count) : 0);
     add_primitives(w, first, count);
 }
@@ -90,7 +90,7 @@ static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uin
 static uint32_t ring_of(const draw_state *draw)
 {
     const draw_job *job = draw->job;
-    const gn_topology topology = draw->pipeline->topology;
+    const gn_topology topology = draw->pipeline->raster.topology;
     const uint32_t segments = GN_HAVE_TASKS && job->parallel ? job->segment_count : 1;
     const uint32_t step = segments * segment_triangles(topology, draw->mesh);
     const uint32_t steps = GN_HAVE_TASKS && job->parallel ? 2 : 1;
@@ -161,7 +161,7 @@ static bool next_slice(draw_state *draw, worker *w)
         return is_first;
     }
     if (!is_first)
-        draw->slice.primitive += triangle_count(draw->pipeline->topology, draw->slice.count);
+        draw->slice.primitive += triangle_count(draw->pipeline->raster.topology, draw->slice.count);
     if (!find_slice(whole, &draw->next, &draw->slice))
         return false;
     if (!draw->shares_slices) {
@@ -180,12 +180,12 @@ static inline bool goes_in_rounds(const draw_state *draw, uint32_t triangles)
 
     return GN_HAVE_TASKS && round_segments(draw) > 0 &&
            !(is_one_of_many &&
-             triangles <= segment_triangles(draw->pipeline->topology, draw->mesh));
+             triangles <= segment_triangles(draw->pipeline->raster.topology, draw->mesh));
 }
 
 static void draw_slice(draw_state *draw, worker *w)
 {
-    const gn_topology topology = draw->pipeline->topology;
+    const gn_topology topology = draw->pipeline->raster.topology;
     const uint32_t total = triangle_count(topology, draw->mesh->count);
     const uint32_t step = segment_triangles(topology, draw->mesh);
 

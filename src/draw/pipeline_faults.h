@@ -3,7 +3,7 @@
 #define GN_DRAW_PIPELINE_FAULTS_H
 
 #include "../config/faults.h"
-#include "../config/small.h"
+#include "../config/features.h"
 #include "../scalars/bits.h"
 #include "../shaders/shaders.h"
 #include "check.h"
@@ -52,15 +52,14 @@ static inline fault fault_of_polygon_offset(const gn_polygon_offset *o)
     return NO_FAULT;
 }
 
-#define NO_FUNCTION "function is no gn_stencil_function"
+#define NO_FUNCTION "function is no gn_compare"
 #define NO_OPERATION " is no gn_stencil_operation"
 
 static inline fault fault_of_stencil_front(const gn_stencil_face *f)
 {
     const unsigned last = GN_STENCIL_DECREMENT_WRAP;
 
-    FAULT_IF((unsigned)f->function > GN_STENCIL_LESS, GN_INVALID_ENUM,
-             "stencil_front." NO_FUNCTION);
+    FAULT_IF((unsigned)f->function > GN_LESS, GN_INVALID_ENUM, "stencil_front." NO_FUNCTION);
     FAULT_IF((unsigned)f->fail > last, GN_INVALID_ENUM, "stencil_front.fail" NO_OPERATION);
     FAULT_IF((unsigned)f->depth_fail > last, GN_INVALID_ENUM,
              "stencil_front.depth_fail" NO_OPERATION);
@@ -72,7 +71,7 @@ static inline fault fault_of_stencil_back(const gn_stencil_face *f)
 {
     const unsigned last = GN_STENCIL_DECREMENT_WRAP;
 
-    FAULT_IF((unsigned)f->function > GN_STENCIL_LESS, GN_INVALID_ENUM, "stencil_back." NO_FUNCTION);
+    FAULT_IF((unsigned)f->function > GN_LESS, GN_INVALID_ENUM, "stencil_back." NO_FUNCTION);
     FAULT_IF((unsigned)f->fail > last, GN_INVALID_ENUM, "stencil_back.fail" NO_OPERATION);
     FAULT_IF((unsigned)f->depth_fail > last, GN_INVALID_ENUM,
              "stencil_back.depth_fail" NO_OPERATION);
@@ -108,15 +107,15 @@ static inline fault fault_of_blend(const gn_blend *b, int i, const float constan
 
 static inline fault fault_of_points_and_lines(const gn_pipeline *p)
 {
-    FAULT_IF(!gn_is_finite(p->point_size), GN_NOT_FINITE, "point_size is not finite");
-    FAULT_IF(p->point_size < 0.0f, GN_OUT_OF_RANGE, "point_size is below 0");
-    FAULT_IF(!gn_is_finite(p->line_width), GN_NOT_FINITE, "line_width is not finite");
-    FAULT_IF(p->line_width < 0.0f, GN_OUT_OF_RANGE, "line_width is below 0");
-    FAULT_IF((unsigned)p->point_origin > GN_POINT_LOWER_LEFT, GN_INVALID_ENUM,
+    FAULT_IF(!gn_is_finite(p->raster.point_size), GN_NOT_FINITE, "point_size is not finite");
+    FAULT_IF(p->raster.point_size < 0.0f, GN_OUT_OF_RANGE, "point_size is below 0");
+    FAULT_IF(!gn_is_finite(p->raster.line_width), GN_NOT_FINITE, "line_width is not finite");
+    FAULT_IF(p->raster.line_width < 0.0f, GN_OUT_OF_RANGE, "line_width is below 0");
+    FAULT_IF((unsigned)p->raster.point_origin > GN_POINT_LOWER_LEFT, GN_INVALID_ENUM,
              "point_origin is no gn_point_origin");
-    FAULT_IF((unsigned)p->polygon_mode_front > GN_POLYGON_POINT, GN_INVALID_ENUM,
+    FAULT_IF((unsigned)p->raster.polygon_mode_front > GN_POLYGON_POINT, GN_INVALID_ENUM,
              "polygon_mode_front is no gn_polygon_mode");
-    FAULT_IF((unsigned)p->polygon_mode_back > GN_POLYGON_POINT, GN_INVALID_ENUM,
+    FAULT_IF((unsigned)p->raster.polygon_mode_back > GN_POLYGON_POINT, GN_INVALID_ENUM,
              "polygon_mode_back is no gn_polygon_mode");
     return NO_FAULT;
 }
@@ -143,48 +142,51 @@ static inline fault fault_of_ready_made(const gn_pipeline *p)
 static inline fault fault_of_pipeline(const gn_pipeline *p)
 {
     FAULT_IF(!p, GN_NULL_POINTER, "the pipeline is null");
-    FAULT_IF(!p->vertex_shader, GN_NO_SHADER, "vertex_shader is null");
-    FAULT_IF(!p->fragment_shader && p->fragment_discards, GN_NO_SHADER,
+    FAULT_IF(!p->program.vertex_shader, GN_NO_SHADER, "vertex_shader is null");
+    FAULT_IF(!p->program.fragment_shader && p->program.fragment_discards, GN_NO_SHADER,
              "fragment_discards, but fragment_shader is null");
-    FAULT_IF(!p->fragment_shader && p->fragment_writes_depth, GN_NO_SHADER,
+    FAULT_IF(!p->program.fragment_shader && p->program.fragment_writes_depth, GN_NO_SHADER,
              "fragment_writes_depth, but fragment_shader is null");
     if (GN_HAVE_SAMPLES)
-        FAULT_IF(!p->fragment_shader && p->fragment_writes_sample_mask, GN_NO_SHADER,
-                 "fragment_writes_sample_mask, but fragment_shader is null");
-    FAULT_IF(p->varying_count > GN_MAX_VARYINGS, GN_TOO_MANY_VARYINGS,
+        FAULT_IF(!p->program.fragment_shader && p->program.fragment_writes_sample_mask,
+                 GN_NO_SHADER, "fragment_writes_sample_mask, but fragment_shader is null");
+    FAULT_IF(p->program.varying_count > GN_MAX_VARYINGS, GN_TOO_MANY_VARYINGS,
              "varying_count is above GN_MAX_VARYINGS");
-    for (uint32_t n = 0; n < p->varying_count; ++n)
-        FAULT_IF((unsigned)p->interpolation[n] > GN_FLAT, GN_INVALID_ENUM,
+    for (uint32_t n = 0; n < p->program.varying_count; ++n)
+        FAULT_IF((unsigned)p->program.interpolation[n] > GN_FLAT, GN_INVALID_ENUM,
                  "interpolation of a varying is no gn_interpolation");
-    FAULT_IF((unsigned)p->topology > GN_LINE_LOOP, GN_INVALID_ENUM, "topology is no gn_topology");
-    FAULT_IF((unsigned)p->provoking_vertex > GN_PROVOKING_FIRST, GN_INVALID_ENUM,
+    FAULT_IF((unsigned)p->raster.topology > GN_LINE_LOOP, GN_INVALID_ENUM,
+             "topology is no gn_topology");
+    FAULT_IF((unsigned)p->raster.provoking_vertex > GN_PROVOKING_FIRST, GN_INVALID_ENUM,
              "provoking_vertex is no gn_provoking_vertex");
-    FAULT_IF((unsigned)p->cull > GN_CULL_FRONT_AND_BACK, GN_INVALID_ENUM, "cull is no gn_cull");
-    FAULT_IF((unsigned)p->front_face > GN_FRONT_CLOCKWISE, GN_INVALID_ENUM,
+    FAULT_IF((unsigned)p->raster.cull > GN_CULL_FRONT_AND_BACK, GN_INVALID_ENUM,
+             "cull is no gn_cull");
+    FAULT_IF((unsigned)p->raster.front_face > GN_FRONT_CLOCKWISE, GN_INVALID_ENUM,
              "front_face is no gn_front_face");
-    FAULT_FROM(fault_of_viewport(&p->viewport));
-    FAULT_FROM(fault_of_depth_range(&p->depth_range));
+    FAULT_FROM(fault_of_viewport(&p->raster.viewport));
+    FAULT_FROM(fault_of_depth_range(&p->depth.range));
     if (GN_HAVE_OFFSET)
-        FAULT_FROM(fault_of_polygon_offset(&p->polygon_offset));
-    FAULT_IF((unsigned)p->clip_depth > GN_ZERO_TO_ONE, GN_INVALID_ENUM,
+        FAULT_FROM(fault_of_polygon_offset(&p->raster.polygon_offset));
+    FAULT_IF((unsigned)p->depth.clip_depth > GN_ZERO_TO_ONE, GN_INVALID_ENUM,
              "clip_depth is no gn_clip_depth");
-    FAULT_IF(p->clip_distance_count > GN_MAX_CLIP_DISTANCES, GN_OUT_OF_RANGE,
+    FAULT_IF(p->program.clip_distance_count > GN_MAX_CLIP_DISTANCES, GN_OUT_OF_RANGE,
              "clip_distance_count is above GN_MAX_CLIP_DISTANCES");
-    FAULT_IF((unsigned)p->depth_function > GN_ALWAYS, GN_INVALID_ENUM,
+    FAULT_IF((unsigned)p->depth.function > GN_ALWAYS, GN_INVALID_ENUM,
              "depth_function is no gn_compare");
     if (GN_HAVE_STENCIL) {
-        FAULT_FROM(fault_of_stencil_front(&p->stencil_front));
-        FAULT_FROM(fault_of_stencil_back(&p->stencil_back));
+        FAULT_FROM(fault_of_stencil_front(&p->stencil.front));
+        FAULT_FROM(fault_of_stencil_back(&p->stencil.back));
     }
-    FAULT_IF(p->color_count > GN_MAX_COLORS, GN_OUT_OF_RANGE, "color_count is above GN_MAX_COLORS");
+    FAULT_IF(p->program.color_count > GN_MAX_COLORS, GN_OUT_OF_RANGE,
+             "color_count is above GN_MAX_COLORS");
     for (int i = 0; GN_HAVE_COMBINING && i < GN_MAX_COLORS; ++i) {
-        FAULT_IF_EIGHTH(p->color_write_disabled[i] > GN_CHANNEL_ALL, i, GN_OUT_OF_RANGE,
+        FAULT_IF_EIGHTH(p->color.write_disabled[i] > GN_CHANNEL_ALL, i, GN_OUT_OF_RANGE,
                         "color_write_disabled", " has bits beyond GN_CHANNEL_ALL");
-        FAULT_FROM(fault_of_blend(&p->blend[i], i, p->blend_constant));
+        FAULT_FROM(fault_of_blend(&p->color.blend[i], i, p->color.blend_constant));
     }
-    FAULT_IF((unsigned)p->logic_operation > GN_LOGIC_SET, GN_INVALID_ENUM,
+    FAULT_IF((unsigned)p->color.logic_operation > GN_LOGIC_SET, GN_INVALID_ENUM,
              "logic_operation is no gn_logic_operation");
-    FAULT_IF(p->samples_disabled >= 1u << GN_SAMPLES, GN_OUT_OF_RANGE,
+    FAULT_IF(p->samples.write_disabled >= 1u << GN_SAMPLES, GN_OUT_OF_RANGE,
              "samples_disabled has bits beyond GN_SAMPLES");
     if (GN_HAVE_LINES)
         FAULT_FROM(fault_of_points_and_lines(p));

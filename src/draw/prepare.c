@@ -1,7 +1,7 @@
 /* Prepares a draw: checks the arguments and divides the workspace. */
 #include "prepare.h"
 
-#include "../config/small.h"
+#include "../config/features.h"
 #include "../formats/holds.h"
 #include "../geometry/assemble.h"
 #include "../surfaces/target.h"
@@ -77,9 +77,9 @@ static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
 {
     const mesh_slice *mesh = job->mesh;
     const bool indexed = mesh->index_format != GN_INDEX_NONE;
-    const uint32_t elements = segment_elements(job->pipeline->topology, mesh);
+    const uint32_t elements = segment_elements(job->pipeline->raster.topology, mesh);
     const uint32_t varyings = stored_values(job->pipeline);
-    const uint64_t lists = segment_size(triangles_of(job->pipeline->topology, elements));
+    const uint64_t lists = segment_size(triangles_of(job->pipeline->raster.topology, elements));
     const uint64_t kept = vertices_size(indexed ? mesh->vertex_count : mesh->count, varyings);
 
     if (memory >= kept + lists)
@@ -92,9 +92,9 @@ static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
 static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
 {
     const uint32_t varyings = stored_values(job->pipeline);
-    const uint32_t elements = segment_elements(job->pipeline->topology, job->mesh);
-    const uint32_t step = triangles_of(job->pipeline->topology, elements);
-    const uint32_t total = triangle_count(job->pipeline->topology, job->mesh->count);
+    const uint32_t elements = segment_elements(job->pipeline->raster.topology, job->mesh);
+    const uint32_t step = triangles_of(job->pipeline->raster.topology, elements);
+    const uint32_t total = triangle_count(job->pipeline->raster.topology, job->mesh->count);
     const uint64_t scratch = MAX_TASKS * (uint64_t)scratch_size(varyings);
     /* Rounding up the end of the lists may take this much more. */
     const uint64_t taken = scratch + WORKSPACE_ALIGNMENT - 1;
@@ -149,7 +149,7 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
  * has no others. */
 static bool combines_colors(const gn_pipeline *p)
 {
-    return p->color_write_disabled[0] != 0 || p->blend[0].enabled || p->color_logic;
+    return p->color.write_disabled[0] != 0 || p->color.blend[0].enabled || p->color.logic;
 }
 
 static bool has_color(const gn_target *target)
@@ -164,25 +164,25 @@ static bool has_more_colors(const gn_target *target, const gn_pipeline *p)
         if (target->color[i].format != GN_FORMAT_NONE)
             return true;
     }
-    return p->color_count > 1;
+    return p->program.color_count > 1;
 }
 
-/* Returns whether the draw asks for what this library was compiled without (config/small.h). */
+/* Returns whether the draw asks for what this library was compiled without (config/features.h). */
 static bool is_left_out(const gn_target *target, const gn_pipeline *p, const gn_mesh *mesh)
 {
     return (!GN_HAVE_LINES &&
-            (p->topology > GN_TRIANGLE_FAN || p->fragment_reads_point_coordinate ||
-             p->polygon_mode_front != GN_POLYGON_FILL ||
-             p->polygon_mode_back != GN_POLYGON_FILL)) ||
+            (p->raster.topology > GN_TRIANGLE_FAN || p->program.fragment_reads_point_coordinate ||
+             p->raster.polygon_mode_front != GN_POLYGON_FILL ||
+             p->raster.polygon_mode_back != GN_POLYGON_FILL)) ||
            (!GN_HAVE_STENCIL && format_has_stencil(target->depth.format)) ||
            (!GN_HAVE_COMBINING && combines_colors(p)) ||
            (!GN_HAVE_ATTACHMENTS && has_more_colors(target, p)) ||
            (!GN_HAVE_INSTANCES && (mesh->restart != GN_RESTART_NONE || mesh->instance_count > 1)) ||
-           (!GN_HAVE_DISTANCES && p->clip_distance_count > 0) ||
+           (!GN_HAVE_DISTANCES && p->program.clip_distance_count > 0) ||
            (!GN_HAVE_SAMPLES &&
-            (p->fragment_reads_sample_mask || p->fragment_writes_sample_mask)) ||
+            (p->program.fragment_reads_sample_mask || p->program.fragment_writes_sample_mask)) ||
            (!GN_HAVE_FORMATS && format_is_encoded(target->color[0].format)) ||
-           (!GN_HAVE_OFFSET && (p->polygon_offset.set || p->depth_clamp));
+           (!GN_HAVE_OFFSET && (p->raster.polygon_offset.set || p->depth.clamp));
 }
 
 /* Sets `whole` to all elements of the mesh, in the first instance. */
@@ -214,7 +214,7 @@ gn_status gn_prepare_draw(draw_job *job, mesh_slice *whole, const gn_target *tar
         status = gn_check_mesh_but_indices(mesh);
     if (status)
         return status;
-    if (has_color(target) && !pipeline->fragment_shader)
+    if (has_color(target) && !pipeline->program.fragment_shader)
         return GN_NO_SHADER;
     if (is_left_out(target, pipeline, mesh))
         return GN_NOT_COMPILED;

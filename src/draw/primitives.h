@@ -8,8 +8,8 @@
 
 static bool has_flat_varying(const gn_pipeline *pipeline)
 {
-    for (uint32_t n = 0; n < pipeline->varying_count; ++n) {
-        if (pipeline->interpolation[n] == GN_FLAT)
+    for (uint32_t n = 0; n < pipeline->program.varying_count; ++n) {
+        if (pipeline->program.interpolation[n] == GN_FLAT)
             return true;
     }
     return false;
@@ -22,11 +22,12 @@ static void resolve_segment(worker *w, uint32_t outcodes)
 {
     const gn_pipeline *p = w->draw->pipeline;
 
-    w->cull.asks_unsnapped = outcodes != 0 && p->cull != GN_CULL_NONE;
+    w->cull.asks_unsnapped = outcodes != 0 && p->raster.cull != GN_CULL_NONE;
     w->is_quad = outcodes == 0 && !(GN_HAVE_LINES && w->cull.box.is_unfilled) &&
                  w->draw->mesh->count == 4 && w->draw->mesh->index_format == GN_INDEX_NONE &&
-                 p->topology == GN_TRIANGLE_FAN && p->provoking_vertex == GN_PROVOKING_FIRST &&
-                 !has_flat_varying(p) && !p->fragment_reads_primitive;
+                 p->raster.topology == GN_TRIANGLE_FAN &&
+                 p->raster.provoking_vertex == GN_PROVOKING_FIRST && !has_flat_varying(p) &&
+                 !p->program.fragment_reads_primitive;
 }
 
 /* Returns the union of the outcodes of triangles first to first + count - 1, whose vertices are
@@ -50,7 +51,7 @@ static uint32_t segment_outcodes(const draw_state *draw, uint32_t first, uint32_
 /* Adds primitives first to first + count - 1 of the slice, whose vertices are shaded. */
 static void add_primitives(worker *w, uint32_t first, uint32_t count)
 {
-    const gn_topology topology = w->draw->pipeline->topology;
+    const gn_topology topology = w->draw->pipeline->raster.topology;
     const bool is_triangles = !GN_HAVE_LINES || kind_of(topology) == KIND_TRIANGLE;
     uint32_t offset[ASSEMBLE_MAX_ELEMENTS];
     triangle_group group;

@@ -147,7 +147,7 @@ static uint32_t shaded_outcodes(const round_state *round, uint32_t tasks)
 static void shade_unshared(round_state *round)
 {
     draw_state *draw = round->draw;
-    const gn_topology topology = draw->pipeline->topology;
+    const gn_topology topology = draw->pipeline->raster.topology;
 
     draw->map.first = first_element(topology, round->first);
     round->strips = 0;
@@ -238,7 +238,7 @@ static void cull_segment(const round_state *round, uint32_t task, uint32_t segme
 {
     const draw_state *draw = round->draw;
     const draw_job *job = draw->job;
-    const uint32_t step = segment_triangles(draw->pipeline->topology, draw->mesh);
+    const uint32_t step = segment_triangles(draw->pipeline->raster.topology, draw->mesh);
     const uint32_t skipped = segment * step;
     const uint32_t rest = round->count - skipped;
     const uint32_t first = round->first + skipped;
@@ -350,7 +350,7 @@ static void strip_task(void *context, uint32_t task)
     const round_state *round = context;
     const draw_state *draw = round->draw;
     const draw_job *job = draw->job;
-    const uint32_t step = segment_triangles(draw->pipeline->topology, draw->mesh);
+    const uint32_t step = segment_triangles(draw->pipeline->raster.topology, draw->mesh);
     const uint32_t segments = (round->count + step - 1) / step;
     worker w;
 
@@ -363,7 +363,7 @@ static void strip_task(void *context, uint32_t task)
     strip->min_y = low > all.min ? low : all.min;
     strip->max_y = high < all.max ? high : all.max;
     /* Clipped triangles come from segments in which culling asks, if it does in any. */
-    w.cull.asks_unsnapped = draw->pipeline->cull != GN_CULL_NONE;
+    w.cull.asks_unsnapped = draw->pipeline->raster.cull != GN_CULL_NONE;
     for (uint32_t s = 0; s < segments; ++s)
         draw_segment_in_strip(&w, &job->segments[s],
                               job->lists + (size_t)s * job->lists_per_segment,
@@ -441,19 +441,20 @@ static void draw_and_shade(round_state *round, uint32_t end)
 static uint32_t round_segments(const draw_state *draw)
 {
     const draw_job *job = draw->job;
-    const uint32_t fitting = job->capacity / segment_elements(draw->pipeline->topology, draw->mesh);
+    const uint32_t fitting =
+        job->capacity / segment_elements(draw->pipeline->raster.topology, draw->mesh);
 
     if (!job->parallel)
         return 0;
     if (draw->map.shared || job->segment_count < fitting)
         return job->segment_count;
-    const uint32_t closing = draw->pipeline->topology == GN_LINE_LOOP;
+    const uint32_t closing = draw->pipeline->raster.topology == GN_LINE_LOOP;
     return draw->mesh->count <= job->capacity - closing ? job->segment_count : fitting;
 }
 
 static void draw_rounds(draw_state *draw)
 {
-    const gn_topology topology = draw->pipeline->topology;
+    const gn_topology topology = draw->pipeline->raster.topology;
     const uint32_t total = triangle_count(topology, draw->mesh->count);
     const uint32_t step = segment_triangles(topology, draw->mesh);
     const uint32_t most = round_segments(draw) * step;

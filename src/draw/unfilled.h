@@ -107,7 +107,7 @@ static void add_pieces(unfilled_triangle *outline, triangle_group *pieces, uint3
     unsigned char *const memory = w->draw->job->memory;
     const box_state *state = &w->cull.box;
     const uint32_t used = w->clip_used;
-    const bool moves = w->draw->pipeline->polygon_offset.set && !w->keeps;
+    const bool moves = w->draw->pipeline->raster.polygon_offset.set && !w->keeps;
     cull_result filled;
 
     cull_triangles(&w->cull, false, memory, pieces, &filled);

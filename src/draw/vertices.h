@@ -11,10 +11,10 @@ static inline bool has_ready_made_vertices(const draw_state *draw)
 {
     const gn_pipeline *const p = draw->pipeline;
 
-    return GN_SPECIALISED &&
-           (p->vertex_shader == gn_shade_lit || p->vertex_shader == gn_shade_vertex_color ||
-            p->vertex_shader == gn_shade_unlit ||
-            draw->job->shading.vertex_shader != p->vertex_shader);
+    return GN_SPECIALISED && (p->program.vertex_shader == gn_shade_lit ||
+                              p->program.vertex_shader == gn_shade_vertex_color ||
+                              p->program.vertex_shader == gn_shade_unlit ||
+                              draw->job->shading.vertex_shader != p->program.vertex_shader);
 }
 
 /* Calls the vertex shader. The smallest ready-made shaders are inlined. */
@@ -23,14 +23,14 @@ static void call_vertex_shader(const draw_state *draw, const gn_vertex_input *in
 {
     const gn_pipeline *const pipeline = draw->pipeline;
 
-    if (GN_SPECIALISED && pipeline->vertex_shader == gn_shade_lit)
-        shade_lit(pipeline->uniforms, input, output);
-    else if (GN_SPECIALISED && pipeline->vertex_shader == gn_shade_vertex_color)
-        shade_vertex_color(pipeline->uniforms, input, output);
-    else if (GN_SPECIALISED && pipeline->vertex_shader == gn_shade_unlit)
-        shade_unlit(pipeline->uniforms, input, output);
+    if (GN_SPECIALISED && pipeline->program.vertex_shader == gn_shade_lit)
+        shade_lit(pipeline->program.uniforms, input, output);
+    else if (GN_SPECIALISED && pipeline->program.vertex_shader == gn_shade_vertex_color)
+        shade_vertex_color(pipeline->program.uniforms, input, output);
+    else if (GN_SPECIALISED && pipeline->program.vertex_shader == gn_shade_unlit)
+        shade_unlit(pipeline->program.uniforms, input, output);
     else
-        draw->job->shading.vertex_shader(pipeline->uniforms, input, output);
+        draw->job->shading.vertex_shader(pipeline->program.uniforms, input, output);
 }
 
 /* Finds the vertices of sixteen slots. Only the first `count` are wanted; the others repeat the
@@ -43,7 +43,7 @@ static inline void slot_vertices(const draw_state *draw, uint32_t slot, uint32_t
             vertex[l] = draw->map.base + slot + l;
     } else {
         read_drawn_elements(draw, draw->map.first + slot, count, vertex);
-        if (draw->pipeline->topology == GN_TRIANGLE_FAN && slot == 0)
+        if (draw->pipeline->raster.topology == GN_TRIANGLE_FAN && slot == 0)
             read_elements(draw->mesh, 0, 1, vertex);
     }
     for (uint32_t l = count; l < GN_LANES; ++l)
@@ -90,7 +90,7 @@ GN_STEP void set_vertex_defaults(const gn_pipeline *pipeline, const gn_vertex_ou
     for (uint32_t n = 0; n < values; ++n)
         lanes_store(output->varying[n], zero);
     if (output->point_size)
-        lanes_store(output->point_size, lanes_splat(pipeline->point_size));
+        lanes_store(output->point_size, lanes_splat(pipeline->raster.point_size));
 }
 
 /* Shades slots `from`, a multiple of sixteen, to end - 1. The shader writes to the memory of the
@@ -114,9 +114,9 @@ static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from
     input.present = present_attributes(draw->mesh);
     output.position = staging;
     output.varying = staging + 4;
-    output.clip_distance = output.varying + draw->pipeline->varying_count;
+    output.clip_distance = output.varying + draw->pipeline->program.varying_count;
     output.point_size = NULL;
-    if (draw->pipeline->program_point_size)
+    if (draw->pipeline->program.vertex_writes_point_size)
         output.point_size = staging[4 + stored_values(draw->pipeline)];
     fetch_defaults(draw->mesh, attribute);
     set_vertex_defaults(draw->pipeline, &output);

@@ -36,7 +36,7 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
     w->draw = draw;
     w->cull = draw->cull;
     w->is_quad = false;
-    w->kind = kind_of(draw->pipeline->topology);
+    w->kind = kind_of(draw->pipeline->raster.topology);
     w->keeps = false;
     w->list = (triangle_list *)(void *)scratch;
     w->setup = (triangle_setup *)(void *)(scratch + scratch_setup_offset());

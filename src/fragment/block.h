@@ -38,7 +38,7 @@ static inline bool is_usual_depth_test(const depth_state *test)
 static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_triangle triangle,
                                           uint32_t n, const block_places *at, lanes_f w)
 {
-    const gn_interpolation interpolation = pipeline->interpolation[n];
+    const gn_interpolation interpolation = pipeline->program.interpolation[n];
 
     if (interpolation == GN_FLAT)
         return lanes_splat(triangle_plane(triangle, VARYING_PLANES + n).origin);
@@ -52,7 +52,7 @@ static inline void interpolate_varyings(const fragment_state *state, raster_tria
                                         float varying[GN_MAX_VARYINGS][GN_LANES])
 {
     const gn_pipeline *const pipeline = state->pipeline;
-    const uint32_t count = pipeline->varying_count;
+    const uint32_t count = pipeline->program.varying_count;
 
     if (GN_SPECIALISED && state->is_smooth) {
         for (uint32_t n = 0; n < count; ++n)
@@ -77,7 +77,7 @@ static void place_fragments(const gn_pipeline *pipeline, raster_triangle triangl
         position[0][l] = (float)(input->x[half] + l % SQUARE_SIZE) + 0.5f;
         position[1][l] = (float)(input->y[half] + l / SQUARE_SIZE % 2) + 0.5f;
     }
-    if (GN_HAVE_OFFSET && pipeline->polygon_offset.set)
+    if (GN_HAVE_OFFSET && pipeline->raster.polygon_offset.set)
         depth = lanes_add(depth, lanes_splat(triangle_offset(triangle)));
     lanes_store(position[2], depth);
     lanes_store(position[3], plane_at(triangle_plane(triangle, ONE_OVER_W_PLANE), at));
@@ -88,7 +88,7 @@ static void locate_in_point(const gn_pipeline *pipeline, raster_triangle triangl
                             const block_places *at, lanes_f w, float coordinate[2][GN_LANES])
 {
     const float across = point_word(triangle, POINT_PER_PIXEL);
-    const float up = pipeline->point_origin == GN_POINT_LOWER_LEFT ? across : -across;
+    const float up = pipeline->raster.point_origin == GN_POINT_LOWER_LEFT ? across : -across;
     const attribute_plane s = {point_word(triangle, POINT_ORIGIN_S), across, 0.0f};
     const attribute_plane t = {point_word(triangle, POINT_ORIGIN_T), 0.0f, up};
     const bool is_point = GN_HAVE_LINES && triangle_is(triangle, PRIMITIVE_IS_POINT);
@@ -138,21 +138,21 @@ GN_OUT_OF_LINE void set_asked_inputs(const gn_pipeline *pipeline, raster_triangl
                                      const shader_verdict *verdict, asked_inputs *asked,
                                      gn_fragment_input *input, gn_fragment_output *output)
 {
-    if (pipeline->fragment_reads_primitive)
+    if (pipeline->program.fragment_reads_primitive)
         input->primitive_id = triangle_number(triangle);
-    if (pipeline->fragment_reads_position) {
+    if (pipeline->program.fragment_reads_position) {
         place_fragments(pipeline, triangle, input, at, asked->position);
         input->position = (const float(*)[GN_LANES])asked->position;
     }
-    if (GN_HAVE_LINES && pipeline->fragment_reads_point_coordinate) {
+    if (GN_HAVE_LINES && pipeline->program.fragment_reads_point_coordinate) {
         locate_in_point(pipeline, triangle, at, *w, asked->point_coordinate);
         input->point_coordinate = (const float(*)[GN_LANES])asked->point_coordinate;
     }
-    if (GN_HAVE_SAMPLES && pipeline->fragment_reads_sample_mask) {
+    if (GN_HAVE_SAMPLES && pipeline->program.fragment_reads_sample_mask) {
         mask_of_one_sample(input->coverage, asked->covered);
         input->sample_mask = verdict->covered_samples ? verdict->covered_samples : asked->covered;
     }
-    if (GN_HAVE_SAMPLES && pipeline->fragment_writes_sample_mask) {
+    if (GN_HAVE_SAMPLES && pipeline->program.fragment_writes_sample_mask) {
         output->sample_mask = verdict->kept_samples ? verdict->kept_samples : asked->kept;
         lanes_i_store((stored_word *)(void *)output->sample_mask, lanes_i_splat(-1));
     }
@@ -169,8 +169,9 @@ GN_INLINE lanes_f w_at(const fragment_place *at, raster_triangle triangle)
 static inline void set_color_defaults(const fragment_state *state, float (*color)[GN_LANES])
 {
     const gn_pipeline *const p = state->pipeline;
-    const uint32_t count = GN_HAVE_ATTACHMENTS && p->color_count > 1 ? p->color_count : 1;
-    const bool is_ready_made = state->shading->fragment_shader != p->fragment_shader;
+    const uint32_t count =
+        GN_HAVE_ATTACHMENTS && p->program.color_count > 1 ? p->program.color_count : 1;
+    const bool is_ready_made = state->shading->fragment_shader != p->program.fragment_shader;
 
     for (uint32_t n = is_ready_made ? 4 : 0; n < 4 * count; ++n)
         lanes_store(color[n], lanes_splat(0.0f));
@@ -212,7 +213,7 @@ GN_STEP void call_fragment_shader(const fragment_state *state, raster_triangle t
 
         set_asked_inputs(pipeline, triangle, places, &in_memory, verdict, &asked, &input, &output);
     }
-    state->shading->fragment_shader(pipeline->uniforms, &input, &output);
+    state->shading->fragment_shader(pipeline->program.uniforms, &input, &output);
     verdict->kept = output.kept;
 }
 
@@ -254,14 +255,14 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
                                     raster_triangle triangle, uint32_t coverage)
 {
     const gn_pipeline *p = state->pipeline;
-    const bool late = p->fragment_discards || p->fragment_writes_depth;
+    const bool late = p->program.fragment_discards || p->program.fragment_writes_depth;
     lanes_f depth = interpolate(at, triangle, DEPTH_PLANE);
     float written[GN_LANES];
     float color[4 * COLOR_LIMIT][GN_LANES];
     shader_verdict verdict;
 
     set_verdict(&verdict);
-    if (p->fragment_writes_depth) {
+    if (p->program.fragment_writes_depth) {
         lanes_store(written, depth);
         verdict.depth = written;
     } else if (GN_HAVE_OFFSET && state->moves_depth) {
@@ -275,9 +276,9 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
     const lanes_f w = w_at(at, triangle);
     const pixel_block block = square_block(at->x, at->y);
     call_fragment_shader(state, triangle, &block, at->places, coverage, w, color, &verdict);
-    if (p->fragment_discards)
+    if (p->program.fragment_discards)
         coverage &= verdict.kept;
-    if (p->fragment_writes_depth)
+    if (p->program.fragment_writes_depth)
         depth = lanes_load(written);
     if (late && coverage)
         coverage = test_whole(state, at, triangle, coverage, depth);

@@ -11,18 +11,18 @@
 static inline void set_color_state(color_state *s, const gn_pipeline *pipeline, uint32_t attachment,
                                    gn_format format)
 {
-    const gn_blend *blend = &pipeline->blend[attachment];
+    const gn_blend *blend = &pipeline->color.blend[attachment];
 
-    s->written = GN_CHANNEL_ALL & ~pipeline->color_write_disabled[attachment];
+    s->written = GN_CHANNEL_ALL & ~pipeline->color.write_disabled[attachment];
     s->written_bits[0] = 0;
     s->written_bits[1] = 0;
     for (int c = 0; c < 4; ++c) {
         if (s->written >> c & 1u)
             add_channel_bits(format, c, s->written_bits);
     }
-    set_blend_state(s, blend, pipeline->blend_constant, format);
-    set_logic_state(s, pipeline->logic_operation);
-    s->is_logical = pipeline->color_logic;
+    set_blend_state(s, blend, pipeline->color.blend_constant, format);
+    set_logic_state(s, pipeline->color.logic_operation);
+    s->is_logical = pipeline->color.logic;
     s->blends = blend->enabled && !s->is_logical;
     s->use = COLOR_COMBINES;
     if (s->written == GN_CHANNEL_ALL && !s->blends && !s->is_logical)

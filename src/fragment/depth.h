@@ -21,9 +21,9 @@ static inline depth_state comparison_of(gn_compare f)
 
 static inline depth_state depth_state_of(const gn_pipeline *pipeline)
 {
-    depth_state s = comparison_of(pipeline->depth_function);
+    depth_state s = comparison_of(pipeline->depth.function);
 
-    s.write = !pipeline->depth_write_disabled;
+    s.write = !pipeline->depth.write_disabled;
     return s;
 }
 
@@ -38,7 +38,7 @@ static inline depth_limits depth_limits_of(const gn_pipeline *pipeline,
     const float b = translate + scale;
     depth_limits limits = {0.0f, 1.0f};
 
-    if (pipeline->depth_clamp) {
+    if (pipeline->depth.clamp) {
         limits.low = a < b ? a : b;
         limits.high = a < b ? b : a;
     }

@@ -280,8 +280,8 @@ static inline bool is_plain(const fragment_state *state)
 {
     const gn_pipeline *p = state->pipeline;
 
-    return !p->fragment_discards && !p->fragment_writes_depth && !state->moves_depth &&
-           !state->clamps_depth && p->color_count <= 1 &&
+    return !p->program.fragment_discards && !p->program.fragment_writes_depth &&
+           !state->moves_depth && !state->clamps_depth && p->program.color_count <= 1 &&
            !format_has_stencil(state->depth.format) && state->combine.use != COLOR_COMBINES;
 }
 
@@ -291,10 +291,10 @@ static inline fragment_source source_of(const fragment_state *state)
     const bool texture = state->texture;
     const uint32_t varyings = texture ? VARYING_END : VARYING_ALPHA + 1;
 
-    if (!state->has_ready_color || p->varying_count < varyings)
+    if (!state->has_ready_color || p->program.varying_count < varyings)
         return SOURCE_SHADER;
     for (uint32_t n = 0; n < varyings; ++n) {
-        if (p->interpolation[n] != GN_SMOOTH)
+        if (p->program.interpolation[n] != GN_SMOOTH)
             return SOURCE_SHADER;
     }
     return texture ? SOURCE_TEXTURE : SOURCE_COLOR;

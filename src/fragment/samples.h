@@ -94,14 +94,15 @@ static void cover_by_shader(const fragment_state *state, const shader_verdict *v
     for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
         const lanes_f least = lanes_splat((float)(int32_t)s * (1.0f / GN_SAMPLES));
 
-        if (p->fragment_discards)
+        if (p->program.fragment_discards)
             coverage[s] &= verdict->kept;
         if (verdict->kept_samples)
             coverage[s] &= lanes_with_sample(verdict->kept_samples, s);
         if (to_coverage)
             coverage[s] &= lanes_bits(lanes_not(lanes_less_equal(alpha, least)));
     }
-    for (uint32_t a = 0; p->alpha_to_one && a <= (GN_HAVE_ATTACHMENTS ? state->more_count : 0); ++a)
+    for (uint32_t a = 0;
+         p->samples.alpha_to_one && a <= (GN_HAVE_ATTACHMENTS ? state->more_count : 0); ++a)
         lanes_store(color[4 * a + 3], lanes_splat(1.0f));
 }
 
@@ -111,9 +112,9 @@ static void shade_samples(const fragment_state *state, fragment_place *at, raste
                           uint32_t coverage[GN_SAMPLES])
 {
     const gn_pipeline *p = state->pipeline;
-    const bool to_coverage = p->alpha_to_coverage && state->color.format != GN_FORMAT_NONE;
-    const bool late = p->fragment_discards || p->fragment_writes_depth ||
-                      p->fragment_writes_sample_mask || to_coverage;
+    const bool to_coverage = p->samples.alpha_to_coverage && state->color.format != GN_FORMAT_NONE;
+    const bool late = p->program.fragment_discards || p->program.fragment_writes_depth ||
+                      p->program.fragment_writes_sample_mask || to_coverage;
     block_places middle; /* the pixels' centres */
     float written[GN_LANES];
     float color[4 * COLOR_LIMIT][GN_LANES];
@@ -122,12 +123,12 @@ static void shade_samples(const fragment_state *state, fragment_place *at, raste
 
     set_places_in_block(&middle, (float)at->x + 0.5f, (float)at->y + 0.5f);
     set_verdict(&verdict);
-    if (p->fragment_reads_sample_mask) {
+    if (p->program.fragment_reads_sample_mask) {
         masks_of_lanes(coverage, covered);
         verdict.covered_samples = covered;
     }
-    verdict.kept_samples = p->fragment_writes_sample_mask ? kept : 0;
-    if (p->fragment_writes_depth) {
+    verdict.kept_samples = p->program.fragment_writes_sample_mask ? kept : 0;
+    if (p->program.fragment_writes_depth) {
         lanes_store(written, plane_at(triangle_plane(triangle, DEPTH_PLANE), &middle));
         verdict.depth = written;
     }
@@ -164,7 +165,7 @@ static void shade_sampled_square(const void *context, raster_triangle triangle, 
     at.x = x;
     at.y = y;
     for (uint32_t s = 0; s < GN_SAMPLES; ++s)
-        passed[s] = counted->state->pipeline->samples_disabled >> s & 1u ? 0 : coverage[s];
+        passed[s] = counted->state->pipeline->samples.write_disabled >> s & 1u ? 0 : coverage[s];
     shade_samples(counted->state, &at, triangle, passed);
     for (uint32_t s = 0; s < GN_SAMPLES; ++s)
         *counted->passed += count_lanes(passed[s]);

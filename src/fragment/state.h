@@ -13,7 +13,7 @@
 static inline void set_more_colors(fragment_state *s, const gn_target *target,
                                    const gn_pipeline *pipeline)
 {
-    for (uint32_t a = 1; a < pipeline->color_count; ++a) {
+    for (uint32_t a = 1; a < pipeline->program.color_count; ++a) {
         color_output *const output = &s->more[a - 1];
 
         output->surface = target->color[a];
@@ -27,20 +27,20 @@ static inline void set_more_colors(fragment_state *s, const gn_target *target,
 /* Finds what ready-made fragment shaders can be inlined: a colour, with or without a texture. */
 static inline void set_ready_color(fragment_state *s, const gn_pipeline *pipeline)
 {
-    const gn_lit_uniforms *const lit = pipeline->uniforms;
-    const gn_unlit_uniforms *const unlit = pipeline->uniforms;
+    const gn_lit_uniforms *const lit = pipeline->program.uniforms;
+    const gn_unlit_uniforms *const unlit = pipeline->program.uniforms;
 
     s->texture = 0;
     s->sampler = 0;
     s->has_ready_color = true;
-    if (pipeline->fragment_shader == gn_shade_lit_texture) {
+    if (pipeline->program.fragment_shader == gn_shade_lit_texture) {
         s->texture = lit->material.diffuse_map;
         s->sampler = &lit->material.sampler;
-    } else if (pipeline->fragment_shader == gn_shade_unlit_texture) {
+    } else if (pipeline->program.fragment_shader == gn_shade_unlit_texture) {
         s->texture = unlit->map;
         s->sampler = &unlit->sampler;
     } else {
-        s->has_ready_color = pipeline->fragment_shader == gn_shade_color;
+        s->has_ready_color = pipeline->program.fragment_shader == gn_shade_color;
     }
     if (s->texture && !is_simple(s->texture, s->sampler))
         s->has_ready_color = false;
@@ -48,12 +48,14 @@ static inline void set_ready_color(fragment_state *s, const gn_pipeline *pipelin
 
 static inline void set_shader_inputs(fragment_state *s, const gn_pipeline *pipeline)
 {
-    s->asks_inputs = pipeline->fragment_reads_position || pipeline->fragment_reads_primitive ||
-                     pipeline->fragment_reads_point_coordinate ||
-                     pipeline->fragment_reads_sample_mask || pipeline->fragment_writes_sample_mask;
+    s->asks_inputs = pipeline->program.fragment_reads_position ||
+                     pipeline->program.fragment_reads_primitive ||
+                     pipeline->program.fragment_reads_point_coordinate ||
+                     pipeline->program.fragment_reads_sample_mask ||
+                     pipeline->program.fragment_writes_sample_mask;
     s->is_smooth = true;
-    for (uint32_t n = 0; n < pipeline->varying_count; ++n)
-        s->is_smooth = s->is_smooth && pipeline->interpolation[n] == GN_SMOOTH;
+    for (uint32_t n = 0; n < pipeline->program.varying_count; ++n)
+        s->is_smooth = s->is_smooth && pipeline->program.interpolation[n] == GN_SMOOTH;
 }
 
 static inline void set_fragment_state(fragment_state *s, const gn_target *target,
@@ -68,17 +70,17 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     s->depth = target->depth;
     if (GN_SPECIALISED)
         set_ready_color(s, pipeline);
-    s->tests_depth = pipeline->depth_test && format_has_depth(format);
-    s->tests_stencil = pipeline->stencil_test && format_has_stencil(format);
+    s->tests_depth = pipeline->depth.test && format_has_depth(format);
+    s->tests_stencil = pipeline->stencil.test && format_has_stencil(format);
     if (!s->tests_depth && !s->tests_stencil)
         s->depth.format = GN_FORMAT_NONE;
     s->test = depth_state_of(pipeline);
     if (GN_HAVE_STENCIL) {
-        s->stencil[0] = stencil_state_of(&pipeline->stencil_front);
-        s->stencil[1] = stencil_state_of(&pipeline->stencil_back);
+        s->stencil[0] = stencil_state_of(&pipeline->stencil.front);
+        s->stencil[1] = stencil_state_of(&pipeline->stencil.back);
     }
-    s->moves_depth =
-        pipeline->polygon_offset.set && (s->tests_depth || pipeline->fragment_reads_position);
+    s->moves_depth = pipeline->raster.polygon_offset.set &&
+                     (s->tests_depth || pipeline->program.fragment_reads_position);
     s->combine.use = COLOR_REPLACES;
     if (GN_HAVE_COMBINING)
         set_color_state(&s->combine, pipeline, 0, s->color.format);

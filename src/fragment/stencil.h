@@ -23,15 +23,15 @@ static inline stencil_update stencil_update_of(gn_stencil_operation operation, i
 
 static inline stencil_state stencil_state_of(const gn_stencil_face *face)
 {
-    const gn_compare f = face->function == GN_STENCIL_ALWAYS ? GN_ALWAYS
-                         : face->function == GN_STENCIL_LESS ? GN_LESS
-                                                             : (gn_compare)face->function;
+    const gn_compare f = face->function == GN_ALWAYS ? GN_ALWAYS
+                         : face->function == GN_LESS ? GN_LESS
+                                                     : (gn_compare)face->function;
     stencil_state s;
 
     s.compare = comparison_of(f);
-    s.compared = 255 & ~face->ignored_bits;
+    s.compared = 255 & ~face->compare_disabled;
     s.reference = face->reference & s.compared;
-    s.written = 255 & ~face->write_disabled_bits;
+    s.written = 255 & ~face->write_disabled;
     s.fail = stencil_update_of(face->fail, face->reference);
     s.depth_fail = stencil_update_of(face->depth_fail, face->reference);
     s.pass = stencil_update_of(face->pass, face->reference);

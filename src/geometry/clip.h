@@ -33,7 +33,7 @@ typedef struct polygon {
 static float plane_distance(const clipper *c, const stored_vertex *v, uint32_t plane)
 {
     if (GN_HAVE_DISTANCES && plane >= CLIP_DISTANCE)
-        return v->varying[c->pipeline->varying_count + (plane - CLIP_DISTANCE)];
+        return v->varying[c->pipeline->program.varying_count + (plane - CLIP_DISTANCE)];
 
     const float coordinate = v->clip[plane / 2];
     const float w = v->clip[3];
@@ -81,8 +81,8 @@ static uint32_t interpolate_vertex(clipper *c, uint32_t from, uint32_t to, float
 
     const float linear = window_parameter(p, q, made, t);
     for (uint32_t v = 0; v < stored_values(c->pipeline); ++v) {
-        const bool is_linear =
-            v < c->pipeline->varying_count && c->pipeline->interpolation[v] == GN_NOPERSPECTIVE;
+        const bool is_linear = v < c->pipeline->program.varying_count &&
+                               c->pipeline->program.interpolation[v] == GN_NOPERSPECTIVE;
         const float s = is_linear ? linear : t;
         made->varying[v] = p->varying[v] + s * (q->varying[v] - p->varying[v]);
     }
@@ -203,7 +203,7 @@ static inline void clip_triangle(clipper *c, uint32_t planes, const uint32_t tri
     place_new_vertices(c);
 
     /* The pieces are a fan whose first vertex takes the provoking vertex's place. */
-    const bool first = c->pipeline->provoking_vertex == GN_PROVOKING_FIRST;
+    const bool first = c->pipeline->raster.provoking_vertex == GN_PROVOKING_FIRST;
     out->count = in->count - 2;
     out->step = 1;
     for (int n = 0; n < 3; ++n)

@@ -9,7 +9,7 @@
 
 #include "gnomon/draw.h"
 
-#include "../config/small.h"
+#include "../config/features.h"
 
 typedef struct stored_vertex {
     float window[4];    /* window coordinates x, y, z and 1 / clip w */
@@ -32,13 +32,13 @@ enum {
 
 static inline uint32_t distance_count(const gn_pipeline *pipeline)
 {
-    return GN_HAVE_DISTANCES ? pipeline->clip_distance_count : 0;
+    return GN_HAVE_DISTANCES ? pipeline->program.clip_distance_count : 0;
 }
 
 /* Returns how many values, beside the position, a vertex shader writes and a vertex stores. */
 static inline uint32_t stored_values(const gn_pipeline *pipeline)
 {
-    return pipeline->varying_count + distance_count(pipeline);
+    return pipeline->program.varying_count + distance_count(pipeline);
 }
 
 /* Returns the bytes from one vertex with `value_count` stored_values to the next. */

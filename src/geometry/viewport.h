@@ -10,13 +10,13 @@
 static inline viewport_transform
 viewport_transform_of(const gn_pipeline *pipeline, uint32_t target_width, uint32_t target_height)
 {
-    const gn_viewport *v = &pipeline->viewport;
+    const gn_viewport *v = &pipeline->raster.viewport;
     const float x = v->set ? v->x : 0.0f;
     const float y = v->set ? v->y : 0.0f;
     const float width = v->set ? v->width : (float)target_width;
     const float height = v->set ? v->height : (float)target_height;
-    const float z_near = pipeline->depth_range.set ? pipeline->depth_range.z_near : 0.0f;
-    const float z_far = pipeline->depth_range.set ? pipeline->depth_range.z_far : 1.0f;
+    const float z_near = pipeline->depth.range.set ? pipeline->depth.range.z_near : 0.0f;
+    const float z_far = pipeline->depth.range.set ? pipeline->depth.range.z_far : 1.0f;
 
     /* The reference computes (z_far -+ z_near) / 2 in double and rounds to float once; one float
      * operation has the same result. If the exponents are at most 29 apart, the double sum is
@@ -30,13 +30,13 @@ viewport_transform_of(const gn_pipeline *pipeline, uint32_t target_width, uint32
     t.translate[1] = t.scale[1] + y;
     t.translate[2] = 0.5f * (z_near + z_far);
     t.planes = (1u << CLIP_DISTANCE) - 1;
-    t.zero_to_one = pipeline->clip_depth == GN_ZERO_TO_ONE;
+    t.zero_to_one = pipeline->depth.clip_depth == GN_ZERO_TO_ONE;
     if (t.zero_to_one) {
         t.scale[2] = z_far - z_near;
         t.translate[2] = z_near;
     }
     t.sampled = false;
-    if (pipeline->depth_clamp)
+    if (pipeline->depth.clamp)
         t.planes &= ~(1u << CLIP_NEAR | 1u << CLIP_FAR);
     return t;
 }

@@ -29,16 +29,18 @@ typedef struct cull_result {
 
 static inline cull_state cull_state_of(const gn_pipeline *p, uint32_t width, uint32_t height)
 {
-    const bool front_clockwise = p->front_face == GN_FRONT_CLOCKWISE;
-    const bool drop_back = p->cull == GN_CULL_BACK || p->cull == GN_CULL_FRONT_AND_BACK;
-    const bool drop_front = p->cull == GN_CULL_FRONT || p->cull == GN_CULL_FRONT_AND_BACK;
+    const bool front_clockwise = p->raster.front_face == GN_FRONT_CLOCKWISE;
+    const bool drop_back =
+        p->raster.cull == GN_CULL_BACK || p->raster.cull == GN_CULL_FRONT_AND_BACK;
+    const bool drop_front =
+        p->raster.cull == GN_CULL_FRONT || p->raster.cull == GN_CULL_FRONT_AND_BACK;
     cull_state s;
 
-    s.target = scissored_target(&p->scissor, width, height);
+    s.target = scissored_target(&p->raster.scissor, width, height);
     s.front_clockwise = front_clockwise;
     s.drop_clockwise = front_clockwise ? drop_front : drop_back;
     s.drop_counter_clockwise = front_clockwise ? drop_back : drop_front;
-    s.provoking_first = p->provoking_vertex == GN_PROVOKING_FIRST;
+    s.provoking_first = p->raster.provoking_vertex == GN_PROVOKING_FIRST;
     s.asks_unsnapped = false;
     s.reach = 0;
     s.box = box_state_of(p);

@@ -20,7 +20,7 @@ typedef struct offset_state {
 static inline offset_state offset_state_of(const gn_pipeline *pipeline, gn_format depth_format,
                                            bool moves)
 {
-    const gn_polygon_offset *p = &pipeline->polygon_offset;
+    const gn_polygon_offset *p = &pipeline->raster.polygon_offset;
     const bool has_24 = depth_format == GN_FORMAT_D24 || depth_format == GN_FORMAT_D24S8;
     const float steps = depth_format == GN_FORMAT_D16 ? 65535.0f / 2.0f
                         : has_24                      ? 16777215.0f / 2.0f

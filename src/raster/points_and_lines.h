@@ -39,24 +39,28 @@ static inline int32_t snap_size(float size, float greatest)
 static inline void set_modes(box_state *s, const gn_pipeline *p)
 {
     /* A culled face takes the mode of the other face, which shows in triangles without area. */
-    const bool no_front = p->cull == GN_CULL_FRONT || p->cull == GN_CULL_FRONT_AND_BACK;
-    const bool no_back = p->cull == GN_CULL_BACK || p->cull == GN_CULL_FRONT_AND_BACK;
-    const gn_polygon_mode front = no_front ? p->polygon_mode_back : p->polygon_mode_front;
-    const gn_polygon_mode back = no_back ? p->polygon_mode_front : p->polygon_mode_back;
+    const bool no_front =
+        p->raster.cull == GN_CULL_FRONT || p->raster.cull == GN_CULL_FRONT_AND_BACK;
+    const bool no_back = p->raster.cull == GN_CULL_BACK || p->raster.cull == GN_CULL_FRONT_AND_BACK;
+    const gn_polygon_mode front =
+        no_front ? p->raster.polygon_mode_back : p->raster.polygon_mode_front;
+    const gn_polygon_mode back =
+        no_back ? p->raster.polygon_mode_front : p->raster.polygon_mode_back;
 
-    s->is_unfilled = kind_of(p->topology) == KIND_TRIANGLE &&
+    s->is_unfilled = kind_of(p->raster.topology) == KIND_TRIANGLE &&
                      (front != GN_POLYGON_FILL || back != GN_POLYGON_FILL);
-    s->clockwise = p->front_face == GN_FRONT_CLOCKWISE ? front : back;
-    s->counter_clockwise = p->front_face == GN_FRONT_CLOCKWISE ? back : front;
+    s->clockwise = p->raster.front_face == GN_FRONT_CLOCKWISE ? front : back;
+    s->counter_clockwise = p->raster.front_face == GN_FRONT_CLOCKWISE ? back : front;
 }
 
 static inline box_state box_state_of(const gn_pipeline *p)
 {
-    const float width = p->line_width < GN_MAX_LINE_WIDTH ? p->line_width : GN_MAX_LINE_WIDTH;
+    const float width =
+        p->raster.line_width < GN_MAX_LINE_WIDTH ? p->raster.line_width : GN_MAX_LINE_WIDTH;
     box_state s;
 
-    s.program_point_size = p->program_point_size;
-    s.point_size = snap_size(p->point_size, GN_MAX_POINT_SIZE);
+    s.program_point_size = p->program.vertex_writes_point_size;
+    s.point_size = snap_size(p->raster.point_size, GN_MAX_POINT_SIZE);
     s.half_width = width > 1.0f ? round_away(width) * 128 : 128;
     s.width = width > 1.0f ? width : 1.0f;
     s.reach = 0;

@@ -147,12 +147,12 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
     set_basis(&basis, x, y, center);
     make_plane(&basis, z, setup->plane[DEPTH_PLANE]);
     /* The offset is 0 if the vertices have moved instead. */
-    if (GN_HAVE_OFFSET && pipeline->polygon_offset.set)
+    if (GN_HAVE_OFFSET && pipeline->raster.polygon_offset.set)
         lanes_store(setup->offset,
                     offset->moves ? offset_depths(offset, x, y, z) : lanes_splat(0.0f));
     make_plane(&basis, w, setup->plane[ONE_OVER_W_PLANE]);
 
-    for (uint32_t n = 0; n < pipeline->varying_count; ++n) {
+    for (uint32_t n = 0; n < pipeline->program.varying_count; ++n) {
         float(*const plane)[GN_LANES] = setup->plane[VARYING_PLANES + n];
         lanes_f a[3];
 
@@ -160,13 +160,13 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
             for (int i = 0; i < 3; ++i)
                 lanes_i_gather_rows(varyings + n / 4 * VERTEX_ROW, list->vertex[i], 1, row[i]);
         }
-        if (pipeline->interpolation[n] == GN_FLAT) {
+        if (pipeline->program.interpolation[n] == GN_FLAT) {
             make_flat_plane(memory, list, n, plane);
             continue;
         }
         for (int i = 0; i < 3; ++i) {
             a[i] = lanes_as_float(row[i][n % 4]);
-            if (pipeline->interpolation[n] == GN_SMOOTH)
+            if (pipeline->program.interpolation[n] == GN_SMOOTH)
                 a[i] = lanes_mul(a[i], w[i]);
         }
         make_plane(&basis, a, plane);
@@ -211,7 +211,7 @@ GN_STEP void setup_solid(const gn_pipeline *pipeline, const triangle_list *list,
     float(*const alpha)[GN_LANES] = setup->plane[VARYING_PLANES + 3];
     lanes_m solid = lanes_from_bits(0);
 
-    if (pipeline->varying_count > 3 && pipeline->interpolation[3] == GN_SMOOTH) {
+    if (pipeline->program.varying_count > 3 && pipeline->program.interpolation[3] == GN_SMOOTH) {
         solid = lanes_from_bits(GN_ALL_LANES);
         for (int term = 0; term < PLANE_TERMS; ++term)
             solid = lanes_and(solid, lanes_i_equal(lanes_as_int(lanes_load(w[term])),

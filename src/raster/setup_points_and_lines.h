@@ -16,16 +16,17 @@ static inline void gather_plane(const gn_pipeline *pipeline, const unsigned char
     GN_EACH_LANE (l) {
         const stored_vertex *v = (const stored_vertex *)(const void *)(memory + vertex[l]);
 
-        value[l] = plane == DEPTH_PLANE                      ? v->window[2]
-                   : plane == ONE_OVER_W_PLANE               ? v->window[3]
-                   : pipeline->interpolation[n] == GN_SMOOTH ? v->varying[n] * v->window[3]
-                                                             : v->varying[n];
+        value[l] = plane == DEPTH_PLANE                              ? v->window[2]
+                   : plane == ONE_OVER_W_PLANE                       ? v->window[3]
+                   : pipeline->program.interpolation[n] == GN_SMOOTH ? v->varying[n] * v->window[3]
+                                                                     : v->varying[n];
     }
 }
 
 static inline bool is_flat(const gn_pipeline *pipeline, uint32_t plane)
 {
-    return plane >= VARYING_PLANES && pipeline->interpolation[plane - VARYING_PLANES] == GN_FLAT;
+    return plane >= VARYING_PLANES &&
+           pipeline->program.interpolation[plane - VARYING_PLANES] == GN_FLAT;
 }
 
 static inline void make_constant_plane(lanes_f value, float plane[PLANE_TERMS][GN_LANES])
@@ -49,7 +50,7 @@ static inline void setup_point_words(const box_state *state, const gn_pipeline *
                                      const unsigned char *memory, const triangle_list *list,
                                      triangle_setup *setup)
 {
-    const float up = pipeline->point_origin == GN_POINT_LOWER_LEFT ? 1.0f : -1.0f;
+    const float up = pipeline->raster.point_origin == GN_POINT_LOWER_LEFT ? 1.0f : -1.0f;
 
     GN_EACH_LANE (l) {
         const stored_vertex *v = (const stored_vertex *)(const void *)(memory + list->vertex[0][l]);
@@ -72,7 +73,7 @@ static inline void setup_points(const box_state *state, const gn_pipeline *pipel
 
     setup_point_words(state, pipeline, memory, list, setup);
 
-    for (uint32_t n = 0; n < VARYING_PLANES + pipeline->varying_count; ++n) {
+    for (uint32_t n = 0; n < VARYING_PLANES + pipeline->program.varying_count; ++n) {
         if (is_flat(pipeline, n)) {
             make_flat_plane(memory, list, n - VARYING_PLANES, setup->plane[n]);
             continue;
@@ -189,7 +190,7 @@ static inline void setup_lines(const box_state *state, const gn_pipeline *pipeli
     if (!GN_HAVE_SAMPLES || !state->reach)
         setup_line_edges(state, memory, list, setup);
     set_line_basis(state, memory, list, &basis);
-    for (uint32_t n = 0; n < VARYING_PLANES + pipeline->varying_count; ++n) {
+    for (uint32_t n = 0; n < VARYING_PLANES + pipeline->program.varying_count; ++n) {
         if (is_flat(pipeline, n)) {
             make_flat_plane(memory, list, n - VARYING_PLANES, setup->plane[n]);
             continue;

@@ -1,0 +1,20 @@
+/* The stages of a back end: the text that each compiles for its own lanes. The file that includes
+ * this first defines its form of lanes and the names of its two functions, GN_RUN and GN_BULK. */
+#include "stages.h"
+
+#include "../lanes/target_begin.h"
+
+#include "../draw/run.h"
+#include "../math/bulk.h"
+
+gn_status GN_RUN(const draw_job *job)
+{
+    return run_draw(job);
+}
+
+void GN_BULK(const bulk_job *job)
+{
+    run_bulk(job);
+}
+
+#include "../lanes/target_end.h"
