@@ -42,7 +42,7 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
                   gn_workspace *workspace)
 {
     draw_job job;
-    mesh_run whole;
+    mesh_slice whole;
     const gn_status status = gn_prepare_draw(&job, &whole, target, pipeline, mesh, workspace);
 
     if (status)

@@ -4,12 +4,12 @@
 
 #include "../lanes/target_begin.h"
 
-#include "../draw/run.h"
+#include "../draw/mesh.h"
 #include "../math/bulk.h"
 
 gn_status GN_RUN(const draw_job *job)
 {
-    return run_draw(job);
+    return draw_mesh(job);
 }
 
 void GN_BULK(const bulk_job *job)

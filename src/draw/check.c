@@ -1,4 +1,4 @@
-/* Validation of what a draw is given: the first fault's status. */
+/* Checks what a draw is given; returns the status of the first fault. */
 #include "check.h"
 
 #include "pipeline_faults.h"

@@ -1,10 +1,11 @@
-/* What gn_draw asks of a mesh before it reads the indices, which its stages do. */
+/* What gn_draw asks of a mesh. The values of indices are not checked here: the stages check them
+ * when they read them. */
 #ifndef GN_DRAW_CHECK_H
 #define GN_DRAW_CHECK_H
 
 #include "gnomon/draw.h"
 
-/* Index `at` of a mesh that has some. */
+/* Returns index `at` of an indexed mesh. */
 static inline uint32_t mesh_index(const gn_mesh *mesh, size_t at)
 {
     return mesh->index_format == GN_INDEX_UINT8    ? ((const uint8_t *)mesh->indices)[at]
@@ -12,7 +13,7 @@ static inline uint32_t mesh_index(const gn_mesh *mesh, size_t at)
                                                    : ((const uint32_t *)mesh->indices)[at];
 }
 
-/* The index that restarts, where one does. */
+/* Returns the index that restarts. Precondition: the mesh is indexed and has a restart. */
 static inline uint32_t restart_index_of(const gn_mesh *mesh)
 {
     if (mesh->restart == GN_RESTART_INDEX)
@@ -22,16 +23,16 @@ static inline uint32_t restart_index_of(const gn_mesh *mesh)
                                                    : UINT32_MAX;
 }
 
-/* Whether an index is a restart and names no vertex. */
+/* Returns whether an index is a restart; a restart names no vertex. */
 static inline bool is_restart(const gn_mesh *mesh, uint32_t index)
 {
     return mesh->restart != GN_RESTART_NONE && index == restart_index_of(mesh);
 }
 
-/* Whether all indices that are drawn name vertices, or are restarts. */
+/* Returns whether every index that is drawn names a vertex or is a restart. */
 bool gn_indices_are_within(const gn_mesh *mesh);
 
-/* gn_mesh_check without a look at the indices. */
+/* Returns the status of gn_mesh_check, without a look at the values of indices. */
 gn_status gn_check_mesh_but_indices(const gn_mesh *mesh);
 
 #endif

@@ -1,11 +1,11 @@
-/* The elements of a draw: which vertices they are, and where those are kept. */
+/* The elements of a draw: which vertices they name, and where these vertices are stored. */
 #ifndef GN_DRAW_ELEMENTS_H
 #define GN_DRAW_ELEMENTS_H
 
 #include "state.h"
 
-/* The vertices that elements first to first + count - 1 name. */
-static inline void read_elements(const mesh_run *mesh, uint32_t first, uint32_t count,
+/* Reads the vertices that elements first to first + count - 1 name. */
+static inline void read_elements(const mesh_slice *mesh, uint32_t first, uint32_t count,
                                  uint32_t *vertex)
 {
     const size_t at = (size_t)mesh->first + first;
@@ -30,14 +30,14 @@ static inline void read_elements(const mesh_run *mesh, uint32_t first, uint32_t 
     }
 }
 
-static inline bool has_restarts(const mesh_run *mesh)
+static inline bool has_restarts(const mesh_slice *mesh)
 {
     return GN_HAVE_INSTANCES && mesh->restarts;
 }
 
-/* The next run of elements between restarts of the whole, from element *from on; false where there
- * is none. */
-static bool next_run(const mesh_run *whole, uint32_t *from, mesh_run *run)
+/* Finds the next slice of a mesh with restarts, from element *from on, and moves *from behind it.
+ * Returns false if there is none. */
+static bool find_slice(const mesh_slice *whole, uint32_t *from, mesh_slice *slice)
 {
     const uint32_t none = whole->restart_index + whole->base;
     uint32_t begin = 0, i = *from;
@@ -60,13 +60,14 @@ static bool next_run(const mesh_run *whole, uint32_t *from, mesh_run *run)
         if (found && l < part)
             break;
     }
-    run->first = whole->first + begin;
-    run->count = i - begin;
+    slice->first = whole->first + begin;
+    slice->count = i - begin;
     *from = i;
     return found;
 }
 
-/* The same for a draw's elements, of which a line loop has one more. */
+/* Reads the vertices that elements of the draw's slice name. A line loop has one more element than
+ * its slice: the first again. */
 static inline void read_drawn_elements(const draw_state *draw, uint32_t first, uint32_t count,
                                        uint32_t *vertex)
 {
@@ -77,9 +78,10 @@ static inline void read_drawn_elements(const draw_state *draw, uint32_t first, u
     read_elements(draw->mesh, 0, closing, vertex + count - closing);
 }
 
-/* The least and the greatest vertex that elements first to first + count - 1 name; of
- * none, restarts aside, an empty range. Unsigned order is the signed one of numbers less 2^31. */
-static index_range find_range(const mesh_run *mesh, uint32_t first, uint32_t count)
+/* Returns the least and the greatest vertex that elements first to first + count - 1 name. Restarts
+ * do not count; without any vertex the range is empty (low > high). Lanes compare signed numbers:
+ * subtracting 2^31 turns unsigned order into signed order. */
+static index_range find_range(const mesh_slice *mesh, uint32_t first, uint32_t count)
 {
     const lanes_i bias = lanes_i_splat(INT32_MIN);
     const lanes_i base = lanes_i_add(bias, lanes_i_splat((int32_t)mesh->base));
@@ -120,7 +122,7 @@ static index_range find_range(const mesh_run *mesh, uint32_t first, uint32_t cou
 }
 
 /* Divides a mesh's indices into parts. */
-static inline void divide_indices(index_parts *parts, const mesh_run *mesh)
+static inline void divide_indices(index_parts *parts, const mesh_slice *mesh)
 {
     const uint32_t count = mesh->count;
     const uint32_t even = (count - 1) / INDEX_PARTS + 1;
@@ -130,7 +132,7 @@ static inline void divide_indices(index_parts *parts, const mesh_run *mesh)
     parts->count = (count - 1) / parts->size + 1;
 }
 
-/* Finds what each of parts first to first + count - 1 names. */
+/* Finds the range of vertices of parts first to first + count - 1. */
 static void scan_parts(draw_state *draw, uint32_t first, uint32_t count)
 {
     index_parts *const parts = &draw->parts;
@@ -143,7 +145,7 @@ static void scan_parts(draw_state *draw, uint32_t first, uint32_t count)
     }
 }
 
-/* Makes of what each part names what index_parts says. Gives what all name. */
+/* Turns each part's `high` into a running maximum; returns the overall range. */
 static index_range join_parts(index_parts *parts)
 {
     index_range all = parts->range[0];
@@ -155,8 +157,8 @@ static index_range join_parts(index_parts *parts)
     return all;
 }
 
-/* Slots to shade, a multiple of sixteen or all, before the elements of a part can be
- * assembled. */
+/* Returns how many slots must be shaded before the elements of a part can be assembled: a multiple
+ * of sixteen, or all. */
 static inline uint32_t slots_of_part(const draw_state *draw, uint32_t part)
 {
     const uint32_t last = draw->parts.range[part].high - draw->map.base;
@@ -165,7 +167,7 @@ static inline uint32_t slots_of_part(const draw_state *draw, uint32_t part)
     return slots < draw->map.count ? slots : draw->map.count;
 }
 
-/* The same for all elements below `end`. */
+/* Returns how many slots must be shaded before the elements below `end` can be assembled. */
 static inline uint32_t slots_before(const draw_state *draw, uint32_t end)
 {
     const uint32_t in_run = end < draw->mesh->count ? end - 1 : draw->mesh->count - 1;
@@ -175,9 +177,10 @@ static inline uint32_t slots_before(const draw_state *draw, uint32_t end)
     return slots_of_part(draw, last / draw->parts.size);
 }
 
-/* The most slots that are in use at once where a shared draw is made in steps of so many
- * elements: from the first that the step's first part names to the last that is shaded for
- * its last part. Where a later part goes back further, its own steps use more. */
+/* Returns how many slots are in use at once, at most, when a shared draw is made in steps of
+ * `elements` elements: from the first vertex that the step's first part names to the last vertex
+ * that is shaded for its last part. A later part that names an earlier vertex counts in its own
+ * steps. */
 static uint32_t slots_in_use(const draw_state *draw, uint32_t elements)
 {
     const index_parts *parts = &draw->parts;
@@ -195,27 +198,32 @@ static uint32_t slots_in_use(const draw_state *draw, uint32_t elements)
     return most;
 }
 
-/* Where the vertices of elements first to first + count - 1 are kept; of a fan, the first
- * is the draw's first element instead. */
-static inline void locate_elements(const draw_state *draw, uint32_t first, uint32_t count,
-                                   uint32_t *offset)
+/* Finds where the vertices of triangles first to first + count - 1 of the slice are stored: writes
+ * the offset of each of their elements and returns how many elements there are. A fan's first
+ * offset is that of the slice's first element. */
+static inline uint32_t locate_elements(const draw_state *draw, uint32_t first, uint32_t count,
+                                       uint32_t offset[ASSEMBLE_MAX_ELEMENTS])
 {
+    const gn_topology topology = draw->pipeline->raster.topology;
+    const uint32_t elements = element_count(topology, count);
+    const uint32_t element = first_element(topology, first);
     const uint32_t vertices = draw->vertices;
     const uint32_t stride = draw->stride;
-    const bool is_fan = draw->pipeline->raster.topology == GN_TRIANGLE_FAN;
+    const bool is_fan = topology == GN_TRIANGLE_FAN;
 
     if (draw->map.shared) {
-        read_drawn_elements(draw, first, count, offset);
+        read_drawn_elements(draw, element, elements, offset);
         if (is_fan)
             read_elements(draw->mesh, 0, 1, offset);
-        for (uint32_t i = 0; i < count; ++i)
+        for (uint32_t i = 0; i < elements; ++i)
             offset[i] = vertices + ((offset[i] - draw->map.base) & draw->map.ring) * stride;
     } else {
-        for (uint32_t i = 0; i < count; ++i)
-            offset[i] = vertices + (first + i - draw->map.first) * stride;
+        for (uint32_t i = 0; i < elements; ++i)
+            offset[i] = vertices + (element + i - draw->map.first) * stride;
         if (is_fan)
             offset[0] = vertices;
     }
+    return elements;
 }
 
 #endif

@@ -1,25 +1,69 @@
-/* A checked draw, as a back end gets it, and how its workspace is divided. */
+/* A checked draw, as a back end receives it, and the words of drawing.
+ *
+ * The way from gn_draw to a pixel, for a triangle with vertex colours; files in the order in which
+ * the way enters them:
+ *
+ *   backends/draw.c           gn_draw, and the chosen back end
+ *   draw/mesh.h               draw_mesh, draw_slice, draw_segment
+ *   draw/vertices.h           shade_slots, store_vertices
+ *   geometry/fetch.h          fetch_attributes
+ *   geometry/viewport.h       place_vertices
+ *   draw/primitives.h         add_primitives
+ *   draw/elements.h           locate_elements
+ *   geometry/assemble.h       assemble_triangles
+ *   draw/triangles.h          add_group
+ *   raster/cull.h             cull_triangles
+ *   draw/list.h               append_triangle, finish_list
+ *   raster/setup.h            setup_triangles
+ *   raster/coverage.h         cover_triangles
+ *   raster/cover_small.h      cover_small
+ *   fragment/runs.h           run_color_rgba8_d24, shade_squares
+ *   fragment/block.h          shade
+ *   fragment/depth.h          test_depth
+ *   fragment/color.h          write_color
+ *
+ * Glossary. Each word has this meaning alone in draw/, geometry/, raster/ and fragment/; triangle
+ * strips and fans are topologies, and numbers are rounded where a function's name says so.
+ *
+ *   element  an index of the mesh, or a vertex of a mesh without indices
+ *   slice    the elements of one instance between two restarts
+ *   segment  the elements of a slice that the reference takes at a time (segment_elements)
+ *   part     a division of a mesh's indices, whose range of vertices is known before they are drawn
+ *   slot     the place of a shaded vertex in the workspace
+ *   group    up to sixteen assembled triangles, as offsets of their vertices
+ *   piece    a triangle that clipping leaves of another
+ *   list     up to sixteen primitives that can be seen, with their bounds; all of one kind
+ *   set-up   the primitives of a list with edge functions and planes
+ *   square   4x4 pixels, at even coordinates
+ *   half     the lower or the upper two rows of a square
+ *   block    sixteen pixels that are shaded at once, one a lane: a square, or two halves
+ *   run      neighbouring squares of a row of squares that are handed to fragments together
+ *   batch    squares or halves of a triangle that are found first and shaded afterwards
+ *   task     one call of a gn_task, on any thread
+ *   worker   the state of one thread's work on primitives
+ *   round    the segments whose lists are made, and drawn, in tasks between two meetings of threads
+ *   strip    the rows of the target that one task of a round draws */
 #ifndef GN_DRAW_JOB_H
 #define GN_DRAW_JOB_H
 
 #include "../raster/types.h"
 #include "../shaders/shading.h"
 
-/* Tasks that a step of a draw is divided into at most, each with scratch of its own. */
+/* Each step of a round is divided into at most so many tasks, each with scratch of its own. */
 #define MAX_TASKS 32
 
-/* New vertices that a task keeps, so that the pieces of several clipped triangles are set
- * up together where there is room for them. */
+/* New vertices that a worker keeps, so that the pieces of several clipped triangles can be set up
+ * together. */
 #define CLIP_SCRATCH (2 * GN_LANES)
 
-/* The reference takes a draw in segments of this many elements, without indices and with them,
- * and some of its decisions depend on all vertices of a segment (resolve_segment). */
+/* Elements of a segment without and with indices. The reference takes a draw in segments of these
+ * lengths, and some of its decisions depend on all vertices of a segment (resolve_segment). */
 #define SEGMENT_ELEMENTS 4096
 #define SEGMENT_INDICES 1024
 
-/* Elements of a segment. A fan without indices that is longer than one segment is divided as if
- * it had indices, since only then can each segment have the fan's first vertex. */
-static inline uint32_t segment_elements(gn_topology topology, const mesh_run *mesh)
+/* Returns the elements of a segment. A fan without indices that is longer than one segment is
+ * divided as if it had indices, since only then can each segment have the fan's first vertex. */
+static inline uint32_t segment_elements(gn_topology topology, const mesh_slice *mesh)
 {
     const bool divides_fan = topology == GN_TRIANGLE_FAN && mesh->count > SEGMENT_ELEMENTS;
 
@@ -35,51 +79,52 @@ typedef struct pixel_rows {
 typedef struct segment_lists {
     uint32_t list_count;
     uint32_t triangle_count;
-    pixel_rows rows; /* of their bounds */
-    uint32_t area;   /* about the sum of their bounds', each counted up to LARGEST_AREA */
+    pixel_rows rows; /* of the bounds of all triangles */
+    uint32_t area;   /* about the sum of the bounds' areas; each counts up to LARGEST_AREA */
 } segment_lists;
 
-/* As much as makes a draw worth all strips. The sum of a segment fits 32 bits. */
+/* An area that makes a draw worth all strips. The sum over a segment fits 32 bits. */
 #define LARGEST_AREA (1 << 19)
 
-/* The rows of the bounds of sixteen lists; of a list that is not there, none. */
+/* The rows of the bounds of sixteen lists. The range of a list that does not exist is empty. */
 typedef struct list_rows {
     int32_t min[GN_LANES], max[GN_LANES];
 } list_rows;
 
-/* The workspace from an aligned address on: the scratch of tasks, then for a draw with
- * tasks the segments of a round, their lists and the rows of those, then vertices. */
+/* A draw as a back end receives it. The workspace holds, from an aligned address on: the scratch of
+ * tasks; for a draw with tasks the segments of a round, their lists and the rows of these lists;
+ * then vertices. */
 typedef struct draw_job {
     const gn_target *target;
     const gn_pipeline *pipeline;
     shading_functions shading;
-    const mesh_run *mesh; /* all elements, of the first instance */
+    const mesh_slice *mesh; /* all elements of the first instance */
     uint32_t instances;
-    unsigned char *memory; /* vertices are named by their offset from here */
-    uint32_t vertices;     /* offset of the first */
-    uint32_t capacity;     /* vertices there is room for, a multiple of GN_LANES */
+    unsigned char *memory; /* a vertex is named by its offset from here */
+    uint32_t vertices;     /* offset of the first vertex */
+    uint32_t capacity;     /* how many vertices fit, a multiple of GN_LANES */
 
-    gn_parallel *parallel; /* null: one task, no segments kept */
+    gn_parallel *parallel; /* null: one task, no segments are kept */
     void *user;
-    uint32_t threads;         /* that run tasks; 0: not known */
+    uint32_t threads;         /* threads that run tasks; 0: not known */
     uint64_t *samples_passed; /* null: not counted */
-    segment_lists *segments;  /* of a round */
+    segment_lists *segments;  /* the segments of a round */
     uint32_t segment_count;
     triangle_list *lists;
-    list_rows *rows; /* of the lists */
+    list_rows *rows; /* the rows of the lists */
     uint32_t lists_per_segment, rows_per_segment;
 } draw_job;
 
-/* A task's scratch, for so many stored_values: a triangle_list, its triangle_batch, new vertices.
- */
-static inline uint32_t scratch_batch_offset(void)
+/* A task's scratch for vertices with `value_count` stored_values: a triangle_list, its
+ * triangle_setup, then new vertices. */
+static inline uint32_t scratch_setup_offset(void)
 {
     return (uint32_t)(sizeof(triangle_list) + 63) & ~63u;
 }
 
 static inline uint32_t scratch_vertices_offset(uint32_t value_count)
 {
-    return scratch_batch_offset() + ((uint32_t)(triangle_batch_size(value_count) + 63) & ~63u);
+    return scratch_setup_offset() + ((uint32_t)(triangle_setup_size(value_count) + 63) & ~63u);
 }
 
 static inline uint32_t scratch_size(uint32_t value_count)

@@ -1,4 +1,4 @@
-/* The draw before its stages: checks what is given and divides the workspace. */
+/* Prepares a draw: checks the arguments and divides the workspace. */
 #include "prepare.h"
 
 #include "../config/features.h"
@@ -10,19 +10,19 @@
 /* A cache line. */
 #define WORKSPACE_ALIGNMENT 64
 
-/* Triangles of a round, about: enough to be worth two meetings of the threads, few enough
- * for their vertices and lists to stay in the cache. Of a closed surface the vertices of two
- * rounds, half as many as triangles, fit a ring of 65,536. */
+/* About how many triangles a round has: enough to be worth two meetings of the threads, few enough
+ * for their vertices and lists to stay in the cache. A closed surface has half as many vertices as
+ * triangles, so the vertices of two rounds fit a ring of 65,536. */
 #define ROUND_TRIANGLES 57344
 
-/* Offsets of vertices are 32 bits; a round number below that. */
+/* Offsets of vertices have 32 bits; this is a round number below that. */
 #define MEMORY_LIMIT ((uint64_t)UINT32_MAX - 65535)
 
 static uint64_t vertices_size(uint32_t vertex_count, uint32_t varying_count)
 {
-    const uint64_t batches = vertex_count == 0 ? 1 : ((uint64_t)vertex_count - 1) / GN_LANES + 1;
+    const uint64_t sixteens = vertex_count == 0 ? 1 : ((uint64_t)vertex_count - 1) / GN_LANES + 1;
 
-    return batches * GN_LANES * vertex_stride(varying_count);
+    return sixteens * GN_LANES * vertex_stride(varying_count);
 }
 
 static size_t as_size(uint64_t size)
@@ -38,7 +38,7 @@ size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count)
                    vertices_size(vertex_count, varying_count));
 }
 
-/* Lists that hold a segment's triangles, the last of them never full. */
+/* Returns how many lists hold a segment's triangles; the last one is never full. */
 static uint32_t lists_per_segment(uint32_t triangles)
 {
     return triangles / GN_LANES + 1;
@@ -70,11 +70,12 @@ size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count
                    vertices_size(vertex_count, varying_count));
 }
 
-/* Segments of a round that the memory beyond the tasks' scratch has room for, beside the
- * vertices: of a draw whose vertices are all kept, or of those segments alone. */
+/* Returns how many segments of a round fit `memory`, which is what the tasks' scratch leaves,
+ * beside the vertices. The vertices are all of the draw's if these fit, otherwise those of the
+ * round's segments. */
 static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
 {
-    const mesh_run *mesh = job->mesh;
+    const mesh_slice *mesh = job->mesh;
     const bool indexed = mesh->index_format != GN_INDEX_NONE;
     const uint32_t elements = segment_elements(job->pipeline->raster.topology, mesh);
     const uint32_t varyings = stored_values(job->pipeline);
@@ -86,8 +87,8 @@ static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
     return memory / (lists + vertices_size(elements, varyings));
 }
 
-/* Divides the memory for tasks, if that is asked for and possible. Gives the bytes taken
- * before the vertices. */
+/* Divides the memory for tasks, if tasks are asked for and fit. Returns the bytes before the
+ * vertices. */
 static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
 {
     const uint32_t varyings = stored_values(job->pipeline);
@@ -95,7 +96,7 @@ static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
     const uint32_t step = triangles_of(job->pipeline->raster.topology, elements);
     const uint32_t total = triangle_count(job->pipeline->raster.topology, job->mesh->count);
     const uint64_t scratch = MAX_TASKS * (uint64_t)scratch_size(varyings);
-    /* Rounding the end of the lists up may take so much more. */
+    /* Rounding up the end of the lists may take this much more. */
     const uint64_t taken = scratch + WORKSPACE_ALIGNMENT - 1;
     uint64_t segments = 0;
 
@@ -127,7 +128,7 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     const size_t skip = (0 - (uintptr_t)workspace->memory) & (WORKSPACE_ALIGNMENT - 1);
     const uint64_t given = workspace->size - skip;
     const uint32_t available = (uint32_t)(given < MEMORY_LIMIT ? given : MEMORY_LIMIT);
-    const uint32_t batch = GN_LANES * vertex_stride(stored_values(job->pipeline));
+    const uint32_t sixteen = GN_LANES * vertex_stride(stored_values(job->pipeline));
 
     job->memory = (unsigned char *)workspace->memory + skip;
     job->parallel = GN_HAVE_TASKS ? workspace->parallel : NULL;
@@ -141,11 +142,11 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     job->lists_per_segment = 0;
     job->rows_per_segment = 0;
     job->vertices = divide_for_tasks(job, available);
-    job->capacity = (available - job->vertices) / batch * GN_LANES;
+    job->capacity = (available - job->vertices) / sixteen * GN_LANES;
 }
 
 /* Sets `whole` to all elements of the mesh, in the first instance. */
-static void set_whole_mesh(mesh_run *whole, const gn_mesh *mesh)
+static void set_whole_mesh(mesh_slice *whole, const gn_mesh *mesh)
 {
     const bool indexed = mesh->index_format != GN_INDEX_NONE;
 
@@ -162,7 +163,7 @@ static void set_whole_mesh(mesh_run *whole, const gn_mesh *mesh)
     whole->restart_index = GN_HAVE_INSTANCES ? restart_index_of(mesh) : 0;
 }
 
-gn_status gn_prepare_draw(draw_job *job, mesh_run *whole, const gn_target *target,
+gn_status gn_prepare_draw(draw_job *job, mesh_slice *whole, const gn_target *target,
                           const gn_pipeline *pipeline, const gn_mesh *mesh, gn_workspace *workspace)
 {
     gn_status status = gn_target_check(target);

@@ -1,4 +1,4 @@
-/* What the stages of a draw share: its state resolved once, and where vertices are. */
+/* What the stages of a draw share: the resolved state, and where vertices are stored. */
 #ifndef GN_DRAW_STATE_H
 #define GN_DRAW_STATE_H
 
@@ -11,18 +11,18 @@
 #include "../surfaces/target.h"
 #include "job.h"
 
-/* Where vertices are kept. The elements of a draw are its indices, or its vertices
- * where it has none. If `shared`, slot n holds the vertex base + n and an element finds
- * its slot by its index; otherwise slots hold consecutive elements of the draw from
- * `first` on, each shaded for itself, but for a fan slot 0 holds the draw's first.
- * The memory of slot n of a shared draw is that of n & ring: where indices go along with
- * the vertices, a few thousand of them stay in the cache, however many the draw has. */
+/* Where vertices are stored. If `shared`, slot n holds the vertex base + n, and an element finds
+ * its slot by its index. Otherwise slots hold consecutive elements of the slice from `first` on,
+ * each shaded for itself; slot 0 of a fan holds the slice's first element. Slot n of a shared draw
+ * lies at the place n & ring: if indices rise together with the vertices, a few thousand places
+ * stay in the cache, however many vertices the draw has. */
 typedef struct slot_map {
     bool shared;
     uint32_t base;
-    uint32_t ring;     /* one less than a power of two */
-    uint32_t count;    /* slots of a shared draw */
-    uint32_t shaded;   /* of them, a multiple of sixteen or all */
+    uint32_t ring;   /* the number of places less one, which is a power of two less one; UINT32_MAX:
+                        no ring */
+    uint32_t count;  /* slots of a shared draw */
+    uint32_t shaded; /* slots that are shaded: a multiple of sixteen, or all */
     uint32_t outcodes; /* the union of theirs */
     uint32_t first;
 } slot_map;
@@ -39,8 +39,8 @@ static inline index_range join_ranges(index_range a, index_range b)
     return r;
 }
 
-/* Vertices are shaded a part of the indices ahead: in parts this many, they are still near
- * in the cache when triangles are made of them. */
+/* Vertices are shaded one part of the indices ahead. With so many parts, vertices are still in the
+ * near cache when triangles are made of them. */
 #define INDEX_PARTS (GN_SPECIALISED ? 512 : 8)
 
 /* The shortest part. Tests divide small scenes too. */
@@ -50,10 +50,10 @@ static inline index_range join_ranges(index_range a, index_range b)
 #define PART_INDICES SEGMENT_INDICES
 #endif
 
-/* A mesh's indices in parts of `size`: the lowest vertex that a part names and the highest
- * that it or one before it does. */
+/* A mesh's indices in parts of `size`. A part's range runs from the lowest vertex that it names to
+ * the highest vertex that it or a part before it names. */
 typedef struct index_parts {
-    const mesh_run *mesh;
+    const mesh_slice *mesh;
     uint32_t size, count;
     index_range range[INDEX_PARTS];
 } index_parts;
@@ -61,19 +61,22 @@ typedef struct index_parts {
 typedef struct draw_state {
     const draw_job *job;
     const gn_pipeline *pipeline;
-    const mesh_run *mesh; /* what is drawn at present */
-    mesh_run run;         /* what mesh is, where a draw may have several */
-    uint32_t stride;      /* bytes from vertex to vertex */
-    uint32_t vertices;    /* offset of slot 0 */
-    uint32_t used;        /* slots from job->vertices on that hold vertices which a list may need */
+    const mesh_slice *mesh; /* the slice that is drawn: `slice`, or the job's mesh */
+    mesh_slice slice;       /* used with GN_HAVE_INSTANCES */
+    uint32_t next;          /* the element of the instance at which the next slice begins */
+    bool shares_slices;     /* all slices of an instance share one set of vertices */
+    uint32_t stride;        /* bytes from one vertex to the next */
+    uint32_t vertices;      /* offset of slot 0 */
+    uint32_t used; /* slots from job->vertices on that may hold vertices which a list needs */
     slot_map map;
-    index_parts parts; /* of a draw with indices */
+    index_parts parts; /* used by a draw with indices */
     viewport_transform viewport;
     cull_state cull;
     offset_state offset;
-    bool is_sampled; /* coverage is that of samples */
-    float center;    /* of a pixel, where planes have their values at integers */
-    fragment_state fragment[SAMPLE_STATES]; /* for each sample; otherwise the first */
+    bool is_sampled; /* the target is multisampled */
+    float center;    /* place in a pixel where planes have their values at integers */
+    fragment_state fragment[SAMPLE_STATES]; /* one for each sample; only the first if the target is
+                                               not multisampled */
     block_functions shade;
 } draw_state;
 
@@ -95,12 +98,13 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     draw->pipeline = job->pipeline;
     draw->mesh = job->mesh;
     if (GN_HAVE_INSTANCES) {
-        draw->run = *job->mesh;
-        draw->mesh = &draw->run;
+        draw->slice = *job->mesh;
+        draw->mesh = &draw->slice;
     }
     draw->stride = vertex_stride(stored_values(job->pipeline));
     draw->vertices = job->vertices;
     draw->used = 0;
+    draw->shares_slices = false;
     draw->map.shared = false;
     draw->map.ring = UINT32_MAX;
     draw->viewport = viewport_transform_of(job->pipeline, any->width, any->height);
@@ -124,8 +128,8 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     }
 }
 
-/* Triangles that a segment's elements make. */
-static inline uint32_t segment_triangles(gn_topology topology, const mesh_run *mesh)
+/* Returns how many triangles the elements of a segment make. */
+static inline uint32_t segment_triangles(gn_topology topology, const mesh_slice *mesh)
 {
     return triangles_of(topology, segment_elements(topology, mesh));
 }

@@ -1,7 +1,7 @@
-/* The statuses in words. */
+/* Statuses in words. */
 #include "gnomon/status.h"
 
-/* Fixed-width text, since a table of pointers would need relocation. */
+/* Texts have a fixed width: a table of pointers would need relocation. */
 static const char texts[GN_STATUS_COUNT][64] = {
     "no error",
     "a required pointer is null",

@@ -1,12 +1,12 @@
-/* Vertex shading: slots of the workspace filled, sixteen at a time. */
+/* Vertex shading: fills slots of the workspace, sixteen at a time. */
 #ifndef GN_DRAW_VERTICES_H
 #define GN_DRAW_VERTICES_H
 
 #include "../geometry/fetch.h"
 #include "elements.h"
 
-/* Whether the vertex shader is a ready-made one: it writes the same outputs in every call, so that
- * defaults are set once. */
+/* Returns whether the vertex shader is a ready-made one. Such a shader writes the same outputs in
+ * every call, so defaults are set once. */
 static inline bool has_ready_made_vertices(const draw_state *draw)
 {
     const gn_pipeline *const p = draw->pipeline;
@@ -17,9 +17,9 @@ static inline bool has_ready_made_vertices(const draw_state *draw)
                               draw->job->shading.vertex_shader != p->program.vertex_shader);
 }
 
-/* The smallest shaders go without a call. */
-static void run_vertex_shader(const draw_state *draw, const gn_vertex_input *input,
-                              gn_vertex_output *output)
+/* Calls the vertex shader. The smallest ready-made shaders are inlined. */
+static void call_vertex_shader(const draw_state *draw, const gn_vertex_input *input,
+                               gn_vertex_output *output)
 {
     const gn_pipeline *const pipeline = draw->pipeline;
 
@@ -33,7 +33,8 @@ static void run_vertex_shader(const draw_state *draw, const gn_vertex_input *inp
         draw->job->shading.vertex_shader(pipeline->program.uniforms, input, output);
 }
 
-/* The vertices of sixteen slots of which `count` are wanted; the others repeat the last. */
+/* Finds the vertices of sixteen slots. Only the first `count` are wanted; the others repeat the
+ * last. */
 static inline void slot_vertices(const draw_state *draw, uint32_t slot, uint32_t count,
                                  uint32_t vertex[GN_LANES])
 {
@@ -49,8 +50,8 @@ static inline void slot_vertices(const draw_state *draw, uint32_t slot, uint32_t
         vertex[l] = vertex[count - 1];
 }
 
-/* Writes what a shader gave for sixteen vertices to their slots; clip distances lie behind
- * the varyings. Gives their outcodes. */
+/* Stores a shader's outputs for sixteen vertices in their slots; clip distances lie behind the
+ * varyings. Returns the vertices' outcodes. */
 GN_STEP lanes_i store_vertices(const draw_state *draw, const gn_vertex_output *output,
                                uint32_t slot)
 {
@@ -77,8 +78,8 @@ GN_STEP lanes_i store_vertices(const draw_state *draw, const gn_vertex_output *o
                           first, draw->stride);
 }
 
-/* What a vertex shader need not write: every lane comes with the value that gn_vertex_output
- * states, so that nothing drawn depends on what the workspace held before. */
+/* Sets the outputs that a vertex shader may leave unwritten to the values that gn_vertex_output
+ * states, in every lane. So nothing that is drawn depends on what the workspace held before. */
 GN_STEP void set_vertex_defaults(const gn_pipeline *pipeline, const gn_vertex_output *output)
 {
     const lanes_f zero = lanes_splat(0.0f);
@@ -92,12 +93,12 @@ GN_STEP void set_vertex_defaults(const gn_pipeline *pipeline, const gn_vertex_ou
         lanes_store(output->point_size, lanes_splat(pipeline->raster.point_size));
 }
 
-/* Shades slots `from`, a multiple of sixteen, to end - 1. The triangle_batch of the task
- * lends its memory to what the shader gives. Gives the union of their outcodes. */
+/* Shades slots `from`, a multiple of sixteen, to end - 1. The shader writes to the memory of the
+ * task's triangle_setup. Returns the union of the vertices' outcodes. */
 static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from, uint32_t end)
 {
     float(*const staging)[GN_LANES] =
-        (float(*)[GN_LANES])(void *)(task_scratch(draw, task) + scratch_batch_offset());
+        (float(*)[GN_LANES])(void *)(task_scratch(draw, task) + scratch_setup_offset());
     float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES];
     uint32_t vertex_id[GN_LANES];
     int32_t outcode[GN_LANES];
@@ -125,7 +126,7 @@ static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from
         fetch_attributes(draw->mesh, vertex_id, attribute);
         if (slot > from && !is_ready_made)
             set_vertex_defaults(draw->pipeline, &output);
-        run_vertex_shader(draw, &input, &output);
+        call_vertex_shader(draw, &input, &output);
         outcodes = lanes_i_or(outcodes, store_vertices(draw, &output, slot));
     }
     lanes_i_store(outcode, outcodes);

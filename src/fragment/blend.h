@@ -1,5 +1,5 @@
-/* Blending (OpenGL 4.5 section 17.3.6): of integers, 8 and 16 bits alike, and of floats. The order
- * of operations is the reference's (reference/RULES.md). */
+/* Blending (OpenGL 4.5 section 17.3.6) of integers, with 8 and 16 bits alike, and of floats. The
+ * order of operations is the reference's (reference/RULES.md). */
 #ifndef GN_FRAGMENT_BLEND_H
 #define GN_FRAGMENT_BLEND_H
 
@@ -16,7 +16,7 @@ static inline gn_blend_equation equation_or(gn_blend_equation e, gn_blend_equati
     return e == GN_EQUATION_DEFAULT ? other : e;
 }
 
-/* Least and greatest take no factor, as if both were one. */
+/* Minimum and maximum take no factor, as if both factors were one. */
 static inline bool takes_factors(const blend_rule *r)
 {
     return r->equation != GN_EQUATION_MIN && r->equation != GN_EQUATION_MAX;
@@ -27,7 +27,7 @@ static inline bool has_one_factor(const blend_rule *r)
     return r->source == r->destination || !takes_factors(r);
 }
 
-/* Where the surface has no alpha, its alpha is one. */
+/* Returns the factor for a surface without alpha, whose alpha is one. */
 static inline gn_blend_factor factor_without_alpha(gn_blend_factor f)
 {
     return f == GN_FACTOR_DESTINATION_ALPHA             ? GN_FACTOR_ONE
@@ -35,7 +35,8 @@ static inline gn_blend_factor factor_without_alpha(gn_blend_factor f)
                                                         : f;
 }
 
-/* Factors come in pairs of one and one minus it, zero before one among them. */
+/* Returns whether the two factors are w and 1 - w. The enumeration lists factors in such pairs;
+ * zero stands before one. */
 static inline mixing mixing_of(const blend_rule *r)
 {
     const unsigned lesser = r->source < r->destination ? r->source : r->destination;
@@ -92,13 +93,14 @@ static inline const blend_rule *rule_of(const color_state *state, int channel)
     return channel < 3 ? &state->color : &state->alpha;
 }
 
-/* Every second factor is one minus the factor before it, one itself among them. */
+/* Returns whether a factor is one minus the factor before it. Every second one is; one itself is
+ * one minus zero. */
 static inline bool is_one_minus(gn_blend_factor f)
 {
     return ((unsigned)f & 1u) == 0;
 }
 
-/* Channels of integers of 8 or 16 bits, 0 to 2^bits - 1. */
+/* Channels as integers of 8 or 16 bits, 0 to 2^bits - 1. */
 typedef struct blend_channels {
     lanes_i source[4], destination[4];
 } blend_channels;
@@ -149,7 +151,7 @@ static inline lanes_i factor_fixed(const color_state *state, const blend_channel
     return is_one_minus(factor) ? lanes_i_sub(full, value) : value;
 }
 
-/* The upper half of an unsigned product of 16 bits, or of 32, which fill the lane. */
+/* Returns the upper half of an unsigned product of 16 bits, or of 32 bits, which fill the lane. */
 GN_INLINE lanes_i upper_half(lanes_i a, int bits)
 {
     const lanes_i half = lanes_i_shift_right(a, bits);
@@ -157,7 +159,7 @@ GN_INLINE lanes_i upper_half(lanes_i a, int bits)
     return bits == 8 ? half : lanes_i_and(half, lanes_i_splat(0xFFFF));
 }
 
-/* a * b / (2^bits - 1), rounded as the reference does: exact where a or b is zero or one. */
+/* Returns a * b / (2^bits - 1), rounded as the reference does: exact if a or b is zero or one. */
 GN_INLINE lanes_i multiply_fixed(lanes_i a, lanes_i b, int bits)
 {
     const lanes_i product = lanes_i_mul(a, b);
@@ -166,8 +168,8 @@ GN_INLINE lanes_i multiply_fixed(lanes_i a, lanes_i b, int bits)
     return upper_half(lanes_i_add(corrected, lanes_i_splat(1 << (bits - 1))), bits);
 }
 
-/* from + weight * (to - from), the weight 0 to 2^bits - 1 being taken as 0 to 2^bits: rounded with
- * 8 bits, down with 16. All is modulo 2^bits. */
+/* Returns from + weight * (to - from). The weight, 0 to 2^bits - 1, is taken as 0 to 2^bits. The
+ * product is rounded with 8 bits, rounded down with 16. All is modulo 2^bits. */
 GN_INLINE lanes_i mix_fixed(lanes_i from, lanes_i to, lanes_i weight, int bits)
 {
     const lanes_i share = lanes_i_add(weight, lanes_i_shift_right(weight, bits - 1));
@@ -207,7 +209,7 @@ GN_STEP lanes_i blend_fixed(const color_state *state, const blend_channels *b, i
                        lanes_i_splat(0));
 }
 
-/* Pixels of GN_FORMAT_RGBA8, or of channels of 8 bits and less made such. */
+/* Blends pixels of GN_FORMAT_RGBA8, or channels of at most 8 bits in that form. */
 GN_STEP lanes_i blend_pixels(const color_state *state, lanes_i source, lanes_i destination)
 {
     const lanes_i byte = lanes_i_splat(0xFF);
@@ -229,7 +231,7 @@ GN_STEP lanes_i blend_pixels(const color_state *state, lanes_i source, lanes_i d
     return lanes_i_or(lanes_i_or(red, green), lanes_i_or(blue, alpha));
 }
 
-/* Channels of 16 bits, two a word. */
+/* Blends channels of 16 bits, two to a word. */
 GN_STEP void blend_shorts(const color_state *state, const lanes_i source[2],
                           const lanes_i destination[2], lanes_i result[2])
 {
@@ -252,8 +254,8 @@ static inline bool is_over(const blend_rule *r)
            r->destination == GN_FACTOR_ONE_MINUS_SOURCE_ALPHA;
 }
 
-/* multiply_fixed for two bytes at once, in bits 0 to 7 and 16 to 23 of a, with one factor:
- * 255 * 255 + 254 + 128 fits 16 bits. */
+/* multiply_fixed for two bytes with one factor: the bytes are in bits 0 to 7 and 16 to 23 of a. 255
+ * * 255 + 254 + 128 fits 16 bits. */
 GN_INLINE lanes_i multiply_two_bytes(lanes_i a, lanes_i b)
 {
     const lanes_i low = lanes_i_splat(0x00FF00FF);
@@ -265,9 +267,9 @@ GN_INLINE lanes_i multiply_two_bytes(lanes_i a, lanes_i b)
                        low);
 }
 
-/* blend_pixels where is_over holds for all channels. Sums need not saturate: a product grows
- * with both bytes and is a where the other is 255, so that with factors a and 255 - a none
- * is above 255. */
+/* blend_pixels if is_over holds for all channels. Sums need not saturate: a product grows with both
+ * bytes, and is a if the other byte is 255, so with the factors a and 255 - a no sum exceeds 255.
+ */
 GN_INLINE lanes_i blend_over(lanes_i source, lanes_i destination)
 {
     const lanes_i low = lanes_i_splat(0x00FF00FF);
@@ -324,7 +326,7 @@ static inline lanes_f factor_float(const color_state *state, const lanes_f sourc
     return is_one_minus(factor) ? lanes_sub(one, value) : value;
 }
 
-/* Of factors w and 1 - w: what w belongs to is `by`, the other `of`. */
+/* Mixes by the factors w and 1 - w: `by` is the term that w belongs to, `of` the other. */
 static inline lanes_f mix_floats(const blend_rule *rule, mixing mixes, lanes_f source,
                                  lanes_f destination, lanes_f w)
 {
@@ -356,7 +358,7 @@ GN_STEP lanes_f blend_float(const color_state *state, const lanes_f source[4],
             state->mixes == MIXES_BY_SOURCE
                 ? factor
                 : factor_float(state, source, destination, rule->destination, channel));
-    /* Added or subtracted, it leaves the other term as it is, zeros of both signs too. */
+    /* Adding or subtracting this leaves the other term as it is, also zeros of either sign. */
     const lanes_f nothing = lanes_splat(rule->equation == GN_EQUATION_ADD ? -0.0f : 0.0f);
     lanes_f from = source[channel];
     lanes_f to = destination[channel];

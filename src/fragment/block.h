@@ -1,6 +1,6 @@
-/* Fragments, 16 at a time: depth, varyings, shader, colour. One function, made into one
- * for each common state by constant arguments (runs.h), so that nothing that is constant over
- * a draw is asked in its blocks. */
+/* Fragments, 16 at a time: depth, varyings, shader, colour. One function becomes one for each
+ * common state by constant arguments (runs.h), so that blocks ask nothing that is constant over a
+ * draw. */
 #ifndef GN_FRAGMENT_BLOCK_H
 #define GN_FRAGMENT_BLOCK_H
 
@@ -10,20 +10,20 @@
 /* What computes a fragment's colour. */
 typedef enum fragment_source {
     SOURCE_SHADER, /* the pipeline's fragment shader */
-    SOURCE_COLOR,  /* varyings 0 to 3, smooth: gn_shade_color without the call */
-    SOURCE_TEXTURE /* and 4 and 5: gn_shade_lit_texture or _unlit_texture without the call */
+    SOURCE_COLOR,  /* varyings 0 to 3, smooth: gn_shade_color, inlined */
+    SOURCE_TEXTURE /* and 4 and 5: gn_shade_lit_texture or gn_shade_unlit_texture, inlined */
 } fragment_source;
 
-/* What is constant over a draw. */
+/* What is constant over a draw or a triangle. */
 typedef struct fragment_kind {
     gn_format depth_format; /* GN_FORMAT_NONE: no test */
     gn_format color_format; /* GN_FORMAT_NONE: no colour */
     fragment_source source;
     color_use use;
 
-    /* Of the triangle, and of rows alone what more is known of them. */
-    bool solid;      /* depth and alpha are such as setup_solid says */
-    bool usual_test; /* there is none of depth, or it is usual_depth_test */
+    /* Known per triangle; the last two are set only for rows. */
+    bool solid;      /* depth and alpha are as setup_solid says */
+    bool usual_test; /* there is no depth test, or it is usual_depth_test */
     bool level;      /* 1/w is the same in every column */
 } fragment_kind;
 
@@ -64,7 +64,7 @@ static inline void interpolate_varyings(const fragment_state *state, raster_tria
         lanes_store(varying[n], interpolate_varying(pipeline, triangle, n, at, w));
 }
 
-/* gl_FragCoord of a block; its z has the polygon offset, whether or not depth is tested. */
+/* Writes gl_FragCoord of a block. Its z has the polygon offset, whether or not depth is tested. */
 static void place_fragments(const gn_pipeline *pipeline, raster_triangle triangle,
                             const gn_fragment_input *input, const block_places *at,
                             float position[4][GN_LANES])
@@ -74,17 +74,16 @@ static void place_fragments(const gn_pipeline *pipeline, raster_triangle triangl
     GN_EACH_LANE (l) {
         const int half = l / HALF_LANES;
 
-        position[0][l] = (float)(input->x[half] + l % BLOCK_SIZE) + 0.5f;
-        position[1][l] = (float)(input->y[half] + l / BLOCK_SIZE % 2) + 0.5f;
+        position[0][l] = (float)(input->x[half] + l % SQUARE_SIZE) + 0.5f;
+        position[1][l] = (float)(input->y[half] + l / SQUARE_SIZE % 2) + 0.5f;
     }
     if (GN_HAVE_OFFSET && pipeline->raster.polygon_offset.set)
-        depth = lanes_add(depth,
-                          lanes_splat(triangle_offset(triangle, pipeline->program.varying_count)));
+        depth = lanes_add(depth, lanes_splat(triangle_offset(triangle)));
     lanes_store(position[2], depth);
     lanes_store(position[3], plane_at(triangle_plane(triangle, ONE_OVER_W_PLANE), at));
 }
 
-/* gl_PointCoord of a block; w is 1 / (1 / w). */
+/* Writes gl_PointCoord of a block. The caller computed w as 1 / (1 / w). */
 static void locate_in_point(const gn_pipeline *pipeline, raster_triangle triangle,
                             const block_places *at, lanes_f w, float coordinate[2][GN_LANES])
 {
@@ -92,16 +91,16 @@ static void locate_in_point(const gn_pipeline *pipeline, raster_triangle triangl
     const float up = pipeline->raster.point_origin == GN_POINT_LOWER_LEFT ? across : -across;
     const attribute_plane s = {point_word(triangle, POINT_ORIGIN_S), across, 0.0f};
     const attribute_plane t = {point_word(triangle, POINT_ORIGIN_T), 0.0f, up};
-    const bool is_point = identity_of(triangle, pipeline->program.varying_count).is_point;
+    const bool is_point = GN_HAVE_LINES && triangle_is(triangle, PRIMITIVE_IS_POINT);
     const lanes_f zero = lanes_splat(0.0f);
 
     lanes_store(coordinate[0], is_point ? lanes_mul(plane_at(s, at), w) : zero);
     lanes_store(coordinate[1], is_point ? lanes_mul(plane_at(t, at), w) : zero);
 }
 
-/* What a fragment shader says beside colour: the fragments it keeps, and where `depth` is
- * not null their depths, which come with the interpolated ones. Of several samples a pixel, where
- * they are asked for, also a mask of each lane's: those covered come in, those kept go out. */
+/* What a fragment shader decides beside colour. `kept`: the fragments that it keeps. `depth`: its
+ * depths if not null; the interpolated ones come in. The sample masks of lanes, if not null:
+ * covered samples come in, kept samples go out. */
 typedef struct shader_verdict {
     uint32_t kept;
     float *depth;
@@ -109,7 +108,7 @@ typedef struct shader_verdict {
     uint32_t *kept_samples;
 } shader_verdict;
 
-/* Of one sample a pixel, without depths. */
+/* Sets the verdict for one sample a pixel, without depths. */
 static inline void set_verdict(shader_verdict *verdict)
 {
     verdict->depth = 0;
@@ -119,28 +118,28 @@ static inline void set_verdict(shader_verdict *verdict)
     }
 }
 
-/* gl_SampleMaskIn where there is one sample. */
+/* Writes gl_SampleMaskIn for one sample a pixel. */
 static inline void mask_of_one_sample(uint32_t coverage, uint32_t mask[GN_LANES])
 {
     GN_EACH_LANE (l)
         mask[l] = coverage >> l & 1u;
 }
 
-/* The memory of what only some shaders ask for. */
+/* Memory for the inputs that only some shaders ask for. */
 typedef struct asked_inputs {
     float position[4][GN_LANES], point_coordinate[2][GN_LANES];
     uint32_t covered[GN_LANES], kept[GN_LANES];
 } asked_inputs;
 
-/* Sets what the pipeline says of its shader's inputs and outputs beside varyings and colours. */
+/* Sets the shader's inputs and outputs beside varyings and colours, as the pipeline asks for them.
+ */
 GN_OUT_OF_LINE void set_asked_inputs(const gn_pipeline *pipeline, raster_triangle triangle,
                                      const block_places *at, const lanes_f *w,
                                      const shader_verdict *verdict, asked_inputs *asked,
                                      gn_fragment_input *input, gn_fragment_output *output)
 {
     if (pipeline->program.fragment_reads_primitive)
-        input->primitive_id =
-            (uint32_t)identity_of(triangle, pipeline->program.varying_count).primitive;
+        input->primitive_id = triangle_number(triangle);
     if (pipeline->program.fragment_reads_position) {
         place_fragments(pipeline, triangle, input, at, asked->position);
         input->position = (const float(*)[GN_LANES])asked->position;
@@ -159,14 +158,14 @@ GN_OUT_OF_LINE void set_asked_inputs(const gn_pipeline *pipeline, raster_triangl
     }
 }
 
-/* What smooth varyings over w are to be multiplied by. */
+/* Returns w. Smooth varyings are interpolated divided by w, and this multiplies them again. */
 GN_INLINE lanes_f w_at(const fragment_place *at, raster_triangle triangle)
 {
     return lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
 }
 
-/* Sets to 0 the colours that a shader may leave unwritten. A ready-made shader writes the first
- * colour whole. It is known by its function: the back end runs a form of its own. */
+/* Sets to 0 the colours that a shader may leave unwritten. A ready-made shader writes all of the
+ * first colour. It is recognised by its function: the back end runs a form of its own. */
 static inline void set_color_defaults(const fragment_state *state, float (*color)[GN_LANES])
 {
     const gn_pipeline *const p = state->pipeline;
@@ -178,11 +177,12 @@ static inline void set_color_defaults(const fragment_state *state, float (*color
         lanes_store(color[n], lanes_splat(0.0f));
 }
 
-/* Runs the shader on a block, whose planes are asked at `places`. Colours are left in
- * `color`, room for which the pipeline's color_count asks. */
-GN_STEP void run_shader(const fragment_state *state, raster_triangle triangle,
-                        const pixel_block *block, const block_places *places, uint32_t coverage,
-                        lanes_f w, float (*color)[GN_LANES], shader_verdict *verdict)
+/* Calls the fragment shader for a block whose planes are evaluated at `places`. Writes the colours
+ * to `color`, which has room for the pipeline's color_count. */
+GN_STEP void call_fragment_shader(const fragment_state *state, raster_triangle triangle,
+                                  const pixel_block *block, const block_places *places,
+                                  uint32_t coverage, lanes_f w, float (*color)[GN_LANES],
+                                  shader_verdict *verdict)
 {
     const gn_pipeline *const pipeline = state->pipeline;
     float varying[GN_MAX_VARYINGS][GN_LANES];
@@ -198,7 +198,7 @@ GN_STEP void run_shader(const fragment_state *state, raster_triangle triangle,
         input.y[half] = block->y[half];
     }
     input.sampling = &state->shading->sampling;
-    input.front_facing = !identity_of(triangle, pipeline->program.varying_count).back;
+    input.front_facing = !triangle_is(triangle, PRIMITIVE_IS_BACK);
     input.primitive_id = 0;
     input.position = 0;
     input.point_coordinate = 0;
@@ -217,7 +217,8 @@ GN_STEP void run_shader(const fragment_state *state, raster_triangle triangle,
     verdict->kept = output.kept;
 }
 
-/* Rows that cover what was there, the most frequent, have the linear filter without a call. */
+/* Samples the draw's texture. Rows that replace what was there are the most frequent and have the
+ * linear filter inlined. */
 GN_INLINE void sample_texture(const fragment_state *state, fragment_kind kind,
                               const fragment_place *at, raster_triangle triangle, lanes_f w,
                               lanes_f texel[4])
@@ -232,27 +233,24 @@ GN_INLINE void sample_texture(const fragment_state *state, fragment_kind kind,
         sample(state->texture, state->sampler, &s, &t, texel);
 }
 
-/* Stencil and depth, where there are tests. Gives the part of coverage that passed. Depths are
- * clamped to the limits, NaN to the upper one. */
+/* Tests stencil and depth, if there are tests. Returns the part of coverage that passed. Depths are
+ * clamped to the limits; NaN becomes the upper one. */
 GN_INLINE uint32_t test_whole(const fragment_state *state, const fragment_place *at,
                               raster_triangle triangle, uint32_t coverage, lanes_f depth)
 {
     if (GN_HAVE_OFFSET && state->clamps_depth)
         depth = lanes_max(lanes_min(depth, lanes_splat(state->limits.high)),
                           lanes_splat(state->limits.low));
-    if (GN_HAVE_STENCIL && format_has_stencil(state->depth.format)) {
-        const uint32_t varyings = state->pipeline->program.varying_count;
-
-        return test_stencil(state, at, identity_of(triangle, varyings).back, coverage, depth);
-    }
+    if (GN_HAVE_STENCIL && format_has_stencil(state->depth.format))
+        return test_stencil(state, at, triangle_is(triangle, PRIMITIVE_IS_BACK), coverage, depth);
     if (state->depth.format == GN_FORMAT_NONE)
         return coverage;
     return test_depth(&state->test, &state->depth, state->depth.format, at, coverage, depth, false);
 }
 
-/* All that a state may ask of a block, in OpenGL's order: the shader before the tests where
- * they need what it says, otherwise after them. Depths that the shader writes get no polygon
- * offset. Gives the fragments that passed. */
+/* Shades a block with all that a state may ask for, in OpenGL's order: the shader runs before the
+ * tests if they need its decisions, otherwise after them. Depths that the shader writes get no
+ * polygon offset. Returns the fragments that passed. */
 GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_place *at,
                                     raster_triangle triangle, uint32_t coverage)
 {
@@ -268,7 +266,7 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
         lanes_store(written, depth);
         verdict.depth = written;
     } else if (GN_HAVE_OFFSET && state->moves_depth) {
-        depth = lanes_add(depth, lanes_splat(triangle_offset(triangle, p->program.varying_count)));
+        depth = lanes_add(depth, lanes_splat(triangle_offset(triangle)));
     }
     if (!late)
         coverage = test_whole(state, at, triangle, coverage, depth);
@@ -277,7 +275,7 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
 
     const lanes_f w = w_at(at, triangle);
     const pixel_block block = square_block(at->x, at->y);
-    run_shader(state, triangle, &block, at->places, coverage, w, color, &verdict);
+    call_fragment_shader(state, triangle, &block, at->places, coverage, w, color, &verdict);
     if (p->program.fragment_discards)
         coverage &= verdict.kept;
     if (p->program.fragment_writes_depth)
@@ -289,7 +287,7 @@ GN_OUT_OF_LINE uint32_t shade_whole(const fragment_state *state, const fragment_
     return coverage;
 }
 
-/* Neighbouring squares. Gives how many fragments passed. */
+/* Shades a run with all that a state may ask for. Returns how many fragments passed. */
 GN_OUT_OF_LINE uint32_t shade_whole_squares(const fragment_state *state, raster_triangle triangle,
                                             int32_t x, int32_t y, uint32_t count, uint32_t coverage)
 {
@@ -301,7 +299,7 @@ GN_OUT_OF_LINE uint32_t shade_whole_squares(const fragment_state *state, raster_
     set_block(&at, SHAPE_SQUARE, &places);
     at.y = y;
     for (uint32_t i = 0; i < count; ++i) {
-        at.x = x + (int32_t)i * BLOCK_SIZE;
+        at.x = x + (int32_t)i * SQUARE_SIZE;
         set_columns_of_block(&places, (float)at.x);
         at.color = square_memory(&state->color, state->color.format, at.x, y);
         at.depth = square_memory(&state->depth, state->depth.format, at.x, y);
@@ -310,7 +308,7 @@ GN_OUT_OF_LINE uint32_t shade_whole_squares(const fragment_state *state, raster_
     return passed;
 }
 
-/* A row, or a block, which rows need not tell. */
+/* Shades one row or one block; `block` is null for a row. */
 GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const fragment_place *at,
                      const pixel_block *block, raster_triangle triangle, uint32_t coverage)
 {
@@ -331,14 +329,14 @@ GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const frag
     const lanes_f w = kind.level ? *at->w : w_at(at, triangle);
     if (kind.source == SOURCE_SHADER) {
         set_verdict(&verdict);
-        run_shader(state, triangle, block, at->places, coverage, w, shaded, &verdict);
+        call_fragment_shader(state, triangle, block, at->places, coverage, w, shaded, &verdict);
         for (int c = 0; c < 4; ++c)
             color[c] = lanes_load(shaded[c]);
     } else {
         if (kind.source == SOURCE_TEXTURE)
             sample_texture(state, kind, at, triangle, w, texel);
         for (uint32_t c = 0; c < 4; ++c) {
-            /* Alpha that is so near to 1 becomes the same byte. */
+            /* Alpha that is this near to 1 becomes the byte 255 all the same. */
             if (kind.source == SOURCE_COLOR && kind.solid && c == VARYING_ALPHA)
                 color[c] = lanes_splat(1.0f);
             else

@@ -1,11 +1,11 @@
-/* Colours into a surface's format and memory. */
+/* Writes colours in a surface's format. */
 #ifndef GN_FRAGMENT_COLOR_H
 #define GN_FRAGMENT_COLOR_H
 
 #include "../formats/channels.h"
 #include "planes.h"
 
-/* Pixel by pixel, for blocks that hang over the surface's edge. */
+/* Stores pixel by pixel, for squares that hang over the surface's edge. */
 GN_OUT_OF_LINE void store_covered_pixels(const gn_surface *surface, int32_t x, int32_t y,
                                          uint32_t coverage, lanes_i pixels)
 {
@@ -14,8 +14,8 @@ GN_OUT_OF_LINE void store_covered_pixels(const gn_surface *surface, int32_t x, i
     lanes_i_store(pixel, pixels);
     GN_EACH_LANE (l) {
         if (coverage >> l & 1u) {
-            void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
-            ((stored_word *)row)[x + l % BLOCK_SIZE] = pixel[l];
+            void *const row = surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE));
+            ((stored_word *)row)[x + l % SQUARE_SIZE] = pixel[l];
         }
     }
 }
@@ -35,7 +35,7 @@ GN_INLINE void write_rgba8(const gn_surface *surface, const fragment_place *at, 
     store_words(at->shape, &at->color, surface->row_stride, pixels);
 }
 
-/* Writes the channels that `written` has the bits of. */
+/* Writes the channels whose bits are set in `written`. */
 static inline void write_rgba32f(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
                                  uint32_t written, const lanes_f color[4])
 {
@@ -45,8 +45,8 @@ static inline void write_rgba32f(const gn_surface *surface, int32_t x, int32_t y
         lanes_i_store(channel[c], float_words(color[c]));
     GN_EACH_LANE (l) {
         if (coverage >> l & 1u) {
-            void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
-            stored_word *const out = (stored_word *)row + 4 * (x + l % BLOCK_SIZE);
+            void *const row = surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE));
+            stored_word *const out = (stored_word *)row + 4 * (x + l % SQUARE_SIZE);
 
             for (int c = 0; c < 4; ++c) {
                 if (written >> c & 1u)
@@ -56,8 +56,8 @@ static inline void write_rgba32f(const gn_surface *surface, int32_t x, int32_t y
     }
 }
 
-/* Converts red, green, blue and alpha to the surface's format and writes the covered
- * pixels. Rows lie on the surface and are GN_FORMAT_RGBA8. */
+/* Converts red, green, blue and alpha to the surface's format and writes the covered pixels. A row
+ * must lie on the surface, and its format is GN_FORMAT_RGBA8. */
 GN_INLINE void write_color(const gn_surface *surface, gn_format format, const fragment_place *at,
                            uint32_t coverage, const lanes_f color[4])
 {

@@ -1,5 +1,5 @@
-/* Colours combined with those of the surface: blending or a logical operation, then
- * write masks (OpenGL 4.5 section 17.4.2). */
+/* Combines colours with those of the surface: blending or a logical operation, then write masks
+ * (OpenGL 4.5 section 17.4.2). */
 #ifndef GN_FRAGMENT_COMBINE_H
 #define GN_FRAGMENT_COMBINE_H
 
@@ -32,7 +32,7 @@ static inline void set_color_state(color_state *s, const gn_pipeline *pipeline, 
         s->use = COLOR_OVER;
 }
 
-/* Pixel by pixel, for blocks that hang over the surface's edge. */
+/* Loads pixel by pixel, for squares that hang over the surface's edge. */
 GN_OUT_OF_LINE lanes_i load_covered_pixels(const gn_surface *surface, int32_t x, int32_t y,
                                            uint32_t coverage)
 {
@@ -41,8 +41,8 @@ GN_OUT_OF_LINE lanes_i load_covered_pixels(const gn_surface *surface, int32_t x,
     GN_EACH_LANE (l) {
         pixel[l] = 0;
         if (coverage >> l & 1u) {
-            const void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
-            pixel[l] = ((const stored_word *)row)[x + l % BLOCK_SIZE];
+            const void *const row = surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE));
+            pixel[l] = ((const stored_word *)row)[x + l % SQUARE_SIZE];
         }
     }
     return lanes_i_load(pixel);
@@ -74,7 +74,7 @@ GN_INLINE void combine_rgba8(const color_state *state, const gn_surface *surface
     store_words(at->shape, &at->color, surface->row_stride, pixels);
 }
 
-/* The four channels of pixels of GN_FORMAT_RGBA32F; 0 where not covered. */
+/* Loads the four channels of GN_FORMAT_RGBA32F pixels; 0 where not covered. */
 static inline void load_rgba32f(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
                                 lanes_f color[4])
 {
@@ -83,9 +83,9 @@ static inline void load_rgba32f(const gn_surface *surface, int32_t x, int32_t y,
     GN_EACH_LANE (l) {
         const bool covered = coverage >> l & 1u;
         const void *const row =
-            surface_row(surface, (uint32_t)(y + (covered ? l / BLOCK_SIZE : 0)));
+            surface_row(surface, (uint32_t)(y + (covered ? l / SQUARE_SIZE : 0)));
         const stored_word *const in =
-            (const stored_word *)row + 4 * (x + (covered ? l % BLOCK_SIZE : 0));
+            (const stored_word *)row + 4 * (x + (covered ? l % SQUARE_SIZE : 0));
 
         for (int c = 0; c < 4; ++c)
             channel[c][l] = covered ? in[c] : 0;
@@ -109,7 +109,8 @@ static inline void combine_rgba32f(const color_state *state, const gn_surface *s
     write_rgba32f(surface, x, y, coverage, state->written, result);
 }
 
-/* Pixels of formats of ARITHMETIC_FLOATS to colours; alpha is one where the format has none. */
+/* Decodes pixels of formats of ARITHMETIC_FLOATS to colours. Alpha is one if the format has none.
+ */
 static void decode_floats(gn_format format, const lanes_i word[2], lanes_f color[4])
 {
     const lanes_i byte = lanes_i_splat(255);
@@ -134,7 +135,7 @@ static void decode_floats(gn_format format, const lanes_i word[2], lanes_f color
     }
 }
 
-/* Floats that a format with a largest value is blended in lie within 0 to 1. */
+/* Blends as floats. If the format has a largest value, both colours lie within 0 to 1. */
 static inline void combine_floats(const color_state *state, gn_format format,
                                   const lanes_f color[4], const lanes_i there[2], lanes_i word[2])
 {
@@ -148,7 +149,7 @@ static inline void combine_floats(const color_state *state, gn_format format,
     encode_colors(format, result, word);
 }
 
-/* Formats of up to two words a pixel, in each one's arithmetic. */
+/* Combines and writes pixels of formats of up to two words, in the format's arithmetic. */
 static inline void combine_encoded(const color_state *state, const gn_surface *surface,
                                    gn_format format, int32_t x, int32_t y, uint32_t coverage,
                                    const lanes_f color[4])
@@ -168,7 +169,7 @@ static inline void combine_encoded(const color_state *state, const gn_surface *s
     } else if (arithmetic == ARITHMETIC_SHORTS && state->blends) {
         lanes_i source[2] = {word[0], word[1]};
 
-        /* Of what has no alpha, it is one. */
+        /* A format without alpha has an alpha of one. */
         if (format == GN_FORMAT_R16)
             there[1] = lanes_i_splat(-1);
         blend_shorts(state, source, there, word);
@@ -184,7 +185,7 @@ static inline void combine_encoded(const color_state *state, const gn_surface *s
     store_pixels(surface, x, y, coverage, size, word);
 }
 
-/* write_color for what does not just replace. */
+/* Writes a colour that does not simply replace the surface's. */
 GN_INLINE void combine_color(const color_state *state, const gn_surface *surface, gn_format format,
                              color_use use, const fragment_place *at, uint32_t coverage,
                              const lanes_f color[4])
@@ -195,7 +196,7 @@ GN_INLINE void combine_color(const color_state *state, const gn_surface *surface
         combine_rgba32f(state, surface, at->x, at->y, coverage, color);
 }
 
-/* A colour into a surface of any format, as its state says. */
+/* Writes a colour to a surface of any format, as its state says. */
 static inline void put_color(const color_state *state, const gn_surface *surface,
                              const fragment_place *at, uint32_t coverage, const lanes_f color[4])
 {
@@ -213,7 +214,7 @@ static inline void put_color(const color_state *state, const gn_surface *surface
     }
 }
 
-/* A shader's colours into all attachments, four rows of lanes each. */
+/* Writes a shader's colours to all attachments; each colour is four rows of lanes. */
 GN_STEP void put_colors(const fragment_state *state, const fragment_place *at, uint32_t coverage,
                         const float (*shaded)[GN_LANES])
 {

@@ -1,11 +1,11 @@
-/* The depth test (OpenGL 4.5 section 17.3.5), on the values the format holds. */
+/* The depth test (OpenGL 4.5 section 17.3.5), on values as the format stores them. */
 #ifndef GN_FRAGMENT_DEPTH_H
 #define GN_FRAGMENT_DEPTH_H
 
 #include "planes.h"
 
-/* What a function asks; writes nothing. Precondition: f is not GN_COMPARE_DEFAULT, whose meaning
- * the depth test and the stencil test know. */
+/* Returns the state of a comparison, which writes nothing. Precondition: f is not
+ * GN_COMPARE_DEFAULT, whose meaning differs between the depth test and the stencil test. */
 static inline depth_state comparison_of(gn_compare f)
 {
     depth_state s;
@@ -29,8 +29,8 @@ static inline depth_state depth_state_of(const gn_pipeline *pipeline)
     return s;
 }
 
-/* 0 and 1, or under depth clamp the ends of the depth range, computed back from its
- * transform as the reference does. */
+/* Returns 0 and 1, or with depth clamp the ends of the depth range. The reference computes these
+ * back from the viewport transform. */
 static inline depth_limits depth_limits_of(const gn_pipeline *pipeline,
                                            const viewport_transform *viewport)
 {
@@ -47,9 +47,9 @@ static inline depth_limits depth_limits_of(const gn_pipeline *pipeline,
     return limits;
 }
 
-/* Depths as a format holds them, in the low bits: D16 and D24 rounded, D32F as the
- * float's bits, which order as integers do. Clamped to 0..1, where they are not known to be above
- * 0 and up to 1. */
+/* Returns depths as a format stores them, in the low bits. D16 and D24 are rounded; D32F is the
+ * float's bits, which order as integers do. Depths are clamped to 0..1, unless they are known to be
+ * above 0 and at most 1 (`in_range`). */
 GN_INLINE lanes_i quantize_depth(gn_format format, lanes_f depth, bool in_range)
 {
     const lanes_f z =
@@ -57,8 +57,8 @@ GN_INLINE lanes_i quantize_depth(gn_format format, lanes_f depth, bool in_range)
 
     switch (format) {
     case GN_FORMAT_D16:
-        /* In [128, 129) the last place is 2^-16: the addition rounds to 16 bits,
-         * which are then the lowest of the float's. */
+        /* In [128, 129) the last place is 2^-16: the addition rounds to 16 bits, which are then the
+         * lowest bits of the float. */
         return lanes_i_and(lanes_as_int(lanes_add(lanes_mul(z, lanes_splat(65535.0f / 65536.0f)),
                                                   lanes_splat(128.0f))),
                            lanes_i_splat(0xFFFF));
@@ -70,15 +70,15 @@ GN_INLINE lanes_i quantize_depth(gn_format format, lanes_f depth, bool in_range)
     }
 }
 
-/* Pixel by pixel: D16, and blocks that hang over the surface's edge. */
+/* Loads pixel by pixel: D16, and squares that hang over the surface's edge. */
 GN_OUT_OF_LINE lanes_i load_covered_depth(const gn_surface *surface, int32_t x, int32_t y,
                                           uint32_t coverage)
 {
     int32_t depth[GN_LANES];
 
     GN_EACH_LANE (l) {
-        const void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
-        const int32_t column = x + l % BLOCK_SIZE;
+        const void *const row = surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE));
+        const int32_t column = x + l % SQUARE_SIZE;
 
         depth[l] = 0;
         if (coverage >> l & 1u)
@@ -95,8 +95,8 @@ GN_OUT_OF_LINE void store_covered_depth(const gn_surface *surface, int32_t x, in
 
     lanes_i_store(depth, value);
     GN_EACH_LANE (l) {
-        void *const row = surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE));
-        const int32_t column = x + l % BLOCK_SIZE;
+        void *const row = surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE));
+        const int32_t column = x + l % SQUARE_SIZE;
 
         if (!(coverage >> l & 1u))
             continue;
@@ -107,7 +107,7 @@ GN_OUT_OF_LINE void store_covered_depth(const gn_surface *surface, int32_t x, in
     }
 }
 
-/* Where incoming passes against stored. */
+/* Returns the lanes in which `incoming` passes against `stored`. */
 GN_INLINE uint32_t compare_depth(const depth_state *state, lanes_i incoming, lanes_i stored)
 {
     uint32_t bits = GN_ALL_LANES;
@@ -121,9 +121,9 @@ GN_INLINE uint32_t compare_depth(const depth_state *state, lanes_i incoming, lan
     return state->inverted ? ~bits : bits;
 }
 
-/* Tests depths against a surface of the given format and writes those that pass, where the
- * state says so. Gives the part of coverage that passed. Rows lie on the surface, whose
- * values have 32 bits. */
+/* Tests depths against a surface of the given format and writes those that pass, if the state says
+ * so. Returns the part of coverage that passed. A row must lie on the surface, and its format has
+ * values of 32 bits. */
 GN_INLINE uint32_t test_depth(const depth_state *state, const gn_surface *surface, gn_format format,
                               const fragment_place *at, uint32_t coverage, lanes_f depth,
                               bool in_range)

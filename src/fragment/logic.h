@@ -14,7 +14,7 @@ static inline void set_logic_state(color_state *s, gn_logic_operation operation)
         s->logic[i] = -(int32_t)(truth[operation] >> i & 1);
 }
 
-/* The operation on pixels, of four constants and no questions. */
+/* Applies the operation to pixels: four constants and no branch. */
 GN_STEP lanes_i operate_on_bits(const color_state *state, lanes_i source, lanes_i destination)
 {
     const lanes_i ones = lanes_i_splat(-1);

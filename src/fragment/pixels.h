@@ -1,5 +1,5 @@
-/* Blocks of pixels in the formats beside RGBA8 and RGBA32F, loaded from a surface and stored to it
- * by the size of a pixel. */
+/* Loads and stores blocks of pixels in formats other than RGBA8 and RGBA32F, by the size of a
+ * pixel. */
 #ifndef GN_FRAGMENT_PIXELS_H
 #define GN_FRAGMENT_PIXELS_H
 
@@ -7,7 +7,7 @@
 #include "../formats/encode.h"
 #include "types.h"
 
-/* Writes the covered pixels of a block, which may hang over the surface's edge. */
+/* Stores the covered pixels of a square, which may hang over the surface's edge. */
 GN_INLINE void store_sized_pixels(const gn_surface *surface, int32_t x, int32_t y,
                                   uint32_t coverage, uint32_t size, const lanes_i word[2])
 {
@@ -18,7 +18,7 @@ GN_INLINE void store_sized_pixels(const gn_surface *surface, int32_t x, int32_t 
         lanes_i_store(second, word[1]);
     GN_EACH_LANE (l) {
         if (coverage >> l & 1u)
-            store_pixel(surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE)), x + l % BLOCK_SIZE,
+            store_pixel(surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE)), x + l % SQUARE_SIZE,
                         size, first[l], size == 8 ? second[l] : 0);
     }
 }
@@ -45,7 +45,7 @@ static void store_pixels(const gn_surface *surface, int32_t x, int32_t y, uint32
     }
 }
 
-/* Converts and writes the covered pixels of a block. */
+/* Converts colours and writes the covered pixels of a square. */
 static inline void write_encoded(const gn_surface *surface, gn_format format, int32_t x, int32_t y,
                                  uint32_t coverage, const lanes_f color[4])
 {
@@ -55,7 +55,8 @@ static inline void write_encoded(const gn_surface *surface, gn_format format, in
     store_pixels(surface, x, y, coverage, format_size(format), word);
 }
 
-/* The covered pixels of a block, which may hang over the surface's edge; 0 in the others. */
+/* Loads the covered pixels of a square, which may hang over the surface's edge; other lanes are 0.
+ */
 static inline void load_pixels(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
                                uint32_t size, lanes_i word[2])
 {
@@ -65,7 +66,7 @@ static inline void load_pixels(const gn_surface *surface, int32_t x, int32_t y, 
         int32_t pixel[2] = {0, 0};
 
         if (coverage >> l & 1u)
-            load_pixel(surface_row(surface, (uint32_t)(y + l / BLOCK_SIZE)), x + l % BLOCK_SIZE,
+            load_pixel(surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE)), x + l % SQUARE_SIZE,
                        size, pixel);
         first[l] = pixel[0];
         second[l] = pixel[1];

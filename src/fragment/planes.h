@@ -1,17 +1,17 @@
-/* Attributes at fragments: the planes of a triangle and their values over lanes. */
+/* Attributes at fragments: a triangle's planes, evaluated over lanes. */
 #ifndef GN_FRAGMENT_PLANES_H
 #define GN_FRAGMENT_PLANES_H
 
 #include "types.h"
 
-/* The plane's value in every lane of the block at (x, y): per_y * y + (per_x * x + origin),
- * in this order. */
+/* Returns the plane's value in every lane of the square at (x, y): per_y * y + (per_x * x +
+ * origin), in this order. */
 GN_INLINE lanes_f plane_in_block(attribute_plane plane, float x, float y)
 {
     return lanes_add(lanes_rows(plane.per_y, y), lanes_columns(plane.per_x, x, plane.origin));
 }
 
-/* Where the fragments of a block are, for planes that are asked there one after the other. */
+/* Coordinates of a block's fragments, at which planes are evaluated one after the other. */
 typedef struct block_places {
     lanes_f x, y;
 } block_places;
@@ -43,7 +43,7 @@ GN_INLINE void set_places(block_places *at, const pixel_block *block)
         lanes_to_float(lanes_i_add(lanes_i_halves(block->y[0], block->y[1]), lanes_i_load(row)));
 }
 
-/* The same value as plane_in_block's. */
+/* Returns the value that plane_in_block returns, at any places. */
 GN_INLINE lanes_f plane_at(attribute_plane plane, const block_places *at)
 {
     return lanes_add(
@@ -51,31 +51,14 @@ GN_INLINE lanes_f plane_at(attribute_plane plane, const block_places *at)
         lanes_add(lanes_mul(lanes_splat(plane.per_x), at->x), lanes_splat(plane.origin)));
 }
 
-/* A primitive's number in the draw, what it is, and its facing. */
-typedef struct triangle_identity {
-    int32_t primitive;
-    bool back, is_point;
-} triangle_identity;
-
-static inline triangle_identity identity_of(raster_triangle t, uint32_t varying_count)
-{
-    const stored_word *const words = (const stored_word *)(const void *)t.planes +
-                                     (VARYING_PLANES + varying_count) * (PLANE_TERMS * GN_LANES);
-    const int32_t back = words[IDENTITY_BACK * GN_LANES];
-    const triangle_identity identity = {words[IDENTITY_PRIMITIVE * GN_LANES], back < 0,
-                                        GN_HAVE_LINES && ((back < 0) != (back & 1))};
-
-    return identity;
-}
-
-/* The attributes that the library itself interpolates over long runs: of varyings a colour and
- * two texture coordinates. */
+/* The attributes that the library interpolates itself over long runs: depth, 1/w, and as varyings a
+ * colour and two texture coordinates. */
 #define RUN_ATTRIBUTES (VARYING_PLANES + 6)
 
-/* The two terms of a value: per_y * y for the rows of a run of blocks and per_x * x + origin
- * for 16 of its columns, so that every pixel takes but their sum. */
+/* The two terms of a value: per_y * y for the rows of a run, and per_x * x + origin for 16 of its
+ * columns. A pixel then takes only their sum. */
 typedef struct row_terms {
-    float value[BLOCK_SIZE][RUN_ATTRIBUTES];
+    float value[SQUARE_SIZE][RUN_ATTRIBUTES];
 } row_terms;
 
 typedef struct column_terms {
@@ -84,7 +67,7 @@ typedef struct column_terms {
 
 GN_INLINE void set_row_terms(row_terms *terms, uint32_t attribute, attribute_plane plane, int32_t y)
 {
-    for (int32_t row = 0; row < BLOCK_SIZE; ++row)
+    for (int32_t row = 0; row < SQUARE_SIZE; ++row)
         terms->value[row][attribute] = plane.per_y * (float)(y + row);
 }
 
@@ -101,15 +84,15 @@ typedef struct fragment_place {
     fragment_shape shape;
     int32_t x, y;
     surface_place color, depth;
-    const block_places *places; /* of a block */
+    const block_places *places; /* for a square or block */
 
-    /* Of a row. */
+    /* For a row. */
     const column_terms *columns;
     const float *row; /* row_terms of y */
-    const lanes_f *w; /* of y, where it is the same in every column */
+    const lanes_f *w; /* w at y, if it is the same in every column */
 } fragment_place;
 
-/* Makes a place that of blocks, whose fragments will be at `places`. */
+/* Makes a place that of a square or block whose fragments will be at `places`. */
 GN_INLINE void set_block(fragment_place *at, fragment_shape shape, const block_places *places)
 {
     at->shape = shape;

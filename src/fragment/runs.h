@@ -24,7 +24,7 @@ GN_INLINE void shade_squares(const fragment_state *state, fragment_kind kind,
     set_block(&at, SHAPE_INNER_BLOCK, &places);
     at.y = y;
     for (uint32_t i = 0; i < count; ++i) {
-        at.x = x + (int32_t)i * BLOCK_SIZE;
+        at.x = x + (int32_t)i * SQUARE_SIZE;
         if (!surface_holds_square(surface_of(state, kind), at.x, y)) {
             shade_whole_squares(state, triangle, at.x, y, 1, coverage);
             continue;
@@ -57,10 +57,10 @@ GN_INLINE void shade_halves(const fragment_state *state, raster_triangle triangl
 {
     for (int half = 0; half < 2; ++half) {
         const int32_t y = b->at.y[half];
-        const bool is_upper = y & (BLOCK_SIZE / 2);
+        const bool is_upper = y & (SQUARE_SIZE / 2);
 
         if (b->covered[half])
-            shade_whole_squares(state, triangle, b->at.x[half], y & ~(BLOCK_SIZE - 1), 1,
+            shade_whole_squares(state, triangle, b->at.x[half], y & ~(SQUARE_SIZE - 1), 1,
                                 b->covered[half] << (is_upper ? HALF_LANES : 0));
     }
 }
@@ -113,10 +113,10 @@ GN_INLINE uint32_t end_attribute(fragment_kind kind)
 GN_INLINE void shade_rows(const fragment_state *state, fragment_kind kind, raster_triangle triangle,
                           int32_t x, int32_t y, uint32_t count)
 {
-    const int32_t end = x + (int32_t)count * BLOCK_SIZE;
+    const int32_t end = x + (int32_t)count * SQUARE_SIZE;
     column_terms columns;
     row_terms rows;
-    lanes_f w[BLOCK_SIZE];
+    lanes_f w[SQUARE_SIZE];
     fragment_place at;
 
     for (uint32_t n = first_attribute(kind); n < end_attribute(kind); ++n)
@@ -127,7 +127,7 @@ GN_INLINE void shade_rows(const fragment_state *state, fragment_kind kind, raste
     if (kind.level) {
         columns.value[ONE_OVER_W_PLANE] =
             columns_from(triangle_plane(triangle, ONE_OVER_W_PLANE), x);
-        for (int32_t row = 0; row < BLOCK_SIZE; ++row) {
+        for (int32_t row = 0; row < SQUARE_SIZE; ++row) {
             at.row = rows.value[row];
             w[row] = w_at(&at, triangle);
         }
@@ -137,7 +137,7 @@ GN_INLINE void shade_rows(const fragment_state *state, fragment_kind kind, raste
             columns.value[n] = columns_from(triangle_plane(triangle, n), at.x);
         at.color = row_memory(&state->color, kind.color_format, at.x, y);
         at.depth = row_memory(&state->depth, kind.depth_format, at.x, y);
-        for (int32_t row = 0; row < BLOCK_SIZE; ++row) {
+        for (int32_t row = 0; row < SQUARE_SIZE; ++row) {
             at.y = y + row;
             at.row = rows.value[row];
             at.w = &w[row];
@@ -151,14 +151,14 @@ GN_INLINE void shade_rows(const fragment_state *state, fragment_kind kind, raste
 }
 
 /* Blocks that make a row of 16 pixels. */
-#define BLOCKS_IN_ROW (GN_LANES / BLOCK_SIZE)
+#define SQUARES_IN_ROW (GN_LANES / SQUARE_SIZE)
 
 /* Covered blocks, in rows as far as they go. */
 GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster_triangle triangle,
                          int32_t x, int32_t y, uint32_t count)
 {
     const bool in_rows = kind.source != SOURCE_TEXTURE || has_one_filter(state->sampler);
-    const uint32_t whole = in_rows ? count - count % BLOCKS_IN_ROW : 0;
+    const uint32_t whole = in_rows ? count - count % SQUARES_IN_ROW : 0;
     const bool usual_test = kind.use == COLOR_REPLACES && (kind.depth_format == GN_FORMAT_NONE ||
                                                            is_usual_depth_test(&state->test));
     const bool level = kind.color_format != GN_FORMAT_NONE &&
@@ -181,7 +181,7 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
         known.level = true;
         shade_rows(state, known, triangle, x, y, whole);
     }
-    shade_squares(state, kind, triangle, x + (int32_t)whole * BLOCK_SIZE, y, count - whole,
+    shade_squares(state, kind, triangle, x + (int32_t)whole * SQUARE_SIZE, y, count - whole,
                   GN_ALL_LANES);
 }
 

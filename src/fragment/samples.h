@@ -1,15 +1,15 @@
-/* Fragments of multisampled surfaces, 16 at a time: the shader once a pixel, depth, tests and
- * colours once a sample (OpenGL 4.5 section 14.3.1), each sample being a surface of its own. */
+/* Fragments of multisampled targets, 16 at a time: the shader runs once a pixel; depth, tests and
+ * colours once a sample (OpenGL 4.5 section 14.3.1). Each sample is a surface of its own. */
 #ifndef GN_FRAGMENT_SAMPLES_H
 #define GN_FRAGMENT_SAMPLES_H
 
-#include "../raster/samples.h"
+#include "../raster/cover_samples.h"
 #include "block.h"
 
-/* States of a draw, one a sample. */
+/* States of a draw: one for each sample. */
 #define SAMPLE_STATES (GN_HAVE_SAMPLES ? GN_SAMPLES : 1)
 
-/* Makes a state of sample 0 that of another. */
+/* Turns a state of sample 0 into that of another sample. */
 static inline void view_sample(fragment_state *s, uint32_t sample)
 {
     if (s->color.format != GN_FORMAT_NONE)
@@ -24,13 +24,13 @@ static inline void view_sample(fragment_state *s, uint32_t sample)
     }
 }
 
-/* A place in a pixel, in pixels from its corner. */
+/* Returns a sample's place in a pixel, in pixels from the pixel's corner. */
 static inline float sample_place(uint32_t sample, int axis)
 {
     return (float)(128 + sample_offset(sample, axis)) * (1.0f / 256.0f);
 }
 
-/* Where a block of a sample is in memory. */
+/* Finds where a square of a sample is in memory. */
 static inline void enter_sample(const fragment_state *state, fragment_place *at)
 {
     at->color = square_memory(&state->color, state->color.format, at->x, at->y);
@@ -42,12 +42,11 @@ static inline uint32_t covered_pixels(const uint32_t coverage[GN_SAMPLES])
     return coverage[0] | coverage[1] | coverage[2] | coverage[3];
 }
 
-/* Stencil and depth tests of all samples; `written` is the shader's depth, which they share,
+/* Tests stencil and depth of all samples. `written` is the shader's depth, which the samples share,
  * or null. */
 static void test_samples(const fragment_state *state, fragment_place *at, raster_triangle triangle,
                          const float *written, uint32_t coverage[GN_SAMPLES])
 {
-    const gn_pipeline *p = state->pipeline;
     const attribute_plane plane = triangle_plane(triangle, DEPTH_PLANE);
 
     for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
@@ -59,14 +58,13 @@ static void test_samples(const fragment_state *state, fragment_place *at, raster
         if (written)
             depth = lanes_load(written);
         else if (state->moves_depth)
-            depth =
-                lanes_add(depth, lanes_splat(triangle_offset(triangle, p->program.varying_count)));
+            depth = lanes_add(depth, lanes_splat(triangle_offset(triangle)));
         enter_sample(&state[s], at);
         coverage[s] = test_whole(&state[s], at, triangle, coverage[s], depth);
     }
 }
 
-/* The samples covered of each lane. */
+/* Turns masks of pixels for each sample into masks of samples for each lane. */
 static inline void masks_of_lanes(const uint32_t coverage[GN_SAMPLES], uint32_t mask[GN_LANES])
 {
     lanes_i all = lanes_i_splat(0);
@@ -77,7 +75,7 @@ static inline void masks_of_lanes(const uint32_t coverage[GN_SAMPLES], uint32_t 
     lanes_i_store((stored_word *)(void *)mask, all);
 }
 
-/* The lanes whose mask has a sample. */
+/* Returns the lanes whose mask has the sample. */
 static inline uint32_t lanes_with_sample(const uint32_t mask[GN_LANES], uint32_t sample)
 {
     const lanes_i masks = lanes_i_load((const stored_word *)(const void *)mask);
@@ -85,7 +83,7 @@ static inline uint32_t lanes_with_sample(const uint32_t mask[GN_LANES], uint32_t
     return lanes_i_sign_bits(lanes_i_shift_left(masks, 31 - (int)sample));
 }
 
-/* What the shader, whose colours come in, leaves of the samples; may change alpha. */
+/* Applies the shader's decisions to the covered samples; may change the alpha of its colours. */
 static void cover_by_shader(const fragment_state *state, const shader_verdict *verdict,
                             bool to_coverage, float (*color)[GN_LANES],
                             uint32_t coverage[GN_SAMPLES])
@@ -108,7 +106,8 @@ static void cover_by_shader(const fragment_state *state, const shader_verdict *v
         lanes_store(color[4 * a + 3], lanes_splat(1.0f));
 }
 
-/* A block in OpenGL's order, as shade_whole. Changes `coverage` to the samples that passed. */
+/* Shades a square in OpenGL's order, as shade_whole does. Changes `coverage` to the samples that
+ * passed. */
 static void shade_samples(const fragment_state *state, fragment_place *at, raster_triangle triangle,
                           uint32_t coverage[GN_SAMPLES])
 {
@@ -116,7 +115,7 @@ static void shade_samples(const fragment_state *state, fragment_place *at, raste
     const bool to_coverage = p->samples.alpha_to_coverage && state->color.format != GN_FORMAT_NONE;
     const bool late = p->program.fragment_discards || p->program.fragment_writes_depth ||
                       p->program.fragment_writes_sample_mask || to_coverage;
-    block_places middle; /* of pixels */
+    block_places middle; /* the pixels' centres */
     float written[GN_LANES];
     float color[4 * COLOR_LIMIT][GN_LANES];
     uint32_t covered[GN_LANES], kept[GN_LANES];
@@ -141,7 +140,8 @@ static void shade_samples(const fragment_state *state, fragment_place *at, raste
     const lanes_f w =
         lanes_div(lanes_splat(1.0f), plane_at(triangle_plane(triangle, ONE_OVER_W_PLANE), &middle));
     const pixel_block block = square_block(at->x, at->y);
-    run_shader(state, triangle, &block, &middle, covered_pixels(coverage), w, color, &verdict);
+    call_fragment_shader(state, triangle, &block, &middle, covered_pixels(coverage), w, color,
+                         &verdict);
     cover_by_shader(state, &verdict, to_coverage, color, coverage);
     if (late)
         test_samples(state, at, triangle, verdict.depth, coverage);
@@ -152,9 +152,10 @@ static void shade_samples(const fragment_state *state, fragment_place *at, raste
     }
 }
 
-/* A samples_function; the context is a counted_state with one state a sample. */
-static void run_samples(const void *context, raster_triangle triangle, int32_t x, int32_t y,
-                        const uint32_t coverage[GN_SAMPLES])
+/* Shades a square: a samples_function. The context is a counted_state with one state for each
+ * sample. */
+static void shade_sampled_square(const void *context, raster_triangle triangle, int32_t x,
+                                 int32_t y, const uint32_t coverage[GN_SAMPLES])
 {
     const counted_state *const counted = (const counted_state *)context;
     uint32_t passed[GN_SAMPLES];

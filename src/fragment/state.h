@@ -1,4 +1,4 @@
-/* What a draw's pipeline and target ask of its fragments, found once. */
+/* Resolves, once per draw, what its pipeline and target ask of fragments. */
 #ifndef GN_FRAGMENT_STATE_H
 #define GN_FRAGMENT_STATE_H
 
@@ -9,7 +9,7 @@
 #include "depth.h"
 #include "stencil.h"
 
-/* The attachments that the shader writes after the first. */
+/* Sets the attachments after the first that the shader writes. */
 static inline void set_more_colors(fragment_state *s, const gn_target *target,
                                    const gn_pipeline *pipeline)
 {
@@ -24,7 +24,7 @@ static inline void set_more_colors(fragment_state *s, const gn_target *target,
     }
 }
 
-/* What of ready-made shaders goes without a call: a colour, maybe times a texture. */
+/* Finds what ready-made fragment shaders can be inlined: a colour, with or without a texture. */
 static inline void set_ready_color(fragment_state *s, const gn_pipeline *pipeline)
 {
     const gn_lit_uniforms *const lit = pipeline->program.uniforms;

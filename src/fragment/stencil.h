@@ -1,11 +1,11 @@
-/* The stencil test and, after it, the depth test, on surfaces that hold stencil (OpenGL 4.5
- * sections 17.3.3 and 17.3.5). */
+/* The stencil test, and after it the depth test, on surfaces that hold stencil (OpenGL 4.5 sections
+ * 17.3.3 and 17.3.5). */
 #ifndef GN_FRAGMENT_STENCIL_H
 #define GN_FRAGMENT_STENCIL_H
 
 #include "depth.h"
 
-/* Every operation is clamp(stencil * factor + offset) in the low eight bits. */
+/* Returns an operation as clamp(stencil * factor + offset) in the low eight bits. */
 static inline stencil_update stencil_update_of(gn_stencil_operation operation, int32_t reference)
 {
     static const int32_t factor[] = {1, 0, 0, 1, 1, -1, 1, 1};
@@ -35,7 +35,7 @@ static inline stencil_state stencil_state_of(const gn_stencil_face *face)
     return s;
 }
 
-/* The depths and stencil values of a block; of a part the surface does not have, 0. */
+/* The depths and stencil values of a square; 0 for what the surface does not have. */
 typedef struct stored_block {
     lanes_i depth, stencil;
 } stored_block;
@@ -59,9 +59,9 @@ GN_OUT_OF_LINE stored_block load_stored(const gn_surface *surface, const fragmen
         return b;
     }
     GN_EACH_LANE (l) {
-        const unsigned char *const row = surface_row(surface, (uint32_t)(at->y + l / BLOCK_SIZE));
+        const unsigned char *const row = surface_row(surface, (uint32_t)(at->y + l / SQUARE_SIZE));
         const stored_word *const words = (const stored_word *)(const void *)row;
-        const int32_t x = at->x + l % BLOCK_SIZE;
+        const int32_t x = at->x + l % SQUARE_SIZE;
 
         depth[l] = 0;
         stencil[l] = 0;
@@ -95,9 +95,9 @@ GN_OUT_OF_LINE void store_stored(const gn_surface *surface, const fragment_place
     lanes_i_store(depth, b->depth);
     lanes_i_store(stencil, b->stencil);
     GN_EACH_LANE (l) {
-        unsigned char *const row = surface_row(surface, (uint32_t)(at->y + l / BLOCK_SIZE));
+        unsigned char *const row = surface_row(surface, (uint32_t)(at->y + l / SQUARE_SIZE));
         stored_word *const words = (stored_word *)(void *)row;
-        const int32_t x = at->x + l % BLOCK_SIZE;
+        const int32_t x = at->x + l % SQUARE_SIZE;
 
         if (!(coverage >> l & 1u))
             continue;
@@ -112,7 +112,7 @@ GN_OUT_OF_LINE void store_stored(const gn_surface *surface, const fragment_place
     }
 }
 
-/* Updates the stencil of some lanes, in its written bits. */
+/* Updates the written bits of the stencil of some lanes. */
 static inline lanes_i update_stencil(const stencil_state *state, const stencil_update *u,
                                      uint32_t lanes, lanes_i stencil)
 {
@@ -125,7 +125,7 @@ static inline lanes_i update_stencil(const stencil_state *state, const stencil_u
     return lanes_i_select(lanes_from_bits(lanes), written, stencil);
 }
 
-/* Tests a block, stencil first, and writes both. Gives the part of coverage that passed. */
+/* Tests a square, stencil first, and writes both. Returns the part of coverage that passed. */
 GN_OUT_OF_LINE uint32_t test_stencil(const fragment_state *state, const fragment_place *at,
                                      bool back, uint32_t coverage, lanes_f depth)
 {

@@ -1,18 +1,19 @@
 /* The fragment stages: from blocks of covered fragments to the surfaces.
  *
- *   planes  attributes at the fragments
- *   depth   depth test and depth write
- *   stencil the same with stencil
- *   color   conversion to the colour format and write
- *   blend   colours blended with those of the surface
- *   logic   and their bits combined
- *   pixels  blocks of pixels of the formats that are less common
- *   combine what a surface holds combined with colours, channel by channel
- *   block   interpolates, runs depth, the fragment shader and colour
- *   runs    blocks and rows of them, by functions for the common states
+ *   runs.h     the functions that coverage calls: one for each common state, one for all others
+ *   block.h    a block: tests, interpolation, fragment shader, colour
+ *   planes.h   attributes at fragments
+ *   depth.h    depth test and depth write
+ *   stencil.h  stencil and depth together
+ *   color.h    conversion to the common colour formats, and write
+ *   combine.h  colours combined with those of the surface
+ *   blend.h    blending
+ *   logic.h    logical operations
+ *   pixels.h   blocks of pixels of the less common formats
+ *   samples.h  multisampled targets
  *
- * State is resolved once a draw, into the run_function (raster/types.h) that the
- * blocks are handed to. */
+ * State is resolved once per draw (state.h), into the run_function (raster/types.h) that coverage
+ * calls. */
 #ifndef GN_FRAGMENT_TYPES_H
 #define GN_FRAGMENT_TYPES_H
 
@@ -23,8 +24,8 @@
 #include "../raster/types.h"
 #include "../shaders/shading.h"
 
-/* What of incoming and stored depth is asked; `inverted` asks for the contrary. Stored
- * forms order as integers, so that these make all eight functions. */
+/* How incoming and stored depth are compared; `inverted` negates the result. Stored forms order as
+ * integers, so these make all eight functions. */
 typedef enum depth_question { DEPTH_ALWAYS, DEPTH_EQUAL, DEPTH_LESS, DEPTH_GREATER } depth_question;
 
 typedef struct depth_state {
@@ -33,31 +34,32 @@ typedef struct depth_state {
     bool write;
 } depth_state;
 
-/* How one group of channels is blended, no member of it GN_.._DEFAULT. */
+/* How one group of channels is blended. No member is GN_.._DEFAULT. */
 typedef struct blend_rule {
     gn_blend_equation equation;
     gn_blend_factor source, destination;
 } blend_rule;
 
-/* Where source and destination of the only channel are multiplied by a factor and one minus that,
- * each by which: then they are mixed instead. */
+/* Which term the factor w belongs to if a format has one channel and its two factors are w and 1 -
+ * w. Such terms are mixed instead of multiplied and added. */
 typedef enum mixing { MIXES_NOTHING, MIXES_BY_SOURCE, MIXES_BY_DESTINATION } mixing;
 
-/* What becomes of a fragment's colour. */
+/* How a fragment's colour is written. */
 typedef enum color_use {
-    COLOR_REPLACES, /* it is written as it is, all of it */
-    COLOR_OVER,     /* blended by its alpha and one minus that, in all channels */
+    COLOR_REPLACES, /* it replaces all channels */
+    COLOR_OVER,     /* blended in all channels by its alpha and one minus its alpha */
     COLOR_COMBINES  /* as the other members of color_state say */
 } color_use;
 
 typedef struct color_state {
     color_use use;
-    uint32_t written;        /* channels: GN_CHANNEL_RED and so on */
-    int32_t written_bits[2]; /* of the words of a pixel (formats/encode.h) */
+    uint32_t written;        /* bits of channels: GN_CHANNEL_RED and so on */
+    int32_t written_bits[2]; /* masks of the words of a pixel (formats/encode.h) */
     bool blends, is_logical; /* at most one */
     blend_rule color, alpha;
-    mixing mixes; /* of formats of one channel */
-    /* Of floats: (source + destination) * factor; a term without a product with zero. */
+    mixing mixes; /* for formats of one channel */
+    /* For floats: (source + destination) * factor; and terms that are left out, since their factor
+     * is zero. */
     bool factors_last, drops_source, drops_destination;
     float constant[4];
     int32_t constant_fixed[4]; /* 0 to 255, or to 65535 */
@@ -66,36 +68,36 @@ typedef struct color_state {
 /* Colours that a draw writes at most. */
 #define COLOR_LIMIT (GN_HAVE_ATTACHMENTS ? GN_MAX_COLORS : 1)
 
-/* An attachment: its surface, GN_FORMAT_NONE in a hole, and what becomes of colours there. */
+/* An attachment: its surface (GN_FORMAT_NONE if absent) and how colours are written to it. */
 typedef struct color_output {
     gn_surface surface;
     color_state combine;
 } color_output;
 
-/* What becomes of a stencil value: stencil * factor + offset, clamped to low..high. */
+/* A new stencil value: stencil * factor + offset, clamped to low..high. */
 typedef struct stencil_update {
     int32_t factor, offset, low, high;
 } stencil_update;
 
 typedef struct stencil_state {
-    depth_state compare; /* of reference and stored stencil */
+    depth_state compare; /* reference compared with stored stencil */
     int32_t reference;   /* in the compared bits */
     int32_t compared, written;
     stencil_update fail, depth_fail, pass;
 } stencil_state;
 
-/* Depths of fragments are clamped to these; low <= high. */
+/* Fragments' depths are clamped to these; low <= high. */
 typedef struct depth_limits {
     float low, high;
 } depth_limits;
 
 typedef struct fragment_state {
     const gn_pipeline *pipeline;
-    const shading_functions *shading; /* how its fragment shader runs */
+    const shading_functions *shading; /* how the pipeline's fragment shader runs */
     bool is_smooth;                   /* all of its varyings are */
-    bool asks_inputs;                 /* other than varyings, or writes a sample mask */
-    bool has_ready_color;             /* it gives the first varyings ... */
-    const gn_texture *texture;        /* ... times this, where it is not null; not with GN_SMALL */
+    bool asks_inputs;          /* asks for inputs other than varyings, or writes a sample mask */
+    bool has_ready_color;      /* the shader's colour is its first varyings ... */
+    const gn_texture *texture; /* ... times this texture, if not null; not with GN_SMALL */
     const gn_sampler *sampler;
     gn_surface color; /* GN_FORMAT_NONE: no colour */
     gn_surface depth; /* GN_FORMAT_NONE: no test */
@@ -103,13 +105,13 @@ typedef struct fragment_state {
     bool moves_depth; /* polygon offset */
     color_state combine;
     bool tests_depth, tests_stencil;
-    stencil_state stencil[2]; /* of front faces, of back faces */
+    stencil_state stencil[2]; /* for front faces, for back faces */
     depth_limits limits;
-    bool clamps_depth; /* limits other than 0 and 1 */
+    bool clamps_depth; /* the limits are not 0 and 1 */
 
-    /* The attachments after the first, which alone has functions of its own. */
+    /* The attachments after the first. Only the first has special functions. */
     color_output more[GN_HAVE_ATTACHMENTS ? GN_MAX_COLORS - 1 : 1];
-    uint32_t more_count; /* the last of them is no hole */
+    uint32_t more_count; /* the last one is not absent */
 } fragment_state;
 
 static inline bool has_colors(const fragment_state *state)
@@ -117,26 +119,26 @@ static inline bool has_colors(const fragment_state *state)
     return state->color.format != GN_FORMAT_NONE || (GN_HAVE_ATTACHMENTS && state->more_count > 0);
 }
 
-/* The context of fragments that are counted: each task has a sum of its own. */
+/* The context of fragments that are counted. Each task has a sum of its own. */
 typedef struct counted_state {
     const fragment_state *state;
     uint64_t *passed;
 } counted_state;
 
-/* Where lane l is. A row saves most of the work where nothing is asked of neighbouring
- * rows; shaders are handed blocks, for their derivatives. */
+/* Where lane l is. Rows save most of the work if nothing depends on neighbouring rows. Shaders
+ * receive blocks, for their derivatives. */
 typedef enum fragment_shape {
     SHAPE_SQUARE,      /* (x + l % 4, y + l / 4) */
-    SHAPE_INNER_BLOCK, /* as a pixel_block says, on the surfaces, of formats of 32 bits */
+    SHAPE_INNER_BLOCK, /* as a pixel_block says, on the surfaces, whose formats have 32 bits */
     SHAPE_ROW          /* (x + l, y), likewise */
 } fragment_shape;
 
-/* Whether all of the square at (x, y) lies on a surface, so that it may be loaded and
- * stored whole; squares hang over the right and the top edge of odd sizes. */
+/* Returns whether all of the square at (x, y) lies on a surface, so that it may be loaded and
+ * stored whole. Squares hang over the right and the top edge of odd sizes. */
 static inline bool surface_holds_square(const gn_surface *surface, int32_t x, int32_t y)
 {
-    return (uint32_t)x + BLOCK_SIZE <= surface->width &&
-           (uint32_t)y + BLOCK_SIZE <= surface->height;
+    return (uint32_t)x + SQUARE_SIZE <= surface->width &&
+           (uint32_t)y + SQUARE_SIZE <= surface->height;
 }
 
 static inline bool surface_holds_block(const gn_surface *surface, const pixel_block *block)
@@ -144,11 +146,11 @@ static inline bool surface_holds_block(const gn_surface *surface, const pixel_bl
     const int32_t x = block->x[0] > block->x[1] ? block->x[0] : block->x[1];
     const int32_t y = block->y[0] > block->y[1] ? block->y[0] : block->y[1];
 
-    return (uint32_t)x + BLOCK_SIZE <= surface->width &&
-           (uint32_t)y + BLOCK_SIZE / 2 <= surface->height;
+    return (uint32_t)x + SQUARE_SIZE <= surface->width &&
+           (uint32_t)y + SQUARE_SIZE / 2 <= surface->height;
 }
 
-/* The memory of a pixel on a surface of the given format, null where there is none. */
+/* Returns the memory of a pixel on a surface of the given format; null without one. */
 GN_INLINE unsigned char *pixel_memory(const gn_surface *surface, gn_format format, int32_t x,
                                       int32_t y)
 {
@@ -157,8 +159,8 @@ GN_INLINE unsigned char *pixel_memory(const gn_surface *surface, gn_format forma
                : surface_row(surface, (uint32_t)y) + x * (int32_t)format_size(format);
 }
 
-/* Where the first pixel of each half of a block, or of a row (the second is null then), is in
- * memory; both null: no such surface. */
+/* Where the first pixels of a block's halves are in memory, or of a row, whose second is null. Both
+ * are null without a surface. */
 typedef struct surface_place {
     unsigned char *half[2];
 } surface_place;
@@ -177,7 +179,7 @@ GN_INLINE surface_place square_memory(const gn_surface *surface, gn_format forma
     surface_place place = row_memory(surface, format, x, y);
 
     if (format != GN_FORMAT_NONE)
-        place.half[1] = place.half[0] + BLOCK_SIZE / 2 * surface->row_stride;
+        place.half[1] = place.half[0] + SQUARE_SIZE / 2 * surface->row_stride;
     return place;
 }
 
@@ -190,7 +192,7 @@ GN_INLINE surface_place block_memory(const gn_surface *surface, gn_format format
     return place;
 }
 
-/* The 32-bit values of the lanes, whose rows are `stride` bytes apart. */
+/* Loads the 32-bit values of the lanes; rows are `stride` bytes apart. */
 GN_INLINE lanes_i load_words(fragment_shape shape, const surface_place *at, ptrdiff_t stride)
 {
     return shape == SHAPE_ROW ? lanes_i_load((const stored_word *)(const void *)at->half[0])
@@ -206,7 +208,7 @@ GN_INLINE void store_words(fragment_shape shape, const surface_place *at, ptrdif
         lanes_i_store_block(at->half[0], at->half[1], stride, a);
 }
 
-/* Asks for a block's memory, which is to be loaded when something else has been computed. */
+/* Prefetches a block's memory, which is loaded after other work. */
 GN_INLINE void prefetch_words(surface_place at, ptrdiff_t stride)
 {
 #if defined(__GNUC__)

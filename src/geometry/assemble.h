@@ -1,7 +1,6 @@
-/* Primitive assembly: which elements make the triangles of a topology, in the order
- * in which the reference hands them to triangle set-up. The provoking vertex
- * comes last or first, and later stages keep it there. Where primitives are counted, lines
- * and points count as triangles do. */
+/* Primitive assembly: which elements make the triangles of a topology, in the order in which the
+ * reference hands triangles to set-up. The provoking vertex comes last or first, and later stages
+ * keep it there. Functions that count triangles count lines and points too. */
 #ifndef GN_GEOMETRY_ASSEMBLE_H
 #define GN_GEOMETRY_ASSEMBLE_H
 
@@ -20,19 +19,20 @@ static inline uint32_t corner_count(gn_topology topology)
     return topology == GN_POINTS ? 1 : topology >= GN_LINES ? 2 : 3;
 }
 
-/* Elements from a primitive's first to the next one's. */
+/* Returns how many elements lie between the first of a primitive and the first of the next. */
 static inline uint32_t element_step(gn_topology topology)
 {
     return topology == GN_TRIANGLES ? 3 : topology == GN_LINES ? 2 : 1;
 }
 
-/* Triangles that a number of elements make, from any triangle on. */
+/* Returns how many triangles a number of elements make, from any triangle on. Precondition: the
+ * elements make at least one. */
 static inline uint32_t triangles_of(gn_topology topology, uint32_t elements)
 {
     return (elements - corner_count(topology)) / element_step(topology) + 1;
 }
 
-/* Triangles of a draw. A line loop has one more line than a strip. */
+/* Returns how many triangles a draw has. A line loop has one line more than a strip. */
 static inline uint32_t triangle_count(gn_topology topology, uint32_t count)
 {
     if (count < corner_count(topology))
@@ -40,9 +40,9 @@ static inline uint32_t triangle_count(gn_topology topology, uint32_t count)
     return triangles_of(topology, count) + (topology == GN_LINE_LOOP);
 }
 
-/* The elements of triangles `first` to first + count - 1 are first_element to
- * first_element + element_count - 1, and for a fan the draw's first one too. The element
- * after the last of a line loop is its first. */
+/* Triangles `first` to first + count - 1 have the elements first_element to first_element +
+ * element_count - 1; those of a fan also have the draw's first element. The element after the last
+ * one of a line loop is its first. */
 static inline uint32_t first_element(gn_topology topology, uint32_t first)
 {
     return element_step(topology) * first;
@@ -53,13 +53,13 @@ static inline uint32_t element_count(gn_topology topology, uint32_t count)
     return element_step(topology) * (count - 1) + corner_count(topology);
 }
 
-/* Elements that sixteen triangles need. */
+/* The elements of sixteen triangles. */
 #define ASSEMBLE_MAX_ELEMENTS (3 * GN_LANES)
 
-/* Assembles group->count triangles from `first` on. `element` holds the vertices of the
- * elements from first_element on, but for a fan the first is the draw's first one; all of
- * its places hold vertices, and it must last as long as the group. Of a fan taken as a quad
- * the triangles are (0, i+1, i+2) whichever vertex provokes. */
+/* Assembles group->count triangles from `first` on. `element` holds the vertices of the elements
+ * from first_element on; for a fan its first place holds the draw's first element. All places must
+ * hold vertices, and `element` must last as long as the group. A fan that is taken as a quad has
+ * the triangles (0, i+1, i+2), whichever vertex provokes. */
 static inline void assemble_triangles(gn_topology topology, bool provoking_first, bool is_quad,
                                       uint32_t first, const uint32_t element[ASSEMBLE_MAX_ELEMENTS],
                                       triangle_group *group)

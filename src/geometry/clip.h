@@ -1,7 +1,7 @@
-/* Clipping to the view volume: Sutherland and Hodgman's reentrant polygon
- * clipping (1974) in homogeneous coordinates (Blinn and Newell 1978), plane after
- * plane. There is no guard band, so that what is inside the volume keeps its
- * vertices and nothing reaches the rasterizer from beyond the viewport. */
+/* Clipping to the view volume: Sutherland and Hodgman's reentrant polygon clipping (1974) in
+ * homogeneous coordinates (Blinn and Newell 1978), plane after plane. There is no guard band: a
+ * triangle inside the volume keeps its vertices, and nothing beyond the viewport reaches the
+ * rasterizer. */
 #ifndef GN_GEOMETRY_CLIP_H
 #define GN_GEOMETRY_CLIP_H
 
@@ -13,23 +13,23 @@
 typedef struct clipper {
     const gn_pipeline *pipeline;
     const viewport_transform *viewport;
-    unsigned char *memory; /* of all vertices */
-    uint32_t scratch;      /* offset of clip_room new ones */
+    unsigned char *memory; /* offsets of vertices count from here */
+    uint32_t scratch;      /* offset of the room for clip_room new vertices */
     uint32_t room;
-    uint32_t used;   /* of them */
-    uint32_t hidden; /* of the last polygon: edges that lie on sides of the view volume */
+    uint32_t used;   /* new vertices made so far */
+    uint32_t hidden; /* edges of the last polygon that lie on sides of the view volume */
     float point_size[CLIP_MAX_VERTICES];
 } clipper;
 
 typedef struct polygon {
     uint32_t vertex[CLIP_MAX_POLYGON];
     uint32_t count;
-    uint32_t hidden; /* bit n: the edge from vertex n on lies on a plane */
+    uint32_t hidden; /* bit n: the edge that begins at vertex n lies on a plane */
 } polygon;
 
-/* The signed distance a0*x + a1*y + a2*z + a3*w to a plane: not negative inside.
- * The terms of value zero are left out: they can change neither the sum nor, the
- * coordinates being finite, make it NaN. */
+/* Returns the signed distance a0*x + a1*y + a2*z + a3*w to a plane: not negative inside. Terms that
+ * are zero are left out: they can neither change the sum nor, as the coordinates are finite, make
+ * it NaN. */
 static float plane_distance(const clipper *c, const stored_vertex *v, uint32_t plane)
 {
     if (GN_HAVE_DISTANCES && plane >= CLIP_DISTANCE)
@@ -44,8 +44,8 @@ static float plane_distance(const clipper *c, const stored_vertex *v, uint32_t p
     return positive ? coordinate + w : w - coordinate;
 }
 
-/* The parameter of the new vertex between `from` and `to` in window x (or y where
- * the clip x agree): noperspective varyings are linear there. */
+/* Returns the new vertex's parameter between `from` and `to` in window x, or in window y if both
+ * have one clip x. Noperspective varyings are linear in it. */
 static float window_parameter(const stored_vertex *from, const stored_vertex *to,
                               const stored_vertex *made, float t)
 {
@@ -60,8 +60,8 @@ static float window_parameter(const stored_vertex *from, const stored_vertex *to
     return t;
 }
 
-/* A new vertex at from + t * (to - from). What flat varyings get is not used: theirs is
- * the provoking vertex of the whole triangle. */
+/* Makes a new vertex at from + t * (to - from); returns its offset. The values of flat varyings are
+ * not used: the provoking vertex of the whole triangle has them. */
 static uint32_t interpolate_vertex(clipper *c, uint32_t from, uint32_t to, float t)
 {
     const uint32_t stride = vertex_stride(stored_values(c->pipeline));
@@ -96,9 +96,9 @@ static inline uint32_t room_of(const clipper *c)
                                          : CLIP_MAX_VERTICES;
 }
 
-/* Clips a polygon to one plane; false where nothing is left, a distance is not finite
- * or a limit (CLIP_MAX_POLYGON, room) is reached. The new vertex of an edge
- * is measured from its end nearer the plane, where t is small. */
+/* Clips a polygon to one plane. Returns false if nothing is left, if a distance is not finite, or
+ * if a limit is reached (CLIP_MAX_POLYGON, room_of). A new vertex is measured from the end of its
+ * edge that is nearer to the plane, where t is small. */
 static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon *out)
 {
     uint32_t previous = in->vertex[0];
@@ -141,8 +141,8 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
     return out->count >= 3;
 }
 
-/* Window coordinates of the new vertices, which are inside, whatever rounding says. Lanes
- * beyond them repeat the first, so that nothing is read that was not written. */
+/* Finds the window coordinates of the new vertices, which count as inside, whatever rounding says.
+ * Lanes beyond them repeat the first, so that no lane reads memory that nobody wrote. */
 GN_STEP void place_new_vertices(const clipper *c)
 {
     const uint32_t stride = vertex_stride(stored_values(c->pipeline));
@@ -173,8 +173,8 @@ GN_STEP void place_new_vertices(const clipper *c)
     }
 }
 
-/* Clips a triangle to the planes of its outcodes into a group of triangles, which may be
- * empty. New vertices are in the clipper's scratch until the next call. */
+/* Clips a triangle to the planes of its outcodes. Writes a group of triangles, the pieces, which
+ * may be empty. New vertices are in the clipper's scratch until the next call. */
 static inline void clip_triangle(clipper *c, uint32_t planes, const uint32_t triangle[3],
                                  triangle_group *out)
 {
@@ -202,7 +202,7 @@ static inline void clip_triangle(clipper *c, uint32_t planes, const uint32_t tri
     c->hidden = in->hidden;
     place_new_vertices(c);
 
-    /* A fan whose first polygon vertex takes the provoking vertex's place. */
+    /* The pieces are a fan whose first vertex takes the provoking vertex's place. */
     const bool first = c->pipeline->raster.provoking_vertex == GN_PROVOKING_FIRST;
     out->count = in->count - 2;
     out->step = 1;

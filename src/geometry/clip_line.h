@@ -1,13 +1,13 @@
-/* Clipping lines to the view volume: each end moves to the plane that cuts off most of it
- * (Liang and Barsky 1984), measured from the end itself. */
+/* Clips lines to the view volume: each end moves to the plane that cuts off most of the line (Liang
+ * and Barsky 1984), measured from that end. */
 #ifndef GN_GEOMETRY_CLIP_LINE_H
 #define GN_GEOMETRY_CLIP_LINE_H
 
 #include "clip.h"
 
-/* Clips a line to the planes of its outcodes: `ends` become those of what is left, which is
- * false where it is nothing or a distance is not finite. New vertices are in the clipper's
- * scratch until the next call. */
+/* Clips a line to the planes of its outcodes: `ends` become the ends of what is left. Returns false
+ * if nothing is left or a distance is not finite. New vertices are in the clipper's scratch until
+ * the next call. */
 static inline bool clip_line(clipper *c, uint32_t ends[2])
 {
     const uint32_t line[2] = {ends[0], ends[1]};

@@ -1,4 +1,4 @@
-/* Vertex fetch: attribute arrays of the caller into structures of arrays. */
+/* Vertex fetch: from the caller's attribute arrays to structures of arrays. */
 #ifndef GN_GEOMETRY_FETCH_H
 #define GN_GEOMETRY_FETCH_H
 
@@ -6,13 +6,13 @@
 
 #include "../lanes/lanes.h"
 
-/* Components of an attribute that come from its array, vertex by vertex. */
+/* Returns how many components of an attribute come from its array, vertex by vertex. */
 static inline uint32_t array_components(const gn_attribute *attribute)
 {
     return attribute->data && attribute->divisor == 0 ? attribute->components : 0;
 }
 
-static inline uint32_t present_attributes(const mesh_run *mesh)
+static inline uint32_t present_attributes(const mesh_slice *mesh)
 {
     uint32_t bits = 0;
 
@@ -21,7 +21,7 @@ static inline uint32_t present_attributes(const mesh_run *mesh)
     return bits;
 }
 
-/* A component that all vertices of an instance have: 0, 0, 0, 1 where there is no array. */
+/* Returns a component that all vertices of an instance share: 0, 0, 0, 1 if there is no array. */
 static inline float constant_component(const gn_attribute *source, uint32_t instance, uint32_t c)
 {
     if (!source->data || source->divisor == 0 || c >= source->components)
@@ -31,8 +31,9 @@ static inline float constant_component(const gn_attribute *source, uint32_t inst
     return source->data[instance / source->divisor * stride + c];
 }
 
-/* What does not differ from vertex to vertex, which fetch_attributes leaves as it is. */
-static inline void fetch_defaults(const mesh_run *mesh,
+/* Writes the components that all vertices of an instance share. fetch_attributes leaves them as
+ * they are. */
+static inline void fetch_defaults(const mesh_slice *mesh,
                                   float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
 {
     for (uint32_t a = 0; a < GN_MAX_ATTRIBUTES; ++a) {
@@ -45,8 +46,9 @@ static inline void fetch_defaults(const mesh_run *mesh,
     }
 }
 
-/* Whether rows of four words from every vertex up to `last` lie in the attribute's array,
- * and its offsets fit 32 bits: all but the last vertices of shorter attributes. */
+/* Returns whether rows of four words from every vertex up to `last` lie in the attribute's array,
+ * at offsets that fit 32 bits. Only the last vertices of an attribute with fewer components lack
+ * that. */
 static inline bool has_whole_rows(const gn_attribute *source, size_t stride, uint32_t vertex_count,
                                   uint32_t last)
 {
@@ -68,8 +70,8 @@ static inline void fetch_rows(const gn_attribute *source, size_t stride,
         lanes_store(out[c], lanes_as_float(row[c]));
 }
 
-/* Sixteen vertices' attributes, as far as the arrays have them. */
-GN_STEP void fetch_attributes(const mesh_run *mesh, const uint32_t vertex[GN_LANES],
+/* Fetches the attributes of sixteen vertices, as far as their arrays have them. */
+GN_STEP void fetch_attributes(const mesh_slice *mesh, const uint32_t vertex[GN_LANES],
                               float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
 {
     uint32_t last = 0;

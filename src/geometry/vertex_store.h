@@ -1,6 +1,6 @@
-/* Vertices between the stages: records in the workspace, named by their offset in it.
- * Rows of four words, so that stages which work on 16 vertices at a time gather and
- * scatter them by transposing. */
+/* Vertices between the stages: records in the workspace, each named by its offset. A record
+ * consists of rows of four words, so that stages that work on 16 vertices at a time gather and
+ * scatter by transposing. */
 #ifndef GN_GEOMETRY_VERTEX_STORE_H
 #define GN_GEOMETRY_VERTEX_STORE_H
 
@@ -15,12 +15,13 @@ typedef struct stored_vertex {
     float window[4];    /* window coordinates x, y, z and 1 / clip w */
     int32_t snapped[2]; /* window x, y minus half a pixel, in 1/256 pixel */
     uint32_t outcode;   /* bit p: outside clip_plane p */
-    float point_size;   /* where the vertex shader gives one */
+    float point_size;   /* if the vertex shader writes one */
     float clip[4];      /* clip space */
-    float varying[]; /* stored_values of the pipeline, in rows of four: varyings, clip distances */
+    float varying[];    /* stored_values of the pipeline, in rows of four: varyings, then clip
+                           distances */
 } stored_vertex;
 
-/* Offsets of a vertex's rows in it. */
+/* Offsets of the rows of a vertex. */
 enum {
     VERTEX_WINDOW = offsetof(stored_vertex, window),
     VERTEX_SNAPPED = offsetof(stored_vertex, snapped),
@@ -34,13 +35,13 @@ static inline uint32_t distance_count(const gn_pipeline *pipeline)
     return GN_HAVE_DISTANCES ? pipeline->program.clip_distance_count : 0;
 }
 
-/* Values beside the position that a vertex shader gives and a vertex keeps. */
+/* Returns how many values, beside the position, a vertex shader writes and a vertex stores. */
 static inline uint32_t stored_values(const gn_pipeline *pipeline)
 {
     return pipeline->program.varying_count + distance_count(pipeline);
 }
 
-/* Bytes from a vertex of so many stored_values to the next. */
+/* Returns the bytes from one vertex with `value_count` stored_values to the next. */
 static inline uint32_t vertex_stride(uint32_t value_count)
 {
     return VERTEX_VARYING + (value_count + 3) / 4 * VERTEX_ROW;

@@ -18,10 +18,10 @@ viewport_transform_of(const gn_pipeline *pipeline, uint32_t target_width, uint32
     const float z_near = pipeline->depth.range.set ? pipeline->depth.range.z_near : 0.0f;
     const float z_far = pipeline->depth.range.set ? pipeline->depth.range.z_far : 1.0f;
 
-    /* The reference computes (z_far -+ z_near) / 2 in double and rounds to float
-     * once; one float operation gives the same. Where the exponents are at most 29
-     * apart the double sum is exact; otherwise the smaller operand is below 2^-5
-     * ulp of the larger and both ways give the larger. Halving is exact. */
+    /* The reference computes (z_far -+ z_near) / 2 in double and rounds to float once; one float
+     * operation has the same result. If the exponents are at most 29 apart, the double sum is
+     * exact; otherwise the smaller operand is below 2^-5 ulp of the larger and both ways return the
+     * larger. Halving is exact. */
     viewport_transform t;
     t.scale[0] = 0.5f * width;
     t.scale[1] = 0.5f * height;
@@ -41,7 +41,7 @@ viewport_transform_of(const gn_pipeline *pipeline, uint32_t target_width, uint32
     return t;
 }
 
-/* Bit `plane` where a <= b does not hold. */
+/* Returns bit `plane` where a <= b does not hold. */
 static inline lanes_i outside_bit(lanes_f a, lanes_f b, clip_plane plane)
 {
     return lanes_i_and(lanes_m_as_int(lanes_not(lanes_less_equal(a, b))),
@@ -63,7 +63,7 @@ GN_STEP lanes_i outcodes_of(const viewport_transform *viewport, const lanes_f cl
     return lanes_i_and(code, lanes_i_splat((int32_t)viewport->planes));
 }
 
-/* The bits of clip distances. */
+/* Returns the outcode bits of clip distances. */
 GN_STEP lanes_i distance_outcodes(const float (*distance)[GN_LANES], uint32_t count)
 {
     lanes_i code = lanes_i_splat(0);
@@ -79,8 +79,8 @@ GN_STEP lanes_i distance_outcodes(const float (*distance)[GN_LANES], uint32_t co
     return code;
 }
 
-/* Writes window, snapped and clip coordinates, outcodes, to which `outside` is added, and point
- * sizes (the bits of floats) of the sixteen vertices at `first`, `stride` bytes apart. Gives the
+/* Stores sixteen vertices at `first`, `stride` bytes apart: window, snapped and clip coordinates,
+ * outcodes, to which `outside` is added, and point sizes (the bits of floats). Returns the
  * outcodes. */
 static inline lanes_i place_vertices(const viewport_transform *viewport, const lanes_f clip[4],
                                      lanes_i outside, lanes_i point_size, unsigned char *first,

@@ -6,7 +6,7 @@
  * of the box. Against exact arithmetic, three products and three sums are off by 4 u of the
  * magnitudes' sum, with u = 2^-24. Moving the bound adds one u, and the sum of magnitudes is itself
  * rounded. Each of four products may lose 2^-150 to underflow. */
-#include "box.h"
+#include "bounding_box.h"
 #include "transform.h"
 
 #define TOLERANCE 0x1.8p-22f /* 6 u */

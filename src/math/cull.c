@@ -10,7 +10,7 @@
  *
  * If a distance overflows or a coordinate is infinite, s is infinite too, and no comparison with
  * infinity or NaN holds. */
-#include "box.h"
+#include "bounding_box.h"
 #include "transform.h"
 
 #define TOLERANCE 0x1p-21f /* 8 u */

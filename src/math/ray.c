@@ -1,7 +1,7 @@
 /* Rays against triangles and boxes. */
 #include <gnomon/ray.h>
 
-#include "box.h"
+#include "bounding_box.h"
 #include "transform.h"
 
 static bool is_finite(const gn_ray *ray)

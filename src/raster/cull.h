@@ -1,11 +1,11 @@
-/* Culling, sixteen triangles at a time: winding, the bounds in pixels, and what cannot be
- * seen is out before anything else is computed. Decided on snapped coordinates in
- * integers, which is exact. */
+/* Culling, sixteen triangles at a time: finds the winding and the bounds in pixels, and drops what
+ * cannot be seen before anything else is computed. Culling uses snapped coordinates in integers,
+ * which is exact. */
 #ifndef GN_RASTER_CULL_H
 #define GN_RASTER_CULL_H
 
 #include "../lanes/lanes.h"
-#include "box.h"
+#include "points_and_lines.h"
 #include "scissor.h"
 
 /* What culling needs of a draw. */
@@ -15,13 +15,13 @@ typedef struct cull_state {
     bool front_clockwise;
     bool provoking_first;
     bool asks_unsnapped; /* cull_unsnapped */
-    int32_t reach;       /* how far from a pixel's centre its samples are, in 1/256 pixel */
+    int32_t reach;       /* greatest distance of a sample from its pixel's centre, in 1/256 pixel */
     box_state box;
 } cull_state;
 
-/* Of sixteen triangles, bit by bit: those to draw, those of them that are clockwise and
- * those that cross the boundary of the view volume, which are yet to be clipped and of
- * which nothing else is known. */
+/* Sixteen triangles after culling, one bit each: those to draw; those of them that are clockwise;
+ * and those that cross the boundary of the view volume. A crossing triangle is still to be clipped,
+ * and nothing else is known of it. */
 typedef struct cull_result {
     uint32_t drawn, clockwise, crossing;
     int32_t bounds[BOUNDS_COUNT][GN_LANES];
@@ -47,7 +47,7 @@ static inline cull_state cull_state_of(const gn_pipeline *p, uint32_t width, uin
     return s;
 }
 
-/* A row of four words of one corner of sixteen triangles, as structure of arrays. */
+/* Gathers a row of four words of one corner of sixteen triangles, as structure of arrays. */
 static inline void gather_corner(const unsigned char *memory, const triangle_group *group,
                                  int corner, uint32_t row, lanes_i out[4])
 {
@@ -57,9 +57,9 @@ static inline void gather_corner(const unsigned char *memory, const triangle_gro
         lanes_i_gather_rows(memory + row, group->corner[corner], 1, out);
 }
 
-/* Twice the signed areas' signs in integers: exact, and where the extents are small in 32
- * bits. y points up and differences of y are negated, so that a positive area is a
- * clockwise triangle. */
+/* Returns numbers with the signs of the areas. They are exact: computed in 32 bits where extents
+ * are small, in 64 where `large` has the lane's bit. y points up and differences of y are negated,
+ * so a clockwise triangle has a positive area. */
 GN_STEP lanes_i area_signs(const lanes_i x[3], const lanes_i y[3], uint32_t large)
 {
     const lanes_i area = lanes_i_sub(lanes_i_mul(lanes_i_sub(x[0], x[1]), lanes_i_sub(y[2], y[0])),
@@ -83,9 +83,9 @@ GN_STEP lanes_i area_signs(const lanes_i x[3], const lanes_i y[3], uint32_t larg
     return lanes_i_load(sign);
 }
 
-/* The reference culls a second time, by the area of the unsnapped window coordinates,
- * where a segment of a draw has vertices outside the view volume; the two disagree on
- * slivers. No area counts as back-facing. Bits of those that stay. */
+/* Returns the bits of triangles that stay when the reference culls a second time, by the area of
+ * unsnapped window coordinates. It does so in segments with vertices outside the view volume; the
+ * two areas disagree on slivers. A triangle without area is back-facing. */
 GN_OUT_OF_LINE uint32_t cull_unsnapped(const cull_state *state, const unsigned char *memory,
                                        const triangle_group *group)
 {
@@ -118,8 +118,8 @@ static inline lanes_i greatest_of(const lanes_i a[3])
     return lanes_i_max(lanes_i_max(a[0], a[1]), a[2]);
 }
 
-/* Pixels whose centre (256 * p in snapped coordinates), or what lies up to `reach` around it,
- * lies between the extremes, and in the target. Gives the bits of triangles with any. */
+/* Finds the pixels in the target whose centre (256 * p in snapped coordinates), or anything up to
+ * `reach` around it, lies between the extremes. Returns the bits of triangles that have any. */
 GN_STEP uint32_t find_bounds(const pixel_rectangle *target, int32_t reach, lanes_i min_x,
                              lanes_i min_y, lanes_i max_x, lanes_i max_y,
                              int32_t bounds[BOUNDS_COUNT][GN_LANES])
@@ -142,9 +142,10 @@ GN_STEP uint32_t find_bounds(const pixel_rectangle *target, int32_t reach, lanes
     return ~lanes_bits(lanes_i_greater(min_x, max_x)) & ~lanes_bits(lanes_i_greater(min_y, max_y));
 }
 
-/* Culling but for what cull_unsnapped says. */
-GN_STEP void cull_snapped(const cull_state *state, const unsigned char *memory,
-                          const triangle_group *group, cull_result *result)
+/* Culls a group. With `asks_unsnapped` the reference culls a second time (cull_unsnapped). */
+GN_STEP void cull_triangles(const cull_state *state, bool asks_unsnapped,
+                            const unsigned char *memory, const triangle_group *group,
+                            cull_result *result)
 {
     const uint32_t lanes = GN_ALL_LANES >> (GN_LANES - group->count);
     lanes_i row[3][4], x[3], y[3];
@@ -186,36 +187,9 @@ GN_STEP void cull_snapped(const cull_state *state, const unsigned char *memory,
         drawn &= ~result->clockwise;
     if (state->drop_counter_clockwise)
         drawn &= result->clockwise;
+    if (asks_unsnapped && drawn)
+        drawn &= cull_unsnapped(state, memory, group);
     result->drawn = drawn;
-}
-
-static inline void cull_triangles(const cull_state *state, const unsigned char *memory,
-                                  const triangle_group *group, cull_result *result)
-{
-    cull_snapped(state, memory, group, result);
-    if (state->asks_unsnapped && result->drawn)
-        result->drawn &= cull_unsnapped(state, memory, group);
-}
-
-/* Adds the triangle in a lane of a group to a list that has room. Inside is to one side of
- * every edge only in one winding; the provoking vertex keeps its place. */
-static inline void append_triangle(const cull_state *state, const triangle_group *group,
-                                   const cull_result *result, uint32_t lane, uint32_t provoking,
-                                   uint32_t primitive, triangle_list *list)
-{
-    const uint32_t n = list->count++;
-    const uint32_t reversed = ~result->clockwise >> lane & 1u;
-    const uint32_t a = state->provoking_first ? 1 : 0;
-    const uint32_t kept = state->provoking_first ? 0 : 2;
-
-    list->vertex[kept][n] = group_vertex(group, kept, lane);
-    list->vertex[a][n] = group_vertex(group, a + reversed, lane);
-    list->vertex[a + 1][n] = group_vertex(group, a + 1 - reversed, lane);
-    list->provoking[n] = provoking;
-    list->primitive[n] = (int32_t)primitive;
-    list->back |= (reversed ^ (state->front_clockwise ? 0u : 1u)) << n;
-    for (int b = 0; b < BOUNDS_COUNT; ++b)
-        list->bounds[b][n] = result->bounds[b][lane];
 }
 
 #endif

@@ -1,5 +1,5 @@
-/* Polygon offset (OpenGL 4.5 section 14.6.5): what is added to depths for the slope of their
- * triangle and in steps of the depth format. */
+/* Polygon offset (OpenGL 4.5 section 14.6.5): adds to depths according to the triangle's slope and
+ * in steps of the depth format. */
 #ifndef GN_RASTER_OFFSET_H
 #define GN_RASTER_OFFSET_H
 
@@ -9,14 +9,14 @@
 #include "../scalars/bits.h"
 
 typedef struct offset_state {
-    bool moves;    /* fragments add an offset, if only 0 */
-    bool floating; /* a step is one of the triangle's greatest |depth| */
+    bool moves;    /* fragments add an offset, even if it is 0 */
+    bool floating; /* a step is that of the triangle's greatest |depth| */
     float factor;
-    float units; /* times the step of the format, where that is a constant */
-    float clamp; /* above 0 the most, below 0 the least */
+    float units; /* times the format's step, if that is a constant */
+    float clamp; /* above 0: the greatest offset; below 0: the least */
 } offset_state;
 
-/* Of a format with 16 or 24 bits the reference takes twice the smallest step. */
+/* For formats of 16 and 24 bits the reference takes twice the smallest step. */
 static inline offset_state offset_state_of(const gn_pipeline *pipeline, gn_format depth_format,
                                            bool moves)
 {
@@ -35,7 +35,7 @@ static inline offset_state offset_state_of(const gn_pipeline *pipeline, gn_forma
     return s;
 }
 
-/* 2^(e - 23) for the exponent e of a depth's magnitude; 0 where that is denormal. */
+/* Returns 2^(e - 23) for the exponent e of a depth's magnitude; 0 where that is denormal. */
 static inline lanes_f float_step(lanes_f depth)
 {
     const lanes_i exponent = lanes_i_and(lanes_as_int(depth), lanes_i_splat(0x7F800000));
@@ -44,7 +44,7 @@ static inline lanes_f float_step(lanes_f depth)
     return lanes_as_float(lanes_i_max(step, lanes_i_splat(0)));
 }
 
-/* The offsets of sixteen triangles with these window coordinates. */
+/* Returns the offsets of sixteen triangles with these window coordinates. */
 GN_STEP lanes_f offset_depths(const offset_state *offset, const lanes_f x[3], const lanes_f y[3],
                               const lanes_f z[3])
 {
@@ -76,7 +76,8 @@ GN_STEP lanes_f offset_depths(const offset_state *offset, const lanes_f x[3], co
     return sum;
 }
 
-/* The offset of one triangle, some of which are not filled in its draw: another order. */
+/* Returns the offset of one triangle of a draw in which some are not filled. The reference computes
+ * it in another order then. */
 static inline float offset_of_vertices(const offset_state *offset, const stored_vertex *const v[3])
 {
     float e[3], f[3];

@@ -1,10 +1,10 @@
-/* What a scissor leaves of a target. */
+/* The part of a target that a scissor leaves. */
 #ifndef GN_RASTER_SCISSOR_H
 #define GN_RASTER_SCISSOR_H
 
 #include "types.h"
 
-/* The pixels of a target that a scissor lets be drawn. With none, the maxima lie below the
+/* Returns the pixels of a target that a scissor leaves. If there are none, the maxima lie below the
  * minima. */
 static inline pixel_rectangle scissored_target(const gn_scissor *scissor, uint32_t width,
                                                uint32_t height)

@@ -1,37 +1,37 @@
-/* Triangle set-up, sixteen at a time: edge functions with the tie rule folded in, and the
- * planes of depth, 1/w and the varyings. Coverage is decided on snapped coordinates in
- * integers (exact), attributes on the unsnapped ones (OpenGL 4.5 section 14.6.1; Pineda
- * 1988 for edge functions). */
+/* Triangle set-up, sixteen at a time: edge functions with the tie rule folded in, and the planes of
+ * depth, 1/w and the varyings. Coverage is decided on snapped coordinates in integers, which is
+ * exact; attributes use the unsnapped ones (OpenGL 4.5 section 14.6.1; Pineda 1988 for edge
+ * functions). */
 #ifndef GN_RASTER_SETUP_H
 #define GN_RASTER_SETUP_H
 
 #include "cull.h"
 #include "offset.h"
 
-/* The pixel from which a triangle's blocks are laid: the first even one, so that blocks are made
- * of whole quads. Rows start at a multiple of four where the highest block would otherwise leave
- * the part of the target that is drawn: the rows above may be another thread's, and the part ends
- * at a multiple of four or with the target. */
+/* Finds the pixel at which a triangle's squares begin: the first even one, so that squares consist
+ * of whole quads. If the highest square would then leave the strip, rows begin at a multiple of
+ * four instead: the rows above may be another thread's, and a strip ends at a multiple of four or
+ * with the target. */
 GN_STEP void place_blocks(const pixel_rectangle *target, const triangle_list *list,
                           lanes_i origin[2])
 {
     const lanes_i min_y = lanes_i_load(list->bounds[BOUNDS_MIN_Y]);
     const lanes_i max_y = lanes_i_load(list->bounds[BOUNDS_MAX_Y]);
-    const lanes_i to_block = lanes_i_splat(~(BLOCK_SIZE - 1));
+    const lanes_i to_block = lanes_i_splat(~(SQUARE_SIZE - 1));
     const lanes_i to_quad = lanes_i_splat(~1);
     const lanes_i even = lanes_i_and(min_y, to_quad);
     const lanes_i highest = lanes_i_add(even, lanes_i_and(lanes_i_sub(max_y, even), to_block));
     const lanes_m leaves =
-        lanes_i_greater(highest, lanes_i_splat(target->max_y - (BLOCK_SIZE - 1)));
+        lanes_i_greater(highest, lanes_i_splat(target->max_y - (SQUARE_SIZE - 1)));
 
     origin[0] = lanes_i_and(lanes_i_load(list->bounds[BOUNDS_MIN_X]), to_quad);
     origin[1] = lanes_i_select(leaves, lanes_i_and(min_y, to_block), even);
 }
 
-/* A pixel is inside where C - 256*dx*px + 256*dy*py > 0, C having 1 added on edges
- * that own their ties. With integers, C + 256*k > 0 is floor((C - 1) / 256) + k >= 0. */
+/* Sets up the edge functions. A pixel is inside where C - 256*dx*px + 256*dy*py > 0; edges that own
+ * their ties have 1 added to C. In integers, C + 256*k > 0 is floor((C - 1) / 256) + k >= 0. */
 static inline void setup_edges(const pixel_rectangle *target, const unsigned char *memory,
-                               const triangle_list *list, triangle_batch *batch)
+                               const triangle_list *list, triangle_setup *setup)
 {
     const lanes_i zero = lanes_i_splat(0);
     lanes_i x[3], y[3], origin[2];
@@ -41,16 +41,16 @@ static inline void setup_edges(const pixel_rectangle *target, const unsigned cha
         lanes_i_gather_rows(memory + VERTEX_SNAPPED, list->vertex[i], 1, row);
         x[i] = row[0];
         y[i] = row[1];
-        lanes_i_store(batch->corner.snapped[i][0], x[i]);
-        lanes_i_store(batch->corner.snapped[i][1], y[i]);
+        lanes_i_store(setup->corner.snapped[i][0], x[i]);
+        lanes_i_store(setup->corner.snapped[i][1], y[i]);
     }
     const lanes_i extent = lanes_i_max(lanes_i_sub(greatest_of(x), least_of(x)),
                                        lanes_i_sub(greatest_of(y), least_of(y)));
-    batch->large = lanes_bits(lanes_i_greater(extent, lanes_i_splat(SMALL_EXTENT - 1)));
-    batch->unpacked = lanes_bits(lanes_i_greater(extent, lanes_i_splat(PACKED_EXTENT - 1)));
+    setup->large = lanes_bits(lanes_i_greater(extent, lanes_i_splat(SMALL_EXTENT - 1)));
+    setup->unpacked = lanes_bits(lanes_i_greater(extent, lanes_i_splat(PACKED_EXTENT - 1)));
     place_blocks(target, list, origin);
-    lanes_i_store(batch->origin[0], origin[0]);
-    lanes_i_store(batch->origin[1], origin[1]);
+    lanes_i_store(setup->origin[0], origin[0]);
+    lanes_i_store(setup->origin[1], origin[1]);
 
     const lanes_i left = lanes_i_shift_left(origin[0], 8);
     const lanes_i bottom = lanes_i_shift_left(origin[1], 8);
@@ -66,16 +66,17 @@ static inline void setup_edges(const pixel_rectangle *target, const unsigned cha
 
         /* The mask is -1 where ties are owned: C - 1 is c - 1 - mask. */
         lanes_i_store(
-            batch->edge[i].start,
+            setup->edge[i].start,
             lanes_i_shift_right(lanes_i_sub(lanes_i_add(c, lanes_i_splat(-1)), owns_ties), 8));
-        lanes_i_store(batch->edge[i].per_x, dx);
-        lanes_i_store(batch->edge[i].per_y, dy);
+        lanes_i_store(setup->edge[i].per_x, dx);
+        lanes_i_store(setup->edge[i].per_y, dy);
     }
 }
 
 /* Window differences of the vertices, divided by the triangle's area. */
 typedef struct plane_basis {
-    lanes_f x0, y0; /* vertex 0, from the place in the pixel that planes are given for */
+    lanes_f x0,
+        y0; /* vertex 0, measured from the place in the pixel where planes have their values */
     lanes_f dx01, dy01, dx20, dy20;
 } plane_basis;
 
@@ -125,11 +126,11 @@ static inline void make_flat_plane(const unsigned char *memory, const triangle_l
     }
 }
 
-/* The planes of depth, 1/w and the varyings, four of which share a row of a vertex. At integers
- * they have their value at so much from the corner of a pixel. */
+/* Sets up the planes of depth, 1/w and the varyings; a vertex has four varyings in a row. A plane's
+ * value at integers is that at `center` from the corner of a pixel. */
 static inline void setup_planes(const gn_pipeline *pipeline, const offset_state *offset,
                                 float center, const unsigned char *memory,
-                                const triangle_list *list, triangle_batch *batch)
+                                const triangle_list *list, triangle_setup *setup)
 {
     const unsigned char *const varyings = memory + VERTEX_VARYING;
     lanes_i row[3][4];
@@ -144,15 +145,15 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
         w[i] = lanes_as_float(row[i][3]);
     }
     set_basis(&basis, x, y, center);
-    make_plane(&basis, z, batch->plane[DEPTH_PLANE]);
-    /* 0 where the vertices have moved. */
+    make_plane(&basis, z, setup->plane[DEPTH_PLANE]);
+    /* The offset is 0 if the vertices have moved instead. */
     if (GN_HAVE_OFFSET && pipeline->raster.polygon_offset.set)
-        lanes_store(batch->plane[VARYING_PLANES + pipeline->program.varying_count][IDENTITY_OFFSET],
+        lanes_store(setup->offset,
                     offset->moves ? offset_depths(offset, x, y, z) : lanes_splat(0.0f));
-    make_plane(&basis, w, batch->plane[ONE_OVER_W_PLANE]);
+    make_plane(&basis, w, setup->plane[ONE_OVER_W_PLANE]);
 
     for (uint32_t n = 0; n < pipeline->program.varying_count; ++n) {
-        float(*const plane)[GN_LANES] = batch->plane[VARYING_PLANES + n];
+        float(*const plane)[GN_LANES] = setup->plane[VARYING_PLANES + n];
         lanes_f a[3];
 
         if (n % 4 == 0) {
@@ -172,17 +173,18 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
     }
 }
 
-static inline void setup_identities(const gn_pipeline *pipeline, const triangle_list *list,
-                                    triangle_batch *batch)
+/* Stores what the primitives are; all are of one kind. */
+static inline void setup_identities(primitive_kind kind, const triangle_list *list,
+                                    triangle_setup *setup)
 {
-    float(*const words)[GN_LANES] = batch->plane[VARYING_PLANES + pipeline->program.varying_count];
-
-    lanes_i_store((stored_word *)(void *)words[IDENTITY_PRIMITIVE], lanes_i_load(list->primitive));
-    lanes_i_store((stored_word *)(void *)words[IDENTITY_BACK],
-                  lanes_m_as_int(lanes_from_bits(list->back)));
+    lanes_i_store(setup->primitive, lanes_i_load(list->primitive));
+    lanes_i_store(setup->flags,
+                  lanes_i_or(lanes_i_and(lanes_m_as_int(lanes_from_bits(list->back)),
+                                         lanes_i_splat(PRIMITIVE_IS_BACK)),
+                             lanes_i_splat(kind == KIND_POINT ? PRIMITIVE_IS_POINT : 0)));
 }
 
-/* The values of a plane at a pixel of each lane's triangle, as its fragments get them. */
+/* Returns the values of a plane at one pixel of each lane's triangle, computed as for fragments. */
 static inline lanes_f plane_at_pixels(float plane[PLANE_TERMS][GN_LANES], lanes_f x, lanes_f y)
 {
     return lanes_add(
@@ -195,18 +197,18 @@ static inline lanes_m lies_between(lanes_f a, float low, float high)
     return lanes_and(lanes_greater(a, lanes_splat(low)), lanes_less_equal(a, lanes_splat(high)));
 }
 
-/* Which triangles have depths above 0 and up to 1, which need not be clamped, and a fourth varying
- * of 1 but for less than 2^-22, as opaque colours have: it is the plane of 1/w times its
- * reciprocal, if neither is out of the range of normal floats. Both planes are asked at the
- * corners of the triangle's bounds. There they have their extremes over all pixels, since every
- * rounded operation on the way is monotonic. */
+/* Finds the solid triangles. Their depths are above 0 and at most 1, so they need no clamping.
+ * Their fourth varying is within 2^-22 of 1, like the alpha of opaque colours: its plane equals the
+ * plane of 1/w, and it is multiplied by the reciprocal of 1/w, if both are in the range of normal
+ * floats. Both planes are evaluated at the corners of the triangle's bounds. Every rounded
+ * operation is monotonic, so the extremes over all pixels lie there. */
 GN_STEP void setup_solid(const gn_pipeline *pipeline, const triangle_list *list,
-                         triangle_batch *batch)
+                         triangle_setup *setup)
 {
     const float tiny = 1.0f / ((float)(1 << 30) * (float)(1 << 30));
-    float(*const depth)[GN_LANES] = batch->plane[DEPTH_PLANE];
-    float(*const w)[GN_LANES] = batch->plane[ONE_OVER_W_PLANE];
-    float(*const alpha)[GN_LANES] = batch->plane[VARYING_PLANES + 3];
+    float(*const depth)[GN_LANES] = setup->plane[DEPTH_PLANE];
+    float(*const w)[GN_LANES] = setup->plane[ONE_OVER_W_PLANE];
+    float(*const alpha)[GN_LANES] = setup->plane[VARYING_PLANES + 3];
     lanes_m solid = lanes_from_bits(0);
 
     if (pipeline->program.varying_count > 3 && pipeline->program.interpolation[3] == GN_SMOOTH) {
@@ -224,10 +226,10 @@ GN_STEP void setup_solid(const gn_pipeline *pipeline, const triangle_list *list,
             solid = lanes_and(solid, lies_between(plane_at_pixels(w, x, y), tiny, 1.0f / tiny));
         }
     }
-    lanes_i_store(batch->solid, lanes_m_as_int(solid));
+    lanes_i_store(setup->solid, lanes_m_as_int(solid));
 }
 
-/* Makes the lanes beyond a list's count equal to its first. */
+/* Makes the lanes beyond a list's count equal to its first lane. */
 static inline void fill_list(triangle_list *list)
 {
     for (uint32_t l = list->count; l < GN_LANES; ++l) {
@@ -239,17 +241,17 @@ static inline void fill_list(triangle_list *list)
     }
 }
 
-/* Sets up the triangles of a list whose lanes are all filled. */
+/* Sets up the triangles of a list. Precondition: all lanes are filled (fill_list). */
 static inline void setup_triangles(const gn_pipeline *pipeline, const offset_state *offset,
                                    float center, const pixel_rectangle *target,
                                    const unsigned char *memory, const triangle_list *list,
-                                   triangle_batch *batch)
+                                   triangle_setup *setup)
 {
-    setup_edges(target, memory, list, batch);
-    setup_planes(pipeline, offset, center, memory, list, batch);
-    setup_identities(pipeline, list, batch);
+    setup_edges(target, memory, list, setup);
+    setup_planes(pipeline, offset, center, memory, list, setup);
+    setup_identities(KIND_TRIANGLE, list, setup);
     if (GN_SPECIALISED)
-        setup_solid(pipeline, list, batch);
+        setup_solid(pipeline, list, setup);
 }
 
 #endif

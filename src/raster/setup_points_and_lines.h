@@ -1,11 +1,12 @@
-/* Set-up of points and lines, sixteen at a time: a line's two long edges, and the planes of
- * depth, 1/w and the varyings. */
-#ifndef GN_RASTER_SETUP_BOX_H
-#define GN_RASTER_SETUP_BOX_H
+/* Set-up of points and lines, sixteen at a time: a line's two long edges, and the planes of depth,
+ * 1/w and the varyings. */
+#ifndef GN_RASTER_SETUP_POINTS_AND_LINES_H
+#define GN_RASTER_SETUP_POINTS_AND_LINES_H
 
 #include "setup.h"
 
-/* Planes of a draw: depth, 1/w and the varyings. Of those, smooth ones are divided by w. */
+/* Gathers the values of a plane's attribute at one vertex of each primitive: depth, 1/w or a
+ * varying. Smooth varyings are divided by w. */
 static inline void gather_plane(const gn_pipeline *pipeline, const unsigned char *memory,
                                 const uint32_t vertex[GN_LANES], uint32_t plane,
                                 float value[GN_LANES])
@@ -35,72 +36,67 @@ static inline void make_constant_plane(lanes_f value, float plane[PLANE_TERMS][G
     lanes_store(plane[PLANE_PER_Y], lanes_splat(0.0f));
 }
 
-/* What they are; polygon offset is of polygons. */
-static inline void setup_box_identities(const gn_pipeline *pipeline, const triangle_list *list,
-                                        triangle_batch *batch)
+/* Stores what the primitives are. Only polygons have polygon offset. */
+static inline void setup_box_identities(primitive_kind kind, const triangle_list *list,
+                                        triangle_setup *setup)
 {
-    const uint32_t plane = VARYING_PLANES + pipeline->program.varying_count;
-
-    setup_identities(pipeline, list, batch);
-    lanes_store(batch->plane[plane][IDENTITY_OFFSET], lanes_splat(0.0f));
-    lanes_i_store(batch->solid, lanes_i_splat(0));
+    setup_identities(kind, list, setup);
+    lanes_store(setup->offset, lanes_splat(0.0f));
+    lanes_i_store(setup->solid, lanes_i_splat(0));
 }
 
-/* What point_coordinates takes. A point's identity has the lowest bit of its facing inverted. */
+/* Sets the words from which locate_in_point computes gl_PointCoord. */
 static inline void setup_point_words(const box_state *state, const gn_pipeline *pipeline,
                                      const unsigned char *memory, const triangle_list *list,
-                                     triangle_batch *batch)
+                                     triangle_setup *setup)
 {
     const float up = pipeline->raster.point_origin == GN_POINT_LOWER_LEFT ? 1.0f : -1.0f;
-    stored_word *const back =
-        (stored_word *)(void *)
-            batch->plane[VARYING_PLANES + pipeline->program.varying_count][IDENTITY_BACK];
 
     GN_EACH_LANE (l) {
         const stored_vertex *v = (const stored_vertex *)(const void *)(memory + list->vertex[0][l]);
         const float w = v->window[3];
         const float per_pixel = 256.0f / (float)size_of_point(state, v);
 
-        batch->corner.point[POINT_PER_PIXEL][l] = per_pixel * w;
-        batch->corner.point[POINT_ORIGIN_S][l] = (0.5f - per_pixel * (v->window[0] - 0.5f)) * w;
-        batch->corner.point[POINT_ORIGIN_T][l] =
+        setup->corner.point[POINT_PER_PIXEL][l] = per_pixel * w;
+        setup->corner.point[POINT_ORIGIN_S][l] = (0.5f - per_pixel * (v->window[0] - 0.5f)) * w;
+        setup->corner.point[POINT_ORIGIN_T][l] =
             (0.5f - up * per_pixel * (v->window[1] - 0.5f)) * w;
-        back[l] ^= 1;
     }
 }
 
-/* Sets up the points of a list whose lanes are all filled. */
+/* Sets up the points of a list. Precondition: all lanes are filled (fill_list). */
 static inline void setup_points(const box_state *state, const gn_pipeline *pipeline,
                                 const unsigned char *memory, const triangle_list *list,
-                                triangle_batch *batch)
+                                triangle_setup *setup)
 {
     float value[GN_LANES];
 
-    setup_point_words(state, pipeline, memory, list, batch);
+    setup_point_words(state, pipeline, memory, list, setup);
 
     for (uint32_t n = 0; n < VARYING_PLANES + pipeline->program.varying_count; ++n) {
         if (is_flat(pipeline, n)) {
-            make_flat_plane(memory, list, n - VARYING_PLANES, batch->plane[n]);
+            make_flat_plane(memory, list, n - VARYING_PLANES, setup->plane[n]);
             continue;
         }
         gather_plane(pipeline, memory, list->vertex[0], n, value);
-        make_constant_plane(lanes_load(value), batch->plane[n]);
+        make_constant_plane(lanes_load(value), setup->plane[n]);
     }
 }
 
-/* Edge `edge` of the line in a lane, from point a to b, moved across by `offset`. */
-static inline void set_line_edge(triangle_batch *batch, int edge, uint32_t lane, int minor,
+/* Sets edge `edge` of the line in a lane: from point a to b, moved across by `offset`. */
+static inline void set_line_edge(triangle_setup *setup, int edge, uint32_t lane, int minor,
                                  const int32_t a[2], const int32_t b[2], int32_t offset)
 {
-    batch->edge[edge].per_x[lane] = a[1] - b[1];
-    batch->edge[edge].per_y[lane] = a[0] - b[0];
-    batch->corner.snapped[edge][!minor][lane] = a[!minor];
-    batch->corner.snapped[edge][minor][lane] = a[minor] + offset;
+    setup->edge[edge].per_x[lane] = a[1] - b[1];
+    setup->edge[edge].per_y[lane] = a[0] - b[0];
+    setup->corner.snapped[edge][!minor][lane] = a[!minor];
+    setup->corner.snapped[edge][minor][lane] = a[minor] + offset;
 }
 
-/* The long edges, with the inside to the right; the second one twice, there being three. */
+/* Sets the two long edges of each line, with inside to their right. The second edge is set twice,
+ * since coverage takes three. */
 static inline void setup_line_edges(const box_state *state, const unsigned char *memory,
-                                    const triangle_list *list, triangle_batch *batch)
+                                    const triangle_list *list, triangle_setup *setup)
 {
     for (uint32_t l = 0; l < list->count; ++l) {
         const stored_vertex *const first =
@@ -110,25 +106,26 @@ static inline void setup_line_edges(const box_state *state, const unsigned char 
         line_middle m;
 
         middle_of_line(first, second, &m);
-        /* Of a line along x the lower edge goes left and the upper one right, of one along y
-         * the left edge goes up and the right one down. */
+        /* For a line along x the lower edge goes left and the upper one right; for one along y the
+         * left edge goes up and the right one down. */
         const int32_t *const low = m.end[0];
         const int32_t *const high = m.end[1];
         const bool level = m.major == 0;
         const int minor = level ? 1 : 0;
-        set_line_edge(batch, 0, l, minor, level ? high : low, level ? low : high,
+        set_line_edge(setup, 0, l, minor, level ? high : low, level ? low : high,
                       -state->half_width);
         for (int i = 1; i < 3; ++i)
-            set_line_edge(batch, i, l, minor, level ? low : high, level ? high : low,
+            set_line_edge(setup, i, l, minor, level ? low : high, level ? high : low,
                           state->half_width);
     }
 }
 
-/* Window differences of a line's ends, along the major axis alone. */
+/* Differences of a line's ends in window coordinates. Values change along the major axis alone. */
 typedef struct line_basis {
-    bool is_sampled; /* then values change along the line, in both directions */
+    bool is_sampled; /* multisampled: values change along the line, in both directions */
     lanes_f d[2];
-    lanes_f x0, y0; /* the first end, from the pixel's centre, among samples too */
+    lanes_f x0,
+        y0; /* the first end, measured from the pixel's centre, also on multisampled targets */
     lanes_f extent, one_over_square;
     lanes_m x_major;
 } line_basis;
@@ -182,25 +179,25 @@ static inline void make_line_plane(const line_basis *b, lanes_f a0, lanes_f a1,
     lanes_store(plane[PLANE_PER_Y], per_y);
 }
 
-/* Sets up the lines of a list whose lanes are all filled. */
+/* Sets up the lines of a list. Precondition: all lanes are filled (fill_list). */
 static inline void setup_lines(const box_state *state, const gn_pipeline *pipeline,
                                const unsigned char *memory, const triangle_list *list,
-                               triangle_batch *batch)
+                               triangle_setup *setup)
 {
     float first[GN_LANES], second[GN_LANES];
     line_basis basis;
 
     if (!GN_HAVE_SAMPLES || !state->reach)
-        setup_line_edges(state, memory, list, batch);
+        setup_line_edges(state, memory, list, setup);
     set_line_basis(state, memory, list, &basis);
     for (uint32_t n = 0; n < VARYING_PLANES + pipeline->program.varying_count; ++n) {
         if (is_flat(pipeline, n)) {
-            make_flat_plane(memory, list, n - VARYING_PLANES, batch->plane[n]);
+            make_flat_plane(memory, list, n - VARYING_PLANES, setup->plane[n]);
             continue;
         }
         gather_plane(pipeline, memory, list->vertex[0], n, first);
         gather_plane(pipeline, memory, list->vertex[1], n, second);
-        make_line_plane(&basis, lanes_load(first), lanes_load(second), batch->plane[n]);
+        make_line_plane(&basis, lanes_load(first), lanes_load(second), setup->plane[n]);
     }
 }
 

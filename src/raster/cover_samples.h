@@ -1,15 +1,15 @@
-/* Coverage of multisampled surfaces: the edge rule of coverage.h asked at four places of every
- * pixel instead of at its centre. Blocks come one by one with a mask for each sample. */
-#ifndef GN_RASTER_SAMPLES_H
-#define GN_RASTER_SAMPLES_H
+/* Coverage of multisampled targets: the edge rule of cover_large.h asked at four places of every
+ * pixel instead of at its centre. Squares come one by one, with a mask for each sample. */
+#ifndef GN_RASTER_COVER_SAMPLES_H
+#define GN_RASTER_COVER_SAMPLES_H
 
-#include "box.h"
-#include "coverage.h"
+#include "cover_large.h"
+#include "points_and_lines.h"
 
-/* Samples lie at most so far from the centre of their pixel, in 1/256 pixel. */
+/* The greatest distance of a sample from its pixel's centre along one axis, in 1/256 pixel. */
 #define SAMPLE_REACH 96
 
-/* From the centre, in 1/256 pixel. */
+/* Returns a sample's distance from the pixel's centre along an axis, in 1/256 pixel. */
 static inline int32_t sample_offset(uint32_t sample, int axis)
 {
     static const int8_t offset[GN_SAMPLES][2] = {{-32, -96}, {96, -32}, {-96, 32}, {32, 96}};
@@ -17,12 +17,13 @@ static inline int32_t sample_offset(uint32_t sample, int axis)
     return offset[sample][axis];
 }
 
-/* Called for the block at (x, y), both multiples of 4, with the covered pixels of each sample,
- * some of which has one. */
+/* A function that is called for the square at (x, y), both multiples of 4, with the covered pixels
+ * of each sample. At least one sample is covered. */
 typedef void samples_function(const void *context, raster_triangle triangle, int32_t x, int32_t y,
                               const uint32_t coverage[GN_SAMPLES]);
 
-/* The three edges of a triangle as each sample sees them: moved the other way. */
+/* The three edges of a triangle as each sample sees them: moved by the sample's distance, the other
+ * way. */
 typedef struct sampled_edges {
     large_edge of[GN_SAMPLES][3];
 } sampled_edges;
@@ -35,7 +36,7 @@ static void set_sampled_edge(sampled_edges *edges, int edge, int32_t per_x, int3
                          y - sample_offset(s, 1));
 }
 
-/* Whether every block further to the right is outside too. */
+/* Returns whether every square further to the right is outside too. */
 static inline bool has_ended(const large_edge edge[3], corner_values c)
 {
     bool ended = false;
@@ -45,21 +46,22 @@ static inline bool has_ended(const large_edge edge[3], corner_values c)
     return ended;
 }
 
-/* Blocks of a row, up to `blocks`, that come before any sample's. */
-static inline int32_t skip_outside(const sampled_edges *edges, int32_t x, int32_t y, int32_t blocks)
+/* Returns how many squares of a row, up to `squares`, come before those of any sample. */
+static inline int32_t skip_outside(const sampled_edges *edges, int32_t x, int32_t y,
+                                   int32_t squares)
 {
     for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
         const corner_values c = values_at(edges->of[s], x, y);
         const int32_t count =
-            is_outside(edges->of[s], c, true) ? count_outside(edges->of[s], c, blocks) : 0;
+            is_outside(edges->of[s], c, true) ? count_outside(edges->of[s], c, squares) : 0;
 
-        blocks = count < blocks ? count : blocks;
+        squares = count < squares ? count : squares;
     }
-    return blocks;
+    return squares;
 }
 
-/* The covered pixels of a block for each sample. Gives whether there are any further to the
- * right. */
+/* Finds the covered pixels of a square for each sample. Returns whether there may be any further to
+ * the right. */
 static inline bool sample_masks(const sampled_edges *edges, int32_t x, int32_t y, uint32_t inside,
                                 uint32_t coverage[GN_SAMPLES])
 {
@@ -82,41 +84,41 @@ static inline bool any_sample(const uint32_t coverage[GN_SAMPLES])
     return (coverage[0] | coverage[1] | coverage[2] | coverage[3]) != 0;
 }
 
-/* Calls `run` for every block with covered samples of the triangle in a lane of a list, from
- * the bottom up and from left to right. Its bounds are those of pixels with samples inside. */
-static inline void cover_samples(const pixel_rectangle *target, const triangle_batch *batch,
-                                 const triangle_list *list, uint32_t lane, samples_function *run,
+/* Calls `shade` for every square of a list's triangle in which samples are covered, from the bottom
+ * up and from left to right. The triangle's bounds hold every pixel with a sample inside. */
+static inline void cover_samples(const pixel_rectangle *target, const triangle_setup *setup,
+                                 const triangle_list *list, uint32_t lane, samples_function *shade,
                                  const void *context)
 {
-    const raster_triangle triangle = {&batch->plane[0][0][lane]};
-    const int32_t left = list->bounds[BOUNDS_MIN_X][lane] & ~(BLOCK_SIZE - 1);
-    const int32_t bottom = list->bounds[BOUNDS_MIN_Y][lane] & ~(BLOCK_SIZE - 1);
+    const raster_triangle triangle = {&setup->plane[0][0][lane]};
+    const int32_t left = list->bounds[BOUNDS_MIN_X][lane] & ~(SQUARE_SIZE - 1);
+    const int32_t bottom = list->bounds[BOUNDS_MIN_Y][lane] & ~(SQUARE_SIZE - 1);
     const int32_t max_x = list->bounds[BOUNDS_MAX_X][lane];
     sampled_edges edges;
 
     for (int i = 0; i < 3; ++i)
-        set_sampled_edge(&edges, i, batch->edge[i].per_x[lane], batch->edge[i].per_y[lane],
-                         batch->corner.snapped[i][0][lane], batch->corner.snapped[i][1][lane]);
-    for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += BLOCK_SIZE) {
-        const int32_t blocks = (max_x - left) / BLOCK_SIZE + 1;
+        set_sampled_edge(&edges, i, setup->edge[i].per_x[lane], setup->edge[i].per_y[lane],
+                         setup->corner.snapped[i][0][lane], setup->corner.snapped[i][1][lane]);
+    for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += SQUARE_SIZE) {
+        const int32_t squares = (max_x - left) / SQUARE_SIZE + 1;
         bool goes_on = true;
 
-        for (int32_t x = left + skip_outside(&edges, left, y, blocks) * BLOCK_SIZE;
-             goes_on && x <= max_x; x += BLOCK_SIZE) {
+        for (int32_t x = left + skip_outside(&edges, left, y, squares) * SQUARE_SIZE;
+             goes_on && x <= max_x; x += SQUARE_SIZE) {
             uint32_t coverage[GN_SAMPLES];
 
-            goes_on = sample_masks(&edges, x, y, box_mask(target, x, y), coverage);
+            goes_on = sample_masks(&edges, x, y, square_mask(target, x, y), coverage);
             if (any_sample(coverage))
-                run(context, triangle, x, y, coverage);
+                shade(context, triangle, x, y, coverage);
         }
     }
 }
 
-/* The same for a line, of which the ends and the pixels are given that it may have: what lies
- * right of its first three edges and of its last three. */
+/* Covers a line between two vertices: what lies right of its first three edges and of its last
+ * three. `box` holds all pixels that the line may have. */
 static inline void cover_line_samples(const box_state *state, const stored_vertex *first,
                                       const stored_vertex *second, const pixel_rectangle *box,
-                                      raster_triangle triangle, samples_function *run,
+                                      raster_triangle triangle, samples_function *shade,
                                       const void *context)
 {
     int32_t corner[4][2];
@@ -135,33 +137,34 @@ static inline void cover_line_samples(const box_state *state, const stored_verte
         if (i > 0)
             set_sampled_edge(&others, i - 1, per_x, per_y, from[0], from[1]);
     }
-    for (int32_t y = box->min_y & ~(BLOCK_SIZE - 1); y <= box->max_y; y += BLOCK_SIZE) {
-        for (int32_t x = box->min_x & ~(BLOCK_SIZE - 1); x <= box->max_x; x += BLOCK_SIZE) {
+    for (int32_t y = box->min_y & ~(SQUARE_SIZE - 1); y <= box->max_y; y += SQUARE_SIZE) {
+        for (int32_t x = box->min_x & ~(SQUARE_SIZE - 1); x <= box->max_x; x += SQUARE_SIZE) {
             uint32_t coverage[GN_SAMPLES], rest[GN_SAMPLES];
 
-            sample_masks(&edges, x, y, box_mask(box, x, y), coverage);
+            sample_masks(&edges, x, y, square_mask(box, x, y), coverage);
             sample_masks(&others, x, y, GN_ALL_LANES, rest);
             for (uint32_t s = 0; s < GN_SAMPLES; ++s)
                 coverage[s] &= rest[s];
             if (any_sample(coverage))
-                run(context, triangle, x, y, coverage);
+                shade(context, triangle, x, y, coverage);
         }
     }
 }
 
-/* Pixels of the block at (x, y) inside a rectangle, which need not reach into it. */
+/* Returns the pixels of the square at (x, y) inside a rectangle, which need not reach into the
+ * square. */
 static inline uint32_t rectangle_mask(const pixel_rectangle *r, int32_t x, int32_t y)
 {
-    if (r->min_x > x + (BLOCK_SIZE - 1) || r->max_x < x || r->min_y > y + (BLOCK_SIZE - 1) ||
+    if (r->min_x > x + (SQUARE_SIZE - 1) || r->max_x < x || r->min_y > y + (SQUARE_SIZE - 1) ||
         r->max_y < y)
         return 0;
-    return box_mask(r, x, y);
+    return square_mask(r, x, y);
 }
 
-/* The same for a point, of which a vertex and the pixels are given that it may have. */
+/* Covers the point of a vertex. `box` holds all pixels that the point may have. */
 static inline void cover_point_samples(const box_state *state, const stored_vertex *v,
                                        const pixel_rectangle *box, raster_triangle triangle,
-                                       samples_function *run, const void *context)
+                                       samples_function *shade, const void *context)
 {
     pixel_rectangle part[GN_SAMPLES];
     int32_t low[2], high[2];
@@ -176,16 +179,16 @@ static inline void cover_point_samples(const box_state *state, const stored_vert
             to[c] = high[c] - sample_offset(s, c);
         }
         if (!pixels_of_box(box, from, to, &part[s]))
-            part[s].max_y = part[s].min_y - BLOCK_SIZE;
+            part[s].max_y = part[s].min_y - SQUARE_SIZE;
     }
-    for (int32_t y = box->min_y & ~(BLOCK_SIZE - 1); y <= box->max_y; y += BLOCK_SIZE) {
-        for (int32_t x = box->min_x & ~(BLOCK_SIZE - 1); x <= box->max_x; x += BLOCK_SIZE) {
+    for (int32_t y = box->min_y & ~(SQUARE_SIZE - 1); y <= box->max_y; y += SQUARE_SIZE) {
+        for (int32_t x = box->min_x & ~(SQUARE_SIZE - 1); x <= box->max_x; x += SQUARE_SIZE) {
             uint32_t coverage[GN_SAMPLES];
 
             for (uint32_t s = 0; s < GN_SAMPLES; ++s)
                 coverage[s] = rectangle_mask(&part[s], x, y);
             if (any_sample(coverage))
-                run(context, triangle, x, y, coverage);
+                shade(context, triangle, x, y, coverage);
         }
     }
 }

@@ -1,21 +1,22 @@
-/* Running a draw in tasks on the caller's threads, round by round of whole segments:
+/* Draws a slice in tasks on the caller's threads, round by round of whole segments. A round has
+ * three steps:
  *
- *   vertices   divided evenly, by sixteens; where they are shared, meanwhile the round before
- *              draws its strips
- *   segments   culled, each into lists of its own; what crosses the view volume is clipped
- *              for its bounds alone
- *   strips     rows of the target: every strip draws, in order, the triangles of all lists
- *              that reach into it, and clips those that cross again
+ *   vertices  Tasks shade an equal number of slots each. The vertices of a shared draw are shaded
+ *             while the round before draws its strips.
+ *   segments  Tasks cull segments, each into lists of its own. A triangle that crosses the view
+ *             volume is clipped only to find its bounds.
+ *   strips    Each task draws one strip: in order, the triangles of all lists that reach into it.
+ *             Triangles that cross the view volume are clipped again.
  *
- * A step begins when the one before has ended and its tasks write to disjoint memory, so
- * there are no locks, and what a pixel gets depends on the order of triangles alone. */
-#ifndef GN_DRAW_PARALLEL_H
-#define GN_DRAW_PARALLEL_H
+ * A step begins when the one before has ended, and its tasks write to disjoint memory, so there are
+ * no locks, and a pixel depends on the order of triangles alone. */
+#ifndef GN_DRAW_ROUNDS_H
+#define GN_DRAW_ROUNDS_H
 
 #include "primitives.h"
 #include "vertices.h"
 
-/* What makes a task worth handing to another thread. Tests divide small scenes too. */
+/* The least work that is worth handing to another thread. Tests divide small scenes too. */
 #if defined(GN_SMALLEST_TASKS)
 #define TASK_ELEMENTS 8
 #define TASK_SLOTS GN_LANES
@@ -28,14 +29,14 @@
 #define TASK_PIXELS 32768
 #endif
 
-/* Triangles across the edge of two strips are set up in both: more strips than these cost more
- * than they spread, and so do, where triangles are so small in pixels, more than so many a
- * thread. */
+/* A triangle across the edge of two strips is set up in both. So more strips than MAX_STRIPS cost
+ * more than they spread, and so do more than SMALL_STRIPS_PER_THREAD a thread when triangles are
+ * below SMALL_TRIANGLE pixels on average. */
 #define MAX_STRIPS 16
 #define SMALL_TRIANGLE 4
 #define SMALL_STRIPS_PER_THREAD 2
 
-/* A step's items, divided into tasks of `size`. */
+/* The items of a step, divided into tasks of `size` items. */
 typedef struct task_range {
     uint32_t first, count, size;
 } task_range;
@@ -45,13 +46,13 @@ typedef struct round_state {
     task_range items;
     uint32_t first; /* triangles of the round */
     uint32_t count;
-    pixel_rows rows; /* of the target, divided into strips of strip_rows */
+    pixel_rows rows; /* rows of the target, divided into strips of strip_rows */
     int32_t strip_rows;
-    uint32_t strips; /* tasks that draw them, before those that shade vertices */
+    uint32_t strips; /* tasks that draw strips; tasks that shade vertices come after them */
 } round_state;
 
-/* Runs a step of so many tasks. */
-static void run_tasks(round_state *round, gn_task *task, uint32_t count)
+/* Runs a step of `count` tasks. */
+static void call_tasks(round_state *round, gn_task *task, uint32_t count)
 {
     const draw_job *job = round->draw->job;
 
@@ -62,7 +63,7 @@ static void run_tasks(round_state *round, gn_task *task, uint32_t count)
             task(round, i);
 }
 
-/* Divides `count` items into no more than `most` tasks of `least` or more. Gives the number of
+/* Divides `count` items into at most `most` tasks of at least `least` items. Returns the number of
  * tasks. */
 static uint32_t divide_items(round_state *round, uint32_t first, uint32_t count, uint32_t least,
                              uint32_t most)
@@ -76,7 +77,7 @@ static uint32_t divide_items(round_state *round, uint32_t first, uint32_t count,
     return count / size + (count % size > 0);
 }
 
-/* The items of a task: from `first` on, `count` of them. */
+/* Returns the items of a task. */
 static task_range task_items(const round_state *round, uint32_t task)
 {
     const uint32_t skipped = task * round->items.size;
@@ -97,7 +98,7 @@ static void scan_task(void *context, uint32_t task)
     scan_parts(round->draw, items.first, items.count);
 }
 
-/* scan_parts for all parts, where there are threads on them. */
+/* Scans all parts: in tasks if the job has threads. */
 static void scan_in_tasks(draw_state *draw)
 {
     const uint32_t parts = draw->parts.count;
@@ -105,7 +106,7 @@ static void scan_in_tasks(draw_state *draw)
 
     round.draw = draw;
     if (GN_HAVE_TASKS && draw->job->parallel)
-        run_tasks(
+        call_tasks(
             &round, scan_task,
             divide_items(&round, 0, parts, (TASK_ELEMENTS - 1) / draw->parts.size + 1, MAX_TASKS));
     else
@@ -121,7 +122,8 @@ static void shade_task(void *context, uint32_t task)
     *outcodes = shade_slots(round->draw, task, items.first, items.first + items.count);
 }
 
-/* Divides slots first, a multiple of sixteen, to end - 1 into shade_tasks. */
+/* Divides slots `first`, a multiple of sixteen, to end - 1 into shade_tasks. Returns the number of
+ * tasks. */
 static uint32_t divide_slots(round_state *round, uint32_t first, uint32_t end)
 {
     const uint32_t most = MAX_TASKS - round->strips;
@@ -131,7 +133,7 @@ static uint32_t divide_slots(round_state *round, uint32_t first, uint32_t end)
     return divide_items(round, first, count, even > TASK_SLOTS ? even : TASK_SLOTS, most);
 }
 
-/* The union of outcodes that so many shade_tasks found. */
+/* Returns the union of the outcodes that `tasks` shade_tasks found. */
 static uint32_t shaded_outcodes(const round_state *round, uint32_t tasks)
 {
     uint32_t outcodes = 0;
@@ -141,7 +143,7 @@ static uint32_t shaded_outcodes(const round_state *round, uint32_t tasks)
     return outcodes;
 }
 
-/* Makes the vertices of the triangles of a round which are not shared. */
+/* Shades the vertices of a round whose vertices are not shared. */
 static void shade_unshared(round_state *round)
 {
     draw_state *draw = round->draw;
@@ -151,7 +153,7 @@ static void shade_unshared(round_state *round)
     round->strips = 0;
     const uint32_t tasks = divide_slots(round, 0, element_count(topology, round->count));
 
-    run_tasks(round, shade_task, tasks);
+    call_tasks(round, shade_task, tasks);
     draw->map.outcodes = shaded_outcodes(round, tasks);
 }
 
@@ -162,8 +164,8 @@ static inline pixel_rows join_rows(pixel_rows a, pixel_rows b)
     return r;
 }
 
-/* Of the rows of each of up to sixteen lists, the first (BOUNDS_MIN_Y) or the last
- * (BOUNDS_MAX_Y). */
+/* Returns the first row (BOUNDS_MIN_Y) or the last row (BOUNDS_MAX_Y) of the bounds of each of up
+ * to sixteen lists. */
 static lanes_i rows_of_lists(const triangle_list *lists, uint32_t count, int bound)
 {
     const unsigned char *const bounds = (const unsigned char *)lists->bounds[bound];
@@ -186,7 +188,7 @@ static lanes_i rows_of_lists(const triangle_list *lists, uint32_t count, int bou
     return end;
 }
 
-/* The areas of the bounds of a list's triangles, each up to LARGEST_AREA. */
+/* Returns the areas of the bounds of a list's triangles, each limited to LARGEST_AREA. */
 static lanes_i areas_of_list(const triangle_list *list)
 {
     const lanes_i one = lanes_i_splat(1);
@@ -199,8 +201,8 @@ static lanes_i areas_of_list(const triangle_list *list)
                        lanes_i_splat(LARGEST_AREA));
 }
 
-/* Sums up the lists of a segment, all of whose lanes are filled. */
-static void measure_segment(segment_lists *segment, const triangle_list *lists, list_rows *groups)
+/* Sums up the lists of a segment. Precondition: all lanes of the lists are filled (fill_list). */
+static void measure_segment(segment_lists *segment, const triangle_list *lists, list_rows *kept)
 {
     const pixel_rows none = {INT32_MAX, -1};
     lanes_i areas = lanes_i_splat(0);
@@ -210,17 +212,17 @@ static void measure_segment(segment_lists *segment, const triangle_list *lists, 
     segment->rows = none;
     for (uint32_t first = 0; first < segment->list_count; first += GN_LANES) {
         const uint32_t rest = segment->list_count - first;
-        list_rows *const group = &groups[first / GN_LANES];
+        list_rows *const sixteen = &kept[first / GN_LANES];
 
-        lanes_i_store(group->min, rows_of_lists(&lists[first], rest, BOUNDS_MIN_Y));
-        lanes_i_store(group->max, rows_of_lists(&lists[first], rest, BOUNDS_MAX_Y));
+        lanes_i_store(sixteen->min, rows_of_lists(&lists[first], rest, BOUNDS_MIN_Y));
+        lanes_i_store(sixteen->max, rows_of_lists(&lists[first], rest, BOUNDS_MAX_Y));
         for (uint32_t l = 0; l < GN_LANES; ++l) {
             if (l >= rest) {
-                group->min[l] = none.min;
-                group->max[l] = none.max;
+                sixteen->min[l] = none.min;
+                sixteen->max[l] = none.max;
                 continue;
             }
-            const pixel_rows rows = {group->min[l], group->max[l]};
+            const pixel_rows rows = {sixteen->min[l], sixteen->max[l]};
             segment->rows = join_rows(segment->rows, rows);
             segment->triangle_count += lists[first + l].count;
             areas = lanes_i_add(areas, areas_of_list(&lists[first + l]));
@@ -267,10 +269,10 @@ static void cull_task(void *context, uint32_t task)
         cull_segment(round, task, items.first + i);
 }
 
-/* Adds a triangle of a list that reaches into the worker's part of the target. */
+/* Appends a triangle of a kept list, cut to the worker's strip, which it reaches into. */
 static inline void add_listed(worker *w, const triangle_list *from, uint32_t l)
 {
-    const pixel_rectangle *part = &w->cull.target;
+    const pixel_rectangle *strip = &w->cull.target;
     triangle_list *const list = w->list;
     const uint32_t n = list->count++;
     const int32_t low = from->bounds[BOUNDS_MIN_Y][l];
@@ -283,32 +285,34 @@ static inline void add_listed(worker *w, const triangle_list *from, uint32_t l)
     list->back |= (from->back >> l & 1u) << n;
     list->bounds[BOUNDS_MIN_X][n] = from->bounds[BOUNDS_MIN_X][l];
     list->bounds[BOUNDS_MAX_X][n] = from->bounds[BOUNDS_MAX_X][l];
-    list->bounds[BOUNDS_MIN_Y][n] = low > part->min_y ? low : part->min_y;
-    list->bounds[BOUNDS_MAX_Y][n] = high < part->max_y ? high : part->max_y;
-    finish_if_full(w);
+    list->bounds[BOUNDS_MIN_Y][n] = low > strip->min_y ? low : strip->min_y;
+    list->bounds[BOUNDS_MAX_Y][n] = high < strip->max_y ? high : strip->max_y;
+    if (list->count == GN_LANES)
+        finish_list(w);
 }
 
-/* The lanes whose rows, min to max, reach into a part of the target. */
-static inline uint32_t lanes_in_part(const pixel_rectangle *part, const int32_t *min,
-                                     const int32_t *max)
+/* Returns the lanes whose rows, min to max, reach into a strip. */
+static inline uint32_t lanes_in_strip(const pixel_rectangle *strip, const int32_t *min,
+                                      const int32_t *max)
 {
-    return ~(lanes_bits(lanes_i_greater(lanes_i_load(min), lanes_i_splat(part->max_y))) |
-             lanes_bits(lanes_i_greater(lanes_i_splat(part->min_y), lanes_i_load(max))));
+    return ~(lanes_bits(lanes_i_greater(lanes_i_load(min), lanes_i_splat(strip->max_y))) |
+             lanes_bits(lanes_i_greater(lanes_i_splat(strip->min_y), lanes_i_load(max))));
 }
 
-/* Draws the triangles of a list that reach into the worker's part of the target: a list
- * all of which lies in it as it is, from others what does. */
+/* Draws the triangles of a kept list that reach into the worker's strip. A full list that lies
+ * inside the strip is drawn as it is. */
 static void add_list(worker *w, const triangle_list *from, bool lies_inside)
 {
-    const pixel_rectangle *part = &w->cull.target;
+    const pixel_rectangle *strip = &w->cull.target;
     const int32_t(*const bounds)[GN_LANES] = from->bounds;
 
     if (lies_inside && from->count == GN_LANES && !from->clipped) {
-        draw_list(w);
-        draw_triangles(w, from);
+        finish_list(w);
+        *w->list = *from;
+        finish_list(w);
         return;
     }
-    for (uint32_t bits = lanes_in_part(part, bounds[BOUNDS_MIN_Y], bounds[BOUNDS_MAX_Y]) &
+    for (uint32_t bits = lanes_in_strip(strip, bounds[BOUNDS_MIN_Y], bounds[BOUNDS_MAX_Y]) &
                          (GN_ALL_LANES >> (GN_LANES - from->count));
          bits; bits &= bits - 1) {
         const uint32_t l = first_lane(bits);
@@ -322,19 +326,19 @@ static void add_list(worker *w, const triangle_list *from, bool lies_inside)
     }
 }
 
-/* Draws what of a segment's lists reaches into the worker's part of the target. */
-static void draw_segment_part(worker *w, const segment_lists *segment, const triangle_list *lists,
-                              const list_rows *rows)
+/* Draws the triangles of a segment's lists that reach into the worker's strip. */
+static void draw_segment_in_strip(worker *w, const segment_lists *segment,
+                                  const triangle_list *lists, const list_rows *rows)
 {
-    const pixel_rectangle *part = &w->cull.target;
+    const pixel_rectangle *strip = &w->cull.target;
 
-    if (segment->rows.min > part->max_y || segment->rows.max < part->min_y)
+    if (segment->rows.min > strip->max_y || segment->rows.max < strip->min_y)
         return;
     for (uint32_t first = 0; first < segment->list_count; first += GN_LANES, ++rows) {
-        for (uint32_t bits = lanes_in_part(part, rows->min, rows->max) & GN_ALL_LANES; bits;
+        for (uint32_t bits = lanes_in_strip(strip, rows->min, rows->max) & GN_ALL_LANES; bits;
              bits &= bits - 1) {
             const uint32_t l = first_lane(bits);
-            const bool inside = rows->min[l] >= part->min_y && rows->max[l] <= part->max_y;
+            const bool inside = rows->min[l] >= strip->min_y && rows->max[l] <= strip->max_y;
 
             add_list(w, &lists[first + l], inside);
         }
@@ -351,19 +355,20 @@ static void strip_task(void *context, uint32_t task)
     worker w;
 
     start_worker(&w, draw, task);
-    pixel_rectangle *const part = &w.cull.target;
-    const pixel_rows all = {part->min_y, part->max_y};
+    pixel_rectangle *const strip = &w.cull.target;
+    const pixel_rows all = {strip->min_y, strip->max_y};
     const int32_t low = round->rows.min + (int32_t)task * round->strip_rows;
     const int32_t high = low + round->strip_rows - 1;
 
-    part->min_y = low > all.min ? low : all.min;
-    part->max_y = high < all.max ? high : all.max;
-    /* Clipped triangles are of segments in which culling asks, if it does in any. */
+    strip->min_y = low > all.min ? low : all.min;
+    strip->max_y = high < all.max ? high : all.max;
+    /* Clipped triangles come from segments in which culling asks, if it does in any. */
     w.cull.asks_unsnapped = draw->pipeline->raster.cull != GN_CULL_NONE;
     for (uint32_t s = 0; s < segments; ++s)
-        draw_segment_part(&w, &job->segments[s], job->lists + (size_t)s * job->lists_per_segment,
-                          job->rows + (size_t)s * job->rows_per_segment);
-    draw_list(&w);
+        draw_segment_in_strip(&w, &job->segments[s],
+                              job->lists + (size_t)s * job->lists_per_segment,
+                              job->rows + (size_t)s * job->rows_per_segment);
+    finish_list(&w);
     *(uint64_t *)(void *)task_scratch(draw, task) = w.passed;
 }
 
@@ -375,8 +380,8 @@ static uint32_t most_strips(uint32_t threads, uint64_t area, uint64_t triangles)
     return threads * SMALL_STRIPS_PER_THREAD;
 }
 
-/* Divides the rows that the round's triangles reach into strips of whole blocks, no more
- * than the work is worth. */
+/* Divides the rows that the round's triangles reach into strips of whole squares, and into no more
+ * strips than the work is worth. */
 static void divide_rows(round_state *round, uint32_t segments)
 {
     const segment_lists *all = round->draw->job->segments;
@@ -393,15 +398,15 @@ static void divide_rows(round_state *round, uint32_t segments)
     }
     if (round->rows.max < 0)
         return;
-    round->rows.min &= ~(BLOCK_SIZE - 1);
+    round->rows.min &= ~(SQUARE_SIZE - 1);
 
     const uint64_t worth = area / TASK_PIXELS + triangles / TASK_TRIANGLES;
-    const uint32_t blocks = (uint32_t)(round->rows.max - round->rows.min) / BLOCK_SIZE + 1;
+    const uint32_t blocks = (uint32_t)(round->rows.max - round->rows.min) / SQUARE_SIZE + 1;
     const uint32_t most = most_strips(round->draw->job->threads, area, triangles);
     const uint32_t wanted = worth < most ? (uint32_t)worth + 1 : most;
     const uint32_t strip_blocks = (blocks + wanted - 1) / wanted;
 
-    round->strip_rows = (int32_t)(strip_blocks * BLOCK_SIZE);
+    round->strip_rows = (int32_t)(strip_blocks * SQUARE_SIZE);
     round->strips = (blocks + strip_blocks - 1) / strip_blocks;
 }
 
@@ -415,8 +420,8 @@ static void strip_or_shade_task(void *context, uint32_t task)
         shade_task(context, task);
 }
 
-/* Draws the strips and meanwhile shades the vertices of a shared draw up to element `end`:
- * these tasks are short, so that no thread waits long for the last strip. */
+/* Draws the strips and meanwhile shades the vertices of a shared draw up to element `end`. The
+ * shading tasks are short, so no thread waits long for the last strip. */
 static void draw_and_shade(round_state *round, uint32_t end)
 {
     draw_state *draw = round->draw;
@@ -425,14 +430,14 @@ static void draw_and_shade(round_state *round, uint32_t end)
     const uint32_t slots = shades ? slots_before(draw, end) : 0;
     const uint32_t tasks = divide_slots(round, map->shaded, slots);
 
-    run_tasks(round, strip_or_shade_task, round->strips + tasks);
+    call_tasks(round, strip_or_shade_task, round->strips + tasks);
     map->outcodes |= shaded_outcodes(round, tasks);
     map->shaded = slots > map->shaded ? slots : map->shaded;
     for (uint32_t i = 0; draw->job->samples_passed && i < round->strips; ++i)
         *draw->job->samples_passed += *(const uint64_t *)(const void *)task_scratch(draw, i);
 }
 
-/* Segments in a round; 0 where the draw is not to run in tasks. */
+/* Returns the segments in a round, or 0 if the draw does not run in tasks. */
 static uint32_t round_segments(const draw_state *draw)
 {
     const draw_job *job = draw->job;
@@ -447,7 +452,7 @@ static uint32_t round_segments(const draw_state *draw)
     return draw->mesh->count <= job->capacity - closing ? job->segment_count : fitting;
 }
 
-static void run_parallel(draw_state *draw)
+static void draw_rounds(draw_state *draw)
 {
     const gn_topology topology = draw->pipeline->raster.topology;
     const uint32_t total = triangle_count(topology, draw->mesh->count);
@@ -466,7 +471,7 @@ static void run_parallel(draw_state *draw)
         const uint32_t shaded = rest - round.count < most ? rest : 2 * most;
         if (!draw->map.shared)
             shade_unshared(&round);
-        run_tasks(&round, cull_task, divide_items(&round, 0, segments, 1, MAX_TASKS));
+        call_tasks(&round, cull_task, divide_items(&round, 0, segments, 1, MAX_TASKS));
         divide_rows(&round, segments);
         draw_and_shade(&round,
                        first_element(topology, round.first) + element_count(topology, shaded));

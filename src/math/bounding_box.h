@@ -1,6 +1,6 @@
 /* What the functions of boxes share. */
-#ifndef GNOMON_MATH_BOX_H
-#define GNOMON_MATH_BOX_H
+#ifndef GNOMON_MATH_BOUNDING_BOX_H
+#define GNOMON_MATH_BOUNDING_BOX_H
 
 #include <gnomon/culling.h>
 

@@ -1,8 +1,8 @@
-/* Points and lines as boxes of pixels: a point is all of one, a line what of one lies between
- * its two long edges (reference/RULES.md). The sides of the box are the line's other two, its
- * ends, since those are upright or level. */
-#ifndef GN_RASTER_BOX_H
-#define GN_RASTER_BOX_H
+/* Points and lines as boxes of pixels. A point is its whole box; a line is the part of its box
+ * between its two long edges (reference/RULES.md). The line's other two edges, its ends, are
+ * upright or level, so the sides of the box stand for them. */
+#ifndef GN_RASTER_POINTS_AND_LINES_H
+#define GN_RASTER_POINTS_AND_LINES_H
 
 #include "types.h"
 
@@ -11,23 +11,23 @@
 
 /* What is constant over a draw. */
 typedef struct box_state {
-    bool has_own_sizes;
+    bool program_point_size;
     int32_t point_size; /* in 1/256 pixel */
-    int32_t half_width; /* of lines, in 1/256 pixel */
-    float width;        /* of lines of sampled pixels, which is not rounded */
-    int32_t reach;      /* how far from a pixel's centre its samples are; 0 where there are none */
+    int32_t half_width; /* half the width of lines, in 1/256 pixel */
+    float width;        /* width of lines on multisampled targets, which is not rounded */
+    int32_t reach; /* greatest distance of a sample from its pixel's centre; 0: not multisampled */
 
-    bool is_unfilled; /* triangles of some winding are lines or points */
+    bool is_unfilled; /* triangles of some winding are drawn as lines or points */
     gn_polygon_mode clockwise, counter_clockwise;
 } box_state;
 
-/* Rounded, halves away from zero. */
+/* Rounds; halves go away from zero. */
 static inline int32_t round_away(float v)
 {
     return (int32_t)(v >= 0.0f ? v + 0.5f : v - 0.5f);
 }
 
-/* A size or width in 1/256 pixel. */
+/* Returns a size or width in 1/256 pixel. */
 static inline int32_t snap_size(float size, float greatest)
 {
     const float limited = size < greatest ? size : greatest; /* also of NaN */
@@ -35,10 +35,10 @@ static inline int32_t snap_size(float size, float greatest)
     return limited > 1.0f ? round_away(limited * 256.0f) : 256;
 }
 
-/* How triangles of either winding are drawn. */
+/* Sets how triangles of either winding are drawn. */
 static inline void set_modes(box_state *s, const gn_pipeline *p)
 {
-    /* What is culled lends its mode from the other face, which shows in triangles of no area. */
+    /* A culled face takes the mode of the other face, which shows in triangles without area. */
     const bool no_front =
         p->raster.cull == GN_CULL_FRONT || p->raster.cull == GN_CULL_FRONT_AND_BACK;
     const bool no_back = p->raster.cull == GN_CULL_BACK || p->raster.cull == GN_CULL_FRONT_AND_BACK;
@@ -59,7 +59,7 @@ static inline box_state box_state_of(const gn_pipeline *p)
         p->raster.line_width < GN_MAX_LINE_WIDTH ? p->raster.line_width : GN_MAX_LINE_WIDTH;
     box_state s;
 
-    s.has_own_sizes = p->program.vertex_writes_point_size;
+    s.program_point_size = p->program.vertex_writes_point_size;
     s.point_size = snap_size(p->raster.point_size, GN_MAX_POINT_SIZE);
     s.half_width = width > 1.0f ? round_away(width) * 128 : 128;
     s.width = width > 1.0f ? width : 1.0f;
@@ -69,14 +69,14 @@ static inline box_state box_state_of(const gn_pipeline *p)
     return s;
 }
 
-/* Whether snapping a window coordinate makes sense; not of NaN. */
+/* Returns whether a window coordinate can be snapped; false for NaN. */
 static inline bool can_snap(float v)
 {
     return v < SNAPPED_LIMIT / 256 && v > -SNAPPED_LIMIT / 256;
 }
 
-/* The pixels of half-open ranges of snapped coordinates that lie in the target; false where
- * there are none. */
+/* Finds the pixels of the target in half-open ranges of snapped coordinates. Returns false if there
+ * are none. */
 static inline bool pixels_of_box(const pixel_rectangle *target, const int32_t low[2],
                                  const int32_t high[2], pixel_rectangle *box)
 {
@@ -95,19 +95,19 @@ static inline bool pixels_of_box(const pixel_rectangle *target, const int32_t lo
 /* In 1/256 pixel. */
 static inline int32_t size_of_point(const box_state *state, const stored_vertex *v)
 {
-    return state->has_own_sizes ? snap_size(v->point_size, GN_MAX_POINT_SIZE)
+    return state->program_point_size ? snap_size(v->point_size, GN_MAX_POINT_SIZE)
                                      : state->point_size;
 }
 
-/* A window coordinate from a pixel's centre in 1/256 pixel. Between samples the reference rounds it
- * from the pixel's corner. */
+/* Snaps a window coordinate: its distance from a pixel's centre, in 1/256 pixel. On multisampled
+ * targets the reference rounds the distance from the pixel's corner. */
 static inline int32_t snap_end(const box_state *state, float v)
 {
     return GN_HAVE_SAMPLES && state->reach ? round_away(v * 256.0f) - 128
                                            : round_away((v - 0.5f) * 256.0f);
 }
 
-/* The half-open ranges of a point in snapped coordinates, false where there are none. */
+/* Finds the half-open ranges of a point in snapped coordinates. Returns false if there are none. */
 static inline bool point_range(const box_state *state, const stored_vertex *v, int32_t low[2],
                                int32_t high[2])
 {
@@ -122,8 +122,8 @@ static inline bool point_range(const box_state *state, const stored_vertex *v, i
     return true;
 }
 
-/* The pixels of a point, or of one with samples those that may be, false where there are
- * none. */
+/* Finds the pixels of a point; on a multisampled target, those that it may have. Returns false if
+ * there are none. */
 static inline bool point_box(const box_state *state, const pixel_rectangle *target,
                              const stored_vertex *v, pixel_rectangle *box)
 {
@@ -138,8 +138,8 @@ static inline bool point_box(const box_state *state, const pixel_rectangle *targ
     return pixels_of_box(target, low, high, box);
 }
 
-/* The middle of a line as it is drawn: its ends in snapped coordinates, along the major axis
- * the lesser one first. */
+/* The middle of a line as it is drawn: its ends in snapped coordinates, the lesser one along the
+ * major axis first. */
 typedef struct line_middle {
     int32_t end[2][2]; /* [end][axis] */
     int major;         /* axis */
@@ -157,8 +157,9 @@ static inline bool positive(float v)
     return v >= 0.0f;
 }
 
-/* An end of a line in its pixel: c along the major and the minor axis from the pixel's centre,
- * and where the line crosses the middle of the pixel, from its lower or left side. */
+/* An end of a line in its pixel: its distance from the pixel's centre along the major and the minor
+ * axis, and where the line crosses the middle of the pixel, measured from the pixel's lower or left
+ * side. */
 typedef struct line_end {
     float major, minor;
     float crossing;
@@ -183,9 +184,9 @@ static inline bool in_diamond(const line_end *e)
     return major + minor < 0.5f;
 }
 
-/* Whether the pixel of an end belongs to the line by the diamond-exit rule (OpenGL 4.5 section
- * 14.5.1) as the reference decides ties, and whether the plain quadrilateral has it. d is the
- * first end minus the second, along and across the major axis. */
+/* Returns whether two rules disagree about the pixel of an end: the diamond-exit rule (OpenGL 4.5
+ * section 14.5.1) with ties as the reference decides them, and the plain quadrilateral. `along` and
+ * `across` are the first end minus the second, along and across the major axis. */
 static inline bool first_end_differs(const line_end *e, bool x_major, float along, float across)
 {
     bool drawn, plain;
@@ -232,8 +233,9 @@ static inline bool second_end_differs(line_end *e, bool x_major, float along, fl
     return drawn != plain;
 }
 
-/* False where nothing is drawn. An end moves along the line to a side of its pixel where the
- * rule and the plain quadrilateral disagree about that pixel. */
+/* Finds the middle of a line. Returns false if nothing is drawn. If the diamond-exit rule and the
+ * plain quadrilateral disagree about the pixel of an end, that end moves along the line to a side
+ * of the pixel. */
 static inline bool middle_of_line(const stored_vertex *first, const stored_vertex *second,
                                   line_middle *m)
 {
@@ -268,8 +270,9 @@ static inline bool middle_of_line(const stored_vertex *first, const stored_verte
     return true;
 }
 
-/* Among samples a line is a rectangle, half the width to either side of its middle: its corners
- * in snapped coordinates, clockwise. False where nothing is drawn. */
+/* On a multisampled target a line is a rectangle, half its width to either side of its middle.
+ * Finds the rectangle's corners in snapped coordinates, clockwise. Returns false if nothing is
+ * drawn. */
 static inline bool line_corners(const box_state *state, const stored_vertex *first,
                                 const stored_vertex *second, int32_t corner[4][2])
 {
@@ -301,7 +304,8 @@ static inline bool line_corners(const box_state *state, const stored_vertex *fir
     return true;
 }
 
-/* The pixels with samples that may be a line's, false where there are none. */
+/* Finds the pixels of a multisampled target that a line may have. Returns false if there are none.
+ */
 static inline bool sampled_line_box(const box_state *state, const pixel_rectangle *target,
                                     const stored_vertex *first, const stored_vertex *second,
                                     pixel_rectangle *box)
@@ -324,7 +328,7 @@ static inline bool sampled_line_box(const box_state *state, const pixel_rectangl
     return pixels_of_box(target, low, high, box);
 }
 
-/* The pixels that a line's may be among, false where there are none. */
+/* Finds the pixels that a line may have. Returns false if there are none. */
 static inline bool line_box(const box_state *state, const pixel_rectangle *target,
                             const stored_vertex *first, const stored_vertex *second,
                             pixel_rectangle *box)

@@ -1,0 +1,63 @@
+/* Points and lines: clips them and appends them to the list. */
+#ifndef GN_DRAW_LINES_H
+#define GN_DRAW_LINES_H
+
+#include "../geometry/clip_line.h"
+#include "list.h"
+
+static inline void add_point(worker *w, uint32_t offset, uint32_t primitive)
+{
+    const stored_vertex *const v = vertex_at(w->draw->job->memory, offset);
+    const uint32_t vertex[3] = {offset, offset, offset};
+    pixel_rectangle box;
+
+    if (!v->outcode && point_box(&w->cull.box, &w->cull.target, v, &box))
+        append_box(w, vertex, offset, primitive, false, &box);
+}
+
+/* Adds a line, or what clipping leaves of it. */
+static inline void add_line(worker *w, const uint32_t vertex[2], uint32_t provoking,
+                            uint32_t primitive)
+{
+    unsigned char *const memory = w->draw->job->memory;
+    const stored_vertex *const first = vertex_at(memory, vertex[0]);
+    const stored_vertex *const second = vertex_at(memory, vertex[1]);
+    const bool crosses = first->outcode || second->outcode;
+    const uint32_t line[3] = {vertex[0], vertex[1], vertex[1]};
+    uint32_t ends[3] = {vertex[0], vertex[1], vertex[1]};
+    pixel_rectangle box;
+
+    if (first->outcode & second->outcode)
+        return;
+    if (crosses) {
+        make_room(w, clip_room(first->outcode | second->outcode));
+        const bool left = clip_line(&w->clipper, ends);
+        ends[2] = ends[1];
+        w->clip_used += w->clipper.used;
+        if (!left)
+            return;
+    }
+    if (line_box(&w->cull.box, &w->cull.target, vertex_at(memory, ends[0]),
+                 vertex_at(memory, ends[1]), &box))
+        append_box(w, w->keeps ? line : ends, provoking, primitive, crosses && w->keeps, &box);
+}
+
+/* Adds `count` points or lines. `offset` names the vertices of their elements; `first` is the first
+ * primitive's number in the draw. */
+GN_OUT_OF_LINE void add_points_or_lines(worker *w, const uint32_t *offset, uint32_t first,
+                                        uint32_t count)
+{
+    const uint32_t step = element_step(w->draw->pipeline->raster.topology);
+    const uint32_t provoking = w->cull.provoking_first ? 0 : 1;
+
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t *const vertex = offset + i * step;
+
+        if (w->kind == KIND_POINT)
+            add_point(w, vertex[0], first + i);
+        else
+            add_line(w, vertex, vertex[provoking], first + i);
+    }
+}
+
+#endif

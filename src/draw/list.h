@@ -1,0 +1,170 @@
+/* The worker's list: primitives are appended, and a full list is set up and covered, or kept for
+ * the strips. */
+#ifndef GN_DRAW_LIST_H
+#define GN_DRAW_LIST_H
+
+#include "../raster/cover_points_and_lines.h"
+#include "../raster/cover_samples.h"
+#include "../raster/coverage.h"
+#include "../raster/setup_points_and_lines.h"
+#include "worker.h"
+
+/* Sets up the worker's list of points or lines. */
+static inline void setup_boxes(worker *w)
+{
+    const gn_pipeline *const pipeline = w->draw->pipeline;
+    const unsigned char *const memory = w->draw->job->memory;
+
+    setup_box_identities(w->kind, w->list, w->setup);
+    if (w->kind == KIND_POINT)
+        setup_points(&w->cull.box, pipeline, memory, w->list, w->setup);
+    else
+        setup_lines(&w->cull.box, pipeline, memory, w->list, w->setup);
+}
+
+/* Draws a list of points or lines. */
+GN_OUT_OF_LINE void draw_boxes(worker *w, const void *context)
+{
+    run_function *const squares = w->draw->shade.squares;
+
+    setup_boxes(w);
+    for (uint32_t l = 0; l < w->list->count; ++l) {
+        if (w->kind == KIND_POINT)
+            cover_point(w->setup, w->list, l, squares, context);
+        else
+            cover_line(w->setup, w->list, l, squares, context);
+    }
+}
+
+/* Draws a list of points or lines to a multisampled target. */
+GN_OUT_OF_LINE void draw_sampled_boxes(worker *w, const void *context)
+{
+    const box_state *const state = &w->cull.box;
+    unsigned char *const memory = w->draw->job->memory;
+    const triangle_list *const list = w->list;
+
+    setup_boxes(w);
+    for (uint32_t l = 0; l < list->count; ++l) {
+        const raster_triangle triangle = {&w->setup->plane[0][0][l]};
+        const stored_vertex *const first = vertex_at(memory, list->vertex[0][l]);
+        const stored_vertex *const second = vertex_at(memory, list->vertex[1][l]);
+        const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, l);
+
+        if (w->kind == KIND_POINT)
+            cover_point_samples(state, first, &box, triangle, shade_sampled_square, context);
+        else
+            cover_line_samples(state, first, second, &box, triangle, shade_sampled_square, context);
+    }
+}
+
+/* Draws a list to a multisampled target. */
+GN_OUT_OF_LINE void draw_sampled(worker *w)
+{
+    const draw_state *draw = w->draw;
+    const counted_state context = {draw->fragment, &w->passed};
+
+    if (w->kind != KIND_TRIANGLE) {
+        draw_sampled_boxes(w, &context);
+        return;
+    }
+    setup_triangles(draw->pipeline, &draw->offset, draw->center, &w->cull.target, draw->job->memory,
+                    w->list, w->setup);
+    for (uint32_t l = 0; l < w->list->count; ++l)
+        cover_samples(&w->cull.target, w->setup, w->list, l, shade_sampled_square, &context);
+}
+
+/* Draws the list and starts it again. A worker that keeps lists calls this for full lists alone:
+ * the list is kept and the next one in memory is started. */
+static void finish_list(worker *w)
+{
+    const draw_state *draw = w->draw;
+    const counted_state counted = {draw->fragment, &w->passed};
+    const void *const context =
+        draw->job->samples_passed ? (const void *)&counted : (const void *)draw->fragment;
+
+    if (w->keeps) {
+        start_list(++w->list);
+        return;
+    }
+    if (w->list->count == 0)
+        return;
+    fill_list(w->list);
+    if (GN_HAVE_SAMPLES && draw->is_sampled) {
+        draw_sampled(w);
+    } else if (GN_HAVE_LINES && w->kind != KIND_TRIANGLE) {
+        draw_boxes(w, context);
+    } else {
+        setup_triangles(draw->pipeline, &draw->offset, 0.5f, &w->cull.target, draw->job->memory,
+                        w->list, w->setup);
+        cover_triangles(&w->cull.target, w->setup, w->list, &draw->shade, context);
+    }
+    start_list(w->list);
+}
+
+/* Makes room for `count` new vertices, or for as many as the scratch holds. The vertices that the
+ * list's triangles use must last until the list is drawn. */
+static inline void make_room(worker *w, uint32_t count)
+{
+    if (!w->keeps && w->clip_used + count > CLIP_SCRATCH)
+        finish_list(w);
+    if (w->keeps || w->list->count == 0)
+        w->clip_used = 0;
+    w->clipper.scratch = w->clip_vertices + w->clip_used * w->draw->stride;
+}
+
+/* Sets the kind of the primitives that follow. A list holds one kind: if the kind changes, the list
+ * is drawn first. */
+static inline void use_kind(worker *w, primitive_kind kind)
+{
+    if (w->kind != kind)
+        finish_list(w);
+    w->kind = kind;
+}
+
+/* Appends the triangle in a lane of a culled group. The corners are ordered so that inside is right
+ * of every edge; the provoking vertex keeps its place. */
+static inline void append_triangle(worker *w, const triangle_group *group,
+                                   const cull_result *result, uint32_t lane, uint32_t provoking,
+                                   uint32_t primitive)
+{
+    const cull_state *const state = &w->cull;
+    triangle_list *const list = w->list;
+    const uint32_t n = list->count++;
+    const uint32_t reversed = ~result->clockwise >> lane & 1u;
+    const uint32_t a = state->provoking_first ? 1 : 0;
+    const uint32_t kept = state->provoking_first ? 0 : 2;
+
+    list->vertex[kept][n] = group_vertex(group, kept, lane);
+    list->vertex[a][n] = group_vertex(group, a + reversed, lane);
+    list->vertex[a + 1][n] = group_vertex(group, a + 1 - reversed, lane);
+    list->provoking[n] = provoking;
+    list->primitive[n] = (int32_t)primitive;
+    list->back |= (reversed ^ (state->front_clockwise ? 0u : 1u)) << n;
+    for (int b = 0; b < BOUNDS_COUNT; ++b)
+        list->bounds[b][n] = result->bounds[b][lane];
+    if (list->count == GN_LANES)
+        finish_list(w);
+}
+
+/* Appends a primitive that can be seen in `box`. If `is_kept`, the strips clip it or make its
+ * outline when they draw it. */
+static inline void append_box(worker *w, const uint32_t vertex[3], uint32_t provoking,
+                              uint32_t primitive, bool is_kept, const pixel_rectangle *box)
+{
+    triangle_list *const list = w->list;
+    const uint32_t n = list->count++;
+
+    for (int i = 0; i < 3; ++i)
+        list->vertex[i][n] = vertex[i];
+    list->provoking[n] = provoking;
+    list->primitive[n] = (int32_t)primitive;
+    list->clipped |= (uint32_t)is_kept << n;
+    list->bounds[BOUNDS_MIN_X][n] = box->min_x;
+    list->bounds[BOUNDS_MIN_Y][n] = box->min_y;
+    list->bounds[BOUNDS_MAX_X][n] = box->max_x;
+    list->bounds[BOUNDS_MAX_Y][n] = box->max_y;
+    if (list->count == GN_LANES)
+        finish_list(w);
+}
+
+#endif

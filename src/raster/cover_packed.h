@@ -1,0 +1,171 @@
+/* Coverage in packed blocks: the covered halves of a small triangle's squares, two to a block, so
+ * that fewer pixels outside the triangle are shaded in vain. */
+#ifndef GN_RASTER_COVER_PACKED_H
+#define GN_RASTER_COVER_PACKED_H
+
+#include "square.h"
+
+/* Halves that are shaded together. */
+#define HALVES_IN_BATCH 64
+
+typedef struct half_batch {
+    uint32_t count;
+    packed_block block[HALVES_IN_BATCH / 2];
+} half_batch;
+
+/* Up to eight halves side by side: their coverage is one byte each, the first in the lowest byte.
+ */
+#define HALVES_TOGETHER 8
+#define EVERY_HALF(byte) (UINT64_C(0x0101010101010101) * (byte))
+
+/* Lanes of the left and of the right quad of a half. */
+#define LEFT_QUAD 0x33u
+#define RIGHT_QUAD 0xCCu
+
+static inline uint32_t count_covered(uint64_t halves)
+{
+    halves = (halves | halves >> 4) & EVERY_HALF(15);
+    halves = (halves | halves >> 2) & EVERY_HALF(3);
+    halves = (halves | halves >> 1) & EVERY_HALF(1);
+    return (uint32_t)(halves * EVERY_HALF(1) >> 56);
+}
+
+/* Adds the covered halves among those of `size` squares from (x, y) on. They are stored without a
+ * branch on their coverage, which processors cannot predict. If the outer quads on both sides are
+ * empty, the halves may be laid from two columns further on: they stay on these squares, and none
+ * overlaps another row's. This is done if it leaves fewer halves. */
+static inline void add_halves(half_batch *batch, uint64_t halves, uint32_t size, int32_t x,
+                              int32_t y)
+{
+    uint32_t count = batch->count;
+
+    if (!(halves & LEFT_QUAD) && !(halves >> 8 * (size - 1) & RIGHT_QUAD)) {
+        const uint64_t moved =
+            (halves >> 2 & EVERY_HALF(LEFT_QUAD)) | (halves >> 6 & EVERY_HALF(RIGHT_QUAD));
+
+        if (count_covered(moved) < count_covered(halves)) {
+            halves = moved;
+            x += SQUARE_SIZE / 2;
+        }
+    }
+    for (uint32_t i = 0; i < size; ++i) {
+        packed_block *const block = &batch->block[count / 2];
+        const uint32_t covered = (uint32_t)(halves >> 8 * i) & HALF_COVERED;
+
+        block->at.x[count % 2] = x + (int32_t)i * SQUARE_SIZE;
+        block->at.y[count % 2] = y;
+        block->covered[count % 2] = covered;
+        count += covered != 0;
+    }
+    batch->count = count;
+}
+
+/* Shades the batch. A half that is left over is paired with an empty half beside it, in the square
+ * at a multiple of four rows; all rows of that square are in the strip (place_blocks). */
+static inline void shade_batch(half_batch *batch, raster_triangle triangle, pack_function *shade,
+                               const void *context)
+{
+    packed_block *const last = &batch->block[batch->count / 2];
+
+    if (batch->count % 2) {
+        last->at.x[1] = last->at.x[0];
+        last->at.y[1] = last->at.y[0] ^ (SQUARE_SIZE / 2);
+        last->covered[1] = 0;
+    }
+    if (batch->count)
+        shade(context, triangle, batch->block, (batch->count + 1) / 2);
+    batch->count = 0;
+}
+
+/* The edge functions of a small triangle. */
+typedef struct small_edges {
+    int32_t start[3];            /* at the lower left pixel of a row's first square */
+    int32_t along[3], across[3]; /* fall from square to square, rise from row to row */
+    lanes_i pixel[3];            /* change from there to each pixel of a square */
+    lanes_i greatest[3]; /* change from there to the greatest value in each of sixteen squares */
+} small_edges;
+
+static inline void set_small_edge(small_edges *e, const triangle_setup *setup, int edge,
+                                  uint32_t lane)
+{
+    static const int32_t number[GN_LANES] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    const int32_t per_x = setup->edge[edge].per_x[lane];
+    const int32_t per_y = setup->edge[edge].per_y[lane];
+    const int32_t rise = (per_x < 0 ? -per_x : 0) + (per_y > 0 ? per_y : 0);
+
+    e->start[edge] = setup->edge[edge].start[lane];
+    e->along[edge] = SQUARE_SIZE * per_x;
+    e->across[edge] = SQUARE_SIZE * per_y;
+    e->pixel[edge] = edge_values(0, per_x, per_y);
+    e->greatest[edge] =
+        lanes_i_sub(lanes_i_splat((SQUARE_SIZE - 1) * rise),
+                    lanes_i_mul(lanes_i_splat(e->along[edge]), lanes_i_load(number)));
+}
+
+/* Returns the lanes in which no edge function is negative. `term` says what lanes are: the pixels
+ * of square `number` of a row (`pixel`), or that square and the next fifteen (`greatest`). Squares
+ * that are met are consecutive. */
+static inline uint32_t lanes_met(const small_edges *e, int32_t number, const lanes_i term[3])
+{
+    lanes_i value[3];
+
+    for (int i = 0; i < 3; ++i)
+        value[i] = lanes_i_add(lanes_i_splat(e->start[i] - e->along[i] * number), term[i]);
+    return not_negative(value);
+}
+
+/* Covers a triangle below PACKED_EXTENT. Pixels outside the triangle's bounds are outside an edge
+ * too, so only what hangs over the strip is masked. */
+GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_setup *setup,
+                                 const triangle_list *list, uint32_t lane, pack_function *shade,
+                                 const void *context)
+{
+    const raster_triangle triangle = {&setup->plane[0][0][lane]};
+    const int32_t left = setup->origin[0][lane];
+    const int32_t bottom = setup->origin[1][lane];
+    const int32_t squares = (list->bounds[BOUNDS_MAX_X][lane] - left) / SQUARE_SIZE + 1;
+    const square_span columns = squares_inside(target->min_x, target->max_x);
+    const square_span rows = squares_inside(target->min_y, target->max_y);
+    small_edges edges;
+    half_batch batch;
+
+    batch.count = 0;
+    for (int i = 0; i < 3; ++i)
+        set_small_edge(&edges, setup, i, lane);
+    for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += SQUARE_SIZE) {
+        const bool hangs = begins_outside(rows, y);
+
+        for (int32_t from = 0; from < squares; from += GN_LANES) {
+            const uint32_t met = lanes_met(&edges, from, edges.greatest);
+            const int32_t first = from + (int32_t)count_lanes(~met & (met - 1) & GN_ALL_LANES);
+            const int32_t after = first + (int32_t)count_lanes(met);
+            const int32_t end = after < squares ? after : squares;
+
+            for (int32_t n = first; n < end; n += HALVES_TOGETHER) {
+                const uint32_t size =
+                    end - n < HALVES_TOGETHER ? (uint32_t)(end - n) : HALVES_TOGETHER;
+                const int32_t x = left + n * SQUARE_SIZE;
+                uint64_t lower = 0, upper = 0;
+
+                for (uint32_t i = 0; i < size; ++i) {
+                    const int32_t column = x + (int32_t)i * SQUARE_SIZE;
+                    uint32_t coverage = lanes_met(&edges, n + (int32_t)i, edges.pixel);
+
+                    if (hangs || begins_outside(columns, column))
+                        coverage &= square_mask(target, column, y);
+                    lower |= (uint64_t)(coverage & HALF_COVERED) << 8 * i;
+                    upper |= (uint64_t)(coverage >> HALF_LANES) << 8 * i;
+                }
+                if (batch.count > HALVES_IN_BATCH - 1 - 2 * HALVES_TOGETHER)
+                    shade_batch(&batch, triangle, shade, context);
+                add_halves(&batch, lower, size, x, y);
+                add_halves(&batch, upper, size, x, y + SQUARE_SIZE / 2);
+            }
+        }
+        for (int i = 0; i < 3; ++i)
+            edges.start[i] += edges.across[i];
+    }
+    shade_batch(&batch, triangle, shade, context);
+}
+
+#endif

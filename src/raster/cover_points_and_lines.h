@@ -1,0 +1,42 @@
+/* Coverage of points and lines. */
+#ifndef GN_RASTER_COVER_POINTS_AND_LINES_H
+#define GN_RASTER_COVER_POINTS_AND_LINES_H
+
+#include "cover_large.h"
+
+/* Covers a point: all of its bounds. */
+static inline void cover_point(const triangle_setup *setup, const triangle_list *list,
+                               uint32_t lane, run_function *shade, const void *context)
+{
+    const raster_triangle triangle = {&setup->plane[0][0][lane]};
+    const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
+
+    for (int32_t y = box.min_y & ~(SQUARE_SIZE - 1); y <= box.max_y; y += SQUARE_SIZE) {
+        int32_t squares = 1;
+
+        for (int32_t x = box.min_x & ~(SQUARE_SIZE - 1); x <= box.max_x;
+             x += squares * SQUARE_SIZE) {
+            const uint32_t coverage = square_mask(&box, x, y);
+
+            squares = coverage == GN_ALL_LANES ? (box.max_x + 1 - x) / SQUARE_SIZE : 1;
+            shade(context, triangle, x, y, (uint32_t)squares, coverage);
+        }
+    }
+}
+
+/* Covers a line: the part of its bounds between its two long edges. */
+static inline void cover_line(const triangle_setup *setup, const triangle_list *list, uint32_t lane,
+                              run_function *shade, const void *context)
+{
+    const raster_triangle triangle = {&setup->plane[0][0][lane]};
+    const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
+    const int32_t left = box.min_x & ~(SQUARE_SIZE - 1);
+    large_edge edge[3];
+
+    for (int i = 0; i < 3; ++i)
+        set_large_edge(&edge[i], setup, i, lane);
+    for (int32_t y = box.min_y & ~(SQUARE_SIZE - 1); y <= box.max_y; y += SQUARE_SIZE)
+        cover_row(&box, edge, left, box.max_x, y, triangle, shade, context);
+}
+
+#endif

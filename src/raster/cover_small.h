@@ -1,0 +1,100 @@
+/* Coverage of small triangles, whose edge functions fit 32 bits: square by square. */
+#ifndef GN_RASTER_COVER_SMALL_H
+#define GN_RASTER_COVER_SMALL_H
+
+#include "square.h"
+
+/* The most squares in a row of a small triangle: the 64 pixels of SMALL_EXTENT, and one more to
+ * begin at an even place. */
+#define SMALL_SQUARES (SMALL_EXTENT / 256 / SQUARE_SIZE + 1)
+
+/* Squares that are shaded together. A row is never divided between two batches. */
+#define SQUARES_IN_BATCH (GN_SPECIALISED ? 2 * SMALL_SQUARES : SMALL_SQUARES)
+
+typedef struct square_batch {
+    uint32_t count;
+    int32_t x[SQUARES_IN_BATCH], y[SQUARES_IN_BATCH];
+    uint32_t coverage[SQUARES_IN_BATCH];
+} square_batch;
+
+/* Lanes of the left and of the right half of a square's columns. */
+#define LEFT_HALF 0x3333u
+#define RIGHT_HALF 0xCCCCu
+
+/* Joins squares of one row, which the batch holds from number `first` on. If the left columns of
+ * the first and the right columns of the last are empty, the squares are laid again from two
+ * columns further on: this takes one square less. */
+static inline void join_halves(square_batch *batch, uint32_t first)
+{
+    uint32_t kept = first;
+
+    if (batch->count < first + 2)
+        return;
+    const uint32_t last = batch->count - 1;
+    if ((batch->coverage[first] & LEFT_HALF) || (batch->coverage[last] & RIGHT_HALF) ||
+        (uint32_t)(batch->x[last] - batch->x[first]) != (last - first) * SQUARE_SIZE)
+        return;
+    for (uint32_t i = first; i < last; ++i) {
+        batch->x[kept] = batch->x[i] + SQUARE_SIZE / 2;
+        batch->coverage[kept] =
+            (batch->coverage[i] >> 2 & LEFT_HALF) | (batch->coverage[i + 1] << 2 & RIGHT_HALF);
+        kept += batch->coverage[kept] != 0;
+    }
+    batch->count = kept;
+}
+
+/* Covers a small triangle. Pixels outside the triangle's bounds are outside an edge too, so only
+ * what hangs over the strip is masked. Squares are stored without a branch on their coverage, which
+ * processors cannot predict, and shaded afterwards. */
+static inline void cover_small(const pixel_rectangle *target, const triangle_setup *setup,
+                               const triangle_list *list, uint32_t lane, run_function *shade,
+                               const void *context)
+{
+    const raster_triangle triangle = {&setup->plane[0][0][lane]};
+    const int32_t left = setup->origin[0][lane];
+    const int32_t max_x = list->bounds[BOUNDS_MAX_X][lane];
+    const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
+    const square_span columns = squares_inside(target->min_x, target->max_x);
+    const square_span rows = squares_inside(target->min_y, target->max_y);
+    int32_t y = setup->origin[1][lane];
+    square_batch batch;
+    lanes_i row[3], across[3];
+
+    for (int i = 0; i < 3; ++i) {
+        const edge_lanes *edge = &setup->edge[i];
+        row[i] = edge_values(edge->start[lane], edge->per_x[lane], edge->per_y[lane]);
+        across[i] = lanes_i_splat(SQUARE_SIZE * edge->per_x[lane]);
+    }
+    do {
+        batch.count = 0;
+        do {
+            const uint32_t first = batch.count;
+            lanes_i value[3] = {row[0], row[1], row[2]};
+
+            for (int32_t x = left;; x += SQUARE_SIZE) {
+                uint32_t coverage = not_negative(value);
+
+                if (begins_outside(columns, x) || begins_outside(rows, y))
+                    coverage &= square_mask(target, x, y);
+                batch.x[batch.count] = x;
+                batch.y[batch.count] = y;
+                batch.coverage[batch.count] = coverage;
+                batch.count += coverage != 0;
+                if (x + SQUARE_SIZE > max_x)
+                    break;
+                for (int i = 0; i < 3; ++i)
+                    value[i] = lanes_i_sub(value[i], across[i]);
+            }
+            if (GN_SPECIALISED)
+                join_halves(&batch, first);
+            for (int i = 0; i < 3; ++i)
+                row[i] =
+                    lanes_i_add(row[i], lanes_i_splat(SQUARE_SIZE * setup->edge[i].per_y[lane]));
+            y += SQUARE_SIZE;
+        } while (y <= max_y && batch.count <= SQUARES_IN_BATCH - SMALL_SQUARES);
+        for (uint32_t i = 0; i < batch.count; ++i)
+            shade(context, triangle, batch.x[i], batch.y[i], 1, batch.coverage[i]);
+    } while (y <= max_y);
+}
+
+#endif
