@@ -309,8 +309,9 @@ GN_OUT_OF_LINE uint32_t shade_whole_squares(const fragment_state *state, raster_
 }
 
 /* Shades one row or one block; `block` is null for a row. */
-GN_INLINE void shade(const fragment_state *state, fragment_kind kind, const fragment_place *at,
-                     const pixel_block *block, raster_triangle triangle, uint32_t coverage)
+GN_INLINE void shade_fragments(const fragment_state *state, fragment_kind kind,
+                               const fragment_place *at, const pixel_block *block,
+                               raster_triangle triangle, uint32_t coverage)
 {
     float shaded[4][GN_LANES];
     lanes_f color[4], texel[4];

@@ -34,7 +34,7 @@ GN_INLINE void shade_squares(const fragment_state *state, fragment_kind kind,
         at.depth = square_memory(&state->depth, kind.depth_format, at.x, y);
 
         const pixel_block block = square_block(at.x, y);
-        shade(state, kind, &at, &block, triangle, coverage);
+        shade_fragments(state, kind, &at, &block, triangle, coverage);
     }
 }
 
@@ -91,7 +91,8 @@ GN_INLINE void shade_packed(const fragment_state *state, fragment_kind kind,
         set_places(&places, &b->at);
         at.color = block_memory(&state->color, kind.color_format, &b->at);
         at.depth = block_memory(&state->depth, kind.depth_format, &b->at);
-        shade(state, kind, &at, &b->at, triangle, b->covered[0] | b->covered[1] << HALF_LANES);
+        shade_fragments(state, kind, &at, &b->at, triangle,
+                        b->covered[0] | b->covered[1] << HALF_LANES);
     }
 }
 
@@ -141,7 +142,7 @@ GN_INLINE void shade_rows(const fragment_state *state, fragment_kind kind, raste
             at.y = y + row;
             at.row = rows.value[row];
             at.w = &w[row];
-            shade(state, kind, &at, 0, triangle, GN_ALL_LANES);
+            shade_fragments(state, kind, &at, 0, triangle, GN_ALL_LANES);
             if (kind.color_format != GN_FORMAT_NONE)
                 at.color.half[0] += state->color.row_stride;
             if (kind.depth_format != GN_FORMAT_NONE)
