@@ -45,19 +45,19 @@ static bool find_slice(const mesh_slice *whole, uint32_t *from, mesh_slice *slic
 
     while (i < whole->count) {
         uint32_t vertex[GN_LANES];
-        const uint32_t part = whole->count - i < GN_LANES ? whole->count - i : GN_LANES;
+        const uint32_t count = whole->count - i < GN_LANES ? whole->count - i : GN_LANES;
         uint32_t l = 0;
 
-        read_elements(whole, i, part, vertex);
-        while (!found && l < part && vertex[l] == none)
+        read_elements(whole, i, count, vertex);
+        while (!found && l < count && vertex[l] == none)
             ++l;
         if (!found)
             begin = i + l;
-        found = found || l < part;
-        while (l < part && vertex[l] != none)
+        found = found || l < count;
+        while (l < count && vertex[l] != none)
             ++l;
         i += l;
-        if (found && l < part)
+        if (found && l < count)
             break;
     }
     slice->first = whole->first + begin;
@@ -108,15 +108,15 @@ static index_range find_range(const mesh_slice *mesh, uint32_t first, uint32_t c
     }
     while (done < count) {
         uint32_t vertex[GN_LANES];
-        const uint32_t part = count - done < GN_LANES ? count - done : GN_LANES;
+        const uint32_t some = count - done < GN_LANES ? count - done : GN_LANES;
 
-        read_elements(mesh, first + done, part, vertex);
-        for (uint32_t i = 0; i < part; ++i) {
+        read_elements(mesh, first + done, some, vertex);
+        for (uint32_t i = 0; i < some; ++i) {
             const index_range one = {vertex[i], vertex[i]};
             if (!has_restarts(mesh) || vertex[i] - mesh->base != mesh->restart_index)
                 range = join_ranges(range, one);
         }
-        done += part;
+        done += some;
     }
     return range;
 }

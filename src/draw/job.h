@@ -3,7 +3,8 @@
  * The way from gn_draw to a pixel, for a triangle with vertex colours; files in the order in which
  * the way enters them:
  *
- *   backends/draw.c           gn_draw, and the chosen back end
+ *   backends/draw.c           gn_draw, run_on
+ *   backends/avx2.c           gn_run_avx2, or another back end's
  *   draw/mesh.h               draw_mesh, draw_slice, draw_segment
  *   draw/vertices.h           shade_slots, store_vertices
  *   geometry/fetch.h          fetch_attributes

@@ -208,7 +208,7 @@ static void draw_slice(draw_state *draw, worker *w)
     }
 }
 
-/* Runs a job. Returns GN_INDEX_OUT_OF_RANGE, and draws nothing, if an index names no vertex;
+/* Draws a job. Returns GN_INDEX_OUT_OF_RANGE, and draws nothing, if an index names no vertex;
  * otherwise GN_OK. */
 static inline gn_status draw_mesh(const draw_job *job)
 {

@@ -51,7 +51,7 @@ typedef struct round_state {
     uint32_t strips; /* tasks that draw strips; tasks that shade vertices come after them */
 } round_state;
 
-/* Runs a step of `count` tasks. */
+/* Calls the `count` tasks of a step. */
 static void call_tasks(round_state *round, gn_task *task, uint32_t count)
 {
     const draw_job *job = round->draw->job;
@@ -401,13 +401,13 @@ static void divide_rows(round_state *round, uint32_t segments)
     round->rows.min &= ~(SQUARE_SIZE - 1);
 
     const uint64_t worth = area / TASK_PIXELS + triangles / TASK_TRIANGLES;
-    const uint32_t blocks = (uint32_t)(round->rows.max - round->rows.min) / SQUARE_SIZE + 1;
+    const uint32_t squares = (uint32_t)(round->rows.max - round->rows.min) / SQUARE_SIZE + 1;
     const uint32_t most = most_strips(round->draw->job->threads, area, triangles);
     const uint32_t wanted = worth < most ? (uint32_t)worth + 1 : most;
-    const uint32_t strip_blocks = (blocks + wanted - 1) / wanted;
+    const uint32_t strip_squares = (squares + wanted - 1) / wanted;
 
-    round->strip_rows = (int32_t)(strip_blocks * SQUARE_SIZE);
-    round->strips = (blocks + strip_blocks - 1) / strip_blocks;
+    round->strip_rows = (int32_t)(strip_squares * SQUARE_SIZE);
+    round->strips = (squares + strip_squares - 1) / strip_squares;
 }
 
 static void strip_or_shade_task(void *context, uint32_t task)

@@ -61,7 +61,7 @@ static inline void add_halves(half_batch *batch, uint64_t halves, uint32_t size,
 }
 
 /* Shades the batch. A half that is left over is paired with an empty half beside it, in the square
- * at a multiple of four rows; all rows of that square are in the strip (place_blocks). */
+ * at a multiple of four rows; all rows of that square are in the strip (place_squares). */
 static inline void shade_batch(half_batch *batch, raster_triangle triangle, pack_function *shade,
                                const void *context)
 {

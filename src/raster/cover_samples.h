@@ -166,7 +166,7 @@ static inline void cover_point_samples(const box_state *state, const stored_vert
                                        const pixel_rectangle *box, raster_triangle triangle,
                                        samples_function *shade, const void *context)
 {
-    pixel_rectangle part[GN_SAMPLES];
+    pixel_rectangle covered[GN_SAMPLES];
     int32_t low[2], high[2];
 
     if (!point_range(state, v, low, high))
@@ -178,15 +178,15 @@ static inline void cover_point_samples(const box_state *state, const stored_vert
             from[c] = low[c] - sample_offset(s, c);
             to[c] = high[c] - sample_offset(s, c);
         }
-        if (!pixels_of_box(box, from, to, &part[s]))
-            part[s].max_y = part[s].min_y - SQUARE_SIZE;
+        if (!pixels_of_box(box, from, to, &covered[s]))
+            covered[s].max_y = covered[s].min_y - SQUARE_SIZE;
     }
     for (int32_t y = box->min_y & ~(SQUARE_SIZE - 1); y <= box->max_y; y += SQUARE_SIZE) {
         for (int32_t x = box->min_x & ~(SQUARE_SIZE - 1); x <= box->max_x; x += SQUARE_SIZE) {
             uint32_t coverage[GN_SAMPLES];
 
             for (uint32_t s = 0; s < GN_SAMPLES; ++s)
-                coverage[s] = rectangle_mask(&part[s], x, y);
+                coverage[s] = rectangle_mask(&covered[s], x, y);
             if (any_sample(coverage))
                 shade(context, triangle, x, y, coverage);
         }

@@ -17,27 +17,27 @@ typedef struct square_batch {
     uint32_t coverage[SQUARES_IN_BATCH];
 } square_batch;
 
-/* Lanes of the left and of the right half of a square's columns. */
-#define LEFT_HALF 0x3333u
-#define RIGHT_HALF 0xCCCCu
+/* Lanes of a square's two left and two right columns. */
+#define LEFT_COLUMNS 0x3333u
+#define RIGHT_COLUMNS 0xCCCCu
 
 /* Joins squares of one row, which the batch holds from number `first` on. If the left columns of
  * the first and the right columns of the last are empty, the squares are laid again from two
  * columns further on: this takes one square less. */
-static inline void join_halves(square_batch *batch, uint32_t first)
+static inline void join_squares(square_batch *batch, uint32_t first)
 {
     uint32_t kept = first;
 
     if (batch->count < first + 2)
         return;
     const uint32_t last = batch->count - 1;
-    if ((batch->coverage[first] & LEFT_HALF) || (batch->coverage[last] & RIGHT_HALF) ||
+    if ((batch->coverage[first] & LEFT_COLUMNS) || (batch->coverage[last] & RIGHT_COLUMNS) ||
         (uint32_t)(batch->x[last] - batch->x[first]) != (last - first) * SQUARE_SIZE)
         return;
     for (uint32_t i = first; i < last; ++i) {
         batch->x[kept] = batch->x[i] + SQUARE_SIZE / 2;
-        batch->coverage[kept] =
-            (batch->coverage[i] >> 2 & LEFT_HALF) | (batch->coverage[i + 1] << 2 & RIGHT_HALF);
+        batch->coverage[kept] = (batch->coverage[i] >> 2 & LEFT_COLUMNS) |
+                                (batch->coverage[i + 1] << 2 & RIGHT_COLUMNS);
         kept += batch->coverage[kept] != 0;
     }
     batch->count = kept;
@@ -86,7 +86,7 @@ static inline void cover_small(const pixel_rectangle *target, const triangle_set
                     value[i] = lanes_i_sub(value[i], across[i]);
             }
             if (GN_SPECIALISED)
-                join_halves(&batch, first);
+                join_squares(&batch, first);
             for (int i = 0; i < 3; ++i)
                 row[i] =
                     lanes_i_add(row[i], lanes_i_splat(SQUARE_SIZE * setup->edge[i].per_y[lane]));

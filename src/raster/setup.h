@@ -12,8 +12,8 @@
  * of whole quads. If the highest square would then leave the strip, rows begin at a multiple of
  * four instead: the rows above may be another thread's, and a strip ends at a multiple of four or
  * with the target. */
-GN_STEP void place_blocks(const pixel_rectangle *target, const triangle_list *list,
-                          lanes_i origin[2])
+GN_STEP void place_squares(const pixel_rectangle *target, const triangle_list *list,
+                           lanes_i origin[2])
 {
     const lanes_i min_y = lanes_i_load(list->bounds[BOUNDS_MIN_Y]);
     const lanes_i max_y = lanes_i_load(list->bounds[BOUNDS_MAX_Y]);
@@ -48,7 +48,7 @@ static inline void setup_edges(const pixel_rectangle *target, const unsigned cha
                                        lanes_i_sub(greatest_of(y), least_of(y)));
     setup->large = lanes_bits(lanes_i_greater(extent, lanes_i_splat(SMALL_EXTENT - 1)));
     setup->unpacked = lanes_bits(lanes_i_greater(extent, lanes_i_splat(PACKED_EXTENT - 1)));
-    place_blocks(target, list, origin);
+    place_squares(target, list, origin);
     lanes_i_store(setup->origin[0], origin[0]);
     lanes_i_store(setup->origin[1], origin[1]);
 
