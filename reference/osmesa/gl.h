@@ -101,11 +101,11 @@ void reference_clear(const scene *s);
 void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u);
 void reference_discard(uploaded_draw *draws, size_t count);
 
-/* Makes a program from a vertex shader, without its declarations, and a complete fragment shader; 0
- * with the compiler's log in error. */
+/* Makes a program from a vertex shader, in front of which the common declarations are put, and a
+ * complete fragment shader; returns 0 with the compiler's log in error. */
 GLuint reference_link(const char *vertex, const char *fragment, char *error, size_t error_size);
 
-/* As reference_link, with the clip distances of a scene's draws if `clipped`. */
+/* As reference_link; with the clip distances of a scene's draws if `clipped`. */
 GLuint reference_link_clipped(const char *vertex, const char *fragment, bool clipped, char *error,
                               size_t error_size);
 

@@ -31,13 +31,14 @@ static void prepare_rotation(float *in)
         in[9 + i] = (float)q[i];
 }
 
-/* Of the rotation nearest to the stored floats, in the sum of squares of the differences: the
- * eigenvector of the largest eigenvalue of K (P. Davenport, in: I. Bar-Itzhack, New method for
- * extracting the quaternion from a rotation matrix, 2000), here K + 1, which is 4 q q^T but for
- * the matrix' rounding; so each of the iterations leaves u of the error before.
- * A column of K + 1, of which ours takes the longest, is 2 long at least; its entries are off by
- * those of the matrix, u/2 each of at most three, and by less than 4 u in its three sums, each
- * of magnitude 2 at most: 5.5 u sqrt(4) / 2; dividing by its length adds 4 u. */
+/* The quaternion of the rotation nearest to the stored floats, in the sum of squares of the
+ * differences. It is the eigenvector of the largest eigenvalue of K (P. Davenport, in: I.
+ * Bar-Itzhack, New method for extracting the quaternion from a rotation matrix, 2000); here K + 1,
+ * which is 4 q q^T except for the matrix' rounding, so each iteration leaves u of the error before.
+ *
+ * Gnomon takes the longest column of K + 1, which is at least 2 long. Its entries are off by the
+ * matrix's errors, u/2 for each of at most three, and by less than 4 u in its three sums, each of
+ * magnitude 2 at most: 5.5 u sqrt(4) / 2. Dividing by its length adds 4 u. */
 OWN(from_matrix)
 {
     gn_mat3 m;

@@ -14,7 +14,7 @@ static const GLenum targets[] = {GL_TEXTURE_2D, GL_TEXTURE_1D, GL_TEXTURE_2D_ARR
  * 0, 0, 1. */
 #define DEPTH_TEXTURE_MODE 0x884B
 
-/* Of EXT_texture_filter_anisotropic. */
+/* From EXT_texture_filter_anisotropic. */
 #define MAX_ANISOTROPY 0x84FE
 
 static const char vertex_text[] =

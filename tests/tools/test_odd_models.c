@@ -64,7 +64,7 @@ static void numbers_that_are_not_finite_are_named(void **state)
     }
 }
 
-/* As they are without the numbers. */
+/* Models are drawn as if the numbers that are not finite were not there. */
 static void what_is_drawn_instead_is_finite(void **state)
 {
     char text[1024];

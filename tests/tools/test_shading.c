@@ -37,7 +37,7 @@ static const char turned_obj[] = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
                                  "vn 0 0 1\n"
                                  "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/3/1 4/4/1\n";
 
-/* And mirrored: s to the left, t up. */
+/* The mirrored square: s to the left, t up. */
 static const char mirrored_obj[] = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
                                    "vt 1 0\nvt 0 0\nvt 0 1\nvt 1 1\n"
                                    "vn 0 0 1\n"

@@ -53,7 +53,7 @@ static bool is_revolved(size_t vertex)
     return patch < HANDLE || patch >= LID;
 }
 
-/* Whether some vertex has that position and normal. */
+/* Whether some vertex has this position and normal. */
 static bool is_there(const float p[3], const float n[3])
 {
     for (size_t v = 0; v < PATCHES * PATCH_VERTICES; v++) {
@@ -75,7 +75,7 @@ static void it_is_as_large_as_published(void **state)
     (void)state;
     assert_int_equal(teapot.part_count, 1);
     assert_int_equal(teapot.parts->vertex_count, PATCHES * PATCH_VERTICES);
-    /* Two triangles a cell, but one where it touches a pole: in 8 patches. */
+    /* Two triangles per cell, one where the cell touches a pole: in 8 patches. */
     assert_int_equal(model_triangle_count(&teapot), PATCHES * LEVEL * LEVEL * 2 - 8 * LEVEL);
     for (size_t v = 0; v < teapot.parts->vertex_count; v++) {
         for (size_t c = 0; c < 3; c++) {
@@ -84,7 +84,8 @@ static void it_is_as_large_as_published(void **state)
         }
         assert_memory_equal(teapot.parts->colors + 4 * v, color, sizeof color);
     }
-    /* Lid's top, table, body's half width 2 at its widest; handle at -3, spout at 3.5. */
+    /* The top of the lid; the table; the body's half width of 2 at its widest; the handle at -3;
+     * the spout at 3.5. */
     assert_true(low[1] == 0.0f && high[1] == 3.15f);
     assert_true(fabsf(high[2] - 2.0f) < 0.01f && fabsf(low[2] + 2.0f) < 0.01f);
     assert_true(low[0] < -2.9f && low[0] >= -3.0f);
@@ -108,8 +109,8 @@ static void it_is_symmetric(void **state)
     }
 }
 
-/* Newell's quarter arcs are close to circles, so normals of what is revolved lie in the plane
- * through the axis, nearly. */
+/* Newell's quarter arcs are close to circles, so normals of the parts that are surfaces of
+ * revolution lie nearly in the plane through the axis. */
 static void normals_are_unit_and_radial(void **state)
 {
     (void)state;
@@ -149,7 +150,8 @@ static void poles_point_up_and_down(void **state)
     assert_int_equal(bottom, 4 * (LEVEL + 1));
 }
 
-/* No degenerate triangle, and each one's own normal is on the side of its vertices'. */
+/* No triangle is degenerate, and each triangle's own normal is on the side of its vertices'
+ * normals. */
 static void triangles_face_outwards(void **state)
 {
     (void)state;
@@ -176,7 +178,7 @@ static void triangles_face_outwards(void **state)
             assert_true(cosine > 0.1f);
         }
     }
-    /* The bottom looks down, and with it the whole is the right way out. */
+    /* The bottom faces down, which shows that the whole teapot faces outward. */
     for (size_t v = BOTTOM * PATCH_VERTICES; v < PATCHES * PATCH_VERTICES; v++)
         assert_true(normal(v)[1] < 0.1f);
 }
@@ -192,7 +194,8 @@ static void cross(const float a[3], const float b[3], float result[3])
         result[c] = a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
 }
 
-/* Tangents and bitangents go the way positions go with s and with t over each triangle. */
+/* Over each triangle tangents point where positions go as s grows, and bitangents where they go as
+ * t grows. */
 static void tangents_follow_the_texture(void **state)
 {
     (void)state;
@@ -226,7 +229,7 @@ static void tangents_follow_the_texture(void **state)
     }
 }
 
-/* The patches' cells do not touch. */
+/* The cells of different patches do not touch. */
 static void texture_coordinates_stay_in_their_cell(void **state)
 {
     (void)state;
@@ -245,7 +248,7 @@ static void unpack(uint32_t texel, float result[3])
         result[c] = (float)(texel >> (8 * c) & 255) / 127.5f - 1.0f;
 }
 
-/* Both maps of normals say the same, and nothing that points into the teapot. */
+/* Both normal maps describe equal normals, none of which points into the teapot. */
 static void maps_of_normals_agree(void **state)
 {
     enum { CELL = 32 };
@@ -318,8 +321,8 @@ static int compare_edges(const void *a, const void *b)
     return memcmp(a, b, 6 * sizeof(float));
 }
 
-/* Rim, body and bottom are one sheet: every edge but the rim's inner one belongs to two
- * triangles, by the bits of the positions. */
+/* Rim, body and bottom are one sheet: every edge except the rim's inner one belongs to two
+ * triangles, with equal bits of the positions. */
 static void seams_are_closed(void **state)
 {
     size_t count = 0;
@@ -334,7 +337,7 @@ static void seams_are_closed(void **state)
             continue;
         float ends[2][3];
         for (int c = 0; c < 3; c++) {
-            ends[0][c] = position(from)[c] + 0.0f; /* +0 for -0 */
+            ends[0][c] = position(from)[c] + 0.0f; /* +0 replaces -0 */
             ends[1][c] = position(to)[c] + 0.0f;
         }
         bool swapped = memcmp(ends[0], ends[1], sizeof ends[0]) > 0;

@@ -1,4 +1,4 @@
-/* gnomon transform on setups worked out on paper. */
+/* gnomon transform with setups worked by hand. */
 #define _POSIX_C_SOURCE 200809L
 #include "runner.h"
 
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* One point of the output: rows as printed, or what stands in place of NDC and pixel. */
+/* One point of the output: rows as printed, or the text in place of NDC and pixel. */
 typedef struct expected {
     float world[3], view[3], clip[4], ndc[3], pixel[3];
 } expected;
@@ -19,7 +19,7 @@ static run transform(const char *text, const char *options)
                                     : "\"$GNOMON\" transform < setup.txt");
 }
 
-/* The text from the line "point NUMBER" up to the next one. */
+/* The text from the line "point NUMBER" to the next such line. */
 static void section(const char *out, int number, char *result, size_t size)
 {
     char heading[32];
@@ -34,7 +34,7 @@ static void section(const char *out, int number, char *result, size_t size)
     result[length] = '\0';
 }
 
-/* The numbers behind a name at the beginning of a line are these, within a few roundings. */
+/* The numbers after a name at the beginning of a line are these, within a few roundings. */
 static void expect_row(const char *text, const char *name, const float *values, int count)
 {
     char start[32];
@@ -62,7 +62,7 @@ static void expect_point(const run *r, int number, const expected *e)
     expect_row(text, "pixel", e->pixel, 3);
 }
 
-/* What stands for NDC and pixel, or behind them. */
+/* The text in place of NDC and pixel, or after them. */
 static void expect_words(const run *r, int number, const char *words, bool divided)
 {
     char text[1024];
@@ -79,11 +79,11 @@ static void expect_good(const run *r)
         fail_msg("status %d: %s", r->status, r->error);
 }
 
-/* A right angle of view in a square of 100x100 pixels, near 1, far 3. The camera of OpenGL at
- * (0, 0, 10) looks along -z: view = world - (0, 0, 10); d = -view z;
- *   clip = (x, y, -2 z - 3, -z): NDC z is -1 at d = 1, 0 at d = 1.5, 1 at d = 3.
- * Direct3D's at (0, 0, -10) along +z: clip = (x, y, 1.5 z - 1.5, z): 0 at 1, 0.5 at 1.5.
- * Vulkan's is OpenGL's with clip = (x, -y, -1.5 z - 1.5, -z). */
+/* A right angle of view in a square of 100x100 pixels, near 1, far 3. OpenGL's camera at (0, 0, 10)
+ * looks along -z: view = world - (0, 0, 10); d = -view z;
+ * clip = (x, y, -2 z - 3, -z): NDC z is -1 at d = 1, 0 at d = 1.5, 1 at d = 3.
+ * Direct3D's camera at (0, 0, -10) looks along +z: clip = (x, y, 1.5 z - 1.5, z): NDC z is 0 at 1,
+ * 0.5 at 1.5. Vulkan's camera is OpenGL's with clip = (x, -y, -1.5 z - 1.5, -z). */
 #define CAMERA "screen 100 100\nperspective 90\nnear 1\nfar 3\n"
 
 static void opengl(void **state)
@@ -133,7 +133,7 @@ static void direct3d(void **state)
     (void)state;
     static const expected axis = {
         {0, 0, -8.5f}, {0, 0, 1.5f}, {0, 0, 0.75f, 1.5f}, {0, 0, 0.5f}, {50, 50, 0.5f}};
-    /* Right, top, near: the upper right of the screen, whose rows go down. */
+    /* Right, top, near: the upper right of the screen, where rows go down. */
     static const expected corner = {{1, 1, -9}, {1, 1, 1}, {1, 1, 0, 1}, {1, 1, 0}, {100, 0, 0}};
     static const expected far_corner = {
         {-3, -3, -7}, {-3, -3, 3}, {-3, -3, 3, 3}, {-1, -1, 1}, {0, 100, 1}};
@@ -175,10 +175,10 @@ static void vulkan(void **state)
     expect_words(&r, 5, "behind the eye", false);
 }
 
-/* (1, 0, 0) scaled by (2, 3, 4) is (2, 0, 0), turned by 90 degrees about z (0, 2, 0), about x
- * (0, 0, 2), moved by (5, 6, 7) (5, 6, 9). (0, 1, 1) goes to (0, 3, 4), (-3, 0, 4), (-3, -4, 0),
- * (2, 2, 7). The camera stands at (5, 6, 19). Orthographic: 10 wide, 20 high, 4 to 14:
- * NDC x = view x / 5, y = view y / 10, z = (-2 z - 18) / 10. */
+/* (1, 0, 0) becomes (2, 0, 0) when scaled by (2, 3, 4), (0, 2, 0) when turned by 90 degrees about
+ * z, (0, 0, 2) when turned about x, (5, 6, 9) when moved by (5, 6, 7). (0, 1, 1) becomes (0, 3, 4),
+ * (-3, 0, 4), (-3, -4, 0), (2, 2, 7). The camera is at (5, 6, 19). Orthographic: 10 wide, 20 high,
+ * 4 to 14: NDC x = view x / 5, y = view y / 10, z = (-2 z - 18) / 10. */
 static void models_and_boxes(void **state)
 {
     (void)state;
@@ -217,9 +217,9 @@ static void models_and_boxes(void **state)
     expect_point(&r, 1, &fourth);
 }
 
-/* The same camera by target, by axes of other lengths, and in a left-handed world: at
- * (4, 0, 0), looking along -x. The point (2, 1, -1) is 2 ahead and 1 up; to the right is -z in
- * a right-handed world, +z in a left-handed one. */
+/* One camera, set by target, by axes of other lengths, and in a left-handed world: at (4, 0, 0),
+ * looking along -x. The point (2, 1, -1) is 2 ahead and 1 up. The right is -z in a right-handed
+ * world, +z in a left-handed one. */
 static void cameras(void **state)
 {
     static const char *const setups[] = {
@@ -275,7 +275,7 @@ static void infinite_and_reversed(void **state)
     expect_words(&r, 3, "outside the view volume: near\n", true);
 }
 
-/* Sixteen numbers, line by line, behind the line of the name. */
+/* Sixteen numbers, line by line, after the line of the name. */
 static void expect_matrix(const char *out, const char *name, const float values[16])
 {
     char heading[64];
@@ -297,7 +297,7 @@ static void expect_matrix(const char *out, const char *name, const float values[
     }
 }
 
-/* The cameras above; inverses: z = -w', 1 = (z' + 2 w') / -3 with OpenGL's numbers. */
+/* The cameras above. With OpenGL's numbers the inverse is: z = -w', 1 = (z' + 2 w') / -3. */
 static void matrices(void **state)
 {
     static const float view[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -10, 0, 0, 0, 1};
@@ -332,21 +332,22 @@ static void matrices(void **state)
     expect_matrix(r.out, "projection", vulkan_projection);
 }
 
-/* Nine digits: 0.1 as a float and its neighbour are told apart, and columns do not run
- * together. */
+/* With nine digits 0.1 as a float and its neighbour differ, and columns have a space between
+ * them. */
 static void numbers_give_the_float_back(void **state)
 {
     (void)state;
     run r = transform("convention opengl\n" CAMERA "point 0.1 0.10000001 -1.17549435e-38\n", "");
     expect_good(&r);
     assert_non_null(strstr(r.out, "local      0.100000001      0.100000009  -1.17549435e-38\n"));
-    /* So near the plane of the eye that 0.1 / 2^-126 * 50 is beyond the largest float. */
+    /* This point is so near to the plane of the eye that 0.1 / 2^-126 * 50 exceeds the largest
+     * float. */
     expect_words(&r, 1, "too large for 32-bit numbers\n", false);
     assert_null(strstr(r.out, "nan"));
     assert_null(strstr(r.out, "inf"));
 }
 
-/* One line on standard error with both texts, nothing on standard output. */
+/* Expects one line on standard error with both texts, and nothing on standard output. */
 static void expect_error(const char *text, const char *place, const char *why)
 {
     run r = transform(text, "");
@@ -405,7 +406,7 @@ static void errors_name_the_line(void **state)
                  ":5: ", "far: it is not above 0");
     expect_error("convention opengl\nscreen 9 9\nperspective 90\nnear 9\nfar 9\npoint 1 2 3\n",
                  ":3: ", "near and far");
-    /* The second point overflows: nothing of the first is printed. */
+    /* The second point overflows, so nothing of the first is printed. */
     expect_error(GOOD "scale 1e30\npoint 0 0 0\npoint 1e30 0 0\n", ":8: ", "overflow");
     char text[2048];
     memset(text, ' ', sizeof text);
@@ -413,8 +414,8 @@ static void errors_name_the_line(void **state)
     expect_error(text, ":1: ", "a line of more than");
 }
 
-/* What is no text is not taken for one, whatever the lengths of its lines; a byte-order mark is no
- * part of it. */
+/* A file that is not a text is refused, whatever the lengths of its lines. A byte-order mark is not
+ * part of the text. */
 static void bytes_of_other_kinds(void **state)
 {
     static char text[4096];
