@@ -62,7 +62,7 @@ static uint32_t little_endian_32(const unsigned char *bytes)
 
 static int length_fault(const char *path, uint64_t announced, uint64_t size)
 {
-    return report_fault(path, "it is cut short: it announces %llu bytes and has %llu",
+    return report_fault(path, "it is cut short: it announces %llu bytes but has %llu",
                         (unsigned long long)announced, (unsigned long long)size);
 }
 
@@ -86,7 +86,7 @@ static int check_stl(const char *path, FILE *file, uint64_t size)
         if (memcmp(end + i, "endsolid", 8) == 0)
             return 0;
     }
-    report_warning(path, "it does not end on endsolid: it may be cut short");
+    report_warning(path, "it does not end with endsolid: it may be cut short");
     return 0;
 }
 
