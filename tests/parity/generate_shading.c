@@ -163,17 +163,17 @@ static void random_texcoords(builder *b)
     for (uint32_t i = 0; i < b->vertex_count; i++)
         for (int c = 0; c < 2; c++) {
             float *s = &b->vertices[i].texcoord[c];
-            if (kind == 1)
+            if (kind == 1) {
                 *s = random_float(r, -3.0f, 4.0f);
-            else if (kind == 2)
+            } else if (kind == 2) {
                 *s = random_float(r, -extent, extent);
-            else if (kind == 3)
+            } else if (kind == 3) {
                 *s = (float)random_between(r, -6, 20) * 0.5f / size[c];
-            else if (kind == 4)
+            } else if (kind == 4) {
                 *s = *s * 1.5f - 0.25f;
-            else if (kind == 5 && random_chance(r, 5))
+            } else if (kind == 5 && random_chance(r, 5)) {
                 *s = random_chance(r, 50) ? NAN : random_chance(r, 50) ? INFINITY : -INFINITY;
-            else if (kind == 5) {
+            } else if (kind == 5) {
                 const float sign = random_sign(r);
                 *s = sign * random_octave(r, octave, octave);
             }

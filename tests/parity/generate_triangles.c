@@ -240,11 +240,11 @@ void shape_offscreen(builder *b, uint32_t count)
             vertex *p = builder_vertex(b);
             place_in_viewport(b, p, kind == 0 ? 3.0f : 0.5f, 2.0f, w);
             /* All vertices are beyond one plane or on it, or one or two of them are inside. */
-            if (kind == 1)
+            if (kind == 1) {
                 p->position[axis] = side * w * random_float(r, 1.0f, 3.0f);
-            else if (kind == 2 && random_chance(r, 60))
+            } else if (kind == 2 && random_chance(r, 60)) {
                 p->position[axis] = side * w;
-            else if (kind == 3 && random_chance(r, 60)) {
+            } else if (kind == 3 && random_chance(r, 60)) {
                 const float x = v.x + v.width * (float)random_between(r, -1, 2);
                 const float y = v.y + v.height * (float)random_between(r, -1, 2);
                 builder_place(b, p, x, y, (float)random_between(r, -2, 2), w);

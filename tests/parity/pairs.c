@@ -509,8 +509,8 @@ static void count_draw(counts *c, const place *p)
     for (int a = 0; a < STATE_COUNT; a++)
         for (int b = 0; b < a; b++)
             if (value[a] >= 0 && value[b] >= 0)
-                c->pairs[(c->first[a] + value[a]) * c->first[STATE_COUNT] + c->first[b] +
-                         value[b]]++;
+                ++c->pairs[(c->first[a] + value[a]) * c->first[STATE_COUNT] + c->first[b] +
+                           value[b]];
 }
 
 static void count_class(counts *c, scene_class class, uint64_t seed, uint64_t scenes)

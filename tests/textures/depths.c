@@ -43,17 +43,16 @@ void fill_depths(random_source *r, gn_format format, void *texels, size_t count)
     float *const floats = texels;
 
     for (size_t i = 0; i < count; ++i) {
-        if (format == GN_FORMAT_D16)
+        if (format == GN_FORMAT_D16) {
             halves[i] = (uint16_t)random_depth(r, format);
-        else if (format == GN_FORMAT_D24)
+        } else if (format == GN_FORMAT_D24) {
             words[i] = random_depth(r, format);
-        else if (format == GN_FORMAT_D24S8) {
+        } else if (format == GN_FORMAT_D24S8) {
             words[i] = random_depth(r, format);
             words[i] |= random_below(r, 256) << 24;
-        }
-        else if (format == GN_FORMAT_D32F)
+        } else if (format == GN_FORMAT_D32F) {
             floats[i] = random_float_depth(r);
-        else {
+        } else {
             floats[2 * i] = random_float_depth(r);
             words[2 * i + 1] = random_below(r, 256);
         }

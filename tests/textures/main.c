@@ -196,19 +196,20 @@ static bool parse(int count, char **arguments, settings *s)
             return false;
         number = strtoull(value, NULL, 0);
         ++i;
-        if (!strcmp(name, "--seed"))
+        if (!strcmp(name, "--seed")) {
             s->seed = number;
-        else if (!strcmp(name, "--cases"))
+        } else if (!strcmp(name, "--cases")) {
             s->cases = number;
-        else if (!strcmp(name, "--target"))
+        } else if (!strcmp(name, "--target")) {
             s->target = (int)number;
-        else if (!strcmp(name, "--kind"))
+        } else if (!strcmp(name, "--kind")) {
             s->kind = (int)number;
-        else if (!strcmp(name, "--case")) {
+        } else if (!strcmp(name, "--case")) {
             s->one = number;
             s->has_one = true;
-        } else
+        } else {
             return false;
+        }
     }
     return true;
 }

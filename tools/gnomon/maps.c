@@ -213,16 +213,17 @@ int maps_read(const options *o, const model_part *part, unsigned int wanted, ima
         const char *words = kinds[i].words;
         if ((wanted >> i & 1) == 0 || asked->none)
             continue;
-        if (i == MAP_NORMAL)
+        if (i == MAP_NORMAL) {
             fault = read_normals(&r, result);
-        else if (asked->file != NULL)
+        } else if (asked->file != NULL) {
             fault = read_file(&r, asked->file, option, words, result->images + i);
-        else if (part->maps[i].name != NULL) {
+        } else if (part->maps[i].name != NULL) {
             fault = read_named(&r, part->maps + i, option, result->images + i);
             if (fault == 0)
                 tell_named(&r, words, part->maps + i);
-        } else
+        } else {
             fault = read_conventional(&r, kinds[i].suffix, option, words, result->images + i);
+        }
     }
     if (fault != 0)
         maps_free(result);

@@ -164,12 +164,12 @@ int model_format_check(const char *path)
         return report_fault(path, "cannot be read: %s", strerror(errno));
     }
     int fault = 0;
-    if (which == FORMAT_COUNT)
+    if (which == FORMAT_COUNT) {
         fault = report_fault(path, "its extension is not that of a model format; formats are %s",
                              MODEL_FORMATS_IN_WORDS);
-    else if (size == 0)
+    } else if (size == 0) {
         fault = report_fault(path, "it is empty");
-    else {
+    } else {
         if (which == FORMAT_OBJ || which == FORMAT_PLY || which == FORMAT_GLTF)
             skip_mark(file);
         fault = check(path, which, file, size);

@@ -356,12 +356,12 @@ int model_read(const char *path, model *result)
     unknown_materials.count = 0;
     aiAttachLogStream(&log);
     const struct aiScene *file = aiImportFileEx(path, steps, assimp_files(path));
-    if (file == NULL)
+    if (file == NULL) {
         fault = import_fault(path);
-    else if (!is_of_its_format(path, file))
+    } else if (!is_of_its_format(path, file)) {
         fault = report_fault(path, "its extension does not match its contents; formats are %s",
                              MODEL_FORMATS_IN_WORDS);
-    else {
+    } else {
         const char *wrong = convert(file, result, &odd);
         if (wrong == NULL && !model_complete_normals(result))
             wrong = "not enough memory";
