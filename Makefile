@@ -255,8 +255,8 @@ install: library ## headers, library and pkg-config file: PREFIX=/usr/local DEST
 		'$(PREFIX)' >$(DESTDIR)$(PREFIX)/lib/pkgconfig/gnomon.pc
 
 .PHONY: format
-format: ## clang-format over all C
-	@git ls-files '*.c' '*.h' | xargs clang-format -i
+format: ## the project's style in all C files
+	@tests/style.sh --fix
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
 

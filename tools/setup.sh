@@ -5,5 +5,5 @@ set -eu
 self=setup
 . "$(dirname "$0")/debian.sh"
 
-install_packages "pkg-config clang libclang-rt-14-dev g++ cmake libpng-dev libosmesa6-dev libcglm-dev libcmocka-dev
+install_packages "pkg-config clang clang-format libclang-rt-14-dev g++ cmake libpng-dev libosmesa6-dev libcglm-dev libcmocka-dev
 libassimp-dev libstb-dev libmpfr-dev libsimde-dev gappa" "$@"

@@ -1,0 +1,53 @@
+#!/bin/sh
+# All C files have one style. Layout and braces are those of clang-format (.clang-format): a body
+# of one statement has no braces, and the branches of an `if` have all braces or none. Besides
+# (style.awk): `++i` rather than `i++` where nothing uses the value; a file includes first the header
+# that it implements, then <> of the system and of libraries, then <gnomon/...>, then "" of the
+# project. Only clang-format 14 is asked, Debian 12's: versions differ in what they make of a file.
+# usage: tests/style.sh [--fix]    --fix rewrites the files, as far as a script can
+set -u
+cd "$(dirname "$0")/.."
+. tests/skip.sh
+failed=0
+passed=0
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+format=
+for tool in clang-format-14 clang-format; do
+    [ -n "$format" ] || ! $tool --version 2>/dev/null | grep -q 'version 14\.' || format=$tool
+done
+[ -n "$format" ] || skip "style: layout is not looked at, since clang-format 14 is absent: 'make setup' installs it"
+
+# All files as they should be, in a directory of their own.
+files=$(find include src reference tests tools -name '*.c' -o -name '*.h' -o -name '*.cpp' | sort)
+dirname $files | sort -u | sed "s|^|$work/|" | xargs mkdir -p
+# libtheft's header may be the system's.
+own=$(printf '%s\n' $files | sed -n '/^include/d; /\/theft\.h$/d; s|.*/\(.*\.h\)$|\1|p' | sort -u | tr '\n' ' ')
+awk -v own="$own" -v to="$work" -f tests/style.awk $files
+cp .clang-format "$work/"
+[ -z "$format" ] || (cd "$work" && $format -i $files)
+
+for file in $files; do
+    if cmp -s "$file" "$work/$file"; then
+        passed=$((passed + 1))
+    elif [ "${1:-}" = --fix ]; then
+        cat "$work/$file" >"$file"
+        echo "fixed: $file"
+    else
+        echo "$file is not in style; tests/style.sh --fix makes it:" >&2
+        diff -U 0 "$file" "$work/$file" | sed -n '3,12p' >&2
+        failed=$((failed + 1))
+    fi
+done
+
+# What clang-format leaves: braces at some branches.
+mixed=$(grep -nE '^ *else( if .*)? \{$|^ *\} else$|^ *\} else if .*\)$' -r include src reference tests tools \
+    --include='*.[ch]' --include='*.cpp')
+if [ -n "$mixed" ]; then
+    echo "branches with braces beside some without, which no script mends:" >&2
+    printf '%s\n' "$mixed" | sed 's/^/    /' >&2
+    failed=$((failed + 1))
+fi
+echo "style: $passed passed, $failed failed"
+[ "$failed" = 0 ]
