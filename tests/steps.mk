@@ -26,12 +26,16 @@ unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels \
 	$(BUILD)/textures
 
+.PHONY: sanitized
+sanitized: ## the test programs under the sanitizers, in build/sanitized
+	@$(MAKE) --no-print-directory -j$(JOBS) $(CHECKED_FLAGS) test-programs
+
 .PHONY: test
 test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends on "N passed, N failed[, N skipped]"
 	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/test-lanes $(BUILD)/hashes \
 		$(EMULATED_PARITY)
-	@$(MAKE) --no-print-directory -j$(JOBS) $(CHECKED_FLAGS) test-programs
+	@$(MAKE) --no-print-directory sanitized
 	@$(MAKE) --no-print-directory test-steps
 
 .PHONY: whole

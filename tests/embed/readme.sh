@@ -12,7 +12,7 @@ if grep -n '@[A-Z]*@' README.md; then
     echo "the README has a place that was not filled in"
     exit 1
 fi
-grep -hoE '`(include|src|reference|tests|tools)/[A-Za-z0-9_./]*`' README.md reference/RULES.md |
+grep -hoE '`(include|src|reference|tests|tools)/[A-Za-z0-9_./]*`' README.md CONTRIBUTING.md reference/RULES.md |
     tr -d '`' | sort -u | while read -r named; do
     [ -e "$named" ] || { echo "the documentation names $named, which is not there"; exit 1; }
 done
