@@ -98,6 +98,7 @@ test-steps:
 		'teapot=$(BUILD)/test_teapot' \
 		'set-up=sh tests/tools/test_setup.sh' \
 		'steps=tests/tools/test_run.sh' \
+		'style=tests/style.sh' \
 		'style checked=tests/tools/test_style.sh' \
 		'what make makes again=tests/tools/test_makefile.sh' \
 		'benchmark, clears=$(BUILD)/bench --frames 1 --scene S6 | grep ": 0 differing"' \
