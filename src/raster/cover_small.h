@@ -57,6 +57,7 @@ static inline void cover_small(const pixel_rectangle *target, const triangle_set
     const square_span columns = squares_inside(target->min_x, target->max_x);
     const square_span rows = squares_inside(target->min_y, target->max_y);
     int32_t y = setup->origin[1][lane];
+    bool done = false;
     square_batch batch;
     lanes_i row[3], across[3];
 
@@ -65,9 +66,9 @@ static inline void cover_small(const pixel_rectangle *target, const triangle_set
         row[i] = edge_values(edge->start[lane], edge->per_x[lane], edge->per_y[lane]);
         across[i] = lanes_i_splat(SQUARE_SIZE * edge->per_x[lane]);
     }
-    do {
+    while (!done) {
         batch.count = 0;
-        do {
+        while (!done && batch.count <= SQUARES_IN_BATCH - SMALL_SQUARES) {
             const uint32_t first = batch.count;
             lanes_i value[3] = {row[0], row[1], row[2]};
 
@@ -87,14 +88,15 @@ static inline void cover_small(const pixel_rectangle *target, const triangle_set
             }
             if (GN_SPECIALISED)
                 join_squares(&batch, first);
-            for (int i = 0; i < 3; ++i)
+            y += SQUARE_SIZE;
+            done = y > max_y;
+            for (int i = 0; !done && i < 3; ++i)
                 row[i] =
                     lanes_i_add(row[i], lanes_i_splat(SQUARE_SIZE * setup->edge[i].per_y[lane]));
-            y += SQUARE_SIZE;
-        } while (y <= max_y && batch.count <= SQUARES_IN_BATCH - SMALL_SQUARES);
+        }
         for (uint32_t i = 0; i < batch.count; ++i)
             shade(context, triangle, batch.x[i], batch.y[i], 1, batch.coverage[i]);
-    } while (y <= max_y);
+    }
 }
 
 #endif
