@@ -4,12 +4,8 @@
 
 #include "square.h"
 
-/* The most squares in a row of a small triangle: the 64 pixels of SMALL_EXTENT, and one more to
- * begin at an even place. */
-#define SMALL_SQUARES (SMALL_EXTENT / 256 / SQUARE_SIZE + 1)
-
-/* Squares that are shaded together. A row is never divided between two batches. */
-#define SQUARES_IN_BATCH (GN_SPECIALISED ? 2 * SMALL_SQUARES : SMALL_SQUARES)
+/* Squares of a small triangle that are shaded together. */
+#define SQUARES_IN_BATCH (GN_SPECIALISED ? 32 : 1)
 
 typedef struct square_batch {
     uint32_t count;
@@ -43,6 +39,14 @@ static inline void join_squares(square_batch *batch, uint32_t first)
     batch->count = kept;
 }
 
+static inline void shade_squares_found(square_batch *batch, raster_triangle triangle,
+                                       run_function *shade, const void *context)
+{
+    for (uint32_t i = 0; i < batch->count; ++i)
+        shade(context, triangle, batch->x[i], batch->y[i], 1, batch->coverage[i]);
+    batch->count = 0;
+}
+
 /* Covers a small triangle. Pixels outside the triangle's bounds are outside an edge too, so only
  * what hangs over the strip is masked. Squares are stored without a branch on their coverage, which
  * processors cannot predict, and shaded afterwards. */
@@ -56,47 +60,45 @@ static inline void cover_small(const pixel_rectangle *target, const triangle_set
     const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
     const square_span columns = squares_inside(target->min_x, target->max_x);
     const square_span rows = squares_inside(target->min_y, target->max_y);
-    int32_t y = setup->origin[1][lane];
-    bool done = false;
     square_batch batch;
     lanes_i row[3], across[3];
 
+    batch.count = 0;
     for (int i = 0; i < 3; ++i) {
         const edge_lanes *edge = &setup->edge[i];
         row[i] = edge_values(edge->start[lane], edge->per_x[lane], edge->per_y[lane]);
         across[i] = lanes_i_splat(SQUARE_SIZE * edge->per_x[lane]);
     }
-    while (!done) {
-        batch.count = 0;
-        while (!done && batch.count <= SQUARES_IN_BATCH - SMALL_SQUARES) {
-            const uint32_t first = batch.count;
-            lanes_i value[3] = {row[0], row[1], row[2]};
+    for (int32_t y = setup->origin[1][lane];; y += SQUARE_SIZE) {
+        lanes_i value[3] = {row[0], row[1], row[2]};
+        uint32_t first = batch.count;
 
-            for (int32_t x = left;; x += SQUARE_SIZE) {
-                uint32_t coverage = not_negative(value);
+        for (int32_t x = left;; x += SQUARE_SIZE) {
+            uint32_t coverage = not_negative(value);
 
-                if (begins_outside(columns, x) || begins_outside(rows, y))
-                    coverage &= square_mask(target, x, y);
-                batch.x[batch.count] = x;
-                batch.y[batch.count] = y;
-                batch.coverage[batch.count] = coverage;
-                batch.count += coverage != 0;
-                if (x + SQUARE_SIZE > max_x)
-                    break;
-                for (int i = 0; i < 3; ++i)
-                    value[i] = lanes_i_sub(value[i], across[i]);
+            if (begins_outside(columns, x) || begins_outside(rows, y))
+                coverage &= square_mask(target, x, y);
+            batch.x[batch.count] = x;
+            batch.y[batch.count] = y;
+            batch.coverage[batch.count] = coverage;
+            batch.count += coverage != 0;
+            if (batch.count == SQUARES_IN_BATCH) {
+                shade_squares_found(&batch, triangle, shade, context);
+                first = 0;
             }
-            if (GN_SPECIALISED)
-                join_squares(&batch, first);
-            y += SQUARE_SIZE;
-            done = y > max_y;
-            for (int i = 0; !done && i < 3; ++i)
-                row[i] =
-                    lanes_i_add(row[i], lanes_i_splat(SQUARE_SIZE * setup->edge[i].per_y[lane]));
+            if (x + SQUARE_SIZE > max_x)
+                break;
+            for (int i = 0; i < 3; ++i)
+                value[i] = lanes_i_sub(value[i], across[i]);
         }
-        for (uint32_t i = 0; i < batch.count; ++i)
-            shade(context, triangle, batch.x[i], batch.y[i], 1, batch.coverage[i]);
+        if (GN_SPECIALISED)
+            join_squares(&batch, first);
+        if (y + SQUARE_SIZE > max_y)
+            break;
+        for (int i = 0; i < 3; ++i)
+            row[i] = lanes_i_add(row[i], lanes_i_splat(SQUARE_SIZE * setup->edge[i].per_y[lane]));
     }
+    shade_squares_found(&batch, triangle, shade, context);
 }
 
 #endif
