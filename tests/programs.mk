@@ -105,7 +105,7 @@ $(eval $(call program,accuracy,$(ACCURACY_SOURCES) $(PEER_OBJECTS) $(LIBRARY),-l
 $(eval $(call program,test_cglm,tests/differential/test_cglm.c $(filter-out %/main.c,$(ACCURACY_SOURCES)) $(LIBRARY),-lcmocka -lm))
 
 $(eval $(call program,texture-accuracy,tests/texture_accuracy/main.c reference/exact/sampler.c \
-	$(addprefix reference/scene/,scene.c scene_memory.c scene_texture.c) $(LIBRARY),-lm))
+	$(addprefix reference/scene/,scene.c scene_format.c scene_memory.c scene_pixel.c scene_texture.c) $(LIBRARY),-lm))
 
 $(eval $(call program,exhaustive,$(EXHAUSTIVE_SOURCES) $(LIBRARY),-lmpfr -lm -pthread))
 

@@ -5,28 +5,17 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "scene_pixel.h"
+
 /* ---- Texels ---- */
 
 typedef struct texel {
     long double channel[4];
 } texel;
 
-static long double fraction(uint32_t value, unsigned bits)
+static long double fraction(uint32_t value, int bits)
 {
     return (long double)value / (long double)((UINT64_C(1) << bits) - 1);
-}
-
-/* Value of a binary16 (IEEE 754). */
-static long double half(uint16_t bits)
-{
-    const int exponent = bits >> 10 & 31;
-    const long double sign = bits >> 15 ? -1.0L : 1.0L;
-    const long double digits = (long double)(bits & 1023);
-
-    if (exponent == 31) {
-        return digits != 0.0L ? NAN : sign * HUGE_VALL;
-    }
-    return sign * (exponent ? ldexpl(1024.0L + digits, exponent - 25) : ldexpl(digits, -24));
 }
 
 /* The inverse of the sRGB encoding, equation 8.15. */
@@ -37,95 +26,19 @@ static long double linear(long double encoded)
 
 static texel decode(gn_format format, const void *at)
 {
-    const uint8_t *const bytes = at;
+    const scene_format *const f = scene_format_of(format);
     texel t = {{0.0L, 0.0L, 0.0L, 1.0L}};
-    uint32_t word = 0;
-    uint16_t halves[4] = {0};
-    float floats[4] = {0};
+    uint32_t bits[4];
 
-    switch (format) {
-    case GN_FORMAT_RGBA8:
-    case GN_FORMAT_BGRA8:
-    case GN_FORMAT_SRGB8_A8:
-        memcpy(&word, at, sizeof word);
-        for (int c = 0; c < 4; ++c) {
-            const int place = format == GN_FORMAT_BGRA8 && c < 3 ? 2 - c : c;
-            const long double v = fraction(word >> 8 * place & 255, 8);
-
-            t.channel[c] = format == GN_FORMAT_SRGB8_A8 && c < 3 ? linear(v) : v;
-        }
-        break;
-    case GN_FORMAT_RGBA32F:
-        memcpy(floats, at, sizeof floats);
-        for (int c = 0; c < 4; ++c) {
-            t.channel[c] = (long double)floats[c];
-        }
-        break;
-    case GN_FORMAT_R32F:
-    case GN_FORMAT_D32F:
-    case GN_FORMAT_D32FS8:
-        memcpy(floats, at, sizeof *floats);
-        t.channel[0] = (long double)floats[0];
-        break;
-    case GN_FORMAT_D16:
-    case GN_FORMAT_R16:
-        memcpy(halves, at, sizeof *halves);
-        t.channel[0] = fraction(halves[0], 16);
-        break;
-    case GN_FORMAT_D24:
-    case GN_FORMAT_D24S8:
-        memcpy(&word, at, sizeof word);
-        t.channel[0] = fraction(word & 0xFFFFFF, 24);
-        break;
-    case GN_FORMAT_R8:
-        t.channel[0] = fraction(bytes[0], 8);
-        break;
-    case GN_FORMAT_RGB8:
-        for (int c = 0; c < 3; ++c) {
-            t.channel[c] = fraction(bytes[c], 8);
-        }
-        break;
-    case GN_FORMAT_RG8:
-        memcpy(halves, at, sizeof *halves);
-        t.channel[0] = fraction(halves[0] & 255, 8);
-        t.channel[1] = fraction((uint32_t)halves[0] >> 8, 8);
-        break;
-    case GN_FORMAT_RGB565:
-        memcpy(halves, at, sizeof *halves);
-        t.channel[0] = fraction((uint32_t)halves[0] >> 11, 5);
-        t.channel[1] = fraction(halves[0] >> 5 & 63, 6);
-        t.channel[2] = fraction(halves[0] & 31, 5);
-        break;
-    case GN_FORMAT_RGB5_A1:
-        memcpy(halves, at, sizeof *halves);
-        for (int c = 0; c < 3; ++c) {
-            t.channel[c] = fraction(halves[0] >> (11 - 5 * c) & 31, 5);
-        }
-        t.channel[3] = fraction(halves[0] & 1, 1);
-        break;
-    case GN_FORMAT_RGBA4:
-        memcpy(halves, at, sizeof *halves);
-        for (int c = 0; c < 4; ++c) {
-            t.channel[c] = fraction(halves[0] >> (12 - 4 * c) & 15, 4);
-        }
-        break;
-    case GN_FORMAT_RGBA16:
-    case GN_FORMAT_RGBA16F:
-        memcpy(halves, at, sizeof halves);
-        for (int c = 0; c < 4; ++c) {
-            t.channel[c] = format == GN_FORMAT_RGBA16 ? fraction(halves[c], 16) : half(halves[c]);
-        }
-        break;
-    case GN_FORMAT_NONE:
-    case GN_FORMAT_S8:
-        break;
+    scene_pixel_channels(at, format, 0, bits);
+    for (int c = 0; c < (f->is_color ? f->channels : 1); ++c) {
+        t.channel[c] = f->encoding == SCENE_FLOAT
+                           ? (long double)scene_channel_value(format, c, bits[c])
+                           : fraction(bits[c], f->width[c]);
+        if (f->encoding == SCENE_SRGB && c < 3)
+            t.channel[c] = linear(t.channel[c]);
     }
     return t;
-}
-
-static bool is_depth(gn_format format)
-{
-    return format >= GN_FORMAT_D16 && format <= GN_FORMAT_D32FS8;
 }
 
 /* ---- The state of a sample ---- */
@@ -194,14 +107,12 @@ static int64_t whole(long double x)
 /* Section 8.23.1: the result of comparing a depth. */
 static long double compared(work *w, long double depth)
 {
-    const bool fixed =
-        w->texture->format != GN_FORMAT_D32F && w->texture->format != GN_FORMAT_D32FS8;
+    const bool fixed = !scene_is_float_format(w->texture->format);
     long double r = w->lookup->reference;
     bool holds = false;
 
-    if (fixed) {
+    if (fixed)
         r = r < 0.0L ? 0.0L : r > 1.0L ? 1.0L : r;
-    }
     doubt(w, r - depth);
     switch (w->sampler->compare) {
     case GN_COMPARE_DEFAULT:
@@ -245,7 +156,7 @@ static texel fetch(work *w, int64_t i, int64_t j, int64_t k)
     if (is_outside) {
         for (int c = 0; c < 4; ++c) {
             result.channel[c] =
-                is_depth(t->format) && c > 0 ? c == 3 : (long double)w->sampler->border[c];
+                scene_has_depth(t->format) && c > 0 ? c == 3 : (long double)w->sampler->border[c];
         }
     } else {
         const int64_t layer = t->target == GN_TEXTURE_3D ? k : w->layer;
@@ -254,17 +165,15 @@ static texel fetch(work *w, int64_t i, int64_t j, int64_t k)
             decode(t->format, (const char *)level->texels + layer * level->layer_stride +
                                   j * level->row_stride + i * (int64_t)gn_format_size(t->format));
     }
-    if (is_depth(t->format) && w->sampler->compare != GN_COMPARE_DEFAULT) {
+    if (scene_has_depth(t->format) && w->sampler->compare != GN_COMPARE_DEFAULT)
         result.channel[0] = compared(w, result.channel[0]);
-    }
     return result;
 }
 
 static void add(texel *sum, const texel *t, long double weight)
 {
-    for (int c = 0; c < 4; ++c) {
+    for (int c = 0; c < 4; ++c)
         sum->channel[c] += weight * t->channel[c];
-    }
 }
 
 /* ---- Cubes ---- */
@@ -296,9 +205,8 @@ static void on_face(int face, const long double d[3], long double s_t[2])
     const cube_face *const f = &faces[face];
     const long double major = f->sign[2] * d[f->axis[2]];
 
-    for (int c = 0; c < 2; ++c) {
+    for (int c = 0; c < 2; ++c)
         s_t[c] = f->sign[c] * d[f->axis[c]] / major;
-    }
 }
 
 /* A texel that may lie beyond one edge of its face: in that case it is a texel of the face that
@@ -328,9 +236,8 @@ static texel fetch_over_edge(work *w, int face, int64_t i, int64_t j)
     /* After folding, the neighbour's component is the largest: it is 1, the others are at most 1 -
      * 1/n. */
     w->layer = beyond ? face_of(d) : face;
-    if (!beyond) {
+    if (!beyond)
         return fetch(w, i, j, 0);
-    }
     on_face((int)w->layer, d, s_t);
     return fetch(w, within(whole((s_t[0] + 1.0L) / 2.0L * (long double)n), 0, n - 1),
                  within(whole((s_t[1] + 1.0L) / 2.0L * (long double)n), 0, n - 1), 0);
@@ -347,23 +254,19 @@ static texel cube_linear(work *w, int face, long double u, long double v)
     for (int k = 0; k < 4; ++k) {
         const int64_t i = i0 + k % 2, j = j0 + k / 2;
 
-        if ((i < 0 || i >= n) && (j < 0 || j >= n)) {
+        if ((i < 0 || i >= n) && (j < 0 || j >= n))
             missing = k;
-        } else {
+        else
             corner[k] = fetch_over_edge(w, face, i, j);
-        }
     }
     if (missing >= 0) {
         memset(&corner[missing], 0, sizeof corner[missing]);
-        for (int k = 0; k < 4; ++k) {
-            if (k != missing) {
+        for (int k = 0; k < 4; ++k)
+            if (k != missing)
                 add(&corner[missing], &corner[k], 1.0L / 3.0L);
-            }
-        }
     }
-    for (int k = 0; k < 4; ++k) {
+    for (int k = 0; k < 4; ++k)
         add(&sum, &corner[k], (k % 2 ? a : 1.0L - a) * (k / 2 ? b : 1.0L - b));
-    }
     return sum;
 }
 
@@ -382,9 +285,8 @@ static texel sample_cube(work *w, bool is_linear)
             doubt(w, (fabsl(s_t[c]) - 1.0L) * (long double)n);
         }
     }
-    if (is_linear) {
+    if (is_linear)
         return cube_linear(w, face, at[0], at[1]);
-    }
     w->layer = face;
     return fetch(w, within(whole(at[0]), 0, n - 1), within(whole(at[1]), 0, n - 1), 0);
 }
@@ -411,9 +313,8 @@ static texel sample_level(work *w, uint32_t level, bool is_linear)
     w->size[0] = largest(t->width >> level, 1);
     w->size[1] = largest(t->height >> level, 1);
     w->size[2] = t->target == GN_TEXTURE_3D ? largest(t->depth >> level, 1) : 1;
-    if (t->target == GN_TEXTURE_CUBE) {
+    if (t->target == GN_TEXTURE_CUBE)
         return sample_cube(w, is_linear);
-    }
     if (t->target == GN_TEXTURE_2D_ARRAY) {
         const long double r = w->lookup->coordinate[2];
 
@@ -480,9 +381,8 @@ exact_texel exact_sample(const gn_texture *texture, const gn_sampler *sampler,
                                  m == GN_MINIFY_LINEAR_MIPMAP_LINEAR;
     texel result;
 
-    if (magnifies_linear != minifies_linear) {
+    if (magnifies_linear != minifies_linear)
         doubt(&w, lod);
-    }
     if (lod <= 0.0L) {
         result = sample_level(&w, 0, magnifies_linear);
     } else if (between && lod < last) {
@@ -496,9 +396,8 @@ exact_texel exact_sample(const gn_texture *texture, const gn_sampler *sampler,
     } else if (between || among) {
         const long double nearest = ceill(lod + 0.5L) - 1.0L;
 
-        if (among) {
+        if (among)
             doubt(&w, lod + 0.5L - roundl(lod + 0.5L));
-        }
         result = sample_level(&w, (uint32_t)(between || nearest > last ? last : nearest),
                               minifies_linear);
     } else {
@@ -597,9 +496,8 @@ exact_texel exact_sample_anisotropic(const gn_texture *texture, const gn_sampler
 
         const exact_texel e = exact_sample(texture, sampler, &sample);
 
-        for (int c = 0; c < 4; ++c) {
+        for (int c = 0; c < 4; ++c)
             mean.channel[c] += e.channel[c] / count;
-        }
         mean.doubt = fminl(mean.doubt, e.doubt);
     }
     return mean;

@@ -16,18 +16,23 @@ static GLenum attachment_of(gn_format format)
     }
 }
 
-void reference_turn_depths(gn_format format, void *pixels, size_t count, bool to_opengl)
+void reference_turn_pixels(gn_format format, void *pixels, size_t count, bool to_opengl)
 {
     uint32_t *const word = pixels;
 
-    for (size_t i = 0; i < count; ++i) {
-        if (format == GN_FORMAT_D24)
+    for (size_t i = 0; i < count; ++i)
+        if (scene_format_of(format)->high_first) {
+            unsigned char *const at = (unsigned char *)pixels + 2 * i;
+            const unsigned char first = at[0];
+
+            at[0] = at[1];
+            at[1] = first;
+        } else if (format == GN_FORMAT_D24)
             word[i] = to_opengl ? reference_depth32_of(word[i]) : word[i] >> 8;
         else if (format == GN_FORMAT_D24S8)
             word[i] = to_opengl ? word[i] << 8 | word[i] >> 24 : word[i] >> 8 | word[i] << 24;
         else if (format == GN_FORMAT_D32FS8)
             word[2 * i + 1] &= 255;
-    }
 }
 
 typedef struct image {
@@ -44,10 +49,10 @@ static image upload(const gn_surface *s)
     glGenTextures(1, &i.texture);
     glBindTexture(GL_TEXTURE_2D, i.texture);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    reference_turn_depths(s->format, s->pixels, count, true);
+    reference_turn_pixels(s->format, s->pixels, count, true);
     glTexImage2D(GL_TEXTURE_2D, 0, (GLint)f.internal, (GLsizei)s->width, (GLsizei)s->height, 0,
                  f.format, f.type, s->pixels);
-    reference_turn_depths(s->format, s->pixels, count, false);
+    reference_turn_pixels(s->format, s->pixels, count, false);
     glGenFramebuffers(1, &i.framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, i.framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, attachment_of(s->format), GL_TEXTURE_2D, i.texture, 0);
@@ -95,7 +100,7 @@ bool reference_blit(reference *r, const gn_surface *destination, const gn_rectan
     glBindFramebuffer(GL_READ_FRAMEBUFFER, destination_image.framebuffer);
     glReadPixels(0, 0, (GLsizei)destination->width, (GLsizei)destination->height, f.format, f.type,
                  destination->pixels);
-    reference_turn_depths(destination->format, destination->pixels,
+    reference_turn_pixels(destination->format, destination->pixels,
                           (size_t)destination->width * destination->height, false);
     discard(source_image);
     discard(destination_image);

@@ -37,7 +37,7 @@ static GLuint attach_depth(const scene *s, reference_depth depth)
         return attach(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8, s->width, s->height);
     if (s->depth_format != GN_FORMAT_NONE && depth == REFERENCE_DEPTH_FLOAT)
         return attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, s->width, s->height);
-    const bool has_both = s->depth_format == GN_FORMAT_D24S8 || s->depth_format == GN_FORMAT_D32FS8;
+    const bool has_both = scene_has_depth(s->depth_format) && scene_has_stencil(s->depth_format);
     const GLenum attachment = has_both                          ? GL_DEPTH_STENCIL_ATTACHMENT
                               : s->depth_format == GN_FORMAT_S8 ? GL_STENCIL_ATTACHMENT
                                                                 : GL_DEPTH_ATTACHMENT;
@@ -106,11 +106,9 @@ void framebuffer_choose_colors(const scene *s, int count)
 
 static bool has_colors_of(const framebuffer *f, const scene *s)
 {
-    for (int a = 0; a < GN_MAX_COLORS; ++a) {
-        if (f->color_format[a] != scene_color_format(s, a)) {
+    for (int a = 0; a < GN_MAX_COLORS; ++a)
+        if (f->color_format[a] != scene_color_format(s, a))
             return false;
-        }
-    }
     return true;
 }
 
@@ -128,14 +126,12 @@ framebuffer *reference_framebuffer(reference *r, const scene *s, char *error, si
             glBindFramebuffer(GL_FRAMEBUFFER, f->name);
             return f;
         }
-        if (f->last_use < oldest->last_use) {
+        if (f->last_use < oldest->last_use)
             oldest = f;
-        }
     }
     framebuffer_destroy(oldest);
-    if (!framebuffer_create(oldest, s, REFERENCE_DEPTH_OF_SCENE, error, error_size)) {
+    if (!framebuffer_create(oldest, s, REFERENCE_DEPTH_OF_SCENE, error, error_size))
         return NULL;
-    }
     oldest->last_use = r->uses;
     return oldest;
 }

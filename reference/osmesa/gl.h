@@ -153,8 +153,9 @@ reference_image_format reference_image_format_of(gn_format format);
  * repeated below, the depths 1 to 65,535 would come out one less.) */
 uint32_t reference_depth32_of(uint32_t depth24);
 
-/* Converts words of depth from Gnomon's form to OpenGL's, or back. */
-void reference_turn_depths(gn_format format, void *pixels, size_t count, bool to_opengl);
+/* Pixels that Gnomon and OpenGL have in different forms, from the former to the latter or back:
+ * words of depth, and bytes of which the higher is first. */
+void reference_turn_pixels(gn_format format, void *pixels, size_t count, bool to_opengl);
 
 /* Sets which samples are drawn. */
 void reference_set_sample_state(const gn_pipeline *p);

@@ -6,6 +6,7 @@ static void read_color(const scene *s, gn_format format, void *pixels)
     const reference_image_format f = reference_image_format_of(format);
 
     glReadPixels(0, 0, (GLsizei)s->width, (GLsizei)s->height, f.format, f.type, pixels);
+    reference_turn_pixels(format, pixels, (size_t)s->width * s->height, false);
 }
 
 void reference_read_image(const scene *s, uint32_t image, scene_frame *frame)
@@ -24,9 +25,8 @@ void reference_read_image(const scene *s, uint32_t image, scene_frame *frame)
                        (char *)scene_frame_color(frame, a) + skipped * gn_format_size(format));
         }
     }
-    if (depth) {
+    if (depth)
         depth += skipped * gn_format_size(s->depth_format);
-    }
     switch (s->depth_format) {
     case GN_FORMAT_D16:
         glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, depth);
@@ -34,9 +34,8 @@ void reference_read_image(const scene *s, uint32_t image, scene_frame *frame)
     case GN_FORMAT_D24:
         /* OpenGL returns the value as 32 bits, with its own upper bits repeated below it. */
         glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depth);
-        for (size_t i = 0; i < (size_t)s->width * s->height; ++i) {
+        for (size_t i = 0; i < (size_t)s->width * s->height; ++i)
             ((uint32_t *)(void *)depth)[i] >>= 8;
-        }
         break;
     case GN_FORMAT_D32F:
         glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depth);
@@ -52,9 +51,8 @@ void reference_read_image(const scene *s, uint32_t image, scene_frame *frame)
     case GN_FORMAT_D32FS8:
         glReadPixels(0, 0, width, height, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV,
                      depth);
-        for (size_t i = 0; i < (size_t)s->width * s->height; ++i) {
+        for (size_t i = 0; i < (size_t)s->width * s->height; ++i)
             ((uint32_t *)(void *)depth)[2 * i + 1] &= 255;
-        }
         break;
     case GN_FORMAT_S8:
         glReadPixels(0, 0, width, height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, depth);

@@ -30,11 +30,10 @@ static const char fetch_stencil[] =
 
 static void switch_on(GLenum capability, bool on)
 {
-    if (on) {
+    if (on)
         glEnable(capability);
-    } else {
+    else
         glDisable(capability);
-    }
 }
 
 void reference_set_sample_state(const gn_pipeline *p)
@@ -54,12 +53,10 @@ static void reset_state(const scene *s)
                                  GL_CULL_FACE,    GL_COLOR_LOGIC_OP,      GL_BLEND,
                                  GL_DEPTH_CLAMP,  GL_POLYGON_OFFSET_FILL, GL_PROGRAM_POINT_SIZE};
 
-    for (size_t i = 0; i < sizeof off / sizeof *off; ++i) {
+    for (size_t i = 0; i < sizeof off / sizeof *off; ++i)
         glDisable(off[i]);
-    }
-    for (GLenum i = 0; i < GN_MAX_CLIP_DISTANCES; ++i) {
+    for (GLenum i = 0; i < GN_MAX_CLIP_DISTANCES; ++i)
         glDisable(GL_CLIP_DISTANCE0 + i);
-    }
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glViewportIndexedf(0, 0.0f, 0.0f, (float)s->width, (float)s->height);
@@ -87,9 +84,8 @@ static uint32_t depth24_of(float z)
 {
     uint32_t value = (uint32_t)fmin(lrint((double)z * 16777215.0) + 2.0, 16777215.0);
 
-    while (value > 0 && depth24_as_read(value) > z) {
+    while (value > 0 && depth24_as_read(value) > z)
         --value;
-    }
     return z >= 1.0f ? 16777215 : value;
 }
 
@@ -106,9 +102,8 @@ static void undo_depth24(const scene *s, void *depth)
         const float read = depth24_as_read(sample[i] & 0xFFFFFF);
         const float scaled = read >= 1.0f ? 16777215.0f : read * 16777215.0f;
 
-        if ((resolved[i] & 0xFFFFFF) == (uint32_t)lrintf(scaled)) {
+        if ((resolved[i] & 0xFFFFFF) == (uint32_t)lrintf(scaled))
             resolved[i] = (resolved[i] & ~UINT32_C(0xFFFFFF)) | (sample[i] & 0xFFFFFF);
-        }
     }
 }
 
@@ -155,16 +150,6 @@ static void store_stencil(const scene *s, void *depth, size_t i, uint32_t stenci
     }
 }
 
-static bool has_depth(gn_format format)
-{
-    return format != GN_FORMAT_NONE && format != GN_FORMAT_S8;
-}
-
-static bool has_stencil(gn_format format)
-{
-    return format == GN_FORMAT_D24S8 || format == GN_FORMAT_D32FS8 || format == GN_FORMAT_S8;
-}
-
 static void read_sample(reference *r, const scene *s, const framebuffer *f, uint32_t sample,
                         float *values, scene_frame *frame)
 {
@@ -176,34 +161,29 @@ static void read_sample(reference *r, const scene *s, const framebuffer *f, uint
         char *const color =
             (char *)scene_frame_color(frame, a) + pixels * sample * gn_format_size(format);
 
-        if (format == GN_FORMAT_NONE) {
+        if (format == GN_FORMAT_NONE)
             continue;
-        }
         fetch(s, r->sample_programs[0], f->color[a], (GLint)sample, values);
-        for (size_t i = 0; i < pixels; ++i) {
+        for (size_t i = 0; i < pixels; ++i)
             scene_pixel_store(color, format, i, values + 4 * i);
-        }
     }
-    if (depth) {
+    if (depth)
         depth += pixels * sample * gn_format_size(s->depth_format);
-    }
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, f->depth);
-    if (has_depth(s->depth_format)) {
-        if (has_stencil(s->depth_format)) {
+    if (scene_has_depth(s->depth_format)) {
+        if (scene_has_stencil(s->depth_format)) {
             glTexParameteri(GL_TEXTURE_2D_MULTISAMPLE, GL_DEPTH_STENCIL_TEXTURE_MODE,
                             GL_DEPTH_COMPONENT);
         }
         fetch(s, r->sample_programs[0], f->depth, (GLint)sample, values);
-        for (size_t i = 0; i < pixels; ++i) {
+        for (size_t i = 0; i < pixels; ++i)
             store_depth(s, depth, i, values[4 * i]);
-        }
     }
-    if (has_stencil(s->depth_format)) {
+    if (scene_has_stencil(s->depth_format)) {
         glTexParameteri(GL_TEXTURE_2D_MULTISAMPLE, GL_DEPTH_STENCIL_TEXTURE_MODE, GL_STENCIL_INDEX);
         fetch(s, r->sample_programs[1], f->depth, (GLint)sample, values);
-        for (size_t i = 0; i < pixels; ++i) {
+        for (size_t i = 0; i < pixels; ++i)
             store_stencil(s, depth, i, (uint32_t)values[4 * i]);
-        }
     }
 }
 
@@ -222,18 +202,16 @@ bool reference_read_samples(reference *r, const scene *s, const framebuffer *f, 
         r->sample_programs[0] = reference_link(vertex_shader, fetch_number, error, error_size);
         r->sample_programs[1] = reference_link(vertex_shader, fetch_stencil, error, error_size);
     }
-    if (!r->sample_programs[0] || !r->sample_programs[1]) {
+    if (!r->sample_programs[0] || !r->sample_programs[1])
         return false;
-    }
     reset_state(s);
     single.samples = 0;
     floats.samples = 0;
     floats.color_format = GN_FORMAT_RGBA32F;
     floats.depth_format = GN_FORMAT_NONE;
     memset(floats.more_colors, 0, sizeof floats.more_colors);
-    if (!reference_framebuffer(r, &single, error, error_size)) {
+    if (!reference_framebuffer(r, &single, error, error_size))
         return false;
-    }
     glBindFramebuffer(GL_READ_FRAMEBUFFER, source);
     for (int a = 0; a < GN_MAX_COLORS; ++a) {
         if (scene_color_format(s, a) != GN_FORMAT_NONE) {
@@ -244,28 +222,23 @@ bool reference_read_samples(reference *r, const scene *s, const framebuffer *f, 
         }
     }
     glBlitFramebuffer(0, 0, width, height, 0, 0, width, height,
-                      (has_depth(s->depth_format) ? GL_DEPTH_BUFFER_BIT : 0) |
-                          (has_stencil(s->depth_format) ? GL_STENCIL_BUFFER_BIT : 0),
+                      (scene_has_depth(s->depth_format) ? GL_DEPTH_BUFFER_BIT : 0) |
+                          (scene_has_stencil(s->depth_format) ? GL_STENCIL_BUFFER_BIT : 0),
                       GL_NEAREST);
     framebuffer_choose_colors(s, GN_MAX_COLORS);
-    if (!reference_framebuffer(r, &single, error, error_size)) {
+    if (!reference_framebuffer(r, &single, error, error_size))
         return false;
-    }
     reference_read_image(s, GN_SAMPLES, frame);
-    if (!reference_framebuffer(r, &floats, error, error_size)) {
+    if (!reference_framebuffer(r, &floats, error, error_size))
         return false;
-    }
     glReadBuffer(GL_COLOR_ATTACHMENT0);
     values = malloc((size_t)s->width * s->height * 4 * sizeof *values);
-    if (!values) {
+    if (!values)
         return reference_fail(error, error_size, "out of memory");
-    }
-    for (uint32_t sample = 0; sample < GN_SAMPLES; ++sample) {
+    for (uint32_t sample = 0; sample < GN_SAMPLES; ++sample)
         read_sample(r, s, &samples, sample, values, frame);
-    }
     free(values);
-    if (s->depth_format == GN_FORMAT_D24 || s->depth_format == GN_FORMAT_D24S8) {
+    if (s->depth_format == GN_FORMAT_D24 || s->depth_format == GN_FORMAT_D24S8)
         undo_depth24(s, frame->depth);
-    }
     return reference_check("reading samples", error, error_size);
 }

@@ -15,14 +15,18 @@ GLenum reference_texture_target(gn_texture_target target)
     return targets[target];
 }
 
-/* Returns the row itself, or OpenGL's form of it in `converted`: depths of 24 bits fill 32 bits, or
- * lie above the stencil. */
+/* The row itself, or what OpenGL is given for it, in `converted`: depths of 24 bits fill 32 bits,
+ * or stand above the stencil, and bytes of a pixel are in the order of the machine. */
 static const void *convert_row(gn_format format, const void *row, uint32_t width,
                                uint32_t *converted)
 {
-    if (format != GN_FORMAT_D24 && format != GN_FORMAT_D24S8) {
-        return row;
+    if (scene_format_of(format)->high_first) {
+        memcpy(converted, row, width * gn_format_size(format));
+        reference_turn_pixels(format, converted, width, true);
+        return converted;
     }
+    if (format != GN_FORMAT_D24 && format != GN_FORMAT_D24S8)
+        return row;
     for (uint32_t x = 0; x < width; ++x) {
         const uint32_t word = ((const uint32_t *)row)[x];
 
@@ -114,9 +118,8 @@ static void set_sampler(GLenum target, const gn_sampler *s, bool is_compared)
         glTexParameterf(target, GL_TEXTURE_MIN_LOD, s->min_lod);
         glTexParameterf(target, GL_TEXTURE_MAX_LOD, s->max_lod);
     }
-    if (s->max_anisotropy > 1) {
+    if (s->max_anisotropy > 1)
         glTexParameterf(target, MAX_ANISOTROPY, (float)s->max_anisotropy);
-    }
     glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, s->border);
     if (is_compared) {
         glTexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);

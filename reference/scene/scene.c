@@ -6,12 +6,6 @@
 
 #include "scene_memory.h"
 
-bool scene_is_color_format(gn_format format)
-{
-    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F ||
-           (format >= GN_FORMAT_BGRA8 && format <= GN_FORMAT_SRGB8_A8);
-}
-
 size_t scene_index_size(gn_index_format format)
 {
     switch (format) {
@@ -55,24 +49,20 @@ scene *scene_create(uint32_t width, uint32_t height, gn_format color, gn_format 
 
 static void free_draw(scene_draw *d)
 {
-    for (int a = 0; a < GN_MAX_ATTRIBUTES; ++a) {
+    for (int a = 0; a < GN_MAX_ATTRIBUTES; ++a)
         free((void *)d->mesh.attribute[a].data);
-    }
     free((void *)d->mesh.indices);
     free((void *)d->uniforms.texture.level[0].texels);
-    for (int m = 0; m < SCENE_MAP_COUNT; ++m) {
+    for (int m = 0; m < SCENE_MAP_COUNT; ++m)
         free((void *)d->surface.map[m].level[0].texels);
-    }
 }
 
 void scene_free(scene *s)
 {
-    if (!s) {
+    if (!s)
         return;
-    }
-    for (size_t i = 0; i < s->draw_count; ++i) {
+    for (size_t i = 0; i < s->draw_count; ++i)
         free_draw(&s->draws[i]);
-    }
     free(s->draws);
     free(s);
 }
@@ -99,16 +89,14 @@ scene_draw *scene_add_draw(scene *s)
 
 void scene_remove_draw(scene *s, size_t index)
 {
-    if (index >= s->draw_count) {
+    if (index >= s->draw_count)
         return;
-    }
     free_draw(&s->draws[index]);
     s->draw_count--;
     memmove(&s->draws[index], &s->draws[index + 1], (s->draw_count - index) * sizeof *s->draws);
     /* Keeps the rule of scene_add_draw: at a power of two the list is exactly full. */
-    if (s->draw_count && (s->draw_count & (s->draw_count - 1)) == 0) {
+    if (s->draw_count && (s->draw_count & (s->draw_count - 1)) == 0)
         s->draws = scene_reallocate(s->draws, s->draw_count, sizeof *s->draws);
-    }
 }
 
 scene scene_of_clear(const scene *s, const scene_draw *d)
@@ -121,9 +109,8 @@ scene scene_of_clear(const scene *s, const scene_draw *d)
         cleared.color_format = GN_FORMAT_NONE;
         memset(cleared.more_colors, 0, sizeof cleared.more_colors);
     }
-    if (!d->clear.depth) {
+    if (!d->clear.depth)
         cleared.depth_format = GN_FORMAT_NONE;
-    }
     memcpy(cleared.clear_color, d->clear.color_value, sizeof cleared.clear_color);
     cleared.clear_depth = d->clear.depth_value;
     cleared.clear_stencil = d->clear.stencil_value;
@@ -137,9 +124,8 @@ void scene_set_attribute(scene_draw *d, gn_shader_attribute attribute, const flo
     const size_t count = (size_t)components * vertex_count;
     float *copy = scene_allocate(count, sizeof *copy);
 
-    if (count) {
+    if (count)
         memcpy(copy, data, count * sizeof *copy);
-    }
     free((void *)a->data);
     a->data = copy;
     a->components = components;
@@ -186,9 +172,8 @@ static void copy_attribute(gn_attribute *to, const gn_attribute *from, uint32_t 
     const size_t stride = from->stride ? from->stride : size;
     float *copy = scene_allocate(vertex_count, size);
 
-    for (uint32_t v = 0; v < vertex_count; ++v) {
+    for (uint32_t v = 0; v < vertex_count; ++v)
         memcpy(copy + (size_t)v * from->components, (const char *)from->data + v * stride, size);
-    }
     to->data = copy;
     to->components = from->components;
     to->stride = 0;
@@ -228,9 +213,8 @@ scene *scene_copy(const scene *s)
         }
         for (int m = 0; m < SCENE_MAP_COUNT; ++m) {
             to->surface.map[m].level[0].texels = NULL;
-            if (from->surface.map[m].level[0].texels) {
+            if (from->surface.map[m].level[0].texels)
                 scene_set_map(to, (scene_map)m, &from->surface.map[m]);
-            }
         }
     }
     return copy;

@@ -12,6 +12,8 @@
 
 #include <gnomon.h>
 
+#include "scene_format.h"
+
 /* The shader of a draw: first ready-made shaders, then users' shaders, then more ready-made
  * ones. */
 typedef enum scene_shader {
@@ -243,10 +245,8 @@ scene_extent scene_level_extent(const gn_texture *t, uint32_t level);
 /* Number of levels; at least 1. */
 uint32_t scene_level_count(const gn_texture *t);
 
-/* The number of elements in all levels of a texture, and the bytes of one element: 1, 2 or 4; 0 for
- * an unknown format. */
+/* Elements of all levels of a texture. */
 size_t scene_texture_elements(const gn_texture *t);
-size_t scene_element_size(gn_format format);
 
 /* Element i of aligned memory; elements have 1, 2 or 4 bytes. */
 uint32_t scene_element(const void *elements, size_t size, size_t i);
@@ -272,9 +272,6 @@ static inline bool scene_draw_has_map(const scene_draw *d, scene_map map)
 {
     return scene_shader_shows_surface(d->shader) && d->surface.map[map].level[0].texels;
 }
-
-/* Whether a format holds colours. */
-bool scene_is_color_format(gn_format format);
 
 /* Bytes of an index; 0 for GN_INDEX_NONE. */
 size_t scene_index_size(gn_index_format format);

@@ -30,9 +30,8 @@ bool scene_frame_allocate(scene_frame *frame, const scene *s)
         frame->more_colors[a] = size ? calloc(pixels, size) : NULL;
         allocated = allocated && (!size || frame->more_colors[a]);
     }
-    if (!allocated) {
+    if (!allocated)
         scene_frame_free(frame);
-    }
     return allocated;
 }
 
@@ -61,17 +60,6 @@ static pixel load_pixel(const void *pixels, gn_format format, size_t index)
     uint16_t half;
 
     switch (format) {
-    case GN_FORMAT_RGBA8:
-        memcpy(&word, (const char *)pixels + 4 * index, sizeof word);
-        p.count = 4;
-        for (int c = 0; c < 4; ++c) {
-            p.channel[c] = word >> (8 * c) & 255;
-        }
-        break;
-    case GN_FORMAT_RGBA32F:
-        p.count = 4;
-        memcpy(p.channel, (const char *)pixels + 16 * index, sizeof p.channel);
-        break;
     case GN_FORMAT_D16:
         memcpy(&half, (const char *)pixels + 2 * index, sizeof half);
         p.channel[0] = half;
@@ -113,23 +101,21 @@ static uint32_t bits_of(float f)
 
 static bool equal_pixels(const pixel *a, const pixel *b, gn_format format)
 {
-    for (int c = 0; c < a->count; ++c) {
-        if (!scene_channels_equal(format, c, a->channel[c], b->channel[c])) {
+    for (int c = 0; c < a->count; ++c)
+        if (!scene_channels_equal(format, c, a->channel[c], b->channel[c]))
             return false;
-        }
-    }
     return true;
 }
 
 /* Averages of sRGB samples that are one step apart may be two steps apart. */
 static bool equal_resolved(const pixel *a, const pixel *b, gn_format format)
 {
-    for (int c = 0; format == GN_FORMAT_SRGB8_A8 && c < a->count; ++c) {
-        if (a->channel[c] + 2 < b->channel[c] || b->channel[c] + 2 < a->channel[c]) {
+    const bool is_srgb = scene_format_of(format)->encoding == SCENE_SRGB;
+
+    for (int c = 0; is_srgb && c < a->count; ++c)
+        if (a->channel[c] + 2 < b->channel[c] || b->channel[c] + 2 < a->channel[c])
             return false;
-        }
-    }
-    return format == GN_FORMAT_SRGB8_A8 || equal_pixels(a, b, format);
+    return is_srgb || equal_pixels(a, b, format);
 }
 
 /* The largest difference of two pixels' channels; infinite between NaN and a number. */
@@ -142,13 +128,11 @@ static double distance(const pixel *a, const pixel *b, gn_format format)
         const uint32_t y = b->channel[c];
         double d;
 
-        if (scene_channels_equal(format, c, x, y)) {
+        if (scene_channels_equal(format, c, x, y))
             continue;
-        }
-        d = fabs(scene_channel_value(format, x) - scene_channel_value(format, y));
-        if (!(d <= largest)) {
+        d = fabs(scene_channel_value(format, c, x) - scene_channel_value(format, c, y));
+        if (!(d <= largest))
             largest = isnan(d) ? HUGE_VAL : d;
-        }
     }
     return largest;
 }
@@ -158,25 +142,15 @@ static pixel clear_color_pixel(const scene *s, gn_format format)
 {
     pixel p = {{0, 0, 0, 0}, 4};
 
-    for (int c = 0; c < 4; ++c) {
-        const float v = s->clear_color[c];
-
-        if (format == GN_FORMAT_RGBA32F) {
-            p.channel[c] = bits_of(v);
-        } else if (format != GN_FORMAT_RGBA8) {
-            p.channel[c] = scene_clear_channel(format, c, v);
-        } else {
-            p.channel[c] = !(v > 0.0f) ? 0 : v >= 1.0f ? 255 : (uint32_t)lrintf(v * 255.0f);
-        }
-    }
+    for (int c = 0; c < 4; ++c)
+        p.channel[c] = scene_clear_channel(format, c, s->clear_color[c]);
     return p;
 }
 
 static pixel clear_depth_pixel(const scene *s)
 {
     const float z = !(s->clear_depth > 0.0f) ? 0.0f : s->clear_depth > 1.0f ? 1.0f : s->clear_depth;
-    const bool has_both = s->depth_format == GN_FORMAT_D24S8 || s->depth_format == GN_FORMAT_D32FS8;
-    pixel p = {{0, s->clear_stencil, 0, 0}, has_both ? 2 : 1};
+    pixel p = {{0, s->clear_stencil, 0, 0}, scene_format_of(s->depth_format)->channels};
 
     switch (s->depth_format) {
     case GN_FORMAT_S8:
@@ -218,9 +192,8 @@ static pixel read_pixel(const buffer *b, const void *pixels, size_t i)
     pixel p = load_pixel(pixels, b->format, i);
 
     if (b->sampled && (b->format == GN_FORMAT_D24 || b->format == GN_FORMAT_D24S8) &&
-        p.channel[0] == 0xFFFFFE) {
+        p.channel[0] == 0xFFFFFE)
         p.channel[0] = 0xFFFFFF;
-    }
     return p;
 }
 

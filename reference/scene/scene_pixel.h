@@ -1,4 +1,4 @@
-/* Pixels of the colour formats besides RGBA8 and RGBA32F, channel by channel. */
+/* Pixels of the colour formats, channel by channel. */
 #ifndef SCENE_PIXEL_H
 #define SCENE_PIXEL_H
 
@@ -18,7 +18,7 @@ uint32_t scene_clear_channel(gn_format format, int c, float value);
  * (reference/RULES.md). */
 bool scene_channels_equal(gn_format format, int c, uint32_t a, uint32_t b);
 
-/* The number that a channel's bits stand for; for formats of integers in steps. */
-double scene_channel_value(gn_format format, uint32_t bits);
+/* The number that the bits of channel c stand for, in steps where the format is of integers. */
+double scene_channel_value(gn_format format, int c, uint32_t bits);
 
 #endif

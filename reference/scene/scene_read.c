@@ -45,9 +45,8 @@ static void read_indices(reader *r, scene_draw *d)
                         text_name(TEXT_INDEX, (int)format));
         }
     }
-    if (!r->failed) {
+    if (!r->failed)
         scene_set_indices(d, words, count, format);
-    }
     free(words);
 }
 
@@ -55,19 +54,15 @@ static void read_indices(reader *r, scene_draw *d)
  * After a fault null. */
 static void *read_texels(reader *r, gn_texture *t)
 {
-    const bool sampled = scene_is_color_format(t->format) ||
-                         (t->format >= GN_FORMAT_D16 && t->format <= GN_FORMAT_D32FS8);
+    const bool sampled = scene_is_color_format(t->format) || scene_has_depth(t->format);
     const size_t size = scene_element_size(t->format);
 
-    if (!r->failed && !sampled) {
+    if (!r->failed && !sampled)
         reader_fail(r, "a texture is of a format of colours or depths, such as rgba8");
-    }
-    if (!r->failed && (t->width == 0 || t->height == 0)) {
+    if (!r->failed && (t->width == 0 || t->height == 0))
         reader_fail(r, "a texture has a size");
-    }
-    if (r->failed) {
+    if (r->failed)
         return NULL;
-    }
 
     const size_t count = scene_texture_elements(t);
     uint32_t *words = read_words(r, count, read_hexadecimal_word);
@@ -75,9 +70,8 @@ static void *read_texels(reader *r, gn_texture *t)
 
     if (!r->failed) {
         packed = scene_allocate(count, size);
-        for (size_t i = 0; i < count; ++i) {
+        for (size_t i = 0; i < count; ++i)
             scene_set_element(packed, size, i, words[i]);
-        }
         scene_pack_texture(t, packed);
     }
     free(words);
@@ -95,9 +89,8 @@ static void read_texture(reader *r, scene_draw *d)
     t.height = read_number(r, 10, GN_MAX_SIZE);
 
     void *const packed = read_texels(r, &t);
-    if (packed) {
+    if (packed)
         scene_set_levels(d, &t);
-    }
     free(packed);
 }
 
@@ -115,11 +108,10 @@ static void read_levels(reader *r, scene_draw *d, scene_map map)
     t.level_count = read_number(r, 10, GN_MAX_LEVELS);
 
     void *const packed = read_texels(r, &t);
-    if (packed && map == SCENE_MAP_COUNT) {
+    if (packed && map == SCENE_MAP_COUNT)
         scene_set_levels(d, &t);
-    } else if (packed) {
+    else if (packed)
         scene_set_map(d, map, &t);
-    }
     free(packed);
 }
 
@@ -214,9 +206,8 @@ static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
         p->raster.polygon_mode_front = (gn_polygon_mode)read_name(r, TEXT_POLYGON_MODE);
         p->raster.polygon_mode_back = (gn_polygon_mode)read_name(r, TEXT_POLYGON_MODE);
     } else if (!strcmp(keyword, "interpolation")) {
-        for (int i = 0; i < 4; ++i) {
+        for (int i = 0; i < 4; ++i)
             p->program.interpolation[i] = (gn_interpolation)read_name(r, TEXT_INTERPOLATION);
-        }
     } else {
         return false;
     }
@@ -230,9 +221,8 @@ static bool is_of_attachment(reader *r, const char *keyword, const char *name, u
     const size_t length = strlen(name);
 
     *attachment = 0;
-    if (strncmp(keyword, name, length) != 0) {
+    if (strncmp(keyword, name, length) != 0)
         return false;
-    }
     if (!strcmp(keyword + length, "-of")) {
         *attachment = read_number(r, 10, GN_MAX_COLORS - 1);
         return true;
@@ -259,9 +249,8 @@ static bool read_color_state(reader *r, const char *keyword, gn_pipeline *p)
         p->program.color_count = read_number(r, 10, GN_MAX_COLORS);
     } else if (is_of_attachment(r, keyword, "color-mask", &a)) {
         p->color.write_disabled[a] = 0;
-        for (unsigned c = 0; c < 4; ++c) {
+        for (unsigned c = 0; c < 4; ++c)
             p->color.write_disabled[a] |= read_name(r, TEXT_SWITCH) == 0 ? 1u << c : 0;
-        }
     } else if (!strcmp(keyword, "blend-constant")) {
         read_floats(r, p->color.blend_constant, 4);
     } else if (is_of_attachment(r, keyword, "blend", &a)) {
@@ -279,23 +268,22 @@ static bool read_uniforms(reader *r, const char *keyword, scene_draw *d)
 {
     scene_uniforms *u = &d->uniforms;
 
-    if (!strcmp(keyword, "clip-from-model")) {
+    if (!strcmp(keyword, "clip-from-model"))
         read_floats(r, &u->light.clip_from_model.m[0][0], 16);
-    } else if (!strcmp(keyword, "normal-matrix")) {
+    else if (!strcmp(keyword, "normal-matrix"))
         read_floats(r, &u->light.normal_matrix.m[0][0], 9);
-    } else if (!strcmp(keyword, "light-direction")) {
+    else if (!strcmp(keyword, "light-direction"))
         u->light.light_direction = read_vec3(r);
-    } else if (!strcmp(keyword, "ambient")) {
+    else if (!strcmp(keyword, "ambient"))
         u->light.ambient = read_vec3(r);
-    } else if (!strcmp(keyword, "diffuse")) {
+    else if (!strcmp(keyword, "diffuse"))
         u->light.diffuse = read_vec3(r);
-    } else if (!strcmp(keyword, "view-from-model")) {
+    else if (!strcmp(keyword, "view-from-model"))
         read_floats(r, &d->view_from_model.m[0][0], 16);
-    } else if (!strcmp(keyword, "specular")) {
+    else if (!strcmp(keyword, "specular"))
         d->specular = read_vec3(r);
-    } else {
+    else
         return false;
-    }
     return true;
 }
 
@@ -363,11 +351,9 @@ static bool read_sampler(reader *r, const char *keyword, gn_sampler *s)
 static bool read_mesh(reader *r, const char *keyword, scene_draw *d)
 {
     if (!strcmp(keyword, "vertices")) {
-        for (int a = 0; a < text_name_count(TEXT_ATTRIBUTE); ++a) {
-            if (d->mesh.attribute[a].data) {
+        for (int a = 0; a < text_name_count(TEXT_ATTRIBUTE); ++a)
+            if (d->mesh.attribute[a].data)
                 reader_fail(r, "vertices stands after an attribute");
-            }
-        }
         d->mesh.vertex_count = read_number(r, 10, UINT32_MAX);
     } else if (!strcmp(keyword, "indices")) {
         read_indices(r, d);
@@ -431,31 +417,26 @@ static void read_draw(reader *r, scene *s)
     d->shader = shader;
     while (!r->failed) {
         strcpy(keyword, reader_next(r));
-        if (!strcmp(keyword, "end-draw")) {
+        if (!strcmp(keyword, "end-draw"))
             break;
-        }
-        if (!*keyword) {
+        if (!*keyword)
             reader_fail(r, "the text ends within a draw");
-        } else if (!strcmp(keyword, "clip-plane")) {
+        else if (!strcmp(keyword, "clip-plane"))
             read_clip_plane(r, d);
-        } else if (!read_state(r, keyword, &d->state) && !read_color_state(r, keyword, &d->state) &&
-                   !read_uniforms(r, keyword, d) && !read_surface(r, keyword, &d->surface) &&
-                   !read_sampler(r, keyword, &d->uniforms.sampler) && !read_mesh(r, keyword, d)) {
+        else if (!read_state(r, keyword, &d->state) && !read_color_state(r, keyword, &d->state) &&
+                 !read_uniforms(r, keyword, d) && !read_surface(r, keyword, &d->surface) &&
+                 !read_sampler(r, keyword, &d->uniforms.sampler) && !read_mesh(r, keyword, d))
             reader_fail(r, "'%s' is no keyword of a draw", keyword);
-        }
     }
-    if (!r->failed && d->mesh.indices && (uint64_t)d->mesh.first + d->mesh.count > d->index_count) {
+    if (!r->failed && d->mesh.indices && (uint64_t)d->mesh.first + d->mesh.count > d->index_count)
         reader_fail(r, "elements beyond the %" PRIu32 " indices", d->index_count);
-    }
 }
 
 static bool has_more_colors(const scene *s)
 {
-    for (int a = 1; a < GN_MAX_COLORS; ++a) {
-        if (scene_color_format(s, a) != GN_FORMAT_NONE) {
+    for (int a = 1; a < GN_MAX_COLORS; ++a)
+        if (scene_color_format(s, a) != GN_FORMAT_NONE)
             return true;
-        }
-    }
     return false;
 }
 
@@ -470,9 +451,8 @@ static bool read_frame(reader *r, const char *keyword, scene *s)
         for (int a = 0; a < GN_MAX_COLORS - 1; ++a) {
             s->more_colors[a] = (gn_format)read_name(r, TEXT_FORMAT);
             if (!r->failed && s->more_colors[a] != GN_FORMAT_NONE &&
-                !scene_is_color_format(s->more_colors[a])) {
+                !scene_is_color_format(s->more_colors[a]))
                 reader_fail(r, "more-colors are formats of colours, such as rgba8, or none");
-            }
         }
     } else if (!strcmp(keyword, "depth-format")) {
         s->depth_format = (gn_format)read_name(r, TEXT_FORMAT);
@@ -498,33 +478,26 @@ scene *scene_read(FILE *in, char *error, size_t error_size)
     scene *s = scene_create(0, 0, GN_FORMAT_NONE, GN_FORMAT_NONE);
     char keyword[sizeof r.token];
 
-    if (error_size) {
+    if (error_size)
         error[0] = '\0';
-    }
-    if (strcmp(reader_next(&r), "gnomon-scene") || strcmp(reader_next(&r), "1")) {
+    if (strcmp(reader_next(&r), "gnomon-scene") || strcmp(reader_next(&r), "1"))
         reader_fail(&r, "not a scene: the text starts with 'gnomon-scene 1'");
-    }
     while (!r.failed) {
         strcpy(keyword, reader_next(&r));
-        if (!strcmp(keyword, "end-scene")) {
+        if (!strcmp(keyword, "end-scene"))
             break;
-        }
-        if (!*keyword) {
+        if (!*keyword)
             reader_fail(&r, "the text ends before end-scene");
-        } else if (!read_frame(&r, keyword, s)) {
+        else if (!read_frame(&r, keyword, s))
             reader_fail(&r, "'%s' is no keyword of a scene", keyword);
-        }
     }
-    if (!r.failed && (s->width == 0 || s->height == 0)) {
+    if (!r.failed && (s->width == 0 || s->height == 0))
         reader_fail(&r, "a scene has a size");
-    }
     if (!r.failed && !scene_is_color_format(s->color_format) &&
-        (s->color_format != GN_FORMAT_NONE || !has_more_colors(s))) {
+        (s->color_format != GN_FORMAT_NONE || !has_more_colors(s)))
         reader_fail(&r, "a scene's color-format is one of colours, such as rgba8");
-    }
-    if (!r.failed && scene_is_color_format(s->depth_format)) {
+    if (!r.failed && scene_is_color_format(s->depth_format))
         reader_fail(&r, "a scene's depth-format is one of depth or stencil, or none");
-    }
     if (r.failed) {
         scene_free(s);
         return NULL;

@@ -1,8 +1,11 @@
 /* The names of enumerators in the text of a scene. */
 #include "scene_text.h"
 
+#include <ctype.h>
 #include <stddef.h>
 #include <string.h>
+
+#include "scene_format.h"
 
 /* In the order of the values. */
 static const char *const shader_names[] = {
@@ -10,10 +13,26 @@ static const char *const shader_names[] = {
     "inputs",       "derivatives", "outputs",      "sampled",          "unlit",
     "faces",        "toon",        "mapped-phong", "blinn-phong",      "normal-color",
     "depth-color",  "depth-only"};
-static const char *const format_names[] = {"none",  "rgba8",   "rgba32f", "d16",   "d24", "d32f",
-                                           "d24s8", "d32fs8",  "s8",      "bgra8", "r8",  "rg8",
-                                           "rgb8",  "rgb565",  "rgb5-a1", "rgba4", "r16", "rgba16",
-                                           "r32f",  "rgba16f", "srgb8-a8"};
+/* Names of formats, "rgb5-a1" of RGB5_A1. */
+#define LONGEST_NAME 24
+
+static const char *const *format_names(int *count)
+{
+    static char texts[SCENE_FORMATS][LONGEST_NAME] = {"none"};
+    static const char *names[SCENE_FORMATS];
+
+    *count = SCENE_FORMATS;
+    for (int f = 0; !names[0] && f < SCENE_FORMATS; ++f) {
+        const char *const name = scene_format_of((gn_format)f)->name;
+
+        for (int i = 0; name && name[i]; ++i)
+            texts[f][i] = (char)(name[i] == '_' ? '-' : tolower((unsigned char)name[i]));
+    }
+    for (int f = 0; f < SCENE_FORMATS; ++f)
+        names[f] = texts[f];
+    return names;
+}
+
 static const char *const topology_names[] = {
     "triangles", "triangle-strip", "triangle-fan", "points", "lines", "line-strip", "line-loop"};
 static const char *const provoking_names[] = {"last", "first"};
@@ -74,8 +93,9 @@ static const char *const *names_of(text_names set, int *count)
         return names
 
     switch (set) {
+    case TEXT_FORMAT:
+        return format_names(count);
         CASE(TEXT_SHADER, shader_names);
-        CASE(TEXT_FORMAT, format_names);
         CASE(TEXT_TOPOLOGY, topology_names);
         CASE(TEXT_PROVOKING, provoking_names);
         CASE(TEXT_CULL, cull_names);
@@ -126,10 +146,8 @@ int text_value(text_names set, const char *name)
     int count;
     const char *const *names = names_of(set, &count);
 
-    for (int value = 0; value < count; ++value) {
-        if (!strcmp(name, names[value])) {
+    for (int value = 0; value < count; ++value)
+        if (!strcmp(name, names[value]))
             return value;
-        }
-    }
     return -1;
 }

@@ -6,29 +6,6 @@
 
 #include "scene_memory.h"
 
-size_t scene_element_size(gn_format format)
-{
-    switch (format) {
-    case GN_FORMAT_NONE:
-        return 0;
-    case GN_FORMAT_S8:
-    case GN_FORMAT_R8:
-    case GN_FORMAT_RGB8:
-        return 1;
-    case GN_FORMAT_D16:
-    case GN_FORMAT_RG8:
-    case GN_FORMAT_RGB565:
-    case GN_FORMAT_RGB5_A1:
-    case GN_FORMAT_RGBA4:
-    case GN_FORMAT_R16:
-    case GN_FORMAT_RGBA16:
-    case GN_FORMAT_RGBA16F:
-        return 2;
-    default:
-        return 4;
-    }
-}
-
 uint32_t scene_element(const void *elements, size_t size, size_t i)
 {
     return size == 1   ? ((const uint8_t *)elements)[i]
@@ -38,13 +15,12 @@ uint32_t scene_element(const void *elements, size_t size, size_t i)
 
 void scene_set_element(void *elements, size_t size, size_t i, uint32_t value)
 {
-    if (size == 1) {
+    if (size == 1)
         ((uint8_t *)elements)[i] = (uint8_t)value;
-    } else if (size == 2) {
+    else if (size == 2)
         ((uint16_t *)elements)[i] = (uint16_t)value;
-    } else {
+    else
         ((uint32_t *)elements)[i] = value;
-    }
 }
 
 static uint32_t halved(uint32_t size, uint32_t level)
@@ -60,9 +36,8 @@ scene_extent scene_level_extent(const gn_texture *t, uint32_t level)
                       : has_layers                 ? t->depth
                                                    : 1};
 
-    if (t->target == GN_TEXTURE_3D) {
+    if (t->target == GN_TEXTURE_3D)
         e.layers = halved(t->depth, level);
-    }
     return e;
 }
 

@@ -2,7 +2,7 @@
 #include "prepare.h"
 
 #include "../config/features.h"
-#include "../formats/holds.h"
+#include "../formats/properties.h"
 #include "../geometry/assemble.h"
 #include "../surfaces/target.h"
 #include "check.h"

@@ -1,43 +1,116 @@
-/* Pixels of formats of up to 8 bits a channel to pixels of GN_FORMAT_RGBA8, in which they are
- * blended. channels.h decodes every format to floats. */
+/* Stored pixels to colours and depths as floats, and to the pixels that they are blended in. The
+ * inverses are in encode.h; words of pixels are those of pixel_memory.h. */
 #ifndef GN_FORMATS_DECODE_H
 #define GN_FORMATS_DECODE_H
 
-#include "channels.h"
-#include "encode.h"
+#include "floats.h"
+#include "pixel_memory.h"
+#include "unorm.h"
 
-/* The `bits` from bit `shift` on as a byte, repeated from the top, in the byte from bit `to` on. */
-static inline lanes_i widened(lanes_i word, int shift, int bits, int to)
+/* The reference's sRGB to linear, of the byte from bit `shift` on. */
+static inline lanes_f srgb_value(lanes_i word, int shift)
 {
-    const lanes_i value =
-        lanes_i_and(lanes_i_shift_right(word, shift), lanes_i_splat((1 << bits) - 1));
-    lanes_i byte = lanes_i_shift_left(value, 8 - bits);
+    const lanes_f x =
+        lanes_to_float(lanes_i_and(lanes_i_shift_right(word, shift), lanes_i_splat(255)));
+    const lanes_f square = lanes_mul(x, x);
+    const lanes_f odd =
+        lanes_add(lanes_splat(0x1.8AC20Ep-17f), lanes_mul(square, lanes_splat(0x1.381256p-26f)));
+    const lanes_f even =
+        lanes_add(lanes_splat(0.0023f), lanes_mul(square, lanes_splat(0x1.65DCC2p-17f)));
+    const lanes_f curve = lanes_add(lanes_mul(x, odd), even);
 
-    for (int n = bits; n < 8; n *= 2)
-        byte = lanes_i_or(byte, lanes_i_shift_right(byte, n));
-    return lanes_i_shift_left(byte, to);
+    return lanes_select(lanes_greater(x, lanes_splat(15.0f)), curve,
+                        lanes_mul(x, lanes_splat(0x1.465AACp-12f)));
 }
 
-/* The inverse of from_rgba8; alpha is one where the format has none. */
+/* The first `count` channels of pixels. Those that have no field are 0, alpha 1. */
+GN_INLINE void decode_fields(format_encoding encoding, format_fields fields, int count,
+                             const lanes_i *word, lanes_f channel[4])
+{
+    for (int c = 0; c < 4; ++c) {
+        const int shift = field_shift(fields, c);
+        const int width = c < count ? field_width(fields, c) : 0;
+
+        if (width == 0)
+            channel[c] = lanes_splat(c == 3 ? 1.0f : 0.0f);
+        else if (encoding == ENCODING_FLOAT)
+            channel[c] = float_channel(word[field_word(fields, c)], shift, width);
+        else if (encoding == ENCODING_SRGB && c < 3)
+            channel[c] = srgb_value(word[field_word(fields, c)], shift);
+        else
+            channel[c] = unorm_channel(word[field_word(fields, c)], shift, width);
+    }
+}
+
+/* Words of pixels of any format to red, green, blue and alpha; of depths, which are red, stencil is
+ * left out. Channels that the format lacks are 0, alpha 1. A half that is no number keeps its sign
+ * and payload. */
+static inline void decode_channels(gn_format format, const lanes_i word[4], lanes_f channel[4])
+{
+#define DECODE(name, bytes, element, kind, encoding, ...)                                          \
+    case GN_FORMAT_##name:                                                                         \
+        decode_fields(ENCODING_##encoding, GN_FIELDS(__VA_ARGS__),                                 \
+                      FORMAT_##kind == FORMAT_COLOR ? 4 : 1, word, channel);                       \
+        break;
+    switch (format) {
+        GN_FORMATS(DECODE)
+    default:
+        break;
+    }
+#undef DECODE
+}
+
+/* Pixels of formats of ARITHMETIC_FLOATS, of up to two words, to colours as decode_channels has
+ * them. */
+static inline void decode_floats(gn_format format, const lanes_i word[2], lanes_f color[4])
+{
+#define DECODE(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)               \
+    case GN_FORMAT_##name:                                                                         \
+        if (FORMAT_##kind == FORMAT_COLOR && ENCODING_##encoding != ENCODING_UNORM && bytes <= 8)  \
+            decode_fields(ENCODING_##encoding, GN_FIELDS(o0, w0, o1, w1, o2, w2, o3, w3), 4, word, \
+                          color);                                                                  \
+        break;
+    switch (format) {
+        GN_FORMATS(DECODE)
+    default:
+        break;
+    }
+#undef DECODE
+}
+
+/* Pixels of formats of ARITHMETIC_BYTES to those of GN_FORMAT_RGBA8, in which they are blended;
+ * alpha is one where the format has none. */
 static inline lanes_i to_rgba8(gn_format format, lanes_i p)
 {
-    const lanes_i opaque = lanes_i_splat((int32_t)0xFF000000u);
-
+#define TO_RGBA8(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)             \
+    case GN_FORMAT_##name:                                                                         \
+        return FORMAT_##kind == FORMAT_COLOR &&                                                    \
+                       GN_ARITHMETIC(ENCODING_##encoding, w0, w1, w2, w3) == ARITHMETIC_BYTES      \
+                   ? bytes_of_fields(GN_FIELDS(o0, w0, o1, w1, o2, w2, o3, w3), p)                 \
+                   : p;
     switch (format) {
-    case GN_FORMAT_BGRA8:
-        return swapped(p);
-    case GN_FORMAT_RGB565:
-        return lanes_i_or(lanes_i_or(widened(p, 11, 5, 0), widened(p, 5, 6, 8)),
-                          lanes_i_or(widened(p, 0, 5, 16), opaque));
-    case GN_FORMAT_RGB5_A1:
-        return lanes_i_or(lanes_i_or(widened(p, 11, 5, 0), widened(p, 6, 5, 8)),
-                          lanes_i_or(widened(p, 1, 5, 16), widened(p, 0, 1, 24)));
-    case GN_FORMAT_RGBA4:
-        return lanes_i_or(lanes_i_or(widened(p, 12, 4, 0), widened(p, 8, 4, 8)),
-                          lanes_i_or(widened(p, 4, 4, 16), widened(p, 0, 4, 24)));
+        GN_FORMATS(TO_RGBA8)
     default:
-        return format_channels(format) < 4 ? lanes_i_or(p, opaque) : p;
+        return p;
     }
+#undef TO_RGBA8
+}
+
+/* Pixels of formats of ARITHMETIC_SHORTS to those of GN_FORMAT_RGBA16, likewise. */
+static inline void to_rgba16(gn_format format, lanes_i word[2])
+{
+#define TO_RGBA16(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)            \
+    case GN_FORMAT_##name:                                                                         \
+        if (FORMAT_##kind == FORMAT_COLOR &&                                                       \
+            GN_ARITHMETIC(ENCODING_##encoding, w0, w1, w2, w3) == ARITHMETIC_SHORTS)               \
+            shorts_of_fields(GN_FIELDS(o0, w0, o1, w1, o2, w2, o3, w3), word);                     \
+        break;
+    switch (format) {
+        GN_FORMATS(TO_RGBA16)
+    default:
+        break;
+    }
+#undef TO_RGBA16
 }
 
 #endif

@@ -3,8 +3,8 @@
 #ifndef GN_FORMATS_PIXEL_ROWS_H
 #define GN_FORMATS_PIXEL_ROWS_H
 
+#include "decode.h"
 #include "encode.h"
-#include "size.h"
 #include "surface_memory.h"
 
 /* Sixteen pixels: of lane l the one in that column of that row. */
@@ -19,7 +19,7 @@ static inline void load_colors(gn_format format, const unsigned char *const row[
         int32_t pixel[2] = {0, 0};
 
         if (!is_wide)
-            load_pixel(row[l], column[l], format_size(format), pixel);
+            load_pixel(row[l], column[l], format_layout(format), pixel);
         loaded[0][l] = pixel[0];
         loaded[1][l] = pixel[1];
         for (int n = 0; is_wide && n < 4; ++n)
@@ -35,7 +35,7 @@ static inline void store_colors(const gn_surface *destination, int32_t x, int32_
                                 const lanes_f color[4])
 {
     unsigned char *const row = surface_row(destination, (uint32_t)y);
-    const uint32_t size = format_size(destination->format);
+    const pixel_layout layout = format_layout(destination->format);
     int32_t channel[4][GN_LANES];
 
     if (destination->format == GN_FORMAT_RGBA32F) {
@@ -54,7 +54,7 @@ static inline void store_colors(const gn_surface *destination, int32_t x, int32_
     lanes_i_store(channel[0], word[0]);
     lanes_i_store(channel[1], word[1]);
     for (uint32_t l = 0; l < count; ++l)
-        store_pixel(row, x + (int32_t)l, size, channel[0][l], channel[1][l]);
+        store_pixel(row, x + (int32_t)l, layout, channel[0][l], channel[1][l]);
 }
 
 #endif

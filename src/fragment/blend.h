@@ -59,7 +59,7 @@ static inline void set_blend_constant(color_state *s, const float constant[4], g
 
         lanes_store(saturated_constant, channel);
         lanes_i_store(fixed, lanes_round(lanes_mul(channel, lanes_splat(largest))));
-        s->constant[c] = format == GN_FORMAT_SRGB8_A8 ? saturated_constant[0] : constant[c];
+        s->constant[c] = format_is_float(format) ? constant[c] : saturated_constant[0];
         s->constant_fixed[c] = fixed[0];
     }
 }

@@ -2,7 +2,7 @@
 #ifndef GN_FRAGMENT_COLOR_H
 #define GN_FRAGMENT_COLOR_H
 
-#include "../formats/channels.h"
+#include "../formats/floats.h"
 #include "planes.h"
 
 /* Stores pixel by pixel, for squares that hang over the surface's edge. */
@@ -48,10 +48,9 @@ static inline void write_rgba32f(const gn_surface *surface, int32_t x, int32_t y
             void *const row = surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE));
             stored_word *const out = (stored_word *)row + 4 * (x + l % SQUARE_SIZE);
 
-            for (int c = 0; c < 4; ++c) {
+            for (int c = 0; c < 4; ++c)
                 if (written >> c & 1u)
                     out[c] = channel[c][l];
-            }
         }
     }
 }

@@ -8,18 +8,17 @@
 #include "logic.h"
 #include "pixels.h"
 
-static inline void set_color_state(color_state *s, const gn_pipeline *pipeline, uint32_t attachment,
-                                   gn_format format)
+GN_OUT_OF_LINE void set_color_state(color_state *s, const gn_pipeline *pipeline,
+                                    uint32_t attachment, gn_format format)
 {
     const gn_blend *blend = &pipeline->color.blend[attachment];
 
     s->written = GN_CHANNEL_ALL & ~pipeline->color.write_disabled[attachment];
     s->written_bits[0] = 0;
     s->written_bits[1] = 0;
-    for (int c = 0; c < 4; ++c) {
+    for (int c = 0; c < 4; ++c)
         if (s->written >> c & 1u)
             add_channel_bits(format, c, s->written_bits);
-    }
     set_blend_state(s, blend, pipeline->color.blend_constant, format);
     set_logic_state(s, pipeline->color.logic_operation);
     s->is_logical = pipeline->color.logic;
@@ -109,32 +108,6 @@ static inline void combine_rgba32f(const color_state *state, const gn_surface *s
     write_rgba32f(surface, x, y, coverage, state->written, result);
 }
 
-/* Decodes pixels of formats of ARITHMETIC_FLOATS to colours. Alpha is one if the format has none.
- */
-static void decode_floats(gn_format format, const lanes_i word[2], lanes_f color[4])
-{
-    const lanes_i byte = lanes_i_splat(255);
-
-    switch (format) {
-    case GN_FORMAT_RGBA16F:
-        for (int c = 0; c < 4; ++c)
-            color[c] = half_value(lanes_i_shift_right(word[c / 2], c % 2 * 16));
-        break;
-    case GN_FORMAT_SRGB8_A8:
-        for (int c = 0; c < 3; ++c)
-            color[c] = srgb_value(word[0], 8 * c);
-        color[3] = lanes_mul(lanes_to_float(lanes_i_and(lanes_i_shift_right(word[0], 24), byte)),
-                             lanes_splat(1.0f / 255.0f));
-        break;
-    default:
-        color[0] = lanes_as_float(word[0]);
-        color[1] = lanes_splat(0.0f);
-        color[2] = lanes_splat(0.0f);
-        color[3] = lanes_splat(1.0f);
-        break;
-    }
-}
-
 /* Blends as floats. If the format has a largest value, both colours lie within 0 to 1. */
 static inline void combine_floats(const color_state *state, gn_format format,
                                   const lanes_f color[4], const lanes_i there[2], lanes_i word[2])
@@ -143,7 +116,7 @@ static inline void combine_floats(const color_state *state, gn_format format,
 
     decode_floats(format, there, destination);
     for (int c = 0; c < 4; ++c)
-        source[c] = format == GN_FORMAT_SRGB8_A8 ? saturated(color[c]) : color[c];
+        source[c] = format_is_float(format) ? color[c] : saturated(color[c]);
     for (int c = 0; c < 4; ++c)
         result[c] = blend_float(state, source, destination, c);
     encode_colors(format, result, word);
@@ -154,11 +127,11 @@ static inline void combine_encoded(const color_state *state, const gn_surface *s
                                    gn_format format, int32_t x, int32_t y, uint32_t coverage,
                                    const lanes_f color[4])
 {
-    const uint32_t size = format_size(format);
+    const pixel_layout layout = format_layout(format);
     const color_arithmetic arithmetic = arithmetic_of(format);
     lanes_i there[2], word[2];
 
-    load_pixels(surface, x, y, coverage, size, there);
+    load_pixels(surface, x, y, coverage, layout, there);
     encode_colors(format, color, word);
     if (arithmetic == ARITHMETIC_BYTES && (state->blends || state->is_logical)) {
         const lanes_i source = encode_rgba8(color);
@@ -166,23 +139,23 @@ static inline void combine_encoded(const color_state *state, const gn_surface *s
 
         word[0] = from_rgba8(format, state->blends ? blend_pixels(state, source, destination)
                                                    : operate_on_bits(state, source, destination));
-    } else if (arithmetic == ARITHMETIC_SHORTS && state->blends) {
-        lanes_i source[2] = {word[0], word[1]};
+    } else if (arithmetic == ARITHMETIC_SHORTS && (state->blends || state->is_logical)) {
+        lanes_i source[2], destination[2] = {there[0], there[1]};
 
-        /* A format without alpha has an alpha of one. */
-        if (format == GN_FORMAT_R16)
-            there[1] = lanes_i_splat(-1);
-        blend_shorts(state, source, there, word);
-    } else if (arithmetic == ARITHMETIC_SHORTS && state->is_logical) {
-        for (int i = 0; i < 2; ++i)
-            word[i] = operate_on_bits(state, word[i], there[i]);
+        encode_shorts(color, source);
+        to_rgba16(format, destination);
+        if (state->blends)
+            blend_shorts(state, source, destination, word);
+        for (int i = 0; !state->blends && i < 2; ++i)
+            word[i] = operate_on_bits(state, source[i], destination[i]);
+        from_rgba16(format, word);
     } else if (arithmetic == ARITHMETIC_FLOATS && state->blends) {
         combine_floats(state, format, color, there, word);
     }
     for (int i = 0; i < 2; ++i)
         word[i] = lanes_i_or(lanes_i_and(word[i], lanes_i_splat(state->written_bits[i])),
                              lanes_i_and(there[i], lanes_i_splat(~state->written_bits[i])));
-    store_pixels(surface, x, y, coverage, size, word);
+    store_pixels(surface, x, y, coverage, layout, word);
 }
 
 /* Writes a colour that does not simply replace the surface's. */
@@ -202,16 +175,15 @@ static inline void put_color(const color_state *state, const gn_surface *surface
 {
     const bool replaces = !GN_HAVE_COMBINING || state->use == COLOR_REPLACES;
 
-    if (GN_HAVE_FORMATS && format_is_encoded(surface->format)) {
+    if (GN_HAVE_FORMATS && format_is_encoded(surface->format))
         if (replaces)
             write_encoded(surface, surface->format, at->x, at->y, coverage, color);
         else
             combine_encoded(state, surface, surface->format, at->x, at->y, coverage, color);
-    } else if (replaces) {
+    else if (replaces)
         write_color(surface, surface->format, at, coverage, color);
-    } else {
+    else
         combine_color(state, surface, surface->format, state->use, at, coverage, color);
-    }
 }
 
 /* Writes a shader's colours to all attachments; each colour is four rows of lanes. */

@@ -17,8 +17,7 @@
 #ifndef GN_FRAGMENT_TYPES_H
 #define GN_FRAGMENT_TYPES_H
 
-#include "../formats/holds.h"
-#include "../formats/size.h"
+#include "../formats/properties.h"
 #include "../formats/surface_memory.h"
 #include "../lanes/lanes.h"
 #include "../raster/types.h"
@@ -54,7 +53,7 @@ typedef enum color_use {
 typedef struct color_state {
     color_use use;
     uint32_t written;        /* bits of channels: GN_CHANNEL_RED and so on */
-    int32_t written_bits[2]; /* masks of the words of a pixel (formats/encode.h) */
+    int32_t written_bits[2]; /* masks of the words of a pixel (formats/pixel_memory.h) */
     bool blends, is_logical; /* at most one */
     blend_rule color, alpha;
     mixing mixes; /* for formats of one channel */

@@ -1,6 +1,6 @@
 /* The ready-made shaders as functions, and the functions that select them for a pipeline. */
 #include "../config/features.h"
-#include "../formats/holds.h"
+#include "../formats/properties.h"
 #include "../scalars/bits.h"
 
 #include "lit.h"

@@ -143,34 +143,31 @@ static void copy_pixel(const blit *b, unsigned char *to, int32_t x, const unsign
     const stored_half *const from_halves = (const stored_half *)(const void *)from;
     stored_word *const words = (stored_word *)(void *)to;
     const stored_word *const from_words = (const stored_word *)(const void *)from;
-    const gn_format format = b->source->format;
+    const pixel_layout layout = format_layout(b->source->format);
+    const int size = (int)format_size(b->source->format);
 
-    switch (format_size(format)) {
-    case 1:
-        to[x] = from[column];
-        break;
-    case 2:
+    switch (layout) {
+    case GN_LAYOUT(2, 2):
         halves[x] = from_halves[column];
         break;
-    case 3:
-        for (int c = 0; c < 3; ++c)
-            to[3 * x + c] = from[3 * column + c];
-        break;
-    case 4:
+    case GN_LAYOUT(4, 4):
         copy_word(&words[x], from_words[column], b->written[0]);
         break;
-    case 8:
-        if (format == GN_FORMAT_D32FS8) {
-            copy_word(&words[2 * x], from_words[2 * column], b->written[0]);
-            copy_word(&words[2 * x + 1], from_words[2 * column + 1], b->written[1]);
-            break;
-        }
+    case GN_LAYOUT(8, 2):
         for (int c = 0; c < 4; ++c)
             halves[4 * x + c] = from_halves[4 * column + c];
         break;
-    default:
+    case GN_LAYOUT(8, 4):
+        copy_word(&words[2 * x], from_words[2 * column], b->written[0]);
+        copy_word(&words[2 * x + 1], from_words[2 * column + 1], b->written[1]);
+        break;
+    case GN_LAYOUT(16, 4):
         for (int c = 0; c < 4; ++c)
             words[4 * x + c] = from_words[4 * column + c];
+        break;
+    default:
+        for (int c = 0; c < size; ++c)
+            to[size * x + c] = from[size * column + c];
         break;
     }
 }

@@ -3,7 +3,6 @@
 #define GN_SURFACES_CLEAR_PIXEL_H
 
 #include "../formats/encode.h"
-#include "../formats/size.h"
 #include "fill.h"
 
 /* A pixel's bytes as they lie in memory. */
@@ -18,48 +17,27 @@ typedef struct clear_pixel {
     uint32_t size;
 } clear_pixel;
 
-/* Returns a channel of a clear in a format whose channels do not have 8 bits: halves are rounded
- * up. */
-static inline uint32_t clear_unorm(float c, uint32_t largest)
-{
-    const float saturated_c = !(c > 0.0f) ? 0.0f : c >= 1.0f ? 1.0f : c;
-
-    return (uint32_t)(saturated_c * (float)largest + 0.5f);
-}
-
-/* Writes the pixel of a clear as the words that encode_colors returns. */
+/* The pixel that a clear to a colour makes, in the words that encode_colors gives, which are 0
+ * before. A format's first channel tells whether its fractions have 8 bits. */
 static inline void encode_clear(gn_format format, const float c[4], uint32_t word[2])
 {
+    const format_fields fields = format_fields_of(format);
     lanes_f color[4];
     lanes_i encoded[2];
     int32_t first[GN_LANES], second[GN_LANES];
 
-    switch (format) {
-    case GN_FORMAT_RGB565:
-        word[0] = clear_unorm(c[0], 31) << 11 | clear_unorm(c[1], 63) << 5 | clear_unorm(c[2], 31);
+    if (format_encoding_of(format) == ENCODING_UNORM && field_width(fields, 0) != 8) {
+        for (int i = 0; i < 4; ++i)
+            word[field_word(fields, i)] |= cleared_unorm(c[i], field_width(fields, i))
+                                           << field_shift(fields, i);
         return;
-    case GN_FORMAT_RGB5_A1:
-        word[0] = clear_unorm(c[0], 31) << 11 | clear_unorm(c[1], 31) << 6 |
-                  clear_unorm(c[2], 31) << 1 | clear_unorm(c[3], 1);
-        return;
-    case GN_FORMAT_RGBA4:
-        word[0] = clear_unorm(c[0], 15) << 12 | clear_unorm(c[1], 15) << 8 |
-                  clear_unorm(c[2], 15) << 4 | clear_unorm(c[3], 15);
-        return;
-    case GN_FORMAT_R16:
-    case GN_FORMAT_RGBA16:
-        word[0] = clear_unorm(c[0], 65535) | clear_unorm(c[1], 65535) << 16;
-        word[1] = clear_unorm(c[2], 65535) | clear_unorm(c[3], 65535) << 16;
-        return;
-    default:
-        break;
     }
     /* The other formats are converted as fragments are, except that bytes saturate before they are
      * rounded. */
-    const bool is_float = format == GN_FORMAT_R32F || format == GN_FORMAT_RGBA16F;
-
     for (int i = 0; i < 4; ++i)
-        color[i] = is_float ? lanes_splat(c[i]) : saturated(lanes_splat(c[i]));
+        color[i] = format_is_float(format)
+                       ? lanes_splat(cleared_float(c[i], field_width(fields, i)))
+                       : saturated(lanes_splat(c[i]));
     encode_colors(format, color, encoded);
     lanes_i_store(first, encoded[0]);
     lanes_i_store(second, encoded[1]);
@@ -73,22 +51,7 @@ static inline void set_clear_pixel(clear_pixel *pixel, gn_format format, const f
 
     encode_clear(format, c, word);
     pixel->size = format_size(format);
-    switch (pixel->size) {
-    case 2:
-        pixel->memory.half[0] = (uint16_t)word[0];
-        break;
-    case 4:
-        pixel->memory.word[0] = word[0];
-        break;
-    case 8:
-        for (int i = 0; i < 4; ++i)
-            pixel->memory.half[i] = (uint16_t)(word[i / 2] >> i % 2 * 16);
-        break;
-    default:
-        for (int i = 0; i < 3; ++i)
-            pixel->memory.byte[i] = (unsigned char)(word[0] >> 8 * i);
-        break;
-    }
+    store_pixel(pixel->memory.byte, 0, format_layout(format), (int32_t)word[0], (int32_t)word[1]);
 }
 
 /* Bytes after which the pattern of every pixel size repeats in whole words. */

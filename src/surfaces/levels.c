@@ -1,6 +1,6 @@
 /* Levels made from the first: each is made from the level before it, by the reference's rules for
  * linear blits; in three dimensions between two layers. */
-#include "../formats/holds.h"
+#include "../formats/properties.h"
 #include "../texture/packed.h"
 #include "../texture/texture_faults.h"
 #include "reduce.h"

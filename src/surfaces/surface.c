@@ -1,8 +1,7 @@
 /* Surfaces: construction, validation and clears. */
 #include "gnomon/surface.h"
 
-#include "../formats/holds.h"
-#include "../formats/size.h"
+#include "../formats/properties.h"
 #include "../formats/surface_memory.h"
 #include "check.h"
 #include "clear_pixel.h"

@@ -4,8 +4,7 @@
 
 #include "../config/faults.h"
 #include "../config/features.h"
-#include "../formats/holds.h"
-#include "../formats/size.h"
+#include "../formats/properties.h"
 #include "../formats/surface_memory.h"
 #include "target.h"
 
@@ -48,11 +47,7 @@ static inline fault fault_of_samples(const gn_surface *s, size_t element, size_t
 static inline fault fault_of_surface(const gn_surface *s, bool format_fits, int which)
 {
     const uint32_t size = format_size(s->format);
-    const size_t element = s->format == GN_FORMAT_D32FS8 ? 4
-                           : size == 8                   ? 2
-                           : size == 3                   ? 1
-                           : size == 16                  ? 4
-                                                         : size;
+    const size_t element = format_element(s->format);
     const size_t row = s->width * (size_t)size;
     const size_t stride = stride_length(s->row_stride);
 

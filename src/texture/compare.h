@@ -4,7 +4,7 @@
 
 #include "gnomon/sampling.h"
 
-#include "../formats/holds.h"
+#include "../formats/properties.h"
 #include "../lanes/lanes.h"
 
 /* Returns whether a lookup returns the results of comparisons. */
@@ -17,7 +17,7 @@ static inline bool is_compared(gn_format format, const gn_sampler *sampler)
  * formats the reference is clamped to 0 to 1, and NaN becomes 1. */
 static inline lanes_f compared_reference(gn_format format, lanes_f reference)
 {
-    if (format == GN_FORMAT_D32F || format == GN_FORMAT_D32FS8)
+    if (format_is_float(format))
         return reference;
     return lanes_max(lanes_min(reference, lanes_splat(1.0f)), lanes_splat(0.0f));
 }

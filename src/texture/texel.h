@@ -3,8 +3,7 @@
 #ifndef GN_TEXTURE_TEXEL_H
 #define GN_TEXTURE_TEXEL_H
 
-#include "../formats/channels.h"
-#include "../formats/size.h"
+#include "../formats/decode.h"
 #include "extent.h"
 
 /* Where the texels of a level lie, in bytes from the first one. */
@@ -81,17 +80,16 @@ static inline void load_texel_words(const texel_layout *layout, const lanes_i *c
     find_rows(layout, row, layer, line);
     for (int n = 0; n < count; ++n) {
         GN_EACH_LANE (l) {
-            load_pixel(line[l], step * x[l] + n, 4, loaded);
+            load_pixel(line[l], step * x[l] + n, GN_LAYOUT(4, 4), loaded);
             texel[l] = loaded[0];
         }
         word[n] = lanes_i_load(texel);
     }
 }
 
-/* Loads texels that are not 32-bit words into the low bits of one or two words
- * (../formats/encode.h). */
+/* Texels that are no words, in the low bits of one or two (../formats/pixel_memory.h). */
 static inline void load_small_texels(const texel_layout *layout, const lanes_i *column,
-                                     const lanes_i *row, const lanes_i *layer, uint32_t texel_size,
+                                     const lanes_i *row, const lanes_i *layer, pixel_layout pixels,
                                      lanes_i word[4])
 {
     const unsigned char *line[GN_LANES];
@@ -102,7 +100,7 @@ static inline void load_small_texels(const texel_layout *layout, const lanes_i *
     GN_EACH_LANE (l) {
         int32_t loaded[2] = {0, 0};
 
-        load_pixel(line[l], x[l], texel_size, loaded);
+        load_pixel(line[l], x[l], pixels, loaded);
         texel[0][l] = loaded[0];
         texel[1][l] = loaded[1];
     }
@@ -118,13 +116,13 @@ GN_OUT_OF_LINE void fetch_texels(const gn_texture *texture, uint32_t level, cons
 {
     const uint32_t size = format_size(texture->format);
     const texel_layout layout = texel_layout_of(texture, level, size);
-    const bool in_words = size == 4 || size == 16 || texture->format == GN_FORMAT_D32FS8;
+    const bool in_words = format_element(texture->format) == 4;
     const int32_t step = (int32_t)size / 4;
     const int count = size == 16 ? 4 : 1;
     lanes_i word[4];
 
     if (!in_words)
-        load_small_texels(&layout, column, row, layer, size, word);
+        load_small_texels(&layout, column, row, layer, format_layout(texture->format), word);
     else if (layout.has_word_index)
         gather_texel_words(&layout, column, row, layer, step, count, word);
     else

@@ -6,7 +6,7 @@
 
 #include "../config/faults.h"
 #include "../config/features.h"
-#include "../formats/size.h"
+#include "../formats/properties.h"
 #include "../formats/surface_memory.h"
 #include "extent.h"
 
@@ -35,7 +35,7 @@ typedef struct texture_shape {
 
 static inline bool format_has_texels(gn_format format)
 {
-    return GN_HAVE_TEXTURES ? format_size(format) > 0 && format != GN_FORMAT_S8
+    return GN_HAVE_TEXTURES ? format_is_color(format) || format_has_depth(format)
                             : format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F;
 }
 
@@ -50,22 +50,7 @@ static inline size_t texel_size(gn_format format)
 /* Returns the bytes of an element of a format: texels and all strides are multiples of it. */
 static inline uint32_t texel_element(gn_format format)
 {
-    switch (GN_HAVE_TEXTURES ? format : GN_FORMAT_RGBA8) {
-    case GN_FORMAT_R8:
-    case GN_FORMAT_RGB8:
-        return 1;
-    case GN_FORMAT_D16:
-    case GN_FORMAT_RG8:
-    case GN_FORMAT_RGB565:
-    case GN_FORMAT_RGB5_A1:
-    case GN_FORMAT_RGBA4:
-    case GN_FORMAT_R16:
-    case GN_FORMAT_RGBA16:
-    case GN_FORMAT_RGBA16F:
-        return 2;
-    default:
-        return 4;
-    }
+    return GN_HAVE_TEXTURES ? format_element(format) : 4;
 }
 
 /* Returns the number of levels that a texture of this size has, down to one texel. */

@@ -1,6 +1,7 @@
 /* Random blits by the library and by the pinned reference. What both write must be equal, bit for
  * bit, and nothing else may be written. */
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,6 +11,7 @@
 
 #include "osmesa.h"
 #include "random.h"
+#include "scene_pixel.h"
 #include "scene_text.h"
 
 #define LARGEST 48
@@ -17,15 +19,8 @@
 #define MEMORY (2 * GUARD + (LARGEST * 16 + 48) * LARGEST)
 #define REPORTED 5
 
-static const gn_format formats[] = {
-    GN_FORMAT_RGBA8,  GN_FORMAT_RGBA32F, GN_FORMAT_BGRA8,   GN_FORMAT_R8,      GN_FORMAT_RG8,
-    GN_FORMAT_RGB8,   GN_FORMAT_RGB565,  GN_FORMAT_RGB5_A1, GN_FORMAT_RGBA4,   GN_FORMAT_R16,
-    GN_FORMAT_RGBA16, GN_FORMAT_R32F,    GN_FORMAT_RGBA16F, GN_FORMAT_SRGB8_A8};
-static const gn_format depth_formats[] = {GN_FORMAT_D16,   GN_FORMAT_D24,    GN_FORMAT_D32F,
-                                          GN_FORMAT_D24S8, GN_FORMAT_D32FS8, GN_FORMAT_S8};
-
-#define COLORS (sizeof formats / sizeof *formats)
-#define DEPTHS (sizeof depth_formats / sizeof *depth_formats)
+#define COLORS ((size_t)SCENE_COLOR_FORMATS)
+#define DEPTHS ((size_t)SCENE_DEPTH_FORMATS)
 #define PAIRS (COLORS * COLORS + DEPTHS)
 
 typedef struct blit_case {
@@ -35,21 +30,6 @@ typedef struct blit_case {
     gn_blit_options options;
     bool whole; /* null rectangles */
 } blit_case;
-
-/* Whether a format's values are floats, of 16 or 32 bits. */
-static bool is_float(gn_format f)
-{
-    return f == GN_FORMAT_RGBA32F || f == GN_FORMAT_R32F || f == GN_FORMAT_RGBA16F;
-}
-
-static uint32_t element_size(gn_format f)
-{
-    const uint32_t size = (uint32_t)gn_format_size(f);
-    return f == GN_FORMAT_D32FS8 || f == GN_FORMAT_RGBA32F   ? 4
-           : f == GN_FORMAT_RGBA16 || f == GN_FORMAT_RGBA16F ? 2
-           : f == GN_FORMAT_RGB8                             ? 1
-                                                             : size;
-}
 
 /* A float: any bits except denormals, the ends of ranges, ties of 4 to 16 bits and their
  * neighbours. */
@@ -114,11 +94,12 @@ static void fill(random_source *r, gn_format format, void *pixels, size_t count)
     const size_t bytes = count * gn_format_size(format);
     uint32_t *const words = pixels;
     uint16_t *const halves = pixels;
+    const bool is_float = scene_is_color_format(format) && scene_is_float_format(format);
 
     for (size_t i = 0; i < bytes; ++i)
         ((unsigned char *)pixels)[i] = (unsigned char)random_below(r, 256);
-    for (size_t i = 0; i < bytes / 4; ++i) {
-        if (format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F)
+    for (size_t i = 0; i < bytes / 4; ++i)
+        if (is_float && scene_channel_width(format, 0) == 32)
             words[i] = random_float_bits(r);
         else if (format == GN_FORMAT_D32F || (format == GN_FORMAT_D32FS8 && i % 2 == 0))
             words[i] = random_depth_bits(r);
@@ -128,8 +109,7 @@ static void fill(random_source *r, gn_format format, void *pixels, size_t count)
             words[i] = lasting_depth(words[i] & 0xFFFFFF);
         else if (format == GN_FORMAT_D24S8)
             words[i] = (words[i] & 0xFF000000u) | lasting_depth(words[i] & 0xFFFFFF);
-    }
-    for (size_t i = 0; format == GN_FORMAT_RGBA16F && i < bytes / 2; ++i) {
+    for (size_t i = 0; is_float && scene_channel_width(format, 0) == 16 && i < bytes / 2; ++i) {
         if ((halves[i] & 0x7FFF) > 0x7C00)
             halves[i] = 0x7E00;
         if (random_chance(r, 50))
@@ -163,9 +143,9 @@ static blit_case random_case(random_source *r, uint64_t number)
     const uint32_t pair = (uint32_t)(number >> 32);
     blit_case c;
     memset(&c, 0, sizeof c);
-    c.from_format =
-        pair < COLORS * COLORS ? formats[pair / COLORS] : depth_formats[pair - COLORS * COLORS];
-    c.to_format = pair < COLORS * COLORS ? formats[pair % COLORS] : c.from_format;
+    c.from_format = pair < COLORS * COLORS ? scene_color_formats[pair / COLORS]
+                                           : scene_depth_formats[pair - COLORS * COLORS];
+    c.to_format = pair < COLORS * COLORS ? scene_color_formats[pair % COLORS] : c.from_format;
     for (int n = 0; n < 2; ++n) {
         c.from_size[n] = random_size(r);
         c.to_size[n] = random_size(r);
@@ -214,7 +194,7 @@ typedef struct guarded {
 
 static guarded guard(random_source *r, unsigned char *memory, const gn_surface *packed)
 {
-    const uint32_t element = element_size(packed->format);
+    const uint32_t element = (uint32_t)scene_element_size(packed->format);
     const ptrdiff_t row = packed->row_stride;
     const ptrdiff_t stride = row + (ptrdiff_t)(element * random_below(r, 3));
     guarded g = {*packed, memory};
@@ -263,18 +243,16 @@ static bool elements_equal(gn_format format, bool exact, const unsigned char *a,
         }
         return true;
     }
-    if (!is_float(format))
+    uint32_t x[4], y[4];
+
+    if (!scene_is_float_format(format))
         return false;
-    const size_t element = element_size(format);
-    for (size_t i = 0; i < size; i += element) {
-        uint32_t x = 0, y = 0;
-        memcpy(&x, a + i, element);
-        memcpy(&y, b + i, element);
-        const uint32_t infinity = element == 4 ? 0x7F800000u : 0x7C00u;
-        const uint32_t magnitude = element == 4 ? 0x7FFFFFFFu : 0x7FFFu;
-        if (x != y && ((x & magnitude) <= infinity || (y & magnitude) <= infinity))
+    const int count = scene_pixel_channels(a, format, 0, x);
+    scene_pixel_channels(b, format, 0, y);
+    for (int c = 0; c < count; ++c)
+        if (x[c] != y[c] && !(isnan(scene_channel_value(format, c, x[c])) &&
+                              isnan(scene_channel_value(format, c, y[c]))))
             return false;
-    }
     return true;
 }
 
@@ -473,11 +451,11 @@ int main(int argc, char **argv)
         if (differ[p])
             printf("%s to %s: %" PRIu64 " differ\n",
                    text_name(TEXT_FORMAT,
-                             (int)(p < COLORS * COLORS ? formats[p / COLORS]
-                                                       : depth_formats[p - COLORS * COLORS])),
+                             (int)(p < COLORS * COLORS ? scene_color_formats[p / COLORS]
+                                                       : scene_depth_formats[p - COLORS * COLORS])),
                    text_name(TEXT_FORMAT,
-                             (int)(p < COLORS * COLORS ? formats[p % COLORS]
-                                                       : depth_formats[p - COLORS * COLORS])),
+                             (int)(p < COLORS * COLORS ? scene_color_formats[p % COLORS]
+                                                       : scene_depth_formats[p - COLORS * COLORS])),
                    differ[p]);
     reference_destroy(osmesa);
     printf("blits: %" PRIu64 " blits of %zu pairs of formats, %" PRIu64 " pixels compared, %" PRIu64

@@ -203,28 +203,13 @@ uint64_t compare_count(const comparison *result)
 
 static void print_color(const void *color, gn_format format, size_t i)
 {
-    switch (format) {
-    case GN_FORMAT_RGBA8: {
-        const uint32_t p = ((const uint32_t *)color)[i];
-        printf(" color %3" PRIu32 " %3" PRIu32 " %3" PRIu32 " %3" PRIu32, p & 255, p >> 8 & 255,
-               p >> 16 & 255, p >> 24);
-        break;
-    }
-    case GN_FORMAT_RGBA32F: {
-        const float *p = (const float *)color + 4 * i;
-        printf(" color %.9g %.9g %.9g %.9g", (double)p[0], (double)p[1], (double)p[2],
-               (double)p[3]);
-        break;
-    }
-    default: {
-        uint32_t channel[4];
-        const int count = scene_pixel_channels(color, format, i, channel);
-        printf(" color");
-        for (int c = 0; c < count; c++)
-            printf(" %.9g", scene_channel_value(format, channel[c]));
-        break;
-    }
-    }
+    uint32_t channel[4];
+    const int count = scene_pixel_channels(color, format, i, channel);
+
+    printf(" color");
+    for (int c = 0; c < count; c++)
+        printf(format == GN_FORMAT_RGBA8 ? " %3.9g" : " %.9g",
+               scene_channel_value(format, c, channel[c]));
 }
 
 static void print_pixel(const scene_frame *f, size_t i)

@@ -23,15 +23,10 @@ static void color_target(builder *b)
     }
 }
 
-static bool is_float(gn_format format)
-{
-    return format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F || format == GN_FORMAT_RGBA16F;
-}
-
 /* RGBA8, for which the library has functions of its own, or another normalized format. */
 static void fixed_format(builder *b)
 {
-    while (random_chance(&b->random, 60) || is_float(b->scene->color_format))
+    while (random_chance(&b->random, 60) || scene_is_float_format(b->scene->color_format))
         b->scene->color_format = random_color_format(b);
 }
 
@@ -124,7 +119,7 @@ static void random_mix(random_source *r, gn_blend *blend)
 
 static bool has_one_channel(gn_format format)
 {
-    return format == GN_FORMAT_R8 || format == GN_FORMAT_R16 || format == GN_FORMAT_R32F;
+    return scene_format_of(format)->channels == 1;
 }
 
 void random_blend(builder *b, int attachment)

@@ -3,13 +3,28 @@
 
 #include <math.h>
 
+/* All formats of colours that scenes have beside the two most common. */
+static const gn_format formats[] = {GN_FORMAT_BGRA8, GN_FORMAT_R8,      GN_FORMAT_RG8,
+                                    GN_FORMAT_RGB8,  GN_FORMAT_RGB565,  GN_FORMAT_RGB5_A1,
+                                    GN_FORMAT_RGBA4, GN_FORMAT_R16,     GN_FORMAT_RGBA16,
+                                    GN_FORMAT_R32F,  GN_FORMAT_RGBA16F, GN_FORMAT_SRGB8_A8};
+
+#define FORMATS (sizeof formats / sizeof *formats)
+
 gn_format random_color_format(builder *b)
 {
-    static const gn_format formats[] = {GN_FORMAT_BGRA8, GN_FORMAT_R8,      GN_FORMAT_RG8,
-                                        GN_FORMAT_RGB8,  GN_FORMAT_RGB565,  GN_FORMAT_RGB5_A1,
-                                        GN_FORMAT_RGBA4, GN_FORMAT_R16,     GN_FORMAT_RGBA16,
-                                        GN_FORMAT_R32F,  GN_FORMAT_RGBA16F, GN_FORMAT_SRGB8_A8};
-    return formats[random_below(&b->random, sizeof formats / sizeof *formats)];
+    return formats[random_below(&b->random, FORMATS)];
+}
+
+gn_format random_texel_format(random_source *r, bool is_common)
+{
+    const uint32_t n = random_below(r, is_common ? 3 : 2 + (uint32_t)FORMATS);
+
+    if (is_common && n == 2)
+        return GN_FORMAT_SRGB8_A8;
+    return n == 0   ? GN_FORMAT_RGBA8
+           : n == 1 ? GN_FORMAT_RGBA32F
+                    : formats[(n - 2 + FORMATS - 1) % FORMATS];
 }
 
 /* Steps and half steps of channels of 1 to 16 bits, the ends of the range, and magnitudes beyond

@@ -80,6 +80,9 @@ void shape_lines(builder *b, uint32_t count);
 /* One of the colour formats besides RGBA8 and RGBA32F. */
 gn_format random_color_format(builder *b);
 
+/* A format of texels: one of RGBA8, RGBA32F and SRGB8_A8, or of all formats of colours. */
+gn_format random_texel_format(random_source *r, bool is_common);
+
 /* Adds restarts among the existing indices, a base vertex, instances, each now and then. A draw
  * without indices gets only instances. */
 void shape_elements(builder *b);

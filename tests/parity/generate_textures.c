@@ -39,15 +39,13 @@ static void random_size(random_source *r, gn_texture *t, uint32_t levels)
 
 static gn_format random_texture_format(random_source *r, bool depths)
 {
-    static const gn_format colors[] = {
-        GN_FORMAT_RGBA8, GN_FORMAT_RGBA32F, GN_FORMAT_SRGB8_A8, GN_FORMAT_BGRA8,   GN_FORMAT_R8,
-        GN_FORMAT_RG8,   GN_FORMAT_RGB8,    GN_FORMAT_RGB565,   GN_FORMAT_RGB5_A1, GN_FORMAT_RGBA4,
-        GN_FORMAT_R16,   GN_FORMAT_RGBA16,  GN_FORMAT_R32F,     GN_FORMAT_RGBA16F};
+    static const gn_format of_depth[] = {GN_FORMAT_D16, GN_FORMAT_D24, GN_FORMAT_D32F,
+                                         GN_FORMAT_D24S8, GN_FORMAT_D32FS8};
     const bool common = random_chance(r, 30);
-    const uint32_t color = random_below(r, common ? 3 : 14);
-    const uint32_t depth = GN_FORMAT_D16 + random_below(r, 5);
+    const gn_format color = random_texel_format(r, common);
+    const uint32_t depth = random_below(r, 5);
 
-    return depths ? (gn_format)depth : colors[color];
+    return depths ? of_depth[depth] : color;
 }
 
 static uint32_t bits_of(float f)
@@ -87,12 +85,9 @@ static uint32_t random_element(random_source *r, gn_format format, size_t i)
 {
     const float depth = random_depth(r);
 
+    if (scene_is_color_format(format) && scene_is_float_format(format))
+        return scene_channel_width(format, 0) == 32 ? bits_of(random_texel(r)) : random_half(r);
     switch (format) {
-    case GN_FORMAT_RGBA32F:
-    case GN_FORMAT_R32F:
-        return bits_of(random_texel(r));
-    case GN_FORMAT_RGBA16F:
-        return random_half(r);
     case GN_FORMAT_D16:
         return (uint32_t)((double)depth * 65535.0);
     case GN_FORMAT_D24:

@@ -145,8 +145,7 @@ static int line_width(const place *p)
 /* Floats, fractions, sRGB, depths. */
 static int kind_of_texels(const gn_texture *t)
 {
-    const bool floats = t->format == GN_FORMAT_RGBA32F || t->format == GN_FORMAT_R32F ||
-                        t->format == GN_FORMAT_RGBA16F;
+    const bool floats = scene_is_color_format(t->format) && scene_is_float_format(t->format);
     return floats                             ? 0
            : t->format == GN_FORMAT_SRGB8_A8  ? 1
            : scene_is_color_format(t->format) ? 2
@@ -308,8 +307,8 @@ VALUE(workspace, p->number % 3)
     ROW(alpha_source, 15)                                                                          \
     ROW(alpha_destination, 15)                                                                     \
     ROW(logic, 17)                                                                                 \
-    ROW(color_format, 14)                                                                          \
-    ROW(depth_format, 7)                                                                           \
+    ROW(color_format, SCENE_COLOR_FORMATS)                                                         \
+    ROW(depth_format, 1 + SCENE_DEPTH_FORMATS)                                                     \
     ROW(point_size, 4)                                                                             \
     ROW(line_width, 3)                                                                             \
     ROW(reads_position, 2)                                                                         \

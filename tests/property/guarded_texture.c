@@ -50,29 +50,20 @@ static uint32_t element(random_source *r, gn_format format, size_t i, bool is_te
 {
     const float number = is_texel ? random_float(r, 0.25f, 0.5f) : NAN;
     const uint32_t bits = (uint32_t)(random_bits(r) >> 32);
+    const int width = scene_channel_width(format, 0);
     uint32_t word;
 
     memcpy(&word, &number, sizeof word);
-    switch (format) {
-    case GN_FORMAT_RGBA32F:
-    case GN_FORMAT_R32F:
-    case GN_FORMAT_D32F:
-        return word;
-    case GN_FORMAT_D32FS8:
-        return i % 2 ? bits & 255 : word;
-    case GN_FORMAT_RGBA16F:
-        return is_texel ? 0x3400 + (bits & 0x3FF) : 0x7E00;
-    case GN_FORMAT_D16:
-    case GN_FORMAT_R16:
-    case GN_FORMAT_RGBA16:
+    if (format == GN_FORMAT_D32FS8 && i % 2)
+        return bits & 255;
+    if (scene_is_float_format(format))
+        return width == 32 ? word : is_texel ? 0x3400 + (bits & 0x3FF) : 0x7E00;
+    if (width == 16)
         return is_texel ? 0x4000 + (bits & 0x3FFF) : 0xFFFF;
-    case GN_FORMAT_D24:
-        return is_texel ? 0x400000 + (bits & 0x3FFFFF) : 0xFFFFFFFF;
-    case GN_FORMAT_D24S8:
-        return is_texel ? 0x400000 + (bits & 0xFF3FFFFF) : 0xFFFFFFFF;
-    default:
-        return is_texel ? 0x40404040 + (bits & 0x3F3F3F3F) : 0xFFFFFFFF;
-    }
+    if (width == 24)
+        return is_texel ? 0x400000 + (bits & (scene_has_stencil(format) ? 0xFF3FFFFF : 0x3FFFFF))
+                        : 0xFFFFFFFF;
+    return is_texel ? 0x40404040 + (bits & 0x3F3F3F3F) : 0xFFFFFFFF;
 }
 
 static void fill_level(random_source *r, const gn_texture *t, uint32_t level, unsigned char *memory)

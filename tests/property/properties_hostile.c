@@ -10,6 +10,7 @@
 #include <gnomon.h>
 
 #include "properties_draw.h"
+#include "scene_format.h"
 #include "random.h"
 
 #define MAX_VERTICES 24
@@ -211,7 +212,7 @@ static gn_format any_color_format(random_source *r)
     if (random_chance(r, 40))
         return GN_FORMAT_RGBA8;
     return random_chance(r, 20) ? GN_FORMAT_RGBA32F
-                                : (gn_format)random_between(r, GN_FORMAT_BGRA8, GN_FORMAT_SRGB8_A8);
+                                : scene_color_formats[random_below(r, SCENE_COLOR_FORMATS)];
 }
 
 static enum theft_alloc_res make_hostile(struct theft *t, void *env, void **output)

@@ -9,6 +9,7 @@
 #include <gnomon.h>
 
 #include "properties_draw.h"
+#include "scene_format.h"
 #include "random.h"
 
 #define MAX_TRIANGLES 12
@@ -68,10 +69,9 @@ static enum theft_alloc_res make_hostile(struct theft *t, void *env, void **outp
     random_source r = random_seed(theft_random_bits(t, 32));
     h->width = 1 + random_below(&r, MAX_SIDE);
     h->height = 1 + random_below(&r, MAX_SIDE);
-    h->color = random_chance(&r, 40) ? GN_FORMAT_RGBA8
-               : random_chance(&r, 20)
-                   ? GN_FORMAT_RGBA32F
-                   : (gn_format)random_between(&r, GN_FORMAT_BGRA8, GN_FORMAT_SRGB8_A8);
+    h->color = random_chance(&r, 40)   ? GN_FORMAT_RGBA8
+               : random_chance(&r, 20) ? GN_FORMAT_RGBA32F
+                                       : scene_color_formats[random_below(&r, SCENE_COLOR_FORMATS)];
     h->depth = depths[random_below(&r, 7)];
     h->viewport.set = true;
     h->viewport.width = (float)h->width;

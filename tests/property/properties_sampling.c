@@ -44,16 +44,15 @@ static gn_texture random_texture(random_source *r, bool constant)
     }
     for (size_t i = 0; i < count; i++) {
         const float number = random_float(r, 0.125f, 1.0f);
-        const bool is_float =
-            size == 4 &&
-            (t.format == GN_FORMAT_RGBA32F || t.format == GN_FORMAT_R32F ||
-             t.format == GN_FORMAT_D32F || (t.format == GN_FORMAT_D32FS8 && i % 2 == 0));
+        const int width = scene_channel_width(t.format, 0);
+        const bool is_float = scene_is_float_format(t.format) && width == 32 &&
+                              (t.format != GN_FORMAT_D32FS8 || i % 2 == 0);
         uint32_t bits = (uint32_t)(random_bits(r) >> 32);
 
         if (is_float)
             memcpy(&bits, &number, sizeof bits);
-        if (t.format == GN_FORMAT_RGBA16F) /* 0 to 1 */
-            bits &= 0x3BFF;
+        if (scene_is_float_format(t.format) && width == 16) /* 0 to 1 */
+            bits &= 0x3BFF3BFF;
         if (t.format == GN_FORMAT_D24)
             bits &= 0xFFFFFF;
         scene_set_element(texels, size, i,

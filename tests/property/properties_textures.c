@@ -171,11 +171,6 @@ static void leave_read(int signal)
 
 /* ---- Possible results of lookups ---- */
 
-static bool is_depth(gn_format format)
-{
-    return format >= GN_FORMAT_D16 && format <= GN_FORMAT_D32FS8;
-}
-
 static bool is_between(float x, float low, float high)
 {
     return x >= low && x <= high;
@@ -183,28 +178,15 @@ static bool is_between(float x, float low, float high)
 
 static int channels_of(gn_format format)
 {
-    switch (format) {
-    case GN_FORMAT_R8:
-    case GN_FORMAT_R16:
-    case GN_FORMAT_R32F:
-        return 1;
-    case GN_FORMAT_RG8:
-        return 2;
-    case GN_FORMAT_RGB8:
-    case GN_FORMAT_RGB565:
-        return 3;
-    default:
-        return is_depth(format) ? 1 : 4;
-    }
+    return scene_is_color_format(format) ? scene_format_of(format)->channels : 1;
 }
 
 /* Whether a channel's value is one that texels and the border have. */
 static bool is_of_texture(const hostile *h, bool filled, int c, float value)
 {
     const gn_format format = h->texture.format;
-    const bool any =
-        format == GN_FORMAT_RGB565 || format == GN_FORMAT_RGB5_A1 || format == GN_FORMAT_RGBA4;
-    const bool compared = is_depth(format) && h->sampler.compare != GN_COMPARE_DEFAULT;
+    const bool any = scene_channel_width(format, 0) < 8;
+    const bool compared = scene_has_depth(format) && h->sampler.compare != GN_COMPARE_DEFAULT;
     const float least = !filled || any || compared              ? 0.0f
                         : format == GN_FORMAT_SRGB8_A8 && c < 3 ? 0.05f
                                                                 : 0.249f;
@@ -388,7 +370,7 @@ static bool lookups_stay_inside(const hostile *h, const gn_texture *t, bool fill
         if (gn_backend_available((gn_backend)b))
             good = shader_agrees(&s, (gn_backend)b, texel);
     if (good && has_gather(t->target)) {
-        const int c = is_depth(t->format) ? 0 : h->channel;
+        const int c = scene_has_depth(t->format) ? 0 : h->channel;
 
         gn_gather(t, &h->sampler, &s.lookup, c, texel);
         for (int k = 0; k < 4; k++)

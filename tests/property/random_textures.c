@@ -5,12 +5,14 @@
 #include <math.h>
 #include <string.h>
 
+#include "scene_format.h"
+
 gn_texture random_texture_shape(random_source *r, uint32_t most)
 {
     static const gn_format depths[] = {GN_FORMAT_D16, GN_FORMAT_D24, GN_FORMAT_D32F,
                                        GN_FORMAT_D24S8, GN_FORMAT_D32FS8};
     const gn_format colors[] = {GN_FORMAT_RGBA8, GN_FORMAT_RGBA32F,
-                                (gn_format)random_between(r, GN_FORMAT_BGRA8, GN_FORMAT_SRGB8_A8)};
+                                scene_color_formats[random_below(r, SCENE_COLOR_FORMATS)]};
     gn_texture t;
     uint32_t levels = 1;
 

@@ -34,11 +34,11 @@ static void fill_all_values(random_source *r, gn_format format, void *texels)
             ((unsigned char *)texels)[i] = (unsigned char)i;
         else if (size == 2)
             ((uint16_t *)texels)[i] = (uint16_t)i;
-        else if (format == GN_FORMAT_RGBA16 || format == GN_FORMAT_RGBA16F)
+        else if (size == 8 && scene_is_color_format(format))
             for (uint32_t c = 0; c < 4; ++c)
                 ((uint16_t *)texels)[4 * i + c] = (uint16_t)(i ^ c * 0x1357);
-        else if (size == 3 || (size == 4 && !has_floats(format) && format != GN_FORMAT_D24 &&
-                               format != GN_FORMAT_D24S8 && format != GN_FORMAT_D32F))
+        else if (size == 3 || (size == 4 && scene_is_color_format(format) &&
+                               scene_channel_width(format, 0) != 32))
             for (uint32_t c = 0; c < size; ++c)
                 ((unsigned char *)texels)[size * i + c] = (unsigned char)(i >> c * 2 ^ c * 0x35);
     }
@@ -141,11 +141,6 @@ static gn_status library_fetches(gn_backend backend, const fetch_job *job)
     return gn_draw(&target, &pipeline, &mesh, &workspace);
 }
 
-static bool has_depth(gn_format format)
-{
-    return format >= GN_FORMAT_D16 && format <= GN_FORMAT_D32FS8;
-}
-
 /* For depths only red is compared, because the other channels depend on the profile. */
 static void count_differences(const char *by, gn_format format, color *ours, color *theirs,
                               tally *t)
@@ -153,7 +148,7 @@ static void count_differences(const char *by, gn_format format, color *ours, col
     uint64_t differ = 0;
 
     for (int i = 0; i < COUNT; ++i) {
-        for (int c = 0; c < (has_depth(format) ? 1 : 4); ++c) {
+        for (int c = 0; c < (scene_has_depth(format) ? 1 : 4); ++c) {
             if ((isnan(ours[i][c]) && isnan(theirs[i][c])) ||
                 memcmp(&ours[i][c], &theirs[i][c], sizeof ours[i][c]) == 0)
                 continue;
@@ -176,10 +171,12 @@ bool compare_fetches(uint64_t seed, tally *t, char *error, size_t error_size)
     static color ours[COUNT], theirs[COUNT];
     random_source r = random_seed(seed);
 
-    for (size_t f = 0; f < texel_format_count; ++f) {
-        const gn_format format = texel_formats[f];
+    for (int f = 0; f < SCENE_FORMATS; ++f) {
+        const gn_format format = (gn_format)f;
         fetch_job job;
 
+        if (!scene_is_color_format(format) && !scene_has_depth(format))
+            continue;
         fill_all_values(&r, format, texels);
         if (!opengl_fetches(format, texels, theirs, error, error_size))
             return false;

@@ -3,18 +3,6 @@
 
 #include <string.h>
 
-const gn_format texel_formats[] = {
-    GN_FORMAT_RGBA8,  GN_FORMAT_RGBA32F, GN_FORMAT_BGRA8,   GN_FORMAT_R8,       GN_FORMAT_RG8,
-    GN_FORMAT_RGB8,   GN_FORMAT_RGB565,  GN_FORMAT_RGB5_A1, GN_FORMAT_RGBA4,    GN_FORMAT_R16,
-    GN_FORMAT_RGBA16, GN_FORMAT_R32F,    GN_FORMAT_RGBA16F, GN_FORMAT_SRGB8_A8, GN_FORMAT_D16,
-    GN_FORMAT_D24,    GN_FORMAT_D32F,    GN_FORMAT_D24S8,   GN_FORMAT_D32FS8};
-const size_t texel_format_count = sizeof texel_formats / sizeof *texel_formats;
-
-bool has_floats(gn_format format)
-{
-    return format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F || format == GN_FORMAT_RGBA16F;
-}
-
 static float random_value(random_source *r, bool with_specials)
 {
     static const uint32_t special[] = {0x7F800000u, 0xFF800000u, 0x7FC00000u,
@@ -41,16 +29,16 @@ void fill_texels(random_source *r, gn_format format, bool with_specials, void *t
     const size_t bytes = count * gn_format_size(format);
     uint32_t *const word = texels;
     float *const value = texels;
+    const bool is_float = scene_is_color_format(format) && scene_is_float_format(format);
 
     for (size_t i = 0; i < bytes; ++i)
         ((unsigned char *)texels)[i] = (unsigned char)random_bits(r);
-    if (format == GN_FORMAT_RGBA16F) {
+    if (is_float && scene_channel_width(format, 0) == 16)
         for (size_t i = 0; i < bytes / 2; ++i)
             ((uint16_t *)texels)[i] = random_half(r, with_specials);
-    } else if (has_floats(format)) {
+    else if (is_float && scene_channel_width(format, 0) == 32)
         for (size_t i = 0; i < bytes / 4; ++i)
             value[i] = random_value(r, with_specials);
-    }
     for (size_t i = 0; i < count; ++i) {
         if (format == GN_FORMAT_D24)
             word[i] &= 0xFFFFFFu;
@@ -77,7 +65,7 @@ static reference_image_format upload_format(gn_format format)
 
 static void turn_words(gn_format format, void *texels, size_t count, bool to_opengl)
 {
-    reference_turn_depths(format == GN_FORMAT_D24 ? GN_FORMAT_D24S8 : format, texels, count,
+    reference_turn_pixels(format == GN_FORMAT_D24 ? GN_FORMAT_D24S8 : format, texels, count,
                           to_opengl);
 }
 

@@ -14,12 +14,6 @@ typedef struct tally {
     uint64_t cases, failed, texels, differ, steps;
 } tally;
 
-extern const gn_format texel_formats[];
-extern const size_t texel_format_count;
-
-/* Whether a format's values are floats, of 16 or 32 bits. */
-bool has_floats(gn_format format);
-
 /* Random texels that OpenGL stores unchanged: depths are from 0 to 1; floats are never denormal,
  * and NaN or infinite only if asked for. */
 void fill_texels(random_source *r, gn_format format, bool with_specials, void *texels,

@@ -98,9 +98,8 @@ static bool is_comparable(const lookup_case *c)
 {
     const bool has_levels =
         c->sampler.minify != GN_MINIFY_NEAREST && c->sampler.minify != GN_MINIFY_LINEAR;
-    const bool is_color = c->format < GN_FORMAT_D16 || c->format > GN_FORMAT_D32FS8;
-    const bool is_float = c->format == GN_FORMAT_RGBA32F || c->format == GN_FORMAT_R32F ||
-                          c->format == GN_FORMAT_RGBA16F;
+    const bool is_color = scene_is_color_format(c->format);
+    const bool is_float = scene_is_float_format(c->format);
     const bool is_asked = c->kind == LOOKUP_IMPLICIT ||
                           (has_levels && (c->kind == LOOKUP_BIAS || c->kind == LOOKUP_GRADIENTS));
 
@@ -132,10 +131,9 @@ static bool compare_with_reference(lookup_case *c, random_source *r, differences
 
     c->sampler.lod_bias = 0.0f;
     c->sampler.lod_clamped = false;
-    for (uint32_t y = 0; y < GRID_HEIGHT; y += 2) {
+    for (uint32_t y = 0; y < GRID_HEIGHT; y += 2)
         for (uint32_t x = 0; x < GRID_WIDTH; x += 2)
             spread_quad(c, r, x, y);
-    }
     library_look_up_directly(c, ours);
     if (!opengl_look_up(c, theirs, error, sizeof error)) {
         fprintf(stderr, "anisotropic: %s\n", error);

@@ -102,26 +102,26 @@ static void choose_sizes(lookup_case *c, random_source *r, uint32_t shape)
         c->base = 0;
 }
 
-static gn_format choose_format(const lookup_case *c, random_source *r)
+/* One of a list beside two of them. */
+static gn_format any_but(random_source *r, const gn_format *list, uint32_t count, gn_format a,
+                         gn_format b)
 {
-    static const gn_format colors[] = {GN_FORMAT_BGRA8, GN_FORMAT_R8,      GN_FORMAT_RG8,
-                                       GN_FORMAT_RGB8,  GN_FORMAT_RGB565,  GN_FORMAT_RGB5_A1,
-                                       GN_FORMAT_RGBA4, GN_FORMAT_R16,     GN_FORMAT_RGBA16,
-                                       GN_FORMAT_R32F,  GN_FORMAT_RGBA16F, GN_FORMAT_SRGB8_A8};
-    static const gn_format depths[] = {GN_FORMAT_D16, GN_FORMAT_D24, GN_FORMAT_D32F,
-                                       GN_FORMAT_D24S8, GN_FORMAT_D32FS8};
+    gn_format f;
 
-    if (c->target != GN_TEXTURE_3D &&
-        random_chance(r, 20)) /* OpenGL has none of three dimensions */
-        return depths[random_below(r, sizeof depths / sizeof *depths)];
-    if (random_chance(r, 50))
-        return random_chance(r, 70) ? GN_FORMAT_RGBA8 : GN_FORMAT_RGBA32F;
-    return colors[random_below(r, sizeof colors / sizeof *colors)];
+    do {
+        f = list[random_below(r, count)];
+    } while (f == a || f == b);
+    return f;
 }
 
-static bool is_depth(gn_format f)
+static gn_format choose_format(const lookup_case *c, random_source *r)
 {
-    return f >= GN_FORMAT_D16 && f <= GN_FORMAT_D32FS8;
+    if (c->target != GN_TEXTURE_3D &&
+        random_chance(r, 20)) /* OpenGL has none of three dimensions */
+        return any_but(r, scene_depth_formats, SCENE_DEPTH_FORMATS, GN_FORMAT_S8, GN_FORMAT_S8);
+    if (random_chance(r, 50))
+        return random_chance(r, 70) ? GN_FORMAT_RGBA8 : GN_FORMAT_RGBA32F;
+    return any_but(r, scene_color_formats, SCENE_COLOR_FORMATS, GN_FORMAT_RGBA8, GN_FORMAT_RGBA32F);
 }
 
 static void choose_sampler(lookup_case *c, random_source *r, const case_digits *d)
@@ -142,18 +142,8 @@ static void choose_sampler(lookup_case *c, random_source *r, const case_digits *
     }
     for (int n = 0; n < 4; ++n)
         s->border[n] = random_float(r, -0.25f, 1.25f);
-    if (is_depth(c->format) && can_compare(c->kind, c->target) && random_chance(r, 80))
+    if (scene_has_depth(c->format) && can_compare(c->kind, c->target) && random_chance(r, 80))
         s->compare = (gn_compare)(1 + random_below(r, GN_ALWAYS));
-}
-
-static uint32_t element_size(gn_format f)
-{
-    const uint32_t size = (uint32_t)gn_format_size(f);
-
-    return f == GN_FORMAT_D32FS8 || f == GN_FORMAT_RGBA32F   ? 4
-           : f == GN_FORMAT_RGBA16 || f == GN_FORMAT_RGBA16F ? 2
-           : f == GN_FORMAT_RGB8                             ? 1
-                                                             : size;
 }
 
 static float random_special(random_source *r)
@@ -170,21 +160,20 @@ static void fill_texels(random_source *r, gn_format format, uint32_t wild, void 
     const size_t bytes = count * gn_format_size(format);
     float *const floats = texels;
     uint16_t *const halves = texels;
+    const bool is_float = scene_is_float_format(format);
 
-    if (is_depth(format)) {
+    if (scene_has_depth(format)) {
         fill_depths(r, format, texels, count);
         return;
     }
     for (size_t i = 0; i < bytes; ++i)
         ((unsigned char *)texels)[i] = (unsigned char)random_below(r, 256);
-    for (size_t i = 0; i < bytes / 4; ++i) {
-        if (format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F)
+    for (size_t i = 0; i < bytes / 4; ++i)
+        if (is_float && scene_channel_width(format, 0) == 32)
             floats[i] = random_chance(r, wild) ? random_special(r) : random_float(r, -0.5f, 1.5f);
-    }
-    for (size_t i = 0; format == GN_FORMAT_RGBA16F && i < bytes / 2; ++i) {
+    for (size_t i = 0; is_float && scene_channel_width(format, 0) == 16 && i < bytes / 2; ++i)
         if ((halves[i] & 0x7C00) == 0x7C00)
             halves[i] = (uint16_t)(random_chance(r, wild) ? halves[i] & 0xFC00 : 0x3555);
-    }
 }
 
 /* Fills a level and copies it into the library's memory, where rows and layers have a random
@@ -192,7 +181,7 @@ static void fill_texels(random_source *r, gn_format format, uint32_t wild, void 
 static bool make_level(lookup_case *c, random_source *r, uint32_t n, unsigned char *memory,
                        size_t *used)
 {
-    const size_t texel = gn_format_size(c->format), element = element_size(c->format);
+    const size_t texel = gn_format_size(c->format), element = scene_element_size(c->format);
     gn_texture_level *const level = &c->texture.level[n];
     uint32_t size[3];
 
@@ -235,10 +224,9 @@ static bool make_texture(lookup_case *c, random_source *r)
     if (!c->memory)
         return false;
     memset(c->memory, 0xA5, bound);
-    for (uint32_t n = 0; n < c->level_count; ++n) {
+    for (uint32_t n = 0; n < c->level_count; ++n)
         if (!make_level(c, r, n, c->memory, &used))
             return false;
-    }
     c->texture.target = c->target;
     c->texture.format = c->format;
     c->texture.level_count = c->level_count;
@@ -405,10 +393,9 @@ static void choose_places(lookup_case *c, random_source *r)
         number_texels(c, r);
         return;
     }
-    for (uint32_t y = 0; y < GRID_HEIGHT; y += 2) {
+    for (uint32_t y = 0; y < GRID_HEIGHT; y += 2)
         for (uint32_t x = 0; x < GRID_WIDTH; x += 2)
             (c->target == GN_TEXTURE_CUBE ? direct_quad : place_quad)(c, r, x, y);
-    }
 }
 
 bool case_make(lookup_case *c, uint64_t number, uint64_t seed)

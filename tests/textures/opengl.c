@@ -142,7 +142,7 @@ static void upload_level(const lookup_case *c, uint32_t n)
     const GLsizei w = (GLsizei)size[0], h = (GLsizei)size[1], d = (GLsizei)size[2];
     const size_t texels = (size_t)w * size[1] * size[2];
 
-    reference_turn_depths(c->format, c->packed[n], texels, true);
+    reference_turn_pixels(c->format, c->packed[n], texels, true);
     if (c->target == GN_TEXTURE_1D)
         glTexSubImage1D(GL_TEXTURE_1D, level, 0, w, f.format, f.type, c->packed[n]);
     else if (c->target == GN_TEXTURE_2D)
@@ -154,7 +154,7 @@ static void upload_level(const lookup_case *c, uint32_t n)
         glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, 0, 0, w, h, f.format, f.type,
                         (const unsigned char *)c->packed[n] +
                             face * (texels / 6) * gn_format_size(c->format));
-    reference_turn_depths(c->format, c->packed[n], texels, false);
+    reference_turn_pixels(c->format, c->packed[n], texels, false);
 }
 
 static GLuint upload(const lookup_case *c)

@@ -1,0 +1,70 @@
+/* Channels that are floats of 32 or 16 bits, to lanes and back. */
+#ifndef GN_FORMATS_FLOATS_H
+#define GN_FORMATS_FLOATS_H
+
+#include "../lanes/lanes.h"
+#include "../scalars/bits.h"
+
+/* Floats as surfaces hold them: every NaN is GN_NAN_BITS, since processors differ in the bits of
+ * the NaN that an operation returns. */
+static inline lanes_i float_words(lanes_f a)
+{
+    return lanes_i_select(lanes_less_equal(a, a), lanes_as_int(a),
+                          lanes_i_splat((int32_t)GN_NAN_BITS));
+}
+
+/* A half in the low bits. One that is no number keeps its sign and payload. */
+static inline lanes_f half_value(lanes_i half)
+{
+    const lanes_i size = lanes_i_and(half, lanes_i_splat(0x7FFF));
+    const lanes_i sign = lanes_i_shift_left(lanes_i_and(half, lanes_i_splat(0x8000)), 16);
+    const lanes_i moved = lanes_i_shift_left(size, 13);
+    const lanes_i normal = lanes_i_add(moved, lanes_i_splat(0x38000000));
+    /* Below 2^-14 halves are multiples of 2^-24. */
+    const lanes_i small = lanes_as_int(lanes_mul(lanes_to_float(size), lanes_splat(0x1p-24f)));
+    const lanes_i special = lanes_i_or(moved, lanes_i_splat(0x7F800000));
+    const lanes_i finite =
+        lanes_i_select(lanes_i_greater(lanes_i_splat(0x0400), size), small, normal);
+
+    return lanes_as_float(lanes_i_or(
+        lanes_i_select(lanes_i_greater(size, lanes_i_splat(0x7BFF)), special, finite), sign));
+}
+
+/* Toward zero: finite values beyond the largest become that. Every NaN is 0x7E00. */
+static inline lanes_i half_bits(lanes_f channel)
+{
+    const lanes_i bits = lanes_as_int(channel);
+    const lanes_i size = lanes_i_and(bits, lanes_i_splat(0x7FFFFFFF));
+    const lanes_i sign = lanes_i_and(lanes_i_shift_right(bits, 16), lanes_i_splat(0x8000));
+    const lanes_i normal = lanes_i_shift_right(lanes_i_sub(size, lanes_i_splat(0x38000000)), 13);
+    /* Below 2^-14 halves are multiples of 2^-24. */
+    const lanes_i small = lanes_truncate(lanes_mul(lanes_as_float(size), lanes_splat(16777216.0f)));
+    lanes_i half = lanes_i_select(lanes_i_greater(lanes_i_splat(0x38800000), size), small, normal);
+
+    half = lanes_i_min(half, lanes_i_splat(0x7BFF));
+    half =
+        lanes_i_select(lanes_i_equal(size, lanes_i_splat(0x7F800000)), lanes_i_splat(0x7C00), half);
+    return lanes_i_select(lanes_i_greater(size, lanes_i_splat(0x7F800000)), lanes_i_splat(0x7E00),
+                          lanes_i_or(half, sign));
+}
+
+/* The float of `width` bits from bit `shift` of words on. */
+GN_INLINE lanes_f float_channel(lanes_i word, int shift, int width)
+{
+    return width == 32 ? lanes_as_float(word) : half_value(lanes_i_shift_right(word, shift));
+}
+
+/* Colours as floats of `width` bits, in the low bits. */
+GN_INLINE lanes_i float_bits_of(lanes_f channel, int width)
+{
+    return width == 32 ? float_words(channel) : half_bits(channel);
+}
+
+/* The float that a clear stores for c, which is then converted as a fragment's is. */
+static inline float cleared_float(float c, int width)
+{
+    (void)width;
+    return c;
+}
+
+#endif

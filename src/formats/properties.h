@@ -1,0 +1,210 @@
+/* What the rows of formats say (rows.h), by the format: sizes, channels and predicates. Each is a
+ * choice among constants, which compilers fold where the format is constant and otherwise make a
+ * comparison or a small table of. */
+#ifndef GN_FORMATS_PROPERTIES_H
+#define GN_FORMATS_PROPERTIES_H
+
+#include <stdbool.h>
+
+#include "gnomon/surface.h"
+
+#include "../lanes/lanes.h"
+#include "rows.h"
+
+typedef enum format_kind { FORMAT_COLOR, FORMAT_DEPTH } format_kind;
+
+typedef enum format_encoding { ENCODING_UNORM, ENCODING_SRGB, ENCODING_FLOAT } format_encoding;
+
+/* Returns the bytes of one pixel of a format; 0 for GN_FORMAT_NONE and for a value that is no
+ * gn_format. */
+GN_INLINE uint32_t format_size(gn_format format)
+{
+#define SIZE(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                 \
+    case GN_FORMAT_##name:                                                                         \
+        return bytes;
+    switch (format) {
+        GN_FORMATS(SIZE)
+    default:
+        return 0;
+    }
+#undef SIZE
+}
+
+/* Bytes to which pixels and strides of a format are aligned; 1 where there is no format. */
+static inline uint32_t format_element(gn_format format)
+{
+#define ELEMENT(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)              \
+    case GN_FORMAT_##name:                                                                         \
+        return element;
+    switch (format) {
+        GN_FORMATS(ELEMENT)
+    default:
+        return 1;
+    }
+#undef ELEMENT
+}
+
+/* How the pixels of a format lie in memory: their bytes and their element as one number. It is that
+ * of the bytes but for two, so that a choice among layouts is among small numbers. */
+typedef uint32_t pixel_layout;
+
+#define GN_LAYOUT(bytes, element)                                                                  \
+    ((pixel_layout)((bytes) == 2 && (element) == 1   ? 5                                           \
+                    : (bytes) == 8 && (element) == 4 ? 6                                           \
+                                                     : (bytes)))
+
+static inline pixel_layout format_layout(gn_format format)
+{
+#define LAYOUT(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)               \
+    case GN_FORMAT_##name:                                                                         \
+        return GN_LAYOUT(bytes, element);
+    switch (format) {
+        GN_FORMATS(LAYOUT)
+    default:
+        return 0;
+    }
+#undef LAYOUT
+}
+
+static inline bool format_is_color(gn_format format)
+{
+#define IS_COLOR(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)             \
+    case GN_FORMAT_##name:                                                                         \
+        return FORMAT_##kind == FORMAT_COLOR;
+    switch (format) {
+        GN_FORMATS(IS_COLOR)
+    default:
+        return false;
+    }
+#undef IS_COLOR
+}
+
+static inline bool format_has_depth(gn_format format)
+{
+#define HAS_DEPTH(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)            \
+    case GN_FORMAT_##name:                                                                         \
+        return FORMAT_##kind == FORMAT_DEPTH && w0 > 0;
+    switch (format) {
+        GN_FORMATS(HAS_DEPTH)
+    default:
+        return false;
+    }
+#undef HAS_DEPTH
+}
+
+static inline bool format_has_stencil(gn_format format)
+{
+#define HAS_STENCIL(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)          \
+    case GN_FORMAT_##name:                                                                         \
+        return FORMAT_##kind == FORMAT_DEPTH && w1 > 0;
+    switch (format) {
+        GN_FORMATS(HAS_STENCIL)
+    default:
+        return false;
+    }
+#undef HAS_STENCIL
+}
+
+/* Colours in formats beside the two that fragments have functions of their own for (encode.h). */
+static inline bool format_is_encoded(gn_format format)
+{
+    return format_is_color(format) && format != GN_FORMAT_RGBA8 && format != GN_FORMAT_RGBA32F;
+}
+
+static inline format_encoding format_encoding_of(gn_format format)
+{
+#define ENCODING(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)             \
+    case GN_FORMAT_##name:                                                                         \
+        return ENCODING_##encoding;
+    switch (format) {
+        GN_FORMATS(ENCODING)
+    default:
+        return ENCODING_UNORM;
+    }
+#undef ENCODING
+}
+
+static inline bool format_is_float(gn_format format)
+{
+    return format_encoding_of(format) == ENCODING_FLOAT;
+}
+
+/* How many of red, green, blue and alpha, in this order, a colour has; 4 of what is none. */
+static inline int format_channels(gn_format format)
+{
+#define CHANNELS(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)             \
+    case GN_FORMAT_##name:                                                                         \
+        return FORMAT_##kind == FORMAT_COLOR ? (w0 > 0) + (w1 > 0) + (w2 > 0) + (w3 > 0) : 4;
+    switch (format) {
+        GN_FORMATS(CHANNELS)
+    default:
+        return 4;
+    }
+#undef CHANNELS
+}
+
+/* The channels of a row: 16 bits each from the first on, the lowest bit and above it the number of
+ * bits. */
+typedef uint64_t format_fields;
+
+#define GN_FIELD(offset, width) ((uint64_t)((offset) | (width) << 8))
+#define GN_FIELDS(o0, w0, o1, w1, o2, w2, o3, w3)                                                  \
+    (GN_FIELD(o0, w0) | GN_FIELD(o1, w1) << 16 | GN_FIELD(o2, w2) << 32 | GN_FIELD(o3, w3) << 48)
+
+static inline format_fields format_fields_of(gn_format format)
+{
+#define FIELDS(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)               \
+    case GN_FORMAT_##name:                                                                         \
+        return GN_FIELDS(o0, w0, o1, w1, o2, w2, o3, w3);
+    switch (format) {
+        GN_FORMATS(FIELDS)
+    default:
+        return 0;
+    }
+#undef FIELDS
+}
+
+/* The lowest bit of a channel in its word, and which word that is. */
+static inline int field_shift(format_fields fields, int channel)
+{
+    return (int)(fields >> 16 * channel & 31);
+}
+
+static inline int field_word(format_fields fields, int channel)
+{
+    return (int)(fields >> 16 * channel >> 5 & 3);
+}
+
+/* Bits of a channel; 0: the format lacks it. */
+static inline int field_width(format_fields fields, int channel)
+{
+    return (int)(fields >> 16 * channel >> 8 & 255);
+}
+
+/* What the reference blends colours of a format in. */
+typedef enum color_arithmetic {
+    ARITHMETIC_BYTES, /* pixels of GN_FORMAT_RGBA8 */
+    ARITHMETIC_SHORTS,
+    ARITHMETIC_FLOATS
+} color_arithmetic;
+
+/* Of integers the smallest that hold every channel. */
+#define GN_ARITHMETIC(encoding, w0, w1, w2, w3)                                                    \
+    ((encoding) != ENCODING_UNORM                       ? ARITHMETIC_FLOATS                        \
+     : (w0) <= 8 && (w1) <= 8 && (w2) <= 8 && (w3) <= 8 ? ARITHMETIC_BYTES                         \
+                                                        : ARITHMETIC_SHORTS)
+
+static inline color_arithmetic arithmetic_of(gn_format format)
+{
+#define ARITHMETIC(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)           \
+    case GN_FORMAT_##name:                                                                         \
+        return GN_ARITHMETIC(ENCODING_##encoding, w0, w1, w2, w3);
+    switch (format) {
+        GN_FORMATS(ARITHMETIC)
+    default:
+        return ARITHMETIC_BYTES;
+    }
+#undef ARITHMETIC
+}
+
+#endif

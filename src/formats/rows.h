@@ -1,0 +1,47 @@
+/* The pixel formats: one row of plain data each. Sizes, masks, classes, predicates, conversions and
+ * faults of the library, and the tables of the tests, are derived from these rows. They include
+ * nothing, so that programs outside the library may take the list and the layouts too.
+ *
+ * To add a format, add its name to gn_format (gnomon/surface.h) and a row here; where its channels
+ * are stored in a way that no other format has, add the conversion to unorm.h or floats.h.
+ *
+ *   name      as in GN_FORMAT_name
+ *   bytes     of a pixel
+ *   element   bytes of what a pixel is made of, to which pixels and strides are aligned
+ *   kind      COLOR, or DEPTH: depth, stencil or both
+ *   encoding  UNORM: fractions of the largest value; SRGB: so too, red, green and blue along
+ *             sRGB's curve; FLOAT: floats of as many bits as the channel has
+ *   channels  of a colour red, green, blue and alpha, otherwise depth and stencil: each the lowest
+ *             bit and the number of bits, 0, 0 where the format lacks it
+ *
+ * Bits are counted in the pixel taken as one number: elements of 16 and 32 bits, and three bytes,
+ * from the lowest one on. No channel crosses a multiple of 32. */
+#ifndef GN_FORMATS_ROWS_H
+#define GN_FORMATS_ROWS_H
+
+/* clang-format off */
+#define GN_FORMATS(ROW) \
+    /*  name     bytes element  kind  encoding     channels */ \
+    ROW(RGBA8,     4, 4, COLOR, UNORM,  0, 8,   8, 8,  16, 8,  24, 8) \
+    ROW(RGBA32F,  16, 4, COLOR, FLOAT,  0, 32, 32, 32, 64, 32, 96, 32) \
+    ROW(D16,       2, 2, DEPTH, UNORM,  0, 16,  0, 0,   0, 0,   0, 0) \
+    ROW(D24,       4, 4, DEPTH, UNORM,  0, 24,  0, 0,   0, 0,   0, 0) \
+    ROW(D32F,      4, 4, DEPTH, FLOAT,  0, 32,  0, 0,   0, 0,   0, 0) \
+    ROW(D24S8,     4, 4, DEPTH, UNORM,  0, 24, 24, 8,   0, 0,   0, 0) \
+    ROW(D32FS8,    8, 4, DEPTH, FLOAT,  0, 32, 32, 8,   0, 0,   0, 0) \
+    ROW(S8,        1, 1, DEPTH, UNORM,  0, 0,   0, 8,   0, 0,   0, 0) \
+    ROW(BGRA8,     4, 4, COLOR, UNORM, 16, 8,   8, 8,   0, 8,  24, 8) \
+    ROW(R8,        1, 1, COLOR, UNORM,  0, 8,   0, 0,   0, 0,   0, 0) \
+    ROW(RG8,       2, 2, COLOR, UNORM,  0, 8,   8, 8,   0, 0,   0, 0) \
+    ROW(RGB8,      3, 1, COLOR, UNORM,  0, 8,   8, 8,  16, 8,   0, 0) \
+    ROW(RGB565,    2, 2, COLOR, UNORM, 11, 5,   5, 6,   0, 5,   0, 0) \
+    ROW(RGB5_A1,   2, 2, COLOR, UNORM, 11, 5,   6, 5,   1, 5,   0, 1) \
+    ROW(RGBA4,     2, 2, COLOR, UNORM, 12, 4,   8, 4,   4, 4,   0, 4) \
+    ROW(R16,       2, 2, COLOR, UNORM,  0, 16,  0, 0,   0, 0,   0, 0) \
+    ROW(RGBA16,    8, 2, COLOR, UNORM,  0, 16, 16, 16, 32, 16, 48, 16) \
+    ROW(R32F,      4, 4, COLOR, FLOAT,  0, 32,  0, 0,   0, 0,   0, 0) \
+    ROW(RGBA16F,   8, 2, COLOR, FLOAT,  0, 16, 16, 16, 32, 16, 48, 16) \
+    ROW(SRGB8_A8,  4, 4, COLOR, SRGB,   0, 8,   8, 8,  16, 8,  24, 8)
+/* clang-format on */
+
+#endif
