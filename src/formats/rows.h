@@ -41,7 +41,8 @@
     ROW(RGBA16,    8, 2, COLOR, UNORM,  0, 16, 16, 16, 32, 16, 48, 16) \
     ROW(R32F,      4, 4, COLOR, FLOAT,  0, 32,  0, 0,   0, 0,   0, 0) \
     ROW(RGBA16F,   8, 2, COLOR, FLOAT,  0, 16, 16, 16, 32, 16, 48, 16) \
-    ROW(SRGB8_A8,  4, 4, COLOR, SRGB,   0, 8,   8, 8,  16, 8,  24, 8)
+    ROW(SRGB8_A8,  4, 4, COLOR, SRGB,   0, 8,   8, 8,  16, 8,  24, 8) \
+    ROW(RG16F,     4, 4, COLOR, FLOAT,  0, 16, 16, 16,  0, 0,   0, 0)
 /* clang-format on */
 
 #endif

@@ -86,7 +86,9 @@ static uint32_t random_element(random_source *r, gn_format format, size_t i)
     const float depth = random_depth(r);
 
     if (scene_is_color_format(format) && scene_is_float_format(format))
-        return scene_channel_width(format, 0) == 32 ? bits_of(random_texel(r)) : random_half(r);
+        return scene_channel_width(format, 0) == 32 ? bits_of(random_texel(r))
+               : scene_element_size(format) == 2    ? random_half(r)
+                                                    : random_half(r) | random_half(r) << 16;
     switch (format) {
     case GN_FORMAT_D16:
         return (uint32_t)((double)depth * 65535.0);

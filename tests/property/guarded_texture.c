@@ -57,7 +57,7 @@ static uint32_t element(random_source *r, gn_format format, size_t i, bool is_te
     if (format == GN_FORMAT_D32FS8 && i % 2)
         return bits & 255;
     if (scene_is_float_format(format))
-        return width == 32 ? word : is_texel ? 0x3400 + (bits & 0x3FF) : 0x7E00;
+        return width == 32 ? word : is_texel ? 0x34003400 + (bits & 0x03FF03FF) : 0x7E007E00;
     if (width == 16)
         return is_texel ? 0x4000 + (bits & 0x3FFF) : 0xFFFF;
     if (width == 24)

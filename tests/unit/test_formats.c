@@ -10,7 +10,7 @@
 
 #include <gnomon.h>
 
-#define COLOR_FORMATS 14
+#define COLOR_FORMATS (sizeof table / sizeof *table)
 
 /* A pixel in the units of its format: bytes, words of 16 bits or of 32. */
 typedef struct expected {
@@ -28,7 +28,7 @@ static const float CLEAR[4] = {0.5f, 1.0f, 0.25f, -1.0f};
 /* 0.75 is 191.25 of 255 and 0.6 is 153; 191 >> 3 = 23, 191 / 17 = 11.2, 153 / 17 = 9. */
 static const float SHADED[4] = {0.75f, 0.0f, 2.0f, 0.6f};
 
-static const expected table[COLOR_FORMATS] = {
+static const expected table[] = {
     {GN_FORMAT_RGBA8, 4, 1, {0x0040FF80u}, {0x99FF00BFu}},
     {GN_FORMAT_BGRA8, 4, 1, {0x0080FF40u}, {0x99BF00FFu}},
     {GN_FORMAT_SRGB8_A8, 4, 1, {0x0089FFBCu}, {0x99FF00E1u}},
@@ -42,6 +42,7 @@ static const expected table[COLOR_FORMATS] = {
     {GN_FORMAT_RGBA16, 2, 4, {32768, 65535, 16384, 0}, {49151, 0, 65535, 39321}},
     {GN_FORMAT_R32F, 4, 1, {0x3F000000u}, {0x3F400000u}},
     {GN_FORMAT_RGBA16F, 2, 4, {0x3800, 0x3C00, 0x3400, 0xBC00}, {0x3A00, 0, 0x4000, 0x38CC}},
+    {GN_FORMAT_RG16F, 4, 1, {0x3C003800u}, {0x00003A00u}},
     {GN_FORMAT_RGBA32F,
      4,
      4,
@@ -63,14 +64,14 @@ static uint32_t element_at(const void *at, uint32_t size, size_t i)
 static void sizes_are_those_of_the_elements(void **state)
 {
     (void)state;
-    for (int f = 0; f < COLOR_FORMATS; ++f)
+    for (size_t f = 0; f < COLOR_FORMATS; ++f)
         assert_int_equal(gn_format_size(table[f].format), table[f].element * table[f].count);
 }
 
 static void clears_give_the_values_of_the_table(void **state)
 {
     (void)state;
-    for (int f = 0; f < COLOR_FORMATS; ++f) {
+    for (size_t f = 0; f < COLOR_FORMATS; ++f) {
         const expected *e = &table[f];
         const gn_surface s = gn_surface_bottom_up(memory, e->format, SIDE, SIDE);
 
@@ -138,7 +139,7 @@ static void draw_over(gn_format format, uint32_t offset, uint32_t stride, const 
 static void fragments_give_the_values_of_the_table(void **state)
 {
     (void)state;
-    for (int f = 0; f < COLOR_FORMATS; ++f) {
+    for (size_t f = 0; f < COLOR_FORMATS; ++f) {
         const expected *e = &table[f];
 
         memset(memory, 0x55, sizeof memory);
@@ -157,7 +158,7 @@ static void fragments_give_the_values_of_the_table(void **state)
 static void fragments_leave_what_is_beside_them(void **state)
 {
     (void)state;
-    for (int f = 0; f < COLOR_FORMATS; ++f) {
+    for (size_t f = 0; f < COLOR_FORMATS; ++f) {
         const expected *e = &table[f];
         const uint32_t row = SIDE * e->element * e->count;
         const unsigned char *bytes = (const unsigned char *)memory;
@@ -205,7 +206,7 @@ static void halves_round_toward_zero(void **state)
 static void pixels_are_aligned_to_their_element(void **state)
 {
     (void)state;
-    for (int f = 0; f < COLOR_FORMATS; ++f) {
+    for (size_t f = 0; f < COLOR_FORMATS; ++f) {
         const expected *e = &table[f];
         gn_target t = {0};
 
@@ -246,7 +247,8 @@ static void combine(const gn_pipeline *state, const expected *e, const float cle
 
 static bool is_float(gn_format format)
 {
-    return format == GN_FORMAT_R32F || format == GN_FORMAT_RGBA16F || format == GN_FORMAT_RGBA32F;
+    return format == GN_FORMAT_R32F || format == GN_FORMAT_RGBA16F || format == GN_FORMAT_RGBA32F ||
+           format == GN_FORMAT_RG16F;
 }
 
 /* 0 + s, s * 1, and the minimum of s and a greater value are s. */
@@ -256,7 +258,7 @@ static void blending_that_changes_nothing_gives_fragments(void **state)
     static const float ones[4] = {1.0f, 1.0f, 1.0f, 1.0f};
     static const float twos[4] = {2.0f, 2.0f, 2.0f, 2.0f};
     (void)state;
-    for (int f = 0; f < COLOR_FORMATS; ++f) {
+    for (size_t f = 0; f < COLOR_FORMATS; ++f) {
         gn_pipeline p = {0};
 
         p.color.blend[0].enabled = true;
@@ -276,7 +278,7 @@ static void subtracting_what_was_added_gives_the_clear(void **state)
 {
     static const float quarters[4] = {0.125f, 0.25f, 0.25f, 0.25f};
     (void)state;
-    for (int f = 0; f < COLOR_FORMATS; ++f) {
+    for (size_t f = 0; f < COLOR_FORMATS; ++f) {
         const expected *e = &table[f];
         static const float small[4] = {0.5f, 0.125f, 0.5f, 0.25f};
         const uint32_t row = SIDE * e->element * e->count;
@@ -305,11 +307,12 @@ static void alpha_that_is_not_there_is_one(void **state)
     static const float clear[4] = {0.0f, 0.0f, 0.0f, 0.0f};
     static const uint32_t nothing[4] = {0, 0, 0, 0};
     (void)state;
-    for (int f = 0; f < COLOR_FORMATS; ++f) {
+    for (size_t f = 0; f < COLOR_FORMATS; ++f) {
         const expected *e = &table[f];
         const bool opaque = e->format == GN_FORMAT_R8 || e->format == GN_FORMAT_RG8 ||
                             e->format == GN_FORMAT_RGB8 || e->format == GN_FORMAT_RGB565 ||
-                            e->format == GN_FORMAT_R16 || e->format == GN_FORMAT_R32F;
+                            e->format == GN_FORMAT_R16 || e->format == GN_FORMAT_R32F ||
+                            e->format == GN_FORMAT_RG16F;
         gn_pipeline p = {0};
 
         p.color.blend[0].enabled = true;
@@ -323,7 +326,7 @@ static void alpha_that_is_not_there_is_one(void **state)
 static void logic_inverts_the_bits_of_integers(void **state)
 {
     (void)state;
-    for (int f = 0; f < COLOR_FORMATS; ++f) {
+    for (size_t f = 0; f < COLOR_FORMATS; ++f) {
         const expected *e = &table[f];
         uint32_t inverted[4];
         gn_pipeline p = {0};
@@ -342,7 +345,7 @@ static void logic_inverts_the_bits_of_integers(void **state)
 static void masks_keep_the_other_channels(void **state)
 {
     (void)state;
-    for (int f = 0; f < COLOR_FORMATS; ++f) {
+    for (size_t f = 0; f < COLOR_FORMATS; ++f) {
         for (uint32_t mask = 0; mask <= GN_CHANNEL_ALL; ++mask) {
             const expected *e = &table[f];
             const uint32_t row = SIDE * e->element * e->count;
