@@ -30,6 +30,9 @@
  *   GN_FORMAT_RGBA16F  4 x uint16_t red, green, blue, alpha as IEEE binary16
  *   GN_FORMAT_SRGB8_A8 uint32_t     as RGBA8; red, green and blue encoded as sRGB
  *   GN_FORMAT_RG16F    uint32_t     red 0-15, green 16-31 as IEEE binary16
+ *   GN_FORMAT_RGB565_SWAPPED
+ *                      2 x uint8_t  as RGB565, bits 8-15 in the first byte, 0-7 in the second: the
+ *                                   order in which displays on SPI take them
  *
  * Colours other than floats are fractions of their largest value, and channels that a format
  * lacks are not kept. Pixels and strides are aligned to their element.
@@ -68,7 +71,8 @@ typedef enum gn_format {
     GN_FORMAT_R32F,
     GN_FORMAT_RGBA16F,
     GN_FORMAT_SRGB8_A8,
-    GN_FORMAT_RG16F
+    GN_FORMAT_RG16F,
+    GN_FORMAT_RGB565_SWAPPED
 } gn_format;
 
 typedef struct gn_surface {

@@ -20,6 +20,9 @@ static inline void load_pixel(const unsigned char *row, int32_t x, pixel_layout 
     case GN_LAYOUT(2, 2):
         word[0] = halves[x];
         break;
+    case GN_LAYOUT(2, 1):
+        word[0] = row[2 * x] << 8 | row[2 * x + 1];
+        break;
     case GN_LAYOUT(3, 1):
         word[0] = row[3 * x] | row[3 * x + 1] << 8 | row[3 * x + 2] << 16;
         break;
@@ -44,6 +47,10 @@ static inline void store_pixel(unsigned char *row, int32_t x, pixel_layout layou
         break;
     case GN_LAYOUT(2, 2):
         halves[x] = (uint16_t)first;
+        break;
+    case GN_LAYOUT(2, 1):
+        row[2 * x] = (unsigned char)((uint32_t)first >> 8);
+        row[2 * x + 1] = (unsigned char)first;
         break;
     case GN_LAYOUT(3, 1):
         row[3 * x] = (unsigned char)first;

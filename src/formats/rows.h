@@ -15,7 +15,7 @@
  *             bit and the number of bits, 0, 0 where the format lacks it
  *
  * Bits are counted in the pixel taken as one number: elements of 16 and 32 bits, and three bytes,
- * from the lowest one on. No channel crosses a multiple of 32. */
+ * from the lowest one on, two bytes from the highest. No channel crosses a multiple of 32. */
 #ifndef GN_FORMATS_ROWS_H
 #define GN_FORMATS_ROWS_H
 
@@ -42,7 +42,9 @@
     ROW(R32F,      4, 4, COLOR, FLOAT,  0, 32,  0, 0,   0, 0,   0, 0) \
     ROW(RGBA16F,   8, 2, COLOR, FLOAT,  0, 16, 16, 16, 32, 16, 48, 16) \
     ROW(SRGB8_A8,  4, 4, COLOR, SRGB,   0, 8,   8, 8,  16, 8,  24, 8) \
-    ROW(RG16F,     4, 4, COLOR, FLOAT,  0, 16, 16, 16,  0, 0,   0, 0)
+    ROW(RG16F,     4, 4, COLOR, FLOAT,  0, 16, 16, 16,  0, 0,   0, 0) \
+    ROW(RGB565_SWAPPED, \
+                   2, 1, COLOR, UNORM, 11, 5,   5, 6,   0, 5,   0, 0)
 /* clang-format on */
 
 #endif

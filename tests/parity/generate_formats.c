@@ -4,10 +4,13 @@
 #include <math.h>
 
 /* All formats of colours that scenes have beside the two most common. */
-static const gn_format formats[] = {
-    GN_FORMAT_BGRA8,   GN_FORMAT_R8,       GN_FORMAT_RG8,  GN_FORMAT_RGB8,   GN_FORMAT_RGB565,
-    GN_FORMAT_RGB5_A1, GN_FORMAT_RGBA4,    GN_FORMAT_R16,  GN_FORMAT_RGBA16, GN_FORMAT_R32F,
-    GN_FORMAT_RGBA16F, GN_FORMAT_SRGB8_A8, GN_FORMAT_RG16F};
+static const gn_format formats[] = {GN_FORMAT_BGRA8,   GN_FORMAT_R8,
+                                    GN_FORMAT_RG8,     GN_FORMAT_RGB8,
+                                    GN_FORMAT_RGB565,  GN_FORMAT_RGB5_A1,
+                                    GN_FORMAT_RGBA4,   GN_FORMAT_R16,
+                                    GN_FORMAT_RGBA16,  GN_FORMAT_R32F,
+                                    GN_FORMAT_RGBA16F, GN_FORMAT_SRGB8_A8,
+                                    GN_FORMAT_RG16F,   GN_FORMAT_RGB565_SWAPPED};
 
 #define FORMATS (sizeof formats / sizeof *formats)
 

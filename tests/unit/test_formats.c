@@ -42,6 +42,7 @@ static const expected table[] = {
     {GN_FORMAT_RGBA16, 2, 4, {32768, 65535, 16384, 0}, {49151, 0, 65535, 39321}},
     {GN_FORMAT_R32F, 4, 1, {0x3F000000u}, {0x3F400000u}},
     {GN_FORMAT_RGBA16F, 2, 4, {0x3800, 0x3C00, 0x3400, 0xBC00}, {0x3A00, 0, 0x4000, 0x38CC}},
+    {GN_FORMAT_RGB565_SWAPPED, 1, 2, {16u << 3 | 7, 7u << 5 | 8}, {23u << 3, 31}},
     {GN_FORMAT_RG16F, 4, 1, {0x3C003800u}, {0x00003A00u}},
     {GN_FORMAT_RGBA32F,
      4,
@@ -107,9 +108,8 @@ static void shade_one_color(const void *uniforms, const gn_fragment_input *input
             output->color[c][l] = color[c];
 }
 
-/* Draws a triangle under a state over a surface whose memory begins at `offset` bytes. */
-static void draw_under(const gn_pipeline *state, gn_format format, uint32_t offset, uint32_t stride,
-                       const float color[4])
+/* Draws a triangle over a surface. */
+static void draw_into(const gn_pipeline *state, const gn_surface *surface, const float color[4])
 {
     static unsigned char work[GN_WORKSPACE_SIZE(3, 0)];
     gn_pipeline pipeline = *state;
@@ -122,11 +122,20 @@ static void draw_under(const gn_pipeline *state, gn_format format, uint32_t offs
     pipeline.program.uniforms = color;
     mesh.vertex_count = 3;
     mesh.count = 3;
-    target.color[0] = gn_surface_bottom_up((unsigned char *)memory + offset, format, SIDE, SIDE);
-    target.color[0].row_stride = (ptrdiff_t)stride;
+    target.color[0] = *surface;
     workspace.memory = work;
     workspace.size = sizeof work;
     assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+}
+
+/* Draws a triangle under a state over a surface whose memory begins at `offset` bytes. */
+static void draw_under(const gn_pipeline *state, gn_format format, uint32_t offset, uint32_t stride,
+                       const float color[4])
+{
+    gn_surface s = gn_surface_bottom_up((unsigned char *)memory + offset, format, SIDE, SIDE);
+
+    s.row_stride = (ptrdiff_t)stride;
+    draw_into(state, &s, color);
 }
 
 static void draw_over(gn_format format, uint32_t offset, uint32_t stride, const float color[4])
@@ -286,8 +295,9 @@ static void subtracting_what_was_added_gives_the_clear(void **state)
         uint32_t before[SIDE * SIDE * 4];
         gn_pipeline p = {0};
 
-        if (e->format == GN_FORMAT_RGB565 || e->format == GN_FORMAT_RGB5_A1 ||
-            e->format == GN_FORMAT_RGBA4 || e->format == GN_FORMAT_SRGB8_A8)
+        if (e->format == GN_FORMAT_RGB565 || e->format == GN_FORMAT_RGB565_SWAPPED ||
+            e->format == GN_FORMAT_RGB5_A1 || e->format == GN_FORMAT_RGBA4 ||
+            e->format == GN_FORMAT_SRGB8_A8)
             continue; /* these formats lose digits in between */
         assert_int_equal(gn_clear_color(&s, quarters[0], quarters[1], quarters[2], quarters[3]),
                          GN_OK);
@@ -312,7 +322,7 @@ static void alpha_that_is_not_there_is_one(void **state)
         const bool opaque = e->format == GN_FORMAT_R8 || e->format == GN_FORMAT_RG8 ||
                             e->format == GN_FORMAT_RGB8 || e->format == GN_FORMAT_RGB565 ||
                             e->format == GN_FORMAT_R16 || e->format == GN_FORMAT_R32F ||
-                            e->format == GN_FORMAT_RG16F;
+                            e->format == GN_FORMAT_RG16F || e->format == GN_FORMAT_RGB565_SWAPPED;
         gn_pipeline p = {0};
 
         p.color.blend[0].enabled = true;
@@ -476,6 +486,67 @@ static void attachments_beyond_the_count_stay(void **state)
     assert_int_equal(gn_draw(&t, &p, &mesh, &workspace), GN_NO_SHADER);
 }
 
+/* The two images, of SIDE columns and SIDE rows, hold the same pixels. */
+static void assert_bytes_exchanged(const unsigned char *plain, const unsigned char *exchanged)
+{
+    for (size_t i = 0; i < (size_t)SIDE * SIDE; ++i) {
+        const uint16_t pixel = ((const uint16_t *)(const void *)plain)[i];
+
+        if (exchanged[2 * i] != pixel >> 8 || exchanged[2 * i + 1] != (pixel & 255))
+            fail_msg("pixel %zu: %02x %02x instead of %04x", i, exchanged[2 * i],
+                     exchanged[2 * i + 1], pixel);
+    }
+}
+
+/* Clears, draws under states that replace, blend, mask and combine, blits to and from other
+ * formats, resolves and reads back: RGB565_SWAPPED has the pixels of RGB565. */
+static void swapped_pixels_are_those_of_rgb565(void **state)
+{
+    static const gn_format formats[2] = {GN_FORMAT_RGB565, GN_FORMAT_RGB565_SWAPPED};
+    static uint16_t image[2][GN_SAMPLES * SIDE * SIDE], other[2][SIDE * SIDE];
+    static uint32_t wide[2][SIDE * SIDE], colors[SIDE * SIDE];
+    (void)state;
+    for (uint32_t i = 0; i < SIDE * SIDE; ++i)
+        colors[i] = i * 0x9E3779B1u;
+    for (uint32_t n = 0; n < 40; ++n) {
+        const gn_rectangle part = {1, 0, 6, 5};
+        const float mean[4] = {(float)n / 40.0f, 0.7f, (float)(n % 7) / 7.0f, 0.4f};
+        gn_pipeline p = {0};
+
+        p.color.blend[0].enabled = n % 4 == 1;
+        p.color.blend[0].source = (gn_blend_factor)(1 + n % 15);
+        p.color.blend[0].destination = (gn_blend_factor)(1 + n * 7 % 15);
+        p.color.blend[0].equation = (gn_blend_equation)(n % 6);
+        p.color.logic = n % 4 == 2;
+        p.color.logic_operation = (gn_logic_operation)(n % 16);
+        p.color.write_disabled[0] = n % 4 == 3 ? n % 8 : 0;
+        for (int f = 0; f < 2; ++f) {
+            const gn_surface source = gn_surface_bottom_up(colors, GN_FORMAT_RGBA8, SIDE, SIDE);
+            const gn_surface s = gn_surface_bottom_up(image[f], formats[f], SIDE, SIDE);
+            const gn_surface samples = gn_surface_multisampled(&s);
+            const gn_surface to = gn_surface_bottom_up(other[f], formats[f], SIDE, SIDE);
+            const gn_surface back = gn_surface_bottom_up(wide[f], GN_FORMAT_RGBA8, SIDE, SIDE);
+            gn_blit_options linear = {0};
+
+            linear.filter = GN_BLIT_LINEAR;
+            for (uint32_t sample = 0; sample < GN_SAMPLES; ++sample) {
+                const gn_surface one = gn_surface_sample(&samples, sample);
+
+                assert_int_equal(gn_clear_color(&one, 0.1f * (float)sample, 0.5f, mean[0], 1.0f),
+                                 GN_OK);
+            }
+            assert_int_equal(gn_resolve(&to, &samples), GN_OK);
+            assert_int_equal(gn_blit(&s, NULL, &source, NULL, NULL), GN_OK);
+            draw_into(&p, &s, mean);
+            assert_int_equal(gn_blit(&to, &part, &s, NULL, n % 2 ? &linear : NULL), GN_OK);
+            assert_int_equal(gn_blit(&back, NULL, &s, NULL, NULL), GN_OK);
+        }
+        assert_bytes_exchanged((unsigned char *)image[0], (unsigned char *)image[1]);
+        assert_bytes_exchanged((unsigned char *)other[0], (unsigned char *)other[1]);
+        assert_memory_equal(wide[0], wide[1], sizeof wide[0]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -492,6 +563,7 @@ int main(void)
         cmocka_unit_test(masks_keep_the_other_channels),
         cmocka_unit_test(each_attachment_has_its_color),
         cmocka_unit_test(attachments_beyond_the_count_stay),
+        cmocka_unit_test(swapped_pixels_are_those_of_rgb565),
     };
 
     return cmocka_run_group_tests_name("formats", tests, NULL, NULL);
