@@ -33,6 +33,7 @@
  *   GN_FORMAT_RGB565_SWAPPED
  *                      2 x uint8_t  as RGB565, bits 8-15 in the first byte, 0-7 in the second: the
  *                                   order in which displays on SPI take them
+ *   GN_FORMAT_RGB10_A2 uint32_t     red 0-9, green 10-19, blue 20-29, alpha 30-31
  *
  * Colours other than floats are fractions of their largest value, and channels that a format
  * lacks are not kept. Pixels and strides are aligned to their element.
@@ -72,7 +73,8 @@ typedef enum gn_format {
     GN_FORMAT_RGBA16F,
     GN_FORMAT_SRGB8_A8,
     GN_FORMAT_RG16F,
-    GN_FORMAT_RGB565_SWAPPED
+    GN_FORMAT_RGB565_SWAPPED,
+    GN_FORMAT_RGB10_A2
 } gn_format;
 
 typedef struct gn_surface {

@@ -44,7 +44,8 @@
     ROW(SRGB8_A8,  4, 4, COLOR, SRGB,   0, 8,   8, 8,  16, 8,  24, 8) \
     ROW(RG16F,     4, 4, COLOR, FLOAT,  0, 16, 16, 16,  0, 0,   0, 0) \
     ROW(RGB565_SWAPPED, \
-                   2, 1, COLOR, UNORM, 11, 5,   5, 6,   0, 5,   0, 0)
+                   2, 1, COLOR, UNORM, 11, 5,   5, 6,   0, 5,   0, 0) \
+    ROW(RGB10_A2,  4, 4, COLOR, UNORM,  0, 10, 10, 10, 20, 10, 30, 2)
 /* clang-format on */
 
 #endif

@@ -132,17 +132,71 @@ GN_INLINE lanes_i bytes_of_fields(format_fields fields, lanes_i word)
     return lanes_i_or(lanes_i_or(byte[0], byte[1]), lanes_i_or(byte[2], byte[3]));
 }
 
-/* Pixels of GN_FORMAT_RGBA16 to those with these fields of more than 8 bits. Bits beside the fields
- * are not cleared. */
+/* Whether all channels have 16 bits, where GN_FORMAT_RGBA16 has them. */
+static inline bool fields_are_shorts(format_fields fields)
+{
+    return field_width(fields, 0) == 16;
+}
+
+/* A channel of 16 bits, in the low ones, as one of `bits`: the highest, but with so few that more
+ * are lost than stay round-half-up of (value >> bits) * (2^bits - 1) / 2^(16 - bits). */
+GN_INLINE lanes_i narrowed(lanes_i value, int bits)
+{
+    const int lost = 16 - bits;
+
+    if (lost <= bits)
+        return lanes_i_shift_right(value, lost);
+    return lanes_i_shift_right(
+        lanes_i_add(lanes_i_mul(lanes_i_shift_right(value, bits), lanes_i_splat((1 << bits) - 1)),
+                    lanes_i_splat(1 << (lost - 1))),
+        lost);
+}
+
+/* The `bits` from bit `shift` on as 16, repeated from the top. */
+GN_INLINE lanes_i widened_to_short(lanes_i word, int shift, int bits)
+{
+    const lanes_i value =
+        lanes_i_and(lanes_i_shift_right(word, shift), lanes_i_splat((1 << bits) - 1));
+    lanes_i wide = lanes_i_shift_left(value, 16 - bits);
+
+    for (int n = bits; n < 16; n *= 2)
+        wide = lanes_i_or(wide, lanes_i_shift_right(wide, n));
+    return wide;
+}
+
+/* Pixels of GN_FORMAT_RGBA16 to those with these fields of more than 8 bits, which fill one word
+ * where they have not 16. Bits beside the fields are not cleared. */
 GN_INLINE void fields_of_shorts(format_fields fields, lanes_i word[2])
 {
-    (void)fields;
-    (void)word;
+    const lanes_i low = lanes_i_splat(0xFFFF);
+    lanes_i packed = lanes_i_splat(0);
+
+    if (fields_are_shorts(fields))
+        return;
+    for (int c = 0; c < 4; ++c) {
+        const lanes_i value = lanes_i_and(lanes_i_shift_right(word[c / 2], c % 2 * 16), low);
+
+        if (field_width(fields, c) > 0)
+            packed = lanes_i_or(packed, lanes_i_shift_left(narrowed(value, field_width(fields, c)),
+                                                           field_shift(fields, c)));
+    }
+    word[0] = packed;
 }
 
 /* The inverse; alpha is one where there is no field of it. */
 GN_INLINE void shorts_of_fields(format_fields fields, lanes_i word[2])
 {
+    const lanes_i packed = word[0];
+    lanes_i value[4];
+
+    if (!fields_are_shorts(fields)) {
+        for (int c = 0; c < 4; ++c)
+            value[c] = field_width(fields, c) > 0 ? widened_to_short(packed, field_shift(fields, c),
+                                                                     field_width(fields, c))
+                                                  : packed;
+        word[0] = pair_of(value[0], value[1]);
+        word[1] = pair_of(value[2], value[3]);
+    }
     if (field_width(fields, 3) == 0)
         word[1] = lanes_i_splat(-1);
 }
