@@ -34,6 +34,10 @@
  *                      2 x uint8_t  as RGB565, bits 8-15 in the first byte, 0-7 in the second: the
  *                                   order in which displays on SPI take them
  *   GN_FORMAT_RGB10_A2 uint32_t     red 0-9, green 10-19, blue 20-29, alpha 30-31
+ *   GN_FORMAT_R11F_G11F_B10F
+ *                      uint32_t     red 0-10, green 11-21, blue 22-31, as floats without
+ *                                   sign: 5 bits of exponent, as IEEE binary16 has, above 6,
+ *                                   6 and 5 bits of fraction
  *
  * Colours other than floats are fractions of their largest value, and channels that a format
  * lacks are not kept. Pixels and strides are aligned to their element.
@@ -74,7 +78,8 @@ typedef enum gn_format {
     GN_FORMAT_SRGB8_A8,
     GN_FORMAT_RG16F,
     GN_FORMAT_RGB565_SWAPPED,
-    GN_FORMAT_RGB10_A2
+    GN_FORMAT_RGB10_A2,
+    GN_FORMAT_R11F_G11F_B10F
 } gn_format;
 
 typedef struct gn_surface {
@@ -160,13 +165,13 @@ GN_API gn_status gn_target_check(const gn_target *target);
  * 1 to GN_MAX_SIZE", in static storage; null if there is no fault. */
 GN_API const char *gn_target_fault(const gn_target *target);
 
-/* Fills a colour surface, all its samples, with one colour (OpenGL 4.5 section 17.4.3). A channel c
- * of n bits is stored as c * (2^n - 1): the product is rounded to binary32 and then to the nearest
- * integer, halves to even with 8 bits and up otherwise. It is 0 for c below 0 and for NaN, and
- * 2^n - 1 for c from 1 up. 32-bit floats are stored as they are, 16-bit floats are rounded toward
- * zero, and every NaN is stored as gnomon/backend.h says. Red, green and blue of GN_FORMAT_SRGB8_A8
- * are the exactly nearest values of sRGB. A bad surface returns the statuses of gn_target_check; a
- * format that the library was compiled without returns GN_NOT_COMPILED. */
+/* Fills a colour surface, all its samples, with one colour (OpenGL 4.5 section 17.4.3). Where a
+ * channel has n bits, it is c * (2^n - 1), the product being rounded to binary32 and then to the
+ * nearest integer, halves to even with 8 bits and up otherwise; 0 below 0 and for NaN, 2^n - 1 from
+ * 1 up. Floats of 32 bits are stored as they are, those of fewer bits rounded toward zero, and
+ * every NaN as gnomon/backend.h says. Red, green and blue of GN_FORMAT_SRGB8_A8 are the nearest
+ * that sRGB has, exactly. A bad surface gives the statuses of gn_target_check, a format that the
+ * library was compiled without GN_NOT_COMPILED. */
 GN_API gn_status gn_clear_color(const gn_surface *surface, float red, float green, float blue,
                                 float alpha);
 

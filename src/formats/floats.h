@@ -1,4 +1,5 @@
-/* Channels that are floats of 32 or 16 bits, to lanes and back. */
+/* Channels that are floats of 32 or 16 bits, or of 11 or 10, which have no sign, to lanes and back.
+ */
 #ifndef GN_FORMATS_FLOATS_H
 #define GN_FORMATS_FLOATS_H
 
@@ -48,23 +49,49 @@ static inline lanes_i half_bits(lanes_f channel)
                           lanes_i_or(half, sign));
 }
 
+/* A float of 11 or 10 bits is a half without its sign and its fraction's last 4 or 5 bits. One that
+ * is no number keeps its payload. */
+static inline lanes_f unsigned_float_value(lanes_i word, int shift, int width)
+{
+    const lanes_i bits =
+        lanes_i_and(lanes_i_shift_right(word, shift), lanes_i_splat((1 << width) - 1));
+
+    return half_value(lanes_i_shift_left(bits, 15 - width));
+}
+
+/* Toward zero, as a half is. What is negative is 0, and every NaN has the fraction's first bit
+ * alone. */
+static inline lanes_i unsigned_float_bits(lanes_f channel, int width)
+{
+    const lanes_i half = half_bits(channel);
+    const lanes_i zero = lanes_i_splat(0);
+    const lanes_i is_negative = lanes_i_and(half, lanes_i_splat(0x8000));
+
+    return lanes_i_shift_right(lanes_i_select(lanes_i_greater(is_negative, zero), zero, half),
+                               15 - width);
+}
+
 /* The float of `width` bits from bit `shift` of words on. */
 GN_INLINE lanes_f float_channel(lanes_i word, int shift, int width)
 {
-    return width == 32 ? lanes_as_float(word) : half_value(lanes_i_shift_right(word, shift));
+    return width == 32   ? lanes_as_float(word)
+           : width == 16 ? half_value(lanes_i_shift_right(word, shift))
+                         : unsigned_float_value(word, shift, width);
 }
 
 /* Colours as floats of `width` bits, in the low bits. */
 GN_INLINE lanes_i float_bits_of(lanes_f channel, int width)
 {
-    return width == 32 ? float_words(channel) : half_bits(channel);
+    return width == 32   ? float_words(channel)
+           : width == 16 ? half_bits(channel)
+                         : unsigned_float_bits(channel, width);
 }
 
-/* The float that a clear stores for c, which is then converted as a fragment's is. */
+/* The float that a clear stores for c, which is then converted as a fragment's is. Clears to 11 and
+ * 10 bits make no denormals. */
 static inline float cleared_float(float c, int width)
 {
-    (void)width;
-    return c;
+    return width < 16 && c < 0x1p-14f ? 0.0f : c;
 }
 
 #endif

@@ -45,7 +45,9 @@
     ROW(RG16F,     4, 4, COLOR, FLOAT,  0, 16, 16, 16,  0, 0,   0, 0) \
     ROW(RGB565_SWAPPED, \
                    2, 1, COLOR, UNORM, 11, 5,   5, 6,   0, 5,   0, 0) \
-    ROW(RGB10_A2,  4, 4, COLOR, UNORM,  0, 10, 10, 10, 20, 10, 30, 2)
+    ROW(RGB10_A2,  4, 4, COLOR, UNORM,  0, 10, 10, 10, 20, 10, 30, 2) \
+    ROW(R11F_G11F_B10F, \
+                   4, 4, COLOR, FLOAT,  0, 11, 11, 11, 22, 10,  0, 0)
 /* clang-format on */
 
 #endif

@@ -4,14 +4,14 @@
 #include <math.h>
 
 /* All formats of colours that scenes have beside the two most common. */
-static const gn_format formats[] = {GN_FORMAT_BGRA8,   GN_FORMAT_R8,
-                                    GN_FORMAT_RG8,     GN_FORMAT_RGB8,
-                                    GN_FORMAT_RGB565,  GN_FORMAT_RGB5_A1,
-                                    GN_FORMAT_RGBA4,   GN_FORMAT_R16,
-                                    GN_FORMAT_RGBA16,  GN_FORMAT_R32F,
-                                    GN_FORMAT_RGBA16F, GN_FORMAT_SRGB8_A8,
-                                    GN_FORMAT_RG16F,   GN_FORMAT_RGB565_SWAPPED,
-                                    GN_FORMAT_RGB10_A2};
+static const gn_format formats[] = {GN_FORMAT_BGRA8,    GN_FORMAT_R8,
+                                    GN_FORMAT_RG8,      GN_FORMAT_RGB8,
+                                    GN_FORMAT_RGB565,   GN_FORMAT_RGB5_A1,
+                                    GN_FORMAT_RGBA4,    GN_FORMAT_R16,
+                                    GN_FORMAT_RGBA16,   GN_FORMAT_R32F,
+                                    GN_FORMAT_RGBA16F,  GN_FORMAT_SRGB8_A8,
+                                    GN_FORMAT_RG16F,    GN_FORMAT_RGB565_SWAPPED,
+                                    GN_FORMAT_RGB10_A2, GN_FORMAT_R11F_G11F_B10F};
 
 #define FORMATS (sizeof formats / sizeof *formats)
 

@@ -85,6 +85,11 @@ static uint32_t random_element(random_source *r, gn_format format, size_t i)
 {
     const float depth = random_depth(r);
 
+    if (format == GN_FORMAT_R11F_G11F_B10F) {
+        const uint32_t red = random_half(r) >> 4 & 0x7FF, green = random_half(r) >> 4 & 0x7FF;
+
+        return red | green << 11 | (random_half(r) >> 5 & 0x3FF) << 22;
+    }
     if (scene_is_color_format(format) && scene_is_float_format(format))
         return scene_channel_width(format, 0) == 32 ? bits_of(random_texel(r))
                : scene_element_size(format) == 2    ? random_half(r)

@@ -58,6 +58,8 @@ static uint32_t element(random_source *r, gn_format format, size_t i, bool is_te
         return bits & 255;
     if (width == 10)
         return is_texel ? 0x50040100 + (bits & 0x0FF3FCFF) : 0xFFFFFFFF;
+    if (width == 11)
+        return is_texel ? 0x681A0340 + (bits & 0x07C1F83F) : 0xFFFFFFFF;
     if (scene_is_float_format(format))
         return width == 32 ? word : is_texel ? 0x34003400 + (bits & 0x03FF03FF) : 0x7E007E00;
     if (width == 16)

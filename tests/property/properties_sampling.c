@@ -53,6 +53,8 @@ static gn_texture random_texture(random_source *r, bool constant)
             memcpy(&bits, &number, sizeof bits);
         if (scene_is_float_format(t.format) && width == 16) /* 0 to 1 */
             bits &= 0x3BFF3BFF;
+        if (scene_is_float_format(t.format) && width == 11)
+            bits &= 0x77DDFBBF;
         if (t.format == GN_FORMAT_D24)
             bits &= 0xFFFFFF;
         scene_set_element(texels, size, i,

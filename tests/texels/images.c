@@ -40,6 +40,8 @@ void fill_texels(random_source *r, gn_format format, bool with_specials, void *t
         for (size_t i = 0; i < bytes / 4; ++i)
             value[i] = random_value(r, with_specials);
     for (size_t i = 0; i < count; ++i) {
+        if (format == GN_FORMAT_R11F_G11F_B10F && !with_specials)
+            word[i] &= 0x7FDFFBFFu; /* no exponent of the highest */
         if (format == GN_FORMAT_D24)
             word[i] &= 0xFFFFFFu;
         if (format == GN_FORMAT_D32F)

@@ -171,6 +171,9 @@ static void fill_texels(random_source *r, gn_format format, uint32_t wild, void 
     for (size_t i = 0; i < bytes / 4; ++i)
         if (is_float && scene_channel_width(format, 0) == 32)
             floats[i] = random_chance(r, wild) ? random_special(r) : random_float(r, -0.5f, 1.5f);
+    for (size_t i = 0; format == GN_FORMAT_R11F_G11F_B10F && i < count; ++i)
+        if (!random_chance(r, wild))
+            ((uint32_t *)texels)[i] &= 0x7FDFFBFFu; /* no exponent of the highest */
     for (size_t i = 0; is_float && scene_channel_width(format, 0) == 16 && i < bytes / 2; ++i)
         if ((halves[i] & 0x7C00) == 0x7C00)
             halves[i] = (uint16_t)(random_chance(r, wild) ? halves[i] & 0xFC00 : 0x3555);

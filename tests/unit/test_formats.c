@@ -44,6 +44,11 @@ static const expected table[] = {
     {GN_FORMAT_RGBA16F, 2, 4, {0x3800, 0x3C00, 0x3400, 0xBC00}, {0x3A00, 0, 0x4000, 0x38CC}},
     {GN_FORMAT_RGB565_SWAPPED, 1, 2, {16u << 3 | 7, 7u << 5 | 8}, {23u << 3, 31}},
     {GN_FORMAT_RGB10_A2, 4, 1, {512u | 1023u << 10 | 256u << 20}, {767u | 1023u << 20 | 2u << 30}},
+    {GN_FORMAT_R11F_G11F_B10F,
+     4,
+     1,
+     {0x380u | 0x3C0u << 11 | 0x1A0u << 22},
+     {0x3A0u | 0x200u << 22}},
     {GN_FORMAT_RG16F, 4, 1, {0x3C003800u}, {0x00003A00u}},
     {GN_FORMAT_RGBA32F,
      4,
@@ -213,6 +218,34 @@ static void halves_round_toward_zero(void **state)
     }
 }
 
+/* Floats without sign, likewise; a clear makes no denormals. */
+static void unsigned_floats_round_toward_zero(void **state)
+{
+    (void)state;
+    static const struct {
+        uint32_t single;
+        uint16_t red, cleared;
+    } values[] = {
+        {0x3F801FFFu, 0x3C0, 0x3C0}, {0x3F820000u, 0x3C1, 0x3C1}, {0x3F81FFFFu, 0x3C0, 0x3C0},
+        {0x38800000u, 0x040, 0x040}, {0x387FFFFFu, 0x03F, 0x000}, {0x35800000u, 0x001, 0x000},
+        {0x357FFFFFu, 0x000, 0x000}, {0x477E0000u, 0x7BF, 0x7BF}, {0x7F7FFFFFu, 0x7BF, 0x7BF},
+        {0x7F800000u, 0x7C0, 0x7C0}, {0xFF800000u, 0x000, 0x000}, {0xBF800000u, 0x000, 0x000},
+        {0x7FC00000u, 0x7E0, 0x7E0}, {0xFFC00001u, 0x7E0, 0x7E0}};
+
+    for (size_t i = 0; i < sizeof values / sizeof *values; ++i) {
+        float color[4];
+        const gn_surface s = gn_surface_bottom_up(memory, GN_FORMAT_R11F_G11F_B10F, SIDE, SIDE);
+        const uint32_t red = values[i].red, cleared = values[i].cleared;
+
+        for (int c = 0; c < 4; ++c)
+            memcpy(&color[c], &values[i].single, sizeof color[c]);
+        draw_over(GN_FORMAT_R11F_G11F_B10F, 0, SIDE * 4, color);
+        assert_int_equal(memory[3], red | red << 11 | red >> 1 << 22);
+        assert_int_equal(gn_clear_color(&s, color[0], color[1], color[2], color[3]), GN_OK);
+        assert_int_equal(memory[3], cleared | cleared << 11 | cleared >> 1 << 22);
+    }
+}
+
 static void pixels_are_aligned_to_their_element(void **state)
 {
     (void)state;
@@ -258,7 +291,7 @@ static void combine(const gn_pipeline *state, const expected *e, const float cle
 static bool is_float(gn_format format)
 {
     return format == GN_FORMAT_R32F || format == GN_FORMAT_RGBA16F || format == GN_FORMAT_RGBA32F ||
-           format == GN_FORMAT_RG16F;
+           format == GN_FORMAT_RG16F || format == GN_FORMAT_R11F_G11F_B10F;
 }
 
 /* 0 + s, s * 1, and the minimum of s and a greater value are s. */
@@ -323,7 +356,8 @@ static void alpha_that_is_not_there_is_one(void **state)
         const bool opaque = e->format == GN_FORMAT_R8 || e->format == GN_FORMAT_RG8 ||
                             e->format == GN_FORMAT_RGB8 || e->format == GN_FORMAT_RGB565 ||
                             e->format == GN_FORMAT_R16 || e->format == GN_FORMAT_R32F ||
-                            e->format == GN_FORMAT_RG16F || e->format == GN_FORMAT_RGB565_SWAPPED;
+                            e->format == GN_FORMAT_RG16F || e->format == GN_FORMAT_RGB565_SWAPPED ||
+                            e->format == GN_FORMAT_R11F_G11F_B10F;
         gn_pipeline p = {0};
 
         p.color.blend[0].enabled = true;
@@ -556,6 +590,7 @@ int main(void)
         cmocka_unit_test(fragments_give_the_values_of_the_table),
         cmocka_unit_test(fragments_leave_what_is_beside_them),
         cmocka_unit_test(halves_round_toward_zero),
+        cmocka_unit_test(unsigned_floats_round_toward_zero),
         cmocka_unit_test(pixels_are_aligned_to_their_element),
         cmocka_unit_test(blending_that_changes_nothing_gives_fragments),
         cmocka_unit_test(subtracting_what_was_added_gives_the_clear),
