@@ -123,6 +123,9 @@ $(BUILD)/reference/scene/phong_baseline.o: EXTRA_FLAGS = $(VECTORISE)
 ifeq ($(MACHINE),x86_64)
 $(BUILD)/reference/scene/phong_avx2.o: EXTRA_FLAGS = $(VECTORISE) -mavx2
 $(BUILD)/reference/scene/phong_avx512.o: EXTRA_FLAGS = $(VECTORISE) -mavx512f -mprefer-vector-width=512
+# Functions of one vertex and fragment need neither of the two flags.
+$(BUILD)/reference/scene/phong_functions_avx2.o: EXTRA_FLAGS = -mavx2
+$(BUILD)/reference/scene/phong_functions_avx512.o: EXTRA_FLAGS = -mavx512f -mprefer-vector-width=512
 $(BUILD)/tools/bench/maths_cglm_best.o: EXTRA_FLAGS = -mavx2 -mfma
 endif
 
@@ -223,6 +226,7 @@ check-freestanding: library ## no undefined symbols, no writable data: every com
 .PHONY: check-embedding
 check-embedding: library ## the README's program, through pkg-config and CMake, with every back end
 	@tests/embed/readme.sh $(BUILD)
+	@tests/embed/shader_examples.sh $(BUILD)
 	@tests/embed/cmake.sh $(BUILD) --all
 
 .PHONY: parity-emulated

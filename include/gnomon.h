@@ -1,13 +1,13 @@
 /* Gnomon: 3D mathematics and software rendering in freestanding C99.
  *
- * This header includes all other headers; each can also be included alone.
+ * This header includes all of them; each can also be included alone.
  *
- *   status.h      what functions report about their input
+ *   status.h      what functions say about their input
  *   scalar.h      square roots, trigonometry, exponentials, the same on every target
  *   vec.h         vectors of two to four components
  *   mat.h         3x3 and 4x4 matrices
  *   quat.h        rotations as quaternions
- *   bulk.h        arrays of vectors times one matrix, and arrays of matrices
+ *   bulk.h        arrays of vectors by one matrix, and of matrices
  *   transform.h   transforms: a matrix together with its analytic inverse
  *   inverse.h     inverses of bare matrices of known kinds
  *   decompose.h   a model matrix into translation, rotation and scale
@@ -19,16 +19,20 @@
  *   compare.h     comparisons of depth, stencil and depth textures
  *   lanes.h       how many vertices or fragments are processed at a time
  *   surface.h     colour and depth images in the caller's memory, and clears
- *   blit.h        rectangles of surfaces copied to others, converted and scaled
+ *   blit.h        rectangles of surfaces onto others, converted and scaled
  *   texture.h     images that shaders read
- *   sampling.h    how textures are read: wraps, filters, levels of detail
+ *   sampling.h    how they are read: wraps, filters, levels of detail
  *   derivatives.h dFdx, dFdy and fwidth for users' shaders
  *   pipeline.h    shaders and the state of a draw
  *   backend.h     instruction sets
- *   parallel.h    threads, which the caller provides
+ *   parallel.h    threads, which are the caller's
  *   draw.h        meshes, the workspace and the draw itself
  *   light.h       lights, materials and shadow maps of the ready-made shaders
  *   shaders.h     ready-made shaders
+ *   shader_functions.h  shaders as functions of one vertex and one fragment
+ *   shader_vectors.h    vectors for them, inline
+ *   shader_types.h      what they are handed and give
+ *   shader_loop.h       what their macros are made of, not for users
  *
  * Conventions, for every function whose name does not say otherwise:
  *
@@ -40,7 +44,8 @@
  *   depth         0 is near, 1 is far, unless a depth range says otherwise
  *   memory        the caller's; the library allocates nothing and keeps no pointer
  *   aliasing      outputs must not overlap inputs unless a contract says they may
- *   arithmetic    IEEE binary32, rounded to nearest, in the order written */
+ *   arithmetic    IEEE binary32, rounded to nearest, in the order written
+ */
 #ifndef GNOMON_H
 #define GNOMON_H
 
@@ -65,6 +70,10 @@
 #include "gnomon/ray.h"
 #include "gnomon/sampling.h"
 #include "gnomon/scalar.h"
+#include "gnomon/shader_functions.h"
+#include "gnomon/shader_loop.h"
+#include "gnomon/shader_types.h"
+#include "gnomon/shader_vectors.h"
 #include "gnomon/shaders.h"
 #include "gnomon/status.h"
 #include "gnomon/surface.h"

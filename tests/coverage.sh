@@ -2,12 +2,19 @@
 # Lists the public functions of the mathematics that no property test (tests/property) and no
 # exhaustive test (tests/exhaustive) calls. usage: coverage.sh [DIRECTORY]
 # DIRECTORY holds include/ and tests/ (default: this repository). All headers count except those of
-# drawing. Ends with "functions: N called by a property or an exhaustive test, N not". Exit status 1
-# if a function is not called.
+# drawing. The unit test of the inline vectors of shaders must call each of them. Ends with
+# "functions: N called by a property or an exhaustive test, N not". Exit status 1 if a function is
+# not called.
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 headers=$(ls include/gnomon/*.h | grep -v -E \
     '/(api|backend|blit|derivatives|draw|parallel|pipeline|sampling|shaders|status|surface|texture)\.h$')
+
+test -e include/gnomon/shader_vectors.h && sed -nE 's/^static inline .*(gn_[a-z0-9_]+)\(.*/\1/p' \
+    include/gnomon/shader_vectors.h | while read -r inline; do
+    grep -q "$inline(" tests/unit/test_shader_vectors.c ||
+        { echo "include/gnomon/shader_vectors.h: $inline: not in tests/unit/test_shader_vectors.c"; exit 1; }
+done
 
 # Comments and strings are removed first, because a name in them is not a call. Tables of functions
 # use names without a parenthesis, so any use of a name counts.

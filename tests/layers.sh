@@ -9,7 +9,7 @@
 set -eu
 
 layers='include config scalars lanes math formats texture shaders geometry raster fragment surfaces draw backends'
-drawing='blit derivatives draw light pipeline sampling shaders surface texture'
+drawing='blit derivatives draw light pipeline sampling shader_functions shader_loop shader_types shaders surface texture'
 build=${1:?usage: tests/layers.sh BUILD}
 cd "$(dirname "$0")/.."
 

@@ -71,6 +71,7 @@ test-steps:
 		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 275 --keep $(BUILD)/sanitized-failure.scene' \
 		'freestanding=tests/portability/freestanding.sh $(BUILD) $(ALL)' \
 		'embedding=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD) $(ALL)' \
+		'examples of shaders=tests/embed/shader_examples.sh $(BUILD)' \
 		'blits=$(BUILD)/blits --seed $(TEST_SEED) --blits 2020' \
 		'texels=$(BUILD)/texels --seed $(TEST_SEED) --textures 12' \
 		'textures=$(BUILD)/textures --seed $(TEST_SEED) --quick' \

@@ -9,6 +9,10 @@
 gn_vertex_shader phong_vertex_baseline, phong_vertex_avx2, phong_vertex_avx512;
 gn_fragment_shader phong_fragment_baseline, phong_fragment_avx2, phong_fragment_avx512;
 
+typedef void phong_use_function(gn_pipeline *pipeline, const phong_uniforms *uniforms);
+phong_use_function phong_use_functions_baseline, phong_use_functions_avx2,
+    phong_use_functions_avx512;
+
 /* The back end may be an emulated one. */
 static bool processor_has_avx512(void)
 {
@@ -42,5 +46,21 @@ gn_status phong_use(gn_pipeline *pipeline, const phong_uniforms *uniforms, gn_ba
     pipeline->program.varying_count = PHONG_VARYINGS;
     for (int n = 0; n < PHONG_VARYINGS; ++n)
         pipeline->program.interpolation[n] = GN_SMOOTH;
+    return GN_OK;
+}
+
+gn_status phong_use_functions(gn_pipeline *pipeline, const phong_uniforms *uniforms,
+                              gn_backend backend)
+{
+    const gn_status status = phong_use(pipeline, uniforms, backend);
+
+    if (status != GN_OK)
+        return status;
+    if (pipeline->program.fragment_shader == phong_fragment_avx512)
+        phong_use_functions_avx512(pipeline, uniforms);
+    else if (pipeline->program.fragment_shader == phong_fragment_avx2)
+        phong_use_functions_avx2(pipeline, uniforms);
+    else
+        phong_use_functions_baseline(pipeline, uniforms);
     return GN_OK;
 }

@@ -32,4 +32,9 @@ typedef struct phong_uniforms {
  * gn_texture_check and gn_sampler_check. */
 gn_status phong_use(gn_pipeline *pipeline, const phong_uniforms *uniforms, gn_backend backend);
 
+/* The same with the shaders that are written as functions of one vertex and one fragment
+ * (phong_function_shader.h): the same bits. */
+gn_status phong_use_functions(gn_pipeline *pipeline, const phong_uniforms *uniforms,
+                              gn_backend backend);
+
 #endif

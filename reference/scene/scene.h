@@ -140,6 +140,7 @@ typedef struct scene_draw {
     float clip_plane[GN_MAX_CLIP_DISTANCES][4];
 
     gn_mat4 view_from_model; /* only for SCENE_PHONG */
+    bool phong_functions;    /* SCENE_PHONG by functions of one fragment; the same bits; no text */
     gn_vec3 specular;        /* only for SCENE_PHONG, SCENE_MAPPED_PHONG and SCENE_BLINN_PHONG */
 
     scene_clear clear;

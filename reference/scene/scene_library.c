@@ -247,7 +247,8 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
         break;
     case SCENE_PHONG:
         other->phong = phong_uniforms_of(d);
-        status = phong_use(pipeline, &other->phong, backend);
+        status = d->phong_functions ? phong_use_functions(pipeline, &other->phong, backend)
+                                    : phong_use(pipeline, &other->phong, backend);
         break;
     case SCENE_INPUTS:
         other->color.clip_from_model = d->uniforms.light.clip_from_model;

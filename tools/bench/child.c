@@ -123,8 +123,11 @@ static void stay_on_processor(void)
 #endif
 }
 
-static bool choose_threads(child *c, const request *r, answer *a)
+/* Gnomon's back end, threads and form of the user's shaders. */
+static bool choose_way(child *c, const request *r, answer *a)
 {
+    for (size_t i = 0; i < c->scene->draw_count; ++i)
+        c->scene->draws[i].phong_functions = r->functions;
     c->workspace.backend = r->backend;
     c->workspace.parallel = NULL;
     c->workspace.user = NULL;
@@ -161,7 +164,7 @@ static bool draw_once(child *c, answer *a)
 
 static bool draw(child *c, const request *r, answer *a)
 {
-    if (c->kind == RENDERER_GNOMON && !choose_threads(c, r, a))
+    if (c->kind == RENDERER_GNOMON && !choose_way(c, r, a))
         return false;
     if (c->last_ms < WARMED_MILLISECONDS) {
         const double start = milliseconds(CLOCK_MONOTONIC);
@@ -186,7 +189,7 @@ static bool draw_frame(child *c, const request *r, answer *a)
     }
     memset(c->frame.color, 0xA5, pixels * gn_format_size(c->frame.color_format));
     memset(c->frame.depth, 0xA5, pixels * gn_format_size(c->frame.depth_format));
-    return choose_threads(c, r, a) && draw_once(c, a);
+    return choose_way(c, r, a) && draw_once(c, a);
 }
 
 static bool write_rows(const child *c, const request *r)

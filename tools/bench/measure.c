@@ -12,12 +12,12 @@
 /* Rows compared at a time, so that frames of 8192 pixels a side need not be kept here. */
 #define BAND_ROWS 64
 
-#define MOST_LINES (3 + 2 * GN_BACKEND_COUNT)
+#define MOST_LINES (3 + 3 * GN_BACKEND_COUNT)
 
 /* One line of the table, while it is filled. */
 typedef struct line {
     renderer *renderer;
-    gn_backend backend;
+    renderer_way way;
     double cpu[MAX_FRAMES], wall[MAX_FRAMES];
     record record;
 } line;
@@ -82,35 +82,41 @@ void family_stop(family *f)
 }
 
 static void add_line(lines *l, const bench_scene *b, renderer *r, const char *name,
-                     gn_backend backend, uint32_t threads)
+                     const renderer_way *way)
 {
     line *added = &l->line[l->count++];
 
     memset(added, 0, sizeof *added);
     added->renderer = r;
-    added->backend = backend;
+    added->way = *way;
     snprintf(added->record.scene, sizeof added->record.scene, "%s", b->name);
     snprintf(added->record.renderer, sizeof added->record.renderer, "%s", name);
     snprintf(added->record.backend, sizeof added->record.backend, "%s",
-             backend == GN_BACKEND_AUTO ? "host" : gn_backend_name(backend));
-    added->record.threads = threads;
+             way->backend == GN_BACKEND_AUTO ? "host" : gn_backend_name(way->backend));
+    added->record.threads = way->threads;
 }
 
 static void add_lines(lines *l, family *f, const measure_options *o, const bench_scene *b)
 {
+    static const renderer_way one = {GN_BACKEND_AUTO, 1, false}, two = {GN_BACKEND_AUTO, 2, false};
     renderer *r = f->renderers;
 
     if (wants_renderer(o, RENDERER_SHIPPED))
-        add_line(l, b, &r[RENDERER_SHIPPED], "llvmpipe", GN_BACKEND_AUTO, 1);
+        add_line(l, b, &r[RENDERER_SHIPPED], "llvmpipe", &one);
     if (wants_renderer(o, RENDERER_TUNED))
-        add_line(l, b, &r[RENDERER_TUNED], "llvmpipe tuned", GN_BACKEND_AUTO, 1);
+        add_line(l, b, &r[RENDERER_TUNED], "llvmpipe tuned", &one);
     if (wants_renderer(o, RENDERER_TUNED_2))
-        add_line(l, b, &r[RENDERER_TUNED_2], "llvmpipe tuned", GN_BACKEND_AUTO, 2);
+        add_line(l, b, &r[RENDERER_TUNED_2], "llvmpipe tuned", &two);
     for (int backend = GN_BACKEND_PORTABLE; backend < GN_BACKEND_COUNT; ++backend) {
-        for (uint32_t threads = 1; threads <= 2; ++threads) {
-            if (wants_backend(o, (gn_backend)backend) && wants_threads(o, threads))
-                add_line(l, b, &r[RENDERER_GNOMON], "gnomon", (gn_backend)backend, threads);
-        }
+        renderer_way way = {(gn_backend)backend, 1, false};
+
+        for (; way.threads <= 2; ++way.threads)
+            if (wants_backend(o, way.backend) && wants_threads(o, way.threads))
+                add_line(l, b, &r[RENDERER_GNOMON], "gnomon", &way);
+        way.threads = 1;
+        way.functions = true;
+        if (b->shape == BENCH_PHONG_SPHERE && wants_backend(o, way.backend) && wants_threads(o, 1))
+            add_line(l, b, &r[RENDERER_GNOMON], "gnomon functions", &way);
     }
 }
 
@@ -154,8 +160,7 @@ static bool measure_frames(lines *l, const bench_scene *b, int frames)
         for (int n = 0; n < l->count; ++n) {
             line *at = &l->line[n];
 
-            if (!renderer_draw(at->renderer, at->backend, at->record.threads, &at->cpu[i],
-                               &at->wall[i]))
+            if (!renderer_draw(at->renderer, &at->way, &at->cpu[i], &at->wall[i]))
                 return fail(b->name, at->renderer);
         }
     }
@@ -191,13 +196,15 @@ static bool count_differing(const bench_scene *b, renderer *ours, renderer *pinn
 /* Draws once before anything is timed, which also compiles shaders and touches memory. */
 static bool check_frames(lines *l, const bench_scene *b, renderer *pinned)
 {
-    if (!renderer_frame(pinned, GN_BACKEND_AUTO, 1))
+    static const renderer_way one = {GN_BACKEND_AUTO, 1, false};
+
+    if (!renderer_frame(pinned, &one))
         return fail(b->name, pinned);
     for (int n = 0; n < l->count; ++n) {
         line *at = &l->line[n];
 
         progress(b, "check", n + 1, l->count);
-        if (!renderer_frame(at->renderer, at->backend, at->record.threads))
+        if (!renderer_frame(at->renderer, &at->way))
             return fail(b->name, at->renderer);
         if (!count_differing(b, at->renderer, pinned, &at->record.differing))
             return false;
@@ -229,6 +236,23 @@ static void summarize(lines *l, int frames)
     }
 }
 
+/* What functions of one fragment cost beside loops over lanes, where both have drawn. */
+static void print_functions(const lines *l)
+{
+    for (int n = 1; n < l->count; ++n) {
+        const record *functions = &l->line[n].record;
+
+        for (int m = 0; m < n && l->line[n].way.functions; ++m) {
+            const record *loops = &l->line[m].record;
+
+            if (l->line[m].way.backend == l->line[n].way.backend && loops->threads == 1)
+                printf("%s, %s: shaders as functions of one fragment take %.2f times the time of "
+                       "loops over lanes\n",
+                       loops->scene, loops->backend, functions->cpu_ms / loops->cpu_ms);
+        }
+    }
+}
+
 bool measure_scene(family *f, const measure_options *o, const bench_scene *b, record_list *list)
 {
     lines l = {calloc(MOST_LINES, sizeof(line)), 0};
@@ -247,6 +271,7 @@ bool measure_scene(family *f, const measure_options *o, const bench_scene *b, re
             record_print(stdout, &l.line[n].record);
             record_add(list, &l.line[n].record);
         }
+        print_functions(&l);
         fflush(stdout);
     }
     free(l.line);

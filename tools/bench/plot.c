@@ -34,7 +34,8 @@ static const style *style_of(const record *r)
 /* The tuned llvmpipe is the line at 1 and has no bar. */
 static bool has_bar(const record *r)
 {
-    return strcmp(r->renderer, "llvmpipe tuned") != 0;
+    return strcmp(r->renderer, "llvmpipe tuned") != 0 &&
+           strcmp(r->renderer, "gnomon functions") != 0;
 }
 
 static double largest_ratio(const record_list *list)

@@ -34,6 +34,7 @@ typedef struct request {
     bench_scene scene;
     gn_backend backend; /* Gnomon's back end */
     uint32_t threads;
+    bool functions; /* Gnomon's user's shaders are functions of one fragment */
     uint32_t first_row, row_count;
 } request;
 

@@ -25,13 +25,13 @@ void record_free(record_list *list)
 
 void record_print_head(FILE *out)
 {
-    fprintf(out, "%-18s %-15s %-9s %7s %10s %10s %7s %10s\n", "scene", "renderer", "back end",
+    fprintf(out, "%-18s %-16s %-9s %7s %10s %10s %7s %10s\n", "scene", "renderer", "back end",
             "threads", "CPU ms", "wall ms", "ratio", "differing");
 }
 
 void record_print(FILE *out, const record *r)
 {
-    fprintf(out, "%-18s %-15s %-9s %7" PRIu32 " %10.3f %10.3f %7.2f %10" PRIu64 "\n", r->scene,
+    fprintf(out, "%-18s %-16s %-9s %7" PRIu32 " %10.3f %10.3f %7.2f %10" PRIu64 "\n", r->scene,
             r->renderer, r->backend, r->threads, r->cpu_ms, r->wall_ms, r->ratio, r->differing);
 }
 

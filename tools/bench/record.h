@@ -9,7 +9,7 @@
 
 typedef struct record {
     char scene[24];
-    char renderer[24]; /* "gnomon", "llvmpipe", "llvmpipe tuned" */
+    char renderer[24]; /* "gnomon", "gnomon functions", "llvmpipe", "llvmpipe tuned" */
     char backend[24];  /* the back end of Gnomon; "host" for llvmpipe */
     uint32_t threads;
     double cpu_ms, wall_ms; /* medians */

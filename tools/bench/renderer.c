@@ -104,6 +104,16 @@ static request request_of(request_kind kind)
     return q;
 }
 
+static request drawing_request(request_kind kind, const renderer_way *way)
+{
+    request q = request_of(kind);
+
+    q.backend = way->backend;
+    q.threads = way->threads;
+    q.functions = way->functions;
+    return q;
+}
+
 bool renderer_load(renderer *r, const bench_scene *b)
 {
     request q = request_of(REQUEST_LOAD);
@@ -117,14 +127,11 @@ bool renderer_load(renderer *r, const bench_scene *b)
     return true;
 }
 
-bool renderer_draw(renderer *r, gn_backend backend, uint32_t threads, double *cpu_ms,
-                   double *wall_ms)
+bool renderer_draw(renderer *r, const renderer_way *way, double *cpu_ms, double *wall_ms)
 {
-    request q = request_of(REQUEST_DRAW);
+    const request q = drawing_request(REQUEST_DRAW, way);
     answer a;
 
-    q.backend = backend;
-    q.threads = threads;
     if (!ask(r, &q, &a))
         return false;
     *cpu_ms = a.cpu_ms;
@@ -132,13 +139,11 @@ bool renderer_draw(renderer *r, gn_backend backend, uint32_t threads, double *cp
     return true;
 }
 
-bool renderer_frame(renderer *r, gn_backend backend, uint32_t threads)
+bool renderer_frame(renderer *r, const renderer_way *way)
 {
-    request q = request_of(REQUEST_FRAME);
+    const request q = drawing_request(REQUEST_FRAME, way);
     answer a;
 
-    q.backend = backend;
-    q.threads = threads;
     return ask(r, &q, &a);
 }
 

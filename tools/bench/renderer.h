@@ -14,12 +14,18 @@ typedef struct renderer {
     bool is_contract; /* of the pinned reference */
 } renderer;
 
+/* How a renderer is to draw; without effect but on Gnomon's. */
+typedef struct renderer_way {
+    gn_backend backend;
+    uint32_t threads;
+    bool functions; /* S4's shaders are functions of one fragment, not loops over lanes */
+} renderer_way;
+
 /* Each returns false on a fault, with the reason in text. */
 bool renderer_start(renderer *r, renderer_kind kind);
 bool renderer_load(renderer *r, const bench_scene *b);
-bool renderer_draw(renderer *r, gn_backend backend, uint32_t threads, double *cpu_ms,
-                   double *wall_ms);
-bool renderer_frame(renderer *r, gn_backend backend, uint32_t threads);
+bool renderer_draw(renderer *r, const renderer_way *way, double *cpu_ms, double *wall_ms);
+bool renderer_frame(renderer *r, const renderer_way *way);
 
 /* Reads rows of the frame that renderer_frame drew into a frame of equally many rows. */
 bool renderer_rows(renderer *r, uint32_t first_row, scene_frame *rows);

@@ -1,22 +1,23 @@
 /* The benchmark's scenes: colour RGBA8, depth D24, test LESS, a perspective of 90 degrees,
  * near 0.5, far 200; every frame clears both. Lengths are pixels.
  *
- *    S1  fill: 64 full-screen quads back to front, the top 1.25 times farther than the
- *        bottom, four colours interpolated: w is constant along every row, which is drawn
- *        faster; in "S1 rolled", under a rolled camera, w is not
- *    S2  S1 with a repeating bilinear texture of 512x512, coordinates 0 to 4;
- *        "S2 nearest" takes the nearest texel; "S2 levels" mixes two levels, and "S2 cube" two
- *        levels of a cube map, with a user's shader (reference/scene/sampled.h)
- *    S3  cube-sphere of 199,692 triangles, about 820 across, lit per vertex, back faces
- *        culled
- *    S4  cube-sphere of 10,092 triangles, 1000 across, textured, Phong's highlight at every
- *        pixel (reference/scene/phong.h), back faces culled;
- *        "S4 ready" has the ready-made gn_use_phong
- *    S5  cube-sphere of 1,002,252 triangles, 564 across, as S3
- *    S6  clear only
+ *   S1  fill: 64 full-screen quads back to front, the top 1.25 times further than the
+ *       bottom, four colours interpolated: w is the same along every row, which is drawn
+ *       faster; of "S1 rolled", under a rolled camera, it is not
+ *   S2  the same with a repeating bilinear texture of 512x512, coordinates 0 to 4
+ *       "S2 nearest" takes the nearest texel; "S2 levels" mixes two levels, and "S2 cube" those of
+ *       a cube map, by a user's shader (reference/scene/sampled.h)
+ *   S3  cube-sphere of 199,692 triangles, about 820 across, lit per vertex, back faces
+ *       culled
+ *   S4  cube-sphere of 10,092 triangles, 1000 across, textured, Phong's highlight at every
+ *       pixel (reference/scene/phong.h), back faces culled
+ *       (gnomon functions: phong_function_shader.h, the same by functions of one fragment);
+ *       "S4 ready" is the same with the ready-made gn_use_phong
+ *   S5  cube-sphere of 1,002,252 triangles, 564 across, as S3
+ *   S6  clear only
  *
- * S1 to S6 are 1024x1024. The scale series vary one thing: "triangles/N" are spheres as in S3
- * with N triangles, "fill/N" four quads as in S1 and "sphere/N" the sphere of S3, both N pixels
+ * S1 to S6 are 1024x1024. The scale series vary one thing: "triangles/N" are spheres as S3
+ * of N triangles, "fill/N" four quads as S1 and "sphere/N" the sphere of S3, both N pixels
  * a side. */
 #ifndef BENCH_SCENES_H
 #define BENCH_SCENES_H

@@ -1,0 +1,114 @@
+/* What shader functions (gnomon/shader_functions.h) are handed and give: one vertex, one fragment,
+ * one place where a texture is sampled. */
+#ifndef GNOMON_SHADER_TYPES_H
+#define GNOMON_SHADER_TYPES_H
+
+#include "pipeline.h"
+#include "shader_vectors.h"
+
+/* The most textures that a fragment function finds texels of. */
+#define GN_MAX_SHADER_TEXTURES 8
+
+/* One vertex. */
+typedef struct gn_vertex {
+    gn_vec4 attribute[GN_MAX_ATTRIBUTES]; /* 0, 0, 0, 1 where the mesh has none */
+    uint32_t present;                     /* bit a: the mesh has attribute a */
+    uint32_t vertex_id;                   /* position in the mesh's arrays */
+    uint32_t instance;                    /* from 0 on */
+
+    float point_size;                           /* comes with the pipeline's */
+    float clip_distance[GN_MAX_CLIP_DISTANCES]; /* come as 0, which clips nothing */
+} gn_vertex;
+
+/* One fragment. */
+typedef struct gn_fragment {
+    gn_vec4 texel[GN_MAX_SHADER_TEXTURES]; /* what the look-ups found */
+    gn_vec4 position;                      /* gl_FragCoord; 0, 0, 0, 0 if not switched on */
+    gn_vec2 point_coordinate;              /* gl_PointCoord; 0, 0 if not switched on */
+    uint32_t primitive_id;                 /* gl_PrimitiveID */
+    uint32_t covered_samples;              /* gl_SampleMaskIn; 0 if not switched on */
+    bool front_facing;
+
+    /* Colours from the second on; they come as 0. The first is the function's result. */
+    gn_vec4 color[GN_MAX_COLORS];
+    float depth;          /* comes with the interpolated depth; 0 if not switched on */
+    uint32_t sample_mask; /* comes with every bit set */
+    bool discard;         /* comes as false */
+} gn_fragment;
+
+/* Where a texture is sampled for one fragment; made by the functions below. All but coordinate,
+ * reference and lod must not differ between the fragments of a draw. */
+typedef struct gn_texel_lookup {
+    const gn_texture *texture;
+    const gn_sampler *sampler;
+    gn_vec3 coordinate;
+    float reference; /* where a depth texture is compared */
+    float lod;       /* or a bias */
+    gn_lod_source lod_source;
+    bool is_2d, has_lod;
+} gn_texel_lookup;
+
+/* The attribute of a vertex, or the other where the mesh has none. */
+static inline gn_vec4 gn_attribute_or(const gn_vertex *vertex, uint32_t attribute, gn_vec4 other)
+{
+    return gn_select4((vertex->present >> attribute & 1u) != 0, vertex->attribute[attribute],
+                      other);
+}
+
+/* A look-up in a texture of any target, GLSL's texture(): s, t, r, or a direction, or s, t and a
+ * layer's number. */
+static inline gn_texel_lookup gn_lookup_any(const gn_texture *texture, const gn_sampler *sampler,
+                                            gn_vec3 coordinate)
+{
+    gn_texel_lookup lookup;
+
+    lookup.texture = texture;
+    lookup.sampler = sampler;
+    lookup.coordinate = coordinate;
+    lookup.reference = 0.0f;
+    lookup.lod = 0.0f;
+    lookup.lod_source = GN_LOD_IMPLICIT;
+    lookup.is_2d = false;
+    lookup.has_lod = false;
+    return lookup;
+}
+
+/* A look-up in a texture of target GN_TEXTURE_2D. */
+static inline gn_texel_lookup gn_lookup_2d(const gn_texture *texture, const gn_sampler *sampler,
+                                           gn_vec2 coordinate)
+{
+    gn_texel_lookup lookup =
+        gn_lookup_any(texture, sampler, gn_make3(coordinate.x, coordinate.y, 0.0f));
+
+    lookup.is_2d = true;
+    return lookup;
+}
+
+/* The look-up, its depths compared with a reference: shadow maps. */
+static inline gn_texel_lookup gn_lookup_compared(gn_texel_lookup lookup, float reference)
+{
+    lookup.reference = reference;
+    lookup.is_2d = false;
+    return lookup;
+}
+
+/* The look-up with the level of detail raised by a bias, GLSL's texture(). */
+static inline gn_texel_lookup gn_lookup_bias(gn_texel_lookup lookup, float bias)
+{
+    lookup.lod = bias;
+    lookup.has_lod = true;
+    lookup.is_2d = false;
+    return lookup;
+}
+
+/* The look-up at a level of detail, GLSL's textureLod(). */
+static inline gn_texel_lookup gn_lookup_lod(gn_texel_lookup lookup, float lod)
+{
+    lookup.lod = lod;
+    lookup.has_lod = true;
+    lookup.lod_source = GN_LOD_EXPLICIT;
+    lookup.is_2d = false;
+    return lookup;
+}
+
+#endif

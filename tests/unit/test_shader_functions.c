@@ -1,0 +1,452 @@
+/* Shaders as functions of one vertex and fragment: frames have the bits of those of loops over
+ * lanes that are written by hand, on every back end, with everything that a function may use. */
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "unit.h"
+
+enum { SIDE = 32, VERTICES = 90, TEXTURE_SIDE = 16, VARYINGS = 9 };
+
+typedef struct varyings {
+    gn_vec4 color;
+    gn_vec3 place;
+    gn_vec2 texcoord;
+} varyings;
+
+typedef struct uniforms {
+    gn_mat4 matrix;
+    gn_vec4 tint;
+    gn_texture map, cube, shadow;
+    gn_sampler sampler, compared;
+} uniforms;
+
+static uniforms u;
+static uint32_t texels[6 * TEXTURE_SIDE * TEXTURE_SIDE * 2];
+static uint16_t depths[TEXTURE_SIDE * TEXTURE_SIDE];
+static float positions[VERTICES][4], colors[VERTICES][3], texcoords[VERTICES][2];
+
+static float random_float(float low, float high)
+{
+    static uint64_t state = 1;
+
+    state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+    return low + (high - low) * (float)(state >> 40) * 0x1p-24f;
+}
+
+static int set_up(void **state)
+{
+    (void)state;
+    for (int v = 0; v < VERTICES; ++v) {
+        for (int i = 0; i < 4; ++i)
+            positions[v][i] = i == 3 ? random_float(0.5f, 2.0f) : random_float(-1.2f, 1.2f);
+        for (int i = 0; i < 3; ++i)
+            colors[v][i] = random_float(0, 1);
+        for (int i = 0; i < 2; ++i)
+            texcoords[v][i] = random_float(-2, 2);
+    }
+    for (size_t i = 0; i < sizeof texels / sizeof *texels; ++i)
+        texels[i] = (uint32_t)random_float(0, 0x1p24f) * 251u;
+    for (size_t i = 0; i < sizeof depths / sizeof *depths; ++i)
+        depths[i] = (uint16_t)random_float(0, 65535);
+    gn_mat4_identity(&u.matrix);
+    u.matrix.m[1][0] = 0.3f;
+    u.matrix.m[2][1] = -0.2f;
+    u.tint = gn_make4(0.9f, 0.5f, 0.7f, 0.8f);
+    u.sampler.minify = GN_MINIFY_LINEAR_MIPMAP_LINEAR;
+    u.compared.compare = GN_LESS_OR_EQUAL;
+    u.compared.minify = GN_MINIFY_LINEAR;
+    return gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_RGBA8, TEXTURE_SIDE, TEXTURE_SIDE, 1, 5,
+                             texels, &u.map) != GN_OK ||
+           gn_texture_packed(GN_TEXTURE_CUBE, GN_FORMAT_RGBA8, TEXTURE_SIDE, TEXTURE_SIDE, 1, 3,
+                             texels, &u.cube) != GN_OK ||
+           gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_D16, TEXTURE_SIDE, TEXTURE_SIDE, 1, 1, depths,
+                             &u.shadow) != GN_OK;
+}
+
+typedef struct frame {
+    float color[2][GN_SAMPLES * SIDE * SIDE][4];
+    float depth[GN_SAMPLES * SIDE * SIDE];
+    uint64_t passed;
+} frame;
+
+static void draw(const gn_pipeline *pipeline, bool multisampled, gn_backend backend, frame *out)
+{
+    static unsigned char memory[GN_WORKSPACE_SIZE(VERTICES, GN_MAX_VARYINGS)];
+    gn_target target;
+    gn_mesh mesh = {
+        .attribute = {[GN_ATTRIBUTE_POSITION] = {.data = positions[0], .components = 4},
+                      [GN_ATTRIBUTE_COLOR] = {.data = colors[0], .components = 3},
+                      [GN_ATTRIBUTE_TEXCOORD] = {.data = texcoords[0], .components = 2}},
+        .vertex_count = VERTICES,
+        .count = VERTICES,
+        .instance_count = 2};
+    gn_workspace workspace = {.memory = memory,
+                              .size = sizeof memory,
+                              .backend = backend,
+                              .samples_passed = &out->passed};
+
+    memset(out, 0, sizeof *out);
+    memset(&target, 0, sizeof target);
+    for (int i = 0; i < 2; ++i)
+        target.color[i] = gn_surface_bottom_up(out->color[i], GN_FORMAT_RGBA32F, SIDE, SIDE);
+    target.depth = gn_surface_bottom_up(out->depth, GN_FORMAT_D32F, SIDE, SIDE);
+    if (multisampled) {
+        for (int i = 0; i < 2; ++i)
+            target.color[i] = gn_surface_multisampled(&target.color[i]);
+        target.depth = gn_surface_multisampled(&target.depth);
+    }
+    assert_int_equal(gn_clear_depth(&target.depth, 1), GN_OK);
+    assert_int_equal(gn_draw(&target, pipeline, &mesh, &workspace), GN_OK);
+}
+
+/* On every back end; at least so many samples pass that the comparison says something. */
+static void assert_same_frames(const gn_pipeline *functions, const gn_pipeline *loops,
+                               bool multisampled)
+{
+    frame *const a = malloc(sizeof *a), *const b = malloc(sizeof *b);
+
+    assert_non_null(a);
+    assert_non_null(b);
+    for (int backend = GN_BACKEND_AUTO; backend < GN_BACKEND_COUNT; ++backend) {
+        if (!gn_backend_available((gn_backend)backend))
+            continue;
+        draw(functions, multisampled, (gn_backend)backend, a);
+        draw(loops, multisampled, (gn_backend)backend, b);
+        assert_in_range(a->passed, 100, UINT32_MAX);
+        assert_memory_equal(a, b, sizeof *a);
+    }
+    free(a);
+    free(b);
+}
+
+static gn_pipeline new_pipeline(void)
+{
+    gn_pipeline pipeline;
+
+    memset(&pipeline, 0, sizeof pipeline);
+    pipeline.depth.test = true;
+    pipeline.depth.function = GN_LESS_OR_EQUAL; /* the second instance is seen */
+    return pipeline;
+}
+
+static void use_loops(gn_pipeline *pipeline, gn_vertex_shader *vertex, gn_fragment_shader *fragment)
+{
+    pipeline->program.vertex_shader = vertex;
+    pipeline->program.fragment_shader = fragment;
+    pipeline->program.uniforms = &u;
+    pipeline->program.varying_count = VARYINGS;
+}
+
+/* Vertices: a matrix, an attribute that is there, one that is not, numbers, an unwritten varying.
+ */
+
+static gn_vec4 vertex_function(const uniforms *v, gn_vertex *vertex, varyings *out)
+{
+    const gn_vec4 position = vertex->attribute[GN_ATTRIBUTE_POSITION];
+    const gn_vec4 other = gn_make4(0.25f, 0.5f, 0.75f, 1.0f);
+
+    out->color = gn_multiply4(gn_attribute_or(vertex, GN_ATTRIBUTE_COLOR, other), v->tint);
+    out->color.w = gn_attribute_or(vertex, GN_ATTRIBUTE_TANGENT, other).y;
+    out->place.x = vertex->attribute[GN_ATTRIBUTE_NORMAL].w;
+    out->place.y = 0.01f * (float)vertex->vertex_id + (float)vertex->instance;
+    out->texcoord = gn_xy(vertex->attribute[GN_ATTRIBUTE_TEXCOORD]);
+    return gn_product4(&v->matrix, position);
+}
+
+static void vertex_loop(const void *values, const gn_vertex_input *input, gn_vertex_output *output)
+{
+    const uniforms *v = values;
+    const float(*p)[GN_LANES] = input->attribute[GN_ATTRIBUTE_POSITION];
+    const float(*color)[GN_LANES] = input->attribute[GN_ATTRIBUTE_COLOR];
+
+    assert(input->present ==
+           (1u << GN_ATTRIBUTE_POSITION | 1u << GN_ATTRIBUTE_COLOR | 1u << GN_ATTRIBUTE_TEXCOORD));
+    for (int l = 0; l < GN_LANES; ++l) {
+        for (int row = 0; row < 4; ++row)
+            output->position[row][l] =
+                ((v->matrix.m[0][row] * p[0][l] + v->matrix.m[1][row] * p[1][l]) +
+                 v->matrix.m[2][row] * p[2][l]) +
+                v->matrix.m[3][row] * p[3][l];
+        output->varying[0][l] = color[0][l] * v->tint.x;
+        output->varying[1][l] = color[1][l] * v->tint.y;
+        output->varying[2][l] = color[2][l] * v->tint.z;
+        output->varying[3][l] = 0.5f;
+        output->varying[4][l] = 1.0f;
+        output->varying[5][l] = 0.01f * (float)input->vertex_id[l] + (float)input->instance;
+        output->varying[7][l] = input->attribute[GN_ATTRIBUTE_TEXCOORD][0][l];
+        output->varying[8][l] = input->attribute[GN_ATTRIBUTE_TEXCOORD][1][l];
+    }
+}
+
+/* Fragments: varyings alone. */
+
+static gn_vec4 plain_function(const uniforms *v, const varyings *in, gn_fragment *fragment)
+{
+    const gn_vec4 back = gn_make4(in->place.x, in->place.y, in->place.z, in->texcoord.x);
+
+    return gn_select4(fragment->front_facing, gn_mix4(in->color, v->tint, 0.25f), back);
+}
+
+static void plain_loop(const void *values, const gn_fragment_input *in, gn_fragment_output *out)
+{
+    const uniforms *v = values;
+    const float tint[4] = {v->tint.x, v->tint.y, v->tint.z, v->tint.w};
+
+    for (int c = 0; c < 4; ++c) {
+        for (int l = 0; l < GN_LANES; ++l)
+            out->color[c][l] = in->front_facing
+                                   ? in->varying[c][l] * (1.0f - 0.25f) + tint[c] * 0.25f
+                                   : in->varying[4 + c][l];
+    }
+}
+
+GN_SHADERS(use_plain, uniforms, varyings, vertex_function, plain_function);
+
+static void varyings_are_a_struct(void **state)
+{
+    gn_pipeline functions = new_pipeline(), loops = new_pipeline();
+
+    (void)state;
+    functions.program.interpolation[0] = GN_NOPERSPECTIVE;
+    functions.raster.topology = GN_TRIANGLE_STRIP;
+    use_plain(&functions, &u);
+    assert_int_equal(GN_VARYING_COUNT(varyings), VARYINGS);
+    assert_int_equal(functions.program.varying_count, VARYINGS);
+    assert_int_equal(functions.program.interpolation[0], GN_SMOOTH);
+    assert_int_equal(functions.raster.topology, GN_TRIANGLE_STRIP);
+    assert_true(functions.depth.test);
+    assert_ptr_equal(functions.program.uniforms, &u);
+    functions.raster.topology = GN_TRIANGLES;
+    use_loops(&loops, vertex_loop, plain_loop);
+    functions.program.interpolation[5] = loops.program.interpolation[5] = GN_FLAT;
+    functions.program.interpolation[8] = loops.program.interpolation[8] = GN_NOPERSPECTIVE;
+    assert_same_frames(&functions, &loops, false);
+    assert_same_frames(&functions, &loops, true);
+}
+
+/* Textures: implicit levels of detail, a bias, a level, a comparison. */
+
+static void look_up(const uniforms *v, const varyings *in, gn_texel_lookup *lookup)
+{
+    const gn_vec3 at = gn_make3(in->texcoord.x, in->texcoord.y, 0);
+    const gn_vec3 direction = gn_make3(in->place.x, in->place.y, in->color.y);
+
+    lookup[0] = gn_lookup_2d(&v->map, &v->sampler, in->texcoord);
+    lookup[1] = gn_lookup_bias(gn_lookup_any(&v->cube, &v->sampler, direction), in->color.x);
+    lookup[2] = gn_lookup_lod(gn_lookup_2d(&v->map, &v->sampler, in->texcoord), 3 * in->color.y);
+    lookup[3] = gn_lookup_compared(gn_lookup_any(&v->shadow, &v->compared, at), in->color.z);
+    lookup[4] = gn_lookup_any(&v->map, &v->sampler, at);
+}
+
+static gn_vec4 textured_function(const uniforms *v, const varyings *in, gn_fragment *fragment)
+{
+    const gn_vec4 *texel = fragment->texel;
+
+    (void)v;
+    (void)in;
+    return gn_add4(gn_add4(gn_scale4(texel[0], 2), gn_scale4(texel[1], 3)),
+                   gn_add4(gn_scale4(texel[2], 5), gn_add4(gn_scale4(texel[3], 7), texel[4])));
+}
+
+static void textured_loop(const void *values, const gn_fragment_input *in, gn_fragment_output *out)
+{
+    const uniforms *v = values;
+    const float *s = in->varying[7], *t = in->varying[8];
+    const gn_lookup cube = {.coordinate = {in->varying[4], in->varying[5], in->varying[1]},
+                            .lod = in->varying[0]};
+    float lod[GN_LANES], texel[5][4][GN_LANES];
+    const gn_lookup level = {.coordinate = {s, t}, .lod_source = GN_LOD_EXPLICIT, .lod = lod};
+    const gn_lookup shadow = {.coordinate = {s, t}, .reference = in->varying[2]};
+
+    for (int l = 0; l < GN_LANES; ++l)
+        lod[l] = 3 * in->varying[1][l];
+    in->sampling->sample_2d(&v->map, &v->sampler, s, t, texel[0]);
+    in->sampling->sample(&v->cube, &v->sampler, &cube, texel[1]);
+    in->sampling->sample(&v->map, &v->sampler, &level, texel[2]);
+    in->sampling->sample(&v->shadow, &v->compared, &shadow, texel[3]);
+    in->sampling->sample_2d(&v->map, &v->sampler, s, t, texel[4]);
+    for (int c = 0; c < 4; ++c) {
+        for (int l = 0; l < GN_LANES; ++l)
+            out->color[c][l] = (texel[0][c][l] * 2 + texel[1][c][l] * 3) +
+                               (texel[2][c][l] * 5 + (texel[3][c][l] * 7 + texel[4][c][l]));
+    }
+}
+
+GN_TEXTURED_SHADERS(use_textures, uniforms, varyings, vertex_function, 5, look_up,
+                    textured_function);
+
+static void textures_are_sampled_for_all_lanes(void **state)
+{
+    gn_pipeline functions = new_pipeline(), loops = new_pipeline();
+
+    (void)state;
+    use_textures(&functions, &u);
+    use_loops(&loops, vertex_loop, textured_loop);
+    assert_same_frames(&functions, &loops, false);
+    assert_same_frames(&functions, &loops, true);
+}
+
+/* All inputs and outputs of a fragment. */
+
+static gn_vec4 whole_function(const uniforms *v, const varyings *in, gn_fragment *fragment)
+{
+    (void)v;
+    fragment->discard = in->color.x > 0.6f;
+    fragment->depth = 0.5f * fragment->depth + 0.25f * in->color.y;
+    fragment->sample_mask &= fragment->primitive_id & 1u ? 0xFFFFFFFFu : 5u;
+    fragment->color[1] = gn_make4((float)fragment->primitive_id, (float)fragment->covered_samples,
+                                  fragment->depth, fragment->front_facing ? 1.0f : 2.0f);
+    return fragment->position;
+}
+
+static void whole_loop(const void *values, const gn_fragment_input *in, gn_fragment_output *out)
+{
+    (void)values;
+    for (int l = 0; l < GN_LANES; ++l) {
+        out->kept &= ~((uint32_t)(in->varying[0][l] > 0.6f) << l);
+        out->depth[l] = 0.5f * out->depth[l] + 0.25f * in->varying[1][l];
+        out->sample_mask[l] &= in->primitive_id & 1u ? 0xFFFFFFFFu : 5u;
+        for (int c = 0; c < 4; ++c)
+            out->color[c][l] = in->position[c][l];
+        out->color[4][l] = (float)in->primitive_id;
+        out->color[5][l] = (float)in->sample_mask[l];
+        out->color[6][l] = out->depth[l];
+        out->color[7][l] = in->front_facing ? 1.0f : 2.0f;
+    }
+}
+
+GN_VERTEX_SHADER(vertices, uniforms, varyings, 0, vertex_function);
+GN_FRAGMENT_SHADER(whole_fragments, uniforms, varyings, 2, whole_function);
+
+static void switch_on(gn_pipeline *pipeline)
+{
+    pipeline->program.color_count = 2;
+    pipeline->program.fragment_reads_position = true;
+    pipeline->program.fragment_reads_primitive = true;
+    pipeline->program.fragment_reads_sample_mask = true;
+    pipeline->program.fragment_discards = true;
+    pipeline->program.fragment_writes_depth = true;
+    pipeline->program.fragment_writes_sample_mask = true;
+}
+
+static void fragments_have_all_inputs_and_outputs(void **state)
+{
+    gn_pipeline functions = new_pipeline(), loops = new_pipeline();
+
+    (void)state;
+    use_loops(&functions, vertices, whole_fragments);
+    use_loops(&loops, vertex_loop, whole_loop);
+    switch_on(&functions);
+    switch_on(&loops);
+    assert_same_frames(&functions, &loops, false);
+    assert_same_frames(&functions, &loops, true);
+}
+
+/* What is not switched on is 0 and harmless: the function of above without its outputs. */
+static void bare_loop(const void *values, const gn_fragment_input *in, gn_fragment_output *out)
+{
+    (void)values;
+    for (int l = 0; l < GN_LANES; ++l) {
+        for (int c = 0; c < 4; ++c)
+            out->color[c][l] = 0;
+        out->color[4][l] = (float)in->primitive_id;
+        out->color[5][l] = 0;
+        out->color[6][l] = 0.5f * 0.0f + 0.25f * in->varying[1][l];
+        out->color[7][l] = in->front_facing ? 1.0f : 2.0f;
+    }
+}
+
+static void what_is_not_switched_on_is_zero(void **state)
+{
+    gn_pipeline functions = new_pipeline(), loops = new_pipeline();
+
+    (void)state;
+    use_loops(&functions, vertices, whole_fragments);
+    use_loops(&loops, vertex_loop, bare_loop);
+    functions.program.color_count = loops.program.color_count = 2;
+    assert_same_frames(&functions, &loops, false);
+}
+
+/* Clip distances, and sizes and coordinates of points, with textures and two colours. */
+
+static gn_vec4 clipped_function(const uniforms *v, gn_vertex *vertex, varyings *out)
+{
+    const gn_vec4 position = vertex_function(v, vertex, out);
+
+    vertex->clip_distance[0] = position.x + 0.7f;
+    vertex->clip_distance[2] = 0.6f - position.y;
+    vertex->point_size += 3.0f * vertex->attribute[GN_ATTRIBUTE_COLOR].x;
+    return position;
+}
+
+static void clipped_loop(const void *values, const gn_vertex_input *input, gn_vertex_output *output)
+{
+    vertex_loop(values, input, output);
+    for (int l = 0; l < GN_LANES; ++l) {
+        output->clip_distance[0][l] = output->position[0][l] + 0.7f;
+        output->clip_distance[2][l] = 0.6f - output->position[1][l];
+        if (output->point_size)
+            output->point_size[l] += 3.0f * input->attribute[GN_ATTRIBUTE_COLOR][0][l];
+    }
+}
+
+static gn_vec4 point_function(const uniforms *v, const varyings *in, gn_fragment *fragment)
+{
+    (void)v;
+    (void)in;
+    fragment->color[1] = fragment->texel[0];
+    return gn_make4(fragment->point_coordinate.x, fragment->point_coordinate.y, 1, 1);
+}
+
+static void point_loop(const void *values, const gn_fragment_input *in, gn_fragment_output *out)
+{
+    const uniforms *v = values;
+
+    in->sampling->sample_2d(&v->map, &v->sampler, in->varying[7], in->varying[8], out->color + 4);
+    for (int l = 0; l < GN_LANES; ++l) {
+        out->color[0][l] = in->point_coordinate[0][l];
+        out->color[1][l] = in->point_coordinate[1][l];
+        out->color[2][l] = out->color[3][l] = 1;
+    }
+}
+
+static void look_up_one(const uniforms *v, const varyings *in, gn_texel_lookup *lookup)
+{
+    lookup[0] = gn_lookup_2d(&v->map, &v->sampler, in->texcoord);
+}
+
+GN_VERTEX_SHADER(clipped_vertices, uniforms, varyings, 3, clipped_function);
+GN_TEXTURED_FRAGMENT_SHADER(point_fragments, uniforms, varyings, 2, 1, look_up_one, point_function);
+
+static void vertices_have_distances_and_sizes(void **state)
+{
+    (void)state;
+    for (int topology = GN_TRIANGLES; topology <= GN_POINTS; topology += GN_POINTS - GN_TRIANGLES) {
+        gn_pipeline functions = new_pipeline(), loops;
+
+        functions.raster.topology = (gn_topology)topology;
+        functions.program.clip_distance_count = 3;
+        functions.raster.point_size = 2;
+        functions.program.vertex_writes_point_size = topology == GN_POINTS;
+        functions.program.fragment_reads_point_coordinate = true;
+        functions.program.color_count = 2;
+        loops = functions;
+        use_loops(&functions, clipped_vertices, point_fragments);
+        use_loops(&loops, clipped_loop, point_loop);
+        assert_same_frames(&functions, &loops, false);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(varyings_are_a_struct),
+        cmocka_unit_test(textures_are_sampled_for_all_lanes),
+        cmocka_unit_test(fragments_have_all_inputs_and_outputs),
+        cmocka_unit_test(what_is_not_switched_on_is_zero),
+        cmocka_unit_test(vertices_have_distances_and_sizes),
+    };
+
+    return cmocka_run_group_tests_name("shader functions", tests, set_up, NULL);
+}
