@@ -67,6 +67,16 @@ void scene_free(scene *s)
     free(s);
 }
 
+void scene_default_draw(scene_draw *d)
+{
+    memset(d, 0, sizeof *d);
+    gn_mat4_identity(&d->uniforms.light.clip_from_model);
+    gn_mat4_identity(&d->view_from_model);
+    gn_mat4_identity(&d->surface.world_from_model);
+    gn_mat4_identity(&d->surface.shadow_from_world);
+    gn_mat3_identity(&d->uniforms.light.normal_matrix);
+}
+
 scene_draw *scene_add_draw(scene *s)
 {
     /* The capacity of the list is a power of two of draws, or 0. */
@@ -78,12 +88,7 @@ scene_draw *scene_add_draw(scene *s)
 
     scene_draw *d = &s->draws[s->draw_count++];
 
-    memset(d, 0, sizeof *d);
-    gn_mat4_identity(&d->uniforms.light.clip_from_model);
-    gn_mat4_identity(&d->view_from_model);
-    gn_mat4_identity(&d->surface.world_from_model);
-    gn_mat4_identity(&d->surface.shadow_from_world);
-    gn_mat3_identity(&d->uniforms.light.normal_matrix);
+    scene_default_draw(d);
     return d;
 }
 

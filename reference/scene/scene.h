@@ -140,7 +140,7 @@ typedef struct scene_draw {
     float clip_plane[GN_MAX_CLIP_DISTANCES][4];
 
     gn_mat4 view_from_model; /* only for SCENE_PHONG */
-    bool phong_functions;    /* SCENE_PHONG by functions of one fragment; the same bits; no text */
+    bool phong_functions;    /* SCENE_PHONG as functions of one fragment; equal bits */
     gn_vec3 specular;        /* only for SCENE_PHONG, SCENE_MAPPED_PHONG and SCENE_BLINN_PHONG */
 
     scene_clear clear;
@@ -210,8 +210,10 @@ scene *scene_create(uint32_t width, uint32_t height, gn_format color, gn_format 
 void scene_free(scene *s);
 scene *scene_copy(const scene *s);
 
-/* Returns a new zeroed draw at the end of the list; its clip_from_model, view_from_model and
- * normal_matrix are identities. The pointer is valid until the next scene_add_draw. */
+/* Fills a draw with zeros and its matrices with identities. */
+void scene_default_draw(scene_draw *d);
+
+/* A new default draw at the end of the list. The pointer is good until the next scene_add_draw. */
 scene_draw *scene_add_draw(scene *s);
 void scene_remove_draw(scene *s, size_t index);
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scene_members.h"
 #include "scene_memory.h"
 #include "scene_reader.h"
 
@@ -78,24 +79,8 @@ static void *read_texels(reader *r, gn_texture *t)
     return packed;
 }
 
-/* A 2D texture of one level. */
-static void read_texture(reader *r, scene_draw *d)
-{
-    gn_texture t;
-
-    memset(&t, 0, sizeof t);
-    t.format = (gn_format)read_name(r, TEXT_FORMAT);
-    t.width = read_number(r, 10, GN_MAX_SIZE);
-    t.height = read_number(r, 10, GN_MAX_SIZE);
-
-    void *const packed = read_texels(r, &t);
-    if (packed)
-        scene_set_levels(d, &t);
-    free(packed);
-}
-
-/* Of any target and levels: uniforms.texture or, not SCENE_MAP_COUNT, a map. */
-static void read_levels(reader *r, scene_draw *d, scene_map map)
+/* uniforms.texture or, not SCENE_MAP_COUNT, a map. */
+static void read_texture(reader *r, scene_draw *d, scene_map map)
 {
     gn_texture t;
 
@@ -115,237 +100,34 @@ static void read_levels(reader *r, scene_draw *d, scene_map map)
     free(packed);
 }
 
-/* Function, reference, ignored bits, bits not written; fail, depth fail, pass. */
-static void read_stencil_face(reader *r, gn_stencil_face *f)
+static uint32_t read_value(reader *r, const scene_member *m)
 {
-    f->function = (gn_compare)read_name(r, TEXT_COMPARE);
-    f->reference = (uint8_t)read_number(r, 10, 255);
-    f->compare_disabled = (uint8_t)read_number(r, 10, 255);
-    f->write_disabled = (uint8_t)read_number(r, 10, 255);
-    f->fail = (gn_stencil_operation)read_name(r, TEXT_STENCIL_OPERATION);
-    f->depth_fail = (gn_stencil_operation)read_name(r, TEXT_STENCIL_OPERATION);
-    f->pass = (gn_stencil_operation)read_name(r, TEXT_STENCIL_OPERATION);
-}
-
-static bool read_state(reader *r, const char *keyword, gn_pipeline *p)
-{
-    if (!strcmp(keyword, "topology")) {
-        p->raster.topology = (gn_topology)read_name(r, TEXT_TOPOLOGY);
-    } else if (!strcmp(keyword, "provoking-vertex")) {
-        p->raster.provoking_vertex = (gn_provoking_vertex)read_name(r, TEXT_PROVOKING);
-    } else if (!strcmp(keyword, "cull")) {
-        p->raster.cull = (gn_cull)read_name(r, TEXT_CULL);
-    } else if (!strcmp(keyword, "front-face")) {
-        p->raster.front_face = (gn_front_face)read_name(r, TEXT_FRONT_FACE);
-    } else if (!strcmp(keyword, "viewport")) {
-        p->raster.viewport.set = true;
-        p->raster.viewport.x = read_float(r);
-        p->raster.viewport.y = read_float(r);
-        p->raster.viewport.width = read_float(r);
-        p->raster.viewport.height = read_float(r);
-    } else if (!strcmp(keyword, "depth-range")) {
-        p->depth.range.set = true;
-        p->depth.range.z_near = read_float(r);
-        p->depth.range.z_far = read_float(r);
-    } else if (!strcmp(keyword, "scissor")) {
-        p->raster.scissor.set = true;
-        p->raster.scissor.x = read_integer(r);
-        p->raster.scissor.y = read_integer(r);
-        p->raster.scissor.width = read_number(r, 10, UINT32_MAX);
-        p->raster.scissor.height = read_number(r, 10, UINT32_MAX);
-    } else if (!strcmp(keyword, "polygon-offset")) {
-        p->raster.polygon_offset.set = true;
-        p->raster.polygon_offset.factor = read_float(r);
-        p->raster.polygon_offset.units = read_float(r);
-        p->raster.polygon_offset.clamp = read_float(r);
-    } else if (!strcmp(keyword, "clip-depth")) {
-        p->depth.clip_depth = (gn_clip_depth)read_name(r, TEXT_CLIP_DEPTH);
-    } else if (!strcmp(keyword, "depth-clamp")) {
-        p->depth.clamp = read_name(r, TEXT_SWITCH) == 1;
-    } else if (!strcmp(keyword, "depth-test")) {
-        p->depth.test = read_name(r, TEXT_SWITCH) == 1;
-    } else if (!strcmp(keyword, "depth-function")) {
-        p->depth.function = (gn_compare)read_name(r, TEXT_COMPARE);
-    } else if (!strcmp(keyword, "depth-write")) {
-        p->depth.write_disabled = read_name(r, TEXT_SWITCH) == 0;
-    } else if (!strcmp(keyword, "stencil-test")) {
-        p->stencil.test = read_name(r, TEXT_SWITCH) == 1;
-    } else if (!strcmp(keyword, "stencil-front")) {
-        read_stencil_face(r, &p->stencil.front);
-    } else if (!strcmp(keyword, "stencil-back")) {
-        read_stencil_face(r, &p->stencil.back);
-    } else if (!strcmp(keyword, "samples-disabled")) {
-        p->samples.write_disabled = read_number(r, 10, (1u << GN_SAMPLES) - 1);
-    } else if (!strcmp(keyword, "alpha-to-coverage")) {
-        p->samples.alpha_to_coverage = read_name(r, TEXT_SWITCH) == 1;
-    } else if (!strcmp(keyword, "alpha-to-one")) {
-        p->samples.alpha_to_one = read_name(r, TEXT_SWITCH) == 1;
-    } else if (!strcmp(keyword, "reads-position")) {
-        p->program.fragment_reads_position = read_name(r, TEXT_SWITCH) == 1;
-    } else if (!strcmp(keyword, "reads-primitive")) {
-        p->program.fragment_reads_primitive = read_name(r, TEXT_SWITCH) == 1;
-    } else if (!strcmp(keyword, "discards")) {
-        p->program.fragment_discards = read_name(r, TEXT_SWITCH) == 1;
-    } else if (!strcmp(keyword, "writes-depth")) {
-        p->program.fragment_writes_depth = read_name(r, TEXT_SWITCH) == 1;
-    } else if (!strcmp(keyword, "point-size")) {
-        p->raster.point_size = read_float(r);
-    } else if (!strcmp(keyword, "program-point-size")) {
-        p->program.vertex_writes_point_size = read_name(r, TEXT_SWITCH) == 1;
-    } else if (!strcmp(keyword, "line-width")) {
-        p->raster.line_width = read_float(r);
-    } else if (!strcmp(keyword, "point-origin")) {
-        p->raster.point_origin = (gn_point_origin)read_name(r, TEXT_POINT_ORIGIN);
-    } else if (!strcmp(keyword, "reads-point-coordinate")) {
-        p->program.fragment_reads_point_coordinate = read_name(r, TEXT_SWITCH) == 1;
-    } else if (!strcmp(keyword, "reads-sample-mask")) {
-        p->program.fragment_reads_sample_mask = read_name(r, TEXT_SWITCH) == 1;
-    } else if (!strcmp(keyword, "writes-sample-mask")) {
-        p->program.fragment_writes_sample_mask = read_name(r, TEXT_SWITCH) == 1;
-    } else if (!strcmp(keyword, "polygon-mode")) {
-        p->raster.polygon_mode_front = (gn_polygon_mode)read_name(r, TEXT_POLYGON_MODE);
-        p->raster.polygon_mode_back = (gn_polygon_mode)read_name(r, TEXT_POLYGON_MODE);
-    } else if (!strcmp(keyword, "interpolation")) {
-        for (int i = 0; i < 4; ++i)
-            p->program.interpolation[i] = (gn_interpolation)read_name(r, TEXT_INTERPOLATION);
-    } else {
-        return false;
+    switch (m->type) {
+    case MEMBER_SWITCH:
+        return (uint32_t)read_name(r, TEXT_SWITCH);
+    case MEMBER_NAMED:
+        return (uint32_t)read_name(r, m->names);
+    case MEMBER_BYTE:
+    case MEMBER_NUMBER:
+        return read_number(r, 10, m->largest);
+    case MEMBER_INTEGER:
+        return (uint32_t)read_integer(r);
+    case MEMBER_FLOAT:
+        return read_float_word(r);
+    case MEMBER_ELSEWHERE:
+        break;
     }
-    return true;
+    return 0;
 }
 
-/* The attachment that a keyword is for: the first, or with -of behind it the one whose number
- * follows. False where the keyword is another. */
-static bool is_of_attachment(reader *r, const char *keyword, const char *name, uint32_t *attachment)
+static bool read_member(reader *r, const char *keyword, scene_draw *d)
 {
-    const size_t length = strlen(name);
+    size_t line;
+    const scene_member *const m = scene_member_named(keyword, &line);
 
-    *attachment = 0;
-    if (strncmp(keyword, name, length) != 0)
-        return false;
-    if (!strcmp(keyword + length, "-of")) {
-        *attachment = read_number(r, 10, GN_MAX_COLORS - 1);
-        return true;
-    }
-    return !keyword[length];
-}
-
-static void read_blend(reader *r, gn_blend *b)
-{
-    b->enabled = true;
-    b->equation = (gn_blend_equation)read_name(r, TEXT_EQUATION);
-    b->source = (gn_blend_factor)read_name(r, TEXT_FACTOR);
-    b->destination = (gn_blend_factor)read_name(r, TEXT_FACTOR);
-    b->alpha_equation = (gn_blend_equation)read_name(r, TEXT_EQUATION);
-    b->alpha_source = (gn_blend_factor)read_name(r, TEXT_FACTOR);
-    b->alpha_destination = (gn_blend_factor)read_name(r, TEXT_FACTOR);
-}
-
-static bool read_color_state(reader *r, const char *keyword, gn_pipeline *p)
-{
-    uint32_t a;
-
-    if (!strcmp(keyword, "color-count")) {
-        p->program.color_count = read_number(r, 10, GN_MAX_COLORS);
-    } else if (is_of_attachment(r, keyword, "color-mask", &a)) {
-        p->color.write_disabled[a] = 0;
-        for (unsigned c = 0; c < 4; ++c)
-            p->color.write_disabled[a] |= read_name(r, TEXT_SWITCH) == 0 ? 1u << c : 0;
-    } else if (!strcmp(keyword, "blend-constant")) {
-        read_floats(r, p->color.blend_constant, 4);
-    } else if (is_of_attachment(r, keyword, "blend", &a)) {
-        read_blend(r, &p->color.blend[a]);
-    } else if (!strcmp(keyword, "logic-operation")) {
-        p->color.logic = true;
-        p->color.logic_operation = (gn_logic_operation)read_name(r, TEXT_LOGIC);
-    } else {
-        return false;
-    }
-    return true;
-}
-
-static bool read_uniforms(reader *r, const char *keyword, scene_draw *d)
-{
-    scene_uniforms *u = &d->uniforms;
-
-    if (!strcmp(keyword, "clip-from-model"))
-        read_floats(r, &u->light.clip_from_model.m[0][0], 16);
-    else if (!strcmp(keyword, "normal-matrix"))
-        read_floats(r, &u->light.normal_matrix.m[0][0], 9);
-    else if (!strcmp(keyword, "light-direction"))
-        u->light.light_direction = read_vec3(r);
-    else if (!strcmp(keyword, "ambient"))
-        u->light.ambient = read_vec3(r);
-    else if (!strcmp(keyword, "diffuse"))
-        u->light.diffuse = read_vec3(r);
-    else if (!strcmp(keyword, "view-from-model"))
-        read_floats(r, &d->view_from_model.m[0][0], 16);
-    else if (!strcmp(keyword, "specular"))
-        d->specular = read_vec3(r);
-    else
-        return false;
-    return true;
-}
-
-static bool read_surface(reader *r, const char *keyword, scene_surface *s)
-{
-    if (!strcmp(keyword, "world-from-model")) {
-        read_floats(r, &s->world_from_model.m[0][0], 16);
-    } else if (!strcmp(keyword, "eye")) {
-        s->eye = read_vec3(r);
-    } else if (!strcmp(keyword, "point-light")) {
-        s->has_point_light = true;
-        s->light_position = read_vec3(r);
-        read_floats(r, s->attenuation, 3);
-    } else if (!strcmp(keyword, "exponent")) {
-        s->exponent = read_number(r, 10, UINT32_MAX);
-    } else if (!strcmp(keyword, "bands")) {
-        s->bands = read_number(r, 10, UINT32_MAX);
-    } else if (!strcmp(keyword, "normal-space")) {
-        s->normal_space = (gn_normal_space)read_name(r, TEXT_NORMAL_SPACE);
-    } else if (!strcmp(keyword, "shadow-sampler")) {
-        s->shadow_sampler.wrap_s = (gn_wrap)read_name(r, TEXT_WRAP);
-        s->shadow_sampler.wrap_t = (gn_wrap)read_name(r, TEXT_WRAP);
-        s->shadow_sampler.magnify = (gn_magnify)read_name(r, TEXT_MAGNIFY);
-        s->shadow_sampler.minify = (gn_minify)read_name(r, TEXT_MINIFY);
-        s->shadow_sampler.compare = (gn_compare)read_name(r, TEXT_COMPARE);
-        read_floats(r, s->shadow_sampler.border, 4);
-    } else if (!strcmp(keyword, "shadow-from-world")) {
-        read_floats(r, &s->shadow_from_world.m[0][0], 16);
-    } else if (!strcmp(keyword, "depth-colors")) {
-        s->black = read_float(r);
-        s->white = read_float(r);
-    } else {
-        return false;
-    }
-    return true;
-}
-
-static bool read_sampler(reader *r, const char *keyword, gn_sampler *s)
-{
-    if (!strcmp(keyword, "sampler")) {
-        s->wrap_s = (gn_wrap)read_name(r, TEXT_WRAP);
-        s->wrap_t = (gn_wrap)read_name(r, TEXT_WRAP);
-        s->magnify = (gn_magnify)read_name(r, TEXT_MAGNIFY);
-        s->minify = (gn_minify)read_name(r, TEXT_MINIFY);
-    } else if (!strcmp(keyword, "wrap-r")) {
-        s->wrap_r = (gn_wrap)read_name(r, TEXT_WRAP);
-    } else if (!strcmp(keyword, "texture-compare")) {
-        s->compare = (gn_compare)read_name(r, TEXT_COMPARE);
-    } else if (!strcmp(keyword, "lod-bias")) {
-        s->lod_bias = read_float(r);
-    } else if (!strcmp(keyword, "lod-clamp")) {
-        s->lod_clamped = true;
-        s->min_lod = read_float(r);
-        s->max_lod = read_float(r);
-    } else if (!strcmp(keyword, "max-anisotropy")) {
-        s->max_anisotropy = read_number(r, 10, GN_MAX_ANISOTROPY);
-    } else if (!strcmp(keyword, "border")) {
-        read_floats(r, s->border, 4);
-    } else {
-        return false;
-    }
-    return true;
+    for (size_t v = 0; m && v < scene_member_values(m); ++v)
+        scene_member_set(m, d, line, v, read_value(r, m));
+    return m;
 }
 
 static bool read_mesh(reader *r, const char *keyword, scene_draw *d)
@@ -357,34 +139,13 @@ static bool read_mesh(reader *r, const char *keyword, scene_draw *d)
         d->mesh.vertex_count = read_number(r, 10, UINT32_MAX);
     } else if (!strcmp(keyword, "indices")) {
         read_indices(r, d);
-    } else if (!strcmp(keyword, "clears-color")) {
-        d->clear.color = true;
-        read_floats(r, d->clear.color_value, 4);
-    } else if (!strcmp(keyword, "clears-depth")) {
-        d->clear.depth = true;
-        d->clear.depth_value = read_float(r);
-        d->clear.stencil_value = (uint8_t)read_number(r, 10, 255);
-    } else if (!strcmp(keyword, "counted")) {
-        d->counted = read_name(r, TEXT_SWITCH) == 1;
     } else if (!strcmp(keyword, "elements")) {
         d->mesh.first = read_number(r, 10, UINT32_MAX);
         d->mesh.count = read_number(r, 10, UINT32_MAX);
-    } else if (!strcmp(keyword, "divisor")) {
-        const int attribute = read_name(r, TEXT_ATTRIBUTE);
-        d->mesh.attribute[attribute].divisor = read_number(r, 10, UINT32_MAX);
-    } else if (!strcmp(keyword, "restart")) {
-        d->mesh.restart = (gn_restart)read_name(r, TEXT_RESTART);
-        d->mesh.restart_index = read_number(r, 10, UINT32_MAX);
-    } else if (!strcmp(keyword, "base-vertex")) {
-        d->mesh.base_vertex = (int32_t)read_number(r, 10, UINT32_MAX);
-    } else if (!strcmp(keyword, "instances")) {
-        d->mesh.instance_count = read_number(r, 10, UINT32_MAX);
     } else if (!strcmp(keyword, "texture")) {
-        read_texture(r, d);
-    } else if (!strcmp(keyword, "texture-levels")) {
-        read_levels(r, d, SCENE_MAP_COUNT);
+        read_texture(r, d, SCENE_MAP_COUNT);
     } else if (text_value(TEXT_MAP, keyword) >= 0) {
-        read_levels(r, d, (scene_map)text_value(TEXT_MAP, keyword));
+        read_texture(r, d, (scene_map)text_value(TEXT_MAP, keyword));
     } else {
         for (int a = 0; a < text_name_count(TEXT_ATTRIBUTE); ++a) {
             if (!strcmp(keyword, text_name(TEXT_ATTRIBUTE, a))) {
@@ -395,17 +156,6 @@ static bool read_mesh(reader *r, const char *keyword, scene_draw *d)
         return false;
     }
     return true;
-}
-
-static void read_clip_plane(reader *r, scene_draw *d)
-{
-    uint32_t *const count = &d->state.program.clip_distance_count;
-
-    if (*count == GN_MAX_CLIP_DISTANCES) {
-        reader_fail(r, "more than %d clip planes", GN_MAX_CLIP_DISTANCES);
-        return;
-    }
-    read_floats(r, d->clip_plane[(*count)++], 4);
 }
 
 static void read_draw(reader *r, scene *s)
@@ -421,11 +171,7 @@ static void read_draw(reader *r, scene *s)
             break;
         if (!*keyword)
             reader_fail(r, "the text ends within a draw");
-        else if (!strcmp(keyword, "clip-plane"))
-            read_clip_plane(r, d);
-        else if (!read_state(r, keyword, &d->state) && !read_color_state(r, keyword, &d->state) &&
-                 !read_uniforms(r, keyword, d) && !read_surface(r, keyword, &d->surface) &&
-                 !read_sampler(r, keyword, &d->uniforms.sampler) && !read_mesh(r, keyword, d))
+        else if (!read_member(r, keyword, d) && !read_mesh(r, keyword, d))
             reader_fail(r, "'%s' is no keyword of a draw", keyword);
     }
     if (!r->failed && d->mesh.indices && (uint64_t)d->mesh.first + d->mesh.count > d->index_count)

@@ -130,16 +130,6 @@ void read_floats(reader *r, float *values, size_t count)
     }
 }
 
-gn_vec3 read_vec3(reader *r)
-{
-    gn_vec3 v;
-
-    v.x = read_float(r);
-    v.y = read_float(r);
-    v.z = read_float(r);
-    return v;
-}
-
 uint32_t *read_words(reader *r, size_t count, uint32_t (*read)(reader *r))
 {
     size_t capacity = 0;

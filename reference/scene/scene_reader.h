@@ -28,7 +28,6 @@ uint32_t read_number(reader *r, int base, uint32_t largest);
 int32_t read_integer(reader *r);
 float read_float(reader *r);
 void read_floats(reader *r, float *values, size_t count);
-gn_vec3 read_vec3(reader *r);
 
 /* Reads a name of the set and returns its value. */
 int read_name(reader *r, text_names set);

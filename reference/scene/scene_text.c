@@ -2,7 +2,6 @@
 #include "scene_text.h"
 
 #include <ctype.h>
-#include <stddef.h>
 #include <string.h>
 
 #include "scene_format.h"
@@ -85,44 +84,47 @@ static const char *const polygon_mode_names[] = {"fill", "line", "point"};
 
 static const char *const point_origin_names[] = {"upper-left", "lower-left"};
 
+#define SET(array)                                                                                 \
+    {                                                                                              \
+        array, (int)(sizeof array / sizeof *array)                                                 \
+    }
+
+static const struct {
+    const char *const *names;
+    int count;
+} sets[] = {
+    [TEXT_SHADER] = SET(shader_names),
+    [TEXT_TOPOLOGY] = SET(topology_names),
+    [TEXT_PROVOKING] = SET(provoking_names),
+    [TEXT_CULL] = SET(cull_names),
+    [TEXT_FRONT_FACE] = SET(front_face_names),
+    [TEXT_COMPARE] = SET(compare_names),
+    [TEXT_STENCIL_OPERATION] = SET(stencil_operation_names),
+    [TEXT_INTERPOLATION] = SET(interpolation_names),
+    [TEXT_INDEX] = SET(index_names),
+    [TEXT_RESTART] = SET(restart_names),
+    [TEXT_ATTRIBUTE] = SET(attribute_names),
+    [TEXT_SWITCH] = SET(switch_names),
+    [TEXT_WRAP] = SET(wrap_names),
+    [TEXT_MAGNIFY] = SET(magnify_names),
+    [TEXT_MINIFY] = SET(minify_names),
+    [TEXT_FACTOR] = SET(factor_names),
+    [TEXT_EQUATION] = SET(equation_names),
+    [TEXT_LOGIC] = SET(logic_names),
+    [TEXT_CLIP_DEPTH] = SET(clip_depth_names),
+    [TEXT_POINT_ORIGIN] = SET(point_origin_names),
+    [TEXT_POLYGON_MODE] = SET(polygon_mode_names),
+    [TEXT_TEXTURE_TARGET] = SET(texture_target_names),
+    [TEXT_NORMAL_SPACE] = SET(normal_space_names),
+    [TEXT_MAP] = SET(map_names),
+};
+
 static const char *const *names_of(text_names set, int *count)
 {
-#define CASE(constant, names)                                                                      \
-    case constant:                                                                                 \
-        *count = (int)(sizeof names / sizeof *names);                                              \
-        return names
-
-    switch (set) {
-    case TEXT_FORMAT:
+    if (set == TEXT_FORMAT)
         return format_names(count);
-        CASE(TEXT_SHADER, shader_names);
-        CASE(TEXT_TOPOLOGY, topology_names);
-        CASE(TEXT_PROVOKING, provoking_names);
-        CASE(TEXT_CULL, cull_names);
-        CASE(TEXT_FRONT_FACE, front_face_names);
-        CASE(TEXT_COMPARE, compare_names);
-        CASE(TEXT_STENCIL_OPERATION, stencil_operation_names);
-        CASE(TEXT_INTERPOLATION, interpolation_names);
-        CASE(TEXT_INDEX, index_names);
-        CASE(TEXT_RESTART, restart_names);
-        CASE(TEXT_ATTRIBUTE, attribute_names);
-        CASE(TEXT_SWITCH, switch_names);
-        CASE(TEXT_WRAP, wrap_names);
-        CASE(TEXT_MAGNIFY, magnify_names);
-        CASE(TEXT_MINIFY, minify_names);
-        CASE(TEXT_POINT_ORIGIN, point_origin_names);
-        CASE(TEXT_FACTOR, factor_names);
-        CASE(TEXT_EQUATION, equation_names);
-        CASE(TEXT_LOGIC, logic_names);
-        CASE(TEXT_CLIP_DEPTH, clip_depth_names);
-        CASE(TEXT_POLYGON_MODE, polygon_mode_names);
-        CASE(TEXT_NORMAL_SPACE, normal_space_names);
-        CASE(TEXT_MAP, map_names);
-        CASE(TEXT_TEXTURE_TARGET, texture_target_names);
-    }
-#undef CASE
-    *count = 0;
-    return NULL;
+    *count = sets[set].count;
+    return sets[set].names;
 }
 
 int text_name_count(text_names set)
@@ -136,7 +138,7 @@ int text_name_count(text_names set)
 const char *text_name(text_names set, int value)
 {
     int count;
-    const char *const *names = names_of(set, &count);
+    const char *const *const names = names_of(set, &count);
 
     return value >= 0 && value < count ? names[value] : "invalid";
 }
@@ -144,7 +146,7 @@ const char *text_name(text_names set, int value)
 int text_value(text_names set, const char *name)
 {
     int count;
-    const char *const *names = names_of(set, &count);
+    const char *const *const names = names_of(set, &count);
 
     for (int value = 0; value < count; ++value)
         if (!strcmp(name, names[value]))

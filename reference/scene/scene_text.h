@@ -1,33 +1,35 @@
-/* Scenes as text: one keyword with its values per line, bulk data as bare values.
+/* Scenes as text: one keyword with its values a line, bulk data as bare values.
  *
- *    gnomon-scene 1
- *    size 64 48
- *    color-format rgba8
- *    more-colors none r8 none none none none none   (attachments 1 to 7, if there are some)
- *    depth-format d24
- *    clear-color 0x0p+0 0x0p+0 0x0p+0 0x1p+0
- *    clear-depth 0x1p+0
- *    draw vertex-color
- *      topology triangles
- *      ...
- *      vertices 3
- *      position 3
- *        (3 times 3 floats)
- *      indices uint8 3
- *        0 1 2
- *      elements 0 3
- *      texture rgba8 2 2
- *        ff0000ff ...
- *      texture-levels cube srgb8-a8 2 2 1 2
- *        (instead of texture: target, format, width, height, depth, levels; 24 texels, then 6)
- *    end-draw
- *    end-scene
+ *   gnomon-scene 1
+ *   size 64 48
+ *   color-format rgba8
+ *   more-colors none r8 none none none none none   (attachments 1 to 7, where there are some)
+ *   depth-format d24
+ *   clear-color 0x0p+0 0x0p+0 0x0p+0 0x1p+0
+ *   clear-depth 0x1p+0
+ *   draw vertex-color
+ *     depth.test on
+ *     depth.function less-or-equal
+ *     color.blend[2].source one-minus-source-alpha
+ *     uniforms.light.ambient 0x1p-2 0x1p-2 0x1p-1
+ *     ...
+ *     vertices 3
+ *     position 3
+ *       (3 times 3 floats)
+ *     indices uint8 3
+ *       0 1 2
+ *     elements 0 3
+ *     texture cube srgb8-a8 2 2 1 2   (target, format, width, height, depth, levels)
+ *       ff0000ff ...                  (24 texels, then 6)
+ *   end-draw
+ *   end-scene
  *
- * Floats are C's hexadecimal floats, which are exact. A NaN is written with its bits, as
- * nan:7fc00000. Texels are the hexadecimal elements of surface.h; texels of floats are written as
- * their bits. Keywords of a draw may be in any order, except that attributes follow `vertices`.
- * Keywords left out have the values of scene_add_draw. # starts a comment that ends with the
- * line. */
+ * Most keywords of a draw are the members of scene_draw (scene_members.c), where the members of
+ * `state` stand without that word. Those left out have the values of scene_default_draw.
+ * Floats are C's hexadecimal floats, which are exact; a NaN is nan:7fc00000, its bits.
+ * Texels are the hexadecimal elements of surface.h, floats as their bits. Keywords
+ * of a draw may stand in any order, except that attributes follow `vertices`, and `elements` the
+ * positions and the indices. From # to the end of the line is a comment. */
 #ifndef SCENE_TEXT_H
 #define SCENE_TEXT_H
 

@@ -38,22 +38,6 @@ bool shrink_draws(shrinking *s)
     return progress;
 }
 
-/* Removes clears between draws. */
-static bool shrink_clears(shrinking *s)
-{
-    bool progress = false;
-    for (size_t i = 0; i < s->best->draw_count; i++)
-        for (int what = 0; what < 2; what++) {
-            const scene_clear *c = &s->best->draws[i].clear;
-            if (!(what ? c->depth : c->color))
-                continue;
-            scene *candidate = scene_copy(s->best);
-            *(what ? &candidate->draws[i].clear.depth : &candidate->draws[i].clear.color) = false;
-            progress = shrink_try(s, candidate) || progress;
-        }
-    return progress;
-}
-
 scene *shrink_scene(const scene *original, shrink_predicate *fails, void *context,
                     unsigned attempts)
 {
@@ -61,7 +45,6 @@ scene *shrink_scene(const scene *original, shrink_predicate *fails, void *contex
     bool progress = true;
     while (progress && s.attempts > 0) {
         progress = shrink_draws(&s);
-        progress = shrink_clears(&s) || progress;
         progress = shrink_meshes(&s) || progress;
         progress = shrink_state(&s) || progress;
         progress = shrink_target(&s) || progress;

@@ -43,15 +43,11 @@ static void copy_attribute(const gn_mesh *from, int attribute, const mesh_select
 static void copy_draw(scene *to, const scene_draw *from, const mesh_selection *selection)
 {
     scene_draw *d = scene_add_draw(to);
-    d->shader = from->shader;
-    d->state = from->state;
-    d->counted = from->counted;
-    d->clear = from->clear;
-    d->uniforms.light = from->uniforms.light;
-    d->uniforms.sampler = from->uniforms.sampler;
-    d->view_from_model = from->view_from_model;
-    d->specular = from->specular;
-    memcpy(d->clip_plane, from->clip_plane, sizeof d->clip_plane);
+    *d = *from;
+    d->index_count = 0;
+    memset(&d->mesh, 0, sizeof d->mesh);
+    memset(&d->uniforms.texture, 0, sizeof d->uniforms.texture);
+    memset(d->surface.map, 0, sizeof d->surface.map);
     for (int a = 0; a < GN_MAX_ATTRIBUTES; a++)
         copy_attribute(&from->mesh, a, selection, d);
     if (selection->keep_indices && from->mesh.index_format != GN_INDEX_NONE) {
@@ -78,22 +74,17 @@ static void copy_draw(scene *to, const scene_draw *from, const mesh_selection *s
     d->mesh.count = selection->count;
     if (scene_draw_has_texture(from))
         scene_set_levels(d, &from->uniforms.texture);
-    d->surface = from->surface;
-    for (int m = 0; m < SCENE_MAP_COUNT; m++) {
-        d->surface.map[m].level[0].texels = NULL;
+    for (int m = 0; m < SCENE_MAP_COUNT; m++)
         if (scene_draw_has_map(from, (scene_map)m))
             scene_set_map(d, (scene_map)m, &from->surface.map[m]);
-    }
 }
 
 scene *copy_with_selection(const scene *s, size_t draw, const mesh_selection *selection)
 {
     scene *copy = scene_create(s->width, s->height, s->color_format, s->depth_format);
-    memcpy(copy->more_colors, s->more_colors, sizeof copy->more_colors);
-    memcpy(copy->clear_color, s->clear_color, sizeof copy->clear_color);
-    copy->clear_depth = s->clear_depth;
-    copy->clear_stencil = s->clear_stencil;
-    copy->samples = s->samples;
+    *copy = *s;
+    copy->draws = NULL;
+    copy->draw_count = 0;
     for (size_t i = 0; i < s->draw_count; i++) {
         const mesh_selection all = mesh_select_all(&s->draws[i].mesh);
         copy_draw(copy, &s->draws[i], i == draw ? selection : &all);

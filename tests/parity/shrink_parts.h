@@ -37,10 +37,6 @@ bool shrink_state(shrinking *s);
 bool shrink_target(shrinking *s);
 bool shrink_numbers(shrinking *s);
 
-/* Sets one member of a sampler, counted from 0, to its simplest value. Returns false if it has that
- * value already; *last is set if there is no such member. */
-bool shrink_sampler(gn_sampler *s, unsigned member, bool *last);
-
 /* Tries a draw's texture with fewer levels, layers and rows. */
 bool shrink_texture(shrinking *s, size_t draw);
 

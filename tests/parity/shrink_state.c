@@ -3,377 +3,42 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scene_members.h"
 #include "shrink_parts.h"
 
-/* Sets one member, counted by `step`, of the scene to its simplest value. False where it
- * has that value; *last where there is no such member. */
-static bool simplify_scene(scene *s, unsigned step, bool *last)
+/* Tries other bytes at an offset of the scene. */
+static bool replace(shrinking *s, size_t offset, const void *value, size_t size)
 {
-    switch (step) {
-    case 0: {
-        const bool change = s->depth_format != GN_FORMAT_NONE;
-        s->depth_format = GN_FORMAT_NONE;
-        return change;
-    }
-    case 1: {
-        const bool change = s->color_format != GN_FORMAT_RGBA8;
-        s->color_format = GN_FORMAT_RGBA8;
-        return change;
-    }
-    case 2: {
-        const float zero[4] = {0.0f, 0.0f, 0.0f, 0.0f};
-        const bool change = memcmp(s->clear_color, zero, sizeof zero) != 0;
-        memcpy(s->clear_color, zero, sizeof zero);
-        return change;
-    }
-    case 3: {
-        const bool change = s->clear_depth != 1.0f;
-        s->clear_depth = 1.0f;
-        return change;
-    }
-    case 4: {
-        const bool change = s->clear_stencil != 0;
-        s->clear_stencil = 0;
-        return change;
-    }
-    case 5:
-    case 6:
-    case 7:
-    case 8:
-    case 9:
-    case 10:
-    case 11: {
-        gn_format *const more = &s->more_colors[step - 5];
-        const bool change = *more != GN_FORMAT_NONE;
-        *more = GN_FORMAT_NONE;
-        return change;
-    }
-    case 12:
-    case 13:
-    case 14:
-    case 15:
-    case 16:
-    case 17:
-    case 18: {
-        gn_format *const more = &s->more_colors[step - 12];
-        const bool change = *more != GN_FORMAT_NONE && *more != GN_FORMAT_RGBA8;
-        *more = change ? GN_FORMAT_RGBA8 : *more;
-        return change;
-    }
-    case 19: {
-        const bool change = s->samples != 0;
-        s->samples = 0;
-        return change;
-    }
-    default:
-        *last = true;
+    if (memcmp((const char *)s->best + offset, value, size) == 0)
         return false;
-    }
+    scene *candidate = scene_copy(s->best);
+    memcpy((char *)candidate + offset, value, size);
+    return shrink_try(s, candidate);
 }
 
-/* Sets one member of a stencil face to its simplest value. False where it has that value. */
-static bool simplify_face(gn_stencil_face *f, unsigned member)
+#define REPLACE(s, member, value) replace(s, offsetof(scene, member), &(value), sizeof(value))
+
+/* Formats, clear values and samples. */
+static bool simplify_scene(shrinking *s)
 {
-    gn_stencil_face was = *f;
-    if (member == 0)
-        f->function = GN_COMPARE_DEFAULT;
-    else if (member == 1)
-        f->reference = 0;
-    else if (member == 2)
-        f->compare_disabled = 0;
-    else if (member == 3)
-        f->write_disabled = 0;
-    else if (member == 4)
-        f->fail = GN_STENCIL_KEEP;
-    else if (member == 5)
-        f->depth_fail = GN_STENCIL_KEEP;
-    else
-        f->pass = GN_STENCIL_KEEP;
-    return memcmp(&was, f, sizeof was) != 0;
+    static const gn_format none = GN_FORMAT_NONE, simplest = GN_FORMAT_RGBA8;
+    static const float black[4], farthest = 1.0f;
+    static const uint8_t no_stencil = 0;
+    static const uint32_t one_sample = 0;
+    bool progress = REPLACE(s, depth_format, none);
+    progress = REPLACE(s, color_format, simplest) || progress;
+    for (int a = 0; a < GN_MAX_COLORS - 1; a++)
+        if (s->best->more_colors[a] != none)
+            progress = REPLACE(s, more_colors[a], none) || REPLACE(s, more_colors[a], simplest) ||
+                       progress;
+    progress = REPLACE(s, clear_color, black) || progress;
+    progress = REPLACE(s, clear_depth, farthest) || progress;
+    progress = REPLACE(s, clear_stencil, no_stencil) || progress;
+    return REPLACE(s, samples, one_sample) || progress;
 }
 
-/* The same for a draw. */
-static bool simplify_draw(scene_draw *d, unsigned step, bool *last)
-{
-    gn_pipeline *p = &d->state;
-    bool change = false;
-    switch (step) {
-    case 0:
-        change = d->shader != SCENE_VERTEX_COLOR;
-        d->shader = SCENE_VERTEX_COLOR;
-        p->program.fragment_reads_primitive = p->program.fragment_reads_point_coordinate = false;
-        p->program.fragment_reads_sample_mask = p->program.fragment_writes_sample_mask = false;
-        p->program.fragment_reads_position = p->program.fragment_discards =
-            p->program.fragment_writes_depth = false;
-        return change;
-    case 1:
-        change = d->shader > SCENE_GOURAUD;
-        d->shader = change ? SCENE_GOURAUD : d->shader;
-        return change;
-    case 2:
-        change = p->depth.test;
-        p->depth.test = false;
-        return change;
-    case 3:
-        change = p->depth.function != GN_COMPARE_DEFAULT;
-        p->depth.function = GN_COMPARE_DEFAULT;
-        return change;
-    case 4:
-        change = p->depth.write_disabled;
-        p->depth.write_disabled = false;
-        return change;
-    case 5:
-        change = p->depth.range.set;
-        memset(&p->depth.range, 0, sizeof p->depth.range);
-        return change;
-    case 6:
-        change = p->raster.viewport.set;
-        memset(&p->raster.viewport, 0, sizeof p->raster.viewport);
-        return change;
-    case 7:
-        change = p->raster.cull != GN_CULL_NONE;
-        p->raster.cull = GN_CULL_NONE;
-        return change;
-    case 8:
-        change = p->raster.front_face != GN_FRONT_COUNTER_CLOCKWISE;
-        p->raster.front_face = GN_FRONT_COUNTER_CLOCKWISE;
-        return change;
-    case 9:
-        change = p->raster.provoking_vertex != GN_PROVOKING_LAST;
-        p->raster.provoking_vertex = GN_PROVOKING_LAST;
-        return change;
-    case 10:
-    case 11:
-    case 12:
-    case 13:
-        change = p->program.interpolation[step - 10] != GN_SMOOTH;
-        p->program.interpolation[step - 10] = GN_SMOOTH;
-        return change;
-    case 14:
-        change = d->uniforms.sampler.magnify != GN_MAGNIFY_NEAREST ||
-                 d->uniforms.sampler.minify != GN_MINIFY_NEAREST;
-        d->uniforms.sampler.magnify = GN_MAGNIFY_NEAREST;
-        d->uniforms.sampler.minify = GN_MINIFY_NEAREST;
-        return change && scene_shader_is_textured(d->shader);
-    case 15:
-        change = p->raster.polygon_offset.set;
-        memset(&p->raster.polygon_offset, 0, sizeof p->raster.polygon_offset);
-        return change;
-    case 16:
-        change = p->raster.polygon_offset.clamp != 0.0f;
-        p->raster.polygon_offset.clamp = 0.0f;
-        return change;
-    case 17:
-        change = p->raster.polygon_offset.factor != 0.0f;
-        p->raster.polygon_offset.factor = 0.0f;
-        return change;
-    case 18:
-        change = p->raster.polygon_offset.units != 0.0f;
-        p->raster.polygon_offset.units = 0.0f;
-        return change;
-    case 19:
-        change = p->depth.clamp;
-        p->depth.clamp = false;
-        return change;
-    case 20:
-        change = p->depth.clip_depth != GN_NEGATIVE_ONE_TO_ONE;
-        p->depth.clip_depth = GN_NEGATIVE_ONE_TO_ONE;
-        return change;
-    case 21:
-        change = p->raster.scissor.set;
-        memset(&p->raster.scissor, 0, sizeof p->raster.scissor);
-        return change;
-    case 22:
-        change = p->color.write_disabled[0] != 0;
-        p->color.write_disabled[0] = 0;
-        return change;
-    case 23:
-        change = p->color.blend[0].enabled;
-        memset(&p->color.blend[0], 0, sizeof p->color.blend[0]);
-        return change;
-    case 24:
-        change = p->color.blend[0].equation != GN_EQUATION_DEFAULT;
-        p->color.blend[0].equation = GN_EQUATION_DEFAULT;
-        return change;
-    case 25:
-        change = p->color.blend[0].alpha_equation != GN_EQUATION_DEFAULT;
-        p->color.blend[0].alpha_equation = GN_EQUATION_DEFAULT;
-        return change;
-    case 26:
-        change = p->color.blend[0].source != GN_FACTOR_DEFAULT;
-        p->color.blend[0].source = GN_FACTOR_DEFAULT;
-        return change;
-    case 27:
-        change = p->color.blend[0].destination != GN_FACTOR_DEFAULT;
-        p->color.blend[0].destination = GN_FACTOR_DEFAULT;
-        return change;
-    case 28:
-        change = p->color.blend[0].alpha_source != GN_FACTOR_DEFAULT;
-        p->color.blend[0].alpha_source = GN_FACTOR_DEFAULT;
-        return change;
-    case 29:
-        change = p->color.blend[0].alpha_destination != GN_FACTOR_DEFAULT;
-        p->color.blend[0].alpha_destination = GN_FACTOR_DEFAULT;
-        return change;
-    case 30:
-        for (int c = 0; c < 4; c++) {
-            change = change || p->color.blend_constant[c] != 0.0f;
-            p->color.blend_constant[c] = 0.0f;
-        }
-        return change;
-    case 31:
-        change = p->color.logic;
-        p->color.logic = false;
-        p->color.logic_operation = GN_LOGIC_COPY;
-        return change;
-    case 32:
-        change = p->color.logic_operation != GN_LOGIC_COPY;
-        p->color.logic_operation = GN_LOGIC_COPY;
-        return change;
-    case 33:
-        change = p->program.fragment_reads_position;
-        p->program.fragment_reads_position = false;
-        return change;
-    case 34:
-        change = p->program.fragment_discards;
-        p->program.fragment_discards = false;
-        return change;
-    case 35:
-        change = p->program.fragment_writes_depth;
-        p->program.fragment_writes_depth = false;
-        return change;
-    case 36:
-        change = p->program.fragment_reads_primitive;
-        p->program.fragment_reads_primitive = false;
-        return change;
-    case 37:
-        change = d->counted;
-        d->counted = false;
-        return change;
-    case 38:
-        change = p->stencil.test;
-        p->stencil.test = false;
-        return change;
-    case 39:
-    case 40:
-    case 41:
-    case 42:
-    case 43:
-    case 44:
-    case 45:
-        return simplify_face(&p->stencil.front, step - 39);
-    case 46:
-    case 47:
-    case 48:
-    case 49:
-    case 50:
-    case 51:
-    case 52:
-        return simplify_face(&p->stencil.back, step - 46);
-    case 53:
-        change = p->raster.point_size != 0.0f;
-        p->raster.point_size = 0.0f;
-        return change;
-    case 54:
-        change = p->program.vertex_writes_point_size;
-        p->program.vertex_writes_point_size = false;
-        return change;
-    case 55:
-        change = p->raster.line_width != 0.0f;
-        p->raster.line_width = 0.0f;
-        return change;
-    case 56:
-        change = d->mesh.instance_count > 1;
-        d->mesh.instance_count = 0;
-        return change;
-    case 57:
-        change = false;
-        for (int a = 0; a < GN_MAX_ATTRIBUTES; a++) {
-            change = change || d->mesh.attribute[a].divisor;
-            d->mesh.attribute[a].divisor = 0;
-        }
-        return change;
-    case 58:
-        change = p->program.color_count > 1;
-        p->program.color_count = 0;
-        return change;
-    case 59:
-    case 60:
-    case 61:
-    case 62:
-    case 63:
-    case 64:
-    case 65:
-        change = p->color.blend[step - 58].enabled;
-        memset(&p->color.blend[step - 58], 0, sizeof p->color.blend[0]);
-        return change;
-    case 66:
-    case 67:
-    case 68:
-    case 69:
-    case 70:
-    case 71:
-    case 72:
-        change = p->color.write_disabled[step - 65] != 0;
-        p->color.write_disabled[step - 65] = 0;
-        return change;
-    case 73:
-        change = p->samples.write_disabled != 0;
-        p->samples.write_disabled = 0;
-        return change;
-    case 74:
-        change = p->samples.alpha_to_coverage;
-        p->samples.alpha_to_coverage = false;
-        return change;
-    case 75:
-        change = p->samples.alpha_to_one;
-        p->samples.alpha_to_one = false;
-        return change;
-    case 76:
-        change = p->program.fragment_reads_point_coordinate;
-        p->program.fragment_reads_point_coordinate = false;
-        return change;
-    case 77:
-        change = p->raster.point_origin != GN_POINT_UPPER_LEFT;
-        p->raster.point_origin = GN_POINT_UPPER_LEFT;
-        return change;
-    case 78:
-        change = p->program.clip_distance_count > 0;
-        p->program.clip_distance_count = 0;
-        return change;
-    case 79:
-        change = p->program.clip_distance_count > 0;
-        p->program.clip_distance_count -= change;
-        return change;
-    case 80: /* without the first of them */
-        change = p->program.clip_distance_count > 1;
-        p->program.clip_distance_count -= change;
-        memmove(d->clip_plane[0], d->clip_plane[change], 7 * sizeof *d->clip_plane);
-        return change;
-    case 81:
-        change = p->raster.polygon_mode_front != GN_POLYGON_FILL;
-        p->raster.polygon_mode_front = GN_POLYGON_FILL;
-        return change;
-    case 82:
-        change = p->raster.polygon_mode_back != GN_POLYGON_FILL;
-        p->raster.polygon_mode_back = GN_POLYGON_FILL;
-        return change;
-    case 83:
-        change = p->program.fragment_reads_sample_mask;
-        p->program.fragment_reads_sample_mask = false;
-        return change;
-    case 84:
-        change = p->program.fragment_writes_sample_mask;
-        p->program.fragment_writes_sample_mask = false;
-        return change;
-    default:
-        return shrink_sampler(&d->uniforms.sampler, step - 83, last) &&
-               scene_shader_is_textured(d->shader);
-    }
-}
-
-/* Whether shrinking has come to what the reference draws otherwise than OpenGL, whatever it was
- * that differed: the stencil's back face in polygon modes (reference/RULES.md). */
+/* Whether a draw is one that the reference draws otherwise than OpenGL, whatever it was that
+ * differed: the stencil's back face in polygon modes (reference/RULES.md). */
 static bool is_left_out(const scene_draw *d)
 {
     const gn_pipeline *p = &d->state;
@@ -383,26 +48,153 @@ static bool is_left_out(const scene_draw *d)
            memcmp(&p->stencil.front, &p->stencil.back, sizeof p->stencil.front) != 0;
 }
 
+/* Tries a candidate that differs in one draw, unless that draw becomes one that is left out. */
+static bool try_draw(shrinking *s, scene *candidate, size_t draw)
+{
+    if (!is_left_out(&candidate->draws[draw]) || is_left_out(&s->best->draws[draw]))
+        return shrink_try(s, candidate);
+    scene_free(candidate);
+    return false;
+}
+
+static float with_bits(float x, int bits)
+{
+    uint32_t pattern;
+    memcpy(&pattern, &x, sizeof pattern);
+    pattern &= ~UINT32_C(0) << (23 - bits);
+    memcpy(&x, &pattern, sizeof x);
+    return x;
+}
+
+static uint32_t float_with_bits(uint32_t word, int bits)
+{
+    float x;
+    memcpy(&x, &word, sizeof x);
+    x = with_bits(x, bits);
+    memcpy(&word, &x, sizeof word);
+    return word;
+}
+
+/* The highest `bits` bits, from the first that is set. */
+static uint32_t number_with_bits(uint32_t number, int bits)
+{
+    int length = 0;
+    while (length < 32 && number >> length)
+        length++;
+    return length > bits ? number >> (length - bits) << (length - bits) : number;
+}
+
+/* The ways to make a value simpler: 0 is what shrinking prefers, 1 the default, 2 and on smaller
+ * and rounder numbers. */
+#define WAYS 8
+
+/* Returns the value made simpler in one of the ways, or the value itself. Of two values at most one
+ * is simpler than the other, so that shrinking ends. */
+static uint32_t simpler_value(const scene_member *m, uint32_t value, uint32_t by_default, int way)
+{
+    static const int float_bits[WAYS] = {0, 0, 0, 2, 4, 8, 12, 16},
+                     number_bits[WAYS] = {0, 0, 0, 1, 2, 4, 8, 16};
+    const uint32_t simplest = m->simplest ? m->simplest : by_default;
+    if (value == simplest || way == 0)
+        return simplest;
+    if (value == by_default || way == 1)
+        return by_default;
+    const bool negative = m->type == MEMBER_INTEGER && value > INT32_MAX;
+    const uint32_t magnitude = negative ? 0 - value : value;
+    const uint32_t rounder =
+        way == 2 ? magnitude / 2 : number_with_bits(magnitude, number_bits[way]);
+    switch (m->type) {
+    case MEMBER_BYTE:
+    case MEMBER_NUMBER:
+    case MEMBER_INTEGER:
+        return negative ? 0 - rounder : rounder;
+    case MEMBER_FLOAT:
+        return float_with_bits(value, float_bits[way]);
+    default:
+        return value;
+    }
+}
+
+/* Returns a copy of the scene with a member's line simpler in one of the ways; null where no value
+ * changes. */
+static scene *simpler_line(const scene *s, size_t draw, const scene_member *m, size_t line, int way)
+{
+    const scene_draw *d = &s->draws[draw];
+    scene_draw by_default;
+    scene *copy = NULL;
+    scene_default_draw(&by_default);
+    for (size_t v = 0; v < scene_member_values(m); v++) {
+        const uint32_t value = scene_member_get(m, d, line, v);
+        const uint32_t simpler =
+            simpler_value(m, value, scene_member_get(m, &by_default, line, v), way);
+        if (simpler == value)
+            continue;
+        copy = copy ? copy : scene_copy(s);
+        scene_member_set(m, &copy->draws[draw], line, v, simpler);
+    }
+    return copy;
+}
+
+static bool simplify_member(shrinking *s, size_t draw, const scene_member *m)
+{
+    bool progress = false;
+    for (size_t line = 0; line < scene_member_lines(m); line++)
+        for (int way = 0; way < WAYS; way++) {
+            scene *candidate = simpler_line(s->best, draw, m, line, way);
+            if (candidate && try_draw(s, candidate, draw)) {
+                progress = true;
+                break;
+            }
+        }
+    return progress;
+}
+
+/* Tries simpler shaders. SCENE_VERTEX_COLOR ignores what the program says of the fragment shader,
+ * which goes too. */
+static bool simplify_shader(shrinking *s, size_t draw)
+{
+    static const scene_shader shaders[] = {SCENE_VERTEX_COLOR, SCENE_GOURAUD};
+    for (size_t i = 0; i < sizeof shaders / sizeof *shaders; i++) {
+        if (s->best->draws[draw].shader <= shaders[i])
+            continue;
+        scene *candidate = scene_copy(s->best);
+        candidate->draws[draw].shader = shaders[i];
+        for (size_t m = 0; m < scene_member_count && shaders[i] == SCENE_VERTEX_COLOR; m++)
+            if (strncmp(scene_members[m].name, "program.fragment_", 17) == 0 &&
+                scene_members[m].type == MEMBER_SWITCH)
+                scene_member_set(&scene_members[m], &candidate->draws[draw], 0, 0, false);
+        if (try_draw(s, candidate, draw))
+            return true;
+    }
+    return false;
+}
+
+/* Without the last clip plane, or without the first. */
+static bool remove_plane(shrinking *s, size_t draw, bool first)
+{
+    scene *candidate = scene_copy(s->best);
+    scene_draw *d = &candidate->draws[draw];
+    if (d->state.program.clip_distance_count == 0) {
+        scene_free(candidate);
+        return false;
+    }
+    d->state.program.clip_distance_count--;
+    if (first)
+        memmove(d->clip_plane[0], d->clip_plane[1],
+                (GN_MAX_CLIP_DISTANCES - 1) * sizeof *d->clip_plane);
+    return try_draw(s, candidate, draw);
+}
+
 bool shrink_state(shrinking *s)
 {
-    bool progress = false, last = false;
-    for (unsigned step = 0; !last; step++) {
-        scene *candidate = scene_copy(s->best);
-        if (simplify_scene(candidate, step, &last))
-            progress = shrink_try(s, candidate) || progress;
-        else
-            scene_free(candidate);
-    }
+    bool progress = simplify_scene(s);
     for (size_t i = 0; i < s->best->draw_count; i++) {
-        last = false;
-        for (unsigned step = 0; !last; step++) {
-            scene *candidate = scene_copy(s->best);
-            if (simplify_draw(&candidate->draws[i], step, &last) &&
-                !is_left_out(&candidate->draws[i]))
-                progress = shrink_try(s, candidate) || progress;
-            else
-                scene_free(candidate);
-        }
+        progress = simplify_shader(s, i) || progress;
+        for (size_t m = 0; m < scene_member_count; m++)
+            if (scene_members[m].type != MEMBER_ELSEWHERE)
+                progress = simplify_member(s, i, &scene_members[m]) || progress;
+        progress = remove_plane(s, i, false) || progress;
+        progress = remove_plane(s, i, true) || progress;
     }
     return progress;
 }
@@ -445,15 +237,6 @@ bool shrink_target(shrinking *s)
             }
         }
     return progress;
-}
-
-static float with_bits(float x, int bits)
-{
-    uint32_t pattern;
-    memcpy(&pattern, &x, sizeof pattern);
-    pattern &= ~UINT32_C(0) << (23 - bits);
-    memcpy(&x, &pattern, sizeof x);
-    return x;
 }
 
 /* Setting positions makes a mesh without indices one of all its vertices. */

@@ -1,47 +1,8 @@
-/* Shrinking textures and samplers. */
+/* Shrinking textures. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "shrink_parts.h"
-
-bool shrink_sampler(gn_sampler *s, unsigned member, bool *last)
-{
-    static const float zero[4];
-    bool change = false;
-    gn_wrap *const wraps[] = {&s->wrap_s, &s->wrap_t, &s->wrap_r};
-    switch (member) {
-    case 0:
-    case 1:
-    case 2:
-        change = *wraps[member] != GN_WRAP_CLAMP_TO_EDGE;
-        *wraps[member] = GN_WRAP_CLAMP_TO_EDGE;
-        return change;
-    case 3:
-        change = s->lod_bias != 0.0f;
-        s->lod_bias = 0.0f;
-        return change;
-    case 4:
-        change = s->lod_clamped;
-        s->lod_clamped = false;
-        s->min_lod = s->max_lod = 0.0f;
-        return change;
-    case 5:
-        change = s->compare != GN_COMPARE_DEFAULT;
-        s->compare = GN_COMPARE_DEFAULT;
-        return change;
-    case 6:
-        change = s->max_anisotropy != 0;
-        s->max_anisotropy = 0;
-        return change;
-    case 7:
-        change = memcmp(s->border, zero, sizeof zero) != 0;
-        memcpy(s->border, zero, sizeof zero);
-        return change;
-    default:
-        *last = true;
-        return false;
-    }
-}
 
 /* Returns a texture with fewer levels, layers or rows, by the step; false if there are none to
  * remove. The texels that remain are those of the lowest rows, layers and levels. */

@@ -22,8 +22,8 @@ $triangle
   elements 0 3
 end-draw"
 other_refusal='draw vertex-color
-  topology lines
-  line-width nan:7fc00000
+  raster.topology lines
+  raster.line_width nan:7fc00000
   vertices 2
   position 2
    -1 -1
@@ -31,7 +31,11 @@ other_refusal='draw vertex-color
   elements 0 2
 end-draw'
 leak="draw vertex-color
-  scissor 3 3 5 5
+  raster.scissor.set on
+  raster.scissor.x 3
+  raster.scissor.y 3
+  raster.scissor.width 5
+  raster.scissor.height 5
 $triangle
   color 4
    1 1 1 1

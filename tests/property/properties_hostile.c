@@ -12,6 +12,7 @@
 #include "properties_draw.h"
 #include "scene_format.h"
 #include "random.h"
+#include "scene_members.h"
 
 #define MAX_VERTICES 24
 #define MAX_INDICES 40
@@ -28,8 +29,7 @@ typedef struct hostile {
     bool top_down;
     uint32_t samples;
     layout layout;
-    gn_pipeline pipeline; /* without shaders */
-    gn_mesh mesh;         /* without pointers */
+    scene_draw draw; /* its state is short of shaders, its mesh of pointers; no more is used */
     float position[MAX_VERTICES][4];
     float varying[MAX_VERTICES][4]; /* the first is also a point's size */
     uint16_t indices[MAX_INDICES];
@@ -78,108 +78,66 @@ static void any_size(hostile *h, random_source *r)
     }
 }
 
-static void any_stencil(gn_stencil_face *f, random_source *r)
-{
-    f->function = (gn_compare)random_below(r, GN_ALWAYS + 1);
-    f->reference = (uint8_t)random_below(r, 256);
-    f->write_disabled = (uint8_t)(random_chance(r, 30) ? random_below(r, 256) : 0);
-    f->fail = (gn_stencil_operation)random_below(r, 8);
-    f->depth_fail = (gn_stencil_operation)random_below(r, 8);
-    f->pass = (gn_stencil_operation)random_below(r, 8);
-}
-
-/* An edge of a scissor: near the target, or as far away as numbers go. */
-static int32_t scissor_edge(random_source *r)
+/* A whole number of the state: about the target, or as far as numbers go. */
+static uint32_t state_integer(random_source *r)
 {
     static const int32_t edges[] = {INT32_MIN, INT32_MIN + 1, INT32_MAX, INT32_MAX - 1, 0, -1};
 
-    return random_chance(r, 30) ? edges[random_below(r, 6)] : random_between(r, -10, 45);
+    return (uint32_t)(random_chance(r, 30) ? edges[random_below(r, 6)]
+                                           : random_between(r, -10, 45));
 }
 
-/* How the colours of an attachment are combined. */
-static void any_color_state(gn_pipeline *p, int attachment, random_source *r)
+/* A value that gn_pipeline_check takes, but for a number now and then that is not finite or out of
+ * its range. */
+static uint32_t state_value(const scene_member *m, random_source *r)
 {
-    gn_blend *const blend = &p->color.blend[attachment];
+    const bool is_default = m->type != MEMBER_FLOAT && m->type != MEMBER_INTEGER &&
+                            random_chance(r, m->type == MEMBER_NAMED ? 50 : 70);
+    float number;
+    uint32_t word;
 
-    p->color.write_disabled[attachment] = random_chance(r, 30) ? random_below(r, 16) : 0;
-    if (random_chance(r, 30)) {
-        blend->enabled = true;
-        blend->source = (gn_blend_factor)random_below(r, 16);
-        blend->destination = (gn_blend_factor)random_below(r, 16);
-        blend->equation = (gn_blend_equation)random_below(r, 6);
+    if (is_default)
+        return 0;
+    switch (m->type) {
+    case MEMBER_NAMED:
+        return random_below(r, (uint32_t)text_name_count(m->names));
+    case MEMBER_BYTE:
+    case MEMBER_NUMBER:
+        return m->largest == UINT32_MAX ? state_integer(r) : random_below(r, m->largest + 1);
+    case MEMBER_INTEGER:
+        return state_integer(r);
+    case MEMBER_FLOAT:
+        number = state_number(r, m->low, m->high);
+        memcpy(&word, &number, sizeof word);
+        return word;
+    default:
+        return true;
     }
 }
 
-static void any_samples(gn_pipeline *p, random_source *r)
+static void any_state(scene_draw *d, random_source *r)
 {
-    p->samples.write_disabled = random_chance(r, 30) ? random_below(r, 1u << GN_SAMPLES) : 0;
-    if (random_chance(r, 2))
-        p->samples.write_disabled = (uint32_t)random_bits(r);
-    p->samples.alpha_to_coverage = random_chance(r, 20);
-    p->samples.alpha_to_one = random_chance(r, 20);
-    p->program.fragment_reads_sample_mask = random_chance(r, 30);
-    p->program.fragment_writes_sample_mask = random_chance(r, 30);
+    for (size_t i = 0; i < scene_member_count; i++) {
+        const scene_member *const m = &scene_members[i];
+
+        if (!scene_member_is_state(m) || m->type == MEMBER_ELSEWHERE)
+            continue;
+        for (size_t line = 0; line < scene_member_lines(m); line++)
+            for (size_t v = 0; v < scene_member_values(m); v++)
+                scene_member_set(m, d, line, v, state_value(m, r));
+    }
+    d->state.program.varying_count = 4;
 }
 
-static void any_state(hostile *h, random_source *r)
+/* Any bits for one member of the state, most of which are a fault. */
+static void any_bits(scene_draw *d, random_source *r)
 {
-    gn_pipeline *const p = &h->pipeline;
+    const scene_member *const m = &scene_members[random_below(r, (uint32_t)scene_member_count)];
+    const size_t line = random_below(r, (uint32_t)scene_member_lines(m));
+    const uint32_t shift = random_below(r, 32);
 
-    p->program.varying_count = 4;
-    p->raster.topology = (gn_topology)random_below(r, GN_LINE_LOOP + 1);
-    p->raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
-    p->raster.cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
-    for (int i = 0; i < 4; i++)
-        p->program.interpolation[i] = (gn_interpolation)random_below(r, 3);
-    if (random_chance(r, 20)) {
-        p->raster.viewport.set = true;
-        p->raster.viewport.x = state_number(r, -GN_MAX_SIZE, GN_MAX_SIZE);
-        p->raster.viewport.y = state_number(r, -GN_MAX_SIZE, GN_MAX_SIZE);
-        p->raster.viewport.width = state_number(r, 0.0f, GN_MAX_SIZE);
-        p->raster.viewport.height = state_number(r, 0.0f, GN_MAX_SIZE);
-    }
-    p->raster.scissor.set = random_chance(r, 25);
-    p->raster.scissor.x = scissor_edge(r);
-    p->raster.scissor.y = scissor_edge(r);
-    p->raster.scissor.width = (uint32_t)scissor_edge(r);
-    p->raster.scissor.height = (uint32_t)scissor_edge(r);
-    if (random_chance(r, 30)) {
-        p->depth.range.set = true;
-        p->depth.range.z_near = state_number(r, 0.0f, 1.0f);
-        p->depth.range.z_far = state_number(r, 0.0f, 1.0f);
-    }
-    if (random_chance(r, 30)) {
-        p->raster.polygon_offset.set = true;
-        p->raster.polygon_offset.factor = state_number(r, -FLT_MAX, FLT_MAX);
-        p->raster.polygon_offset.units = state_number(r, -FLT_MAX, FLT_MAX);
-        p->raster.polygon_offset.clamp = state_number(r, -FLT_MAX, FLT_MAX);
-    }
-    p->depth.clip_depth = (gn_clip_depth)random_below(r, 2);
-    p->depth.clamp = random_chance(r, 30);
-    p->depth.test = random_chance(r, 40);
-    p->depth.function = (gn_compare)random_below(r, GN_ALWAYS + 1);
-    p->stencil.test = random_chance(r, 30);
-    any_stencil(&p->stencil.front, r);
-    any_stencil(&p->stencil.back, r);
-    p->program.color_count = random_chance(r, 50) ? 0 : random_below(r, GN_MAX_COLORS + 1);
-    if (random_chance(r, 1))
-        p->program.color_count = GN_MAX_COLORS + 1;
-    for (int a = 0; a < GN_MAX_COLORS; a++)
-        any_color_state(p, a, r);
-    any_samples(p, r);
-    p->program.clip_distance_count =
-        random_chance(r, 30) ? random_below(r, GN_MAX_CLIP_DISTANCES + 1) : 0;
-    p->color.logic = random_chance(r, 10);
-    p->color.logic_operation = (gn_logic_operation)random_below(r, 16);
-    p->raster.polygon_mode_front = (gn_polygon_mode)random_below(r, 3);
-    p->raster.polygon_mode_back = (gn_polygon_mode)random_below(r, 3);
-    p->raster.point_size = state_number(r, 0.0f, FLT_MAX);
-    p->raster.line_width = state_number(r, 0.0f, FLT_MAX);
-    p->program.vertex_writes_point_size = random_chance(r, 50);
-    p->program.fragment_reads_position = random_chance(r, 30);
-    p->program.fragment_reads_point_coordinate = random_chance(r, 30);
-    p->program.fragment_writes_depth = random_chance(r, 30);
-    p->program.fragment_discards = random_chance(r, 30);
+    if (scene_member_is_state(m) && m->type != MEMBER_ELSEWHERE)
+        scene_member_set(m, d, line, 0, (uint32_t)random_bits(r) >> shift);
 }
 
 static void any_mesh(hostile *h, random_source *r)
@@ -199,12 +157,13 @@ static void any_mesh(hostile *h, random_source *r)
         }
     for (uint32_t i = 0; i < MAX_INDICES; i++)
         h->indices[i] = (uint16_t)(random_chance(r, 15) ? 0xFFFF : random_below(r, MAX_VERTICES));
-    h->mesh.vertex_count = MAX_VERTICES;
-    h->mesh.index_format = random_chance(r, 50) ? GN_INDEX_UINT16 : GN_INDEX_NONE;
-    h->mesh.restart = random_chance(r, 95) ? GN_RESTART_FIXED_INDEX : GN_RESTART_NONE;
-    h->mesh.count = random_below(r, (h->mesh.index_format ? MAX_INDICES : MAX_VERTICES) + 1);
-    h->mesh.instance_count = random_below(r, 4);
-    h->mesh.base_vertex = random_chance(r, 5) ? (int32_t)(uint32_t)random_bits(r) : 0;
+    h->draw.mesh.vertex_count = MAX_VERTICES;
+    h->draw.mesh.index_format = random_chance(r, 50) ? GN_INDEX_UINT16 : GN_INDEX_NONE;
+    h->draw.mesh.restart = random_chance(r, 95) ? GN_RESTART_FIXED_INDEX : GN_RESTART_NONE;
+    h->draw.mesh.count =
+        random_below(r, (h->draw.mesh.index_format ? MAX_INDICES : MAX_VERTICES) + 1);
+    h->draw.mesh.instance_count = random_below(r, 4);
+    h->draw.mesh.base_vertex = random_chance(r, 5) ? (int32_t)(uint32_t)random_bits(r) : 0;
 }
 
 static gn_format any_color_format(random_source *r)
@@ -236,7 +195,9 @@ static enum theft_alloc_res make_hostile(struct theft *t, void *env, void **outp
     h->top_down = random_chance(&r, 50);
     h->backend = random_chance(&r, 30) ? GN_BACKEND_PORTABLE : GN_BACKEND_AUTO;
     h->workspace = random_chance(&r, 50) ? 0 : random_below(&r, 20000);
-    any_state(h, &r);
+    any_state(&h->draw, &r);
+    if (random_chance(&r, 20))
+        any_bits(&h->draw, &r);
     any_mesh(h, &r);
     *output = h;
     return THEFT_ALLOC_OK;
@@ -249,9 +210,10 @@ static void print_hostile(FILE *f, const void *instance, void *env)
     (void)env;
     fprintf(f,
             "target %" PRIu32 "x%" PRIu32 ", %" PRIu32 " samples in layout %d, formats %d and %d, "
-            "topology %d, count %" PRIu32 "\n",
+            "count %" PRIu32 "\n",
             h->width, h->height, h->samples, (int)h->layout, (int)h->color[0], (int)h->depth,
-            (int)h->pipeline.raster.topology, h->mesh.count);
+            h->draw.mesh.count);
+    scene_write_members(&h->draw, f);
     for (uint32_t i = 0; i < MAX_VERTICES; i++)
         fprintf(f, "  %.9g %.9g %.9g %.9g\n", (double)h->position[i][0], (double)h->position[i][1],
                 (double)h->position[i][2], (double)h->position[i][3]);
@@ -266,7 +228,7 @@ static void pass_attributes(const void *uniforms, const gn_vertex_input *input,
     }
     const hostile *h = uniforms;
 
-    for (uint32_t i = 0; i < h->pipeline.program.clip_distance_count; i++)
+    for (uint32_t i = 0; i < h->draw.state.program.clip_distance_count; i++)
         memcpy(output->clip_distance[i], input->attribute[1][i % 4], GN_LANES * sizeof(float));
     if (output->point_size)
         memcpy(output->point_size, input->attribute[1][0], GN_LANES * sizeof(float));
@@ -276,7 +238,8 @@ static void use_all_inputs(const void *uniforms, const gn_fragment_input *input,
                            gn_fragment_output *output)
 {
     const hostile *h = uniforms;
-    const int colors = h->pipeline.program.color_count ? (int)h->pipeline.program.color_count : 1;
+    const int colors =
+        h->draw.state.program.color_count ? (int)h->draw.state.program.color_count : 1;
 
     for (int c = 0; c < 4 * colors; c++)
         for (int lane = 0; lane < GN_LANES; lane++) {
@@ -350,11 +313,11 @@ static bool guards_hold(const hostile *h, const guarded *g, bool untouched)
         unsigned char *const plane =
             (unsigned char *)g->surface.pixels + g->surface.sample_stride * (ptrdiff_t)s;
 
-        if (samples > 1 && h->pipeline.samples.write_disabled >> s & 1)
+        if (samples > 1 && h->draw.state.samples.write_disabled >> s & 1)
             continue;
         for (uint32_t y = 0; y < h->height; y++)
             for (uint32_t x = 0; x < h->width; x++)
-                if (in_scissor(&h->pipeline.raster.scissor, x, y))
+                if (in_scissor(&h->draw.state.raster.scissor, x, y))
                     memset(plane + g->surface.row_stride * (ptrdiff_t)y + x * pixel, GUARD, pixel);
     }
     for (size_t i = 0; i < g->size; i++)
@@ -366,14 +329,16 @@ static bool guards_hold(const hostile *h, const guarded *g, bool untouched)
 static enum theft_trial_res any_draw_stays_inside(struct theft *t, void *instance)
 {
     const hostile *h = instance;
-    const uint32_t colors = h->pipeline.program.color_count ? h->pipeline.program.color_count : 1;
-    const size_t size =
-        gn_workspace_size(0, 4 + h->pipeline.program.clip_distance_count) + h->workspace;
+    const uint32_t colors =
+        h->draw.state.program.color_count ? h->draw.state.program.color_count : 1;
+    /* SIZE_MAX where there are too many clip distances. */
+    const size_t least = gn_workspace_size(0, 4 + h->draw.state.program.clip_distance_count);
+    const size_t size = (least < SIZE_MAX ? least : 1) + h->workspace;
     guarded color[GN_MAX_COLORS], depth = guarded_surface(h, h->depth);
     gn_target target;
     gn_workspace workspace = {.memory = malloc(size), .size = size, .backend = h->backend};
-    gn_pipeline pipeline = h->pipeline;
-    gn_mesh mesh = h->mesh;
+    gn_pipeline pipeline = h->draw.state;
+    gn_mesh mesh = h->draw.mesh;
     (void)t;
 
     for (int a = 0; a < GN_MAX_COLORS; a++) {

@@ -1,0 +1,261 @@
+/* The table of members. */
+#include "scene_members.h"
+
+#include <ctype.h>
+#include <float.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define ROW(path, ...)                                                                             \
+    {                                                                                              \
+        .name = #path, .offset = AT(path), __VA_ARGS__                                             \
+    }
+
+#define ELSEWHERE(type_name) .type = MEMBER_ELSEWHERE, .bytes = sizeof(type_name)
+#define SWITCH .type = MEMBER_SWITCH
+#define NAMED(set) .type = MEMBER_NAMED, .names = set
+#define BYTE .type = MEMBER_BYTE, .largest = UINT8_MAX
+#define NUMBER(most) .type = MEMBER_NUMBER, .largest = most
+#define INTEGER .type = MEMBER_INTEGER
+#define FLOAT(least, most) .type = MEMBER_FLOAT, .low = least, .high = most
+#define ANY_FLOAT FLOAT(-FLT_MAX, FLT_MAX)
+#define SIMPLEST(constant) .simplest = constant
+#define EACH(count, type_name) .lines = count, .stride = sizeof(type_name)
+#define TOGETHER(count) .together = count
+
+#define STENCIL_FACE(face)                                                                         \
+    ROW(face.function, NAMED(TEXT_COMPARE)), ROW(face.reference, BYTE),                            \
+        ROW(face.compare_disabled, BYTE), ROW(face.write_disabled, BYTE),                          \
+        ROW(face.fail, NAMED(TEXT_STENCIL_OPERATION)),                                             \
+        ROW(face.depth_fail, NAMED(TEXT_STENCIL_OPERATION)),                                       \
+        ROW(face.pass, NAMED(TEXT_STENCIL_OPERATION))
+
+#define BLENDS EACH(GN_MAX_COLORS, gn_blend)
+#define ATTRIBUTES EACH(GN_MAX_ATTRIBUTES, gn_attribute)
+
+/* Nearest texels at the edge are simpler to follow than the filter over levels that 0 means. */
+#define SAMPLER(sampler)                                                                           \
+    ROW(sampler.wrap_s, NAMED(TEXT_WRAP), SIMPLEST(GN_WRAP_CLAMP_TO_EDGE)),                        \
+        ROW(sampler.wrap_t, NAMED(TEXT_WRAP), SIMPLEST(GN_WRAP_CLAMP_TO_EDGE)),                    \
+        ROW(sampler.magnify, NAMED(TEXT_MAGNIFY), SIMPLEST(GN_MAGNIFY_NEAREST)),                   \
+        ROW(sampler.minify, NAMED(TEXT_MINIFY), SIMPLEST(GN_MINIFY_NEAREST)),                      \
+        ROW(sampler.wrap_r, NAMED(TEXT_WRAP), SIMPLEST(GN_WRAP_CLAMP_TO_EDGE)),                    \
+        ROW(sampler.compare, NAMED(TEXT_COMPARE)), ROW(sampler.lod_bias, ANY_FLOAT),               \
+        ROW(sampler.lod_clamped, SWITCH), ROW(sampler.min_lod, ANY_FLOAT),                         \
+        ROW(sampler.max_lod, ANY_FLOAT), ROW(sampler.max_anisotropy, NUMBER(GN_MAX_ANISOTROPY)),   \
+        ROW(sampler.border, ANY_FLOAT, TOGETHER(4))
+
+/* AT is the offset of a row's path, which begins in scene_draw.state and further below in
+ * scene_draw. */
+
+/* clang-format off */
+const scene_member scene_members[] = {
+#define AT(path) offsetof(scene_draw, state.path)
+    ROW(program.vertex_shader, ELSEWHERE(gn_vertex_shader *)),
+    ROW(program.fragment_shader, ELSEWHERE(gn_fragment_shader *)),
+    ROW(program.uniforms, ELSEWHERE(const void *)),
+    ROW(program.varying_count, ELSEWHERE(uint32_t)),
+    ROW(program.interpolation[0], NAMED(TEXT_INTERPOLATION),
+        EACH(GN_MAX_VARYINGS, gn_interpolation)),
+    ROW(program.color_count, NUMBER(GN_MAX_COLORS)),
+    ROW(program.clip_distance_count, NUMBER(GN_MAX_CLIP_DISTANCES)),
+    ROW(program.vertex_writes_point_size, SWITCH),
+    ROW(program.fragment_reads_position, SWITCH),
+    ROW(program.fragment_reads_primitive, SWITCH),
+    ROW(program.fragment_reads_point_coordinate, SWITCH),
+    ROW(program.fragment_reads_sample_mask, SWITCH),
+    ROW(program.fragment_discards, SWITCH),
+    ROW(program.fragment_writes_depth, SWITCH),
+    ROW(program.fragment_writes_sample_mask, SWITCH),
+
+    ROW(raster.topology, NAMED(TEXT_TOPOLOGY)),
+    ROW(raster.provoking_vertex, NAMED(TEXT_PROVOKING)),
+    ROW(raster.cull, NAMED(TEXT_CULL)),
+    ROW(raster.front_face, NAMED(TEXT_FRONT_FACE)),
+    ROW(raster.polygon_mode_front, NAMED(TEXT_POLYGON_MODE)),
+    ROW(raster.polygon_mode_back, NAMED(TEXT_POLYGON_MODE)),
+    ROW(raster.polygon_offset.set, SWITCH),
+    ROW(raster.polygon_offset.factor, ANY_FLOAT),
+    ROW(raster.polygon_offset.units, ANY_FLOAT),
+    ROW(raster.polygon_offset.clamp, ANY_FLOAT),
+    ROW(raster.viewport.set, SWITCH),
+    ROW(raster.viewport.x, FLOAT(-GN_MAX_SIZE, GN_MAX_SIZE)),
+    ROW(raster.viewport.y, FLOAT(-GN_MAX_SIZE, GN_MAX_SIZE)),
+    ROW(raster.viewport.width, FLOAT(0.0f, GN_MAX_SIZE)),
+    ROW(raster.viewport.height, FLOAT(0.0f, GN_MAX_SIZE)),
+    ROW(raster.scissor.set, SWITCH),
+    ROW(raster.scissor.x, INTEGER),
+    ROW(raster.scissor.y, INTEGER),
+    ROW(raster.scissor.width, NUMBER(UINT32_MAX)),
+    ROW(raster.scissor.height, NUMBER(UINT32_MAX)),
+    ROW(raster.point_size, FLOAT(0.0f, FLT_MAX)),
+    ROW(raster.point_origin, NAMED(TEXT_POINT_ORIGIN)),
+    ROW(raster.line_width, FLOAT(0.0f, FLT_MAX)),
+
+    ROW(depth.test, SWITCH),
+    ROW(depth.function, NAMED(TEXT_COMPARE)),
+    ROW(depth.write_disabled, SWITCH),
+    ROW(depth.clamp, SWITCH),
+    ROW(depth.clip_depth, NAMED(TEXT_CLIP_DEPTH)),
+    ROW(depth.range.set, SWITCH),
+    ROW(depth.range.z_near, FLOAT(0.0f, 1.0f)),
+    ROW(depth.range.z_far, FLOAT(0.0f, 1.0f)),
+
+    ROW(stencil.test, SWITCH),
+    STENCIL_FACE(stencil.front),
+    STENCIL_FACE(stencil.back),
+
+    ROW(color.write_disabled[0], NUMBER(GN_CHANNEL_ALL), EACH(GN_MAX_COLORS, uint32_t)),
+    ROW(color.blend[0].enabled, SWITCH, BLENDS),
+    ROW(color.blend[0].equation, NAMED(TEXT_EQUATION), BLENDS),
+    ROW(color.blend[0].source, NAMED(TEXT_FACTOR), BLENDS),
+    ROW(color.blend[0].destination, NAMED(TEXT_FACTOR), BLENDS),
+    ROW(color.blend[0].alpha_equation, NAMED(TEXT_EQUATION), BLENDS),
+    ROW(color.blend[0].alpha_source, NAMED(TEXT_FACTOR), BLENDS),
+    ROW(color.blend[0].alpha_destination, NAMED(TEXT_FACTOR), BLENDS),
+    ROW(color.blend_constant, ANY_FLOAT, TOGETHER(4)),
+    ROW(color.logic, SWITCH),
+    ROW(color.logic_operation, NAMED(TEXT_LOGIC)),
+
+    ROW(samples.write_disabled, NUMBER((1u << GN_SAMPLES) - 1)),
+    ROW(samples.alpha_to_coverage, SWITCH),
+    ROW(samples.alpha_to_one, SWITCH),
+#undef AT
+
+#define AT(path) offsetof(scene_draw, path)
+    ROW(shader, ELSEWHERE(scene_shader)),
+    ROW(counted, SWITCH),
+    ROW(clear.color, SWITCH),
+    ROW(clear.depth, SWITCH),
+    ROW(clear.color_value, ANY_FLOAT, TOGETHER(4)),
+    ROW(clear.depth_value, ANY_FLOAT),
+    ROW(clear.stencil_value, BYTE),
+    ROW(clip_plane[0], ANY_FLOAT, EACH(GN_MAX_CLIP_DISTANCES, float[4]), TOGETHER(4)),
+
+    ROW(mesh.attribute[0].data, ELSEWHERE(const float *), ATTRIBUTES),
+    ROW(mesh.attribute[0].components, ELSEWHERE(uint32_t), ATTRIBUTES),
+    ROW(mesh.attribute[0].stride, ELSEWHERE(uint32_t), ATTRIBUTES),
+    ROW(mesh.attribute[0].divisor, NUMBER(UINT32_MAX), ATTRIBUTES),
+    ROW(mesh.vertex_count, ELSEWHERE(uint32_t)),
+    ROW(mesh.indices, ELSEWHERE(const void *)),
+    ROW(mesh.index_format, ELSEWHERE(gn_index_format)),
+    ROW(mesh.first, ELSEWHERE(uint32_t)),
+    ROW(mesh.count, ELSEWHERE(uint32_t)),
+    ROW(index_count, ELSEWHERE(uint32_t)),
+    ROW(mesh.restart, NAMED(TEXT_RESTART)),
+    ROW(mesh.restart_index, NUMBER(UINT32_MAX)),
+    ROW(mesh.base_vertex, INTEGER),
+    ROW(mesh.instance_count, NUMBER(UINT32_MAX)),
+
+    ROW(uniforms.light.clip_from_model, ANY_FLOAT, TOGETHER(16)),
+    ROW(uniforms.light.normal_matrix, ANY_FLOAT, TOGETHER(9)),
+    ROW(uniforms.light.light_direction, ANY_FLOAT, TOGETHER(3)),
+    ROW(uniforms.light.ambient, ANY_FLOAT, TOGETHER(3)),
+    ROW(uniforms.light.diffuse, ANY_FLOAT, TOGETHER(3)),
+    ROW(uniforms.texture, ELSEWHERE(gn_texture)),
+    SAMPLER(uniforms.sampler),
+
+    ROW(surface.world_from_model, ANY_FLOAT, TOGETHER(16)),
+    ROW(surface.eye, ANY_FLOAT, TOGETHER(3)),
+    ROW(surface.has_point_light, SWITCH),
+    ROW(surface.light_position, ANY_FLOAT, TOGETHER(3)),
+    ROW(surface.attenuation, ANY_FLOAT, TOGETHER(3)),
+    ROW(surface.exponent, NUMBER(UINT32_MAX)),
+    ROW(surface.bands, NUMBER(UINT32_MAX)),
+    ROW(surface.normal_space, NAMED(TEXT_NORMAL_SPACE)),
+    ROW(surface.map, ELSEWHERE(gn_texture[SCENE_MAP_COUNT])),
+    SAMPLER(surface.shadow_sampler),
+    ROW(surface.shadow_from_world, ANY_FLOAT, TOGETHER(16)),
+    ROW(surface.black, ANY_FLOAT),
+    ROW(surface.white, ANY_FLOAT),
+    ROW(view_from_model, ANY_FLOAT, TOGETHER(16)),
+    ROW(phong_functions, SWITCH),
+    ROW(specular, ANY_FLOAT, TOGETHER(3)),
+};
+/* clang-format on */
+
+const size_t scene_member_count = sizeof scene_members / sizeof *scene_members;
+
+size_t scene_member_size(const scene_member *m)
+{
+    switch (m->type) {
+    case MEMBER_ELSEWHERE:
+        return m->bytes;
+    case MEMBER_SWITCH:
+        return sizeof(bool);
+    case MEMBER_BYTE:
+        return sizeof(uint8_t);
+    default:
+        return sizeof(uint32_t);
+    }
+}
+
+static size_t offset_of(const scene_member *m, size_t line, size_t value)
+{
+    return m->offset + line * m->stride + value * scene_member_size(m);
+}
+
+uint32_t scene_member_get(const scene_member *m, const scene_draw *d, size_t line, size_t value)
+{
+    const char *const from = (const char *)d + offset_of(m, line, value);
+    uint32_t word;
+
+    if (m->type == MEMBER_SWITCH)
+        return *(const bool *)from;
+    if (m->type == MEMBER_BYTE)
+        return *(const uint8_t *)from;
+    memcpy(&word, from, sizeof word);
+    return word;
+}
+
+void scene_member_set(const scene_member *m, scene_draw *d, size_t line, size_t value,
+                      uint32_t word)
+{
+    char *const to = (char *)d + offset_of(m, line, value);
+
+    if (m->type == MEMBER_SWITCH)
+        *(bool *)to = word != 0;
+    else if (m->type == MEMBER_BYTE)
+        *(uint8_t *)to = (uint8_t)word;
+    else
+        memcpy(to, &word, sizeof word);
+}
+
+/* Whether `name` is the row's name with any index. Sets `line` to that index or to 0. */
+static bool matches(const char *name, const char *row, size_t *line)
+{
+    const size_t before = strcspn(row, "[");
+    char *after;
+
+    *line = 0;
+    if (!row[before])
+        return !strcmp(name, row);
+    if (strncmp(name, row, before + 1) != 0 || !isdigit((unsigned char)name[before + 1]))
+        return false;
+    *line = strtoul(name + before + 1, &after, 10);
+    return !strcmp(after, strchr(row, ']'));
+}
+
+const scene_member *scene_member_named(const char *name, size_t *line)
+{
+    for (size_t i = 0; i < scene_member_count; ++i) {
+        const scene_member *const m = &scene_members[i];
+
+        if (m->type != MEMBER_ELSEWHERE && matches(name, m->name, line) &&
+            *line < scene_member_lines(m))
+            return m;
+    }
+    return NULL;
+}
+
+void scene_member_name(const scene_member *m, size_t line, char *name)
+{
+    const size_t before = strcspn(m->name, "[");
+
+    if (m->name[before]) {
+        snprintf(name, SCENE_MEMBER_NAME, "%.*s[%zu%s", (int)before, m->name, line,
+                 strchr(m->name, ']'));
+    } else {
+        snprintf(name, SCENE_MEMBER_NAME, "%s", m->name);
+    }
+}
