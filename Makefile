@@ -167,11 +167,11 @@ SCALE_FRAMES ?= 5
 parity: $(BUILD)/parity ## random scenes against OSMesa, bit for bit: SCENES=20100 SEED=1 JOBS=2
 	@$(BUILD)/parity --scenes $(SCENES) --seed $(SEED) --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene
 
-BLITS ?= 20200
+BLITS ?= 33000
 TEXTURES ?= 200
 
 .PHONY: blits
-blits: $(BUILD)/blits ## random blits against OSMesa, bit for bit: BLITS=20200 SEED=1
+blits: $(BUILD)/blits ## random blits against OSMesa, bit for bit: BLITS=33000 SEED=1
 	@$(BUILD)/blits --blits $(BLITS) --seed $(SEED)
 
 .PHONY: textures

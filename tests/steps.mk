@@ -72,7 +72,7 @@ test-steps:
 		'freestanding=tests/portability/freestanding.sh $(BUILD) $(ALL)' \
 		'embedding=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD) $(ALL)' \
 		'examples of shaders=tests/embed/shader_examples.sh $(BUILD)' \
-		'blits=$(BUILD)/blits --seed $(TEST_SEED) --blits 2020' \
+		'blits=$(BUILD)/blits --seed $(TEST_SEED) --blits 2310' \
 		'texels=$(BUILD)/texels --seed $(TEST_SEED) --textures 12' \
 		'textures=$(BUILD)/textures --seed $(TEST_SEED) --quick' \
 		'a denormal=$(BUILD)/parity --replay tests/parity/denormal.scene' \
@@ -83,7 +83,7 @@ test-steps:
 		$(call unit_steps,$(CHECKED),sanitized ) \
 		'sanitized differential=$(CHECKED)/test_cglm $(TEST_SEED)' \
 		'sanitized properties=$(CHECKED)/property-tests --seed $(TEST_SEED) --trials 100' \
-		'sanitized blits=$(CHECKED)/blits --seed $(TEST_SEED) --blits 404' \
+		'sanitized blits=$(CHECKED)/blits --seed $(TEST_SEED) --blits 330' \
 		'sanitized textures=$(CHECKED)/textures --seed $(TEST_SEED) --cases 60' \
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \

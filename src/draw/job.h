@@ -19,7 +19,7 @@
  *   raster/coverage.h         cover_triangles
  *   raster/cover_small.h      cover_small
  *   fragment/runs.h           run_color_rgba8_d24, shade_squares
- *   fragment/block.h          shade
+ *   fragment/block.h          shade_fragments
  *   fragment/depth.h          test_depth
  *   fragment/color.h          write_color
  *

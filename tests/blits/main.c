@@ -410,7 +410,7 @@ static void show_progress(uint64_t pair, const totals *t)
 
 int main(int argc, char **argv)
 {
-    uint64_t seed = 1, blits = 20200, first = 0, only = PAIRS;
+    uint64_t seed = 1, blits = 33000, first = 0, only = PAIRS;
     char error[512] = "";
     static uint64_t differ[PAIRS];
     totals t;
