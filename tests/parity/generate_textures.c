@@ -90,10 +90,13 @@ static uint32_t random_element(random_source *r, gn_format format, size_t i)
 
         return red | green << 11 | (random_half(r) >> 5 & 0x3FF) << 22;
     }
-    if (scene_is_color_format(format) && scene_is_float_format(format))
-        return scene_channel_width(format, 0) == 32 ? bits_of(random_texel(r))
-               : scene_element_size(format) == 2    ? random_half(r)
-                                                    : random_half(r) | random_half(r) << 16;
+    if (scene_is_color_format(format) && scene_is_float_format(format)) {
+        if (scene_channel_width(format, 0) == 32)
+            return bits_of(random_texel(r));
+        const uint32_t half = random_half(r);
+
+        return scene_element_size(format) == 2 ? half : half | random_half(r) << 16;
+    }
     switch (format) {
     case GN_FORMAT_D16:
         return (uint32_t)((double)depth * 65535.0);
