@@ -19,8 +19,8 @@ static void fill_shading(const gn_pipeline *pipeline, shading_functions *out)
     out->sampling.sample = GN_HAVE_TEXTURES ? gn_sample : 0;
     out->sampling.gather = GN_HAVE_TEXTURES ? gn_gather : 0;
     out->sampling.fetch = GN_HAVE_TEXTURES ? gn_fetch : 0;
-    out->vertex_shader = pipeline->vertex_shader;
-    out->fragment_shader = pipeline->fragment_shader;
+    out->vertex_shader = pipeline->program.vertex_shader;
+    out->fragment_shader = pipeline->program.fragment_shader;
 }
 #endif
 
