@@ -27,6 +27,7 @@
  *   backend.h     instruction sets
  *   parallel.h    threads, which are the caller's
  *   draw.h        meshes, the workspace and the draw itself
+ *   statistics.h  counts of what became of the primitives and fragments of draws
  *   light.h       lights, materials and shadow maps of the ready-made shaders
  *   shaders.h     ready-made shaders
  *   shader_functions.h  shaders as functions of one vertex and one fragment
@@ -75,6 +76,7 @@
 #include "gnomon/shader_types.h"
 #include "gnomon/shader_vectors.h"
 #include "gnomon/shaders.h"
+#include "gnomon/statistics.h"
 #include "gnomon/status.h"
 #include "gnomon/surface.h"
 #include "gnomon/texture.h"

@@ -5,6 +5,7 @@
 #include "backend.h"
 #include "parallel.h"
 #include "pipeline.h"
+#include "statistics.h"
 
 /* One array of vertex attributes, in the caller's memory. Components that the array lacks are 0, 0,
  * 0, 1; an attribute without data is 0, 0, 0, 1 for every vertex. With a divisor d (OpenGL's
@@ -87,6 +88,11 @@ typedef struct gn_workspace {
      * pixel has several samples, samples are counted instead of fragments. The count is exact and
      * equal with every back end and any number of threads. */
     uint64_t *samples_passed;
+
+    /* Null, or counts that a draw adds to: what became of its primitives and fragments
+     * (gnomon/statistics.h). Both this and samples_passed may be set. Without either, drawing is
+     * faster, because common states then take code of their own. */
+    gn_draw_statistics *statistics;
 } gn_workspace;
 
 /* Bytes of one vertex between the stages: window coordinates, snapped coordinates, clip
@@ -146,8 +152,9 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  * (gn_pipeline_check); the mesh (gn_mesh_check, but for its indices); that the workspace is not
  * null (GN_NULL_POINTER) and holds at least gn_workspace_size(0, varying_count +
  * clip_distance_count) bytes (GN_WORKSPACE_TOO_SMALL; workspace->needed receives the number of
- * bytes); that the library contains the workspace's back end (GN_BACKEND_UNAVAILABLE). An index at
- * or above vertex_count is found last. On a fault nothing is drawn; gn_target_fault,
+ * bytes); that the library can count if workspace->statistics is not null (GN_NOT_COMPILED in a
+ * GN_BASIC library); that the library contains the workspace's back end (GN_BACKEND_UNAVAILABLE).
+ * An index at or above vertex_count is found last. On a fault nothing is drawn; gn_target_fault,
  * gn_pipeline_fault and gn_mesh_fault say in words what is wrong.
  *
  * Triangles, lines and points are drawn in order. Positions are clipped to -w <= x, y, z <= w and

@@ -151,7 +151,7 @@ uploaded_draw *reference_upload(reference *r, const scene *s, char *error, size_
         }
         upload_vertices(d, &draws[i]);
         if (d->counted) {
-            glGenQueries(1, &draws[i].query);
+            glGenQueries(2, draws[i].queries);
         }
         if (scene_draw_has_texture(d)) {
             draws[i].texture = reference_upload_texture(&d->uniforms.texture, &d->uniforms.sampler);
@@ -172,7 +172,7 @@ void reference_discard(uploaded_draw *draws, size_t count)
         glDeleteBuffers(1, &draws[i].indices);
         glDeleteTextures(1, &draws[i].texture);
         glDeleteTextures(SCENE_MAP_COUNT, draws[i].maps);
-        glDeleteQueries(1, &draws[i].query);
+        glDeleteQueries(2, draws[i].queries);
     }
     free(draws);
 }
@@ -407,11 +407,13 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
     }
     renew_viewport(d);
     set_state(s, &d->state);
-    if (u->query) {
-        glBeginQuery(GL_SAMPLES_PASSED, u->query);
+    if (u->queries[0]) {
+        glBeginQuery(GL_SAMPLES_PASSED, u->queries[0]);
+        glBeginQuery(GL_PRIMITIVES_GENERATED, u->queries[1]);
     }
     draw_elements(d);
-    if (u->query) {
+    if (u->queries[0]) {
+        glEndQuery(GL_PRIMITIVES_GENERATED);
         glEndQuery(GL_SAMPLES_PASSED);
     }
 }
@@ -441,13 +443,16 @@ bool reference_draw(reference *r, const scene *s, scene_frame *frame, char *erro
         return false;
     }
     frame->samples_passed = 0;
+    memset(&frame->statistics, 0, sizeof frame->statistics);
     for (size_t i = 0; i < s->draw_count; ++i) {
-        GLuint passed = 0;
+        GLuint passed = 0, primitives = 0;
 
-        if (draws[i].query) {
-            glGetQueryObjectuiv(draws[i].query, GL_QUERY_RESULT, &passed);
+        if (draws[i].queries[0]) {
+            glGetQueryObjectuiv(draws[i].queries[0], GL_QUERY_RESULT, &passed);
+            glGetQueryObjectuiv(draws[i].queries[1], GL_QUERY_RESULT, &primitives);
         }
         frame->samples_passed += passed;
+        frame->statistics.primitives += primitives;
     }
     reference_discard(draws, s->draw_count);
     return reference_check("drawing a scene", error, error_size);

@@ -70,8 +70,8 @@ typedef struct uploaded_draw {
     GLuint texture;
     GLuint maps[SCENE_MAP_COUNT];
     GLuint program;
-    GLuint query;     /* the query of a counted draw */
-    size_t offset[5]; /* of the attributes in `vertices` */
+    GLuint queries[2]; /* of a counted draw: samples passed, primitives */
+    size_t offset[5];  /* of the attributes in `vertices` */
 } uploaded_draw;
 
 /* Writes a formatted reason into error. Returns false. */

@@ -125,7 +125,7 @@ typedef struct scene_draw {
     /* The scene owns the memory behind the pointers of the mesh, of uniforms.texture and of
      * maps. */
     gn_mesh mesh;
-    bool counted;         /* the fragments that pass are counted */
+    bool counted;         /* its primitives and fragments are counted */
     uint32_t index_count; /* elements behind mesh.indices, 0 without indices */
 
     /* Every shader uses clip_from_model, the lit shaders use the light, the textured shaders use
@@ -169,6 +169,7 @@ typedef struct scene_frame {
     void *color;
     void *depth;                               /* null for GN_FORMAT_NONE */
     uint64_t samples_passed;                   /* the sum over the counted draws */
+    gn_draw_statistics statistics;             /* likewise; the reference sets `primitives` only */
     gn_format more_formats[GN_MAX_COLORS - 1]; /* attachments 1 and on */
     void *more_colors[GN_MAX_COLORS - 1];
 } scene_frame;
@@ -194,7 +195,8 @@ static inline void *scene_frame_color(const scene_frame *f, int a)
 typedef struct scene_difference {
     uint64_t color_pixels;    /* pixels with any channel different */
     uint64_t depth_pixels;    /* pixels with another depth or stencil */
-    bool counts_differ;       /* samples_passed differs; counts as one more pixel */
+    bool counts_differ;       /* samples_passed or statistics.primitives differ, or the library's
+                                 statistics contradict each other; counts as one more pixel */
     uint64_t pixels;          /* pixels with a difference in colour or depth */
     uint64_t coverage_pixels; /* pixels that only one side has drawn on: exactly one side still has
                                  the clear value */

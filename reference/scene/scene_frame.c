@@ -233,6 +233,17 @@ static int list_buffers(const scene *s, const scene_frame *ours, const scene_fra
     return count;
 }
 
+/* Returns whether the library's counts agree with each other (gnomon/statistics.h). */
+static bool counts_are_sound(const scene_frame *frame)
+{
+    const gn_draw_statistics *const n = &frame->statistics;
+
+    return n->primitives ==
+               n->not_finite + n->outside + n->without_area + n->culled + n->missed + n->drawn &&
+           n->behind <= n->outside && n->clipped <= n->drawn &&
+           n->samples_passed <= n->samples_covered && n->samples_passed == frame->samples_passed;
+}
+
 scene_difference scene_compare(const scene *s, const scene_frame *ours,
                                const scene_frame *reference)
 {
@@ -245,7 +256,9 @@ scene_difference scene_compare(const scene *s, const scene_frame *ours,
     scene_difference d;
 
     memset(&d, 0, sizeof d);
-    d.counts_differ = ours->samples_passed != reference->samples_passed;
+    d.counts_differ = ours->samples_passed != reference->samples_passed ||
+                      ours->statistics.primitives != reference->statistics.primitives ||
+                      !counts_are_sound(ours);
     for (int b = 0; b < count; ++b) {
         equal = equal &&
                 !memcmp(list[b].ours, list[b].reference, pixels * gn_format_size(list[b].format));

@@ -289,6 +289,7 @@ static gn_status draw_one(const gn_target *target, const scene_draw *d, gn_works
 {
     const gn_target depth = depth_of(target);
     uint64_t *const counter = workspace->samples_passed;
+    gn_draw_statistics *const statistics = workspace->statistics;
     other_uniforms other;
     clipped_uniforms clipped;
     gn_pipeline pipeline = d->state;
@@ -302,9 +303,11 @@ static gn_status draw_one(const gn_target *target, const scene_draw *d, gn_works
     }
     if (status == GN_OK) {
         workspace->samples_passed = d->counted ? counter : NULL;
+        workspace->statistics = d->counted ? statistics : NULL;
         status = gn_draw(d->shader == SCENE_DEPTH_ONLY ? &depth : target, &pipeline, &d->mesh,
                          workspace);
         workspace->samples_passed = counter;
+        workspace->statistics = statistics;
     }
     return status;
 }
@@ -447,11 +450,14 @@ static gn_status resolve_frame(const scene *s, const gn_target *target, const sc
 gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame, gn_workspace *workspace)
 {
     uint64_t *const counter = workspace->samples_passed;
+    gn_draw_statistics *const statistics = workspace->statistics;
     gn_target target;
 
     memset(&target, 0, sizeof target);
     frame->samples_passed = 0;
+    memset(&frame->statistics, 0, sizeof frame->statistics);
     workspace->samples_passed = &frame->samples_passed;
+    workspace->statistics = &frame->statistics;
     for (int a = 0; a < GN_MAX_COLORS; ++a) {
         if (scene_color_format(s, a) != GN_FORMAT_NONE) {
             target.color[a] =
@@ -463,6 +469,7 @@ gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame, gn_workspa
     }
     const gn_status status = scene_draw_to_target(s, &target, workspace);
     workspace->samples_passed = counter;
+    workspace->statistics = statistics;
     return status == GN_OK && scene_is_sampled(s) ? resolve_frame(s, &target, frame) : status;
 }
 

@@ -33,6 +33,7 @@
 #define GN_HAVE_DISTANCES 0
 #define GN_HAVE_TEXTURES 0
 #define GN_HAVE_POINT_LIGHTS 0
+#define GN_HAVE_STATISTICS 0
 #else
 #define GN_HAVE_LINES 1
 #define GN_HAVE_STENCIL 1
@@ -45,6 +46,7 @@
 #define GN_HAVE_DISTANCES 1    /* to clip by, of the user's */
 #define GN_HAVE_TEXTURES 1     /* beside 2D ones of one level, RGBA8 or RGBA32F */
 #define GN_HAVE_POINT_LIGHTS 1 /* of the ready-made shaders */
+#define GN_HAVE_STATISTICS 1   /* of primitives; samples that pass are always counted */
 #endif
 
 /* Whether operations of the portable lanes are called with addresses (calls.h). */

@@ -39,6 +39,7 @@
  *   half     the lower or the upper two rows of a square
  *   block    sixteen pixels that are shaded at once, one a lane: a square, or two halves
  *   run      neighbouring squares of a row of squares that are handed to fragments together
+ *   fate     what becomes of a primitive: drawn, or why not (fates.h)
  *   batch    squares or halves of a triangle that are found first and shaded afterwards
  *   task     one call of a gn_task, on any thread
  *   worker   the state of one thread's work on primitives
@@ -107,14 +108,20 @@ typedef struct draw_job {
 
     gn_parallel *parallel; /* null: one task, no segments are kept */
     void *user;
-    uint32_t threads;         /* threads that run tasks; 0: not known */
-    uint64_t *samples_passed; /* null: not counted */
-    segment_lists *segments;  /* the segments of a round */
+    uint32_t threads;               /* threads that run tasks; 0: not known */
+    uint64_t *samples_passed;       /* null: not counted */
+    gn_draw_statistics *statistics; /* likewise */
+    segment_lists *segments;        /* the segments of a round */
     uint32_t segment_count;
     triangle_list *lists;
     list_rows *rows; /* the rows of the lists */
     uint32_t lists_per_segment, rows_per_segment;
 } draw_job;
+
+static inline bool counts_samples(const draw_job *job)
+{
+    return job->samples_passed || (GN_HAVE_STATISTICS && job->statistics);
+}
 
 /* A task's scratch for vertices with `value_count` stored_values: a triangle_list, its
  * triangle_setup, then new vertices. */

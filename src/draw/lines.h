@@ -3,21 +3,26 @@
 #define GN_DRAW_LINES_H
 
 #include "../geometry/clip_line.h"
+#include "fates.h"
 #include "list.h"
 
-static inline void add_point(worker *w, uint32_t offset, uint32_t primitive)
+static inline primitive_fate add_point(worker *w, uint32_t offset, uint32_t primitive)
 {
     const stored_vertex *const v = vertex_at(w->draw->job->memory, offset);
     const uint32_t vertex[3] = {offset, offset, offset};
     pixel_rectangle box;
 
-    if (!v->outcode && point_box(&w->cull.box, &w->cull.target, v, &box))
-        append_box(w, vertex, offset, primitive, false, &box);
+    if (v->outcode)
+        return FATE_OUTSIDE;
+    if (!point_box(&w->cull.box, &w->cull.target, v, &box))
+        return counts_primitives(w) ? fate_of_point(v) : FATE_UNKNOWN;
+    append_box(w, vertex, offset, primitive, false, &box);
+    return FATE_DRAWN;
 }
 
 /* Adds a line, or what clipping leaves of it. */
-static inline void add_line(worker *w, const uint32_t vertex[2], uint32_t provoking,
-                            uint32_t primitive)
+static inline primitive_fate add_line(worker *w, const uint32_t vertex[2], uint32_t provoking,
+                                      uint32_t primitive)
 {
     unsigned char *const memory = w->draw->job->memory;
     const stored_vertex *const first = vertex_at(memory, vertex[0]);
@@ -28,18 +33,22 @@ static inline void add_line(worker *w, const uint32_t vertex[2], uint32_t provok
     pixel_rectangle box;
 
     if (first->outcode & second->outcode)
-        return;
+        return FATE_OUTSIDE;
     if (crosses) {
         make_room(w, clip_room(first->outcode | second->outcode));
         const bool left = clip_line(&w->clipper, ends);
         ends[2] = ends[1];
         w->clip_used += w->clipper.used;
         if (!left)
-            return;
+            return FATE_OUTSIDE;
     }
-    if (line_box(&w->cull.box, &w->cull.target, vertex_at(memory, ends[0]),
-                 vertex_at(memory, ends[1]), &box))
-        append_box(w, w->keeps ? line : ends, provoking, primitive, crosses && w->keeps, &box);
+    if (!line_box(&w->cull.box, &w->cull.target, vertex_at(memory, ends[0]),
+                  vertex_at(memory, ends[1]), &box))
+        return counts_primitives(w)
+                   ? fate_of_line(vertex_at(memory, ends[0]), vertex_at(memory, ends[1]))
+                   : FATE_UNKNOWN;
+    append_box(w, w->keeps ? line : ends, provoking, primitive, crosses && w->keeps, &box);
+    return crosses ? FATE_CLIPPED : FATE_DRAWN;
 }
 
 /* Adds `count` points or lines. `offset` names the vertices of their elements; `first` is the first
@@ -53,10 +62,12 @@ GN_OUT_OF_LINE void add_points_or_lines(worker *w, const uint32_t *offset, uint3
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t *const vertex = offset + i * step;
 
-        if (w->kind == KIND_POINT)
-            add_point(w, vertex[0], first + i);
-        else
-            add_line(w, vertex, vertex[provoking], first + i);
+        const primitive_fate fate = w->kind == KIND_POINT
+                                        ? add_point(w, vertex[0], first + i)
+                                        : add_line(w, vertex, vertex[provoking], first + i);
+
+        if (counts_primitives(w))
+            count_primitive(w, fate, vertex, w->kind == KIND_POINT ? 1 : 2);
     }
 }
 

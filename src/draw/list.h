@@ -61,7 +61,7 @@ GN_OUT_OF_LINE void draw_sampled_boxes(worker *w, const void *context)
 GN_OUT_OF_LINE void draw_sampled(worker *w)
 {
     const draw_state *draw = w->draw;
-    const counted_state context = {draw->fragment, &w->passed};
+    const counted_state context = {draw->fragment, &w->samples};
 
     if (w->kind != KIND_TRIANGLE) {
         draw_sampled_boxes(w, &context);
@@ -78,9 +78,9 @@ GN_OUT_OF_LINE void draw_sampled(worker *w)
 static void finish_list(worker *w)
 {
     const draw_state *draw = w->draw;
-    const counted_state counted = {draw->fragment, &w->passed};
+    const counted_state counted = {draw->fragment, &w->samples};
     const void *const context =
-        draw->job->samples_passed ? (const void *)&counted : (const void *)draw->fragment;
+        counts_samples(draw->job) ? (const void *)&counted : (const void *)draw->fragment;
 
     if (w->keeps) {
         start_list(++w->list);
@@ -99,6 +99,17 @@ static void finish_list(worker *w)
         cover_triangles(&w->cull.target, w->setup, w->list, &draw->shade, context);
     }
     start_list(w->list);
+}
+
+/* Adds a worker's samples to the counts that the draw was given. */
+static void report_samples(const draw_job *job, const sample_counts *samples)
+{
+    if (job->samples_passed)
+        *job->samples_passed += samples->passed;
+    if (GN_HAVE_STATISTICS && job->statistics) {
+        job->statistics->samples_covered += samples->covered;
+        job->statistics->samples_passed += samples->passed;
+    }
 }
 
 /* Makes room for `count` new vertices, or for as many as the scratch holds. The vertices that the

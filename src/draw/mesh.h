@@ -227,14 +227,14 @@ static inline gn_status draw_mesh(const draw_job *job)
         draw.shares_slices = draw.map.shared;
     }
     start_worker(&w, &draw, 0);
+    w.counts = job->statistics;
     for (uint32_t i = 0; i < (GN_HAVE_INSTANCES ? job->instances : 1); ++i) {
         begin_instance(&draw, &w, i);
         while (next_slice(&draw, &w))
             draw_slice(&draw, &w);
     }
     finish_list(&w);
-    if (job->samples_passed)
-        *job->samples_passed += w.passed;
+    report_samples(job, &w.samples);
     return GN_OK;
 }
 

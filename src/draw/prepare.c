@@ -135,6 +135,7 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     job->user = workspace->user;
     job->threads = workspace->threads;
     job->samples_passed = workspace->samples_passed;
+    job->statistics = workspace->statistics;
     job->segments = NULL;
     job->segment_count = 0;
     job->lists = NULL;
@@ -181,6 +182,8 @@ gn_status gn_prepare_draw(draw_job *job, mesh_slice *whole, const gn_target *tar
         workspace->needed = least;
         return GN_WORKSPACE_TOO_SMALL;
     }
+    if (!GN_HAVE_STATISTICS && workspace->statistics)
+        return GN_NOT_COMPILED;
 
     set_whole_mesh(whole, mesh);
     job->target = target;

@@ -60,6 +60,8 @@ static void add_primitives(worker *w, uint32_t first, uint32_t count)
         const uint32_t number = w->draw->mesh->primitive + first + done;
 
         group.count = count - done < GN_LANES ? count - done : GN_LANES;
+        if (counts_primitives(w))
+            w->counts->primitives += group.count;
         const uint32_t elements = locate_elements(w->draw, first + done, group.count, offset);
         if (!is_triangles) {
             add_points_or_lines(w, offset, number, group.count);

@@ -234,7 +234,9 @@ static void measure_segment(segment_lists *segment, const triangle_list *lists, 
         segment->area += (uint32_t)area[l];
 }
 
-static void cull_segment(const round_state *round, uint32_t task, uint32_t segment)
+/* `counts` may be null. */
+static void cull_segment(const round_state *round, uint32_t task, uint32_t segment,
+                         gn_draw_statistics *counts)
 {
     const draw_state *draw = round->draw;
     const draw_job *job = draw->job;
@@ -250,6 +252,7 @@ static void cull_segment(const round_state *round, uint32_t task, uint32_t segme
 
     start_worker(&w, draw, task);
     w.keeps = true;
+    w.counts = counts;
     w.list = lists;
     start_list(lists);
     resolve_segment(&w, draw->map.outcodes ? segment_outcodes(draw, first, count) : 0);
@@ -260,13 +263,32 @@ static void cull_segment(const round_state *round, uint32_t task, uint32_t segme
     measure_segment(kept, lists, job->rows + (size_t)segment * job->rows_per_segment);
 }
 
+/* The counts of a cull_task. They lie where other tasks set up primitives; a worker that keeps
+ * lists sets up none. */
+static inline gn_draw_statistics *task_counts(const draw_state *draw, uint32_t task)
+{
+    return (gn_draw_statistics *)(void *)(task_scratch(draw, task) + scratch_setup_offset());
+}
+
 static void cull_task(void *context, uint32_t task)
 {
     const round_state *round = context;
     const task_range items = task_items(round, task);
+    gn_draw_statistics *counts = NULL;
 
+    if (GN_HAVE_STATISTICS && round->draw->job->statistics) {
+        counts = task_counts(round->draw, task);
+        clear_counts(counts);
+    }
     for (uint32_t i = 0; i < items.count; ++i)
-        cull_segment(round, task, items.first + i);
+        cull_segment(round, task, items.first + i, counts);
+}
+
+/* Adds the counts of `tasks` cull_tasks to those that the draw was given. */
+static void report_primitives(const draw_state *draw, uint32_t tasks)
+{
+    for (uint32_t i = 0; GN_HAVE_STATISTICS && draw->job->statistics && i < tasks; ++i)
+        add_counts(draw->job->statistics, task_counts(draw, i));
 }
 
 /* Appends a triangle of a kept list, cut to the worker's strip, which it reaches into. */
@@ -369,7 +391,7 @@ static void strip_task(void *context, uint32_t task)
                               job->lists + (size_t)s * job->lists_per_segment,
                               job->rows + (size_t)s * job->rows_per_segment);
     finish_list(&w);
-    *(uint64_t *)(void *)task_scratch(draw, task) = w.passed;
+    *(sample_counts *)(void *)task_scratch(draw, task) = w.samples;
 }
 
 static uint32_t most_strips(uint32_t threads, uint64_t area, uint64_t triangles)
@@ -433,8 +455,8 @@ static void draw_and_shade(round_state *round, uint32_t end)
     call_tasks(round, strip_or_shade_task, round->strips + tasks);
     map->outcodes |= shaded_outcodes(round, tasks);
     map->shaded = slots > map->shaded ? slots : map->shaded;
-    for (uint32_t i = 0; draw->job->samples_passed && i < round->strips; ++i)
-        *draw->job->samples_passed += *(const uint64_t *)(const void *)task_scratch(draw, i);
+    for (uint32_t i = 0; counts_samples(draw->job) && i < round->strips; ++i)
+        report_samples(draw->job, (const void *)task_scratch(draw, i));
 }
 
 /* Returns the segments in a round, or 0 if the draw does not run in tasks. */
@@ -471,7 +493,10 @@ static void draw_rounds(draw_state *draw)
         const uint32_t shaded = rest - round.count < most ? rest : 2 * most;
         if (!draw->map.shared)
             shade_unshared(&round);
-        call_tasks(&round, cull_task, divide_items(&round, 0, segments, 1, MAX_TASKS));
+        const uint32_t tasks = divide_items(&round, 0, segments, 1, MAX_TASKS);
+
+        call_tasks(&round, cull_task, tasks);
+        report_primitives(draw, tasks);
         divide_rows(&round, segments);
         draw_and_shade(&round,
                        first_element(topology, round.first) + element_count(topology, shaded));

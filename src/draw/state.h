@@ -113,7 +113,7 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     if (GN_HAVE_OFFSET)
         draw->offset = offset_state_of(job->pipeline, job->target->depth.format,
                                        draw->fragment[0].moves_depth);
-    draw->shade = block_functions_of(&draw->fragment[0], job->samples_passed);
+    draw->shade = block_functions_of(&draw->fragment[0], counts_samples(job));
     draw->is_sampled = GN_HAVE_SAMPLES && samples_of(any) > 1;
     draw->center = 0.5f;
     if (draw->is_sampled) {

@@ -3,6 +3,7 @@
 #ifndef GN_DRAW_TRIANGLES_H
 #define GN_DRAW_TRIANGLES_H
 
+#include "fates.h"
 #include "list.h"
 
 /* Keeps a triangle to be clipped by the strips, with the bounds of its pieces. */
@@ -21,8 +22,8 @@ static void keep_crossing(worker *w, const uint32_t vertex[3], uint32_t provokin
 }
 
 /* Clips a triangle and adds its pieces. */
-GN_OUT_OF_LINE void add_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking,
-                                 uint32_t primitive)
+GN_OUT_OF_LINE primitive_fate add_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking,
+                                           uint32_t primitive)
 {
     unsigned char *const memory = w->draw->job->memory;
     triangle_group pieces;
@@ -35,15 +36,18 @@ GN_OUT_OF_LINE void add_crossing(worker *w, const uint32_t vertex[3], uint32_t p
     clip_triangle(&w->clipper, planes, vertex, &pieces);
     w->clip_used += w->clipper.used;
     if (pieces.count == 0)
-        return;
+        return FATE_OUTSIDE;
 
     cull_triangles(&w->cull, w->cull.asks_unsnapped, memory, &pieces, &result);
-    if (w->keeps && result.drawn) {
+    if (!result.drawn)
+        return counts_primitives(w) ? fate_of_pieces(w, &pieces) : FATE_UNKNOWN;
+    if (w->keeps) {
         keep_crossing(w, vertex, provoking, primitive, &result);
-        return;
+        return FATE_CLIPPED;
     }
     for (uint32_t bits = result.drawn; bits; bits &= bits - 1)
         append_triangle(w, &pieces, &result, first_lane(bits), provoking, primitive);
+    return FATE_CLIPPED;
 }
 
 /* Adds the triangles of a group; `first` is the first triangle's number in the draw. */
@@ -53,6 +57,8 @@ static inline void add_group(worker *w, const triangle_group *group, uint32_t fi
     cull_result result;
 
     cull_triangles(&w->cull, w->cull.asks_unsnapped, w->draw->job->memory, group, &result);
+    if (counts_primitives(w))
+        count_group(w, group, result.drawn, result.crossing);
     for (uint32_t bits = result.drawn | result.crossing; bits; bits &= bits - 1) {
         const uint32_t l = first_lane(bits);
         const uint32_t provoking = group_vertex(group, provoking_corner, l);
@@ -60,7 +66,10 @@ static inline void add_group(worker *w, const triangle_group *group, uint32_t fi
         if (result.crossing >> l & 1u) {
             const uint32_t vertex[3] = {group_vertex(group, 0, l), group_vertex(group, 1, l),
                                         group_vertex(group, 2, l)};
-            add_crossing(w, vertex, provoking, first + l);
+            const primitive_fate fate = add_crossing(w, vertex, provoking, first + l);
+
+            if (counts_primitives(w))
+                count_primitive(w, fate, vertex, 3);
         } else {
             append_triangle(w, group, &result, l, provoking, first + l);
         }

@@ -2,6 +2,7 @@
 #ifndef GN_DRAW_UNFILLED_H
 #define GN_DRAW_UNFILLED_H
 
+#include "fates.h"
 #include "list.h"
 
 /* An unfilled triangle while its pieces are added. A worker that keeps lists appends the whole
@@ -9,7 +10,8 @@
 typedef struct unfilled_triangle {
     worker *w;
     uint32_t provoking, primitive;
-    bool back; /* of the piece that is added */
+    bool back;           /* of the piece that is added */
+    primitive_fate fate; /* the greatest of its pieces' */
     pixel_rectangle box;
 } unfilled_triangle;
 
@@ -18,6 +20,7 @@ static inline void add_piece_of_outline(unfilled_triangle *outline, primitive_ki
 {
     worker *const w = outline->w;
 
+    outline->fate = FATE_DRAWN;
     if (!w->keeps) {
         use_kind(w, kind);
         w->list->back |= (uint32_t)outline->back << w->list->count;
@@ -99,6 +102,11 @@ static void offset_piece(worker *w, uint32_t used, triangle_group *pieces, uint3
     }
 }
 
+static inline void raise_fate(unfilled_triangle *outline, primitive_fate fate)
+{
+    outline->fate = fate > outline->fate ? fate : outline->fate;
+}
+
 /* Adds the pieces of a triangle, each in the mode of its winding. A piece without area is
  * counter-clockwise for its mode and back-facing for culling. */
 static void add_pieces(unfilled_triangle *outline, triangle_group *pieces, uint32_t hidden)
@@ -121,8 +129,10 @@ static void add_pieces(unfilled_triangle *outline, triangle_group *pieces, uint3
         const gn_polygon_mode mode = area >= 0.0f ? state->counter_clockwise : state->clockwise;
 
         outline->back = area == 0.0f || clockwise != w->cull.front_clockwise;
-        if (clockwise ? w->cull.drop_clockwise : w->cull.drop_counter_clockwise)
+        if (clockwise ? w->cull.drop_clockwise : w->cull.drop_counter_clockwise) {
+            raise_fate(outline, FATE_CULLED);
             continue;
+        }
         if (moves) {
             offset_piece(w, used, pieces, l);
             for (int i = 0; i < 3; ++i)
@@ -138,16 +148,19 @@ static void add_pieces(unfilled_triangle *outline, triangle_group *pieces, uint3
 
                 add_piece_of_outline(outline, KIND_TRIANGLE, corner, &box);
             } else {
+                outline->fate = FATE_DRAWN;
                 use_kind(w, KIND_TRIANGLE);
                 append_triangle(w, pieces, &filled, l, outline->provoking, outline->primitive);
             }
         }
+        if (counts_primitives(w))
+            raise_fate(outline, fate_of_triangle(w, pieces, l, true, mode != GN_POLYGON_FILL));
     }
 }
 
 /* Adds a triangle that is not filled if it faces one way. */
-static void add_unfilled(worker *w, const uint32_t vertex[3], uint32_t provoking,
-                         uint32_t primitive)
+static primitive_fate add_unfilled(worker *w, const uint32_t vertex[3], uint32_t provoking,
+                                   uint32_t primitive)
 {
     unsigned char *const memory = w->draw->job->memory;
     const pixel_rectangle none = {INT32_MAX, INT32_MAX, -1, -1};
@@ -161,7 +174,7 @@ static void add_unfilled(worker *w, const uint32_t vertex[3], uint32_t provoking
         any |= vertex_at(memory, vertex[i])->outcode;
     }
     if (all)
-        return;
+        return FATE_OUTSIDE;
     if (any) {
         make_room(w, clip_room(any) + 3);
         clip_triangle(&w->clipper, any, vertex, &pieces);
@@ -178,14 +191,16 @@ static void add_unfilled(worker *w, const uint32_t vertex[3], uint32_t provoking
         }
     }
     if (pieces.count == 0)
-        return;
+        return FATE_OUTSIDE;
     outline.w = w;
+    outline.fate = FATE_NOT_FINITE;
     outline.provoking = provoking;
     outline.primitive = primitive;
     outline.box = none;
     add_pieces(&outline, &pieces, w->clipper.hidden);
     if (outline.box.min_x <= outline.box.max_x)
         append_box(w, vertex, provoking, primitive, true, &outline.box);
+    return any && outline.fate == FATE_DRAWN ? FATE_CLIPPED : outline.fate;
 }
 
 GN_OUT_OF_LINE void add_unfilled_group(worker *w, const triangle_group *group, uint32_t first)
@@ -194,7 +209,11 @@ GN_OUT_OF_LINE void add_unfilled_group(worker *w, const triangle_group *group, u
         const uint32_t vertex[3] = {group_vertex(group, 0, l), group_vertex(group, 1, l),
                                     group_vertex(group, 2, l)};
 
-        add_unfilled(w, vertex, vertex[w->cull.provoking_first ? 0 : 2], first + l);
+        const primitive_fate fate =
+            add_unfilled(w, vertex, vertex[w->cull.provoking_first ? 0 : 2], first + l);
+
+        if (counts_primitives(w))
+            count_primitive(w, fate, vertex, 3);
     }
 }
 

@@ -16,9 +16,10 @@ typedef struct worker {
     triangle_list *list; /* primitives are appended here */
     triangle_setup *setup;
     clipper clipper;
-    uint32_t clip_vertices; /* offset of CLIP_SCRATCH vertices */
-    uint32_t clip_used;     /* how many of them the list may need */
-    uint64_t passed;        /* fragments that passed, if the draw counts them */
+    uint32_t clip_vertices;     /* offset of CLIP_SCRATCH vertices */
+    uint32_t clip_used;         /* how many of them the list may need */
+    sample_counts samples;      /* if the draw counts them */
+    gn_draw_statistics *counts; /* what becomes of primitives is added here; null: not counted */
 } worker;
 
 static inline void start_list(triangle_list *list)
@@ -48,7 +49,9 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
     w->clipper.room = 0;
     w->clip_vertices = (uint32_t)(scratch - draw->job->memory) + scratch_vertices_offset(values);
     w->clip_used = 0;
-    w->passed = 0;
+    w->samples.covered = 0;
+    w->samples.passed = 0;
+    w->counts = NULL;
     start_list(w->list);
 }
 

@@ -199,7 +199,9 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
 {
     const counted_state *counted = (const counted_state *)context;
 
-    *counted->passed += shade_whole_squares(counted->state, triangle, x, y, count, coverage);
+    if (GN_HAVE_STATISTICS)
+        counted->counts->covered += count * count_lanes(coverage);
+    counted->counts->passed += shade_whole_squares(counted->state, triangle, x, y, count, coverage);
 }
 
 /* A run_function for one state and its pack_function, which are called `name` and `packed`; the

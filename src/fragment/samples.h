@@ -167,8 +167,10 @@ static void shade_sampled_square(const void *context, raster_triangle triangle, 
     for (uint32_t s = 0; s < GN_SAMPLES; ++s)
         passed[s] = counted->state->pipeline->samples.write_disabled >> s & 1u ? 0 : coverage[s];
     shade_samples(counted->state, &at, triangle, passed);
-    for (uint32_t s = 0; s < GN_SAMPLES; ++s)
-        *counted->passed += count_lanes(passed[s]);
+    for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
+        counted->counts->covered += count_lanes(coverage[s]);
+        counted->counts->passed += count_lanes(passed[s]);
+    }
 }
 
 #endif

@@ -118,10 +118,15 @@ static inline bool has_colors(const fragment_state *state)
     return state->color.format != GN_FORMAT_NONE || (GN_HAVE_ATTACHMENTS && state->more_count > 0);
 }
 
-/* The context of fragments that are counted. Each task has a sum of its own. */
+/* Fragments, or samples, that are covered, and those of them that pass. */
+typedef struct sample_counts {
+    uint64_t covered, passed;
+} sample_counts;
+
+/* The context of fragments that are counted. Each task has counts of its own. */
 typedef struct counted_state {
     const fragment_state *state;
-    uint64_t *passed;
+    sample_counts *counts;
 } counted_state;
 
 /* Where lane l is. Rows save most of the work if nothing depends on neighbouring rows. Shaders

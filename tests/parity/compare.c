@@ -61,7 +61,8 @@ static scene_difference compare_exactly(const scene_frame *a, const scene_frame 
         d.y = (uint32_t)(i % image / a->width);
         d.image = (uint32_t)(i / image);
     }
-    d.counts_differ = a->samples_passed != b->samples_passed;
+    d.counts_differ = a->samples_passed != b->samples_passed ||
+                      memcmp(&a->statistics, &b->statistics, sizeof a->statistics) != 0;
     d.pixels += d.counts_differ;
     return d;
 }

@@ -9,7 +9,7 @@ typedef enum failure_kind {
     FAILURE_REFUSED,  /* the library reports a fault */
     FAILURE_BACKENDS, /* pixels depend on the back end or the workspace */
     FAILURE_THREADS,  /* pixels depend on threads */
-    FAILURE_COUNT,    /* the reference counts other samples; the pixels are equal */
+    FAILURE_COUNT,    /* the reference counts differently; the pixels are equal */
     FAILURE_PIXELS    /* pixels differ from the reference's */
 } failure_kind;
 

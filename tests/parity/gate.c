@@ -191,8 +191,11 @@ static void report_failure(const gate *g, scene_class c, uint64_t number, const 
         fprintf(stderr, "%" PRIu64 " pixels depend on threads\n", r->threads.pixels);
         break;
     case FAILURE_COUNT:
-        fprintf(stderr, "%" PRIu64 " samples passed, not %" PRIu64 "\n", r->ours.samples_passed,
-                r->theirs.samples_passed);
+        fprintf(stderr,
+                "%" PRIu64 " samples passed, not %" PRIu64 "; %" PRIu64 " primitives, not %" PRIu64
+                "; or the statistics contradict each other\n",
+                r->ours.samples_passed, r->theirs.samples_passed, r->ours.statistics.primitives,
+                r->theirs.statistics.primitives);
         break;
     default:
         fprintf(stderr,

@@ -1,0 +1,159 @@
+/* A small draw that tests change and count: in every back end, in tasks and in workspaces of
+ * several sizes. */
+#ifndef COUNTED_DRAW_H
+#define COUNTED_DRAW_H
+
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "unit.h"
+
+enum { WIDTH = 24, HEIGHT = 20, MOST = 9000 };
+
+static uint32_t color[GN_SAMPLES * WIDTH * HEIGHT], depth[GN_SAMPLES * WIDTH * HEIGHT];
+static float position[MOST][4];
+static float extra[MOST][2]; /* a clip distance, a point's size */
+static uint16_t indices[MOST];
+
+static gn_target target;
+static gn_pipeline pipeline;
+static gn_mesh mesh;
+
+static inline void copy_vertices(const void *uniforms, const gn_vertex_input *input,
+                                 gn_vertex_output *output)
+{
+    (void)uniforms;
+    for (int l = 0; l < GN_LANES; ++l) {
+        for (int i = 0; i < 4; ++i)
+            output->position[i][l] = input->attribute[GN_ATTRIBUTE_POSITION][i][l];
+        if (pipeline.program.clip_distance_count > 0)
+            output->clip_distance[0][l] = input->attribute[GN_ATTRIBUTE_TEXCOORD][0][l];
+        if (output->point_size)
+            output->point_size[l] = input->attribute[GN_ATTRIBUTE_TEXCOORD][1][l];
+    }
+}
+
+static inline void shade_white(const void *uniforms, const gn_fragment_input *input,
+                               gn_fragment_output *output)
+{
+    (void)uniforms;
+    (void)input;
+    for (int channel = 0; channel < 4; ++channel)
+        for (int l = 0; l < GN_LANES; ++l)
+            output->color[channel][l] = 1.0f;
+}
+
+/* A pipeline in its initial state, and a mesh of `count` vertices of `position`. */
+static inline void reset(gn_topology topology, uint32_t count, uint32_t samples)
+{
+    memset(&target, 0, sizeof target);
+    memset(&pipeline, 0, sizeof pipeline);
+    memset(&mesh, 0, sizeof mesh);
+    target.color[0] = gn_surface_bottom_up(color, GN_FORMAT_RGBA8, WIDTH, HEIGHT);
+    target.depth = gn_surface_bottom_up(depth, GN_FORMAT_D24, WIDTH, HEIGHT);
+    if (samples > 1) {
+        target.color[0] = gn_surface_multisampled(&target.color[0]);
+        target.depth = gn_surface_multisampled(&target.depth);
+    }
+    pipeline.program.vertex_shader = copy_vertices;
+    pipeline.program.fragment_shader = shade_white;
+    pipeline.raster.topology = topology;
+    mesh.attribute[GN_ATTRIBUTE_POSITION].data = position[0];
+    mesh.attribute[GN_ATTRIBUTE_POSITION].components = 4;
+    mesh.attribute[GN_ATTRIBUTE_TEXCOORD].data = extra[0];
+    mesh.attribute[GN_ATTRIBUTE_TEXCOORD].components = 2;
+    mesh.vertex_count = count;
+    mesh.count = count;
+}
+
+static inline void clear(void)
+{
+    assert_int_equal(gn_clear_color(&target.color[0], 0, 0, 0, 0), GN_OK);
+    assert_int_equal(gn_clear_depth(&target.depth, 1.0f), GN_OK);
+}
+
+/* Runs tasks from the last to the first. */
+static inline void run_backwards(void *user, gn_task *task, void *context, uint32_t count)
+{
+    (void)user;
+    while (count > 0)
+        task(context, --count);
+}
+
+static inline void expect_equal(const gn_draw_statistics *a, const gn_draw_statistics *b, int line,
+                                const char *what)
+{
+    const uint64_t *const x = (const uint64_t *)(const void *)a;
+    const uint64_t *const y = (const uint64_t *)(const void *)b;
+
+    for (size_t i = 0; i < sizeof *a / sizeof *x; ++i)
+        if (x[i] != y[i])
+            fail_msg("line %d, %s: count %d is %llu, not %llu", line, what, (int)i,
+                     (unsigned long long)x[i], (unsigned long long)y[i]);
+}
+
+static inline void expect_sound(const gn_draw_statistics *n)
+{
+    assert_int_equal(n->primitives, n->not_finite + n->outside + n->without_area + n->culled +
+                                        n->missed + n->drawn);
+    assert_true(n->behind <= n->outside);
+    assert_true(n->clipped <= n->drawn);
+    assert_true(n->samples_passed <= n->samples_covered);
+}
+
+/* Draws with every back end, on the calling thread and in tasks, in the least workspace and in a
+ * large one. Expects equal counts, which are added to those that are there. */
+static inline gn_draw_statistics count_draw(void)
+{
+    const uint32_t varyings = pipeline.program.clip_distance_count;
+    const size_t sizes[] = {gn_workspace_size(0, varyings), gn_workspace_size(MOST, varyings),
+                            gn_workspace_size_parallel(MOST, MOST, varyings)};
+    void *const memory = malloc(sizes[2]);
+    gn_draw_statistics first = {0};
+    bool is_first = true;
+
+    assert_non_null(memory);
+    for (int b = GN_BACKEND_AUTO; b < GN_BACKEND_COUNT; ++b) {
+        for (int way = 0; way < 6 && gn_backend_available((gn_backend)b); ++way) {
+            gn_draw_statistics counts = {.primitives = 5, .culled = 7, .samples_passed = 11};
+            const gn_draw_statistics before = counts;
+            uint64_t passed = 3;
+            gn_workspace workspace = {.memory = memory,
+                                      .size = sizes[way % 3],
+                                      .backend = (gn_backend)b,
+                                      .parallel = way < 3 ? NULL : run_backwards,
+                                      .samples_passed = way % 2 ? &passed : NULL,
+                                      .statistics = &counts};
+            clear();
+            assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+            counts.primitives -= before.primitives;
+            counts.culled -= before.culled;
+            counts.samples_passed -= before.samples_passed;
+            expect_sound(&counts);
+            assert_int_equal(passed, way % 2 ? 3 + counts.samples_passed : 3);
+            if (is_first)
+                first = counts;
+            expect_equal(&counts, &first, __LINE__, gn_backend_name((gn_backend)b));
+            is_first = false;
+        }
+    }
+    free(memory);
+    return first;
+}
+
+/* Sets a vertex at a place in the target, in pixels, in front of the eye. */
+static inline void place(uint32_t vertex, float x, float y)
+{
+    const float at[4] = {x * 2.0f / WIDTH - 1.0f, y * 2.0f / HEIGHT - 1.0f, 0.0f, 1.0f};
+
+    memcpy(position[vertex], at, sizeof at);
+}
+
+static inline void multiply(uint32_t vertex, float factor)
+{
+    for (int i = 0; i < 4; ++i)
+        position[vertex][i] *= factor;
+}
+
+#endif
