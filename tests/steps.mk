@@ -91,6 +91,7 @@ test-steps:
 		'command, hostile files=$(BUILD)/test_hostile_files $(BUILD)/gnomon' \
 		'command, odd models=$(BUILD)/test_odd_models $(BUILD)/gnomon' \
 		'command, outputs=$(BUILD)/test_outputs $(BUILD)/gnomon' \
+		'command, counts=$(BUILD)/test_counts $(BUILD)/gnomon' \
 		'command, formats=$(BUILD)/test_model_formats $(BUILD)/gnomon' \
 		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \
 		'command, shaders=$(BUILD)/test_shading_command $(BUILD)/gnomon' \

@@ -5,6 +5,7 @@
 
 #include "command.h"
 #include "comparison.h"
+#include "counts.h"
 #include "output.h"
 #include "picture.h"
 #include "report.h"
@@ -58,6 +59,8 @@ static int compare(const options *o, const char *output_path)
         fault = comparison_write_triptych(&c, output_path);
     if (fault == 0)
         comparison_name_triptych(words, output_path);
+    if (fault == 0)
+        fault = counts_report(words, output_path, o->statistics, p.scene, o->backend, &c.ours);
     if (fault == 0 && c.difference.pixels + c.samples.pixels + c.shadow_texels > 0)
         fault = EXIT_FAULT;
     comparison_free(&c);

@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "comparison.h"
+#include "counts.h"
 #include "look.h"
 #include "output.h"
 #include "picture.h"
@@ -31,7 +32,7 @@ static const char usage[] =
     "  --shader NAME           a ready-made shader (gnomon render --help lists them), with maps\n"
     "                          made for the teapot; default: Gouraud without maps\n"
     "  --normal-map KIND       tangent, world or none; default: tangent\n"
-    "  --filter, --shadows, --exponent, --bands    as for gnomon render\n";
+    "  --filter, --shadows, --exponent, --bands, --statistics    as for gnomon render\n";
 
 static const float background[4] = {0.933f, 0.925f, 0.906f, 1.0f};
 static const model_shine shine = {{0.45f, 0.45f, 0.45f}, 40};
@@ -218,6 +219,8 @@ int command_demo(int argc, char **argv)
         comparison_name_triptych(words, o.output);
     if (fault == 0 && o.picture_output != NULL)
         fault = comparison_write_picture(&c, o.picture_output);
+    if (fault == 0)
+        fault = counts_report(words, o.output, o.statistics, p.scene, GN_BACKEND_AUTO, &c.ours);
     if (fault == 0 && c.difference.pixels + c.samples.pixels + c.shadow_texels > 0)
         fault = EXIT_FAULT;
     comparison_free(&c);

@@ -39,6 +39,7 @@ enum {
     OPTION_TESSELLATION,
     OPTION_WIREFRAME,
     OPTION_SAMPLES,
+    OPTION_STATISTICS,
     OPTION_NORMAL_MAP,
     OPTION_SPECULAR_MAP,
     OPTION_GLOW_MAP,
@@ -83,6 +84,7 @@ static const struct {
     {"backend", true, OPTION_BACKEND, MODEL_COMMANDS},
     {"wireframe", false, OPTION_WIREFRAME, MODEL_COMMANDS},
     {"samples", true, OPTION_SAMPLES, ALL_COMMANDS},
+    {"statistics", false, OPTION_STATISTICS, ALL_COMMANDS},
     {"depth", true, OPTION_DEPTH, COMMAND_RENDER},
     {"picture", true, OPTION_PICTURE, COMMAND_DEMO},
     {"tessellation", true, OPTION_TESSELLATION, COMMAND_DEMO},
@@ -305,6 +307,9 @@ static const char *take_value(int option, const char *text, options *o)
         return parse_within(text, 2, 256, &o->bands) ? NULL : "a whole number, 2 to 256";
     case OPTION_WIREFRAME:
         o->wireframe = true;
+        return NULL;
+    case OPTION_STATISTICS:
+        o->statistics = true;
         return NULL;
     case OPTION_SIZE:
         return parse_size(text, &o->width, &o->height) ? NULL : "WIDTHxHEIGHT, as in 800x600";

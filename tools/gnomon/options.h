@@ -55,6 +55,7 @@ typedef struct options {
     uint32_t exponent; /* exponent of highlights; 0: the material's */
     uint32_t bands;    /* of the toon shader; 0: the shader's default */
     bool wireframe;
+    bool statistics; /* counts of what became of the triangles are printed */
     camera_options camera;
     float background[4];
     bool light_given;

@@ -6,6 +6,7 @@
 #include <gnomon.h>
 
 #include "command.h"
+#include "counts.h"
 #include "output.h"
 #include "picture.h"
 #include "png_write.h"
@@ -135,6 +136,8 @@ int command_render(int argc, char **argv)
         fault = write_files(&o, &frame);
     if (fault == 0)
         picture_print_summary(words, o.output, &p);
+    if (fault == 0)
+        fault = counts_report(words, o.output, o.statistics, p.scene, o.backend, &frame);
     scene_frame_free(&frame);
     picture_free(&p);
     return fault == 0 ? finish_output(0) : fault;

@@ -1,0 +1,112 @@
+/* What became of triangles: the counts of --statistics, and the warning when nothing is drawn. */
+#include "runner.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* The line of `name` in the counts that a run printed; fails if it has another number. */
+static void expect_count(const char *printed, const char *name, unsigned count)
+{
+    const char *const line = strstr(printed, name);
+    unsigned found;
+
+    if (line == NULL || sscanf(line + strlen(name), "%u", &found) != 1 || found != count)
+        fail_msg("not %s %u in:\n%s", name, count, printed);
+}
+
+static void counts_are_printed(void **state)
+{
+    (void)state;
+    write_text("square.obj", square_obj);
+    run r = gnomon("render square.obj -o a.png --size 16x16 " FRONT);
+    assert_int_equal(r.status, 0);
+    assert_null(strstr(r.out, "covered"));
+    r = gnomon("render square.obj -o b.png --size 16x16 --statistics " FRONT);
+    assert_int_equal(r.status, 0);
+    assert_string_equal(r.error, "");
+    expect_count(r.out, "\ntriangles", 2);
+    expect_count(r.out, "\n  drawn", 2);
+    expect_count(r.out, "of these clipped:", 0);
+    expect_count(r.out, "\n  outside the view", 0);
+    expect_count(r.out, "\npixels covered", 256);
+    expect_count(r.out, "\n  passed the depth test", 256);
+    r = shell("cmp a.png b.png"); /* draws that count draw the same */
+    assert_int_equal(r.status, 0);
+    r = gnomon("render square.obj -o c.png --size 16x16 --samples 4 --statistics " FRONT);
+    expect_count(r.out, "\nsamples covered", 1024);
+    r = gnomon("render square.obj -o c.png --size 16x16 --statistics --eye 0,0,5 --target 0,0,0 "
+               "--orthographic 1");
+    expect_count(r.out, "of these clipped:", 2);
+    /* Where the picture goes to standard output, they go with the other words. */
+    r = shell("\"$GNOMON\" render square.obj --size 16x16 --statistics " FRONT
+              " -o - >s.png && cmp s.png a.png");
+    assert_int_equal(r.status, 0);
+    expect_count(r.error, "\npixels covered", 256);
+    r = gnomon("compare square.obj --size 16x16 --statistics -o d.png " FRONT);
+    assert_int_equal(r.status, 0);
+    expect_count(r.out, "\npixels covered", 256);
+    r = gnomon("demo --size 32x24 --statistics -o d.png");
+    assert_int_equal(r.status, 0);
+    assert_non_null(strstr(r.out, "\n  outside the view"));
+}
+
+/* Renders and expects a picture, status 0 and one line on standard error, that holds `why`. */
+static void expect_nothing(const char *arguments, const char *why)
+{
+    char wanted[256];
+    remove_file("n.png");
+    const run r = gnomon("render %s -o n.png --size 16x16", arguments);
+
+    snprintf(wanted, sizeof wanted, "gnomon: n.png: warning: nothing was drawn: %s\n", why);
+    if (r.status != 0 || strcmp(r.error, wanted) != 0 || !exists("n.png"))
+        fail_msg("%s: status %d, %s", arguments, r.status, r.error);
+}
+
+static void nothing_drawn_has_a_reason(void **state)
+{
+    (void)state;
+    write_text("square.obj", square_obj);
+    write_text("triangle.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nf 1 2 3\n");
+    write_text("two.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nf 1 2 3\n"
+                          "v -1 -1 99\nv 1 -1 99\nv 1 1 99\nf 4 5 6\n");
+    expect_nothing("square.obj --eye 0,0,5 --target 0,0,10",
+                   "all 2 triangles lie behind the camera");
+    expect_nothing("triangle.obj --eye 0,0,5 --target 0,0,10",
+                   "the only triangle lies behind the camera");
+    expect_nothing("square.obj --eye 0,0,5 --target 0,0,10 --statistics",
+                   "all 2 triangles lie behind the camera");
+    expect_nothing("square.obj --samples 4 --eye 0,0,5 --target 5,0,5",
+                   "all 2 triangles lie outside the view volume");
+    expect_nothing("square.obj --eye 5,0,0 --target 0,0,0",
+                   "all 2 triangles have no area in this view");
+    expect_nothing("two.obj --eye 0,0,50 --target 30,0,49",
+                   "of 2 triangles 1 lies behind the camera, 1 lies outside the view volume");
+    const run r = gnomon("compare square.obj -o e.png --size 16x16 --eye 0,0,5 --target 0,0,10");
+    assert_int_equal(r.status, 0);
+    assert_non_null(strstr(r.error, "gnomon: e.png: warning: nothing was drawn: all 2 triangles"));
+}
+
+/* What covers the background's colour with the same colour is drawn. */
+static void what_cannot_be_seen_is_drawn(void **state)
+{
+    (void)state;
+    write_text("white.obj", "v -1 -1 0 1 1 1\nv 1 -1 0 1 1 1\nv 1 1 0 1 1 1\nf 1 2 3\n");
+    const run r = gnomon("render white.obj -o w.png --size 16x16 --shader vertex-color "
+                         "--background ffffff " FRONT);
+
+    assert_int_equal(r.status, 0);
+    assert_string_equal(r.error, "");
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(counts_are_printed),
+        cmocka_unit_test(nothing_drawn_has_a_reason),
+        cmocka_unit_test(what_cannot_be_seen_is_drawn),
+    };
+    runner_start(argc, argv);
+    int failed = cmocka_run_group_tests_name("command, counts", tests, NULL, NULL);
+    runner_end();
+    return failed != 0;
+}
