@@ -24,20 +24,6 @@ static void fill_shading(const gn_pipeline *pipeline, shading_functions *out)
 }
 #endif
 
-/* Calls gn_shading_<name> and gn_run_<name> of the back end. Calls, not a choice of function: some
- * compilers make a table of that, to be relocated. */
-static gn_status run_on(gn_backend backend, draw_job *job)
-{
-#define RUN_ON(name, NAME)                                                                         \
-    if (backend == GN_BACKEND_##NAME) {                                                            \
-        FILL_SHADING(name, job);                                                                   \
-        return gn_run_##name(job);                                                                 \
-    }
-    GN_COMPILED_BACKENDS(RUN_ON)
-#undef RUN_ON
-    return GN_BACKEND_UNAVAILABLE;
-}
-
 gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
                   gn_workspace *workspace)
 {
@@ -50,5 +36,14 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
     const gn_backend backend =
         workspace->backend == GN_BACKEND_AUTO ? gn_backend_best() : workspace->backend;
 
-    return run_on(backend, &job);
+    /* Calls gn_shading_<name> and gn_run_<name> of the back end. Calls, not a choice of function:
+     * some compilers make a table of that, to be relocated. */
+#define RUN_ON(name, NAME)                                                                         \
+    if (backend == GN_BACKEND_##NAME) {                                                            \
+        FILL_SHADING(name, &job);                                                                  \
+        return gn_run_##name(&job);                                                                \
+    }
+    GN_COMPILED_BACKENDS(RUN_ON)
+#undef RUN_ON
+    return GN_BACKEND_UNAVAILABLE;
 }

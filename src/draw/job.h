@@ -3,7 +3,7 @@
  * The way from gn_draw to a pixel, for a triangle with vertex colours; files in the order in which
  * the way enters them:
  *
- *   backends/draw.c           gn_draw, run_on
+ *   backends/draw.c           gn_draw
  *   backends/avx2.c           gn_run_avx2, or another back end's
  *   draw/mesh.h               draw_mesh, draw_slice, draw_segment
  *   draw/vertices.h           shade_slots, store_vertices
@@ -14,7 +14,7 @@
  *   geometry/assemble.h       assemble_triangles
  *   draw/triangles.h          add_group
  *   raster/cull.h             cull_triangles
- *   draw/list.h               append_triangle, finish_list
+ *   draw/list.h               append_triangle, finish_list, draw_list
  *   raster/setup.h            setup_triangles
  *   raster/coverage.h         cover_triangles
  *   raster/cover_small.h      cover_small

@@ -9,41 +9,39 @@
 #include "../raster/setup_points_and_lines.h"
 #include "worker.h"
 
-/* Sets up the worker's list of points or lines. */
-static inline void setup_boxes(worker *w)
+/* Sets up a list of points or lines. */
+static inline void setup_boxes(worker *w, const triangle_list *list)
 {
     const gn_pipeline *const pipeline = w->draw->pipeline;
     const unsigned char *const memory = w->draw->job->memory;
 
-    setup_box_identities(w->kind, w->list, w->setup);
+    setup_box_identities(w->kind, list, w->setup);
     if (w->kind == KIND_POINT)
-        setup_points(&w->cull.box, pipeline, memory, w->list, w->setup);
+        setup_points(&w->cull.box, pipeline, memory, list, w->setup);
     else
-        setup_lines(&w->cull.box, pipeline, memory, w->list, w->setup);
+        setup_lines(&w->cull.box, pipeline, memory, list, w->setup);
 }
 
 /* Draws a list of points or lines. */
-GN_OUT_OF_LINE void draw_boxes(worker *w, const void *context)
+GN_OUT_OF_LINE void draw_boxes(worker *w, const triangle_list *list, const void *context)
 {
     run_function *const squares = w->draw->shade.squares;
 
-    setup_boxes(w);
-    for (uint32_t l = 0; l < w->list->count; ++l) {
+    setup_boxes(w, list);
+    for (uint32_t l = 0; l < list->count; ++l)
         if (w->kind == KIND_POINT)
-            cover_point(w->setup, w->list, l, squares, context);
+            cover_point(w->setup, list, l, squares, context);
         else
-            cover_line(w->setup, w->list, l, squares, context);
-    }
+            cover_line(w->setup, list, l, squares, context);
 }
 
 /* Draws a list of points or lines to a multisampled target. */
-GN_OUT_OF_LINE void draw_sampled_boxes(worker *w, const void *context)
+GN_OUT_OF_LINE void draw_sampled_boxes(worker *w, const triangle_list *list, const void *context)
 {
     const box_state *const state = &w->cull.box;
     unsigned char *const memory = w->draw->job->memory;
-    const triangle_list *const list = w->list;
 
-    setup_boxes(w);
+    setup_boxes(w, list);
     for (uint32_t l = 0; l < list->count; ++l) {
         const raster_triangle triangle = {&w->setup->plane[0][0][l]};
         const stored_vertex *const first = vertex_at(memory, list->vertex[0][l]);
@@ -58,30 +56,44 @@ GN_OUT_OF_LINE void draw_sampled_boxes(worker *w, const void *context)
 }
 
 /* Draws a list to a multisampled target. */
-GN_OUT_OF_LINE void draw_sampled(worker *w)
+GN_OUT_OF_LINE void draw_sampled(worker *w, const triangle_list *list)
 {
     const draw_state *draw = w->draw;
     const counted_state context = {draw->fragment, &w->samples};
 
     if (w->kind != KIND_TRIANGLE) {
-        draw_sampled_boxes(w, &context);
+        draw_sampled_boxes(w, list, &context);
         return;
     }
     setup_triangles(draw->pipeline, &draw->offset, draw->center, &w->cull.target, draw->job->memory,
-                    w->list, w->setup);
-    for (uint32_t l = 0; l < w->list->count; ++l)
-        cover_samples(&w->cull.target, w->setup, w->list, l, shade_sampled_square, &context);
+                    list, w->setup);
+    for (uint32_t l = 0; l < list->count; ++l)
+        cover_samples(&w->cull.target, w->setup, list, l, shade_sampled_square, &context);
 }
 
-/* Draws the list and starts it again. A worker that keeps lists calls this for full lists alone:
- * the list is kept and the next one in memory is started. */
-static void finish_list(worker *w)
+/* Draws the primitives of a list. Precondition: all lanes of the list are filled (fill_list). */
+static void draw_list(worker *w, const triangle_list *list)
 {
     const draw_state *draw = w->draw;
     const counted_state counted = {draw->fragment, &w->samples};
     const void *const context =
         counts_samples(draw->job) ? (const void *)&counted : (const void *)draw->fragment;
 
+    if (GN_HAVE_SAMPLES && draw->is_sampled) {
+        draw_sampled(w, list);
+    } else if (GN_HAVE_LINES && w->kind != KIND_TRIANGLE) {
+        draw_boxes(w, list, context);
+    } else {
+        setup_triangles(draw->pipeline, &draw->offset, 0.5f, &w->cull.target, draw->job->memory,
+                        list, w->setup);
+        cover_triangles(&w->cull.target, w->setup, list, &draw->shade, context);
+    }
+}
+
+/* Draws the worker's list and starts it again. A worker that keeps lists calls this for full lists
+ * alone: the list is kept and the next one in memory is started. */
+static void finish_list(worker *w)
+{
     if (w->keeps) {
         start_list(++w->list);
         return;
@@ -89,15 +101,7 @@ static void finish_list(worker *w)
     if (w->list->count == 0)
         return;
     fill_list(w->list);
-    if (GN_HAVE_SAMPLES && draw->is_sampled) {
-        draw_sampled(w);
-    } else if (GN_HAVE_LINES && w->kind != KIND_TRIANGLE) {
-        draw_boxes(w, context);
-    } else {
-        setup_triangles(draw->pipeline, &draw->offset, 0.5f, &w->cull.target, draw->job->memory,
-                        w->list, w->setup);
-        cover_triangles(&w->cull.target, w->setup, w->list, &draw->shade, context);
-    }
+    draw_list(w, w->list);
     start_list(w->list);
 }
 

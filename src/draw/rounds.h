@@ -330,8 +330,7 @@ static void add_list(worker *w, const triangle_list *from, bool lies_inside)
 
     if (lies_inside && from->count == GN_LANES && !from->clipped) {
         finish_list(w);
-        *w->list = *from;
-        finish_list(w);
+        draw_list(w, from);
         return;
     }
     for (uint32_t bits = lanes_in_strip(strip, bounds[BOUNDS_MIN_Y], bounds[BOUNDS_MAX_Y]) &
