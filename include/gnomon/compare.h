@@ -1,5 +1,5 @@
-/* Comparisons: one enumeration for the depth test, the stencil test and depth textures. Each of
- * the three names its two sides beside its field. */
+/* Comparisons: one enumeration for the depth test, the stencil test and depth textures. The comment
+ * at each field of this type says which two values are compared. */
 #ifndef GNOMON_COMPARE_H
 #define GNOMON_COMPARE_H
 

@@ -42,9 +42,9 @@
  *     .range                         DepthRange                       0 to 1
  *   stencil
  *     .test                          STENCIL_TEST                     off
- *     .front, .back                  StencilFuncSeparate and the      GN_COMPARE_DEFAULT, which is
- *                                    like, FRONT and BACK             GN_ALWAYS; reference 0, all
- *                                                                     bits; GN_STENCIL_KEEP
+ *     .front, .back                  StencilFuncSeparate,             GN_COMPARE_DEFAULT, which is
+ *                                    ..OpSeparate, ..MaskSeparate:    GN_ALWAYS; reference 0, all
+ *                                    FRONT and BACK                   bits; GN_STENCIL_KEEP
  *   color
  *     .write_disabled[i]             not ColorMaski                   every channel is written
  *     .blend[i].enabled              Enablei of BLEND                 off
@@ -58,11 +58,12 @@
  *     .alpha_to_coverage             SAMPLE_ALPHA_TO_COVERAGE         off
  *     .alpha_to_one                  SAMPLE_ALPHA_TO_ONE              off
  *
- * What OpenGL writes at first is negated here, since zero is the default: every such field ends in
- * `_disabled`, and its set bits are not written or not compared.
+ * If OpenGL's default is to write or to compare, the field here is negated, since zero is the
+ * default. Every such field ends in `_disabled`, and its set bits are not written or not compared.
  *
- * As in OpenGL, depth is written only where the depth test is on, and stencil only where the
- * stencil test is on. A test passes where the target lacks what it tests. */
+ * As in OpenGL, depth is written only if the depth test is on, and stencil only if the stencil test
+ * is on. If the target has no depth, the depth test passes; if it has no stencil, the stencil test
+ * passes. */
 #ifndef GNOMON_PIPELINE_H
 #define GNOMON_PIPELINE_H
 
@@ -72,19 +73,18 @@
 #include "sampling.h"
 #include "surface.h"
 
-/* Scalar varyings a vertex shader may hand to the fragment shader. */
+/* The most scalar varyings that a vertex shader may pass to the fragment shader. */
 #define GN_MAX_VARYINGS 32
 
-/* Distances to planes of the user's that a vertex shader may write. */
+/* The most distances to the user's clip planes that a vertex shader may write. */
 #define GN_MAX_CLIP_DISTANCES 8
 
-/* Vertex attributes of up to four components each. */
+/* The most vertex attributes, each of up to four components. */
 #define GN_MAX_ATTRIBUTES 8
 
-/* Triangles are listed as OpenGL lists them (4.5 section 10.1): triangle i of a
- * strip is (i, i+1, i+2) for even i and (i+1, i, i+2) for odd i, of a fan
- * (0, i+1, i+2). Line i of a strip is (i, i+1), of a loop too, and the loop's last line goes
- * from the last vertex to the first. */
+/* Vertices form primitives as in OpenGL (4.5 section 10.1). Triangle i of a strip is (i, i+1, i+2)
+ * for even i and (i+1, i, i+2) for odd i. Triangle i of a fan is (0, i+1, i+2). Line i of a strip
+ * or a loop is (i, i+1), and the last line of a loop goes from the last vertex to the first. */
 typedef enum gn_topology {
     GN_TRIANGLES = 0,
     GN_TRIANGLE_STRIP,
@@ -95,10 +95,10 @@ typedef enum gn_topology {
     GN_LINE_LOOP
 } gn_topology;
 
-/* The greatest size of a point and width of a line, in pixels. Greater ones are drawn at
- * it, lesser ones than 1 at 1. A point's size is rounded to 1/256 pixel. A line's width is rounded
- * to whole pixels, halves up, where a pixel has one sample. Among several samples it is not
- * rounded: the line is a rectangle of that width, whose sides run along and across it. */
+/* The largest size of a point and width of a line, in pixels. Larger values are drawn as these, and
+ * values below 1 as 1. A point's size is rounded to 1/256 pixel. If a pixel has one sample, a
+ * line's width is rounded to whole pixels, halves up. If it has several, the width is not rounded:
+ * the line is a rectangle of that width, whose sides run along and across it. */
 #define GN_MAX_POINT_SIZE 255
 #define GN_MAX_LINE_WIDTH 255
 
@@ -130,9 +130,9 @@ typedef enum gn_channel {
     GN_CHANNEL_ALL = 15
 } gn_channel;
 
-/* What a colour is multiplied by in blending (OpenGL 4.5 table 17.2). */
+/* The factor that blending multiplies a colour by (OpenGL 4.5 table 17.2). */
 typedef enum gn_blend_factor {
-    GN_FACTOR_DEFAULT = 0, /* the source's: one; the destination's: zero; of alpha: the colour's */
+    GN_FACTOR_DEFAULT = 0, /* source: one; destination: zero; for alpha: the colour's factor */
     GN_FACTOR_ZERO,
     GN_FACTOR_ONE,
     GN_FACTOR_SOURCE_COLOR,
@@ -147,32 +147,33 @@ typedef enum gn_blend_factor {
     GN_FACTOR_ONE_MINUS_CONSTANT_COLOR,
     GN_FACTOR_CONSTANT_ALPHA,
     GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA,
-    GN_FACTOR_SOURCE_ALPHA_SATURATE /* min(source alpha, 1 - destination alpha); of alpha: one */
+    GN_FACTOR_SOURCE_ALPHA_SATURATE /* min(source alpha, 1 - destination alpha); for alpha: one */
 } gn_blend_factor;
 
-/* How source and destination, times their factors, become one (table 17.1). */
+/* How source and destination, each times its factor, are combined (table 17.1). */
 typedef enum gn_blend_equation {
-    GN_EQUATION_DEFAULT = 0, /* GN_EQUATION_ADD; of alpha: the colour's */
+    GN_EQUATION_DEFAULT = 0, /* GN_EQUATION_ADD; for alpha: the colour's equation */
     GN_EQUATION_ADD,
     GN_EQUATION_SUBTRACT,         /* source - destination */
     GN_EQUATION_REVERSE_SUBTRACT, /* destination - source */
-    GN_EQUATION_MIN,              /* of the two themselves, without factors */
+    GN_EQUATION_MIN,              /* of the two colours, without factors */
     GN_EQUATION_MAX
 } gn_blend_equation;
 
-/* Blending: a fragment's colour, the source, with the surface's, the destination. Alpha goes
- * by the three members of its own, where they are not zero. In formats of fractions the source and
- * the constant are converted first, to 8 bits or 16, and results saturate; GN_FORMAT_SRGB8_A8 is
- * blended as linear floats within 0 to 1. Where the surface has no alpha, its alpha is one. */
+/* Blends a fragment's colour, the source, with the surface's colour, the destination. For alpha,
+ * each of the three alpha members applies unless it is 0, which means the colour's. In formats of
+ * fractions the source and the constant are first converted to 8 or 16 bits per channel, and
+ * results saturate. GN_FORMAT_SRGB8_A8 is blended as linear floats within 0 to 1. If the surface
+ * has no alpha, the destination's alpha is one. */
 typedef struct gn_blend {
-    bool enabled; /* false: the other fields do not matter */
+    bool enabled; /* false: the other fields are ignored */
     gn_blend_equation equation;
     gn_blend_factor source, destination;
     gn_blend_equation alpha_equation;
     gn_blend_factor alpha_source, alpha_destination;
 } gn_blend;
 
-/* What becomes of the bits s of a fragment's colour and d of the surface's (OpenGL 4.5
+/* How the bits s of a fragment's colour and d of the surface's colour are combined (OpenGL 4.5
  * section 17.3.9). */
 typedef enum gn_logic_operation {
     GN_LOGIC_COPY = 0,      /* s */
@@ -196,7 +197,7 @@ typedef enum gn_logic_operation {
 typedef enum gn_stencil_operation {
     GN_STENCIL_KEEP = 0,
     GN_STENCIL_ZERO,
-    GN_STENCIL_REPLACE,   /* by the reference */
+    GN_STENCIL_REPLACE,   /* with the reference */
     GN_STENCIL_INCREMENT, /* up to 255 */
     GN_STENCIL_DECREMENT, /* down to 0 */
     GN_STENCIL_INVERT,
@@ -207,8 +208,8 @@ typedef enum gn_stencil_operation {
 typedef struct gn_stencil_face {
     gn_compare function; /* passes where `reference FUNCTION stored stencil` holds */
     uint8_t reference;
-    uint8_t compare_disabled;  /* bits that both sides of the test lack: not StencilFunc's mask */
-    uint8_t write_disabled;    /* bits that stay as they are: not StencilMask */
+    uint8_t compare_disabled;  /* bits ignored on both sides of the test: ~ of StencilFunc's mask */
+    uint8_t write_disabled;    /* bits that keep their values: ~ of StencilMask */
     gn_stencil_operation fail; /* applied where the stencil test fails */
     gn_stencil_operation depth_fail; /* where the stencil test passes and the depth test fails */
     gn_stencil_operation pass;       /* where both tests pass */
@@ -222,15 +223,15 @@ typedef enum gn_interpolation {
 } gn_interpolation;
 
 typedef struct gn_viewport {
-    bool set; /* false: the whole target, the other fields are not looked at */
+    bool set; /* false: the whole target, and the other fields are ignored */
     float x, y;
     float width, height;
 } gn_viewport;
 
-/* Only pixels x to x + width - 1, y to y + height - 1 are drawn; of an empty rectangle, or
- * one beside the target, none. All values are valid. */
+/* Only pixels x to x + width - 1, y to y + height - 1 are drawn. If the rectangle is empty or
+ * beside the target, nothing is drawn. All values are valid. */
 typedef struct gn_scissor {
-    bool set; /* false: the whole target, the other fields are not looked at */
+    bool set; /* false: the whole target, and the other fields are ignored */
     int32_t x, y;
     uint32_t width, height;
 } gn_scissor;
@@ -242,28 +243,25 @@ typedef struct gn_depth_range {
     float z_far;  /* window depth of NDC z = 1, in 0..1 */
 } gn_depth_range;
 
-/* The depths in front of the eye that are drawn and mapped to the depth range:
- * -w <= z <= w or 0 <= z <= w. */
+/* The z in clip space that are drawn and mapped to the depth range: -w <= z <= w or 0 <= z <= w. */
 typedef enum gn_clip_depth { GN_NEGATIVE_ONE_TO_ONE = 0, GN_ZERO_TO_ONE } gn_clip_depth;
 
-/* Added to the depth of a triangle's fragments is slope * factor + step * units: slope is the
- * greater of |dz/dx| and |dz/dy|, step is 2 / (2^n - 1) for a format of n bits and for
- * GN_FORMAT_D32F 2^(e - 23), where e is the exponent of the triangle's largest |depth|. Triangles
- * drawn as lines or points have it too, in the depths of their vertices; other lines and points
- * have none. */
+/* Adds slope * factor + step * units to the depth of a triangle's fragments. slope is the greater
+ * of |dz/dx| and |dz/dy|. step is 2 / (2^n - 1) for a format of n bits; for GN_FORMAT_D32F it is
+ * 2^(e - 23), where e is the exponent of the triangle's largest |depth|. Triangles drawn as lines
+ * or points get the offset in the depths of their vertices. Other lines and points get none. */
 typedef struct gn_polygon_offset {
-    bool set; /* false: nothing is added, the other fields are not looked at */
+    bool set; /* false: nothing is added, and the other fields are ignored */
     float factor;
     float units;
     float clamp; /* above 0: the most that is added; below 0: the least */
 } gn_polygon_offset;
 
-/* The corner of a point where its coordinates are 0, 0. */
+/* The corner of a point's square where gl_PointCoord is 0, 0. */
 typedef enum gn_point_origin { GN_POINT_UPPER_LEFT = 0, GN_POINT_LOWER_LEFT } gn_point_origin;
 
-/* Input of a vertex shader: up to 16 vertices. Lanes beyond `count` repeat
- * the last of them, so that a shader may simply run over all GN_LANES; what it
- * gives there is not used. */
+/* Input of a vertex shader: up to 16 vertices. Lanes beyond `count` repeat the last vertex, so that
+ * a shader may run over all GN_LANES. What the shader computes in those lanes is not used. */
 typedef struct gn_vertex_input {
     const float (*attribute)[4][GN_LANES]; /* [attribute][component][lane] */
     const uint32_t *vertex_id;             /* [lane]: position in the mesh's arrays */
@@ -272,11 +270,12 @@ typedef struct gn_vertex_input {
     uint32_t present;                      /* bit a: the mesh has attribute a */
 } gn_vertex_input;
 
-/* Output of a vertex shader; the memory is the library's. Every lane comes with a value, which
- * stays where the shader writes nothing: position 0, 0, 0, 1, varyings 0, the pipeline's point_size
- * and clip distances 0, which clip nothing. A clip distance is linear over a triangle or line; the
- * part where it is negative is clipped away. A point with a clip distance that is negative, NaN or
- * infinite is not drawn, nor is a triangle with one that is NaN or infinite. */
+/* Output of a vertex shader; the memory is the library's. Every lane has a value beforehand, which
+ * stays if the shader does not write it: position 0, 0, 0, 1; varyings 0; the pipeline's
+ * point_size; clip distances 0, which clip nothing. A clip distance is linear over a triangle or
+ * line, and the part where it is negative is clipped away. A point with a clip distance that is
+ * negative, NaN or infinite is not drawn. A triangle with a clip distance that is NaN or infinite
+ * is not drawn. */
 typedef struct gn_vertex_output {
     float (*position)[GN_LANES];      /* [x, y, z, w][lane] in clip space */
     float (*varying)[GN_LANES];       /* [varying][lane], varying_count of them */
@@ -285,75 +284,79 @@ typedef struct gn_vertex_output {
 } gn_vertex_output;
 
 /* Input of a fragment shader: two halves of 4x2 fragments each, which may lie apart in their
- * primitive, lane l at pixel (x[l / 8] + l % 4, y[l / 8] + l / 4 % 2).
+ * primitive. Lane l is at pixel (x[l / 8] + l % 4, y[l / 8] + l / 4 % 2).
  *
- * Varyings hold values in every lane, also where a fragment is not covered, so that derivatives can
- * be taken in 2x2 quads. They are those of the pixel's centre (of lines among several samples, of
- * its upper right corner), also where the centre lies outside the triangle: in lanes that are not
- * covered, and where only some of several samples are. There the triangle's planes go on, so that a
- * varying may lie outside the range of its values at the vertices. A smooth varying is divided by
- * the interpolated 1/w, which may be 0 or negative beyond an edge: where it is 0, the varying is
- * infinite or NaN. GN_FLAT varyings are constant. A shader that needs a range must clamp. As a
- * colour, NaN is stored as 0 in formats of integers and as NaN in formats of floats; an infinity,
- * or a number beyond +-2^31 / 255, is stored as 0 in linear channels of up to 8 bits. In channels
- * of 16 bits and in sRGB minus infinity is 0 and plus infinity the largest value. Floats hold
- * infinities. */
+ * Varyings have values in every lane, covered or not, so that derivatives can be taken in 2x2
+ * quads. The values are those at the pixel's centre; for lines with several samples per pixel,
+ * those at its upper right corner. The centre may lie outside the triangle: in lanes that are not
+ * covered, and where only some of several samples are covered. There the triangle's planes are
+ * extended, so that a varying may lie outside the range of its values at the vertices. A smooth
+ * varying is divided by the interpolated 1/w, which may be 0 or negative beyond an edge; where it
+ * is 0, the varying is infinite or NaN. GN_FLAT varyings are constant. A shader that needs a range
+ * must clamp.
+ *
+ * A colour that is NaN is stored as 0 in formats of integers and as NaN in formats of floats. In
+ * linear formats of up to 8 bits per channel, an infinity or a number beyond +-2^31 / 255 is stored
+ * as 0. In formats of more bits and in sRGB, minus infinity is stored as 0 and plus infinity as the
+ * largest value. Floats hold infinities; floats without sign hold minus infinity as 0. */
 typedef struct gn_fragment_input {
     const float (*varying)[GN_LANES]; /* [varying][lane] */
     uint32_t coverage;                /* bit l: lane l is covered and passed early tests */
     int32_t x[2], y[2];               /* window coordinates of lanes 0 and 8, all even */
 
-    /* The functions of sampling.h in the form of the back end that runs the shader; the same
-     * results. */
+    /* The functions of sampling.h, in the form of the back end that runs the shader. Their results
+     * are equal. */
     const gn_sampling *sampling;
 
     bool front_facing; /* gl_FrontFacing, by front_face */
 
-    /* gl_PrimitiveID: the primitive's number in its instance, from 0 on, through restarts. 0
-     * without the pipeline's fragment_reads_primitive. */
+    /* gl_PrimitiveID: the primitive's number in its instance, from 0 on; restarts do not reset it.
+     * 0 if the pipeline's fragment_reads_primitive is off. */
     uint32_t primitive_id;
 
-    /* gl_FragCoord, [x, y, z, w][lane]: the pixel's centre in window coordinates, the
-     * interpolated depth with the polygon offset, before it is clamped, the interpolated 1/w. Null
-     * without the pipeline's fragment_reads_position. */
+    /* gl_FragCoord, [x, y, z, w][lane]: x and y of the pixel's centre in window coordinates; the
+     * interpolated depth with the polygon offset, before it is clamped; the interpolated 1/w. Null
+     * if the pipeline's fragment_reads_position is off. */
     const float (*position)[GN_LANES];
 
-    /* gl_PointCoord, [s, t][lane]: where in its point's square the pixel's centre lies, from 0
-     * to 1 (a pixel's width beyond, since positions and sizes are rounded), t from the side that
-     * point_origin says; 0, 0 in lines and filled triangles. Null without the pipeline's
-     * fragment_reads_point_coordinate. */
+    /* gl_PointCoord, [s, t][lane]: where the pixel's centre lies in the point's square, from 0 to
+     * 1, or up to a pixel's width beyond, since positions and sizes are rounded. t starts at the
+     * side that point_origin names. 0, 0 in lines and filled triangles. Null if the pipeline's
+     * fragment_reads_point_coordinate is off. */
     const float (*point_coordinate)[GN_LANES];
 
-    /* gl_SampleMaskIn, [lane]: bit s: sample s is covered and not in samples.write_disabled,
-     * whether or not it passes the tests. With one sample a pixel 1 in the lanes of `coverage`, 0
-     * in others. Null without the pipeline's fragment_reads_sample_mask. */
+    /* gl_SampleMaskIn, [lane]: bit s is set if sample s is covered and not in
+     * samples.write_disabled, whether or not it passes the tests. With one sample per pixel the
+     * mask is 1 in the lanes of `coverage` and 0 in the others. Null if the pipeline's
+     * fragment_reads_sample_mask is off. */
     const uint32_t *sample_mask;
 } gn_fragment_input;
 
-/* Output of a fragment shader: color[4 * attachment + channel][lane], red, green, blue, alpha, of
- * as many attachments as the pipeline's color_count says, whatever the target has. Every lane comes
- * as 0, which stays where the shader writes nothing. Lanes that are not covered are not used. */
+/* Output of a fragment shader: color[4 * attachment + channel][lane], with the channels red, green,
+ * blue, alpha, for as many attachments as the pipeline's color_count says, whatever the target has.
+ * Every lane is 0 beforehand, which stays if the shader does not write it. Lanes that are not
+ * covered are ignored. */
 typedef struct gn_fragment_output {
     float (*color)[GN_LANES];
 
-    /* Comes with every lane's bit set; the shader clears the bits of fragments it
-     * discards. Looked at only with fragment_discards. */
+    /* Every lane's bit is set beforehand. The shader clears the bits of fragments that it discards.
+     * Ignored without fragment_discards. */
     uint32_t kept;
 
-    /* gl_FragDepth, [lane], clamped to 0..1 afterwards (with depth.clamp to the depth range), NaN
-     * to the upper end, without polygon offset; comes with the interpolated depth. Null without
-     * fragment_writes_depth. */
+    /* gl_FragDepth, [lane]: beforehand the interpolated depth, without polygon offset, which is not
+     * added later either. Afterwards clamped to 0..1, or with depth.clamp to the depth range; NaN
+     * becomes the upper end. Null without fragment_writes_depth. */
     float *depth;
 
-    /* gl_SampleMask, [lane]; comes with every bit set; the shader clears the bits of samples that
-     * it discards. Not looked at where a pixel has one sample. Null without
+    /* gl_SampleMask, [lane]: every bit is set beforehand. The shader clears the bits of samples
+     * that it discards. Ignored if a pixel has one sample. Null without
      * fragment_writes_sample_mask. */
     uint32_t *sample_mask;
 } gn_fragment_output;
 
-/* Shaders are plain functions over 16 lanes; `uniforms` is the pipeline's
- * pointer, handed through. They may be called any number of times, with a workspace's
- * `parallel` on several threads at once, and must have no side effects. */
+/* Shaders are plain functions over 16 lanes. `uniforms` is the pipeline's pointer, passed through.
+ * A shader may be called any number of times, on several threads at once if the workspace has
+ * `parallel`, and must have no side effects. */
 typedef void gn_vertex_shader(const void *uniforms, const gn_vertex_input *input,
                               gn_vertex_output *output);
 typedef void gn_fragment_shader(const void *uniforms, const gn_fragment_input *input,
@@ -364,12 +367,12 @@ typedef void gn_fragment_shader(const void *uniforms, const gn_fragment_input *i
  * runs after them, on the fragments that passed. */
 typedef struct gn_program {
     gn_vertex_shader *vertex_shader;
-    gn_fragment_shader *fragment_shader; /* may be null where the target has no colour */
-    const void *uniforms;                /* handed to both shaders */
+    gn_fragment_shader *fragment_shader; /* may be null if the target has no colour */
+    const void *uniforms;                /* passed to both shaders */
     uint32_t varying_count;              /* scalars, 0 to GN_MAX_VARYINGS */
     gn_interpolation interpolation[GN_MAX_VARYINGS];
-    uint32_t color_count; /* colours that the fragment shader writes, 0 meaning 1; attachments from
-                             color_count on stay as they are */
+    uint32_t color_count; /* how many colours the fragment shader writes, 0 meaning 1; attachments
+                             from color_count on stay as they are */
     uint32_t clip_distance_count;  /* 0 to GN_MAX_CLIP_DISTANCES */
     bool vertex_writes_point_size; /* points have the size that the vertex shader writes */
     bool fragment_reads_position;
@@ -378,10 +381,10 @@ typedef struct gn_program {
     bool fragment_reads_sample_mask;
     bool fragment_discards;
     bool fragment_writes_depth;
-    bool fragment_writes_sample_mask; /* without effect where a pixel has one sample */
+    bool fragment_writes_sample_mask; /* no effect if a pixel has one sample */
 } gn_program;
 
-/* Which primitives are made of the vertices, and which pixels they cover. */
+/* Which primitives the vertices form, and which pixels the primitives cover. */
 typedef struct gn_raster {
     gn_topology topology;
     gn_provoking_vertex provoking_vertex;
@@ -401,7 +404,7 @@ typedef struct gn_depth {
     bool test;
     gn_compare function; /* passes where `incoming depth FUNCTION stored depth` holds */
     bool write_disabled;
-    bool clamp; /* depth clips nothing; the depths of fragments are clamped to the range */
+    bool clamp; /* depth clips nothing; instead, fragments' depths are clamped to the range */
     gn_clip_depth clip_depth;
     gn_depth_range range;
 } gn_depth;
@@ -411,25 +414,25 @@ typedef struct gn_stencil {
     gn_stencil_face front, back;
 } gn_stencil;
 
-/* What becomes of the colours that the fragment shader writes, for each attachment. */
+/* What happens to the colours that the fragment shader writes, for each attachment. */
 typedef struct gn_color {
     uint32_t write_disabled[GN_MAX_COLORS]; /* GN_CHANNEL_RED and so on, or'ed */
     gn_blend blend[GN_MAX_COLORS];
     float blend_constant[4]; /* red, green, blue, alpha */
 
-    /* Where `logic` is set, nothing is blended. In formats of floats and sRGB the colour is then
-     * written as it is. */
+    /* If `logic` is set, nothing is blended, and formats of floats and sRGB store the colour as it
+     * is. */
     bool logic;
     gn_logic_operation logic_operation;
 } gn_color;
 
-/* Without effect on targets with one sample a pixel. The alpha is that of the shader's first
+/* No effect on targets with one sample per pixel. Alpha is the alpha of the shader's first
  * colour. */
 typedef struct gn_samples {
     uint32_t write_disabled; /* bit s: nothing is drawn to sample s */
-    bool alpha_to_coverage; /* draws sample s unless alpha <= s / 4; the fragment shader runs before
-                               the tests then */
-    bool alpha_to_one;      /* sets alpha to 1 afterwards */
+    bool alpha_to_coverage;  /* draws sample s unless alpha <= s / 4; the fragment shader then runs
+                                before the tests */
+    bool alpha_to_one;       /* then sets alpha to 1 */
 } gn_samples;
 
 typedef struct gn_pipeline {
@@ -443,8 +446,8 @@ typedef struct gn_pipeline {
 
 GN_BEGIN
 
-/* Returns the first fault of a pipeline, or GN_OK where gn_draw takes it. `target` is the target it
- * is to draw to; null leaves out the fault that depends on it. In the order of the checks:
+/* Returns the first fault of a pipeline, or GN_OK if gn_draw accepts it. `target` is the target to
+ * draw to; null leaves out the fault that depends on it. In the order of the checks:
  * - GN_NULL_POINTER: the pipeline.
  * - GN_NO_SHADER: no vertex shader; no fragment shader, but the target has colour, or the program
  *   discards or writes depth or a sample mask.
@@ -470,8 +473,8 @@ GN_BEGIN
  * - GN_NOT_COMPILED: a feature that a GN_BASIC library lacks. */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline, const gn_target *target);
 
-/* Returns the fault that gn_pipeline_check finds, in words that name the field, such as
- * "color.blend[0].source is no gn_blend_factor", in static storage; null where there is none. */
+/* Returns the fault of gn_pipeline_check in words that name the field, such as
+ * "color.blend[0].source is no gn_blend_factor", in static storage; null if there is no fault. */
 GN_API const char *gn_pipeline_fault(const gn_pipeline *pipeline, const gn_target *target);
 
 GN_END

@@ -1,6 +1,6 @@
 /* Shaders as C functions of one vertex and one fragment, with vectors as in GLSL. A macro wraps
  * such a function into the loop over lanes that a gn_pipeline takes. Everything is inline, and
- * compilers vectorise the loop at -O2 and above, without flags of its own.
+ * compilers vectorise the loop at -O2 and above, without further flags.
  *
  * Example 1, colours from vertex to vertex:
  *
@@ -15,9 +15,9 @@
  *
  *     GN_SHADERS(use_colors, void, colored, place, paint);
  *
- * use_colors(&pipeline, NULL) then makes a pipeline draw by them. A vertex function returns the
- * position in clip space and writes the varyings: a struct of floats and of vectors, as many as the
- * user likes. A fragment function reads the varyings, interpolated, and returns the colour.
+ * use_colors(&pipeline, NULL) then makes a pipeline draw with these functions. A vertex function
+ * returns the position in clip space and writes the varyings, a struct of floats and vectors of the
+ * user's choice. A fragment function reads the interpolated varyings and returns the colour.
  *
  * Example 2, a texture:
  *
@@ -44,9 +44,9 @@
  *     GN_TEXTURED_SHADERS(use_map, map_uniforms, mapped, map_vertex, 1, look_up, map_fragment);
  *
  * A texture's level of detail comes from the differences of coordinates between neighbouring
- * fragments, so that all fragments' coordinates must be known before one is sampled. That is why
- * look-ups are a function of their own, which runs first: it says where to sample, for one
- * fragment, and the fragment function finds the results in `texel`, in the same order.
+ * fragments, so the coordinates of all fragments must be known before any fragment is sampled. That
+ * is why look-ups are a function of their own, which runs first. For one fragment, it says where to
+ * sample; the fragment function finds the results in `texel`, in the same order.
  *
  * Example 3, light at every pixel (Phong 1975), from a point in the space of the eye:
  *
@@ -94,8 +94,9 @@
  *
  * End of the examples.
  *
- * Functions run for every lane, covered or not, and must have no side effects. What one uses beyond
- * varyings, texels and the returned colour is switched on in the program of the pipeline:
+ * Functions run for every lane, covered or not, and must have no side effects. Anything that they
+ * use beyond varyings, texels and the returned colour must be switched on in the pipeline's
+ * program, by the field on the right:
  *
  *   vertex->point_size                 vertex_writes_point_size
  *   vertex->clip_distance              clip_distance_count, and GN_VERTEX_SHADER
@@ -110,16 +111,17 @@
  *
  * The bits of the results, and what keeps gcc from vectorising, are stated in
  * gnomon/shader_vectors.h. Clang vectorises the same functions. A shader is as wide as the
- * instruction set its file is compiled for, for example by -mavx2. What needs several lanes at once
- * beside look-ups (gn_derivative_x; a look-up at a place that another look-up has found) is written
- * as a loop over lanes. */
+ * instruction set its file is compiled for, for example by -mavx2. Apart from such look-ups, a
+ * shader that needs several lanes at once must be written as a loop over lanes: for example for
+ * gn_derivative_x, or for a look-up at a place that another look-up has found. */
 #ifndef GNOMON_SHADER_FUNCTIONS_H
 #define GNOMON_SHADER_FUNCTIONS_H
 
 #include "shader_loop.h"
 
-/* Scalars of a struct of varyings: the pipeline's varying_count. The struct's floats are
- * the varyings from 0 on, in its order, of which interpolation[] may be set. */
+/* The number of scalars in a struct of varyings, for the pipeline's varying_count. The struct's
+ * floats are varyings 0, 1 and so on, in the struct's order; interpolation[] may be set for
+ * each. */
 #define GN_VARYING_COUNT(varyings) ((uint32_t)(sizeof(varyings) / sizeof(float)))
 
 /* Defines a function `static void use(gn_pipeline *pipeline, const uniforms *values)`, which sets a
@@ -137,7 +139,7 @@
     GN_FRAGMENT_SHADER(use##_fragments, uniforms_type, varyings_type, 1, fragment);                \
     GN_SHADER_USE_(use, uniforms_type, varyings_type)
 
-/* The same with textures.
+/* GN_SHADERS for a fragment function that samples textures.
  *
  *   textures   how many look-ups there are, 1 to GN_MAX_SHADER_TEXTURES, a constant
  *   look_up    void look_up(const uniforms *, const varyings *in, gn_texel_lookup *lookup), which
@@ -149,9 +151,10 @@
                                 look_up, fragment);                                                \
     GN_SHADER_USE_(use, uniforms_type, varyings_type)
 
-/* The shaders one by one, for a pipeline's vertex_shader and fragment_shader: each defines a static
- * function of that name, a gn_vertex_shader or a gn_fragment_shader. The pipeline's varying_count
- * must be GN_VARYING_COUNT(varyings_type) and its uniforms a pointer to `uniforms`.
+/* Each of these macros defines one shader, a static function called `name`: a gn_vertex_shader or a
+ * gn_fragment_shader, for a pipeline's vertex_shader or fragment_shader. The pipeline's
+ * varying_count must be GN_VARYING_COUNT(varyings_type) and its uniforms a pointer to
+ * uniforms_type.
  *
  *   clip_distances   the pipeline's clip_distance_count, a constant
  *   colors           the pipeline's color_count, from 1 on, a constant */
@@ -232,7 +235,7 @@
                          : -1];                                                                    \
     }
 
-/* The fragments of a block, one after the other, then their results. */
+/* Runs the fragments of a block one after the other, then stores their results. */
 #define GN_SHADER_FRAGMENTS_(uniforms_type, varyings_type, colors, textures, texels, fragment)     \
     float gn_rows[4 * (colors)][GN_LANES], gn_depths[GN_LANES];                                    \
     uint32_t gn_mask[GN_LANES], gn_discarded[GN_LANES], gn_any = 0;                                \

@@ -1,9 +1,9 @@
-/* What the macros of gnomon/shader_functions.h are made of: vertices and fragments taken out of
- * lanes one by one, and their results put back. Nothing here is for users.
+/* Parts of the macros of gnomon/shader_functions.h: they take vertices and fragments out of lanes
+ * one by one, and put their results back. Nothing here is for users.
  *
- * Counts are constants where the macros use these functions, and lists of steps stand here in the
- * place of loops: of a list only the steps that are needed remain, and the scalars of structs
- * become variables of the loop over lanes. Loops would be unrolled too late for that. */
+ * Lists of steps stand here in the place of loops. The macros pass constant counts, so that the
+ * compiler keeps only the steps that are needed and turns the scalars of structs into variables of
+ * the loop over lanes. It would unroll loops too late for that. */
 #ifndef GNOMON_SHADER_LOOP_H
 #define GNOMON_SHADER_LOOP_H
 
@@ -11,13 +11,13 @@
 
 #if defined(__GNUC__)
 #define GN_SHADER_INLINE_ static inline __attribute__((always_inline))
-#define GN_SHADER_WHOLE_ __attribute__((flatten)) /* all that the function calls is inlined */
+#define GN_SHADER_WHOLE_ __attribute__((flatten)) /* inlines every function that it calls */
 #else
 #define GN_SHADER_INLINE_ static inline
 #define GN_SHADER_WHOLE_
 #endif
 
-/* STEP(n) for the eight, or thirty-two, numbers n that begin with first, or with 0. */
+/* STEP(n) for eight numbers n from `first` on, or for 32 numbers from 0 on. */
 #define GN_SHADER_8_(STEP, first)                                                                  \
     STEP((first) + 0)                                                                              \
     STEP((first) + 1)                                                                              \
@@ -34,7 +34,8 @@
     GN_SHADER_8_(STEP, 16)                                                                         \
     GN_SHADER_8_(STEP, 24)
 
-/* Row n of up to GN_MAX_VARYINGS: a lane of it to scalar n, or from there. */
+/* Copies lane `lane` of row n to scalar n, for up to GN_MAX_VARYINGS rows. gn_shader_put_ copies
+ * from scalar n to the lane. */
 GN_SHADER_INLINE_ void gn_shader_take_(const float (*rows)[GN_LANES], int lane, float *scalar,
                                        uint32_t count)
 {
@@ -87,7 +88,7 @@ GN_SHADER_INLINE_ void gn_shader_put_colors_(const gn_vec4 *color, uint32_t coun
 #undef GN_SHADER_PUT_COLOR_
 }
 
-/* The results of a shader go through arrays of its own, which the compiler knows to overlap
+/* A shader's results go through arrays of its own. The compiler knows that these arrays overlap
  * neither the uniforms nor the input. */
 GN_SHADER_INLINE_ void gn_shader_copy_row_(float *to, const float *from)
 {
@@ -125,8 +126,8 @@ GN_SHADER_INLINE_ void gn_shader_take_vertex_(const gn_vertex_input *input,
     gn_shader_zero_(vertex->clip_distance, GN_MAX_CLIP_DISTANCES);
 }
 
-/* Inputs that the pipeline has not switched on come from rows of 0, so that nothing is chosen lane
- * by lane. */
+/* Inputs that the pipeline has not switched on are read from rows of 0, so that nothing is chosen
+ * lane by lane. */
 GN_SHADER_INLINE_ void gn_shader_take_fragment_(const gn_fragment_input *input,
                                                 const gn_fragment_output *output, int lane,
                                                 gn_fragment *fragment)
@@ -163,7 +164,8 @@ GN_SHADER_INLINE_ void gn_shader_take_texels_(float (*texel)[4][GN_LANES], int l
 #undef GN_SHADER_TEXEL_
 }
 
-/* Each row is an array of its own: those that the library is not handed need not be written. */
+/* Each row is an array of its own, so that a row that is not passed to the library need not be
+ * written. */
 GN_SHADER_INLINE_ void gn_shader_put_lookup_(const gn_texel_lookup *lookup, int lane, float *s,
                                              float *t, float *r, float *reference, float *lod)
 {
@@ -220,7 +222,7 @@ GN_SHADER_INLINE_ void gn_shader_sample_all_(const gn_sampling *sampling,
 #undef GN_SHADER_SAMPLE_
 }
 
-/* Clears the bits of fragments that are discarded, if any is. */
+/* Clears the bits of discarded fragments, if there are any. */
 GN_SHADER_INLINE_ void gn_shader_discard_(uint32_t any, const uint32_t *discarded,
                                           gn_fragment_output *output)
 {

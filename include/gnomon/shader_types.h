@@ -1,12 +1,12 @@
-/* What shader functions (gnomon/shader_functions.h) are handed and give: one vertex, one fragment,
- * one place where a texture is sampled. */
+/* What shader functions (gnomon/shader_functions.h) take and return: one vertex, one fragment, one
+ * place where a texture is sampled. */
 #ifndef GNOMON_SHADER_TYPES_H
 #define GNOMON_SHADER_TYPES_H
 
 #include "pipeline.h"
 #include "shader_vectors.h"
 
-/* The most textures that a fragment function finds texels of. */
+/* The most texels that a fragment function can look up. */
 #define GN_MAX_SHADER_TEXTURES 8
 
 /* One vertex. */
@@ -16,47 +16,47 @@ typedef struct gn_vertex {
     uint32_t vertex_id;                   /* position in the mesh's arrays */
     uint32_t instance;                    /* from 0 on */
 
-    float point_size;                           /* comes with the pipeline's */
-    float clip_distance[GN_MAX_CLIP_DISTANCES]; /* come as 0, which clips nothing */
+    float point_size;                           /* beforehand the pipeline's */
+    float clip_distance[GN_MAX_CLIP_DISTANCES]; /* beforehand 0, which clips nothing */
 } gn_vertex;
 
 /* One fragment. */
 typedef struct gn_fragment {
-    gn_vec4 texel[GN_MAX_SHADER_TEXTURES]; /* what the look-ups found */
+    gn_vec4 texel[GN_MAX_SHADER_TEXTURES]; /* the results of the look-ups */
     gn_vec4 position;                      /* gl_FragCoord; 0, 0, 0, 0 if not switched on */
     gn_vec2 point_coordinate;              /* gl_PointCoord; 0, 0 if not switched on */
     uint32_t primitive_id;                 /* gl_PrimitiveID */
     uint32_t covered_samples;              /* gl_SampleMaskIn; 0 if not switched on */
     bool front_facing;
 
-    /* Colours from the second on; they come as 0. The first is the function's result. */
+    /* Colours from the second on, beforehand 0. The first colour is the function's result. */
     gn_vec4 color[GN_MAX_COLORS];
-    float depth;          /* comes with the interpolated depth; 0 if not switched on */
-    uint32_t sample_mask; /* comes with every bit set */
-    bool discard;         /* comes as false */
+    float depth;          /* beforehand the interpolated depth; 0 if not switched on */
+    uint32_t sample_mask; /* beforehand every bit is set */
+    bool discard;         /* beforehand false */
 } gn_fragment;
 
-/* Where a texture is sampled for one fragment; made by the functions below. All but coordinate,
- * reference and lod must not differ between the fragments of a draw. */
+/* Where a texture is sampled for one fragment; made by the functions below. All members but
+ * coordinate, reference and lod must be equal in all fragments of a draw. */
 typedef struct gn_texel_lookup {
     const gn_texture *texture;
     const gn_sampler *sampler;
     gn_vec3 coordinate;
-    float reference; /* where a depth texture is compared */
-    float lod;       /* or a bias */
+    float reference; /* what a depth texture is compared with */
+    float lod;       /* the level of detail, or a bias */
     gn_lod_source lod_source;
     bool is_2d, has_lod;
 } gn_texel_lookup;
 
-/* The attribute of a vertex, or the other where the mesh has none. */
+/* Returns the attribute of a vertex, or `other` if the mesh has none. */
 static inline gn_vec4 gn_attribute_or(const gn_vertex *vertex, uint32_t attribute, gn_vec4 other)
 {
     return gn_select4((vertex->present >> attribute & 1u) != 0, vertex->attribute[attribute],
                       other);
 }
 
-/* A look-up in a texture of any target, GLSL's texture(): s, t, r, or a direction, or s, t and a
- * layer's number. */
+/* Returns a look-up in a texture of any target, GLSL's texture(). The coordinate is s, t, r, or a
+ * direction, or s, t and a layer's number. */
 static inline gn_texel_lookup gn_lookup_any(const gn_texture *texture, const gn_sampler *sampler,
                                             gn_vec3 coordinate)
 {
@@ -73,7 +73,7 @@ static inline gn_texel_lookup gn_lookup_any(const gn_texture *texture, const gn_
     return lookup;
 }
 
-/* A look-up in a texture of target GN_TEXTURE_2D. */
+/* Returns a look-up in a texture of target GN_TEXTURE_2D. */
 static inline gn_texel_lookup gn_lookup_2d(const gn_texture *texture, const gn_sampler *sampler,
                                            gn_vec2 coordinate)
 {
@@ -84,7 +84,7 @@ static inline gn_texel_lookup gn_lookup_2d(const gn_texture *texture, const gn_s
     return lookup;
 }
 
-/* The look-up, its depths compared with a reference: shadow maps. */
+/* Returns the look-up with its depths compared with a reference: shadow maps. */
 static inline gn_texel_lookup gn_lookup_compared(gn_texel_lookup lookup, float reference)
 {
     lookup.reference = reference;
@@ -92,7 +92,7 @@ static inline gn_texel_lookup gn_lookup_compared(gn_texel_lookup lookup, float r
     return lookup;
 }
 
-/* The look-up with the level of detail raised by a bias, GLSL's texture(). */
+/* Returns the look-up with the level of detail raised by a bias: GLSL's texture() with a bias. */
 static inline gn_texel_lookup gn_lookup_bias(gn_texel_lookup lookup, float bias)
 {
     lookup.lod = bias;
@@ -101,7 +101,7 @@ static inline gn_texel_lookup gn_lookup_bias(gn_texel_lookup lookup, float bias)
     return lookup;
 }
 
-/* The look-up at a level of detail, GLSL's textureLod(). */
+/* Returns the look-up at a given level of detail: GLSL's textureLod(). */
 static inline gn_texel_lookup gn_lookup_lod(gn_texel_lookup lookup, float lod)
 {
     lookup.lod = lod;

@@ -17,8 +17,8 @@
  * otherwise.
  *
  * A branch or a ?: that computes something in one arm only, or a call to a function that is not
- * inline, gives the right result but keeps gcc from vectorising the shader: compute both, then
- * choose by gn_select1 and its like. */
+ * inline, gives the right result but keeps gcc from vectorising the shader. Instead, compute both
+ * arms and choose by gn_select1 to gn_select4. */
 #ifndef GNOMON_SHADER_VECTORS_H
 #define GNOMON_SHADER_VECTORS_H
 
@@ -64,7 +64,7 @@ static inline gn_vec4 gn_extend(gn_vec3 v, float w)
     return gn_make4(v.x, v.y, v.z, w);
 }
 
-/* The first two, the first three components. */
+/* The first two, or the first three, components. */
 static inline gn_vec2 gn_xy(gn_vec4 v)
 {
     return gn_make2(v.x, v.y);
@@ -177,7 +177,7 @@ static inline float gn_float_of(uint32_t bits)
     return value.number;
 }
 
-/* which ? a : b, bit by bit: the same bits. Both are computed. */
+/* which ? a : b, with the bits unchanged. Both a and b are computed. */
 static inline float gn_select1(bool which, float a, float b)
 {
     const uint32_t mask = 0u - (uint32_t)which;
@@ -202,8 +202,8 @@ static inline gn_vec4 gn_select4(bool which, gn_vec4 a, gn_vec4 b)
                     gn_select1(which, a.z, b.z), gn_select1(which, a.w, b.w));
 }
 
-/* The lesser and the greater: a < b ? a : b and a > b ? a : b, which is b of two zeros. Where one
- * is NaN the other. */
+/* The lesser, a < b ? a : b, and the greater, a > b ? a : b. For two zeros returns b. If one is
+ * NaN, returns the other. */
 static inline float gn_minimum1(float a, float b)
 {
     return gn_select1((a < b) | (b != b), a, b);
@@ -246,7 +246,8 @@ static inline gn_vec4 gn_maximum4(gn_vec4 a, gn_vec4 b)
                     gn_maximum1(a.w, b.w));
 }
 
-/* Every component brought between low and high. NaN becomes low; if low > high, all become high. */
+/* Clamps every component to low to high. NaN becomes low. If low > high, every component becomes
+ * high. */
 static inline float gn_clamp1(float x, float low, float high)
 {
     return gn_minimum1(gn_maximum1(x, low), high);
@@ -269,7 +270,7 @@ static inline gn_vec4 gn_clamp4(gn_vec4 v, float low, float high)
                     gn_clamp1(v.w, low, high));
 }
 
-/* Every component brought between 0 and 1. NaN becomes 0. */
+/* Clamps every component to 0 to 1. NaN becomes 0. */
 static inline float gn_saturate1(float x)
 {
     return gn_clamp1(x, 0.0f, 1.0f);
@@ -290,7 +291,7 @@ static inline gn_vec4 gn_saturate4(gn_vec4 v)
     return gn_make4(gn_saturate1(v.x), gn_saturate1(v.y), gn_saturate1(v.z), gn_saturate1(v.w));
 }
 
-/* a * (1 - t) + b * t: from a at t = 0 to b at t = 1, as gn_mix. t is not clamped. */
+/* a * (1 - t) + b * t, as gn_mix computes it: from a at t = 0 to b at t = 1. t is not clamped. */
 static inline float gn_mix1(float a, float b, float t)
 {
     return a * (1.0f - t) + b * t;
@@ -370,9 +371,10 @@ static inline float gn_sqrt_in_steps_(float x)
     return gn_select1(has_root, gn_float_of(root), none);
 }
 
-/* The square root, correctly rounded, as gn_sqrt: NaN below zero, -0 of -0. Compilers vectorise no
- * call that may set errno, which their sqrtf may. This one is declared not to; they make it one
- * instruction where the processor has that, and never a call. */
+/* The square root, correctly rounded, as gn_sqrt: NaN below zero, -0 for -0. Compilers do not
+ * vectorise a call that may set errno, as their sqrtf may. This declaration says that it does not.
+ * The compiler then emits one instruction, which the processors named here have, and never a
+ * call. */
 #if defined(__GNUC__) && (defined(__SSE__) || defined(__aarch64__) || defined(__wasm__) ||         \
                           (defined(__ARM_FP) && (__ARM_FP & 4)))
 GN_BEGIN
@@ -390,8 +392,8 @@ static inline float gn_sqrt1(float x)
 }
 #endif
 
-/* sqrt(dot(v, v)). A vector whose square overflows has the length infinity, one whose square
- * vanishes 0: gn_vec3_length scales such vectors, this does not. */
+/* sqrt(dot(v, v)). If the square overflows, the length is infinity; if the square underflows to 0,
+ * the length is 0. gn_vec3_length scales such vectors, this function does not. */
 static inline float gn_length2(gn_vec2 v)
 {
     return gn_sqrt1(gn_dot2(v, v));
@@ -407,8 +409,8 @@ static inline float gn_length4(gn_vec4 v)
     return gn_sqrt1(gn_dot4(v, v));
 }
 
-/* v * (1 / length(v)), in GLSL's operations as the ready-made shaders have them. NaN of 0; a vector
- * as long or short as gn_length3 says has no use. */
+/* v * (1 / length(v)), in GLSL's operations, as the ready-made shaders compute it. NaN for the zero
+ * vector. No use for vectors whose square overflows or underflows (gn_length3). */
 static inline gn_vec2 gn_normalize2(gn_vec2 v)
 {
     return gn_scale2(v, 1.0f / gn_length2(v));
@@ -424,8 +426,8 @@ static inline gn_vec4 gn_normalize4(gn_vec4 v)
     return gn_scale4(v, 1.0f / gn_length4(v));
 }
 
-/* The direction v reflected at a surface of unit normal, v - (dot(normal, v) * normal) * 2, as
- * gn_vec3_reflect. */
+/* The direction v reflected at a surface with a unit normal: v - (dot(normal, v) * normal) * 2, as
+ * gn_vec3_reflect computes it. */
 static inline gn_vec2 gn_reflect2(gn_vec2 v, gn_vec2 normal)
 {
     return gn_subtract2(v, gn_scale2(gn_scale2(normal, gn_dot2(normal, v)), 2.0f));
@@ -458,9 +460,9 @@ static inline gn_vec4 gn_product4(const gn_mat4 *m, gn_vec4 v)
                     ((m->m[0][3] * v.x + m->m[1][3] * v.y) + m->m[2][3] * v.z) + m->m[3][3] * v.w);
 }
 
-/* x to a whole exponent by repeated squaring, from the lowest bit of the exponent on, as
- * gn_use_phong's highlights. Exponents above 1023 are taken as 1023. x to the 0 is 1. An exponent
- * that the compiler knows costs its multiplications alone. */
+/* x to a whole exponent, by repeated squaring from the lowest bit of the exponent on, as
+ * gn_use_phong computes highlights. Exponents above 1023 count as 1023. x to the 0 is 1. An
+ * exponent that the compiler knows costs its multiplications only. */
 static inline float gn_power1(float x, uint32_t exponent)
 {
     const uint32_t n = exponent < 1023u ? exponent : 1023u;

@@ -4,8 +4,8 @@
  * top-down image is the same surface: point `pixels` at the image's last row
  * and give a negative stride.
  *
- * A pixel is made of values, never of their bytes, so that a surface means the same on
- * every byte order:
+ * A pixel is defined by the values of its elements, not by their bytes, so that a surface means the
+ * same on every byte order:
  *
  *   format             element      bits
  *   GN_FORMAT_RGBA8    uint32_t     red 0-7, green 8-15, blue 16-23, alpha 24-31
@@ -31,16 +31,16 @@
  *   GN_FORMAT_SRGB8_A8 uint32_t     as RGBA8; red, green and blue encoded as sRGB
  *   GN_FORMAT_RG16F    uint32_t     red 0-15, green 16-31 as IEEE binary16
  *   GN_FORMAT_RGB565_SWAPPED
- *                      2 x uint8_t  as RGB565, bits 8-15 in the first byte, 0-7 in the second: the
- *                                   order in which displays on SPI take them
+ *                      2 x uint8_t  as RGB565, with bits 8-15 in the first byte and 0-7 in the
+ *                                   second: the order that displays on SPI take
  *   GN_FORMAT_RGB10_A2 uint32_t     red 0-9, green 10-19, blue 20-29, alpha 30-31
  *   GN_FORMAT_R11F_G11F_B10F
  *                      uint32_t     red 0-10, green 11-21, blue 22-31, as floats without
- *                                   sign: 5 bits of exponent, as IEEE binary16 has, above 6,
- *                                   6 and 5 bits of fraction
+ *                                   sign: 6, 6 and 5 bits of fraction, and above them 5 bits
+ *                                   of exponent, as in IEEE binary16
  *
- * Colours other than floats are fractions of their largest value, and channels that a format
- * lacks are not kept. Pixels and strides are aligned to their element.
+ * A channel that is not a float holds a fraction of its largest value. Channels that a format lacks
+ * are not stored. Pixels and strides are aligned to the size of an element.
  * On a little-endian machine GN_FORMAT_RGBA8 is the bytes R, G, B, A. */
 #ifndef GNOMON_SURFACE_H
 #define GNOMON_SURFACE_H
@@ -165,13 +165,14 @@ GN_API gn_status gn_target_check(const gn_target *target);
  * 1 to GN_MAX_SIZE", in static storage; null if there is no fault. */
 GN_API const char *gn_target_fault(const gn_target *target);
 
-/* Fills a colour surface, all its samples, with one colour (OpenGL 4.5 section 17.4.3). Where a
- * channel has n bits, it is c * (2^n - 1), the product being rounded to binary32 and then to the
- * nearest integer, halves to even with 8 bits and up otherwise; 0 below 0 and for NaN, 2^n - 1 from
- * 1 up. Floats of 32 bits are stored as they are, those of fewer bits rounded toward zero, and
- * every NaN as gnomon/backend.h says. Red, green and blue of GN_FORMAT_SRGB8_A8 are the nearest
- * that sRGB has, exactly. A bad surface gives the statuses of gn_target_check, a format that the
- * library was compiled without GN_NOT_COMPILED. */
+/* Fills a colour surface, all its samples, with one colour (OpenGL 4.5 section 17.4.3). In a
+ * channel of n bits, c is stored as c * (2^n - 1): the product is rounded to binary32 and then to
+ * the nearest integer, halves to even with 8 bits and up otherwise. Values below 0 and NaN are
+ * stored as 0, values from 1 up as 2^n - 1. Floats of 32 bits are stored as they are, floats of
+ * fewer bits are rounded toward zero, and every NaN is stored as gnomon/backend.h says. Red, green
+ * and blue of GN_FORMAT_SRGB8_A8 are the nearest that sRGB has, exactly. A bad surface returns the
+ * statuses of gn_target_check; a format that the library was compiled without returns
+ * GN_NOT_COMPILED. */
 GN_API gn_status gn_clear_color(const gn_surface *surface, float red, float green, float blue,
                                 float alpha);
 

@@ -1,12 +1,12 @@
-/* Many vectors or matrices: whole blocks of lanes by a back end in place, and what is
- * left over as one block more in memory of its own. */
+/* Operations on many vectors or matrices. A back end works on whole blocks of lanes in place. The
+ * vectors left over are copied to one more block in memory of its own. */
 #include "gnomon/bulk.h"
 #include "gnomon/lanes.h"
 
 #include "../config/backends.h"
 #include "stages.h"
 
-/* The back end that GN_BACKEND_AUTO stands for. */
+/* Returns the back end that GN_BACKEND_AUTO stands for; any other is returned as it is. */
 static gn_backend chosen(gn_backend backend, size_t count)
 {
     if (backend != GN_BACKEND_AUTO)
@@ -21,7 +21,7 @@ static bool is_compiled(gn_backend backend)
 #undef IS_COMPILED
 }
 
-/* Calls gn_bulk_<name> of a back end that is compiled. */
+/* Calls gn_bulk_<name> of the back end, which must be compiled. */
 static void run_blocks(gn_backend backend, const bulk_job *job)
 {
 #define RUN_BLOCKS(name, NAME)                                                                     \
@@ -31,7 +31,7 @@ static void run_blocks(gn_backend backend, const bulk_job *job)
 #undef RUN_BLOCKS
 }
 
-/* The last `rest` vectors, fewer than a block, where the job's pointers are. */
+/* Works on the last `rest` vectors, fewer than a block, to which the job's pointers point. */
 static void run_rest(gn_backend backend, bulk_job *job, size_t rest)
 {
     const int components = job->kind == BULK_VEC4 ? 4 : 3;
@@ -86,7 +86,7 @@ static bool take_mat4(bulk_job *job, bulk_kind kind, const gn_mat4 *m)
     return true;
 }
 
-/* Only the part that BULK_DIRECTION reads. */
+/* Takes only the part of the matrix that BULK_DIRECTION reads. */
 static bool take_mat3(bulk_job *job, const gn_mat3 *m)
 {
     if (!m)

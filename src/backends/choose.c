@@ -1,4 +1,4 @@
-/* What the processor can run. */
+/* Finds out which back ends the processor can run. */
 #include "gnomon/backend.h"
 
 #include "../config/backends.h"
@@ -7,11 +7,11 @@
 #include <cpuid.h>
 #include <stdint.h>
 
-/* The best back end of an x86 processor: SSE2 is the least of them, and one with AVX-512
- * has AVX2. Registers need the processor's word for them, and the operating system's that
- * it saves them: OSXSAVE, and in XCR0 bits 1 and 2 for AVX2, and 5 to 7 (mask registers,
- * the upper halves of 16 registers, 16 more) for AVX-512 (Intel SDM volume 1, sections
- * 14.3 and 15.2). */
+/* Returns the best back end of an x86 processor. Every such processor has SSE2, and one with
+ * AVX-512 has AVX2. The processor must have the registers, and the operating system must save them:
+ * it says so by OSXSAVE and by bits of XCR0, 1 and 2 for AVX2, and also 5 to 7 (mask registers, the
+ * upper halves of 16 registers, 16 more) for AVX-512 (Intel SDM volume 1, sections 14.3 and
+ * 15.2). */
 static gn_backend best_of_x86(void)
 {
     const uint32_t avx512 = bit_AVX512F | bit_AVX512DQ | bit_AVX512BW | bit_AVX512VL;
@@ -35,7 +35,7 @@ gn_backend gn_backend_best(void)
 #endif
 }
 
-/* GN_HAVE_NAME of the back end. */
+/* Returns GN_HAVE_NAME of the back end. */
 static int presence_of(gn_backend backend)
 {
 #define PRESENCE(name, NAME, have, text)                                                           \

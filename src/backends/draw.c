@@ -1,4 +1,4 @@
-/* The draw: prepares it, chooses a back end and hands it the job. */
+/* gn_draw: prepares the draw, chooses a back end and passes the job to it. */
 #include "gnomon/draw.h"
 
 #include "../config/backends.h"
@@ -12,7 +12,8 @@
 #else
 #define FILL_SHADING(name, job) fill_shading((job)->pipeline, &(job)->shading)
 
-/* The functions that every caller has; with GN_BASIC those for 2D textures alone. */
+/* Fills in the public functions for sampling and the pipeline's shaders. With GN_BASIC only
+ * gn_sample_2d is there. */
 static void fill_shading(const gn_pipeline *pipeline, shading_functions *out)
 {
     out->sampling.sample_2d = gn_sample_2d;
@@ -36,8 +37,8 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
     const gn_backend backend =
         workspace->backend == GN_BACKEND_AUTO ? gn_backend_best() : workspace->backend;
 
-    /* Calls gn_shading_<name> and gn_run_<name> of the back end. Calls, not a choice of function:
-     * some compilers make a table of that, to be relocated. */
+    /* Calls gn_shading_<name> and gn_run_<name> of the back end, by name: some compilers turn a
+     * choice of function into a table that needs relocation. */
 #define RUN_ON(name, NAME)                                                                         \
     if (backend == GN_BACKEND_##NAME) {                                                            \
         FILL_SHADING(name, &job);                                                                  \

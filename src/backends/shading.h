@@ -1,15 +1,16 @@
-/* What a back end shades fragments with: its own forms of the functions of sampling and of the
- * ready-made shaders. They are compiled apart from the rasterizer, which calls them
- * through this, so that neither makes the other slow to compile. */
+/* The functions that a back end shades fragments with: its own forms of sampling and of the
+ * ready-made shaders. They are compiled apart from the rasterizer, which calls them through
+ * pointers, so that neither makes the other slow to compile. */
 #ifndef GN_BACKENDS_SHADING_H
 #define GN_BACKENDS_SHADING_H
 
 #include "../config/backends.h"
 #include "../shaders/shading.h"
 
-/* Declares gn_shading_portable, gn_shading_sse2 and so on, one for each row of GN_BACKENDS: fills
- * `out` in for a pipeline's shaders; the user's shaders stay what they are. Those of back ends that
- * are not compiled are not defined, and with GN_SMALL none is. */
+/* Declares gn_shading_portable, gn_shading_sse2 and so on, one function for each row of
+ * GN_BACKENDS. The function fills in `out` for a pipeline's shaders; the user's own shaders stay
+ * what they are. Functions of back ends that are not compiled are not defined. With GN_SMALL none
+ * is defined. */
 #define GN_DECLARE_SHADING(name, NAME, have, text)                                                 \
     void gn_shading_##name(const gn_pipeline *pipeline, shading_functions *out);
 GN_BACKENDS(GN_DECLARE_SHADING)

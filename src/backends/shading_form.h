@@ -1,5 +1,5 @@
-/* A back end's shading: the text that each compiles for its own lanes. The file that includes this
- * first defines its form of lanes and the name of its function, GN_SHADING. */
+/* The shading of a back end: the text that each back end compiles for its own lanes. The file that
+ * includes this first defines its form of lanes and the name of its function, GN_SHADING. */
 #include "shading.h"
 
 #include "../lanes/target_begin.h"
@@ -9,8 +9,8 @@
 #include "../texture/fetch.h"
 #include "../texture/sample_any.h"
 
-/* The back end's form of a ready-made shader; of others the shader itself. By comparisons, since a
- * table of functions would need relocation. */
+/* Returns the back end's form of a ready-made shader, and any other shader as it is. By
+ * comparisons, since a table of functions would need relocation. */
 static inline gn_fragment_shader *own_fragment_shader(gn_fragment_shader *shader)
 {
     return shader == gn_shade_phong           ? shade_phong

@@ -1,5 +1,6 @@
-/* The stages of a back end: the text that each compiles for its own lanes. The file that includes
- * this first defines its form of lanes and the names of its two functions, GN_RUN and GN_BULK. */
+/* The stages of a back end: the text that each back end compiles for its own lanes. The file that
+ * includes this first defines its form of lanes and the names of its two functions, GN_RUN and
+ * GN_BULK. */
 #include "stages.h"
 
 #include "../lanes/target_begin.h"

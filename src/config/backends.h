@@ -20,16 +20,17 @@
 
 #include "gnomon/backend.h"
 
-/* GN_HAVE_NAME is one of these numbers, 0 alone where the back end is not compiled. An emulated one
- * is made over a header that stands in for its intrinsics, and every processor runs it; the
- * processor is asked whether it has the instructions; every processor of the target has them. */
+/* GN_HAVE_NAME is one of these numbers. Absent: the back end is not compiled. Emulated: it is
+ * compiled over a header that stands in for its intrinsics, and every processor runs it. Asked: the
+ * processor is asked whether it has the instructions. Always: every processor of the target has the
+ * instructions. */
 #define GN_ABSENT 0
 #define GN_PRESENT_EMULATED 1
 #define GN_PRESENT_ASKED 2
 #define GN_PRESENT_ALWAYS 3
 
-/* GN_LANES_INTRINSICS_HEADER names a header that emulates intrinsics which the target does not
- * have, for tests. */
+/* GN_LANES_INTRINSICS_HEADER names a header that emulates, for tests, intrinsics that the target
+ * does not have. */
 #if defined(GN_LANES_INTRINSICS_HEADER)
 #define GN_HAVE_EMULATED 1
 #else
@@ -58,8 +59,8 @@
 #define GN_HAVE_AVX512 GN_ABSENT
 #endif
 
-/* 32-bit Arm's registers flush denormals and do not divide; a big-endian processor would
- * take bytes of colours in another order. */
+/* Not on 32-bit Arm, whose vector instructions flush denormals and do not divide; not on a
+ * big-endian processor, which would take the bytes of colours in another order. */
 #if GN_HAVE_EMULATED
 #define GN_HAVE_NEON GN_PRESENT_EMULATED
 #elif defined(__GNUC__) && defined(__aarch64__) && defined(__ARM_NEON) &&                          \
@@ -69,7 +70,7 @@
 #define GN_HAVE_NEON GN_ABSENT
 #endif
 
-/* A WebAssembly module is valid on a machine as a whole or not at all, so the choice falls where
+/* A WebAssembly module is valid on a machine as a whole or not at all, so the choice is made when
  * the program is compiled (-msimd128). */
 #if GN_HAVE_EMULATED
 #define GN_HAVE_WASM_SIMD128 GN_PRESENT_EMULATED
@@ -79,9 +80,9 @@
 #define GN_HAVE_WASM_SIMD128 GN_ABSENT
 #endif
 
-/* ROW(X, name in functions and files, name in constants, whether compiled, printed name). The
- * rows are in gn_backend's order: a processor that has an asked back end has those of its target
- * before it, and they are slower. */
+/* ROW(X, name in functions and files, name in constants, whether compiled, printed name). The rows
+ * are in gn_backend's order: a processor that has an asked back end also has the back ends of its
+ * target in the rows before, which are slower. */
 #define GN_BACKEND_ROWS(ROW, X)                                                                    \
     ROW(X, portable, PORTABLE, GN_HAVE_PORTABLE, "portable")                                       \
     ROW(X, sse2, SSE2, GN_HAVE_SSE2, "sse2")                                                       \
@@ -104,7 +105,7 @@
 #define GN_ROW_IF_2(X, name, NAME) X(name, NAME)
 #define GN_ROW_IF_3(X, name, NAME) X(name, NAME)
 
-/* The fastest back end that every processor of the target runs. */
+/* Returns the fastest back end that every processor of the target runs. */
 static inline gn_backend backend_of_every_processor(void)
 {
     gn_backend best = GN_BACKEND_PORTABLE;

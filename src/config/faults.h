@@ -1,6 +1,6 @@
-/* The faults of descriptions, one line each: the status and the words. The files
- * named .._faults.h are written once and compiled twice: into functions that return statuses and,
- * where this is included with GN_FAULT_TEXTS, into functions that return the words. A program that
+/* The faults of descriptions, one line each: the status and the words. Each file named .._faults.h
+ * is written once and compiled twice: into functions that return statuses, and, if GN_FAULT_TEXTS
+ * is defined before this header is included, into functions that return the words. A program that
  * does not ask for the words has no bytes of them. */
 #ifndef GN_CONFIG_FAULTS_H
 #define GN_CONFIG_FAULTS_H
@@ -9,13 +9,13 @@
 
 #if defined(GN_FAULT_TEXTS)
 
-/* Null where there is no fault. */
+/* Null if there is no fault. */
 typedef const char *fault;
 #define NO_FAULT 0
 #define FAULT(status, text) (text)
 
-/* The words of the member `after` of one of eight; an array, since a table of pointers would
- * need relocation. */
+/* Returns the words for the member `after` of element i of eight. The texts are an array of arrays,
+ * since a table of pointers would need relocation. */
 #define FAULT_IF_EIGHTH(condition, i, status, before, after)                                       \
     do {                                                                                           \
         static const char texts[8][64] = {                                                         \
@@ -45,7 +45,7 @@ typedef gn_status fault;
             return FAULT(status, text);                                                            \
     } while (0)
 
-/* Gives a fault that another function has found. */
+/* Returns a fault that another function has found. */
 #define FAULT_FROM(found)                                                                          \
     do {                                                                                           \
         const fault from = (found);                                                                \

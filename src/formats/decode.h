@@ -1,5 +1,5 @@
-/* Stored pixels to colours and depths as floats, and to the pixels that they are blended in. The
- * inverses are in encode.h; words of pixels are those of pixel_memory.h. */
+/* Decodes stored pixels to colours and depths as floats, and to the pixels that they are blended
+ * in. The inverses are in encode.h; pixel_memory.h says how words hold a pixel. */
 #ifndef GN_FORMATS_DECODE_H
 #define GN_FORMATS_DECODE_H
 
@@ -7,7 +7,7 @@
 #include "pixel_memory.h"
 #include "unorm.h"
 
-/* The reference's sRGB to linear, of the byte from bit `shift` on. */
+/* Converts the byte from bit `shift` on from sRGB to linear, as the reference does. */
 static inline lanes_f srgb_value(lanes_i word, int shift)
 {
     const lanes_f x =
@@ -23,7 +23,8 @@ static inline lanes_f srgb_value(lanes_i word, int shift)
                         lanes_mul(x, lanes_splat(0x1.465AACp-12f)));
 }
 
-/* The first `count` channels of pixels. Those that have no field are 0, alpha 1. */
+/* Decodes the first `count` channels of pixels. Channels beyond them, and channels without a field,
+ * become 0, alpha 1. */
 GN_INLINE void decode_fields(format_encoding encoding, format_fields fields, int count,
                              const lanes_i *word, lanes_f channel[4])
 {
@@ -42,9 +43,9 @@ GN_INLINE void decode_fields(format_encoding encoding, format_fields fields, int
     }
 }
 
-/* Words of pixels of any format to red, green, blue and alpha; of depths, which are red, stencil is
- * left out. Channels that the format lacks are 0, alpha 1. A half that is no number keeps its sign
- * and payload. */
+/* Decodes pixels of any format to red, green, blue and alpha. Depth becomes red, and stencil is
+ * left out. Channels that the format lacks become 0, alpha 1. A half that is NaN keeps its sign and
+ * payload. */
 static inline void decode_channels(gn_format format, const lanes_i word[4], lanes_f channel[4])
 {
 #define DECODE(name, bytes, element, kind, encoding, ...)                                          \
@@ -60,8 +61,7 @@ static inline void decode_channels(gn_format format, const lanes_i word[4], lane
 #undef DECODE
 }
 
-/* Pixels of formats of ARITHMETIC_FLOATS, of up to two words, to colours as decode_channels has
- * them. */
+/* Decodes pixels of up to two words, in formats of ARITHMETIC_FLOATS, as decode_channels does. */
 static inline void decode_floats(gn_format format, const lanes_i word[2], lanes_f color[4])
 {
 #define DECODE(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)               \
@@ -78,8 +78,8 @@ static inline void decode_floats(gn_format format, const lanes_i word[2], lanes_
 #undef DECODE
 }
 
-/* Pixels of formats of ARITHMETIC_BYTES to those of GN_FORMAT_RGBA8, in which they are blended;
- * alpha is one where the format has none. */
+/* Converts pixels of formats of ARITHMETIC_BYTES to pixels of GN_FORMAT_RGBA8, in which they are
+ * blended. Alpha is one if the format has none. */
 static inline lanes_i to_rgba8(gn_format format, lanes_i p)
 {
 #define TO_RGBA8(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)             \
@@ -96,7 +96,8 @@ static inline lanes_i to_rgba8(gn_format format, lanes_i p)
 #undef TO_RGBA8
 }
 
-/* Pixels of formats of ARITHMETIC_SHORTS to those of GN_FORMAT_RGBA16, likewise. */
+/* Converts pixels of formats of ARITHMETIC_SHORTS to pixels of GN_FORMAT_RGBA16, in which they are
+ * blended. Alpha is one if the format has none. */
 static inline void to_rgba16(gn_format format, lanes_i word[2])
 {
 #define TO_RGBA16(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)            \

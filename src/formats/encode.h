@@ -1,6 +1,6 @@
-/* Colours to pixels of the formats beside RGBA8 and RGBA32F. The inverses are in decode.h; words of
- * pixels are those of pixel_memory.h. Colours of up to 8 bits a channel go through pixels of
- * GN_FORMAT_RGBA8, other fractions through those of GN_FORMAT_RGBA16. */
+/* Encodes colours as pixels of all formats but RGBA8 and RGBA32F. The inverses are in decode.h;
+ * pixel_memory.h says how words hold a pixel. Colours of up to 8 bits per channel pass through
+ * pixels of GN_FORMAT_RGBA8, other fractions through pixels of GN_FORMAT_RGBA16. */
 #ifndef GN_FORMATS_ENCODE_H
 #define GN_FORMATS_ENCODE_H
 
@@ -14,7 +14,7 @@ static inline lanes_i encode_rgba8(const lanes_f color[4])
     return lanes_pack_unorm8(color[0], color[1], color[2], color[3]);
 }
 
-/* Adds the bits of a channel to those of a pixel's first two words. */
+/* Adds the bits of a channel to `bits`, the masks of a pixel's first two words. */
 static inline void add_channel_bits(gn_format format, int channel, int32_t bits[2])
 {
     const format_fields fields = format_fields_of(format);
@@ -25,8 +25,8 @@ static inline void add_channel_bits(gn_format format, int channel, int32_t bits[
         bits[word] |= (int32_t)(UINT32_MAX >> (32 - width) << field_shift(fields, channel));
 }
 
-/* Pixels of GN_FORMAT_RGBA8 to those of another format of ARITHMETIC_BYTES. R8, RG8 and RGB8 are
- * what RGBA8 has in its low bytes. */
+/* Converts pixels of GN_FORMAT_RGBA8 to pixels of another format of ARITHMETIC_BYTES. For R8, RG8
+ * and RGB8 the pixel is the low bytes of RGBA8's, and the bytes above are not cleared. */
 static inline lanes_i from_rgba8(gn_format format, lanes_i p)
 {
 #define FROM_RGBA8(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)           \
@@ -43,8 +43,8 @@ static inline lanes_i from_rgba8(gn_format format, lanes_i p)
 #undef FROM_RGBA8
 }
 
-/* Pixels of GN_FORMAT_RGBA16 to those of another format of ARITHMETIC_SHORTS. R16 is what RGBA16
- * has in its low bits. */
+/* Converts pixels of GN_FORMAT_RGBA16 to pixels of another format of ARITHMETIC_SHORTS. For R16 the
+ * pixel is the low bits of RGBA16's, and the bits above are not cleared. */
 static inline void from_rgba16(gn_format format, lanes_i word[2])
 {
 #define FROM_RGBA16(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)          \
@@ -61,14 +61,14 @@ static inline void from_rgba16(gn_format format, lanes_i word[2])
 #undef FROM_RGBA16
 }
 
-/* Words as RGBA16 has them. */
+/* Encodes colours as words of GN_FORMAT_RGBA16. */
 static inline void encode_shorts(const lanes_f color[4], lanes_i word[2])
 {
     word[0] = pair_of(unorm16(color[0]), unorm16(color[1]));
     word[1] = pair_of(unorm16(color[2]), unorm16(color[3]));
 }
 
-/* The greatest byte whose threshold is not above the channel, by halving. */
+/* Returns the greatest byte whose threshold is not above the channel, by binary search. */
 static lanes_i srgb8(lanes_f channel)
 {
     const lanes_i x = lanes_as_int(saturated(channel));
@@ -83,7 +83,7 @@ static lanes_i srgb8(lanes_f channel)
     return byte;
 }
 
-/* Adds the channels of pixels that are no fractions to words, which are 0. */
+/* Encodes channels that are floats or sRGB into `word`, which must be 0 before. */
 GN_INLINE void encode_fields(format_encoding encoding, format_fields fields, const lanes_f color[4],
                              lanes_i word[2])
 {
@@ -105,7 +105,8 @@ GN_INLINE void encode_fields(format_encoding encoding, format_fields fields, con
     }
 }
 
-/* Colours to pixels of formats of ARITHMETIC_FLOATS, of up to two words, which are 0. */
+/* Encodes colours as pixels of up to two words, in formats of ARITHMETIC_FLOATS. `word` must be 0
+ * before. */
 static inline void encode_floats(gn_format format, const lanes_f color[4], lanes_i word[2])
 {
 #define ENCODE(name, bytes, element, kind, encoding, ...)                                          \
@@ -121,8 +122,9 @@ static inline void encode_floats(gn_format format, const lanes_f color[4], lanes
 #undef ENCODE
 }
 
-/* Converts red, green, blue and alpha to pixels. Calls, since of a choice of function some
- * compilers make a table that is to be relocated; once in sixteen pixels it costs no more. */
+/* Encodes red, green, blue and alpha as pixels. Calls the functions by name: some compilers turn a
+ * choice of function into a table that needs relocation. One call for sixteen pixels costs no
+ * more. */
 static void encode_colors(gn_format format, const lanes_f color[4], lanes_i word[2])
 {
     word[0] = lanes_i_splat(0);

@@ -1,20 +1,20 @@
-/* Channels that are floats of 32 or 16 bits, or of 11 or 10, which have no sign, to lanes and back.
- */
+/* Converts channels that are floats to lanes and back. Floats of 32 and 16 bits have a sign, floats
+ * of 11 and 10 bits have none. */
 #ifndef GN_FORMATS_FLOATS_H
 #define GN_FORMATS_FLOATS_H
 
 #include "../lanes/lanes.h"
 #include "../scalars/bits.h"
 
-/* Floats as surfaces hold them: every NaN is GN_NAN_BITS, since processors differ in the bits of
- * the NaN that an operation returns. */
+/* Returns floats as surfaces hold them: every NaN becomes GN_NAN_BITS, since processors differ in
+ * the bits of the NaN that an operation returns. */
 static inline lanes_i float_words(lanes_f a)
 {
     return lanes_i_select(lanes_less_equal(a, a), lanes_as_int(a),
                           lanes_i_splat((int32_t)GN_NAN_BITS));
 }
 
-/* A half in the low bits. One that is no number keeps its sign and payload. */
+/* Returns the value of a half in the low bits. A NaN keeps its sign and payload. */
 static inline lanes_f half_value(lanes_i half)
 {
     const lanes_i size = lanes_i_and(half, lanes_i_splat(0x7FFF));
@@ -31,7 +31,8 @@ static inline lanes_f half_value(lanes_i half)
         lanes_i_select(lanes_i_greater(size, lanes_i_splat(0x7BFF)), special, finite), sign));
 }
 
-/* Toward zero: finite values beyond the largest become that. Every NaN is 0x7E00. */
+/* Returns the half in the low bits. Rounds toward zero: finite values beyond the largest half
+ * become the largest, with their sign. Every NaN becomes 0x7E00. */
 static inline lanes_i half_bits(lanes_f channel)
 {
     const lanes_i bits = lanes_as_int(channel);
@@ -49,8 +50,8 @@ static inline lanes_i half_bits(lanes_f channel)
                           lanes_i_or(half, sign));
 }
 
-/* A float of 11 or 10 bits is a half without its sign and its fraction's last 4 or 5 bits. One that
- * is no number keeps its payload. */
+/* Returns the value of the float of 11 or 10 bits from bit `shift` on: a half without its sign and
+ * without the last 4 or 5 bits of its fraction. A NaN keeps its payload. */
 static inline lanes_f unsigned_float_value(lanes_i word, int shift, int width)
 {
     const lanes_i bits =
@@ -59,8 +60,8 @@ static inline lanes_f unsigned_float_value(lanes_i word, int shift, int width)
     return half_value(lanes_i_shift_left(bits, 15 - width));
 }
 
-/* Toward zero, as a half is. What is negative is 0, and every NaN has the fraction's first bit
- * alone. */
+/* Returns the float of 11 or 10 bits. Rounds toward zero, as half_bits does. Negative values become
+ * 0. In every NaN only the fraction's first bit is set. */
 static inline lanes_i unsigned_float_bits(lanes_f channel, int width)
 {
     const lanes_i half = half_bits(channel);
@@ -71,7 +72,7 @@ static inline lanes_i unsigned_float_bits(lanes_f channel, int width)
                                15 - width);
 }
 
-/* The float of `width` bits from bit `shift` of words on. */
+/* Returns the value of the float of `width` bits from bit `shift` of words on. */
 GN_INLINE lanes_f float_channel(lanes_i word, int shift, int width)
 {
     return width == 32   ? lanes_as_float(word)
@@ -79,7 +80,7 @@ GN_INLINE lanes_f float_channel(lanes_i word, int shift, int width)
                          : unsigned_float_value(word, shift, width);
 }
 
-/* Colours as floats of `width` bits, in the low bits. */
+/* Returns colours as floats of `width` bits, in the low bits. */
 GN_INLINE lanes_i float_bits_of(lanes_f channel, int width)
 {
     return width == 32   ? float_words(channel)
@@ -87,8 +88,8 @@ GN_INLINE lanes_i float_bits_of(lanes_f channel, int width)
                          : unsigned_float_bits(channel, width);
 }
 
-/* The float that a clear stores for c, which is then converted as a fragment's is. Clears to 11 and
- * 10 bits make no denormals. */
+/* Returns the float that a clear to c stores, before it is converted as a fragment's is. In
+ * channels of 11 and 10 bits, clears store 0 instead of denormals. */
 static inline float cleared_float(float c, int width)
 {
     return width < 16 && c < 0x1p-14f ? 0.0f : c;

@@ -1,11 +1,11 @@
-/* Pixels in memory: loaded into words and stored from them, by their layout. */
+/* Loads pixels from memory into words and stores them from words, by their layout. */
 #ifndef GN_FORMATS_PIXEL_MEMORY_H
 #define GN_FORMATS_PIXEL_MEMORY_H
 
 #include "properties.h"
 
-/* A pixel is up to two words: those of 32 bits and less in the low bits of the first, four
- * channels of 16 bits as red and green, blue and alpha. */
+/* A pixel is up to two words. Pixels of up to 32 bits lie in the low bits of the first word. Of
+ * four channels of 16 bits, red and green lie in the first word, blue and alpha in the second. */
 
 /* Loads pixel x of a row. */
 static inline void load_pixel(const unsigned char *row, int32_t x, pixel_layout layout,

@@ -1,5 +1,5 @@
-/* Colours of every format to floats and back, sixteen pixels of a row or of several: what blits and
- * resolving take. */
+/* Decodes and encodes sixteen pixels, of one row or of several, in every colour format. Blits and
+ * resolving use it. */
 #ifndef GN_FORMATS_PIXEL_ROWS_H
 #define GN_FORMATS_PIXEL_ROWS_H
 
@@ -7,7 +7,7 @@
 #include "encode.h"
 #include "surface_memory.h"
 
-/* Sixteen pixels: of lane l the one in that column of that row. */
+/* Loads sixteen pixels: lane l is the pixel in column[l] of row[l]. */
 static inline void load_colors(gn_format format, const unsigned char *const row[GN_LANES],
                                const int32_t column[GN_LANES], lanes_f color[4])
 {
@@ -30,7 +30,7 @@ static inline void load_colors(gn_format format, const unsigned char *const row[
     decode_channels(format, word, color);
 }
 
-/* Writes colours to pixels x to x + count - 1 of a row, up to sixteen. */
+/* Writes colours to `count` pixels of a row, up to sixteen, from pixel x on. */
 static inline void store_colors(const gn_surface *destination, int32_t x, int32_t y, uint32_t count,
                                 const lanes_f color[4])
 {

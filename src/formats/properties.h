@@ -1,6 +1,6 @@
-/* What the rows of formats say (rows.h), by the format: sizes, channels and predicates. Each is a
- * choice among constants, which compilers fold where the format is constant and otherwise make a
- * comparison or a small table of. */
+/* Sizes, channels and predicates of a format, from the rows of formats (rows.h). Each function is a
+ * choice among constants. Compilers fold it if the format is constant; otherwise it becomes a
+ * comparison or a small table. */
 #ifndef GN_FORMATS_PROPERTIES_H
 #define GN_FORMATS_PROPERTIES_H
 
@@ -30,7 +30,8 @@ GN_INLINE uint32_t format_size(gn_format format)
 #undef SIZE
 }
 
-/* Bytes to which pixels and strides of a format are aligned; 1 where there is no format. */
+/* Returns the bytes to which pixels and strides of a format are aligned; 1 for a value that is no
+ * format. */
 static inline uint32_t format_element(gn_format format)
 {
 #define ELEMENT(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)              \
@@ -44,8 +45,9 @@ static inline uint32_t format_element(gn_format format)
 #undef ELEMENT
 }
 
-/* How the pixels of a format lie in memory: their bytes and their element as one number. It is that
- * of the bytes but for two, so that a choice among layouts is among small numbers. */
+/* How the pixels of a format lie in memory: their bytes and their element as one number. The number
+ * is the number of bytes, except for two layouts that have small numbers of their own, so that a
+ * choice among layouts is among small numbers. */
 typedef uint32_t pixel_layout;
 
 #define GN_LAYOUT(bytes, element)                                                                  \
@@ -105,7 +107,8 @@ static inline bool format_has_stencil(gn_format format)
 #undef HAS_STENCIL
 }
 
-/* Colours in formats beside the two that fragments have functions of their own for (encode.h). */
+/* Whether the format is a colour that fragments encode by encode.h: any but the two for which
+ * fragments have functions of their own. */
 static inline bool format_is_encoded(gn_format format)
 {
     return format_is_color(format) && format != GN_FORMAT_RGBA8 && format != GN_FORMAT_RGBA32F;
@@ -129,7 +132,8 @@ static inline bool format_is_float(gn_format format)
     return format_encoding_of(format) == ENCODING_FLOAT;
 }
 
-/* How many of red, green, blue and alpha, in this order, a colour has; 4 of what is none. */
+/* Returns how many of red, green, blue and alpha, in this order, a colour format has; 4 for
+ * anything else. */
 static inline int format_channels(gn_format format)
 {
 #define CHANNELS(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)             \
@@ -143,8 +147,8 @@ static inline int format_channels(gn_format format)
 #undef CHANNELS
 }
 
-/* The channels of a row: 16 bits each from the first on, the lowest bit and above it the number of
- * bits. */
+/* The channels of a row, 16 bits for each, the first channel lowest: the lowest bit, and above it
+ * the number of bits. */
 typedef uint64_t format_fields;
 
 #define GN_FIELD(offset, width) ((uint64_t)((offset) | (width) << 8))
@@ -164,7 +168,7 @@ static inline format_fields format_fields_of(gn_format format)
 #undef FIELDS
 }
 
-/* The lowest bit of a channel in its word, and which word that is. */
+/* Returns the lowest bit of a channel in its word. field_word returns which word it is. */
 static inline int field_shift(format_fields fields, int channel)
 {
     return (int)(fields >> 16 * channel & 31);
@@ -175,20 +179,21 @@ static inline int field_word(format_fields fields, int channel)
     return (int)(fields >> 16 * channel >> 5 & 3);
 }
 
-/* Bits of a channel; 0: the format lacks it. */
+/* Returns the bits of a channel; 0 if the format lacks it. */
 static inline int field_width(format_fields fields, int channel)
 {
     return (int)(fields >> 16 * channel >> 8 & 255);
 }
 
-/* What the reference blends colours of a format in. */
+/* The numbers in which the reference blends colours of a format. */
 typedef enum color_arithmetic {
     ARITHMETIC_BYTES, /* pixels of GN_FORMAT_RGBA8 */
     ARITHMETIC_SHORTS,
     ARITHMETIC_FLOATS
 } color_arithmetic;
 
-/* Of integers the smallest that hold every channel. */
+/* The arithmetic of a format: floats if channels are not linear fractions, otherwise the smallest
+ * integers that hold every channel. */
 #define GN_ARITHMETIC(encoding, w0, w1, w2, w3)                                                    \
     ((encoding) != ENCODING_UNORM                       ? ARITHMETIC_FLOATS                        \
      : (w0) <= 8 && (w1) <= 8 && (w2) <= 8 && (w3) <= 8 ? ARITHMETIC_BYTES                         \

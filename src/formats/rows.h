@@ -1,21 +1,22 @@
 /* The pixel formats: one row of plain data each. Sizes, masks, classes, predicates, conversions and
- * faults of the library, and the tables of the tests, are derived from these rows. They include
- * nothing, so that programs outside the library may take the list and the layouts too.
+ * faults of the library, and the tables of the tests, are derived from these rows. This file
+ * includes nothing, so that programs outside the library may use the list and the layouts too.
  *
- * To add a format, add its name to gn_format (gnomon/surface.h) and a row here; where its channels
+ * To add a format, add its name to gn_format (gnomon/surface.h) and a row here. If its channels
  * are stored in a way that no other format has, add the conversion to unorm.h or floats.h.
  *
  *   name      as in GN_FORMAT_name
  *   bytes     of a pixel
- *   element   bytes of what a pixel is made of, to which pixels and strides are aligned
+ *   element   bytes of the elements that a pixel is made of; pixels and strides are aligned to them
  *   kind      COLOR, or DEPTH: depth, stencil or both
- *   encoding  UNORM: fractions of the largest value; SRGB: so too, red, green and blue along
- *             sRGB's curve; FLOAT: floats of as many bits as the channel has
- *   channels  of a colour red, green, blue and alpha, otherwise depth and stencil: each the lowest
- *             bit and the number of bits, 0, 0 where the format lacks it
+ *   encoding  UNORM: fractions of the largest value; SRGB: fractions too, with red, green and blue
+ *             encoded along sRGB's curve; FLOAT: floats of as many bits as the channel has
+ *   channels  red, green, blue and alpha of a colour, otherwise depth and stencil: for each the
+ *             lowest bit and the number of bits, or 0, 0 if the format lacks the channel
  *
- * Bits are counted in the pixel taken as one number: elements of 16 and 32 bits, and three bytes,
- * from the lowest one on, two bytes from the highest. No channel crosses a multiple of 32. */
+ * Bits are counted in the pixel taken as one number. The number's low bits are the first element in
+ * memory, except in a pixel of two bytes, whose first byte is the high one. No channel crosses a
+ * multiple of 32. */
 #ifndef GN_FORMATS_ROWS_H
 #define GN_FORMATS_ROWS_H
 

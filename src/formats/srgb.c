@@ -1,4 +1,4 @@
-/* The thresholds of srgb.h: computed from the transfer function with 50 digits. */
+/* The thresholds of srgb.h, computed from the transfer function with 50 digits. */
 #include "srgb.h"
 
 const int32_t gn_srgb_thresholds[256] = {

@@ -1,28 +1,29 @@
-/* Where the rows and samples of a surface are in memory. */
+/* Finds the rows and samples of a surface in memory. */
 #ifndef GN_FORMATS_SURFACE_MEMORY_H
 #define GN_FORMATS_SURFACE_MEMORY_H
 
 #include "gnomon/surface.h"
 
-/* The memory of row y of a surface. */
+/* Returns the memory of row y of a surface. */
 static inline unsigned char *surface_row(const gn_surface *surface, uint32_t y)
 {
     return (unsigned char *)surface->pixels + (ptrdiff_t)y * surface->row_stride;
 }
 
-/* Bytes between the first bytes of two rows, layers or samples, whichever comes first in memory. */
+/* Returns the bytes between the first bytes of two rows, layers or samples, whichever comes first
+ * in memory. */
 static inline size_t stride_length(ptrdiff_t stride)
 {
     return stride < 0 ? 0 - (size_t)stride : (size_t)stride;
 }
 
-/* Samples of a checked surface's pixels. */
+/* Returns the samples per pixel of a checked surface. */
 static inline uint32_t samples_of(const gn_surface *surface)
 {
     return surface->samples > 1 ? GN_SAMPLES : 1;
 }
 
-/* The pixels of a sample of a surface. */
+/* Returns the pixels of one sample of a surface. */
 static inline unsigned char *sample_memory(const gn_surface *surface, uint32_t sample)
 {
     return (unsigned char *)surface->pixels + (ptrdiff_t)sample * surface->sample_stride;

@@ -1,12 +1,12 @@
-/* Channels that are fractions of their largest value, to lanes and back. Colours of up to 8 bits a
- * channel are packed from bytes, pixels of GN_FORMAT_RGBA8, others from shorts, pixels of
- * GN_FORMAT_RGBA16, in which they are blended. */
+/* Converts channels that are fractions of their largest value to lanes and back. Colours are packed
+ * from the integers that they are blended in: up to 8 bits per channel from bytes, pixels of
+ * GN_FORMAT_RGBA8; others from shorts, pixels of GN_FORMAT_RGBA16. */
 #ifndef GN_FORMATS_UNORM_H
 #define GN_FORMATS_UNORM_H
 
 #include "properties.h"
 
-/* The `bits` from bit `shift` of words on, as a fraction of their largest value. */
+/* Returns the `bits` from bit `shift` of words on as a fraction of their largest value. */
 GN_INLINE lanes_f unorm_channel(lanes_i word, int shift, int bits)
 {
     const int32_t largest = (int32_t)((1u << bits) - 1);
@@ -18,7 +18,7 @@ GN_INLINE lanes_f unorm_channel(lanes_i word, int shift, int bits)
         lanes_splat(1.0f / (float)largest));
 }
 
-/* Clamped to 0..1, NaN to 0. */
+/* Clamps to 0..1; NaN becomes 0. */
 static inline lanes_f saturated(lanes_f channel)
 {
     return lanes_min(lanes_max(channel, lanes_splat(0.0f)), lanes_splat(1.0f));
@@ -34,7 +34,7 @@ static inline lanes_i pair_of(lanes_i low, lanes_i high)
     return lanes_i_or(low, lanes_i_shift_left(high, 16));
 }
 
-/* Red and blue change places. */
+/* Exchanges red and blue. */
 static inline lanes_i swapped(lanes_i packed)
 {
     const lanes_i low = lanes_i_splat(255);
@@ -45,7 +45,7 @@ static inline lanes_i swapped(lanes_i packed)
                       lanes_i_or(blue, lanes_i_shift_left(red, 16)));
 }
 
-/* The highest `bits` of the byte from bit `shift` on, from bit `to` on. */
+/* Takes the highest `bits` of the byte at bit `shift` and puts them at bit `to`. */
 static inline lanes_i high_bits(lanes_i packed, int shift, int bits, int to)
 {
     return lanes_i_shift_left(
@@ -53,7 +53,7 @@ static inline lanes_i high_bits(lanes_i packed, int shift, int bits, int to)
         to);
 }
 
-/* round-half-even of byte / 17, of the byte from bit `shift` on, from bit `to` on. */
+/* Takes the byte at bit `shift` and puts round-half-even(byte / 17) at bit `to`. */
 static inline lanes_i seventeenth(lanes_i packed, int shift, int to)
 {
     const lanes_i byte = lanes_i_and(lanes_i_shift_right(packed, shift), lanes_i_splat(255));
@@ -62,7 +62,8 @@ static inline lanes_i seventeenth(lanes_i packed, int shift, int to)
     return lanes_i_shift_left(lanes_i_shift_right(product, 12), to);
 }
 
-/* The `bits` from bit `shift` on as a byte, repeated from the top, in the byte from bit `to` on. */
+/* Takes the `bits` at bit `shift`, repeats them from the top to fill a byte, and puts the byte at
+ * bit `to`. */
 static inline lanes_i widened(lanes_i word, int shift, int bits, int to)
 {
     const lanes_i value =
@@ -74,7 +75,7 @@ static inline lanes_i widened(lanes_i word, int shift, int bits, int to)
     return lanes_i_shift_left(byte, to);
 }
 
-/* Whether all channels are bytes, where GN_FORMAT_RGBA8 has them. */
+/* Whether all channels are bytes in the places that GN_FORMAT_RGBA8 has them in. */
 static inline bool fields_are_bytes_in_order(format_fields fields)
 {
     for (int c = 0; c < 4; ++c)
@@ -84,13 +85,14 @@ static inline bool fields_are_bytes_in_order(format_fields fields)
     return true;
 }
 
-/* Whether all channels are bytes, red and blue in each other's place. */
+/* Whether all channels are bytes, with red and blue in each other's place. */
 static inline bool fields_are_bytes_swapped(format_fields fields)
 {
     return fields == GN_FIELDS(16, 8, 8, 8, 0, 8, 24, 8);
 }
 
-/* Channel c of pixels of GN_FORMAT_RGBA8, of at most 8 bits where the fields have it. */
+/* Takes channel c of pixels of GN_FORMAT_RGBA8 to the place and width, at most 8 bits, of its
+ * field. */
 GN_INLINE lanes_i field_of_byte(format_fields fields, lanes_i packed, int c)
 {
     return field_width(fields, c) == 4
@@ -98,8 +100,8 @@ GN_INLINE lanes_i field_of_byte(format_fields fields, lanes_i packed, int c)
                : high_bits(packed, 8 * c, field_width(fields, c), field_shift(fields, c));
 }
 
-/* Pixels of GN_FORMAT_RGBA8 to those with these fields of up to 8 bits, three or four of them where
- * they are not bytes in order. Bits beside the fields are not cleared. */
+/* Converts pixels of GN_FORMAT_RGBA8 to pixels with these fields of up to 8 bits. Unless the fields
+ * are bytes in order, there are three or four of them. Bits beside the fields are not cleared. */
 GN_INLINE lanes_i fields_of_bytes(format_fields fields, lanes_i packed)
 {
     if (fields_are_bytes_in_order(fields))
@@ -113,7 +115,7 @@ GN_INLINE lanes_i fields_of_bytes(format_fields fields, lanes_i packed)
         field_width(fields, 3) > 0 ? lanes_i_or(blue, field_of_byte(fields, packed, 3)) : blue);
 }
 
-/* The inverse; alpha is one where there is no field of it. */
+/* The inverse of fields_of_bytes. Alpha is one if it has no field. */
 GN_INLINE lanes_i bytes_of_fields(format_fields fields, lanes_i word)
 {
     const lanes_i opaque = lanes_i_splat((int32_t)0xFF000000u);
@@ -132,14 +134,15 @@ GN_INLINE lanes_i bytes_of_fields(format_fields fields, lanes_i word)
     return lanes_i_or(lanes_i_or(byte[0], byte[1]), lanes_i_or(byte[2], byte[3]));
 }
 
-/* Whether all channels have 16 bits, where GN_FORMAT_RGBA16 has them. */
+/* Whether all channels have 16 bits in the places that GN_FORMAT_RGBA16 has them in. */
 static inline bool fields_are_shorts(format_fields fields)
 {
     return field_width(fields, 0) == 16;
 }
 
-/* A channel of 16 bits, in the low ones, as one of `bits`: the highest, but with so few that more
- * are lost than stay round-half-up of (value >> bits) * (2^bits - 1) / 2^(16 - bits). */
+/* Narrows a channel of 16 bits, which stands in the low bits, to `bits`. Keeps its highest bits if
+ * at least as many stay as are lost; otherwise returns round-half-up of (value >> bits) * (2^bits -
+ * 1) / 2^(16 - bits). */
 GN_INLINE lanes_i narrowed(lanes_i value, int bits)
 {
     const int lost = 16 - bits;
@@ -152,7 +155,7 @@ GN_INLINE lanes_i narrowed(lanes_i value, int bits)
         lost);
 }
 
-/* The `bits` from bit `shift` on as 16, repeated from the top. */
+/* Takes the `bits` at bit `shift` and repeats them from the top to fill 16 bits. */
 GN_INLINE lanes_i widened_to_short(lanes_i word, int shift, int bits)
 {
     const lanes_i value =
@@ -164,8 +167,8 @@ GN_INLINE lanes_i widened_to_short(lanes_i word, int shift, int bits)
     return wide;
 }
 
-/* Pixels of GN_FORMAT_RGBA16 to those with these fields of more than 8 bits, which fill one word
- * where they have not 16. Bits beside the fields are not cleared. */
+/* Converts pixels of GN_FORMAT_RGBA16, in place, to pixels with these fields of more than 8 bits.
+ * The fields have 16 bits each, or all lie in one word. Bits beside the fields are not cleared. */
 GN_INLINE void fields_of_shorts(format_fields fields, lanes_i word[2])
 {
     const lanes_i low = lanes_i_splat(0xFFFF);
@@ -183,7 +186,7 @@ GN_INLINE void fields_of_shorts(format_fields fields, lanes_i word[2])
     word[0] = packed;
 }
 
-/* The inverse; alpha is one where there is no field of it. */
+/* The inverse of fields_of_shorts. Alpha is one if it has no field. */
 GN_INLINE void shorts_of_fields(format_fields fields, lanes_i word[2])
 {
     const lanes_i packed = word[0];
@@ -201,8 +204,8 @@ GN_INLINE void shorts_of_fields(format_fields fields, lanes_i word[2])
         word[1] = lanes_i_splat(-1);
 }
 
-/* What a clear makes of a fraction, in units of the largest value. It rounds halves up where a
- * channel has not 8 bits. */
+/* Returns a fraction as a clear stores it, in units of the largest value, for channels that have not
+ * 8 bits: clears round halves up there. */
 static inline uint32_t cleared_unorm(float c, int bits)
 {
     const float saturated_c = !(c > 0.0f) ? 0.0f : c >= 1.0f ? 1.0f : c;

@@ -1,18 +1,19 @@
-/* Runs of blocks: in rows of 16 pixels as far as they go, in blocks elsewhere; a function for each
- * common state, one for all others, and which of them draws a state. */
+/* Draws runs of squares: in rows of 16 pixels as far as they go, square by square elsewhere. Each
+ * common state has a function of its own, and one function draws all other states.
+ * block_functions_of chooses the function for a state. */
 #ifndef GN_FRAGMENT_RUNS_H
 #define GN_FRAGMENT_RUNS_H
 
 #include "block.h"
 
-/* One of the surfaces, which are of one size. */
+/* Returns one of the surfaces, which have one size. */
 GN_INLINE const gn_surface *surface_of(const fragment_state *state, fragment_kind kind)
 {
     return kind.color_format != GN_FORMAT_NONE ? &state->color : &state->depth;
 }
 
-/* Neighbouring squares. Those that hang over the surfaces' edge are left to what serves
- * all states, so that the others call nothing. */
+/* Shades neighbouring squares. A square that hangs over the surfaces' edge is left to the function
+ * for all states, so that this code calls no other function. */
 GN_INLINE void shade_squares(const fragment_state *state, fragment_kind kind,
                              raster_triangle triangle, int32_t x, int32_t y, uint32_t count,
                              uint32_t coverage)
@@ -38,7 +39,8 @@ GN_INLINE void shade_squares(const fragment_state *state, fragment_kind kind,
     }
 }
 
-/* Asks for what the fragments of a block on the surfaces will be compared with and laid over. */
+/* Prefetches the depths that a block's fragments are tested against and the colours that they are
+ * written over. */
 GN_INLINE void prefetch_block(const fragment_state *state, fragment_kind kind,
                               const pixel_block *block)
 {
@@ -50,8 +52,8 @@ GN_INLINE void prefetch_block(const fragment_state *state, fragment_kind kind,
                        state->depth.row_stride);
 }
 
-/* Halves of a block that hangs over, each in the square at a multiple of four rows that it lies in:
- * the rows of another may be another thread's. */
+/* Shades the halves of a block that hangs over the surfaces' edge. Each half is shaded in its own
+ * square, at a multiple of four rows: the rows of another square may belong to another thread. */
 GN_INLINE void shade_halves(const fragment_state *state, raster_triangle triangle,
                             const packed_block *b)
 {
@@ -65,7 +67,7 @@ GN_INLINE void shade_halves(const fragment_state *state, raster_triangle triangl
     }
 }
 
-/* Packed blocks; the memory of the next is on its way while one is shaded. */
+/* Shades packed blocks; prefetches the next block while one is shaded. */
 GN_INLINE void shade_packed(const fragment_state *state, fragment_kind kind,
                             raster_triangle triangle, const packed_block *blocks, uint32_t count)
 {
@@ -96,8 +98,8 @@ GN_INLINE void shade_packed(const fragment_state *state, fragment_kind kind,
     }
 }
 
-/* The attributes that the library interpolates for a kind of fragments: from the first on,
- * up to the end. */
+/* The attributes that the library interpolates for a kind of fragments: from first_attribute up to,
+ * but not including, end_attribute. */
 GN_INLINE uint32_t first_attribute(fragment_kind kind)
 {
     return kind.depth_format != GN_FORMAT_NONE ? DEPTH_PLANE : ONE_OVER_W_PLANE;
@@ -110,7 +112,7 @@ GN_INLINE uint32_t end_attribute(fragment_kind kind)
     return VARYING_PLANES + (kind.source == SOURCE_TEXTURE ? VARYING_END : VARYING_S);
 }
 
-/* Covered blocks, as many as make whole rows of 16 pixels. */
+/* Shades covered squares in rows of 16 pixels; `count` is a multiple of SQUARES_IN_ROW. */
 GN_INLINE void shade_rows(const fragment_state *state, fragment_kind kind, raster_triangle triangle,
                           int32_t x, int32_t y, uint32_t count)
 {
@@ -151,10 +153,10 @@ GN_INLINE void shade_rows(const fragment_state *state, fragment_kind kind, raste
     }
 }
 
-/* Blocks that make a row of 16 pixels. */
+/* The squares across a row of 16 pixels. */
 #define SQUARES_IN_ROW (GN_LANES / SQUARE_SIZE)
 
-/* Covered blocks, in rows as far as they go. */
+/* Shades covered squares, in rows as far as whole rows go. */
 GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster_triangle triangle,
                          int32_t x, int32_t y, uint32_t count)
 {
@@ -166,7 +168,8 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
                        triangle_plane(triangle, ONE_OVER_W_PLANE).per_x == 0.0f;
     fragment_kind known = kind;
 
-    /* Each branch makes the rows once more, of constants; blending would hide what they save. */
+    /* Each branch compiles the rows once more, with constants. Draws that blend take the first two
+     * only, since the time of blending would hide what the others save. */
     if (!kind.solid) {
         shade_rows(state, known, triangle, x, y, whole);
     } else if (!usual_test) {
@@ -186,14 +189,14 @@ GN_INLINE void shade_run(const fragment_state *state, fragment_kind kind, raster
                   GN_ALL_LANES);
 }
 
-/* All states that have no function of their own. */
+/* Draws any state that has no function of its own. */
 static void run_any(const void *context, raster_triangle triangle, int32_t x, int32_t y,
                     uint32_t count, uint32_t coverage)
 {
     shade_whole_squares((const fragment_state *)context, triangle, x, y, count, coverage);
 }
 
-/* run_any for a counted_state. */
+/* run_any for a counted_state: also counts the fragments that pass. */
 static void run_counted(const void *context, raster_triangle triangle, int32_t x, int32_t y,
                         uint32_t count, uint32_t coverage)
 {
@@ -204,7 +207,7 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
     counted->counts->passed += shade_whole_squares(counted->state, triangle, x, y, count, coverage);
 }
 
-/* A run_function for one state and its pack_function, which are called `name` and `packed`; the
+/* Defines a run_function for one state, called `name`, and its pack_function, called `packed`. The
  * context is a fragment_state. */
 #define GN_SQUARES_FUNCTIONS(name, packed, depth_format, color_format, source, use)                \
     static void name(const void *context, raster_triangle triangle, int32_t x, int32_t y,          \
@@ -224,9 +227,9 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
         shade_packed(state, kind, triangle, blocks, count);                                        \
     }
 
-/* A run_function for one state, called `name`, which draws in rows where it can. The rows are out
- * of line, in a function called `long_runs`, so that single squares, of which small triangles have
- * most, keep a short prologue. */
+/* Defines a run_function for one state, called `name`, which draws in rows where it can. The rows
+ * are out of line, in a function called `long_runs`, so that single squares, which are most of what
+ * small triangles cover, keep a short prologue. */
 #define GN_ROWS_FUNCTION(name, long_runs, depth_format, color_format, source, use)                 \
     GN_OUT_OF_LINE void long_runs(const fragment_state *state, raster_triangle triangle,           \
                                   int32_t x, int32_t y, uint32_t count)                            \
@@ -296,8 +299,8 @@ static void run_counted(const void *context, raster_triangle triangle, int32_t x
 
 GN_SPECIAL_STATES(GN_SQUARES_FUNCTIONS, GN_ROWS_FUNCTION)
 
-/* Whether the state asks nothing of the order of shader and tests, of depth or of colours that
- * the special functions leave out. */
+/* Whether the special functions can draw the state: the shader runs after the tests, and the state
+ * needs nothing of depth, stencil or colours that the special functions leave out. */
 static inline bool is_plain(const fragment_state *state)
 {
     const gn_pipeline *p = state->pipeline;
@@ -343,8 +346,8 @@ static inline bool is_kind(fragment_kind kind, gn_format depth_format, gn_format
            kind.source == source && kind.use == use;
 }
 
-/* The functions that draw the blocks of a state. By comparisons, since a table of functions would
- * need relocation. With `counts` the context is a counted_state. */
+/* Returns the functions that draw the squares and blocks of a state. By comparisons, since a table
+ * of functions would need relocation. With `counts` the context is a counted_state. */
 static inline block_functions block_functions_of(const fragment_state *state, bool counts)
 {
     block_functions f = {counts ? run_counted : run_any, 0};

@@ -1,8 +1,8 @@
-/* Compiles what follows, up to target_end.h, for the instruction set of the chosen form of lanes.
- * Forms that are not named here use what every processor of the target has, and an emulated form
- * uses that as well. AVX2 is asked for without fused multiply-add, which AVX-512 cannot be:
- * -ffp-contract=off keeps the compiler from fusing there. The intrinsics' header comes first, so
- * that its functions keep targets of their own. Included once in a file. */
+/* Compiles the text from here to target_end.h for the instruction set of the chosen form of lanes.
+ * Forms that are not named here, and emulated forms, use what every processor of the target has.
+ * AVX2 is asked for without fused multiply-add. AVX-512 always has it, and there -ffp-contract=off
+ * keeps the compiler from fusing. The intrinsics' header comes first, so that its functions keep
+ * targets of their own. Included once in a file. */
 #if defined(GN_LANES_AVX512) && !defined(GN_LANES_INTRINSICS_HEADER)
 #define GN_LANES_TARGET "avx512f,avx512bw,avx512dq,avx512vl"
 #elif defined(GN_LANES_AVX2)
