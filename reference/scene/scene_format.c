@@ -17,7 +17,7 @@ static const scene_format rows[SCENE_FORMATS] = {
 #define IS_DEPTH false
     GN_FORMATS(ROW)};
 
-/* The names of one kind. */
+/* The names of the formats of one kind, colours or depths. */
 #define NAME(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3) NAME_##kind(name)
 
 const gn_format scene_color_formats[SCENE_COLOR_FORMATS] = {

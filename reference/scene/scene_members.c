@@ -33,7 +33,8 @@
 #define BLENDS EACH(GN_MAX_COLORS, gn_blend)
 #define ATTRIBUTES EACH(GN_MAX_ATTRIBUTES, gn_attribute)
 
-/* Nearest texels at the edge are simpler to follow than the filter over levels that 0 means. */
+/* Shrinking prefers the nearest texel and clamping to the edge: they are simpler to follow than the
+ * filter over levels, which 0 means. */
 #define SAMPLER(sampler)                                                                           \
     ROW(sampler.wrap_s, NAMED(TEXT_WRAP), SIMPLEST(GN_WRAP_CLAMP_TO_EDGE)),                        \
         ROW(sampler.wrap_t, NAMED(TEXT_WRAP), SIMPLEST(GN_WRAP_CLAMP_TO_EDGE)),                    \
@@ -45,8 +46,8 @@
         ROW(sampler.max_lod, ANY_FLOAT), ROW(sampler.max_anisotropy, NUMBER(GN_MAX_ANISOTROPY)),   \
         ROW(sampler.border, ANY_FLOAT, TOGETHER(4))
 
-/* AT is the offset of a row's path, which begins in scene_draw.state and further below in
- * scene_draw. */
+/* AT(path) is the offset of a row's path. Paths begin in scene_draw.state; in the rows further
+ * below they begin in scene_draw. */
 
 /* clang-format off */
 const scene_member scene_members[] = {

@@ -12,7 +12,8 @@
 #include "scene_text.h"
 
 typedef enum member_type {
-    MEMBER_ELSEWHERE, /* pointers, bulk data and what the drawing side sets: other code's */
+    MEMBER_ELSEWHERE, /* pointers, bulk data and what the drawing side sets: other code handles
+                         them */
     MEMBER_SWITCH,    /* bool */
     MEMBER_NAMED,     /* an enumeration */
     MEMBER_BYTE,      /* uint8_t */
@@ -25,14 +26,14 @@ typedef struct scene_member {
     const char *name; /* the path in scene_draw, without `state.`: color.blend[0].source */
     size_t offset;    /* of the first value, in scene_draw */
     member_type type;
-    text_names names;  /* of MEMBER_NAMED */
-    uint32_t largest;  /* that MEMBER_BYTE and MEMBER_NUMBER may be */
-    float low, high;   /* that gn_pipeline_check takes; of MEMBER_FLOAT */
+    text_names names;  /* if type is MEMBER_NAMED */
+    uint32_t largest;  /* the largest value, for MEMBER_BYTE and MEMBER_NUMBER */
+    float low, high;   /* the range that gn_pipeline_check accepts, for MEMBER_FLOAT */
     uint32_t simplest; /* what shrinking prefers to the value of scene_add_draw; 0: nothing */
-    size_t lines;      /* of an array; 0: it is no array */
+    size_t lines;      /* the length of an array; 0: it is no array */
     size_t stride;     /* bytes from line to line */
-    size_t together;   /* values of a line; 0 means 1 */
-    size_t bytes;      /* of MEMBER_ELSEWHERE */
+    size_t together;   /* values per line; 0 means 1 */
+    size_t bytes;      /* the size, for MEMBER_ELSEWHERE */
 } scene_member;
 
 extern const scene_member scene_members[];
@@ -54,7 +55,7 @@ static inline size_t scene_member_values(const scene_member *m)
     return m->together ? m->together : 1;
 }
 
-/* Bytes of a value. */
+/* Returns the bytes of a value. */
 size_t scene_member_size(const scene_member *m);
 
 /* Return and set a value of a draw: a number's bits, 0 or 1 for a switch. `line` must be below
@@ -71,7 +72,8 @@ const scene_member *scene_member_named(const char *name, size_t *line);
 #define SCENE_MEMBER_NAME 64
 void scene_member_name(const scene_member *m, size_t line, char *name);
 
-/* Writes the lines that differ from scene_default_draw's as scene text (scene_write.c). */
+/* Writes, as scene text, the lines whose values differ from scene_default_draw's
+ * (scene_write.c). */
 void scene_write_members(const scene_draw *d, FILE *out);
 
 #endif

@@ -1,4 +1,4 @@
-/* Scenes from text. */
+/* Reads scenes from text. */
 #include "scene.h"
 
 #include <inttypes.h>
@@ -51,8 +51,8 @@ static void read_indices(reader *r, scene_draw *d)
     free(words);
 }
 
-/* The texels of a texture whose other members are there, packed: memory that the caller frees.
- * After a fault null. */
+/* Returns the texels of a texture whose other members are set, packed, in memory that the caller
+ * frees. Returns null after a fault. */
 static void *read_texels(reader *r, gn_texture *t)
 {
     const bool sampled = scene_is_color_format(t->format) || scene_has_depth(t->format);
@@ -79,7 +79,7 @@ static void *read_texels(reader *r, gn_texture *t)
     return packed;
 }
 
-/* uniforms.texture or, not SCENE_MAP_COUNT, a map. */
+/* Reads uniforms.texture if map is SCENE_MAP_COUNT, otherwise that map. */
 static void read_texture(reader *r, scene_draw *d, scene_map map)
 {
     gn_texture t;

@@ -6,13 +6,13 @@
 
 #include "scene_format.h"
 
-/* In the order of the values. */
+/* Each array of names is in the order of its enumeration's values. */
 static const char *const shader_names[] = {
     "vertex-color", "flat",        "gouraud",      "textured-gouraud", "phong",
     "inputs",       "derivatives", "outputs",      "sampled",          "unlit",
     "faces",        "toon",        "mapped-phong", "blinn-phong",      "normal-color",
     "depth-color",  "depth-only"};
-/* Names of formats, "rgb5-a1" of RGB5_A1. */
+/* Makes the names of formats: "rgb5-a1" for RGB5_A1. */
 #define LONGEST_NAME 24
 
 static const char *const *format_names(int *count)

@@ -62,13 +62,13 @@ typedef enum text_names {
     TEXT_MAP
 } text_names;
 
-/* The number of names of an enumeration; they belong to the values from 0 on. */
+/* Returns the number of names of an enumeration; they belong to the values from 0 on. */
 int text_name_count(text_names set);
 
-/* The name of a value, "invalid" if it has none. */
+/* Returns the name of a value, "invalid" if it has none. */
 const char *text_name(text_names set, int value);
 
-/* The value of a name, -1 if there is none. */
+/* Returns the value of a name, -1 if there is none. */
 int text_value(text_names set, const char *name);
 
 #endif

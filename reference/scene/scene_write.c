@@ -1,4 +1,4 @@
-/* Scenes to text. */
+/* Writes scenes as text. */
 #include "scene.h"
 
 #include <inttypes.h>
@@ -49,7 +49,7 @@ static void write_indices(FILE *out, const scene_draw *d)
     fputc('\n', out);
 }
 
-/* A row of texels a line. */
+/* Writes one row of texels per line. */
 static void write_texels(FILE *out, const gn_texture *t)
 {
     const uint32_t levels = scene_level_count(t);
@@ -117,7 +117,7 @@ static bool is_default(const scene_member *m, const scene_draw *d, const scene_d
     return true;
 }
 
-/* Lines of scene_default_draw's values are left out. */
+/* Lines whose values are scene_default_draw's are left out. */
 static void write_member(FILE *out, const scene_member *m, const scene_draw *d,
                          const scene_draw *by_default)
 {

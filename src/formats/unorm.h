@@ -204,8 +204,8 @@ GN_INLINE void shorts_of_fields(format_fields fields, lanes_i word[2])
         word[1] = lanes_i_splat(-1);
 }
 
-/* Returns a fraction as a clear stores it, in units of the largest value, for channels that have not
- * 8 bits: clears round halves up there. */
+/* Returns a fraction as a clear stores it, in units of the largest value, for channels that have
+ * not 8 bits: clears round halves up there. */
 static inline uint32_t cleared_unorm(float c, int bits)
 {
     const float saturated_c = !(c > 0.0f) ? 0.0f : c >= 1.0f ? 1.0f : c;

@@ -83,7 +83,7 @@ gn_format random_color_format(builder *b);
 /* A format of texels: one of RGBA8, RGBA32F and SRGB8_A8, or of all formats of colours. */
 gn_format random_texel_format(random_source *r, bool is_common);
 
-/* Adds restarts among the existing indices, a base vertex, instances, each now and then. A draw
+/* Adds, each now and then, restarts among the existing indices, a base vertex and instances. A draw
  * without indices gets only instances. */
 void shape_elements(builder *b);
 
@@ -174,8 +174,8 @@ bool may_blend_after(const builder *b, uint32_t draws);
 gn_viewport random_viewport(builder *b);
 gn_format random_depth_format(builder *b); /* or no depth, or stencil alone */
 
-/* How an attachment of the next draw is combined with its pixels: by alpha and one minus alpha, by
- * any blending, under a mask. */
+/* Sets how an attachment of the next draw is combined with its pixels: by alpha and one minus
+ * alpha, by any blending, or under a mask. */
 void lay_over(builder *b, int attachment);
 void random_blend(builder *b, int attachment);
 void random_mask(builder *b, int attachment);

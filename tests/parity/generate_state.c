@@ -69,7 +69,7 @@ gn_viewport random_viewport(builder *b)
         v.width = random_chance(r, 20) ? 0.0f : random_float(r, 0.0f, 3.0f);
         v.height = random_chance(r, 20) ? 0.0f : random_float(r, 0.0f, 3.0f);
         break;
-    default: /* the whole target, but said */
+    default: /* the whole target, set explicitly */
         break;
     }
     return v;
@@ -170,7 +170,8 @@ void generate_culling(builder *b)
             shape_strip(b, count);
         } else if (kind < 6) {
             shape_turning(b, count);
-            /* The reference culls otherwise where some vertex of a draw is outside. */
+            /* The reference culls by another rule if some vertex of a draw is outside the view
+             * volume. */
             shape_triangles(b, PLACE_ANYWHERE, random_below(r, 2));
         } else {
             shape_separate(b, count);

@@ -1,7 +1,7 @@
-/* Pairwise coverage: each state is a row that says which of its values a draw has. Every value of
- * every state must occur together with every value of every other in some draw, but for the pairs
- * listed as impossible, each with its reason. Every switch and enumeration of gn_pipeline that is
- * no array is a state by itself; other states have rows here. */
+/* Pairwise coverage. Each state is a row that says which of its values a draw has. Every value of
+ * every state must occur together with every value of every other state in some draw, except for
+ * the pairs listed as impossible, each with its reason. Every switch and enumeration of gn_pipeline
+ * that is not an array is a state by itself; other states have rows here. */
 #include "pairs.h"
 
 #include <inttypes.h>
@@ -13,20 +13,20 @@
 #include "generate.h"
 #include "scene_members.h"
 
-/* Where a draw is, and what compares it. */
+/* A draw, where it is, and which scene's number chooses how it is compared. */
 typedef struct place {
     const scene *scene;
     const scene_draw *draw;
     const gn_pipeline *state;
-    size_t position; /* in the sequence */
-    uint64_t number; /* the scene's, which chooses threads and workspaces (compare.c) */
+    size_t position; /* of the draw in its scene */
+    uint64_t number; /* of the scene; it chooses threads and workspaces (compare.c) */
 } place;
 
-/* The value a draw has, from 0 to `values` - 1. */
+/* A state. `value` returns the value that a draw has, from 0 to `values` - 1. */
 typedef struct state_row {
-    const char *name; /* a member's, where the row stands for it */
+    const char *name; /* the member's name, if the state is a member */
     int values;
-    int (*value)(const place *p); /* null: the member's own */
+    int (*value)(const place *p); /* null: the member's own value */
     const scene_member *member;
 } state_row;
 
@@ -36,7 +36,8 @@ typedef struct state_row {
         return (int)(expression);                                                                  \
     }
 
-/* How an interpolation of several numbers is told: all alike, or mixed. */
+/* Returns one number for the interpolations of several varyings: the one that all have, or 3 if
+ * they are mixed. */
 static int interpolations(const place *p)
 {
     const gn_interpolation *i = p->state->program.interpolation;
@@ -44,7 +45,7 @@ static int interpolations(const place *p)
     return alike ? (int)i[0] : 3;
 }
 
-/* A comparison's number among eight. */
+/* Returns a comparison's number, 0 to 7. */
 static int comparison_number(gn_compare c, gn_compare default_comparison)
 {
     return (int)((c == GN_COMPARE_DEFAULT ? default_comparison : c) - GN_NEVER);
@@ -76,7 +77,7 @@ static int clip_distances(const place *p)
     return count < 2 ? (int)count : count < 4 ? 2 : 3;
 }
 
-/* Surfaces after the first. */
+/* Returns 0 for one colour surface, 1 for two to four, 2 for more. */
 static int attachments(const place *p)
 {
     int count = 0;
@@ -85,7 +86,8 @@ static int attachments(const place *p)
     return count < 4 ? (count > 0) : 2;
 }
 
-/* Whether one of them that the shader writes has a blending of its own, or a mask. */
+/* Whether an attachment after the first, which the target has and the shader writes, is blended.
+ * more_masks: whether one has a write mask. */
 static int more_blends(const place *p)
 {
     bool blends = false;
@@ -110,7 +112,7 @@ static int line_width(const place *p)
     return width < 1.5f ? 0 : width < 4.5f ? 1 : 2;
 }
 
-/* Floats, fractions, sRGB, depths. */
+/* Returns 0 for floats, 1 for sRGB, 2 for other fractions, 3 for depths. */
 static int kind_of_texels(const gn_texture *t)
 {
     const bool floats = scene_is_color_format(t->format) && scene_is_float_format(t->format);
@@ -147,7 +149,7 @@ static int depth_format(const place *p)
     return value;
 }
 
-/* The default is the value it stands for. */
+/* The default counts as the value that it stands for. */
 static int factor(gn_blend_factor f, gn_blend_factor otherwise)
 {
     return (int)(f == GN_FACTOR_DEFAULT ? otherwise : f) - (int)GN_FACTOR_ZERO;
@@ -250,20 +252,21 @@ static const state_row own_rows[] = {
 
 #define OWN_ROWS (sizeof own_rows / sizeof *own_rows)
 
-/* Values of two states that no draw has together: bit v of the masks is value v. A first name that
- * ends in a star stands for every state whose name begins so. */
+/* A pair of states and values of them that no draw has together: bit v of a mask is value v. If the
+ * first name ends in a star, it means every state whose name begins so. */
 typedef struct exclusion {
     const char *a, *b;
     uint32_t values_a, values_b;
     const char *reason;
-    bool means_nothing; /* the first state, where the other has those values or means nothing */
+    bool means_nothing; /* the first state means nothing if the other state has those values or
+                           means nothing */
 } exclusion;
 
 #define ANY UINT32_MAX
 #define BIT(v) (UINT32_C(1) << (v))
 #define NOT(v) (~BIT(v))
 
-/* That a state means something only where another has some of its values. */
+/* State a means something only if state b has one of these values. */
 #define ONLY_WHERE(a, b, values_b, reason)                                                         \
     {                                                                                              \
         a, b, ANY, ~(uint32_t)(values_b), reason, true                                             \
@@ -276,7 +279,7 @@ typedef struct exclusion {
 
 #define FILLS (BIT(GN_TRIANGLES) | BIT(GN_TRIANGLE_STRIP) | BIT(GN_TRIANGLE_FAN))
 #define ALL_LINES (BIT(GN_LINES) | BIT(GN_LINE_STRIP) | BIT(GN_LINE_LOOP))
-/* In the order of the rows' values: SRGB8_A8; none and S8. */
+/* Bits in the order of the rows' values: for SRGB8_A8; for no depth format and S8. */
 #define SRGB BIT(13)
 #define WITHOUT_DEPTH (BIT(0) | BIT(6))
 #define TEXTURED (BIT(SCENE_TEXTURED_GOURAUD) | BIT(SCENE_PHONG) | BIT(SCENE_SAMPLED))
@@ -361,7 +364,8 @@ typedef struct excluded_states {
 #define MOST_STATES 256
 #define MOST_EXCLUDED 512
 
-/* The states, what they exclude and how often they meet. Values are numbered through all states. */
+/* The states, what they exclude, and how often their values meet. Values are numbered through all
+ * states. */
 typedef struct counts {
     state_row rows[MOST_STATES];
     int states;
@@ -369,7 +373,7 @@ typedef struct counts {
     int exclusions;
     int first[MOST_STATES + 1];
     uint64_t without[MOST_STATES]; /* draws to which the state means nothing */
-    uint32_t *pairs;               /* [value][value] */
+    uint32_t *pairs;               /* how often: [value][value], in one array */
 } counts;
 
 static void fail(const char *what, const char *name)
@@ -447,8 +451,8 @@ static bool is_listed(const counts *c, int a, int value_a, int b, int value_b)
     return false;
 }
 
-/* Listed, or following from the list: no value of a third state, of which every draw has one, is
- * possible with both. */
+/* Whether a pair is listed, or follows from the list: it does if every draw has a value of some
+ * third state and no value of that state is possible with both. */
 static bool is_impossible(const counts *c, int a, int value_a, int b, int value_b)
 {
     bool impossible = is_listed(c, a, value_a, b, value_b);
@@ -499,7 +503,8 @@ static void count_class(counts *c, scene_class class, uint64_t seed, uint64_t sc
     }
 }
 
-/* The pairs of one state with those before it; how many are not as said. */
+/* Counts the pairs of one state with the states before it. Returns how many are not as the list
+ * says. */
 static uint64_t check_state(const counts *c, int a, uint64_t *seen, uint64_t *left_out)
 {
     uint64_t wrong = 0;

@@ -1,11 +1,11 @@
-/* Makes a failing scene small: what remains is what the failure needs. */
+/* Makes a failing scene small, so that it holds only what the failure needs. */
 #ifndef PARITY_SHRINK_H
 #define PARITY_SHRINK_H
 
 #include "scene.h"
 
-/* Whether a scene shows the failure. It is called for scenes that may draw nothing, and must return
- * one answer for one scene. */
+/* Returns whether a scene shows the failure. It is called for scenes that may draw nothing. For one
+ * scene it must always return one answer. */
 typedef bool shrink_predicate(const scene *s, void *context);
 
 /* Returns a failing scene in which nothing more could be removed or simplified within `attempts`

@@ -1,5 +1,5 @@
-/* Shrinking meshes: separate triangles instead of strips, fans and indices; fewer triangles; fewer
- * attributes. */
+/* Shrinks meshes: to separate triangles instead of strips, fans and indices, to fewer triangles,
+ * and to fewer attributes. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -60,7 +60,7 @@ static void copy_draw(scene *to, const scene_draw *from, const mesh_selection *s
     for (int a = 0; a < GN_MAX_ATTRIBUTES; a++)
         if (d->mesh.attribute[a].data)
             d->mesh.attribute[a].divisor = from->mesh.attribute[a].divisor;
-    /* Arrays have an element for each vertex, and need one for each instance. */
+    /* An array has an element for each vertex, and must have an element for each instance. */
     d->mesh.instance_count = from->mesh.instance_count < selection->vertex_count
                                  ? from->mesh.instance_count
                                  : selection->vertex_count;

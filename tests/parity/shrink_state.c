@@ -1,12 +1,12 @@
-/* Shrinking state, target and numbers: each member on its own to what a zeroed one
- * means, the target to the pixels that matter, numbers to fewer bits. */
+/* Shrinks state, target and numbers: each member on its own to what a zeroed member means, the
+ * target to the pixels that matter, numbers to fewer bits. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "scene_members.h"
 #include "shrink_parts.h"
 
-/* Tries other bytes at an offset of the scene. */
+/* Tries other bytes at one offset of the scene. */
 static bool replace(shrinking *s, size_t offset, const void *value, size_t size)
 {
     if (memcmp((const char *)s->best + offset, value, size) == 0)
@@ -18,7 +18,7 @@ static bool replace(shrinking *s, size_t offset, const void *value, size_t size)
 
 #define REPLACE(s, member, value) replace(s, offsetof(scene, member), &(value), sizeof(value))
 
-/* Formats, clear values and samples. */
+/* Tries simpler formats, clear values and samples. */
 static bool simplify_scene(shrinking *s)
 {
     static const gn_format none = GN_FORMAT_NONE, simplest = GN_FORMAT_RGBA8;
@@ -37,8 +37,9 @@ static bool simplify_scene(shrinking *s)
     return REPLACE(s, samples, one_sample) || progress;
 }
 
-/* Whether a draw is one that the reference draws otherwise than OpenGL, whatever it was that
- * differed: the stencil's back face in polygon modes (reference/RULES.md). */
+/* Whether the reference is known to draw this draw otherwise than OpenGL, so that shrinking must
+ * not turn another difference into this one: the stencil's back face in polygon modes
+ * (reference/RULES.md). */
 static bool is_left_out(const scene_draw *d)
 {
     const gn_pipeline *p = &d->state;
@@ -48,7 +49,7 @@ static bool is_left_out(const scene_draw *d)
            memcmp(&p->stencil.front, &p->stencil.back, sizeof p->stencil.front) != 0;
 }
 
-/* Tries a candidate that differs in one draw, unless that draw becomes one that is left out. */
+/* Tries a candidate that differs in one draw, unless is_left_out holds for that draw. */
 static bool try_draw(shrinking *s, scene *candidate, size_t draw)
 {
     if (!is_left_out(&candidate->draws[draw]) || is_left_out(&s->best->draws[draw]))
@@ -75,7 +76,7 @@ static uint32_t float_with_bits(uint32_t word, int bits)
     return word;
 }
 
-/* The highest `bits` bits, from the first that is set. */
+/* Returns the highest `bits` bits, counted from the first set bit. */
 static uint32_t number_with_bits(uint32_t number, int bits)
 {
     int length = 0;
@@ -84,12 +85,12 @@ static uint32_t number_with_bits(uint32_t number, int bits)
     return length > bits ? number >> (length - bits) << (length - bits) : number;
 }
 
-/* The ways to make a value simpler: 0 is what shrinking prefers, 1 the default, 2 and on smaller
- * and rounder numbers. */
+/* The ways to make a value simpler: 0 sets what shrinking prefers, 1 sets the default, 2 and on set
+ * smaller and rounder numbers. */
 #define WAYS 8
 
-/* Returns the value made simpler in one of the ways, or the value itself. Of two values at most one
- * is simpler than the other, so that shrinking ends. */
+/* Returns the value made simpler in one of the ways, or the value itself. Between two values at
+ * most one is simpler than the other, so that shrinking ends. */
 static uint32_t simpler_value(const scene_member *m, uint32_t value, uint32_t by_default, int way)
 {
     static const int float_bits[WAYS] = {0, 0, 0, 2, 4, 8, 12, 16},
@@ -169,7 +170,7 @@ static bool simplify_shader(shrinking *s, size_t draw)
     return false;
 }
 
-/* Without the last clip plane, or without the first. */
+/* Tries the draw without the last clip plane, then without the first. */
 static bool remove_plane(shrinking *s, size_t draw, bool first)
 {
     scene *candidate = scene_copy(s->best);
@@ -199,7 +200,7 @@ bool shrink_state(shrinking *s)
     return progress;
 }
 
-/* A part of the target, under viewports that put everything where it was. */
+/* Cuts the target to a part of it. Viewports move, so that everything stays where it was. */
 static scene *cropped(const scene *s, uint32_t x, uint32_t y, uint32_t width, uint32_t height)
 {
     scene *copy = scene_copy(s);
@@ -239,7 +240,8 @@ bool shrink_target(shrinking *s)
     return progress;
 }
 
-/* Setting positions makes a mesh without indices one of all its vertices. */
+/* Sets an attribute and keeps the mesh's elements: setting positions would make a mesh without
+ * indices draw all its vertices. */
 static void replace_attribute(scene_draw *d, int a, const float *data, uint32_t components)
 {
     const uint32_t first = d->mesh.first, count = d->mesh.count;
@@ -248,9 +250,9 @@ static void replace_attribute(scene_draw *d, int a, const float *data, uint32_t 
     d->mesh.count = count;
 }
 
-/* The best scene with attribute a of a draw simplified in one vertex, or in all of them
- * where vertex is UINT32_MAX: cut to `bits` bits, or for bits < 0 set to one. Null
- * where nothing changes. */
+/* Returns the best scene with attribute a simplified in one vertex of a draw, or in all vertices if
+ * vertex is UINT32_MAX. Cuts the attribute to `bits` bits, or sets it to one if bits < 0. Returns
+ * null if nothing changes. */
 static scene *simpler_attribute(const scene *s, size_t draw, int a, uint32_t vertex, int bits)
 {
     const gn_mesh *mesh = &s->draws[draw].mesh;
@@ -296,7 +298,7 @@ static bool simplify_attribute(shrinking *s, size_t draw, int a)
     return progress;
 }
 
-/* Clip coordinates as the positions, the identity as the matrix. */
+/* Makes clip coordinates the positions and the identity the matrix. */
 static bool apply_matrix(shrinking *s, size_t draw)
 {
     const scene_draw *d = &s->best->draws[draw];

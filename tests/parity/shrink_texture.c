@@ -1,11 +1,11 @@
-/* Shrinking textures. */
+/* Shrinks textures. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "shrink_parts.h"
 
-/* Returns a texture with fewer levels, layers or rows, by the step; false if there are none to
- * remove. The texels that remain are those of the lowest rows, layers and levels. */
+/* Returns a texture with fewer levels, layers or rows, as the step says; false if there are none to
+ * remove. The texels that stay are those of the lowest rows, layers and levels. */
 static bool smaller_texture(gn_texture *t, unsigned step)
 {
     const bool has_layers = t->target == GN_TEXTURE_2D_ARRAY || t->target == GN_TEXTURE_3D;
@@ -32,7 +32,7 @@ static bool smaller_texture(gn_texture *t, unsigned step)
     }
 }
 
-/* Whether the sizes of the other levels still follow from the first level's. */
+/* Whether the sizes of the other levels still follow from the size of the first level. */
 static bool has_levels(const gn_texture *now, const gn_texture *before)
 {
     for (uint32_t level = 0; level < scene_level_count(now); level++) {

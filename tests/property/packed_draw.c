@@ -1,4 +1,5 @@
-/* The sizes of structs without padding: the headers again, packed. Nothing else may use them so. */
+/* Computes the sizes of structs without padding, by including their headers again, packed. No other
+ * file may use the structs packed. */
 #include <float.h>
 #include <limits.h>
 #include <stdbool.h>

@@ -1,4 +1,4 @@
-/* Properties of the table of members: it has every byte of a draw once, and each of its rows is
+/* Properties of the table of members: every byte of a draw is in the table once, and every row is
  * written, read and simplified. */
 #include <math.h>
 #include <stdlib.h>
@@ -58,7 +58,7 @@ static void no_fragments(const void *uniforms, const gn_fragment_input *input,
     (void)output;
 }
 
-/* What gn_pipeline_check says of a value on a line, where every switch is on. */
+/* Returns what gn_pipeline_check returns for a value on a line, with every switch on. */
 static gn_status status_with(const scene_member *m, size_t line, uint32_t value)
 {
     scene_draw d;
@@ -120,7 +120,7 @@ static enum theft_trial_res have_limits(struct theft *t, void *argument)
     return verdict(good);
 }
 
-/* Any value that the text may hold. */
+/* Returns any value that the text may hold. */
 static uint32_t any_value(const scene_member *m, random_source *r)
 {
     const uint32_t word = (uint32_t)(random_bits(r) >> 32);
@@ -137,7 +137,7 @@ static uint32_t any_value(const scene_member *m, random_source *r)
     }
 }
 
-/* A scene of one draw without vertices, some or all members of which have any value. */
+/* Returns a scene of one draw without vertices, in which some or all members have any value. */
 static scene *any_members(uint64_t seed)
 {
     random_source r = random_seed(seed);
@@ -173,7 +173,7 @@ static enum theft_trial_res survive_text(struct theft *t, void *argument)
     scene *const s = any_members(*(uint64_t *)argument);
     scene *const back = read_back(s, error, sizeof error);
     (void)t;
-    /* Memory that holds members alone: everything else is zero on both sides. */
+    /* This memory holds members alone; everything else is zero on both sides. */
     const bool same = back && back->draw_count == 1 &&
                       memcmp(&s->draws[0], &back->draws[0], sizeof(scene_draw)) == 0;
     scene_free(s);
@@ -211,7 +211,7 @@ static enum theft_trial_res misspelt_is_named(struct theft *t, void *argument)
     return verdict(named);
 }
 
-/* A fault that needs one value alone. */
+/* A fault that appears as long as one value of one line is as it was planted. */
 typedef struct planted {
     const scene_member *member;
     size_t line, value;
@@ -226,7 +226,7 @@ static bool has_planted(const scene *s, void *context)
                                      scene_member_get(p->member, &by_default, p->line, p->value);
 }
 
-/* All but the planted line is at its default or simplest. */
+/* Whether every line but the planted one is at its default or simplest. */
 static bool is_simple(const scene_draw *d, const planted *p)
 {
     scene_draw by_default;

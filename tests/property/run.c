@@ -1,4 +1,4 @@
-/* Runs a property with hooks that keep theft quiet, and prints one line for it. */
+/* Runs a property with hooks that keep theft quiet, and prints one line for the property. */
 #include "properties.h"
 #include "selection.h"
 
@@ -17,7 +17,7 @@ static enum theft_hook_trial_post_res quiet_post(const struct theft_hook_trial_p
     return THEFT_HOOK_TRIAL_POST_CONTINUE;
 }
 
-/* Later failures of one property seldom show more than the first. */
+/* After the first failure of a property, more failures seldom show anything new. */
 static enum theft_hook_trial_pre_res stop_at_failure(const struct theft_hook_trial_pre_info *info,
                                                      void *env)
 {

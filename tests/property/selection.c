@@ -1,4 +1,4 @@
-/* Which properties run (selection.h). */
+/* Chooses which properties run (selection.h). */
 #include <ctype.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -66,8 +66,8 @@ static bool is_same_triple(const char *a, const char *b)
     return true;
 }
 
-/* How many of the runs of three characters of `only` occur in `name`: a wrong letter costs three.
- */
+/* Returns how many of the runs of three characters of `only` occur in `name`. A wrong letter costs
+ * three of them. */
 static size_t in_common(const char *only, const char *name)
 {
     size_t common = 0;

@@ -1,6 +1,6 @@
 /* Which properties run: those that `--only` chooses by name. The suites call property_run() for
- * each property, and it asks here. So the names are known after the suites were called once
- * without running anything. */
+ * each property, and property_run() asks here. So the names are known after the suites were called
+ * once without running anything. */
 #ifndef SELECTION_H
 #define SELECTION_H
 

@@ -235,7 +235,7 @@ static void bits_do_not_depend_on_how_they_are_asked(void **state)
 }
 
 /* 70,000 choices of 7: a count further than 6 standard deviations (92.6) from 10,000 is no chance.
- * Doubles likewise in ten bins. */
+ * Doubles are counted in ten bins. */
 static enum theft_trial_res prop_even(struct theft *t, void *arg)
 {
     int choices[7] = {0};
@@ -299,7 +299,7 @@ static void time_seeds_differ(void **state)
 
 /* The ready generators */
 
-/* The type of a ready generator is known to the test by its size and kind. */
+/* The test knows the type of a ready generator by its size and kind. */
 static enum theft_hook_counterexample_res
 check_simplest(const struct theft_hook_counterexample_info *info, void *env)
 {

@@ -1,5 +1,5 @@
 /* What the runner's self-tests share: quiet hooks that remember the counterexample, generators that
- * count what they hand out and get back, and the base seed of the command line. */
+ * count the instances they make and get back, and the base seed of the command line. */
 #ifndef THEFT_SELFTEST_H
 #define THEFT_SELFTEST_H
 
@@ -14,11 +14,12 @@
 
 extern theft_seed base_seed;
 
-/* Instances handed out and not yet freed; tests end with 0. */
+/* Instances made and not yet freed; tests end with 0. */
 extern int live_instances;
 
 /* What happened in a run. The hooks of quiet_config fill `report`, `finished`, `counterexamples`,
- * `failing_seed` and, from arguments that are numbers, `shrunk`; the rest is the tests' own. */
+ * `failing_seed` and, from arguments that are numbers, `shrunk`. The tests use the other members
+ * themselves. */
 struct observed {
     struct theft_run_report report;
     size_t counterexamples;
@@ -35,8 +36,8 @@ struct observed {
 struct theft_run_config quiet_config(struct observed *seen, theft_propfun1 *property,
                                      const struct theft_type_info *type);
 
-/* 32 random bits as a number; the variant without autoshrinking has a hash, and a shrink callback
- * with the tactics: halve, take one off. */
+/* Generators of 32 random bits as a number. The variant without autoshrinking has a hash, and a
+ * shrink callback with two tactics: halve, subtract one. */
 extern const struct theft_type_info number_autoshrink;
 extern const struct theft_type_info number_tactics;
 
@@ -47,7 +48,7 @@ theft_propfun1 prop_at_most_1000, prop_false;
 void counted_free(void *instance, void *env);
 void *counted_malloc(size_t size);
 
-/* The groups of tests; each gives the number of failures. */
+/* The groups of tests; each returns the number of failures. */
 int run_stream_tests(void);
 int run_loop_tests(void);
 int run_shrink_tests(void);

@@ -1,5 +1,5 @@
 /* Self-test of autoshrinking: false properties with a known minimal counterexample, from many
- * seeds, and what generators get while their records are replayed. */
+ * seeds, and what generators receive while their records are replayed. */
 #include "selftest.h"
 
 #include <string.h>
@@ -199,8 +199,8 @@ static void coupled_values_shrink_together(void **state)
     }
 }
 
-/* The second time, with every request left out, zeros come. The values of the first two instances
- * are kept in env. */
+/* The second time, with every request left out, the generator gets zeros. The values of the first
+ * two instances are kept in env. */
 static enum theft_alloc_res alloc_watched(struct theft *t, void *env, void **output)
 {
     struct observed *watch = env;
@@ -229,8 +229,8 @@ static void requests_past_the_end_get_zeros(void **state)
     assert_true(watch.sequence[1] == 0);
 }
 
-/* Either 1 and a number, or 0 and ten numbers, so that the lower first value is the larger record;
- * the number of requests is the instance. */
+/* Either 1 and a number, or 0 and ten numbers, so that the lower first value is the larger record.
+ * The number of requests is the instance. */
 static enum theft_alloc_res alloc_lopsided(struct theft *t, void *env, void **output)
 {
     uint64_t *count = counted_malloc(sizeof *count);
@@ -272,7 +272,8 @@ static void records_never_grow(void **state)
     assert_true(seen.counterexamples > 0);
 }
 
-/* A generator that waits for a non-zero value; the zeros past the end of a record would hang it. */
+/* A generator that waits for a non-zero value. The zeros beyond the end of a record would hang
+ * it. */
 static enum theft_alloc_res alloc_impatient(struct theft *t, void *env, void **output)
 {
     uint64_t *number = counted_malloc(sizeof *number);

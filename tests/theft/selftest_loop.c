@@ -274,8 +274,8 @@ static void duplicates_are_not_tried_again(void **state)
     assert_int_equal(seen.report.pass, 2);
     assert_int_equal(seen.report.dup, THEFT_DEF_TRIALS - 2);
 
-    /* The limited generator may reject a request, so equal numbers can have different records:
-     * the hash of the number itself decides here. */
+    /* The limited generator may reject a request, so equal numbers can have different records. Here
+     * the hash of the number itself decides. */
     theft_copy_builtin_type_info(THEFT_BUILTIN_uint16_t, &type);
     type.autoshrink_config.enable = false;
     type.hash = hash_uint16;

@@ -64,7 +64,7 @@ static bool is_smaller(const struct bit_pool *a, const struct bit_pool *b)
     return false;
 }
 
-/* Makes the candidate a copy of the present record; false ends the pass. */
+/* Makes the candidate a copy of the present record. Returns false if the pass must end. */
 static bool start_candidate(struct shrinker *s)
 {
     if (!running(s)) {
@@ -84,7 +84,7 @@ static void remove_requests(struct bit_pool *pool, size_t start, size_t count)
     pool->count -= count;
 }
 
-/* Replays the candidate into *argument. False if there is no usable instance. */
+/* Replays the candidate into *argument. Returns false if there is no usable instance. */
 static bool replay_candidate(struct shrinker *s, struct argument *argument)
 {
     struct theft *t = s->t;
@@ -103,7 +103,7 @@ static bool replay_candidate(struct shrinker *s, struct argument *argument)
     return result == THEFT_ALLOC_OK;
 }
 
-/* Tries the candidate; true if it has become the present record. */
+/* Tries the candidate. Returns true if it has become the present record. */
 static bool try_candidate(struct shrinker *s)
 {
     struct theft *t = s->t;
@@ -206,7 +206,8 @@ static void zero_blocks(struct shrinker *s)
     }
 }
 
-/* Tries one value at request i; on success the present value there is at most this one. */
+/* Tries one value at request i. After success the present value at request i is at most this
+ * one. */
 static bool try_value(struct shrinker *s, size_t i, uint64_t value)
 {
     if (i >= present(s)->count || present(s)->requests[i].value <= value || !start_candidate(s)) {
@@ -216,8 +217,8 @@ static bool try_value(struct shrinker *s, size_t i, uint64_t value)
     return try_candidate(s);
 }
 
-/* The least value of each request: bisection, exact where failing is monotone in the value, then
- * each set bit by itself, for flags and masks. */
+/* Finds the least value of each request: by bisection, which is exact if failing is monotone in the
+ * value, then by clearing each set bit by itself, for flags and masks. */
 static void lower_values(struct shrinker *s)
 {
     for (size_t i = 0; i < present(s)->count && running(s); i++) {
@@ -243,8 +244,8 @@ static void lower_values(struct shrinker *s)
     }
 }
 
-/* How many requests fewer an instance consumes if the value of request i is one less; 0 if not
- * fewer. Tells the length fields, and how many requests an element takes. */
+/* Returns how many requests fewer an instance consumes if the value of request i is one less; 0 if
+ * not fewer. This finds the length fields, and how many requests an element takes. */
 static size_t requests_saved(struct shrinker *s, size_t i)
 {
     struct argument argument;
@@ -300,7 +301,8 @@ static void shorten_sequences(struct shrinker *s)
     }
 }
 
-/* Takes `amount` from request i and gives it to j, or exchanges the two if `amount` is 0. */
+/* Takes `amount` from request i and adds it to request j, or exchanges the two values if `amount`
+ * is 0. */
 static bool try_move(struct shrinker *s, size_t i, size_t j, uint64_t amount)
 {
     if (j >= present(s)->count || !start_candidate(s)) {
@@ -326,8 +328,8 @@ static bool try_move(struct shrinker *s, size_t i, size_t j, uint64_t amount)
     return try_candidate(s);
 }
 
-/* Moves value from a request to a later one of the same width near it, or exchanges them. The
- * former empties one of two addends, which other passes then remove; the latter sorts. */
+/* Moves value from a request to a later request of equal width near it, or exchanges the two
+ * values. Moving empties one of two addends, which other passes then remove; exchanging sorts. */
 static void move_values(struct shrinker *s)
 {
     for (size_t i = 0; i < present(s)->count && running(s); i++) {
@@ -373,7 +375,7 @@ static void run_pass(struct shrinker *s)
     }
 }
 
-/* The passes in turn until a whole round of them changes nothing. */
+/* Runs the passes in turn until a whole round of them changes nothing. */
 enum step runner_autoshrink(struct theft *t, uint8_t index)
 {
     const struct theft_type_info *type = t->config.type_info[index];

@@ -94,7 +94,8 @@ static enum theft_trial_res call_directly(struct theft *t)
     }
 }
 
-/* The property's own bits restart on each call: a shrunk argument must meet the same ones. */
+/* The property's own bits restart at each call: a shrunk argument must meet the bits that the first
+ * call met. */
 enum theft_trial_res runner_call_property(struct theft *t)
 {
     runner_stream_seed(&t->stream, ~t->trial.seed);

@@ -1,4 +1,4 @@
-/* The property in a child process, so that crashes and hangs are failures like any other. */
+/* Runs the property in a child process, so that crashes and hangs are failures like any other. */
 #define _POSIX_C_SOURCE 200809L
 #include "theft_internal.h"
 
@@ -25,8 +25,8 @@ static int64_t milliseconds_now(void)
     return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000;
 }
 
-/* Waits until the pipe is readable or closed by the child's end; false after `limit` milliseconds
- * (negative: never). */
+/* Waits until the pipe is readable or closed by the child's end. Returns false after `limit`
+ * milliseconds (negative: never). */
 static bool wait_for_child(int pipe_end, int64_t limit)
 {
     const int64_t deadline = milliseconds_now() + limit;

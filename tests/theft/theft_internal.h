@@ -5,13 +5,13 @@
 
 #include "theft.h"
 
-/* Every loop that user code could keep going has one of these limits. */
+/* Every loop that user code could keep running has one of these limits. */
 #define RUNNER_MAX_SHRINK_ATTEMPTS 100000
 #define RUNNER_MAX_REPEATS 10000
 #define RUNNER_DEFAULT_FAILED_SHRINKS 2000
 #define RUNNER_MAX_ZEROS_PAST_END 65536
 
-/* The answers an alloc callback got, in order: enough to build the instance again. */
+/* The answers that an alloc callback got, in order: enough to build its instance again. */
 struct bit_request {
     uint64_t value;
     uint8_t bits;
@@ -22,9 +22,9 @@ struct bit_pool {
     size_t capacity;
 };
 
-/* Where requests for bits are answered from: `replay` if set, else the generator; `record` if set
- * receives the answers. `discarded`: a replay asked for so much past the end that its instance
- * must not be used. */
+/* Where requests for bits are answered from: from `replay` if it is set, otherwise from the
+ * generator. If `record` is set, it receives the answers. `discarded`: a replay asked for so much
+ * beyond the end that its instance must not be used. */
 struct bit_stream {
     uint64_t state;
     uint64_t buffer;
@@ -98,9 +98,9 @@ uint64_t runner_pool_bits(const struct bit_pool *pool);
 enum step runner_hash_set_insert(struct hash_set *set, theft_hash hash);
 void runner_hash_set_free(struct hash_set *set);
 
-/* theft_call.c: the arguments' making, remembering and releasing, and the call of the property.
- * With `replay` NULL an argument is made from the generator. On any result but OK nothing is left
- * in *argument. OK with t->stream.discarded hands the instance over, to be released unused. */
+/* theft_call.c: makes, remembers and releases arguments, and calls the property. With `replay` NULL
+ * an argument is made from the generator. On any result but OK nothing is left in *argument. OK
+ * with t->stream.discarded returns the instance only to be released unused. */
 enum theft_alloc_res runner_make_argument(struct theft *t, const struct theft_type_info *info,
                                           const struct bit_pool *replay, struct argument *argument);
 void runner_release_argument(const struct theft_type_info *info, struct argument *argument);
@@ -113,8 +113,8 @@ enum theft_trial_res runner_call_forked(struct theft *t,
                                         enum theft_trial_res (*call)(struct theft *t));
 
 /* theft_shrink.c: shrinks all arguments of a failing trial. The attempt functions are one attempt
- * in three parts: may it start, what did it make, does the property still fail with it (this
- * takes the candidate over). */
+ * in three parts: whether it may start; what it made; whether the property still fails with the
+ * candidate, which the last part takes over. */
 enum step runner_shrink(struct theft *t);
 enum step runner_attempt_begin(struct theft *t, uint8_t index, uint32_t tactic);
 enum step runner_attempt_made(struct theft *t, uint8_t index, uint32_t tactic,

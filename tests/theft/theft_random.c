@@ -18,8 +18,8 @@ uint64_t runner_low_bits(unsigned bits)
     return bits >= 64 ? UINT64_MAX : (UINT64_C(1) << bits) - 1;
 }
 
-/* The seed is mixed first: SplitMix64 states that differ by a multiple of its increment would give
- * shifted copies of one sequence. */
+/* The seed is mixed first: SplitMix64 states that differ by a multiple of its increment would
+ * return shifted copies of one sequence. */
 void runner_stream_seed(struct bit_stream *stream, theft_seed seed)
 {
     uint64_t state = seed;
@@ -87,8 +87,8 @@ static uint64_t generated_bits(struct bit_stream *stream, unsigned bits)
     return value & runner_low_bits(bits);
 }
 
-/* An alloc callback may wait for a bit that is set; zeros for ever would hang it. So after a long
- * run of zeros past the end it gets generated bits, and the candidate is thrown away. */
+/* An alloc callback may wait for a bit that is set, and zeros for ever would hang it. So after a
+ * long run of zeros beyond the end it gets generated bits, and the candidate is thrown away. */
 static uint64_t replayed_bits(struct bit_stream *stream, unsigned bits)
 {
     if (stream->cursor < stream->replay->count) {

@@ -1,4 +1,4 @@
-/* What is told: names of results, the lines of the default hooks, complaints on stderr. */
+/* What is printed: names of results, the lines of the default hooks, complaints on stderr. */
 #include "theft_internal.h"
 
 #include <inttypes.h>
@@ -83,7 +83,7 @@ theft_hook_run_post_print_info(const struct theft_hook_run_post_info *info, void
     return THEFT_HOOK_RUN_POST_CONTINUE;
 }
 
-/* True at every `*scale`-th call for one kind of result. */
+/* Returns true at every `*scale`-th call for one kind of result. */
 static bool is_due(size_t *count, size_t *scale)
 {
     if (*scale == 0) {

@@ -5,7 +5,7 @@
 
 #define DEFAULT_SEED UINT64_C(0x676e6f6d6f6e2e33)
 
-/* The number of arguments of the one property that is set; 0 if none or several are. */
+/* Returns the number of arguments of the one property that is set; 0 if none or several are set. */
 static uint8_t arity_of(const struct theft_run_config *c)
 {
     const bool set[THEFT_MAX_ARITY] = {
@@ -150,7 +150,7 @@ static enum step call_counterexample(struct theft *t)
     return STEP_NEXT;
 }
 
-/* Only a result that the property gave can be asked for again. */
+/* Only a result that the property returned can be asked for again. */
 static enum step call_trial_post(struct theft *t, enum theft_trial_res result, bool repeatable)
 {
     struct theft_hook_trial_post_info info = {
@@ -297,7 +297,8 @@ static enum theft_run_res run_trials(struct theft *t)
         runner_complain(t, "the run_pre hook returned an error");
         return THEFT_RUN_ERROR;
     }
-    /* Not the run seed's own sequence: the first trial draws its arguments from that. */
+    /* Not the run seed's own sequence, since the first trial draws its arguments from that
+     * sequence. */
     uint64_t seeds = ~t->run_seed;
     for (size_t id = 0; id < t->total_trials; id++) {
         memset(&t->trial, 0, sizeof t->trial);

@@ -68,8 +68,8 @@ enum theft_generate_res {
 };
 
 /* A property of one to seven generated arguments. It is called again and again while shrinking, so
- * it must not change its arguments nor depend on anything but them. Random bits it asks for restart
- * at the same place on each call of one trial. */
+ * it must not change its arguments nor depend on anything else. Random bits that it asks for
+ * restart at one place at each call of a trial. */
 typedef enum theft_trial_res theft_propfun1(struct theft *t, void *arg1);
 typedef enum theft_trial_res theft_propfun2(struct theft *t, void *arg1, void *arg2);
 typedef enum theft_trial_res theft_propfun3(struct theft *t, void *arg1, void *arg2, void *arg3);
@@ -82,9 +82,9 @@ typedef enum theft_trial_res theft_propfun6(struct theft *t, void *arg1, void *a
 typedef enum theft_trial_res theft_propfun7(struct theft *t, void *arg1, void *arg2, void *arg3,
                                             void *arg4, void *arg5, void *arg6, void *arg7);
 
-/* Builds an instance from random bits into *output. Only OK hands an instance over; on SKIP and
- * ERROR the callback releases what it has made. The same bits must give the same instance. With
- * autoshrinking, smaller bit values must give simpler instances and all-zero bits the simplest. */
+/* Builds an instance from random bits into *output. Only OK passes an instance on; on SKIP and
+ * ERROR the callback releases what it has made. Equal bits must make equal instances. With
+ * autoshrinking, smaller bit values must make simpler instances, and all-zero bits the simplest. */
 enum theft_alloc_res {
     THEFT_ALLOC_OK,
     THEFT_ALLOC_SKIP,
@@ -92,19 +92,19 @@ enum theft_alloc_res {
 };
 typedef enum theft_alloc_res theft_alloc_cb(struct theft *t, void *env, void **output);
 
-/* Releases an instance; called exactly once for each one handed over. */
+/* Releases an instance; called exactly once for each instance that alloc or shrink passed on. */
 typedef void theft_free_cb(void *instance, void *env);
 
 /* Equal instances have equal hashes. Where every argument has a hash (or autoshrinks), repeated
  * combinations of arguments are not tried again. */
 typedef theft_hash theft_hash_cb(const void *instance, void *env);
 
-/* Builds a simpler instance into *output, a new one, never `instance` itself. Tactics are numbered
- * from 0 and start again at 0 after each success: put those that remove most first. */
+/* Builds a simpler instance into *output: a new one, never `instance` itself. Tactics are numbered
+ * from 0 and start again at 0 after each success. Put those that remove most first. */
 enum theft_shrink_res {
     THEFT_SHRINK_OK,
     THEFT_SHRINK_DEAD_END,        /* this tactic has nothing to offer here */
-    THEFT_SHRINK_NO_MORE_TACTICS, /* nor has any later one */
+    THEFT_SHRINK_NO_MORE_TACTICS, /* and no later tactic has anything either */
     THEFT_SHRINK_ERROR,           /* stop the whole run */
 };
 typedef enum theft_shrink_res theft_shrink_cb(struct theft *t, const void *instance,
@@ -126,8 +126,8 @@ struct theft_autoshrink_config {
     bool enable;
     size_t pool_size; /* expected bits of an instance, a hint; 0: the default */
     enum theft_autoshrink_print_mode print_mode;
-    /* Calls of the property in a row without progress after which an argument counts as minimal;
-     * 0: 2000. A local minimum usually ends it earlier. */
+    /* Calls of the property in a row without progress after which an argument counts as minimal; 0
+     * means 2000. A local minimum usually ends shrinking earlier. */
     size_t max_failed_shrinks;
 };
 
@@ -362,7 +362,7 @@ struct theft_run_config {
     const struct theft_type_info *type_info[THEFT_MAX_ARITY];
 
     const char *name;
-    /* Trials with these seeds run first, beside the number asked. */
+    /* Trials with these seeds run first, in addition to the number asked for. */
     size_t always_seed_count;
     theft_seed *always_seeds;
     size_t trials;
