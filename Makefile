@@ -1,11 +1,11 @@
-# Gnomon: `make help` lists the targets. The programs that test are in tests/programs.mk, the
-# steps of `make test` in tests/steps.mk.
+# Gnomon: `make help` lists the targets. The test programs are in tests/programs.mk, the steps of
+# `make test` in tests/steps.mk.
 
 CC ?= gcc
 CXX ?= g++
 AR ?= ar
 PKG_CONFIG ?= pkg-config
-# Line numbers alone: to say where variables are takes compilers half as long again.
+# Line numbers only: with the places of variables, compiling takes half as long again.
 CFLAGS ?= -O3 -g1
 PREFIX ?= /usr/local
 BUILD ?= build
@@ -13,18 +13,18 @@ BUILD ?= build
 MACHINE := $(firstword $(subst -, ,$(shell $(CC) -dumpmachine 2>/dev/null)))
 comma = ,
 
-# Rules of make's own would be tried for every file.
+# Without make's built-in rules, which it would try for every file.
 MAKEFLAGS += --no-builtin-rules
 
 WARNINGS = -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror
 
-# The library's own flags come after the user's: without them a compiler may fuse or
-# reassociate floating-point operations, and bits would change.
+# The library's own flags come after the user's. Without them a compiler may fuse or reassociate
+# floating-point operations, which changes bits.
 FLOAT_FLAGS = -fno-fast-math -ffp-contract=off
 LIBRARY_FLAGS = -std=c99 -pedantic $(WARNINGS) $(CFLAGS) -ffreestanding -fvisibility=hidden \
 	-fPIC -Iinclude -fno-math-errno -fno-stack-protector $(FLOAT_FLAGS)
 
-# Where tools, tests and the reference find headers of another folder.
+# The folders in which tools, tests and the reference find headers.
 INCLUDES = -Iinclude -Ireference/scene -Ireference/osmesa -Ireference/exact \
 	-Itests/parity -Itests/accuracy -Itools/gnomon
 PROGRAM_FLAGS = -std=c11 -pedantic -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Wshadow -Werror \
@@ -45,25 +45,26 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' Makefile tests/steps.mk
 
 .PHONY: setup
-setup: ## install what building and testing needs (Debian, as root)
+setup: ## install what building and testing need (Debian, as root)
 	@tools/setup.sh
 
 .PHONY: setup-cross
 setup-cross: ## install compilers and emulators for `make cross` and `make size` (Debian, as root)
 	@tools/setup-cross.sh
 
-# Whatever is made depends on its own COMMAND, which stands in a file beside it: a change of
-# flags or of what is linked makes again just what it changes, a change of this file nothing.
+# Every file that is made depends on its own COMMAND, which is recorded in a file beside it. If
+# flags or the linked files change, make rebuilds only what they change; a change of this file alone
+# rebuilds nothing.
 
 .SECONDEXPANSION:
 .PHONY: FORCE
 
 recorded = $(strip $(file <$@.command))
-# Empty where the command is the recorded one; second expansion, so that $@ is known.
+# Empty if the command equals the recorded one. Second expansion, so that $@ is known.
 if_changed = $$(if $$(subst x$$(strip $$(COMMAND)),,x$$(recorded))$$(subst x$$(recorded),,x$$(strip $$(COMMAND))),FORCE)
 record = printf '%s\n' '$(subst ','\'',$(COMMAND))' >$@.command
 
-# An object from the first prerequisite.
+# Compiles an object from the first prerequisite.
 define COMPILE
 @mkdir -p $(@D)
 @echo '  CC $(@:$(BUILD)/%=%)'
@@ -116,14 +117,14 @@ $(eval $(call program,gnomon,$(COMMAND_SOURCES) $(REFERENCE_SOURCES) $(LIBRARY),
 
 $(eval $(call program,bench,$(BENCH_SOURCES) $(THREADS_SOURCES) $(REFERENCE_SOURCES) $(LIBRARY),-lOSMesa -lm -pthread))
 
-# A shader of a user's, once per instruction set (reference/scene/phong.c). What sqrtf does to
-# errno and what comparisons do to the exception flags keep the compiler from vectorising.
+# A user's shader, once per instruction set (reference/scene/phong.c). Without these flags the
+# compiler does not vectorise it: sqrtf may set errno, and comparisons may set exception flags.
 VECTORISE = -fno-math-errno -fno-trapping-math
 $(BUILD)/reference/scene/phong_baseline.o: EXTRA_FLAGS = $(VECTORISE)
 ifeq ($(MACHINE),x86_64)
 $(BUILD)/reference/scene/phong_avx2.o: EXTRA_FLAGS = $(VECTORISE) -mavx2
 $(BUILD)/reference/scene/phong_avx512.o: EXTRA_FLAGS = $(VECTORISE) -mavx512f -mprefer-vector-width=512
-# Functions of one vertex and fragment need neither of the two flags.
+# Shaders as functions of one vertex and one fragment need neither of the two flags.
 $(BUILD)/reference/scene/phong_functions_avx2.o: EXTRA_FLAGS = -mavx2
 $(BUILD)/reference/scene/phong_functions_avx512.o: EXTRA_FLAGS = -mavx512f -mprefer-vector-width=512
 $(BUILD)/tools/bench/maths_cglm_best.o: EXTRA_FLAGS = -mavx2 -mfma
@@ -131,13 +132,13 @@ endif
 
 include tests/programs.mk
 
-# What people run
+# Targets for people to run
 
 .PHONY: demo
-demo: ## draw the teapot with Gnomon and with OSMesa and compare
+demo: ## draw the teapot with Gnomon and with OSMesa, and compare
 demo: all
 
-# In `make setup demo` and `make setup test` nothing begins before the set-up is done,
+# In `make setup demo` and `make setup test`, nothing begins before the set-up is done,
 # whatever -j says.
 all demo test whole library cross size: | $(filter setup setup-cross,$(MAKECMDGOALS))
 
@@ -189,7 +190,7 @@ exhaustive: $(BUILD)/exhaustive ## the scalar functions on all 2^32 arguments ag
 INPUTS ?= 200000
 
 .PHONY: accuracy
-accuracy: $(BUILD)/accuracy ## errors of functions beside cglm's, GLM's, Eigen's: SEED=1 INPUTS=200000
+accuracy: $(BUILD)/accuracy ## errors of functions, of cglm's, GLM's, Eigen's: SEED=1 INPUTS=200000
 	@$(BUILD)/accuracy --seed $(SEED) --inputs $(INPUTS)
 
 LOOKUPS ?= 20000
@@ -199,7 +200,7 @@ texture-accuracy: $(BUILD)/texture-accuracy ## errors of sampling against long d
 	@$(BUILD)/texture-accuracy --seed $(SEED) --lookups $(LOOKUPS)
 
 .PHONY: prove
-prove: ## error bounds proved by Gappa, from the text of the C sources
+prove: ## prove error bounds with Gappa, from the text of the C sources
 	@tests/proof/test_prove.sh
 	@tests/proof/prove.sh
 
@@ -234,11 +235,11 @@ parity-emulated: $(BUILD)/parity-emulated ## the gate over all back ends, SIMDe 
 	@$(BUILD)/parity-emulated --scenes $(SCENES) --seed $(SEED) --keep $(BUILD)/parity-failure.scene
 
 .PHONY: cross
-cross: ## the parity suite's scenes on other processors and WebAssembly: equal hashes
+cross: ## the parity suite's scenes on other processors and WebAssembly must have equal hashes
 	@tests/portability/cross.sh $(BUILD)
 
 .PHONY: size
-size: $(BUILD)/libgnomon.a ## bytes of the library in a microcontroller's program, which is run
+size: $(BUILD)/libgnomon.a ## bytes of the library in a microcontroller's program; runs the program
 	@tests/portability/size.sh $(BUILD)
 
 # The gate
@@ -259,7 +260,7 @@ install: library ## headers, library and pkg-config file: PREFIX=/usr/local DEST
 		'$(PREFIX)' >$(DESTDIR)$(PREFIX)/lib/pkgconfig/gnomon.pc
 
 .PHONY: format
-format: ## the project's style in all C files
+format: ## write all C files in the project's style
 	@tests/style.sh --fix
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

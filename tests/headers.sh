@@ -1,9 +1,9 @@
 #!/bin/sh
-# Every header compiles alone: a file that includes it needs nothing before it. A header that cannot
-# says so in its first comment by a sentence that begins a line, " * Not alone: the reason.". One that
-# says so and compiles alone is wrong too.
+# Checks that every header compiles alone: a file that includes it needs nothing before it. A header
+# that cannot compile alone says so in its first comment, by a sentence that begins a line:
+# " * Not alone: the reason.". A header that says so and compiles alone fails too.
 #
-# usage: tests/headers.sh [HEADER...]        all headers of the project, without arguments
+# usage: tests/headers.sh [HEADER...]        without arguments, all headers of the project
 set -eu
 cd "$(dirname "$0")/.."
 

@@ -1,4 +1,4 @@
-# The programs that test: what each is made of, and flags of its own.
+# The test programs: what each is made of, and its own flags.
 
 PARITY_SOURCES = $(sort $(wildcard tests/parity/*.c))
 GATE_SOURCES = $(addprefix tests/parity/,gate.c compare.c failure.c pairs.c valid.c)
@@ -7,7 +7,7 @@ PROPERTY_SOURCES = $(sort $(wildcard tests/property/*.c))
 ACCURACY_SOURCES = $(sort $(wildcard tests/accuracy/*.c))
 EXHAUSTIVE_SOURCES = $(sort $(wildcard tests/exhaustive/*.c))
 
-# Tests compile in half the time at -O1 and run as long; `make exhaustive` needs its loops fast.
+# At -O1 tests compile in half the time and run as fast. `make exhaustive` needs fast loops.
 $(BUILD)/tests/%.o: TEST_LEVEL = -O1
 $(BUILD)/tests/exhaustive/%.o: TEST_LEVEL =
 
@@ -23,8 +23,8 @@ endef
 
 $(foreach test,blits textures texels,$(eval $(call reference_test,$(test))))
 
-# Parity with AVX-512, NEON and WebAssembly's vectors emulated, which on x86 some processor
-# lacks: files of the library that know which back ends there are are compiled again.
+# Parity with AVX-512, NEON and WebAssembly's vectors emulated, since an x86 processor may lack
+# them. Files of the library that depend on which back ends are compiled are compiled again.
 EMULATED_SOURCES = $(addprefix src/backends/,choose.c draw.c bulk.c \
 	$(foreach back_end,avx512 neon wasm_simd128,$(back_end).c shading_$(back_end).c))
 EMULATE = -Itests/portability -DGN_LANES_INTRINSICS_HEADER='<emulated.h>' -Wno-psabi -O1
@@ -36,7 +36,7 @@ $(BUILD)/emulated/%.o: %.c $(if_changed)
 $(eval $(call program,parity-emulated,$(GATE_PARTS) $(patsubst %.c,$(BUILD)/emulated/%.o,$(EMULATED_SOURCES)) \
 	$(filter-out $(EMULATED_SOURCES),$(LIBRARY_SOURCES)),-lOSMesa -lm -pthread))
 
-# Of objects alone: the archiver may not know the target's.
+# Made of objects, not of an archive: the archiver may not know the target's objects.
 $(eval $(call program,hashes,tests/portability/hashes.c $(SCENE_SOURCES) $(LIBRARY_SOURCES) \
 	$(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)),-lm))
 
@@ -67,7 +67,7 @@ $(BUILD)/tests/portability/test_lanes.o: EXTRA_FLAGS = -DLANES_FORMS='$(foreach 
 
 $(eval $(call program,test-lanes,tests/portability/test_lanes.c $(LANES_OBJECTS) src/backends/choose.c src/scalars/sqrt.c,-lm))
 
-# Properties, by libtheft where there is one, otherwise by our own.
+# Property tests, with libtheft if it is installed, otherwise with tests/theft.
 ifeq ($(shell $(PKG_CONFIG) --exists libtheft 2>/dev/null && echo yes),yes)
 THEFT_CFLAGS := $(shell $(PKG_CONFIG) --cflags libtheft)
 THEFT_LIBS := $(shell $(PKG_CONFIG) --libs libtheft)
@@ -86,8 +86,8 @@ $(eval $(call program,property-tests,$(PROPERTY_SOURCES) $(THEFT_SOURCES) $(SCEN
 
 $(eval $(call program,theft-selftest,$(sort $(wildcard tests/theft/*.c)),-lcmocka -lm))
 
-# Accuracy. `make accuracy` compares besides cglm GLM and Eigen, where the C++ compiler finds
-# them, and is linked as C++ then.
+# Accuracy. `make accuracy` compares with cglm and, if the C++ compiler finds them, with GLM and
+# Eigen; it is then linked as C++.
 EIGEN_FLAGS = -isystem /usr/include/eigen3
 HASH := \#
 has_header = $(shell printf '$(HASH)if !__has_include(<$(1)>)\n$(HASH)error\n$(HASH)endif\n' | \
@@ -109,7 +109,7 @@ $(eval $(call program,texture-accuracy,tests/texture_accuracy/main.c reference/e
 
 $(eval $(call program,exhaustive,$(EXHAUSTIVE_SOURCES) $(LIBRARY),-lmpfr -lm -pthread))
 
-# Unit tests, one program for each tests/unit/test_*.c
+# Unit tests: one program for each tests/unit/test_*.c
 
 UNIT_TESTS = $(patsubst tests/unit/%.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c))
 
@@ -125,7 +125,7 @@ RUN_TESTS = test_faults test_pictures test_hostile_files test_odd_models test_ou
 	test_transform_command test_shading_command
 TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_teapot test_handover)
 
-# Models of all formats are written with Assimp; test_faults knows the back ends by the library.
+# The tests write models of all formats with Assimp. test_faults asks the library for back ends.
 define run_test
 $(call program,$(1),$(patsubst %_command,%,tests/tools/$(1)).c tests/tools/runner.c $(if $(filter test_faults,$(1)),$(LIBRARY)),$(if $(filter test_model_formats,$(1)),-lassimp) -lcmocka -lpng -lstb -lm)
 endef

@@ -1,9 +1,9 @@
 # The everyday gate, meant to take less than 8 minutes on two processors. The tests are built twice,
-# as they are and under the sanitizers. JOBS steps run at a time, the long ones first: each uses
-# one processor where it can choose, and files of its own. Random tests start from TEST_SEED, and
-# besides from FRESH_SEED, the time, so that every run looks somewhere new; in continuous
-# integration (CI) there is no such seed, so that what passes once passes again.
-# Left to `make whole`, since they compile the back ends again: other compilers and levels of
+# without and with the sanitizers. JOBS steps run at a time, the long steps first. Each step uses
+# files of its own, and one processor if it can choose. Random tests run from TEST_SEED and again
+# from FRESH_SEED, the time, so that every run draws new cases. In continuous integration (CI) there
+# is no FRESH_SEED, so that what passes once passes again.
+# `make whole` also runs what compiles the back ends again: other compilers and levels of
 # optimisation, every back end through CMake, most other machines. `make parity` and
 # `make parity-emulated` draw five to forty times as many scenes.
 
@@ -31,7 +31,7 @@ sanitized: ## the test programs under the sanitizers, in build/sanitized
 	@$(MAKE) --no-print-directory -j$(JOBS) $(CHECKED_FLAGS) test-programs
 
 .PHONY: test
-test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends on "N passed, N failed[, N skipped]"
+test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends with "N passed, N failed[, N skipped]"
 	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/test-lanes $(BUILD)/hashes \
 		$(EMULATED_PARITY)
@@ -39,7 +39,7 @@ test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends
 	@$(MAKE) --no-print-directory test-steps
 
 .PHONY: whole
-whole: ## test, and what it leaves out: all of cross, size, check-freestanding, check-embedding
+whole: ## test, then what it leaves out: all of cross, size, check-freestanding, check-embedding
 	@$(MAKE) --no-print-directory test WHOLE=yes
 
 ifdef WHOLE
@@ -59,7 +59,7 @@ FRESH_STEPS = 'fresh parity=$(FRESH_PARITY) $(REPLAY)' \
 	'fresh properties=$(BUILD)/property-tests --seed $(FRESH_SEED) $(REPLAY)' \
 	'fresh scenes are valid=$(BUILD)/parity --check --seed $(FRESH_SEED) $(REPLAY)'
 
-# In a make of its own, which finds what a set-up has installed.
+# Runs in a make of its own, so that it finds what a set-up has just installed.
 .PHONY: test-steps
 test-steps:
 	@LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0 tests/run.sh -j $(JOBS) \
@@ -123,7 +123,7 @@ SOAK_SCENES ?= 50000
 
 .PHONY: soak
 soak: $(BUILD)/parity $(BUILD)/property-tests $(BUILD)/accuracy $(BUILD)/test_cglm $(BUILD)/test-lanes
-soak: ## the random tests for longer, by a seed of your choice: SEED=1 SOAK_SCENES=50000
+soak: ## the random tests for longer, from a seed of your choice: SEED=1 SOAK_SCENES=50000
 	@tests/run.sh \
 		'lanes=$(BUILD)/test-lanes $(SEED)' \
 		'properties=$(BUILD)/property-tests --seed $(SEED) --trials 10000' \

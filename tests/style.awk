@@ -1,4 +1,4 @@
-# Writes C files in the project's style, as far as clang-format does not see to it (style.sh).
+# Writes C files in the project's style, in what clang-format does not do (style.sh).
 # awk -v own="HEADERS" -v to=DIRECTORY -f style.awk FILE...: HEADERS are the names of the project's
 # own headers, without those of include/. The files are written to the same paths in DIRECTORY.
 
@@ -15,7 +15,7 @@ FNR == 1 {
     gathering = over = lines = 0
 }
 
-# The first lines that include: gathered, since their order matters.
+# Gathers the first #include lines, since their order matters.
 /^# *include / && !is_public { $0 = include_style($0) }
 /^# *include / && !over { gathering = 1 }
 gathering && (/^# *include / || /^$/) { line[++lines] = $0; next }
@@ -30,7 +30,7 @@ function finish() {
     if (output != "") close(output)
 }
 
-# Public headers by <>, as their users write; the project's others by "".
+# Public headers are included by <>, as users include them; the project's other headers by "".
 function include_style(text,    part) {
     split(text, part, " ")
     if (part[2] in is_own) gsub(/[<>]/, "\"", text)
@@ -43,8 +43,8 @@ function include_style(text,    part) {
 
 function class_of(text) { return text ~ /<gnomon[.\/]/ ? 2 : text ~ /</ ? 1 : 3 }
 
-# In order: one that may stand first whatever it is, which is the header that the file implements;
-# then <> of the system and of libraries, <gnomon>, "". Groups that are in order stay as they are.
+# The order: any one header may stand first, since it is the header that the file implements; then
+# <> of the system and of libraries, then <gnomon>, then "". Groups in order stay as they are.
 function print_includes(    i, c, last, bad, end, seen, begin, first, base, printed) {
     for (end = lines; line[end] == ""; --end) {}
     for (i = 1; i <= end; ++i)
@@ -80,7 +80,7 @@ function print_includes(    i, c, last, bad, end, seen, begin, first, base, prin
 
 function count(text, what) { return gsub(what, "", text) }
 
-# ++i, where nothing uses the value: as a statement, and in the last part of a `for`.
+# Writes ++i if nothing uses the value: in a statement, and in the last part of a `for`.
 function increment_style(text,    indent, body, end, head, part, parts, i, changed) {
     if (text !~ /(\+\+|--)[;),]/) return text
     match(text, /^[ \t]*/)

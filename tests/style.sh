@@ -1,9 +1,9 @@
 #!/bin/sh
-# All C files have one style. Layout and braces are those of clang-format (.clang-format): a body
-# of one statement has no braces, and the branches of an `if` have all braces or none. Besides
-# (style.awk): `++i` rather than `i++` where nothing uses the value; a file includes first the header
-# that it implements, then <> of the system and of libraries, then <gnomon/...>, then "" of the
-# project. Only clang-format 14 is asked, Debian 12's: versions differ in what they make of a file.
+# Checks that all C files have one style. clang-format (.clang-format) decides layout and braces: a
+# body of one statement has no braces, and the branches of an `if` have all braces or none.
+# style.awk decides the rest: `++i`, not `i++`, if nothing uses the value; a file includes first the
+# header that it implements, then <> of the system and of libraries, then <gnomon/...>, then "" of
+# the project. Only clang-format 14, Debian 12's, is used: other versions format a file otherwise.
 # usage: tests/style.sh [--fix]    --fix rewrites the files, as far as a script can
 set -u
 cd "$(dirname "$0")/.."
@@ -19,10 +19,10 @@ for tool in clang-format-14 clang-format; do
 done
 [ -n "$format" ] || skip "style: layout is not looked at, since clang-format 14 is absent: 'make setup' installs it"
 
-# All files as they should be, in a directory of their own.
+# Writes all files as they should be to a directory of their own.
 files=$(find include src reference tests tools -name '*.c' -o -name '*.h' -o -name '*.cpp' | sort)
 dirname $files | sort -u | sed "s|^|$work/|" | xargs mkdir -p
-# libtheft's header may be the system's.
+# libtheft's header may come from the system.
 own=$(printf '%s\n' $files | sed -n '/^include/d; /\/theft\.h$/d; s|.*/\(.*\.h\)$|\1|p' | sort -u | tr '\n' ' ')
 awk -v own="$own" -v to="$work" -f tests/style.awk $files
 cp .clang-format "$work/"
@@ -41,7 +41,7 @@ for file in $files; do
     fi
 done
 
-# What clang-format leaves: braces at some branches.
+# Finds what clang-format does not: an `if` with braces at some branches only.
 mixed=$(grep -nE '^ *else( if .*)? \{$|^ *\} else$|^ *\} else if .*\)$' -r include src reference tests tools \
     --include='*.[ch]' --include='*.cpp')
 if [ -n "$mixed" ]; then

@@ -2,9 +2,9 @@
  * each. Scene text, shrinking, hostile values and pairs of states go over its rows, so that a new
  * member of gn_pipeline, gn_sampler or gn_mesh is listed here alone.
  *
- * A member has one line or several, and a line has one value or several, as the text shows them:
- * color.blend[0].source has GN_MAX_COLORS lines of one value, color.blend_constant one line of
- * four. */
+ * A member has one line or several, and a line has one value or several, as scene text shows them.
+ * For example color.blend[0].source has GN_MAX_COLORS lines of one value, and color.blend_constant
+ * has one line of four values. */
 #ifndef SCENE_MEMBERS_H
 #define SCENE_MEMBERS_H
 

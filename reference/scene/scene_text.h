@@ -1,4 +1,4 @@
-/* Scenes as text: one keyword with its values a line, bulk data as bare values.
+/* Scenes as text: each line is a keyword with its values; bulk data are bare values.
  *
  *   gnomon-scene 1
  *   size 64 48
@@ -24,12 +24,12 @@
  *   end-draw
  *   end-scene
  *
- * Most keywords of a draw are the members of scene_draw (scene_members.c), where the members of
- * `state` stand without that word. Those left out have the values of scene_default_draw.
- * Floats are C's hexadecimal floats, which are exact; a NaN is nan:7fc00000, its bits.
- * Texels are the hexadecimal elements of surface.h, floats as their bits. Keywords
- * of a draw may stand in any order, except that attributes follow `vertices`, and `elements` the
- * positions and the indices. From # to the end of the line is a comment. */
+ * Most keywords of a draw are the members of scene_draw (scene_members.c); members of `state` are
+ * written without that word. Members that are left out have the values of scene_default_draw.
+ * Floats are C's hexadecimal floats, which are exact; a NaN is written as its bits, nan:7fc00000.
+ * Texels are the elements of surface.h in hexadecimal, floats as their bits. Keywords of a draw may
+ * stand in any order, except that attributes follow `vertices`, and `elements` follows the
+ * positions and the indices. A comment begins with # and ends with the line. */
 #ifndef SCENE_TEXT_H
 #define SCENE_TEXT_H
 

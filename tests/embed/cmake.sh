@@ -1,8 +1,8 @@
 #!/bin/sh
-# Builds the README's program in two CMake projects whose flags ask for fast mathematics: with the
-# library in their tree, and with the library installed and found. Both draw the picture that the
-# Makefile's library draws. The everyday gate compiles only plain C in the tree, and the small library
-# for installing, which is faster; --all compiles every back end in both.
+# Builds the README's program in two CMake projects whose flags ask for fast mathematics: one has
+# the library in its tree, the other finds the installed library. Both must draw the picture that
+# the Makefile's library draws. To save time, the everyday gate compiles only plain C in the tree
+# and installs the small library; --all compiles every back end in both.
 # usage: cmake.sh BUILD-DIRECTORY [--all]   (after readme.sh, from the root of the project)
 set -eu
 fewer=-DGN_ONLY_PORTABLE
@@ -39,8 +39,8 @@ try package "find_package(gnomon 0.1 REQUIRED)" -DCMAKE_PREFIX_PATH="$directory/
 passed=2
 failed=0
 
-# Which levels of optimisation a file is compiled with: where no one asks for a level, the
-# library is optimised, and the files of its user are compiled as its user says.
+# Checks the level of optimisation that a file is compiled with. If no one asks for a level, the
+# library is optimised, and the user's files are compiled as the user says.
 levels() { # levels NAME FILE EXPECTED SOURCE FLAGS...
     name=$1
     file=$2

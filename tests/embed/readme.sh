@@ -1,6 +1,6 @@
 #!/bin/sh
 # Checks that the README's program compiles as it is, with warnings as errors, that it draws, and that
-# it has no more than 40 lines. Every file that the documentation names must exist.
+# it has at most 40 lines. Checks that every file that the documentation names exists.
 # usage: readme.sh BUILD-DIRECTORY   (from the root of the project)
 set -eu
 . tests/skip.sh
@@ -25,7 +25,7 @@ colors=$(od -An -v -tx4 -w4 "$directory/triangle.rgba" | sort -u | wc -l)
 echo "README's program: $lines lines, \"$message\", $size bytes, $colors colours"
 [ "$message" = "no error" ] && [ "$size" -eq 307200 ] && [ "$colors" -gt 1000 ]
 
-# A program finds the installed library through pkg-config.
+# Checks that a program finds the installed library through pkg-config.
 prefix=$(cd "$directory" && pwd)/installed
 rm -rf "$prefix"
 make -s install BUILD="$1" PREFIX="$prefix"

@@ -1,7 +1,7 @@
 #!/bin/sh
-# The examples in the preface of gnomon/shader_functions.h are no longer than they say, compile as
-# they stand in C99 and in C++, with warnings as errors, and draw what ready-made shaders draw.
-# Compilers vectorise them.
+# Checks the examples in the preface of gnomon/shader_functions.h: they have at most 10, 20 and 40
+# lines, compile as they stand in C99 and in C++, with warnings as errors, and draw what the
+# ready-made shaders draw. Compilers must vectorise them.
 # usage: shader_examples.sh BUILD-DIRECTORY   (from the root of the project)
 set -eu
 . tests/skip.sh
@@ -22,7 +22,7 @@ for example in 1:10 2:20 3:40; do
 done
 printf '#include "shader_examples_main.h"\n' >>"$directory/main.c"
 
-# Users' functions need not look at all that they are handed.
+# Users' functions need not use all their parameters.
 warnings="-pedantic -Wall -Wextra -Werror -Wno-unused-parameter -Wno-long-long"
 library=$1/libgnomon.a
 passed=0
@@ -47,8 +47,8 @@ for compiler in gcc clang; do
 done
 cat "$directory/result"
 
-# Without flags of their own the loops over lanes become vector instructions: gcc leaves no scalar
-# multiplication, clang keeps a scalar loop for arrays that overlap.
+# Checks that the loops over lanes become vector instructions without further flags. gcc must leave
+# no scalar multiplication; clang keeps a scalar loop for arrays that overlap.
 vectorised() { # vectorised COMPILER LEVEL
     "$1" -std=c99 "$2" -Iinclude -Itests/embed -c "$directory/main.c" -o "$directory/examples.o"
     for shader in use_colors_vertices use_map_vertices use_phong_vertices use_phong_fragments; do

@@ -1,10 +1,11 @@
 /* Autoshrinking: simpler instances from simpler records of the random bits they were made of.
  *
- * A candidate is an edited copy of the present record. The alloc callback is replayed on it while
- * a new record is taken; the new one counts, for it holds what was really consumed. It replaces the
- * present one if the property still fails and if it is smaller in this order: fewer bits, then
- * fewer requests, then lower values, earlier requests first. The order has no infinite descent, so
- * shrinking ends whatever the callbacks do; the limits only bound the time. The idea of shrinking
+ * A candidate is an edited copy of the present record. The alloc callback is replayed on the
+ * candidate while a new record is taken. The new record counts, because it holds what was really
+ * consumed: it replaces the present record if the property still fails and if it is smaller in this
+ * order: fewer bits, then fewer requests, then lower values, earlier requests first. The order has
+ * no infinite descent, so shrinking ends whatever the callbacks do; the limits only bound the time.
+ * The idea of shrinking
  * the choices instead of the values is MacIver and Donaldson's ("Test-case reduction via test-case
  * generation", 2020). */
 #include "theft_internal.h"
