@@ -105,11 +105,12 @@ void reference_discard(uploaded_draw *draws, size_t count);
  * complete fragment shader; returns 0 with the compiler's log in error. */
 GLuint reference_link(const char *vertex, const char *fragment, char *error, size_t error_size);
 
-/* As reference_link; with the clip distances of a scene's draws if `clipped`. */
+/* Does what reference_link does; if `clipped`, the vertex shader has the clip distances of a
+ * scene's draws. */
 GLuint reference_link_clipped(const char *vertex, const char *fragment, bool clipped, char *error,
                               size_t error_size);
 
-/* As reference_link_clipped, with the fragment shader in two parts. */
+/* Does what reference_link_clipped does, with the fragment shader in two parts. */
 GLuint reference_link_parts(const char *vertex_body, const char *fragment_head,
                             const char *fragment_body, bool clipped, char *error,
                             size_t error_size);
@@ -138,7 +139,7 @@ bool reference_is_compared(const gn_texture *t, const gn_sampler *sampler);
 bool reference_read_samples(reference *r, const scene *s, const framebuffer *f, scene_frame *frame,
                             char *error, size_t error_size);
 
-/* Reads the bound framebuffer, of one sample, into an image of a frame. */
+/* Reads the bound framebuffer, which must have one sample, into an image of a frame. */
 void reference_read_image(const scene *s, uint32_t image, scene_frame *frame);
 
 /* OpenGL's name of a format, and the type of its pixels in memory. */

@@ -259,7 +259,7 @@ static int features_of_normals(const scene_draw *d)
     return d->surface.normal_space == GN_NORMAL_OF_TANGENTS ? NORMAL_MAP | TANGENTS : NORMAL_MAP;
 }
 
-/* Those of the draw's maps that the shader reads. */
+/* Returns, as bits, which of the draw's maps the shader reads, and whether the draw is clipped. */
 static int features_of(const scene_draw *d)
 {
     const bool is_phong = d->shader == SCENE_MAPPED_PHONG || d->shader == SCENE_BLINN_PHONG;

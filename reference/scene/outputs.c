@@ -1,5 +1,5 @@
-/* Implements the shaders of outputs.h: one for each number of colours, since a fragment shader is
- * not told that number. */
+/* Implements the shaders of outputs.h: one for each number of colours, since a fragment shader
+ * cannot read that number. */
 #include "outputs.h"
 
 static void shade_outputs(const gn_fragment_input *in, gn_fragment_output *out, int count)

@@ -32,8 +32,8 @@ typedef struct phong_uniforms {
  * gn_texture_check and gn_sampler_check. */
 gn_status phong_use(gn_pipeline *pipeline, const phong_uniforms *uniforms, gn_backend backend);
 
-/* The same with the shaders that are written as functions of one vertex and one fragment
- * (phong_function_shader.h): the same bits. */
+/* Does what phong_use does, with shaders that are written as functions of one vertex and one
+ * fragment (phong_function_shader.h). Both draw equal bits. */
 gn_status phong_use_functions(gn_pipeline *pipeline, const phong_uniforms *uniforms,
                               gn_backend backend);
 

@@ -316,11 +316,11 @@ size_t scene_workspace_size(const scene *s);
  * top-down, and in the caller's workspace. Returns the first status that is not GN_OK. */
 gn_status scene_draw_to_target(const scene *s, const gn_target *target, gn_workspace *workspace);
 
-/* As scene_draw_to_target, into a frame; resolves samples. */
+/* Draws as scene_draw_to_target does, into a frame, and resolves samples. */
 gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame, gn_workspace *workspace);
 
-/* As scene_draw_in_workspace, in a workspace of its own; its size is scene_workspace_size if
- * workspace_bytes is 0. */
+/* Draws as scene_draw_in_workspace does, in a workspace that it allocates; the size is
+ * scene_workspace_size if workspace_bytes is 0. */
 gn_status scene_draw_library(const scene *s, scene_frame *frame, size_t workspace_bytes,
                              gn_backend backend);
 

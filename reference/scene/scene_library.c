@@ -86,7 +86,7 @@ static void shade_sized_points(const void *uniforms, const gn_vertex_input *inpu
            GN_LANES * sizeof *output->point_size);
 }
 
-/* Gives a shader of vertex colours point sizes, if the pipeline asks for them. */
+/* Makes a shader of vertex colours write point sizes, if the pipeline asks for them. */
 static void use_sizes(gn_pipeline *pipeline, other_uniforms *other)
 {
     if (pipeline->program.vertex_writes_point_size) {

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Where element n is in the number that a pixel is. */
+/* Returns the bit at which element n begins in the number that a pixel is. */
 static size_t bit_of(const scene_format *f, size_t n)
 {
     return 8 * f->element * (f->high_first ? f->size / f->element - 1 - n : n);

@@ -7,14 +7,14 @@
 #include "planes.h"
 #include "state.h"
 
-/* What computes a fragment's colour. */
+/* The functions that compute a fragment's colour. */
 typedef enum fragment_source {
     SOURCE_SHADER, /* the pipeline's fragment shader */
     SOURCE_COLOR,  /* varyings 0 to 3, smooth: gn_shade_color, inlined */
     SOURCE_TEXTURE /* and 4 and 5: gn_shade_lit_texture or gn_shade_unlit_texture, inlined */
 } fragment_source;
 
-/* What is constant over a draw or a triangle. */
+/* Values that are constant over a draw or a triangle. */
 typedef struct fragment_kind {
     gn_format depth_format; /* GN_FORMAT_NONE: no test */
     gn_format color_format; /* GN_FORMAT_NONE: no colour */
@@ -98,9 +98,9 @@ static void locate_in_point(const gn_pipeline *pipeline, raster_triangle triangl
     lanes_store(coordinate[1], is_point ? lanes_mul(plane_at(t, at), w) : zero);
 }
 
-/* What a fragment shader decides beside colour. `kept`: the fragments that it keeps. `depth`: its
- * depths if not null; the interpolated ones come in. The sample masks of lanes, if not null:
- * covered samples come in, kept samples go out. */
+/* The decisions of a fragment shader beside colour. `kept`: the fragments that it keeps. `depth`:
+ * its depths if not null; beforehand the interpolated depths. The sample masks of lanes, if not
+ * null: beforehand the covered samples, afterwards the kept samples. */
 typedef struct shader_verdict {
     uint32_t kept;
     float *depth;

@@ -129,12 +129,13 @@ typedef struct counted_state {
     sample_counts *counts;
 } counted_state;
 
-/* Where lane l is. Rows save most of the work if nothing depends on neighbouring rows. Shaders
+/* The pixel of lane l. Rows save most of the work if nothing depends on neighbouring rows. Shaders
  * receive blocks, for their derivatives. */
 typedef enum fragment_shape {
     SHAPE_SQUARE,      /* (x + l % 4, y + l / 4) */
-    SHAPE_INNER_BLOCK, /* as a pixel_block says, on the surfaces, whose formats have 32 bits */
-    SHAPE_ROW          /* (x + l, y), likewise */
+    SHAPE_INNER_BLOCK, /* as a pixel_block says; wholly on the surfaces, whose formats have 32
+                          bits */
+    SHAPE_ROW          /* (x + l, y); wholly on the surfaces, whose formats have 32 bits */
 } fragment_shape;
 
 /* Returns whether all of the square at (x, y) lies on a surface, so that it may be loaded and
@@ -163,8 +164,8 @@ GN_INLINE unsigned char *pixel_memory(const gn_surface *surface, gn_format forma
                : surface_row(surface, (uint32_t)y) + x * (int32_t)format_size(format);
 }
 
-/* Where the first pixels of a block's halves are in memory, or of a row, whose second is null. Both
- * are null without a surface. */
+/* The memory of the first pixel of each half of a block, or of a row; the second is null for a row.
+ * Both are null without a surface. */
 typedef struct surface_place {
     unsigned char *half[2];
 } surface_place;

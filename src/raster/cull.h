@@ -8,7 +8,7 @@
 #include "points_and_lines.h"
 #include "scissor.h"
 
-/* What culling needs of a draw. */
+/* The state of a draw that culling needs. */
 typedef struct cull_state {
     pixel_rectangle target;
     bool drop_clockwise, drop_counter_clockwise;

@@ -9,7 +9,7 @@
 #include "../geometry/assemble.h"
 #include "../lanes/lanes.h"
 
-/* What is constant over a draw. */
+/* Values that are constant over a draw. */
 typedef struct box_state {
     bool program_point_size;
     int32_t point_size; /* in 1/256 pixel */

@@ -17,8 +17,8 @@ typedef struct clear_pixel {
     uint32_t size;
 } clear_pixel;
 
-/* The pixel that a clear to a colour makes, in the words that encode_colors gives, which are 0
- * before. A format's first channel tells whether its fractions have 8 bits. */
+/* Returns the pixel that a clear to a colour stores, in words as encode_colors returns them; `word`
+ * must be 0 before. A format's first channel tells whether its fractions have 8 bits. */
 static inline void encode_clear(gn_format format, const float c[4], uint32_t word[2])
 {
     const format_fields fields = format_fields_of(format);

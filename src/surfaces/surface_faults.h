@@ -72,7 +72,8 @@ static inline fault fault_of_surface(const gn_surface *s, bool format_fits, int 
                             which);
 }
 
-/* What a target asks for that this library was compiled without (config/features.h). */
+/* Returns the fault of a target that needs what this library was compiled without
+ * (config/features.h). */
 static inline fault fault_of_uncompiled_target(const gn_target *target)
 {
     FAULT_IF(!GN_HAVE_FORMATS && format_is_encoded(target->color[0].format), GN_NOT_COMPILED,

@@ -8,7 +8,7 @@
 #include "sample.h"
 #include "texel.h"
 
-/* What is constant for all lanes and levels of a lookup. */
+/* Values that are constant for all lanes and levels of a lookup. */
 typedef struct lookup_state {
     const gn_texture *texture;
     gn_texture_target target; /* the texture's target */

@@ -91,7 +91,7 @@ static inline bool has_lod_per_lane(const gn_lookup *lookup)
     return lookup->lod_source == GN_LOD_GRADIENTS || lookup->lod;
 }
 
-/* What a lookup and its sampler add to the level of detail, and its limits. */
+/* The numbers that a lookup and its sampler add to the level of detail, and its limits. */
 typedef struct lod_adjustment {
     float bias;
     bool has_least, has_most;

@@ -91,7 +91,7 @@ static inline void gather_columns(const stored_word *words, lanes_i index, lanes
     }
 }
 
-/* What the linear filter mixes in a level: words, and weights along s and t. */
+/* The words that the linear filter mixes in a level, and their weights along s and t. */
 typedef struct word_corners {
     lanes_i corner[CORNER_COUNT];
     lanes_f weight_s, weight_t;

@@ -76,8 +76,8 @@ static uint32_t random_depth_bits(random_source *r)
     return bits;
 }
 
-/* Where the reference does not copy memory, it blits depths of 24 bits through floats, and some
- * come out a step off (reference/RULES.md). Returns a lesser depth that does not. */
+/* When the reference does not copy memory, it blits depths of 24 bits through floats, and some
+ * depths come out a step off (reference/RULES.md). Returns a lesser depth that comes out exact. */
 static uint32_t lasting_depth(uint32_t depth)
 {
     for (; depth > 0; depth = depth * 3 / 4) {

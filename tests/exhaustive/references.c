@@ -58,7 +58,7 @@ static double double_radians(double x)
     return x * (3.14159265358979323846 / 180.0);
 }
 
-/* MPFR gives +infinity for both zeros; IEEE 754 has the sign. */
+/* MPFR returns +infinity for both zeros; IEEE 754 has the sign. */
 static int wide_rsqrt(mpfr_t result, mpfr_srcptr x, mpfr_rnd_t mode)
 {
     return mpfr_zero_p(x) ? mpfr_ui_div(result, 1, x, mode) : mpfr_rec_sqrt(result, x, mode);

@@ -127,8 +127,8 @@ static size_t odd_threads_workspace(const scene *s, uint64_t number)
     return gn_workspace_size_parallel(0, 0, scene_varyings(s)) + (size_t)(number * 619 % 100003);
 }
 
-/* Uses one number of threads per scene. Of every four runs of four scenes the last has an odd
- * workspace. Every run of sixteen scenes has another back end, in turn. */
+/* Chooses one number of threads for each scene. Of every four runs of four scenes, the last run has
+ * an odd workspace. Every run of sixteen scenes has another back end, in turn. */
 static bool compare_threads(const comparer *c, const scene *s, uint64_t number, comparison *result)
 {
     const int backends = GN_BACKEND_COUNT - GN_BACKEND_PORTABLE;
@@ -145,7 +145,7 @@ static bool compare_threads(const comparer *c, const scene *s, uint64_t number, 
     return allocated;
 }
 
-/* Counts the reference's pixels that no longer have the clear value. */
+/* Counts the pixels of the reference that differ from the clear value. */
 static bool count_drawn(const scene *s, comparison *result)
 {
     scene empty = *s;

@@ -38,7 +38,7 @@ typedef struct totals {
     uint64_t color, depth, coverage, workspace, threads, faults, differ;
     uint64_t broken; /* scenes with an error other than a difference */
 
-    /* The failing scene with the fewest triangles; of several, the first. */
+    /* The failing scene with the fewest triangles; the first of several such scenes. */
     bool fails;
     scene_class failing_class;
     uint64_t failing_number, failing_triangles;

@@ -25,7 +25,8 @@ static float random_size(random_source *r)
     }
 }
 
-/* As shape_place, but also beside and on the sides of pixels and of the view volume. */
+/* Chooses as shape_place does, but also places beside and on the sides of pixels and of the view
+ * volume. */
 static void place_end(builder *b, placement p)
 {
     random_source *r = &b->random;

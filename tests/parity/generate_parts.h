@@ -23,7 +23,7 @@ void shape_tiny(builder *b, uint32_t count);
 void shape_slivers(builder *b, uint32_t count);
 void shape_ties(builder *b, uint32_t count);
 
-/* Triangles so thin that snapping reverses their winding, or gives them an area. */
+/* Triangles so thin that snapping reverses their winding or makes their area more than zero. */
 void shape_turning(builder *b, uint32_t count);
 
 void shape_huge(builder *b, uint32_t count);
@@ -186,7 +186,7 @@ void add_attachments(builder *b);
 void random_outputs(builder *b);
 void mix_attachments(builder *b, bool blends_floats);
 
-/* Gives the pixels of a finished scene several samples. */
+/* Makes the surfaces of a finished scene multisampled. */
 void make_sampled(random_source *r, scene *s);
 
 /* A scene of any other class with several samples a pixel. */

@@ -28,9 +28,9 @@ static bool line_in_window(const scene *s, const scene_draw *d, const float *con
     return true;
 }
 
-/* Whether the reference draws the whole line. It takes the pixels of a line to begin with the first
- * whole pixel. So it loses a part that reaches just beyond a tile, and lines less than a pixel wide
- * or high. */
+/* Whether the reference draws the whole line. The reference takes the pixels of a line to begin
+ * with the first whole pixel. So it loses a part that reaches just beyond a tile, and lines less
+ * than a pixel wide or high. */
 static bool line_is_safe(const scene *s, const scene_draw *d, const float *const end[2])
 {
     const double size[2] = {(double)s->width, (double)s->height};

@@ -62,7 +62,7 @@ static inline __m512i emulated_sra(__m512i a, __m128i count)
 }
 
 /* VRNDSCALEPS to whole numbers, downward, the only form that is used; SIMDe 0.7.4 returns 20.5 for
- * 20.5. From 2^31 on, and for NaN, the conversion gives INT32_MIN. */
+ * 20.5. From 2^31 on, and for NaN, the conversion returns INT32_MIN. */
 static inline __m512 emulated_floor(__m512 a)
 {
     simde__m512_private x = simde__m512_to_private(a);

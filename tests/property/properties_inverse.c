@@ -30,7 +30,7 @@ struct made_matrix {
     gn_mat4 m;
 };
 
-/* Reflections at random planes; zero bits give no reflection. */
+/* Reflections at random planes; zero bits make no reflection. */
 static void turn(struct theft *t, double m[4][4], bool columns, int size)
 {
     for (int i = 0; i < size; ++i) {
@@ -344,7 +344,7 @@ static enum theft_trial_res parallel_columns_are_named(struct theft *t, void *ar
     return THEFT_TRIAL_PASS;
 }
 
-/* Any bits give a status; with GN_OK the results are finite numbers. */
+/* For any bits there is a status; with GN_OK the results are finite numbers. */
 static enum theft_trial_res any_bits_have_an_answer(struct theft *t, void *arg)
 {
     const float *floats = arg;

@@ -270,7 +270,7 @@ static double divided_error(const double c[4], const double e[4], int axis, doub
     return (e[axis] + quotient * e[3]) / fabs(c[3]) + division * U * quotient;
 }
 
-/* One camera gives equal pixels in every convention. The error is at most 32 u of the terms:
+/* One camera draws equal pixels in every convention. The error is at most 32 u of the terms:
  * rounding the entries (3 u at most each), composing the step, the view and the projection, and
  * transforming the point. */
 static enum theft_trial_res conventions_agree(struct theft *t, void *arg1, void *arg2)
@@ -420,7 +420,7 @@ static enum theft_trial_res projecting_can_be_undone(struct theft *t, void *arg1
     return THEFT_TRIAL_PASS;
 }
 
-/* Clip coordinates of any floats give a status, or a quotient within two roundings. */
+/* Clip coordinates of any floats return a status, or a quotient within two roundings. */
 static enum theft_trial_res division_is_right(struct theft *t, void *arg)
 {
     const float *f = arg;

@@ -149,7 +149,7 @@ static bool near(float got, struct quotient q)
     return fabsl((wide)got - q.value) <= q.error;
 }
 
-/* Both descriptions of a hit give one point, within their errors. */
+/* Both descriptions of a hit lead to one point, within their errors. */
 static bool same_point(const gn_ray *ray, const struct triangle *tri, const gn_ray_hit *hit,
                        const struct quotient q[3])
 {

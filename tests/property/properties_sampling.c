@@ -1,5 +1,5 @@
 /* Properties of sampling that hold for every texture: a lookup of one place equals the lookup of
- * sixteen, a texel's centre gives the texel, and a constant texture gives the constant. */
+ * sixteen, a texel's centre returns the texel, and a constant texture returns the constant. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Random transforms and floats for the properties of the mathematics. Both shrink: zero bits give
+/* Random transforms and floats for the properties of the mathematics. Both shrink: zero bits make
  * the simplest. */
 #ifndef RANDOM_INPUTS_H
 #define RANDOM_INPUTS_H

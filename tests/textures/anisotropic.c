@@ -90,10 +90,10 @@ static bool make_levels(lookup_case *c)
     return done;
 }
 
-/* Whether the reference can be compared with. For floats its filter does not keep differences
- * within 0 to 1. It compares depths after filtering them. It stops with a fault of its own for
- * textures of one dimension, and if the filter has no levels but the shader gives a bias or
- * gradients. */
+/* Whether the reference's anisotropic filter can be compared with the library's. For floats the
+ * reference does not keep differences within 0 to 1. It compares depths after filtering them. It
+ * stops with a fault of its own for textures of one dimension, and if the filter has no levels but
+ * the shader passes a bias or gradients. */
 static bool is_comparable(const lookup_case *c)
 {
     const bool has_levels =

@@ -117,7 +117,7 @@ static gn_format any_but(random_source *r, const gn_format *list, uint32_t count
 static gn_format choose_format(const lookup_case *c, random_source *r)
 {
     if (c->target != GN_TEXTURE_3D &&
-        random_chance(r, 20)) /* OpenGL has none of three dimensions */
+        random_chance(r, 20)) /* OpenGL has no such texture of three dimensions */
         return any_but(r, scene_depth_formats, SCENE_DEPTH_FORMATS, GN_FORMAT_S8, GN_FORMAT_S8);
     if (random_chance(r, 50))
         return random_chance(r, 70) ? GN_FORMAT_RGBA8 : GN_FORMAT_RGBA32F;
@@ -153,7 +153,8 @@ static float random_special(random_source *r)
     return special[random_below(r, sizeof special / sizeof *special)];
 }
 
-/* Of floats, `wild` percent are not finite, large, or a zero of either sign. */
+/* Fills texels with random values. In formats of floats, `wild` percent of the values are not
+ * finite, large, or a zero of either sign. */
 static void fill_texels(random_source *r, gn_format format, uint32_t wild, void *texels,
                         size_t count)
 {
@@ -173,7 +174,7 @@ static void fill_texels(random_source *r, gn_format format, uint32_t wild, void 
             floats[i] = random_chance(r, wild) ? random_special(r) : random_float(r, -0.5f, 1.5f);
     for (size_t i = 0; format == GN_FORMAT_R11F_G11F_B10F && i < count; ++i)
         if (!random_chance(r, wild))
-            ((uint32_t *)texels)[i] &= 0x7FDFFBFFu; /* no exponent of the highest */
+            ((uint32_t *)texels)[i] &= 0x7FDFFBFFu; /* finite: an exponent below the highest */
     for (size_t i = 0; is_float && scene_channel_width(format, 0) == 16 && i < bytes / 2; ++i)
         if ((halves[i] & 0x7C00) == 0x7C00)
             halves[i] = (uint16_t)(random_chance(r, wild) ? halves[i] & 0xFC00 : 0x3555);

@@ -77,7 +77,7 @@ bool opengl_look_up(const lookup_case *c, float (*texel)[4], char *error, size_t
 bool library_look_up(const lookup_case *c, gn_backend backend, float (*texel)[4], char *error,
                      size_t error_size);
 
-/* As library_look_up, by calls of gn_sample, gn_gather and gn_fetch. */
+/* Does what library_look_up does, by calls of gn_sample, gn_gather and gn_fetch. */
 void library_look_up_directly(const lookup_case *c, float (*texel)[4]);
 
 typedef struct lookup_totals {

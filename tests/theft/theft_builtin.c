@@ -114,7 +114,7 @@ static void print_bool(FILE *f, const void *instance, void *env)
 }
 
 /* Three bits before each element say whether there is one, so that an element is a block of two
- * requests that autoshrinking can leave out anywhere. Bits of 0 give 'a'. */
+ * requests that autoshrinking can leave out anywhere. Bits of 0 make 'a'. */
 static enum theft_alloc_res alloc_array(struct theft *t, void *env, void **output)
 {
     const size_t longest = env != NULL ? *(const size_t *)env : 64;

@@ -147,7 +147,7 @@ enum step runner_attempt_run(struct theft *t, uint8_t index, uint32_t tactic,
     return step;
 }
 
-/* One tactic on the present argument. `done` is set where the callback has no more of them. */
+/* Tries one tactic on the present argument. Sets `done` if the callback has no more tactics. */
 static enum step try_tactic(struct theft *t, uint8_t index, uint32_t tactic, bool *done)
 {
     const struct theft_type_info *type = t->config.type_info[index];
@@ -156,8 +156,8 @@ static enum step try_tactic(struct theft *t, uint8_t index, uint32_t tactic, boo
     if (step != STEP_NEXT) {
         return step;
     }
-    /* The bits depend on the tactic and not on the attempt: the same tactic on the same instance
-     * has to give the same result. */
+    /* The bits depend on the tactic and not on the attempt: a tactic must have one result for one
+     * instance. */
     runner_stream_seed(&t->stream, t->trial.seed + tactic);
     struct argument candidate = {0};
     switch (type->shrink(t, instance, tactic, type->env, &candidate.instance)) {
@@ -202,9 +202,9 @@ static enum step shrink_by_tactics(struct theft *t, uint8_t index)
     return STEP_NEXT;
 }
 
-/* A simpler second argument may let the first shrink further, so rounds go on while they help. What
- * was tried is remembered for this failure only: a minimal counterexample that an earlier trial has
- * found is as good an answer to this one. */
+/* A simpler second argument may let the first shrink further, so rounds go on while they help.
+ * Arguments that were tried are remembered for this failure only: a minimal counterexample that an
+ * earlier trial has found is as good an answer to this failure. */
 enum step runner_shrink(struct theft *t)
 {
     size_t successes;

@@ -41,7 +41,7 @@ struct theft_run_report {
     size_t dup;
 };
 
-/* What a property returns. DUP is the runner's own: a property that returns it is in error. */
+/* The result of a property. DUP is for the runner only: a property that returns it is in error. */
 enum theft_trial_res {
     THEFT_TRIAL_PASS,
     THEFT_TRIAL_FAIL,
@@ -95,7 +95,7 @@ typedef enum theft_alloc_res theft_alloc_cb(struct theft *t, void *env, void **o
 /* Releases an instance; called exactly once for each instance that alloc or shrink passed on. */
 typedef void theft_free_cb(void *instance, void *env);
 
-/* Equal instances have equal hashes. Where every argument has a hash (or autoshrinks), repeated
+/* Equal instances have equal hashes. If every argument has a hash or autoshrinks, repeated
  * combinations of arguments are not tried again. */
 typedef theft_hash theft_hash_cb(const void *instance, void *env);
 
@@ -113,7 +113,7 @@ typedef enum theft_shrink_res theft_shrink_cb(struct theft *t, const void *insta
 typedef void theft_print_cb(FILE *f, const void *instance, void *env);
 
 /* What a counterexample shows of an autoshrunk argument; the print callback, if any, is always
- * used. DEFAULT adds the requests where there is no print callback. */
+ * used. DEFAULT shows the requests too if there is no print callback. */
 enum theft_autoshrink_print_mode {
     THEFT_AUTOSHRINK_PRINT_DEFAULT = 0x00,
     THEFT_AUTOSHRINK_PRINT_USER = 0x01,
@@ -349,8 +349,8 @@ struct theft_hook_shrink_trial_post_info {
 typedef enum theft_hook_shrink_trial_post_res
 theft_hook_shrink_trial_post_cb(const struct theft_hook_shrink_trial_post_info *info, void *env);
 
-/* What theft_run runs. Exactly one property is set, and as many type_info as it has arguments;
- * everything else may be zero. */
+/* A configuration of theft_run. Exactly one property is set, and as many type_info as it has
+ * arguments; everything else may be zero. */
 struct theft_run_config {
     theft_propfun1 *prop1;
     theft_propfun2 *prop2;

@@ -35,7 +35,7 @@ void runner_end(void);
  * shell. A run that takes longer than a minute has status 124. */
 run gnomon(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* As gnomon, for a whole shell line, in which $GNOMON is the command. */
+/* Does what gnomon does, for a whole shell line, in which $GNOMON is the command. */
 run shell(const char *line);
 
 int lines(const char *text);

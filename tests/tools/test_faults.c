@@ -234,20 +234,20 @@ static void outputs_are_whole_or_absent(void **state)
     expect(1, "render square.obj -o kept.png --depth nowhere/d.png", "nowhere/d.png",
            "No such file");
     expect(1, "render square.obj -o /dev/full", "/dev/full", "No space");
-    /* So small that the full disk shows only when the file is closed. */
+    /* The pictures are so small that the full disk shows only when the file is closed. */
     expect(1, "render square.obj -o /dev/full --depth d.png --size 8x8", "/dev/full", "No space");
     expect(1, "render square.obj -o a.png --depth /dev/full --size 8x8", "/dev/full", "No space");
     expect(1, "render square.obj -o kept.png --depth /dev/full --size 8x8", "/dev/full",
            "No space");
 
-    /* A signal in the middle of writing, caused by the limit of the file's size in blocks of
-     * 512. */
+    /* A signal in the middle of writing, from a limit on the file's size, in blocks of 512
+     * bytes. */
     runner_mark();
     run r = shell("(ulimit -f 1; exec \"$GNOMON\" render square.obj -o kept.png --size "
                   "2000x2000 --background 123456 --orthographic 3)");
     assert_int_not_equal(r.status, 0);
     assert_int_equal(new_files(), 0);
-    /* That limit as an error instead of a signal. */
+    /* That limit reported as an error instead of a signal. */
     r = shell("(trap '' XFSZ; ulimit -f 1; exec \"$GNOMON\" render square.obj -o kept.png "
               "--size 2000x2000 --orthographic 3)");
     assert_int_equal(r.status, 1);
@@ -339,7 +339,7 @@ static void write_grid(const char *name, int size)
     assert_int_equal(fclose(file), 0);
 }
 
-/* A TGA of one grey, run by run. */
+/* A TGA picture of one grey value, in run-length packets. */
 static void write_grey_tga(const char *name, int size)
 {
     uint8_t header[18] = {0};

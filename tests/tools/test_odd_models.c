@@ -209,7 +209,7 @@ static void cut_pictures_are_named(void **state)
     expect(1, "render square.obj -o b.png --texture cut.map", "cut.map", "the file is empty");
 }
 
-/* As some editors begin a text. */
+/* A byte order mark, with which some editors begin a text. */
 static void byte_order_marks_are_accepted(void **state)
 {
     char text[1024];

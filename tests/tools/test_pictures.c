@@ -430,7 +430,7 @@ static void missing_normals_are_smooth(void **state)
                                  "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
                                  "f 5 6 7\nf 5 7 8\nf 1 4 3\nf 1 3 2\nf 1 2 6\nf 1 6 5\n"
                                  "f 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\nf 4 1 5\nf 4 5 8\n";
-    /* That front face with vertices of its own. */
+    /* The front face above, with vertices of its own. */
     static const char split[] = "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n"
                                 "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
                                 "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"

@@ -132,7 +132,7 @@ static void test_places(void **state)
     assert_float_equal(texel[0], 4.0, 1e-4);
 }
 
-/* What changes only across the footprint is as sharp as in level 0. */
+/* A texture that changes only across the footprint stays as sharp as in level 0. */
 static void test_stripes_stay_sharp(void **state)
 {
     const gn_texture t = texture_of(GN_TEXTURE_2D);
@@ -253,8 +253,8 @@ static void test_explicit_levels(void **state)
     assert_memory_equal(found, expected, sizeof found);
 }
 
-/* Places give the same result beside places with fewer or more samples as beside places with
- * equally many. */
+/* A place returns one result, whether the places beside it have fewer, more or equally many
+ * samples. */
 static void test_places_beside_others(void **state)
 {
     const gn_texture t = texture_of(GN_TEXTURE_2D);

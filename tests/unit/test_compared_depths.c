@@ -79,7 +79,8 @@ static void references(void **state)
     assert_true(compared(&t, &equal, 0.75f, 1.0f) == 1.0f);
 }
 
-/* Of depths 0.25 and 0.75 only the second is at least 0.5: the filter mixes results, not depths. */
+/* Only the second of the depths 0.25 and 0.75 is at least 0.5: the filter mixes results, not
+ * depths. */
 static void linear(void **state)
 {
     (void)state;
@@ -100,7 +101,7 @@ static void linear(void **state)
     assert_true(compared(&t, &never, INFINITY, 0.5f) == 0.0f);
 }
 
-/* Of six faces only +z is nearer than the reference value: a gather, an edge and a corner. */
+/* Only the face +z is nearer than the reference value: a gather, an edge and a corner. */
 static void cubes(void **state)
 {
     (void)state;

@@ -16,7 +16,7 @@
  * z' = -2 z - 3, w' = -z. */
 static const gn_mat4 camera_no = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -2, -1}, {0, 0, -3, 0}}};
 
-/* That camera with z' = -1.5 z - 1.5. */
+/* The camera above, with z' = -1.5 z - 1.5. */
 static const gn_mat4 camera_zo = {
     {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -1.5f, -1}, {0, 0, -1.5f, 0}}};
 
@@ -50,7 +50,7 @@ static void planes_of_both_depths(void **state)
     }
 }
 
-/* That camera at (5, 0, 0), looking along +x: its right is +z, and view = (z, y, -x + 5). */
+/* The camera above, at (5, 0, 0), looking along +x: its right is +z, and view = (z, y, -x + 5). */
 static void planes_in_the_world(void **state)
 {
     (void)state;

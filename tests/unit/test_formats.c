@@ -218,7 +218,7 @@ static void halves_round_toward_zero(void **state)
     }
 }
 
-/* Floats without sign, likewise; a clear makes no denormals. */
+/* Floats without sign round toward zero too; a clear makes no denormals. */
 static void unsigned_floats_round_toward_zero(void **state)
 {
     (void)state;

@@ -93,7 +93,7 @@ static void products_with_vectors(void **state)
 }
 
 /* In every row the columns are 1 and half a last place, or cancel: any other order of the sums
- * gives another number. */
+ * leads to another number. */
 static void products_are_summed_from_the_first_column(void **state)
 {
     (void)state;

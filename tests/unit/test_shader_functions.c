@@ -343,7 +343,8 @@ static void fragments_have_all_inputs_and_outputs(void **state)
     assert_same_frames(&functions, &loops, true);
 }
 
-/* What is not switched on is 0 and harmless: the function of above without its outputs. */
+/* Inputs and outputs that are not switched on are 0 and harmless: runs the function above without
+ * its outputs. */
 static void bare_loop(const void *values, const gn_fragment_input *in, gn_fragment_output *out)
 {
     (void)values;

@@ -34,7 +34,7 @@ static gn_vec4 random_vec4(void)
     return v;
 }
 
-/* Which NaN an operation gives is the processor's. */
+/* The processor decides which NaN an operation returns. */
 static void assert_same(float got, float expected)
 {
     if (isnan(expected))

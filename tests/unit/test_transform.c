@@ -184,7 +184,7 @@ static void camera(void **state)
                 t.inverse.m[3][2] == eye.z);
 }
 
-/* A camera that already is at the origin gives the identity. */
+/* A camera that already is at the origin has the identity as its view. */
 static void camera_at_home(void **state)
 {
     (void)state;
@@ -220,7 +220,7 @@ static void cameras_that_cannot_be(void **state)
     assert_int_equal(gn_look_at_rh(eye, target, up, NULL), GN_NULL_POINTER);
 }
 
-/* Just beyond the threshold, a camera that looks almost straight down still gives a rotation. */
+/* Just beyond the threshold, a camera that looks almost straight down still has a rotation. */
 static void camera_almost_along_up(void **state)
 {
     (void)state;

@@ -207,8 +207,9 @@ static void points_of_nothing(void)
 {
     float positions[40][4] = {{0}};
 
-    /* Vertices are at the middle of clip space, which is a corner of the pixel (3, 3): that pixel
-     * has the point. Those with an odd number are at x = 0.9, whose point is the pixel (7, 3). */
+    /* Vertices are at the middle of clip space, which is a corner of the pixel (3, 3): the point is
+     * that pixel. Vertices with an odd number are at x = 0.9, and their point is the pixel (7,
+     * 3). */
     set_float_colors(1);
     memset(&c.pipeline, 0, sizeof c.pipeline);
     c.pipeline.raster.topology = GN_POINTS;

@@ -103,7 +103,7 @@ static void angles(void **state)
     assert_true(angle == 0.0f);
     assert_int_equal(gn_vec3_angle(x, back, &angle), GN_OK);
     assert_float_equal(angle, GN_PI, 1e-6f);
-    /* Angles for which the arccosine of the dot product gives 0 or pi. */
+    /* Angles for which the arccosine of the dot product is 0 or pi. */
     assert_int_equal(gn_vec3_angle(x, near_x, &angle), GN_OK);
     assert_float_equal(angle, 0x1p-20f, 1e-7f);
     assert_int_equal(gn_vec3_angle(x, near_back, &angle), GN_OK);

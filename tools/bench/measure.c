@@ -236,7 +236,8 @@ static void summarize(lines *l, int frames)
     }
 }
 
-/* What functions of one fragment cost beside loops over lanes, where both have drawn. */
+/* How long functions of one fragment take compared with loops over lanes, in scenes that both have
+ * drawn. */
 static void print_functions(const lines *l)
 {
     for (int n = 1; n < l->count; ++n) {

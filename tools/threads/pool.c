@@ -161,7 +161,7 @@ static void *run_thread(void *argument)
     return NULL;
 }
 
-/* Gives every thread except the caller's a processor of its own, other than the caller's at this
+/* Puts every thread except the caller's on a processor of its own, other than the caller's at this
  * moment. A kernel that wakes a thread tends to put it on the waker's processor; with calls this
  * short, it takes many frames until the kernel finds that another processor is idle. */
 static void spread(thread_pool *pool)
