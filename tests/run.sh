@@ -30,7 +30,7 @@ workers=
 trap 'kill $workers 2>/dev/null; rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM
 
-# Runs a step. A pipe tells when it has ended, also if the pipe is read later.
+# Runs a step. A pipe tells when the step has ended, even if the pipe is read later.
 run_step() { # run_step NUMBER STEP
     start=$(date +%s)
     sh -c "${2#*=}" >"$work/$1.log" 2>&1

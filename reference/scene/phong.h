@@ -5,7 +5,7 @@
 
 #include <gnomon.h>
 
-/* The turned normal N, the vector to the eye, the texture coordinates. */
+/* The varyings: the turned normal N, the vector to the eye, the texture coordinates. */
 enum {
     PHONG_NORMAL = 0,
     PHONG_TO_EYE = 3,

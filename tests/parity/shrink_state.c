@@ -151,7 +151,7 @@ static bool simplify_member(shrinking *s, size_t draw, const scene_member *m)
 }
 
 /* Tries simpler shaders. SCENE_VERTEX_COLOR ignores what the program says of the fragment shader,
- * which goes too. */
+ * so the program's switches for it are turned off too. */
 static bool simplify_shader(shrinking *s, size_t draw)
 {
     static const scene_shader shaders[] = {SCENE_VERTEX_COLOR, SCENE_GOURAUD};

@@ -88,7 +88,7 @@ describe() {
     esac
 }
 
-# Whether the compiler finds the libraries that it links: a C library, and the sanitizer's.
+# Tells whether the compiler finds the libraries that it links: a C library, and the sanitizer's.
 links() {
     # shellcheck disable=SC2086
     echo '#include <stdio.h>

@@ -3,8 +3,9 @@
 # Cortex-M4, with software and hardware floats, complete and with GN_SMALL and GN_BASIC. Only what
 # microcontroller.c reaches is linked, with the compiler's own routines for floats. The program then
 # draws in an emulator, in a workspace of 16 KiB, and its picture is compared with one drawn here.
-# The stack size is the part of the stack's fill pattern that the program has overwritten. Fails if a picture differs,
-# a symbol is undefined, there is writable data, or the text of the small library is too long.
+# The stack size is the part of the stack's fill pattern that the program has overwritten. Fails if a
+# picture differs, a symbol is undefined, there is writable data, or the text of the small library
+# is too long.
 # usage: size.sh BUILD-DIRECTORY   (from the root of the project)
 set -eu
 . tests/skip.sh

@@ -1,5 +1,5 @@
-/* Textures in memory beyond whose ends nothing may be read. The values of texels differ from those
- * of the gaps between rows. */
+/* Textures in memory beyond whose ends nothing may be read. Texels have other values than the gaps
+ * between rows. */
 #ifndef GUARDED_TEXTURE_H
 #define GUARDED_TEXTURE_H
 

@@ -23,9 +23,9 @@ int properties_projections(uint64_t seed, size_t trials);
 int properties_geometry(uint64_t seed, size_t trials);
 int properties_rays(uint64_t seed, size_t trials);
 
-/* Runs one property, whose arguments and name `config` holds, and prints its line, if it is
- * chosen (selection.h); returns 1 where it failed, otherwise 0. A property none of whose inputs
- * could be used, or fewer than a tenth, has shown nothing and fails too. */
+/* Runs one property, whose arguments and name `config` holds, and prints its line, if it is chosen
+ * (selection.h); returns 1 if it failed, otherwise 0. A property for which none of the inputs, or
+ * fewer than a tenth, could be used has shown nothing and fails too. */
 int property_run(struct theft_run_config config, uint64_t seed, size_t trials);
 
 #endif

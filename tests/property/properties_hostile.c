@@ -87,8 +87,8 @@ static uint32_t state_integer(random_source *r)
                                            : random_between(r, -10, 45));
 }
 
-/* A value that gn_pipeline_check takes, but for a number now and then that is not finite or out of
- * its range. */
+/* A value that gn_pipeline_check accepts, except that a number now and then is not finite or is out
+ * of its range. */
 static uint32_t state_value(const scene_member *m, random_source *r)
 {
     const bool is_default = m->type != MEMBER_FLOAT && m->type != MEMBER_INTEGER &&

@@ -1,6 +1,6 @@
-/* Properties of the scalar functions, for any bits of the arguments, against the C library's in
- * double: what `make exhaustive` checks for all arguments of functions of one, and functions of two
- * arguments. */
+/* Properties of the scalar functions, for any bits of the arguments, against the C library's
+ * functions in double: functions of one argument, which `make exhaustive` checks for all arguments,
+ * and functions of two arguments. */
 #include <math.h>
 #include <string.h>
 

@@ -1,6 +1,7 @@
 #!/bin/sh
-# What the Makefile makes again, and what it leaves: in a copy of the project that has the scalar
-# functions alone, compiled in a second. usage: test_makefile.sh   (from the root of the project)
+# Tests what the Makefile makes again and what it leaves, in a copy of the project that has only the
+# scalar functions, which compile in a second.
+# usage: test_makefile.sh   (from the root of the project)
 set -u
 export MAKEFLAGS= # not those of the make that runs this
 directory=$(mktemp -d)
@@ -38,7 +39,7 @@ nothing() {
     [ ! -s made ]
 }
 
-# All objects, and what is linked of them.
+# All objects, and the libraries that are linked from them.
 everything() {
     [ "$(grep -c '\.o$' made)" = "$objects" ] && [ "$(grep -c '^libgnomon\.' made)" = 2 ]
 }
@@ -74,7 +75,7 @@ build CFLAGS=-O1 CC="${CC:-cc} -DGN_SMALL"
 check "another compiler: everything" everything
 build CFLAGS=-O1
 
-# What fails to compile leaves no object of other flags behind.
+# A file that fails to compile leaves no object with other flags behind.
 build CFLAGS='-O2 -Dfloat=' && status=0
 check "flags that do not compile: nothing is linked" [ "$(grep -c '^libgnomon' made)" = 0 ]
 build CFLAGS=-O1

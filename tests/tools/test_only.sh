@@ -1,5 +1,6 @@
 #!/bin/sh
-# property-tests --only and --list: what is chosen runs, with the inputs of a run of everything.
+# Tests property-tests --only and --list: the chosen properties run, with the inputs that they have
+# when all properties run.
 # usage: test_only.sh PROPERTY-TESTS
 set -u
 program=$1
@@ -42,7 +43,7 @@ lines >"$directory/all"
 sed 's/^properties: \(.*\) \.\.\. .*/\1/' "$directory/all" >"$directory/run"
 check "--list: the properties that run, in their order" cmp "$directory/names" "$directory/run"
 
-# A name that others contain chooses itself alone.
+# A name that other names contain chooses only the property of that name.
 name="ray and box"
 run --seed 1 --trials 20 --only "$name"
 check "a name: success" [ "$status" = 0 ]

@@ -1,5 +1,5 @@
 #!/bin/sh
-# tests/style.sh: what it finds and what --fix makes of it, in a project of one file.
+# Tests tests/style.sh, in a project of one file: what it finds, and what --fix writes instead.
 # usage: test_style.sh   (from the root of the project)
 set -u
 directory=$(mktemp -d)
@@ -18,7 +18,8 @@ fail() {
     sed 's/^/    /' "$directory/out" "$directory/src/file.c" >&2
 }
 
-# becomes WHAT BEFORE AFTER: is found out of style, and --fix makes AFTER of it, which is in style.
+# becomes WHAT BEFORE AFTER: BEFORE is found out of style, and --fix turns it into AFTER, which is
+# in style.
 becomes() {
     printf "$2\n" >"$directory/src/file.c"
     printf "$3\n" >"$directory/after"
@@ -31,7 +32,7 @@ becomes() {
     fi
 }
 
-# stays WHAT TEXT: is in style.
+# stays WHAT TEXT: the text is in style.
 stays() {
     printf "$2\n" >"$directory/src/file.c"
     if GN_NO_SKIP= "$directory/tests/style.sh" >"$directory/out" 2>&1; then
@@ -41,7 +42,7 @@ stays() {
     fi
 }
 
-# refused WHAT TEXT: is found out of style, and stays so under --fix.
+# refused WHAT TEXT: the text is found out of style, and --fix leaves it so.
 refused() {
     printf "$2\n" >"$directory/src/file.c"
     if ! "$directory/tests/style.sh" --fix >"$directory/out" 2>&1 && grep -q 'no script mends' "$directory/out"; then

@@ -224,7 +224,8 @@ static void arguments_of_interest(void **state)
     }
 }
 
-/* Correct, where the C library's double result determines the correct one. */
+/* Checks that the result is correctly rounded, if the C library's double result decides the
+ * rounding. */
 static void assert_rounds(const struct function *function, float x)
 {
     double exact = function->wide((double)x);

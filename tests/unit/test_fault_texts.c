@@ -140,7 +140,8 @@ static void pipelines(void **state)
     expect_pipeline(GN_OUT_OF_RANGE, "raster.line_width");
 }
 
-/* A target with colour needs a fragment shader; one without does not. gn_draw agrees. */
+/* A target with colour needs a fragment shader; a target without colour does not. gn_draw
+ * agrees. */
 static void pipelines_and_targets(void **state)
 {
     (void)state;

@@ -39,9 +39,9 @@ static void place(uint32_t element, int corner)
         position[element][i] = (4.5f + sliver[corner][i] / 256.0f) * (2.0f / SIZE) - 1.0f;
 }
 
-/* Makes the elements of one triangle the sliver and all others its first corner, which has no area;
- * one of those others is outside. In a strip's odd triangles the first two elements are
- * exchanged. */
+/* Puts the elements of one triangle at the sliver's corners and all other elements at the sliver's
+ * first corner, so that no other triangle has an area. One of the other elements is outside the
+ * view volume. In a strip's odd triangles the first two elements are exchanged. */
 static void place_all(const division *d, uint32_t count, uint32_t triangle, uint32_t outside)
 {
     const uint32_t odd = d->topology == GN_TRIANGLE_STRIP ? triangle & 1 : 0;
@@ -128,7 +128,7 @@ static void segments_end_where_measured(void **state)
     for (size_t n = 0; n < sizeof divisions / sizeof *divisions; ++n) {
         const division *d = &divisions[n];
         const uint32_t scale = d->topology == GN_TRIANGLES ? 3 : 1;
-        /* These include the triangles of the fan whose pixel once differed from the reference's. */
+        /* These include a known case: a fan in which a wrong division changes a pixel. */
         const uint32_t counts[] = {d->whole - 1, d->whole, d->whole + 1, d->whole + 2,
                                    d->whole + d->step * scale + 3};
 
