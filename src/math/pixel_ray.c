@@ -9,7 +9,8 @@
 #include "../scalars/bits.h"
 #include "transform.h"
 
-/* Writes the ray in view space, or returns a fault. */
+/* Writes the ray through a point of normalised device coordinates, in view space; or returns why
+ * there is none. */
 static gn_status unproject(const gn_mat4 *inverse, gn_vec3 ndc, float towards, gn_ray *ray)
 {
     const gn_vec4 clip = {ndc.x, ndc.y, ndc.z, 1.0f};

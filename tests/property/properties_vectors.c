@@ -122,8 +122,8 @@ static enum theft_trial_res interpolation(struct theft *t, void *arg)
     return THEFT_TRIAL_PASS;
 }
 
-/* Clamped to two ordered bounds: a number beyond them becomes the bound, every other number
- * stays. */
+/* Every component clamped to two ordered bounds: a number beyond the bounds becomes the nearer one,
+ * every other number stays. */
 static bool clamped(const float *got, const float *v, float low, float high, int count)
 {
     for (int i = 0; i < count; ++i)

@@ -61,7 +61,8 @@ static void vertex_colors_fill_the_picture(void **state)
     picture_free(&p);
 }
 
-/* From 10.25 to 30.75 in both directions, with the diagonal that goes up to the right. */
+/* The square from 10.25 to 30.75 pixels in both directions, divided by the diagonal that goes up to
+ * the right. */
 static void wireframe_draws_the_edges(void **state)
 {
     static const char from[] = "--eye 0,0,5 --target 0,0,0 --orthographic 4 --shader vertex-color"
