@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-/* Four scalars, because each may have its own qualifier. */
+/* Four scalars, because each varying may have its own interpolation qualifier. */
 static const char vertex_color_varyings[] = "%s %s float red;\n"
                                             "%s %s float green;\n"
                                             "%s %s float blue;\n"

@@ -4,8 +4,8 @@
 
 #include <stdint.h>
 
-/* Entry n holds the bits of the least float that sRGB's transfer function (OpenGL 4.5 section
- * 17.3.7) and rounding to nearest take to byte n or more. Entry 0 is 0. */
+/* Entry n holds the bits of the least float that is encoded as byte n or more, by sRGB's transfer
+ * function (OpenGL 4.5 section 17.3.7) and rounding to nearest. Entry 0 is 0. */
 extern const int32_t gn_srgb_thresholds[256];
 
 #endif

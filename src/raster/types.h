@@ -14,7 +14,7 @@
 /* The side of a square in pixels. Lane l of a square is the pixel (x + l % 4, y + l / 4). */
 #define SQUARE_SIZE 4
 
-/* Lanes of half a square, and their full coverage. */
+/* The number of lanes of half a square, and the coverage of a half whose pixels are all covered. */
 #define HALF_LANES (GN_LANES / 2)
 #define HALF_COVERED ((1u << HALF_LANES) - 1)
 

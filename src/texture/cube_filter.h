@@ -6,7 +6,7 @@
 
 #include "words.h"
 
-/* Returns the levels of the lanes, as bits; usually one. */
+/* Returns the set of the lanes' levels, as bits; usually one bit is set. */
 static inline uint32_t levels_in(lanes_i level)
 {
     int32_t number[GN_LANES];

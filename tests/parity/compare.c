@@ -31,7 +31,7 @@ typedef struct variant {
     size_t workspace; /* bytes; 0: scene_workspace_size */
     gn_backend backend;
     thread_pool *pool; /* null: only the calling thread */
-    uint32_t threads;  /* the number that the library is told */
+    uint32_t threads;  /* the number of threads that the library is told to use */
 } variant;
 
 static bool same_bits(const void *a, const void *b, gn_format format, size_t i)

@@ -420,7 +420,8 @@ static enum theft_trial_res projecting_can_be_undone(struct theft *t, void *arg1
     return THEFT_TRIAL_PASS;
 }
 
-/* Clip coordinates of any floats return a status, or a quotient within two roundings. */
+/* For clip coordinates of any floats, gn_clip_to_ndc returns the status of its contract, or
+ * quotients within two roundings. */
 static enum theft_trial_res division_is_right(struct theft *t, void *arg)
 {
     const float *f = arg;

@@ -23,7 +23,7 @@ static const char vertex_text[] =
     "1.0);\n"
     "}\n";
 
-/* Every value in every channel, if there are as many texels. */
+/* Makes texels that have every value in every channel, if there are as many texels. */
 static void fill_all_values(random_source *r, gn_format format, void *texels)
 {
     const size_t size = gn_format_size(format);

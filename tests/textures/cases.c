@@ -9,7 +9,7 @@
 
 enum { WRAPS = 5, MINIFIERS = 6, MAGNIFIERS = 2, TARGETS = 5, SHAPES = 3 };
 
-/* The properties of a case, from its number. */
+/* The properties of a case that its number determines. */
 typedef struct case_digits {
     uint32_t target, kind, wrap, minify, magnify, shape;
 } case_digits;

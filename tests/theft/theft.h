@@ -95,7 +95,7 @@ theft_hook_first_fail_halt(const struct theft_hook_trial_pre_info *info, void *e
 /* `hooks.env` of the configuration. */
 void *theft_hook_get_env(struct theft *t);
 
-/* Where the runner prints; stdout at first. */
+/* The file that the runner prints to; stdout at first. */
 void theft_set_output_stream(struct theft *t, FILE *out);
 
 theft_seed theft_seed_of_time(void);

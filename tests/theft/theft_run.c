@@ -217,7 +217,8 @@ static enum step call_property_and_count(struct theft *t)
     return step == STEP_NEXT ? call_trial_post(t, result, true) : step;
 }
 
-/* REJECTED: the trial is counted and over, by a skip or a duplicate. */
+/* Returns REJECTED if the trial is over because of a skip or a duplicate; the trial is then
+ * counted. */
 static enum step make_arguments(struct theft *t)
 {
     runner_stream_seed(&t->stream, t->trial.seed);

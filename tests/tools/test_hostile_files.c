@@ -164,7 +164,8 @@ static void assimp_reads_regular_files_alone(void **state)
     }
 }
 
-/* Only headers, for 16384x16384 pixels, and the result with the budget raised. */
+/* Picture files with a header for 16384x16384 pixels and hardly any data are refused for their
+ * size, and for another reason once the budget of pixels is raised. */
 static void pictures_are_sized_first(void **state)
 {
     static const uint8_t tga[18] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x40, 0, 0x40, 24, 0};
