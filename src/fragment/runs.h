@@ -13,7 +13,7 @@ GN_INLINE const gn_surface *surface_of(const fragment_state *state, fragment_kin
 }
 
 /* Shades neighbouring squares. A square that hangs over the surfaces' edge is left to the function
- * for all states, so that this code calls no other function. */
+ * for all states, so that the code for all other squares has no calls. */
 GN_INLINE void shade_squares(const fragment_state *state, fragment_kind kind,
                              raster_triangle triangle, int32_t x, int32_t y, uint32_t count,
                              uint32_t coverage)
