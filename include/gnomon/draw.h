@@ -52,7 +52,7 @@ typedef enum gn_restart {
 typedef struct gn_mesh {
     gn_attribute attribute[GN_MAX_ATTRIBUTES];
     uint32_t vertex_count; /* vertices in the attribute arrays */
-    const void *indices;   /* null for GN_INDEX_NONE; aligned to its element */
+    const void *indices;   /* aligned to its element; ignored for GN_INDEX_NONE */
     gn_index_format index_format;
     uint32_t first;
     uint32_t count;
@@ -149,22 +149,24 @@ GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
 GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
 
 /* Draws a mesh. Checks, in this order: the target (gn_target_check); the pipeline with that target
- * (gn_pipeline_check); the mesh (gn_mesh_check, but for its indices); that the workspace is not
- * null (GN_NULL_POINTER) and holds at least gn_workspace_size(0, varying_count +
- * clip_distance_count) bytes (GN_WORKSPACE_TOO_SMALL; workspace->needed receives the number of
- * bytes); that the library can count if workspace->statistics is not null (GN_NOT_COMPILED in a
- * GN_BASIC library); that the library contains the workspace's back end (GN_BACKEND_UNAVAILABLE).
- * An index at or above vertex_count is found last. On a fault nothing is drawn; gn_target_fault,
- * gn_pipeline_fault and gn_mesh_fault say in words what is wrong.
+ * (gn_pipeline_check); the mesh (gn_mesh_check, but for its indices); that neither the
+ * workspace nor its memory is null (GN_NULL_POINTER) and that it holds at least
+ * gn_workspace_size(0, varying_count + clip_distance_count) bytes (GN_WORKSPACE_TOO_SMALL;
+ * workspace->needed receives the number of bytes); that the library can count if
+ * workspace->statistics is not null (GN_NOT_COMPILED in a GN_BASIC library); that the library
+ * contains the workspace's back end (GN_BACKEND_UNAVAILABLE). An index at or above vertex_count is
+ * found last. On a fault nothing is drawn; gn_target_fault, gn_pipeline_fault and gn_mesh_fault say
+ * in words what is wrong. A wrong matrix is no fault: gn_perspective_fault finds wrong arguments,
+ * and workspace->statistics what became of the mesh.
  *
  * Triangles, lines and points are drawn in order. Positions are clipped to -w <= x, y, z <= w and
- * to clip distances that are not negative. clip_depth and depth_clamp change the bounds of z; a z
- * that is clipped against nothing may have any value, even one that is not finite. A point is drawn
- * whole or not at all, depending on its centre. Clipped positions are mapped to window coordinates,
- * and vertices snap to 1/256 pixel. A pixel is covered if its centre lies inside, or on a left edge
- * or a horizontal bottom edge, so that triangles that share an edge never both cover a pixel on it.
- * If pixels have several samples, the rule applies to each sample, and lines are rectangles; the
- * fragment shader runs once per pixel, at the pixel's centre.
+ * to clip distances that are not negative. depth.clip_depth and depth.clamp change the bounds of z;
+ * a z that is clipped against nothing may have any value, even one that is not finite. A point is
+ * drawn whole or not at all, depending on its centre. Clipped positions are mapped to window
+ * coordinates, and vertices snap to 1/256 pixel. A pixel is covered if its centre lies inside, or
+ * on a left edge or a horizontal bottom edge, so that triangles that share an edge never both cover
+ * a pixel on it. If pixels have several samples, the rule applies to each sample, and lines are
+ * rectangles; the fragment shader runs once per pixel, at the pixel's centre.
  *
  * Points are squares. If a pixel has one sample, lines follow these rules. A line that is at least
  * as long along x as along y covers its width along y in every column; any other line covers its
@@ -189,8 +191,8 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  * Drawing follows OpenGL 4.5 chapters 10 to 17. The order of every operation is the reference
  * rasterizer's, so that results are equal bit for bit (reference/RULES.md). These primitives are
  * not drawn:
- * - primitives with a vertex whose x or y is not finite, whose z is not finite and is clipped, or
- *   whose w is NaN;
+ * - primitives with a vertex whose x or y is not finite, whose z is not finite and is clipped (an
+ *   infinite z is inside if w is infinite too), or whose w is NaN;
  * - primitives to be clipped, with a vertex whose distance w +- x, y or z to a plane they cross is
  *   not finite;
  * - primitives with a vertex left more than 32,768 pixels from the origin after clipping, which

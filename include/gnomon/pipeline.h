@@ -5,7 +5,7 @@
  *   field                            OpenGL                           zero value
  *   program                          the program in use
  *     .vertex_shader                                                  none, which is a fault
- *     .fragment_shader                                                none: no colour is written
+ *     .fragment_shader                                                none, a fault with colour
  *     .uniforms                      Uniform...                       null
  *     .varying_count                 outs of the vertex shader        0
  *     .interpolation[n]              smooth, noperspective, flat      GN_SMOOTH
@@ -63,7 +63,12 @@
  *
  * As in OpenGL, depth is written only if the depth test is on, and stencil only if the stencil test
  * is on. If the target has no depth, the depth test passes; if it has no stencil, the stencil test
- * passes. */
+ * passes.
+ *
+ * Reversed depth, which keeps precision far away: take a projection _zo_reversed or
+ * _zo_infinite_reversed, set depth.clip_depth to GN_ZERO_TO_ONE and depth.function to GN_GREATER,
+ * clear depth to 0, and use GN_FORMAT_D32F. (With a projection _no_reversed leave clip_depth as it
+ * is; precision is not gained then.) */
 #ifndef GNOMON_PIPELINE_H
 #define GNOMON_PIPELINE_H
 
@@ -239,8 +244,8 @@ typedef struct gn_scissor {
 /* z_near may be above z_far: a reversed range. */
 typedef struct gn_depth_range {
     bool set;     /* false: 0 to 1 */
-    float z_near; /* window depth of NDC z = -1, in 0..1 */
-    float z_far;  /* window depth of NDC z = 1, in 0..1 */
+    float z_near; /* window depth of NDC z = -1, or of 0 with GN_ZERO_TO_ONE; in 0..1 */
+    float z_far;  /* window depth of NDC z = 1; in 0..1 */
 } gn_depth_range;
 
 /* The z in clip space that are drawn and mapped to the depth range: -w <= z <= w or 0 <= z <= w. */
@@ -362,9 +367,10 @@ typedef void gn_vertex_shader(const void *uniforms, const gn_vertex_input *input
 typedef void gn_fragment_shader(const void *uniforms, const gn_fragment_input *input,
                                 gn_fragment_output *output);
 
-/* The shaders, and what they read and write beyond varyings and colours. A fragment shader that
- * discards, or writes depth or a sample mask, runs before the depth and stencil tests. Any other
- * runs after them, on the fragments that passed. */
+/* The shaders, and what they read and write beyond varyings and colours. A fragment shader runs
+ * before the depth and stencil tests if it discards, writes depth or a sample mask, or if
+ * samples.alpha_to_coverage is on. Otherwise it runs after them, on the fragments that passed. On
+ * targets with one sample a pixel, sample masks and alpha_to_coverage make no difference. */
 typedef struct gn_program {
     gn_vertex_shader *vertex_shader;
     gn_fragment_shader *fragment_shader; /* may be null if the target has no colour */
@@ -430,9 +436,9 @@ typedef struct gn_color {
  * colour. */
 typedef struct gn_samples {
     uint32_t write_disabled; /* bit s: nothing is drawn to sample s */
-    bool alpha_to_coverage;  /* draws sample s unless alpha <= s / 4; the fragment shader then runs
-                                before the tests */
-    bool alpha_to_one;       /* then sets alpha to 1 */
+    bool alpha_to_coverage; /* draws sample s unless alpha <= s / 4.0; the fragment shader then runs
+                               before the tests */
+    bool alpha_to_one;      /* then sets alpha to 1 */
 } gn_samples;
 
 typedef struct gn_pipeline {
@@ -452,11 +458,12 @@ GN_BEGIN
  * - GN_NO_SHADER: no vertex shader; no fragment shader, but the target has colour, or the program
  *   discards or writes depth or a sample mask.
  * - GN_TOO_MANY_VARYINGS: program.varying_count. GN_INVALID_ENUM: the interpolation of a varying.
- * - GN_INVALID_ENUM: an enumeration of raster or depth.clip_depth.
+ * - GN_INVALID_ENUM: raster.topology, provoking_vertex, cull or front_face.
  * - GN_NOT_FINITE or GN_INVALID_VIEWPORT: a number of the viewport that is not finite, a size below
- *   0 or above GN_MAX_SIZE, an origin beyond +-GN_MAX_SIZE.
+ *   0 or above GN_MAX_SIZE, an origin beyond +-GN_MAX_SIZE. A size of 0 is valid and draws nothing.
  * - GN_NOT_FINITE or GN_OUT_OF_RANGE: an end of depth.range that is not in 0 to 1.
  * - GN_NOT_FINITE: a number of the polygon offset.
+ * - GN_INVALID_ENUM: depth.clip_depth.
  * - GN_OUT_OF_RANGE: program.clip_distance_count above GN_MAX_CLIP_DISTANCES.
  * - GN_INVALID_ENUM: a comparison or operation of depth or stencil.
  * - GN_OUT_OF_RANGE: program.color_count above GN_MAX_COLORS.

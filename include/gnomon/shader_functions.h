@@ -2,6 +2,10 @@
  * such a function into the loop over lanes that a gn_pipeline takes. Everything is inline, and
  * compilers vectorise the loop at -O2 and above, without further flags.
  *
+ * The examples include <gnomon.h>. A mesh numbers its attributes as it likes; the examples use the
+ * numbers of gnomon/shaders.h. A workspace for the first one and `count` vertices has
+ * gn_workspace_size(count, GN_VARYING_COUNT(colored)) bytes.
+ *
  * Example 1, colours from vertex to vertex:
  *
  *     typedef struct { gn_vec4 color; } colored;

@@ -8,7 +8,19 @@
  * returns a fault adds nothing. Every count is exact. It depends on the target's size, the
  * pipeline, the mesh and, for samples_passed, on the target's depth and stencil; it does not depend
  * on the back end, the number of threads and tasks, and the size of the workspace. Draws that count
- * are slower: their fragments take the general path. A GN_BASIC library does not count. */
+ * are slower: their fragments take the general path. A GN_BASIC library does not count.
+ *
+ * If a picture is empty, the counts say why:
+ *
+ *   primitives is 0       there are too few elements
+ *   outside               the matrix or the camera is wrong; behind: the camera looks away
+ *   not_finite            the matrix is NaN or all zero, for example because a projection failed
+ *   culled                the winding is the other one
+ *   without_area          the vertices coincide, or the viewport has a width or height of 0
+ *   missed                the scissor is empty or elsewhere, or the primitives are too small
+ *   samples_covered is 0  the primitives are too thin
+ *   samples_passed is 0   the depth or stencil test fails, or the shader discards
+ *   none of these         color.write_disabled, blending or the surface hides them */
 #ifndef GNOMON_STATISTICS_H
 #define GNOMON_STATISTICS_H
 
@@ -24,9 +36,9 @@
  * If clipping divides a triangle and none of its pieces is drawn, the triangle counts as the piece
  * that comes last in that order. */
 typedef struct gn_draw_statistics {
-    uint64_t primitives; /* made of the elements of all instances and between all restarts. Elements
-                            that are left over are no primitive. A line loop has a line for every
-                            element */
+    uint64_t primitives; /* those of all instances, and of all strips, fans and lists between
+                            restarts. Elements that are left over are no primitive. A line loop has
+                            a line for every element */
 
     /* A vertex has an x, y, z or clip distance that is infinite or NaN, or a w that is NaN; but
      * with depth.clamp z may have any value, and an infinite z is inside if w is infinite too. Also

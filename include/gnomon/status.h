@@ -8,19 +8,20 @@
 
 typedef enum gn_status {
     GN_OK = 0,
-    GN_NULL_POINTER,        /* a pointer that must be given is null */
-    GN_NOT_FINITE,          /* a number is NaN or infinite */
-    GN_OUT_OF_RANGE,        /* a number lies outside what the contract allows */
-    GN_DEGENERATE,          /* a direction of length zero, or two that are parallel */
-    GN_SINGULAR,            /* a matrix without an inverse */
-    GN_INVALID_ENUM,        /* an enumeration field holds none of its values */
-    GN_INVALID_SIZE,        /* a width or height of zero or above GN_MAX_SIZE */
-    GN_INVALID_FORMAT,      /* a surface or texture format that does not fit its use */
-    GN_INVALID_STRIDE,      /* a row stride shorter than a row */
-    GN_MISALIGNED,          /* memory or a stride not aligned to the element it holds */
-    GN_SIZE_MISMATCH,       /* the surfaces of a target differ in size */
-    GN_NO_SURFACE,          /* a target without colour and depth */
-    GN_NO_SHADER,           /* no vertex shader, or no fragment shader for a target with colour */
+    GN_NULL_POINTER,   /* a pointer that must be given is null */
+    GN_NOT_FINITE,     /* a number is NaN or infinite */
+    GN_OUT_OF_RANGE,   /* a number lies outside what the contract allows */
+    GN_DEGENERATE,     /* a direction of length zero, or two that are parallel */
+    GN_SINGULAR,       /* a matrix without an inverse */
+    GN_INVALID_ENUM,   /* an enumeration field holds none of its values */
+    GN_INVALID_SIZE,   /* a width or height of zero or above GN_MAX_SIZE */
+    GN_INVALID_FORMAT, /* a surface or texture format that does not fit its use */
+    GN_INVALID_STRIDE, /* a stride of rows or samples that is too short or too long */
+    GN_MISALIGNED,     /* memory or a stride not aligned to the element it holds */
+    GN_SIZE_MISMATCH,  /* the surfaces of a target differ in size or samples */
+    GN_NO_SURFACE,     /* a target without colour and depth */
+    GN_NO_SHADER, /* no vertex shader, or no fragment shader where colour, discarding, depth or a
+                     sample mask needs one */
     GN_TOO_MANY_VARYINGS,   /* more than GN_MAX_VARYINGS */
     GN_INVALID_ATTRIBUTE,   /* an attribute with more than four components or a bad stride */
     GN_INVALID_VIEWPORT,    /* a viewport of negative size, or beyond GN_MAX_SIZE */

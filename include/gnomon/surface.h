@@ -146,8 +146,10 @@ GN_API gn_surface gn_surface_multisampled(const gn_surface *image);
 GN_API gn_surface gn_surface_sample(const gn_surface *surface, uint32_t sample);
 
 /* Returns the first fault of a target, in this order: a null pointer (GN_NULL_POINTER); no surface
- * at all (GN_NO_SURFACE); then the faults of each colour in turn and of depth; last, sizes or
- * numbers of samples that differ (GN_SIZE_MISMATCH). The faults of a surface, in this order:
+ * at all (GN_NO_SURFACE); then the faults of each colour in turn and of depth; then sizes or
+ * numbers of samples that differ (GN_SIZE_MISMATCH); last GN_NOT_COMPILED: in a GN_BASIC library a
+ * first colour other than RGBA8 and RGBA32F, a second colour, or stencil. The faults of a surface,
+ * in this order:
  * - GN_INVALID_FORMAT: a format that does not belong there;
  * - GN_INVALID_SIZE: a width or height of 0 or above GN_MAX_SIZE;
  * - GN_NULL_POINTER: null pixels;
@@ -158,7 +160,7 @@ GN_API gn_surface gn_surface_sample(const gn_surface *surface, uint32_t sample);
  * - GN_NOT_COMPILED: several samples in a library compiled without them;
  * - GN_MISALIGNED: a sample stride that is not aligned;
  * - GN_INVALID_STRIDE: a sample stride shorter than a row, or so long that the samples do not fit
- *   memory. That samples do not overlap otherwise is not checked. */
+ *   memory. Other overlaps of samples are not checked. */
 GN_API gn_status gn_target_check(const gn_target *target);
 
 /* Returns the fault of gn_target_check in words that name the field, such as "depth.width is not in

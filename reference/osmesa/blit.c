@@ -27,12 +27,13 @@ void reference_turn_pixels(gn_format format, void *pixels, size_t count, bool to
 
             at[0] = at[1];
             at[1] = first;
-        } else if (format == GN_FORMAT_D24)
+        } else if (format == GN_FORMAT_D24) {
             word[i] = to_opengl ? reference_depth32_of(word[i]) : word[i] >> 8;
-        else if (format == GN_FORMAT_D24S8)
+        } else if (format == GN_FORMAT_D24S8) {
             word[i] = to_opengl ? word[i] << 8 | word[i] >> 24 : word[i] >> 8 | word[i] << 24;
-        else if (format == GN_FORMAT_D32FS8)
+        } else if (format == GN_FORMAT_D32FS8) {
             word[2 * i + 1] &= 255;
+        }
 }
 
 typedef struct image {

@@ -90,9 +90,8 @@ reference *reference_create(reference_profile profile, char *error, size_t error
     glDisable(GL_DITHER);
     glEnable(GL_FRAMEBUFFER_SRGB);
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-    if (pinned) {
+    if (pinned)
         glEnable(POINT_SPRITE);
-    }
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     return r;
@@ -100,12 +99,10 @@ reference *reference_create(reference_profile profile, char *error, size_t error
 
 void reference_destroy(reference *r)
 {
-    if (!r) {
+    if (!r)
         return;
-    }
-    for (int i = 0; i < FRAMEBUFFER_CACHE_SIZE; ++i) {
+    for (int i = 0; i < FRAMEBUFFER_CACHE_SIZE; ++i)
         framebuffer_destroy(&r->framebuffers[i]);
-    }
     for (int i = 0; i < VERTEX_COLOR_PROGRAMS; ++i) {
         glDeleteProgram(r->vertex_color_programs[0][i]);
         glDeleteProgram(r->vertex_color_programs[1][i]);
@@ -125,9 +122,8 @@ void reference_destroy(reference *r)
         glDeleteProgram(r->sampled_programs[0][i]);
         glDeleteProgram(r->sampled_programs[1][i]);
     }
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < 2; ++i)
         glDeleteProgram(r->sample_programs[i]);
-    }
     glDeleteVertexArrays(1, &r->vertex_array);
     for (int i = 0; i < GN_MAX_COLORS; ++i) {
         glDeleteProgram(r->outputs_programs[0][i]);

@@ -71,11 +71,10 @@ static GLenum polygon_mode(gn_polygon_mode m)
 
 static void switch_capability(GLenum capability, bool on)
 {
-    if (on) {
+    if (on)
         glEnable(capability);
-    } else {
+    else
         glDisable(capability);
-    }
 }
 
 /* ---- Upload ---- */
@@ -150,12 +149,10 @@ uploaded_draw *reference_upload(reference *r, const scene *s, char *error, size_
             return NULL;
         }
         upload_vertices(d, &draws[i]);
-        if (d->counted) {
+        if (d->counted)
             glGenQueries(2, draws[i].queries);
-        }
-        if (scene_draw_has_texture(d)) {
+        if (scene_draw_has_texture(d))
             draws[i].texture = reference_upload_texture(&d->uniforms.texture, &d->uniforms.sampler);
-        }
         reference_upload_maps(d, draws[i].maps);
     }
     if (!reference_check("uploading a scene", error, error_size)) {
@@ -215,11 +212,10 @@ static void set_polygon_offset(const gn_polygon_offset *p)
     switch_capability(GL_POLYGON_OFFSET_FILL, p->set);
     switch_capability(GL_POLYGON_OFFSET_LINE, p->set);
     switch_capability(GL_POLYGON_OFFSET_POINT, p->set);
-    if (p->set && with_clamp) {
+    if (p->set && with_clamp)
         with_clamp(p->factor, p->units, p->clamp);
-    } else if (p->set) {
+    else if (p->set)
         glPolygonOffset(p->factor, p->units);
-    }
 }
 
 /* libOSMesa does not export this function. */
@@ -228,9 +224,8 @@ static void set_clip_depth(gn_clip_depth depth)
     typedef void clip_control(GLenum origin, GLenum depth);
     clip_control *const control = (clip_control *)OSMesaGetProcAddress("glClipControl");
 
-    if (control) {
+    if (control)
         control(GL_LOWER_LEFT, depth == GN_ZERO_TO_ONE ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
-    }
 }
 
 static void set_state(const scene *s, const gn_pipeline *p)
@@ -244,25 +239,22 @@ static void set_state(const scene *s, const gn_pipeline *p)
                : p->raster.cull == GN_CULL_FRONT_AND_BACK ? GL_FRONT_AND_BACK
                                                           : GL_BACK);
     glFrontFace(p->raster.front_face == GN_FRONT_CLOCKWISE ? GL_CW : GL_CCW);
-    if (v->set) {
+    if (v->set)
         glViewportIndexedf(0, v->x, v->y, v->width, v->height);
-    } else {
+    else
         glViewportIndexedf(0, 0.0f, 0.0f, (float)s->width, (float)s->height);
-    }
-    if (p->depth.range.set) {
+    if (p->depth.range.set)
         glDepthRangeIndexed(0, (double)p->depth.range.z_near, (double)p->depth.range.z_far);
-    } else {
+    else
         glDepthRangeIndexed(0, 0.0, 1.0);
-    }
     switch_capability(GL_SCISSOR_TEST, p->raster.scissor.set);
     if (p->raster.scissor.set) {
         glScissor(p->raster.scissor.x, p->raster.scissor.y, clamped_size(p->raster.scissor.width),
                   clamped_size(p->raster.scissor.height));
     }
     set_polygon_offset(&p->raster.polygon_offset);
-    for (uint32_t i = 0; i < GN_MAX_CLIP_DISTANCES; ++i) {
+    for (uint32_t i = 0; i < GN_MAX_CLIP_DISTANCES; ++i)
         switch_capability(GL_CLIP_DISTANCE0 + i, i < p->program.clip_distance_count);
-    }
     set_clip_depth(p->depth.clip_depth);
     switch_capability(GL_DEPTH_CLAMP, p->depth.clamp);
     switch_capability(GL_DEPTH_TEST, p->depth.test);
@@ -315,9 +307,8 @@ static void set_uniforms(const scene_draw *d, GLuint program)
 {
     const scene_light *light = &d->uniforms.light;
 
-    if (d->state.program.clip_distance_count > 0) {
+    if (d->state.program.clip_distance_count > 0)
         glUniform4fv(8, GN_MAX_CLIP_DISTANCES, &d->clip_plane[0][0]);
-    }
     if (reference_has_twin(d)) {
         reference_set_twin_uniforms(d, program);
         return;
@@ -376,9 +367,8 @@ static void draw_elements(const scene_draw *d)
 
 static int drawn_colors(const scene_draw *d)
 {
-    if (d->shader == SCENE_DEPTH_ONLY) {
+    if (d->shader == SCENE_DEPTH_ONLY)
         return 0;
-    }
     return d->shader == SCENE_OUTPUTS && d->state.program.color_count
                ? (int)d->state.program.color_count
                : 1;
@@ -402,9 +392,8 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
     set_uniforms(d, u->program);
     reference_bind_maps(u->maps);
     glActiveTexture(GL_TEXTURE0);
-    if (u->texture) {
+    if (u->texture)
         glBindTexture(reference_texture_target(d->uniforms.texture.target), u->texture);
-    }
     renew_viewport(d);
     set_state(s, &d->state);
     if (u->queries[0]) {
@@ -424,17 +413,14 @@ bool reference_draw(reference *r, const scene *s, scene_frame *frame, char *erro
     framebuffer *const target = reference_framebuffer(r, s, error, error_size);
     uploaded_draw *draws;
 
-    if (!target) {
+    if (!target)
         return false;
-    }
     draws = reference_upload(r, s, error, error_size);
-    if (!draws) {
+    if (!draws)
         return false;
-    }
     reference_clear(s);
-    for (size_t i = 0; i < s->draw_count; ++i) {
+    for (size_t i = 0; i < s->draw_count; ++i)
         reference_issue(s, &s->draws[i], &draws[i]);
-    }
     glFinish();
     if (!target->is_sampled) {
         reference_read_image(s, 0, frame);

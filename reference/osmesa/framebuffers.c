@@ -116,7 +116,7 @@ framebuffer *reference_framebuffer(reference *r, const scene *s, char *error, si
 {
     framebuffer *oldest = &r->framebuffers[0];
 
-    r->uses++;
+    ++r->uses;
     for (int i = 0; i < FRAMEBUFFER_CACHE_SIZE; ++i) {
         framebuffer *f = &r->framebuffers[i];
 

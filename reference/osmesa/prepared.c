@@ -38,18 +38,16 @@ void reference_draw_prepared(reference *r, reference_prepared *p)
     (void)r;
     glBindFramebuffer(GL_FRAMEBUFFER, p->target.name);
     reference_clear(p->scene);
-    for (size_t i = 0; i < p->scene->draw_count; ++i) {
+    for (size_t i = 0; i < p->scene->draw_count; ++i)
         reference_issue(p->scene, &p->scene->draws[i], &p->draws[i]);
-    }
     glFinish();
 }
 
 void reference_release(reference *r, reference_prepared *p)
 {
     (void)r;
-    if (!p) {
+    if (!p)
         return;
-    }
     reference_discard(p->draws, p->scene->draw_count);
     framebuffer_destroy(&p->target);
     free(p);

@@ -241,18 +241,16 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
     const bool clipped = d->state.program.clip_distance_count > 0;
     GLuint *program = &r->lit_programs[clipped][d->shader < SCENE_SHADER_COUNT ? d->shader : 0];
 
-    if (reference_has_twin(d)) {
+    if (reference_has_twin(d))
         return reference_twin_program(r, d, error, error_size);
-    }
     switch (d->shader) {
     case SCENE_VERTEX_COLOR:
     case SCENE_DERIVATIVES: {
         const bool colors = d->shader == SCENE_VERTEX_COLOR;
         int variant = d->state.program.vertex_writes_point_size;
 
-        for (int c = 0; c < 4; ++c) {
+        for (int c = 0; c < 4; ++c)
             variant = 3 * variant + (int)d->state.program.interpolation[c] % 3;
-        }
         program = colors ? &r->vertex_color_programs[clipped][variant]
                          : &r->derivatives_programs[clipped][variant];
         if (!*program) {
@@ -296,17 +294,15 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
                                          32 * d->state.program.vertex_writes_point_size +
                                          64 * d->state.program.fragment_reads_sample_mask +
                                          128 * d->state.program.fragment_writes_sample_mask];
-        if (!*program) {
+        if (!*program)
             *program = link_inputs(&d->state, clipped, error, error_size);
-        }
         break;
     case SCENE_OUTPUTS: {
         const uint32_t count = d->state.program.color_count ? d->state.program.color_count : 1;
 
         program = &r->outputs_programs[clipped][(count - 1) % GN_MAX_COLORS];
-        if (!*program) {
+        if (!*program)
             *program = link_outputs(count, clipped, error, error_size);
-        }
         break;
     }
     case SCENE_SAMPLED:

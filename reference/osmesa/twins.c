@@ -306,10 +306,9 @@ static void define(text *t, int features, scene_shader shader)
                  {GLOW_MAP, "#define GLOW_MAP\n"},       {SHADOW_MAP, "#define SHADOW_MAP\n"}};
 
     t->end = t->begin;
-    for (size_t i = 0; i < sizeof lines / sizeof *lines; ++i) {
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; ++i)
         if (features & lines[i].feature)
             append(t, lines[i].line);
-    }
     if (shader == SCENE_BLINN_PHONG)
         append(t, "#define BLINN\n");
     append(t, shader == SCENE_FLAT ? "#define SHADING flat\n" : "#define SHADING smooth\n");
@@ -362,10 +361,9 @@ GLuint reference_twin_program(reference *r, const scene_draw *d, char *error, si
     text vertex, fragment;
     GLuint program;
 
-    for (size_t i = 0; i < r->twin_count; ++i) {
+    for (size_t i = 0; i < r->twin_count; ++i)
         if (r->twins[i].key == key)
             return r->twins[i].program;
-    }
     define(&vertex, features, d->shader);
     write_vertex(&vertex, d->shader);
     define(&fragment, features, d->shader);
@@ -388,9 +386,8 @@ GLuint reference_twin_program(reference *r, const scene_draw *d, char *error, si
 
 void reference_free_twins(reference *r)
 {
-    for (size_t i = 0; i < r->twin_count; ++i) {
+    for (size_t i = 0; i < r->twin_count; ++i)
         glDeleteProgram(r->twins[i].program);
-    }
     free(r->twins);
 }
 

@@ -38,9 +38,8 @@ static void shade_fragments(const void *uniforms, const gn_fragment_input *in,
     for (int c = 0; c < 4; ++c) {
         const bool is_zero = (c == 1 || c == 2) && !scene_is_color_format(u->texture.format);
 
-        for (int l = 0; l < GN_LANES; ++l) {
+        for (int l = 0; l < GN_LANES; ++l)
             out->color[c][l] = is_zero ? 0.0f : in->varying[COLOR + c][l] * texel[c][l];
-        }
     }
 }
 
@@ -48,17 +47,15 @@ gn_status sampled_use(gn_pipeline *pipeline, const scene_uniforms *uniforms)
 {
     gn_status status = gn_texture_check(&uniforms->texture);
 
-    if (status == GN_OK) {
+    if (status == GN_OK)
         status = gn_sampler_check(&uniforms->sampler);
-    }
     if (status == GN_OK) {
         pipeline->program.vertex_shader = shade_vertices;
         pipeline->program.fragment_shader = shade_fragments;
         pipeline->program.uniforms = uniforms;
         pipeline->program.varying_count = VARYINGS;
-        for (int i = 0; i < VARYINGS; ++i) {
+        for (int i = 0; i < VARYINGS; ++i)
             pipeline->program.interpolation[i] = GN_SMOOTH;
-        }
     }
     return status;
 }

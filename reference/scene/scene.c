@@ -97,7 +97,7 @@ void scene_remove_draw(scene *s, size_t index)
     if (index >= s->draw_count)
         return;
     free_draw(&s->draws[index]);
-    s->draw_count--;
+    --s->draw_count;
     memmove(&s->draws[index], &s->draws[index + 1], (s->draw_count - index) * sizeof *s->draws);
     /* Keeps the rule of scene_add_draw: at a power of two the list is exactly full. */
     if (s->draw_count && (s->draw_count & (s->draw_count - 1)) == 0)

@@ -116,10 +116,10 @@ typedef struct scene_draw {
 
     /* State. The shader, uniforms and varying_count members are not read; the drawing side sets
      * them. SCENE_VERTEX_COLOR and SCENE_DERIVATIVES use interpolation[0..3] (red, green, blue,
-     * alpha); other shaders set their own interpolation. With vertex_writes_point_size, if the shader has
-     * sizes, a point's size is the first texture coordinate. The fragment_... members are used with
-     * SCENE_INPUTS and are false otherwise; color_count is used with SCENE_OUTPUTS and is 1
-     * otherwise. */
+     * alpha); other shaders set their own interpolation. With vertex_writes_point_size, if the
+     * shader has sizes, a point's size is the first texture coordinate. The fragment_... members
+     * are used with SCENE_INPUTS and are false otherwise; color_count is used with SCENE_OUTPUTS
+     * and is 1 otherwise. */
     gn_pipeline state;
 
     /* The scene owns the memory behind the pointers of the mesh, of uniforms.texture and of

@@ -41,9 +41,8 @@ static gn_lit_uniforms lit_uniforms_of(const scene_draw *d)
     u.light.direction = light->light_direction;
     u.light.ambient = light->ambient;
     u.light.diffuse = light->diffuse;
-    if (scene_draw_has_texture(d)) {
+    if (scene_draw_has_texture(d))
         u.material.diffuse_map = &d->uniforms.texture;
-    }
     u.material.sampler = d->uniforms.sampler;
     u.light.is_point = surface->has_point_light;
     u.light.position = surface->light_position;
@@ -137,11 +136,10 @@ static void use_clipped(gn_pipeline *pipeline, const scene_draw *d, clipped_unif
     case SCENE_VERTEX_COLOR:
     case SCENE_INPUTS:
     case SCENE_DERIVATIVES:
-        if (pipeline->program.vertex_writes_point_size) {
+        if (pipeline->program.vertex_writes_point_size)
             clipped->shader.other = *(const other_uniforms *)pipeline->program.uniforms;
-        } else {
+        else
             clipped->shader.color = *(const gn_color_uniforms *)pipeline->program.uniforms;
-        }
         break;
     case SCENE_SAMPLED:
         clipped->shader.sampled = *(const scene_uniforms *)pipeline->program.uniforms;
@@ -180,9 +178,8 @@ static gn_status use_lit(gn_pipeline *pipeline, const scene_draw *d, gn_lit_unif
     case SCENE_GOURAUD:
     case SCENE_TEXTURED_GOURAUD:
         status = gn_use_gouraud(pipeline, lit);
-        for (int c = 0; d->shader == SCENE_FLAT && c < 4; ++c) {
+        for (int c = 0; d->shader == SCENE_FLAT && c < 4; ++c)
             pipeline->program.interpolation[c] = GN_FLAT;
-        }
         break;
     case SCENE_FACES:
         status = gn_use_flat(pipeline, lit);
@@ -298,9 +295,8 @@ static gn_status draw_one(const gn_target *target, const scene_draw *d, gn_works
     pipeline.program.color_count = d->shader == SCENE_OUTPUTS ? pipeline.program.color_count : 1;
     gn_status status = use_shader(&pipeline, d, workspace->backend, &other);
 
-    if (status == GN_OK && pipeline.program.clip_distance_count > 0) {
+    if (status == GN_OK && pipeline.program.clip_distance_count > 0)
         use_clipped(&pipeline, d, &clipped);
-    }
     if (status == GN_OK) {
         workspace->samples_passed = d->counted ? counter : NULL;
         workspace->statistics = d->counted ? statistics : NULL;
@@ -332,12 +328,10 @@ size_t scene_workspace_size(const scene *s)
     for (size_t i = 0; i < s->draw_count; ++i) {
         const gn_mesh *mesh = &s->draws[i].mesh;
 
-        if (mesh->vertex_count > vertices) {
+        if (mesh->vertex_count > vertices)
             vertices = mesh->vertex_count;
-        }
-        if (mesh->count > triangles) {
+        if (mesh->count > triangles)
             triangles = mesh->count; /* at most, for a strip */
-        }
     }
     return gn_workspace_size_parallel(vertices, triangles, scene_varyings(s));
 }
@@ -365,9 +359,8 @@ static gn_status clear_rows(const clear *c, uint32_t first, uint32_t count)
                                     s->clear_color[3]);
         }
     }
-    if (status == GN_OK && s->depth_format != GN_FORMAT_NONE) {
+    if (status == GN_OK && s->depth_format != GN_FORMAT_NONE)
         status = gn_clear_depth_stencil(&depth, s->clear_depth, s->clear_stencil);
-    }
     return status;
 }
 
@@ -385,13 +378,11 @@ static gn_status clear_target(const scene *s, const gn_target *target,
 {
     clear c = {s, target, {GN_OK}};
 
-    if (!workspace->parallel || s->height < CLEAR_BANDS) {
+    if (!workspace->parallel || s->height < CLEAR_BANDS)
         return clear_rows(&c, 0, s->height);
-    }
     workspace->parallel(workspace->user, clear_band, &c, CLEAR_BANDS);
-    for (int i = 1; i < CLEAR_BANDS && c.status[0] == GN_OK; ++i) {
+    for (int i = 1; i < CLEAR_BANDS && c.status[0] == GN_OK; ++i)
         c.status[0] = c.status[i];
-    }
     return c.status[0];
 }
 
@@ -403,9 +394,8 @@ gn_status scene_draw_to_target(const scene *s, const gn_target *target, gn_works
         const scene cleared = scene_of_clear(s, &s->draws[i]);
 
         status = clear_target(&cleared, target, workspace);
-        if (status == GN_OK) {
+        if (status == GN_OK)
             status = draw_one(target, &s->draws[i], workspace);
-        }
     }
     return status;
 }
@@ -464,9 +454,8 @@ gn_status scene_draw_in_workspace(const scene *s, scene_frame *frame, gn_workspa
                 frame_surface(s, scene_frame_color(frame, a), scene_color_format(s, a));
         }
     }
-    if (s->depth_format != GN_FORMAT_NONE) {
+    if (s->depth_format != GN_FORMAT_NONE)
         target.depth = frame_surface(s, frame->depth, s->depth_format);
-    }
     const gn_status status = scene_draw_to_target(s, &target, workspace);
     workspace->samples_passed = counter;
     workspace->statistics = statistics;

@@ -16,9 +16,8 @@ void *scene_allocate(size_t count, size_t size)
 {
     void *memory = calloc(count ? count : 1, size ? size : 1);
 
-    if (!memory) {
+    if (!memory)
         out_of_memory(count, size);
-    }
     return memory;
 }
 
@@ -31,8 +30,7 @@ void *scene_reallocate(void *memory, size_t count, size_t size)
 
         moved = realloc(memory, bytes ? bytes : 1);
     }
-    if (!moved) {
+    if (!moved)
         out_of_memory(count, size);
-    }
     return moved;
 }

@@ -17,9 +17,8 @@ void reader_fail(reader *r, const char *format, ...)
         va_list arguments;
 
         va_start(arguments, format);
-        if (used >= 0 && (size_t)used < r->error_size) {
+        if (used >= 0 && (size_t)used < r->error_size)
             vsnprintf(r->error + used, r->error_size - (size_t)used, format, arguments);
-        }
         va_end(arguments);
     }
     r->failed = true;
@@ -31,17 +30,14 @@ const char *reader_next(reader *r)
     size_t length = 0;
     int c = ' ';
 
-    if (r->failed) {
+    if (r->failed)
         return "";
-    }
     while (c == '#' || isspace(c)) {
-        while (c == '#' && (c = getc(r->in)) != '\n' && c != EOF) {
+        while (c == '#' && (c = getc(r->in)) != '\n' && c != EOF)
             c = '#';
-        }
         r->line += c == '\n';
-        if (c != EOF) {
+        if (c != EOF)
             c = getc(r->in);
-        }
     }
     while (c != EOF && !isspace(c) && c != '#') {
         if (length + 1 == sizeof r->token) {
@@ -51,9 +47,8 @@ const char *reader_next(reader *r)
         r->token[length++] = (char)c;
         c = getc(r->in);
     }
-    if (c != EOF) {
+    if (c != EOF)
         ungetc(c, r->in);
-    }
     r->token[length] = '\0';
     return r->token;
 }
@@ -115,9 +110,8 @@ float read_float(reader *r)
         }
     } else {
         f = strtof(text, &end);
-        if (end != text && !*end) {
+        if (end != text && !*end)
             return f;
-        }
     }
     reader_fail(r, "a number expected, not '%s'", text);
     return 0.0f;
@@ -125,9 +119,8 @@ float read_float(reader *r)
 
 void read_floats(reader *r, float *values, size_t count)
 {
-    for (size_t i = 0; i < count; ++i) {
+    for (size_t i = 0; i < count; ++i)
         values[i] = read_float(r);
-    }
 }
 
 uint32_t *read_words(reader *r, size_t count, uint32_t (*read)(reader *r))

@@ -1,7 +1,7 @@
 /* Operations on many vectors or matrices. A back end works on whole blocks of lanes in place. The
  * vectors left over are copied to one more block in memory of its own. */
-#include "gnomon/bulk.h"
-#include "gnomon/lanes.h"
+#include <gnomon/bulk.h>
+#include <gnomon/lanes.h>
 
 #include "../config/backends.h"
 #include "stages.h"

@@ -1,5 +1,5 @@
 /* Finds out which back ends the processor can run. */
-#include "gnomon/backend.h"
+#include <gnomon/backend.h>
 
 #include "../config/backends.h"
 

@@ -1,5 +1,5 @@
 /* gn_draw: prepares the draw, chooses a back end and passes the job to it. */
-#include "gnomon/draw.h"
+#include <gnomon/draw.h>
 
 #include "../config/backends.h"
 #include "../config/features.h"

@@ -18,7 +18,7 @@
 #ifndef GN_CONFIG_BACKENDS_H
 #define GN_CONFIG_BACKENDS_H
 
-#include "gnomon/backend.h"
+#include <gnomon/backend.h>
 
 /* GN_HAVE_NAME is one of these numbers. Absent: the back end is not compiled. Emulated: it is
  * compiled over a header that stands in for its intrinsics, and every processor runs it. Asked: the

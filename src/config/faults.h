@@ -5,7 +5,7 @@
 #ifndef GN_CONFIG_FAULTS_H
 #define GN_CONFIG_FAULTS_H
 
-#include "gnomon/status.h"
+#include <gnomon/status.h>
 
 #if defined(GN_FAULT_TEXTS)
 

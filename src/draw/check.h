@@ -3,7 +3,7 @@
 #ifndef GN_DRAW_CHECK_H
 #define GN_DRAW_CHECK_H
 
-#include "gnomon/draw.h"
+#include <gnomon/draw.h>
 
 /* Returns index `at` of an indexed mesh. */
 static inline uint32_t mesh_index(const gn_mesh *mesh, size_t at)

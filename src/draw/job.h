@@ -1,12 +1,13 @@
 /* A checked draw, as a back end receives it, and the words of drawing.
  *
- * The way from gn_draw to a pixel, for a triangle with vertex colours; files in the order in which
- * the way enters them:
+ * The way from gn_draw to a pixel, for a triangle with vertex colours that is smaller than 64
+ * pixels, without indices, on one thread, with GN_FORMAT_RGBA8 and D24; files in the order in which
+ * the way enters them. A file may call several of the files below it:
  *
  *   backends/draw.c           gn_draw
- *   backends/avx2.c           gn_run_avx2, or another back end's
+ *   backends/stages_form.h    GN_RUN, which backends/avx2.c names gn_run_avx2
  *   draw/mesh.h               draw_mesh, draw_slice, draw_segment
- *   draw/vertices.h           shade_slots, store_vertices
+ *   draw/vertices.h           shade_slots, store_vertices; between them the vertex shader
  *   geometry/fetch.h          fetch_attributes
  *   geometry/viewport.h       place_vertices
  *   draw/primitives.h         add_primitives
@@ -18,10 +19,15 @@
  *   raster/setup.h            setup_triangles
  *   raster/coverage.h         cover_triangles
  *   raster/cover_small.h      cover_small
- *   fragment/runs.h           run_color_rgba8_d24, shade_squares
+ *   fragment/runs.h           run_color_rgba8_d24, a line of GN_SPECIAL_STATES that
+ *                             block_functions_of chose; shade_squares
  *   fragment/block.h          shade_fragments
  *   fragment/depth.h          test_depth
  *   fragment/color.h          write_color
+ *
+ * Other ways: draw_shared_segment with indices, draw_rounds on several threads,
+ * raster/cover_large.h from 64 pixels on, raster/cover_packed.h with a shader of the user's,
+ * shade_whole_squares in states that have no line of their own.
  *
  * Glossary. Each word has this meaning alone in draw/, geometry/, raster/ and fragment/; triangle
  * strips and fans are topologies, and numbers are rounded where a function's name says so.
@@ -37,7 +43,8 @@
  *   set-up   the primitives of a list with edge functions and planes
  *   square   4x4 pixels, at even coordinates
  *   half     the lower or the upper two rows of a square
- *   block    sixteen pixels that are shaded at once, one a lane: a square, or two halves
+ *   block    sixteen pixels that are shaded at once, one a lane: a square, two halves,
+ *            or a row of sixteen
  *   run      neighbouring squares of a row of squares that are handed to fragments together
  *   fate     what becomes of a primitive: drawn, or why not (fates.h)
  *   batch    squares or halves of a triangle that are found first and shaded afterwards

@@ -52,7 +52,7 @@ static inline primitive_fate add_line(worker *w, const uint32_t vertex[2], uint3
 }
 
 /* Adds `count` points or lines. `offset` names the vertices of their elements; `first` is the first
- * primitive's number in the draw. */
+ * primitive's number in the instance. */
 GN_OUT_OF_LINE void add_points_or_lines(worker *w, const uint32_t *offset, uint32_t first,
                                         uint32_t count)
 {

@@ -2,7 +2,7 @@
 #ifndef GN_DRAW_PREPARE_H
 #define GN_DRAW_PREPARE_H
 
-#include "gnomon/draw.h"
+#include <gnomon/draw.h>
 
 #include "job.h"
 

@@ -8,10 +8,9 @@
 
 static bool has_flat_varying(const gn_pipeline *pipeline)
 {
-    for (uint32_t n = 0; n < pipeline->program.varying_count; ++n) {
+    for (uint32_t n = 0; n < pipeline->program.varying_count; ++n)
         if (pipeline->program.interpolation[n] == GN_FLAT)
             return true;
-    }
     return false;
 }
 

@@ -178,12 +178,11 @@ static lanes_i rows_of_lists(const triangle_list *lists, uint32_t count, int bou
         lanes_i four[4];
 
         lanes_i_gather_rows(bounds + n * sizeof lists->bounds[bound][0], offset, 1, four);
-        for (uint32_t i = 0; i < 4; ++i) {
+        for (uint32_t i = 0; i < 4; ++i)
             if (n + i == 0)
                 end = four[i];
             else
                 end = bound == BOUNDS_MIN_Y ? lanes_i_min(end, four[i]) : lanes_i_max(end, four[i]);
-        }
     }
     return end;
 }

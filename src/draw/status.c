@@ -1,5 +1,5 @@
 /* Statuses in words. */
-#include "gnomon/status.h"
+#include <gnomon/status.h>
 
 /* Texts have a fixed width: a table of pointers would need relocation. */
 static const char texts[GN_STATUS_COUNT][64] = {

@@ -50,7 +50,7 @@ GN_OUT_OF_LINE primitive_fate add_crossing(worker *w, const uint32_t vertex[3], 
     return FATE_CLIPPED;
 }
 
-/* Adds the triangles of a group; `first` is the first triangle's number in the draw. */
+/* Adds the triangles of a group; `first` is the first triangle's number in the instance. */
 static inline void add_group(worker *w, const triangle_group *group, uint32_t first)
 {
     const uint32_t provoking_corner = w->cull.provoking_first ? 0 : 2;

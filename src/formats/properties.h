@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-#include "gnomon/surface.h"
+#include <gnomon/surface.h>
 
 #include "../lanes/lanes.h"
 #include "rows.h"

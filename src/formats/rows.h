@@ -3,7 +3,8 @@
  * includes nothing, so that programs outside the library may use the list and the layouts too.
  *
  * To add a format, add its name to gn_format (gnomon/surface.h) and a row here. If its channels
- * are stored in a way that no other format has, add the conversion to unorm.h or floats.h.
+ * are stored in a way that no other format has, add the conversion to unorm.h or floats.h, or to
+ * pixel_memory.h. CONTRIBUTING.md has the whole recipe.
  *
  *   name      as in GN_FORMAT_name
  *   bytes     of a pixel

@@ -2,7 +2,7 @@
 #ifndef GN_FORMATS_SURFACE_MEMORY_H
 #define GN_FORMATS_SURFACE_MEMORY_H
 
-#include "gnomon/surface.h"
+#include <gnomon/surface.h>
 
 /* Returns the memory of row y of a surface. */
 static inline unsigned char *surface_row(const gn_surface *surface, uint32_t y)

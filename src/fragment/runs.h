@@ -318,10 +318,9 @@ static inline fragment_source source_of(const fragment_state *state)
 
     if (!state->has_ready_color || p->program.varying_count < varyings)
         return SOURCE_SHADER;
-    for (uint32_t n = 0; n < varyings; ++n) {
+    for (uint32_t n = 0; n < varyings; ++n)
         if (p->program.interpolation[n] != GN_SMOOTH)
             return SOURCE_SHADER;
-    }
     return texture ? SOURCE_TEXTURE : SOURCE_COLOR;
 }
 

@@ -41,7 +41,7 @@ static inline uint32_t triangle_count(gn_topology topology, uint32_t count)
 }
 
 /* Triangles `first` to first + count - 1 have the elements first_element to first_element +
- * element_count - 1; those of a fan also have the draw's first element. The element after the last
+ * element_count - 1; those of a fan also have the slice's first element. The element after the last
  * one of a line loop is its first. */
 static inline uint32_t first_element(gn_topology topology, uint32_t first)
 {
@@ -57,7 +57,7 @@ static inline uint32_t element_count(gn_topology topology, uint32_t count)
 #define ASSEMBLE_MAX_ELEMENTS (3 * GN_LANES)
 
 /* Assembles group->count triangles from `first` on. `element` holds the vertices of the elements
- * from first_element on; for a fan its first place holds the draw's first element. All places must
+ * from first_element on; for a fan its first place holds the slice's first element. All places must
  * hold vertices, and `element` must last as long as the group. A fan that is taken as a quad has
  * the triangles (0, i+1, i+2), whichever vertex provokes. */
 static inline void assemble_triangles(gn_topology topology, bool provoking_first, bool is_quad,

@@ -36,10 +36,9 @@ static inline bool clip_line(clipper *c, uint32_t ends[2])
         if (t[0] + t[1] >= 1.0f)
             return false;
     }
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < 2; ++i)
         if (v[i]->outcode)
             ends[i] = interpolate_vertex(c, line[i], line[1 - i], t[i]);
-    }
     place_new_vertices(c);
     return true;
 }

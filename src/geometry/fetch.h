@@ -89,10 +89,9 @@ GN_STEP void fetch_attributes(const mesh_slice *mesh, const uint32_t vertex[GN_L
             fetch_rows(source, stride, vertex, attribute[a]);
             continue;
         }
-        for (uint32_t c = 0; c < components; ++c) {
+        for (uint32_t c = 0; c < components; ++c)
             GN_EACH_LANE (l)
                 attribute[a][c][l] = source->data[vertex[l] * stride + c];
-        }
     }
 }
 

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "gnomon/draw.h"
+#include <gnomon/draw.h>
 
 #include "../config/features.h"
 

@@ -35,7 +35,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "gnomon/lanes.h"
+#include <gnomon/lanes.h>
 
 #include "../config/features.h"
 

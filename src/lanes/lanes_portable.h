@@ -5,7 +5,7 @@
 #ifndef GN_LANES_LANES_PORTABLE_H
 #define GN_LANES_LANES_PORTABLE_H
 
-#include "gnomon/scalar.h"
+#include <gnomon/scalar.h>
 
 /* Operations are loops without branches or calls, which compilers can turn into vector instructions
  * if the target has any. Floats are compared with constants by their bits, and masks select by

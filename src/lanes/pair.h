@@ -144,9 +144,8 @@ static inline pair_d pair_larger(pair_d a, pair_d b)
 
 static inline void pair_load(const float a[4], const float b[4], pair_d pairs[4])
 {
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 4; ++i)
         pairs[i] = pair_of((double)a[i], (double)b[i]);
-    }
 }
 
 static inline quad_f pair_round(pair_d a, pair_d b)

@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-#include "gnomon/vec.h"
+#include <gnomon/vec.h>
 
 #if defined(__GNUC__) && !defined(GN_ONLY_PORTABLE) &&                                             \
     (defined(__SSE2_MATH__) || (defined(__aarch64__) && !defined(__AARCH64EB__)) ||                \

@@ -22,9 +22,8 @@ static float cross(gn_vec2 a, gn_vec2 b, float *positive)
 
 static gn_status write(gn_vec3 weights, gn_vec3 *result)
 {
-    if (!gn_vec3_is_finite(weights)) {
+    if (!gn_vec3_is_finite(weights))
         return GN_OUT_OF_RANGE;
-    }
     *result = weights;
     return GN_OK;
 }
@@ -37,19 +36,15 @@ static bool vec2_is_finite(gn_vec2 v)
 gn_status gn_barycentric_2d(gn_vec2 point, gn_vec2 a, gn_vec2 b, gn_vec2 c, gn_vec3 *weights)
 {
     float positive;
-    if (!weights) {
+    if (!weights)
         return GN_NULL_POINTER;
-    }
-    if (!vec2_is_finite(point) || !vec2_is_finite(a) || !vec2_is_finite(b) || !vec2_is_finite(c)) {
+    if (!vec2_is_finite(point) || !vec2_is_finite(a) || !vec2_is_finite(b) || !vec2_is_finite(c))
         return GN_NOT_FINITE;
-    }
     float area = cross(gn_vec2_subtract(b, a), gn_vec2_subtract(c, a), &positive);
-    if (!gn_is_finite(area) || !gn_is_finite(positive)) {
+    if (!gn_is_finite(area) || !gn_is_finite(positive))
         return GN_OUT_OF_RANGE;
-    }
-    if (gn_magnitude(area) < 0x1p-20f * positive || gn_magnitude(area) < 0x1p-126f) {
+    if (gn_magnitude(area) < 0x1p-20f * positive || gn_magnitude(area) < 0x1p-126f)
         return GN_DEGENERATE;
-    }
     const gn_vec2 to_a = gn_vec2_subtract(a, point), to_b = gn_vec2_subtract(b, point);
     const gn_vec2 to_c = gn_vec2_subtract(c, point);
     const gn_vec3 found = {gn_vec2_cross(to_b, to_c) / area, gn_vec2_cross(to_c, to_a) / area,
@@ -64,26 +59,22 @@ static float sum_of_magnitudes(gn_vec3 v)
 
 gn_status gn_barycentric_3d(gn_vec3 point, gn_vec3 a, gn_vec3 b, gn_vec3 c, gn_vec3 *weights)
 {
-    if (!weights) {
+    if (!weights)
         return GN_NULL_POINTER;
-    }
     if (!gn_vec3_is_finite(point) || !gn_vec3_is_finite(a) || !gn_vec3_is_finite(b) ||
-        !gn_vec3_is_finite(c)) {
+        !gn_vec3_is_finite(c))
         return GN_NOT_FINITE;
-    }
     const gn_vec3 s = gn_vec3_subtract(b, a), t = gn_vec3_subtract(c, a);
     const gn_vec3 n = gn_vec3_cross(s, t);
     const gn_vec3 positive = {gn_magnitude(s.y * t.z) + gn_magnitude(s.z * t.y),
                               gn_magnitude(s.z * t.x) + gn_magnitude(s.x * t.z),
                               gn_magnitude(s.x * t.y) + gn_magnitude(s.y * t.x)};
     float terms = sum_of_magnitudes(positive), size = sum_of_magnitudes(n);
-    if (!gn_is_finite(terms) || !gn_is_finite(size)) {
+    if (!gn_is_finite(terms) || !gn_is_finite(size))
         return GN_OUT_OF_RANGE;
-    }
     gn_vec3 normal;
-    if (size < 0x1p-18f * terms || size < 0x1p-126f || gn_vec3_unit(n, &normal) != GN_OK) {
+    if (size < 0x1p-18f * terms || size < 0x1p-126f || gn_vec3_unit(n, &normal) != GN_OK)
         return GN_DEGENERATE;
-    }
     float area = gn_vec3_dot(normal, n);
     const gn_vec3 to_a = gn_vec3_subtract(a, point), to_b = gn_vec3_subtract(b, point);
     const gn_vec3 to_c = gn_vec3_subtract(c, point);

@@ -14,15 +14,12 @@
 
 gn_status gn_mat4_transform_box(const gn_mat4 *m, const gn_box *box, gn_box *result)
 {
-    if (!m || !box || !result) {
+    if (!m || !box || !result)
         return GN_NULL_POINTER;
-    }
-    if (!gn_mat4_is_finite(m) || !gn_vec3_is_finite(box->min) || !gn_vec3_is_finite(box->max)) {
+    if (!gn_mat4_is_finite(m) || !gn_vec3_is_finite(box->min) || !gn_vec3_is_finite(box->max))
         return GN_NOT_FINITE;
-    }
-    if (!gn_box_is_ordered(box)) {
+    if (!gn_box_is_ordered(box))
         return GN_OUT_OF_RANGE;
-    }
     const float from[2][3] = {{box->min.x, box->min.y, box->min.z},
                               {box->max.x, box->max.y, box->max.z}};
     float low[3], high[3];
@@ -37,9 +34,8 @@ gn_status gn_mat4_transform_box(const gn_mat4 *m, const gn_box *box, gn_box *res
         float margin = TOLERANCE * magnitude + UNDERFLOW;
         low[row] = (((least[0] + least[1]) + least[2]) + m->m[3][row]) - margin;
         high[row] = (((most[0] + most[1]) + most[2]) + m->m[3][row]) + margin;
-        if (!gn_is_finite(low[row]) || !gn_is_finite(high[row])) {
+        if (!gn_is_finite(low[row]) || !gn_is_finite(high[row]))
             return GN_OUT_OF_RANGE;
-        }
     }
     const gn_vec3 min = {low[0], low[1], low[2]}, max = {high[0], high[1], high[2]};
     result->min = min;

@@ -5,9 +5,8 @@
 
 gn_status gn_clip_no_to_zo(gn_transform *result)
 {
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
     gn_transform_clear(result);
     result->matrix.m[2][2] = 0.5f;
     result->matrix.m[3][2] = 0.5f;
@@ -24,9 +23,8 @@ gn_status gn_clip_zo_to_no(gn_transform *result)
 
 gn_status gn_clip_reverse_zo(gn_transform *result)
 {
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
     gn_transform_clear(result);
     result->matrix.m[2][2] = result->inverse.m[2][2] = -1.0f;
     result->matrix.m[3][2] = result->inverse.m[3][2] = 1.0f;
@@ -36,9 +34,8 @@ gn_status gn_clip_reverse_zo(gn_transform *result)
 /* Writes the mirror image in one axis, which is its own inverse. */
 static gn_status mirror(int axis, gn_transform *result)
 {
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
     gn_transform_clear(result);
     result->matrix.m[axis][axis] = result->inverse.m[axis][axis] = -1.0f;
     return GN_OK;

@@ -36,9 +36,8 @@ static float uncertainty(const gn_plane *plane, gn_vec3 magnitude, float radius)
 gn_containment gn_cull_box(const gn_plane planes[GN_PLANE_COUNT], const gn_box *box)
 {
     const gn_vec3 low = box->min, high = box->max;
-    if (!gn_box_is_ordered(box)) {
+    if (!gn_box_is_ordered(box))
         return GN_INTERSECTING;
-    }
     const gn_vec3 magnitude = {gn_larger(gn_magnitude(low.x), gn_magnitude(high.x)),
                                gn_larger(gn_magnitude(low.y), gn_magnitude(high.y)),
                                gn_larger(gn_magnitude(low.z), gn_magnitude(high.z))};
@@ -49,22 +48,18 @@ gn_containment gn_cull_box(const gn_plane planes[GN_PLANE_COUNT], const gn_box *
         float x0 = n.x * low.x, y0 = n.y * low.y, z0 = n.z * low.z;
         float x1 = n.x * high.x, y1 = n.y * high.y, z1 = n.z * high.z;
         float margin = uncertainty(plane, magnitude, 0.0f);
-        if (distance(gn_larger(x0, x1), gn_larger(y0, y1), gn_larger(z0, z1), plane) < -margin) {
+        if (distance(gn_larger(x0, x1), gn_larger(y0, y1), gn_larger(z0, z1), plane) < -margin)
             return GN_OUTSIDE;
-        }
-        if (!(distance(gn_smaller(x0, x1), gn_smaller(y0, y1), gn_smaller(z0, z1), plane) >
-              margin)) {
+        if (!(distance(gn_smaller(x0, x1), gn_smaller(y0, y1), gn_smaller(z0, z1), plane) > margin))
             answer = GN_INTERSECTING;
-        }
     }
     return answer;
 }
 
 gn_containment gn_cull_sphere(const gn_plane planes[GN_PLANE_COUNT], gn_vec3 center, float radius)
 {
-    if (!gn_vec3_is_finite(center) || !gn_is_finite(radius) || radius < 0.0f) {
+    if (!gn_vec3_is_finite(center) || !gn_is_finite(radius) || radius < 0.0f)
         return GN_INTERSECTING;
-    }
     const gn_vec3 magnitude = {gn_magnitude(center.x), gn_magnitude(center.y),
                                gn_magnitude(center.z)};
     gn_containment answer = GN_INSIDE;
@@ -75,12 +70,10 @@ gn_containment gn_cull_sphere(const gn_plane planes[GN_PLANE_COUNT], gn_vec3 cen
         float reach = is_plane ? radius : 0.0f;
         float margin = uncertainty(plane, magnitude, reach);
         float away = distance(n.x * center.x, n.y * center.y, n.z * center.z, plane);
-        if (away + reach < -margin) {
+        if (away + reach < -margin)
             return GN_OUTSIDE;
-        }
-        if (!(away - reach > margin)) {
+        if (!(away - reach > margin))
             answer = GN_INTERSECTING;
-        }
     }
     return answer;
 }

@@ -14,27 +14,22 @@ gn_status gn_mat4_decompose_trs(const gn_mat4 *m, gn_vec3 *translation, gn_mat3 
 {
     gn_vec3 unit[3];
     float length[3];
-    if (!m || !translation || !rotation || !scale) {
+    if (!m || !translation || !rotation || !scale)
         return GN_NULL_POINTER;
-    }
-    if (!gn_mat4_is_finite(m)) {
+    if (!gn_mat4_is_finite(m))
         return GN_NOT_FINITE;
-    }
-    if (m->m[0][3] != 0.0f || m->m[1][3] != 0.0f || m->m[2][3] != 0.0f || m->m[3][3] != 1.0f) {
+    if (m->m[0][3] != 0.0f || m->m[1][3] != 0.0f || m->m[2][3] != 0.0f || m->m[3][3] != 1.0f)
         return GN_OUT_OF_RANGE;
-    }
     for (int i = 0; i < 3; ++i) {
         const gn_vec3 column = {m->m[i][0], m->m[i][1], m->m[i][2]};
-        if (gn_vec3_unit(column, &unit[i]) != GN_OK) {
+        if (gn_vec3_unit(column, &unit[i]) != GN_OK)
             return GN_SINGULAR;
-        }
         length[i] = gn_vec3_length(column);
     }
     for (int i = 0; i < 3; ++i) {
         const float cosine = gn_vec3_dot(unit[i], unit[(i + 1) % 3]);
-        if (!gn_has_reciprocal(length[i]) || gn_magnitude(cosine) > PERPENDICULAR) {
+        if (!gn_has_reciprocal(length[i]) || gn_magnitude(cosine) > PERPENDICULAR)
             return GN_OUT_OF_RANGE;
-        }
     }
     if (gn_vec3_dot(gn_vec3_cross(unit[0], unit[1]), unit[2]) < 0.0f) {
         const gn_vec3 origin = {0.0f, 0.0f, 0.0f}; /* 0 - x is no negative zero */

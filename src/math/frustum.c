@@ -6,18 +6,14 @@ static gn_status frustum(float hand, unsigned depth, float left, float right, fl
 {
     const float numbers[6] = {left, right, bottom, top, z_near, z_far};
     const bool infinite = (depth & GN_DEPTH_INFINITE) != 0;
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
-    if (!gn_all_finite(numbers, 6)) {
+    if (!gn_all_finite(numbers, 6))
         return GN_NOT_FINITE;
-    }
-    if (!(z_near > 0.0f) || !(infinite || z_far > 0.0f)) {
+    if (!(z_near > 0.0f) || !(infinite || z_far > 0.0f))
         return GN_OUT_OF_RANGE;
-    }
-    if (left == right || bottom == top || z_near == z_far) {
+    if (left == right || bottom == top || z_near == z_far)
         return GN_SINGULAR;
-    }
     const float width = right - left, height = top - bottom;
     return gn_write_perspective(hand, depth, 2.0f * z_near / width, 2.0f * z_near / height,
                                 (right + left) / width, (top + bottom) / height, z_near, z_far,

@@ -9,9 +9,8 @@
 static gn_status plane_from(const float c[4], gn_plane *plane)
 {
     const gn_vec3 normal = {c[0], c[1], c[2]};
-    if (!gn_vec3_is_finite(normal) || !gn_is_finite(c[3])) {
+    if (!gn_vec3_is_finite(normal) || !gn_is_finite(c[3]))
         return GN_OUT_OF_RANGE;
-    }
     float length = gn_vec3_length(normal);
     if (length == 0.0f) {
         const gn_vec3 none = {0.0f, 0.0f, 0.0f};
@@ -30,32 +29,27 @@ static gn_status plane_from(const float c[4], gn_plane *plane)
 static gn_status bound(const gn_mat4 *m, int row, float sign, gn_plane *plane)
 {
     float c[4];
-    for (int column = 0; column < 4; ++column) {
+    for (int column = 0; column < 4; ++column)
         c[column] = m->m[column][3] + sign * m->m[column][row];
-    }
     return plane_from(c, plane);
 }
 
 static gn_status planes_of(const gn_mat4 *m, bool near_is_zero, gn_plane planes[GN_PLANE_COUNT])
 {
     gn_plane made[GN_PLANE_COUNT];
-    if (!m || !planes) {
+    if (!m || !planes)
         return GN_NULL_POINTER;
-    }
-    if (!gn_mat4_is_finite(m)) {
+    if (!gn_mat4_is_finite(m))
         return GN_NOT_FINITE;
-    }
     gn_status status = GN_OK;
-    for (int i = 0; i < GN_PLANE_COUNT && status == GN_OK; ++i) {
+    for (int i = 0; i < GN_PLANE_COUNT && status == GN_OK; ++i)
         status = bound(m, i / 2, i % 2 == 0 ? 1.0f : -1.0f, &made[i]);
-    }
     if (near_is_zero && status == GN_OK) {
         const float c[4] = {m->m[0][2], m->m[1][2], m->m[2][2], m->m[3][2]};
         status = plane_from(c, &made[GN_PLANE_NEAR]);
     }
-    for (int i = 0; i < GN_PLANE_COUNT && status == GN_OK; ++i) {
+    for (int i = 0; i < GN_PLANE_COUNT && status == GN_OK; ++i)
         planes[i] = made[i];
-    }
     return status;
 }
 

@@ -22,11 +22,9 @@ static float power_for(const float *column)
 static bool is_finite3(const gn_mat3 *m)
 {
     bool finite = true;
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
             finite = finite && gn_is_finite(m->m[column][row]);
-        }
-    }
     return finite;
 }
 
@@ -40,15 +38,12 @@ static gn_vec3 offset_of(const gn_mat4 *m)
 static gn_status write_affine(const gn_mat3 *linear, gn_vec3 offset, gn_mat4 *result)
 {
     const gn_vec3 moved = gn_mat3_multiply_vec3(linear, offset);
-    if (!is_finite3(linear) || !gn_vec3_is_finite(moved)) {
+    if (!is_finite3(linear) || !gn_vec3_is_finite(moved))
         return GN_OUT_OF_RANGE;
-    }
     gn_mat4_identity(result);
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
             result->m[column][row] = linear->m[column][row];
-        }
-    }
     result->m[3][0] = 0.0f - moved.x;
     result->m[3][1] = 0.0f - moved.y;
     result->m[3][2] = 0.0f - moved.z;
@@ -60,21 +55,18 @@ static gn_status write_affine(const gn_mat3 *linear, gn_vec3 offset, gn_mat4 *re
 gn_status gn_mat4_invert_trs(const gn_mat4 *m, gn_mat4 *result)
 {
     gn_mat3 linear, inverse;
-    if (!m || !result) {
+    if (!m || !result)
         return GN_NULL_POINTER;
-    }
     gn_mat4_upper_left(m, &linear);
-    if (!is_finite3(&linear) || !gn_vec3_is_finite(offset_of(m))) {
+    if (!is_finite3(&linear) || !gn_vec3_is_finite(offset_of(m)))
         return GN_NOT_FINITE;
-    }
     for (int i = 0; i < 3; ++i) {
         const float *column = linear.m[i];
         const float power = power_for(column);
         const gn_vec3 c = {column[0] * power, column[1] * power, column[2] * power};
         const float square = gn_vec3_dot(c, c);
-        if (square == 0.0f) {
+        if (square == 0.0f)
             return GN_SINGULAR;
-        }
         inverse.m[0][i] = c.x / square * power;
         inverse.m[1][i] = c.y / square * power;
         inverse.m[2][i] = c.z / square * power;
@@ -85,12 +77,10 @@ gn_status gn_mat4_invert_trs(const gn_mat4 *m, gn_mat4 *result)
 gn_status gn_mat4_invert_affine(const gn_mat4 *m, gn_mat4 *result)
 {
     gn_mat3 linear, inverse;
-    if (!m || !result) {
+    if (!m || !result)
         return GN_NULL_POINTER;
-    }
-    if (!gn_vec3_is_finite(offset_of(m))) {
+    if (!gn_vec3_is_finite(offset_of(m)))
         return GN_NOT_FINITE;
-    }
     gn_mat4_upper_left(m, &linear);
     const gn_status status = gn_mat3_invert(&linear, &inverse, NULL);
     return status == GN_OK ? write_affine(&inverse, offset_of(m), result) : status;
@@ -99,35 +89,29 @@ gn_status gn_mat4_invert_affine(const gn_mat4 *m, gn_mat4 *result)
 gn_status gn_mat4_normal_matrix(const gn_mat4 *m, gn_mat3 *result)
 {
     gn_mat3 linear, inverse;
-    if (!m || !result) {
+    if (!m || !result)
         return GN_NULL_POINTER;
-    }
     gn_mat4_upper_left(m, &linear);
     const gn_status status = gn_mat3_invert(&linear, &inverse, NULL);
-    if (status == GN_OK) {
+    if (status == GN_OK)
         gn_mat3_transpose(&inverse, result);
-    }
     return status;
 }
 
 gn_status gn_mat4_invert_orthographic(const gn_mat4 *m, gn_mat4 *result)
 {
     gn_transform transform;
-    if (!m || !result) {
+    if (!m || !result)
         return GN_NULL_POINTER;
-    }
     const gn_vec3 scale = {m->m[0][0], m->m[1][1], m->m[2][2]};
     const gn_vec3 offset = offset_of(m);
-    if (!gn_vec3_is_finite(scale) || !gn_vec3_is_finite(offset)) {
+    if (!gn_vec3_is_finite(scale) || !gn_vec3_is_finite(offset))
         return GN_NOT_FINITE;
-    }
-    if (scale.x == 0.0f || scale.y == 0.0f || scale.z == 0.0f) {
+    if (scale.x == 0.0f || scale.y == 0.0f || scale.z == 0.0f)
         return GN_SINGULAR;
-    }
     const gn_status status = gn_transform_from_scale_offset(scale, offset, &transform);
-    if (status != GN_OK) {
+    if (status != GN_OK)
         return status;
-    }
     gn_mat4_identity(result);
     for (int i = 0; i < 3; ++i) {
         result->m[i][i] = transform.inverse.m[i][i];
@@ -142,9 +126,8 @@ gn_status gn_mat4_invert_orthographic(const gn_mat4 *m, gn_mat4 *result)
  * negative zero. */
 gn_status gn_mat4_invert_perspective(const gn_mat4 *m, gn_mat4 *result)
 {
-    if (!m || !result) {
+    if (!m || !result)
         return GN_NULL_POINTER;
-    }
     const float pivots[4] = {m->m[0][0], m->m[1][1], m->m[3][2], m->m[2][3]};
     const float others[3] = {m->m[2][0], m->m[2][1], m->m[2][2]};
     bool finite = true, singular = false, in_range = true;
@@ -153,12 +136,10 @@ gn_status gn_mat4_invert_perspective(const gn_mat4 *m, gn_mat4 *result)
         singular = singular || pivots[i] == 0.0f;
         in_range = in_range && gn_has_reciprocal(pivots[i]);
     }
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
         finite = finite && gn_is_finite(others[i]);
-    }
-    if (!finite || singular) {
+    if (!finite || singular)
         return finite ? GN_SINGULAR : GN_NOT_FINITE;
-    }
     const float a = pivots[0], b = pivots[1], d = pivots[2], s = pivots[3];
     /* Kernel: perspective. */
     const float inverse_a = 1.0f / a;
@@ -169,19 +150,16 @@ gn_status gn_mat4_invert_perspective(const gn_mat4 *m, gn_mat4 *result)
     const float back_d = others[2] / d;
     /* End of kernel. */
     const float column[4] = {back_a / -s + 0.0f, back_b / -s + 0.0f, 1.0f / s, back_d / -s + 0.0f};
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 4; ++i)
         in_range = in_range && gn_is_finite(column[i]);
-    }
-    if (!in_range) {
+    if (!in_range)
         return GN_OUT_OF_RANGE;
-    }
     gn_mat4_identity(result);
     result->m[0][0] = inverse_a;
     result->m[1][1] = inverse_b;
     result->m[2][2] = 0.0f;
     result->m[2][3] = inverse_d;
-    for (int row = 0; row < 4; ++row) {
+    for (int row = 0; row < 4; ++row)
         result->m[3][row] = column[row];
-    }
     return GN_OK;
 }

@@ -175,9 +175,8 @@ gn_status gn_mat4_invert(const gn_mat4 *m, gn_mat4 *result, float *condition)
     const quad_f zero = quad_set(0.0f, 0.0f, 0.0f, 0.0f); /* x + 0 is no negative zero */
     pair_d ac[4], bd[4];
     quad_f columns[4];
-    if (!m || !result) {
+    if (!m || !result)
         return GN_NULL_POINTER;
-    }
     pair_load(m->m[0], m->m[2], ac);
     pair_load(m->m[1], m->m[3], bd);
     const pair_d st01 = minors(ac, bd, 0, 1), ts01 = pair_swap(st01);
@@ -193,14 +192,12 @@ gn_status gn_mat4_invert(const gn_mat4 *m, gn_mat4 *result, float *condition)
     double determinant = pair_sum(pair_add(pair_sub(first, second), third));
     double terms = pair_sum(
         pair_add(pair_add(pair_magnitude(first), pair_magnitude(second)), pair_magnitude(third)));
-    if (!(terms <= DBL_MAX)) {
+    if (!(terms <= DBL_MAX))
         return GN_NOT_FINITE; /* every entry is a factor, and infinity times zero is NaN */
-    }
     if (!(magnitude(determinant) * CANCELLED > terms)) {
         determinant = determinant_again(m);
-        if (!(magnitude(determinant) > terms * NOTHING)) {
+        if (!(magnitude(determinant) > terms * NOTHING))
             return GN_SINGULAR;
-        }
     }
 
     const double factor = 1.0 / determinant;
@@ -214,18 +211,14 @@ gn_status gn_mat4_invert(const gn_mat4 *m, gn_mat4 *result, float *condition)
     odd[2] = pair_mul(combine(ac[0], ts13, ac[1], ts03, ac[3], ts01), minus);
     even[3] = pair_mul(combine(bd[0], ts12, bd[1], ts02, bd[2], ts01), minus);
     odd[3] = pair_mul(combine(ac[0], ts12, ac[1], ts02, ac[2], ts01), plus);
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 4; ++i)
         columns[i] = pair_round(even[i], odd[i]);
-    }
-    if (!are_finite(columns)) {
+    if (!are_finite(columns))
         return GN_OUT_OF_RANGE;
-    }
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 4; ++i)
         quad_store(result->m[i], quad_add(columns[i], zero));
-    }
-    if (condition) {
+    if (condition)
         *condition = condition_of(norm_by_rows(ac, bd), norm_by_columns(even, odd));
-    }
     return GN_OK;
 }
 
@@ -247,14 +240,11 @@ gn_status gn_mat3_invert(const gn_mat3 *m, gn_mat3 *result, float *condition)
 {
     double before[3][3], after[3][3];
     bool finite = true;
-    if (!m || !result) {
+    if (!m || !result)
         return GN_NULL_POINTER;
-    }
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
             before[column][row] = (double)m->m[column][row];
-        }
-    }
     for (int row = 0; row < 3; ++row) {
         const double *left = before[(row + 1) % 3], *right = before[(row + 2) % 3];
         for (int column = 0; column < 3; ++column) {
@@ -265,12 +255,10 @@ gn_status gn_mat3_invert(const gn_mat3 *m, gn_mat3 *result, float *condition)
     double x = before[0][0] * after[0][0], y = before[0][1] * after[1][0];
     double z = before[0][2] * after[2][0];
     double determinant = x + y + z, terms = magnitude(x) + magnitude(y) + magnitude(z);
-    if (!(terms <= DBL_MAX)) {
+    if (!(terms <= DBL_MAX))
         return GN_NOT_FINITE;
-    }
-    if (!(magnitude(determinant) > terms * NOTHING3)) {
+    if (!(magnitude(determinant) > terms * NOTHING3))
         return GN_SINGULAR;
-    }
     double factor = 1.0 / determinant;
     for (int column = 0; column < 3; ++column) {
         for (int row = 0; row < 3; ++row) {
@@ -278,16 +266,12 @@ gn_status gn_mat3_invert(const gn_mat3 *m, gn_mat3 *result, float *condition)
             finite = finite && gn_is_finite((float)after[column][row]);
         }
     }
-    if (!finite) {
+    if (!finite)
         return GN_OUT_OF_RANGE;
-    }
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
             result->m[column][row] = (float)after[column][row] + 0.0f; /* no negative zero */
-        }
-    }
-    if (condition) {
+    if (condition)
         *condition = condition_of(norm3(before), norm3(after));
-    }
     return GN_OK;
 }

@@ -10,10 +10,10 @@
  * components below the normal floats, where they lose bits. */
 #include "length.h"
 
-#include <gnomon/scalar.h>
-
 #include <float.h>
 #include <stdbool.h>
+
+#include <gnomon/scalar.h>
 
 #include "../scalars/bits.h"
 
@@ -26,18 +26,16 @@
  * is needed. NaN, which no scaling changes, needs none. */
 static float scale_for(float square)
 {
-    if (square < SQUARE_SMALL) {
+    if (square < SQUARE_SMALL)
         return SCALE_UP;
-    }
     return square > SQUARE_LARGE ? SCALE_DOWN : 1.0f;
 }
 
 /* Returns the inverse of a factor of scale_for, exactly. */
 static float unscale_for(float scale)
 {
-    if (scale == 1.0f) {
+    if (scale == 1.0f)
         return 1.0f;
-    }
     return scale == SCALE_UP ? SCALE_DOWN : SCALE_UP;
 }
 
@@ -48,9 +46,8 @@ static bool is_infinite(float x)
 
 float gn_vec2_length(gn_vec2 v)
 {
-    if (is_infinite(v.x) || is_infinite(v.y)) {
+    if (is_infinite(v.x) || is_infinite(v.y))
         return gn_float_from_bits(GN_EXPONENT_BITS);
-    }
     float square = gn_vec2_dot(v, v);
     float scale = scale_for(square);
     if (scale != 1.0f) {
@@ -62,9 +59,8 @@ float gn_vec2_length(gn_vec2 v)
 
 float gn_vec3_length(gn_vec3 v)
 {
-    if (is_infinite(v.x) || is_infinite(v.y) || is_infinite(v.z)) {
+    if (is_infinite(v.x) || is_infinite(v.y) || is_infinite(v.z))
         return gn_float_from_bits(GN_EXPONENT_BITS);
-    }
     float square = gn_vec3_dot(v, v);
     float scale = scale_for(square);
     if (scale != 1.0f) {
@@ -79,9 +75,8 @@ float gn_vec3_length(gn_vec3 v)
 
 float gn_vec4_length(gn_vec4 v)
 {
-    if (is_infinite(v.x) || is_infinite(v.y) || is_infinite(v.z) || is_infinite(v.w)) {
+    if (is_infinite(v.x) || is_infinite(v.y) || is_infinite(v.z) || is_infinite(v.w))
         return gn_float_from_bits(GN_EXPONENT_BITS);
-    }
     float square = gn_vec4_dot(v, v);
     float scale = scale_for(square);
     if (scale != 1.0f) {
@@ -112,29 +107,25 @@ float gn_vec4_distance(gn_vec4 a, gn_vec4 b)
  * of zero. */
 static float divisible_for(float length)
 {
-    if (length < FLT_MIN) {
+    if (length < FLT_MIN)
         return SCALE_UP;
-    }
     return gn_is_finite(length) ? 1.0f : 0.25f;
 }
 
 gn_status gn_vec2_normalize(gn_vec2 v, gn_vec2 *result)
 {
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
-    if (!gn_is_finite(v.x) || !gn_is_finite(v.y)) {
+    if (!gn_is_finite(v.x) || !gn_is_finite(v.y))
         return GN_NOT_FINITE;
-    }
     float length = gn_vec2_length(v);
     const float scale = divisible_for(length);
     if (scale != 1.0f) {
         v = gn_vec2_scale(v, scale);
         length = gn_vec2_length(v);
     }
-    if (length == 0.0f) {
+    if (length == 0.0f)
         return GN_DEGENERATE;
-    }
     result->x = v.x / length;
     result->y = v.y / length;
     return GN_OK;
@@ -142,18 +133,16 @@ gn_status gn_vec2_normalize(gn_vec2 v, gn_vec2 *result)
 
 gn_status gn_vec3_unit(gn_vec3 v, gn_vec3 *result)
 {
-    if (!gn_is_finite(v.x) || !gn_is_finite(v.y) || !gn_is_finite(v.z)) {
+    if (!gn_is_finite(v.x) || !gn_is_finite(v.y) || !gn_is_finite(v.z))
         return GN_NOT_FINITE;
-    }
     float length = gn_vec3_length(v);
     const float scale = divisible_for(length);
     if (scale != 1.0f) {
         v = gn_vec3_scale(v, scale);
         length = gn_vec3_length(v);
     }
-    if (length == 0.0f) {
+    if (length == 0.0f)
         return GN_DEGENERATE;
-    }
     /* Kernel: unit. */
     const float x = v.x / length;
     const float y = v.y / length;
@@ -172,21 +161,18 @@ gn_status gn_vec3_normalize(gn_vec3 v, gn_vec3 *result)
 
 gn_status gn_vec4_normalize(gn_vec4 v, gn_vec4 *result)
 {
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
-    if (!gn_is_finite(v.x) || !gn_is_finite(v.y) || !gn_is_finite(v.z) || !gn_is_finite(v.w)) {
+    if (!gn_is_finite(v.x) || !gn_is_finite(v.y) || !gn_is_finite(v.z) || !gn_is_finite(v.w))
         return GN_NOT_FINITE;
-    }
     float length = gn_vec4_length(v);
     const float scale = divisible_for(length);
     if (scale != 1.0f) {
         v = gn_vec4_scale(v, scale);
         length = gn_vec4_length(v);
     }
-    if (length == 0.0f) {
+    if (length == 0.0f)
         return GN_DEGENERATE;
-    }
     result->x = v.x / length;
     result->y = v.y / length;
     result->z = v.z / length;

@@ -13,13 +13,11 @@
 static gn_status side_of(gn_vec3 forward, gn_vec3 up, gn_vec3 *side)
 {
     gn_status status = gn_vec3_unit(up, &up);
-    if (status != GN_OK) {
+    if (status != GN_OK)
         return status;
-    }
     gn_vec3 across = gn_vec3_cross(forward, up);
-    if (gn_vec3_dot(across, across) <= PARALLEL_SQUARED) {
+    if (gn_vec3_dot(across, across) <= PARALLEL_SQUARED)
         return GN_DEGENERATE;
-    }
     gn_vec3_unit(across, &across);
     across = gn_vec3_subtract(across, gn_vec3_scale(forward, gn_vec3_dot(across, forward)));
     return gn_vec3_unit(across, side);
@@ -35,15 +33,12 @@ static gn_status look(gn_vec3 eye, gn_vec3 view, gn_vec3 up, bool left_handed, g
 {
     gn_vec3 forward, side, upward;
     gn_status status = gn_vec3_unit(view, &forward);
-    if (status == GN_OK) {
+    if (status == GN_OK)
         status = side_of(forward, up, &side);
-    }
-    if (status == GN_OK) {
+    if (status == GN_OK)
         status = gn_vec3_unit(gn_vec3_cross(side, forward), &upward);
-    }
-    if (status != GN_OK) {
+    if (status != GN_OK)
         return status;
-    }
     /* z is forward in a left-handed space and backward in a right-handed one. The formula of the
      * cross product is the same in both; in a left-handed space it points to the left. */
     const gn_vec3 origin = {0.0f, 0.0f, 0.0f}; /* 0 - x is no negative zero */
@@ -51,9 +46,8 @@ static gn_status look(gn_vec3 eye, gn_vec3 view, gn_vec3 up, bool left_handed, g
     const gn_vec3 z = left_handed ? forward : gn_vec3_subtract(origin, forward);
     gn_vec3 moved = {0.0f - gn_vec3_dot(x, eye), 0.0f - gn_vec3_dot(upward, eye),
                      0.0f - gn_vec3_dot(z, eye)};
-    if (!gn_vec3_is_finite(moved)) {
+    if (!gn_vec3_is_finite(moved))
         return GN_OUT_OF_RANGE;
-    }
 
     /* The camera's axes are the columns of the inverse, so they are the rows of the view. The
      * inverse of the translation t = -R*eye is -R^T*t, which is the eye. */
@@ -72,28 +66,23 @@ static gn_status look(gn_vec3 eye, gn_vec3 view, gn_vec3 up, bool left_handed, g
 static gn_status look_at(gn_vec3 eye, gn_vec3 target, gn_vec3 up, bool left_handed,
                          gn_transform *result)
 {
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
-    if (!gn_vec3_is_finite(eye) || !gn_vec3_is_finite(target) || !gn_vec3_is_finite(up)) {
+    if (!gn_vec3_is_finite(eye) || !gn_vec3_is_finite(target) || !gn_vec3_is_finite(up))
         return GN_NOT_FINITE;
-    }
     const gn_vec3 view = gn_vec3_subtract(target, eye);
-    if (!gn_vec3_is_finite(view)) {
+    if (!gn_vec3_is_finite(view))
         return GN_OUT_OF_RANGE;
-    }
     return look(eye, view, up, left_handed, result);
 }
 
 static gn_status look_to(gn_vec3 eye, gn_vec3 direction, gn_vec3 up, bool left_handed,
                          gn_transform *result)
 {
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
-    if (!gn_vec3_is_finite(eye) || !gn_vec3_is_finite(direction) || !gn_vec3_is_finite(up)) {
+    if (!gn_vec3_is_finite(eye) || !gn_vec3_is_finite(direction) || !gn_vec3_is_finite(up))
         return GN_NOT_FINITE;
-    }
     return look(eye, direction, up, left_handed, result);
 }
 

@@ -4,20 +4,16 @@
 
 static void copy(gn_mat3 *to, const gn_mat3 *from)
 {
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
             to->m[column][row] = from->m[column][row];
-        }
-    }
 }
 
 void gn_mat3_identity(gn_mat3 *result)
 {
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
             result->m[column][row] = column == row ? 1.0f : 0.0f;
-        }
-    }
 }
 
 void gn_mat3_multiply(const gn_mat3 *a, const gn_mat3 *b, gn_mat3 *result)
@@ -43,30 +39,24 @@ gn_vec3 gn_mat3_multiply_vec3(const gn_mat3 *m, gn_vec3 v)
 
 void gn_mat3_from_rows(const float rows[9], gn_mat3 *result)
 {
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
             result->m[column][row] = rows[3 * row + column];
-        }
-    }
 }
 
 void gn_mat3_to_rows(const gn_mat3 *m, float rows[9])
 {
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
             rows[3 * row + column] = m->m[column][row];
-        }
-    }
 }
 
 void gn_mat3_transpose(const gn_mat3 *m, gn_mat3 *result)
 {
     gn_mat3 transposed;
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
             transposed.m[column][row] = m->m[row][column];
-        }
-    }
     copy(result, &transposed);
 }
 

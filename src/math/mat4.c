@@ -6,20 +6,16 @@
 
 static void copy(gn_mat4 *to, const gn_mat4 *from)
 {
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
             to->m[column][row] = from->m[column][row];
-        }
-    }
 }
 
 void gn_mat4_identity(gn_mat4 *result)
 {
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
             result->m[column][row] = column == row ? 1.0f : 0.0f;
-        }
-    }
 }
 
 /* Returns (c0*x + c1*y) + c2*z, with each component spread over a quad. */
@@ -39,9 +35,8 @@ static quad_f combine4(const quad_f c[4], const quad_f spread[4])
 
 static void load_columns(const gn_mat4 *m, quad_f columns[4])
 {
-    for (int column = 0; column < 4; ++column) {
+    for (int column = 0; column < 4; ++column)
         columns[column] = quad_load(m->m[column]);
-    }
 }
 
 void gn_mat4_multiply(const gn_mat4 *a, const gn_mat4 *b, gn_mat4 *result)
@@ -82,30 +77,24 @@ gn_vec3 gn_mat4_transform_direction(const gn_mat4 *m, gn_vec3 v)
 
 void gn_mat4_from_rows(const float rows[16], gn_mat4 *result)
 {
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
             result->m[column][row] = rows[4 * row + column];
-        }
-    }
 }
 
 void gn_mat4_to_rows(const gn_mat4 *m, float rows[16])
 {
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
             rows[4 * row + column] = m->m[column][row];
-        }
-    }
 }
 
 void gn_mat4_transpose(const gn_mat4 *m, gn_mat4 *result)
 {
     gn_mat4 transposed;
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
             transposed.m[column][row] = m->m[row][column];
-        }
-    }
     copy(result, &transposed);
 }
 
@@ -118,9 +107,8 @@ void gn_mat4_invert_rigid(const gn_mat4 *m, gn_mat4 *result)
     load_columns(m, columns);
     quad_spread(columns[3], spread);
     quad_transpose3(&columns[0], &columns[1], &columns[2]);
-    for (int column = 0; column < 3; ++column) {
+    for (int column = 0; column < 3; ++column)
         quad_store(result->m[column], columns[column]);
-    }
     const quad_f turned = combine3(columns, spread);
     /* Kernel: rigid. */
     const quad_f back = quad_sub(origin, turned);
@@ -156,19 +144,15 @@ float gn_mat4_determinant(const gn_mat4 *m)
 
 void gn_mat4_upper_left(const gn_mat4 *m, gn_mat3 *result)
 {
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
             result->m[column][row] = m->m[column][row];
-        }
-    }
 }
 
 void gn_mat4_from_mat3(const gn_mat3 *upper_left, gn_mat4 *result)
 {
     gn_mat4_identity(result);
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
             result->m[column][row] = upper_left->m[column][row];
-        }
-    }
 }

@@ -8,15 +8,12 @@ static gn_status orthographic(float hand, unsigned depth, float left, float righ
                               float top, float z_near, float z_far, gn_transform *result)
 {
     const float numbers[6] = {left, right, bottom, top, z_near, z_far};
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
-    if (!gn_all_finite(numbers, 6)) {
+    if (!gn_all_finite(numbers, 6))
         return GN_NOT_FINITE;
-    }
-    if (left == right || bottom == top || z_near == z_far) {
+    if (left == right || bottom == top || z_near == z_far)
         return GN_SINGULAR;
-    }
     const bool zero_to_one = (depth & GN_DEPTH_ZO) != 0,
                reversed = (depth & GN_DEPTH_REVERSED) != 0;
     const float first = reversed ? z_far : z_near, second = reversed ? z_near : z_far;

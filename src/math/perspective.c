@@ -9,9 +9,8 @@ static gn_status perspective(float hand, unsigned depth, float fov_y, float aspe
                              float z_far, gn_transform *result)
 {
     const bool infinite = (depth & GN_DEPTH_INFINITE) != 0;
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
     FAULT_FROM(fault_of_perspective(fov_y, aspect, z_near, z_far, infinite));
     const float y_scale = 1.0f / gn_tan(0.5f * fov_y);
     return gn_write_perspective(hand, depth, y_scale / aspect, y_scale, 0.0f, 0.0f, z_near, z_far,

@@ -1,6 +1,6 @@
 /* The faults of the arguments of perspective projections in words. */
 #define GN_FAULT_TEXTS
-#include "gnomon/projection.h"
+#include <gnomon/projection.h>
 
 #include "perspective_faults.h"
 

@@ -16,9 +16,8 @@ static gn_status unproject(const gn_mat4 *inverse, gn_vec3 ndc, float towards, g
     const gn_vec4 clip = {ndc.x, ndc.y, ndc.z, 1.0f};
     const gn_vec4 h = gn_mat4_multiply_vec4(inverse, clip);
     const float *c = inverse->m[2];
-    if (h.w < 0.0f) {
+    if (h.w < 0.0f)
         return GN_BEHIND_EYE;
-    }
     const gn_vec3 origin = {h.x / h.w, h.y / h.w, h.z / h.w};
     const gn_vec3 direction = {towards * (c[0] - c[3] * origin.x),
                                towards * (c[1] - c[3] * origin.y),
@@ -33,30 +32,25 @@ static gn_status through_pixel(const gn_transform *projection, const gn_transfor
                                const gn_transform *viewport, float column, float row, float depth,
                                float towards, gn_ray *result)
 {
-    if (!projection || !view || !viewport || !result) {
+    if (!projection || !view || !viewport || !result)
         return GN_NULL_POINTER;
-    }
     if (!gn_mat4_is_finite(&projection->inverse) || !gn_mat4_is_finite(&view->inverse) ||
-        !gn_mat4_is_finite(&viewport->inverse) || !gn_is_finite(column) || !gn_is_finite(row)) {
+        !gn_mat4_is_finite(&viewport->inverse) || !gn_is_finite(column) || !gn_is_finite(row))
         return GN_NOT_FINITE;
-    }
     const gn_vec3 window = {column + 0.5f, row + 0.5f, 0.0f};
     gn_vec3 ndc = gn_mat4_transform_point(&viewport->inverse, window);
     gn_ray ray;
     ndc.z = depth;
     gn_status status = unproject(&projection->inverse, ndc, towards, &ray);
-    if (status != GN_OK) {
+    if (status != GN_OK)
         return status;
-    }
     ray.origin = gn_mat4_transform_point(&view->inverse, ray.origin);
     ray.direction = gn_mat4_transform_direction(&view->inverse, ray.direction);
-    if (!gn_vec3_is_finite(ray.origin) || !gn_vec3_is_finite(ray.direction)) {
+    if (!gn_vec3_is_finite(ray.origin) || !gn_vec3_is_finite(ray.direction))
         return GN_OUT_OF_RANGE;
-    }
     status = gn_vec3_normalize(ray.direction, &ray.direction);
-    if (status == GN_OK) {
+    if (status == GN_OK)
         *result = ray;
-    }
     return status;
 }
 

@@ -6,22 +6,18 @@
 
 gn_status gn_clip_to_ndc(gn_vec4 clip, gn_vec3 *ndc)
 {
-    if (!ndc) {
+    if (!ndc)
         return GN_NULL_POINTER;
-    }
     if (!gn_is_finite(clip.x) || !gn_is_finite(clip.y) || !gn_is_finite(clip.z) ||
-        !gn_is_finite(clip.w)) {
+        !gn_is_finite(clip.w))
         return GN_NOT_FINITE;
-    }
-    if (!(clip.w > 0.0f)) {
+    if (!(clip.w > 0.0f))
         return GN_BEHIND_EYE;
-    }
     const float reciprocal = 1.0f / clip.w;
     const gn_vec3 divided = {clip.x * reciprocal, clip.y * reciprocal, clip.z * reciprocal};
     /* An infinite reciprocal times zero is NaN. */
-    if (!gn_vec3_is_finite(divided)) {
+    if (!gn_vec3_is_finite(divided))
         return GN_OUT_OF_RANGE;
-    }
     *ndc = divided;
     return GN_OK;
 }
@@ -38,21 +34,17 @@ gn_status gn_project(const gn_transform *to_clip, const gn_transform *viewport, 
                      gn_vec3 *window)
 {
     gn_vec3 ndc;
-    if (!to_clip || !viewport || !window) {
+    if (!to_clip || !viewport || !window)
         return GN_NULL_POINTER;
-    }
     if (!gn_vec3_is_finite(point) || !gn_mat4_is_finite(&to_clip->matrix) ||
-        !gn_mat4_is_finite(&viewport->matrix)) {
+        !gn_mat4_is_finite(&viewport->matrix))
         return GN_NOT_FINITE;
-    }
     const gn_status status = transform_and_divide(&to_clip->matrix, point, &ndc);
-    if (status != GN_OK) {
+    if (status != GN_OK)
         return status;
-    }
     const gn_vec3 placed = gn_mat4_transform_point(&viewport->matrix, ndc);
-    if (!gn_vec3_is_finite(placed)) {
+    if (!gn_vec3_is_finite(placed))
         return GN_OUT_OF_RANGE;
-    }
     *window = placed;
     return GN_OK;
 }
@@ -60,13 +52,11 @@ gn_status gn_project(const gn_transform *to_clip, const gn_transform *viewport, 
 gn_status gn_unproject(const gn_transform *to_clip, const gn_transform *viewport, gn_vec3 window,
                        gn_vec3 *point)
 {
-    if (!to_clip || !viewport || !point) {
+    if (!to_clip || !viewport || !point)
         return GN_NULL_POINTER;
-    }
     if (!gn_vec3_is_finite(window) || !gn_mat4_is_finite(&to_clip->inverse) ||
-        !gn_mat4_is_finite(&viewport->inverse)) {
+        !gn_mat4_is_finite(&viewport->inverse))
         return GN_NOT_FINITE;
-    }
     const gn_vec3 ndc = gn_mat4_transform_point(&viewport->inverse, window);
     return transform_and_divide(&to_clip->inverse, ndc, point);
 }

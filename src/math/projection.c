@@ -9,9 +9,8 @@
 bool gn_all_finite(const float *numbers, int count)
 {
     bool finite = true;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count; ++i)
         finite = finite && gn_is_finite(numbers[i]);
-    }
     return finite;
 }
 
@@ -54,9 +53,8 @@ gn_status gn_write_perspective(float hand, unsigned depth, float x_scale, float 
     matrix.m[2][3] = hand;
     matrix.m[3][2] = b;
     matrix.m[3][3] = 0.0f;
-    if (gn_mat4_invert_perspective(&matrix, &inverse) != GN_OK) {
+    if (gn_mat4_invert_perspective(&matrix, &inverse) != GN_OK)
         return GN_OUT_OF_RANGE;
-    }
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
             result->matrix.m[column][row] = matrix.m[column][row];

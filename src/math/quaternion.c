@@ -32,16 +32,13 @@ gn_quat gn_quat_conjugate(gn_quat q)
  * mispredicted. */
 gn_status gn_quat_invert(gn_quat q, gn_quat *result)
 {
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
-    if (!gn_is_finite(q.x) || !gn_is_finite(q.y) || !gn_is_finite(q.z) || !gn_is_finite(q.w)) {
+    if (!gn_is_finite(q.x) || !gn_is_finite(q.y) || !gn_is_finite(q.z) || !gn_is_finite(q.w))
         return GN_NOT_FINITE;
-    }
     float length = gn_vec4_length(gn_quat_components(q));
-    if (length == 0.0f) {
+    if (length == 0.0f)
         return GN_DEGENERATE;
-    }
     const bool is_long = length >= 0x1p31f;
     const float lift = is_long ? 1.0f : 0x1p96f;
     const float first = is_long ? length : length * 0x1p64f;
@@ -49,9 +46,8 @@ gn_status gn_quat_invert(gn_quat q, gn_quat *result)
     const gn_quat back = {-q.x * lift / first / second, -q.y * lift / first / second,
                           -q.z * lift / first / second, q.w * lift / first / second};
     if (!gn_is_finite(length) || !gn_is_finite(back.x) || !gn_is_finite(back.y) ||
-        !gn_is_finite(back.z) || !gn_is_finite(back.w)) {
+        !gn_is_finite(back.z) || !gn_is_finite(back.w))
         return GN_OUT_OF_RANGE;
-    }
     *result = back;
     return GN_OK;
 }
@@ -64,13 +60,11 @@ float gn_quat_dot(gn_quat a, gn_quat b)
 gn_status gn_quat_normalize(gn_quat q, gn_quat *result)
 {
     gn_vec4 unit;
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
     gn_status status = gn_vec4_normalize(gn_quat_components(q), &unit);
-    if (status == GN_OK) {
+    if (status == GN_OK)
         *result = gn_quat_of(unit);
-    }
     return status;
 }
 

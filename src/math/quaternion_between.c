@@ -9,24 +9,20 @@ static gn_status prepare(gn_quat from, gn_quat to, float t, gn_vec4 *a, gn_vec4 
 {
     gn_status status = gn_vec4_normalize(gn_quat_components(from), a);
     gn_status other = gn_vec4_normalize(gn_quat_components(to), b);
-    if (status == GN_NOT_FINITE || other == GN_NOT_FINITE || !gn_is_finite(t)) {
+    if (status == GN_NOT_FINITE || other == GN_NOT_FINITE || !gn_is_finite(t))
         return GN_NOT_FINITE;
-    }
-    if (status != GN_OK || other != GN_OK) {
+    if (status != GN_OK || other != GN_OK)
         return GN_DEGENERATE;
-    }
-    if (gn_vec4_dot(*a, *b) < 0.0f) {
+    if (gn_vec4_dot(*a, *b) < 0.0f)
         *b = gn_vec4_negate(*b);
-    }
     return GN_OK;
 }
 
 /* Writes the direction of v; its components are finite unless something overflowed. */
 static gn_status finish(gn_vec4 v, gn_quat *result)
 {
-    if (gn_vec4_normalize(v, &v) != GN_OK) {
+    if (gn_vec4_normalize(v, &v) != GN_OK)
         return GN_OUT_OF_RANGE;
-    }
     *result = gn_quat_of(v);
     return GN_OK;
 }
@@ -35,17 +31,14 @@ static gn_status finish(gn_vec4 v, gn_quat *result)
 gn_status gn_quat_slerp(gn_quat a, gn_quat b, float t, gn_quat *result)
 {
     gn_vec4 first, last;
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
     gn_status status = prepare(a, b, t, &first, &last);
-    if (status != GN_OK) {
+    if (status != GN_OK)
         return status;
-    }
     float apart = gn_vec4_distance(first, last);
-    if (apart == 0.0f) {
+    if (apart == 0.0f)
         return finish(first, result);
-    }
     float angle = 2.0f * gn_atan2(apart, gn_vec4_length(gn_vec4_add(first, last)));
     return finish(gn_vec4_add(gn_vec4_scale(first, gn_sin((1.0f - t) * angle)),
                               gn_vec4_scale(last, gn_sin(t * angle))),
@@ -55,9 +48,8 @@ gn_status gn_quat_slerp(gn_quat a, gn_quat b, float t, gn_quat *result)
 gn_status gn_quat_nlerp(gn_quat a, gn_quat b, float t, gn_quat *result)
 {
     gn_vec4 first, last;
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
     gn_status status = prepare(a, b, t, &first, &last);
     return status == GN_OK ? finish(gn_vec4_lerp(first, last, t), result) : status;
 }

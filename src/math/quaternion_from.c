@@ -1,8 +1,8 @@
 /* Quaternions from an axis and an angle, a matrix, two directions, a view. */
+#include <stdbool.h>
+
 #include <gnomon/scalar.h>
 #include <gnomon/transform.h>
-
-#include <stdbool.h>
 
 #include "../scalars/bits.h"
 #include "length.h"
@@ -19,16 +19,13 @@ gn_status gn_quat_from_axis_angle(gn_vec3 axis, float radians, gn_quat *result)
 {
     gn_vec3 n;
     float s, c;
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
-    if (!gn_is_finite(radians)) {
+    if (!gn_is_finite(radians))
         return GN_NOT_FINITE;
-    }
     gn_status status = gn_vec3_unit(axis, &n);
-    if (status != GN_OK) {
+    if (status != GN_OK)
         return status;
-    }
     gn_sincos(0.5f * radians, &s, &c);
     const gn_quat q = {n.x * s, n.y * s, n.z * s, c};
     *result = q;
@@ -73,9 +70,8 @@ static gn_status unit_of(gn_quat column, float square, gn_quat *result)
     const gn_quat q = {quotient_of(column.x, square, length), quotient_of(column.y, square, length),
                        quotient_of(column.z, square, length),
                        quotient_of(column.w, square, length)};
-    if (gn_magnitude(gn_quat_dot(q, q) - 1.0f) > UNIT_TOLERANCE) {
+    if (gn_magnitude(gn_quat_dot(q, q) - 1.0f) > UNIT_TOLERANCE)
         return gn_quat_normalize(column, result);
-    }
     *result = q;
     return GN_OK;
 }
@@ -86,16 +82,13 @@ static gn_status unit_of(gn_quat column, float square, gn_quat *result)
  * normalise; each of its entries is off by at most the error of m's entries. */
 gn_status gn_quat_from_mat3(const gn_mat3 *m, gn_quat *result)
 {
-    if (!m || !result) {
+    if (!m || !result)
         return GN_NULL_POINTER;
-    }
     const gn_vec3 x = column_of(m, 0), y = column_of(m, 1), z = column_of(m, 2);
-    if (!gn_vec3_is_finite(x) || !gn_vec3_is_finite(y) || !gn_vec3_is_finite(z)) {
+    if (!gn_vec3_is_finite(x) || !gn_vec3_is_finite(y) || !gn_vec3_is_finite(z))
         return GN_NOT_FINITE;
-    }
-    if (!is_rotation(m)) {
+    if (!is_rotation(m))
         return GN_OUT_OF_RANGE;
-    }
     const gn_quat by_w = {y.z - z.y, z.x - x.z, x.y - y.x, (x.x + y.y) + (z.z + 1.0f)};
     const gn_quat by_x = {(x.x - y.y) + (1.0f - z.z), x.y + y.x, z.x + x.z, y.z - z.y};
     const gn_quat by_y = {x.y + y.x, (y.y - x.x) + (1.0f - z.z), y.z + z.y, z.x - x.z};
@@ -132,9 +125,8 @@ static gn_quat between(gn_vec3 a, gn_vec3 b)
 static gn_vec3 across(gn_vec3 a, gn_vec3 v)
 {
     gn_vec3 y = {0.0f, 1.0f, 0.0f}, z = {0.0f, 0.0f, 1.0f}, n;
-    if (gn_vec3_unit(v, &n) != GN_OK || gn_magnitude(gn_vec3_dot(a, n)) > 0.5f) {
+    if (gn_vec3_unit(v, &n) != GN_OK || gn_magnitude(gn_vec3_dot(a, n)) > 0.5f)
         n = gn_magnitude(a.y) <= 0.6f ? y : z;
-    }
     n = gn_vec3_subtract(n, gn_vec3_scale(a, gn_vec3_dot(a, n)));
     gn_vec3_unit(n, &n);
     return n;
@@ -146,17 +138,14 @@ static gn_vec3 across(gn_vec3 a, gn_vec3 v)
 gn_status gn_quat_from_directions(gn_vec3 from, gn_vec3 to, gn_quat *result)
 {
     gn_vec3 a, b;
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
     gn_status status = gn_vec3_unit(from, &a);
     gn_status other = gn_vec3_unit(to, &b);
-    if (status == GN_NOT_FINITE || other == GN_NOT_FINITE) {
+    if (status == GN_NOT_FINITE || other == GN_NOT_FINITE)
         return GN_NOT_FINITE;
-    }
-    if (status != GN_OK || other != GN_OK) {
+    if (status != GN_OK || other != GN_OK)
         return GN_DEGENERATE;
-    }
     if (gn_vec3_dot(a, b) >= OBTUSE) {
         *result = between(a, b);
         return GN_OK;
@@ -171,13 +160,11 @@ gn_status gn_quat_look_rh(gn_vec3 forward, gn_vec3 up, gn_quat *result)
     const gn_vec3 origin = {0.0f, 0.0f, 0.0f};
     gn_transform view;
     gn_mat3 orientation;
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
     gn_status status = gn_look_at_rh(origin, forward, up, &view);
-    if (status != GN_OK) {
+    if (status != GN_OK)
         return status;
-    }
     gn_mat4_upper_left(&view.inverse, &orientation);
     return gn_quat_from_mat3(&orientation, result);
 }

@@ -11,15 +11,13 @@
  * error is 8 u. */
 gn_status gn_quat_to_mat3(gn_quat q, gn_mat3 *result)
 {
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
     float square = gn_quat_dot(q, q);
     if (!(square >= SQUARE_SMALL && square <= SQUARE_LARGE)) {
         gn_status status = gn_quat_normalize(q, &q);
-        if (status != GN_OK) {
+        if (status != GN_OK)
             return status;
-        }
         square = gn_quat_dot(q, q);
     }
     float s = 2.0f / square;
@@ -41,12 +39,10 @@ gn_status gn_quat_to_mat3(gn_quat q, gn_mat3 *result)
 gn_status gn_quat_to_mat4(gn_quat q, gn_mat4 *result)
 {
     gn_mat3 rotation;
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
     gn_status status = gn_quat_to_mat3(q, &rotation);
-    if (status == GN_OK) {
+    if (status == GN_OK)
         gn_mat4_from_mat3(&rotation, result);
-    }
     return status;
 }

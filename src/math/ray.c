@@ -20,9 +20,8 @@ static bool hits(const gn_ray *ray, gn_vec3 a, gn_vec3 b, gn_vec3 c, bool front_
     const gn_vec3 to_b = gn_vec3_subtract(b, a), to_c = gn_vec3_subtract(c, a);
     const gn_vec3 p = gn_vec3_cross(ray->direction, to_c);
     float determinant = gn_vec3_dot(to_b, p);
-    if (!gn_has_reciprocal(determinant) || (front_only && determinant < 0.0f)) {
+    if (!gn_has_reciprocal(determinant) || (front_only && determinant < 0.0f))
         return false;
-    }
     const gn_vec3 from_a = gn_vec3_subtract(ray->origin, a);
     const gn_vec3 q = gn_vec3_cross(from_a, to_b);
     gn_ray_hit found;
@@ -30,9 +29,8 @@ static bool hits(const gn_ray *ray, gn_vec3 a, gn_vec3 b, gn_vec3 c, bool front_
     found.v = gn_vec3_dot(ray->direction, q) / determinant;
     found.t = gn_vec3_dot(to_c, q) / determinant;
     if (!(found.u >= 0.0f) || !(found.v >= 0.0f) || !(found.u + found.v <= 1.0f) ||
-        !(found.t >= 0.0f) || !gn_is_finite(found.t)) {
+        !(found.t >= 0.0f) || !gn_is_finite(found.t))
         return false;
-    }
     *hit = found;
     return true;
 }
@@ -51,9 +49,8 @@ bool gn_ray_hits_triangle_front(const gn_ray *ray, gn_vec3 a, gn_vec3 b, gn_vec3
  * (enter > leave). Returns false if no t lies in the slab. */
 static bool clip_to_slab(float origin, float direction, float min, float max, gn_ray_span *span)
 {
-    if (direction == 0.0f) {
+    if (direction == 0.0f)
         return min <= origin && origin <= max;
-    }
     float first = (min - origin) / direction, second = (max - origin) / direction;
     span->enter = gn_larger(span->enter, gn_smaller(first, second));
     span->leave = gn_smaller(span->leave, gn_larger(first, second));
@@ -69,12 +66,10 @@ bool gn_ray_hits_box(const gn_ray *ray, const gn_box *box, gn_ray_span *span)
     if (!is_finite(ray) || !gn_box_is_ordered(box) ||
         !clip_to_slab(o.x, d.x, box->min.x, box->max.x, &found) ||
         !clip_to_slab(o.y, d.y, box->min.y, box->max.y, &found) ||
-        !clip_to_slab(o.z, d.z, box->min.z, box->max.z, &found)) {
+        !clip_to_slab(o.z, d.z, box->min.z, box->max.z, &found))
         return false;
-    }
-    if (found.enter > found.leave * (1.0f + 0x1p-21f) + 0x1p-147f) {
+    if (found.enter > found.leave * (1.0f + 0x1p-21f) + 0x1p-147f)
         return false;
-    }
     found.leave = gn_larger(found.leave, found.enter);
     *span = found;
     return true;

@@ -9,12 +9,10 @@
  * the diagonal c*s - s*c is exactly 0. */
 gn_status gn_rotate_x(float radians, gn_transform *result)
 {
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
-    if (!gn_is_finite(radians)) {
+    if (!gn_is_finite(radians))
         return GN_NOT_FINITE;
-    }
     float s, c;
     gn_sincos(radians, &s, &c);
     gn_vec3 x = {1.0f, 0.0f, 0.0f}, y = {0.0f, c, s}, z = {0.0f, -s, c};
@@ -24,12 +22,10 @@ gn_status gn_rotate_x(float radians, gn_transform *result)
 
 gn_status gn_rotate_y(float radians, gn_transform *result)
 {
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
-    if (!gn_is_finite(radians)) {
+    if (!gn_is_finite(radians))
         return GN_NOT_FINITE;
-    }
     float s, c;
     gn_sincos(radians, &s, &c);
     gn_vec3 x = {c, 0.0f, -s}, y = {0.0f, 1.0f, 0.0f}, z = {s, 0.0f, c};
@@ -39,12 +35,10 @@ gn_status gn_rotate_y(float radians, gn_transform *result)
 
 gn_status gn_rotate_z(float radians, gn_transform *result)
 {
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
-    if (!gn_is_finite(radians)) {
+    if (!gn_is_finite(radians))
         return GN_NOT_FINITE;
-    }
     float s, c;
     gn_sincos(radians, &s, &c);
     gn_vec3 x = {c, s, 0.0f}, y = {-s, c, 0.0f}, z = {0.0f, 0.0f, 1.0f};
@@ -64,16 +58,13 @@ gn_status gn_rotate_z(float radians, gn_transform *result)
 gn_status gn_rotate_axis(gn_vec3 axis, float radians, gn_transform *result)
 {
     gn_vec3 n;
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
-    if (!gn_is_finite(radians)) {
+    if (!gn_is_finite(radians))
         return GN_NOT_FINITE;
-    }
     gn_status status = gn_vec3_unit(axis, &n);
-    if (status != GN_OK) {
+    if (status != GN_OK)
         return status;
-    }
     float s, c;
     gn_sincos(radians, &s, &c);
     /* Kernel: rodrigues. */

@@ -11,11 +11,9 @@ bool gn_vec3_is_finite(gn_vec3 v)
 bool gn_mat4_is_finite(const gn_mat4 *m)
 {
     bool finite = true;
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
             finite = finite && gn_is_finite(m->m[column][row]);
-        }
-    }
     return finite;
 }
 
@@ -57,12 +55,10 @@ gn_status gn_transform_from_scale_offset(gn_vec3 scale, gn_vec3 offset, gn_trans
 {
     const float scales[3] = {scale.x, scale.y, scale.z};
     const float offsets[3] = {offset.x, offset.y, offset.z};
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
         if (!gn_has_reciprocal(scales[i]) || !gn_is_finite(offsets[i]) ||
-            !gn_is_finite(offsets[i] / scales[i])) {
+            !gn_is_finite(offsets[i] / scales[i]))
             return GN_OUT_OF_RANGE;
-        }
-    }
     gn_transform_clear(result);
     for (int i = 0; i < 3; ++i) {
         result->matrix.m[i][i] = scales[i];
@@ -75,9 +71,8 @@ gn_status gn_transform_from_scale_offset(gn_vec3 scale, gn_vec3 offset, gn_trans
 
 gn_status gn_transform_identity(gn_transform *result)
 {
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
     gn_transform_clear(result);
     return GN_OK;
 }
@@ -85,9 +80,8 @@ gn_status gn_transform_identity(gn_transform *result)
 gn_status gn_transform_compose(const gn_transform *a, const gn_transform *b, gn_transform *result)
 {
     gn_transform product;
-    if (!a || !b || !result) {
+    if (!a || !b || !result)
         return GN_NULL_POINTER;
-    }
     gn_mat4_multiply(&a->matrix, &b->matrix, &product.matrix);
     gn_mat4_multiply(&b->inverse, &a->inverse, &product.inverse);
     if (!gn_mat4_is_finite(&product.matrix) || !gn_mat4_is_finite(&product.inverse)) {
@@ -103,9 +97,8 @@ gn_status gn_transform_compose(const gn_transform *a, const gn_transform *b, gn_
 
 gn_status gn_transform_invert(const gn_transform *transform, gn_transform *result)
 {
-    if (!transform || !result) {
+    if (!transform || !result)
         return GN_NULL_POINTER;
-    }
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
             float entry = transform->matrix.m[column][row];
@@ -118,13 +111,10 @@ gn_status gn_transform_invert(const gn_transform *transform, gn_transform *resul
 
 gn_status gn_transform_normal_matrix(const gn_transform *transform, gn_mat3 *result)
 {
-    if (!transform || !result) {
+    if (!transform || !result)
         return GN_NULL_POINTER;
-    }
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
             result->m[column][row] = transform->inverse.m[row][column];
-        }
-    }
     return GN_OK;
 }

@@ -5,17 +5,14 @@
 
 gn_status gn_vec3_angle(gn_vec3 a, gn_vec3 b, float *radians)
 {
-    if (!radians) {
+    if (!radians)
         return GN_NULL_POINTER;
-    }
     gn_status status = gn_vec3_unit(a, &a);
     gn_status other = gn_vec3_unit(b, &b);
-    if (status == GN_NOT_FINITE || other == GN_NOT_FINITE) {
+    if (status == GN_NOT_FINITE || other == GN_NOT_FINITE)
         return GN_NOT_FINITE;
-    }
-    if (status != GN_OK || other != GN_OK) {
+    if (status != GN_OK || other != GN_OK)
         return GN_DEGENERATE;
-    }
     *radians = 2.0f * gn_atan2(gn_vec3_distance(a, b), gn_vec3_length(gn_vec3_add(a, b)));
     return GN_OK;
 }

@@ -11,19 +11,15 @@
 static gn_status viewport(float x, float y, float width, float height, float depth_near,
                           float depth_far, bool zero_to_one, bool y_down, gn_transform *result)
 {
-    if (!result) {
+    if (!result)
         return GN_NULL_POINTER;
-    }
     if (!gn_is_finite(x) || !gn_is_finite(y) || !gn_is_finite(width) || !gn_is_finite(height) ||
-        !gn_is_finite(depth_near) || !gn_is_finite(depth_far)) {
+        !gn_is_finite(depth_near) || !gn_is_finite(depth_far))
         return GN_NOT_FINITE;
-    }
-    if (!(width > 0.0f) || !(height > 0.0f)) {
+    if (!(width > 0.0f) || !(height > 0.0f))
         return GN_INVALID_VIEWPORT;
-    }
-    if (depth_near == depth_far) {
+    if (depth_near == depth_far)
         return GN_SINGULAR;
-    }
     const float depth = depth_far - depth_near;
     gn_vec3 scale = {0.5f * width, 0.5f * height, zero_to_one ? depth : 0.5f * depth};
     gn_vec3 offset = {scale.x + x, scale.y + y,

@@ -85,10 +85,9 @@ static inline int32_t count_inside(const large_edge edge[3], corner_values c, in
 {
     int32_t count = 1;
 
-    for (int32_t stride = 64; stride > 0; stride /= 2) {
+    for (int32_t stride = 64; stride > 0; stride /= 2)
         while (count + stride <= limit && is_inside(edge, step_right(edge, c, count + stride - 1)))
             count += stride;
-    }
     return count;
 }
 
@@ -97,11 +96,10 @@ static inline int32_t count_outside(const large_edge edge[3], corner_values c, i
 {
     int32_t count = 0;
 
-    for (int32_t stride = 64; stride > 0; stride /= 2) {
+    for (int32_t stride = 64; stride > 0; stride /= 2)
         while (count + stride <= limit &&
                is_outside(edge, step_right(edge, c, count + stride - 1), true))
             count += stride;
-    }
     return count;
 }
 

@@ -241,10 +241,9 @@ static inline bool middle_of_line(const stored_vertex *first, const stored_verte
 {
     const stored_vertex *const v[2] = {first, second};
 
-    for (int c = 0; c < 2; ++c) {
+    for (int c = 0; c < 2; ++c)
         if (!can_snap(first->window[c]) || !can_snap(second->window[c]))
             return false;
-    }
     const float dx = first->window[0] - second->window[0];
     const float dy = first->window[1] - second->window[1];
     if (dx == 0.0f && dy == 0.0f)
@@ -280,10 +279,9 @@ static inline bool line_corners(const box_state *state, const stored_vertex *fir
     float length[GN_LANES];
     int32_t across[2];
 
-    for (int c = 0; c < 2; ++c) {
+    for (int c = 0; c < 2; ++c)
         if (!can_snap(first->window[c]) || !can_snap(second->window[c]))
             return false;
-    }
     const float dx = first->window[0] - second->window[0];
     const float dy = first->window[1] - second->window[1];
     if (dx == 0.0f && dy == 0.0f)

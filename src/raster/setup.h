@@ -156,10 +156,9 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
         float(*const plane)[GN_LANES] = setup->plane[VARYING_PLANES + n];
         lanes_f a[3];
 
-        if (n % 4 == 0) {
+        if (n % 4 == 0)
             for (int i = 0; i < 3; ++i)
                 lanes_i_gather_rows(varyings + n / 4 * VERTEX_ROW, list->vertex[i], 1, row[i]);
-        }
         if (pipeline->program.interpolation[n] == GN_FLAT) {
             make_flat_plane(memory, list, n, plane);
             continue;

@@ -79,7 +79,7 @@ typedef struct triangle_list {
     uint32_t vertex[3][GN_LANES];           /* clockwise: inside is right of every edge */
     uint32_t provoking[GN_LANES];           /* flat varyings come from this vertex */
     int32_t bounds[BOUNDS_COUNT][GN_LANES]; /* pixels whose centres may be inside */
-    int32_t primitive[GN_LANES];            /* its number in the draw */
+    int32_t primitive[GN_LANES];            /* its number in the instance */
     uint32_t back; /* bit l: back-facing; unspecified where `clipped` has the bit */
 } triangle_list;
 
@@ -121,7 +121,7 @@ typedef struct triangle_setup {
     int32_t origin[2][GN_LANES];
     corner_lanes corner;
     edge_lanes edge[3];
-    int32_t primitive[GN_LANES]; /* its number in the draw */
+    int32_t primitive[GN_LANES]; /* its number in the instance */
     int32_t flags[GN_LANES];     /* PRIMITIVE_IS_.. */
     int32_t solid[GN_LANES];     /* -1 or 0: setup_solid */
     float offset[GN_LANES];      /* polygon offset; written only if the pipeline has one */
@@ -178,7 +178,7 @@ static inline float triangle_offset(raster_triangle t)
     return *offset;
 }
 
-/* Returns the primitive's number in the draw. */
+/* Returns the primitive's number in the instance. */
 static inline uint32_t triangle_number(raster_triangle t)
 {
     const int32_t *const primitive = setup_member(t, offsetof(triangle_setup, primitive));

@@ -60,15 +60,12 @@ float gn_asin(float x)
     const uint32_t small = 0x39800000u;
     uint32_t sign = gn_float_bits(x) & GN_SIGN_BIT;
     uint32_t magnitude = gn_float_bits(x) & ~GN_SIGN_BIT;
-    if (magnitude > ONE_BITS) {
+    if (magnitude > ONE_BITS)
         return gn_float_from_bits(GN_NAN_BITS);
-    }
-    if (magnitude < small) {
+    if (magnitude < small)
         return x;
-    }
-    if (magnitude == ONE_BITS) {
+    if (magnitude == ONE_BITS)
         return gn_float_from_bits(GN_HALF_PI_BITS | sign);
-    }
     sides s = sides_of(magnitude);
     return gn_round_arctangent(s.sine, s.cosine, s.shift - 1, false, sign);
 }
@@ -81,15 +78,12 @@ float gn_acos(float x)
     const uint32_t small = 0x32800000u;
     bool left = (gn_float_bits(x) & GN_SIGN_BIT) != 0;
     uint32_t magnitude = gn_float_bits(x) & ~GN_SIGN_BIT;
-    if (magnitude > ONE_BITS) {
+    if (magnitude > ONE_BITS)
         return gn_float_from_bits(GN_NAN_BITS);
-    }
-    if (magnitude < small) {
+    if (magnitude < small)
         return gn_float_from_bits(GN_HALF_PI_BITS);
-    }
-    if (magnitude == ONE_BITS) {
+    if (magnitude == ONE_BITS)
         return gn_float_from_bits(left ? GN_PI_BITS : 0);
-    }
     sides s = sides_of(magnitude);
     return gn_round_arctangent(s.cosine, s.sine, 1 - s.shift, left, 0);
 }

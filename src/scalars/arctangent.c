@@ -21,9 +21,8 @@ static uint64_t reciprocal(uint64_t divisor)
     const uint64_t start = 0x6969696969696969u; /* 48/17 - 2 */
     const uint64_t slope = 0xF0F0F0F0F0F0F0F1u; /* 32/17 */
     uint64_t inverse = start - gn_multiply_high(divisor, slope);
-    for (int step = 0; step < 4; ++step) {
+    for (int step = 0; step < 4; ++step)
         inverse = gn_multiply_high(inverse, ~gn_multiply_high(divisor, inverse)) << 1;
-    }
     return inverse;
 }
 
@@ -51,9 +50,8 @@ static uint64_t fixed_arctangent(uint64_t quotient, unsigned shift)
     sum = 0x11111111u - (z_high * sum >> 32); /* 1/15 */
     sum = 0x13B13B14u - (z_high * sum >> 32); /* 1/13 */
     sum <<= 32;
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 5; ++i)
         sum = coefficient[i] - gn_multiply_high(z, sum);
-    }
     return gn_multiply_high(quotient, 0xFFFFFFFFFFFFFFFFu - gn_multiply_high(z, sum));
 }
 
@@ -100,9 +98,8 @@ float gn_round_arctangent(uint64_t y, uint64_t x, int exponent, bool left, uint3
     unsigned shift = (unsigned)-exponent, j = 0;
     if (shift < 4) { /* to the nearest quarter, by 28 bits */
         uint32_t y_high = (uint32_t)(y >> shift >> 36), x_high = (uint32_t)(x >> 36);
-        for (uint32_t odd = 1; odd < 8; odd += 2) {
+        for (uint32_t odd = 1; odd < 8; odd += 2)
             j += 8 * y_high >= odd * x_high;
-        }
     }
     bool below = false;
     if (j > 0) {
@@ -110,9 +107,8 @@ float gn_round_arctangent(uint64_t y, uint64_t x, int exponent, bool left, uint3
         uint64_t numerator = 2 * shifted - j * (x >> 1);      /* a half of it */
         uint64_t denominator = (x >> 1) + j * (shifted >> 3); /* an eighth */
         below = numerator >> 63 != 0;
-        if (below) {
+        if (below)
             numerator = 0 - numerator;
-        }
         y_zeros = gn_leading_zeros(numerator);
         x_zeros = gn_leading_zeros(denominator);
         y = numerator << y_zeros;
@@ -122,21 +118,17 @@ float gn_round_arctangent(uint64_t y, uint64_t x, int exponent, bool left, uint3
 
     uint64_t quotient = gn_multiply_high(y, reciprocal(x));
     uint64_t small = fixed_arctangent(quotient, shift);
-    if (j == 0 && !steep && !left) {
+    if (j == 0 && !steep && !left)
         return gn_round_to_any_float(small, (int)shift - 1, sign);
-    }
     small = shift > 64 ? 0 : small >> (shift - 1);
     uint64_t angle = below ? atan_of_quarters[j] - small : atan_of_quarters[j] + small;
-    if (!steep && !left) {
+    if (!steep && !left)
         return gn_round_to_any_float(angle, 0, sign);
-    }
     angle >>= 2;
-    if (steep) {
+    if (steep)
         angle = half_pi - angle;
-    }
-    if (left) {
+    if (left)
         angle = pi - angle;
-    }
     return gn_round_to_any_float(angle, -2, sign);
 }
 
@@ -147,18 +139,14 @@ float gn_atan2(float y, float x)
     bool left = (gn_float_bits(x) & GN_SIGN_BIT) != 0;
     uint32_t y_magnitude = gn_float_bits(y) & ~GN_SIGN_BIT;
     uint32_t x_magnitude = gn_float_bits(x) & ~GN_SIGN_BIT;
-    if (y_magnitude > GN_EXPONENT_BITS || x_magnitude > GN_EXPONENT_BITS) {
+    if (y_magnitude > GN_EXPONENT_BITS || x_magnitude > GN_EXPONENT_BITS)
         return gn_float_from_bits(GN_NAN_BITS);
-    }
-    if (y_magnitude == GN_EXPONENT_BITS && x_magnitude == GN_EXPONENT_BITS) {
+    if (y_magnitude == GN_EXPONENT_BITS && x_magnitude == GN_EXPONENT_BITS)
         y_magnitude = x_magnitude = one;
-    }
-    if (y_magnitude == 0 || x_magnitude == GN_EXPONENT_BITS) {
+    if (y_magnitude == 0 || x_magnitude == GN_EXPONENT_BITS)
         return gn_float_from_bits((left ? GN_PI_BITS : 0) | sign);
-    }
-    if (x_magnitude == 0 || y_magnitude == GN_EXPONENT_BITS) {
+    if (x_magnitude == 0 || y_magnitude == GN_EXPONENT_BITS)
         return gn_float_from_bits(GN_HALF_PI_BITS | sign);
-    }
     int y_exponent, x_exponent;
     uint32_t y_significand = gn_normal_significand(y_magnitude, &y_exponent);
     uint32_t x_significand = gn_normal_significand(x_magnitude, &x_exponent);
@@ -171,8 +159,7 @@ float gn_atan2(float y, float x)
 float gn_atan(float x)
 {
     const uint32_t small = 0x39800000u;
-    if ((gn_float_bits(x) & ~GN_SIGN_BIT) < small) {
+    if ((gn_float_bits(x) & ~GN_SIGN_BIT) < small)
         return x;
-    }
     return gn_atan2(x, 1.0f);
 }

@@ -12,12 +12,10 @@
 static float scaled(float x, uint64_t factor, int scale)
 {
     uint32_t bits = gn_float_bits(x), sign = bits & GN_SIGN_BIT, magnitude = bits ^ sign;
-    if (magnitude > GN_EXPONENT_BITS) {
+    if (magnitude > GN_EXPONENT_BITS)
         return gn_float_from_bits(GN_NAN_BITS);
-    }
-    if (magnitude == 0 || magnitude == GN_EXPONENT_BITS) {
+    if (magnitude == 0 || magnitude == GN_EXPONENT_BITS)
         return x;
-    }
     int exponent;
     uint32_t significand = gn_normal_significand(magnitude, &exponent);
     uint64_t product = gn_multiply_high((uint64_t)significand << 40, factor);

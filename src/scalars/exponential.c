@@ -52,23 +52,20 @@ static float round_to_any_float(uint64_t significand, int exponent, uint32_t sig
 {
     unsigned dropped = 40;
     uint32_t below = 0; /* the exponent field less the one of the highest bit */
-    if (exponent > 127) {
+    if (exponent > 127)
         return gn_float_from_bits(GN_EXPONENT_BITS | sign);
-    }
-    if (exponent >= -126) {
+    if (exponent >= -126)
         below = (uint32_t)(exponent + 126) << 23;
-    } else if (exponent >= -150) {
+    else if (exponent >= -150)
         dropped = (unsigned)(-86 - exponent); /* 41 to 64 */
-    } else {
+    else
         return gn_float_from_bits(sign);
-    }
     uint32_t kept = (uint32_t)(significand >> 1 >> (dropped - 1));
     uint64_t past_middle = (significand << (64 - dropped)) - ((uint64_t)1 << 63);
-    if (past_middle + tolerance <= 2 * tolerance) {
+    if (past_middle + tolerance <= 2 * tolerance)
         kept += kept & 1;
-    } else if (past_middle >> 63 == 0) {
+    else if (past_middle >> 63 == 0)
         kept += 1;
-    }
     return gn_float_from_bits((below + kept) | sign);
 }
 
@@ -77,12 +74,10 @@ static float round_to_any_float(uint64_t significand, int exponent, uint32_t sig
  * cut off, which together with gn_fixed_power's error is less than (2.2 + 0.5 * ln 2) * 2^-63. */
 float gn_power_of_two(const gn_exponent *y, uint32_t sign, uint64_t tolerance)
 {
-    if (y->shift > 48) {
+    if (y->shift > 48)
         return gn_float_from_bits(0x3F800000u | sign);
-    }
-    if (y->shift < 15) {
+    if (y->shift < 15)
         return gn_float_from_bits((y->negative ? 0 : GN_EXPONENT_BITS) | sign);
-    }
     uint64_t low = (y->factor & 0xFFFFFFFFu) * y->significand;
     uint64_t high = (y->factor >> 32) * y->significand + (low >> 32);
     int whole = 0;
@@ -105,9 +100,8 @@ float gn_power_of_two(const gn_exponent *y, uint32_t sign, uint64_t tolerance)
 static float exponential(float x, uint64_t factor)
 {
     uint32_t bits = gn_float_bits(x), magnitude = bits & ~GN_SIGN_BIT;
-    if (magnitude > GN_EXPONENT_BITS) {
+    if (magnitude > GN_EXPONENT_BITS)
         return gn_float_from_bits(GN_NAN_BITS);
-    }
     gn_exponent y = {factor, (bits & GN_FRACTION_BITS) | GN_HIDDEN_BIT,
                      149 - (int)(magnitude >> 23), bits != magnitude};
     return gn_power_of_two(&y, 0, 0);

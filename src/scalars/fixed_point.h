@@ -97,17 +97,14 @@ static inline float gn_round_to_any_float(uint64_t significand, int shift, uint3
     unsigned zeros = gn_leading_zeros(significand);
     significand <<= zeros;
     shift += (int)zeros; /* the value is in [2^(-1 - shift), 2^-shift) */
-    if (shift < -128) {
+    if (shift < -128)
         return gn_float_from_bits(GN_EXPONENT_BITS | sign);
-    }
-    if (shift <= 125) {
+    if (shift <= 125)
         return gn_round_to_float(significand, (unsigned)shift, sign);
-    }
     /* Denormal, in units of 2^-149. */
     unsigned dropped = (unsigned)shift - 125 + 40;
-    if (dropped > 64) {
+    if (dropped > 64)
         return gn_float_from_bits(sign);
-    }
     uint64_t doubled = significand >> (dropped - 1);
     return gn_float_from_bits((uint32_t)((doubled + 1) >> 1) | sign);
 }

@@ -105,19 +105,15 @@ static float logarithm(float x, bool natural)
 {
     const uint64_t ln_2 = 0xB17217F7D1CF79ACu;
     uint32_t bits = gn_float_bits(x);
-    if ((bits & ~GN_SIGN_BIT) == 0) {
+    if ((bits & ~GN_SIGN_BIT) == 0)
         return gn_float_from_bits(GN_SIGN_BIT | GN_EXPONENT_BITS);
-    }
-    if (bits >= GN_EXPONENT_BITS) { /* infinity, NaN, or a sign bit */
+    if (bits >= GN_EXPONENT_BITS) /* infinity, NaN, or a sign bit */
         return bits == GN_EXPONENT_BITS ? x : gn_float_from_bits(GN_NAN_BITS);
-    }
     gn_logarithm result = gn_binary_logarithm(bits);
-    if (result.significand == 0) {
+    if (result.significand == 0)
         return 0.0f;
-    }
-    if (natural) {
+    if (natural)
         result.significand = gn_multiply_high(result.significand, ln_2);
-    }
     return gn_round_to_float(result.significand, (unsigned)result.shift,
                              result.negative ? GN_SIGN_BIT : 0);
 }

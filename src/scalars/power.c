@@ -17,17 +17,14 @@ typedef enum parity { NOT_INTEGER, EVEN, ODD } parity;
 static parity parity_of(uint32_t magnitude)
 {
     unsigned field = magnitude >> 23;
-    if (field < 127) {
+    if (field < 127)
         return NOT_INTEGER;
-    }
-    if (field > 150) {
+    if (field > 150)
         return EVEN;
-    }
     uint32_t significand = (magnitude & GN_FRACTION_BITS) | GN_HIDDEN_BIT;
     uint32_t unit = (uint32_t)1 << (150 - field);
-    if ((significand & (unit - 1)) != 0) {
+    if ((significand & (unit - 1)) != 0)
         return NOT_INTEGER;
-    }
     return (significand & unit) != 0 ? ODD : EVEN;
 }
 
@@ -49,26 +46,21 @@ float gn_pow(float x, float y)
     uint32_t x_bits = gn_float_bits(x), x_magnitude = x_bits & ~GN_SIGN_BIT;
     uint32_t y_bits = gn_float_bits(y), y_magnitude = y_bits & ~GN_SIGN_BIT;
     bool y_negative = y_bits != y_magnitude;
-    if (y_magnitude == 0 || x_bits == ONE_BITS) {
+    if (y_magnitude == 0 || x_bits == ONE_BITS)
         return 1.0f;
-    }
-    if (x_magnitude > GN_EXPONENT_BITS || y_magnitude > GN_EXPONENT_BITS) {
+    if (x_magnitude > GN_EXPONENT_BITS || y_magnitude > GN_EXPONENT_BITS)
         return gn_float_from_bits(GN_NAN_BITS);
-    }
     bool x_extreme = x_magnitude == 0 || x_magnitude == GN_EXPONENT_BITS;
     uint32_t sign = 0;
     if (x_bits != x_magnitude) {
         parity y_parity = parity_of(y_magnitude);
-        if (y_parity == NOT_INTEGER && !x_extreme) {
+        if (y_parity == NOT_INTEGER && !x_extreme)
             return gn_float_from_bits(GN_NAN_BITS);
-        }
-        if (y_parity == ODD) {
+        if (y_parity == ODD)
             sign = GN_SIGN_BIT;
-        }
     }
-    if (x_magnitude == ONE_BITS) {
+    if (x_magnitude == ONE_BITS)
         return gn_float_from_bits(ONE_BITS | sign);
-    }
     if (x_extreme) {
         bool grows = (x_magnitude > ONE_BITS) != y_negative;
         return gn_float_from_bits((grows ? GN_EXPONENT_BITS : 0) | sign);

@@ -23,32 +23,26 @@ static float whole_already(float x)
 float gn_floor(float x)
 {
     uint32_t bits = gn_float_bits(x), sign = bits & GN_SIGN_BIT, magnitude = bits ^ sign;
-    if (magnitude >= WHOLE_BITS || magnitude == 0) {
+    if (magnitude >= WHOLE_BITS || magnitude == 0)
         return whole_already(x);
-    }
-    if (magnitude < ONE_BITS) {
+    if (magnitude < ONE_BITS)
         return gn_float_from_bits(sign != 0 ? sign | ONE_BITS : 0);
-    }
     uint32_t fraction = fraction_of(magnitude);
-    if (sign != 0) {
+    if (sign != 0)
         bits += fraction;
-    }
     return gn_float_from_bits(bits & ~fraction);
 }
 
 float gn_ceil(float x)
 {
     uint32_t bits = gn_float_bits(x), sign = bits & GN_SIGN_BIT, magnitude = bits ^ sign;
-    if (magnitude >= WHOLE_BITS || magnitude == 0) {
+    if (magnitude >= WHOLE_BITS || magnitude == 0)
         return whole_already(x);
-    }
-    if (magnitude < ONE_BITS) {
+    if (magnitude < ONE_BITS)
         return gn_float_from_bits(sign != 0 ? sign : ONE_BITS);
-    }
     uint32_t fraction = fraction_of(magnitude);
-    if (sign == 0) {
+    if (sign == 0)
         bits += fraction;
-    }
     return gn_float_from_bits(bits & ~fraction);
 }
 
@@ -56,12 +50,10 @@ float gn_round(float x)
 {
     const uint32_t half = 0x3F000000u;
     uint32_t bits = gn_float_bits(x), sign = bits & GN_SIGN_BIT, magnitude = bits ^ sign;
-    if (magnitude >= WHOLE_BITS) {
+    if (magnitude >= WHOLE_BITS)
         return whole_already(x);
-    }
-    if (magnitude < ONE_BITS) {
+    if (magnitude < ONE_BITS)
         return gn_float_from_bits(magnitude < half ? sign : sign | ONE_BITS);
-    }
     uint32_t fraction = fraction_of(magnitude);
     return gn_float_from_bits((bits + (fraction >> 1) + 1) & ~fraction);
 }
@@ -70,9 +62,8 @@ float gn_round(float x)
 float gn_fract(float x)
 {
     const uint32_t below_one = ONE_BITS - 1;
-    if (!gn_is_finite(x)) {
+    if (!gn_is_finite(x))
         return gn_float_from_bits(GN_NAN_BITS);
-    }
     float fraction = x - gn_floor(x);
     return fraction < 1.0f ? fraction : gn_float_from_bits(below_one);
 }

@@ -28,12 +28,10 @@ static const uint8_t seeds[96] = {
 float gn_rsqrt(float x)
 {
     uint32_t bits = gn_float_bits(x);
-    if ((bits & ~GN_SIGN_BIT) == 0) {
+    if ((bits & ~GN_SIGN_BIT) == 0)
         return gn_float_from_bits(bits | GN_EXPONENT_BITS);
-    }
-    if (bits >= GN_EXPONENT_BITS) { /* infinity, NaN, or a sign bit */
+    if (bits >= GN_EXPONENT_BITS) /* infinity, NaN, or a sign bit */
         return gn_float_from_bits(bits == GN_EXPONENT_BITS ? 0 : GN_NAN_BITS);
-    }
     int exponent;
     uint32_t m = gn_normal_significand(bits, &exponent); /* Q23 */
     if ((exponent & 1) != 0) {

@@ -12,15 +12,12 @@
  * pi on the opposite sign. The cosine is even in r. */
 static float sine_in_quadrant(const gn_reduced_angle *angle, unsigned quadrant, uint32_t sign)
 {
-    if ((quadrant & 2) != 0) {
+    if ((quadrant & 2) != 0)
         sign ^= GN_SIGN_BIT;
-    }
-    if ((quadrant & 1) != 0) {
+    if ((quadrant & 1) != 0)
         return gn_round_to_float(gn_fixed_cosine(angle), 0, sign);
-    }
-    if (angle->negative) {
+    if (angle->negative)
         sign ^= GN_SIGN_BIT;
-    }
     return gn_round_to_float(gn_fixed_sine(angle), angle->shift, sign);
 }
 
@@ -43,12 +40,10 @@ void gn_sincos(float x, float *sine, float *cosine)
 float gn_sin(float x)
 {
     uint32_t magnitude = gn_float_bits(x) & ~GN_SIGN_BIT;
-    if (magnitude >= GN_EXPONENT_BITS) {
+    if (magnitude >= GN_EXPONENT_BITS)
         return gn_float_from_bits(GN_NAN_BITS);
-    }
-    if (magnitude < GN_SMALL_ANGLE_BITS) {
+    if (magnitude < GN_SMALL_ANGLE_BITS)
         return x;
-    }
     gn_reduced_angle angle = gn_reduce_angle(magnitude);
     return sine_in_quadrant(&angle, angle.quadrant, gn_float_bits(x) & GN_SIGN_BIT);
 }
@@ -57,12 +52,10 @@ float gn_sin(float x)
 float gn_cos(float x)
 {
     uint32_t magnitude = gn_float_bits(x) & ~GN_SIGN_BIT;
-    if (magnitude >= GN_EXPONENT_BITS) {
+    if (magnitude >= GN_EXPONENT_BITS)
         return gn_float_from_bits(GN_NAN_BITS);
-    }
-    if (magnitude < GN_SMALL_ANGLE_BITS) {
+    if (magnitude < GN_SMALL_ANGLE_BITS)
         return 1.0f;
-    }
     gn_reduced_angle angle = gn_reduce_angle(magnitude);
     return sine_in_quadrant(&angle, angle.quadrant + 1, 0);
 }

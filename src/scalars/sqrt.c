@@ -10,12 +10,10 @@
 float gn_sqrt_integer(float x)
 {
     uint32_t bits = gn_float_bits(x);
-    if ((bits & ~GN_SIGN_BIT) == 0 || bits == GN_EXPONENT_BITS) {
+    if ((bits & ~GN_SIGN_BIT) == 0 || bits == GN_EXPONENT_BITS)
         return x; /* both zeros, infinity */
-    }
-    if (bits > GN_EXPONENT_BITS) {
+    if (bits > GN_EXPONENT_BITS)
         return gn_float_from_bits(GN_NAN_BITS); /* NaN, or a sign bit */
-    }
 
     /* x = significand * 2^(exponent - 150), 2^23 <= significand < 2^24. */
     int32_t exponent = (int32_t)(bits >> 23);
@@ -35,9 +33,8 @@ float gn_sqrt_integer(float x)
      * difference between the digits of s * 2^25 so far and the square of the prefix. s * 2^25 has
      * at most 50 bits; each step brings down two of them. s * 2^25 >= 2^48, so the first of the 25
      * bits is a one. */
-    if ((exponent & 1) == 0) {
+    if ((exponent & 1) == 0)
         significand <<= 1;
-    }
     uint32_t digits = significand << 7; /* the next bits of s are on top */
     uint32_t root = 0, remainder = 0;
     for (int step = 0; step < 25; ++step) {
@@ -65,16 +62,14 @@ float gn_sqrt(float x)
      * library's function to set errno. */
     typedef float lanes __attribute__((__vector_size__(16)));
     lanes value = {x, 0.0f, 0.0f, 0.0f};
-    if (!(x >= 0.0f)) {
+    if (!(x >= 0.0f))
         return gn_float_from_bits(GN_NAN_BITS);
-    }
     value = __builtin_ia32_sqrtss(value);
     return value[0];
 #elif defined(__GNUC__) && defined(__aarch64__)
     float root;
-    if (!(x >= 0.0f)) {
+    if (!(x >= 0.0f))
         return gn_float_from_bits(GN_NAN_BITS);
-    }
     __asm__("fsqrt %s0, %s1" : "=w"(root) : "w"(x));
     return root;
 #else

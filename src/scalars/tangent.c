@@ -43,19 +43,15 @@ float gn_tan(float x)
 {
     uint32_t sign = gn_float_bits(x) & GN_SIGN_BIT;
     uint32_t magnitude = gn_float_bits(x) & ~GN_SIGN_BIT;
-    if (magnitude >= GN_EXPONENT_BITS) {
+    if (magnitude >= GN_EXPONENT_BITS)
         return gn_float_from_bits(GN_NAN_BITS);
-    }
-    if (magnitude < GN_SMALL_ANGLE_BITS) {
+    if (magnitude < GN_SMALL_ANGLE_BITS)
         return x;
-    }
     gn_reduced_angle angle = gn_reduce_angle(magnitude);
     uint64_t sine = gn_fixed_sine(&angle), cosine = gn_fixed_cosine(&angle);
-    if (angle.negative) {
+    if (angle.negative)
         sign ^= GN_SIGN_BIT;
-    }
-    if ((angle.quadrant & 1) != 0) { /* tan(pi/2 + r) = -cos r / sin r */
+    if ((angle.quadrant & 1) != 0) /* tan(pi/2 + r) = -cos r / sin r */
         return quotient_to_float(cosine, sine, (int)angle.shift, sign ^ GN_SIGN_BIT);
-    }
     return quotient_to_float(sine, cosine, -(int)angle.shift, sign);
 }

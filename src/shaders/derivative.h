@@ -2,7 +2,7 @@
 #ifndef GN_SHADERS_DERIVATIVE_H
 #define GN_SHADERS_DERIVATIVE_H
 
-#include "gnomon/sampling.h"
+#include <gnomon/sampling.h>
 
 /* Distance in lanes to the next column and to the next row. */
 #define COLUMN 1

@@ -1,5 +1,5 @@
 /* Derivatives in quads of 2x2 fragments, for users' shaders. */
-#include "gnomon/derivatives.h"
+#include <gnomon/derivatives.h>
 
 #include "../scalars/bits.h"
 #include "derivative.h"

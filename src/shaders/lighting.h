@@ -2,7 +2,7 @@
 #ifndef GN_SHADERS_LIGHTING_H
 #define GN_SHADERS_LIGHTING_H
 
-#include "gnomon/light.h"
+#include <gnomon/light.h>
 
 #include "vectors.h"
 

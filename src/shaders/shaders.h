@@ -3,7 +3,7 @@
 #ifndef GN_SHADERS_SHADERS_H
 #define GN_SHADERS_SHADERS_H
 
-#include "gnomon/shaders.h"
+#include <gnomon/shaders.h>
 
 gn_vertex_shader gn_shade_position;
 gn_vertex_shader gn_shade_vertex_color;

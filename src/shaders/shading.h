@@ -3,7 +3,7 @@
 #ifndef GN_SHADERS_SHADING_H
 #define GN_SHADERS_SHADING_H
 
-#include "gnomon/pipeline.h"
+#include <gnomon/pipeline.h>
 
 typedef struct shading_functions {
     gn_sampling sampling;

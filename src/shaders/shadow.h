@@ -3,7 +3,7 @@
 #ifndef GN_SHADERS_SHADOW_H
 #define GN_SHADERS_SHADOW_H
 
-#include "gnomon/light.h"
+#include <gnomon/light.h>
 
 #include "vectors.h"
 

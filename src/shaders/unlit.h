@@ -9,10 +9,9 @@ static inline void shade_color(const void *uniforms, const gn_fragment_input *in
                                gn_fragment_output *output)
 {
     (void)uniforms;
-    for (int c = 0; c < 4; ++c) {
+    for (int c = 0; c < 4; ++c)
         GN_EACH_LANE (l)
             output->color[c][l] = input->varying[VARYING_RED + c][l];
-    }
 }
 
 static inline void shade_mapped(const gn_texture *map, const gn_sampler *sampler,
@@ -26,10 +25,9 @@ static inline void shade_mapped(const gn_texture *map, const gn_sampler *sampler
     }
     input->sampling->sample_2d(map, sampler, input->varying[VARYING_S], input->varying[VARYING_T],
                                texel);
-    for (int c = 0; c < 4; ++c) {
+    for (int c = 0; c < 4; ++c)
         GN_EACH_LANE (l)
             output->color[c][l] = input->varying[VARYING_RED + c][l] * texel[c][l];
-    }
 }
 
 /* The fragment shader of gn_use_unlit. */

@@ -5,7 +5,7 @@
 
 #include "../lanes/lanes.h"
 
-#include "gnomon/mat.h"
+#include <gnomon/mat.h>
 
 static inline void load_vector(const float (*rows)[GN_LANES], lanes_f v[3])
 {

@@ -3,7 +3,7 @@
 #ifndef GN_SHADERS_VERTEX_H
 #define GN_SHADERS_VERTEX_H
 
-#include "gnomon/shaders.h"
+#include <gnomon/shaders.h>
 
 #include "lighting.h"
 #include "shaders.h"

@@ -1,6 +1,6 @@
 /* Blits: checks of the arguments, the choice of each pixel's texel, and the conversion of formats,
  * sixteen pixels of a row at a time. */
-#include "gnomon/blit.h"
+#include <gnomon/blit.h>
 
 #include "../formats/pixel_rows.h"
 #include "../raster/scissor.h"

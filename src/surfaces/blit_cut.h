@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "gnomon/blit.h"
+#include <gnomon/blit.h>
 
 /* One dimension of a rectangle, from a first end to a last end, which may be the lower one. */
 typedef struct blit_range {

@@ -5,7 +5,7 @@
 #define GN_SURFACES_BLIT_QUAD_H
 
 #include "../lanes/lanes.h"
-#include "gnomon/blit.h"
+#include <gnomon/blit.h>
 
 /* A triangle has three vertices; clipping adds at most one for each side of the destination. */
 #define BLIT_POLYGON 7

@@ -3,7 +3,7 @@
 #ifndef GN_SURFACES_REDUCE_H
 #define GN_SURFACES_REDUCE_H
 
-#include "gnomon/surface.h"
+#include <gnomon/surface.h>
 
 /* Writes the destination. Preconditions: the surfaces have colour formats, one sample and no fault;
  * the destination overlaps neither source. With 3 dimensions, the part `between` of `next` is mixed

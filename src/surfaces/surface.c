@@ -1,5 +1,5 @@
 /* Surfaces: construction, validation and clears. */
-#include "gnomon/surface.h"
+#include <gnomon/surface.h>
 
 #include "../formats/properties.h"
 #include "../formats/surface_memory.h"

@@ -2,7 +2,7 @@
 #ifndef GN_TEXTURE_COMPARE_H
 #define GN_TEXTURE_COMPARE_H
 
-#include "gnomon/sampling.h"
+#include <gnomon/sampling.h>
 
 #include "../formats/properties.h"
 #include "../lanes/lanes.h"

@@ -5,7 +5,7 @@
 #ifndef GN_TEXTURE_CUBE_H
 #define GN_TEXTURE_CUBE_H
 
-#include "gnomon/sampling.h"
+#include <gnomon/sampling.h>
 
 #include "../lanes/lanes.h"
 

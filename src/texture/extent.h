@@ -2,7 +2,7 @@
 #ifndef GN_TEXTURE_EXTENT_H
 #define GN_TEXTURE_EXTENT_H
 
-#include "gnomon/texture.h"
+#include <gnomon/texture.h>
 
 /* Columns, rows and layers of one level. */
 typedef struct texel_extent {

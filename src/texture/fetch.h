@@ -3,7 +3,7 @@
 #ifndef GN_TEXTURE_FETCH_H
 #define GN_TEXTURE_FETCH_H
 
-#include "gnomon/sampling.h"
+#include <gnomon/sampling.h>
 
 #include "texel.h"
 

@@ -2,7 +2,7 @@
 #ifndef GN_TEXTURE_PACKED_H
 #define GN_TEXTURE_PACKED_H
 
-#include "gnomon/texture.h"
+#include <gnomon/texture.h>
 
 /* Returns the bytes of levels first to end - 1 of a texture whose shape has no fault; 0 if they do
  * not fit memory. */

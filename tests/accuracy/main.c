@@ -136,12 +136,11 @@ static bool print_row(const struct row *row, const struct measured *m)
     int closer = 0;
     printf("%-28s", row->name);
     print_errors(&m->own, (double)m->count);
-    for (int peer = 0; peer < peer_count; ++peer) {
+    for (int peer = 0; peer < peer_count; ++peer)
         if (function_of(row, peer))
             print_errors(&m->other[peer], (double)m->count);
         else
             printf(" %9s %7s", "-", "-");
-    }
     for (int peer = 0; peer < peer_count; ++peer)
         if (function_of(row, peer) && is_closer(m, &m->other[peer]))
             printf("%s%s", closer++ == 0 ? "  closer: " : ", ", peers[peer]->name);

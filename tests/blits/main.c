@@ -367,7 +367,7 @@ static bool compare(reference *osmesa, random_source *r, uint64_t number, totals
 
     if (is_nearly_outside(&c) && memcmp(ours.byte, before.byte, sizeof before) == 0 &&
         memcmp(ours.byte, theirs.byte, sizeof before) != 0) {
-        t->defects++;
+        ++t->defects;
         return true;
     }
 
@@ -387,7 +387,7 @@ static bool compare(reference *osmesa, random_source *r, uint64_t number, totals
             fprintf(stderr, "\n");
         }
     }
-    t->blits++;
+    ++t->blits;
     t->pixels += count;
     t->differ += differ;
     *pair_differ += differ;

@@ -22,9 +22,8 @@ struct progress {
 
 static void print_names(FILE *stream, const struct pass *pass)
 {
-    for (unsigned f = 0; f < pass->count; ++f) {
+    for (unsigned f = 0; f < pass->count; ++f)
         fprintf(stream, "%s%s", f > 0 ? ", " : "", pass->functions[f]->name);
-    }
 }
 
 /* The time left is estimated from the time that the finished part took, in proportion to the
@@ -33,14 +32,12 @@ static void report(void *context, double done)
 {
     struct progress *progress = context;
     double cost = progress->costs[progress->current] * done;
-    for (unsigned i = 0; i < progress->current; ++i) {
+    for (unsigned i = 0; i < progress->current; ++i)
         cost += progress->costs[i];
-    }
     double part = cost / progress->total_cost, passed = seconds_now() - progress->started;
     int tenth = (int)(part * 10.0);
-    if (part <= 0.0 || (!progress->terminal && tenth <= progress->last_tenth)) {
+    if (part <= 0.0 || (!progress->terminal && tenth <= progress->last_tenth))
         return;
-    }
     progress->last_tenth = tenth;
     int left = (int)(passed / part - passed + 0.5);
     fprintf(stderr, "%s%3d %%  ", progress->terminal ? "\r\033[K" : "", (int)(part * 100.0));
@@ -52,11 +49,9 @@ static void report(void *context, double done)
 static bool share_a_reference(const checked_function *a, const checked_function *b)
 {
     for (unsigned i = 0; i < 2; ++i) {
-        for (unsigned j = 0; j < 2; ++j) {
-            if (a->references[i] == b->references[j] && a->references[i] != REFERENCE_NONE) {
+        for (unsigned j = 0; j < 2; ++j)
+            if (a->references[i] == b->references[j] && a->references[i] != REFERENCE_NONE)
                 return true;
-            }
-        }
     }
     return false;
 }
@@ -67,9 +62,8 @@ static unsigned divide_into_passes(const bool chosen[], uint64_t stride, struct 
     const checked_function *previous = NULL;
     for (unsigned f = 0; f < checked_function_count; ++f) {
         const checked_function *function = &checked_functions[f];
-        if (!chosen[f]) {
+        if (!chosen[f])
             continue;
-        }
         if (previous == NULL || !share_a_reference(previous, function)) {
             passes[count].count = 0;
             passes[count++].stride = stride;
@@ -103,9 +97,8 @@ static int run(const bool chosen[], uint64_t stride, unsigned jobs)
             fprintf(stderr, "exhaustive: no thread can be started\n");
             return 2;
         }
-        if (progress.terminal) {
+        if (progress.terminal)
             fprintf(stderr, "\r\033[K");
-        }
         for (unsigned f = 0; f < passes[i].count; ++f) {
             printf("%s: %" PRIu64 " inputs, %" PRIu64 " misrounded\n", passes[i].functions[f]->name,
                    tally.inputs, tally.misrounded[f]);
@@ -131,9 +124,8 @@ static void help(FILE *stream)
             "Checks that scalar functions are correctly rounded, for every float or for every\n"
             "N-th float of each sign. --jobs: number of threads (default: of processors).\n"
             "Names of functions (default: all):\n ");
-    for (unsigned f = 0; f < checked_function_count; ++f) {
+    for (unsigned f = 0; f < checked_function_count; ++f)
         fprintf(stream, " %s", checked_functions[f].name);
-    }
     fprintf(stream,
             "\nExit status: 0: all are correctly rounded, 1: some are not, 2: it could not run.\n");
 }
@@ -142,9 +134,8 @@ static void help(FILE *stream)
 static uint64_t parse(const char *text, uint64_t most)
 {
     char *end;
-    if (text == NULL || text[0] < '0' || text[0] > '9') {
+    if (text == NULL || text[0] < '0' || text[0] > '9')
         return 0;
-    }
     uint64_t number = strtoull(text, &end, 10);
     return *end == '\0' && number <= most ? number : 0;
 }
@@ -172,9 +163,8 @@ int main(int argc, char **argv)
             ++i;
             continue;
         }
-        while (f < checked_function_count && strcmp(argv[i], checked_functions[f].name) != 0) {
+        while (f < checked_function_count && strcmp(argv[i], checked_functions[f].name) != 0)
             ++f;
-        }
         if (f == checked_function_count) {
             fprintf(stderr, "exhaustive: cannot use '%s'\n", argv[i]);
             help(stderr);
@@ -182,8 +172,7 @@ int main(int argc, char **argv)
         }
         chosen[f] = any = true;
     }
-    for (unsigned f = 0; f < checked_function_count && !any; ++f) {
+    for (unsigned f = 0; f < checked_function_count && !any; ++f)
         chosen[f] = true;
-    }
     return run(chosen, stride, (unsigned)jobs);
 }

@@ -131,9 +131,8 @@ static uint64_t evaluate(const struct definition *function, const uint32_t magni
 {
     double d[BLOCK];
     uint64_t decided = 0;
-    for (unsigned i = 0; i < count; ++i) {
+    for (unsigned i = 0; i < count; ++i)
         d[i] = function->narrow((double)from_bits(magnitudes[i] | sign));
-    }
     for (unsigned i = 0; i < count; ++i) {
         float low = (float)(d[i] * (1.0 - 0x1p-50)), high = (float)(d[i] * (1.0 + 0x1p-50));
         bool agreed = bits_of(low) == bits_of(high) || isnan(d[i]);
@@ -151,9 +150,8 @@ uint64_t reference_values(reference which, const uint32_t magnitudes[], unsigned
 {
     const struct definition *function = &definitions[which];
     uint64_t decided = evaluate(function, magnitudes, count, 0, positive);
-    if (function->symmetry == NEITHER) {
+    if (function->symmetry == NEITHER)
         return decided + evaluate(function, magnitudes, count, SIGN_BIT, negative);
-    }
     for (unsigned i = 0; i < count; ++i) {
         bool flip = function->symmetry == ODD && positive[i] != NAN_BITS;
         negative[i] = positive[i] ^ (flip ? SIGN_BIT : 0);

@@ -60,9 +60,8 @@ static void check_block(const struct pass *pass, const struct block *block, stru
             }
             if (bits_of(got[0]) != first || bits_of(got[1]) != second) {
                 bool other = bits_of(got[0]) == first;
-                if (tally->misrounded[f]++ < SHOWN) {
+                if (tally->misrounded[f]++ < SHOWN)
                     show(function, x, got[other], other ? second : first);
-                }
             }
         }
     }
@@ -78,9 +77,8 @@ static void check_range(const struct pass *pass, uint64_t first, uint64_t last, 
     while (magnitude < last) {
         bool known[REFERENCE_COUNT] = {[REFERENCE_NONE] = true};
         block.count = 0;
-        for (; magnitude < last && block.count < BLOCK; magnitude += stride) {
+        for (; magnitude < last && block.count < BLOCK; magnitude += stride)
             block.magnitudes[block.count++] = (uint32_t)magnitude;
-        }
         for (unsigned f = 0; f < pass->count; ++f) {
             for (unsigned part = 0; part < 2; ++part) {
                 reference which = pass->functions[f]->references[part];
@@ -111,9 +109,8 @@ static void *work(void *argument)
     }
     shared->total.inputs += own.inputs;
     shared->total.decided += own.decided;
-    for (unsigned f = 0; f < shared->pass->count; ++f) {
+    for (unsigned f = 0; f < shared->pass->count; ++f)
         shared->total.misrounded[f] += own.misrounded[f];
-    }
     shared->running -= 1;
     pthread_cond_signal(&shared->finished);
     pthread_mutex_unlock(&shared->lock);
@@ -128,9 +125,8 @@ bool sweep(const struct pass *pass, unsigned jobs, report_progress *report, void
     unsigned started = 0;
     pthread_cond_init(&shared.finished, NULL);
     pthread_mutex_lock(&shared.lock);
-    while (started < jobs && pthread_create(&threads[started], NULL, work, &shared) == 0) {
+    while (started < jobs && pthread_create(&threads[started], NULL, work, &shared) == 0)
         ++started;
-    }
     shared.running = started;
     while (shared.running > 0) {
         struct timespec wake;
@@ -142,9 +138,8 @@ bool sweep(const struct pass *pass, unsigned jobs, report_progress *report, void
         report(context, (double)shared.done / PIECES);
     }
     pthread_mutex_unlock(&shared.lock);
-    for (unsigned i = 0; i < started; ++i) {
+    for (unsigned i = 0; i < started; ++i)
         pthread_join(threads[i], NULL);
-    }
     pthread_cond_destroy(&shared.finished);
     *total = shared.total;
     return started > 0;

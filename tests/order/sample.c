@@ -27,7 +27,7 @@ void *memory_of(void *memory, uint32_t n);
 static uint32_t arguments(source *s)
 {
     const uint32_t deep = of_two(1 + (below(s, 2) & 1), 3 * below(s, 4)); /* named */
-    const uint32_t across = of_two(below(s, 1), /* named */
+    const uint32_t across = of_two(below(s, 1),                           /* named */
                                    below(s, 2));
     const uint32_t inner = below(s, below(s, 5));
     return deep + across + inner + of_two(below(s, 4), pure(s));
@@ -37,12 +37,12 @@ static uint32_t operands(source *s, maker *m, uint64_t *x, uint32_t *array)
 {
     uint32_t sum = next() + (10 + next() % 22); /* named */
     sum += below(s, 3);
-    array[below(s, 3)] = below(s, 4);            /* named */
-    array[below(s, 3)] += below(s, 4);           /* named */
-    sum += m->next(&m->random) << make(m);       /* two types: not known to be one thing */
-    sum += m->next(&m->random) << below(s, 2);   /* named */
-    sum += (uint32_t)(mix(x) ^ mix(x));          /* named */
-    sum += (below(s, 2), 1) + (below(s, 3), 2);  /* named */
+    array[below(s, 3)] = below(s, 4);           /* named */
+    array[below(s, 3)] += below(s, 4);          /* named */
+    sum += m->next(&m->random) << make(m);      /* two types: not known to be one thing */
+    sum += m->next(&m->random) << below(s, 2);  /* named */
+    sum += (uint32_t)(mix(x) ^ mix(x));         /* named */
+    sum += (below(s, 2), 1) + (below(s, 3), 2); /* named */
     return sum + of_two(*(uint32_t *)memory_of(x, 1), *(uint32_t *)memory_of(x, 2));
 }
 

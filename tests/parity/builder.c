@@ -24,9 +24,9 @@ static void reset_draw(builder *b)
     b->shader = SCENE_VERTEX_COLOR;
     b->counted = false;
     memset(&b->uniforms, 0, sizeof b->uniforms);
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4; ++i)
         b->uniforms.light.clip_from_model.m[i][i] = 1.0f;
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; ++i)
         b->uniforms.light.normal_matrix.m[i][i] = 1.0f;
     memset(&b->surface, 0, sizeof b->surface);
     gn_mat4_identity(&b->surface.world_from_model);
@@ -67,7 +67,7 @@ void builder_target(builder *b, uint32_t width, uint32_t height, gn_format color
     static const float clear_depths[] = {1.0f, 1.0f, 1.0f, 0.75f};
     random_source *r = &b->random;
     b->scene = scene_create(width, height, color, depth);
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4; ++i)
         b->scene->clear_color[i] = random_unit(r);
     b->scene->clear_depth = clear_depths[random_below(r, 4)];
 }
@@ -77,7 +77,7 @@ void builder_common_target(builder *b)
     random_source *r = &b->random;
     uint32_t size[2];
     const bool powers = random_chance(r, 50);
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < 2; ++i)
         size[i] = powers ? 16u << random_below(r, 4) : 16 + random_below(r, 113);
     const gn_format depths[] = {GN_FORMAT_NONE, GN_FORMAT_D16, GN_FORMAT_D24, GN_FORMAT_D32F};
     builder_target(b, size[0], size[1], GN_FORMAT_RGBA8, depths[random_below(r, 4)]);
@@ -103,13 +103,13 @@ vertex *builder_vertex(builder *b)
     vertex *v = &b->vertices[b->vertex_count++];
     memset(v, 0, sizeof *v);
     v->position[3] = 1.0f;
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4; ++i)
         v->color[i] = random_unit(r);
     do {
-        for (int i = 0; i < 3; i++)
+        for (int i = 0; i < 3; ++i)
             v->normal[i] = random_float(r, -1.0f, 1.0f);
     } while (fabsf(v->normal[0]) + fabsf(v->normal[1]) + fabsf(v->normal[2]) < 0.01f);
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < 2; ++i)
         v->texcoord[i] = random_unit(r);
     return v;
 }
@@ -139,7 +139,7 @@ void builder_place(const builder *b, vertex *v, float x, float y, float z, float
 static void expand_indices(builder *b)
 {
     const uint32_t count = b->index_count, old = b->vertex_count;
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; ++i) {
         b->vertices = grown(b->vertices, b->vertex_count, &b->vertex_capacity, sizeof *b->vertices);
         b->vertices[b->vertex_count++] = b->vertices[b->indices[i]];
     }
@@ -154,22 +154,22 @@ static void add_margins(builder *b)
     random_source *r = &b->random;
     const uint32_t extra = b->lead + b->trail;
     if (b->index_format != GN_INDEX_NONE) {
-        for (uint32_t i = 0; i < extra; i++)
+        for (uint32_t i = 0; i < extra; ++i)
             builder_index(b, random_below(r, b->vertex_count));
         memmove(b->indices + b->lead, b->indices, (b->index_count - extra) * sizeof *b->indices);
-        for (uint32_t i = 0; i < b->lead; i++)
+        for (uint32_t i = 0; i < b->lead; ++i)
             b->indices[i] = random_below(r, b->vertex_count);
-        for (uint32_t i = b->index_count - b->trail; i < b->index_count; i++)
+        for (uint32_t i = b->index_count - b->trail; i < b->index_count; ++i)
             b->indices[i] = random_below(r, b->vertex_count);
         return;
     }
-    for (uint32_t i = 0; i < extra; i++)
+    for (uint32_t i = 0; i < extra; ++i)
         builder_vertex(b);
     memmove(b->vertices + b->lead, b->vertices, (b->vertex_count - extra) * sizeof *b->vertices);
     const uint32_t margins[2][2] = {{0, b->lead}, {b->vertex_count - b->trail, b->vertex_count}};
-    for (int m = 0; m < 2; m++)
-        for (uint32_t i = margins[m][0]; i < margins[m][1]; i++)
-            for (int c = 0; c < 3; c++)
+    for (int m = 0; m < 2; ++m)
+        for (uint32_t i = margins[m][0]; i < margins[m][1]; ++i)
+            for (int c = 0; c < 3; ++c)
                 b->vertices[i].position[c] = random_float(r, -1.0f, 1.0f);
 }
 
@@ -183,7 +183,7 @@ static void set_attribute(const builder *b, scene_draw *d, gn_shader_attribute a
         fprintf(stderr, "parity: out of memory\n");
         exit(EXIT_FAILURE);
     }
-    for (uint32_t i = 0; i < b->vertex_count; i++)
+    for (uint32_t i = 0; i < b->vertex_count; ++i)
         memcpy(data + i * components, (const char *)&b->vertices[i] + offset,
                components * sizeof *data);
     scene_set_attribute(d, attribute, data, components, b->vertex_count);
@@ -193,7 +193,7 @@ static void set_attribute(const builder *b, scene_draw *d, gn_shader_attribute a
 /* Whether some vertex has a clip w of 0 that stays 0 when x and y are clipped. */
 static bool has_vertex_at_eye(const builder *b)
 {
-    for (uint32_t i = 0; i < b->vertex_count; i++) {
+    for (uint32_t i = 0; i < b->vertex_count; ++i) {
         const float *p = b->vertices[i].position;
         if (p[0] == 0.0f && p[1] == 0.0f && p[3] == 0.0f)
             return true;
@@ -208,7 +208,7 @@ static void store_indices(builder *b)
                              : b->index_format == GN_INDEX_UINT16 ? UINT16_MAX
                                                                   : UINT32_MAX;
     b->restart_index &= largest; /* an index below the base vertex has wrapped around */
-    for (uint32_t i = 0; i < b->index_count; i++)
+    for (uint32_t i = 0; i < b->index_count; ++i)
         if (b->indices[i] != BUILDER_RESTART)
             b->indices[i] -= (uint32_t)b->base_vertex;
         else
@@ -218,7 +218,7 @@ static void store_indices(builder *b)
 static void set_surface(const builder *b, scene_draw *d)
 {
     d->surface = b->surface;
-    for (int m = 0; m < SCENE_MAP_COUNT; m++) {
+    for (int m = 0; m < SCENE_MAP_COUNT; ++m) {
         d->surface.map[m].level[0].texels = NULL;
         if (b->surface.map[m].level[0].texels)
             scene_set_map(d, (scene_map)m, &b->surface.map[m]);
@@ -232,7 +232,7 @@ void builder_draw(builder *b)
     if (b->index_format == GN_INDEX_NONE && b->index_count > 0)
         expand_indices(b);
     if (b->index_format != GN_INDEX_NONE && b->index_count == 0)
-        for (uint32_t i = 0; i < b->vertex_count; i++)
+        for (uint32_t i = 0; i < b->vertex_count; ++i)
             builder_index(b, i);
     /* reference/RULES.md leaves these out. */
     if (has_vertex_at_eye(b))
@@ -299,7 +299,7 @@ gn_mat3 builder_rotation(builder *b)
     float q[4], square;
     do {
         square = 0.0f;
-        for (int i = 0; i < 4; i++) {
+        for (int i = 0; i < 4; ++i) {
             q[i] = random_float(r, -1.0f, 1.0f);
             square += q[i] * q[i];
         }

@@ -12,7 +12,7 @@
 bool compare_start(comparer *c)
 {
     static const uint32_t threads[COMPARE_POOLS] = {1, 2, 3, 8};
-    for (int i = 0; i < COMPARE_POOLS; i++) {
+    for (int i = 0; i < COMPARE_POOLS; ++i) {
         c->pools[i] = thread_pool_create(threads[i]);
         if (!c->pools[i])
             return false;
@@ -22,7 +22,7 @@ bool compare_start(comparer *c)
 
 void compare_stop(comparer *c)
 {
-    for (int i = 0; i < COMPARE_POOLS; i++)
+    for (int i = 0; i < COMPARE_POOLS; ++i)
         thread_pool_destroy(c->pools[i]);
 }
 
@@ -43,7 +43,7 @@ static bool same_bits(const void *a, const void *b, gn_format format, size_t i)
 static bool same_pixels(const scene_frame *a, const scene_frame *b, size_t i)
 {
     bool same = same_bits(a->depth, b->depth, a->depth_format, i);
-    for (int c = 0; c < GN_MAX_COLORS; c++)
+    for (int c = 0; c < GN_MAX_COLORS; ++c)
         same = same && same_bits(scene_frame_color(a, c), scene_frame_color(b, c),
                                  scene_frame_format(a, c), i);
     return same;
@@ -54,7 +54,7 @@ static scene_difference compare_exactly(const scene_frame *a, const scene_frame 
 {
     const size_t image = (size_t)a->width * a->height;
     scene_difference d = {0};
-    for (size_t i = 0; i < image * a->images; i++) {
+    for (size_t i = 0; i < image * a->images; ++i) {
         if (same_pixels(a, b, i) || d.pixels++ > 0)
             continue;
         d.x = (uint32_t)(i % a->width);
@@ -112,7 +112,7 @@ static bool compare_workspaces(const comparer *c, const scene *s, uint64_t numbe
         allocated = compare_variant(s, &least, result, &result->workspace);
     if (allocated && (c->everything || number % 3 == 1))
         allocated = compare_variant(s, &odd, result, &result->workspace);
-    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; b++) {
+    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b) {
         const variant whole = {0, (gn_backend)b, NULL, 0};
         if (allocated && gn_backend_available((gn_backend)b))
             allocated = compare_variant(s, &whole, result, &result->workspace);
@@ -135,7 +135,7 @@ static bool compare_threads(const comparer *c, const scene *s, uint64_t number, 
     const gn_backend turn =
         (gn_backend)(GN_BACKEND_PORTABLE + (int)(number / 16 % (uint64_t)backends));
     bool allocated = true;
-    for (uint64_t i = 0; i < COMPARE_POOLS; i++) {
+    for (uint64_t i = 0; i < COMPARE_POOLS; ++i) {
         const variant v = {number / COMPARE_POOLS % 4 == 3 ? odd_threads_workspace(s, number) : 0,
                            gn_backend_available(turn) ? turn : GN_BACKEND_AUTO, c->pools[i],
                            (uint32_t)(number / 2 % 4)};
@@ -208,14 +208,14 @@ static void print_color(const void *color, gn_format format, size_t i)
     const int count = scene_pixel_channels(color, format, i, channel);
 
     printf(" color");
-    for (int c = 0; c < count; c++)
+    for (int c = 0; c < count; ++c)
         printf(format == GN_FORMAT_RGBA8 ? " %3.9g" : " %.9g",
                scene_channel_value(format, c, channel[c]));
 }
 
 static void print_pixel(const scene_frame *f, size_t i)
 {
-    for (int a = 0; a < GN_MAX_COLORS; a++)
+    for (int a = 0; a < GN_MAX_COLORS; ++a)
         if (scene_frame_color(f, a))
             print_color(scene_frame_color(f, a), scene_frame_format(f, a), i);
     switch (f->depth_format) {
@@ -250,7 +250,7 @@ void compare_print_pixels(const comparison *result, uint64_t limit)
     const scene_frame *a = &result->ours, *b = &result->theirs;
     const size_t image = (size_t)a->width * a->height;
     const size_t pixels = image * a->images;
-    for (size_t i = 0; i < pixels && limit > 0; i++) {
+    for (size_t i = 0; i < pixels && limit > 0; ++i) {
         if (same_pixels(a, b, i))
             continue;
         printf("pixel (%zu, %zu)", i % a->width, i % image / a->width);
@@ -262,6 +262,6 @@ void compare_print_pixels(const comparison *result, uint64_t limit)
         print_pixel(a, i);
         printf("  reference");
         print_pixel(b, i);
-        limit--;
+        --limit;
     }
 }

@@ -95,7 +95,7 @@ static void print_help(void)
         "\n"
         "classes:",
         DEFAULT_SCENES, DEFAULT_SEED, DEFAULT_PAIR_SCENES, DEFAULT_CHECKED_SCENES);
-    for (int c = 0; c < CLASS_COUNT; c++)
+    for (int c = 0; c < CLASS_COUNT; ++c)
         printf("%s %s", c % 7 == 0 && c > 0 ? "\n        " : "", scene_class_name((scene_class)c));
     printf("\n");
 }
@@ -122,7 +122,7 @@ static bool parse_options(int argc, char **argv, options *o)
                    .jobs = 1,
                    .only = CLASS_COUNT,
                    .keep = DEFAULT_KEEP};
-    for (int i = 1; i < argc; i++) {
+    for (int i = 1; i < argc; ++i) {
         const char *name = argv[i];
         bool *flag = strcmp(name, "--everything") == 0 ? &o->everything
                      : strcmp(name, "--pairs") == 0    ? &o->pairs
@@ -241,7 +241,7 @@ static void add_totals(totals *sum, const totals *t)
 
 static void count_scene(totals *t, const scene *s, const comparison *r)
 {
-    t->scenes++;
+    ++t->scenes;
     t->triangles += scene_triangle_count(s);
     t->pixels += (uint64_t)s->width * s->height * (scene_is_sampled(s) ? GN_SAMPLES : 1);
     t->drawn += r->drawn;
@@ -270,7 +270,7 @@ static bool run_scene(gate *g, scene_class c, uint64_t number, totals *t)
     } else {
         fprintf(stderr, "parity: %s scene %" PRIu64 ": the reference failed: %s\n",
                 scene_class_name(c), number, error);
-        t->broken++;
+        ++t->broken;
     }
     compare_free(&r);
     scene_free(s);
@@ -313,7 +313,7 @@ static void report_class(gate *g, scene_class c, const totals *t)
 static void print_backends(void)
 {
     printf("back ends:");
-    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; b++)
+    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b)
         if (gn_backend_available((gn_backend)b))
             printf(" %s", gn_backend_name((gn_backend)b));
     printf("\n");
@@ -373,7 +373,7 @@ static uint64_t scenes_of_class(const options *o, int c)
 static int run_job(gate *g, uint64_t number, FILE *out)
 {
     bool good = start(g);
-    for (int c = 0; good && c < CLASS_COUNT; c++) {
+    for (int c = 0; good && c < CLASS_COUNT; ++c) {
         const totals t = run_class(g, (scene_class)c, scenes_of_class(&g->options, c), number);
         good = fwrite(&t, sizeof t, 1, out) == 1 && fflush(out) == 0;
     }
@@ -406,10 +406,10 @@ static bool start_job(gate *g, uint64_t number, job *j)
 /* Adds up the totals of the processes and reports every class. */
 static void gather(gate *g, job *jobs, uint64_t count)
 {
-    for (int c = 0; c < CLASS_COUNT; c++) {
+    for (int c = 0; c < CLASS_COUNT; ++c) {
         totals sum;
         memset(&sum, 0, sizeof sum);
-        for (uint64_t i = 0; i < count; i++) {
+        for (uint64_t i = 0; i < count; ++i) {
             totals t;
             if (fread(&t, sizeof t, 1, jobs[i].totals) == 1)
                 add_totals(&sum, &t);
@@ -419,7 +419,7 @@ static void gather(gate *g, job *jobs, uint64_t count)
         if (scenes_of_class(&g->options, c) > 0)
             report_class(g, (scene_class)c, &sum);
     }
-    for (uint64_t i = 0; i < count; i++) {
+    for (uint64_t i = 0; i < count; ++i) {
         int status;
         fclose(jobs[i].totals);
         if (waitpid(jobs[i].process, &status, 0) < 0 || status != 0) {
@@ -435,7 +435,7 @@ static bool run_all(gate *g)
     job jobs[MOST_JOBS];
     uint64_t started = 0;
     while (o->jobs > 1 && started < o->jobs && start_job(g, started, &jobs[started]))
-        started++;
+        ++started;
     /* The reference is started after the processes, because it does not survive a fork. */
     if (started < o->jobs && o->jobs > 1) {
         fprintf(stderr, "parity: %" PRIu64 " processes cannot be started\n", o->jobs);
@@ -450,7 +450,7 @@ static bool run_all(gate *g)
     if (o->jobs > 1) {
         gather(g, jobs, started);
     } else {
-        for (int c = 0; c < CLASS_COUNT; c++) {
+        for (int c = 0; c < CLASS_COUNT; ++c) {
             const uint64_t count = scenes_of_class(o, c);
             const totals t = run_class(g, (scene_class)c, count, 0);
             if (count > 0)
@@ -531,7 +531,7 @@ int main(int argc, char **argv)
 {
     gate g;
     memset(&g, 0, sizeof g);
-    for (int i = 1; i < argc; i++)
+    for (int i = 1; i < argc; ++i)
         if (strcmp(argv[i], "--help") == 0) {
             print_help();
             return EXIT_SUCCESS;

@@ -124,7 +124,7 @@ scene_class scene_class_of(const char *name)
 {
     int c = 0;
     while (c < CLASS_COUNT && strcmp(name, scene_class_name((scene_class)c)) != 0)
-        c++;
+        ++c;
     return (scene_class)c;
 }
 
@@ -142,7 +142,7 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
     /* The seed comes from the class's name, not from its position in the enumeration, so that a new
      * class leaves the scenes of the others unchanged. */
     uint64_t mix = seed;
-    for (const char *name = scene_class_name(c); *name; name++)
+    for (const char *name = scene_class_name(c); *name; ++name)
         mix = random_splitmix(&mix) ^ (unsigned char)*name;
     mix = random_splitmix(&mix) ^ number;
 

@@ -16,7 +16,7 @@ static gn_format attachment_format(builder *b)
 void add_attachments(builder *b)
 {
     const uint32_t count = 1 + random_below(&b->random, GN_MAX_COLORS - 1);
-    for (uint32_t a = 0; a < count; a++)
+    for (uint32_t a = 0; a < count; ++a)
         b->scene->more_colors[a] = attachment_format(b);
     b->scene->more_colors[count - 1] = GN_FORMAT_RGBA8;
 }
@@ -30,7 +30,7 @@ void random_outputs(builder *b)
 void mix_attachments(builder *b, bool blends_floats)
 {
     random_source *r = &b->random;
-    for (int a = 1; a < GN_MAX_COLORS; a++) {
+    for (int a = 1; a < GN_MAX_COLORS; ++a) {
         const gn_format format = scene_color_format(b->scene, a);
         const bool keeps =
             format == GN_FORMAT_NONE || format == GN_FORMAT_SRGB8_A8 ||
@@ -53,7 +53,7 @@ void generate_attachments(builder *b)
     }
     if (random_chance(r, 25))
         b->scene->color_format = attachment_format(b);
-    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; --draws) {
         builder_common_state(b);
         if (random_chance(r, 40) && b->scene->color_format != GN_FORMAT_SRGB8_A8)
             random_blend(b, 0);

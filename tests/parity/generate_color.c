@@ -47,8 +47,8 @@ static void color_draw(builder *b, uint32_t count)
     b->uniforms.light.diffuse = (gn_vec3){0.75f, 0.5f, 0.5f};
     if (random_chance(r, 30)) {
         const float low = -random_unit(r), high = 1.0f + random_unit(r);
-        for (uint32_t i = 0; i < b->vertex_count; i++)
-            for (int c = 0; c < 4; c++)
+        for (uint32_t i = 0; i < b->vertex_count; ++i)
+            for (int c = 0; c < 4; ++c)
                 b->vertices[i].color[c] = random_float(r, low, high);
     }
 }
@@ -59,7 +59,7 @@ void generate_color_mask(builder *b)
     color_target(b);
     if (random_chance(r, 60))
         b->scene->color_format = random_chance(r, 25) ? GN_FORMAT_RGBA32F : random_color_format(b);
-    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; --draws) {
         builder_common_state(b);
         random_mask(b, 0);
         color_draw(b, 1 + builder_triangle_count(b) / 2);
@@ -140,7 +140,7 @@ void random_blend(builder *b, int attachment)
     if (has_one_channel(scene_color_format(b->scene, attachment)) && random_chance(r, 60))
         random_mix(r, blend);
     const bool beyond = random_chance(r, 20);
-    for (int c = 0; c < 4; c++)
+    for (int c = 0; c < 4; ++c)
         b->state.color.blend_constant[c] = beyond ? random_float(r, -1.0f, 2.0f) : random_unit(r);
 }
 
@@ -149,7 +149,7 @@ void random_blend(builder *b, int attachment)
 static void srgb_blend(builder *b)
 {
     random_source *r = &b->random;
-    for (int c = 0; c < 3; c++) { /* within a fifth of a step */
+    for (int c = 0; c < 3; ++c) { /* within a fifth of a step */
         const float x = (float)random_between(r, 16, 255) / 255.0f;
         b->scene->clear_color[c] = x * (0.0030f + x * x * 0.3012f) + (0.0023f + x * x * 0.6935f);
     }
@@ -170,7 +170,7 @@ void generate_blend(builder *b)
         srgb_blend(b);
         return;
     }
-    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; --draws) {
         builder_common_state(b);
         random_blend(b, 0);
         if (random_chance(r, 20))
@@ -187,9 +187,9 @@ void generate_float_blend(builder *b)
     static const gn_format formats[] = {GN_FORMAT_RGBA32F, GN_FORMAT_R32F, GN_FORMAT_RGBA16F};
     color_target(b);
     b->scene->color_format = formats[random_below(r, 3)];
-    for (int c = 0; c < 4; c++)
+    for (int c = 0; c < 4; ++c)
         b->scene->clear_color[c] = random_float(r, -2.0f, 3.0f);
-    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; --draws) {
         builder_common_state(b);
         random_blend(b, 0);
         if (random_chance(r, 20))
@@ -211,7 +211,7 @@ void generate_logic(builder *b)
     color_target(b);
     if (random_chance(r, 60))
         b->scene->color_format = random_chance(r, 20) ? GN_FORMAT_RGBA32F : random_color_format(b);
-    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; --draws) {
         builder_common_state(b);
         random_logic(b);
         if (random_chance(r, 10))

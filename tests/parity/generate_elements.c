@@ -11,7 +11,7 @@ static void add_restarts(builder *b)
         b->restart_index = random_chance(r, 30)
                                ? 250
                                : random_below(r, b->vertex_count) - (uint32_t)b->base_vertex;
-    for (uint32_t i = 0; i < b->index_count; i++)
+    for (uint32_t i = 0; i < b->index_count; ++i)
         if (random_chance(r, percent))
             b->indices[i] = BUILDER_RESTART;
 }
@@ -28,7 +28,7 @@ void shape_elements(builder *b)
         return;
     if (random_chance(r, 40)) {
         uint32_t least = b->index_format == GN_INDEX_UINT8 ? 0 : 9;
-        for (uint32_t i = 0; i < b->index_count; i++)
+        for (uint32_t i = 0; i < b->index_count; ++i)
             least = b->indices[i] < least ? b->indices[i] : least;
         /* The elements left out at both ends may name any vertex. */
         least = b->lead + b->trail > 0 ? 0 : least;
@@ -43,7 +43,7 @@ void generate_instances(builder *b)
     static const gn_index_format formats[] = {GN_INDEX_UINT8, GN_INDEX_UINT16, GN_INDEX_UINT32};
     random_source *r = &b->random;
     builder_common_target(b);
-    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; --draws) {
         builder_common_state(b);
         b->state.depth.function = random_chance(r, 50) ? GN_LESS : GN_LESS_OR_EQUAL;
         b->state.raster.topology = (gn_topology)random_below(r, 3);
@@ -53,7 +53,7 @@ void generate_instances(builder *b)
             b->state.raster.front_face = (gn_front_face)random_below(r, 2);
         }
         const bool flat = random_chance(r, 30);
-        for (int i = 0; flat && i < 4; i++)
+        for (int i = 0; flat && i < 4; ++i)
             b->state.program.interpolation[i] = GN_FLAT;
         const uint32_t vertices =
             random_chance(r, 70) ? 3 + random_below(r, 40) : 200 + random_below(r, 400);

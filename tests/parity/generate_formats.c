@@ -68,18 +68,18 @@ void generate_formats(builder *b)
         b->scene->width = 1 + random_below(r, 40);
         b->scene->height = 1 + random_below(r, 40);
     }
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4; ++i)
         b->scene->clear_color[i] = format_color(r);
-    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; --draws) {
         builder_common_state(b);
         const bool flat = random_chance(r, 60);
-        for (int i = 0; flat && i < 4; i++)
+        for (int i = 0; flat && i < 4; ++i)
             b->state.program.interpolation[i] = GN_FLAT;
         const placement p = (placement)random_below(r, PLACE_COUNT);
         shape_triangles(b, p, builder_triangle_count(b));
         const bool gradient = !flat && random_chance(r, 50);
-        for (uint32_t i = 0; !gradient && i < b->vertex_count; i++)
-            for (int c = 0; c < 4; c++)
+        for (uint32_t i = 0; !gradient && i < b->vertex_count; ++i)
+            for (int c = 0; c < 4; ++c)
                 b->vertices[i].color[c] = format_color(r);
         builder_draw(b);
     }

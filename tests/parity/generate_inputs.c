@@ -12,8 +12,8 @@ static void stretch_colors(builder *b)
     const float low = random_chance(r, 50) ? 0.0f : -0.5f;
     const float high = random_chance(r, 50) ? 1.0f : 1.5f;
     const bool equal = random_chance(r, 10);
-    for (uint32_t i = 0; i < b->vertex_count; i++)
-        for (int c = 2; c < 4; c++)
+    for (uint32_t i = 0; i < b->vertex_count; ++i)
+        for (int c = 2; c < 4; ++c)
             b->vertices[i].color[c] = equal ? 0.5f : random_float(r, low, high);
     if (b->vertex_count > 0 && random_chance(r, 10))
         b->vertices[random_below(r, b->vertex_count)].color[2] = NAN;
@@ -52,7 +52,7 @@ void generate_inputs(builder *b)
     b->scene->depth_format = depths[random_below(r, 4)];
     if (random_chance(r, 50))
         b->scene->color_format = GN_FORMAT_RGBA32F;
-    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; --draws) {
         builder_common_state(b);
         b->state.depth.function = random_chance(r, 50) ? random_comparison(r) : GN_COMPARE_DEFAULT;
         b->state.depth.write_disabled = random_chance(r, 15);
@@ -75,7 +75,7 @@ void generate_counting(builder *b)
     random_source *r = &b->random;
     builder_common_target(b);
     b->scene->depth_format = depths[random_below(r, 6)];
-    for (uint32_t draws = 1 + random_below(r, 4); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 4); draws > 0; --draws) {
         builder_common_state(b);
         b->state.depth.function = random_chance(r, 30) ? random_comparison(r) : GN_COMPARE_DEFAULT;
         b->state.raster.cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
@@ -99,12 +99,12 @@ void random_derivatives(builder *b)
     const bool one = random_chance(r, 70);
     const gn_interpolation all = (gn_interpolation)random_below(r, 2);
     b->shader = SCENE_DERIVATIVES;
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4; ++i)
         b->state.program.interpolation[i] = one ? all : mixed[i];
     /* Steep enough to change bytes. */
     const float scale = b->scene->color_format == GN_FORMAT_RGBA32F ? 1.0f : 16.0f;
-    for (uint32_t i = 0; i < b->vertex_count; i++)
-        for (int c = 0; c < 4; c++)
+    for (uint32_t i = 0; i < b->vertex_count; ++i)
+        for (int c = 0; c < 4; ++c)
             b->vertices[i].color[c] = (b->vertices[i].color[c] - 0.5f) * scale;
 }
 
@@ -114,7 +114,7 @@ void generate_derivatives(builder *b)
     builder_common_target(b);
     if (random_chance(r, 80))
         b->scene->color_format = GN_FORMAT_RGBA32F;
-    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; --draws) {
         builder_common_state(b);
         b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
         const uint32_t kind = random_below(r, 20);

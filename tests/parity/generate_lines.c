@@ -49,7 +49,7 @@ void shape_points(builder *b, uint32_t count)
      * (reference/RULES.md). */
     b->state.program.vertex_writes_point_size =
         scene_shader_has_sizes(b->shader) && !b->state.raster.viewport.set && random_chance(r, 50);
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; ++i) {
         place_end(b, p);
         b->vertices[b->vertex_count - 1].texcoord[0] =
             random_chance(r, 5) ? -random_size(r) : random_size(r);
@@ -68,7 +68,7 @@ void shape_lines(builder *b, uint32_t count)
     /* Now and then too few vertices for a line. */
     const uint32_t elements = random_chance(r, 5) ? random_below(r, 3) : count + 1;
     float x = 0.0f, y = 0.0f;
-    for (uint32_t i = 0; i < elements; i++) {
+    for (uint32_t i = 0; i < elements; ++i) {
         if (kind == 0 && p != PLACE_CLIP) { /* near the previous one */
             const bool far = i == 0 || random_chance(r, 10);
             const float grain = random_chance(r, 60) ? 4.0f : 256.0f;
@@ -96,7 +96,7 @@ static void random_state(builder *b)
     b->state.raster.cull = (gn_cull)random_below(r, 4);
     const bool one = random_chance(r, 50);
     const gn_interpolation all = (gn_interpolation)random_below(r, 3);
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4; ++i)
         b->state.program.interpolation[i] = one ? all : (gn_interpolation)random_below(r, 3);
     if (random_chance(r, 15))
         b->shader = (scene_shader)random_below(r, 3);
@@ -115,14 +115,14 @@ static void random_target(builder *b)
 static void generate(builder *b, void (*shape)(builder *, uint32_t))
 {
     random_source *r = &b->random;
-    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; --draws) {
         random_state(b);
         shape(b, builder_triangle_count(b));
         if (random_chance(r, 30)) {
             const uint32_t elements = b->vertex_count;
             b->index_format =
                 b->vertex_count > 256 ? GN_INDEX_UINT16 : (gn_index_format)random_below(r, 4);
-            for (uint32_t i = 0; i < elements; i++)
+            for (uint32_t i = 0; i < elements; ++i)
                 builder_index(b, random_below(r, b->vertex_count));
         }
         b->lead = random_chance(r, 20) ? random_below(r, 9) : 0;
@@ -149,7 +149,7 @@ void generate_point_coordinates(builder *b)
     builder_common_target(b);
     if (random_chance(r, 70))
         b->scene->color_format = GN_FORMAT_RGBA32F;
-    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; --draws) {
         builder_common_state(b);
         b->shader = SCENE_INPUTS;
         shape_points(b, builder_triangle_count(b));
@@ -200,7 +200,7 @@ static void shape_outlines(builder *b, uint32_t count)
         b->state.program.vertex_writes_point_size =
             b->shader == SCENE_VERTEX_COLOR && random_chance(r, 50);
         shape_any(b, 1 + count / 3);
-        for (uint32_t i = 0; i < b->vertex_count; i++)
+        for (uint32_t i = 0; i < b->vertex_count; ++i)
             b->vertices[i].texcoord[0] = random_size(r);
         break;
     }

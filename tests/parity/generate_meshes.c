@@ -15,7 +15,7 @@ static relief random_relief(builder *b)
 {
     random_source *r = &b->random;
     relief f = {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, 0.0f};
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; ++i)
         f.z[i] = random_float(r, -0.4f, 0.4f);
     if (random_chance(r, 60)) {
         f.w[0] = random_octave(r, -1, 1);
@@ -41,7 +41,7 @@ static void place_on_relief(builder *b, const relief *f, vertex *v, float x, flo
 static void triangle(builder *b, uint32_t v0, uint32_t v1, uint32_t v2)
 {
     const uint32_t corner[3] = {v0, v1, v2}, turn = random_below(&b->random, 3);
-    for (uint32_t k = 0; k < 3; k++)
+    for (uint32_t k = 0; k < 3; ++k)
         builder_index(b, corner[(k + turn) % 3]);
 }
 
@@ -57,8 +57,8 @@ void shape_grid(builder *b, uint32_t columns, uint32_t rows)
     const float step_x = view.width * (1.0f - 2.0f * margin) / (float)columns;
     const float step_y = view.height * (1.0f - 2.0f * margin) / (float)rows;
     const uint32_t base = b->vertex_count;
-    for (uint32_t j = 0; j <= rows; j++)
-        for (uint32_t i = 0; i <= columns; i++) {
+    for (uint32_t j = 0; j <= rows; ++j)
+        for (uint32_t i = 0; i <= columns; ++i) {
             const bool inner = i > 0 && i < columns && j > 0 && j < rows;
             const float move = inner ? jitter : 0.0f;
             float x = x0 + step_x * ((float)i + random_float(r, -move, move));
@@ -70,8 +70,8 @@ void shape_grid(builder *b, uint32_t columns, uint32_t rows)
             }
             place_on_relief(b, &f, builder_vertex(b), x, y);
         }
-    for (uint32_t j = 0; j < rows; j++)
-        for (uint32_t i = 0; i < columns; i++) {
+    for (uint32_t j = 0; j < rows; ++j)
+        for (uint32_t i = 0; i < columns; ++i) {
             const uint32_t low = base + j * (columns + 1) + i, high = low + columns + 1;
             if (random_chance(r, 50)) {
                 triangle(b, low, low + 1, high + 1);
@@ -101,7 +101,7 @@ void shape_hub(builder *b, uint32_t spokes)
     const uint32_t hub = b->vertex_count;
     place_on_relief(b, &f, builder_vertex(b), x, y);
     /* The places are around a square, not a circle: no trigonometry, and some exact ties. */
-    for (uint32_t i = 0; i < spokes; i++) {
+    for (uint32_t i = 0; i < spokes; ++i) {
         const float t = 4.0f * (float)i / (float)spokes, side = floorf(t), along = t - side;
         const float u = side == 0.0f   ? 1.0f
                         : side == 1.0f ? 1.0f - 2.0f * along
@@ -113,7 +113,7 @@ void shape_hub(builder *b, uint32_t spokes)
                                        : -1.0f;
         place_on_relief(b, &f, builder_vertex(b), x + radius * u, y + radius * v);
     }
-    for (uint32_t i = 0; i < spokes; i++)
+    for (uint32_t i = 0; i < spokes; ++i)
         triangle(b, hub, hub + 1 + i, hub + 1 + (i + 1) % spokes);
 }
 
@@ -121,11 +121,11 @@ void shape_pile(builder *b, uint32_t count)
 {
     random_source *r = &b->random;
     const uint32_t kind = random_below(r, 3);
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; ++i) {
         const float level = (float)random_between(r, -2, 2) * 0.25f;
         /* Two planes, so that many triangles lie in one and cross the other. */
         const float slope_x = i & 1 ? 0.5f : -0.25f, slope_y = i & 1 ? -0.25f : 0.5f;
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 3; ++k) {
             vertex *v = builder_vertex(b);
             shape_place(b, v, random_chance(r, 50) ? PLACE_AFFINE : PLACE_TIES);
             const float w = v->position[3];
@@ -149,7 +149,7 @@ void shape_strip(builder *b, uint32_t triangles)
     const uint32_t count = kind == 0 ? random_below(r, 3) : kind < 5 ? 4 : triangles + 2;
     const bool walk = random_chance(r, 60);
     float x = view.x + 0.5f * view.width, y = view.y + 0.5f * view.height;
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; ++i) {
         vertex *v = builder_vertex(b);
         shape_place(b, v, random_chance(r, 30) ? PLACE_ANYWHERE : PLACE_TIES);
         if (!walk)
@@ -169,10 +169,10 @@ void shape_random_indices(builder *b, placement p, uint32_t vertices, uint32_t t
 {
     random_source *r = &b->random;
     const uint32_t base = b->vertex_count;
-    for (uint32_t i = 0; i < vertices; i++)
+    for (uint32_t i = 0; i < vertices; ++i)
         shape_place(b, builder_vertex(b), p);
     const uint32_t per = b->state.raster.topology == GN_TRIANGLES ? 3 * triangles : triangles + 2;
-    for (uint32_t i = 0; i < per; i++)
+    for (uint32_t i = 0; i < per; ++i)
         builder_index(b, base + random_below(r, vertices));
 }
 
@@ -188,7 +188,7 @@ void generate_meshes(builder *b)
 {
     random_source *r = &b->random;
     builder_common_target(b);
-    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; --draws) {
         builder_common_state(b);
         if (random_chance(r, 65))
             shape_any_grid(b, 9);
@@ -206,7 +206,7 @@ void generate_piles(builder *b)
     builder_common_target(b);
     const gn_format depths[] = {GN_FORMAT_D16, GN_FORMAT_D24, GN_FORMAT_D32F};
     b->scene->depth_format = depths[random_below(r, 3)];
-    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; --draws) {
         builder_common_state(b);
         b->state.depth.test = true;
         b->state.depth.function = functions[random_below(r, 2)];
@@ -216,7 +216,7 @@ void generate_piles(builder *b)
             b->state.depth.function = functions[random_below(r, 4)];
             scene_draw *first = &b->scene->draws[b->scene->draw_count - 1];
             const float *position = first->mesh.attribute[GN_ATTRIBUTE_POSITION].data;
-            for (uint32_t i = 0; i < first->mesh.vertex_count; i++)
+            for (uint32_t i = 0; i < first->mesh.vertex_count; ++i)
                 memcpy(builder_vertex(b)->position, position + 4 * i, 4 * sizeof *position);
         }
         builder_draw(b);
@@ -227,10 +227,10 @@ void generate_strips(builder *b)
 {
     random_source *r = &b->random;
     builder_common_target(b);
-    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; --draws) {
         builder_common_state(b);
         const bool flat = random_chance(r, 50);
-        for (int i = 0; flat && i < 4; i++)
+        for (int i = 0; flat && i < 4; ++i)
             b->state.program.interpolation[i] = GN_FLAT;
         b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
         shape_strip(b, builder_triangle_count(b));
@@ -243,7 +243,7 @@ void generate_indexed(builder *b)
 {
     random_source *r = &b->random;
     builder_common_target(b);
-    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; --draws) {
         builder_common_state(b);
         b->state.raster.topology =
             random_chance(r, 60) ? GN_TRIANGLES : (gn_topology)random_below(r, 3);

@@ -1,9 +1,10 @@
 /* Scenes of other classes with several samples a pixel. */
 #include "generate.h"
-#include "generate_parts.h"
 
 #include <math.h>
 #include <string.h>
+
+#include "generate_parts.h"
 
 /* The size of the reference's tiles. At their lower left sides the reference loses lines
  * (reference/RULES.md). */
@@ -15,9 +16,9 @@ static bool line_in_window(const scene *s, const scene_draw *d, const float *con
 {
     const gn_viewport whole = {true, 0.0f, 0.0f, (float)s->width, (float)s->height};
     const gn_viewport v = d->state.raster.viewport.set ? d->state.raster.viewport : whole;
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; ++i) {
         const double w = (double)end[i][3];
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; ++c)
             if (!(fabs((double)end[i][c]) < 0.999 * w))
                 return false;
         if (d->state.depth.clip_depth == GN_ZERO_TO_ONE && !((double)end[i][2] > 0.001 * w))
@@ -40,7 +41,7 @@ static bool line_is_safe(const scene *s, const scene_draw *d, const float *const
     if (!line_in_window(s, d, end, at))
         return false;
     const double length = hypot(at[0][0] - at[1][0], at[0][1] - at[1][1]);
-    for (int c = 0; c < 2; c++) {
+    for (int c = 0; c < 2; ++c) {
         const double half = 0.5 * width * fabs(at[0][!c] - at[1][!c]) / length;
         const double low = fmin(at[0][c], at[1][c]) - half, high = fmax(at[0][c], at[1][c]) + half;
         const double in_tile = low - TILE * floor(low / TILE);
@@ -66,7 +67,7 @@ static bool move_lines(random_source *r, scene *s, scene_draw *d)
     float *const p = (float *)position->data;
     const float least = d->state.depth.clip_depth == GN_ZERO_TO_ONE ? 0.01f : -0.99f;
     bool moved = true;
-    for (int attempt = 0; moved && attempt < 100; attempt++) {
+    for (int attempt = 0; moved && attempt < 100; ++attempt) {
         moved = false;
         for (uint32_t i = 0; i + 1 < mesh->count + (d->state.raster.topology == GN_LINE_LOOP);
              i += step) {
@@ -77,9 +78,9 @@ static bool move_lines(random_source *r, scene *s, scene_draw *d)
             if (line_is_safe(s, d, ends))
                 continue;
             moved = true;
-            for (int e = 0; e < 2; e++) {
+            for (int e = 0; e < 2; ++e) {
                 end[e][3] = random_chance(r, 50) ? 1.0f : random_float(r, 0.25f, 4.0f);
-                for (int c = 0; c < 3; c++)
+                for (int c = 0; c < 3; ++c)
                     end[e][c] = end[e][3] * random_float(r, c == 2 ? least : -0.99f, 0.99f);
             }
         }
@@ -90,7 +91,7 @@ static bool move_lines(random_source *r, scene *s, scene_draw *d)
 /* Noperspective varyings are only for triangles within the sides of the viewport. */
 static void smooth_all(scene_draw *d)
 {
-    for (int i = 0; i < GN_MAX_VARYINGS; i++)
+    for (int i = 0; i < GN_MAX_VARYINGS; ++i)
         if (d->state.program.interpolation[i] == GN_NOPERSPECTIVE)
             d->state.program.interpolation[i] = GN_SMOOTH;
 }
@@ -140,7 +141,7 @@ static void random_sample_state(random_source *r, gn_pipeline *p)
 void make_sampled(random_source *r, scene *s)
 {
     s->samples = GN_SAMPLES;
-    for (size_t i = 0; i < s->draw_count; i++) {
+    for (size_t i = 0; i < s->draw_count; ++i) {
         avoid_defects(r, s, &s->draws[i]);
         if (random_chance(r, 50))
             random_sample_state(r, &s->draws[i].state);
@@ -180,7 +181,7 @@ scene *generate_masks(uint64_t seed)
     const uint64_t number = random_bits(&r);
     const uint64_t inner_seed = random_bits(&r);
     scene *const s = generate_scene(inner_seed, c, number);
-    for (size_t i = 0; i < s->draw_count; i++)
+    for (size_t i = 0; i < s->draw_count; ++i)
         mask_samples(&r, &s->draws[i]);
     if (random_chance(&r, 85))
         make_sampled(&r, s);

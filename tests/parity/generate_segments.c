@@ -60,8 +60,8 @@ static place random_hub(builder *b)
  * to the line. Returns false if the line has lattice points between those two. */
 static bool find_aside(place way, place *aside)
 {
-    for (aside->x = -7; aside->x <= 7; aside->x++)
-        for (aside->y = -7; aside->y <= 7; aside->y++)
+    for (aside->x = -7; aside->x <= 7; ++aside->x)
+        for (aside->y = -7; aside->y <= 7; ++aside->y)
             if (way.x * aside->y - way.y * aside->x == 1)
                 return true;
     return false;
@@ -90,7 +90,7 @@ static void add_sliver(segments *s, uint32_t sliver[3])
 
     sliver[0] =
         s->b->state.raster.topology == GN_TRIANGLE_FAN ? s->rest : add_vertex(s->b, hub, 0, 0);
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; ++i) {
         const float across = (i == 0 ? 0.42f : -0.42f) / length;
         float off_x = across * (float)-way.y, off_y = across * (float)way.x;
         if (!s->turned) {
@@ -108,13 +108,13 @@ static void choose_sliver(segments *s, uint32_t sliver[3])
         return;
     }
     const uint32_t n = random_below(&s->b->random, s->pool_size);
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; ++i)
         sliver[i] = s->pool[n][i];
 }
 
 static bool is_near_boundary(uint32_t element)
 {
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; i < 6; ++i)
         if ((element + 12) % lengths[i] < 24)
             return true;
     return false;
@@ -153,7 +153,7 @@ static void add_triangles(segments *s, uint32_t begin)
         builder_index(b, s->rest);
         break;
     default:
-        for (int i = 0; i < 3; i++)
+        for (int i = 0; i < 3; ++i)
             builder_index(b, sliver[i]);
         break;
     }
@@ -181,12 +181,11 @@ static void add_run(segments *s, uint32_t count)
 {
     builder *b = s->b;
     const uint32_t begin = b->index_count;
-    while (b->index_count < begin + count) {
+    while (b->index_count < begin + count)
         if (b->state.raster.topology <= GN_TRIANGLE_FAN)
             add_triangles(s, begin);
         else
             add_step(s);
-    }
     b->index_count = begin + count;
 }
 
@@ -226,7 +225,7 @@ static void put_outside(builder *b, uint32_t element)
 /* Adds vertices that no element names, some of them outside the view volume. */
 static void add_unnamed(builder *b, uint32_t count)
 {
-    for (uint32_t n = 0; n < count; n++)
+    for (uint32_t n = 0; n < count; ++n)
         builder_vertex(b)->position[2] = random_chance(&b->random, 40) ? 2.0f : 0.0f;
 }
 
@@ -250,7 +249,7 @@ static void choose_state(builder *b)
     b->state.raster.front_face = (gn_front_face)random_below(r, 2);
     b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
     b->state.depth.test = false;
-    for (int i = 0; i < 4 && random_chance(r, 20); i++)
+    for (int i = 0; i < 4 && random_chance(r, 20); ++i)
         b->state.program.interpolation[i] = GN_FLAT;
     if (random_chance(r, 8)) {
         b->state.raster.polygon_mode_front = (gn_polygon_mode)random_below(r, 3);
@@ -265,7 +264,7 @@ static uint32_t choose_count(builder *b)
     random_source *r = &b->random;
     const bool indexed = b->index_format != GN_INDEX_NONE;
     uint32_t count = random_chance(r, indexed ? 10 : 70) ? 4096 : 0;
-    for (uint32_t n = random_below(r, 3) + (count == 0); n > 0; n--)
+    for (uint32_t n = random_below(r, 3) + (count == 0); n > 0; --n)
         count += lengths[random_below(r, 3)];
     if (random_chance(r, 10))
         count += 4096;
@@ -304,7 +303,7 @@ void generate_segments(builder *b)
     add_unnamed(b, random_below(r, 2));
     const uint32_t pool = 1 + random_below(r, MAX_POOL);
     if (b->index_format == GN_INDEX_UINT8 || random_chance(r, 20)) {
-        for (uint32_t n = 0; n < pool; n++)
+        for (uint32_t n = 0; n < pool; ++n)
             add_sliver(&s, s.pool[n]);
         s.pool_size = pool;
     }
@@ -314,7 +313,7 @@ void generate_segments(builder *b)
     if (b->index_format != GN_INDEX_NONE && random_chance(r, 35)) {
         b->restart = random_chance(r, 50) ? GN_RESTART_FIXED_INDEX : GN_RESTART_INDEX;
         b->restart_index = b->index_format == GN_INDEX_UINT8 ? 250 : 60000;
-        for (uint32_t n = 1 + random_below(r, 3); n > 0; n--) {
+        for (uint32_t n = 1 + random_below(r, 3); n > 0; --n) {
             const uint32_t most = random_chance(r, 70) ? 8 : 1100;
             add_run(&s, random_below(r, most));
             builder_index(b, BUILDER_RESTART);
@@ -323,7 +322,7 @@ void generate_segments(builder *b)
     }
     add_run(&s, count);
     const uint32_t outside[] = {0, 1, 1, 1, 2};
-    for (uint32_t n = outside[random_below(r, 5)]; n > 0; n--)
+    for (uint32_t n = outside[random_below(r, 5)]; n > 0; --n)
         put_outside(b, random_boundary(b, begin));
 
     if (b->index_format != GN_INDEX_NONE && random_chance(r, 30))

@@ -86,7 +86,7 @@ static void any_color_state(builder *b, bool may_blend)
         b->state.color.write_disabled[0] = random_below(r, 16);
     if (random_chance(r, 50) && may_blend)
         b->state.color.blend[0] = any_blend(r);
-    for (int c = 0; c < 4; c++)
+    for (int c = 0; c < 4; ++c)
         b->state.color.blend_constant[c] = random_unit(r);
     mix_attachments(b, false);
     b->state.color.logic = random_chance(r, b->state.color.blend[0].enabled ? 50 : 30);
@@ -118,7 +118,7 @@ static bool any_shader(builder *b)
     if (b->shader == SCENE_VERTEX_COLOR) {
         const bool one = random_chance(r, 80);
         const gn_interpolation all = (gn_interpolation)random_below(r, 3);
-        for (int i = 0; i < 4; i++) {
+        for (int i = 0; i < 4; ++i) {
             b->state.program.interpolation[i] = one ? all : (gn_interpolation)random_below(r, 3);
             noperspective = noperspective || b->state.program.interpolation[i] == GN_NOPERSPECTIVE;
         }
@@ -135,7 +135,7 @@ static void any_texture(builder *b, uint32_t *texels)
     t->height = random_chance(r, 50) ? TEXTURE_SIDE : 3;
     t->format = GN_FORMAT_RGBA8;
     t->level[0].texels = texels;
-    for (uint32_t i = 0; i < TEXTURE_SIDE * TEXTURE_SIDE; i++)
+    for (uint32_t i = 0; i < TEXTURE_SIDE * TEXTURE_SIDE; ++i)
         texels[i] = (uint32_t)(random_bits(r) >> 32) | 0x01010101u;
     b->uniforms.sampler.wrap_s = (gn_wrap)random_below(r, 5);
     b->uniforms.sampler.wrap_t = (gn_wrap)random_below(r, 5);
@@ -143,8 +143,8 @@ static void any_texture(builder *b, uint32_t *texels)
         b->uniforms.sampler.border[c] = random_float(r, 0.25f, 1.0f);
     b->uniforms.sampler.magnify = (gn_magnify)random_below(r, 2);
     b->uniforms.sampler.minify = (gn_minify)random_below(r, 6);
-    for (uint32_t i = 0; i < b->vertex_count; i++)
-        for (int c = 0; c < 2; c++)
+    for (uint32_t i = 0; i < b->vertex_count; ++i)
+        for (int c = 0; c < 2; ++c)
             b->vertices[i].texcoord[c] = random_float(r, -1.0f, 2.0f);
 }
 
@@ -167,7 +167,7 @@ static void any_mesh(builder *b, uint32_t count, bool noperspective)
         shape_separate(b, count);
     } else {
         const placement p = noperspective ? PLACE_INSIDE : (placement)random_below(r, PLACE_COUNT);
-        for (uint32_t i = 0; i < count + 2 || i < 3; i++)
+        for (uint32_t i = 0; i < count + 2 || i < 3; ++i)
             shape_place(b, builder_vertex(b), p);
     }
     b->state.raster.topology = topology;
@@ -176,7 +176,7 @@ static void any_mesh(builder *b, uint32_t count, bool noperspective)
         b->index_format = GN_INDEX_UINT16;
     if (b->index_format != GN_INDEX_NONE && b->index_count == 0 && random_chance(r, 50) &&
         (topology != GN_TRIANGLES || noperspective))
-        for (uint32_t i = 0, elements = b->vertex_count; i < elements; i++)
+        for (uint32_t i = 0, elements = b->vertex_count; i < elements; ++i)
             builder_index(b, random_below(r, b->vertex_count));
     if (topology != GN_POINTS)
         b->state.raster.point_size = (float)random_below(r, 4);
@@ -263,7 +263,7 @@ static void random_clear(builder *b, scene_clear *clear)
     const uint32_t which = 1 + random_below(r, 3);
     clear->color = which & 1;
     clear->depth = which >> 1;
-    for (int c = 0; c < 4; c++)
+    for (int c = 0; c < 4; ++c)
         clear->color_value[c] = random_unit(r);
     clear->depth_value = random_chance(r, 50) ? 1.0f : random_unit(r);
     clear->stencil_value = (uint8_t)random_below(r, 256);
@@ -282,7 +282,7 @@ void generate_sequences(builder *b)
     if (random_chance(r, 25))
         add_attachments(b);
     const uint32_t draws = 7 + random_below(r, 14);
-    for (uint32_t since = 0; b->scene->draw_count < draws; since++) {
+    for (uint32_t since = 0; b->scene->draw_count < draws; ++since) {
         scene_clear clear = {0};
         if (since > 0 && random_chance(r, 15))
             random_clear(b, &clear);

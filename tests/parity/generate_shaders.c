@@ -10,9 +10,9 @@ static void random_map_texels(random_source *r, const gn_texture *t, void *texel
 {
     const size_t count = scene_texture_elements(t) / (t->format == GN_FORMAT_RGBA32F ? 4u : 1u);
 
-    for (size_t i = 0; t->format != GN_FORMAT_RGBA32F && i < count; i++)
+    for (size_t i = 0; t->format != GN_FORMAT_RGBA32F && i < count; ++i)
         ((uint32_t *)texels)[i] = (uint32_t)(random_bits(r) >> 32) | 0x01010101u;
-    for (size_t i = 0; t->format == GN_FORMAT_RGBA32F && i < 4 * count; i++)
+    for (size_t i = 0; t->format == GN_FORMAT_RGBA32F && i < 4 * count; ++i)
         ((float *)texels)[i] = random_float(r, 0.01f, 1.0f);
 }
 
@@ -29,7 +29,7 @@ static void *random_map(builder *b, gn_texture *t)
                                        : GN_FORMAT_SRGB8_A8;
     t->level_count = 1;
     while (random_chance(r, 50) && (t->width | t->height) >> t->level_count)
-        t->level_count++;
+        ++t->level_count;
     void *texels = malloc(scene_texture_elements(t) * scene_element_size(t->format));
     if (!texels) {
         fprintf(stderr, "parity: out of memory\n");
@@ -57,7 +57,7 @@ static void random_point_light(builder *b)
 
     s->has_point_light = true;
     s->light_position = random_vec3(r, -4.0f, 4.0f);
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; ++i)
         s->attenuation[i] = random_chance(r, 60) ? random_float(r, 0.0f, 2.0f) : 0.0f;
 }
 
@@ -85,11 +85,11 @@ static void random_texture_coordinates(builder *b)
     random_source *r = &b->random;
     const float extent = random_octave(r, -2, 3);
 
-    for (uint32_t i = 0; i < b->vertex_count; i++) {
+    for (uint32_t i = 0; i < b->vertex_count; ++i) {
         vertex *v = &b->vertices[i];
         const gn_vec3 tangent = random_vec3(r, -1.0f, 1.0f);
 
-        for (int c = 0; c < 2; c++)
+        for (int c = 0; c < 2; ++c)
             v->texcoord[c] = v->texcoord[c] * extent - 0.25f;
         v->tangent[0] = tangent.x;
         v->tangent[1] = tangent.y;
@@ -124,7 +124,7 @@ static void random_map_sampler(random_source *r, gn_sampler *s)
     s->wrap_t = (gn_wrap)random_below(r, 5);
     s->magnify = (gn_magnify)random_below(r, 2);
     s->minify = (gn_minify)random_below(r, 6);
-    for (int c = 0; c < 4; c++)
+    for (int c = 0; c < 4; ++c)
         s->border[c] = random_float(r, 0.25f, 1.0f);
 }
 
@@ -140,7 +140,7 @@ void random_shading(builder *b, shading_memory *memory)
     random_map_sampler(r, &b->uniforms.sampler);
     if (random_chance(r, 50) || b->shader == SCENE_TEXTURED_GOURAUD)
         memory->texels[SCENE_MAP_COUNT] = random_map(b, &b->uniforms.texture);
-    for (int m = SCENE_NORMAL_MAP; m <= SCENE_GLOW_MAP; m++)
+    for (int m = SCENE_NORMAL_MAP; m <= SCENE_GLOW_MAP; ++m)
         if (random_chance(r, 50))
             memory->texels[m] = random_map(b, &b->surface.map[m]);
     if (b->shader == SCENE_DEPTH_COLOR && random_chance(r, 60)) {
@@ -151,7 +151,7 @@ void random_shading(builder *b, shading_memory *memory)
 
 void free_shading(shading_memory *memory)
 {
-    for (int m = 0; m <= SCENE_MAP_COUNT; m++)
+    for (int m = 0; m <= SCENE_MAP_COUNT; ++m)
         free(memory->texels[m]);
 }
 
@@ -194,7 +194,7 @@ void generate_shaders(builder *b)
     builder_common_target(b);
     if (random_chance(r, 40))
         b->scene->color_format = GN_FORMAT_RGBA32F;
-    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--)
+    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; --draws)
         add_shaded(b, random_shader(b));
 }
 
@@ -213,8 +213,8 @@ static void random_light_camera(builder *b)
     float towards[3];
     gn_mat4 view = {{{0}}}, projection = {{{0}}};
 
-    for (int row = 0; row < 3; row++) {
-        for (int column = 0; column < 3; column++) {
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
             view.m[column][row] = turn.m[column][row];
             view.m[3][row] -= turn.m[column][row] * center[column];
         }
@@ -264,7 +264,7 @@ static void add_shadow_map(builder *b)
     gn_mat4_multiply(&b->surface.shadow_from_world, &b->surface.world_from_model,
                      &seen.uniforms.light.clip_from_model);
     *scene_add_draw(first) = seen;
-    copy->draw_count--;
+    --copy->draw_count;
     if (!scene_frame_allocate(&frame, first) ||
         scene_draw_library(first, &frame, 0, GN_BACKEND_PORTABLE) != GN_OK) {
         fprintf(stderr, "parity: a shadow map cannot be drawn\n");
@@ -309,6 +309,6 @@ void generate_shadowed(builder *b)
     builder_common_target(b);
     if (random_chance(&b->random, 40))
         b->scene->color_format = GN_FORMAT_RGBA32F;
-    for (uint32_t draws = 1 + random_below(&b->random, 2); draws > 0; draws--)
+    for (uint32_t draws = 1 + random_below(&b->random, 2); draws > 0; --draws)
         add_shadowed(b);
 }

@@ -8,10 +8,10 @@
 static gn_mat4 product(const gn_mat4 *a, const gn_mat4 *b)
 {
     gn_mat4 m;
-    for (int column = 0; column < 4; column++)
-        for (int row = 0; row < 4; row++) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row) {
             m.m[column][row] = 0.0f;
-            for (int k = 0; k < 4; k++)
+            for (int k = 0; k < 4; ++k)
                 m.m[column][row] += a->m[k][row] * b->m[column][k];
         }
     return m;
@@ -25,12 +25,12 @@ void random_camera(builder *b)
     const float z_near = random_chance(r, 70) ? 0.1f : distance - random_float(r, 0.0f, 1.0f);
     const float z_far = z_near + random_float(r, 1.0f, 10.0f), zoom = random_octave(r, -1, 1);
     float stretch[3];
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; ++i)
         stretch[i] = random_chance(r, 70) ? 1.0f : random_octave(r, -1, 0);
 
     gn_mat4 view = {{{0}}}, projection = {{{0}}};
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
             view.m[i][j] = turn.m[i][j] * stretch[i];
             b->uniforms.light.normal_matrix.m[i][j] = turn.m[i][j] / stretch[i];
         }
@@ -52,7 +52,7 @@ void random_light(builder *b)
     const bool strong = random_chance(r, 30);
     b->uniforms.light.light_direction = (gn_vec3){turn.m[0][0], turn.m[0][1], turn.m[0][2]};
     float color[6];
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; i < 6; ++i)
         color[i] = random_unit(r);
     b->uniforms.light.ambient = (gn_vec3){color[0], color[1], color[2]};
     b->uniforms.light.diffuse = (gn_vec3){color[3], color[4], color[5]};
@@ -63,27 +63,27 @@ void random_light(builder *b)
 /* A cube of 6 * n * n cells, projected to a sphere; every face has its own vertices. */
 static void add_sphere(builder *b, uint32_t n)
 {
-    for (uint32_t face = 0; face < 6; face++) {
+    for (uint32_t face = 0; face < 6; ++face) {
         const uint32_t axis = face % 3, base = b->vertex_count;
         const float side = face < 3 ? 1.0f : -1.0f;
-        for (uint32_t j = 0; j <= n; j++)
-            for (uint32_t i = 0; i <= n; i++) {
+        for (uint32_t j = 0; j <= n; ++j)
+            for (uint32_t i = 0; i <= n; ++i) {
                 vertex *v = builder_vertex(b);
                 float p[3];
                 p[axis] = side;
                 p[(axis + 1) % 3] = side * (2.0f * (float)i / (float)n - 1.0f);
                 p[(axis + 2) % 3] = 2.0f * (float)j / (float)n - 1.0f;
                 const float length = sqrtf(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-                for (int c = 0; c < 3; c++)
+                for (int c = 0; c < 3; ++c)
                     v->position[c] = v->normal[c] = p[c] / length;
                 v->texcoord[0] = (float)i / (float)n;
                 v->texcoord[1] = (float)j / (float)n;
             }
-        for (uint32_t j = 0; j < n; j++)
-            for (uint32_t i = 0; i < n; i++) {
+        for (uint32_t j = 0; j < n; ++j)
+            for (uint32_t i = 0; i < n; ++i) {
                 const uint32_t low = base + j * (n + 1) + i, high = low + n + 1;
                 const uint32_t corner[6] = {low, low + 1, high + 1, low, high + 1, high};
-                for (int k = 0; k < 6; k++)
+                for (int k = 0; k < 6; ++k)
                     builder_index(b, corner[k]);
             }
     }
@@ -92,10 +92,10 @@ static void add_sphere(builder *b, uint32_t n)
 static void add_loose_triangles(builder *b, uint32_t count)
 {
     random_source *r = &b->random;
-    for (uint32_t i = 0; i < 3 * count; i++) {
+    for (uint32_t i = 0; i < 3 * count; ++i) {
         vertex *v = builder_vertex(b);
         const float length = random_chance(r, 80) ? 1.0f : random_octave(r, -8, 8);
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; c < 3; ++c) {
             v->position[c] = random_float(r, -1.2f, 1.2f);
             v->normal[c] *= length;
         }
@@ -119,7 +119,7 @@ void generate_lit(builder *b)
 {
     random_source *r = &b->random;
     builder_common_target(b);
-    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; --draws) {
         builder_common_state(b);
         b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
         b->shader = random_chance(r, 50) ? SCENE_FLAT : SCENE_GOURAUD;
@@ -142,10 +142,10 @@ static void *random_texels(builder *b, uint32_t count, gn_format format)
     uint32_t *packed = texels;
     float *channels = texels;
     if (format == GN_FORMAT_RGBA8)
-        for (uint32_t i = 0; i < count; i++)
+        for (uint32_t i = 0; i < count; ++i)
             packed[i] = (uint32_t)(random_bits(r) >> 32);
     else
-        for (uint32_t i = 0; i < 4 * count; i++)
+        for (uint32_t i = 0; i < 4 * count; ++i)
             channels[i] = random_chance(r, 80) ? random_unit(r) : random_float(r, -1.0f, 2.0f);
     return texels;
 }
@@ -160,8 +160,8 @@ static void random_texcoords(builder *b)
     const uint32_t kind = random_below(r, 6);
     const float extent = random_octave(r, -3, 6);
     const int32_t octave = random_between(r, 20, 60);
-    for (uint32_t i = 0; i < b->vertex_count; i++)
-        for (int c = 0; c < 2; c++) {
+    for (uint32_t i = 0; i < b->vertex_count; ++i)
+        for (int c = 0; c < 2; ++c) {
             float *s = &b->vertices[i].texcoord[c];
             if (kind == 1) {
                 *s = random_float(r, -3.0f, 4.0f);
@@ -223,7 +223,7 @@ void generate_textured(builder *b)
     builder_common_target(b);
     if (random_chance(r, 15))
         b->scene->color_format = GN_FORMAT_RGBA32F;
-    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--)
+    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; --draws)
         add_textured(b, SCENE_TEXTURED_GOURAUD, GN_FORMAT_NONE);
 }
 
@@ -237,7 +237,7 @@ void generate_phong(builder *b)
     const bool floats = random_chance(r, 25);
     if (floats)
         b->scene->color_format = GN_FORMAT_RGBA32F;
-    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; --draws) {
         gn_mat4_identity(&b->view_from_model);
         b->specular.x = random_unit(r);
         b->specular.y = random_unit(r);

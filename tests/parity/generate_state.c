@@ -86,7 +86,7 @@ void generate_framebuffers(builder *b)
     if (width * height > 32768)
         height = 1 + random_below(r, 16);
     builder_target(b, width, height, GN_FORMAT_RGBA8, depths[random_below(r, 4)]);
-    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; --draws) {
         builder_common_state(b);
         if (random_chance(r, 70))
             b->state.raster.viewport = random_viewport(b);
@@ -138,7 +138,7 @@ void generate_depth_state(builder *b)
     b->scene->depth_format = depths[random_below(r, 8)];
     const float clear_depths[] = {1.0f, 1.0f, 0.0f, 0.5f, random_unit(r)};
     b->scene->clear_depth = clear_depths[random_below(r, 5)];
-    for (uint32_t draws = 1 + random_below(r, 5); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 5); draws > 0; --draws) {
         builder_common_state(b);
         b->state.depth.test = random_chance(r, 90);
         b->state.depth.function = random_comparison(r);
@@ -157,13 +157,13 @@ void generate_culling(builder *b)
 {
     random_source *r = &b->random;
     builder_common_target(b);
-    for (uint32_t draws = 1 + random_below(r, 4); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 4); draws > 0; --draws) {
         builder_common_state(b);
         b->state.raster.cull = (gn_cull)random_below(r, random_chance(r, 20) ? 4 : 3);
         b->state.raster.front_face = (gn_front_face)random_below(r, 2);
         b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
         const bool flat = random_chance(r, 60);
-        for (int i = 0; flat && i < 4; i++)
+        for (int i = 0; flat && i < 4; ++i)
             b->state.program.interpolation[i] = GN_FLAT;
         const uint32_t kind = random_below(r, 10), count = 1 + builder_triangle_count(b) / 2;
         if (kind < 3) {
@@ -186,14 +186,14 @@ void generate_culling(builder *b)
 static void shape_across_one_axis(builder *b, uint32_t count)
 {
     random_source *r = &b->random;
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; ++i) {
         const uint32_t axis = random_below(r, 3);
         const float extent = random_chance(r, 50) ? 0.99f : random_octave(r, 0, 2);
         const int32_t octaves = random_between(r, 0, 6);
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 3; ++k) {
             vertex *v = builder_vertex(b);
             const float w = random_octave(r, -octaves, octaves - 1);
-            for (uint32_t c = 0; c < 3; c++)
+            for (uint32_t c = 0; c < 3; ++c)
                 v->position[c] = w * (c == axis ? random_float(r, -extent, extent)
                                                 : random_float(r, -0.99f, 0.99f));
             v->position[3] = w;
@@ -208,7 +208,7 @@ static bool random_interpolation(builder *b)
     const bool mixed = random_chance(r, 50);
     const gn_interpolation all = (gn_interpolation)random_below(r, 3);
     bool noperspective = false;
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 4; ++i) {
         b->state.program.interpolation[i] = mixed ? (gn_interpolation)random_below(r, 3) : all;
         noperspective = noperspective || b->state.program.interpolation[i] == GN_NOPERSPECTIVE;
     }
@@ -221,7 +221,7 @@ void generate_interpolation(builder *b)
     builder_common_target(b);
     const gn_format depths[] = {GN_FORMAT_NONE, GN_FORMAT_D24};
     b->scene->depth_format = depths[random_below(r, 2)];
-    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; --draws) {
         builder_common_state(b);
         b->state.depth.test = b->scene->depth_format != GN_FORMAT_NONE;
         b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
@@ -239,14 +239,14 @@ void generate_float_color(builder *b)
     random_source *r = &b->random;
     builder_common_target(b);
     b->scene->color_format = GN_FORMAT_RGBA32F;
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4; ++i)
         b->scene->clear_color[i] = random_float(r, -2.0f, 3.0f);
-    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; --draws) {
         builder_common_state(b);
         b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
         const gn_interpolation all = random_chance(r, 75) ? GN_SMOOTH : GN_FLAT;
         const bool noperspective = random_chance(r, 25);
-        for (int i = 0; i < 4; i++)
+        for (int i = 0; i < 4; ++i)
             b->state.program.interpolation[i] = noperspective ? GN_NOPERSPECTIVE : all;
         const uint32_t count = builder_triangle_count(b);
         if (noperspective)
@@ -254,8 +254,8 @@ void generate_float_color(builder *b)
         else
             shape_separate(b, count);
         const float scale = random_chance(r, 50) ? 1.0f : random_octave(r, -20, 20);
-        for (uint32_t i = 0; i < b->vertex_count; i++)
-            for (int c = 0; c < 4; c++)
+        for (uint32_t i = 0; i < b->vertex_count; ++i)
+            for (int c = 0; c < 4; ++c)
                 b->vertices[i].color[c] = scale * random_float(r, -1.0f, 1.0f);
         builder_draw(b);
     }
@@ -286,16 +286,16 @@ void generate_color_range(builder *b)
 {
     random_source *r = &b->random;
     builder_common_target(b);
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4; ++i)
         b->scene->clear_color[i] = edge_color(r);
-    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 3); draws > 0; --draws) {
         builder_common_state(b);
         const bool flat = random_chance(r, 50);
-        for (int i = 0; flat && i < 4; i++)
+        for (int i = 0; flat && i < 4; ++i)
             b->state.program.interpolation[i] = GN_FLAT;
         any_triangles(b, builder_triangle_count(b));
-        for (uint32_t i = 0; i < b->vertex_count; i++)
-            for (int c = 0; c < 4; c++)
+        for (uint32_t i = 0; i < b->vertex_count; ++i)
+            for (int c = 0; c < 4; ++c)
                 b->vertices[i].color[c] = edge_color(r);
         builder_draw(b);
     }
@@ -395,7 +395,7 @@ void generate_mixed(builder *b)
         add_attachments(b);
     const gn_format format = b->scene->color_format;
     const bool floats = format == GN_FORMAT_RGBA32F || format == GN_FORMAT_R32F;
-    for (uint32_t i = 0, draws = 2 + random_below(&b->random, 4); i < draws; i++)
+    for (uint32_t i = 0, draws = 2 + random_below(&b->random, 4); i < draws; ++i)
         if (floats || random_chance(&b->random, 50))
             varied_draw(b, may_blend_after(b, i));
         else

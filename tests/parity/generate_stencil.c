@@ -37,7 +37,7 @@ void random_stencil(builder *b)
     b->state.depth.function =
         random_chance(&state, 50) ? random_comparison(&state) : GN_COMPARE_DEFAULT;
     b->state.depth.write_disabled = random_chance(&state, 25);
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < 2; ++i)
         if (random_chance(r, 30))
             (i ? &b->state.stencil.front : &b->state.stencil.back)->reference = random_byte(r);
 }
@@ -52,7 +52,7 @@ void generate_stencil(builder *b)
     b->scene->depth_format = formats[random_below(r, 8)];
     const uint8_t clears[] = {0, 1, 127, 254, 255, random_byte(r)};
     b->scene->clear_stencil = clears[random_below(r, 6)];
-    for (uint32_t draws = 1 + random_below(r, 5); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 5); draws > 0; --draws) {
         builder_common_state(b);
         b->state.raster.front_face = (gn_front_face)random_below(r, 2);
         b->state.raster.cull = (gn_cull)(random_chance(r, 15) ? random_below(r, 3) : 0);

@@ -31,7 +31,7 @@ static void random_size(random_source *r, gn_texture *t, uint32_t levels)
         t->height = 1;
     while (t->width >> most || t->height >> most ||
            (t->target == GN_TEXTURE_3D && t->depth >> most))
-        most++;
+        ++most;
     t->level_count = levels != ANY_LEVELS   ? levels
                      : random_chance(r, 70) ? most
                                             : 1 + random_below(r, most);
@@ -121,7 +121,7 @@ static void *random_elements(random_source *r, const gn_texture *t)
         fprintf(stderr, "parity: out of memory\n");
         exit(EXIT_FAILURE);
     }
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count; ++i)
         scene_set_element(elements, size, i, random_element(r, t->format, i));
     return elements;
 }
@@ -141,7 +141,7 @@ static void random_sampler(random_source *r, const gn_texture *t, gn_sampler *s,
         s->min_lod = random_float(r, -2.0f, (float)t->level_count);
         s->max_lod = s->min_lod + (random_chance(r, 20) ? 0.0f : random_float(r, 0.0f, 4.0f));
     }
-    for (int c = 0; c < 4; c++)
+    for (int c = 0; c < 4; ++c)
         s->border[c] = random_chance(r, 90) ? random_unit(r) : random_float(r, -1.0f, 2.0f);
     if (depths)
         s->compare = (gn_compare)random_below(r, GN_ALWAYS + 1);
@@ -182,7 +182,7 @@ static void random_direction(random_source *r, float d[3])
     const uint32_t kind = random_below(r, 4);
     const float length = random_chance(r, 70) ? 1.0f : random_octave(r, -8, 8);
 
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; ++c) {
         const float whole = (float)random_between(r, -1, 1), near = random_float(r, 0.98f, 1.0f);
 
         d[c] = kind == 0 ? whole : kind == 1 ? whole * near : random_float(r, -1.0f, 1.0f);
@@ -203,11 +203,11 @@ static void random_coordinates(builder *b)
     const float reference = random_depth(r), span = random_chance(r, 50) ? 0.0f : 0.5f;
 
     b->texcoord_components = 4;
-    for (uint32_t i = 0; i < b->vertex_count; i++) {
+    for (uint32_t i = 0; i < b->vertex_count; ++i) {
         vertex *v = &b->vertices[i];
 
         v->texcoord[2] = random_unit(r);
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; ++c)
             v->texcoord[c] = random_coordinate(r, &far, v->texcoord[c], sizes[c]);
         if (t->target == GN_TEXTURE_2D_ARRAY)
             v->texcoord[2] = random_float(r, -1.0f, sizes[2] + 1.0f);
@@ -257,8 +257,8 @@ static void add_sampled(builder *b, gn_texture_target target, uint32_t levels, b
         shape_triangles(b, place, builder_triangle_count(b));
     }
     const float least = random_chance(r, 30) ? -1.0f : 0.25f;
-    for (uint32_t i = 0; i < b->vertex_count; i++)
-        for (int c = 0; c < 4; c++)
+    for (uint32_t i = 0; i < b->vertex_count; ++i)
+        for (int c = 0; c < 4; ++c)
             b->vertices[i].color[c] = least + (1.0f - least) * b->vertices[i].color[c];
     void *texels = random_sampling(b, target, levels, depths);
     builder_draw(b);
@@ -273,7 +273,7 @@ static void generate_targets(builder *b, const gn_texture_target *targets, uint3
     builder_common_target(b);
     if (random_chance(r, 50))
         b->scene->color_format = GN_FORMAT_RGBA32F;
-    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 2); draws > 0; --draws) {
         const bool of_depths = depths || random_chance(r, 10);
         const gn_texture_target target = targets[random_below(r, count)];
         add_sampled(b, target, levels, of_depths && target != GN_TEXTURE_3D);

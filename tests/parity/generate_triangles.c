@@ -59,7 +59,7 @@ void shape_place(builder *b, vertex *v, placement p)
         break;
     }
     case PLACE_CLIP:
-        for (int c = 0; c < 4; c++)
+        for (int c = 0; c < 4; ++c)
             v->position[c] = random_float(r, -2.0f, 2.0f);
         if (random_chance(r, 50))
             v->position[3] = fabsf(v->position[3]);
@@ -72,19 +72,19 @@ void shape_place(builder *b, vertex *v, placement p)
 
 void shape_triangles(builder *b, placement p, uint32_t count)
 {
-    for (uint32_t i = 0; i < 3 * count; i++)
+    for (uint32_t i = 0; i < 3 * count; ++i)
         shape_place(b, builder_vertex(b), p);
 }
 
 void shape_tiny(builder *b, uint32_t count)
 {
     random_source *r = &b->random;
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; ++i) {
         const float x = viewport_x(b, 0.02f), y = viewport_y(b, 0.02f);
         const float size = random_chance(r, 50) ? random_octave(r, -7, 0) : random_octave(r, 0, 2);
         const float z = device_depth(b);
         const bool affine = random_chance(r, 50);
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 3; ++k) {
             vertex *v = builder_vertex(b);
             const float dx = random_float(r, -size, size), dy = random_float(r, -size, size);
             const float dz = 0.01f * random_float(r, -1.0f, 1.0f);
@@ -96,7 +96,7 @@ void shape_tiny(builder *b, uint32_t count)
 void shape_slivers(builder *b, uint32_t count)
 {
     random_source *r = &b->random;
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; ++i) {
         const float x0 = viewport_x(b, 0.2f), y0 = viewport_y(b, 0.2f);
         const bool along = random_chance(r, 25); /* nearly parallel to an axis */
         const bool vertical = random_chance(r, 50);
@@ -108,7 +108,7 @@ void shape_slivers(builder *b, uint32_t count)
         const bool affine = random_chance(r, 50);
         const float corner[3][2] = {{x0, y0}, {x1, y1}, {x2, y2}};
         const uint32_t turn = random_below(r, 3);
-        for (uint32_t k = 0; k < 3; k++) {
+        for (uint32_t k = 0; k < 3; ++k) {
             const float *at = corner[(k + turn) % 3];
             vertex *v = builder_vertex(b);
             const float z = device_depth(b);
@@ -137,10 +137,10 @@ static bool in_viewport(const builder *b, const float p[2])
 void shape_turning(builder *b, uint32_t count)
 {
     random_source *r = &b->random;
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; ++i) {
         float p[3][2], s[3][2];
         bool turned = false;
-        for (int attempt = 0; attempt < 100 && !turned; attempt++) {
+        for (int attempt = 0; attempt < 100 && !turned; ++attempt) {
             const bool middle = random_chance(r, 50); /* no area before it is snapped */
             const float t = middle ? 0.5f : random_unit(r);
             /* The long side goes through the centre of a pixel, or just beside it. */
@@ -148,21 +148,21 @@ void shape_turning(builder *b, uint32_t count)
             const float centre[2] = {floorf(x) + 0.5f, floorf(y) + 0.5f};
             p[0][0] = on_grain(viewport_x(b, -0.02f), 256.0f);
             p[0][1] = on_grain(viewport_y(b, -0.02f), 256.0f);
-            for (int c = 0; c < 2; c++)
+            for (int c = 0; c < 2; ++c)
                 p[1][c] = 2.0f * centre[c] - p[0][c] + (float)random_between(r, -1, 1) / 256.0f;
-            for (int c = 0; c < 2; c++) {
+            for (int c = 0; c < 2; ++c) {
                 const float off = middle ? 0.0f : random_float(r, -0.004f, 0.004f);
                 p[2][c] = p[0][c] + (p[1][c] - p[0][c]) * t + off;
             }
-            for (int k = 0; k < 3; k++)
-                for (int c = 0; c < 2; c++)
+            for (int k = 0; k < 3; ++k)
+                for (int c = 0; c < 2; ++c)
                     s[k][c] = snapped(p[k][c]);
             const float area = area_of(p), snapped_area = area_of(s);
             turned = in_viewport(b, p[1]) && ((area > 0.0f && snapped_area < 0.0f) ||
                                               (area <= 0.0f && snapped_area > 0.0f) ||
                                               (area == 0.0f && snapped_area != 0.0f));
         }
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 3; ++k) {
             vertex *v = builder_vertex(b);
             builder_place(b, v, p[k][0], p[k][1], device_depth(b), 1.0f);
         }
@@ -181,7 +181,7 @@ void shape_ties(builder *b, uint32_t count)
         const float x0 = on_grain(viewport_x(b, 0.05f), grain);
         const float y0 = on_grain(viewport_y(b, 0.05f), grain);
         vertex corner[4];
-        for (int k = 0; k < 4; k++) {
+        for (int k = 0; k < 4; ++k) {
             float x = on_grain(viewport_x(b, 0.05f), grain);
             float y = on_grain(viewport_y(b, 0.05f), grain);
             if (near_each_other) {
@@ -193,12 +193,12 @@ void shape_ties(builder *b, uint32_t count)
             else if (k > 0 && random_chance(r, 40))
                 y = y0;
             corner[k] = *builder_vertex(b);
-            b->vertex_count--;
+            --b->vertex_count;
             const float z = (float)random_between(r, -4, 4) * 0.25f;
             builder_place(b, &corner[k], x, y, z, shared_w ? w : random_power(r, -3, 3));
         }
         static const int order[6] = {0, 1, 2, 2, 1, 3};
-        for (uint32_t k = 0; k < (i + 1 < count ? 6u : 3u); k++)
+        for (uint32_t k = 0; k < (i + 1 < count ? 6u : 3u); ++k)
             *builder_vertex(b) = corner[order[k]];
     }
 }
@@ -206,7 +206,7 @@ void shape_ties(builder *b, uint32_t count)
 void shape_huge(builder *b, uint32_t count)
 {
     random_source *r = &b->random;
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; ++i) {
         /* Mostly up to 1e5 pixels; from 2^23 on, neighbouring floats are pixels apart. Beyond 2^35
          * the contract ends: clipping an edge twice there leaves vertices so far from the viewport
          * that their snapped coordinates overflow. */
@@ -214,7 +214,7 @@ void shape_huge(builder *b, uint32_t count)
                            : random_chance(r, 80) ? random_octave(r, 17, 26)
                                                   : random_octave(r, 27, 34);
         const bool affine = random_chance(r, 50);
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 3; ++k) {
             const bool small = random_chance(r, 20);
             const float extent = small ? 50.0f : size;
             vertex *v = builder_vertex(b);
@@ -230,12 +230,12 @@ void shape_offscreen(builder *b, uint32_t count)
 {
     random_source *r = &b->random;
     const gn_viewport v = builder_viewport(b);
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; ++i) {
         const uint32_t kind = random_below(r, 4);
         const float side = random_chance(r, 50) ? 1.0f : -1.0f;
         const uint32_t axis = random_below(r, 3);
         const bool affine = random_chance(r, 50);
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 3; ++k) {
             const float w = affine ? random_power(r, -1, 1) : random_octave(r, -2, 1);
             vertex *p = builder_vertex(b);
             place_in_viewport(b, p, kind == 0 ? 3.0f : 0.5f, 2.0f, w);
@@ -256,12 +256,12 @@ void shape_offscreen(builder *b, uint32_t count)
 void shape_behind(builder *b, uint32_t count)
 {
     random_source *r = &b->random;
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; ++i) {
         const uint32_t behind = random_below(r, 4), first = random_below(r, 3);
         const float spread = random_octave(r, -1, 2);
-        for (uint32_t k = 0; k < 3; k++) {
+        for (uint32_t k = 0; k < 3; ++k) {
             vertex *p = builder_vertex(b);
-            for (int c = 0; c < 3; c++)
+            for (int c = 0; c < 3; ++c)
                 p->position[c] = random_float(r, -spread, spread);
             p->position[3] = random_octave(r, -3, 1);
             if ((k + first) % 3 < behind)
@@ -278,9 +278,9 @@ void shape_near_crossing(builder *b, uint32_t count)
     const float a = (z_far + z_near) / (z_near - z_far);
     const float c = 2.0f * z_far * z_near / (z_near - z_far);
     const float zoom = random_octave(r, -1, 1);
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; ++i) {
         const float extent = z_near * random_octave(r, 0, 5);
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 3; ++k) {
             const float x = random_float(r, -extent, extent);
             const float y = random_float(r, -extent, extent);
             const float z = random_float(r, -2.0f * extent, 0.5f * extent);
@@ -300,7 +300,7 @@ static void place_at_infinity(builder *b, vertex *v, bool on_axis)
 {
     random_source *r = &b->random;
     do {
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; ++c)
             v->position[c] = on_axis && random_chance(r, 50) ? 0.0f : random_float(r, -1.0f, 1.0f);
     } while (v->position[0] == 0.0f && v->position[1] == 0.0f && v->position[2] == 0.0f);
     v->position[3] = 0.0f;
@@ -309,7 +309,7 @@ static void place_at_infinity(builder *b, vertex *v, bool on_axis)
 void shape_degenerate(builder *b, uint32_t count)
 {
     random_source *r = &b->random;
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; ++i) {
         const placement p = (placement)random_below(r, PLACE_COUNT);
         shape_triangles(b, p, 1);
         vertex *v = b->vertices + b->vertex_count - 3;
@@ -324,7 +324,7 @@ void shape_degenerate(builder *b, uint32_t count)
             const float x = on_grain(viewport_x(b, 0.1f), 2.0f);
             const float y = on_grain(viewport_y(b, 0.1f), 2.0f);
             const int32_t dx = random_between(r, -1, 1), dy = random_between(r, -1, 1);
-            for (int n = 0; n < 3; n++) {
+            for (int n = 0; n < 3; ++n) {
                 const float t = (float)random_between(r, -20, 20) * 0.5f;
                 const float z = device_depth(b);
                 builder_place(b, &v[n], x + (float)dx * t, y + (float)dy * t, z,
@@ -335,7 +335,7 @@ void shape_degenerate(builder *b, uint32_t count)
         case 2: { /* little or no area after snapping to 1/256 pixel */
             const float x = on_grain(viewport_x(b, 0.0f), 2.0f);
             const float y = on_grain(viewport_y(b, 0.0f), 2.0f);
-            for (int n = 0; n < 3; n++) {
+            for (int n = 0; n < 3; ++n) {
                 const float dx = random_float(r, -0.006f, 0.006f);
                 const float dy = random_float(r, -0.006f, 0.006f);
                 builder_place(b, &v[n], x + dx, y + dy, device_depth(b), 1.0f);
@@ -348,11 +348,11 @@ void shape_degenerate(builder *b, uint32_t count)
                 place_at_infinity(b, &v[other], false);
             break;
         case 4: /* all of them at w = 0 */
-            for (int n = 0; n < 3; n++)
+            for (int n = 0; n < 3; ++n)
                 place_at_infinity(b, &v[n], n == 0 && random_chance(r, 50));
             break;
         case 5: /* without extent in depth, or seen from the side */
-            for (int n = 0; n < 3; n++)
+            for (int n = 0; n < 3; ++n)
                 v[n].position[random_chance(r, 50) ? 2 : 0] = 0.0f;
             break;
         default: /* an ordinary triangle, so that something is drawn */

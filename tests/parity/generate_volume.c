@@ -50,7 +50,7 @@ void generate_scissor(builder *b)
 {
     random_source *r = &b->random;
     builder_common_target(b);
-    for (uint32_t draws = 1 + random_below(r, 4); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 4); draws > 0; --draws) {
         builder_common_state(b);
         b->state.raster.scissor = random_scissor(b);
         const uint32_t count = builder_triangle_count(b);
@@ -107,7 +107,7 @@ void generate_offset(builder *b)
     random_source *r = &b->random;
     builder_common_target(b);
     b->scene->depth_format = depths[random_below(r, 3)];
-    for (uint32_t draws = 1 + random_below(r, 4); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 4); draws > 0; --draws) {
         builder_common_state(b);
         b->state.depth.test = true;
         b->state.depth.function = random_chance(r, 30) ? GN_ALWAYS : GN_LESS;
@@ -129,7 +129,7 @@ static void move_depths(builder *b)
     random_source *r = &b->random;
     const float scale = random_chance(r, 50) ? 1.0f : random_octave(r, 0, 3);
     const bool halves = random_chance(r, 50);
-    for (uint32_t i = 0; i < b->vertex_count; i++) {
+    for (uint32_t i = 0; i < b->vertex_count; ++i) {
         float *p = b->vertices[i].position;
         p[2] = scale * (halves ? 0.5f * (p[2] + p[3]) : p[2]);
     }
@@ -142,7 +142,7 @@ void generate_clip_depth(builder *b)
     builder_common_target(b);
     if (random_chance(r, 75))
         b->scene->depth_format = depths[random_below(r, 3)];
-    for (uint32_t draws = 1 + random_below(r, 4); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 4); draws > 0; --draws) {
         builder_common_state(b);
         b->state.depth.function = random_chance(r, 30) ? GN_ALWAYS : GN_LESS_OR_EQUAL;
         b->state.depth.clamp = random_chance(r, 60);
@@ -165,9 +165,9 @@ void random_clip_planes(builder *b, uint32_t count)
 {
     random_source *r = &b->random;
     b->state.program.clip_distance_count = count;
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; ++i) {
         float *p = b->clip_plane[i];
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; ++c)
             p[c] = random_float(r, -1.0f, 1.0f);
         p[3] = random_float(r, -0.2f, 1.0f);
         switch (random_below(r, 8)) {
@@ -189,7 +189,7 @@ void random_clip_planes(builder *b, uint32_t count)
         }
         case 3: {
             const float scale = random_octave(r, -20, 20);
-            for (int c = 0; c < 4; c++)
+            for (int c = 0; c < 4; ++c)
                 p[c] *= scale;
             break;
         }
@@ -203,13 +203,13 @@ void generate_clip_distance(builder *b)
 {
     random_source *r = &b->random;
     builder_common_target(b);
-    for (uint32_t draws = 1 + random_below(r, 4); draws > 0; draws--) {
+    for (uint32_t draws = 1 + random_below(r, 4); draws > 0; --draws) {
         builder_common_state(b);
         b->state.raster.cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
         b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
         b->state.depth.clamp = random_chance(r, 10);
         const bool flat = random_chance(r, 25);
-        for (int i = 0; flat && i < 4; i++)
+        for (int i = 0; flat && i < 4; ++i)
             b->state.program.interpolation[i] = GN_FLAT;
         const uint32_t count = 1 + builder_triangle_count(b) / 2;
         switch (random_below(r, 6)) {
@@ -221,7 +221,7 @@ void generate_clip_distance(builder *b)
             break;
         case 2:
             shape_lines(b, count);
-            for (int i = 0; !flat && i < 4; i++)
+            for (int i = 0; !flat && i < 4; ++i)
                 b->state.program.interpolation[i] = (gn_interpolation)random_below(r, 2);
             break;
         case 3:

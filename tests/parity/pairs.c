@@ -81,7 +81,7 @@ static int clip_distances(const place *p)
 static int attachments(const place *p)
 {
     int count = 0;
-    for (int a = 1; a < GN_MAX_COLORS; a++)
+    for (int a = 1; a < GN_MAX_COLORS; ++a)
         count += scene_color_format(p->scene, a) != GN_FORMAT_NONE;
     return count < 4 ? (count > 0) : 2;
 }
@@ -91,7 +91,7 @@ static int attachments(const place *p)
 static int more_blends(const place *p)
 {
     bool blends = false;
-    for (uint32_t a = 1; a < p->state->program.color_count; a++)
+    for (uint32_t a = 1; a < p->state->program.color_count; ++a)
         blends |= p->state->color.blend[a].enabled &&
                   scene_color_format(p->scene, (int)a) != GN_FORMAT_NONE;
     return blends;
@@ -100,7 +100,7 @@ static int more_blends(const place *p)
 static int more_masks(const place *p)
 {
     bool masks = false;
-    for (uint32_t a = 1; a < p->state->program.color_count; a++)
+    for (uint32_t a = 1; a < p->state->program.color_count; ++a)
         masks |= p->state->color.write_disabled[a] &&
                  scene_color_format(p->scene, (int)a) != GN_FORMAT_NONE;
     return masks;
@@ -136,7 +136,7 @@ static int position(const place *p)
 static int color_format(const place *p)
 {
     int value = 0;
-    for (int f = 0; f < (int)p->scene->color_format; f++)
+    for (int f = 0; f < (int)p->scene->color_format; ++f)
         value += scene_is_color_format((gn_format)f);
     return value;
 }
@@ -144,7 +144,7 @@ static int color_format(const place *p)
 static int depth_format(const place *p)
 {
     int value = 0;
-    for (int f = 0; f < (int)p->scene->depth_format; f++)
+    for (int f = 0; f < (int)p->scene->depth_format; ++f)
         value += !scene_is_color_format((gn_format)f);
     return value;
 }
@@ -396,12 +396,12 @@ static void add_row(counts *c, state_row row)
         fail("no room for", row.name);
     c->rows[c->states] = row;
     c->first[c->states + 1] = c->first[c->states] + row.values;
-    c->states++;
+    ++c->states;
 }
 
 static bool has_own_row(const char *name)
 {
-    for (size_t i = 0; i < OWN_ROWS; i++)
+    for (size_t i = 0; i < OWN_ROWS; ++i)
         if (strcmp(own_rows[i].name, name) == 0)
             return true;
     return false;
@@ -409,9 +409,9 @@ static bool has_own_row(const char *name)
 
 static void add_rows(counts *c)
 {
-    for (size_t i = 0; i < OWN_ROWS; i++)
+    for (size_t i = 0; i < OWN_ROWS; ++i)
         add_row(c, own_rows[i]);
-    for (size_t i = 0; i < scene_member_count; i++) {
+    for (size_t i = 0; i < scene_member_count; ++i) {
         const scene_member *m = &scene_members[i];
         if (scene_member_is_state(m) && !m->lines && !has_own_row(m->name) &&
             (m->type == MEMBER_SWITCH || m->type == MEMBER_NAMED))
@@ -428,8 +428,8 @@ static bool is_called(const state_row *row, const char *name)
 static void add_exclusion(counts *c, const exclusion *e)
 {
     const int before = c->exclusions;
-    for (int a = 0; a < c->states; a++)
-        for (int b = 0; b < c->states; b++)
+    for (int a = 0; a < c->states; ++a)
+        for (int b = 0; b < c->states; ++b)
             if (is_called(&c->rows[a], e->a) && is_called(&c->rows[b], e->b)) {
                 if (c->exclusions == MOST_EXCLUDED)
                     fail("no room for", e->a);
@@ -441,7 +441,7 @@ static void add_exclusion(counts *c, const exclusion *e)
 
 static bool is_listed(const counts *c, int a, int value_a, int b, int value_b)
 {
-    for (int i = 0; i < c->exclusions; i++) {
+    for (int i = 0; i < c->exclusions; ++i) {
         const excluded_states *m = &c->excluded[i];
         const uint32_t values_a = m->values->values_a, values_b = m->values->values_b;
         if ((m->a == a && m->b == b && values_a >> value_a & 1 && values_b >> value_b & 1) ||
@@ -456,9 +456,9 @@ static bool is_listed(const counts *c, int a, int value_a, int b, int value_b)
 static bool is_impossible(const counts *c, int a, int value_a, int b, int value_b)
 {
     bool impossible = is_listed(c, a, value_a, b, value_b);
-    for (int s = 0; s < c->states && !impossible; s++) {
+    for (int s = 0; s < c->states && !impossible; ++s) {
         impossible = c->without[s] == 0;
-        for (int v = 0; v < c->rows[s].values && impossible; v++)
+        for (int v = 0; v < c->rows[s].values && impossible; ++v)
             impossible = is_listed(c, a, value_a, s, v) || is_listed(c, b, value_b, s, v);
     }
     return impossible;
@@ -476,26 +476,26 @@ static int value_of(const state_row *row, const place *p)
 static void count_draw(counts *c, const place *p)
 {
     int value[MOST_STATES]; /* -1: the state means nothing */
-    for (int s = 0; s < c->states; s++)
+    for (int s = 0; s < c->states; ++s)
         value[s] = value_of(&c->rows[s], p);
-    for (int i = 0; i < c->exclusions; i++) {
+    for (int i = 0; i < c->exclusions; ++i) {
         const excluded_states *m = &c->excluded[i];
         if (m->values->means_nothing && (value[m->b] < 0 || m->values->values_b >> value[m->b] & 1))
             value[m->a] = -1;
     }
-    for (int a = 0; a < c->states; a++) {
+    for (int a = 0; a < c->states; ++a) {
         c->without[a] += value[a] < 0;
-        for (int b = 0; b < a; b++)
+        for (int b = 0; b < a; ++b)
             if (value[a] >= 0 && value[b] >= 0)
-                c->pairs[(c->first[a] + value[a]) * c->first[c->states] + c->first[b] + value[b]]++;
+                ++c->pairs[(c->first[a] + value[a]) * c->first[c->states] + c->first[b] + value[b]];
     }
 }
 
 static void count_class(counts *c, scene_class class, uint64_t seed, uint64_t scenes)
 {
-    for (uint64_t number = 0; number < scenes; number++) {
+    for (uint64_t number = 0; number < scenes; ++number) {
         scene *s = generate_scene(seed, class, number);
-        for (size_t i = 0; i < s->draw_count; i++) {
+        for (size_t i = 0; i < s->draw_count; ++i) {
             const place p = {s, &s->draws[i], &s->draws[i].state, i, number};
             count_draw(c, &p);
         }
@@ -508,16 +508,16 @@ static void count_class(counts *c, scene_class class, uint64_t seed, uint64_t sc
 static uint64_t check_state(const counts *c, int a, uint64_t *seen, uint64_t *left_out)
 {
     uint64_t wrong = 0;
-    for (int b = 0; b < a; b++)
-        for (int i = 0; i < c->rows[a].values; i++)
-            for (int j = 0; j < c->rows[b].values; j++) {
+    for (int b = 0; b < a; ++b)
+        for (int i = 0; i < c->rows[a].values; ++i)
+            for (int j = 0; j < c->rows[b].values; ++j) {
                 const bool occurs =
                     c->pairs[(c->first[a] + i) * c->first[c->states] + c->first[b] + j] > 0;
                 const bool possible = !is_impossible(c, a, i, b, j);
                 *seen += occurs;
                 *left_out += !possible;
                 if (occurs != possible) {
-                    wrong++;
+                    ++wrong;
                     printf("pairs: %s %d and %s %d %s\n", c->rows[a].name, i, c->rows[b].name, j,
                            occurs ? "occur, but are said to be impossible" : "never occur");
                 }
@@ -531,17 +531,17 @@ bool pairs_check(uint64_t seed, uint64_t scenes)
     counts c = {.pairs = NULL};
     uint64_t seen = 0, left_out = 0, failed = 0;
     add_rows(&c);
-    for (size_t i = 0; i < EXCLUSIONS; i++)
+    for (size_t i = 0; i < EXCLUSIONS; ++i)
         add_exclusion(&c, &exclusions[i]);
     const size_t values = (size_t)c.first[c.states];
     c.pairs = calloc(values * values, sizeof *c.pairs);
     if (!c.pairs)
         return false;
-    for (size_t i = 0; i < sizeof classes / sizeof *classes; i++)
+    for (size_t i = 0; i < sizeof classes / sizeof *classes; ++i)
         count_class(&c, classes[i], seed, scenes);
-    for (int s = 0; s < c.states; s++)
+    for (int s = 0; s < c.states; ++s)
         failed += check_state(&c, s, &seen, &left_out) > 0;
-    printf("pairs: %" PRIu64 " of %zu values of %d states occur in %" PRIu64
+    printf("pairs: %" PRIu64 " pairs of the %zu values of %d states occur in %" PRIu64
            " scenes each of mixed and sequences, %" PRIu64 " are impossible\n",
            seen, values, c.states, scenes, left_out);
     printf("%" PRIu64 " passed, %" PRIu64 " failed\n", c.states - failed, failed);

@@ -25,7 +25,7 @@ static inline uint64_t random_splitmix(uint64_t *x)
 static inline random_source random_seed(uint64_t seed)
 {
     random_source r;
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4; ++i)
         r.state[i] = random_splitmix(&seed);
     return r;
 }
@@ -82,9 +82,9 @@ static inline float random_power(random_source *r, int32_t lowest, int32_t highe
 {
     const int32_t exponent = random_between(r, lowest, highest);
     float power = 1.0f;
-    for (int32_t i = 0; i < exponent; i++)
+    for (int32_t i = 0; i < exponent; ++i)
         power *= 2.0f;
-    for (int32_t i = 0; i > exponent; i--)
+    for (int32_t i = 0; i > exponent; --i)
         power *= 0.5f;
     return power;
 }

@@ -8,7 +8,7 @@
 bool shrink_try(shrinking *s, scene *candidate)
 {
     if (s->attempts > 0) {
-        s->attempts--;
+        --s->attempts;
         if (s->fails(candidate, s->context)) {
             scene_free(s->best);
             s->best = candidate;
@@ -27,7 +27,7 @@ bool shrink_draws(shrinking *s)
         size_t first = 0;
         while (first < s->best->draw_count && s->attempts > 0) {
             scene *candidate = scene_copy(s->best);
-            for (size_t i = 0; i < chunk && first < candidate->draw_count; i++)
+            for (size_t i = 0; i < chunk && first < candidate->draw_count; ++i)
                 scene_remove_draw(candidate, first);
             if (shrink_try(s, candidate))
                 progress = true;

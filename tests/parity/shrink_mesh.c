@@ -30,7 +30,7 @@ static void copy_attribute(const gn_mesh *from, int attribute, const mesh_select
         return;
     const size_t stride = a->stride ? a->stride : a->components * sizeof(float);
     float *data = allocated((size_t)selection->vertex_count * a->components, sizeof *data);
-    for (uint32_t i = 0; i < selection->vertex_count; i++) {
+    for (uint32_t i = 0; i < selection->vertex_count; ++i) {
         const size_t vertex = selection->vertices ? selection->vertices[i] : i;
         memcpy(data + (size_t)i * a->components, (const char *)a->data + vertex * stride,
                a->components * sizeof *data);
@@ -48,16 +48,16 @@ static void copy_draw(scene *to, const scene_draw *from, const mesh_selection *s
     memset(&d->mesh, 0, sizeof d->mesh);
     memset(&d->uniforms.texture, 0, sizeof d->uniforms.texture);
     memset(d->surface.map, 0, sizeof d->surface.map);
-    for (int a = 0; a < GN_MAX_ATTRIBUTES; a++)
+    for (int a = 0; a < GN_MAX_ATTRIBUTES; ++a)
         copy_attribute(&from->mesh, a, selection, d);
     if (selection->keep_indices && from->mesh.index_format != GN_INDEX_NONE) {
         uint32_t *indices = allocated(from->index_count, sizeof *indices);
-        for (uint32_t i = 0; i < from->index_count; i++)
+        for (uint32_t i = 0; i < from->index_count; ++i)
             indices[i] = scene_vertex_of(&from->mesh, i);
         scene_set_indices(d, indices, from->index_count, from->mesh.index_format);
         free(indices);
     }
-    for (int a = 0; a < GN_MAX_ATTRIBUTES; a++)
+    for (int a = 0; a < GN_MAX_ATTRIBUTES; ++a)
         if (d->mesh.attribute[a].data)
             d->mesh.attribute[a].divisor = from->mesh.attribute[a].divisor;
     /* An array has an element for each vertex, and must have an element for each instance. */
@@ -74,7 +74,7 @@ static void copy_draw(scene *to, const scene_draw *from, const mesh_selection *s
     d->mesh.count = selection->count;
     if (scene_draw_has_texture(from))
         scene_set_levels(d, &from->uniforms.texture);
-    for (int m = 0; m < SCENE_MAP_COUNT; m++)
+    for (int m = 0; m < SCENE_MAP_COUNT; ++m)
         if (scene_draw_has_map(from, (scene_map)m))
             scene_set_map(d, (scene_map)m, &from->surface.map[m]);
 }
@@ -85,7 +85,7 @@ scene *copy_with_selection(const scene *s, size_t draw, const mesh_selection *se
     *copy = *s;
     copy->draws = NULL;
     copy->draw_count = 0;
-    for (size_t i = 0; i < s->draw_count; i++) {
+    for (size_t i = 0; i < s->draw_count; ++i) {
         const mesh_selection all = mesh_select_all(&s->draws[i].mesh);
         copy_draw(copy, &s->draws[i], i == draw ? selection : &all);
     }
@@ -114,7 +114,7 @@ static bool separate_runs(shrinking *s, size_t draw)
     const uint32_t least = least_elements(s->best->draws[draw].state.raster.topology);
     for (uint32_t start = 0, end; start < mesh->count; start = end + 1) {
         for (end = start; end < mesh->count && !is_restart(mesh, end);)
-            end++;
+            ++end;
         if (end - start < least)
             continue;
         mesh_selection selection = mesh_select_all(mesh);
@@ -139,7 +139,7 @@ static bool remove_indices(shrinking *s, size_t draw)
         return separate_runs(s, draw);
     uint32_t *vertices = allocated(mesh->count, sizeof *vertices);
     bool inside = true; /* a failing scene may have indices beyond the vertices */
-    for (uint32_t i = 0; i < mesh->count; i++) {
+    for (uint32_t i = 0; i < mesh->count; ++i) {
         vertices[i] = scene_vertex_of(mesh, mesh->first + i) + (uint32_t)mesh->base_vertex;
         inside = inside && vertices[i] < mesh->vertex_count;
     }
@@ -160,7 +160,7 @@ static bool separate_triangles(shrinking *s, size_t draw)
     const bool first_provokes = d->state.raster.provoking_vertex == GN_PROVOKING_FIRST;
     const uint32_t count = 3 * (d->mesh.count - 2);
     uint32_t *vertices = allocated(count, sizeof *vertices);
-    for (uint32_t i = 0; i < d->mesh.count - 2; i++) {
+    for (uint32_t i = 0; i < d->mesh.count - 2; ++i) {
         const uint32_t e = d->mesh.first + i;
         uint32_t corner[3] = {e, e + 1, e + 2};
         if (d->state.raster.topology == GN_TRIANGLE_FAN) {
@@ -193,7 +193,7 @@ static bool separate_lines(shrinking *s, size_t draw)
         return false;
     const uint32_t lines = loop ? d->mesh.count : d->mesh.count - 1;
     uint32_t *vertices = allocated(2 * (size_t)lines, sizeof *vertices);
-    for (uint32_t i = 0; i < lines; i++) {
+    for (uint32_t i = 0; i < lines; ++i) {
         vertices[2 * i] = d->mesh.first + i;
         vertices[2 * i + 1] = d->mesh.first + (i + 1) % d->mesh.count;
     }
@@ -217,7 +217,7 @@ static scene *without_elements(const scene *s, size_t draw, uint32_t start, uint
         return copy_with_selection(s, draw, &selection);
     }
     uint32_t *vertices = allocated(left, sizeof *vertices);
-    for (uint32_t i = 0; i < left; i++)
+    for (uint32_t i = 0; i < left; ++i)
         vertices[i] = mesh->first + (i < start ? i : i + length);
     const mesh_selection selection = {vertices, left, false, 0, left, ~0u};
     scene *copy = copy_with_selection(s, draw, &selection);
@@ -262,7 +262,7 @@ static bool remove_triangles(shrinking *s, size_t draw)
 static bool remove_attributes(shrinking *s, size_t draw)
 {
     bool progress = false;
-    for (int a = 0; a < GN_MAX_ATTRIBUTES; a++) {
+    for (int a = 0; a < GN_MAX_ATTRIBUTES; ++a) {
         const gn_mesh *mesh = &s->best->draws[draw].mesh;
         if (!mesh->attribute[a].data || a == GN_ATTRIBUTE_POSITION)
             continue;
@@ -277,7 +277,7 @@ static bool remove_attributes(shrinking *s, size_t draw)
 bool shrink_meshes(shrinking *s)
 {
     bool progress = false;
-    for (size_t i = 0; i < s->best->draw_count; i++) {
+    for (size_t i = 0; i < s->best->draw_count; ++i) {
         progress = remove_triangles(s, i) || progress;
         progress = remove_indices(s, i) || progress;
         progress = separate_triangles(s, i) || progress;

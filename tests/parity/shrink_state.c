@@ -27,7 +27,7 @@ static bool simplify_scene(shrinking *s)
     static const uint32_t one_sample = 0;
     bool progress = REPLACE(s, depth_format, none);
     progress = REPLACE(s, color_format, simplest) || progress;
-    for (int a = 0; a < GN_MAX_COLORS - 1; a++)
+    for (int a = 0; a < GN_MAX_COLORS - 1; ++a)
         if (s->best->more_colors[a] != none)
             progress = REPLACE(s, more_colors[a], none) || REPLACE(s, more_colors[a], simplest) ||
                        progress;
@@ -81,7 +81,7 @@ static uint32_t number_with_bits(uint32_t number, int bits)
 {
     int length = 0;
     while (length < 32 && number >> length)
-        length++;
+        ++length;
     return length > bits ? number >> (length - bits) << (length - bits) : number;
 }
 
@@ -124,7 +124,7 @@ static scene *simpler_line(const scene *s, size_t draw, const scene_member *m, s
     scene_draw by_default;
     scene *copy = NULL;
     scene_default_draw(&by_default);
-    for (size_t v = 0; v < scene_member_values(m); v++) {
+    for (size_t v = 0; v < scene_member_values(m); ++v) {
         const uint32_t value = scene_member_get(m, d, line, v);
         const uint32_t simpler =
             simpler_value(m, value, scene_member_get(m, &by_default, line, v), way);
@@ -139,8 +139,8 @@ static scene *simpler_line(const scene *s, size_t draw, const scene_member *m, s
 static bool simplify_member(shrinking *s, size_t draw, const scene_member *m)
 {
     bool progress = false;
-    for (size_t line = 0; line < scene_member_lines(m); line++)
-        for (int way = 0; way < WAYS; way++) {
+    for (size_t line = 0; line < scene_member_lines(m); ++line)
+        for (int way = 0; way < WAYS; ++way) {
             scene *candidate = simpler_line(s->best, draw, m, line, way);
             if (candidate && try_draw(s, candidate, draw)) {
                 progress = true;
@@ -155,12 +155,12 @@ static bool simplify_member(shrinking *s, size_t draw, const scene_member *m)
 static bool simplify_shader(shrinking *s, size_t draw)
 {
     static const scene_shader shaders[] = {SCENE_VERTEX_COLOR, SCENE_GOURAUD};
-    for (size_t i = 0; i < sizeof shaders / sizeof *shaders; i++) {
+    for (size_t i = 0; i < sizeof shaders / sizeof *shaders; ++i) {
         if (s->best->draws[draw].shader <= shaders[i])
             continue;
         scene *candidate = scene_copy(s->best);
         candidate->draws[draw].shader = shaders[i];
-        for (size_t m = 0; m < scene_member_count && shaders[i] == SCENE_VERTEX_COLOR; m++)
+        for (size_t m = 0; m < scene_member_count && shaders[i] == SCENE_VERTEX_COLOR; ++m)
             if (strncmp(scene_members[m].name, "program.fragment_", 17) == 0 &&
                 scene_members[m].type == MEMBER_SWITCH)
                 scene_member_set(&scene_members[m], &candidate->draws[draw], 0, 0, false);
@@ -179,7 +179,7 @@ static bool remove_plane(shrinking *s, size_t draw, bool first)
         scene_free(candidate);
         return false;
     }
-    d->state.program.clip_distance_count--;
+    --d->state.program.clip_distance_count;
     if (first)
         memmove(d->clip_plane[0], d->clip_plane[1],
                 (GN_MAX_CLIP_DISTANCES - 1) * sizeof *d->clip_plane);
@@ -189,9 +189,9 @@ static bool remove_plane(shrinking *s, size_t draw, bool first)
 bool shrink_state(shrinking *s)
 {
     bool progress = simplify_scene(s);
-    for (size_t i = 0; i < s->best->draw_count; i++) {
+    for (size_t i = 0; i < s->best->draw_count; ++i) {
         progress = simplify_shader(s, i) || progress;
-        for (size_t m = 0; m < scene_member_count; m++)
+        for (size_t m = 0; m < scene_member_count; ++m)
             if (scene_members[m].type != MEMBER_ELSEWHERE)
                 progress = simplify_member(s, i, &scene_members[m]) || progress;
         progress = remove_plane(s, i, false) || progress;
@@ -204,7 +204,7 @@ bool shrink_state(shrinking *s)
 static scene *cropped(const scene *s, uint32_t x, uint32_t y, uint32_t width, uint32_t height)
 {
     scene *copy = scene_copy(s);
-    for (size_t i = 0; i < copy->draw_count; i++) {
+    for (size_t i = 0; i < copy->draw_count; ++i) {
         gn_viewport *v = &copy->draws[i].state.raster.viewport;
         if (!v->set) {
             const gn_viewport whole = {true, 0.0f, 0.0f, (float)s->width, (float)s->height};
@@ -226,7 +226,7 @@ bool shrink_target(shrinking *s)
     bool progress = false;
     uint32_t chunk = s->best->width > s->best->height ? s->best->width : s->best->height;
     for (chunk = (chunk + 1) / 2; chunk > 0; chunk /= 2)
-        for (int side = 0; side < 4; side++) {
+        for (int side = 0; side < 4; ++side) {
             const uint32_t w = s->best->width, h = s->best->height;
             if ((side < 2 ? w : h) <= chunk)
                 continue;
@@ -234,7 +234,7 @@ bool shrink_target(shrinking *s)
             if (shrink_try(s, cropped(s->best, x, y, side < 2 ? w - chunk : w,
                                       side < 2 ? h : h - chunk))) {
                 progress = true;
-                side--;
+                --side;
             }
         }
     return progress;
@@ -264,7 +264,7 @@ static scene *simpler_attribute(const scene *s, size_t draw, int a, uint32_t ver
     if (!data)
         return NULL;
     memcpy(data, from->data, count * sizeof *data);
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count; ++i)
         if (vertex == UINT32_MAX || i / from->components == vertex)
             data[i] = bits < 0 ? 1.0f : with_bits(data[i], bits);
     scene *copy = NULL;
@@ -282,13 +282,13 @@ static bool simplify_attribute(shrinking *s, size_t draw, int a)
     bool progress = false;
     const uint32_t vertices = s->best->draws[draw].mesh.vertex_count;
     const uint32_t single = vertices <= 12 ? vertices : 0;
-    for (size_t b = a == GN_ATTRIBUTE_POSITION ? 1 : 0; b < sizeof bits / sizeof *bits; b++) {
+    for (size_t b = a == GN_ATTRIBUTE_POSITION ? 1 : 0; b < sizeof bits / sizeof *bits; ++b) {
         scene *candidate = simpler_attribute(s->best, draw, a, UINT32_MAX, bits[b]);
         if (candidate && shrink_try(s, candidate))
             return true;
     }
-    for (uint32_t v = 0; v < single; v++)
-        for (size_t b = 1; b < sizeof bits / sizeof *bits; b++) {
+    for (uint32_t v = 0; v < single; ++v)
+        for (size_t b = 1; b < sizeof bits / sizeof *bits; ++b) {
             scene *candidate = simpler_attribute(s->best, draw, a, v, bits[b]);
             if (candidate && shrink_try(s, candidate)) {
                 progress = true;
@@ -305,17 +305,17 @@ static bool apply_matrix(shrinking *s, size_t draw)
     const gn_attribute *from = &d->mesh.attribute[GN_ATTRIBUTE_POSITION];
     const gn_mat4 *m = &d->uniforms.light.clip_from_model;
     gn_mat4 identity = {{{0}}};
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4; ++i)
         identity.m[i][i] = 1.0f;
     if (!from->data || memcmp(m, &identity, sizeof identity) == 0)
         return false;
     float *data = malloc(d->mesh.vertex_count * 4 * sizeof *data);
     if (!data)
         return false;
-    for (uint32_t i = 0; i < d->mesh.vertex_count; i++) {
+    for (uint32_t i = 0; i < d->mesh.vertex_count; ++i) {
         float p[4] = {0.0f, 0.0f, 0.0f, 1.0f};
         memcpy(p, from->data + (size_t)i * from->components, from->components * sizeof *p);
-        for (int row = 0; row < 4; row++)
+        for (int row = 0; row < 4; ++row)
             data[4 * i + (uint32_t)row] =
                 ((m->m[0][row] * p[0] + m->m[1][row] * p[1]) + m->m[2][row] * p[2]) +
                 m->m[3][row] * p[3];
@@ -330,10 +330,10 @@ static bool apply_matrix(shrinking *s, size_t draw)
 bool shrink_numbers(shrinking *s)
 {
     bool progress = false;
-    for (size_t i = 0; i < s->best->draw_count; i++) {
+    for (size_t i = 0; i < s->best->draw_count; ++i) {
         progress = apply_matrix(s, i) || progress;
         progress = shrink_texture(s, i) || progress;
-        for (int a = 0; a <= GN_ATTRIBUTE_TEXCOORD; a++)
+        for (int a = 0; a <= GN_ATTRIBUTE_TEXCOORD; ++a)
             progress = simplify_attribute(s, i, a) || progress;
     }
     return progress;

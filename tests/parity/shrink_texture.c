@@ -35,7 +35,7 @@ static bool smaller_texture(gn_texture *t, unsigned step)
 /* Whether the sizes of the other levels still follow from the size of the first level. */
 static bool has_levels(const gn_texture *now, const gn_texture *before)
 {
-    for (uint32_t level = 0; level < scene_level_count(now); level++) {
+    for (uint32_t level = 0; level < scene_level_count(now); ++level) {
         const scene_extent e = scene_level_extent(now, level),
                            from = scene_level_extent(before, level);
         if (e.width > from.width || e.height > from.height || e.layers > from.layers)
@@ -54,7 +54,7 @@ static void remove_texels(gn_texture *t)
 static bool shrink_maps(shrinking *s, size_t draw)
 {
     bool progress = false;
-    for (int m = 0; m <= SCENE_MAP_COUNT; m++) {
+    for (int m = 0; m <= SCENE_MAP_COUNT; ++m) {
         const scene_draw *d = &s->best->draws[draw];
         const bool there = m < SCENE_MAP_COUNT
                                ? scene_draw_has_map(d, (scene_map)m)
@@ -75,7 +75,7 @@ bool shrink_texture(shrinking *s, size_t draw)
     const scene_draw *d = &s->best->draws[draw];
     if (!scene_draw_has_texture(d))
         return progress;
-    for (unsigned step = 0; step < 5; step++)
+    for (unsigned step = 0; step < 5; ++step)
         for (;;) {
             gn_texture t = s->best->draws[draw].uniforms.texture;
             const gn_texture before = t;

@@ -9,6 +9,7 @@
 # WebAssembly module imports nothing.
 # usage: cross.sh BUILD-DIRECTORY [--scenes N] [TARGET...]   (from the root of the project)
 set -eu
+[ $# -ge 1 ] || { echo "usage: cross.sh BUILD-DIRECTORY [--scenes N] [TARGET...]" >&2; exit 2; }
 . tests/skip.sh
 export MAKEFLAGS=
 build=$1/cross

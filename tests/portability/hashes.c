@@ -25,14 +25,14 @@ static void add_byte(hash *h, uint32_t byte)
 
 static void add_word(hash *h, uint32_t word)
 {
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4; ++i)
         add_byte(h, word >> 8 * i & 255);
 }
 
 /* Hashes words in the order of memory, each by its value. */
 static void add_words(hash *h, const void *memory, size_t count)
 {
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; ++i) {
         uint32_t word;
         memcpy(&word, (const char *)memory + 4 * i, sizeof word);
         add_word(h, word);
@@ -54,18 +54,18 @@ static void add_pixels(hash *h, const void *pixels, gn_format format, size_t cou
         add_words(h, pixels, count * gn_format_size(format) / 4);
         break;
     case GN_FORMAT_D16:
-        for (size_t i = 0; i < count; i++)
+        for (size_t i = 0; i < count; ++i)
             add_word(h, ((const uint16_t *)pixels)[i]);
         break;
     case GN_FORMAT_S8:
-        for (size_t i = 0; i < count; i++)
+        for (size_t i = 0; i < count; ++i)
             add_word(h, ((const uint8_t *)pixels)[i]);
         break;
     default:
-        for (size_t i = 0; i < count; i++) {
+        for (size_t i = 0; i < count; ++i) {
             uint32_t channel[4];
             const int channels = scene_pixel_channels(pixels, format, i, channel);
-            for (int c = 0; c < channels; c++)
+            for (int c = 0; c < channels; ++c)
                 add_word(h, channel[c]);
         }
         break;
@@ -80,7 +80,7 @@ static bool add_scene(hash *h, const scene *s)
     FILE *const out = open_memstream(&text, &size);
     bool written = out && scene_write(s, out);
     written = out && fclose(out) == 0 && written;
-    for (size_t i = 0; written && i < size; i++)
+    for (size_t i = 0; written && i < size; ++i)
         add_byte(h, (unsigned char)text[i]);
     free(text);
     if (!written)
@@ -99,7 +99,7 @@ static bool draw_scene(const scene *s, gn_backend backend, hash *h)
     if (status != GN_OK)
         fprintf(stderr, "hashes: the library says: %s\n", gn_status_text(status));
     const size_t pixels = (size_t)s->width * s->height * frame.images;
-    for (int a = 0; a < GN_MAX_COLORS; a++)
+    for (int a = 0; a < GN_MAX_COLORS; ++a)
         add_pixels(h, scene_frame_color(&frame, a), scene_frame_format(&frame, a), pixels);
     add_pixels(h, frame.depth, frame.depth_format, pixels);
     scene_frame_free(&frame);
@@ -114,12 +114,12 @@ typedef struct class_hashes {
 static bool add_class(class_hashes *h, uint64_t seed, scene_class c, uint64_t scenes)
 {
     h->made = HASH_EMPTY;
-    for (int b = 0; b < GN_BACKEND_COUNT; b++)
+    for (int b = 0; b < GN_BACKEND_COUNT; ++b)
         h->drawn[b] = HASH_EMPTY;
-    for (uint64_t i = 0; i < scenes; i++) {
+    for (uint64_t i = 0; i < scenes; ++i) {
         scene *s = generate_scene(seed, c, i);
         bool good = add_scene(&h->made, s);
-        for (int b = GN_BACKEND_PORTABLE; good && b < GN_BACKEND_COUNT; b++)
+        for (int b = GN_BACKEND_PORTABLE; good && b < GN_BACKEND_COUNT; ++b)
             good =
                 !gn_backend_available((gn_backend)b) || draw_scene(s, (gn_backend)b, &h->drawn[b]);
         scene_free(s);
@@ -134,7 +134,7 @@ static bool add_class(class_hashes *h, uint64_t seed, scene_class c, uint64_t sc
 
 static int run(uint64_t seed, uint64_t scenes)
 {
-    for (uint64_t c = 0; c < CLASS_COUNT; c++) {
+    for (uint64_t c = 0; c < CLASS_COUNT; ++c) {
         const char *const name = scene_class_name((scene_class)c);
         const uint64_t count = scenes / CLASS_COUNT + (c < scenes % CLASS_COUNT);
         class_hashes h;
@@ -143,7 +143,7 @@ static int run(uint64_t seed, uint64_t scenes)
         if (!add_class(&h, seed, (scene_class)c, count))
             return 1;
         printf("%s scenes %016" PRIx64 "\n", name, h.made);
-        for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; b++)
+        for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b)
             if (gn_backend_available((gn_backend)b))
                 printf("%s %s %016" PRIx64 "\n", name, gn_backend_name((gn_backend)b), h.drawn[b]);
     }
@@ -153,7 +153,7 @@ static int run(uint64_t seed, uint64_t scenes)
 int main(int argc, char **argv)
 {
     uint64_t scenes = DEFAULT_SCENES, seed = DEFAULT_SEED;
-    for (int i = 1; i < argc; i++) {
+    for (int i = 1; i < argc; ++i) {
         uint64_t *number = strcmp(argv[i], "--scenes") == 0 ? &scenes
                            : strcmp(argv[i], "--seed") == 0 ? &seed
                                                             : NULL;

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "gnomon/backend.h"
+#include <gnomon/backend.h>
 #include "lanes_test.h"
 #include "random.h"
 
@@ -76,7 +76,7 @@ static int32_t any_int(random_source *r)
 
 static void make_input(lanes_input *in, random_source *r)
 {
-    for (int l = 0; l < GN_LANES; l++) {
+    for (int l = 0; l < GN_LANES; ++l) {
         in->a[l] = any_float(r);
         in->b[l] = random_chance(r, 10) ? in->a[l] : any_float(r);
         in->c[l] = any_float(r);
@@ -93,14 +93,14 @@ static void make_input(lanes_input *in, random_source *r)
     in->per_column = random_between(r, -(1 << 24), 1 << 24);
     in->per_row = random_between(r, -(1 << 24), 1 << 24);
     in->bits = random_below(r, 65536);
-    for (int n = 0; n < LANES_MEMORY; n++)
+    for (int n = 0; n < LANES_MEMORY; ++n)
         in->memory[n] = (unsigned char)random_below(r, 256);
 }
 
 /* For the processor's own instructions the processor is asked; emulated forms always run. */
 static bool can_run(const char *name)
 {
-    for (int b = 0; b < GN_BACKEND_COUNT; b++)
+    for (int b = 0; b < GN_BACKEND_COUNT; ++b)
         if (strcmp(name, gn_backend_name((gn_backend)b)) == 0)
             return gn_backend_available((gn_backend)b);
     return true;
@@ -111,7 +111,7 @@ static void print_difference(const named_form *form, const lanes_input *in,
 {
     int l = 0;
     while (wanted->word[l] == given->word[l])
-        l++;
+        ++l;
     printf("%s, %s, lane %d: %08" PRIx32 ", portable %08" PRIx32 "\n", form->name,
            wanted->operation, l, given->word[l], wanted->word[l]);
     printf("  of a %a b %a c %a d %a i %" PRId32 " j %" PRId32 " x %a z %a pixel %a bits %04" PRIx32
@@ -178,12 +178,12 @@ static bool as_defined(defined_operation operation, const lanes_input *in,
     int k = 0;
 
     while (k < operations && strcmp(given[k].operation, defined_names[operation]) != 0)
-        k++;
+        ++k;
     if (k == operations) {
         printf("portable: no operation is named %s\n", defined_names[operation]);
         return false;
     }
-    for (int l = 0; l < GN_LANES; l++) {
+    for (int l = 0; l < GN_LANES; ++l) {
         const uint32_t wanted = definition(operation, in, l);
 
         if (given[k].word[l] == wanted)
@@ -203,17 +203,17 @@ static int test_definitions(uint64_t seed)
     random_source r = random_seed(seed);
     int failed = 0;
 
-    for (int n = 0; n < TRIALS; n++) {
+    for (int n = 0; n < TRIALS; ++n) {
         lanes_output given[LANES_OPERATIONS_MAX];
         lanes_input in;
 
         make_input(&in, &r);
         const int operations = run_portable(&in, given);
-        for (defined_operation d = TRUNCATE; d < DEFINED; d++) {
+        for (defined_operation d = TRUNCATE; d < DEFINED; ++d) {
             if (differs[d] || as_defined(d, &in, given, operations))
                 continue;
             differs[d] = true;
-            failed++;
+            ++failed;
         }
     }
     return failed;
@@ -226,7 +226,7 @@ static int test_form(const named_form *form, uint64_t seed, int *operations)
     random_source r = random_seed(seed);
     int failed = 0;
 
-    for (int n = 0; n < TRIALS; n++) {
+    for (int n = 0; n < TRIALS; ++n) {
         lanes_output wanted[LANES_OPERATIONS_MAX], given[LANES_OPERATIONS_MAX];
         lanes_input in;
 
@@ -236,11 +236,11 @@ static int test_form(const named_form *form, uint64_t seed, int *operations)
             printf("%s: another number of operations\n", form->name);
             return *operations;
         }
-        for (int k = 0; k < *operations; k++) {
+        for (int k = 0; k < *operations; ++k) {
             if (differs[k] || memcmp(wanted[k].word, given[k].word, sizeof wanted[k].word) == 0)
                 continue;
             differs[k] = true;
-            failed++;
+            ++failed;
             print_difference(form, &in, &wanted[k], &given[k]);
         }
     }
@@ -257,7 +257,7 @@ int main(int argc, char **argv)
     int passed = DEFINED - failed;
 
     printf("portable: %d of %d conversions are not as defined\n", failed, DEFINED);
-    for (int f = 0; f < FORM_COUNT; f++) {
+    for (int f = 0; f < FORM_COUNT; ++f) {
         if (forms[f].run == run_portable)
             continue;
         if (!can_run(forms[f].name)) {

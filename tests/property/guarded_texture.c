@@ -77,15 +77,15 @@ static void fill_level(random_source *r, const gn_texture *t, uint32_t level, un
     const gn_texture_level *const l = &t->level[level];
     const size_t row = e.width * (gn_format_size(t->format) / size);
 
-    for (size_t i = 0; i < bytes / size; i++)
+    for (size_t i = 0; i < bytes / size; ++i)
         scene_set_element(memory, size, i, element(r, t->format, i, false));
-    for (uint32_t layer = 0; layer < e.layers; layer++)
-        for (uint32_t y = 0; y < e.height; y++) {
+    for (uint32_t layer = 0; layer < e.layers; ++layer)
+        for (uint32_t y = 0; y < e.height; ++y) {
             char *const texels = (char *)l->texels +
                                  (e.layers > 1 ? l->layer_stride : 0) * (ptrdiff_t)layer +
                                  (e.height > 1 ? l->row_stride : 0) * (ptrdiff_t)y;
 
-            for (size_t i = 0; i < row; i++)
+            for (size_t i = 0; i < row; ++i)
                 scene_set_element(texels, size, i, element(r, t->format, i, true));
         }
 }
@@ -97,7 +97,7 @@ bool guarded_map(const gn_texture *shape, uint64_t seed, const bool at_end[GN_MA
     bool filled = true;
 
     *t = *shape;
-    for (uint32_t level = 0; level < scene_level_count(t); level++) {
+    for (uint32_t level = 0; level < scene_level_count(t); ++level) {
         const scene_extent e = scene_level_extent(t, level);
         gn_texture_level *const l = &t->level[level];
         gn_texture_level counted = *l; /* strides that have no effect are 0 */
@@ -126,6 +126,6 @@ bool guarded_map(const gn_texture *shape, uint64_t seed, const bool at_end[GN_MA
 
 void guarded_unmap(const gn_texture *t, const guarded memory[GN_MAX_LEVELS])
 {
-    for (uint32_t level = 0; level < scene_level_count(t); level++)
+    for (uint32_t level = 0; level < scene_level_count(t); ++level)
         munmap(memory[level].mapping, memory[level].mapped);
 }

@@ -33,7 +33,7 @@ static int64_t doubled_area(const mesh *m, const uint32_t *t)
 /* Whether every triangle has the proper winding, so that the triangles tile the outline. */
 static bool tiles(const mesh *m)
 {
-    for (uint32_t i = 0; i < m->triangle_count; i++)
+    for (uint32_t i = 0; i < m->triangle_count; ++i)
         if (doubled_area(m, m->triangle[i]) < 0)
             return false;
     return true;
@@ -42,17 +42,17 @@ static bool tiles(const mesh *m)
 static void add_triangle(mesh *m, uint32_t a, uint32_t b, uint32_t c, uint32_t turn)
 {
     const uint32_t corner[3] = {a, b, c};
-    for (uint32_t k = 0; k < 3; k++)
+    for (uint32_t k = 0; k < 3; ++k)
         m->triangle[m->triangle_count][k] = corner[(k + turn) % 3];
-    m->triangle_count++;
+    ++m->triangle_count;
 }
 
 static void make_grid(mesh *m, random_source *r, int32_t columns, int32_t rows, int32_t grain,
                       bool jitter)
 {
     m->vertex_count = m->triangle_count = 0;
-    for (int32_t j = 0; j <= rows; j++)
-        for (int32_t i = 0; i <= columns; i++) {
+    for (int32_t j = 0; j <= rows; ++j)
+        for (int32_t i = 0; i <= columns; ++i) {
             int32_t *p = m->position[m->vertex_count++];
             const int32_t step_x = (m->x1 - m->x0) / columns, step_y = (m->y1 - m->y0) / rows;
             p[0] = i == columns ? m->x1 : m->x0 + step_x * i;
@@ -66,8 +66,8 @@ static void make_grid(mesh *m, random_source *r, int32_t columns, int32_t rows, 
             if (j > 0 && j < rows)
                 p[1] -= p[1] % grain;
         }
-    for (uint32_t j = 0; j < (uint32_t)rows; j++)
-        for (uint32_t i = 0; i < (uint32_t)columns; i++) {
+    for (uint32_t j = 0; j < (uint32_t)rows; ++j)
+        for (uint32_t i = 0; i < (uint32_t)columns; ++i) {
             const uint32_t low = j * ((uint32_t)columns + 1) + i;
             const uint32_t high = low + (uint32_t)columns + 1, turn = random_below(r, 3);
             if (random_chance(r, 50)) {
@@ -87,8 +87,8 @@ static void make_hub(mesh *m, random_source *r, uint32_t per_side)
     m->position[0][0] = random_between(r, m->x0, m->x1);
     m->position[0][1] = random_between(r, m->y0, m->y1);
     m->vertex_count = 1;
-    for (uint32_t side = 0; side < 4; side++)
-        for (uint32_t i = 0; i < per_side; i++) {
+    for (uint32_t side = 0; side < 4; ++side)
+        for (uint32_t i = 0; i < per_side; ++i) {
             const int32_t along_x = (int32_t)((uint32_t)(m->x1 - m->x0) * i / per_side);
             const int32_t along_y = (int32_t)((uint32_t)(m->y1 - m->y0) * i / per_side);
             int32_t *p = m->position[m->vertex_count++];
@@ -101,7 +101,7 @@ static void make_hub(mesh *m, random_source *r, uint32_t per_side)
                    : side == 2 ? m->y1
                                : m->y1 - along_y;
         }
-    for (uint32_t i = 0; i < 4 * per_side; i++)
+    for (uint32_t i = 0; i < 4 * per_side; ++i)
         add_triangle(m, 0, 1 + i, 1 + (i + 1) % (4 * per_side), random_below(r, 3));
 }
 
@@ -138,7 +138,7 @@ static enum theft_alloc_res make_mesh(struct theft *t, void *env, void **output)
         if (!tiles(m))
             make_grid(m, &r, columns, rows, 1, false);
     }
-    for (uint32_t i = 0; i < m->vertex_count; i++)
+    for (uint32_t i = 0; i < m->vertex_count; ++i)
         m->w[i] = shape & 2 ? random_power(&r, -2, 2) : 1.0f;
     *output = m;
     return THEFT_ALLOC_OK;
@@ -152,8 +152,8 @@ static void print_mesh(FILE *f, const void *instance, void *env)
             "target %" PRIu32 "x%" PRIu32 ", outline (%" PRId32 ", %" PRId32 ") to (%" PRId32
             ", %" PRId32 "), all in 1/256 pixel\n",
             m->width, m->height, m->x0, m->y0, m->x1, m->y1);
-    for (uint32_t i = 0; i < m->triangle_count; i++) {
-        for (int k = 0; k < 3; k++) {
+    for (uint32_t i = 0; i < m->triangle_count; ++i) {
+        for (int k = 0; k < 3; ++k) {
             const uint32_t v = m->triangle[i][k];
             fprintf(f, "  (%" PRId32 ", %" PRId32 ", w %g)", m->position[v][0], m->position[v][1],
                     (double)m->w[v]);
@@ -166,8 +166,8 @@ static void pass_position(const void *uniforms, const gn_vertex_input *input,
                           gn_vertex_output *output)
 {
     (void)uniforms;
-    for (int c = 0; c < 4; c++)
-        for (int lane = 0; lane < GN_LANES; lane++)
+    for (int c = 0; c < 4; ++c)
+        for (int lane = 0; lane < GN_LANES; ++lane)
             output->position[c][lane] = input->attribute[0][c][lane];
 }
 
@@ -176,8 +176,8 @@ static void paint_white(const void *uniforms, const gn_fragment_input *input,
 {
     (void)uniforms;
     (void)input;
-    for (int c = 0; c < 4; c++)
-        for (int lane = 0; lane < GN_LANES; lane++)
+    for (int c = 0; c < 4; ++c)
+        for (int lane = 0; lane < GN_LANES; ++lane)
             output->color[c][lane] = 1.0f;
 }
 
@@ -190,7 +190,7 @@ static enum theft_trial_res shared_edges_once(struct theft *t, void *instance)
     (void)t;
     float position[MAX_VERTICES][4];
     const float half_width = (float)m->width * 0.5f, half_height = (float)m->height * 0.5f;
-    for (uint32_t i = 0; i < m->vertex_count; i++) {
+    for (uint32_t i = 0; i < m->vertex_count; ++i) {
         position[i][0] = ((float)m->position[i][0] / 256.0f - half_width) / half_width * m->w[i];
         position[i][1] = ((float)m->position[i][1] / 256.0f - half_height) / half_height * m->w[i];
         position[i][2] = 0.0f;
@@ -209,16 +209,16 @@ static enum theft_trial_res shared_edges_once(struct theft *t, void *instance)
     one.count = 3;
     gn_workspace workspace = {.memory = memory, .size = sizeof memory};
     memset(covered, 0, sizeof covered);
-    for (uint32_t i = 0; i < m->triangle_count; i++) {
+    for (uint32_t i = 0; i < m->triangle_count; ++i) {
         memset(pixels, 0, sizeof pixels);
         one.indices = m->triangle[i];
         if (gn_draw(&target, &pipeline, &one, &workspace) != GN_OK)
             return THEFT_TRIAL_FAIL;
-        for (uint32_t p = 0; p < m->width * m->height; p++)
+        for (uint32_t p = 0; p < m->width * m->height; ++p)
             covered[p] = (uint8_t)(covered[p] + (pixels[p] != 0));
     }
-    for (uint32_t y = 0; y < m->height; y++)
-        for (uint32_t x = 0; x < m->width; x++) {
+    for (uint32_t y = 0; y < m->height; ++y)
+        for (uint32_t x = 0; x < m->width; ++x) {
             /* Left sides and bottom sides own the centres that lie on them. */
             const int32_t cx = (int32_t)(256 * x + 128), cy = (int32_t)(256 * y + 128);
             const bool inside = cx >= m->x0 && cx < m->x1 && cy >= m->y0 && cy < m->y1;

@@ -117,13 +117,13 @@ static uint32_t state_value(const scene_member *m, random_source *r)
 
 static void any_state(scene_draw *d, random_source *r)
 {
-    for (size_t i = 0; i < scene_member_count; i++) {
+    for (size_t i = 0; i < scene_member_count; ++i) {
         const scene_member *const m = &scene_members[i];
 
         if (!scene_member_is_state(m) || m->type == MEMBER_ELSEWHERE)
             continue;
-        for (size_t line = 0; line < scene_member_lines(m); line++)
-            for (size_t v = 0; v < scene_member_values(m); v++)
+        for (size_t line = 0; line < scene_member_lines(m); ++line)
+            for (size_t v = 0; v < scene_member_values(m); ++v)
                 scene_member_set(m, d, line, v, state_value(m, r));
     }
     d->state.program.varying_count = 4;
@@ -144,8 +144,8 @@ static void any_mesh(hostile *h, random_source *r)
 {
     const uint32_t kind = random_below(r, 8);
 
-    for (uint32_t i = 0; i < MAX_VERTICES; i++)
-        for (int c = 0; c < 4; c++) {
+    for (uint32_t i = 0; i < MAX_VERTICES; ++i)
+        for (int c = 0; c < 4; ++c) {
             h->position[i][c] = kind == 0 && i > 0 ? h->position[0][c] /* all equal */
                                 : kind == 1        ? any_number(r)
                                 : kind == 2        ? random_float(r, -1.0f, 1.0f) * 16777216.0f
@@ -155,7 +155,7 @@ static void any_mesh(hostile *h, random_source *r)
                 h->position[i][c] = c == 3 ? 0.0f : any_number(r);
             h->varying[i][c] = any_number(r);
         }
-    for (uint32_t i = 0; i < MAX_INDICES; i++)
+    for (uint32_t i = 0; i < MAX_INDICES; ++i)
         h->indices[i] = (uint16_t)(random_chance(r, 15) ? 0xFFFF : random_below(r, MAX_VERTICES));
     h->draw.mesh.vertex_count = MAX_VERTICES;
     h->draw.mesh.index_format = random_chance(r, 50) ? GN_INDEX_UINT16 : GN_INDEX_NONE;
@@ -187,7 +187,7 @@ static enum theft_alloc_res make_hostile(struct theft *t, void *env, void **outp
         return THEFT_ALLOC_ERROR;
     any_size(h, &r);
     h->color[0] = any_color_format(&r);
-    for (uint32_t a = random_chance(&r, 25) ? random_below(&r, GN_MAX_COLORS) : 0; a > 0; a--)
+    for (uint32_t a = random_chance(&r, 25) ? random_below(&r, GN_MAX_COLORS) : 0; a > 0; --a)
         h->color[a] = random_chance(&r, 20) ? GN_FORMAT_NONE : any_color_format(&r);
     h->samples = random_chance(&r, 35) ? GN_SAMPLES : random_below(&r, 2);
     h->layout = (layout)random_below(&r, LAYOUT_COUNT);
@@ -214,7 +214,7 @@ static void print_hostile(FILE *f, const void *instance, void *env)
             h->width, h->height, h->samples, (int)h->layout, (int)h->color[0], (int)h->depth,
             h->draw.mesh.count);
     scene_write_members(&h->draw, f);
-    for (uint32_t i = 0; i < MAX_VERTICES; i++)
+    for (uint32_t i = 0; i < MAX_VERTICES; ++i)
         fprintf(f, "  %.9g %.9g %.9g %.9g\n", (double)h->position[i][0], (double)h->position[i][1],
                 (double)h->position[i][2], (double)h->position[i][3]);
 }
@@ -222,13 +222,13 @@ static void print_hostile(FILE *f, const void *instance, void *env)
 static void pass_attributes(const void *uniforms, const gn_vertex_input *input,
                             gn_vertex_output *output)
 {
-    for (int c = 0; c < 4; c++) {
+    for (int c = 0; c < 4; ++c) {
         memcpy(output->position[c], input->attribute[0][c], sizeof output->position[c]);
         memcpy(output->varying[c], input->attribute[1][c], sizeof output->varying[c]);
     }
     const hostile *h = uniforms;
 
-    for (uint32_t i = 0; i < h->draw.state.program.clip_distance_count; i++)
+    for (uint32_t i = 0; i < h->draw.state.program.clip_distance_count; ++i)
         memcpy(output->clip_distance[i], input->attribute[1][i % 4], GN_LANES * sizeof(float));
     if (output->point_size)
         memcpy(output->point_size, input->attribute[1][0], GN_LANES * sizeof(float));
@@ -241,15 +241,15 @@ static void use_all_inputs(const void *uniforms, const gn_fragment_input *input,
     const int colors =
         h->draw.state.program.color_count ? (int)h->draw.state.program.color_count : 1;
 
-    for (int c = 0; c < 4 * colors; c++)
-        for (int lane = 0; lane < GN_LANES; lane++) {
+    for (int c = 0; c < 4 * colors; ++c)
+        for (int lane = 0; lane < GN_LANES; ++lane) {
             output->color[c][lane] = input->varying[c % 4][lane];
             if (input->position)
                 output->color[c][lane] *= input->position[c % 4][lane];
             if (input->sample_mask)
                 output->color[c][lane] += (float)input->sample_mask[lane];
         }
-    for (int lane = 0; lane < GN_LANES && output->sample_mask; lane++)
+    for (int lane = 0; lane < GN_LANES && output->sample_mask; ++lane)
         output->sample_mask[lane] = 0x96A53C0Fu * (uint32_t)lane;
     if (input->point_coordinate)
         gn_derivative_width(input->point_coordinate[0], output->color[1]);
@@ -309,18 +309,18 @@ static bool guards_hold(const hostile *h, const guarded *g, bool untouched)
     const size_t pixel = gn_format_size(g->surface.format);
     const uint32_t samples = h->samples > 1 ? h->samples : 1;
 
-    for (uint32_t s = 0; s < samples && !untouched; s++) {
+    for (uint32_t s = 0; s < samples && !untouched; ++s) {
         unsigned char *const plane =
             (unsigned char *)g->surface.pixels + g->surface.sample_stride * (ptrdiff_t)s;
 
         if (samples > 1 && h->draw.state.samples.write_disabled >> s & 1)
             continue;
-        for (uint32_t y = 0; y < h->height; y++)
-            for (uint32_t x = 0; x < h->width; x++)
+        for (uint32_t y = 0; y < h->height; ++y)
+            for (uint32_t x = 0; x < h->width; ++x)
                 if (in_scissor(&h->draw.state.raster.scissor, x, y))
                     memset(plane + g->surface.row_stride * (ptrdiff_t)y + x * pixel, GUARD, pixel);
     }
-    for (size_t i = 0; i < g->size; i++)
+    for (size_t i = 0; i < g->size; ++i)
         if (g->memory[i] != GUARD)
             return false;
     return true;
@@ -341,7 +341,7 @@ static enum theft_trial_res any_draw_stays_inside(struct theft *t, void *instanc
     gn_mesh mesh = h->draw.mesh;
     (void)t;
 
-    for (int a = 0; a < GN_MAX_COLORS; a++) {
+    for (int a = 0; a < GN_MAX_COLORS; ++a) {
         color[a] = guarded_surface(h, h->color[a]);
         target.color[a] = color[a].surface;
     }
@@ -355,7 +355,7 @@ static enum theft_trial_res any_draw_stays_inside(struct theft *t, void *instanc
     const gn_status status = gn_draw(&target, &pipeline, &mesh, &workspace);
     bool hold = workspace.memory && guards_hold(h, &depth, status) &&
                 (status != GN_OK) == (gn_pipeline_fault(&pipeline, NULL) || gn_mesh_fault(&mesh));
-    for (uint32_t a = 0; a < GN_MAX_COLORS; a++) {
+    for (uint32_t a = 0; a < GN_MAX_COLORS; ++a) {
         hold &= guards_hold(h, &color[a], status || a >= colors);
         free(color[a].memory);
     }

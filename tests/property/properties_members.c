@@ -23,11 +23,11 @@ static enum theft_trial_res has_every_byte(struct theft *t, void *argument)
     size_t bytes = 0;
     (void)t;
     (void)argument;
-    for (size_t i = 0; i < scene_member_count; i++) {
+    for (size_t i = 0; i < scene_member_count; ++i) {
         const scene_member *const m = &scene_members[i];
         const size_t size = scene_member_values(m) * scene_member_size(m);
-        for (size_t line = 0; line < scene_member_lines(m); line++)
-            for (size_t b = 0; b < size; b++)
+        for (size_t line = 0; line < scene_member_lines(m); ++line)
+            for (size_t b = 0; b < size; ++b)
                 if (times[m->offset + line * m->stride + b]++) {
                     printf("%s: its bytes are in another row too\n", m->name);
                     return THEFT_TRIAL_FAIL;
@@ -66,8 +66,8 @@ static gn_status status_with(const scene_member *m, size_t line, uint32_t value)
     d.state.program.vertex_shader = no_vertices;
     d.state.program.fragment_shader = no_fragments;
     d.state.program.varying_count = GN_MAX_VARYINGS;
-    for (size_t i = 0; i < scene_member_count; i++)
-        for (size_t l = 0; l < scene_member_lines(&scene_members[i]); l++)
+    for (size_t i = 0; i < scene_member_count; ++i)
+        for (size_t l = 0; l < scene_member_lines(&scene_members[i]); ++l)
             if (scene_members[i].type == MEMBER_SWITCH)
                 scene_member_set(&scene_members[i], &d, l, 0, true);
     scene_member_set(m, &d, line, 0, value);
@@ -109,9 +109,9 @@ static enum theft_trial_res have_limits(struct theft *t, void *argument)
     bool good = true;
     (void)t;
     (void)argument;
-    for (size_t i = 0; i < scene_member_count; i++) {
+    for (size_t i = 0; i < scene_member_count; ++i) {
         const scene_member *const m = &scene_members[i];
-        for (size_t line = 0; scene_member_is_state(m) && line < scene_member_lines(m); line++)
+        for (size_t line = 0; scene_member_is_state(m) && line < scene_member_lines(m); ++line)
             if (!has_limits(m, line)) {
                 printf("%s, line %zu: the library has other limits\n", m->name, line);
                 good = false;
@@ -144,10 +144,10 @@ static scene *any_members(uint64_t seed)
     scene *const s = scene_create(4, 4, GN_FORMAT_RGBA8, GN_FORMAT_NONE);
     scene_draw *const d = scene_add_draw(s);
     const uint32_t percent = random_chance(&r, 50) ? 5 : 100;
-    for (size_t i = 0; i < scene_member_count; i++) {
+    for (size_t i = 0; i < scene_member_count; ++i) {
         const scene_member *const m = &scene_members[i];
-        for (size_t line = 0; line < scene_member_lines(m); line++)
-            for (size_t v = 0; v < scene_member_values(m); v++)
+        for (size_t line = 0; line < scene_member_lines(m); ++line)
+            for (size_t v = 0; v < scene_member_values(m); ++v)
                 if (m->type != MEMBER_ELSEWHERE && random_chance(&r, percent))
                     scene_member_set(m, d, line, v, any_value(m, &r));
     }
@@ -231,10 +231,10 @@ static bool is_simple(const scene_draw *d, const planted *p)
 {
     scene_draw by_default;
     scene_default_draw(&by_default);
-    for (size_t i = 0; i < scene_member_count; i++) {
+    for (size_t i = 0; i < scene_member_count; ++i) {
         const scene_member *const m = &scene_members[i];
-        for (size_t line = 0; line < scene_member_lines(m); line++)
-            for (size_t v = 0; v < scene_member_values(m); v++) {
+        for (size_t line = 0; line < scene_member_lines(m); ++line)
+            for (size_t v = 0; v < scene_member_values(m); ++v) {
                 const uint32_t value = scene_member_get(m, d, line, v);
                 if (m->type != MEMBER_ELSEWHERE && value != m->simplest &&
                     value != scene_member_get(m, &by_default, line, v) &&
@@ -293,7 +293,7 @@ int properties_members(uint64_t seed, size_t trials)
         {"failing members shrink to one", shrink_to_one, trials},
     };
     int failed = 0;
-    for (size_t i = 0; i < sizeof properties / sizeof *properties; i++) {
+    for (size_t i = 0; i < sizeof properties / sizeof *properties; ++i) {
         const struct theft_run_config config = {
             .name = properties[i].name, .prop1 = properties[i].property, .type_info = {&seeds}};
         failed += property_run(config, seed, properties[i].trials);

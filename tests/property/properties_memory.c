@@ -82,8 +82,8 @@ static enum theft_alloc_res make_hostile(struct theft *t, void *env, void **outp
         h->viewport.width *= random_float(&r, 0.0f, 2.0f);
         h->viewport.height *= random_float(&r, 0.0f, 2.0f);
     }
-    for (uint32_t i = 0; i < 3 * h->triangle_count; i++)
-        for (int c = 0; c < 4; c++)
+    for (uint32_t i = 0; i < 3 * h->triangle_count; ++i)
+        for (int c = 0; c < 4; ++c)
             h->position[i][c] = kind & 2 || random_chance(&r, 60)
                                     ? random_float(&r, c < 3 ? -4.0f : -0.5f, 4.0f)
                                     : hostile_number(&r, i % 9 < 6);
@@ -98,7 +98,7 @@ static void print_hostile(FILE *f, const void *instance, void *env)
     fprintf(f, "target %" PRIu32 "x%" PRIu32 " %s, viewport %.9g %.9g %.9g %.9g\n", h->width,
             h->height, h->top_down ? "top-down" : "bottom-up", (double)h->viewport.x,
             (double)h->viewport.y, (double)h->viewport.width, (double)h->viewport.height);
-    for (uint32_t i = 0; i < 3 * h->triangle_count; i++)
+    for (uint32_t i = 0; i < 3 * h->triangle_count; ++i)
         fprintf(f, "  %.9g %.9g %.9g %.9g\n", (double)h->position[i][0], (double)h->position[i][1],
                 (double)h->position[i][2], (double)h->position[i][3]);
 }
@@ -154,8 +154,8 @@ static bool guards_hold(const guarded *g, const unsigned char *before, const hos
     if (!expected)
         return false;
     memcpy(expected, before, g->size);
-    for (uint32_t y = 0; y < h->height; y++)
-        for (uint32_t x = 0; x < h->width; x++) {
+    for (uint32_t y = 0; y < h->height; ++y)
+        for (uint32_t x = 0; x < h->width; ++x) {
             if (clipped && !in_viewport(&h->viewport, x, y))
                 continue;
             const ptrdiff_t at = (unsigned char *)g->surface.pixels - g->memory +
@@ -171,8 +171,8 @@ static bool guards_hold(const guarded *g, const unsigned char *before, const hos
  * planes, at the middle of the view, and is then drawn. */
 static bool is_drawable(const float position[3][4])
 {
-    for (int v = 0; v < 3; v++)
-        for (int c = 0; c < 4; c++)
+    for (int v = 0; v < 3; ++v)
+        for (int c = 0; c < 4; ++c)
             if (!isfinite(position[v][c]) && !(c == 3 && position[v][c] > 0.0f))
                 return false;
     return true;
@@ -182,8 +182,8 @@ static void pass_position(const void *uniforms, const gn_vertex_input *input,
                           gn_vertex_output *output)
 {
     (void)uniforms;
-    for (int c = 0; c < 4; c++)
-        for (int lane = 0; lane < GN_LANES; lane++) {
+    for (int c = 0; c < 4; ++c)
+        for (int lane = 0; lane < GN_LANES; ++lane) {
             output->position[c][lane] = input->attribute[0][c][lane];
             output->varying[c][lane] = input->attribute[0][c][lane];
         }
@@ -193,8 +193,8 @@ static void paint_varyings(const void *uniforms, const gn_fragment_input *input,
                            gn_fragment_output *output)
 {
     (void)uniforms;
-    for (int c = 0; c < 4; c++)
-        for (int lane = 0; lane < GN_LANES; lane++)
+    for (int c = 0; c < 4; ++c)
+        for (int lane = 0; lane < GN_LANES; ++lane)
             output->color[c][lane] = input->varying[c][lane];
 }
 
@@ -234,8 +234,8 @@ static bool draw_guarded(const hostile *h, const guarded *color, const guarded *
  * reference, the pixels are drawn wherever they are within the target. */
 static bool is_ordinary(const float position[3][4])
 {
-    for (int v = 0; v < 3; v++)
-        for (int c = 0; c < 4; c++)
+    for (int v = 0; v < 3; ++v)
+        for (int c = 0; c < 4; ++c)
             if (!(fabsf(position[v][c]) <= 4.0f))
                 return false;
     return true;
@@ -247,17 +247,17 @@ static enum theft_trial_res writes_stay_inside(struct theft *t, void *instance)
     (void)t;
     guarded surface[2] = {guarded_surface(h, h->color), guarded_surface(h, h->depth)};
     bool hold = true;
-    for (uint32_t i = 0; i < h->triangle_count && hold; i++) {
+    for (uint32_t i = 0; i < h->triangle_count && hold; ++i) {
         unsigned char *before[2];
         const bool drawable = is_drawable(&h->position[3 * i]);
         const bool ordinary = is_ordinary(&h->position[3 * i]);
-        for (int k = 0; k < 2; k++) {
+        for (int k = 0; k < 2; ++k) {
             before[k] = malloc(surface[k].size + 1);
             if (before[k] && surface[k].memory)
                 memcpy(before[k], surface[k].memory, surface[k].size);
         }
         hold = before[0] && before[1] && draw_guarded(h, &surface[0], &surface[1], i);
-        for (int k = 0; k < 2; k++) {
+        for (int k = 0; k < 2; ++k) {
             hold = hold && guards_hold(&surface[k], before[k], h, !drawable, ordinary);
             free(before[k]);
         }

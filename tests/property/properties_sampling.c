@@ -42,7 +42,7 @@ static gn_texture random_texture(random_source *r, bool constant)
         fprintf(stderr, "properties: out of memory\n");
         exit(EXIT_FAILURE);
     }
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; ++i) {
         const float number = random_float(r, 0.125f, 1.0f);
         const int width = scene_channel_width(t.format, 0);
         const bool is_float = scene_is_float_format(t.format) && width == 32 &&
@@ -109,8 +109,8 @@ static enum theft_trial_res one_place_is_one_of_sixteen(struct theft *theft, voi
     bool good = true;
 
     (void)theft;
-    for (int l = 0; l < GN_LANES; l++) {
-        for (int c = 0; c < 3; c++)
+    for (int l = 0; l < GN_LANES; ++l) {
+        for (int c = 0; c < 3; ++c)
             /* Never on a texel's border, where neighbouring places choose independently, nor,
              * because each has its own offset, on an edge of a cube. */
             coordinate[c][l] = is_tame
@@ -120,11 +120,11 @@ static enum theft_trial_res one_place_is_one_of_sixteen(struct theft *theft, voi
         reference[l] = random_unit(&r);
     }
     gn_sample(&t, &s, &lookup, texel);
-    for (int l = 0; l < GN_LANES && good; l++) {
+    for (int l = 0; l < GN_LANES && good; ++l) {
         const float at[3] = {coordinate[0][l], coordinate[1][l], coordinate[2][l]};
 
         gn_sample_at(&t, &s, at, lod[l], reference[l], one);
-        for (int c = 0; c < 4; c++)
+        for (int c = 0; c < 4; ++c)
             good = good &&
                    (same(texel[c][l], one[c]) || (!alone && fabsf(texel[c][l] - one[c]) <= 3e-7f));
     }
@@ -171,8 +171,8 @@ static enum theft_trial_res centres_give_their_texels(struct theft *theft, void 
     s.lod_bias = 0.0f;
     s.lod_clamped = false;
     s.max_anisotropy = 0;
-    for (int l = 0; l < GN_LANES; l++) {
-        for (int c = 0; c < 3; c++) {
+    for (int l = 0; l < GN_LANES; ++l) {
+        for (int c = 0; c < 3; ++c) {
             const bool is_layer = c == 2 && t.target == GN_TEXTURE_2D_ARRAY;
             const bool repeats = wraps[c] == GN_WRAP_REPEAT || wraps[c] == GN_WRAP_MIRRORED_REPEAT;
             const int32_t repeat = repeats && !is_layer ? random_between(&r, -4, 4) : 0;
@@ -191,7 +191,7 @@ static enum theft_trial_res centres_give_their_texels(struct theft *theft, void 
 
             direction_to(number[2][l], 2.0f * ((float)number[0][l] + 0.5f) / (float)size[0] - 1.0f,
                          2.0f * ((float)number[1][l] + 0.5f) / (float)size[1] - 1.0f, d);
-            for (int c = 0; c < 3; c++)
+            for (int c = 0; c < 3; ++c)
                 coordinate[c][l] = d[c];
         }
         levels[l] = (int32_t)level;
@@ -199,8 +199,8 @@ static enum theft_trial_res centres_give_their_texels(struct theft *theft, void 
     }
     gn_sample(&t, &s, &lookup, texel);
     gn_fetch(&t, numbers, levels, fetched);
-    for (int l = 0; l < GN_LANES; l++)
-        for (int c = 0; c < 4; c++)
+    for (int l = 0; l < GN_LANES; ++l)
+        for (int c = 0; c < 4; ++c)
             good = good && same(texel[c][l], fetched[c][l]);
     free_texels(&t);
     return verdict(good);
@@ -229,24 +229,24 @@ static enum theft_trial_res constants_stay(struct theft *theft, void *instance)
     s.compare = GN_COMPARE_DEFAULT;
     lookup.lod_source = (gn_lod_source)random_below(&r, 3);
     gn_fetch(&t, numbers, zero, constant);
-    for (int c = 0; c < 4; c++)
+    for (int c = 0; c < 4; ++c)
         s.border[c] = constant[c][0];
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; ++c) {
         lookup.coordinate[c] = coordinate[c];
         lookup.gradient_x[c] = gradient[0][c];
         lookup.gradient_y[c] = gradient[1][c];
-        for (int l = 0; l < GN_LANES; l++) {
+        for (int l = 0; l < GN_LANES; ++l) {
             const float sign = random_sign(&r);
 
             coordinate[c][l] = sign * random_octave(&r, -10, 12);
-            for (int g = 0; g < 2; g++)
+            for (int g = 0; g < 2; ++g)
                 gradient[g][c][l] = random_float(&r, -1.0f, 1.0f);
             lod[l] = random_float(&r, -3.0f, 8.0f);
         }
     }
     gn_sample(&t, &s, &lookup, texel);
-    for (int l = 0; l < GN_LANES; l++)
-        for (int c = 0; c < 4; c++)
+    for (int l = 0; l < GN_LANES; ++l)
+        for (int c = 0; c < 4; ++c)
             good = good && is_constant(&t, texel[c][l], constant[c][0]);
     free_texels(&t);
     return verdict(good);
@@ -269,7 +269,7 @@ int properties_sampling(uint64_t seed, size_t trials)
     };
     int failed = 0;
 
-    for (size_t i = 0; i < sizeof configs / sizeof *configs; i++)
+    for (size_t i = 0; i < sizeof configs / sizeof *configs; ++i)
         failed += property_run(configs[i], seed, 10 * trials);
     return failed;
 }

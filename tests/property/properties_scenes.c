@@ -121,7 +121,7 @@ static bool draw_top_down(const scene *s, scene_frame *frame)
 {
     gn_target target;
     memset(&target, 0, sizeof target);
-    for (int a = 0; a < GN_MAX_COLORS; a++)
+    for (int a = 0; a < GN_MAX_COLORS; ++a)
         if (scene_color_format(s, a) != GN_FORMAT_NONE)
             target.color[a] = top_down(s, scene_frame_color(frame, a), scene_color_format(s, a));
     if (s->depth_format != GN_FORMAT_NONE)
@@ -138,7 +138,7 @@ static bool rows_reversed(const scene *s, const void *a, const void *b, gn_forma
 {
     const size_t row = s->width * gn_format_size(format);
     const uint32_t images = scene_is_sampled(s) ? GN_SAMPLES : 1;
-    for (uint32_t y = 0; y < images * s->height && row > 0; y++) {
+    for (uint32_t y = 0; y < images * s->height && row > 0; ++y) {
         const uint32_t image = y / s->height * s->height;
         const uint32_t mirrored = image + s->height - 1 - y % s->height;
         if (memcmp((const char *)a + row * y, (const char *)b + row * mirrored, row) != 0)
@@ -150,7 +150,7 @@ static bool rows_reversed(const scene *s, const void *a, const void *b, gn_forma
 static bool colors_reversed(const scene *s, const scene_frame *up, const scene_frame *down)
 {
     bool reversed = true;
-    for (int a = 0; a < GN_MAX_COLORS; a++)
+    for (int a = 0; a < GN_MAX_COLORS; ++a)
         reversed = reversed && rows_reversed(s, scene_frame_color(up, a),
                                              scene_frame_color(down, a), scene_color_format(s, a));
     return reversed;
@@ -187,7 +187,7 @@ static bool covers_pixel(const scene *s, void *context)
     if (p->x >= s->width || p->y >= s->height)
         return false;
     scene *empty = scene_copy(s);
-    for (size_t i = 0; i < empty->draw_count; i++)
+    for (size_t i = 0; i < empty->draw_count; ++i)
         empty->draws[i].mesh.count = 0;
     scene_frame drawn = frame_of(s), cleared = frame_of(s);
     const size_t at = (size_t)p->y * s->width + p->x;
@@ -209,7 +209,7 @@ static enum theft_trial_res failing_scene_shrinks(struct theft *t, void *argumen
     pixel_place p = {0, 0};
     (void)t;
     bool found = false;
-    for (int attempt = 0; attempt < 40 && !found; attempt++) {
+    for (int attempt = 0; attempt < 40 && !found; ++attempt) {
         p.x = random_below(&r, s->width);
         p.y = random_below(&r, s->height);
         found = covers_pixel(s, &p);
@@ -245,7 +245,7 @@ int properties_scenes(uint64_t seed, size_t trials)
         {"a failing scene shrinks to one triangle", failing_scene_shrinks, trials / 10 + 1},
     };
     int failed = 0;
-    for (size_t i = 0; i < sizeof properties / sizeof *properties; i++) {
+    for (size_t i = 0; i < sizeof properties / sizeof *properties; ++i) {
         const struct theft_run_config config = {
             .name = properties[i].name, .prop1 = properties[i].property, .type_info = {&scenes}};
         failed += property_run(config, seed, properties[i].trials);

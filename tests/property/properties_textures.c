@@ -62,7 +62,7 @@ static void random_strides(random_source *r, gn_texture *t)
 {
     const size_t element = scene_element_size(t->format);
 
-    for (uint32_t level = 0; level < scene_level_count(t); level++) {
+    for (uint32_t level = 0; level < scene_level_count(t); ++level) {
         const scene_extent e = scene_level_extent(t, level);
         gn_texture_level *const l = &t->level[level];
         const size_t row = e.width * gn_format_size(t->format);
@@ -85,10 +85,10 @@ static void random_lookup(hostile *h, random_source *r)
 
     h->lod_source = (gn_lod_source)random_below(r, 3);
     h->channel = (int)random_below(r, 4);
-    for (int l = 0; l < GN_LANES; l++) {
-        for (int c = 0; c < 3; c++) {
+    for (int l = 0; l < GN_LANES; ++l) {
+        for (int c = 0; c < 3; ++c) {
             h->coordinate[c][l] = is_tame ? random_float(r, -2.0f, 3.0f) : random_hostile_number(r);
-            for (int g = 0; g < 2; g++)
+            for (int g = 0; g < 2; ++g)
                 h->gradient[g][c][l] =
                     is_tame ? random_float(r, -1.0f, 1.0f) : random_hostile_number(r);
             h->number[c][l] = random_chance(r, 80) ? random_between(r, -2, most)
@@ -103,7 +103,7 @@ static void random_lookup(hostile *h, random_source *r)
 
 static bool maps(const gn_texture *t)
 {
-    for (uint32_t level = 0; level < scene_level_count(t); level++)
+    for (uint32_t level = 0; level < scene_level_count(t); ++level)
         if (guarded_span(t, level) > MOST_MAPPED)
             return false;
     return true;
@@ -131,7 +131,7 @@ static enum theft_alloc_res make_hostile(struct theft *t, void *env, void **outp
     } while (!maps(&h->texture));
     h->sampler = random_sampler_state(&r);
     h->faulty_level = random_below(&r, scene_level_count(&h->texture));
-    for (int level = 0; level < GN_MAX_LEVELS; level++)
+    for (int level = 0; level < GN_MAX_LEVELS; ++level)
         h->at_end[level] = random_chance(&r, 60);
     h->texels = random_bits(&r);
     random_lookup(h, &r);
@@ -155,7 +155,7 @@ static void print_hostile(FILE *f, const void *instance, void *env)
             (double)h->sampler.lod_bias, h->sampler.lod_clamped, (double)h->sampler.min_lod,
             (double)h->sampler.max_lod, h->sampler.max_anisotropy, (int)h->lod_source,
             (int)h->fault);
-    for (int l = 0; l < GN_LANES; l++)
+    for (int l = 0; l < GN_LANES; ++l)
         fprintf(f, "  %.9g %.9g %.9g, lod %.9g, reference %.9g\n", (double)h->coordinate[0][l],
                 (double)h->coordinate[1][l], (double)h->coordinate[2][l], (double)h->lod[l],
                 (double)h->reference[l]);
@@ -208,8 +208,8 @@ static bool has_numbers(const hostile *h, int lane)
     bool tame = is_tame(h->sampler.lod_bias);
     float length = 0.0f;
 
-    for (int l = 0; l < GN_LANES; l++)
-        for (int c = 0; c < 3; c++) {
+    for (int l = 0; l < GN_LANES; ++l)
+        for (int c = 0; c < 3; ++c) {
             const bool looked_at = l == lane || h->lod_source == GN_LOD_IMPLICIT;
 
             tame = tame && (!looked_at || is_tame(h->coordinate[c][l]));
@@ -233,7 +233,7 @@ static bool has_weights(const gn_texture *t, const gn_sampler *s)
     const int count = t->target == GN_TEXTURE_1D ? 1 : t->target == GN_TEXTURE_3D ? 3 : 2;
     bool may_be_nan = t->target == GN_TEXTURE_CUBE;
 
-    for (int c = 0; c < count; c++)
+    for (int c = 0; c < count; ++c)
         may_be_nan =
             may_be_nan || wraps[c] == GN_WRAP_REPEAT || wraps[c] == GN_WRAP_CLAMP_TO_BORDER;
     if (!may_be_nan)
@@ -245,8 +245,8 @@ static bool has_weights(const gn_texture *t, const gn_sampler *s)
 static bool texels_are_of_texture(const hostile *h, bool filled, bool has_weight, const char *what,
                                   float texel[4][GN_LANES])
 {
-    for (int l = 0; l < GN_LANES; l++)
-        for (int c = 0; c < 4; c++) {
+    for (int l = 0; l < GN_LANES; ++l)
+        for (int c = 0; c < 4; ++c) {
             const bool may_be_nan = has_weight && !has_numbers(h, l);
 
             if (!is_of_texture(h, filled, c, texel[c][l]) &&
@@ -271,7 +271,7 @@ static gn_lookup lookup_of(const hostile *h)
 {
     gn_lookup lookup = {.reference = h->reference, .lod_source = h->lod_source, .lod = h->lod};
 
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; ++c) {
         lookup.coordinate[c] = h->coordinate[c];
         lookup.gradient_x[c] = h->gradient[0][c];
         lookup.gradient_y[c] = h->gradient[1][c];
@@ -282,7 +282,7 @@ static gn_lookup lookup_of(const hostile *h)
 static void cover_all(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)
 {
     (void)uniforms;
-    for (int l = 0; l < GN_LANES; l++) {
+    for (int l = 0; l < GN_LANES; ++l) {
         output->position[0][l] = input->vertex_id[l] == 1 ? 3.0f : -1.0f;
         output->position[1][l] = input->vertex_id[l] == 2 ? 3.0f : -1.0f;
         output->position[2][l] = 0.0f;
@@ -317,8 +317,8 @@ static bool shader_agrees(const shading *s, gn_backend backend, float texel[4][G
     gn_workspace workspace = {.memory = malloc(size), .size = size, .backend = backend};
     bool good = workspace.memory && gn_draw(&target, &pipeline, &mesh, &workspace) == GN_OK;
 
-    for (int l = 0; l < GN_LANES; l++)
-        for (int c = 0; c < 4; c++)
+    for (int l = 0; l < GN_LANES; ++l)
+        for (int c = 0; c < 4; ++c)
             good = good && same(pixels[l][c], texel[c][l]);
     free(workspace.memory);
     if (!good)
@@ -337,7 +337,7 @@ static bool fetched_is_good(const hostile *h, bool filled, float texel[4][GN_LAN
     hostile plain = *h;
 
     plain.sampler.compare = GN_COMPARE_DEFAULT;
-    for (int l = 0; l < GN_LANES; l++) {
+    for (int l = 0; l < GN_LANES; ++l) {
         const uint32_t levels = scene_level_count(&h->texture);
         const bool has_level = h->level[l] >= 0 && (uint32_t)h->level[l] < levels;
         const scene_extent e =
@@ -349,7 +349,7 @@ static bool fetched_is_good(const hostile *h, bool filled, float texel[4][GN_LAN
                  : (uint32_t)h->number[1][l] < e.height) &&
             (h->texture.target <= GN_TEXTURE_1D || (uint32_t)h->number[2][l] < e.layers);
 
-        for (int c = 0; c < 4; c++)
+        for (int c = 0; c < 4; ++c)
             if (is_inside ? !is_of_texture(&plain, filled, c, texel[c][l]) : texel[c][l] != 0.0f) {
                 fprintf(stderr, "fetch: lane %d, channel %d is %.9g\n", l, c, (double)texel[c][l]);
                 return false;
@@ -366,22 +366,22 @@ static bool lookups_stay_inside(const hostile *h, const gn_texture *t, bool fill
 
     gn_sample(t, &h->sampler, &s.lookup, texel);
     bool good = texels_are_of_texture(h, filled, has_weights(t, &h->sampler), "sample", texel);
-    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT && good; b++)
+    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT && good; ++b)
         if (gn_backend_available((gn_backend)b))
             good = shader_agrees(&s, (gn_backend)b, texel);
     if (good && has_gather(t->target)) {
         const int c = scene_has_depth(t->format) ? 0 : h->channel;
 
         gn_gather(t, &h->sampler, &s.lookup, c, texel);
-        for (int k = 0; k < 4; k++)
-            for (int l = 0; l < GN_LANES && good; l++)
+        for (int k = 0; k < 4; ++k)
+            for (int l = 0; l < GN_LANES && good; ++l)
                 good = is_of_texture(h, filled, c, texel[k][l]);
         if (!good)
             fprintf(stderr, "gather gives none of the texture\n");
     }
     gn_fetch(t, number, h->level, texel);
     good = good && fetched_is_good(h, filled, texel);
-    for (int l = 0; l < GN_LANES; l++) {
+    for (int l = 0; l < GN_LANES; ++l) {
         const float at[3] = {h->coordinate[0][l], h->coordinate[1][l], h->coordinate[2][l]};
 
         gn_sample_at(t, &h->sampler, at, h->lod[l], h->reference[l], one);

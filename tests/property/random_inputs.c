@@ -63,10 +63,9 @@ static void constrain(struct theft *t, enum kind kind, float *n)
 {
     bool close = theft_random_bits(t, 2) == 3;
     float step = ldexpf(1.0f, -(int)theft_random_bits(t, 4) - 3);
-    if (close && (kind == ORTHOGRAPHIC || kind == FRUSTUM)) {
+    if (close && (kind == ORTHOGRAPHIC || kind == FRUSTUM))
         for (int i = 0; i < 6; i += 2)
             n[i + 1] = n[i] + n[i] * step;
-    }
     if (close && kind == LOOK_AT) {
         n[6] = n[3] - n[0] + step * n[6];
         n[7] = n[4] - n[1];

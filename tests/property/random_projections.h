@@ -4,9 +4,9 @@
 
 #include <stdbool.h>
 
-#include <gnomon.h>
-
 #include <theft.h>
+
+#include <gnomon.h>
 
 enum volume { BOX, PYRAMID, SYMMETRIC, VOLUMES };
 

@@ -28,7 +28,7 @@ gn_texture random_texture_shape(random_source *r, uint32_t most)
         t.height = 1;
     while (t.width >> levels || t.height >> levels ||
            (t.target == GN_TEXTURE_3D && t.depth >> levels))
-        levels++;
+        ++levels;
     t.level_count = random_chance(r, 50) ? levels : random_below(r, levels + 1);
     return t;
 }
@@ -52,7 +52,7 @@ gn_sampler random_sampler_state(random_source *r)
     s.max_lod = s.min_lod + random_float(r, 0.0f, 8.0f);
     if (random_chance(r, 15))
         s.max_anisotropy = random_below(r, GN_MAX_ANISOTROPY + 1);
-    for (int c = 0; c < 4; c++)
+    for (int c = 0; c < 4; ++c)
         s.border[c] = random_float(r, 0.25f, 0.5f);
     return s;
 }

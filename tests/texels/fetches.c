@@ -159,7 +159,7 @@ static void count_differences(const char *by, gn_format format, color *ours, col
             break;
         }
     }
-    t->cases++;
+    ++t->cases;
     t->failed += differ > 0;
     t->texels += COUNT;
     t->differ += differ;

@@ -84,7 +84,7 @@ static bool are_equal(gn_format format, const unsigned char *a, const unsigned c
     if (memcmp(a, b, gn_format_size(format)) == 0)
         return true;
     if (format == GN_FORMAT_SRGB8_A8) {
-        t->steps++;
+        ++t->steps;
         return abs(a[0] - b[0]) <= 1 && abs(a[1] - b[1]) <= 1 && abs(a[2] - b[2]) <= 1 &&
                a[3] == b[3];
     }
@@ -185,7 +185,7 @@ static bool compare_case(random_source *r, const level_case *c, tally *t, char *
         fine = reference_fail(error, error_size, "the library generates no levels");
     for (uint32_t n = 1; fine && c->format == GN_FORMAT_SRGB8_A8 && n + 1 < count; ++n)
         fine = compare_from(c, n, count, theirs, t, &differ);
-    t->cases++;
+    ++t->cases;
     t->failed += differ > 0;
     t->differ += differ;
     for (uint32_t n = 0; n < count; ++n)

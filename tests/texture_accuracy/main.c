@@ -81,19 +81,17 @@ static subject random_subject(random_source *r, gn_texture_target target, gn_for
         const bool is_last =
             e.width == 1 && e.height == 1 && (target != GN_TEXTURE_3D || e.layers == 1);
 
-        s.texture.level_count++;
-        if (is_last) {
+        ++s.texture.level_count;
+        if (is_last)
             break;
-        }
     }
     s.sampler.magnify = f->magnify;
     s.sampler.minify = f->minify;
     s.sampler.wrap_s = (gn_wrap)random_below(r, 5);
     s.sampler.wrap_t = (gn_wrap)random_below(r, 5);
     s.sampler.wrap_r = (gn_wrap)random_below(r, 5);
-    for (int c = 0; c < 4; c++) {
+    for (int c = 0; c < 4; ++c)
         s.sampler.border[c] = random_unit(r);
-    }
 
     const size_t count = scene_texture_elements(&s.texture), size = scene_element_size(format);
     const uint32_t mask = format == GN_FORMAT_D24 ? 0xFFFFFF : UINT32_MAX;
@@ -103,9 +101,8 @@ static subject random_subject(random_source *r, gn_texture_target target, gn_for
         fprintf(stderr, "texture-accuracy: out of memory\n");
         exit(EXIT_FAILURE);
     }
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; ++i)
         scene_set_element(s.texels, size, i, (uint32_t)(random_bits(r) >> 32) & mask);
-    }
     scene_pack_texture(&s.texture, s.texels);
     return s;
 }
@@ -117,7 +114,7 @@ static void random_block(random_source *r, const gn_texture *t, float coordinate
     const int32_t octave = random_between(r, -3, 5);
     const bool is_cube = t->target == GN_TEXTURE_CUBE;
 
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; ++c) {
         const bool is_layer = t->target == GN_TEXTURE_2D_ARRAY && c == 2;
         const float from = is_layer  ? random_float(r, 0.0f, size[2])
                            : is_cube ? random_float(r, -1.0f, 1.0f)
@@ -126,9 +123,8 @@ static void random_block(random_source *r, const gn_texture *t, float coordinate
         const float along_y = random_signed_octave(r, octave, octave);
         const float scale = is_layer ? 0.0f : is_cube ? 1.0f / size[0] : 1.0f / size[c];
 
-        for (int l = 0; l < GN_LANES; l++) {
+        for (int l = 0; l < GN_LANES; ++l)
             coordinate[c][l] = from + (along_x * (float)(l % 4) + along_y * (float)(l / 4)) * scale;
-        }
     }
 }
 
@@ -140,7 +136,7 @@ static long double quad_lod(const gn_texture *t, float coordinate[3][GN_LANES], 
     const int first = lane / 8 * 8 + lane % 4 / 2 * 2;
     long double at[3], dx[3], dy[3];
 
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; ++c) {
         const long double from = (long double)coordinate[c][first];
 
         at[c] = (long double)coordinate[c][t->target == GN_TEXTURE_CUBE ? lane : first];
@@ -154,12 +150,12 @@ static long double quad_lod(const gn_texture *t, float coordinate[3][GN_LANES], 
 static void add_lane(errors *e, float texel[4][GN_LANES], int lane, const exact_texel *expected)
 {
     e->left_out += expected->doubt < LEAST_DOUBT;
-    for (int c = 0; c < 4 && expected->doubt >= LEAST_DOUBT; c++) {
+    for (int c = 0; c < 4 && expected->doubt >= LEAST_DOUBT; ++c) {
         const long double d = fabsl((long double)texel[c][lane] - expected->channel[c]);
 
         e->largest = d <= e->largest ? e->largest : d;
         e->sum += d;
-        e->count++;
+        ++e->count;
     }
 }
 
@@ -169,13 +165,13 @@ static void random_gradients(random_source *r, const gn_texture *t, float gradie
     const float size[3] = {(float)t->width, (float)t->height, (float)t->depth};
     const bool is_cube = t->target == GN_TEXTURE_CUBE;
 
-    for (int l = 0; l < GN_LANES; l++) {
+    for (int l = 0; l < GN_LANES; ++l) {
         const float length = random_octave(r, -2, 4);
         const uint32_t longer = random_below(r, 2);
         const float ratio = random_float(r, 1.0f, 20.0f);
 
-        for (uint32_t g = 0; g < 2; g++) {
-            for (int c = 0; c < 3; c++) {
+        for (uint32_t g = 0; g < 2; ++g) {
+            for (int c = 0; c < 3; ++c) {
                 gradient[g][c][l] = random_float(r, -1.0f, 1.0f) * length /
                                     (size[is_cube ? 0 : c] * (g == longer ? 1.0f : ratio));
             }
@@ -191,20 +187,19 @@ static void measure_anisotropic_block(random_source *r, const subject *s, errors
 
     random_block(r, &s->texture, coordinate);
     random_gradients(r, &s->texture, gradient);
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; ++c) {
         lookup.coordinate[c] = coordinate[c];
         lookup.gradient_x[c] = gradient[0][c];
         lookup.gradient_y[c] = gradient[1][c];
     }
-    for (int l = 0; l < GN_LANES; l++) {
+    for (int l = 0; l < GN_LANES; ++l)
         reference[l] = random_unit(r);
-    }
     gn_sample(&s->texture, &s->sampler, &lookup, texel);
-    for (int l = 0; l < GN_LANES; l++) {
+    for (int l = 0; l < GN_LANES; ++l) {
         exact_lookup exact = {.reference = (long double)reference[l]};
         long double dx[3], dy[3];
 
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; c < 3; ++c) {
             exact.coordinate[c] = (long double)coordinate[c][l];
             dx[c] = (long double)gradient[0][c][l];
             dy[c] = (long double)gradient[1][c][l];
@@ -226,17 +221,16 @@ static void measure_block(random_source *r, const subject *s, bool is_implicit, 
                         .lod = is_implicit ? NULL : lod};
 
     random_block(r, &s->texture, coordinate);
-    for (int l = 0; l < GN_LANES; l++) {
+    for (int l = 0; l < GN_LANES; ++l) {
         lod[l] = random_float(r, -1.0f, 1.0f + (float)s->texture.level_count);
         reference[l] = random_unit(r);
     }
     gn_sample(&s->texture, &s->sampler, &lookup, texel);
-    for (int l = 0; l < GN_LANES; l++) {
+    for (int l = 0; l < GN_LANES; ++l) {
         exact_lookup exact = {.reference = (long double)reference[l]};
 
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; c < 3; ++c)
             exact.coordinate[c] = (long double)coordinate[c][l];
-        }
         exact.lod = is_implicit ? quad_lod(&s->texture, coordinate, l) : (long double)lod[l];
 
         const exact_texel expected = exact_sample(&s->texture, &s->sampler, &exact);
@@ -257,13 +251,11 @@ static errors measure(uint64_t seed, uint64_t lookups, gn_texture_target target,
 
         s.sampler.compare = compare;
         s.sampler.max_anisotropy = max_anisotropy ? 1 + random_below(&r, max_anisotropy) : 0;
-        for (int i = 0; i < 20 && done < lookups; i++, done++) {
-            if (max_anisotropy && is_implicit) {
+        for (int i = 0; i < 20 && done < lookups; ++i, ++done)
+            if (max_anisotropy && is_implicit)
                 measure_anisotropic_block(&r, &s, &e);
-            } else {
+            else
                 measure_block(&r, &s, is_implicit, &e);
-            }
-        }
         free(s.texels);
     }
     return e;
@@ -307,7 +299,7 @@ static void print_row(table *t, const char *name, gn_texture_target target, gn_f
                       gn_compare compare, uint32_t max_anisotropy, const filter *f)
 {
     printf("| %s, %s%s |", name, max_anisotropy ? "anisotropic " : "", f->name);
-    for (int implicit = 0; implicit < 2; implicit++) {
+    for (int implicit = 0; implicit < 2; ++implicit) {
         const errors e =
             measure(t->seed, t->lookups, target, format, compare, max_anisotropy, f, implicit);
 
@@ -331,7 +323,7 @@ int main(int argc, char **argv)
     static const char *const names[] = {"2D", "1D", "2D array", "3D", "cube"};
     table t = {DEFAULT_SEED, DEFAULT_LOOKUPS, 0, 0, 0, 0};
 
-    for (int i = 1; i < argc; i++) {
+    for (int i = 1; i < argc; ++i) {
         if (strcmp(argv[i], "--help") == 0) {
             fputs(help, stdout);
             return EXIT_SUCCESS;
@@ -347,8 +339,8 @@ int main(int argc, char **argv)
     printf("texture-accuracy: seed %" PRIu64 "\n\n", t.seed);
     printf("| target, filter | explicit level: mean | largest | implicit: mean | largest |\n"
            "|---|---|---|---|---|\n");
-    for (int target = 0; target < 5; target++) {
-        for (int f = 0; f < FILTERS; f++) {
+    for (int target = 0; target < 5; ++target) {
+        for (int f = 0; f < FILTERS; ++f) {
             print_row(&t, names[target], (gn_texture_target)target, GN_FORMAT_RGBA8,
                       GN_COMPARE_DEFAULT, 0, &filters[f]);
         }
@@ -361,7 +353,7 @@ int main(int argc, char **argv)
               &filters[1]);
     print_row(&t, "cube of D24, compared", GN_TEXTURE_CUBE, GN_FORMAT_D24, GN_LESS_OR_EQUAL, 0,
               &filters[1]);
-    for (int target = 0; target < 5; target++) {
+    for (int target = 0; target < 5; ++target) {
         for (int f = 1; f < FILTERS && target != GN_TEXTURE_1D; f += 2) { /* the linear ones */
             print_row(&t, names[target], (gn_texture_target)target, GN_FORMAT_RGBA8,
                       GN_COMPARE_DEFAULT, GN_MAX_ANISOTROPY, &filters[f]);

@@ -117,10 +117,10 @@ static void add(differences *d, const float (*ours)[4], const float (*theirs)[4]
             d->sum += e;
             d->isotropic += fabs((double)isotropic[p][n] - (double)theirs[p][n]);
             d->largest = e <= d->largest ? d->largest : e;
-            d->count++;
+            ++d->count;
         }
     }
-    d->lookups++;
+    ++d->lookups;
 }
 
 static bool compare_with_reference(lookup_case *c, random_source *r, differences *d)

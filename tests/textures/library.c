@@ -35,10 +35,9 @@ static void fetch(const lookup_case *c, const gn_sampling *f, const block_places
     int32_t number[4][GN_LANES];
     const int32_t *const coordinate[3] = {number[0], number[1], number[2]};
 
-    for (int n = 0; n < 4; ++n) {
+    for (int n = 0; n < 4; ++n)
         for (int l = 0; l < GN_LANES; ++l)
             number[n][l] = (int32_t)b->place[n][l];
-    }
     f->fetch(&c->texture, coordinate, number[3], texel);
 }
 
@@ -144,10 +143,9 @@ void library_look_up_directly(const lookup_case *c, float (*texel)[4])
             const int32_t row[2] = {y, y + 2};
 
             look_up_block(c, &functions, column, row, block);
-            for (int l = 0; l < GN_LANES; ++l) {
+            for (int l = 0; l < GN_LANES; ++l)
                 for (int n = 0; n < 4; ++n)
                     texel[place_of_lane(column, row, l)][n] = block[n][l];
-            }
         }
     }
 }

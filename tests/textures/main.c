@@ -110,10 +110,10 @@ static bool compare(const lookup_case *c, totals *t)
         differ += here;
         t->texels += GRID_PIXELS;
     }
-    t->cases++;
+    ++t->cases;
     t->failed += differ > 0;
     t->differ += differ;
-    t->by_kind[c->target][c->kind][0]++;
+    ++t->by_kind[c->target][c->kind][0];
     t->by_kind[c->target][c->kind][1] += differ > 0;
     return true;
 }

@@ -13,14 +13,14 @@ void *counted_malloc(size_t size)
 {
     void *instance = malloc(size);
     assert_non_null(instance);
-    live_instances++;
+    ++live_instances;
     return instance;
 }
 
 void counted_free(void *instance, void *env)
 {
     (void)env;
-    live_instances--;
+    --live_instances;
     free(instance);
 }
 
@@ -45,12 +45,10 @@ static enum theft_shrink_res shrink_number(struct theft *t, const void *instance
     const uint64_t number = *(const uint64_t *)instance;
     (void)t;
     (void)env;
-    if (tactic > 1) {
+    if (tactic > 1)
         return THEFT_SHRINK_NO_MORE_TACTICS;
-    }
-    if (number == 0) {
+    if (number == 0)
         return THEFT_SHRINK_DEAD_END;
-    }
     uint64_t *simpler = counted_malloc(sizeof *simpler);
     *simpler = tactic == 0 ? number / 2 : number - 1;
     *output = simpler;
@@ -83,7 +81,7 @@ static enum theft_hook_run_post_res keep_report(const struct theft_hook_run_post
 {
     struct observed *seen = env;
     seen->report = info->report;
-    seen->finished++;
+    ++seen->finished;
     return THEFT_HOOK_RUN_POST_CONTINUE;
 }
 
@@ -99,11 +97,10 @@ static enum theft_hook_counterexample_res
 keep_number(const struct theft_hook_counterexample_info *info, void *env)
 {
     struct observed *seen = env;
-    seen->counterexamples++;
+    ++seen->counterexamples;
     seen->failing_seed = info->trial_seed;
-    for (uint8_t i = 0; i < info->arity; i++) {
+    for (uint8_t i = 0; i < info->arity; ++i)
         seen->shrunk[i] = *(uint64_t *)info->args[i];
-    }
     seen->shrunk_count = info->arity;
     return THEFT_HOOK_COUNTEREXAMPLE_CONTINUE;
 }
@@ -131,7 +128,7 @@ struct theft_run_config quiet_config(struct observed *seen, theft_propfun1 *prop
 enum theft_trial_res prop_at_most_1000(struct theft *t, void *arg)
 {
     struct observed *seen = theft_hook_get_env(t);
-    seen->calls++;
+    ++seen->calls;
     return *(uint64_t *)arg > 1000 ? THEFT_TRIAL_FAIL : THEFT_TRIAL_PASS;
 }
 
@@ -139,7 +136,7 @@ enum theft_trial_res prop_false(struct theft *t, void *arg)
 {
     struct observed *seen = theft_hook_get_env(t);
     (void)arg;
-    seen->calls++;
+    ++seen->calls;
     return THEFT_TRIAL_FAIL;
 }
 
@@ -149,17 +146,14 @@ static enum theft_trial_res prop_bits(struct theft *t, void *arg)
 {
     uint64_t any = 0;
     (void)arg;
-    for (int i = 0; i < 64; i++) {
-        if (theft_random_bits(t, 0) != 0) {
+    for (int i = 0; i < 64; ++i) {
+        if (theft_random_bits(t, 0) != 0)
             return THEFT_TRIAL_FAIL;
-        }
         any |= theft_random_bits(t, 64);
     }
-    for (uint8_t bits = 1; bits < 64; bits++) {
-        if (theft_random_bits(t, bits) >> bits != 0) {
+    for (uint8_t bits = 1; bits < 64; ++bits)
+        if (theft_random_bits(t, bits) >> bits != 0)
             return THEFT_TRIAL_FAIL;
-        }
-    }
     return any == UINT64_MAX ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
 }
 
@@ -183,7 +177,7 @@ static enum theft_alloc_res alloc_slices(struct theft *t, void *env, void **outp
         theft_random_bits_bulk(t, 195, words);
         break;
     case 1:
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < 3; ++i) {
             assert_int_equal(theft_random_bits(t, 0), 0);
             words[i] = theft_random(t);
         }
@@ -191,9 +185,8 @@ static enum theft_alloc_res alloc_slices(struct theft *t, void *env, void **outp
         break;
     default:
         memset(words, 0, 4 * sizeof *words);
-        for (int i = 0; i < 195; i++) {
+        for (int i = 0; i < 195; ++i)
             words[i / 64] |= theft_random_bits(t, 1) << (i % 64);
-        }
         break;
     }
     *output = words;
@@ -224,7 +217,7 @@ static void bits_do_not_depend_on_how_they_are_asked(void **state)
 {
     char text[3][256];
     (void)state;
-    for (int way = 0; way < 3; way++) {
+    for (int way = 0; way < 3; ++way) {
         const struct theft_type_info type = {
             .alloc = alloc_slices, .free = counted_free, .print = print_slices, .env = &way};
         generate_text(&type, base_seed, text[way]);
@@ -241,25 +234,20 @@ static enum theft_trial_res prop_even(struct theft *t, void *arg)
     int choices[7] = {0};
     int bins[10] = {0};
     (void)arg;
-    for (int i = 0; i < 70000; i++) {
+    for (int i = 0; i < 70000; ++i) {
         const uint64_t choice = theft_random_choice(t, 7);
         const double real = theft_random_double(t);
-        if (choice >= 7 || !(real >= 0 && real < 1)) {
+        if (choice >= 7 || !(real >= 0 && real < 1))
             return THEFT_TRIAL_FAIL;
-        }
-        choices[choice]++;
-        bins[(int)(real * 10)]++;
+        ++choices[choice];
+        ++bins[(int)(real * 10)];
     }
-    for (int i = 0; i < 7; i++) {
-        if (abs(choices[i] - 10000) > 560) {
+    for (int i = 0; i < 7; ++i)
+        if (abs(choices[i] - 10000) > 560)
             return THEFT_TRIAL_FAIL;
-        }
-    }
-    for (int i = 0; i < 10; i++) {
-        if (abs(bins[i] - 7000) > 480) {
+    for (int i = 0; i < 10; ++i)
+        if (abs(bins[i] - 7000) > 480)
             return THEFT_TRIAL_FAIL;
-        }
-    }
     const bool edges = theft_random_choice(t, 0) == 0 && theft_random_choice(t, 1) == 0 &&
                        theft_random_choice(t, UINT64_MAX) < UINT64_MAX;
     return edges ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
@@ -307,7 +295,7 @@ check_simplest(const struct theft_hook_counterexample_info *info, void *env)
     static const uint8_t zeros[8];
     const uint8_t *bytes = info->args[0];
     assert_memory_equal(bytes, zeros, seen->shrunk_count);
-    seen->counterexamples++;
+    ++seen->counterexamples;
     return THEFT_HOOK_COUNTEREXAMPLE_CONTINUE;
 }
 
@@ -336,7 +324,7 @@ static void ready_generators_shrink_to_zero(void **state)
         {THEFT_BUILTIN_uint8_t_ARRAY, 1},
     };
     (void)state;
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
         struct observed seen;
         struct theft_run_config config =
             quiet_config(&seen, prop_false, theft_get_builtin_type_info(rows[i].type));
@@ -405,7 +393,7 @@ static void ready_generators_keep_their_limits(void **state)
         {THEFT_BUILTIN_char_ARRAY, &longest, prop_at_most_3_chars},
     };
     (void)state;
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
         struct observed seen;
         struct theft_type_info type;
         theft_copy_builtin_type_info(rows[i].type, &type);
@@ -447,9 +435,8 @@ static void ready_generators_reach_far(void **state)
     config.hooks.run_post = NULL;
     config.hooks.env = met;
     assert_int_equal(theft_run(&config), THEFT_RUN_PASS);
-    for (size_t i = 0; i < sizeof met; i++) {
+    for (size_t i = 0; i < sizeof met; ++i)
         assert_true(met[i]);
-    }
 }
 
 int run_stream_tests(void)

@@ -30,16 +30,14 @@ static enum theft_alloc_res alloc_array(struct theft *t, void *env, void **outpu
     struct array *array = counted_malloc(sizeof *array);
     memset(array, 0, sizeof *array);
     if (kind->layout == LAYOUT_FLAGS) {
-        while (array->count < 32 && theft_random_bits(t, 4) != 0) {
+        while (array->count < 32 && theft_random_bits(t, 4) != 0)
             array->values[array->count++] = theft_random_choice(t, kind->below);
-        }
     } else {
         array->count = theft_random_choice(t, 32);
-        for (size_t i = 0; i < array->count; i++) {
+        for (size_t i = 0; i < array->count; ++i) {
             array->values[i] = theft_random_choice(t, kind->below);
-            if (kind->layout == LAYOUT_PAIRS) {
+            if (kind->layout == LAYOUT_PAIRS)
                 (void)theft_random_bits(t, 7);
-            }
         }
     }
     *output = array;
@@ -51,20 +49,18 @@ keep_array(const struct theft_hook_counterexample_info *info, void *env)
 {
     struct observed *seen = env;
     const struct array *array = info->args[0];
-    seen->counterexamples++;
+    ++seen->counterexamples;
     seen->shrunk_count = array->count;
-    for (size_t i = 0; i < array->count && i < 16; i++) {
+    for (size_t i = 0; i < array->count && i < 16; ++i)
         seen->shrunk[i] = array->values[i];
-    }
     return THEFT_HOOK_COUNTEREXAMPLE_CONTINUE;
 }
 
 static uint64_t sum_of(const uint64_t *values, size_t count)
 {
     uint64_t sum = 0;
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; ++i)
         sum += values[i];
-    }
     return sum;
 }
 
@@ -79,11 +75,9 @@ static enum theft_trial_res prop_sorted(struct theft *t, void *arg)
 {
     const struct array *array = arg;
     (void)t;
-    for (size_t i = 1; i < array->count; i++) {
-        if (array->values[i - 1] > array->values[i]) {
+    for (size_t i = 1; i < array->count; ++i)
+        if (array->values[i - 1] > array->values[i])
             return THEFT_TRIAL_FAIL;
-        }
-    }
     return THEFT_TRIAL_PASS;
 }
 
@@ -97,7 +91,7 @@ static void check_arrays(theft_propfun1 *property, struct array_kind kind,
         .autoshrink_config = {.enable = true},
         .env = &kind,
     };
-    for (theft_seed seed = 0; seed < SEEDS; seed++) {
+    for (theft_seed seed = 0; seed < SEEDS; ++seed) {
         struct observed seen;
         struct theft_run_config config = quiet_config(&seen, property, &type);
         config.seed = base_seed + seed;
@@ -133,7 +127,7 @@ static void is_1_0(const struct observed *seen)
 static void arrays_shrink_to_the_minimum(void **state)
 {
     (void)state;
-    for (int layout = LAYOUT_LENGTH; layout <= LAYOUT_PAIRS; layout++) {
+    for (int layout = LAYOUT_LENGTH; layout <= LAYOUT_PAIRS; ++layout) {
         const enum layout l = (enum layout)layout;
         check_arrays(prop_sum_at_most_100, (struct array_kind){l, 256}, is_one_element_101);
         check_arrays(prop_sum_at_most_100, (struct array_kind){l, 64}, is_two_elements_of_sum_101);
@@ -166,9 +160,8 @@ static enum theft_alloc_res alloc_three(struct theft *t, void *env, void **outpu
     struct array *array = counted_malloc(sizeof *array);
     (void)env;
     array->count = 3;
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 3; ++i)
         array->values[i] = theft_random_bits(t, 3);
-    }
     *output = array;
     return THEFT_ALLOC_OK;
 }
@@ -187,7 +180,7 @@ static void coupled_values_shrink_together(void **state)
     const struct theft_type_info type = {
         .alloc = alloc_three, .free = counted_free, .autoshrink_config = {.enable = true}};
     (void)state;
-    for (theft_seed seed = 0; seed < SEEDS; seed++) {
+    for (theft_seed seed = 0; seed < SEEDS; ++seed) {
         struct observed seen;
         struct theft_run_config config = quiet_config(&seen, prop_unlike, &type);
         config.seed = base_seed + seed;
@@ -206,9 +199,8 @@ static enum theft_alloc_res alloc_watched(struct theft *t, void *env, void **out
     struct observed *watch = env;
     uint64_t *number = counted_malloc(sizeof *number);
     *number = 0;
-    for (int i = 0; i < 5; i++) {
+    for (int i = 0; i < 5; ++i)
         *number += theft_random_bits(t, 50);
-    }
     watch->sequence[watch->sequence_count++ % 256] = *number;
     *output = number;
     return THEFT_ALLOC_OK;
@@ -236,9 +228,8 @@ static enum theft_alloc_res alloc_lopsided(struct theft *t, void *env, void **ou
     uint64_t *count = counted_malloc(sizeof *count);
     (void)env;
     *count = theft_random_bits(t, 1) != 0 ? 1 : 10;
-    for (uint64_t i = 0; i < *count; i++) {
+    for (uint64_t i = 0; i < *count; ++i)
         (void)theft_random_bits(t, 16);
-    }
     *output = count;
     return THEFT_ALLOC_OK;
 }

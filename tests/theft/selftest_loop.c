@@ -17,10 +17,9 @@ static struct observed *observed_of(struct theft *t)
 static enum theft_trial_res prop_record(struct theft *t, void *arg)
 {
     struct observed *seen = observed_of(t);
-    seen->calls++;
-    if (seen->sequence_count < 256) {
+    ++seen->calls;
+    if (seen->sequence_count < 256)
         seen->sequence[seen->sequence_count++] = *(uint64_t *)arg;
-    }
     return THEFT_TRIAL_PASS;
 }
 
@@ -55,9 +54,8 @@ static void equal_seeds_give_equal_runs(void **state)
     assert_int_equal(theft_run(&config), THEFT_RUN_PASS);
     assert_memory_equal(first.sequence, second.sequence, sizeof first.sequence);
     size_t equal = 0;
-    for (size_t i = 0; i < THEFT_DEF_TRIALS; i++) {
+    for (size_t i = 0; i < THEFT_DEF_TRIALS; ++i)
         equal += first.sequence[i] == other.sequence[i];
-    }
     assert_true(equal < 5);
 }
 
@@ -103,7 +101,7 @@ static enum theft_alloc_res alloc_or_skip(struct theft *t, void *env, void **out
 {
     (void)env;
     if (theft_random_bits(t, 1) != 0) {
-        alloc_skips++;
+        ++alloc_skips;
         return THEFT_ALLOC_SKIP;
     }
     uint64_t *number = counted_malloc(sizeof *number);
@@ -116,9 +114,9 @@ static enum theft_trial_res prop_skip_odd(struct theft *t, void *arg1, void *arg
 {
     struct observed *seen = observed_of(t);
     (void)arg1;
-    seen->calls++;
+    ++seen->calls;
     if ((*(uint64_t *)arg2 & 1) != 0) {
-        seen->sequence_count++;
+        ++seen->sequence_count;
         return THEFT_TRIAL_SKIP;
     }
     return THEFT_TRIAL_PASS;
@@ -146,7 +144,7 @@ static void skips_are_counted(void **state)
 static enum theft_trial_res prop_answer(struct theft *t, void *arg)
 {
     (void)arg;
-    observed_of(t)->calls++;
+    ++observed_of(t)->calls;
     return (enum theft_trial_res)observed_of(t)->sequence[0];
 }
 
@@ -163,7 +161,7 @@ static void errors_end_the_run(void **state)
                                                    (enum theft_trial_res)77};
     struct observed seen;
     (void)state;
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 3; ++i) {
         const struct theft_run_config config = quiet_config(&seen, prop_answer, &number_tactics);
         seen.sequence[0] = answers[i];
         assert_int_equal(theft_run(&config), THEFT_RUN_ERROR);
@@ -213,12 +211,10 @@ static enum theft_trial_res prop_of_seven(struct theft *t, void *a, void *b, voi
 {
     void *const args[] = {a, b, c, d, e, f, g};
     struct observed *seen = observed_of(t);
-    for (size_t i = 0; i < 7; i++) {
-        if (*(uint64_t *)args[i] != seen->sequence[i]) {
+    for (size_t i = 0; i < 7; ++i)
+        if (*(uint64_t *)args[i] != seen->sequence[i])
             return THEFT_TRIAL_FAIL;
-        }
-    }
-    seen->calls++;
+    ++seen->calls;
     return THEFT_TRIAL_PASS;
 }
 
@@ -227,9 +223,8 @@ static enum theft_hook_trial_pre_res note_args(const struct theft_hook_trial_pre
 {
     struct observed *seen = env;
     assert_int_equal(info->arity, 7);
-    for (size_t i = 0; i < 7; i++) {
+    for (size_t i = 0; i < 7; ++i)
         seen->sequence[i] = *(uint64_t *)info->args[i];
-    }
     return THEFT_HOOK_TRIAL_PRE_CONTINUE;
 }
 
@@ -239,9 +234,8 @@ static void seven_arguments_arrive_in_order(void **state)
     struct theft_run_config config = quiet_config(&seen, NULL, &number_autoshrink);
     (void)state;
     config.prop7 = prop_of_seven;
-    for (size_t i = 0; i < 7; i++) {
+    for (size_t i = 0; i < 7; ++i)
         config.type_info[i] = i % 2 == 0 ? &number_autoshrink : &number_tactics;
-    }
     config.hooks.trial_pre = note_args;
     assert_int_equal(theft_run(&config), THEFT_RUN_PASS);
     assert_int_equal(seen.calls, THEFT_DEF_TRIALS);
@@ -251,7 +245,7 @@ static void seven_arguments_arrive_in_order(void **state)
 static enum theft_trial_res prop_count(struct theft *t, void *arg)
 {
     (void)arg;
-    observed_of(t)->calls++;
+    ++observed_of(t)->calls;
     return THEFT_TRIAL_PASS;
 }
 
@@ -293,7 +287,7 @@ static enum theft_hook_trial_post_res repeat_once(const struct theft_hook_trial_
                                                   void *env)
 {
     struct observed *seen = env;
-    seen->sequence[info->repeat]++;
+    ++seen->sequence[info->repeat];
     return THEFT_HOOK_TRIAL_POST_REPEAT_ONCE;
 }
 
@@ -424,9 +418,8 @@ static void counterexamples_tell_seed_and_value(void **state)
 static enum theft_trial_res prop_crash_above_1000(struct theft *t, void *arg)
 {
     (void)t;
-    if (*(uint64_t *)arg > 1000) {
+    if (*(uint64_t *)arg > 1000)
         raise(SIGKILL);
-    }
     return (*(uint64_t *)arg & 1) != 0 ? THEFT_TRIAL_SKIP : THEFT_TRIAL_PASS;
 }
 

@@ -7,7 +7,7 @@ static enum theft_hook_counterexample_res
 check_1001(const struct theft_hook_counterexample_info *info, void *env)
 {
     struct observed *seen = env;
-    seen->counterexamples++;
+    ++seen->counterexamples;
     assert_int_equal(*(uint64_t *)info->args[0], 1001);
     return THEFT_HOOK_COUNTEREXAMPLE_CONTINUE;
 }
@@ -16,7 +16,7 @@ static void numbers_shrink_to_the_minimum(void **state)
 {
     const struct theft_type_info *const types[] = {&number_autoshrink, &number_tactics};
     (void)state;
-    for (size_t i = 0; i < 2; i++) {
+    for (size_t i = 0; i < 2; ++i) {
         struct observed seen;
         struct theft_run_config config = quiet_config(&seen, prop_at_most_1000, types[i]);
         config.hooks.counterexample = check_1001;
@@ -41,7 +41,7 @@ static enum theft_trial_res prop_apart(struct theft *t, void *arg1, void *arg2)
 static void arguments_shrink_together(void **state)
 {
     (void)state;
-    for (int mix = 0; mix < 2; mix++) {
+    for (int mix = 0; mix < 2; ++mix) {
         struct observed seen;
         struct theft_run_config config = quiet_config(&seen, NULL, &number_autoshrink);
         config.prop2 = prop_apart;
@@ -87,7 +87,7 @@ static enum theft_shrink_res shrink_badly(struct theft *t, const void *instance,
 static void bad_shrink_callbacks_end(void **state)
 {
     (void)state;
-    for (int i = MANNER_CIRCLE; i <= MANNER_ERROR; i++) {
+    for (int i = MANNER_CIRCLE; i <= MANNER_ERROR; ++i) {
         enum manner manner = (enum manner)i;
         struct observed seen;
         const struct theft_type_info type = {
@@ -110,9 +110,8 @@ static enum theft_hook_shrink_pre_res note_tactic(const struct theft_hook_shrink
                                                   void *env)
 {
     struct observed *seen = env;
-    if (seen->sequence_count < 256) {
+    if (seen->sequence_count < 256)
         seen->sequence[seen->sequence_count++] = info->tactic;
-    }
     return THEFT_HOOK_SHRINK_PRE_CONTINUE;
 }
 
@@ -175,7 +174,7 @@ repeat_tried(const struct theft_hook_shrink_trial_post_info *info, void *env)
 {
     struct observed *seen = env;
     (void)info;
-    seen->sequence_count++;
+    ++seen->sequence_count;
     return THEFT_HOOK_SHRINK_TRIAL_POST_REPEAT_ONCE;
 }
 
@@ -183,7 +182,7 @@ static void hooks_steer_shrinking(void **state)
 {
     const struct theft_type_info *const types[] = {&number_autoshrink, &number_tactics};
     (void)state;
-    for (size_t i = 0; i < 2; i++) {
+    for (size_t i = 0; i < 2; ++i) {
         struct observed seen;
         struct theft_run_config config = quiet_config(&seen, prop_at_most_1000, types[i]);
         config.trials = 1;
@@ -227,14 +226,14 @@ static void errors_while_shrinking_end_the_run(void **state)
     struct theft_run_config config = quiet_config(&seen, prop_at_most_1000, &type);
     (void)state;
     type.alloc = alloc_then_error;
-    for (int calls = 1; calls < 6; calls++) {
+    for (int calls = 1; calls < 6; ++calls) {
         calls_before_error = calls;
         assert_int_equal(theft_run(&config), THEFT_RUN_ERROR);
         assert_int_equal(live_instances, 0);
     }
     config.prop1 = prop_then_error;
     config.type_info[0] = &number_tactics;
-    for (int calls = 1; calls < 6; calls++) {
+    for (int calls = 1; calls < 6; ++calls) {
         calls_before_error = calls;
         assert_int_equal(theft_run(&config), THEFT_RUN_ERROR);
         assert_int_equal(live_instances, 0);
@@ -260,9 +259,8 @@ static enum theft_trial_res prop_with_bits(struct theft *t, void *arg)
     struct observed *seen = theft_hook_get_env(t);
     const uint64_t bits = theft_random_bits(t, 64);
     (void)arg;
-    if (seen->calls++ == 0) {
+    if (seen->calls++ == 0)
         seen->sequence[0] = bits;
-    }
     return bits == seen->sequence[0] ? THEFT_TRIAL_FAIL : THEFT_TRIAL_ERROR;
 }
 

@@ -51,26 +51,21 @@ static bool is_smaller(const struct bit_pool *a, const struct bit_pool *b)
 {
     const uint64_t a_bits = runner_pool_bits(a);
     const uint64_t b_bits = runner_pool_bits(b);
-    if (a_bits != b_bits) {
+    if (a_bits != b_bits)
         return a_bits < b_bits;
-    }
-    if (a->count != b->count) {
+    if (a->count != b->count)
         return a->count < b->count;
-    }
-    for (size_t i = 0; i < a->count; i++) {
-        if (a->requests[i].value != b->requests[i].value) {
+    for (size_t i = 0; i < a->count; ++i)
+        if (a->requests[i].value != b->requests[i].value)
             return a->requests[i].value < b->requests[i].value;
-        }
-    }
     return false;
 }
 
 /* Makes the candidate a copy of the present record. Returns false if the pass must end. */
 static bool start_candidate(struct shrinker *s)
 {
-    if (!running(s)) {
+    if (!running(s))
         return false;
-    }
     if (!runner_pool_copy(&s->candidate, present(s))) {
         s->stopped = STEP_NO_MEMORY;
         return false;
@@ -119,29 +114,26 @@ static bool try_candidate(struct shrinker *s)
         runner_release_argument(s->type, &argument);
         usable = false;
     }
-    if (s->stopped != STEP_NEXT) {
+    if (s->stopped != STEP_NEXT)
         return false;
-    }
     step = runner_attempt_made(t, s->index, s->pass,
                                usable ? THEFT_SHRINK_POST_SHRUNK : THEFT_SHRINK_POST_SHRINK_FAILED,
                                usable ? argument.instance : NULL);
     if (step != STEP_NEXT) {
         s->stopped = step;
-        if (usable) {
+        if (usable)
             runner_release_argument(s->type, &argument);
-        }
         return false;
     }
-    if (!usable) {
+    if (!usable)
         return false;
-    }
     step = runner_attempt_run(t, s->index, s->pass, &argument);
     if (step == STEP_KEPT) {
         s->failed_in_a_row = 0;
         return true;
     }
     if (step == STEP_REJECTED) {
-        s->failed_in_a_row++;
+        ++s->failed_in_a_row;
         s->exhausted = s->failed_in_a_row >= s->failed_limit;
     } else if (step != STEP_SEEN) {
         s->stopped = step;
@@ -153,9 +145,8 @@ static bool try_candidate(struct shrinker *s)
  * have. */
 static size_t next_block_size(size_t size)
 {
-    if (size > 2 * NEIGHBOURHOOD) {
+    if (size > 2 * NEIGHBOURHOOD)
         return size / 2;
-    }
     return size > NEIGHBOURHOOD ? NEIGHBOURHOOD : size - 1;
 }
 
@@ -173,14 +164,12 @@ static void remove_blocks(struct shrinker *s)
         size_t end = present(s)->count;
         while (end >= size && start_candidate(s)) {
             remove_requests(&s->candidate, end - size, size);
-            if (try_candidate(s)) {
+            if (try_candidate(s))
                 end -= size;
-            } else {
+            else
                 end = end > stride ? end - stride : 0;
-            }
-            if (end > present(s)->count) {
+            if (end > present(s)->count)
                 end = present(s)->count;
-            }
         }
     }
 }
@@ -192,17 +181,15 @@ static void zero_blocks(struct shrinker *s)
     for (size_t size = present(s)->count; size > 1; size = next_block_size(size)) {
         const size_t stride = block_stride(size);
         for (size_t start = 0; start + size <= present(s)->count; start += stride) {
-            if (!start_candidate(s)) {
+            if (!start_candidate(s))
                 return;
-            }
             uint64_t seen = 0;
-            for (size_t i = start; i < start + size; i++) {
+            for (size_t i = start; i < start + size; ++i) {
                 seen |= s->candidate.requests[i].value;
                 s->candidate.requests[i].value = 0;
             }
-            if (seen != 0) {
+            if (seen != 0)
                 (void)try_candidate(s);
-            }
         }
     }
 }
@@ -211,9 +198,8 @@ static void zero_blocks(struct shrinker *s)
  * one. */
 static bool try_value(struct shrinker *s, size_t i, uint64_t value)
 {
-    if (i >= present(s)->count || present(s)->requests[i].value <= value || !start_candidate(s)) {
+    if (i >= present(s)->count || present(s)->requests[i].value <= value || !start_candidate(s))
         return false;
-    }
     s->candidate.requests[i].value = value;
     return try_candidate(s);
 }
@@ -222,25 +208,22 @@ static bool try_value(struct shrinker *s, size_t i, uint64_t value)
  * value, then by clearing each set bit by itself, for flags and masks. */
 static void lower_values(struct shrinker *s)
 {
-    for (size_t i = 0; i < present(s)->count && running(s); i++) {
+    for (size_t i = 0; i < present(s)->count && running(s); ++i) {
         uint64_t high = present(s)->requests[i].value;
-        if (high == 0 || try_value(s, i, 0)) {
+        if (high == 0 || try_value(s, i, 0))
             continue;
-        }
         uint64_t low = 0;
         while (high - low > 1 && running(s)) {
             const uint64_t middle = low + (high - low) / 2;
-            if (try_value(s, i, middle)) {
+            if (try_value(s, i, middle))
                 high = middle;
-            } else {
+            else
                 low = middle;
-            }
         }
         for (unsigned bit = 64; bit-- > 0 && i < present(s)->count;) {
             const uint64_t value = present(s)->requests[i].value;
-            if ((value >> bit & 1) != 0) {
+            if ((value >> bit & 1) != 0)
                 (void)try_value(s, i, value & ~(UINT64_C(1) << bit));
-            }
         }
     }
 }
@@ -250,13 +233,11 @@ static void lower_values(struct shrinker *s)
 static size_t requests_saved(struct shrinker *s, size_t i)
 {
     struct argument argument;
-    if (present(s)->requests[i].value == 0 || !start_candidate(s)) {
+    if (present(s)->requests[i].value == 0 || !start_candidate(s))
         return 0;
-    }
-    s->candidate.requests[i].value--;
-    if (!replay_candidate(s, &argument)) {
+    --s->candidate.requests[i].value;
+    if (!replay_candidate(s, &argument))
         return 0;
-    }
     const size_t before = present(s)->count;
     const size_t after = argument.pool.count;
     runner_release_argument(s->type, &argument);
@@ -270,14 +251,12 @@ static bool shorten_by(struct shrinker *s, size_t i, size_t elements, size_t siz
     const size_t removed = elements * size;
     const size_t stride = elements == 1 ? 1 : removed;
     for (size_t start = i + 1; start + removed <= present(s)->count; start += stride) {
-        if (!start_candidate(s)) {
+        if (!start_candidate(s))
             return false;
-        }
         s->candidate.requests[i].value -= elements;
         remove_requests(&s->candidate, start, removed);
-        if (try_candidate(s)) {
+        if (try_candidate(s))
             return true;
-        }
     }
     return false;
 }
@@ -285,20 +264,17 @@ static bool shorten_by(struct shrinker *s, size_t i, size_t elements, size_t siz
 /* Lowers a length and leaves out as many elements anywhere behind it, not just the last ones. */
 static void shorten_sequences(struct shrinker *s)
 {
-    for (size_t i = 0; i < present(s)->count && running(s); i++) {
+    for (size_t i = 0; i < present(s)->count && running(s); ++i) {
         const size_t size = requests_saved(s, i);
-        if (size == 0) {
+        if (size == 0)
             continue;
-        }
         const size_t most = (present(s)->count - i - 1) / size;
         const uint64_t length = present(s)->requests[i].value;
         size_t elements = length < most ? (size_t)length : most;
-        while (elements > 0 && running(s)) {
+        while (elements > 0 && running(s))
             if (i >= present(s)->count || present(s)->requests[i].value < elements ||
-                !shorten_by(s, i, elements, size)) {
+                !shorten_by(s, i, elements, size))
                 elements /= 2;
-            }
-        }
     }
 }
 
@@ -306,19 +282,16 @@ static void shorten_sequences(struct shrinker *s)
  * is 0. */
 static bool try_move(struct shrinker *s, size_t i, size_t j, uint64_t amount)
 {
-    if (j >= present(s)->count || !start_candidate(s)) {
+    if (j >= present(s)->count || !start_candidate(s))
         return false;
-    }
     struct bit_request *from = &s->candidate.requests[i];
     struct bit_request *to = &s->candidate.requests[j];
     const uint64_t room = runner_low_bits(to->bits) - to->value;
-    if (from->bits != to->bits || amount > from->value || amount > room) {
+    if (from->bits != to->bits || amount > from->value || amount > room)
         return false;
-    }
     if (amount == 0) {
-        if (from->value <= to->value) {
+        if (from->value <= to->value)
             return false;
-        }
         const uint64_t value = from->value;
         from->value = to->value;
         to->value = value;
@@ -333,21 +306,18 @@ static bool try_move(struct shrinker *s, size_t i, size_t j, uint64_t amount)
  * values. Moving empties one of two addends, which other passes then remove; exchanging sorts. */
 static void move_values(struct shrinker *s)
 {
-    for (size_t i = 0; i < present(s)->count && running(s); i++) {
-        for (size_t j = i + 1; j <= i + NEIGHBOURHOOD && j < present(s)->count; j++) {
+    for (size_t i = 0; i < present(s)->count && running(s); ++i) {
+        for (size_t j = i + 1; j <= i + NEIGHBOURHOOD && j < present(s)->count; ++j) {
             const struct bit_request from = present(s)->requests[i];
             const struct bit_request to = present(s)->requests[j];
             const uint64_t room = runner_low_bits(to.bits) - to.value;
             const uint64_t most = from.value < room ? from.value : room;
-            if (from.value == 0 || from.bits != to.bits) {
+            if (from.value == 0 || from.bits != to.bits)
                 continue;
-            }
-            if ((most > 0 && try_move(s, i, j, most)) || try_move(s, i, j, 0)) {
+            if ((most > 0 && try_move(s, i, j, most)) || try_move(s, i, j, 0))
                 continue;
-            }
-            if ((most > 1 && try_move(s, i, j, most / 2)) || most == 0) {
+            if ((most > 1 && try_move(s, i, j, most / 2)) || most == 0)
                 continue;
-            }
             (void)try_move(s, i, j, 1);
         }
     }
@@ -391,9 +361,8 @@ enum step runner_autoshrink(struct theft *t, uint8_t index)
     size_t successes;
     do {
         successes = t->trial.successful_shrinks;
-        for (s.pass = 0; s.pass < PASS_COUNT && running(&s); s.pass++) {
+        for (s.pass = 0; s.pass < PASS_COUNT && running(&s); ++s.pass)
             run_pass(&s);
-        }
     } while (running(&s) && t->trial.successful_shrinks > successes);
     runner_pool_free(&s.candidate);
     return s.stopped;

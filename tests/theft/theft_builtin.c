@@ -20,9 +20,8 @@ static uint64_t number_of_any_width(struct theft *t, unsigned bits)
 static enum theft_alloc_res hand_over(const void *value, size_t size, void **output)
 {
     *output = malloc(size);
-    if (*output == NULL) {
+    if (*output == NULL)
         return THEFT_ALLOC_ERROR;
-    }
     memcpy(*output, value, size);
     return THEFT_ALLOC_OK;
 }
@@ -121,9 +120,8 @@ static enum theft_alloc_res alloc_array(struct theft *t, void *env, void **outpu
     size_t length = 0;
     size_t capacity = 64;
     uint8_t *array = malloc(capacity);
-    if (array == NULL) {
+    if (array == NULL)
         return THEFT_ALLOC_ERROR;
-    }
     while (length < longest && theft_random_bits(t, 3) != 0) {
         if (length + 1 == capacity) {
             uint8_t *grown = realloc(array, capacity * 2);
@@ -147,13 +145,11 @@ static void print_array(FILE *f, const void *instance, void *env)
     const uint8_t *array = instance;
     (void)env;
     fputc('"', f);
-    for (size_t i = 0; array[i] != 0; i++) {
-        if (array[i] >= ' ' && array[i] <= '~' && array[i] != '"' && array[i] != '\\') {
+    for (size_t i = 0; array[i] != 0; ++i)
+        if (array[i] >= ' ' && array[i] <= '~' && array[i] != '"' && array[i] != '\\')
             fputc(array[i], f);
-        } else {
+        else
             fprintf(f, "\\%03o", array[i]);
-        }
-    }
     fputc('"', f);
 }
 
@@ -193,7 +189,6 @@ void theft_copy_builtin_type_info(enum theft_builtin_type_info type, struct thef
 {
     const struct theft_type_info *builtin = theft_get_builtin_type_info(type);
     memset(info, 0, sizeof *info);
-    if (builtin != NULL) {
+    if (builtin != NULL)
         *info = *builtin;
-    }
 }

@@ -33,9 +33,8 @@ enum theft_alloc_res runner_make_argument(struct theft *t, const struct theft_ty
 
 void runner_release_argument(const struct theft_type_info *info, struct argument *argument)
 {
-    if (argument->live && info->free != NULL) {
+    if (argument->live && info->free != NULL)
         info->free(argument->instance, info->env);
-    }
     runner_pool_free(&argument->pool);
     argument->instance = NULL;
     argument->live = false;
@@ -43,12 +42,11 @@ void runner_release_argument(const struct theft_type_info *info, struct argument
 
 static theft_hash argument_hash(const struct theft_type_info *info, const struct argument *argument)
 {
-    if (!info->autoshrink_config.enable) {
+    if (!info->autoshrink_config.enable)
         return info->hash(argument->instance, info->env);
-    }
     struct theft_hasher hasher;
     theft_hash_init(&hasher);
-    for (size_t i = 0; i < argument->pool.count; i++) {
+    for (size_t i = 0; i < argument->pool.count; ++i) {
         const struct bit_request *request = &argument->pool.requests[i];
         theft_hash_sink(&hasher, &request->bits, sizeof request->bits);
         theft_hash_sink(&hasher, (const uint8_t *)&request->value, sizeof request->value);
@@ -58,12 +56,11 @@ static theft_hash argument_hash(const struct theft_type_info *info, const struct
 
 enum step runner_remember_arguments(struct theft *t, struct hash_set *set)
 {
-    if (!t->hashable) {
+    if (!t->hashable)
         return STEP_NEXT;
-    }
     struct theft_hasher hasher;
     theft_hash_init(&hasher);
-    for (uint8_t i = 0; i < t->arity; i++) {
+    for (uint8_t i = 0; i < t->arity; ++i) {
         const theft_hash hash = argument_hash(t->config.type_info[i], &t->trial.arguments[i]);
         theft_hash_sink(&hasher, (const uint8_t *)&hash, sizeof hash);
     }

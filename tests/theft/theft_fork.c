@@ -38,12 +38,10 @@ static bool wait_for_child(int pipe_end, int64_t limit)
         }
         struct pollfd poll_on = {.fd = pipe_end, .events = POLLIN};
         const int ready = poll(&poll_on, 1, (int)left);
-        if (ready > 0) {
+        if (ready > 0)
             return true;
-        }
-        if ((ready == 0 && milliseconds_now() >= deadline) || (ready < 0 && errno != EINTR)) {
+        if ((ready == 0 && milliseconds_now() >= deadline) || (ready < 0 && errno != EINTR))
             return false;
-        }
     }
 }
 
@@ -62,9 +60,8 @@ static void run_child(struct theft *t, int pipe_end, enum theft_trial_res (*call
         .args = t->trial.instances,
     };
     if (t->config.hooks.fork_post == NULL ||
-        t->config.hooks.fork_post(&info, t->config.hooks.env) == THEFT_HOOK_FORK_POST_CONTINUE) {
+        t->config.hooks.fork_post(&info, t->config.hooks.env) == THEFT_HOOK_FORK_POST_CONTINUE)
         result = call(t);
-    }
     fflush(NULL);
     const uint8_t byte = (uint8_t)result;
     _exit(write(pipe_end, &byte, 1) == 1 ? EXIT_SUCCESS : EXIT_FAILURE);
@@ -98,9 +95,8 @@ enum theft_trial_res runner_call_forked(struct theft *t,
         const size_t grace = t->config.fork.exit_timeout == 0 ? THEFT_DEF_EXIT_TIMEOUT_MSEC
                                                               : t->config.fork.exit_timeout;
         kill(child, t->config.fork.signal == 0 ? SIGTERM : t->config.fork.signal);
-        if (!wait_for_child(ends[0], grace > INT_MAX ? INT_MAX : (int64_t)grace)) {
+        if (!wait_for_child(ends[0], grace > INT_MAX ? INT_MAX : (int64_t)grace))
             kill(child, SIGKILL);
-        }
     }
     uint8_t byte = 0;
     ssize_t got;
@@ -115,9 +111,8 @@ enum theft_trial_res runner_call_forked(struct theft *t,
             return THEFT_TRIAL_ERROR;
         }
     }
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != EXIT_SUCCESS) {
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != EXIT_SUCCESS)
         return THEFT_TRIAL_FAIL;
-    }
     return got == 1 ? (enum theft_trial_res)byte : THEFT_TRIAL_PASS;
 }
 

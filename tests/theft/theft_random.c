@@ -31,13 +31,11 @@ bool runner_pool_append(struct bit_pool *pool, struct bit_request request)
 {
     if (pool->count == pool->capacity) {
         size_t capacity = pool->capacity < 16 ? 16 : 2 * pool->capacity;
-        if (capacity > SIZE_MAX / sizeof *pool->requests) {
+        if (capacity > SIZE_MAX / sizeof *pool->requests)
             return false;
-        }
         struct bit_request *grown = realloc(pool->requests, capacity * sizeof *pool->requests);
-        if (grown == NULL) {
+        if (grown == NULL)
             return false;
-        }
         pool->requests = grown;
         pool->capacity = capacity;
     }
@@ -48,11 +46,9 @@ bool runner_pool_append(struct bit_pool *pool, struct bit_request request)
 bool runner_pool_copy(struct bit_pool *to, const struct bit_pool *from)
 {
     to->count = 0;
-    for (size_t i = 0; i < from->count; i++) {
-        if (!runner_pool_append(to, from->requests[i])) {
+    for (size_t i = 0; i < from->count; ++i)
+        if (!runner_pool_append(to, from->requests[i]))
             return false;
-        }
-    }
     return true;
 }
 
@@ -65,9 +61,8 @@ void runner_pool_free(struct bit_pool *pool)
 uint64_t runner_pool_bits(const struct bit_pool *pool)
 {
     uint64_t bits = 0;
-    for (size_t i = 0; i < pool->count; i++) {
+    for (size_t i = 0; i < pool->count; ++i)
         bits += pool->requests[i].bits;
-    }
     return bits;
 }
 
@@ -91,11 +86,10 @@ static uint64_t generated_bits(struct bit_stream *stream, unsigned bits)
  * long run of zeros beyond the end it gets generated bits, and the candidate is thrown away. */
 static uint64_t replayed_bits(struct bit_stream *stream, unsigned bits)
 {
-    if (stream->cursor < stream->replay->count) {
+    if (stream->cursor < stream->replay->count)
         return stream->replay->requests[stream->cursor++].value & runner_low_bits(bits);
-    }
     if (stream->zeros_past_end < RUNNER_MAX_ZEROS_PAST_END) {
-        stream->zeros_past_end++;
+        ++stream->zeros_past_end;
         return 0;
     }
     stream->discarded = true;
@@ -109,9 +103,8 @@ uint64_t theft_random_bits(struct theft *t, uint8_t bits)
         runner_complain(t, "theft_random_bits: more than 64 bits asked at once");
         abort();
     }
-    if (bits == 0) {
+    if (bits == 0)
         return 0;
-    }
     const uint64_t value =
         stream->replay != NULL ? replayed_bits(stream, bits) : generated_bits(stream, bits);
     if (stream->record != NULL && !stream->discarded && !stream->out_of_memory) {
@@ -123,12 +116,10 @@ uint64_t theft_random_bits(struct theft *t, uint8_t bits)
 
 void theft_random_bits_bulk(struct theft *t, uint32_t bits, uint64_t *buf)
 {
-    for (; bits >= 64; bits -= 64) {
+    for (; bits >= 64; bits -= 64)
         *buf++ = theft_random_bits(t, 64);
-    }
-    if (bits > 0) {
+    if (bits > 0)
         *buf = theft_random_bits(t, (uint8_t)bits);
-    }
 }
 
 uint64_t theft_random(struct theft *t)
@@ -146,17 +137,14 @@ double theft_random_double(struct theft *t)
  * probability below 2^-64; a value that shrinks stays accepted, which keeps a replay aligned. */
 uint64_t theft_random_choice(struct theft *t, uint64_t ceil)
 {
-    if (ceil < 2) {
+    if (ceil < 2)
         return 0;
-    }
     uint8_t bits = 0;
-    for (uint64_t greatest = ceil - 1; greatest != 0; greatest >>= 1) {
-        bits++;
-    }
+    for (uint64_t greatest = ceil - 1; greatest != 0; greatest >>= 1)
+        ++bits;
     uint64_t value = theft_random_bits(t, bits);
-    for (int retries = 0; value >= ceil && retries < 64; retries++) {
+    for (int retries = 0; value >= ceil && retries < 64; ++retries)
         value = theft_random_bits(t, bits);
-    }
     return value % ceil;
 }
 #endif

@@ -86,12 +86,10 @@ theft_hook_run_post_print_info(const struct theft_hook_run_post_info *info, void
 /* Returns true at every `*scale`-th call for one kind of result. */
 static bool is_due(size_t *count, size_t *scale)
 {
-    if (*scale == 0) {
+    if (*scale == 0)
         *scale = 1;
-    }
-    if (++*count < *scale) {
+    if (++*count < *scale)
         return false;
-    }
     *count = 0;
     return true;
 }
@@ -102,9 +100,8 @@ void theft_print_trial_result(struct theft_print_trial_result_env *print_env,
     FILE *f = info->t->out;
     char mark = 'E';
     bool due = true;
-    if (info->repeat) {
+    if (info->repeat)
         return;
-    }
     print_env->tag = THEFT_PRINT_TRIAL_RESULT_ENV_TAG;
     switch (info->result) {
     case THEFT_TRIAL_PASS:
@@ -125,9 +122,8 @@ void theft_print_trial_result(struct theft_print_trial_result_env *print_env,
     case THEFT_TRIAL_ERROR:
         break;
     }
-    if (!due) {
+    if (!due)
         return;
-    }
     fputc(mark, f);
     const uint8_t width =
         print_env->max_column == 0 ? THEFT_DEF_MAX_COLUMNS : print_env->max_column;
@@ -162,8 +158,8 @@ static void print_bits(FILE *f, const struct bit_pool *pool)
     unsigned byte = 0;
     unsigned filled = 0;
     fprintf(f, "bits (%" PRIu64 "):", runner_pool_bits(pool));
-    for (size_t i = 0; i < pool->count; i++) {
-        for (unsigned bit = 0; bit < pool->requests[i].bits; bit++) {
+    for (size_t i = 0; i < pool->count; ++i) {
+        for (unsigned bit = 0; bit < pool->requests[i].bits; ++bit) {
             byte |= (unsigned)(pool->requests[i].value >> bit & 1) << filled;
             if (++filled == 8) {
                 fprintf(f, " %02x", byte);
@@ -171,16 +167,15 @@ static void print_bits(FILE *f, const struct bit_pool *pool)
             }
         }
     }
-    if (filled > 0) {
+    if (filled > 0)
         fprintf(f, " %02x", byte);
-    }
     fputc('\n', f);
 }
 
 static void print_requests(FILE *f, const struct bit_pool *pool)
 {
     fprintf(f, "requests (%zu):\n", pool->count);
-    for (size_t i = 0; i < pool->count; i++) {
+    for (size_t i = 0; i < pool->count; ++i) {
         const struct bit_request *request = &pool->requests[i];
         fprintf(f, "  %zu: %u bits, %" PRIu64 " (0x%" PRIx64 ")\n", i, request->bits,
                 request->value, request->value);
@@ -195,16 +190,13 @@ void runner_print_argument(FILE *f, const struct theft_type_info *info,
         info->print(f, argument->instance, info->env);
         fputc('\n', f);
     }
-    if (!info->autoshrink_config.enable) {
+    if (!info->autoshrink_config.enable)
         return;
-    }
-    if ((mode & THEFT_AUTOSHRINK_PRINT_BIT_POOL) != 0) {
+    if ((mode & THEFT_AUTOSHRINK_PRINT_BIT_POOL) != 0)
         print_bits(f, &argument->pool);
-    }
     if ((mode & THEFT_AUTOSHRINK_PRINT_REQUESTS) != 0 ||
-        (mode == THEFT_AUTOSHRINK_PRINT_DEFAULT && info->print == NULL)) {
+        (mode == THEFT_AUTOSHRINK_PRINT_DEFAULT && info->print == NULL))
         print_requests(f, &argument->pool);
-    }
 }
 
 enum theft_hook_counterexample_res
@@ -219,7 +211,7 @@ theft_print_counterexample(const struct theft_hook_counterexample_info *info, vo
             "   %zu of %zu shrinking attempts succeeded\n",
             name_or_default(info->prop_name), info->trial_id, info->trial_seed,
             t->trial.successful_shrinks, t->trial.shrink_count);
-    for (uint8_t i = 0; i < info->arity; i++) {
+    for (uint8_t i = 0; i < info->arity; ++i) {
         fprintf(f, "   argument %u:\n", i);
         runner_print_argument(f, info->type_info[i], &t->trial.arguments[i]);
     }

@@ -34,16 +34,15 @@ enum step runner_attempt_begin(struct theft *t, uint8_t index, uint32_t tactic)
             return STEP_ERROR;
         }
     }
-    t->trial.shrink_count++;
+    ++t->trial.shrink_count;
     return STEP_NEXT;
 }
 
 enum step runner_attempt_made(struct theft *t, uint8_t index, uint32_t tactic,
                               enum theft_shrink_post_state state, void *instance)
 {
-    if (state == THEFT_SHRINK_POST_SHRINK_FAILED) {
-        t->trial.failed_shrinks++;
-    }
+    if (state == THEFT_SHRINK_POST_SHRINK_FAILED)
+        ++t->trial.failed_shrinks;
     const struct theft_hook_shrink_post_info info = {
         .prop_name = t->config.name,
         .total_trials = t->total_trials,
@@ -87,31 +86,27 @@ static enum step call_shrink_trial_post(struct theft *t, uint8_t index, uint32_t
         .tactic = tactic,
         .result = result,
     };
-    if (t->config.hooks.shrink_trial_post == NULL) {
+    if (t->config.hooks.shrink_trial_post == NULL)
         return STEP_NEXT;
-    }
-    for (int repeats = 0;; repeats++) {
+    for (int repeats = 0;; ++repeats) {
         switch (t->config.hooks.shrink_trial_post(&info, t->config.hooks.env)) {
         case THEFT_HOOK_SHRINK_TRIAL_POST_CONTINUE:
             return STEP_NEXT;
         case THEFT_HOOK_SHRINK_TRIAL_POST_REPEAT:
-            if (repeats == RUNNER_MAX_REPEATS) {
+            if (repeats == RUNNER_MAX_REPEATS)
                 return STEP_NEXT;
-            }
             break;
         case THEFT_HOOK_SHRINK_TRIAL_POST_REPEAT_ONCE:
-            if (repeats > 0) {
+            if (repeats > 0)
                 return STEP_NEXT;
-            }
             break;
         default:
             runner_complain(t, "the shrink_trial_post hook returned an error");
             return STEP_ERROR;
         }
         info.result = runner_call_property(t);
-        if (info.result == THEFT_TRIAL_ERROR) {
+        if (info.result == THEFT_TRIAL_ERROR)
             return STEP_ERROR;
-        }
     }
 }
 
@@ -129,18 +124,16 @@ enum step runner_attempt_run(struct theft *t, uint8_t index, uint32_t tactic,
         const enum theft_trial_res result = runner_call_property(t);
         step = result == THEFT_TRIAL_ERROR ? STEP_ERROR
                                            : call_shrink_trial_post(t, index, tactic, result);
-        if (step == STEP_NEXT) {
+        if (step == STEP_NEXT)
             step = result == THEFT_TRIAL_FAIL ? STEP_KEPT : STEP_REJECTED;
-        }
     }
     if (step == STEP_KEPT) {
-        t->trial.successful_shrinks++;
+        ++t->trial.successful_shrinks;
         runner_release_argument(type, &previous);
         return step;
     }
-    if (step == STEP_REJECTED || step == STEP_SEEN) {
-        t->trial.failed_shrinks++;
-    }
+    if (step == STEP_REJECTED || step == STEP_SEEN)
+        ++t->trial.failed_shrinks;
     runner_release_argument(type, place);
     *place = previous;
     t->trial.instances[index] = place->instance;
@@ -153,9 +146,8 @@ static enum step try_tactic(struct theft *t, uint8_t index, uint32_t tactic, boo
     const struct theft_type_info *type = t->config.type_info[index];
     const void *instance = t->trial.instances[index];
     enum step step = runner_attempt_begin(t, index, tactic);
-    if (step != STEP_NEXT) {
+    if (step != STEP_NEXT)
         return step;
-    }
     /* The bits depend on the tactic and not on the attempt: a tactic must have one result for one
      * instance. */
     runner_stream_seed(&t->stream, t->trial.seed + tactic);
@@ -191,13 +183,12 @@ static enum step shrink_by_tactics(struct theft *t, uint8_t index)
     bool done = t->config.type_info[index]->shrink == NULL;
     while (!done) {
         const enum step step = try_tactic(t, index, tactic, &done);
-        if (step == STEP_KEPT) {
+        if (step == STEP_KEPT)
             tactic = 0;
-        } else if (step == STEP_REJECTED || step == STEP_SEEN) {
-            tactic++;
-        } else if (step != STEP_NEXT) {
+        else if (step == STEP_REJECTED || step == STEP_SEEN)
+            ++tactic;
+        else if (step != STEP_NEXT)
             return step;
-        }
     }
     return STEP_NEXT;
 }
@@ -210,21 +201,18 @@ enum step runner_shrink(struct theft *t)
     size_t successes;
     runner_hash_set_free(&t->shrink_tried);
     const enum step remembered = runner_remember_arguments(t, &t->shrink_tried);
-    if (remembered != STEP_NEXT) {
+    if (remembered != STEP_NEXT)
         return remembered;
-    }
     do {
         successes = t->trial.successful_shrinks;
-        for (uint8_t i = 0; i < t->arity; i++) {
+        for (uint8_t i = 0; i < t->arity; ++i) {
             const enum step step = t->config.type_info[i]->autoshrink_config.enable
                                        ? runner_autoshrink(t, i)
                                        : shrink_by_tactics(t, i);
-            if (step == STEP_HALT) {
+            if (step == STEP_HALT)
                 return STEP_NEXT;
-            }
-            if (step != STEP_NEXT) {
+            if (step != STEP_NEXT)
                 return step;
-            }
         }
     } while (t->arity > 1 && t->trial.successful_shrinks > successes);
     return STEP_NEXT;

@@ -40,7 +40,7 @@ void runner_start(int argc, char **argv)
 
 static void forget_marked(void)
 {
-    for (size_t i = 0; i < marked_count; i++)
+    for (size_t i = 0; i < marked_count; ++i)
         free(marked[i]);
     free(marked);
     marked = NULL;
@@ -135,11 +135,11 @@ int new_files(void)
     DIR *d = opendir(directory);
     for (struct dirent *entry; (entry = readdir(d)) != NULL;) {
         bool known = false;
-        for (size_t i = 0; i < marked_count && !known; i++)
+        for (size_t i = 0; i < marked_count && !known; ++i)
             known = strcmp(entry->d_name, marked[i]) == 0;
         if (!known) {
             fprintf(stderr, "new file: %s\n", entry->d_name);
-            count++;
+            ++count;
         }
     }
     closedir(d);
@@ -149,7 +149,7 @@ int new_files(void)
 int lines(const char *text)
 {
     int count = 0;
-    for (; *text != '\0'; text++)
+    for (; *text != '\0'; ++text)
         count += *text == '\n';
     return count;
 }
@@ -203,8 +203,8 @@ picture picture_read_grey16(const char *name)
     result.height = png_get_image_height(png, info);
     result.grey = malloc((size_t)result.width * result.height * sizeof *result.grey);
     png_bytepp rows = png_get_rows(png, info);
-    for (uint32_t y = 0; y < result.height; y++) {
-        for (uint32_t x = 0; x < result.width; x++)
+    for (uint32_t y = 0; y < result.height; ++y) {
+        for (uint32_t x = 0; x < result.width; ++x)
             result.grey[(size_t)y * result.width + x] =
                 (uint16_t)(rows[y][2 * x] << 8 | rows[y][2 * x + 1]);
     }

@@ -7,9 +7,9 @@
 #include <string.h>
 #include <unistd.h>
 
-#include <comparison.h>
-#include <osmesa.h>
-#include <output.h>
+#include "comparison.h"
+#include "osmesa.h"
+#include "output.h"
 
 /* The change made to the second picture. */
 static bool change_color;
@@ -79,7 +79,7 @@ bool reference_draw(reference *r, const scene *s, scene_frame *frame, char *erro
 static scene *empty_scene(void)
 {
     scene *s = scene_create(10, 6, GN_FORMAT_RGBA8, GN_FORMAT_D32F);
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4; ++i)
         s->clear_color[i] = i == 3 ? 1.0f : 0.2f;
     s->clear_depth = 1.0f;
     return s;
@@ -131,8 +131,8 @@ static void differences_are_counted_and_shown(void **state)
     picture p = picture_read("t.png");
     assert_int_equal(p.width, 30);
     assert_int_equal(p.height, 6);
-    for (uint32_t y = 0; y < 6; y++) {
-        for (uint32_t x = 0; x < 10; x++) {
+    for (uint32_t y = 0; y < 6; ++y) {
+        for (uint32_t x = 0; x < 10; ++x) {
             bool green = x == 3 && y == 3;
             bool magenta = y == 5 && (x == 4 || x == 5);
             assert_int_equal(pixel(&p, x, y), 0x333333ff);
@@ -218,7 +218,7 @@ static void finished_outputs_appear_when_renamed(void **state)
     output o;
     (void)state;
     snprintf(path, sizeof path, "%s", path_of("finished"));
-    for (int abandoned = 0; abandoned < 2; abandoned++) {
+    for (int abandoned = 0; abandoned < 2; ++abandoned) {
         runner_mark();
         assert_int_equal(output_open(&o, path), 0);
         assert_true(fputs("all of it", o.file) >= 0);
@@ -248,10 +248,9 @@ static void equal_pictures_are_black(void **state)
     comparison_free(&c);
     scene_free(s);
     picture p = picture_read("t.png");
-    for (uint32_t y = 0; y < 6; y++) {
-        for (uint32_t x = 20; x < 30; x++)
+    for (uint32_t y = 0; y < 6; ++y)
+        for (uint32_t x = 20; x < 30; ++x)
             assert_int_equal(pixel(&p, x, y), 0x000000ff);
-    }
     picture_free(&p);
 }
 

@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "gnomon/backend.h"
+#include <gnomon/backend.h>
 
 static bool ends_with_newline(const char *text)
 {
@@ -24,12 +24,12 @@ static void help_is_printed(void **state)
                                             {"_compared.png", "--backend NAME", "--eye"},
                                             {"--shader NAME", "--picture", "--tessellation"}};
     (void)state;
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 4; ++i) {
         run r = gnomon("%s--help", commands[i]);
         assert_int_equal(r.status, 0);
         assert_string_equal(r.error, "");
         assert_true(lines(r.out) > 10);
-        for (int k = 0; k < 3; k++)
+        for (int k = 0; k < 3; ++k)
             assert_non_null(strstr(r.out, must_have[i][k]));
         for (char *line = strtok(r.out, "\n"); line != NULL; line = strtok(NULL, "\n"))
             assert_true(strlen(line) <= 90);
@@ -196,7 +196,7 @@ static void bad_textures_are_named(void **state)
     static const char suffixes[][24] = {"_nm", "_nm_tangent", "_spec", "_glow"};
     static const char options[][24] = {"--normal-map none", "--normal-map none",
                                        "--specular-map none", "--glow-map none"};
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 4; ++i) {
         char name[128];
         snprintf(name, sizeof name, "head%s.jpg", suffixes[i]);
         write_text(name, "this is no image");
@@ -302,7 +302,7 @@ static void every_backend_gives_the_same_picture(void **state)
     const run help = gnomon("render --help");
     run r = gnomon("render square.obj -o auto.png --size 61x47");
     assert_int_equal(r.status, 0);
-    for (int i = 0; i < GN_BACKEND_COUNT; i++) {
+    for (int i = 0; i < GN_BACKEND_COUNT; ++i) {
         const char *const name = gn_backend_name((gn_backend)i);
         char first[128];
         assert_non_null(strstr(help.out, name));
@@ -317,7 +317,7 @@ static void every_backend_gives_the_same_picture(void **state)
             continue;
         }
         snprintf(first, sizeof first, "--backend: %s is not available", name);
-        for (int k = 0; k < 2; k++) {
+        for (int k = 0; k < 2; ++k) {
             char line[160];
             snprintf(line, sizeof line, "%s square.obj -o named.png --backend %s",
                      k == 0 ? "render" : "compare", name);
@@ -330,12 +330,11 @@ static void write_grid(const char *name, int size)
 {
     FILE *file = fopen(path_of(name), "w");
     assert_non_null(file);
-    for (int i = 0; i < size * size; i++)
+    for (int i = 0; i < size * size; ++i)
         fprintf(file, "v %d %d 0\n", i % size, i / size);
-    for (int i = size + 1; i < size * size; i++) {
+    for (int i = size + 1; i < size * size; ++i)
         if (i % size != 0)
             fprintf(file, "f %d %d %d %d\n", i - size, i - size + 1, i + 1, i);
-    }
     assert_int_equal(fclose(file), 0);
 }
 
@@ -350,7 +349,7 @@ static void write_grey_tga(const char *name, int size)
     FILE *file = fopen(path_of(name), "wb");
     assert_non_null(file);
     fwrite(header, 1, sizeof header, file);
-    for (int i = 0; i < size * (size / 128); i++)
+    for (int i = 0; i < size * (size / 128); ++i)
         fputs("\xff\x80", file);
     assert_int_equal(fclose(file), 0);
 }
@@ -377,7 +376,7 @@ static int count_failures(const char *arguments, int least)
         run r = shell(line);
         if (r.status == 0)
             continue;
-        failures++;
+        ++failures;
         if (r.status != 1 || strstr(r.error, "memory") == NULL || !ends_with_own_line(r.error))
             fail_msg("%s: status %d, %s", line, r.status, r.error);
     }

@@ -24,7 +24,7 @@ static imported good_model(void)
 
     memset(&part, 0, sizeof part);
     memset(&maps, 0, sizeof maps);
-    for (uint32_t i = 0; i < 3; i++)
+    for (uint32_t i = 0; i < 3; ++i)
         indices[i] = i;
     part.vertex_count = 3;
     part.positions = part.normals = part.colors = floats;
@@ -54,8 +54,8 @@ static handover_state state_after(const imported *what, uint64_t bytes, int seco
     h.deadline.tv_sec += seconds;
     if (handover_receive(&h, &kind, text))
         handover_receive_model(&h, &result);
-    for (size_t p = 0; result.maps && p < result.model.part_count; p++)
-        for (int i = 0; i < MAP_COUNT; i++)
+    for (size_t p = 0; result.maps && p < result.model.part_count; ++p)
+        for (int i = 0; i < MAP_COUNT; ++i)
             free(result.maps[p].images[i].texels);
     free(result.maps);
     model_free(&result.model);

@@ -32,7 +32,7 @@ static void ply_headers_have_an_end(void **state)
                                         "ply\nformat ascii 1.0\nxend_header\n",
                                         "ply\r\nformat ascii 1.0\r\nend_headers\r\n"};
     (void)state;
-    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; ++i) {
         write_text("a.ply", texts[i]);
         expect(1, "render a.ply -o a.png", "a.ply", "header of this PLY file has no end");
     }
@@ -110,14 +110,14 @@ static void regular_files_alone_are_read(void **state)
     assert_int_equal(mkfifo(path_of("pipe.png"), 0600), 0);
     assert_int_equal(mkdir(path_of("folder"), 0700), 0);
     assert_int_equal(symlink("pipe.png", path_of("link.png")), 0);
-    for (int n = 0; n < 4; n++) {
-        for (int i = 0; i < 5; i++) {
+    for (int n = 0; n < 4; ++n) {
+        for (int i = 0; i < 5; ++i) {
             snprintf(line, sizeof line, "%s %s", maps[i], names[n][0]);
             write_material(line);
             expect(1, "render skin.obj -o a.png --shader phong", names[n][0], names[n][1]);
         }
         write_material("");
-        for (int i = 0; i < 4; i++) {
+        for (int i = 0; i < 4; ++i) {
             snprintf(line, sizeof line, "render skin.obj -o a.png --shader phong --%s %s%s",
                      options[i], i == 3 ? "world:" : "", names[n][0]);
             expect(1, line, names[n][0], names[n][1]);
@@ -141,7 +141,7 @@ static void assimp_reads_regular_files_alone(void **state)
     char text[1024];
     (void)state;
     assert_int_equal(mkfifo(path_of("pipe.mtl"), 0600), 0);
-    for (int n = 0; n < 2; n++) {
+    for (int n = 0; n < 2; ++n) {
         snprintf(text, sizeof text, "mtllib %s\n%s", names[n][0], square_obj);
         write_text("named.obj", text);
         run r = gnomon("render named.obj -o a.png --size 8x8");
@@ -189,7 +189,7 @@ static void pictures_are_sized_first(void **state)
     char line[160];
     (void)state;
     write_material("");
-    for (size_t i = 0; i < 4; i++) {
+    for (size_t i = 0; i < 4; ++i) {
         write_bytes(files[i].name, files[i].bytes, files[i].size);
         snprintf(line, sizeof line, "render skin.obj -o a.png --texture %s", files[i].name);
         expect(1, line, files[i].name, "16384x16384 pixels, more than --map-pixels 64");
@@ -214,7 +214,7 @@ static void other_pictures_are_refused(void **state)
         {"\x53\x80\xf6\x34", 4}};
     (void)state;
     write_material("");
-    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
+    for (size_t i = 0; i < sizeof files / sizeof files[0]; ++i) {
         write_bytes("other.map", files[i].bytes, files[i].size);
         expect(1,
                "render skin.obj -o a.png --texture other.map --map-pixels 256 --import-output "
@@ -237,7 +237,7 @@ static void write_black_png(const char *name, uint32_t width, uint32_t height)
     png_set_IHDR(png, info, width, height, 1, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);
-    for (uint32_t y = 0; y < height; y++)
+    for (uint32_t y = 0; y < height; ++y)
         png_write_row(png, row);
     png_write_end(png, info);
     png_destroy_write_struct(&png, &info);
@@ -264,12 +264,11 @@ static void write_grid(const char *name, int size)
 {
     FILE *file = fopen(path_of(name), "w");
     assert_non_null(file);
-    for (int i = 0; i < size * size; i++)
+    for (int i = 0; i < size * size; ++i)
         fprintf(file, "v %d %d 0\n", i % size, i / size);
-    for (int i = size + 1; i < size * size; i++) {
+    for (int i = size + 1; i < size * size; ++i)
         if (i % size != 0)
             fprintf(file, "f %d %d %d %d\n", i - size, i - size + 1, i + 1, i);
-    }
     assert_int_equal(fclose(file), 0);
 }
 
@@ -308,7 +307,7 @@ static void limits_are_raised(void **state)
     static const char names[][20] = {"--import-seconds", "--import-memory", "--import-output",
                                      "--map-pixels"};
     r = gnomon("render --help");
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4; ++i)
         assert_non_null(strstr(r.out, names[i]));
 }
 

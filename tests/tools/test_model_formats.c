@@ -28,8 +28,8 @@ static void expect_square(const char *name)
     if (r.status != 0 || r.error[0] != '\0' || strstr(r.out, "2 triangles, flat") == NULL)
         fail_msg("%s: status %d, %s%s", name, r.status, r.out, r.error);
     picture p = picture_read("a.png");
-    for (uint32_t y = 0; y < 8; y++) {
-        for (uint32_t x = 0; x < 16; x++) {
+    for (uint32_t y = 0; y < 8; ++y) {
+        for (uint32_t x = 0; x < 16; ++x) {
             bool inside = x >= 4 && x < 12;
             if ((pixel(&p, x, y) != 0xedeeefff) != inside)
                 fail_msg("%s: %08x at %u, %u", name, (unsigned)pixel(&p, x, y), (unsigned)x,
@@ -47,7 +47,7 @@ static void formats_are_read(void **state)
     snprintf(original, sizeof original, "%s", path_of("original.obj"));
     const struct aiScene *scene = aiImportFile(original, 0);
     assert_non_null(scene);
-    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
+    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; ++i) {
         if (aiExportScene(scene, formats[i].identifier, path_of(formats[i].name), 0) != 0)
             fail_msg("%s: %s", formats[i].name, aiGetErrorString());
         expect_square(formats[i].name);
@@ -163,7 +163,7 @@ static void binary_fbx_is_read(void **state)
     put_32(12);
     put_32(0);
     put_32(sizeof corners);
-    for (int i = 0; i < 12; i++) {
+    for (int i = 0; i < 12; ++i) {
         uint64_t bits;
         memcpy(&bits, corners + i, sizeof bits);
         put_32((uint32_t)bits);
@@ -176,7 +176,7 @@ static void binary_fbx_is_read(void **state)
     put_32(6);
     put_32(0);
     put_32(24);
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; i < 6; ++i)
         put_32(indices[i]);
     properties_end(polygons, 1);
     node_end(polygons, false);
@@ -194,7 +194,7 @@ static void binary_fbx_is_read(void **state)
     node_end(objects, true);
     size_t connections = node_begin("Connections");
     properties_end(connections, 0);
-    for (uint32_t i = 1; i <= 2; i++) {
+    for (uint32_t i = 1; i <= 2; ++i) {
         size_t connection = node_begin("C");
         put_string("OO", 2);
         put_id(i);
@@ -216,7 +216,7 @@ static void other_formats_are_refused(void **state)
                                         "square.",      "obj",        ".obj"};
     char line[96];
     (void)state;
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
         write_text(names[i], "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
         snprintf(line, sizeof line, "render %s -o b.png", names[i]);
         expect(1, line, names[i],

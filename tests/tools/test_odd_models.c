@@ -55,7 +55,7 @@ static void numbers_that_are_not_finite_are_named(void **state)
                "0\n0 1 0 0 1\n3 0 1 2\n");
     expect_warning("odd.ply", "odd.ply", "1 vertex has texture coordinates");
     expect_square_warning("v 1 -1 0", "v 1 -1 0 1 nan 1", "odd.obj", "colour");
-    for (int i = 0; i < 5; i++) {
+    for (int i = 0; i < 5; ++i) {
         snprintf(text, sizeof text, "newmtl skin\nKd 1 1 1\n%s\n", statements[i]);
         write_text("skin.mtl", text);
         snprintf(text, sizeof text, "mtllib skin.mtl\nusemtl skin\n%s", square_obj);
@@ -180,14 +180,14 @@ static void cut_pictures_are_named(void **state)
     static const char names[][8] = {"t.png", "t.jpg", "t.tga", "t.bmp"};
     uint8_t texels[32 * 32 * 3];
     (void)state;
-    for (int i = 0; i < 32 * 32 * 3; i++)
+    for (int i = 0; i < 32 * 32 * 3; ++i)
         texels[i] = (uint8_t)(i * 37 + i / 96 * 5);
     write_text("square.obj", square_obj);
     stbi_write_png(path_of("t.png"), 32, 32, 3, texels, 0);
     stbi_write_jpg(path_of("t.jpg"), 32, 32, 3, texels, 95);
     stbi_write_tga(path_of("t.tga"), 32, 32, 3, texels);
     stbi_write_bmp(path_of("t.bmp"), 32, 32, 3, texels);
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 4; ++i) {
         size_t size;
         uint8_t *bytes = read_whole(names[i], &size);
         write_bytes("cut.map", bytes, size);
@@ -268,7 +268,7 @@ static void numbers_of_options_are_finite(void **state)
     char line[1024];
     (void)state;
     write_text("square.obj", square_obj);
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 4; ++i) {
         snprintf(line, sizeof line, "render square.obj -o b.png --%s 1e39,0,0", names[i]);
         expect(2, line, names[i],
                "'1e39,0,0': not finite in 32 bits; it takes three numbers X,Y,Z");

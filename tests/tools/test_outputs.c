@@ -14,7 +14,7 @@ static void other_extensions_are_refused(void **state)
     char line[1024];
     (void)state;
     write_text("square.obj", square_obj);
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 4; ++i) {
         snprintf(line, sizeof line, "render square.obj -o %s", names[i]);
         expect(1, line, names[i], "pictures are PNG files");
         snprintf(line, sizeof line, "render square.obj -o a.png --depth %s", names[i]);
@@ -41,7 +41,7 @@ static void names_are_checked_first(void **state)
     char line[1024];
     (void)state;
     assert_int_equal(mkdir(path_of("folder.png"), 0700), 0);
-    for (int i = 0; i < 5; i++) {
+    for (int i = 0; i < 5; ++i) {
         snprintf(line, sizeof line, "%s nodir/x.png", commands[i]);
         expect(1, line, "nodir/x.png", "No such file");
         snprintf(line, sizeof line, "%s folder.png", commands[i]);
@@ -71,7 +71,7 @@ static void standard_output_is_the_picture(void **state)
     run r = gnomon("render square.obj --size 16x16 -o file.png");
     assert_string_equal(r.error, "");
     assert_non_null(strstr(r.out, "file.png: 16x16, 2 triangles"));
-    for (size_t i = 0; i < sizeof lines_of_shell / sizeof lines_of_shell[0]; i++) {
+    for (size_t i = 0; i < sizeof lines_of_shell / sizeof lines_of_shell[0]; ++i) {
         char line[1024];
         remove_file("s.png");
         snprintf(line, sizeof line, "set -e; %s; cmp s.png file.png", lines_of_shell[i]);

@@ -35,10 +35,9 @@ static void expect_near(uint32_t got, uint32_t expected, int tolerance, const ch
 
 static void expect_all(const picture *p, uint32_t color)
 {
-    for (uint32_t y = 0; y < p->height; y++) {
-        for (uint32_t x = 0; x < p->width; x++)
+    for (uint32_t y = 0; y < p->height; ++y)
+        for (uint32_t x = 0; x < p->width; ++x)
             assert_int_equal(pixel(p, x, y), color);
-    }
 }
 
 static void vertex_colors_fill_the_picture(void **state)
@@ -70,7 +69,7 @@ static void wireframe_draws_the_edges(void **state)
     (void)state;
     write_text("red.obj", red_square);
     picture p = render("red.obj", from);
-    for (uint32_t x = 0; x < 41; x++) {
+    for (uint32_t x = 0; x < 41; ++x) {
         const bool drawn = x == 10 || x == 14 || x == 30;
         assert_int_equal(pixel(&p, x, 26), drawn ? 0xff0000ff : 0xedeeefff);
     }
@@ -140,10 +139,9 @@ static void top_row_is_the_top(void **state)
                             "f 1 2 3\nf 1 3 4\n");
     picture p =
         render("upper.obj", FRONT " --shader vertex-color --size 20x20 --background ffffff");
-    for (uint32_t y = 0; y < 20; y++) {
-        for (uint32_t x = 0; x < 20; x++)
+    for (uint32_t y = 0; y < 20; ++y)
+        for (uint32_t x = 0; x < 20; ++x)
             assert_int_equal(pixel(&p, x, y), x < 10 && y < 10 ? 0x0000ffff : 0xffffffff);
-    }
     picture_free(&p);
     /* Seen from behind, left and right are exchanged; with up reversed, top and bottom are. */
     p = render("upper.obj", "--eye 0,0,-5 --target 0,0,0 --orthographic 2 --shader vertex-color"
@@ -165,8 +163,8 @@ static void perspective_sees_the_angle_asked_for(void **state)
     /* From distance 2, 90 degrees see 4 units: the square is the middle half. */
     picture p = render("red.obj", "--eye 0,0,2 --target 0,0,0 --fov 90 --shader vertex-color"
                                   " --size 40x40");
-    for (uint32_t y = 0; y < 40; y++) {
-        for (uint32_t x = 0; x < 40; x++) {
+    for (uint32_t y = 0; y < 40; ++y) {
+        for (uint32_t x = 0; x < 40; ++x) {
             bool inside = x >= 10 && x < 30 && y >= 10 && y < 30;
             assert_int_equal(pixel(&p, x, y), inside ? 0xff0000ff : 0xedeeefff);
         }
@@ -183,14 +181,14 @@ static void framing_shows_the_whole_model(void **state)
     write_text("cube.obj", "v 99 49 -3\nv 101 49 -3\nv 101 51 -3\nv 99 51 -3\n"
                            "v 99 49 -1\nv 101 49 -1\nv 101 51 -1\nv 99 51 -1\n"
                            "f 5 6 7 8\nf 1 4 3 2\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
-    for (int i = 0; i < 5; i++) {
+    for (int i = 0; i < 5; ++i) {
         picture p = render("cube.obj", flags[i]);
         uint32_t drawn = 0;
-        for (uint32_t y = 0; y < p.height; y++) {
-            for (uint32_t x = 0; x < p.width; x++) {
+        for (uint32_t y = 0; y < p.height; ++y) {
+            for (uint32_t x = 0; x < p.width; ++x) {
                 if (pixel(&p, x, y) == 0xedeeefff)
                     continue;
-                drawn++;
+                ++drawn;
                 assert_true(x > 0 && y > 0 && x + 1 < p.width && y + 1 < p.height);
             }
         }
@@ -211,7 +209,7 @@ static void depth_is_16_bit_grey(void **state)
     assert_int_equal(p.width, 12);
     assert_int_equal(p.height, 10);
     /* The square is in the middle between the planes; beside it is the clear value. */
-    for (uint32_t y = 0; y < 10; y++) {
+    for (uint32_t y = 0; y < 10; ++y) {
         assert_int_equal(p.grey[y * 12], 65535);
         assert_true(abs((int)p.grey[y * 12 + 6] - 32768) <= 2);
     }
@@ -243,7 +241,7 @@ static const uint8_t quadrants[4][3] = {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {
 static void expect_quadrants(const char *flags, int tolerance)
 {
     picture p = render("square.obj", flags);
-    for (uint32_t i = 0; i < 4; i++) {
+    for (uint32_t i = 0; i < 4; ++i) {
         const uint8_t *q = quadrants[i];
         uint32_t color = (uint32_t)q[0] << 24 | (uint32_t)q[1] << 16 | (uint32_t)q[2] << 8 | 255;
         expect_near(pixel(&p, i % 2 * 50 + 25, i / 2 * 50 + 25), color, tolerance, flags);
@@ -256,8 +254,8 @@ static void write_quadrants_tga(const char *name)
     /* Type 10, run-length encoded; rows from the bottom; blue, green, red. */
     uint8_t bytes[18 + 64 * 2 * 4] = {0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 64, 0, 64, 0, 24, 0};
     uint8_t *next = bytes + 18;
-    for (int row = 0; row < 64; row++) {
-        for (int half = 0; half < 2; half++) {
+    for (int row = 0; row < 64; ++row) {
+        for (int half = 0; half < 2; ++half) {
             const uint8_t *q = quadrants[(row < 32 ? 2 : 0) + half];
             *next++ = 0x80 | 31;
             *next++ = q[2];
@@ -273,7 +271,7 @@ static void textures_stand_upright(void **state)
     uint8_t texels[64 * 64 * 3];
     (void)state;
     write_text("square.obj", square_obj);
-    for (int i = 0; i < 64 * 64; i++)
+    for (int i = 0; i < 64 * 64; ++i)
         memcpy(texels + 3 * i, quadrants[(i / 64 < 32 ? 0 : 2) + (i % 64 < 32 ? 0 : 1)], 3);
 
     stbi_write_png(path_of("t.png"), 64, 64, 3, texels, 0);
@@ -349,7 +347,7 @@ static void maps_are_found_by_material(void **state)
     (void)state;
     write_text("coat.mtl", "newmtl coat\nKd 1 1 1\nmap_Kd c1.png\nmap_Ks c2.png\nmap_Ke c3.png\n"
                            "map_Bump c4.png\n");
-    for (int i = 1; i <= 3; i++) {
+    for (int i = 1; i <= 3; ++i) {
         char name[16];
         snprintf(name, sizeof name, "c%d.png", i);
         write_color(name, 99, 99, 99);
@@ -416,10 +414,9 @@ static void materials_are_followed(void **state)
                           "usemtl plain\nf 1/1/1 2/2/1 3/3/1 4/4/1\n"
                           "usemtl skin\nf 2/1/1 5/2/1 6/3/1 3/4/1\n");
     picture p = render("two.obj", FRONT " --light 0,0,1 --size 10x10");
-    for (uint32_t y = 0; y < 10; y++) {
-        for (uint32_t x = 0; x < 10; x++)
+    for (uint32_t y = 0; y < 10; ++y)
+        for (uint32_t x = 0; x < 10; ++x)
             assert_int_equal(pixel(&p, x, y), x < 5 ? 0xff00ffff : 0x00ff00ff);
-    }
     picture_free(&p);
 }
 
@@ -440,7 +437,7 @@ static void missing_normals_are_smooth(void **state)
     (void)state;
     write_text("shared.obj", shared);
     write_text("split.obj", split);
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; ++i) {
         picture p = render(i == 0 ? "shared.obj" : "split.obj",
                            FRONT " --light 1,1,1 --size 256x256 --shader gouraud");
         /* Grey 0.8 times ambient 0.25 + diffuse 0.75 * N.L, with N.L = 1, 1/3, < 0. */
@@ -459,10 +456,9 @@ static void flat_shows_facets(void **state)
     write_text("roof.obj", "v -1 -1 -1\nv 0 -1 0\nv 0 1 0\nv -1 1 -1\nv 1 -1 -1\nv 1 1 -1\n"
                            "f 1 2 3 4\nf 2 5 6 3\n");
     picture p = render("roof.obj", FRONT " --light -1,0,1 --size 20x20 --shader flat");
-    for (uint32_t y = 0; y < 20; y++) {
-        for (uint32_t x = 0; x < 20; x++)
+    for (uint32_t y = 0; y < 20; ++y)
+        for (uint32_t x = 0; x < 20; ++x)
             assert_int_equal(pixel(&p, x, y), x < 10 ? 0xccccccff : 0x333333ff);
-    }
     picture_free(&p);
     /* Gouraud uses the ridge's mean normal instead: (0, 0, 1), N.L = sqrt(1/2). */
     p = render("roof.obj", FRONT " --light -1,0,1 --size 200x200 --shader gouraud");
@@ -497,8 +493,8 @@ static void compare_finds_equal_pictures(void **state)
     assert_int_equal(p.width, 150);
     assert_int_equal(p.height, 40);
     uint32_t drawn = 0;
-    for (uint32_t y = 0; y < 40; y++) {
-        for (uint32_t x = 0; x < 50; x++) {
+    for (uint32_t y = 0; y < 40; ++y) {
+        for (uint32_t x = 0; x < 50; ++x) {
             drawn += pixel(&p, x, y) != 0xedeeefff;
             assert_int_equal(pixel(&p, x, y), pixel(&p, 50 + x, y));
             assert_int_equal(pixel(&p, 100 + x, y), 0x000000ff);
@@ -507,10 +503,9 @@ static void compare_finds_equal_pictures(void **state)
     assert_true(drawn > 200);
     /* The left third is what render draws. */
     picture alone = render("red.obj", "--size 50x40");
-    for (uint32_t y = 0; y < 40; y++) {
-        for (uint32_t x = 0; x < 50; x++)
+    for (uint32_t y = 0; y < 40; ++y)
+        for (uint32_t x = 0; x < 50; ++x)
             assert_int_equal(pixel(&p, x, y), pixel(&alone, x, y));
-    }
     picture_free(&alone);
     picture_free(&p);
 }
@@ -549,10 +544,9 @@ static void demo_needs_no_file(void **state)
     assert_int_equal(triptych.width, 480);
     assert_int_equal(triptych.height, 120);
     assert_int_equal(alone.width, 160);
-    for (uint32_t y = 0; y < 120; y++) {
-        for (uint32_t x = 0; x < 160; x++)
+    for (uint32_t y = 0; y < 120; ++y)
+        for (uint32_t x = 0; x < 160; ++x)
             assert_int_equal(pixel(&triptych, x, y), pixel(&alone, x, y));
-    }
     picture_free(&triptych);
     picture_free(&alone);
 }

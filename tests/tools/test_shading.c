@@ -19,7 +19,7 @@ static void expect_color(const char *model, const char *flags, uint32_t color)
     if (r.status != 0)
         fail_msg("%s %s: status %d, %s", model, flags, r.status, r.error);
     picture p = picture_read("a.png");
-    for (uint32_t i = 0; i < 64; i++) {
+    for (uint32_t i = 0; i < 64; ++i) {
         uint32_t got = pixel(&p, i % 8, i / 8);
         for (int shift = 0; shift < 32; shift += 8) {
             int difference = (int)(got >> shift & 255) - (int)(color >> shift & 255);
@@ -106,7 +106,7 @@ static void measure_greys(const char *flags, int *range, int *mixed)
     assert_int_equal(r.status, 0);
     picture p = picture_read("a.png");
     *mixed = 0;
-    for (uint32_t i = 0; i < 81; i++) {
+    for (uint32_t i = 0; i < 81; ++i) {
         int grey = (int)(pixel(&p, i % 9, i / 9) >> 8 & 255);
         low = grey < low ? grey : low;
         high = grey > high ? grey : high;
@@ -124,7 +124,7 @@ static void filters_are_what_was_asked_for(void **state)
     int mixed;
     (void)state;
     write_text("square.obj", square_obj);
-    for (int i = 0; i < 64 * 64; i++)
+    for (int i = 0; i < 64 * 64; ++i)
         texels[i] = (i % 64 + i / 64) % 2 == 0 ? 0 : 255;
     stbi_write_png(path_of("chequers.png"), 64, 64, 1, texels, 0);
     measure_greys("--texture chequers.png --filter nearest", &range, &mixed);
@@ -157,14 +157,14 @@ static void highlights_have_their_map_and_exponent(void **state)
     static const char flags[] = "--eye 0,0,5 --target 0,0,0 --orthographic 2 --size 65x65"
                                 " --light 0,0,1 --shader phong --texture black.png";
     uint32_t bright[2];
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; ++i) {
         run r = gnomon("render square.obj -o a.png %s --specular-map green.png --exponent %d",
                        flags, i == 0 ? 5 : 500);
         assert_int_equal(r.status, 0);
         picture p = picture_read("a.png");
         assert_int_equal(pixel(&p, 32, 32), 0x004000ff); /* a quarter is the default */
         bright[i] = 0;
-        for (uint32_t k = 0; k < 65 * 65; k++)
+        for (uint32_t k = 0; k < 65 * 65; ++k)
             bright[i] += (pixel(&p, k % 65, k / 65) >> 16 & 255) > 32;
         picture_free(&p);
     }
@@ -185,7 +185,7 @@ static void shadows_fall_where_light_is_kept_away(void **state)
     write_text("lid.obj", "v -4 0 -4\nv -4 0 4\nv 4 0 4\nv 4 0 -4\n"
                           "v -1 2 -1\nv -1 2 1\nv 1 2 1\nv 1 2 -1\n"
                           "f 1 2 3 4\nf 5 6 7 8\n");
-    for (int shadows = 0; shadows < 2; shadows++) {
+    for (int shadows = 0; shadows < 2; ++shadows) {
         run r = gnomon("render lid.obj -o a.png %s %s", flags, shadows ? "--shadows" : "");
         assert_int_equal(r.status, 0);
         picture p = picture_read("a.png");
@@ -229,7 +229,7 @@ static void every_shader_is_osmesas_too(void **state)
                                      "normals --normal-map world",
                                      "depth"};
     (void)state;
-    for (size_t i = 0; i < sizeof looks / sizeof looks[0]; i++) {
+    for (size_t i = 0; i < sizeof looks / sizeof looks[0]; ++i) {
         bool shadows = strstr(looks[i], "--shadows") != NULL;
         expect_equal(looks[i], 1, shadows ? "shadow map: 0 of " : "");
         expect_equal(looks[i], 4, "samples: 0 of ");

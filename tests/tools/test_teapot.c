@@ -8,8 +8,8 @@
 #include <string.h>
 #include <cmocka.h>
 
-#include <teapot.h>
-#include <teapot_maps.h>
+#include "teapot.h"
+#include "teapot_maps.h"
 
 #define LEVEL 6u
 #define PATCH_VERTICES ((LEVEL + 1) * (LEVEL + 1))
@@ -56,9 +56,9 @@ static bool is_revolved(size_t vertex)
 /* Whether some vertex has this position and normal. */
 static bool is_there(const float p[3], const float n[3])
 {
-    for (size_t v = 0; v < PATCHES * PATCH_VERTICES; v++) {
+    for (size_t v = 0; v < PATCHES * PATCH_VERTICES; ++v) {
         float worst = 0.0f;
-        for (size_t c = 0; c < 3; c++) {
+        for (size_t c = 0; c < 3; ++c) {
             worst = fmaxf(worst, fabsf(position(v)[c] - p[c]));
             worst = fmaxf(worst, fabsf(normal(v)[c] - n[c]));
         }
@@ -77,8 +77,8 @@ static void it_is_as_large_as_published(void **state)
     assert_int_equal(teapot.parts->vertex_count, PATCHES * PATCH_VERTICES);
     /* Two triangles per cell, one where the cell touches a pole: in 8 patches. */
     assert_int_equal(model_triangle_count(&teapot), PATCHES * LEVEL * LEVEL * 2 - 8 * LEVEL);
-    for (size_t v = 0; v < teapot.parts->vertex_count; v++) {
-        for (size_t c = 0; c < 3; c++) {
+    for (size_t v = 0; v < teapot.parts->vertex_count; ++v) {
+        for (size_t c = 0; c < 3; ++c) {
             low[c] = fminf(low[c], position(v)[c]);
             high[c] = fmaxf(high[c], position(v)[c]);
         }
@@ -95,7 +95,7 @@ static void it_is_as_large_as_published(void **state)
 static void it_is_symmetric(void **state)
 {
     (void)state;
-    for (size_t v = 0; v < teapot.parts->vertex_count; v++) {
+    for (size_t v = 0; v < teapot.parts->vertex_count; ++v) {
         const float *p = position(v);
         const float *n = normal(v);
         float mirrored_p[3] = {p[0], p[1], -p[2]};
@@ -114,7 +114,7 @@ static void it_is_symmetric(void **state)
 static void normals_are_unit_and_radial(void **state)
 {
     (void)state;
-    for (size_t v = 0; v < teapot.parts->vertex_count; v++) {
+    for (size_t v = 0; v < teapot.parts->vertex_count; ++v) {
         const float *p = position(v);
         const float *n = normal(v);
         assert_true(fabsf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] - 1.0f) < 1e-5f);
@@ -133,16 +133,16 @@ static void poles_point_up_and_down(void **state)
     int top = 0;
     int bottom = 0;
     (void)state;
-    for (size_t v = 0; v < teapot.parts->vertex_count; v++) {
+    for (size_t v = 0; v < teapot.parts->vertex_count; ++v) {
         const float *p = position(v);
         if (p[0] != 0.0f || p[2] != 0.0f)
             continue;
         if (p[1] == 3.15f) {
-            top++;
+            ++top;
             assert_true(normal(v)[1] > 0.9999f);
         }
         if (p[1] == 0.0f) {
-            bottom++;
+            ++bottom;
             assert_true(normal(v)[1] < -0.9999f);
         }
     }
@@ -161,25 +161,25 @@ static void triangles_face_outwards(void **state)
         float b[3];
         float cross[3];
         float length = 0.0f;
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; c < 3; ++c) {
             a[c] = position(t[1])[c] - position(t[0])[c];
             b[c] = position(t[2])[c] - position(t[0])[c];
         }
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; c < 3; ++c) {
             cross[c] = a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
             length += cross[c] * cross[c];
         }
         length = sqrtf(length);
         assert_true(length > 1e-6f);
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 3; ++k) {
             float cosine = 0.0f;
-            for (int c = 0; c < 3; c++)
+            for (int c = 0; c < 3; ++c)
                 cosine += cross[c] / length * normal(t[k])[c];
             assert_true(cosine > 0.1f);
         }
     }
     /* The bottom faces down, which shows that the whole teapot faces outward. */
-    for (size_t v = BOTTOM * PATCH_VERTICES; v < PATCHES * PATCH_VERTICES; v++)
+    for (size_t v = BOTTOM * PATCH_VERTICES; v < PATCHES * PATCH_VERTICES; ++v)
         assert_true(normal(v)[1] < 0.1f);
 }
 
@@ -190,7 +190,7 @@ static float dot(const float a[3], const float b[3])
 
 static void cross(const float a[3], const float b[3], float result[3])
 {
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; ++c)
         result[c] = a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
 }
 
@@ -203,7 +203,7 @@ static void tangents_follow_the_texture(void **state)
         const uint32_t *t = teapot.parts->indices + i;
         const float *texcoord[3];
         float along[2][3] = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
-        for (int k = 0; k < 3; k++)
+        for (int k = 0; k < 3; ++k)
             texcoord[k] = teapot.parts->texcoords + 2 * (size_t)t[k];
         float s1 = texcoord[1][0] - texcoord[0][0];
         float t1 = texcoord[1][1] - texcoord[0][1];
@@ -211,13 +211,13 @@ static void tangents_follow_the_texture(void **state)
         float t2 = texcoord[2][1] - texcoord[0][1];
         float area = s1 * t2 - s2 * t1;
         assert_true(fabsf(area) > 1e-7f);
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; c < 3; ++c) {
             float p1 = position(t[1])[c] - position(t[0])[c];
             float p2 = position(t[2])[c] - position(t[0])[c];
             along[0][c] = (p1 * t2 - p2 * t1) / area;
             along[1][c] = (p2 * s1 - p1 * s2) / area;
         }
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 3; ++k) {
             const float *tangent = teapot.parts->tangents + 4 * (size_t)t[k];
             float bitangent[3];
             cross(normal(t[k]), tangent, bitangent);
@@ -233,7 +233,7 @@ static void tangents_follow_the_texture(void **state)
 static void texture_coordinates_stay_in_their_cell(void **state)
 {
     (void)state;
-    for (size_t v = 0; v < teapot.parts->vertex_count; v++) {
+    for (size_t v = 0; v < teapot.parts->vertex_count; ++v) {
         const float *texcoord = teapot.parts->texcoords + 2 * v;
         size_t patch = v / PATCH_VERTICES;
         float s = texcoord[0] * TEAPOT_COLUMNS - (float)(patch % TEAPOT_COLUMNS);
@@ -244,7 +244,7 @@ static void texture_coordinates_stay_in_their_cell(void **state)
 
 static void unpack(uint32_t texel, float result[3])
 {
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; ++c)
         result[c] = (float)(texel >> (8 * c) & 255) / 127.5f - 1.0f;
 }
 
@@ -260,8 +260,8 @@ static void maps_of_normals_agree(void **state)
     assert_true(teapot_map_create(MAP_NORMAL, false, CELL, &of_model));
     assert_int_equal(of_model.width, CELL * TEAPOT_COLUMNS);
     assert_int_equal(of_model.height, CELL * TEAPOT_ROWS);
-    for (uint32_t y = 0; y < of_model.height; y++) {
-        for (uint32_t x = 0; x < of_model.width; x++) {
+    for (uint32_t y = 0; y < of_model.height; ++y) {
+        for (uint32_t x = 0; x < of_model.width; ++x) {
             double p[3];
             double n[3];
             double t[3];
@@ -276,15 +276,15 @@ static void maps_of_normals_agree(void **state)
             float frame[3][3];
             unpack(of_tangents.texels[y * of_model.width + x], packed);
             unpack(of_model.texels[y * of_model.width + x], stated);
-            for (int c = 0; c < 3; c++) {
+            for (int c = 0; c < 3; ++c) {
                 frame[0][c] = (float)t[c];
                 frame[2][c] = (float)n[c];
             }
             cross(frame[0], frame[2], frame[1]);
-            for (int c = 0; c < 3; c++)
+            for (int c = 0; c < 3; ++c)
                 turned[c] =
                     packed[0] * frame[0][c] + packed[1] * frame[1][c] + packed[2] * frame[2][c];
-            for (int c = 0; c < 3; c++)
+            for (int c = 0; c < 3; ++c)
                 assert_true(fabsf(turned[c] - stated[c]) < 0.012f);
             assert_true(packed[2] > 0.8f);
             tilted += packed[2] < 0.99f;
@@ -300,9 +300,9 @@ static void dark_chequers_glow_and_light_ones_shine(void **state)
     image maps[MAP_COUNT];
     int count[2] = {0, 0};
     (void)state;
-    for (int i = 0; i < MAP_COUNT; i++)
+    for (int i = 0; i < MAP_COUNT; ++i)
         assert_true(teapot_map_create((map_kind)i, true, 16, maps + i));
-    for (size_t i = 0; i < (size_t)maps[0].width * maps[0].height; i++) {
+    for (size_t i = 0; i < (size_t)maps[0].width * maps[0].height; ++i) {
         bool is_light = (maps[MAP_DIFFUSE].texels[i] & 255) > 200;
         bool glows = (maps[MAP_GLOW].texels[i] & 0xffffff) != 0;
         assert_true(((maps[MAP_SPECULAR].texels[i] & 255) == 255) == is_light);
@@ -312,7 +312,7 @@ static void dark_chequers_glow_and_light_ones_shine(void **state)
     }
     assert_true(count[0] > 3000 && count[0] < 5000); /* of 8192 */
     assert_true(count[1] > 200);
-    for (int i = 0; i < MAP_COUNT; i++)
+    for (int i = 0; i < MAP_COUNT; ++i)
         image_free(maps + i);
 }
 
@@ -329,29 +329,28 @@ static void seams_are_closed(void **state)
     float(*edges)[6] = calloc(teapot.parts->index_count, sizeof *edges);
     (void)state;
     assert_non_null(edges);
-    for (size_t i = 0; i < teapot.parts->index_count; i++) {
+    for (size_t i = 0; i < teapot.parts->index_count; ++i) {
         uint32_t from = teapot.parts->indices[i];
         uint32_t to = teapot.parts->indices[i / 3 * 3 + (i + 1) % 3];
         size_t patch = from / PATCH_VERTICES;
         if (patch >= HANDLE && patch < BOTTOM)
             continue;
         float ends[2][3];
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; c < 3; ++c) {
             ends[0][c] = position(from)[c] + 0.0f; /* +0 replaces -0 */
             ends[1][c] = position(to)[c] + 0.0f;
         }
         bool swapped = memcmp(ends[0], ends[1], sizeof ends[0]) > 0;
         memcpy(edges[count], ends[swapped], sizeof ends[0]);
         memcpy(edges[count] + 3, ends[!swapped], sizeof ends[0]);
-        count++;
+        ++count;
     }
     qsort(edges, count, sizeof *edges, compare_edges);
     size_t open = 0;
     for (size_t first = 0, last; first < count; first = last) {
-        for (last = first + 1; last < count; last++) {
+        for (last = first + 1; last < count; ++last)
             if (compare_edges(edges[first], edges[last]) != 0)
                 break;
-        }
         assert_true(last - first <= 2);
         open += last - first == 1;
     }

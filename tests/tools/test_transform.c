@@ -43,7 +43,7 @@ static void expect_row(const char *text, const char *name, const float *values, 
     if (row == NULL)
         fail_msg("no %s in\n%s", name, text);
     char *number = (char *)(uintptr_t)(row + strlen(start));
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count; ++i) {
         double got = strtod(number, &number);
         if (!(fabs(got - (double)values[i]) <= 4e-7 * (1.0 + fabs((double)values[i]))))
             fail_msg("%s: number %d is %.9g, not %.9g, in\n%s", name, i + 1, got, (double)values[i],
@@ -120,7 +120,7 @@ static void opengl(void **state)
     expect_words(&r, 6, "behind the eye, w < 0", false);
     expect_words(&r, 7, "in the plane of the eye, w = 0", false);
     expect_words(&r, 8, "outside the view volume: bottom, near\n", true);
-    for (int i = 1; i <= 4; i++) {
+    for (int i = 1; i <= 4; ++i) {
         char text[1024];
         section(r.out, i, text, sizeof text);
         assert_null(strstr(text, "outside"));
@@ -233,7 +233,7 @@ static void cameras(void **state)
         {{2, 1, -1}, {-1, 1, 2}, {-1, 1, 1.5f, 2}, {-0.5f, 0.5f, 0.75f}, {25, 25, 0.75f}},
     };
     (void)state;
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 4; ++i) {
         char text[512];
         snprintf(text, sizeof text, "%s" CAMERA "point 2 1 -1\n", setups[i]);
         run r = transform(text, "");
@@ -284,9 +284,9 @@ static void expect_matrix(const char *out, const char *name, const float values[
     if (at == NULL)
         fail_msg("no %s in\n%s", name, out);
     at += strlen(heading);
-    for (int row = 0; row < 4; row++) {
+    for (int row = 0; row < 4; ++row) {
         char *number = (char *)(uintptr_t)at;
-        for (int column = 0; column < 4; column++) {
+        for (int column = 0; column < 4; ++column) {
             double got = strtod(number, &number);
             if (!(fabs(got - (double)values[4 * row + column]) <= 4e-7))
                 fail_msg("%s: row %d, column %d is %.9g, not %.9g", name, row + 1, column + 1, got,
@@ -455,7 +455,7 @@ static void usage(void **state)
     assert_string_equal(r.error, "");
     static const char words[][16] = {"--matrices", "convention", "far infinite", "reversed",
                                      "right X Y Z"};
-    for (int i = 0; i < 5; i++)
+    for (int i = 0; i < 5; ++i)
         assert_non_null(strstr(r.out, words[i]));
     for (char *line = strtok(r.out, "\n"); line != NULL; line = strtok(NULL, "\n"))
         assert_true(strlen(line) <= 90);

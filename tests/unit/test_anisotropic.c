@@ -312,10 +312,9 @@ static void test_quads_share_their_samples(void **state)
     for (uint32_t i = 0; i < SIZE * SIZE;
          ++i) /* not linear, because then all means would be equal */
         image[0][i] = i * 2654435761u;
-    for (int l = 0; l < GN_LANES; ++l) {
+    for (int l = 0; l < GN_LANES; ++l)
         for (int n = 0; n < 2; ++n)
             place[n][l] = quad[l / 4 % 2 * 2 + l % 2][n] / SIZE;
-    }
     gn_sample_2d(&t, &s, place[0], place[1], texels);
     for (int l = 0; l < GN_LANES; ++l) {
         const float at[3] = {place[0][l], place[1][l], 0.0f};

@@ -29,11 +29,10 @@ static void assert_rounded(float (*function)(float), wide_function *wide_value, 
     wide_value(wide, wide, MPFR_RNDN);
     float expected = mpfr_get_flt(wide, MPFR_RNDN);
     mpfr_clear(wide);
-    if (isnan(expected)) {
+    if (isnan(expected))
         assert_canonical_nan(function(x));
-    } else {
+    else
         assert_same_bits(function(x), expected);
-    }
 }
 
 /* For every exponent both ends and the middle, with both signs, and random numbers. */
@@ -42,12 +41,10 @@ static void assert_rounded_everywhere(float (*function)(float), wide_function *w
     for (uint32_t exponent = 0; exponent < 512; ++exponent) {
         uint32_t bits = exponent << 23;
         const uint32_t fractions[] = {0, 1, 2, 0x3FFFFF, 0x400000, 0x7FFFFE, 0x7FFFFF};
-        for (size_t i = 0; i < sizeof fractions / sizeof fractions[0]; ++i) {
+        for (size_t i = 0; i < sizeof fractions / sizeof fractions[0]; ++i)
             assert_rounded(function, wide_value, from_bits(bits | fractions[i]));
-        }
-        for (int i = 0; i < 20; ++i) {
+        for (int i = 0; i < 20; ++i)
             assert_rounded(function, wide_value, from_bits(bits | random_bits() >> 9));
-        }
     }
     /* The range in which the function computes: 2^-13 to 2. */
     for (int i = 0; i < 20000; ++i) {
@@ -187,9 +184,8 @@ static void assert_angle(float y, float x)
 
 static void assert_angle_in_all_quadrants(float y, float x)
 {
-    if (y == 0.0f || x == 0.0f || !isfinite(y) || !isfinite(x)) {
+    if (y == 0.0f || x == 0.0f || !isfinite(y) || !isfinite(x))
         return;
-    }
     assert_angle(y, x);
     assert_angle(-y, x);
     assert_angle(y, -x);
@@ -222,11 +218,9 @@ static void angles_of_structured_vectors(void **state)
             assert_angle_in_all_quadrants(nextafterf(y, INFINITY), x);
         }
     }
-    for (int y = 1; y < 40; ++y) {
-        for (int x = 1; x < 40; ++x) {
+    for (int y = 1; y < 40; ++y)
+        for (int x = 1; x < 40; ++x)
             assert_angle_in_all_quadrants((float)y, (float)x);
-        }
-    }
 }
 
 static void angles_of_extreme_vectors(void **state)
@@ -237,9 +231,8 @@ static void angles_of_extreme_vectors(void **state)
                               0x1.000002p0f,    0x1p64f,     0x1.fffffep126f,  FLT_MAX};
     const size_t count = sizeof extremes / sizeof extremes[0];
     for (size_t i = 0; i < count; ++i) {
-        for (size_t j = 0; j < count; ++j) {
+        for (size_t j = 0; j < count; ++j)
             assert_angle_in_all_quadrants(extremes[i], extremes[j]);
-        }
         for (int j = 0; j < 200; ++j) {
             float other = from_bits(random_bits());
             assert_angle_in_all_quadrants(extremes[i], other);

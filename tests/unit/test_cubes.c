@@ -15,10 +15,9 @@ static gn_texture numbered(void)
     gn_texture t;
 
     for (int f = 0; f < 6; ++f) {
-        for (int y = 0; y < SIDE; ++y) {
+        for (int y = 0; y < SIDE; ++y)
             for (int x = 0; x < SIDE; ++x)
                 texels[f][y][x] = (float)(100 * f + 10 * y + x);
-        }
     }
     assert_int_equal(
         gn_texture_packed(GN_TEXTURE_CUBE, GN_FORMAT_R32F, SIDE, SIDE, 0, 1, texels, &t), GN_OK);
@@ -215,10 +214,9 @@ static gn_texture levelled(void)
     gn_texture t;
     size_t used = 0;
 
-    for (int n = 0; n < LEVELS; ++n) {
+    for (int n = 0; n < LEVELS; ++n)
         for (int i = 0; i < 6 * (LARGEST >> n) * (LARGEST >> n); ++i)
             texels[used++] = (float)n;
-    }
     assert_int_equal(
         gn_texture_packed(GN_TEXTURE_CUBE, GN_FORMAT_R32F, LARGEST, LARGEST, 0, LEVELS, texels, &t),
         GN_OK);

@@ -71,9 +71,8 @@ static float nearest(mpfr_function *exact, float x)
 
 static void assert_nearest(const struct function *function, float x)
 {
-    if (x == 0.0f && function->own == gn_rsqrt) {
+    if (x == 0.0f && function->own == gn_rsqrt)
         return; /* MPFR returns +infinity for -0, unlike IEEE 754-2019 */
-    }
     float got = function->own(x), expected = nearest(function->exact, x);
     if (bits_of(got) != bits_of(expected)) {
         fail_msg("%s(%a): %a, should be %a", function->name, (double)x, (double)got,
@@ -140,9 +139,8 @@ static void powers_of_two_are_exact(void **state)
         float power = ldexpf(1.0f, k);
         assert_same_bits(gn_exp2((float)k), power);
         assert_same_bits(gn_log2(power), (float)k);
-        if (k % 2 == 0) {
+        if (k % 2 == 0)
             assert_same_bits(gn_rsqrt(power), ldexpf(1.0f, -k / 2));
-        }
         assert_same_bits(gn_pow(2.0f, (float)k), power);
         assert_same_bits(gn_pow(power, 1.0f), power);
         assert_same_bits(gn_pow(0.5f, (float)-k), power);
@@ -169,9 +167,8 @@ static void edges_of_the_range(void **state)
     for (int i = 0; i < 4; ++i) {
         for (int f = 1; f <= 2; ++f) {
             float x = edges[i] * (f == 1 ? 1.0f : 0.69314718f);
-            for (int step = -40; step <= 40; ++step) {
+            for (int step = -40; step <= 40; ++step)
                 assert_nearest(&functions[f], from_bits(bits_of(x) + (uint32_t)step));
-            }
         }
     }
 }
@@ -183,11 +180,10 @@ static void arguments_of_every_exponent(void **state)
     for (uint32_t exponent = 0; exponent < 256; ++exponent) {
         for (uint32_t i = 0; i < 96; ++i) {
             uint32_t fraction = random_bits() & 0x7FFFFF;
-            if (i < 24) {
+            if (i < 24)
                 fraction = (1u << i) - 1;
-            } else if (i < 48) {
+            else if (i < 48)
                 fraction = 0x800000 - (1u << (i - 24));
-            }
             float x = from_bits(exponent << 23 | fraction);
             for (int f = 0; f < FUNCTION_COUNT; ++f) {
                 assert_nearest(&functions[f], x);
@@ -230,27 +226,24 @@ static void assert_rounds(const struct function *function, float x)
 {
     double exact = function->wide((double)x);
     float below = (float)(exact - exact * 0x1p-50), above = (float)(exact + exact * 0x1p-50);
-    if (isfinite(exact) && below == above) {
+    if (isfinite(exact) && below == above)
         assert_same_bits(function->own(x), below);
-    }
 }
 
 static void many_arguments(void **state)
 {
     (void)state;
-    for (uint32_t bits = 0x3F800000; bits < 0x40800000; bits += 15) {
+    for (uint32_t bits = 0x3F800000; bits < 0x40800000; bits += 15)
         assert_rounds(&functions[0], from_bits(bits));
-    }
     for (int f = 0; f < FUNCTION_COUNT; ++f) {
         for (int i = 0; i < 200000; ++i) {
             float x = from_bits(random_bits());
-            if (i % 4 == 1) {
+            if (i % 4 == 1)
                 x = random_between(0.5f, 4.0f);
-            } else if (i % 4 == 2) {
+            else if (i % 4 == 2)
                 x = random_between(-2.0f, 2.0f);
-            } else if (i % 4 == 3) {
+            else if (i % 4 == 3)
                 x = random_between(-151.0f, 129.0f);
-            }
             assert_rounds(&functions[f], x);
         }
     }
@@ -265,14 +258,12 @@ static void logarithms_in_fixed_point(void **state)
     mpfr_init2(error, 120);
     for (int i = 0; i < 60000; ++i) {
         float x = from_bits(random_bits() % 0x7F800000);
-        if (i % 3 == 1) {
+        if (i % 3 == 1)
             x = random_between(0.5f, 2.0f);
-        } else if (i % 3 == 2) {
+        else if (i % 3 == 2)
             x = random_between(0.98f, 1.02f);
-        }
-        if (x == 0.0f || x == 1.0f) {
+        if (x == 0.0f || x == 1.0f)
             continue;
-        }
         gn_logarithm got = gn_binary_logarithm(bits_of(x));
         assert_true(got.significand >> 63 == 1);
         assert_in_range(got.shift + 8, 0, 31);
@@ -284,9 +275,8 @@ static void logarithms_in_fixed_point(void **state)
         mpfr_set_uj_2exp(error, got.significand, -64 - got.shift, MPFR_RNDN);
         mpfr_sub(error, error, exact, MPFR_RNDN);
         double bound = 1.7 * 0x1p-64 + 0x1p-63 * size;
-        if (x >= 1.0f - 0x1p-7f && x < 1.0f + 0x1p-6f) {
+        if (x >= 1.0f - 0x1p-7f && x < 1.0f + 0x1p-6f)
             bound = 3.7 * 0x1p-63 * size;
-        }
         assert_true(fabs(mpfr_get_d(error, MPFR_RNDN)) <= bound);
     }
     mpfr_clear(exact);
@@ -303,9 +293,8 @@ static void powers_in_fixed_point(void **state)
     for (uint64_t i = 0; i < 60000; ++i) {
         uint64_t fraction = (uint64_t)random_bits() << 32;
         fraction |= random_bits();
-        if (i < 64) { /* both ends of the table's intervals */
+        if (i < 64) /* both ends of the table's intervals */
             fraction = (i >> 1 << 59) - (i & 1);
-        }
         mpfr_set_uj_2exp(exact, fraction, -64, MPFR_RNDN);
         mpfr_exp2(exact, exact, MPFR_RNDN);
         mpfr_set_uj_2exp(error, gn_fixed_power(fraction), -63, MPFR_RNDN);
@@ -328,9 +317,8 @@ static void hard_arguments(void **state)
         {0, 0x013A18E3}, {0, 0x3F3A18E3}, {1, 0xB52D1F9A}, {2, 0xC16912CD},
         {3, 0x3EA07AB9}, {4, 0x65D890D3}, {4, 0x3F8509D1}, {3, 0x3F7E3274},
     };
-    for (size_t i = 0; i < sizeof hard / sizeof hard[0]; ++i) {
+    for (size_t i = 0; i < sizeof hard / sizeof hard[0]; ++i)
         assert_nearest(&functions[hard[i].function], from_bits(hard[i].argument));
-    }
 }
 
 /* Special values of C99, F.9.4.4. */
@@ -409,19 +397,16 @@ static void exact_powers(void **state)
     (void)state;
     for (int k = 1; k <= 15; ++k) {
         for (int n = 3; pow(n, k) < 0x1p25; n += 2) {
-            if (k == 1 && n > 999) {
+            if (k == 1 && n > 999)
                 n += 1000;
-            }
             double power = 1.0;
-            for (int i = 0; i < k; ++i) {
+            for (int i = 0; i < k; ++i)
                 power *= n;
-            }
             for (int a = -175 / k; a <= 129 / k; ++a) {
                 float x = ldexpf((float)n, a);
                 double expected = ldexp(power, a * k);
-                if ((double)x != ldexp(n, a)) {
+                if ((double)x != ldexp(n, a))
                     continue;
-                }
                 assert_same_bits(gn_pow(x, (float)k), (float)expected);
                 assert_same_bits(gn_pow(-x, (float)k), (float)(k % 2 == 0 ? expected : -expected));
                 /* (x^2)^(k/2) and (x^4)^(k/4) */
@@ -429,13 +414,11 @@ static void exact_powers(void **state)
                 if (square == (double)(float)square) {
                     assert_same_bits(gn_pow((float)square, 0.5f * (float)k), (float)expected);
                     square *= square;
-                    if (square == (double)(float)square) {
+                    if (square == (double)(float)square)
                         assert_same_bits(gn_pow((float)square, 0.25f * (float)k), (float)expected);
-                    }
                 }
-                if (n > 99) {
+                if (n > 99)
                     a += 6;
-                }
             }
         }
     }
@@ -465,9 +448,8 @@ static void assert_power(float x, float y)
         mpfr_mul_2si(error, error, -last, MPFR_RNDN);
         good = fabs(mpfr_get_d(error, MPFR_RNDN)) <= 0.5000001;
     }
-    if (!good) {
+    if (!good)
         fail_msg("pow(%a, %a): %a", (double)x, (double)y, (double)power);
-    }
     mpfr_clear(base);
     mpfr_clear(exponent);
     mpfr_clear(exact);
@@ -480,13 +462,11 @@ static void powers_are_within_their_bound(void **state)
     for (int i = 0; i < 20000; ++i) {
         /* Any two floats, and two of moderate size. */
         float x = from_bits(random_bits() % 0x7F800000), y = from_bits(random_bits());
-        if (isfinite(y)) {
+        if (isfinite(y))
             assert_power(x, y);
-        }
         assert_power(random_between(0.0f, 4.0f), random_between(-30.0f, 30.0f));
-        if (x == 0.0f) {
+        if (x == 0.0f)
             continue;
-        }
         /* Results of every size, and at both ends of the range. */
         double logarithm = log2((double)x);
         assert_power(x, (float)((double)random_between(-152.0f, 129.0f) / logarithm));
@@ -517,9 +497,8 @@ static void powers_near_the_middle(void **state)
         {0x1.1f11p+0f, -0x1.0cde54p+3f, 0x1.87299ep-2f},
         {0x1.b5689ep+0f, 0x1.9ac238p+3f, 0x1.e47c42p+9f},
     };
-    for (size_t i = 0; i < sizeof near / sizeof near[0]; ++i) {
+    for (size_t i = 0; i < sizeof near / sizeof near[0]; ++i)
         assert_same_bits(gn_pow(near[i][0], near[i][1]), near[i][2]);
-    }
 }
 
 static void signs_of_powers(void **state)

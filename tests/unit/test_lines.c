@@ -262,10 +262,9 @@ static uint32_t places_along(const float ends[4], bool x_major)
     uint32_t along = 0;
 
     draw_at(ends, 2);
-    for (int y = 0; y < height; ++y) {
+    for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
             along |= pixels[y * width + x] ? 1u << (x_major ? x : y) : 0;
-    }
     memset(pixels, 0, (size_t)(width * height) * sizeof *pixels);
     return along;
 }

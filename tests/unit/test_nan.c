@@ -24,10 +24,9 @@ static void shade_value(const void *unused, const gn_fragment_input *in, gn_frag
 {
     (void)unused;
     (void)in;
-    for (int c = 0; c < 4; ++c) {
+    for (int c = 0; c < 4; ++c)
         for (int l = 0; l < GN_LANES; ++l)
             out->color[c][l] = shaded;
-    }
 }
 
 /* Draws a value over another in a surface of one row and returns the bits of its last channel. */

@@ -164,7 +164,7 @@ static void cubes(void **state)
             assert_untouched(turn);
             continue;
         }
-        turns++;
+        ++turns;
         assert_int_equal(gn_quat_from_mat3(&m, &turn), GN_OK);
         assert_int_equal(gn_quat_to_mat3(turn, &back), GN_OK);
         assert_int_equal(gn_quat_to_mat4(turn, &m4), GN_OK);

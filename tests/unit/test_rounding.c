@@ -34,19 +34,17 @@ static void assert_whole(float x)
     assert_same_bits(gn_floor(x), floorf(x));
     assert_same_bits(gn_ceil(x), ceilf(x));
     assert_same_bits(gn_round(x), roundf(x));
-    if (isinf(x)) {
+    if (isinf(x))
         assert_canonical_nan(gn_fract(x));
-    } else {
+    else
         assert_same_bits(gn_fract(x), expected_fraction(x));
-    }
 }
 
 static void whole_numbers_of_every_class(void **state)
 {
     (void)state;
-    for (uint64_t i = 0; i < (uint64_t)1 << 32; i += STRIDE) {
+    for (uint64_t i = 0; i < (uint64_t)1 << 32; i += STRIDE)
         assert_whole(from_bits((uint32_t)i));
-    }
 }
 
 /* Whole numbers and halves, and their neighbours, in every binade. */
@@ -125,12 +123,10 @@ static void mixed_values(void **state)
         float t = (float)(random >> 40) * 0x1p-24f;
         random = random * 6364136223846793005u + 1442695040888963407u;
         float b = from_bits((uint32_t)(random >> 32));
-        if (i % 2 == 0) { /* of a's size */
+        if (i % 2 == 0) /* of a's size */
             b = from_bits((bits_of(a) & 0x7F800000u) | (bits_of(b) & 0x807FFFFFu));
-        }
-        if (!isfinite(a) || !isfinite(b)) {
+        if (!isfinite(a) || !isfinite(b))
             continue;
-        }
         assert_true(gn_mix(a, b, 0.0f) == a);
         assert_true(gn_mix(a, b, 1.0f) == b);
         long double exact =
@@ -150,11 +146,10 @@ static float expected_angle(float x, unsigned long numerator, unsigned long deno
     mpfr_const_pi(pi, MPFR_RNDN);
     mpfr_mul_ui(wide, wide, numerator, MPFR_RNDN);
     mpfr_div_ui(wide, wide, denominator, MPFR_RNDN);
-    if (numerator > denominator) {
+    if (numerator > denominator)
         mpfr_div(wide, wide, pi, MPFR_RNDN);
-    } else {
+    else
         mpfr_mul(wide, wide, pi, MPFR_RNDN);
-    }
     float rounded = mpfr_get_flt(wide, MPFR_RNDN);
     mpfr_clears(wide, pi, (mpfr_ptr)0);
     return rounded;

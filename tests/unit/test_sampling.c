@@ -136,10 +136,9 @@ static float red_at(const gn_texture *t, const gn_sampler *sampler, float s, flo
     assert_int_equal(gn_sampler_check(sampler), GN_OK);
     gn_sample_at(t, sampler, at, lod, 0.0f, one);
     gn_sample(t, sampler, &lookup, block);
-    for (int l = 0; l < GN_LANES; ++l) {
+    for (int l = 0; l < GN_LANES; ++l)
         for (int c = 0; c < 4; ++c)
             assert_memory_equal(&block[c][l], &one[c], sizeof one[c]);
-    }
     return one[0] * 255.0f;
 }
 
@@ -251,10 +250,9 @@ static void limits_of_the_last_levels(void **state)
     size_t used = 0;
     gn_texture t;
 
-    for (int n = 0; n < GN_MAX_LEVELS; ++n) {
+    for (int n = 0; n < GN_MAX_LEVELS; ++n)
         for (int i = 0; i < GN_MAX_SIZE >> n; ++i)
             texels[used++] = (float)n;
-    }
     assert_int_equal(gn_texture_packed(GN_TEXTURE_1D, GN_FORMAT_R32F, GN_MAX_SIZE, 1, 0,
                                        GN_MAX_LEVELS, texels, &t),
                      GN_OK);

@@ -25,10 +25,9 @@ static int reset(void **state)
     uniforms.light.direction.z = 1.0f;
     uniforms.light.ambient = (gn_vec3){0.1f, 0.1f, 0.1f};
     uniforms.light.diffuse = (gn_vec3){0.8f, 0.8f, 0.8f};
-    for (int n = 0; n < GN_SHADER_VARYINGS; ++n) {
+    for (int n = 0; n < GN_SHADER_VARYINGS; ++n)
         for (int l = 0; l < GN_LANES; ++l)
             varying[n][l] = grey[n];
-    }
     return 0;
 }
 

@@ -208,10 +208,9 @@ static void clear_respects_the_stride(void **state)
     memset(padded, 0x55, sizeof padded);
     s.row_stride = 8 * 4;
     assert_int_equal(gn_clear_color(&s, 0, 0, 0, 0), GN_OK);
-    for (int y = 0; y < HEIGHT; ++y) {
+    for (int y = 0; y < HEIGHT; ++y)
         for (int x = 0; x < 8; ++x)
             assert_int_equal(padded[8 * y + x], x < WIDTH ? 0 : 0x55555555u);
-    }
 }
 
 static uint32_t cleared_depth(gn_format format, float depth)

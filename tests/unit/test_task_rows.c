@@ -59,10 +59,9 @@ static void paint(const void *uniforms, const gn_fragment_input *in, gn_fragment
 {
     (void)uniforms;
     (void)in;
-    for (int c = 0; c < 4; ++c) {
+    for (int c = 0; c < 4; ++c)
         for (int l = 0; l < GN_LANES; ++l)
             out->color[c][l] = 1.0f;
-    }
 }
 
 /* Small triangles on the last columns of a surface; their blocks reach over its edge. */
@@ -126,10 +125,9 @@ static void tasks_write_rows_of_their_own(void **state)
     action.sa_sigaction = catch_write;
     action.sa_flags = SA_SIGINFO;
     assert_int_equal(sigaction(SIGSEGV, &action, &before), 0);
-    for (uint32_t width = WIDTH_MOST - 8; width <= WIDTH_MOST; ++width) {
+    for (uint32_t width = WIDTH_MOST - 8; width <= WIDTH_MOST; ++width)
         for (int ready = 0; ready < 2; ++ready)
             draw_at_the_edge(width, ready != 0, &seed);
-    }
     assert_int_equal(sigaction(SIGSEGV, &before, NULL), 0);
     assert_true(tasks_that_wrote > 2 * 9 * 2); /* more than two per draw */
     assert_int_equal(shared_rows, 0);

@@ -14,10 +14,9 @@ static gn_texture test_texture(void)
 {
     gn_texture t = {0};
 
-    for (uint32_t y = 0; y < HEIGHT; ++y) {
+    for (uint32_t y = 0; y < HEIGHT; ++y)
         for (uint32_t x = 0; x < WIDTH; ++x)
             image[y * WIDTH + x] = x * 10 | y * 10 << 8 | 0xFF000000u;
-    }
     t.level[0].texels = image;
     t.level[0].row_stride = WIDTH * 4;
     t.width = WIDTH;

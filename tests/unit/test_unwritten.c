@@ -197,10 +197,9 @@ static void write_odd_vertices(const void *unused, const gn_vertex_input *in, gn
 static void show_varyings(const void *unused, const gn_fragment_input *in, gn_fragment_output *out)
 {
     (void)unused;
-    for (int n = 0; n < 4; ++n) {
+    for (int n = 0; n < 4; ++n)
         for (int l = 0; l < GN_LANES; ++l)
             out->color[n][l] = in->varying[n][l];
-    }
 }
 
 static void points_of_nothing(void)
@@ -296,9 +295,10 @@ static void too_few_varyings_are_refused(void **state)
             continue;
         --c.pipeline.program.varying_count;
         assert_int_equal(gn_pipeline_check(&c.pipeline, NULL), GN_OUT_OF_RANGE);
-        assert_string_equal(gn_pipeline_fault(&c.pipeline, NULL),
-                            "program.varying_count is below what the ready-made shaders and their maps "
-                            "use: call the gn_use_ function again");
+        assert_string_equal(
+            gn_pipeline_fault(&c.pipeline, NULL),
+            "program.varying_count is below what the ready-made shaders and their maps "
+            "use: call the gn_use_ function again");
         assert_int_equal(draw(), GN_OUT_OF_RANGE);
         assert_int_equal(covered(), 0);
     }
@@ -326,8 +326,9 @@ static void what_ready_made_shaders_read_must_be_there(void **state)
     assert_int_equal(gn_use_depth_color(&c.pipeline, &uniforms.depth), GN_OK);
     c.pipeline.program.fragment_reads_position = false;
     assert_int_equal(draw(), GN_OUT_OF_RANGE);
-    assert_string_equal(gn_pipeline_fault(&c.pipeline, NULL),
-                        "program.fragment_reads_position is off, but gn_use_depth_color's shader reads it");
+    assert_string_equal(
+        gn_pipeline_fault(&c.pipeline, NULL),
+        "program.fragment_reads_position is off, but gn_use_depth_color's shader reads it");
     assert_int_equal(gn_use_vertex_color(&c.pipeline, &uniforms.color), GN_OK);
     c.pipeline.program.uniforms = NULL;
     assert_int_equal(draw(), GN_NULL_POINTER);

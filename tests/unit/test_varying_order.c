@@ -123,10 +123,9 @@ static void assert_varyings(gn_pipeline *pipeline, uint32_t count, const float *
     workspace.memory = memory;
     workspace.size = sizeof memory;
     assert_int_equal(gn_draw(&target, pipeline, &mesh, &workspace), GN_OK);
-    for (int i = 0; i < SIZE * SIZE; ++i) {
+    for (int i = 0; i < SIZE * SIZE; ++i)
         for (uint32_t n = 0; n < ALL; ++n)
             assert_float_equal(pixels[n / 4][i][n % 4], n < count ? expected[n] : 0.0f, 1e-6f);
-    }
 }
 
 static void shaders_without_a_light(void **state)

@@ -24,10 +24,9 @@ enum { STYLES = sizeof styles / sizeof *styles };
 
 static const style *style_of(const record *r)
 {
-    for (int i = 0; i < STYLES; ++i) {
+    for (int i = 0; i < STYLES; ++i)
         if (strcmp(styles[i].backend, r->backend) == 0)
             return &styles[i];
-    }
     return &styles[STYLES - 1];
 }
 
@@ -97,10 +96,9 @@ static const char *description_of(const char *scene)
         {"S6", "clear colour and depth"},
     };
 
-    for (size_t i = 0; i < sizeof descriptions / sizeof *descriptions; ++i) {
+    for (size_t i = 0; i < sizeof descriptions / sizeof *descriptions; ++i)
         if (strcmp(descriptions[i][0], scene) == 0)
             return descriptions[i][1];
-    }
     return "";
 }
 

@@ -106,11 +106,10 @@ static uint64_t mark_size(int descriptor, const char *path)
 {
     static const char *const texts[] = {"obj", "mtl", "ply", "gltf"};
     char start[3];
-    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; ++i)
         if (files_has_extension(path, texts[i]) && pread(descriptor, start, 3, 0) == 3 &&
             memcmp(start, "\xef\xbb\xbf", 3) == 0)
             return 3;
-    }
     return 0;
 }
 
@@ -137,7 +136,7 @@ static size_t find_missing(const char *path)
     size_t i = 0;
     while (i < system_state.missing_count &&
            strcmp(base_name(system_state.missing[i].path), base_name(path)) != 0)
-        i++;
+        ++i;
     return i;
 }
 
@@ -154,7 +153,7 @@ static void note_missing(const char *path, const char *reason)
     file->reason = strdup(reason);
     file->replaced = false;
     if (file->path != NULL && file->reason != NULL)
-        system_state.missing_count++;
+        ++system_state.missing_count;
 }
 
 /* A file found elsewhere is not missing. A MODEL.mtl that is found replaces the last missing
@@ -228,7 +227,7 @@ const char *assimp_files_missing(const char **reason)
 
 void assimp_files_warn(void)
 {
-    for (size_t i = 0; i < system_state.missing_count; i++) {
+    for (size_t i = 0; i < system_state.missing_count; ++i) {
         const missing_file *file = system_state.missing + i;
         report_warning(system_state.model_path, "the file '%s' that it names cannot be read: %s%s",
                        file->path, file->reason,
@@ -238,7 +237,7 @@ void assimp_files_warn(void)
 
 void assimp_files_free(void)
 {
-    for (size_t i = 0; i < system_state.missing_count; i++) {
+    for (size_t i = 0; i < system_state.missing_count; ++i) {
         free(system_state.missing[i].path);
         free(system_state.missing[i].reason);
     }

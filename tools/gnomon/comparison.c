@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include <osmesa.h>
+#include "osmesa.h"
 
 #include "output.h"
 #include "png_write.h"
@@ -137,14 +137,14 @@ static uint8_t channel(uint32_t pixel, int index)
 
 static void put_rgb(uint32_t pixel, uint8_t *bytes)
 {
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; ++i)
         bytes[i] = channel(pixel, i);
 }
 
 static void put_difference(uint32_t a, uint32_t b, bool depth_differs, uint8_t *bytes)
 {
     bool visible = false;
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; ++i) {
         int difference = (int)channel(a, i) - (int)channel(b, i);
         if (difference < 0)
             difference = -difference;
@@ -168,7 +168,7 @@ static void triptych_row(const void *context, uint32_t y, uint8_t *row)
     const unsigned char *depth_a = (const unsigned char *)c->ours.depth + first * sizeof(float);
     const unsigned char *depth_b =
         (const unsigned char *)c->reference.depth + first * sizeof(float);
-    for (size_t x = 0; x < width; x++) {
+    for (size_t x = 0; x < width; ++x) {
         bool depth_differs =
             memcmp(depth_a + x * sizeof(float), depth_b + x * sizeof(float), sizeof(float)) != 0;
         put_rgb(ours[x], row + 3 * x);
@@ -181,7 +181,7 @@ static void picture_row(const void *context, uint32_t y, uint8_t *row)
 {
     const comparison *c = context;
     const uint32_t *ours = color_row(&c->ours, y);
-    for (size_t x = 0; x < c->ours.width; x++)
+    for (size_t x = 0; x < c->ours.width; ++x)
         put_rgb(ours[x], row + 3 * x);
 }
 

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include <scene.h>
+#include "scene.h"
 
 #include "shadow.h"
 

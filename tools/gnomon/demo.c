@@ -61,16 +61,16 @@ static bool create_shadow(model *result)
         return false;
     }
     part->index_count = 0;
-    for (uint32_t ring = 0; ring <= SHADOW_RINGS; ring++) {
+    for (uint32_t ring = 0; ring <= SHADOW_RINGS; ++ring) {
         double r = (double)ring / SHADOW_RINGS;
         double fade = (1.0 - r * r) * (1.0 - r * r);
-        for (uint32_t i = 0; i <= SHADOW_SEGMENTS; i++) {
+        for (uint32_t i = 0; i <= SHADOW_SEGMENTS; ++i) {
             double angle = 2.0 * 3.14159265358979323846 * (i % SHADOW_SEGMENTS) / SHADOW_SEGMENTS;
             size_t v = (size_t)ring * columns + i;
             part->positions[3 * v] = (float)(0.25 + 3.3 * r * cos(angle));
             part->positions[3 * v + 1] = -0.01f;
             part->positions[3 * v + 2] = (float)(-0.25 + 2.7 * r * sin(angle));
-            for (size_t c = 0; c < 3; c++)
+            for (size_t c = 0; c < 3; ++c)
                 part->colors[4 * v + c] = background[c] * (float)(1.0 - 0.62 * fade);
             part->colors[4 * v + 3] = 1.0f;
             if (ring == 0 || i == 0)
@@ -90,8 +90,8 @@ static void light_ground(model_part *ground, const look *l)
     float lit = fmaxf(l->light_direction.y, 0.0f);
     const float light[3] = {l->ambient.x + l->diffuse.x * lit, l->ambient.y + l->diffuse.y * lit,
                             l->ambient.z + l->diffuse.z * lit};
-    for (size_t v = 0; v < ground->vertex_count; v++) {
-        for (size_t c = 0; c < 3; c++)
+    for (size_t v = 0; v < ground->vertex_count; ++v) {
+        for (size_t c = 0; c < 3; ++c)
             ground->colors[4 * v + c] = background[c] / light[c];
         ground->normals[3 * v + 1] = 1.0f;
     }
@@ -102,7 +102,7 @@ static bool create_maps(const options *o, part_maps *maps)
     unsigned int wanted = shading_traits_of(o->shading)->maps;
     memset(maps, 0, sizeof *maps);
     maps->normals_in_tangent_space = o->normals != NORMALS_WORLD;
-    for (int i = 0; i < MAP_COUNT; i++) {
+    for (int i = 0; i < MAP_COUNT; ++i) {
         if (o->shading != SHADING_AUTOMATIC && (wanted >> i & 1) != 0 && !o->maps[i].none &&
             !teapot_map_create((map_kind)i, maps->normals_in_tangent_space, MAP_CELL,
                                maps->images + i)) {

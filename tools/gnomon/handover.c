@@ -51,7 +51,7 @@ uint64_t handover_size(const model_part *part)
     array list[ARRAY_COUNT];
     uint64_t size = sizeof(part_header);
     list_arrays(part, list);
-    for (int i = 0; i < ARRAY_COUNT; i++)
+    for (int i = 0; i < ARRAY_COUNT; ++i)
         size += list[i].size;
     return size;
 }
@@ -91,15 +91,15 @@ static bool send_part(int descriptor, const model_part *part, const part_maps *m
                    (part->has_tangents ? PART_HAS_TANGENTS : 0u) |
                    (maps->normals_in_tangent_space ? PART_NORMALS_IN_TANGENT_SPACE : 0u);
     header.shine = part->shine;
-    for (int i = 0; i < MAP_COUNT; i++) {
+    for (int i = 0; i < MAP_COUNT; ++i) {
         header.widths[i] = maps->images[i].width;
         header.heights[i] = maps->images[i].height;
     }
     list_arrays(part, list);
     bool good = send_bytes(descriptor, &header, sizeof header);
-    for (int i = 0; i < ARRAY_COUNT; i++)
+    for (int i = 0; i < ARRAY_COUNT; ++i)
         good = good && send_bytes(descriptor, list[i].data, list[i].size);
-    for (int i = 0; i < MAP_COUNT; i++) {
+    for (int i = 0; i < MAP_COUNT; ++i) {
         const image *map = maps->images + i;
         good = good && send_bytes(descriptor, map->texels, (uint64_t)4 * map->width * map->height);
     }
@@ -112,7 +112,7 @@ bool handover_send_model(int descriptor, const imported *what)
     uint32_t count = (uint32_t)what->model.part_count;
     bool good = handover_send_text(descriptor, HANDOVER_MODEL, told) &&
                 send_bytes(descriptor, &count, sizeof count);
-    for (uint32_t i = 0; i < count && good; i++)
+    for (uint32_t i = 0; i < count && good; ++i)
         good = send_part(descriptor, what->model.parts + i, what->maps + i);
     return good;
 }
@@ -174,11 +174,10 @@ bool handover_receive(handover *h, handover_record *kind, char text[HANDOVER_TEX
 /* Properties that drawing assumes of a part. */
 static bool is_sound(const part_header *header)
 {
-    for (int i = 0; i < MAP_COUNT; i++) {
+    for (int i = 0; i < MAP_COUNT; ++i)
         if (header->widths[i] > GN_MAX_SIZE || header->heights[i] > GN_MAX_SIZE ||
             (header->widths[i] == 0) != (header->heights[i] == 0))
             return false;
-    }
     return header->index_count % 3 == 0 && header->shine.exponent >= 1 &&
            header->shine.exponent <= MODEL_MAX_EXPONENT;
 }
@@ -186,7 +185,7 @@ static bool is_sound(const part_header *header)
 static bool receive_maps(handover *h, const part_header *header, part_maps *maps)
 {
     maps->normals_in_tangent_space = (header->flags & PART_NORMALS_IN_TANGENT_SPACE) != 0;
-    for (int i = 0; i < MAP_COUNT; i++) {
+    for (int i = 0; i < MAP_COUNT; ++i) {
         image *map = maps->images + i;
         const uint64_t size = (uint64_t)4 * header->widths[i] * header->heights[i];
         if (size == 0)
@@ -223,14 +222,12 @@ static bool receive_part(handover *h, model_part *part, part_maps *maps)
     if (!model_part_allocate(part, header.vertex_count, header.index_count))
         return end(h, HANDOVER_NO_MEMORY);
     list_arrays(part, list);
-    for (int i = 0; i < ARRAY_COUNT; i++) {
+    for (int i = 0; i < ARRAY_COUNT; ++i)
         if (!receive_bytes(h, list[i].data, list[i].size))
             return false;
-    }
-    for (size_t i = 0; i < part->index_count; i++) {
+    for (size_t i = 0; i < part->index_count; ++i)
         if (part->indices[i] >= part->vertex_count)
             return end(h, HANDOVER_WRONG);
-    }
     return receive_maps(h, &header, maps);
 }
 
@@ -248,9 +245,8 @@ bool handover_receive_model(handover *h, imported *result)
     if (result->model.parts == NULL || result->maps == NULL)
         return end(h, HANDOVER_NO_MEMORY);
     result->model.part_count = count;
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; ++i)
         if (!receive_part(h, result->model.parts + i, result->maps + i))
             return false;
-    }
     return true;
 }

@@ -5,9 +5,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <stb/stb_image.h>
 
 #include <gnomon/surface.h>
-#include <stb/stb_image.h>
 
 #include "files.h"
 #include "image_file.h"
@@ -28,7 +28,7 @@ static const char *decoder_reason(image_kind kind)
 /* Converts bytes R, G, B, A to the library's pixels, in place. */
 static void pack(uint8_t *bytes, size_t count)
 {
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; ++i) {
         const uint8_t *b = bytes + 4 * i;
         uint32_t texel =
             (uint32_t)b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;

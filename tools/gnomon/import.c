@@ -73,7 +73,7 @@ static void handle_crashes(void)
     sigaltstack(&stack, NULL);
     action.sa_handler = tell_memory;
     action.sa_flags = SA_ONSTACK;
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i)
         sigaction(numbers[i], &action, NULL);
 }
 
@@ -109,7 +109,7 @@ static rlim_t address_space(void)
 static void confine(const import_limits *limits)
 {
     int nowhere = open("/dev/null", O_RDWR);
-    for (int i = 0; i < 3 && nowhere >= 0; i++)
+    for (int i = 0; i < 3 && nowhere >= 0; ++i)
         dup2(nowhere, i);
     if (nowhere > 2)
         close(nowhere);
@@ -132,7 +132,7 @@ static int read_maps(const options *o, unsigned int wanted, uint64_t bytes, impo
     result->maps = calloc(result->model.part_count, sizeof *result->maps);
     if (result->maps == NULL)
         return report_fault(o->model, "not enough memory");
-    for (size_t i = 0; i < result->model.part_count; i++) {
+    for (size_t i = 0; i < result->model.part_count; ++i) {
         int fault =
             maps_read(o, result->model.parts + i, wanted, &budget, result->maps + i, &result->told);
         if (fault != 0)
@@ -146,7 +146,7 @@ static int read_all(const options *o, unsigned int wanted, imported *result)
     const uint64_t most = (uint64_t)o->limits.output << 20;
     uint64_t size = 0;
     int fault = model_read(o->model, &result->model);
-    for (size_t i = 0; fault == 0 && i < result->model.part_count; i++)
+    for (size_t i = 0; fault == 0 && i < result->model.part_count; ++i)
         size += handover_size(result->model.parts + i);
     if (fault == 0 && size > most)
         fault = report_fault(o->model,
@@ -301,7 +301,7 @@ int import_model(const options *o, unsigned int wanted, imported *result)
 
 void import_free(imported *i)
 {
-    for (size_t p = 0; i->maps != NULL && p < i->model.part_count; p++)
+    for (size_t p = 0; i->maps != NULL && p < i->model.part_count; ++p)
         maps_free(i->maps + p);
     free(i->maps);
     i->maps = NULL;

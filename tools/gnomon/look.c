@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <scene_memory.h>
+#include "scene_memory.h"
 
 #include "report.h"
 
@@ -64,7 +64,7 @@ static uint32_t count_levels(uint32_t width, uint32_t height)
 {
     uint32_t count = 1;
     for (uint32_t size = width > height ? width : height; size > 1; size /= 2)
-        count++;
+        ++count;
     return count;
 }
 
@@ -90,7 +90,7 @@ static void set_maps(scene_draw *draw, const look *l, const part_maps *maps)
 {
     static const scene_map places[MAP_COUNT] = {SCENE_MAP_COUNT, SCENE_NORMAL_MAP,
                                                 SCENE_SPECULAR_MAP, SCENE_GLOW_MAP};
-    for (int i = 0; i < MAP_COUNT; i++) {
+    for (int i = 0; i < MAP_COUNT; ++i) {
         void *memory;
         if (maps->images[i].texels == NULL)
             continue;

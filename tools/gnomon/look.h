@@ -2,7 +2,7 @@
 #ifndef LOOK_H
 #define LOOK_H
 
-#include <scene.h>
+#include "scene.h"
 
 #include "camera.h"
 #include "maps.h"

@@ -74,10 +74,9 @@ static int run(int argc, char **argv)
  * writing fails. */
 static void occupy_standard_files(void)
 {
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; ++i)
         if (fcntl(i, F_GETFD) == -1 && open("/dev/null", O_RDONLY) < 0)
             return;
-    }
 }
 
 int main(int argc, char **argv)

@@ -32,10 +32,9 @@ static char *beside_model(const char *model_path, const char *name)
         return NULL;
     memcpy(path, model_path, directory);
     strcpy(path + directory, name);
-    for (char *c = path + directory; *c != '\0'; c++) {
+    for (char *c = path + directory; *c != '\0'; ++c)
         if (*c == '\\')
             *c = '/';
-    }
     return path;
 }
 
@@ -57,7 +56,7 @@ static char *conventional_file(const char *model_path, const char *suffix)
     if (path == NULL)
         return NULL;
     memcpy(path, model_path, stem);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; ++i) {
         strcpy(path + stem, suffix);
         strcat(path + stem, endings[i]);
         if (access(path, F_OK) == 0)
@@ -150,10 +149,9 @@ static int read_conventional(const reader *r, const char *suffix, const char *op
 /* Whether an image holds heights, as bump maps do; no shader takes them. */
 static bool is_grey(const image *i)
 {
-    for (size_t k = 0; k < (size_t)i->width * i->height; k++) {
+    for (size_t k = 0; k < (size_t)i->width * i->height; ++k)
         if ((i->texels[k] & 0xffff) != (i->texels[k] >> 8 & 0xffff))
             return false;
-    }
     return true;
 }
 
@@ -207,7 +205,7 @@ int maps_read(const options *o, const model_part *part, unsigned int wanted, ima
     const reader r = {o, part, budget, told};
     int fault = 0;
     memset(result, 0, sizeof *result);
-    for (int i = 0; i < MAP_COUNT && part->has_texcoords && fault == 0; i++) {
+    for (int i = 0; i < MAP_COUNT && part->has_texcoords && fault == 0; ++i) {
         const map_option *asked = o->maps + i;
         const char *option = kinds[i].option;
         const char *words = kinds[i].words;
@@ -232,7 +230,7 @@ int maps_read(const options *o, const model_part *part, unsigned int wanted, ima
 
 void maps_free(part_maps *maps)
 {
-    for (int i = 0; i < MAP_COUNT; i++)
+    for (int i = 0; i < MAP_COUNT; ++i)
         image_free(maps->images + i);
 }
 

@@ -29,12 +29,11 @@ static bool find_map(const struct aiMaterial *material, map_kind map, struct aiS
                      unsigned int *channel)
 {
     *channel = 0;
-    for (int i = 0; i < 2 && map_types[map][i] != aiTextureType_NONE; i++) {
+    for (int i = 0; i < 2 && map_types[map][i] != aiTextureType_NONE; ++i)
         if (aiGetMaterialTexture(material, map_types[map][i], 0, name, NULL, channel, NULL, NULL,
                                  NULL, NULL) == aiReturn_SUCCESS &&
             name->length > 0)
             return true;
-    }
     return false;
 }
 
@@ -42,7 +41,7 @@ static void read_maps(const struct aiMaterial *material, const struct aiMesh *me
                       mesh_material *result)
 {
     unsigned int chosen = AI_MAX_NUMBER_OF_TEXTURECOORDS;
-    for (int i = 0; i < MAP_COUNT && material != NULL; i++) {
+    for (int i = 0; i < MAP_COUNT && material != NULL; ++i) {
         struct aiString name;
         unsigned int channel;
         if (!find_map(material, (map_kind)i, &name, &channel))
@@ -88,7 +87,7 @@ void material_read(const struct aiScene *file, const struct aiMesh *mesh, mesh_m
     const struct aiMaterial *material = NULL;
     struct aiString name;
     memset(result, 0, sizeof *result);
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; ++c) {
         result->color[c] = LIGHT_GREY;
         result->shine.specular[c] = DEFAULT_SPECULAR;
     }

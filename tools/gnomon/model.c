@@ -24,7 +24,7 @@ bool model_part_allocate(model_part *part, uint32_t vertex_count, uint32_t index
 
 void model_free(model *m)
 {
-    for (size_t i = 0; i < m->part_count; i++) {
+    for (size_t i = 0; i < m->part_count; ++i) {
         model_part *part = m->parts + i;
         free(part->positions);
         free(part->normals);
@@ -32,7 +32,7 @@ void model_free(model *m)
         free(part->texcoords);
         free(part->tangents);
         free(part->indices);
-        for (int k = 0; k < MAP_COUNT; k++) {
+        for (int k = 0; k < MAP_COUNT; ++k) {
             free(part->maps[k].name);
             free(part->maps[k].bytes);
         }
@@ -44,7 +44,7 @@ void model_free(model *m)
 uint64_t model_triangle_count(const model *m)
 {
     uint64_t count = 0;
-    for (size_t i = 0; i < m->part_count; i++)
+    for (size_t i = 0; i < m->part_count; ++i)
         count += m->parts[i].index_count / 3;
     return count;
 }
@@ -54,24 +54,24 @@ bounding_sphere model_bounds(const model *m)
     bounding_sphere sphere = {{0.0, 0.0, 0.0}, 0.0};
     double low[3] = {DBL_MAX, DBL_MAX, DBL_MAX};
     double high[3] = {-DBL_MAX, -DBL_MAX, -DBL_MAX};
-    for (size_t p = 0; p < m->part_count; p++) {
+    for (size_t p = 0; p < m->part_count; ++p) {
         const model_part *part = m->parts + p;
-        for (size_t i = 0; i < part->index_count; i++) {
+        for (size_t i = 0; i < part->index_count; ++i) {
             const float *position = part->positions + 3 * (size_t)part->indices[i];
-            for (int c = 0; c < 3; c++) {
+            for (int c = 0; c < 3; ++c) {
                 low[c] = fmin(low[c], (double)position[c]);
                 high[c] = fmax(high[c], (double)position[c]);
             }
         }
     }
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; ++c)
         sphere.center[c] = 0.5 * (low[c] + high[c]);
-    for (size_t p = 0; p < m->part_count; p++) {
+    for (size_t p = 0; p < m->part_count; ++p) {
         const model_part *part = m->parts + p;
-        for (size_t i = 0; i < part->index_count; i++) {
+        for (size_t i = 0; i < part->index_count; ++i) {
             const float *position = part->positions + 3 * (size_t)part->indices[i];
             double square = 0.0;
-            for (int c = 0; c < 3; c++) {
+            for (int c = 0; c < 3; ++c) {
                 double d = (double)position[c] - sphere.center[c];
                 square += d * d;
             }

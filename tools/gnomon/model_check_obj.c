@@ -41,7 +41,7 @@ static void end_word(statement *s)
         float value = strtof(at, &at);
         s->infinite = s->infinite || (at != s->word && !isfinite(value));
     }
-    for (int i = 0; s->words > 0 && is(s, "f") && i < 3; i++) {
+    for (int i = 0; s->words > 0 && is(s, "f") && i < 3; ++i) {
         long number = strtol(at, &at, 10);
         s->highest[i] = number > s->highest[i] ? number : s->highest[i];
         if (*at++ != '/')
@@ -59,7 +59,7 @@ static void add_byte(statement *s, int c)
     if (s->length == 0) {
         s->form = 1;
         if (s->keyword[0] != '\0')
-            s->words++;
+            ++s->words;
     }
     if (s->words == 0 && s->length + 1 < sizeof s->keyword)
         s->keyword[s->length] = (char)c;
@@ -69,7 +69,7 @@ static void add_byte(statement *s, int c)
         s->form = (s->form & ~3u) | 2;
     if (s->length + 1 < sizeof s->word)
         s->word[s->length] = (char)c;
-    s->length++;
+    ++s->length;
     s->last = (char)c;
 }
 
@@ -109,7 +109,7 @@ static const char named_keywords[3][4] = {"v", "vt", "vn"};
 
 static void count_named(const statement *s, unsigned long line, named list[3])
 {
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; ++i) {
         list[i].count += is(s, named_keywords[i]);
         if (s->highest[i] > list[i].highest) {
             list[i].highest = s->highest[i];
@@ -136,7 +136,7 @@ int model_check_obj(const char *path, FILE *file)
             return report_fault(path, "line %lu has a NUL byte, which an OBJ file cannot contain",
                                 line);
         if (c == '\n' && previous == '\\' && !comment) {
-            line++;
+            ++line;
             previous = c;
             end_word(&s);
             continue;
@@ -164,7 +164,7 @@ int model_check_obj(const char *path, FILE *file)
                 break;
             memset(&s, 0, sizeof s);
             comment = false;
-            line++;
+            ++line;
         } else if (!comment) {
             if (c == ' ' || c == '\t' || c == '\r' || c == '\\')
                 end_word(&s);
@@ -178,7 +178,7 @@ int model_check_obj(const char *path, FILE *file)
         return report_fault(path, "there are no triangles in it: no line has a face, f%s",
                             unended_line > 0 ? "; and its last one has no end: it is cut short"
                                              : "");
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; ++i) {
         if (list[i].highest > 0 && (unsigned long)list[i].highest > list[i].count)
             return report_fault(path, "line %lu: f names %s %ld, but there are only %lu",
                                 list[i].line, named_keywords[i], list[i].highest, list[i].count);

@@ -26,10 +26,9 @@ static unsigned int scalar_size(const char *type)
                  {"short", 2}, {"ushort", 2},  {"int16", 2},  {"uint16", 2},
                  {"int", 4},   {"uint", 4},    {"int32", 4},  {"uint32", 4},
                  {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
-    for (size_t i = 0; i < sizeof types / sizeof types[0]; i++) {
+    for (size_t i = 0; i < sizeof types / sizeof types[0]; ++i)
         if (strcmp(type, types[i].name) == 0)
             return types[i].size;
-    }
     return 1;
 }
 

@@ -43,7 +43,7 @@ static format format_of(const char *path)
 {
     int f = 0;
     while (f < FORMAT_COUNT && !files_has_extension(path, formats[f].extension))
-        f++;
+        ++f;
     return (format)f;
 }
 
@@ -82,10 +82,9 @@ static int check_stl(const char *path, FILE *file, uint64_t size)
         return 0;
     long tail = size < sizeof end - 1 ? (long)size : (long)sizeof end - 1;
     length = fseek(file, -tail, SEEK_END) == 0 ? fread(end, 1, (size_t)tail, file) : 0;
-    for (size_t i = 0; i + 8 <= length; i++) {
+    for (size_t i = 0; i + 8 <= length; ++i)
         if (memcmp(end + i, "endsolid", 8) == 0)
             return 0;
-    }
     report_warning(path, "it does not end with endsolid: it may be cut short");
     return 0;
 }

@@ -53,7 +53,7 @@ static bool has_tangents(const struct aiMesh *mesh, const mesh_material *materia
 static bool belongs(const model_part *part, const struct aiMesh *mesh,
                     const mesh_material *material)
 {
-    for (int i = 0; i < MAP_COUNT; i++) {
+    for (int i = 0; i < MAP_COUNT; ++i) {
         const char *name = part->maps[i].name != NULL ? part->maps[i].name : "";
         if (strcmp(name, material->maps[i].data) != 0)
             return false;
@@ -68,16 +68,15 @@ static bool belongs(const model_part *part, const struct aiMesh *mesh,
  * there is room for that many. Returns null if there is not enough memory. */
 static model_part *find_part(model *m, const struct aiMesh *mesh, const mesh_material *material)
 {
-    for (size_t i = 0; i < m->part_count; i++) {
+    for (size_t i = 0; i < m->part_count; ++i)
         if (belongs(m->parts + i, mesh, material))
             return m->parts + i;
-    }
     model_part *part = m->parts + m->part_count++;
     part->has_vertex_colors = mesh->mColors[0] != NULL;
     part->has_texcoords = material->texcoord_channel >= 0;
     part->has_tangents = has_tangents(mesh, material);
     part->shine = material->shine;
-    for (int i = 0; i < MAP_COUNT; i++) {
+    for (int i = 0; i < MAP_COUNT; ++i) {
         if (material->maps[i].length == 0)
             continue;
         part->maps[i].name = strdup(material->maps[i].data);
@@ -90,7 +89,7 @@ static model_part *find_part(model *m, const struct aiMesh *mesh, const mesh_mat
 static uint64_t count_triangles(const struct aiMesh *mesh)
 {
     uint64_t count = 0;
-    for (unsigned int i = 0; i < mesh->mNumFaces; i++)
+    for (unsigned int i = 0; i < mesh->mNumFaces; ++i)
         count += mesh->mFaces[i].mNumIndices == 3;
     return count;
 }
@@ -99,7 +98,7 @@ static uint64_t count_triangles(const struct aiMesh *mesh)
 static bool copy_finite(const float *from, size_t count, float *to)
 {
     bool finite = true;
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; ++i) {
         bool good = isfinite(from[i]);
         to[i] = good ? from[i] : 0.0f;
         finite = finite && good;
@@ -115,7 +114,7 @@ static bool is_flat(const model_part *part, const uint32_t corner[3])
     const float *r = part->positions + 3 * (size_t)corner[2];
     double a[3];
     double b[3];
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; ++i) {
         a[i] = (double)q[i] - (double)p[i];
         b[i] = (double)r[i] - (double)p[i];
     }
@@ -153,7 +152,7 @@ static const char *append(const struct aiMesh *mesh, const mesh_material *materi
                           model_part *part, oddities *odd)
 {
     uint32_t base = part->vertex_count;
-    for (size_t i = 0; i < mesh->mNumVertices; i++) {
+    for (size_t i = 0; i < mesh->mNumVertices; ++i) {
         size_t v = base + i;
         const struct aiVector3D *p = mesh->mVertices + i;
         float *color = part->colors + 4 * v;
@@ -166,7 +165,7 @@ static const char *append(const struct aiMesh *mesh, const mesh_material *materi
             if (!copy_finite((const float[3]){n.x, n.y, n.z}, 3, normal)) {
                 /* A zero normal is computed later. */
                 memset(normal, 0, 3 * sizeof *normal);
-                odd->normals++;
+                ++odd->normals;
             }
         }
         memcpy(color, material->color, sizeof material->color);
@@ -182,18 +181,17 @@ static const char *append(const struct aiMesh *mesh, const mesh_material *materi
             copy_tangent(mesh, i, part->tangents + 4 * v);
     }
     part->vertex_count += mesh->mNumVertices;
-    for (size_t i = 0; i < mesh->mNumFaces; i++) {
+    for (size_t i = 0; i < mesh->mNumFaces; ++i) {
         const struct aiFace *face = mesh->mFaces + i;
         if (face->mNumIndices != 3)
             continue;
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 3; ++k) {
             if (face->mIndices[k] >= mesh->mNumVertices)
                 return "a triangle names a vertex that is not there";
             size_t v = base + (size_t)face->mIndices[k];
-            for (size_t c = 0; c < 3; c++) {
+            for (size_t c = 0; c < 3; ++c)
                 if (!isfinite(part->positions[3 * v + c]))
                     return "the position of a vertex is not a finite number";
-            }
             part->indices[part->index_count++] = (uint32_t)v;
         }
         odd->flat += is_flat(part, part->indices + part->index_count - 3);
@@ -214,10 +212,9 @@ static const char *copy_embedded(const struct aiScene *file, model_texture *text
             return "a material names an image inside the file that is not there";
         found = file->mTextures[number];
     }
-    for (unsigned int i = 0; i < file->mNumTextures && found == NULL; i++) {
+    for (unsigned int i = 0; i < file->mNumTextures && found == NULL; ++i)
         if (strcmp(file->mTextures[i]->mFilename.data, texture->name) == 0)
             found = file->mTextures[i];
-    }
     if (found == NULL)
         return NULL;
     /* In Assimp, height 0 means an image file of mWidth bytes; otherwise there are raw texels. */
@@ -242,7 +239,7 @@ static const char *convert(const struct aiScene *file, model *m, oddities *odd)
     uint64_t *counts = calloc(mesh_count + 1, 2 * sizeof *counts);
     const char *wrong = m->parts == NULL || counts == NULL ? no_memory : NULL;
 
-    for (size_t i = 0; i < mesh_count && wrong == NULL; i++) {
+    for (size_t i = 0; i < mesh_count && wrong == NULL; ++i) {
         const struct aiMesh *mesh = file->mMeshes[i];
         uint64_t triangles = count_triangles(mesh);
         if (triangles == 0)
@@ -260,7 +257,7 @@ static const char *convert(const struct aiScene *file, model *m, oddities *odd)
     }
     if (wrong == NULL && total == 0)
         wrong = "there are no triangles in it";
-    for (size_t p = 0; p < m->part_count && wrong == NULL; p++) {
+    for (size_t p = 0; p < m->part_count && wrong == NULL; ++p) {
         model_part *part = m->parts + p;
         if (counts[2 * p] > UINT32_MAX || counts[2 * p + 1] > UINT32_MAX)
             wrong = "it has more vertices than 32 bits count";
@@ -269,7 +266,7 @@ static const char *convert(const struct aiScene *file, model *m, oddities *odd)
         part->vertex_count = 0;
         part->index_count = 0;
     }
-    for (size_t i = 0; i < mesh_count && wrong == NULL; i++) {
+    for (size_t i = 0; i < mesh_count && wrong == NULL; ++i) {
         const struct aiMesh *mesh = file->mMeshes[i];
         if (count_triangles(mesh) == 0)
             continue;
@@ -277,7 +274,7 @@ static const char *convert(const struct aiScene *file, model *m, oddities *odd)
         material_read(file, mesh, &material);
         wrong = append(mesh, &material, find_part(m, mesh, &material), odd);
     }
-    for (size_t i = 0; i < MAP_COUNT * m->part_count && wrong == NULL; i++)
+    for (size_t i = 0; i < MAP_COUNT * m->part_count && wrong == NULL; ++i)
         wrong = copy_embedded(file, &m->parts[i / MAP_COUNT].maps[i % MAP_COUNT]);
     free(counts);
     return wrong;
@@ -298,7 +295,7 @@ static void warn(const char *path, const struct aiScene *file, const oddities *o
         report_warning(path, "names %u material%s that no material file has, the first '%s'",
                        unknown_materials.count, unknown_materials.count == 1 ? "" : "s",
                        unknown_materials.first);
-    for (unsigned int i = 0; i < file->mNumMaterials; i++) {
+    for (unsigned int i = 0; i < file->mNumMaterials; ++i) {
         struct aiString name;
         if (!material_is_finite(file->mMaterials[i], &name))
             report_warning(path,
@@ -320,11 +317,10 @@ static void warn(const char *path, const struct aiScene *file, const oddities *o
 static bool is_of_its_format(const char *path, const struct aiScene *file)
 {
     const struct aiMetadata *data = file->mMetaData;
-    for (unsigned int i = 0; data != NULL && i < data->mNumProperties; i++) {
+    for (unsigned int i = 0; data != NULL && i < data->mNumProperties; ++i)
         if (strcmp(data->mKeys[i].data, "SourceAsset_Format") == 0 &&
             data->mValues[i].mType == AI_AISTRING)
             return model_format_is(path, ((const struct aiString *)data->mValues[i].mData)->data);
-    }
     return true;
 }
 

@@ -16,16 +16,15 @@ static int compare_positions(const void *a, const void *b)
 {
     const float *p = ((const located *)a)->position;
     const float *q = ((const located *)b)->position;
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; ++i)
         if (p[i] != q[i])
             return p[i] < q[i] ? -1 : 1;
-    }
     return 0;
 }
 
 static void subtract(const float *a, const float *b, double result[3])
 {
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; ++i)
         result[i] = (double)a[i] - (double)b[i];
 }
 
@@ -52,7 +51,7 @@ static bool face_normal(const float *a, const float *b, const float *c, double r
     double length = sqrt(dot(result, result));
     if (!(length > 0.0) || !isfinite(length))
         return false;
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; ++i)
         result[i] /= length;
     return true;
 }
@@ -81,13 +80,13 @@ static void add_faces(const model_part *part, double *sums)
         const uint32_t *v = part->indices + i;
         const float *corner[3];
         double normal[3];
-        for (int k = 0; k < 3; k++)
+        for (int k = 0; k < 3; ++k)
             corner[k] = part->positions + 3 * (size_t)v[k];
         if (!face_normal(corner[0], corner[1], corner[2], normal))
             continue;
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 3; ++k) {
             double weight = corner_angle(corner[k], corner[(k + 1) % 3], corner[(k + 2) % 3]);
-            for (int c = 0; c < 3; c++)
+            for (int c = 0; c < 3; ++c)
                 sums[3 * (size_t)v[k] + (size_t)c] += weight * normal[c];
         }
     }
@@ -97,16 +96,15 @@ static void add_faces(const model_part *part, double *sums)
 static void assign(model *m, double *const *sums, const located *first, const located *last)
 {
     double total[3] = {0.0, 0.0, 0.0};
-    for (const located *l = first; l < last; l++) {
-        for (size_t c = 0; c < 3; c++)
+    for (const located *l = first; l < last; ++l)
+        for (size_t c = 0; c < 3; ++c)
             total[c] += sums[l->part][3 * (size_t)l->vertex + c];
-    }
     double length = sqrt(dot(total, total));
-    for (const located *l = first; l < last; l++) {
+    for (const located *l = first; l < last; ++l) {
         float *normal = m->parts[l->part].normals + 3 * (size_t)l->vertex;
         if (is_normal(normal))
             continue;
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; ++c)
             normal[c] = length > 0.0 ? (float)(total[c] / length) : 0.0f;
         if (!is_normal(normal)) {
             normal[0] = normal[1] = 0.0f;
@@ -119,10 +117,10 @@ bool model_complete_normals(model *m)
 {
     size_t total = 0;
     bool missing = false;
-    for (size_t p = 0; p < m->part_count; p++) {
+    for (size_t p = 0; p < m->part_count; ++p) {
         const model_part *part = m->parts + p;
         total += part->vertex_count;
-        for (size_t v = 0; v < part->vertex_count && !missing; v++)
+        for (size_t v = 0; v < part->vertex_count && !missing; ++v)
             missing = !is_normal(part->normals + 3 * v);
     }
     if (!missing)
@@ -132,14 +130,14 @@ bool model_complete_normals(model *m)
     double **sums = calloc(m->part_count, sizeof *sums);
     bool good = all != NULL && sums != NULL;
     size_t count = 0;
-    for (size_t p = 0; p < m->part_count && good; p++) {
+    for (size_t p = 0; p < m->part_count && good; ++p) {
         const model_part *part = m->parts + p;
         sums[p] = calloc((size_t)part->vertex_count + 1, 3 * sizeof **sums);
         good = sums[p] != NULL;
         if (!good)
             break;
         add_faces(part, sums[p]);
-        for (uint32_t v = 0; v < part->vertex_count; v++, count++) {
+        for (uint32_t v = 0; v < part->vertex_count; ++v, ++count) {
             memcpy(all[count].position, part->positions + 3 * (size_t)v,
                    sizeof all[count].position);
             all[count].vertex = v;
@@ -149,14 +147,13 @@ bool model_complete_normals(model *m)
     if (good) {
         qsort(all, total, sizeof *all, compare_positions);
         for (size_t first = 0, last; first < total; first = last) {
-            for (last = first + 1; last < total; last++) {
+            for (last = first + 1; last < total; ++last)
                 if (compare_positions(all + first, all + last) != 0)
                     break;
-            }
             assign(m, sums, all + first, all + last);
         }
     }
-    for (size_t p = 0; sums != NULL && p < m->part_count; p++)
+    for (size_t p = 0; sums != NULL && p < m->part_count; ++p)
         free(sums[p]);
     free(sums);
     free(all);

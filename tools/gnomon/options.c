@@ -161,7 +161,7 @@ static bool parse_count(const char **text, uint32_t *result)
     uint64_t value = 0;
     if (!isdigit((unsigned char)**text))
         return false;
-    for (; isdigit((unsigned char)**text); (*text)++) {
+    for (; isdigit((unsigned char)**text); ++(*text)) {
         value = value * 10 + (uint64_t)(**text - '0');
         if (value > UINT32_MAX)
             value = UINT32_MAX;
@@ -185,12 +185,12 @@ static bool parse_size(const char *text, uint32_t *width, uint32_t *height)
 static bool parse_color(const char *text, float color[4])
 {
     if (*text == '#')
-        text++;
+        ++text;
     size_t length = strlen(text);
     if ((length != 6 && length != 8) || strspn(text, "0123456789abcdefABCDEF") != length)
         return false;
     color[3] = 1.0f;
-    for (size_t i = 0; i < length / 2; i++) {
+    for (size_t i = 0; i < length / 2; ++i) {
         char digits[3] = {text[2 * i], text[2 * i + 1], '\0'};
         color[i] = (float)strtoul(digits, NULL, 16) / 255.0f;
     }
@@ -200,7 +200,7 @@ static bool parse_color(const char *text, float color[4])
 /* The number of a word in a list. */
 static bool parse_word(const char *text, const char words[][12], int count, int *result)
 {
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count; ++i) {
         if (strcmp(text, words[i]) == 0) {
             *result = i;
             return true;
@@ -247,7 +247,7 @@ static bool parse_normal_map(const char *text, options *o)
 
 static bool parse_backend(const char *text, gn_backend *result)
 {
-    for (int i = 0; i < GN_BACKEND_COUNT; i++) {
+    for (int i = 0; i < GN_BACKEND_COUNT; ++i) {
         if (strcmp(text, gn_backend_name((gn_backend)i)) == 0) {
             *result = (gn_backend)i;
             return true;
@@ -262,7 +262,7 @@ static const char *backend_names(void)
     static char names[GN_BACKEND_COUNT * 20];
     size_t end = 0;
 
-    for (int i = 0; i < GN_BACKEND_COUNT; i++)
+    for (int i = 0; i < GN_BACKEND_COUNT; ++i)
         end += (size_t)snprintf(names + end, sizeof names - end, "%s%s",
                                 i == 0                      ? ""
                                 : i == GN_BACKEND_COUNT - 1 ? " or "
@@ -378,7 +378,7 @@ static int check(command which, const options *o)
     if (which == COMMAND_COMPARE && o->wireframe && o->samples > 1)
         return report_usage(name, "--wireframe and --samples cannot be used together: "
                                   "OSMesa loses pieces of such lines");
-    for (int i = 0; i < MAP_COUNT; i++) {
+    for (int i = 0; i < MAP_COUNT; ++i) {
         static const char map_names[MAP_COUNT][16] = {"texture", "normal-map", "specular-map",
                                                       "glow-map"};
         if (o->maps[i].file != NULL && (traits->maps >> i & 1) == 0)
@@ -426,13 +426,13 @@ options_result options_parse(command which, int argc, char **argv, options *resu
     struct option long_options[OPTION_COUNT + 1];
     size_t count = 0;
     memset(long_options, 0, sizeof long_options);
-    for (size_t i = 0; i < OPTION_COUNT; i++) {
+    for (size_t i = 0; i < OPTION_COUNT; ++i) {
         if ((option_table[i].commands & (int)which) == 0)
             continue;
         long_options[count].name = option_table[i].name;
         long_options[count].has_arg = option_table[i].takes_value ? required_argument : no_argument;
         long_options[count].val = option_table[i].value;
-        count++;
+        ++count;
     }
 
     set_defaults(which, result);
@@ -457,10 +457,9 @@ options_result options_parse(command which, int argc, char **argv, options *resu
         const char *expected = take_value(option, optarg, result);
         if (expected != NULL) {
             const char *option_name = "-o";
-            for (size_t i = 0; i < count; i++) {
+            for (size_t i = 0; i < count; ++i)
                 if (option != 'o' && long_options[i].val == option)
                     option_name = long_options[i].name;
-            }
             report_usage(
                 name, "%s%s '%s': not %s%s", option == 'o' ? "" : "--", option_name, optarg,
                 takes_floats(option) && has_infinite(optarg) ? "finite in 32 bits; it takes " : "",

@@ -20,10 +20,9 @@ static const int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ};
 
 static void remove_pending(int number)
 {
-    for (int i = 0; i < OUTPUT_LIMIT; i++) {
+    for (int i = 0; i < OUTPUT_LIMIT; ++i)
         if (pending[i] != NULL)
             unlink(pending[i]);
-    }
     signal(number, SIG_DFL);
     raise(number);
 }
@@ -33,10 +32,10 @@ static void exchange_pending(char *from, char *to)
     sigset_t blocked;
     sigset_t previous;
     sigemptyset(&blocked);
-    for (size_t i = 0; i < SIGNAL_COUNT; i++)
+    for (size_t i = 0; i < SIGNAL_COUNT; ++i)
         sigaddset(&blocked, ending_signals[i]);
     sigprocmask(SIG_BLOCK, &blocked, &previous);
-    for (int i = 0; i < OUTPUT_LIMIT; i++) {
+    for (int i = 0; i < OUTPUT_LIMIT; ++i) {
         if (pending[i] == from) {
             pending[i] = to;
             break;
@@ -51,7 +50,7 @@ static void handle_signals(void)
     struct sigaction previous;
     memset(&action, 0, sizeof action);
     action.sa_handler = remove_pending;
-    for (size_t i = 0; i < SIGNAL_COUNT; i++) {
+    for (size_t i = 0; i < SIGNAL_COUNT; ++i) {
         /* A signal that was ignored on purpose, as under nohup, stays ignored. */
         if (sigaction(ending_signals[i], NULL, &previous) == 0 && previous.sa_handler == SIG_DFL)
             sigaction(ending_signals[i], &action, NULL);
@@ -86,10 +85,9 @@ bool output_is_standard(const char *path)
     static const char *const names[] = {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"};
     struct stat there;
     struct stat standard;
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i)
         if (strcmp(path, names[i]) == 0)
             return true;
-    }
     return stat(path, &there) == 0 && fstat(STDOUT_FILENO, &standard) == 0 &&
            (S_ISREG(there.st_mode) || S_ISFIFO(there.st_mode)) && there.st_dev == standard.st_dev &&
            there.st_ino == standard.st_ino;

@@ -12,10 +12,9 @@
 
 static bool has_any(const part_maps *maps)
 {
-    for (int i = 0; i < MAP_COUNT; i++) {
+    for (int i = 0; i < MAP_COUNT; ++i)
         if (maps->images[i].texels != NULL)
             return true;
-    }
     return false;
 }
 
@@ -27,12 +26,12 @@ static int check_found(const options *o, const model *m, const part_maps *maps)
     bool has_tangents = false;
     bool has_normals = false;
     bool files = o->normals != NORMALS_ANY;
-    for (size_t i = 0; i < m->part_count; i++) {
+    for (size_t i = 0; i < m->part_count; ++i) {
         has_texcoords = has_texcoords || m->parts[i].has_texcoords;
         has_tangents = has_tangents || m->parts[i].has_tangents;
         has_normals = has_normals || maps[i].images[MAP_NORMAL].texels != NULL;
     }
-    for (int i = 0; i < MAP_COUNT; i++)
+    for (int i = 0; i < MAP_COUNT; ++i)
         files = files || o->maps[i].file != NULL;
     if (files && !has_texcoords)
         return report_fault(o->model, "has no texture coordinates, so no texture fits it");
@@ -53,7 +52,7 @@ static int throw_shadows(const model *m, const bounding_sphere *bounds, const lo
     int fault = shadow_begin(bounds, l->light_direction, result);
     if (fault != 0)
         return fault;
-    for (size_t i = 0; i < m->part_count; i++)
+    for (size_t i = 0; i < m->part_count; ++i)
         shadow_add_part(result, m->parts + i);
     return shadow_draw(result, l->options->backend);
 }
@@ -64,7 +63,7 @@ static int add_parts(const options *o, const camera *view, const bounding_sphere
     const model *m = &from->model;
     bool mapped = false;
     look l;
-    for (size_t i = 0; i < m->part_count; i++)
+    for (size_t i = 0; i < m->part_count; ++i)
         mapped = mapped || has_any(from->maps + i);
     int fault = check_found(o, m, from->maps);
     p->shading = o->shading;
@@ -76,7 +75,7 @@ static int add_parts(const options *o, const camera *view, const bounding_sphere
         fault = throw_shadows(m, bounds, &l, &p->shadow);
         l.shadow = &p->shadow;
     }
-    for (size_t i = 0; i < m->part_count && fault == 0; i++) {
+    for (size_t i = 0; i < m->part_count && fault == 0; ++i) {
         look_add_part(p->scene, &l, m->parts + i, from->maps + i);
         maps_free(from->maps + i);
     }
@@ -143,9 +142,8 @@ int picture_check_output(const options *o, const char *output_path)
         return 0;
     if (output_same_file(output_path, o->model))
         return report_fault(o->model, "would be overwritten by the picture");
-    for (int i = 0; i < MAP_COUNT; i++) {
+    for (int i = 0; i < MAP_COUNT; ++i)
         if (o->maps[i].file != NULL && output_same_file(output_path, o->maps[i].file))
             return report_fault(o->maps[i].file, "would be overwritten by the picture");
-    }
     return output_check(output_path);
 }

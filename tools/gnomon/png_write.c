@@ -52,7 +52,7 @@ int png_write(output *o, png_kind kind, uint32_t width, uint32_t height, png_row
     png_set_IHDR(png, info, width, height, kind == PNG_GREY16 ? 16 : 8, color_types[kind],
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);
-    for (uint32_t y = 0; y < height; y++) {
+    for (uint32_t y = 0; y < height; ++y) {
         row(context, y, bytes);
         png_write_row(png, bytes);
     }

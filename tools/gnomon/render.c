@@ -37,17 +37,16 @@ static void color_row(const void *context, uint32_t y, uint8_t *row)
 {
     const scene_frame *frame = context;
     const uint32_t *pixels = (const uint32_t *)frame->color + shown_row(frame, y);
-    for (size_t x = 0; x < frame->width; x++) {
-        for (size_t channel = 0; channel < 4; channel++)
+    for (size_t x = 0; x < frame->width; ++x)
+        for (size_t channel = 0; channel < 4; ++channel)
             row[4 * x + channel] = (uint8_t)(pixels[x] >> (8 * channel));
-    }
 }
 
 static void depth_row(const void *context, uint32_t y, uint8_t *row)
 {
     const scene_frame *frame = context;
     const float *pixels = (const float *)frame->depth + shown_row(frame, y);
-    for (size_t x = 0; x < frame->width; x++) {
+    for (size_t x = 0; x < frame->width; ++x) {
         /* The surface holds 0 to 1, so this is at most 65535. */
         uint32_t grey = (uint32_t)((double)pixels[x] * 65535.0 + 0.5);
         row[2 * x] = (uint8_t)(grey >> 8);

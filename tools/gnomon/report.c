@@ -22,10 +22,9 @@ static size_t character_length(const unsigned char *c)
     unsigned char most = c[0] == 0xed ? 0x9f : c[0] == 0xf4 ? 0x8f : 0xbf;
     if (c[0] < 0xc2 || c[0] > 0xf4 || c[1] < least || c[1] > most)
         return 0;
-    for (size_t i = 2; i < length; i++) {
+    for (size_t i = 2; i < length; ++i)
         if (c[i] < 0x80 || c[i] > 0xbf)
             return 0;
-    }
     return length;
 }
 
@@ -38,7 +37,7 @@ static void escape(const char *text, char *result, size_t size)
         size_t length = character_length(c);
         if (length == 0)
             used += (size_t)snprintf(result + used, size - used, "\\x%02x", (unsigned)*c++);
-        for (; length > 0; length--)
+        for (; length > 0; --length)
             result[used++] = (char)*c++;
     }
     result[used] = '\0';
@@ -63,7 +62,7 @@ void report_print(FILE *file, const char *text)
         size_t length = character_length(c);
         if (length == 0)
             fprintf(file, "\\x%02x", (unsigned)*c++);
-        for (; length > 0; length--)
+        for (; length > 0; --length)
             fputc(*c++, file);
     }
 }

@@ -21,7 +21,7 @@ const shading_traits *shading_traits_of(shading which)
 
 bool shading_by_name(const char *name, shading *result)
 {
-    for (int i = SHADING_AUTOMATIC + 1; i < SHADING_COUNT; i++) {
+    for (int i = SHADING_AUTOMATIC + 1; i < SHADING_COUNT; ++i) {
         if (strcmp(name, shading_traits_of((shading)i)->name) == 0) {
             *result = (shading)i;
             return true;

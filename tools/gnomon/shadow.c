@@ -77,7 +77,7 @@ static gn_sampler comparing_sampler(void)
     sampler.wrap_s = sampler.wrap_t = GN_WRAP_CLAMP_TO_BORDER;
     sampler.minify = GN_MINIFY_LINEAR;
     sampler.compare = GN_LESS_OR_EQUAL;
-    for (int c = 0; c < 4; c++)
+    for (int c = 0; c < 4; ++c)
         sampler.border[c] = 1.0f;
     return sampler;
 }

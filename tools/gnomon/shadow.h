@@ -3,7 +3,7 @@
 #ifndef SHADOW_H
 #define SHADOW_H
 
-#include <scene.h>
+#include "scene.h"
 
 #include "camera.h"
 #include "model.h"

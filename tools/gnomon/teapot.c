@@ -165,11 +165,11 @@ static void basis(double t, double value[4], double slope[4])
 static void evaluate(const uint16_t patch[16], const double u[4], const double v[4],
                      double result[3])
 {
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; ++c) {
         result[c] = 0.0;
-        for (int i = 0; i < 4; i++) {
+        for (int i = 0; i < 4; ++i) {
             double row = 0.0;
-            for (int j = 0; j < 4; j++)
+            for (int j = 0; j < 4; ++j)
                 row += v[j] * points[patch[4 * i + j]][c];
             result[c] += u[i] * row;
         }
@@ -200,17 +200,17 @@ static void surface_point(const uint16_t patch[16], double u, double v, double p
     bool at_pole = u == 0.0 && starts_at_pole(patch);
     evaluate(patch, at_pole ? u_slope : u_value, v_slope, along_v);
     double length = 0.0;
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; ++c) {
         int d = (c + 1) % 3;
         int e = (c + 2) % 3;
         normal[c] = along_v[d] * along_u[e] - along_v[e] * along_u[d];
         length += normal[c] * normal[c];
     }
     length = sqrt(length);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; ++c)
         normal[c] /= length;
     length = sqrt(along_u[0] * along_u[0] + along_u[1] * along_u[1] + along_u[2] * along_u[2]);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; ++c)
         tangent[c] = along_u[c] / length;
 }
 
@@ -233,7 +233,7 @@ void teapot_point(int patch, double u, double v, double position[3], double norm
 
 static void store(const double from[3], float *to)
 {
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; ++c)
         to[c] = (float)from[c];
 }
 
@@ -241,8 +241,8 @@ static void store(const double from[3], float *to)
 static void add_cells(const uint16_t patch[16], uint32_t level, uint32_t base, model_part *part)
 {
     bool pole = starts_at_pole(patch);
-    for (uint32_t i = 0; i < level; i++) {
-        for (uint32_t j = 0; j < level; j++) {
+    for (uint32_t i = 0; i < level; ++i) {
+        for (uint32_t j = 0; j < level; ++j) {
             uint32_t a = base + i * (level + 1) + j; /* (u, v) */
             uint32_t b = a + 1;                      /* (u, v + 1) */
             uint32_t c = a + level + 1;              /* (u + 1, v) */
@@ -283,10 +283,10 @@ bool teapot_create(uint32_t level, const float color[4], model *result)
     }
     part->index_count = 0;
     size_t vertex = 0;
-    for (int p = 0; p < PATCH_COUNT; p++) {
+    for (int p = 0; p < PATCH_COUNT; ++p) {
         uint32_t base = (uint32_t)vertex;
-        for (uint32_t i = 0; i <= level; i++) {
-            for (uint32_t j = 0; j <= level; j++, vertex++) {
+        for (uint32_t i = 0; i <= level; ++i) {
+            for (uint32_t j = 0; j <= level; ++j, ++vertex) {
                 double position[3];
                 double normal[3];
                 double tangent[3];

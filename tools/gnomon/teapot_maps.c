@@ -48,7 +48,7 @@ static void glow(const double p[3], double color[3])
     double across;
     double up;
     bool lit = chequer(p, &across, &up) && across * across + up * up < DOT_RADIUS * DOT_RADIUS;
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; ++c)
         color[c] = lit ? ember[c] : 0.0;
 }
 
@@ -62,15 +62,15 @@ static double dot(const double a[3], const double b[3])
 static void dented_normal(const double p[3], const double n[3], double result[3])
 {
     double slope[3];
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; ++c) {
         slope[c] = DENT_DEPTH * DENT_WAVES * cos(DENT_WAVES * p[c]) *
                    sin(DENT_WAVES * p[(c + 1) % 3]) * sin(DENT_WAVES * p[(c + 2) % 3]);
     }
     double outward = dot(slope, n);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; ++c)
         result[c] = n[c] - (slope[c] - outward * n[c]);
     double length = sqrt(dot(result, result));
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; ++c)
         result[c] /= length;
 }
 
@@ -112,11 +112,11 @@ static uint32_t texel(map_kind map, bool in_tangent_space, int patch, double u, 
         dented_normal(position, normal, color);
         if (in_tangent_space)
             to_tangent_space(normal, tangent, color);
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; ++c)
             color[c] = 0.5 + 0.5 * color[c];
         break;
     }
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; ++c)
         result |= (uint32_t)(color[c] * 255.0 + 0.5) << (8 * c);
     return result;
 }
@@ -128,8 +128,8 @@ bool teapot_map_create(map_kind map, bool in_tangent_space, uint32_t size, image
     result->texels = malloc((size_t)result->width * result->height * sizeof *result->texels);
     if (result->texels == NULL)
         return false;
-    for (uint32_t y = 0; y < result->height; y++) {
-        for (uint32_t x = 0; x < result->width; x++) {
+    for (uint32_t y = 0; y < result->height; ++y) {
+        for (uint32_t x = 0; x < result->width; ++x) {
             int patch = (int)(y / size * TEAPOT_COLUMNS + x / size);
             result->texels[(size_t)y * result->width + x] = texel(
                 map, in_tangent_space, patch, parameter(x % size, size), parameter(y % size, size));

@@ -53,7 +53,7 @@ static const char usage[] =
 /* Reads the setup's file name, where "-" is standard input, and whether matrices are asked for. */
 static int parse(int argc, char **argv, const char **path, bool *with_matrices, bool *help)
 {
-    for (int i = 1; i < argc; i++) {
+    for (int i = 1; i < argc; ++i)
         if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0)
             *help = true;
         else if (strcmp(argv[i], "--matrices") == 0)
@@ -64,7 +64,6 @@ static int parse(int argc, char **argv, const char **path, bool *with_matrices, 
             return report_usage("transform", "'%s': only one setup", argv[i]);
         else
             *path = argv[i];
-    }
     return 0;
 }
 

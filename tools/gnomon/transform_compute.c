@@ -88,10 +88,10 @@ static gn_status rotate(const float n[4], gn_transform *result)
 {
     const gn_vec3 axis = {n[0], n[1], n[2]};
     int last = 0, components = 0;
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; ++k) {
         if (n[k] != 0.0f) {
             last = k;
-            components++;
+            ++components;
         }
     }
     return components == 1
@@ -107,7 +107,7 @@ static int make_model(const setup *s, gn_transform *model)
     gn_transform rotation, next;
     gn_mat3 turn;
     gn_transform_identity(&rotation);
-    for (size_t i = 0; i < s->rotations.count; i++) {
+    for (size_t i = 0; i < s->rotations.count; ++i) {
         const statement *r = &s->rotations.all[i];
         gn_status status = rotate(r->number, &next);
         if (status == GN_OK)
@@ -132,7 +132,7 @@ static int make_view_of_axes(const setup *s, gn_vec3 position, gn_transform *vie
     const float ahead = s->convention == CONVENTION_DIRECT3D ? 1.0f : -1.0f;
     gn_vec3 axis[3];
     gn_transform camera;
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; ++i) {
         gn_status status = gn_vec3_normalize(vector(s, names[i], 0.0f, 0.0f, 0.0f), &axis[i]);
         if (status != GN_OK)
             return status_fault(s, s->given[names[i]].line, transform_keyword(names[i]), status);
@@ -210,7 +210,7 @@ static int make_projection(const setup *s, gn_transform *projection)
     const int c = s->convention, r = s->reversed;
     keyword which = KEYWORD_PERSPECTIVE;
     while (g[which].line == 0)
-        which++;
+        ++which;
     const float *n = g[which].number;
     gn_status status;
     if (which == KEYWORD_ORTHOGRAPHIC) {
@@ -302,7 +302,7 @@ int transform_compute(const setup *s, places *result)
     result->all = calloc(s->points.count + 1, sizeof *result->all);
     if (result->all == NULL)
         return report_fault(s->file, "not enough memory");
-    for (; fault == 0 && result->count < s->points.count; result->count++)
+    for (; fault == 0 && result->count < s->points.count; ++result->count)
         fault = compute_place(s, &s->points.all[result->count], result, &model, &viewport,
                               &result->all[result->count]);
     return fault;

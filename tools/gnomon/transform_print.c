@@ -13,9 +13,9 @@ static double shown(float x)
 static void print_matrix(const char *name, const gn_mat4 *m, bool row_vectors)
 {
     printf("%s\n", name);
-    for (int row = 0; row < 4; row++) {
+    for (int row = 0; row < 4; ++row) {
         printf("       ");
-        for (int column = 0; column < 4; column++)
+        for (int column = 0; column < 4; ++column)
             printf(" %16.9g", shown(row_vectors ? m->m[row][column] : m->m[column][row]));
         printf("\n");
     }
@@ -42,7 +42,7 @@ static void print_outside(unsigned outside)
 {
     static const char names[6][8] = {"left", "right", "bottom", "top", "near", "far"};
     const char *separator = "  outside the view volume: ";
-    for (unsigned i = 0; i < 6; i++) {
+    for (unsigned i = 0; i < 6; ++i) {
         if ((outside >> i & 1) != 0) {
             printf("%s%s", separator, names[i]);
             separator = ", ";
@@ -94,6 +94,6 @@ void transform_print(const setup *s, const places *p, bool with_matrices)
         print_matrices(s, p);
     if (p->count > 0)
         printf("        %16s %16s %16s %16s\n", "x", "y", "z", "w");
-    for (size_t i = 0; i < p->count; i++)
+    for (size_t i = 0; i < p->count; ++i)
         print_place(&p->all[i], i + 1, s->given[KEYWORD_SCREEN].number);
 }

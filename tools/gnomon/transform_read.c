@@ -72,9 +72,9 @@ static int read_numbers(const setup *s, const words *w, int least, int most, sta
         return transform_fault(s->file, w->line, "%s takes %s%d number%s, not %d", w->word[0],
                                or_least, most, most == 1 ? "" : "s", given);
     }
-    for (int i = 0; i < given && fault == 0; i++)
+    for (int i = 0; i < given && fault == 0; ++i)
         fault = read_number(s, w, i + 1, &result->number[i]);
-    for (int i = given; i < most; i++)
+    for (int i = given; i < most; ++i)
         result->number[i] = result->number[0];
     result->line = w->line;
     return fault;
@@ -98,13 +98,13 @@ static int read_name(const setup *s, const words *w, const char *const *names, i
                      int *result)
 {
     char known[64] = "";
-    for (int i = 0; i < count && w->count == 2; i++) {
+    for (int i = 0; i < count && w->count == 2; ++i) {
         if (strcmp(w->word[1], names[i]) == 0) {
             *result = i;
             return 0;
         }
     }
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count; ++i) {
         strcat(known, i == 0 ? "" : i + 1 < count ? ", " : " or ");
         strcat(known, names[i]);
     }
@@ -143,7 +143,7 @@ static int read_statement(setup *s, const words *w)
         return add_numbers(s, w, 3, &s->points);
     if (strcmp(w->word[0], "rotate") == 0)
         return add_numbers(s, w, 4, &s->rotations);
-    for (int i = 0; i < KEYWORD_COUNT; i++)
+    for (int i = 0; i < KEYWORD_COUNT; ++i)
         if (strcmp(w->word[0], keywords[i].word) == 0)
             return read_single(s, w, (keyword)i);
     return transform_fault(s->file, w->line, "'%s' is not a statement", w->word[0]);
@@ -163,7 +163,7 @@ static int cut(const setup *s, char *text, words *w)
             return transform_fault(s->file, w->line, "%s: too many words", w->word[0]);
         w->word[w->count++] = c;
         while (*c != '\0' && !isspace((unsigned char)*c))
-            c++;
+            ++c;
     }
 }
 
@@ -173,10 +173,10 @@ static int check(const setup *s)
     static const keyword needed[] = {KEYWORD_CONVENTION, KEYWORD_SCREEN, KEYWORD_NEAR, KEYWORD_FAR};
     const statement *g = s->given;
     keyword projection = KEYWORD_COUNT;
-    for (size_t i = 0; i < sizeof needed / sizeof needed[0]; i++)
+    for (size_t i = 0; i < sizeof needed / sizeof needed[0]; ++i)
         if (g[needed[i]].line == 0)
             return transform_fault(s->file, 0, "no %s", keywords[needed[i]].word);
-    for (int i = KEYWORD_PERSPECTIVE; i <= KEYWORD_FRUSTUM; i++) {
+    for (int i = KEYWORD_PERSPECTIVE; i <= KEYWORD_FRUSTUM; ++i) {
         if (g[i].line > 0 && projection != KEYWORD_COUNT)
             return transform_fault(s->file, g[i].line, "%s: line %lu already has %s",
                                    keywords[i].word, g[projection].line, keywords[projection].word);
@@ -188,7 +188,7 @@ static int check(const setup *s)
     if (projection == KEYWORD_ORTHOGRAPHIC && s->infinite)
         return transform_fault(s->file, g[KEYWORD_FAR].line,
                                "far: orthographic cannot be infinite");
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; ++i) {
         float size = g[KEYWORD_SCREEN].number[i];
         if (!(size >= 1.0f && size <= (float)GN_MAX_SIZE) || size != floorf(size))
             return transform_fault(s->file, g[KEYWORD_SCREEN].line,
@@ -233,7 +233,7 @@ int transform_read(FILE *in, const char *file, setup *result)
     int fault = 0;
     result->file = file;
     while (fault == 0 && (got = read_line(in, text)) != LINE_NONE) {
-        w.line++;
+        ++w.line;
         if (got == LINE_TOO_LONG)
             return transform_fault(file, w.line, "a line of more than %d characters",
                                    LINE_SIZE - 1);
