@@ -118,6 +118,7 @@ typedef void gn_gather_function(const gn_texture *texture, const gn_sampler *sam
 typedef void gn_fetch_function(const gn_texture *texture, const int32_t *const coordinate[3],
                                const int32_t *level, float texel[4][GN_LANES]);
 
+/* In a library compiled with both GN_SMALL and GN_BASIC, the last three are null. */
 typedef struct gn_sampling {
     gn_sample_2d_function *sample_2d;
     gn_sample_function *sample;

@@ -155,6 +155,10 @@
                                 look_up, fragment);                                                \
     GN_SHADER_USE_(use, uniforms_type, varyings_type)
 
+/* A count from `least` to `most`; for any other count the array of that size does not compile. */
+#define GN_SHADER_COUNT_(count, least, most)                                                       \
+    ((count) >= (least) && (count) <= (most) ? (count) : -9)
+
 /* Each of these macros defines one shader, a static function called `name`: a gn_vertex_shader or a
  * gn_fragment_shader, for a pipeline's vertex_shader or fragment_shader. The pipeline's
  * varying_count must be GN_VARYING_COUNT(varyings_type) and its uniforms a pointer to
@@ -168,7 +172,9 @@
     {                                                                                              \
         float gn_position[4][GN_LANES];                                                            \
         float gn_varying[GN_VARYING_COUNT(varyings_type)][GN_LANES];                               \
-        float gn_distance[(clip_distances) + 1][GN_LANES], gn_point_size[GN_LANES];                \
+        float gn_point_size[GN_LANES];                                                             \
+        float gn_distance[GN_SHADER_COUNT_(clip_distances, 0, GN_MAX_CLIP_DISTANCES) + 1]          \
+                         [GN_LANES];                                                               \
                                                                                                    \
         for (int gn_lane = 0; gn_lane < GN_LANES; ++gn_lane) {                                     \
             GN_SHADER_STRUCT_(varyings_type) gn_out;                                               \
@@ -204,7 +210,8 @@
     GN_SHADER_WHOLE_ static void name(const void *gn_uniforms, const gn_fragment_input *gn_input,  \
                                       gn_fragment_output *gn_output)                               \
     {                                                                                              \
-        float gn_s[textures][GN_LANES], gn_t[textures][GN_LANES], gn_r[textures][GN_LANES];        \
+        float gn_s[GN_SHADER_COUNT_(textures, 1, GN_MAX_SHADER_TEXTURES)][GN_LANES];               \
+        float gn_t[textures][GN_LANES], gn_r[textures][GN_LANES];                                  \
         float gn_reference[textures][GN_LANES], gn_lod[textures][GN_LANES];                        \
         float gn_texel[textures][4][GN_LANES];                                                     \
         GN_SHADER_STRUCT_(varyings_type) gn_first;                                                 \
@@ -241,7 +248,7 @@
 
 /* Runs the fragments of a block one after the other, then stores their results. */
 #define GN_SHADER_FRAGMENTS_(uniforms_type, varyings_type, colors, textures, texels, fragment)     \
-    float gn_rows[4 * (colors)][GN_LANES], gn_depths[GN_LANES];                                    \
+    float gn_rows[4 * GN_SHADER_COUNT_(colors, 1, GN_MAX_COLORS)][GN_LANES], gn_depths[GN_LANES];  \
     uint32_t gn_mask[GN_LANES], gn_discarded[GN_LANES], gn_any = 0;                                \
                                                                                                    \
     for (int gn_lane = 0; gn_lane < GN_LANES; ++gn_lane) {                                         \

@@ -56,7 +56,8 @@ static inline gn_vec4 gn_attribute_or(const gn_vertex *vertex, uint32_t attribut
 }
 
 /* Returns a look-up in a texture of any target, GLSL's texture(). The coordinate is s, t, r, or a
- * direction, or s, t and a layer's number. */
+ * direction, or s, t and a layer's number. With a library compiled with both GN_SMALL and
+ * GN_BASIC a shader must take gn_lookup_2d, and change nothing in what that returns. */
 static inline gn_texel_lookup gn_lookup_any(const gn_texture *texture, const gn_sampler *sampler,
                                             gn_vec3 coordinate)
 {

@@ -100,7 +100,7 @@ GN_API gn_status gn_texture_packed(gn_texture_target target, gn_format format, u
  * slices. Along a dimension of even size a new texel is the mean of the two texels that it covers;
  * otherwise it mixes the texels around its centre, as the reference filters (reference/RULES.md;
  * OpenGL 4.5 section 8.14.4 leaves it open). Red, green and blue of sRGB are mixed as linear
- * colours. Every NaN is 0x7FC00000.
+ * colours. Every NaN is stored as gnomon/backend.h says.
  *
  * Returns the statuses of gn_texture_check; GN_NOT_COMPILED; GN_INVALID_FORMAT (depth formats);
  * and, if memory is needed, GN_NULL_POINTER (memory), GN_MISALIGNED (memory is not aligned to the

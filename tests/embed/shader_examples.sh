@@ -47,6 +47,26 @@ for compiler in gcc clang; do
 done
 cat "$directory/result"
 
+# Counts outside their limits must not compile, neighbours within them must.
+misuse() { # misuse WORD DEFINITION
+    printf '%s\n' '#include <gnomon.h>' 'typedef struct { gn_vec4 color; } in_out;' \
+        'static gn_vec4 v(const void *u, gn_vertex *p, in_out *o) { (void)u; (void)p; o->color = gn_make4(0, 0, 0, 0); return o->color; }' \
+        'static gn_vec4 f(const void *u, const in_out *i, gn_fragment *p) { (void)u; (void)p; return i->color; }' \
+        'static void l(const void *u, const in_out *i, gn_texel_lookup *t) { (void)u; (void)i; (void)t; }' \
+        "$2" >"$directory/misuse.c"
+    if "${CC:-cc}" -std=c99 -w -Iinclude -fsyntax-only "$directory/misuse.c" 2>/dev/null; then compiles=yes; else compiles=no; fi
+    [ "$compiles" = "$1" ] || { echo "$2: compiles: $compiles"; exit 1; }
+    passed=$((passed + 1))
+}
+misuse yes 'GN_VERTEX_SHADER(s, void, in_out, 8, v);'
+misuse no 'GN_VERTEX_SHADER(s, void, in_out, 9, v);'
+misuse yes 'GN_FRAGMENT_SHADER(s, void, in_out, 8, f);'
+misuse no 'GN_FRAGMENT_SHADER(s, void, in_out, 9, f);'
+misuse no 'GN_FRAGMENT_SHADER(s, void, in_out, 0, f);'
+misuse yes 'GN_TEXTURED_FRAGMENT_SHADER(s, void, in_out, 1, 8, l, f);'
+misuse no 'GN_TEXTURED_FRAGMENT_SHADER(s, void, in_out, 1, 9, l, f);'
+misuse no 'GN_TEXTURED_FRAGMENT_SHADER(s, void, in_out, 1, 0, l, f);'
+
 # Checks that the loops over lanes become vector instructions without further flags. gcc must leave
 # no scalar multiplication; clang keeps a scalar loop for arrays that overlap.
 vectorised() { # vectorised COMPILER LEVEL
