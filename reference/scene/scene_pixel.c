@@ -89,6 +89,8 @@ static uint32_t channel_of(gn_format format, int c, float v)
     const uint32_t largest = (UINT32_C(1) << (width & 31)) - 1;
     uint32_t bits;
 
+    if (width == 0)
+        return 0;
     switch (scene_format_of(format)->encoding) {
     case SCENE_FLOAT:
         memcpy(&bits, &v, sizeof bits);

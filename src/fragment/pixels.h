@@ -42,8 +42,8 @@ static void store_pixels(const gn_surface *surface, int32_t x, int32_t y, uint32
     case GN_LAYOUT(8, 2):
         store_layout_pixels(surface, x, y, coverage, GN_LAYOUT(8, 2), word);
         break;
-    default:
-        store_layout_pixels(surface, x, y, coverage, layout, word);
+    default: /* GN_LAYOUT(2, 1), the last that encoded colours have */
+        store_layout_pixels(surface, x, y, coverage, GN_LAYOUT(2, 1), word);
         break;
     }
 }
