@@ -121,8 +121,8 @@ GLuint reference_sampled_program(reference *r, const scene_draw *d, char *error,
 /* Creates and binds a texture with its sampler's state; 0 if there is not enough memory. */
 GLuint reference_upload_texture(const gn_texture *t, const gn_sampler *sampler);
 
-/* Whether the program of a draw is one of twins.c; then that program, its uniforms, its maps as GL
- * objects bound to units from 1 on, and the deletion of all programs. */
+/* The programs of twins.c: whether a draw has one; that program; its uniforms; its maps as GL
+ * objects, bound to units from 1 on; the deletion of all of them. */
 bool reference_has_twin(const scene_draw *d);
 GLuint reference_twin_program(reference *r, const scene_draw *d, char *error, size_t error_size);
 void reference_set_twin_uniforms(const scene_draw *d, GLuint program);

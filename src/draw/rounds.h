@@ -36,7 +36,8 @@
 #define SMALL_TRIANGLE 4
 #define SMALL_STRIPS_PER_THREAD 2
 
-/* The items of a step, divided into tasks of `size` items. */
+/* The vertices, triangles or rows of one step of a round (its items), divided into tasks of `size`
+ * items. */
 typedef struct task_range {
     uint32_t first, count, size;
 } task_range;

@@ -217,8 +217,8 @@ GN_STEP void call_fragment_shader(const fragment_state *state, raster_triangle t
     verdict->kept = output.kept;
 }
 
-/* Samples the draw's texture. Rows that replace what was there are the most frequent and have the
- * linear filter inlined. */
+/* Samples the draw's texture. The linear filter is inlined for the most frequent case: rows whose
+ * colours replace the surface's. */
 GN_INLINE void sample_texture(const fragment_state *state, fragment_kind kind,
                               const fragment_place *at, raster_triangle triangle, lanes_f w,
                               lanes_f texel[4])

@@ -54,8 +54,8 @@ static inline lanes_f compared(gn_compare function, lanes_f reference, lanes_f d
                         lanes_splat(0.0f));
 }
 
-/* Mixes two results that are 1 or 0: adds the weights of those that hold. mix(weight, a, b) would
- * round otherwise. A result that does not hold contributes no weight, even if the weight is NaN. */
+/* Mixes two results of 1 or 0 by adding the weights of those that are 1. mix(weight, a, b) rounds
+ * differently. A weight of NaN has no effect if its result is 0. */
 static inline lanes_f mix_compared(lanes_f weight, lanes_f first, lanes_f second)
 {
     const lanes_f none = lanes_splat(0.0f);

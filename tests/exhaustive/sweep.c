@@ -10,7 +10,8 @@
 #define SIGN_BIT 0x80000000u
 #define MAGNITUDES ((uint64_t)1 << 31)
 #define PIECES 4096u /* a power of two */
-/* Odd, so that a piece's place among the magnitudes is its number times this. */
+/* Pieces are taken in a scattered order: number times this, modulo PIECES. It is odd, so every
+ * piece is taken once. */
 #define SCATTER 1597u
 #define SHOWN 10 /* misrounded inputs printed for each function */
 

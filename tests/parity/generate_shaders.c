@@ -236,8 +236,8 @@ static void random_light_camera(builder *b)
                   center[2] + distance * towards[2]};
 }
 
-/* The first pass: the library draws the last draw as the light sees it. The class of the shader
- * that writes only depth tests that the reference draws equal depths. */
+/* Adds the shadow map: the library draws the last draw as the light sees it. Another class, that of
+ * gn_use_depth_only, tests that the reference draws equal depths. */
 static void add_shadow_map(builder *b)
 {
     static const gn_format formats[] = {GN_FORMAT_D16, GN_FORMAT_D24, GN_FORMAT_D32F,

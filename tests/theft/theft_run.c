@@ -136,7 +136,8 @@ static enum step call_counterexample(struct theft *t)
     return STEP_NEXT;
 }
 
-/* Only a result that the property returned can be asked for again. */
+/* Calls the hook after a trial. The hook may ask to repeat the trial only if the result came from
+ * the property. */
 static enum step call_trial_post(struct theft *t, enum theft_trial_res result, bool repeatable)
 {
     struct theft_hook_trial_post_info info = {

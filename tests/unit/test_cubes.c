@@ -73,7 +73,7 @@ static float texel_towards(const float d[3])
 
 #define NEAR(a, b) assert_true(fabsf((a) - (b)) < 1e-3f)
 
-/* Texel (3, 0) of every face; the length of the direction does not matter. */
+/* A direction of any length finds texel (3, 0) of each face. */
 static void faces(void **state)
 {
     (void)state;

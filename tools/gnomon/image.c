@@ -12,7 +12,7 @@
 #include "files.h"
 #include "image_file.h"
 
-/* Holds the text of one reason at a time. */
+/* The text that decoder_reason returns; the next call overwrites it. */
 static char reason_text[256];
 
 static const char *decoder_reason(image_kind kind)
