@@ -9,13 +9,17 @@
 /* Sets the border as a texel: clamped to the range of the format. */
 static inline void set_border(lookup_state *state, const gn_sampler *sampler)
 {
-    const bool has_range = !format_is_float(state->texture->format);
+    const gn_format format = state->texture->format;
+    const bool has_range = !format_is_float(format);
+    const bool has_sign = !has_range && field_width(format_fields_of(format), 0) >= 16;
 
     for (int c = 0; c < 4; ++c) {
         float value = sampler->border[c];
 
         if (has_range)
             value = value > 0.0f ? value < 1.0f ? value : 1.0f : 0.0f;
+        else if (!has_sign)
+            value = value > 0.0f ? value : 0.0f;
         state->border[c] = value;
     }
 }

@@ -211,6 +211,22 @@ static void borders(void **state)
     NEAR(red_at(&t, &s, 0.5f, 0.0f), 3.5f);
 }
 
+/* Floats without sign have no border below 0, and no upper limit. */
+static void borders_of_unsigned_floats(void **state)
+{
+    (void)state;
+    gn_texture t = columns();
+    gn_sampler s = nearest(GN_WRAP_CLAMP_TO_BORDER);
+
+    t.format = GN_FORMAT_R11F_G11F_B10F;
+    s.border[0] = 3.0f;
+    NEAR(red_at(&t, &s, -1.0f, 0.0f), 3.0f * 255.0f);
+    s.border[0] = -2.0f;
+    NEAR(red_at(&t, &s, -1.0f, 0.0f), 0.0f);
+    t.format = GN_FORMAT_RG16F;
+    NEAR(red_at(&t, &s, -1.0f, 0.0f), -2.0f * 255.0f);
+}
+
 static void explicit_levels(void **state)
 {
     (void)state;
@@ -402,6 +418,7 @@ int main(void)
         cmocka_unit_test(wraps),
         cmocka_unit_test(linear_wraps),
         cmocka_unit_test(borders),
+        cmocka_unit_test(borders_of_unsigned_floats),
         cmocka_unit_test(explicit_levels),
         cmocka_unit_test(limits_of_the_last_levels),
         cmocka_unit_test(one_level_is_not_mixed),
