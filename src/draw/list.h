@@ -25,14 +25,16 @@ static inline void setup_boxes(worker *w, const triangle_list *list)
 /* Draws a list of points or lines. */
 GN_OUT_OF_LINE void draw_boxes(worker *w, const triangle_list *list, const void *context)
 {
-    run_function *const squares = w->draw->shade.squares;
+    fragment_batch batch;
 
     setup_boxes(w, list);
+    start_batch(&batch, &w->draw->shade, context);
     for (uint32_t l = 0; l < list->count; ++l)
         if (w->kind == KIND_POINT)
-            cover_point(w->setup, list, l, squares, context);
+            cover_point(w->setup, list, l, &batch);
         else
-            cover_line(w->setup, list, l, squares, context);
+            cover_line(w->setup, list, l, &batch);
+    shade_batch(&batch);
 }
 
 /* Draws a list of points or lines to a multisampled target. */
@@ -59,7 +61,7 @@ GN_OUT_OF_LINE void draw_sampled_boxes(worker *w, const triangle_list *list, con
 GN_OUT_OF_LINE void draw_sampled(worker *w, const triangle_list *list)
 {
     const draw_state *draw = w->draw;
-    const counted_state context = {draw->fragment, &w->samples};
+    const fragment_context context = {draw->fragment, &w->samples};
 
     if (w->kind != KIND_TRIANGLE) {
         draw_sampled_boxes(w, list, &context);
@@ -75,18 +77,17 @@ GN_OUT_OF_LINE void draw_sampled(worker *w, const triangle_list *list)
 static void draw_list(worker *w, const triangle_list *list)
 {
     const draw_state *draw = w->draw;
-    const counted_state counted = {draw->fragment, &w->samples};
-    const void *const context =
-        counts_samples(draw->job) ? (const void *)&counted : (const void *)draw->fragment;
+    const fragment_context context = {draw->fragment,
+                                      counts_samples(draw->job) ? &w->samples : 0};
 
     if (GN_HAVE_SAMPLES && draw->is_sampled) {
         draw_sampled(w, list);
     } else if (GN_HAVE_LINES && w->kind != KIND_TRIANGLE) {
-        draw_boxes(w, list, context);
+        draw_boxes(w, list, &context);
     } else {
         setup_triangles(draw->pipeline, &draw->offset, 0.5f, &w->cull.target, draw->job->memory,
                         list, w->setup);
-        cover_triangles(&w->cull.target, w->setup, list, &draw->shade, context);
+        cover_triangles(&w->cull.target, w->setup, list, &draw->shade, &context);
     }
 }
 

@@ -2,8 +2,8 @@
 #ifndef GN_DRAW_STATE_H
 #define GN_DRAW_STATE_H
 
-#include "../fragment/runs.h"
 #include "../fragment/samples.h"
+#include "../fragment/steps.h"
 #include "../geometry/assemble.h"
 #include "../geometry/viewport.h"
 #include "../raster/cull.h"
@@ -77,14 +77,15 @@ typedef struct draw_state {
     float center;    /* place in a pixel where planes have their values at integers */
     fragment_state fragment[SAMPLE_STATES]; /* one for each sample; only the first if the target is
                                                not multisampled */
-    block_functions shade;
+    fragment_functions shade;
 } draw_state;
 
 static inline void set_sample_state(draw_state *draw, uint32_t sample)
 {
     fragment_state *const state = &draw->fragment[sample];
 
-    set_fragment_state(state, draw->job->target, draw->pipeline, &draw->viewport);
+    set_fragment_state(state, draw->job->target, first_surface(draw->job->target), draw->pipeline,
+                       &draw->viewport);
     state->shading = &draw->job->shading;
     if (GN_HAVE_LINES && draw->cull.box.is_unfilled)
         state->moves_depth = false; /* vertices move instead */
@@ -113,7 +114,7 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
     if (GN_HAVE_OFFSET)
         draw->offset = offset_state_of(job->pipeline, job->target->depth.format,
                                        draw->fragment[0].moves_depth);
-    draw->shade = block_functions_of(&draw->fragment[0], counts_samples(job));
+    draw->shade = fragment_functions_of(&draw->fragment[0], counts_samples(job));
     draw->is_sampled = GN_HAVE_SAMPLES && samples_of(any) > 1;
     draw->center = 0.5f;
     if (draw->is_sampled) {

@@ -61,12 +61,12 @@ static inline void decode_channels(gn_format format, const lanes_i word[4], lane
 #undef DECODE
 }
 
-/* Decodes pixels of up to two words, in formats of ARITHMETIC_FLOATS, as decode_channels does. */
-static inline void decode_floats(gn_format format, const lanes_i word[2], lanes_f color[4])
+/* Decodes pixels of formats of ARITHMETIC_FLOATS, as decode_channels does. */
+static inline void decode_floats(gn_format format, const lanes_i word[4], lanes_f color[4])
 {
 #define DECODE(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)               \
     case GN_FORMAT_##name:                                                                         \
-        if (FORMAT_##kind == FORMAT_COLOR && ENCODING_##encoding != ENCODING_UNORM && bytes <= 8)  \
+        if (FORMAT_##kind == FORMAT_COLOR && ENCODING_##encoding != ENCODING_UNORM)                \
             decode_fields(ENCODING_##encoding, GN_FIELDS(o0, w0, o1, w1, o2, w2, o3, w3), 4, word, \
                           color);                                                                  \
         break;

@@ -1,4 +1,4 @@
-/* Encodes colours as pixels of all formats but RGBA8 and RGBA32F. The inverses are in decode.h;
+/* Encodes colours as pixels. The inverses are in decode.h;
  * pixel_memory.h says how words hold a pixel. Colours of up to 8 bits per channel pass through
  * pixels of GN_FORMAT_RGBA8, other fractions through pixels of GN_FORMAT_RGBA16. */
 #ifndef GN_FORMATS_ENCODE_H
@@ -14,14 +14,14 @@ static inline lanes_i encode_rgba8(const lanes_f color[4])
     return lanes_pack_unorm8(color[0], color[1], color[2], color[3]);
 }
 
-/* Adds the bits of a channel to `bits`, the masks of a pixel's first two words. */
-static inline void add_channel_bits(gn_format format, int channel, int32_t bits[2])
+/* Adds the bits of a channel to `bits`, the masks of a pixel's words. */
+static inline void add_channel_bits(gn_format format, int channel, int32_t bits[4])
 {
     const format_fields fields = format_fields_of(format);
     const int word = field_word(fields, channel);
     const int width = field_width(fields, channel);
 
-    if (width > 0 && word < 2)
+    if (width > 0)
         bits[word] |= (int32_t)(UINT32_MAX >> (32 - width) << field_shift(fields, channel));
 }
 
@@ -85,7 +85,7 @@ static lanes_i srgb8(lanes_f channel)
 
 /* Encodes channels that are floats or sRGB into `word`, which must be 0 before. */
 GN_INLINE void encode_fields(format_encoding encoding, format_fields fields, const lanes_f color[4],
-                             lanes_i word[2])
+                             lanes_i word[4])
 {
     for (int c = 0; c < 4; ++c) {
         const int w = field_word(fields, c);
@@ -105,13 +105,12 @@ GN_INLINE void encode_fields(format_encoding encoding, format_fields fields, con
     }
 }
 
-/* Encodes colours as pixels of up to two words, in formats of ARITHMETIC_FLOATS. `word` must be 0
- * before. */
-static inline void encode_floats(gn_format format, const lanes_f color[4], lanes_i word[2])
+/* Encodes colours as pixels of formats of ARITHMETIC_FLOATS. `word` must be 0 before. */
+static inline void encode_floats(gn_format format, const lanes_f color[4], lanes_i word[4])
 {
 #define ENCODE(name, bytes, element, kind, encoding, ...)                                          \
     case GN_FORMAT_##name:                                                                         \
-        if (FORMAT_##kind == FORMAT_COLOR && ENCODING_##encoding != ENCODING_UNORM && bytes <= 8)  \
+        if (FORMAT_##kind == FORMAT_COLOR && ENCODING_##encoding != ENCODING_UNORM)                \
             encode_fields(ENCODING_##encoding, GN_FIELDS(__VA_ARGS__), color, word);               \
         break;
     switch (format) {
@@ -122,13 +121,11 @@ static inline void encode_floats(gn_format format, const lanes_f color[4], lanes
 #undef ENCODE
 }
 
-/* Encodes red, green, blue and alpha as pixels. Calls the functions by name: some compilers turn a
- * choice of function into a table that needs relocation. One call for sixteen pixels costs no
- * more. */
-static void encode_colors(gn_format format, const lanes_f color[4], lanes_i word[2])
+/* Encodes red, green, blue and alpha as pixels. Words that a pixel does not have become 0. */
+GN_INLINE void encode_colors(gn_format format, const lanes_f color[4], lanes_i word[4])
 {
-    word[0] = lanes_i_splat(0);
-    word[1] = lanes_i_splat(0);
+    for (int i = 0; i < 4; ++i)
+        word[i] = lanes_i_splat(0);
     switch (arithmetic_of(format)) {
     case ARITHMETIC_SHORTS:
         encode_shorts(color, word);

@@ -11,22 +11,18 @@
 static inline void load_colors(gn_format format, const unsigned char *const row[GN_LANES],
                                const int32_t column[GN_LANES], lanes_f color[4])
 {
-    const bool is_wide = format == GN_FORMAT_RGBA32F;
     int32_t loaded[4][GN_LANES];
     lanes_i word[4];
 
     GN_EACH_LANE (l) {
-        int32_t pixel[2] = {0, 0};
+        int32_t pixel[4] = {0, 0, 0, 0};
 
-        if (!is_wide)
-            load_pixel(row[l], column[l], format_layout(format), pixel);
-        loaded[0][l] = pixel[0];
-        loaded[1][l] = pixel[1];
-        for (int n = 0; is_wide && n < 4; ++n)
-            loaded[n][l] = ((const stored_word *)(const void *)row[l])[4 * column[l] + n];
+        load_pixel(row[l], column[l], format_layout(format), pixel);
+        for (int i = 0; i < 4; ++i)
+            loaded[i][l] = pixel[i];
     }
-    for (int n = 0; n < (is_wide ? 4 : 2); ++n)
-        word[n] = lanes_i_load(loaded[n]);
+    for (int i = 0; i < 4; ++i)
+        word[i] = lanes_i_load(loaded[i]);
     decode_channels(format, word, color);
 }
 
@@ -36,25 +32,17 @@ static inline void store_colors(const gn_surface *destination, int32_t x, int32_
 {
     unsigned char *const row = surface_row(destination, (uint32_t)y);
     const pixel_layout layout = format_layout(destination->format);
-    int32_t channel[4][GN_LANES];
-
-    if (destination->format == GN_FORMAT_RGBA32F) {
-        stored_word *const words = (stored_word *)(void *)row;
-
-        for (int c = 0; c < 4; ++c)
-            lanes_i_store(channel[c], float_words(color[c]));
-        for (uint32_t l = 0; l < count; ++l)
-            for (int c = 0; c < 4; ++c)
-                words[4 * (x + (int32_t)l) + c] = channel[c][l];
-        return;
-    }
-    lanes_i word[2];
+    int32_t stored[4][GN_LANES];
+    lanes_i word[4];
 
     encode_colors(destination->format, color, word);
-    lanes_i_store(channel[0], word[0]);
-    lanes_i_store(channel[1], word[1]);
-    for (uint32_t l = 0; l < count; ++l)
-        store_pixel(row, x + (int32_t)l, layout, channel[0][l], channel[1][l]);
+    for (int i = 0; i < 4; ++i)
+        lanes_i_store(stored[i], word[i]);
+    for (uint32_t l = 0; l < count; ++l) {
+        const int32_t pixel[4] = {stored[0][l], stored[1][l], stored[2][l], stored[3][l]};
+
+        store_pixel(row, x + (int32_t)l, layout, pixel);
+    }
 }
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef GN_FRAGMENT_DEPTH_H
 #define GN_FRAGMENT_DEPTH_H
 
-#include "planes.h"
+#include "pixels.h"
 
 /* Returns the state of a comparison, which writes nothing. Precondition: f is not
  * GN_COMPARE_DEFAULT, whose meaning differs between the depth test and the stencil test. */
@@ -70,43 +70,6 @@ GN_INLINE lanes_i quantize_depth(gn_format format, lanes_f depth, bool in_range)
     }
 }
 
-/* Loads pixel by pixel: D16, and squares that hang over the surface's edge. */
-GN_OUT_OF_LINE lanes_i load_covered_depth(const gn_surface *surface, int32_t x, int32_t y,
-                                          uint32_t coverage)
-{
-    int32_t depth[GN_LANES];
-
-    GN_EACH_LANE (l) {
-        const void *const row = surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE));
-        const int32_t column = x + l % SQUARE_SIZE;
-
-        depth[l] = 0;
-        if (coverage >> l & 1u)
-            depth[l] = surface->format == GN_FORMAT_D16 ? ((const stored_half *)row)[column]
-                                                        : ((const stored_word *)row)[column];
-    }
-    return lanes_i_load(depth);
-}
-
-GN_OUT_OF_LINE void store_covered_depth(const gn_surface *surface, int32_t x, int32_t y,
-                                        uint32_t coverage, lanes_i value)
-{
-    int32_t depth[GN_LANES];
-
-    lanes_i_store(depth, value);
-    GN_EACH_LANE (l) {
-        void *const row = surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE));
-        const int32_t column = x + l % SQUARE_SIZE;
-
-        if (!(coverage >> l & 1u))
-            continue;
-        if (surface->format == GN_FORMAT_D16)
-            ((stored_half *)row)[column] = (uint16_t)depth[l];
-        else
-            ((stored_word *)row)[column] = depth[l];
-    }
-}
-
 /* Returns the lanes in which `incoming` passes against `stored`. */
 GN_INLINE uint32_t compare_depth(const depth_state *state, lanes_i incoming, lanes_i stored)
 {
@@ -121,33 +84,25 @@ GN_INLINE uint32_t compare_depth(const depth_state *state, lanes_i incoming, lan
     return state->inverted ? ~bits : bits;
 }
 
-/* Tests depths against a surface of the given format and writes those that pass, if the state says
- * so. Returns the part of coverage that passed. A row must lie on the surface, and its format has
- * values of 32 bits. */
+/* Tests depths against a surface of the given format, which has no stencil, and writes those that
+ * pass, if the state says so. Returns the part of coverage that passed. */
 GN_INLINE uint32_t test_depth(const depth_state *state, const gn_surface *surface, gn_format format,
                               const fragment_place *at, uint32_t coverage, lanes_f depth,
                               bool in_range)
 {
-    const lanes_i incoming = quantize_depth(format, depth, in_range);
+    const pixel_layout layout = format == GN_FORMAT_D16 ? GN_LAYOUT(2, 2) : GN_LAYOUT(4, 4);
+    const group_memory memory = memory_of(at, surface, format);
+    lanes_i incoming[4], stored[4];
 
-    if (at->shape == SHAPE_SQUARE &&
-        (format == GN_FORMAT_D16 || !surface_holds_square(surface, at->x, at->y))) {
-        const lanes_i stored = load_covered_depth(surface, at->x, at->y, coverage);
-        const uint32_t passed = coverage & compare_depth(state, incoming, stored);
+    incoming[0] = quantize_depth(format, depth, in_range);
+    load_pixels(layout, &memory, coverage, stored);
+    const uint32_t passed = coverage & compare_depth(state, incoming[0], stored[0]);
 
-        if (state->write)
-            store_covered_depth(surface, at->x, at->y, passed, incoming);
-        return passed;
+    if (state->write && passed) {
+        if (passed != GN_ALL_LANES || at->shape != SHAPE_ROW)
+            incoming[0] = lanes_i_select(lanes_from_bits(passed), incoming[0], stored[0]);
+        store_pixels(layout, &memory, coverage, incoming);
     }
-
-    const lanes_i stored = load_words(at->shape, &at->depth, surface->row_stride);
-    const uint32_t passed = coverage & compare_depth(state, incoming, stored);
-
-    if (state->write && at->shape == SHAPE_ROW && passed == GN_ALL_LANES)
-        store_words(at->shape, &at->depth, surface->row_stride, incoming);
-    else if (state->write && passed)
-        store_words(at->shape, &at->depth, surface->row_stride,
-                    lanes_i_select(lanes_from_bits(passed), incoming, stored));
     return passed;
 }
 

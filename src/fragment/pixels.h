@@ -1,81 +1,210 @@
-/* Loads and stores blocks of pixels in formats other than RGBA8 and RGBA32F, by the layout of a
- * pixel. */
+/* Loads and stores the pixels of sixteen fragments, as words (formats/pixel_memory.h). */
 #ifndef GN_FRAGMENT_PIXELS_H
 #define GN_FRAGMENT_PIXELS_H
 
-#include "../formats/decode.h"
-#include "../formats/encode.h"
-#include "types.h"
+#include "../formats/pixel_memory.h"
+#include "planes.h"
 
-/* Stores the covered pixels of a square, which may hang over the surface's edge. */
-GN_INLINE void store_layout_pixels(const gn_surface *surface, int32_t x, int32_t y,
-                                   uint32_t coverage, pixel_layout layout, const lanes_i word[2])
+/* The pixels of a group on one surface, whose rows are `stride` bytes apart. Where `whole`, all of
+ * them lie on the surface; otherwise only covered ones are accessed. */
+typedef struct group_memory {
+    fragment_shape shape;
+    bool whole;
+    surface_place at;
+    ptrdiff_t stride;
+} group_memory;
+
+/* Returns the memory of a group on a surface of the given format. */
+GN_INLINE group_memory memory_of(const fragment_place *at, const gn_surface *surface,
+                                 gn_format format)
 {
-    int32_t first[GN_LANES], second[GN_LANES];
+    group_memory m;
 
-    lanes_i_store(first, word[0]);
-    if (layout == GN_LAYOUT(8, 2))
-        lanes_i_store(second, word[1]);
+    m.shape = at->shape;
+    m.whole = at->whole;
+    m.at = at->shape == SHAPE_ROW
+               ? row_memory(surface, format, at->block.x[0], at->block.y[0])
+               : block_memory(surface, format, &at->block);
+    m.stride = surface->row_stride;
+    return m;
+}
+
+/* Pixels that lie side by side in memory: all of a row, or a row of a block. */
+#define PIXELS_TOGETHER(shape) ((shape) == SHAPE_ROW ? GN_LANES : SQUARE_SIZE)
+
+/* Returns the memory of lane `first`, a multiple of PIXELS_TOGETHER. */
+GN_INLINE unsigned char *lane_memory(const group_memory *m, int first)
+{
+    return m->at.half[first / HALF_LANES] + first / SQUARE_SIZE % 2 * m->stride;
+}
+
+/* Loads the words of a layout whose pixels are words. */
+GN_INLINE lanes_i load_words(const group_memory *m)
+{
+    return m->shape == SHAPE_ROW
+               ? lanes_i_load((const stored_word *)(const void *)m->at.half[0])
+               : lanes_i_load_block(m->at.half[0], m->at.half[1], m->stride);
+}
+
+GN_INLINE void store_words(const group_memory *m, lanes_i a)
+{
+    if (m->shape == SHAPE_ROW)
+        lanes_i_store((stored_word *)(void *)m->at.half[0], a);
+    else
+        lanes_i_store_block(m->at.half[0], m->at.half[1], m->stride, a);
+}
+
+/* Returns the words of a pixel of a layout. */
+GN_INLINE int layout_words(pixel_layout layout)
+{
+    return layout == GN_LAYOUT(16, 4)                                    ? 4
+           : layout == GN_LAYOUT(8, 2) || layout == GN_LAYOUT(8, 4) ? 2
+                                                                         : 1;
+}
+
+/* Loads a whole group. Compilers turn the inner loops into loads of vectors. */
+GN_INLINE void load_whole(pixel_layout layout, const group_memory *m, lanes_i word[4])
+{
+    const int together = PIXELS_TOGETHER(m->shape);
+    int32_t loaded[4][GN_LANES];
+
+    for (int first = 0; first < GN_LANES; first += together) {
+        const unsigned char *const memory = lane_memory(m, first);
+
+        for (int l = 0; l < together; ++l) {
+            int32_t pixel[4];
+
+            load_pixel(memory, l, layout, pixel);
+            for (int i = 0; i < layout_words(layout); ++i)
+                loaded[i][first + l] = pixel[i];
+        }
+    }
+    for (int i = 0; i < layout_words(layout); ++i)
+        word[i] = lanes_i_load(loaded[i]);
+}
+
+GN_INLINE void store_whole(pixel_layout layout, const group_memory *m, const lanes_i word[4])
+{
+    const int together = PIXELS_TOGETHER(m->shape);
+    int32_t stored[4][GN_LANES];
+
+    for (int i = 0; i < layout_words(layout); ++i)
+        lanes_i_store(stored[i], word[i]);
+    for (int first = 0; first < GN_LANES; first += together) {
+        unsigned char *const memory = lane_memory(m, first);
+
+        for (int l = 0; l < together; ++l) {
+            int32_t pixel[4];
+
+            for (int i = 0; i < layout_words(layout); ++i)
+                pixel[i] = stored[i][first + l];
+            store_pixel(memory, l, layout, pixel);
+        }
+    }
+}
+
+/* Loads the covered pixels of a block; other lanes are 0. */
+GN_OUT_OF_LINE void load_covered(pixel_layout layout, const group_memory *m, uint32_t coverage,
+                                 lanes_i word[4])
+{
+    int32_t loaded[4][GN_LANES];
+
     GN_EACH_LANE (l) {
+        int32_t pixel[4] = {0, 0, 0, 0};
+
         if (coverage >> l & 1u)
-            store_pixel(surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE)), x + l % SQUARE_SIZE,
-                        layout, first[l], layout == GN_LAYOUT(8, 2) ? second[l] : 0);
+            load_pixel(lane_memory(m, l), l % SQUARE_SIZE, layout, pixel);
+        for (int i = 0; i < 4; ++i)
+            loaded[i][l] = pixel[i];
     }
+    for (int i = 0; i < layout_words(layout); ++i)
+        word[i] = lanes_i_load(loaded[i]);
 }
 
-static void store_pixels(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
-                         pixel_layout layout, const lanes_i word[2])
+/* Stores the covered pixels of a block. */
+GN_OUT_OF_LINE void store_covered(pixel_layout layout, const group_memory *m, uint32_t coverage,
+                                  const lanes_i word[4])
 {
-    switch (layout) {
-    case GN_LAYOUT(1, 1):
-        store_layout_pixels(surface, x, y, coverage, GN_LAYOUT(1, 1), word);
-        break;
-    case GN_LAYOUT(2, 2):
-        store_layout_pixels(surface, x, y, coverage, GN_LAYOUT(2, 2), word);
-        break;
-    case GN_LAYOUT(3, 1):
-        store_layout_pixels(surface, x, y, coverage, GN_LAYOUT(3, 1), word);
-        break;
-    case GN_LAYOUT(4, 4):
-        store_layout_pixels(surface, x, y, coverage, GN_LAYOUT(4, 4), word);
-        break;
-    case GN_LAYOUT(8, 2):
-        store_layout_pixels(surface, x, y, coverage, GN_LAYOUT(8, 2), word);
-        break;
-    default: /* GN_LAYOUT(2, 1), the last that encoded colours have */
-        store_layout_pixels(surface, x, y, coverage, GN_LAYOUT(2, 1), word);
-        break;
-    }
-}
+    int32_t stored[4][GN_LANES];
 
-/* Converts colours and writes the covered pixels of a square. */
-static inline void write_encoded(const gn_surface *surface, gn_format format, int32_t x, int32_t y,
-                                 uint32_t coverage, const lanes_f color[4])
-{
-    lanes_i word[2];
-
-    encode_colors(format, color, word);
-    store_pixels(surface, x, y, coverage, format_layout(format), word);
-}
-
-/* Loads the covered pixels of a square, which may hang over the surface's edge; other lanes are 0.
- */
-static inline void load_pixels(const gn_surface *surface, int32_t x, int32_t y, uint32_t coverage,
-                               pixel_layout layout, lanes_i word[2])
-{
-    int32_t first[GN_LANES], second[GN_LANES];
-
+    for (int i = 0; i < layout_words(layout); ++i)
+        lanes_i_store(stored[i], word[i]);
     GN_EACH_LANE (l) {
-        int32_t pixel[2] = {0, 0};
+        int32_t pixel[4];
 
+        for (int i = 0; i < layout_words(layout); ++i)
+            pixel[i] = stored[i][l];
         if (coverage >> l & 1u)
-            load_pixel(surface_row(surface, (uint32_t)(y + l / SQUARE_SIZE)), x + l % SQUARE_SIZE,
-                       layout, pixel);
-        first[l] = pixel[0];
-        second[l] = pixel[1];
+            store_pixel(lane_memory(m, l), l % SQUARE_SIZE, layout, pixel);
     }
-    word[0] = lanes_i_load(first);
-    word[1] = lanes_i_load(second);
+}
+
+/* Calls FUNCTION(layout) with a constant for each layout that surfaces have. */
+#define GN_EACH_LAYOUT(layout, FUNCTION)                                                           \
+    switch (layout) {                                                                              \
+    case GN_LAYOUT(1, 1):                                                                          \
+        FUNCTION(GN_LAYOUT(1, 1));                                                                 \
+        break;                                                                                     \
+    case GN_LAYOUT(2, 2):                                                                          \
+        FUNCTION(GN_LAYOUT(2, 2));                                                                 \
+        break;                                                                                     \
+    case GN_LAYOUT(2, 1):                                                                          \
+        FUNCTION(GN_LAYOUT(2, 1));                                                                 \
+        break;                                                                                     \
+    case GN_LAYOUT(3, 1):                                                                          \
+        FUNCTION(GN_LAYOUT(3, 1));                                                                 \
+        break;                                                                                     \
+    case GN_LAYOUT(8, 2):                                                                          \
+        FUNCTION(GN_LAYOUT(8, 2));                                                                 \
+        break;                                                                                     \
+    case GN_LAYOUT(8, 4):                                                                          \
+        FUNCTION(GN_LAYOUT(8, 4));                                                                 \
+        break;                                                                                     \
+    default: /* GN_LAYOUT(16, 4) */                                                                \
+        FUNCTION(GN_LAYOUT(16, 4));                                                                \
+        break;                                                                                     \
+    }
+
+/* Loads the pixels of a group: all of them, or the covered ones if the group hangs over. */
+GN_INLINE void load_pixels(pixel_layout layout, const group_memory *m, uint32_t coverage,
+                           lanes_i word[4])
+{
+#define LOAD(constant) load_whole(constant, m, word)
+    if (!m->whole)
+        load_covered(layout, m, coverage, word);
+    else if (layout == GN_LAYOUT(4, 4))
+        word[0] = load_words(m);
+    else
+        GN_EACH_LAYOUT(layout, LOAD)
+#undef LOAD
+}
+
+/* Stores the pixels of a group: all of them, or the covered ones if the group hangs over. */
+GN_INLINE void store_pixels(pixel_layout layout, const group_memory *m, uint32_t coverage,
+                            const lanes_i word[4])
+{
+#define STORE(constant) store_whole(constant, m, word)
+    if (!m->whole)
+        store_covered(layout, m, coverage, word);
+    else if (layout == GN_LAYOUT(4, 4))
+        store_words(m, word[0]);
+    else
+        GN_EACH_LAYOUT(layout, STORE)
+#undef STORE
+}
+
+/* Prefetches a block's memory, which is loaded after other work. */
+GN_INLINE void prefetch_words(surface_place at, ptrdiff_t stride)
+{
+#if defined(__GNUC__)
+    for (int half = 0; half < 2; ++half) {
+        __builtin_prefetch(at.half[half], 1);
+        __builtin_prefetch(at.half[half] + stride, 1);
+    }
+#else
+    (void)at;
+    (void)stride;
+#endif
 }
 
 #endif

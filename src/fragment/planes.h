@@ -16,20 +16,10 @@ typedef struct block_places {
     lanes_f x, y;
 } block_places;
 
-GN_INLINE void set_rows_of_block(block_places *at, float y)
-{
-    at->y = lanes_rows(1.0f, y);
-}
-
-GN_INLINE void set_columns_of_block(block_places *at, float x)
-{
-    at->x = lanes_columns(1.0f, x, 0.0f);
-}
-
 GN_INLINE void set_places_in_block(block_places *at, float x, float y)
 {
-    set_rows_of_block(at, y);
-    set_columns_of_block(at, x);
+    at->x = lanes_columns(1.0f, x, 0.0f);
+    at->y = lanes_rows(1.0f, y);
 }
 
 GN_INLINE void set_places(block_places *at, const pixel_block *block)
@@ -79,12 +69,12 @@ GN_INLINE lanes_f columns_from(attribute_plane plane, int32_t x)
     return lanes_add(lanes_mul(lanes_splat(plane.per_x), column), lanes_splat(plane.origin));
 }
 
-/* Sixteen fragments, the first at (x, y). */
+/* Where a group is: sixteen fragments, one a lane. */
 typedef struct fragment_place {
     fragment_shape shape;
-    int32_t x, y;
-    surface_place color, depth;
-    const block_places *places; /* for a square or block */
+    bool whole;         /* all of it lies on the surfaces; true for a row */
+    pixel_block block;  /* a row has only x[0] and y[0], its first pixel */
+    block_places places; /* for a block */
 
     /* For a row. */
     const column_terms *columns;
@@ -92,11 +82,13 @@ typedef struct fragment_place {
     const lanes_f *w; /* w at y, if it is the same in every column */
 } fragment_place;
 
-/* Makes a place that of a square or block whose fragments will be at `places`. */
-GN_INLINE void set_block(fragment_place *at, fragment_shape shape, const block_places *places)
+/* Sets the place of a block. */
+GN_INLINE void set_block(fragment_place *at, const pixel_block *block, bool whole)
 {
-    at->shape = shape;
-    at->places = places;
+    at->shape = SHAPE_BLOCK;
+    at->whole = whole;
+    at->block = *block;
+    set_places(&at->places, block);
     at->columns = 0;
     at->row = 0;
     at->w = 0;
@@ -107,7 +99,7 @@ GN_INLINE lanes_f interpolate(const fragment_place *at, raster_triangle triangle
 {
     if (at->shape == SHAPE_ROW)
         return lanes_add(lanes_splat(at->row[attribute]), at->columns->value[attribute]);
-    return plane_at(triangle_plane(triangle, attribute), at->places);
+    return plane_at(triangle_plane(triangle, attribute), &at->places);
 }
 
 #endif

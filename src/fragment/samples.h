@@ -4,7 +4,7 @@
 #define GN_FRAGMENT_SAMPLES_H
 
 #include "../raster/cover_samples.h"
-#include "block.h"
+#include "group.h"
 
 /* States of a draw: one for each sample. */
 #define SAMPLE_STATES (GN_HAVE_SAMPLES ? GN_SAMPLES : 1)
@@ -30,13 +30,6 @@ static inline float sample_place(uint32_t sample, int axis)
     return (float)(128 + sample_offset(sample, axis)) * (1.0f / 256.0f);
 }
 
-/* Finds where a square of a sample is in memory. */
-static inline void enter_sample(const fragment_state *state, fragment_place *at)
-{
-    at->color = square_memory(&state->color, state->color.format, at->x, at->y);
-    at->depth = square_memory(&state->depth, state->depth.format, at->x, at->y);
-}
-
 static inline uint32_t covered_pixels(const uint32_t coverage[GN_SAMPLES])
 {
     return coverage[0] | coverage[1] | coverage[2] | coverage[3];
@@ -44,14 +37,16 @@ static inline uint32_t covered_pixels(const uint32_t coverage[GN_SAMPLES])
 
 /* Tests stencil and depth of all samples. `written` is the shader's depth, which the samples share,
  * or null. */
-static void test_samples(const fragment_state *state, fragment_place *at, raster_triangle triangle,
-                         const float *written, uint32_t coverage[GN_SAMPLES])
+static void test_samples(const fragment_state *state, const fragment_place *at,
+                         raster_triangle triangle, const float *written,
+                         uint32_t coverage[GN_SAMPLES])
 {
+    const fragment_kind kind = any_kind(state);
     const attribute_plane plane = triangle_plane(triangle, DEPTH_PLANE);
 
     for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
-        lanes_f depth = plane_in_block(plane, (float)at->x + sample_place(s, 0),
-                                       (float)at->y + sample_place(s, 1));
+        lanes_f depth = plane_in_block(plane, (float)at->block.x[0] + sample_place(s, 0),
+                                       (float)at->block.y[0] + sample_place(s, 1));
 
         if (!coverage[s])
             continue;
@@ -59,8 +54,7 @@ static void test_samples(const fragment_state *state, fragment_place *at, raster
             depth = lanes_load(written);
         else if (state->moves_depth)
             depth = lanes_add(depth, lanes_splat(triangle_offset(triangle)));
-        enter_sample(&state[s], at);
-        coverage[s] = test_whole(&state[s], at, triangle, coverage[s], depth);
+        coverage[s] = test_group(&state[s], kind, at, triangle, coverage[s], depth);
     }
 }
 
@@ -108,9 +102,10 @@ static void cover_by_shader(const fragment_state *state, const shader_verdict *v
 
 /* Shades a square in OpenGL's order, as shade_whole does. Changes `coverage` to the samples that
  * passed. */
-static void shade_samples(const fragment_state *state, fragment_place *at, raster_triangle triangle,
-                          uint32_t coverage[GN_SAMPLES])
+static void shade_samples(const fragment_state *state, const fragment_place *at,
+                          raster_triangle triangle, uint32_t coverage[GN_SAMPLES])
 {
+    const fragment_kind kind = any_kind(state);
     const gn_pipeline *p = state->pipeline;
     const bool to_coverage = p->samples.alpha_to_coverage && state->color.format != GN_FORMAT_NONE;
     const bool late = p->program.fragment_discards || p->program.fragment_writes_depth ||
@@ -121,7 +116,7 @@ static void shade_samples(const fragment_state *state, fragment_place *at, raste
     uint32_t covered[GN_LANES], kept[GN_LANES];
     shader_verdict verdict;
 
-    set_places_in_block(&middle, (float)at->x + 0.5f, (float)at->y + 0.5f);
+    set_places_in_block(&middle, (float)at->block.x[0] + 0.5f, (float)at->block.y[0] + 0.5f);
     set_verdict(&verdict);
     if (p->program.fragment_reads_sample_mask) {
         masks_of_lanes(coverage, covered);
@@ -139,31 +134,27 @@ static void shade_samples(const fragment_state *state, fragment_place *at, raste
 
     const lanes_f w =
         lanes_div(lanes_splat(1.0f), plane_at(triangle_plane(triangle, ONE_OVER_W_PLANE), &middle));
-    const pixel_block block = square_block(at->x, at->y);
-    call_fragment_shader(state, triangle, &block, &middle, covered_pixels(coverage), w, color,
+    call_fragment_shader(state, triangle, &at->block, &middle, covered_pixels(coverage), w, color,
                          &verdict);
     cover_by_shader(state, &verdict, to_coverage, color, coverage);
     if (late)
         test_samples(state, at, triangle, verdict.depth, coverage);
     for (uint32_t s = 0; has_colors(state) && s < GN_SAMPLES; ++s) {
-        enter_sample(&state[s], at);
         if (coverage[s])
-            put_colors(&state[s], at, coverage[s], (const float(*)[GN_LANES])color);
+            write_colors(&state[s], kind, at, coverage[s], (const float(*)[GN_LANES])color);
     }
 }
 
-/* Shades a square: a samples_function. The context is a counted_state with one state for each
- * sample. */
+/* Shades a square: a samples_function. The context is a fragment_context. */
 static void shade_sampled_square(const void *context, raster_triangle triangle, int32_t x,
                                  int32_t y, const uint32_t coverage[GN_SAMPLES])
 {
-    const counted_state *const counted = (const counted_state *)context;
+    const fragment_context *const counted = (const fragment_context *)context;
     uint32_t passed[GN_SAMPLES];
     fragment_place at;
 
-    set_block(&at, SHAPE_SQUARE, 0);
-    at.x = x;
-    at.y = y;
+    const pixel_block block = square_block(x, y);
+    set_block(&at, &block, surfaces_hold_block(counted->state, &block));
     for (uint32_t s = 0; s < GN_SAMPLES; ++s)
         passed[s] = counted->state->pipeline->samples.write_disabled >> s & 1u ? 0 : coverage[s];
     shade_samples(counted->state, &at, triangle, passed);

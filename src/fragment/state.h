@@ -5,7 +5,7 @@
 #include "../shaders/vertex.h"
 #include "../texture/sample.h"
 
-#include "combine.h"
+#include "color.h"
 #include "depth.h"
 #include "stencil.h"
 
@@ -24,26 +24,33 @@ static inline void set_more_colors(fragment_state *s, const gn_target *target,
     }
 }
 
-/* Finds what ready-made fragment shaders can be inlined: a colour, with or without a texture. */
-static inline void set_ready_color(fragment_state *s, const gn_pipeline *pipeline)
+/* Finds ready-made fragment shaders that are inlined: a colour, with or without a texture. */
+static inline void set_source(fragment_state *s, const gn_pipeline *pipeline)
 {
     const gn_lit_uniforms *const lit = pipeline->program.uniforms;
     const gn_unlit_uniforms *const unlit = pipeline->program.uniforms;
+    gn_fragment_shader *const shader = pipeline->program.fragment_shader;
 
     s->texture = 0;
     s->sampler = 0;
-    s->has_ready_color = true;
-    if (pipeline->program.fragment_shader == gn_shade_lit_texture) {
+    s->source = SOURCE_SHADER;
+    if (!GN_SPECIALISED || s->is_late || s->color.format == GN_FORMAT_NONE ||
+        pipeline->program.color_count > 1)
+        return;
+    if (shader == gn_shade_lit_texture) {
         s->texture = lit->material.diffuse_map;
         s->sampler = &lit->material.sampler;
-    } else if (pipeline->program.fragment_shader == gn_shade_unlit_texture) {
+    } else if (shader == gn_shade_unlit_texture) {
         s->texture = unlit->map;
         s->sampler = &unlit->sampler;
-    } else {
-        s->has_ready_color = pipeline->program.fragment_shader == gn_shade_color;
+    } else if (shader != gn_shade_color) {
+        return;
     }
     if (s->texture && !is_simple(s->texture, s->sampler))
-        s->has_ready_color = false;
+        return;
+    if (pipeline->program.varying_count < (s->texture ? VARYING_END : VARYING_ALPHA + 1))
+        return;
+    s->source = s->texture ? SOURCE_TEXTURE : SOURCE_COLOR;
 }
 
 static inline void set_shader_inputs(fragment_state *s, const gn_pipeline *pipeline)
@@ -58,18 +65,21 @@ static inline void set_shader_inputs(fragment_state *s, const gn_pipeline *pipel
         s->is_smooth = s->is_smooth && pipeline->program.interpolation[n] == GN_SMOOTH;
 }
 
+/* Resolves the state of a draw. `any` is one of the target's surfaces, which have one size. */
 static inline void set_fragment_state(fragment_state *s, const gn_target *target,
-                                      const gn_pipeline *pipeline,
+                                      const gn_surface *any, const gn_pipeline *pipeline,
                                       const viewport_transform *viewport)
 {
     const gn_format format = target->depth.format;
 
     s->pipeline = pipeline;
+    s->width = any->width;
+    s->height = any->height;
+    s->is_late = pipeline->program.fragment_discards || pipeline->program.fragment_writes_depth;
     set_shader_inputs(s, pipeline);
     s->color = target->color[0];
     s->depth = target->depth;
-    if (GN_SPECIALISED)
-        set_ready_color(s, pipeline);
+    set_source(s, pipeline);
     s->tests_depth = pipeline->depth.test && format_has_depth(format);
     s->tests_stencil = pipeline->stencil.test && format_has_stencil(format);
     if (!s->tests_depth && !s->tests_stencil)

@@ -35,87 +35,50 @@ static inline stencil_state stencil_state_of(const gn_stencil_face *face)
     return s;
 }
 
-/* The depths and stencil values of a square; 0 for what the surface does not have. */
-typedef struct stored_block {
+/* Depths and stencil values of a group; 0 for what the format does not have. */
+typedef struct stored_group {
     lanes_i depth, stencil;
-} stored_block;
+} stored_group;
 
-static inline bool holds_words(const gn_surface *surface, const fragment_place *at)
+GN_INLINE stored_group load_stored(gn_format format, const group_memory *memory, uint32_t coverage)
 {
-    return surface->format == GN_FORMAT_D24S8 && surface_holds_square(surface, at->x, at->y);
+    const lanes_i byte = lanes_i_splat(255);
+    lanes_i word[4];
+    stored_group g;
+
+    load_pixels(format_layout(format), memory, coverage, word);
+    if (format == GN_FORMAT_S8) {
+        g.depth = lanes_i_splat(0);
+        g.stencil = word[0];
+    } else if (format == GN_FORMAT_D32FS8) {
+        g.depth = word[0];
+        g.stencil = lanes_i_and(word[1], byte);
+    } else {
+        g.depth = lanes_i_and(word[0], lanes_i_splat(0xFFFFFF));
+        g.stencil = lanes_i_and(lanes_i_shift_right(word[0], 24), byte);
+    }
+    return g;
 }
 
-GN_OUT_OF_LINE stored_block load_stored(const gn_surface *surface, const fragment_place *at,
-                                        uint32_t coverage)
+GN_INLINE void store_stored(gn_format format, const group_memory *memory, uint32_t coverage,
+                            const stored_group *g)
 {
-    int32_t depth[GN_LANES], stencil[GN_LANES];
-    stored_block b;
+    lanes_i word[4];
 
-    if (holds_words(surface, at)) {
-        const lanes_i words = load_words(SHAPE_SQUARE, &at->depth, surface->row_stride);
-
-        b.depth = lanes_i_and(words, lanes_i_splat(0xFFFFFF));
-        b.stencil = lanes_i_and(lanes_i_shift_right(words, 24), lanes_i_splat(255));
-        return b;
-    }
-    GN_EACH_LANE (l) {
-        const unsigned char *const row = surface_row(surface, (uint32_t)(at->y + l / SQUARE_SIZE));
-        const stored_word *const words = (const stored_word *)(const void *)row;
-        const int32_t x = at->x + l % SQUARE_SIZE;
-
-        depth[l] = 0;
-        stencil[l] = 0;
-        if (!(coverage >> l & 1u))
-            continue;
-        if (surface->format == GN_FORMAT_S8) {
-            stencil[l] = row[x];
-        } else if (surface->format == GN_FORMAT_D32FS8) {
-            depth[l] = words[2 * x];
-            stencil[l] = words[2 * x + 1] & 255;
-        } else {
-            depth[l] = words[x] & 0xFFFFFF;
-            stencil[l] = words[x] >> 24 & 255;
-        }
-    }
-    b.depth = lanes_i_load(depth);
-    b.stencil = lanes_i_load(stencil);
-    return b;
-}
-
-GN_OUT_OF_LINE void store_stored(const gn_surface *surface, const fragment_place *at,
-                                 uint32_t coverage, const stored_block *b)
-{
-    int32_t depth[GN_LANES], stencil[GN_LANES];
-
-    if (holds_words(surface, at)) {
-        store_words(SHAPE_SQUARE, &at->depth, surface->row_stride,
-                    lanes_i_or(b->depth, lanes_i_shift_left(b->stencil, 24)));
-        return;
-    }
-    lanes_i_store(depth, b->depth);
-    lanes_i_store(stencil, b->stencil);
-    GN_EACH_LANE (l) {
-        unsigned char *const row = surface_row(surface, (uint32_t)(at->y + l / SQUARE_SIZE));
-        stored_word *const words = (stored_word *)(void *)row;
-        const int32_t x = at->x + l % SQUARE_SIZE;
-
-        if (!(coverage >> l & 1u))
-            continue;
-        if (surface->format == GN_FORMAT_S8) {
-            row[x] = (unsigned char)stencil[l];
-        } else if (surface->format == GN_FORMAT_D32FS8) {
-            words[2 * x] = depth[l];
-            words[2 * x + 1] = stencil[l];
-        } else {
-            words[x] = (int32_t)((uint32_t)depth[l] | (uint32_t)stencil[l] << 24);
-        }
-    }
+    word[0] = format == GN_FORMAT_S8 ? g->stencil : g->depth;
+    word[1] = g->stencil;
+    if (format == GN_FORMAT_D24S8)
+        word[0] = lanes_i_or(g->depth, lanes_i_shift_left(g->stencil, 24));
+    store_pixels(format_layout(format), memory, coverage, word);
 }
 
 /* Updates the written bits of the stencil of some lanes. */
 static inline lanes_i update_stencil(const stencil_state *state, const stencil_update *u,
                                      uint32_t lanes, lanes_i stencil)
 {
+    if (!lanes || (u->factor == 1 && u->offset == 0))
+        return stencil;
+
     const lanes_i result = lanes_i_clamp(
         lanes_i_add(lanes_i_mul(stencil, lanes_i_splat(u->factor)), lanes_i_splat(u->offset)),
         lanes_i_splat(u->low), lanes_i_splat(u->high));
@@ -125,32 +88,35 @@ static inline lanes_i update_stencil(const stencil_state *state, const stencil_u
     return lanes_i_select(lanes_from_bits(lanes), written, stencil);
 }
 
-/* Tests a square, stencil first, and writes both. Returns the part of coverage that passed. */
-GN_OUT_OF_LINE uint32_t test_stencil(const fragment_state *state, const fragment_place *at,
-                                     bool back, uint32_t coverage, lanes_f depth)
+/* Tests a group against a surface that holds stencil, stencil first, and writes both. Returns the
+ * part of coverage that passed. */
+GN_INLINE uint32_t test_stencil(const fragment_state *state, gn_format format,
+                                const fragment_place *at, bool back, uint32_t coverage,
+                                lanes_f depth)
 {
     const stencil_state *face = &state->stencil[back ? 1 : 0];
-    stored_block b = load_stored(&state->depth, at, coverage);
+    const group_memory memory = memory_of(at, &state->depth, format);
+    stored_group g = load_stored(format, &memory, coverage);
     uint32_t passed = coverage;
     uint32_t both;
 
     if (state->tests_stencil)
         passed &= compare_depth(&face->compare, lanes_i_splat(face->reference),
-                                lanes_i_and(b.stencil, lanes_i_splat(face->compared)));
+                                lanes_i_and(g.stencil, lanes_i_splat(face->compared)));
     both = passed;
     if (state->tests_depth) {
-        const lanes_i incoming = quantize_depth(state->depth.format, depth, false);
+        const lanes_i incoming = quantize_depth(format, depth, false);
 
-        both &= compare_depth(&state->test, incoming, b.depth);
+        both &= compare_depth(&state->test, incoming, g.depth);
         if (state->test.write)
-            b.depth = lanes_i_select(lanes_from_bits(both), incoming, b.depth);
+            g.depth = lanes_i_select(lanes_from_bits(both), incoming, g.depth);
     }
     if (state->tests_stencil) {
-        b.stencil = update_stencil(face, &face->fail, coverage & ~passed, b.stencil);
-        b.stencil = update_stencil(face, &face->depth_fail, passed & ~both, b.stencil);
-        b.stencil = update_stencil(face, &face->pass, both, b.stencil);
+        g.stencil = update_stencil(face, &face->fail, coverage & ~passed, g.stencil);
+        g.stencil = update_stencil(face, &face->depth_fail, passed & ~both, g.stencil);
+        g.stencil = update_stencil(face, &face->pass, both, g.stencil);
     }
-    store_stored(&state->depth, at, coverage, &b);
+    store_stored(format, &memory, coverage, &g);
     return both;
 }
 

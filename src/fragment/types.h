@@ -1,19 +1,18 @@
 /* The fragment stages: from blocks of covered fragments to the surfaces.
  *
- *   runs.h     the functions that coverage calls: one for each common state, one for all others
- *   block.h    a block: tests, interpolation, fragment shader, colour
+ *   steps.h    the functions that coverage calls: steps over batches of blocks and over runs
+ *   group.h    sixteen fragments: tests, interpolation, fragment shader, colour
+ *   shader.h   a call of the fragment shader
  *   planes.h   attributes at fragments
  *   depth.h    depth test and depth write
  *   stencil.h  stencil and depth together
- *   color.h    conversion to the common colour formats, and write
- *   combine.h  colours combined with those of the surface
+ *   color.h    colours in a surface's format: replaced, blended or combined
  *   blend.h    blending
  *   logic.h    logical operations
- *   pixels.h   blocks of pixels of the less common formats
+ *   pixels.h   sixteen pixels of a surface, in words
  *   samples.h  multisampled targets
  *
- * State is resolved once per draw (state.h), into the run_function (raster/types.h) that coverage
- * calls. */
+ * State is resolved once per draw (state.h). */
 #ifndef GN_FRAGMENT_TYPES_H
 #define GN_FRAGMENT_TYPES_H
 
@@ -53,7 +52,7 @@ typedef enum color_use {
 typedef struct color_state {
     color_use use;
     uint32_t written;        /* bits of channels: GN_CHANNEL_RED and so on */
-    int32_t written_bits[2]; /* masks of the words of a pixel (formats/pixel_memory.h) */
+    int32_t written_bits[4]; /* masks of the words of a pixel (formats/pixel_memory.h) */
     bool blends, is_logical; /* at most one */
     blend_rule color, alpha;
     mixing mixes; /* for formats of one channel */
@@ -90,13 +89,22 @@ typedef struct depth_limits {
     float low, high;
 } depth_limits;
 
+/* What computes a fragment's colour. */
+typedef enum fragment_source {
+    SOURCE_SHADER, /* the pipeline's fragment shader */
+    SOURCE_COLOR,  /* varyings 0 to 3: gn_shade_color, inlined */
+    SOURCE_TEXTURE /* and 4 and 5: gn_shade_lit_texture or gn_shade_unlit_texture, inlined */
+} fragment_source;
+
 typedef struct fragment_state {
     const gn_pipeline *pipeline;
+    uint32_t width, height; /* of the surfaces */
     const shading_functions *shading; /* how the pipeline's fragment shader runs */
     bool is_smooth;                   /* all of its varyings are */
     bool asks_inputs;          /* asks for inputs other than varyings, or writes a sample mask */
-    bool has_ready_color;      /* the shader's colour is its first varyings ... */
-    const gn_texture *texture; /* ... times this texture, if not null; not with GN_SMALL */
+    bool is_late;              /* the shader runs before the tests */
+    fragment_source source;    /* SOURCE_SHADER with GN_SMALL */
+    const gn_texture *texture; /* with SOURCE_TEXTURE */
     const gn_sampler *sampler;
     gn_surface color; /* GN_FORMAT_NONE: no colour */
     gn_surface depth; /* GN_FORMAT_NONE: no test */
@@ -113,9 +121,15 @@ typedef struct fragment_state {
     uint32_t more_count; /* the last one is not absent */
 } fragment_state;
 
+/* Whether there are attachments after the first. */
+static inline bool has_more_colors(const fragment_state *state)
+{
+    return GN_HAVE_ATTACHMENTS && state->more_count > 0;
+}
+
 static inline bool has_colors(const fragment_state *state)
 {
-    return state->color.format != GN_FORMAT_NONE || (GN_HAVE_ATTACHMENTS && state->more_count > 0);
+    return state->color.format != GN_FORMAT_NONE || has_more_colors(state);
 }
 
 /* Fragments, or samples, that are covered, and those of them that pass. */
@@ -123,36 +137,29 @@ typedef struct sample_counts {
     uint64_t covered, passed;
 } sample_counts;
 
-/* The context of fragments that are counted. Each task has counts of its own. */
-typedef struct counted_state {
+/* The context of a task's fragments: the draw's state, with one state for each sample if the target
+ * is multisampled, and the task's counts, or null if nobody counts. */
+typedef struct fragment_context {
     const fragment_state *state;
     sample_counts *counts;
-} counted_state;
+} fragment_context;
 
 /* The pixel of lane l. Rows save most of the work if nothing depends on neighbouring rows. Shaders
  * receive blocks, for their derivatives. */
 typedef enum fragment_shape {
-    SHAPE_SQUARE,      /* (x + l % 4, y + l / 4) */
-    SHAPE_INNER_BLOCK, /* as a pixel_block says; wholly on the surfaces, whose formats have 32
-                          bits */
-    SHAPE_ROW          /* (x + l, y); wholly on the surfaces, whose formats have 32 bits */
+    SHAPE_BLOCK, /* as a pixel_block says */
+    SHAPE_ROW    /* (x + l, y); wholly on the surfaces */
 } fragment_shape;
 
-/* Returns whether all of the square at (x, y) lies on a surface, so that it may be loaded and
- * stored whole. Squares hang over the right and the top edge of odd sizes. */
-static inline bool surface_holds_square(const gn_surface *surface, int32_t x, int32_t y)
-{
-    return (uint32_t)x + SQUARE_SIZE <= surface->width &&
-           (uint32_t)y + SQUARE_SIZE <= surface->height;
-}
-
-static inline bool surface_holds_block(const gn_surface *surface, const pixel_block *block)
+/* Returns whether all of a block lies on a surface, so that it may be loaded and stored whole.
+ * Blocks hang over the right and the top edge of odd sizes. */
+static inline bool surfaces_hold_block(const fragment_state *state, const pixel_block *block)
 {
     const int32_t x = block->x[0] > block->x[1] ? block->x[0] : block->x[1];
     const int32_t y = block->y[0] > block->y[1] ? block->y[0] : block->y[1];
 
-    return (uint32_t)x + SQUARE_SIZE <= surface->width &&
-           (uint32_t)y + SQUARE_SIZE / 2 <= surface->height;
+    return (uint32_t)x + SQUARE_SIZE <= state->width &&
+           (uint32_t)y + SQUARE_SIZE / 2 <= state->height;
 }
 
 /* Returns the memory of a pixel on a surface of the given format; null without one. */
@@ -178,16 +185,6 @@ GN_INLINE surface_place row_memory(const gn_surface *surface, gn_format format, 
     return place;
 }
 
-GN_INLINE surface_place square_memory(const gn_surface *surface, gn_format format, int32_t x,
-                                      int32_t y)
-{
-    surface_place place = row_memory(surface, format, x, y);
-
-    if (format != GN_FORMAT_NONE)
-        place.half[1] = place.half[0] + SQUARE_SIZE / 2 * surface->row_stride;
-    return place;
-}
-
 GN_INLINE surface_place block_memory(const gn_surface *surface, gn_format format,
                                      const pixel_block *block)
 {
@@ -195,36 +192,6 @@ GN_INLINE surface_place block_memory(const gn_surface *surface, gn_format format
                                   pixel_memory(surface, format, block->x[1], block->y[1])}};
 
     return place;
-}
-
-/* Loads the 32-bit values of the lanes; rows are `stride` bytes apart. */
-GN_INLINE lanes_i load_words(fragment_shape shape, const surface_place *at, ptrdiff_t stride)
-{
-    return shape == SHAPE_ROW ? lanes_i_load((const stored_word *)(const void *)at->half[0])
-                              : lanes_i_load_block(at->half[0], at->half[1], stride);
-}
-
-GN_INLINE void store_words(fragment_shape shape, const surface_place *at, ptrdiff_t stride,
-                           lanes_i a)
-{
-    if (shape == SHAPE_ROW)
-        lanes_i_store((stored_word *)(void *)at->half[0], a);
-    else
-        lanes_i_store_block(at->half[0], at->half[1], stride, a);
-}
-
-/* Prefetches a block's memory, which is loaded after other work. */
-GN_INLINE void prefetch_words(surface_place at, ptrdiff_t stride)
-{
-#if defined(__GNUC__)
-    for (int half = 0; half < 2; ++half) {
-        __builtin_prefetch(at.half[half], 1);
-        __builtin_prefetch(at.half[half] + stride, 1);
-    }
-#else
-    (void)at;
-    (void)stride;
-#endif
 }
 
 #endif

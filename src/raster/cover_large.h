@@ -3,7 +3,7 @@
 #ifndef GN_RASTER_COVER_LARGE_H
 #define GN_RASTER_COVER_LARGE_H
 
-#include "square.h"
+#include "batch.h"
 
 /* Above every change of an edge function within a square, 3 * (|per_x| + |per_y|), the differences
  * being below 2^25. A value that is clamped to this keeps its sign in all of the square. */
@@ -117,10 +117,10 @@ static inline uint32_t edge_mask(const large_edge edge[3], corner_values c)
 }
 
 /* Covers one row of squares, from the square at (left, y) to the pixel max_x. Only a box needs its
- * left and lower side checked. */
+ * left and lower side checked. `others` is as in add_run. */
 GN_INLINE void cover_row(const pixel_rectangle *target, const large_edge edge[3], int32_t left,
-                         int32_t max_x, int32_t y, raster_triangle triangle, run_function *shade,
-                         const void *context)
+                         int32_t max_x, int32_t y, raster_triangle triangle,
+                         fragment_batch *batch, uint32_t *others)
 {
     corner_values c = values_at(edge, left, y);
     int32_t squares = (max_x - left) / SQUARE_SIZE + 1;
@@ -139,14 +139,14 @@ GN_INLINE void cover_row(const pixel_rectangle *target, const large_edge edge[3]
         if (!is_inside(edge, c)) {
             const uint32_t coverage = overhang & edge_mask(edge, c);
             if (coverage)
-                shade(context, triangle, x, y, 1, coverage);
+                add_partial_square(batch, triangle, x, y, coverage);
         } else if (overhang != GN_ALL_LANES) {
-            shade(context, triangle, x, y, 1, overhang);
+            add_partial_square(batch, triangle, x, y, overhang);
         } else {
             /* The last square of a row may hang over the target. */
             const int32_t whole = (target->max_x + 1 - x) / SQUARE_SIZE;
             skip = count_inside(edge, c, squares < whole ? squares : whole);
-            shade(context, triangle, x, y, (uint32_t)skip, GN_ALL_LANES);
+            add_run(batch, triangle, x, y, (uint32_t)skip, others);
         }
     }
 }
@@ -159,7 +159,7 @@ GN_INLINE void cover_row(const pixel_rectangle *target, const large_edge edge[3]
  * pixels are in the nearest cache. Within a square the triangles keep their order. */
 GN_OUT_OF_LINE void cover_large(const pixel_rectangle *target, const triangle_setup *setup,
                                 const triangle_list *list, uint32_t first, uint32_t end,
-                                run_function *shade, const void *context)
+                                fragment_batch *batch)
 {
     const int32_t *const min_x = list->bounds[BOUNDS_MIN_X];
     const int32_t *const min_y = list->bounds[BOUNDS_MIN_Y];
@@ -168,6 +168,7 @@ GN_OUT_OF_LINE void cover_large(const pixel_rectangle *target, const triangle_se
     large_edge edge[LARGE_TOGETHER][3];
     int32_t bottom = min_y[first];
     int32_t top = max_y[first];
+    uint32_t others = batch->count;
 
     for (uint32_t l = first; l < end; ++l) {
         for (int i = 0; i < 3; ++i)
@@ -179,9 +180,11 @@ GN_OUT_OF_LINE void cover_large(const pixel_rectangle *target, const triangle_se
         for (uint32_t l = first; l < end; ++l) {
             const raster_triangle triangle = {&setup->plane[0][0][l]};
 
+            if (end - first > 1)
+                others = batch->count;
             if (y + SQUARE_SIZE > min_y[l] && y <= max_y[l])
                 cover_row(target, edge[l - first], min_x[l] & ~(SQUARE_SIZE - 1), max_x[l], y,
-                          triangle, shade, context);
+                          triangle, batch, &others);
         }
     }
 }

@@ -3,15 +3,7 @@
 #ifndef GN_RASTER_COVER_PACKED_H
 #define GN_RASTER_COVER_PACKED_H
 
-#include "square.h"
-
-/* Halves that are shaded together. */
-#define HALVES_IN_BATCH 64
-
-typedef struct half_batch {
-    uint32_t count;
-    packed_block block[HALVES_IN_BATCH / 2];
-} half_batch;
+#include "batch.h"
 
 /* Up to eight halves side by side: their coverage is one byte each, the first in the lowest byte.
  */
@@ -30,15 +22,13 @@ static inline uint32_t count_covered(uint64_t halves)
     return (uint32_t)(halves * EVERY_HALF(1) >> 56);
 }
 
-/* Adds the covered halves among those of `size` squares from (x, y) on. They are stored without a
- * branch on their coverage, which processors cannot predict. If the outer quads on both sides are
+/* Adds the covered halves among those of `size` squares from (x, y) on to a batch that holds
+ * `count` halves; returns how many it holds then. They are stored without a branch on their coverage, which processors cannot predict. If the outer quads on both sides are
  * empty, the halves may be laid from two columns further on: they stay on these squares, and none
  * overlaps another row's. This is done if it leaves fewer halves. */
-static inline void add_halves(half_batch *batch, uint64_t halves, uint32_t size, int32_t x,
-                              int32_t y)
+static inline uint32_t add_halves(fragment_batch *batch, raster_triangle triangle, uint32_t count,
+                                  uint64_t halves, uint32_t size, int32_t x, int32_t y)
 {
-    uint32_t count = batch->count;
-
     if (!(halves & LEFT_QUAD) && !(halves >> 8 * (size - 1) & RIGHT_QUAD)) {
         const uint64_t moved =
             (halves >> 2 & EVERY_HALF(LEFT_QUAD)) | (halves >> 6 & EVERY_HALF(RIGHT_QUAD));
@@ -49,32 +39,31 @@ static inline void add_halves(half_batch *batch, uint64_t halves, uint32_t size,
         }
     }
     for (uint32_t i = 0; i < size; ++i) {
-        packed_block *const block = &batch->block[count / 2];
+        covered_block *const block = &batch->block[count / 2];
         const uint32_t covered = (uint32_t)(halves >> 8 * i) & HALF_COVERED;
 
+        block->triangle = triangle;
         block->at.x[count % 2] = x + (int32_t)i * SQUARE_SIZE;
         block->at.y[count % 2] = y;
         block->covered[count % 2] = covered;
         count += covered != 0;
     }
-    batch->count = count;
+    return count;
 }
 
-/* Shades the batch. A half that is left over is paired with an empty half beside it, in the square
- * at a multiple of four rows; all rows of that square are in the strip (place_squares). */
-static inline void shade_batch(half_batch *batch, raster_triangle triangle, pack_function *shade,
-                               const void *context)
+/* Makes blocks of the batch's first `count` halves. A half that is left over is paired with an
+ * empty half beside it, in the square at a multiple of four rows; all rows of that square are in
+ * the strip (place_squares). */
+static inline void finish_halves(fragment_batch *batch, uint32_t count)
 {
-    packed_block *const last = &batch->block[batch->count / 2];
+    covered_block *const last = &batch->block[count / 2];
 
-    if (batch->count % 2) {
+    if (count % 2) {
         last->at.x[1] = last->at.x[0];
         last->at.y[1] = last->at.y[0] ^ (SQUARE_SIZE / 2);
         last->covered[1] = 0;
     }
-    if (batch->count)
-        shade(context, triangle, batch->block, (batch->count + 1) / 2);
-    batch->count = 0;
+    batch->count = (count + 1) / 2;
 }
 
 /* The edge functions of a small triangle. */
@@ -117,8 +106,7 @@ static inline uint32_t lanes_met(const small_edges *e, int32_t number, const lan
 /* Covers a triangle below PACKED_EXTENT. Pixels outside the triangle's bounds are outside an edge
  * too, so only what hangs over the strip is masked. */
 GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_setup *setup,
-                                 const triangle_list *list, uint32_t lane, pack_function *shade,
-                                 const void *context)
+                                 const triangle_list *list, uint32_t lane, fragment_batch *batch)
 {
     const raster_triangle triangle = {&setup->plane[0][0][lane]};
     const int32_t left = setup->origin[0][lane];
@@ -127,9 +115,8 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_s
     const square_span columns = squares_inside(target->min_x, target->max_x);
     const square_span rows = squares_inside(target->min_y, target->max_y);
     small_edges edges;
-    half_batch batch;
+    uint32_t count = 2 * batch->count; /* halves */
 
-    batch.count = 0;
     for (int i = 0; i < 3; ++i)
         set_small_edge(&edges, setup, i, lane);
     for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += SQUARE_SIZE) {
@@ -156,16 +143,19 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_s
                     lower |= (uint64_t)(coverage & HALF_COVERED) << 8 * i;
                     upper |= (uint64_t)(coverage >> HALF_LANES) << 8 * i;
                 }
-                if (batch.count > HALVES_IN_BATCH - 1 - 2 * HALVES_TOGETHER)
-                    shade_batch(&batch, triangle, shade, context);
-                add_halves(&batch, lower, size, x, y);
-                add_halves(&batch, upper, size, x, y + SQUARE_SIZE / 2);
+                if (count > 2 * BATCH_BLOCKS - 1 - 2 * HALVES_TOGETHER) {
+                    finish_halves(batch, count);
+                    shade_batch(batch);
+                    count = 0;
+                }
+                count = add_halves(batch, triangle, count, lower, size, x, y);
+                count = add_halves(batch, triangle, count, upper, size, x, y + SQUARE_SIZE / 2);
             }
         }
         for (int i = 0; i < 3; ++i)
             edges.start[i] += edges.across[i];
     }
-    shade_batch(&batch, triangle, shade, context);
+    finish_halves(batch, count);
 }
 
 #endif

@@ -6,10 +6,11 @@
 
 /* Covers a point: all of its bounds. */
 static inline void cover_point(const triangle_setup *setup, const triangle_list *list,
-                               uint32_t lane, run_function *shade, const void *context)
+                               uint32_t lane, fragment_batch *batch)
 {
     const raster_triangle triangle = {&setup->plane[0][0][lane]};
     const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
+    uint32_t others = batch->count;
 
     for (int32_t y = box.min_y & ~(SQUARE_SIZE - 1); y <= box.max_y; y += SQUARE_SIZE) {
         int32_t squares = 1;
@@ -19,24 +20,28 @@ static inline void cover_point(const triangle_setup *setup, const triangle_list 
             const uint32_t coverage = square_mask(&box, x, y);
 
             squares = coverage == GN_ALL_LANES ? (box.max_x + 1 - x) / SQUARE_SIZE : 1;
-            shade(context, triangle, x, y, (uint32_t)squares, coverage);
+            if (coverage == GN_ALL_LANES)
+                add_run(batch, triangle, x, y, (uint32_t)squares, &others);
+            else
+                add_partial_square(batch, triangle, x, y, coverage);
         }
     }
 }
 
 /* Covers a line: the part of its bounds between its two long edges. */
 static inline void cover_line(const triangle_setup *setup, const triangle_list *list, uint32_t lane,
-                              run_function *shade, const void *context)
+                              fragment_batch *batch)
 {
     const raster_triangle triangle = {&setup->plane[0][0][lane]};
     const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
     const int32_t left = box.min_x & ~(SQUARE_SIZE - 1);
+    uint32_t others = batch->count;
     large_edge edge[3];
 
     for (int i = 0; i < 3; ++i)
         set_large_edge(&edge[i], setup, i, lane);
     for (int32_t y = box.min_y & ~(SQUARE_SIZE - 1); y <= box.max_y; y += SQUARE_SIZE)
-        cover_row(&box, edge, left, box.max_x, y, triangle, shade, context);
+        cover_row(&box, edge, left, box.max_x, y, triangle, batch, &others);
 }
 
 #endif

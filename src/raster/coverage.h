@@ -6,28 +6,31 @@
 #include "cover_packed.h"
 #include "cover_small.h"
 
-/* Calls `shade` for every run of squares, or for every packed block, of the triangles in a list.
- * Each triangle is covered from the bottom up; every pixel sees the triangles in order. */
+/* Shades the triangles of a list. Each triangle is covered from the bottom up; every pixel sees the
+ * triangles in order. */
 static inline void cover_triangles(const pixel_rectangle *target, const triangle_setup *setup,
-                                   const triangle_list *list, const block_functions *shade,
+                                   const triangle_list *list, const fragment_functions *shade,
                                    const void *context)
 {
-    const bool packs = GN_SPECIALISED && shade->packed;
+    const bool packs = GN_SPECIALISED && shade->packs;
     const uint32_t large = packs ? setup->unpacked : setup->large;
+    fragment_batch batch;
 
+    start_batch(&batch, shade, context);
     for (uint32_t l = 0, end; l < list->count; l = end) {
         end = l + 1;
         if (!(large >> l & 1u)) {
             if (packs)
-                cover_packed(target, setup, list, l, shade->packed, context);
+                cover_packed(target, setup, list, l, &batch);
             else
-                cover_small(target, setup, list, l, shade->squares, context);
+                cover_small(target, setup, list, l, &batch);
             continue;
         }
         while (end < list->count && end - l < LARGE_TOGETHER && (large >> end & 1u))
             ++end;
-        cover_large(target, setup, list, l, end, shade->squares, context);
+        cover_large(target, setup, list, l, end, &batch);
     }
+    shade_batch(&batch);
 }
 
 #endif

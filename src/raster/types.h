@@ -194,29 +194,11 @@ static inline bool triangle_is(raster_triangle t, int32_t flag)
     return (*flags & flag) != 0;
 }
 
-/* A function that is called for a run: `count` neighbouring squares in a row, the first at (x, y),
- * both even. Bit l of coverage is lane l and holds for every square. If count is above 1, all
- * pixels are covered. */
-typedef void run_function(const void *context, raster_triangle triangle, int32_t x, int32_t y,
-                          uint32_t count, uint32_t coverage);
-
-/* A block and its covered pixels: bit l of half h is lane l + 8 * h. */
-typedef struct packed_block {
+/* A block of a triangle and its covered pixels: bit l of half h is lane l + 8 * h. */
+typedef struct covered_block {
+    raster_triangle triangle;
     pixel_block at;
     uint32_t covered[2];
-} packed_block;
-
-/* A function that is called for blocks of a triangle. No pixel is in two of them, or in both halves
- * of one. */
-typedef void pack_function(const void *context, raster_triangle triangle,
-                           const packed_block *blocks, uint32_t count);
-
-/* Where coverage hands a triangle's fragments to: runs of squares go to `squares`; small triangles
- * go to `packed`, if that is not null. Packing takes time, which it saves if fragments need a call
- * of a shader. */
-typedef struct block_functions {
-    run_function *squares;
-    pack_function *packed;
-} block_functions;
+} covered_block;
 
 #endif

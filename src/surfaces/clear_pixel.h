@@ -7,9 +7,9 @@
 
 /* A pixel's bytes as they lie in memory. */
 typedef union clear_pixel_memory {
-    unsigned char byte[8];
-    uint16_t half[4];
-    uint32_t word[2];
+    unsigned char byte[16];
+    uint16_t half[8];
+    uint32_t word[4];
 } clear_pixel_memory;
 
 typedef struct clear_pixel {
@@ -23,7 +23,7 @@ static inline void encode_clear(gn_format format, const float c[4], uint32_t wor
 {
     const format_fields fields = format_fields_of(format);
     lanes_f color[4];
-    lanes_i encoded[2];
+    lanes_i encoded[4];
     int32_t first[GN_LANES], second[GN_LANES];
 
     if (format_encoding_of(format) == ENCODING_UNORM && field_width(fields, 0) != 8) {
@@ -50,8 +50,9 @@ static inline void set_clear_pixel(clear_pixel *pixel, gn_format format, const f
     uint32_t word[2] = {0, 0};
 
     encode_clear(format, c, word);
+    const int32_t words[4] = {(int32_t)word[0], (int32_t)word[1], 0, 0};
     pixel->size = format_size(format);
-    store_pixel(pixel->memory.byte, 0, format_layout(format), (int32_t)word[0], (int32_t)word[1]);
+    store_pixel(pixel->memory.byte, 0, format_layout(format), words);
 }
 
 /* Bytes after which the pattern of every pixel size repeats in whole words. */

@@ -74,7 +74,7 @@ static inline void load_texel_words(const texel_layout *layout, const lanes_i *c
                                     int count, lanes_i word[4])
 {
     const unsigned char *line[GN_LANES];
-    int32_t x[GN_LANES], texel[GN_LANES], loaded[2];
+    int32_t x[GN_LANES], texel[GN_LANES], loaded[4];
 
     lanes_i_store(x, *column);
     find_rows(layout, row, layer, line);
@@ -98,7 +98,7 @@ static inline void load_small_texels(const texel_layout *layout, const lanes_i *
     lanes_i_store(x, *column);
     find_rows(layout, row, layer, line);
     GN_EACH_LANE (l) {
-        int32_t loaded[2] = {0, 0};
+        int32_t loaded[4] = {0, 0, 0, 0};
 
         load_pixel(line[l], x[l], pixels, loaded);
         texel[0][l] = loaded[0];
