@@ -122,7 +122,7 @@ static inline void set_draw_state(draw_state *draw, const draw_job *job)
         draw->viewport.sampled = true;
         draw->cull.reach = SAMPLE_REACH;
         draw->cull.box.reach = SAMPLE_REACH;
-        for (uint32_t s = 1; s < SAMPLE_STATES; ++s) {
+        for (uint32_t s = 0; s < SAMPLE_STATES; ++s) {
             set_sample_state(draw, s);
             view_sample(&draw->fragment[s], s);
         }

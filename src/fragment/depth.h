@@ -91,7 +91,7 @@ GN_INLINE uint32_t test_depth(const depth_state *state, const gn_surface *surfac
                               bool in_range)
 {
     const pixel_layout layout = format == GN_FORMAT_D16 ? GN_LAYOUT(2, 2) : GN_LAYOUT(4, 4);
-    const group_memory memory = memory_of(at, surface, format);
+    const block_pixels memory = memory_of(at, surface, format);
     lanes_i incoming[4], stored[4];
 
     incoming[0] = quantize_depth(format, depth, in_range);

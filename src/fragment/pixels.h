@@ -7,18 +7,18 @@
 
 /* The pixels of a group on one surface, whose rows are `stride` bytes apart. Where `whole`, all of
  * them lie on the surface; otherwise only covered ones are accessed. */
-typedef struct group_memory {
+typedef struct block_pixels {
     fragment_shape shape;
     bool whole;
     surface_place at;
     ptrdiff_t stride;
-} group_memory;
+} block_pixels;
 
 /* Returns the memory of a group on a surface of the given format. */
-GN_INLINE group_memory memory_of(const fragment_place *at, const gn_surface *surface,
+GN_INLINE block_pixels memory_of(const fragment_place *at, const gn_surface *surface,
                                  gn_format format)
 {
-    group_memory m;
+    block_pixels m;
 
     m.shape = at->shape;
     m.whole = at->whole;
@@ -33,20 +33,20 @@ GN_INLINE group_memory memory_of(const fragment_place *at, const gn_surface *sur
 #define PIXELS_TOGETHER(shape) ((shape) == SHAPE_ROW ? GN_LANES : SQUARE_SIZE)
 
 /* Returns the memory of lane `first`, a multiple of PIXELS_TOGETHER. */
-GN_INLINE unsigned char *lane_memory(const group_memory *m, int first)
+GN_INLINE unsigned char *lane_memory(const block_pixels *m, int first)
 {
     return m->at.half[first / HALF_LANES] + first / SQUARE_SIZE % 2 * m->stride;
 }
 
 /* Loads the words of a layout whose pixels are words. */
-GN_INLINE lanes_i load_words(const group_memory *m)
+GN_INLINE lanes_i load_words(const block_pixels *m)
 {
     return m->shape == SHAPE_ROW
                ? lanes_i_load((const stored_word *)(const void *)m->at.half[0])
                : lanes_i_load_block(m->at.half[0], m->at.half[1], m->stride);
 }
 
-GN_INLINE void store_words(const group_memory *m, lanes_i a)
+GN_INLINE void store_words(const block_pixels *m, lanes_i a)
 {
     if (m->shape == SHAPE_ROW)
         lanes_i_store((stored_word *)(void *)m->at.half[0], a);
@@ -63,7 +63,7 @@ GN_INLINE int layout_words(pixel_layout layout)
 }
 
 /* Loads a whole group. Compilers turn the inner loops into loads of vectors. */
-GN_INLINE void load_whole(pixel_layout layout, const group_memory *m, lanes_i word[4])
+GN_INLINE void load_whole(pixel_layout layout, const block_pixels *m, lanes_i word[4])
 {
     const int together = PIXELS_TOGETHER(m->shape);
     int32_t loaded[4][GN_LANES];
@@ -83,7 +83,7 @@ GN_INLINE void load_whole(pixel_layout layout, const group_memory *m, lanes_i wo
         word[i] = lanes_i_load(loaded[i]);
 }
 
-GN_INLINE void store_whole(pixel_layout layout, const group_memory *m, const lanes_i word[4])
+GN_INLINE void store_whole(pixel_layout layout, const block_pixels *m, const lanes_i word[4])
 {
     const int together = PIXELS_TOGETHER(m->shape);
     int32_t stored[4][GN_LANES];
@@ -104,7 +104,7 @@ GN_INLINE void store_whole(pixel_layout layout, const group_memory *m, const lan
 }
 
 /* Loads the covered pixels of a block; other lanes are 0. */
-GN_OUT_OF_LINE void load_covered(pixel_layout layout, const group_memory *m, uint32_t coverage,
+GN_OUT_OF_LINE void load_covered(pixel_layout layout, const block_pixels *m, uint32_t coverage,
                                  lanes_i word[4])
 {
     int32_t loaded[4][GN_LANES];
@@ -122,7 +122,7 @@ GN_OUT_OF_LINE void load_covered(pixel_layout layout, const group_memory *m, uin
 }
 
 /* Stores the covered pixels of a block. */
-GN_OUT_OF_LINE void store_covered(pixel_layout layout, const group_memory *m, uint32_t coverage,
+GN_OUT_OF_LINE void store_covered(pixel_layout layout, const block_pixels *m, uint32_t coverage,
                                   const lanes_i word[4])
 {
     int32_t stored[4][GN_LANES];
@@ -166,7 +166,7 @@ GN_OUT_OF_LINE void store_covered(pixel_layout layout, const group_memory *m, ui
     }
 
 /* Loads the pixels of a group: all of them, or the covered ones if the group hangs over. */
-GN_INLINE void load_pixels(pixel_layout layout, const group_memory *m, uint32_t coverage,
+GN_INLINE void load_pixels(pixel_layout layout, const block_pixels *m, uint32_t coverage,
                            lanes_i word[4])
 {
 #define LOAD(constant) load_whole(constant, m, word)
@@ -180,7 +180,7 @@ GN_INLINE void load_pixels(pixel_layout layout, const group_memory *m, uint32_t 
 }
 
 /* Stores the pixels of a group: all of them, or the covered ones if the group hangs over. */
-GN_INLINE void store_pixels(pixel_layout layout, const group_memory *m, uint32_t coverage,
+GN_INLINE void store_pixels(pixel_layout layout, const block_pixels *m, uint32_t coverage,
                             const lanes_i word[4])
 {
 #define STORE(constant) store_whole(constant, m, word)

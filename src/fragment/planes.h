@@ -4,25 +4,14 @@
 
 #include "types.h"
 
-/* Returns the plane's value in every lane of the square at (x, y): per_y * y + (per_x * x +
- * origin), in this order. */
-GN_INLINE lanes_f plane_in_block(attribute_plane plane, float x, float y)
-{
-    return lanes_add(lanes_rows(plane.per_y, y), lanes_columns(plane.per_x, x, plane.origin));
-}
-
 /* Coordinates of a block's fragments, at which planes are evaluated one after the other. */
 typedef struct block_places {
     lanes_f x, y;
 } block_places;
 
-GN_INLINE void set_places_in_block(block_places *at, float x, float y)
-{
-    at->x = lanes_columns(1.0f, x, 0.0f);
-    at->y = lanes_rows(1.0f, y);
-}
-
-GN_INLINE void set_places(block_places *at, const pixel_block *block)
+/* Sets places in a block's pixels, each `inside` from its pixel's lower left corner, or from its
+ * centre if a target is not multisampled. */
+GN_INLINE void set_places(block_places *at, const pixel_block *block, const float inside[2])
 {
     static const int32_t column[GN_LANES] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
     static const int32_t row[GN_LANES] = {0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1};
@@ -31,9 +20,13 @@ GN_INLINE void set_places(block_places *at, const pixel_block *block)
         lanes_to_float(lanes_i_add(lanes_i_halves(block->x[0], block->x[1]), lanes_i_load(column)));
     at->y =
         lanes_to_float(lanes_i_add(lanes_i_halves(block->y[0], block->y[1]), lanes_i_load(row)));
+    if (GN_HAVE_SAMPLES && inside) {
+        at->x = lanes_add(at->x, lanes_splat(inside[0]));
+        at->y = lanes_add(at->y, lanes_splat(inside[1]));
+    }
 }
 
-/* Returns the value that plane_in_block returns, at any places. */
+/* Returns the plane's value in every lane: per_y * y + (per_x * x + origin), in this order. */
 GN_INLINE lanes_f plane_at(attribute_plane plane, const block_places *at)
 {
     return lanes_add(
@@ -69,7 +62,7 @@ GN_INLINE lanes_f columns_from(attribute_plane plane, int32_t x)
     return lanes_add(lanes_mul(lanes_splat(plane.per_x), column), lanes_splat(plane.origin));
 }
 
-/* Where a group is: sixteen fragments, one a lane. */
+/* Where a block is: sixteen fragments, one a lane. */
 typedef struct fragment_place {
     fragment_shape shape;
     bool whole;         /* all of it lies on the surfaces; true for a row */
@@ -82,13 +75,13 @@ typedef struct fragment_place {
     const lanes_f *w; /* w at y, if it is the same in every column */
 } fragment_place;
 
-/* Sets the place of a block. */
+/* Sets the place of a block of two halves. */
 GN_INLINE void set_block(fragment_place *at, const pixel_block *block, bool whole)
 {
-    at->shape = SHAPE_BLOCK;
+    at->shape = SHAPE_HALVES;
     at->whole = whole;
     at->block = *block;
-    set_places(&at->places, block);
+    set_places(&at->places, block, 0);
     at->columns = 0;
     at->row = 0;
     at->w = 0;

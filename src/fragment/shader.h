@@ -133,13 +133,20 @@ GN_INLINE lanes_f w_at(const fragment_place *at, raster_triangle triangle)
     return lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
 }
 
+/* Returns how many colours a shader writes. */
+static inline uint32_t shader_colors(const fragment_state *state)
+{
+    const uint32_t count = state->pipeline->program.color_count;
+
+    return GN_HAVE_ATTACHMENTS && count > 1 ? count : 1;
+}
+
 /* Sets to 0 the colours that a shader may leave unwritten. A ready-made shader writes all of the
  * first colour. It is recognised by its function: the back end runs a form of its own. */
 static inline void set_color_defaults(const fragment_state *state, float (*color)[GN_LANES])
 {
     const gn_pipeline *const p = state->pipeline;
-    const uint32_t count =
-        GN_HAVE_ATTACHMENTS && p->program.color_count > 1 ? p->program.color_count : 1;
+    const uint32_t count = shader_colors(state);
     const bool is_ready_made = state->shading->fragment_shader != p->program.fragment_shader;
 
     for (uint32_t n = is_ready_made ? 4 : 0; n < 4 * count; ++n)

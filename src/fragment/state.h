@@ -5,7 +5,7 @@
 #include "../shaders/vertex.h"
 #include "../texture/sample.h"
 
-#include "color.h"
+#include "output.h"
 #include "depth.h"
 #include "stencil.h"
 
@@ -75,6 +75,10 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     s->pipeline = pipeline;
     s->width = any->width;
     s->height = any->height;
+    for (int i = 0; i < 2; ++i) {
+        s->test_at[i] = 0.0f;
+        s->shade_at[i] = 0.0f;
+    }
     s->is_late = pipeline->program.fragment_discards || pipeline->program.fragment_writes_depth;
     set_shader_inputs(s, pipeline);
     s->color = target->color[0];
@@ -95,8 +99,11 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     if (GN_HAVE_COMBINING)
         set_color_state(&s->combine, pipeline, 0, s->color.format);
     s->more_count = 0;
+    s->combines = combines(&s->combine, s->color.format);
     if (GN_HAVE_ATTACHMENTS)
         set_more_colors(s, target, pipeline);
+    for (uint32_t a = 0; GN_HAVE_ATTACHMENTS && a < s->more_count; ++a)
+        s->combines = s->combines || combines(&s->more[a].combine, s->more[a].surface.format);
     s->limits = depth_limits_of(pipeline, viewport);
     s->clamps_depth = s->tests_depth && (s->limits.low != 0.0f || s->limits.high != 1.0f);
 }

@@ -36,15 +36,15 @@ static inline stencil_state stencil_state_of(const gn_stencil_face *face)
 }
 
 /* Depths and stencil values of a group; 0 for what the format does not have. */
-typedef struct stored_group {
+typedef struct stored_block {
     lanes_i depth, stencil;
-} stored_group;
+} stored_block;
 
-GN_INLINE stored_group load_stored(gn_format format, const group_memory *memory, uint32_t coverage)
+GN_INLINE stored_block load_stored(gn_format format, const block_pixels *memory, uint32_t coverage)
 {
     const lanes_i byte = lanes_i_splat(255);
     lanes_i word[4];
-    stored_group g;
+    stored_block g;
 
     load_pixels(format_layout(format), memory, coverage, word);
     if (format == GN_FORMAT_S8) {
@@ -60,8 +60,8 @@ GN_INLINE stored_group load_stored(gn_format format, const group_memory *memory,
     return g;
 }
 
-GN_INLINE void store_stored(gn_format format, const group_memory *memory, uint32_t coverage,
-                            const stored_group *g)
+GN_INLINE void store_stored(gn_format format, const block_pixels *memory, uint32_t coverage,
+                            const stored_block *g)
 {
     lanes_i word[4];
 
@@ -95,8 +95,8 @@ GN_INLINE uint32_t test_stencil(const fragment_state *state, gn_format format,
                                 lanes_f depth)
 {
     const stencil_state *face = &state->stencil[back ? 1 : 0];
-    const group_memory memory = memory_of(at, &state->depth, format);
-    stored_group g = load_stored(format, &memory, coverage);
+    const block_pixels memory = memory_of(at, &state->depth, format);
+    stored_block g = load_stored(format, &memory, coverage);
     uint32_t passed = coverage;
     uint32_t both;
 

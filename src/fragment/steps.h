@@ -1,147 +1,129 @@
-/* The functions that coverage calls. A state is drawn in steps, each a loop over a batch of blocks or
- * over a run: first the tests of all groups, then the colours of those that passed. A step is
- * compiled for classes of states. Frequent states have both steps in one loop (GN_FUSED_STATES). */
+/* The functions that coverage calls. A state is drawn in steps (batch.h); frequent states have all
+ * steps in one loop (fused.h). */
 #ifndef GN_FRAGMENT_STEPS_H
 #define GN_FRAGMENT_STEPS_H
 
-#include "../raster/batch.h"
-#include "group.h"
+#include "fused.h"
+#include "test.h"
 
-GN_INLINE uint32_t covered_lanes(const covered_block *block)
+/* Adds to the counts what a batch covers, and later what passed. */
+static inline uint32_t count_batch(const block_batch *b)
 {
-    return block->covered[0] | block->covered[1] << HALF_LANES;
+    uint32_t count = 0;
+
+    for (uint32_t n = 0; n < b->count; ++n)
+        count += count_lanes(b->coverage[n]);
+    return count;
 }
 
-/* Prefetches the depths that a block's fragments are tested against, or the colours that they are
- * written over. */
-GN_INLINE void prefetch_block(const gn_surface *surface, gn_format format, const pixel_block *block)
+/* Removes blocks of which nothing passed. */
+static inline void compact_halves(covered_block *blocks, block_batch *b)
 {
-    if (format != GN_FORMAT_NONE)
-        prefetch_words(block_memory(surface, format, block), surface->row_stride);
+    uint32_t kept = 0;
+
+    for (uint32_t n = 0; n < b->count; ++n) {
+        blocks[kept] = blocks[n];
+        b->coverage[kept] = b->coverage[n];
+        kept += b->coverage[n] != 0;
+    }
+    b->count = kept;
 }
 
-GN_INLINE void prefetch_for(const fragment_state *state, fragment_kind kind,
-                            const pixel_block *block)
+static inline void compact_rows(block_batch *b)
 {
-    if (!surfaces_hold_block(state, block))
+    uint32_t kept = 0;
+
+    for (uint32_t n = 0; n < b->count; ++n) {
+        b->column[kept] = b->column[n];
+        b->row[kept] = b->row[n];
+        b->coverage[kept] = b->coverage[n];
+        kept += b->coverage[n] != 0;
+    }
+    b->count = kept;
+}
+
+/* Writes a batch's colours to all attachments. */
+static inline void output_colors(const fragment_state *state, block_batch *b)
+{
+    const uint32_t count = shader_colors(state);
+
+    if (GN_SPECIALISED && state->source != SOURCE_SHADER) {
+        output_batch(state, &state->combine, &state->color, b);
         return;
-    prefetch_block(&state->color, kind.color_format, block);
-    prefetch_block(&state->depth, kind.depth_format, block);
+    }
+    for (uint32_t a = 0; a < count; ++a) {
+        const gn_surface *const surface = a > 0 ? &state->more[a - 1].surface : &state->color;
+
+        if (surface->format == GN_FORMAT_NONE)
+            continue;
+        encode_batch(surface->format, a, count, b);
+        output_batch(state, a > 0 ? &state->more[a - 1].combine : &state->combine, surface, b);
+    }
 }
 
-/* Any state that has no steps of its own: block by block. */
-GN_OUT_OF_LINE uint32_t shade_any_block(const fragment_state *state, const covered_block *block)
+/* Takes a batch through the steps. `blocks` are the batch's if it is of halves; otherwise null. */
+static inline void take_steps(const fragment_context *c, covered_block *blocks, block_batch *b)
 {
-    fragment_place at;
+    const fragment_state *const state = c->state;
 
-    set_block(&at, &block->at, surfaces_hold_block(state, &block->at));
-    return shade_group(state, any_kind(state), &at, block->triangle, covered_lanes(block));
+    if (GN_HAVE_STATISTICS && c->counts)
+        c->counts->covered += count_batch(b);
+    if (state->is_late)
+        source_batch(state, b);
+    if (state->depth.format != GN_FORMAT_NONE)
+        test_batch(state, b);
+    if (c->counts)
+        c->counts->passed += count_batch(b);
+    if (!state->is_late) {
+        if (blocks)
+            compact_halves(blocks, b);
+        else
+            compact_rows(b);
+        if (b->count == 0 || !has_colors(state))
+            return;
+        source_batch(state, b);
+    }
+    if (has_colors(state))
+        output_colors(state, b);
 }
 
-static void any_blocks(const void *context, covered_block *blocks, uint32_t count)
+/* Returns how many of `count` blocks may take the steps together. If colours depend on stored ones,
+ * blocks of different triangles may not: a pixel of both must be stored before it is loaded. */
+static inline uint32_t blocks_together(const fragment_state *state, const covered_block *blocks,
+                                       uint32_t count)
+{
+    const uint32_t most = STEP_BLOCKS / shader_colors(state) > 0 ? STEP_BLOCKS / shader_colors(state) : 1;
+    uint32_t together = 1;
+
+    while (together < count && together < most &&
+           (!state->combines || blocks[together].triangle.planes == blocks->triangle.planes))
+        ++together;
+    return together;
+}
+
+/* Shades blocks of any state: a blocks_function. */
+static void step_blocks(const void *context, covered_block *blocks, uint32_t count)
 {
     const fragment_context *const c = (const fragment_context *)context;
+    block_batch b;
 
-    for (uint32_t i = 0; i < count; ++i) {
-        const uint32_t passed = shade_any_block(c->state, &blocks[i]);
+    b.shape = SHAPE_HALVES;
+    for (uint32_t done = 0; done < count; done += b.count) {
+        covered_block *const first = blocks + done;
+        const uint32_t together = blocks_together(c->state, first, count - done);
 
-        if (c->counts) {
-            if (GN_HAVE_STATISTICS)
-                c->counts->covered += count_lanes(covered_lanes(&blocks[i]));
-            c->counts->passed += count_lanes(passed);
-        }
+        b.count = together;
+        b.blocks = first;
+        for (uint32_t n = 0; n < b.count; ++n)
+            b.coverage[n] = covered_lanes(&first[n]);
+        take_steps(c, first, &b);
+        b.count = together;
     }
 }
-
-/* Shades whole blocks of a known kind. Blocks that hang over the surfaces' edge are left to the
- * function for any state, so that the code for all others has no calls. */
-GN_INLINE void fused_blocks(const fragment_state *state, fragment_kind kind,
-                            const covered_block *blocks, uint32_t count)
-{
-    fragment_place at;
-
-    prefetch_for(state, kind, &blocks[0].at);
-    for (uint32_t i = 0; i < count; ++i) {
-        const covered_block *const block = &blocks[i];
-
-        if (i + 1 < count)
-            prefetch_for(state, kind, &blocks[i + 1].at);
-        if (!surfaces_hold_block(state, &block->at)) {
-            shade_any_block(state, block);
-            continue;
-        }
-        set_block(&at, &block->at, true);
-        const uint32_t coverage =
-            test_group(state, kind, &at, block->triangle, covered_lanes(block),
-                       depth_of_group(state, kind, &at, block->triangle));
-        if (coverage && kind.color_format != GN_FORMAT_NONE)
-            color_group(state, kind, &at, block->triangle, coverage);
-    }
-}
-
-/* The attributes that the library interpolates for a kind of fragments: from first_attribute up to,
- * but not including, end_attribute. */
-GN_INLINE uint32_t first_attribute(fragment_kind kind)
-{
-    return kind.depth_format != GN_FORMAT_NONE ? DEPTH_PLANE : ONE_OVER_W_PLANE;
-}
-
-GN_INLINE uint32_t end_attribute(fragment_kind kind)
-{
-    if (kind.color_format == GN_FORMAT_NONE)
-        return ONE_OVER_W_PLANE;
-    return VARYING_PLANES + (kind.source == SOURCE_TEXTURE ? VARYING_END : VARYING_S);
-}
-
-/* Shades covered squares in rows of 16 pixels; `count` is a multiple of SQUARES_IN_ROW. Returns how
- * many fragments passed. */
-GN_INLINE uint32_t shade_rows(const fragment_state *state, fragment_kind kind,
-                              raster_triangle triangle, int32_t x, int32_t y, uint32_t count)
-{
-    const int32_t end = x + (int32_t)count * SQUARE_SIZE;
-    column_terms columns;
-    row_terms rows;
-    lanes_f w[SQUARE_SIZE];
-    fragment_place at;
-    uint32_t passed = 0;
-
-    for (uint32_t n = first_attribute(kind); n < end_attribute(kind); ++n)
-        set_row_terms(&rows, n, triangle_plane(triangle, n), y);
-    at.shape = SHAPE_ROW;
-    at.whole = true;
-    at.columns = &columns;
-    if (kind.level) {
-        columns.value[ONE_OVER_W_PLANE] =
-            columns_from(triangle_plane(triangle, ONE_OVER_W_PLANE), x);
-        for (int32_t row = 0; row < SQUARE_SIZE; ++row) {
-            at.row = rows.value[row];
-            w[row] = w_at(&at, triangle);
-        }
-    }
-    for (at.block.x[0] = x; at.block.x[0] < end; at.block.x[0] += GN_LANES) {
-        for (uint32_t n = first_attribute(kind); n < end_attribute(kind); ++n)
-            columns.value[n] = columns_from(triangle_plane(triangle, n), at.block.x[0]);
-        for (int32_t row = 0; row < SQUARE_SIZE; ++row) {
-            at.block.y[0] = y + row;
-            at.row = rows.value[row];
-            at.w = &w[row];
-
-            const uint32_t coverage = test_group(state, kind, &at, triangle, GN_ALL_LANES,
-                                                 depth_of_group(state, kind, &at, triangle));
-            if (coverage && kind.color_format != GN_FORMAT_NONE)
-                color_group(state, kind, &at, triangle, coverage);
-            passed += count_lanes(coverage);
-        }
-    }
-    return passed;
-}
-
-/* The squares across a row of 16 pixels. */
-#define SQUARES_IN_ROW (GN_LANES / SQUARE_SIZE)
 
 /* Shades the squares of a run that fill no row of 16 pixels. */
-GN_INLINE void shade_rest(const void *context, blocks_function *shade, raster_triangle triangle,
-                          int32_t x, int32_t y, uint32_t count)
+static inline void step_rest(const void *context, blocks_function *shade, raster_triangle triangle,
+                             int32_t x, int32_t y, uint32_t count)
 {
     covered_block block[SQUARES_IN_ROW];
 
@@ -155,38 +137,71 @@ GN_INLINE void shade_rest(const void *context, blocks_function *shade, raster_tr
         shade(context, block, count);
 }
 
-static void any_runs(const void *context, raster_triangle triangle, int32_t x, int32_t y,
-                     uint32_t count)
+/* Makes a batch of the rows of `columns` columns from (x, y) on. */
+static inline void set_rows(const fragment_state *state, block_batch *b, int32_t x, int32_t y,
+                            uint32_t columns)
 {
-    const fragment_context *const c = (const fragment_context *)context;
-    const fragment_state *const state = c->state;
-    const uint32_t rest = count % SQUARES_IN_ROW;
-    fragment_kind kind = any_kind(state);
-    uint32_t passed;
+    const uint32_t end = VARYING_PLANES + (state->source == SOURCE_TEXTURE ? VARYING_END : VARYING_S);
 
-    if (kind.source == SOURCE_TEXTURE) {
-        kind.source = SOURCE_TEXTURE;
-        passed = shade_rows(state, kind, triangle, x, y, count - rest);
-    } else {
-        kind.source = SOURCE_COLOR;
-        passed = shade_rows(state, kind, triangle, x, y, count - rest);
+    b->x = x;
+    b->y = y;
+    b->count = 0;
+    for (uint32_t n = 0; n < (state->color.format == GN_FORMAT_NONE ? ONE_OVER_W_PLANE : end); ++n) {
+        const attribute_plane plane = triangle_plane(b->triangle, n);
+
+        set_row_terms(&b->rows, n, plane, y);
+        for (uint32_t c = 0; c < columns; ++c)
+            b->columns[c].value[n] = columns_from(plane, x + (int32_t)(c * GN_LANES));
     }
-    if (c->counts) {
-        c->counts->covered += (count - rest) * GN_LANES;
-        c->counts->passed += passed;
+    for (uint32_t row = 0; row < SQUARE_SIZE; ++row) {
+        for (uint32_t c = 0; c < columns; ++c) {
+            b->column[b->count] = (uint8_t)c;
+            b->row[b->count] = (uint8_t)row;
+            b->coverage[b->count] = GN_ALL_LANES;
+            ++b->count;
+        }
     }
-    shade_rest(context, any_blocks, triangle, x + (int32_t)(count - rest) * SQUARE_SIZE, y, rest);
 }
 
+/* Shades a run in rows of 16 pixels as far as they go: a run_function. */
+static void step_rows(const void *context, raster_triangle triangle, int32_t x, int32_t y,
+                      uint32_t count)
+{
+    const fragment_context *const c = (const fragment_context *)context;
+    block_batch b;
+
+    b.shape = SHAPE_ROW;
+    b.blocks = 0;
+    b.triangle = triangle;
+    for (uint32_t columns; count >= SQUARES_IN_ROW; count -= columns * SQUARES_IN_ROW) {
+        columns = count / SQUARES_IN_ROW;
+        columns = columns < STEP_COLUMNS ? columns : STEP_COLUMNS;
+        set_rows(c->state, &b, x, y, columns);
+        take_steps(c, 0, &b);
+        x += (int32_t)(columns * GN_LANES);
+    }
+    step_rest(context, step_blocks, triangle, x, y, count);
+}
+
+/* Whether a state may be drawn in rows: nothing needs derivatives. */
+static inline bool has_rows(const fragment_state *state)
+{
+    if (!GN_SPECIALISED || state->is_late || has_more_colors(state))
+        return false;
+    return state->color.format == GN_FORMAT_NONE || state->source == SOURCE_COLOR ||
+           (state->source == SOURCE_TEXTURE && has_one_filter(state->sampler));
+}
+
+/* Returns the functions that draw a state. By comparisons, since a table of functions would need
+ * relocation. */
 static inline fragment_functions fragment_functions_of(const fragment_state *state, bool counts)
 {
-    fragment_functions f = {any_blocks, 0, state->source == SOURCE_SHADER};
+    fragment_functions f = {step_blocks, has_rows(state) ? step_rows : 0,
+                            state->color.format != GN_FORMAT_NONE &&
+                                state->source == SOURCE_SHADER};
 
-    (void)counts;
-    if (GN_SPECIALISED && !state->is_late && !has_more_colors(state) &&
-        (state->source == SOURCE_COLOR || state->color.format == GN_FORMAT_NONE ||
-         (state->source == SOURCE_TEXTURE && has_one_filter(state->sampler))))
-        f.runs = any_runs;
+    if (GN_SPECIALISED && !counts)
+        select_fused(state, &f);
     return f;
 }
 

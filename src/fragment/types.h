@@ -1,12 +1,15 @@
 /* The fragment stages: from blocks of covered fragments to the surfaces.
  *
- *   steps.h    the functions that coverage calls: steps over batches of blocks and over runs
- *   group.h    sixteen fragments: tests, interpolation, fragment shader, colour
- *   shader.h   a call of the fragment shader
+ *   steps.h    the functions that coverage calls: a state's steps over batches and runs
+ *   fused.h    frequent states whose steps are one loop
+ *   batch.h    the blocks of a step, and what steps hand to each other
+ *   test.h     the step that tests depth and stencil
+ *   source.h   the step that computes colours
+ *   output.h   the steps that load, combine and store colours
  *   planes.h   attributes at fragments
  *   depth.h    depth test and depth write
  *   stencil.h  stencil and depth together
- *   color.h    colours in a surface's format: replaced, blended or combined
+ *   shader.h   a call of the fragment shader
  *   blend.h    blending
  *   logic.h    logical operations
  *   pixels.h   sixteen pixels of a surface, in words
@@ -99,6 +102,10 @@ typedef enum fragment_source {
 typedef struct fragment_state {
     const gn_pipeline *pipeline;
     uint32_t width, height; /* of the surfaces */
+
+    /* Where in a pixel fragments are tested and shaded, from where planes have their values at
+     * integers: (0, 0) but for multisampled targets. */
+    float test_at[2], shade_at[2];
     const shading_functions *shading; /* how the pipeline's fragment shader runs */
     bool is_smooth;                   /* all of its varyings are */
     bool asks_inputs;          /* asks for inputs other than varyings, or writes a sample mask */
@@ -106,6 +113,7 @@ typedef struct fragment_state {
     fragment_source source;    /* SOURCE_SHADER with GN_SMALL */
     const gn_texture *texture; /* with SOURCE_TEXTURE */
     const gn_sampler *sampler;
+    bool combines; /* an attachment's colours depend on what it stores */
     gn_surface color; /* GN_FORMAT_NONE: no colour */
     gn_surface depth; /* GN_FORMAT_NONE: no test */
     depth_state test;
@@ -147,7 +155,7 @@ typedef struct fragment_context {
 /* The pixel of lane l. Rows save most of the work if nothing depends on neighbouring rows. Shaders
  * receive blocks, for their derivatives. */
 typedef enum fragment_shape {
-    SHAPE_BLOCK, /* as a pixel_block says */
+    SHAPE_HALVES, /* as a pixel_block says */
     SHAPE_ROW    /* (x + l, y); wholly on the surfaces */
 } fragment_shape;
 

@@ -1,0 +1,91 @@
+/* A batch: the blocks that the steps of a state take one after the other, and what the steps hand
+ * to each other. A step is one loop over the blocks, in which everything that is constant over a
+ * draw is known beforehand. A state takes some of the steps, in this order:
+ *
+ *   test     depth and stencil; leaves the fragments that passed (test.h)
+ *   source   colours, by the fragment shader or inlined (source.h)
+ *   encode   colours as the numbers in which the attachment's format is blended (output.h)
+ *   load     the attachment's pixels as such numbers
+ *   combine  both, by blending or a logical operation
+ *   store    numbers as pixels of the format, where covered and written
+ *
+ * If the shader decides on coverage or depth, source comes before test. Tests, and load to store,
+ * run once for each sample of a multisampled target, and load to store for each attachment. Every
+ * attachment is read and written by one step at a time, block by block in the triangles' order. */
+#ifndef GN_FRAGMENT_BATCH_H
+#define GN_FRAGMENT_BATCH_H
+
+#include "pixels.h"
+
+/* Blocks that take the steps together. Their arrays stay in the nearest cache. */
+#define STEP_BLOCKS (GN_SPECIALISED ? 16 : 1)
+
+/* The columns of blocks in a batch of rows. */
+#define STEP_COLUMNS (STEP_BLOCKS / SQUARE_SIZE > 0 ? STEP_BLOCKS / SQUARE_SIZE : 1)
+
+/* Colours of a batch: one for each block and attachment. */
+#define STEP_COLORS (STEP_BLOCKS > COLOR_LIMIT ? STEP_BLOCKS : COLOR_LIMIT)
+
+typedef struct block_batch {
+    fragment_shape shape;
+    uint32_t count;
+    uint32_t coverage[STEP_BLOCKS];
+
+    /* Halves. */
+    const covered_block *blocks;
+
+    /* Rows: block n is at column[n] and row[n] of the terms. */
+    raster_triangle triangle;
+    int32_t x, y;
+    column_terms columns[STEP_COLUMNS];
+    row_terms rows;
+    uint8_t column[STEP_BLOCKS], row[STEP_BLOCKS];
+
+    /* Results of steps, by lanes. The numbers of a colour are its bytes in the first word, its
+     * shorts in two words, or its floats in four. */
+    float color[STEP_COLORS][4][GN_LANES];
+    float depth[STEP_BLOCKS][GN_LANES];
+    int32_t source[4][STEP_BLOCKS][GN_LANES];
+    int32_t stored[4][STEP_BLOCKS][GN_LANES];
+} block_batch;
+
+/* Returns the triangle of block n. */
+GN_INLINE raster_triangle batch_triangle(const block_batch *b, fragment_shape shape, uint32_t n)
+{
+    return shape == SHAPE_ROW ? b->triangle : b->blocks[n].triangle;
+}
+
+/* Sets the place of block n. `shape` is the batch's, as a constant. `inside` is null, or where in
+ * their pixels the attributes of halves are needed (set_places). */
+GN_INLINE void set_batch_place(const fragment_state *state, const block_batch *b,
+                               fragment_shape shape, uint32_t n, const float *inside,
+                               fragment_place *at)
+{
+    if (shape == SHAPE_ROW) {
+        at->shape = SHAPE_ROW;
+        at->whole = true;
+        at->block.x[0] = b->x + b->column[n] * GN_LANES;
+        at->block.y[0] = b->y + b->row[n];
+        at->columns = &b->columns[b->column[n]];
+        at->row = b->rows.value[b->row[n]];
+        at->w = 0;
+        return;
+    }
+    at->shape = SHAPE_HALVES;
+    at->block = b->blocks[n].at;
+    at->whole = surfaces_hold_block(state, &at->block);
+    set_places(&at->places, &at->block, inside);
+}
+
+/* Returns the pixels of block n on a surface. */
+GN_INLINE block_pixels batch_pixels(const fragment_state *state, const block_batch *b,
+                                    fragment_shape shape, uint32_t n, const gn_surface *surface,
+                                    gn_format format)
+{
+    fragment_place at;
+
+    set_batch_place(state, b, shape, n, 0, &at);
+    return memory_of(&at, surface, format);
+}
+
+#endif

@@ -1,0 +1,117 @@
+/* The step that computes colours: by the fragment shader, or inlined for the simplest ready-made
+ * shaders. */
+#ifndef GN_FRAGMENT_SOURCE_H
+#define GN_FRAGMENT_SOURCE_H
+
+#include "../shaders/vertex.h"
+#include "../texture/sample.h"
+
+#include "batch.h"
+#include "output.h"
+#include "shader.h"
+
+/* Returns a varying that the library interpolates itself. `smooth` says that all varyings are. */
+GN_INLINE lanes_f ready_varying(const fragment_state *state, bool smooth, const fragment_place *at,
+                                raster_triangle triangle, uint32_t n, lanes_f w)
+{
+    if (!smooth) {
+        const gn_interpolation interpolation = state->pipeline->program.interpolation[n];
+
+        if (interpolation == GN_FLAT)
+            return lanes_splat(triangle_plane(triangle, VARYING_PLANES + n).origin);
+        if (interpolation == GN_NOPERSPECTIVE)
+            return interpolate(at, triangle, VARYING_PLANES + n);
+    }
+    return lanes_mul(interpolate(at, triangle, VARYING_PLANES + n), w);
+}
+
+/* Computes the colours of a ready-made shader: varyings, with or without a texture. */
+GN_INLINE void ready_color(const fragment_state *state, fragment_source source, bool smooth,
+                           const fragment_place *at, raster_triangle triangle, lanes_f w,
+                           lanes_f color[4])
+{
+    lanes_f texel[4];
+
+    if (source == SOURCE_TEXTURE) {
+        const lanes_f s = ready_varying(state, smooth, at, triangle, VARYING_S, w);
+        const lanes_f t = ready_varying(state, smooth, at, triangle, VARYING_T, w);
+
+        sample(state->texture, state->sampler, &s, &t, texel);
+    }
+    for (uint32_t c = 0; c < 4; ++c) {
+        color[c] = ready_varying(state, smooth, at, triangle, c, w);
+        if (source == SOURCE_TEXTURE)
+            color[c] = lanes_mul(color[c], texel[c]);
+    }
+}
+
+/* Computes the colours of a batch's blocks and encodes them. */
+GN_INLINE void ready_blocks(const fragment_state *state, fragment_source source, bool smooth,
+                            fragment_shape shape, block_batch *b)
+{
+    const color_arithmetic arithmetic = arithmetic_of(state->color.format);
+
+    for (uint32_t n = 0; n < b->count; ++n) {
+        const raster_triangle triangle = batch_triangle(b, shape, n);
+        fragment_place at;
+        lanes_f color[4];
+
+        set_batch_place(state, b, shape, n, state->shade_at, &at);
+        ready_color(state, source, smooth, &at, triangle, w_at(&at, triangle), color);
+        encode_numbers(arithmetic, color, n, b->source);
+    }
+}
+
+GN_INLINE void ready_shapes(const fragment_state *state, fragment_source source, bool smooth,
+                            block_batch *b)
+{
+    if (b->shape == SHAPE_ROW)
+        ready_blocks(state, source, smooth, SHAPE_ROW, b);
+    else
+        ready_blocks(state, source, smooth, SHAPE_HALVES, b);
+}
+
+/* Computes the colours of block n by the fragment shader. The verdict is set but for `depth`. */
+GN_STEP void shader_block(const fragment_state *state, block_batch *b, uint32_t n,
+                          shader_verdict *verdict)
+{
+    const raster_triangle triangle = b->blocks[n].triangle;
+    fragment_place at;
+
+    set_batch_place(state, b, SHAPE_HALVES, n, state->shade_at, &at);
+    if (state->pipeline->program.fragment_writes_depth) {
+        lanes_store(b->depth[n], interpolate(&at, triangle, DEPTH_PLANE));
+        verdict->depth = b->depth[n];
+    }
+    call_fragment_shader(state, triangle, &at.block, &at.places, b->coverage[n],
+                         w_at(&at, triangle), b->color[n * shader_colors(state)], verdict);
+}
+
+/* Computes the colours of a batch by the fragment shader. Coverage that the shader discards is
+ * removed. */
+GN_OUT_OF_LINE void shader_batch(const fragment_state *state, block_batch *b)
+{
+    shader_verdict verdict;
+
+    for (uint32_t n = 0; n < b->count; ++n) {
+        set_verdict(&verdict);
+        shader_block(state, b, n, &verdict);
+        if (state->pipeline->program.fragment_discards)
+            b->coverage[n] &= verdict.kept;
+    }
+}
+
+/* Computes the colours of a batch. Colours of ready-made shaders are encoded too. */
+GN_OUT_OF_LINE void source_batch(const fragment_state *state, block_batch *b)
+{
+    if (!GN_SPECIALISED || state->source == SOURCE_SHADER)
+        shader_batch(state, b);
+    else if (state->source == SOURCE_TEXTURE)
+        ready_shapes(state, SOURCE_TEXTURE, false, b);
+    else if (state->is_smooth)
+        ready_shapes(state, SOURCE_COLOR, true, b);
+    else
+        ready_shapes(state, SOURCE_COLOR, false, b);
+}
+
+#endif
