@@ -68,19 +68,15 @@ static inline void encode_shorts(const lanes_f color[4], lanes_i word[2])
     word[1] = pair_of(unorm16(color[2]), unorm16(color[3]));
 }
 
-/* Returns the greatest byte whose threshold is not above the channel, by binary search. */
-static lanes_i srgb8(lanes_f channel)
+/* Returns linear channels as bytes of sRGB. */
+static inline lanes_i srgb8(lanes_f channel)
 {
     const lanes_i x = lanes_as_int(saturated(channel));
-    lanes_i byte = lanes_i_splat(0);
+    const lanes_i upper = lanes_i_sub(lanes_i_shift_right(x, 16), lanes_i_splat(GN_SRGB_FIRST));
+    const lanes_i step =
+        lanes_i_gather(gn_srgb_steps, lanes_i_max(upper, lanes_i_splat(0)));
 
-    for (int32_t step = 128; step > 0; step /= 2) {
-        const lanes_i next = lanes_i_add(byte, lanes_i_splat(step));
-
-        byte = lanes_i_select(lanes_i_greater(lanes_i_gather(gn_srgb_thresholds, next), x), byte,
-                              next);
-    }
-    return byte;
+    return lanes_i_shift_right(lanes_i_add(step, lanes_i_and(x, lanes_i_splat(0xFFFF))), 16);
 }
 
 /* Encodes channels that are floats or sRGB into `word`, which must be 0 before. */

@@ -78,6 +78,10 @@ static inline void set_blend_state(color_state *s, const gn_blend *blend, const 
         s->color.destination = factor_without_alpha(s->color.destination);
         s->alpha = s->color;
     }
+    s->same_rules = s->color.equation == s->alpha.equation && s->color.source == s->alpha.source &&
+                    s->color.destination == s->alpha.destination &&
+                    s->color.source != GN_FACTOR_SOURCE_ALPHA_SATURATE &&
+                    s->color.destination != GN_FACTOR_SOURCE_ALPHA_SATURATE;
     s->mixes = format_channels(format) == 1 ? mixing_of(&s->color) : MIXES_NOTHING;
     s->factors_last = has_one_factor(&s->color) && has_one_factor(&s->alpha);
     const bool both = takes_factors(&s->color) && takes_factors(&s->alpha);
@@ -209,26 +213,153 @@ GN_STEP lanes_i blend_fixed(const color_state *state, const blend_channels *b, i
                        lanes_i_splat(0));
 }
 
+/* Two bytes of a pixel, in bits 0 to 7 and 16 to 23: red and blue, or green and alpha. */
+#define GN_TWO_BYTES 0x00FF00FF
+
+GN_INLINE lanes_i two_bytes(lanes_i pixel, int shift)
+{
+    return lanes_i_and(shift ? lanes_i_shift_right(pixel, shift) : pixel,
+                       lanes_i_splat(GN_TWO_BYTES));
+}
+
+/* Returns a byte, which lies in the low bits, as two. */
+GN_INLINE lanes_i twice(lanes_i byte)
+{
+    return lanes_i_or(byte, lanes_i_shift_left(byte, 16));
+}
+
+/* multiply_fixed for two bytes by two: 255 * 255 + 254 + 128 fits 16 bits. */
+GN_INLINE lanes_i multiply_two_bytes(lanes_i a, lanes_i b)
+{
+    const lanes_i product = lanes_i_mul_shorts(a, b);
+    const lanes_i corrected = lanes_i_add(product, two_bytes(product, 8));
+
+    return two_bytes(lanes_i_add(corrected, lanes_i_splat(0x00800080)), 8);
+}
+
+/* Returns max(a - b, 0) of two bytes. Bit 8 stays where nothing is borrowed. */
+GN_INLINE lanes_i subtract_two_bytes(lanes_i a, lanes_i b)
+{
+    const lanes_i difference = lanes_i_sub(lanes_i_or(a, lanes_i_splat(0x01000100)), b);
+    const lanes_i kept = lanes_i_and(lanes_i_shift_right(difference, 8), lanes_i_splat(0x00010001));
+
+    return lanes_i_and(difference, lanes_i_sub(lanes_i_shift_left(kept, 8), kept));
+}
+
+/* Returns min(a + b, 255) of two bytes. Bit 8 says that a sum is above 255. */
+GN_INLINE lanes_i add_two_bytes(lanes_i a, lanes_i b)
+{
+    const lanes_i sum = lanes_i_add(a, b);
+    const lanes_i above = lanes_i_and(lanes_i_shift_right(sum, 8), lanes_i_splat(0x00010001));
+
+    return two_bytes(lanes_i_or(sum, lanes_i_sub(lanes_i_shift_left(above, 8), above)), 0);
+}
+
+/* Returns factors of two bytes of pixels, from bit `shift` on. `alpha` says that the rule is that of
+ * alpha; its bytes beside alpha are not used. */
+static inline lanes_i factor_bytes(const color_state *state, lanes_i source, lanes_i destination,
+                                   gn_blend_factor factor, int shift, bool alpha)
+{
+    const lanes_i full = lanes_i_splat(GN_TWO_BYTES);
+    const lanes_i byte = lanes_i_splat(0xFF);
+    const int32_t *const constant = &state->constant_fixed[shift / 8];
+    lanes_i value;
+
+    switch (factor) {
+    case GN_FACTOR_SOURCE_COLOR:
+    case GN_FACTOR_ONE_MINUS_SOURCE_COLOR:
+        value = two_bytes(source, shift);
+        break;
+    case GN_FACTOR_DESTINATION_COLOR:
+    case GN_FACTOR_ONE_MINUS_DESTINATION_COLOR:
+        value = two_bytes(destination, shift);
+        break;
+    case GN_FACTOR_SOURCE_ALPHA:
+    case GN_FACTOR_ONE_MINUS_SOURCE_ALPHA:
+        value = twice(lanes_i_and(lanes_i_shift_right(source, 24), byte));
+        break;
+    case GN_FACTOR_DESTINATION_ALPHA:
+    case GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA:
+        value = twice(lanes_i_and(lanes_i_shift_right(destination, 24), byte));
+        break;
+    case GN_FACTOR_CONSTANT_COLOR:
+    case GN_FACTOR_ONE_MINUS_CONSTANT_COLOR:
+        value = lanes_i_splat(constant[0] | constant[2] << 16);
+        break;
+    case GN_FACTOR_CONSTANT_ALPHA:
+    case GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA:
+        value = lanes_i_splat(state->constant_fixed[3] * 0x00010001);
+        break;
+    case GN_FACTOR_SOURCE_ALPHA_SATURATE:
+        value = lanes_i_min(
+            lanes_i_and(lanes_i_shift_right(source, 24), byte),
+            lanes_i_sub(byte, lanes_i_and(lanes_i_shift_right(destination, 24), byte)));
+        return alpha ? full : twice(value);
+    default:
+        value = lanes_i_splat(0);
+        break;
+    }
+    return is_one_minus(factor) ? lanes_i_sub(full, value) : value;
+}
+
+/* Returns two bytes times their factors. */
+static inline lanes_i factor_times(const color_state *state, lanes_i source, lanes_i destination,
+                                   gn_blend_factor factor, int shift, bool alpha, lanes_i bytes)
+{
+    if (factor == GN_FACTOR_ONE)
+        return bytes;
+    if (factor == GN_FACTOR_ZERO)
+        return lanes_i_splat(0);
+    return multiply_two_bytes(
+        bytes, factor_bytes(state, source, destination, factor, shift, alpha));
+}
+
+/* Blends two bytes of pixels by a rule. */
+GN_STEP lanes_i blend_two_bytes(const color_state *state, lanes_i source, lanes_i destination,
+                                int shift, bool alpha)
+{
+    const blend_rule *const rule = alpha ? &state->alpha : &state->color;
+    const lanes_i from = two_bytes(source, shift);
+    const lanes_i to = two_bytes(destination, shift);
+
+    if (rule->equation == GN_EQUATION_MIN)
+        return lanes_i_sub(from, subtract_two_bytes(from, to));
+    if (rule->equation == GN_EQUATION_MAX)
+        return lanes_i_add(to, subtract_two_bytes(from, to));
+
+    const lanes_i a =
+        factor_times(state, source, destination, rule->source, shift, alpha, from);
+    const lanes_i b =
+        factor_times(state, source, destination, rule->destination, shift, alpha, to);
+
+    return rule->equation == GN_EQUATION_ADD        ? add_two_bytes(a, b)
+           : rule->equation == GN_EQUATION_SUBTRACT ? subtract_two_bytes(a, b)
+                                                    : subtract_two_bytes(b, a);
+}
+
 /* Blends pixels of GN_FORMAT_RGBA8, or channels of at most 8 bits in that form. */
 GN_STEP lanes_i blend_pixels(const color_state *state, lanes_i source, lanes_i destination)
 {
-    const lanes_i byte = lanes_i_splat(0xFF);
-    blend_channels b;
+    if (GN_HAVE_FORMATS && state->mixes != MIXES_NOTHING) {
+        blend_channels b;
 
-    b.source[0] = lanes_i_and(source, byte);
-    b.source[1] = lanes_i_and(lanes_i_shift_right(source, 8), byte);
-    b.source[2] = lanes_i_and(lanes_i_shift_right(source, 16), byte);
-    b.source[3] = lanes_i_and(lanes_i_shift_right(source, 24), byte);
-    b.destination[0] = lanes_i_and(destination, byte);
-    b.destination[1] = lanes_i_and(lanes_i_shift_right(destination, 8), byte);
-    b.destination[2] = lanes_i_and(lanes_i_shift_right(destination, 16), byte);
-    b.destination[3] = lanes_i_and(lanes_i_shift_right(destination, 24), byte);
+        for (int c = 0; c < 4; ++c) {
+            b.source[c] = lanes_i_and(lanes_i_shift_right(source, 8 * c), lanes_i_splat(0xFF));
+            b.destination[c] =
+                lanes_i_and(lanes_i_shift_right(destination, 8 * c), lanes_i_splat(0xFF));
+        }
+        return blend_fixed(state, &b, 8, 0);
+    }
 
-    const lanes_i red = blend_fixed(state, &b, 8, 0);
-    const lanes_i green = lanes_i_shift_left(blend_fixed(state, &b, 8, 1), 8);
-    const lanes_i blue = lanes_i_shift_left(blend_fixed(state, &b, 8, 2), 16);
-    const lanes_i alpha = lanes_i_shift_left(blend_fixed(state, &b, 8, 3), 24);
-    return lanes_i_or(lanes_i_or(red, green), lanes_i_or(blue, alpha));
+    const lanes_i even = blend_two_bytes(state, source, destination, 0, false);
+    lanes_i odd = blend_two_bytes(state, source, destination, 8, false);
+
+    if (!state->same_rules)
+        odd = lanes_i_or(
+            lanes_i_and(odd, lanes_i_splat(0xFF)),
+            lanes_i_and(blend_two_bytes(state, source, destination, 8, true),
+                        lanes_i_splat(0x00FF0000)));
+    return lanes_i_or(even, lanes_i_shift_left(odd, 8));
 }
 
 /* Blends channels of 16 bits, two to a word. */
@@ -254,32 +385,17 @@ static inline bool is_over(const blend_rule *r)
            r->destination == GN_FACTOR_ONE_MINUS_SOURCE_ALPHA;
 }
 
-/* multiply_fixed for two bytes with one factor: the bytes are in bits 0 to 7 and 16 to 23 of a. 255
- * * 255 + 254 + 128 fits 16 bits. */
-GN_INLINE lanes_i multiply_two_bytes(lanes_i a, lanes_i b)
-{
-    const lanes_i low = lanes_i_splat(0x00FF00FF);
-    const lanes_i product = lanes_i_mul(a, b);
-    const lanes_i corrected =
-        lanes_i_add(product, lanes_i_and(lanes_i_shift_right(product, 8), low));
-
-    return lanes_i_and(lanes_i_shift_right(lanes_i_add(corrected, lanes_i_splat(0x00800080)), 8),
-                       low);
-}
-
 /* blend_pixels if is_over holds for all channels. Sums need not saturate: a product grows with both
  * bytes, and is a if the other byte is 255, so with the factors a and 255 - a no sum exceeds 255.
  */
 GN_INLINE lanes_i blend_over(lanes_i source, lanes_i destination)
 {
-    const lanes_i low = lanes_i_splat(0x00FF00FF);
-    const lanes_i alpha = lanes_i_and(lanes_i_shift_right(source, 24), lanes_i_splat(0xFF));
-    const lanes_i rest = lanes_i_sub(lanes_i_splat(255), alpha);
-    const lanes_i even = lanes_i_add(multiply_two_bytes(lanes_i_and(source, low), alpha),
-                                     multiply_two_bytes(lanes_i_and(destination, low), rest));
-    const lanes_i odd = lanes_i_add(
-        multiply_two_bytes(lanes_i_and(lanes_i_shift_right(source, 8), low), alpha),
-        multiply_two_bytes(lanes_i_and(lanes_i_shift_right(destination, 8), low), rest));
+    const lanes_i alpha = twice(lanes_i_and(lanes_i_shift_right(source, 24), lanes_i_splat(0xFF)));
+    const lanes_i rest = lanes_i_sub(lanes_i_splat(GN_TWO_BYTES), alpha);
+    const lanes_i even = lanes_i_add(multiply_two_bytes(two_bytes(source, 0), alpha),
+                                     multiply_two_bytes(two_bytes(destination, 0), rest));
+    const lanes_i odd = lanes_i_add(multiply_two_bytes(two_bytes(source, 8), alpha),
+                                    multiply_two_bytes(two_bytes(destination, 8), rest));
 
     return lanes_i_or(even, lanes_i_shift_left(odd, 8));
 }

@@ -183,6 +183,30 @@ static void step_rows(const void *context, raster_triangle triangle, int32_t x, 
     step_rest(context, step_blocks, triangle, x, y, count);
 }
 
+/* Defines the functions of a fused state (GN_FUSED_STATES). Runs are out of line of blocks, which
+ * are most of what small triangles cover, and keep a short prologue. */
+#define GN_FUSED_FUNCTIONS(name, depth_format, source, has_color)                                  \
+    static void fused_##name##_blocks(const void *context, covered_block *blocks, uint32_t count)  \
+    {                                                                                              \
+        const fused_kind kind = {depth_format, has_color, source, false, false, false};            \
+                                                                                                   \
+        fused_blocks(context, kind, blocks, count, step_blocks);                                   \
+    }                                                                                              \
+    static void fused_##name##_run(const void *context, raster_triangle triangle, int32_t x,       \
+                                   int32_t y, uint32_t count)                                      \
+    {                                                                                              \
+        const fused_kind kind = {depth_format, has_color, source, false, false, false};            \
+        const fragment_context *const c = (const fragment_context *)context;                       \
+        const uint32_t rest = count % SQUARES_IN_ROW;                                              \
+                                                                                                   \
+        if (source != SOURCE_SHADER)                                                               \
+            fused_run(c->state, kind, triangle, x, y, count - rest);                               \
+        step_rest(context, fused_##name##_blocks, triangle,                                        \
+                  x + (int32_t)(count - rest) * SQUARE_SIZE, y, rest);                             \
+    }
+
+GN_FUSED_STATES(GN_FUSED_FUNCTIONS)
+
 /* Whether a state may be drawn in rows: nothing needs derivatives. */
 static inline bool has_rows(const fragment_state *state)
 {
@@ -196,12 +220,22 @@ static inline bool has_rows(const fragment_state *state)
  * relocation. */
 static inline fragment_functions fragment_functions_of(const fragment_state *state, bool counts)
 {
-    fragment_functions f = {step_blocks, has_rows(state) ? step_rows : 0,
-                            state->color.format != GN_FORMAT_NONE &&
-                                state->source == SOURCE_SHADER};
+    const bool has_color = state->color.format != GN_FORMAT_NONE;
+    const fragment_source source = has_color ? state->source : SOURCE_COLOR;
+    const bool rows = has_rows(state);
+    fragment_functions f = {step_blocks, rows ? step_rows : 0,
+                            has_color && source == SOURCE_SHADER};
 
-    if (GN_SPECIALISED && !counts)
-        select_fused(state, &f);
+    if (!GN_SPECIALISED || counts || !may_be_fused(state))
+        return f;
+#define GN_SELECT_FUSED(name, fused_depth_format, fused_source, fused_has_color)                   \
+    if (state->depth.format == fused_depth_format && source == fused_source &&                     \
+        has_color == fused_has_color) {                                                            \
+        f.blocks = fused_##name##_blocks;                                                          \
+        f.runs = rows ? fused_##name##_run : 0;                                                    \
+    }
+    GN_FUSED_STATES(GN_SELECT_FUSED)
+#undef GN_SELECT_FUSED
     return f;
 }
 

@@ -58,7 +58,8 @@ typedef struct color_state {
     int32_t written_bits[4]; /* masks of the words of a pixel (formats/pixel_memory.h) */
     bool blends, is_logical; /* at most one */
     blend_rule color, alpha;
-    mixing mixes; /* for formats of one channel */
+    bool same_rules; /* alpha is blended as red, green and blue are */
+    mixing mixes;    /* for formats of one channel */
     /* For floats: (source + destination) * factor; and terms that are left out, since their factor
      * is zero. */
     bool factors_last, drops_source, drops_destination;

@@ -14,6 +14,7 @@
  *   quad_left quad_right          the value in one column or row of each 2x2 quad
  *   quad_lower quad_upper
  *   i_add i_sub i_mul i_or i_and  integers, which wrap around
+ *   i_mul_shorts                  each half of a lane
  *   i_shift_left i_shift_right
  *   i_min i_max i_clamp i_select
  *   i_greater i_equal

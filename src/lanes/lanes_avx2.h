@@ -187,6 +187,11 @@ static inline lanes_i lanes_i_mul(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, _mm256_mullo_epi32(a.q[n], b.q[n]));
 }
 
+static inline lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_mullo_epi16(a.q[n], b.q[n]));
+}
+
 static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     LANES_EACH_REGISTER(lanes_i, _mm256_slli_epi32(a.q[n], count));

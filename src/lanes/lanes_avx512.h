@@ -190,6 +190,11 @@ static inline lanes_i lanes_i_mul(lanes_i a, lanes_i b)
     return lanes_avx512_i(_mm512_mullo_epi32(a.q, b.q));
 }
 
+static inline lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
+{
+    return lanes_avx512_i(_mm512_mullo_epi16(a.q, b.q));
+}
+
 static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     return lanes_avx512_i(_mm512_sll_epi32(a.q, _mm_cvtsi32_si128(count)));

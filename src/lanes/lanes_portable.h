@@ -305,6 +305,18 @@ static inline lanes_i lanes_i_mul(lanes_i a, lanes_i b)
     return a;
 }
 
+/* Multiplies the two shorts of each lane, each modulo 2^16. */
+static inline lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
+{
+    GN_EACH_LANE (l) {
+        const uint32_t low = ((uint32_t)a.v[l] & 0xFFFF) * ((uint32_t)b.v[l] & 0xFFFF);
+        const uint32_t high = ((uint32_t)a.v[l] >> 16) * ((uint32_t)b.v[l] >> 16);
+
+        a.v[l] = (int32_t)((low & 0xFFFF) | high << 16);
+    }
+    return a;
+}
+
 /* Shifts bits to the left. count must be a constant. */
 static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
 {

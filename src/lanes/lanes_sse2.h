@@ -187,6 +187,11 @@ static inline lanes_i lanes_i_mul(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, lanes_sse2_mul(a.q[n], b.q[n]));
 }
 
+static inline lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm_mullo_epi16(a.q[n], b.q[n]));
+}
+
 static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_slli_epi32(a.q[n], count));

@@ -185,6 +185,11 @@ static inline lanes_i lanes_i_mul(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, wasm_i32x4_mul(a.q[n], b.q[n]));
 }
 
+static inline lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_i16x8_mul(a.q[n], b.q[n]));
+}
+
 static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     LANES_EACH_REGISTER(lanes_i, wasm_i32x4_shl(a.q[n], (uint32_t)count));
