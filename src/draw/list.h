@@ -37,8 +37,8 @@ GN_OUT_OF_LINE void draw_boxes(worker *w, const triangle_list *list, const void 
     shade_batch(&batch);
 }
 
-/* Draws a list of points or lines to a multisampled target. */
-GN_OUT_OF_LINE void draw_sampled_boxes(worker *w, const triangle_list *list, const void *context)
+/* Covers the samples of a list of points or lines. */
+GN_OUT_OF_LINE void cover_sampled_boxes(worker *w, const triangle_list *list, sample_batch *batch)
 {
     const box_state *const state = &w->cull.box;
     unsigned char *const memory = w->draw->job->memory;
@@ -51,9 +51,9 @@ GN_OUT_OF_LINE void draw_sampled_boxes(worker *w, const triangle_list *list, con
         const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, l);
 
         if (w->kind == KIND_POINT)
-            cover_point_samples(state, first, &box, triangle, shade_sampled_square, context);
+            cover_point_samples(state, first, &box, triangle, batch);
         else
-            cover_line_samples(state, first, second, &box, triangle, shade_sampled_square, context);
+            cover_line_samples(state, first, second, &box, triangle, batch);
     }
 }
 
@@ -62,15 +62,20 @@ GN_OUT_OF_LINE void draw_sampled(worker *w, const triangle_list *list)
 {
     const draw_state *draw = w->draw;
     const fragment_context context = {draw->fragment, &w->samples};
+    sample_batch batch;
 
+    batch.shade = shade_sampled_squares;
+    batch.context = &context;
+    batch.count = 0;
     if (w->kind != KIND_TRIANGLE) {
-        draw_sampled_boxes(w, list, &context);
-        return;
+        cover_sampled_boxes(w, list, &batch);
+    } else {
+        setup_triangles(draw->pipeline, &draw->offset, draw->center, &w->cull.target,
+                        draw->job->memory, list, w->setup);
+        for (uint32_t l = 0; l < list->count; ++l)
+            cover_samples(&w->cull.target, w->setup, list, l, &batch);
     }
-    setup_triangles(draw->pipeline, &draw->offset, draw->center, &w->cull.target, draw->job->memory,
-                    list, w->setup);
-    for (uint32_t l = 0; l < list->count; ++l)
-        cover_samples(&w->cull.target, w->setup, list, l, shade_sampled_square, &context);
+    shade_sample_batch(&batch);
 }
 
 /* Draws the primitives of a list. Precondition: all lanes of the list are filled (fill_list). */

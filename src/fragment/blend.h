@@ -78,10 +78,6 @@ static inline void set_blend_state(color_state *s, const gn_blend *blend, const 
         s->color.destination = factor_without_alpha(s->color.destination);
         s->alpha = s->color;
     }
-    s->same_rules = s->color.equation == s->alpha.equation && s->color.source == s->alpha.source &&
-                    s->color.destination == s->alpha.destination &&
-                    s->color.source != GN_FACTOR_SOURCE_ALPHA_SATURATE &&
-                    s->color.destination != GN_FACTOR_SOURCE_ALPHA_SATURATE;
     s->mixes = format_channels(format) == 1 ? mixing_of(&s->color) : MIXES_NOTHING;
     s->factors_last = has_one_factor(&s->color) && has_one_factor(&s->alpha);
     const bool both = takes_factors(&s->color) && takes_factors(&s->alpha);
@@ -255,111 +251,152 @@ GN_INLINE lanes_i add_two_bytes(lanes_i a, lanes_i b)
     return two_bytes(lanes_i_or(sum, lanes_i_sub(lanes_i_shift_left(above, 8), above)), 0);
 }
 
-/* Returns factors of two bytes of pixels, from bit `shift` on. `alpha` says that the rule is that of
- * alpha; its bytes beside alpha are not used. */
-static inline lanes_i factor_bytes(const color_state *state, lanes_i source, lanes_i destination,
-                                   gn_blend_factor factor, int shift, bool alpha)
+/* Adds a factor of some bytes of a pixel, which `bytes` selects, to the terms of both halves. */
+static inline void add_factor_terms(factor_terms terms[2], const color_state *s,
+                                    gn_blend_factor factor, uint32_t bytes)
 {
-    const lanes_i full = lanes_i_splat(GN_TWO_BYTES);
-    const lanes_i byte = lanes_i_splat(0xFF);
-    const int32_t *const constant = &state->constant_fixed[shift / 8];
-    lanes_i value;
+    for (int half = 0; half < 2; ++half) {
+        factor_terms *const t = &terms[half];
+        const uint32_t mask = bytes >> 8 * half & GN_TWO_BYTES;
+        const int32_t *const constant = &s->constant_fixed[half];
 
-    switch (factor) {
-    case GN_FACTOR_SOURCE_COLOR:
-    case GN_FACTOR_ONE_MINUS_SOURCE_COLOR:
-        value = two_bytes(source, shift);
-        break;
-    case GN_FACTOR_DESTINATION_COLOR:
-    case GN_FACTOR_ONE_MINUS_DESTINATION_COLOR:
-        value = two_bytes(destination, shift);
-        break;
-    case GN_FACTOR_SOURCE_ALPHA:
-    case GN_FACTOR_ONE_MINUS_SOURCE_ALPHA:
-        value = twice(lanes_i_and(lanes_i_shift_right(source, 24), byte));
-        break;
-    case GN_FACTOR_DESTINATION_ALPHA:
-    case GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA:
-        value = twice(lanes_i_and(lanes_i_shift_right(destination, 24), byte));
-        break;
-    case GN_FACTOR_CONSTANT_COLOR:
-    case GN_FACTOR_ONE_MINUS_CONSTANT_COLOR:
-        value = lanes_i_splat(constant[0] | constant[2] << 16);
-        break;
-    case GN_FACTOR_CONSTANT_ALPHA:
-    case GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA:
-        value = lanes_i_splat(state->constant_fixed[3] * 0x00010001);
-        break;
-    case GN_FACTOR_SOURCE_ALPHA_SATURATE:
-        value = lanes_i_min(
-            lanes_i_and(lanes_i_shift_right(source, 24), byte),
-            lanes_i_sub(byte, lanes_i_and(lanes_i_shift_right(destination, 24), byte)));
-        return alpha ? full : twice(value);
-    default:
-        value = lanes_i_splat(0);
-        break;
-    }
-    return is_one_minus(factor) ? lanes_i_sub(full, value) : value;
-}
-
-/* Returns two bytes times their factors. */
-static inline lanes_i factor_times(const color_state *state, lanes_i source, lanes_i destination,
-                                   gn_blend_factor factor, int shift, bool alpha, lanes_i bytes)
-{
-    if (factor == GN_FACTOR_ONE)
-        return bytes;
-    if (factor == GN_FACTOR_ZERO)
-        return lanes_i_splat(0);
-    return multiply_two_bytes(
-        bytes, factor_bytes(state, source, destination, factor, shift, alpha));
-}
-
-/* Blends two bytes of pixels by a rule. */
-GN_STEP lanes_i blend_two_bytes(const color_state *state, lanes_i source, lanes_i destination,
-                                int shift, bool alpha)
-{
-    const blend_rule *const rule = alpha ? &state->alpha : &state->color;
-    const lanes_i from = two_bytes(source, shift);
-    const lanes_i to = two_bytes(destination, shift);
-
-    if (rule->equation == GN_EQUATION_MIN)
-        return lanes_i_sub(from, subtract_two_bytes(from, to));
-    if (rule->equation == GN_EQUATION_MAX)
-        return lanes_i_add(to, subtract_two_bytes(from, to));
-
-    const lanes_i a =
-        factor_times(state, source, destination, rule->source, shift, alpha, from);
-    const lanes_i b =
-        factor_times(state, source, destination, rule->destination, shift, alpha, to);
-
-    return rule->equation == GN_EQUATION_ADD        ? add_two_bytes(a, b)
-           : rule->equation == GN_EQUATION_SUBTRACT ? subtract_two_bytes(a, b)
-                                                    : subtract_two_bytes(b, a);
-}
-
-/* Blends pixels of GN_FORMAT_RGBA8, or channels of at most 8 bits in that form. */
-GN_STEP lanes_i blend_pixels(const color_state *state, lanes_i source, lanes_i destination)
-{
-    if (GN_HAVE_FORMATS && state->mixes != MIXES_NOTHING) {
-        blend_channels b;
-
-        for (int c = 0; c < 4; ++c) {
-            b.source[c] = lanes_i_and(lanes_i_shift_right(source, 8 * c), lanes_i_splat(0xFF));
-            b.destination[c] =
-                lanes_i_and(lanes_i_shift_right(destination, 8 * c), lanes_i_splat(0xFF));
+        if (is_one_minus(factor) && factor != GN_FACTOR_SOURCE_ALPHA_SATURATE)
+            t->constant ^= mask;
+        switch (factor) {
+        case GN_FACTOR_SOURCE_COLOR:
+        case GN_FACTOR_ONE_MINUS_SOURCE_COLOR:
+            t->source |= mask;
+            break;
+        case GN_FACTOR_DESTINATION_COLOR:
+        case GN_FACTOR_ONE_MINUS_DESTINATION_COLOR:
+            t->destination |= mask;
+            break;
+        case GN_FACTOR_SOURCE_ALPHA:
+        case GN_FACTOR_ONE_MINUS_SOURCE_ALPHA:
+            t->source_alpha |= mask;
+            break;
+        case GN_FACTOR_DESTINATION_ALPHA:
+        case GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA:
+            t->destination_alpha |= mask;
+            break;
+        case GN_FACTOR_CONSTANT_COLOR:
+        case GN_FACTOR_ONE_MINUS_CONSTANT_COLOR:
+            t->constant ^= ((uint32_t)constant[0] | (uint32_t)constant[2] << 16) & mask;
+            break;
+        case GN_FACTOR_CONSTANT_ALPHA:
+        case GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA:
+            t->constant ^= (uint32_t)s->constant_fixed[3] * 0x00010001u & mask;
+            break;
+        case GN_FACTOR_SOURCE_ALPHA_SATURATE:
+            if (bytes >> 24)
+                t->constant ^= mask;
+            else
+                t->saturate |= mask;
+            break;
+        default:
+            break;
         }
-        return blend_fixed(state, &b, 8, 0);
     }
+}
 
-    const lanes_i even = blend_two_bytes(state, source, destination, 0, false);
-    lanes_i odd = blend_two_bytes(state, source, destination, 8, false);
+/* Resolves the factors of bytes. */
+static inline void set_factor_terms(color_state *s)
+{
+    for (int half = 0; half < 2; ++half) {
+        const factor_terms none = {0, 0, 0, 0, 0, 0};
 
-    if (!state->same_rules)
-        odd = lanes_i_or(
-            lanes_i_and(odd, lanes_i_splat(0xFF)),
-            lanes_i_and(blend_two_bytes(state, source, destination, 8, true),
-                        lanes_i_splat(0x00FF0000)));
-    return lanes_i_or(even, lanes_i_shift_left(odd, 8));
+        s->source_terms[half] = none;
+        s->destination_terms[half] = none;
+    }
+    add_factor_terms(s->source_terms, s, s->color.source, 0x00FFFFFF);
+    add_factor_terms(s->source_terms, s, s->alpha.source, 0xFF000000);
+    add_factor_terms(s->destination_terms, s, s->color.destination, 0x00FFFFFF);
+    add_factor_terms(s->destination_terms, s, s->alpha.destination, 0xFF000000);
+}
+
+/* What the factors of two bytes are made of. */
+typedef struct factor_values {
+    lanes_i source, destination, source_alpha, destination_alpha;
+} factor_values;
+
+GN_INLINE lanes_i masked(lanes_i a, uint32_t mask)
+{
+    return lanes_i_and(a, lanes_i_splat((int32_t)mask));
+}
+
+/* Returns factors of two bytes. Masks select one value for each byte; one minus a value is its
+ * complement. */
+GN_INLINE lanes_i factor_of_terms(const factor_terms *t, const factor_values *v)
+{
+    lanes_i factor = lanes_i_or(
+        lanes_i_or(masked(v->source, t->source), masked(v->destination, t->destination)),
+        lanes_i_or(masked(v->source_alpha, t->source_alpha),
+                   masked(v->destination_alpha, t->destination_alpha)));
+
+    if (t->saturate)
+        factor = lanes_i_or(
+            factor, masked(lanes_i_min(v->source_alpha, lanes_i_sub(lanes_i_splat(GN_TWO_BYTES),
+                                                                    v->destination_alpha)),
+                           t->saturate));
+    return lanes_i_xor(factor, lanes_i_splat((int32_t)t->constant));
+}
+
+/* Blends two bytes: `from` and `to` are source and destination times their factors. */
+GN_INLINE lanes_i equate_two_bytes(gn_blend_equation equation, lanes_i source, lanes_i destination,
+                                   lanes_i from, lanes_i to)
+{
+    switch (equation) {
+    case GN_EQUATION_MIN:
+        return lanes_i_sub(source, subtract_two_bytes(source, destination));
+    case GN_EQUATION_MAX:
+        return lanes_i_add(destination, subtract_two_bytes(source, destination));
+    case GN_EQUATION_SUBTRACT:
+        return subtract_two_bytes(from, to);
+    case GN_EQUATION_REVERSE_SUBTRACT:
+        return subtract_two_bytes(to, from);
+    default:
+        return add_two_bytes(from, to);
+    }
+}
+
+/* Blends pixels of GN_FORMAT_RGBA8, or channels of at most 8 bits in that form, by terms. */
+GN_INLINE lanes_i blend_bytes(const color_state *state, lanes_i source, lanes_i destination)
+{
+    const lanes_i byte = lanes_i_splat(0xFF);
+    lanes_i result[2];
+    factor_values v;
+
+    v.source_alpha = twice(lanes_i_and(lanes_i_shift_right(source, 24), byte));
+    v.destination_alpha = twice(lanes_i_and(lanes_i_shift_right(destination, 24), byte));
+    for (int half = 0; half < 2; ++half) {
+        v.source = two_bytes(source, 8 * half);
+        v.destination = two_bytes(destination, 8 * half);
+        const lanes_i from = multiply_two_bytes(
+            v.source, factor_of_terms(&state->source_terms[half], &v));
+        const lanes_i to = multiply_two_bytes(
+            v.destination, factor_of_terms(&state->destination_terms[half], &v));
+
+        result[half] = equate_two_bytes(state->color.equation, v.source, v.destination, from, to);
+        if (half == 1 && state->alpha.equation != state->color.equation)
+            result[1] = lanes_i_or(
+                masked(result[1], 0xFF),
+                masked(equate_two_bytes(state->alpha.equation, v.source, v.destination, from, to),
+                       0xFF0000));
+    }
+    return lanes_i_or(result[0], lanes_i_shift_left(result[1], 8));
+}
+
+/* Blends the first byte of pixels whose format has one channel and mixes. */
+static inline lanes_i mix_bytes(const color_state *state, lanes_i source, lanes_i destination)
+{
+    blend_channels b;
+
+    for (int c = 0; c < 4; ++c) {
+        b.source[c] = lanes_i_and(lanes_i_shift_right(source, 8 * c), lanes_i_splat(0xFF));
+        b.destination[c] =
+            lanes_i_and(lanes_i_shift_right(destination, 8 * c), lanes_i_splat(0xFF));
+    }
+    return blend_fixed(state, &b, 8, 0);
 }
 
 /* Blends channels of 16 bits, two to a word. */
@@ -400,48 +437,6 @@ GN_INLINE lanes_i blend_over(lanes_i source, lanes_i destination)
     return lanes_i_or(even, lanes_i_shift_left(odd, 8));
 }
 
-/* The factors of floats. */
-static inline lanes_f factor_float(const color_state *state, const lanes_f source[4],
-                                   const lanes_f destination[4], gn_blend_factor factor,
-                                   int channel)
-{
-    const lanes_f one = lanes_splat(1.0f);
-    lanes_f value;
-
-    switch (factor) {
-    case GN_FACTOR_SOURCE_COLOR:
-    case GN_FACTOR_ONE_MINUS_SOURCE_COLOR:
-        value = source[channel];
-        break;
-    case GN_FACTOR_DESTINATION_COLOR:
-    case GN_FACTOR_ONE_MINUS_DESTINATION_COLOR:
-        value = destination[channel];
-        break;
-    case GN_FACTOR_SOURCE_ALPHA:
-    case GN_FACTOR_ONE_MINUS_SOURCE_ALPHA:
-        value = source[3];
-        break;
-    case GN_FACTOR_DESTINATION_ALPHA:
-    case GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA:
-        value = destination[3];
-        break;
-    case GN_FACTOR_CONSTANT_COLOR:
-    case GN_FACTOR_ONE_MINUS_CONSTANT_COLOR:
-        value = lanes_splat(state->constant[channel]);
-        break;
-    case GN_FACTOR_CONSTANT_ALPHA:
-    case GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA:
-        value = lanes_splat(state->constant[3]);
-        break;
-    case GN_FACTOR_SOURCE_ALPHA_SATURATE:
-        return channel == 3 ? one : lanes_min(source[3], lanes_sub(one, destination[3]));
-    default:
-        value = lanes_splat(0.0f);
-        break;
-    }
-    return is_one_minus(factor) ? lanes_sub(one, value) : value;
-}
-
 /* Mixes by the factors w and 1 - w: `by` is the term that w belongs to, `of` the other. */
 static inline lanes_f mix_floats(const blend_rule *rule, mixing mixes, lanes_f source,
                                  lanes_f destination, lanes_f w)
@@ -457,40 +452,30 @@ static inline lanes_f mix_floats(const blend_rule *rule, mixing mixes, lanes_f s
                : lanes_sub(of, share);
 }
 
-GN_STEP lanes_f blend_float(const color_state *state, const lanes_f source[4],
-                            const lanes_f destination[4], int channel)
+/* Blends a channel of floats, given its two factors. */
+GN_INLINE lanes_f blend_float(const color_state *state, const blend_rule *rule, lanes_f source,
+                              lanes_f destination, lanes_f source_factor, lanes_f factor)
 {
-    const blend_rule *rule = rule_of(state, channel);
-
     if (rule->equation == GN_EQUATION_MIN)
-        return lanes_min(source[channel], destination[channel]);
+        return lanes_min(source, destination);
     if (rule->equation == GN_EQUATION_MAX)
-        return lanes_max(source[channel], destination[channel]);
-
-    const lanes_f factor = factor_float(state, source, destination, rule->source, channel);
+        return lanes_max(source, destination);
     if (GN_HAVE_FORMATS && state->mixes != MIXES_NOTHING)
-        return mix_floats(
-            rule, state->mixes, source[channel], destination[channel],
-            state->mixes == MIXES_BY_SOURCE
-                ? factor
-                : factor_float(state, source, destination, rule->destination, channel));
-    /* Adding or subtracting this leaves the other term as it is, also zeros of either sign. */
-    const lanes_f nothing = lanes_splat(rule->equation == GN_EQUATION_ADD ? -0.0f : 0.0f);
-    lanes_f from = source[channel];
-    lanes_f to = destination[channel];
-
+        return mix_floats(rule, state->mixes, source, destination,
+                          state->mixes == MIXES_BY_SOURCE ? source_factor : factor);
     if (state->drops_source && state->drops_destination)
         return lanes_splat(0.0f);
     if (!state->factors_last) {
-        from = state->drops_source ? nothing : lanes_mul(from, factor);
-        to = state->drops_destination ? nothing
-                                      : lanes_mul(to, factor_float(state, source, destination,
-                                                                   rule->destination, channel));
+        /* Adding or subtracting this leaves the other term as it is, also zeros of either sign. */
+        const lanes_f nothing = lanes_splat(rule->equation == GN_EQUATION_ADD ? -0.0f : 0.0f);
+
+        source = state->drops_source ? nothing : lanes_mul(source, source_factor);
+        destination = state->drops_destination ? nothing : lanes_mul(destination, factor);
     }
-    const lanes_f sum = rule->equation == GN_EQUATION_ADD        ? lanes_add(from, to)
-                        : rule->equation == GN_EQUATION_SUBTRACT ? lanes_sub(from, to)
-                                                                 : lanes_sub(to, from);
-    return state->factors_last ? lanes_mul(sum, factor) : sum;
+    const lanes_f sum = rule->equation == GN_EQUATION_ADD        ? lanes_add(source, destination)
+                        : rule->equation == GN_EQUATION_SUBTRACT ? lanes_sub(source, destination)
+                                                                 : lanes_sub(destination, source);
+    return state->factors_last ? lanes_mul(sum, source_factor) : sum;
 }
 
 #endif

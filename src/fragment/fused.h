@@ -28,22 +28,6 @@ GN_INLINE uint32_t covered_lanes(const covered_block *block)
     return block->covered[0] | block->covered[1] << HALF_LANES;
 }
 
-/* Writes red, green, blue and alpha to the covered pixels of a GN_FORMAT_RGBA8 surface. */
-GN_INLINE void write_rgba8(const gn_surface *surface, const fragment_place *at, uint32_t coverage,
-                           const lanes_f color[4])
-{
-    const block_pixels pixels = memory_of(at, surface, GN_FORMAT_RGBA8);
-    const bool selects = at->shape != SHAPE_ROW || coverage != GN_ALL_LANES;
-    lanes_i word[4], there[4];
-
-    word[0] = encode_rgba8(color);
-    if (selects && pixels.whole) {
-        load_pixels(GN_LAYOUT(4, 4), &pixels, coverage, there);
-        word[0] = lanes_i_select(lanes_from_bits(coverage), word[0], there[0]);
-    }
-    store_pixels(GN_LAYOUT(4, 4), &pixels, coverage, word);
-}
-
 /* Computes the colours of a ready-made shader. The linear filter is inlined for rows. */
 GN_INLINE void fused_color(const fragment_state *state, fused_kind kind, const fragment_place *at,
                            raster_triangle triangle, lanes_f w, lanes_f color[4])

@@ -21,6 +21,7 @@ GN_OUT_OF_LINE void set_color_state(color_state *s, const gn_pipeline *pipeline,
         if (s->written >> c & 1u)
             add_channel_bits(format, c, s->written_bits);
     set_blend_state(s, blend, pipeline->color.blend_constant, format);
+    set_factor_terms(s);
     set_logic_state(s, pipeline->color.logic_operation);
     s->is_logical = pipeline->color.logic;
     s->blends = blend->enabled && !s->is_logical;
@@ -30,6 +31,22 @@ GN_OUT_OF_LINE void set_color_state(color_state *s, const gn_pipeline *pipeline,
     else if (s->written == GN_CHANNEL_ALL && s->blends && GN_SPECIALISED && is_over(&s->color) &&
              is_over(&s->alpha) && s->mixes == MIXES_NOTHING)
         s->use = COLOR_OVER;
+}
+
+/* Writes red, green, blue and alpha to the covered pixels of a GN_FORMAT_RGBA8 surface. */
+GN_INLINE void write_rgba8(const gn_surface *surface, const fragment_place *at, uint32_t coverage,
+                           const lanes_f color[4])
+{
+    const block_pixels pixels = memory_of(at, surface, GN_FORMAT_RGBA8);
+    const bool selects = at->shape != SHAPE_ROW || coverage != GN_ALL_LANES;
+    lanes_i word[4], there[4];
+
+    word[0] = encode_rgba8(color);
+    if (selects && pixels.whole) {
+        load_pixels(GN_LAYOUT(4, 4), &pixels, coverage, there);
+        word[0] = lanes_i_select(lanes_from_bits(coverage), word[0], there[0]);
+    }
+    store_pixels(GN_LAYOUT(4, 4), &pixels, coverage, word);
 }
 
 /* Writes the colours of block n as numbers. */
@@ -70,6 +87,8 @@ GN_INLINE void load_blocks(const fragment_state *state, const gn_surface *surfac
     const color_arithmetic arithmetic = arithmetic_of(format);
 
     for (uint32_t n = 0; n < b->count; ++n) {
+        if (!b->coverage[n])
+            continue;
         const block_pixels pixels = batch_pixels(state, b, shape, n, surface, format);
         lanes_i word[4];
         lanes_f color[4];
@@ -100,13 +119,18 @@ GN_INLINE void store_blocks(const fragment_state *state, const color_state *comb
 
     for (uint32_t n = 0; n < b->count; ++n) {
         const uint32_t coverage = b->coverage[n];
+
+        if (!coverage)
+            continue;
         const block_pixels pixels = batch_pixels(state, b, shape, n, surface, format);
         const bool selects = pixels.whole && (shape != SHAPE_ROW || coverage != GN_ALL_LANES);
         lanes_i word[4], there[4];
         lanes_f color[4];
 
-        for (int i = 0; i < 4; ++i)
+        for (int i = 0; i < 4; ++i) {
             word[i] = lanes_i_splat(0);
+            there[i] = word[i];
+        }
         if (arithmetic == ARITHMETIC_BYTES) {
             word[0] = from_rgba8(format, lanes_i_load(numbers[0][n]));
         } else if (arithmetic == ARITHMETIC_SHORTS) {
@@ -167,16 +191,20 @@ GN_OUT_OF_LINE void store_batch(const fragment_state *state, const color_state *
 #undef STORE
 }
 
-/* Combines bytes: the results take the place of the stored ones. `use` is the state's, as a constant. */
-GN_INLINE void combine_bytes(const color_state *state, color_use use, bool blends, block_batch *b)
+/* How bytes are combined. */
+typedef enum byte_combination { BYTES_OVER, BYTES_BLEND, BYTES_MIX, BYTES_LOGIC } byte_combination;
+
+/* Combines bytes: the results take the place of the stored ones. */
+GN_INLINE void combine_bytes(const color_state *state, byte_combination how, block_batch *b)
 {
     for (uint32_t n = 0; n < b->count; ++n) {
         const lanes_i source = lanes_i_load(b->source[0][n]);
         const lanes_i stored = lanes_i_load(b->stored[0][n]);
 
-        lanes_i_store(b->stored[0][n], use == COLOR_OVER ? blend_over(source, stored)
-                                       : blends ? blend_pixels(state, source, stored)
-                                                : operate_on_bits(state, source, stored));
+        lanes_i_store(b->stored[0][n], how == BYTES_OVER    ? blend_over(source, stored)
+                                       : how == BYTES_BLEND ? blend_bytes(state, source, stored)
+                                       : how == BYTES_MIX   ? mix_bytes(state, source, stored)
+                                                            : operate_on_bits(state, source, stored));
     }
 }
 
@@ -198,22 +226,95 @@ static inline void combine_shorts(const color_state *state, block_batch *b)
     }
 }
 
-/* Blends floats. If the format has a largest value, both colours lie within 0 to 1. */
+/* Where a factor of floats is: in an array of the batch, or the same for all blocks. */
+typedef struct float_factor {
+    const int32_t *value;
+    uint32_t stride; /* from block to block */
+    bool is_one_minus;
+    bool saturates; /* the factor is min(source alpha, 1 - destination alpha) */
+} float_factor;
+
+static inline float_factor float_factor_of(const block_batch *b, gn_blend_factor factor,
+                                           int channel, const int32_t constant[5][GN_LANES])
+{
+    float_factor f = {constant[4], GN_LANES, is_one_minus(factor), false};
+
+    switch (factor) {
+    case GN_FACTOR_SOURCE_COLOR:
+    case GN_FACTOR_ONE_MINUS_SOURCE_COLOR:
+        f.value = b->source[channel][0];
+        break;
+    case GN_FACTOR_DESTINATION_COLOR:
+    case GN_FACTOR_ONE_MINUS_DESTINATION_COLOR:
+        f.value = b->stored[channel][0];
+        break;
+    case GN_FACTOR_SOURCE_ALPHA:
+    case GN_FACTOR_ONE_MINUS_SOURCE_ALPHA:
+        f.value = b->source[3][0];
+        break;
+    case GN_FACTOR_DESTINATION_ALPHA:
+    case GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA:
+        f.value = b->stored[3][0];
+        break;
+    case GN_FACTOR_SOURCE_ALPHA_SATURATE:
+        f.saturates = channel < 3;
+        f.is_one_minus = true;
+        f.stride = 0;
+        break;
+    case GN_FACTOR_CONSTANT_COLOR:
+    case GN_FACTOR_ONE_MINUS_CONSTANT_COLOR:
+        f.value = constant[channel];
+        f.stride = 0;
+        break;
+    case GN_FACTOR_CONSTANT_ALPHA:
+    case GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA:
+        f.value = constant[3];
+        f.stride = 0;
+        break;
+    default:
+        f.stride = 0;
+        break;
+    }
+    return f;
+}
+
+/* Returns a factor for block n. */
+GN_INLINE lanes_f factor_at(const float_factor *f, const block_batch *b, uint32_t n)
+{
+    const lanes_f one = lanes_splat(1.0f);
+    const lanes_f value = lanes_as_float(lanes_i_load(f->value + n * f->stride));
+
+    if (f->saturates)
+        return lanes_min(lanes_as_float(lanes_i_load(b->source[3][n])),
+                         lanes_sub(one, lanes_as_float(lanes_i_load(b->stored[3][n]))));
+    return f->is_one_minus ? lanes_sub(one, value) : value;
+}
+
+/* Blends floats, channel by channel; alpha is the last, since other channels' factors may be the
+ * stored alpha. If the format has a largest value, both colours lie within 0 to 1. */
 static inline void combine_floats(const color_state *state, gn_format format, block_batch *b)
 {
-    const bool saturates = !format_is_float(format);
+    int32_t constant[5][GN_LANES]; /* the blend constant, and 0 */
 
-    for (uint32_t n = 0; n < b->count; ++n) {
-        lanes_f source[4], stored[4];
+    for (int c = 0; c < 5; ++c)
+        lanes_i_store(constant[c], lanes_as_int(lanes_splat(c < 4 ? state->constant[c] : 0.0f)));
+    for (int c = 0; c < 4 && !format_is_float(format); ++c)
+        for (uint32_t n = 0; n < b->count; ++n)
+            lanes_i_store(b->source[c][n],
+                          lanes_as_int(saturated(lanes_as_float(lanes_i_load(b->source[c][n])))));
+    for (int c = 0; c < 4; ++c) {
+        const blend_rule *const rule = rule_of(state, c);
+        const float_factor by_source = float_factor_of(b, rule->source, c,
+                                                       (const int32_t(*)[GN_LANES])constant);
+        const float_factor by_stored = float_factor_of(b, rule->destination, c,
+                                                       (const int32_t(*)[GN_LANES])constant);
 
-        for (int c = 0; c < 4; ++c) {
-            source[c] = lanes_as_float(lanes_i_load(b->source[c][n]));
-            stored[c] = lanes_as_float(lanes_i_load(b->stored[c][n]));
-            if (saturates)
-                source[c] = saturated(source[c]);
-        }
-        for (int c = 0; c < 4; ++c)
-            lanes_i_store(b->stored[c][n], lanes_as_int(blend_float(state, source, stored, c)));
+        for (uint32_t n = 0; n < b->count; ++n)
+            lanes_i_store(b->stored[c][n],
+                          lanes_as_int(blend_float(
+                              state, rule, lanes_as_float(lanes_i_load(b->source[c][n])),
+                              lanes_as_float(lanes_i_load(b->stored[c][n])),
+                              factor_at(&by_source, b, n), factor_at(&by_stored, b, n))));
     }
 }
 
@@ -224,11 +325,13 @@ GN_OUT_OF_LINE void combine_batch(const color_state *state, gn_format format, bl
     switch (arithmetic_of(format)) {
     case ARITHMETIC_BYTES:
         if (state->use == COLOR_OVER)
-            combine_bytes(state, COLOR_OVER, true, b);
+            combine_bytes(state, BYTES_OVER, b);
+        else if (state->blends && state->mixes != MIXES_NOTHING)
+            combine_bytes(state, BYTES_MIX, b);
         else if (state->blends)
-            combine_bytes(state, COLOR_COMBINES, true, b);
+            combine_bytes(state, BYTES_BLEND, b);
         else
-            combine_bytes(state, COLOR_COMBINES, false, b);
+            combine_bytes(state, BYTES_LOGIC, b);
         break;
     case ARITHMETIC_SHORTS:
         combine_shorts(state, b);

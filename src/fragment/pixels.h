@@ -3,6 +3,7 @@
 #define GN_FRAGMENT_PIXELS_H
 
 #include "../formats/pixel_memory.h"
+#include "../lanes/rows.h"
 #include "planes.h"
 
 /* The pixels of a group on one surface, whose rows are `stride` bytes apart. Where `whole`, all of
@@ -62,8 +63,22 @@ GN_INLINE int layout_words(pixel_layout layout)
                                                                          : 1;
 }
 
-/* Loads a whole group. Compilers turn the inner loops into loads of vectors. */
-GN_INLINE void load_whole(pixel_layout layout, const block_pixels *m, lanes_i word[4])
+/* Returns the bytes of a pixel of a layout. */
+GN_INLINE int layout_bytes(pixel_layout layout)
+{
+    return layout == GN_LAYOUT(2, 1) ? 2 : layout == GN_LAYOUT(8, 4) ? 8 : (int)layout;
+}
+
+/* Finds the four rows of four pixels that a block is made of; `size` is the bytes of a pixel. */
+GN_INLINE void find_pixel_rows(const block_pixels *m, int size, unsigned char *row[4])
+{
+    for (int r = 0; r < 4; ++r)
+        row[r] = m->shape == SHAPE_ROW ? m->at.half[0] + r * SQUARE_SIZE * size
+                                       : lane_memory(m, r * SQUARE_SIZE);
+}
+
+/* Loads a whole block, pixel by pixel. */
+GN_INLINE void load_each(pixel_layout layout, const block_pixels *m, lanes_i word[4])
 {
     const int together = PIXELS_TOGETHER(m->shape);
     int32_t loaded[4][GN_LANES];
@@ -83,7 +98,7 @@ GN_INLINE void load_whole(pixel_layout layout, const block_pixels *m, lanes_i wo
         word[i] = lanes_i_load(loaded[i]);
 }
 
-GN_INLINE void store_whole(pixel_layout layout, const block_pixels *m, const lanes_i word[4])
+GN_INLINE void store_each(pixel_layout layout, const block_pixels *m, const lanes_i word[4])
 {
     const int together = PIXELS_TOGETHER(m->shape);
     int32_t stored[4][GN_LANES];
@@ -101,6 +116,52 @@ GN_INLINE void store_whole(pixel_layout layout, const block_pixels *m, const lan
             store_pixel(memory, l, layout, pixel);
         }
     }
+}
+
+/* Exchanges the bytes of shorts. */
+GN_INLINE lanes_i shorts_swapped(lanes_i a)
+{
+    return lanes_i_or(lanes_i_and(lanes_i_shift_right(a, 8), lanes_i_splat(0xFF)),
+                      lanes_i_shift_left(lanes_i_and(a, lanes_i_splat(0xFF)), 8));
+}
+
+/* Loads a whole block. */
+GN_INLINE void load_whole(pixel_layout layout, const block_pixels *m, lanes_i word[4])
+{
+    unsigned char *row[4];
+
+    find_pixel_rows(m, layout_bytes(layout), row);
+    if (layout == GN_LAYOUT(1, 1))
+        word[0] = lanes_i_load_bytes(row);
+    else if (layout == GN_LAYOUT(2, 2))
+        word[0] = lanes_i_load_shorts(row);
+#if GN_LANES_HAVE_PAIRS
+    else if (layout == GN_LAYOUT(2, 1))
+        word[0] = shorts_swapped(lanes_i_load_shorts(row));
+    else if (layout == GN_LAYOUT(8, 2) || layout == GN_LAYOUT(8, 4))
+        lanes_i_load_pairs(row, &word[0], &word[1]);
+#endif
+    else
+        load_each(layout, m, word);
+}
+
+GN_INLINE void store_whole(pixel_layout layout, const block_pixels *m, const lanes_i word[4])
+{
+    unsigned char *row[4];
+
+    find_pixel_rows(m, layout_bytes(layout), row);
+    if (layout == GN_LAYOUT(1, 1))
+        lanes_i_store_bytes(row, word[0]);
+    else if (layout == GN_LAYOUT(2, 2))
+        lanes_i_store_shorts(row, word[0]);
+#if GN_LANES_HAVE_PAIRS
+    else if (layout == GN_LAYOUT(2, 1))
+        lanes_i_store_shorts(row, shorts_swapped(word[0]));
+    else if (layout == GN_LAYOUT(8, 2) || layout == GN_LAYOUT(8, 4))
+        lanes_i_store_pairs(row, word[0], word[1]);
+#endif
+    else
+        store_each(layout, m, word);
 }
 
 /* Loads the covered pixels of a block; other lanes are 0. */

@@ -45,9 +45,10 @@ GN_INLINE void ready_color(const fragment_state *state, fragment_source source, 
     }
 }
 
-/* Computes the colours of a batch's blocks and encodes them. */
+/* Computes the colours of a batch's blocks, and encodes them, or writes them to a GN_FORMAT_RGBA8
+ * surface if `direct`. */
 GN_INLINE void ready_blocks(const fragment_state *state, fragment_source source, bool smooth,
-                            fragment_shape shape, block_batch *b)
+                            bool direct, fragment_shape shape, block_batch *b)
 {
     const color_arithmetic arithmetic = arithmetic_of(state->color.format);
 
@@ -58,17 +59,20 @@ GN_INLINE void ready_blocks(const fragment_state *state, fragment_source source,
 
         set_batch_place(state, b, shape, n, state->shade_at, &at);
         ready_color(state, source, smooth, &at, triangle, w_at(&at, triangle), color);
-        encode_numbers(arithmetic, color, n, b->source);
+        if (direct)
+            write_rgba8(&state->color, &at, b->coverage[n], color);
+        else
+            encode_numbers(arithmetic, color, n, b->source);
     }
 }
 
 GN_INLINE void ready_shapes(const fragment_state *state, fragment_source source, bool smooth,
-                            block_batch *b)
+                            bool direct, block_batch *b)
 {
     if (b->shape == SHAPE_ROW)
-        ready_blocks(state, source, smooth, SHAPE_ROW, b);
+        ready_blocks(state, source, smooth, direct, SHAPE_ROW, b);
     else
-        ready_blocks(state, source, smooth, SHAPE_HALVES, b);
+        ready_blocks(state, source, smooth, direct, SHAPE_HALVES, b);
 }
 
 /* Computes the colours of block n by the fragment shader. The verdict is set but for `depth`. */
@@ -107,11 +111,22 @@ GN_OUT_OF_LINE void source_batch(const fragment_state *state, block_batch *b)
     if (!GN_SPECIALISED || state->source == SOURCE_SHADER)
         shader_batch(state, b);
     else if (state->source == SOURCE_TEXTURE)
-        ready_shapes(state, SOURCE_TEXTURE, false, b);
+        ready_shapes(state, SOURCE_TEXTURE, false, false, b);
     else if (state->is_smooth)
-        ready_shapes(state, SOURCE_COLOR, true, b);
+        ready_shapes(state, SOURCE_COLOR, true, false, b);
     else
-        ready_shapes(state, SOURCE_COLOR, false, b);
+        ready_shapes(state, SOURCE_COLOR, false, false, b);
+}
+
+/* Computes colours that replace those of a GN_FORMAT_RGBA8 surface, and writes them. */
+GN_OUT_OF_LINE void direct_batch(const fragment_state *state, block_batch *b)
+{
+    if (state->source == SOURCE_TEXTURE)
+        ready_shapes(state, SOURCE_TEXTURE, false, true, b);
+    else if (state->is_smooth)
+        ready_shapes(state, SOURCE_COLOR, true, true, b);
+    else
+        ready_shapes(state, SOURCE_COLOR, false, true, b);
 }
 
 #endif

@@ -35,7 +35,8 @@ static inline void set_source(fragment_state *s, const gn_pipeline *pipeline)
     s->sampler = 0;
     s->source = SOURCE_SHADER;
     if (!GN_SPECIALISED || s->is_late || s->color.format == GN_FORMAT_NONE ||
-        pipeline->program.color_count > 1)
+        pipeline->program.color_count > 1 || pipeline->samples.alpha_to_coverage ||
+        pipeline->samples.alpha_to_one || pipeline->program.fragment_writes_sample_mask)
         return;
     if (shader == gn_shade_lit_texture) {
         s->texture = lit->material.diffuse_map;
@@ -104,6 +105,8 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
         set_more_colors(s, target, pipeline);
     for (uint32_t a = 0; GN_HAVE_ATTACHMENTS && a < s->more_count; ++a)
         s->combines = s->combines || combines(&s->more[a].combine, s->more[a].surface.format);
+    s->is_direct = s->source != SOURCE_SHADER && s->color.format == GN_FORMAT_RGBA8 &&
+                   s->combine.use == COLOR_REPLACES;
     s->limits = depth_limits_of(pipeline, viewport);
     s->clamps_depth = s->tests_depth && (s->limits.low != 0.0f || s->limits.high != 1.0f);
 }

@@ -81,10 +81,22 @@ static inline void take_steps(const fragment_context *c, covered_block *blocks, 
             compact_rows(b);
         if (b->count == 0 || !has_colors(state))
             return;
+        if (GN_SPECIALISED && state->is_direct) {
+            direct_batch(state, b);
+            return;
+        }
         source_batch(state, b);
     }
     if (has_colors(state))
         output_colors(state, b);
+}
+
+/* Returns the most blocks that a batch has room for, with all of their colours. */
+static inline uint32_t most_together(const fragment_state *state)
+{
+    const uint32_t most = STEP_BLOCKS / shader_colors(state);
+
+    return most > 0 ? most : 1;
 }
 
 /* Returns how many of `count` blocks may take the steps together. If colours depend on stored ones,
@@ -92,7 +104,7 @@ static inline void take_steps(const fragment_context *c, covered_block *blocks, 
 static inline uint32_t blocks_together(const fragment_state *state, const covered_block *blocks,
                                        uint32_t count)
 {
-    const uint32_t most = STEP_BLOCKS / shader_colors(state) > 0 ? STEP_BLOCKS / shader_colors(state) : 1;
+    const uint32_t most = most_together(state);
     uint32_t together = 1;
 
     while (together < count && together < most &&

@@ -45,6 +45,14 @@ typedef struct blend_rule {
  * w. Such terms are mixed instead of multiplied and added. */
 typedef enum mixing { MIXES_NOTHING, MIXES_BY_SOURCE, MIXES_BY_DESTINATION } mixing;
 
+/* The factors of two bytes: for each byte the value that is its factor, by masks. The constant is
+ * combined by exclusive or. */
+typedef struct factor_terms {
+    uint32_t source, destination, source_alpha, destination_alpha;
+    uint32_t saturate; /* min(source alpha, 1 - destination alpha) */
+    uint32_t constant;
+} factor_terms;
+
 /* How a fragment's colour is written. */
 typedef enum color_use {
     COLOR_REPLACES, /* it replaces all channels */
@@ -58,8 +66,8 @@ typedef struct color_state {
     int32_t written_bits[4]; /* masks of the words of a pixel (formats/pixel_memory.h) */
     bool blends, is_logical; /* at most one */
     blend_rule color, alpha;
-    bool same_rules; /* alpha is blended as red, green and blue are */
-    mixing mixes;    /* for formats of one channel */
+    mixing mixes; /* for formats of one channel */
+    factor_terms source_terms[2], destination_terms[2]; /* of red and blue, and of green and alpha */
     /* For floats: (source + destination) * factor; and terms that are left out, since their factor
      * is zero. */
     bool factors_last, drops_source, drops_destination;
@@ -114,6 +122,7 @@ typedef struct fragment_state {
     fragment_source source;    /* SOURCE_SHADER with GN_SMALL */
     const gn_texture *texture; /* with SOURCE_TEXTURE */
     const gn_sampler *sampler;
+    bool is_direct; /* ready-made colours replace those of a GN_FORMAT_RGBA8 surface */
     bool combines; /* an attachment's colours depend on what it stores */
     gn_surface color; /* GN_FORMAT_NONE: no colour */
     gn_surface depth; /* GN_FORMAT_NONE: no test */

@@ -13,7 +13,8 @@
  *   floor                         stays a float
  *   quad_left quad_right          the value in one column or row of each 2x2 quad
  *   quad_lower quad_upper
- *   i_add i_sub i_mul i_or i_and  integers, which wrap around
+ *   i_add i_sub i_mul             integers, which wrap around
+ *   i_or i_and i_xor
  *   i_mul_shorts                  each half of a lane
  *   i_shift_left i_shift_right
  *   i_min i_max i_clamp i_select

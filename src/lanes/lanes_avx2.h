@@ -222,6 +222,11 @@ static inline lanes_i lanes_i_and(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, _mm256_and_si256(a.q[n], b.q[n]));
 }
 
+static inline lanes_i lanes_i_xor(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_xor_si256(a.q[n], b.q[n]));
+}
+
 static inline lanes_m lanes_i_greater(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_m, _mm256_cmpgt_epi32(a.q[n], b.q[n]));

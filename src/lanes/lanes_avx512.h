@@ -225,6 +225,11 @@ static inline lanes_i lanes_i_and(lanes_i a, lanes_i b)
     return lanes_avx512_i(_mm512_and_si512(a.q, b.q));
 }
 
+static inline lanes_i lanes_i_xor(lanes_i a, lanes_i b)
+{
+    return lanes_avx512_i(_mm512_xor_si512(a.q, b.q));
+}
+
 static inline lanes_m lanes_i_greater(lanes_i a, lanes_i b)
 {
     return lanes_avx512_m(_mm512_cmpgt_epi32_mask(a.q, b.q));

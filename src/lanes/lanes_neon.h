@@ -233,6 +233,11 @@ static inline lanes_i lanes_i_and(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, vandq_s32(a.q[n], b.q[n]));
 }
 
+static inline lanes_i lanes_i_xor(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, veorq_s32(a.q[n], b.q[n]));
+}
+
 static inline lanes_m lanes_i_greater(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_m, vcgtq_s32(a.q[n], b.q[n]));

@@ -361,6 +361,13 @@ static inline lanes_i lanes_i_and(lanes_i a, lanes_i b)
     return a;
 }
 
+static inline lanes_i lanes_i_xor(lanes_i a, lanes_i b)
+{
+    GN_EACH_LANE (l)
+        a.v[l] ^= b.v[l];
+    return a;
+}
+
 static inline lanes_m lanes_i_greater(lanes_i a, lanes_i b)
 {
     lanes_m r;

@@ -229,6 +229,11 @@ static inline lanes_i lanes_i_and(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, _mm_and_si128(a.q[n], b.q[n]));
 }
 
+static inline lanes_i lanes_i_xor(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm_xor_si128(a.q[n], b.q[n]));
+}
+
 static inline lanes_m lanes_i_greater(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_m, _mm_cmpgt_epi32(a.q[n], b.q[n]));

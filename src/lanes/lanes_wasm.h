@@ -220,6 +220,11 @@ static inline lanes_i lanes_i_and(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, wasm_v128_and(a.q[n], b.q[n]));
 }
 
+static inline lanes_i lanes_i_xor(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_v128_xor(a.q[n], b.q[n]));
+}
+
 static inline lanes_m lanes_i_greater(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_m, wasm_i32x4_gt(a.q[n], b.q[n]));

@@ -17,15 +17,57 @@ static inline int32_t sample_offset(uint32_t sample, int axis)
     return offset[sample][axis];
 }
 
-/* A function that is called for the square at (x, y), both multiples of 4, with the covered pixels
- * of each sample. At least one sample is covered. */
-typedef void samples_function(const void *context, raster_triangle triangle, int32_t x, int32_t y,
-                              const uint32_t coverage[GN_SAMPLES]);
+/* A square with the covered pixels of each sample; its coordinates are multiples of its size. */
+typedef struct sampled_square {
+    raster_triangle triangle;
+    int32_t x, y;
+    uint32_t coverage[GN_SAMPLES];
+} sampled_square;
+
+/* A function that shades squares, in order. */
+typedef void samples_function(const void *context, const sampled_square *squares, uint32_t count);
+
+/* Squares that are shaded together, of one or more triangles. */
+#define SAMPLED_SQUARES (GN_SPECIALISED ? 16 : 1)
+
+typedef struct sample_batch {
+    samples_function *shade;
+    const void *context;
+    uint32_t count;
+    sampled_square square[SAMPLED_SQUARES];
+} sample_batch;
+
+static inline void shade_sample_batch(sample_batch *batch)
+{
+    if (batch->count)
+        batch->shade(batch->context, batch->square, batch->count);
+    batch->count = 0;
+}
+
+/* Adds a square if any sample is covered. */
+static inline void add_sampled_square(sample_batch *batch, raster_triangle triangle, int32_t x,
+                                      int32_t y, const uint32_t coverage[GN_SAMPLES])
+{
+    sampled_square *const square = &batch->square[batch->count];
+    uint32_t any = 0;
+
+    square->triangle = triangle;
+    square->x = x;
+    square->y = y;
+    for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
+        square->coverage[s] = coverage[s];
+        any |= coverage[s];
+    }
+    batch->count += any != 0;
+    if (batch->count == SAMPLED_SQUARES)
+        shade_sample_batch(batch);
+}
 
 /* The three edges of a triangle as each sample sees them: moved by the sample's distance, the other
  * way. */
 typedef struct sampled_edges {
     large_edge of[GN_SAMPLES][3];
+    large_edge least[3]; /* the least of all samples: a square inside it is inside for all */
 } sampled_edges;
 
 static void set_sampled_edge(sampled_edges *edges, int edge, int32_t per_x, int32_t per_y,
@@ -34,6 +76,10 @@ static void set_sampled_edge(sampled_edges *edges, int edge, int32_t per_x, int3
     for (uint32_t s = 0; s < GN_SAMPLES; ++s)
         set_edge_through(&edges->of[s][edge], per_x, per_y, x - sample_offset(s, 0),
                          y - sample_offset(s, 1));
+    edges->least[edge] = edges->of[0][edge];
+    for (uint32_t s = 1; s < GN_SAMPLES; ++s)
+        if (edges->of[s][edge].constant < edges->least[edge].constant)
+            edges->least[edge].constant = edges->of[s][edge].constant;
 }
 
 /* Returns whether every square further to the right is outside too. */
@@ -79,17 +125,12 @@ static inline bool sample_masks(const sampled_edges *edges, int32_t x, int32_t y
     return goes_on;
 }
 
-static inline bool any_sample(const uint32_t coverage[GN_SAMPLES])
-{
-    return (coverage[0] | coverage[1] | coverage[2] | coverage[3]) != 0;
-}
-
-/* Calls `shade` for every square of a list's triangle in which samples are covered, from the bottom
- * up and from left to right. The triangle's bounds hold every pixel with a sample inside. */
+/* Adds the squares of a list's triangle in which samples are covered, from the bottom up and from
+ * left to right. The triangle's bounds hold every pixel with a sample inside. */
 static inline void cover_samples(const pixel_rectangle *target, const triangle_setup *setup,
-                                 const triangle_list *list, uint32_t lane, samples_function *shade,
-                                 const void *context)
+                                 const triangle_list *list, uint32_t lane, sample_batch *batch)
 {
+    static const uint32_t all[GN_SAMPLES] = {GN_ALL_LANES, GN_ALL_LANES, GN_ALL_LANES, GN_ALL_LANES};
     const raster_triangle triangle = {&setup->plane[0][0][lane]};
     const int32_t left = list->bounds[BOUNDS_MIN_X][lane] & ~(SQUARE_SIZE - 1);
     const int32_t bottom = list->bounds[BOUNDS_MIN_Y][lane] & ~(SQUARE_SIZE - 1);
@@ -101,15 +142,27 @@ static inline void cover_samples(const pixel_rectangle *target, const triangle_s
                          setup->corner.snapped[i][0][lane], setup->corner.snapped[i][1][lane]);
     for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += SQUARE_SIZE) {
         const int32_t squares = (max_x - left) / SQUARE_SIZE + 1;
+        int32_t x = left + skip_outside(&edges, left, y, squares) * SQUARE_SIZE;
         bool goes_on = true;
 
-        for (int32_t x = left + skip_outside(&edges, left, y, squares) * SQUARE_SIZE;
-             goes_on && x <= max_x; x += SQUARE_SIZE) {
+        while (goes_on && x <= max_x) {
+            const uint32_t inside = square_mask(target, x, y);
+            const corner_values c = values_at(edges.least, x, y);
             uint32_t coverage[GN_SAMPLES];
 
-            goes_on = sample_masks(&edges, x, y, square_mask(target, x, y), coverage);
-            if (any_sample(coverage))
-                shade(context, triangle, x, y, coverage);
+            if (inside == GN_ALL_LANES && is_inside(edges.least, c)) {
+                const int32_t last = max_x < target->max_x ? max_x : target->max_x;
+                const int32_t whole = (last + 1 - x) / SQUARE_SIZE;
+
+                for (int32_t n = count_inside(edges.least, c, whole > 1 ? whole : 1); n > 0; --n) {
+                    add_sampled_square(batch, triangle, x, y, all);
+                    x += SQUARE_SIZE;
+                }
+                continue;
+            }
+            goes_on = sample_masks(&edges, x, y, inside, coverage);
+            add_sampled_square(batch, triangle, x, y, coverage);
+            x += SQUARE_SIZE;
         }
     }
 }
@@ -118,8 +171,7 @@ static inline void cover_samples(const pixel_rectangle *target, const triangle_s
  * three. `box` holds all pixels that the line may have. */
 static inline void cover_line_samples(const box_state *state, const stored_vertex *first,
                                       const stored_vertex *second, const pixel_rectangle *box,
-                                      raster_triangle triangle, samples_function *shade,
-                                      const void *context)
+                                      raster_triangle triangle, sample_batch *batch)
 {
     int32_t corner[4][2];
     sampled_edges edges, others;
@@ -145,8 +197,7 @@ static inline void cover_line_samples(const box_state *state, const stored_verte
             sample_masks(&others, x, y, GN_ALL_LANES, rest);
             for (uint32_t s = 0; s < GN_SAMPLES; ++s)
                 coverage[s] &= rest[s];
-            if (any_sample(coverage))
-                shade(context, triangle, x, y, coverage);
+            add_sampled_square(batch, triangle, x, y, coverage);
         }
     }
 }
@@ -164,7 +215,7 @@ static inline uint32_t rectangle_mask(const pixel_rectangle *r, int32_t x, int32
 /* Covers the point of a vertex. `box` holds all pixels that the point may have. */
 static inline void cover_point_samples(const box_state *state, const stored_vertex *v,
                                        const pixel_rectangle *box, raster_triangle triangle,
-                                       samples_function *shade, const void *context)
+                                       sample_batch *batch)
 {
     pixel_rectangle covered[GN_SAMPLES];
     int32_t low[2], high[2];
@@ -187,8 +238,7 @@ static inline void cover_point_samples(const box_state *state, const stored_vert
 
             for (uint32_t s = 0; s < GN_SAMPLES; ++s)
                 coverage[s] = rectangle_mask(&covered[s], x, y);
-            if (any_sample(coverage))
-                shade(context, triangle, x, y, coverage);
+            add_sampled_square(batch, triangle, x, y, coverage);
         }
     }
 }

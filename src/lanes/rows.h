@@ -1,0 +1,310 @@
+/* Lanes of pixels that are no words of 32 bits: four rows of four pixels, which are bytes, shorts or
+ * pairs of words. Rows lie anywhere in memory.
+ *
+ *   load_bytes store_bytes     one byte a pixel; stores take a lane's low 8 bits
+ *   load_shorts store_shorts   one short a pixel, aligned; stores take a lane's low 16 bits
+ *   load_pairs store_pairs     two words a pixel, aligned to shorts at least */
+#ifndef GN_LANES_ROWS_H
+#define GN_LANES_ROWS_H
+
+#include "lanes.h"
+
+/* Whether there are loads and stores of pairs. They take the first word from the lower address, as
+ * only little-endian processors have both pairs of shorts and pairs of words. */
+#if (defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2) || defined(GN_LANES_SSE2)) &&              \
+    !defined(GN_LANES_INTRINSICS_HEADER)
+#define GN_LANES_HAVE_PAIRS 1
+#else
+#define GN_LANES_HAVE_PAIRS 0
+#endif
+
+#if GN_LANES_HAVE_PAIRS
+
+/* A word at any address. */
+typedef int32_t __attribute__((may_alias, aligned(1))) lanes_any_word;
+
+/* Returns the low words of four rows, one after the other. */
+static inline __m128i lanes_word_rows(unsigned char *const row[4])
+{
+    return _mm_setr_epi32(
+        *(const lanes_any_word *)(const void *)row[0], *(const lanes_any_word *)(const void *)row[1],
+        *(const lanes_any_word *)(const void *)row[2], *(const lanes_any_word *)(const void *)row[3]);
+}
+
+static inline void lanes_store_word_rows(unsigned char *const row[4], __m128i a)
+{
+    int32_t word[4];
+
+    _mm_storeu_si128((__m128i *)(void *)word, a);
+    for (int r = 0; r < 4; ++r)
+        *(lanes_any_word *)(void *)row[r] = word[r];
+}
+
+/* Returns eight bytes of two rows. */
+static inline __m128i lanes_short_rows(const unsigned char *first, const unsigned char *second)
+{
+    return _mm_unpacklo_epi64(_mm_loadl_epi64((const __m128i *)(const void *)first),
+                              _mm_loadl_epi64((const __m128i *)(const void *)second));
+}
+
+static inline void lanes_store_short_rows(unsigned char *first, unsigned char *second, __m128i a)
+{
+    _mm_storel_epi64((__m128i *)(void *)first, a);
+    _mm_storel_epi64((__m128i *)(void *)second, _mm_unpackhi_epi64(a, a));
+}
+
+/* Loads a row of pairs: the words of four pixels. */
+static inline void lanes_pair_row(const unsigned char *row, __m128 *first, __m128 *second)
+{
+    const __m128 a = _mm_loadu_ps((const float *)(const void *)row);
+    const __m128 b = _mm_loadu_ps((const float *)(const void *)(row + 16));
+
+    *first = _mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0));
+    *second = _mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1));
+}
+
+static inline void lanes_store_pair_row(unsigned char *row, __m128i first, __m128i second)
+{
+    _mm_storeu_si128((__m128i *)(void *)row, _mm_unpacklo_epi32(first, second));
+    _mm_storeu_si128((__m128i *)(void *)(row + 16), _mm_unpackhi_epi32(first, second));
+}
+
+#endif
+
+#if GN_LANES_HAVE_PAIRS && defined(GN_LANES_AVX512)
+
+static inline lanes_i lanes_i_load_bytes(unsigned char *const row[4])
+{
+    return lanes_avx512_i(_mm512_cvtepu8_epi32(lanes_word_rows(row)));
+}
+
+static inline void lanes_i_store_bytes(unsigned char *const row[4], lanes_i a)
+{
+    lanes_store_word_rows(row, _mm512_cvtepi32_epi8(a.q));
+}
+
+static inline lanes_i lanes_i_load_shorts(unsigned char *const row[4])
+{
+    return lanes_avx512_i(_mm512_cvtepu16_epi32(_mm256_inserti128_si256(
+        _mm256_castsi128_si256(lanes_short_rows(row[0], row[1])), lanes_short_rows(row[2], row[3]),
+        1)));
+}
+
+static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
+{
+    const __m256i shorts = _mm512_cvtepi32_epi16(a.q);
+
+    lanes_store_short_rows(row[0], row[1], _mm256_castsi256_si128(shorts));
+    lanes_store_short_rows(row[2], row[3], _mm256_extracti128_si256(shorts, 1));
+}
+
+static inline void lanes_i_load_pairs(unsigned char *const row[4], lanes_i *first, lanes_i *second)
+{
+    __m128 a[4], b[4];
+
+    for (int r = 0; r < 4; ++r)
+        lanes_pair_row(row[r], &a[r], &b[r]);
+    first->q = _mm512_inserti64x4(
+        _mm512_castsi256_si512(_mm256_castps_si256(_mm256_set_m128(a[1], a[0]))),
+        _mm256_castps_si256(_mm256_set_m128(a[3], a[2])), 1);
+    second->q = _mm512_inserti64x4(
+        _mm512_castsi256_si512(_mm256_castps_si256(_mm256_set_m128(b[1], b[0]))),
+        _mm256_castps_si256(_mm256_set_m128(b[3], b[2])), 1);
+}
+
+static inline void lanes_i_store_pairs(unsigned char *const row[4], lanes_i first, lanes_i second)
+{
+    lanes_store_pair_row(row[0], _mm512_castsi512_si128(first.q),
+                         _mm512_castsi512_si128(second.q));
+    lanes_store_pair_row(row[1], _mm512_extracti32x4_epi32(first.q, 1),
+                         _mm512_extracti32x4_epi32(second.q, 1));
+    lanes_store_pair_row(row[2], _mm512_extracti32x4_epi32(first.q, 2),
+                         _mm512_extracti32x4_epi32(second.q, 2));
+    lanes_store_pair_row(row[3], _mm512_extracti32x4_epi32(first.q, 3),
+                         _mm512_extracti32x4_epi32(second.q, 3));
+}
+
+#elif GN_LANES_HAVE_PAIRS && defined(GN_LANES_AVX2)
+
+static inline lanes_i lanes_i_load_bytes(unsigned char *const row[4])
+{
+    const __m128i bytes = lanes_word_rows(row);
+    lanes_i a;
+
+    a.q[0] = _mm256_cvtepu8_epi32(bytes);
+    a.q[1] = _mm256_cvtepu8_epi32(_mm_unpackhi_epi64(bytes, bytes));
+    return a;
+}
+
+/* Packs the low 16 bits of lanes: rows 0, 2, 1 and 3. */
+static inline __m256i lanes_avx2_shorts(lanes_i a)
+{
+    const __m256i low = _mm256_set1_epi32(0xFFFF);
+
+    return _mm256_packus_epi32(_mm256_and_si256(a.q[0], low), _mm256_and_si256(a.q[1], low));
+}
+
+static inline void lanes_i_store_bytes(unsigned char *const row[4], lanes_i a)
+{
+    const __m256i low = _mm256_set1_epi32(0xFF);
+    const __m256i shorts =
+        _mm256_packus_epi32(_mm256_and_si256(a.q[0], low), _mm256_and_si256(a.q[1], low));
+    const __m128i bytes =
+        _mm_packus_epi16(_mm256_castsi256_si128(shorts), _mm256_extracti128_si256(shorts, 1));
+
+    lanes_store_word_rows(row, _mm_shuffle_epi32(bytes, _MM_SHUFFLE(3, 1, 2, 0)));
+}
+
+static inline lanes_i lanes_i_load_shorts(unsigned char *const row[4])
+{
+    lanes_i a;
+
+    for (int n = 0; n < 2; ++n)
+        a.q[n] = _mm256_cvtepu16_epi32(lanes_short_rows(row[2 * n], row[2 * n + 1]));
+    return a;
+}
+
+static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
+{
+    const __m256i shorts = lanes_avx2_shorts(a);
+
+    lanes_store_short_rows(row[0], row[2], _mm256_castsi256_si128(shorts));
+    lanes_store_short_rows(row[1], row[3], _mm256_extracti128_si256(shorts, 1));
+}
+
+static inline void lanes_i_load_pairs(unsigned char *const row[4], lanes_i *first, lanes_i *second)
+{
+    __m128 a[4], b[4];
+
+    for (int r = 0; r < 4; ++r)
+        lanes_pair_row(row[r], &a[r], &b[r]);
+    for (int n = 0; n < 2; ++n) {
+        first->q[n] = _mm256_castps_si256(_mm256_set_m128(a[2 * n + 1], a[2 * n]));
+        second->q[n] = _mm256_castps_si256(_mm256_set_m128(b[2 * n + 1], b[2 * n]));
+    }
+}
+
+static inline void lanes_i_store_pairs(unsigned char *const row[4], lanes_i first, lanes_i second)
+{
+    for (int n = 0; n < 2; ++n) {
+        lanes_store_pair_row(row[2 * n], _mm256_castsi256_si128(first.q[n]),
+                             _mm256_castsi256_si128(second.q[n]));
+        lanes_store_pair_row(row[2 * n + 1], _mm256_extracti128_si256(first.q[n], 1),
+                             _mm256_extracti128_si256(second.q[n], 1));
+    }
+}
+
+#elif GN_LANES_HAVE_PAIRS
+
+static inline lanes_i lanes_i_load_bytes(unsigned char *const row[4])
+{
+    const __m128i zero = _mm_setzero_si128();
+    const __m128i bytes = lanes_word_rows(row);
+    const __m128i low = _mm_unpacklo_epi8(bytes, zero);
+    const __m128i high = _mm_unpackhi_epi8(bytes, zero);
+    lanes_i a;
+
+    a.q[0] = _mm_unpacklo_epi16(low, zero);
+    a.q[1] = _mm_unpackhi_epi16(low, zero);
+    a.q[2] = _mm_unpacklo_epi16(high, zero);
+    a.q[3] = _mm_unpackhi_epi16(high, zero);
+    return a;
+}
+
+/* Packs the low 16 bits of two registers. Their sign is extended, so that no value saturates. */
+static inline __m128i lanes_sse2_shorts(__m128i a, __m128i b)
+{
+    return _mm_packs_epi32(_mm_srai_epi32(_mm_slli_epi32(a, 16), 16),
+                           _mm_srai_epi32(_mm_slli_epi32(b, 16), 16));
+}
+
+static inline void lanes_i_store_bytes(unsigned char *const row[4], lanes_i a)
+{
+    const __m128i byte = _mm_set1_epi16(0xFF);
+
+    lanes_store_word_rows(
+        row, _mm_packus_epi16(_mm_and_si128(lanes_sse2_shorts(a.q[0], a.q[1]), byte),
+                              _mm_and_si128(lanes_sse2_shorts(a.q[2], a.q[3]), byte)));
+}
+
+static inline lanes_i lanes_i_load_shorts(unsigned char *const row[4])
+{
+    lanes_i a;
+
+    for (int n = 0; n < 4; ++n)
+        a.q[n] = _mm_unpacklo_epi16(_mm_loadl_epi64((const __m128i *)(const void *)row[n]),
+                                    _mm_setzero_si128());
+    return a;
+}
+
+static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
+{
+    lanes_store_short_rows(row[0], row[1], lanes_sse2_shorts(a.q[0], a.q[1]));
+    lanes_store_short_rows(row[2], row[3], lanes_sse2_shorts(a.q[2], a.q[3]));
+}
+
+static inline void lanes_i_load_pairs(unsigned char *const row[4], lanes_i *first, lanes_i *second)
+{
+    for (int n = 0; n < 4; ++n) {
+        __m128 a, b;
+
+        lanes_pair_row(row[n], &a, &b);
+        first->q[n] = _mm_castps_si128(a);
+        second->q[n] = _mm_castps_si128(b);
+    }
+}
+
+static inline void lanes_i_store_pairs(unsigned char *const row[4], lanes_i first, lanes_i second)
+{
+    for (int n = 0; n < 4; ++n)
+        lanes_store_pair_row(row[n], first.q[n], second.q[n]);
+}
+
+#else
+
+/* The pixels of a row. */
+#define LANES_ROW (GN_LANES / 4)
+
+static inline lanes_i lanes_i_load_bytes(unsigned char *const row[4])
+{
+    int32_t value[GN_LANES];
+
+    for (int r = 0; r < 4; ++r)
+        for (int n = 0; n < LANES_ROW; ++n)
+            value[LANES_ROW * r + n] = row[r][n];
+    return lanes_i_load(value);
+}
+
+static inline void lanes_i_store_bytes(unsigned char *const row[4], lanes_i a)
+{
+    int32_t value[GN_LANES];
+
+    lanes_i_store(value, a);
+    for (int r = 0; r < 4; ++r)
+        for (int n = 0; n < LANES_ROW; ++n)
+            row[r][n] = (unsigned char)value[LANES_ROW * r + n];
+}
+
+static inline lanes_i lanes_i_load_shorts(unsigned char *const row[4])
+{
+    int32_t value[GN_LANES];
+
+    for (int r = 0; r < 4; ++r)
+        for (int n = 0; n < LANES_ROW; ++n)
+            value[LANES_ROW * r + n] = ((const stored_half *)(const void *)row[r])[n];
+    return lanes_i_load(value);
+}
+
+static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
+{
+    int32_t value[GN_LANES];
+
+    lanes_i_store(value, a);
+    for (int r = 0; r < 4; ++r)
+        for (int n = 0; n < LANES_ROW; ++n)
+            ((stored_half *)(void *)row[r])[n] = (uint16_t)value[LANES_ROW * r + n];
+}
+
+#endif
+
+#endif
