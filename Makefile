@@ -36,6 +36,7 @@ OSMESA_SOURCES = $(sort $(wildcard reference/osmesa/*.c))
 COMMAND_SOURCES = $(sort $(wildcard tools/gnomon/*.c))
 THREADS_SOURCES = $(sort $(wildcard tools/threads/*.c))
 BENCH_SOURCES = $(sort $(wildcard tools/bench/*.c))
+STATES_SOURCES = $(sort $(wildcard tools/bench/states/*.c))
 
 .PHONY: all
 all: library $(BUILD)/gnomon
@@ -116,6 +117,9 @@ REFERENCE_SOURCES = $(SCENE_SOURCES) $(OSMESA_SOURCES)
 $(eval $(call program,gnomon,$(COMMAND_SOURCES) $(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lOSMesa -lm))
 
 $(eval $(call program,bench,$(BENCH_SOURCES) $(THREADS_SOURCES) $(REFERENCE_SOURCES) $(LIBRARY),-lOSMesa -lm -pthread))
+
+$(eval $(call program,bench-states,$(STATES_SOURCES) $(addprefix tools/bench/,renderer.c protocol.c median.c scenes.c \
+	plot_parts.c) $(REFERENCE_SOURCES) $(LIBRARY),-lOSMesa -lm))
 
 # A user's shader, once per instruction set (reference/scene/phong.c). Without these flags the
 # compiler does not vectorise it: sqrtf may set errno, and comparisons may set exception flags.

@@ -167,6 +167,7 @@ void reference_discard(uploaded_draw *draws, size_t count)
     for (size_t i = 0; i < count; ++i) {
         glDeleteBuffers(1, &draws[i].vertices);
         glDeleteBuffers(1, &draws[i].indices);
+        glDeleteVertexArrays(1, &draws[i].array);
         glDeleteTextures(1, &draws[i].texture);
         glDeleteTextures(SCENE_MAP_COUNT, draws[i].maps);
         glDeleteQueries(2, draws[i].queries);
@@ -405,6 +406,48 @@ void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u
         glEndQuery(GL_PRIMITIVES_GENERATED);
         glEndQuery(GL_SAMPLES_PASSED);
     }
+}
+
+void reference_prepare_attributes(const scene_draw *d, uploaded_draw *u)
+{
+    glGenVertexArrays(1, &u->array);
+    glBindVertexArray(u->array);
+    set_attributes(&d->mesh, u, d->shader != SCENE_SAMPLED);
+}
+
+/* Whether a draw has the state and the shader's outputs of the draw before it, and no clear has
+ * changed the state between them. */
+static bool keeps_state(const scene_draw *d, const scene_draw *before)
+{
+    return before && !d->clear.color && !d->clear.depth && d->shader == before->shader &&
+           !memcmp(&d->state, &before->state, sizeof d->state);
+}
+
+void reference_issue_prepared(const scene *s, const scene_draw *d, const uploaded_draw *u,
+                              const scene_draw *before, const uploaded_draw *before_u)
+{
+    if (d->clear.color || d->clear.depth) {
+        const scene cleared = scene_of_clear(s, d);
+
+        reference_clear(&cleared);
+    }
+    if (!keeps_state(d, before)) {
+        framebuffer_choose_colors(s, drawn_colors(d));
+        set_state(s, &d->state);
+        switch_capability(GL_PROGRAM_POINT_SIZE, d->state.program.vertex_writes_point_size &&
+                                                     scene_shader_has_sizes(d->shader));
+    }
+    glBindVertexArray(u->array);
+    if (!before || u->program != before_u->program)
+        glUseProgram(u->program);
+    set_uniforms(d, u->program);
+    if (u->texture || u->maps[0] || u->maps[1] || u->maps[2] || u->maps[3])
+        reference_bind_maps(u->maps);
+    if (u->texture) {
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(reference_texture_target(d->uniforms.texture.target), u->texture);
+    }
+    draw_elements(d);
 }
 
 bool reference_draw(reference *r, const scene *s, scene_frame *frame, char *error,

@@ -67,6 +67,7 @@ struct reference {
 typedef struct uploaded_draw {
     GLuint vertices;
     GLuint indices;
+    GLuint array; /* the vertex array object of a draw that is timed, otherwise 0 */
     GLuint texture;
     GLuint maps[SCENE_MAP_COUNT];
     GLuint program;
@@ -100,6 +101,13 @@ uploaded_draw *reference_upload(reference *r, const scene *s, char *error, size_
 void reference_clear(const scene *s);
 void reference_issue(const scene *s, const scene_draw *d, const uploaded_draw *u);
 void reference_discard(uploaded_draw *draws, size_t count);
+
+/* For draws that are timed. The first gives a draw its vertex array object. The second does what
+ * reference_issue does, but leaves out what draw `before` of the same frame has set already; draw
+ * `before` is null for the first draw of a frame. */
+void reference_prepare_attributes(const scene_draw *d, uploaded_draw *u);
+void reference_issue_prepared(const scene *s, const scene_draw *d, const uploaded_draw *u,
+                              const scene_draw *before, const uploaded_draw *before_u);
 
 /* Makes a program from a vertex shader, in front of which the common declarations are put, and a
  * complete fragment shader; returns 0 with the compiler's log in error. */

@@ -30,16 +30,25 @@ reference_prepared *reference_prepare(reference *r, const scene *s, reference_de
         free(p);
         return NULL;
     }
+    for (size_t i = 0; i < s->draw_count; ++i)
+        reference_prepare_attributes(&s->draws[i], &p->draws[i]);
+    glBindVertexArray(r->vertex_array);
     return p;
 }
 
 void reference_draw_prepared(reference *r, reference_prepared *p)
 {
-    (void)r;
+    const scene_draw *before = NULL;
+
     glBindFramebuffer(GL_FRAMEBUFFER, p->target.name);
     reference_clear(p->scene);
-    for (size_t i = 0; i < p->scene->draw_count; ++i)
-        reference_issue(p->scene, &p->scene->draws[i], &p->draws[i]);
+    for (size_t i = 0; i < p->scene->draw_count; ++i) {
+        const scene_draw *const d = &p->scene->draws[i];
+
+        reference_issue_prepared(p->scene, d, &p->draws[i], before, before ? &p->draws[i - 1] : NULL);
+        before = d;
+    }
+    glBindVertexArray(r->vertex_array);
     glFinish();
 }
 

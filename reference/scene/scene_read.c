@@ -218,6 +218,11 @@ static bool read_frame(reader *r, const char *keyword, scene *s)
     return true;
 }
 
+bool read_keyword(reader *r, const char *keyword, scene *s, scene_draw *d)
+{
+    return read_frame(r, keyword, s) || (d && read_member(r, keyword, d));
+}
+
 scene *scene_read(FILE *in, char *error, size_t error_size)
 {
     reader r = {in, 1, "", false, error, error_size};

@@ -29,6 +29,10 @@ int32_t read_integer(reader *r);
 float read_float(reader *r);
 void read_floats(reader *r, float *values, size_t count);
 
+/* Reads the values of a keyword of a scene or, if d is not null, of a member of a draw. Returns
+ * whether it is such a keyword. */
+bool read_keyword(reader *r, const char *keyword, scene *s, scene_draw *d);
+
 /* Reads a name of the set and returns its value. */
 int read_name(reader *r, text_names set);
 

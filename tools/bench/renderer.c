@@ -162,6 +162,25 @@ bool renderer_rows(renderer *r, uint32_t first_row, scene_frame *rows)
            fail(r, "its process has ended");
 }
 
+bool renderer_images(renderer *r, scene_frame *frame)
+{
+    const request q = request_of(REQUEST_ROWS);
+    const size_t pixels = (size_t)frame->width * frame->height * frame->images;
+    answer a;
+
+    if (!ask(r, &q, &a))
+        return false;
+    for (int i = 0; i <= GN_MAX_COLORS; ++i) {
+        const bool is_depth = i == GN_MAX_COLORS;
+        const gn_format format = is_depth ? frame->depth_format : scene_frame_format(frame, i);
+        void *const to = is_depth ? frame->depth : scene_frame_color(frame, i);
+
+        if (to && !protocol_read(r->from, to, pixels * gn_format_size(format)))
+            return fail(r, "its process has ended");
+    }
+    return true;
+}
+
 void renderer_stop(renderer *r)
 {
     if (r->process == 0)

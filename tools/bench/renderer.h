@@ -30,6 +30,9 @@ bool renderer_frame(renderer *r, const renderer_way *way);
 /* Reads rows of the frame that renderer_frame drew into a frame of equally many rows. */
 bool renderer_rows(renderer *r, uint32_t first_row, scene_frame *rows);
 
+/* Reads the whole frame that renderer_frame drew, with all its images. */
+bool renderer_images(renderer *r, scene_frame *frame);
+
 /* Ends the process; does nothing if it was not started. */
 void renderer_stop(renderer *r);
 

@@ -1,0 +1,164 @@
+/* Interleaved timing of one row, and the comparison of its frames. */
+#include "measure.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../median.h"
+#include "scene_pixel.h"
+#include "shapes.h"
+
+/* Anisotropic lookups are filtered in another way than the reference's (reference/RULES.md). So the
+ * mean difference of a channel may be this part of its range, as in `make textures`. */
+#define MOST_ANISOTROPIC_MEAN 0.09
+
+typedef struct times {
+    double peer[MAX_STATE_FRAMES];
+    double ours[GN_BACKEND_COUNT][MAX_STATE_FRAMES];
+} times;
+
+static bool fail(state_result *result, const renderer *r)
+{
+    snprintf(result->fault, sizeof result->fault, "%s: %s", renderer_kind_name(r->kind), r->text);
+    return false;
+}
+
+bool state_children_start(state_children *c)
+{
+    memset(c, 0, sizeof *c);
+    if (renderer_start(&c->gnomon, RENDERER_GNOMON) && renderer_start(&c->tuned, RENDERER_TUNED) &&
+        renderer_start(&c->pinned, RENDERER_PINNED))
+        return true;
+    fprintf(stderr, "bench-states: cannot start a renderer: %s%s%s\n", c->gnomon.text,
+            c->tuned.text, c->pinned.text);
+    state_children_stop(c);
+    return false;
+}
+
+void state_children_stop(state_children *c)
+{
+    renderer_stop(&c->gnomon);
+    renderer_stop(&c->tuned);
+    renderer_stop(&c->pinned);
+}
+
+bool state_wants(const state_options *o, gn_backend backend)
+{
+    return gn_backend_available(backend) &&
+           (o->backend == GN_BACKEND_AUTO || o->backend == backend);
+}
+
+/* The sum of differences of the colours' channels, as a part of each channel's range, divided by
+ * the number of channels. */
+static double mean_difference(const scene_frame *a, const scene_frame *b)
+{
+    const size_t pixels = (size_t)a->width * a->height;
+    double sum = 0.0;
+    size_t count = 0;
+
+    for (size_t i = 0; i < pixels; ++i) {
+        uint32_t x[4], y[4];
+        const int channels = scene_pixel_channels(a->color, a->color_format, i, x);
+
+        scene_pixel_channels(b->color, b->color_format, i, y);
+        for (int c = 0; c < channels; ++c, ++count) {
+            const double range = ldexp(1.0, scene_channel_width(a->color_format, c)) - 1.0;
+
+            sum += fabs((double)x[c] - (double)y[c]) / range;
+        }
+    }
+    return sum / (double)count;
+}
+
+static uint64_t count_differing(const scene *s, const scene_frame *ours, const scene_frame *pinned)
+{
+    const bool is_anisotropic =
+        s->draw_count > 0 && s->draws[0].uniforms.sampler.max_anisotropy > 1;
+
+    if (is_anisotropic && mean_difference(ours, pinned) <= MOST_ANISOTROPIC_MEAN)
+        return 0;
+    return scene_compare(s, ours, pinned).pixels;
+}
+
+/* Compares a frame of every back end. This also compiles llvmpipe's shaders. */
+static bool check_frames(state_children *c, const state_options *o, const scene *s,
+                         state_result *result)
+{
+    const renderer_way way = {GN_BACKEND_AUTO, 1, false};
+    scene_frame ours, pinned;
+    bool good = true;
+
+    if (!scene_frame_allocate(&ours, s) || !scene_frame_allocate(&pinned, s)) {
+        snprintf(result->fault, sizeof result->fault, "out of memory");
+        return false;
+    }
+    if (!renderer_frame(&c->pinned, &way) || !renderer_images(&c->pinned, &pinned))
+        good = fail(result, &c->pinned);
+    for (int b = GN_BACKEND_PORTABLE; good && b < GN_BACKEND_COUNT; ++b) {
+        const renderer_way ways = {(gn_backend)b, 1, false};
+
+        if (!state_wants(o, (gn_backend)b))
+            continue;
+        if (!renderer_frame(&c->gnomon, &ways) || !renderer_images(&c->gnomon, &ours))
+            good = fail(result, &c->gnomon);
+        else
+            result->differing += count_differing(s, &ours, &pinned);
+    }
+    scene_frame_free(&ours);
+    scene_frame_free(&pinned);
+    return good;
+}
+
+static bool time_frames(state_children *c, const state_options *o, times *t, state_result *result)
+{
+    const renderer_way peer = {GN_BACKEND_AUTO, 1, false};
+    double wall;
+
+    for (int i = 0; i < o->frames; ++i) {
+        if (!renderer_draw(&c->tuned, &peer, &t->peer[i], &wall))
+            return fail(result, &c->tuned);
+        for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b) {
+            const renderer_way way = {(gn_backend)b, 1, false};
+
+            if (state_wants(o, way.backend) &&
+                !renderer_draw(&c->gnomon, &way, &t->ours[b][i], &wall))
+                return fail(result, &c->gnomon);
+        }
+    }
+    result->peer_ms = median(t->peer, o->frames);
+    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b)
+        if (state_wants(o, (gn_backend)b))
+            result->ms[b] = median(t->ours[b], o->frames);
+    return true;
+}
+
+static bool load(state_children *c, uint32_t row_number, state_result *result)
+{
+    const bench_scene b = {.detail = row_number};
+    renderer *const all[3] = {&c->pinned, &c->tuned, &c->gnomon};
+
+    for (int i = 0; i < 3; ++i)
+        if (!renderer_load(all[i], &b))
+            return fail(result, all[i]);
+    c->is_contract = c->pinned.is_contract;
+    return true;
+}
+
+bool state_measure(state_children *c, const state_options *o, uint32_t row_number,
+                   state_result *result)
+{
+    size_t count;
+
+    memset(result, 0, sizeof *result);
+    result->row = &state_rows(&count)[row_number];
+
+    times *const t = malloc(sizeof *t);
+    scene *const s = state_scene(result->row, result->fault, sizeof result->fault);
+    const bool good = t && s && load(c, row_number, result) && check_frames(c, o, s, result) &&
+                      time_frames(c, o, t, result);
+
+    scene_free(s);
+    free(t);
+    return good;
+}

@@ -1,0 +1,29 @@
+/* Builds the scene of a row. Besides the keywords of scenes (reference/scene/scene_text.h) a row's
+ * text may have these:
+ *
+ *   shader NAME               the shader of every draw, as in the text of scenes
+ *   alpha                     colours with alpha, from 0.25 to 1
+ *   noise TARGET FORMAT N D L a texture of N texels a side, D layers or slices and L levels, with
+ *                             bytes without a pattern; levels are made from the first
+ *   map NAME FORMAT           a map, such as `normal-map rgba8`, of 256x256 texels
+ *   plain                     no texture
+ *   stretch                   texture coordinates that grow four times as fast along x
+ *   tangents                  tangents for maps of tangents
+ *   shadow                    a shadow map seen along the z axis, compared
+ *   point-light               a point light
+ *   front-to-back             screens in the opposite order
+ *   again                     a second draw of the same after the first, with the test EQUAL
+ *   shift X Y Z               moves the model before the projection
+ *   index FORMAT              indices of that format; none: no indices
+ */
+#ifndef STATES_SHAPES_H
+#define STATES_SHAPES_H
+
+#include "rows.h"
+#include "scene.h"
+
+/* Returns the scene of a row, which the caller frees with scene_free; null with the reason in error
+ * if the row's text is wrong. */
+scene *state_scene(const state_row *row, char *error, size_t error_size);
+
+#endif
