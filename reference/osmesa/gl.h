@@ -75,6 +75,16 @@ typedef struct uploaded_draw {
     size_t offset[5];  /* of the attributes in `vertices` */
 } uploaded_draw;
 
+/* A scene prepared for timing. The framebuffers are its own: the cache never deletes them. */
+struct reference_prepared {
+    const scene *scene; /* the caller's; for state and uniforms */
+    framebuffer target;
+    uploaded_draw *draws;
+    framebuffer to; /* the destination of blits; its name is 0 if there is none */
+    GLbitfield blit_mask;
+    GLenum filter;
+};
+
 /* Writes a formatted reason into error. Returns false. */
 bool reference_fail(char *error, size_t error_size, const char *format, ...)
     __attribute__((format(printf, 3, 4)));

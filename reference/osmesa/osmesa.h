@@ -51,4 +51,17 @@ reference_prepared *reference_prepare(reference *r, const scene *s, reference_de
 void reference_draw_prepared(reference *r, reference_prepared *p);
 void reference_release(reference *r, reference_prepared *p);
 
+/* For timing what is not a draw, on a prepared scene that was drawn once. reference_prepare_blit
+ * makes the destination, of the size and formats of `to`, which must have one sample; the first
+ * colour, depth and stencil are blitted or resolved if `to` has them. reference_make_levels makes
+ * the levels of the texture of the first draw. Each waits for the end. What was made can be read;
+ * levels are packed as in a texture's memory, without the first. */
+bool reference_prepare_blit(reference_prepared *p, const scene *to, gn_blit_filter filter,
+                            char *error, size_t error_size);
+void reference_blit_prepared(reference_prepared *p);
+bool reference_read_blit(reference_prepared *p, const scene *to, scene_frame *frame, char *error,
+                         size_t error_size);
+void reference_make_levels(reference_prepared *p);
+bool reference_read_levels(reference_prepared *p, void *memory, char *error, size_t error_size);
+
 #endif

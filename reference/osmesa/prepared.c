@@ -3,13 +3,6 @@
 
 #include <stdlib.h>
 
-struct reference_prepared {
-    const scene *scene; /* the caller's; for state and uniforms */
-    framebuffer
-        target; /* the prepared scene's own, which the cache of framebuffers never deletes */
-    uploaded_draw *draws;
-};
-
 reference_prepared *reference_prepare(reference *r, const scene *s, reference_depth depth,
                                       char *error, size_t error_size)
 {
@@ -59,5 +52,7 @@ void reference_release(reference *r, reference_prepared *p)
         return;
     reference_discard(p->draws, p->scene->draw_count);
     framebuffer_destroy(&p->target);
+    if (p->to.name)
+        framebuffer_destroy(&p->to);
     free(p);
 }

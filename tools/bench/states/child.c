@@ -21,6 +21,9 @@ typedef struct child {
     scene *scene;
     scene_frame frame; /* Gnomon draws into it; OSMesa's frame is read into it */
     gn_target target;  /* the frame's memory */
+    const state_row *row;
+    scene *to; /* for what is not a draw: a scene of the result, otherwise null */
+    scene_frame to_frame;
     gn_workspace workspace;
     reference *reference;
     reference_prepared *prepared;
@@ -41,11 +44,14 @@ static bool fail(answer *a, const char *why)
 }
 
 /* llvmpipe draws fastest with a depth buffer of floats: by 1 to 4 % over 24 bits without a stencil,
- * measured on S1 to S5. In every other depth format the peer draws what Gnomon draws. */
-static reference_depth depth_of(const scene *s)
+ * measured on S1 to S5. So it has one where the row asks for D24. In every other depth format, with
+ * samples and in blits the peer has what Gnomon has, and so has the pinned reference. */
+static reference_depth depth_of(const child *c)
 {
-    return s->depth_format == GN_FORMAT_D24 && !scene_is_sampled(s) ? REFERENCE_DEPTH_FLOAT
-                                                                    : REFERENCE_DEPTH_OF_SCENE;
+    const bool is_float = c->kind == RENDERER_TUNED && c->scene->depth_format == GN_FORMAT_D24 &&
+                          !scene_is_sampled(c->scene) && c->row->work == WORK_DRAW;
+
+    return is_float ? REFERENCE_DEPTH_FLOAT : REFERENCE_DEPTH_OF_SCENE;
 }
 
 static gn_surface surface_of(const scene *s, void *memory, gn_format format)
@@ -70,6 +76,11 @@ static void describe_target(child *c)
         c->target.depth = surface_of(s, c->frame.depth, s->depth_format);
 }
 
+static gn_blit_filter filter_of(const state_row *row)
+{
+    return row->work == WORK_BLIT_LINEAR ? GN_BLIT_LINEAR : GN_BLIT_NEAREST;
+}
+
 static bool load_gnomon(child *c, answer *a)
 {
     free(c->workspace.memory);
@@ -78,6 +89,8 @@ static bool load_gnomon(child *c, answer *a)
     if (!c->workspace.memory || !scene_frame_allocate(&c->frame, c->scene))
         return fail(a, "out of memory");
     describe_target(c);
+    if (c->to)
+        return scene_draw_to_target(c->scene, &c->target, &c->workspace) == GN_OK;
     return true;
 }
 
@@ -90,13 +103,18 @@ static bool load_reference(child *c, answer *a)
                                         sizeof a->text);
     if (!c->reference)
         return false;
-    if (is_pinned) {
-        if (!scene_frame_allocate(&c->frame, c->scene))
-            return fail(a, "out of memory");
-    } else {
-        c->prepared = reference_prepare(c->reference, c->scene, depth_of(c->scene), a->text,
-                                        sizeof a->text);
+    if (is_pinned && !scene_frame_allocate(&c->frame, c->scene))
+        return fail(a, "out of memory");
+    if (!is_pinned || c->to) {
+        c->prepared =
+            reference_prepare(c->reference, c->scene, depth_of(c), a->text, sizeof a->text);
         if (!c->prepared)
+            return false;
+    }
+    if (c->to) {
+        reference_draw_prepared(c->reference, c->prepared);
+        if (c->row->work != WORK_LEVELS &&
+            !reference_prepare_blit(c->prepared, c->to, filter_of(c->row), a->text, sizeof a->text))
             return false;
     }
     a->is_contract = reference_is_contract_version(c->reference);
@@ -115,17 +133,68 @@ static bool load(child *c, const request *r, answer *a)
     c->prepared = NULL;
     scene_free(c->scene);
     scene_frame_free(&c->frame);
-    c->scene = state_scene(&rows[r->scene.detail % count], a->text, sizeof a->text);
+    scene_free(c->to);
+    scene_frame_free(&c->to_frame);
+    c->to = NULL;
+    c->row = &rows[r->scene.detail % count];
+    c->scene = state_scene(c->row, a->text, sizeof a->text);
     if (!c->scene)
         return false;
+    if (c->row->work != WORK_DRAW) {
+        c->to = state_destination(c->row, c->scene, a->text, sizeof a->text);
+        if (!c->to)
+            return false;
+        if (!scene_frame_allocate(&c->to_frame, c->to))
+            return fail(a, "out of memory");
+    }
     return c->kind == RENDERER_GNOMON ? load_gnomon(c, a) : load_reference(c, a);
 }
 
+static gn_status make_levels(child *c)
+{
+    gn_texture texture = c->scene->draws[0].uniforms.texture;
+    const scene_frame *const to = &c->to_frame;
+
+    return gn_texture_generate_levels(
+        &texture, to->color, (size_t)to->width * to->height * gn_format_size(to->color_format));
+}
+
+/* Blits or resolves the surfaces that the destination has. */
+static gn_status copy_surfaces(child *c)
+{
+    const scene *const to = c->to;
+    const bool resolves = c->row->work == WORK_RESOLVE;
+    const gn_blit_options options = {.filter = filter_of(c->row)};
+    gn_status status = GN_OK;
+
+    if (to->color_format != GN_FORMAT_NONE) {
+        const gn_surface color = surface_of(to, c->to_frame.color, to->color_format);
+
+        status = resolves ? gn_resolve(&color, &c->target.color[0])
+                          : gn_blit(&color, NULL, &c->target.color[0], NULL, &options);
+    }
+    if (status == GN_OK && to->depth_format != GN_FORMAT_NONE) {
+        const gn_surface depth = surface_of(to, c->to_frame.depth, to->depth_format);
+
+        status = resolves ? gn_resolve(&depth, &c->target.depth)
+                          : gn_blit(&depth, NULL, &c->target.depth, NULL, &options);
+    }
+    return status;
+}
+
+/* Clears and draws a frame, or does what the row times instead. */
 static gn_status draw_once(child *c)
 {
     if (c->kind == RENDERER_GNOMON)
-        return scene_draw_to_target(c->scene, &c->target, &c->workspace);
-    reference_draw_prepared(c->reference, c->prepared);
+        return !c->to                         ? scene_draw_to_target(c->scene, &c->target, &c->workspace)
+               : c->row->work == WORK_LEVELS ? make_levels(c)
+                                              : copy_surfaces(c);
+    if (!c->to)
+        reference_draw_prepared(c->reference, c->prepared);
+    else if (c->row->work == WORK_LEVELS)
+        reference_make_levels(c->prepared);
+    else
+        reference_blit_prepared(c->prepared);
     return GN_OK;
 }
 
@@ -170,6 +239,16 @@ static void spoil(scene_frame *f)
         memset(f->depth, 0xA5, pixels * gn_format_size(f->depth_format));
 }
 
+static bool draw_pinned(child *c, answer *a)
+{
+    if (!c->to)
+        return reference_draw(c->reference, c->scene, &c->frame, a->text, sizeof a->text);
+    draw_once(c);
+    return c->row->work == WORK_LEVELS
+               ? reference_read_levels(c->prepared, c->to_frame.color, a->text, sizeof a->text)
+               : reference_read_blit(c->prepared, c->to, &c->to_frame, a->text, sizeof a->text);
+}
+
 static bool draw_frame(child *c, const request *r, answer *a)
 {
     gn_status status;
@@ -177,16 +256,22 @@ static bool draw_frame(child *c, const request *r, answer *a)
     if (c->kind == RENDERER_TUNED)
         return fail(a, "no frames are read");
     if (c->kind == RENDERER_PINNED)
-        return reference_draw(c->reference, c->scene, &c->frame, a->text, sizeof a->text);
-    spoil(&c->frame);
+        return draw_pinned(c, a);
     c->workspace.backend = r->backend;
-    status = scene_draw_in_workspace(c->scene, &c->frame, &c->workspace);
+    if (c->to) {
+        if (c->row->work != WORK_LEVELS)
+            spoil(&c->to_frame);
+        status = draw_once(c);
+    } else {
+        spoil(&c->frame);
+        status = scene_draw_in_workspace(c->scene, &c->frame, &c->workspace);
+    }
     return status == GN_OK || fail(a, gn_status_text(status));
 }
 
 static bool write_images(const child *c)
 {
-    const scene_frame *const f = &c->frame;
+    const scene_frame *const f = c->to ? &c->to_frame : &c->frame;
     const size_t pixels = (size_t)f->width * f->height * f->images;
     bool good = true;
 
@@ -236,6 +321,8 @@ int child_main(renderer_kind kind)
     reference_destroy(c.reference);
     scene_free(c.scene);
     scene_frame_free(&c.frame);
+    scene_free(c.to);
+    scene_frame_free(&c.to_frame);
     free(c.workspace.memory);
     return EXIT_SUCCESS;
 }

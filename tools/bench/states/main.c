@@ -80,7 +80,7 @@ static void print_head(const state_options *o)
 
 static void print_result(const state_options *o, const state_result *r)
 {
-    printf("%-14s %-32s %6.2f ms", r->row->group, r->row->name, r->peer_ms);
+    printf("%-14s %-32s %6.3f ms", r->row->group, r->row->name, r->peer_ms);
     for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b)
         if (state_wants(o, (gn_backend)b))
             printf(" %8.2f", r->peer_ms / r->ms[b]);
@@ -112,7 +112,7 @@ static void close_backend(const state_result *results, size_t count, gn_backend 
     for (size_t i = 0; i < count; ++i) {
         const double ratio = results[i].peer_ms / results[i].ms[backend];
 
-        if (!(results[i].ms[backend] > 0.0) || strcmp(results[i].row->name, "nothing") == 0)
+        if (!(results[i].ms[backend] > 0.0) || strcmp(results[i].row->group, STATE_FIXED) == 0)
             continue;
         ++rows;
         sum += log(ratio);

@@ -2,8 +2,8 @@
  * text that makes one thing different. To add a state, add a row to rows.c.
  *
  * Sizes. Targets have 512x512 pixels, and shapes are so large that a frame of llvmpipe takes some 3
- * to 15 ms: then the 0.05 ms that it takes for a frame in which nothing is drawn (the row `nothing`
- * shows it) are at most 2 % and flatter nobody. Frames that are short whatever they draw, such as
+ * to 15 ms: then the 0.05 ms that it takes for a frame in which nothing is drawn (the rows of STATE_FIXED
+ * show it) are at most 2 % and flatter nobody. Frames that are short whatever they draw, such as
  * clears, have larger targets. */
 #ifndef STATES_ROWS_H
 #define STATES_ROWS_H
@@ -33,10 +33,11 @@ typedef enum state_shape {
 
 /* What is timed. Everything but a draw works on a frame that was drawn before. */
 typedef enum state_work {
-    WORK_DRAW,    /* clears and draws a frame */
-    WORK_BLIT,    /* blits the frame to another, which `to` describes */
-    WORK_RESOLVE, /* resolves the frame's samples */
-    WORK_LEVELS   /* makes the levels of the draw's texture from the first level */
+    WORK_DRAW,        /* clears and draws a frame */
+    WORK_BLIT,        /* blits the first colour, or depth and stencil, to a surface */
+    WORK_BLIT_LINEAR, /* the same with the linear filter */
+    WORK_RESOLVE,     /* resolves the samples of the first colour, or of depth and stencil */
+    WORK_LEVELS       /* makes the levels of the draw's texture from the first level */
 } state_work;
 
 typedef struct state_row {
@@ -49,8 +50,13 @@ typedef struct state_row {
      * (reference/scene/scene_text.h), and those of shapes.h. */
     const char *text;
     state_work work;
-    const char *to; /* keywords of the blit's destination; `linear` is the filter */
+    const char *to; /* keywords of the surface that is blitted or resolved to: its size and format;
+                       without keywords there is one of the target's size and colour format */
 } state_row;
+
+/* The group of rows that show what a frame costs in which next to nothing is drawn. They count for
+ * no mean. */
+#define STATE_FIXED "fixed"
 
 /* Returns all rows: those of rows.c, then STATE_PAIRS random combinations of two (pairs.c). */
 #define STATE_PAIRS 64

@@ -273,3 +273,21 @@ scene *state_scene(const state_row *row, char *error, size_t error_size)
     }
     return s;
 }
+
+scene *state_destination(const state_row *row, const scene *s, char *error, size_t error_size)
+{
+    scene *to;
+
+    if (row->work == WORK_LEVELS) {
+        const gn_texture *const t = &s->draws[0].uniforms.texture;
+        const uint32_t layers = scene_level_extent(t, 0).layers;
+
+        return scene_create(t->width / 2, t->height * layers, t->format, GN_FORMAT_NONE);
+    }
+    to = scene_create(s->width, s->height, s->color_format, GN_FORMAT_NONE);
+    if (!words_apply(to, row->to, error, error_size)) {
+        scene_free(to);
+        return NULL;
+    }
+    return to;
+}
