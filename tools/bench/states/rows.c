@@ -383,8 +383,8 @@ const state_row state_single_rows[] = {
      "color-format rgb8 depth-format d24s8", DRAW},
     {"clears", "clear 4 samples", SHAPE_NOTHING, 1024, 0, "samples 4", DRAW},
 
-    {"blits", "blit", SHAPE_SCREENS, 1024, 2, "", WORK_BLIT, ""},
-    {"blits", "blit D24S8", SHAPE_SCREENS, 1024, 2, "depth-format d24s8", WORK_BLIT,
+    {"blits", "blit", SHAPE_SCREENS, 4096, 2, "", WORK_BLIT, ""},
+    {"blits", "blit D24S8", SHAPE_SCREENS, 4096, 2, "depth-format d24s8", WORK_BLIT,
      "color-format none depth-format d24s8"},
     {"blits", "blit RGBA8 to RGB565", SHAPE_SCREENS, 1024, 2, "", WORK_BLIT, COLOR("rgb565")},
     {"blits", "blit RGBA16F to RGBA8", SHAPE_SCREENS, 1024, 2, COLOR("rgba16f"), WORK_BLIT,
@@ -416,7 +416,7 @@ const state_row state_single_rows[] = {
     {"levels", "levels of 3D", SHAPE_SAMPLED, 64, 2, "noise 3d rgba8 128 128 8", WORK_LEVELS, ""},
 
     {STATE_FIXED, "nothing", SHAPE_NOTHING, 8, 0, "", DRAW},
-    {STATE_FIXED, "one triangle", SHAPE_CUBES, 8, 1, "", DRAW},
+    {STATE_FIXED, "one cube", SHAPE_CUBES, 8, 1, "", DRAW},
 };
 
 const size_t state_single_row_count = sizeof state_single_rows / sizeof *state_single_rows;

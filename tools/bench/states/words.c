@@ -196,21 +196,18 @@ static void add_point_light(scene_draw *d)
     d->surface.attenuation[2] = 0.05f;
 }
 
-/* Turns the order of screens round: each has four vertices and six indices. */
+/* Turns the order of screens round, which have six indices each, or of a sphere's squares. */
 static void turn_round(scene_draw *d)
 {
-    uint32_t *const index = (uint32_t *)d->mesh.indices;
-    const uint32_t screens = d->mesh.count / 6;
+    const uint32_t count = d->mesh.count;
+    uint32_t *const index = scene_allocate(count, sizeof *index);
 
-    for (uint32_t q = 0; q < screens / 2; ++q) {
-        for (uint32_t i = 0; i < 6; ++i) {
-            const uint32_t other = 6 * (screens - 1 - q) + i;
-            const uint32_t first = index[6 * q + i];
-
-            index[6 * q + i] = index[other];
-            index[other] = first;
-        }
+    if (d->mesh.index_format != GN_INDEX_NONE && d->state.raster.topology == GN_TRIANGLES) {
+        for (uint32_t i = 0; i < count; ++i)
+            index[i] = scene_vertex_of(&d->mesh, count - 6 - i / 6 * 6 + i % 6);
+        scene_set_indices(d, index, count, d->mesh.index_format);
     }
+    free(index);
 }
 
 static void draw_again(scene *s)
