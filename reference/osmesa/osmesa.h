@@ -44,14 +44,17 @@ typedef enum reference_depth {
 } reference_depth;
 
 /* For timing: uploads a scene once, draws it any number of times and waits for the end of each
- * frame; nothing is read back. The scene must stay unchanged until the release. */
+ * frame; nothing is read back. The scene must stay unchanged until the release.
+ * reference_read_prepared reads the frame drawn last, if the depth buffer is the scene's. */
 typedef struct reference_prepared reference_prepared;
 reference_prepared *reference_prepare(reference *r, const scene *s, reference_depth depth,
                                       char *error, size_t error_size);
 void reference_draw_prepared(reference *r, reference_prepared *p);
+bool reference_read_prepared(reference *r, reference_prepared *p, scene_frame *frame, char *error,
+                             size_t error_size);
 void reference_release(reference *r, reference_prepared *p);
 
-/* For timing what is not a draw, on a prepared scene that was drawn once. reference_prepare_blit
+/* For timing what is not a draw, on the frame of a prepared scene. reference_prepare_blit
  * makes the destination, of the size and formats of `to`, which must have one sample; the first
  * colour, depth and stencil are blitted or resolved if `to` has them. reference_make_levels makes
  * the levels of the texture of the first draw. Each waits for the end. What was made can be read;

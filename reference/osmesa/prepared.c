@@ -2,6 +2,7 @@
 #include "gl.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 reference_prepared *reference_prepare(reference *r, const scene *s, reference_depth depth,
                                       char *error, size_t error_size)
@@ -26,6 +27,11 @@ reference_prepared *reference_prepare(reference *r, const scene *s, reference_de
     for (size_t i = 0; i < s->draw_count; ++i)
         reference_prepare_attributes(&s->draws[i], &p->draws[i]);
     glBindVertexArray(r->vertex_array);
+    reference_draw_prepared(r, p);
+    if (!reference_check("drawing a scene", error, error_size)) {
+        reference_release(r, p);
+        return NULL;
+    }
     return p;
 }
 
@@ -43,6 +49,18 @@ void reference_draw_prepared(reference *r, reference_prepared *p)
     }
     glBindVertexArray(r->vertex_array);
     glFinish();
+}
+
+bool reference_read_prepared(reference *r, reference_prepared *p, scene_frame *frame, char *error,
+                             size_t error_size)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, p->target.name);
+    frame->samples_passed = 0;
+    memset(&frame->statistics, 0, sizeof frame->statistics);
+    if (p->target.is_sampled)
+        return reference_read_samples(r, p->scene, &p->target, frame, error, error_size);
+    reference_read_image(p->scene, 0, frame);
+    return reference_check("reading a scene", error, error_size);
 }
 
 void reference_release(reference *r, reference_prepared *p)

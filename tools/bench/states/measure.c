@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../median.h"
+#include "rows.h"
 #include "scene_pixel.h"
 #include "shapes.h"
 
@@ -105,8 +106,8 @@ static uint64_t count_differing(const scene *s, const scene_frame *ours, const s
 }
 
 /* Compares a frame of every back end: of scene s, or made from what was drawn. This also compiles llvmpipe's shaders. */
-static bool check_frames(state_children *c, const state_options *o, const scene *drawn,
-                         const scene *s, state_result *result)
+static bool check_frames(state_children *c, const state_options *o, const state_row *row,
+                         const scene *drawn, const scene *s, state_result *result)
 {
     const renderer_way way = {GN_BACKEND_AUTO, 1, false};
     scene_frame ours, pinned;
@@ -118,7 +119,7 @@ static bool check_frames(state_children *c, const state_options *o, const scene 
     }
     if (!renderer_frame(&c->pinned, &way) || !renderer_images(&c->pinned, &pinned))
         good = fail(result, &c->pinned);
-    if (good && result->row->work == WORK_LEVELS)
+    if (good && row->work == WORK_LEVELS)
         forget_levels(&drawn->draws[0].uniforms.texture, &pinned);
     for (int b = GN_BACKEND_PORTABLE; good && b < GN_BACKEND_COUNT; ++b) {
         const renderer_way ways = {(gn_backend)b, 1, false};
@@ -129,7 +130,7 @@ static bool check_frames(state_children *c, const state_options *o, const scene 
             good = fail(result, &c->gnomon);
             continue;
         }
-        if (result->row->work == WORK_LEVELS)
+        if (row->work == WORK_LEVELS)
             forget_levels(&drawn->draws[0].uniforms.texture, &ours);
         result->differing += count_differing(s, &ours, &pinned);
     }
@@ -177,17 +178,19 @@ bool state_measure(state_children *c, const state_options *o, uint32_t row_numbe
                    state_result *result)
 {
     size_t count;
+    const state_row *const row = &state_rows(&count)[row_number];
 
     memset(result, 0, sizeof *result);
-    result->row = &state_rows(&count)[row_number];
+    snprintf(result->group, sizeof result->group, "%s", row->group);
+    snprintf(result->name, sizeof result->name, "%s", row->name);
 
     times *const t = malloc(sizeof *t);
-    scene *const s = state_scene(result->row, result->fault, sizeof result->fault);
-    scene *const to = s && result->row->work != WORK_DRAW
-                          ? state_destination(result->row, s, result->fault, sizeof result->fault)
+    scene *const s = state_scene(row, result->fault, sizeof result->fault);
+    scene *const to = s && row->work != WORK_DRAW
+                          ? state_destination(row, s, result->fault, sizeof result->fault)
                           : NULL;
-    const bool good = t && s && (to || result->row->work == WORK_DRAW) &&
-                      load(c, row_number, result) && check_frames(c, o, s, to ? to : s, result) &&
+    const bool good = t && s && (to || row->work == WORK_DRAW) &&
+                      load(c, row_number, result) && check_frames(c, o, row, s, to ? to : s, result) &&
                       time_frames(c, o, t, result);
 
     scene_free(s);

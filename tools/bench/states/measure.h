@@ -4,17 +4,9 @@
 #define STATES_MEASURE_H
 
 #include "../renderer.h"
-#include "rows.h"
+#include "results.h"
 
 #define MAX_STATE_FRAMES 1000
-
-typedef struct state_result {
-    const state_row *row;
-    double peer_ms;
-    double ms[GN_BACKEND_COUNT];    /* by back end; 0: not measured */
-    uint64_t differing;             /* pixels of all back ends */
-    char fault[600];                /* why the row could not be drawn; empty: it could */
-} state_result;
 
 typedef struct state_children {
     renderer gnomon, tuned, pinned;
@@ -32,7 +24,8 @@ void state_children_stop(state_children *c);
 
 bool state_wants(const state_options *o, gn_backend backend);
 
-/* Returns false if a child has ended or the row cannot be drawn; the reason is in `fault`. */
+/* Measures a row of state_rows. Returns false if a child has ended or the row cannot be drawn; the
+ * reason is in `fault`. */
 bool state_measure(state_children *c, const state_options *o, uint32_t row_number,
                    state_result *result);
 

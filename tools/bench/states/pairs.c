@@ -127,6 +127,21 @@ static bool is_new(const state_row *rows, size_t count, const char *name)
     return true;
 }
 
+/* The length of a second row's name without its shape, which the combination does not have. */
+static size_t length_without_shape(const char *name)
+{
+    static const char *const shapes[] = {", sphere", " sphere", ", screens", " screens"};
+    const size_t length = strlen(name);
+
+    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; ++i) {
+        const size_t ending = strlen(shapes[i]);
+
+        if (length > ending && strcmp(name + length - ending, shapes[i]) == 0)
+            return length - ending;
+    }
+    return length;
+}
+
 static void combine(state_row *rows, size_t count)
 {
     static char names[STATE_PAIRS][MOST_NAME], texts[STATE_PAIRS][MOST_TEXT];
@@ -139,7 +154,8 @@ static void combine(state_row *rows, size_t count)
 
         if (!may_be_first(a) || !may_be_second(b) || !may_be_combined(a, b))
             continue;
-        snprintf(names[pair], MOST_NAME, "%s + %s", a->name, b->name);
+        snprintf(names[pair], MOST_NAME, "%s + %.*s", a->name, (int)length_without_shape(b->name),
+                 b->name);
         snprintf(texts[pair], MOST_TEXT, "%s %s", a->text, b->text);
         if (!is_new(rows + count, pair, names[pair]))
             continue;
