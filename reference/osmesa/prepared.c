@@ -44,7 +44,8 @@ void reference_draw_prepared(reference *r, reference_prepared *p)
     for (size_t i = 0; i < p->scene->draw_count; ++i) {
         const scene_draw *const d = &p->scene->draws[i];
 
-        reference_issue_prepared(p->scene, d, &p->draws[i], before, before ? &p->draws[i - 1] : NULL);
+        reference_issue_prepared(p->scene, d, &p->draws[i], before,
+                                 before ? &p->draws[i - 1] : NULL);
         before = d;
     }
     glBindVertexArray(r->vertex_array);

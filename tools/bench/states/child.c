@@ -180,9 +180,9 @@ static gn_status copy_surfaces(child *c)
 static gn_status draw_once(child *c)
 {
     if (c->kind == RENDERER_GNOMON)
-        return !c->to                         ? scene_draw_to_target(c->scene, &c->target, &c->workspace)
+        return !c->to ? scene_draw_to_target(c->scene, &c->target, &c->workspace)
                : c->row->work == WORK_LEVELS ? make_levels(c)
-                                              : copy_surfaces(c);
+                                             : copy_surfaces(c);
     if (!c->to)
         reference_draw_prepared(c->reference, c->prepared);
     else if (c->row->work == WORK_LEVELS)
@@ -228,7 +228,8 @@ static void spoil(scene_frame *f)
 
     for (int i = 0; i < GN_MAX_COLORS; ++i)
         if (scene_frame_color(f, i))
-            memset(scene_frame_color(f, i), 0xA5, pixels * gn_format_size(scene_frame_format(f, i)));
+            memset(scene_frame_color(f, i), 0xA5,
+                   pixels * gn_format_size(scene_frame_format(f, i)));
     if (f->depth)
         memset(f->depth, 0xA5, pixels * gn_format_size(f->depth_format));
 }

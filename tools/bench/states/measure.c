@@ -93,8 +93,8 @@ static uint64_t count_differing(const scene *s, const scene_frame *ours, const s
     const bool is_anisotropic =
         s->draw_count > 0 && s->draws[0].uniforms.sampler.max_anisotropy > 1;
 
-    const bool has_lines = scene_is_sampled(s) && s->draw_count > 0 &&
-                           s->draws[0].state.raster.topology >= GN_LINES;
+    const bool has_lines =
+        scene_is_sampled(s) && s->draw_count > 0 && s->draws[0].state.raster.topology >= GN_LINES;
     const uint64_t differing = scene_compare(s, ours, pinned).pixels;
 
     if (is_anisotropic && mean_difference(ours, pinned) <= MOST_ANISOTROPIC_MEAN)
@@ -105,7 +105,8 @@ static uint64_t count_differing(const scene *s, const scene_frame *ours, const s
     return differing;
 }
 
-/* Compares a frame of every back end: of scene s, or made from what was drawn. This also compiles llvmpipe's shaders. */
+/* Compares a frame of every back end: of scene s, or made from what was drawn. This also compiles
+ * llvmpipe's shaders. */
 static bool check_frames(state_children *c, const state_options *o, const state_row *row,
                          const scene *drawn, const scene *s, state_result *result)
 {
@@ -189,8 +190,8 @@ bool state_measure(state_children *c, const state_options *o, uint32_t row_numbe
     scene *const to = s && row->work != WORK_DRAW
                           ? state_destination(row, s, result->fault, sizeof result->fault)
                           : NULL;
-    const bool good = t && s && (to || row->work == WORK_DRAW) &&
-                      load(c, row_number, result) && check_frames(c, o, row, s, to ? to : s, result) &&
+    const bool good = t && s && (to || row->work == WORK_DRAW) && load(c, row_number, result) &&
+                      check_frames(c, o, row, s, to ? to : s, result) &&
                       time_frames(c, o, t, result);
 
     scene_free(s);

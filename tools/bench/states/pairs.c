@@ -40,11 +40,9 @@ static bool may_be_first(const state_row *row)
 /* The second row's text must mean the same with any shape. */
 static bool may_be_second(const state_row *row)
 {
-    static const char *const groups[] = {"colour",      "depth",         "blend",
-                                         "logic",       "masks",         "stencil",
-                                         "samples",     "attachments",   "interpolation",
-                                         "polygons",    "clipping",      "fragments",
-                                         NULL};
+    static const char *const groups[] = {
+        "colour",      "depth",         "blend",    "logic",    "masks",     "stencil", "samples",
+        "attachments", "interpolation", "polygons", "clipping", "fragments", NULL};
     const bool is_plain = row->shape == SHAPE_SCREENS || row->shape == SHAPE_SPHERE;
 
     return row->work == WORK_DRAW && is_plain && *row->text && is_one_of(row->group, groups);

@@ -59,8 +59,8 @@ void results_print_close(FILE *out, const state_result *results, size_t count, g
     if (!smallest)
         return;
     fprintf(out, "states, %s: %zu rows, geometric mean %.2f, smallest %.2f (%s)\n",
-            gn_backend_name(backend), rows, exp(sum / (double)rows),
-            state_ratio(smallest, backend), smallest->name);
+            gn_backend_name(backend), rows, exp(sum / (double)rows), state_ratio(smallest, backend),
+            smallest->name);
     fprintf(out, "states, %s: %zu of %zu rows below 1\n", gn_backend_name(backend), below, rows);
 }
 

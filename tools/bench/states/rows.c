@@ -12,10 +12,8 @@
 #define COLOR(format) "color-format " format
 #define DEPTH(format) "depth-format " format
 #define TEXELS(format) "noise 2d " format " 256 1 1 " BILINEAR
-#define BILINEAR                                                                                   \
-    "uniforms.sampler.magnify linear uniforms.sampler.minify linear "
-#define NEAREST                                                                                    \
-    "uniforms.sampler.magnify nearest uniforms.sampler.minify nearest "
+#define BILINEAR "uniforms.sampler.magnify linear uniforms.sampler.minify linear "
+#define NEAREST "uniforms.sampler.magnify nearest uniforms.sampler.minify nearest "
 #define MINIFY(filter) "uniforms.sampler.magnify linear uniforms.sampler.minify " filter " "
 #define BLEND(equation, source, destination)                                                       \
     "alpha color.blend[0].enabled on color.blend[0].equation " equation                            \
@@ -29,15 +27,16 @@
 #define BOTH(function, pass)                                                                       \
     "depth-format d24s8 stencil.test on " STENCIL("front", function, pass)                         \
         STENCIL("back", function, pass)
-#define COLORS_2 "shader outputs program.color_count 2 more-colors rgba8 "                         \
+#define COLORS_2                                                                                   \
+    "shader outputs program.color_count 2 more-colors rgba8 "                                      \
     "none none none none none none "
-#define COLORS_4 "shader outputs program.color_count 4 more-colors rgba8 rgba8 rgba8 "             \
+#define COLORS_4                                                                                   \
+    "shader outputs program.color_count 4 more-colors rgba8 rgba8 rgba8 "                          \
     "none none none none "
 #define INTERPOLATION(kind)                                                                        \
     "program.interpolation[0] " kind " program.interpolation[1] " kind                             \
     " program.interpolation[2] " kind " program.interpolation[3] " kind
-#define POLYGONS(mode)                                                                             \
-    "raster.polygon_mode_front " mode " raster.polygon_mode_back " mode
+#define POLYGONS(mode) "raster.polygon_mode_front " mode " raster.polygon_mode_back " mode
 
 #define DRAW WORK_DRAW, ""
 
@@ -46,10 +45,8 @@ const state_row state_single_rows[] = {
     {"scene", "S1 rolled", SHAPE_ROLLED, 512, 16, "", DRAW},
     {"scene", "S2", TEXTURED, "", DRAW},
     {"scene", "S2 nearest", SHAPE_TEXTURED, 512, 16, NEAREST, DRAW},
-    {"scene", "S2 levels", SAMPLED, "noise 2d rgba8 256 1 9 " MINIFY("linear-mipmap-linear"),
-     DRAW},
-    {"scene", "S2 cube", SAMPLED, "noise cube rgba8 256 1 9 " MINIFY("linear-mipmap-linear"),
-     DRAW},
+    {"scene", "S2 levels", SAMPLED, "noise 2d rgba8 256 1 9 " MINIFY("linear-mipmap-linear"), DRAW},
+    {"scene", "S2 cube", SAMPLED, "noise cube rgba8 256 1 9 " MINIFY("linear-mipmap-linear"), DRAW},
     {"scene", "S3", SPHERE, "", DRAW},
     {"scene", "S4", SHAPE_USER, 768, 22, "", DRAW},
     {"scene", "S4 ready", PHONG, "", DRAW},
@@ -117,8 +114,8 @@ const state_row state_single_rows[] = {
     {"blend", "min blend", SCREENS, BLEND("min", "one", "one"), DRAW},
     {"blend", "max blend", SCREENS, BLEND("max", "one", "one"), DRAW},
     {"blend", "constant blend", SCREENS,
-     BLEND("add", "constant-color", "one-minus-constant-alpha")
-     "color.blend_constant 0.25 0.5 0.75 0.5",
+     BLEND("add", "constant-color",
+           "one-minus-constant-alpha") "color.blend_constant 0.25 0.5 0.75 0.5",
      DRAW},
     {"blend", "saturate blend", SCREENS, BLEND("add", "source-alpha-saturate", "one"), DRAW},
     {"blend", "destination alpha blend", SCREENS,
@@ -153,20 +150,22 @@ const state_row state_single_rows[] = {
     {"masks", "red not written, RGB565", SCREENS, "color.write_disabled[0] 1 color-format rgb565",
      DRAW},
 
-    {"stencil", "stencil test and increment", SCREENS, BOTH("less-or-equal", "increment")
-     "clear-stencil 1", DRAW},
+    {"stencil", "stencil test and increment", SCREENS,
+     BOTH("less-or-equal", "increment") "clear-stencil 1", DRAW},
     {"stencil", "stencil test, equal", SCREENS, BOTH("equal", "keep") "clear-stencil 1", DRAW},
     {"stencil", "stencil test, hidden", SHAPE_SCREENS, 512, 64, BOTH("equal", "keep"), DRAW},
     {"stencil", "stencil increment, S8", SCREENS,
      "clear-stencil 1 " BOTH("always", "increment") "depth-format s8", DRAW},
-    {"stencil", "stencil replace, D32FS8", SCREENS, BOTH("always", "replace")
-     "depth-format d32fs8", DRAW},
-    {"stencil", "stencil invert, masks", SCREENS, BOTH("not-equal", "invert")
-     "stencil.front.write_disabled 240 stencil.back.write_disabled 240 "
-     "stencil.front.compare_disabled 3 stencil.back.compare_disabled 3 clear-stencil 128", DRAW},
+    {"stencil", "stencil replace, D32FS8", SCREENS, BOTH("always", "replace") "depth-format d32fs8",
+     DRAW},
+    {"stencil", "stencil invert, masks", SCREENS,
+     BOTH("not-equal", "invert") "stencil.front.write_disabled 240 stencil.back.write_disabled 240 "
+                                 "stencil.front.compare_disabled 3 stencil.back.compare_disabled 3 "
+                                 "clear-stencil 128",
+     DRAW},
     {"stencil", "stencil, two-sided sphere", SPHERE,
-     "raster.cull none depth-format d24s8 stencil.test on depth.write_disabled on "
-     STENCIL("front", "always", "increment-wrap") STENCIL("back", "always", "decrement-wrap"),
+     "raster.cull none depth-format d24s8 stencil.test on depth.write_disabled on " STENCIL(
+         "front", "always", "increment-wrap") STENCIL("back", "always", "decrement-wrap"),
      DRAW},
     {"stencil", "stencil, shadow volume", SHAPE_SCREENS, 512, 32,
      "front-to-back depth-format d24s8 stencil.test on color.write_disabled[0] 15 "
@@ -233,24 +232,24 @@ const state_row state_single_rows[] = {
     {"filters", "trilinear, rolled sphere", PHONG,
      "noise 2d rgba8 256 1 9 " MINIFY("linear-mipmap-linear"), DRAW},
     {"filters", "anisotropic 4", SHAPE_SAMPLED, 512, 2,
-     "noise 2d rgba8 256 1 9 stretch " MINIFY("linear-mipmap-linear")
-     "uniforms.sampler.max_anisotropy 4",
+     "noise 2d rgba8 256 1 9 stretch " MINIFY(
+         "linear-mipmap-linear") "uniforms.sampler.max_anisotropy 4",
      DRAW},
     {"filters", "anisotropic 16", SHAPE_SAMPLED, 512, 2,
-     "noise 2d rgba8 256 1 9 stretch " MINIFY("linear-mipmap-linear")
-     "uniforms.sampler.max_anisotropy 16",
+     "noise 2d rgba8 256 1 9 stretch " MINIFY(
+         "linear-mipmap-linear") "uniforms.sampler.max_anisotropy 16",
      DRAW},
     {"filters", "clamp to edge", SAMPLED,
      TEXELS("rgba8") "uniforms.sampler.wrap_s clamp-to-edge uniforms.sampler.wrap_t clamp-to-edge",
      DRAW},
     {"filters", "mirrored repeat", SAMPLED,
-     TEXELS("rgba8")
-     "uniforms.sampler.wrap_s mirrored-repeat uniforms.sampler.wrap_t mirrored-repeat",
+     TEXELS(
+         "rgba8") "uniforms.sampler.wrap_s mirrored-repeat uniforms.sampler.wrap_t mirrored-repeat",
      DRAW},
     {"filters", "clamp to border", SAMPLED,
-     TEXELS("rgba8")
-     "uniforms.sampler.wrap_s clamp-to-border uniforms.sampler.wrap_t clamp-to-border "
-     "uniforms.sampler.border 1 0.5 0 1",
+     TEXELS(
+         "rgba8") "uniforms.sampler.wrap_s clamp-to-border uniforms.sampler.wrap_t clamp-to-border "
+                  "uniforms.sampler.border 1 0.5 0 1",
      DRAW},
 
     {"targets", "1D", SAMPLED, "noise 1d rgba8 256 1 1 " BILINEAR, DRAW},
@@ -344,11 +343,13 @@ const state_row state_single_rows[] = {
     {"shaders", "textured Gouraud, sphere", PHONG, "shader textured-gouraud", DRAW},
     {"shaders", "toon", PHONG, "shader toon surface.bands 4", DRAW},
     {"shaders", "Phong without a texture", PHONG, "plain", DRAW},
-    {"shaders", "trilinear Phong", PHONG,
-     "noise 2d rgba8 256 1 9 " MINIFY("linear-mipmap-linear"), DRAW},
+    {"shaders", "trilinear Phong", PHONG, "noise 2d rgba8 256 1 9 " MINIFY("linear-mipmap-linear"),
+     DRAW},
     {"shaders", "Phong with a point light", PHONG, "point-light", DRAW},
-    {"shaders", "Phong with maps", PHONG, "map normal-map rgba8 map specular-map rgba8 "
-     "map glow-map rgba8", DRAW},
+    {"shaders", "Phong with maps", PHONG,
+     "map normal-map rgba8 map specular-map rgba8 "
+     "map glow-map rgba8",
+     DRAW},
     {"shaders", "Phong with a tangent map", PHONG,
      "map normal-map rgba8 tangents surface.normal_space tangents", DRAW},
     {"shaders", "Phong with a shadow map", PHONG, "map shadow-map d32f shadow", DRAW},
@@ -370,13 +371,13 @@ const state_row state_single_rows[] = {
      "raster.point_size 8 shader inputs alpha program.fragment_reads_point_coordinate on", DRAW},
     {"fragments", "written sample mask", SHAPE_SCREENS, 512, 4,
      "samples 4 shader inputs alpha program.fragment_writes_sample_mask on", DRAW},
-    {"fragments", "discard, sphere", SPHERE,
-     "shader inputs alpha program.fragment_discards on", DRAW},
+    {"fragments", "discard, sphere", SPHERE, "shader inputs alpha program.fragment_discards on",
+     DRAW},
 
     {"clears", "clear colour and depth", SHAPE_NOTHING, 2048, 0, "", DRAW},
     {"clears", "clear colour", SHAPE_NOTHING, 2048, 0, DEPTH("none"), DRAW},
-    {"clears", "clear RGB565 and D16", SHAPE_NOTHING, 2048, 0, "color-format rgb565 depth-format d16",
-     DRAW},
+    {"clears", "clear RGB565 and D16", SHAPE_NOTHING, 2048, 0,
+     "color-format rgb565 depth-format d16", DRAW},
     {"clears", "clear RGBA16F and D32F", SHAPE_NOTHING, 2048, 0,
      "color-format rgba16f depth-format d32f", DRAW},
     {"clears", "clear RGB8 and D24S8", SHAPE_NOTHING, 2048, 0,
@@ -391,8 +392,7 @@ const state_row state_single_rows[] = {
      COLOR("rgba8")},
     {"blits", "blit RGBA8 to sRGB", SHAPE_SCREENS, 1024, 2, "", WORK_BLIT, COLOR("srgb8-a8")},
     {"blits", "blit scaled, nearest", SHAPE_SCREENS, 1024, 2, "", WORK_BLIT, "size 700 1300"},
-    {"blits", "blit scaled, linear", SHAPE_SCREENS, 1024, 2, "", WORK_BLIT_LINEAR,
-     "size 700 1300"},
+    {"blits", "blit scaled, linear", SHAPE_SCREENS, 1024, 2, "", WORK_BLIT_LINEAR, "size 700 1300"},
     {"blits", "blit scaled, linear, RGB565", SHAPE_SCREENS, 1024, 2, COLOR("rgb565"),
      WORK_BLIT_LINEAR, "size 700 1300"},
     {"resolves", "resolve RGBA8", SHAPE_SCREENS, 1024, 2, "samples 4", WORK_RESOLVE, ""},
@@ -409,8 +409,8 @@ const state_row state_single_rows[] = {
      ""},
     {"levels", "levels of RGB565", SHAPE_SAMPLED, 64, 2, "noise 2d rgb565 1024 1 11", WORK_LEVELS,
      ""},
-    {"levels", "levels of RGBA16F", SHAPE_SAMPLED, 64, 2, "noise 2d rgba16f 1024 1 11",
-     WORK_LEVELS, ""},
+    {"levels", "levels of RGBA16F", SHAPE_SAMPLED, 64, 2, "noise 2d rgba16f 1024 1 11", WORK_LEVELS,
+     ""},
     {"levels", "levels of a cube", SHAPE_SAMPLED, 64, 2, "noise cube rgba8 512 1 10", WORK_LEVELS,
      ""},
     {"levels", "levels of 3D", SHAPE_SAMPLED, 64, 2, "noise 3d rgba8 128 128 8", WORK_LEVELS, ""},

@@ -2,9 +2,9 @@
  * text that makes one thing different. To add a state, add a row to rows.c.
  *
  * Sizes. Targets have 512x512 pixels, and shapes are so large that a frame of llvmpipe takes some 3
- * to 15 ms: then the 0.05 ms that it takes for a frame in which nothing is drawn (the rows of STATE_FIXED
- * show it) are at most 2 % and flatter nobody. Frames that are short whatever they draw, such as
- * clears, have larger targets. */
+ * to 15 ms: then the 0.05 ms that it takes for a frame in which nothing is drawn (the rows of
+ * STATE_FIXED show it) are at most 2 % and flatter nobody. Frames that are short whatever they
+ * draw, such as clears, have larger targets. */
 #ifndef STATES_ROWS_H
 #define STATES_ROWS_H
 

@@ -28,8 +28,8 @@ scene *state_scene(const state_row *row, char *error, size_t error_size);
 
 /* Returns a scene without draws whose frame holds the result of a row, which was drawn as scene s:
  * the surface that is blitted or resolved to; for levels a frame of their format that is large
- * enough for all levels but the first, packed, and otherwise zero. Returns as state_scene does. Must
- * not be called for WORK_DRAW, whose result is the frame of s. */
+ * enough for all levels but the first, packed, and otherwise zero. Returns as state_scene does.
+ * Must not be called for WORK_DRAW, whose result is the frame of s. */
 scene *state_destination(const state_row *row, const scene *s, char *error, size_t error_size);
 
 #endif

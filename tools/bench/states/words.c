@@ -79,8 +79,8 @@ static void set_coordinates(scene_draw *d, const gn_texture *t)
 
         at[i][0] = right ? 4.0f : 0.0f;
         at[i][1] = above ? 4.0f : 0.0f;
-        at[i][2] = t->target == GN_TEXTURE_2D_ARRAY ? (float)(i / 4 % t->depth)
-                                                    : (right ? 0.9f : 0.1f);
+        at[i][2] =
+            t->target == GN_TEXTURE_2D_ARRAY ? (float)(i / 4 % t->depth) : (right ? 0.9f : 0.1f);
         at[i][3] = right ? 0.75f : 0.25f;
         for (int c = 0; t->target == GN_TEXTURE_CUBE && c < 3; ++c)
             at[i][c] = position[3 * i + (uint32_t)c] / -position[3 * (i - i % 4) + 2];
