@@ -216,6 +216,13 @@ bench: $(BUILD)/bench ## speed beside OSMesa's, as ratios: FRAMES=15
 bench-scale: $(BUILD)/bench ## how the cost grows with triangles and pixels: SCALE_FRAMES=5
 	@$(BUILD)/bench --scale --frames $(SCALE_FRAMES) --json $(BUILD)/bench-scale.json
 
+STATE_FRAMES ?= 5
+
+.PHONY: bench-states
+bench-states: $(BUILD)/bench-states ## speed in every state beside llvmpipe's in the same state, as ratios: STATE_FRAMES=5
+	@$(BUILD)/bench-states --frames $(STATE_FRAMES) --json $(BUILD)/bench-states.json
+	@$(BUILD)/bench-states --plot $(BUILD)/bench-states.json --svg $(BUILD)/bench-states.svg
+
 .PHONY: bench-plot
 bench-plot: $(BUILD)/bench ## pictures of bench's and bench-scale's last results, as SVG
 	@test -f $(BUILD)/bench.json || $(MAKE) --no-print-directory bench

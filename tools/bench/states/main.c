@@ -23,8 +23,9 @@ static const char help[] =
     "the pinned reference. Exit status 1 if a row cannot be drawn or a pixel differs that must "
     "not.\n"
     "\n"
-    "  --row NAME      only rows whose name begins with NAME, and the group of that name; may be\n"
-    "                  given several times\n"
+    "  --row NAME      only the row of that name; if there is none, the group of that name, or "
+    "the\n"
+    "                  rows whose names begin so; may be given several times\n"
     "  --backend NAME  only this back end of Gnomon's (default: all that the machine has)\n"
     "  --frames N      medians of N times for each row and renderer, 1 to 1000 (default 5)\n"
     "  --json FILE     writes the results as a list of {group, row, backend, llvmpipe_ms, cpu_ms,\n"
@@ -65,9 +66,23 @@ static int usage_error(const char *what, const char *value)
     return 2;
 }
 
+static bool is_row(const char *name)
+{
+    size_t count;
+    const state_row *const rows = state_rows(&count);
+    bool found = false;
+
+    for (size_t i = 0; i < count && !found; ++i)
+        found = strcmp(rows[i].name, name) == 0;
+    return found;
+}
+
+/* A name that is no row's stands for a group, or for every row whose name begins with it. */
 static bool is_named(const state_row *row, const char *name)
 {
-    return strncmp(row->name, name, strlen(name)) == 0 || strcmp(row->group, name) == 0;
+    if (is_row(name))
+        return strcmp(row->name, name) == 0;
+    return strcmp(row->group, name) == 0 || strncmp(row->name, name, strlen(name)) == 0;
 }
 
 static bool is_wanted(const options *o, const state_row *row)

@@ -188,12 +188,17 @@ const state_row state_single_rows[] = {
      DRAW},
     {"samples", "4 samples, alpha to coverage", SHAPE_SCREENS, 512, 4,
      "samples 4 alpha samples.alpha_to_coverage on", DRAW},
+    {"samples", "4 samples, alpha to one", SHAPE_SCREENS, 512, 4,
+     "samples 4 alpha samples.alpha_to_one on", DRAW},
     {"samples", "4 samples, mask", SHAPE_SCREENS, 512, 4, "samples 4 samples.write_disabled 5",
      DRAW},
     {"samples", "4 samples, lines", SHAPE_LINES, 512, 29, "samples 4", DRAW},
 
     {"attachments", "2 attachments", SHAPE_SCREENS, 512, 12, COLORS_2, DRAW},
     {"attachments", "4 attachments", SHAPE_SCREENS, 512, 8, COLORS_4, DRAW},
+    {"attachments", "8 attachments", SHAPE_SCREENS, 512, 4,
+     "shader outputs program.color_count 8 more-colors rgba8 rgba8 rgba8 rgba8 rgba8 rgba8 rgba8",
+     DRAW},
     {"attachments", "4 attachments, blended", SHAPE_SCREENS, 512, 6,
      COLORS_4 OVER "color.blend[1].enabled on color.blend[1].source one "
                    "color.blend[1].destination one",
@@ -231,12 +236,12 @@ const state_row state_single_rows[] = {
      DRAW},
     {"filters", "trilinear, rolled sphere", PHONG,
      "noise 2d rgba8 256 1 9 " MINIFY("linear-mipmap-linear"), DRAW},
-    {"filters", "anisotropic 4", SHAPE_SAMPLED, 512, 2,
-     "noise 2d rgba8 256 1 9 stretch " MINIFY(
+    {"filters", "anisotropic 4", SHAPE_SAMPLED, 256, 2,
+     "noise 2d rgba8 128 1 8 stretch " MINIFY(
          "linear-mipmap-linear") "uniforms.sampler.max_anisotropy 4",
      DRAW},
-    {"filters", "anisotropic 16", SHAPE_SAMPLED, 512, 2,
-     "noise 2d rgba8 256 1 9 stretch " MINIFY(
+    {"filters", "anisotropic 16", SHAPE_SAMPLED, 256, 2,
+     "noise 2d rgba8 128 1 8 stretch " MINIFY(
          "linear-mipmap-linear") "uniforms.sampler.max_anisotropy 16",
      DRAW},
     {"filters", "clamp to edge", SAMPLED,
@@ -292,6 +297,8 @@ const state_row state_single_rows[] = {
 
     {"primitives", "points 1", SHAPE_POINTS, 512, 256, "", DRAW},
     {"primitives", "points 8", SHAPE_POINTS, 512, 160, "raster.point_size 8", DRAW},
+    {"primitives", "points of the shader's sizes", SHAPE_POINTS, 512, 160,
+     "sizes program.vertex_writes_point_size on", DRAW},
     {"primitives", "lines width 1", SHAPE_LINES, 512, 57, "", DRAW},
     {"primitives", "lines width 4", SHAPE_LINES, 512, 41, "raster.line_width 4", DRAW},
     {"primitives", "line strips", SHAPE_LINE_STRIPS, 512, 57, "", DRAW},

@@ -8,6 +8,7 @@
  *   map NAME FORMAT           a map, such as `normal-map rgba8`, of 256x256 texels
  *   plain                     no texture
  *   stretch                   texture coordinates that grow four times as fast along x
+ *   sizes                     points' sizes, from 4 to 12, for a shader that writes them
  *   tangents                  tangents for maps of tangents
  *   shadow                    a shadow map seen along the z axis, compared
  *   point-light               a point light

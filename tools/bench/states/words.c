@@ -155,6 +155,17 @@ static void stretch(scene_draw *d)
         at[i * components] *= 4.0f;
 }
 
+static void give_sizes(scene_draw *d)
+{
+    const uint32_t count = d->mesh.vertex_count;
+    float *const size = scene_allocate(count, sizeof *size);
+
+    for (uint32_t i = 0; i < count; ++i)
+        size[i] = 4.0f + 0.5f * (float)(i % 17);
+    scene_set_attribute(d, GN_ATTRIBUTE_TEXCOORD, size, 1, count);
+    free(size);
+}
+
 /* Tangents across the normals, in some direction. */
 static void give_tangents(scene_draw *d)
 {
@@ -286,6 +297,8 @@ static bool read_own(reader *r, const char *word, scene *s, scene_draw *d)
         remove_texture(d);
     else if (strcmp(word, "stretch") == 0)
         stretch(d);
+    else if (strcmp(word, "sizes") == 0)
+        give_sizes(d);
     else if (strcmp(word, "tangents") == 0)
         give_tangents(d);
     else if (strcmp(word, "shadow") == 0)
