@@ -10,6 +10,8 @@
 
 #include "measure.h"
 #include "rows.h"
+#include "scene_format.h"
+#include "scene_text.h"
 
 static const char help[] =
     "usage: bench-states [--row NAME]... [--backend NAME] [--frames N] [--json FILE]\n"
@@ -164,6 +166,27 @@ static const char *unknown_name(const options *o)
     return NULL;
 }
 
+/* Returns the name of a format that no row draws to, null if there is none. Plain shapes have RGBA8
+ * and D24. */
+static const char *format_without_row(void)
+{
+    size_t count;
+    const state_row *const rows = state_rows(&count);
+
+    for (int f = GN_FORMAT_NONE + 1; f < SCENE_FORMATS; ++f) {
+        const char *const kind = scene_is_color_format((gn_format)f) ? "color" : "depth";
+        bool found = f == GN_FORMAT_RGBA8 || f == GN_FORMAT_D24;
+        char text[64];
+
+        snprintf(text, sizeof text, "%s-format %s", kind, text_name(TEXT_FORMAT, f));
+        for (size_t i = 0; i < state_single_row_count && !found; ++i)
+            found = strcmp(rows[i].text, text) == 0;
+        if (!found)
+            return text_name(TEXT_FORMAT, f);
+    }
+    return NULL;
+}
+
 static void list(const options *o)
 {
     size_t count;
@@ -294,6 +317,8 @@ int main(int argc, char **argv)
         return fault;
     if (unknown_name(&o))
         return usage_error("no row or group is called", unknown_name(&o));
+    if (format_without_row())
+        return usage_error("rows.c has no row for format", format_without_row());
     if (o.plot)
         return plot(&o) ? EXIT_SUCCESS : EXIT_FAILURE;
     if (o.list) {

@@ -105,13 +105,22 @@ static void plot_column(FILE *out, const state_result *results, size_t first, si
     }
 }
 
-static void plot_key(FILE *out)
+static void plot_key(FILE *out, const state_result *results, size_t count)
 {
-    for (int i = 0; i < STYLES; ++i) {
-        const double x = LEFT + 100.0 * i;
+    double x = LEFT;
 
+    for (int i = 0; i < STYLES; ++i) {
+        bool drawn = false;
+
+        for (size_t n = 0; n < count; ++n)
+            for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b)
+                drawn = drawn || (state_has(&results[n], (gn_backend)b) &&
+                                  strcmp(gn_backend_name((gn_backend)b), styles[i].backend) == 0);
+        if (!drawn)
+            continue;
         part_dot(out, x + 4, 72, styles[i].color);
         part_text(out, x + 14, 76, ANCHOR_START, 12, INK, "%s", styles[i].label);
+        x += 90.0;
     }
 }
 
@@ -133,7 +142,7 @@ bool results_plot(const state_result *results, size_t count, const char *name)
                    "Every state beside llvmpipe",
                    "How many times as fast as llvmpipe with the same formats, samples and state: "
                    "CPU time of one thread. Right of 1, Gnomon is faster.");
-        plot_key(out);
+        plot_key(out, results, count);
         for (size_t first = 0, c = 0; first < count; first += per_column, ++c) {
             const size_t end = first + per_column < count ? first + per_column : count;
 
