@@ -89,9 +89,9 @@ static bool load_gnomon(child *c, answer *a)
     if (!c->workspace.memory || !scene_frame_allocate(&c->frame, c->scene))
         return fail(a, "out of memory");
     describe_target(c);
-    if (c->to)
-        return scene_draw_to_target(c->scene, &c->target, &c->workspace) == GN_OK;
-    return true;
+    const gn_status status =
+        c->to ? scene_draw_to_target(c->scene, &c->target, &c->workspace) : GN_OK;
+    return status == GN_OK || fail(a, gn_status_text(status));
 }
 
 static bool load_reference(child *c, answer *a)
