@@ -1,8 +1,8 @@
 /* Scalar functions that need no mathematics library and return the same bits on every target,
- * compiler and optimisation level: they use integer arithmetic, or the one instruction that IEEE
- * 754 defines exactly. "Correctly rounded" (to nearest, ties to even) means that the result is the
- * float closest to the exact value for each of the 2^32 arguments; tests/exhaustive enumerates
- * them. Angles are in radians. */
+ * compiler and optimisation level. Where the processor computes in doubles, they use doubles; if a
+ * double does not decide the rounding, and on other processors, they use integers. "Correctly
+ * rounded" (to nearest, ties to even) means that the result is the float closest to the exact value
+ * for each of the 2^32 arguments; tests/exhaustive enumerates them. Angles are in radians. */
 #ifndef GNOMON_SCALAR_H
 #define GNOMON_SCALAR_H
 
@@ -50,9 +50,9 @@ GN_API float gn_acos(float x);
 GN_API float gn_atan(float x);
 
 /* Returns the angle of the vector (x, y) from the positive x axis, in [-pi, pi], with the sign of
- * y. The result is within 0.500000001 units in the last place of the exact angle: it is rounded
- * once, from a value whose relative error is below 2^-57. It is correctly rounded if it is below
- * 2^-26 and x > 0, including denormal results.
+ * y. The result is within 0.500000001 units in the last place of the exact angle: the bits are
+ * those of a value whose relative error is below 2^-57, rounded once. It is correctly rounded if it
+ * is below 2^-26 and x > 0, including denormal results.
  *
  * Zeros and infinities follow C99's annex F. With y = +0, returns +0 for x > 0 or x = +0, and pi
  * for x < 0 or x = -0. With y > 0 and x = +0 or -0, returns pi/2. With finite y > 0, returns +0 for
@@ -114,10 +114,11 @@ GN_API float gn_log2(float x);
 /* Returns the natural logarithm of x. Correctly rounded. Special values as in gn_log2. */
 GN_API float gn_log(float x);
 
-/* Returns x to the power of y, within 0.5000001 units in the last place of the exact value. It is
- * rounded once, to infinity, and through the denormal numbers to zero (whose last place is 2^-149),
- * from a value whose relative error is below 2^-49.9. If the exact value is a float, that float is
- * returned. If the exact value is halfway between two floats, the even one is returned.
+/* Returns x to the power of y, within 0.5000001 units in the last place of the exact value. The
+ * bits are those of a value whose relative error is below 2^-49.9, rounded once: to infinity, and
+ * through the denormal numbers to zero (whose last place is 2^-149). If the exact value is a float,
+ * that float is returned. If the exact value is halfway between two floats, the even one is
+ * returned.
  *
  * Special values follow C99's annex F: 1 if x is 1 or y is zero, even if the other is NaN; NaN for
  * a negative, finite x other than zero with a finite y that is no integer; negative results only if

@@ -1,5 +1,5 @@
-/* The general inverses of 3x3 and 4x4 matrices: the adjugate over the determinant, in double. This
- * is the only file of the library that computes in double.
+/* The general inverses of 3x3 and 4x4 matrices: the adjugate over the determinant, in double.
+ * No other file computes in double where the processor cannot (config/doubles.h).
  *
  * The product of two floats is exact in double (48 bits), so a 2x2 minor is rounded once, by v =
  * 2^-53 of itself. No product of four floats is above 2^512 or, if not zero, below 2^-596. So

@@ -1,11 +1,13 @@
-/* Arctangents: the quotient by Newton's iteration, reduced to at most 1/8 by the addition theorem,
- * then the series, and one rounding. */
+/* Arctangents: a quotient, reduced to at most 1/8 by the addition theorem, then a polynomial or a
+ * series, in double or in integers, and one rounding. */
 #include "arctangent.h"
 
 #include <gnomon/scalar.h>
 
 #include "bits.h"
+#include "doubles.h"
 #include "fixed_point.h"
+#include "integer_forms.h"
 
 /* Returns 2^127 / divisor, that is, 1/D in units of 2^-63 for D = divisor * 2^-64, which must be at
  * least 1/2. The result is never too large, and low by less than 7 units.
@@ -132,7 +134,7 @@ float gn_round_arctangent(uint64_t y, uint64_t x, int exponent, bool left, uint3
     return gn_round_to_any_float(angle, -2, sign);
 }
 
-float gn_atan2(float y, float x)
+GN_OUT_OF_LINE float gn_atan2_integer(float y, float x)
 {
     const uint32_t one = 0x3F800000u;
     uint32_t sign = gn_float_bits(y) & GN_SIGN_BIT;
@@ -156,10 +158,89 @@ float gn_atan2(float y, float x)
 /* For |x| below 2^-12, x^3/3 is less than half a unit in x's last place. From 2^-12 on, the
  * exact arctangents of floats are at least 2^-55.1 of themselves away from ties (enumerated with
  * MPFR). */
-float gn_atan(float x)
+GN_OUT_OF_LINE float gn_atan_integer(float x)
 {
     const uint32_t small = 0x39800000u;
     if ((gn_float_bits(x) & ~GN_SIGN_BIT) < small)
         return x;
-    return gn_atan2(x, 1.0f);
+    return gn_atan2_integer(x, 1.0f);
+}
+
+#if GN_HAVE_DOUBLES
+
+/* Returns the arctangent of t >= 0, which is not NaN.
+ *
+ * From 1/8 to 8, c is the middle of the half of an octave that holds t. Then atan t = atan c +
+ * atan r with r = (t - c) / (1 + c t), and |r| < 1/8; the largest is 1/9, for c = 5/4. Below 1/8, c
+ * is 0. From 8 on, c is infinite and r = -1/t. The table holds c = a/b with b = 1 or a/b = 1/0, and
+ * atan c. |atan r| is below 3/4 of atan c if that is not 0.
+ *
+ * The polynomial's error is 2^-42.5 of atan r (on [0, 1/8]). r's three roundings and the roundings
+ * that follow are below 8 units. If c is not 0, atan t is at least 2 |atan r| / 3. So the error is
+ * below 2^-41.8 of atan t. */
+static inline double double_arctangent(double t)
+{
+    static const double table[14][3] = {
+        {0.000, 1.0, 0.0},
+        {0.15625, 1.0, 0x1.3d6eee8c6626cp-3},
+        {0.21875, 1.0, 0x1.b90d7529260a2p-3},
+        {0.3125, 1.0, 0x1.362773707ebccp-2},
+        {0.4375, 1.0, 0x1.a64eec3cc23fdp-2},
+        {0.625, 1.0, 0x1.1e00babdefeb4p-1},
+        {0.875, 1.0, 0x1.700a7c5784634p-1},
+        {1.25, 1.0, 0x1.cac7c57846f9ep-1},
+        {1.75, 1.0, 0x1.0d38f2c5ba09fp0},
+        {2.5, 1.0, 0x1.30b6d796a4da8p0},
+        {3.5, 1.0, 0x1.4ae10fc6589a5p0},
+        {5.0, 1.0, 0x1.5f97315254857p0},
+        {7.0, 1.0, 0x1.6dcc57bb565fdp0},
+        {1.0, 0.0, 0x1.921fb54442d18p0}, /* pi/2 */
+    };
+    /* A double has 11 bits of exponent; 1/8 has 1020 there. */
+    int32_t place = (int32_t)(gn_double_bits(t) >> 51) - (2 * 1020 - 1);
+    place = place < 0 ? 0 : place;
+    place = place > 13 ? 13 : place;
+    const double *c = table[place];
+    double r = (t * c[1] - c[0]) / (c[1] + t * c[0]);
+    double z = r * r, square = z * z;
+    double sum = (0x1.ffffffffffa64p-1 + z * -0x1.5555554c8e405p-2) +
+                 square * ((0x1.9999766898c2fp-3 + z * -0x1.24798f4bef3bbp-3) +
+                           square * 0x1.b8e0c5d7a61b8p-4);
+    return c[2] + r * sum;
+}
+
+#endif
+
+/* The quotient is rounded once. A result of at least 2^-100 is normal. */
+float gn_atan2(float y, float x)
+{
+#if GN_HAVE_DOUBLES
+    double t = (double)gn_magnitude(y) / (double)gn_magnitude(x);
+    if (GN_LIKELY(t >= 0x1p-100 && t <= DBL_MAX)) {
+        double angle = double_arctangent(t);
+        if (x < 0.0f)
+            angle = 0x1.921fb54442d18p1 - angle; /* pi */
+        if (gn_rounding_is_certain(angle)) {
+            float nearest = (float)angle;
+            return y < 0.0f ? -nearest : nearest;
+        }
+    }
+#endif
+    return gn_atan2_integer(y, x);
+}
+
+float gn_atan(float x)
+{
+#if GN_HAVE_DOUBLES
+    uint32_t magnitude = gn_float_bits(x) & ~GN_SIGN_BIT;
+    const uint32_t small = 0x39800000u; /* 2^-12 */
+    if (GN_LIKELY(magnitude - small < GN_EXPONENT_BITS - small)) {
+        double angle = double_arctangent((double)gn_magnitude(x));
+        if (gn_rounding_is_certain(angle)) {
+            float nearest = (float)angle;
+            return gn_float_from_bits(gn_float_bits(nearest) | (gn_float_bits(x) & GN_SIGN_BIT));
+        }
+    }
+#endif
+    return gn_atan_integer(x);
 }

@@ -1,14 +1,16 @@
-/* Degrees and radians: one product of 64 bits, rounded once. */
+/* Degrees and radians: one product, in double or in 64-bit integers, rounded once. */
 #include <gnomon/scalar.h>
 
 #include <stdint.h>
 
 #include "bits.h"
+#include "doubles.h"
 #include "fixed_point.h"
+#include "integer_forms.h"
 
 /* Returns x * factor * 2^-scale. The factor is rounded (2^-64.8 of itself) and the product cut
  * (2^-62), so the relative error of the product is below 2^-61.7. The exact products are at least
- * 2^-50 of themselves away from ties. */
+ * 2^-50 of themselves away from ties (enumerated with MPFR). */
 static float scaled(float x, uint64_t factor, int scale)
 {
     uint32_t bits = gn_float_bits(x), sign = bits & GN_SIGN_BIT, magnitude = bits ^ sign;
@@ -22,12 +24,35 @@ static float scaled(float x, uint64_t factor, int scale)
     return gn_round_to_any_float(product, scale - 65 - exponent, sign);
 }
 
-float gn_degrees(float radians)
+float gn_degrees_integer(float radians)
 {
     return scaled(radians, 0xE52EE0D31E0FBDC3u, 58); /* 180/pi */
 }
 
-float gn_radians(float degrees)
+float gn_radians_integer(float degrees)
 {
     return scaled(degrees, 0x8EFA351294E9C8AEu, 69); /* pi/180 */
+}
+
+/* The rounded constants and the product are within 2^-52 of the exact product. Ties are farther. */
+float gn_degrees(float radians)
+{
+#if GN_HAVE_DOUBLES
+    if (radians != radians)
+        return gn_float_from_bits(GN_NAN_BITS);
+    return (float)((double)radians * 0x1.ca5dc1a63c1f8p5);
+#else
+    return gn_degrees_integer(radians);
+#endif
+}
+
+float gn_radians(float degrees)
+{
+#if GN_HAVE_DOUBLES
+    if (degrees != degrees)
+        return gn_float_from_bits(GN_NAN_BITS);
+    return (float)((double)degrees * 0x1.1df46a2529d39p-6);
+#else
+    return gn_radians_integer(degrees);
+#endif
 }

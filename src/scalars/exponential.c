@@ -1,13 +1,13 @@
 /* Exponentials: the exponent of 2 is split into an integer and a fraction; the power of the
- * fraction comes from a table and a series in integers, and is rounded once. */
+ * fraction comes from a table and a polynomial, in double or in integers, and is rounded once. */
 #include <gnomon/scalar.h>
 
 #include "bits.h"
 #include "exponential.h"
 #include "fixed_point.h"
+#include "integer_forms.h"
 
-/* 2^(i/32) in Q63. */
-static const uint64_t powers[32] = {
+const uint64_t gn_powers[32] = {
     0x8000000000000000u, 0x82CD8698AC2BA1D7u, 0x85AAC367CC487B15u, 0x88980E8092DA8527u,
     0x8B95C1E3EA8BD6E7u, 0x8EA4398B45CD53C0u, 0x91C3D373AB11C336u, 0x94F4EFA8FEF70961u,
     0x9837F0518DB8A96Fu, 0x9B8D39B9D54E5539u, 0x9EF5326091A111AEu, 0xA27043030C496819u,
@@ -31,7 +31,7 @@ static const uint64_t powers[32] = {
  * yields v = 0, so the result is exact for i = 0 and r = 0. */
 uint64_t gn_fixed_power(uint64_t fraction)
 {
-    uint64_t power = powers[fraction >> 59];
+    uint64_t power = gn_powers[fraction >> 59];
     uint64_t r = fraction & 0x07FFFFFFFFFFFFFFu, r_high = r >> 32;
     uint64_t sum = 0x162C0224u;                                 /* c8 */
     sum = 0x0000FFE5FE2Cu + (r_high * sum >> 32);               /* c7 */
@@ -110,7 +110,7 @@ static float exponential(float x, uint64_t factor)
 /* y is exact. The exact result is at least 2^-58.9 of itself away from the middle between two
  * floats, unless it is such a middle: x = -150, which gn_power_of_two handles. (Enumerated with
  * MPFR, for e^x too.) */
-float gn_exp2(float x)
+GN_OUT_OF_LINE float gn_exp2_integer(float x)
 {
     return exponential(x, 0x8000000000000000u);
 }
@@ -118,7 +118,35 @@ float gn_exp2(float x)
 /* log2(e) is rounded (2^-65.4 of itself). So y, up to 150 where it matters, is off by less than
  * 2^-58.1, and the result by less than 2^-58.5 of itself. e^x is at least 2^-52.7 of itself away
  * from the middle between two floats. */
-float gn_exp(float x)
+GN_OUT_OF_LINE float gn_exp_integer(float x)
 {
     return exponential(x, 0xB8AA3B295C17F0BCu);
+}
+
+/* From 2^-126 on, results are normal. The integer form has the rest. */
+float gn_exp2(float x)
+{
+#if GN_HAVE_DOUBLES
+    const uint32_t most = 0x42FC0000u; /* 126 */
+    if (GN_LIKELY((gn_float_bits(x) & ~GN_SIGN_BIT) < most)) {
+        double result = gn_double_power((double)x);
+        if (gn_rounding_is_certain(result))
+            return (float)result;
+    }
+#endif
+    return gn_exp2_integer(x);
+}
+
+/* log2(e) and the product are rounded, so y, up to 126, is off by less than 2^-45. */
+float gn_exp(float x)
+{
+#if GN_HAVE_DOUBLES
+    const uint32_t most = 0x42AE0000u; /* 87 < 126 * ln 2 */
+    if (GN_LIKELY((gn_float_bits(x) & ~GN_SIGN_BIT) < most)) {
+        double result = gn_double_power((double)x * 0x1.71547652b82fep0);
+        if (gn_rounding_is_certain(result))
+            return (float)result;
+    }
+#endif
+    return gn_exp_integer(x);
 }

@@ -1,19 +1,18 @@
-/* Logarithms: the significand times a tabulated reciprocal is near 1, where a series in integers
- * converges fast. The result is rounded once. */
+/* Logarithms: the significand times a tabulated reciprocal is near 1, where a polynomial converges
+ * fast, in double or in integers. The result is rounded once. */
 #include <gnomon/scalar.h>
 
 #include "bits.h"
 #include "fixed_point.h"
+#include "integer_forms.h"
 #include "logarithm.h"
 
-/* c = 1 / (1 + i/32) rounded to Q15, and -log2(c) in Q64. The last -log2(c) is 1, which is carried
- * into the integer. */
-static const uint16_t reciprocals[33] = {
+const uint16_t gn_reciprocals[33] = {
     0x8000, 0x7C1F, 0x7878, 0x7507, 0x71C7, 0x6EB4, 0x6BCA, 0x6907, 0x6666, 0x63E7, 0x6186,
     0x5F41, 0x5D17, 0x5B06, 0x590B, 0x5726, 0x5555, 0x5398, 0x51EC, 0x5050, 0x4EC5, 0x4D48,
     0x4BDA, 0x4A79, 0x4925, 0x47DC, 0x469F, 0x456C, 0x4444, 0x4326, 0x4211, 0x4104, 0x4000,
 };
-static const uint64_t logarithms[33] = {
+const uint64_t gn_logarithms[33] = {
     0x0000000000000000u, 0x0B5D80D00F9C995Eu, 0x1665684FF81084F3u, 0x2119AF041D9543C5u,
     0x2B8090C920CC62EAu, 0x359E600657CF1B9Au, 0x3F7889C72DEF67F2u, 0x490E96434ADC9B76u,
     0x526B5284636B9A6Fu, 0x5B889E4BBC514F24u, 0x646F4679A57B767Eu, 0x6D21949CFB756A94u,
@@ -47,10 +46,10 @@ gn_logarithm gn_binary_logarithm(uint32_t bits)
     int whole;
     uint32_t m = gn_normal_significand(bits, &whole); /* Q23, of [1, 2) */
     unsigned nearest = (m - GN_HIDDEN_BIT + 0x20000u) >> 18;
-    uint64_t product = (uint64_t)m * reciprocals[nearest]; /* Q38 */
+    uint64_t product = (uint64_t)m * gn_reciprocals[nearest]; /* Q38 */
     bool less = product < one;
     uint64_t r = (less ? one - product : product - one) << 26, r_high = r >> 32;
-    uint64_t fraction = logarithms[nearest];
+    uint64_t fraction = gn_logarithms[nearest];
     whole += (int)(nearest >> 5);
 
     uint64_t flip = less ? 0 : ~(uint64_t)0;
@@ -121,7 +120,7 @@ static float logarithm(float x, bool natural)
 /* The exact logarithm of a float that is no power of two is at least 2^-51.4 of itself away from
  * the middle between two floats; the value that is rounded is off by less than 2^-56.7 of itself.
  * (Enumerated with MPFR, for gn_log too.) */
-float gn_log2(float x)
+GN_OUT_OF_LINE float gn_log2_integer(float x)
 {
     return logarithm(x, false);
 }
@@ -130,7 +129,33 @@ float gn_log2(float x)
  * floats; where |log2 x| is in 2^-7 .. 2^-4, at least 2^-43.4. The product with ln 2 is off by
  * 2^-62.3 more. So the value that is rounded is off by less than 2^-56.6 of itself in that range,
  * and elsewhere by less than 2^-58.8 (from 1.7 * 2^-60 + 2^-63). */
-float gn_log(float x)
+GN_OUT_OF_LINE float gn_log_integer(float x)
 {
     return logarithm(x, true);
+}
+
+float gn_log2(float x)
+{
+#if GN_HAVE_DOUBLES
+    uint32_t bits = gn_float_bits(x);
+    if (GN_LIKELY(bits - GN_HIDDEN_BIT < GN_EXPONENT_BITS - GN_HIDDEN_BIT)) {
+        double result = gn_double_logarithm(bits, false);
+        if (gn_rounding_is_certain(result))
+            return (float)result;
+    }
+#endif
+    return gn_log2_integer(x);
+}
+
+float gn_log(float x)
+{
+#if GN_HAVE_DOUBLES
+    uint32_t bits = gn_float_bits(x);
+    if (GN_LIKELY(bits - GN_HIDDEN_BIT < GN_EXPONENT_BITS - GN_HIDDEN_BIT)) {
+        double result = gn_double_logarithm(bits, false) * 0x1.62e42fefa39efp-1; /* ln 2 */
+        if (gn_rounding_is_certain(result))
+            return (float)result;
+    }
+#endif
+    return gn_log_integer(x);
 }

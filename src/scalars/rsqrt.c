@@ -1,10 +1,13 @@
-/* Reciprocal square root: a tabulated estimate refined twice, in integers. */
+/* Reciprocal square root: in double; in integers, a tabulated estimate refined twice. */
 #include <gnomon/scalar.h>
 
 #include <stdint.h>
 
 #include "bits.h"
+#include "doubles.h"
 #include "fixed_point.h"
+#include "integer_forms.h"
+#include "square_root.h"
 
 /* 1 / sqrt(m) in Q9, without the 256, for m from 1 + i/32 to 1 + (i + 1)/32. Each seed is the
  * integer with the least |1 - m * seed^2| at the worse end of its interval, at most 0.01653. */
@@ -25,7 +28,7 @@ static const uint8_t seeds[96] = {
  * a float that is no power of 4 is at least 2^-51.8 of itself away from the middle between two
  * floats (enumerated with MPFR). For a power of 4 the exact value is a power of two, and the error
  * is as small. */
-float gn_rsqrt(float x)
+GN_OUT_OF_LINE float gn_rsqrt_integer(float x)
 {
     uint32_t bits = gn_float_bits(x);
     if ((bits & ~GN_SIGN_BIT) == 0)
@@ -50,4 +53,22 @@ float gn_rsqrt(float x)
     factor = 0x7800000000000000u - gn_multiply_high(square, factor);                       /* Q62 */
     uint64_t root = gn_multiply_high(estimate << 43, factor);                              /* Q61 */
     return gn_round_to_float(root << 2, (unsigned)(exponent / 2 - 1), 0);
+}
+
+/* An estimate y by floats is within 2^-22 of itself: both roundings, and denormal numbers lose
+ * nothing in them. With e = 1 - x * y^2, 1 / sqrt(x) is y * (1 - e)^(-1/2), which is y * (1 + e/2 +
+ * 3/8 * e^2) up to e^3: 2^-62. x * y is exact, and the product with y is rounded to 2^-53, so the
+ * error is below 2^-52. */
+float gn_rsqrt(float x)
+{
+#if GN_HAVE_DOUBLES
+    if (GN_LIKELY(gn_float_bits(x) - 1 < GN_EXPONENT_BITS - 1)) {
+        double y = (double)(1.0f / gn_float_square_root(x));
+        double e = 1.0 - (double)x * y * y;
+        double result = y + y * e * (0.5 + 0.375 * e);
+        if (gn_rounding_is_certain(result))
+            return (float)result;
+    }
+#endif
+    return gn_rsqrt_integer(x);
 }

@@ -5,7 +5,8 @@
 #include <stdint.h>
 
 #include "bits.h"
-#include "sqrt.h"
+#include "integer_forms.h"
+#include "square_root.h"
 
 float gn_sqrt_integer(float x)
 {
@@ -57,21 +58,10 @@ float gn_sqrt_integer(float x)
 
 float gn_sqrt(float x)
 {
-#if defined(__GNUC__) && defined(__SSE2__)
-    /* The builtin compiles to the instruction, unlike __builtin_sqrtf, which also calls the
-     * library's function to set errno. */
-    typedef float lanes __attribute__((__vector_size__(16)));
-    lanes value = {x, 0.0f, 0.0f, 0.0f};
+#if GN_HAVE_SQUARE_ROOT
     if (!(x >= 0.0f))
         return gn_float_from_bits(GN_NAN_BITS);
-    value = __builtin_ia32_sqrtss(value);
-    return value[0];
-#elif defined(__GNUC__) && defined(__aarch64__)
-    float root;
-    if (!(x >= 0.0f))
-        return gn_float_from_bits(GN_NAN_BITS);
-    __asm__("fsqrt %s0, %s1" : "=w"(root) : "w"(x));
-    return root;
+    return gn_float_square_root(x);
 #else
     return gn_sqrt_integer(x);
 #endif

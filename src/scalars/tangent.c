@@ -1,4 +1,4 @@
-/* Tangent: the quotient of the fixed-point sine and cosine, rounded once. */
+/* Tangent: the quotient of sine and cosine, in double or in fixed point, rounded once. */
 #include <gnomon/scalar.h>
 
 #include <stdbool.h>
@@ -6,6 +6,8 @@
 
 #include "angle.h"
 #include "bits.h"
+#include "doubles.h"
+#include "integer_forms.h"
 
 /* Returns the float nearest to numerator / denominator * 2^exponent, for two numbers in [2^62,
  * 2^64), by long division: 24 bits of the quotient and the next bit, which decides the rounding
@@ -39,7 +41,7 @@ static float quotient_to_float(uint64_t numerator, uint64_t denominator, int exp
     return gn_float_from_bits(((uint32_t)(exponent + 126) << 23) + rounded + sign);
 }
 
-float gn_tan(float x)
+GN_OUT_OF_LINE float gn_tan_integer(float x)
 {
     uint32_t sign = gn_float_bits(x) & GN_SIGN_BIT;
     uint32_t magnitude = gn_float_bits(x) & ~GN_SIGN_BIT;
@@ -54,4 +56,34 @@ float gn_tan(float x)
     if ((angle.quadrant & 1) != 0) /* tan(pi/2 + r) = -cos r / sin r */
         return quotient_to_float(cosine, sine, (int)angle.shift, sign ^ GN_SIGN_BIT);
     return quotient_to_float(sine, cosine, -(int)angle.shift, sign);
+}
+
+#if GN_HAVE_DOUBLES
+
+/* The sine and the cosine are each off by less than 2^-43. */
+static inline float reduced_tangent(float x, gn_double_angle angle)
+{
+    double tangent =
+        gn_double_sine(angle.r, angle.quadrant) / gn_double_sine(angle.r, angle.quadrant + 1);
+    if (GN_LIKELY(angle.known) && gn_rounding_is_certain(tangent))
+        return (float)tangent;
+    return gn_tan_integer(x);
+}
+
+static GN_OUT_OF_LINE float other_tangent(float x)
+{
+    return reduced_tangent(x, gn_reduce_other_angle(x));
+}
+
+#endif
+
+float gn_tan(float x)
+{
+#if GN_HAVE_DOUBLES
+    if (!gn_is_moderate_angle(x))
+        return other_tangent(x);
+    return reduced_tangent(x, gn_reduce_moderate_angle(x));
+#else
+    return gn_tan_integer(x);
+#endif
 }

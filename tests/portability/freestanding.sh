@@ -63,7 +63,7 @@ check() { # check NAME: checks the library that was planned under this name
 
 # On a Cortex-M4 the compiler calls memcpy and memset even for small copies. Nothing is undefined
 # except the compiler's own routines for floats and 64-bit integers, and for doubles in the only
-# file that uses doubles.
+# file that uses doubles there.
 check_microcontroller() { # check_microcontroller NAME
     directory=$build/$1
     ok=yes

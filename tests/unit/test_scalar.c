@@ -1,5 +1,5 @@
-/* Scalar functions: special values, comparison with the C library's double results, and of the two
- * square roots with each other. tests/exhaustive tests all 2^32 inputs. */
+/* Scalar functions: special values, comparison with the C library's double results, and of forms in
+ * double and in integers with each other. tests/exhaustive tests all 2^32 inputs. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -7,7 +7,7 @@
 #include "float_bits.h"
 
 #include "../../src/scalars/fixed_point.h"
-#include "../../src/scalars/sqrt.h"
+#include "../../src/scalars/integer_forms.h"
 
 enum { STRIDE = 65537 }; /* step between bit patterns: 65,535 floats of every class */
 
@@ -48,6 +48,38 @@ static void integer_square_root_is_the_same(void **state)
     assert_same_bits(gn_sqrt_integer(INFINITY), INFINITY);
     assert_same_bits(gn_sqrt_integer(FLT_MAX), (float)sqrt((double)FLT_MAX));
     assert_canonical_nan(gn_sqrt_integer(-1.0f));
+}
+
+/* `make exhaustive` checks both forms of functions of one argument for all arguments. The forms of
+ * functions of two arguments are compared here: angles of all sizes, powers that are floats,
+ * middles between two floats, or near them, and any bits. */
+static void both_forms_of_two_arguments_are_the_same(void **state)
+{
+    (void)state;
+    uint64_t bits = 1;
+    for (int i = 0; i < 300000; ++i) {
+        bits = bits * 6364136223846793005u + 1442695040888963407u; /* Knuth, MMIX */
+        float x = from_bits((uint32_t)(bits >> 32));
+        bits = bits * 6364136223846793005u + 1442695040888963407u;
+        float y = from_bits((uint32_t)(bits >> 32));
+        float near_one = from_bits(0x3F000000u + ((uint32_t)(bits >> 32) & 0xFFFFFFu));
+        float moderate = ldexpf(y, -(int)(bits_of(y) >> 23 & 0xFF) + 127 + i % 7);
+        assert_same_bits(gn_atan2(y, x), gn_atan2_integer(y, x));
+        assert_same_bits(gn_atan2(moderate, near_one), gn_atan2_integer(moderate, near_one));
+        assert_same_bits(gn_atan2(moderate, -near_one), gn_atan2_integer(moderate, -near_one));
+        assert_same_bits(gn_pow(x, y), gn_pow_integer(x, y));
+        assert_same_bits(gn_pow(fabsf(x), moderate), gn_pow_integer(fabsf(x), moderate));
+        assert_same_bits(gn_pow(near_one, moderate), gn_pow_integer(near_one, moderate));
+    }
+    /* Squares of 13 bits are middles between two floats. */
+    for (int i = 1; i < 8192; ++i) {
+        const float exponents[] = {0.5f, 1.0f, 1.5f, 2.0f, 3.0f, -1.0f};
+        for (size_t k = 0; k < sizeof exponents / sizeof exponents[0]; ++k)
+            for (int step = -1; step <= 1; ++step) {
+                float x = from_bits(bits_of((float)i) + (uint32_t)step);
+                assert_same_bits(gn_pow(x, exponents[k]), gn_pow_integer(x, exponents[k]));
+            }
+    }
 }
 
 /* The processor's products and zeros, and those of other processors. */
@@ -166,6 +198,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(square_roots_are_exact),
         cmocka_unit_test(integer_square_root_is_the_same),
+        cmocka_unit_test(both_forms_of_two_arguments_are_the_same),
         cmocka_unit_test(fixed_point_is_the_same),
         cmocka_unit_test(angles_without_a_value_give_nan),
         cmocka_unit_test(small_angles_keep_their_bits),

@@ -32,8 +32,21 @@ static const struct {
     [MATHS_POINTS_PACKED] = {"10000 points, packed", MATHS_MANY, true, false},
     [MATHS_POINTS_ARRAYS] = {"10000 points, arrays", MATHS_MANY, true, true},
     [MATHS_SINE] = {"sin", MATHS_FEW, false, false},
+    [MATHS_SINE_LARGE] = {"sin, large arguments", MATHS_FEW, false, false},
+    [MATHS_COSINE] = {"cos", MATHS_FEW, false, false},
     [MATHS_SINE_COSINE] = {"sin and cos", MATHS_FEW, false, false},
+    [MATHS_TANGENT] = {"tan", MATHS_FEW, false, false},
+    [MATHS_ARCSINE] = {"asin", MATHS_FEW, false, false},
+    [MATHS_ARCCOSINE] = {"acos", MATHS_FEW, false, false},
+    [MATHS_ARCTANGENT] = {"atan", MATHS_FEW, false, false},
+    [MATHS_ARCTANGENT2] = {"atan2", MATHS_FEW, false, false},
     [MATHS_SQUARE_ROOT] = {"sqrt", MATHS_FEW, false, false},
+    [MATHS_RECIPROCAL_ROOT] = {"rsqrt", MATHS_FEW, false, false},
+    [MATHS_EXP2] = {"exp2", MATHS_FEW, false, false},
+    [MATHS_EXP] = {"exp", MATHS_FEW, false, false},
+    [MATHS_LOG2] = {"log2", MATHS_FEW, false, false},
+    [MATHS_LOG] = {"log", MATHS_FEW, false, false},
+    [MATHS_POW] = {"pow", MATHS_FEW, false, false},
 };
 
 static double cpu_nanoseconds(void)
@@ -49,6 +62,27 @@ static float number(uint32_t *state)
 {
     *state = *state * 1664525u + 1013904223u;
     return (float)(int32_t)*state * 0x1p-31f;
+}
+
+/* An argument of a scalar function. */
+static float argument(maths_operation operation, uint32_t *state)
+{
+    const float x = number(state);
+
+    switch (operation) {
+    case MATHS_SINE_LARGE:
+        return ldexpf(1.5f + 0.5f * x, 20 + (int)(*state >> 8) % 80);
+    case MATHS_ARCSINE:
+    case MATHS_ARCCOSINE:
+        return x;
+    case MATHS_EXP2:
+    case MATHS_EXP:
+    case MATHS_ARCTANGENT:
+    case MATHS_ARCTANGENT2:
+        return 8.0f * x;
+    default:
+        return 8.0f + 7.9f * x;
+    }
 }
 
 static void fill(maths_data *d, maths_operation operation, bool arrays)
@@ -72,7 +106,8 @@ static void fill(maths_data *d, maths_operation operation, bool arrays)
             d->v[i][k] = number(&state);
             d->rigid[i][3][k] = k < 3 ? number(&state) : 1.0f;
         }
-        d->x[i] = 8.0f + 7.9f * number(&state);
+        d->x[i] = argument(operation, &state);
+        d->y[i] = 4.0f * number(&state);
     }
     for (size_t i = 0; i < MATHS_MANY; ++i)
         for (size_t k = 0; k < components; ++k)
@@ -101,21 +136,16 @@ static size_t results(const maths_data *d, maths_operation operation, bool array
         from = d->moved[0];
         count = 4 * MATHS_FEW;
         break;
-    case MATHS_SINE:
-        from = d->sine;
-        count = MATHS_FEW;
-        break;
-    case MATHS_SINE_COSINE:
-        from = d->cosine;
-        count = MATHS_FEW;
-        break;
-    case MATHS_SQUARE_ROOT:
-        from = d->root;
-        count = MATHS_FEW;
-        break;
-    default:
+    case MATHS_BULK_PACKED:
+    case MATHS_BULK_ARRAYS:
+    case MATHS_POINTS_PACKED:
+    case MATHS_POINTS_ARRAYS:
         from = d->many_moved;
         count = components * MATHS_MANY;
+        break;
+    default:
+        from = operation == MATHS_SINE_COSINE ? d->cosine : d->value;
+        count = MATHS_FEW;
         break;
     }
     for (size_t i = 0; i < count; ++i)
@@ -136,7 +166,7 @@ static bool agree(maths_data *ours, maths_data *theirs, maths_operation operatio
     const size_t count = results(ours, operation, operations[operation].arrays, a);
     results(theirs, operation, false, b);
     for (size_t i = 0; i < count; ++i)
-        if (!(fabsf(a[i] - b[i]) <= 1e-5f))
+        if (!(fabsf(a[i] - b[i]) <= 1e-5f * (1.0f + fabsf(b[i]))))
             return false;
     return true;
 }
@@ -214,7 +244,7 @@ int bench_maths(FILE *out, int repeats)
     }
     fprintf(out,
             "CPU nanoseconds an operation (a vector, in bulk), median of %d timings. Beside cglm,\n"
-            "compiled into the loop, and the C library's sin, cos and sqrt: with the instructions\n"
+            "compiled into the loop, and the C library's scalar functions: with the instructions\n"
             "every processor of the target has, and with AVX2 and FMA. Ratios: their time over\n"
             "Gnomon's; above 1 Gnomon is faster.\n",
             repeats);

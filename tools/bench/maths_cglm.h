@@ -59,24 +59,27 @@ static void points(maths_data *d)
         glm_mat4_mulv3(m, d->many + 3 * i, 1.0f, d->many_moved + 3 * i);
 }
 
-static void sine(maths_data *d)
-{
-    for (int i = 0; i < MATHS_FEW; ++i)
-        d->sine[i] = sinf(d->x[i]);
-}
+MATHS_SCALAR_PASS(sine, sinf(d->x[i]))
+MATHS_SCALAR_PASS(cosine, cosf(d->x[i]))
+MATHS_SCALAR_PASS(tangent, tanf(d->x[i]))
+MATHS_SCALAR_PASS(arcsine, asinf(d->x[i]))
+MATHS_SCALAR_PASS(arccosine, acosf(d->x[i]))
+MATHS_SCALAR_PASS(arctangent, atanf(d->x[i]))
+MATHS_SCALAR_PASS(square_root, sqrtf(d->x[i]))
+MATHS_SCALAR_PASS(power_of_two, exp2f(d->x[i]))
+MATHS_SCALAR_PASS(power_of_e, expf(d->x[i]))
+MATHS_SCALAR_PASS(binary_logarithm, log2f(d->x[i]))
+MATHS_SCALAR_PASS(natural_logarithm, logf(d->x[i]))
+MATHS_SCALAR_PASS(arctangent2, atan2f(d->y[i], d->x[i]))
+MATHS_SCALAR_PASS(power, powf(d->x[i], d->y[i]))
+MATHS_SCALAR_PASS(reciprocal_root, 1.0f / sqrtf(d->x[i]))
 
 static void sine_cosine(maths_data *d)
 {
     for (int i = 0; i < MATHS_FEW; ++i) {
-        d->sine[i] = sinf(d->x[i]);
+        d->value[i] = sinf(d->x[i]);
         d->cosine[i] = cosf(d->x[i]);
     }
-}
-
-static void square_root(maths_data *d)
-{
-    for (int i = 0; i < MATHS_FEW; ++i)
-        d->root[i] = sqrtf(d->x[i]);
 }
 
 static maths_pass *const passes[MATHS_OPERATIONS] = {
@@ -90,8 +93,21 @@ static maths_pass *const passes[MATHS_OPERATIONS] = {
     [MATHS_POINTS_PACKED] = points,
     [MATHS_POINTS_ARRAYS] = points,
     [MATHS_SINE] = sine,
+    [MATHS_SINE_LARGE] = sine,
+    [MATHS_COSINE] = cosine,
     [MATHS_SINE_COSINE] = sine_cosine,
+    [MATHS_TANGENT] = tangent,
+    [MATHS_ARCSINE] = arcsine,
+    [MATHS_ARCCOSINE] = arccosine,
+    [MATHS_ARCTANGENT] = arctangent,
+    [MATHS_ARCTANGENT2] = arctangent2,
     [MATHS_SQUARE_ROOT] = square_root,
+    [MATHS_RECIPROCAL_ROOT] = reciprocal_root,
+    [MATHS_EXP2] = power_of_two,
+    [MATHS_EXP] = power_of_e,
+    [MATHS_LOG2] = binary_logarithm,
+    [MATHS_LOG] = natural_logarithm,
+    [MATHS_POW] = power,
 };
 
 #endif

@@ -70,22 +70,25 @@ static void points_arrays(maths_data *d)
     gn_mat4_transform_point_arrays(matrix(d->a[0]), v, moved, MATHS_MANY, d->backend);
 }
 
-static void sine(maths_data *d)
-{
-    for (int i = 0; i < MATHS_FEW; ++i)
-        d->sine[i] = gn_sin(d->x[i]);
-}
+MATHS_SCALAR_PASS(sine, gn_sin(d->x[i]))
+MATHS_SCALAR_PASS(cosine, gn_cos(d->x[i]))
+MATHS_SCALAR_PASS(tangent, gn_tan(d->x[i]))
+MATHS_SCALAR_PASS(arcsine, gn_asin(d->x[i]))
+MATHS_SCALAR_PASS(arccosine, gn_acos(d->x[i]))
+MATHS_SCALAR_PASS(arctangent, gn_atan(d->x[i]))
+MATHS_SCALAR_PASS(square_root, gn_sqrt(d->x[i]))
+MATHS_SCALAR_PASS(power_of_two, gn_exp2(d->x[i]))
+MATHS_SCALAR_PASS(power_of_e, gn_exp(d->x[i]))
+MATHS_SCALAR_PASS(binary_logarithm, gn_log2(d->x[i]))
+MATHS_SCALAR_PASS(natural_logarithm, gn_log(d->x[i]))
+MATHS_SCALAR_PASS(arctangent2, gn_atan2(d->y[i], d->x[i]))
+MATHS_SCALAR_PASS(power, gn_pow(d->x[i], d->y[i]))
+MATHS_SCALAR_PASS(reciprocal_root, gn_rsqrt(d->x[i]))
 
 static void sine_cosine(maths_data *d)
 {
     for (int i = 0; i < MATHS_FEW; ++i)
-        gn_sincos(d->x[i], &d->sine[i], &d->cosine[i]);
-}
-
-static void square_root(maths_data *d)
-{
-    for (int i = 0; i < MATHS_FEW; ++i)
-        d->root[i] = gn_sqrt(d->x[i]);
+        gn_sincos(d->x[i], &d->value[i], &d->cosine[i]);
 }
 
 maths_pass *maths_gnomon(maths_operation operation)
@@ -101,8 +104,21 @@ maths_pass *maths_gnomon(maths_operation operation)
         [MATHS_POINTS_PACKED] = points_packed,
         [MATHS_POINTS_ARRAYS] = points_arrays,
         [MATHS_SINE] = sine,
+        [MATHS_SINE_LARGE] = sine,
+        [MATHS_COSINE] = cosine,
         [MATHS_SINE_COSINE] = sine_cosine,
+        [MATHS_TANGENT] = tangent,
+        [MATHS_ARCSINE] = arcsine,
+        [MATHS_ARCCOSINE] = arccosine,
+        [MATHS_ARCTANGENT] = arctangent,
+        [MATHS_ARCTANGENT2] = arctangent2,
         [MATHS_SQUARE_ROOT] = square_root,
+        [MATHS_RECIPROCAL_ROOT] = reciprocal_root,
+        [MATHS_EXP2] = power_of_two,
+        [MATHS_EXP] = power_of_e,
+        [MATHS_LOG2] = binary_logarithm,
+        [MATHS_LOG] = natural_logarithm,
+        [MATHS_POW] = power,
     };
 
     return passes[operation];
