@@ -38,7 +38,7 @@ float gn_radians_integer(float degrees)
 float gn_degrees(float radians)
 {
 #if GN_HAVE_DOUBLES
-    if (radians != radians)
+    if ((gn_float_bits(radians) & ~GN_SIGN_BIT) > GN_EXPONENT_BITS)
         return gn_float_from_bits(GN_NAN_BITS);
     return (float)((double)radians * 0x1.ca5dc1a63c1f8p5);
 #else
@@ -49,7 +49,7 @@ float gn_degrees(float radians)
 float gn_radians(float degrees)
 {
 #if GN_HAVE_DOUBLES
-    if (degrees != degrees)
+    if ((gn_float_bits(degrees) & ~GN_SIGN_BIT) > GN_EXPONENT_BITS)
         return gn_float_from_bits(GN_NAN_BITS);
     return (float)((double)degrees * 0x1.1df46a2529d39p-6);
 #else

@@ -59,7 +59,8 @@ float gn_sqrt_integer(float x)
 float gn_sqrt(float x)
 {
 #if GN_HAVE_SQUARE_ROOT
-    if (!(x >= 0.0f))
+    uint32_t bits = gn_float_bits(x); /* compared as integers, which tell one NaN from another */
+    if (bits > GN_EXPONENT_BITS && bits != GN_SIGN_BIT)
         return gn_float_from_bits(GN_NAN_BITS);
     return gn_float_square_root(x);
 #else
