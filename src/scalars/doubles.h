@@ -1,12 +1,12 @@
 /* What the scalar functions share where the processor computes in doubles.
  *
- * A function computes a double whose relative error is below 2^-41. If no middle between two floats
- * is that near, the exact value rounds to the float to which the double rounds. Otherwise, for one
- * argument in 2^16, the integer form decides. Its error is below 2^-49.9, so the integer form
- * rounds as the exact value does wherever the double is not near a middle. So the results of both
- * forms have the same bits: also those of functions of two arguments, whose integer forms are not
- * known to be correctly rounded everywhere, and whatever a compiler does to the order of these
- * operations within the bound.
+ * A function computes a double whose relative error is below 2^-41 (pow: 2^-35). If no middle
+ * between two floats is that near, the exact value rounds to the float to which the double rounds.
+ * Otherwise, for one argument in 2^16, the integer form decides. Its error is below 2^-49.9, so the
+ * integer form rounds as the exact value does wherever the double is not near a middle. So the
+ * results of both forms have the same bits: also those of functions of two arguments, whose integer
+ * forms are not known to be correctly rounded everywhere, and whatever a compiler does to the order
+ * of these operations within the bound.
  *
  * Polynomials are minimax polynomials of the relative error with coefficients rounded to doubles,
  * computed by Sollya's fpminimax. Their comments name the interval and the error. Roundings are
@@ -60,17 +60,24 @@ static inline double gn_double_from_bits(uint64_t bits)
     return pun.number;
 }
 
-/* Returns whether every number within 2^-41 of value, relatively, rounds to the same normal float.
- * Precondition: value is zero, which then must be exact, or rounds to a normal float.
+/* Returns whether every number within 2^-error of value, relatively, rounds to the same normal
+ * float. Preconditions: value is zero, which then must be exact, or rounds to a normal float; error
+ * is 26 to 52.
  *
  * The last 29 bits of a double are those that a float does not have; in the middle between two
- * floats they are a one and 28 zeros. 2^-41 of a double is less than 2^12 units of its last
- * place. */
-static inline bool gn_rounding_is_certain(double value)
+ * floats they are a one and 28 zeros. 2^-error of a double is less than 2^(53 - error) units of its
+ * last place. */
+static inline bool gn_rounding_is_certain_within(double value, unsigned error)
 {
-    const uint32_t middle = 0x10000000u, width = 0x1000u;
+    const uint32_t middle = 0x10000000u, width = (uint32_t)1 << (53 - error);
     uint32_t rest = (uint32_t)gn_double_bits(value) & 0x1FFFFFFFu;
     return GN_LIKELY(rest - (middle - width) > 2 * width);
+}
+
+/* For a relative error below 2^-41. */
+static inline bool gn_rounding_is_certain(double value)
+{
+    return gn_rounding_is_certain_within(value, 41);
 }
 
 /* Returns the integer nearest to x * 2^places in the low bits of *integer, in two's complement, and

@@ -139,7 +139,7 @@ float gn_log2(float x)
 #if GN_HAVE_DOUBLES
     uint32_t bits = gn_float_bits(x);
     if (GN_LIKELY(bits - GN_HIDDEN_BIT < GN_EXPONENT_BITS - GN_HIDDEN_BIT)) {
-        double result = gn_double_logarithm(bits, false);
+        double result = gn_double_logarithm(bits);
         if (gn_rounding_is_certain(result))
             return (float)result;
     }
@@ -152,7 +152,7 @@ float gn_log(float x)
 #if GN_HAVE_DOUBLES
     uint32_t bits = gn_float_bits(x);
     if (GN_LIKELY(bits - GN_HIDDEN_BIT < GN_EXPONENT_BITS - GN_HIDDEN_BIT)) {
-        double result = gn_double_logarithm(bits, false) * 0x1.62e42fefa39efp-1; /* ln 2 */
+        double result = gn_double_logarithm(bits) * 0x1.62e42fefa39efp-1; /* ln 2 */
         if (gn_rounding_is_certain(result))
             return (float)result;
     }

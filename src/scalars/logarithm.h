@@ -28,14 +28,14 @@ gn_logarithm gn_binary_logarithm(uint32_t bits);
 #if GN_HAVE_DOUBLES
 
 /* Returns log2(x) of a positive and normal x, given by its bits. The relative error is below
- * 2^-42.4, or below 2^-48.7 if `precise`, a constant.
+ * 2^-42.4.
  *
  * As in gn_binary_logarithm, log2(x) is whole - log2(c) + log2(1 + r) with 1 + r = m * c, exactly,
- * and |r| <= 2^-6. The polynomials' errors are 2^-43.8 and 2^-55.9 of log2(1 + r) (on [-1/64,
- * 1/64]); the roundings after them are below 5 units of it. Where whole - log2(c) is not 0, it is
- * rounded to a multiple of 2^-55, and log2(x) is at least 2^-6.46 while log2(1 + r) is below
- * 2^-5.4. Powers of two have r = 0 and are exact. */
-static inline double gn_double_logarithm(uint32_t bits, bool precise)
+ * and |r| <= 2^-6. The polynomial's error is 2^-43.8 of log2(1 + r) (on [-1/64, 1/64]); the
+ * roundings after them are below 5 units of it. Where whole - log2(c) is not 0, it is rounded to a
+ * multiple of 2^-55, and log2(x) is at least 2^-6.46 while log2(1 + r) is below 2^-5.4. Powers of
+ * two have r = 0 and are exact. */
+static inline double gn_double_logarithm(uint32_t bits)
 {
     uint32_t fraction = bits & GN_FRACTION_BITS;
     uint32_t nearest = (fraction + 0x20000u) >> 18;
@@ -44,17 +44,10 @@ static inline double gn_double_logarithm(uint32_t bits, bool precise)
     double known = gn_double_from_integer(whole * ((int64_t)1 << 55) + part) * 0x1p-55;
     uint64_t product = (uint64_t)(fraction | GN_HIDDEN_BIT) * gn_reciprocals[nearest]; /* Q38 */
     double r = gn_double_from_integer((int64_t)(product - ((uint64_t)1 << 38))) * 0x1p-38;
-    double square = r * r, sum;
-    if (precise)
-        sum = ((0x1.71547652b82fep0 + r * -0x1.71547652b82fep-1) +
-               square * (0x1.ec709dc3a51b8p-2 + r * -0x1.71547652bc283p-2)) +
-              square * square *
-                  ((0x1.2776c3f85d171p-2 + r * -0x1.ec709bd2b83a6p-3) +
-                   square * (0x1.a645ac4e6c760p-3 + r * -0x1.717e60734307fp-3));
-    else
-        sum = (0x1.71547652b84a4p0 + r * -0x1.71547652b8c10p-1) +
-              square * ((0x1.ec709d4ce5e0fp-2 + r * -0x1.715475b958958p-2) +
-                        square * (0x1.278a8f04779f4p-2 + r * -0x1.ec9832121e465p-3));
+    double square = r * r;
+    double sum = (0x1.71547652b84a4p0 + r * -0x1.71547652b8c10p-1) +
+                 square * ((0x1.ec709d4ce5e0fp-2 + r * -0x1.715475b958958p-2) +
+                           square * (0x1.278a8f04779f4p-2 + r * -0x1.ec9832121e465p-3));
     return known + r * sum;
 }
 
