@@ -212,6 +212,10 @@ prove: ## prove error bounds with Gappa, from the text of the C sources
 bench: $(BUILD)/bench ## speed beside OSMesa's, as ratios: FRAMES=15
 	@$(BUILD)/bench --frames $(FRAMES) --json $(BUILD)/bench.json
 
+.PHONY: bench-maths
+bench-maths: $(BUILD)/bench ## speed of the mathematics beside cglm's and the C library's
+	@$(BUILD)/bench --maths
+
 .PHONY: bench-scale
 bench-scale: $(BUILD)/bench ## how the cost grows with triangles and pixels: SCALE_FRAMES=5
 	@$(BUILD)/bench --scale --frames $(SCALE_FRAMES) --json $(BUILD)/bench-scale.json
