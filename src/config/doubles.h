@@ -1,6 +1,7 @@
 /* Whether scalar functions compute in double first. GN_HAVE_DOUBLES can be defined as 0 or 1 for
- * tests; the results have the same bits. Emulated doubles would be slower than the integers, and
- * GN_SMALL keeps only the integers, which have to be there in any case. */
+ * tests; the results have the same bits. Emulated doubles would be slower than the integers. The
+ * integers have to be there in any case, so GN_SMALL keeps only them: 8 KB instead of 14 on x86-64
+ * with -Os. */
 #ifndef GN_CONFIG_DOUBLES_H
 #define GN_CONFIG_DOUBLES_H
 

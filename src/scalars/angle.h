@@ -85,7 +85,10 @@ static inline gn_double_angle gn_reduce_other_angle(float x)
 {
     const uint64_t least = (uint64_t)1 << 49;
     uint32_t bits = gn_float_bits(x), magnitude = bits & ~GN_SIGN_BIT;
-    gn_double_angle angle = {0.0, 0, false};
+    gn_double_angle angle;
+    angle.r = 0.0;
+    angle.quadrant = 0;
+    angle.known = false;
     if (magnitude < GN_MODERATE_ANGLE_END || magnitude >= GN_EXPONENT_BITS)
         return angle;
     unsigned first = (magnitude >> 23) - 136, i = first >> 3;
