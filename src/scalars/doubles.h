@@ -9,8 +9,8 @@
  * of these operations within the bound.
  *
  * Polynomials are minimax polynomials of the relative error with coefficients rounded to doubles,
- * computed by Sollya's fpminimax. Their comments name the interval and the error. Roundings are
- * counted in units of 2^-53. */
+ * computed by Sollya's fpminimax (tools/coefficients.sollya). Their comments name the interval and
+ * the error. Roundings are counted in units of 2^-53. */
 #ifndef GNOMON_SCALARS_DOUBLES_H
 #define GNOMON_SCALARS_DOUBLES_H
 
