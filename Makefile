@@ -116,7 +116,9 @@ REFERENCE_SOURCES = $(SCENE_SOURCES) $(OSMESA_SOURCES)
 
 $(eval $(call program,gnomon,$(COMMAND_SOURCES) $(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lOSMesa -lm))
 
-$(eval $(call program,bench,$(BENCH_SOURCES) $(THREADS_SOURCES) $(REFERENCE_SOURCES) $(LIBRARY),-lOSMesa -lm -pthread))
+# The benchmark reads models as the command does.
+$(eval $(call program,bench,$(BENCH_SOURCES) $(filter-out %/main.c,$(COMMAND_SOURCES)) $(THREADS_SOURCES) \
+	$(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lOSMesa -lm -pthread))
 
 $(eval $(call program,bench-states,$(STATES_SOURCES) $(addprefix tools/bench/,renderer.c protocol.c median.c scenes.c \
 	plot_parts.c) $(REFERENCE_SOURCES) $(LIBRARY),-lOSMesa -lm))
@@ -226,6 +228,10 @@ STATE_FRAMES ?= 5
 bench-states: $(BUILD)/bench-states ## speed in every state beside llvmpipe's in the same state, as ratios: STATE_FRAMES=5
 	@$(BUILD)/bench-states --frames $(STATE_FRAMES) --json $(BUILD)/bench-states.json
 	@$(BUILD)/bench-states --plot $(BUILD)/bench-states.json --svg $(BUILD)/bench-states.svg
+
+.PHONY: bench-threads
+bench-threads: $(BUILD)/bench ## the speed-up on 1 to 64 threads, calculated from the times of tasks: FRAMES=15 MODEL=FILE
+	@$(BUILD)/bench --tasks --frames $(FRAMES) $(if $(MODEL),--model '$(MODEL)') --json $(BUILD)/bench-threads.json
 
 .PHONY: bench-plot
 bench-plot: $(BUILD)/bench ## pictures of bench's and bench-scale's last results, as SVG

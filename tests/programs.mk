@@ -114,7 +114,8 @@ $(eval $(call program,exhaustive,$(EXHAUSTIVE_SOURCES) $(LIBRARY),-lmpfr -lm -pt
 UNIT_TESTS = $(patsubst tests/unit/%.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c))
 
 define unit_test
-$(call program,$(1),tests/unit/$(1).c $(if $(filter test_threads,$(1)),$(THREADS_SOURCES)) $(LIBRARY),-lcmocka -lmpfr -lm -pthread)
+$(call program,$(1),tests/unit/$(1).c $(if $(filter test_threads,$(1)),$(THREADS_SOURCES)) \
+	$(if $(filter test_schedule,$(1)),tools/bench/tasks_schedule.c) $(LIBRARY),-lcmocka -lmpfr -lm -pthread)
 endef
 
 $(foreach test,$(notdir $(UNIT_TESTS)),$(eval $(call unit_test,$(test))))

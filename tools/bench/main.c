@@ -8,10 +8,12 @@
 #include "maths.h"
 #include "measure.h"
 #include "plot.h"
+#include "tasks.h"
 
 static const char help[] =
     "usage: bench [--frames N] [--scene NAME] [--backend NAME] [--threads N] [--json FILE]\n"
     "       bench --scale [--frames N] [--scene NAME] [--json FILE]\n"
+    "       bench --tasks [--help]\n"
     "       bench --maths\n"
     "       bench --plot FILE --svg FILE\n"
     "\n"
@@ -28,6 +30,7 @@ static const char help[] =
     "  --scale         shows how the cost grows: spheres of a thousand to 4 million triangles,\n"
     "                  and targets of 256 to 8192 pixels a side; with Gnomon's best back end and\n"
     "                  the tuned llvmpipe, one thread\n"
+    "  --tasks         calculates the speed-up on 1 to 64 threads from the times of tasks\n"
     "  --maths         only the mathematics, beside cglm's and the C library's; without this\n"
     "                  option it comes last\n"
     "  --plot FILE     draws the results that --json wrote\n"
@@ -216,10 +219,15 @@ int main(int argc, char **argv)
 
     for (int i = 1; i < argc; ++i) {
         if (strcmp(argv[i], "--help") == 0) {
-            fputs(help, stdout);
+            if (strcmp(argv[1], "--tasks") == 0)
+                tasks_print_help();
+            else
+                fputs(help, stdout);
             return EXIT_SUCCESS;
         }
     }
+    if (argc >= 2 && strcmp(argv[1], "--tasks") == 0)
+        return tasks_main(argc, argv);
     if (argc == 2 && strcmp(argv[1], "--maths") == 0)
         return bench_maths(stdout, MATHS_REPEATS);
     /* The benchmark starts itself with this option as a renderer (renderer.c). */

@@ -1,0 +1,12 @@
+/* The benchmark of threads by calculation. The tasks of a frame are timed one by one, on one
+ * thread, and scheduled on any number of threads (tasks_schedule.h). */
+#ifndef BENCH_TASKS_H
+#define BENCH_TASKS_H
+
+/* bench --tasks: argv[1] is that option; others follow it. Returns the exit status. */
+int tasks_main(int argc, char **argv);
+
+/* The text of bench --tasks --help. */
+void tasks_print_help(void);
+
+#endif
