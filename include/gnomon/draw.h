@@ -80,7 +80,8 @@ typedef struct gn_workspace {
     gn_backend backend;    /* GN_BACKEND_AUTO: the fastest; any other must be available */
     gn_parallel *parallel; /* null: only the calling thread; the pixels are the same */
     void *user;            /* passed to parallel */
-    uint32_t threads; /* threads that run the tasks; 0: unknown. Few threads get larger tasks */
+    uint32_t threads; /* threads that run the tasks; 0: unknown, taken as 8. Few threads get larger
+                         tasks; more than 64 gain nothing */
     size_t needed;    /* written with GN_WORKSPACE_TOO_SMALL: the least size that is enough */
 
     /* Null, or a counter: a draw adds to it the number of its fragments that are covered, kept by
@@ -126,10 +127,10 @@ GN_API size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count);
  * the number of the mesh's vertices; without indices, the number of vertices drawn.
  *
  * Threads draw in rounds of some 57,000 triangles: the first step shades vertices, the second finds
- * what is visible, the third draws rows of the target. With less memory rounds are shorter, down to
- * some hundreds of triangles; if not all vertices fit beside the triangles, they are shaded for
- * each index. With less memory than the shortest round takes, some hundred kilobytes, the calling
- * thread draws alone.
+ * what is visible, the third draws rows of the target, in strips of about equal work. With less
+ * memory rounds are shorter, down to some hundreds of triangles; if not all vertices fit beside the
+ * triangles, they are shaded for each index. With less memory than the shortest round takes, half a
+ * megabyte or more, the calling thread draws alone.
  *
  * Returns SIZE_MAX in the cases of gn_workspace_size. */
 GN_API size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count,

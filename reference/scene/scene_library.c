@@ -337,7 +337,7 @@ size_t scene_workspace_size(const scene *s)
 }
 
 /* The number of bands of rows that threads share a clear in. */
-#define CLEAR_BANDS 8
+#define CLEAR_BANDS 32
 
 typedef struct clear {
     const scene *scene;

@@ -59,7 +59,7 @@
 #include "../shaders/shading.h"
 
 /* Each step of a round is divided into at most so many tasks, each with scratch of its own. */
-#define MAX_TASKS 32
+#define MAX_TASKS 80
 
 /* New vertices that a worker keeps, so that the pieces of several clipped triangles can be set up
  * together. */
@@ -89,11 +89,11 @@ typedef struct segment_lists {
     uint32_t list_count;
     uint32_t triangle_count;
     pixel_rows rows; /* of the bounds of all triangles */
-    uint32_t area;   /* about the sum of the bounds' areas; each counts up to LARGEST_AREA */
+    uint32_t halves; /* that the triangles reach into, about; each counts up to MOST_HALVES */
 } segment_lists;
 
-/* An area that makes a draw worth all strips. The sum over a segment fits 32 bits. */
-#define LARGEST_AREA (1 << 19)
+/* As many halves make a draw worth all strips. The sum over a segment fits 32 bits. */
+#define MOST_HALVES (1 << 16)
 
 /* The rows of the bounds of sixteen lists. The range of a list that does not exist is empty. */
 typedef struct list_rows {

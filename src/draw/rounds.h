@@ -20,36 +20,59 @@
 #if defined(GN_SMALLEST_TASKS)
 #define TASK_ELEMENTS 8
 #define TASK_SLOTS GN_LANES
-#define TASK_TRIANGLES 4
-#define TASK_PIXELS 16
+#define TASK_WORK 16
 #else
-#define TASK_ELEMENTS 65536
-#define TASK_SLOTS 512
-#define TASK_TRIANGLES 512
-#define TASK_PIXELS 32768
+#define TASK_ELEMENTS 16384
+#define TASK_SLOTS 256
+#define TASK_WORK 1024
 #endif
 
-/* A triangle across the edge of two strips is set up in both. So more strips than MAX_STRIPS cost
- * more than they spread, and so do more than SMALL_STRIPS_PER_THREAD a thread when triangles are
- * below SMALL_TRIANGLE pixels on average. */
-#define MAX_STRIPS 16
-#define SMALL_TRIANGLE 4
-#define SMALL_STRIPS_PER_THREAD 2
+/* Strips for each thread. A thread whose strip was quick takes another, so with more strips threads
+ * end their work closer together. But a primitive across the edge of two strips is set up in both.
+ * That costs little if primitives are large: if they reach into LARGE_HALVES halves of squares or
+ * more on average. If they are not, no strip has less than SMALL_STRIP_ROWS rows of squares unless
+ * there are more threads than such strips. */
+#define MAX_STRIPS 64
+#define STRIPS_PER_THREAD 2
+#define LARGE_STRIPS_PER_THREAD 4
+#define LARGE_HALVES 16
+#define SMALL_STRIP_ROWS 3
 
-/* The vertices, triangles or rows of one step of a round (its items), divided into tasks of `size`
- * items. */
+/* Tasks for each thread in steps whose tasks share no work, but never fewer than LEAST_TASKS. */
+#define TASKS_PER_THREAD 4
+#define LEAST_TASKS 32
+
+/* The number of threads that is assumed if the caller does not tell. */
+#define UNKNOWN_THREADS 8
+
+/* Halvings of the range in which divide_work looks for a limit. */
+#define CUT_TRIES 6
+
+/* How much work the triangles of a round's lists will be, for the target's rows of squares: bin b
+ * holds 1 << bin_shift rows, from row b << bin_shift on. The unit is half a square to shade, or one
+ * triangle to set up. */
+#define WORK_BINS 128
+
+typedef struct row_work {
+    float bin[WORK_BINS];
+} row_work;
+
+/* Consecutive items of one step of a round: parts of the indices, groups of sixteen slots, or
+ * segments. */
 typedef struct task_range {
-    uint32_t first, count, size;
+    uint32_t first, count;
 } task_range;
 
 typedef struct round_state {
     draw_state *draw;
-    task_range items;
-    uint32_t first; /* triangles of the round */
+    task_range items; /* of a step, divided evenly into item_tasks tasks */
+    uint32_t item_tasks;
+    uint32_t slot_end; /* the slot after the last one that tasks shade */
+    uint32_t first;    /* triangles of the round */
     uint32_t count;
-    pixel_rows rows; /* rows of the target, divided into strips of strip_rows */
-    int32_t strip_rows;
-    uint32_t strips; /* tasks that draw strips; tasks that shade vertices come after them */
+    uint32_t bin_shift; /* of row_work */
+    uint32_t strips;    /* tasks that draw strips; tasks that shade vertices come after them */
+    int32_t strip_row[MAX_STRIPS + 1]; /* the first row of each strip, and the row after the last */
 } round_state;
 
 /* Calls the `count` tasks of a step. */
@@ -64,30 +87,47 @@ static void call_tasks(round_state *round, gn_task *task, uint32_t count)
             task(round, i);
 }
 
+/* Returns the number of threads, or an assumption about it. */
+static uint32_t known_threads(const draw_job *job)
+{
+    return job->threads > 0 ? job->threads : UNKNOWN_THREADS;
+}
+
+/* Returns into how many tasks a step is divided at most: a multiple of the number of threads if
+ * there are not more threads than tasks. */
+static uint32_t most_tasks(const draw_job *job)
+{
+    const uint32_t threads = known_threads(job);
+
+    if (threads > MAX_TASKS)
+        return MAX_TASKS;
+    if (threads * TASKS_PER_THREAD < LEAST_TASKS)
+        return LEAST_TASKS / threads * threads;
+    return threads * TASKS_PER_THREAD <= MAX_TASKS ? threads * TASKS_PER_THREAD
+                                                   : MAX_TASKS / threads * threads;
+}
+
 /* Divides `count` items into at most `most` tasks of at least `least` items. Returns the number of
  * tasks. */
 static uint32_t divide_items(round_state *round, uint32_t first, uint32_t count, uint32_t least,
                              uint32_t most)
 {
-    const uint32_t even = count / most + (count % most > 0);
-    const uint32_t size = even > least ? even : least;
+    const uint32_t worth = count < least ? count > 0 : count / least;
 
     round->items.first = first;
     round->items.count = count;
-    round->items.size = size;
-    return count / size + (count % size > 0);
+    round->item_tasks = worth < most ? worth : most;
+    return round->item_tasks;
 }
 
 /* Returns the items of a task. */
 static task_range task_items(const round_state *round, uint32_t task)
 {
-    const uint32_t skipped = task * round->items.size;
-    const uint32_t rest = round->items.count - skipped;
-    task_range r;
+    const uint64_t count = round->items.count;
+    const uint32_t begin = (uint32_t)(count * task / round->item_tasks);
+    const uint32_t end = (uint32_t)(count * (task + 1) / round->item_tasks);
+    const task_range r = {round->items.first + begin, end - begin};
 
-    r.first = round->items.first + skipped;
-    r.count = rest < round->items.size ? rest : round->items.size;
-    r.size = r.count;
     return r;
 }
 
@@ -107,9 +147,9 @@ static void scan_in_tasks(draw_state *draw)
 
     round.draw = draw;
     if (GN_HAVE_TASKS && draw->job->parallel)
-        call_tasks(
-            &round, scan_task,
-            divide_items(&round, 0, parts, (TASK_ELEMENTS - 1) / draw->parts.size + 1, MAX_TASKS));
+        call_tasks(&round, scan_task,
+                   divide_items(&round, 0, parts, (TASK_ELEMENTS - 1) / draw->parts.size + 1,
+                                most_tasks(draw->job)));
     else
         scan_parts(draw, 0, parts);
 }
@@ -118,20 +158,22 @@ static void shade_task(void *context, uint32_t task)
 {
     const round_state *round = context;
     const task_range items = task_items(round, task - round->strips);
+    const uint32_t end = (items.first + items.count) * GN_LANES;
     uint32_t *outcodes = (uint32_t *)(void *)task_scratch(round->draw, task);
 
-    *outcodes = shade_slots(round->draw, task, items.first, items.first + items.count);
+    *outcodes = shade_slots(round->draw, task, items.first * GN_LANES,
+                            end < round->slot_end ? end : round->slot_end);
 }
 
 /* Divides slots `first`, a multiple of sixteen, to end - 1 into shade_tasks. Returns the number of
  * tasks. */
 static uint32_t divide_slots(round_state *round, uint32_t first, uint32_t end)
 {
-    const uint32_t most = MAX_TASKS - round->strips;
-    const uint32_t count = end > first ? end - first : 0;
-    const uint32_t even = (count / most / GN_LANES + 1) * GN_LANES;
+    const uint32_t groups = end > first ? (end - first - 1) / GN_LANES + 1 : 0;
 
-    return divide_items(round, first, count, even > TASK_SLOTS ? even : TASK_SLOTS, most);
+    round->slot_end = end;
+    return divide_items(round, first / GN_LANES, groups, TASK_SLOTS / GN_LANES,
+                        MAX_TASKS - round->strips);
 }
 
 /* Returns the union of the outcodes that `tasks` shade_tasks found. */
@@ -188,27 +230,53 @@ static lanes_i rows_of_lists(const triangle_list *lists, uint32_t count, int bou
     return end;
 }
 
-/* Returns the areas of the bounds of a list's triangles, each limited to LARGEST_AREA. */
-static lanes_i areas_of_list(const triangle_list *list)
+/* Returns how many parts of 1 << shift pixels the bounds of each lane reach into along one axis. */
+static lanes_i parts_along(const triangle_list *list, int min, int max, int shift)
 {
-    const lanes_i one = lanes_i_splat(1);
-    const lanes_i width = lanes_i_sub(lanes_i_load(list->bounds[BOUNDS_MAX_X]),
-                                      lanes_i_load(list->bounds[BOUNDS_MIN_X]));
-    const lanes_i height = lanes_i_sub(lanes_i_load(list->bounds[BOUNDS_MAX_Y]),
-                                       lanes_i_load(list->bounds[BOUNDS_MIN_Y]));
+    const lanes_i first = lanes_i_shift_right(lanes_i_load(list->bounds[min]), shift);
+    const lanes_i last = lanes_i_shift_right(lanes_i_load(list->bounds[max]), shift);
 
-    return lanes_i_min(lanes_i_mul(lanes_i_add(width, one), lanes_i_add(height, one)),
-                       lanes_i_splat(LARGEST_AREA));
+    return lanes_i_add(lanes_i_sub(last, first), lanes_i_splat(1));
+}
+
+/* Returns about how many halves of squares a list's triangles reach into, at most MOST_HALVES each:
+ * half of those in their bounds, and half of a row and a column for the edges. Lanes without a
+ * triangle repeat the first one. */
+static uint32_t halves_of_list(const triangle_list *list)
+{
+    const lanes_i wide = parts_along(list, BOUNDS_MIN_X, BOUNDS_MAX_X, 2);
+    const lanes_i high = parts_along(list, BOUNDS_MIN_Y, BOUNDS_MAX_Y, 1);
+    const lanes_i twice = lanes_i_add(lanes_i_mul(wide, high), lanes_i_add(wide, high));
+    int32_t lane[GN_LANES];
+    uint32_t sum = 0;
+
+    lanes_i_store(lane, lanes_i_min(lanes_i_shift_right(twice, 1), lanes_i_splat(MOST_HALVES)));
+    GN_EACH_LANE (l)
+        sum += (uint32_t)lane[l];
+    return sum * list->count / GN_LANES;
+}
+
+/* Spreads a list's work evenly over its rows. */
+static void add_work(row_work *work, uint32_t shift, const triangle_list *list, uint32_t halves,
+                     pixel_rows rows)
+{
+    const uint32_t first = (uint32_t)rows.min / SQUARE_SIZE >> shift;
+    const uint32_t last = (uint32_t)rows.max / SQUARE_SIZE >> shift;
+    const float all = (float)list->count + (float)halves;
+    const float part = all / (float)(last - first + 1);
+
+    for (uint32_t b = first; b <= last; ++b)
+        work->bin[b] += part;
 }
 
 /* Sums up the lists of a segment. Precondition: all lanes of the lists are filled (fill_list). */
-static void measure_segment(segment_lists *segment, const triangle_list *lists, list_rows *kept)
+static void measure_segment(segment_lists *segment, const triangle_list *lists, list_rows *kept,
+                            uint32_t bin_shift, row_work *work)
 {
     const pixel_rows none = {INT32_MAX, -1};
-    lanes_i areas = lanes_i_splat(0);
-    int32_t area[GN_LANES];
 
     segment->triangle_count = 0;
+    segment->halves = 0;
     segment->rows = none;
     for (uint32_t first = 0; first < segment->list_count; first += GN_LANES) {
         const uint32_t rest = segment->list_count - first;
@@ -224,19 +292,18 @@ static void measure_segment(segment_lists *segment, const triangle_list *lists, 
             }
             const pixel_rows rows = {sixteen->min[l], sixteen->max[l]};
             segment->rows = join_rows(segment->rows, rows);
-            segment->triangle_count += lists[first + l].count;
-            areas = lanes_i_add(areas, areas_of_list(&lists[first + l]));
+            const triangle_list *const list = &lists[first + l];
+            const uint32_t halves = halves_of_list(list);
+            segment->triangle_count += list->count;
+            segment->halves += halves;
+            add_work(work, bin_shift, list, halves, rows);
         }
     }
-    lanes_i_store(area, areas);
-    segment->area = 0;
-    GN_EACH_LANE (l)
-        segment->area += (uint32_t)area[l];
 }
 
 /* `counts` may be null. */
 static void cull_segment(const round_state *round, uint32_t task, uint32_t segment,
-                         gn_draw_statistics *counts)
+                         gn_draw_statistics *counts, row_work *work)
 {
     const draw_state *draw = round->draw;
     const draw_job *job = draw->job;
@@ -260,35 +327,46 @@ static void cull_segment(const round_state *round, uint32_t task, uint32_t segme
     kept->list_count = (uint32_t)(w.list - lists) + (w.list->count > 0);
     if (w.list->count > 0)
         fill_list(w.list);
-    measure_segment(kept, lists, job->rows + (size_t)segment * job->rows_per_segment);
+    measure_segment(kept, lists, job->rows + (size_t)segment * job->rows_per_segment,
+                    round->bin_shift, work);
 }
 
-/* The counts of a cull_task. They lie where other tasks set up primitives; a worker that keeps
- * lists sets up none. */
-static inline gn_draw_statistics *task_counts(const draw_state *draw, uint32_t task)
+/* What a cull_task sums up. It lies where other tasks set up primitives; a worker that keeps lists
+ * sets up none. */
+typedef struct cull_sums {
+    row_work work;
+    gn_draw_statistics counts;
+} cull_sums;
+
+typedef char sums_fit_a_setup[sizeof(cull_sums) <= sizeof(triangle_setup) ? 1 : -1];
+
+static inline cull_sums *task_sums(const draw_state *draw, uint32_t task)
 {
-    return (gn_draw_statistics *)(void *)(task_scratch(draw, task) + scratch_setup_offset());
+    return (cull_sums *)(void *)(task_scratch(draw, task) + scratch_setup_offset());
 }
 
 static void cull_task(void *context, uint32_t task)
 {
     const round_state *round = context;
     const task_range items = task_items(round, task);
+    cull_sums *const sums = task_sums(round->draw, task);
     gn_draw_statistics *counts = NULL;
 
+    for (uint32_t b = 0; b < WORK_BINS; ++b)
+        sums->work.bin[b] = 0.0f;
     if (GN_HAVE_STATISTICS && round->draw->job->statistics) {
-        counts = task_counts(round->draw, task);
+        counts = &sums->counts;
         clear_counts(counts);
     }
     for (uint32_t i = 0; i < items.count; ++i)
-        cull_segment(round, task, items.first + i, counts);
+        cull_segment(round, task, items.first + i, counts, &sums->work);
 }
 
 /* Adds the counts of `tasks` cull_tasks to those that the draw was given. */
 static void report_primitives(const draw_state *draw, uint32_t tasks)
 {
     for (uint32_t i = 0; GN_HAVE_STATISTICS && draw->job->statistics && i < tasks; ++i)
-        add_counts(draw->job->statistics, task_counts(draw, i));
+        add_counts(draw->job->statistics, &task_sums(draw, i)->counts);
 }
 
 /* Appends a triangle of a kept list, cut to the worker's strip, which it reaches into. */
@@ -378,8 +456,8 @@ static void strip_task(void *context, uint32_t task)
     start_worker(&w, draw, task);
     pixel_rectangle *const strip = &w.cull.target;
     const pixel_rows all = {strip->min_y, strip->max_y};
-    const int32_t low = round->rows.min + (int32_t)task * round->strip_rows;
-    const int32_t high = low + round->strip_rows - 1;
+    const int32_t low = round->strip_row[task];
+    const int32_t high = round->strip_row[task + 1] - 1;
 
     strip->min_y = low > all.min ? low : all.min;
     strip->max_y = high < all.max ? high : all.max;
@@ -393,42 +471,116 @@ static void strip_task(void *context, uint32_t task)
     *(sample_counts *)(void *)task_scratch(draw, task) = w.samples;
 }
 
-static uint32_t most_strips(uint32_t threads, uint64_t area, uint64_t triangles)
+/* Returns the most strips for `rows` rows of squares. The number is a multiple of the number of
+ * threads, so that all threads have equally many. */
+static uint32_t most_strips(const draw_job *job, uint32_t rows, bool large)
 {
-    if (threads == 0 || threads > MAX_STRIPS / SMALL_STRIPS_PER_THREAD ||
-        area >= triangles * SMALL_TRIANGLE)
+    const uint32_t threads = known_threads(job);
+    const uint32_t each = large ? LARGE_STRIPS_PER_THREAD : STRIPS_PER_THREAD;
+    const uint32_t fitting = large ? rows : rows / SMALL_STRIP_ROWS;
+    const uint32_t most = fitting < MAX_STRIPS ? fitting : MAX_STRIPS;
+
+    if (threads > MAX_STRIPS)
         return MAX_STRIPS;
-    return threads * SMALL_STRIPS_PER_THREAD;
+    if (threads >= most)
+        return threads;
+    return threads <= most / each ? threads * each : most / threads * threads;
+}
+
+/* Adds up the work that `tasks` cull_tasks found in rows. */
+static void join_work(const draw_state *draw, uint32_t tasks, uint32_t first, uint32_t last,
+                      row_work *all)
+{
+    for (uint32_t b = first; b <= last; ++b)
+        all->bin[b] = 0.0f;
+    for (uint32_t i = 0; i < tasks; ++i) {
+        const row_work *const work = &task_sums(draw, i)->work;
+
+        for (uint32_t b = first; b <= last; ++b)
+            all->bin[b] += work->bin[b];
+    }
+}
+
+/* Cuts rows of squares `first` to `last` into at most `most` strips of at most `limit` work, or of
+ * one row. Returns false if there are too few strips for that; the last one then has all rows that
+ * are left. */
+static bool cut_rows(round_state *round, const row_work *work, uint32_t first, uint32_t last,
+                     float limit, uint32_t most)
+{
+    float sum = 0.0f;
+    bool fits = true;
+
+    round->strip_row[0] = (int32_t)first * SQUARE_SIZE;
+    round->strips = 0;
+    for (uint32_t row = first; row <= last && fits; ++row) {
+        const float here = work->bin[row >> round->bin_shift];
+
+        sum += here;
+        if (sum > limit && row > first) {
+            fits = round->strips + 1 < most;
+            if (fits)
+                round->strip_row[++round->strips] = (int32_t)row * SQUARE_SIZE;
+            sum = here;
+        }
+    }
+    round->strip_row[++round->strips] = (int32_t)(last + 1) * SQUARE_SIZE;
+    return fits;
+}
+
+/* Divides rows of squares `first` to `last` into at most `most` strips, so that the strip with the
+ * most work has about as little as possible. */
+static void divide_work(round_state *round, const row_work *work, uint32_t first, uint32_t last,
+                        uint32_t most)
+{
+    float all = 0.0f;
+    float largest = 0.0f;
+
+    for (uint32_t row = first; row <= last; ++row) {
+        const float here = work->bin[row >> round->bin_shift];
+
+        all += here;
+        largest = here > largest ? here : largest;
+    }
+    float low = all / (float)most;
+    float high = low + largest;
+    for (int i = 0; i < CUT_TRIES; ++i) {
+        const float middle = 0.5f * (low + high);
+
+        if (cut_rows(round, work, first, last, middle, most))
+            high = middle;
+        else
+            low = middle;
+    }
+    cut_rows(round, work, first, last, high, most);
 }
 
 /* Divides the rows that the round's triangles reach into strips of whole squares, and into no more
  * strips than the work is worth. */
-static void divide_rows(round_state *round, uint32_t segments)
+static void divide_rows(round_state *round, uint32_t segments, uint32_t tasks)
 {
     const segment_lists *all = round->draw->job->segments;
-    const pixel_rows none = {INT32_MAX, -1};
-    uint64_t area = 0;
+    pixel_rows rows = {INT32_MAX, -1};
+    uint64_t halves = 0;
     uint64_t triangles = 0;
+    row_work work;
 
-    round->rows = none;
     round->strips = 0;
     for (uint32_t s = 0; s < segments; ++s) {
-        area += all[s].area;
+        halves += all[s].halves;
         triangles += all[s].triangle_count;
-        round->rows = join_rows(round->rows, all[s].rows);
+        rows = join_rows(rows, all[s].rows);
     }
-    if (round->rows.max < 0)
+    if (rows.max < 0)
         return;
-    round->rows.min &= ~(SQUARE_SIZE - 1);
 
-    const uint64_t worth = area / TASK_PIXELS + triangles / TASK_TRIANGLES;
-    const uint32_t squares = (uint32_t)(round->rows.max - round->rows.min) / SQUARE_SIZE + 1;
-    const uint32_t most = most_strips(round->draw->job->threads, area, triangles);
-    const uint32_t wanted = worth < most ? (uint32_t)worth + 1 : most;
-    const uint32_t strip_squares = (squares + wanted - 1) / wanted;
+    const uint32_t first = (uint32_t)rows.min / SQUARE_SIZE;
+    const uint32_t last = (uint32_t)rows.max / SQUARE_SIZE;
+    const uint64_t worth = (halves + triangles) / TASK_WORK;
+    const uint32_t most =
+        most_strips(round->draw->job, last - first + 1, halves >= triangles * LARGE_HALVES);
 
-    round->strip_rows = (int32_t)(strip_squares * SQUARE_SIZE);
-    round->strips = (squares + strip_squares - 1) / strip_squares;
+    join_work(round->draw, tasks, first >> round->bin_shift, last >> round->bin_shift, &work);
+    divide_work(round, &work, first, last, worth < most ? (uint32_t)worth + 1 : most);
 }
 
 static void strip_or_shade_task(void *context, uint32_t task)
@@ -483,6 +635,9 @@ static void draw_rounds(draw_state *draw)
 
     round.draw = draw;
     round.strips = 0;
+    round.bin_shift = 0;
+    while ((uint32_t)draw->cull.target.max_y / SQUARE_SIZE >> round.bin_shift >= WORK_BINS)
+        ++round.bin_shift;
     draw_and_shade(&round, element_count(topology, total < most ? total : most));
     for (round.first = 0; round.first < total; round.first += round.count) {
         const uint32_t rest = total - round.first;
@@ -492,11 +647,11 @@ static void draw_rounds(draw_state *draw)
         const uint32_t shaded = rest - round.count < most ? rest : 2 * most;
         if (!draw->map.shared)
             shade_unshared(&round);
-        const uint32_t tasks = divide_items(&round, 0, segments, 1, MAX_TASKS);
+        const uint32_t tasks = divide_items(&round, 0, segments, 1, most_tasks(draw->job));
 
         call_tasks(&round, cull_task, tasks);
         report_primitives(draw, tasks);
-        divide_rows(&round, segments);
+        divide_rows(&round, segments, tasks);
         draw_and_shade(&round,
                        first_element(topology, round.first) + element_count(topology, shaded));
     }

@@ -19,7 +19,8 @@ static void one_thread_takes_the_sum(void **state)
 }
 
 /* Two threads: 3 and 1; at 1 the second thread takes 4, until 5; at 3 the first takes 1, until 4,
- * and then 5, until 9. Three threads: 3, 1, 4; at 1 the second takes 1, until 2, then 5, until 7. */
+ * and then 5, until 9. Three threads: 3, 1, 4; at 1 the second takes 1, until 2, then 5, until 7.
+ */
 static void free_threads_take_the_next_task(void **state)
 {
     static const double task[] = {3, 1, 4, 1, 5};
@@ -75,9 +76,12 @@ static void frame_without_steps(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(step_without_tasks),         cmocka_unit_test(one_thread_takes_the_sum),
-        cmocka_unit_test(free_threads_take_the_next_task), cmocka_unit_test(order_is_kept),
-        cmocka_unit_test(threads_meet_between_steps), cmocka_unit_test(frame_without_steps),
+        cmocka_unit_test(step_without_tasks),
+        cmocka_unit_test(one_thread_takes_the_sum),
+        cmocka_unit_test(free_threads_take_the_next_task),
+        cmocka_unit_test(order_is_kept),
+        cmocka_unit_test(threads_meet_between_steps),
+        cmocka_unit_test(frame_without_steps),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
