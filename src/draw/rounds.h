@@ -15,6 +15,7 @@
 
 #include "primitives.h"
 #include "vertices.h"
+#include "work.h"
 
 /* The least work that is worth handing to another thread. Tests divide small scenes too. */
 #if defined(GN_SMALLEST_TASKS)
@@ -32,7 +33,6 @@
  * That costs little if primitives are large: if they reach into LARGE_HALVES halves of squares or
  * more on average. If they are not, no strip has less than SMALL_STRIP_ROWS rows of squares unless
  * there are more threads than such strips. */
-#define MAX_STRIPS 64
 #define STRIPS_PER_THREAD 2
 #define LARGE_STRIPS_PER_THREAD 4
 #define LARGE_HALVES 16
@@ -44,18 +44,6 @@
 
 /* The number of threads that is assumed if the caller does not tell. */
 #define UNKNOWN_THREADS 8
-
-/* Halvings of the range in which divide_work looks for a limit. */
-#define CUT_TRIES 6
-
-/* How much work the triangles of a round's lists will be, for the target's rows of squares: bin b
- * holds 1 << bin_shift rows, from row b << bin_shift on. The unit is half a square to shade, or one
- * triangle to set up. */
-#define WORK_BINS 128
-
-typedef struct row_work {
-    float bin[WORK_BINS];
-} row_work;
 
 /* Consecutive items of one step of a round: parts of the indices, groups of sixteen slots, or
  * segments. */
@@ -71,8 +59,7 @@ typedef struct round_state {
     uint32_t first;    /* triangles of the round */
     uint32_t count;
     uint32_t bin_shift; /* of row_work */
-    uint32_t strips;    /* tasks that draw strips; tasks that shade vertices come after them */
-    int32_t strip_row[MAX_STRIPS + 1]; /* the first row of each strip, and the row after the last */
+    row_strips strips;  /* a task each; tasks that shade vertices come after them */
 } round_state;
 
 /* Calls the `count` tasks of a step. */
@@ -157,7 +144,7 @@ static void scan_in_tasks(draw_state *draw)
 static void shade_task(void *context, uint32_t task)
 {
     const round_state *round = context;
-    const task_range items = task_items(round, task - round->strips);
+    const task_range items = task_items(round, task - round->strips.count);
     const uint32_t end = (items.first + items.count) * GN_LANES;
     uint32_t *outcodes = (uint32_t *)(void *)task_scratch(round->draw, task);
 
@@ -173,7 +160,7 @@ static uint32_t divide_slots(round_state *round, uint32_t first, uint32_t end)
 
     round->slot_end = end;
     return divide_items(round, first / GN_LANES, groups, TASK_SLOTS / GN_LANES,
-                        MAX_TASKS - round->strips);
+                        MAX_TASKS - round->strips.count);
 }
 
 /* Returns the union of the outcodes that `tasks` shade_tasks found. */
@@ -181,7 +168,7 @@ static uint32_t shaded_outcodes(const round_state *round, uint32_t tasks)
 {
     uint32_t outcodes = 0;
 
-    for (uint32_t i = round->strips; i < round->strips + tasks; ++i)
+    for (uint32_t i = round->strips.count; i < round->strips.count + tasks; ++i)
         outcodes |= *(const uint32_t *)(const void *)task_scratch(round->draw, i);
     return outcodes;
 }
@@ -193,7 +180,7 @@ static void shade_unshared(round_state *round)
     const gn_topology topology = draw->pipeline->raster.topology;
 
     draw->map.first = first_element(topology, round->first);
-    round->strips = 0;
+    round->strips.count = 0;
     const uint32_t tasks = divide_slots(round, 0, element_count(topology, round->count));
 
     call_tasks(round, shade_task, tasks);
@@ -228,45 +215,6 @@ static lanes_i rows_of_lists(const triangle_list *lists, uint32_t count, int bou
                 end = bound == BOUNDS_MIN_Y ? lanes_i_min(end, four[i]) : lanes_i_max(end, four[i]);
     }
     return end;
-}
-
-/* Returns how many parts of 1 << shift pixels the bounds of each lane reach into along one axis. */
-static lanes_i parts_along(const triangle_list *list, int min, int max, int shift)
-{
-    const lanes_i first = lanes_i_shift_right(lanes_i_load(list->bounds[min]), shift);
-    const lanes_i last = lanes_i_shift_right(lanes_i_load(list->bounds[max]), shift);
-
-    return lanes_i_add(lanes_i_sub(last, first), lanes_i_splat(1));
-}
-
-/* Returns about how many halves of squares a list's triangles reach into, at most MOST_HALVES each:
- * half of those in their bounds, and half of a row and a column for the edges. Lanes without a
- * triangle repeat the first one. */
-static uint32_t halves_of_list(const triangle_list *list)
-{
-    const lanes_i wide = parts_along(list, BOUNDS_MIN_X, BOUNDS_MAX_X, 2);
-    const lanes_i high = parts_along(list, BOUNDS_MIN_Y, BOUNDS_MAX_Y, 1);
-    const lanes_i twice = lanes_i_add(lanes_i_mul(wide, high), lanes_i_add(wide, high));
-    int32_t lane[GN_LANES];
-    uint32_t sum = 0;
-
-    lanes_i_store(lane, lanes_i_min(lanes_i_shift_right(twice, 1), lanes_i_splat(MOST_HALVES)));
-    GN_EACH_LANE (l)
-        sum += (uint32_t)lane[l];
-    return sum * list->count / GN_LANES;
-}
-
-/* Spreads a list's work evenly over its rows. */
-static void add_work(row_work *work, uint32_t shift, const triangle_list *list, uint32_t halves,
-                     pixel_rows rows)
-{
-    const uint32_t first = (uint32_t)rows.min / SQUARE_SIZE >> shift;
-    const uint32_t last = (uint32_t)rows.max / SQUARE_SIZE >> shift;
-    const float all = (float)list->count + (float)halves;
-    const float part = all / (float)(last - first + 1);
-
-    for (uint32_t b = first; b <= last; ++b)
-        work->bin[b] += part;
 }
 
 /* Sums up the lists of a segment. Precondition: all lanes of the lists are filled (fill_list). */
@@ -456,8 +404,8 @@ static void strip_task(void *context, uint32_t task)
     start_worker(&w, draw, task);
     pixel_rectangle *const strip = &w.cull.target;
     const pixel_rows all = {strip->min_y, strip->max_y};
-    const int32_t low = round->strip_row[task];
-    const int32_t high = round->strip_row[task + 1] - 1;
+    const int32_t low = round->strips.row[task];
+    const int32_t high = round->strips.row[task + 1] - 1;
 
     strip->min_y = low > all.min ? low : all.min;
     strip->max_y = high < all.max ? high : all.max;
@@ -501,59 +449,6 @@ static void join_work(const draw_state *draw, uint32_t tasks, uint32_t first, ui
     }
 }
 
-/* Cuts rows of squares `first` to `last` into at most `most` strips of at most `limit` work, or of
- * one row. Returns false if there are too few strips for that; the last one then has all rows that
- * are left. */
-static bool cut_rows(round_state *round, const row_work *work, uint32_t first, uint32_t last,
-                     float limit, uint32_t most)
-{
-    float sum = 0.0f;
-    bool fits = true;
-
-    round->strip_row[0] = (int32_t)first * SQUARE_SIZE;
-    round->strips = 0;
-    for (uint32_t row = first; row <= last && fits; ++row) {
-        const float here = work->bin[row >> round->bin_shift];
-
-        sum += here;
-        if (sum > limit && row > first) {
-            fits = round->strips + 1 < most;
-            if (fits)
-                round->strip_row[++round->strips] = (int32_t)row * SQUARE_SIZE;
-            sum = here;
-        }
-    }
-    round->strip_row[++round->strips] = (int32_t)(last + 1) * SQUARE_SIZE;
-    return fits;
-}
-
-/* Divides rows of squares `first` to `last` into at most `most` strips, so that the strip with the
- * most work has about as little as possible. */
-static void divide_work(round_state *round, const row_work *work, uint32_t first, uint32_t last,
-                        uint32_t most)
-{
-    float all = 0.0f;
-    float largest = 0.0f;
-
-    for (uint32_t row = first; row <= last; ++row) {
-        const float here = work->bin[row >> round->bin_shift];
-
-        all += here;
-        largest = here > largest ? here : largest;
-    }
-    float low = all / (float)most;
-    float high = low + largest;
-    for (int i = 0; i < CUT_TRIES; ++i) {
-        const float middle = 0.5f * (low + high);
-
-        if (cut_rows(round, work, first, last, middle, most))
-            high = middle;
-        else
-            low = middle;
-    }
-    cut_rows(round, work, first, last, high, most);
-}
-
 /* Divides the rows that the round's triangles reach into strips of whole squares, and into no more
  * strips than the work is worth. */
 static void divide_rows(round_state *round, uint32_t segments, uint32_t tasks)
@@ -564,7 +459,7 @@ static void divide_rows(round_state *round, uint32_t segments, uint32_t tasks)
     uint64_t triangles = 0;
     row_work work;
 
-    round->strips = 0;
+    round->strips.count = 0;
     for (uint32_t s = 0; s < segments; ++s) {
         halves += all[s].halves;
         triangles += all[s].triangle_count;
@@ -580,14 +475,15 @@ static void divide_rows(round_state *round, uint32_t segments, uint32_t tasks)
         most_strips(round->draw->job, last - first + 1, halves >= triangles * LARGE_HALVES);
 
     join_work(round->draw, tasks, first >> round->bin_shift, last >> round->bin_shift, &work);
-    divide_work(round, &work, first, last, worth < most ? (uint32_t)worth + 1 : most);
+    divide_work(&round->strips, &work, round->bin_shift, first, last,
+                worth < most ? (uint32_t)worth + 1 : most);
 }
 
 static void strip_or_shade_task(void *context, uint32_t task)
 {
     const round_state *round = context;
 
-    if (task < round->strips)
+    if (task < round->strips.count)
         strip_task(context, task);
     else
         shade_task(context, task);
@@ -603,10 +499,10 @@ static void draw_and_shade(round_state *round, uint32_t end)
     const uint32_t slots = shades ? slots_before(draw, end) : 0;
     const uint32_t tasks = divide_slots(round, map->shaded, slots);
 
-    call_tasks(round, strip_or_shade_task, round->strips + tasks);
+    call_tasks(round, strip_or_shade_task, round->strips.count + tasks);
     map->outcodes |= shaded_outcodes(round, tasks);
     map->shaded = slots > map->shaded ? slots : map->shaded;
-    for (uint32_t i = 0; counts_samples(draw->job) && i < round->strips; ++i)
+    for (uint32_t i = 0; counts_samples(draw->job) && i < round->strips.count; ++i)
         report_samples(draw->job, (const void *)task_scratch(draw, i));
 }
 
@@ -634,10 +530,8 @@ static void draw_rounds(draw_state *draw)
     round_state round;
 
     round.draw = draw;
-    round.strips = 0;
-    round.bin_shift = 0;
-    while ((uint32_t)draw->cull.target.max_y / SQUARE_SIZE >> round.bin_shift >= WORK_BINS)
-        ++round.bin_shift;
+    round.strips.count = 0;
+    round.bin_shift = bin_shift_of(draw->cull.target.max_y);
     draw_and_shade(&round, element_count(topology, total < most ? total : most));
     for (round.first = 0; round.first < total; round.first += round.count) {
         const uint32_t rest = total - round.first;
