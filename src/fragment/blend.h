@@ -299,6 +299,17 @@ static inline void add_factor_terms(factor_terms terms[2], const color_state *s,
     }
 }
 
+static inline factor_class factor_class_of(gn_blend_factor color, gn_blend_factor alpha)
+{
+    if (color != alpha)
+        return FACTORS_DIFFER;
+    return color == GN_FACTOR_ONE    ? FACTORS_ARE_ONE
+           : color == GN_FACTOR_ZERO ? FACTORS_ARE_ZERO
+           : color == GN_FACTOR_SOURCE_ALPHA || color == GN_FACTOR_ONE_MINUS_SOURCE_ALPHA
+               ? FACTORS_ARE_ALPHA
+               : FACTORS_DIFFER;
+}
+
 /* Resolves the factors of bytes. */
 static inline void set_factor_terms(color_state *s)
 {
@@ -308,6 +319,8 @@ static inline void set_factor_terms(color_state *s)
         s->source_terms[half] = none;
         s->destination_terms[half] = none;
     }
+    s->source_class = factor_class_of(s->color.source, s->alpha.source);
+    s->destination_class = factor_class_of(s->color.destination, s->alpha.destination);
     add_factor_terms(s->source_terms, s, s->color.source, 0x00FFFFFF);
     add_factor_terms(s->source_terms, s, s->alpha.source, 0xFF000000);
     add_factor_terms(s->destination_terms, s, s->color.destination, 0x00FFFFFF);
@@ -319,26 +332,77 @@ typedef struct factor_values {
     lanes_i source, destination, source_alpha, destination_alpha;
 } factor_values;
 
-GN_INLINE lanes_i masked(lanes_i a, uint32_t mask)
+/* factor_terms in lanes. */
+typedef struct factor_masks {
+    lanes_i source, destination, source_alpha, destination_alpha, saturate, constant;
+} factor_masks;
+
+/* A blend of bytes as a loop over blocks needs it: nothing is loaded again after a store. */
+typedef struct byte_blend {
+    gn_blend_equation color_equation, alpha_equation;
+    factor_class source_class, destination_class;
+    bool saturates;
+    factor_masks source_masks[2], destination_masks[2];
+} byte_blend;
+
+GN_INLINE void set_factor_masks(factor_masks *m, const factor_terms *t)
 {
-    return lanes_i_and(a, lanes_i_splat((int32_t)mask));
+    m->source = lanes_i_splat((int32_t)t->source);
+    m->destination = lanes_i_splat((int32_t)t->destination);
+    m->source_alpha = lanes_i_splat((int32_t)t->source_alpha);
+    m->destination_alpha = lanes_i_splat((int32_t)t->destination_alpha);
+    m->saturate = lanes_i_splat((int32_t)t->saturate);
+    m->constant = lanes_i_splat((int32_t)t->constant);
+}
+
+GN_INLINE void set_byte_blend(byte_blend *blend, const color_state *state)
+{
+    blend->color_equation = state->color.equation;
+    blend->alpha_equation = state->alpha.equation;
+    blend->source_class = state->source_class;
+    blend->destination_class = state->destination_class;
+    blend->saturates =
+        (state->source_terms[0].saturate | state->destination_terms[0].saturate) != 0;
+    for (int half = 0; half < 2; ++half) {
+        set_factor_masks(&blend->source_masks[half], &state->source_terms[half]);
+        set_factor_masks(&blend->destination_masks[half], &state->destination_terms[half]);
+    }
 }
 
 /* Returns factors of two bytes. Masks select one value for each byte; one minus a value is its
  * complement. */
-GN_INLINE lanes_i factor_of_terms(const factor_terms *t, const factor_values *v)
+GN_INLINE lanes_i factor_of_masks(const byte_blend *blend, const factor_masks *m,
+                                  const factor_values *v)
 {
-    lanes_i factor = lanes_i_or(
-        lanes_i_or(masked(v->source, t->source), masked(v->destination, t->destination)),
-        lanes_i_or(masked(v->source_alpha, t->source_alpha),
-                   masked(v->destination_alpha, t->destination_alpha)));
+    lanes_i factor = lanes_i_or(lanes_i_or(lanes_i_and(v->source, m->source),
+                                           lanes_i_and(v->destination, m->destination)),
+                                lanes_i_or(lanes_i_and(v->source_alpha, m->source_alpha),
+                                           lanes_i_and(v->destination_alpha,
+                                                       m->destination_alpha)));
 
-    if (t->saturate)
+    if (blend->saturates)
         factor = lanes_i_or(
-            factor, masked(lanes_i_min(v->source_alpha, lanes_i_sub(lanes_i_splat(GN_TWO_BYTES),
-                                                                    v->destination_alpha)),
-                           t->saturate));
-    return lanes_i_xor(factor, lanes_i_splat((int32_t)t->constant));
+            factor,
+            lanes_i_and(lanes_i_min(v->source_alpha, lanes_i_sub(lanes_i_splat(GN_TWO_BYTES),
+                                                                 v->destination_alpha)),
+                        m->saturate));
+    return lanes_i_xor(factor, m->constant);
+}
+
+/* Returns two bytes times their factors. */
+GN_INLINE lanes_i times_factor(const byte_blend *blend, factor_class kind, const factor_masks *m,
+                               const factor_values *v, lanes_i bytes)
+{
+    switch (kind) {
+    case FACTORS_ARE_ONE:
+        return bytes;
+    case FACTORS_ARE_ZERO:
+        return lanes_i_splat(0);
+    case FACTORS_ARE_ALPHA:
+        return multiply_two_bytes(bytes, lanes_i_xor(v->source_alpha, m->constant));
+    default:
+        return multiply_two_bytes(bytes, factor_of_masks(blend, m, v));
+    }
 }
 
 /* Blends two bytes: `from` and `to` are source and destination times their factors. */
@@ -359,8 +423,8 @@ GN_INLINE lanes_i equate_two_bytes(gn_blend_equation equation, lanes_i source, l
     }
 }
 
-/* Blends pixels of GN_FORMAT_RGBA8, or channels of at most 8 bits in that form, by terms. */
-GN_INLINE lanes_i blend_bytes(const color_state *state, lanes_i source, lanes_i destination)
+/* Blends pixels of GN_FORMAT_RGBA8, or channels of at most 8 bits in that form. */
+GN_INLINE lanes_i blend_bytes(const byte_blend *blend, lanes_i source, lanes_i destination)
 {
     const lanes_i byte = lanes_i_splat(0xFF);
     lanes_i result[2];
@@ -371,17 +435,18 @@ GN_INLINE lanes_i blend_bytes(const color_state *state, lanes_i source, lanes_i 
     for (int half = 0; half < 2; ++half) {
         v.source = two_bytes(source, 8 * half);
         v.destination = two_bytes(destination, 8 * half);
-        const lanes_i from = multiply_two_bytes(
-            v.source, factor_of_terms(&state->source_terms[half], &v));
-        const lanes_i to = multiply_two_bytes(
-            v.destination, factor_of_terms(&state->destination_terms[half], &v));
+        const lanes_i from = times_factor(blend, blend->source_class, &blend->source_masks[half],
+                                          &v, v.source);
+        const lanes_i to = times_factor(blend, blend->destination_class,
+                                        &blend->destination_masks[half], &v, v.destination);
 
-        result[half] = equate_two_bytes(state->color.equation, v.source, v.destination, from, to);
-        if (half == 1 && state->alpha.equation != state->color.equation)
+        result[half] = equate_two_bytes(blend->color_equation, v.source, v.destination, from, to);
+        if (half == 1 && blend->alpha_equation != blend->color_equation)
             result[1] = lanes_i_or(
-                masked(result[1], 0xFF),
-                masked(equate_two_bytes(state->alpha.equation, v.source, v.destination, from, to),
-                       0xFF0000));
+                lanes_i_and(result[1], byte),
+                lanes_i_and(
+                    equate_two_bytes(blend->alpha_equation, v.source, v.destination, from, to),
+                    lanes_i_splat(0xFF0000)));
     }
     return lanes_i_or(result[0], lanes_i_shift_left(result[1], 8));
 }

@@ -197,12 +197,16 @@ typedef enum byte_combination { BYTES_OVER, BYTES_BLEND, BYTES_MIX, BYTES_LOGIC 
 /* Combines bytes: the results take the place of the stored ones. */
 GN_INLINE void combine_bytes(const color_state *state, byte_combination how, block_batch *b)
 {
+    byte_blend blend;
+
+    if (how == BYTES_BLEND)
+        set_byte_blend(&blend, state);
     for (uint32_t n = 0; n < b->count; ++n) {
         const lanes_i source = lanes_i_load(b->source[0][n]);
         const lanes_i stored = lanes_i_load(b->stored[0][n]);
 
         lanes_i_store(b->stored[0][n], how == BYTES_OVER    ? blend_over(source, stored)
-                                       : how == BYTES_BLEND ? blend_bytes(state, source, stored)
+                                       : how == BYTES_BLEND ? blend_bytes(&blend, source, stored)
                                        : how == BYTES_MIX   ? mix_bytes(state, source, stored)
                                                             : operate_on_bits(state, source, stored));
     }

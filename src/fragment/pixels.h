@@ -226,31 +226,44 @@ GN_OUT_OF_LINE void store_covered(pixel_layout layout, const block_pixels *m, ui
         break;                                                                                     \
     }
 
-/* Loads the pixels of a group: all of them, or the covered ones if the group hangs over. */
+/* Loads the pixels of a block: all of them, or the covered ones if the block hangs over. Whatever
+ * is passed by address is a copy, so that the usual way keeps its values in registers. */
 GN_INLINE void load_pixels(pixel_layout layout, const block_pixels *m, uint32_t coverage,
                            lanes_i word[4])
 {
 #define LOAD(constant) load_whole(constant, m, word)
-    if (!m->whole)
-        load_covered(layout, m, coverage, word);
-    else if (layout == GN_LAYOUT(4, 4))
+    if (!m->whole) {
+        const block_pixels pixels = *m;
+        lanes_i loaded[4];
+
+        load_covered(layout, &pixels, coverage, loaded);
+        for (int i = 0; i < layout_words(layout); ++i)
+            word[i] = loaded[i];
+    } else if (layout == GN_LAYOUT(4, 4)) {
         word[0] = load_words(m);
-    else
+    } else {
         GN_EACH_LAYOUT(layout, LOAD)
+    }
 #undef LOAD
 }
 
-/* Stores the pixels of a group: all of them, or the covered ones if the group hangs over. */
+/* Stores the pixels of a block: all of them, or the covered ones if the block hangs over. */
 GN_INLINE void store_pixels(pixel_layout layout, const block_pixels *m, uint32_t coverage,
                             const lanes_i word[4])
 {
 #define STORE(constant) store_whole(constant, m, word)
-    if (!m->whole)
-        store_covered(layout, m, coverage, word);
-    else if (layout == GN_LAYOUT(4, 4))
+    if (!m->whole) {
+        const block_pixels pixels = *m;
+        lanes_i stored[4];
+
+        for (int i = 0; i < layout_words(layout); ++i)
+            stored[i] = word[i];
+        store_covered(layout, &pixels, coverage, stored);
+    } else if (layout == GN_LAYOUT(4, 4)) {
         store_words(m, word[0]);
-    else
+    } else {
         GN_EACH_LAYOUT(layout, STORE)
+    }
 #undef STORE
 }
 

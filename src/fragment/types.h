@@ -53,6 +53,14 @@ typedef struct factor_terms {
     uint32_t constant;
 } factor_terms;
 
+/* What the factors of all bytes are. */
+typedef enum factor_class {
+    FACTORS_DIFFER,
+    FACTORS_ARE_ALPHA, /* source alpha, or one minus it */
+    FACTORS_ARE_ONE,
+    FACTORS_ARE_ZERO
+} factor_class;
+
 /* How a fragment's colour is written. */
 typedef enum color_use {
     COLOR_REPLACES, /* it replaces all channels */
@@ -68,6 +76,7 @@ typedef struct color_state {
     blend_rule color, alpha;
     mixing mixes; /* for formats of one channel */
     factor_terms source_terms[2], destination_terms[2]; /* of red and blue, and of green and alpha */
+    factor_class source_class, destination_class;
     /* For floats: (source + destination) * factor; and terms that are left out, since their factor
      * is zero. */
     bool factors_last, drops_source, drops_destination;
