@@ -233,6 +233,10 @@ bench-states: $(BUILD)/bench-states ## speed in every state beside llvmpipe's in
 bench-threads: $(BUILD)/bench ## the speed-up on 1 to 64 threads, calculated from the times of tasks: FRAMES=15 MODEL=FILE
 	@$(BUILD)/bench --tasks --frames $(FRAMES) $(if $(MODEL),--model '$(MODEL)') --json $(BUILD)/bench-threads.json
 
+.PHONY: bench-embedded
+bench-embedded: library ## instructions of a frame on microcontrollers, in an emulator
+	@tools/bench/embedded/embedded.sh $(BUILD)
+
 .PHONY: bench-plot
 bench-plot: $(BUILD)/bench ## pictures of bench's and bench-scale's last results, as SVG
 	@test -f $(BUILD)/bench.json || $(MAKE) --no-print-directory bench

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Installs Debian packages without which tests are skipped: compilers, C libraries and emulators for
-# `make cross` and `make size`, more than 1 GB, and the libraries other than cglm with which
+# `make cross`, `make size` and `make bench-embedded`, more than 1 GB, and the libraries other than cglm with which
 # `make accuracy` compares. Does nothing if everything is installed.
 set -eu
 self=setup-cross
@@ -13,5 +13,6 @@ fi
 
 install_packages "gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-arm-linux-gnueabihf
 libc6-dev-armhf-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross qemu-user clang-19 lld-19
-wasi-libc libclang-rt-19-dev-wasm32 gcc-arm-none-eabi qemu-system-arm
+wasi-libc libclang-rt-19-dev-wasm32 gcc-arm-none-eabi qemu-system-arm gcc-riscv64-unknown-elf
+qemu-system-misc
 libglm-dev libeigen3-dev $node" "$@"

@@ -3,6 +3,8 @@
  * and fwidth in their fine form: differences within quads of 2x2 fragments, which begin at even
  * window coordinates, along the row or column of each fragment (GLSL 4.50 section 8.13.1).
  *
+ * A library of one lane (gnomon/lanes.h) has no neighbours: its derivatives are 0.
+ *
  * All sixteen lanes are read. In lanes of fragments that are not covered, varyings continue the
  * plane of the primitive. */
 #ifndef GNOMON_DERIVATIVES_H

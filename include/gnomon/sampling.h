@@ -130,7 +130,10 @@ GN_BEGIN
 
 /* Returns the first fault of a sampler: GN_NULL_POINTER; GN_INVALID_ENUM (a field holds none of its
  * values); GN_NOT_FINITE (lod_bias, a border that is NaN, min_lod or max_lod if clamped);
- * GN_OUT_OF_RANGE (min_lod above max_lod, max_anisotropy above GN_MAX_ANISOTROPY). */
+ * GN_OUT_OF_RANGE (min_lod above max_lod, max_anisotropy above GN_MAX_ANISOTROPY). In a library of
+ * one lane (gnomon/lanes.h), after GN_INVALID_ENUM, GN_NOT_COMPILED: minify has another filter
+ * within a level than magnify, and there are no derivatives to choose by; look-ups with such a
+ * sampler use magnify's. */
 GN_API gn_status gn_sampler_check(const gn_sampler *sampler);
 
 /* Returns the fault of gn_sampler_check in words that name the field, in static storage; null if

@@ -146,7 +146,8 @@ GN_API gn_status gn_use_unlit(gn_pipeline *pipeline, const gn_unlit_uniforms *un
 /* Draws lit triangles with one normal each; the mesh needs no normals. N is the cross product of
  * the derivatives of the position along x and y of the window, so it points to the eye from either
  * side of a triangle. There are no highlights. (To draw the colour of the provoking vertex over the
- * whole triangle, call gn_use_gouraud and then set interpolation[0] to [3] to GN_FLAT.) */
+ * whole triangle, call gn_use_gouraud and then set interpolation[0] to [3] to GN_FLAT.) A library
+ * of one lane (gnomon/lanes.h) has no derivatives: GN_NOT_COMPILED after all other faults. */
 GN_API gn_status gn_use_flat(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
 
 /* Draws the lit colours of the vertices, interpolated (Gouraud 1971), times the diffuse map. There

@@ -19,6 +19,7 @@
 #define GN_CONFIG_BACKENDS_H
 
 #include <gnomon/backend.h>
+#include <gnomon/lanes.h>
 
 /* GN_HAVE_NAME is one of these numbers. Absent: the back end is not compiled. Emulated: it is
  * compiled over a header that stands in for its intrinsics, and every processor runs it. Asked: the
@@ -38,6 +39,11 @@
 #endif
 
 #define GN_HAVE_PORTABLE GN_PRESENT_ALWAYS
+
+/* Vector instructions are for sixteen lanes. */
+#if GN_LANES == 1 && !defined(GN_ONLY_PORTABLE)
+#define GN_ONLY_PORTABLE
+#endif
 
 #if defined(__GNUC__) && defined(__SSE2__) && !defined(GN_ONLY_PORTABLE)
 #define GN_HAVE_SSE2 GN_PRESENT_ALWAYS

@@ -1,7 +1,9 @@
-/* What is compiled in. GN_SMALL asks for little code at the price of speed; pixels and the sizes of
- * workspaces stay the same. GN_BASIC asks for fewer features. */
+/* What is compiled in. GN_SMALL asks for little code at the price of speed; pixels stay the
+ * same. GN_BASIC asks for fewer features. */
 #ifndef GN_CONFIG_FEATURES_H
 #define GN_CONFIG_FEATURES_H
+
+#include <gnomon/lanes.h>
 
 #if defined(GN_SMALL)
 #define GN_IS_SMALL 1
@@ -13,6 +15,10 @@
  * each back end has its own form of ready-made shaders and of sampling. Otherwise one form of each
  * serves all. */
 #define GN_SPECIALISED (!GN_IS_SMALL)
+
+/* Whether runs of covered fragments are drawn in rows. One lane draws a few states in rows even if
+ * the code must be small. */
+#define GN_HAVE_ROWS (GN_SPECIALISED || GN_LANES == 1)
 
 /* Whether draws run in tasks on the caller's threads. Otherwise the calling thread draws alone. */
 #define GN_HAVE_TASKS (!GN_IS_SMALL)
@@ -49,7 +55,7 @@
 #endif
 
 /* Whether operations of the portable lanes are functions that take addresses (calls.h). */
-#if GN_IS_SMALL && defined(__GNUC__)
+#if GN_IS_SMALL && defined(__GNUC__) && GN_LANES > 1
 #define GN_LANES_CALLED 1
 #else
 #define GN_LANES_CALLED 0

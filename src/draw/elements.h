@@ -4,6 +4,9 @@
 
 #include "state.h"
 
+/* Elements that are read at a time. */
+#define ELEMENTS_READ 16
+
 /* Reads the vertices that elements first to first + count - 1 name. */
 static inline void read_elements(const mesh_slice *mesh, uint32_t first, uint32_t count,
                                  uint32_t *vertex)
@@ -44,8 +47,8 @@ static bool find_slice(const mesh_slice *whole, uint32_t *from, mesh_slice *slic
     bool found = false;
 
     while (i < whole->count) {
-        uint32_t vertex[GN_LANES];
-        const uint32_t count = whole->count - i < GN_LANES ? whole->count - i : GN_LANES;
+        uint32_t vertex[ELEMENTS_READ];
+        const uint32_t count = whole->count - i < ELEMENTS_READ ? whole->count - i : ELEMENTS_READ;
         uint32_t l = 0;
 
         read_elements(whole, i, count, vertex);
@@ -107,8 +110,8 @@ static index_range find_range(const mesh_slice *mesh, uint32_t first, uint32_t c
         range = join_ranges(range, lane);
     }
     while (done < count) {
-        uint32_t vertex[GN_LANES];
-        const uint32_t some = count - done < GN_LANES ? count - done : GN_LANES;
+        uint32_t vertex[ELEMENTS_READ];
+        const uint32_t some = count - done < ELEMENTS_READ ? count - done : ELEMENTS_READ;
 
         read_elements(mesh, first + done, some, vertex);
         for (uint32_t i = 0; i < some; ++i) {

@@ -63,7 +63,7 @@
 
 /* New vertices that a worker keeps, so that the pieces of several clipped triangles can be set up
  * together. */
-#define CLIP_SCRATCH (2 * GN_LANES)
+#define CLIP_SCRATCH (2 * CLIP_ROOM)
 
 /* Elements of a segment without and with indices. The reference takes a draw in segments of these
  * lengths, and some of its decisions depend on all vertices of a segment (resolve_segment). */

@@ -1,4 +1,5 @@
-/* Primitives of every kind: assembles sixteen at a time and adds them to the worker's list. */
+/* Primitives of every kind: assembles one for each lane at a time and adds them to the worker's
+ * list. */
 #ifndef GN_DRAW_PRIMITIVES_H
 #define GN_DRAW_PRIMITIVES_H
 
@@ -36,10 +37,10 @@ static uint32_t segment_outcodes(const draw_state *draw, uint32_t first, uint32_
     uint32_t offset[ASSEMBLE_MAX_ELEMENTS];
     uint32_t outcodes = 0;
 
-    for (uint32_t done = 0; done < count; done += GN_LANES) {
+    for (uint32_t done = 0; done < count; done += PRIMITIVES_LOCATED) {
         const uint32_t rest = count - done;
-        const uint32_t elements =
-            locate_elements(draw, first + done, rest < GN_LANES ? rest : GN_LANES, offset);
+        const uint32_t elements = locate_elements(
+            draw, first + done, rest < PRIMITIVES_LOCATED ? rest : PRIMITIVES_LOCATED, offset);
 
         for (uint32_t i = 0; i < elements; ++i)
             outcodes |= vertex_at(draw->job->memory, offset[i])->outcode;
@@ -52,30 +53,35 @@ static void add_primitives(worker *w, uint32_t first, uint32_t count)
 {
     const gn_topology topology = w->draw->pipeline->raster.topology;
     const bool is_triangles = !GN_HAVE_LINES || kind_of(topology) == KIND_TRIANGLE;
+    /* Groups of a strip or of a fan share elements. */
+    const uint32_t most = topology == GN_TRIANGLES ? PRIMITIVES_LOCATED : GN_LANES;
     uint32_t offset[ASSEMBLE_MAX_ELEMENTS];
     triangle_group group;
 
-    for (uint32_t done = 0; done < count; done += group.count) {
+    for (uint32_t done = 0, located; done < count; done += located) {
         const uint32_t number = w->draw->mesh->primitive + first + done;
 
-        group.count = count - done < GN_LANES ? count - done : GN_LANES;
+        located = count - done < most ? count - done : most;
         if (counts_primitives(w))
-            w->counts->primitives += group.count;
-        const uint32_t elements = locate_elements(w->draw, first + done, group.count, offset);
+            w->counts->primitives += located;
+        const uint32_t elements = locate_elements(w->draw, first + done, located, offset);
         if (!is_triangles) {
-            add_points_or_lines(w, offset, number, group.count);
+            add_points_or_lines(w, offset, number, located);
             continue;
         }
         /* Lanes without a triangle repeat the last vertex, so that no lane reads memory that nobody
          * wrote. */
-        for (uint32_t i = elements; i < ASSEMBLE_MAX_ELEMENTS; ++i)
+        for (uint32_t i = elements; GN_LANES > 1 && i < ASSEMBLE_MAX_ELEMENTS; ++i)
             offset[i] = offset[i - 1];
-        assemble_triangles(topology, w->cull.provoking_first, w->is_quad, first + done, offset,
-                           &group);
-        if (GN_HAVE_LINES && w->cull.box.is_unfilled)
-            add_unfilled_group(w, &group, number);
-        else
-            add_group(w, &group, number);
+        for (uint32_t at = 0; at < located; at += group.count) {
+            group.count = located - at < GN_LANES ? located - at : GN_LANES;
+            assemble_triangles(topology, w->cull.provoking_first, w->is_quad, first + done + at,
+                               offset + first_element(topology, at), &group);
+            if (GN_HAVE_LINES && w->cull.box.is_unfilled)
+                add_unfilled_group(w, &group, number + at);
+            else
+                add_group(w, &group, number + at);
+        }
     }
 }
 

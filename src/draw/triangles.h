@@ -26,28 +26,37 @@ GN_OUT_OF_LINE primitive_fate add_crossing(worker *w, const uint32_t vertex[3], 
                                            uint32_t primitive)
 {
     unsigned char *const memory = w->draw->job->memory;
+    polygon polygons[2];
     triangle_group pieces;
     cull_result result;
     uint32_t planes = 0;
+    bool is_drawn = false;
 
     for (int i = 0; i < 3; ++i)
         planes |= vertex_at(memory, vertex[i])->outcode;
     make_room(w, clip_room(planes));
-    clip_triangle(&w->clipper, planes, vertex, &pieces);
+    const polygon *const left = clip_triangle(&w->clipper, planes, vertex, polygons);
     w->clip_used += w->clipper.used;
-    if (pieces.count == 0)
+    if (!left)
         return FATE_OUTSIDE;
 
-    cull_triangles(&w->cull, w->cull.asks_unsnapped, memory, &pieces, &result);
-    if (!result.drawn)
-        return counts_primitives(w) ? fate_of_pieces(w, &pieces) : FATE_UNKNOWN;
-    if (w->keeps) {
-        keep_crossing(w, vertex, provoking, primitive, &result);
-        return FATE_CLIPPED;
+    /* With sixteen lanes one group holds all pieces; draws in tasks, and counts, have sixteen. */
+    for (uint32_t from = 0; from < piece_count(left); from += GN_LANES) {
+        take_pieces(&w->clipper, left, from, &pieces);
+        cull_triangles(&w->cull, w->cull.asks_unsnapped, memory, &pieces, &result);
+        if (!result.drawn)
+            continue;
+        is_drawn = true;
+        if (w->keeps) {
+            keep_crossing(w, vertex, provoking, primitive, &result);
+            return FATE_CLIPPED;
+        }
+        for (uint32_t bits = result.drawn; bits; bits &= bits - 1)
+            append_triangle(w, &pieces, &result, first_lane(bits), provoking, primitive);
     }
-    for (uint32_t bits = result.drawn; bits; bits &= bits - 1)
-        append_triangle(w, &pieces, &result, first_lane(bits), provoking, primitive);
-    return FATE_CLIPPED;
+    if (is_drawn)
+        return FATE_CLIPPED;
+    return counts_primitives(w) ? fate_of_pieces(w, &pieces) : FATE_UNKNOWN;
 }
 
 /* Adds the triangles of a group; `first` is the first triangle's number in the instance. */

@@ -165,6 +165,7 @@ static primitive_fate add_unfilled(worker *w, const uint32_t vertex[3], uint32_t
     unsigned char *const memory = w->draw->job->memory;
     const pixel_rectangle none = {INT32_MAX, INT32_MAX, -1, -1};
     unfilled_triangle outline;
+    polygon polygons[2];
     triangle_group pieces;
     uint32_t all = ~0u;
     uint32_t any = 0;
@@ -177,8 +178,11 @@ static primitive_fate add_unfilled(worker *w, const uint32_t vertex[3], uint32_t
         return FATE_OUTSIDE;
     if (any) {
         make_room(w, clip_room(any) + 3);
-        clip_triangle(&w->clipper, any, vertex, &pieces);
+        const polygon *const left = clip_triangle(&w->clipper, any, vertex, polygons);
         w->clip_used += w->clipper.used;
+        if (!left)
+            return FATE_OUTSIDE;
+        take_pieces(&w->clipper, left, 0, &pieces);
     } else {
         make_room(w, 3);
         w->clipper.hidden = 0;
@@ -190,8 +194,6 @@ static primitive_fate add_unfilled(worker *w, const uint32_t vertex[3], uint32_t
                 pieces.made[i][l] = vertex[i];
         }
     }
-    if (pieces.count == 0)
-        return FATE_OUTSIDE;
     outline.w = w;
     outline.fate = FATE_NOT_FINITE;
     outline.provoking = provoking;

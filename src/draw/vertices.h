@@ -60,11 +60,13 @@ GN_STEP lanes_i store_vertices(const draw_state *draw, const gn_vertex_output *o
         draw->job->memory + draw->vertices + (size_t)(slot & draw->map.ring) * draw->stride;
     lanes_f clip[4];
 
+    GN_UNROLLED
     for (int c = 0; c < 4; ++c)
         clip[c] = lanes_load(output->position[c]);
     for (uint32_t n = 0; n < values; n += 4) {
         lanes_i row[4];
 
+        GN_UNROLLED
         for (uint32_t c = 0; c < 4; ++c)
             row[c] = n + c < values ? lanes_as_int(lanes_load(output->varying[n + c]))
                                     : lanes_i_splat(0);

@@ -159,9 +159,11 @@ GN_OUT_OF_LINE void load_batch(const fragment_state *state, const gn_surface *su
 {
 #define LOAD(name, bytes, element, kind, encoding, ...)                                            \
     case GN_FORMAT_##name:                                                                         \
-        if (FORMAT_##kind == FORMAT_COLOR && b->shape == SHAPE_ROW)                                \
+        if (FORMAT_##kind != FORMAT_COLOR || !is_compiled(GN_FORMAT_##name))                       \
+            break;                                                                                 \
+        if (is_of_rows(b))                                                                         \
             load_blocks(state, surface, GN_FORMAT_##name, SHAPE_ROW, b);                           \
-        else if (FORMAT_##kind == FORMAT_COLOR)                                                    \
+        else                                                                                       \
             load_blocks(state, surface, GN_FORMAT_##name, SHAPE_HALVES, b);                        \
         break;
     switch (surface->format) {
@@ -178,9 +180,11 @@ GN_OUT_OF_LINE void store_batch(const fragment_state *state, const color_state *
 {
 #define STORE(name, bytes, element, kind, encoding, ...)                                           \
     case GN_FORMAT_##name:                                                                         \
-        if (FORMAT_##kind == FORMAT_COLOR && b->shape == SHAPE_ROW)                                \
+        if (FORMAT_##kind != FORMAT_COLOR || !is_compiled(GN_FORMAT_##name))                       \
+            break;                                                                                 \
+        if (is_of_rows(b))                                                                         \
             store_blocks(state, combine, surface, GN_FORMAT_##name, SHAPE_ROW, b, numbers);        \
-        else if (FORMAT_##kind == FORMAT_COLOR)                                                    \
+        else                                                                                       \
             store_blocks(state, combine, surface, GN_FORMAT_##name, SHAPE_HALVES, b, numbers);     \
         break;
     switch (surface->format) {

@@ -13,8 +13,10 @@ typedef struct block_places {
  * centre if a target is not multisampled. */
 GN_INLINE void set_places(block_places *at, const pixel_block *block, const float inside[2])
 {
-    static const int32_t column[GN_LANES] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
-    static const int32_t row[GN_LANES] = {0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1};
+#define COLUMN_IN_HALF(l) (l) % SQUARE_SIZE
+#define ROW_IN_HALF(l) (l) / SQUARE_SIZE % 2
+    static const int32_t column[GN_LANES] = GN_NUMBERS(COLUMN_IN_HALF);
+    static const int32_t row[GN_LANES] = GN_NUMBERS(ROW_IN_HALF);
 
     at->x =
         lanes_to_float(lanes_i_add(lanes_i_halves(block->x[0], block->x[1]), lanes_i_load(column)));
@@ -56,9 +58,12 @@ GN_INLINE void set_row_terms(row_terms *terms, uint32_t attribute, attribute_pla
 
 GN_INLINE lanes_f columns_from(attribute_plane plane, int32_t x)
 {
-    static const float number[GN_LANES] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-    const lanes_f column = lanes_add(lanes_splat((float)x), lanes_load(number));
+#define LANE_NUMBER(l) l
+    static const float number[GN_LANES] = GN_NUMBERS(LANE_NUMBER);
+    lanes_f column = lanes_splat((float)x);
 
+    if (GN_LANES > 1)
+        column = lanes_add(column, lanes_load(number));
     return lanes_add(lanes_mul(lanes_splat(plane.per_x), column), lanes_splat(plane.origin));
 }
 

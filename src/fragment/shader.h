@@ -23,7 +23,7 @@ static inline void interpolate_varyings(const fragment_state *state, raster_tria
     const gn_pipeline *const pipeline = state->pipeline;
     const uint32_t count = pipeline->program.varying_count;
 
-    if (GN_SPECIALISED && state->is_smooth) {
+    if (GN_HAVE_ROWS && state->is_smooth) {
         for (uint32_t n = 0; n < count; ++n)
             lanes_store(varying[n],
                         lanes_mul(plane_at(triangle_plane(triangle, VARYING_PLANES + n), at), w));

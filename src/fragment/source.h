@@ -69,7 +69,7 @@ GN_INLINE void ready_blocks(const fragment_state *state, fragment_source source,
 GN_INLINE void ready_shapes(const fragment_state *state, fragment_source source, bool smooth,
                             bool direct, block_batch *b)
 {
-    if (b->shape == SHAPE_ROW)
+    if (is_of_rows(b))
         ready_blocks(state, source, smooth, direct, SHAPE_ROW, b);
     else
         ready_blocks(state, source, smooth, direct, SHAPE_HALVES, b);

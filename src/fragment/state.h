@@ -34,7 +34,7 @@ static inline void set_source(fragment_state *s, const gn_pipeline *pipeline)
     s->texture = 0;
     s->sampler = 0;
     s->source = SOURCE_SHADER;
-    if (!GN_SPECIALISED || s->is_late || s->color.format == GN_FORMAT_NONE ||
+    if (!GN_HAVE_ROWS || s->is_late || s->color.format == GN_FORMAT_NONE ||
         pipeline->program.color_count > 1 || pipeline->samples.alpha_to_coverage ||
         pipeline->samples.alpha_to_one || pipeline->program.fragment_writes_sample_mask)
         return;
@@ -52,6 +52,8 @@ static inline void set_source(fragment_state *s, const gn_pipeline *pipeline)
     if (pipeline->program.varying_count < (s->texture ? VARYING_END : VARYING_ALPHA + 1))
         return;
     s->source = s->texture ? SOURCE_TEXTURE : SOURCE_COLOR;
+    if (GN_LANES == 1 && s->texture)
+        set_masked_words(&s->nearest, s->texture, s->sampler);
 }
 
 static inline void set_shader_inputs(fragment_state *s, const gn_pipeline *pipeline)

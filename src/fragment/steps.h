@@ -4,6 +4,7 @@
 #define GN_FRAGMENT_STEPS_H
 
 #include "fused.h"
+#include "single.h"
 #include "test.h"
 
 /* Adds to the counts what a batch covers, and later what passed. */
@@ -238,6 +239,8 @@ static inline fragment_functions fragment_functions_of(const fragment_state *sta
     fragment_functions f = {step_blocks, rows ? step_rows : 0,
                             has_color && source == SOURCE_SHADER};
 
+    if (GN_LANES == 1 && !counts)
+        f.runs = single_runs_of(state);
     if (!GN_SPECIALISED || counts || !may_be_fused(state))
         return f;
 #define GN_SELECT_FUSED(name, fused_depth_format, fused_source, fused_has_color)                   \

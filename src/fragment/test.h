@@ -75,9 +75,9 @@ GN_INLINE void test_format(const fragment_state *state, gn_format format, block_
     const bool usual =
         GN_SPECIALISED && !format_has_stencil(format) && is_usual_test(state);
 
-    if (b->shape == SHAPE_ROW && usual)
+    if (is_of_rows(b) && usual)
         test_blocks(state, format, true, SHAPE_ROW, b);
-    else if (b->shape == SHAPE_ROW)
+    else if (is_of_rows(b))
         test_blocks(state, format, false, SHAPE_ROW, b);
     else if (usual)
         test_blocks(state, format, true, SHAPE_HALVES, b);
@@ -90,7 +90,7 @@ GN_OUT_OF_LINE void test_batch(const fragment_state *state, block_batch *b)
 {
 #define TEST(name, bytes, element, kind, encoding, ...)                                            \
     case GN_FORMAT_##name:                                                                         \
-        if (FORMAT_##kind == FORMAT_DEPTH)                                                         \
+        if (FORMAT_##kind == FORMAT_DEPTH && is_compiled(GN_FORMAT_##name))                        \
             test_format(state, GN_FORMAT_##name, b);                                               \
         break;
     switch (state->depth.format) {

@@ -2,6 +2,7 @@
  *
  *   steps.h    the functions that coverage calls: a state's steps over batches and runs
  *   fused.h    frequent states whose steps are one loop
+ *   single.h   the same for one lane
  *   batch.h    the blocks of a step, and what steps hand to each other
  *   test.h     the step that tests depth and stencil
  *   source.h   the step that computes colours
@@ -24,6 +25,7 @@
 #include "../lanes/lanes.h"
 #include "../raster/types.h"
 #include "../shaders/shading.h"
+#include "../texture/sample.h"
 
 /* How incoming and stored depth are compared; `inverted` negates the result. Stored forms order as
  * integers, so these make all eight functions. */
@@ -128,10 +130,11 @@ typedef struct fragment_state {
     bool is_smooth;                   /* all of its varyings are */
     bool asks_inputs;          /* asks for inputs other than varyings, or writes a sample mask */
     bool is_late;              /* the shader runs before the tests */
-    fragment_source source;    /* SOURCE_SHADER with GN_SMALL */
+    fragment_source source;    /* SOURCE_SHADER with GN_SMALL, unless there is one lane */
     const gn_texture *texture; /* with SOURCE_TEXTURE */
     const gn_sampler *sampler;
     bool is_direct; /* ready-made colours replace those of a GN_FORMAT_RGBA8 surface */
+    masked_words nearest; /* of the texture; set if there is one lane */
     bool combines; /* an attachment's colours depend on what it stores */
     gn_surface color; /* GN_FORMAT_NONE: no colour */
     gn_surface depth; /* GN_FORMAT_NONE: no test */

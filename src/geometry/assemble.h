@@ -53,15 +53,16 @@ static inline uint32_t element_count(gn_topology topology, uint32_t count)
     return element_step(topology) * (count - 1) + corner_count(topology);
 }
 
-/* The elements of sixteen triangles. */
-#define ASSEMBLE_MAX_ELEMENTS (3 * GN_LANES)
+/* How many primitives' elements are located together; and the elements of as many triangles. */
+#define PRIMITIVES_LOCATED 16
+#define ASSEMBLE_MAX_ELEMENTS (3 * PRIMITIVES_LOCATED)
 
 /* Assembles group->count triangles from `first` on. `element` holds the vertices of the elements
  * from first_element on; for a fan its first place holds the slice's first element. All places must
  * hold vertices, and `element` must last as long as the group. A fan that is taken as a quad has
  * the triangles (0, i+1, i+2), whichever vertex provokes. */
 static inline void assemble_triangles(gn_topology topology, bool provoking_first, bool is_quad,
-                                      uint32_t first, const uint32_t element[ASSEMBLE_MAX_ELEMENTS],
+                                      uint32_t first, const uint32_t *element,
                                       triangle_group *group)
 {
     uint32_t *const a = group->made[0];

@@ -91,7 +91,7 @@ static uint32_t interpolate_vertex(clipper *c, uint32_t from, uint32_t to, float
 
 static inline uint32_t room_of(const clipper *c)
 {
-    return !GN_HAVE_DISTANCES            ? GN_LANES
+    return !GN_HAVE_DISTANCES            ? CLIP_ROOM
            : c->room < CLIP_MAX_VERTICES ? c->room
                                          : CLIP_MAX_VERTICES;
 }
@@ -147,7 +147,8 @@ GN_STEP void place_new_vertices(const clipper *c)
 {
     const uint32_t stride = vertex_stride(stored_values(c->pipeline));
 
-    for (uint32_t first = 0; first < c->used && (GN_HAVE_DISTANCES || first == 0);
+    for (uint32_t first = 0;
+         first < c->used && (GN_HAVE_DISTANCES || GN_LANES < CLIP_ROOM || first == 0);
          first += GN_LANES) {
         uint32_t offset[GN_LANES];
         lanes_i row[4];
@@ -173,18 +174,17 @@ GN_STEP void place_new_vertices(const clipper *c)
     }
 }
 
-/* Clips a triangle to the planes of its outcodes. Writes a group of triangles, the pieces, which
- * may be empty. New vertices are in the clipper's scratch until the next call. */
-static inline void clip_triangle(clipper *c, uint32_t planes, const uint32_t triangle[3],
-                                 triangle_group *out)
+/* Clips a triangle to the planes of its outcodes. Returns what is left of it, one of the two
+ * polygons, or null if nothing is. New vertices are in the clipper's scratch until the next
+ * call. */
+static inline const polygon *clip_triangle(clipper *c, uint32_t planes, const uint32_t triangle[3],
+                                           polygon polygons[2])
 {
-    polygon polygons[2];
     polygon *in = &polygons[0];
     polygon *result = &polygons[1];
 
     c->used = 0;
     c->room = clip_room(planes);
-    out->count = 0;
     in->count = 3;
     in->hidden = 0;
     for (int n = 0; n < 3; ++n)
@@ -193,7 +193,7 @@ static inline void clip_triangle(clipper *c, uint32_t planes, const uint32_t tri
     for (uint32_t plane = 0; plane < CLIP_PLANE_COUNT; ++plane) {
         if (planes >> plane & 1u) {
             if (!clip_to_plane(c, plane, in, result))
-                return;
+                return 0;
             polygon *const swap = in;
             in = result;
             result = swap;
@@ -201,19 +201,33 @@ static inline void clip_triangle(clipper *c, uint32_t planes, const uint32_t tri
     }
     c->hidden = in->hidden;
     place_new_vertices(c);
+    return in;
+}
 
-    /* The pieces are a fan whose first vertex takes the provoking vertex's place. */
+/* Returns how many triangles a clipped polygon is made of. */
+static inline uint32_t piece_count(const polygon *p)
+{
+    return p->count - 2;
+}
+
+/* Writes the pieces of a polygon from number `from` on, as many as there are lanes, as a group. The
+ * pieces are a fan whose first vertex takes the provoking vertex's place. */
+static inline void take_pieces(const clipper *c, const polygon *p, uint32_t from,
+                               triangle_group *out)
+{
     const bool first = c->pipeline->raster.provoking_vertex == GN_PROVOKING_FIRST;
-    out->count = in->count - 2;
+    const uint32_t left = piece_count(p) - from;
+
+    out->count = left < GN_LANES ? left : GN_LANES;
     out->step = 1;
     for (int n = 0; n < 3; ++n)
         out->corner[n] = out->made[n];
     for (uint32_t l = 0; l < GN_LANES; ++l) {
-        const uint32_t n = l < out->count ? l + 2 : 2;
+        const uint32_t n = l < out->count ? from + l + 2 : 2;
 
-        out->made[0][l] = in->vertex[first ? 0 : n - 1];
-        out->made[1][l] = in->vertex[first ? n - 1 : n];
-        out->made[2][l] = in->vertex[first ? n : 0];
+        out->made[0][l] = p->vertex[first ? 0 : n - 1];
+        out->made[1][l] = p->vertex[first ? n - 1 : n];
+        out->made[2][l] = p->vertex[first ? n : 0];
     }
 }
 

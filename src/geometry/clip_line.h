@@ -17,7 +17,7 @@ static inline bool clip_line(clipper *c, uint32_t ends[2])
     float t[2] = {0.0f, 0.0f};
 
     c->used = 0;
-    c->room = GN_LANES;
+    c->room = CLIP_ROOM;
     for (uint32_t plane = 0; plane < CLIP_PLANE_COUNT; ++plane) {
         if (!(planes >> plane & 1u))
             continue;

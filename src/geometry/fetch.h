@@ -85,6 +85,13 @@ GN_STEP void fetch_attributes(const mesh_slice *mesh, const uint32_t vertex[GN_L
 
         if (components == 0)
             continue;
+        if (GN_LANES == 1) { /* rows of four words gain nothing */
+            const float *const first = source->data + vertex[0] * stride;
+
+            for (uint32_t c = 0; c < components; ++c)
+                attribute[a][c][0] = first[c];
+            continue;
+        }
         if (has_whole_rows(source, stride, mesh->vertex_count, last)) {
             fetch_rows(source, stride, vertex, attribute[a]);
             continue;

@@ -62,17 +62,20 @@ typedef enum clip_plane {
     CLIP_PLANE_COUNT = CLIP_DISTANCE + (GN_HAVE_DISTANCES ? GN_MAX_CLIP_DISTANCES : 0)
 } clip_plane;
 
+/* The room for the new vertices of a triangle that is clipped to the planes of the view volume:
+ * usually two vertices a plane. Clip distances take twice the room. */
+#define CLIP_ROOM 16
+
 /* A plane adds at most one vertex to a convex polygon, so 3 + 14 are usual. Rounding can make a
  * polygon slightly concave. A polygon that exceeds this limit, or needs more new vertices than
  * there is room for, is not drawn. Three vertices of CLIP_SCRATCH stay free. */
-#define CLIP_MAX_POLYGON (GN_LANES + 2)
-#define CLIP_MAX_VERTICES (2 * GN_LANES - 3)
+#define CLIP_MAX_POLYGON (CLIP_ROOM + 2)
+#define CLIP_MAX_VERTICES (2 * CLIP_ROOM - 3)
 
-/* Returns the room for the new vertices of a triangle that is clipped to these planes: usually two
- * vertices a plane. They are made sixteen at a time. */
+/* Returns the room for the new vertices of a triangle that is clipped to these planes. */
 static inline uint32_t clip_room(uint32_t planes)
 {
-    return GN_HAVE_DISTANCES && planes >> CLIP_DISTANCE ? 2 * GN_LANES : GN_LANES;
+    return GN_HAVE_DISTANCES && planes >> CLIP_DISTANCE ? 2 * CLIP_ROOM : CLIP_ROOM;
 }
 
 #endif

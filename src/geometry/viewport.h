@@ -89,6 +89,7 @@ static inline lanes_i place_vertices(const viewport_transform *viewport, const l
     const lanes_f one_over_w = lanes_div(lanes_splat(1.0f), clip[3]);
     lanes_i window[4], snapped[4], position[4];
 
+    GN_UNROLLED
     for (int c = 0; c < 3; ++c) {
         const lanes_f ndc = lanes_mul(clip[c], one_over_w);
         const lanes_f coordinate = lanes_add(lanes_mul(ndc, lanes_splat(viewport->scale[c])),
@@ -108,6 +109,7 @@ static inline lanes_i place_vertices(const viewport_transform *viewport, const l
     if (GN_HAVE_DISTANCES)
         snapped[2] = lanes_i_or(snapped[2], outside);
     snapped[3] = point_size;
+    GN_UNROLLED
     for (int c = 0; c < 4; ++c)
         position[c] = lanes_as_int(clip[c]);
     lanes_i_scatter_rows(first + VERTEX_WINDOW, stride, window);

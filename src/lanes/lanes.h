@@ -10,7 +10,7 @@
  *   select
  *   from_bits m_as_int
  *   truncate round                to integers; to_float, as_int, as_float back and across
- *   floor                         stays a float
+ *   floor floor_to_int            to the integer below; floor stays a float
  *   quad_left quad_right          the value in one column or row of each 2x2 quad
  *   quad_lower quad_upper
  *   i_add i_sub i_mul             integers, which wrap around
@@ -74,15 +74,19 @@ static inline uint32_t count_lanes(uint32_t bits)
     return (bits & 0x1F) + (bits >> 8);
 }
 
+#if GN_LANES == 1 && !(defined(GN_SMALL) && defined(GN_BASIC))
+#error "One lane is for libraries with GN_SMALL and GN_BASIC: others need the lanes of a quad."
+#endif
+
 /* GN_INLINE is for functions whose callers pass constants: they are written once and compiled once
  * per state. GN_OUT_OF_LINE is for code in them that is rarely needed. If operations are loops
  * (portable lanes) or carry a sanitizer's checks in every lane, forced inlining would take
  * compilers minutes, so the compiler decides. With GN_SMALL there is only one version, out of line
- * like GN_STEP. */
+ * like GN_STEP, unless operations on one lane are an instruction or two. */
 #if defined(__GNUC__)
-#if GN_IS_SMALL
+#if GN_IS_SMALL && GN_LANES > 1
 #define GN_INLINE static __attribute__((noinline, unused))
-#elif defined(GN_LANES_PORTABLE) || defined(__SANITIZE_ADDRESS__)
+#elif (defined(GN_LANES_PORTABLE) && GN_LANES > 1) || defined(__SANITIZE_ADDRESS__)
 #define GN_INLINE static inline
 #else
 #define GN_INLINE static inline __attribute__((always_inline))
@@ -101,6 +105,15 @@ static inline uint32_t count_lanes(uint32_t bits)
 #define GN_WIDE_INLINE static inline
 #endif
 
+/* Stands before short loops over corners, components and attributes. With one lane their values are
+ * kept in registers, but gcc sees that only in loops that it has unrolled, and at -O2 it must be
+ * asked to unroll. */
+#if GN_LANES == 1 && defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
+#define GN_UNROLLED _Pragma("GCC unroll 16")
+#else
+#define GN_UNROLLED
+#endif
+
 /* For the steps of long functions: inline, except with GN_SMALL. Compilers give every value of
  * lanes in a function its own place in the frame, so one long function needs more stack than any of
  * its steps. */
@@ -111,7 +124,22 @@ static inline uint32_t count_lanes(uint32_t bits)
 #endif
 
 /* All lanes set, as lanes_bits returns it. */
-#define GN_ALL_LANES 0xFFFFu
+#define GN_ALL_LANES ((1u << GN_LANES) - 1)
+
+/* The initialiser of an array with a number for each lane: NUMBER(lane). */
+#if GN_LANES == 1
+#define GN_NUMBERS(NUMBER)                                                                         \
+    {                                                                                              \
+        NUMBER(0)                                                                                  \
+    }
+#else
+#define GN_NUMBERS(NUMBER)                                                                         \
+    {                                                                                              \
+        NUMBER(0), NUMBER(1), NUMBER(2), NUMBER(3), NUMBER(4), NUMBER(5), NUMBER(6), NUMBER(7),    \
+            NUMBER(8), NUMBER(9), NUMBER(10), NUMBER(11), NUMBER(12), NUMBER(13), NUMBER(14),      \
+            NUMBER(15)                                                                             \
+    }
+#endif
 
 /* Returns the lowest lane that is set. Precondition: one is set. The builtin is an instruction on
  * these targets; on others it may be a call. */
@@ -137,7 +165,7 @@ static inline uint32_t first_lane(uint32_t bits)
 #include "lanes_neon.h"
 #elif defined(GN_LANES_WASM_SIMD128)
 #include "lanes_wasm.h"
-#elif defined(__SSE2__) && !defined(GN_LANES_PORTABLE)
+#elif defined(__SSE2__) && !defined(GN_LANES_PORTABLE) && GN_LANES == 16
 #define GN_LANES_SSE2
 #include "lanes_sse2.h"
 #else
@@ -146,6 +174,22 @@ static inline uint32_t first_lane(uint32_t bits)
 #include "calls.h"
 #endif
 #endif
+
+/* Returns truncate(floor(a)). */
+static inline lanes_i lanes_floor_to_int(lanes_f a)
+{
+#if GN_LANES == 1
+    const float x = a.v[0];
+    const uint32_t bits = (uint32_t)lane_as_int(x);
+
+    if (bits < LANE_BITS_2_31) /* not negative, and an int32_t */
+        return lanes_i_splat((int32_t)x);
+    const int32_t whole = (bits & INT32_MAX) < LANE_BITS_2_31 ? (int32_t)x : INT32_MIN;
+    return lanes_i_splat(whole != INT32_MIN && (float)whole > x ? whole - 1 : whole);
+#else
+    return lanes_truncate(lanes_floor(a));
+#endif
+}
 
 /* Returns a clamped to low..high. */
 static inline lanes_i lanes_i_clamp(lanes_i a, lanes_i low, lanes_i high)

@@ -34,9 +34,8 @@ typedef struct lanes_m {
 } lanes_m;
 
 /* Lane l holds bit l. */
-static const uint32_t lanes_lane_bit[GN_LANES] = {
-    1u << 0, 1u << 1, 1u << 2,  1u << 3,  1u << 4,  1u << 5,  1u << 6,  1u << 7,
-    1u << 8, 1u << 9, 1u << 10, 1u << 11, 1u << 12, 1u << 13, 1u << 14, 1u << 15};
+#define LANE_BIT(l) 1u << (l)
+static const uint32_t lanes_lane_bit[GN_LANES] = GN_NUMBERS(LANE_BIT);
 
 static inline int32_t lane_as_int(float a)
 {
@@ -58,6 +57,15 @@ static inline float lane_as_float(int32_t a)
 
     bits.i = a;
     return bits.f;
+}
+
+/* Returns a where the mask is set, otherwise b. A single lane is chosen by a branch or a
+ * conditional instruction. */
+static inline int32_t lane_select(uint32_t mask, int32_t a, int32_t b)
+{
+    if (GN_LANES == 1)
+        return mask ? a : b;
+    return (a & (int32_t)mask) | (b & (int32_t)~mask);
 }
 
 /* Returns all ones if true, otherwise 0. */
@@ -187,8 +195,9 @@ static inline lanes_f lanes_select(lanes_m m, lanes_f a, lanes_f b)
 {
     lanes_f r;
     GN_EACH_LANE (l)
-        r.v[l] = lane_as_float((lane_as_int(a.v[l]) & (int32_t)m.v[l]) |
-                               (lane_as_int(b.v[l]) & (int32_t)~m.v[l]));
+        r.v[l] = GN_LANES == 1
+                     ? (m.v[l] ? a.v[l] : b.v[l])
+                     : lane_as_float(lane_select(m.v[l], lane_as_int(a.v[l]), lane_as_int(b.v[l])));
     return r;
 }
 
@@ -222,7 +231,7 @@ static inline lanes_f lanes_quad_right(lanes_f a)
 {
     lanes_f r;
     GN_EACH_LANE (l)
-        r.v[l] = a.v[l | 1];
+        r.v[l] = a.v[(l | 1) % GN_LANES];
     return r;
 }
 
@@ -238,7 +247,7 @@ static inline lanes_f lanes_quad_upper(lanes_f a)
 {
     lanes_f r;
     GN_EACH_LANE (l)
-        r.v[l] = a.v[l | 4];
+        r.v[l] = a.v[(l | 4) % GN_LANES];
     return r;
 }
 
@@ -388,7 +397,7 @@ static inline lanes_i lanes_i_select(lanes_m m, lanes_i a, lanes_i b)
 {
     lanes_i r;
     GN_EACH_LANE (l)
-        r.v[l] = (a.v[l] & (int32_t)m.v[l]) | (b.v[l] & (int32_t)~m.v[l]);
+        r.v[l] = lane_select(m.v[l], a.v[l], b.v[l]);
     return r;
 }
 
@@ -503,11 +512,28 @@ static inline uint32_t lane_unorm8(float channel)
     return (uint32_t)((lane_as_int(scaled + 8388608.0f) | full) & ~none) & 0xFFu;
 }
 
+/* Returns what is above 255 if a channel is outside 0..1, otherwise its integer: the bits of 2^23
+ * plus an integer from 0 to 255 are those of 2^23 with the integer in the low byte. */
+static inline uint32_t lane_near_unorm8(float channel)
+{
+    return (uint32_t)lane_as_int(channel * 255.0f + 8388608.0f) ^ LANE_BITS_2_23;
+}
+
 /* Packs channels as round-half-even(c * 255) saturated to 0..255, the first in the low byte. NaN
- * and products beyond the 32-bit integers become 0. */
+ * and products beyond the 32-bit integers become 0. A single lane has a shorter way where all
+ * channels are within 0..1. */
 static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
 {
     lanes_i r;
+    if (GN_LANES == 1) {
+        const uint32_t channel[4] = {lane_near_unorm8(red.v[0]), lane_near_unorm8(green.v[0]),
+                                     lane_near_unorm8(blue.v[0]), lane_near_unorm8(alpha.v[0])};
+
+        if ((channel[0] | channel[1] | channel[2] | channel[3]) <= 255) {
+            r.v[0] = (int32_t)(channel[0] | channel[1] << 8 | channel[2] << 16 | channel[3] << 24);
+            return r;
+        }
+    }
     GN_EACH_LANE (l)
         r.v[l] = (int32_t)(lane_unorm8(red.v[l]) | lane_unorm8(green.v[l]) << 8 |
                            lane_unorm8(blue.v[l]) << 16 | lane_unorm8(alpha.v[l]) << 24);
@@ -543,6 +569,7 @@ static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32
     GN_EACH_LANE (l) {
         const stored_word *const row =
             (const stored_word *)(const void *)(memory + offset[(uint32_t)l * step]);
+        GN_UNROLLED
         for (int c = 0; c < 4; ++c)
             out[c].v[l] = row[c];
     }
@@ -553,6 +580,7 @@ static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, co
 {
     GN_EACH_LANE (l) {
         stored_word *const row = (stored_word *)(void *)(memory + (size_t)l * stride);
+        GN_UNROLLED
         for (int c = 0; c < 4; ++c)
             row[c] = in[c].v[l];
     }

@@ -73,7 +73,7 @@ static inline void add_square(fragment_batch *batch, raster_triangle triangle, i
 static inline void add_run(fragment_batch *batch, raster_triangle triangle, int32_t x, int32_t y,
                            uint32_t count, uint32_t *others)
 {
-    if (batch->shade->runs && count > 1) {
+    if (batch->shade->runs && (count > 1 || GN_LANES == 1)) {
         if (*others)
             shade_batch(batch);
         *others = 0;

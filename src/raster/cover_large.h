@@ -119,8 +119,8 @@ static inline uint32_t edge_mask(const large_edge edge[3], corner_values c)
 /* Covers one row of squares, from the square at (left, y) to the pixel max_x. Only a box needs its
  * left and lower side checked. `others` is as in add_run. */
 GN_INLINE void cover_row(const pixel_rectangle *target, const large_edge edge[3], int32_t left,
-                         int32_t max_x, int32_t y, raster_triangle triangle,
-                         fragment_batch *batch, uint32_t *others)
+                         int32_t max_x, int32_t y, raster_triangle triangle, fragment_batch *batch,
+                         uint32_t *others)
 {
     corner_values c = values_at(edge, left, y);
     int32_t squares = (max_x - left) / SQUARE_SIZE + 1;
@@ -136,7 +136,7 @@ GN_INLINE void cover_row(const pixel_rectangle *target, const large_edge edge[3]
 
         const uint32_t overhang = square_mask(target, x, y);
         skip = 1;
-        if (!is_inside(edge, c)) {
+        if (SQUARE_SIZE > 1 && !is_inside(edge, c)) {
             const uint32_t coverage = overhang & edge_mask(edge, c);
             if (coverage)
                 add_partial_square(batch, triangle, x, y, coverage);

@@ -23,9 +23,10 @@ static inline uint32_t count_covered(uint64_t halves)
 }
 
 /* Adds the covered halves among those of `size` squares from (x, y) on to a batch that holds
- * `count` halves; returns how many it holds then. They are stored without a branch on their coverage, which processors cannot predict. If the outer quads on both sides are
- * empty, the halves may be laid from two columns further on: they stay on these squares, and none
- * overlaps another row's. This is done if it leaves fewer halves. */
+ * `count` halves; returns how many it holds then. They are stored without a branch on their
+ * coverage, which processors cannot predict. If the outer quads on both sides are empty, the halves
+ * may be laid from two columns further on: they stay on these squares, and none overlaps another
+ * row's. This is done if it leaves fewer halves. */
 static inline uint32_t add_halves(fragment_batch *batch, raster_triangle triangle, uint32_t count,
                                   uint64_t halves, uint32_t size, int32_t x, int32_t y)
 {
@@ -77,7 +78,8 @@ typedef struct small_edges {
 static inline void set_small_edge(small_edges *e, const triangle_setup *setup, int edge,
                                   uint32_t lane)
 {
-    static const int32_t number[GN_LANES] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+#define SQUARE_NUMBER(l) l
+    static const int32_t number[GN_LANES] = GN_NUMBERS(SQUARE_NUMBER);
     const int32_t per_x = setup->edge[edge].per_x[lane];
     const int32_t per_y = setup->edge[edge].per_y[lane];
     const int32_t rise = (per_x < 0 ? -per_x : 0) + (per_y > 0 ? per_y : 0);
@@ -143,7 +145,7 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_s
                     lower |= (uint64_t)(coverage & HALF_COVERED) << 8 * i;
                     upper |= (uint64_t)(coverage >> HALF_LANES) << 8 * i;
                 }
-                if (count > 2 * BATCH_BLOCKS - 1 - 2 * HALVES_TOGETHER) {
+                if (count > 2u * BATCH_BLOCKS - 1 - 2 * HALVES_TOGETHER) {
                     finish_halves(batch, count);
                     shade_batch(batch);
                     count = 0;

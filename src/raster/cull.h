@@ -150,6 +150,7 @@ GN_STEP void cull_triangles(const cull_state *state, bool asks_unsnapped,
     const uint32_t lanes = GN_ALL_LANES >> (GN_LANES - group->count);
     lanes_i row[3][4], x[3], y[3];
 
+    GN_UNROLLED
     for (int i = 0; i < 3; ++i) {
         gather_corner(memory, group, i, VERTEX_SNAPPED, row[i]);
         x[i] = row[i][0];
@@ -172,13 +173,9 @@ GN_STEP void cull_triangles(const cull_state *state, bool asks_unsnapped,
     const lanes_i greatest = lanes_i_max(max_x, max_y);
     const uint32_t beyond = lanes_bits(lanes_i_greater(greatest, limit)) |
                             lanes_bits(lanes_i_greater(lanes_i_splat(-SNAPPED_LIMIT), least));
-    uint32_t drawn = visible & inside & ~beyond;
-
-    drawn &= find_bounds(&state->target, GN_HAVE_SAMPLES ? state->reach : 0, min_x, min_y, max_x,
-                         max_y, result->bounds);
-
     const lanes_i extent = lanes_i_max(lanes_i_sub(max_x, min_x), lanes_i_sub(max_y, min_y));
     const uint32_t large = lanes_bits(lanes_i_greater(extent, lanes_i_splat(SMALL_EXTENT - 1)));
+    uint32_t drawn = visible & inside & ~beyond;
     const lanes_i area = area_signs(x, y, large & drawn);
 
     result->clockwise = lanes_bits(lanes_i_greater(area, zero));
@@ -187,6 +184,9 @@ GN_STEP void cull_triangles(const cull_state *state, bool asks_unsnapped,
         drawn &= ~result->clockwise;
     if (state->drop_counter_clockwise)
         drawn &= result->clockwise;
+    if (drawn)
+        drawn &= find_bounds(&state->target, GN_HAVE_SAMPLES ? state->reach : 0, min_x, min_y,
+                             max_x, max_y, result->bounds);
     if (asks_unsnapped && drawn)
         drawn &= cull_unsnapped(state, memory, group);
     result->drawn = drawn;

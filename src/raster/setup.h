@@ -8,7 +8,8 @@
 #include "cull.h"
 #include "offset.h"
 
-/* Finds the pixel at which a triangle's squares begin: the first even one, so that squares consist
+/* Finds the pixel at which a triangle's squares begin. Squares of one pixel begin at the bounds.
+ * Others begin at the first even one, so that squares consist
  * of whole quads. If the highest square would then leave the strip, rows begin at a multiple of
  * four instead: the rows above may be another thread's, and a strip ends at a multiple of four or
  * with the target. */
@@ -24,8 +25,12 @@ GN_STEP void place_squares(const pixel_rectangle *target, const triangle_list *l
     const lanes_m leaves =
         lanes_i_greater(highest, lanes_i_splat(target->max_y - (SQUARE_SIZE - 1)));
 
-    origin[0] = lanes_i_and(lanes_i_load(list->bounds[BOUNDS_MIN_X]), to_quad);
-    origin[1] = lanes_i_select(leaves, lanes_i_and(min_y, to_block), even);
+    origin[0] = lanes_i_load(list->bounds[BOUNDS_MIN_X]);
+    origin[1] = min_y;
+    if (SQUARE_SIZE > 1) {
+        origin[0] = lanes_i_and(origin[0], to_quad);
+        origin[1] = lanes_i_select(leaves, lanes_i_and(min_y, to_block), even);
+    }
 }
 
 /* Sets up the edge functions. A pixel is inside where C - 256*dx*px + 256*dy*py > 0; edges that own
@@ -36,6 +41,7 @@ static inline void setup_edges(const pixel_rectangle *target, const unsigned cha
     const lanes_i zero = lanes_i_splat(0);
     lanes_i x[3], y[3], origin[2];
 
+    GN_UNROLLED
     for (int i = 0; i < 3; ++i) {
         lanes_i row[4];
         lanes_i_gather_rows(memory + VERTEX_SNAPPED, list->vertex[i], 1, row);
@@ -54,6 +60,7 @@ static inline void setup_edges(const pixel_rectangle *target, const unsigned cha
 
     const lanes_i left = lanes_i_shift_left(origin[0], 8);
     const lanes_i bottom = lanes_i_shift_left(origin[1], 8);
+    GN_UNROLLED
     for (int i = 0; i < 3; ++i) {
         const int j = i == 2 ? 0 : i + 1;
         const lanes_i dx = lanes_i_sub(y[i], y[j]);
@@ -137,6 +144,7 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
     lanes_f x[3], y[3], z[3], w[3];
     plane_basis basis;
 
+    GN_UNROLLED
     for (int i = 0; i < 3; ++i) {
         lanes_i_gather_rows(memory + VERTEX_WINDOW, list->vertex[i], 1, row[i]);
         x[i] = lanes_as_float(row[i][0]);
@@ -156,13 +164,16 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
         float(*const plane)[GN_LANES] = setup->plane[VARYING_PLANES + n];
         lanes_f a[3];
 
-        if (n % 4 == 0)
+        if (n % 4 == 0) {
+            GN_UNROLLED
             for (int i = 0; i < 3; ++i)
                 lanes_i_gather_rows(varyings + n / 4 * VERTEX_ROW, list->vertex[i], 1, row[i]);
+        }
         if (pipeline->program.interpolation[n] == GN_FLAT) {
             make_flat_plane(memory, list, n, plane);
             continue;
         }
+        GN_UNROLLED
         for (int i = 0; i < 3; ++i) {
             a[i] = lanes_as_float(row[i][n % 4]);
             if (pipeline->program.interpolation[n] == GN_SMOOTH)
@@ -191,39 +202,59 @@ static inline lanes_f plane_at_pixels(float plane[PLANE_TERMS][GN_LANES], lanes_
         lanes_add(lanes_mul(lanes_load(plane[PLANE_PER_X]), x), lanes_load(plane[PLANE_ORIGIN])));
 }
 
-static inline lanes_m lies_between(lanes_f a, float low, float high)
+/* Returns the pixels of the bounds, along an axis, at which a plane's values are least (or with
+ * `greatest`, greatest): the first ones where the plane rises. */
+static inline lanes_f extreme_pixels(lanes_f per_pixel, const int32_t first[GN_LANES],
+                                     const int32_t last[GN_LANES], bool greatest)
 {
-    return lanes_and(lanes_greater(a, lanes_splat(low)), lanes_less_equal(a, lanes_splat(high)));
+    const lanes_m rises = lanes_greater(per_pixel, lanes_splat(0.0f));
+    const int32_t *const if_rises = greatest ? last : first;
+    const int32_t *const otherwise = greatest ? first : last;
+
+    return lanes_to_float(lanes_i_select(rises, lanes_i_load(if_rises), lanes_i_load(otherwise)));
+}
+
+/* Returns the lanes in which a plane's values at all pixels of the bounds are above low and at most
+ * high. Every rounded operation is monotonic, so the extremes lie at two corners of the bounds. If
+ * a slope is infinite or NaN, so is the value at a corner. */
+static inline lanes_m plane_lies_between(const triangle_list *list,
+                                         float plane[PLANE_TERMS][GN_LANES], float low, float high)
+{
+    lanes_f value[2];
+
+    GN_UNROLLED
+    for (int greatest = 0; greatest < 2; ++greatest) {
+        const lanes_f x = extreme_pixels(lanes_load(plane[PLANE_PER_X]), list->bounds[BOUNDS_MIN_X],
+                                         list->bounds[BOUNDS_MAX_X], greatest);
+        const lanes_f y = extreme_pixels(lanes_load(plane[PLANE_PER_Y]), list->bounds[BOUNDS_MIN_Y],
+                                         list->bounds[BOUNDS_MAX_Y], greatest);
+
+        value[greatest] = plane_at_pixels(plane, x, y);
+    }
+    return lanes_and(lanes_greater(value[0], lanes_splat(low)),
+                     lanes_less_equal(value[1], lanes_splat(high)));
 }
 
 /* Finds the solid triangles. Their depths are above 0 and at most 1, so they need no clamping.
  * Their fourth varying is within 2^-22 of 1, like the alpha of opaque colours: its plane equals the
  * plane of 1/w, and it is multiplied by the reciprocal of 1/w, if both are in the range of normal
- * floats. Both planes are evaluated at the corners of the triangle's bounds. Every rounded
- * operation is monotonic, so the extremes over all pixels lie there. */
+ * floats. */
 GN_STEP void setup_solid(const gn_pipeline *pipeline, const triangle_list *list,
                          triangle_setup *setup)
 {
     const float tiny = 1.0f / ((float)(1 << 30) * (float)(1 << 30));
-    float(*const depth)[GN_LANES] = setup->plane[DEPTH_PLANE];
     float(*const w)[GN_LANES] = setup->plane[ONE_OVER_W_PLANE];
     float(*const alpha)[GN_LANES] = setup->plane[VARYING_PLANES + 3];
     lanes_m solid = lanes_from_bits(0);
 
     if (pipeline->program.varying_count > 3 && pipeline->program.interpolation[3] == GN_SMOOTH) {
         solid = lanes_from_bits(GN_ALL_LANES);
+        GN_UNROLLED
         for (int term = 0; term < PLANE_TERMS; ++term)
             solid = lanes_and(solid, lanes_i_equal(lanes_as_int(lanes_load(w[term])),
                                                    lanes_as_int(lanes_load(alpha[term]))));
-        for (int corner = 0; corner < 4; ++corner) {
-            const int32_t *const columns = list->bounds[corner & 1 ? BOUNDS_MAX_X : BOUNDS_MIN_X];
-            const int32_t *const rows = list->bounds[corner & 2 ? BOUNDS_MAX_Y : BOUNDS_MIN_Y];
-            const lanes_f x = lanes_to_float(lanes_i_load(columns));
-            const lanes_f y = lanes_to_float(lanes_i_load(rows));
-
-            solid = lanes_and(solid, lies_between(plane_at_pixels(depth, x, y), 0.0f, 1.0f));
-            solid = lanes_and(solid, lies_between(plane_at_pixels(w, x, y), tiny, 1.0f / tiny));
-        }
+        solid = lanes_and(solid, plane_lies_between(list, setup->plane[DEPTH_PLANE], 0.0f, 1.0f));
+        solid = lanes_and(solid, plane_lies_between(list, w, tiny, 1.0f / tiny));
     }
     lanes_i_store(setup->solid, lanes_m_as_int(solid));
 }
@@ -249,7 +280,7 @@ static inline void setup_triangles(const gn_pipeline *pipeline, const offset_sta
     setup_edges(target, memory, list, setup);
     setup_planes(pipeline, offset, center, memory, list, setup);
     setup_identities(KIND_TRIANGLE, list, setup);
-    if (GN_SPECIALISED)
+    if (GN_HAVE_ROWS)
         setup_solid(pipeline, list, setup);
 }
 

@@ -10,7 +10,8 @@
 /* Returns the pixels of the square at (x, y) inside a rectangle that reaches into the square. */
 static uint32_t square_mask(const pixel_rectangle *r, int32_t x, int32_t y)
 {
-    uint32_t columns = 0xF;
+    const uint32_t all_columns = (1u << SQUARE_SIZE) - 1;
+    uint32_t columns = all_columns;
     uint32_t rows = GN_ALL_LANES;
 
     if (x < r->min_x)
@@ -18,10 +19,10 @@ static uint32_t square_mask(const pixel_rectangle *r, int32_t x, int32_t y)
     if (y < r->min_y)
         rows &= rows << SQUARE_SIZE * (r->min_y - y);
     if (x + (SQUARE_SIZE - 1) > r->max_x)
-        columns &= 0xFu >> (x + (SQUARE_SIZE - 1) - r->max_x);
+        columns &= all_columns >> (x + (SQUARE_SIZE - 1) - r->max_x);
     if (y + (SQUARE_SIZE - 1) > r->max_y)
         rows &= GN_ALL_LANES >> SQUARE_SIZE * (y + (SQUARE_SIZE - 1) - r->max_y);
-    return columns * 0x1111u & rows;
+    return columns * (GN_ALL_LANES / all_columns) & rows;
 }
 
 /* The places in a span of pixels at which a square may begin: `count` of them, from `first` on. */

@@ -173,6 +173,11 @@ static gn_status use_surface(gn_pipeline *pipeline, const gn_lit_uniforms *unifo
 
 gn_status gn_use_flat(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
 {
+    if (GN_LANES == 1) { /* no derivatives */
+        const gn_status status = pipeline ? gn_lit_uniforms_check(uniforms) : GN_NULL_POINTER;
+
+        return status ? status : GN_NOT_COMPILED;
+    }
     return use_surface(pipeline, uniforms, gn_shade_flat);
 }
 

@@ -97,6 +97,7 @@ static inline void turn_by_mat4(const gn_mat4 *m, const lanes_f v[3], lanes_f ou
 /* Writes the first `rows` rows of m * (x, y, z, w). */
 static inline void transform(const gn_mat4 *m, const lanes_f v[4], int rows, lanes_f out[4])
 {
+    GN_UNROLLED
     for (int row = 0; row < rows; ++row)
         out[row] =
             lanes_add(sum_of_products(m->m[0][row], v[0], m->m[1][row], v[1], m->m[2][row], v[2]),

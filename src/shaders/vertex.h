@@ -32,6 +32,7 @@ static inline bool has_tangents(const gn_material *material)
 
 static inline void load_position(const gn_vertex_input *input, lanes_f position[4])
 {
+    GN_UNROLLED
     for (int c = 0; c < 4; ++c)
         position[c] = lanes_load(input->attribute[GN_ATTRIBUTE_POSITION][c]);
 }
@@ -43,6 +44,7 @@ static inline void place_vertex(const gn_mat4 *clip_from_model, const gn_vertex_
 
     load_position(input, position);
     transform(clip_from_model, position, 4, clip);
+    GN_UNROLLED
     for (int c = 0; c < 4; ++c)
         lanes_store(output->position[c], clip[c]);
 }
@@ -50,6 +52,7 @@ static inline void place_vertex(const gn_mat4 *clip_from_model, const gn_vertex_
 /* Loads the vertex colours; white if the mesh has none. */
 static inline void load_color(const gn_vertex_input *input, lanes_f color[4])
 {
+    GN_UNROLLED
     for (int c = 0; c < 4; ++c)
         color[c] = input->present >> GN_ATTRIBUTE_COLOR & 1
                        ? lanes_load(input->attribute[GN_ATTRIBUTE_COLOR][c])
@@ -58,6 +61,7 @@ static inline void load_color(const gn_vertex_input *input, lanes_f color[4])
 
 static inline void store_color(const lanes_f color[4], gn_vertex_output *output)
 {
+    GN_UNROLLED
     for (int c = 0; c < 4; ++c)
         lanes_store(output->varying[VARYING_RED + c], color[c]);
 }

@@ -65,7 +65,7 @@ static inline void fill_pixels(unsigned char *memory, size_t size, const clear_p
         unsigned char byte[CLEAR_PATTERN];
         int32_t word[CLEAR_PATTERN / 4];
     } pattern;
-    int32_t words[GN_LANES];
+    int32_t words[PATTERN_WORDS];
     size_t head = (0 - (uintptr_t)memory) % 4;
     size_t i = 0;
 
@@ -83,8 +83,8 @@ static inline void fill_pixels(unsigned char *memory, size_t size, const clear_p
             n = n == 2 ? 0 : n + 1;
         }
     } else {
-        GN_EACH_LANE (l)
-            words[l] = pattern.word[l % 4];
+        for (int n = 0; n < PATTERN_WORDS; ++n)
+            words[n] = pattern.word[n % 4];
         fill_words(whole, count, words);
     }
     for (i = head + 4 * count; i < size; ++i)

@@ -8,10 +8,13 @@
  * reading them, at up to twice the speed of 16-byte stores, after a start of 30 ns. */
 #define STRING_WORDS 1024
 
+/* The words of a pattern that is filled in: whole lanes, and at least a pixel of four words. */
+#define PATTERN_WORDS (GN_LANES < 4 ? 4 : GN_LANES)
+
 /* Fills memory with `pattern`, which repeats every four words. */
-static inline void fill_words(stored_word *memory, size_t count, const int32_t pattern[GN_LANES])
+static inline void fill_words(stored_word *memory, size_t count,
+                              const int32_t pattern[PATTERN_WORDS])
 {
-    const lanes_i value = lanes_i_load(pattern);
     size_t i = 0;
 
 #if defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__))
@@ -21,10 +24,23 @@ static inline void fill_words(stored_word *memory, size_t count, const int32_t p
         return;
     }
 #endif
+#if GN_LANES == 1
+    const int32_t a = pattern[0], b = pattern[1], c = pattern[2], d = pattern[3];
+
+    for (; i + 4 <= count; i += 4) {
+        memory[i] = a;
+        memory[i + 1] = b;
+        memory[i + 2] = c;
+        memory[i + 3] = d;
+    }
+#else
+    const lanes_i value = lanes_i_load(pattern);
+
     for (; i + GN_LANES <= count; i += GN_LANES)
         lanes_i_store(memory + i, value);
+#endif
     for (; i < count; ++i)
-        memory[i] = pattern[i % GN_LANES];
+        memory[i] = pattern[i % PATTERN_WORDS];
 }
 
 #endif

@@ -124,7 +124,7 @@ static surface_spans spans_of(const gn_surface *surface)
 }
 
 /* Fills a surface with the first four words of the pattern, repeated. */
-static void fill_surface(const gn_surface *surface, const int32_t pattern[GN_LANES])
+static void fill_surface(const gn_surface *surface, const int32_t pattern[PATTERN_WORDS])
 {
     const surface_spans spans = spans_of(surface);
 
@@ -136,10 +136,10 @@ static void fill_surface(const gn_surface *surface, const int32_t pattern[GN_LAN
 static void fill_halves(const gn_surface *surface, uint16_t value)
 {
     const surface_spans spans = spans_of(surface);
-    int32_t pattern[GN_LANES];
+    int32_t pattern[PATTERN_WORDS];
 
-    GN_EACH_LANE (l)
-        pattern[l] = (int32_t)(value | (uint32_t)value << 16);
+    for (int i = 0; i < PATTERN_WORDS; ++i)
+        pattern[i] = (int32_t)(value | (uint32_t)value << 16);
     for (uint32_t i = 0; i < spans.count; ++i) {
         stored_half *half = (stored_half *)(void *)(spans.first + (ptrdiff_t)i * spans.stride);
         size_t count = spans.size / 2;
@@ -186,16 +186,18 @@ static void clear_pixels(const gn_surface *surface, const float channel[4])
 static void clear_color(const gn_surface *surface, const float channel[4])
 {
     if (surface->format == GN_FORMAT_RGBA8) {
-        int32_t packed[GN_LANES];
+        int32_t packed[GN_LANES], pattern[PATTERN_WORDS];
 
         lanes_i_store(packed, lanes_pack_unorm8(saturate(channel[0]), saturate(channel[1]),
                                                 saturate(channel[2]), saturate(channel[3])));
-        fill_surface(surface, packed);
+        for (int i = 0; i < PATTERN_WORDS; ++i)
+            pattern[i] = packed[0];
+        fill_surface(surface, pattern);
     } else if (surface->format == GN_FORMAT_RGBA32F) {
-        int32_t pattern[GN_LANES];
+        int32_t pattern[PATTERN_WORDS];
 
-        GN_EACH_LANE (l)
-            pattern[l] = color_bits(channel[l % 4]);
+        for (int i = 0; i < PATTERN_WORDS; ++i)
+            pattern[i] = color_bits(channel[i % 4]);
         fill_surface(surface, pattern);
     } else if (GN_HAVE_FORMATS) {
         clear_pixels(surface, channel);
@@ -250,9 +252,10 @@ static uint32_t scale_exactly(float depth, uint32_t scale)
 static void fill_bytes(const gn_surface *surface, uint8_t value)
 {
     const surface_spans spans = spans_of(surface);
-    int32_t pattern[GN_LANES];
+    int32_t pattern[PATTERN_WORDS];
 
-    lanes_i_store(pattern, lanes_i_splat((int32_t)(value * 0x01010101u)));
+    for (int i = 0; i < PATTERN_WORDS; ++i)
+        pattern[i] = (int32_t)(value * 0x01010101u);
     for (uint32_t i = 0; i < spans.count; ++i) {
         unsigned char *byte = spans.first + (ptrdiff_t)i * spans.stride;
         size_t count = spans.size;
@@ -266,7 +269,7 @@ static void fill_bytes(const gn_surface *surface, uint8_t value)
 }
 
 /* Fills a surface with the first two words of a pattern, repeated, in the bits of a mask. */
-static void fill_bits(const gn_surface *surface, const int32_t pattern[GN_LANES],
+static void fill_bits(const gn_surface *surface, const int32_t pattern[PATTERN_WORDS],
                       const int32_t mask[2])
 {
     const surface_spans spans = spans_of(surface);
@@ -288,7 +291,7 @@ static void clear_sample(const gn_surface *surface, bool clears_depth, float dep
     const gn_format format = surface->format;
     const float z = !(depth > 0.0f) ? 0.0f : depth > 1.0f ? 1.0f : depth;
     int32_t mask[2] = {-1, -1};
-    int32_t pattern[GN_LANES];
+    int32_t pattern[PATTERN_WORDS];
 
     if (format == GN_FORMAT_S8) {
         fill_bytes(surface, stencil);
@@ -302,8 +305,8 @@ static void clear_sample(const gn_surface *surface, bool clears_depth, float dep
     const bool is_float = format == GN_FORMAT_D32F || format == GN_FORMAT_D32FS8;
     const uint32_t high = format == GN_FORMAT_D24S8 ? (uint32_t)stencil << 24 : 0;
     const int32_t word = is_float ? bits_of(z) : (int32_t)(scale_exactly(z, 16777215) | high);
-    GN_EACH_LANE (l)
-        pattern[l] = format == GN_FORMAT_D32FS8 && l % 2 != 0 ? stencil : word;
+    for (int i = 0; i < PATTERN_WORDS; ++i)
+        pattern[i] = format == GN_FORMAT_D32FS8 && i % 2 != 0 ? stencil : word;
     if (format == GN_FORMAT_D24S8) {
         mask[0] = (clears_depth ? 0xFFFFFF : 0) | (clears_stencil ? ~0xFFFFFF : 0);
         mask[1] = mask[0];

@@ -6,6 +6,7 @@
 #define GN_TEXTURE_SAMPLE_H
 
 #include "../config/features.h"
+#include "sampler_faults.h"
 #include "wrap.h"
 
 /* Returns whether a level's texels are 32-bit words that a 32-bit index reaches: rows are at most
@@ -15,7 +16,7 @@ static inline bool has_word_texels(const gn_texture *texture, uint32_t level)
 {
     const ptrdiff_t stride = texture->level[level].row_stride;
 
-    return GN_SPECIALISED && texture->format == GN_FORMAT_RGBA8 && stride >= -(1 << 18) &&
+    return GN_HAVE_ROWS && texture->format == GN_FORMAT_RGBA8 && stride >= -(1 << 18) &&
            stride <= 1 << 18;
 }
 
@@ -68,6 +69,42 @@ GN_OUT_OF_LINE void sample_nearest(const gn_texture *texture, const gn_sampler *
     texel[1] = lanes_unpack_unorm8(packed, 1);
     texel[2] = lanes_unpack_unorm8(packed, 2);
     texel[3] = lanes_unpack_unorm8(packed, 3);
+}
+
+/* What the nearest filter needs of a texture of words that repeats by masks. It is found once per
+ * draw where a lane is one fragment. */
+typedef struct masked_words {
+    bool is_valid; /* the texture and its sampler are of this kind */
+    const stored_word *words;
+    int32_t words_per_row, last_column, last_row;
+    float width, height;
+} masked_words;
+
+static inline void set_masked_words(masked_words *m, const gn_texture *texture,
+                                    const gn_sampler *sampler)
+{
+    m->is_valid = has_word_texels(texture, 0) && sampler->magnify == GN_MAGNIFY_NEAREST &&
+                  !minifies_linearly(sampler->minify) &&
+                  is_masked(sampler->wrap_s, texture->width) &&
+                  is_masked(sampler->wrap_t, texture->height);
+    m->words = texture->level[0].texels;
+    m->words_per_row = (int32_t)(texture->level[0].row_stride / 4);
+    m->last_column = (int32_t)texture->width - 1;
+    m->last_row = (int32_t)texture->height - 1;
+    m->width = (float)texture->width;
+    m->height = (float)texture->height;
+}
+
+/* Returns the words of the nearest texels, as sample_nearest finds them. */
+GN_INLINE lanes_i nearest_words(const masked_words *m, lanes_f s, lanes_f t)
+{
+    const lanes_i column = lanes_i_and(lanes_floor_to_int(lanes_mul(s, lanes_splat(m->width))),
+                                       lanes_i_splat(m->last_column));
+    const lanes_i row = lanes_i_and(lanes_floor_to_int(lanes_mul(t, lanes_splat(m->height))),
+                                    lanes_i_splat(m->last_row));
+
+    return lanes_i_gather(m->words,
+                          lanes_i_add(lanes_i_mul(row, lanes_i_splat(m->words_per_row)), column));
 }
 
 static inline lanes_f mix(lanes_f weight, lanes_f a, lanes_f b)
@@ -200,12 +237,6 @@ static inline bool is_simple(const gn_texture *texture, const gn_sampler *sample
             sampler->max_anisotropy <= 1 && sampler->lod_bias == 0.0f && !sampler->lod_clamped);
 }
 
-static inline bool minifies_linearly(gn_minify minify)
-{
-    return minify == GN_MINIFY_LINEAR || minify == GN_MINIFY_LINEAR_MIPMAP_NEAREST ||
-           minify == GN_MINIFY_LINEAR_MIPMAP_LINEAR;
-}
-
 /* Returns whether both filters are the same, so that the result does not depend on neighbouring
  * fragments. */
 static inline bool has_one_filter(const gn_sampler *sampler)
@@ -219,7 +250,7 @@ static inline uint32_t linear_lanes(const gn_texture *texture, const gn_sampler 
 {
     float u[GN_LANES], v[GN_LANES];
 
-    if (has_one_filter(sampler))
+    if (has_one_filter(sampler) || GN_LANES == 1) /* one lane has no derivatives */
         return sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
     lanes_store(u, *s);
     lanes_store(v, *t);

@@ -8,6 +8,12 @@
 #include "../config/features.h"
 #include "../scalars/bits.h"
 
+static inline bool minifies_linearly(gn_minify minify)
+{
+    return minify == GN_MINIFY_LINEAR || minify == GN_MINIFY_LINEAR_MIPMAP_NEAREST ||
+           minify == GN_MINIFY_LINEAR_MIPMAP_LINEAR;
+}
+
 static inline fault fault_of_lod_range(const gn_sampler *s)
 {
     if (!s->lod_clamped)
@@ -29,6 +35,9 @@ static inline fault fault_of_sampler(const gn_sampler *s)
              "magnify is no gn_magnify");
     FAULT_IF((unsigned)s->minify > GN_MINIFY_LINEAR_MIPMAP_LINEAR, GN_INVALID_ENUM,
              "minify is no gn_minify");
+    /* A library of one lane has no derivatives to choose a filter by. */
+    FAULT_IF(GN_LANES == 1 && (s->magnify == GN_MAGNIFY_LINEAR) != minifies_linearly(s->minify),
+             GN_NOT_COMPILED, "minify differs from magnify, and this library has one lane");
     if (!GN_HAVE_TEXTURES) /* the other members have no effect */
         return NO_FAULT;
     FAULT_IF((unsigned)s->wrap_r > last, GN_INVALID_ENUM, "wrap_r is no gn_wrap");

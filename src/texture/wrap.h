@@ -59,7 +59,7 @@ static inline lanes_i wrap_nearest(gn_wrap wrap, bool masked, lanes_f coordinate
     const lanes_i last = lanes_i_splat((int32_t)size - 1);
 
     if (masked)
-        return lanes_i_and(lanes_truncate(lanes_floor(lanes_mul(coordinate, n))), last);
+        return lanes_i_and(lanes_floor_to_int(lanes_mul(coordinate, n)), last);
     if (GN_HAVE_TEXTURES && wrap == GN_WRAP_CLAMP_TO_BORDER)
         return lanes_truncate(lanes_floor(lanes_mul(coordinate, n)));
     if (GN_HAVE_TEXTURES && wrap == GN_WRAP_MIRROR_CLAMP_TO_EDGE) /* NaN reads the last texel */
