@@ -1,9 +1,10 @@
 #!/bin/sh
 # Shows that the pictures are equal on every machine. Builds the library for other processors,
 # draws the parity suite's scenes there (hashes.c), in an emulator or under Node, and compares the
-# hashes of every back end with those of plain C on this machine. Three targets are this machine
-# itself: `small` compiles with GN_SMALL, `whole-program` optimises across files, `memory` runs
-# under the memory sanitizer. If a target's tools are absent, the target is named and skipped
+# hashes of every back end with those of plain C on this machine. Four targets are this machine
+# itself: `small` compiles with GN_SMALL, `one-lane` with GN_SMALL, GN_BASIC and one lane,
+# `whole-program` optimises across files, `memory` runs under the memory sanitizer. One lane is
+# compared with sixteen lanes of a GN_BASIC library, on scenes without what such a library lacks. If a target's tools are absent, the target is named and skipped
 # (skip.sh). If a target has its own form of lanes, the operations of that form are tested too
 # (test_lanes.c). Also checks that no library uses a fused operation, and that the library as a
 # WebAssembly module imports nothing.
@@ -30,6 +31,7 @@ trap 'rm -rf "$work"' EXIT
 describe() {
     flags=-O2
     forms=""
+    sixteen=""
     setup=setup-cross
     case $1 in
     aarch64)
@@ -63,6 +65,15 @@ describe() {
         setup=setup
         compiler=${CC:-cc}
         flags="-Os -DGN_SMALL -DGN_ONLY_PORTABLE"
+        runner="env"
+        disassembler=objdump
+        fused='[[:space:]]vfn?m(add|sub)'
+        ;;
+    one-lane) # this machine, as a library for processors without vector registers
+        setup=setup
+        compiler=${CC:-cc}
+        sixteen="-O1 -DGN_SMALL -DGN_BASIC -DGN_ONLY_PORTABLE -DGN_LANES=16"
+        flags="-O2 -DGN_SMALL -DGN_BASIC -DGN_LANES=1"
         runner="env"
         disassembler=objdump
         fused='[[:space:]]vfn?m(add|sub)'
@@ -113,8 +124,16 @@ fail() {
     failed=$((failed + 1))
 }
 
-# hashes_differ FILE: prints which hashes differ, and of which classes, from those of the scenes made
-# here and of their frames in plain C. Status 1 if none differs.
+# drawn_share FILE: prints how many hundredths of its scenes a GN_BASIC library drew, and leaves only
+# hashes in the file.
+drawn_share() {
+    awk '$2 == "drawn" { drawn += $3; all += $5 } END { print int(100 * drawn / all) }' "$1"
+    grep -v ' drawn ' "$1" >"$work/hashes"
+    cp "$work/hashes" "$1"
+}
+
+# hashes_differ FILE [EXPECTED]: prints which hashes differ, and of which classes, from those of the
+# scenes made here and of their frames in plain C. Status 1 if none differs.
 hashes_differ() {
     awk '
         NR == FNR {
@@ -140,7 +159,7 @@ hashes_differ() {
                 text = text "; " order[i] " drew other pixels of" drawn[order[i]]
             print substr(text, 3)
             exit text == ""
-        }' "$work/here" "$1"
+        }' "${2:-$work/here}" "$1"
 }
 
 backends() { awk '$2 != "scenes" && !($2 in seen) { seen[$2]; printf "%s%s", sep, $2; sep = " and " }' "$1"; }
@@ -154,7 +173,7 @@ else
     pass "here: $(backends "$work/here"): $(wc -l <"$work/here") hashes of $scenes scenes"
 fi
 
-for target in ${*:-small whole-program memory aarch64 armhf s390x wasm wasm-simd128}; do
+for target in ${*:-small one-lane whole-program memory aarch64 armhf s390x wasm wasm-simd128}; do
     describe "$target"
     directory=$build/$target
     if ! have "$compiler" "$runner" ${disassembler:+"$disassembler"}; then
@@ -177,7 +196,17 @@ for target in ${*:-small whole-program memory aarch64 armhf s390x wasm wasm-simd
         fail "$target: the program fails"
         continue
     fi
-    if differences=$(hashes_differ "$directory/printed"); then
+    expected=$work/here
+    if [ -n "$sixteen" ]; then
+        expected=$work/sixteen
+        ${MAKE:-make} -s -j2 BUILD="$build/sixteen" CC="$compiler" CFLAGS="$sixteen" \
+            "$build/sixteen/hashes" >"$work/log" 2>&1 || { cat "$work/log"; fail "$target: sixteen lanes do not build"; continue; }
+        "$build/sixteen/hashes" --scenes "$scenes" >"$expected"
+        drawn_share "$expected" >/dev/null
+        share=$(drawn_share "$directory/printed")
+        [ "$share" -ge 75 ] || fail "$target: only $share % of the scenes are drawn"
+    fi
+    if differences=$(hashes_differ "$directory/printed" "$expected"); then
         fail "$target: $differences"
     else
         pass "$target (${runner%% *}): $(backends "$directory/printed"): hashes equal"
