@@ -235,7 +235,7 @@ bench-threads: $(BUILD)/bench ## the speed-up on 1 to 64 threads, calculated fro
 
 .PHONY: bench-embedded
 bench-embedded: library ## instructions of a frame on microcontrollers, in an emulator
-	@tools/bench/embedded/embedded.sh $(BUILD)
+	@tests/embedded/embedded.sh $(BUILD)
 
 .PHONY: bench-plot
 bench-plot: $(BUILD)/bench ## pictures of bench's and bench-scale's last results, as SVG

@@ -14,7 +14,7 @@
 set -eu
 archive=$1/libgnomon.a
 build=$1/embedded
-here=tools/bench/embedded
+here=tests/embedded
 shift
 failed=0
 mkdir -p "$build"
