@@ -31,7 +31,7 @@ static inline lanes_i from_rgba8(gn_format format, lanes_i p)
 {
 #define FROM_RGBA8(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)           \
     case GN_FORMAT_##name:                                                                         \
-        return FORMAT_##kind == FORMAT_COLOR &&                                                    \
+        return FORMAT_##kind == FORMAT_COLOR && format_is_compiled(GN_FORMAT_##name) &&            \
                        GN_ARITHMETIC(ENCODING_##encoding, w0, w1, w2, w3) == ARITHMETIC_BYTES      \
                    ? fields_of_bytes(GN_FIELDS(o0, w0, o1, w1, o2, w2, o3, w3), p)                 \
                    : p;
@@ -106,7 +106,8 @@ static inline void encode_floats(gn_format format, const lanes_f color[4], lanes
 {
 #define ENCODE(name, bytes, element, kind, encoding, ...)                                          \
     case GN_FORMAT_##name:                                                                         \
-        if (FORMAT_##kind == FORMAT_COLOR && ENCODING_##encoding != ENCODING_UNORM)                \
+        if (FORMAT_##kind == FORMAT_COLOR && ENCODING_##encoding != ENCODING_UNORM &&              \
+            format_is_compiled(GN_FORMAT_##name))                                                  \
             encode_fields(ENCODING_##encoding, GN_FIELDS(__VA_ARGS__), color, word);               \
         break;
     switch (format) {

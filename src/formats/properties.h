@@ -114,6 +114,13 @@ static inline bool format_is_encoded(gn_format format)
     return format_is_color(format) && format != GN_FORMAT_RGBA8 && format != GN_FORMAT_RGBA32F;
 }
 
+/* Whether fragments of the format can be drawn: a GN_BASIC library has few formats. */
+static inline bool format_is_compiled(gn_format format)
+{
+    return format_is_color(format) ? GN_HAVE_FORMATS || !format_is_encoded(format)
+                                   : GN_HAVE_STENCIL || !format_has_stencil(format);
+}
+
 static inline format_encoding format_encoding_of(gn_format format)
 {
 #define ENCODING(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)             \

@@ -55,13 +55,6 @@ static inline bool is_of_rows(const block_batch *b)
     return GN_SPECIALISED && b->shape == SHAPE_ROW;
 }
 
-/* Whether the library is compiled with the steps of a format. */
-static inline bool is_compiled(gn_format format)
-{
-    return format_is_color(format) ? GN_HAVE_FORMATS || !format_is_encoded(format)
-                                   : GN_HAVE_STENCIL || !format_has_stencil(format);
-}
-
 /* Returns the triangle of block n. */
 GN_INLINE raster_triangle batch_triangle(const block_batch *b, fragment_shape shape, uint32_t n)
 {

@@ -159,7 +159,7 @@ GN_OUT_OF_LINE void load_batch(const fragment_state *state, const gn_surface *su
 {
 #define LOAD(name, bytes, element, kind, encoding, ...)                                            \
     case GN_FORMAT_##name:                                                                         \
-        if (FORMAT_##kind != FORMAT_COLOR || !is_compiled(GN_FORMAT_##name))                       \
+        if (FORMAT_##kind != FORMAT_COLOR || !format_is_compiled(GN_FORMAT_##name))                \
             break;                                                                                 \
         if (is_of_rows(b))                                                                         \
             load_blocks(state, surface, GN_FORMAT_##name, SHAPE_ROW, b);                           \
@@ -180,7 +180,7 @@ GN_OUT_OF_LINE void store_batch(const fragment_state *state, const color_state *
 {
 #define STORE(name, bytes, element, kind, encoding, ...)                                           \
     case GN_FORMAT_##name:                                                                         \
-        if (FORMAT_##kind != FORMAT_COLOR || !is_compiled(GN_FORMAT_##name))                       \
+        if (FORMAT_##kind != FORMAT_COLOR || !format_is_compiled(GN_FORMAT_##name))                \
             break;                                                                                 \
         if (is_of_rows(b))                                                                         \
             store_blocks(state, combine, surface, GN_FORMAT_##name, SHAPE_ROW, b, numbers);        \

@@ -90,7 +90,7 @@ GN_OUT_OF_LINE void test_batch(const fragment_state *state, block_batch *b)
 {
 #define TEST(name, bytes, element, kind, encoding, ...)                                            \
     case GN_FORMAT_##name:                                                                         \
-        if (FORMAT_##kind == FORMAT_DEPTH && is_compiled(GN_FORMAT_##name))                        \
+        if (FORMAT_##kind == FORMAT_DEPTH && format_is_compiled(GN_FORMAT_##name))                 \
             test_format(state, GN_FORMAT_##name, b);                                               \
         break;
     switch (state->depth.format) {
