@@ -100,13 +100,19 @@ typedef struct gn_workspace {
  * coordinates, outcode, and the varyings in rows of four. */
 #define GN_WORKSPACE_VERTEX_SIZE(varying_count) (48 + 16 * (((size_t)(varying_count) + 3) / 4))
 
-/* Bytes of one task's scratch: sixteen triangles and the vertices that clipping makes. */
+/* Bytes of one task's scratch: a triangle for each lane and the vertices that clipping makes. */
+#if GN_LANES == 1
+#define GN_WORKSPACE_TASK_SIZE(varying_count)                                                      \
+    (64 + ((179 + 12 * (size_t)(varying_count)) & ~(size_t)63) +                                   \
+     32 * GN_WORKSPACE_VERTEX_SIZE(varying_count))
+#else
 #define GN_WORKSPACE_TASK_SIZE(varying_count)                                                      \
     (2432 + 192 * (size_t)(varying_count) + 32 * GN_WORKSPACE_VERTEX_SIZE(varying_count))
+#endif
 
 /* gn_workspace_size as a constant expression, for static arrays. Precondition: the size fits a
- * size_t, and varying_count is within its limit. Vertices are stored sixteen at a time; 64 bytes
- * are for alignment. */
+ * size_t, and varying_count is within its limit. Vertices are stored GN_LANES at a time; 64
+ * bytes are for alignment. */
 #define GN_WORKSPACE_SIZE(vertex_count, varying_count)                                             \
     (64 + GN_WORKSPACE_TASK_SIZE(varying_count) +                                                  \
      ((vertex_count) == 0 ? 1 : ((size_t)(vertex_count) + GN_LANES - 1) / GN_LANES) * GN_LANES *   \

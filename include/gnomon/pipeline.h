@@ -289,7 +289,8 @@ typedef struct gn_vertex_output {
 } gn_vertex_output;
 
 /* Input of a fragment shader: two halves of 4x2 fragments each, which may lie apart in their
- * primitive. Lane l is at pixel (x[l / 8] + l % 4, y[l / 8] + l / 4 % 2).
+ * primitive. Lane l is at pixel (x[l / 8] + l % 4, y[l / 8] + l / 4 % 2). In a library of one lane
+ * (gnomon/lanes.h) there is one fragment, at (x[0], y[0]), and it is covered.
  *
  * Varyings have values in every lane, covered or not, so that derivatives can be taken in 2x2
  * quads. The values are those at the pixel's centre; for lines with several samples per pixel,

@@ -15,8 +15,10 @@ static inline void load_colors(gn_format format, const unsigned char *const row[
     lanes_i word[4];
 
     GN_EACH_LANE (l) {
-        int32_t pixel[4] = {0, 0, 0, 0};
+        int32_t pixel[4];
 
+        for (int i = 0; i < 4; ++i) /* compilers make no call of memset of this */
+            pixel[i] = 0;
         load_pixel(row[l], column[l], format_layout(format), pixel);
         for (int i = 0; i < 4; ++i)
             loaded[i][l] = pixel[i];

@@ -171,8 +171,10 @@ GN_OUT_OF_LINE void load_covered(pixel_layout layout, const block_pixels *m, uin
     int32_t loaded[4][GN_LANES];
 
     GN_EACH_LANE (l) {
-        int32_t pixel[4] = {0, 0, 0, 0};
+        int32_t pixel[4];
 
+        for (int i = 0; i < 4; ++i) /* compilers make no call of memset of this */
+            pixel[i] = 0;
         if (coverage >> l & 1u)
             load_pixel(lane_memory(m, l), l % SQUARE_SIZE, layout, pixel);
         for (int i = 0; i < 4; ++i)

@@ -98,8 +98,10 @@ static inline void load_small_texels(const texel_layout *layout, const lanes_i *
     lanes_i_store(x, *column);
     find_rows(layout, row, layer, line);
     GN_EACH_LANE (l) {
-        int32_t loaded[4] = {0, 0, 0, 0};
+        int32_t loaded[4];
 
+        for (int i = 0; i < 4; ++i) /* compilers make no call of memset of this */
+            loaded[i] = 0;
         load_pixel(line[l], x[l], pixels, loaded);
         texel[0][l] = loaded[0];
         texel[1][l] = loaded[1];

@@ -131,6 +131,8 @@ static gn_pipeline pipeline;
 /* Returns the status of what makes the pipeline. */
 static gn_status make_scene(void)
 {
+    if (gn_workspace_size(VERTICES, VARYINGS) != sizeof workspace_memory.memory)
+        return GN_WORKSPACE_TOO_SMALL; /* the constant differs from the function */
     make_sphere();
     mesh.attribute[GN_ATTRIBUTE_POSITION].data = position[0];
     mesh.attribute[GN_ATTRIBUTE_POSITION].components = 3;

@@ -119,6 +119,7 @@ names=
 if has arm-none-eabi-gcc; then
     own="$own -fno-pic"
     plan cortex-m4-small arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -Os -DGN_SMALL
+    plan cortex-m4-one-lane arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -O2 -DGN_SMALL -DGN_BASIC
     [ "$all" != --all ] || plan cortex-m4-O2 arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -O2
 fi
 boards=$names
