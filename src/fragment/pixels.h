@@ -69,10 +69,11 @@ GN_INLINE int layout_bytes(pixel_layout layout)
     return layout == GN_LAYOUT(2, 1) ? 2 : layout == GN_LAYOUT(8, 4) ? 8 : (int)layout;
 }
 
-/* Finds the four rows of four pixels that a block is made of; `size` is the bytes of a pixel. */
+/* Finds the four rows of four pixels that a block is made of, or the one pixel of one lane; `size` is
+ * the bytes of a pixel. */
 GN_INLINE void find_pixel_rows(const block_pixels *m, int size, unsigned char *row[4])
 {
-    for (int r = 0; r < 4; ++r)
+    for (int r = 0; r < GN_LANES / SQUARE_SIZE; ++r)
         row[r] = m->shape == SHAPE_ROW ? m->at.half[0] + r * SQUARE_SIZE * size
                                        : lane_memory(m, r * SQUARE_SIZE);
 }

@@ -262,14 +262,15 @@ static inline void lanes_i_store_pairs(unsigned char *const row[4], lanes_i firs
 
 #else
 
-/* The pixels of a row. */
-#define LANES_ROW (GN_LANES / 4)
+/* The pixels of a row, and the rows. */
+#define LANES_ROW (GN_LANES == 1 ? 1 : GN_LANES / 4)
+#define LANES_ROWS (GN_LANES / LANES_ROW)
 
 static inline lanes_i lanes_i_load_bytes(unsigned char *const row[4])
 {
     int32_t value[GN_LANES];
 
-    for (int r = 0; r < 4; ++r)
+    for (int r = 0; r < LANES_ROWS; ++r)
         for (int n = 0; n < LANES_ROW; ++n)
             value[LANES_ROW * r + n] = row[r][n];
     return lanes_i_load(value);
@@ -280,7 +281,7 @@ static inline void lanes_i_store_bytes(unsigned char *const row[4], lanes_i a)
     int32_t value[GN_LANES];
 
     lanes_i_store(value, a);
-    for (int r = 0; r < 4; ++r)
+    for (int r = 0; r < LANES_ROWS; ++r)
         for (int n = 0; n < LANES_ROW; ++n)
             row[r][n] = (unsigned char)value[LANES_ROW * r + n];
 }
@@ -289,7 +290,7 @@ static inline lanes_i lanes_i_load_shorts(unsigned char *const row[4])
 {
     int32_t value[GN_LANES];
 
-    for (int r = 0; r < 4; ++r)
+    for (int r = 0; r < LANES_ROWS; ++r)
         for (int n = 0; n < LANES_ROW; ++n)
             value[LANES_ROW * r + n] = ((const stored_half *)(const void *)row[r])[n];
     return lanes_i_load(value);
@@ -300,7 +301,7 @@ static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
     int32_t value[GN_LANES];
 
     lanes_i_store(value, a);
-    for (int r = 0; r < 4; ++r)
+    for (int r = 0; r < LANES_ROWS; ++r)
         for (int n = 0; n < LANES_ROW; ++n)
             ((stored_half *)(void *)row[r])[n] = (uint16_t)value[LANES_ROW * r + n];
 }
