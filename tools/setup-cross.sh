@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs Debian packages without which tests are skipped: compilers, C libraries and emulators for
-# `make cross`, `make size` and `make bench-embedded`, more than 1 GB, and the libraries other than cglm with which
-# `make accuracy` compares. Does nothing if everything is installed.
+# `make cross`, `make size` and `make bench-embedded`, more than 1 GB, and the libraries other than
+# cglm with which `make accuracy` compares. Does nothing if everything is installed.
 set -eu
 self=setup-cross
 . "$(dirname "$0")/debian.sh"

@@ -30,7 +30,8 @@
  * shade_whole_squares in states that have no line of their own.
  *
  * Glossary. Each word has this meaning alone in draw/, geometry/, raster/ and fragment/; triangle
- * strips and fans are topologies, and numbers are rounded where a function's name says so.
+ * strips and fans are topologies, and numbers are rounded where a function's name says so. Sixteen
+ * stands for GN_LANES: with one lane, groups, lists and blocks hold one, and a square is one pixel.
  *
  *   element  an index of the mesh, or a vertex of a mesh without indices
  *   slice    the elements of one instance between two restarts

@@ -27,19 +27,19 @@ small="-DGN_SMALL -DGN_BASIC"
 # describe CONFIGURATION: sets the compiler's prefix, its flags and the emulator.
 describe() {
     prefix=arm-none-eabi-
-    memory="--defsym=code_begin=0 --defsym=ram_begin=0x20000000"
-    emulator="qemu-system-arm -M mps2-an386 -semihosting-config enable=on,target=native"
+    memory="-Wl,--defsym=code_begin=0,--defsym=ram_begin=0x20000000"
+    emulator="qemu-system-arm -M mps2-an386 -serial none -semihosting-config enable=on,target=native"
     case $1 in
     m4f-O2) flags="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -O2 $small" ;;
     m4f-Os) flags="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -Os $small" ;;
     m4f-whole) flags="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -O3" ;;
     m0plus-O2) # the board's processor is a Cortex-M3, which runs the same instructions
-        emulator="qemu-system-arm -M mps2-an385 -semihosting-config enable=on,target=native"
+        emulator="qemu-system-arm -M mps2-an385 -serial none -semihosting-config enable=on,target=native"
         flags="-mcpu=cortex-m0plus -mthumb -O2 $small"
         ;;
     rv32-O2)
         prefix=riscv64-unknown-elf-
-        memory="--defsym=code_begin=0x80000000 --defsym=ram_begin=0x80400000"
+        memory="-Wl,--defsym=code_begin=0x80000000,--defsym=ram_begin=0x80400000"
         emulator="qemu-system-riscv32 -M virt -bios none"
         flags="-march=rv32imac -mabi=ilp32 -mcmodel=medany -O2 $small"
         ;;
@@ -81,15 +81,14 @@ scene() {
     # shellcheck disable=SC2086
     "$prefix"gcc $common -Wall -Wextra -Werror $flags $own -DSCENE="$2" -c $here/frame.c -o "$program.o"
     # shellcheck disable=SC2086
-    "$prefix"gcc $flags -nostdlib -nostartfiles -Wl,--gc-sections \
-        $(printf ' -Wl,%s' $memory) -T $here/board.ld "$program.o" "$directory"/src_*.o -lgcc -o "$program.elf"
+    "$prefix"gcc $flags -nostdlib -nostartfiles -Wl,--gc-sections $memory -T $here/board.ld \
+        "$program.o" "$directory"/src_*.o -lgcc -o "$program.elf"
     ${CC:-cc} -std=c99 -O2 -fno-fast-math -ffp-contract=off -Iinclude -I$here -DSCENE="$2" \
         $here/frame.c "$archive" -o "$build/here-$2"
     "$build/here-$2" >"$build/here-$2.printed"
     # shellcheck disable=SC2086
     timeout 300 $emulator -nographic -monitor none -icount shift=0 -kernel "$program.elf" \
-        $([ "$prefix" = arm-none-eabi- ] && echo -serial none) >"$program.printed" 2>&1 </dev/null ||
-        fail "$1, $3: the emulator fails"
+        >"$program.printed" 2>&1 </dev/null || fail "$1, $3: the emulator fails"
     awk -v name="$1" -v scene="$3" -v text="$(text "$program")" '
         function hashes(line) { split(line, f, " "); return f[4] " " f[5] }
         NR == FNR { expected[FNR] = $0; next }
