@@ -286,7 +286,8 @@ typedef struct cull_sums {
     gn_draw_statistics counts;
 } cull_sums;
 
-typedef char sums_fit_a_setup[sizeof(cull_sums) <= sizeof(triangle_setup) ? 1 : -1];
+typedef char
+    sums_fit_a_setup[!GN_HAVE_TASKS || sizeof(cull_sums) <= sizeof(triangle_setup) ? 1 : -1];
 
 static inline cull_sums *task_sums(const draw_state *draw, uint32_t task)
 {
