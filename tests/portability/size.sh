@@ -28,10 +28,11 @@ own="-Os -ffreestanding -fvisibility=hidden -fno-math-errno -fno-fast-math -ffp-
 sections="-ffunction-sections -fdata-sections"
 common="-std=c99 -Wall -Wextra -Werror -Iinclude"
 
-# least VARYINGS: prints the bytes of the least workspace.
+# least VARYINGS FLAGS...: prints the bytes of the least workspace.
 least() {
-    printf '#include <gnomon.h>\nchar least[GN_WORKSPACE_SIZE(0, %s)];\n' "$1" |
-        $compiler -mcpu=cortex-m4 -mthumb -Iinclude -x c -c - -o "$build/least.o"
+    printf '#include <gnomon.h>\nchar least[GN_WORKSPACE_SIZE(0, %s)];\n' "$1" >"$build/least.c"
+    shift
+    $compiler "$@" -Iinclude -c "$build/least.c" -o "$build/least.o"
     arm-none-eabi-nm -S -t d "$build/least.o" | awk '$4 == "least" { print $2 + 0 }'
 }
 
@@ -64,6 +65,7 @@ measure() {
     roots=$(arm-none-eabi-nm -u "$object.o" | awk '$2 ~ /^gn_/ { printf " -Wl,-u,%s", $2 }')
     # shellcheck disable=SC2086
     $compiler "$@" -nostdlib -r $roots -Wl,--gc-sections "$build/$from"/*.o -lgcc -o "$object.library"
+    workspace=$(least "$varyings" "$@")
     undefined=$(arm-none-eabi-nm -u "$object.library" | awk '{ printf "%s%s", sep, $2; sep = " " }')
     notes=""
     stack=-
@@ -75,7 +77,7 @@ measure() {
     esac
     [ "$2" -eq 0 ] && [ "$3" -eq 0 ] || notes="$notes; data"
     [ -z "$undefined" ] || notes="$notes; undefined: $undefined"
-    printf '%-46s %7d %5d %5d %10d %6s%s\n' "$label" "$1" "$2" "$3" "$(least "$varyings")" "$stack" "${notes:+  ${notes#; }}"
+    printf '%-46s %7d %5d %5d %10d %6s%s\n' "$label" "$1" "$2" "$3" "$workspace" "$stack" "${notes:+  ${notes#; }}"
     if [ -z "$notes" ]; then
         passed=$((passed + 1))
     else
