@@ -19,15 +19,17 @@
  *   raster/setup.h            setup_triangles
  *   raster/coverage.h         cover_triangles
  *   raster/cover_small.h      cover_small
- *   fragment/runs.h           run_color_rgba8_d24, a line of GN_SPECIAL_STATES that
- *                             block_functions_of chose; shade_squares
- *   fragment/block.h          shade_fragments
+ *   raster/batch.h            add_square, shade_batch
+ *   fragment/steps.h          fused_color_d24_blocks, a line of GN_FUSED_STATES that
+ *                             fragment_functions_of chose
+ *   fragment/fused.h          fused_blocks, fused_block, fused_color
  *   fragment/depth.h          test_depth
- *   fragment/color.h          write_color
+ *   fragment/source.h         ready_varying
+ *   fragment/output.h         write_rgba8
  *
  * Other ways: draw_shared_segment with indices, draw_rounds on several threads,
- * raster/cover_large.h from 64 pixels on, raster/cover_packed.h with a shader of the user's,
- * shade_whole_squares in states that have no line of their own.
+ * raster/cover_large.h from 64 pixels on, raster/cover_packed.h with a shader of the user's, and
+ * take_steps (fragment/steps.h) in the states that are not fused.
  *
  * Glossary. Each word has this meaning alone in draw/, geometry/, raster/ and fragment/; triangle
  * strips and fans are topologies, and numbers are rounded where a function's name says so. Sixteen
@@ -46,9 +48,10 @@
  *   half     the lower or the upper two rows of a square
  *   block    sixteen pixels that are shaded at once, one a lane: a square, two halves,
  *            or a row of sixteen
- *   run      neighbouring squares of a row of squares that are handed to fragments together
+ *   run      neighbouring covered squares of a row of squares that are handed to fragments together
  *   fate     what becomes of a primitive: drawn, or why not (fates.h)
- *   batch    squares or halves of a triangle that are found first and shaded afterwards
+ *   batch    blocks that are found first and shaded afterwards; or those that take a step together
+ *   step     one loop over the blocks of a batch: test, source, encode, load, combine or store
  *   task     one call of a gn_task, on any thread
  *   worker   the state of one thread's work on primitives
  *   round    the segments whose lists are made, and drawn, in tasks between two meetings of threads
