@@ -1,8 +1,8 @@
 /* The shading of a back end: the text that each back end compiles for its own lanes. The file that
  * includes this first defines its form of lanes and the name of its function, GN_SHADING. */
-#include "shading.h"
-
 #include "../lanes/target_begin.h"
+
+#include "shading.h"
 
 #include "../shaders/lit.h"
 #include "../shaders/unlit.h"

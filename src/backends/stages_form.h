@@ -1,9 +1,9 @@
 /* The stages of a back end: the text that each back end compiles for its own lanes. The file that
  * includes this first defines its form of lanes and the names of its two functions, GN_RUN and
  * GN_BULK. */
-#include "stages.h"
-
 #include "../lanes/target_begin.h"
+
+#include "stages.h"
 
 #include "../draw/mesh.h"
 #include "../math/bulk.h"
