@@ -420,6 +420,22 @@ static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
                                       _mm256_set1_ps(scale)));
 }
 
+/* Takes the indices out of the registers, two at a time: fewer operations than one at a time. */
+static inline void lanes_avx2_indices(lanes_i index, int32_t at[GN_LANES])
+{
+    for (int n = 0; n < 4; ++n) {
+        const __m128i part =
+            n % 2 ? _mm256_extracti128_si256(index.q[n / 2], 1) : _mm256_castsi256_si128(index.q[n / 2]);
+        const int64_t low = _mm_cvtsi128_si64(part);
+        const int64_t high = _mm_extract_epi64(part, 1);
+
+        at[4 * n] = (int32_t)low;
+        at[4 * n + 1] = (int32_t)(low >> 32);
+        at[4 * n + 2] = (int32_t)high;
+        at[4 * n + 3] = (int32_t)(high >> 32);
+    }
+}
+
 /* Loads of single words measure faster than the gather instruction on some processors and no slower
  * on others. */
 static inline __m256i lanes_avx2_gather(const stored_word *base, const int32_t *index)
@@ -432,7 +448,7 @@ static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
 {
     int32_t at[GN_LANES];
 
-    lanes_i_store(at, index);
+    lanes_avx2_indices(index, at);
     LANES_EACH_REGISTER(lanes_i, lanes_avx2_gather(base, at + 8 * n));
 }
 
@@ -450,7 +466,7 @@ static inline void lanes_i_gather_pairs(const stored_word *base, lanes_i index, 
 {
     int32_t at[GN_LANES];
 
-    lanes_i_store(at, index);
+    lanes_avx2_indices(index, at);
     for (int n = 0; n < 2; ++n) {
         const int32_t *const i = at + 8 * n;
         const __m256 a = _mm256_insertf128_ps(_mm256_castps128_ps256(lanes_avx2_pairs(base, i)),

@@ -403,29 +403,71 @@ static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
     return lanes_avx512_f(_mm512_mul_ps(_mm512_cvtepi32_ps(in_place), _mm512_set1_ps(scale)));
 }
 
-/* The gather instruction takes half the time of single loads, for which compilers would extract the
- * indices from the register one by one. Without optimisation the intrinsic is a macro that converts
- * its mask. */
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wsign-conversion"
+/* Loads of single words and pairs take less time than the gather instructions, which block the
+ * units of arithmetic. The indices leave the register two at a time. */
+static inline void lanes_avx512_indices(lanes_i index, int32_t at[GN_LANES])
+{
+    const __m128i part[4] = {
+        _mm512_castsi512_si128(index.q), _mm512_extracti32x4_epi32(index.q, 1),
+        _mm512_extracti32x4_epi32(index.q, 2), _mm512_extracti32x4_epi32(index.q, 3)};
+
+    for (int n = 0; n < 4; ++n) {
+        const int64_t low = _mm_cvtsi128_si64(part[n]);
+        const int64_t high = _mm_cvtsi128_si64(_mm_unpackhi_epi64(part[n], part[n]));
+
+        at[4 * n] = (int32_t)low;
+        at[4 * n + 1] = (int32_t)(low >> 32);
+        at[4 * n + 2] = (int32_t)high;
+        at[4 * n + 3] = (int32_t)(high >> 32);
+    }
+}
+
+static inline __m512i lanes_avx512_join(__m128i a, __m128i b, __m128i c, __m128i d)
+{
+    const __m256i low = _mm256_inserti128_si256(_mm256_castsi128_si256(a), b, 1);
+    const __m256i high = _mm256_inserti128_si256(_mm256_castsi128_si256(c), d, 1);
+
+    return _mm512_inserti64x4(_mm512_castsi256_si512(low), high, 1);
+}
+
+static inline __m128i lanes_avx512_words(const stored_word *base, const int32_t *index)
+{
+    return _mm_setr_epi32(base[index[0]], base[index[1]], base[index[2]], base[index[3]]);
+}
+
 static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
 {
-    return lanes_avx512_i(_mm512_i32gather_epi32(index.q, base, 4));
+    int32_t at[GN_LANES];
+
+    lanes_avx512_indices(index, at);
+    return lanes_avx512_i(lanes_avx512_join(
+        lanes_avx512_words(base, at), lanes_avx512_words(base, at + 4),
+        lanes_avx512_words(base, at + 8), lanes_avx512_words(base, at + 12)));
+}
+
+/* Loads two pairs of words. */
+static inline __m128i lanes_avx512_pairs(const stored_word *base, const int32_t *index)
+{
+    const __m128 low =
+        _mm_castsi128_ps(_mm_loadl_epi64((const __m128i *)(const void *)(base + index[0])));
+
+    return _mm_castps_si128(_mm_loadh_pi(low, (const __m64 *)(const void *)(base + index[1])));
 }
 
 static inline void lanes_i_gather_pairs(const stored_word *base, lanes_i index, lanes_i *first,
                                         lanes_i *second)
 {
-    const __m512i low = _mm512_i32gather_epi64(_mm512_castsi512_si256(index.q), base, 4);
-    const __m512i high = _mm512_i32gather_epi64(_mm512_extracti64x4_epi64(index.q, 1), base, 4);
-    const __m512i even =
-        _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
-    const __m512i odd =
-        _mm512_setr_epi32(1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31);
+    int32_t at[GN_LANES];
 
-    first->q = _mm512_permutex2var_epi32(low, even, high);
-    second->q = _mm512_permutex2var_epi32(low, odd, high);
+    lanes_avx512_indices(index, at);
+    const __m512 a = _mm512_castsi512_ps(lanes_avx512_join(
+        lanes_avx512_pairs(base, at), lanes_avx512_pairs(base, at + 4),
+        lanes_avx512_pairs(base, at + 8), lanes_avx512_pairs(base, at + 12)));
+    const __m512 b = _mm512_castsi512_ps(lanes_avx512_join(
+        lanes_avx512_pairs(base, at + 2), lanes_avx512_pairs(base, at + 6),
+        lanes_avx512_pairs(base, at + 10), lanes_avx512_pairs(base, at + 14)));
+    first->q = _mm512_castps_si512(_mm512_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)));
+    second->q = _mm512_castps_si512(_mm512_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1)));
 }
-#pragma GCC diagnostic pop
 
 #endif
