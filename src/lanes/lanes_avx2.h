@@ -444,7 +444,7 @@ static inline __m256i lanes_avx2_gather(const stored_word *base, const int32_t *
                              base[index[4]], base[index[5]], base[index[6]], base[index[7]]);
 }
 
-static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
+GN_INLINE lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
 {
     int32_t at[GN_LANES];
 
@@ -461,8 +461,8 @@ static inline __m128 lanes_avx2_pairs(const stored_word *base, const int32_t *in
     return _mm_loadh_pi(low, (const __m64 *)(const void *)(base + index[1]));
 }
 
-static inline void lanes_i_gather_pairs(const stored_word *base, lanes_i index, lanes_i *first,
-                                        lanes_i *second)
+GN_INLINE void lanes_i_gather_pairs(const stored_word *base, lanes_i index, lanes_i *first,
+                                    lanes_i *second)
 {
     int32_t at[GN_LANES];
 

@@ -409,7 +409,7 @@ static inline __m128i lanes_sse2_gather(const stored_word *base, const int32_t *
     return _mm_setr_epi32(base[index[0]], base[index[1]], base[index[2]], base[index[3]]);
 }
 
-static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
+GN_INLINE lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
 {
     int32_t at[GN_LANES];
 
@@ -426,8 +426,8 @@ static inline __m128 lanes_sse2_pairs(const stored_word *base, const int32_t *in
     return _mm_loadh_pi(low, (const __m64 *)(const void *)(base + index[1]));
 }
 
-static inline void lanes_i_gather_pairs(const stored_word *base, lanes_i index, lanes_i *first,
-                                        lanes_i *second)
+GN_INLINE void lanes_i_gather_pairs(const stored_word *base, lanes_i index, lanes_i *first,
+                                    lanes_i *second)
 {
     int32_t at[GN_LANES];
 

@@ -105,12 +105,13 @@ static inline lanes_m has_sample(const anisotropy *a, int i)
 }
 
 /* Adds sample i to the mean of the samples before it, in a way that keeps equal samples exact. */
-static inline void take_sample(const anisotropy *a, int i, const lanes_f sample[4], lanes_f mean[4])
+static inline void take_sample(const lookup_state *state, const anisotropy *a, int i,
+                               const lanes_f sample[4], lanes_f mean[4])
 {
     const lanes_m is_there = has_sample(a, i);
     const lanes_f weight = lanes_splat(1.0f / (float)i);
 
-    for (int c = 0; c < 4; ++c)
+    for (int c = 0; c < state->channels; ++c)
         mean[c] = lanes_select(is_there, mix(weight, mean[c], sample[c]), mean[c]);
 }
 
@@ -139,7 +140,7 @@ GN_OUT_OF_LINE void sample_anisotropic(const gn_texture *texture, const gn_sampl
     lanes_f at[3], sample[4], mean[4];
     uint32_t linear, mixed;
 
-    set_lookup_state(&state, texture, texture->target, sampler);
+    set_lookup_state(&state, texture, sampler);
     set_lookup_place(&state, lookup, &place);
     set_cube_place(&state, lookup, has_gradients, &cube, &place);
     find_anisotropy(&state, sampler, &place, lookup, &a);
@@ -152,7 +153,7 @@ GN_OUT_OF_LINE void sample_anisotropic(const gn_texture *texture, const gn_sampl
         find_sample(&a, i, at);
         move_place(&state, at, has_gradients, &cube, &place);
         filter_levels(&state, &place, &choice, linear, mixed, sample);
-        take_sample(&a, i, sample, mean);
+        take_sample(&state, &a, i, sample, mean);
     }
     for (int c = 0; c < 4; ++c)
         store_channel(&state, c, mean[c], texel[c]);

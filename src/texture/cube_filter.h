@@ -4,7 +4,7 @@
 #ifndef GN_TEXTURE_CUBE_FILTER_H
 #define GN_TEXTURE_CUBE_FILTER_H
 
-#include "words.h"
+#include "filter.h"
 
 /* Returns the set of the lanes' levels, as bits; usually one bit is set. */
 static inline uint32_t levels_in(lanes_i level)
@@ -113,22 +113,24 @@ GN_OUT_OF_LINE void mix_cube_texels(const lookup_state *state, const lookup_plac
     }
 }
 
-/* Mixes four texels if all of them are words on the lanes' own faces: the texels of a row are then
- * neighbours in memory. */
-static inline void mix_cube_words(const lookup_state *state, const lookup_place *place,
-                                  uint32_t level, const cube_texels *texels, lanes_f texel[4])
+/* Mixes four texels of one level if all of them are on the lanes' own faces. */
+static inline void mix_cube_rows(const lookup_state *state, const lookup_place *place,
+                                 uint32_t level, const cube_texels *texels, lanes_f texel[4])
 {
-    const gn_texture_level *const l = &state->texture->level[level];
-    const stored_word *const words = l->texels;
-    const lanes_i layer = lanes_i_splat((int32_t)(l->layer_stride / 4));
-    const lanes_i index =
-        lanes_i_add(lanes_i_mul(place->cube->face, layer),
-                    lanes_i_add(row_of_words(state, level, texels->below), texels->left));
-    lanes_i corner[CORNER_COUNT];
+    texel_layout layout;
+    linear_axis axis[2];
 
-    lanes_i_gather_pairs(words, index, &corner[CORNER_00], &corner[CORNER_10]);
-    lanes_i_gather_pairs(words + l->row_stride / 4, index, &corner[CORNER_01], &corner[CORNER_11]);
-    mix_words(corner, texels->weight_s, texels->weight_t, texel);
+    set_texel_layout(&layout, state->texture, level);
+    for (int n = 0; n < 2; ++n) {
+        axis[n].at[0] = in_units(&layout, n, n == 0 ? texels->left : texels->below);
+        axis[n].at[1] = lanes_i_add(axis[n].at[0], lanes_i_splat(layout.unit[n]));
+        axis[n].weight = n == 0 ? texels->weight_s : texels->weight_t;
+        axis[n].has_outside = false;
+        axis[n].are_neighbours = true;
+    }
+
+    const lanes_i face = in_units(&layout, 2, place->cube->face);
+    mix_rows(state, &layout, place, axis, &face, 0, texel);
 }
 
 GN_OUT_OF_LINE void filter_cube_linear(const lookup_state *state, const lookup_place *place,
@@ -141,8 +143,8 @@ GN_OUT_OF_LINE void filter_cube_linear(const lookup_state *state, const lookup_p
     cube_linear(place->cube, cube_sizes(state->texture, *level, levels), &texels);
     texels.weight_s = weights_of(linear, texels.weight_s);
     texels.weight_t = weights_of(linear, texels.weight_t);
-    if (texels.are_within && (levels & (levels - 1)) == 0 && cube_has_words(state, first))
-        mix_cube_words(state, place, first, &texels, texel);
+    if (texels.are_within && (levels & (levels - 1)) == 0)
+        mix_cube_rows(state, place, first, &texels, texel);
     else
         mix_cube_texels(state, place, level, levels, &texels, texel);
 }
@@ -164,7 +166,7 @@ GN_OUT_OF_LINE void filter_cube(const lookup_state *state, const lookup_place *p
     if (linear_quads == GN_ALL_LANES)
         return;
     filter_cube_nearest(state, place, level, levels, nearest);
-    for (int c = 0; c < 4; ++c)
+    for (int c = 0; c < state->channels; ++c)
         texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
 }
 

@@ -38,7 +38,7 @@ static inline void quad_differences(lanes_f a, lanes_f *along_x, lanes_f *along_
 }
 
 /* Writes the squared lengths of two gradients, in texels. */
-GN_INLINE void squared_lengths(const lookup_state *state, const lanes_f along_x[3],
+static inline void squared_lengths(const lookup_state *state, const lanes_f along_x[3],
                                const lanes_f along_y[3], lanes_f *out_x, lanes_f *out_y)
 {
     lanes_f x = lanes_splat(0.0f), y = x;
@@ -56,7 +56,7 @@ GN_INLINE void squared_lengths(const lookup_state *state, const lanes_f along_x[
 }
 
 /* Returns the greater of the squared lengths; for a single dimension the greater length itself. */
-GN_INLINE lanes_f footprint_of(const lookup_state *state, const lanes_f along_x[3],
+static inline lanes_f footprint_of(const lookup_state *state, const lanes_f along_x[3],
                                const lanes_f along_y[3])
 {
     lanes_f x, y;
@@ -165,7 +165,7 @@ static inline void choose_nearest_level(bool squared, int32_t last, lanes_f foot
 
 /* Writes the gradients of the lookup, or the differences of its coordinates. For cubes these are
  * converted from gradients of the direction to gradients on each lane's face. */
-GN_INLINE void find_gradients(const lookup_state *state, const lookup_place *place,
+static inline void find_gradients(const lookup_state *state, const lookup_place *place,
                               const gn_lookup *lookup, lanes_f along_x[3], lanes_f along_y[3])
 {
     const bool is_cube = state->target == GN_TEXTURE_CUBE;
@@ -210,7 +210,7 @@ static inline bool has_own_footprint(const lookup_state *state, const gn_sampler
 }
 
 /* Returns each lane's footprint, shared within quads where has_own_footprint is false. */
-GN_INLINE lanes_f shared_footprint(const lookup_state *state, const gn_sampler *sampler,
+static inline lanes_f shared_footprint(const lookup_state *state, const gn_sampler *sampler,
                                    const gn_lookup *lookup, lanes_f footprint)
 {
     const lanes_f shared =
@@ -221,7 +221,7 @@ GN_INLINE lanes_f shared_footprint(const lookup_state *state, const gn_sampler *
                : shared;
 }
 
-GN_INLINE lanes_f find_footprint(const lookup_state *state, const gn_sampler *sampler,
+static inline lanes_f find_footprint(const lookup_state *state, const gn_sampler *sampler,
                                  const lookup_place *place, const gn_lookup *lookup)
 {
     lanes_f along_x[3], along_y[3];
@@ -231,9 +231,9 @@ GN_INLINE lanes_f find_footprint(const lookup_state *state, const gn_sampler *sa
 }
 
 /* Chooses the levels of a lookup. `known` is the footprint, or null if it must be computed. */
-GN_INLINE void find_levels(const lookup_state *state, const gn_sampler *sampler,
-                           const lookup_place *place, const gn_lookup *lookup, const lanes_f *known,
-                           level_choice *out)
+GN_OUT_OF_LINE void find_levels(const lookup_state *state, const gn_sampler *sampler,
+                                const lookup_place *place, const gn_lookup *lookup,
+                                const lanes_f *known, level_choice *out)
 {
     const int32_t last = (int32_t)levels_of(state->texture) - 1;
     const lod_adjustment a = lod_adjustment_of(sampler);

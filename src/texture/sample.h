@@ -6,6 +6,7 @@
 #define GN_TEXTURE_SAMPLE_H
 
 #include "../config/features.h"
+#include "extent.h"
 #include "sampler_faults.h"
 #include "wrap.h"
 
@@ -20,9 +21,10 @@ static inline bool has_word_texels(const gn_texture *texture, uint32_t level)
            stride <= 1 << 18;
 }
 
-static inline lanes_i word_index(const gn_texture *texture, lanes_i column, lanes_i row)
+static inline lanes_i word_index(const gn_texture *texture, uint32_t level, lanes_i column,
+                                 lanes_i row)
 {
-    const lanes_i words_per_row = lanes_i_splat((int32_t)(texture->level[0].row_stride / 4));
+    const lanes_i words_per_row = lanes_i_splat((int32_t)(texture->level[level].row_stride / 4));
 
     return lanes_i_add(lanes_i_mul(row, words_per_row), column);
 }
@@ -64,7 +66,7 @@ GN_OUT_OF_LINE void sample_nearest(const gn_texture *texture, const gn_sampler *
         return;
     }
     const lanes_i packed = lanes_i_gather((const stored_word *)texture->level[0].texels,
-                                          word_index(texture, column, row));
+                                          word_index(texture, 0, column, row));
     texel[0] = lanes_unpack_unorm8(packed, 0);
     texel[1] = lanes_unpack_unorm8(packed, 1);
     texel[2] = lanes_unpack_unorm8(packed, 2);
@@ -135,28 +137,54 @@ GN_OUT_OF_LINE void sample_linear_any(const gn_texture *texture, const gn_sample
                        mix(u.weight, corner[CORNER_01][c], corner[CORNER_11][c]));
 }
 
-/* Fetches the words of the four texels. If no lane is at an end, the two texels of a row are
- * neighbours in memory. */
-GN_WIDE_INLINE void fetch_corners(const gn_texture *texture, const gn_sampler *sampler,
-                                  const texel_pair *u, const texel_pair *v,
-                                  lanes_i corner[CORNER_COUNT])
+/* Fetches the words of the four texels if a lane is at an end. */
+GN_OUT_OF_LINE void fetch_end_corners(const gn_texture *texture, uint32_t level,
+                                      const gn_sampler *sampler, const texel_pair *u,
+                                      const texel_pair *v, lanes_i corner[CORNER_COUNT])
 {
-    const stored_word *const words = texture->level[0].texels;
-    const lanes_i index = word_index(texture, u->first, v->first);
-    const lanes_i at_end = lanes_i_or(lanes_m_as_int(u->at_end), lanes_m_as_int(v->at_end));
+    const stored_word *const words = texture->level[level].texels;
+    const lanes_i column[2] = {u->first, second_texel(sampler->wrap_s, u)};
+    const lanes_i row[2] = {v->first, second_texel(sampler->wrap_t, v)};
 
+    for (int i = 0; i < CORNER_COUNT; ++i)
+        corner[i] =
+            lanes_i_gather(words, word_index(texture, level, column[i & 1], row[i >> 1]));
+}
+
+/* The words of four texels around a coordinate, and the weights of the second ones. */
+typedef struct word_corners {
+    lanes_i corner[CORNER_COUNT];
+    lanes_f weight_s, weight_t;
+} word_corners;
+
+/* Fetches the words of the four texels of a level. If no lane is at an end, the two texels of a row
+ * are neighbours in memory. */
+GN_WIDE_INLINE void fetch_corners(const gn_texture *texture, uint32_t level,
+                                  const gn_sampler *sampler, const lanes_f *s, const lanes_f *t,
+                                  word_corners *out)
+{
+    const stored_word *const words = texture->level[level].texels;
+    const texel_pair u = wrap_linear(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width),
+                                     *s, size_of_level(texture->width, level));
+    const texel_pair v = wrap_linear(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),
+                                     *t, size_of_level(texture->height, level));
+    const lanes_i at_end = lanes_i_or(lanes_m_as_int(u.at_end), lanes_m_as_int(v.at_end));
+
+    out->weight_s = u.weight;
+    out->weight_t = v.weight;
     if (lanes_i_sign_bits(at_end) == 0) {
-        lanes_i_gather_pairs(words, index, &corner[CORNER_00], &corner[CORNER_10]);
-        lanes_i_gather_pairs(words + texture->level[0].row_stride / 4, index, &corner[CORNER_01],
-                             &corner[CORNER_11]);
-    } else {
-        const lanes_i right = second_texel(sampler->wrap_s, u);
-        const lanes_i above = second_texel(sampler->wrap_t, v);
+        const lanes_i index = word_index(texture, level, u.first, v.first);
 
-        corner[CORNER_00] = lanes_i_gather(words, index);
-        corner[CORNER_10] = lanes_i_gather(words, word_index(texture, right, v->first));
-        corner[CORNER_01] = lanes_i_gather(words, word_index(texture, u->first, above));
-        corner[CORNER_11] = lanes_i_gather(words, word_index(texture, right, above));
+        lanes_i_gather_pairs(words, index, &out->corner[CORNER_00], &out->corner[CORNER_10]);
+        lanes_i_gather_pairs(words + texture->level[level].row_stride / 4, index,
+                             &out->corner[CORNER_01], &out->corner[CORNER_11]);
+    } else {
+        const texel_pair u_in_memory = u, v_in_memory = v;
+        lanes_i corner[CORNER_COUNT];
+
+        fetch_end_corners(texture, level, sampler, &u_in_memory, &v_in_memory, corner);
+        for (int i = 0; i < CORNER_COUNT; ++i)
+            out->corner[i] = corner[i];
     }
 }
 
@@ -185,16 +213,12 @@ GN_INLINE void sample_linear_inline(const gn_texture *texture, const gn_sampler 
         return;
     }
 
-    const texel_pair u = wrap_linear(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width),
-                                     *s, texture->width);
-    const texel_pair v = wrap_linear(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),
-                                     *t, texture->height);
-    lanes_i corner[CORNER_COUNT];
-    fetch_corners(texture, sampler, &u, &v, corner);
-    texel[0] = mix_corners(corner, 0, u.weight, v.weight);
-    texel[1] = mix_corners(corner, 1, u.weight, v.weight);
-    texel[2] = mix_corners(corner, 2, u.weight, v.weight);
-    texel[3] = mix_corners(corner, 3, u.weight, v.weight);
+    word_corners w;
+    fetch_corners(texture, 0, sampler, s, t, &w);
+    texel[0] = mix_corners(w.corner, 0, w.weight_s, w.weight_t);
+    texel[1] = mix_corners(w.corner, 1, w.weight_s, w.weight_t);
+    texel[2] = mix_corners(w.corner, 2, w.weight_s, w.weight_t);
+    texel[3] = mix_corners(w.corner, 3, w.weight_s, w.weight_t);
 }
 
 GN_OUT_OF_LINE void sample_linear(const gn_texture *texture, const gn_sampler *sampler,

@@ -4,6 +4,7 @@
 #define GN_TEXTURE_SAMPLE_ANY_H
 
 #include "anisotropic.h"
+#include "two_levels.h"
 
 /* A gn_sample_2d_function for the textures that sample.h can sample. */
 static inline void sample_simple_2d(const gn_texture *texture, const gn_sampler *sampler,
@@ -34,10 +35,9 @@ static inline bool is_anisotropic(const gn_texture *texture, const gn_sampler *s
            texture->target != GN_TEXTURE_1D;
 }
 
-/* Samples a texture of a target. Callers pass common targets as constants. */
-GN_INLINE void sample_target(const gn_texture *texture, gn_texture_target target,
-                             const gn_sampler *sampler, const gn_lookup *lookup,
-                             float texel[4][GN_LANES])
+/* A gn_sample_function. */
+GN_OUT_OF_LINE void sample_any(const gn_texture *texture, const gn_sampler *sampler,
+                               const gn_lookup *lookup, float texel[4][GN_LANES])
 {
     const bool finds_lod = asks_for_lod(texture, sampler);
     lookup_state state;
@@ -48,11 +48,15 @@ GN_INLINE void sample_target(const gn_texture *texture, gn_texture_target target
     uint32_t linear = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
     uint32_t mixed;
 
+    if (lookup->lod_source == GN_LOD_IMPLICIT && !lookup->lod &&
+        has_usual_levels(texture, sampler) &&
+        sample_two_levels(texture, sampler, lookup->coordinate[0], lookup->coordinate[1], texel))
+        return;
     if (is_anisotropic(texture, sampler, lookup)) {
         sample_anisotropic(texture, sampler, lookup, texel);
         return;
     }
-    set_lookup_state(&state, texture, target, sampler);
+    set_lookup_state(&state, texture, sampler);
     set_lookup_place(&state, lookup, &place);
     set_cube_place(&state, lookup, asks_for_gradients(texture, sampler, lookup), &cube, &place);
     if (finds_lod) {
@@ -67,46 +71,6 @@ GN_INLINE void sample_target(const gn_texture *texture, gn_texture_target target
         store_channel(&state, c, out[c], texel[c]);
 }
 
-/* Samples a 2D texture by differences of coordinates only: the most common lookup. */
-GN_OUT_OF_LINE void sample_implicit_2d(const gn_texture *texture, const gn_sampler *sampler,
-                                       const float s[GN_LANES], const float t[GN_LANES],
-                                       float texel[4][GN_LANES])
-{
-    gn_lookup lookup;
-
-    lookup.coordinate[0] = s;
-    lookup.coordinate[1] = t;
-    lookup.reference = 0;
-    lookup.lod_source = GN_LOD_IMPLICIT;
-    lookup.lod = 0;
-    sample_target(texture, GN_TEXTURE_2D, sampler, &lookup, texel);
-}
-
-GN_OUT_OF_LINE void sample_cube(const gn_texture *texture, const gn_sampler *sampler,
-                                const gn_lookup *lookup, float texel[4][GN_LANES])
-{
-    sample_target(texture, GN_TEXTURE_CUBE, sampler, lookup, texel);
-}
-
-GN_OUT_OF_LINE void sample_otherwise(const gn_texture *texture, const gn_sampler *sampler,
-                                     const gn_lookup *lookup, float texel[4][GN_LANES])
-{
-    sample_target(texture, texture->target, sampler, lookup, texel);
-}
-
-/* A gn_sample_function. */
-static inline void sample_any(const gn_texture *texture, const gn_sampler *sampler,
-                              const gn_lookup *lookup, float texel[4][GN_LANES])
-{
-    if (GN_SPECIALISED && texture->target == GN_TEXTURE_2D && !has_lod_per_lane(lookup) &&
-        lookup->lod_source == GN_LOD_IMPLICIT && !is_compared(texture->format, sampler))
-        sample_implicit_2d(texture, sampler, lookup->coordinate[0], lookup->coordinate[1], texel);
-    else if (GN_SPECIALISED && texture->target == GN_TEXTURE_CUBE)
-        sample_cube(texture, sampler, lookup, texel);
-    else
-        sample_otherwise(texture, sampler, lookup, texel);
-}
-
 /* A gn_sample_2d_function. */
 static inline void sample_any_2d(const gn_texture *texture, const gn_sampler *sampler,
                                  const float s[GN_LANES], const float t[GN_LANES],
@@ -116,10 +80,6 @@ static inline void sample_any_2d(const gn_texture *texture, const gn_sampler *sa
 
     if (is_simple(texture, sampler)) {
         sample_simple_2d(texture, sampler, s, t, texel);
-        return;
-    }
-    if (texture->target == GN_TEXTURE_2D) {
-        sample_implicit_2d(texture, sampler, s, t, texel);
         return;
     }
     lookup.coordinate[0] = s;
@@ -142,7 +102,7 @@ static inline void gather_any(const gn_texture *texture, const gn_sampler *sampl
     lanes_i number[2][2];
     lanes_f fetched[4];
 
-    set_lookup_state(&state, texture, texture->target, sampler);
+    set_lookup_state(&state, texture, sampler);
     set_lookup_place(&state, lookup, &place);
     set_cube_place(&state, lookup, false, &cube, &place);
     if (state.compare != GN_COMPARE_DEFAULT)

@@ -4,7 +4,6 @@
 #define GN_TEXTURE_SAMPLING_H
 
 #include "lod.h"
-#include "words.h"
 
 /* Sets the border as a texel: clamped to the range of the format. */
 static inline void set_border(lookup_state *state, const gn_sampler *sampler)
@@ -33,10 +32,12 @@ static inline void store_channel(const lookup_state *state, int channel, lanes_f
     lanes_store(out, is_there ? value : lanes_splat(channel < 3 ? 0.0f : 1.0f));
 }
 
-GN_INLINE void set_lookup_state(lookup_state *state, const gn_texture *texture,
-                                gn_texture_target target, const gn_sampler *sampler)
+static inline void set_lookup_state(lookup_state *state, const gn_texture *texture,
+                                    const gn_sampler *sampler)
 {
     const uint32_t size[3] = {texture->width, texture->height, texture->depth};
+
+    const gn_texture_target target = texture->target;
 
     state->texture = texture;
     state->target = target;
@@ -55,8 +56,8 @@ GN_INLINE void set_lookup_state(lookup_state *state, const gn_texture *texture,
         set_border(state, sampler);
 }
 
-GN_INLINE void set_lookup_place(const lookup_state *state, const gn_lookup *lookup,
-                                lookup_place *place)
+static inline void set_lookup_place(const lookup_state *state, const gn_lookup *lookup,
+                                    lookup_place *place)
 {
     const int count = state->target == GN_TEXTURE_CUBE ? 0 : state->dimensions;
 
@@ -75,8 +76,8 @@ GN_INLINE void set_lookup_place(const lookup_state *state, const gn_lookup *look
 
 /* Sets the place of a cube lookup. `place` points to `cube`, which must live as long as the place
  * is used. */
-GN_INLINE void set_cube_place(const lookup_state *state, const gn_lookup *lookup,
-                              bool has_gradients, cube_place *cube, lookup_place *place)
+static inline void set_cube_place(const lookup_state *state, const gn_lookup *lookup,
+                                  bool has_gradients, cube_place *cube, lookup_place *place)
 {
     lanes_f direction[3];
 
@@ -86,24 +87,6 @@ GN_INLINE void set_cube_place(const lookup_state *state, const gn_lookup *lookup
         direction[n] = lanes_load(lookup->coordinate[n]);
     cube_project(direction, has_gradients, cube);
     place->cube = cube;
-}
-
-static inline void filter_level_nearest(const lookup_state *state, const lookup_place *place,
-                                        uint32_t level, lanes_f texel[4])
-{
-    if (level_has_words(state, level))
-        filter_words_nearest(state, place, level, texel);
-    else
-        filter_nearest(state, place, level, texel);
-}
-
-static inline void filter_level_linear(const lookup_state *state, const lookup_place *place,
-                                       uint32_t level, uint32_t linear, lanes_f texel[4])
-{
-    if (level_has_words(state, level))
-        filter_words_linear(state, place, level, linear, texel);
-    else
-        filter_linear(state, place, level, linear, texel);
 }
 
 /* Filters one level. Lanes in `linear` use the linear filter. Quads are filtered as a whole: a
@@ -116,14 +99,14 @@ GN_OUT_OF_LINE void filter_level_by_quads(const lookup_state *state, const looku
     lanes_f nearest[4];
 
     if (linear_quads == 0) {
-        filter_level_nearest(state, place, level, texel);
+        filter_nearest(state, place, level, texel);
         return;
     }
-    filter_level_linear(state, place, level, linear, texel);
+    filter_linear(state, place, level, linear, texel);
     if (linear_quads == GN_ALL_LANES)
         return;
-    filter_level_nearest(state, place, level, nearest);
-    for (int c = 0; c < 4; ++c)
+    filter_nearest(state, place, level, nearest);
+    for (int c = 0; c < state->channels; ++c)
         texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
 }
 
@@ -131,7 +114,7 @@ static inline void filter_level(const lookup_state *state, const lookup_place *p
                                 uint32_t level, uint32_t linear, lanes_f texel[4])
 {
     if (linear == GN_ALL_LANES)
-        filter_level_linear(state, place, level, linear, texel);
+        filter_linear(state, place, level, linear, texel);
     else
         filter_level_by_quads(state, place, level, linear, texel);
 }
@@ -161,12 +144,12 @@ static inline uint32_t mixed_quads(const gn_sampler *sampler, const level_choice
 }
 
 /* Mixes two levels in the lanes in `mixed`; the other lanes keep the first level. */
-static inline void mix_levels(const level_choice *choice, uint32_t mixed, const lanes_f above[4],
-                              lanes_f texel[4])
+static inline void mix_levels(const lookup_state *state, const level_choice *choice, uint32_t mixed,
+                              const lanes_f above[4], lanes_f texel[4])
 {
     const lanes_m is_mixed = lanes_from_bits(mixed);
 
-    for (int c = 0; c < 4; ++c) {
+    for (int c = 0; c < state->channels; ++c) {
         const lanes_f both = mix(choice->weight, texel[c], above[c]);
 
         texel[c] = mixed == GN_ALL_LANES ? both : lanes_select(is_mixed, both, texel[c]);
@@ -190,7 +173,7 @@ GN_OUT_OF_LINE void filter_each_level(const lookup_state *state, const lookup_pl
         const lanes_m is_next = lanes_i_equal(choice->next, number);
 
         filter_level(state, place, level, linear, filtered);
-        for (int c = 0; c < 4; ++c) {
+        for (int c = 0; c < state->channels; ++c) {
             texel[c] = lanes_select(is_first, filtered[c], texel[c]);
             above[c] = lanes_select(is_next, filtered[c], above[c]);
         }
@@ -198,21 +181,14 @@ GN_OUT_OF_LINE void filter_each_level(const lookup_state *state, const lookup_pl
 }
 
 /* Filters the levels of the lanes, and mixes two levels in the lanes in `mixed`. */
-GN_INLINE void filter_levels(const lookup_state *state, const lookup_place *place,
-                             const level_choice *choice, uint32_t linear, uint32_t mixed,
-                             lanes_f texel[4])
+GN_OUT_OF_LINE void filter_levels(const lookup_state *state, const lookup_place *place,
+                                  const level_choice *choice, uint32_t linear, uint32_t mixed,
+                                  lanes_f texel[4])
 {
     const uint32_t first = levels_in(choice->level);
     const uint32_t next = mixed ? levels_in(choice->next) : 0;
     lanes_f above[4];
 
-    if (state->target == GN_TEXTURE_2D && mixed == GN_ALL_LANES && linear == GN_ALL_LANES &&
-        (first & (first - 1)) == 0 && (next & (next - 1)) == 0 &&
-        level_has_words(state, first_lane(first)) && level_has_words(state, first_lane(next))) {
-        filter_words_between(state, place, first_lane(first), first_lane(next), &choice->weight,
-                             texel);
-        return;
-    }
     if (state->target != GN_TEXTURE_CUBE && ((first & (first - 1)) || (next & (next - 1)))) {
         filter_each_level(state, place, choice, first | next, linear, texel, above);
     } else {
@@ -221,7 +197,7 @@ GN_INLINE void filter_levels(const lookup_state *state, const lookup_place *plac
             filter_lanes_level(state, place, &choice->next, next, linear, above);
     }
     if (mixed)
-        mix_levels(choice, mixed, above, texel);
+        mix_levels(state, choice, mixed, above, texel);
 }
 
 /* Returns whether the level of detail affects the result. */
@@ -239,9 +215,9 @@ static inline bool asks_for_gradients(const gn_texture *texture, const gn_sample
 }
 
 /* Chooses the lanes that use the linear filter and the lanes that mix two levels. */
-GN_INLINE void choose_filters(const lookup_state *state, const gn_sampler *sampler,
-                              const gn_lookup *lookup, level_choice *choice, uint32_t *linear,
-                              uint32_t *mixed)
+static inline void choose_filters(const lookup_state *state, const gn_sampler *sampler,
+                                  const gn_lookup *lookup, level_choice *choice, uint32_t *linear,
+                                  uint32_t *mixed)
 {
     const uint32_t magnified = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
     const bool lod_per_lane = has_lod_per_lane(lookup) || state->target == GN_TEXTURE_CUBE;
