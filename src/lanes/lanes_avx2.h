@@ -424,8 +424,8 @@ static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
 static inline void lanes_avx2_indices(lanes_i index, int32_t at[GN_LANES])
 {
     for (int n = 0; n < 4; ++n) {
-        const __m128i part =
-            n % 2 ? _mm256_extracti128_si256(index.q[n / 2], 1) : _mm256_castsi256_si128(index.q[n / 2]);
+        const __m128i part = n % 2 ? _mm256_extracti128_si256(index.q[n / 2], 1)
+                                   : _mm256_castsi256_si128(index.q[n / 2]);
         const int64_t low = _mm_cvtsi128_si64(part);
         const int64_t high = _mm_extract_epi64(part, 1);
 

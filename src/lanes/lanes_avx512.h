@@ -407,9 +407,9 @@ static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
  * units of arithmetic. The indices leave the register two at a time. */
 static inline void lanes_avx512_indices(lanes_i index, int32_t at[GN_LANES])
 {
-    const __m128i part[4] = {
-        _mm512_castsi512_si128(index.q), _mm512_extracti32x4_epi32(index.q, 1),
-        _mm512_extracti32x4_epi32(index.q, 2), _mm512_extracti32x4_epi32(index.q, 3)};
+    const __m128i part[4] = {_mm512_castsi512_si128(index.q), _mm512_extracti32x4_epi32(index.q, 1),
+                             _mm512_extracti32x4_epi32(index.q, 2),
+                             _mm512_extracti32x4_epi32(index.q, 3)};
 
     for (int n = 0; n < 4; ++n) {
         const int64_t low = _mm_cvtsi128_si64(part[n]);
@@ -440,9 +440,9 @@ GN_INLINE lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
     int32_t at[GN_LANES];
 
     lanes_avx512_indices(index, at);
-    return lanes_avx512_i(lanes_avx512_join(
-        lanes_avx512_words(base, at), lanes_avx512_words(base, at + 4),
-        lanes_avx512_words(base, at + 8), lanes_avx512_words(base, at + 12)));
+    return lanes_avx512_i(
+        lanes_avx512_join(lanes_avx512_words(base, at), lanes_avx512_words(base, at + 4),
+                          lanes_avx512_words(base, at + 8), lanes_avx512_words(base, at + 12)));
 }
 
 /* Loads two pairs of words. */
@@ -460,12 +460,12 @@ GN_INLINE void lanes_i_gather_pairs(const stored_word *base, lanes_i index, lane
     int32_t at[GN_LANES];
 
     lanes_avx512_indices(index, at);
-    const __m512 a = _mm512_castsi512_ps(lanes_avx512_join(
-        lanes_avx512_pairs(base, at), lanes_avx512_pairs(base, at + 4),
-        lanes_avx512_pairs(base, at + 8), lanes_avx512_pairs(base, at + 12)));
-    const __m512 b = _mm512_castsi512_ps(lanes_avx512_join(
-        lanes_avx512_pairs(base, at + 2), lanes_avx512_pairs(base, at + 6),
-        lanes_avx512_pairs(base, at + 10), lanes_avx512_pairs(base, at + 14)));
+    const __m512 a = _mm512_castsi512_ps(
+        lanes_avx512_join(lanes_avx512_pairs(base, at), lanes_avx512_pairs(base, at + 4),
+                          lanes_avx512_pairs(base, at + 8), lanes_avx512_pairs(base, at + 12)));
+    const __m512 b = _mm512_castsi512_ps(
+        lanes_avx512_join(lanes_avx512_pairs(base, at + 2), lanes_avx512_pairs(base, at + 6),
+                          lanes_avx512_pairs(base, at + 10), lanes_avx512_pairs(base, at + 14)));
     first->q = _mm512_castps_si512(_mm512_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)));
     second->q = _mm512_castps_si512(_mm512_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1)));
 }

@@ -67,7 +67,8 @@ GN_OUT_OF_LINE void find_anisotropy(const lookup_state *state, const gn_sampler 
         cube_gradient(place->cube, along_x, on_face_x);
         cube_gradient(place->cube, along_y, on_face_y);
     }
-    squared_lengths(state, is_cube ? on_face_x : along_x, is_cube ? on_face_y : along_y, &x, &y);
+    squared_lengths(state, state->dimensions, is_cube ? on_face_x : along_x,
+                    is_cube ? on_face_y : along_y, &x, &y);
 
     const lanes_m is_x = lanes_greater(x, y);
     const lanes_f longer = lanes_max(x, y);

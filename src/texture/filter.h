@@ -45,8 +45,8 @@ static inline uint32_t size_along(const lookup_state *state, uint32_t level, int
 
 /* Fetches the texels of a level by their numbers along the dimensions; texels outside are the
  * border. */
-GN_OUT_OF_LINE void fetch_place(const lookup_state *state, const lookup_place *place,
-                                uint32_t level, const lanes_i *const number[3], lanes_f texel[4])
+static inline void fetch_place(const lookup_state *state, const lookup_place *place, uint32_t level,
+                               const lanes_i *const number[3], lanes_f texel[4])
 {
     const lanes_i zero = lanes_i_splat(0);
     lanes_i outside = zero;
@@ -115,13 +115,12 @@ static inline void find_outside(lanes_i number[2], uint32_t size, linear_axis *a
         axis->outside[i] = lanes_i_or(lanes_i_sub(last, number[i]), number[i]);
         number[i] = lanes_i_clamp(number[i], zero, last);
     }
-    axis->has_outside =
-        lanes_i_sign_bits(lanes_i_or(axis->outside[0], axis->outside[1])) != 0;
+    axis->has_outside = lanes_i_sign_bits(lanes_i_or(axis->outside[0], axis->outside[1])) != 0;
 }
 
 static inline void find_axis(const lookup_state *state, const texel_layout *layout,
-                              const lanes_f *coordinate, uint32_t size, int dimension,
-                              linear_axis *axis)
+                             const lanes_f *coordinate, uint32_t size, int dimension,
+                             linear_axis *axis)
 {
     const gn_wrap wrap = state->wrap[dimension];
     const int32_t unit = layout->unit[dimension];
@@ -135,23 +134,21 @@ static inline void find_axis(const lookup_state *state, const texel_layout *layo
         axis->are_neighbours = lanes_bits(pair.at_end) == 0;
         axis->weight = pair.weight;
         axis->at[0] = in_units(layout, dimension, pair.first);
-        axis->at[1] =
-            lanes_i_add(axis->at[0], lanes_i_select(pair.at_end, lanes_i_splat(back),
-                                                    lanes_i_splat(unit)));
+        axis->at[1] = lanes_i_add(
+            axis->at[0], lanes_i_select(pair.at_end, lanes_i_splat(back), lanes_i_splat(unit)));
         return;
     }
-    axis->weight =
-        wrap_linear_any(wrap, state->masked[dimension], *coordinate, size, number);
+    axis->weight = wrap_linear_any(wrap, state->masked[dimension], *coordinate, size, number);
     if (wrap == GN_WRAP_CLAMP_TO_BORDER)
         find_outside(number, size, axis);
-    axis->are_neighbours =
-        lanes_bits(lanes_i_equal(lanes_i_sub(number[1], number[0]), lanes_i_splat(1))) ==
-        GN_ALL_LANES;
+    axis->are_neighbours = lanes_bits(lanes_i_equal(lanes_i_sub(number[1], number[0]),
+                                                    lanes_i_splat(1))) == GN_ALL_LANES;
     for (int i = 0; i < 2; ++i)
         axis->at[i] = in_units(layout, dimension, number[i]);
 }
 
-/* A row of a level, or of each lane's layer of it. `outside` is null if no lane's row is outside. */
+/* A row of a level, or of each lane's layer of it. `outside` is null if no lane's row is outside.
+ */
 typedef struct texel_row {
     const lanes_i *row, *layer, *outside;
 } texel_row;
@@ -181,12 +178,12 @@ static inline void load_row(const texel_layout *layout, const linear_axis *s, co
 }
 
 /* Replaces texels outside by the border. */
-static inline void put_border(const lookup_state *state, const linear_axis *s,
-                              const texel_row *row, int i, lanes_f texel[4])
+static inline void put_border(const lookup_state *state, const linear_axis *s, const texel_row *row,
+                              int i, lanes_f texel[4])
 {
     const lanes_i zero = lanes_i_splat(0);
-    const lanes_i outside = lanes_i_or(s->has_outside ? s->outside[i] : zero,
-                                       row->outside ? *row->outside : zero);
+    const lanes_i outside =
+        lanes_i_or(s->has_outside ? s->outside[i] : zero, row->outside ? *row->outside : zero);
     const lanes_m is_border = lanes_i_greater(zero, outside);
 
     for (int c = 0; c < state->channels; ++c)

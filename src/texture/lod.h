@@ -38,12 +38,12 @@ static inline void quad_differences(lanes_f a, lanes_f *along_x, lanes_f *along_
 }
 
 /* Writes the squared lengths of two gradients, in texels. */
-static inline void squared_lengths(const lookup_state *state, const lanes_f along_x[3],
+GN_INLINE void squared_lengths(const lookup_state *state, int dimensions, const lanes_f along_x[3],
                                const lanes_f along_y[3], lanes_f *out_x, lanes_f *out_y)
 {
     lanes_f x = lanes_splat(0.0f), y = x;
 
-    for (int n = 0; n < 3 && n < state->dimensions; ++n) {
+    for (int n = 0; n < 3 && n < dimensions; ++n) {
         const lanes_f size = lanes_splat((float)size_along(state, 0, n));
         const lanes_f dx = lanes_mul(along_x[n], size);
         const lanes_f dy = lanes_mul(along_y[n], size);
@@ -53,19 +53,6 @@ static inline void squared_lengths(const lookup_state *state, const lanes_f alon
     }
     *out_x = x;
     *out_y = y;
-}
-
-/* Returns the greater of the squared lengths; for a single dimension the greater length itself. */
-static inline lanes_f footprint_of(const lookup_state *state, const lanes_f along_x[3],
-                               const lanes_f along_y[3])
-{
-    lanes_f x, y;
-
-    if (state->dimensions == 1)
-        return lanes_mul(lanes_max(lanes_magnitude(along_x[0]), lanes_magnitude(along_y[0])),
-                         lanes_splat((float)state->texture->width));
-    squared_lengths(state, along_x, along_y, &x, &y);
-    return lanes_max(x, y);
 }
 
 /* Returns the exponent of a positive float: n for 2^n. */
@@ -165,11 +152,10 @@ static inline void choose_nearest_level(bool squared, int32_t last, lanes_f foot
 
 /* Writes the gradients of the lookup, or the differences of its coordinates. For cubes these are
  * converted from gradients of the direction to gradients on each lane's face. */
-static inline void find_gradients(const lookup_state *state, const lookup_place *place,
-                              const gn_lookup *lookup, lanes_f along_x[3], lanes_f along_y[3])
+GN_INLINE void find_gradients(const lookup_place *place, const gn_lookup *lookup, bool is_cube,
+                              int dimensions, lanes_f along_x[3], lanes_f along_y[3])
 {
-    const bool is_cube = state->target == GN_TEXTURE_CUBE;
-    const int count = is_cube ? 3 : state->dimensions;
+    const int count = is_cube ? 3 : dimensions;
     lanes_f x[3], y[3];
 
     for (int n = 0; n < 3 && n < count; ++n) {
@@ -211,7 +197,7 @@ static inline bool has_own_footprint(const lookup_state *state, const gn_sampler
 
 /* Returns each lane's footprint, shared within quads where has_own_footprint is false. */
 static inline lanes_f shared_footprint(const lookup_state *state, const gn_sampler *sampler,
-                                   const gn_lookup *lookup, lanes_f footprint)
+                                       const gn_lookup *lookup, lanes_f footprint)
 {
     const lanes_f shared =
         has_own_footprint(state, sampler, lookup) ? footprint : of_first_in_quad(footprint);
@@ -221,13 +207,35 @@ static inline lanes_f shared_footprint(const lookup_state *state, const gn_sampl
                : shared;
 }
 
-static inline lanes_f find_footprint(const lookup_state *state, const gn_sampler *sampler,
-                                 const lookup_place *place, const gn_lookup *lookup)
+/* Returns the greater of the squared lengths of the gradients; for a single dimension the greater
+ * length itself. */
+GN_INLINE lanes_f footprint_in(const lookup_state *state, const lookup_place *place,
+                               const gn_lookup *lookup, bool is_cube, int dimensions)
 {
-    lanes_f along_x[3], along_y[3];
+    lanes_f along_x[3], along_y[3], x, y;
 
-    find_gradients(state, place, lookup, along_x, along_y);
-    return shared_footprint(state, sampler, lookup, footprint_of(state, along_x, along_y));
+    find_gradients(place, lookup, is_cube, dimensions, along_x, along_y);
+    if (dimensions == 1)
+        return lanes_mul(lanes_max(lanes_magnitude(along_x[0]), lanes_magnitude(along_y[0])),
+                         lanes_splat((float)state->texture->width));
+    squared_lengths(state, dimensions, along_x, along_y, &x, &y);
+    return lanes_max(x, y);
+}
+
+/* Each branch compiles the footprint once more, with constants. */
+static inline lanes_f find_footprint(const lookup_state *state, const gn_sampler *sampler,
+                                     const lookup_place *place, const gn_lookup *lookup)
+{
+    const int dimensions = state->dimensions;
+    lanes_f footprint;
+
+    if (state->target == GN_TEXTURE_CUBE)
+        footprint = footprint_in(state, place, lookup, true, 2);
+    else if (dimensions == 2)
+        footprint = footprint_in(state, place, lookup, false, 2);
+    else
+        footprint = footprint_in(state, place, lookup, false, dimensions);
+    return shared_footprint(state, sampler, lookup, footprint);
 }
 
 /* Chooses the levels of a lookup. `known` is the footprint, or null if it must be computed. */

@@ -147,8 +147,7 @@ GN_OUT_OF_LINE void fetch_end_corners(const gn_texture *texture, uint32_t level,
     const lanes_i row[2] = {v->first, second_texel(sampler->wrap_t, v)};
 
     for (int i = 0; i < CORNER_COUNT; ++i)
-        corner[i] =
-            lanes_i_gather(words, word_index(texture, level, column[i & 1], row[i >> 1]));
+        corner[i] = lanes_i_gather(words, word_index(texture, level, column[i & 1], row[i >> 1]));
 }
 
 /* The words of four texels around a coordinate, and the weights of the second ones. */

@@ -82,7 +82,7 @@ static inline void set_texel_layout(texel_layout *out, const gn_texture *texture
     out->format = texture->format;
     out->access = ACCESS_ONE_BY_ONE;
     out->unit[0] = out->unit[1] = out->unit[2] = 1;
-    if (!GN_SPECIALISED)
+    if (!GN_SPECIALISED || access == ACCESS_ONE_BY_ONE)
         return;
 
     const size_t rows = extent.height > 1 ? row : 0;
@@ -162,13 +162,12 @@ static inline lanes_i load_bytes(const unsigned char *texels, lanes_i index, int
     int32_t at[GN_LANES], texel[GN_LANES];
 
     lanes_i_store(at, index);
-    if (count == 1) {
+    if (count == 1)
         GN_EACH_LANE (l)
             texel[l] = texels[at[l]];
-    } else {
+    else
         GN_EACH_LANE (l)
             texel[l] = texels[at[l]] | texels[at[l] + 1] << 8;
-    }
     return lanes_i_load(texel);
 }
 
@@ -179,13 +178,12 @@ static inline lanes_i load_halves(const unsigned char *texels, lanes_i index, in
     int32_t at[GN_LANES], texel[GN_LANES];
 
     lanes_i_store(at, index);
-    if (count == 1) {
+    if (count == 1)
         GN_EACH_LANE (l)
             texel[l] = halves[at[l]];
-    } else {
+    else
         GN_EACH_LANE (l)
             texel[l] = (int32_t)(halves[at[l]] | (uint32_t)halves[at[l] + 1] << 16);
-    }
     return lanes_i_load(texel);
 }
 
@@ -293,8 +291,8 @@ static inline void load_texels(const texel_layout *layout, const texel_numbers *
     } else {
         index = texel_index(numbers);
         if (layout->format == GN_FORMAT_RGBA8) {
-            unpack_texels(
-                lanes_i_gather((const stored_word *)(const void *)layout->texels, index), texel);
+            unpack_texels(lanes_i_gather((const stored_word *)(const void *)layout->texels, index),
+                          texel);
             return;
         }
         load_by_index(layout, &index, word);

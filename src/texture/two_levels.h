@@ -32,18 +32,15 @@ static inline lanes_f footprint_of_quads(const gn_texture *texture, lanes_f s, l
     t_along_x = lanes_mul(t_along_x, height);
     t_along_y = lanes_mul(t_along_y, height);
 
-    const lanes_f x =
-        lanes_add(lanes_mul(s_along_x, s_along_x), lanes_mul(t_along_x, t_along_x));
-    const lanes_f y =
-        lanes_add(lanes_mul(s_along_y, s_along_y), lanes_mul(t_along_y, t_along_y));
+    const lanes_f x = lanes_add(lanes_mul(s_along_x, s_along_x), lanes_mul(t_along_x, t_along_x));
+    const lanes_f y = lanes_add(lanes_mul(s_along_y, s_along_y), lanes_mul(t_along_y, t_along_y));
     return of_first_in_quad(lanes_max(x, y));
 }
 
 /* Returns one channel of two levels, mixed. The channel must be a constant. */
 GN_INLINE lanes_f mix_two_levels(const word_corners level[2], int channel, lanes_f weight)
 {
-    return mix(weight,
-               mix_corners(level[0].corner, channel, level[0].weight_s, level[0].weight_t),
+    return mix(weight, mix_corners(level[0].corner, channel, level[0].weight_s, level[0].weight_t),
                mix_corners(level[1].corner, channel, level[1].weight_s, level[1].weight_t));
 }
 
@@ -63,8 +60,7 @@ GN_OUT_OF_LINE bool sample_two_levels(const gn_texture *texture, const gn_sample
                                       float texel[4][GN_LANES])
 {
     const lanes_f u = lanes_load(s), v = lanes_load(t);
-    const lanes_f lod =
-        lanes_mul(rough_log2(footprint_of_quads(texture, u, v)), lanes_splat(0.5f));
+    const lanes_f lod = lanes_mul(rough_log2(footprint_of_quads(texture, u, v)), lanes_splat(0.5f));
     const lanes_f whole = lanes_floor(lod);
     const lanes_f weight = lanes_sub(lod, whole);
     const lanes_i number = lanes_truncate(whole);

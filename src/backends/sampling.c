@@ -1,25 +1,63 @@
-/* Sampling for callers, compiled for the instruction set that every processor of the target has. */
-#include "sample_any.h"
+/* Sampling for callers, outside draws: the functions of the back end that every processor of the
+ * target runs. Small builds have one form of them, here. */
+#include "../config/features.h"
+#include "../lanes/lanes.h"
+#include "shading.h"
+
+#if GN_SPECIALISED
+
+static gn_sampling sampling(void)
+{
+    static const gn_pipeline no_shaders;
+    shading_functions f;
+
+#define FILL_ALWAYS(name, NAME)                                                                    \
+    if (backend_of_every_processor() == GN_BACKEND_##NAME)                                         \
+        gn_shading_##name(&no_shaders, &f);
+    GN_COMPILED_BACKENDS(FILL_ALWAYS)
+#undef FILL_ALWAYS
+    return f.sampling;
+}
+
+#define SAMPLE_2D sampling().sample_2d
+#define SAMPLE sampling().sample
+#define GATHER sampling().gather
+#define FETCH sampling().fetch
+
+#else
+
+#include "../texture/fetch.h"
+#include "../texture/sample_any.h"
+
+#define SAMPLE_2D (GN_HAVE_TEXTURES ? sample_any_2d : sample_simple_2d)
+#define SAMPLE sample_any
+#define GATHER gather_any
+#define FETCH fetch_numbered
+
+#endif
 
 void gn_sample_2d(const gn_texture *texture, const gn_sampler *sampler, const float s[GN_LANES],
                   const float t[GN_LANES], float texel[4][GN_LANES])
 {
-    if (GN_HAVE_TEXTURES)
-        sample_any_2d(texture, sampler, s, t, texel);
-    else
-        sample_simple_2d(texture, sampler, s, t, texel);
+    SAMPLE_2D(texture, sampler, s, t, texel);
 }
 
 void gn_sample(const gn_texture *texture, const gn_sampler *sampler, const gn_lookup *lookup,
                float texel[4][GN_LANES])
 {
-    sample_any(texture, sampler, lookup, texel);
+    SAMPLE(texture, sampler, lookup, texel);
 }
 
 void gn_gather(const gn_texture *texture, const gn_sampler *sampler, const gn_lookup *lookup,
                int channel, float texel[4][GN_LANES])
 {
-    gather_any(texture, sampler, lookup, channel, texel);
+    GATHER(texture, sampler, lookup, channel, texel);
+}
+
+void gn_fetch(const gn_texture *texture, const int32_t *const coordinate[3], const int32_t *level,
+              float texel[4][GN_LANES])
+{
+    FETCH(texture, coordinate, level, texel);
 }
 
 void gn_sample_at(const gn_texture *texture, const gn_sampler *sampler, const float coordinate[3],
@@ -44,7 +82,7 @@ void gn_sample_at(const gn_texture *texture, const gn_sampler *sampler, const fl
         lods[l] = lod;
         references[l] = reference;
     }
-    sample_any(texture, sampler, &lookup, texels);
+    SAMPLE(texture, sampler, &lookup, texels);
     for (int c = 0; c < 4; ++c)
         texel[c] = texels[c][0];
 }
