@@ -8,8 +8,8 @@
 
 /* Writes the normalized direction from a fragment towards the light, and the part of the light that
  * distance and shadows leave. */
-static inline void light_fragment(const gn_lit_uniforms *u, const gn_fragment_input *input,
-                                  const lanes_f place[3], lanes_f to_light[3], lanes_f *left)
+GN_OUT_OF_LINE void light_fragment(const gn_lit_uniforms *u, const gn_fragment_input *input,
+                                   const lanes_f place[3], lanes_f to_light[3], lanes_f *left)
 {
     light_at(&u->light, place, to_light, left);
     if (u->shadow.map)
@@ -139,8 +139,8 @@ static inline void add_glow(const gn_material *material, const gn_fragment_input
 }
 
 /* Phong's and Blinn's shaders, which differ only in the highlight. */
-GN_INLINE void shade_shiny(const gn_lit_uniforms *u, bool is_blinn, const gn_fragment_input *input,
-                           gn_fragment_output *output)
+GN_OUT_OF_LINE void shade_shiny(const gn_lit_uniforms *u, bool is_blinn,
+                                const gn_fragment_input *input, gn_fragment_output *output)
 {
     const lanes_f zero = lanes_splat(0.0f);
     lanes_f place[3], to_light[3], to_eye[3], normal[3], color[4], left;

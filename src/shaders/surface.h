@@ -17,8 +17,8 @@ static inline void sample_map(const gn_texture *map, const gn_sampler *sampler,
 }
 
 /* Writes the vertex colour times the diffuse map. */
-static inline void surface_color(const gn_material *material, const gn_fragment_input *input,
-                                 lanes_f color[4])
+GN_OUT_OF_LINE void surface_color(const gn_material *material, const gn_fragment_input *input,
+                                  lanes_f color[4])
 {
     lanes_f texel[4];
 
@@ -55,8 +55,8 @@ static inline void from_tangents(const gn_fragment_input *input, const lanes_f v
 
 /* Writes the normal in world space, normalized: the normal map's if there is one, otherwise the
  * interpolated normal. */
-static inline void surface_normal(const gn_lit_uniforms *u, const gn_fragment_input *input,
-                                  lanes_f normal[3])
+GN_OUT_OF_LINE void surface_normal(const gn_lit_uniforms *u, const gn_fragment_input *input,
+                                   lanes_f normal[3])
 {
     lanes_f texel[4];
 

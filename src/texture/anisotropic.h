@@ -141,9 +141,7 @@ GN_OUT_OF_LINE void sample_anisotropic(const gn_texture *texture, const gn_sampl
     lanes_f at[3], sample[4], mean[4];
     uint32_t linear, mixed;
 
-    set_lookup_state(&state, texture, sampler);
-    set_lookup_place(&state, lookup, &place);
-    set_cube_place(&state, lookup, has_gradients, &cube, &place);
+    set_lookup(texture, sampler, lookup, has_gradients, &state, &place, &cube);
     find_anisotropy(&state, sampler, &place, lookup, &a);
     find_levels(&state, sampler, &place, lookup, &a.footprint, &choice);
     choose_filters(&state, sampler, lookup, &choice, &linear, &mixed);

@@ -71,20 +71,28 @@ GN_OUT_OF_LINE void filter_cube_nearest(const lookup_state *state, const lookup_
         texel[0] = compared(state->compare, place->reference, texel[0]);
 }
 
-/* Fetches the four texels, compared if the lookup compares. */
+/* Fetches one of the four texels, compared if the lookup compares. */
+GN_OUT_OF_LINE void fetch_cube_texel(const lookup_state *state, const lookup_place *place,
+                                     const lanes_i *level, uint32_t levels, const lanes_i *size,
+                                     const cube_texels *texels, int i, lanes_f texel[4])
+{
+    lanes_i column, row, face;
+
+    cube_find_texel(place->cube, *size, texels, i, &column, &row, &face);
+    fetch_cube(state->texture, level, levels, &column, &row, &face, texel);
+    if (state->compare != GN_COMPARE_DEFAULT)
+        texel[0] = compared(state->compare, place->reference, texel[0]);
+}
+
+/* Fetches the four texels. */
 GN_OUT_OF_LINE void fetch_cube_texels(const lookup_state *state, const lookup_place *place,
                                       const lanes_i *level, uint32_t levels,
                                       const cube_texels *texels, lanes_f texel[CUBE_TEXELS][4])
 {
     const lanes_i size = cube_sizes(state->texture, *level, levels);
-    lanes_i column, row, face;
 
-    for (int i = 0; i < CUBE_TEXELS; ++i) {
-        cube_find_texel(place->cube, size, texels, i, &column, &row, &face);
-        fetch_cube(state->texture, level, levels, &column, &row, &face, texel[i]);
-        if (state->compare != GN_COMPARE_DEFAULT)
-            texel[i][0] = compared(state->compare, place->reference, texel[i][0]);
-    }
+    for (int i = 0; i < CUBE_TEXELS; ++i)
+        fetch_cube_texel(state, place, level, levels, &size, texels, i, texel[i]);
 }
 
 /* Mixes the four texels as filter_linear does for other targets. */

@@ -45,8 +45,8 @@ static inline uint32_t size_along(const lookup_state *state, uint32_t level, int
 
 /* Fetches the texels of a level by their numbers along the dimensions; texels outside are the
  * border. */
-static inline void fetch_place(const lookup_state *state, const lookup_place *place, uint32_t level,
-                               const lanes_i *const number[3], lanes_f texel[4])
+GN_OUT_OF_LINE void fetch_place(const lookup_state *state, const lookup_place *place,
+                                uint32_t level, const lanes_i *const number[3], lanes_f texel[4])
 {
     const lanes_i zero = lanes_i_splat(0);
     lanes_i outside = zero;

@@ -209,8 +209,8 @@ static inline lanes_f shared_footprint(const lookup_state *state, const gn_sampl
 
 /* Returns the greater of the squared lengths of the gradients; for a single dimension the greater
  * length itself. */
-GN_INLINE lanes_f footprint_in(const lookup_state *state, const lookup_place *place,
-                               const gn_lookup *lookup, bool is_cube, int dimensions)
+GN_WIDE_INLINE lanes_f footprint_in(const lookup_state *state, const lookup_place *place,
+                                    const gn_lookup *lookup, bool is_cube, int dimensions)
 {
     lanes_f along_x[3], along_y[3], x, y;
 

@@ -29,6 +29,20 @@ static inline lanes_i word_index(const gn_texture *texture, uint32_t level, lane
     return lanes_i_add(lanes_i_mul(row, words_per_row), column);
 }
 
+static inline lanes_f mix(lanes_f weight, lanes_f a, lanes_f b)
+{
+    return lanes_add(a, lanes_mul(weight, lanes_sub(b, a)));
+}
+
+/* The four texels around a coordinate, in the order in which they are mixed. */
+enum { CORNER_00, CORNER_10, CORNER_01, CORNER_11, CORNER_COUNT };
+
+/* Whether textures whose texels are no such words are sampled by this file. Otherwise they are no
+ * simple textures. */
+#define GN_SIMPLE_ANY (!GN_SPECIALISED || !GN_HAVE_TEXTURES)
+
+#if GN_SIMPLE_ANY
+
 /* Fetches texel by texel, from every texture. */
 GN_OUT_OF_LINE void fetch_any(const gn_texture *texture, const lanes_i *column, const lanes_i *row,
                               lanes_f texel[4])
@@ -53,6 +67,28 @@ GN_OUT_OF_LINE void fetch_any(const gn_texture *texture, const lanes_i *column, 
                               : lanes_as_float(lanes_i_load(word[c]));
 }
 
+GN_OUT_OF_LINE void sample_linear_any(const gn_texture *texture, const gn_sampler *sampler,
+                                      const lanes_f *s, const lanes_f *t, lanes_f texel[4])
+{
+    const texel_pair u = wrap_linear(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width),
+                                     *s, texture->width);
+    const texel_pair v = wrap_linear(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),
+                                     *t, texture->height);
+    const lanes_i right = second_texel(sampler->wrap_s, &u);
+    const lanes_i above = second_texel(sampler->wrap_t, &v);
+    lanes_f corner[CORNER_COUNT][4];
+
+    fetch_any(texture, &u.first, &v.first, corner[CORNER_00]);
+    fetch_any(texture, &right, &v.first, corner[CORNER_10]);
+    fetch_any(texture, &u.first, &above, corner[CORNER_01]);
+    fetch_any(texture, &right, &above, corner[CORNER_11]);
+    for (int c = 0; c < 4; ++c)
+        texel[c] = mix(v.weight, mix(u.weight, corner[CORNER_00][c], corner[CORNER_10][c]),
+                       mix(u.weight, corner[CORNER_01][c], corner[CORNER_11][c]));
+}
+
+#endif
+
 GN_OUT_OF_LINE void sample_nearest(const gn_texture *texture, const gn_sampler *sampler,
                                    const lanes_f *s, const lanes_f *t, lanes_f texel[4])
 {
@@ -61,10 +97,12 @@ GN_OUT_OF_LINE void sample_nearest(const gn_texture *texture, const gn_sampler *
     const lanes_i row = wrap_nearest(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),
                                      *t, texture->height);
 
+#if GN_SIMPLE_ANY
     if (!has_word_texels(texture, 0)) {
         fetch_any(texture, &column, &row, texel);
         return;
     }
+#endif
     const lanes_i packed = lanes_i_gather((const stored_word *)texture->level[0].texels,
                                           word_index(texture, 0, column, row));
     texel[0] = lanes_unpack_unorm8(packed, 0);
@@ -107,34 +145,6 @@ GN_INLINE lanes_i nearest_words(const masked_words *m, lanes_f s, lanes_f t)
 
     return lanes_i_gather(m->words,
                           lanes_i_add(lanes_i_mul(row, lanes_i_splat(m->words_per_row)), column));
-}
-
-static inline lanes_f mix(lanes_f weight, lanes_f a, lanes_f b)
-{
-    return lanes_add(a, lanes_mul(weight, lanes_sub(b, a)));
-}
-
-/* The four texels around a coordinate, in the order in which they are mixed. */
-enum { CORNER_00, CORNER_10, CORNER_01, CORNER_11, CORNER_COUNT };
-
-GN_OUT_OF_LINE void sample_linear_any(const gn_texture *texture, const gn_sampler *sampler,
-                                      const lanes_f *s, const lanes_f *t, lanes_f texel[4])
-{
-    const texel_pair u = wrap_linear(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width),
-                                     *s, texture->width);
-    const texel_pair v = wrap_linear(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),
-                                     *t, texture->height);
-    const lanes_i right = second_texel(sampler->wrap_s, &u);
-    const lanes_i above = second_texel(sampler->wrap_t, &v);
-    lanes_f corner[CORNER_COUNT][4];
-
-    fetch_any(texture, &u.first, &v.first, corner[CORNER_00]);
-    fetch_any(texture, &right, &v.first, corner[CORNER_10]);
-    fetch_any(texture, &u.first, &above, corner[CORNER_01]);
-    fetch_any(texture, &right, &above, corner[CORNER_11]);
-    for (int c = 0; c < 4; ++c)
-        texel[c] = mix(v.weight, mix(u.weight, corner[CORNER_00][c], corner[CORNER_10][c]),
-                       mix(u.weight, corner[CORNER_01][c], corner[CORNER_11][c]));
 }
 
 /* Fetches the words of the four texels if a lane is at an end. */
@@ -203,6 +213,7 @@ GN_INLINE lanes_f mix_corners(const lanes_i corner[CORNER_COUNT], int channel, l
 GN_INLINE void sample_linear_inline(const gn_texture *texture, const gn_sampler *sampler,
                                     const lanes_f *s, const lanes_f *t, lanes_f texel[4])
 {
+#if GN_SIMPLE_ANY
     if (!has_word_texels(texture, 0)) {
         lanes_f any[4];
 
@@ -211,6 +222,7 @@ GN_INLINE void sample_linear_inline(const gn_texture *texture, const gn_sampler 
             texel[c] = any[c];
         return;
     }
+#endif
 
     word_corners w;
     fetch_corners(texture, 0, sampler, s, t, &w);
@@ -255,7 +267,9 @@ static inline bool is_simple(const gn_texture *texture, const gn_sampler *sample
 {
     return !GN_HAVE_TEXTURES ||
            (texture->target == GN_TEXTURE_2D && texture->level_count <= 1 &&
-            (texture->format == GN_FORMAT_RGBA8 || texture->format == GN_FORMAT_RGBA32F) &&
+            (GN_SIMPLE_ANY
+                 ? texture->format == GN_FORMAT_RGBA8 || texture->format == GN_FORMAT_RGBA32F
+                 : has_word_texels(texture, 0)) &&
             sampler->wrap_s <= GN_WRAP_CLAMP_TO_EDGE && sampler->wrap_t <= GN_WRAP_CLAMP_TO_EDGE &&
             sampler->max_anisotropy <= 1 && sampler->lod_bias == 0.0f && !sampler->lod_clamped);
 }

@@ -4,7 +4,7 @@
 #define GN_TEXTURE_SAMPLE_ANY_H
 
 #include "anisotropic.h"
-#include "two_levels.h"
+#include "usual_levels.h"
 
 /* A gn_sample_2d_function for the textures that sample.h can sample. */
 static inline void sample_simple_2d(const gn_texture *texture, const gn_sampler *sampler,
@@ -50,15 +50,14 @@ GN_OUT_OF_LINE void sample_any(const gn_texture *texture, const gn_sampler *samp
 
     if (lookup->lod_source == GN_LOD_IMPLICIT && !lookup->lod &&
         has_usual_levels(texture, sampler) &&
-        sample_two_levels(texture, sampler, lookup->coordinate[0], lookup->coordinate[1], texel))
+        sample_usual_levels(texture, sampler, lookup->coordinate[0], lookup->coordinate[1], texel))
         return;
     if (is_anisotropic(texture, sampler, lookup)) {
         sample_anisotropic(texture, sampler, lookup, texel);
         return;
     }
-    set_lookup_state(&state, texture, sampler);
-    set_lookup_place(&state, lookup, &place);
-    set_cube_place(&state, lookup, asks_for_gradients(texture, sampler, lookup), &cube, &place);
+    set_lookup(texture, sampler, lookup, asks_for_gradients(texture, sampler, lookup), &state,
+               &place, &cube);
     if (finds_lod) {
         find_levels(&state, sampler, &place, lookup, 0, &choice);
         choose_filters(&state, sampler, lookup, &choice, &linear, &mixed);
@@ -102,9 +101,7 @@ static inline void gather_any(const gn_texture *texture, const gn_sampler *sampl
     lanes_i number[2][2];
     lanes_f fetched[4];
 
-    set_lookup_state(&state, texture, sampler);
-    set_lookup_place(&state, lookup, &place);
-    set_cube_place(&state, lookup, false, &cube, &place);
+    set_lookup(texture, sampler, lookup, false, &state, &place, &cube);
     if (state.compare != GN_COMPARE_DEFAULT)
         channel = 0;
     if (texture->target == GN_TEXTURE_CUBE) {

@@ -110,6 +110,16 @@ GN_OUT_OF_LINE void filter_level_by_quads(const lookup_state *state, const looku
         texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
 }
 
+/* Sets all that a lookup needs; the place points to `cube`. */
+GN_OUT_OF_LINE void set_lookup(const gn_texture *texture, const gn_sampler *sampler,
+                               const gn_lookup *lookup, bool has_gradients, lookup_state *state,
+                               lookup_place *place, cube_place *cube)
+{
+    set_lookup_state(state, texture, sampler);
+    set_lookup_place(state, lookup, place);
+    set_cube_place(state, lookup, has_gradients, cube, place);
+}
+
 static inline void filter_level(const lookup_state *state, const lookup_place *place,
                                 uint32_t level, uint32_t linear, lanes_f texel[4])
 {
