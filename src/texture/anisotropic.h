@@ -145,14 +145,12 @@ GN_OUT_OF_LINE void sample_anisotropic(const gn_texture *texture, const gn_sampl
     find_anisotropy(&state, sampler, &place, lookup, &a);
     find_levels(&state, sampler, &place, lookup, &a.footprint, &choice);
     choose_filters(&state, sampler, lookup, &choice, &linear, &mixed);
-    find_sample(&a, 1, at);
-    move_place(&state, at, has_gradients, &cube, &place);
-    filter_levels(&state, &place, &choice, linear, mixed, mean);
-    for (int i = 2; lanes_bits(has_sample(&a, i)) != 0; ++i) {
+    for (int i = 1; i == 1 || lanes_bits(has_sample(&a, i)) != 0; ++i) {
         find_sample(&a, i, at);
         move_place(&state, at, has_gradients, &cube, &place);
-        filter_levels(&state, &place, &choice, linear, mixed, sample);
-        take_sample(&state, &a, i, sample, mean);
+        filter_levels(&state, &place, &choice, linear, mixed, i == 1 ? mean : sample);
+        if (i > 1)
+            take_sample(&state, &a, i, sample, mean);
     }
     for (int c = 0; c < 4; ++c)
         store_channel(&state, c, mean[c], texel[c]);

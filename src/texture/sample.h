@@ -89,13 +89,15 @@ GN_OUT_OF_LINE void sample_linear_any(const gn_texture *texture, const gn_sample
 
 #endif
 
-GN_OUT_OF_LINE void sample_nearest(const gn_texture *texture, const gn_sampler *sampler,
-                                   const lanes_f *s, const lanes_f *t, lanes_f texel[4])
+/* Samples a level, which is 0 if the texels are no words. */
+GN_OUT_OF_LINE void sample_nearest(const gn_texture *texture, uint32_t level,
+                                   const gn_sampler *sampler, const lanes_f *s, const lanes_f *t,
+                                   lanes_f texel[4])
 {
     const lanes_i column = wrap_nearest(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width),
-                                        *s, texture->width);
+                                        *s, size_of_level(texture->width, level));
     const lanes_i row = wrap_nearest(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),
-                                     *t, texture->height);
+                                     *t, size_of_level(texture->height, level));
 
 #if GN_SIMPLE_ANY
     if (!has_word_texels(texture, 0)) {
@@ -103,8 +105,8 @@ GN_OUT_OF_LINE void sample_nearest(const gn_texture *texture, const gn_sampler *
         return;
     }
 #endif
-    const lanes_i packed = lanes_i_gather((const stored_word *)texture->level[0].texels,
-                                          word_index(texture, 0, column, row));
+    const lanes_i packed = lanes_i_gather((const stored_word *)texture->level[level].texels,
+                                          word_index(texture, level, column, row));
     texel[0] = lanes_unpack_unorm8(packed, 0);
     texel[1] = lanes_unpack_unorm8(packed, 1);
     texel[2] = lanes_unpack_unorm8(packed, 2);
@@ -210,8 +212,9 @@ GN_INLINE lanes_f mix_corners(const lanes_i corner[CORNER_COUNT], int channel, l
 
 /* The arrays that calls write to are separate from `texel`, because such arrays stay in memory
  * instead of registers. */
-GN_INLINE void sample_linear_inline(const gn_texture *texture, const gn_sampler *sampler,
-                                    const lanes_f *s, const lanes_f *t, lanes_f texel[4])
+GN_INLINE void sample_level_inline(const gn_texture *texture, uint32_t level,
+                                   const gn_sampler *sampler, const lanes_f *s, const lanes_f *t,
+                                   lanes_f texel[4])
 {
 #if GN_SIMPLE_ANY
     if (!has_word_texels(texture, 0)) {
@@ -225,17 +228,25 @@ GN_INLINE void sample_linear_inline(const gn_texture *texture, const gn_sampler 
 #endif
 
     word_corners w;
-    fetch_corners(texture, 0, sampler, s, t, &w);
+    fetch_corners(texture, level, sampler, s, t, &w);
     texel[0] = mix_corners(w.corner, 0, w.weight_s, w.weight_t);
     texel[1] = mix_corners(w.corner, 1, w.weight_s, w.weight_t);
     texel[2] = mix_corners(w.corner, 2, w.weight_s, w.weight_t);
     texel[3] = mix_corners(w.corner, 3, w.weight_s, w.weight_t);
 }
 
-GN_OUT_OF_LINE void sample_linear(const gn_texture *texture, const gn_sampler *sampler,
-                                  const lanes_f *s, const lanes_f *t, lanes_f texel[4])
+GN_INLINE void sample_linear_inline(const gn_texture *texture, const gn_sampler *sampler,
+                                    const lanes_f *s, const lanes_f *t, lanes_f texel[4])
 {
-    sample_linear_inline(texture, sampler, s, t, texel);
+    sample_level_inline(texture, 0, sampler, s, t, texel);
+}
+
+/* Samples a level, which is 0 if the texels are no words. */
+GN_OUT_OF_LINE void sample_linear(const gn_texture *texture, uint32_t level,
+                                  const gn_sampler *sampler, const lanes_f *s, const lanes_f *t,
+                                  lanes_f texel[4])
+{
+    sample_level_inline(texture, level, sampler, s, t, texel);
 }
 
 /* Returns the lanes in which the texture is minified: the squared length of a quad's longer
@@ -302,8 +313,8 @@ GN_OUT_OF_LINE void sample_both(const gn_texture *texture, const gn_sampler *sam
     const lanes_m use_linear = lanes_from_bits(linear_lanes);
     lanes_f linear[4], nearest[4];
 
-    sample_linear(texture, sampler, s, t, linear);
-    sample_nearest(texture, sampler, s, t, nearest);
+    sample_linear(texture, 0, sampler, s, t, linear);
+    sample_nearest(texture, 0, sampler, s, t, nearest);
     for (int c = 0; c < 4; ++c)
         texel[c] = lanes_select(use_linear, linear[c], nearest[c]);
 }
@@ -315,9 +326,9 @@ static inline void sample(const gn_texture *texture, const gn_sampler *sampler, 
     const uint32_t linear = linear_lanes(texture, sampler, s, t);
 
     if (linear == GN_ALL_LANES)
-        sample_linear(texture, sampler, s, t, texel);
+        sample_linear(texture, 0, sampler, s, t, texel);
     else if (linear == 0)
-        sample_nearest(texture, sampler, s, t, texel);
+        sample_nearest(texture, 0, sampler, s, t, texel);
     else
         sample_both(texture, sampler, s, t, linear, texel);
 }

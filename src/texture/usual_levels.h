@@ -56,29 +56,14 @@ static inline void store_one_level(const gn_texture *texture, const gn_sampler *
                                    uint32_t level, const lanes_f *u, const lanes_f *v,
                                    float texel[4][GN_LANES])
 {
-    word_corners w;
+    lanes_f out[4];
 
-    if (sampler->magnify != GN_MAGNIFY_LINEAR) {
-        const lanes_i column =
-            wrap_nearest(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width), *u,
-                         size_of_level(texture->width, level));
-        const lanes_i row =
-            wrap_nearest(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height), *v,
-                         size_of_level(texture->height, level));
-        const lanes_i word =
-            lanes_i_gather(texture->level[level].texels, word_index(texture, level, column, row));
-
-        lanes_store(texel[0], lanes_unpack_unorm8(word, 0));
-        lanes_store(texel[1], lanes_unpack_unorm8(word, 1));
-        lanes_store(texel[2], lanes_unpack_unorm8(word, 2));
-        lanes_store(texel[3], lanes_unpack_unorm8(word, 3));
-        return;
-    }
-    fetch_corners(texture, level, sampler, u, v, &w);
-    lanes_store(texel[0], mix_corners(w.corner, 0, w.weight_s, w.weight_t));
-    lanes_store(texel[1], mix_corners(w.corner, 1, w.weight_s, w.weight_t));
-    lanes_store(texel[2], mix_corners(w.corner, 2, w.weight_s, w.weight_t));
-    lanes_store(texel[3], mix_corners(w.corner, 3, w.weight_s, w.weight_t));
+    if (sampler->magnify == GN_MAGNIFY_LINEAR)
+        sample_linear(texture, level, sampler, u, v, out);
+    else
+        sample_nearest(texture, level, sampler, u, v, out);
+    for (int c = 0; c < 4; ++c)
+        lanes_store(texel[c], out[c]);
 }
 
 static inline void store_two_levels(const gn_texture *texture, const gn_sampler *sampler,
