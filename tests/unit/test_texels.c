@@ -448,6 +448,68 @@ static void nothing_outside_is_read(void **state)
     }
 }
 
+/* Samples the 2D texture with a filter, between its texels and beyond its edges. */
+static void sample_around(const gn_texture *t, gn_magnify magnify, gn_wrap wrap,
+                          float texel[4][GN_LANES])
+{
+    gn_sampler sampler = {.magnify = magnify, .wrap_s = wrap, .wrap_t = wrap};
+    float place[2][GN_LANES];
+
+    sampler.minify = magnify == GN_MAGNIFY_LINEAR ? GN_MINIFY_LINEAR : GN_MINIFY_NEAREST;
+    for (int l = 0; l < GN_LANES; ++l) {
+        place[0][l] = 0.09f * (float)l - 0.2f;
+        place[1][l] = 0.31f * (float)(l % 5) - 0.1f;
+    }
+    gn_sample_2d(t, &sampler, place[0], place[1], texel);
+}
+
+/* Texels are loaded in several ways, by format and alignment. Rows that begin at any multiple of
+ * the format's element, in either direction, in memory that ends with the last texel, have the
+ * samples of tightly packed rows. */
+static void rows_lie_anywhere(void **state)
+{
+    (void)state;
+    static const gn_wrap wraps[] = {GN_WRAP_REPEAT, GN_WRAP_CLAMP_TO_EDGE, GN_WRAP_CLAMP_TO_BORDER,
+                                    GN_WRAP_MIRRORED_REPEAT};
+
+    for (int f = 0; f < FORMATS; ++f) {
+        const size_t size = gn_format_size(all_formats[f]);
+        const bool is_halves =
+            all_formats[f] == GN_FORMAT_RGBA16 || all_formats[f] == GN_FORMAT_RGBA16F;
+        const size_t part = is_halves ? 2 : size % 4 == 0 ? 4 : size % 2 == 0 ? 2 : 1;
+        const ptrdiff_t row = (ptrdiff_t)(5 * size + part);
+        const size_t bytes = part + 2 * (size_t)row + 5 * size;
+        unsigned char *const memory = malloc(bytes);
+        gn_texture tight, loose;
+
+        assert_non_null(memory);
+        assert_int_equal(
+            gn_texture_packed(GN_TEXTURE_2D, all_formats[f], 5, 3, 1, 1, image, &tight), GN_OK);
+        for (size_t i = 0; i < 15 * size; ++i)
+            ((unsigned char *)image)[i] = (unsigned char)(i * 37 % 61);
+        loose = tight;
+        for (int flip = 0; flip < 2; ++flip) {
+            unsigned char *const first = memory + part + (flip ? 2 * row : 0);
+
+            loose.level[0].texels = first;
+            loose.level[0].row_stride = flip ? -row : row;
+            for (int y = 0; y < 3; ++y)
+                memcpy(first + (flip ? -row : row) * y,
+                       (const unsigned char *)image + (size_t)y * 5 * size, 5 * size);
+            assert_int_equal(gn_texture_check(&loose), GN_OK);
+            for (int i = 0; i < 8; ++i) {
+                const gn_magnify magnify = i & 1 ? GN_MAGNIFY_LINEAR : GN_MAGNIFY_NEAREST;
+                float a[4][GN_LANES], b[4][GN_LANES];
+
+                sample_around(&tight, magnify, wraps[i / 2], a);
+                sample_around(&loose, magnify, wraps[i / 2], b);
+                assert_memory_equal(a, b, sizeof a);
+            }
+        }
+        free(memory);
+    }
+}
+
 /* The last texels of the largest sizes, in memory of exactly that size. */
 static void largest_sizes(void **state)
 {
@@ -548,6 +610,7 @@ int main(void)
         cmocka_unit_test(formats_have_their_channels),
         cmocka_unit_test(fetches_within_and_beyond),
         cmocka_unit_test(nothing_outside_is_read),
+        cmocka_unit_test(rows_lie_anywhere),
         cmocka_unit_test(largest_sizes),
         cmocka_unit_test(texels_far_apart),
     };
