@@ -40,14 +40,14 @@ GN_INLINE unsigned char *lane_memory(const block_pixels *m, int first)
 }
 
 /* Loads the words of a layout whose pixels are words. */
-GN_INLINE lanes_i load_words(const block_pixels *m)
+GN_INLINE lanes_i load_pixel_words(const block_pixels *m)
 {
     return m->shape == SHAPE_ROW
                ? lanes_i_load((const stored_word *)(const void *)m->at.half[0])
                : lanes_i_load_block(m->at.half[0], m->at.half[1], m->stride);
 }
 
-GN_INLINE void store_words(const block_pixels *m, lanes_i a)
+GN_INLINE void store_pixel_words(const block_pixels *m, lanes_i a)
 {
     if (m->shape == SHAPE_ROW)
         lanes_i_store((stored_word *)(void *)m->at.half[0], a);
@@ -243,7 +243,7 @@ GN_INLINE void load_pixels(pixel_layout layout, const block_pixels *m, uint32_t 
         for (int i = 0; i < layout_words(layout); ++i)
             word[i] = loaded[i];
     } else if (layout == GN_LAYOUT(4, 4)) {
-        word[0] = load_words(m);
+        word[0] = load_pixel_words(m);
     } else {
         GN_EACH_LAYOUT(layout, LOAD)
     }
@@ -263,7 +263,7 @@ GN_INLINE void store_pixels(pixel_layout layout, const block_pixels *m, uint32_t
             stored[i] = word[i];
         store_covered(layout, &pixels, coverage, stored);
     } else if (layout == GN_LAYOUT(4, 4)) {
-        store_words(m, word[0]);
+        store_pixel_words(m, word[0]);
     } else {
         GN_EACH_LAYOUT(layout, STORE)
     }

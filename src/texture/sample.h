@@ -149,14 +149,12 @@ GN_INLINE lanes_i nearest_words(const masked_words *m, lanes_f s, lanes_f t)
                           lanes_i_add(lanes_i_mul(row, lanes_i_splat(m->words_per_row)), column));
 }
 
-/* Fetches the words of the four texels if a lane is at an end. */
-GN_OUT_OF_LINE void fetch_end_corners(const gn_texture *texture, uint32_t level,
-                                      const gn_sampler *sampler, const texel_pair *u,
-                                      const texel_pair *v, lanes_i corner[CORNER_COUNT])
+/* Fetches the words of the texels in two columns and two rows. */
+GN_OUT_OF_LINE void fetch_four_words(const gn_texture *texture, uint32_t level,
+                                     const lanes_i column[2], const lanes_i row[2],
+                                     lanes_i corner[CORNER_COUNT])
 {
     const stored_word *const words = texture->level[level].texels;
-    const lanes_i column[2] = {u->first, second_texel(sampler->wrap_s, u)};
-    const lanes_i row[2] = {v->first, second_texel(sampler->wrap_t, v)};
 
     for (int i = 0; i < CORNER_COUNT; ++i)
         corner[i] = lanes_i_gather(words, word_index(texture, level, column[i & 1], row[i >> 1]));
@@ -190,10 +188,13 @@ GN_WIDE_INLINE void fetch_corners(const gn_texture *texture, uint32_t level,
         lanes_i_gather_pairs(words + texture->level[level].row_stride / 4, index,
                              &out->corner[CORNER_01], &out->corner[CORNER_11]);
     } else {
-        const texel_pair u_in_memory = u, v_in_memory = v;
-        lanes_i corner[CORNER_COUNT];
+        lanes_i column[2], row[2], corner[CORNER_COUNT];
 
-        fetch_end_corners(texture, level, sampler, &u_in_memory, &v_in_memory, corner);
+        column[0] = u.first;
+        column[1] = second_texel(sampler->wrap_s, &u);
+        row[0] = v.first;
+        row[1] = second_texel(sampler->wrap_t, &v);
+        fetch_four_words(texture, level, column, row, corner);
         for (int i = 0; i < CORNER_COUNT; ++i)
             out->corner[i] = corner[i];
     }

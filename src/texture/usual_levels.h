@@ -66,18 +66,20 @@ static inline void store_one_level(const gn_texture *texture, const gn_sampler *
         lanes_store(texel[c], out[c]);
 }
 
+/* The weight is passed by address: after a call with wide registers as arguments GCC leaves their
+ * upper parts in use, which slows down shaders compiled for narrower ones. */
 static inline void store_two_levels(const gn_texture *texture, const gn_sampler *sampler,
                                     uint32_t level, const lanes_f *u, const lanes_f *v,
-                                    lanes_f weight, float texel[4][GN_LANES])
+                                    const lanes_f *weight, float texel[4][GN_LANES])
 {
     word_corners corners[2];
 
     fetch_corners(texture, level, sampler, u, v, &corners[0]);
     fetch_corners(texture, level + 1, sampler, u, v, &corners[1]);
-    lanes_store(texel[0], mix_two_levels(corners, 0, weight));
-    lanes_store(texel[1], mix_two_levels(corners, 1, weight));
-    lanes_store(texel[2], mix_two_levels(corners, 2, weight));
-    lanes_store(texel[3], mix_two_levels(corners, 3, weight));
+    lanes_store(texel[0], mix_two_levels(corners, 0, *weight));
+    lanes_store(texel[1], mix_two_levels(corners, 1, *weight));
+    lanes_store(texel[2], mix_two_levels(corners, 2, *weight));
+    lanes_store(texel[3], mix_two_levels(corners, 3, *weight));
 }
 
 /* Does what sample_any does if has_usual_levels and all lanes use the same level, or mix the same
@@ -115,7 +117,7 @@ GN_OUT_OF_LINE bool sample_usual_levels(const gn_texture *texture, const gn_samp
     if (is_one)
         store_one_level(texture, sampler, level, &u, &v, texel);
     else
-        store_two_levels(texture, sampler, level, &u, &v, weight, texel);
+        store_two_levels(texture, sampler, level, &u, &v, &weight, texel);
     return true;
 }
 
