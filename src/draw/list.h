@@ -82,8 +82,7 @@ GN_OUT_OF_LINE void draw_sampled(worker *w, const triangle_list *list)
 static void draw_list(worker *w, const triangle_list *list)
 {
     const draw_state *draw = w->draw;
-    const fragment_context context = {draw->fragment,
-                                      counts_samples(draw->job) ? &w->samples : 0};
+    const fragment_context context = {draw->fragment, counts_samples(draw->job) ? &w->samples : 0};
 
     if (GN_HAVE_SAMPLES && draw->is_sampled) {
         draw_sampled(w, list);

@@ -374,18 +374,16 @@ GN_INLINE void set_byte_blend(byte_blend *blend, const color_state *state)
 GN_INLINE lanes_i factor_of_masks(const byte_blend *blend, const factor_masks *m,
                                   const factor_values *v)
 {
-    lanes_i factor = lanes_i_or(lanes_i_or(lanes_i_and(v->source, m->source),
-                                           lanes_i_and(v->destination, m->destination)),
-                                lanes_i_or(lanes_i_and(v->source_alpha, m->source_alpha),
-                                           lanes_i_and(v->destination_alpha,
-                                                       m->destination_alpha)));
+    lanes_i factor = lanes_i_or(
+        lanes_i_or(lanes_i_and(v->source, m->source), lanes_i_and(v->destination, m->destination)),
+        lanes_i_or(lanes_i_and(v->source_alpha, m->source_alpha),
+                   lanes_i_and(v->destination_alpha, m->destination_alpha)));
 
     if (blend->saturates)
-        factor = lanes_i_or(
-            factor,
-            lanes_i_and(lanes_i_min(v->source_alpha, lanes_i_sub(lanes_i_splat(GN_TWO_BYTES),
-                                                                 v->destination_alpha)),
-                        m->saturate));
+        factor = lanes_i_or(factor, lanes_i_and(lanes_i_min(v->source_alpha,
+                                                            lanes_i_sub(lanes_i_splat(GN_TWO_BYTES),
+                                                                        v->destination_alpha)),
+                                                m->saturate));
     return lanes_i_xor(factor, m->constant);
 }
 
@@ -435,18 +433,17 @@ GN_INLINE lanes_i blend_bytes(const byte_blend *blend, lanes_i source, lanes_i d
     for (int half = 0; half < 2; ++half) {
         v.source = two_bytes(source, 8 * half);
         v.destination = two_bytes(destination, 8 * half);
-        const lanes_i from = times_factor(blend, blend->source_class, &blend->source_masks[half],
-                                          &v, v.source);
+        const lanes_i from =
+            times_factor(blend, blend->source_class, &blend->source_masks[half], &v, v.source);
         const lanes_i to = times_factor(blend, blend->destination_class,
                                         &blend->destination_masks[half], &v, v.destination);
 
         result[half] = equate_two_bytes(blend->color_equation, v.source, v.destination, from, to);
         if (half == 1 && blend->alpha_equation != blend->color_equation)
-            result[1] = lanes_i_or(
-                lanes_i_and(result[1], byte),
-                lanes_i_and(
-                    equate_two_bytes(blend->alpha_equation, v.source, v.destination, from, to),
-                    lanes_i_splat(0xFF0000)));
+            result[1] = lanes_i_or(lanes_i_and(result[1], byte),
+                                   lanes_i_and(equate_two_bytes(blend->alpha_equation, v.source,
+                                                                v.destination, from, to),
+                                               lanes_i_splat(0xFF0000)));
     }
     return lanes_i_or(result[0], lanes_i_shift_left(result[1], 8));
 }

@@ -145,9 +145,8 @@ GN_INLINE void store_blocks(const fragment_state *state, const color_state *comb
         if (masks || selects)
             load_pixels(layout, &pixels, coverage, there);
         for (int i = 0; masks && i < layout_words(layout); ++i)
-            word[i] =
-                lanes_i_or(lanes_i_and(word[i], lanes_i_splat(combine->written_bits[i])),
-                           lanes_i_and(there[i], lanes_i_splat(~combine->written_bits[i])));
+            word[i] = lanes_i_or(lanes_i_and(word[i], lanes_i_splat(combine->written_bits[i])),
+                                 lanes_i_and(there[i], lanes_i_splat(~combine->written_bits[i])));
         for (int i = 0; selects && i < layout_words(layout); ++i)
             word[i] = lanes_i_select(lanes_from_bits(coverage), word[i], there[i]);
         store_pixels(layout, &pixels, coverage, word);
@@ -212,7 +211,7 @@ GN_INLINE void combine_bytes(const color_state *state, byte_combination how, blo
         lanes_i_store(b->stored[0][n], how == BYTES_OVER    ? blend_over(source, stored)
                                        : how == BYTES_BLEND ? blend_bytes(&blend, source, stored)
                                        : how == BYTES_MIX   ? mix_bytes(state, source, stored)
-                                                            : operate_on_bits(state, source, stored));
+                                                          : operate_on_bits(state, source, stored));
     }
 }
 
@@ -312,10 +311,10 @@ static inline void combine_floats(const color_state *state, gn_format format, bl
                           lanes_as_int(saturated(lanes_as_float(lanes_i_load(b->source[c][n])))));
     for (int c = 0; c < 4; ++c) {
         const blend_rule *const rule = rule_of(state, c);
-        const float_factor by_source = float_factor_of(b, rule->source, c,
-                                                       (const int32_t(*)[GN_LANES])constant);
-        const float_factor by_stored = float_factor_of(b, rule->destination, c,
-                                                       (const int32_t(*)[GN_LANES])constant);
+        const float_factor by_source =
+            float_factor_of(b, rule->source, c, (const int32_t(*)[GN_LANES])constant);
+        const float_factor by_stored =
+            float_factor_of(b, rule->destination, c, (const int32_t(*)[GN_LANES])constant);
 
         for (uint32_t n = 0; n < b->count; ++n)
             lanes_i_store(b->stored[c][n],
@@ -355,8 +354,7 @@ GN_OUT_OF_LINE void combine_batch(const color_state *state, gn_format format, bl
 static inline bool combines(const color_state *state, gn_format format)
 {
     return GN_HAVE_COMBINING && state->use != COLOR_REPLACES &&
-           (state->blends ||
-            (state->is_logical && arithmetic_of(format) != ARITHMETIC_FLOATS));
+           (state->blends || (state->is_logical && arithmetic_of(format) != ARITHMETIC_FLOATS));
 }
 
 /* Writes a batch's colours, encoded as the source, to an attachment. */

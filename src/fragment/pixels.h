@@ -23,9 +23,8 @@ GN_INLINE block_pixels memory_of(const fragment_place *at, const gn_surface *sur
 
     m.shape = at->shape;
     m.whole = at->whole;
-    m.at = at->shape == SHAPE_ROW
-               ? row_memory(surface, format, at->block.x[0], at->block.y[0])
-               : block_memory(surface, format, &at->block);
+    m.at = at->shape == SHAPE_ROW ? row_memory(surface, format, at->block.x[0], at->block.y[0])
+                                  : block_memory(surface, format, &at->block);
     m.stride = surface->row_stride;
     return m;
 }
@@ -42,9 +41,8 @@ GN_INLINE unsigned char *lane_memory(const block_pixels *m, int first)
 /* Loads the words of a layout whose pixels are words. */
 GN_INLINE lanes_i load_pixel_words(const block_pixels *m)
 {
-    return m->shape == SHAPE_ROW
-               ? lanes_i_load((const stored_word *)(const void *)m->at.half[0])
-               : lanes_i_load_block(m->at.half[0], m->at.half[1], m->stride);
+    return m->shape == SHAPE_ROW ? lanes_i_load((const stored_word *)(const void *)m->at.half[0])
+                                 : lanes_i_load_block(m->at.half[0], m->at.half[1], m->stride);
 }
 
 GN_INLINE void store_pixel_words(const block_pixels *m, lanes_i a)
@@ -58,9 +56,9 @@ GN_INLINE void store_pixel_words(const block_pixels *m, lanes_i a)
 /* Returns the words of a pixel of a layout. */
 GN_INLINE int layout_words(pixel_layout layout)
 {
-    return layout == GN_LAYOUT(16, 4)                                    ? 4
+    return layout == GN_LAYOUT(16, 4)                               ? 4
            : layout == GN_LAYOUT(8, 2) || layout == GN_LAYOUT(8, 4) ? 2
-                                                                         : 1;
+                                                                    : 1;
 }
 
 /* Returns the bytes of a pixel of a layout. */
@@ -69,8 +67,8 @@ GN_INLINE int layout_bytes(pixel_layout layout)
     return layout == GN_LAYOUT(2, 1) ? 2 : layout == GN_LAYOUT(8, 4) ? 8 : (int)layout;
 }
 
-/* Finds the four rows of four pixels that a block is made of, or the one pixel of one lane; `size` is
- * the bytes of a pixel. */
+/* Finds the four rows of four pixels that a block is made of, or the one pixel of one lane; `size`
+ * is the bytes of a pixel. */
 GN_INLINE void find_pixel_rows(const block_pixels *m, int size, unsigned char *row[4])
 {
     for (int r = 0; r < GN_LANES / SQUARE_SIZE; ++r)

@@ -70,8 +70,8 @@ GN_INLINE lanes_f columns_from(attribute_plane plane, int32_t x)
 /* Where a block is: sixteen fragments, one a lane. */
 typedef struct fragment_place {
     fragment_shape shape;
-    bool whole;         /* all of it lies on the surfaces; true for a row */
-    pixel_block block;  /* a row has only x[0] and y[0], its first pixel */
+    bool whole;          /* all of it lies on the surfaces; true for a row */
+    pixel_block block;   /* a row has only x[0] and y[0], its first pixel */
     block_places places; /* for a block */
 
     /* For a row. */

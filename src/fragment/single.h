@@ -145,7 +145,7 @@ GN_INLINE void single_run(const fragment_state *state, single_kind kind, raster_
         }
         const block_pixels pixels = memory_of(&at, &color_surface, GN_FORMAT_RGBA8);
 
-        store_words(&pixels, lanes_pack_unorm8(color[0], color[1], color[2], color[3]));
+        store_pixel_words(&pixels, lanes_pack_unorm8(color[0], color[1], color[2], color[3]));
     }
 }
 

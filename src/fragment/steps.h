@@ -154,12 +154,14 @@ static inline void step_rest(const void *context, blocks_function *shade, raster
 static inline void set_rows(const fragment_state *state, block_batch *b, int32_t x, int32_t y,
                             uint32_t columns)
 {
-    const uint32_t end = VARYING_PLANES + (state->source == SOURCE_TEXTURE ? VARYING_END : VARYING_S);
+    const uint32_t end =
+        VARYING_PLANES + (state->source == SOURCE_TEXTURE ? VARYING_END : VARYING_S);
 
     b->x = x;
     b->y = y;
     b->count = 0;
-    for (uint32_t n = 0; n < (state->color.format == GN_FORMAT_NONE ? ONE_OVER_W_PLANE : end); ++n) {
+    for (uint32_t n = 0; n < (state->color.format == GN_FORMAT_NONE ? ONE_OVER_W_PLANE : end);
+         ++n) {
         const attribute_plane plane = triangle_plane(b->triangle, n);
 
         set_row_terms(&b->rows, n, plane, y);

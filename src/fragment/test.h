@@ -34,8 +34,8 @@ GN_INLINE lanes_f offset_depth(const fragment_state *state, const fragment_place
 /* Tests a block. Depths are clamped to the limits; NaN becomes the upper one. Returns the part of
  * coverage that passed. */
 GN_INLINE uint32_t test_block(const fragment_state *state, gn_format format,
-                              const fragment_place *at, raster_triangle triangle,
-                              uint32_t coverage, lanes_f depth)
+                              const fragment_place *at, raster_triangle triangle, uint32_t coverage,
+                              lanes_f depth)
 {
     if (GN_HAVE_OFFSET && state->clamps_depth)
         depth = lanes_max(lanes_min(depth, lanes_splat(state->limits.high)),
@@ -62,18 +62,16 @@ GN_INLINE void test_blocks(const fragment_state *state, gn_format format, bool u
                 test_depth(&usual_depth_test, &state->depth, format, &at, b->coverage[n],
                            interpolate(&at, triangle, DEPTH_PLANE), false);
         else
-            b->coverage[n] =
-                test_block(state, format, &at, triangle, b->coverage[n],
-                           is_written ? lanes_load(b->depth[n])
-                                      : offset_depth(state, &at, triangle));
+            b->coverage[n] = test_block(state, format, &at, triangle, b->coverage[n],
+                                        is_written ? lanes_load(b->depth[n])
+                                                   : offset_depth(state, &at, triangle));
     }
 }
 
 /* Tests the blocks of a batch of a format, which has one of two loops. */
 GN_INLINE void test_format(const fragment_state *state, gn_format format, block_batch *b)
 {
-    const bool usual =
-        GN_SPECIALISED && !format_has_stencil(format) && is_usual_test(state);
+    const bool usual = GN_SPECIALISED && !format_has_stencil(format) && is_usual_test(state);
 
     if (is_of_rows(b) && usual)
         test_blocks(state, format, true, SHAPE_ROW, b);

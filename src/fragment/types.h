@@ -77,7 +77,8 @@ typedef struct color_state {
     bool blends, is_logical; /* at most one */
     blend_rule color, alpha;
     mixing mixes; /* for formats of one channel */
-    factor_terms source_terms[2], destination_terms[2]; /* of red and blue, and of green and alpha */
+    factor_terms source_terms[2],
+        destination_terms[2]; /* of red and blue, and of green and alpha */
     factor_class source_class, destination_class;
     /* For floats: (source + destination) * factor; and terms that are left out, since their factor
      * is zero. */
@@ -133,11 +134,11 @@ typedef struct fragment_state {
     fragment_source source;    /* SOURCE_SHADER with GN_SMALL, unless there is one lane */
     const gn_texture *texture; /* with SOURCE_TEXTURE */
     const gn_sampler *sampler;
-    bool is_direct; /* ready-made colours replace those of a GN_FORMAT_RGBA8 surface */
+    bool is_direct;       /* ready-made colours replace those of a GN_FORMAT_RGBA8 surface */
     masked_words nearest; /* of the texture; set if there is one lane */
-    bool combines; /* an attachment's colours depend on what it stores */
-    gn_surface color; /* GN_FORMAT_NONE: no colour */
-    gn_surface depth; /* GN_FORMAT_NONE: no test */
+    bool combines;        /* an attachment's colours depend on what it stores */
+    gn_surface color;     /* GN_FORMAT_NONE: no colour */
+    gn_surface depth;     /* GN_FORMAT_NONE: no test */
     depth_state test;
     bool moves_depth; /* polygon offset */
     color_state combine;
@@ -178,7 +179,7 @@ typedef struct fragment_context {
  * receive blocks, for their derivatives. */
 typedef enum fragment_shape {
     SHAPE_HALVES, /* as a pixel_block says */
-    SHAPE_ROW    /* (x + l, y); wholly on the surfaces */
+    SHAPE_ROW     /* (x + l, y); wholly on the surfaces */
 } fragment_shape;
 
 /* Returns whether all of a block lies on a surface, so that it may be loaded and stored whole.

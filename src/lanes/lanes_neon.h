@@ -197,9 +197,8 @@ static inline lanes_i lanes_i_mul(lanes_i a, lanes_i b)
 
 static inline lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
 {
-    LANES_EACH_REGISTER(lanes_i,
-                        vreinterpretq_s32_s16(vmulq_s16(vreinterpretq_s16_s32(a.q[n]),
-                                                        vreinterpretq_s16_s32(b.q[n]))));
+    LANES_EACH_REGISTER(lanes_i, vreinterpretq_s32_s16(vmulq_s16(vreinterpretq_s16_s32(a.q[n]),
+                                                                 vreinterpretq_s16_s32(b.q[n]))));
 }
 
 static inline lanes_i lanes_i_shift_left(lanes_i a, int count)

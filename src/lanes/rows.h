@@ -1,5 +1,5 @@
-/* Lanes of pixels that are no words of 32 bits: four rows of four pixels, which are bytes, shorts or
- * pairs of words. Rows lie anywhere in memory.
+/* Lanes of pixels that are no words of 32 bits: four rows of four pixels, which are bytes, shorts
+ * or pairs of words. Rows lie anywhere in memory.
  *
  *   load_bytes store_bytes     one byte a pixel; stores take a lane's low 8 bits
  *   load_shorts store_shorts   one short a pixel, aligned; stores take a lane's low 16 bits
@@ -26,9 +26,10 @@ typedef int32_t __attribute__((may_alias, aligned(1))) lanes_any_word;
 /* Returns the low words of four rows, one after the other. */
 static inline __m128i lanes_word_rows(unsigned char *const row[4])
 {
-    return _mm_setr_epi32(
-        *(const lanes_any_word *)(const void *)row[0], *(const lanes_any_word *)(const void *)row[1],
-        *(const lanes_any_word *)(const void *)row[2], *(const lanes_any_word *)(const void *)row[3]);
+    return _mm_setr_epi32(*(const lanes_any_word *)(const void *)row[0],
+                          *(const lanes_any_word *)(const void *)row[1],
+                          *(const lanes_any_word *)(const void *)row[2],
+                          *(const lanes_any_word *)(const void *)row[3]);
 }
 
 static inline void lanes_store_word_rows(unsigned char *const row[4], __m128i a)
@@ -85,9 +86,9 @@ static inline void lanes_i_store_bytes(unsigned char *const row[4], lanes_i a)
 
 static inline lanes_i lanes_i_load_shorts(unsigned char *const row[4])
 {
-    return lanes_avx512_i(_mm512_cvtepu16_epi32(_mm256_inserti128_si256(
-        _mm256_castsi128_si256(lanes_short_rows(row[0], row[1])), lanes_short_rows(row[2], row[3]),
-        1)));
+    return lanes_avx512_i(_mm512_cvtepu16_epi32(
+        _mm256_inserti128_si256(_mm256_castsi128_si256(lanes_short_rows(row[0], row[1])),
+                                lanes_short_rows(row[2], row[3]), 1)));
 }
 
 static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
@@ -104,18 +105,17 @@ static inline void lanes_i_load_pairs(unsigned char *const row[4], lanes_i *firs
 
     for (int r = 0; r < 4; ++r)
         lanes_pair_row(row[r], &a[r], &b[r]);
-    first->q = _mm512_inserti64x4(
-        _mm512_castsi256_si512(_mm256_castps_si256(_mm256_set_m128(a[1], a[0]))),
-        _mm256_castps_si256(_mm256_set_m128(a[3], a[2])), 1);
-    second->q = _mm512_inserti64x4(
-        _mm512_castsi256_si512(_mm256_castps_si256(_mm256_set_m128(b[1], b[0]))),
-        _mm256_castps_si256(_mm256_set_m128(b[3], b[2])), 1);
+    first->q =
+        _mm512_inserti64x4(_mm512_castsi256_si512(_mm256_castps_si256(_mm256_set_m128(a[1], a[0]))),
+                           _mm256_castps_si256(_mm256_set_m128(a[3], a[2])), 1);
+    second->q =
+        _mm512_inserti64x4(_mm512_castsi256_si512(_mm256_castps_si256(_mm256_set_m128(b[1], b[0]))),
+                           _mm256_castps_si256(_mm256_set_m128(b[3], b[2])), 1);
 }
 
 static inline void lanes_i_store_pairs(unsigned char *const row[4], lanes_i first, lanes_i second)
 {
-    lanes_store_pair_row(row[0], _mm512_castsi512_si128(first.q),
-                         _mm512_castsi512_si128(second.q));
+    lanes_store_pair_row(row[0], _mm512_castsi512_si128(first.q), _mm512_castsi512_si128(second.q));
     lanes_store_pair_row(row[1], _mm512_extracti32x4_epi32(first.q, 1),
                          _mm512_extracti32x4_epi32(second.q, 1));
     lanes_store_pair_row(row[2], _mm512_extracti32x4_epi32(first.q, 2),
@@ -222,9 +222,9 @@ static inline void lanes_i_store_bytes(unsigned char *const row[4], lanes_i a)
 {
     const __m128i byte = _mm_set1_epi16(0xFF);
 
-    lanes_store_word_rows(
-        row, _mm_packus_epi16(_mm_and_si128(lanes_sse2_shorts(a.q[0], a.q[1]), byte),
-                              _mm_and_si128(lanes_sse2_shorts(a.q[2], a.q[3]), byte)));
+    lanes_store_word_rows(row,
+                          _mm_packus_epi16(_mm_and_si128(lanes_sse2_shorts(a.q[0], a.q[1]), byte),
+                                           _mm_and_si128(lanes_sse2_shorts(a.q[2], a.q[3]), byte)));
 }
 
 static inline lanes_i lanes_i_load_shorts(unsigned char *const row[4])

@@ -130,7 +130,8 @@ static inline bool sample_masks(const sampled_edges *edges, int32_t x, int32_t y
 static inline void cover_samples(const pixel_rectangle *target, const triangle_setup *setup,
                                  const triangle_list *list, uint32_t lane, sample_batch *batch)
 {
-    static const uint32_t all[GN_SAMPLES] = {GN_ALL_LANES, GN_ALL_LANES, GN_ALL_LANES, GN_ALL_LANES};
+    static const uint32_t all[GN_SAMPLES] = {GN_ALL_LANES, GN_ALL_LANES, GN_ALL_LANES,
+                                             GN_ALL_LANES};
     const raster_triangle triangle = {&setup->plane[0][0][lane]};
     const int32_t left = list->bounds[BOUNDS_MIN_X][lane] & ~(SQUARE_SIZE - 1);
     const int32_t bottom = list->bounds[BOUNDS_MIN_Y][lane] & ~(SQUARE_SIZE - 1);
