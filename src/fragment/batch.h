@@ -17,8 +17,15 @@
 
 #include "pixels.h"
 
-/* Blocks that take the steps together. Their arrays stay in the nearest cache. */
-#define STEP_BLOCKS (GN_SPECIALISED ? 16 : 1)
+/* Blocks that take the steps together. Their arrays, 1 KiB a block, stay in the nearest cache.
+ * Where operations are loops, a step costs little beside them, so that few blocks save stack. */
+#if !GN_SPECIALISED
+#define STEP_BLOCKS 1
+#elif defined(GN_LANES_PORTABLE)
+#define STEP_BLOCKS 4
+#else
+#define STEP_BLOCKS 16
+#endif
 
 /* The columns of blocks in a batch of rows. */
 #define STEP_COLUMNS (STEP_BLOCKS / SQUARE_SIZE > 0 ? STEP_BLOCKS / SQUARE_SIZE : 1)
@@ -37,16 +44,21 @@ typedef struct block_batch {
     /* Rows: block n is at column[n] and row[n] of the terms. */
     raster_triangle triangle;
     int32_t x, y;
-    column_terms columns[STEP_COLUMNS];
-    row_terms rows;
     uint8_t column[STEP_BLOCKS], row[STEP_BLOCKS];
 
     /* Results of steps, by lanes. The numbers of a colour are its bytes in the first word, its
-     * shorts in two words, or its floats in four. */
+     * shorts in two words, or its floats in four. What test and source need is no longer needed
+     * when pixels are loaded. */
     float color[STEP_COLORS][4][GN_LANES];
-    float depth[STEP_BLOCKS][GN_LANES];
     int32_t source[4][STEP_BLOCKS][GN_LANES];
-    int32_t stored[4][STEP_BLOCKS][GN_LANES];
+    union {
+        struct {
+            column_terms columns[STEP_COLUMNS];
+            row_terms rows;
+            float depth[STEP_BLOCKS][GN_LANES];
+        } terms;
+        int32_t stored[4][STEP_BLOCKS][GN_LANES];
+    } of;
 } block_batch;
 
 /* Whether a batch is of rows; small libraries have blocks only. */
@@ -72,8 +84,8 @@ GN_INLINE void set_batch_place(const fragment_state *state, const block_batch *b
         at->whole = true;
         at->block.x[0] = b->x + b->column[n] * GN_LANES;
         at->block.y[0] = b->y + b->row[n];
-        at->columns = &b->columns[b->column[n]];
-        at->row = b->rows.value[b->row[n]];
+        at->columns = &b->of.terms.columns[b->column[n]];
+        at->row = b->of.terms.rows.value[b->row[n]];
         at->w = 0;
         return;
     }

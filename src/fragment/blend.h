@@ -251,52 +251,64 @@ GN_INLINE lanes_i add_two_bytes(lanes_i a, lanes_i b)
     return two_bytes(lanes_i_or(sum, lanes_i_sub(lanes_i_shift_left(above, 8), above)), 0);
 }
 
-/* Adds a factor of some bytes of a pixel, which `bytes` selects, to the terms of both halves. */
-static inline void add_factor_terms(factor_terms terms[2], const color_state *s,
-                                    gn_blend_factor factor, uint32_t bytes)
-{
-    for (int half = 0; half < 2; ++half) {
-        factor_terms *const t = &terms[half];
-        const uint32_t mask = bytes >> 8 * half & GN_TWO_BYTES;
-        const int32_t *const constant = &s->constant_fixed[half];
+/* The factors of red, green and blue, and of alpha. */
+typedef struct factor_pair {
+    gn_blend_factor color, alpha;
+} factor_pair;
 
-        if (is_one_minus(factor) && factor != GN_FACTOR_SOURCE_ALPHA_SATURATE)
-            t->constant ^= mask;
-        switch (factor) {
-        case GN_FACTOR_SOURCE_COLOR:
-        case GN_FACTOR_ONE_MINUS_SOURCE_COLOR:
-            t->source |= mask;
-            break;
-        case GN_FACTOR_DESTINATION_COLOR:
-        case GN_FACTOR_ONE_MINUS_DESTINATION_COLOR:
-            t->destination |= mask;
-            break;
-        case GN_FACTOR_SOURCE_ALPHA:
-        case GN_FACTOR_ONE_MINUS_SOURCE_ALPHA:
-            t->source_alpha |= mask;
-            break;
-        case GN_FACTOR_DESTINATION_ALPHA:
-        case GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA:
-            t->destination_alpha |= mask;
-            break;
-        case GN_FACTOR_CONSTANT_COLOR:
-        case GN_FACTOR_ONE_MINUS_CONSTANT_COLOR:
-            t->constant ^= ((uint32_t)constant[0] | (uint32_t)constant[2] << 16) & mask;
-            break;
-        case GN_FACTOR_CONSTANT_ALPHA:
-        case GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA:
-            t->constant ^= (uint32_t)s->constant_fixed[3] * 0x00010001u & mask;
-            break;
-        case GN_FACTOR_SOURCE_ALPHA_SATURATE:
-            if (bytes >> 24)
-                t->constant ^= mask;
-            else
-                t->saturate |= mask;
-            break;
-        default:
-            break;
-        }
-    }
+/* Returns the bytes of a pixel whose factor is `factor`, or one minus that: the enumeration lists
+ * factors in such pairs. */
+static inline uint32_t bytes_of_factor(factor_pair pair, gn_blend_factor factor)
+{
+    return ((unsigned)pair.color - (unsigned)factor < 2u ? 0x00FFFFFFu : 0u) |
+           ((unsigned)pair.alpha - (unsigned)factor < 2u ? 0xFF000000u : 0u);
+}
+
+/* Returns the bytes whose factor is one minus a value. */
+static inline uint32_t bytes_of_one_minus(factor_pair pair)
+{
+    return (is_one_minus(pair.color) ? 0x00FFFFFFu : 0u) |
+           (is_one_minus(pair.alpha) ? 0xFF000000u : 0u);
+}
+
+/* The factors of two bytes: for each byte the value that is its factor, by masks. The constant is
+ * combined by exclusive or. */
+typedef struct factor_terms {
+    uint32_t source, destination, source_alpha, destination_alpha;
+    uint32_t saturate; /* min(source alpha, 1 - destination alpha) */
+    uint32_t constant;
+} factor_terms;
+
+/* What the factors of all bytes are. */
+typedef enum factor_class {
+    FACTORS_DIFFER,
+    FACTORS_ARE_ALPHA, /* source alpha, or one minus it */
+    FACTORS_ARE_ONE,
+    FACTORS_ARE_ZERO
+} factor_class;
+
+/* Resolves the factors of half of the bytes: 0, red and blue, or 1, green and alpha. */
+static inline void set_factor_terms(factor_terms *t, const color_state *s, factor_pair pair,
+                                    int half)
+{
+    const uint32_t saturate = pair.color == GN_FACTOR_SOURCE_ALPHA_SATURATE ? 0x00FFFFFFu : 0u;
+    const uint32_t one = pair.alpha == GN_FACTOR_SOURCE_ALPHA_SATURATE ? 0xFF000000u : 0u;
+    const uint32_t alpha = (uint32_t)s->constant_fixed[3];
+    const uint32_t constant = (uint32_t)s->constant_fixed[0] | (uint32_t)s->constant_fixed[1] << 8 |
+                              (uint32_t)s->constant_fixed[2] << 16 | alpha << 24;
+    const int shift = 8 * half;
+
+    t->source = bytes_of_factor(pair, GN_FACTOR_SOURCE_COLOR) >> shift & GN_TWO_BYTES;
+    t->destination = bytes_of_factor(pair, GN_FACTOR_DESTINATION_COLOR) >> shift & GN_TWO_BYTES;
+    t->source_alpha = bytes_of_factor(pair, GN_FACTOR_SOURCE_ALPHA) >> shift & GN_TWO_BYTES;
+    t->destination_alpha =
+        bytes_of_factor(pair, GN_FACTOR_DESTINATION_ALPHA) >> shift & GN_TWO_BYTES;
+    t->saturate = saturate >> shift & GN_TWO_BYTES;
+    t->constant = ((constant & bytes_of_factor(pair, GN_FACTOR_CONSTANT_COLOR)) ^
+                   (alpha * 0x01010101u & bytes_of_factor(pair, GN_FACTOR_CONSTANT_ALPHA)) ^
+                   bytes_of_one_minus(pair) ^ one) >>
+                      shift &
+                  GN_TWO_BYTES;
 }
 
 static inline factor_class factor_class_of(gn_blend_factor color, gn_blend_factor alpha)
@@ -308,23 +320,6 @@ static inline factor_class factor_class_of(gn_blend_factor color, gn_blend_facto
            : color == GN_FACTOR_SOURCE_ALPHA || color == GN_FACTOR_ONE_MINUS_SOURCE_ALPHA
                ? FACTORS_ARE_ALPHA
                : FACTORS_DIFFER;
-}
-
-/* Resolves the factors of bytes. */
-static inline void set_factor_terms(color_state *s)
-{
-    for (int half = 0; half < 2; ++half) {
-        const factor_terms none = {0, 0, 0, 0, 0, 0};
-
-        s->source_terms[half] = none;
-        s->destination_terms[half] = none;
-    }
-    s->source_class = factor_class_of(s->color.source, s->alpha.source);
-    s->destination_class = factor_class_of(s->color.destination, s->alpha.destination);
-    add_factor_terms(s->source_terms, s, s->color.source, 0x00FFFFFF);
-    add_factor_terms(s->source_terms, s, s->alpha.source, 0xFF000000);
-    add_factor_terms(s->destination_terms, s, s->color.destination, 0x00FFFFFF);
-    add_factor_terms(s->destination_terms, s, s->alpha.destination, 0xFF000000);
 }
 
 /* What the factors of two bytes are made of. */
@@ -345,27 +340,34 @@ typedef struct byte_blend {
     factor_masks source_masks[2], destination_masks[2];
 } byte_blend;
 
-GN_INLINE void set_factor_masks(factor_masks *m, const factor_terms *t)
+static inline void set_factor_masks(factor_masks *m, const color_state *state, factor_pair pair,
+                                    int half)
 {
-    m->source = lanes_i_splat((int32_t)t->source);
-    m->destination = lanes_i_splat((int32_t)t->destination);
-    m->source_alpha = lanes_i_splat((int32_t)t->source_alpha);
-    m->destination_alpha = lanes_i_splat((int32_t)t->destination_alpha);
-    m->saturate = lanes_i_splat((int32_t)t->saturate);
-    m->constant = lanes_i_splat((int32_t)t->constant);
+    factor_terms t;
+
+    set_factor_terms(&t, state, pair, half);
+    m->source = lanes_i_splat((int32_t)t.source);
+    m->destination = lanes_i_splat((int32_t)t.destination);
+    m->source_alpha = lanes_i_splat((int32_t)t.source_alpha);
+    m->destination_alpha = lanes_i_splat((int32_t)t.destination_alpha);
+    m->saturate = lanes_i_splat((int32_t)t.saturate);
+    m->constant = lanes_i_splat((int32_t)t.constant);
 }
 
 GN_INLINE void set_byte_blend(byte_blend *blend, const color_state *state)
 {
+    const factor_pair source = {state->color.source, state->alpha.source};
+    const factor_pair destination = {state->color.destination, state->alpha.destination};
+
     blend->color_equation = state->color.equation;
     blend->alpha_equation = state->alpha.equation;
-    blend->source_class = state->source_class;
-    blend->destination_class = state->destination_class;
-    blend->saturates =
-        (state->source_terms[0].saturate | state->destination_terms[0].saturate) != 0;
+    blend->source_class = factor_class_of(source.color, source.alpha);
+    blend->destination_class = factor_class_of(destination.color, destination.alpha);
+    blend->saturates = source.color == GN_FACTOR_SOURCE_ALPHA_SATURATE ||
+                       destination.color == GN_FACTOR_SOURCE_ALPHA_SATURATE;
     for (int half = 0; half < 2; ++half) {
-        set_factor_masks(&blend->source_masks[half], &state->source_terms[half]);
-        set_factor_masks(&blend->destination_masks[half], &state->destination_terms[half]);
+        set_factor_masks(&blend->source_masks[half], state, source, half);
+        set_factor_masks(&blend->destination_masks[half], state, destination, half);
     }
 }
 

@@ -21,7 +21,6 @@ GN_OUT_OF_LINE void set_color_state(color_state *s, const gn_pipeline *pipeline,
         if (s->written >> c & 1u)
             add_channel_bits(format, c, s->written_bits);
     set_blend_state(s, blend, pipeline->color.blend_constant, format);
-    set_factor_terms(s);
     set_logic_state(s, pipeline->color.logic_operation);
     s->is_logical = pipeline->color.logic;
     s->blends = blend->enabled && !s->is_logical;
@@ -95,15 +94,15 @@ GN_INLINE void load_blocks(const fragment_state *state, const gn_surface *surfac
 
         load_pixels(format_layout(format), &pixels, b->coverage[n], word);
         if (arithmetic == ARITHMETIC_BYTES) {
-            lanes_i_store(b->stored[0][n], to_rgba8(format, word[0]));
+            lanes_i_store(b->of.stored[0][n], to_rgba8(format, word[0]));
         } else if (arithmetic == ARITHMETIC_SHORTS) {
             to_rgba16(format, word);
-            lanes_i_store(b->stored[0][n], word[0]);
-            lanes_i_store(b->stored[1][n], word[1]);
+            lanes_i_store(b->of.stored[0][n], word[0]);
+            lanes_i_store(b->of.stored[1][n], word[1]);
         } else {
             decode_floats(format, word, color);
             for (int c = 0; c < 4; ++c)
-                lanes_i_store(b->stored[c][n], lanes_as_int(color[c]));
+                lanes_i_store(b->of.stored[c][n], lanes_as_int(color[c]));
         }
     }
 }
@@ -206,12 +205,13 @@ GN_INLINE void combine_bytes(const color_state *state, byte_combination how, blo
         set_byte_blend(&blend, state);
     for (uint32_t n = 0; n < b->count; ++n) {
         const lanes_i source = lanes_i_load(b->source[0][n]);
-        const lanes_i stored = lanes_i_load(b->stored[0][n]);
+        const lanes_i stored = lanes_i_load(b->of.stored[0][n]);
 
-        lanes_i_store(b->stored[0][n], how == BYTES_OVER    ? blend_over(source, stored)
-                                       : how == BYTES_BLEND ? blend_bytes(&blend, source, stored)
-                                       : how == BYTES_MIX   ? mix_bytes(state, source, stored)
-                                                          : operate_on_bits(state, source, stored));
+        lanes_i_store(b->of.stored[0][n], how == BYTES_OVER    ? blend_over(source, stored)
+                                          : how == BYTES_BLEND ? blend_bytes(&blend, source, stored)
+                                          : how == BYTES_MIX
+                                              ? mix_bytes(state, source, stored)
+                                              : operate_on_bits(state, source, stored));
     }
 }
 
@@ -222,14 +222,14 @@ static inline void combine_shorts(const color_state *state, block_batch *b)
 
         for (int i = 0; i < 2; ++i) {
             source[i] = lanes_i_load(b->source[i][n]);
-            stored[i] = lanes_i_load(b->stored[i][n]);
+            stored[i] = lanes_i_load(b->of.stored[i][n]);
         }
         for (int i = 0; i < 2; ++i)
             word[i] = operate_on_bits(state, source[i], stored[i]);
         if (state->blends)
             blend_shorts(state, source, stored, word);
         for (int i = 0; i < 2; ++i)
-            lanes_i_store(b->stored[i][n], word[i]);
+            lanes_i_store(b->of.stored[i][n], word[i]);
     }
 }
 
@@ -253,7 +253,7 @@ static inline float_factor float_factor_of(const block_batch *b, gn_blend_factor
         break;
     case GN_FACTOR_DESTINATION_COLOR:
     case GN_FACTOR_ONE_MINUS_DESTINATION_COLOR:
-        f.value = b->stored[channel][0];
+        f.value = b->of.stored[channel][0];
         break;
     case GN_FACTOR_SOURCE_ALPHA:
     case GN_FACTOR_ONE_MINUS_SOURCE_ALPHA:
@@ -261,7 +261,7 @@ static inline float_factor float_factor_of(const block_batch *b, gn_blend_factor
         break;
     case GN_FACTOR_DESTINATION_ALPHA:
     case GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA:
-        f.value = b->stored[3][0];
+        f.value = b->of.stored[3][0];
         break;
     case GN_FACTOR_SOURCE_ALPHA_SATURATE:
         f.saturates = channel < 3;
@@ -293,7 +293,7 @@ GN_INLINE lanes_f factor_at(const float_factor *f, const block_batch *b, uint32_
 
     if (f->saturates)
         return lanes_min(lanes_as_float(lanes_i_load(b->source[3][n])),
-                         lanes_sub(one, lanes_as_float(lanes_i_load(b->stored[3][n]))));
+                         lanes_sub(one, lanes_as_float(lanes_i_load(b->of.stored[3][n]))));
     return f->is_one_minus ? lanes_sub(one, value) : value;
 }
 
@@ -317,10 +317,10 @@ static inline void combine_floats(const color_state *state, gn_format format, bl
             float_factor_of(b, rule->destination, c, (const int32_t(*)[GN_LANES])constant);
 
         for (uint32_t n = 0; n < b->count; ++n)
-            lanes_i_store(b->stored[c][n],
+            lanes_i_store(b->of.stored[c][n],
                           lanes_as_int(blend_float(
                               state, rule, lanes_as_float(lanes_i_load(b->source[c][n])),
-                              lanes_as_float(lanes_i_load(b->stored[c][n])),
+                              lanes_as_float(lanes_i_load(b->of.stored[c][n])),
                               factor_at(&by_source, b, n), factor_at(&by_stored, b, n))));
     }
 }
@@ -368,7 +368,7 @@ static inline void output_batch(const fragment_state *state, const color_state *
         combine_batch(combine, surface->format, b);
     }
     store_batch(state, combine, surface, b,
-                (const int32_t(*)[STEP_BLOCKS][GN_LANES])(combined ? b->stored : b->source));
+                (const int32_t(*)[STEP_BLOCKS][GN_LANES])(combined ? b->of.stored : b->source));
 }
 
 #endif

@@ -84,8 +84,8 @@ GN_STEP void shader_block(const fragment_state *state, block_batch *b, uint32_t 
 
     set_batch_place(state, b, SHAPE_HALVES, n, state->shade_at, &at);
     if (state->pipeline->program.fragment_writes_depth) {
-        lanes_store(b->depth[n], interpolate(&at, triangle, DEPTH_PLANE));
-        verdict->depth = b->depth[n];
+        lanes_store(b->of.terms.depth[n], interpolate(&at, triangle, DEPTH_PLANE));
+        verdict->depth = b->of.terms.depth[n];
     }
     call_fragment_shader(state, triangle, &at.block, &at.places, b->coverage[n],
                          w_at(&at, triangle), b->color[n * shader_colors(state)], verdict);

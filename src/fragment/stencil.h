@@ -40,24 +40,23 @@ typedef struct stored_block {
     lanes_i depth, stencil;
 } stored_block;
 
-GN_INLINE stored_block load_stored(gn_format format, const block_pixels *memory, uint32_t coverage)
+GN_INLINE void load_stored(gn_format format, const block_pixels *memory, uint32_t coverage,
+                           stored_block *g)
 {
     const lanes_i byte = lanes_i_splat(255);
     lanes_i word[4];
-    stored_block g;
 
     load_pixels(format_layout(format), memory, coverage, word);
     if (format == GN_FORMAT_S8) {
-        g.depth = lanes_i_splat(0);
-        g.stencil = word[0];
+        g->depth = lanes_i_splat(0);
+        g->stencil = word[0];
     } else if (format == GN_FORMAT_D32FS8) {
-        g.depth = word[0];
-        g.stencil = lanes_i_and(word[1], byte);
+        g->depth = word[0];
+        g->stencil = lanes_i_and(word[1], byte);
     } else {
-        g.depth = lanes_i_and(word[0], lanes_i_splat(0xFFFFFF));
-        g.stencil = lanes_i_and(lanes_i_shift_right(word[0], 24), byte);
+        g->depth = lanes_i_and(word[0], lanes_i_splat(0xFFFFFF));
+        g->stencil = lanes_i_and(lanes_i_shift_right(word[0], 24), byte);
     }
-    return g;
 }
 
 GN_INLINE void store_stored(gn_format format, const block_pixels *memory, uint32_t coverage,
@@ -96,10 +95,11 @@ GN_INLINE uint32_t test_stencil(const fragment_state *state, gn_format format,
 {
     const stencil_state *face = &state->stencil[back ? 1 : 0];
     const block_pixels memory = memory_of(at, &state->depth, format);
-    stored_block g = load_stored(format, &memory, coverage);
+    stored_block g;
     uint32_t passed = coverage;
     uint32_t both;
 
+    load_stored(format, &memory, coverage, &g);
     if (state->tests_stencil)
         passed &= compare_depth(&face->compare, lanes_i_splat(face->reference),
                                 lanes_i_and(g.stencil, lanes_i_splat(face->compared)));

@@ -164,9 +164,9 @@ static inline void set_rows(const fragment_state *state, block_batch *b, int32_t
          ++n) {
         const attribute_plane plane = triangle_plane(b->triangle, n);
 
-        set_row_terms(&b->rows, n, plane, y);
+        set_row_terms(&b->of.terms.rows, n, plane, y);
         for (uint32_t c = 0; c < columns; ++c)
-            b->columns[c].value[n] = columns_from(plane, x + (int32_t)(c * GN_LANES));
+            b->of.terms.columns[c].value[n] = columns_from(plane, x + (int32_t)(c * GN_LANES));
     }
     for (uint32_t row = 0; row < SQUARE_SIZE; ++row) {
         for (uint32_t c = 0; c < columns; ++c) {

@@ -35,8 +35,10 @@ GN_INLINE lanes_f offset_depth(const fragment_state *state, const fragment_place
  * coverage that passed. */
 GN_INLINE uint32_t test_block(const fragment_state *state, gn_format format,
                               const fragment_place *at, raster_triangle triangle, uint32_t coverage,
-                              lanes_f depth)
+                              const float depths[GN_LANES])
 {
+    lanes_f depth = lanes_load(depths);
+
     if (GN_HAVE_OFFSET && state->clamps_depth)
         depth = lanes_max(lanes_min(depth, lanes_splat(state->limits.high)),
                           lanes_splat(state->limits.low));
@@ -57,14 +59,16 @@ GN_INLINE void test_blocks(const fragment_state *state, gn_format format, bool u
         fragment_place at;
 
         set_batch_place(state, b, shape, n, state->test_at, &at);
-        if (usual)
+        if (usual) {
             b->coverage[n] =
                 test_depth(&usual_depth_test, &state->depth, format, &at, b->coverage[n],
                            interpolate(&at, triangle, DEPTH_PLANE), false);
-        else
-            b->coverage[n] = test_block(state, format, &at, triangle, b->coverage[n],
-                                        is_written ? lanes_load(b->depth[n])
-                                                   : offset_depth(state, &at, triangle));
+            continue;
+        }
+        if (!is_written)
+            lanes_store(b->of.terms.depth[n], offset_depth(state, &at, triangle));
+        b->coverage[n] =
+            test_block(state, format, &at, triangle, b->coverage[n], b->of.terms.depth[n]);
     }
 }
 

@@ -47,22 +47,6 @@ typedef struct blend_rule {
  * w. Such terms are mixed instead of multiplied and added. */
 typedef enum mixing { MIXES_NOTHING, MIXES_BY_SOURCE, MIXES_BY_DESTINATION } mixing;
 
-/* The factors of two bytes: for each byte the value that is its factor, by masks. The constant is
- * combined by exclusive or. */
-typedef struct factor_terms {
-    uint32_t source, destination, source_alpha, destination_alpha;
-    uint32_t saturate; /* min(source alpha, 1 - destination alpha) */
-    uint32_t constant;
-} factor_terms;
-
-/* What the factors of all bytes are. */
-typedef enum factor_class {
-    FACTORS_DIFFER,
-    FACTORS_ARE_ALPHA, /* source alpha, or one minus it */
-    FACTORS_ARE_ONE,
-    FACTORS_ARE_ZERO
-} factor_class;
-
 /* How a fragment's colour is written. */
 typedef enum color_use {
     COLOR_REPLACES, /* it replaces all channels */
@@ -77,9 +61,6 @@ typedef struct color_state {
     bool blends, is_logical; /* at most one */
     blend_rule color, alpha;
     mixing mixes; /* for formats of one channel */
-    factor_terms source_terms[2],
-        destination_terms[2]; /* of red and blue, and of green and alpha */
-    factor_class source_class, destination_class;
     /* For floats: (source + destination) * factor; and terms that are left out, since their factor
      * is zero. */
     bool factors_last, drops_source, drops_destination;

@@ -22,8 +22,15 @@ typedef struct fragment_functions {
     bool packs;
 } fragment_functions;
 
-/* Blocks that are shaded together, of one or more triangles. */
-#define BATCH_BLOCKS (GN_SPECIALISED ? 32 : 1)
+/* Blocks that are shaded together, of one or more triangles: fewer where operations are loops, to
+ * save stack. */
+#if !GN_SPECIALISED
+#define BATCH_BLOCKS 1
+#elif defined(GN_LANES_PORTABLE)
+#define BATCH_BLOCKS 16
+#else
+#define BATCH_BLOCKS 32
+#endif
 
 typedef struct fragment_batch {
     const fragment_functions *shade;

@@ -76,7 +76,8 @@ static void set_sampled_edge(sampled_edges *edges, int edge, int32_t per_x, int3
     for (uint32_t s = 0; s < GN_SAMPLES; ++s)
         set_edge_through(&edges->of[s][edge], per_x, per_y, x - sample_offset(s, 0),
                          y - sample_offset(s, 1));
-    edges->least[edge] = edges->of[0][edge];
+    set_edge_through(&edges->least[edge], per_x, per_y, x - sample_offset(0, 0),
+                     y - sample_offset(0, 1));
     for (uint32_t s = 1; s < GN_SAMPLES; ++s)
         if (edges->of[s][edge].constant < edges->least[edge].constant)
             edges->least[edge].constant = edges->of[s][edge].constant;
