@@ -1,50 +1,77 @@
-/* Decodes and encodes sixteen pixels, of one row or of several, in every colour format. Blits and
- * resolving use it. */
+/* Colours of pixels in every colour format, GN_LANES at a time. Blits, clears and resolving use
+ * these functions, which are compiled once. */
 #ifndef GN_FORMATS_PIXEL_ROWS_H
 #define GN_FORMATS_PIXEL_ROWS_H
 
-#include "decode.h"
-#include "encode.h"
-#include "surface_memory.h"
+#include "pixel_memory.h"
 
-/* Loads sixteen pixels: lane l is the pixel in column[l] of row[l]. */
-static inline void load_colors(gn_format format, const unsigned char *const row[GN_LANES],
-                               const int32_t column[GN_LANES], lanes_f color[4])
+/* Loads `count` pixels that lie side by side, 1 to GN_LANES. Other lanes are decoded zeros. */
+void gn_load_colors(gn_format format, const unsigned char *pixels, uint32_t count,
+                    lanes_f color[4]);
+
+/* Loads GN_LANES pixels: lane l is the pixel row[l] + column[l] bytes after `pixels`. */
+void gn_gather_colors(gn_format format, const unsigned char *pixels, const ptrdiff_t row[GN_LANES],
+                      const int32_t column[GN_LANES], lanes_f color[4]);
+
+/* Writes colours to `count` pixels that lie side by side, 1 to GN_LANES. */
+void gn_store_colors(gn_format format, unsigned char *pixels, uint32_t count,
+                     const lanes_f color[4]);
+
+/* A row of pixels of any format in memory of a function's own. */
+typedef union pixel_row {
+    int32_t word[4 * GN_LANES];
+    unsigned char byte[16 * GN_LANES];
+} pixel_row;
+
+/* The rows of four pixels of `bytes` bytes that a row of sixteen is made of, as lanes/rows.h takes
+ * them. Loads do not write to them. */
+#if GN_LANES == 16
+GN_INLINE void quarter_row(const unsigned char *pixels, int bytes, unsigned char *row[4])
 {
-    int32_t loaded[4][GN_LANES];
-    lanes_i word[4];
+    for (int r = 0; r < 4; ++r)
+        row[r] = (unsigned char *)(uintptr_t)pixels + 4 * bytes * r;
+}
+#endif
 
-    GN_EACH_LANE (l) {
-        int32_t pixel[4];
+/* Exchanges the bytes of shorts. */
+GN_INLINE lanes_i exchanged_bytes(lanes_i a)
+{
+    const lanes_i low = lanes_i_splat(0xFF);
 
-        for (int i = 0; i < 4; ++i) /* compilers make no call of memset of this */
-            pixel[i] = 0;
-        load_pixel(row[l], column[l], format_layout(format), pixel);
-        for (int i = 0; i < 4; ++i)
-            loaded[i][l] = pixel[i];
-    }
-    for (int i = 0; i < 4; ++i)
-        word[i] = lanes_i_load(loaded[i]);
-    decode_channels(format, word, color);
+    return lanes_i_or(lanes_i_and(lanes_i_shift_right(a, 8), low),
+                      lanes_i_shift_left(lanes_i_and(a, low), 8));
 }
 
-/* Writes colours to `count` pixels of a row, up to sixteen, from pixel x on. */
-static inline void store_colors(const gn_surface *destination, int32_t x, int32_t y, uint32_t count,
-                                const lanes_f color[4])
-{
-    unsigned char *const row = surface_row(destination, (uint32_t)y);
-    const pixel_layout layout = format_layout(destination->format);
-    int32_t stored[4][GN_LANES];
-    lanes_i word[4];
-
-    encode_colors(destination->format, color, word);
-    for (int i = 0; i < 4; ++i)
-        lanes_i_store(stored[i], word[i]);
-    for (uint32_t l = 0; l < count; ++l) {
-        const int32_t pixel[4] = {stored[0][l], stored[1][l], stored[2][l], stored[3][l]};
-
-        store_pixel(row, x + (int32_t)l, layout, pixel);
+/* Calls FUNCTION(layout) with a constant for each layout of colours. */
+#define GN_EACH_COLOR_LAYOUT(layout, FUNCTION)                                                     \
+    switch (layout) {                                                                              \
+    case GN_LAYOUT(1, 1):                                                                          \
+        FUNCTION(GN_LAYOUT(1, 1));                                                                 \
+        break;                                                                                     \
+    case GN_LAYOUT(2, 2):                                                                          \
+        FUNCTION(GN_LAYOUT(2, 2));                                                                 \
+        break;                                                                                     \
+    case GN_LAYOUT(2, 1):                                                                          \
+        FUNCTION(GN_LAYOUT(2, 1));                                                                 \
+        break;                                                                                     \
+    case GN_LAYOUT(3, 1):                                                                          \
+        FUNCTION(GN_LAYOUT(3, 1));                                                                 \
+        break;                                                                                     \
+    case GN_LAYOUT(4, 4):                                                                          \
+        FUNCTION(GN_LAYOUT(4, 4));                                                                 \
+        break;                                                                                     \
+    case GN_LAYOUT(8, 2):                                                                          \
+        FUNCTION(GN_LAYOUT(8, 2));                                                                 \
+        break;                                                                                     \
+    default: /* GN_LAYOUT(16, 4) */                                                                \
+        FUNCTION(GN_LAYOUT(16, 4));                                                                \
+        break;                                                                                     \
     }
+
+/* Returns the words of a pixel of a layout of colours. */
+GN_INLINE int color_words(pixel_layout layout)
+{
+    return layout == GN_LAYOUT(16, 4) ? 4 : layout == GN_LAYOUT(8, 2) ? 2 : 1;
 }
 
 #endif

@@ -1,12 +1,14 @@
 /* Blits: checks of the arguments, the choice of each pixel's texel, and the conversion of formats,
- * sixteen pixels of a row at a time. */
+ * GN_LANES pixels of a row at a time. */
 #include <gnomon/blit.h>
 
 #include "../formats/pixel_rows.h"
+#include "../formats/surface_memory.h"
 #include "../raster/scissor.h"
 #include "blit_cut.h"
 #include "blit_quad.h"
 #include "check.h"
+#include "copy.h"
 #include "reduce.h"
 
 typedef struct blit {
@@ -16,14 +18,26 @@ typedef struct blit {
     float between;
     bool mixes;          /* the filter is linear */
     bool copies;         /* pixels keep their bits */
-    uint32_t written[2]; /* bits that are copied of a pixel's words (32-bit formats and depth) */
+    bool masks;          /* of depth and stencil only the bits `written` are copied */
+    uint32_t written[2]; /* of even and odd words */
 } blit;
 
-/* The texels of sixteen pixels: columns and rows, two of each if texels are mixed. */
-typedef struct blit_texels {
-    int32_t column[2][GN_LANES], row[2][GN_LANES];
-    float weight[2][GN_LANES];
-} blit_texels;
+/* Columns of the destination whose texels are found at once, for every row. */
+#define BLIT_COLUMNS 64
+
+/* The texels' columns: bytes from the beginning of a row of the source. If texels are mixed there
+ * are two of each, and the weight of the second. A run that begins at the last column has as many
+ * lanes as any other. */
+typedef struct blit_columns {
+    int32_t offset[2][BLIT_COLUMNS + GN_LANES];
+    float weight[BLIT_COLUMNS + GN_LANES];
+} blit_columns;
+
+/* The texels' rows for the pixels of a run: bytes from the source's first row. */
+typedef struct blit_rows {
+    ptrdiff_t offset[2][GN_LANES];
+    lanes_f weight;
+} blit_rows;
 
 static bool is_in_range(const gn_rectangle *r)
 {
@@ -135,52 +149,47 @@ static void copy_word(stored_word *to, int32_t from, uint32_t bits)
     *to = (int32_t)(((uint32_t)*to & ~bits) | ((uint32_t)from & bits));
 }
 
-/* Copies one pixel's bits from a row to another. */
-static void copy_pixel(const blit *b, unsigned char *to, int32_t x, const unsigned char *from,
-                       int32_t column)
+/* Copies `count` pixels whose texels lie anywhere. */
+static void copy_run(const blit *b, unsigned char *to, uint32_t count,
+                     const ptrdiff_t row[GN_LANES], const int32_t column[GN_LANES])
 {
-    stored_half *const halves = (stored_half *)(void *)to;
-    const stored_half *const from_halves = (const stored_half *)(const void *)from;
-    stored_word *const words = (stored_word *)(void *)to;
-    const stored_word *const from_words = (const stored_word *)(const void *)from;
+    const unsigned char *const pixels = b->source->pixels;
     const pixel_layout layout = format_layout(b->source->format);
-    const int size = (int)format_size(b->source->format);
 
-    switch (layout) {
-    case GN_LAYOUT(2, 2):
-        halves[x] = from_halves[column];
-        break;
-    case GN_LAYOUT(4, 4):
-        copy_word(&words[x], from_words[column], b->written[0]);
-        break;
-    case GN_LAYOUT(8, 2):
-        for (int c = 0; c < 4; ++c)
-            halves[4 * x + c] = from_halves[4 * column + c];
-        break;
-    case GN_LAYOUT(8, 4):
-        copy_word(&words[2 * x], from_words[2 * column], b->written[0]);
-        copy_word(&words[2 * x + 1], from_words[2 * column + 1], b->written[1]);
-        break;
-    case GN_LAYOUT(16, 4):
-        for (int c = 0; c < 4; ++c)
-            words[4 * x + c] = from_words[4 * column + c];
-        break;
-    default:
-        for (int c = 0; c < size; ++c)
-            to[size * x + c] = from[size * column + c];
-        break;
+#define COPY(constant)                                                                             \
+    for (uint32_t l = 0; l < count; ++l) {                                                         \
+        int32_t pixel[4];                                                                          \
+                                                                                                   \
+        load_pixel(pixels + row[l] + column[l], 0, constant, pixel);                               \
+        store_pixel(to, (int32_t)l, constant, pixel);                                              \
     }
+    if (b->masks) {
+        const uint32_t words = format_size(b->source->format) / 4;
+
+        for (uint32_t i = 0; i < count * words; ++i) {
+            const unsigned char *const from = pixels + row[i / words] + column[i / words];
+
+            copy_word((stored_word *)(void *)to + i,
+                      ((const stored_word *)(const void *)from)[i % words], b->written[i % 2]);
+        }
+        return;
+    }
+    GN_EACH_COLOR_LAYOUT(layout, COPY)
+#undef COPY
 }
 
-/* Loads the texels at each lane's first or second column (`right`) and row (`above`). */
-static void fetch_texels(const gn_surface *source, const blit_texels *t, int right, int above,
-                         lanes_f color[4])
+/* Copies `count` pixels of a row. */
+static void copy_row(const blit *b, unsigned char *to, const unsigned char *from, uint32_t count)
 {
-    const unsigned char *row[GN_LANES];
+    const uint32_t size = count * format_size(b->source->format);
 
-    GN_EACH_LANE (l)
-        row[l] = surface_row(source, (uint32_t)t->row[above][l]);
-    load_colors(source->format, row, t->column[right], color);
+    if (!b->masks) {
+        copy_bytes(to, from, size);
+        return;
+    }
+    for (uint32_t i = 0; i < size / 4; ++i)
+        copy_word((stored_word *)(void *)to + i, ((const stored_word *)(const void *)from)[i],
+                  b->written[i % 2]);
 }
 
 static lanes_f mix_texels(lanes_f weight, lanes_f a, lanes_f b)
@@ -189,93 +198,155 @@ static lanes_f mix_texels(lanes_f weight, lanes_f a, lanes_f b)
 }
 
 /* Mixes the texels of two columns and, in more than one dimension, of two rows. */
-static void mix_source(const gn_surface *source, int dimensions, const blit_texels *t,
-                       lanes_f color[4])
+static void mix_source(const gn_surface *source, int dimensions, const blit_columns *columns,
+                       uint32_t first, const blit_rows *rows, lanes_f color[4])
 {
-    const lanes_f along_x = lanes_load(t->weight[0]);
-    const lanes_f along_y = lanes_load(t->weight[1]);
-    lanes_f right[4], above[4];
+    const lanes_f along_x = lanes_load(columns->weight + first);
+    lanes_f texel[2][4], mixed[4];
 
-    fetch_texels(source, t, 0, 0, color);
-    fetch_texels(source, t, 1, 0, right);
-    for (int c = 0; c < 4; ++c)
-        color[c] = mix_texels(along_x, color[c], right[c]);
-    if (dimensions == 1)
-        return;
-    fetch_texels(source, t, 0, 1, above);
-    fetch_texels(source, t, 1, 1, right);
-    for (int c = 0; c < 4; ++c)
-        color[c] = mix_texels(along_y, color[c], mix_texels(along_x, above[c], right[c]));
+    for (int above = 0; above < (dimensions > 1 ? 2 : 1); ++above) {
+        for (int right = 0; right < 2; ++right)
+            gn_gather_colors(source->format, source->pixels, rows->offset[above],
+                             columns->offset[right] + first, texel[right]);
+        for (int c = 0; c < 4; ++c) {
+            mixed[c] = mix_texels(along_x, texel[0][c], texel[1][c]);
+            color[c] = above ? mix_texels(rows->weight, color[c], mixed[c]) : mixed[c];
+        }
+    }
 }
 
 /* Mixes everything that contributes to a pixel. */
-static void mix_sources(const blit *b, const blit_texels *t, lanes_f color[4])
+static void mix_sources(const blit *b, const blit_columns *columns, uint32_t first,
+                        const blit_rows *rows, lanes_f color[4])
 {
     lanes_f second[4];
 
-    mix_source(b->source, b->dimensions, t, color);
+    mix_source(b->source, b->dimensions, columns, first, rows, color);
     if (b->dimensions == 3) {
-        mix_source(b->next, b->dimensions, t, second);
+        mix_source(b->next, b->dimensions, columns, first, rows, second);
         for (int c = 0; c < 4; ++c)
             color[c] = mix_texels(lanes_splat(b->between), color[c], second[c]);
     }
 }
 
-/* Writes pixels x to x + count - 1 of row y. */
-static void write_run(const blit *b, int32_t x, int32_t y, uint32_t count, const blit_texels *t)
+/* Writes `count` pixels, at most GN_LANES. `first` is the first one's place in `columns`. */
+static void write_run(const blit *b, unsigned char *to, uint32_t count, const blit_columns *columns,
+                      uint32_t first, const blit_rows *rows)
 {
     lanes_f color[4];
 
     if (b->copies) {
-        for (uint32_t l = 0; l < count; ++l)
-            copy_pixel(b, surface_row(b->destination, (uint32_t)y), x + (int32_t)l,
-                       surface_row(b->source, (uint32_t)t->row[0][l]), t->column[0][l]);
+        copy_run(b, to, count, rows->offset[0], columns->offset[0] + first);
         return;
     }
     if (b->mixes)
-        mix_sources(b, t, color);
+        mix_sources(b, columns, first, rows, color);
     else
-        fetch_texels(b->source, t, 0, 0, color);
-    store_colors(b->destination, x, y, count, color);
+        gn_gather_colors(b->source->format, b->source->pixels, rows->offset[0],
+                         columns->offset[0] + first, color);
+    gn_store_colors(b->destination->format, to, count, color);
 }
 
-/* Finds the texels of a lane along a dimension, from a coordinate from 0 to 1. */
-static void find_texel(float coordinate, uint32_t size, bool mixes, int l,
-                       int32_t texel[2][GN_LANES], float weight[GN_LANES])
+/* Returns coordinate `n` of the texture, from 0 to 1, of the pixels from (x, y) on. */
+static lanes_f coordinates(const blit_piece *p, int n, int32_t x, int32_t y)
 {
-    const float n = (float)size;
-    const int32_t last = (int32_t)size - 1;
-    float c = coordinate * n;
+    int32_t column[GN_LANES];
 
-    c = c < n ? c : n;
-    if (mixes)
-        c -= 0.5f;
-    c = c > 0.0f ? c : 0.0f;
-
-    const int32_t whole = (int32_t)c;
-    texel[0][l] = whole < last ? whole : last;
-    texel[1][l] = whole < last ? whole + 1 : last;
-    weight[l] = c - (float)whole;
+    GN_EACH_LANE (l)
+        column[l] = x + l;
+    return lanes_add(
+        lanes_splat(p->plane[n].per_y * (float)y),
+        lanes_add(lanes_mul(lanes_splat(p->plane[n].per_x), lanes_to_float(lanes_i_load(column))),
+                  lanes_splat(p->plane[n].origin)));
 }
 
-static void blit_piece_row(const blit *b, const blit_piece *p, int32_t y, int32_t first,
-                           int32_t end)
+/* Finds the texels along a dimension of `size` texels. Returns the weight of the second. */
+static lanes_f find_texels(const blit *b, lanes_f coordinate, uint32_t size, lanes_i texel[2])
 {
-    const uint32_t size[2] = {b->source->width, b->source->height};
-    blit_texels t;
+    const lanes_f n = lanes_splat((float)size);
+    const lanes_f zero = lanes_splat(0.0f);
+    const lanes_i last = lanes_i_splat((int32_t)size - 1);
+    lanes_f c = lanes_mul(coordinate, n);
 
-    for (int32_t x = first; x < end; x += GN_LANES) {
-        GN_EACH_LANE (l) {
-            for (int n = 0; n < 2; ++n) {
-                const float coordinate = p->plane[n].per_y * (float)y +
-                                         (p->plane[n].per_x * (float)(x + l) + p->plane[n].origin);
+    c = lanes_select(lanes_greater(n, c), c, n);
+    if (b->mixes)
+        c = lanes_sub(c, lanes_splat(0.5f));
+    c = lanes_select(lanes_greater(c, zero), c, zero);
 
-                find_texel(coordinate, size[n], b->mixes, l, n == 0 ? t.column : t.row,
-                           t.weight[n]);
-            }
-        }
-        write_run(b, x, y, (uint32_t)(end - x < GN_LANES ? end - x : GN_LANES), &t);
+    const lanes_i whole = lanes_truncate(c);
+    texel[0] = lanes_i_min(whole, last);
+    texel[1] = lanes_i_min(lanes_i_add(whole, lanes_i_splat(1)), last);
+    return lanes_sub(c, lanes_to_float(whole));
+}
+
+/* Finds the texels of the columns from x on. */
+static void find_columns(const blit *b, const blit_piece *p, int32_t x, int32_t y,
+                         blit_columns *columns)
+{
+    const lanes_i size = lanes_i_splat((int32_t)format_size(b->source->format));
+    lanes_i texel[2];
+
+    for (int32_t i = 0; i < BLIT_COLUMNS + GN_LANES; i += GN_LANES) {
+        lanes_store(columns->weight + i,
+                    find_texels(b, coordinates(p, 0, x + i, y), b->source->width, texel));
+        for (int n = 0; n < 2; ++n)
+            lanes_i_store(columns->offset[n] + i, lanes_i_mul(texel[n], size));
     }
+}
+
+/* Finds the texels' rows of the pixels from (x, y) on. */
+static void find_rows(const blit *b, const blit_piece *p, int32_t x, int32_t y, blit_rows *rows)
+{
+    lanes_i texel[2];
+    int32_t row[GN_LANES];
+
+    rows->weight = find_texels(b, coordinates(p, 1, x, y), b->source->height, texel);
+    for (int n = 0; n < 2; ++n) {
+        lanes_i_store(row, texel[n]);
+        GN_EACH_LANE (l)
+            rows->offset[n][l] = row[l] * b->source->row_stride;
+    }
+}
+
+static unsigned char *pixel_memory(const gn_surface *surface, int32_t x, int32_t y)
+{
+    return surface_row(surface, (uint32_t)y) + (uint32_t)x * format_size(surface->format);
+}
+
+/* Returns the pixels of a run that begins at x. */
+static uint32_t run_length(int32_t x, int32_t end)
+{
+    return (uint32_t)(end - x < GN_LANES ? end - x : GN_LANES);
+}
+
+/* Blits the pixels of a piece in the columns from `left` to `right`, at most BLIT_COLUMNS. */
+static void blit_piece_columns(const blit *b, const blit_piece *p, int32_t left, int32_t right,
+                               int32_t bottom, int32_t top)
+{
+    blit_columns columns;
+    blit_rows rows;
+
+    for (int32_t y = bottom; y < top; ++y) {
+        int32_t x = left;
+        int32_t end = right;
+
+        if (y == bottom || p->plane[0].per_y != 0.0f)
+            find_columns(b, p, left, y, &columns);
+        covered_columns(p, y, &x, &end);
+        if (x < end)
+            find_rows(b, p, x, y, &rows);
+        for (; x < end; x += GN_LANES) {
+            if (p->plane[1].per_x != 0.0f)
+                find_rows(b, p, x, y, &rows);
+            write_run(b, pixel_memory(b->destination, x, y), run_length(x, end), &columns,
+                      (uint32_t)(x - left), &rows);
+        }
+    }
+}
+
+static int32_t last_column(int32_t left, int32_t end)
+{
+    return end - left < BLIT_COLUMNS ? end : left + BLIT_COLUMNS;
 }
 
 static void blit_scaled(const blit *b, const gn_rectangle *to, const gn_rectangle *from,
@@ -284,41 +355,72 @@ static void blit_scaled(const blit *b, const gn_rectangle *to, const gn_rectangl
     blit_quad quad;
 
     set_blit_quad(&quad, b->destination, to, b->source, from);
-    for (uint32_t n = 0; n < quad.count; ++n) {
-        for (int32_t y = drawn->y0; y < drawn->y1; ++y) {
-            int32_t first = drawn->x0;
-            int32_t end = drawn->x1;
-
-            blit_columns(&quad.piece[n], y, &first, &end);
-            blit_piece_row(b, &quad.piece[n], y, first, end);
-        }
-    }
+    for (uint32_t n = 0; n < quad.count; ++n)
+        for (int32_t x = drawn->x0; x < drawn->x1; x += BLIT_COLUMNS)
+            blit_piece_columns(b, &quad.piece[n], x, last_column(x, drawn->x1), drawn->y0,
+                               drawn->y1);
 }
 
 /* Returns the texel of a pixel along one dimension, for rectangles of equal size of which `to` is
- * not mirrored. For lanes beyond the surface it is clamped to the surface. */
-static int32_t moved_texel(int32_t pixel, int32_t to, int32_t from0, int32_t from1, uint32_t size)
+ * not mirrored. */
+static int32_t moved_texel(int32_t pixel, int32_t to, int32_t from0, int32_t from1)
 {
-    const int32_t texel = from0 <= from1 ? from0 + (pixel - to) : from0 - 1 - (pixel - to);
+    return from0 <= from1 ? from0 + (pixel - to) : from0 - 1 - (pixel - to);
+}
 
-    return texel < 0 ? 0 : texel >= (int32_t)size ? (int32_t)size - 1 : texel;
+/* Blits a row without scaling or mirroring it: count pixels from `from` to `to`. */
+static void move_row(const blit *b, unsigned char *to, const unsigned char *from, int32_t count)
+{
+    const gn_format read = b->source->format;
+    const gn_format written = b->destination->format;
+    lanes_f color[4];
+
+    if (b->copies) {
+        copy_row(b, to, from, (uint32_t)count);
+        return;
+    }
+    for (int32_t x = 0; x < count; x += GN_LANES) {
+        const uint32_t run = run_length(x, count);
+
+        gn_load_colors(read, from, run, color);
+        gn_store_colors(written, to, run, color);
+        from += GN_LANES * format_size(read);
+        to += GN_LANES * format_size(written);
+    }
+}
+
+/* Blits a row without scaling it, but mirrored: its first pixel reads the texel at `from`. */
+static void mirror_row(const blit *b, unsigned char *to, const unsigned char *from, int32_t count)
+{
+    const int32_t size = (int32_t)format_size(b->source->format);
+    blit_columns columns;
+    blit_rows rows;
+
+    for (int32_t x = 0; x < count; x += GN_LANES) {
+        GN_EACH_LANE (l) {
+            columns.offset[0][l] = -(x + l < count ? x + l : x) * size;
+            rows.offset[0][l] = from - (const unsigned char *)b->source->pixels;
+        }
+        write_run(b, to, run_length(x, count), &columns, 0, &rows);
+        to += GN_LANES * format_size(b->destination->format);
+    }
 }
 
 static void blit_moved(const blit *b, const gn_rectangle *to, const gn_rectangle *from,
                        const gn_rectangle *drawn)
 {
-    blit_texels t;
+    const int32_t column = moved_texel(drawn->x0, to->x0, from->x0, from->x1);
+    const int32_t count = drawn->x1 - drawn->x0;
 
     for (int32_t y = drawn->y0; y < drawn->y1; ++y) {
-        const int32_t row = moved_texel(y, to->y0, from->y0, from->y1, b->source->height);
+        const int32_t row = moved_texel(y, to->y0, from->y0, from->y1);
+        unsigned char *const pixels = pixel_memory(b->destination, drawn->x0, y);
+        const unsigned char *const texels = pixel_memory(b->source, column, row);
 
-        for (int32_t x = drawn->x0; x < drawn->x1; x += GN_LANES) {
-            GN_EACH_LANE (l) {
-                t.column[0][l] = moved_texel(x + l, to->x0, from->x0, from->x1, b->source->width);
-                t.row[0][l] = row;
-            }
-            write_run(b, x, y, (uint32_t)(drawn->x1 - x < GN_LANES ? drawn->x1 - x : GN_LANES), &t);
-        }
+        if (from->x0 <= from->x1)
+            move_row(b, pixels, texels, count);
+        else
+            mirror_row(b, pixels, texels, count);
     }
 }
 
@@ -371,15 +473,16 @@ static void set_written(blit *b, const gn_blit_options *options)
 {
     const gn_format format = b->source->format;
 
-    b->written[0] = 0xFFFFFFFFu;
-    b->written[1] = 255u;
-    if (format == GN_FORMAT_D24S8)
+    b->masks = format == GN_FORMAT_D32FS8 ||
+               (format == GN_FORMAT_D24S8 && (options->keeps_depth || options->keeps_stencil));
+    if (format == GN_FORMAT_D32FS8) {
+        b->written[0] = options->keeps_depth ? 0 : 0xFFFFFFFFu;
+        b->written[1] = options->keeps_stencil ? 0 : 255u;
+    } else {
         b->written[0] =
             (options->keeps_depth ? 0 : 0x00FFFFFFu) | (options->keeps_stencil ? 0 : 0xFF000000u);
-    else if (format == GN_FORMAT_D32FS8 && options->keeps_depth)
-        b->written[0] = 0;
-    if (options->keeps_stencil)
-        b->written[1] = 0;
+        b->written[1] = b->written[0];
+    }
 }
 
 /* Returns whether the destination keeps everything that the format has. */
@@ -405,6 +508,7 @@ void gn_reduce(const gn_surface *destination, int dimensions, const gn_surface *
     b.between = between;
     b.mixes = true;
     b.copies = false;
+    b.masks = false;
     b.written[0] = 0;
     b.written[1] = 0;
     blit_scaled(&b, &to, &from, &to);

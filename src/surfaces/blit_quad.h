@@ -222,30 +222,41 @@ static inline void set_blit_quad(blit_quad *q, const gn_surface *destination,
     add_blit_triangle(q, &corner[0], &corner[2], &corner[3]);
 }
 
-/* Reduces *first to *end to the columns of row y that a piece covers. */
-static inline void blit_columns(const blit_piece *p, int32_t y, int32_t *first, int32_t *end)
+/* Returns whether a pixel is on the inner side of edge i. */
+static inline bool is_inside(const blit_piece *p, int i, int32_t x, int32_t y)
 {
-    int64_t value[3];
-    int32_t x = *first;
-    bool inside = false;
+    return p->edge[i].start - 256 * (int64_t)p->edge[i].per_x * x +
+               256 * (int64_t)p->edge[i].per_y * y >
+           0;
+}
 
-    for (int i = 0; i < 3; ++i)
-        value[i] = p->edge[i].start - 256 * (int64_t)p->edge[i].per_x * x +
-                   256 * (int64_t)p->edge[i].per_y * y;
-    for (; x < *end; ++x) {
-        const bool covered = value[0] > 0 && value[1] > 0 && value[2] > 0;
+/* Reduces *first to *end to the columns of row y that a piece covers. */
+static inline void covered_columns(const blit_piece *p, int32_t y, int32_t *first, int32_t *end)
+{
+    for (int i = 0; i < 3 && *first < *end; ++i) {
+        const bool begins_inside = is_inside(p, i, *first, y);
+        int32_t low = *first;
+        int32_t high = *end - 1;
 
-        if (covered && !inside)
-            *first = x;
-        if (!covered && inside)
-            break;
-        inside = covered;
-        for (int i = 0; i < 3; ++i)
-            value[i] -= 256 * (int64_t)p->edge[i].per_x;
+        if (begins_inside == is_inside(p, i, high, y)) {
+            if (!begins_inside)
+                *end = *first;
+            continue;
+        }
+        /* The edge passes between low and high. */
+        while (high - low > 1) {
+            const int32_t middle = (low + high) / 2;
+
+            if (is_inside(p, i, middle, y) == begins_inside)
+                low = middle;
+            else
+                high = middle;
+        }
+        if (begins_inside)
+            *end = high;
+        else
+            *first = high;
     }
-    if (!inside && x >= *end)
-        *first = x;
-    *end = x;
 }
 
 #endif

@@ -2,7 +2,9 @@
 #ifndef GN_SURFACES_CLEAR_PIXEL_H
 #define GN_SURFACES_CLEAR_PIXEL_H
 
-#include "../formats/encode.h"
+#include "../formats/floats.h"
+#include "../formats/pixel_rows.h"
+#include "../formats/unorm.h"
 #include "fill.h"
 
 /* A pixel's bytes as they lie in memory. */
@@ -17,19 +19,21 @@ typedef struct clear_pixel {
     uint32_t size;
 } clear_pixel;
 
-/* Returns the pixel that a clear to a colour stores, in words as encode_colors returns them; `word`
- * must be 0 before. A format's first channel tells whether its fractions have 8 bits. */
-static inline void encode_clear(gn_format format, const float c[4], uint32_t word[2])
+/* Sets the pixel that a clear to a colour stores. A format's first channel tells whether its
+ * fractions have 8 bits. */
+static inline void set_clear_pixel(clear_pixel *pixel, gn_format format, const float c[4])
 {
     const format_fields fields = format_fields_of(format);
     lanes_f color[4];
-    lanes_i encoded[4];
-    int32_t first[GN_LANES], second[GN_LANES];
 
+    pixel->size = format_size(format);
     if (format_encoding_of(format) == ENCODING_UNORM && field_width(fields, 0) != 8) {
+        int32_t word[4] = {0, 0, 0, 0};
+
         for (int i = 0; i < 4; ++i)
-            word[field_word(fields, i)] |= cleared_unorm(c[i], field_width(fields, i))
-                                           << field_shift(fields, i);
+            word[field_word(fields, i)] |=
+                (int32_t)(cleared_unorm(c[i], field_width(fields, i)) << field_shift(fields, i));
+        store_pixel(pixel->memory.byte, 0, format_layout(format), word);
         return;
     }
     /* The other formats are converted as fragments are, except that bytes saturate before they are
@@ -38,21 +42,7 @@ static inline void encode_clear(gn_format format, const float c[4], uint32_t wor
         color[i] = format_is_float(format)
                        ? lanes_splat(cleared_float(c[i], field_width(fields, i)))
                        : saturated(lanes_splat(c[i]));
-    encode_colors(format, color, encoded);
-    lanes_i_store(first, encoded[0]);
-    lanes_i_store(second, encoded[1]);
-    word[0] = (uint32_t)first[0];
-    word[1] = (uint32_t)second[0];
-}
-
-static inline void set_clear_pixel(clear_pixel *pixel, gn_format format, const float c[4])
-{
-    uint32_t word[2] = {0, 0};
-
-    encode_clear(format, c, word);
-    const int32_t words[4] = {(int32_t)word[0], (int32_t)word[1], 0, 0};
-    pixel->size = format_size(format);
-    store_pixel(pixel->memory.byte, 0, format_layout(format), words);
+    gn_store_colors(format, pixel->memory.byte, 1, color);
 }
 
 /* Bytes after which the pattern of every pixel size repeats in whole words. */

@@ -7,7 +7,7 @@
 
 /* Writes the destination. Preconditions: the surfaces have colour formats, one sample and no fault;
  * the destination overlaps neither source. With 3 dimensions, the part `between` of `next` is mixed
- * in, which has the source's size. With 1 dimension there is one row. */
+ * in, which has the source's size and stride. With 1 dimension there is one row. */
 void gn_reduce(const gn_surface *destination, int dimensions, const gn_surface *source,
                const gn_surface *next, float between);
 

@@ -1,49 +1,43 @@
 /* Resolving several samples per pixel to one. */
 #include "../formats/pixel_rows.h"
+#include "../formats/surface_memory.h"
 #include "check.h"
+#include "copy.h"
 
 #if GN_HAVE_SAMPLES
 
-/* Writes the means of the samples of sixteen pixels from x on. Beyond the end of the row a lane
- * repeats pixel x. */
-static void average_row(const gn_surface *from, uint32_t x, uint32_t y, lanes_f color[4])
+/* Writes the means of the samples of `count` pixels from x on, at most GN_LANES. */
+static void average(const gn_surface *to, const gn_surface *from, uint32_t x, uint32_t y,
+                    uint32_t count)
 {
-    const unsigned char *row[GN_LANES];
-    int32_t column[GN_LANES];
-    lanes_f one[4];
+    const size_t offset = (size_t)x * format_size(from->format);
+    lanes_f color[4], one[4];
 
     for (int c = 0; c < 4; ++c)
         color[c] = lanes_splat(0.0f);
-    GN_EACH_LANE (l)
-        column[l] = (int32_t)(x + (uint32_t)l < from->width ? x + (uint32_t)l : x);
     for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
-        GN_EACH_LANE (l)
-            row[l] = sample_memory(from, s) + (ptrdiff_t)y * from->row_stride;
-        load_colors(from->format, row, column, one);
+        const unsigned char *const row = sample_memory(from, s) + (ptrdiff_t)y * from->row_stride;
+
+        gn_load_colors(from->format, row + offset, count, one);
         for (int c = 0; c < 4; ++c)
             color[c] = lanes_add(color[c], one[c]);
     }
     for (int c = 0; c < 4; ++c)
         color[c] = lanes_mul(color[c], lanes_splat(0.25f));
+    gn_store_colors(to->format, surface_row(to, y) + offset, count, color);
 }
 
 /* Copies sample 0 unchanged. */
 static void copy_rows(const gn_surface *to, const gn_surface *from)
 {
-    const uint32_t size = to->width * format_size(to->format);
+    const size_t size = (size_t)to->width * format_size(to->format);
 
-    for (uint32_t y = 0; y < to->height; ++y) {
-        unsigned char *const out = surface_row(to, y);
-        const unsigned char *const in = surface_row(from, y);
-
-        for (uint32_t i = 0; i < size; ++i)
-            out[i] = in[i];
-    }
+    for (uint32_t y = 0; y < to->height; ++y)
+        copy_bytes(surface_row(to, y), surface_row(from, y), size);
 }
 
 gn_status gn_resolve(const gn_surface *to, const gn_surface *from)
 {
-    lanes_f color[4];
     gn_status status;
 
     if (!to || !from)
@@ -63,13 +57,9 @@ gn_status gn_resolve(const gn_surface *to, const gn_surface *from)
         copy_rows(to, from);
         return GN_OK;
     }
-    for (uint32_t y = 0; y < to->height; ++y) {
-        for (uint32_t x = 0; x < to->width; x += GN_LANES) {
-            average_row(from, x, y, color);
-            store_colors(to, (int32_t)x, (int32_t)y,
-                         to->width - x < GN_LANES ? to->width - x : GN_LANES, color);
-        }
-    }
+    for (uint32_t y = 0; y < to->height; ++y)
+        for (uint32_t x = 0; x < to->width; x += GN_LANES)
+            average(to, from, x, y, to->width - x < GN_LANES ? to->width - x : GN_LANES);
     return GN_OK;
 }
 
