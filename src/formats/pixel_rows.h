@@ -1,21 +1,8 @@
-/* Colours of pixels in every colour format, GN_LANES at a time. Blits, clears and resolving use
- * these functions, which are compiled once. */
+/* Rows of GN_LANES pixels in memory, and a choice among their layouts. */
 #ifndef GN_FORMATS_PIXEL_ROWS_H
 #define GN_FORMATS_PIXEL_ROWS_H
 
 #include "pixel_memory.h"
-
-/* Loads `count` pixels that lie side by side, 1 to GN_LANES. Other lanes are decoded zeros. */
-void gn_load_colors(gn_format format, const unsigned char *pixels, uint32_t count,
-                    lanes_f color[4]);
-
-/* Loads GN_LANES pixels: lane l is the pixel row[l] + column[l] bytes after `pixels`. */
-void gn_gather_colors(gn_format format, const unsigned char *pixels, const ptrdiff_t row[GN_LANES],
-                      const int32_t column[GN_LANES], lanes_f color[4]);
-
-/* Writes colours to `count` pixels that lie side by side, 1 to GN_LANES. */
-void gn_store_colors(gn_format format, unsigned char *pixels, uint32_t count,
-                     const lanes_f color[4]);
 
 /* A row of pixels of any format in memory of a function's own. */
 typedef union pixel_row {

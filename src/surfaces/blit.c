@@ -10,6 +10,7 @@
 #include "check.h"
 #include "copy.h"
 #include "reduce.h"
+#include "row_work.h"
 
 typedef struct blit {
     const gn_surface *destination, *source;
@@ -17,27 +18,11 @@ typedef struct blit {
     const gn_surface *next; /* with 3 dimensions, a second source; see between */
     float between;
     bool mixes;          /* the filter is linear */
+    bool is_wide;        /* see rows_are_wide */
     bool copies;         /* pixels keep their bits */
     bool masks;          /* of depth and stencil only the bits `written` are copied */
     uint32_t written[2]; /* of even and odd words */
 } blit;
-
-/* Columns of the destination whose texels are found at once, for every row. */
-#define BLIT_COLUMNS 64
-
-/* The texels' columns: bytes from the beginning of a row of the source. If texels are mixed there
- * are two of each, and the weight of the second. A run that begins at the last column has as many
- * lanes as any other. */
-typedef struct blit_columns {
-    int32_t offset[2][BLIT_COLUMNS + GN_LANES];
-    float weight[BLIT_COLUMNS + GN_LANES];
-} blit_columns;
-
-/* The texels' rows for the pixels of a run: bytes from the source's first row. */
-typedef struct blit_rows {
-    ptrdiff_t offset[2][GN_LANES];
-    lanes_f weight;
-} blit_rows;
 
 static bool is_in_range(const gn_rectangle *r)
 {
@@ -192,59 +177,39 @@ static void copy_row(const blit *b, unsigned char *to, const unsigned char *from
                   b->written[i % 2]);
 }
 
-static lanes_f mix_texels(lanes_f weight, lanes_f a, lanes_f b)
+/* Fills in the formats and what is mixed. */
+static void set_row_work(const blit *b, row_work *w)
 {
-    return lanes_add(a, lanes_mul(weight, lanes_sub(b, a)));
+    w->kind = b->mixes ? ROW_MIXES : ROW_GATHERS;
+    w->read = b->source->format;
+    w->written = b->destination->format;
+    w->from = b->source->pixels;
+    w->dimensions = b->dimensions;
+    w->next = b->next ? b->next->pixels : 0;
+    w->between = b->between;
 }
 
-/* Mixes the texels of two columns and, in more than one dimension, of two rows. */
-static void mix_source(const gn_surface *source, int dimensions, const blit_columns *columns,
-                       uint32_t first, const blit_rows *rows, lanes_f color[4])
+/* Writes pixels that read texels anywhere; fewer than GN_LANES if not all have one row. `first` is
+ * the first pixel's place in `columns`. */
+static void write_texels(const blit *b, unsigned char *to, uint32_t count,
+                         const texel_columns *columns, uint32_t first, const texel_rows *rows)
 {
-    const lanes_f along_x = lanes_load(columns->weight + first);
-    lanes_f texel[2][4], mixed[4];
-
-    for (int above = 0; above < (dimensions > 1 ? 2 : 1); ++above) {
-        for (int right = 0; right < 2; ++right)
-            gn_gather_colors(source->format, source->pixels, rows->offset[above],
-                             columns->offset[right] + first, texel[right]);
-        for (int c = 0; c < 4; ++c) {
-            mixed[c] = mix_texels(along_x, texel[0][c], texel[1][c]);
-            color[c] = above ? mix_texels(rows->weight, color[c], mixed[c]) : mixed[c];
-        }
-    }
-}
-
-/* Mixes everything that contributes to a pixel. */
-static void mix_sources(const blit *b, const blit_columns *columns, uint32_t first,
-                        const blit_rows *rows, lanes_f color[4])
-{
-    lanes_f second[4];
-
-    mix_source(b->source, b->dimensions, columns, first, rows, color);
-    if (b->dimensions == 3) {
-        mix_source(b->next, b->dimensions, columns, first, rows, second);
-        for (int c = 0; c < 4; ++c)
-            color[c] = mix_texels(lanes_splat(b->between), color[c], second[c]);
-    }
-}
-
-/* Writes `count` pixels, at most GN_LANES. `first` is the first one's place in `columns`. */
-static void write_run(const blit *b, unsigned char *to, uint32_t count, const blit_columns *columns,
-                      uint32_t first, const blit_rows *rows)
-{
-    lanes_f color[4];
+    row_work w;
 
     if (b->copies) {
-        copy_run(b, to, count, rows->offset[0], columns->offset[0] + first);
+        for (uint32_t x = 0; x < count; x += GN_LANES)
+            copy_run(b, to + x * format_size(b->destination->format),
+                     count - x < GN_LANES ? count - x : GN_LANES, rows->offset[0],
+                     columns->offset[0] + first + x);
         return;
     }
-    if (b->mixes)
-        mix_sources(b, columns, first, rows, color);
-    else
-        gn_gather_colors(b->source->format, b->source->pixels, rows->offset[0],
-                         columns->offset[0] + first, color);
-    gn_store_colors(b->destination->format, to, count, color);
+    set_row_work(b, &w);
+    w.to = to;
+    w.count = count;
+    w.columns = columns;
+    w.first = first;
+    w.rows = rows;
+    work_on_row(b->is_wide, &w);
 }
 
 /* Returns coordinate `n` of the texture, from 0 to 1, of the pixels from (x, y) on. */
@@ -281,26 +246,33 @@ static lanes_f find_texels(const blit *b, lanes_f coordinate, uint32_t size, lan
 
 /* Finds the texels of the columns from x on. */
 static void find_columns(const blit *b, const blit_piece *p, int32_t x, int32_t y,
-                         blit_columns *columns)
+                         texel_columns *columns)
 {
-    const lanes_i size = lanes_i_splat((int32_t)format_size(b->source->format));
+    const int32_t bytes = (int32_t)format_size(b->source->format);
+    const lanes_i size = lanes_i_splat(bytes);
     lanes_i texel[2];
 
-    for (int32_t i = 0; i < BLIT_COLUMNS + GN_LANES; i += GN_LANES) {
+    for (int32_t i = 0; i < TEXEL_COLUMNS + GN_LANES; i += GN_LANES) {
         lanes_store(columns->weight + i,
                     find_texels(b, coordinates(p, 0, x + i, y), b->source->width, texel));
         for (int n = 0; n < 2; ++n)
             lanes_i_store(columns->offset[n] + i, lanes_i_mul(texel[n], size));
     }
+    columns->side_by_side = true;
+    for (int32_t i = 0; i < TEXEL_COLUMNS; ++i)
+        if (columns->offset[0][i] != columns->offset[0][0] + 2 * i * bytes ||
+            columns->offset[1][i] != columns->offset[0][i] + bytes)
+            columns->side_by_side = false;
 }
 
 /* Finds the texels' rows of the pixels from (x, y) on. */
-static void find_rows(const blit *b, const blit_piece *p, int32_t x, int32_t y, blit_rows *rows)
+static void find_rows(const blit *b, const blit_piece *p, int32_t x, int32_t y, texel_rows *rows)
 {
     lanes_i texel[2];
     int32_t row[GN_LANES];
 
-    rows->weight = find_texels(b, coordinates(p, 1, x, y), b->source->height, texel);
+    rows->is_one = p->plane[1].per_x == 0.0f;
+    lanes_store(rows->weight, find_texels(b, coordinates(p, 1, x, y), b->source->height, texel));
     for (int n = 0; n < 2; ++n) {
         lanes_i_store(row, texel[n]);
         GN_EACH_LANE (l)
@@ -313,18 +285,12 @@ static unsigned char *pixel_memory(const gn_surface *surface, int32_t x, int32_t
     return surface_row(surface, (uint32_t)y) + (uint32_t)x * format_size(surface->format);
 }
 
-/* Returns the pixels of a run that begins at x. */
-static uint32_t run_length(int32_t x, int32_t end)
-{
-    return (uint32_t)(end - x < GN_LANES ? end - x : GN_LANES);
-}
-
-/* Blits the pixels of a piece in the columns from `left` to `right`, at most BLIT_COLUMNS. */
+/* Blits the pixels of a piece in the columns from `left` to `right`, at most TEXEL_COLUMNS. */
 static void blit_piece_columns(const blit *b, const blit_piece *p, int32_t left, int32_t right,
                                int32_t bottom, int32_t top)
 {
-    blit_columns columns;
-    blit_rows rows;
+    texel_columns columns;
+    texel_rows rows;
 
     for (int32_t y = bottom; y < top; ++y) {
         int32_t x = left;
@@ -333,20 +299,22 @@ static void blit_piece_columns(const blit *b, const blit_piece *p, int32_t left,
         if (y == bottom || p->plane[0].per_y != 0.0f)
             find_columns(b, p, left, y, &columns);
         covered_columns(p, y, &x, &end);
-        if (x < end)
+        while (x < end) {
+            int32_t next = end;
+
             find_rows(b, p, x, y, &rows);
-        for (; x < end; x += GN_LANES) {
-            if (p->plane[1].per_x != 0.0f)
-                find_rows(b, p, x, y, &rows);
-            write_run(b, pixel_memory(b->destination, x, y), run_length(x, end), &columns,
-                      (uint32_t)(x - left), &rows);
+            if (!rows.is_one && end - x > GN_LANES)
+                next = x + GN_LANES;
+            write_texels(b, pixel_memory(b->destination, x, y), (uint32_t)(next - x), &columns,
+                         (uint32_t)(x - left), &rows);
+            x = next;
         }
     }
 }
 
 static int32_t last_column(int32_t left, int32_t end)
 {
-    return end - left < BLIT_COLUMNS ? end : left + BLIT_COLUMNS;
+    return end - left < TEXEL_COLUMNS ? end : left + TEXEL_COLUMNS;
 }
 
 static void blit_scaled(const blit *b, const gn_rectangle *to, const gn_rectangle *from,
@@ -356,7 +324,7 @@ static void blit_scaled(const blit *b, const gn_rectangle *to, const gn_rectangl
 
     set_blit_quad(&quad, b->destination, to, b->source, from);
     for (uint32_t n = 0; n < quad.count; ++n)
-        for (int32_t x = drawn->x0; x < drawn->x1; x += BLIT_COLUMNS)
+        for (int32_t x = drawn->x0; x < drawn->x1; x += TEXEL_COLUMNS)
             blit_piece_columns(b, &quad.piece[n], x, last_column(x, drawn->x1), drawn->y0,
                                drawn->y1);
 }
@@ -368,41 +336,40 @@ static int32_t moved_texel(int32_t pixel, int32_t to, int32_t from0, int32_t fro
     return from0 <= from1 ? from0 + (pixel - to) : from0 - 1 - (pixel - to);
 }
 
-/* Blits a row without scaling or mirroring it: count pixels from `from` to `to`. */
-static void move_row(const blit *b, unsigned char *to, const unsigned char *from, int32_t count)
+/* Blits a row without scaling or mirroring it: `count` pixels from `from` to `to`. */
+static void move_row(const blit *b, unsigned char *to, const unsigned char *from, uint32_t count)
 {
-    const gn_format read = b->source->format;
-    const gn_format written = b->destination->format;
-    lanes_f color[4];
+    row_work w;
 
     if (b->copies) {
-        copy_row(b, to, from, (uint32_t)count);
+        copy_row(b, to, from, count);
         return;
     }
-    for (int32_t x = 0; x < count; x += GN_LANES) {
-        const uint32_t run = run_length(x, count);
-
-        gn_load_colors(read, from, run, color);
-        gn_store_colors(written, to, run, color);
-        from += GN_LANES * format_size(read);
-        to += GN_LANES * format_size(written);
-    }
+    set_row_work(b, &w);
+    w.kind = ROW_CONVERTS;
+    w.from = from;
+    w.to = to;
+    w.count = count;
+    work_on_row(b->is_wide, &w);
 }
 
 /* Blits a row without scaling it, but mirrored: its first pixel reads the texel at `from`. */
-static void mirror_row(const blit *b, unsigned char *to, const unsigned char *from, int32_t count)
+static void mirror_row(const blit *b, unsigned char *to, const unsigned char *from, uint32_t count)
 {
     const int32_t size = (int32_t)format_size(b->source->format);
-    blit_columns columns;
-    blit_rows rows;
+    texel_columns columns;
+    texel_rows rows;
 
-    for (int32_t x = 0; x < count; x += GN_LANES) {
-        GN_EACH_LANE (l) {
-            columns.offset[0][l] = -(x + l < count ? x + l : x) * size;
-            rows.offset[0][l] = from - (const unsigned char *)b->source->pixels;
-        }
-        write_run(b, to, run_length(x, count), &columns, 0, &rows);
-        to += GN_LANES * format_size(b->destination->format);
+    GN_EACH_LANE (l)
+        rows.offset[0][l] = from - (const unsigned char *)b->source->pixels;
+    for (uint32_t x = 0; x < count; x += TEXEL_COLUMNS) {
+        const uint32_t run = count - x < TEXEL_COLUMNS ? count - x : TEXEL_COLUMNS;
+
+        /* Lanes beyond the row repeat its last pixel. */
+        for (uint32_t i = 0; i < TEXEL_COLUMNS; ++i)
+            columns.offset[0][i] = -(int32_t)(i < run ? x + i : x + run - 1) * size;
+        write_texels(b, to, run, &columns, 0, &rows);
+        to += TEXEL_COLUMNS * format_size(b->destination->format);
     }
 }
 
@@ -410,7 +377,7 @@ static void blit_moved(const blit *b, const gn_rectangle *to, const gn_rectangle
                        const gn_rectangle *drawn)
 {
     const int32_t column = moved_texel(drawn->x0, to->x0, from->x0, from->x1);
-    const int32_t count = drawn->x1 - drawn->x0;
+    const uint32_t count = (uint32_t)(drawn->x1 - drawn->x0);
 
     for (int32_t y = drawn->y0; y < drawn->y1; ++y) {
         const int32_t row = moved_texel(y, to->y0, from->y0, from->y1);
@@ -462,6 +429,8 @@ static void blit_checked(blit *b, gn_rectangle to, gn_rectangle from, const gn_s
                            to.y1 - to.y0 != length_of(from.y0, from.y1);
     b->mixes = b->mixes && is_scaled;
     b->copies = b->destination->format == b->source->format && !b->mixes;
+    b->is_wide =
+        !b->copies && rows_are_wide((size_t)(drawn.x1 - drawn.x0) * (size_t)(drawn.y1 - drawn.y0));
     if (is_scaled)
         blit_scaled(b, &to, &from, &drawn);
     else
@@ -508,6 +477,7 @@ void gn_reduce(const gn_surface *destination, int dimensions, const gn_surface *
     b.between = between;
     b.mixes = true;
     b.copies = false;
+    b.is_wide = rows_are_wide((size_t)source->width * source->height);
     b.masks = false;
     b.written[0] = 0;
     b.written[1] = 0;
@@ -562,6 +532,7 @@ gn_status gn_blit(const gn_surface *destination, const gn_rectangle *to, const g
     b.between = 0.0f;
     b.mixes = options->filter == GN_BLIT_LINEAR;
     b.copies = false;
+    b.is_wide = false;
     if (overlap(&b, to, from))
         return GN_OVERLAP;
     set_written(&b, options);

@@ -3,9 +3,10 @@
 #define GN_SURFACES_CLEAR_PIXEL_H
 
 #include "../formats/floats.h"
-#include "../formats/pixel_rows.h"
+#include "../formats/pixel_memory.h"
 #include "../formats/unorm.h"
 #include "fill.h"
+#include "row_work.h"
 
 /* A pixel's bytes as they lie in memory. */
 typedef union clear_pixel_memory {
@@ -24,7 +25,7 @@ typedef struct clear_pixel {
 static inline void set_clear_pixel(clear_pixel *pixel, gn_format format, const float c[4])
 {
     const format_fields fields = format_fields_of(format);
-    lanes_f color[4];
+    float color[4];
 
     pixel->size = format_size(format);
     if (format_encoding_of(format) == ENCODING_UNORM && field_width(fields, 0) != 8) {
@@ -39,10 +40,11 @@ static inline void set_clear_pixel(clear_pixel *pixel, gn_format format, const f
     /* The other formats are converted as fragments are, except that bytes saturate before they are
      * rounded. */
     for (int i = 0; i < 4; ++i)
-        color[i] = format_is_float(format)
-                       ? lanes_splat(cleared_float(c[i], field_width(fields, i)))
-                       : saturated(lanes_splat(c[i]));
-    gn_store_colors(format, pixel->memory.byte, 1, color);
+        color[i] = format_is_float(format) ? cleared_float(c[i], field_width(fields, i))
+                   : !(c[i] > 0.0f)        ? 0.0f
+                   : c[i] > 1.0f           ? 1.0f
+                                           : c[i];
+    gn_store_color(format, pixel->memory.byte, color);
 }
 
 /* Bytes after which the pattern of every pixel size repeats in whole words. */

@@ -1,31 +1,11 @@
 /* Resolving several samples per pixel to one. */
-#include "../formats/pixel_rows.h"
+#include "../formats/properties.h"
 #include "../formats/surface_memory.h"
 #include "check.h"
 #include "copy.h"
+#include "row_work.h"
 
 #if GN_HAVE_SAMPLES
-
-/* Writes the means of the samples of `count` pixels from x on, at most GN_LANES. */
-static void average(const gn_surface *to, const gn_surface *from, uint32_t x, uint32_t y,
-                    uint32_t count)
-{
-    const size_t offset = (size_t)x * format_size(from->format);
-    lanes_f color[4], one[4];
-
-    for (int c = 0; c < 4; ++c)
-        color[c] = lanes_splat(0.0f);
-    for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
-        const unsigned char *const row = sample_memory(from, s) + (ptrdiff_t)y * from->row_stride;
-
-        gn_load_colors(from->format, row + offset, count, one);
-        for (int c = 0; c < 4; ++c)
-            color[c] = lanes_add(color[c], one[c]);
-    }
-    for (int c = 0; c < 4; ++c)
-        color[c] = lanes_mul(color[c], lanes_splat(0.25f));
-    gn_store_colors(to->format, surface_row(to, y) + offset, count, color);
-}
 
 /* Copies sample 0 unchanged. */
 static void copy_rows(const gn_surface *to, const gn_surface *from)
@@ -34,6 +14,24 @@ static void copy_rows(const gn_surface *to, const gn_surface *from)
 
     for (uint32_t y = 0; y < to->height; ++y)
         copy_bytes(surface_row(to, y), surface_row(from, y), size);
+}
+
+/* Writes the means of the samples. */
+static void average_rows(const gn_surface *to, const gn_surface *from)
+{
+    const bool is_wide = rows_are_wide((size_t)GN_SAMPLES * to->width * to->height);
+    row_work work;
+
+    work.kind = ROW_AVERAGES;
+    work.read = from->format;
+    work.written = to->format;
+    work.count = to->width;
+    work.sample_stride = from->sample_stride;
+    for (uint32_t y = 0; y < to->height; ++y) {
+        work.from = surface_row(from, y);
+        work.to = surface_row(to, y);
+        work_on_row(is_wide, &work);
+    }
 }
 
 gn_status gn_resolve(const gn_surface *to, const gn_surface *from)
@@ -57,9 +55,7 @@ gn_status gn_resolve(const gn_surface *to, const gn_surface *from)
         copy_rows(to, from);
         return GN_OK;
     }
-    for (uint32_t y = 0; y < to->height; ++y)
-        for (uint32_t x = 0; x < to->width; x += GN_LANES)
-            average(to, from, x, y, to->width - x < GN_LANES ? to->width - x : GN_LANES);
+    average_rows(to, from);
     return GN_OK;
 }
 

@@ -1,4 +1,7 @@
-/* Encodes and stores colours (pixel_rows.h). */
+/* Encodes and stores GN_LANES pixels of any colour format. */
+#ifndef GN_FORMATS_STORE_COLORS_H
+#define GN_FORMATS_STORE_COLORS_H
+
 #include "../lanes/rows.h"
 #include "encode.h"
 #include "pixel_rows.h"
@@ -44,8 +47,9 @@ GN_INLINE void store_row(pixel_layout layout, unsigned char *pixels, const lanes
     }
 }
 
-void gn_store_colors(gn_format format, unsigned char *pixels, uint32_t count,
-                     const lanes_f color[4])
+/* Writes colours to `count` pixels that lie side by side, 1 to GN_LANES. */
+GN_OUT_OF_LINE void store_colors(gn_format format, unsigned char *pixels, uint32_t count,
+                                 const lanes_f color[4])
 {
     const uint32_t size = count * format_size(format);
     unsigned char *const to = pixels;
@@ -62,3 +66,5 @@ void gn_store_colors(gn_format format, unsigned char *pixels, uint32_t count,
         for (uint32_t i = 0; i < size; ++i)
             to[i] = part.byte[i];
 }
+
+#endif
