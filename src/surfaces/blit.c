@@ -244,25 +244,25 @@ static lanes_f find_texels(const blit *b, lanes_f coordinate, uint32_t size, lan
     return lanes_sub(c, lanes_to_float(whole));
 }
 
-/* Finds the texels of the columns from x on. */
-static void find_columns(const blit *b, const blit_piece *p, int32_t x, int32_t y,
+/* Finds the texels of `count` columns from x on. */
+static void find_columns(const blit *b, const blit_piece *p, int32_t x, int32_t y, uint32_t count,
                          texel_columns *columns)
 {
     const int32_t bytes = (int32_t)format_size(b->source->format);
     const lanes_i size = lanes_i_splat(bytes);
     lanes_i texel[2];
 
-    for (int32_t i = 0; i < TEXEL_COLUMNS + GN_LANES; i += GN_LANES) {
+    for (int32_t i = 0; i < (int32_t)count + GN_LANES; i += GN_LANES) {
         lanes_store(columns->weight + i,
                     find_texels(b, coordinates(p, 0, x + i, y), b->source->width, texel));
         for (int n = 0; n < 2; ++n)
             lanes_i_store(columns->offset[n] + i, lanes_i_mul(texel[n], size));
     }
-    columns->side_by_side = true;
-    for (int32_t i = 0; i < TEXEL_COLUMNS; ++i)
-        if (columns->offset[0][i] != columns->offset[0][0] + 2 * i * bytes ||
+    columns->side_by_side = count;
+    for (uint32_t i = 0; i < count; ++i)
+        if (columns->offset[0][i] != columns->offset[0][0] + 2 * (int32_t)i * bytes ||
             columns->offset[1][i] != columns->offset[0][i] + bytes)
-            columns->side_by_side = false;
+            columns->side_by_side = 0;
 }
 
 /* Finds the texels' rows of the pixels from (x, y) on. */
@@ -297,7 +297,7 @@ static void blit_piece_columns(const blit *b, const blit_piece *p, int32_t left,
         int32_t end = right;
 
         if (y == bottom || p->plane[0].per_y != 0.0f)
-            find_columns(b, p, left, y, &columns);
+            find_columns(b, p, left, y, (uint32_t)(right - left), &columns);
         covered_columns(p, y, &x, &end);
         while (x < end) {
             int32_t next = end;
@@ -464,7 +464,7 @@ static bool keeps_all(gn_format format, const gn_blit_options *options)
 }
 
 void gn_reduce(const gn_surface *destination, int dimensions, const gn_surface *source,
-               const gn_surface *next, float between)
+               const gn_surface *next, float between, bool is_wide)
 {
     const gn_rectangle to = whole(destination);
     const gn_rectangle from = whole(source);
@@ -477,7 +477,7 @@ void gn_reduce(const gn_surface *destination, int dimensions, const gn_surface *
     b.between = between;
     b.mixes = true;
     b.copies = false;
-    b.is_wide = rows_are_wide((size_t)source->width * source->height);
+    b.is_wide = is_wide;
     b.masks = false;
     b.written[0] = 0;
     b.written[1] = 0;

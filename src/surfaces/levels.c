@@ -4,6 +4,7 @@
 #include "../texture/packed.h"
 #include "../texture/texture_faults.h"
 #include "reduce.h"
+#include "row_work.h"
 
 /* Writes the first and the last byte's address of level 0. */
 static void address_range(const gn_texture *t, uintptr_t range[2])
@@ -47,7 +48,7 @@ static gn_surface surface_of(const gn_texture *t, uint32_t level, uint32_t layer
 
 /* Makes level `level` of a 3D texture. Layers are mixed at the centres of the new layers, which are
  * computed in the reference's operations. */
-static void make_slices(const gn_texture *t, uint32_t level)
+static void make_slices(const gn_texture *t, uint32_t level, bool is_wide)
 {
     const uint32_t count = extent_of_level(t, level).layers;
     const uint32_t before = extent_of_level(t, level - 1).layers;
@@ -62,23 +63,23 @@ static void make_slices(const gn_texture *t, uint32_t level)
         const gn_surface from = surface_of(t, level - 1, first);
         const gn_surface next = surface_of(t, level - 1, first + 1 < before ? first + 1 : first);
 
-        gn_reduce(&to, 3, &from, &next, c - (float)first);
+        gn_reduce(&to, 3, &from, &next, c - (float)first, is_wide);
     }
 }
 
-static void make_level(const gn_texture *t, uint32_t level)
+static void make_level(const gn_texture *t, uint32_t level, bool is_wide)
 {
     const uint32_t layers = extent_of_level(t, level).layers;
 
     if (t->target == GN_TEXTURE_3D) {
-        make_slices(t, level);
+        make_slices(t, level, is_wide);
         return;
     }
     for (uint32_t n = 0; n < layers; ++n) {
         const gn_surface to = surface_of(t, level, n);
         const gn_surface from = surface_of(t, level - 1, n);
 
-        gn_reduce(&to, t->target == GN_TEXTURE_1D ? 1 : 2, &from, 0, 0.0f);
+        gn_reduce(&to, t->target == GN_TEXTURE_1D ? 1 : 2, &from, 0, 0.0f, is_wide);
     }
 }
 
@@ -110,9 +111,11 @@ gn_status gn_texture_generate_levels(gn_texture *texture, void *memory, size_t s
         if (first <= read[1] && read[0] <= first + (needed - 1))
             return GN_OVERLAP;
     }
+    const texel_extent e = extent_of_level(texture, 0);
+    const bool is_wide = rows_are_wide((size_t)e.width * e.height * e.layers);
     texture->level_count = count;
     gn_place_levels(texture, 1, count, memory);
     for (uint32_t n = 1; n < count; ++n)
-        make_level(texture, n);
+        make_level(texture, n, is_wide);
     return GN_OK;
 }

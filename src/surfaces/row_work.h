@@ -17,7 +17,11 @@
 #define GN_HAVE_WIDE_ROWS (GN_HAVE_AVX2 && !GN_IS_SMALL)
 
 /* Columns of the destination whose texels are found at once, for every row. */
-#define TEXEL_COLUMNS 64
+#if GN_IS_SMALL
+#define TEXEL_COLUMNS 16
+#else
+#define TEXEL_COLUMNS 256
+#endif
 
 /* The texels' columns: bytes from the beginning of a row of the source. If texels are mixed there
  * are two of each, and the weight of the second. A run that begins at the last column has as many
@@ -25,7 +29,8 @@
 typedef struct texel_columns {
     int32_t offset[2][TEXEL_COLUMNS + GN_LANES];
     float weight[TEXEL_COLUMNS + GN_LANES];
-    bool side_by_side; /* the two texels of the first TEXEL_COLUMNS lie one after the other */
+    /* As many columns have two texels each that lie one after the other: 0 or all of them. */
+    uint32_t side_by_side;
 } texel_columns;
 
 /* The texels' rows for the pixels of a run: bytes from the source's first row. */

@@ -12,14 +12,14 @@ static inline lanes_f mix_texels(lanes_f weight, lanes_f a, lanes_f b)
     return lanes_add(a, lanes_mul(weight, lanes_sub(b, a)));
 }
 
-/* Mixes the texels of two columns and, in more than one dimension, of two rows, for the run of
- * `count` pixels from column `first` on. */
-static void mix_source(const row_work *w, const unsigned char *from, uint32_t first, uint32_t count,
+/* Mixes the texels of two columns and, in more than one dimension, of two rows, for the run from
+ * column `first` on. */
+static void mix_source(const row_work *w, const unsigned char *from, uint32_t first,
                        lanes_f color[4])
 {
     const texel_columns *const columns = w->columns;
     const texel_rows *const rows = w->rows;
-    const bool pairs = columns->side_by_side && rows->is_one && count == GN_LANES &&
+    const bool pairs = rows->is_one && first + GN_LANES <= columns->side_by_side &&
                        layout_has_pairs(format_layout(w->read));
     const lanes_f along_x = lanes_load(columns->weight + first);
     const lanes_f along_y = lanes_load(rows->weight);
@@ -41,13 +41,13 @@ static void mix_source(const row_work *w, const unsigned char *from, uint32_t fi
     }
 }
 
-static void mix_sources(const row_work *w, uint32_t first, uint32_t count, lanes_f color[4])
+static void mix_sources(const row_work *w, uint32_t first, lanes_f color[4])
 {
     lanes_f second[4];
 
-    mix_source(w, w->from, first, count, color);
+    mix_source(w, w->from, first, color);
     if (w->dimensions == 3) {
-        mix_source(w, w->next, first, count, second);
+        mix_source(w, w->next, first, second);
         for (int c = 0; c < 4; ++c)
             color[c] = mix_texels(lanes_splat(w->between), color[c], second[c]);
     }
@@ -83,7 +83,7 @@ void GN_WORK_ON_ROW(const row_work *w)
         else if (w->kind == ROW_AVERAGES)
             average(w, w->from + x * read_size, count, color);
         else if (w->kind == ROW_MIXES)
-            mix_sources(w, w->first + x, count, color);
+            mix_sources(w, w->first + x, color);
         else
             gather_colors(w->read, w->from, w->rows->offset[0],
                           w->columns->offset[0] + w->first + x, color);

@@ -2,6 +2,7 @@
  * follow from OpenGL 4.5 section 18.3.2; tests/blits compares with the reference. */
 #include <string.h>
 
+#include "../../src/formats/rows.h"
 #include "unit.h"
 
 #define SIDE 8
@@ -251,6 +252,116 @@ static void formats_are_converted(void **state)
     assert_int_equal(((uint16_t *)to_memory)[5], 16u << 11);
 }
 
+/* Large enough that AVX2 is used where the processor has it. In strips it is not. */
+#define LARGE_WIDTH 323
+#define LARGE_HEIGHT 256
+#define STRIP 32
+
+static uint32_t large_from[4 * 4 * LARGE_WIDTH * LARGE_HEIGHT];
+static uint32_t large_to[4 * LARGE_WIDTH * LARGE_HEIGHT],
+    large_strips[4 * LARGE_WIDTH * LARGE_HEIGHT];
+
+static void fill_large(void)
+{
+    uint32_t bits = 1;
+
+    for (size_t i = 0; i < sizeof large_from / sizeof *large_from; ++i) {
+        bits = bits * 1664525u + 1013904223u;
+        large_from[i] = bits ^ bits >> 15;
+    }
+    memset(large_to, 0, sizeof large_to);
+    memset(large_strips, 0, sizeof large_strips);
+}
+
+static const gn_format colors[] = {
+#define FORMAT_IF_COLOR(name) GN_FORMAT_##name,
+#define FORMAT_IF_DEPTH(name)
+#define FORMAT_OF(name, bytes, element, kind, ...) FORMAT_IF_##kind(name)
+    GN_FORMATS(FORMAT_OF)};
+
+/* Blits all at once and in strips. */
+static void blit_large(const gn_surface *from, gn_format format, gn_blit_filter filter)
+{
+    const gn_surface to = gn_surface_bottom_up(large_to, format, LARGE_WIDTH, LARGE_HEIGHT);
+    const gn_surface strips = gn_surface_bottom_up(large_strips, format, LARGE_WIDTH, LARGE_HEIGHT);
+    gn_blit_options options = {.filter = filter};
+
+    assert_int_equal(gn_blit(&to, NULL, from, NULL, &options), GN_OK);
+    options.scissor.set = true;
+    options.scissor.width = LARGE_WIDTH;
+    options.scissor.height = STRIP;
+    for (int y = 0; y < LARGE_HEIGHT; y += STRIP) {
+        options.scissor.y = y;
+        assert_int_equal(gn_blit(&strips, NULL, from, NULL, &options), GN_OK);
+    }
+    assert_memory_equal(large_to, large_strips, sizeof large_to);
+}
+
+static void large_blits_have_the_bits_of_strips(void **state)
+{
+    (void)state;
+    fill_large();
+    for (size_t n = 0; n < sizeof colors / sizeof *colors; ++n) {
+        const gn_surface moved =
+            gn_surface_bottom_up(large_from, colors[n], LARGE_WIDTH, LARGE_HEIGHT);
+        const gn_surface smaller = gn_surface_bottom_up(large_from, colors[n], 100, 170);
+        const gn_surface twice =
+            gn_surface_bottom_up(large_from, colors[n], 2 * LARGE_WIDTH, 2 * LARGE_HEIGHT);
+
+        for (size_t m = 0; m < sizeof colors / sizeof *colors; ++m) {
+            blit_large(&moved, colors[m], GN_BLIT_NEAREST);
+            blit_large(&smaller, colors[m], GN_BLIT_LINEAR);
+        }
+        blit_large(&smaller, GN_FORMAT_RGBA32F, GN_BLIT_NEAREST);
+        blit_large(&twice, GN_FORMAT_RGBA32F, GN_BLIT_LINEAR);
+    }
+}
+
+static void large_resolves_have_the_bits_of_strips(void **state)
+{
+    (void)state;
+    fill_large();
+    for (size_t n = 0; n < sizeof colors / sizeof *colors; ++n) {
+        const gn_surface image =
+            gn_surface_bottom_up(large_from, colors[n], LARGE_WIDTH, LARGE_HEIGHT);
+        const gn_surface samples = gn_surface_multisampled(&image);
+        const gn_surface to = gn_surface_bottom_up(large_to, colors[n], LARGE_WIDTH, LARGE_HEIGHT);
+        const gn_surface strips =
+            gn_surface_bottom_up(large_strips, colors[n], LARGE_WIDTH, LARGE_HEIGHT);
+
+        assert_int_equal(gn_resolve(&to, &samples), GN_OK);
+        for (uint32_t y = 0; y < LARGE_HEIGHT; y += STRIP) {
+            const gn_surface to_strip = gn_surface_rows(&strips, y, STRIP);
+            const gn_surface strip = gn_surface_rows(&samples, y, STRIP);
+
+            assert_int_equal(gn_resolve(&to_strip, &strip), GN_OK);
+        }
+        assert_memory_equal(large_to, large_strips, sizeof large_to);
+    }
+}
+
+/* Level 1 of a large texture is a linear blit of level 0, and the blit is small. */
+static void levels_of_large_textures_have_the_bits_of_blits(void **state)
+{
+    (void)state;
+    const gn_blit_options options = {.filter = GN_BLIT_LINEAR};
+
+    fill_large();
+    for (size_t n = 0; n < sizeof colors / sizeof *colors; ++n) {
+        const gn_surface from = gn_surface_bottom_up(large_from, colors[n], 320, 256);
+        const gn_surface to = gn_surface_bottom_up(large_strips, colors[n], 160, 128);
+        gn_texture texture;
+
+        assert_int_equal(
+            gn_texture_packed(GN_TEXTURE_2D, colors[n], 320, 256, 1, 1, large_from, &texture),
+            GN_OK);
+        assert_int_equal(gn_texture_generate_levels(&texture, large_to, sizeof large_to), GN_OK);
+        assert_int_equal(gn_blit(&to, NULL, &from, NULL, &options), GN_OK);
+        assert_int_equal(texture.level[1].row_stride, to.row_stride);
+        assert_memory_equal(texture.level[1].texels, large_strips, 128 * (size_t)to.row_stride);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -262,6 +373,9 @@ int main(void)
         cmocka_unit_test(depth_and_stencil_are_kept_where_asked),
         cmocka_unit_test(overlap_is_refused_pixel_by_pixel_in_one_image),
         cmocka_unit_test(formats_are_converted),
+        cmocka_unit_test(large_blits_have_the_bits_of_strips),
+        cmocka_unit_test(large_resolves_have_the_bits_of_strips),
+        cmocka_unit_test(levels_of_large_textures_have_the_bits_of_blits),
     };
 
     return cmocka_run_group_tests_name("blit", tests, NULL, NULL);
