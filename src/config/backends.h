@@ -9,7 +9,7 @@
  * - src/lanes/lanes.h: GN_LANES_NAME includes that form; in packed.h, operations it does faster;
  * - src/lanes/target_begin.h: its instruction set, unless every processor of the target has it;
  * - src/backends/name.c and shading_name.c: copies of avx2.c and shading_avx2.c with other names;
- * - src/backends/choose.c: how the processor is asked, if GN_HAVE_NAME can be GN_PRESENT_ASKED;
+ * - src/config/choose.c: how the processor is asked, if GN_HAVE_NAME can be GN_PRESENT_ASKED;
  * - tools/gnomon/picture_help.c: its name in --help;
  * - tests/programs.mk: LANES_FORMS, so that test-lanes compares its operations with the portable
  *   ones, and EMULATED_SOURCES, if tests/portability/emulated.h emulates it.

@@ -1,7 +1,7 @@
 /* Finds out which back ends the processor can run. */
 #include <gnomon/backend.h>
 
-#include "../config/backends.h"
+#include "backends.h"
 
 #if GN_HAVE_AVX2
 #include <cpuid.h>
