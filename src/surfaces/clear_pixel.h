@@ -29,8 +29,10 @@ static inline void set_clear_pixel(clear_pixel *pixel, gn_format format, const f
 
     pixel->size = format_size(format);
     if (format_encoding_of(format) == ENCODING_UNORM && field_width(fields, 0) != 8) {
-        int32_t word[4] = {0, 0, 0, 0};
+        int32_t word[4];
 
+        for (int i = 0; i < 4; ++i) /* compilers make no call of memset of this */
+            word[i] = 0;
         for (int i = 0; i < 4; ++i)
             word[field_word(fields, i)] |=
                 (int32_t)(cleared_unorm(c[i], field_width(fields, i)) << field_shift(fields, i));
