@@ -35,9 +35,11 @@ static inline stencil_state stencil_state_of(const gn_stencil_face *face)
     return s;
 }
 
-/* Depths and stencil values of a group; 0 for what the format does not have. */
+/* Depths and stencil values of a block; 0 for what the format does not have. `second` is the word
+ * in which GN_FORMAT_D32FS8 holds stencil, with 24 more bits: pixels that are not covered keep
+ * them. */
 typedef struct stored_block {
-    lanes_i depth, stencil;
+    lanes_i depth, stencil, second;
 } stored_block;
 
 GN_INLINE void load_stored(gn_format format, const block_pixels *memory, uint32_t coverage,
@@ -52,6 +54,7 @@ GN_INLINE void load_stored(gn_format format, const block_pixels *memory, uint32_
         g->stencil = word[0];
     } else if (format == GN_FORMAT_D32FS8) {
         g->depth = word[0];
+        g->second = word[1];
         g->stencil = lanes_i_and(word[1], byte);
     } else {
         g->depth = lanes_i_and(word[0], lanes_i_splat(0xFFFFFF));
@@ -65,7 +68,8 @@ GN_INLINE void store_stored(gn_format format, const block_pixels *memory, uint32
     lanes_i word[4];
 
     word[0] = format == GN_FORMAT_S8 ? g->stencil : g->depth;
-    word[1] = g->stencil;
+    if (format == GN_FORMAT_D32FS8)
+        word[1] = lanes_i_select(lanes_from_bits(coverage), g->stencil, g->second);
     if (format == GN_FORMAT_D24S8)
         word[0] = lanes_i_or(g->depth, lanes_i_shift_left(g->stencil, 24));
     store_pixels(format_layout(format), memory, coverage, word);
