@@ -8,7 +8,8 @@
  * returns a fault adds nothing. Every count is exact. It depends on the target's size, the
  * pipeline, the mesh and, for samples_passed, on the target's depth and stencil; it does not depend
  * on the back end, the number of threads and tasks, and the size of the workspace. Draws that count
- * are slower: their fragments take the general path. A GN_BASIC library does not count.
+ * are slower: states that are frequent otherwise have faster loops, which do not count. A GN_BASIC
+ * library does not count.
  *
  * If a picture is empty, the counts say why:
  *

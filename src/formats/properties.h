@@ -107,8 +107,7 @@ static inline bool format_has_stencil(gn_format format)
 #undef HAS_STENCIL
 }
 
-/* Whether the format is a colour that fragments encode by encode.h: any but the two for which
- * fragments have functions of their own. */
+/* Whether the format is a colour that a GN_BASIC library lacks. */
 static inline bool format_is_encoded(gn_format format)
 {
     return format_is_color(format) && format != GN_FORMAT_RGBA8 && format != GN_FORMAT_RGBA32F;

@@ -10,8 +10,11 @@
  *   store    numbers as pixels of the format, where covered and written
  *
  * If the shader decides on coverage or depth, source comes before test. Tests, and load to store,
- * run once for each sample of a multisampled target, and load to store for each attachment. Every
- * attachment is read and written by one step at a time, block by block in the triangles' order. */
+ * run once for each sample of a multisampled target, and encode to store for each attachment.
+ *
+ * Blocks of a batch may overlap where they are of different triangles. Steps keep the order of
+ * triangles, since each of them takes block by block and reads and writes its attachment alone.
+ * Where load and store are two steps, a batch has blocks of one triangle, which do not overlap. */
 #ifndef GN_FRAGMENT_BATCH_H
 #define GN_FRAGMENT_BATCH_H
 

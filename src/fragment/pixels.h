@@ -6,7 +6,7 @@
 #include "../lanes/rows.h"
 #include "planes.h"
 
-/* The pixels of a group on one surface, whose rows are `stride` bytes apart. Where `whole`, all of
+/* The pixels of a block on one surface, whose rows are `stride` bytes apart. Where `whole`, all of
  * them lie on the surface; otherwise only covered ones are accessed. */
 typedef struct block_pixels {
     fragment_shape shape;
@@ -15,7 +15,7 @@ typedef struct block_pixels {
     ptrdiff_t stride;
 } block_pixels;
 
-/* Returns the memory of a group on a surface of the given format. */
+/* Returns the pixels of a block on a surface of the given format. */
 GN_INLINE block_pixels memory_of(const fragment_place *at, const gn_surface *surface,
                                  gn_format format)
 {

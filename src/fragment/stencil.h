@@ -91,7 +91,7 @@ static inline lanes_i update_stencil(const stencil_state *state, const stencil_u
     return lanes_i_select(lanes_from_bits(lanes), written, stencil);
 }
 
-/* Tests a group against a surface that holds stencil, stencil first, and writes both. Returns the
+/* Tests a block against a surface that holds stencil, stencil first, and writes both. Returns the
  * part of coverage that passed. */
 GN_INLINE uint32_t test_stencil(const fragment_state *state, gn_format format,
                                 const fragment_place *at, bool back, uint32_t coverage,
