@@ -105,8 +105,13 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     s->combines = combines(&s->combine, s->color.format);
     if (GN_HAVE_ATTACHMENTS)
         set_more_colors(s, target, pipeline);
-    for (uint32_t a = 0; GN_HAVE_ATTACHMENTS && a < s->more_count; ++a)
-        s->combines = s->combines || combines(&s->more[a].combine, s->more[a].surface.format);
+    for (uint32_t a = 0; GN_HAVE_ATTACHMENTS && a < s->more_count; ++a) {
+        const color_output *const output = &s->more[a];
+
+        if (output->surface.format != GN_FORMAT_NONE &&
+            combines(&output->combine, output->surface.format))
+            s->combines = true;
+    }
     s->is_direct = s->source != SOURCE_SHADER && s->color.format == GN_FORMAT_RGBA8 &&
                    s->combine.use == COLOR_REPLACES;
     s->limits = depth_limits_of(pipeline, viewport);
