@@ -44,10 +44,10 @@ GN_INLINE void load_row(pixel_layout layout, const unsigned char *pixels, lanes_
         int32_t pixel[4];
 
         load_pixel(pixels, l, layout, pixel);
-        for (int i = 0; i < color_words(layout); ++i)
+        for (int i = 0; i < layout_words(layout); ++i)
             loaded[i][l] = pixel[i];
     }
-    for (int i = 0; i < color_words(layout); ++i)
+    for (int i = 0; i < layout_words(layout); ++i)
         word[i] = lanes_i_load(loaded[i]);
 }
 
@@ -82,10 +82,10 @@ GN_INLINE void gather_row(pixel_layout layout, const unsigned char *pixels,
         int32_t pixel[4];
 
         load_pixel(pixels + row[l] + column[l], 0, layout, pixel);
-        for (int i = 0; i < color_words(layout); ++i)
+        for (int i = 0; i < layout_words(layout); ++i)
             loaded[i][l] = pixel[i];
     }
-    for (int i = 0; i < color_words(layout); ++i)
+    for (int i = 0; i < layout_words(layout); ++i)
         word[i] = lanes_i_load(loaded[i]);
 }
 

@@ -55,10 +55,12 @@ GN_INLINE lanes_i exchanged_bytes(lanes_i a)
         break;                                                                                     \
     }
 
-/* Returns the words of a pixel of a layout of colours. */
-GN_INLINE int color_words(pixel_layout layout)
+/* Returns the words of a pixel of a layout. */
+GN_INLINE int layout_words(pixel_layout layout)
 {
-    return layout == GN_LAYOUT(16, 4) ? 4 : layout == GN_LAYOUT(8, 2) ? 2 : 1;
+    return layout == GN_LAYOUT(16, 4)                               ? 4
+           : layout == GN_LAYOUT(8, 2) || layout == GN_LAYOUT(8, 4) ? 2
+                                                                    : 1;
 }
 
 #endif

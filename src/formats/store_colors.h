@@ -36,12 +36,12 @@ GN_INLINE void store_row(pixel_layout layout, unsigned char *pixels, const lanes
         return;
     }
 #endif
-    for (int i = 0; i < color_words(layout); ++i)
+    for (int i = 0; i < layout_words(layout); ++i)
         lanes_i_store(stored[i], word[i]);
     GN_EACH_LANE (l) {
         int32_t pixel[4];
 
-        for (int i = 0; i < color_words(layout); ++i)
+        for (int i = 0; i < layout_words(layout); ++i)
             pixel[i] = stored[i][l];
         store_pixel(pixels, l, layout, pixel);
     }

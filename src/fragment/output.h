@@ -224,10 +224,10 @@ static inline void combine_shorts(const color_state *state, block_batch *b)
             source[i] = lanes_i_load(b->source[i][n]);
             stored[i] = lanes_i_load(b->of.stored[i][n]);
         }
-        for (int i = 0; i < 2; ++i)
-            word[i] = operate_on_bits(state, source[i], stored[i]);
         if (state->blends)
             blend_shorts(state, source, stored, word);
+        for (int i = 0; i < 2 && !state->blends; ++i)
+            word[i] = operate_on_bits(state, source[i], stored[i]);
         for (int i = 0; i < 2; ++i)
             lanes_i_store(b->of.stored[i][n], word[i]);
     }

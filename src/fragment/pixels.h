@@ -2,7 +2,7 @@
 #ifndef GN_FRAGMENT_PIXELS_H
 #define GN_FRAGMENT_PIXELS_H
 
-#include "../formats/pixel_memory.h"
+#include "../formats/pixel_rows.h"
 #include "../lanes/rows.h"
 #include "planes.h"
 
@@ -51,14 +51,6 @@ GN_INLINE void store_pixel_words(const block_pixels *m, lanes_i a)
         lanes_i_store((stored_word *)(void *)m->at.half[0], a);
     else
         lanes_i_store_block(m->at.half[0], m->at.half[1], m->stride, a);
-}
-
-/* Returns the words of a pixel of a layout. */
-GN_INLINE int layout_words(pixel_layout layout)
-{
-    return layout == GN_LAYOUT(16, 4)                               ? 4
-           : layout == GN_LAYOUT(8, 2) || layout == GN_LAYOUT(8, 4) ? 2
-                                                                    : 1;
 }
 
 /* Returns the bytes of a pixel of a layout. */
@@ -117,13 +109,6 @@ GN_INLINE void store_each(pixel_layout layout, const block_pixels *m, const lane
     }
 }
 
-/* Exchanges the bytes of shorts. */
-GN_INLINE lanes_i shorts_swapped(lanes_i a)
-{
-    return lanes_i_or(lanes_i_and(lanes_i_shift_right(a, 8), lanes_i_splat(0xFF)),
-                      lanes_i_shift_left(lanes_i_and(a, lanes_i_splat(0xFF)), 8));
-}
-
 /* Loads a whole block. */
 GN_INLINE void load_whole(pixel_layout layout, const block_pixels *m, lanes_i word[4])
 {
@@ -136,7 +121,7 @@ GN_INLINE void load_whole(pixel_layout layout, const block_pixels *m, lanes_i wo
         word[0] = lanes_i_load_shorts(row);
 #if GN_LANES_HAVE_PAIRS
     else if (layout == GN_LAYOUT(2, 1))
-        word[0] = shorts_swapped(lanes_i_load_shorts(row));
+        word[0] = exchanged_bytes(lanes_i_load_shorts(row));
     else if (layout == GN_LAYOUT(8, 2) || layout == GN_LAYOUT(8, 4))
         lanes_i_load_pairs(row, &word[0], &word[1]);
 #endif
@@ -155,7 +140,7 @@ GN_INLINE void store_whole(pixel_layout layout, const block_pixels *m, const lan
         lanes_i_store_shorts(row, word[0]);
 #if GN_LANES_HAVE_PAIRS
     else if (layout == GN_LAYOUT(2, 1))
-        lanes_i_store_shorts(row, shorts_swapped(word[0]));
+        lanes_i_store_shorts(row, exchanged_bytes(word[0]));
     else if (layout == GN_LAYOUT(8, 2) || layout == GN_LAYOUT(8, 4))
         lanes_i_store_pairs(row, word[0], word[1]);
 #endif
@@ -201,38 +186,11 @@ GN_OUT_OF_LINE void store_covered(pixel_layout layout, const block_pixels *m, ui
     }
 }
 
-/* Calls FUNCTION(layout) with a constant for each layout that surfaces have. */
-#define GN_EACH_LAYOUT(layout, FUNCTION)                                                           \
-    switch (layout) {                                                                              \
-    case GN_LAYOUT(1, 1):                                                                          \
-        FUNCTION(GN_LAYOUT(1, 1));                                                                 \
-        break;                                                                                     \
-    case GN_LAYOUT(2, 2):                                                                          \
-        FUNCTION(GN_LAYOUT(2, 2));                                                                 \
-        break;                                                                                     \
-    case GN_LAYOUT(2, 1):                                                                          \
-        FUNCTION(GN_LAYOUT(2, 1));                                                                 \
-        break;                                                                                     \
-    case GN_LAYOUT(3, 1):                                                                          \
-        FUNCTION(GN_LAYOUT(3, 1));                                                                 \
-        break;                                                                                     \
-    case GN_LAYOUT(8, 2):                                                                          \
-        FUNCTION(GN_LAYOUT(8, 2));                                                                 \
-        break;                                                                                     \
-    case GN_LAYOUT(8, 4):                                                                          \
-        FUNCTION(GN_LAYOUT(8, 4));                                                                 \
-        break;                                                                                     \
-    default: /* GN_LAYOUT(16, 4) */                                                                \
-        FUNCTION(GN_LAYOUT(16, 4));                                                                \
-        break;                                                                                     \
-    }
-
 /* Loads the pixels of a block: all of them, or the covered ones if the block hangs over. Whatever
  * is passed by address is a copy, so that the usual way keeps its values in registers. */
 GN_INLINE void load_pixels(pixel_layout layout, const block_pixels *m, uint32_t coverage,
                            lanes_i word[4])
 {
-#define LOAD(constant) load_whole(constant, m, word)
     if (!m->whole) {
         const block_pixels pixels = *m;
         lanes_i loaded[4];
@@ -243,16 +201,14 @@ GN_INLINE void load_pixels(pixel_layout layout, const block_pixels *m, uint32_t 
     } else if (layout == GN_LAYOUT(4, 4)) {
         word[0] = load_pixel_words(m);
     } else {
-        GN_EACH_LAYOUT(layout, LOAD)
+        load_whole(layout, m, word);
     }
-#undef LOAD
 }
 
 /* Stores the pixels of a block: all of them, or the covered ones if the block hangs over. */
 GN_INLINE void store_pixels(pixel_layout layout, const block_pixels *m, uint32_t coverage,
                             const lanes_i word[4])
 {
-#define STORE(constant) store_whole(constant, m, word)
     if (!m->whole) {
         const block_pixels pixels = *m;
         lanes_i stored[4];
@@ -263,9 +219,8 @@ GN_INLINE void store_pixels(pixel_layout layout, const block_pixels *m, uint32_t
     } else if (layout == GN_LAYOUT(4, 4)) {
         store_pixel_words(m, word[0]);
     } else {
-        GN_EACH_LAYOUT(layout, STORE)
+        store_whole(layout, m, word);
     }
-#undef STORE
 }
 
 /* Prefetches a block's memory, which is loaded after other work. */

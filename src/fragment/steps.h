@@ -7,7 +7,7 @@
 #include "single.h"
 #include "test.h"
 
-/* Adds to the counts what a batch covers, and later what passed. */
+/* Returns how many fragments of a batch are covered. */
 static inline uint32_t count_batch(const block_batch *b)
 {
     uint32_t count = 0;
