@@ -50,8 +50,8 @@ typedef struct block_batch {
     uint8_t column[STEP_BLOCKS], row[STEP_BLOCKS];
 
     /* Results of steps, by lanes. The numbers of a colour are its bytes in the first word, its
-     * shorts in two words, or its floats in four. What test and source need is no longer needed
-     * when pixels are loaded. */
+     * shorts in two words, or its floats in four. The steps after
+     * source use neither terms nor depths, so stored numbers take their memory. */
     float color[STEP_COLORS][4][GN_LANES];
     int32_t source[4][STEP_BLOCKS][GN_LANES];
     union {

@@ -56,7 +56,7 @@ typedef struct row_work {
 
     ptrdiff_t sample_stride; /* of averages */
 
-    /* Of texels. Pixel i has column first + i. If not all pixels have one row, there are at most
+    /* For texels: pixel i takes column first + i. Unless all pixels take one row, there are at most
      * GN_LANES pixels. */
     const texel_columns *columns;
     uint32_t first;
