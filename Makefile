@@ -123,14 +123,15 @@ $(eval $(call program,bench,$(BENCH_SOURCES) $(filter-out %/main.c,$(COMMAND_SOU
 $(eval $(call program,bench-states,$(STATES_SOURCES) $(addprefix tools/bench/,renderer.c protocol.c median.c scenes.c \
 	plot_parts.c) $(REFERENCE_SOURCES) $(LIBRARY),-lOSMesa -lm))
 
-# A user's shader, once per instruction set (reference/scene/phong.c). Without these flags the
-# compiler does not vectorise it: sqrtf may set errno, and comparisons may set exception flags.
-VECTORISE = -fno-math-errno -fno-trapping-math
-$(BUILD)/reference/scene/phong_baseline.o: EXTRA_FLAGS = $(VECTORISE)
+# Users' shaders, once per instruction set (reference/scene/user_shaders.h). Without these flags the
+# compiler does not vectorise them: sqrtf may set errno, comparisons may set exception flags, and
+# loops that copy become calls of memcpy.
+VECTORISE = -fno-math-errno -fno-trapping-math -fno-tree-loop-distribute-patterns
+$(BUILD)/reference/scene/user_shaders_baseline.o: EXTRA_FLAGS = $(VECTORISE)
 ifeq ($(MACHINE),x86_64)
-$(BUILD)/reference/scene/phong_avx2.o: EXTRA_FLAGS = $(VECTORISE) -mavx2
-$(BUILD)/reference/scene/phong_avx512.o: EXTRA_FLAGS = $(VECTORISE) -mavx512f -mprefer-vector-width=512
-# Shaders as functions of one vertex and one fragment need neither of the two flags.
+$(BUILD)/reference/scene/user_shaders_avx2.o: EXTRA_FLAGS = $(VECTORISE) -mavx2
+$(BUILD)/reference/scene/user_shaders_avx512.o: EXTRA_FLAGS = $(VECTORISE) -mavx512f -mprefer-vector-width=512
+# Shaders as functions of one vertex and one fragment need none of these flags.
 $(BUILD)/reference/scene/phong_functions_avx2.o: EXTRA_FLAGS = -mavx2
 $(BUILD)/reference/scene/phong_functions_avx512.o: EXTRA_FLAGS = -mavx512f -mprefer-vector-width=512
 $(BUILD)/tools/bench/maths_cglm_best.o: EXTRA_FLAGS = -mavx2 -mfma

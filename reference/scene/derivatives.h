@@ -6,6 +6,7 @@
 
 /* Sets shaders, varyings and uniforms: those of vertex colours, but the fragment shader writes the
  * colours' derivatives instead of the colours. */
-gn_status derivatives_use(gn_pipeline *pipeline, const gn_color_uniforms *uniforms);
+gn_status derivatives_use(gn_pipeline *pipeline, const gn_color_uniforms *uniforms,
+                          gn_backend backend);
 
 #endif

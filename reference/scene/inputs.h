@@ -10,6 +10,6 @@
  * ask for: fragment_reads_position, fragment_reads_primitive, fragment_reads_point_coordinate,
  * fragment_reads_sample_mask, fragment_discards, fragment_writes_depth and
  * fragment_writes_sample_mask. */
-gn_status inputs_use(gn_pipeline *pipeline, const gn_color_uniforms *uniforms);
+gn_status inputs_use(gn_pipeline *pipeline, const gn_color_uniforms *uniforms, gn_backend backend);
 
 #endif

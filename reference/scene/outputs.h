@@ -7,6 +7,6 @@
 #include <gnomon.h>
 
 /* Sets shaders, varyings and uniforms for the pipeline's color_count. */
-gn_status outputs_use(gn_pipeline *pipeline, const gn_color_uniforms *uniforms);
+gn_status outputs_use(gn_pipeline *pipeline, const gn_color_uniforms *uniforms, gn_backend backend);
 
 #endif

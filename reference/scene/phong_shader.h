@@ -1,8 +1,7 @@
-/* The text of Phong's shaders, compiled once per instruction set under different names:
- * PHONG(vertex) and PHONG(fragment). The loops over lanes are plain C, which the compiler turns
- * into vector instructions. sqrtf is correctly rounded, as IEEE 754 requires. The order of
- * operations is GLSL's in the reference (reference/RULES.md).
- * Not alone: PHONG is defined by each file that includes it. */
+/* The text of Phong's shaders, compiled once per instruction set (user_shaders_form.h). The loops
+ * over lanes are plain C, which the compiler turns into vector instructions. sqrtf is correctly
+ * rounded, as IEEE 754 requires. The order of operations is GLSL's in the reference
+ * (reference/RULES.md). */
 #ifndef SCENE_PHONG_SHADER_H
 #define SCENE_PHONG_SHADER_H
 
@@ -10,16 +9,13 @@
 
 #include "phong.h"
 
-static inline float dot(float ax, float ay, float az, float bx, float by, float bz)
+static inline float phong_dot(float ax, float ay, float az, float bx, float by, float bz)
 {
     return (az * bz + ay * by) + ax * bx;
 }
 
-void PHONG(vertex)(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output);
-void PHONG(fragment)(const void *uniforms, const gn_fragment_input *input,
-                     gn_fragment_output *output);
-
-void PHONG(vertex)(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)
+static void shade_phong_vertices(const void *uniforms, const gn_vertex_input *input,
+                                 gn_vertex_output *output)
 {
     const phong_uniforms *u = uniforms;
     const float(*p)[GN_LANES] = input->attribute[GN_ATTRIBUTE_POSITION];
@@ -72,18 +68,18 @@ static inline void light_texels(const phong_uniforms *u, const float (*restrict 
 
     for (int l = 0; l < GN_LANES; ++l) {
         const float n_x = normal[0][l], n_y = normal[1][l], n_z = normal[2][l];
-        const float n_scale = 1.0f / sqrtf(dot(n_x, n_y, n_z, n_x, n_y, n_z));
+        const float n_scale = 1.0f / sqrtf(phong_dot(n_x, n_y, n_z, n_x, n_y, n_z));
         const float nx = n_x * n_scale, ny = n_y * n_scale, nz = n_z * n_scale;
         const float v_x = to_eye[0][l], v_y = to_eye[1][l], v_z = to_eye[2][l];
-        const float v_scale = 1.0f / sqrtf(dot(v_x, v_y, v_z, v_x, v_y, v_z));
+        const float v_scale = 1.0f / sqrtf(phong_dot(v_x, v_y, v_z, v_x, v_y, v_z));
         const float vx = v_x * v_scale, vy = v_y * v_scale, vz = v_z * v_scale;
-        const float cosine = dot(nx, ny, nz, light.x, light.y, light.z);
+        const float cosine = phong_dot(nx, ny, nz, light.x, light.y, light.z);
         const float twice = 2.0f * cosine;
         const float rx = twice * nx - light.x;
         const float ry = twice * ny - light.y;
         const float rz = twice * nz - light.z;
         const float lit = cosine > 0.0f ? cosine : 0.0f;
-        float shine = dot(rx, ry, rz, vx, vy, vz); /* R.V, then its power of 32 */
+        float shine = phong_dot(rx, ry, rz, vx, vy, vz); /* R.V, then its power of 32 */
 
         shine = shine > 0.0f ? shine : 0.0f;
         shine = shine * shine;
@@ -97,8 +93,8 @@ static inline void light_texels(const phong_uniforms *u, const float (*restrict 
     }
 }
 
-void PHONG(fragment)(const void *uniforms, const gn_fragment_input *input,
-                     gn_fragment_output *output)
+static void shade_phong(const void *uniforms, const gn_fragment_input *input,
+                        gn_fragment_output *output)
 {
     const phong_uniforms *u = uniforms;
 

@@ -249,22 +249,22 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
         break;
     case SCENE_INPUTS:
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
-        status = inputs_use(pipeline, &other->color);
+        status = inputs_use(pipeline, &other->color, backend);
         use_sizes(pipeline, other);
         break;
     case SCENE_DERIVATIVES:
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
-        status = derivatives_use(pipeline, &other->color);
+        status = derivatives_use(pipeline, &other->color, backend);
         memcpy(pipeline->program.interpolation, d->state.program.interpolation,
                4 * sizeof(gn_interpolation));
         use_sizes(pipeline, other);
         break;
     case SCENE_OUTPUTS:
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
-        status = outputs_use(pipeline, &other->color);
+        status = outputs_use(pipeline, &other->color, backend);
         break;
     case SCENE_SAMPLED:
-        status = sampled_use(pipeline, &d->uniforms);
+        status = sampled_use(pipeline, &d->uniforms, backend);
         break;
     case SCENE_SHADER_COUNT:
         break;

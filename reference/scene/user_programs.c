@@ -1,0 +1,87 @@
+/* Sets users' shaders with their uniforms and varyings (phong.h, sampled.h, inputs.h, outputs.h,
+ * derivatives.h). */
+#include "derivatives.h"
+#include "inputs.h"
+#include "outputs.h"
+#include "phong.h"
+#include "sampled.h"
+#include "user_shaders.h"
+
+static gn_status check_sampling(const gn_texture *texture, const gn_sampler *sampler)
+{
+    const gn_status status = gn_texture_check(texture);
+
+    return status == GN_OK ? gn_sampler_check(sampler) : status;
+}
+
+static void set_smooth_varyings(gn_pipeline *pipeline, uint32_t count)
+{
+    pipeline->program.varying_count = count;
+    for (uint32_t n = 0; n < count; ++n)
+        pipeline->program.interpolation[n] = GN_SMOOTH;
+}
+
+gn_status phong_use(gn_pipeline *pipeline, const phong_uniforms *uniforms, gn_backend backend)
+{
+    const user_shaders *const shaders = user_shaders_for(backend);
+    const gn_status status = check_sampling(&uniforms->texture, &uniforms->sampler);
+
+    if (status == GN_OK) {
+        pipeline->program.vertex_shader = shaders->phong_vertices;
+        pipeline->program.fragment_shader = shaders->phong;
+        pipeline->program.uniforms = uniforms;
+        set_smooth_varyings(pipeline, PHONG_VARYINGS);
+    }
+    return status;
+}
+
+gn_status phong_use_functions(gn_pipeline *pipeline, const phong_uniforms *uniforms,
+                              gn_backend backend)
+{
+    const gn_status status = check_sampling(&uniforms->texture, &uniforms->sampler);
+
+    if (status == GN_OK)
+        user_shaders_for(backend)->use_phong_functions(pipeline, uniforms);
+    return status;
+}
+
+gn_status sampled_use(gn_pipeline *pipeline, const scene_uniforms *uniforms, gn_backend backend)
+{
+    const user_shaders *const shaders = user_shaders_for(backend);
+    const gn_status status = check_sampling(&uniforms->texture, &uniforms->sampler);
+
+    if (status == GN_OK) {
+        pipeline->program.vertex_shader = shaders->sampled_vertices;
+        pipeline->program.fragment_shader = shaders->sampled;
+        pipeline->program.uniforms = uniforms;
+        set_smooth_varyings(pipeline, SAMPLED_VARYINGS);
+    }
+    return status;
+}
+
+gn_status inputs_use(gn_pipeline *pipeline, const gn_color_uniforms *uniforms, gn_backend backend)
+{
+    const gn_status status = gn_use_vertex_color(pipeline, uniforms);
+
+    pipeline->program.fragment_shader = user_shaders_for(backend)->inputs;
+    return status;
+}
+
+gn_status derivatives_use(gn_pipeline *pipeline, const gn_color_uniforms *uniforms,
+                          gn_backend backend)
+{
+    const gn_status status = gn_use_vertex_color(pipeline, uniforms);
+
+    pipeline->program.fragment_shader = user_shaders_for(backend)->derivatives;
+    return status;
+}
+
+gn_status outputs_use(gn_pipeline *pipeline, const gn_color_uniforms *uniforms, gn_backend backend)
+{
+    const gn_status status = gn_use_vertex_color(pipeline, uniforms);
+    const uint32_t count = pipeline->program.color_count ? pipeline->program.color_count : 1;
+
+    pipeline->program.fragment_shader =
+        user_shaders_for(backend)->outputs[(count - 1) % GN_MAX_COLORS];
+    return status;
+}
