@@ -101,7 +101,7 @@ static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from
 {
     float(*const staging)[GN_LANES] =
         (float(*)[GN_LANES])(void *)(task_scratch(draw, task) + scratch_setup_offset());
-    float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES];
+    GN_ALIGNED_LANES float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES];
     uint32_t vertex_id[GN_LANES];
     int32_t outcode[GN_LANES];
     const bool is_ready_made = has_ready_made_vertices(draw);

@@ -33,6 +33,9 @@
 /* The columns of blocks in a batch of rows. */
 #define STEP_COLUMNS (STEP_BLOCKS / SQUARE_SIZE > 0 ? STEP_BLOCKS / SQUARE_SIZE : 1)
 
+/* The squares across a row of 16 pixels. */
+#define SQUARES_IN_ROW (GN_LANES / SQUARE_SIZE)
+
 /* Colours of a batch: one for each block and attachment. */
 #define STEP_COLORS (STEP_BLOCKS > COLOR_LIMIT ? STEP_BLOCKS : COLOR_LIMIT)
 
@@ -44,17 +47,20 @@ typedef struct block_batch {
     /* Halves. */
     const covered_block *blocks;
 
-    /* Rows: block n is at column[n] and row[n] of the terms. */
+    /* Rows: block n is at column[n] and row[n] of the terms. At first it is n % columns and n /
+     * columns. */
     raster_triangle triangle;
     int32_t x, y;
+    uint32_t columns;
     uint8_t column[STEP_BLOCKS], row[STEP_BLOCKS];
+    uint16_t shaded[STEP_BLOCKS]; /* the lanes of each square that the shader shaded (squares.h) */
 
     /* Results of steps, by lanes. The numbers of a colour are its bytes in the first word, its
      * shorts in two words, or its floats in four. The steps after
      * source use neither terms nor depths, so stored numbers take their memory. */
-    float color[STEP_COLORS][4][GN_LANES];
-    int32_t source[4][STEP_BLOCKS][GN_LANES];
-    union {
+    GN_ALIGNED_LANES float color[STEP_COLORS][4][GN_LANES];
+    GN_ALIGNED_LANES int32_t source[4][STEP_BLOCKS][GN_LANES];
+    GN_ALIGNED_LANES union {
         struct {
             column_terms columns[STEP_COLUMNS];
             row_terms rows;

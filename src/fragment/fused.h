@@ -8,9 +8,6 @@
 #include "state.h"
 #include "test.h"
 
-/* The squares across a row of 16 pixels. */
-#define SQUARES_IN_ROW (GN_LANES / SQUARE_SIZE)
-
 /* What is known of blocks when they are compiled. */
 typedef struct fused_kind {
     gn_format depth_format; /* GN_FORMAT_NONE: no test */
@@ -58,7 +55,7 @@ GN_INLINE void fused_color(const fragment_state *state, fused_kind kind, const f
 GN_INLINE void fused_block(const fragment_state *state, fused_kind kind, const fragment_place *at,
                            raster_triangle triangle, uint32_t coverage)
 {
-    float shaded[4][GN_LANES];
+    GN_ALIGNED_LANES float shaded[4][GN_LANES];
     shader_verdict verdict;
     lanes_f color[4];
 

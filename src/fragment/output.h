@@ -8,6 +8,7 @@
 #include "batch.h"
 #include "blend.h"
 #include "logic.h"
+#include "squares.h"
 
 GN_OUT_OF_LINE void set_color_state(color_state *s, const gn_pipeline *pipeline,
                                     uint32_t attachment, gn_format format)
@@ -48,22 +49,34 @@ GN_INLINE void write_rgba8(const gn_surface *surface, const fragment_place *at, 
     store_pixels(GN_LAYOUT(4, 4), &pixels, coverage, word);
 }
 
+/* Returns how many words of a block's numbers there are. */
+GN_INLINE int number_words(color_arithmetic arithmetic)
+{
+    return arithmetic == ARITHMETIC_BYTES ? 1 : arithmetic == ARITHMETIC_SHORTS ? 2 : 4;
+}
+
+/* Encodes colours as numbers. */
+GN_INLINE void encode_words(color_arithmetic arithmetic, const lanes_f color[4], lanes_i word[4])
+{
+    if (arithmetic == ARITHMETIC_BYTES) {
+        word[0] = encode_rgba8(color);
+    } else if (arithmetic == ARITHMETIC_SHORTS) {
+        encode_shorts(color, word);
+    } else {
+        for (int c = 0; c < 4; ++c)
+            word[c] = lanes_as_int(color[c]);
+    }
+}
+
 /* Writes the colours of block n as numbers. */
 GN_INLINE void encode_numbers(color_arithmetic arithmetic, const lanes_f color[4], uint32_t n,
                               int32_t (*numbers)[STEP_BLOCKS][GN_LANES])
 {
-    lanes_i shorts[2];
+    lanes_i word[4];
 
-    if (arithmetic == ARITHMETIC_BYTES) {
-        lanes_i_store(numbers[0][n], encode_rgba8(color));
-    } else if (arithmetic == ARITHMETIC_SHORTS) {
-        encode_shorts(color, shorts);
-        lanes_i_store(numbers[0][n], shorts[0]);
-        lanes_i_store(numbers[1][n], shorts[1]);
-    } else {
-        for (int c = 0; c < 4; ++c)
-            lanes_i_store(numbers[c][n], lanes_as_int(color[c]));
-    }
+    encode_words(arithmetic, color, word);
+    for (int i = 0; i < number_words(arithmetic); ++i)
+        lanes_i_store(numbers[i][n], word[i]);
 }
 
 /* Encodes the shader's colours for attachment `a` of `count`. */
@@ -76,6 +89,22 @@ GN_OUT_OF_LINE void encode_batch(gn_format format, uint32_t a, uint32_t count, b
         for (int c = 0; c < 4; ++c)
             color[c] = lanes_load(b->color[n * count + a][c]);
         encode_numbers(arithmetic, color, n, b->source);
+    }
+}
+
+/* Encodes the shader's colours of a batch of rows. */
+GN_OUT_OF_LINE void encode_rows(gn_format format, uint32_t a, uint32_t count, block_batch *b)
+{
+    const color_arithmetic arithmetic = arithmetic_of(format);
+    lanes_f color[4];
+    lanes_i word[4];
+
+    for (uint32_t n = 0; n < b->columns * SQUARES_IN_ROW; ++n) {
+        for (int c = 0; c < 4; ++c)
+            color[c] = b->shaded[n] ? lanes_load(b->color[n * count + a][c]) : lanes_splat(0.0f);
+        encode_words(arithmetic, color, word);
+        for (int i = 0; i < number_words(arithmetic); ++i)
+            store_square(b->source[i], b, n, word[i]);
     }
 }
 
@@ -301,7 +330,7 @@ GN_INLINE lanes_f factor_at(const float_factor *f, const block_batch *b, uint32_
  * stored alpha. If the format has a largest value, both colours lie within 0 to 1. */
 static inline void combine_floats(const color_state *state, gn_format format, block_batch *b)
 {
-    int32_t constant[5][GN_LANES]; /* the blend constant, and 0 */
+    GN_ALIGNED_LANES int32_t constant[5][GN_LANES]; /* the blend constant, and 0 */
 
     for (int c = 0; c < 5; ++c)
         lanes_i_store(constant[c], lanes_as_int(lanes_splat(c < 4 ? state->constant[c] : 0.0f)));

@@ -72,7 +72,7 @@ GN_INLINE void find_pixel_rows(const block_pixels *m, int size, unsigned char *r
 GN_INLINE void load_each(pixel_layout layout, const block_pixels *m, lanes_i word[4])
 {
     const int together = PIXELS_TOGETHER(m->shape);
-    int32_t loaded[4][GN_LANES];
+    GN_ALIGNED_LANES int32_t loaded[4][GN_LANES];
 
     for (int first = 0; first < GN_LANES; first += together) {
         const unsigned char *const memory = lane_memory(m, first);
@@ -92,7 +92,7 @@ GN_INLINE void load_each(pixel_layout layout, const block_pixels *m, lanes_i wor
 GN_INLINE void store_each(pixel_layout layout, const block_pixels *m, const lanes_i word[4])
 {
     const int together = PIXELS_TOGETHER(m->shape);
-    int32_t stored[4][GN_LANES];
+    GN_ALIGNED_LANES int32_t stored[4][GN_LANES];
 
     for (int i = 0; i < layout_words(layout); ++i)
         lanes_i_store(stored[i], word[i]);
@@ -152,7 +152,7 @@ GN_INLINE void store_whole(pixel_layout layout, const block_pixels *m, const lan
 GN_OUT_OF_LINE void load_covered(pixel_layout layout, const block_pixels *m, uint32_t coverage,
                                  lanes_i word[4])
 {
-    int32_t loaded[4][GN_LANES];
+    GN_ALIGNED_LANES int32_t loaded[4][GN_LANES];
 
     GN_EACH_LANE (l) {
         int32_t pixel[4];
@@ -172,7 +172,7 @@ GN_OUT_OF_LINE void load_covered(pixel_layout layout, const block_pixels *m, uin
 GN_OUT_OF_LINE void store_covered(pixel_layout layout, const block_pixels *m, uint32_t coverage,
                                   const lanes_i word[4])
 {
-    int32_t stored[4][GN_LANES];
+    GN_ALIGNED_LANES int32_t stored[4][GN_LANES];
 
     for (int i = 0; i < layout_words(layout); ++i)
         lanes_i_store(stored[i], word[i]);

@@ -4,20 +4,26 @@
 
 #include "types.h"
 
-/* Coordinates of a block's fragments, at which planes are evaluated one after the other. */
+/* Coordinates of a block's fragments, at which planes are evaluated one after the other. A square
+ * has the coordinates of its lower left pixel; two halves have those of every lane. */
 typedef struct block_places {
+    bool is_square;
+    float left, lower;
     lanes_f x, y;
 } block_places;
+
+/* Where lane l lies in its half. */
+#define COLUMN_IN_HALF(l) (l) % SQUARE_SIZE
+#define ROW_IN_HALF(l) (l) / SQUARE_SIZE % 2
 
 /* Sets places in a block's pixels, each `inside` from its pixel's lower left corner, or from its
  * centre if a target is not multisampled. */
 GN_INLINE void set_places(block_places *at, const pixel_block *block, const float inside[2])
 {
-#define COLUMN_IN_HALF(l) (l) % SQUARE_SIZE
-#define ROW_IN_HALF(l) (l) / SQUARE_SIZE % 2
     static const int32_t column[GN_LANES] = GN_NUMBERS(COLUMN_IN_HALF);
     static const int32_t row[GN_LANES] = GN_NUMBERS(ROW_IN_HALF);
 
+    at->is_square = false;
     at->x =
         lanes_to_float(lanes_i_add(lanes_i_halves(block->x[0], block->x[1]), lanes_i_load(column)));
     at->y =
@@ -28,9 +34,33 @@ GN_INLINE void set_places(block_places *at, const pixel_block *block, const floa
     }
 }
 
+/* Sets places in a square whose lower left pixel is at (x, y). */
+GN_INLINE void set_square_places(block_places *at, int32_t x, int32_t y)
+{
+    at->is_square = true;
+    at->left = (float)x;
+    at->lower = (float)y;
+}
+
+/* Sets places to others. */
+GN_INLINE void copy_places(block_places *to, const block_places *from)
+{
+    to->is_square = from->is_square;
+    if (from->is_square) {
+        to->left = from->left;
+        to->lower = from->lower;
+    } else {
+        to->x = from->x;
+        to->y = from->y;
+    }
+}
+
 /* Returns the plane's value in every lane: per_y * y + (per_x * x + origin), in this order. */
 GN_INLINE lanes_f plane_at(attribute_plane plane, const block_places *at)
 {
+    if (GN_SPECIALISED && at->is_square)
+        return lanes_add(lanes_rows(plane.per_y, at->lower),
+                         lanes_columns(plane.per_x, at->left, plane.origin));
     return lanes_add(
         lanes_mul(lanes_splat(plane.per_y), at->y),
         lanes_add(lanes_mul(lanes_splat(plane.per_x), at->x), lanes_splat(plane.origin)));

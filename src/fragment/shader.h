@@ -33,19 +33,25 @@ static inline void interpolate_varyings(const fragment_state *state, raster_tria
         lanes_store(varying[n], interpolate_varying(pipeline, triangle, n, at, w));
 }
 
+/* Returns where the lanes' pixels lie along an axis, from the first pixel of each half. */
+GN_INLINE lanes_f pixel_centres(const int32_t first[2], const int32_t number[GN_LANES])
+{
+    return lanes_add(
+        lanes_to_float(lanes_i_add(lanes_i_halves(first[0], first[1]), lanes_i_load(number))),
+        lanes_splat(0.5f));
+}
+
 /* Writes gl_FragCoord of a block. Its z has the polygon offset, whether or not depth is tested. */
 static void place_fragments(const gn_pipeline *pipeline, raster_triangle triangle,
                             const gn_fragment_input *input, const block_places *at,
                             float position[4][GN_LANES])
 {
+    static const int32_t column[GN_LANES] = GN_NUMBERS(COLUMN_IN_HALF);
+    static const int32_t row[GN_LANES] = GN_NUMBERS(ROW_IN_HALF);
     lanes_f depth = plane_at(triangle_plane(triangle, DEPTH_PLANE), at);
 
-    GN_EACH_LANE (l) {
-        const int half = l / HALF_LANES;
-
-        position[0][l] = (float)(input->x[half] + l % SQUARE_SIZE) + 0.5f;
-        position[1][l] = (float)(input->y[half] + l / SQUARE_SIZE % 2) + 0.5f;
-    }
+    lanes_store(position[0], pixel_centres(input->x, column));
+    lanes_store(position[1], pixel_centres(input->y, row));
     if (GN_HAVE_OFFSET && pipeline->raster.polygon_offset.set)
         depth = lanes_add(depth, lanes_splat(triangle_offset(triangle)));
     lanes_store(position[2], depth);
@@ -96,7 +102,8 @@ static inline void mask_of_one_sample(uint32_t coverage, uint32_t mask[GN_LANES]
 
 /* Memory for the inputs that only some shaders ask for. */
 typedef struct asked_inputs {
-    float position[4][GN_LANES], point_coordinate[2][GN_LANES];
+    GN_ALIGNED_LANES float position[4][GN_LANES];
+    float point_coordinate[2][GN_LANES];
     uint32_t covered[GN_LANES], kept[GN_LANES];
 } asked_inputs;
 
@@ -153,44 +160,70 @@ static inline void set_color_defaults(const fragment_state *state, float (*color
         lanes_store(color[n], lanes_splat(0.0f));
 }
 
-/* Calls the fragment shader for a block whose planes are evaluated at `places`. Writes the colours
- * to `color`, which has room for the pipeline's color_count. */
+/* What calls of the shader need beside colours. What does not change between calls is set once. */
+typedef struct shader_call {
+    gn_fragment_input input;
+    gn_fragment_output output;
+    asked_inputs asked;
+    GN_ALIGNED_LANES float varying[GN_MAX_VARYINGS][GN_LANES];
+} shader_call;
+
+/* Sets what the calls for a triangle share. */
+static inline void start_shader_calls(const fragment_state *state, raster_triangle triangle,
+                                      shader_call *call)
+{
+    call->input.varying = (const float(*)[GN_LANES])call->varying;
+    call->input.sampling = &state->shading->sampling;
+    call->input.front_facing = !triangle_is(triangle, PRIMITIVE_IS_BACK);
+    call->input.primitive_id = 0;
+    call->input.position = 0;
+    call->input.point_coordinate = 0;
+    call->input.sample_mask = 0;
+    call->output.sample_mask = 0;
+}
+
+/* Calls the fragment shader for a block whose planes are evaluated at `places`, after
+ * start_shader_calls. Writes the colours to `color`, which has room for the pipeline's color_count.
+ */
+GN_INLINE void call_shader(const fragment_state *state, raster_triangle triangle,
+                           const pixel_block *block, const block_places *places, uint32_t coverage,
+                           lanes_f w, float (*color)[GN_LANES], shader_verdict *verdict,
+                           shader_call *call)
+{
+    interpolate_varyings(state, triangle, places, w, call->varying);
+    call->input.coverage = coverage;
+    for (int half = 0; half < 2; ++half) {
+        call->input.x[half] = block->x[half];
+        call->input.y[half] = block->y[half];
+    }
+    set_color_defaults(state, color);
+    call->output.color = color;
+    call->output.kept = GN_ALL_LANES;
+    call->output.depth = verdict->depth;
+    if (state->asks_inputs) {
+        /* Copies, so that the usual way keeps its values in registers. */
+        const lanes_f in_memory = w;
+        block_places at;
+
+        copy_places(&at, places);
+        set_asked_inputs(state->pipeline, triangle, &at, &in_memory, verdict, &call->asked,
+                         &call->input, &call->output);
+    }
+    state->shading->fragment_shader(state->pipeline->program.uniforms, &call->input,
+                                    &call->output);
+    verdict->kept = call->output.kept;
+}
+
+/* Calls the fragment shader for a block of any triangle. */
 GN_STEP void call_fragment_shader(const fragment_state *state, raster_triangle triangle,
                                   const pixel_block *block, const block_places *places,
                                   uint32_t coverage, lanes_f w, float (*color)[GN_LANES],
                                   shader_verdict *verdict)
 {
-    const gn_pipeline *const pipeline = state->pipeline;
-    float varying[GN_MAX_VARYINGS][GN_LANES];
-    asked_inputs asked;
-    gn_fragment_input input;
-    gn_fragment_output output;
+    shader_call call;
 
-    interpolate_varyings(state, triangle, places, w, varying);
-    input.varying = (const float(*)[GN_LANES])varying;
-    input.coverage = coverage;
-    for (int half = 0; half < 2; ++half) {
-        input.x[half] = block->x[half];
-        input.y[half] = block->y[half];
-    }
-    input.sampling = &state->shading->sampling;
-    input.front_facing = !triangle_is(triangle, PRIMITIVE_IS_BACK);
-    input.primitive_id = 0;
-    input.position = 0;
-    input.point_coordinate = 0;
-    input.sample_mask = 0;
-    set_color_defaults(state, color);
-    output.color = color;
-    output.kept = GN_ALL_LANES;
-    output.depth = verdict->depth;
-    output.sample_mask = 0;
-    if (state->asks_inputs) {
-        const lanes_f in_memory = w;
-
-        set_asked_inputs(pipeline, triangle, places, &in_memory, verdict, &asked, &input, &output);
-    }
-    state->shading->fragment_shader(pipeline->program.uniforms, &input, &output);
-    verdict->kept = output.kept;
+    start_shader_calls(state, triangle, &call);
+    call_shader(state, triangle, block, places, coverage, w, color, verdict, &call);
 }
 
 #endif

@@ -8,7 +8,7 @@
 
 #include "batch.h"
 #include "output.h"
-#include "shader.h"
+#include "shader_rows.h"
 
 /* Returns a varying that the library interpolates itself. `smooth` says that all varyings are. */
 GN_INLINE lanes_f ready_varying(const fragment_state *state, bool smooth, const fragment_place *at,
@@ -108,7 +108,9 @@ GN_OUT_OF_LINE void shader_batch(const fragment_state *state, block_batch *b)
 /* Computes the colours of a batch. Colours of ready-made shaders are encoded too. */
 GN_OUT_OF_LINE void source_batch(const fragment_state *state, block_batch *b)
 {
-    if (!GN_SPECIALISED || state->source == SOURCE_SHADER)
+    if (state->source == SOURCE_SHADER && is_of_rows(b))
+        shader_rows(state, b);
+    else if (!GN_SPECIALISED || state->source == SOURCE_SHADER)
         shader_batch(state, b);
     else if (state->source == SOURCE_TEXTURE)
         ready_shapes(state, SOURCE_TEXTURE, false, false, b);

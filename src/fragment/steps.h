@@ -30,10 +30,18 @@ static inline void compact_halves(covered_block *blocks, block_batch *b)
     b->count = kept;
 }
 
-static inline void compact_rows(block_batch *b)
+/* Removes rows of which nothing passed. A shader's rows stay together in squares; there are none if
+ * nothing passed at all. */
+static inline void compact_rows(const fragment_state *state, block_batch *b)
 {
     uint32_t kept = 0;
 
+    if (calls_shader(state)) {
+        for (uint32_t n = 0; n < b->count; ++n)
+            kept |= b->coverage[n];
+        b->count = kept ? b->count : 0;
+        return;
+    }
     for (uint32_t n = 0; n < b->count; ++n) {
         b->column[kept] = b->column[n];
         b->row[kept] = b->row[n];
@@ -57,7 +65,10 @@ static inline void output_colors(const fragment_state *state, block_batch *b)
 
         if (surface->format == GN_FORMAT_NONE)
             continue;
-        encode_batch(surface->format, a, count, b);
+        if (is_of_rows(b))
+            encode_rows(surface->format, a, count, b);
+        else
+            encode_batch(surface->format, a, count, b);
         output_batch(state, a > 0 ? &state->more[a - 1].combine : &state->combine, surface, b);
     }
 }
@@ -79,7 +90,7 @@ static inline void take_steps(const fragment_context *c, covered_block *blocks, 
         if (blocks)
             compact_halves(blocks, b);
         else
-            compact_rows(b);
+            compact_rows(state, b);
         if (b->count == 0 || !has_colors(state))
             return;
         if (GN_SPECIALISED && state->is_direct) {
@@ -154,14 +165,16 @@ static inline void step_rest(const void *context, blocks_function *shade, raster
 static inline void set_rows(const fragment_state *state, block_batch *b, int32_t x, int32_t y,
                             uint32_t columns)
 {
+    const bool is_depth_only =
+        state->color.format == GN_FORMAT_NONE || state->source == SOURCE_SHADER;
     const uint32_t end =
         VARYING_PLANES + (state->source == SOURCE_TEXTURE ? VARYING_END : VARYING_S);
 
     b->x = x;
     b->y = y;
+    b->columns = columns;
     b->count = 0;
-    for (uint32_t n = 0; n < (state->color.format == GN_FORMAT_NONE ? ONE_OVER_W_PLANE : end);
-         ++n) {
+    for (uint32_t n = 0; n < (is_depth_only ? ONE_OVER_W_PLANE : end); ++n) {
         const attribute_plane plane = triangle_plane(b->triangle, n);
 
         set_row_terms(&b->of.terms.rows, n, plane, y);
@@ -178,24 +191,42 @@ static inline void set_rows(const fragment_state *state, block_batch *b, int32_t
     }
 }
 
-/* Shades a run in rows of 16 pixels as far as they go: a run_function. */
-static void step_rows(const void *context, raster_triangle triangle, int32_t x, int32_t y,
-                      uint32_t count)
+/* Returns the most columns that a batch of rows has room for, with all of their colours. */
+static inline uint32_t most_columns(const fragment_state *state)
 {
-    const fragment_context *const c = (const fragment_context *)context;
+    const uint32_t most = STEP_COLORS / (SQUARES_IN_ROW * shader_colors(state));
+
+    return !calls_shader(state) || most > STEP_COLUMNS ? STEP_COLUMNS : most;
+}
+
+/* Shades the columns of a run that are 16 pixels wide. Out of line, so that the batch's memory is
+ * free when the rest of the run is shaded. */
+GN_OUT_OF_LINE void step_columns(const fragment_context *c, raster_triangle triangle, int32_t x,
+                                 int32_t y, uint32_t columns)
+{
+    const uint32_t most = most_columns(c->state);
     block_batch b;
 
     b.shape = SHAPE_ROW;
     b.blocks = 0;
     b.triangle = triangle;
-    for (uint32_t columns; count >= SQUARES_IN_ROW; count -= columns * SQUARES_IN_ROW) {
-        columns = count / SQUARES_IN_ROW;
-        columns = columns < STEP_COLUMNS ? columns : STEP_COLUMNS;
-        set_rows(c->state, &b, x, y, columns);
+    for (uint32_t together; columns > 0; columns -= together) {
+        together = columns < most ? columns : most;
+        set_rows(c->state, &b, x, y, together);
         take_steps(c, 0, &b);
-        x += (int32_t)(columns * GN_LANES);
+        x += (int32_t)(together * GN_LANES);
     }
-    step_rest(context, step_blocks, triangle, x, y, count);
+}
+
+/* Shades a run in rows of 16 pixels as far as they go: a run_function. */
+static void step_rows(const void *context, raster_triangle triangle, int32_t x, int32_t y,
+                      uint32_t count)
+{
+    const uint32_t columns = count / SQUARES_IN_ROW;
+
+    step_columns((const fragment_context *)context, triangle, x, y, columns);
+    step_rest(context, step_blocks, triangle, x + (int32_t)(columns * GN_LANES), y,
+              count % SQUARES_IN_ROW);
 }
 
 /* Defines the functions of a fused state (GN_FUSED_STATES). Runs are out of line of blocks, which
@@ -222,13 +253,15 @@ static void step_rows(const void *context, raster_triangle triangle, int32_t x, 
 
 GN_FUSED_STATES(GN_FUSED_FUNCTIONS)
 
-/* Whether a state may be drawn in rows: nothing needs derivatives. */
+/* Whether a state may be drawn in rows: nothing needs derivatives, or the shader receives squares,
+ * whose colours a batch has room for. */
 static inline bool has_rows(const fragment_state *state)
 {
-    if (!GN_SPECIALISED || state->is_late || has_more_colors(state))
+    if (!GN_SPECIALISED)
         return false;
-    return state->color.format == GN_FORMAT_NONE || state->source == SOURCE_COLOR ||
-           (state->source == SOURCE_TEXTURE && has_one_filter(state->sampler));
+    if (state->source == SOURCE_TEXTURE)
+        return has_one_filter(state->sampler);
+    return most_columns(state) > 0;
 }
 
 /* Returns the functions that draw a state. By comparisons, since a table of functions would need
@@ -249,7 +282,8 @@ static inline fragment_functions fragment_functions_of(const fragment_state *sta
     if (state->depth.format == fused_depth_format && source == fused_source &&                     \
         has_color == fused_has_color) {                                                            \
         f.blocks = fused_##name##_blocks;                                                          \
-        f.runs = rows ? fused_##name##_run : 0;                                                    \
+        if (rows && fused_source != SOURCE_SHADER)                                                  \
+            f.runs = fused_##name##_run;                                                           \
     }
     GN_FUSED_STATES(GN_SELECT_FUSED)
 #undef GN_SELECT_FUSED

@@ -144,6 +144,12 @@ static inline bool has_colors(const fragment_state *state)
     return state->color.format != GN_FORMAT_NONE || has_more_colors(state);
 }
 
+/* Whether fragments are shaded by calls of a shader. */
+static inline bool calls_shader(const fragment_state *state)
+{
+    return state->source == SOURCE_SHADER && (state->is_late || has_colors(state));
+}
+
 /* Fragments, or samples, that are covered, and those of them that pass. */
 typedef struct sample_counts {
     uint64_t covered, passed;

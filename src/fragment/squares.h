@@ -1,0 +1,60 @@
+/* Squares of a batch of rows. A shader receives squares, for its derivatives; tests and outputs are
+ * faster for rows. So a shader's batch of rows is shaded in squares: each column of 16 pixels has
+ * SQUARES_IN_ROW squares, and lanes 4r to 4r + 3 of a square are part of row r. Squares are numbered
+ * from left to right. */
+#ifndef GN_FRAGMENT_SQUARES_H
+#define GN_FRAGMENT_SQUARES_H
+
+#include "batch.h"
+
+/* Returns the number of row r of a square's column. */
+static inline uint32_t row_of_square(const block_batch *b, uint32_t square, uint32_t r)
+{
+    return r * b->columns + square / SQUARES_IN_ROW;
+}
+
+/* Returns the first lane of a row that is in a square. */
+static inline uint32_t first_of_square(uint32_t square)
+{
+    return square % SQUARES_IN_ROW * SQUARE_SIZE;
+}
+
+#define SQUARE_ROW_COVERED ((1u << SQUARE_SIZE) - 1u)
+
+/* Returns a square's coverage. */
+static inline uint32_t covered_in_square(const block_batch *b, uint32_t square)
+{
+    uint32_t all = GN_ALL_LANES;
+    uint32_t coverage = 0;
+
+    for (uint32_t r = 0; r < SQUARE_SIZE; ++r)
+        all &= b->coverage[row_of_square(b, square, r)];
+    if (all == GN_ALL_LANES)
+        return all;
+    for (uint32_t r = 0; r < SQUARE_SIZE; ++r)
+        coverage |= (b->coverage[row_of_square(b, square, r)] >> first_of_square(square) &
+                     SQUARE_ROW_COVERED)
+                    << r * SQUARE_SIZE;
+    return coverage;
+}
+
+/* Removes a square's fragments that are not kept. */
+static inline void discard_in_square(block_batch *b, uint32_t square, uint32_t kept)
+{
+    for (uint32_t r = 0; kept != GN_ALL_LANES && r < SQUARE_SIZE; ++r)
+        b->coverage[row_of_square(b, square, r)] &=
+            ~((~kept >> r * SQUARE_SIZE & SQUARE_ROW_COVERED) << first_of_square(square));
+}
+
+/* Stores a square's words where they are in rows. */
+GN_INLINE void store_square(stored_word (*rows)[GN_LANES], const block_batch *b, uint32_t square,
+                            lanes_i a)
+{
+    stored_word *const first = rows[row_of_square(b, square, 0)] + first_of_square(square);
+    stored_word *const upper = first + SQUARE_SIZE / 2 * b->columns * GN_LANES;
+
+    lanes_i_store_block((unsigned char *)first, (unsigned char *)upper,
+                        (ptrdiff_t)(b->columns * GN_LANES * sizeof *first), a);
+}
+
+#endif
