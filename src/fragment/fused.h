@@ -141,13 +141,13 @@ GN_INLINE void fused_rows(const fragment_state *state, fused_kind kind, raster_t
     fragment_place at;
 
     for (uint32_t n = first_attribute(kind); n < end_attribute(kind); ++n)
-        set_row_terms(&rows, n, triangle_plane(triangle, n), y);
+        set_row_terms(&rows, n, triangle_plane(triangle, n), y, 0.0f);
     at.shape = SHAPE_ROW;
     at.whole = true;
     at.columns = &columns;
     if (kind.level) {
         columns.value[ONE_OVER_W_PLANE] =
-            columns_from(triangle_plane(triangle, ONE_OVER_W_PLANE), x);
+            columns_from(triangle_plane(triangle, ONE_OVER_W_PLANE), x, 0.0f);
         for (int32_t row = 0; row < SQUARE_SIZE; ++row) {
             at.row = rows.value[row];
             w[row] = w_at(&at, triangle);
@@ -155,7 +155,7 @@ GN_INLINE void fused_rows(const fragment_state *state, fused_kind kind, raster_t
     }
     for (at.block.x[0] = x; at.block.x[0] < end; at.block.x[0] += GN_LANES) {
         for (uint32_t n = first_attribute(kind); n < end_attribute(kind); ++n)
-            columns.value[n] = columns_from(triangle_plane(triangle, n), at.block.x[0]);
+            columns.value[n] = columns_from(triangle_plane(triangle, n), at.block.x[0], 0.0f);
         for (int32_t row = 0; row < SQUARE_SIZE; ++row) {
             at.block.y[0] = y + row;
             at.row = rows.value[row];

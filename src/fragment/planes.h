@@ -34,12 +34,12 @@ GN_INLINE void set_places(block_places *at, const pixel_block *block, const floa
     }
 }
 
-/* Sets places in a square whose lower left pixel is at (x, y). */
-GN_INLINE void set_square_places(block_places *at, int32_t x, int32_t y)
+/* Sets places in the pixels of a square, whose lower left one is at (x, y). */
+GN_INLINE void set_square_places(block_places *at, int32_t x, int32_t y, const float inside[2])
 {
     at->is_square = true;
-    at->left = (float)x;
-    at->lower = (float)y;
+    at->left = (float)x + inside[0];
+    at->lower = (float)y + inside[1];
 }
 
 /* Sets places to others. */
@@ -80,17 +80,21 @@ typedef struct column_terms {
     lanes_f value[RUN_ATTRIBUTES];
 } column_terms;
 
-GN_INLINE void set_row_terms(row_terms *terms, uint32_t attribute, attribute_plane plane, int32_t y)
+/* Sets the terms of four rows from y on. `inside` is how far in their pixels values are needed, as
+ * for set_places. */
+GN_INLINE void set_row_terms(row_terms *terms, uint32_t attribute, attribute_plane plane, int32_t y,
+                             float inside)
 {
     for (int32_t row = 0; row < SQUARE_SIZE; ++row)
-        terms->value[row][attribute] = plane.per_y * (float)(y + row);
+        terms->value[row][attribute] = plane.per_y * ((float)(y + row) + inside);
 }
 
-GN_INLINE lanes_f columns_from(attribute_plane plane, int32_t x)
+/* Returns the terms of columns from x on. Sums of pixels and 1/256 pixels are exact. */
+GN_INLINE lanes_f columns_from(attribute_plane plane, int32_t x, float inside)
 {
 #define LANE_NUMBER(l) l
     static const float number[GN_LANES] = GN_NUMBERS(LANE_NUMBER);
-    lanes_f column = lanes_splat((float)x);
+    lanes_f column = lanes_splat((float)x + inside);
 
     if (GN_LANES > 1)
         column = lanes_add(column, lanes_load(number));

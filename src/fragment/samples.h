@@ -126,15 +126,29 @@ GN_OUT_OF_LINE void shade_samples(const fragment_state *state, sampled_batch *b)
     }
 }
 
+/* Whether runs of squares all of whose samples are covered may be drawn in rows: the state has rows,
+ * and no mask of samples leaves the shader or enters it. */
+static inline bool has_sampled_rows(const fragment_state *state)
+{
+    const gn_pipeline *const p = state->pipeline;
+
+    return has_rows(state) && !alpha_covers(state) && !p->samples.alpha_to_one &&
+           !p->program.fragment_reads_sample_mask && !p->program.fragment_writes_sample_mask;
+}
+
 /* Computes the colours of pixels with any sample. */
 static inline void source_samples(const fragment_state *state, sampled_batch *b)
 {
     for (uint32_t n = 0; n < b->batch.count; ++n)
         b->batch.coverage[n] = any_coverage(b, n);
-    if (state->source == SOURCE_SHADER)
+    if (state->source == SOURCE_SHADER && !is_of_rows(&b->batch)) {
         shade_samples(state, b);
-    else
-        source_batch(state, &b->batch);
+        return;
+    }
+    source_batch(state, &b->batch);
+    for (uint32_t s = 0; state->is_late && s < GN_SAMPLES; ++s)
+        for (uint32_t n = 0; n < b->batch.count; ++n)
+            b->coverage[s][n] &= b->batch.coverage[n];
 }
 
 /* Tests all samples of a batch. */
@@ -143,21 +157,36 @@ static inline void test_samples(const fragment_state *state, sampled_batch *b)
     for (uint32_t s = 0; state->depth.format != GN_FORMAT_NONE && s < GN_SAMPLES; ++s) {
         for (uint32_t n = 0; n < b->batch.count; ++n)
             b->batch.coverage[n] = b->coverage[s][n];
+        if (is_of_rows(&b->batch))
+            set_terms(&b->batch, DEPTH_PLANE, ONE_OVER_W_PLANE, state[s].test_at);
         test_batch(&state[s], &b->batch);
         for (uint32_t n = 0; n < b->batch.count; ++n)
             b->coverage[s][n] = b->batch.coverage[n];
     }
 }
 
-/* Removes blocks of which no sample passed. */
-static inline void compact_samples(sampled_batch *b)
+/* Removes blocks of which no sample passed. A shader's rows stay together in squares; there are none
+ * if no sample passed at all. */
+static inline void compact_samples(const fragment_state *state, sampled_batch *b)
 {
+    const bool is_of_squares = is_of_rows(&b->batch) && calls_shader(state);
     uint32_t kept = 0;
 
+    for (uint32_t n = 0; n < b->batch.count && is_of_squares; ++n)
+        kept |= any_coverage(b, n);
+    if (is_of_squares) {
+        b->batch.count = kept ? b->batch.count : 0;
+        return;
+    }
     for (uint32_t n = 0; n < b->batch.count; ++n) {
         const bool any = any_coverage(b, n) != 0;
 
-        b->blocks[kept] = b->blocks[n];
+        if (is_of_rows(&b->batch)) {
+            b->batch.column[kept] = b->batch.column[n];
+            b->batch.row[kept] = b->batch.row[n];
+        } else {
+            b->blocks[kept] = b->blocks[n];
+        }
         for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
             b->covered[s][kept] = b->covered[s][n];
             b->coverage[s][kept] = b->coverage[s][n];
@@ -191,16 +220,32 @@ static inline void take_sampled_steps(const fragment_state *state, sampled_batch
 /* Writes the colours of the samples that passed. */
 static inline void output_samples(const fragment_state *state, sampled_batch *b)
 {
+    const uint32_t count = shader_colors(state);
+
     if (!is_late_for_samples(state)) {
-        compact_samples(b);
-        if (b->batch.count)
-            source_samples(state, b);
+        compact_samples(state, b);
+        if (b->batch.count == 0)
+            return;
+        source_samples(state, b);
     }
-    for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
-        for (uint32_t n = 0; n < b->batch.count; ++n)
-            b->batch.coverage[n] = b->coverage[s][n];
-        output_colors(&state[s], &b->batch);
+    for (uint32_t a = 0; a < count; ++a) {
+        if (!encode_color(state, a, count, &b->batch))
+            continue;
+        for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
+            for (uint32_t n = 0; n < b->batch.count; ++n)
+                b->batch.coverage[n] = b->coverage[s][n];
+            output_color(&state[s], a, &b->batch);
+        }
     }
+}
+
+/* Takes a batch through all steps, and counts its samples that passed. */
+static inline void shade_sampled_batch(const fragment_context *c, sampled_batch *b)
+{
+    take_sampled_steps(c->state, b);
+    c->counts->passed += count_samples(b);
+    if (has_colors(c->state))
+        output_samples(c->state, b);
 }
 
 /* Shades squares: a samples_function. The context is a fragment_context. */
@@ -231,11 +276,56 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
         } while (count > 0 && together < most_together(state) &&
                  (!state->combines || squares->triangle.planes == squares[-1].triangle.planes));
         b.batch.count = together;
-        take_sampled_steps(state, &b);
-        c->counts->passed += count_samples(&b);
-        if (has_colors(state))
-            output_samples(state, &b);
+        shade_sampled_batch(c, &b);
     }
+}
+
+/* Shades the columns of a run that are 16 pixels wide. Out of line, so that the batch's memory is
+ * free when the rest of the run is shaded. */
+GN_OUT_OF_LINE void shade_sampled_columns(const fragment_context *c, raster_triangle triangle,
+                                          int32_t x, int32_t y, uint32_t columns)
+{
+    const uint32_t most = most_columns(c->state);
+    const uint32_t disabled = c->state->pipeline->samples.write_disabled;
+    sampled_batch b;
+
+    b.batch.shape = SHAPE_ROW;
+    b.batch.blocks = 0;
+    b.batch.triangle = triangle;
+    for (uint32_t together; columns > 0; columns -= together) {
+        together = columns < most ? columns : most;
+        set_rows(c->state, &b.batch, x, y, together);
+        c->counts->covered += GN_SAMPLES * GN_LANES * b.batch.count;
+        for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
+            for (uint32_t n = 0; n < b.batch.count; ++n) {
+                b.covered[s][n] = disabled >> s & 1u ? 0 : GN_ALL_LANES;
+                b.coverage[s][n] = b.covered[s][n];
+            }
+        }
+        shade_sampled_batch(c, &b);
+        x += (int32_t)(together * GN_LANES);
+    }
+}
+
+/* Shades a run of squares all of whose samples are covered: a run_function. The context is a
+ * fragment_context. */
+static void shade_sampled_run(const void *context, raster_triangle triangle, int32_t x, int32_t y,
+                              uint32_t count)
+{
+    const uint32_t columns = count / SQUARES_IN_ROW;
+    const uint32_t rest = count % SQUARES_IN_ROW;
+    sampled_square square[SQUARES_IN_ROW];
+
+    shade_sampled_columns((const fragment_context *)context, triangle, x, y, columns);
+    for (uint32_t i = 0; i < rest; ++i) {
+        square[i].triangle = triangle;
+        square[i].x = x + (int32_t)(columns * GN_LANES + i * SQUARE_SIZE);
+        square[i].y = y;
+        for (uint32_t s = 0; s < GN_SAMPLES; ++s)
+            square[i].coverage[s] = GN_ALL_LANES;
+    }
+    if (rest)
+        shade_sampled_squares(context, square, rest);
 }
 
 #endif

@@ -27,7 +27,7 @@ GN_OUT_OF_LINE void shader_rows(const fragment_state *state, block_batch *b)
         b->shaded[n] = (uint16_t)coverage;
         if (!coverage)
             continue;
-        set_square_places(&places, block.x[0], block.y[0]);
+        set_square_places(&places, block.x[0], block.y[0], state->shade_at);
         if (program->fragment_writes_depth) {
             lanes_store(depth, plane_at(depth_plane, &places));
             verdict.depth = depth;

@@ -51,26 +51,39 @@ static inline void compact_rows(const fragment_state *state, block_batch *b)
     b->count = kept;
 }
 
+/* Writes a batch's colours to attachment `a`; the shader's are encoded before. */
+static inline void output_color(const fragment_state *state, uint32_t a, block_batch *b)
+{
+    const gn_surface *const surface = a > 0 ? &state->more[a - 1].surface : &state->color;
+
+    output_batch(state, a > 0 ? &state->more[a - 1].combine : &state->combine, surface, b);
+}
+
+/* Encodes the colours of attachment `a` of `count`. Returns whether there is such an attachment. */
+static inline bool encode_color(const fragment_state *state, uint32_t a, uint32_t count,
+                                block_batch *b)
+{
+    const gn_format format = a > 0 ? state->more[a - 1].surface.format : state->color.format;
+
+    if (format == GN_FORMAT_NONE)
+        return false;
+    if (GN_SPECIALISED && state->source != SOURCE_SHADER)
+        return true;
+    if (is_of_rows(b))
+        encode_rows(format, a, count, b);
+    else
+        encode_batch(format, a, count, b);
+    return true;
+}
+
 /* Writes a batch's colours to all attachments. */
 static inline void output_colors(const fragment_state *state, block_batch *b)
 {
     const uint32_t count = shader_colors(state);
 
-    if (GN_SPECIALISED && state->source != SOURCE_SHADER) {
-        output_batch(state, &state->combine, &state->color, b);
-        return;
-    }
-    for (uint32_t a = 0; a < count; ++a) {
-        const gn_surface *const surface = a > 0 ? &state->more[a - 1].surface : &state->color;
-
-        if (surface->format == GN_FORMAT_NONE)
-            continue;
-        if (is_of_rows(b))
-            encode_rows(surface->format, a, count, b);
-        else
-            encode_batch(surface->format, a, count, b);
-        output_batch(state, a > 0 ? &state->more[a - 1].combine : &state->combine, surface, b);
-    }
+    for (uint32_t a = 0; a < count; ++a)
+        if (encode_color(state, a, count, b))
+            output_color(state, a, b);
 }
 
 /* Takes a batch through the steps. `blocks` are the batch's if it is of halves; otherwise null. */
@@ -161,26 +174,33 @@ static inline void step_rest(const void *context, blocks_function *shade, raster
         shade(context, block, count);
 }
 
+/* Sets the terms of a batch of rows for the attributes from `first` up to, but not including, `end`.
+ * `inside` says where in their pixels the attributes are needed. */
+static inline void set_terms(block_batch *b, uint32_t first, uint32_t end, const float inside[2])
+{
+    for (uint32_t n = first; n < end; ++n) {
+        const attribute_plane plane = triangle_plane(b->triangle, n);
+
+        set_row_terms(&b->of.terms.rows, n, plane, b->y, inside[1]);
+        for (uint32_t c = 0; c < b->columns; ++c)
+            b->of.terms.columns[c].value[n] =
+                columns_from(plane, b->x + (int32_t)(c * GN_LANES), inside[0]);
+    }
+}
+
 /* Makes a batch of the rows of `columns` columns from (x, y) on. */
 static inline void set_rows(const fragment_state *state, block_batch *b, int32_t x, int32_t y,
                             uint32_t columns)
 {
-    const bool is_depth_only =
-        state->color.format == GN_FORMAT_NONE || state->source == SOURCE_SHADER;
-    const uint32_t end =
-        VARYING_PLANES + (state->source == SOURCE_TEXTURE ? VARYING_END : VARYING_S);
-
     b->x = x;
     b->y = y;
     b->columns = columns;
     b->count = 0;
-    for (uint32_t n = 0; n < (is_depth_only ? ONE_OVER_W_PLANE : end); ++n) {
-        const attribute_plane plane = triangle_plane(b->triangle, n);
-
-        set_row_terms(&b->of.terms.rows, n, plane, y);
-        for (uint32_t c = 0; c < columns; ++c)
-            b->of.terms.columns[c].value[n] = columns_from(plane, x + (int32_t)(c * GN_LANES));
-    }
+    set_terms(b, DEPTH_PLANE, ONE_OVER_W_PLANE, state->test_at);
+    if (state->color.format != GN_FORMAT_NONE && state->source != SOURCE_SHADER)
+        set_terms(b, ONE_OVER_W_PLANE,
+                  VARYING_PLANES + (state->source == SOURCE_TEXTURE ? VARYING_END : VARYING_S),
+                  state->shade_at);
     for (uint32_t row = 0; row < SQUARE_SIZE; ++row) {
         for (uint32_t c = 0; c < columns; ++c) {
             b->column[b->count] = (uint8_t)c;

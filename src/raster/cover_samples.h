@@ -27,11 +27,15 @@ typedef struct sampled_square {
 /* A function that shades squares, in order. */
 typedef void samples_function(const void *context, const sampled_square *squares, uint32_t count);
 
+/* Shorter runs are shaded as squares. */
+#define LEAST_SAMPLED_RUN 4
+
 /* Squares that are shaded together, of one or more triangles. */
 #define SAMPLED_SQUARES (GN_SPECIALISED ? 16 : 1)
 
 typedef struct sample_batch {
     samples_function *shade;
+    run_function *runs; /* shades runs of squares all of whose samples are covered, or null */
     const void *context;
     uint32_t count;
     sampled_square square[SAMPLED_SQUARES];
@@ -61,6 +65,24 @@ static inline void add_sampled_square(sample_batch *batch, raster_triangle trian
     batch->count += any != 0;
     if (batch->count == SAMPLED_SQUARES)
         shade_sample_batch(batch);
+}
+
+/* Adds a run of squares all of whose samples are covered. Squares that the batch holds of other
+ * triangles are shaded before, so that every sample sees the triangles in order. */
+static inline void add_sampled_run(sample_batch *batch, raster_triangle triangle, int32_t x,
+                                   int32_t y, int32_t count)
+{
+    static const uint32_t all[GN_SAMPLES] = {GN_ALL_LANES, GN_ALL_LANES, GN_ALL_LANES,
+                                             GN_ALL_LANES};
+
+    if (batch->runs && count >= LEAST_SAMPLED_RUN) {
+        if (batch->count && batch->square[0].triangle.planes != triangle.planes)
+            shade_sample_batch(batch);
+        batch->runs(batch->context, triangle, x, y, (uint32_t)count);
+        return;
+    }
+    for (int32_t n = 0; n < count; ++n)
+        add_sampled_square(batch, triangle, x + n * SQUARE_SIZE, y, all);
 }
 
 /* The three edges of a triangle as each sample sees them: moved by the sample's distance, the other
@@ -131,8 +153,6 @@ static inline bool sample_masks(const sampled_edges *edges, int32_t x, int32_t y
 static inline void cover_samples(const pixel_rectangle *target, const triangle_setup *setup,
                                  const triangle_list *list, uint32_t lane, sample_batch *batch)
 {
-    static const uint32_t all[GN_SAMPLES] = {GN_ALL_LANES, GN_ALL_LANES, GN_ALL_LANES,
-                                             GN_ALL_LANES};
     const raster_triangle triangle = {&setup->plane[0][0][lane]};
     const int32_t left = list->bounds[BOUNDS_MIN_X][lane] & ~(SQUARE_SIZE - 1);
     const int32_t bottom = list->bounds[BOUNDS_MIN_Y][lane] & ~(SQUARE_SIZE - 1);
@@ -156,10 +176,10 @@ static inline void cover_samples(const pixel_rectangle *target, const triangle_s
                 const int32_t last = max_x < target->max_x ? max_x : target->max_x;
                 const int32_t whole = (last + 1 - x) / SQUARE_SIZE;
 
-                for (int32_t n = count_inside(edges.least, c, whole > 1 ? whole : 1); n > 0; --n) {
-                    add_sampled_square(batch, triangle, x, y, all);
-                    x += SQUARE_SIZE;
-                }
+                const int32_t run = count_inside(edges.least, c, whole > 1 ? whole : 1);
+
+                add_sampled_run(batch, triangle, x, y, run);
+                x += run * SQUARE_SIZE;
                 continue;
             }
             goes_on = sample_masks(&edges, x, y, inside, coverage);
