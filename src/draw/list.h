@@ -65,7 +65,7 @@ GN_OUT_OF_LINE void draw_sampled(worker *w, const triangle_list *list)
     sample_batch batch;
 
     batch.shade = shade_sampled_squares;
-    batch.runs = has_sampled_rows(draw->fragment) ? shade_sampled_run : 0;
+    batch.runs = has_rows(draw->fragment) ? shade_sampled_run : 0;
     batch.context = &context;
     batch.count = 0;
     if (w->kind != KIND_TRIANGLE) {

@@ -99,7 +99,7 @@ GN_OUT_OF_LINE void encode_rows(gn_format format, uint32_t a, uint32_t count, bl
     lanes_f color[4];
     lanes_i word[4];
 
-    for (uint32_t n = 0; n < b->columns * SQUARES_IN_ROW; ++n) {
+    for (uint32_t n = 0; n < square_count(b); ++n) {
         for (int c = 0; c < 4; ++c)
             color[c] = b->shaded[n] ? lanes_load(b->color[n * count + a][c]) : lanes_splat(0.0f);
         encode_words(arithmetic, color, word);

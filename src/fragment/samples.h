@@ -82,58 +82,94 @@ static inline uint32_t any_coverage(const sampled_batch *b, uint32_t n)
     return b->coverage[0][n] | b->coverage[1][n] | b->coverage[2][n] | b->coverage[3][n];
 }
 
-/* Applies the shader's decisions to the covered samples of block n; may change the alpha of its
+/* Applies the shader's decisions to the covered samples of a block; may change the alpha of its
  * colours. */
-static void cover_by_shader(const fragment_state *state, sampled_batch *b, uint32_t n,
-                            const shader_verdict *verdict)
+static void cover_by_shader(const fragment_state *state, const shader_verdict *verdict,
+                            float (*color)[4][GN_LANES], uint32_t coverage[GN_SAMPLES])
 {
     const gn_pipeline *p = state->pipeline;
-    float(*const color)[4][GN_LANES] = &b->batch.color[n * shader_colors(state)];
     const lanes_f alpha = lanes_load(color[0][3]);
 
     for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
         const lanes_f least = lanes_splat((float)(int32_t)s * (1.0f / GN_SAMPLES));
 
         if (p->program.fragment_discards)
-            b->coverage[s][n] &= verdict->kept;
+            coverage[s] &= verdict->kept;
         if (verdict->kept_samples)
-            b->coverage[s][n] &= lanes_with_sample(verdict->kept_samples, s);
+            coverage[s] &= lanes_with_sample(verdict->kept_samples, s);
         if (alpha_covers(state))
-            b->coverage[s][n] &= lanes_bits(lanes_not(lanes_less_equal(alpha, least)));
+            coverage[s] &= lanes_bits(lanes_not(lanes_less_equal(alpha, least)));
     }
     for (uint32_t a = 0; p->samples.alpha_to_one && a < shader_colors(state); ++a)
         lanes_store(color[a][3], lanes_splat(1.0f));
 }
 
-/* Runs the shader for a batch. */
-GN_OUT_OF_LINE void shade_samples(const fragment_state *state, sampled_batch *b)
+/* Masks of samples, by lanes, that a shader reads and writes. */
+typedef struct shader_masks {
+    uint32_t covered[GN_LANES], kept[GN_LANES];
+} shader_masks;
+
+/* Sets the masks that the shader reads, and where it writes them. */
+static inline void set_masks(const fragment_state *state, const uint32_t covered[GN_SAMPLES],
+                             shader_masks *masks, shader_verdict *verdict)
 {
     const gn_program *const program = &state->pipeline->program;
-    uint32_t covered[GN_LANES], kept[GN_LANES], coverage[GN_SAMPLES];
+
+    if (program->fragment_reads_sample_mask) {
+        masks_of_lanes(covered, masks->covered);
+        verdict->covered_samples = masks->covered;
+    }
+    verdict->kept_samples = program->fragment_writes_sample_mask ? masks->kept : 0;
+}
+
+/* Runs the shader for a batch of halves. */
+GN_OUT_OF_LINE void shade_samples(const fragment_state *state, sampled_batch *b)
+{
+    uint32_t coverage[GN_SAMPLES];
+    shader_masks masks;
     shader_verdict verdict;
 
     for (uint32_t n = 0; n < b->batch.count; ++n) {
         set_verdict(&verdict);
-        if (program->fragment_reads_sample_mask) {
-            for (uint32_t s = 0; s < GN_SAMPLES; ++s)
-                coverage[s] = b->covered[s][n];
-            masks_of_lanes(coverage, covered);
-            verdict.covered_samples = covered;
-        }
-        verdict.kept_samples = program->fragment_writes_sample_mask ? kept : 0;
+        for (uint32_t s = 0; s < GN_SAMPLES; ++s)
+            coverage[s] = b->covered[s][n];
+        set_masks(state, coverage, &masks, &verdict);
         shader_block(state, &b->batch, n, &verdict);
-        cover_by_shader(state, b, n, &verdict);
+        for (uint32_t s = 0; s < GN_SAMPLES; ++s)
+            coverage[s] = b->coverage[s][n];
+        cover_by_shader(state, &verdict, &b->batch.color[n * shader_colors(state)], coverage);
+        for (uint32_t s = 0; s < GN_SAMPLES; ++s)
+            b->coverage[s][n] = coverage[s];
     }
 }
 
-/* Whether runs of squares all of whose samples are covered may be drawn in rows: the state has rows,
- * and no mask of samples leaves the shader or enters it. */
-static inline bool has_sampled_rows(const fragment_state *state)
+/* Runs the shader for a batch of rows. */
+GN_OUT_OF_LINE void shade_sample_rows(const fragment_state *state, sampled_batch *b)
 {
-    const gn_pipeline *const p = state->pipeline;
+    block_batch *const rows = &b->batch;
+    uint32_t coverage[GN_SAMPLES];
+    shader_masks masks;
+    shader_verdict verdict;
+    shader_call call;
 
-    return has_rows(state) && !alpha_covers(state) && !p->samples.alpha_to_one &&
-           !p->program.fragment_reads_sample_mask && !p->program.fragment_writes_sample_mask;
+    start_shader_calls(state, rows->triangle, &call);
+    set_verdict(&verdict);
+    for (uint32_t n = 0; n < square_count(rows); ++n) {
+        const uint32_t any = covered_in_square(rows, rows->coverage, n);
+
+        rows->shaded[n] = (uint16_t)any;
+        if (!any)
+            continue;
+        for (uint32_t s = 0; s < GN_SAMPLES; ++s)
+            coverage[s] = covered_in_square(rows, b->covered[s], n);
+        set_masks(state, coverage, &masks, &verdict);
+        shader_square(state, rows, n, any, &verdict, &call);
+        for (uint32_t s = 0; s < GN_SAMPLES; ++s)
+            coverage[s] = GN_ALL_LANES;
+        cover_by_shader(state, &verdict, &rows->color[n * shader_colors(state)], coverage);
+        for (uint32_t s = 0; s < GN_SAMPLES; ++s)
+            discard_in_square(rows, b->coverage[s], n, coverage[s]);
+    }
 }
 
 /* Computes the colours of pixels with any sample. */
@@ -141,14 +177,12 @@ static inline void source_samples(const fragment_state *state, sampled_batch *b)
 {
     for (uint32_t n = 0; n < b->batch.count; ++n)
         b->batch.coverage[n] = any_coverage(b, n);
-    if (state->source == SOURCE_SHADER && !is_of_rows(&b->batch)) {
+    if (state->source != SOURCE_SHADER)
+        source_batch(state, &b->batch);
+    else if (is_of_rows(&b->batch))
+        shade_sample_rows(state, b);
+    else
         shade_samples(state, b);
-        return;
-    }
-    source_batch(state, &b->batch);
-    for (uint32_t s = 0; state->is_late && s < GN_SAMPLES; ++s)
-        for (uint32_t n = 0; n < b->batch.count; ++n)
-            b->coverage[s][n] &= b->batch.coverage[n];
 }
 
 /* Tests all samples of a batch. */

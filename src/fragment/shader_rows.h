@@ -5,41 +5,47 @@
 #include "shader.h"
 #include "squares.h"
 
+/* Computes the colours of a square by the fragment shader, after start_shader_calls. The verdict is
+ * set but for `depth`. Colours are numbered as squares are. */
+GN_INLINE void shader_square(const fragment_state *state, block_batch *b, uint32_t square,
+                             uint32_t coverage, shader_verdict *verdict, shader_call *call)
+{
+    const attribute_plane one_over_w = triangle_plane(b->triangle, ONE_OVER_W_PLANE);
+    const pixel_block block = square_block(b->x + (int32_t)(square * SQUARE_SIZE), b->y);
+    GN_ALIGNED_LANES float depth[GN_LANES];
+    block_places places;
+
+    set_square_places(&places, block.x[0], block.y[0], state->shade_at);
+    if (state->pipeline->program.fragment_writes_depth) {
+        lanes_store(depth, plane_at(triangle_plane(b->triangle, DEPTH_PLANE), &places));
+        verdict->depth = depth;
+    }
+    call_shader(state, b->triangle, &block, &places, coverage,
+                lanes_div(lanes_splat(1.0f), plane_at(one_over_w, &places)),
+                b->color[square * shader_colors(state)], verdict, call);
+    if (state->pipeline->program.fragment_writes_depth)
+        store_square((stored_word(*)[GN_LANES])(void *)b->of.terms.depth, b, square,
+                     lanes_as_int(lanes_load(depth)));
+}
+
 /* Computes the colours of a batch of rows by the fragment shader, where squares are covered.
- * Coverage that the shader discards is removed. Colours are numbered as squares are. */
+ * Coverage that the shader discards is removed. */
 GN_OUT_OF_LINE void shader_rows(const fragment_state *state, block_batch *b)
 {
-    const gn_program *const program = &state->pipeline->program;
-    const attribute_plane depth_plane = triangle_plane(b->triangle, DEPTH_PLANE);
-    const attribute_plane one_over_w = triangle_plane(b->triangle, ONE_OVER_W_PLANE);
-    const uint32_t colors = shader_colors(state);
-    GN_ALIGNED_LANES float depth[GN_LANES];
     shader_verdict verdict;
     shader_call call;
-    block_places places;
 
     start_shader_calls(state, b->triangle, &call);
     set_verdict(&verdict);
-    for (uint32_t n = 0; n < b->columns * SQUARES_IN_ROW; ++n) {
-        const uint32_t coverage = covered_in_square(b, n);
-        const pixel_block block = square_block(b->x + (int32_t)(n * SQUARE_SIZE), b->y);
+    for (uint32_t n = 0; n < square_count(b); ++n) {
+        const uint32_t coverage = covered_in_square(b, b->coverage, n);
 
         b->shaded[n] = (uint16_t)coverage;
         if (!coverage)
             continue;
-        set_square_places(&places, block.x[0], block.y[0], state->shade_at);
-        if (program->fragment_writes_depth) {
-            lanes_store(depth, plane_at(depth_plane, &places));
-            verdict.depth = depth;
-        }
-        call_shader(state, b->triangle, &block, &places, coverage,
-                    lanes_div(lanes_splat(1.0f), plane_at(one_over_w, &places)),
-                    b->color[n * colors], &verdict, &call);
-        if (program->fragment_discards)
-            discard_in_square(b, n, verdict.kept);
-        if (program->fragment_writes_depth)
-            store_square((stored_word(*)[GN_LANES])(void *)b->of.terms.depth, b, n,
-                         lanes_as_int(lanes_load(depth)));
+        shader_square(state, b, n, coverage, &verdict, &call);
+        if (state->pipeline->program.fragment_discards)
+            discard_in_square(b, b->coverage, n, verdict.kept);
     }
 }
 

@@ -7,6 +7,12 @@
 
 #include "batch.h"
 
+/* Returns how many squares a batch of rows has. */
+static inline uint32_t square_count(const block_batch *b)
+{
+    return b->columns * SQUARES_IN_ROW;
+}
+
 /* Returns the number of row r of a square's column. */
 static inline uint32_t row_of_square(const block_batch *b, uint32_t square, uint32_t r)
 {
@@ -21,28 +27,30 @@ static inline uint32_t first_of_square(uint32_t square)
 
 #define SQUARE_ROW_COVERED ((1u << SQUARE_SIZE) - 1u)
 
-/* Returns a square's coverage. */
-static inline uint32_t covered_in_square(const block_batch *b, uint32_t square)
+/* Returns a square's part of the coverage of rows. */
+static inline uint32_t covered_in_square(const block_batch *b, const uint32_t *rows,
+                                         uint32_t square)
 {
     uint32_t all = GN_ALL_LANES;
     uint32_t coverage = 0;
 
     for (uint32_t r = 0; r < SQUARE_SIZE; ++r)
-        all &= b->coverage[row_of_square(b, square, r)];
+        all &= rows[row_of_square(b, square, r)];
     if (all == GN_ALL_LANES)
         return all;
     for (uint32_t r = 0; r < SQUARE_SIZE; ++r)
-        coverage |= (b->coverage[row_of_square(b, square, r)] >> first_of_square(square) &
+        coverage |= (rows[row_of_square(b, square, r)] >> first_of_square(square) &
                      SQUARE_ROW_COVERED)
                     << r * SQUARE_SIZE;
     return coverage;
 }
 
-/* Removes a square's fragments that are not kept. */
-static inline void discard_in_square(block_batch *b, uint32_t square, uint32_t kept)
+/* Removes a square's fragments that are not kept from the coverage of rows. */
+static inline void discard_in_square(const block_batch *b, uint32_t *rows, uint32_t square,
+                                     uint32_t kept)
 {
     for (uint32_t r = 0; kept != GN_ALL_LANES && r < SQUARE_SIZE; ++r)
-        b->coverage[row_of_square(b, square, r)] &=
+        rows[row_of_square(b, square, r)] &=
             ~((~kept >> r * SQUARE_SIZE & SQUARE_ROW_COVERED) << first_of_square(square));
 }
 
