@@ -119,9 +119,9 @@ static inline void take_steps(const fragment_context *c, covered_block *blocks, 
 /* Returns the most blocks that a batch has room for, with all of their colours. */
 static inline uint32_t most_together(const fragment_state *state)
 {
-    const uint32_t most = STEP_BLOCKS / shader_colors(state);
+    const uint32_t most = STEP_COLORS / shader_colors(state);
 
-    return most > 0 ? most : 1;
+    return most < STEP_BLOCKS ? most : STEP_BLOCKS;
 }
 
 /* Returns how many of `count` blocks may take the steps together. If colours depend on stored ones,
