@@ -20,14 +20,13 @@ GN_OUT_OF_LINE void light_fragment(const gn_lit_uniforms *u, const gn_fragment_i
  * y of the window. */
 static inline void face_normal(const gn_fragment_input *input, lanes_f normal[3])
 {
-    float x[3][GN_LANES], y[3][GN_LANES];
     lanes_f along_x[3], along_y[3];
 
     for (int c = 0; c < 3; ++c) {
-        derivative_x(input->varying[VARYING_PLACE + c], x[c]);
-        derivative_y(input->varying[VARYING_PLACE + c], y[c]);
-        along_x[c] = lanes_load(x[c]);
-        along_y[c] = lanes_load(y[c]);
+        const lanes_f place = lanes_load(input->varying[VARYING_PLACE + c]);
+
+        along_x[c] = derivative_x(place);
+        along_y[c] = derivative_y(place);
     }
     cross(along_x, along_y, normal);
     normalize(normal);
