@@ -114,6 +114,10 @@ const char *scene_class_name(scene_class c)
         return "mixed";
     case CLASS_SEQUENCES:
         return "sequences";
+    case CLASS_BATCHES:
+        return "batches";
+    case CLASS_BATCH_ENDS:
+        return "batch-ends";
     case CLASS_COUNT:
         break;
     }
@@ -295,6 +299,12 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
     case CLASS_SEQUENCES:
         generate_sequences(&b);
         break;
+    case CLASS_BATCHES:
+        generate_batches(&b);
+        break;
+    case CLASS_BATCH_ENDS:
+        generate_batch_ends(&b);
+        break;
     case CLASS_ATTACHMENTS:
         generate_attachments(&b);
         break;
@@ -308,8 +318,9 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         generate_mixed(&b);
         break;
     }
-    if ((c == CLASS_MIXED || c == CLASS_SEQUENCES || c == CLASS_SHADERS || c == CLASS_SHADOWED) &&
-        random_chance(&b.random, 20))
+    const bool may_be_sampled = c == CLASS_MIXED || c == CLASS_SEQUENCES || c == CLASS_SHADERS ||
+                                c == CLASS_SHADOWED || c == CLASS_BATCHES || c == CLASS_BATCH_ENDS;
+    if (may_be_sampled && random_chance(&b.random, 20))
         make_sampled(&b.random, b.scene);
     return builder_end(&b);
 }

@@ -59,6 +59,8 @@ typedef enum scene_class {
     CLASS_MASKS,             /* sample masks that shaders read and write */
     CLASS_MIXED,             /* several draws, each of one of the classes above */
     CLASS_SEQUENCES,         /* 7 to 20 draws, all states at random, clears between some */
+    CLASS_BATCHES,           /* overlapping triangles that share batches, in every kind of state */
+    CLASS_BATCH_ENDS,        /* batches that end within a triangle, a row or a draw */
     CLASS_COUNT
 } scene_class;
 

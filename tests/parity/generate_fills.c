@@ -34,7 +34,7 @@ static void shape_fill(builder *b)
         builder_index(b, base + order[k]);
 }
 
-static void *random_picture(builder *b)
+void *random_picture(builder *b)
 {
     random_source *r = &b->random;
     const uint32_t side = 1u << random_below(r, 6);

@@ -121,6 +121,10 @@ void free_shading(shading_memory *memory);
 void *random_sampling(builder *b, gn_texture_target target, uint32_t levels, bool depths);
 void *random_any_sampling(builder *b);
 
+/* Sets a lit shader with a texture of one level for the next draw. Returns the texels; the caller
+ * frees them after the draw. */
+void *random_picture(builder *b);
+
 /* The generators, one per class; each begins with the target. */
 void generate_meshes(builder *b);
 void generate_piles(builder *b);
@@ -166,6 +170,8 @@ void generate_outlines(builder *b);
 void generate_mixed(builder *b);
 
 void generate_sequences(builder *b);
+void generate_batches(builder *b);
+void generate_batch_ends(builder *b);
 
 /* Adds a draw whose states are all chosen independently; without blending unless may_blend. */
 void varied_draw(builder *b, bool may_blend);
