@@ -29,9 +29,10 @@ GN_BEGIN
  * run it. Returns true for GN_BACKEND_AUTO and false for values that are no gn_backend. */
 GN_API bool gn_backend_available(gn_backend backend);
 
-/* Returns the fastest available back end. Asking the processor takes 20 microseconds on some
- * virtual machines: a program with many small draws should ask once and name the answer in its
- * workspace. */
+/* Returns the available back end that is fastest on the whole: measured on some processors, decided
+ * by family and model on others (src/config/processor.h in the sources). Another may be faster in
+ * some state. Asking the processor takes 20 microseconds on some virtual machines: a program with
+ * many small draws should ask once and name the answer in its workspace. */
 GN_API gn_backend gn_backend_best(void);
 
 /* Returns the name: "portable", "sse2" and so on; "unknown" for a value that is no gn_backend. */

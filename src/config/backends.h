@@ -10,6 +10,7 @@
  * - src/lanes/target_begin.h: its instruction set, unless every processor of the target has it;
  * - src/backends/name.c and shading_name.c: copies of avx2.c and shading_avx2.c with other names;
  * - src/config/choose.c: how the processor is asked, if GN_HAVE_NAME can be GN_PRESENT_ASKED;
+ * - src/config/processor.h: on which processors it is not the fastest;
  * - tools/gnomon/picture_help.c: its name in --help;
  * - tests/programs.mk: LANES_FORMS, so that test-lanes compares its operations with the portable
  *   ones, and EMULATED_SOURCES, if tests/portability/emulated.h emulates it.
@@ -88,7 +89,7 @@
 
 /* ROW(X, name in functions and files, name in constants, whether compiled, printed name). The rows
  * are in gn_backend's order: a processor that has an asked back end also has the back ends of its
- * target in the rows before, which are slower. */
+ * target in the rows before, which are slower on most processors (processor.h). */
 #define GN_BACKEND_ROWS(ROW, X)                                                                    \
     ROW(X, portable, PORTABLE, GN_HAVE_PORTABLE, "portable")                                       \
     ROW(X, sse2, SSE2, GN_HAVE_SSE2, "sse2")                                                       \

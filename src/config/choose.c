@@ -1,37 +1,62 @@
-/* Finds out which back ends the processor can run. */
+/* Finds out which back ends the processor can run, and which of them is fastest. */
 #include <gnomon/backend.h>
 
 #include "backends.h"
 
 #if GN_HAVE_AVX2
 #include <cpuid.h>
-#include <stdint.h>
 
-/* Returns the best back end of an x86 processor. Every such processor has SSE2, and one with
- * AVX-512 has AVX2. The processor must have the registers, and the operating system must save them:
- * it says so by OSXSAVE and by bits of XCR0, 1 and 2 for AVX2, and also 5 to 7 (mask registers, the
- * upper halves of 16 registers, 16 more) for AVX-512 (Intel SDM volume 1, sections 14.3 and
- * 15.2). */
-static gn_backend best_of_x86(void)
+#include "processor.h"
+
+/* Returns the last back end that an x86 processor can run; it can also run those before. Sets its
+ * signature. Every such processor has SSE2, and one with AVX-512 has AVX2. The processor must have
+ * the registers, and the operating system must save them: it says so by OSXSAVE and by bits of
+ * XCR0, 1 and 2 for AVX2, and also 5 to 7 (mask registers, the upper halves of 16 registers, 16
+ * more) for AVX-512 (Intel SDM volume 1, sections 14.3 and 15.2). */
+static gn_backend last_of_x86(uint32_t *signature)
 {
     const uint32_t avx512 = bit_AVX512F | bit_AVX512DQ | bit_AVX512BW | bit_AVX512VL;
     uint32_t a, b, c, d, low, high;
 
-    if (!__get_cpuid(1, &a, &b, &c, &d) || (c & bit_OSXSAVE) == 0 || (c & bit_AVX) == 0)
+    if (!__get_cpuid(1, signature, &b, &c, &d) || (c & bit_OSXSAVE) == 0 || (c & bit_AVX) == 0)
         return GN_BACKEND_SSE2;
     __asm__ volatile("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
     if ((low & 0x06u) != 0x06u || !__get_cpuid_count(7, 0, &a, &b, &c, &d) || (b & bit_AVX2) == 0)
         return GN_BACKEND_SSE2;
     return (low & 0xE0u) == 0xE0u && (b & avx512) == avx512 ? GN_BACKEND_AVX512 : GN_BACKEND_AVX2;
 }
+
+static uint32_t vendor_of_x86(void)
+{
+    uint32_t vendor = 0;
+
+    __get_cpuid_max(0, &vendor);
+    return vendor;
+}
 #endif
 
 gn_backend gn_backend_best(void)
 {
 #if GN_HAVE_AVX2
-    return best_of_x86();
+    uint32_t signature = 0;
+    const gn_backend last = last_of_x86(&signature);
+
+    return last == GN_BACKEND_AVX512 && prefers_avx2(vendor_of_x86(), signature) ? GN_BACKEND_AVX2
+                                                                                 : last;
 #else
     return backend_of_every_processor();
+#endif
+}
+
+/* Returns whether the processor can run a back end of its target's. */
+static bool runs(gn_backend backend)
+{
+#if GN_HAVE_AVX2
+    uint32_t signature = 0;
+
+    return last_of_x86(&signature) >= backend;
+#else
+    return backend_of_every_processor() >= backend;
 #endif
 }
 
@@ -50,7 +75,7 @@ bool gn_backend_available(gn_backend backend)
 {
     const int presence = presence_of(backend);
 
-    return presence == GN_PRESENT_ASKED ? gn_backend_best() >= backend : presence != GN_ABSENT;
+    return presence == GN_PRESENT_ASKED ? runs(backend) : presence != GN_ABSENT;
 }
 
 /* Every value of gn_backend but GN_BACKEND_AUTO has a row in GN_BACKENDS. */
