@@ -120,7 +120,7 @@ $(eval $(call program,gnomon,$(COMMAND_SOURCES) $(REFERENCE_SOURCES) $(LIBRARY),
 $(eval $(call program,bench,$(BENCH_SOURCES) $(filter-out %/main.c,$(COMMAND_SOURCES)) $(THREADS_SOURCES) \
 	$(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lOSMesa -lm -pthread))
 
-$(eval $(call program,bench-states,$(STATES_SOURCES) $(addprefix tools/bench/,renderer.c protocol.c median.c scenes.c \
+$(eval $(call program,bench-states,$(STATES_SOURCES) $(addprefix tools/bench/,chosen.c renderer.c protocol.c median.c scenes.c \
 	plot_parts.c) $(REFERENCE_SOURCES) $(LIBRARY),-lOSMesa -lm))
 
 # Users' shaders, once per instruction set (reference/scene/user_shaders.h). Without these flags the

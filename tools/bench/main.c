@@ -1,10 +1,12 @@
 /* The benchmark: the library and OSMesa's llvmpipe draw scenes, each renderer in its own process
  * and frame by frame in turn, so that ratios hold even if absolute times drift. */
 #include <inttypes.h>
+#include <math.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "chosen.h"
 #include "maths.h"
 #include "measure.h"
 #include "plot.h"
@@ -179,18 +181,41 @@ static bool has_scene(const options *o)
     return found;
 }
 
+/* Sets the geometric mean of each back end's ratios in one thread, with shaders over lanes. */
+static void means_of_backends(const record_list *list, double mean[GN_BACKEND_COUNT])
+{
+    for (int b = 0; b < GN_BACKEND_COUNT; ++b) {
+        double sum = 0.0;
+        int count = 0;
+
+        for (size_t i = 0; i < list->count; ++i) {
+            const record *const r = &list->records[i];
+
+            if (r->threads != 1 || strcmp(r->renderer, "gnomon") != 0 || !(r->ratio > 0.0) ||
+                strcmp(r->backend, gn_backend_name((gn_backend)b)) != 0)
+                continue;
+            sum += log(r->ratio);
+            ++count;
+        }
+        mean[b] = count > 0 ? exp(sum / count) : 0.0;
+    }
+}
+
 /* Prints the last lines; returns false if pixels differ that must be equal. */
 static bool report(const family *f, const record_list *list)
 {
     const renderer *tuned = f->renderers[RENDERER_TUNED].process ? &f->renderers[RENDERER_TUNED]
                                                                  : &f->renderers[RENDERER_TUNED_2];
     const uint64_t differing = gnomon_differing(list);
+    double mean[GN_BACKEND_COUNT];
 
     printf("Gnomon beside %s\n", tuned->text);
     printf("bench: Gnomon's frames beside the pinned reference's: %" PRIu64 " differing\n",
            differing);
     if (!f->is_contract)
         printf("This is not Mesa 22.3, for which bit equality is promised.\n");
+    means_of_backends(list, mean);
+    chosen_print(stdout, "bench", mean);
     return differing == 0 || !f->is_contract;
 }
 

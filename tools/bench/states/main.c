@@ -8,6 +8,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "../chosen.h"
 #include "measure.h"
 #include "rows.h"
 #include "scene_format.h"
@@ -244,6 +245,7 @@ static size_t measure_rows(const options *o, state_children *children, state_res
 /* Prints the last lines; returns false if a row failed or pixels differ that must be equal. */
 static bool report(const state_children *children, const state_result *results, size_t count)
 {
+    double mean[GN_BACKEND_COUNT] = {0.0};
     uint64_t differing = 0;
     size_t failed = 0;
 
@@ -261,7 +263,8 @@ static bool report(const state_children *children, const state_result *results, 
     if (!children->is_contract)
         printf("This is not Mesa 22.3, for which bit equality is promised.\n");
     for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b)
-        results_print_close(stdout, results, count, (gn_backend)b);
+        mean[b] = results_print_close(stdout, results, count, (gn_backend)b);
+    chosen_print(stdout, "states", mean);
     return failed == 0 && (differing == 0 || !children->is_contract);
 }
 

@@ -39,7 +39,7 @@ void results_print(FILE *out, const state_result *r)
     fflush(out);
 }
 
-void results_print_close(FILE *out, const state_result *results, size_t count, gn_backend backend)
+double results_print_close(FILE *out, const state_result *results, size_t count, gn_backend backend)
 {
     const state_result *smallest = NULL;
     double sum = 0.0;
@@ -57,11 +57,12 @@ void results_print_close(FILE *out, const state_result *results, size_t count, g
             smallest = r;
     }
     if (!smallest)
-        return;
+        return 0.0;
     fprintf(out, "states, %s: %zu rows, geometric mean %.2f, smallest %.2f (%s)\n",
             gn_backend_name(backend), rows, exp(sum / (double)rows), state_ratio(smallest, backend),
             smallest->name);
     fprintf(out, "states, %s: %zu of %zu rows below 1\n", gn_backend_name(backend), below, rows);
+    return exp(sum / (double)rows);
 }
 
 static bool fault(const char *doing, const char *name, const char *why)

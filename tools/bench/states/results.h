@@ -26,8 +26,10 @@ void results_print_head(FILE *out, const bool wanted[GN_BACKEND_COUNT]);
 void results_print(FILE *out, const state_result *r);
 
 /* Prints how many rows a back end has, their geometric mean, the smallest, and how many are below
- * 1. Rows of STATE_FIXED do not count. Prints nothing if the back end has no rows. */
-void results_print_close(FILE *out, const state_result *results, size_t count, gn_backend backend);
+ * 1. Rows of STATE_FIXED do not count. Returns the geometric mean. Prints nothing and returns 0 if
+ * the back end has no rows. */
+double results_print_close(FILE *out, const state_result *results, size_t count,
+                           gn_backend backend);
 
 /* Writes a list of objects, one per row and back end, one object per line. Returns false, with a
  * message on standard error, if the file cannot be written. */
