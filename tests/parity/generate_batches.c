@@ -139,14 +139,16 @@ static void random_depths(random_source *r, corners *c)
     }
 }
 
-/* A triangle of a few pixels, of a few squares, of most of the target or beyond, or a sliver. */
-static corners random_corners(builder *b, const float middle[2])
+/* A triangle of a few pixels, of a few squares, of most of the target or beyond, or a sliver;
+ * mostly a large one if `large`. */
+static corners random_corners(builder *b, const float middle[2], bool large)
 {
     random_source *r = &b->random;
-    const uint32_t kind = random_below(r, 8);
+    const uint32_t kind =
+        random_chance(r, large ? 70 : 0) ? 5 + random_below(r, 2) : random_below(r, 8);
     const float reach = kind < 3   ? random_float(r, 0.5f, 4.0f)
                         : kind < 5 ? random_float(r, 4.0f, 16.0f)
-                                   : random_float(r, 16.0f, 150.0f);
+                                   : random_float(r, 32.0f, 200.0f);
     corners c;
     for (int k = 0; k < 3; ++k)
         for (int axis = 0; axis < 2; ++axis)
@@ -189,6 +191,7 @@ static void shape_copies(builder *b, uint32_t count)
     random_source *r = &b->random;
     const gn_viewport view = builder_viewport(b);
     const uint32_t bases = 1 + random_below(r, 4);
+    const bool large = random_chance(r, 50);
     corners base[4];
     float middle[2];
     for (uint32_t i = 0; i < bases; ++i) {
@@ -196,7 +199,7 @@ static void shape_copies(builder *b, uint32_t count)
             middle[0] = view.x + random_unit(r) * view.width;
             middle[1] = view.y + random_unit(r) * view.height;
         }
-        base[i] = random_corners(b, middle);
+        base[i] = random_corners(b, middle, large);
     }
     for (uint32_t i = 0; i < count; ++i) {
         const corners c = varied(r, &base[random_below(r, bases)]);
@@ -223,7 +226,7 @@ static uint32_t draws_of(builder *b, uint32_t most)
 void generate_batches(builder *b)
 {
     random_source *r = &b->random;
-    const uint32_t width = 8 + random_below(r, 89), height = 8 + random_below(r, 89);
+    const uint32_t width = 8 + random_below(r, 121), height = 8 + random_below(r, 89);
     batch_target(b, width, height);
     const uint32_t draws = draws_of(b, 3);
     for (uint32_t i = 0; i < draws; ++i) {
