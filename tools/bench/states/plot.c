@@ -22,6 +22,11 @@ static const style styles[] = {{"portable", "C", "#9aa0a6"},
                                {"neon", "NEON", "#188038"}};
 enum { STYLES = sizeof styles / sizeof *styles };
 
+/* The ratios beyond which dots stand at the end of the axis, with the ratio as text: a few clears
+ * would otherwise take half of every axis. */
+#define LEAST_RATIO 0.125
+#define GREATEST_RATIO 16.0
+
 /* The ratios at the two ends of the axes. */
 typedef struct range {
     double low, high;
@@ -47,12 +52,16 @@ static range range_of(const state_result *results, size_t count)
             }
         }
     }
+    r.low = fmax(r.low, LEAST_RATIO);
+    r.high = fmin(r.high, GREATEST_RATIO);
     return r;
 }
 
 static double place_of(const range *r, double ratio)
 {
-    return AXIS * log(ratio / r->low) / log(r->high / r->low);
+    const double shown = fmin(fmax(ratio, r->low), r->high);
+
+    return AXIS * log(shown / r->low) / log(r->high / r->low);
 }
 
 static bool begins_group(const state_result *results, size_t first, size_t i)
@@ -79,8 +88,31 @@ static void plot_axis(FILE *out, double x, double y, double height, const range 
         if (ratio < r->low || ratio > r->high)
             continue;
         part_line(out, at, y, at, y + height, power == 0 ? INK : FAINT, power == 0 ? 1.5 : 1.0);
-        part_text(out, at, y - 4, ANCHOR_MIDDLE, 10, MIDDLING, "%g", ratio);
+        if (power < 0)
+            part_text(out, at, y - 4, ANCHOR_MIDDLE, 10, MIDDLING, "1/%g", 1.0 / ratio);
+        else
+            part_text(out, at, y - 4, ANCHOR_MIDDLE, 10, MIDDLING, "%g", ratio);
     }
+}
+
+/* Draws a row's dots, a line that leads to them, and the largest ratio as text if it is beyond the
+ * axis. */
+static void plot_row(FILE *out, const state_result *at, double x, double y, const range *r)
+{
+    double greatest = 0.0;
+
+    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b)
+        if (state_has(at, (gn_backend)b))
+            greatest = fmax(greatest, state_ratio(at, (gn_backend)b));
+    if (!(greatest > 0.0))
+        return;
+    part_line(out, x, y, x + place_of(r, greatest), y, FAINT, 1.0);
+    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b)
+        if (state_has(at, (gn_backend)b))
+            part_dot(out, x + place_of(r, state_ratio(at, (gn_backend)b)), y,
+                     color_of((gn_backend)b));
+    if (greatest > r->high)
+        part_text(out, x + AXIS + 6, y + 3, ANCHOR_START, 10, MIDDLING, "%.0f", greatest);
 }
 
 static void plot_column(FILE *out, const state_result *results, size_t first, size_t end, double x,
@@ -97,10 +129,7 @@ static void plot_column(FILE *out, const state_result *results, size_t first, si
             part_text(out, x, y - 4, ANCHOR_START, 12, INK, "%s", at->group);
         }
         part_text(out, x + LABELS - 8, y + 9, ANCHOR_END, 10, INK, "%s", at->name);
-        for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b)
-            if (state_has(at, (gn_backend)b))
-                part_dot(out, x + LABELS + place_of(r, state_ratio(at, (gn_backend)b)), y + 6,
-                         color_of((gn_backend)b));
+        plot_row(out, at, x + LABELS, y + 6, r);
         y += STEP;
     }
 }
