@@ -51,7 +51,7 @@ EMULATED_SCENES = 2200
 else
 WHOLE_STEPS = 'other machines=tests/portability/cross.sh $(BUILD) --scenes 110 aarch64 wasm wasm-simd128' \
 	'little code=tests/portability/cross.sh $(BUILD) --scenes 330 small one-lane' \
-	'whole program$(comma) memory=tests/portability/cross.sh $(BUILD) --scenes 106 whole-program memory'
+	'whole program$(comma) memory=tests/portability/cross.sh $(BUILD) --scenes 110 whole-program memory'
 EMULATED_SCENES = 550
 endif
 

@@ -259,7 +259,8 @@ static rectangle random_run(builder *b)
     run.y = random_below(r, b->scene->height);
     if (random_chance(r, 30))
         run.x &= ~(uint32_t)(SQUARE - 1);
-    run.width = SQUARE * count_near_end(r, RUN_LIMIT) + random_below(r, 3);
+    run.width = SQUARE * count_near_end(r, RUN_LIMIT);
+    run.width += random_below(r, 3);
     run.height = 1 + random_below(r, 3 * SQUARE);
     return run;
 }
