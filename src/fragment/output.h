@@ -58,14 +58,13 @@ GN_INLINE int number_words(color_arithmetic arithmetic)
 /* Encodes colours as numbers. */
 GN_INLINE void encode_words(color_arithmetic arithmetic, const lanes_f color[4], lanes_i word[4])
 {
-    if (arithmetic == ARITHMETIC_BYTES) {
+    if (arithmetic == ARITHMETIC_BYTES)
         word[0] = encode_rgba8(color);
-    } else if (arithmetic == ARITHMETIC_SHORTS) {
+    else if (arithmetic == ARITHMETIC_SHORTS)
         encode_shorts(color, word);
-    } else {
+    else
         for (int c = 0; c < 4; ++c)
             word[c] = lanes_as_int(color[c]);
-    }
 }
 
 /* Writes the colours of block n as numbers. */

@@ -199,8 +199,8 @@ static inline void test_samples(const fragment_state *state, sampled_batch *b)
     }
 }
 
-/* Removes blocks of which no sample passed. A shader's rows stay together in squares; there are none
- * if no sample passed at all. */
+/* Removes blocks of which no sample passed. A shader's rows stay together in squares; there are
+ * none if no sample passed at all. */
 static inline void compact_samples(const fragment_state *state, sampled_batch *b)
 {
     const bool is_of_squares = is_of_rows(&b->batch) && calls_shader(state);

@@ -209,8 +209,7 @@ GN_INLINE void call_shader(const fragment_state *state, raster_triangle triangle
         set_asked_inputs(state->pipeline, triangle, &at, &in_memory, verdict, &call->asked,
                          &call->input, &call->output);
     }
-    state->shading->fragment_shader(state->pipeline->program.uniforms, &call->input,
-                                    &call->output);
+    state->shading->fragment_shader(state->pipeline->program.uniforms, &call->input, &call->output);
     verdict->kept = call->output.kept;
 }
 

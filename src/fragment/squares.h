@@ -1,7 +1,7 @@
 /* Squares of a batch of rows. A shader receives squares, for its derivatives; tests and outputs are
  * faster for rows. So a shader's batch of rows is shaded in squares: each column of 16 pixels has
- * SQUARES_IN_ROW squares, and lanes 4r to 4r + 3 of a square are part of row r. Squares are numbered
- * from left to right. */
+ * SQUARES_IN_ROW squares, and lanes 4r to 4r + 3 of a square are part of row r. Squares are
+ * numbered from left to right. */
 #ifndef GN_FRAGMENT_SQUARES_H
 #define GN_FRAGMENT_SQUARES_H
 
@@ -39,9 +39,9 @@ static inline uint32_t covered_in_square(const block_batch *b, const uint32_t *r
     if (all == GN_ALL_LANES)
         return all;
     for (uint32_t r = 0; r < SQUARE_SIZE; ++r)
-        coverage |= (rows[row_of_square(b, square, r)] >> first_of_square(square) &
-                     SQUARE_ROW_COVERED)
-                    << r * SQUARE_SIZE;
+        coverage |=
+            (rows[row_of_square(b, square, r)] >> first_of_square(square) & SQUARE_ROW_COVERED)
+            << r * SQUARE_SIZE;
     return coverage;
 }
 

@@ -174,8 +174,8 @@ static inline void step_rest(const void *context, blocks_function *shade, raster
         shade(context, block, count);
 }
 
-/* Sets the terms of a batch of rows for the attributes from `first` up to, but not including, `end`.
- * `inside` says where in their pixels the attributes are needed. */
+/* Sets the terms of a batch of rows for the attributes from `first` up to, but not including,
+ * `end`. `inside` says where in their pixels the attributes are needed. */
 static inline void set_terms(block_batch *b, uint32_t first, uint32_t end, const float inside[2])
 {
     for (uint32_t n = first; n < end; ++n) {
@@ -302,7 +302,7 @@ static inline fragment_functions fragment_functions_of(const fragment_state *sta
     if (state->depth.format == fused_depth_format && source == fused_source &&                     \
         has_color == fused_has_color) {                                                            \
         f.blocks = fused_##name##_blocks;                                                          \
-        if (rows && fused_source != SOURCE_SHADER)                                                  \
+        if (rows && fused_source != SOURCE_SHADER)                                                 \
             f.runs = fused_##name##_run;                                                           \
     }
     GN_FUSED_STATES(GN_SELECT_FUSED)

@@ -17,5 +17,6 @@ void gn_derivative_width(const float value[GN_LANES], float out[GN_LANES])
 {
     const lanes_f at = lanes_load(value);
 
-    lanes_store(out, lanes_add(lanes_magnitude(derivative_x(at)), lanes_magnitude(derivative_y(at))));
+    lanes_store(out,
+                lanes_add(lanes_magnitude(derivative_x(at)), lanes_magnitude(derivative_y(at))));
 }
