@@ -52,14 +52,17 @@ static inline void add_position(const float (*restrict position)[GN_LANES],
     }
 }
 
-/* Keeps the fragments whose alpha is not below one half. */
-static inline uint32_t keep_opaque(const float *alpha)
+/* Returns the lanes whose alpha is below one half. A table takes the place of shifts, which not all
+ * processors have for vectors of different counts. */
+static inline uint32_t transparent_lanes(const float *alpha)
 {
-    uint32_t discarded = 0;
+    static const uint32_t bit[16] = {1,   2,   4,    8,    16,   32,   64,    128,
+                                     256, 512, 1024, 2048, 4096, 8192, 16384, 32768};
+    uint32_t lanes = 0;
 
     for (int l = 0; l < GN_LANES; ++l)
-        discarded |= (alpha[l] < 0.5f ? 1u : 0u) << l;
-    return ~discarded;
+        lanes |= alpha[l] < 0.5f ? bit[l] : 0;
+    return lanes;
 }
 
 /* Does what the pipeline asks for: the pointers that are not null tell. */
@@ -67,7 +70,7 @@ static void shade_inputs(const void *uniforms, const gn_fragment_input *in, gn_f
 {
     (void)uniforms;
     shade_varyings(in, in->varying, out->color);
-    out->kept &= keep_opaque(in->varying[ALPHA]);
+    out->kept &= ~transparent_lanes(in->varying[ALPHA]);
     if (out->depth)
         memcpy(out->depth, in->varying[BLUE], GN_LANES * sizeof *out->depth);
     if (in->point_coordinate)
