@@ -14,21 +14,32 @@ static inline lanes_i float_words(lanes_f a)
                           lanes_i_splat((int32_t)GN_NAN_BITS));
 }
 
-/* Returns the value of a half in the low bits. A NaN keeps its sign and payload. */
+/* Returns the value of a small float whose sign, 5 bits of exponent and fraction stand where a
+ * float has its sign, the low 5 bits of its exponent and its fraction. A NaN keeps its sign and
+ * payload. No operand or result is denormal, which some processors compute slowly. */
+static inline lanes_f placed_float_value(lanes_i placed)
+{
+    const lanes_i sign = lanes_i_and(placed, lanes_i_splat(INT32_MIN));
+    const lanes_i size = lanes_i_and(placed, lanes_i_splat(INT32_MAX));
+    /* Below 2^-14, where small floats have no leading bit, `normal` is half the value plus 2^-15.
+     * From 2^-14 on it is the value, and not above its double less 2^-14. */
+    const lanes_f normal = lanes_as_float(lanes_i_add(size, lanes_i_splat(0x38000000)));
+    const lanes_f value =
+        lanes_min(normal, lanes_sub(lanes_add(normal, normal), lanes_splat(0x1p-14f)));
+    /* Infinities and NaN are 2^16 or more, which no finite one is. */
+    const lanes_i special = lanes_i_and(lanes_m_as_int(lanes_greater(value, lanes_splat(65504.0f))),
+                                        lanes_i_splat(0x7F800000));
+
+    return lanes_as_float(lanes_i_or(lanes_i_or(lanes_as_int(value), special), sign));
+}
+
+/* Returns the value of a half in the low bits. */
 static inline lanes_f half_value(lanes_i half)
 {
-    const lanes_i size = lanes_i_and(half, lanes_i_splat(0x7FFF));
-    const lanes_i sign = lanes_i_shift_left(lanes_i_and(half, lanes_i_splat(0x8000)), 16);
-    const lanes_i moved = lanes_i_shift_left(size, 13);
-    const lanes_i normal = lanes_i_add(moved, lanes_i_splat(0x38000000));
-    /* Below 2^-14 halves are multiples of 2^-24. */
-    const lanes_i small = lanes_as_int(lanes_mul(lanes_to_float(size), lanes_splat(0x1p-24f)));
-    const lanes_i special = lanes_i_or(moved, lanes_i_splat(0x7F800000));
-    const lanes_i finite =
-        lanes_i_select(lanes_i_greater(lanes_i_splat(0x0400), size), small, normal);
+    /* The arithmetic shift spreads the sign over the bits above the exponent. */
+    const lanes_i spread = lanes_i_shift_right(lanes_i_shift_left(half, 16), 3);
 
-    return lanes_as_float(lanes_i_or(
-        lanes_i_select(lanes_i_greater(size, lanes_i_splat(0x7BFF)), special, finite), sign));
+    return placed_float_value(lanes_i_and(spread, lanes_i_splat((int32_t)0x8FFFE000u)));
 }
 
 /* Returns the half in the low bits. Rounds toward zero: finite values beyond the largest half

@@ -112,20 +112,22 @@ static inline void take_sample(const lookup_state *state, const anisotropy *a, i
     const lanes_m is_there = has_sample(a, i);
     const lanes_f weight = lanes_splat(1.0f / (float)i);
 
-    for (int c = 0; c < state->channels; ++c)
+    for (int c = 0; c < state->format->channels; ++c)
         mean[c] = lanes_select(is_there, mix(weight, mean[c], sample[c]), mean[c]);
 }
 
-/* Moves a place to coordinates; for cubes to a direction. */
+/* Moves a place to coordinates, which are kept in `moved`; for cubes to a direction. */
 static inline void move_place(const lookup_state *state, const lanes_f at[3], bool has_gradients,
-                              cube_place *cube, lookup_place *place)
+                              float moved[3][GN_LANES], cube_place *cube, lookup_place *place)
 {
     if (state->target == GN_TEXTURE_CUBE) {
         cube_project(at, has_gradients, cube);
         return;
     }
-    for (int n = 0; n < state->dimensions; ++n)
-        place->coordinate[n] = at[n];
+    for (int n = 0; n < state->dimensions; ++n) {
+        lanes_store(moved[n], at[n]);
+        place->coordinate[n] = moved[n];
+    }
 }
 
 /* A gn_sample_function for samplers of more than one sample a lookup. */
@@ -139,15 +141,16 @@ GN_OUT_OF_LINE void sample_anisotropic(const gn_texture *texture, const gn_sampl
     level_choice choice;
     anisotropy a;
     lanes_f at[3], sample[4], mean[4];
+    float moved[3][GN_LANES];
     uint32_t linear, mixed;
 
-    set_lookup(texture, sampler, lookup, has_gradients, &state, &place, &cube);
+    set_long_lookup(texture, sampler, lookup, has_gradients, &state, &place, &cube);
     find_anisotropy(&state, sampler, &place, lookup, &a);
     find_levels(&state, sampler, &place, lookup, &a.footprint, &choice);
     choose_filters(&state, sampler, lookup, &choice, &linear, &mixed);
     for (int i = 1; i == 1 || lanes_bits(has_sample(&a, i)) != 0; ++i) {
         find_sample(&a, i, at);
-        move_place(&state, at, has_gradients, &cube, &place);
+        move_place(&state, at, has_gradients, moved, &cube, &place);
         filter_levels(&state, &place, &choice, linear, mixed, i == 1 ? mean : sample);
         if (i > 1)
             take_sample(&state, &a, i, sample, mean);

@@ -95,6 +95,16 @@ GN_OUT_OF_LINE void fetch_cube_texels(const lookup_state *state, const lookup_pl
         fetch_cube_texel(state, place, level, levels, &size, texels, i, texel[i]);
 }
 
+/* Mixes one channel of two texels along the first dimension; the results of comparisons are mixed
+ * differently from colours. */
+static inline lanes_f mix_along_s(const lookup_state *state, int channel, lanes_f weight,
+                                  lanes_f first, lanes_f second)
+{
+    return state->compare != GN_COMPARE_DEFAULT && channel == 0
+               ? mix_compared(weight, first, second)
+               : mix(weight, first, second);
+}
+
 /* Mixes the four texels as filter_linear does for other targets. */
 GN_OUT_OF_LINE void mix_cube_texels(const lookup_state *state, const lookup_place *place,
                                     const lanes_i *level, uint32_t levels,
@@ -112,7 +122,7 @@ GN_OUT_OF_LINE void mix_cube_texels(const lookup_state *state, const lookup_plac
     cube_weights(texels, weight);
     /* The sum of the weights may be a little less than 1, so channels that the format lacks are
      * left out: they stay 0 or 1. */
-    for (int c = 0; c < texel_channels(state->texture->format); ++c) {
+    for (int c = 0; c < state->format->channels; ++c) {
         const lanes_f of_channel[CUBE_TEXELS] = {corner[0][c], corner[1][c], corner[2][c],
                                                  corner[3][c]};
 
@@ -127,18 +137,24 @@ static inline void mix_cube_rows(const lookup_state *state, const lookup_place *
 {
     texel_layout layout;
     linear_axis axis[2];
+    texel_square at;
 
-    set_texel_layout(&layout, state->texture, level);
+    gn_lay_out_texels(state->texture, level, &layout);
     for (int n = 0; n < 2; ++n) {
-        axis[n].at[0] = in_units(&layout, n, n == 0 ? texels->left : texels->below);
-        axis[n].at[1] = lanes_i_add(axis[n].at[0], lanes_i_splat(layout.unit[n]));
+        axis[n].first = in_units(&layout, n, n == 0 ? texels->left : texels->below);
+        axis[n].step = lanes_i_splat(layout.unit[n]);
         axis[n].weight = n == 0 ? texels->weight_s : texels->weight_t;
         axis[n].has_outside = false;
         axis[n].are_neighbours = true;
     }
 
     const lanes_i face = in_units(&layout, 2, place->cube->face);
-    mix_rows(state, &layout, place, axis, &face, 0, texel);
+    at.count = CORNER_COUNT;
+    at.s = &axis[0];
+    at.t = &axis[1];
+    at.layer = &face;
+    at.outside = 0;
+    mix_square(state, &layout, place, &at, texel);
 }
 
 GN_OUT_OF_LINE void filter_cube_linear(const lookup_state *state, const lookup_place *place,
@@ -174,7 +190,7 @@ GN_OUT_OF_LINE void filter_cube(const lookup_state *state, const lookup_place *p
     if (linear_quads == GN_ALL_LANES)
         return;
     filter_cube_nearest(state, place, level, levels, nearest);
-    for (int c = 0; c < state->channels; ++c)
+    for (int c = 0; c < state->format->channels; ++c)
         texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
 }
 

@@ -5,6 +5,7 @@
 
 #include <gnomon/sampling.h>
 
+#include "extent.h"
 #include "texel.h"
 
 /* Returns the lanes where 0 <= number < count. */

@@ -11,29 +11,22 @@
 /* Values that are constant for all lanes and levels of a lookup. */
 typedef struct lookup_state {
     const gn_texture *texture;
+    const texel_format *format;
     gn_texture_target target; /* the texture's target */
-    int channels;             /* how many channels the format has, from the first */
     int dimensions;           /* 1 to 3: the dimensions that are filtered */
     gn_wrap wrap[3];
-    bool masked[3];
     bool has_border;
-    float border[4];
+    float border[4];    /* if has_border is set */
     gn_compare compare; /* GN_COMPARE_DEFAULT for colours too */
 } lookup_state;
 
 /* The place that each lane looks up. */
 typedef struct lookup_place {
-    lanes_f coordinate[3];
+    const float *coordinate[3];
     lanes_i layer;          /* the layer of an array; not filtered */
     lanes_f reference;      /* for compared depths */
     const cube_place *cube; /* for cubes, instead of coordinate and layer */
 } lookup_place;
-
-/* Returns how many channels a format has, from the first of a texel. */
-static inline int texel_channels(gn_format format)
-{
-    return format_is_color(format) ? format_channels(format) : 1;
-}
 
 /* Returns the columns, rows or layers of a level. */
 static inline uint32_t size_along(const lookup_state *state, uint32_t level, int dimension)
@@ -41,6 +34,12 @@ static inline uint32_t size_along(const lookup_state *state, uint32_t level, int
     const gn_texture *const t = state->texture;
 
     return size_of_level(dimension == 0 ? t->width : dimension == 1 ? t->height : t->depth, level);
+}
+
+/* Returns whether a dimension repeats by a mask. */
+static inline bool masks_along(const lookup_state *state, int dimension)
+{
+    return is_masked(state->wrap[dimension], size_along(state, 0, dimension));
 }
 
 /* Fetches the texels of a level by their numbers along the dimensions; texels outside are the
@@ -75,31 +74,35 @@ GN_OUT_OF_LINE void fetch_place(const lookup_state *state, const lookup_place *p
         texel[0] = compared(state->compare, place->reference, texel[0]);
 }
 
-/* Mixes one channel of two texels along the first dimension; the results of comparisons are mixed
- * differently from colours. */
-static inline lanes_f mix_along_s(const lookup_state *state, int channel, lanes_f weight,
-                                  lanes_f first, lanes_f second)
-{
-    return state->compare != GN_COMPARE_DEFAULT && channel == 0
-               ? mix_compared(weight, first, second)
-               : mix(weight, first, second);
-}
-
 GN_OUT_OF_LINE void filter_nearest(const lookup_state *state, const lookup_place *place,
                                    uint32_t level, lanes_f texel[4])
 {
-    lanes_i number[3];
-    const lanes_i *const numbers[3] = {&number[0], &number[1], &number[2]};
+    texel_layout layout;
+    lanes_i number[3], index;
 
-    for (int n = 0; n < state->dimensions; ++n)
-        number[n] = wrap_nearest(state->wrap[n], state->masked[n], place->coordinate[n],
-                                 size_along(state, level, n));
-    fetch_place(state, place, level, numbers, texel);
+    gn_lay_out_texels(state->texture, level, &layout);
+    index = state->dimensions < 3 && layout.has_layers ? in_units(&layout, 2, place->layer)
+                                                       : lanes_i_splat(0);
+    for (int n = 0; n < state->dimensions; ++n) {
+        number[n] = wrap_nearest(state->wrap[n], masks_along(state, n),
+                                 lanes_load(place->coordinate[n]), size_along(state, level, n));
+        index = lanes_i_add(index, in_units(&layout, n, number[n]));
+    }
+    if (state->has_border || layout.access == ACCESS_ONE_BY_ONE) {
+        const lanes_i *const numbers[3] = {&number[0], &number[1], &number[2]};
+
+        fetch_place(state, place, level, numbers, texel);
+        return;
+    }
+    fetch_by_index(&layout, index, texel);
+    if (state->compare != GN_COMPARE_DEFAULT)
+        texel[0] = compared(state->compare, place->reference, texel[0]);
 }
 
 /* The two texels that the linear filter mixes along a dimension, and the weight of the second. */
 typedef struct linear_axis {
-    lanes_i at[2]; /* numbers times the unit of the layout */
+    lanes_i first,
+        step; /* number of the first, and from it to the second, in units of the layout */
     lanes_f weight;
     lanes_i outside[2]; /* negative where the texel is the border; only if has_outside is set */
     bool has_outside;
@@ -118,169 +121,6 @@ static inline void find_outside(lanes_i number[2], uint32_t size, linear_axis *a
     axis->has_outside = lanes_i_sign_bits(lanes_i_or(axis->outside[0], axis->outside[1])) != 0;
 }
 
-static inline void find_axis(const lookup_state *state, const texel_layout *layout,
-                             const lanes_f *coordinate, uint32_t size, int dimension,
-                             linear_axis *axis)
-{
-    const gn_wrap wrap = state->wrap[dimension];
-    const int32_t unit = layout->unit[dimension];
-    lanes_i number[2];
-
-    axis->has_outside = false;
-    if (wrap == GN_WRAP_REPEAT || wrap == GN_WRAP_CLAMP_TO_EDGE) {
-        const texel_pair pair = wrap_linear(wrap, state->masked[dimension], *coordinate, size);
-        const int32_t back = wrap == GN_WRAP_REPEAT ? unit * (1 - (int32_t)size) : 0;
-
-        axis->are_neighbours = lanes_bits(pair.at_end) == 0;
-        axis->weight = pair.weight;
-        axis->at[0] = in_units(layout, dimension, pair.first);
-        axis->at[1] = lanes_i_add(
-            axis->at[0], lanes_i_select(pair.at_end, lanes_i_splat(back), lanes_i_splat(unit)));
-        return;
-    }
-    axis->weight = wrap_linear_any(wrap, state->masked[dimension], *coordinate, size, number);
-    if (wrap == GN_WRAP_CLAMP_TO_BORDER)
-        find_outside(number, size, axis);
-    axis->are_neighbours = lanes_bits(lanes_i_equal(lanes_i_sub(number[1], number[0]),
-                                                    lanes_i_splat(1))) == GN_ALL_LANES;
-    for (int i = 0; i < 2; ++i)
-        axis->at[i] = in_units(layout, dimension, number[i]);
-}
-
-/* A row of a level, or of each lane's layer of it. `outside` is null if no lane's row is outside.
- */
-typedef struct texel_row {
-    const lanes_i *row, *layer, *outside;
-} texel_row;
-
-/* Loads the two texels of a row. */
-static inline void load_row(const texel_layout *layout, const linear_axis *s, const texel_row *row,
-                            lanes_i word[2][4])
-{
-    texel_numbers numbers = {{&s->at[0], row->row, row->layer}};
-    lanes_i index;
-
-    if (layout->access == ACCESS_ONE_BY_ONE) {
-        load_one_by_one(layout, &numbers, word[0]);
-        numbers.along[0] = &s->at[1];
-        load_one_by_one(layout, &numbers, word[1]);
-        return;
-    }
-    index = texel_index(&numbers);
-    if (s->are_neighbours) {
-        load_neighbours(layout, &index, word[0], word[1]);
-        return;
-    }
-    load_by_index(layout, &index, word[0]);
-    numbers.along[0] = &s->at[1];
-    index = texel_index(&numbers);
-    load_by_index(layout, &index, word[1]);
-}
-
-/* Replaces texels outside by the border. */
-static inline void put_border(const lookup_state *state, const linear_axis *s, const texel_row *row,
-                              int i, lanes_f texel[4])
-{
-    const lanes_i zero = lanes_i_splat(0);
-    const lanes_i outside =
-        lanes_i_or(s->has_outside ? s->outside[i] : zero, row->outside ? *row->outside : zero);
-    const lanes_m is_border = lanes_i_greater(zero, outside);
-
-    for (int c = 0; c < state->channels; ++c)
-        texel[c] = lanes_select(is_border, lanes_splat(state->border[c]), texel[c]);
-}
-
-/* Fetches the two texels of a row and mixes them. */
-GN_OUT_OF_LINE void mix_row(const lookup_state *state, const texel_layout *layout,
-                            const lookup_place *place, const linear_axis *s, const texel_row *row,
-                            lanes_f mixed[4])
-{
-    lanes_i word[2][4];
-    lanes_f texel[2][4];
-
-    load_row(layout, s, row, word);
-    for (int i = 0; i < 2; ++i) {
-        decode_texels(layout->format, word[i], texel[i]);
-        if (s->has_outside || row->outside)
-            put_border(state, s, row, i, texel[i]);
-        if (state->compare != GN_COMPARE_DEFAULT)
-            texel[i][0] = compared(state->compare, place->reference, texel[i][0]);
-    }
-    for (int c = 0; c < state->channels; ++c)
-        mixed[c] = mix_along_s(state, c, s->weight, texel[0][c], texel[1][c]);
-}
-
-/* Mixes the channels of two places that the format has. */
-static inline void mix_channels(const lookup_state *state, lanes_f weight, const lanes_f second[4],
-                                lanes_f first[4])
-{
-    for (int c = 0; c < state->channels; ++c)
-        first[c] = mix(weight, first[c], second[c]);
-}
-
-/* Returns whether mix_bytes can mix the texels. */
-static inline bool mixes_bytes(const lookup_state *state, const texel_layout *layout,
-                               const linear_axis axis[2], const lanes_i *outside)
-{
-    return GN_SPECIALISED && layout->format == GN_FORMAT_RGBA8 &&
-           layout->access != ACCESS_ONE_BY_ONE && state->dimensions > 1 && !outside &&
-           !axis[0].has_outside && !axis[1].has_outside;
-}
-
-/* Does what mix_rows does for texels of GN_FORMAT_RGBA8 without a border. */
-static inline void mix_bytes(const texel_layout *layout, const linear_axis axis[2],
-                             const lanes_i *layer, lanes_f texel[4])
-{
-    const stored_word *const words = (const stored_word *)(const void *)layout->texels;
-    const texel_numbers numbers = {{&axis[0].at[0], &axis[1].at[0], layer}};
-    const lanes_i index = texel_index(&numbers);
-    const lanes_i above = lanes_i_add(index, lanes_i_sub(axis[1].at[1], axis[1].at[0]));
-    lanes_i corner[CORNER_COUNT];
-
-    if (axis[0].are_neighbours) {
-        lanes_i_gather_pairs(words, index, &corner[CORNER_00], &corner[CORNER_10]);
-        lanes_i_gather_pairs(words, above, &corner[CORNER_01], &corner[CORNER_11]);
-    } else {
-        const lanes_i step = lanes_i_sub(axis[0].at[1], axis[0].at[0]);
-        const lanes_i at[CORNER_COUNT] = {index, lanes_i_add(index, step), above,
-                                          lanes_i_add(above, step)};
-
-        for (int i = 0; i < CORNER_COUNT; ++i)
-            load_words(words, &at[i], &corner[i]);
-    }
-    texel[0] = mix_corners(corner, 0, axis[0].weight, axis[1].weight);
-    texel[1] = mix_corners(corner, 1, axis[0].weight, axis[1].weight);
-    texel[2] = mix_corners(corner, 2, axis[0].weight, axis[1].weight);
-    texel[3] = mix_corners(corner, 3, axis[0].weight, axis[1].weight);
-}
-
-/* Mixes two rows of a layer, or one if the filter has no second dimension. `layer` may be null, and
- * so may `outside`: where the layer is outside. */
-GN_OUT_OF_LINE void mix_rows(const lookup_state *state, const texel_layout *layout,
-                             const lookup_place *place, const linear_axis axis[2],
-                             const lanes_i *layer, const lanes_i *outside, lanes_f texel[4])
-{
-    const linear_axis *const t = &axis[1];
-    texel_row row = {&t->at[0], layer, outside};
-    lanes_i both;
-    lanes_f above[4];
-
-    if (mixes_bytes(state, layout, axis, outside)) {
-        mix_bytes(layout, axis, layer, texel);
-        return;
-    }
-    for (int i = 0; i < 2 && i < state->dimensions; ++i) {
-        row.row = &t->at[i];
-        if (t->has_outside) {
-            both = outside ? lanes_i_or(t->outside[i], *outside) : t->outside[i];
-            row.outside = &both;
-        }
-        mix_row(state, layout, place, &axis[0], &row, i == 0 ? texel : above);
-    }
-    if (state->dimensions > 1)
-        mix_channels(state, t->weight, above, texel);
-}
-
 /* Returns the weights of a linear filter. In lanes whose bit is not set in `linear`, only the
  * nearer texel counts, with weight 0 or 1. */
 static inline lanes_f weights_of(uint32_t linear, lanes_f weight)
@@ -293,34 +133,229 @@ static inline lanes_f weights_of(uint32_t linear, lanes_f weight)
                         lanes_select(is_near, lanes_splat(0.0f), lanes_splat(1.0f)));
 }
 
+/* Finds the texels along a dimension in which the level has `size` of them. */
+static inline void find_axis(const lookup_state *state, const texel_layout *layout,
+                             lanes_f coordinate, uint32_t size, int dimension, linear_axis *axis)
+{
+    const gn_wrap wrap = state->wrap[dimension];
+    const int32_t unit = layout->unit[dimension];
+    lanes_i number[2];
+
+    axis->has_outside = false;
+    if (wrap == GN_WRAP_REPEAT || wrap == GN_WRAP_CLAMP_TO_EDGE) {
+        const texel_pair pair = wrap_linear(wrap, masks_along(state, dimension), coordinate, size);
+        const int32_t back = wrap == GN_WRAP_REPEAT ? unit * (1 - (int32_t)size) : 0;
+
+        axis->are_neighbours = lanes_bits(pair.at_end) == 0;
+        axis->weight = pair.weight;
+        axis->first = in_units(layout, dimension, pair.first);
+        axis->step = lanes_i_select(pair.at_end, lanes_i_splat(back), lanes_i_splat(unit));
+        return;
+    }
+    axis->weight = wrap_linear_any(wrap, masks_along(state, dimension), coordinate, size, number);
+    if (wrap == GN_WRAP_CLAMP_TO_BORDER)
+        find_outside(number, size, axis);
+    axis->first = in_units(layout, dimension, number[0]);
+    axis->step = in_units(layout, dimension, lanes_i_sub(number[1], number[0]));
+    axis->are_neighbours =
+        lanes_bits(lanes_i_equal(axis->step, lanes_i_splat(unit))) == GN_ALL_LANES;
+}
+
+/* The texels that a linear filter mixes in a layer. `layer` and `outside` may be null; otherwise
+ * they are each lane's layer, in units of the layout, and where the layer is outside. */
+typedef struct texel_square {
+    int count;                /* 2 or CORNER_COUNT: how many texels it has */
+    const linear_axis *s, *t; /* t is null if there is no second dimension */
+    const lanes_i *layer, *outside;
+} texel_square;
+
+/* Loads the two texels of a row: those at the first columns and those a step further. */
+GN_OUT_OF_LINE void load_apart(const texel_layout *layout, const texel_square *at,
+                               const lanes_i *row, lanes_i first[4], lanes_i second[4])
+{
+    const lanes_i column[2] = {at->s->first, lanes_i_add(at->s->first, at->s->step)};
+
+    for (int i = 0; i < 2; ++i) {
+        const texel_numbers numbers = {{&column[i], row, at->layer}};
+        const lanes_i in_layer = lanes_i_add(column[i], *row);
+        const lanes_i index = at->layer ? lanes_i_add(in_layer, *at->layer) : in_layer;
+
+        if (layout->access == ACCESS_ONE_BY_ONE)
+            load_one_by_one(layout, &numbers, i == 0 ? first : second);
+        else
+            load_by_index(layout, &index, i == 0 ? first : second);
+    }
+}
+
+/* Loads the texels in the order CORNER_00, 10, 01, 11; the last two only if there are two rows. */
+static inline void load_square(const texel_layout *layout, const texel_square *at,
+                               lanes_i word[CORNER_COUNT][4])
+{
+    const bool are_pairs = layout->access != ACCESS_ONE_BY_ONE && at->s->are_neighbours;
+    lanes_i row = at->t ? at->t->first : lanes_i_splat(0);
+
+    for (int i = 0; i < at->count; i += 2) {
+        if (are_pairs) {
+            const lanes_i in_layer = lanes_i_add(at->s->first, row);
+
+            load_neighbours(layout, at->layer ? lanes_i_add(in_layer, *at->layer) : in_layer,
+                            word[i], word[i + 1]);
+        } else {
+            const lanes_i rows = row;
+
+            load_apart(layout, at, &rows, word[i], word[i + 1]);
+        }
+        if (at->t)
+            row = lanes_i_add(row, at->t->step);
+    }
+}
+
+/* Replaces texel i by the border in the lanes where it is outside. */
+static inline void put_border(const lookup_state *state, const texel_square *at, int i, int channel,
+                              lanes_f *texel)
+{
+    const lanes_i zero = lanes_i_splat(0);
+    lanes_i outside = at->outside ? *at->outside : zero;
+
+    if (at->s->has_outside)
+        outside = lanes_i_or(outside, at->s->outside[i & 1]);
+    if (at->t && at->t->has_outside)
+        outside = lanes_i_or(outside, at->t->outside[i >> 1]);
+    *texel =
+        lanes_select(lanes_i_greater(zero, outside), lanes_splat(state->border[channel]), *texel);
+}
+
+/* Puts the border and the results of comparisons in place of texels, and mixes them along s and
+ * t. */
+GN_OUT_OF_LINE void mix_changed(const lookup_state *state, const lookup_place *place,
+                                const texel_square *at, int channel, lanes_f texel[CORNER_COUNT],
+                                lanes_f *mixed)
+{
+    const bool is_compared = state->compare != GN_COMPARE_DEFAULT;
+
+    for (int i = 0; i < at->count; ++i) {
+        if (state->has_border)
+            put_border(state, at, i, channel, &texel[i]);
+        if (is_compared)
+            texel[i] = compared(state->compare, place->reference, texel[i]);
+    }
+    for (int i = 0; i < at->count; i += 2)
+        texel[i] = is_compared ? mix_compared(at->s->weight, texel[i], texel[i + 1])
+                               : mix(at->s->weight, texel[i], texel[i + 1]);
+    *mixed = at->t ? mix(at->t->weight, texel[CORNER_00], texel[CORNER_01]) : texel[CORNER_00];
+}
+
+/* Mixes the channels that are fractions along s and t, and returns how many these are. The words of
+ * a channel stay in registers for the next one. Of the channels of a word, only the last one
+ * reaches bit 31. */
+static inline int mix_fractions(const texel_format *format, const texel_square *at,
+                                const lanes_i word[CORNER_COUNT][4], lanes_f mixed[4])
+{
+    const int upper = at->t ? CORNER_01 : CORNER_00; /* a first texel that is there */
+    const lanes_f s = at->s->weight, t = at->t ? at->t->weight : s;
+    lanes_i first = word[CORNER_00][0], right = word[CORNER_10][0];
+    lanes_i above = word[upper][0], last = word[upper + 1][0];
+    int loaded = 0, count = 0;
+
+    for (int c = 0; c < format->channels; ++c) {
+        const texel_channel *const channel = &format->channel[c];
+
+        if (channel->kind != CHANNEL_FRACTION)
+            continue;
+        if (channel->word != loaded) {
+            loaded = channel->word;
+            first = word[CORNER_00][loaded];
+            right = word[CORNER_10][loaded];
+            above = word[upper][loaded];
+            last = word[upper + 1][loaded];
+        }
+        if (channel->is_high) {
+            first = lanes_i_shift_right(first, 16);
+            right = lanes_i_shift_right(right, 16);
+            above = lanes_i_shift_right(above, 16);
+            last = lanes_i_shift_right(last, 16);
+        }
+
+        const lanes_f below =
+            mix(s, masked_fraction(channel, first), masked_fraction(channel, right));
+        mixed[c] =
+            at->t ? mix(t, below,
+                        mix(s, masked_fraction(channel, above), masked_fraction(channel, last)))
+                  : below;
+        ++count;
+    }
+    return count;
+}
+
+/* Fetches the texels of a layer and mixes them along s, then t. */
+GN_OUT_OF_LINE void mix_square(const lookup_state *state, const texel_layout *layout,
+                               const lookup_place *place, const texel_square *at, lanes_f mixed[4])
+{
+    const texel_format *const format = state->format;
+    const bool is_changed = state->compare != GN_COMPARE_DEFAULT || at->outside ||
+                            at->s->has_outside || (at->t && at->t->has_outside);
+    lanes_i word[CORNER_COUNT][4];
+    lanes_f texel[CORNER_COUNT];
+
+    load_square(layout, at, word);
+    if (!is_changed &&
+        mix_fractions(format, at, (const lanes_i(*)[4])word, mixed) == format->channels)
+        return;
+    for (int c = 0; c < format->channels; ++c) {
+        if (!is_changed && format->channel[c].kind == CHANNEL_FRACTION)
+            continue;
+        decode_channel(&format->channel[c], (const lanes_i(*)[4])word, at->count, texel);
+        if (is_changed) {
+            mix_changed(state, place, at, c, texel, &mixed[c]);
+            continue;
+        }
+
+        const lanes_f s = at->s->weight;
+        const lanes_f below = mix(s, texel[CORNER_00], texel[CORNER_10]);
+        mixed[c] =
+            at->t ? mix(at->t->weight, below, mix(s, texel[CORNER_01], texel[CORNER_11])) : below;
+    }
+}
+
 /* Fetches the 2^dimensions texels and mixes them along s, then t, then r. */
 GN_OUT_OF_LINE void filter_linear(const lookup_state *state, const lookup_place *place,
                                   uint32_t level, uint32_t linear, lanes_f texel[4])
 {
+    const linear_axis *r;
     texel_layout layout;
     linear_axis axis[3];
+    texel_square at;
     lanes_f second[4];
     lanes_i layer;
 
-    set_texel_layout(&layout, state->texture, level);
-    if (state->dimensions == 1) { /* the only row */
-        axis[1].at[0] = lanes_i_splat(0);
-        axis[1].has_outside = false;
-    }
-    for (int n = 0; n < state->dimensions; ++n) {
-        find_axis(state, &layout, &place->coordinate[n], size_along(state, level, n), n, &axis[n]);
+    gn_lay_out_texels(state->texture, level, &layout);
+    for (int n = 0; n < state->dimensions; ++n)
+        find_axis(state, &layout, lanes_load(place->coordinate[n]), size_along(state, level, n), n,
+                  &axis[n]);
+    for (int n = 0; linear != GN_ALL_LANES && n < state->dimensions; ++n)
         axis[n].weight = weights_of(linear, axis[n].weight);
-    }
+    at.count = state->dimensions > 1 ? CORNER_COUNT : 2;
+    at.s = &axis[0];
+    at.t = state->dimensions > 1 ? &axis[1] : 0;
+    at.layer = at.outside = 0;
     if (state->dimensions < 3) {
-        if (layout.has_layers)
+        if (layout.has_layers) {
             layer = in_units(&layout, 2, place->layer);
-        mix_rows(state, &layout, place, axis, layout.has_layers ? &layer : 0, 0, texel);
+            at.layer = &layer;
+        }
+        mix_square(state, &layout, place, &at, texel);
         return;
     }
-    for (int i = 0; i < 2; ++i)
-        mix_rows(state, &layout, place, axis, &axis[2].at[i],
-                 axis[2].has_outside ? &axis[2].outside[i] : 0, i == 0 ? texel : second);
-    mix_channels(state, axis[2].weight, second, texel);
+    r = &axis[2];
+    layer = r->first;
+    at.layer = &layer;
+    at.outside = r->has_outside ? &r->outside[0] : 0;
+    mix_square(state, &layout, place, &at, texel);
+    layer = lanes_i_add(layer, r->step);
+    at.outside = r->has_outside ? &r->outside[1] : 0;
+    mix_square(state, &layout, place, &at, second);
+    for (int c = 0; c < state->format->channels; ++c)
+        texel[c] = mix(r->weight, texel[c], second[c]);
 }
 
 #endif

@@ -163,8 +163,7 @@ GN_INLINE void find_gradients(const lookup_place *place, const gn_lookup *lookup
             along_x[n] = lanes_load(lookup->gradient_x[n]);
             along_y[n] = lanes_load(lookup->gradient_y[n]);
         } else {
-            quad_differences(is_cube ? lanes_load(lookup->coordinate[n]) : place->coordinate[n],
-                             &along_x[n], &along_y[n]);
+            quad_differences(lanes_load(lookup->coordinate[n]), &along_x[n], &along_y[n]);
         }
     }
     if (!is_cube)

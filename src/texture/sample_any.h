@@ -7,9 +7,9 @@
 #include "usual_levels.h"
 
 /* A gn_sample_2d_function for the textures that sample.h can sample. */
-static inline void sample_simple_2d(const gn_texture *texture, const gn_sampler *sampler,
-                                    const float s[GN_LANES], const float t[GN_LANES],
-                                    float texel[4][GN_LANES])
+GN_OUT_OF_LINE void sample_simple_2d(const gn_texture *texture, const gn_sampler *sampler,
+                                     const float s[GN_LANES], const float t[GN_LANES],
+                                     float texel[4][GN_LANES])
 {
     const lanes_f u = lanes_load(s);
     const lanes_f v = lanes_load(t);
@@ -48,6 +48,11 @@ GN_OUT_OF_LINE void sample_any(const gn_texture *texture, const gn_sampler *samp
     uint32_t linear = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
     uint32_t mixed;
 
+    if (is_simple(texture, sampler) &&
+        (has_one_filter(sampler) || (lookup->lod_source == GN_LOD_IMPLICIT && !lookup->lod))) {
+        sample_simple_2d(texture, sampler, lookup->coordinate[0], lookup->coordinate[1], texel);
+        return;
+    }
     if (lookup->lod_source == GN_LOD_IMPLICIT && !lookup->lod &&
         has_usual_levels(texture, sampler) &&
         sample_usual_levels(texture, sampler, lookup->coordinate[0], lookup->coordinate[1], texel))
@@ -101,7 +106,7 @@ static inline void gather_any(const gn_texture *texture, const gn_sampler *sampl
     lanes_i number[2][2];
     lanes_f fetched[4];
 
-    set_lookup(texture, sampler, lookup, false, &state, &place, &cube);
+    set_long_lookup(texture, sampler, lookup, false, &state, &place, &cube);
     if (state.compare != GN_COMPARE_DEFAULT)
         channel = 0;
     if (texture->target == GN_TEXTURE_CUBE) {
@@ -111,8 +116,8 @@ static inline void gather_any(const gn_texture *texture, const gn_sampler *sampl
         return;
     }
     for (int n = 0; n < 2; ++n)
-        wrap_gathered(state.wrap[n], state.masked[n], place.coordinate[n], size_along(&state, 0, n),
-                      number[n]);
+        wrap_gathered(state.wrap[n], masks_along(&state, n), lanes_load(place.coordinate[n]),
+                      size_along(&state, 0, n), number[n]);
     for (int i = 0; i < 4; ++i) {
         const lanes_i *const numbers[3] = {&number[0][second[i][0]], &number[1][second[i][1]], 0};
 

@@ -5,88 +5,82 @@
 
 #include "lod.h"
 
-/* Sets the border as a texel: clamped to the range of the format. */
-static inline void set_border(lookup_state *state, const gn_sampler *sampler)
-{
-    const gn_format format = state->texture->format;
-    const bool has_range = !format_is_float(format);
-    const bool has_sign = !has_range && field_width(format_fields_of(format), 0) >= 16;
-
-    for (int c = 0; c < 4; ++c) {
-        float value = sampler->border[c];
-
-        if (has_range)
-            value = value > 0.0f ? value < 1.0f ? value : 1.0f : 0.0f;
-        else if (!has_sign)
-            value = value > 0.0f ? value : 0.0f;
-        state->border[c] = value;
-    }
-}
-
 /* A channel that the format lacks is 0, or 1 for alpha, whatever the weights. */
 static inline void store_channel(const lookup_state *state, int channel, lanes_f value,
                                  float out[GN_LANES])
 {
-    const bool is_there = channel < state->channels;
+    const bool is_there = channel < state->format->channels;
 
     lanes_store(out, is_there ? value : lanes_splat(channel < 3 ? 0.0f : 1.0f));
 }
 
-static inline void set_lookup_state(lookup_state *state, const gn_texture *texture,
-                                    const gn_sampler *sampler)
+static inline bool reaches_border(const lookup_state *state)
 {
-    const uint32_t size[3] = {texture->width, texture->height, texture->depth};
-
-    const gn_texture_target target = texture->target;
-
-    state->texture = texture;
-    state->target = target;
-    state->channels = texel_channels(texture->format);
-    state->dimensions = target == GN_TEXTURE_1D ? 1 : target == GN_TEXTURE_3D ? 3 : 2;
-    state->wrap[0] = sampler->wrap_s;
-    state->wrap[1] = sampler->wrap_t;
-    state->wrap[2] = sampler->wrap_r;
-    state->has_border = false;
-    for (int n = 0; n < 3 && n < state->dimensions; ++n) {
-        state->masked[n] = is_masked(state->wrap[n], size[n]);
-        state->has_border = state->has_border || state->wrap[n] == GN_WRAP_CLAMP_TO_BORDER;
-    }
-    state->compare = format_has_depth(texture->format) ? sampler->compare : GN_COMPARE_DEFAULT;
-    if (state->has_border)
-        set_border(state, sampler);
+    return state->wrap[0] == GN_WRAP_CLAMP_TO_BORDER ||
+           (state->dimensions > 1 && state->wrap[1] == GN_WRAP_CLAMP_TO_BORDER) ||
+           (state->dimensions > 2 && state->wrap[2] == GN_WRAP_CLAMP_TO_BORDER);
 }
 
-static inline void set_lookup_place(const lookup_state *state, const gn_lookup *lookup,
-                                    lookup_place *place)
+/* Sets what only some lookups have: a layer, a border, a reference. */
+GN_OUT_OF_LINE void set_rare_lookup(lookup_state *state, const gn_sampler *sampler,
+                                    const gn_lookup *lookup, lookup_place *place)
 {
-    const int count = state->target == GN_TEXTURE_CUBE ? 0 : state->dimensions;
-
-    for (int n = 0; n < 3 && n < count; ++n)
-        place->coordinate[n] = lanes_load(lookup->coordinate[n]);
-    place->layer = lanes_i_splat(0);
     if (state->target == GN_TEXTURE_2D_ARRAY)
         place->layer =
             lanes_i_clamp(lanes_round(lanes_load(lookup->coordinate[2])), lanes_i_splat(0),
                           lanes_i_splat((int32_t)state->texture->depth - 1));
+    if (state->has_border)
+        gn_border_texel(sampler, state->texture->format, state->border);
     if (state->compare != GN_COMPARE_DEFAULT)
         place->reference = compared_reference(state->texture->format,
                                               lookup->reference ? lanes_load(lookup->reference)
                                                                 : lanes_splat(0.0f));
 }
 
-/* Sets the place of a cube lookup. `place` points to `cube`, which must live as long as the place
- * is used. */
-static inline void set_cube_place(const lookup_state *state, const gn_lookup *lookup,
-                                  bool has_gradients, cube_place *cube, lookup_place *place)
+/* Sets the place of a cube lookup. */
+GN_OUT_OF_LINE void set_cube_place(const gn_lookup *lookup, bool has_gradients, cube_place *cube)
 {
     lanes_f direction[3];
 
-    if (state->target != GN_TEXTURE_CUBE)
-        return;
     for (int n = 0; n < 3; ++n)
         direction[n] = lanes_load(lookup->coordinate[n]);
     cube_project(direction, has_gradients, cube);
+}
+
+/* Sets all that a lookup needs. For cubes the place points to `cube`, which must live as long as
+ * the place is used. */
+static inline void set_lookup(const gn_texture *texture, const gn_sampler *sampler,
+                              const gn_lookup *lookup, bool has_gradients, lookup_state *state,
+                              lookup_place *place, cube_place *cube)
+{
+    const gn_texture_target target = texture->target;
+    const bool is_cube = target == GN_TEXTURE_CUBE;
+
+    state->texture = texture;
+    state->format = &gn_texel_formats[texture->format];
+    state->target = target;
+    state->dimensions = target == GN_TEXTURE_1D ? 1 : target == GN_TEXTURE_3D ? 3 : 2;
+    state->wrap[0] = sampler->wrap_s;
+    state->wrap[1] = sampler->wrap_t;
+    state->wrap[2] = sampler->wrap_r;
+    state->has_border = !is_cube && reaches_border(state);
+    state->compare = state->format->has_depth ? sampler->compare : GN_COMPARE_DEFAULT;
+    for (int n = 0; n < 3; ++n)
+        place->coordinate[n] = lookup->coordinate[n];
+    place->layer = lanes_i_splat(0);
     place->cube = cube;
+    if (is_cube)
+        set_cube_place(lookup, has_gradients, cube);
+    if (target == GN_TEXTURE_2D_ARRAY || state->has_border || state->compare != GN_COMPARE_DEFAULT)
+        set_rare_lookup(state, sampler, lookup, place);
+}
+
+/* Does what set_lookup does. Out of line, for look-ups that take longer. */
+GN_OUT_OF_LINE void set_long_lookup(const gn_texture *texture, const gn_sampler *sampler,
+                                    const gn_lookup *lookup, bool has_gradients,
+                                    lookup_state *state, lookup_place *place, cube_place *cube)
+{
+    set_lookup(texture, sampler, lookup, has_gradients, state, place, cube);
 }
 
 /* Filters one level. Lanes in `linear` use the linear filter. Quads are filtered as a whole: a
@@ -106,18 +100,8 @@ GN_OUT_OF_LINE void filter_level_by_quads(const lookup_state *state, const looku
     if (linear_quads == GN_ALL_LANES)
         return;
     filter_nearest(state, place, level, nearest);
-    for (int c = 0; c < state->channels; ++c)
+    for (int c = 0; c < state->format->channels; ++c)
         texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
-}
-
-/* Sets all that a lookup needs; the place points to `cube`. */
-GN_OUT_OF_LINE void set_lookup(const gn_texture *texture, const gn_sampler *sampler,
-                               const gn_lookup *lookup, bool has_gradients, lookup_state *state,
-                               lookup_place *place, cube_place *cube)
-{
-    set_lookup_state(state, texture, sampler);
-    set_lookup_place(state, lookup, place);
-    set_cube_place(state, lookup, has_gradients, cube, place);
 }
 
 static inline void filter_level(const lookup_state *state, const lookup_place *place,
@@ -159,7 +143,7 @@ static inline void mix_levels(const lookup_state *state, const level_choice *cho
 {
     const lanes_m is_mixed = lanes_from_bits(mixed);
 
-    for (int c = 0; c < state->channels; ++c) {
+    for (int c = 0; c < state->format->channels; ++c) {
         const lanes_f both = mix(choice->weight, texel[c], above[c]);
 
         texel[c] = mixed == GN_ALL_LANES ? both : lanes_select(is_mixed, both, texel[c]);
@@ -183,7 +167,7 @@ GN_OUT_OF_LINE void filter_each_level(const lookup_state *state, const lookup_pl
         const lanes_m is_next = lanes_i_equal(choice->next, number);
 
         filter_level(state, place, level, linear, filtered);
-        for (int c = 0; c < state->channels; ++c) {
+        for (int c = 0; c < state->format->channels; ++c) {
             texel[c] = lanes_select(is_first, filtered[c], texel[c]);
             above[c] = lanes_select(is_next, filtered[c], above[c]);
         }

@@ -4,101 +4,14 @@
 #define GN_TEXTURE_TEXEL_H
 
 #include "../formats/decode.h"
-#include "extent.h"
-
-/* How the texels of a level are loaded: the name says what indices count and how much is loaded. */
-typedef enum texel_access {
-    ACCESS_ONE_BY_ONE, /* no indices, but columns, rows and layers */
-    ACCESS_BYTE,
-    ACCESS_HALF,
-    ACCESS_WORD,
-    ACCESS_TWO_WORDS,
-    ACCESS_FOUR_WORDS
-} texel_access;
-
-/* Where the texels of a level lie, in bytes from the first one. An index is the sum of a column, a
- * row and a layer, each times its unit. For ACCESS_ONE_BY_ONE the units are 1. */
-typedef struct texel_layout {
-    const unsigned char *texels;
-    ptrdiff_t row_stride, layer_stride;
-    bool has_layers;
-    gn_format format;
-    texel_access access;
-    int32_t unit[3];
-} texel_layout;
+#include "../lanes/gather.h"
+#include "texel_layout.h"
 
 /* Columns, rows and layers of texels, or for other accesses than ACCESS_ONE_BY_ONE these times
  * their units. The last is null if the level has one layer. */
 typedef struct texel_numbers {
     const lanes_i *along[3];
 } texel_numbers;
-
-/* Writes how texels of a format are loaded, and returns n if their indices count 2^n bytes. Pixels
- * of four halves are two words in memory if the first element is the low half. */
-static inline int index_shift(gn_format format, texel_access *access)
-{
-    switch (format_layout(format)) {
-    case GN_LAYOUT(1, 1):
-        *access = ACCESS_BYTE;
-        return 0;
-    case GN_LAYOUT(2, 2):
-        *access = ACCESS_HALF;
-        return 1;
-    case GN_LAYOUT(4, 4):
-    case GN_LAYOUT(8, 4): /* the depth of D32FS8 */
-        *access = ACCESS_WORD;
-        return 2;
-    case GN_LAYOUT(16, 4):
-        *access = ACCESS_FOUR_WORDS;
-        return 2;
-#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-    case GN_LAYOUT(8, 2):
-        *access = ACCESS_TWO_WORDS;
-        return 2;
-#endif
-    default:
-        *access = ACCESS_ONE_BY_ONE;
-        return 0;
-    }
-}
-
-/* The strides of a checked texture do not overflow, because the whole level fits memory. Small
- * builds load all texels one by one. */
-static inline void set_texel_layout(texel_layout *out, const gn_texture *texture, uint32_t level)
-{
-    const gn_texture_level *const l = &texture->level[level];
-    const texel_extent extent = extent_of_level(texture, level);
-    const size_t size = format_size(texture->format);
-    const size_t row = l->row_stride < 0 ? 0 - (size_t)l->row_stride : (size_t)l->row_stride;
-    const size_t layer =
-        l->layer_stride < 0 ? 0 - (size_t)l->layer_stride : (size_t)l->layer_stride;
-    texel_access access;
-    const int shift = index_shift(texture->format, &access);
-
-    out->texels = l->texels;
-    out->has_layers = extent.layers > 1;
-    out->row_stride = extent.height > 1 ? l->row_stride : 0;
-    out->layer_stride = out->has_layers ? l->layer_stride : 0;
-    out->format = texture->format;
-    out->access = ACCESS_ONE_BY_ONE;
-    out->unit[0] = out->unit[1] = out->unit[2] = 1;
-    if (!GN_SPECIALISED || access == ACCESS_ONE_BY_ONE)
-        return;
-
-    const size_t rows = extent.height > 1 ? row : 0;
-    const size_t layers = out->has_layers ? layer : 0;
-    const size_t bytes =
-        rows * (extent.height - 1) + layers * (extent.layers - 1) + extent.width * size;
-    const bool is_aligned = ((uintptr_t)l->texels | rows | layers) % ((size_t)1 << shift) == 0;
-    if (!is_aligned || bytes >> shift > INT32_MAX)
-        return;
-
-    const int32_t rows_apart = (int32_t)(rows >> shift), layers_apart = (int32_t)(layers >> shift);
-    out->access = access;
-    out->unit[0] = (int32_t)(size >> shift);
-    out->unit[1] = l->row_stride < 0 ? -rows_apart : rows_apart;
-    out->unit[2] = l->layer_stride < 0 ? -layers_apart : layers_apart;
-}
 
 /* Finds where the lanes' rows begin. */
 static inline void find_rows(const texel_layout *layout, const texel_numbers *numbers,
@@ -148,75 +61,46 @@ GN_OUT_OF_LINE void load_one_by_one(const texel_layout *layout, const texel_numb
         word[1] = lanes_i_load(texel[1]);
 }
 
-/* Returns the index of each lane's texel. */
-static inline lanes_i texel_index(const texel_numbers *numbers)
+/* Loads words at any address. Out of line, since it is long and texels are loaded in several
+ * places. */
+GN_OUT_OF_LINE void load_words(const unsigned char *texels, const lanes_i *offset, lanes_i *word)
 {
-    const lanes_i in_layer = lanes_i_add(*numbers->along[0], *numbers->along[1]);
-
-    return numbers->along[2] ? lanes_i_add(in_layer, *numbers->along[2]) : in_layer;
+    *word = lanes_i_gather_bytes(texels, *offset, 4);
 }
 
-/* Loads `count` neighbouring bytes, the first one lowest. */
-static inline lanes_i load_bytes(const unsigned char *texels, lanes_i index, int count)
+GN_OUT_OF_LINE void load_halves(const unsigned char *texels, const lanes_i *offset, lanes_i *word)
 {
-    int32_t at[GN_LANES], texel[GN_LANES];
-
-    lanes_i_store(at, index);
-    if (count == 1)
-        GN_EACH_LANE (l)
-            texel[l] = texels[at[l]];
-    else
-        GN_EACH_LANE (l)
-            texel[l] = texels[at[l]] | texels[at[l] + 1] << 8;
-    return lanes_i_load(texel);
+    *word = lanes_i_gather_bytes(texels, *offset, 2);
 }
 
-/* Loads `count` neighbouring halves, the first one lowest. */
-static inline lanes_i load_halves(const unsigned char *texels, lanes_i index, int count)
+GN_OUT_OF_LINE void load_quads(const stored_word *words, const lanes_i *index, lanes_i word[4])
 {
-    const stored_half *const halves = (const stored_half *)(const void *)texels;
-    int32_t at[GN_LANES], texel[GN_LANES];
-
-    lanes_i_store(at, index);
-    if (count == 1)
-        GN_EACH_LANE (l)
-            texel[l] = halves[at[l]];
-    else
-        GN_EACH_LANE (l)
-            texel[l] = (int32_t)(halves[at[l]] | (uint32_t)halves[at[l] + 1] << 16);
-    return lanes_i_load(texel);
+    lanes_i_gather_quads(words, *index, word);
 }
 
-/* Loads two neighbouring words. Out of line, since callers load several pairs. */
-GN_OUT_OF_LINE void load_pairs(const stored_word *words, const lanes_i *index, lanes_i word[2])
-{
-    lanes_i_gather_pairs(words, *index, &word[0], &word[1]);
-}
-
-/* Loads words. Out of line, for loads that are rare or one of many. */
-GN_OUT_OF_LINE void load_words(const stored_word *words, const lanes_i *index, lanes_i *word)
-{
-    *word = lanes_i_gather(words, *index);
-}
-
-/* Loads texels by indices. */
+/* Loads texels by indices. Bits above the texels of less than a word are those of any memory of the
+ * level. */
 GN_OUT_OF_LINE void load_by_index(const texel_layout *layout, const lanes_i *index, lanes_i word[4])
 {
     const stored_word *const words = (const stored_word *)(const void *)layout->texels;
 
     switch (layout->access) {
     case ACCESS_BYTE:
-        word[0] = load_bytes(layout->texels, *index, 1);
+        word[0] = lanes_i_gather_bytes(layout->texels, *index, 1);
         break;
-    case ACCESS_HALF:
-        word[0] = load_halves(layout->texels, *index, 1);
+    case ACCESS_TWO_BYTES:
+        load_halves(layout->texels, index, word);
+        break;
+    case ACCESS_THREE_BYTES:
+        load_halves(layout->texels, index, word);
+        word[0] = lanes_i_or(
+            word[0], lanes_i_shift_left(lanes_i_gather_bytes(layout->texels + 2, *index, 1), 16));
         break;
     case ACCESS_FOUR_WORDS:
-        load_pairs(words + 2, index, word + 2);
-        load_pairs(words, index, word);
+        load_quads(words, index, word);
         break;
     case ACCESS_TWO_WORDS:
-        load_pairs(words, index, word);
+        lanes_i_gather_pairs(words, *index, &word[0], &word[1]);
         break;
     default:
         word[0] = lanes_i_gather(words, *index);
@@ -224,78 +108,118 @@ GN_OUT_OF_LINE void load_by_index(const texel_layout *layout, const lanes_i *ind
     }
 }
 
-/* Loads texels and their right neighbours by the indices of the former. */
-GN_OUT_OF_LINE void load_neighbours(const texel_layout *layout, const lanes_i *index,
-                                    lanes_i first[4], lanes_i second[4])
+/* Loads texels and their right neighbours by the indices of the former, as load_by_index does. Only
+ * the rarer loads are calls, which take the indices from memory. */
+static inline void load_neighbours(const texel_layout *layout, lanes_i index, lanes_i first[4],
+                                   lanes_i second[4])
 {
     const stored_word *const words = (const stored_word *)(const void *)layout->texels;
-    lanes_i both, pair[2];
+    lanes_i called_for, quad[4];
 
     switch (layout->access) {
     case ACCESS_BYTE:
-        both = load_bytes(layout->texels, *index, 2);
-        first[0] = lanes_i_and(both, lanes_i_splat(0xFF));
-        second[0] = lanes_i_shift_right(both, 8);
+        first[0] = lanes_i_gather_bytes(layout->texels, index, 2);
+        second[0] = lanes_i_shift_right(first[0], 8);
         break;
-    case ACCESS_HALF:
-        both = load_halves(layout->texels, *index, 2);
-        first[0] = lanes_i_and(both, lanes_i_splat(0xFFFF));
-        second[0] = lanes_i_and(lanes_i_shift_right(both, 16), lanes_i_splat(0xFFFF));
+    case ACCESS_TWO_BYTES:
+        first[0] = lanes_i_gather_bytes(layout->texels, index, 4);
+        second[0] = lanes_i_shift_right(first[0], 16);
+        break;
+    case ACCESS_THREE_BYTES:
+        called_for = index;
+        load_words(layout->texels, &called_for, first);
+        load_words(layout->texels + 2, &called_for, second);
+        second[0] = lanes_i_shift_right(second[0], 8);
         break;
     case ACCESS_FOUR_WORDS:
-        load_pairs(words, index, first);
-        load_pairs(words + 2, index, first + 2);
-        load_pairs(words + 4, index, second);
-        load_pairs(words + 6, index, second + 2);
+        called_for = index;
+        load_quads(words, &called_for, first);
+        load_quads(words + 4, &called_for, second);
         break;
     case ACCESS_TWO_WORDS:
-        load_pairs(words, index, first);
-        load_pairs(words + 2, index, second);
+        called_for = index;
+        load_quads(words, &called_for, quad);
+        first[0] = quad[0];
+        first[1] = quad[1];
+        second[0] = quad[2];
+        second[1] = quad[3];
         break;
     default:
-        if (layout->unit[0] == 1) {
-            load_pairs(words, index, pair);
-            first[0] = pair[0];
-            second[0] = pair[1];
-        } else {
-            load_words(words, index, first);
-            load_words(words + layout->unit[0], index, second);
-        }
+        lanes_i_gather_pairs(words, index, &first[0], &second[0]);
         break;
     }
 }
 
-/* Decodes texels; out of line, because there is a case for each format. */
+/* Returns a channel that is a fraction, from words that are moved down if is_high is set. */
+GN_INLINE lanes_f masked_fraction(const texel_channel *channel, lanes_i word)
+{
+    return lanes_mul(lanes_to_float(lanes_i_and(word, lanes_i_splat(channel->mask))),
+                     lanes_splat(channel->scale));
+}
+
+static inline lanes_f fraction_in(const texel_channel *channel, lanes_i word)
+{
+    return masked_fraction(channel, channel->is_high ? lanes_i_shift_right(word, 16) : word);
+}
+
+/* Decodes a channel of `count` texels of up to four words. */
+GN_OUT_OF_LINE void decode_channel(const texel_channel *channel, const lanes_i texel[][4],
+                                   int count, lanes_f *value)
+{
+    const int word = channel->word;
+    const int top = 32 - channel->shift - channel->width; /* bits above the channel */
+    const int down = channel->width == 16 ? 3 : 4;        /* exponent bits that only floats have */
+    const lanes_i mask = lanes_i_splat(channel->mask);
+
+    switch (channel->kind) {
+    case CHANNEL_WORD:
+        for (int i = 0; i < count; ++i)
+            value[i] = lanes_as_float(texel[i][word]);
+        break;
+    case CHANNEL_FLOAT:
+        for (int i = 0; i < count; ++i)
+            value[i] = placed_float_value(lanes_i_and(
+                lanes_i_shift_right(lanes_i_shift_left(texel[i][word], top), down), mask));
+        break;
+    case CHANNEL_SRGB:
+        for (int i = 0; i < count; ++i)
+            value[i] = srgb_value(texel[i][word], channel->shift);
+        break;
+    default:
+        for (int i = 0; i < count; ++i)
+            value[i] = fraction_in(channel, texel[i][word]);
+        break;
+    }
+}
+
+/* Decodes texels. Channels that the format lacks become 0, alpha 1; depth formats have only red. */
 GN_OUT_OF_LINE void decode_texels(gn_format format, const lanes_i word[4], lanes_f texel[4])
 {
-    decode_channels(format, word, texel);
+    const texel_format *const f = &gn_texel_formats[format];
+
+    for (int c = 0; c < 4; ++c) {
+        const texel_channel *const channel = &f->channel[c];
+
+        if (c >= f->channels)
+            texel[c] = lanes_splat(c == 3 ? 1.0f : 0.0f);
+        else if (channel->kind == CHANNEL_FRACTION)
+            texel[c] = fraction_in(channel, word[channel->word]);
+        else
+            decode_channel(channel, (const lanes_i(*)[4])word, 1, &texel[c]);
+    }
 }
 
-/* Decodes texels of GN_FORMAT_RGBA8. */
-static inline void unpack_texels(lanes_i word, lanes_f texel[4])
+/* Fetches texels by indices. Of the loads, only the rarer ones are a call. */
+static inline void fetch_by_index(const texel_layout *layout, lanes_i index, lanes_f texel[4])
 {
-    texel[0] = lanes_unpack_unorm8(word, 0);
-    texel[1] = lanes_unpack_unorm8(word, 1);
-    texel[2] = lanes_unpack_unorm8(word, 2);
-    texel[3] = lanes_unpack_unorm8(word, 3);
-}
+    lanes_i word[4];
 
-/* Fetches texels. Channels that the format lacks are 0, alpha 1; depth formats have only red. */
-static inline void load_texels(const texel_layout *layout, const texel_numbers *numbers,
-                               lanes_f texel[4])
-{
-    lanes_i word[4], index;
-
-    if (layout->access == ACCESS_ONE_BY_ONE) {
-        load_one_by_one(layout, numbers, word);
+    if (layout->access == ACCESS_WORD) {
+        word[0] = lanes_i_gather((const stored_word *)(const void *)layout->texels, index);
     } else {
-        index = texel_index(numbers);
-        if (layout->format == GN_FORMAT_RGBA8) {
-            unpack_texels(lanes_i_gather((const stored_word *)(const void *)layout->texels, index),
-                          texel);
-            return;
-        }
-        load_by_index(layout, &index, word);
+        const lanes_i called_for = index;
+
+        load_by_index(layout, &called_for, word);
     }
     decode_texels(layout->format, word, texel);
 }
@@ -315,20 +239,21 @@ GN_OUT_OF_LINE void fetch_texels(const gn_texture *texture, uint32_t level, cons
                                  const lanes_i *row, const lanes_i *layer, lanes_f texel[4])
 {
     texel_layout layout;
-    texel_numbers numbers;
-    lanes_i along[3];
 
-    set_texel_layout(&layout, texture, level);
-    along[0] = in_units(&layout, 0, *column);
-    along[1] = in_units(&layout, 1, *row);
-    numbers.along[0] = &along[0];
-    numbers.along[1] = &along[1];
-    numbers.along[2] = 0;
-    if (layout.has_layers) {
-        along[2] = in_units(&layout, 2, *layer);
-        numbers.along[2] = &along[2];
+    gn_lay_out_texels(texture, level, &layout);
+    if (layout.access == ACCESS_ONE_BY_ONE) {
+        const texel_numbers numbers = {{column, row, layout.has_layers ? layer : 0}};
+        lanes_i word[4];
+
+        load_one_by_one(&layout, &numbers, word);
+        decode_texels(layout.format, word, texel);
+        return;
     }
-    load_texels(&layout, &numbers, texel);
+
+    const lanes_i index = lanes_i_add(in_units(&layout, 0, *column), in_units(&layout, 1, *row));
+    fetch_by_index(&layout,
+                   layout.has_layers ? lanes_i_add(index, in_units(&layout, 2, *layer)) : index,
+                   texel);
 }
 
 #endif

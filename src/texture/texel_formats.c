@@ -1,0 +1,59 @@
+/* The table of texel_formats.h, made from the rows of formats. */
+#include "texel_formats.h"
+
+/* Where the first element in memory is the high one, elements of less than a word are loaded one by
+ * one. */
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+#define PARTS(access) access
+#else
+#define PARTS(access) ACCESS_ONE_BY_ONE
+#endif
+
+#define ACCESS(bytes, element)                                                                     \
+    ((element) == 4   ? (bytes) == 4   ? ACCESS_WORD                                               \
+                        : (bytes) == 8 ? ACCESS_TWO_WORDS                                          \
+                                       : ACCESS_FOUR_WORDS                                         \
+     : (bytes) == 8   ? PARTS(ACCESS_TWO_WORDS)                                                    \
+     : (bytes) == 3   ? PARTS(ACCESS_THREE_BYTES)                                                  \
+     : (bytes) == 1   ? PARTS(ACCESS_BYTE)                                                         \
+     : (element) == 2 ? PARTS(ACCESS_TWO_BYTES)                                                    \
+                      : ACCESS_ONE_BY_ONE)
+
+#define KIND(encoding, c, width)                                                                   \
+    ((encoding) == ENCODING_FLOAT             ? (width) == 32 ? CHANNEL_WORD : CHANNEL_FLOAT       \
+     : (encoding) == ENCODING_SRGB && (c) < 3 ? CHANNEL_SRGB                                       \
+                                              : CHANNEL_FRACTION)
+
+/* The bits of a fraction in place; 1 for channels that are none. */
+#define IS_HIGH(offset, width) ((offset) % 32 + (width) == 32)
+#define FRACTION(offset, width)                                                                    \
+    ((width) > 0 && (width) < 32                                                                   \
+         ? ((1u << (width)) - 1) << ((offset) % 32 - (IS_HIGH(offset, width) ? 16 : 0))            \
+         : 1u)
+
+/* The bits of a small float where a float of 32 bits has them. */
+#define FLOAT(width) ((width) == 16 ? 0x8FFFE000u : (width) == 11 ? 0x0FFE0000u : 0x0FFC0000u)
+
+#define MASK(encoding, offset, width)                                                              \
+    ((encoding) == ENCODING_FLOAT ? FLOAT(width) : FRACTION(offset, width))
+
+#define CHANNEL(encoding, c, offset, width)                                                        \
+    {                                                                                              \
+        (int32_t) MASK(encoding, offset, width), 1.0f / (float)FRACTION(offset, width),            \
+            KIND(encoding, c, width), (offset) / 32, (offset) % 32, (width),                       \
+            IS_HIGH(offset, width)                                                                 \
+    }
+
+#define COLOR_CHANNELS(w0, w1, w2, w3) (((w0) > 0) + ((w1) > 0) + ((w2) > 0) + ((w3) > 0))
+
+#define ROW(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                  \
+    [GN_FORMAT_##name] = {                                                                         \
+        ACCESS(bytes, element),                                                                    \
+        (element) == 4 || (bytes) == 8 ? 2 : 0,                                                    \
+        bytes,                                                                                     \
+        FORMAT_##kind == FORMAT_COLOR ? COLOR_CHANNELS(w0, w1, w2, w3) : 1,                        \
+        FORMAT_##kind == FORMAT_DEPTH && (w0) > 0,                                                 \
+        {CHANNEL(ENCODING_##encoding, 0, o0, w0), CHANNEL(ENCODING_##encoding, 1, o1, w1),         \
+         CHANNEL(ENCODING_##encoding, 2, o2, w2), CHANNEL(ENCODING_##encoding, 3, o3, w3)}},
+
+const texel_format gn_texel_formats[] = {GN_FORMATS(ROW)};

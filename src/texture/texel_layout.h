@@ -1,0 +1,26 @@
+/* Where the texels of a level lie, and how they are loaded. */
+#ifndef GN_TEXTURE_TEXEL_LAYOUT_H
+#define GN_TEXTURE_TEXEL_LAYOUT_H
+
+#include <gnomon/sampling.h>
+
+#include "texel_formats.h"
+
+/* Where the texels of a level lie, in bytes from the first one. An index is the sum of a column, a
+ * row and a layer, each times its unit. For ACCESS_ONE_BY_ONE the units are 1. */
+typedef struct texel_layout {
+    const unsigned char *texels;
+    ptrdiff_t row_stride, layer_stride;
+    bool has_layers;
+    gn_format format;
+    texel_access access;
+    int32_t unit[3];
+} texel_layout;
+
+/* Writes the layout of a level of a checked texture. */
+void gn_lay_out_texels(const gn_texture *texture, uint32_t level, texel_layout *out);
+
+/* Writes a sampler's border as a texel of a format: clamped to the format's range. */
+void gn_border_texel(const gn_sampler *sampler, gn_format format, float border[4]);
+
+#endif
