@@ -1,7 +1,7 @@
 /* The operations of lanes in one form. To add an operation, add a line to run_form. */
 #include "lanes_test.h"
 
-#include "lanes.h"
+#include "gather.h"
 
 typedef struct recorder {
     lanes_output *out;
@@ -82,6 +82,15 @@ static void record_gathers(recorder *r, const lanes_input *in)
     lanes_i_gather_pairs(in->j, index, &first, &second);
     record_i(r, "i_gather_pairs, first", first);
     record_i(r, "i_gather_pairs, second", second);
+    lanes_i_gather_quads(in->j, lanes_i_and(index, lanes_i_splat(GN_LANES - 4)), row);
+    for (int c = 0; c < 4; ++c)
+        record_i(r, "i_gather_quads", row[c]);
+    const lanes_i near = lanes_i_sub(lanes_i_and(lanes_i_load(in->i), lanes_i_splat(31)),
+                                     lanes_i_splat(16)); /* from -16 to 15 */
+    const unsigned char *const middle = (const unsigned char *)in->j + 16;
+    record_i(r, "i_gather_bytes, 1", lanes_i_gather_bytes(middle, near, 1));
+    record_i(r, "i_gather_bytes, 2", lanes_i_gather_bytes(middle, near, 2));
+    record_i(r, "i_gather_bytes, 4", lanes_i_gather_bytes(middle, near, 4));
     for (int n = 0; n < 3 * GN_LANES; ++n)
         offset[n] = ((uint32_t)in->j[n / 3] >> n % 3) % 13 * 4;
     for (uint32_t step = 1; step <= 3; step += 2) {
