@@ -245,11 +245,23 @@ GN_OUT_OF_LINE void mix_changed(const lookup_state *state, const lookup_place *p
     *mixed = at->t ? mix(at->t->weight, texel[CORNER_00], texel[CORNER_01]) : texel[CORNER_00];
 }
 
-/* Mixes the channels that are fractions along s and t, and returns how many these are. The words of
- * a channel stay in registers for the next one. Of the channels of a word, only the last one
- * reaches bit 31. */
-static inline int mix_fractions(const texel_format *format, const texel_square *at,
-                                const lanes_i word[CORNER_COUNT][4], lanes_f mixed[4])
+static inline bool is_plain(const texel_channel *channel)
+{
+    return channel->kind <= CHANNEL_WORD;
+}
+
+/* Returns a channel that is a fraction or a float of 32 bits, from words as masked_fraction takes
+ * them. */
+static inline lanes_f plain_channel(const texel_channel *channel, lanes_i word)
+{
+    return channel->kind == CHANNEL_WORD ? lanes_as_float(word) : masked_fraction(channel, word);
+}
+
+/* Mixes the channels that plain_channel returns along s and t, and returns how many these are. The
+ * words of a channel stay in registers for the next one. Of the channels of a word, only the last
+ * one reaches bit 31. */
+static inline int mix_plain_channels(const texel_format *format, const texel_square *at,
+                                     const lanes_i word[CORNER_COUNT][4], lanes_f mixed[4])
 {
     const int upper = at->t ? CORNER_01 : CORNER_00; /* a first texel that is there */
     const lanes_f s = at->s->weight, t = at->t ? at->t->weight : s;
@@ -260,7 +272,7 @@ static inline int mix_fractions(const texel_format *format, const texel_square *
     for (int c = 0; c < format->channels; ++c) {
         const texel_channel *const channel = &format->channel[c];
 
-        if (channel->kind != CHANNEL_FRACTION)
+        if (!is_plain(channel))
             continue;
         if (channel->word != loaded) {
             loaded = channel->word;
@@ -277,11 +289,10 @@ static inline int mix_fractions(const texel_format *format, const texel_square *
         }
 
         const lanes_f below =
-            mix(s, masked_fraction(channel, first), masked_fraction(channel, right));
-        mixed[c] =
-            at->t ? mix(t, below,
-                        mix(s, masked_fraction(channel, above), masked_fraction(channel, last)))
-                  : below;
+            mix(s, plain_channel(channel, first), plain_channel(channel, right));
+        mixed[c] = at->t ? mix(t, below,
+                               mix(s, plain_channel(channel, above), plain_channel(channel, last)))
+                         : below;
         ++count;
     }
     return count;
@@ -299,10 +310,10 @@ GN_OUT_OF_LINE void mix_square(const lookup_state *state, const texel_layout *la
 
     load_square(layout, at, word);
     if (!is_changed &&
-        mix_fractions(format, at, (const lanes_i(*)[4])word, mixed) == format->channels)
+        mix_plain_channels(format, at, (const lanes_i(*)[4])word, mixed) == format->channels)
         return;
     for (int c = 0; c < format->channels; ++c) {
-        if (!is_changed && format->channel[c].kind == CHANNEL_FRACTION)
+        if (!is_changed && is_plain(&format->channel[c]))
             continue;
         decode_channel(&format->channel[c], (const lanes_i(*)[4])word, at->count, texel);
         if (is_changed) {

@@ -48,15 +48,18 @@ GN_OUT_OF_LINE void sample_any(const gn_texture *texture, const gn_sampler *samp
     uint32_t linear = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
     uint32_t mixed;
 
-    if (is_simple(texture, sampler) &&
-        (has_one_filter(sampler) || (lookup->lod_source == GN_LOD_IMPLICIT && !lookup->lod))) {
-        sample_simple_2d(texture, sampler, lookup->coordinate[0], lookup->coordinate[1], texel);
-        return;
+    if (GN_SPECIALISED && texture->target == GN_TEXTURE_2D && texture->format == GN_FORMAT_RGBA8) {
+        const bool is_implicit = lookup->lod_source == GN_LOD_IMPLICIT && !lookup->lod;
+        const float *const s = lookup->coordinate[0], *const t = lookup->coordinate[1];
+
+        if ((is_implicit || has_one_filter(sampler)) && is_simple(texture, sampler)) {
+            sample_simple_2d(texture, sampler, s, t, texel);
+            return;
+        }
+        if (is_implicit && has_usual_levels(texture, sampler) &&
+            sample_usual_levels(texture, sampler, s, t, texel))
+            return;
     }
-    if (lookup->lod_source == GN_LOD_IMPLICIT && !lookup->lod &&
-        has_usual_levels(texture, sampler) &&
-        sample_usual_levels(texture, sampler, lookup->coordinate[0], lookup->coordinate[1], texel))
-        return;
     if (is_anisotropic(texture, sampler, lookup)) {
         sample_anisotropic(texture, sampler, lookup, texel);
         return;

@@ -25,7 +25,7 @@
                                               : CHANNEL_FRACTION)
 
 /* The bits of a fraction in place; 1 for channels that are none. */
-#define IS_HIGH(offset, width) ((offset) % 32 + (width) == 32)
+#define IS_HIGH(offset, width) ((width) < 32 && (offset) % 32 + (width) == 32)
 #define FRACTION(offset, width)                                                                    \
     ((width) > 0 && (width) < 32                                                                   \
          ? ((1u << (width)) - 1) << ((offset) % 32 - (IS_HIGH(offset, width) ? 16 : 0))            \
