@@ -3,7 +3,7 @@
 #ifndef GN_FORMATS_FLOATS_H
 #define GN_FORMATS_FLOATS_H
 
-#include "../lanes/lanes.h"
+#include "../lanes/halves.h"
 #include "../scalars/bits.h"
 
 /* Returns floats as surfaces hold them: every NaN becomes GN_NAN_BITS, since processors differ in
@@ -14,32 +14,33 @@ static inline lanes_i float_words(lanes_f a)
                           lanes_i_splat((int32_t)GN_NAN_BITS));
 }
 
-/* Returns the value of a small float whose sign, 5 bits of exponent and fraction stand where a
- * float has its sign, the low 5 bits of its exponent and its fraction. A NaN keeps its sign and
- * payload. No operand or result is denormal, which some processors compute slowly. */
-static inline lanes_f placed_float_value(lanes_i placed)
+/* Returns the value of a half in the low bits. A NaN keeps its sign and payload. No operand or
+ * result is denormal, which some processors compute slowly. */
+static inline lanes_f half_value(lanes_i half)
 {
-    const lanes_i sign = lanes_i_and(placed, lanes_i_splat(INT32_MIN));
-    const lanes_i size = lanes_i_and(placed, lanes_i_splat(INT32_MAX));
-    /* Below 2^-14, where small floats have no leading bit, `normal` is half the value plus 2^-15.
-     * From 2^-14 on it is the value, and not above its double less 2^-14. */
+    const lanes_i sign = lanes_i_and(lanes_i_shift_left(half, 16), lanes_i_splat(INT32_MIN));
+    const lanes_i size = lanes_i_and(lanes_i_shift_left(half, 13), lanes_i_splat(0x7FFF << 13));
+    /* Below 2^-14, where halves have no leading bit, `normal` is half the value plus 2^-15. From
+     * 2^-14 on it is the value, and not above its double less 2^-14. */
     const lanes_f normal = lanes_as_float(lanes_i_add(size, lanes_i_splat(0x38000000)));
     const lanes_f value =
         lanes_min(normal, lanes_sub(lanes_add(normal, normal), lanes_splat(0x1p-14f)));
-    /* Infinities and NaN are 2^16 or more, which no finite one is. */
+    /* Infinities and NaN are 2^16 or more, which no finite half is. */
     const lanes_i special = lanes_i_and(lanes_m_as_int(lanes_greater(value, lanes_splat(65504.0f))),
                                         lanes_i_splat(0x7F800000));
 
     return lanes_as_float(lanes_i_or(lanes_i_or(lanes_as_int(value), special), sign));
 }
 
-/* Returns the value of a half in the low bits. */
-static inline lanes_f half_value(lanes_i half)
+/* Returns the value of a half for arithmetic, where a signalling NaN counts as the quiet one that
+ * arithmetic makes of it. Bits above the half must be 0. */
+static inline lanes_f half_operand(lanes_i half)
 {
-    /* The arithmetic shift spreads the sign over the bits above the exponent. */
-    const lanes_i spread = lanes_i_shift_right(lanes_i_shift_left(half, 16), 3);
-
-    return placed_float_value(lanes_i_and(spread, lanes_i_splat((int32_t)0x8FFFE000u)));
+#if GN_LANES_HAVE_HALVES
+    return lanes_from_halves(half);
+#else
+    return half_value(half);
+#endif
 }
 
 /* Returns the half in the low bits. Rounds toward zero: finite values beyond the largest half

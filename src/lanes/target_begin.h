@@ -11,9 +11,9 @@
 #if defined(GN_LANES_AVX512) && !defined(GN_LANES_INTRINSICS_HEADER)
 #define GN_LANES_TARGET "avx512f,avx512bw,avx512dq,avx512vl"
 #elif defined(GN_LANES_AVX2) && !defined(__clang__)
-#define GN_LANES_TARGET "avx2,tune=skylake-avx512"
+#define GN_LANES_TARGET "avx2,f16c,tune=skylake-avx512"
 #elif defined(GN_LANES_AVX2)
-#define GN_LANES_TARGET "avx2"
+#define GN_LANES_TARGET "avx2,f16c"
 #endif
 
 #if defined(GN_LANES_TARGET)

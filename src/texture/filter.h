@@ -288,8 +288,7 @@ static inline int mix_plain_channels(const texel_format *format, const texel_squ
             last = lanes_i_shift_right(last, 16);
         }
 
-        const lanes_f below =
-            mix(s, plain_channel(channel, first), plain_channel(channel, right));
+        const lanes_f below = mix(s, plain_channel(channel, first), plain_channel(channel, right));
         mixed[c] = at->t ? mix(t, below,
                                mix(s, plain_channel(channel, above), plain_channel(channel, last)))
                          : below;

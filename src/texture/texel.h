@@ -162,13 +162,14 @@ static inline lanes_f fraction_in(const texel_channel *channel, lanes_i word)
     return masked_fraction(channel, channel->is_high ? lanes_i_shift_right(word, 16) : word);
 }
 
-/* Decodes a channel of `count` texels of up to four words. */
+/* Decodes a channel of `count` texels of up to four words. If the count is above 1, the values are
+ * for arithmetic. */
 GN_OUT_OF_LINE void decode_channel(const texel_channel *channel, const lanes_i texel[][4],
                                    int count, lanes_f *value)
 {
     const int word = channel->word;
     const int top = 32 - channel->shift - channel->width; /* bits above the channel */
-    const int down = channel->width == 16 ? 3 : 4;        /* exponent bits that only floats have */
+    const int down = channel->width == 16 ? 16 : 17;      /* other floats have no sign */
     const lanes_i mask = lanes_i_splat(channel->mask);
 
     switch (channel->kind) {
@@ -177,9 +178,12 @@ GN_OUT_OF_LINE void decode_channel(const texel_channel *channel, const lanes_i t
             value[i] = lanes_as_float(texel[i][word]);
         break;
     case CHANNEL_FLOAT:
-        for (int i = 0; i < count; ++i)
-            value[i] = placed_float_value(lanes_i_and(
-                lanes_i_shift_right(lanes_i_shift_left(texel[i][word], top), down), mask));
+        for (int i = 0; i < count; ++i) {
+            const lanes_i half = lanes_i_and(
+                lanes_i_shift_right(lanes_i_shift_left(texel[i][word], top), down), mask);
+
+            value[i] = count == 1 ? half_value(half) : half_operand(half);
+        }
         break;
     case CHANNEL_SRGB:
         for (int i = 0; i < count; ++i)

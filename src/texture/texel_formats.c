@@ -31,8 +31,8 @@
          ? ((1u << (width)) - 1) << ((offset) % 32 - (IS_HIGH(offset, width) ? 16 : 0))            \
          : 1u)
 
-/* The bits of a small float where a float of 32 bits has them. */
-#define FLOAT(width) ((width) == 16 ? 0x8FFFE000u : (width) == 11 ? 0x0FFE0000u : 0x0FFC0000u)
+/* The bits of a small float where a half has them. */
+#define FLOAT(width) ((width) == 16 ? 0xFFFFu : (width) == 11 ? 0x7FF0u : 0x7FE0u)
 
 #define MASK(encoding, offset, width)                                                              \
     ((encoding) == ENCODING_FLOAT ? FLOAT(width) : FRACTION(offset, width))

@@ -26,8 +26,7 @@ typedef enum channel_kind {
 /* A channel: bits of a word of the texel. A fraction is masked in place and multiplied by `scale`.
  * This rounds as unorm_channel does, because scale and factor differ by a power of two. A number
  * that reaches bit 31 would be negative in place, so `is_high` means that the word is moved down by
- * 16 bits before. A float is moved to where a float of 32 bits has its exponent, and masked
- * there. */
+ * 16 bits before. A small float is moved to where a half has its exponent, and masked there. */
 typedef struct texel_channel {
     int32_t mask;
     float scale;

@@ -1,0 +1,41 @@
+/* Lanes of halves, the floats of 16 bits, in the low bits of words:
+ *
+ *   from_halves   their values; bits above the halves are 0
+ *
+ * Only for processors that convert halves. A signalling NaN becomes a quiet one, as in arithmetic,
+ * so the values are for operands of arithmetic. */
+#ifndef GN_LANES_HALVES_H
+#define GN_LANES_HALVES_H
+
+#include "lanes.h"
+
+#if (defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2)) && !defined(GN_LANES_INTRINSICS_HEADER)
+#define GN_LANES_HAVE_HALVES 1
+#else
+#define GN_LANES_HAVE_HALVES 0
+#endif
+
+#if GN_LANES_HAVE_HALVES && defined(GN_LANES_AVX512)
+
+static inline lanes_f lanes_from_halves(lanes_i halves)
+{
+    return lanes_avx512_f(_mm512_cvtph_ps(_mm512_cvtepi32_epi16(halves.q)));
+}
+
+#elif GN_LANES_HAVE_HALVES
+
+static inline lanes_f lanes_from_halves(lanes_i halves)
+{
+    /* The pack works within 128 bits: rows 0, 2, 1 and 3. */
+    const __m256i rows = _mm256_permute4x64_epi64(_mm256_packus_epi32(halves.q[0], halves.q[1]),
+                                                  _MM_SHUFFLE(3, 1, 2, 0));
+    lanes_f a;
+
+    a.q[0] = _mm256_cvtph_ps(_mm256_castsi256_si128(rows));
+    a.q[1] = _mm256_cvtph_ps(_mm256_extracti128_si256(rows, 1));
+    return a;
+}
+
+#endif
+
+#endif
