@@ -42,8 +42,9 @@ void gn_lay_out_texels(const gn_texture *texture, uint32_t level, texel_layout *
 
 void gn_border_texel(const gn_sampler *sampler, gn_format format, float border[4])
 {
-    const bool has_range = !format_is_float(format);
-    const bool has_sign = !has_range && field_width(format_fields_of(format), 0) >= 16;
+    const texel_channel *const first = &gn_texel_formats[format].channel[0];
+    const bool has_range = first->kind == CHANNEL_FRACTION || first->kind == CHANNEL_SRGB;
+    const bool has_sign = !has_range && first->width >= 16;
 
     for (int c = 0; c < 4; ++c) {
         float value = sampler->border[c];
