@@ -28,7 +28,7 @@
 #define IS_HIGH(offset, width) ((width) < 32 && (offset) % 32 + (width) == 32)
 #define FRACTION(offset, width)                                                                    \
     ((width) > 0 && (width) < 32                                                                   \
-         ? ((1u << (width)) - 1) << ((offset) % 32 - (IS_HIGH(offset, width) ? 16 : 0))            \
+         ? ((1u << (width) % 32) - 1) << ((offset) % 32 - (IS_HIGH(offset, width) ? 16 : 0))       \
          : 1u)
 
 /* The bits of a small float where a half has them. */
