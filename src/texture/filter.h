@@ -210,32 +210,39 @@ static inline void load_square(const texel_layout *layout, const texel_square *a
     }
 }
 
-/* Replaces texel i by the border in the lanes where it is outside. */
-static inline void put_border(const lookup_state *state, const texel_square *at, int i, int channel,
-                              lanes_f *texel)
+/* Returns whether a lane of a texel is outside. */
+static inline bool reaches_outside(const texel_square *at)
 {
-    const lanes_i zero = lanes_i_splat(0);
-    lanes_i outside = at->outside ? *at->outside : zero;
-
-    if (at->s->has_outside)
-        outside = lanes_i_or(outside, at->s->outside[i & 1]);
-    if (at->t && at->t->has_outside)
-        outside = lanes_i_or(outside, at->t->outside[i >> 1]);
-    *texel =
-        lanes_select(lanes_i_greater(zero, outside), lanes_splat(state->border[channel]), *texel);
+    return at->outside || at->s->has_outside || (at->t && at->t->has_outside);
 }
 
-/* Puts the border and the results of comparisons in place of texels, and mixes them along s and
- * t. */
+/* Finds the lanes in which each texel is the border. */
+static inline void find_border(const texel_square *at, lanes_m is_border[CORNER_COUNT])
+{
+    const lanes_i zero = lanes_i_splat(0);
+
+    for (int i = 0; i < at->count; ++i) {
+        lanes_i outside = at->outside ? *at->outside : zero;
+
+        if (at->s->has_outside)
+            outside = lanes_i_or(outside, at->s->outside[i & 1]);
+        if (at->t && at->t->has_outside)
+            outside = lanes_i_or(outside, at->t->outside[i >> 1]);
+        is_border[i] = lanes_i_greater(zero, outside);
+    }
+}
+
+/* Puts the border and the results of comparisons in place of texels, and mixes them along s and t.
+ * `is_border` is null if no texel is outside. */
 GN_OUT_OF_LINE void mix_changed(const lookup_state *state, const lookup_place *place,
-                                const texel_square *at, int channel, lanes_f texel[CORNER_COUNT],
-                                lanes_f *mixed)
+                                const texel_square *at, const lanes_m *is_border, int channel,
+                                lanes_f texel[CORNER_COUNT], lanes_f *mixed)
 {
     const bool is_compared = state->compare != GN_COMPARE_DEFAULT;
 
     for (int i = 0; i < at->count; ++i) {
-        if (state->has_border)
-            put_border(state, at, i, channel, &texel[i]);
+        if (is_border)
+            texel[i] = lanes_select(is_border[i], lanes_splat(state->border[channel]), texel[i]);
         if (is_compared)
             texel[i] = compared(state->compare, place->reference, texel[i]);
     }
@@ -302,8 +309,9 @@ GN_OUT_OF_LINE void mix_square(const lookup_state *state, const texel_layout *la
                                const lookup_place *place, const texel_square *at, lanes_f mixed[4])
 {
     const texel_format *const format = state->format;
-    const bool is_changed = state->compare != GN_COMPARE_DEFAULT || at->outside ||
-                            at->s->has_outside || (at->t && at->t->has_outside);
+    const bool is_outside = reaches_outside(at);
+    const bool is_changed = is_outside || state->compare != GN_COMPARE_DEFAULT;
+    lanes_m is_border[CORNER_COUNT];
     lanes_i word[CORNER_COUNT][4];
     lanes_f texel[CORNER_COUNT];
 
@@ -311,12 +319,14 @@ GN_OUT_OF_LINE void mix_square(const lookup_state *state, const texel_layout *la
     if (!is_changed &&
         mix_plain_channels(format, at, (const lanes_i(*)[4])word, mixed) == format->channels)
         return;
+    if (is_outside)
+        find_border(at, is_border);
     for (int c = 0; c < format->channels; ++c) {
         if (!is_changed && is_plain(&format->channel[c]))
             continue;
         decode_channel(&format->channel[c], (const lanes_i(*)[4])word, at->count, texel);
         if (is_changed) {
-            mix_changed(state, place, at, c, texel, &mixed[c]);
+            mix_changed(state, place, at, is_outside ? is_border : 0, c, texel, &mixed[c]);
             continue;
         }
 
