@@ -258,18 +258,25 @@ static inline bool is_plain(const texel_channel *channel)
 }
 
 /* Returns a channel that is a fraction or a float of 32 bits, from words as masked_fraction takes
- * them. */
-static inline lanes_f plain_channel(const texel_channel *channel, lanes_i word)
+ * them. `is_border` is null if no lane is the border. */
+static inline lanes_f plain_channel(const texel_channel *channel, lanes_i word,
+                                    const lanes_m *is_border, float border)
 {
-    return channel->kind == CHANNEL_WORD ? lanes_as_float(word) : masked_fraction(channel, word);
+    const lanes_f value =
+        channel->kind == CHANNEL_WORD ? lanes_as_float(word) : masked_fraction(channel, word);
+
+    return is_border ? lanes_select(*is_border, lanes_splat(border), value) : value;
 }
 
 /* Mixes the channels that plain_channel returns along s and t, and returns how many these are. The
  * words of a channel stay in registers for the next one. Of the channels of a word, only the last
  * one reaches bit 31. */
-static inline int mix_plain_channels(const texel_format *format, const texel_square *at,
-                                     const lanes_i word[CORNER_COUNT][4], lanes_f mixed[4])
+static inline int mix_plain_channels(const lookup_state *state, const texel_square *at,
+                                     const lanes_i word[CORNER_COUNT][4],
+                                     const lanes_m is_border[CORNER_COUNT], lanes_f mixed[4])
 {
+    const texel_format *const format = state->format;
+    const bool has_border = is_border != 0;
     const int upper = at->t ? CORNER_01 : CORNER_00; /* a first texel that is there */
     const lanes_f s = at->s->weight, t = at->t ? at->t->weight : s;
     lanes_i first = word[CORNER_00][0], right = word[CORNER_10][0];
@@ -295,10 +302,16 @@ static inline int mix_plain_channels(const texel_format *format, const texel_squ
             last = lanes_i_shift_right(last, 16);
         }
 
-        const lanes_f below = mix(s, plain_channel(channel, first), plain_channel(channel, right));
-        mixed[c] = at->t ? mix(t, below,
-                               mix(s, plain_channel(channel, above), plain_channel(channel, last)))
-                         : below;
+        const float border = has_border ? state->border[c] : 0.0f;
+        const lanes_f below =
+            mix(s, plain_channel(channel, first, has_border ? &is_border[0] : 0, border),
+                plain_channel(channel, right, has_border ? &is_border[1] : 0, border));
+        mixed[c] =
+            at->t
+                ? mix(t, below,
+                      mix(s, plain_channel(channel, above, has_border ? &is_border[2] : 0, border),
+                          plain_channel(channel, last, has_border ? &is_border[3] : 0, border)))
+                : below;
         ++count;
     }
     return count;
@@ -310,22 +323,22 @@ GN_OUT_OF_LINE void mix_square(const lookup_state *state, const texel_layout *la
 {
     const texel_format *const format = state->format;
     const bool is_outside = reaches_outside(at);
-    const bool is_changed = is_outside || state->compare != GN_COMPARE_DEFAULT;
+    const bool is_compared = state->compare != GN_COMPARE_DEFAULT;
     lanes_m is_border[CORNER_COUNT];
     lanes_i word[CORNER_COUNT][4];
     lanes_f texel[CORNER_COUNT];
 
     load_square(layout, at, word);
-    if (!is_changed &&
-        mix_plain_channels(format, at, (const lanes_i(*)[4])word, mixed) == format->channels)
-        return;
     if (is_outside)
         find_border(at, is_border);
+    if (!is_compared && mix_plain_channels(state, at, (const lanes_i(*)[4])word,
+                                           is_outside ? is_border : 0, mixed) == format->channels)
+        return;
     for (int c = 0; c < format->channels; ++c) {
-        if (!is_changed && is_plain(&format->channel[c]))
+        if (!is_compared && is_plain(&format->channel[c]))
             continue;
         decode_channel(&format->channel[c], (const lanes_i(*)[4])word, at->count, texel);
-        if (is_changed) {
+        if (is_outside || is_compared) {
             mix_changed(state, place, at, is_outside ? is_border : 0, c, texel, &mixed[c]);
             continue;
         }
