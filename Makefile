@@ -124,9 +124,10 @@ $(eval $(call program,bench-states,$(STATES_SOURCES) $(addprefix tools/bench/,ch
 	plot_parts.c) $(REFERENCE_SOURCES) $(LIBRARY),-lOSMesa -lm))
 
 # Users' shaders, once per instruction set (reference/scene/user_shaders.h). Without these flags the
-# compiler does not vectorise them: sqrtf may set errno, comparisons may set exception flags, and
-# loops that copy become calls of memcpy.
-VECTORISE = -fno-math-errno -fno-trapping-math -fno-tree-loop-distribute-patterns
+# compiler does not vectorise them: sqrtf may set errno, comparisons may set exception flags, and GCC
+# makes calls of memcpy of loops that copy. Clang does not know the third.
+VECTORISE := -fno-math-errno -fno-trapping-math \
+	$(if $(findstring clang,$(shell $(CC) --version 2>/dev/null)),,-fno-tree-loop-distribute-patterns)
 $(BUILD)/reference/scene/user_shaders_baseline.o: EXTRA_FLAGS = $(VECTORISE)
 ifeq ($(MACHINE),x86_64)
 $(BUILD)/reference/scene/user_shaders_avx2.o: EXTRA_FLAGS = $(VECTORISE) -mavx2
