@@ -9,10 +9,14 @@
 #include "../texture/fetch.h"
 #include "../texture/sample_any.h"
 
-/* Returns the back end's form of a ready-made shader, and any other shader as it is. By
- * comparisons, since a table of functions would need relocation. */
+/* Returns the back end's form of a ready-made shader, and any other shader as it is. The public
+ * shaders are of SSE2's form where there is one (lanes.h). By comparisons, since a table of
+ * functions would need relocation. */
 static inline gn_fragment_shader *own_fragment_shader(gn_fragment_shader *shader)
 {
+#if defined(GN_LANES_SSE2)
+    return shader;
+#else
     return shader == gn_shade_phong           ? shade_phong
            : shader == gn_shade_blinn_phong   ? shade_blinn_phong
            : shader == gn_shade_toon          ? shade_toon
@@ -23,11 +27,16 @@ static inline gn_fragment_shader *own_fragment_shader(gn_fragment_shader *shader
            : shader == gn_shade_normal_color  ? shade_normal_color
            : shader == gn_shade_depth_color   ? shade_depth_color
                                               : shader;
+#endif
 }
 
 static inline gn_vertex_shader *own_vertex_shader(gn_vertex_shader *shader)
 {
+#if defined(GN_LANES_SSE2)
+    return shader;
+#else
     return shader == gn_shade_surface ? shade_surface : shader;
+#endif
 }
 
 void GN_SHADING(const gn_pipeline *pipeline, shading_functions *out)
