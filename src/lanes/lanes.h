@@ -97,6 +97,14 @@ static inline uint32_t count_lanes(uint32_t bits)
 #define GN_OUT_OF_LINE static
 #endif
 
+/* For operations on lanes in registers. An operation of a dozen instructions passes the limits of a
+ * compiler that inlines, and out of line its lanes are passed in memory. */
+#if defined(__GNUC__) && !GN_IS_SMALL && !defined(__SANITIZE_ADDRESS__)
+#define GN_OPERATION static inline __attribute__((always_inline))
+#else
+#define GN_OPERATION static inline
+#endif
+
 /* GN_INLINE if lanes fill one or two registers. If they fill four, the values of so long a function
  * would leave the registers for memory, so the compiler decides. */
 #if defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2)

@@ -24,40 +24,40 @@ typedef struct lanes_m {
     __mmask16 q;
 } lanes_m;
 
-static inline lanes_f lanes_avx512_f(__m512 q)
+GN_OPERATION lanes_f lanes_avx512_f(__m512 q)
 {
     const lanes_f r = {q};
     return r;
 }
 
-static inline lanes_i lanes_avx512_i(__m512i q)
+GN_OPERATION lanes_i lanes_avx512_i(__m512i q)
 {
     const lanes_i r = {q};
     return r;
 }
 
-static inline lanes_m lanes_avx512_m(uint32_t q)
+GN_OPERATION lanes_m lanes_avx512_m(uint32_t q)
 {
     const lanes_m r = {(__mmask16)q};
     return r;
 }
 
-static inline lanes_f lanes_load(const float p[GN_LANES])
+GN_OPERATION lanes_f lanes_load(const float p[GN_LANES])
 {
     return lanes_avx512_f(_mm512_loadu_ps(p));
 }
 
-static inline void lanes_store(float *p, lanes_f a)
+GN_OPERATION void lanes_store(float *p, lanes_f a)
 {
     _mm512_storeu_ps(p, a.q);
 }
 
-static inline lanes_f lanes_splat(float a)
+GN_OPERATION lanes_f lanes_splat(float a)
 {
     return lanes_avx512_f(_mm512_set1_ps(a));
 }
 
-static inline lanes_f lanes_columns(float per_x, float x, float origin)
+GN_OPERATION lanes_f lanes_columns(float per_x, float x, float origin)
 {
     const __m512 column = _mm512_add_ps(
         _mm512_set1_ps(x), _mm512_setr_ps(0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3));
@@ -66,7 +66,7 @@ static inline lanes_f lanes_columns(float per_x, float x, float origin)
         _mm512_add_ps(_mm512_mul_ps(_mm512_set1_ps(per_x), column), _mm512_set1_ps(origin)));
 }
 
-static inline lanes_f lanes_rows(float per_y, float y)
+GN_OPERATION lanes_f lanes_rows(float per_y, float y)
 {
     const __m512 row = _mm512_add_ps(
         _mm512_set1_ps(y), _mm512_setr_ps(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3));
@@ -74,88 +74,88 @@ static inline lanes_f lanes_rows(float per_y, float y)
     return lanes_avx512_f(_mm512_mul_ps(_mm512_set1_ps(per_y), row));
 }
 
-static inline lanes_f lanes_add(lanes_f a, lanes_f b)
+GN_OPERATION lanes_f lanes_add(lanes_f a, lanes_f b)
 {
     return lanes_avx512_f(_mm512_add_ps(a.q, b.q));
 }
 
-static inline lanes_f lanes_sub(lanes_f a, lanes_f b)
+GN_OPERATION lanes_f lanes_sub(lanes_f a, lanes_f b)
 {
     return lanes_avx512_f(_mm512_sub_ps(a.q, b.q));
 }
 
-static inline lanes_f lanes_mul(lanes_f a, lanes_f b)
+GN_OPERATION lanes_f lanes_mul(lanes_f a, lanes_f b)
 {
     return lanes_avx512_f(_mm512_mul_ps(a.q, b.q));
 }
 
-static inline lanes_f lanes_div(lanes_f a, lanes_f b)
+GN_OPERATION lanes_f lanes_div(lanes_f a, lanes_f b)
 {
     return lanes_avx512_f(_mm512_div_ps(a.q, b.q));
 }
 
-static inline lanes_f lanes_sqrt(lanes_f a)
+GN_OPERATION lanes_f lanes_sqrt(lanes_f a)
 {
     return lanes_avx512_f(_mm512_sqrt_ps(a.q));
 }
 
-static inline lanes_m lanes_greater(lanes_f a, lanes_f b)
+GN_OPERATION lanes_m lanes_greater(lanes_f a, lanes_f b)
 {
     return lanes_avx512_m(_mm512_cmp_ps_mask(a.q, b.q, _CMP_GT_OQ));
 }
 
-static inline lanes_m lanes_less_equal(lanes_f a, lanes_f b)
+GN_OPERATION lanes_m lanes_less_equal(lanes_f a, lanes_f b)
 {
     return lanes_avx512_m(_mm512_cmp_ps_mask(a.q, b.q, _CMP_LE_OQ));
 }
 
-static inline lanes_m lanes_and(lanes_m a, lanes_m b)
+GN_OPERATION lanes_m lanes_and(lanes_m a, lanes_m b)
 {
     return lanes_avx512_m((uint32_t)a.q & b.q);
 }
 
-static inline lanes_m lanes_not(lanes_m a)
+GN_OPERATION lanes_m lanes_not(lanes_m a)
 {
     return lanes_avx512_m(a.q ^ GN_ALL_LANES);
 }
 
-static inline uint32_t lanes_bits(lanes_m a)
+GN_OPERATION uint32_t lanes_bits(lanes_m a)
 {
     return a.q;
 }
 
-static inline lanes_m lanes_from_bits(uint32_t bits)
+GN_OPERATION lanes_m lanes_from_bits(uint32_t bits)
 {
     return lanes_avx512_m(bits);
 }
 
-static inline lanes_f lanes_select(lanes_m m, lanes_f a, lanes_f b)
+GN_OPERATION lanes_f lanes_select(lanes_m m, lanes_f a, lanes_f b)
 {
     return lanes_avx512_f(_mm512_mask_blend_ps(m.q, b.q, a.q));
 }
 
-static inline lanes_f lanes_min(lanes_f a, lanes_f b)
+GN_OPERATION lanes_f lanes_min(lanes_f a, lanes_f b)
 {
     return lanes_avx512_f(_mm512_min_ps(a.q, b.q));
 }
 
-static inline lanes_f lanes_max(lanes_f a, lanes_f b)
+GN_OPERATION lanes_f lanes_max(lanes_f a, lanes_f b)
 {
     return lanes_avx512_f(_mm512_max_ps(a.q, b.q));
 }
 
-static inline lanes_i lanes_i_splat(int32_t a)
+GN_OPERATION lanes_i lanes_i_splat(int32_t a)
 {
     return lanes_avx512_i(_mm512_set1_epi32(a));
 }
 
-static inline lanes_i lanes_i_halves(int32_t lower, int32_t upper)
+GN_OPERATION lanes_i lanes_i_halves(int32_t lower, int32_t upper)
 {
     return lanes_avx512_i(
         _mm512_inserti32x8(_mm512_set1_epi32(lower), _mm256_set1_epi32(upper), 1));
 }
 
-static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
+GN_OPERATION lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
 {
     const __m512i column = _mm512_setr_epi32(0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3);
     const __m512i row = _mm512_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3);
@@ -165,153 +165,153 @@ static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
                          _mm512_mullo_epi32(_mm512_set1_epi32(per_row), row)));
 }
 
-static inline lanes_i lanes_i_load(const int32_t p[GN_LANES])
+GN_OPERATION lanes_i lanes_i_load(const int32_t p[GN_LANES])
 {
     return lanes_avx512_i(_mm512_loadu_si512(p));
 }
 
-static inline void lanes_i_store(int32_t *p, lanes_i a)
+GN_OPERATION void lanes_i_store(int32_t *p, lanes_i a)
 {
     _mm512_storeu_si512(p, a.q);
 }
 
-static inline lanes_i lanes_i_add(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_add(lanes_i a, lanes_i b)
 {
     return lanes_avx512_i(_mm512_add_epi32(a.q, b.q));
 }
 
-static inline lanes_i lanes_i_sub(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_sub(lanes_i a, lanes_i b)
 {
     return lanes_avx512_i(_mm512_sub_epi32(a.q, b.q));
 }
 
-static inline lanes_i lanes_i_mul(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_mul(lanes_i a, lanes_i b)
 {
     return lanes_avx512_i(_mm512_mullo_epi32(a.q, b.q));
 }
 
-static inline lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
 {
     return lanes_avx512_i(_mm512_mullo_epi16(a.q, b.q));
 }
 
-static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
+GN_OPERATION lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     return lanes_avx512_i(_mm512_sll_epi32(a.q, _mm_cvtsi32_si128(count)));
 }
 
-static inline lanes_i lanes_i_shift_right(lanes_i a, int count)
+GN_OPERATION lanes_i lanes_i_shift_right(lanes_i a, int count)
 {
     return lanes_avx512_i(_mm512_sra_epi32(a.q, _mm_cvtsi32_si128(count)));
 }
 
-static inline lanes_i lanes_i_min(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_min(lanes_i a, lanes_i b)
 {
     return lanes_avx512_i(_mm512_min_epi32(a.q, b.q));
 }
 
-static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_max(lanes_i a, lanes_i b)
 {
     return lanes_avx512_i(_mm512_max_epi32(a.q, b.q));
 }
 
-static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_or(lanes_i a, lanes_i b)
 {
     return lanes_avx512_i(_mm512_or_si512(a.q, b.q));
 }
 
-static inline lanes_i lanes_i_and(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_and(lanes_i a, lanes_i b)
 {
     return lanes_avx512_i(_mm512_and_si512(a.q, b.q));
 }
 
-static inline lanes_i lanes_i_xor(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_xor(lanes_i a, lanes_i b)
 {
     return lanes_avx512_i(_mm512_xor_si512(a.q, b.q));
 }
 
-static inline lanes_m lanes_i_greater(lanes_i a, lanes_i b)
+GN_OPERATION lanes_m lanes_i_greater(lanes_i a, lanes_i b)
 {
     return lanes_avx512_m(_mm512_cmpgt_epi32_mask(a.q, b.q));
 }
 
-static inline lanes_m lanes_i_equal(lanes_i a, lanes_i b)
+GN_OPERATION lanes_m lanes_i_equal(lanes_i a, lanes_i b)
 {
     return lanes_avx512_m(_mm512_cmpeq_epi32_mask(a.q, b.q));
 }
 
-static inline lanes_i lanes_i_select(lanes_m m, lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_select(lanes_m m, lanes_i a, lanes_i b)
 {
     return lanes_avx512_i(_mm512_mask_blend_epi32(m.q, b.q, a.q));
 }
 
-static inline lanes_i lanes_m_as_int(lanes_m a)
+GN_OPERATION lanes_i lanes_m_as_int(lanes_m a)
 {
     return lanes_avx512_i(_mm512_movm_epi32(a.q));
 }
 
-static inline uint32_t lanes_i_sign_bits(lanes_i a)
+GN_OPERATION uint32_t lanes_i_sign_bits(lanes_i a)
 {
     return _mm512_movepi32_mask(a.q);
 }
 
-static inline lanes_f lanes_to_float(lanes_i a)
+GN_OPERATION lanes_f lanes_to_float(lanes_i a)
 {
     return lanes_avx512_f(_mm512_cvtepi32_ps(a.q));
 }
 
-static inline lanes_i lanes_as_int(lanes_f a)
+GN_OPERATION lanes_i lanes_as_int(lanes_f a)
 {
     return lanes_avx512_i(_mm512_castps_si512(a.q));
 }
 
-static inline lanes_f lanes_as_float(lanes_i a)
+GN_OPERATION lanes_f lanes_as_float(lanes_i a)
 {
     return lanes_avx512_f(_mm512_castsi512_ps(a.q));
 }
 
-static inline lanes_i lanes_truncate(lanes_f a)
+GN_OPERATION lanes_i lanes_truncate(lanes_f a)
 {
     return lanes_avx512_i(_mm512_cvttps_epi32(a.q));
 }
 
-static inline lanes_f lanes_floor(lanes_f a)
+GN_OPERATION lanes_f lanes_floor(lanes_f a)
 {
     return lanes_avx512_f(_mm512_floor_ps(a.q));
 }
 
-static inline lanes_f lanes_quad_left(lanes_f a)
+GN_OPERATION lanes_f lanes_quad_left(lanes_f a)
 {
     return lanes_avx512_f(_mm512_permutexvar_ps(
         _mm512_setr_epi32(0, 0, 2, 2, 4, 4, 6, 6, 8, 8, 10, 10, 12, 12, 14, 14), a.q));
 }
 
-static inline lanes_f lanes_quad_right(lanes_f a)
+GN_OPERATION lanes_f lanes_quad_right(lanes_f a)
 {
     return lanes_avx512_f(_mm512_permutexvar_ps(
         _mm512_setr_epi32(1, 1, 3, 3, 5, 5, 7, 7, 9, 9, 11, 11, 13, 13, 15, 15), a.q));
 }
 
-static inline lanes_f lanes_quad_lower(lanes_f a)
+GN_OPERATION lanes_f lanes_quad_lower(lanes_f a)
 {
     return lanes_avx512_f(_mm512_permutexvar_ps(
         _mm512_setr_epi32(0, 1, 2, 3, 0, 1, 2, 3, 8, 9, 10, 11, 8, 9, 10, 11), a.q));
 }
 
-static inline lanes_f lanes_quad_upper(lanes_f a)
+GN_OPERATION lanes_f lanes_quad_upper(lanes_f a)
 {
     return lanes_avx512_f(_mm512_permutexvar_ps(
         _mm512_setr_epi32(4, 5, 6, 7, 4, 5, 6, 7, 12, 13, 14, 15, 12, 13, 14, 15), a.q));
 }
 
-static inline lanes_i lanes_round(lanes_f a)
+GN_OPERATION lanes_i lanes_round(lanes_f a)
 {
     return lanes_avx512_i(_mm512_cvtps_epi32(a.q));
 }
 
 /* The packs saturate and interleave within each row of the block; the bytes of each row are then
  * transposed. */
-static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
+GN_OPERATION lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
 {
     const __m512 scale = _mm512_set1_ps(255.0f);
     const __m512i rg = _mm512_packs_epi32(_mm512_cvtps_epi32(_mm512_mul_ps(red.q, scale)),
@@ -323,13 +323,13 @@ static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue
     return lanes_avx512_i(_mm512_shuffle_epi8(_mm512_packus_epi16(rg, ba), order));
 }
 
-static inline __m128i lanes_avx512_load_row(const unsigned char *memory)
+GN_OPERATION __m128i lanes_avx512_load_row(const unsigned char *memory)
 {
     return _mm_loadu_si128((const __m128i *)(const void *)memory);
 }
 
-static inline lanes_i lanes_i_load_block(const unsigned char *lower, const unsigned char *upper,
-                                         ptrdiff_t stride)
+GN_OPERATION lanes_i lanes_i_load_block(const unsigned char *lower, const unsigned char *upper,
+                                        ptrdiff_t stride)
 {
     __m512i r = _mm512_castsi128_si512(lanes_avx512_load_row(lower));
 
@@ -338,8 +338,8 @@ static inline lanes_i lanes_i_load_block(const unsigned char *lower, const unsig
     return lanes_avx512_i(_mm512_inserti32x4(r, lanes_avx512_load_row(upper + stride), 3));
 }
 
-static inline void lanes_i_store_block(unsigned char *lower, unsigned char *upper, ptrdiff_t stride,
-                                       lanes_i a)
+GN_OPERATION void lanes_i_store_block(unsigned char *lower, unsigned char *upper, ptrdiff_t stride,
+                                      lanes_i a)
 {
     _mm_storeu_si128((__m128i *)(void *)lower, _mm512_castsi512_si128(a.q));
     _mm_storeu_si128((__m128i *)(void *)(lower + stride), _mm512_extracti32x4_epi32(a.q, 1));
@@ -348,7 +348,7 @@ static inline void lanes_i_store_block(unsigned char *lower, unsigned char *uppe
 }
 
 /* Transposes 4x4 words in each 128-bit part. */
-static inline void lanes_avx512_transpose(__m512i r[4])
+GN_OPERATION void lanes_avx512_transpose(__m512i r[4])
 {
     const __m512i a = _mm512_unpacklo_epi32(r[0], r[1]);
     const __m512i b = _mm512_unpackhi_epi32(r[0], r[1]);
@@ -361,8 +361,8 @@ static inline void lanes_avx512_transpose(__m512i r[4])
     r[3] = _mm512_unpackhi_epi64(b, d);
 }
 
-static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32_t *offset,
-                                       uint32_t step, lanes_i out[4])
+GN_OPERATION void lanes_i_gather_rows(const unsigned char *memory, const uint32_t *offset,
+                                      uint32_t step, lanes_i out[4])
 {
     __m512i r[4];
 
@@ -379,7 +379,7 @@ static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32
         out[c].q = r[c];
 }
 
-static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, const lanes_i in[4])
+GN_OPERATION void lanes_i_scatter_rows(unsigned char *memory, size_t stride, const lanes_i in[4])
 {
     __m512i r[4];
 
@@ -393,7 +393,7 @@ static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, co
 
 /* A byte above the lowest is converted in place, and the factor is smaller by the same power of
  * two, which changes no rounding. */
-static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
+GN_OPERATION lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
 {
     const float scale = (float)(1.0 / 255.0) / (float)(1 << 8 * (channel % 3));
     const __m512i byte = _mm512_set1_epi32(0xFF << 8 * (channel % 3));
@@ -405,7 +405,7 @@ static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
 
 /* Loads of single words and pairs take less time than the gather instructions, which block the
  * units of arithmetic. The indices leave the register two at a time. */
-static inline void lanes_avx512_indices(lanes_i index, int32_t at[GN_LANES])
+GN_OPERATION void lanes_avx512_indices(lanes_i index, int32_t at[GN_LANES])
 {
     const __m128i part[4] = {_mm512_castsi512_si128(index.q), _mm512_extracti32x4_epi32(index.q, 1),
                              _mm512_extracti32x4_epi32(index.q, 2),
@@ -422,7 +422,7 @@ static inline void lanes_avx512_indices(lanes_i index, int32_t at[GN_LANES])
     }
 }
 
-static inline __m512i lanes_avx512_join(__m128i a, __m128i b, __m128i c, __m128i d)
+GN_OPERATION __m512i lanes_avx512_join(__m128i a, __m128i b, __m128i c, __m128i d)
 {
     const __m256i low = _mm256_inserti128_si256(_mm256_castsi128_si256(a), b, 1);
     const __m256i high = _mm256_inserti128_si256(_mm256_castsi128_si256(c), d, 1);
@@ -430,7 +430,7 @@ static inline __m512i lanes_avx512_join(__m128i a, __m128i b, __m128i c, __m128i
     return _mm512_inserti64x4(_mm512_castsi256_si512(low), high, 1);
 }
 
-static inline __m128i lanes_avx512_words(const stored_word *base, const int32_t *index)
+GN_OPERATION __m128i lanes_avx512_words(const stored_word *base, const int32_t *index)
 {
     return _mm_setr_epi32(base[index[0]], base[index[1]], base[index[2]], base[index[3]]);
 }
@@ -446,7 +446,7 @@ GN_INLINE lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
 }
 
 /* Loads two pairs of words. */
-static inline __m128i lanes_avx512_pairs(const stored_word *base, const int32_t *index)
+GN_OPERATION __m128i lanes_avx512_pairs(const stored_word *base, const int32_t *index)
 {
     const __m128 low =
         _mm_castsi128_ps(_mm_loadl_epi64((const __m128i *)(const void *)(base + index[0])));

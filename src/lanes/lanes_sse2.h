@@ -21,12 +21,12 @@ typedef struct lanes_m {
     __m128i q[4];
 } lanes_m;
 
-static inline lanes_f lanes_load(const float p[GN_LANES])
+GN_OPERATION lanes_f lanes_load(const float p[GN_LANES])
 {
     LANES_EACH_REGISTER(lanes_f, _mm_loadu_ps(p + 4 * n));
 }
 
-static inline void lanes_store(float *p, lanes_f a)
+GN_OPERATION void lanes_store(float *p, lanes_f a)
 {
     _mm_storeu_ps(p, a.q[0]);
     _mm_storeu_ps(p + 4, a.q[1]);
@@ -34,12 +34,12 @@ static inline void lanes_store(float *p, lanes_f a)
     _mm_storeu_ps(p + 12, a.q[3]);
 }
 
-static inline lanes_f lanes_splat(float a)
+GN_OPERATION lanes_f lanes_splat(float a)
 {
     LANES_EACH_REGISTER(lanes_f, _mm_set1_ps(a));
 }
 
-static inline lanes_f lanes_columns(float per_x, float x, float origin)
+GN_OPERATION lanes_f lanes_columns(float per_x, float x, float origin)
 {
     const __m128 column = _mm_add_ps(_mm_set1_ps(x), _mm_setr_ps(0.0f, 1.0f, 2.0f, 3.0f));
     const __m128 value = _mm_add_ps(_mm_mul_ps(_mm_set1_ps(per_x), column), _mm_set1_ps(origin));
@@ -47,57 +47,57 @@ static inline lanes_f lanes_columns(float per_x, float x, float origin)
     LANES_EACH_REGISTER(lanes_f, value);
 }
 
-static inline lanes_f lanes_rows(float per_y, float y)
+GN_OPERATION lanes_f lanes_rows(float per_y, float y)
 {
     LANES_EACH_REGISTER(lanes_f, _mm_set1_ps(per_y * (y + (float)n)));
 }
 
-static inline lanes_f lanes_add(lanes_f a, lanes_f b)
+GN_OPERATION lanes_f lanes_add(lanes_f a, lanes_f b)
 {
     LANES_EACH_REGISTER(lanes_f, _mm_add_ps(a.q[n], b.q[n]));
 }
 
-static inline lanes_f lanes_sub(lanes_f a, lanes_f b)
+GN_OPERATION lanes_f lanes_sub(lanes_f a, lanes_f b)
 {
     LANES_EACH_REGISTER(lanes_f, _mm_sub_ps(a.q[n], b.q[n]));
 }
 
-static inline lanes_f lanes_mul(lanes_f a, lanes_f b)
+GN_OPERATION lanes_f lanes_mul(lanes_f a, lanes_f b)
 {
     LANES_EACH_REGISTER(lanes_f, _mm_mul_ps(a.q[n], b.q[n]));
 }
 
-static inline lanes_f lanes_div(lanes_f a, lanes_f b)
+GN_OPERATION lanes_f lanes_div(lanes_f a, lanes_f b)
 {
     LANES_EACH_REGISTER(lanes_f, _mm_div_ps(a.q[n], b.q[n]));
 }
 
-static inline lanes_f lanes_sqrt(lanes_f a)
+GN_OPERATION lanes_f lanes_sqrt(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_f, _mm_sqrt_ps(a.q[n]));
 }
 
-static inline lanes_m lanes_greater(lanes_f a, lanes_f b)
+GN_OPERATION lanes_m lanes_greater(lanes_f a, lanes_f b)
 {
     LANES_EACH_REGISTER(lanes_m, _mm_castps_si128(_mm_cmplt_ps(b.q[n], a.q[n])));
 }
 
-static inline lanes_m lanes_less_equal(lanes_f a, lanes_f b)
+GN_OPERATION lanes_m lanes_less_equal(lanes_f a, lanes_f b)
 {
     LANES_EACH_REGISTER(lanes_m, _mm_castps_si128(_mm_cmple_ps(a.q[n], b.q[n])));
 }
 
-static inline lanes_m lanes_and(lanes_m a, lanes_m b)
+GN_OPERATION lanes_m lanes_and(lanes_m a, lanes_m b)
 {
     LANES_EACH_REGISTER(lanes_m, _mm_and_si128(a.q[n], b.q[n]));
 }
 
-static inline lanes_m lanes_not(lanes_m a)
+GN_OPERATION lanes_m lanes_not(lanes_m a)
 {
     LANES_EACH_REGISTER(lanes_m, _mm_xor_si128(a.q[n], _mm_set1_epi32(-1)));
 }
 
-static inline uint32_t lanes_bits(lanes_m a)
+GN_OPERATION uint32_t lanes_bits(lanes_m a)
 {
     return (uint32_t)(_mm_movemask_ps(_mm_castsi128_ps(a.q[0])) |
                       _mm_movemask_ps(_mm_castsi128_ps(a.q[1])) << 4 |
@@ -105,7 +105,7 @@ static inline uint32_t lanes_bits(lanes_m a)
                       _mm_movemask_ps(_mm_castsi128_ps(a.q[3])) << 12);
 }
 
-static inline lanes_m lanes_from_bits(uint32_t bits)
+GN_OPERATION lanes_m lanes_from_bits(uint32_t bits)
 {
     const __m128i all = _mm_set1_epi32((int)bits);
 
@@ -115,45 +115,45 @@ static inline lanes_m lanes_from_bits(uint32_t bits)
                                  _mm_set_epi32(8 << 4 * n, 4 << 4 * n, 2 << 4 * n, 1 << 4 * n)));
 }
 
-static inline lanes_f lanes_select(lanes_m m, lanes_f a, lanes_f b)
+GN_OPERATION lanes_f lanes_select(lanes_m m, lanes_f a, lanes_f b)
 {
     LANES_EACH_REGISTER(lanes_f, _mm_or_ps(_mm_and_ps(_mm_castsi128_ps(m.q[n]), a.q[n]),
                                            _mm_andnot_ps(_mm_castsi128_ps(m.q[n]), b.q[n])));
 }
 
-static inline lanes_f lanes_min(lanes_f a, lanes_f b)
+GN_OPERATION lanes_f lanes_min(lanes_f a, lanes_f b)
 {
     LANES_EACH_REGISTER(lanes_f, _mm_min_ps(a.q[n], b.q[n]));
 }
 
-static inline lanes_f lanes_max(lanes_f a, lanes_f b)
+GN_OPERATION lanes_f lanes_max(lanes_f a, lanes_f b)
 {
     LANES_EACH_REGISTER(lanes_f, _mm_max_ps(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_splat(int32_t a)
+GN_OPERATION lanes_i lanes_i_splat(int32_t a)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_set1_epi32(a));
 }
 
-static inline lanes_i lanes_i_halves(int32_t lower, int32_t upper)
+GN_OPERATION lanes_i lanes_i_halves(int32_t lower, int32_t upper)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_set1_epi32(n < 2 ? lower : upper));
 }
 
-static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
+GN_OPERATION lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
 {
     const __m128i columns = _mm_setr_epi32(0, per_column, 2 * per_column, 3 * per_column);
 
     LANES_EACH_REGISTER(lanes_i, _mm_add_epi32(columns, _mm_set1_epi32(n * per_row)));
 }
 
-static inline lanes_i lanes_i_load(const stored_word *p)
+GN_OPERATION lanes_i lanes_i_load(const stored_word *p)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_loadu_si128((const __m128i *)(const void *)(p + 4 * n)));
 }
 
-static inline void lanes_i_store(stored_word *p, lanes_i a)
+GN_OPERATION void lanes_i_store(stored_word *p, lanes_i a)
 {
     _mm_storeu_si128((__m128i *)(void *)p, a.q[0]);
     _mm_storeu_si128((__m128i *)(void *)(p + 4), a.q[1]);
@@ -161,19 +161,19 @@ static inline void lanes_i_store(stored_word *p, lanes_i a)
     _mm_storeu_si128((__m128i *)(void *)(p + 12), a.q[3]);
 }
 
-static inline lanes_i lanes_i_add(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_add(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_add_epi32(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_sub(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_sub(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_sub_epi32(a.q[n], b.q[n]));
 }
 
 /* Multiplies as unsigned numbers to 64 bits, two at a time; the low halves equal those of signed
  * products. */
-static inline __m128i lanes_sse2_mul(__m128i a, __m128i b)
+GN_OPERATION __m128i lanes_sse2_mul(__m128i a, __m128i b)
 {
     const __m128i even = _mm_mul_epu32(a, b);
     const __m128i odd = _mm_mul_epu32(_mm_srli_epi64(a, 32), _mm_srli_epi64(b, 32));
@@ -182,80 +182,80 @@ static inline __m128i lanes_sse2_mul(__m128i a, __m128i b)
                               _mm_shuffle_epi32(odd, _MM_SHUFFLE(0, 0, 2, 0)));
 }
 
-static inline lanes_i lanes_i_mul(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_mul(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, lanes_sse2_mul(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_mullo_epi16(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
+GN_OPERATION lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_slli_epi32(a.q[n], count));
 }
 
-static inline lanes_i lanes_i_shift_right(lanes_i a, int count)
+GN_OPERATION lanes_i lanes_i_shift_right(lanes_i a, int count)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_srai_epi32(a.q[n], count));
 }
 
-static inline __m128i lanes_sse2_select(__m128i mask, __m128i a, __m128i b)
+GN_OPERATION __m128i lanes_sse2_select(__m128i mask, __m128i a, __m128i b)
 {
     return _mm_or_si128(_mm_and_si128(mask, a), _mm_andnot_si128(mask, b));
 }
 
-static inline lanes_i lanes_i_min(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_min(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i,
                         lanes_sse2_select(_mm_cmpgt_epi32(b.q[n], a.q[n]), a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_max(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_max(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i,
                         lanes_sse2_select(_mm_cmpgt_epi32(a.q[n], b.q[n]), a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_or(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_or(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_or_si128(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_and(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_and(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_and_si128(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_xor(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_xor(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_xor_si128(a.q[n], b.q[n]));
 }
 
-static inline lanes_m lanes_i_greater(lanes_i a, lanes_i b)
+GN_OPERATION lanes_m lanes_i_greater(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_m, _mm_cmpgt_epi32(a.q[n], b.q[n]));
 }
 
-static inline lanes_m lanes_i_equal(lanes_i a, lanes_i b)
+GN_OPERATION lanes_m lanes_i_equal(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_m, _mm_cmpeq_epi32(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_select(lanes_m m, lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_select(lanes_m m, lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(
         lanes_i, _mm_or_si128(_mm_and_si128(m.q[n], a.q[n]), _mm_andnot_si128(m.q[n], b.q[n])));
 }
 
-static inline lanes_i lanes_m_as_int(lanes_m a)
+GN_OPERATION lanes_i lanes_m_as_int(lanes_m a)
 {
     LANES_EACH_REGISTER(lanes_i, a.q[n]);
 }
 
-static inline uint32_t lanes_i_sign_bits(lanes_i a)
+GN_OPERATION uint32_t lanes_i_sign_bits(lanes_i a)
 {
     return (uint32_t)(_mm_movemask_ps(_mm_castsi128_ps(a.q[0])) |
                       _mm_movemask_ps(_mm_castsi128_ps(a.q[1])) << 4 |
@@ -263,27 +263,27 @@ static inline uint32_t lanes_i_sign_bits(lanes_i a)
                       _mm_movemask_ps(_mm_castsi128_ps(a.q[3])) << 12);
 }
 
-static inline lanes_f lanes_to_float(lanes_i a)
+GN_OPERATION lanes_f lanes_to_float(lanes_i a)
 {
     LANES_EACH_REGISTER(lanes_f, _mm_cvtepi32_ps(a.q[n]));
 }
 
-static inline lanes_i lanes_as_int(lanes_f a)
+GN_OPERATION lanes_i lanes_as_int(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_castps_si128(a.q[n]));
 }
 
-static inline lanes_f lanes_as_float(lanes_i a)
+GN_OPERATION lanes_f lanes_as_float(lanes_i a)
 {
     LANES_EACH_REGISTER(lanes_f, _mm_castsi128_ps(a.q[n]));
 }
 
-static inline lanes_i lanes_truncate(lanes_f a)
+GN_OPERATION lanes_i lanes_truncate(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_cvttps_epi32(a.q[n]));
 }
 
-static inline __m128 lanes_sse2_floor(__m128 a)
+GN_OPERATION __m128 lanes_sse2_floor(__m128 a)
 {
     const __m128i truncated = _mm_cvttps_epi32(a);
     const __m128 t = _mm_cvtepi32_ps(truncated);
@@ -293,38 +293,38 @@ static inline __m128 lanes_sse2_floor(__m128 a)
     return _mm_or_ps(_mm_and_ps(beyond, a), _mm_andnot_ps(beyond, below));
 }
 
-static inline lanes_f lanes_floor(lanes_f a)
+GN_OPERATION lanes_f lanes_floor(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_f, lanes_sse2_floor(a.q[n]));
 }
 
-static inline lanes_f lanes_quad_left(lanes_f a)
+GN_OPERATION lanes_f lanes_quad_left(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_f, _mm_shuffle_ps(a.q[n], a.q[n], _MM_SHUFFLE(2, 2, 0, 0)));
 }
 
-static inline lanes_f lanes_quad_right(lanes_f a)
+GN_OPERATION lanes_f lanes_quad_right(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_f, _mm_shuffle_ps(a.q[n], a.q[n], _MM_SHUFFLE(3, 3, 1, 1)));
 }
 
-static inline lanes_f lanes_quad_lower(lanes_f a)
+GN_OPERATION lanes_f lanes_quad_lower(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_f, a.q[n & 2]);
 }
 
-static inline lanes_f lanes_quad_upper(lanes_f a)
+GN_OPERATION lanes_f lanes_quad_upper(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_f, a.q[n | 1]);
 }
 
-static inline lanes_i lanes_round(lanes_f a)
+GN_OPERATION lanes_i lanes_round(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_cvtps_epi32(a.q[n]));
 }
 
 /* Rounds four pixels and transposes their bytes; the packs saturate. */
-static inline __m128i lanes_sse2_pack(__m128 red, __m128 green, __m128 blue, __m128 alpha)
+GN_OPERATION __m128i lanes_sse2_pack(__m128 red, __m128 green, __m128 blue, __m128 alpha)
 {
     const __m128 scale = _mm_set1_ps(255.0f);
     const __m128i rg = _mm_packs_epi32(_mm_cvtps_epi32(_mm_mul_ps(red, scale)),
@@ -338,21 +338,21 @@ static inline __m128i lanes_sse2_pack(__m128 red, __m128 green, __m128 blue, __m
     return _mm_unpacklo_epi16(even, odd);
 }
 
-static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
+GN_OPERATION lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
 {
     LANES_EACH_REGISTER(lanes_i, lanes_sse2_pack(red.q[n], green.q[n], blue.q[n], alpha.q[n]));
 }
 
-static inline lanes_i lanes_i_load_block(const unsigned char *lower, const unsigned char *upper,
-                                         ptrdiff_t stride)
+GN_OPERATION lanes_i lanes_i_load_block(const unsigned char *lower, const unsigned char *upper,
+                                        ptrdiff_t stride)
 {
     LANES_EACH_REGISTER(
         lanes_i,
         _mm_loadu_si128((const __m128i *)(const void *)((n < 2 ? lower : upper) + n % 2 * stride)));
 }
 
-static inline void lanes_i_store_block(unsigned char *lower, unsigned char *upper, ptrdiff_t stride,
-                                       lanes_i a)
+GN_OPERATION void lanes_i_store_block(unsigned char *lower, unsigned char *upper, ptrdiff_t stride,
+                                      lanes_i a)
 {
     _mm_storeu_si128((__m128i *)(void *)lower, a.q[0]);
     _mm_storeu_si128((__m128i *)(void *)(lower + stride), a.q[1]);
@@ -361,8 +361,8 @@ static inline void lanes_i_store_block(unsigned char *lower, unsigned char *uppe
 }
 
 /* Loads and transposes rows n * 4 to n * 4 + 3. */
-static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32_t *offset,
-                                       uint32_t step, lanes_i out[4])
+GN_OPERATION void lanes_i_gather_rows(const unsigned char *memory, const uint32_t *offset,
+                                      uint32_t step, lanes_i out[4])
 {
     for (int n = 0; n < 4; ++n) {
         __m128 r[4];
@@ -376,7 +376,7 @@ static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32
     }
 }
 
-static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, const lanes_i in[4])
+GN_OPERATION void lanes_i_scatter_rows(unsigned char *memory, size_t stride, const lanes_i in[4])
 {
     for (int n = 0; n < 4; ++n) {
         __m128 r[4];
@@ -391,7 +391,7 @@ static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, co
 
 /* A byte above the lowest is converted in place, and the factor is smaller by the same power of
  * two, which changes no rounding. */
-static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
+GN_OPERATION lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
 {
     const float scale = (float)(1.0 / 255.0) / (float)(1 << 8 * (channel % 3));
     const __m128i byte = _mm_set1_epi32(0xFF << 8 * (channel % 3));
@@ -404,7 +404,7 @@ static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
         lanes_f, _mm_mul_ps(_mm_cvtepi32_ps(_mm_and_si128(packed.q[n], byte)), _mm_set1_ps(scale)));
 }
 
-static inline __m128i lanes_sse2_gather(const stored_word *base, const int32_t *index)
+GN_OPERATION __m128i lanes_sse2_gather(const stored_word *base, const int32_t *index)
 {
     return _mm_setr_epi32(base[index[0]], base[index[1]], base[index[2]], base[index[3]]);
 }
@@ -418,7 +418,7 @@ GN_INLINE lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
 }
 
 /* Loads two pairs of words. */
-static inline __m128 lanes_sse2_pairs(const stored_word *base, const int32_t *index)
+GN_OPERATION __m128 lanes_sse2_pairs(const stored_word *base, const int32_t *index)
 {
     const __m128 low =
         _mm_castsi128_ps(_mm_loadl_epi64((const __m128i *)(const void *)(base + index[0])));
