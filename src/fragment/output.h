@@ -107,57 +107,98 @@ GN_OUT_OF_LINE void encode_rows(gn_format format, uint32_t a, uint32_t count, bl
     }
 }
 
-/* Loads the pixels of a batch's blocks as numbers. */
-GN_INLINE void load_blocks(const fragment_state *state, const gn_surface *surface, gn_format format,
-                           fragment_shape shape, block_batch *b)
+/* Whether the numbers of a format, which a batch has of every channel, are words of its pixels, but
+ * for bits beside the pixel and for NaN: the format of an arithmetic, and R8, RG8, RGB8 and R16. */
+GN_INLINE bool numbers_are_words(gn_format format)
+{
+    const format_fields fields = format_fields_of(format);
+
+    return format == GN_FORMAT_RGBA32F ||
+           (arithmetic_of(format) == ARITHMETIC_BYTES    ? fields_are_bytes_in_order(fields)
+            : arithmetic_of(format) == ARITHMETIC_SHORTS ? fields_are_shorts(fields)
+                                                         : false);
+}
+
+/* Whether words of pixels of a format are numbers. */
+GN_INLINE bool words_are_numbers(gn_format format)
+{
+    return numbers_are_words(format) && format_channels(format) == 4;
+}
+
+/* Returns a colour format of a layout. */
+GN_INLINE gn_format format_of_layout(pixel_layout layout)
+{
+    return layout == GN_LAYOUT(1, 1)   ? GN_FORMAT_R8
+           : layout == GN_LAYOUT(2, 2) ? GN_FORMAT_RG8
+           : layout == GN_LAYOUT(2, 1) ? GN_FORMAT_RGB565_SWAPPED
+           : layout == GN_LAYOUT(3, 1) ? GN_FORMAT_RGB8
+           : layout == GN_LAYOUT(4, 4) ? GN_FORMAT_RGBA8
+           : layout == GN_LAYOUT(8, 2) ? GN_FORMAT_RGBA16
+                                       : GN_FORMAT_RGBA32F;
+}
+
+/* Whether colours of a layout can be drawn. */
+GN_INLINE bool layout_is_compiled(pixel_layout layout)
+{
+    return format_is_compiled(format_of_layout(layout));
+}
+
+/* The arrays of a batch's numbers, or of its pixels' words: one array for each word. */
+typedef int32_t batch_words[STEP_BLOCKS][GN_LANES];
+
+/* Converts words of pixels to numbers, in place. The numbers of some formats are their words. */
+GN_INLINE void decode_blocks(gn_format format, uint32_t count, batch_words *words)
 {
     const color_arithmetic arithmetic = arithmetic_of(format);
 
-    for (uint32_t n = 0; n < b->count; ++n) {
-        if (!b->coverage[n])
-            continue;
-        const block_pixels pixels = batch_pixels(state, b, shape, n, surface, format);
+    for (uint32_t n = 0; n < count; ++n) {
         lanes_i word[4];
         lanes_f color[4];
 
-        load_pixels(format_layout(format), &pixels, b->coverage[n], word);
+        for (int i = 0; i < layout_words(format_layout(format)); ++i)
+            word[i] = lanes_i_load(words[i][n]);
         if (arithmetic == ARITHMETIC_BYTES) {
-            lanes_i_store(b->of.stored[0][n], to_rgba8(format, word[0]));
+            lanes_i_store(words[0][n], to_rgba8(format, word[0]));
         } else if (arithmetic == ARITHMETIC_SHORTS) {
             to_rgba16(format, word);
-            lanes_i_store(b->of.stored[0][n], word[0]);
-            lanes_i_store(b->of.stored[1][n], word[1]);
+            lanes_i_store(words[0][n], word[0]);
+            lanes_i_store(words[1][n], word[1]);
         } else {
             decode_floats(format, word, color);
             for (int c = 0; c < 4; ++c)
-                lanes_i_store(b->of.stored[c][n], lanes_as_int(color[c]));
+                lanes_i_store(words[c][n], lanes_as_int(color[c]));
         }
     }
 }
 
-/* Stores numbers as pixels, where covered and written. */
-GN_INLINE void store_blocks(const fragment_state *state, const color_state *combine,
-                            const gn_surface *surface, gn_format format, fragment_shape shape,
-                            const block_batch *b, const int32_t (*numbers)[STEP_BLOCKS][GN_LANES])
+GN_OUT_OF_LINE void decode_batch(gn_format format, uint32_t count, batch_words *words)
 {
-    const pixel_layout layout = format_layout(format);
+#define DECODE(name, bytes, element, kind, encoding, ...)                                          \
+    case GN_FORMAT_##name:                                                                         \
+        if (FORMAT_##kind == FORMAT_COLOR && format_is_compiled(GN_FORMAT_##name) &&               \
+            !words_are_numbers(GN_FORMAT_##name))                                                  \
+            decode_blocks(GN_FORMAT_##name, count, words);                                         \
+        break;
+    switch (format) {
+        GN_FORMATS(DECODE)
+    default:
+        break;
+    }
+#undef DECODE
+}
+
+/* Converts numbers to words of pixels. */
+GN_INLINE void encode_blocks(gn_format format, uint32_t count, const batch_words *numbers,
+                             batch_words *words)
+{
     const color_arithmetic arithmetic = arithmetic_of(format);
-    const bool masks = GN_HAVE_COMBINING && combine->written != GN_CHANNEL_ALL;
 
-    for (uint32_t n = 0; n < b->count; ++n) {
-        const uint32_t coverage = b->coverage[n];
-
-        if (!coverage)
-            continue;
-        const block_pixels pixels = batch_pixels(state, b, shape, n, surface, format);
-        const bool selects = pixels.whole && (shape != SHAPE_ROW || coverage != GN_ALL_LANES);
-        lanes_i word[4], there[4];
+    for (uint32_t n = 0; n < count; ++n) {
+        lanes_i word[4];
         lanes_f color[4];
 
-        for (int i = 0; i < 4; ++i) {
+        for (int i = 0; i < 4; ++i)
             word[i] = lanes_i_splat(0);
-            there[i] = word[i];
-        }
         if (arithmetic == ARITHMETIC_BYTES) {
             word[0] = from_rgba8(format, lanes_i_load(numbers[0][n]));
         } else if (arithmetic == ARITHMETIC_SHORTS) {
@@ -168,6 +209,71 @@ GN_INLINE void store_blocks(const fragment_state *state, const color_state *comb
             for (int c = 0; c < 4; ++c)
                 color[c] = lanes_as_float(lanes_i_load(numbers[c][n]));
             encode_floats(format, color, word);
+        }
+        for (int i = 0; i < layout_words(format_layout(format)); ++i)
+            lanes_i_store(words[i][n], word[i]);
+    }
+}
+
+/* Returns the words of pixels, of which the numbers are given: the numbers themselves, or `words`,
+ * which may be the same arrays. */
+GN_OUT_OF_LINE const batch_words *words_of_numbers(gn_format format, uint32_t count,
+                                                   const batch_words *numbers, batch_words *words)
+{
+#define ENCODE(name, bytes, element, kind, encoding, ...)                                          \
+    case GN_FORMAT_##name:                                                                         \
+        if (FORMAT_##kind != FORMAT_COLOR || !format_is_compiled(GN_FORMAT_##name) ||              \
+            numbers_are_words(GN_FORMAT_##name))                                                   \
+            return numbers;                                                                        \
+        encode_blocks(GN_FORMAT_##name, count, numbers, words);                                    \
+        return (const batch_words *)words;
+    switch (format) {
+        GN_FORMATS(ENCODE)
+    default:
+        return numbers;
+    }
+#undef ENCODE
+}
+
+/* Loads the words of the pixels of a batch's blocks. */
+GN_INLINE void load_blocks(const fragment_state *state, const gn_surface *surface,
+                           pixel_layout layout, fragment_shape shape, block_batch *b)
+{
+    for (uint32_t n = 0; n < b->count; ++n) {
+        if (!b->coverage[n])
+            continue;
+        const block_pixels pixels =
+            batch_pixels(state, b, shape, n, surface, format_of_layout(layout));
+        lanes_i word[4];
+
+        load_pixels(layout, &pixels, b->coverage[n], word);
+        for (int i = 0; i < layout_words(layout); ++i)
+            lanes_i_store(b->of.stored[i][n], word[i]);
+    }
+}
+
+/* Stores words of pixels, where covered and written. Pixels of four words are floats, whose NaN is
+ * one. */
+GN_INLINE void store_blocks(const fragment_state *state, const color_state *combine,
+                            const gn_surface *surface, pixel_layout layout, fragment_shape shape,
+                            const block_batch *b, const batch_words *words)
+{
+    const bool masks = GN_HAVE_COMBINING && combine->written != GN_CHANNEL_ALL;
+
+    for (uint32_t n = 0; n < b->count; ++n) {
+        const uint32_t coverage = b->coverage[n];
+
+        if (!coverage)
+            continue;
+        const block_pixels pixels =
+            batch_pixels(state, b, shape, n, surface, format_of_layout(layout));
+        const bool selects = pixels.whole && (shape != SHAPE_ROW || coverage != GN_ALL_LANES);
+        lanes_i word[4], there[4];
+
+        for (int i = 0; i < layout_words(layout); ++i) {
+            word[i] = lanes_i_load(words[i][n]);
+            if (layout == GN_LAYOUT(16, 4))
+                word[i] = float_words(lanes_as_float(word[i]));
         }
         if (masks || selects)
             load_pixels(layout, &pixels, coverage, there);
@@ -180,44 +286,34 @@ GN_INLINE void store_blocks(const fragment_state *state, const color_state *comb
     }
 }
 
+/* Loads the pixels of a batch's blocks as numbers. */
 GN_OUT_OF_LINE void load_batch(const fragment_state *state, const gn_surface *surface,
                                block_batch *b)
 {
-#define LOAD(name, bytes, element, kind, encoding, ...)                                            \
-    case GN_FORMAT_##name:                                                                         \
-        if (FORMAT_##kind != FORMAT_COLOR || !format_is_compiled(GN_FORMAT_##name))                \
-            break;                                                                                 \
-        if (is_of_rows(b))                                                                         \
-            load_blocks(state, surface, GN_FORMAT_##name, SHAPE_ROW, b);                           \
-        else                                                                                       \
-            load_blocks(state, surface, GN_FORMAT_##name, SHAPE_HALVES, b);                        \
-        break;
-    switch (surface->format) {
-        GN_FORMATS(LOAD)
-    default:
-        break;
-    }
+#define LOAD(layout)                                                                               \
+    if (!layout_is_compiled(layout))                                                               \
+        break;                                                                                     \
+    if (is_of_rows(b))                                                                             \
+        load_blocks(state, surface, layout, SHAPE_ROW, b);                                         \
+    else                                                                                           \
+        load_blocks(state, surface, layout, SHAPE_HALVES, b)
+    GN_EACH_COLOR_LAYOUT(format_layout(surface->format), LOAD)
 #undef LOAD
+    decode_batch(surface->format, b->count, b->of.stored);
 }
 
 GN_OUT_OF_LINE void store_batch(const fragment_state *state, const color_state *combine,
                                 const gn_surface *surface, const block_batch *b,
-                                const int32_t (*numbers)[STEP_BLOCKS][GN_LANES])
+                                const batch_words *words)
 {
-#define STORE(name, bytes, element, kind, encoding, ...)                                           \
-    case GN_FORMAT_##name:                                                                         \
-        if (FORMAT_##kind != FORMAT_COLOR || !format_is_compiled(GN_FORMAT_##name))                \
-            break;                                                                                 \
-        if (is_of_rows(b))                                                                         \
-            store_blocks(state, combine, surface, GN_FORMAT_##name, SHAPE_ROW, b, numbers);        \
-        else                                                                                       \
-            store_blocks(state, combine, surface, GN_FORMAT_##name, SHAPE_HALVES, b, numbers);     \
-        break;
-    switch (surface->format) {
-        GN_FORMATS(STORE)
-    default:
-        break;
-    }
+#define STORE(layout)                                                                              \
+    if (!layout_is_compiled(layout))                                                               \
+        break;                                                                                     \
+    if (is_of_rows(b))                                                                             \
+        store_blocks(state, combine, surface, layout, SHAPE_ROW, b, words);                        \
+    else                                                                                           \
+        store_blocks(state, combine, surface, layout, SHAPE_HALVES, b, words)
+    GN_EACH_COLOR_LAYOUT(format_layout(surface->format), STORE)
 #undef STORE
 }
 
@@ -396,7 +492,9 @@ static inline void output_batch(const fragment_state *state, const color_state *
         combine_batch(combine, surface->format, b);
     }
     store_batch(state, combine, surface, b,
-                (const int32_t(*)[STEP_BLOCKS][GN_LANES])(combined ? b->of.stored : b->source));
+                words_of_numbers(surface->format, b->count,
+                                 (const batch_words *)(combined ? b->of.stored : b->source),
+                                 b->of.stored));
 }
 
 #endif

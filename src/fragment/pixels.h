@@ -68,44 +68,35 @@ GN_INLINE void find_pixel_rows(const block_pixels *m, int size, unsigned char *r
                                        : lane_memory(m, r * SQUARE_SIZE);
 }
 
-/* Loads a whole block, pixel by pixel. */
-GN_INLINE void load_each(pixel_layout layout, const block_pixels *m, lanes_i word[4])
+/* Loads rows of four pixels, pixel by pixel. */
+static inline void load_each(pixel_layout layout, unsigned char *const row[4], lanes_i word[4])
 {
-    const int together = PIXELS_TOGETHER(m->shape);
     GN_ALIGNED_LANES int32_t loaded[4][GN_LANES];
 
-    for (int first = 0; first < GN_LANES; first += together) {
-        const unsigned char *const memory = lane_memory(m, first);
+    GN_EACH_LANE (l) {
+        int32_t pixel[4];
 
-        for (int l = 0; l < together; ++l) {
-            int32_t pixel[4];
-
-            load_pixel(memory, l, layout, pixel);
-            for (int i = 0; i < layout_words(layout); ++i)
-                loaded[i][first + l] = pixel[i];
-        }
+        load_pixel(row[l / SQUARE_SIZE], l % SQUARE_SIZE, layout, pixel);
+        for (int i = 0; i < layout_words(layout); ++i)
+            loaded[i][l] = pixel[i];
     }
     for (int i = 0; i < layout_words(layout); ++i)
         word[i] = lanes_i_load(loaded[i]);
 }
 
-GN_INLINE void store_each(pixel_layout layout, const block_pixels *m, const lanes_i word[4])
+static inline void store_each(pixel_layout layout, unsigned char *const row[4],
+                              const lanes_i word[4])
 {
-    const int together = PIXELS_TOGETHER(m->shape);
     GN_ALIGNED_LANES int32_t stored[4][GN_LANES];
 
     for (int i = 0; i < layout_words(layout); ++i)
         lanes_i_store(stored[i], word[i]);
-    for (int first = 0; first < GN_LANES; first += together) {
-        unsigned char *const memory = lane_memory(m, first);
+    GN_EACH_LANE (l) {
+        int32_t pixel[4];
 
-        for (int l = 0; l < together; ++l) {
-            int32_t pixel[4];
-
-            for (int i = 0; i < layout_words(layout); ++i)
-                pixel[i] = stored[i][first + l];
-            store_pixel(memory, l, layout, pixel);
-        }
+        for (int i = 0; i < layout_words(layout); ++i)
+            pixel[i] = stored[i][l];
+        store_pixel(row[l / SQUARE_SIZE], l % SQUARE_SIZE, layout, pixel);
     }
 }
 
@@ -124,9 +115,11 @@ GN_INLINE void load_whole(pixel_layout layout, const block_pixels *m, lanes_i wo
         word[0] = exchanged_bytes(lanes_i_load_shorts(row));
     else if (layout == GN_LAYOUT(8, 2) || layout == GN_LAYOUT(8, 4))
         lanes_i_load_pairs(row, &word[0], &word[1]);
+    else if (layout == GN_LAYOUT(16, 4))
+        lanes_i_load_fours(row, word);
 #endif
     else
-        load_each(layout, m, word);
+        load_each(layout, row, word);
 }
 
 GN_INLINE void store_whole(pixel_layout layout, const block_pixels *m, const lanes_i word[4])
@@ -143,9 +136,11 @@ GN_INLINE void store_whole(pixel_layout layout, const block_pixels *m, const lan
         lanes_i_store_shorts(row, exchanged_bytes(word[0]));
     else if (layout == GN_LAYOUT(8, 2) || layout == GN_LAYOUT(8, 4))
         lanes_i_store_pairs(row, word[0], word[1]);
+    else if (layout == GN_LAYOUT(16, 4))
+        lanes_i_store_fours(row, word);
 #endif
     else
-        store_each(layout, m, word);
+        store_each(layout, row, word);
 }
 
 /* Loads the covered pixels of a block; other lanes are 0. */

@@ -99,29 +99,20 @@ static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
     lanes_store_short_rows(row[2], row[3], _mm256_extracti128_si256(shorts, 1));
 }
 
-static inline void lanes_i_load_pairs(unsigned char *const row[4], lanes_i *first, lanes_i *second)
+/* Returns rows of four words as lanes, and back. */
+static inline lanes_i lanes_i_of_rows(const __m128 a[4])
 {
-    __m128 a[4], b[4];
-
-    for (int r = 0; r < 4; ++r)
-        lanes_pair_row(row[r], &a[r], &b[r]);
-    first->q =
+    return lanes_avx512_i(
         _mm512_inserti64x4(_mm512_castsi256_si512(_mm256_castps_si256(_mm256_set_m128(a[1], a[0]))),
-                           _mm256_castps_si256(_mm256_set_m128(a[3], a[2])), 1);
-    second->q =
-        _mm512_inserti64x4(_mm512_castsi256_si512(_mm256_castps_si256(_mm256_set_m128(b[1], b[0]))),
-                           _mm256_castps_si256(_mm256_set_m128(b[3], b[2])), 1);
+                           _mm256_castps_si256(_mm256_set_m128(a[3], a[2])), 1));
 }
 
-static inline void lanes_i_store_pairs(unsigned char *const row[4], lanes_i first, lanes_i second)
+static inline void lanes_i_to_rows(lanes_i a, __m128 row[4])
 {
-    lanes_store_pair_row(row[0], _mm512_castsi512_si128(first.q), _mm512_castsi512_si128(second.q));
-    lanes_store_pair_row(row[1], _mm512_extracti32x4_epi32(first.q, 1),
-                         _mm512_extracti32x4_epi32(second.q, 1));
-    lanes_store_pair_row(row[2], _mm512_extracti32x4_epi32(first.q, 2),
-                         _mm512_extracti32x4_epi32(second.q, 2));
-    lanes_store_pair_row(row[3], _mm512_extracti32x4_epi32(first.q, 3),
-                         _mm512_extracti32x4_epi32(second.q, 3));
+    row[0] = _mm_castsi128_ps(_mm512_castsi512_si128(a.q));
+    row[1] = _mm_castsi128_ps(_mm512_extracti32x4_epi32(a.q, 1));
+    row[2] = _mm_castsi128_ps(_mm512_extracti32x4_epi32(a.q, 2));
+    row[3] = _mm_castsi128_ps(_mm512_extracti32x4_epi32(a.q, 3));
 }
 
 #elif GN_LANES_HAVE_PAIRS && defined(GN_LANES_AVX2)
@@ -172,25 +163,20 @@ static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
     lanes_store_short_rows(row[1], row[3], _mm256_extracti128_si256(shorts, 1));
 }
 
-static inline void lanes_i_load_pairs(unsigned char *const row[4], lanes_i *first, lanes_i *second)
+static inline lanes_i lanes_i_of_rows(const __m128 a[4])
 {
-    __m128 a[4], b[4];
+    lanes_i r;
 
-    for (int r = 0; r < 4; ++r)
-        lanes_pair_row(row[r], &a[r], &b[r]);
-    for (int n = 0; n < 2; ++n) {
-        first->q[n] = _mm256_castps_si256(_mm256_set_m128(a[2 * n + 1], a[2 * n]));
-        second->q[n] = _mm256_castps_si256(_mm256_set_m128(b[2 * n + 1], b[2 * n]));
-    }
+    for (int n = 0; n < 2; ++n)
+        r.q[n] = _mm256_castps_si256(_mm256_set_m128(a[2 * n + 1], a[2 * n]));
+    return r;
 }
 
-static inline void lanes_i_store_pairs(unsigned char *const row[4], lanes_i first, lanes_i second)
+static inline void lanes_i_to_rows(lanes_i a, __m128 row[4])
 {
     for (int n = 0; n < 2; ++n) {
-        lanes_store_pair_row(row[2 * n], _mm256_castsi256_si128(first.q[n]),
-                             _mm256_castsi256_si128(second.q[n]));
-        lanes_store_pair_row(row[2 * n + 1], _mm256_extracti128_si256(first.q[n], 1),
-                             _mm256_extracti128_si256(second.q[n], 1));
+        row[2 * n] = _mm_castsi128_ps(_mm256_castsi256_si128(a.q[n]));
+        row[2 * n + 1] = _mm_castsi128_ps(_mm256_extracti128_si256(a.q[n], 1));
     }
 }
 
@@ -243,21 +229,19 @@ static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
     lanes_store_short_rows(row[2], row[3], lanes_sse2_shorts(a.q[2], a.q[3]));
 }
 
-static inline void lanes_i_load_pairs(unsigned char *const row[4], lanes_i *first, lanes_i *second)
+static inline lanes_i lanes_i_of_rows(const __m128 a[4])
 {
-    for (int n = 0; n < 4; ++n) {
-        __m128 a, b;
+    lanes_i r;
 
-        lanes_pair_row(row[n], &a, &b);
-        first->q[n] = _mm_castps_si128(a);
-        second->q[n] = _mm_castps_si128(b);
-    }
+    for (int n = 0; n < 4; ++n)
+        r.q[n] = _mm_castps_si128(a[n]);
+    return r;
 }
 
-static inline void lanes_i_store_pairs(unsigned char *const row[4], lanes_i first, lanes_i second)
+static inline void lanes_i_to_rows(lanes_i a, __m128 row[4])
 {
     for (int n = 0; n < 4; ++n)
-        lanes_store_pair_row(row[n], first.q[n], second.q[n]);
+        row[n] = _mm_castsi128_ps(a.q[n]);
 }
 
 #else
@@ -304,6 +288,57 @@ static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
     for (int r = 0; r < LANES_ROWS; ++r)
         for (int n = 0; n < LANES_ROW; ++n)
             ((stored_half *)(void *)row[r])[n] = (uint16_t)value[LANES_ROW * r + n];
+}
+
+#endif
+
+#if GN_LANES_HAVE_PAIRS
+
+static inline void lanes_i_load_pairs(unsigned char *const row[4], lanes_i *first, lanes_i *second)
+{
+    __m128 a[4], b[4];
+
+    for (int r = 0; r < 4; ++r)
+        lanes_pair_row(row[r], &a[r], &b[r]);
+    *first = lanes_i_of_rows(a);
+    *second = lanes_i_of_rows(b);
+}
+
+static inline void lanes_i_store_pairs(unsigned char *const row[4], lanes_i first, lanes_i second)
+{
+    __m128 a[4], b[4];
+
+    lanes_i_to_rows(first, a);
+    lanes_i_to_rows(second, b);
+    for (int r = 0; r < 4; ++r)
+        lanes_store_pair_row(row[r], _mm_castps_si128(a[r]), _mm_castps_si128(b[r]));
+}
+
+/* Loads the four words of each pixel. */
+static inline void lanes_i_load_fours(unsigned char *const row[4], lanes_i word[4])
+{
+    __m128 a[4][4];
+
+    for (int r = 0; r < 4; ++r) {
+        for (int i = 0; i < 4; ++i)
+            a[i][r] = _mm_loadu_ps((const float *)(const void *)(row[r] + 16 * i));
+        _MM_TRANSPOSE4_PS(a[0][r], a[1][r], a[2][r], a[3][r]);
+    }
+    for (int i = 0; i < 4; ++i)
+        word[i] = lanes_i_of_rows(a[i]);
+}
+
+static inline void lanes_i_store_fours(unsigned char *const row[4], const lanes_i word[4])
+{
+    __m128 a[4][4];
+
+    for (int i = 0; i < 4; ++i)
+        lanes_i_to_rows(word[i], a[i]);
+    for (int r = 0; r < 4; ++r) {
+        _MM_TRANSPOSE4_PS(a[0][r], a[1][r], a[2][r], a[3][r]);
+        for (int i = 0; i < 4; ++i)
+            _mm_storeu_ps((float *)(void *)(row[r] + 16 * i), a[i][r]);
+    }
 }
 
 #endif
