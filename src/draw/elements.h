@@ -204,8 +204,8 @@ static uint32_t slots_in_use(const draw_state *draw, uint32_t elements)
 /* Finds where the vertices of triangles first to first + count - 1 of the slice are stored: writes
  * the offset of each of their elements and returns how many elements there are. A fan's first
  * offset is that of the slice's first element. */
-static inline uint32_t locate_elements(const draw_state *draw, uint32_t first, uint32_t count,
-                                       uint32_t offset[ASSEMBLE_MAX_ELEMENTS])
+GN_SHARED uint32_t locate_elements(const draw_state *draw, uint32_t first, uint32_t count,
+                                   uint32_t offset[ASSEMBLE_MAX_ELEMENTS])
 {
     const gn_topology topology = draw->pipeline->raster.topology;
     const uint32_t elements = element_count(topology, count);

@@ -10,7 +10,7 @@
 #include "worker.h"
 
 /* Sets up a list of points or lines. */
-static inline void setup_boxes(worker *w, const triangle_list *list)
+GN_SHARED void setup_boxes(worker *w, const triangle_list *list)
 {
     const gn_pipeline *const pipeline = w->draw->pipeline;
     const unsigned char *const memory = w->draw->job->memory;

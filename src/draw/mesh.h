@@ -107,7 +107,7 @@ static uint32_t ring_of(const draw_state *draw)
 /* Decides whether vertices are shared. If the index range is no longer than the index count and its
  * slots in use at once fit the workspace, each vertex in the range is shaded once, referenced or
  * not. */
-static void map_slots(draw_state *draw, const mesh_slice *mesh, index_range range)
+GN_ONCE void map_slots(draw_state *draw, const mesh_slice *mesh, index_range range)
 {
     slot_map *const map = &draw->map;
     const uint32_t last = range.high - range.low;

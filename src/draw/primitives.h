@@ -32,7 +32,7 @@ static void resolve_segment(worker *w, uint32_t outcodes)
 
 /* Returns the union of the outcodes of triangles first to first + count - 1, whose vertices are
  * shaded. */
-static uint32_t segment_outcodes(const draw_state *draw, uint32_t first, uint32_t count)
+GN_SHARED uint32_t segment_outcodes(const draw_state *draw, uint32_t first, uint32_t count)
 {
     uint32_t offset[ASSEMBLE_MAX_ELEMENTS];
     uint32_t outcodes = 0;

@@ -452,7 +452,7 @@ static void join_work(const draw_state *draw, uint32_t tasks, uint32_t first, ui
 
 /* Divides the rows that the round's triangles reach into strips of whole squares, and into no more
  * strips than the work is worth. */
-static void divide_rows(round_state *round, uint32_t segments, uint32_t tasks)
+GN_ONCE void divide_rows(round_state *round, uint32_t segments, uint32_t tasks)
 {
     const segment_lists *all = round->draw->job->segments;
     pixel_rows rows = {INT32_MAX, -1};
@@ -522,7 +522,7 @@ static uint32_t round_segments(const draw_state *draw)
     return draw->mesh->count <= job->capacity - closing ? job->segment_count : fitting;
 }
 
-static void draw_rounds(draw_state *draw)
+GN_ONCE void draw_rounds(draw_state *draw)
 {
     const gn_topology topology = draw->pipeline->raster.topology;
     const uint32_t total = triangle_count(topology, draw->mesh->count);

@@ -80,7 +80,7 @@ typedef struct draw_state {
     fragment_functions shade;
 } draw_state;
 
-static inline void set_sample_state(draw_state *draw, uint32_t sample)
+GN_ONCE void set_sample_state(draw_state *draw, uint32_t sample)
 {
     fragment_state *const state = &draw->fragment[sample];
 
@@ -91,7 +91,7 @@ static inline void set_sample_state(draw_state *draw, uint32_t sample)
         state->moves_depth = false; /* vertices move instead */
 }
 
-static inline void set_draw_state(draw_state *draw, const draw_job *job)
+GN_ONCE void set_draw_state(draw_state *draw, const draw_job *job)
 {
     const gn_surface *any = first_surface(job->target);
 

@@ -97,6 +97,21 @@ static inline uint32_t count_lanes(uint32_t bits)
 #define GN_OUT_OF_LINE static
 #endif
 
+/* For long functions that several functions call for many triangles or vertices at a time.
+ * Compilers would inline them into each of these. */
+#if defined(__GNUC__) && !GN_IS_SMALL
+#define GN_SHARED static __attribute__((noinline))
+#else
+#define GN_SHARED static inline
+#endif
+
+/* For what is done once in a draw or in a round of tasks, and so may be slower if it is smaller. */
+#if defined(__GNUC__) && !GN_IS_SMALL
+#define GN_ONCE static __attribute__((noinline, cold))
+#else
+#define GN_ONCE static inline
+#endif
+
 /* For operations on lanes in registers. An operation of a dozen instructions passes the limits of a
  * compiler that inlines, and out of line its lanes are passed in memory. */
 #if defined(__GNUC__) && !GN_IS_SMALL && !defined(__SANITIZE_ADDRESS__)

@@ -272,10 +272,10 @@ static inline void fill_list(triangle_list *list)
 }
 
 /* Sets up the triangles of a list. Precondition: all lanes are filled (fill_list). */
-static inline void setup_triangles(const gn_pipeline *pipeline, const offset_state *offset,
-                                   float center, const pixel_rectangle *target,
-                                   const unsigned char *memory, const triangle_list *list,
-                                   triangle_setup *setup)
+GN_SHARED void setup_triangles(const gn_pipeline *pipeline, const offset_state *offset,
+                               float center, const pixel_rectangle *target,
+                               const unsigned char *memory, const triangle_list *list,
+                               triangle_setup *setup)
 {
     setup_edges(target, memory, list, setup);
     setup_planes(pipeline, offset, center, memory, list, setup);
