@@ -22,13 +22,16 @@ static void call_vertex_shader(const draw_state *draw, const gn_vertex_input *in
                                gn_vertex_output *output)
 {
     const gn_pipeline *const pipeline = draw->pipeline;
+    const gn_color_uniforms *const colors = pipeline->program.uniforms;
+    const gn_unlit_uniforms *const unlit = pipeline->program.uniforms;
+    const bool is_unlit = pipeline->program.vertex_shader == gn_shade_unlit;
 
     if (GN_SPECIALISED && pipeline->program.vertex_shader == gn_shade_lit)
         shade_lit(pipeline->program.uniforms, input, output);
-    else if (GN_SPECIALISED && pipeline->program.vertex_shader == gn_shade_vertex_color)
-        shade_vertex_color(pipeline->program.uniforms, input, output);
-    else if (GN_SPECIALISED && pipeline->program.vertex_shader == gn_shade_unlit)
-        shade_unlit(pipeline->program.uniforms, input, output);
+    else if (GN_SPECIALISED &&
+             (is_unlit || pipeline->program.vertex_shader == gn_shade_vertex_color))
+        shade_plain(is_unlit ? &unlit->clip_from_model : &colors->clip_from_model,
+                    is_unlit ? unlit->map : 0, input, output);
     else
         draw->job->shading.vertex_shader(pipeline->program.uniforms, input, output);
 }

@@ -10,8 +10,7 @@ static inline void shade_color(const void *uniforms, const gn_fragment_input *in
 {
     (void)uniforms;
     for (int c = 0; c < 4; ++c)
-        GN_EACH_LANE (l)
-            output->color[c][l] = input->varying[VARYING_RED + c][l];
+        lanes_store(output->color[c], lanes_load(input->varying[VARYING_RED + c]));
 }
 
 static inline void shade_mapped(const gn_texture *map, const gn_sampler *sampler,
@@ -26,8 +25,8 @@ static inline void shade_mapped(const gn_texture *map, const gn_sampler *sampler
     input->sampling->sample_2d(map, sampler, input->varying[VARYING_S], input->varying[VARYING_T],
                                texel);
     for (int c = 0; c < 4; ++c)
-        GN_EACH_LANE (l)
-            output->color[c][l] = input->varying[VARYING_RED + c][l] * texel[c][l];
+        lanes_store(output->color[c],
+                    lanes_mul(lanes_load(input->varying[VARYING_RED + c]), lanes_load(texel[c])));
 }
 
 /* The fragment shader of gn_use_unlit. */

@@ -68,10 +68,8 @@ static inline void store_color(const lanes_f color[4], gn_vertex_output *output)
 
 static inline void copy_texcoord(const gn_vertex_input *input, gn_vertex_output *output)
 {
-    GN_EACH_LANE (l) {
-        output->varying[VARYING_S][l] = input->attribute[GN_ATTRIBUTE_TEXCOORD][0][l];
-        output->varying[VARYING_T][l] = input->attribute[GN_ATTRIBUTE_TEXCOORD][1][l];
-    }
+    lanes_store(output->varying[VARYING_S], lanes_load(input->attribute[GN_ATTRIBUTE_TEXCOORD][0]));
+    lanes_store(output->varying[VARYING_T], lanes_load(input->attribute[GN_ATTRIBUTE_TEXCOORD][1]));
 }
 
 static inline void shade_position(const void *uniforms, const gn_vertex_input *input,
@@ -82,28 +80,33 @@ static inline void shade_position(const void *uniforms, const gn_vertex_input *i
     place_vertex(&u->clip_from_model, input, output);
 }
 
+/* The shader of vertices without a light; `map` is null without texture coordinates. */
+static inline void shade_plain(const gn_mat4 *clip_from_model, const gn_texture *map,
+                               const gn_vertex_input *input, gn_vertex_output *output)
+{
+    lanes_f color[4];
+
+    place_vertex(clip_from_model, input, output);
+    load_color(input, color);
+    store_color(color, output);
+    if (map)
+        copy_texcoord(input, output);
+}
+
 static inline void shade_vertex_color(const void *uniforms, const gn_vertex_input *input,
                                       gn_vertex_output *output)
 {
     const gn_color_uniforms *u = uniforms;
-    lanes_f color[4];
 
-    place_vertex(&u->clip_from_model, input, output);
-    load_color(input, color);
-    store_color(color, output);
+    shade_plain(&u->clip_from_model, 0, input, output);
 }
 
 static inline void shade_unlit(const void *uniforms, const gn_vertex_input *input,
                                gn_vertex_output *output)
 {
     const gn_unlit_uniforms *u = uniforms;
-    lanes_f color[4];
 
-    place_vertex(&u->clip_from_model, input, output);
-    load_color(input, color);
-    store_color(color, output);
-    if (u->map)
-        copy_texcoord(input, output);
+    shade_plain(&u->clip_from_model, u->map, input, output);
 }
 
 /* Writes the normal in world space; 0 if the mesh has none. */
@@ -163,8 +166,8 @@ static inline void shade_surface(const void *uniforms, const gn_vertex_input *in
     turn_by_mat4(&u->world_from_model, vector, turned);
     normalize_or_zero(turned);
     store_vector(turned, &output->varying[VARYING_TANGENT]);
-    GN_EACH_LANE (l)
-        output->varying[VARYING_HANDEDNESS][l] = input->attribute[GN_ATTRIBUTE_TANGENT][3][l];
+    lanes_store(output->varying[VARYING_HANDEDNESS],
+                lanes_load(input->attribute[GN_ATTRIBUTE_TANGENT][3]));
 }
 
 #endif
