@@ -18,7 +18,7 @@ typedef const char *fault;
  * since a table of pointers would need relocation. */
 #define FAULT_IF_EIGHTH(condition, i, status, before, after)                                       \
     do {                                                                                           \
-        static const char texts[8][64] = {                                                         \
+        static const char texts[8][sizeof(before "[0]" after)] = {                                 \
             before "[0]" after, before "[1]" after, before "[2]" after, before "[3]" after,        \
             before "[4]" after, before "[5]" after, before "[6]" after, before "[7]" after};       \
         if (condition)                                                                             \

@@ -14,7 +14,7 @@
 #if defined(GN_FAULT_TEXTS)
 #define FAULT_IF_LEVEL(condition, n, status, after)                                                \
     do {                                                                                           \
-        static const char texts[GN_MAX_LEVELS][72] = {                                             \
+        static const char texts[GN_MAX_LEVELS][sizeof("level[10]." after)] = {                     \
             "level[0]." after,  "level[1]." after,  "level[2]." after,  "level[3]." after,         \
             "level[4]." after,  "level[5]." after,  "level[6]." after,  "level[7]." after,         \
             "level[8]." after,  "level[9]." after,  "level[10]." after, "level[11]." after,        \
