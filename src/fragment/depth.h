@@ -71,17 +71,17 @@ GN_INLINE lanes_i quantize_depth(gn_format format, lanes_f depth, bool in_range)
 }
 
 /* Returns the lanes in which `incoming` passes against `stored`. */
-GN_INLINE uint32_t compare_depth(const depth_state *state, lanes_i incoming, lanes_i stored)
+GN_INLINE lanes_m passing_lanes(const depth_state *state, lanes_i incoming, lanes_i stored)
 {
-    uint32_t bits = GN_ALL_LANES;
+    lanes_m passing = lanes_from_bits(GN_ALL_LANES);
 
     if (state->question == DEPTH_LESS)
-        bits = lanes_bits(lanes_i_greater(stored, incoming));
+        passing = lanes_i_greater(stored, incoming);
     else if (state->question == DEPTH_GREATER)
-        bits = lanes_bits(lanes_i_greater(incoming, stored));
+        passing = lanes_i_greater(incoming, stored);
     else if (state->question == DEPTH_EQUAL)
-        bits = lanes_bits(lanes_i_equal(incoming, stored));
-    return state->inverted ? ~bits : bits;
+        passing = lanes_i_equal(incoming, stored);
+    return state->inverted ? lanes_not(passing) : passing;
 }
 
 /* Tests depths against a surface of the given format, which has no stencil, and writes those that
@@ -96,7 +96,7 @@ GN_INLINE uint32_t test_depth(const depth_state *state, const gn_surface *surfac
 
     incoming[0] = quantize_depth(format, depth, in_range);
     load_pixels(layout, &memory, coverage, stored);
-    const uint32_t passed = coverage & compare_depth(state, incoming[0], stored[0]);
+    const uint32_t passed = coverage & lanes_bits(passing_lanes(state, incoming[0], stored[0]));
 
     if (state->write && passed) {
         if (passed != GN_ALL_LANES || at->shape != SHAPE_ROW)

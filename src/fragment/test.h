@@ -35,10 +35,8 @@ GN_INLINE lanes_f offset_depth(const fragment_state *state, const fragment_place
  * coverage that passed. */
 GN_INLINE uint32_t test_block(const fragment_state *state, gn_format format,
                               const fragment_place *at, raster_triangle triangle, uint32_t coverage,
-                              const float depths[GN_LANES])
+                              lanes_f depth)
 {
-    lanes_f depth = lanes_load(depths);
-
     if (GN_HAVE_OFFSET && state->clamps_depth)
         depth = lanes_max(lanes_min(depth, lanes_splat(state->limits.high)),
                           lanes_splat(state->limits.low));
@@ -65,10 +63,9 @@ GN_INLINE void test_blocks(const fragment_state *state, gn_format format, bool u
                            interpolate(&at, triangle, DEPTH_PLANE), false);
             continue;
         }
-        if (!is_written)
-            lanes_store(b->of.terms.depth[n], offset_depth(state, &at, triangle));
-        b->coverage[n] =
-            test_block(state, format, &at, triangle, b->coverage[n], b->of.terms.depth[n]);
+        b->coverage[n] = test_block(state, format, &at, triangle, b->coverage[n],
+                                    is_written ? lanes_load(b->of.terms.depth[n])
+                                               : offset_depth(state, &at, triangle));
     }
 }
 

@@ -77,15 +77,19 @@ typedef struct color_output {
     color_state combine;
 } color_output;
 
-/* A new stencil value: stencil * factor + offset, clamped to low..high. */
+/* A new stencil value: of (stencil & kept) ^ toggled, which is incremented and decremented within 0
+ * to 255, and then a step is added modulo 256. The numbers stand where the stencil value stands in
+ * a word of a pixel. */
 typedef struct stencil_update {
-    int32_t factor, offset, low, high;
+    bool keeps; /* stencil stays as it is */
+    uint32_t kept, toggled, increment, decrement, step;
 } stencil_update;
 
 typedef struct stencil_state {
     depth_state compare; /* reference compared with stored stencil */
     int32_t reference;   /* in the compared bits */
-    int32_t compared, written;
+    int32_t compared;
+    uint32_t written; /* where stencil stands in a word */
     stencil_update fail, depth_fail, pass;
 } stencil_state;
 

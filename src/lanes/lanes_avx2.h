@@ -192,7 +192,22 @@ GN_OPERATION lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, _mm256_mullo_epi16(a.q[n], b.q[n]));
 }
 
-GN_OPERATION lanes_i lanes_i_shift_left(lanes_i a, int count)
+static inline lanes_i lanes_i_high_bytes(lanes_i a)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_srli_epi16(a.q[n], 8));
+}
+
+static inline lanes_i lanes_i_add_bytes(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_adds_epu8(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_subs_epu8(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     LANES_EACH_REGISTER(lanes_i, _mm256_slli_epi32(a.q[n], count));
 }

@@ -195,7 +195,22 @@ GN_OPERATION lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
     return lanes_avx512_i(_mm512_mullo_epi16(a.q, b.q));
 }
 
-GN_OPERATION lanes_i lanes_i_shift_left(lanes_i a, int count)
+static inline lanes_i lanes_i_high_bytes(lanes_i a)
+{
+    return lanes_avx512_i(_mm512_srli_epi16(a.q, 8));
+}
+
+static inline lanes_i lanes_i_add_bytes(lanes_i a, lanes_i b)
+{
+    return lanes_avx512_i(_mm512_adds_epu8(a.q, b.q));
+}
+
+static inline lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
+{
+    return lanes_avx512_i(_mm512_subs_epu8(a.q, b.q));
+}
+
+static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     return lanes_avx512_i(_mm512_sll_epi32(a.q, _mm_cvtsi32_si128(count)));
 }

@@ -14,6 +14,9 @@
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__)
 #undef GN_EACH_LANE
 #define GN_EACH_LANE(l) _Pragma("GCC unroll 4") for (int l = 0; l < GN_LANES; ++l)
+#define GN_EACH_PART(n, parts) _Pragma("GCC unroll 4") for (int n = 0; n < GN_LANES * parts; ++n)
+#else
+#define GN_EACH_PART(n, parts) for (int n = 0; n < GN_LANES * parts; ++n)
 #endif
 
 #if (-1 >> 1) != -1
@@ -314,16 +317,60 @@ static inline lanes_i lanes_i_mul(lanes_i a, lanes_i b)
     return a;
 }
 
+/* Shorts and bytes of lanes, in either order. Loops over them become vector instructions that lanes
+ * of 32 bits have not. */
+typedef union lanes_parts {
+    lanes_i words;
+    uint16_t shorts[2 * GN_LANES];
+    unsigned char bytes[4 * GN_LANES];
+} lanes_parts;
+
 /* Multiplies the two shorts of each lane, each modulo 2^16. */
 static inline lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
 {
-    GN_EACH_LANE (l) {
-        const uint32_t low = ((uint32_t)a.v[l] & 0xFFFF) * ((uint32_t)b.v[l] & 0xFFFF);
-        const uint32_t high = ((uint32_t)a.v[l] >> 16) * ((uint32_t)b.v[l] >> 16);
+    const lanes_parts factor = {b};
+    lanes_parts r = {a};
 
-        a.v[l] = (int32_t)((low & 0xFFFF) | high << 16);
+    GN_EACH_PART(n, 2)
+    r.shorts[n] = (uint16_t)((uint32_t)r.shorts[n] * factor.shorts[n]);
+    return r.words;
+}
+
+/* Shifts the two shorts of each lane to the right by 8 bits, filling with zeros. */
+static inline lanes_i lanes_i_high_bytes(lanes_i a)
+{
+    lanes_parts r = {a};
+
+    GN_EACH_PART(n, 2)
+    r.shorts[n] = (uint16_t)(r.shorts[n] >> 8);
+    return r.words;
+}
+
+/* Returns min(a + b, 255) of each byte: min(a, 255 - b) + b. */
+static inline lanes_i lanes_i_add_bytes(lanes_i a, lanes_i b)
+{
+    const lanes_parts other = {b};
+    lanes_parts r = {a};
+
+    GN_EACH_PART(n, 4)
+    {
+        const unsigned char most = (unsigned char)~other.bytes[n];
+
+        r.bytes[n] = (unsigned char)((r.bytes[n] < most ? r.bytes[n] : most) + other.bytes[n]);
     }
-    return a;
+    return r.words;
+}
+
+/* Returns max(a - b, 0) of each byte: max(a, b) - b. */
+static inline lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
+{
+    const lanes_parts other = {b};
+    lanes_parts r = {a};
+
+    GN_EACH_PART(n, 4)
+    r.bytes[n] = (unsigned char)((r.bytes[n] > other.bytes[n] ? r.bytes[n] : other.bytes[n]) -
+                                 other.bytes[n]);
+    return r.words;
 }
 
 /* Shifts bits to the left. count must be a constant. */

@@ -190,7 +190,22 @@ GN_OPERATION lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, wasm_i16x8_mul(a.q[n], b.q[n]));
 }
 
-GN_OPERATION lanes_i lanes_i_shift_left(lanes_i a, int count)
+static inline lanes_i lanes_i_high_bytes(lanes_i a)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_u16x8_shr(a.q[n], 8));
+}
+
+static inline lanes_i lanes_i_add_bytes(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_u8x16_add_sat(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_u8x16_sub_sat(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     LANES_EACH_REGISTER(lanes_i, wasm_i32x4_shl(a.q[n], (uint32_t)count));
 }

@@ -161,6 +161,9 @@ int RUN_FORM(const lanes_input *in, lanes_output out[LANES_OPERATIONS_MAX])
     record_i(&r, "i_mul", lanes_i_mul(i, j));
     record_i(&r, "i_xor", lanes_i_xor(i, j));
     record_i(&r, "i_mul_shorts", lanes_i_mul_shorts(i, j));
+    record_i(&r, "i_high_bytes", lanes_i_high_bytes(i));
+    record_i(&r, "i_add_bytes", lanes_i_add_bytes(i, j));
+    record_i(&r, "i_sub_bytes", lanes_i_sub_bytes(i, j));
     record_i(&r, "i_shift_left", lanes_i_shift_left(i, 8));
     record_i(&r, "i_shift_right", lanes_i_shift_right(i, 8));
     record_i(&r, "i_min", lanes_i_min(i, j));
