@@ -28,9 +28,6 @@ GN_OUT_OF_LINE void set_color_state(color_state *s, const gn_pipeline *pipeline,
     s->use = COLOR_COMBINES;
     if (s->written == GN_CHANNEL_ALL && !s->blends && !s->is_logical)
         s->use = COLOR_REPLACES;
-    else if (s->written == GN_CHANNEL_ALL && s->blends && GN_SPECIALISED && is_over(&s->color) &&
-             is_over(&s->alpha) && s->mixes == MIXES_NOTHING)
-        s->use = COLOR_OVER;
 }
 
 /* Writes red, green, blue and alpha to the covered pixels of a GN_FORMAT_RGBA8 surface. */
@@ -318,21 +315,16 @@ GN_OUT_OF_LINE void store_batch(const fragment_state *state, const color_state *
 }
 
 /* How bytes are combined. */
-typedef enum byte_combination { BYTES_OVER, BYTES_BLEND, BYTES_MIX, BYTES_LOGIC } byte_combination;
+typedef enum byte_combination { BYTES_BLEND, BYTES_MIX, BYTES_LOGIC } byte_combination;
 
 /* Combines bytes: the results take the place of the stored ones. */
 GN_INLINE void combine_bytes(const color_state *state, byte_combination how, block_batch *b)
 {
-    byte_blend blend;
-
-    if (how == BYTES_BLEND)
-        set_byte_blend(&blend, state);
     for (uint32_t n = 0; n < b->count; ++n) {
         const lanes_i source = lanes_i_load(b->source[0][n]);
         const lanes_i stored = lanes_i_load(b->of.stored[0][n]);
 
-        lanes_i_store(b->of.stored[0][n], how == BYTES_OVER    ? blend_over(source, stored)
-                                          : how == BYTES_BLEND ? blend_bytes(&blend, source, stored)
+        lanes_i_store(b->of.stored[0][n], how == BYTES_BLEND ? blend_bytes(state, source, stored)
                                           : how == BYTES_MIX
                                               ? mix_bytes(state, source, stored)
                                               : operate_on_bits(state, source, stored));
@@ -455,9 +447,7 @@ GN_OUT_OF_LINE void combine_batch(const color_state *state, gn_format format, bl
 {
     switch (arithmetic_of(format)) {
     case ARITHMETIC_BYTES:
-        if (state->use == COLOR_OVER)
-            combine_bytes(state, BYTES_OVER, b);
-        else if (state->blends && state->mixes != MIXES_NOTHING)
+        if (state->blends && mixes_channel(state))
             combine_bytes(state, BYTES_MIX, b);
         else if (state->blends)
             combine_bytes(state, BYTES_BLEND, b);

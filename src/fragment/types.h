@@ -50,9 +50,29 @@ typedef enum mixing { MIXES_NOTHING, MIXES_BY_SOURCE, MIXES_BY_DESTINATION } mix
 /* How a fragment's colour is written. */
 typedef enum color_use {
     COLOR_REPLACES, /* it replaces all channels */
-    COLOR_OVER,     /* blended in all channels by its alpha and one minus its alpha */
     COLOR_COMBINES  /* as the other members of color_state say */
 } color_use;
+
+/* Which value the factors of a pixel's bytes are, all of them. */
+typedef enum factor_kind {
+    FACTORS_ARE_CONSTANT,
+    FACTORS_ARE_SOURCE,
+    FACTORS_ARE_DESTINATION,
+    FACTORS_ARE_SOURCE_ALPHA,
+    FACTORS_ARE_DESTINATION_ALPHA,
+    FACTORS_DIFFER, /* the masks of byte_factors select the values */
+    FACTORS_ARE_ZERO,
+    FACTORS_ARE_ONE
+} factor_kind;
+
+/* The factors of a pixel's bytes: the values, combined with `constant` by exclusive or. One minus a
+ * value is its complement. Masks select one value for each byte. */
+typedef struct byte_factors {
+    factor_kind kind;
+    uint32_t source, destination, source_alpha, destination_alpha;
+    uint32_t saturate; /* min(source alpha, 1 - destination alpha) */
+    uint32_t constant;
+} byte_factors;
 
 typedef struct color_state {
     color_use use;
@@ -66,7 +86,9 @@ typedef struct color_state {
     bool factors_last, drops_source, drops_destination;
     float constant[4];
     int32_t constant_fixed[4]; /* 0 to 255, or to 65535 */
-    int32_t logic[4];          /* all ones or zeros: the result of bits 0 0, 0 1, 1 0 and 1 1 */
+    byte_factors source_factors, destination_factors;
+    int32_t
+        logic[4]; /* masks of 1, destination, source and both, whose exclusive or is the result */
 } color_state;
 /* Colours that a draw writes at most. */
 #define COLOR_LIMIT (GN_HAVE_ATTACHMENTS ? GN_MAX_COLORS : 1)
