@@ -9,6 +9,12 @@
 #include "depth.h"
 #include "stencil.h"
 
+/* Whether no channel that the format has is written. */
+static inline bool writes_nothing(const color_state *s)
+{
+    return (s->written_bits[0] | s->written_bits[1] | s->written_bits[2] | s->written_bits[3]) == 0;
+}
+
 /* Sets the attachments after the first that the shader writes. */
 static inline void set_more_colors(fragment_state *s, const gn_target *target,
                                    const gn_pipeline *pipeline)
@@ -20,7 +26,10 @@ static inline void set_more_colors(fragment_state *s, const gn_target *target,
         if (output->surface.format == GN_FORMAT_NONE)
             continue;
         set_color_state(&output->combine, pipeline, a, output->surface.format);
-        s->more_count = a;
+        if (writes_nothing(&output->combine))
+            output->surface.format = GN_FORMAT_NONE;
+        else
+            s->more_count = a;
     }
 }
 
@@ -86,6 +95,12 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     set_shader_inputs(s, pipeline);
     s->color = target->color[0];
     s->depth = target->depth;
+    s->combine.use = COLOR_REPLACES;
+    if (GN_HAVE_COMBINING) {
+        set_color_state(&s->combine, pipeline, 0, s->color.format);
+        if (writes_nothing(&s->combine) && !pipeline->samples.alpha_to_coverage)
+            s->color.format = GN_FORMAT_NONE;
+    }
     set_source(s, pipeline);
     s->tests_depth = pipeline->depth.test && format_has_depth(format);
     s->tests_stencil = pipeline->stencil.test && format_has_stencil(format);
@@ -98,9 +113,6 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     }
     s->moves_depth = pipeline->raster.polygon_offset.set &&
                      (s->tests_depth || pipeline->program.fragment_reads_position);
-    s->combine.use = COLOR_REPLACES;
-    if (GN_HAVE_COMBINING)
-        set_color_state(&s->combine, pipeline, 0, s->color.format);
     s->more_count = 0;
     s->combines = combines(&s->combine, s->color.format);
     if (GN_HAVE_ATTACHMENTS)
