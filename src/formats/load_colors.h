@@ -35,6 +35,10 @@ GN_INLINE void load_row(pixel_layout layout, const unsigned char *pixels, lanes_
             word[0] = exchanged_bytes(word[0]);
         return;
     }
+    if (layout == GN_LAYOUT(3, 1)) {
+        word[0] = lanes_i_load_threes(row);
+        return;
+    }
     if (layout == GN_LAYOUT(8, 2)) {
         lanes_i_load_pairs(row, &word[0], &word[1]);
         return;

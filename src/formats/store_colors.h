@@ -31,6 +31,10 @@ GN_INLINE void store_row(pixel_layout layout, unsigned char *pixels, const lanes
         lanes_i_store_shorts(row, exchanged_bytes(word[0]));
         return;
     }
+    if (layout == GN_LAYOUT(3, 1)) {
+        lanes_i_store_threes(row, word[0]);
+        return;
+    }
     if (layout == GN_LAYOUT(8, 2)) {
         lanes_i_store_pairs(row, word[0], word[1]);
         return;

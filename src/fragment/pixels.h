@@ -113,6 +113,8 @@ GN_INLINE void load_whole(pixel_layout layout, const block_pixels *m, lanes_i wo
 #if GN_LANES_HAVE_PAIRS
     else if (layout == GN_LAYOUT(2, 1))
         word[0] = exchanged_bytes(lanes_i_load_shorts(row));
+    else if (layout == GN_LAYOUT(3, 1))
+        word[0] = lanes_i_load_threes(row);
     else if (layout == GN_LAYOUT(8, 2) || layout == GN_LAYOUT(8, 4))
         lanes_i_load_pairs(row, &word[0], &word[1]);
     else if (layout == GN_LAYOUT(16, 4))
@@ -134,6 +136,8 @@ GN_INLINE void store_whole(pixel_layout layout, const block_pixels *m, const lan
 #if GN_LANES_HAVE_PAIRS
     else if (layout == GN_LAYOUT(2, 1))
         lanes_i_store_shorts(row, exchanged_bytes(word[0]));
+    else if (layout == GN_LAYOUT(3, 1))
+        lanes_i_store_threes(row, word[0]);
     else if (layout == GN_LAYOUT(8, 2) || layout == GN_LAYOUT(8, 4))
         lanes_i_store_pairs(row, word[0], word[1]);
     else if (layout == GN_LAYOUT(16, 4))

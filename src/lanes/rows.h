@@ -3,14 +3,15 @@
  *
  *   load_bytes store_bytes     one byte a pixel; stores take a lane's low 8 bits
  *   load_shorts store_shorts   one short a pixel, aligned; stores take a lane's low 16 bits
- *   load_pairs store_pairs     two words a pixel, aligned to shorts at least */
+ *   load_pairs store_pairs     two words a pixel, aligned to shorts at least
+ *   load_threes store_threes   three bytes a pixel; stores take a lane's low 24 bits */
 #ifndef GN_LANES_ROWS_H
 #define GN_LANES_ROWS_H
 
 #include "lanes.h"
 
-/* Whether there are loads and stores of pairs. They take the first word from the lower address, as
- * only little-endian processors have both pairs of shorts and pairs of words. */
+/* Whether there are loads and stores of pairs and threes. They take the first word from the lower
+ * address, as only little-endian processors have both pairs of shorts and pairs of words. */
 #if (defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2) || defined(GN_LANES_SSE2)) &&              \
     !defined(GN_LANES_INTRINSICS_HEADER)
 #define GN_LANES_HAVE_PAIRS 1
@@ -55,13 +56,13 @@ static inline void lanes_store_short_rows(unsigned char *first, unsigned char *s
 }
 
 /* Loads a row of pairs: the words of four pixels. */
-static inline void lanes_pair_row(const unsigned char *row, __m128 *first, __m128 *second)
+static inline void lanes_pair_row(const unsigned char *row, __m128i *first, __m128i *second)
 {
     const __m128 a = _mm_loadu_ps((const float *)(const void *)row);
     const __m128 b = _mm_loadu_ps((const float *)(const void *)(row + 16));
 
-    *first = _mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0));
-    *second = _mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1));
+    *first = _mm_castps_si128(_mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)));
+    *second = _mm_castps_si128(_mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1)));
 }
 
 static inline void lanes_store_pair_row(unsigned char *row, __m128i first, __m128i second)
@@ -70,9 +71,51 @@ static inline void lanes_store_pair_row(unsigned char *row, __m128i first, __m12
     _mm_storeu_si128((__m128i *)(void *)(row + 16), _mm_unpackhi_epi32(first, second));
 }
 
+/* The first and the second pixel in each half of a register. */
+#define LANES_FIRST_THREE _mm_set1_epi64x(0xFFFFFF)
+#define LANES_SECOND_THREE _mm_set1_epi64x(0x00FFFFFF00000000)
+
+/* Loads a row of threes: twelve bytes. The second half of a register begins with byte 6. */
+static inline __m128i lanes_three_row(const unsigned char *row)
+{
+    const __m128i bytes =
+        _mm_unpacklo_epi64(_mm_loadl_epi64((const __m128i *)(const void *)row),
+                           _mm_cvtsi32_si128(*(const lanes_any_word *)(const void *)(row + 8)));
+    const __m128i halves = _mm_unpacklo_epi64(bytes, _mm_srli_si128(bytes, 6));
+
+    return _mm_or_si128(_mm_and_si128(halves, LANES_FIRST_THREE),
+                        _mm_and_si128(_mm_slli_epi64(halves, 8), LANES_SECOND_THREE));
+}
+
+static inline void lanes_store_three_row(unsigned char *row, __m128i a)
+{
+    const __m128i halves = _mm_or_si128(_mm_and_si128(a, LANES_FIRST_THREE),
+                                        _mm_srli_epi64(_mm_and_si128(a, LANES_SECOND_THREE), 8));
+    const __m128i second = _mm_unpackhi_epi64(halves, halves);
+
+    _mm_storel_epi64((__m128i *)(void *)row, _mm_or_si128(halves, _mm_slli_epi64(second, 48)));
+    *(lanes_any_word *)(void *)(row + 8) = _mm_cvtsi128_si32(_mm_srli_epi64(second, 16));
+}
+
 #endif
 
 #if GN_LANES_HAVE_PAIRS && defined(GN_LANES_AVX512)
+
+/* The rows of four lanes. */
+static inline void lanes_quarters(lanes_i a, __m128i quarter[4])
+{
+    quarter[0] = _mm512_castsi512_si128(a.q);
+    quarter[1] = _mm512_extracti32x4_epi32(a.q, 1);
+    quarter[2] = _mm512_extracti32x4_epi32(a.q, 2);
+    quarter[3] = _mm512_extracti32x4_epi32(a.q, 3);
+}
+
+static inline lanes_i lanes_of_quarters(const __m128i quarter[4])
+{
+    return lanes_avx512_i(
+        _mm512_inserti64x4(_mm512_castsi256_si512(_mm256_set_m128i(quarter[1], quarter[0])),
+                           _mm256_set_m128i(quarter[3], quarter[2]), 1));
+}
 
 static inline lanes_i lanes_i_load_bytes(unsigned char *const row[4])
 {
@@ -99,23 +142,20 @@ static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
     lanes_store_short_rows(row[2], row[3], _mm256_extracti128_si256(shorts, 1));
 }
 
-/* Returns rows of four words as lanes, and back. */
-static inline lanes_i lanes_i_of_rows(const __m128 a[4])
-{
-    return lanes_avx512_i(
-        _mm512_inserti64x4(_mm512_castsi256_si512(_mm256_castps_si256(_mm256_set_m128(a[1], a[0]))),
-                           _mm256_castps_si256(_mm256_set_m128(a[3], a[2])), 1));
-}
-
-static inline void lanes_i_to_rows(lanes_i a, __m128 row[4])
-{
-    row[0] = _mm_castsi128_ps(_mm512_castsi512_si128(a.q));
-    row[1] = _mm_castsi128_ps(_mm512_extracti32x4_epi32(a.q, 1));
-    row[2] = _mm_castsi128_ps(_mm512_extracti32x4_epi32(a.q, 2));
-    row[3] = _mm_castsi128_ps(_mm512_extracti32x4_epi32(a.q, 3));
-}
-
 #elif GN_LANES_HAVE_PAIRS && defined(GN_LANES_AVX2)
+
+static inline void lanes_quarters(lanes_i a, __m128i quarter[4])
+{
+    for (int n = 0; n < 2; ++n) {
+        quarter[2 * n] = _mm256_castsi256_si128(a.q[n]);
+        quarter[2 * n + 1] = _mm256_extracti128_si256(a.q[n], 1);
+    }
+}
+
+static inline lanes_i lanes_of_quarters(const __m128i quarter[4])
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_set_m128i(quarter[2 * n + 1], quarter[2 * n]));
+}
 
 static inline lanes_i lanes_i_load_bytes(unsigned char *const row[4])
 {
@@ -163,24 +203,18 @@ static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
     lanes_store_short_rows(row[1], row[3], _mm256_extracti128_si256(shorts, 1));
 }
 
-static inline lanes_i lanes_i_of_rows(const __m128 a[4])
-{
-    lanes_i r;
-
-    for (int n = 0; n < 2; ++n)
-        r.q[n] = _mm256_castps_si256(_mm256_set_m128(a[2 * n + 1], a[2 * n]));
-    return r;
-}
-
-static inline void lanes_i_to_rows(lanes_i a, __m128 row[4])
-{
-    for (int n = 0; n < 2; ++n) {
-        row[2 * n] = _mm_castsi128_ps(_mm256_castsi256_si128(a.q[n]));
-        row[2 * n + 1] = _mm_castsi128_ps(_mm256_extracti128_si256(a.q[n], 1));
-    }
-}
-
 #elif GN_LANES_HAVE_PAIRS
+
+static inline void lanes_quarters(lanes_i a, __m128i quarter[4])
+{
+    for (int n = 0; n < 4; ++n)
+        quarter[n] = a.q[n];
+}
+
+static inline lanes_i lanes_of_quarters(const __m128i quarter[4])
+{
+    LANES_EACH_REGISTER(lanes_i, quarter[n]);
+}
 
 static inline lanes_i lanes_i_load_bytes(unsigned char *const row[4])
 {
@@ -227,21 +261,6 @@ static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
 {
     lanes_store_short_rows(row[0], row[1], lanes_sse2_shorts(a.q[0], a.q[1]));
     lanes_store_short_rows(row[2], row[3], lanes_sse2_shorts(a.q[2], a.q[3]));
-}
-
-static inline lanes_i lanes_i_of_rows(const __m128 a[4])
-{
-    lanes_i r;
-
-    for (int n = 0; n < 4; ++n)
-        r.q[n] = _mm_castps_si128(a[n]);
-    return r;
-}
-
-static inline void lanes_i_to_rows(lanes_i a, __m128 row[4])
-{
-    for (int n = 0; n < 4; ++n)
-        row[n] = _mm_castsi128_ps(a.q[n]);
 }
 
 #else
@@ -296,49 +315,75 @@ static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
 
 static inline void lanes_i_load_pairs(unsigned char *const row[4], lanes_i *first, lanes_i *second)
 {
-    __m128 a[4], b[4];
+    __m128i a[4], b[4];
 
     for (int r = 0; r < 4; ++r)
         lanes_pair_row(row[r], &a[r], &b[r]);
-    *first = lanes_i_of_rows(a);
-    *second = lanes_i_of_rows(b);
+    *first = lanes_of_quarters(a);
+    *second = lanes_of_quarters(b);
 }
 
 static inline void lanes_i_store_pairs(unsigned char *const row[4], lanes_i first, lanes_i second)
 {
-    __m128 a[4], b[4];
+    __m128i a[4], b[4];
 
-    lanes_i_to_rows(first, a);
-    lanes_i_to_rows(second, b);
+    lanes_quarters(first, a);
+    lanes_quarters(second, b);
     for (int r = 0; r < 4; ++r)
-        lanes_store_pair_row(row[r], _mm_castps_si128(a[r]), _mm_castps_si128(b[r]));
+        lanes_store_pair_row(row[r], a[r], b[r]);
 }
 
 /* Loads the four words of each pixel. */
 static inline void lanes_i_load_fours(unsigned char *const row[4], lanes_i word[4])
 {
-    __m128 a[4][4];
+    __m128i quarter[4][4];
 
     for (int r = 0; r < 4; ++r) {
+        __m128 a[4];
+
         for (int i = 0; i < 4; ++i)
-            a[i][r] = _mm_loadu_ps((const float *)(const void *)(row[r] + 16 * i));
-        _MM_TRANSPOSE4_PS(a[0][r], a[1][r], a[2][r], a[3][r]);
+            a[i] = _mm_loadu_ps((const float *)(const void *)(row[r] + 16 * i));
+        _MM_TRANSPOSE4_PS(a[0], a[1], a[2], a[3]);
+        for (int i = 0; i < 4; ++i)
+            quarter[i][r] = _mm_castps_si128(a[i]);
     }
     for (int i = 0; i < 4; ++i)
-        word[i] = lanes_i_of_rows(a[i]);
+        word[i] = lanes_of_quarters(quarter[i]);
 }
 
 static inline void lanes_i_store_fours(unsigned char *const row[4], const lanes_i word[4])
 {
-    __m128 a[4][4];
+    __m128i quarter[4][4];
 
     for (int i = 0; i < 4; ++i)
-        lanes_i_to_rows(word[i], a[i]);
+        lanes_quarters(word[i], quarter[i]);
     for (int r = 0; r < 4; ++r) {
-        _MM_TRANSPOSE4_PS(a[0][r], a[1][r], a[2][r], a[3][r]);
+        __m128 a[4];
+
         for (int i = 0; i < 4; ++i)
-            _mm_storeu_ps((float *)(void *)(row[r] + 16 * i), a[i][r]);
+            a[i] = _mm_castsi128_ps(quarter[i][r]);
+        _MM_TRANSPOSE4_PS(a[0], a[1], a[2], a[3]);
+        for (int i = 0; i < 4; ++i)
+            _mm_storeu_ps((float *)(void *)(row[r] + 16 * i), a[i]);
     }
+}
+
+static inline lanes_i lanes_i_load_threes(unsigned char *const row[4])
+{
+    __m128i a[4];
+
+    for (int r = 0; r < 4; ++r)
+        a[r] = lanes_three_row(row[r]);
+    return lanes_of_quarters(a);
+}
+
+static inline void lanes_i_store_threes(unsigned char *const row[4], lanes_i a)
+{
+    __m128i quarter[4];
+
+    lanes_quarters(a, quarter);
+    for (int r = 0; r < 4; ++r)
+        lanes_store_three_row(row[r], quarter[r]);
 }
 
 #endif
