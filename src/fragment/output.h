@@ -317,17 +317,32 @@ GN_OUT_OF_LINE void store_batch(const fragment_state *state, const color_state *
 /* How bytes are combined. */
 typedef enum byte_combination { BYTES_BLEND, BYTES_MIX, BYTES_LOGIC } byte_combination;
 
-/* Combines bytes: the results take the place of the stored ones. */
-GN_INLINE void combine_bytes(const color_state *state, byte_combination how, block_batch *b)
+/* Returns where the stored bytes of block n are: in the surface `in_place`, or if it is null in the
+ * batch. */
+GN_INLINE stored_word *stored_bytes(const gn_surface *in_place, block_batch *b, uint32_t n)
+{
+    if (!in_place)
+        return b->of.stored[0][n];
+    return (stored_word *)(void *)row_memory(in_place, GN_FORMAT_RGBA8,
+                                             b->x + b->column[n] * GN_LANES, b->y + b->row[n])
+        .half[0];
+}
+
+/* Combines bytes: the results take the place of the stored ones, where covered. */
+GN_INLINE void combine_bytes(const color_state *state, byte_combination how,
+                             const gn_surface *in_place, block_batch *b)
 {
     for (uint32_t n = 0; n < b->count; ++n) {
+        stored_word *const at = stored_bytes(in_place, b, n);
         const lanes_i source = lanes_i_load(b->source[0][n]);
-        const lanes_i stored = lanes_i_load(b->of.stored[0][n]);
+        const lanes_i stored = lanes_i_load(at);
+        lanes_i result = how == BYTES_BLEND ? blend_bytes(state, source, stored)
+                         : how == BYTES_MIX ? mix_bytes(state, source, stored)
+                                            : operate_on_bits(state, source, stored);
 
-        lanes_i_store(b->of.stored[0][n], how == BYTES_BLEND ? blend_bytes(state, source, stored)
-                                          : how == BYTES_MIX
-                                              ? mix_bytes(state, source, stored)
-                                              : operate_on_bits(state, source, stored));
+        if (in_place && b->coverage[n] != GN_ALL_LANES)
+            result = lanes_i_select(lanes_from_bits(b->coverage[n]), result, stored);
+        lanes_i_store(at, result);
     }
 }
 
@@ -442,17 +457,18 @@ static inline void combine_floats(const color_state *state, gn_format format, bl
 }
 
 /* Combines the numbers of a batch with the stored ones, in the format's arithmetic. The results
- * take the place of the stored ones. */
-GN_OUT_OF_LINE void combine_batch(const color_state *state, gn_format format, block_batch *b)
+ * take the place of the stored ones: in the batch, or `in_place` on a surface (is_in_place). */
+GN_OUT_OF_LINE void combine_batch(const color_state *state, gn_format format,
+                                  const gn_surface *in_place, block_batch *b)
 {
     switch (arithmetic_of(format)) {
     case ARITHMETIC_BYTES:
         if (state->blends && mixes_channel(state))
-            combine_bytes(state, BYTES_MIX, b);
+            combine_bytes(state, BYTES_MIX, 0, b);
         else if (state->blends)
-            combine_bytes(state, BYTES_BLEND, b);
+            combine_bytes(state, BYTES_BLEND, in_place, b);
         else
-            combine_bytes(state, BYTES_LOGIC, b);
+            combine_bytes(state, BYTES_LOGIC, in_place, b);
         break;
     case ARITHMETIC_SHORTS:
         combine_shorts(state, b);
@@ -471,15 +487,27 @@ static inline bool combines(const color_state *state, gn_format format)
            (state->blends || (state->is_logical && arithmetic_of(format) != ARITHMETIC_FLOATS));
 }
 
+/* Whether rows of pixels are the numbers that are combined, so that neither is a copy needed. */
+static inline bool is_in_place(const color_state *combine, const gn_surface *surface,
+                               const block_batch *b)
+{
+    return is_of_rows(b) && surface->format == GN_FORMAT_RGBA8 &&
+           combine->written == GN_CHANNEL_ALL;
+}
+
 /* Writes a batch's colours, encoded as the source, to an attachment. */
-static inline void output_batch(const fragment_state *state, const color_state *combine,
-                                const gn_surface *surface, block_batch *b)
+GN_OUT_OF_LINE void output_batch(const fragment_state *state, const color_state *combine,
+                                 const gn_surface *surface, block_batch *b)
 {
     const bool combined = combines(combine, surface->format);
 
+    if (combined && is_in_place(combine, surface, b)) {
+        combine_batch(combine, surface->format, surface, b);
+        return;
+    }
     if (combined) {
         load_batch(state, surface, b);
-        combine_batch(combine, surface->format, b);
+        combine_batch(combine, surface->format, 0, b);
     }
     store_batch(state, combine, surface, b,
                 words_of_numbers(surface->format, b->count,

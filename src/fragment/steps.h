@@ -8,7 +8,7 @@
 #include "test.h"
 
 /* Returns how many fragments of a batch are covered. */
-static inline uint32_t count_batch(const block_batch *b)
+GN_OUT_OF_LINE uint32_t count_batch(const block_batch *b)
 {
     uint32_t count = 0;
 
@@ -87,7 +87,7 @@ static inline void output_colors(const fragment_state *state, block_batch *b)
 }
 
 /* Takes a batch through the steps. `blocks` are the batch's if it is of halves; otherwise null. */
-static inline void take_steps(const fragment_context *c, covered_block *blocks, block_batch *b)
+GN_OUT_OF_LINE void take_steps(const fragment_context *c, covered_block *blocks, block_batch *b)
 {
     const fragment_state *const state = c->state;
 
