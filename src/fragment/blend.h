@@ -48,19 +48,21 @@ static inline mixing mixing_of(const blend_rule *r)
                                                                : MIXES_BY_DESTINATION;
 }
 
-static inline void set_blend_constant(color_state *s, const float constant[4], gn_format format)
+/* Sets the blend constant, also as integers up to the largest value of the channels. */
+static inline void set_blend_constant(color_state *s, const float constant[4], gn_format format,
+                                      uint32_t fixed[4])
 {
     const float largest = arithmetic_of(format) == ARITHMETIC_SHORTS ? 65535.0f : 255.0f;
     float saturated_constant[GN_LANES];
-    int32_t fixed[GN_LANES];
+    int32_t rounded[GN_LANES];
 
     for (int c = 0; c < 4; ++c) {
         const lanes_f channel = saturated(lanes_splat(constant[c]));
 
         lanes_store(saturated_constant, channel);
-        lanes_i_store(fixed, lanes_round(lanes_mul(channel, lanes_splat(largest))));
+        lanes_i_store(rounded, lanes_round(lanes_mul(channel, lanes_splat(largest))));
         s->constant[c] = format_is_float(format) ? constant[c] : saturated_constant[0];
-        s->constant_fixed[c] = fixed[0];
+        fixed[c] = (uint32_t)rounded[0];
     }
 }
 
@@ -96,26 +98,38 @@ static inline uint32_t bytes_of_factor(gn_blend_factor color, gn_blend_factor al
            ((unsigned)alpha - (unsigned)factor < 2u ? 0xFF000000u : 0u);
 }
 
-/* Resolves the factors of red, green and blue, and of alpha. `takes` says whether any equation
- * takes factors. */
-static inline void set_byte_factors(byte_factors *f, const color_state *s, gn_blend_factor color,
-                                    gn_blend_factor alpha, bool takes)
+/* Returns the constant part of a channel's factor. */
+static inline uint32_t constant_factor(gn_blend_factor f, const uint32_t fixed[4], int channel,
+                                       uint32_t largest)
 {
-    const uint32_t one_minus =
-        (is_one_minus(color) ? 0x00FFFFFFu : 0u) | (is_one_minus(alpha) ? 0xFF000000u : 0u);
-    const uint32_t opaque = alpha == GN_FACTOR_SOURCE_ALPHA_SATURATE ? 0xFF000000u : 0u;
-    const uint32_t constant_alpha = (uint32_t)s->constant_fixed[3] * 0x01010101u;
-    const uint32_t constant = (uint32_t)s->constant_fixed[0] | (uint32_t)s->constant_fixed[1] << 8 |
-                              (uint32_t)s->constant_fixed[2] << 16 | (constant_alpha & 0xFF000000u);
+    uint32_t value = 0;
+
+    if (f == GN_FACTOR_CONSTANT_COLOR || f == GN_FACTOR_ONE_MINUS_CONSTANT_COLOR)
+        value = fixed[channel];
+    else if (f == GN_FACTOR_CONSTANT_ALPHA || f == GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA)
+        value = fixed[3];
+    else if (f == GN_FACTOR_SOURCE_ALPHA_SATURATE && channel == 3)
+        value = largest;
+    return is_one_minus(f) ? largest - value : value;
+}
+
+/* Resolves the factors of red, green and blue, and of alpha. `takes` says whether any equation
+ * takes factors. `fixed` is the blend constant. */
+static inline void set_fixed_factors(fixed_factors *f, gn_blend_factor color, gn_blend_factor alpha,
+                                     bool takes, const uint32_t fixed[4], gn_format format)
+{
+    const int bits = arithmetic_of(format) == ARITHMETIC_SHORTS ? 16 : 8;
 
     f->source = bytes_of_factor(color, alpha, GN_FACTOR_SOURCE_COLOR);
     f->destination = bytes_of_factor(color, alpha, GN_FACTOR_DESTINATION_COLOR);
     f->source_alpha = bytes_of_factor(color, alpha, GN_FACTOR_SOURCE_ALPHA);
     f->destination_alpha = bytes_of_factor(color, alpha, GN_FACTOR_DESTINATION_ALPHA);
     f->saturate = color == GN_FACTOR_SOURCE_ALPHA_SATURATE ? 0x00FFFFFFu : 0u;
-    f->constant = (constant & bytes_of_factor(color, alpha, GN_FACTOR_CONSTANT_COLOR)) ^
-                  (constant_alpha & bytes_of_factor(color, alpha, GN_FACTOR_CONSTANT_ALPHA)) ^
-                  one_minus ^ opaque;
+    f->constant[0] = 0;
+    f->constant[1] = 0;
+    for (int c = 0; c < 4; ++c)
+        f->constant[c * bits / 32] |=
+            constant_factor(c < 3 ? color : alpha, fixed, c, (1u << bits) - 1) << c * bits % 32;
     f->kind =
         factor_kind_of(color) == factor_kind_of(alpha) ? factor_kind_of(color) : FACTORS_DIFFER;
     if (!takes || (color == GN_FACTOR_ONE && alpha == GN_FACTOR_ONE))
@@ -127,6 +141,8 @@ static inline void set_byte_factors(byte_factors *f, const color_state *s, gn_bl
 static inline void set_blend_state(color_state *s, const gn_blend *blend, const float constant[4],
                                    gn_format format)
 {
+    uint32_t fixed[4];
+
     s->color.equation = equation_or(blend->equation, GN_EQUATION_ADD);
     s->color.source = factor_or(blend->source, GN_FACTOR_ONE);
     s->color.destination = factor_or(blend->destination, GN_FACTOR_ZERO);
@@ -146,9 +162,10 @@ static inline void set_blend_state(color_state *s, const gn_blend *blend, const 
         both && s->color.source == GN_FACTOR_ZERO && s->alpha.source == GN_FACTOR_ZERO;
     s->drops_destination =
         both && s->color.destination == GN_FACTOR_ZERO && s->alpha.destination == GN_FACTOR_ZERO;
-    set_blend_constant(s, constant, format);
-    set_byte_factors(&s->source_factors, s, s->color.source, s->alpha.source, any);
-    set_byte_factors(&s->destination_factors, s, s->color.destination, s->alpha.destination, any);
+    set_blend_constant(s, constant, format, fixed);
+    set_fixed_factors(&s->source_factors, s->color.source, s->alpha.source, any, fixed, format);
+    set_fixed_factors(&s->destination_factors, s->color.destination, s->alpha.destination, any,
+                      fixed, format);
 }
 
 /* The bytes of a pixel as shorts: red and blue, or green and alpha. */
@@ -184,7 +201,7 @@ GN_INLINE lanes_i pixel_of(byte_pairs p)
 }
 
 /* Returns values for the bytes of pixels that masks select. */
-GN_INLINE lanes_i selected_factors(const byte_factors *f, lanes_i source, lanes_i destination)
+GN_INLINE lanes_i selected_factors(const fixed_factors *f, lanes_i source, lanes_i destination)
 {
     const lanes_i source_alpha = pixel_of(alphas_of(source));
     const lanes_i destination_alpha = pixel_of(alphas_of(destination));
@@ -201,7 +218,7 @@ GN_INLINE lanes_i selected_factors(const byte_factors *f, lanes_i source, lanes_
                       lanes_i_and(lesser, lanes_i_splat((int32_t)f->saturate)));
 }
 
-GN_INLINE byte_pairs factor_pairs(const byte_factors *f, lanes_i source, lanes_i destination)
+GN_INLINE byte_pairs factor_pairs(const fixed_factors *f, lanes_i source, lanes_i destination)
 {
     byte_pairs p;
 
@@ -226,8 +243,8 @@ GN_INLINE byte_pairs factor_pairs(const byte_factors *f, lanes_i source, lanes_i
         p.odd = p.even;
         break;
     }
-    p.even = lanes_i_xor(p.even, lanes_i_splat((int32_t)(f->constant & GN_TWO_BYTES)));
-    p.odd = lanes_i_xor(p.odd, lanes_i_splat((int32_t)(f->constant >> 8 & GN_TWO_BYTES)));
+    p.even = lanes_i_xor(p.even, lanes_i_splat((int32_t)(f->constant[0] & GN_TWO_BYTES)));
+    p.odd = lanes_i_xor(p.odd, lanes_i_splat((int32_t)(f->constant[0] >> 8 & GN_TWO_BYTES)));
     return p;
 }
 
@@ -242,7 +259,7 @@ GN_INLINE lanes_i multiplied_bytes(lanes_i a, lanes_i b)
 }
 
 /* Returns a pixel times its factors. */
-GN_INLINE lanes_i times_factors(const byte_factors *f, lanes_i source, lanes_i destination,
+GN_INLINE lanes_i times_factors(const fixed_factors *f, lanes_i source, lanes_i destination,
                                 lanes_i pixel)
 {
     if (f->kind == FACTORS_ARE_ONE)
@@ -289,20 +306,6 @@ GN_INLINE lanes_i blend_bytes(const color_state *state, lanes_i source, lanes_i 
                     lanes_i_splat((int32_t)0xFF000000u)));
 }
 
-/* Returns from + weight * (to - from). The weight, 0 to 2^bits - 1, is taken as 0 to 2^bits. The
- * product is rounded with 8 bits, rounded down with 16. All is modulo 2^bits. */
-GN_INLINE lanes_i mix_fixed(lanes_i from, lanes_i to, lanes_i weight, int bits)
-{
-    const lanes_i share = lanes_i_add(weight, lanes_i_shift_right(weight, bits - 1));
-    const lanes_i difference = lanes_i_sub(to, from);
-    const lanes_i step =
-        bits == 8 ? lanes_i_shift_right(
-                        lanes_i_add(lanes_i_mul_shorts(share, difference), lanes_i_splat(128)), 8)
-                  : lanes_i_shift_right(lanes_i_mul(share, difference), 16);
-
-    return lanes_i_and(lanes_i_add(from, step), lanes_i_splat((1 << bits) - 1));
-}
-
 /* Whether a format of one channel mixes by its factors. */
 static inline bool mixes_channel(const color_state *state)
 {
@@ -310,124 +313,148 @@ static inline bool mixes_channel(const color_state *state)
            state->color.equation == GN_EQUATION_ADD;
 }
 
+/* Returns from + weight * (to - from) of the low bits. The weight, 0 to 2^bits - 1, is taken as 0
+ * to 2^bits. The product is rounded with 8 bits, rounded down with 16. All is modulo 2^bits. */
+GN_INLINE lanes_i mix_fixed(const color_state *state, lanes_i source, lanes_i destination,
+                            lanes_i factor, int bits)
+{
+    const bool by_source = state->mixes == MIXES_BY_SOURCE;
+    const lanes_i low = lanes_i_splat((1 << bits) - 1);
+    const lanes_i from = lanes_i_and(by_source ? destination : source, low);
+    const lanes_i to = lanes_i_and(by_source ? source : destination, low);
+    const lanes_i weight = lanes_i_and(factor, low);
+    const lanes_i share = lanes_i_add(weight, lanes_i_shift_right(weight, bits - 1));
+    const lanes_i difference = lanes_i_sub(to, from);
+    const lanes_i product =
+        bits == 8 ? lanes_i_add(lanes_i_mul_shorts(share, difference), lanes_i_splat(128))
+                  : lanes_i_mul(share, difference);
+
+    return lanes_i_and(lanes_i_add(from, lanes_i_shift_right(product, bits)), low);
+}
+
+/* Returns the factors whose kind mixes. */
+GN_INLINE const fixed_factors *mixing_factors(const color_state *state)
+{
+    return state->mixes == MIXES_BY_SOURCE ? &state->source_factors : &state->destination_factors;
+}
+
 /* Blends the first byte of pixels if mixes_channel. */
 GN_INLINE lanes_i mix_bytes(const color_state *state, lanes_i source, lanes_i destination)
 {
-    const bool by_source = state->mixes == MIXES_BY_SOURCE;
-    const lanes_i byte = lanes_i_splat(255);
-    const byte_pairs weight = factor_pairs(
-        by_source ? &state->source_factors : &state->destination_factors, source, destination);
-
-    return mix_fixed(lanes_i_and(by_source ? destination : source, byte),
-                     lanes_i_and(by_source ? source : destination, byte),
-                     lanes_i_and(weight.even, byte), 8);
+    return mix_fixed(state, source, destination,
+                     factor_pairs(mixing_factors(state), source, destination).even, 8);
 }
 
-/* Channels as integers of 16 bits. */
-typedef struct blend_channels {
-    lanes_i source[4], destination[4];
-} blend_channels;
+/* A word of pixels of GN_FORMAT_RGBA16, and the words that hold their alpha: the second ones. */
+typedef struct short_pixels {
+    lanes_i source, destination, source_alpha, destination_alpha;
+} short_pixels;
 
-static inline lanes_i factor_short(const color_state *state, const blend_channels *b,
-                                   gn_blend_factor factor, int channel)
+/* Returns the highest short in both. */
+GN_INLINE lanes_i alpha_shorts(lanes_i word)
 {
-    const lanes_i full = lanes_i_splat(0xFFFF);
+    const lanes_i alpha = lanes_i_and(lanes_i_shift_right(word, 16), lanes_i_splat(0xFFFF));
+
+    return pair_of(alpha, alpha);
+}
+
+/* Returns a mask of shorts in word w from one of bytes. */
+GN_INLINE lanes_i short_mask(uint32_t bytes, int w)
+{
+    const uint32_t color = bytes & 0xFFFFu, alpha = bytes >> 24;
+
+    return lanes_i_splat((int32_t)(color | (w == 0 ? color << 16 : (alpha | alpha << 8) << 16)));
+}
+
+/* Returns values for the shorts of word w that masks select. */
+GN_INLINE lanes_i selected_shorts(const fixed_factors *f, const short_pixels *p, int w)
+{
+    const lanes_i source_alpha = alpha_shorts(p->source_alpha);
+    const lanes_i destination_alpha = alpha_shorts(p->destination_alpha);
+    const lanes_i rest = lanes_i_xor(destination_alpha, lanes_i_splat(-1));
+    const lanes_i lesser = lanes_i_sub(source_alpha, lanes_i_sub_shorts(source_alpha, rest));
+    const lanes_i colors = lanes_i_or(lanes_i_and(p->source, short_mask(f->source, w)),
+                                      lanes_i_and(p->destination, short_mask(f->destination, w)));
+    const lanes_i alphas =
+        lanes_i_or(lanes_i_and(source_alpha, short_mask(f->source_alpha, w)),
+                   lanes_i_and(destination_alpha, short_mask(f->destination_alpha, w)));
+
+    return lanes_i_or(lanes_i_or(colors, alphas), lanes_i_and(lesser, short_mask(f->saturate, w)));
+}
+
+GN_INLINE lanes_i short_factors(const fixed_factors *f, const short_pixels *p, int w)
+{
     lanes_i value;
 
-    switch (factor) {
-    case GN_FACTOR_SOURCE_COLOR:
-    case GN_FACTOR_ONE_MINUS_SOURCE_COLOR:
-        value = b->source[channel];
+    switch (f->kind) {
+    case FACTORS_ARE_SOURCE:
+        value = p->source;
         break;
-    case GN_FACTOR_DESTINATION_COLOR:
-    case GN_FACTOR_ONE_MINUS_DESTINATION_COLOR:
-        value = b->destination[channel];
+    case FACTORS_ARE_DESTINATION:
+        value = p->destination;
         break;
-    case GN_FACTOR_SOURCE_ALPHA:
-    case GN_FACTOR_ONE_MINUS_SOURCE_ALPHA:
-        value = b->source[3];
+    case FACTORS_ARE_SOURCE_ALPHA:
+        value = alpha_shorts(p->source_alpha);
         break;
-    case GN_FACTOR_DESTINATION_ALPHA:
-    case GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA:
-        value = b->destination[3];
+    case FACTORS_ARE_DESTINATION_ALPHA:
+        value = alpha_shorts(p->destination_alpha);
         break;
-    case GN_FACTOR_CONSTANT_COLOR:
-    case GN_FACTOR_ONE_MINUS_CONSTANT_COLOR:
-        value = lanes_i_splat(state->constant_fixed[channel]);
+    case FACTORS_DIFFER:
+        value = selected_shorts(f, p, w);
         break;
-    case GN_FACTOR_CONSTANT_ALPHA:
-    case GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA:
-        value = lanes_i_splat(state->constant_fixed[3]);
-        break;
-    case GN_FACTOR_SOURCE_ALPHA_SATURATE:
-        return channel == 3 ? full
-                            : lanes_i_min(b->source[3], lanes_i_sub(full, b->destination[3]));
     default:
         value = lanes_i_splat(0);
         break;
     }
-    return is_one_minus(factor) ? lanes_i_sub(full, value) : value;
+    return lanes_i_xor(value, lanes_i_splat((int32_t)f->constant[w]));
 }
 
-/* Returns the upper half of 32 bits. */
-GN_INLINE lanes_i upper_half(lanes_i a)
+/* Returns shorts of word w times their factors. */
+GN_INLINE lanes_i times_short_factors(const fixed_factors *f, const short_pixels *p, int w,
+                                      lanes_i shorts)
 {
-    return lanes_i_and(lanes_i_shift_right(a, 16), lanes_i_splat(0xFFFF));
+    if (f->kind == FACTORS_ARE_ONE)
+        return shorts;
+    if (f->kind == FACTORS_ARE_ZERO)
+        return lanes_i_splat(0);
+    return lanes_i_scale_shorts(shorts, short_factors(f, p, w));
 }
 
-/* Returns a * b / 65535 of shorts, rounded as the reference does: exact if a or b is zero or one.
- */
-GN_INLINE lanes_i multiply_shorts(lanes_i a, lanes_i b)
+/* equate_bytes for shorts. */
+GN_INLINE lanes_i equate_shorts(gn_blend_equation equation, lanes_i source, lanes_i destination,
+                                lanes_i from, lanes_i to)
 {
-    const lanes_i product = lanes_i_mul(a, b);
-
-    return upper_half(
-        lanes_i_add(lanes_i_add(product, upper_half(product)), lanes_i_splat(1 << 15)));
-}
-
-GN_STEP lanes_i blend_short(const color_state *state, const blend_channels *b, int channel)
-{
-    const blend_rule *rule = rule_of(state, channel);
-    const lanes_i source = b->source[channel];
-    const lanes_i destination = b->destination[channel];
-
-    if (rule->equation == GN_EQUATION_MIN)
-        return lanes_i_min(source, destination);
-    if (rule->equation == GN_EQUATION_MAX)
-        return lanes_i_max(source, destination);
-
-    const lanes_i source_factor = factor_short(state, b, rule->source, channel);
-    const lanes_i factor = factor_short(state, b, rule->destination, channel);
-
-    if (mixes_channel(state))
-        return state->mixes == MIXES_BY_SOURCE ? mix_fixed(destination, source, source_factor, 16)
-                                               : mix_fixed(source, destination, factor, 16);
-
-    const lanes_i from = multiply_shorts(source, source_factor);
-    const lanes_i to = multiply_shorts(destination, factor);
-
-    if (rule->equation == GN_EQUATION_ADD)
-        return lanes_i_min(lanes_i_add(from, to), lanes_i_splat(0xFFFF));
-    return lanes_i_max(rule->equation == GN_EQUATION_SUBTRACT ? lanes_i_sub(from, to)
-                                                              : lanes_i_sub(to, from),
-                       lanes_i_splat(0));
-}
-
-/* Blends channels of 16 bits, two to a word. */
-GN_STEP void blend_shorts(const color_state *state, const lanes_i source[2],
-                          const lanes_i destination[2], lanes_i result[2])
-{
-    const lanes_i low = lanes_i_splat(0xFFFF);
-    blend_channels b;
-
-    for (int c = 0; c < 4; c += 2) {
-        b.source[c] = lanes_i_and(source[c / 2], low);
-        b.source[c + 1] = upper_half(source[c / 2]);
-        b.destination[c] = lanes_i_and(destination[c / 2], low);
-        b.destination[c + 1] = upper_half(destination[c / 2]);
+    switch (equation) {
+    case GN_EQUATION_MIN:
+        return lanes_i_sub(source, lanes_i_sub_shorts(source, destination));
+    case GN_EQUATION_MAX:
+        return lanes_i_add(destination, lanes_i_sub_shorts(source, destination));
+    case GN_EQUATION_SUBTRACT:
+        return lanes_i_sub_shorts(from, to);
+    case GN_EQUATION_REVERSE_SUBTRACT:
+        return lanes_i_sub_shorts(to, from);
+    default:
+        return lanes_i_add_shorts(from, to);
     }
-    for (int c = 0; c < 4; c += 2)
-        result[c / 2] = pair_of(blend_short(state, &b, c), blend_short(state, &b, c + 1));
+}
+
+/* Blends the channels of word w, which have 16 bits. */
+GN_INLINE lanes_i blend_shorts(const color_state *state, const short_pixels *p, int w)
+{
+    if (mixes_channel(state))
+        return mix_fixed(state, p->source, p->destination,
+                         short_factors(mixing_factors(state), p, w), 16);
+
+    const lanes_i from = times_short_factors(&state->source_factors, p, w, p->source);
+    const lanes_i to = times_short_factors(&state->destination_factors, p, w, p->destination);
+    const lanes_i color = equate_shorts(state->color.equation, p->source, p->destination, from, to);
+
+    if (w == 0 || state->alpha.equation == state->color.equation)
+        return color;
+    return lanes_i_or(
+        lanes_i_and(color, lanes_i_splat(0xFFFF)),
+        lanes_i_and(equate_shorts(state->alpha.equation, p->source, p->destination, from, to),
+                    lanes_i_splat((int32_t)0xFFFF0000u)));
 }
 
 /* Mixes by the factors w and 1 - w: `by` is the term that w belongs to, `of` the other. */

@@ -346,21 +346,22 @@ GN_INLINE void combine_bytes(const color_state *state, byte_combination how,
     }
 }
 
+/* Combines shorts; the words with alpha are the last, since other channels' factors may be the
+ * stored alpha. */
 static inline void combine_shorts(const color_state *state, block_batch *b)
 {
-    for (uint32_t n = 0; n < b->count; ++n) {
-        lanes_i source[2], stored[2], word[2];
+    for (int w = 0; w < 2; ++w) {
+        for (uint32_t n = 0; n < b->count; ++n) {
+            short_pixels p;
 
-        for (int i = 0; i < 2; ++i) {
-            source[i] = lanes_i_load(b->source[i][n]);
-            stored[i] = lanes_i_load(b->of.stored[i][n]);
+            p.source = lanes_i_load(b->source[w][n]);
+            p.destination = lanes_i_load(b->of.stored[w][n]);
+            p.source_alpha = lanes_i_load(b->source[1][n]);
+            p.destination_alpha = lanes_i_load(b->of.stored[1][n]);
+            lanes_i_store(b->of.stored[w][n],
+                          state->blends ? blend_shorts(state, &p, w)
+                                        : operate_on_bits(state, p.source, p.destination));
         }
-        if (state->blends)
-            blend_shorts(state, source, stored, word);
-        for (int i = 0; i < 2 && !state->blends; ++i)
-            word[i] = operate_on_bits(state, source[i], stored[i]);
-        for (int i = 0; i < 2; ++i)
-            lanes_i_store(b->of.stored[i][n], word[i]);
     }
 }
 

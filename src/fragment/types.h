@@ -53,26 +53,27 @@ typedef enum color_use {
     COLOR_COMBINES  /* as the other members of color_state say */
 } color_use;
 
-/* Which value the factors of a pixel's bytes are, all of them. */
+/* Which value the factors of a pixel's channels are, all of them. */
 typedef enum factor_kind {
     FACTORS_ARE_CONSTANT,
     FACTORS_ARE_SOURCE,
     FACTORS_ARE_DESTINATION,
     FACTORS_ARE_SOURCE_ALPHA,
     FACTORS_ARE_DESTINATION_ALPHA,
-    FACTORS_DIFFER, /* the masks of byte_factors select the values */
+    FACTORS_DIFFER, /* the masks of fixed_factors select the values */
     FACTORS_ARE_ZERO,
     FACTORS_ARE_ONE
 } factor_kind;
 
-/* The factors of a pixel's bytes: the values, combined with `constant` by exclusive or. One minus a
- * value is its complement. Masks select one value for each byte. */
-typedef struct byte_factors {
+/* The factors of a pixel's channels, which are bytes in a word or shorts in two: the values,
+ * combined with `constant` by exclusive or. One minus a value is its complement. Masks of the bytes
+ * of a word select one value for each channel. */
+typedef struct fixed_factors {
     factor_kind kind;
     uint32_t source, destination, source_alpha, destination_alpha;
     uint32_t saturate; /* min(source alpha, 1 - destination alpha) */
-    uint32_t constant;
-} byte_factors;
+    uint32_t constant[2];
+} fixed_factors;
 
 typedef struct color_state {
     color_use use;
@@ -85,8 +86,7 @@ typedef struct color_state {
      * is zero. */
     bool factors_last, drops_source, drops_destination;
     float constant[4];
-    int32_t constant_fixed[4]; /* 0 to 255, or to 65535 */
-    byte_factors source_factors, destination_factors;
+    fixed_factors source_factors, destination_factors;
     int32_t
         logic[4]; /* masks of 1, destination, source and both, whose exclusive or is the result */
 } color_state;

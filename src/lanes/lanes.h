@@ -17,6 +17,8 @@
  *   i_or i_and i_xor
  *   i_mul_shorts i_high_bytes     each half of a lane: products, and shifts to the right by a byte
  *   i_add_bytes i_sub_bytes       each byte of a lane: sums up to 255, differences down to 0
+ *   i_add_shorts i_sub_shorts     each half of a lane: sums up to 65535, differences down to 0
+ *   i_scale_shorts                each half of a lane: a * b / 65535, rounded
  *   i_shift_left i_shift_right
  *   i_min i_max i_clamp i_select
  *   i_greater i_equal

@@ -207,6 +207,34 @@ static inline lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, _mm256_subs_epu8(a.q[n], b.q[n]));
 }
 
+static inline lanes_i lanes_i_add_shorts(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_adds_epu16(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_sub_shorts(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm256_subs_epu16(a.q[n], b.q[n]));
+}
+
+/* With the halves of a product the sum is low + high + 2^15, of which high gets the carry: one if
+ * low + high has one, and one more if bit 15 of what is left is set. */
+static inline __m256i lanes_avx2_scale(__m256i a, __m256i b)
+{
+    const __m256i low = _mm256_mullo_epi16(a, b);
+    const __m256i high = _mm256_mulhi_epu16(a, b);
+    const __m256i sum = _mm256_add_epi16(low, high);
+    const __m256i no_carry = _mm256_cmpeq_epi16(_mm256_adds_epu16(low, high), sum);
+
+    return _mm256_add_epi16(_mm256_add_epi16(high, _mm256_srli_epi16(sum, 15)),
+                            _mm256_add_epi16(no_carry, _mm256_set1_epi16(1)));
+}
+
+static inline lanes_i lanes_i_scale_shorts(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, lanes_avx2_scale(a.q[n], b.q[n]));
+}
+
 static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     LANES_EACH_REGISTER(lanes_i, _mm256_slli_epi32(a.q[n], count));

@@ -210,6 +210,34 @@ static inline lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
     return lanes_avx512_i(_mm512_subs_epu8(a.q, b.q));
 }
 
+static inline lanes_i lanes_i_add_shorts(lanes_i a, lanes_i b)
+{
+    return lanes_avx512_i(_mm512_adds_epu16(a.q, b.q));
+}
+
+static inline lanes_i lanes_i_sub_shorts(lanes_i a, lanes_i b)
+{
+    return lanes_avx512_i(_mm512_subs_epu16(a.q, b.q));
+}
+
+/* With the halves of a product the sum is low + high + 2^15, of which high gets the carry: one if
+ * low + high has one, and one more if bit 15 of what is left is set. */
+static inline __m512i lanes_avx512_scale(__m512i a, __m512i b)
+{
+    const __m512i low = _mm512_mullo_epi16(a, b);
+    const __m512i high = _mm512_mulhi_epu16(a, b);
+    const __m512i sum = _mm512_add_epi16(low, high);
+    const __m512i lost = _mm512_sub_epi16(_mm512_adds_epu16(low, high), sum);
+
+    return _mm512_add_epi16(_mm512_add_epi16(high, _mm512_srli_epi16(sum, 15)),
+                            _mm512_min_epu16(lost, _mm512_set1_epi16(1)));
+}
+
+static inline lanes_i lanes_i_scale_shorts(lanes_i a, lanes_i b)
+{
+    return lanes_avx512_i(lanes_avx512_scale(a.q, b.q));
+}
+
 static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     return lanes_avx512_i(_mm512_sll_epi32(a.q, _mm_cvtsi32_si128(count)));

@@ -219,6 +219,39 @@ static inline lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
                                                                 vreinterpretq_u8_s32(b.q[n]))));
 }
 
+static inline lanes_i lanes_i_add_shorts(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, vreinterpretq_s32_u16(vqaddq_u16(vreinterpretq_u16_s32(a.q[n]),
+                                                                  vreinterpretq_u16_s32(b.q[n]))));
+}
+
+static inline lanes_i lanes_i_sub_shorts(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, vreinterpretq_s32_u16(vqsubq_u16(vreinterpretq_u16_s32(a.q[n]),
+                                                                  vreinterpretq_u16_s32(b.q[n]))));
+}
+
+/* The last shift rounds. */
+static inline uint16x4_t lanes_neon_scale(uint16x4_t a, uint16x4_t b)
+{
+    const uint32x4_t product = vmull_u16(a, b);
+
+    return vrshrn_n_u32(vsraq_n_u32(product, product, 16), 16);
+}
+
+static inline int32x4_t lanes_neon_scale_shorts(uint16x8_t a, uint16x8_t b)
+{
+    return vreinterpretq_s32_u16(
+        vcombine_u16(lanes_neon_scale(vget_low_u16(a), vget_low_u16(b)),
+                     lanes_neon_scale(vget_high_u16(a), vget_high_u16(b))));
+}
+
+static inline lanes_i lanes_i_scale_shorts(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, lanes_neon_scale_shorts(vreinterpretq_u16_s32(a.q[n]),
+                                                         vreinterpretq_u16_s32(b.q[n])));
+}
+
 static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     LANES_EACH_REGISTER(lanes_i, vshlq_s32(a.q[n], vdupq_n_s32(count)));

@@ -373,6 +373,49 @@ static inline lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
     return r.words;
 }
 
+/* Returns min(a + b, 65535) of each short. */
+static inline lanes_i lanes_i_add_shorts(lanes_i a, lanes_i b)
+{
+    const lanes_parts other = {b};
+    lanes_parts r = {a};
+
+    GN_EACH_PART(n, 2)
+    {
+        const uint16_t most = (uint16_t)~other.shorts[n];
+
+        r.shorts[n] = (uint16_t)((r.shorts[n] < most ? r.shorts[n] : most) + other.shorts[n]);
+    }
+    return r.words;
+}
+
+/* Returns max(a - b, 0) of each short. */
+static inline lanes_i lanes_i_sub_shorts(lanes_i a, lanes_i b)
+{
+    const lanes_parts other = {b};
+    lanes_parts r = {a};
+
+    GN_EACH_PART(n, 2)
+    r.shorts[n] = (uint16_t)((r.shorts[n] > other.shorts[n] ? r.shorts[n] : other.shorts[n]) -
+                             other.shorts[n]);
+    return r.words;
+}
+
+/* Returns a * b / 65535 of each short: (p + p / 2^16 + 2^15) / 2^16 of the product p, which is
+ * exact if a or b is 0 or 65535. 32 bits hold the sum. */
+static inline lanes_i lanes_i_scale_shorts(lanes_i a, lanes_i b)
+{
+    const lanes_parts factor = {b};
+    lanes_parts r = {a};
+
+    GN_EACH_PART(n, 2)
+    {
+        const uint32_t product = (uint32_t)r.shorts[n] * factor.shorts[n];
+
+        r.shorts[n] = (uint16_t)((product + (product >> 16) + 0x8000u) >> 16);
+    }
+    return r.words;
+}
+
 /* Shifts bits to the left. count must be a constant. */
 static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
 {

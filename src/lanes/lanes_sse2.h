@@ -207,6 +207,34 @@ static inline lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, _mm_subs_epu8(a.q[n], b.q[n]));
 }
 
+static inline lanes_i lanes_i_add_shorts(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm_adds_epu16(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_sub_shorts(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, _mm_subs_epu16(a.q[n], b.q[n]));
+}
+
+/* With the halves of a product the sum is low + high + 2^15, of which high gets the carry: one if
+ * low + high has one, and one more if bit 15 of what is left is set. */
+static inline __m128i lanes_sse2_scale(__m128i a, __m128i b)
+{
+    const __m128i low = _mm_mullo_epi16(a, b);
+    const __m128i high = _mm_mulhi_epu16(a, b);
+    const __m128i sum = _mm_add_epi16(low, high);
+    const __m128i no_carry = _mm_cmpeq_epi16(_mm_adds_epu16(low, high), sum);
+
+    return _mm_add_epi16(_mm_add_epi16(high, _mm_srli_epi16(sum, 15)),
+                         _mm_add_epi16(no_carry, _mm_set1_epi16(1)));
+}
+
+static inline lanes_i lanes_i_scale_shorts(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, lanes_sse2_scale(a.q[n], b.q[n]));
+}
+
 static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_slli_epi32(a.q[n], count));

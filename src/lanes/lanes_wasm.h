@@ -205,6 +205,32 @@ static inline lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, wasm_u8x16_sub_sat(a.q[n], b.q[n]));
 }
 
+static inline lanes_i lanes_i_add_shorts(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_u16x8_add_sat(a.q[n], b.q[n]));
+}
+
+static inline lanes_i lanes_i_sub_shorts(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(lanes_i, wasm_u16x8_sub_sat(a.q[n], b.q[n]));
+}
+
+/* Returns the scaled products of four shorts, given the products. */
+static inline v128_t lanes_wasm_scaled(v128_t product)
+{
+    const v128_t corrected = wasm_i32x4_add(product, wasm_u32x4_shr(product, 16));
+
+    return wasm_u32x4_shr(wasm_i32x4_add(corrected, wasm_i32x4_splat(1 << 15)), 16);
+}
+
+static inline lanes_i lanes_i_scale_shorts(lanes_i a, lanes_i b)
+{
+    LANES_EACH_REGISTER(
+        lanes_i,
+        wasm_u16x8_narrow_i32x4(lanes_wasm_scaled(wasm_u32x4_extmul_low_u16x8(a.q[n], b.q[n])),
+                                lanes_wasm_scaled(wasm_u32x4_extmul_high_u16x8(a.q[n], b.q[n]))));
+}
+
 static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     LANES_EACH_REGISTER(lanes_i, wasm_i32x4_shl(a.q[n], (uint32_t)count));

@@ -61,6 +61,17 @@ static inline __m512i emulated_sra(__m512i a, __m128i count)
     return simde__m512i_from_private(in);
 }
 
+/* VPMULHUW does in each part of 128 bits what PMULHUW does. */
+static inline __m512i emulated_mulhi(__m512i a, __m512i b)
+{
+    simde__m512i_private x = simde__m512i_to_private(a);
+    simde__m512i_private y = simde__m512i_to_private(b);
+
+    for (int n = 0; n < 4; ++n)
+        x.m128i[n] = _mm_mulhi_epu16(x.m128i[n], y.m128i[n]);
+    return simde__m512i_from_private(x);
+}
+
 /* VRNDSCALEPS to whole numbers, downward, the only form that is used; SIMDe 0.7.4 returns 20.5 for
  * 20.5. From 2^31 on, and for NaN, the conversion returns INT32_MIN. */
 static inline __m512 emulated_floor(__m512 a)
@@ -108,6 +119,7 @@ static inline __m512i emulated_gather_pairs(__m256i index, const void *base, int
 #ifndef _MM_FROUND_NO_EXC
 #define _MM_FROUND_NO_EXC SIMDE_MM_FROUND_NO_EXC
 #endif
+#define _mm512_mulhi_epu16(a, b) emulated_mulhi(a, b)
 #define _mm512_sra_epi32(a, count) emulated_sra(a, count)
 #define _mm512_cvttps_epi32(a) emulated_cvttps(a)
 #define _mm512_cvtps_epi32(a) emulated_cvtps(a)

@@ -164,6 +164,9 @@ int RUN_FORM(const lanes_input *in, lanes_output out[LANES_OPERATIONS_MAX])
     record_i(&r, "i_high_bytes", lanes_i_high_bytes(i));
     record_i(&r, "i_add_bytes", lanes_i_add_bytes(i, j));
     record_i(&r, "i_sub_bytes", lanes_i_sub_bytes(i, j));
+    record_i(&r, "i_add_shorts", lanes_i_add_shorts(i, j));
+    record_i(&r, "i_sub_shorts", lanes_i_sub_shorts(i, j));
+    record_i(&r, "i_scale_shorts", lanes_i_scale_shorts(i, j));
     record_i(&r, "i_shift_left", lanes_i_shift_left(i, 8));
     record_i(&r, "i_shift_right", lanes_i_shift_right(i, 8));
     record_i(&r, "i_min", lanes_i_min(i, j));
