@@ -175,36 +175,33 @@ typedef struct byte_pairs {
 
 #define GN_TWO_BYTES 0x00FF00FF
 
-GN_INLINE byte_pairs pairs_of(lanes_i pixel)
+GN_INLINE void set_pairs(byte_pairs *p, lanes_i pixel)
 {
-    byte_pairs p;
-
-    p.even = lanes_i_and(pixel, lanes_i_splat(GN_TWO_BYTES));
-    p.odd = lanes_i_high_bytes(pixel);
-    return p;
+    p->even = lanes_i_and(pixel, lanes_i_splat(GN_TWO_BYTES));
+    p->odd = lanes_i_high_bytes(pixel);
 }
 
-/* Returns the highest byte in each byte of a pair. */
-GN_INLINE byte_pairs alphas_of(lanes_i pixel)
+/* Returns the highest byte in both bytes of a pair. */
+GN_INLINE lanes_i alpha_pair(lanes_i pixel)
 {
     const lanes_i alpha = lanes_i_and(lanes_i_shift_right(pixel, 24), lanes_i_splat(255));
-    byte_pairs p;
 
-    p.even = lanes_i_or(alpha, lanes_i_shift_left(alpha, 16));
-    p.odd = p.even;
-    return p;
+    return lanes_i_or(alpha, lanes_i_shift_left(alpha, 16));
 }
 
-GN_INLINE lanes_i pixel_of(byte_pairs p)
+/* Returns the highest byte in all bytes. */
+GN_INLINE lanes_i alpha_bytes(lanes_i pixel)
 {
-    return lanes_i_or(p.even, lanes_i_shift_left(p.odd, 8));
+    const lanes_i pair = alpha_pair(pixel);
+
+    return lanes_i_or(pair, lanes_i_shift_left(pair, 8));
 }
 
 /* Returns values for the bytes of pixels that masks select. */
 GN_INLINE lanes_i selected_factors(const fixed_factors *f, lanes_i source, lanes_i destination)
 {
-    const lanes_i source_alpha = pixel_of(alphas_of(source));
-    const lanes_i destination_alpha = pixel_of(alphas_of(destination));
+    const lanes_i source_alpha = alpha_bytes(source);
+    const lanes_i destination_alpha = alpha_bytes(destination);
     const lanes_i rest = lanes_i_xor(destination_alpha, lanes_i_splat(-1));
     const lanes_i lesser = lanes_i_sub(source_alpha, lanes_i_sub_bytes(source_alpha, rest));
     const lanes_i colors =
@@ -218,34 +215,34 @@ GN_INLINE lanes_i selected_factors(const fixed_factors *f, lanes_i source, lanes
                       lanes_i_and(lesser, lanes_i_splat((int32_t)f->saturate)));
 }
 
-GN_INLINE byte_pairs factor_pairs(const fixed_factors *f, lanes_i source, lanes_i destination)
+GN_INLINE void set_factor_pairs(byte_pairs *p, const fixed_factors *f, lanes_i source,
+                                lanes_i destination)
 {
-    byte_pairs p;
-
     switch (f->kind) {
     case FACTORS_ARE_SOURCE:
-        p = pairs_of(source);
+        set_pairs(p, source);
         break;
     case FACTORS_ARE_DESTINATION:
-        p = pairs_of(destination);
+        set_pairs(p, destination);
         break;
     case FACTORS_ARE_SOURCE_ALPHA:
-        p = alphas_of(source);
+        p->even = alpha_pair(source);
+        p->odd = p->even;
         break;
     case FACTORS_ARE_DESTINATION_ALPHA:
-        p = alphas_of(destination);
+        p->even = alpha_pair(destination);
+        p->odd = p->even;
         break;
     case FACTORS_DIFFER:
-        p = pairs_of(selected_factors(f, source, destination));
+        set_pairs(p, selected_factors(f, source, destination));
         break;
     default:
-        p.even = lanes_i_splat(0);
-        p.odd = p.even;
+        p->even = lanes_i_splat(0);
+        p->odd = p->even;
         break;
     }
-    p.even = lanes_i_xor(p.even, lanes_i_splat((int32_t)(f->constant[0] & GN_TWO_BYTES)));
-    p.odd = lanes_i_xor(p.odd, lanes_i_splat((int32_t)(f->constant[0] >> 8 & GN_TWO_BYTES)));
-    return p;
+    p->even = lanes_i_xor(p->even, lanes_i_splat((int32_t)(f->constant[0] & GN_TWO_BYTES)));
+    p->odd = lanes_i_xor(p->odd, lanes_i_splat((int32_t)(f->constant[0] >> 8 & GN_TWO_BYTES)));
 }
 
 /* Returns, in the high bytes, a * b / 255 of bytes, rounded as the reference does: exact if a or b
@@ -267,7 +264,10 @@ GN_INLINE lanes_i times_factors(const fixed_factors *f, lanes_i source, lanes_i 
     if (f->kind == FACTORS_ARE_ZERO)
         return lanes_i_splat(0);
 
-    const byte_pairs factor = factor_pairs(f, source, destination), value = pairs_of(pixel);
+    byte_pairs factor, value;
+
+    set_factor_pairs(&factor, f, source, destination);
+    set_pairs(&value, pixel);
     return lanes_i_or(
         lanes_i_high_bytes(multiplied_bytes(value.even, factor.even)),
         lanes_i_and(multiplied_bytes(value.odd, factor.odd), lanes_i_splat((int32_t)0xFF00FF00u)));
@@ -341,8 +341,10 @@ GN_INLINE const fixed_factors *mixing_factors(const color_state *state)
 /* Blends the first byte of pixels if mixes_channel. */
 GN_INLINE lanes_i mix_bytes(const color_state *state, lanes_i source, lanes_i destination)
 {
-    return mix_fixed(state, source, destination,
-                     factor_pairs(mixing_factors(state), source, destination).even, 8);
+    byte_pairs factor;
+
+    set_factor_pairs(&factor, mixing_factors(state), source, destination);
+    return mix_fixed(state, source, destination, factor.even, 8);
 }
 
 /* A word of pixels of GN_FORMAT_RGBA16, and the words that hold their alpha: the second ones. */

@@ -108,8 +108,8 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
         s->depth.format = GN_FORMAT_NONE;
     s->test = depth_state_of(pipeline);
     if (GN_HAVE_STENCIL) {
-        s->stencil[0] = stencil_state_of(&pipeline->stencil.front, format);
-        s->stencil[1] = stencil_state_of(&pipeline->stencil.back, format);
+        set_stencil_state(&s->stencil[0], &pipeline->stencil.front, format);
+        set_stencil_state(&s->stencil[1], &pipeline->stencil.back, format);
     }
     s->moves_depth = pipeline->raster.polygon_offset.set &&
                      (s->tests_depth || pipeline->program.fragment_reads_position);

@@ -34,19 +34,18 @@ static inline stencil_update stencil_update_of(gn_stencil_operation operation, u
     return u;
 }
 
-static inline stencil_state stencil_state_of(const gn_stencil_face *face, gn_format format)
+static inline void set_stencil_state(stencil_state *s, const gn_stencil_face *face,
+                                     gn_format format)
 {
     const int shift = format == GN_FORMAT_D24S8 ? 24 : 0;
-    stencil_state s;
 
-    s.compare = comparison_of(face->function == GN_COMPARE_DEFAULT ? GN_ALWAYS : face->function);
-    s.compared = 255 & ~face->compare_disabled;
-    s.reference = face->reference & s.compared;
-    s.written = (255u & ~(uint32_t)face->write_disabled) << shift;
-    s.fail = stencil_update_of(face->fail, face->reference, shift);
-    s.depth_fail = stencil_update_of(face->depth_fail, face->reference, shift);
-    s.pass = stencil_update_of(face->pass, face->reference, shift);
-    return s;
+    s->compare = comparison_of(face->function == GN_COMPARE_DEFAULT ? GN_ALWAYS : face->function);
+    s->compared = 255 & ~face->compare_disabled;
+    s->reference = face->reference & s->compared;
+    s->written = (255u & ~(uint32_t)face->write_disabled) << shift;
+    s->fail = stencil_update_of(face->fail, face->reference, shift);
+    s->depth_fail = stencil_update_of(face->depth_fail, face->reference, shift);
+    s->pass = stencil_update_of(face->pass, face->reference, shift);
 }
 
 /* Updates the written bits of the stencil values in some lanes of `word`. */
