@@ -195,27 +195,27 @@ GN_OPERATION lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
     return lanes_avx512_i(_mm512_mullo_epi16(a.q, b.q));
 }
 
-static inline lanes_i lanes_i_high_bytes(lanes_i a)
+GN_OPERATION lanes_i lanes_i_high_bytes(lanes_i a)
 {
     return lanes_avx512_i(_mm512_srli_epi16(a.q, 8));
 }
 
-static inline lanes_i lanes_i_add_bytes(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_add_bytes(lanes_i a, lanes_i b)
 {
     return lanes_avx512_i(_mm512_adds_epu8(a.q, b.q));
 }
 
-static inline lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
 {
     return lanes_avx512_i(_mm512_subs_epu8(a.q, b.q));
 }
 
-static inline lanes_i lanes_i_add_shorts(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_add_shorts(lanes_i a, lanes_i b)
 {
     return lanes_avx512_i(_mm512_adds_epu16(a.q, b.q));
 }
 
-static inline lanes_i lanes_i_sub_shorts(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_sub_shorts(lanes_i a, lanes_i b)
 {
     return lanes_avx512_i(_mm512_subs_epu16(a.q, b.q));
 }
@@ -233,12 +233,12 @@ static inline __m512i lanes_avx512_scale(__m512i a, __m512i b)
                             _mm512_min_epu16(lost, _mm512_set1_epi16(1)));
 }
 
-static inline lanes_i lanes_i_scale_shorts(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_scale_shorts(lanes_i a, lanes_i b)
 {
     return lanes_avx512_i(lanes_avx512_scale(a.q, b.q));
 }
 
-static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
+GN_OPERATION lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     return lanes_avx512_i(_mm512_sll_epi32(a.q, _mm_cvtsi32_si128(count)));
 }

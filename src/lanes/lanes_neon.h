@@ -201,31 +201,31 @@ GN_OPERATION lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
                                                                  vreinterpretq_s16_s32(b.q[n]))));
 }
 
-static inline lanes_i lanes_i_high_bytes(lanes_i a)
+GN_OPERATION lanes_i lanes_i_high_bytes(lanes_i a)
 {
     LANES_EACH_REGISTER(lanes_i,
                         vreinterpretq_s32_u16(vshrq_n_u16(vreinterpretq_u16_s32(a.q[n]), 8)));
 }
 
-static inline lanes_i lanes_i_add_bytes(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_add_bytes(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, vreinterpretq_s32_u8(vqaddq_u8(vreinterpretq_u8_s32(a.q[n]),
                                                                 vreinterpretq_u8_s32(b.q[n]))));
 }
 
-static inline lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, vreinterpretq_s32_u8(vqsubq_u8(vreinterpretq_u8_s32(a.q[n]),
                                                                 vreinterpretq_u8_s32(b.q[n]))));
 }
 
-static inline lanes_i lanes_i_add_shorts(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_add_shorts(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, vreinterpretq_s32_u16(vqaddq_u16(vreinterpretq_u16_s32(a.q[n]),
                                                                   vreinterpretq_u16_s32(b.q[n]))));
 }
 
-static inline lanes_i lanes_i_sub_shorts(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_sub_shorts(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, vreinterpretq_s32_u16(vqsubq_u16(vreinterpretq_u16_s32(a.q[n]),
                                                                   vreinterpretq_u16_s32(b.q[n]))));
@@ -246,13 +246,13 @@ static inline int32x4_t lanes_neon_scale_shorts(uint16x8_t a, uint16x8_t b)
                      lanes_neon_scale(vget_high_u16(a), vget_high_u16(b))));
 }
 
-static inline lanes_i lanes_i_scale_shorts(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_scale_shorts(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, lanes_neon_scale_shorts(vreinterpretq_u16_s32(a.q[n]),
                                                          vreinterpretq_u16_s32(b.q[n])));
 }
 
-static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
+GN_OPERATION lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     LANES_EACH_REGISTER(lanes_i, vshlq_s32(a.q[n], vdupq_n_s32(count)));
 }

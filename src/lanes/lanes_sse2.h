@@ -192,27 +192,27 @@ GN_OPERATION lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, _mm_mullo_epi16(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_high_bytes(lanes_i a)
+GN_OPERATION lanes_i lanes_i_high_bytes(lanes_i a)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_srli_epi16(a.q[n], 8));
 }
 
-static inline lanes_i lanes_i_add_bytes(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_add_bytes(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_adds_epu8(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_subs_epu8(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_add_shorts(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_add_shorts(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_adds_epu16(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_sub_shorts(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_sub_shorts(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_subs_epu16(a.q[n], b.q[n]));
 }
@@ -230,12 +230,12 @@ static inline __m128i lanes_sse2_scale(__m128i a, __m128i b)
                          _mm_add_epi16(no_carry, _mm_set1_epi16(1)));
 }
 
-static inline lanes_i lanes_i_scale_shorts(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_scale_shorts(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, lanes_sse2_scale(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
+GN_OPERATION lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_slli_epi32(a.q[n], count));
 }

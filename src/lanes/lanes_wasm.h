@@ -190,27 +190,27 @@ GN_OPERATION lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, wasm_i16x8_mul(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_high_bytes(lanes_i a)
+GN_OPERATION lanes_i lanes_i_high_bytes(lanes_i a)
 {
     LANES_EACH_REGISTER(lanes_i, wasm_u16x8_shr(a.q[n], 8));
 }
 
-static inline lanes_i lanes_i_add_bytes(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_add_bytes(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, wasm_u8x16_add_sat(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, wasm_u8x16_sub_sat(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_add_shorts(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_add_shorts(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, wasm_u16x8_add_sat(a.q[n], b.q[n]));
 }
 
-static inline lanes_i lanes_i_sub_shorts(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_sub_shorts(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, wasm_u16x8_sub_sat(a.q[n], b.q[n]));
 }
@@ -223,7 +223,7 @@ static inline v128_t lanes_wasm_scaled(v128_t product)
     return wasm_u32x4_shr(wasm_i32x4_add(corrected, wasm_i32x4_splat(1 << 15)), 16);
 }
 
-static inline lanes_i lanes_i_scale_shorts(lanes_i a, lanes_i b)
+GN_OPERATION lanes_i lanes_i_scale_shorts(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(
         lanes_i,
@@ -231,7 +231,7 @@ static inline lanes_i lanes_i_scale_shorts(lanes_i a, lanes_i b)
                                 lanes_wasm_scaled(wasm_u32x4_extmul_high_u16x8(a.q[n], b.q[n]))));
 }
 
-static inline lanes_i lanes_i_shift_left(lanes_i a, int count)
+GN_OPERATION lanes_i lanes_i_shift_left(lanes_i a, int count)
 {
     LANES_EACH_REGISTER(lanes_i, wasm_i32x4_shl(a.q[n], (uint32_t)count));
 }
