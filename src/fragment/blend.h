@@ -89,13 +89,23 @@ static inline factor_kind factor_kind_of(gn_blend_factor f)
     return (factor_kind)kind[((unsigned)f - 1u) / 2u];
 }
 
-/* Returns the bytes of a pixel whose factor, `color` or `alpha`, is `factor` or one minus that: the
- * enumeration lists factors in such pairs. */
-static inline uint32_t bytes_of_factor(gn_blend_factor color, gn_blend_factor alpha,
-                                       gn_blend_factor factor)
+/* Returns which value a factor selects, besides constants. */
+static inline uint8_t selection_of(gn_blend_factor factor, bool is_alpha)
 {
-    return ((unsigned)color - (unsigned)factor < 2u ? 0x00FFFFFFu : 0u) |
-           ((unsigned)alpha - (unsigned)factor < 2u ? 0xFF000000u : 0u);
+    const unsigned f = (unsigned)factor;
+
+    return f - (unsigned)GN_FACTOR_SOURCE_COLOR < 2u                ? SELECTS_SOURCE
+           : f - (unsigned)GN_FACTOR_DESTINATION_COLOR < 2u         ? SELECTS_DESTINATION
+           : f - (unsigned)GN_FACTOR_SOURCE_ALPHA < 2u              ? SELECTS_SOURCE_ALPHA
+           : f - (unsigned)GN_FACTOR_DESTINATION_ALPHA < 2u         ? SELECTS_DESTINATION_ALPHA
+           : factor == GN_FACTOR_SOURCE_ALPHA_SATURATE && !is_alpha ? SELECTS_SATURATE
+                                                                    : 0;
+}
+
+/* Returns a mask of the bytes of a pixel whose factors select a value. */
+GN_INLINE uint32_t selected_bytes(const fixed_factors *f, uint32_t value)
+{
+    return (f->color & value ? 0x00FFFFFFu : 0u) | (f->alpha & value ? 0xFF000000u : 0u);
 }
 
 /* Returns the constant part of a channel's factor. */
@@ -120,18 +130,15 @@ static inline void set_fixed_factors(fixed_factors *f, gn_blend_factor color, gn
 {
     const int bits = arithmetic_of(format) == ARITHMETIC_SHORTS ? 16 : 8;
 
-    f->source = bytes_of_factor(color, alpha, GN_FACTOR_SOURCE_COLOR);
-    f->destination = bytes_of_factor(color, alpha, GN_FACTOR_DESTINATION_COLOR);
-    f->source_alpha = bytes_of_factor(color, alpha, GN_FACTOR_SOURCE_ALPHA);
-    f->destination_alpha = bytes_of_factor(color, alpha, GN_FACTOR_DESTINATION_ALPHA);
-    f->saturate = color == GN_FACTOR_SOURCE_ALPHA_SATURATE ? 0x00FFFFFFu : 0u;
+    f->color = selection_of(color, false);
+    f->alpha = selection_of(alpha, true);
     f->constant[0] = 0;
     f->constant[1] = 0;
     for (int c = 0; c < 4; ++c)
         f->constant[c * bits / 32] |=
             constant_factor(c < 3 ? color : alpha, fixed, c, (1u << bits) - 1) << c * bits % 32;
-    f->kind =
-        factor_kind_of(color) == factor_kind_of(alpha) ? factor_kind_of(color) : FACTORS_DIFFER;
+    f->kind = (uint8_t)(factor_kind_of(color) == factor_kind_of(alpha) ? factor_kind_of(color)
+                                                                       : FACTORS_DIFFER);
     if (!takes || (color == GN_FACTOR_ONE && alpha == GN_FACTOR_ONE))
         f->kind = FACTORS_ARE_ONE;
     else if (color == GN_FACTOR_ZERO && alpha == GN_FACTOR_ZERO)
@@ -204,15 +211,17 @@ GN_INLINE lanes_i selected_factors(const fixed_factors *f, lanes_i source, lanes
     const lanes_i destination_alpha = alpha_bytes(destination);
     const lanes_i rest = lanes_i_xor(destination_alpha, lanes_i_splat(-1));
     const lanes_i lesser = lanes_i_sub(source_alpha, lanes_i_sub_bytes(source_alpha, rest));
-    const lanes_i colors =
-        lanes_i_or(lanes_i_and(source, lanes_i_splat((int32_t)f->source)),
-                   lanes_i_and(destination, lanes_i_splat((int32_t)f->destination)));
-    const lanes_i alphas =
-        lanes_i_or(lanes_i_and(source_alpha, lanes_i_splat((int32_t)f->source_alpha)),
-                   lanes_i_and(destination_alpha, lanes_i_splat((int32_t)f->destination_alpha)));
+    const lanes_i colors = lanes_i_or(
+        lanes_i_and(source, lanes_i_splat((int32_t)selected_bytes(f, SELECTS_SOURCE))),
+        lanes_i_and(destination, lanes_i_splat((int32_t)selected_bytes(f, SELECTS_DESTINATION))));
+    const lanes_i alphas = lanes_i_or(
+        lanes_i_and(source_alpha, lanes_i_splat((int32_t)selected_bytes(f, SELECTS_SOURCE_ALPHA))),
+        lanes_i_and(destination_alpha,
+                    lanes_i_splat((int32_t)selected_bytes(f, SELECTS_DESTINATION_ALPHA))));
 
-    return lanes_i_or(lanes_i_or(colors, alphas),
-                      lanes_i_and(lesser, lanes_i_splat((int32_t)f->saturate)));
+    return lanes_i_or(
+        lanes_i_or(colors, alphas),
+        lanes_i_and(lesser, lanes_i_splat((int32_t)selected_bytes(f, SELECTS_SATURATE))));
 }
 
 GN_INLINE void set_factor_pairs(byte_pairs *p, const fixed_factors *f, lanes_i source,
@@ -375,13 +384,16 @@ GN_INLINE lanes_i selected_shorts(const fixed_factors *f, const short_pixels *p,
     const lanes_i destination_alpha = alpha_shorts(p->destination_alpha);
     const lanes_i rest = lanes_i_xor(destination_alpha, lanes_i_splat(-1));
     const lanes_i lesser = lanes_i_sub(source_alpha, lanes_i_sub_shorts(source_alpha, rest));
-    const lanes_i colors = lanes_i_or(lanes_i_and(p->source, short_mask(f->source, w)),
-                                      lanes_i_and(p->destination, short_mask(f->destination, w)));
-    const lanes_i alphas =
-        lanes_i_or(lanes_i_and(source_alpha, short_mask(f->source_alpha, w)),
-                   lanes_i_and(destination_alpha, short_mask(f->destination_alpha, w)));
+    const lanes_i colors = lanes_i_or(
+        lanes_i_and(p->source, short_mask(selected_bytes(f, SELECTS_SOURCE), w)),
+        lanes_i_and(p->destination, short_mask(selected_bytes(f, SELECTS_DESTINATION), w)));
+    const lanes_i alphas = lanes_i_or(
+        lanes_i_and(source_alpha, short_mask(selected_bytes(f, SELECTS_SOURCE_ALPHA), w)),
+        lanes_i_and(destination_alpha,
+                    short_mask(selected_bytes(f, SELECTS_DESTINATION_ALPHA), w)));
 
-    return lanes_i_or(lanes_i_or(colors, alphas), lanes_i_and(lesser, short_mask(f->saturate, w)));
+    return lanes_i_or(lanes_i_or(colors, alphas),
+                      lanes_i_and(lesser, short_mask(selected_bytes(f, SELECTS_SATURATE), w)));
 }
 
 GN_INLINE lanes_i short_factors(const fixed_factors *f, const short_pixels *p, int w)

@@ -60,18 +60,26 @@ typedef enum factor_kind {
     FACTORS_ARE_DESTINATION,
     FACTORS_ARE_SOURCE_ALPHA,
     FACTORS_ARE_DESTINATION_ALPHA,
-    FACTORS_DIFFER, /* the masks of fixed_factors select the values */
+    FACTORS_DIFFER, /* fixed_factors select the values */
     FACTORS_ARE_ZERO,
     FACTORS_ARE_ONE
 } factor_kind;
 
+/* Values that factors select; saturate is min(source alpha, 1 - destination alpha). */
+enum {
+    SELECTS_SOURCE = 1,
+    SELECTS_DESTINATION = 2,
+    SELECTS_SOURCE_ALPHA = 4,
+    SELECTS_DESTINATION_ALPHA = 8,
+    SELECTS_SATURATE = 16
+};
+
 /* The factors of a pixel's channels, which are bytes in a word or shorts in two: the values,
- * combined with `constant` by exclusive or. One minus a value is its complement. Masks of the bytes
- * of a word select one value for each channel. */
+ * combined with `constant` by exclusive or. One minus a value is its complement. Small, since each
+ * attachment has two of these for each sample. */
 typedef struct fixed_factors {
-    factor_kind kind;
-    uint32_t source, destination, source_alpha, destination_alpha;
-    uint32_t saturate; /* min(source alpha, 1 - destination alpha) */
+    uint8_t kind;         /* a factor_kind */
+    uint8_t color, alpha; /* bits of SELECTS_: the values of red, green and blue, and of alpha */
     uint32_t constant[2];
 } fixed_factors;
 
