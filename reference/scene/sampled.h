@@ -5,13 +5,21 @@
 
 #include "scene.h"
 
-/* Varyings: a colour, then four texture coordinates. */
-enum {
-    SAMPLED_COLOR = 0,
-    SAMPLED_COORDINATES = 4,
-    SAMPLED_REFERENCE = 7,
-    SAMPLED_VARYINGS = 8 /* scalars */
-};
+/* Varyings: a colour; the coordinates that the target has; the reference value, if depths are
+ * compared. The twins in GLSL interpolate these alone too, since the others are not read. */
+enum { SAMPLED_COLOR = 0, SAMPLED_COORDINATES = 4 };
+
+static inline uint32_t sampled_coordinates(const scene_uniforms *u)
+{
+    const gn_texture_target target = u->texture.target;
+
+    return target == GN_TEXTURE_1D ? 1 : target == GN_TEXTURE_2D ? 2 : 3;
+}
+
+static inline bool sampled_is_compared(const scene_uniforms *u)
+{
+    return u->sampler.compare != GN_COMPARE_DEFAULT && !scene_is_color_format(u->texture.format);
+}
 
 /* Sets shaders, varyings and uniforms. The shader reads the light's matrix, the texture and the
  * sampler from the uniforms. The first three texture coordinates are the target's

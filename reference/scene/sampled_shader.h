@@ -13,6 +13,8 @@ static void shade_sampled_vertices(const void *uniforms, const gn_vertex_input *
     const scene_uniforms *u = uniforms;
     const float(*m)[4] = u->light.clip_from_model.m;
     const float(*p)[GN_LANES] = in->attribute[GN_ATTRIBUTE_POSITION];
+    const float(*texcoord)[GN_LANES] = in->attribute[GN_ATTRIBUTE_TEXCOORD];
+    const uint32_t count = sampled_coordinates(u);
 
     for (int row = 0; row < 4; ++row) {
         const float x = m[0][row], y = m[1][row], z = m[2][row], w = m[3][row];
@@ -21,8 +23,9 @@ static void shade_sampled_vertices(const void *uniforms, const gn_vertex_input *
             out->position[row][l] = ((x * p[0][l] + y * p[1][l]) + z * p[2][l]) + w * p[3][l];
     }
     memcpy(out->varying[SAMPLED_COLOR], in->attribute[GN_ATTRIBUTE_COLOR], sizeof *in->attribute);
-    memcpy(out->varying[SAMPLED_COORDINATES], in->attribute[GN_ATTRIBUTE_TEXCOORD],
-           sizeof *in->attribute);
+    memcpy(out->varying[SAMPLED_COORDINATES], texcoord, count * sizeof *texcoord);
+    if (sampled_is_compared(u))
+        memcpy(out->varying[SAMPLED_COORDINATES + count], texcoord[3], sizeof *texcoord);
 }
 
 static inline void multiply_colors(const float (*restrict a)[GN_LANES],
@@ -40,8 +43,10 @@ static void shade_sampled(const void *uniforms, const gn_fragment_input *in,
 {
     const scene_uniforms *u = uniforms;
     const float(*coordinates)[GN_LANES] = in->varying + SAMPLED_COORDINATES;
-    const gn_lookup lookup = {.coordinate = {coordinates[0], coordinates[1], coordinates[2]},
-                              .reference = in->varying[SAMPLED_REFERENCE]};
+    const uint32_t count = sampled_coordinates(u);
+    const gn_lookup lookup = {.coordinate = {coordinates[0], count > 1 ? coordinates[1] : NULL,
+                                             count > 2 ? coordinates[2] : NULL},
+                              .reference = sampled_is_compared(u) ? coordinates[count] : NULL};
 
     in->sampling->sample(&u->texture, &u->sampler, &lookup, out->color);
     multiply_colors(in->varying + SAMPLED_COLOR, out->color);

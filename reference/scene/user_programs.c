@@ -54,7 +54,8 @@ gn_status sampled_use(gn_pipeline *pipeline, const scene_uniforms *uniforms, gn_
         pipeline->program.vertex_shader = shaders->sampled_vertices;
         pipeline->program.fragment_shader = shaders->sampled;
         pipeline->program.uniforms = uniforms;
-        set_smooth_varyings(pipeline, SAMPLED_VARYINGS);
+        set_smooth_varyings(pipeline, SAMPLED_COORDINATES + sampled_coordinates(uniforms) +
+                                          (sampled_is_compared(uniforms) ? 1 : 0));
     }
     return status;
 }
