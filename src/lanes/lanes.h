@@ -201,9 +201,9 @@ static inline uint32_t first_lane(uint32_t bits)
 #endif
 #endif
 
-/* Aligns arrays of lanes in local memory to lines of the cache: a vector that lies in two lines takes
- * twice the time. Processors also compare the low bits of addresses to see whether a load depends on
- * a store before it; aligned arrays that are copied are not mistaken for each other. */
+/* Aligns arrays of lanes in local memory to lines of the cache: a vector that lies in two lines
+ * takes twice the time. Processors also compare the low bits of addresses to see whether a load
+ * depends on a store before it; aligned arrays that are copied are not mistaken for each other. */
 #if defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2) || defined(GN_LANES_SSE2)
 #define GN_ALIGNED_LANES __attribute__((aligned(64)))
 #else
