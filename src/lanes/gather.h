@@ -31,7 +31,7 @@ static inline int32_t number_of_bytes(const unsigned char *p, int count)
 #if !defined(GN_LANES_INTRINSICS_HEADER) &&                                                        \
     (defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2) || defined(GN_LANES_SSE2))
 
-static inline void lanes_quarters(lanes_i index, int32_t at[GN_LANES])
+static inline void lanes_numbers_of(lanes_i index, int32_t at[GN_LANES])
 {
 #if defined(GN_LANES_AVX512)
     lanes_avx512_indices(index, at);
@@ -56,7 +56,7 @@ GN_INLINE lanes_i lanes_i_gather_bytes(const unsigned char *base, lanes_i offset
     __m128i four[4];
     lanes_i a;
 
-    lanes_quarters(offset, at);
+    lanes_numbers_of(offset, at);
     four[0] = lanes_four_numbers(base, at, count);
     four[1] = lanes_four_numbers(base, at + 4, count);
     four[2] = lanes_four_numbers(base, at + 8, count);
@@ -83,7 +83,7 @@ GN_INLINE void lanes_i_gather_quads(const stored_word *base, lanes_i index, lane
 {
     int32_t at[GN_LANES];
 
-    lanes_quarters(index, at);
+    lanes_numbers_of(index, at);
 #if defined(GN_LANES_AVX512)
     __m512i r[4];
 
