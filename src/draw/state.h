@@ -91,7 +91,7 @@ GN_ONCE void set_sample_state(draw_state *draw, uint32_t sample)
         state->moves_depth = false; /* vertices move instead */
 }
 
-GN_ONCE void set_draw_state(draw_state *draw, const draw_job *job)
+GN_SHARED void set_draw_state(draw_state *draw, const draw_job *job)
 {
     const gn_surface *any = first_surface(job->target);
 

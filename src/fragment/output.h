@@ -237,13 +237,14 @@ GN_INLINE void load_blocks(const fragment_state *state, const gn_surface *surfac
                            pixel_layout layout, fragment_shape shape, block_batch *b)
 {
     for (uint32_t n = 0; n < b->count; ++n) {
-        if (!b->coverage[n])
-            continue;
         const block_pixels pixels =
             batch_pixels(state, b, shape, n, surface, format_of_layout(layout));
         lanes_i word[4];
 
-        load_pixels(layout, &pixels, b->coverage[n], word);
+        for (int i = 0; i < layout_words(layout); ++i)
+            word[i] = lanes_i_splat(0);
+        if (b->coverage[n])
+            load_pixels(layout, &pixels, b->coverage[n], word);
         for (int i = 0; i < layout_words(layout); ++i)
             lanes_i_store(b->of.stored[i][n], word[i]);
     }

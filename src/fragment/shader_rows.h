@@ -24,8 +24,7 @@ GN_INLINE void shader_square(const fragment_state *state, block_batch *b, uint32
                 lanes_div(lanes_splat(1.0f), plane_at(one_over_w, &places)),
                 b->color[square * shader_colors(state)], verdict, call);
     if (state->pipeline->program.fragment_writes_depth)
-        store_square((stored_word(*)[GN_LANES])(void *)b->of.terms.depth, b, square,
-                     lanes_as_int(lanes_load(depth)));
+        store_square(b->of.terms.depth, b, square, lanes_as_int(lanes_load(depth)));
 }
 
 /* Computes the colours of a batch of rows by the fragment shader, where squares are covered.

@@ -54,15 +54,15 @@ static inline void discard_in_square(const block_batch *b, uint32_t *rows, uint3
             ~((~kept >> r * SQUARE_SIZE & SQUARE_ROW_COVERED) << first_of_square(square));
 }
 
-/* Stores a square's words where they are in rows. */
-GN_INLINE void store_square(stored_word (*rows)[GN_LANES], const block_batch *b, uint32_t square,
-                            lanes_i a)
+/* Stores a square's words where they are in rows, which are arrays of lanes. */
+GN_INLINE void store_square(void *rows, const block_batch *b, uint32_t square, lanes_i a)
 {
-    stored_word *const first = rows[row_of_square(b, square, 0)] + first_of_square(square);
-    stored_word *const upper = first + SQUARE_SIZE / 2 * b->columns * GN_LANES;
+    const size_t row_size = GN_LANES * sizeof(int32_t);
+    const ptrdiff_t stride = (ptrdiff_t)(b->columns * row_size);
+    unsigned char *const lower = (unsigned char *)rows + row_of_square(b, square, 0) * row_size +
+                                 first_of_square(square) * sizeof(int32_t);
 
-    lanes_i_store_block((unsigned char *)first, (unsigned char *)upper,
-                        (ptrdiff_t)(b->columns * GN_LANES * sizeof *first), a);
+    lanes_i_store_block(lower, lower + SQUARE_SIZE / 2 * stride, stride, a);
 }
 
 #endif
