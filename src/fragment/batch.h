@@ -12,6 +12,9 @@
  * If the shader decides on coverage or depth, source comes before test. Tests, and load to store,
  * run once for each sample of a multisampled target, and encode to store for each attachment.
  *
+ * A batch is of halves (blocks at the edges of triangles, and small triangles) or of rows (the
+ * inside of large triangles). The fragment shader receives rows as squares (squares.h).
+ *
  * Blocks of a batch may overlap where they are of different triangles. Steps keep the order of
  * triangles, since each of them takes block by block and reads and writes its attachment alone.
  * Where load and store are two steps, a batch has blocks of one triangle, which do not overlap. */
