@@ -61,8 +61,8 @@ typedef struct block_batch {
     uint16_t shaded[STEP_BLOCKS]; /* the lanes of each square that the shader shaded (squares.h) */
 
     /* Results of steps, by lanes. The numbers of a colour are its bytes in the first word, its
-     * shorts in two words, or its floats in four. The steps after
-     * source use neither terms nor depths, so stored numbers take their memory. */
+     * shorts in two words, or its floats in four. The steps after source use neither terms nor
+     * depths, so stored numbers take their memory. */
     GN_ALIGNED_LANES float color[STEP_COLORS][4][GN_LANES];
     GN_ALIGNED_LANES int32_t source[4][STEP_BLOCKS][GN_LANES];
     GN_ALIGNED_LANES union {
