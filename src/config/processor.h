@@ -18,7 +18,7 @@
  * the gain of Zen 4 it would be 0.9 times as fast there. AVX2 is the choice whose worst case is the
  * better one. GCC and Clang prefer 256 bits on that model too.
  *
- * Later processors of Intel's lower the clock little or not at all. Knights Landing and Knights
+ * Intel's later processors lower the clock little or not at all. Knights Landing and Knights
  * Mill need no exception: they lack BW, DQ and VL, so that the AVX-512 back end cannot run there
  * (Intel SDM volume 1, section 15.2). */
 #ifndef GN_CONFIG_PROCESSOR_H

@@ -489,7 +489,7 @@ static inline bool combines(const color_state *state, gn_format format)
            (state->blends || (state->is_logical && arithmetic_of(format) != ARITHMETIC_FLOATS));
 }
 
-/* Whether rows of pixels are the numbers that are combined, so that neither is a copy needed. */
+/* Whether the rows of a surface hold the numbers themselves, so that they need not be copied. */
 static inline bool is_in_place(const color_state *combine, const gn_surface *surface,
                                const block_batch *b)
 {

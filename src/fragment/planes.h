@@ -42,7 +42,7 @@ GN_INLINE void set_square_places(block_places *at, int32_t x, int32_t y, const f
     at->lower = (float)y + inside[1];
 }
 
-/* Sets places to others. */
+/* Copies places. Copying the whole structure would call memcpy on some targets. */
 GN_INLINE void copy_places(block_places *to, const block_places *from)
 {
     to->is_square = from->is_square;

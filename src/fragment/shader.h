@@ -33,7 +33,8 @@ static inline void interpolate_varyings(const fragment_state *state, raster_tria
         lanes_store(varying[n], interpolate_varying(pipeline, triangle, n, at, w));
 }
 
-/* Returns where the lanes' pixels lie along an axis, from the first pixel of each half. */
+/* Returns the centres of the lanes' pixels along an axis. `first` has the first pixel of each half,
+ * `number` the distance of each lane from it. */
 GN_INLINE lanes_f pixel_centres(const int32_t first[2], const int32_t number[GN_LANES])
 {
     return lanes_add(

@@ -53,7 +53,7 @@ typedef enum color_use {
     COLOR_COMBINES  /* as the other members of color_state say */
 } color_use;
 
-/* Which value the factors of a pixel's channels are, all of them. */
+/* The value that all factors of a pixel's channels have. */
 typedef enum factor_kind {
     FACTORS_ARE_CONSTANT,
     FACTORS_ARE_SOURCE,
@@ -107,9 +107,9 @@ typedef struct color_output {
     color_state combine;
 } color_output;
 
-/* A new stencil value: of (stencil & kept) ^ toggled, which is incremented and decremented within 0
- * to 255, and then a step is added modulo 256. The numbers stand where the stencil value stands in
- * a word of a pixel. */
+/* How a stencil value is updated: (stencil & kept) ^ toggled is incremented and decremented within
+ * 0 to 255; then the step is added modulo 256. All numbers are at the bits of a pixel's word that
+ * hold the stencil value. */
 typedef struct stencil_update {
     bool keeps; /* stencil stays as it is */
     uint32_t kept, toggled, increment, decrement, step;

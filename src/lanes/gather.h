@@ -1,4 +1,4 @@
-/* Lanes of memory at places of their own, beside the words of lanes.h:
+/* Gathers from memory, beside those of words in lanes.h:
  *
  *   gather_bytes   one, two or four bytes at any address, the first one lowest
  *   gather_quads   four neighbouring words */

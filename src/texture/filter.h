@@ -269,8 +269,8 @@ static inline lanes_f plain_channel(const texel_channel *channel, lanes_i word,
 }
 
 /* Mixes the channels that plain_channel returns along s and t, and returns how many these are. The
- * words of a channel stay in registers for the next one. Of the channels of a word, only the last
- * one reaches bit 31. */
+ * words of a channel stay in registers for the next one. Only the last channel of a word reaches
+ * bit 31. */
 static inline int mix_plain_channels(const lookup_state *state, const texel_square *at,
                                      const lanes_i word[CORNER_COUNT][4],
                                      const lanes_m is_border[CORNER_COUNT], lanes_f mixed[4])

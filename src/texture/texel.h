@@ -213,7 +213,7 @@ GN_OUT_OF_LINE void decode_texels(gn_format format, const lanes_i word[4], lanes
     }
 }
 
-/* Fetches texels by indices. Of the loads, only the rarer ones are a call. */
+/* Fetches texels by indices. Only the rarer loads are calls. */
 static inline void fetch_by_index(const texel_layout *layout, lanes_i index, lanes_f texel[4])
 {
     lanes_i word[4];
