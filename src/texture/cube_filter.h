@@ -144,7 +144,7 @@ static inline void mix_cube_rows(const lookup_state *state, const lookup_place *
         axis[n].first = in_units(&layout, n, n == 0 ? texels->left : texels->below);
         axis[n].step = lanes_i_splat(layout.unit[n]);
         axis[n].weight = n == 0 ? texels->weight_s : texels->weight_t;
-        axis[n].has_outside = false;
+        axis[n].has_outside = axis[n].are_folded = false;
         axis[n].are_neighbours = true;
     }
 

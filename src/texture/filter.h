@@ -107,6 +107,10 @@ typedef struct linear_axis {
     lanes_i outside[2]; /* negative where the texel is the border; only if has_outside is set */
     bool has_outside;
     bool are_neighbours; /* the second texel is the one after the first, in all lanes */
+    /* Otherwise, if are_folded is set, both texels are among two neighbours, of which `first` is
+     * the left one. */
+    bool are_folded;
+    lanes_m first_is_right, second_is_left;
 } linear_axis;
 
 /* Marks texels outside as the border, and moves them inside. */
@@ -133,6 +137,21 @@ static inline lanes_f weights_of(uint32_t linear, lanes_f weight)
                         lanes_select(is_near, lanes_splat(0.0f), lanes_splat(1.0f)));
 }
 
+/* Finds the two neighbours in a row that both texels are among. The texels are the same or
+ * neighbours, except where a texture repeats. */
+GN_OUT_OF_LINE void fold_axis(const texel_layout *layout, const lanes_i number[2], uint32_t size,
+                              linear_axis *axis)
+{
+    const lanes_i left = lanes_i_clamp(number[0], lanes_i_splat(0), lanes_i_splat((int32_t)size - 2));
+
+    axis->are_folded = layout->access != ACCESS_ONE_BY_ONE;
+    if (!axis->are_folded)
+        return;
+    axis->first = in_units(layout, 0, left);
+    axis->first_is_right = lanes_i_greater(number[0], left);
+    axis->second_is_left = lanes_i_equal(number[1], left);
+}
+
 /* Finds the texels along a dimension in which the level has `size` of them. */
 static inline void find_axis(const lookup_state *state, const texel_layout *layout,
                              lanes_f coordinate, uint32_t size, int dimension, linear_axis *axis)
@@ -141,7 +160,7 @@ static inline void find_axis(const lookup_state *state, const texel_layout *layo
     const int32_t unit = layout->unit[dimension];
     lanes_i number[2];
 
-    axis->has_outside = false;
+    axis->has_outside = axis->are_folded = false;
     if (wrap == GN_WRAP_REPEAT || wrap == GN_WRAP_CLAMP_TO_EDGE) {
         const texel_pair pair = wrap_linear(wrap, masks_along(state, dimension), coordinate, size);
         const int32_t back = wrap == GN_WRAP_REPEAT ? unit * (1 - (int32_t)size) : 0;
@@ -150,15 +169,22 @@ static inline void find_axis(const lookup_state *state, const texel_layout *layo
         axis->weight = pair.weight;
         axis->first = in_units(layout, dimension, pair.first);
         axis->step = lanes_i_select(pair.at_end, lanes_i_splat(back), lanes_i_splat(unit));
-        return;
+        if (dimension > 0 || axis->are_neighbours || wrap == GN_WRAP_REPEAT)
+            return;
+        number[0] = pair.first;
+        number[1] = second_texel(wrap, &pair);
+    } else {
+        axis->weight =
+            wrap_linear_any(wrap, masks_along(state, dimension), coordinate, size, number);
+        if (wrap == GN_WRAP_CLAMP_TO_BORDER)
+            find_outside(number, size, axis);
+        axis->first = in_units(layout, dimension, number[0]);
+        axis->step = in_units(layout, dimension, lanes_i_sub(number[1], number[0]));
+        axis->are_neighbours =
+            lanes_bits(lanes_i_equal(axis->step, lanes_i_splat(unit))) == GN_ALL_LANES;
     }
-    axis->weight = wrap_linear_any(wrap, masks_along(state, dimension), coordinate, size, number);
-    if (wrap == GN_WRAP_CLAMP_TO_BORDER)
-        find_outside(number, size, axis);
-    axis->first = in_units(layout, dimension, number[0]);
-    axis->step = in_units(layout, dimension, lanes_i_sub(number[1], number[0]));
-    axis->are_neighbours =
-        lanes_bits(lanes_i_equal(axis->step, lanes_i_splat(unit))) == GN_ALL_LANES;
+    if (dimension == 0 && !axis->are_neighbours && size > 1)
+        fold_axis(layout, number, size, axis);
 }
 
 /* The texels that a linear filter mixes in a layer. `layer` and `outside` may be null; otherwise
@@ -187,11 +213,28 @@ GN_OUT_OF_LINE void load_apart(const texel_layout *layout, const texel_square *a
     }
 }
 
+/* Chooses the texels of a row from two neighbours. */
+GN_OUT_OF_LINE void choose_folded(const texel_layout *layout, const linear_axis *axis,
+                                  lanes_i first[4], lanes_i second[4])
+{
+    const int words = layout->access == ACCESS_FOUR_WORDS  ? 4
+                      : layout->access == ACCESS_TWO_WORDS ? 2
+                                                           : 1;
+
+    for (int i = 0; i < words; ++i) {
+        const lanes_i left = first[i], right = second[i];
+
+        first[i] = lanes_i_select(axis->first_is_right, right, left);
+        second[i] = lanes_i_select(axis->second_is_left, left, right);
+    }
+}
+
 /* Loads the texels in the order CORNER_00, 10, 01, 11; the last two only if there are two rows. */
 static inline void load_square(const texel_layout *layout, const texel_square *at,
                                lanes_i word[CORNER_COUNT][4])
 {
-    const bool are_pairs = layout->access != ACCESS_ONE_BY_ONE && at->s->are_neighbours;
+    const bool are_pairs =
+        layout->access != ACCESS_ONE_BY_ONE && (at->s->are_neighbours || at->s->are_folded);
     lanes_i row = at->t ? at->t->first : lanes_i_splat(0);
 
     for (int i = 0; i < at->count; i += 2) {
@@ -200,6 +243,8 @@ static inline void load_square(const texel_layout *layout, const texel_square *a
 
             load_neighbours(layout, at->layer ? lanes_i_add(in_layer, *at->layer) : in_layer,
                             word[i], word[i + 1]);
+            if (at->s->are_folded)
+                choose_folded(layout, at->s, word[i], word[i + 1]);
         } else {
             const lanes_i rows = row;
 

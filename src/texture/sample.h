@@ -149,22 +149,40 @@ GN_INLINE lanes_i nearest_words(const masked_words *m, lanes_f s, lanes_f t)
                           lanes_i_add(lanes_i_mul(row, lanes_i_splat(m->words_per_row)), column));
 }
 
-/* Fetches the words of the texels in two columns and two rows. */
-GN_OUT_OF_LINE void fetch_four_words(const gn_texture *texture, uint32_t level,
-                                     const lanes_i column[2], const lanes_i row[2],
-                                     lanes_i corner[CORNER_COUNT])
-{
-    const stored_word *const words = texture->level[level].texels;
-
-    for (int i = 0; i < CORNER_COUNT; ++i)
-        corner[i] = lanes_i_gather(words, word_index(texture, level, column[i & 1], row[i >> 1]));
-}
-
 /* The words of four texels around a coordinate, and the weights of the second ones. */
 typedef struct word_corners {
     lanes_i corner[CORNER_COUNT];
     lanes_f weight_s, weight_t;
 } word_corners;
+
+/* Fetches the words of four texels, if a lane is at an end. Where the first column that is clamped
+ * is the last one, both texels of a row are the right one of the last two. */
+GN_OUT_OF_LINE void fetch_at_ends(const gn_texture *texture, uint32_t level,
+                                  const gn_sampler *sampler, const texel_pair *u,
+                                  const texel_pair *v, lanes_i corner[CORNER_COUNT])
+{
+    const stored_word *const words = texture->level[level].texels;
+    const uint32_t width = size_of_level(texture->width, level);
+    const lanes_i row[2] = {v->first, second_texel(sampler->wrap_t, v)};
+    lanes_i column[2];
+
+    if (width > 1 && (sampler->wrap_s != GN_WRAP_REPEAT || lanes_bits(u->at_end) == 0)) {
+        column[0] = lanes_i_add(u->first, lanes_m_as_int(u->at_end)); /* minus 1 there */
+        for (int i = 0; i < CORNER_COUNT; i += 2) {
+            lanes_i left, right;
+
+            lanes_i_gather_pairs(words, word_index(texture, level, column[0], row[i >> 1]), &left,
+                                 &right);
+            corner[i] = lanes_i_select(u->at_end, right, left);
+            corner[i + 1] = right;
+        }
+        return;
+    }
+    column[0] = u->first;
+    column[1] = second_texel(sampler->wrap_s, u);
+    for (int i = 0; i < CORNER_COUNT; ++i)
+        corner[i] = lanes_i_gather(words, word_index(texture, level, column[i & 1], row[i >> 1]));
+}
 
 /* Fetches the words of the four texels of a level. If no lane is at an end, the two texels of a row
  * are neighbours in memory. */
@@ -188,13 +206,10 @@ GN_WIDE_INLINE void fetch_corners(const gn_texture *texture, uint32_t level,
         lanes_i_gather_pairs(words + texture->level[level].row_stride / 4, index,
                              &out->corner[CORNER_01], &out->corner[CORNER_11]);
     } else {
-        lanes_i column[2], row[2], corner[CORNER_COUNT];
+        const texel_pair along_s = u, along_t = v;
+        lanes_i corner[CORNER_COUNT];
 
-        column[0] = u.first;
-        column[1] = second_texel(sampler->wrap_s, &u);
-        row[0] = v.first;
-        row[1] = second_texel(sampler->wrap_t, &v);
-        fetch_four_words(texture, level, column, row, corner);
+        fetch_at_ends(texture, level, sampler, &along_s, &along_t, corner);
         for (int i = 0; i < CORNER_COUNT; ++i)
             out->corner[i] = corner[i];
     }
