@@ -116,18 +116,16 @@ static inline void take_sample(const lookup_state *state, const anisotropy *a, i
         mean[c] = lanes_select(is_there, mix(weight, mean[c], sample[c]), mean[c]);
 }
 
-/* Moves a place to coordinates, which are kept in `moved`; for cubes to a direction. */
+/* Moves a place to other coordinates, `moved`; for cubes to a direction. */
 static inline void move_place(const lookup_state *state, const lanes_f at[3], bool has_gradients,
-                              float moved[3][GN_LANES], cube_place *cube, lookup_place *place)
+                              float moved[3][GN_LANES], cube_place *cube)
 {
     if (state->target == GN_TEXTURE_CUBE) {
         cube_project(at, has_gradients, cube);
         return;
     }
-    for (int n = 0; n < state->dimensions; ++n) {
+    for (int n = 0; n < state->dimensions; ++n)
         lanes_store(moved[n], at[n]);
-        place->coordinate[n] = moved[n];
-    }
 }
 
 /* A gn_sample_function for samplers of more than one sample a lookup. */
@@ -142,15 +140,17 @@ GN_OUT_OF_LINE void sample_anisotropic(const gn_texture *texture, const gn_sampl
     anisotropy a;
     lanes_f at[3], sample[4], mean[4];
     float moved[3][GN_LANES];
+    const float *const coordinates[3] = {moved[0], moved[1], moved[2]};
     uint32_t linear, mixed;
 
     set_long_lookup(texture, sampler, lookup, has_gradients, &state, &place, &cube);
     find_anisotropy(&state, sampler, &place, lookup, &a);
+    place.coordinate = coordinates;
     find_levels(&state, sampler, &place, lookup, &a.footprint, &choice);
     choose_filters(&state, sampler, lookup, &choice, &linear, &mixed);
     for (int i = 1; i == 1 || lanes_bits(has_sample(&a, i)) != 0; ++i) {
         find_sample(&a, i, at);
-        move_place(&state, at, has_gradients, moved, &cube, &place);
+        move_place(&state, at, has_gradients, moved, &cube);
         filter_levels(&state, &place, &choice, linear, mixed, i == 1 ? mean : sample);
         if (i > 1)
             take_sample(&state, &a, i, sample, mean);

@@ -22,7 +22,9 @@ typedef struct lookup_state {
 
 /* The place that each lane looks up. */
 typedef struct lookup_place {
-    const float *coordinate[3];
+    /* The array of a gn_lookup. Compilers would copy two pointers as one vector, which processors
+     * cannot load soon after two stores. */
+    const float *const *coordinate;
     lanes_i layer;          /* the layer of an array; not filtered */
     lanes_f reference;      /* for compared depths */
     const cube_place *cube; /* for cubes, instead of coordinate and layer */

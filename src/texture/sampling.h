@@ -65,8 +65,7 @@ static inline void set_lookup(const gn_texture *texture, const gn_sampler *sampl
     state->wrap[2] = sampler->wrap_r;
     state->has_border = !is_cube && reaches_border(state);
     state->compare = state->format->has_depth ? sampler->compare : GN_COMPARE_DEFAULT;
-    for (int n = 0; n < 3; ++n)
-        place->coordinate[n] = lookup->coordinate[n];
+    place->coordinate = lookup->coordinate;
     place->layer = lanes_i_splat(0);
     place->cube = cube;
     if (is_cube)
