@@ -66,6 +66,7 @@ const scene_member scene_members[] = {
     ROW(program.fragment_reads_point_coordinate, SWITCH),
     ROW(program.fragment_reads_sample_mask, SWITCH),
     ROW(program.fragment_discards, SWITCH),
+    ROW(program.fragment_writes_all_colors, ELSEWHERE(bool)),
     ROW(program.fragment_writes_depth, SWITCH),
     ROW(program.fragment_writes_sample_mask, SWITCH),
 

@@ -21,6 +21,13 @@ static void set_smooth_varyings(gn_pipeline *pipeline, uint32_t count)
         pipeline->program.interpolation[n] = GN_SMOOTH;
 }
 
+/* Sets a fragment shader that writes this many colours. */
+static void set_fragment_shader(gn_pipeline *pipeline, gn_fragment_shader *shader, uint32_t colors)
+{
+    pipeline->program.fragment_shader = shader;
+    pipeline->program.fragment_writes_all_colors = pipeline->program.color_count <= colors;
+}
+
 gn_status phong_use(gn_pipeline *pipeline, const phong_uniforms *uniforms, gn_backend backend)
 {
     const user_shaders *const shaders = user_shaders_for(backend);
@@ -28,7 +35,7 @@ gn_status phong_use(gn_pipeline *pipeline, const phong_uniforms *uniforms, gn_ba
 
     if (status == GN_OK) {
         pipeline->program.vertex_shader = shaders->phong_vertices;
-        pipeline->program.fragment_shader = shaders->phong;
+        set_fragment_shader(pipeline, shaders->phong, 1);
         pipeline->program.uniforms = uniforms;
         set_smooth_varyings(pipeline, PHONG_VARYINGS);
     }
@@ -52,7 +59,7 @@ gn_status sampled_use(gn_pipeline *pipeline, const scene_uniforms *uniforms, gn_
 
     if (status == GN_OK) {
         pipeline->program.vertex_shader = shaders->sampled_vertices;
-        pipeline->program.fragment_shader = shaders->sampled;
+        set_fragment_shader(pipeline, shaders->sampled, 1);
         pipeline->program.uniforms = uniforms;
         set_smooth_varyings(pipeline, SAMPLED_COORDINATES + sampled_coordinates(uniforms) +
                                           (sampled_is_compared(uniforms) ? 1 : 0));
@@ -64,7 +71,7 @@ gn_status inputs_use(gn_pipeline *pipeline, const gn_color_uniforms *uniforms, g
 {
     const gn_status status = gn_use_vertex_color(pipeline, uniforms);
 
-    pipeline->program.fragment_shader = user_shaders_for(backend)->inputs;
+    set_fragment_shader(pipeline, user_shaders_for(backend)->inputs, 1);
     return status;
 }
 
@@ -73,7 +80,7 @@ gn_status derivatives_use(gn_pipeline *pipeline, const gn_color_uniforms *unifor
 {
     const gn_status status = gn_use_vertex_color(pipeline, uniforms);
 
-    pipeline->program.fragment_shader = user_shaders_for(backend)->derivatives;
+    set_fragment_shader(pipeline, user_shaders_for(backend)->derivatives, 1);
     return status;
 }
 
@@ -82,7 +89,7 @@ gn_status outputs_use(gn_pipeline *pipeline, const gn_color_uniforms *uniforms, 
     const gn_status status = gn_use_vertex_color(pipeline, uniforms);
     const uint32_t count = pipeline->program.color_count ? pipeline->program.color_count : 1;
 
-    pipeline->program.fragment_shader =
-        user_shaders_for(backend)->outputs[(count - 1) % GN_MAX_COLORS];
+    set_fragment_shader(pipeline, user_shaders_for(backend)->outputs[(count - 1) % GN_MAX_COLORS],
+                        count);
     return status;
 }

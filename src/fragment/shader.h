@@ -157,6 +157,8 @@ static inline void set_color_defaults(const fragment_state *state, float (*color
     const uint32_t count = shader_colors(state);
     const bool is_ready_made = state->shading->fragment_shader != p->program.fragment_shader;
 
+    if (p->program.fragment_writes_all_colors && !is_ready_made)
+        return;
     for (uint32_t n = is_ready_made ? 4 : 0; n < 4 * count; ++n)
         lanes_store(color[n], lanes_splat(0.0f));
 }

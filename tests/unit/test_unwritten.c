@@ -87,10 +87,13 @@ static void assert_attachment_is(int attachment, float value)
 
 static void more_colors_of_ready_made_shaders(void)
 {
-    for (int shader = 0; shader < SHADERS; ++shader) {
+    for (int i = 0; i < 2 * SHADERS; ++i) {
+        const int shader = i / 2;
+
         memset(&c.pipeline, 0, sizeof c.pipeline);
         c.pipeline.raster.topology = GN_TRIANGLE_STRIP;
         c.pipeline.program.color_count = 3;
+        c.pipeline.program.fragment_writes_all_colors = i % 2; /* no effect */
         set_float_colors(4);
         assert_int_equal(use_shader(shader, &c.pipeline), GN_OK);
         assert_int_equal(draw(), GN_OK);
@@ -270,6 +273,38 @@ static void colors_that_a_shader_does_not_write_are_zero(void **state)
     everywhere(colors_of_nothing);
 }
 
+static uint32_t written_colors;
+
+static void write_all_colors(const void *unused, const gn_fragment_input *in,
+                             gn_fragment_output *out)
+{
+    (void)unused;
+    (void)in;
+    for (uint32_t n = 0; n < 4 * written_colors; ++n)
+        for (int l = 0; l < GN_LANES; ++l)
+            out->color[n][l] = (float)(n / 4);
+}
+
+static void colors_of_a_shader_that_writes_all(void)
+{
+    for (uint32_t count = 1; count <= GN_MAX_COLORS; ++count) {
+        reset(square, 4, GN_TRIANGLE_STRIP);
+        set_float_colors(GN_MAX_COLORS);
+        c.pipeline.program.fragment_shader = write_all_colors;
+        c.pipeline.program.fragment_writes_all_colors = true;
+        c.pipeline.program.color_count = written_colors = count;
+        assert_int_equal(draw(), GN_OK);
+        for (int a = 0; a < GN_MAX_COLORS; ++a)
+            assert_attachment_is(a, a < (int)count ? (float)a : 7.0f);
+    }
+}
+
+static void all_colors_of_a_shader_that_writes_all(void **state)
+{
+    (void)state;
+    everywhere(colors_of_a_shader_that_writes_all);
+}
+
 static gn_texture white_texture(void)
 {
     static const uint32_t texel = 0xFFFFFFFF;
@@ -344,6 +379,7 @@ int main(void)
         cmocka_unit_test(ready_made_shaders_clip_nothing),
         cmocka_unit_test(vertices_that_a_shader_does_not_write_are_in_the_middle),
         cmocka_unit_test(colors_that_a_shader_does_not_write_are_zero),
+        cmocka_unit_test(all_colors_of_a_shader_that_writes_all),
         cmocka_unit_test(too_few_varyings_are_refused),
         cmocka_unit_test(what_ready_made_shaders_read_must_be_there),
     };
