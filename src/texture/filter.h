@@ -364,9 +364,44 @@ static inline int mix_plain_channels(const lookup_state *state, const texel_squa
     return count;
 }
 
-/* Fetches the texels of a layer and mixes them along s, then t. */
-GN_OUT_OF_LINE void mix_square(const lookup_state *state, const texel_layout *layout,
-                               const lookup_place *place, const texel_square *at, lanes_f mixed[4])
+/* Returns whether mix_words may mix the texels. */
+static inline bool are_words_in_pairs(const texel_layout *layout, const texel_square *at)
+{
+    return GN_SPECIALISED && layout->format == GN_FORMAT_RGBA8 && layout->access == ACCESS_WORD &&
+           at->s->are_neighbours && !reaches_outside(at);
+}
+
+/* Does what mix_any does for the most common texels: words of four bytes, of which two are
+ * neighbours. */
+GN_OUT_OF_LINE void mix_words(const texel_layout *layout, const texel_square *at, lanes_f mixed[4])
+{
+    const stored_word *const words = (const stored_word *)(const void *)layout->texels;
+    const lanes_f s = at->s->weight;
+    lanes_i lower = at->layer ? lanes_i_add(at->s->first, *at->layer) : at->s->first;
+    lanes_i corner[CORNER_COUNT];
+
+    if (!at->t) {
+        lanes_i_gather_pairs(words, lower, &corner[CORNER_00], &corner[CORNER_10]);
+        for (int c = 0; c < 4; ++c)
+            mixed[c] = mix(s, lanes_unpack_unorm8(corner[CORNER_00], c),
+                           lanes_unpack_unorm8(corner[CORNER_10], c));
+        return;
+    }
+
+    const lanes_f t = at->t->weight;
+    lower = lanes_i_add(lower, at->t->first);
+    lanes_i_gather_pairs(words, lower, &corner[CORNER_00], &corner[CORNER_10]);
+    lanes_i_gather_pairs(words, lanes_i_add(lower, at->t->step), &corner[CORNER_01],
+                         &corner[CORNER_11]);
+    mixed[0] = mix_corners(corner, 0, s, t);
+    mixed[1] = mix_corners(corner, 1, s, t);
+    mixed[2] = mix_corners(corner, 2, s, t);
+    mixed[3] = mix_corners(corner, 3, s, t);
+}
+
+/* Fetches texels of any format and mixes them along s, then t. */
+GN_OUT_OF_LINE void mix_any(const lookup_state *state, const texel_layout *layout,
+                            const lookup_place *place, const texel_square *at, lanes_f mixed[4])
 {
     const texel_format *const format = state->format;
     const bool is_outside = reaches_outside(at);
@@ -395,6 +430,16 @@ GN_OUT_OF_LINE void mix_square(const lookup_state *state, const texel_layout *la
         mixed[c] =
             at->t ? mix(at->t->weight, below, mix(s, texel[CORNER_01], texel[CORNER_11])) : below;
     }
+}
+
+/* Fetches the texels of a layer and mixes them along s, then t. */
+static inline void mix_square(const lookup_state *state, const texel_layout *layout,
+                              const lookup_place *place, const texel_square *at, lanes_f mixed[4])
+{
+    if (are_words_in_pairs(layout, at))
+        mix_words(layout, at, mixed);
+    else
+        mix_any(state, layout, place, at, mixed);
 }
 
 /* Fetches the 2^dimensions texels and mixes them along s, then t, then r. */

@@ -220,6 +220,11 @@ static inline void fetch_by_index(const texel_layout *layout, lanes_i index, lan
 
     if (layout->access == ACCESS_WORD) {
         word[0] = lanes_i_gather((const stored_word *)(const void *)layout->texels, index);
+        if (layout->format == GN_FORMAT_RGBA8) {
+            for (int c = 0; c < 4; ++c)
+                texel[c] = lanes_unpack_unorm8(word[0], c);
+            return;
+        }
     } else {
         const lanes_i called_for = index;
 
