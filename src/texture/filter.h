@@ -144,7 +144,8 @@ static inline lanes_f weights_of(uint32_t linear, lanes_f weight)
 GN_OUT_OF_LINE void fold_axis(const texel_layout *layout, const lanes_i number[2], uint32_t size,
                               linear_axis *axis)
 {
-    const lanes_i left = lanes_i_clamp(number[0], lanes_i_splat(0), lanes_i_splat((int32_t)size - 2));
+    const lanes_i left =
+        lanes_i_clamp(number[0], lanes_i_splat(0), lanes_i_splat((int32_t)size - 2));
 
     axis->are_folded = layout->access != ACCESS_ONE_BY_ONE;
     if (!axis->are_folded)
