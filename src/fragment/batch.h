@@ -58,6 +58,7 @@ typedef struct block_batch {
     int32_t x, y;
     uint32_t columns;
     uint8_t column[STEP_BLOCKS], row[STEP_BLOCKS];
+    bool is_level; /* w is the same in every column */
     uint16_t shaded[STEP_BLOCKS]; /* the lanes of each square that the shader shaded (squares.h) */
 
     /* Results of steps, by lanes. The numbers of a colour are its bytes in the first word, its
@@ -69,6 +70,7 @@ typedef struct block_batch {
         struct {
             column_terms columns[STEP_COLUMNS];
             row_terms rows;
+            float w[SQUARE_SIZE]; /* of each row, if is_level is set */
             float depth[STEP_BLOCKS][GN_LANES];
         } terms;
         int32_t stored[4][STEP_BLOCKS][GN_LANES];

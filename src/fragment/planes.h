@@ -89,16 +89,27 @@ GN_INLINE void set_row_terms(row_terms *terms, uint32_t attribute, attribute_pla
         terms->value[row][attribute] = plane.per_y * ((float)(y + row) + inside);
 }
 
-/* Returns the terms of columns from x on. Sums of pixels and 1/256 pixels are exact. */
-GN_INLINE lanes_f columns_from(attribute_plane plane, int32_t x, float inside)
+/* Returns where in the columns from x on attributes are needed. Sums of pixels and 1/256 pixels are
+ * exact. */
+GN_INLINE lanes_f column_places(int32_t x, float inside)
 {
 #define LANE_NUMBER(l) l
     static const float number[GN_LANES] = GN_NUMBERS(LANE_NUMBER);
-    lanes_f column = lanes_splat((float)x + inside);
+    const lanes_f first = lanes_splat((float)x + inside);
 
-    if (GN_LANES > 1)
-        column = lanes_add(column, lanes_load(number));
-    return lanes_add(lanes_mul(lanes_splat(plane.per_x), column), lanes_splat(plane.origin));
+    return GN_LANES > 1 ? lanes_add(first, lanes_load(number)) : first;
+}
+
+/* Returns the terms of columns. */
+GN_INLINE lanes_f terms_of_columns(attribute_plane plane, lanes_f places)
+{
+    return lanes_add(lanes_mul(lanes_splat(plane.per_x), places), lanes_splat(plane.origin));
+}
+
+/* Returns the terms of columns from x on. */
+GN_INLINE lanes_f columns_from(attribute_plane plane, int32_t x, float inside)
+{
+    return terms_of_columns(plane, column_places(x, inside));
 }
 
 /* Where a block is: sixteen fragments, one a lane. */

@@ -325,6 +325,7 @@ GN_OUT_OF_LINE void shade_sampled_columns(const fragment_context *c, raster_tria
 
     b.batch.shape = SHAPE_ROW;
     b.batch.blocks = 0;
+    b.batch.count = b.batch.columns = 0;
     b.batch.triangle = triangle;
     for (uint32_t together; columns > 0; columns -= together) {
         together = columns < most ? columns : most;

@@ -45,6 +45,15 @@ GN_INLINE void ready_color(const fragment_state *state, fragment_source source, 
     }
 }
 
+/* Returns w of block n of a batch. */
+GN_INLINE lanes_f batch_w(const block_batch *b, fragment_shape shape, uint32_t n,
+                          const fragment_place *at, raster_triangle triangle)
+{
+    if (shape == SHAPE_ROW && b->is_level)
+        return lanes_splat(b->of.terms.w[b->row[n]]);
+    return w_at(at, triangle);
+}
+
 /* Computes the colours of a batch's blocks, and encodes them, or writes them to a GN_FORMAT_RGBA8
  * surface if `direct`. */
 GN_INLINE void ready_blocks(const fragment_state *state, fragment_source source, bool smooth,
@@ -58,7 +67,8 @@ GN_INLINE void ready_blocks(const fragment_state *state, fragment_source source,
         lanes_f color[4];
 
         set_batch_place(state, b, shape, n, state->shade_at, &at);
-        ready_color(state, source, smooth, &at, triangle, w_at(&at, triangle), color);
+        ready_color(state, source, smooth, &at, triangle, batch_w(b, shape, n, &at, triangle),
+                    color);
         if (direct)
             write_rgba8(&state->color, &at, b->coverage[n], color);
         else

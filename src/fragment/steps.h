@@ -42,6 +42,11 @@ static inline void compact_rows(const fragment_state *state, block_batch *b)
         b->count = kept ? b->count : 0;
         return;
     }
+    for (uint32_t n = 0; n < b->count; ++n)
+        kept += b->coverage[n] != 0;
+    if (kept == b->count)
+        return;
+    kept = 0;
     for (uint32_t n = 0; n < b->count; ++n) {
         b->column[kept] = b->column[n];
         b->row[kept] = b->row[n];
@@ -178,37 +183,61 @@ static inline void step_rest(const void *context, blocks_function *shade, raster
  * `end`. `inside` says where in their pixels the attributes are needed. */
 static inline void set_terms(block_batch *b, uint32_t first, uint32_t end, const float inside[2])
 {
-    for (uint32_t n = first; n < end; ++n) {
-        const attribute_plane plane = triangle_plane(b->triangle, n);
+    for (uint32_t n = first; n < end; ++n)
+        set_row_terms(&b->of.terms.rows, n, triangle_plane(b->triangle, n), b->y, inside[1]);
+    for (uint32_t c = 0; c < b->columns; ++c) {
+        const lanes_f places = column_places(b->x + (int32_t)(c * GN_LANES), inside[0]);
 
-        set_row_terms(&b->of.terms.rows, n, plane, b->y, inside[1]);
-        for (uint32_t c = 0; c < b->columns; ++c)
+        for (uint32_t n = first; n < end; ++n)
             b->of.terms.columns[c].value[n] =
-                columns_from(plane, b->x + (int32_t)(c * GN_LANES), inside[0]);
+                terms_of_columns(triangle_plane(b->triangle, n), places);
     }
 }
 
-/* Makes a batch of the rows of `columns` columns from (x, y) on. */
+/* Computes w once for each row, if it is the same in every column: always without perspective. */
+static inline void set_level(block_batch *b, const float inside[2])
+{
+    const attribute_plane plane = triangle_plane(b->triangle, ONE_OVER_W_PLANE);
+    const float column = plane.per_x * ((float)b->x + inside[0]) + plane.origin;
+
+    b->is_level = plane.per_x == 0.0f;
+    for (uint32_t row = 0; b->is_level && row < SQUARE_SIZE; ++row)
+        b->of.terms.w[row] = 1.0f / (b->of.terms.rows.value[row][ONE_OVER_W_PLANE] + column);
+}
+
+/* Names the rows of a batch, all of them covered. */
+static inline void name_rows(block_batch *b)
+{
+    b->count = 0;
+    for (uint32_t row = 0; row < SQUARE_SIZE; ++row) {
+        for (uint32_t c = 0; c < b->columns; ++c) {
+            b->column[b->count] = (uint8_t)c;
+            b->row[b->count] = (uint8_t)row;
+            ++b->count;
+        }
+    }
+}
+
+/* Makes a batch of the rows of `columns` columns from (x, y) on. The batch has no rows, or those of
+ * a batch before. */
 static inline void set_rows(const fragment_state *state, block_batch *b, int32_t x, int32_t y,
                             uint32_t columns)
 {
     b->x = x;
     b->y = y;
-    b->columns = columns;
-    b->count = 0;
+    if (b->columns != columns || b->count != columns * SQUARE_SIZE) {
+        b->columns = columns;
+        name_rows(b);
+    }
     set_terms(b, DEPTH_PLANE, ONE_OVER_W_PLANE, state->test_at);
-    if (state->color.format != GN_FORMAT_NONE && state->source != SOURCE_SHADER)
+    if (state->color.format != GN_FORMAT_NONE && state->source != SOURCE_SHADER) {
         set_terms(b, ONE_OVER_W_PLANE,
                   VARYING_PLANES + (state->source == SOURCE_TEXTURE ? VARYING_END : VARYING_S),
                   state->shade_at);
-    for (uint32_t row = 0; row < SQUARE_SIZE; ++row) {
-        for (uint32_t c = 0; c < columns; ++c) {
-            b->column[b->count] = (uint8_t)c;
-            b->row[b->count] = (uint8_t)row;
-            b->coverage[b->count] = GN_ALL_LANES;
-            ++b->count;
-        }
+        set_level(b, state->shade_at);
     }
+    for (uint32_t n = 0; n < b->count; ++n)
+        b->coverage[n] = GN_ALL_LANES;
 }
 
 /* Returns the most columns that a batch of rows has room for, with all of their colours. */
@@ -229,6 +258,7 @@ GN_OUT_OF_LINE void step_columns(const fragment_context *c, raster_triangle tria
 
     b.shape = SHAPE_ROW;
     b.blocks = 0;
+    b.count = b.columns = 0;
     b.triangle = triangle;
     for (uint32_t together; columns > 0; columns -= together) {
         together = columns < most ? columns : most;
