@@ -14,6 +14,7 @@
  *   quad_left quad_right          the value in one column or row of each 2x2 quad
  *   quad_lower quad_upper
  *   i_add i_sub i_mul             integers, which wrap around
+ *   i_mul_short                   times one number, if all fit 16 bits
  *   i_or i_and i_xor
  *   i_mul_shorts i_high_bytes     each half of a lane: products, and shifts to the right by a byte
  *   i_add_bytes i_sub_bytes       each byte of a lane: sums up to 255, differences down to 0
@@ -221,6 +222,8 @@ static inline lanes_i lanes_floor_to_int(lanes_f a)
         return lanes_i_splat((int32_t)x);
     const int32_t whole = (bits & INT32_MAX) < LANE_BITS_2_31 ? (int32_t)x : INT32_MIN;
     return lanes_i_splat(whole != INT32_MIN && (float)whole > x ? whole - 1 : whole);
+#elif defined(GN_LANES_SSE2)
+    return lanes_sse2_floor_to_int(a);
 #else
     return lanes_truncate(lanes_floor(a));
 #endif

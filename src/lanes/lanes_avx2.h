@@ -187,6 +187,13 @@ GN_OPERATION lanes_i lanes_i_mul(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, _mm256_mullo_epi32(a.q[n], b.q[n]));
 }
 
+GN_OPERATION lanes_i lanes_i_mul_short(lanes_i a, int32_t b)
+{
+    const __m256i low = _mm256_set1_epi32(b & 0xFFFF); /* pairs of shorts: the upper ones times 0 */
+
+    LANES_EACH_REGISTER(lanes_i, _mm256_madd_epi16(a.q[n], low));
+}
+
 GN_OPERATION lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, _mm256_mullo_epi16(a.q[n], b.q[n]));

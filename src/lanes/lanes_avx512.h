@@ -190,6 +190,11 @@ GN_OPERATION lanes_i lanes_i_mul(lanes_i a, lanes_i b)
     return lanes_avx512_i(_mm512_mullo_epi32(a.q, b.q));
 }
 
+GN_OPERATION lanes_i lanes_i_mul_short(lanes_i a, int32_t b)
+{
+    return lanes_i_mul(a, lanes_i_splat(b));
+}
+
 GN_OPERATION lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
 {
     return lanes_avx512_i(_mm512_mullo_epi16(a.q, b.q));

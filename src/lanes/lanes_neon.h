@@ -195,6 +195,11 @@ GN_OPERATION lanes_i lanes_i_mul(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, vmulq_s32(a.q[n], b.q[n]));
 }
 
+GN_OPERATION lanes_i lanes_i_mul_short(lanes_i a, int32_t b)
+{
+    return lanes_i_mul(a, lanes_i_splat(b));
+}
+
 GN_OPERATION lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, vreinterpretq_s32_s16(vmulq_s16(vreinterpretq_s16_s32(a.q[n]),

@@ -325,6 +325,12 @@ typedef union lanes_parts {
     unsigned char bytes[4 * GN_LANES];
 } lanes_parts;
 
+/* Returns a * b, if the lanes and b are -2^15 to 2^15 - 1; otherwise any number. */
+static inline lanes_i lanes_i_mul_short(lanes_i a, int32_t b)
+{
+    return lanes_i_mul(a, lanes_i_splat(b));
+}
+
 /* Multiplies the two shorts of each lane, each modulo 2^16. */
 static inline lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
 {

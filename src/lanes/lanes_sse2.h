@@ -187,6 +187,13 @@ GN_OPERATION lanes_i lanes_i_mul(lanes_i a, lanes_i b)
     LANES_EACH_REGISTER(lanes_i, lanes_sse2_mul(a.q[n], b.q[n]));
 }
 
+GN_OPERATION lanes_i lanes_i_mul_short(lanes_i a, int32_t b)
+{
+    const __m128i low = _mm_set1_epi32(b & 0xFFFF); /* pairs of shorts: the upper ones times 0 */
+
+    LANES_EACH_REGISTER(lanes_i, _mm_madd_epi16(a.q[n], low));
+}
+
 GN_OPERATION lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
 {
     LANES_EACH_REGISTER(lanes_i, _mm_mullo_epi16(a.q[n], b.q[n]));
@@ -339,6 +346,22 @@ GN_OPERATION __m128 lanes_sse2_floor(__m128 a)
 GN_OPERATION lanes_f lanes_floor(lanes_f a)
 {
     LANES_EACH_REGISTER(lanes_f, lanes_sse2_floor(a.q[n]));
+}
+
+/* Returns the integers below. Numbers that the conversion makes INT32_MIN stay so: the maximum
+ * raises those below it, and NaN, to this number. */
+GN_OPERATION __m128i lanes_sse2_below(__m128 a)
+{
+    const __m128 least = _mm_max_ps(a, _mm_set1_ps(-2147483648.0f));
+    const __m128i truncated = _mm_cvttps_epi32(least);
+    const __m128 is_above = _mm_cmplt_ps(least, _mm_cvtepi32_ps(truncated));
+
+    return _mm_add_epi32(truncated, _mm_castps_si128(is_above));
+}
+
+GN_OPERATION lanes_i lanes_sse2_floor_to_int(lanes_f a)
+{
+    LANES_EACH_REGISTER(lanes_i, lanes_sse2_below(a.q[n]));
 }
 
 GN_OPERATION lanes_f lanes_quad_left(lanes_f a)

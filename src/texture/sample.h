@@ -10,23 +10,23 @@
 #include "sampler_faults.h"
 #include "wrap.h"
 
-/* Returns whether a level's texels are 32-bit words that a 32-bit index reaches: rows are at most
- * 2^16 words apart, and there are at most 2^14 of them. Small builds fetch all textures texel by
+/* Returns whether a level's texels are 32-bit words that a 32-bit index reaches: rows are less
+ * than 2^15 words apart, and there are at most 2^14 of them. Small builds fetch all textures texel by
  * texel. */
 static inline bool has_word_texels(const gn_texture *texture, uint32_t level)
 {
     const ptrdiff_t stride = texture->level[level].row_stride;
 
-    return GN_HAVE_ROWS && texture->format == GN_FORMAT_RGBA8 && stride >= -(1 << 18) &&
-           stride <= 1 << 18;
+    return GN_HAVE_ROWS && texture->format == GN_FORMAT_RGBA8 && stride > -(1 << 17) &&
+           stride < 1 << 17;
 }
 
 static inline lanes_i word_index(const gn_texture *texture, uint32_t level, lanes_i column,
                                  lanes_i row)
 {
-    const lanes_i words_per_row = lanes_i_splat((int32_t)(texture->level[level].row_stride / 4));
+    const int32_t words_per_row = (int32_t)(texture->level[level].row_stride / 4);
 
-    return lanes_i_add(lanes_i_mul(row, words_per_row), column);
+    return lanes_i_add(lanes_i_mul_short(row, words_per_row), column);
 }
 
 static inline lanes_f mix(lanes_f weight, lanes_f a, lanes_f b)

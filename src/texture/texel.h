@@ -238,7 +238,10 @@ static inline lanes_i in_units(const texel_layout *layout, int dimension, lanes_
 {
     const int32_t unit = layout->unit[dimension];
 
-    return unit == 1 ? number : lanes_i_mul(number, lanes_i_splat(unit));
+    if (unit == 1)
+        return number;
+    return unit == (int16_t)unit ? lanes_i_mul_short(number, unit)
+                                 : lanes_i_mul(number, lanes_i_splat(unit));
 }
 
 /* Fetches texels of a level of a checked texture by number. Precondition: the texels lie in the

@@ -148,6 +148,7 @@ int RUN_FORM(const lanes_input *in, lanes_output out[LANES_OPERATIONS_MAX])
     record_i(&r, "round", lanes_round(a));
     /* A zero may have either sign. */
     record_f(&r, "floor", lanes_add(lanes_floor(a), lanes_splat(0.0f)));
+    record_i(&r, "floor_to_int", lanes_floor_to_int(a));
     record_f(&r, "quad_left", lanes_quad_left(a));
     record_f(&r, "quad_right", lanes_quad_right(a));
     record_f(&r, "quad_lower", lanes_quad_lower(a));
@@ -160,6 +161,8 @@ int RUN_FORM(const lanes_input *in, lanes_output out[LANES_OPERATIONS_MAX])
     record_i(&r, "i_sub", lanes_i_sub(i, j));
     record_i(&r, "i_mul", lanes_i_mul(i, j));
     record_i(&r, "i_xor", lanes_i_xor(i, j));
+    record_i(&r, "i_mul_short",
+             lanes_i_mul_short(lanes_i_shift_right(i, 16), (int16_t)(in->low & 0xFFFF)));
     record_i(&r, "i_mul_shorts", lanes_i_mul_shorts(i, j));
     record_i(&r, "i_high_bytes", lanes_i_high_bytes(i));
     record_i(&r, "i_add_bytes", lanes_i_add_bytes(i, j));
