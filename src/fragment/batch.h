@@ -58,7 +58,7 @@ typedef struct block_batch {
     int32_t x, y;
     uint32_t columns;
     uint8_t column[STEP_BLOCKS], row[STEP_BLOCKS];
-    bool is_level; /* w is the same in every column */
+    bool is_level;                /* w is the same in every column */
     uint16_t shaded[STEP_BLOCKS]; /* the lanes of each square that the shader shaded (squares.h) */
 
     /* Results of steps, by lanes. The numbers of a colour are its bytes in the first word, its

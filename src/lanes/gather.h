@@ -1,6 +1,7 @@
 /* Gathers from memory, beside those of words in lanes.h:
  *
  *   gather_bytes   one, two or four bytes at any address, the first one lowest
+ *   gather_eight   eight bytes at any address, as two numbers of four
  *   gather_quads   four neighbouring words */
 #ifndef GN_LANES_GATHER_H
 #define GN_LANES_GATHER_H
@@ -49,18 +50,10 @@ GN_INLINE __m128i lanes_four_numbers(const unsigned char *base, const int32_t at
         number_of_bytes(base + at[2], count), number_of_bytes(base + at[3], count));
 }
 
-/* Returns the numbers that `count` bytes from base + offset on are. The count must be constant. */
-GN_INLINE lanes_i lanes_i_gather_bytes(const unsigned char *base, lanes_i offset, int count)
+static inline lanes_i lanes_of_four(const __m128i four[4])
 {
-    int32_t at[GN_LANES];
-    __m128i four[4];
     lanes_i a;
 
-    lanes_numbers_of(offset, at);
-    four[0] = lanes_four_numbers(base, at, count);
-    four[1] = lanes_four_numbers(base, at + 4, count);
-    four[2] = lanes_four_numbers(base, at + 8, count);
-    four[3] = lanes_four_numbers(base, at + 12, count);
 #if defined(GN_LANES_AVX512)
     a.q = lanes_avx512_join(four[0], four[1], four[2], four[3]);
 #elif defined(GN_LANES_AVX2)
@@ -71,6 +64,47 @@ GN_INLINE lanes_i lanes_i_gather_bytes(const unsigned char *base, lanes_i offset
         a.q[n] = four[n];
 #endif
     return a;
+}
+
+/* Returns the numbers that `count` bytes from base + offset on are. The count must be constant. */
+GN_INLINE lanes_i lanes_i_gather_bytes(const unsigned char *base, lanes_i offset, int count)
+{
+    int32_t at[GN_LANES];
+    __m128i four[4];
+
+    lanes_numbers_of(offset, at);
+    four[0] = lanes_four_numbers(base, at, count);
+    four[1] = lanes_four_numbers(base, at + 4, count);
+    four[2] = lanes_four_numbers(base, at + 8, count);
+    four[3] = lanes_four_numbers(base, at + 12, count);
+    return lanes_of_four(four);
+}
+
+static inline __m128i lanes_eight_bytes(const unsigned char *p)
+{
+    return _mm_loadl_epi64((const __m128i *)(const void *)p);
+}
+
+/* Writes the numbers that the eight bytes from base + offset on are. */
+GN_INLINE void lanes_i_gather_eight(const unsigned char *base, lanes_i offset, lanes_i *low,
+                                    lanes_i *high)
+{
+    int32_t at[GN_LANES];
+    __m128i l[4], h[4];
+
+    lanes_numbers_of(offset, at);
+    for (int n = 0; n < 4; ++n) {
+        const int32_t *const i = at + 4 * n;
+        const __m128 a = _mm_castsi128_ps(
+            _mm_unpacklo_epi64(lanes_eight_bytes(base + i[0]), lanes_eight_bytes(base + i[1])));
+        const __m128 b = _mm_castsi128_ps(
+            _mm_unpacklo_epi64(lanes_eight_bytes(base + i[2]), lanes_eight_bytes(base + i[3])));
+
+        l[n] = _mm_castps_si128(_mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)));
+        h[n] = _mm_castps_si128(_mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1)));
+    }
+    *low = lanes_of_four(l);
+    *high = lanes_of_four(h);
 }
 
 static inline __m128 lanes_four_words(const stored_word *base, int32_t at)
@@ -129,6 +163,13 @@ static inline lanes_i lanes_i_gather_bytes(const unsigned char *base, lanes_i of
     GN_EACH_LANE (l)
         at[l] = number_of_bytes(base + at[l], count);
     return lanes_i_load(at);
+}
+
+static inline void lanes_i_gather_eight(const unsigned char *base, lanes_i offset, lanes_i *low,
+                                        lanes_i *high)
+{
+    *low = lanes_i_gather_bytes(base, offset, 4);
+    *high = lanes_i_gather_bytes(base + 4, offset, 4);
 }
 
 static inline void lanes_i_gather_quads(const stored_word *base, lanes_i index, lanes_i out[4])

@@ -61,13 +61,8 @@ GN_OUT_OF_LINE void load_one_by_one(const texel_layout *layout, const texel_numb
         word[1] = lanes_i_load(texel[1]);
 }
 
-/* Loads words at any address. Out of line, since it is long and texels are loaded in several
+/* Loads two bytes at any address. Out of line, since it is long and texels are loaded in several
  * places. */
-GN_OUT_OF_LINE void load_words(const unsigned char *texels, const lanes_i *offset, lanes_i *word)
-{
-    *word = lanes_i_gather_bytes(texels, *offset, 4);
-}
-
 GN_OUT_OF_LINE void load_halves(const unsigned char *texels, const lanes_i *offset, lanes_i *word)
 {
     *word = lanes_i_gather_bytes(texels, *offset, 2);
@@ -108,6 +103,24 @@ GN_OUT_OF_LINE void load_by_index(const texel_layout *layout, const lanes_i *ind
     }
 }
 
+/* Loads texels of three bytes and their right neighbours. Eight bytes hold both, but eight bytes
+ * from the last texels of a level on would reach beyond it. */
+GN_OUT_OF_LINE void load_triples(const texel_layout *layout, const lanes_i *index, lanes_i *first,
+                                 lanes_i *second)
+{
+    lanes_i low, high;
+
+    if (lanes_bits(lanes_i_greater(*index, lanes_i_splat(layout->last_eight))) != 0) {
+        *first = lanes_i_gather_bytes(layout->texels, *index, 4);
+        *second = lanes_i_shift_right(lanes_i_gather_bytes(layout->texels + 2, *index, 4), 8);
+        return;
+    }
+    lanes_i_gather_eight(layout->texels, *index, &low, &high);
+    *first = low;
+    *second = lanes_i_or(lanes_i_and(lanes_i_shift_right(low, 24), lanes_i_splat(255)),
+                         lanes_i_shift_left(high, 8));
+}
+
 /* Loads texels and their right neighbours by the indices of the former, as load_by_index does. Only
  * the rarer loads are calls, which take the indices from memory. */
 static inline void load_neighbours(const texel_layout *layout, lanes_i index, lanes_i first[4],
@@ -127,9 +140,7 @@ static inline void load_neighbours(const texel_layout *layout, lanes_i index, la
         break;
     case ACCESS_THREE_BYTES:
         called_for = index;
-        load_words(layout->texels, &called_for, first);
-        load_words(layout->texels + 2, &called_for, second);
-        second[0] = lanes_i_shift_right(second[0], 8);
+        load_triples(layout, &called_for, first, second);
         break;
     case ACCESS_FOUR_WORDS:
         called_for = index;

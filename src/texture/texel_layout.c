@@ -4,6 +4,19 @@
 #include "../config/features.h"
 #include "extent.h"
 
+/* Returns the last index, in bytes, from which a level has eight bytes. Where strides are negative
+ * the first row or layer is the last one in memory. */
+static int32_t last_eight(const texel_layout *layout, const texel_extent *extent)
+{
+    ptrdiff_t end = (ptrdiff_t)(extent->width * format_size(layout->format));
+
+    if (layout->row_stride > 0)
+        end += layout->row_stride * (ptrdiff_t)(extent->height - 1);
+    if (layout->layer_stride > 0)
+        end += layout->layer_stride * (ptrdiff_t)(extent->layers - 1);
+    return (int32_t)(end - 8);
+}
+
 /* The strides of a checked texture do not overflow, because the whole level fits memory. Small
  * builds load all texels one by one. */
 void gn_lay_out_texels(const gn_texture *texture, uint32_t level, texel_layout *out)
@@ -34,6 +47,8 @@ void gn_lay_out_texels(const gn_texture *texture, uint32_t level, texel_layout *
         out->unit[0] = format->size >> shift;
         out->unit[1] = (int32_t)(out->row_stride >> shift);
         out->unit[2] = (int32_t)(out->layer_stride >> shift);
+        if (format->access == ACCESS_THREE_BYTES)
+            out->last_eight = last_eight(out, &extent);
     } else {
         out->access = ACCESS_ONE_BY_ONE;
         out->unit[0] = out->unit[1] = out->unit[2] = 1;

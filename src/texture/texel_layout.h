@@ -15,6 +15,7 @@ typedef struct texel_layout {
     gn_format format;
     texel_access access;
     int32_t unit[3];
+    int32_t last_eight; /* the last index from which the level has eight bytes, or any below it */
 } texel_layout;
 
 /* Writes the layout of a level of a checked texture. */

@@ -91,6 +91,9 @@ static void record_gathers(recorder *r, const lanes_input *in)
     record_i(r, "i_gather_bytes, 1", lanes_i_gather_bytes(middle, near, 1));
     record_i(r, "i_gather_bytes, 2", lanes_i_gather_bytes(middle, near, 2));
     record_i(r, "i_gather_bytes, 4", lanes_i_gather_bytes(middle, near, 4));
+    lanes_i_gather_eight(middle, near, &first, &second);
+    record_i(r, "i_gather_eight, low", first);
+    record_i(r, "i_gather_eight, high", second);
     for (int n = 0; n < 3 * GN_LANES; ++n)
         offset[n] = ((uint32_t)in->j[n / 3] >> n % 3) % 13 * 4;
     for (uint32_t step = 1; step <= 3; step += 2) {
