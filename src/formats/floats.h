@@ -47,19 +47,26 @@ static inline lanes_f half_operand(lanes_i half)
  * become the largest, with their sign. Every NaN becomes 0x7E00. */
 static inline lanes_i half_bits(lanes_f channel)
 {
+#if GN_LANES_HAVE_HALVES
+    return lanes_to_halves(lanes_as_float(float_words(channel)));
+#else
     const lanes_i bits = lanes_as_int(channel);
     const lanes_i size = lanes_i_and(bits, lanes_i_splat(0x7FFFFFFF));
     const lanes_i sign = lanes_i_and(lanes_i_shift_right(bits, 16), lanes_i_splat(0x8000));
-    const lanes_i normal = lanes_i_shift_right(lanes_i_sub(size, lanes_i_splat(0x38000000)), 13);
-    /* Below 2^-14 halves are multiples of 2^-24. */
-    const lanes_i small = lanes_truncate(lanes_mul(lanes_as_float(size), lanes_splat(16777216.0f)));
-    lanes_i half = lanes_i_select(lanes_i_greater(lanes_i_splat(0x38800000), size), small, normal);
+    const lanes_f least = lanes_splat(0x1p-14f);
+    /* Infinities too become the largest, and NaN, since min returns its second operand. */
+    const lanes_f finite = lanes_min(lanes_as_float(size), lanes_splat(65504.0f));
+    /* Up to 2^-14, halves count 2^-24. From there on, they order as the bits of floats do. */
+    const lanes_i small =
+        lanes_truncate(lanes_mul(lanes_min(finite, least), lanes_splat(16777216.0f)));
+    const lanes_i normal = lanes_i_shift_right(
+        lanes_i_sub(lanes_as_int(lanes_max(finite, least)), lanes_i_splat(0x38800000)), 13);
+    const lanes_i half = lanes_i_or(lanes_i_add(small, normal), sign);
+    const lanes_m is_infinite = lanes_i_equal(size, lanes_i_splat(0x7F800000));
+    const lanes_i number = lanes_i_sub(half, lanes_m_as_int(is_infinite));
 
-    half = lanes_i_min(half, lanes_i_splat(0x7BFF));
-    half =
-        lanes_i_select(lanes_i_equal(size, lanes_i_splat(0x7F800000)), lanes_i_splat(0x7C00), half);
-    return lanes_i_select(lanes_i_greater(size, lanes_i_splat(0x7F800000)), lanes_i_splat(0x7E00),
-                          lanes_i_or(half, sign));
+    return lanes_i_select(lanes_less_equal(channel, channel), number, lanes_i_splat(0x7E00));
+#endif
 }
 
 /* Returns the value of the float of 11 or 10 bits from bit `shift` on: a half without its sign and
@@ -76,12 +83,10 @@ static inline lanes_f unsigned_float_value(lanes_i word, int shift, int width)
  * 0. In every NaN only the fraction's first bit is set. */
 static inline lanes_i unsigned_float_bits(lanes_f channel, int width)
 {
-    const lanes_i half = half_bits(channel);
-    const lanes_i zero = lanes_i_splat(0);
-    const lanes_i is_negative = lanes_i_and(half, lanes_i_splat(0x8000));
+    /* NaN stays, since max returns its second operand. The mask removes the sign of -0. */
+    const lanes_i half = half_bits(lanes_max(lanes_splat(0.0f), channel));
 
-    return lanes_i_shift_right(lanes_i_select(lanes_i_greater(is_negative, zero), zero, half),
-                               15 - width);
+    return lanes_i_shift_right(lanes_i_and(half, lanes_i_splat(0x7FFF)), 15 - width);
 }
 
 /* Returns the value of the float of `width` bits from bit `shift` of words on. */

@@ -1,9 +1,11 @@
 /* Lanes of halves, the floats of 16 bits, in the low bits of words:
  *
- *   from_halves   their values; bits above the halves are 0
+ *   from_halves   their values; bits above the halves must be 0
+ *   to_halves     values rounded toward zero to halves; bits above them become 0
  *
  * Only for processors that convert halves. A signalling NaN becomes a quiet one, as in arithmetic,
- * so the values are for operands of arithmetic. */
+ * so the values are for operands of arithmetic. Halves of NaN keep the sign and the first bits of
+ * the payload. */
 #ifndef GN_LANES_HALVES_H
 #define GN_LANES_HALVES_H
 
@@ -22,6 +24,12 @@ static inline lanes_f lanes_from_halves(lanes_i halves)
     return lanes_avx512_f(_mm512_cvtph_ps(_mm512_cvtepi32_epi16(halves.q)));
 }
 
+static inline lanes_i lanes_to_halves(lanes_f a)
+{
+    return lanes_avx512_i(
+        _mm512_cvtepu16_epi32(_mm512_cvtps_ph(a.q, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC)));
+}
+
 #elif GN_LANES_HAVE_HALVES
 
 static inline lanes_f lanes_from_halves(lanes_i halves)
@@ -34,6 +42,13 @@ static inline lanes_f lanes_from_halves(lanes_i halves)
     a.q[0] = _mm256_cvtph_ps(_mm256_castsi256_si128(rows));
     a.q[1] = _mm256_cvtph_ps(_mm256_extracti128_si256(rows, 1));
     return a;
+}
+
+static inline lanes_i lanes_to_halves(lanes_f a)
+{
+    LANES_EACH_REGISTER(
+        lanes_i,
+        _mm256_cvtepu16_epi32(_mm256_cvtps_ph(a.q[n], _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC)));
 }
 
 #endif
