@@ -61,21 +61,15 @@ static inline void decode_channels(gn_format format, const lanes_i word[4], lane
 #undef DECODE
 }
 
-/* Decodes pixels of formats of ARITHMETIC_FLOATS, as decode_channels does. */
-static inline void decode_floats(gn_format format, const lanes_i word[4], lanes_f color[4])
+/* Returns a channel of a format of ARITHMETIC_FLOATS, from bit `shift` of words on, as an operand of
+ * arithmetic. `is_color` says that it is not alpha. */
+GN_INLINE lanes_f channel_operand(format_encoding encoding, bool is_color, lanes_i word, int shift,
+                                  int width)
 {
-#define DECODE(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)               \
-    case GN_FORMAT_##name:                                                                         \
-        if (FORMAT_##kind == FORMAT_COLOR && ENCODING_##encoding != ENCODING_UNORM)                \
-            decode_fields(ENCODING_##encoding, GN_FIELDS(o0, w0, o1, w1, o2, w2, o3, w3), 4, word, \
-                          color);                                                                  \
-        break;
-    switch (format) {
-        GN_FORMATS(DECODE)
-    default:
-        break;
-    }
-#undef DECODE
+    if (encoding == ENCODING_SRGB)
+        return is_color ? srgb_value(word, shift)
+                        : unorm_channel(lanes_i_shift_right(word, shift), 0, width);
+    return float_operand(word, shift, width);
 }
 
 /* Converts pixels of formats of ARITHMETIC_BYTES to pixels of GN_FORMAT_RGBA8, in which they are

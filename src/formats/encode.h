@@ -78,25 +78,28 @@ static inline lanes_i srgb8(lanes_f channel)
     return lanes_i_shift_right(lanes_i_add(step, lanes_i_and(x, lanes_i_splat(0xFFFF))), 16);
 }
 
+/* Returns a channel of a format of ARITHMETIC_FLOATS in the low bits. `is_color` says that it is not
+ * alpha. */
+GN_INLINE lanes_i channel_bits(format_encoding encoding, bool is_color, int width, lanes_f channel)
+{
+    if (encoding == ENCODING_FLOAT)
+        return float_bits_of(channel, width);
+    return is_color ? srgb8(channel)
+                    : lanes_round(lanes_mul(saturated(channel), lanes_splat(255.0f)));
+}
+
 /* Encodes channels that are floats or sRGB into `word`, which must be 0 before. */
 GN_INLINE void encode_fields(format_encoding encoding, format_fields fields, const lanes_f color[4],
                              lanes_i word[4])
 {
     for (int c = 0; c < 4; ++c) {
         const int w = field_word(fields, c);
-        const int shift = field_shift(fields, c);
         const int width = field_width(fields, c);
-        lanes_i bits;
 
-        if (width == 0)
-            continue;
-        if (encoding == ENCODING_FLOAT)
-            bits = float_bits_of(color[c], width);
-        else if (c < 3)
-            bits = srgb8(color[c]);
-        else
-            bits = lanes_round(lanes_mul(saturated(color[c]), lanes_splat(255.0f)));
-        word[w] = lanes_i_or(word[w], lanes_i_shift_left(bits, shift));
+        if (width > 0)
+            word[w] = lanes_i_or(
+                word[w], lanes_i_shift_left(channel_bits(encoding, c < 3, width, color[c]),
+                                            field_shift(fields, c)));
     }
 }
 

@@ -97,6 +97,17 @@ GN_INLINE lanes_f float_channel(lanes_i word, int shift, int width)
                          : unsigned_float_value(word, shift, width);
 }
 
+/* Returns such a value for arithmetic, as half_operand does. */
+GN_INLINE lanes_f float_operand(lanes_i word, int shift, int width)
+{
+    const lanes_i bits = lanes_i_shift_right(word, shift);
+
+    return width == 32   ? lanes_as_float(word)
+           : width == 16 ? half_operand(lanes_i_and(bits, lanes_i_splat(0xFFFF)))
+                         : half_operand(lanes_i_shift_left(
+                               lanes_i_and(bits, lanes_i_splat((1 << width) - 1)), 15 - width));
+}
+
 /* Returns colours as floats of `width` bits, in the low bits. */
 GN_INLINE lanes_i float_bits_of(lanes_f channel, int width)
 {

@@ -145,6 +145,15 @@ static inline void set_fixed_factors(fixed_factors *f, gn_blend_factor color, gn
         f->kind = FACTORS_ARE_ZERO;
 }
 
+/* Whether factors are the source's alpha. */
+static inline bool reads_source_alpha(const color_state *s)
+{
+    const uint32_t selected = s->source_factors.color | s->source_factors.alpha |
+                              s->destination_factors.color | s->destination_factors.alpha;
+
+    return (selected & (SELECTS_SOURCE_ALPHA | SELECTS_SATURATE)) != 0;
+}
+
 static inline void set_blend_state(color_state *s, const gn_blend *blend, const float constant[4],
                                    gn_format format)
 {

@@ -17,6 +17,12 @@ static inline void set_logic_state(color_state *s, gn_logic_operation operation)
         s->logic[i] = -(int32_t)(term[i] & 1u);
 }
 
+/* Whether the results of the operation depend on the source. */
+static inline bool reads_source(const color_state *s)
+{
+    return (s->logic[2] | s->logic[3]) != 0;
+}
+
 /* Applies the operation to pixels: four constants and no branch. Every operation on two bits is a
  * sum modulo 2 of some of 1, either bit, and their product. */
 GN_STEP lanes_i operate_on_bits(const color_state *state, lanes_i source, lanes_i destination)

@@ -10,6 +10,20 @@
 #include "logic.h"
 #include "squares.h"
 
+/* Returns the channels of the source that are combined with what is stored, or stored. */
+static inline uint32_t channels_read(const color_state *s, gn_format format)
+{
+    const format_fields fields = format_fields_of(format);
+    uint32_t read = s->blends && reads_source_alpha(s) ? GN_CHANNEL_ALPHA : 0;
+
+    if (s->is_logical && arithmetic_of(format) != ARITHMETIC_FLOATS && !reads_source(s))
+        return 0;
+    for (int c = 0; c < 4; ++c)
+        if (field_width(fields, c) > 0)
+            read |= 1u << c;
+    return read;
+}
+
 GN_OUT_OF_LINE void set_color_state(color_state *s, const gn_pipeline *pipeline,
                                     uint32_t attachment, gn_format format)
 {
@@ -28,6 +42,7 @@ GN_OUT_OF_LINE void set_color_state(color_state *s, const gn_pipeline *pipeline,
     s->use = COLOR_COMBINES;
     if (s->written == GN_CHANNEL_ALL && !s->blends && !s->is_logical)
         s->use = COLOR_REPLACES;
+    s->read = channels_read(s, format);
 }
 
 /* Writes red, green, blue and alpha to the covered pixels of a GN_FORMAT_RGBA8 surface. */
@@ -46,61 +61,65 @@ GN_INLINE void write_rgba8(const gn_surface *surface, const fragment_place *at, 
     store_pixels(GN_LAYOUT(4, 4), &pixels, coverage, word);
 }
 
-/* Returns how many words of a block's numbers there are. */
-GN_INLINE int number_words(color_arithmetic arithmetic)
+/* Writes number i of block n to the batch's source. Block n is a square if `is_square`. */
+GN_INLINE void store_number(block_batch *b, bool is_square, int i, uint32_t n, lanes_i number)
 {
-    return arithmetic == ARITHMETIC_BYTES ? 1 : arithmetic == ARITHMETIC_SHORTS ? 2 : 4;
-}
-
-/* Encodes colours as numbers. */
-GN_INLINE void encode_words(color_arithmetic arithmetic, const lanes_f color[4], lanes_i word[4])
-{
-    if (arithmetic == ARITHMETIC_BYTES)
-        word[0] = encode_rgba8(color);
-    else if (arithmetic == ARITHMETIC_SHORTS)
-        encode_shorts(color, word);
+    if (is_square)
+        store_square(b->source[i], b, n, number);
     else
-        for (int c = 0; c < 4; ++c)
-            word[c] = lanes_as_int(color[c]);
+        lanes_i_store(b->source[i][n], number);
 }
 
-/* Writes the colours of block n as numbers. */
-GN_INLINE void encode_numbers(color_arithmetic arithmetic, const lanes_f color[4], uint32_t n,
-                              int32_t (*numbers)[STEP_BLOCKS][GN_LANES])
+/* Encodes the colours of block n as numbers, and writes them to the batch's source: all channels of
+ * integers, but only those floats that are read. */
+GN_INLINE void encode_numbers(color_arithmetic arithmetic, uint32_t read, const lanes_f color[4],
+                              block_batch *b, bool is_square, uint32_t n)
 {
-    lanes_i word[4];
+    if (arithmetic == ARITHMETIC_BYTES) {
+        store_number(b, is_square, 0, n, encode_rgba8(color));
+    } else if (arithmetic == ARITHMETIC_SHORTS) {
+        lanes_i word[2];
 
-    encode_words(arithmetic, color, word);
-    for (int i = 0; i < number_words(arithmetic); ++i)
-        lanes_i_store(numbers[i][n], word[i]);
+        encode_shorts(color, word);
+        for (int i = 0; i < 2; ++i)
+            store_number(b, is_square, i, n, word[i]);
+    } else {
+        for (int c = 0; c < 4; ++c)
+            if (read >> c & 1u)
+                store_number(b, is_square, c, n, lanes_as_int(color[c]));
+    }
+}
+
+/* Loads the channels in `read` of a shader's colour; others become 0. */
+GN_INLINE void load_read_channels(float (*from)[GN_LANES], uint32_t read, lanes_f color[4])
+{
+    for (int c = 0; c < 4; ++c)
+        color[c] = read >> c & 1u ? lanes_load(from[c]) : lanes_splat(0.0f);
 }
 
 /* Encodes the shader's colours for attachment `a` of `count`. */
-GN_OUT_OF_LINE void encode_batch(gn_format format, uint32_t a, uint32_t count, block_batch *b)
+GN_OUT_OF_LINE void encode_batch(gn_format format, uint32_t read, uint32_t a, uint32_t count,
+                                 block_batch *b)
 {
     const color_arithmetic arithmetic = arithmetic_of(format);
     lanes_f color[4];
 
     for (uint32_t n = 0; n < b->count; ++n) {
-        for (int c = 0; c < 4; ++c)
-            color[c] = lanes_load(b->color[n * count + a][c]);
-        encode_numbers(arithmetic, color, n, b->source);
+        load_read_channels(b->color[n * count + a], read, color);
+        encode_numbers(arithmetic, read, color, b, false, n);
     }
 }
 
 /* Encodes the shader's colours of a batch of rows. */
-GN_OUT_OF_LINE void encode_rows(gn_format format, uint32_t a, uint32_t count, block_batch *b)
+GN_OUT_OF_LINE void encode_rows(gn_format format, uint32_t read, uint32_t a, uint32_t count,
+                                block_batch *b)
 {
     const color_arithmetic arithmetic = arithmetic_of(format);
     lanes_f color[4];
-    lanes_i word[4];
 
     for (uint32_t n = 0; n < square_count(b); ++n) {
-        for (int c = 0; c < 4; ++c)
-            color[c] = b->shaded[n] ? lanes_load(b->color[n * count + a][c]) : lanes_splat(0.0f);
-        encode_words(arithmetic, color, word);
-        for (int i = 0; i < number_words(arithmetic); ++i)
-            store_square(b->source[i], b, n, word[i]);
+        load_read_channels(b->color[n * count + a], b->shaded[n] ? read : 0, color);
+        encode_numbers(arithmetic, read, color, b, true, n);
     }
 }
 
@@ -143,72 +162,130 @@ GN_INLINE bool layout_is_compiled(pixel_layout layout)
 /* The arrays of a batch's numbers, or of its pixels' words: one array for each word. */
 typedef int32_t batch_words[STEP_BLOCKS][GN_LANES];
 
-/* Converts words of pixels to numbers, in place. The numbers of some formats are their words. */
-GN_INLINE void decode_blocks(gn_format format, uint32_t count, batch_words *words)
+/* Calls FUNCTION(encoding, is_color, width) for a channel of a format of ARITHMETIC_FLOATS. All but
+ * the widths of 11 and 10 bits, which share a conversion, are constants. */
+#define GN_EACH_FLOAT_CHANNEL(encoding, is_color, width, FUNCTION)                                 \
+    if ((width) == 32)                                                                             \
+        FUNCTION(ENCODING_FLOAT, true, 32);                                                        \
+    else if ((width) == 16)                                                                        \
+        FUNCTION(ENCODING_FLOAT, true, 16);                                                        \
+    else if ((encoding) == ENCODING_FLOAT)                                                         \
+        FUNCTION(ENCODING_FLOAT, true, width);                                                     \
+    else if (is_color)                                                                             \
+        FUNCTION(ENCODING_SRGB, true, 8);                                                          \
+    else                                                                                           \
+        FUNCTION(ENCODING_SRGB, false, 8)
+
+/* Converts words of pixels to floats, in place: alpha first, since no channel lies in a word after
+ * its own float. Channels that the format lacks become 0, alpha 1. */
+GN_OUT_OF_LINE void decode_float_blocks(gn_format format, uint32_t count, batch_words *words)
 {
-    const color_arithmetic arithmetic = arithmetic_of(format);
+    const format_fields fields = format_fields_of(format);
+    const format_encoding from = format_encoding_of(format);
 
+    for (int c = 3; c >= 0; --c) {
+        const int32_t(*const word)[GN_LANES] =
+            (const int32_t(*)[GN_LANES])words[field_word(fields, c)];
+        const int shift = field_shift(fields, c);
+        const int bits = field_width(fields, c);
+
+        if (bits == 0) {
+            for (uint32_t n = 0; n < count; ++n)
+                lanes_i_store(words[c][n], lanes_as_int(lanes_splat(c == 3 ? 1.0f : 0.0f)));
+            continue;
+        }
+#define DECODE(encoding, is_color, width)                                                          \
+    for (uint32_t n = 0; n < count; ++n)                                                           \
+    lanes_i_store(words[c][n], lanes_as_int(channel_operand(encoding, is_color,                    \
+                                                            lanes_i_load(word[n]), shift, width)))
+        GN_EACH_FLOAT_CHANNEL(from, c < 3, bits, DECODE);
+#undef DECODE
+    }
+}
+
+/* Converts floats to words of pixels, which may be the same arrays. */
+GN_OUT_OF_LINE void encode_float_blocks(gn_format format, uint32_t count,
+                                        const batch_words *numbers, batch_words *words)
+{
+    const format_fields fields = format_fields_of(format);
+    const format_encoding to = format_encoding_of(format);
+    uint32_t begun = 0; /* bits of words */
+
+    for (int c = 0; c < 4; ++c) {
+        const int w = field_word(fields, c);
+        const int shift = field_shift(fields, c);
+        const int bits = field_width(fields, c);
+        const lanes_i others = lanes_i_splat(-(int32_t)(begun >> w & 1u));
+
+        if (bits == 0)
+            continue;
+        begun |= 1u << w;
+#define ENCODE(encoding, is_color, width)                                                          \
+    for (uint32_t n = 0; n < count; ++n)                                                           \
+    lanes_i_store(words[w][n],                                                                     \
+                  lanes_i_or(lanes_i_and(lanes_i_load(words[w][n]), others),                       \
+                             lanes_i_shift_left(                                                   \
+                                 channel_bits(encoding, is_color, width,                           \
+                                              lanes_as_float(lanes_i_load(numbers[c][n]))),        \
+                                 shift)))
+        GN_EACH_FLOAT_CHANNEL(to, c < 3, bits, ENCODE);
+#undef ENCODE
+    }
+}
+
+/* Converts words of pixels to integers, in place. */
+GN_INLINE void unpack_blocks(gn_format format, uint32_t count, batch_words *words)
+{
     for (uint32_t n = 0; n < count; ++n) {
-        lanes_i word[4];
-        lanes_f color[4];
+        lanes_i word[2];
 
-        for (int i = 0; i < layout_words(format_layout(format)); ++i)
-            word[i] = lanes_i_load(words[i][n]);
-        if (arithmetic == ARITHMETIC_BYTES) {
+        word[0] = lanes_i_load(words[0][n]);
+        if (arithmetic_of(format) == ARITHMETIC_BYTES) {
             lanes_i_store(words[0][n], to_rgba8(format, word[0]));
-        } else if (arithmetic == ARITHMETIC_SHORTS) {
+        } else {
             to_rgba16(format, word);
             lanes_i_store(words[0][n], word[0]);
             lanes_i_store(words[1][n], word[1]);
-        } else {
-            decode_floats(format, word, color);
-            for (int c = 0; c < 4; ++c)
-                lanes_i_store(words[c][n], lanes_as_int(color[c]));
         }
     }
 }
 
+/* Converts words of pixels to numbers, in place. The numbers of some formats are their words. */
 GN_OUT_OF_LINE void decode_batch(gn_format format, uint32_t count, batch_words *words)
 {
-#define DECODE(name, bytes, element, kind, encoding, ...)                                          \
+#define UNPACK(name, bytes, element, kind, encoding, ...)                                          \
     case GN_FORMAT_##name:                                                                         \
-        if (FORMAT_##kind == FORMAT_COLOR && format_is_compiled(GN_FORMAT_##name) &&               \
-            !words_are_numbers(GN_FORMAT_##name))                                                  \
-            decode_blocks(GN_FORMAT_##name, count, words);                                         \
+        if (FORMAT_##kind != FORMAT_COLOR || !format_is_compiled(GN_FORMAT_##name) ||              \
+            words_are_numbers(GN_FORMAT_##name))                                                   \
+            break;                                                                                 \
+        if (arithmetic_of(GN_FORMAT_##name) == ARITHMETIC_FLOATS)                                  \
+            decode_float_blocks(format, count, words);                                             \
+        else                                                                                       \
+            unpack_blocks(GN_FORMAT_##name, count, words);                                         \
         break;
     switch (format) {
-        GN_FORMATS(DECODE)
+        GN_FORMATS(UNPACK)
     default:
         break;
     }
-#undef DECODE
+#undef UNPACK
 }
 
-/* Converts numbers to words of pixels. */
-GN_INLINE void encode_blocks(gn_format format, uint32_t count, const batch_words *numbers,
-                             batch_words *words)
+/* Converts integers to words of pixels. */
+GN_INLINE void pack_blocks(gn_format format, uint32_t count, const batch_words *numbers,
+                           batch_words *words)
 {
-    const color_arithmetic arithmetic = arithmetic_of(format);
-
     for (uint32_t n = 0; n < count; ++n) {
-        lanes_i word[4];
-        lanes_f color[4];
+        lanes_i word[2];
 
-        for (int i = 0; i < 4; ++i)
-            word[i] = lanes_i_splat(0);
-        if (arithmetic == ARITHMETIC_BYTES) {
-            word[0] = from_rgba8(format, lanes_i_load(numbers[0][n]));
-        } else if (arithmetic == ARITHMETIC_SHORTS) {
-            word[0] = lanes_i_load(numbers[0][n]);
+        word[0] = lanes_i_load(numbers[0][n]);
+        if (arithmetic_of(format) == ARITHMETIC_BYTES) {
+            word[0] = from_rgba8(format, word[0]);
+        } else {
             word[1] = lanes_i_load(numbers[1][n]);
             from_rgba16(format, word);
-        } else {
-            for (int c = 0; c < 4; ++c)
-                color[c] = lanes_as_float(lanes_i_load(numbers[c][n]));
-            encode_floats(format, color, word);
         }
-        for (int i = 0; i < layout_words(format_layout(format)); ++i)
-            lanes_i_store(words[i][n], word[i]);
+        lanes_i_store(words[0][n], word[0]);
     }
 }
 
@@ -217,19 +294,22 @@ GN_INLINE void encode_blocks(gn_format format, uint32_t count, const batch_words
 GN_OUT_OF_LINE const batch_words *words_of_numbers(gn_format format, uint32_t count,
                                                    const batch_words *numbers, batch_words *words)
 {
-#define ENCODE(name, bytes, element, kind, encoding, ...)                                          \
+#define PACK(name, bytes, element, kind, encoding, ...)                                            \
     case GN_FORMAT_##name:                                                                         \
         if (FORMAT_##kind != FORMAT_COLOR || !format_is_compiled(GN_FORMAT_##name) ||              \
             numbers_are_words(GN_FORMAT_##name))                                                   \
             return numbers;                                                                        \
-        encode_blocks(GN_FORMAT_##name, count, numbers, words);                                    \
+        if (arithmetic_of(GN_FORMAT_##name) == ARITHMETIC_FLOATS)                                  \
+            encode_float_blocks(format, count, numbers, words);                                    \
+        else                                                                                       \
+            pack_blocks(GN_FORMAT_##name, count, numbers, words);                                  \
         return (const batch_words *)words;
     switch (format) {
-        GN_FORMATS(ENCODE)
+        GN_FORMATS(PACK)
     default:
         return numbers;
     }
-#undef ENCODE
+#undef PACK
 }
 
 /* Loads the words of the pixels of a batch's blocks. */
@@ -434,6 +514,7 @@ GN_INLINE lanes_f factor_at(const float_factor *f, const block_batch *b, uint32_
  * stored alpha. If the format has a largest value, both colours lie within 0 to 1. */
 static inline void combine_floats(const color_state *state, gn_format format, block_batch *b)
 {
+    const format_fields fields = format_fields_of(format);
     GN_ALIGNED_LANES int32_t constant[5][GN_LANES]; /* the blend constant, and 0 */
 
     for (int c = 0; c < 5; ++c)
@@ -443,6 +524,9 @@ static inline void combine_floats(const color_state *state, gn_format format, bl
             lanes_i_store(b->source[c][n],
                           lanes_as_int(saturated(lanes_as_float(lanes_i_load(b->source[c][n])))));
     for (int c = 0; c < 4; ++c) {
+        if (field_width(fields, c) == 0)
+            continue;
+
         const blend_rule *const rule = rule_of(state, c);
         const float_factor by_source =
             float_factor_of(b, rule->source, c, (const int32_t(*)[GN_LANES])constant);

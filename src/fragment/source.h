@@ -25,10 +25,11 @@ GN_INLINE lanes_f ready_varying(const fragment_state *state, bool smooth, const 
     return lanes_mul(interpolate(at, triangle, VARYING_PLANES + n), w);
 }
 
-/* Computes the colours of a ready-made shader: varyings, with or without a texture. */
+/* Computes the channels in `read` of the colours of a ready-made shader: varyings, with or without a
+ * texture. Other channels become 0. */
 GN_INLINE void ready_color(const fragment_state *state, fragment_source source, bool smooth,
                            const fragment_place *at, raster_triangle triangle, lanes_f w,
-                           lanes_f color[4])
+                           uint32_t read, lanes_f color[4])
 {
     lanes_f texel[4];
 
@@ -39,6 +40,9 @@ GN_INLINE void ready_color(const fragment_state *state, fragment_source source, 
         sample(state->texture, state->sampler, &s, &t, texel);
     }
     for (uint32_t c = 0; c < 4; ++c) {
+        color[c] = lanes_splat(0.0f);
+        if (!(read >> c & 1u))
+            continue;
         color[c] = ready_varying(state, smooth, at, triangle, c, w);
         if (source == SOURCE_TEXTURE)
             color[c] = lanes_mul(color[c], texel[c]);
@@ -60,6 +64,7 @@ GN_INLINE void ready_blocks(const fragment_state *state, fragment_source source,
                             bool direct, fragment_shape shape, block_batch *b)
 {
     const color_arithmetic arithmetic = arithmetic_of(state->color.format);
+    const uint32_t read = direct ? GN_CHANNEL_ALL : state->combine.read;
 
     for (uint32_t n = 0; n < b->count; ++n) {
         const raster_triangle triangle = batch_triangle(b, shape, n);
@@ -67,12 +72,12 @@ GN_INLINE void ready_blocks(const fragment_state *state, fragment_source source,
         lanes_f color[4];
 
         set_batch_place(state, b, shape, n, state->shade_at, &at);
-        ready_color(state, source, smooth, &at, triangle, batch_w(b, shape, n, &at, triangle),
+        ready_color(state, source, smooth, &at, triangle, batch_w(b, shape, n, &at, triangle), read,
                     color);
         if (direct)
             write_rgba8(&state->color, &at, b->coverage[n], color);
         else
-            encode_numbers(arithmetic, color, n, b->source);
+            encode_numbers(arithmetic, read, color, b, false, n);
     }
 }
 
@@ -122,6 +127,8 @@ GN_OUT_OF_LINE void source_batch(const fragment_state *state, block_batch *b)
         shader_rows(state, b);
     else if (!GN_SPECIALISED || state->source == SOURCE_SHADER)
         shader_batch(state, b);
+    else if (state->combine.read == 0)
+        return;
     else if (state->source == SOURCE_TEXTURE)
         ready_shapes(state, SOURCE_TEXTURE, false, false, b);
     else if (state->is_smooth)

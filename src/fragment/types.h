@@ -86,6 +86,7 @@ typedef struct fixed_factors {
 typedef struct color_state {
     color_use use;
     uint32_t written;        /* bits of channels: GN_CHANNEL_RED and so on */
+    uint32_t read;           /* bits of the source's channels that the result depends on */
     int32_t written_bits[4]; /* masks of the words of a pixel (formats/pixel_memory.h) */
     bool blends, is_logical; /* at most one */
     blend_rule color, alpha;
@@ -149,6 +150,7 @@ typedef struct fragment_state {
     fragment_source source;    /* SOURCE_SHADER with GN_SMALL, unless there is one lane */
     const gn_texture *texture; /* with SOURCE_TEXTURE */
     const gn_sampler *sampler;
+    uint32_t attributes;  /* bits of the attributes that batches of rows interpolate */
     bool is_direct;       /* ready-made colours replace those of a GN_FORMAT_RGBA8 surface */
     masked_words nearest; /* of the texture; set if there is one lane */
     bool combines;        /* an attachment's colours depend on what it stores */
