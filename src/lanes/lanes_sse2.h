@@ -389,24 +389,32 @@ GN_OPERATION lanes_i lanes_round(lanes_f a)
     LANES_EACH_REGISTER(lanes_i, _mm_cvtps_epi32(a.q[n]));
 }
 
-/* Rounds four pixels and transposes their bytes; the packs saturate. */
-GN_OPERATION __m128i lanes_sse2_pack(__m128 red, __m128 green, __m128 blue, __m128 alpha)
+/* Rounds a channel of eight pixels to units of 1/255. */
+GN_OPERATION __m128i lanes_sse2_units(__m128 a, __m128 b)
 {
     const __m128 scale = _mm_set1_ps(255.0f);
-    const __m128i rg = _mm_packs_epi32(_mm_cvtps_epi32(_mm_mul_ps(red, scale)),
-                                       _mm_cvtps_epi32(_mm_mul_ps(green, scale)));
-    const __m128i ba = _mm_packs_epi32(_mm_cvtps_epi32(_mm_mul_ps(blue, scale)),
-                                       _mm_cvtps_epi32(_mm_mul_ps(alpha, scale)));
-    const __m128i planes = _mm_packus_epi16(rg, ba);
-    const __m128i even = _mm_unpacklo_epi8(planes, _mm_srli_si128(planes, 4));
-    const __m128i odd = _mm_unpacklo_epi8(_mm_srli_si128(planes, 8), _mm_srli_si128(planes, 12));
 
-    return _mm_unpacklo_epi16(even, odd);
+    return _mm_packs_epi32(_mm_cvtps_epi32(_mm_mul_ps(a, scale)),
+                           _mm_cvtps_epi32(_mm_mul_ps(b, scale)));
 }
 
+/* Transposes the bytes of eight pixels at a time; the packs saturate. */
 GN_OPERATION lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
 {
-    LANES_EACH_REGISTER(lanes_i, lanes_sse2_pack(red.q[n], green.q[n], blue.q[n], alpha.q[n]));
+    lanes_i a;
+
+    for (int n = 0; n < 4; n += 2) {
+        const __m128i rb = _mm_packus_epi16(lanes_sse2_units(red.q[n], red.q[n + 1]),
+                                            lanes_sse2_units(blue.q[n], blue.q[n + 1]));
+        const __m128i ga = _mm_packus_epi16(lanes_sse2_units(green.q[n], green.q[n + 1]),
+                                            lanes_sse2_units(alpha.q[n], alpha.q[n + 1]));
+        const __m128i rg = _mm_unpacklo_epi8(rb, ga);
+        const __m128i ba = _mm_unpackhi_epi8(rb, ga);
+
+        a.q[n] = _mm_unpacklo_epi16(rg, ba);
+        a.q[n + 1] = _mm_unpackhi_epi16(rg, ba);
+    }
+    return a;
 }
 
 GN_OPERATION lanes_i lanes_i_load_block(const unsigned char *lower, const unsigned char *upper,
