@@ -213,24 +213,35 @@ GN_INLINE lanes_i alpha_bytes(lanes_i pixel)
     return lanes_i_or(pair, lanes_i_shift_left(pair, 8));
 }
 
-/* Returns values for the bytes of pixels that masks select. */
+/* Returns the part of values, which are bytes of pixels, that factors select. */
+GN_INLINE lanes_i selected_part(const fixed_factors *f, uint32_t value, lanes_i values)
+{
+    return lanes_i_and(values, lanes_i_splat((int32_t)selected_bytes(f, value)));
+}
+
+/* Returns values for the bytes of pixels that masks select. Factors select one or two values. */
 GN_INLINE lanes_i selected_factors(const fixed_factors *f, lanes_i source, lanes_i destination)
 {
-    const lanes_i source_alpha = alpha_bytes(source);
-    const lanes_i destination_alpha = alpha_bytes(destination);
-    const lanes_i rest = lanes_i_xor(destination_alpha, lanes_i_splat(-1));
-    const lanes_i lesser = lanes_i_sub(source_alpha, lanes_i_sub_bytes(source_alpha, rest));
-    const lanes_i colors = lanes_i_or(
-        lanes_i_and(source, lanes_i_splat((int32_t)selected_bytes(f, SELECTS_SOURCE))),
-        lanes_i_and(destination, lanes_i_splat((int32_t)selected_bytes(f, SELECTS_DESTINATION))));
-    const lanes_i alphas = lanes_i_or(
-        lanes_i_and(source_alpha, lanes_i_splat((int32_t)selected_bytes(f, SELECTS_SOURCE_ALPHA))),
-        lanes_i_and(destination_alpha,
-                    lanes_i_splat((int32_t)selected_bytes(f, SELECTS_DESTINATION_ALPHA))));
+    const uint32_t all = f->color | f->alpha;
+    lanes_i value = lanes_i_splat(0);
 
-    return lanes_i_or(
-        lanes_i_or(colors, alphas),
-        lanes_i_and(lesser, lanes_i_splat((int32_t)selected_bytes(f, SELECTS_SATURATE))));
+    if (all & SELECTS_SOURCE)
+        value = selected_part(f, SELECTS_SOURCE, source);
+    if (all & SELECTS_DESTINATION)
+        value = lanes_i_or(value, selected_part(f, SELECTS_DESTINATION, destination));
+    if (all & SELECTS_SOURCE_ALPHA)
+        value = lanes_i_or(value, selected_part(f, SELECTS_SOURCE_ALPHA, alpha_bytes(source)));
+    if (all & SELECTS_DESTINATION_ALPHA)
+        value =
+            lanes_i_or(value, selected_part(f, SELECTS_DESTINATION_ALPHA, alpha_bytes(destination)));
+    if (all & SELECTS_SATURATE) {
+        const lanes_i alpha = alpha_bytes(source);
+        const lanes_i rest = lanes_i_xor(alpha_bytes(destination), lanes_i_splat(-1));
+        const lanes_i lesser = lanes_i_sub(alpha, lanes_i_sub_bytes(alpha, rest));
+
+        value = lanes_i_or(value, selected_part(f, SELECTS_SATURATE, lesser));
+    }
+    return value;
 }
 
 GN_INLINE void set_factor_pairs(byte_pairs *p, const fixed_factors *f, lanes_i source,
@@ -386,23 +397,36 @@ GN_INLINE lanes_i short_mask(uint32_t bytes, int w)
     return lanes_i_splat((int32_t)(color | (w == 0 ? color << 16 : (alpha | alpha << 8) << 16)));
 }
 
-/* Returns values for the shorts of word w that masks select. */
+/* Returns the part of values, which are shorts of word w, that factors select. */
+GN_INLINE lanes_i selected_short_part(const fixed_factors *f, uint32_t value, int w, lanes_i values)
+{
+    return lanes_i_and(values, short_mask(selected_bytes(f, value), w));
+}
+
+/* selected_factors for the shorts of word w. */
 GN_INLINE lanes_i selected_shorts(const fixed_factors *f, const short_pixels *p, int w)
 {
-    const lanes_i source_alpha = alpha_shorts(p->source_alpha);
-    const lanes_i destination_alpha = alpha_shorts(p->destination_alpha);
-    const lanes_i rest = lanes_i_xor(destination_alpha, lanes_i_splat(-1));
-    const lanes_i lesser = lanes_i_sub(source_alpha, lanes_i_sub_shorts(source_alpha, rest));
-    const lanes_i colors = lanes_i_or(
-        lanes_i_and(p->source, short_mask(selected_bytes(f, SELECTS_SOURCE), w)),
-        lanes_i_and(p->destination, short_mask(selected_bytes(f, SELECTS_DESTINATION), w)));
-    const lanes_i alphas = lanes_i_or(
-        lanes_i_and(source_alpha, short_mask(selected_bytes(f, SELECTS_SOURCE_ALPHA), w)),
-        lanes_i_and(destination_alpha,
-                    short_mask(selected_bytes(f, SELECTS_DESTINATION_ALPHA), w)));
+    const uint32_t all = f->color | f->alpha;
+    lanes_i value = lanes_i_splat(0);
 
-    return lanes_i_or(lanes_i_or(colors, alphas),
-                      lanes_i_and(lesser, short_mask(selected_bytes(f, SELECTS_SATURATE), w)));
+    if (all & SELECTS_SOURCE)
+        value = selected_short_part(f, SELECTS_SOURCE, w, p->source);
+    if (all & SELECTS_DESTINATION)
+        value = lanes_i_or(value, selected_short_part(f, SELECTS_DESTINATION, w, p->destination));
+    if (all & SELECTS_SOURCE_ALPHA)
+        value = lanes_i_or(value, selected_short_part(f, SELECTS_SOURCE_ALPHA, w,
+                                                      alpha_shorts(p->source_alpha)));
+    if (all & SELECTS_DESTINATION_ALPHA)
+        value = lanes_i_or(value, selected_short_part(f, SELECTS_DESTINATION_ALPHA, w,
+                                                      alpha_shorts(p->destination_alpha)));
+    if (all & SELECTS_SATURATE) {
+        const lanes_i alpha = alpha_shorts(p->source_alpha);
+        const lanes_i rest = lanes_i_xor(alpha_shorts(p->destination_alpha), lanes_i_splat(-1));
+        const lanes_i lesser = lanes_i_sub(alpha, lanes_i_sub_shorts(alpha, rest));
+
+        value = lanes_i_or(value, selected_short_part(f, SELECTS_SATURATE, w, lesser));
+    }
+    return value;
 }
 
 GN_INLINE lanes_i short_factors(const fixed_factors *f, const short_pixels *p, int w)

@@ -97,6 +97,31 @@ GN_INLINE void load_read_channels(float (*from)[GN_LANES], uint32_t read, lanes_
         color[c] = read >> c & 1u ? lanes_load(from[c]) : lanes_splat(0.0f);
 }
 
+/* Writes the shader's colours of a batch of rows for attachment `a` of `count` to the covered pixels
+ * of a GN_FORMAT_RGBA8 surface, square by square. */
+GN_OUT_OF_LINE void write_squares(const gn_surface *surface, uint32_t a, uint32_t count,
+                                  const block_batch *b)
+{
+    for (uint32_t n = 0; n < square_count(b); ++n) {
+        const uint32_t coverage = covered_in_square(b, b->coverage, n);
+        const pixel_block block = square_block(b->x + (int32_t)(n * SQUARE_SIZE), b->y);
+        const surface_place at = block_memory(surface, GN_FORMAT_RGBA8, &block);
+        lanes_f color[4];
+
+        if (!coverage)
+            continue;
+        for (int c = 0; c < 4; ++c)
+            color[c] = lanes_load(b->color[n * count + a][c]);
+
+        lanes_i word = encode_rgba8(color);
+        if (coverage != GN_ALL_LANES)
+            word = lanes_i_select(
+                lanes_from_bits(coverage), word,
+                lanes_i_load_block(at.half[0], at.half[1], surface->row_stride));
+        lanes_i_store_block(at.half[0], at.half[1], surface->row_stride, word);
+    }
+}
+
 /* Encodes the shader's colours for attachment `a` of `count`. */
 GN_OUT_OF_LINE void encode_batch(gn_format format, uint32_t read, uint32_t a, uint32_t count,
                                  block_batch *b)

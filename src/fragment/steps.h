@@ -56,20 +56,36 @@ static inline void compact_rows(const fragment_state *state, block_batch *b)
     b->count = kept;
 }
 
+static inline const gn_surface *surface_of(const fragment_state *state, uint32_t a)
+{
+    return a > 0 ? &state->more[a - 1].surface : &state->color;
+}
+
+static inline const color_state *combine_of(const fragment_state *state, uint32_t a)
+{
+    return a > 0 ? &state->more[a - 1].combine : &state->combine;
+}
+
 /* Writes a batch's colours to attachment `a`; the shader's are encoded before. */
 static inline void output_color(const fragment_state *state, uint32_t a, block_batch *b)
 {
-    const gn_surface *const surface = a > 0 ? &state->more[a - 1].surface : &state->color;
+    output_batch(state, combine_of(state, a), surface_of(state, a), b);
+}
 
-    output_batch(state, a > 0 ? &state->more[a - 1].combine : &state->combine, surface, b);
+/* Whether the shader's colours of a batch replace those of attachment `a` by write_squares. */
+static inline bool writes_squares(const fragment_state *state, uint32_t a, const block_batch *b)
+{
+    return is_of_rows(b) && state->source == SOURCE_SHADER &&
+           surface_of(state, a)->format == GN_FORMAT_RGBA8 &&
+           combine_of(state, a)->use == COLOR_REPLACES;
 }
 
 /* Encodes the colours of attachment `a` of `count`. Returns whether there is such an attachment. */
 static inline bool encode_color(const fragment_state *state, uint32_t a, uint32_t count,
                                 block_batch *b)
 {
-    const gn_format format = a > 0 ? state->more[a - 1].surface.format : state->color.format;
-    const uint32_t read = a > 0 ? state->more[a - 1].combine.read : state->combine.read;
+    const gn_format format = surface_of(state, a)->format;
+    const uint32_t read = combine_of(state, a)->read;
 
     if (format == GN_FORMAT_NONE)
         return false;
@@ -88,7 +104,9 @@ static inline void output_colors(const fragment_state *state, block_batch *b)
     const uint32_t count = shader_colors(state);
 
     for (uint32_t a = 0; a < count; ++a)
-        if (encode_color(state, a, count, b))
+        if (writes_squares(state, a, b))
+            write_squares(surface_of(state, a), a, count, b);
+        else if (encode_color(state, a, count, b))
             output_color(state, a, b);
 }
 
