@@ -6,7 +6,7 @@
  *   source   colours, by the fragment shader or inlined (source.h)
  *   encode   colours as the numbers in which the attachment's format is blended (output.h)
  *   load     the attachment's pixels as such numbers
- *   combine  both, by blending or a logical operation
+ *   combine  both, by blending or a logical operation (combine.h)
  *   store    numbers as pixels of the format, where covered and written
  *
  * If the shader decides on coverage or depth, source comes before test. Tests, and load to store,

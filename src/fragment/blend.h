@@ -519,30 +519,4 @@ static inline lanes_f mix_floats(const blend_rule *rule, mixing mixes, lanes_f s
                : lanes_sub(of, share);
 }
 
-/* Blends a channel of floats, given its two factors. */
-GN_INLINE lanes_f blend_float(const color_state *state, const blend_rule *rule, lanes_f source,
-                              lanes_f destination, lanes_f source_factor, lanes_f factor)
-{
-    if (rule->equation == GN_EQUATION_MIN)
-        return lanes_min(source, destination);
-    if (rule->equation == GN_EQUATION_MAX)
-        return lanes_max(source, destination);
-    if (GN_HAVE_FORMATS && state->mixes != MIXES_NOTHING)
-        return mix_floats(rule, state->mixes, source, destination,
-                          state->mixes == MIXES_BY_SOURCE ? source_factor : factor);
-    if (state->drops_source && state->drops_destination)
-        return lanes_splat(0.0f);
-    if (!state->factors_last) {
-        /* Adding or subtracting this leaves the other term as it is, also zeros of either sign. */
-        const lanes_f nothing = lanes_splat(rule->equation == GN_EQUATION_ADD ? -0.0f : 0.0f);
-
-        source = state->drops_source ? nothing : lanes_mul(source, source_factor);
-        destination = state->drops_destination ? nothing : lanes_mul(destination, factor);
-    }
-    const lanes_f sum = rule->equation == GN_EQUATION_ADD        ? lanes_add(source, destination)
-                        : rule->equation == GN_EQUATION_SUBTRACT ? lanes_sub(source, destination)
-                                                                 : lanes_sub(destination, source);
-    return state->factors_last ? lanes_mul(sum, source_factor) : sum;
-}
-
 #endif

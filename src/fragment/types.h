@@ -6,7 +6,8 @@
  *   batch.h    the blocks of a step, and what steps hand to each other
  *   test.h     the step that tests depth and stencil
  *   source.h   the step that computes colours
- *   output.h   the steps that load, combine and store colours
+ *   output.h   the steps that encode, load and store colours
+ *   combine.h  the step that combines colours with stored ones
  *   planes.h   attributes at fragments
  *   depth.h    depth test and depth write
  *   stencil.h  stencil and depth together
