@@ -32,14 +32,39 @@ static inline lanes_f half_value(lanes_i half)
     return lanes_as_float(lanes_i_or(lanes_i_or(lanes_as_int(value), special), sign));
 }
 
-/* Returns the value of a half for arithmetic, where a signalling NaN counts as the quiet one that
- * arithmetic makes of it. Bits above the half must be 0. */
+/* Returns the value of the half in the highest bits for arithmetic, where a signalling NaN counts as
+ * the quiet one that arithmetic makes of it. As half_value, but the exponent of infinities and NaN
+ * becomes that of floats by an addition, after which a product makes other values what they are. */
+static inline lanes_f high_half_operand(lanes_i word)
+{
+    const lanes_i sign = lanes_i_and(word, lanes_i_splat(INT32_MIN));
+    const lanes_i size = lanes_i_and(lanes_i_shift_right(word, 3), lanes_i_splat(0x7FFF << 13));
+    const lanes_f large = lanes_as_float(lanes_i_add(size, lanes_i_splat(0x70000000)));
+    const lanes_f value =
+        lanes_min(lanes_mul(large, lanes_splat(0x1p-112f)),
+                  lanes_sub(lanes_mul(large, lanes_splat(0x1p-111f)), lanes_splat(0x1p-14f)));
+
+    return lanes_as_float(lanes_i_or(lanes_as_int(value), sign));
+}
+
+/* Returns such a value of the half in the low bits. Bits above the half must be 0. */
 static inline lanes_f half_operand(lanes_i half)
 {
 #if GN_LANES_HAVE_HALVES
     return lanes_from_halves(half);
 #else
-    return half_value(half);
+    return high_half_operand(lanes_i_shift_left(half, 16));
+#endif
+}
+
+/* Returns such a value of the half from bit `shift` of words on. */
+static inline lanes_f half_operand_at(lanes_i word, int shift)
+{
+#if GN_LANES_HAVE_HALVES
+    return lanes_from_halves(
+        lanes_i_and(lanes_i_shift_right(word, shift), lanes_i_splat(0xFFFF)));
+#else
+    return high_half_operand(lanes_i_shift_left(word, 16 - shift));
 #endif
 }
 
@@ -54,18 +79,20 @@ static inline lanes_i half_bits(lanes_f channel)
     const lanes_i size = lanes_i_and(bits, lanes_i_splat(0x7FFFFFFF));
     const lanes_i sign = lanes_i_and(lanes_i_shift_right(bits, 16), lanes_i_splat(0x8000));
     const lanes_f least = lanes_splat(0x1p-14f);
-    /* Infinities too become the largest, and NaN, since min returns its second operand. */
     const lanes_f finite = lanes_min(lanes_as_float(size), lanes_splat(65504.0f));
     /* Up to 2^-14, halves count 2^-24. From there on, they order as the bits of floats do. */
     const lanes_i small =
         lanes_truncate(lanes_mul(lanes_min(finite, least), lanes_splat(16777216.0f)));
     const lanes_i normal = lanes_i_shift_right(
         lanes_i_sub(lanes_as_int(lanes_max(finite, least)), lanes_i_splat(0x38800000)), 13);
-    const lanes_i half = lanes_i_or(lanes_i_add(small, normal), sign);
-    const lanes_m is_infinite = lanes_i_equal(size, lanes_i_splat(0x7F800000));
-    const lanes_i number = lanes_i_sub(half, lanes_m_as_int(is_infinite));
+    lanes_i half = lanes_i_or(lanes_i_add(small, normal), sign);
 
-    return lanes_i_select(lanes_less_equal(channel, channel), number, lanes_i_splat(0x7E00));
+    if (lanes_bits(lanes_i_greater(size, lanes_i_splat(0x7F7FFFFF)))) {
+        half = lanes_i_sub(
+            half, lanes_m_as_int(lanes_i_equal(size, lanes_i_splat(0x7F800000))));
+        half = lanes_i_select(lanes_less_equal(channel, channel), half, lanes_i_splat(0x7E00));
+    }
+    return half;
 #endif
 }
 
@@ -103,7 +130,7 @@ GN_INLINE lanes_f float_operand(lanes_i word, int shift, int width)
     const lanes_i bits = lanes_i_shift_right(word, shift);
 
     return width == 32   ? lanes_as_float(word)
-           : width == 16 ? half_operand(lanes_i_and(bits, lanes_i_splat(0xFFFF)))
+           : width == 16 ? half_operand_at(word, shift)
                          : half_operand(lanes_i_shift_left(
                                lanes_i_and(bits, lanes_i_splat((1 << width) - 1)), 15 - width));
 }
