@@ -39,8 +39,8 @@
 /* The squares across a row of 16 pixels. */
 #define SQUARES_IN_ROW (GN_LANES / SQUARE_SIZE)
 
-/* Colours of a batch: one for each block and attachment. There is room for a column of squares with
- * all attachments, but where few blocks save stack. */
+/* Colours of a batch: one for each block and attachment. There is room for two columns of squares
+ * with all attachments, but where few blocks save stack. */
 #define LEAST_COLORS (STEP_BLOCKS < 16 ? COLOR_LIMIT : 2 * SQUARES_IN_ROW * COLOR_LIMIT)
 #define STEP_COLORS (STEP_BLOCKS > LEAST_COLORS ? STEP_BLOCKS : LEAST_COLORS)
 
@@ -89,7 +89,7 @@ GN_INLINE raster_triangle batch_triangle(const block_batch *b, fragment_shape sh
     return shape == SHAPE_ROW ? b->triangle : b->blocks[n].triangle;
 }
 
-/* Sets the place of block n. `shape` is the batch's, as a constant. `inside` is null, or where in
+/* Sets the place of block n. `shape` is the batch's, as a constant where loops need speed. `inside` is null, or where in
  * their pixels the attributes of halves are needed (set_places). */
 GN_INLINE void set_batch_place(const fragment_state *state, const block_batch *b,
                                fragment_shape shape, uint32_t n, const float *inside,

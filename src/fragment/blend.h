@@ -404,7 +404,7 @@ GN_INLINE lanes_i selected_short_part(const fixed_factors *f, uint32_t value, in
 }
 
 /* selected_factors for the shorts of word w. */
-GN_INLINE lanes_i selected_shorts(const fixed_factors *f, const short_pixels *p, int w)
+GN_OUT_OF_LINE lanes_i selected_shorts(const fixed_factors *f, const short_pixels *p, int w)
 {
     const uint32_t all = f->color | f->alpha;
     lanes_i value = lanes_i_splat(0);
@@ -431,6 +431,7 @@ GN_INLINE lanes_i selected_shorts(const fixed_factors *f, const short_pixels *p,
 
 GN_INLINE lanes_i short_factors(const fixed_factors *f, const short_pixels *p, int w)
 {
+    short_pixels pixels; /* copies, so that the usual way keeps its values in registers */
     lanes_i value;
 
     switch (f->kind) {
@@ -447,7 +448,11 @@ GN_INLINE lanes_i short_factors(const fixed_factors *f, const short_pixels *p, i
         value = alpha_shorts(p->destination_alpha);
         break;
     case FACTORS_DIFFER:
-        value = selected_shorts(f, p, w);
+        pixels.source = p->source;
+        pixels.destination = p->destination;
+        pixels.source_alpha = p->source_alpha;
+        pixels.destination_alpha = p->destination_alpha;
+        value = selected_shorts(f, &pixels, w);
         break;
     default:
         value = lanes_i_splat(0);
