@@ -61,8 +61,8 @@ static inline void decode_channels(gn_format format, const lanes_i word[4], lane
 #undef DECODE
 }
 
-/* Returns a channel of a format of ARITHMETIC_FLOATS, from bit `shift` of words on, as an operand of
- * arithmetic. `is_color` says that it is not alpha. */
+/* Returns a channel of a format of ARITHMETIC_FLOATS, from bit `shift` of words on, as an operand
+ * of arithmetic. `is_color` says that it is not alpha. */
 GN_INLINE lanes_f channel_operand(format_encoding encoding, bool is_color, lanes_i word, int shift,
                                   int width)
 {

@@ -78,8 +78,8 @@ static inline lanes_i srgb8(lanes_f channel)
     return lanes_i_shift_right(lanes_i_add(step, lanes_i_and(x, lanes_i_splat(0xFFFF))), 16);
 }
 
-/* Returns a channel of a format of ARITHMETIC_FLOATS in the low bits. `is_color` says that it is not
- * alpha. */
+/* Returns a channel of a format of ARITHMETIC_FLOATS in the low bits. `is_color` says that it is
+ * not alpha. */
 GN_INLINE lanes_i channel_bits(format_encoding encoding, bool is_color, int width, lanes_f channel)
 {
     if (encoding == ENCODING_FLOAT)
@@ -97,9 +97,9 @@ GN_INLINE void encode_fields(format_encoding encoding, format_fields fields, con
         const int width = field_width(fields, c);
 
         if (width > 0)
-            word[w] = lanes_i_or(
-                word[w], lanes_i_shift_left(channel_bits(encoding, c < 3, width, color[c]),
-                                            field_shift(fields, c)));
+            word[w] = lanes_i_or(word[w],
+                                 lanes_i_shift_left(channel_bits(encoding, c < 3, width, color[c]),
+                                                    field_shift(fields, c)));
     }
 }
 

@@ -32,9 +32,10 @@ static inline lanes_f half_value(lanes_i half)
     return lanes_as_float(lanes_i_or(lanes_i_or(lanes_as_int(value), special), sign));
 }
 
-/* Returns the value of the half in the highest bits for arithmetic, where a signalling NaN counts as
- * the quiet one that arithmetic makes of it. As half_value, but the exponent of infinities and NaN
- * becomes that of floats by an addition, after which a product makes other values what they are. */
+/* Returns the value of the half in the highest bits for arithmetic, where a signalling NaN counts
+ * as the quiet one that arithmetic makes of it. As half_value, but the exponent of infinities and
+ * NaN becomes that of floats by an addition, after which a product makes other values what they
+ * are. */
 static inline lanes_f high_half_operand(lanes_i word)
 {
     const lanes_i sign = lanes_i_and(word, lanes_i_splat(INT32_MIN));
@@ -61,8 +62,7 @@ static inline lanes_f half_operand(lanes_i half)
 static inline lanes_f half_operand_at(lanes_i word, int shift)
 {
 #if GN_LANES_HAVE_HALVES
-    return lanes_from_halves(
-        lanes_i_and(lanes_i_shift_right(word, shift), lanes_i_splat(0xFFFF)));
+    return lanes_from_halves(lanes_i_and(lanes_i_shift_right(word, shift), lanes_i_splat(0xFFFF)));
 #else
     return high_half_operand(lanes_i_shift_left(word, 16 - shift));
 #endif
@@ -88,8 +88,7 @@ static inline lanes_i half_bits(lanes_f channel)
     lanes_i half = lanes_i_or(lanes_i_add(small, normal), sign);
 
     if (lanes_bits(lanes_i_greater(size, lanes_i_splat(0x7F7FFFFF)))) {
-        half = lanes_i_sub(
-            half, lanes_m_as_int(lanes_i_equal(size, lanes_i_splat(0x7F800000))));
+        half = lanes_i_sub(half, lanes_m_as_int(lanes_i_equal(size, lanes_i_splat(0x7F800000))));
         half = lanes_i_select(lanes_less_equal(channel, channel), half, lanes_i_splat(0x7E00));
     }
     return half;

@@ -89,8 +89,8 @@ GN_INLINE raster_triangle batch_triangle(const block_batch *b, fragment_shape sh
     return shape == SHAPE_ROW ? b->triangle : b->blocks[n].triangle;
 }
 
-/* Sets the place of block n. `shape` is the batch's, as a constant where loops need speed. `inside` is null, or where in
- * their pixels the attributes of halves are needed (set_places). */
+/* Sets the place of block n. `shape` is the batch's, as a constant where loops need speed. `inside`
+ * is null, or where in their pixels the attributes of halves are needed (set_places). */
 GN_INLINE void set_batch_place(const fragment_state *state, const block_batch *b,
                                fragment_shape shape, uint32_t n, const float *inside,
                                fragment_place *at)

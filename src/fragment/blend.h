@@ -232,8 +232,8 @@ GN_INLINE lanes_i selected_factors(const fixed_factors *f, lanes_i source, lanes
     if (all & SELECTS_SOURCE_ALPHA)
         value = lanes_i_or(value, selected_part(f, SELECTS_SOURCE_ALPHA, alpha_bytes(source)));
     if (all & SELECTS_DESTINATION_ALPHA)
-        value =
-            lanes_i_or(value, selected_part(f, SELECTS_DESTINATION_ALPHA, alpha_bytes(destination)));
+        value = lanes_i_or(value,
+                           selected_part(f, SELECTS_DESTINATION_ALPHA, alpha_bytes(destination)));
     if (all & SELECTS_SATURATE) {
         const lanes_i alpha = alpha_bytes(source);
         const lanes_i rest = lanes_i_xor(alpha_bytes(destination), lanes_i_splat(-1));
@@ -414,8 +414,8 @@ GN_OUT_OF_LINE lanes_i selected_shorts(const fixed_factors *f, const short_pixel
     if (all & SELECTS_DESTINATION)
         value = lanes_i_or(value, selected_short_part(f, SELECTS_DESTINATION, w, p->destination));
     if (all & SELECTS_SOURCE_ALPHA)
-        value = lanes_i_or(value, selected_short_part(f, SELECTS_SOURCE_ALPHA, w,
-                                                      alpha_shorts(p->source_alpha)));
+        value = lanes_i_or(
+            value, selected_short_part(f, SELECTS_SOURCE_ALPHA, w, alpha_shorts(p->source_alpha)));
     if (all & SELECTS_DESTINATION_ALPHA)
         value = lanes_i_or(value, selected_short_part(f, SELECTS_DESTINATION_ALPHA, w,
                                                       alpha_shorts(p->destination_alpha)));

@@ -195,10 +195,10 @@ static void blend_channel(const color_state *state, const blend_rule *rule, cons
                                  with_sign(float_at(&to->value, n), to->sign)),
                        factor_at(&from->factor, n)));
     else
-        EACH(lanes_add(with_sign(lanes_mul(float_at(&from->value, n), factor_at(&from->factor, n)),
-                                 from->sign),
-                       with_sign(lanes_mul(float_at(&to->value, n), factor_at(&to->factor, n)),
-                                 to->sign)));
+        EACH(lanes_add(
+            with_sign(lanes_mul(float_at(&from->value, n), factor_at(&from->factor, n)),
+                      from->sign),
+            with_sign(lanes_mul(float_at(&to->value, n), factor_at(&to->factor, n)), to->sign)));
 #undef EACH
 }
 

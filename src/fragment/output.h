@@ -95,8 +95,8 @@ GN_INLINE void load_read_channels(float (*from)[GN_LANES], uint32_t read, lanes_
         color[c] = read >> c & 1u ? lanes_load(from[c]) : lanes_splat(0.0f);
 }
 
-/* Writes the shader's colours of a batch of rows for attachment `a` of `count` to the covered pixels
- * of a GN_FORMAT_RGBA8 surface, square by square. */
+/* Writes the shader's colours of a batch of rows for attachment `a` of `count` to the covered
+ * pixels of a GN_FORMAT_RGBA8 surface, square by square. */
 GN_OUT_OF_LINE void write_squares(const gn_surface *surface, uint32_t a, uint32_t count,
                                   const block_batch *b)
 {
@@ -113,9 +113,8 @@ GN_OUT_OF_LINE void write_squares(const gn_surface *surface, uint32_t a, uint32_
 
         lanes_i word = encode_rgba8(color);
         if (coverage != GN_ALL_LANES)
-            word = lanes_i_select(
-                lanes_from_bits(coverage), word,
-                lanes_i_load_block(at.half[0], at.half[1], surface->row_stride));
+            word = lanes_i_select(lanes_from_bits(coverage), word,
+                                  lanes_i_load_block(at.half[0], at.half[1], surface->row_stride));
         lanes_i_store_block(at.half[0], at.half[1], surface->row_stride, word);
     }
 }
@@ -245,12 +244,12 @@ GN_OUT_OF_LINE void encode_float_blocks(gn_format format, uint32_t count,
         begun |= 1u << w;
 #define ENCODE(encoding, is_color, width)                                                          \
     for (uint32_t n = 0; n < count; ++n)                                                           \
-    lanes_i_store(words[w][n],                                                                     \
-                  lanes_i_or(lanes_i_and(lanes_i_load(words[w][n]), others),                       \
-                             lanes_i_shift_left(                                                   \
-                                 channel_bits(encoding, is_color, width,                           \
-                                              lanes_as_float(lanes_i_load(numbers[c][n]))),        \
-                                 shift)))
+    lanes_i_store(                                                                                 \
+        words[w][n],                                                                               \
+        lanes_i_or(lanes_i_and(lanes_i_load(words[w][n]), others),                                 \
+                   lanes_i_shift_left(channel_bits(encoding, is_color, width,                      \
+                                                   lanes_as_float(lanes_i_load(numbers[c][n]))),   \
+                                      shift)))
         GN_EACH_FLOAT_CHANNEL(to, c < 3, bits, ENCODE);
 #undef ENCODE
     }

@@ -25,8 +25,8 @@ GN_INLINE lanes_f ready_varying(const fragment_state *state, bool smooth, const 
     return lanes_mul(interpolate(at, triangle, VARYING_PLANES + n), w);
 }
 
-/* Computes the channels in `read` of the colours of a ready-made shader: varyings, with or without a
- * texture. Other channels become 0. */
+/* Computes the channels in `read` of the colours of a ready-made shader: varyings, with or without
+ * a texture. Other channels become 0. */
 GN_INLINE void ready_color(const fragment_state *state, fragment_source source, bool smooth,
                            const fragment_place *at, raster_triangle triangle, lanes_f w,
                            uint32_t read, lanes_f color[4])

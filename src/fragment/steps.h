@@ -198,8 +198,8 @@ static inline void step_rest(const void *context, blocks_function *shade, raster
         shade(context, block, count);
 }
 
-/* Sets the terms of a batch of rows for attributes, as bits. `inside` says where in their pixels the
- * attributes are needed. */
+/* Sets the terms of a batch of rows for attributes, as bits. `inside` says where in their pixels
+ * the attributes are needed. */
 GN_OUT_OF_LINE void set_terms(block_batch *b, uint32_t attributes, const float inside[2])
 {
     for (uint32_t n = 0; attributes >> n; ++n)

@@ -46,9 +46,8 @@ static inline lanes_f lanes_from_halves(lanes_i halves)
 
 static inline lanes_i lanes_to_halves(lanes_f a)
 {
-    LANES_EACH_REGISTER(
-        lanes_i,
-        _mm256_cvtepu16_epi32(_mm256_cvtps_ph(a.q[n], _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC)));
+    LANES_EACH_REGISTER(lanes_i, _mm256_cvtepu16_epi32(_mm256_cvtps_ph(
+                                     a.q[n], _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC)));
 }
 
 #endif
