@@ -206,9 +206,13 @@ GN_WIDE_INLINE void fetch_corners(const gn_texture *texture, uint32_t level,
         lanes_i_gather_pairs(words + texture->level[level].row_stride / 4, index,
                              &out->corner[CORNER_01], &out->corner[CORNER_11]);
     } else {
-        const texel_pair along_s = u, along_t = v;
+        texel_pair along_s, along_t; /* copies: the pairs themselves stay in registers */
         lanes_i corner[CORNER_COUNT];
 
+        along_s.first = u.first;
+        along_s.at_end = u.at_end;
+        along_t.first = v.first;
+        along_t.at_end = v.at_end;
         fetch_at_ends(texture, level, sampler, &along_s, &along_t, corner);
         for (int i = 0; i < CORNER_COUNT; ++i)
             out->corner[i] = corner[i];
