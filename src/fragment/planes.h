@@ -70,9 +70,6 @@ GN_INLINE lanes_f plane_at(attribute_plane plane, const block_places *at)
  * colour and two texture coordinates. */
 #define RUN_ATTRIBUTES (VARYING_PLANES + 6)
 
-/* Bits of attributes: those that tests use. */
-#define TESTED_ATTRIBUTES (1u << DEPTH_PLANE)
-
 /* The two terms of a value: per_y * y for the rows of a run, and per_x * x + origin for 16 of its
  * columns. A pixel then takes only their sum. */
 typedef struct row_terms {

@@ -192,7 +192,7 @@ static inline void test_samples(const fragment_state *state, sampled_batch *b)
         for (uint32_t n = 0; n < b->batch.count; ++n)
             b->batch.coverage[n] = b->coverage[s][n];
         if (is_of_rows(&b->batch))
-            set_terms(&b->batch, TESTED_ATTRIBUTES, state[s].test_at);
+            set_terms(&b->batch, DEPTH_PLANE, ONE_OVER_W_PLANE, state[s].test_at);
         test_batch(&state[s], &b->batch);
         for (uint32_t n = 0; n < b->batch.count; ++n)
             b->coverage[s][n] = b->batch.coverage[n];

@@ -77,18 +77,13 @@ static inline void set_shader_inputs(fragment_state *s, const gn_pipeline *pipel
         s->is_smooth = s->is_smooth && pipeline->program.interpolation[n] == GN_SMOOTH;
 }
 
-/* Returns the bits of the attributes that batches of rows interpolate. A ready-made shader's
- * varyings are as in shaders/vertex.h. */
-static inline uint32_t run_attributes(const fragment_state *s)
+/* Returns how many varyings batches of rows interpolate: those of a ready-made shader, as in
+ * shaders/vertex.h. */
+static inline uint32_t run_varyings(const fragment_state *s)
 {
-    const uint32_t tested = s->depth.format != GN_FORMAT_NONE ? TESTED_ATTRIBUTES : 0;
-
     if (s->source == SOURCE_SHADER || s->color.format == GN_FORMAT_NONE || s->combine.read == 0)
-        return tested;
-
-    const uint32_t coordinates =
-        s->source == SOURCE_TEXTURE ? 1u << VARYING_S | 1u << VARYING_T : 0;
-    return tested | 1u << ONE_OVER_W_PLANE | (s->combine.read | coordinates) << VARYING_PLANES;
+        return 0;
+    return s->source == SOURCE_TEXTURE ? VARYING_END : VARYING_S;
 }
 
 /* Resolves the state of a draw. `any` is one of the target's surfaces, which have one size. */
@@ -141,7 +136,7 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     }
     s->is_direct = s->source != SOURCE_SHADER && s->color.format == GN_FORMAT_RGBA8 &&
                    s->combine.use == COLOR_REPLACES;
-    s->attributes = run_attributes(s);
+    s->run_varyings = run_varyings(s);
     s->limits = depth_limits_of(pipeline, viewport);
     s->clamps_depth = s->tests_depth && (s->limits.low != 0.0f || s->limits.high != 1.0f);
 }

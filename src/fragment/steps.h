@@ -198,20 +198,18 @@ static inline void step_rest(const void *context, blocks_function *shade, raster
         shade(context, block, count);
 }
 
-/* Sets the terms of a batch of rows for attributes, as bits. `inside` says where in their pixels
- * the attributes are needed. */
-GN_OUT_OF_LINE void set_terms(block_batch *b, uint32_t attributes, const float inside[2])
+/* Sets the terms of a batch of rows for the attributes from `first` up to, but not including,
+ * `end`. `inside` says where in their pixels the attributes are needed. */
+static inline void set_terms(block_batch *b, uint32_t first, uint32_t end, const float inside[2])
 {
-    for (uint32_t n = 0; attributes >> n; ++n)
-        if (attributes >> n & 1u)
-            set_row_terms(&b->of.terms.rows, n, triangle_plane(b->triangle, n), b->y, inside[1]);
+    for (uint32_t n = first; n < end; ++n)
+        set_row_terms(&b->of.terms.rows, n, triangle_plane(b->triangle, n), b->y, inside[1]);
     for (uint32_t c = 0; c < b->columns; ++c) {
         const lanes_f places = column_places(b->x + (int32_t)(c * GN_LANES), inside[0]);
 
-        for (uint32_t n = 0; attributes >> n; ++n)
-            if (attributes >> n & 1u)
-                b->of.terms.columns[c].value[n] =
-                    terms_of_columns(triangle_plane(b->triangle, n), places);
+        for (uint32_t n = first; n < end; ++n)
+            b->of.terms.columns[c].value[n] =
+                terms_of_columns(triangle_plane(b->triangle, n), places);
     }
 }
 
@@ -250,10 +248,12 @@ static inline void set_rows(const fragment_state *state, block_batch *b, int32_t
         b->columns = columns;
         name_rows(b);
     }
-    set_terms(b, state->attributes & TESTED_ATTRIBUTES, state->test_at);
-    set_terms(b, state->attributes & ~TESTED_ATTRIBUTES, state->shade_at);
-    if (state->attributes >> ONE_OVER_W_PLANE & 1u)
+    if (state->depth.format != GN_FORMAT_NONE)
+        set_terms(b, DEPTH_PLANE, ONE_OVER_W_PLANE, state->test_at);
+    if (state->run_varyings > 0) {
+        set_terms(b, ONE_OVER_W_PLANE, VARYING_PLANES + state->run_varyings, state->shade_at);
         set_level(b, state->shade_at);
+    }
     for (uint32_t n = 0; n < b->count; ++n)
         b->coverage[n] = GN_ALL_LANES;
 }
