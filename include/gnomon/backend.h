@@ -14,7 +14,7 @@
 
 typedef enum gn_backend {
     GN_BACKEND_AUTO = 0, /* the fastest available; each draw asks the processor */
-    GN_BACKEND_PORTABLE, /* plain C */
+    GN_BACKEND_PORTABLE, /* C without instructions of one target */
     GN_BACKEND_SSE2,
     GN_BACKEND_AVX2,
     GN_BACKEND_AVX512, /* F, BW, DQ and VL */

@@ -155,6 +155,43 @@ GN_INLINE void lanes_i_gather_quads(const stored_word *base, lanes_i index, lane
 
 #else
 
+#if defined(GN_LANES_VECTORS)
+
+GN_INLINE vector_i lanes_four_numbers(const unsigned char *base, const int32_t at[4], int count)
+{
+    return (vector_i){number_of_bytes(base + at[0], count), number_of_bytes(base + at[1], count),
+                      number_of_bytes(base + at[2], count), number_of_bytes(base + at[3], count)};
+}
+
+GN_INLINE lanes_i lanes_i_gather_bytes(const unsigned char *base, lanes_i offset, int count)
+{
+    int32_t at[GN_LANES];
+
+    lanes_i_store(at, offset);
+    LANES_EACH_REGISTER(lanes_i, lanes_four_numbers(base, at + 4 * n, count));
+}
+
+GN_INLINE void lanes_i_gather_quads(const stored_word *base, lanes_i index, lanes_i out[4])
+{
+    int32_t at[GN_LANES];
+
+    lanes_i_store(at, index);
+    GN_UNROLLED
+    for (int n = 0; n < 4; ++n) {
+        vector_i r[4];
+
+        GN_UNROLLED
+        for (int l = 0; l < 4; ++l)
+            r[l] = lanes_vector_load(base + at[4 * n + l]);
+        lanes_vector_transpose(r);
+        GN_UNROLLED
+        for (int c = 0; c < 4; ++c)
+            out[c].q[n] = r[c];
+    }
+}
+
+#else
+
 static inline lanes_i lanes_i_gather_bytes(const unsigned char *base, lanes_i offset, int count)
 {
     int32_t at[GN_LANES];
@@ -165,17 +202,19 @@ static inline lanes_i lanes_i_gather_bytes(const unsigned char *base, lanes_i of
     return lanes_i_load(at);
 }
 
+static inline void lanes_i_gather_quads(const stored_word *base, lanes_i index, lanes_i out[4])
+{
+    lanes_i_gather_pairs(base, index, &out[0], &out[1]);
+    lanes_i_gather_pairs(base + 2, index, &out[2], &out[3]);
+}
+
+#endif
+
 static inline void lanes_i_gather_eight(const unsigned char *base, lanes_i offset, lanes_i *low,
                                         lanes_i *high)
 {
     *low = lanes_i_gather_bytes(base, offset, 4);
     *high = lanes_i_gather_bytes(base + 4, offset, 4);
-}
-
-static inline void lanes_i_gather_quads(const stored_word *base, lanes_i index, lanes_i out[4])
-{
-    lanes_i_gather_pairs(base, index, &out[0], &out[1]);
-    lanes_i_gather_pairs(base + 2, index, &out[2], &out[3]);
 }
 
 #endif

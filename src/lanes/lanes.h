@@ -31,7 +31,8 @@
  *
  * A back end (backends/) selects its form by GN_LANES_PORTABLE, _AVX2, _AVX512, _NEON or
  * _WASM_SIMD128. With none of these the form is SSE2 or portable, whichever every processor of the
- * target has. The portable form may be called with addresses (calls.h). GN_LANES_INTRINSICS_HEADER
+ * target has. Portable lanes are vectors of GNU C where GN_HAVE_VECTORS says so (features.h),
+ * otherwise arrays in C99; these may be called with addresses (calls.h). GN_LANES_INTRINSICS_HEADER
  * names a header that replaces the intrinsics of the last three where the target lacks them
  * (tests/portability). */
 #ifndef GN_LANES_LANES_H
@@ -67,6 +68,15 @@ typedef int32_t stored_word;
 typedef uint16_t stored_half;
 #endif
 
+/* The form if no other is selected. With neither of these names it is lanes_portable.h. */
+#if defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2) || defined(GN_LANES_NEON) ||                \
+    defined(GN_LANES_WASM_SIMD128)
+#elif defined(__SSE2__) && !defined(GN_LANES_PORTABLE) && GN_LANES == 16
+#define GN_LANES_SSE2
+#elif GN_HAVE_VECTORS
+#define GN_LANES_VECTORS
+#endif
+
 #define GN_EACH_LANE(l) for (int l = 0; l < GN_LANES; ++l)
 
 /* Returns how many bits of lanes are set. */
@@ -84,13 +94,14 @@ static inline uint32_t count_lanes(uint32_t bits)
 
 /* GN_INLINE is for functions whose callers pass constants: they are written once and compiled once
  * per state. GN_OUT_OF_LINE is for code in them that is rarely needed. If operations are loops
- * (portable lanes) or carry a sanitizer's checks in every lane, forced inlining would take
+ * (lanes in arrays) or carry a sanitizer's checks in every lane, forced inlining would take
  * compilers minutes, so the compiler decides. With GN_SMALL there is only one version, out of line
  * like GN_STEP, unless operations on one lane are an instruction or two. */
 #if defined(__GNUC__)
 #if GN_IS_SMALL && GN_LANES > 1
 #define GN_INLINE static __attribute__((noinline, unused))
-#elif (defined(GN_LANES_PORTABLE) && GN_LANES > 1) || defined(__SANITIZE_ADDRESS__)
+#elif (defined(GN_LANES_PORTABLE) && !defined(GN_LANES_VECTORS) && GN_LANES > 1) ||                \
+    defined(__SANITIZE_ADDRESS__)
 #define GN_INLINE static inline
 #else
 #define GN_INLINE static inline __attribute__((always_inline))
@@ -132,10 +143,20 @@ static inline uint32_t count_lanes(uint32_t bits)
 #define GN_WIDE_INLINE static inline
 #endif
 
-/* Stands before short loops over corners, components and attributes. With one lane their values are
- * kept in registers, but gcc sees that only in loops that it has unrolled, and at -O2 it must be
- * asked to unroll. */
-#if GN_LANES == 1 && defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
+/* GN_INLINE for loops over a batch that would be compiled for each of many formats. With vectors of
+ * GNU C the compiler decides, which saves text: targets with a form of their own do not need the
+ * portable back end's speed in rare formats. */
+#if defined(GN_LANES_VECTORS)
+#define GN_FORMAT_INLINE static inline
+#else
+#define GN_FORMAT_INLINE GN_INLINE
+#endif
+
+/* Stands before short loops over corners, components and attributes. With one lane, and with lanes
+ * in vectors, their values are kept in registers, but gcc sees that only in loops that it has
+ * unrolled, and at -O2 it must be asked to unroll. */
+#if (GN_LANES == 1 || defined(GN_LANES_VECTORS)) && defined(__GNUC__) && __GNUC__ >= 8 &&          \
+    !defined(__clang__)
 #define GN_UNROLLED _Pragma("GCC unroll 16")
 #else
 #define GN_UNROLLED
@@ -192,9 +213,10 @@ static inline uint32_t first_lane(uint32_t bits)
 #include "lanes_neon.h"
 #elif defined(GN_LANES_WASM_SIMD128)
 #include "lanes_wasm.h"
-#elif defined(__SSE2__) && !defined(GN_LANES_PORTABLE) && GN_LANES == 16
-#define GN_LANES_SSE2
+#elif defined(GN_LANES_SSE2)
 #include "lanes_sse2.h"
+#elif defined(GN_LANES_VECTORS)
+#include "lanes_vectors.h"
 #else
 #include "lanes_portable.h"
 #if GN_LANES_CALLED
@@ -224,6 +246,8 @@ static inline lanes_i lanes_floor_to_int(lanes_f a)
     return lanes_i_splat(whole != INT32_MIN && (float)whole > x ? whole - 1 : whole);
 #elif defined(GN_LANES_SSE2)
     return lanes_sse2_floor_to_int(a);
+#elif defined(GN_LANES_VECTORS)
+    return lanes_vectors_floor_to_int(a);
 #else
     return lanes_truncate(lanes_floor(a));
 #endif

@@ -209,6 +209,55 @@ static inline void lanes_store_vec3(float *p, lanes_f v[3])
     }
 }
 
+#elif defined(GN_LANES_VECTORS)
+
+static inline lanes_f lanes_quad(const float p[4])
+{
+    LANES_EACH_REGISTER(lanes_f, lanes_vector_f_load(p));
+}
+
+static inline void lanes_spread(lanes_f a, lanes_f spread[4])
+{
+    GN_UNROLLED
+    for (int n = 0; n < 4; ++n) {
+        spread[0].q[n] = LANES_SHUFFLE(a.q[n], a.q[n], 0, 0, 0, 0);
+        spread[1].q[n] = LANES_SHUFFLE(a.q[n], a.q[n], 1, 1, 1, 1);
+        spread[2].q[n] = LANES_SHUFFLE(a.q[n], a.q[n], 2, 2, 2, 2);
+        spread[3].q[n] = LANES_SHUFFLE(a.q[n], a.q[n], 3, 3, 3, 3);
+    }
+}
+
+static inline void lanes_load_vec3(const float *p, lanes_f v[3])
+{
+    GN_UNROLLED
+    for (int n = 0; n < 4; ++n) {
+        const vector_f a = lanes_vector_f_load(p + 12 * n);     /* x0 y0 z0 x1 */
+        const vector_f b = lanes_vector_f_load(p + 12 * n + 4); /* y1 z1 x2 y2 */
+        const vector_f c = lanes_vector_f_load(p + 12 * n + 8); /* z2 x3 y3 z3 */
+        const vector_f yz = LANES_SHUFFLE(a, b, 1, 2, 4, 5);    /* y0 z0 y1 z1 */
+        const vector_f xy = LANES_SHUFFLE(b, c, 2, 3, 5, 6);    /* x2 y2 x3 y3 */
+
+        v[0].q[n] = LANES_SHUFFLE(a, xy, 0, 3, 4, 6);
+        v[1].q[n] = LANES_SHUFFLE(yz, xy, 0, 2, 5, 7);
+        v[2].q[n] = LANES_SHUFFLE(yz, c, 1, 3, 4, 7);
+    }
+}
+
+static inline void lanes_store_vec3(float *p, lanes_f v[3])
+{
+    GN_UNROLLED
+    for (int n = 0; n < 4; ++n) {
+        const vector_f x = v[0].q[n], y = v[1].q[n], z = v[2].q[n];
+        const vector_f xy = LANES_SHUFFLE(x, y, 0, 2, 4, 6); /* x0 x2 y0 y2 */
+        const vector_f yz = LANES_SHUFFLE(y, z, 1, 3, 5, 7); /* y1 y3 z1 z3 */
+        const vector_f zx = LANES_SHUFFLE(z, x, 0, 2, 5, 7); /* z0 z2 x1 x3 */
+
+        lanes_vector_f_store(p + 12 * n, LANES_SHUFFLE(xy, zx, 0, 2, 4, 6));
+        lanes_vector_f_store(p + 12 * n + 4, LANES_SHUFFLE(yz, xy, 0, 2, 5, 7));
+        lanes_vector_f_store(p + 12 * n + 8, LANES_SHUFFLE(zx, yz, 1, 3, 5, 7));
+    }
+}
+
 #else
 
 /* Through memory, for any form of lanes. */

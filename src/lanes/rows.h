@@ -10,16 +10,25 @@
 
 #include "lanes.h"
 
-/* Whether there are loads and stores of pairs and threes. They take the first word from the lower
- * address, as only little-endian processors have both pairs of shorts and pairs of words. */
+/* Whether lanes are in x86's registers, and are not emulated. */
 #if (defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2) || defined(GN_LANES_SSE2)) &&              \
     !defined(GN_LANES_INTRINSICS_HEADER)
-#define GN_LANES_HAVE_PAIRS 1
+#define LANES_ROWS_OF_X86 1
 #else
-#define GN_LANES_HAVE_PAIRS 0
+#define LANES_ROWS_OF_X86 0
 #endif
 
-#if GN_LANES_HAVE_PAIRS
+/* Whether there are loads and stores of pairs and threes. They take the first word from the lower
+ * address, as only little-endian processors have both pairs of shorts and pairs of words. */
+#if defined(GN_LANES_VECTORS) && defined(__BYTE_ORDER__) &&                                        \
+    __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+#define GN_LANES_HAVE_PAIRS 1
+#include "rows_vectors.h"
+#else
+#define GN_LANES_HAVE_PAIRS LANES_ROWS_OF_X86
+#endif
+
+#if LANES_ROWS_OF_X86
 
 /* A word at any address. */
 typedef int32_t __attribute__((may_alias, aligned(1))) lanes_any_word;
@@ -99,7 +108,7 @@ static inline void lanes_store_three_row(unsigned char *row, __m128i a)
 
 #endif
 
-#if GN_LANES_HAVE_PAIRS && defined(GN_LANES_AVX512)
+#if LANES_ROWS_OF_X86 && defined(GN_LANES_AVX512)
 
 /* The rows of four lanes. */
 static inline void lanes_quarters(lanes_i a, __m128i quarter[4])
@@ -142,7 +151,7 @@ static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
     lanes_store_short_rows(row[2], row[3], _mm256_extracti128_si256(shorts, 1));
 }
 
-#elif GN_LANES_HAVE_PAIRS && defined(GN_LANES_AVX2)
+#elif LANES_ROWS_OF_X86 && defined(GN_LANES_AVX2)
 
 static inline void lanes_quarters(lanes_i a, __m128i quarter[4])
 {
@@ -203,7 +212,7 @@ static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
     lanes_store_short_rows(row[1], row[3], _mm256_extracti128_si256(shorts, 1));
 }
 
-#elif GN_LANES_HAVE_PAIRS
+#elif LANES_ROWS_OF_X86
 
 static inline void lanes_quarters(lanes_i a, __m128i quarter[4])
 {
@@ -263,7 +272,7 @@ static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
     lanes_store_short_rows(row[2], row[3], lanes_sse2_shorts(a.q[2], a.q[3]));
 }
 
-#else
+#elif !GN_LANES_HAVE_PAIRS
 
 /* The pixels of a row, and the rows. */
 #define LANES_ROW (GN_LANES == 1 ? 1 : GN_LANES / 4)
@@ -311,7 +320,7 @@ static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
 
 #endif
 
-#if GN_LANES_HAVE_PAIRS
+#if LANES_ROWS_OF_X86
 
 static inline void lanes_i_load_pairs(unsigned char *const row[4], lanes_i *first, lanes_i *second)
 {

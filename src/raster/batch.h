@@ -26,7 +26,7 @@ typedef struct fragment_functions {
  * save stack. */
 #if !GN_SPECIALISED
 #define BATCH_BLOCKS 1
-#elif defined(GN_LANES_PORTABLE)
+#elif defined(GN_LANES_PORTABLE) && !defined(GN_LANES_VECTORS)
 #define BATCH_BLOCKS 16
 #else
 #define BATCH_BLOCKS 32

@@ -1,9 +1,10 @@
 #!/bin/sh
 # Shows that the pictures are equal on every machine. Builds the library for other processors,
 # draws the parity suite's scenes there (hashes.c), in an emulator or under Node, and compares the
-# hashes of every back end with those of plain C on this machine. Four targets are this machine
-# itself: `small` compiles with GN_SMALL, `one-lane` with GN_SMALL, GN_BASIC and one lane,
-# `whole-program` optimises across files, `memory` runs under the memory sanitizer. One lane is
+# hashes of every back end with those of the portable one on this machine. Five targets are this
+# machine itself: `small` compiles with GN_SMALL, `one-lane` with GN_SMALL, GN_BASIC and one lane,
+# `plain` with lanes in arrays, as for targets without vector registers, `whole-program` optimises
+# across files, `memory` runs under the memory sanitizer. One lane is
 # compared with sixteen lanes of a GN_BASIC library, on scenes without what such a library lacks. If a target's tools are absent, the target is named and skipped
 # (skip.sh). If a target has its own form of lanes, the operations of that form are tested too
 # (test_lanes.c). Also checks that no library uses a fused operation, and that the library as a
@@ -36,7 +37,7 @@ describe() {
     case $1 in
     aarch64)
         compiler=aarch64-linux-gnu-gcc
-        forms="portable neon"
+        forms="portable vectors neon"
         runner="qemu-aarch64 -L /usr/aarch64-linux-gnu"
         disassembler=aarch64-linux-gnu-objdump
         fused='[[:space:]]fn?m(add|sub|l[as])'
@@ -51,6 +52,7 @@ describe() {
     s390x) # big-endian; in C's standard modes compilers evaluate floats as doubles
         compiler=s390x-linux-gnu-gcc
         flags="-O2 -march=z14 -fexcess-precision=fast"
+        forms="portable vectors"
         runner="qemu-s390x -L /usr/s390x-linux-gnu"
         disassembler=s390x-linux-gnu-objdump
         fused='[[:space:]](m[as][de]br|[vw]fn?m[as][sd]b)'
@@ -59,7 +61,7 @@ describe() {
         compiler="clang-19 --target=wasm32-wasi"
         runner="node --no-warnings tests/portability/wasi.mjs"
         disassembler=""
-        [ "$1" = wasm ] || { flags="-O2 -msimd128"; forms="portable wasm_simd128"; }
+        [ "$1" = wasm ] || { flags="-O2 -msimd128"; forms="portable vectors wasm_simd128"; }
         ;;
     small) # this machine, with little code
         setup=setup
@@ -74,6 +76,14 @@ describe() {
         compiler=${CC:-cc}
         sixteen="-O1 -DGN_SMALL -DGN_BASIC -DGN_ONLY_PORTABLE -DGN_LANES=16"
         flags="-O2 -DGN_SMALL -DGN_BASIC -DGN_LANES=1"
+        runner="env"
+        disassembler=objdump
+        fused='[[:space:]]vfn?m(add|sub)'
+        ;;
+    plain) # this machine, as a library for processors without vector registers
+        setup=setup
+        compiler=${CC:-cc}
+        flags="-O2 -DGN_ONLY_PORTABLE -DGN_NO_VECTORS"
         runner="env"
         disassembler=objdump
         fused='[[:space:]]vfn?m(add|sub)'
@@ -133,7 +143,7 @@ drawn_share() {
 }
 
 # hashes_differ FILE [EXPECTED]: prints which hashes differ, and of which classes, from those of the
-# scenes made here and of their frames in plain C. Status 1 if none differs.
+# scenes made here and of their frames in C. Status 1 if none differs.
 hashes_differ() {
     awk '
         NR == FNR {
@@ -173,7 +183,7 @@ else
     pass "here: $(backends "$work/here"): $(wc -l <"$work/here") hashes of $scenes scenes"
 fi
 
-for target in ${*:-small one-lane whole-program memory aarch64 armhf s390x wasm wasm-simd128}; do
+for target in ${*:-small one-lane plain whole-program memory aarch64 armhf s390x wasm wasm-simd128}; do
     describe "$target"
     directory=$build/$target
     if ! have "$compiler" "$runner" ${disassembler:+"$disassembler"}; then
