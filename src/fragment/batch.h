@@ -39,9 +39,9 @@
 /* The squares across a row of 16 pixels. */
 #define SQUARES_IN_ROW (GN_LANES / SQUARE_SIZE)
 
-/* Colours of a batch: one for each block and attachment. There is room for two columns of squares
- * with all attachments, but where few blocks save stack. */
-#define LEAST_COLORS (STEP_BLOCKS < 16 ? COLOR_LIMIT : 2 * SQUARES_IN_ROW * COLOR_LIMIT)
+/* Colours of a batch: one for each block and attachment. There is room for a column of squares with
+ * all attachments, but where few blocks save stack. */
+#define LEAST_COLORS (STEP_BLOCKS < 16 ? COLOR_LIMIT : SQUARES_IN_ROW * COLOR_LIMIT)
 #define STEP_COLORS (STEP_BLOCKS > LEAST_COLORS ? STEP_BLOCKS : LEAST_COLORS)
 
 typedef struct block_batch {
