@@ -55,12 +55,11 @@
 #endif
 
 /* Whether the target has registers of four floats, in which it computes as IEEE 754 says: SSE2,
- * 64-bit Arm, WebAssembly, IBM Z, Power's VSX, LoongArch, RISC-V. The vector instructions of 32-bit
- * Arm, of AltiVec without VSX and of MIPS may flush denormals. Clang gives vectors other types on
- * Power, and GCC did not use RISC-V's registers before version 14. */
+ * 64-bit Arm, WebAssembly, IBM Z, Power's VSX. Others are missing where the forms of lanes could
+ * not be compared: LoongArch, RISC-V. The vector instructions of 32-bit Arm, of AltiVec without VSX
+ * and of MIPS may flush denormals. Clang gives vectors other types on Power. */
 #if defined(__SSE2__) || (defined(__aarch64__) && defined(__ARM_NEON)) ||                          \
-    defined(__wasm_simd128__) || defined(__VX__) || (defined(__VSX__) && !defined(__clang__)) ||   \
-    defined(__loongarch_sx) || (defined(__riscv_v) && (defined(__clang__) || __GNUC__ >= 14))
+    defined(__wasm_simd128__) || defined(__VX__) || (defined(__VSX__) && !defined(__clang__))
 #define GN_HAVE_REGISTERS 1
 #else
 #define GN_HAVE_REGISTERS 0
