@@ -47,8 +47,8 @@ GN_INLINE uint32_t test_block(const fragment_state *state, gn_format format,
 }
 
 /* Tests the blocks of a batch. `usual` is is_usual_test, as a constant. */
-GN_FORMAT_INLINE void test_blocks(const fragment_state *state, gn_format format, bool usual,
-                                  fragment_shape shape, block_batch *b)
+GN_INLINE void test_blocks(const fragment_state *state, gn_format format, bool usual,
+                           fragment_shape shape, block_batch *b)
 {
     const bool is_written = state->pipeline->program.fragment_writes_depth;
 

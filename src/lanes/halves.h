@@ -26,8 +26,9 @@ static inline lanes_f lanes_from_halves(lanes_i halves)
 
 static inline lanes_i lanes_to_halves(lanes_f a)
 {
-    return lanes_avx512_i(
-        _mm512_cvtepu16_epi32(_mm512_cvtps_ph(a.q, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC)));
+    /* All lanes are named, since the form without a mask converts -1 to one in some headers. */
+    return lanes_avx512_i(_mm512_cvtepu16_epi32(
+        _mm512_maskz_cvtps_ph(0xFFFF, a.q, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC)));
 }
 
 #elif GN_LANES_HAVE_HALVES

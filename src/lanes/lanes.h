@@ -143,15 +143,6 @@ static inline uint32_t count_lanes(uint32_t bits)
 #define GN_WIDE_INLINE static inline
 #endif
 
-/* GN_INLINE for loops over a batch that would be compiled for each of many formats. With vectors of
- * GNU C the compiler decides, which saves text: targets with a form of their own do not need the
- * portable back end's speed in rare formats. */
-#if defined(GN_LANES_VECTORS)
-#define GN_FORMAT_INLINE static inline
-#else
-#define GN_FORMAT_INLINE GN_INLINE
-#endif
-
 /* Stands before short loops over corners, components and attributes. With one lane, and with lanes
  * in vectors, their values are kept in registers, but gcc sees that only in loops that it has
  * unrolled, and at -O2 it must be asked to unroll. */
