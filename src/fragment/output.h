@@ -229,8 +229,10 @@ GN_OUT_OF_LINE void decode_float_blocks(gn_format format, uint32_t count, batch_
 GN_OUT_OF_LINE void encode_float_blocks(gn_format format, uint32_t count,
                                         const batch_words *numbers, batch_words *words)
 {
-    const format_fields fields = format_fields_of(format);
-    const format_encoding to = format_encoding_of(format);
+    /* Without other formats, floats are those of GN_FORMAT_RGBA32F. */
+    const gn_format known = GN_HAVE_FORMATS ? format : GN_FORMAT_RGBA32F;
+    const format_fields fields = format_fields_of(known);
+    const format_encoding to = format_encoding_of(known);
     uint32_t begun = 0; /* bits of words */
 
     for (int c = 0; c < 4; ++c) {

@@ -85,7 +85,7 @@ static inline bool encode_color(const fragment_state *state, uint32_t a, uint32_
                                 block_batch *b)
 {
     const gn_format format = surface_of(state, a)->format;
-    const uint32_t read = combine_of(state, a)->read;
+    const uint32_t read = GN_HAVE_COMBINING ? combine_of(state, a)->read : GN_CHANNEL_ALL;
 
     if (format == GN_FORMAT_NONE)
         return false;
