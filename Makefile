@@ -26,7 +26,7 @@ LIBRARY_FLAGS = -std=c99 -pedantic $(WARNINGS) $(LIBRARY_LEVEL) -ffreestanding -
 	-fPIC -Iinclude -fno-math-errno -fno-stack-protector -fno-asynchronous-unwind-tables \
 	$(FLOAT_FLAGS)
 
-# -O3 unrolls loops over lanes, rows and columns. Other text it makes a third larger, and not faster.
+# -O3 unrolls loops over lanes, rows and columns. It makes other text a third larger, and not faster.
 # The portable back end is a third smaller at -O2, and a tenth slower.
 LIBRARY_LEVEL = $(patsubst -O3,-O2,$(CFLAGS))
 UNROLLED_SOURCES = $(filter-out %portable.c,$(wildcard src/backends/*.c src/shaders/*.c \

@@ -389,9 +389,8 @@ typedef struct gn_program {
     bool fragment_reads_point_coordinate;
     bool fragment_reads_sample_mask;
     bool fragment_discards;
-    /* The fragment shader writes every covered lane of every colour, so that none is set to 0
-     * beforehand. Small shaders are up to a fifth faster with it. No effect on ready-made shaders.
-     */
+    /* The fragment shader writes every covered lane of every colour. None is set to 0 beforehand,
+     * so that small shaders are up to a fifth faster. No effect on ready-made shaders. */
     bool fragment_writes_all_colors;
     bool fragment_writes_depth;
     bool fragment_writes_sample_mask; /* no effect if a pixel has one sample */

@@ -24,7 +24,7 @@ GN_INLINE void set_places(block_places *at, const pixel_block *block, const floa
     static const int32_t row[GN_LANES] = GN_NUMBERS(ROW_IN_HALF);
 
     at->is_square = false;
-    at->left = at->lower = 0.0f;
+    at->left = at->lower = 0.0f; /* not read, but compilers do not see that */
     at->x =
         lanes_to_float(lanes_i_add(lanes_i_halves(block->x[0], block->x[1]), lanes_i_load(column)));
     at->y =

@@ -71,36 +71,47 @@ GN_OPERATION void lanes_vector_transpose(vector_i r[4])
     r[3] = LANES_SHUFFLE(b, d, 2, 3, 6, 7);
 }
 
+/* Puts four rows of four words into register n of four lanes_i. */
+GN_OPERATION void lanes_vector_from_rows(vector_i row[4], int n, lanes_i out[4])
+{
+    lanes_vector_transpose(row);
+    GN_UNROLLED
+    for (int c = 0; c < 4; ++c)
+        out[c].q[n] = row[c];
+}
+
+GN_OPERATION void lanes_vector_to_rows(const lanes_i in[4], int n, vector_i row[4])
+{
+    GN_UNROLLED
+    for (int c = 0; c < 4; ++c)
+        row[c] = in[c].q[n];
+    lanes_vector_transpose(row);
+}
+
 GN_OPERATION void lanes_i_gather_rows(const unsigned char *memory, const uint32_t *offset,
                                       uint32_t step, lanes_i out[4])
 {
     GN_UNROLLED
-    for (uint32_t n = 0; n < 4; ++n) {
+    for (int n = 0; n < 4; ++n) {
         vector_i r[4];
 
         GN_UNROLLED
-        for (uint32_t l = 0; l < 4; ++l)
-            r[l] = lanes_vector_load(memory + offset[(4 * n + l) * step]);
-        lanes_vector_transpose(r);
-        GN_UNROLLED
-        for (int c = 0; c < 4; ++c)
-            out[c].q[n] = r[c];
+        for (int l = 0; l < 4; ++l)
+            r[l] = lanes_vector_load(memory + offset[(uint32_t)(4 * n + l) * step]);
+        lanes_vector_from_rows(r, n, out);
     }
 }
 
 GN_OPERATION void lanes_i_scatter_rows(unsigned char *memory, size_t stride, const lanes_i in[4])
 {
     GN_UNROLLED
-    for (size_t n = 0; n < 4; ++n) {
+    for (int n = 0; n < 4; ++n) {
         vector_i r[4];
 
+        lanes_vector_to_rows(in, n, r);
         GN_UNROLLED
-        for (int c = 0; c < 4; ++c)
-            r[c] = in[c].q[n];
-        lanes_vector_transpose(r);
-        GN_UNROLLED
-        for (size_t l = 0; l < 4; ++l)
-            lanes_vector_store(memory + (4 * n + l) * stride, r[l]);
+        for (int l = 0; l < 4; ++l)
+            lanes_vector_store(memory + (size_t)(4 * n + l) * stride, r[l]);
     }
 }
 

@@ -39,6 +39,18 @@ static inline vector_i lanes_high_shorts(vector_shorts a)
     return (vector_i)LANES_SHUFFLE_SHORTS(a, zero, 4, 12, 5, 13, 6, 14, 7, 15);
 }
 
+/* Returns the shorts of two vectors as lanes. */
+static inline lanes_i lanes_of_shorts(vector_shorts low, vector_shorts high)
+{
+    lanes_i a;
+
+    a.q[0] = lanes_low_shorts(low);
+    a.q[1] = lanes_high_shorts(low);
+    a.q[2] = lanes_low_shorts(high);
+    a.q[3] = lanes_high_shorts(high);
+    return a;
+}
+
 /* Returns the low shorts of two registers. */
 static inline vector_shorts lanes_vector_shorts(vector_i a, vector_i b)
 {
@@ -56,13 +68,8 @@ static inline lanes_i lanes_i_load_bytes(unsigned char *const row[4])
                                                                  3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
     const vector_shorts high = (vector_shorts)LANES_SHUFFLE_BYTES(
         bytes, zero, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
-    lanes_i a;
 
-    a.q[0] = lanes_low_shorts(low);
-    a.q[1] = lanes_high_shorts(low);
-    a.q[2] = lanes_low_shorts(high);
-    a.q[3] = lanes_high_shorts(high);
-    return a;
+    return lanes_of_shorts(low, high);
 }
 
 static inline void lanes_i_store_bytes(unsigned char *const row[4], lanes_i a)
@@ -82,13 +89,8 @@ static inline lanes_i lanes_i_load_shorts(unsigned char *const row[4])
 {
     const vector_shorts low = (vector_shorts)lanes_pair_rows(row[0], row[1]);
     const vector_shorts high = (vector_shorts)lanes_pair_rows(row[2], row[3]);
-    lanes_i a;
 
-    a.q[0] = lanes_low_shorts(low);
-    a.q[1] = lanes_high_shorts(low);
-    a.q[2] = lanes_low_shorts(high);
-    a.q[3] = lanes_high_shorts(high);
-    return a;
+    return lanes_of_shorts(low, high);
 }
 
 static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
@@ -135,10 +137,7 @@ static inline void lanes_i_load_fours(unsigned char *const row[4], lanes_i word[
         GN_UNROLLED
         for (int i = 0; i < 4; ++i)
             a[i] = lanes_vector_load(row[n] + 16 * i);
-        lanes_vector_transpose(a);
-        GN_UNROLLED
-        for (int i = 0; i < 4; ++i)
-            word[i].q[n] = a[i];
+        lanes_vector_from_rows(a, n, word);
     }
 }
 
@@ -148,10 +147,7 @@ static inline void lanes_i_store_fours(unsigned char *const row[4], const lanes_
     for (int n = 0; n < 4; ++n) {
         vector_i a[4];
 
-        GN_UNROLLED
-        for (int i = 0; i < 4; ++i)
-            a[i] = word[i].q[n];
-        lanes_vector_transpose(a);
+        lanes_vector_to_rows(word, n, a);
         GN_UNROLLED
         for (int i = 0; i < 4; ++i)
             lanes_vector_store(row[n] + 16 * i, a[i]);

@@ -147,9 +147,7 @@ GN_OUT_OF_LINE void fold_axis(const texel_layout *layout, const lanes_i number[2
     const lanes_i left =
         lanes_i_clamp(number[0], lanes_i_splat(0), lanes_i_splat((int32_t)size - 2));
 
-    axis->are_folded = layout->access != ACCESS_ONE_BY_ONE;
-    if (!axis->are_folded)
-        return;
+    axis->are_folded = true;
     axis->first = in_units(layout, 0, left);
     axis->first_is_right = lanes_i_greater(number[0], left);
     axis->second_is_left = lanes_i_equal(number[1], left);
@@ -186,7 +184,7 @@ static inline void find_axis(const lookup_state *state, const texel_layout *layo
         axis->are_neighbours =
             lanes_bits(lanes_i_equal(axis->step, lanes_i_splat(unit))) == GN_ALL_LANES;
     }
-    if (dimension == 0 && !axis->are_neighbours && size > 1)
+    if (dimension == 0 && !axis->are_neighbours && size > 1 && layout->access != ACCESS_ONE_BY_ONE)
         fold_axis(layout, number, size, axis);
 }
 

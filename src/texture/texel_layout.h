@@ -15,7 +15,7 @@ typedef struct texel_layout {
     gn_format format;
     texel_access access;
     int32_t unit[3];
-    int32_t last_eight; /* the last index from which the level has eight bytes, or any below it */
+    int32_t last_eight; /* of ACCESS_THREE_BYTES: eight bytes from it on lie within the level */
 } texel_layout;
 
 /* Writes the layout of a level of a checked texture. */

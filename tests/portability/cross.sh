@@ -80,7 +80,7 @@ describe() {
         disassembler=objdump
         fused='[[:space:]]vfn?m(add|sub)'
         ;;
-    plain) # this machine, as a library for processors without vector registers
+    plain) # this machine, with sixteen lanes in plain arrays
         setup=setup
         compiler=${CC:-cc}
         flags="-O2 -DGN_ONLY_PORTABLE -DGN_NO_VECTORS"
