@@ -155,8 +155,8 @@ typedef struct word_corners {
     lanes_f weight_s, weight_t;
 } word_corners;
 
-/* Fetches the words of four texels, if a lane is at an end. Where the first column that is clamped
- * is the last one, both texels of a row are the right one of the last two. */
+/* Fetches the words of four texels, if a lane is at an end. Where a column is clamped at the end,
+ * both texels of a row are the last one, which is the right one of the last two. */
 GN_OUT_OF_LINE void fetch_at_ends(const gn_texture *texture, uint32_t level,
                                   const gn_sampler *sampler, const texel_pair *u,
                                   const texel_pair *v, lanes_i corner[CORNER_COUNT])
