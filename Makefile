@@ -1,5 +1,5 @@
 # Gnomon: `make help` lists the targets. The test programs are in tests/programs.mk, the steps of
-# `make test` in tests/steps.mk.
+# `make test` in tests/steps.mk, longer runs in tests/longer.mk.
 
 CC ?= gcc
 CXX ?= g++
@@ -51,11 +51,15 @@ all: library $(BUILD)/gnomon
 
 .PHONY: help
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' Makefile tests/steps.mk
+	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' Makefile tests/longer.mk tests/steps.mk
 
 .PHONY: setup
 setup: ## install what building and testing need (Debian, as root)
 	@tools/setup.sh
+
+.PHONY: setup-verify
+setup-verify: ## install what `make prove`, `make fuzz` and `make coverage` need (Debian, as root)
+	@tools/setup-verify.sh
 
 .PHONY: setup-cross
 setup-cross: ## install compilers and emulators for `make cross` and `make size` (Debian, as root)
@@ -157,7 +161,7 @@ demo: all
 
 # In `make setup demo` and `make setup test`, nothing begins before the set-up is done,
 # whatever -j says.
-all demo test whole library cross size: | $(filter setup setup-cross,$(MAKECMDGOALS))
+all demo test whole library cross size: | $(filter setup setup-cross setup-verify,$(MAKECMDGOALS))
 
 demo:
 	@$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png --picture $(BUILD)/teapot.png
@@ -175,51 +179,8 @@ pictures: $(BUILD)/gnomon ## the README's pictures of the shaders, compared with
 		$(PICTURE) --shader $$shader --picture tools/pictures/$$shader.png || exit 1; done
 	@$(PICTURE) --shader phong --shadows --picture tools/pictures/shadows.png
 
-SCENES ?= 20100
-SEED ?= 1
-JOBS ?= 2
 FRAMES ?= 15
 SCALE_FRAMES ?= 5
-
-.PHONY: parity
-parity: $(BUILD)/parity ## random scenes against OSMesa, bit for bit: SCENES=20100 SEED=1 JOBS=2
-	@$(BUILD)/parity --scenes $(SCENES) --seed $(SEED) --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene
-
-BLITS ?= 33000
-TEXTURES ?= 200
-
-.PHONY: blits
-blits: $(BUILD)/blits ## random blits against OSMesa, bit for bit: BLITS=33000 SEED=1
-	@$(BUILD)/blits --blits $(BLITS) --seed $(SEED)
-
-.PHONY: textures
-textures: $(BUILD)/textures ## random lookups in textures against OSMesa, bit for bit: SEED=1
-	@$(BUILD)/textures --seed $(SEED)
-
-.PHONY: texels
-texels: $(BUILD)/texels ## texels of every format, and generated levels, against OSMesa: TEXTURES=200 SEED=1
-	@$(BUILD)/texels --textures $(TEXTURES) --seed $(SEED)
-
-.PHONY: exhaustive
-exhaustive: $(BUILD)/exhaustive ## the scalar functions on all 2^32 arguments against MPFR
-	@$(BUILD)/exhaustive
-
-INPUTS ?= 200000
-
-.PHONY: accuracy
-accuracy: $(BUILD)/accuracy ## errors of functions, of cglm's, GLM's, Eigen's: SEED=1 INPUTS=200000
-	@$(BUILD)/accuracy --seed $(SEED) --inputs $(INPUTS)
-
-LOOKUPS ?= 20000
-
-.PHONY: texture-accuracy
-texture-accuracy: $(BUILD)/texture-accuracy ## errors of sampling against long double: SEED=1 LOOKUPS=20000
-	@$(BUILD)/texture-accuracy --seed $(SEED) --lookups $(LOOKUPS)
-
-.PHONY: prove
-prove: ## prove error bounds with Gappa, from the text of the C sources
-	@tests/proof/test_prove.sh
-	@tests/proof/prove.sh
 
 .PHONY: bench
 bench: $(BUILD)/bench ## speed beside OSMesa's, as ratios: FRAMES=15
@@ -256,27 +217,7 @@ bench-plot: $(BUILD)/bench ## pictures of bench's and bench-scale's last results
 	@$(BUILD)/bench --plot $(BUILD)/bench-scale.json --svg $(BUILD)/bench-scale.svg
 	@echo '$(BUILD)/bench.svg, $(BUILD)/bench-scale.svg'
 
-.PHONY: check-freestanding
-check-freestanding: library ## no undefined symbols, no writable data: every compiler and level; headers alone
-	@tests/portability/freestanding.sh $(BUILD) --all
-
-.PHONY: check-embedding
-check-embedding: library ## the README's program, through pkg-config and CMake, with every back end
-	@tests/embed/readme.sh $(BUILD)
-	@tests/embed/shader_examples.sh $(BUILD)
-	@tests/embed/cmake.sh $(BUILD) --all
-
-.PHONY: parity-emulated
-parity-emulated: $(BUILD)/parity-emulated ## the gate over all back ends, SIMDe emulating what the processor lacks
-	@$(BUILD)/parity-emulated --scenes $(SCENES) --seed $(SEED) --keep $(BUILD)/parity-failure.scene
-
-.PHONY: cross
-cross: ## the parity suite's scenes on other processors and WebAssembly must have equal hashes
-	@tests/portability/cross.sh $(BUILD)
-
-.PHONY: size
-size: $(BUILD)/libgnomon.a ## bytes of the library in a microcontroller's program; runs the program
-	@tests/portability/size.sh $(BUILD)
+include tests/longer.mk
 
 # The gate
 

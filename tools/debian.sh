@@ -1,4 +1,4 @@
-# Functions that install Debian packages; tools/setup.sh and tools/setup-cross.sh source this file.
+# Functions that install Debian packages; the scripts tools/setup*.sh source this file.
 
 say() { echo "$self: $*"; }
 fail() { echo "$self: $*" >&2; exit 1; }

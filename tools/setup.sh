@@ -6,4 +6,4 @@ self=setup
 . "$(dirname "$0")/debian.sh"
 
 install_packages "pkg-config clang clang-format libclang-rt-14-dev g++ cmake libpng-dev libosmesa6-dev libcglm-dev libcmocka-dev
-libassimp-dev libstb-dev libmpfr-dev libsimde-dev gappa" "$@"
+libassimp-dev libstb-dev libgmp-dev libmpfr-dev libsimde-dev gappa" "$@"
