@@ -1,67 +1,75 @@
 # Runs that take longer than the everyday gate (steps.mk). Each prints its progress on stderr and ends
 # with one line of figures on stdout; its exit status is 0 only if everything held.
 
+# Records the last line that a target prints, for VERIFICATION.md.
+RECORD = tests/assurance/record.sh $(BUILD)/records.txt \
+	'$(subst ','\'',$(strip make $@ $(sort $(filter-out BUILD=% JOBS=%,$(MAKEOVERRIDES)))))'
+
 SCENES ?= 20100
 SEED ?= 1
 JOBS ?= 2
 
 .PHONY: parity
 parity: $(BUILD)/parity ## random scenes against OSMesa, bit for bit: SCENES=20100 SEED=1 JOBS=2
-	@$(BUILD)/parity --scenes $(SCENES) --seed $(SEED) --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene
+	@$(RECORD) $(BUILD)/parity --scenes $(SCENES) --seed $(SEED) --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene
 
 BLITS ?= 33000
 TEXTURES ?= 200
 
 .PHONY: blits
 blits: $(BUILD)/blits ## random blits against OSMesa, bit for bit: BLITS=33000 SEED=1
-	@$(BUILD)/blits --blits $(BLITS) --seed $(SEED)
+	@$(RECORD) $(BUILD)/blits --blits $(BLITS) --seed $(SEED)
 
 .PHONY: textures
 textures: $(BUILD)/textures ## random lookups in textures against OSMesa, bit for bit: SEED=1
-	@$(BUILD)/textures --seed $(SEED)
+	@$(RECORD) $(BUILD)/textures --seed $(SEED)
 
 .PHONY: texels
 texels: $(BUILD)/texels ## texels of every format, and generated levels, against OSMesa: TEXTURES=200 SEED=1
-	@$(BUILD)/texels --textures $(TEXTURES) --seed $(SEED)
+	@$(RECORD) $(BUILD)/texels --textures $(TEXTURES) --seed $(SEED)
 
 .PHONY: exhaustive
 exhaustive: $(BUILD)/exhaustive ## the scalar functions on all 2^32 arguments against MPFR
-	@$(BUILD)/exhaustive
+	@$(RECORD) $(BUILD)/exhaustive
 
 INPUTS ?= 200000
 
 .PHONY: accuracy
 accuracy: $(BUILD)/accuracy ## errors of functions, of cglm's, GLM's, Eigen's: SEED=1 INPUTS=200000
-	@$(BUILD)/accuracy --seed $(SEED) --inputs $(INPUTS)
+	@$(RECORD) $(BUILD)/accuracy --seed $(SEED) --inputs $(INPUTS)
 
 LOOKUPS ?= 20000
 
 .PHONY: texture-accuracy
 texture-accuracy: $(BUILD)/texture-accuracy ## errors of sampling against long double: SEED=1 LOOKUPS=20000
-	@$(BUILD)/texture-accuracy --seed $(SEED) --lookups $(LOOKUPS)
+	@$(RECORD) $(BUILD)/texture-accuracy --seed $(SEED) --lookups $(LOOKUPS)
 
 .PHONY: prove
 prove: ## prove error bounds with Gappa, from the text of the C sources
 	@tests/proof/test_prove.sh
-	@tests/proof/prove.sh
+	@$(RECORD) tests/proof/prove.sh
 .PHONY: check-freestanding
 check-freestanding: library ## no undefined symbols, no writable data: every compiler and level; headers alone
-	@tests/portability/freestanding.sh $(BUILD) --all
+	@$(RECORD) tests/portability/freestanding.sh $(BUILD) --all
 
 .PHONY: check-embedding
 check-embedding: library ## the README's program, through pkg-config and CMake, with every back end
 	@tests/embed/readme.sh $(BUILD)
 	@tests/embed/shader_examples.sh $(BUILD)
-	@tests/embed/cmake.sh $(BUILD) --all
+	@$(RECORD) tests/embed/cmake.sh $(BUILD) --all
 
 .PHONY: parity-emulated
 parity-emulated: $(BUILD)/parity-emulated ## the gate over all back ends, SIMDe emulating what the processor lacks
-	@$(BUILD)/parity-emulated --scenes $(SCENES) --seed $(SEED) --keep $(BUILD)/parity-failure.scene
+	@$(RECORD) $(BUILD)/parity-emulated --scenes $(SCENES) --seed $(SEED) --keep $(BUILD)/parity-failure.scene
 
 .PHONY: cross
 cross: ## the parity suite's scenes on other processors and WebAssembly must have equal hashes
-	@tests/portability/cross.sh $(BUILD)
+	@$(RECORD) tests/portability/cross.sh $(BUILD)
 
 .PHONY: size
 size: $(BUILD)/libgnomon.a ## bytes of the library in a microcontroller's program; runs the program
-	@tests/portability/size.sh $(BUILD)
+	@$(RECORD) tests/portability/size.sh $(BUILD)
+
+.PHONY: assurance
+assurance: ## run what VERIFICATION.md lacks figures for, for hours, and write VERIFICATION.md
+	@tests/assurance/assurance.sh $(BUILD)

@@ -8,7 +8,8 @@
 # The end of the output lists: what was skipped, from lines "skipped: ..." and CMocka's; what
 # emulation stands in for (lines "in emulation: ..."); and the steps that failed, each with the
 # lines of its output that say so and its last line. So the tail of a log says what failed. Under
-# GN_NO_SKIP a step that skips something fails. The last line is the sum.
+# GN_NO_SKIP a step that skips something fails. If GN_RECORDS names a file, each step's figures are
+# added to it (tests/assurance/record.sh). The last line is the sum.
 # usage: run.sh [-j N] NAME=COMMAND...   (steps that use each other's files must be one step)
 set -u
 at_once=1
@@ -21,6 +22,8 @@ failed=0
 skipped=0
 seen_steps=0
 began=$(date +%s)
+records=${GN_RECORDS:-}
+unset GN_RECORDS # a step may run this script too
 work=$(mktemp -d) || exit 1
 failures=$work/failures
 notes=$work/notes
@@ -49,6 +52,14 @@ work_off() {
         number=$((number + 1))
         ! mkdir "$work/$number.taken" 2>/dev/null || (run_step "$number" "$step")
     done
+}
+
+# record KEY SECONDS FAILED FIGURES
+record() {
+    [ -n "$records" ] || return 0
+    verdict=held
+    [ "$3" -eq 0 ] || verdict=FAILED
+    tests/assurance/record.sh --add "$records" "$1" "$2" $verdict "$4"
 }
 
 number=0
@@ -104,6 +115,7 @@ for step in "$@"; do
     passed=$((passed + p))
     failed=$((failed + f))
     echo "-- $name: $p passed, $f failed, $wall s, $processors s of processors"
+    record "test/$name" "$wall" "$f" "$(grep '[0-9]' "$log" | tail -n 1)"
     if [ "$f" -gt 0 ]; then
         lines=$(grep -c '' "$log")
         {
@@ -118,9 +130,8 @@ done
 sort -u "$notes"
 cat "$failures"
 echo "$# steps, $(($(date +%s) - began)) s"
-if [ "$skipped" -eq 0 ]; then
-    echo "$passed passed, $failed failed"
-else
-    echo "$passed passed, $failed failed, $skipped skipped"
-fi
+sum="$passed passed, $failed failed"
+[ "$skipped" -eq 0 ] || sum="$sum, $skipped skipped"
+record "make test" $(($(date +%s) - began)) "$failed" "$sum"
+echo "$sum"
 [ "$failed" -eq 0 ]

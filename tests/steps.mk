@@ -62,7 +62,7 @@ FRESH_STEPS = 'fresh parity=$(FRESH_PARITY) $(REPLAY)' \
 # Runs in a make of its own, so that it finds what a set-up has just installed.
 .PHONY: test-steps
 test-steps:
-	@LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0 tests/run.sh -j $(JOBS) \
+	@LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0 GN_RECORDS=$(BUILD)/records.txt tests/run.sh -j $(JOBS) \
 		$(WHOLE_STEPS) \
 		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes $(if $(FRESH_SEED),2700,3300) --keep $(BUILD)/parity-failure.scene' \
 		$(if $(FRESH_SEED),$(FRESH_STEPS)) \
@@ -116,6 +116,7 @@ test-steps:
 		'accuracy of textures=$(BUILD)/texture-accuracy --seed $(TEST_SEED) --lookups 2000' \
 		'differential=$(BUILD)/test_cglm $(TEST_SEED)' \
 		'a property for every function=tests/coverage.sh' \
+		'claims=tests/assurance/assurance.sh $(BUILD) --check' \
 		'layers=tests/layers.sh $(BUILD)' \
 		'headers=tests/headers.sh' \
 		'proofs=tests/proof/prove.sh -q' \

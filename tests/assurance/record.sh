@@ -1,0 +1,56 @@
+#!/bin/sh
+# Runs a command and records its figures, the last line that it prints on stdout, for
+# VERIFICATION.md (assurance.sh). The output passes through, and the exit status is the command's.
+# A record is one line of RECORDS, with tabs between: key, date, seconds, machine, the hash of the
+# library's text, "held" or "FAILED", figures. The key is what the user typed ("make blits"), or
+# "test/NAME" for a step of `make test`. The last record of a key counts.
+# usage: record.sh RECORDS KEY COMMAND...
+#        record.sh --add RECORDS KEY SECONDS held|FAILED FIGURES   (records what has run)
+#        record.sh --text    (prints the hash of the library's text: include/ and src/)
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+
+text() {
+    find include src -name '*.[ch]' | LC_ALL=C sort | xargs cat | sha256sum | cut -c -12
+}
+
+machine() {
+    model=$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1)
+    echo "${model:-$(uname -m)}, $(getconf _NPROCESSORS_ONLN) processors"
+}
+
+add() { # add RECORDS KEY SECONDS VERDICT FIGURES
+    mkdir -p "$(dirname "$1")"
+    figures=$(printf '%s' "$5" | sed 's/\x1b\[[0-9;]*m//g' | tr '\t\r' '  ')
+    printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$2" "$(date +%Y-%m-%d)" "$3" "$(machine)" "$(text)" \
+        "$4" "$figures" >>"$1"
+}
+
+case "${1:-}" in
+--text)
+    text
+    exit
+    ;;
+--add)
+    shift
+    add "$@"
+    exit
+    ;;
+esac
+[ $# -ge 3 ] || { sed -n 's/^# \{0,1\}//p' "$0" | sed 1d >&2; exit 2; }
+records=$1
+key=$2
+shift 2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+began=$(date +%s)
+{
+    "$@"
+    echo $? >"$work/status"
+} | tee "$work/out"
+status=$(cat "$work/status")
+figures=$(grep -v '^[[:space:]]*$' "$work/out" | tail -n 1)
+verdict=held
+[ "$status" -eq 0 ] || verdict=FAILED
+add "$records" "$key" $(($(date +%s) - began)) $verdict "$figures"
+exit "$status"
