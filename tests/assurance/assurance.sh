@@ -36,7 +36,7 @@ commands() { sed -n -e 's/ \/ .*//' -e 's/^run: /make /p' "$claims" | awk '!seen
 left() {
     newest >"$work/newest"
     commands | awk -F '\t' -v text="$text" '
-        NR == FNR { if ($5 == text && $6 == "held") done[$1] = 1; next }
+        FILENAME == ARGV[1] { if ($5 == text && $6 == "held") done[$1] = 1; next }
         !($0 in done)' "$work/newest" -
 }
 
@@ -99,7 +99,7 @@ newest >"$work/kept"
 cp "$work/kept" "$records"
 write VERIFICATION.md
 awk -F '\t' -v text="$text" '
-    NR == FNR { if ($6 != "held") failed[$1] = 1; else held[$1] = 1; next }
+    FILENAME == ARGV[1] { if ($6 != "held") failed[$1] = 1; else held[$1] = 1; next }
     /^claim: / { claims++ }
     /^run: / {
         key = "make " substr($0, 6)
