@@ -10,7 +10,7 @@
 # The last line says how many claims have figures. Exit status 1 if a command failed.
 set -u
 here=$(dirname "$0")
-usage() { sed -n 's/^# \{0,1\}//p' "$0" | sed 1d; }
+usage() { sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"; }
 case "${1:-}" in
 -h | --help) usage; exit 0 ;;
 "") usage >&2; exit 2 ;;

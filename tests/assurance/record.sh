@@ -37,7 +37,7 @@ case "${1:-}" in
     exit
     ;;
 esac
-[ $# -ge 3 ] || { sed -n 's/^# \{0,1\}//p' "$0" | sed 1d >&2; exit 2; }
+[ $# -ge 3 ] || { sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 records=$1
 key=$2
 shift 2
