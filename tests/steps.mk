@@ -75,8 +75,7 @@ test-steps:
 		'blits=$(BUILD)/blits --seed $(TEST_SEED) --blits 2310' \
 		'texels=$(BUILD)/texels --seed $(TEST_SEED) --textures 12' \
 		'textures=$(BUILD)/textures --seed $(TEST_SEED) --quick' \
-		'a denormal=$(BUILD)/parity --replay tests/parity/denormal.scene' \
-		'a border=$(BUILD)/parity --replay tests/parity/border.scene' \
+		'kept scenes=tests/parity/replay.sh $(BUILD)/parity' \
 		'pairs of states=$(BUILD)/parity --pairs --seed $(TEST_SEED)' \
 		'scenes are valid=$(BUILD)/parity --check --seed $(TEST_SEED)' \
 		'shrinking=tests/parity/test_shrink.sh $(BUILD)/parity' \
