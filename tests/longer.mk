@@ -13,6 +13,13 @@ JOBS ?= 2
 parity: $(BUILD)/parity ## random scenes against OSMesa, bit for bit: SCENES=20100 SEED=1 JOBS=2
 	@$(RECORD) $(BUILD)/parity --scenes $(SCENES) --seed $(SEED) --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene
 
+CAMPAIGN_SEEDS ?= 1 2 3 4 5 6 7 8 9 10
+CAMPAIGN_SCENES ?= 500000
+
+.PHONY: campaign
+campaign: $(BUILD)/parity ## 500,000 scenes of ten seeds against OSMesa; goes on where it was killed: CAMPAIGN_SEEDS= CAMPAIGN_SCENES= JOBS=2
+	@tests/parity/campaign.sh --seeds '$(CAMPAIGN_SEEDS)' --scenes $(CAMPAIGN_SCENES) --jobs $(JOBS) $(BUILD)
+
 BLITS ?= 33000
 TEXTURES ?= 200
 

@@ -76,6 +76,7 @@ test-steps:
 		'texels=$(BUILD)/texels --seed $(TEST_SEED) --textures 12' \
 		'textures=$(BUILD)/textures --seed $(TEST_SEED) --quick' \
 		'kept scenes=tests/parity/replay.sh $(BUILD)/parity' \
+		'campaign=tests/parity/test_campaign.sh' \
 		'pairs of states=$(BUILD)/parity --pairs --seed $(TEST_SEED)' \
 		'scenes are valid=$(BUILD)/parity --check --seed $(TEST_SEED)' \
 		'shrinking=tests/parity/test_shrink.sh $(BUILD)/parity' \

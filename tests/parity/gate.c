@@ -27,7 +27,7 @@
 #define ENOUGH_SCENES 40
 
 typedef struct options {
-    uint64_t scenes, seed, first, jobs;
+    uint64_t scenes, seed, first, skip, jobs;
     scene_class only; /* CLASS_COUNT: all */
     const char *keep, *replay;
     bool everything, pairs, check, shrink;
@@ -61,7 +61,7 @@ typedef struct job {
 static void print_help(void)
 {
     printf(
-        "usage: parity [--scenes N] [--seed S] [--class NAME] [--first K] [--jobs N]\n"
+        "usage: parity [--scenes N] [--seed S] [--class NAME] [--first K] [--skip K] [--jobs N]\n"
         "              [--keep FILE] [--everything]\n"
         "       parity --replay FILE [--shrink] [--keep FILE]\n"
         "       parity --pairs [--scenes N] [--seed S]\n"
@@ -75,6 +75,7 @@ static void print_help(void)
         "  --seed S            seed of the scenes (%d)\n"
         "  --class NAME        only this class\n"
         "  --first K           starts at scene number K of each class (0)\n"
+        "  --skip K            leaves out the K scenes that --scenes K draws (0)\n"
         "  --jobs N            shares the scenes among N processes; the result is the same (1)\n"
         "  --keep FILE         file for the smallest failing scene\n"
         "                      (" DEFAULT_KEEP ")\n"
@@ -137,6 +138,7 @@ static bool parse_options(int argc, char **argv, options *o)
         uint64_t *number = strcmp(name, "--scenes") == 0  ? &o->scenes
                            : strcmp(name, "--seed") == 0  ? &o->seed
                            : strcmp(name, "--first") == 0 ? &o->first
+                           : strcmp(name, "--skip") == 0  ? &o->skip
                            : strcmp(name, "--jobs") == 0  ? &o->jobs
                                                           : NULL;
         const char **file = strcmp(name, "--keep") == 0     ? &o->keep
@@ -277,15 +279,35 @@ static bool run_scene(gate *g, scene_class c, uint64_t number, totals *t)
     return drawn;
 }
 
+/* Returns how many of the first n scenes are of class c, if one class follows the other. */
+static uint64_t share_of_class(uint64_t n, int c)
+{
+    return n / CLASS_COUNT + ((uint64_t)c < n % CLASS_COUNT);
+}
+
+static uint64_t scenes_of_class(const options *o, int c)
+{
+    if (o->only != CLASS_COUNT)
+        return (int)o->only == c ? o->scenes : 0;
+    return share_of_class(o->skip + o->scenes, c) - share_of_class(o->skip, c);
+}
+
+/* Returns the number of the first scene of class c. */
+static uint64_t first_of_class(const options *o, int c)
+{
+    return o->first + (o->only != CLASS_COUNT ? o->skip : share_of_class(o->skip, c));
+}
+
 /* Compares this process's share of the scenes of a class: every n-th. */
 static totals run_class(gate *g, scene_class c, uint64_t count, uint64_t start)
 {
+    const uint64_t first = first_of_class(&g->options, c);
     totals t;
     memset(&t, 0, sizeof t);
     for (uint64_t i = start; i < count; i += g->options.jobs) {
         if (start == 0)
             show_progress(g, &t, c, i, count);
-        if (!run_scene(g, c, g->options.first + i, &t))
+        if (!run_scene(g, c, first + i, &t))
             break;
     }
     return t;
@@ -359,13 +381,6 @@ static void print_reference(const gate *g)
         printf("skipped: colour and depth: this is not Mesa 22.3, for which bit equality is\n"
                "promised; only differences in coverage fail, all others are reported.\n");
     fflush(stdout);
-}
-
-static uint64_t scenes_of_class(const options *o, int c)
-{
-    if (o->only != CLASS_COUNT)
-        return (int)o->only == c ? o->scenes : 0;
-    return o->scenes / CLASS_COUNT + ((uint64_t)c < o->scenes % CLASS_COUNT);
 }
 
 /* The work of one of several processes: compares its share of every class, and sends the totals of
