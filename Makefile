@@ -77,11 +77,14 @@ recorded = $(strip $(file <$@.command))
 if_changed = $$(if $$(subst x$$(strip $$(COMMAND)),,x$$(recorded))$$(subst x$$(recorded),,x$$(strip $$(COMMAND))),FORCE)
 record = printf '%s\n' '$(subst ','\'',$(COMMAND))' >$@.command
 
+# How the compiler lists the headers that a file includes.
+DEPENDENCIES := $(if $(findstring tcc,$(shell $(CC) -v 2>&1)),-MD,-MMD -MP)
+
 # Compiles an object from the first prerequisite.
 define COMPILE
 @mkdir -p $(@D)
 @echo '  CC $(@:$(BUILD)/%=%)'
-@$(COMMAND) -MMD -MP -c $< -o $@
+@$(COMMAND) $(DEPENDENCIES) -c $< -o $@
 @$(record)
 endef
 

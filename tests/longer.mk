@@ -20,6 +20,16 @@ CAMPAIGN_SCENES ?= 500000
 campaign: $(BUILD)/parity ## 500,000 scenes of ten seeds against OSMesa; goes on where it was killed: CAMPAIGN_SEEDS= CAMPAIGN_SCENES= JOBS=2
 	@tests/parity/campaign.sh --seeds '$(CAMPAIGN_SEEDS)' --scenes $(CAMPAIGN_SCENES) --jobs $(JOBS) $(BUILD)
 
+CONTRACT = tests/contract/contract.txt
+
+.PHONY: contract
+contract: $(BUILD)/contract ## write the hashes of the reference's pixels of 5,000 scenes: CONTRACT=tests/contract/contract.txt
+	@$(BUILD)/contract $(CONTRACT)
+
+.PHONY: check-contract
+check-contract: $(BUILD)/contract-check ## the library's pixels against those hashes, with a C compiler alone
+	@$(BUILD)/contract-check --keep $(BUILD)/contract-failure.scene $(CONTRACT)
+
 BLITS ?= 33000
 TEXTURES ?= 200
 

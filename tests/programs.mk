@@ -40,6 +40,15 @@ $(eval $(call program,parity-emulated,$(GATE_PARTS) $(patsubst %.c,$(BUILD)/emul
 $(eval $(call program,hashes,tests/portability/hashes.c $(SCENE_SOURCES) $(LIBRARY_SOURCES) \
 	$(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)),-lm))
 
+# The contract as data: `contract` writes it with the reference; `contract-check` needs a C compiler
+# alone.
+CONTRACT_SOURCES = $(addprefix tests/contract/,common.c file.c hash.c) $(SCENE_SOURCES) \
+	$(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES))
+
+$(eval $(call program,contract,tests/contract/make_contract.c $(CONTRACT_SOURCES) $(OSMESA_SOURCES) $(LIBRARY),-lOSMesa -lm))
+
+$(eval $(call program,contract-check,tests/contract/check_contract.c $(CONTRACT_SOURCES) $(LIBRARY_SOURCES),-lm))
+
 # The forms of lanes that the compiler can make, one object each.
 ifeq ($(MACHINE),x86_64)
 LANES_FORMS = portable vectors sse2 avx2 avx512 emulated_avx512 emulated_neon emulated_wasm_simd128

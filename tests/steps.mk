@@ -34,7 +34,7 @@ sanitized: ## the test programs under the sanitizers, in build/sanitized
 test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends with "N passed, N failed[, N skipped]"
 	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/bench-states $(BUILD)/test-lanes $(BUILD)/hashes \
-		$(EMULATED_PARITY)
+		$(BUILD)/contract $(BUILD)/contract-check $(EMULATED_PARITY)
 	@$(MAKE) --no-print-directory sanitized
 	@$(MAKE) --no-print-directory test-steps
 
@@ -75,6 +75,9 @@ test-steps:
 		'blits=$(BUILD)/blits --seed $(TEST_SEED) --blits 2310' \
 		'texels=$(BUILD)/texels --seed $(TEST_SEED) --textures 12' \
 		'textures=$(BUILD)/textures --seed $(TEST_SEED) --quick' \
+		'contract=$(BUILD)/contract-check --keep $(BUILD)/contract-failure.scene' \
+		'contract beside the reference=$(BUILD)/contract --compare --every 50' \
+		'contract, changes are found=tests/contract/test_contract.sh $(BUILD)' \
 		'kept scenes=tests/parity/replay.sh $(BUILD)/parity' \
 		'campaign=tests/parity/test_campaign.sh' \
 		'pairs of states=$(BUILD)/parity --pairs --seed $(TEST_SEED)' \
