@@ -2,7 +2,7 @@
 # meaning C leaves to the compiler: C does not order two operands, arguments or initializers, and
 # both call functions that may change one thing. The types of a function say what a call may
 # change: what its pointers without const lead to, distinguished by their types; anything, if it has
-# no parameters. Pointers to void and characters lead to memory of any use and are ignored. Also
+# no parameters. A scene's builder has a source of random numbers. Pointers to void and characters lead to memory of any use and are ignored. Also
 # ignored are the compiler's built-in functions, and things that one of the two calls only reads.
 # Prints one line per expression of the project: FILE:LINE: what both may change. Exit status 1 if
 # there is one.
@@ -39,7 +39,7 @@ function changeable(type,    parameters, all, count, i) {
     count = split(type, parameters, /, */)
     for (i = 1; i <= count; i++)
         if (parameters[i] ~ /\*( *restrict)?$/ && parameters[i] !~ /^(const |(unsigned |signed )?char |void )/)
-            all = all parameters[i] "|"
+            all = all parameters[i] "|" (parameters[i] == "builder *" ? "random_source *|" : "")
     return all
 }
 

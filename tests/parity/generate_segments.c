@@ -225,8 +225,10 @@ static void put_outside(builder *b, uint32_t element)
 /* Adds vertices that no element names, some of them outside the view volume. */
 static void add_unnamed(builder *b, uint32_t count)
 {
-    for (uint32_t n = 0; n < count; ++n)
-        builder_vertex(b)->position[2] = random_chance(&b->random, 40) ? 2.0f : 0.0f;
+    for (uint32_t n = 0; n < count; ++n) {
+        const float z = random_chance(&b->random, 40) ? 2.0f : 0.0f;
+        builder_vertex(b)->position[2] = z;
+    }
 }
 
 static void choose_state(builder *b)
