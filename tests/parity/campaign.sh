@@ -103,6 +103,7 @@ report_progress() { # report_progress SEED
 run_chunk() { # run_chunk SEED SKIP SCENES
     log=$directory/log.txt
     keep=$directory/failure-$1-$2.scene
+    rm -f "$log" # what a killed campaign left running may still write to it
     "$directory/parity" --seed "$1" --skip "$2" --scenes "$3" --jobs "$jobs" --keep "$keep" \
         >"$log" 2>&1 9>&- &
     child=$!
