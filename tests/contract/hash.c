@@ -31,11 +31,17 @@ static void add_text(contract_hash *h, const char *text)
     add_byte(h, 0);
 }
 
+/* NaN counts as one number: compilers give the macro NAN either sign. */
+static void add_float_bits(contract_hash *h, uint32_t bits)
+{
+    add_word(h, (bits & 0x7FFFFFFF) > 0x7F800000 ? 0x7FC00000 : bits);
+}
+
 static void add_float(contract_hash *h, float value)
 {
     uint32_t bits;
     memcpy(&bits, &value, sizeof bits);
-    add_word(h, bits);
+    add_float_bits(h, bits);
 }
 
 /* Members with default values are left out, so that a new member leaves hashes of scenes that do
@@ -52,7 +58,10 @@ static void add_member(contract_hash *h, const scene_member *m, const scene_draw
             scene_member_name(m, line, name);
             add_text(h, name);
             add_word(h, (uint32_t)v);
-            add_word(h, word);
+            if (m->type == MEMBER_FLOAT)
+                add_float_bits(h, word);
+            else
+                add_word(h, word);
         }
 }
 
