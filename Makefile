@@ -13,6 +13,9 @@ BUILD ?= build
 MACHINE := $(firstword $(subst -, ,$(shell $(CC) -dumpmachine 2>/dev/null)))
 comma = ,
 
+# REFERENCE=osmesa or REFERENCE=egl, on the command line or in the environment, names the driver of the
+# reference to whatever make runs (reference/osmesa/driver.h). It changes nothing that is built.
+
 # Without make's built-in rules, which it would try for every file.
 MAKEFLAGS += --no-builtin-rules
 
@@ -130,14 +133,14 @@ $(eval $(call program,libgnomon.so,$(LIBRARY_SOURCES),-shared -nostdlib -Wl$(com
 
 REFERENCE_SOURCES = $(SCENE_SOURCES) $(OSMESA_SOURCES)
 
-$(eval $(call program,gnomon,$(COMMAND_SOURCES) $(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lOSMesa -lm))
+$(eval $(call program,gnomon,$(COMMAND_SOURCES) $(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -ldl -lm))
 
 # The benchmark reads models as the command does.
 $(eval $(call program,bench,$(BENCH_SOURCES) $(filter-out %/main.c,$(COMMAND_SOURCES)) $(THREADS_SOURCES) \
-	$(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lOSMesa -lm -pthread))
+	$(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -ldl -lm -pthread))
 
 $(eval $(call program,bench-states,$(STATES_SOURCES) $(addprefix tools/bench/,chosen.c renderer.c protocol.c median.c scenes.c \
-	plot_parts.c) $(REFERENCE_SOURCES) $(LIBRARY),-lOSMesa -lm))
+	plot_parts.c) $(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm))
 
 # Users' shaders, once per instruction set (reference/scene/user_shaders.h). Without these flags the
 # compiler does not vectorise them: sqrtf may set errno, comparisons may set exception flags, and GCC

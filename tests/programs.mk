@@ -15,10 +15,10 @@ $(BUILD)/tests/exhaustive/%.o: TEST_LEVEL =
 
 GATE_PARTS = $(PARITY_SOURCES) $(THREADS_SOURCES) $(REFERENCE_SOURCES)
 
-$(eval $(call program,parity,$(GATE_PARTS) $(LIBRARY),-lOSMesa -lm -pthread))
+$(eval $(call program,parity,$(GATE_PARTS) $(LIBRARY),-ldl -lm -pthread))
 
 define reference_test
-$(call program,$(1),$(sort $(wildcard tests/$(1)/*.c)) $(REFERENCE_SOURCES) $(LIBRARY),-lOSMesa -lm -pthread)
+$(call program,$(1),$(sort $(wildcard tests/$(1)/*.c)) $(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm -pthread)
 endef
 
 $(foreach test,blits textures texels,$(eval $(call reference_test,$(test))))
@@ -34,7 +34,7 @@ $(BUILD)/emulated/%.o: %.c $(if_changed)
 	$(COMPILE)
 
 $(eval $(call program,parity-emulated,$(GATE_PARTS) $(patsubst %.c,$(BUILD)/emulated/%.o,$(EMULATED_SOURCES)) \
-	$(filter-out $(EMULATED_SOURCES),$(LIBRARY_SOURCES)),-lOSMesa -lm -pthread))
+	$(filter-out $(EMULATED_SOURCES),$(LIBRARY_SOURCES)),-ldl -lm -pthread))
 
 # Made of objects, not of an archive: the archiver may not know the target's objects.
 $(eval $(call program,hashes,tests/portability/hashes.c $(SCENE_SOURCES) $(LIBRARY_SOURCES) \

@@ -72,6 +72,7 @@ test-steps:
 		'freestanding=tests/portability/freestanding.sh $(BUILD) $(ALL)' \
 		'embedding=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD) $(ALL)' \
 		'examples of shaders=tests/embed/shader_examples.sh $(BUILD)' \
+		'parity through EGL=tests/parity/egl.sh $(BUILD) --seed $(TEST_SEED) --scenes 330' \
 		'blits=$(BUILD)/blits --seed $(TEST_SEED) --blits 2310' \
 		'texels=$(BUILD)/texels --seed $(TEST_SEED) --textures 12' \
 		'textures=$(BUILD)/textures --seed $(TEST_SEED) --quick' \

@@ -1,9 +1,8 @@
 #!/bin/sh
-# Installs the Debian packages that `make prove`, `make fuzz`, `make coverage` and the reference
-# through EGL need, about 1 GB. Does nothing if everything is installed.
+# Installs the Debian packages that `make prove`, `make fuzz` and `make coverage` need,
+# about 1 GB. Does nothing if everything is installed.
 set -eu
 self=setup-verify
 . "$(dirname "$0")/debian.sh"
 
-install_packages "frama-c-base why3 z3 cvc5 gappa afl++ clang-19 libclang-rt-19-dev
-libegl1-mesa-dev libgl1-mesa-dri" "$@"
+install_packages "frama-c-base why3 z3 cvc5 gappa afl++ clang-19 libclang-rt-19-dev" "$@"

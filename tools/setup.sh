@@ -5,5 +5,9 @@ set -eu
 self=setup
 . "$(dirname "$0")/debian.sh"
 
-install_packages "pkg-config clang clang-format libclang-rt-14-dev g++ cmake libpng-dev libosmesa6-dev libcglm-dev libcmocka-dev
+# `make setup REFERENCE=egl` is for systems that have no OSMesa.
+osmesa=libosmesa6
+[ "${REFERENCE:-}" != egl ] || osmesa=""
+
+install_packages "pkg-config clang clang-format libclang-rt-14-dev g++ cmake libpng-dev $osmesa libegl-dev libgl1-mesa-dri libcglm-dev libcmocka-dev
 libassimp-dev libstb-dev libgmp-dev libmpfr-dev libsimde-dev gappa" "$@"

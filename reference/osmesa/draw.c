@@ -203,30 +203,18 @@ static GLsizei clamped_size(uint32_t size)
     return (GLsizei)(size < INT32_MAX ? size : INT32_MAX);
 }
 
-/* Without a clamp the older function suffices; it needs no extension. */
 static void set_polygon_offset(const gn_polygon_offset *p)
 {
-    typedef void offset_clamp(GLfloat factor, GLfloat units, GLfloat clamp);
-    offset_clamp *const with_clamp =
-        (offset_clamp *)OSMesaGetProcAddress("glPolygonOffsetClampEXT");
-
     switch_capability(GL_POLYGON_OFFSET_FILL, p->set);
     switch_capability(GL_POLYGON_OFFSET_LINE, p->set);
     switch_capability(GL_POLYGON_OFFSET_POINT, p->set);
-    if (p->set && with_clamp)
-        with_clamp(p->factor, p->units, p->clamp);
-    else if (p->set)
-        glPolygonOffset(p->factor, p->units);
+    if (p->set)
+        glPolygonOffsetClampEXT(p->factor, p->units, p->clamp);
 }
 
-/* libOSMesa does not export this function. */
 static void set_clip_depth(gn_clip_depth depth)
 {
-    typedef void clip_control(GLenum origin, GLenum depth);
-    clip_control *const control = (clip_control *)OSMesaGetProcAddress("glClipControl");
-
-    if (control)
-        control(GL_LOWER_LEFT, depth == GN_ZERO_TO_ONE ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
+    glClipControl(GL_LOWER_LEFT, depth == GN_ZERO_TO_ONE ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
 }
 
 static void set_state(const scene *s, const gn_pipeline *p)

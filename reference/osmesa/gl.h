@@ -3,10 +3,10 @@
 #ifndef OSMESA_GL_H
 #define OSMESA_GL_H
 
-#define GL_GLEXT_PROTOTYPES
-#include <GL/osmesa.h>
 #include <GL/glcorearb.h>
 
+#include "driver.h"
+#include "functions.h"
 #include "osmesa.h"
 
 /* gn_compare lists the functions in the order of OpenGL's numbers. */
@@ -46,7 +46,8 @@ typedef struct reference_twin {
 } reference_twin;
 
 struct reference {
-    OSMesaContext context;
+    const reference_driver *driver;
+    void *context; /* the driver's */
     char version[32];
     char renderer[128];
     GLuint vertex_array;

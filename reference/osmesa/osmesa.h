@@ -1,15 +1,21 @@
-/* The reference rasterizer: OSMesa draws a scene through OpenGL.
+/* The reference rasterizer: Mesa's llvmpipe draws a scene through OpenGL, which it is given by
+ * OSMesa or by EGL (driver.h).
  *
  * The pinned profile makes Mesa's generated code the same on every x86 machine: the llvmpipe
  * driver, SSE4.1 without fused multiply-add, the accurate texture path, no shader cache. It is set
  * in the environment before the first context is created. The host profile uses the machine's own
- * instruction set, for measuring speed. */
+ * instruction set, for measuring speed. The unpinned profile does so too, draws every scene, and
+ * ignores the user's settings for Mesa. */
 #ifndef OSMESA_REFERENCE_H
 #define OSMESA_REFERENCE_H
 
 #include "scene.h"
 
-typedef enum reference_profile { REFERENCE_PINNED, REFERENCE_HOST } reference_profile;
+typedef enum reference_profile {
+    REFERENCE_PINNED,
+    REFERENCE_HOST,
+    REFERENCE_UNPINNED
+} reference_profile;
 
 typedef struct reference reference;
 
@@ -17,6 +23,9 @@ typedef struct reference reference;
  * context is current in the calling thread. Returns null on failure, with the reason in error. */
 reference *reference_create(reference_profile profile, char *error, size_t error_size);
 void reference_destroy(reference *r);
+
+/* The driver: "OSMesa" or "Mesa EGL". */
+const char *reference_driver_name(const reference *r);
 
 /* The version from GL_VERSION, such as "22.3.6", and GL_RENDERER. */
 const char *reference_mesa_version(const reference *r);

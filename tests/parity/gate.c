@@ -94,6 +94,9 @@ static void print_help(void)
         "  --check             draws nothing; checks that the library accepts the meshes,\n"
         "                      textures and samplers of the first N (%d) scenes\n"
         "\n"
+        "The environment's variable REFERENCE names the reference's driver, osmesa or egl.\n"
+        "Without it the driver is OSMesa, or EGL if OSMesa is not installed.\n"
+        "\n"
         "classes:",
         DEFAULT_SCENES, DEFAULT_SEED, DEFAULT_PAIR_SCENES, DEFAULT_CHECKED_SCENES);
     for (int c = 0; c < CLASS_COUNT; ++c)
@@ -375,8 +378,9 @@ static void stop(gate *g)
 
 static void print_reference(const gate *g)
 {
-    printf("Mesa %s, %s; seed %" PRIu64 "\n", reference_mesa_version(g->comparer.reference),
-           reference_renderer(g->comparer.reference), g->options.seed);
+    printf("%s %s, %s; seed %" PRIu64 "\n", reference_driver_name(g->comparer.reference),
+           reference_mesa_version(g->comparer.reference), reference_renderer(g->comparer.reference),
+           g->options.seed);
     if (g->comparer.coverage_only)
         printf("skipped: colour and depth: this is not Mesa 22.3, for which bit equality is\n"
                "promised; only differences in coverage fail, all others are reported.\n");

@@ -37,6 +37,12 @@ void reference_destroy(reference *r)
     (void)r;
 }
 
+const char *reference_driver_name(const reference *r)
+{
+    (void)r;
+    return "no Mesa";
+}
+
 const char *reference_mesa_version(const reference *r)
 {
     (void)r;

@@ -2,6 +2,7 @@
 # Tests tools/setup.sh with stand-ins for dpkg-query, apt-get and id: nothing is installed.
 # usage: test_setup.sh [PATH_OF_SETUP]
 set -u
+unset REFERENCE
 setup=$(realpath "${1:-$(dirname "$0")/../../tools/setup.sh}")
 directory=$(mktemp -d)
 trap 'rm -rf "$directory"' EXIT
@@ -69,6 +70,13 @@ check "root: waits for the lock" [ "$(grep -c 'DPkg::Lock::Timeout=900' "$direct
 check "root: no recommendations" grep -q -- "--no-install-recommends install" "$directory/calls"
 
 begin
+export REFERENCE=egl
+run "libpng-dev libosmesa6" 0
+unset REFERENCE
+check "EGL: success" [ "$status" = 0 ]
+check "EGL: OSMesa is not installed" grep -q "install libpng-dev \[" "$directory/calls"
+
+begin
 stand_in apt-get 'echo "the archive burns"; exit 100'
 run "libpng-dev" 0
 check "apt fails: status 1" [ "$status" = 1 ]
@@ -83,7 +91,7 @@ done
 PATH="$directory/bin" "$directory/bin/sh" "$setup" >"$directory/out" 2>"$directory/error"
 status=$?
 check "no Debian: status 1" [ "$status" = 1 ]
-check "no Debian: says so, with the packages" grep -q "no Debian.*libosmesa6-dev" \
+check "no Debian: says so, with the packages" grep -q "no Debian.*libosmesa6" \
     "$directory/error"
 
 echo "setup: $passed passed, $failed failed"

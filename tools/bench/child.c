@@ -85,8 +85,8 @@ static bool load(child *c, const request *r, answer *a)
             return false;
     }
     a->is_contract = reference_is_contract_version(c->reference);
-    snprintf(a->text, sizeof a->text, "OSMesa %s, %s", reference_mesa_version(c->reference),
-             reference_renderer(c->reference));
+    snprintf(a->text, sizeof a->text, "%s %s, %s", reference_driver_name(c->reference),
+             reference_mesa_version(c->reference), reference_renderer(c->reference));
     return true;
 }
 

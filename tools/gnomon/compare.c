@@ -13,7 +13,8 @@
 static const char usage[] =
     "gnomon compare MODEL [-o OUT.png] [OPTION...]: draw a model with Gnomon and with OSMesa,\n"
     "Mesa's software OpenGL, and count the pixels that differ in any bit, in colour and in\n"
-    "depth (32-bit float). Exit status 0: no pixel differs, 1: some do.\n"
+    "depth (32-bit float). Exit status 0: no pixel differs, 1: some do. If OSMesa is not\n"
+    "installed, or the environment has REFERENCE=egl, the same Mesa draws through EGL.\n"
     "\n"
     "  gnomon compare bunny.obj\n"
     "  gnomon compare head.obj -o head_compared.png --eye 0,0.5,3 --size 512x512\n"

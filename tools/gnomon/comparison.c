@@ -97,18 +97,18 @@ int comparison_make(const scene *s, const shadow_pass *shadow, gn_backend backen
 
     reference *mesa = reference_create(REFERENCE_PINNED, error, sizeof error);
     if (mesa == NULL)
-        return report_fault("OSMesa", "%s", error);
+        return report_fault("reference", "%s", error);
     bool drawn = reference_draw(mesa, s, &result->reference, error, sizeof error);
     if (drawn) {
-        fprintf(words, "reference: OSMesa %s, %s\n", reference_mesa_version(mesa),
-                reference_renderer(mesa));
+        fprintf(words, "reference: %s %s, %s\n", reference_driver_name(mesa),
+                reference_mesa_version(mesa), reference_renderer(mesa));
         if (!reference_is_contract_version(mesa))
             fprintf(words, "note: equal pictures are promised for Mesa 22.3 only\n");
     }
     drawn = drawn && compare_shadow(mesa, shadow, words, result, error, sizeof error);
     reference_destroy(mesa);
     if (!drawn)
-        return report_fault("OSMesa", "%s", error);
+        return report_fault("reference", "%s", error);
 
     result->difference = compare_images(s, result, result->ours.images - 1, 1);
     print_difference(words, &result->difference, (uint64_t)s->width * s->height);
