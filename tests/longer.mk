@@ -45,6 +45,12 @@ textures: $(BUILD)/textures ## random lookups in textures against OSMesa, bit fo
 texels: $(BUILD)/texels ## texels of every format, and generated levels, against OSMesa: TEXTURES=200 SEED=1
 	@$(RECORD) $(BUILD)/texels --textures $(TEXTURES) --seed $(SEED)
 
+DISTANCE_SCENES ?= 5500
+
+.PHONY: distance
+distance: $(BUILD)/distance ## how far the pinned reference is from the same Mesa unpinned: DISTANCE_SCENES=5500 SEED=1
+	@$(BUILD)/distance --scenes $(DISTANCE_SCENES) --seed $(SEED)
+
 .PHONY: exhaustive
 exhaustive: $(BUILD)/exhaustive ## the scalar functions on all 2^32 arguments against MPFR
 	@$(RECORD) $(BUILD)/exhaustive

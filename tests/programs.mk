@@ -23,6 +23,9 @@ endef
 
 $(foreach test,blits textures texels,$(eval $(call reference_test,$(test))))
 
+$(eval $(call program,distance,$(sort $(wildcard tests/distance/*.c)) $(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) \
+	$(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm))
+
 # Parity with AVX-512, NEON and WebAssembly's vectors emulated, since an x86 processor may lack
 # them. Files of the library that depend on which back ends are compiled are compiled again.
 EMULATED_SOURCES = src/config/choose.c $(addprefix src/backends/,draw.c bulk.c \

@@ -34,7 +34,7 @@ sanitized: ## the test programs under the sanitizers, in build/sanitized
 test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends with "N passed, N failed[, N skipped]"
 	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/bench-states $(BUILD)/test-lanes $(BUILD)/hashes \
-		$(BUILD)/contract $(BUILD)/contract-check $(EMULATED_PARITY)
+		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/distance $(EMULATED_PARITY)
 	@$(MAKE) --no-print-directory sanitized
 	@$(MAKE) --no-print-directory test-steps
 
@@ -74,6 +74,7 @@ test-steps:
 		'examples of shaders=tests/embed/shader_examples.sh $(BUILD)' \
 		'parity through EGL=tests/parity/egl.sh $(BUILD) --seed $(TEST_SEED) --scenes 330' \
 		'blits=$(BUILD)/blits --seed $(TEST_SEED) --blits 2310' \
+		'distance$(comma) pinned beside pinned=$(BUILD)/distance --self-test --scenes 110 --seed $(TEST_SEED)' \
 		'texels=$(BUILD)/texels --seed $(TEST_SEED) --textures 12' \
 		'textures=$(BUILD)/textures --seed $(TEST_SEED) --quick' \
 		'contract=$(BUILD)/contract-check --keep $(BUILD)/contract-failure.scene' \
