@@ -97,12 +97,14 @@ static bool is_found(const distance *d, distance_change change)
            d->visible == 0;
 }
 
-static bool measure_change(const distance_side *a, distance_side *b, distance_change change)
+/* Measures from a to b and back. */
+static bool measure_change(const distance_side *a, const distance_side *b, distance_change change)
 {
-    distance d = {.scenes = 0};
+    distance there = {.scenes = 0}, back = there;
 
-    distance_measure(a, b, &d);
-    return is_found(&d, change);
+    distance_measure(a, b, &there);
+    distance_measure(b, a, &back);
+    return is_found(&there, change) && is_found(&back, change);
 }
 
 /* Gives every attachment's pixel the clear value, measures and changes it back. */
