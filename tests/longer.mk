@@ -49,7 +49,7 @@ DISTANCE_SCENES ?= 5500
 
 .PHONY: distance
 distance: $(BUILD)/distance ## how far the pinned reference is from the same Mesa unpinned: DISTANCE_SCENES=5500 SEED=1
-	@$(BUILD)/distance --scenes $(DISTANCE_SCENES) --seed $(SEED)
+	@$(RECORD) $(BUILD)/distance --scenes $(DISTANCE_SCENES) --seed $(SEED)
 
 .PHONY: exhaustive
 exhaustive: $(BUILD)/exhaustive ## the scalar functions on all 2^32 arguments against MPFR

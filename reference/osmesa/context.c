@@ -63,6 +63,8 @@ reference *reference_create(reference_profile profile, char *error, size_t error
     r->driver = reference_choose_driver(error, error_size);
     r->context = r->driver ? r->driver->create(compatible, error, error_size) : NULL;
     if (!r->context || !reference_load_functions(r->driver, error, error_size)) {
+        if (r->context)
+            r->driver->destroy(r->context);
         free(r);
         return NULL;
     }

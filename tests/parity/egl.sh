@@ -44,6 +44,7 @@ check() {
 }
 
 check "$build/parity" --seed "$seed" --scenes "$scenes" --keep "$build/egl-failure.scene"
+figures=$(tail -n 1 "$work/out")
 if ! grep -q '^Mesa EGL ' "$work/out"; then
     failed=$((failed + 1))
     echo 'FAILED: parity does not name EGL as its driver'
@@ -78,5 +79,5 @@ chooses 'no reference.*libosmesa6.*libegl1' "$osmesa libEGL.so.1"
 chooses 'no reference.*libegl1' libEGL.so.1 REFERENCE=egl
 chooses 'no reference.*it can be osmesa or egl' '' REFERENCE=gles
 
-echo "EGL: $passed passed, $failed failed"
+echo "EGL, ${figures#parity: }: $passed passed, $failed failed"
 [ "$failed" = 0 ]
