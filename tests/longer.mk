@@ -51,6 +51,12 @@ DISTANCE_SCENES ?= 5500
 distance: $(BUILD)/distance ## how far the pinned reference is from the same Mesa unpinned: DISTANCE_SCENES=5500 SEED=1
 	@$(RECORD) $(BUILD)/distance --scenes $(DISTANCE_SCENES) --seed $(SEED)
 
+TRIANGLES ?= 1000000
+
+.PHONY: exact
+exact: $(BUILD)/exact ## coverage, depth and colour against exact integers, beside OSMesa: SEED=1 TRIANGLES=1000000
+	@$(RECORD) $(BUILD)/exact --seed $(SEED) --triangles $(TRIANGLES)
+
 .PHONY: exhaustive
 exhaustive: $(BUILD)/exhaustive ## the scalar functions on all 2^32 arguments against MPFR
 	@$(RECORD) $(BUILD)/exhaustive

@@ -120,6 +120,10 @@ $(eval $(call program,test_cglm,tests/differential/test_cglm.c $(filter-out %/ma
 $(eval $(call program,texture-accuracy,tests/texture_accuracy/main.c reference/exact/sampler.c \
 	$(addprefix reference/scene/,scene.c scene_format.c scene_memory.c scene_pixel.c scene_texture.c) $(LIBRARY),-lm))
 
+# The oracles in exact integers, beside the library and the reference.
+$(eval $(call program,exact,$(sort $(wildcard tests/exact/*.c)) $(addprefix reference/exact/,snapped_triangle.c clip_triangle.c) \
+	$(REFERENCE_SOURCES) $(LIBRARY),-ldl -lgmp -lm))
+
 $(eval $(call program,exhaustive,$(EXHAUSTIVE_SOURCES) $(LIBRARY),-lmpfr -lm -pthread))
 
 # Unit tests: one program for each tests/unit/test_*.c

@@ -24,7 +24,7 @@ unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 
 .PHONY: test-programs
 test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels \
-	$(BUILD)/textures
+	$(BUILD)/textures $(BUILD)/exact
 
 .PHONY: sanitized
 sanitized: ## the test programs under the sanitizers, in build/sanitized
@@ -82,6 +82,7 @@ test-steps:
 		'contract, changes are found=tests/contract/test_contract.sh $(BUILD)' \
 		'kept scenes=tests/parity/replay.sh $(BUILD)/parity' \
 		'campaign=tests/parity/test_campaign.sh' \
+		'exact oracles=$(BUILD)/exact --seed $(TEST_SEED) --triangles 60000 --clip-space 6000' \
 		'pairs of states=$(BUILD)/parity --pairs --seed $(TEST_SEED)' \
 		'scenes are valid=$(BUILD)/parity --check --seed $(TEST_SEED)' \
 		'shrinking=tests/parity/test_shrink.sh $(BUILD)/parity' \
@@ -91,6 +92,7 @@ test-steps:
 		'sanitized properties=$(CHECKED)/property-tests --seed $(TEST_SEED) --trials 100' \
 		'sanitized blits=$(CHECKED)/blits --seed $(TEST_SEED) --blits 330' \
 		'sanitized textures=$(CHECKED)/textures --seed $(TEST_SEED) --cases 60' \
+		'sanitized exact oracles=$(CHECKED)/exact --seed $(TEST_SEED) --triangles 4000 --clip-space 400' \
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
 		'command, hand-over=$(BUILD)/test_handover' \
