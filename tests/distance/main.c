@@ -33,7 +33,7 @@ static void print_help(void)
            "prints how far their pixels are from each other. A pixel is a sample if there are\n"
            "several. It is covered if it has not the clear values; shares are of the pixels that\n"
            "either covers. Largest and mean differences are of the pixels that differ and that\n"
-           "both cover; a step of a depth of 16 bits is 257 steps of 24 bits.\n"
+           "both cover; a step of a depth of 16 bits is 256 steps of 24 bits.\n"
            "\n"
            "  --scenes N   scenes in all, shared evenly by the classes (5500)\n"
            "  --seed S     seed of the scenes (1)\n"
