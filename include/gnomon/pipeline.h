@@ -9,6 +9,7 @@
  *     .uniforms                      Uniform...                       null
  *     .varying_count                 outs of the vertex shader        0
  *     .interpolation[n]              smooth, noperspective, flat      GN_SMOOTH
+ *     .location[n]                   centroid, sample                 GN_AT_CENTER
  *     .color_count                   outs of the fragment shader,     0, which means 1
  *                                    DrawBuffers
  *     .clip_distance_count           CLIP_DISTANCEi for i below it    0
@@ -17,6 +18,8 @@
  *     .fragment_reads_primitive      use of gl_PrimitiveID            not given to the shader
  *     .fragment_reads_point_coordinate use of gl_PointCoord           not given to the shader
  *     .fragment_reads_sample_mask    use of gl_SampleMaskIn           not given to the shader
+ *     .fragment_reads_sample         use of gl_SampleID,              the shader runs once a pixel
+ *                                    gl_SamplePosition
  *     .fragment_discards             discard                          the shader discards nothing
  *     .fragment_writes_all_colors                                     unwritten colours are 0
  *     .fragment_writes_depth         gl_FragDepth                     interpolated depth
@@ -58,6 +61,8 @@
  *     .write_disabled                SAMPLE_MASK, not SampleMaski     every sample is drawn
  *     .alpha_to_coverage             SAMPLE_ALPHA_TO_COVERAGE         off
  *     .alpha_to_one                  SAMPLE_ALPHA_TO_ONE              off
+ *     .shading                       SAMPLE_SHADING                   off
+ *     .least_shading                 MinSampleShading                 0
  *
  * If OpenGL's default is to write or to compare, the field here is negated, since zero is the
  * default. Every such field ends in `_disabled`, and its set bits are not written or not compared.
@@ -228,6 +233,27 @@ typedef enum gn_interpolation {
     GN_FLAT           /* the provoking vertex's value */
 } gn_interpolation;
 
+/* Where in its pixel a varying gets its value, if a pixel has several samples (OpenGL 4.5 section
+ * 14.3.1). No effect on GN_FLAT varyings and with one sample per pixel, but for what GN_AT_SAMPLE
+ * says of the shader.
+ *
+ * A pixel's centre may lie outside a triangle of which some samples are covered. There a varying at
+ * the centre may lie outside the range of its values at the vertices (gn_fragment_input); at the
+ * centroid and at a covered sample it does not, but for rounding. */
+typedef enum gn_varying_location {
+    GN_AT_CENTER = 0, /* at the pixel's centre */
+
+    /* At the pixel's centre if all samples are present, otherwise at the present sample of the
+     * lowest number. Present are the samples that are covered and not in samples.write_disabled.
+     * If the tests come first, they have passed the tests. They have passed them too if the shader
+     * comes first, unless it writes depth or the stencil test is on and writes some bit. If the
+     * shader runs for each sample, samples that it discarded before are not present. Derivatives
+     * are taken between these places, which need not be a pixel apart. */
+    GN_AT_CENTROID,
+
+    GN_AT_SAMPLE /* at each sample; the fragment shader runs for each sample */
+} gn_varying_location;
+
 typedef struct gn_viewport {
     bool set; /* false: the whole target, and the other fields are ignored */
     float x, y;
@@ -294,8 +320,9 @@ typedef struct gn_vertex_output {
  * (gnomon/lanes.h) there is one fragment, at (x[0], y[0]), and it is covered.
  *
  * Varyings have values in every lane, covered or not, so that derivatives can be taken in 2x2
- * quads. The values are those at the pixel's centre; for lines with several samples per pixel,
- * those at its upper right corner. The centre may lie outside the triangle: in lanes that are not
+ * quads. The values are those at the pixel's centre, unless the pipeline's `location` or
+ * `samples.shading` say otherwise. Lines with several samples per pixel have the values of a place
+ * half a pixel to the upper right. The centre may lie outside the triangle: in lanes that are not
  * covered, and where only some of several samples are covered. There the triangle's planes are
  * extended, so that a varying may lie outside the range of its values at the vertices. A smooth
  * varying is divided by the interpolated 1/w, which may be 0 or negative beyond an edge; where it
@@ -322,8 +349,9 @@ typedef struct gn_fragment_input {
     uint32_t primitive_id;
 
     /* gl_FragCoord, [x, y, z, w][lane]: x and y of the pixel's centre in window coordinates; the
-     * interpolated depth with the polygon offset, before it is clamped; the interpolated 1/w. Null
-     * if the pipeline's fragment_reads_position is off. */
+     * interpolated depth with the polygon offset, before it is clamped; the interpolated 1/w. If
+     * the shader runs for each sample, x, y and z are those of the sample. Null if the pipeline's
+     * fragment_reads_position is off. */
     const float (*position)[GN_LANES];
 
     /* gl_PointCoord, [s, t][lane]: where the pixel's centre lies in the point's square, from 0 to
@@ -334,9 +362,16 @@ typedef struct gn_fragment_input {
 
     /* gl_SampleMaskIn, [lane]: bit s is set if sample s is covered and not in
      * samples.write_disabled, whether or not it passes the tests. With one sample per pixel the
-     * mask is 1 in the lanes of `coverage` and 0 in the others. Null if the pipeline's
-     * fragment_reads_sample_mask is off. */
+     * mask is 1 in the lanes of `coverage` and 0 in the others. If the shader runs for each sample,
+     * only that sample's bit can be set. Null if the pipeline's fragment_reads_sample_mask is
+     * off. */
     const uint32_t *sample_mask;
+
+    /* gl_SampleID and gl_SamplePosition: the sample that the shader runs for, in all lanes, and its
+     * place in the pixel, from the lower left corner. 0 and 0.5, 0.5 if the shader runs for each
+     * pixel. */
+    uint32_t sample_id;
+    float sample_position[2];
 } gn_fragment_input;
 
 /* Output of a fragment shader: color[4 * attachment + channel][lane], with the channels red, green,
@@ -357,8 +392,8 @@ typedef struct gn_fragment_output {
     float *depth;
 
     /* gl_SampleMask, [lane]: every bit is set beforehand. The shader clears the bits of samples
-     * that it discards. Ignored if a pixel has one sample. Null without
-     * fragment_writes_sample_mask. */
+     * that it discards. If it runs for each sample, only that sample's bit counts. Ignored if a
+     * pixel has one sample. Null without fragment_writes_sample_mask. */
     uint32_t *sample_mask;
 } gn_fragment_output;
 
@@ -380,6 +415,7 @@ typedef struct gn_program {
     const void *uniforms;                /* passed to both shaders */
     uint32_t varying_count;              /* scalars, 0 to GN_MAX_VARYINGS */
     gn_interpolation interpolation[GN_MAX_VARYINGS];
+    gn_varying_location location[GN_MAX_VARYINGS];
     uint32_t color_count; /* how many colours the fragment shader writes, 0 meaning 1; attachments
                              from color_count on stay as they are */
     uint32_t clip_distance_count;  /* 0 to GN_MAX_CLIP_DISTANCES */
@@ -388,6 +424,7 @@ typedef struct gn_program {
     bool fragment_reads_primitive;
     bool fragment_reads_point_coordinate;
     bool fragment_reads_sample_mask;
+    bool fragment_reads_sample; /* the fragment shader runs for each sample (gn_samples) */
     bool fragment_discards;
     /* The fragment shader writes every covered lane of every colour. None is set to 0 beforehand,
      * so that small shaders are up to a fifth faster. No effect on ready-made shaders. */
@@ -439,12 +476,25 @@ typedef struct gn_color {
 } gn_color;
 
 /* No effect on targets with one sample per pixel. Alpha is the alpha of the shader's first
- * colour. */
+ * colour.
+ *
+ * The fragment shader runs once for each pixel that is drawn, or once for each sample of it. It
+ * runs for each sample if the program reads the sample, or a varying is GN_AT_SAMPLE, or `shading`
+ * is set and least_shading is above 1 / GN_SAMPLES. (OpenGL asks for at least that fraction of the
+ * samples; all of them are shaded.) In the last case all varyings and the point coordinate have the
+ * values of the sample's place, whatever their `location` is. In the other cases only varyings
+ * GN_AT_SAMPLE have those values.
+ *
+ * A shader that runs for each sample decides on that sample alone: its colours, its discard, its
+ * depth and its sample mask are the sample's. The depth that it finds in its output is the depth
+ * at the sample. Its alpha decides on that sample alone in alpha_to_coverage, too. */
 typedef struct gn_samples {
     uint32_t write_disabled; /* bit s: nothing is drawn to sample s */
     bool alpha_to_coverage; /* draws sample s unless alpha <= s / 4.0; the fragment shader then runs
                                before the tests */
     bool alpha_to_one;      /* then sets alpha to 1 */
+    bool shading;           /* asks for the fraction least_shading of samples to be shaded */
+    float least_shading;    /* 0 to 1; ignored unless `shading` is set */
 } gn_samples;
 
 typedef struct gn_pipeline {
@@ -463,7 +513,8 @@ GN_BEGIN
  * - GN_NULL_POINTER: the pipeline.
  * - GN_NO_SHADER: no vertex shader; no fragment shader, but the target has colour, or the program
  *   discards or writes depth or a sample mask.
- * - GN_TOO_MANY_VARYINGS: program.varying_count. GN_INVALID_ENUM: the interpolation of a varying.
+ * - GN_TOO_MANY_VARYINGS: program.varying_count. GN_INVALID_ENUM: the interpolation or location of
+ * a varying.
  * - GN_INVALID_ENUM: raster.topology, provoking_vertex, cull or front_face.
  * - GN_NOT_FINITE or GN_INVALID_VIEWPORT: a number of the viewport that is not finite, a size below
  *   0 or above GN_MAX_SIZE, an origin beyond +-GN_MAX_SIZE. A size of 0 is valid and draws nothing.
@@ -477,6 +528,7 @@ GN_BEGIN
  *   GN_NOT_FINITE: color.blend[i]; the constant is looked at only where blend[i] is enabled.
  * - GN_INVALID_ENUM: color.logic_operation.
  * - GN_OUT_OF_RANGE: samples.write_disabled has bits beyond GN_SAMPLES.
+ * - GN_NOT_FINITE or GN_OUT_OF_RANGE: samples.least_shading that is not in 0 to 1.
  * - GN_NOT_FINITE or GN_OUT_OF_RANGE: a point size or line width that is not finite or below 0.
  * - GN_INVALID_ENUM: raster.point_origin, a polygon mode.
  * - For the ready-made shaders of gnomon/shaders.h: GN_NULL_POINTER (null uniforms that they read),

@@ -108,6 +108,8 @@
  *   fragment->primitive_id             fragment_reads_primitive
  *   fragment->point_coordinate         fragment_reads_point_coordinate
  *   fragment->covered_samples          fragment_reads_sample_mask
+ *   fragment->sample_id                fragment_reads_sample
+ *   fragment->sample_position          fragment_reads_sample
  *   fragment->discard                  fragment_discards
  *   fragment->depth                    fragment_writes_depth
  *   fragment->sample_mask              fragment_writes_sample_mask
@@ -124,13 +126,14 @@
 #include "shader_loop.h"
 
 /* The number of scalars in a struct of varyings, for the pipeline's varying_count. The struct's
- * floats are varyings 0, 1 and so on, in the struct's order; interpolation[] may be set for
- * each. */
+ * floats are varyings 0, 1 and so on, in the struct's order; interpolation[] and location[] may be
+ * set for each. */
 #define GN_VARYING_COUNT(varyings) ((uint32_t)(sizeof(varyings) / sizeof(float)))
 
 /* Defines a function `static void use(gn_pipeline *pipeline, const uniforms *values)`, which sets a
- * pipeline's shaders, uniforms, varying_count and interpolation (GN_SMOOTH), and leaves the rest
- * alone. `values` must outlive the draws. A semicolon ends each of these macros.
+ * pipeline's shaders, uniforms, varying_count, interpolation (GN_SMOOTH) and location
+ * (GN_AT_CENTER), and leaves the rest alone. `values` must outlive the draws. A semicolon ends each
+ * of these macros.
  *
  *   uniforms   a struct, or void for none
  *   varyings   a struct of floats, gn_vec2, gn_vec3 and gn_vec4, 1 to GN_MAX_VARYINGS scalars

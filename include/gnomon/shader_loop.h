@@ -140,6 +140,8 @@ GN_SHADER_INLINE_ void gn_shader_take_fragment_(const gn_fragment_input *input,
     fragment->point_coordinate = gn_make2(point[0][lane], point[1][lane]);
     fragment->primitive_id = input->primitive_id;
     fragment->covered_samples = (input->sample_mask ? input->sample_mask : no_samples)[lane];
+    fragment->sample_id = input->sample_id;
+    fragment->sample_position = gn_make2(input->sample_position[0], input->sample_position[1]);
     fragment->front_facing = input->front_facing;
 #define GN_SHADER_BLACK_(n) fragment->color[n] = gn_make4(0.0f, 0.0f, 0.0f, 0.0f);
     GN_SHADER_8_(GN_SHADER_BLACK_, 0)
@@ -238,8 +240,10 @@ GN_SHADER_INLINE_ void gn_shader_use_(gn_pipeline *pipeline, gn_vertex_shader *v
     pipeline->program.fragment_shader = fragment;
     pipeline->program.uniforms = uniforms;
     pipeline->program.varying_count = varying_count;
-    for (uint32_t n = 0; n < varying_count; ++n)
+    for (uint32_t n = 0; n < varying_count; ++n) {
         pipeline->program.interpolation[n] = GN_SMOOTH;
+        pipeline->program.location[n] = GN_AT_CENTER;
+    }
 }
 
 #endif

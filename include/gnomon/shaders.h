@@ -1,9 +1,9 @@
-/* Ready-made shaders: each gn_use_ function sets the shaders, varyings, interpolation and uniforms
- * of a pipeline and leaves the rest of the pipeline's state alone; only gn_use_depth_color also
- * sets fragment_reads_position. The caller owns the uniforms and their textures, which must outlive
- * the draws. They may change between draws. gn_draw does not check the values of uniforms: after a
- * change of maps, samplers, bands or the shadow map, call the gn_use_ function again, or
- * gn_lit_uniforms_check.
+/* Ready-made shaders: each gn_use_ function sets the shaders, varyings, interpolation (GN_SMOOTH,
+ * GN_AT_CENTER) and uniforms of a pipeline and leaves the rest of the pipeline's state alone; only
+ * gn_use_depth_color also sets fragment_reads_position. The caller owns the uniforms and their
+ * textures, which must outlive the draws. They may change between draws. gn_draw does not check the
+ * values of uniforms: after a change of maps, samplers, bands or the shadow map, call the gn_use_
+ * function again, or gn_lit_uniforms_check.
  *
  * A gn_use_ function must be called again when its shader needs more varyings than before: for
  * gn_use_unlit when gn_unlit_uniforms.map is no longer null, for gn_use_gouraud when the diffuse

@@ -18,13 +18,14 @@ static inline GLenum gl_comparison(gn_compare c, GLenum default_function)
 /* Number of framebuffers kept for later scenes of equal size and formats. */
 #define FRAMEBUFFER_CACHE_SIZE 16
 
-/* Variants of the vertex-colour program: each of four scalars has one of three qualifiers; with and
- * without point sizes. */
-#define VERTEX_COLOR_PROGRAMS 162
+/* Variants of the vertex-colour program: each of four scalars has one of three qualifiers and one
+ * of three locations; with and without point sizes; with and without reference_divides. */
+#define VERTEX_COLOR_PROGRAMS 26244
 
 /* Variants of the program of inputs.h: with and without position, primitive, discard, depth, point
- * coordinates, point sizes, reading sample masks and writing them. */
-#define INPUTS_PROGRAMS 256
+ * coordinates, point sizes, reading sample masks, writing them and reading the sample, and
+ * reference_divides; with one of three locations of the varyings. */
+#define INPUTS_PROGRAMS 3072
 
 /* Variants of the program of sampled.h: each texture target with colours, depths and compared
  * depths. */
@@ -133,6 +134,20 @@ GLuint reference_link_clipped(const char *vertex, const char *fragment, bool cli
 GLuint reference_link_parts(const char *vertex_body, const char *fragment_head,
                             const char *fragment_body, bool clipped, char *error,
                             size_t error_size);
+
+/* The declarations of varyings in a vertex shader and in a fragment shader, and what the vertex
+ * shader's main does with them in the end. All are empty at first. */
+#define LOCATED_TEXT 1024
+typedef struct located_texts {
+    char outs[LOCATED_TEXT], divisions[LOCATED_TEXT], ins[LOCATED_TEXT];
+} located_texts;
+
+/* Adds a varying of a draw. */
+void reference_declare(const scene_draw *d, int varying, gn_interpolation interpolation,
+                       const char *type, const char *name, located_texts *texts);
+
+/* Whether shaders divide and multiply smooth varyings by w themselves (locations.c). */
+bool reference_divides(const scene_draw *d);
 
 /* The program of a draw with SCENE_SAMPLED; returns as reference_program does. */
 GLuint reference_sampled_program(reference *r, const scene_draw *d, char *error, size_t error_size);

@@ -4,12 +4,6 @@
 
 #include <string.h>
 
-/* Four scalars, because each varying may have its own interpolation qualifier. */
-static const char vertex_color_varyings[] = "%s %s float red;\n"
-                                            "%s %s float green;\n"
-                                            "%s %s float blue;\n"
-                                            "%s %s float alpha;\n";
-
 static const char vertex_color_main[] = "void main()\n"
                                         "{\n"
                                         "    gl_Position = clip_from_model * position;\n"
@@ -17,6 +11,7 @@ static const char vertex_color_main[] = "void main()\n"
                                         "    green = color.g;\n"
                                         "    blue = color.b;\n"
                                         "    alpha = color.a;\n"
+                                        "    %s\n"
                                         "    %s\n"
                                         "}\n";
 
@@ -113,18 +108,17 @@ static const char phong_fragment[] =
     "    result = vec4(texel.rgb * (ambient + diffuse * lit) + specular * power, texel.a);\n"
     "}\n";
 
-static const char inputs_vertex[] = "smooth out vec4 shade;\n"
-                                    "void main()\n"
+static const char inputs_vertex[] = "void main()\n"
                                     "{\n"
                                     "    gl_Position = clip_from_model * position;\n"
                                     "    shade = color;\n"
+                                    "    %s\n"
                                     "    %s\n"
                                     "}\n";
 
 static const char set_point_size[] = "gl_PointSize = texcoord.s;";
 
-static const char inputs_fragment[] = "smooth in vec4 shade;\n"
-                                      "layout(location = 0) out vec4 result;\n"
+static const char inputs_fragment[] = "layout(location = 0) out vec4 result;\n"
                                       "void main()\n"
                                       "{\n"
                                       "    vec4 c = shade;\n"
@@ -157,57 +151,56 @@ static const char inputs_fragment[] = "smooth in vec4 shade;\n"
                                       "#ifdef DEPTH\n"
                                       "    gl_FragDepth = shade.b;\n"
                                       "#endif\n"
+                                      "#ifdef SAMPLE\n"
+                                      "    c.rb = c.rb + gl_SamplePosition * 0.25;\n"
+                                      "    c.g = c.g + float(gl_SampleID) * 0.125;\n"
+                                      "#endif\n"
                                       "    result = c;\n"
                                       "}\n";
 
-static const char *qualifier(gn_interpolation interpolation)
+/* A program that writes vertex colours or their derivatives. The colour is four scalars, because
+ * each varying may have its own qualifiers. */
+static GLuint link_colors(const scene_draw *d, const char *fragment_main, bool clipped, char *error,
+                          size_t error_size)
 {
-    switch (interpolation) {
-    case GN_NOPERSPECTIVE:
-        return "noperspective";
-    case GN_FLAT:
-        return "flat";
-    case GN_SMOOTH:
-        break;
-    }
-    return "smooth";
-}
+    const gn_program *const p = &d->state.program;
+    static const char *const names[] = {"red", "green", "blue", "alpha"};
+    located_texts texts = {"", "", ""};
+    char vertex[2 * LOCATED_TEXT + 512];
+    char fragment[2048];
+    int used;
 
-/* A program that writes vertex colours or their derivatives. */
-static GLuint link_colors(const gn_pipeline *p, const char *fragment_main, bool clipped,
-                          char *error, size_t error_size)
-{
-    const gn_interpolation *i = p->program.interpolation;
-    char vertex[1024];
-    char fragment[1024];
-    size_t used;
-
-    used = (size_t)snprintf(vertex, sizeof vertex, vertex_color_varyings, qualifier(i[0]), "out",
-                            qualifier(i[1]), "out", qualifier(i[2]), "out", qualifier(i[3]), "out");
-    snprintf(vertex + used, sizeof vertex - used, vertex_color_main,
-             p->program.vertex_writes_point_size ? set_point_size : "");
-    used = (size_t)snprintf(fragment, sizeof fragment, vertex_color_varyings, qualifier(i[0]), "in",
-                            qualifier(i[1]), "in", qualifier(i[2]), "in", qualifier(i[3]), "in");
-    snprintf(fragment + used, sizeof fragment - used, "%s", fragment_main);
+    for (int c = 0; c < 4; ++c)
+        reference_declare(d, c, p->interpolation[c], "float", names[c], &texts);
+    used = snprintf(vertex, sizeof vertex, "%s", texts.outs);
+    snprintf(vertex + used, sizeof vertex - (size_t)used, vertex_color_main,
+             p->vertex_writes_point_size ? set_point_size : "", texts.divisions);
+    snprintf(fragment, sizeof fragment, "%s%s", texts.ins, fragment_main);
     return reference_link_parts(vertex, "#version 450 core\n", fragment, clipped, error,
                                 error_size);
 }
 
-static GLuint link_inputs(const gn_pipeline *p, bool clipped, char *error, size_t error_size)
+static GLuint link_inputs(const scene_draw *d, bool clipped, char *error, size_t error_size)
 {
-    char vertex[sizeof inputs_vertex + sizeof set_point_size];
-    char head[200];
+    const gn_program *const p = &d->state.program;
+    located_texts texts = {"", "", ""};
+    char vertex[2 * LOCATED_TEXT + 512];
+    char head[LOCATED_TEXT + 256];
+    int used;
 
-    snprintf(vertex, sizeof vertex, inputs_vertex,
-             p->program.vertex_writes_point_size ? set_point_size : "");
-    snprintf(head, sizeof head, "#version 450 core\n%s%s%s%s%s%s%s",
-             p->program.fragment_reads_point_coordinate ? "#define POINT\n" : "",
-             p->program.fragment_reads_primitive ? "#define PRIMITIVE\n" : "",
-             p->program.fragment_reads_position ? "#define POSITION\n" : "",
-             p->program.fragment_discards ? "#define DISCARD\n" : "",
-             p->program.fragment_writes_depth ? "#define DEPTH\n" : "",
-             p->program.fragment_reads_sample_mask ? "#define SAMPLES\n" : "",
-             p->program.fragment_writes_sample_mask ? "#define MASK\n" : "");
+    reference_declare(d, 0, GN_SMOOTH, "vec4", "shade", &texts);
+    used = snprintf(vertex, sizeof vertex, "%s", texts.outs);
+    snprintf(vertex + used, sizeof vertex - (size_t)used, inputs_vertex,
+             p->vertex_writes_point_size ? set_point_size : "", texts.divisions);
+    snprintf(head, sizeof head, "#version 450 core\n%s%s%s%s%s%s%s%s%s",
+             p->fragment_reads_point_coordinate ? "#define POINT\n" : "",
+             p->fragment_reads_primitive ? "#define PRIMITIVE\n" : "",
+             p->fragment_reads_position ? "#define POSITION\n" : "",
+             p->fragment_discards ? "#define DISCARD\n" : "",
+             p->fragment_writes_depth ? "#define DEPTH\n" : "",
+             p->fragment_reads_sample_mask ? "#define SAMPLES\n" : "",
+             p->fragment_reads_sample ? "#define SAMPLE\n" : "",
+             p->fragment_writes_sample_mask ? "#define MASK\n" : "", texts.ins);
     return reference_link_parts(vertex, head, inputs_fragment, clipped, error, error_size);
 }
 
@@ -216,7 +209,7 @@ static GLuint link_inputs(const gn_pipeline *p, bool clipped, char *error, size_
 static GLuint link_outputs(uint32_t count, bool clipped, char *error, size_t error_size)
 {
     static const char *const turned[4] = {"rgba", "gbar", "barg", "argb"};
-    char vertex[sizeof inputs_vertex];
+    char vertex[sizeof inputs_vertex + 32];
     char fragment[2048];
     size_t used = (size_t)snprintf(fragment, sizeof fragment, "smooth in vec4 shade;\n");
 
@@ -231,7 +224,9 @@ static GLuint link_outputs(uint32_t count, bool clipped, char *error, size_t err
                                  turned[a % 4]);
     }
     snprintf(fragment + used, sizeof fragment - used, "}\n");
-    snprintf(vertex, sizeof vertex, inputs_vertex, "");
+    const int declared = snprintf(vertex, sizeof vertex, "smooth out vec4 shade;\n");
+
+    snprintf(vertex + declared, sizeof vertex - (size_t)declared, inputs_vertex, "", "");
     return reference_link_parts(vertex, "#version 450 core\n", fragment, clipped, error,
                                 error_size);
 }
@@ -247,16 +242,17 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
     case SCENE_VERTEX_COLOR:
     case SCENE_DERIVATIVES: {
         const bool colors = d->shader == SCENE_VERTEX_COLOR;
-        int variant = d->state.program.vertex_writes_point_size;
+        int variant = d->state.program.vertex_writes_point_size + 2 * reference_divides(d);
 
         for (int c = 0; c < 4; ++c)
-            variant = 3 * variant + (int)d->state.program.interpolation[c] % 3;
+            variant = 9 * variant + (int)d->state.program.interpolation[c] % 3 +
+                      3 * ((int)d->state.program.location[c] % 3);
         program = colors ? &r->vertex_color_programs[clipped][variant]
                          : &r->derivatives_programs[clipped][variant];
         if (!*program) {
-            *program = link_colors(&d->state,
-                                   colors ? vertex_color_fragment_main : derivatives_fragment_main,
-                                   clipped, error, error_size);
+            *program =
+                link_colors(d, colors ? vertex_color_fragment_main : derivatives_fragment_main,
+                            clipped, error, error_size);
         }
         break;
     }
@@ -293,9 +289,12 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
                                          16 * d->state.program.fragment_reads_point_coordinate +
                                          32 * d->state.program.vertex_writes_point_size +
                                          64 * d->state.program.fragment_reads_sample_mask +
-                                         128 * d->state.program.fragment_writes_sample_mask];
+                                         128 * d->state.program.fragment_writes_sample_mask +
+                                         256 * d->state.program.fragment_reads_sample +
+                                         512 * reference_divides(d) +
+                                         1024 * ((int)d->state.program.location[0] % 3)];
         if (!*program)
-            *program = link_inputs(&d->state, clipped, error, error_size);
+            *program = link_inputs(d, clipped, error, error_size);
         break;
     case SCENE_OUTPUTS: {
         const uint32_t count = d->state.program.color_count ? d->state.program.color_count : 1;

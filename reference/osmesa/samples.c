@@ -42,6 +42,8 @@ void reference_set_sample_state(const gn_pipeline *p)
     switch_on(GL_SAMPLE_ALPHA_TO_ONE, p->samples.alpha_to_one);
     switch_on(GL_SAMPLE_MASK, p->samples.write_disabled != 0);
     glSampleMaski(0, ~(GLbitfield)p->samples.write_disabled);
+    switch_on(GL_SAMPLE_SHADING, p->samples.shading);
+    glMinSampleShading(p->samples.least_shading);
 }
 
 static void reset_state(const scene *s)

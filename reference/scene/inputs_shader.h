@@ -65,10 +65,23 @@ static inline uint32_t transparent_lanes(const float *alpha)
     return lanes;
 }
 
-/* Does what the pipeline asks for: the pointers that are not null tell. */
-static void shade_inputs(const void *uniforms, const gn_fragment_input *in, gn_fragment_output *out)
+/* Products with powers of two are exact. */
+static inline void add_sample(const gn_fragment_input *in, float (*restrict color)[GN_LANES])
 {
-    (void)uniforms;
+    const float number = (float)(int32_t)in->sample_id * 0.125f;
+    const float right = in->sample_position[0] * 0.25f, up = in->sample_position[1] * 0.25f;
+
+    for (int l = 0; l < GN_LANES; ++l) {
+        color[RED][l] = color[RED][l] + right;
+        color[GREEN][l] = color[GREEN][l] + number;
+        color[BLUE][l] = color[BLUE][l] + up;
+    }
+}
+
+/* Does what the pipeline asks for: the pointers that are not null tell, but for the sample. */
+static inline void shade_asked_inputs(const gn_fragment_input *in, gn_fragment_output *out,
+                                      bool reads_sample)
+{
     shade_varyings(in, in->varying, out->color);
     out->kept &= ~transparent_lanes(in->varying[ALPHA]);
     if (out->depth)
@@ -79,8 +92,23 @@ static void shade_inputs(const void *uniforms, const gn_fragment_input *in, gn_f
         add_position(in->position, out->color);
     for (int l = 0; in->sample_mask && l < GN_LANES; ++l)
         out->color[GREEN][l] = out->color[GREEN][l] + (float)(int32_t)in->sample_mask[l] * 0.0625f;
+    if (reads_sample)
+        add_sample(in, out->color);
     if (out->sample_mask)
         shade_sample_mask(in, out->sample_mask);
+}
+
+static void shade_inputs(const void *uniforms, const gn_fragment_input *in, gn_fragment_output *out)
+{
+    (void)uniforms;
+    shade_asked_inputs(in, out, false);
+}
+
+static void shade_sample_inputs(const void *uniforms, const gn_fragment_input *in,
+                                gn_fragment_output *out)
+{
+    (void)uniforms;
+    shade_asked_inputs(in, out, true);
 }
 
 #endif

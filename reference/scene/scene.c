@@ -256,3 +256,14 @@ uint64_t scene_triangle_count(const scene *s)
     }
     return triangles;
 }
+
+bool scene_draw_has_one_w(const scene_draw *d)
+{
+    const gn_mat4 *const m = &d->uniforms.light.clip_from_model;
+    const gn_attribute *const a = &d->mesh.attribute[GN_ATTRIBUTE_POSITION];
+    bool one = m->m[0][3] == 0.0f && m->m[1][3] == 0.0f && m->m[2][3] == 0.0f;
+
+    for (uint32_t v = 1; a->data && a->components == 4 && v < d->mesh.vertex_count && one; ++v)
+        one = a->data[(size_t)v * (a->stride ? a->stride / 4 : 4) + 3] == a->data[3];
+    return one;
+}

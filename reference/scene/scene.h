@@ -299,6 +299,25 @@ static inline bool scene_is_sampled(const scene *s)
     return s->samples > 1;
 }
 
+/* Whether a pipeline asks for all samples to be shaded, so that all varyings are at samples. */
+static inline bool scene_shades_samples(const gn_pipeline *p)
+{
+    return p->samples.shading && p->samples.least_shading * GN_SAMPLES > 1.0f;
+}
+
+/* Whether a varying of a draw may be interpolated elsewhere than at pixels' centres. */
+static inline bool scene_draw_is_located(const scene_draw *d)
+{
+    bool located = scene_shades_samples(&d->state);
+
+    for (int c = 0; c < 4; ++c)
+        located = located || d->state.program.location[c] != GN_AT_CENTER;
+    return located;
+}
+
+/* Whether all vertices of a draw have one w in clip space, computed without rounding. */
+bool scene_draw_has_one_w(const scene_draw *d);
+
 /* Creates a zeroed frame for a scene; false if there is not enough memory. */
 bool scene_frame_allocate(scene_frame *frame, const scene *s);
 void scene_frame_free(scene_frame *frame);

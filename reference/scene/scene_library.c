@@ -202,6 +202,15 @@ static gn_status use_lit(gn_pipeline *pipeline, const scene_draw *d, gn_lit_unif
     return status;
 }
 
+/* Sets how the four channels of vertex colours are interpolated. */
+static void interpolate_colors(gn_pipeline *pipeline, const scene_draw *d)
+{
+    for (int c = 0; c < 4; ++c) {
+        pipeline->program.interpolation[c] = d->state.program.interpolation[c];
+        pipeline->program.location[c] = d->state.program.location[c];
+    }
+}
+
 /* Sets the draw's shader; the uniforms must outlive the draw call. */
 static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backend backend,
                             other_uniforms *other)
@@ -212,8 +221,7 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
     case SCENE_VERTEX_COLOR:
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
         status = gn_use_vertex_color(pipeline, &other->color);
-        memcpy(pipeline->program.interpolation, d->state.program.interpolation,
-               4 * sizeof(gn_interpolation));
+        interpolate_colors(pipeline, d);
         use_sizes(pipeline, other);
         break;
     case SCENE_FLAT:
@@ -250,13 +258,14 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
     case SCENE_INPUTS:
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
         status = inputs_use(pipeline, &other->color, backend);
+        for (int c = 0; c < 4; ++c)
+            pipeline->program.location[c] = d->state.program.location[0];
         use_sizes(pipeline, other);
         break;
     case SCENE_DERIVATIVES:
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
         status = derivatives_use(pipeline, &other->color, backend);
-        memcpy(pipeline->program.interpolation, d->state.program.interpolation,
-               4 * sizeof(gn_interpolation));
+        interpolate_colors(pipeline, d);
         use_sizes(pipeline, other);
         break;
     case SCENE_OUTPUTS:

@@ -58,6 +58,7 @@ const scene_member scene_members[] = {
     ROW(program.varying_count, ELSEWHERE(uint32_t)),
     ROW(program.interpolation[0], NAMED(TEXT_INTERPOLATION),
         EACH(GN_MAX_VARYINGS, gn_interpolation)),
+    ROW(program.location[0], NAMED(TEXT_LOCATION), EACH(GN_MAX_VARYINGS, gn_varying_location)),
     ROW(program.color_count, NUMBER(GN_MAX_COLORS)),
     ROW(program.clip_distance_count, NUMBER(GN_MAX_CLIP_DISTANCES)),
     ROW(program.vertex_writes_point_size, SWITCH),
@@ -65,6 +66,7 @@ const scene_member scene_members[] = {
     ROW(program.fragment_reads_primitive, SWITCH),
     ROW(program.fragment_reads_point_coordinate, SWITCH),
     ROW(program.fragment_reads_sample_mask, SWITCH),
+    ROW(program.fragment_reads_sample, SWITCH),
     ROW(program.fragment_discards, SWITCH),
     ROW(program.fragment_writes_all_colors, ELSEWHERE(bool)),
     ROW(program.fragment_writes_depth, SWITCH),
@@ -122,6 +124,8 @@ const scene_member scene_members[] = {
     ROW(samples.write_disabled, NUMBER((1u << GN_SAMPLES) - 1)),
     ROW(samples.alpha_to_coverage, SWITCH),
     ROW(samples.alpha_to_one, SWITCH),
+    ROW(samples.shading, SWITCH),
+    ROW(samples.least_shading, FLOAT(0.0f, 1.0f)),
 #undef AT
 
 #define AT(path) offsetof(scene_draw, path)

@@ -44,6 +44,7 @@ static const char *const stencil_operation_names[] = {"keep",           "zero", 
                                                       "increment",      "decrement",     "invert",
                                                       "increment-wrap", "decrement-wrap"};
 static const char *const interpolation_names[] = {"smooth", "noperspective", "flat"};
+static const char *const location_names[] = {"center", "centroid", "sample"};
 static const char *const index_names[] = {"none", "uint8", "uint16", "uint32"};
 static const char *const restart_names[] = {"none", "fixed", "index"};
 static const char *const attribute_names[] = {"position", "color", "normal", "texcoord", "tangent"};
@@ -101,6 +102,7 @@ static const struct {
     [TEXT_COMPARE] = SET(compare_names),
     [TEXT_STENCIL_OPERATION] = SET(stencil_operation_names),
     [TEXT_INTERPOLATION] = SET(interpolation_names),
+    [TEXT_LOCATION] = SET(location_names),
     [TEXT_INDEX] = SET(index_names),
     [TEXT_RESTART] = SET(restart_names),
     [TEXT_ATTRIBUTE] = SET(attribute_names),

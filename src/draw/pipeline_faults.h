@@ -122,6 +122,16 @@ static inline fault fault_of_points_and_lines(const gn_pipeline *p)
     return NO_FAULT;
 }
 
+static inline fault fault_of_sample_shading(const gn_samples *s)
+{
+    if (!s->shading)
+        return NO_FAULT;
+    FAULT_IF(!gn_is_finite(s->least_shading), GN_NOT_FINITE, "samples.least_shading is not finite");
+    FAULT_IF(s->least_shading < 0.0f || s->least_shading > 1.0f, GN_OUT_OF_RANGE,
+             "samples.least_shading is not in 0 to 1");
+    return NO_FAULT;
+}
+
 /* Not asked in small libraries, which have the code of ready-made shaders in use alone. */
 static inline fault fault_of_ready_made(const gn_pipeline *p)
 {
@@ -192,9 +202,13 @@ static inline fault fault_of_pipeline(const gn_pipeline *p, const gn_target *tar
                  "program.fragment_writes_sample_mask, but program.fragment_shader is null");
     FAULT_IF(p->program.varying_count > GN_MAX_VARYINGS, GN_TOO_MANY_VARYINGS,
              "program.varying_count is above GN_MAX_VARYINGS");
-    for (uint32_t n = 0; n < p->program.varying_count; ++n)
+    for (uint32_t n = 0; n < p->program.varying_count; ++n) {
         FAULT_IF((unsigned)p->program.interpolation[n] > GN_FLAT, GN_INVALID_ENUM,
                  "program.interpolation of a varying is no gn_interpolation");
+        if (GN_HAVE_SAMPLES)
+            FAULT_IF((unsigned)p->program.location[n] > GN_AT_SAMPLE, GN_INVALID_ENUM,
+                     "program.location of a varying is no gn_varying_location");
+    }
     FAULT_IF((unsigned)p->raster.topology > GN_LINE_LOOP, GN_INVALID_ENUM,
              "raster.topology is no gn_topology");
     FAULT_IF((unsigned)p->raster.provoking_vertex > GN_PROVOKING_FIRST, GN_INVALID_ENUM,
@@ -228,6 +242,8 @@ static inline fault fault_of_pipeline(const gn_pipeline *p, const gn_target *tar
              "color.logic_operation is no gn_logic_operation");
     FAULT_IF(p->samples.write_disabled >= 1u << GN_SAMPLES, GN_OUT_OF_RANGE,
              "samples.write_disabled has bits beyond GN_SAMPLES");
+    if (GN_HAVE_SAMPLES)
+        FAULT_FROM(fault_of_sample_shading(&p->samples));
     if (GN_HAVE_LINES)
         FAULT_FROM(fault_of_points_and_lines(p));
     FAULT_FROM(fault_of_ready_made(p));

@@ -1,26 +1,24 @@
-/* Fragments of multisampled targets, 16 at a time: the shader runs once a pixel; depth, tests and
- * colours once a sample (OpenGL 4.5 section 14.3.1). Each sample is a surface of its own. */
+/* Fragments of multisampled targets, 16 at a time: the shader runs once a pixel, or once a sample
+ * if the state says so; depth, tests and colours once a sample (OpenGL 4.5 section 14.3.1). Each
+ * sample is a surface of its own. */
 #ifndef GN_FRAGMENT_SAMPLES_H
 #define GN_FRAGMENT_SAMPLES_H
 
-#include "../raster/cover_samples.h"
 #include "steps.h"
 
 /* States of a draw: one for each sample. */
 #define SAMPLE_STATES (GN_HAVE_SAMPLES ? GN_SAMPLES : 1)
 
-/* Returns a sample's place in a pixel, in pixels from the pixel's corner. */
-static inline float sample_place(uint32_t sample, int axis)
-{
-    return (float)(128 + sample_offset(sample, axis)) * (1.0f / 256.0f);
-}
-
-/* Turns a state into that of a sample. The shader runs at pixels' centres. */
+/* Turns a state into that of a sample. Values are those at pixels' centres, unless all samples are
+ * shaded. */
 static inline void view_sample(fragment_state *s, uint32_t sample)
 {
+    const bool all = shades_all_samples(s->pipeline);
+
+    s->sample = s->runs_per_sample ? sample : 0;
     for (int axis = 0; axis < 2; ++axis) {
         s->test_at[axis] = sample_place(sample, axis);
-        s->shade_at[axis] = 0.5f;
+        s->shade_at[axis] = all ? s->test_at[axis] : 0.5f;
     }
 
     if (s->color.format != GN_FORMAT_NONE)
@@ -35,12 +33,25 @@ static inline void view_sample(fragment_state *s, uint32_t sample)
     }
 }
 
+/* The samples that a call of the shader is for: all samples of its pixels, or one. */
+typedef struct sample_range {
+    uint32_t first, end;
+} sample_range;
+
+static inline sample_range samples_of_call(const fragment_state *state)
+{
+    const sample_range all = {0, GN_SAMPLES}, one = {state->sample, state->sample + 1};
+
+    return state->runs_per_sample ? one : all;
+}
+
 /* Turns masks of pixels for each sample into masks of samples for each lane. */
-static inline void masks_of_lanes(const uint32_t coverage[GN_SAMPLES], uint32_t mask[GN_LANES])
+static inline void masks_of_lanes(const uint32_t coverage[GN_SAMPLES], sample_range samples,
+                                  uint32_t mask[GN_LANES])
 {
     lanes_i all = lanes_i_splat(0);
 
-    for (uint32_t s = 0; s < GN_SAMPLES; ++s)
+    for (uint32_t s = samples.first; s < samples.end; ++s)
         all = lanes_i_or(all, lanes_i_and(lanes_m_as_int(lanes_from_bits(coverage[s])),
                                           lanes_i_splat((int32_t)(1u << s))));
     lanes_i_store((stored_word *)(void *)mask, all);
@@ -68,11 +79,12 @@ static inline bool is_late_for_samples(const fragment_state *state)
 }
 
 /* A batch of a multisampled target: the coverage of each sample, at first and after the steps so
- * far. The blocks' own coverage is that of the sample which takes a step, or of pixels with any
- * sample. */
+ * far; and what of it decides on centroids, if the state is_located. The blocks' own coverage is
+ * that of the sample which takes a step, or of pixels with any sample. */
 typedef struct sampled_batch {
     uint32_t covered[GN_SAMPLES][STEP_BLOCKS];
     uint32_t coverage[GN_SAMPLES][STEP_BLOCKS];
+    uint32_t present[GN_SAMPLES][STEP_BLOCKS];
     covered_block blocks[STEP_BLOCKS];
     block_batch batch;
 } sampled_batch;
@@ -88,9 +100,10 @@ static void cover_by_shader(const fragment_state *state, const shader_verdict *v
                             float (*color)[4][GN_LANES], uint32_t coverage[GN_SAMPLES])
 {
     const gn_pipeline *p = state->pipeline;
+    const sample_range samples = samples_of_call(state);
     const lanes_f alpha = lanes_load(color[0][3]);
 
-    for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
+    for (uint32_t s = samples.first; s < samples.end; ++s) {
         const lanes_f least = lanes_splat((float)(int32_t)s * (1.0f / GN_SAMPLES));
 
         if (p->program.fragment_discards)
@@ -116,30 +129,56 @@ static inline void set_masks(const fragment_state *state, const uint32_t covered
     const gn_program *const program = &state->pipeline->program;
 
     if (program->fragment_reads_sample_mask) {
-        masks_of_lanes(covered, masks->covered);
+        masks_of_lanes(covered, samples_of_call(state), masks->covered);
         verdict->covered_samples = masks->covered;
     }
     verdict->kept_samples = program->fragment_writes_sample_mask ? masks->kept : 0;
 }
 
+/* Whether samples that the shader discards decide on the centroids of the samples that follow. */
+static inline bool discards_centroids(const fragment_state *state)
+{
+    return state->runs_per_sample && state->is_located &&
+           state->pipeline->program.fragment_discards;
+}
+
+/* Sets the colours of a block in which nothing is shaded. The block takes the other steps with the
+ * rest of its batch. */
+static inline void blacken(float (*color)[4][GN_LANES], uint32_t count)
+{
+    for (uint32_t a = 0; a < count; ++a)
+        for (int c = 0; c < 4; ++c)
+            lanes_store(color[a][c], lanes_splat(0.0f));
+}
+
 /* Runs the shader for a batch of halves. */
 GN_OUT_OF_LINE void shade_samples(const fragment_state *state, sampled_batch *b)
 {
-    uint32_t coverage[GN_SAMPLES];
+    const uint32_t colors = shader_colors(state);
+    uint32_t coverage[GN_SAMPLES], present[GN_SAMPLES];
     shader_masks masks;
     shader_verdict verdict;
 
     for (uint32_t n = 0; n < b->batch.count; ++n) {
+        if (state->runs_per_sample && !b->batch.coverage[n]) {
+            blacken(&b->batch.color[n * colors], colors);
+            continue;
+        }
         set_verdict(&verdict);
         for (uint32_t s = 0; s < GN_SAMPLES; ++s)
             coverage[s] = b->covered[s][n];
         set_masks(state, coverage, &masks, &verdict);
+        for (uint32_t s = 0; state->is_located && s < GN_SAMPLES; ++s)
+            present[s] = b->present[s][n];
+        verdict.present = present;
         shader_block(state, &b->batch, n, &verdict);
         for (uint32_t s = 0; s < GN_SAMPLES; ++s)
             coverage[s] = b->coverage[s][n];
-        cover_by_shader(state, &verdict, &b->batch.color[n * shader_colors(state)], coverage);
+        cover_by_shader(state, &verdict, &b->batch.color[n * colors], coverage);
         for (uint32_t s = 0; s < GN_SAMPLES; ++s)
             b->coverage[s][n] = coverage[s];
+        if (discards_centroids(state))
+            b->present[state->sample][n] &= verdict.kept;
     }
 }
 
@@ -147,13 +186,14 @@ GN_OUT_OF_LINE void shade_samples(const fragment_state *state, sampled_batch *b)
 GN_OUT_OF_LINE void shade_sample_rows(const fragment_state *state, sampled_batch *b)
 {
     block_batch *const rows = &b->batch;
-    uint32_t coverage[GN_SAMPLES];
+    uint32_t coverage[GN_SAMPLES], present[GN_SAMPLES];
     shader_masks masks;
     shader_verdict verdict;
     shader_call call;
 
     start_shader_calls(state, rows->triangle, &call);
     set_verdict(&verdict);
+    verdict.present = present;
     for (uint32_t n = 0; n < square_count(rows); ++n) {
         const uint32_t any = covered_in_square(rows, rows->coverage, n);
 
@@ -163,20 +203,25 @@ GN_OUT_OF_LINE void shade_sample_rows(const fragment_state *state, sampled_batch
         for (uint32_t s = 0; s < GN_SAMPLES; ++s)
             coverage[s] = covered_in_square(rows, b->covered[s], n);
         set_masks(state, coverage, &masks, &verdict);
+        for (uint32_t s = 0; state->is_located && s < GN_SAMPLES; ++s)
+            present[s] = covered_in_square(rows, b->present[s], n);
         shader_square(state, rows, n, any, &verdict, &call);
         for (uint32_t s = 0; s < GN_SAMPLES; ++s)
             coverage[s] = GN_ALL_LANES;
         cover_by_shader(state, &verdict, &rows->color[n * shader_colors(state)], coverage);
         for (uint32_t s = 0; s < GN_SAMPLES; ++s)
             discard_in_square(rows, b->coverage[s], n, coverage[s]);
+        if (discards_centroids(state))
+            discard_in_square(rows, b->present[state->sample], n, verdict.kept);
     }
 }
 
-/* Computes the colours of pixels with any sample. */
+/* Computes the colours of pixels with any sample, or of the state's sample. */
 static inline void source_samples(const fragment_state *state, sampled_batch *b)
 {
     for (uint32_t n = 0; n < b->batch.count; ++n)
-        b->batch.coverage[n] = any_coverage(b, n);
+        b->batch.coverage[n] =
+            state->runs_per_sample ? b->coverage[state->sample][n] : any_coverage(b, n);
     if (state->source != SOURCE_SHADER)
         source_batch(state, &b->batch);
     else if (is_of_rows(&b->batch))
@@ -185,17 +230,42 @@ static inline void source_samples(const fragment_state *state, sampled_batch *b)
         shade_samples(state, b);
 }
 
-/* Tests all samples of a batch. */
-static inline void test_samples(const fragment_state *state, sampled_batch *b)
+/* Tests one sample of a batch, whose state it is. `test` is the state's, or one that does not
+ * write. Leaves of `coverage` what passed. */
+GN_OUT_OF_LINE void test_sample(const fragment_state *state, const depth_state *test,
+                                uint32_t coverage[STEP_BLOCKS], sampled_batch *b)
 {
-    for (uint32_t s = 0; state->depth.format != GN_FORMAT_NONE && s < GN_SAMPLES; ++s) {
+    for (uint32_t n = 0; n < b->batch.count; ++n)
+        b->batch.coverage[n] = coverage[n];
+    if (is_of_rows(&b->batch))
+        set_terms(&b->batch, DEPTH_PLANE, ONE_OVER_W_PLANE, state->test_at);
+    test_batch(state, test, &b->batch);
+    for (uint32_t n = 0; n < b->batch.count; ++n)
+        coverage[n] = b->batch.coverage[n];
+}
+
+/* Tests the samples of a batch from `first` up to, but not including, `end`. */
+GN_OUT_OF_LINE void test_samples(const fragment_state *state, uint32_t first, uint32_t end,
+                                 sampled_batch *b)
+{
+    for (uint32_t s = first; state->depth.format != GN_FORMAT_NONE && s < end; ++s)
+        test_sample(&state[s], &state[s].test, b->coverage[s], b);
+}
+
+/* Finds the samples that decide on centroids: those that passed the tests, even if the shader comes
+ * first. Nothing is written meanwhile. */
+GN_OUT_OF_LINE void find_present_samples(const fragment_state *state, sampled_batch *b)
+{
+    const bool previews = state->previews_tests && is_late_for_samples(state);
+
+    for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
+        depth_state test = state[s].test;
+
+        test.write = false;
         for (uint32_t n = 0; n < b->batch.count; ++n)
-            b->batch.coverage[n] = b->coverage[s][n];
-        if (is_of_rows(&b->batch))
-            set_terms(&b->batch, DEPTH_PLANE, ONE_OVER_W_PLANE, state[s].test_at);
-        test_batch(&state[s], &b->batch);
-        for (uint32_t n = 0; n < b->batch.count; ++n)
-            b->coverage[s][n] = b->batch.coverage[n];
+            b->present[s][n] = b->coverage[s][n];
+        if (previews)
+            test_sample(&state[s], &test, b->present[s], b);
     }
 }
 
@@ -241,31 +311,16 @@ static inline uint64_t count_samples(const sampled_batch *b)
     return count;
 }
 
-/* Takes a batch through the steps in OpenGL's order. Leaves the samples that passed. */
-static inline void take_sampled_steps(const fragment_state *state, sampled_batch *b)
-{
-    const bool late = is_late_for_samples(state);
-
-    if (late)
-        source_samples(state, b);
-    test_samples(state, b);
-}
-
-/* Writes the colours of the samples that passed. */
-static inline void output_samples(const fragment_state *state, sampled_batch *b)
+/* Writes the colours of the samples from `first` up to, but not including, `end`. */
+static inline void output_samples(const fragment_state *state, uint32_t first, uint32_t end,
+                                  sampled_batch *b)
 {
     const uint32_t count = shader_colors(state);
 
-    if (!is_late_for_samples(state)) {
-        compact_samples(state, b);
-        if (b->batch.count == 0)
-            return;
-        source_samples(state, b);
-    }
     for (uint32_t a = 0; a < count; ++a) {
         if (!encode_color(state, a, count, &b->batch))
             continue;
-        for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
+        for (uint32_t s = first; s < end; ++s) {
             for (uint32_t n = 0; n < b->batch.count; ++n)
                 b->batch.coverage[n] = b->coverage[s][n];
             output_color(&state[s], a, &b->batch);
@@ -273,13 +328,42 @@ static inline void output_samples(const fragment_state *state, sampled_batch *b)
     }
 }
 
-/* Takes a batch through all steps, and counts its samples that passed. */
+/* Takes a batch through all steps in OpenGL's order, and counts its samples that passed. The steps
+ * from the shader on are taken for all samples at once or, if the shader runs for each sample, for
+ * one sample after the other. */
 static inline void shade_sampled_batch(const fragment_context *c, sampled_batch *b)
 {
-    take_sampled_steps(c->state, b);
-    c->counts->passed += count_samples(b);
-    if (has_colors(c->state))
-        output_samples(c->state, b);
+    const fragment_state *const state = c->state;
+    const uint32_t together = state->runs_per_sample ? 1 : GN_SAMPLES;
+    const bool late = is_late_for_samples(state);
+
+    if (!late) {
+        test_samples(state, 0, GN_SAMPLES, b);
+        c->counts->passed += count_samples(b);
+        if (!has_colors(state))
+            return;
+        compact_samples(state, b);
+        if (b->batch.count == 0)
+            return;
+    }
+    if (state->is_located)
+        find_present_samples(state, b);
+    for (uint32_t s = 0; s < GN_SAMPLES; s += together) {
+        source_samples(&state[s], b);
+        if (late)
+            test_samples(state, s, s + together, b);
+        if (has_colors(state))
+            output_samples(state, s, s + together, b);
+    }
+    if (late)
+        c->counts->passed += count_samples(b);
+}
+
+/* Whether blocks of different triangles may not take the steps together: what they do to a pixel
+ * depends on what is stored there, beside the order of tests. */
+static inline bool keeps_triangles_apart(const fragment_state *state)
+{
+    return state->combines || (state->previews_tests && is_late_for_samples(state));
 }
 
 /* Shades squares: a samples_function. The context is a fragment_context. */
@@ -308,7 +392,8 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
             ++squares;
             --count;
         } while (count > 0 && together < most_together(state) &&
-                 (!state->combines || squares->triangle.planes == squares[-1].triangle.planes));
+                 (!keeps_triangles_apart(state) ||
+                  squares->triangle.planes == squares[-1].triangle.planes));
         b.batch.count = together;
         shade_sampled_batch(c, &b);
     }

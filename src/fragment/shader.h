@@ -2,7 +2,7 @@
 #ifndef GN_FRAGMENT_SHADER_H
 #define GN_FRAGMENT_SHADER_H
 
-#include "planes.h"
+#include "locations.h"
 
 static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_triangle triangle,
                                           uint32_t n, const block_places *at, lanes_f w)
@@ -33,30 +33,59 @@ static inline void interpolate_varyings(const fragment_state *state, raster_tria
         lanes_store(varying[n], interpolate_varying(pipeline, triangle, n, at, w));
 }
 
-/* Returns the centres of the lanes' pixels along an axis. `first` has the first pixel of each half,
- * `number` the distance of each lane from it. */
-GN_INLINE lanes_f pixel_centres(const int32_t first[2], const int32_t number[GN_LANES])
+/* Interpolates varyings, each at its location. `center` are the places of pixels' centres, where w
+ * is `w`. */
+GN_OUT_OF_LINE void interpolate_located(const fragment_state *state, raster_triangle triangle,
+                                        const pixel_block *block, const block_places *center,
+                                        const lanes_f *w, const uint32_t present[GN_SAMPLES],
+                                        float varying[GN_MAX_VARYINGS][GN_LANES])
+{
+    const gn_program *const program = &state->pipeline->program;
+    const attribute_plane one_over_w = triangle_plane(triangle, ONE_OVER_W_PLANE);
+    block_places place[GN_AT_SAMPLE + 1];
+    lanes_f w_at_place[GN_AT_SAMPLE + 1];
+
+    copy_places(&place[GN_AT_CENTER], center);
+    w_at_place[GN_AT_CENTER] = *w;
+    set_centroid_places(&place[GN_AT_CENTROID], block, present);
+    set_places(&place[GN_AT_SAMPLE], block, state->test_at);
+    for (int l = GN_AT_CENTROID; l <= GN_AT_SAMPLE; ++l)
+        w_at_place[l] = lanes_div(lanes_splat(1.0f), plane_at(one_over_w, &place[l]));
+    for (uint32_t n = 0; n < program->varying_count; ++n) {
+        const gn_varying_location l = program->location[n];
+
+        lanes_store(varying[n],
+                    interpolate_varying(state->pipeline, triangle, n, &place[l], w_at_place[l]));
+    }
+}
+
+/* Returns places in the lanes' pixels along an axis, each `inside` from its pixel's lower left
+ * corner. `first` has the first pixel of each half, `number` the distance of each lane from it. */
+GN_INLINE lanes_f places_in_pixels(const int32_t first[2], const int32_t number[GN_LANES],
+                                   float inside)
 {
     return lanes_add(
         lanes_to_float(lanes_i_add(lanes_i_halves(first[0], first[1]), lanes_i_load(number))),
-        lanes_splat(0.5f));
+        lanes_splat(inside));
 }
 
-/* Writes gl_FragCoord of a block. Its z has the polygon offset, whether or not depth is tested. */
+/* Writes gl_FragCoord of a block: x, y and z at `at`, which lies `inside` its pixels, and 1/w at
+ * `center`. Its z has the polygon offset, whether or not depth is tested. */
 static void place_fragments(const gn_pipeline *pipeline, raster_triangle triangle,
                             const gn_fragment_input *input, const block_places *at,
+                            const float inside[2], const block_places *center,
                             float position[4][GN_LANES])
 {
     static const int32_t column[GN_LANES] = GN_NUMBERS(COLUMN_IN_HALF);
     static const int32_t row[GN_LANES] = GN_NUMBERS(ROW_IN_HALF);
     lanes_f depth = plane_at(triangle_plane(triangle, DEPTH_PLANE), at);
 
-    lanes_store(position[0], pixel_centres(input->x, column));
-    lanes_store(position[1], pixel_centres(input->y, row));
+    lanes_store(position[0], places_in_pixels(input->x, column, inside[0]));
+    lanes_store(position[1], places_in_pixels(input->y, row, inside[1]));
     if (GN_HAVE_OFFSET && pipeline->raster.polygon_offset.set)
         depth = lanes_add(depth, lanes_splat(triangle_offset(triangle)));
     lanes_store(position[2], depth);
-    lanes_store(position[3], plane_at(triangle_plane(triangle, ONE_OVER_W_PLANE), at));
+    lanes_store(position[3], plane_at(triangle_plane(triangle, ONE_OVER_W_PLANE), center));
 }
 
 /* Writes gl_PointCoord of a block. The caller computed w as 1 / (1 / w). */
@@ -76,12 +105,14 @@ static void locate_in_point(const gn_pipeline *pipeline, raster_triangle triangl
 
 /* The decisions of a fragment shader beside colour. `kept`: the fragments that it keeps. `depth`:
  * its depths if not null; beforehand the interpolated depths. The sample masks of lanes, if not
- * null: beforehand the covered samples, afterwards the kept samples. */
+ * null: beforehand the covered samples, afterwards the kept samples. `present`: the lanes of each
+ * sample that decide on centroids; set if the state is_located. */
 typedef struct shader_verdict {
     uint32_t kept;
     float *depth;
     const uint32_t *covered_samples;
     uint32_t *kept_samples;
+    const uint32_t *present;
 } shader_verdict;
 
 /* Sets the verdict for one sample a pixel, without depths. */
@@ -91,6 +122,7 @@ static inline void set_verdict(shader_verdict *verdict)
     if (GN_HAVE_SAMPLES) {
         verdict->covered_samples = 0;
         verdict->kept_samples = 0;
+        verdict->present = 0;
     }
 }
 
@@ -108,17 +140,40 @@ typedef struct asked_inputs {
     uint32_t covered[GN_LANES], kept[GN_LANES];
 } asked_inputs;
 
+/* Writes gl_FragCoord: at pixels' centres, whose planes are evaluated at `at`, or at samples if the
+ * shader runs for each of them. */
+static inline void place_in_window(const fragment_state *state, raster_triangle triangle,
+                                   const gn_fragment_input *input, const block_places *at,
+                                   float position[4][GN_LANES])
+{
+    static const float middle[2] = {0.5f, 0.5f};
+
+    if (GN_HAVE_SAMPLES && state->runs_per_sample) {
+        const pixel_block block = {{input->x[0], input->x[1]}, {input->y[0], input->y[1]}};
+        block_places sample, center;
+
+        set_places(&sample, &block, state->test_at);
+        set_places(&center, &block, middle);
+        place_fragments(state->pipeline, triangle, input, &sample, state->test_at, &center,
+                        position);
+        return;
+    }
+    place_fragments(state->pipeline, triangle, input, at, middle, at, position);
+}
+
 /* Sets the shader's inputs and outputs beside varyings and colours, as the pipeline asks for them.
  */
-GN_OUT_OF_LINE void set_asked_inputs(const gn_pipeline *pipeline, raster_triangle triangle,
+GN_OUT_OF_LINE void set_asked_inputs(const fragment_state *state, raster_triangle triangle,
                                      const block_places *at, const lanes_f *w,
                                      const shader_verdict *verdict, asked_inputs *asked,
                                      gn_fragment_input *input, gn_fragment_output *output)
 {
+    const gn_pipeline *const pipeline = state->pipeline;
+
     if (pipeline->program.fragment_reads_primitive)
         input->primitive_id = triangle_number(triangle);
     if (pipeline->program.fragment_reads_position) {
-        place_fragments(pipeline, triangle, input, at, asked->position);
+        place_in_window(state, triangle, input, at, asked->position);
         input->position = (const float(*)[GN_LANES])asked->position;
     }
     if (GN_HAVE_LINES && pipeline->program.fragment_reads_point_coordinate) {
@@ -183,6 +238,10 @@ static inline void start_shader_calls(const fragment_state *state, raster_triang
     call->input.point_coordinate = 0;
     call->input.sample_mask = 0;
     call->output.sample_mask = 0;
+    call->input.sample_id = state->sample;
+    for (int axis = 0; axis < 2; ++axis)
+        call->input.sample_position[axis] =
+            GN_HAVE_SAMPLES && state->runs_per_sample ? state->test_at[axis] : 0.5f;
 }
 
 /* Calls the fragment shader for a block whose planes are evaluated at `places`, after
@@ -193,7 +252,16 @@ GN_INLINE void call_shader(const fragment_state *state, raster_triangle triangle
                            lanes_f w, float (*color)[GN_LANES], shader_verdict *verdict,
                            shader_call *call)
 {
-    interpolate_varyings(state, triangle, places, w, call->varying);
+    if (GN_HAVE_SAMPLES && state->is_located) {
+        const lanes_f in_memory = w;
+        block_places at;
+
+        copy_places(&at, places);
+        interpolate_located(state, triangle, block, &at, &in_memory, verdict->present,
+                            call->varying);
+    } else {
+        interpolate_varyings(state, triangle, places, w, call->varying);
+    }
     call->input.coverage = coverage;
     for (int half = 0; half < 2; ++half) {
         call->input.x[half] = block->x[half];
@@ -209,8 +277,8 @@ GN_INLINE void call_shader(const fragment_state *state, raster_triangle triangle
         block_places at;
 
         copy_places(&at, places);
-        set_asked_inputs(state->pipeline, triangle, &at, &in_memory, verdict, &call->asked,
-                         &call->input, &call->output);
+        set_asked_inputs(state, triangle, &at, &in_memory, verdict, &call->asked, &call->input,
+                         &call->output);
     }
     state->shading->fragment_shader(state->pipeline->program.uniforms, &call->input, &call->output);
     verdict->kept = call->output.kept;

@@ -7,6 +7,7 @@
 
 #include "output.h"
 #include "depth.h"
+#include "locations.h"
 #include "stencil.h"
 
 /* Whether no channel that the format has is written. */
@@ -45,7 +46,8 @@ static inline void set_source(fragment_state *s, const gn_pipeline *pipeline)
     s->source = SOURCE_SHADER;
     if (!GN_HAVE_ROWS || s->is_late || s->color.format == GN_FORMAT_NONE ||
         pipeline->program.color_count > 1 || pipeline->samples.alpha_to_coverage ||
-        pipeline->samples.alpha_to_one || pipeline->program.fragment_writes_sample_mask)
+        pipeline->samples.alpha_to_one || pipeline->program.fragment_writes_sample_mask ||
+        s->runs_per_sample || s->is_located)
         return;
     if (shader == gn_shade_lit_texture) {
         s->texture = lit->material.diffuse_map;
@@ -77,6 +79,27 @@ static inline void set_shader_inputs(fragment_state *s, const gn_pipeline *pipel
         s->is_smooth = s->is_smooth && pipeline->program.interpolation[n] == GN_SMOOTH;
 }
 
+/* Whether the stencil test is on and may write. */
+static inline bool may_write_stencil(const fragment_state *s)
+{
+    return s->tests_stencil && (s->stencil[0].written | s->stencil[1].written) != 0;
+}
+
+/* Sets where the varyings of a multisampled target are interpolated, and how often the shader
+ * runs. */
+GN_OUT_OF_LINE void set_locations(fragment_state *s, const gn_pipeline *pipeline)
+{
+    const bool all = shades_all_samples(pipeline);
+
+    s->runs_per_sample = all || pipeline->program.fragment_reads_sample;
+    for (uint32_t n = 0; n < pipeline->program.varying_count; ++n) {
+        const gn_varying_location location = pipeline->program.location[n];
+
+        s->runs_per_sample = s->runs_per_sample || location == GN_AT_SAMPLE;
+        s->is_located = s->is_located || (location != GN_AT_CENTER && !all);
+    }
+}
+
 /* Returns how many varyings batches of rows interpolate: those of a ready-made shader, as in
  * shaders/vertex.h. */
 static inline uint32_t run_varyings(const fragment_state *s)
@@ -102,6 +125,10 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     }
     s->is_late = pipeline->program.fragment_discards || pipeline->program.fragment_writes_depth;
     set_shader_inputs(s, pipeline);
+    s->runs_per_sample = s->is_located = false;
+    s->sample = 0;
+    if (GN_HAVE_SAMPLES && samples_of(any) > 1)
+        set_locations(s, pipeline);
     s->color = target->color[0];
     s->depth = target->depth;
     s->combine.use = COLOR_REPLACES;
@@ -121,6 +148,8 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
         set_stencil_state(&s->stencil[0], &pipeline->stencil.front, format);
         set_stencil_state(&s->stencil[1], &pipeline->stencil.back, format);
     }
+    s->previews_tests = GN_HAVE_SAMPLES && s->is_located && s->depth.format != GN_FORMAT_NONE &&
+                        !pipeline->program.fragment_writes_depth && !may_write_stencil(s);
     s->moves_depth = pipeline->raster.polygon_offset.set &&
                      (s->tests_depth || pipeline->program.fragment_reads_position);
     s->more_count = 0;

@@ -69,9 +69,9 @@ GN_INLINE lanes_i update_stencil(const stencil_update *u, uint32_t written, lane
 /* Tests a block against a surface that holds stencil, stencil first, and writes both. Returns the
  * part of coverage that passed. In GN_FORMAT_D32FS8 the 24 bits beside stencil become 0 where
  * covered. */
-GN_INLINE uint32_t test_stencil(const fragment_state *state, gn_format format,
-                                const fragment_place *at, bool back, uint32_t coverage,
-                                lanes_f depth)
+GN_INLINE uint32_t test_stencil(const fragment_state *state, const depth_state *test,
+                                gn_format format, const fragment_place *at, bool back,
+                                uint32_t coverage, lanes_f depth)
 {
     const stencil_state *const face = &state->stencil[back ? 1 : 0];
     const block_pixels memory = memory_of(at, &state->depth, format);
@@ -94,9 +94,8 @@ GN_INLINE uint32_t test_stencil(const fragment_state *state, gn_format format,
     if (format_has_depth(format) && state->tests_depth) {
         const lanes_i incoming = quantize_depth(format, depth, false);
 
-        both = lanes_and(passed,
-                         passing_lanes(&state->test, incoming, lanes_i_and(word[0], depth_bits)));
-        if (state->test.write)
+        both = lanes_and(passed, passing_lanes(test, incoming, lanes_i_and(word[0], depth_bits)));
+        if (test->write)
             word[0] =
                 lanes_i_xor(word[0], lanes_i_and(lanes_i_xor(word[0], incoming),
                                                  lanes_i_and(lanes_m_as_int(both), depth_bits)));

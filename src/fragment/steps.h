@@ -120,7 +120,7 @@ GN_OUT_OF_LINE void take_steps(const fragment_context *c, covered_block *blocks,
     if (state->is_late)
         source_batch(state, b);
     if (state->depth.format != GN_FORMAT_NONE)
-        test_batch(state, b);
+        test_batch(state, &state->test, b);
     if (c->counts)
         c->counts->passed += count_batch(b);
     if (!state->is_late) {

@@ -14,9 +14,9 @@ static inline bool is_usual_depth_test(const depth_state *test)
 }
 
 /* Whether depths are those of the triangle, and the test is the usual one. */
-static inline bool is_usual_test(const fragment_state *state)
+static inline bool is_usual_test(const fragment_state *state, const depth_state *test)
 {
-    return !state->moves_depth && !state->clamps_depth && is_usual_depth_test(&state->test) &&
+    return !state->moves_depth && !state->clamps_depth && is_usual_depth_test(test) &&
            !state->pipeline->program.fragment_writes_depth;
 }
 
@@ -33,22 +33,22 @@ GN_INLINE lanes_f offset_depth(const fragment_state *state, const fragment_place
 
 /* Tests a block. Depths are clamped to the limits; NaN becomes the upper one. Returns the part of
  * coverage that passed. */
-GN_INLINE uint32_t test_block(const fragment_state *state, gn_format format,
-                              const fragment_place *at, raster_triangle triangle, uint32_t coverage,
-                              lanes_f depth)
+GN_INLINE uint32_t test_block(const fragment_state *state, const depth_state *test,
+                              gn_format format, const fragment_place *at, raster_triangle triangle,
+                              uint32_t coverage, lanes_f depth)
 {
     if (GN_HAVE_OFFSET && state->clamps_depth)
         depth = lanes_max(lanes_min(depth, lanes_splat(state->limits.high)),
                           lanes_splat(state->limits.low));
     if (GN_HAVE_STENCIL && format_has_stencil(format))
-        return test_stencil(state, format, at, triangle_is(triangle, PRIMITIVE_IS_BACK), coverage,
-                            depth);
-    return test_depth(&state->test, &state->depth, format, at, coverage, depth, false);
+        return test_stencil(state, test, format, at, triangle_is(triangle, PRIMITIVE_IS_BACK),
+                            coverage, depth);
+    return test_depth(test, &state->depth, format, at, coverage, depth, false);
 }
 
 /* Tests the blocks of a batch. `usual` is is_usual_test, as a constant. */
-GN_INLINE void test_blocks(const fragment_state *state, gn_format format, bool usual,
-                           fragment_shape shape, block_batch *b)
+GN_INLINE void test_blocks(const fragment_state *state, const depth_state *test, gn_format format,
+                           bool usual, fragment_shape shape, block_batch *b)
 {
     const bool is_written = state->pipeline->program.fragment_writes_depth;
 
@@ -63,34 +63,36 @@ GN_INLINE void test_blocks(const fragment_state *state, gn_format format, bool u
                            interpolate(&at, triangle, DEPTH_PLANE), false);
             continue;
         }
-        b->coverage[n] = test_block(state, format, &at, triangle, b->coverage[n],
+        b->coverage[n] = test_block(state, test, format, &at, triangle, b->coverage[n],
                                     is_written ? lanes_load(b->of.terms.depth[n])
                                                : offset_depth(state, &at, triangle));
     }
 }
 
 /* Tests the blocks of a batch of a format, which has one of two loops. */
-GN_INLINE void test_format(const fragment_state *state, gn_format format, block_batch *b)
+GN_INLINE void test_format(const fragment_state *state, const depth_state *test, gn_format format,
+                           block_batch *b)
 {
-    const bool usual = GN_SPECIALISED && !format_has_stencil(format) && is_usual_test(state);
+    const bool usual = GN_SPECIALISED && !format_has_stencil(format) && is_usual_test(state, test);
 
     if (is_of_rows(b) && usual)
-        test_blocks(state, format, true, SHAPE_ROW, b);
+        test_blocks(state, test, format, true, SHAPE_ROW, b);
     else if (is_of_rows(b))
-        test_blocks(state, format, false, SHAPE_ROW, b);
+        test_blocks(state, test, format, false, SHAPE_ROW, b);
     else if (usual)
-        test_blocks(state, format, true, SHAPE_HALVES, b);
+        test_blocks(state, test, format, true, SHAPE_HALVES, b);
     else
-        test_blocks(state, format, false, SHAPE_HALVES, b);
+        test_blocks(state, test, format, false, SHAPE_HALVES, b);
 }
 
-/* Tests a batch: leaves of its coverage what passed. */
-GN_OUT_OF_LINE void test_batch(const fragment_state *state, block_batch *b)
+/* Tests a batch: leaves of its coverage what passed. `test` is the state's depth test, or one that
+ * does not write. */
+GN_OUT_OF_LINE void test_batch(const fragment_state *state, const depth_state *test, block_batch *b)
 {
 #define TEST(name, bytes, element, kind, encoding, ...)                                            \
     case GN_FORMAT_##name:                                                                         \
         if (FORMAT_##kind == FORMAT_DEPTH && format_is_compiled(GN_FORMAT_##name))                 \
-            test_format(state, GN_FORMAT_##name, b);                                               \
+            test_format(state, test, GN_FORMAT_##name, b);                                         \
         break;
     switch (state->depth.format) {
         GN_FORMATS(TEST)

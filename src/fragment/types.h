@@ -9,6 +9,7 @@
  *   output.h   the steps that encode, load and store colours
  *   combine.h  the step that combines colours with stored ones
  *   planes.h   attributes at fragments
+ *   locations.h  centroids and samples, where attributes of multisampled targets may be needed
  *   depth.h    depth test and depth write
  *   stencil.h  stencil and depth together
  *   shader.h   a call of the fragment shader
@@ -146,8 +147,15 @@ typedef struct fragment_state {
     float test_at[2], shade_at[2];
     const shading_functions *shading; /* how the pipeline's fragment shader runs */
     bool is_smooth;                   /* all of its varyings are */
-    bool asks_inputs;          /* asks for inputs other than varyings, or writes a sample mask */
-    bool is_late;              /* the shader runs before the tests */
+    bool asks_inputs; /* asks for inputs other than varyings, or writes a sample mask */
+    bool is_late;     /* the shader runs before the tests */
+
+    /* All false unless the target is multisampled. */
+    bool runs_per_sample; /* the shader runs for each sample */
+    bool is_located;      /* some varyings are interpolated at centroids, or at samples, alone */
+    bool previews_tests;  /* centroids depend on the tests, which come after the shader */
+
+    uint32_t sample;           /* that the state is of */
     fragment_source source;    /* SOURCE_SHADER with GN_SMALL, unless there is one lane */
     const gn_texture *texture; /* with SOURCE_TEXTURE */
     const gn_sampler *sampler;

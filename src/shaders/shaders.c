@@ -57,8 +57,10 @@ static gn_status use(gn_pipeline *pipeline, const void *uniforms, gn_vertex_shad
     pipeline->program.fragment_shader = fragment;
     pipeline->program.uniforms = uniforms;
     pipeline->program.varying_count = varying_count;
-    for (uint32_t n = 0; n < varying_count; ++n)
+    for (uint32_t n = 0; n < varying_count; ++n) {
         pipeline->program.interpolation[n] = GN_SMOOTH;
+        pipeline->program.location[n] = GN_AT_CENTER;
+    }
     return GN_OK;
 }
 

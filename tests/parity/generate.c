@@ -106,6 +106,8 @@ const char *scene_class_name(scene_class c)
         return "samples";
     case CLASS_MASKS:
         return "masks";
+    case CLASS_SAMPLE_SHADING:
+        return "sample-shading";
     case CLASS_CLIP_DISTANCE:
         return "clip-distances";
     case CLASS_OUTLINES:
@@ -154,6 +156,8 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         return generate_sampled(mix);
     if (c == CLASS_MASKS)
         return generate_masks(mix);
+    if (c == CLASS_SAMPLE_SHADING)
+        return generate_sample_shading(mix);
 
     builder b;
     builder_begin(&b, random_splitmix(&mix));
@@ -322,5 +326,10 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
                                 c == CLASS_SHADOWED || c == CLASS_BATCHES || c == CLASS_BATCH_ENDS;
     if (may_be_sampled && random_chance(&b.random, 20))
         make_sampled(&b.random, b.scene);
+    if (c == CLASS_MIXED || c == CLASS_SEQUENCES) {
+        random_source shading = random_seed(mix); /* of its own, so that other states stay */
+        for (size_t i = 0; i < b.scene->draw_count; ++i)
+            random_sample_shading(&shading, &b.scene->draws[i]);
+    }
     return builder_end(&b);
 }

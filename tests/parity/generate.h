@@ -61,6 +61,7 @@ typedef enum scene_class {
     CLASS_SEQUENCES,         /* 7 to 20 draws, all states at random, clears between some */
     CLASS_BATCHES,           /* overlapping triangles that share batches, in every kind of state */
     CLASS_BATCH_ENDS,        /* batches that end within a triangle, a row or a draw */
+    CLASS_SAMPLE_SHADING,    /* shaders that run for each sample; centroids */
     CLASS_COUNT
 } scene_class;
 

@@ -202,6 +202,10 @@ scene *generate_sampled(uint64_t seed);
  * with one; its shaders use sample masks. */
 scene *generate_masks(uint64_t seed);
 
+/* Chooses what a draw's fragment shader is run for, and where its varyings are interpolated. */
+void random_sample_shading(random_source *r, scene_draw *d);
+scene *generate_sample_shading(uint64_t seed);
+
 /* Sets write masks, blending and logical operations for a draw of the mixed classes. */
 void mix_color_state(builder *b);
 

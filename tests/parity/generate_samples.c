@@ -129,10 +129,22 @@ static void avoid_defects(random_source *r, scene *s, scene_draw *d)
     }
 }
 
-static void random_sample_state(random_source *r, gn_pipeline *p)
+/* Whether the fragment shader runs for each sample. */
+static bool runs_per_sample(const scene_draw *d)
 {
+    bool runs = d->shader == SCENE_INPUTS && d->state.program.fragment_reads_sample;
+    for (int c = 0; c < 4; ++c)
+        runs = runs || d->state.program.location[c] == GN_AT_SAMPLE;
+    return runs || scene_shades_samples(&d->state);
+}
+
+static void random_sample_state(random_source *r, scene_draw *d)
+{
+    gn_pipeline *const p = &d->state;
     p->samples.write_disabled = random_chance(r, 30) ? random_below(r, 1u << GN_SAMPLES) : 0;
-    p->samples.alpha_to_coverage = random_chance(r, 20);
+    /* If the shader runs for each sample, the reference lets the alpha of each sample decide on
+     * other samples. */
+    p->samples.alpha_to_coverage = random_chance(r, 20) && !runs_per_sample(d);
     /* The reference ignores alpha to one if a shader writes depth or a mask. */
     p->samples.alpha_to_one = random_chance(r, 25) && !p->program.fragment_writes_depth &&
                               !p->program.fragment_writes_sample_mask;
@@ -144,7 +156,7 @@ void make_sampled(random_source *r, scene *s)
     for (size_t i = 0; i < s->draw_count; ++i) {
         avoid_defects(r, s, &s->draws[i]);
         if (random_chance(r, 50))
-            random_sample_state(r, &s->draws[i].state);
+            random_sample_state(r, &s->draws[i]);
     }
 }
 
@@ -186,5 +198,159 @@ scene *generate_masks(uint64_t seed)
         mask_samples(&r, &s->draws[i]);
     if (random_chance(&r, 85))
         make_sampled(&r, s);
+    return s;
+}
+
+/* Sets where vertex colours are interpolated: in a few ways, since the reference compiles a program
+ * for each. */
+static void random_locations(random_source *r, scene_draw *d)
+{
+    static const gn_varying_location mixed[] = {GN_AT_CENTER, GN_AT_CENTROID, GN_AT_SAMPLE,
+                                                GN_AT_CENTROID};
+    const uint32_t kind = random_below(r, 4);
+    const bool differ = kind == 3 && d->shader != SCENE_INPUTS;
+    for (int c = 0; c < 4; ++c)
+        d->state.program.location[c] =
+            differ ? mixed[c] : (gn_varying_location)(kind == 3 ? GN_AT_CENTROID : kind);
+}
+
+/* Whether nothing is left of the varyings in the shader of inputs.h, so that their location does
+ * not show in its twin. */
+static bool hides_varyings(const gn_program *p)
+{
+    return p->fragment_reads_point_coordinate && p->fragment_reads_position &&
+           !p->fragment_discards && !p->fragment_writes_depth;
+}
+
+/* Whether the position has components in all of which clip space is linear, so that w is a
+ * component of the data. */
+static bool has_own_w(const scene_draw *d)
+{
+    const gn_mat4 *const m = &d->uniforms.light.clip_from_model;
+    const gn_attribute *const position = &d->mesh.attribute[GN_ATTRIBUTE_POSITION];
+    return position->components == 4 && (position->stride == 0 || position->stride == 16) &&
+           m->m[0][3] == 0.0f && m->m[1][3] == 0.0f && m->m[2][3] == 0.0f && m->m[3][3] == 1.0f;
+}
+
+/* Whether all vertices are well inside the view volume. */
+static bool is_unclipped(const scene_draw *d)
+{
+    const gn_mat4 *const m = &d->uniforms.light.clip_from_model;
+    const gn_attribute *const a = &d->mesh.attribute[GN_ATTRIBUTE_POSITION];
+    const uint32_t stride = a->stride ? a->stride / 4 : a->components;
+    const double near = d->state.depth.clip_depth == GN_ZERO_TO_ONE ? 0.001 : -0.999;
+    bool inside = a->data && d->state.program.clip_distance_count == 0;
+    for (uint32_t v = 0; v < d->mesh.vertex_count && inside; ++v) {
+        const float *const p = a->data + (size_t)v * stride;
+        double clip[4];
+        for (int c = 0; c < 4; ++c) {
+            clip[c] = a->components < 4 ? (double)m->m[3][c] : 0.0;
+            for (uint32_t i = 0; i < a->components; ++i)
+                clip[c] += (double)m->m[i][c] * (double)p[i];
+        }
+        for (int c = 0; c < 3; ++c)
+            inside = inside && fabs(clip[c]) < 0.999 * clip[3];
+        inside = inside && clip[2] > near * clip[3];
+    }
+    return inside;
+}
+
+/* Makes all w 1, and divides by them those that are greater than 0. */
+static void level_w(scene_draw *d)
+{
+    float *p = (float *)d->mesh.attribute[GN_ATTRIBUTE_POSITION].data;
+    for (uint32_t v = 0; v < d->mesh.vertex_count; ++v, p += 4) {
+        for (int c = 0; c < 3 && p[3] > 1e-6f; ++c)
+            p[c] = p[c] / p[3];
+        p[3] = 1.0f;
+    }
+}
+
+/* Sees to it that the reference draws smooth varyings as OpenGL says (osmesa/locations.c): where it
+ * must be asked in another way, nothing may be clipped; where it cannot be asked so, or something
+ * is clipped, all w must be equal. */
+static void make_w_harmless(scene_draw *d)
+{
+    const bool has_twin = d->shader == SCENE_VERTEX_COLOR || d->shader == SCENE_DERIVATIVES ||
+                          d->shader == SCENE_INPUTS;
+    if (!scene_draw_is_located(d) || scene_draw_has_one_w(d) || (has_twin && is_unclipped(d)))
+        return;
+    if (has_own_w(d)) {
+        level_w(d);
+        return;
+    }
+    d->state.samples.least_shading = 0.0f;
+    for (int c = 0; c < 4; ++c)
+        d->state.program.location[c] = GN_AT_CENTER;
+}
+
+void random_sample_shading(random_source *r, scene_draw *d)
+{
+    static const float fractions[] = {0.0f, 0.25f, 0.26f, 0.5f, 1.0f};
+    gn_program *const program = &d->state.program;
+    if (d->shader == SCENE_VERTEX_COLOR || d->shader == SCENE_DERIVATIVES ||
+        d->shader == SCENE_INPUTS)
+        random_locations(r, d);
+    program->fragment_reads_sample = d->shader == SCENE_INPUTS && random_chance(r, 35);
+    if (d->shader == SCENE_INPUTS && hides_varyings(program) && !program->fragment_reads_sample)
+        for (int c = 0; c < 4; ++c)
+            program->location[c] = GN_AT_CENTER;
+    d->state.samples.shading = random_chance(r, 35);
+    if (d->state.samples.shading)
+        d->state.samples.least_shading = fractions[random_below(r, 5)];
+    make_w_harmless(d);
+    if (runs_per_sample(d))
+        d->state.samples.alpha_to_coverage = false;
+}
+
+scene *generate_sample_shading(uint64_t seed)
+{
+    static const scene_class classes[] = {CLASS_TINY,
+                                          CLASS_SLIVERS,
+                                          CLASS_TIES,
+                                          CLASS_PILES,
+                                          CLASS_MESHES,
+                                          CLASS_INTERPOLATION,
+                                          CLASS_INTERPOLATION,
+                                          CLASS_INPUTS,
+                                          CLASS_INPUTS,
+                                          CLASS_DERIVATIVES,
+                                          CLASS_STENCIL,
+                                          CLASS_COUNTING,
+                                          CLASS_DEPTH_STATE,
+                                          CLASS_OFFSET,
+                                          CLASS_BLEND,
+                                          CLASS_FLOAT_COLOR,
+                                          CLASS_POINTS,
+                                          CLASS_LINES,
+                                          CLASS_POINT_COORDINATES,
+                                          CLASS_OUTLINES,
+                                          CLASS_FILLS,
+                                          CLASS_MIPMAPS,
+                                          CLASS_SHADERS,
+                                          CLASS_ATTACHMENTS,
+                                          CLASS_BATCHES,
+                                          CLASS_BATCH_ENDS,
+                                          CLASS_CLIP_DISTANCE,
+                                          CLASS_MASKS};
+    random_source r = random_seed(seed);
+    const scene_class c = classes[random_below(&r, sizeof classes / sizeof *classes)];
+    const uint64_t number = random_bits(&r);
+    const uint64_t inner_seed = random_bits(&r);
+    scene *const s = generate_scene(inner_seed, c, number);
+    if (!s->samples && random_chance(&r, 90))
+        make_sampled(&r, s);
+    for (size_t i = 0; i < s->draw_count; ++i) {
+        scene_draw *const d = &s->draws[i];
+        if (d->shader == SCENE_VERTEX_COLOR &&
+            d->mesh.attribute[GN_ATTRIBUTE_COLOR].components == 4 && random_chance(&r, 30)) {
+            d->shader = SCENE_INPUTS;
+            d->state.program.fragment_discards = random_chance(&r, 30);
+            d->state.program.fragment_reads_position = random_chance(&r, 40);
+            d->state.program.fragment_writes_sample_mask =
+                random_chance(&r, 30) && !d->state.samples.alpha_to_one;
+        }
+        random_sample_shading(&r, d);
+    }
     return s;
 }

@@ -45,6 +45,14 @@ static int interpolations(const place *p)
     return alike ? (int)i[0] : 3;
 }
 
+/* Does the same for locations. */
+static int locations(const place *p)
+{
+    const gn_varying_location *l = p->state->program.location;
+    const bool alike = l[0] == l[1] && l[0] == l[2] && l[0] == l[3];
+    return alike ? (int)l[0] : 3;
+}
+
 /* Returns a comparison's number, 0 to 7. */
 static int comparison_number(gn_compare c, gn_compare default_comparison)
 {
@@ -120,6 +128,13 @@ static int kind_of_texels(const gn_texture *t)
            : t->format == GN_FORMAT_SRGB8_A8  ? 1
            : scene_is_color_format(t->format) ? 2
                                               : 3;
+}
+
+/* Returns 0 if nothing asks for the shading of samples, 1 if one sample is asked for, 2 for more.
+ */
+static int sample_shading(const place *p)
+{
+    return p->state->samples.shading ? 1 + scene_shades_samples(p->state) : 0;
 }
 
 static int clear_before(const place *p)
@@ -201,6 +216,8 @@ VALUE(workspace, p->number % 3)
 static const state_row own_rows[] = {
     {"shader", SCENE_SHADER_COUNT, shader, NULL},
     {"interpolations", 4, interpolations, NULL},
+    {"locations", 4, locations, NULL},
+    {"samples.shading", 3, sample_shading, NULL},
     {"index_format", 4, index_format, NULL},
     {"base_vertex", 2, base_vertex, NULL},
     {"first_element", 2, first_element, NULL},
@@ -296,6 +313,9 @@ static const exclusion exclusions[] = {
     ONLY_WHERE("program.vertex_writes_point_size", "raster.topology", BIT(GN_POINTS), "of points"),
     ONLY_WHERE("line_width", "raster.topology", ALL_LINES, "of lines"),
     ONLY_WHERE("interpolations", "shader", BIT(SCENE_VERTEX_COLOR), "others bring their own"),
+    ONLY_WHERE("locations", "shader",
+               BIT(SCENE_VERTEX_COLOR) | BIT(SCENE_INPUTS) | BIT(SCENE_DERIVATIVES),
+               "others have theirs at centres"),
     ONLY_WHERE("program.fragment_*", "shader", BIT(SCENE_INPUTS), "others do not"),
     ONLY_WHERE("raster.point_origin", "shader", BIT(SCENE_INPUTS),
                "others do not read the coordinates"),
@@ -304,6 +324,7 @@ static const exclusion exclusions[] = {
     ONLY_WHERE("sample_mask", "samples", BIT(1), "there is one sample"),
     ONLY_WHERE("samples.alpha_to_coverage", "samples", BIT(1), "there is one sample"),
     ONLY_WHERE("samples.alpha_to_one", "samples", BIT(1), "there is one sample"),
+    ONLY_WHERE("samples.shading", "samples", BIT(1), "there is one sample"),
     ONLY_WHERE("raster.polygon_mode_*", "raster.topology", FILLS, "points and lines have no faces"),
     ONLY_WHERE("outputs", "shader", BIT(SCENE_OUTPUTS), "others write one colour"),
     ONLY_WHERE("more_*", "shader", BIT(SCENE_OUTPUTS), "others write one colour"),
@@ -346,6 +367,13 @@ static const exclusion exclusions[] = {
              "the reference keeps such alphas (reference/RULES.md)"),
     EXCLUDED("samples.alpha_to_one", BIT(1), "program.fragment_writes_sample_mask", BIT(1),
              "the reference keeps such alphas (reference/RULES.md)"),
+    EXCLUDED("locations", BIT(3), "shader", BIT(SCENE_INPUTS), "it has one varying"),
+    EXCLUDED("samples.alpha_to_coverage", BIT(1), "locations", BIT(2) | BIT(3),
+             "the alpha of a sample decides on others in the reference (reference/RULES.md)"),
+    EXCLUDED("samples.alpha_to_coverage", BIT(1), "program.fragment_reads_sample", BIT(1),
+             "the alpha of a sample decides on others in the reference (reference/RULES.md)"),
+    EXCLUDED("samples.alpha_to_coverage", BIT(1), "samples.shading", BIT(2),
+             "the alpha of a sample decides on others in the reference (reference/RULES.md)"),
     EXCLUDED("raster.polygon_mode_*", BIT(GN_POLYGON_LINE), "samples", BIT(1),
              "the reference loses pixels of sampled lines (reference/RULES.md)"),
     EXCLUDED("depth_format", BIT(0), "shader", BIT(SCENE_DEPTH_ONLY), "it needs a depth buffer"),

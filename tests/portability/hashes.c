@@ -187,8 +187,9 @@ static bool add_class(class_hashes *h, uint64_t seed, scene_class c, uint64_t sc
  * lacks, as shadow maps, or is about such features. */
 static bool needs_all_features(scene_class c)
 {
-    return c == CLASS_SHADOWED || c == CLASS_SAMPLES || c == CLASS_MASKS || c == CLASS_MIXED ||
-           c == CLASS_SEQUENCES || c == CLASS_BATCHES || c == CLASS_BATCH_ENDS;
+    return c == CLASS_SHADOWED || c == CLASS_SAMPLES || c == CLASS_MASKS ||
+           c == CLASS_SAMPLE_SHADING || c == CLASS_MIXED || c == CLASS_SEQUENCES ||
+           c == CLASS_BATCHES || c == CLASS_BATCH_ENDS;
 }
 
 static int run(uint64_t seed, uint64_t scenes)

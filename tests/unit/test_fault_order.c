@@ -40,6 +40,8 @@ static void pipelines(void **state)
     ADD(p.raster.point_origin = (gn_point_origin)2, "raster.point_origin");
     ADD(p.raster.line_width = -1.0f, "raster.line_width");
     ADD(p.raster.point_size = NAN, "raster.point_size");
+    p.samples.shading = true;
+    ADD(p.samples.least_shading = NAN, "samples.least_shading");
     ADD(p.samples.write_disabled = 1u << GN_SAMPLES, "samples.write_disabled");
     ADD(p.color.logic_operation = (gn_logic_operation)16, "color.logic_operation");
     ADD(p.color.blend[7].source = (gn_blend_factor)99, "color.blend[7].source");
@@ -59,6 +61,7 @@ static void pipelines(void **state)
     ADD(p.raster.cull = (gn_cull)4, "raster.cull");
     ADD(p.raster.provoking_vertex = (gn_provoking_vertex)2, "raster.provoking_vertex");
     ADD(p.raster.topology = (gn_topology)7, "raster.topology");
+    ADD(p.program.location[0] = (gn_varying_location)3, "program.location");
     ADD(p.program.interpolation[0] = (gn_interpolation)3, "program.interpolation");
     ADD(p.program.varying_count = GN_MAX_VARYINGS + 1, "program.varying_count");
     ADD(p.program.fragment_discards = true, "program.fragment_discards");

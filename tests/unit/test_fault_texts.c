@@ -61,6 +61,14 @@ static void expect_pipeline(gn_status expected, const char *field)
         expect_pipeline(status, #group "." #member " ");                                           \
     } while (0)
 
+#define SHADING(value, status)                                                                     \
+    do {                                                                                           \
+        p.samples.least_shading = (value);                                                         \
+        assert_null(gn_pipeline_fault(&p, NULL));                                                  \
+        p.samples.shading = true;                                                                  \
+        expect_pipeline(status, "samples.least_shading ");                                         \
+    } while (0)
+
 static void pipelines(void **state)
 {
     (void)state;
@@ -80,6 +88,9 @@ static void pipelines(void **state)
     p.program.varying_count = 3;
     p.program.interpolation[2] = (gn_interpolation)3;
     expect_pipeline(GN_INVALID_ENUM, "program.interpolation");
+    p.program.varying_count = 3;
+    p.program.location[2] = (gn_varying_location)3;
+    expect_pipeline(GN_INVALID_ENUM, "program.location");
     ABOVE(raster.topology, GN_LINE_LOOP);
     ABOVE(raster.provoking_vertex, GN_PROVOKING_FIRST);
     ABOVE(raster.cull, GN_CULL_FRONT_AND_BACK);
@@ -112,6 +123,8 @@ static void pipelines(void **state)
     NUMBER(raster.viewport, y, 1e5f, GN_INVALID_VIEWPORT);
     NUMBER(raster.viewport, width, -1.0f, GN_INVALID_VIEWPORT);
     NUMBER(raster.viewport, height, 1e5f, GN_INVALID_VIEWPORT);
+    SHADING(NAN, GN_NOT_FINITE);
+    SHADING(1.25f, GN_OUT_OF_RANGE);
     NUMBER(depth.range, z_near, NAN, GN_NOT_FINITE);
     NUMBER(depth.range, z_far, INFINITY, GN_NOT_FINITE);
     NUMBER(depth.range, z_near, -0.5f, GN_OUT_OF_RANGE);

@@ -295,8 +295,10 @@ static gn_vec4 whole_function(const uniforms *v, const varyings *in, gn_fragment
     fragment->discard = in->color.x > 0.6f;
     fragment->depth = 0.5f * fragment->depth + 0.25f * in->color.y;
     fragment->sample_mask &= fragment->primitive_id & 1u ? 0xFFFFFFFFu : 5u;
-    fragment->color[1] = gn_make4((float)fragment->primitive_id, (float)fragment->covered_samples,
-                                  fragment->depth, fragment->front_facing ? 1.0f : 2.0f);
+    fragment->color[1] = gn_make4(
+        (float)fragment->primitive_id, (float)fragment->covered_samples, fragment->depth,
+        (fragment->front_facing ? 1.0f : 2.0f) +
+            (float)fragment->sample_id * fragment->sample_position.x + fragment->sample_position.y);
     return fragment->position;
 }
 
@@ -312,7 +314,8 @@ static void whole_loop(const void *values, const gn_fragment_input *in, gn_fragm
         out->color[4][l] = (float)in->primitive_id;
         out->color[5][l] = (float)in->sample_mask[l];
         out->color[6][l] = out->depth[l];
-        out->color[7][l] = in->front_facing ? 1.0f : 2.0f;
+        out->color[7][l] = (in->front_facing ? 1.0f : 2.0f) +
+                           (float)in->sample_id * in->sample_position[0] + in->sample_position[1];
     }
 }
 
@@ -325,6 +328,7 @@ static void switch_on(gn_pipeline *pipeline)
     pipeline->program.fragment_reads_position = true;
     pipeline->program.fragment_reads_primitive = true;
     pipeline->program.fragment_reads_sample_mask = true;
+    pipeline->program.fragment_reads_sample = true;
     pipeline->program.fragment_discards = true;
     pipeline->program.fragment_writes_depth = true;
     pipeline->program.fragment_writes_sample_mask = true;
@@ -354,7 +358,7 @@ static void bare_loop(const void *values, const gn_fragment_input *in, gn_fragme
         out->color[4][l] = (float)in->primitive_id;
         out->color[5][l] = 0;
         out->color[6][l] = 0.5f * 0.0f + 0.25f * in->varying[1][l];
-        out->color[7][l] = in->front_facing ? 1.0f : 2.0f;
+        out->color[7][l] = (in->front_facing ? 1.0f : 2.0f) + 0.5f;
     }
 }
 
