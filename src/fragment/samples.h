@@ -65,17 +65,10 @@ static inline uint32_t lanes_with_sample(const uint32_t mask[GN_LANES], uint32_t
     return lanes_i_sign_bits(lanes_i_shift_left(masks, 31 - (int)sample));
 }
 
-/* Whether alpha decides on coverage. */
-static inline bool alpha_covers(const fragment_state *state)
-{
-    return state->pipeline->samples.alpha_to_coverage && state->color.format != GN_FORMAT_NONE;
-}
-
 /* Whether the shader's decisions or colours change before samples are tested. */
 static inline bool is_late_for_samples(const fragment_state *state)
 {
-    return state->is_late || state->pipeline->program.fragment_writes_sample_mask ||
-           alpha_covers(state);
+    return state->is_late || state->covers_late;
 }
 
 /* A batch of a multisampled target: the coverage of each sample, at first and after the steps so
@@ -110,7 +103,7 @@ static void cover_by_shader(const fragment_state *state, const shader_verdict *v
             coverage[s] &= verdict->kept;
         if (verdict->kept_samples)
             coverage[s] &= lanes_with_sample(verdict->kept_samples, s);
-        if (alpha_covers(state))
+        if (p->samples.alpha_to_coverage)
             coverage[s] &= lanes_bits(lanes_not(lanes_less_equal(alpha, least)));
     }
     for (uint32_t a = 0; p->samples.alpha_to_one && a < shader_colors(state); ++a)

@@ -85,12 +85,15 @@ static inline bool may_write_stencil(const fragment_state *s)
     return s->tests_stencil && (s->stencil[0].written | s->stencil[1].written) != 0;
 }
 
-/* Sets where the varyings of a multisampled target are interpolated, and how often the shader
- * runs. */
-GN_OUT_OF_LINE void set_locations(fragment_state *s, const gn_pipeline *pipeline)
+/* Sets where the varyings of a multisampled target are interpolated, when the shader runs and how
+ * often. */
+GN_OUT_OF_LINE void set_sample_shading(fragment_state *s, const gn_pipeline *pipeline)
 {
     const bool all = shades_all_samples(pipeline);
 
+    s->covers_late =
+        pipeline->program.fragment_writes_sample_mask ||
+        (pipeline->samples.alpha_to_coverage && pipeline->program.fragment_shader != 0);
     s->runs_per_sample = all || pipeline->program.fragment_reads_sample;
     for (uint32_t n = 0; n < pipeline->program.varying_count; ++n) {
         const gn_varying_location location = pipeline->program.location[n];
@@ -125,10 +128,10 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     }
     s->is_late = pipeline->program.fragment_discards || pipeline->program.fragment_writes_depth;
     set_shader_inputs(s, pipeline);
-    s->runs_per_sample = s->is_located = false;
+    s->runs_per_sample = s->is_located = s->covers_late = false;
     s->sample = 0;
     if (GN_HAVE_SAMPLES && samples_of(any) > 1)
-        set_locations(s, pipeline);
+        set_sample_shading(s, pipeline);
     s->color = target->color[0];
     s->depth = target->depth;
     s->combine.use = COLOR_REPLACES;

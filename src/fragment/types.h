@@ -153,6 +153,7 @@ typedef struct fragment_state {
     /* All false unless the target is multisampled. */
     bool runs_per_sample; /* the shader runs for each sample */
     bool is_located;      /* some varyings are interpolated at centroids, or at samples, alone */
+    bool covers_late;     /* the shader, or its alpha, decides on samples before the tests */
     bool previews_tests;  /* centroids depend on the tests, which come after the shader */
 
     uint32_t sample;           /* that the state is of */
@@ -192,7 +193,8 @@ static inline bool has_colors(const fragment_state *state)
 /* Whether fragments are shaded by calls of a shader. */
 static inline bool calls_shader(const fragment_state *state)
 {
-    return state->source == SOURCE_SHADER && (state->is_late || has_colors(state));
+    return state->source == SOURCE_SHADER &&
+           (state->is_late || state->covers_late || has_colors(state));
 }
 
 /* Fragments, or samples, that are covered, and those of them that pass. */

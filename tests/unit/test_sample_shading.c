@@ -322,6 +322,56 @@ static void one_sample_is_the_pixel(void **state)
     }
 }
 
+/* Writes a mask and all colours. */
+static void shade_mask(const void *unused, const gn_fragment_input *in, gn_fragment_output *out)
+{
+    (void)unused;
+    for (int l = 0; l < GN_LANES; ++l) {
+        out->sample_mask[l] = in->x[0] % 2 == 0 ? 5 : 0;
+        for (int c = 0; c < 4 * GN_MAX_COLORS; ++c)
+            out->color[c][l] = 0.5f;
+    }
+}
+
+/* A shader that decides on samples runs though the target has no colours, and has room for all that
+ * it writes, also where whole rows of squares are covered. */
+static void colors_without_a_target_have_room(void **state)
+{
+    (void)state;
+    enum { WIDTH = 256, HEIGHT = 4 };
+    static float far_away[GN_SAMPLES * WIDTH * HEIGHT];
+    static unsigned char memory[65536];
+    const float position[3][2] = {{-1, -1}, {3, -1}, {-1, 3}};
+    const gn_surface depth = gn_surface_bottom_up(far_away, GN_FORMAT_D32F, WIDTH, HEIGHT);
+    gn_color_uniforms identity;
+    gn_target target;
+    gn_mesh mesh;
+    gn_workspace workspace;
+
+    memset(&target, 0, sizeof target);
+    memset(&mesh, 0, sizeof mesh);
+    memset(&workspace, 0, sizeof workspace);
+    passed = 0;
+    target.depth = gn_surface_multisampled(&depth);
+    mesh.vertex_count = mesh.count = 3;
+    mesh.attribute[0].data = &position[0][0];
+    mesh.attribute[0].components = 2;
+    workspace.memory = memory;
+    workspace.size = sizeof memory;
+    workspace.samples_passed = &passed;
+    gn_mat4_identity(&identity.clip_from_model);
+    assert_int_equal(gn_use_vertex_color(&pipeline, &identity), GN_OK);
+    pipeline.program.fragment_shader = shade_mask;
+    pipeline.program.fragment_writes_sample_mask = true;
+    pipeline.program.color_count = GN_MAX_COLORS;
+    pipeline.depth.test = true;
+    assert_int_equal(gn_clear_depth(&target.depth, 1.0f), GN_OK);
+    assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+    assert_int_equal(passed, 2 * WIDTH * HEIGHT);
+    for (int i = 0; i < GN_SAMPLES * WIDTH * HEIGHT; ++i)
+        assert_true(far_away[i] == (i / (WIDTH * HEIGHT) % 2 ? 1.0f : 0.5f));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -332,6 +382,7 @@ int main(void)
         cmocka_unit_test_setup(values_are_perspective_correct, reset),
         cmocka_unit_test_setup(samples_are_decided_one_by_one, reset),
         cmocka_unit_test_setup(one_sample_is_the_pixel, reset),
+        cmocka_unit_test_setup(colors_without_a_target_have_room, reset),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -119,6 +119,7 @@ static void clears_fill_every_sample(void **state)
  * mask that it writes leaves samples 1 and 2. */
 static bool reads_mask, writes_mask, alpha_covers;
 static float strip_alpha = 1.0f;
+static uint32_t colors_written;
 static uint32_t mask_bits = 6;
 
 static void show_masks(const void *uniforms, const gn_fragment_input *in, gn_fragment_output *out)
@@ -166,6 +167,7 @@ static uint64_t draw_strip(const gn_target *t, float right, gn_status wanted)
     mesh.attribute[GN_ATTRIBUTE_COLOR].components = 4;
     mesh.attribute[GN_ATTRIBUTE_COLOR].divisor = 1;
     pipeline.samples.alpha_to_coverage = alpha_covers;
+    pipeline.program.color_count = colors_written;
     pipeline.program.fragment_reads_sample_mask = reads_mask;
     pipeline.program.fragment_writes_sample_mask = writes_mask;
     if (reads_mask || writes_mask) { /* a point, because triangles would share pixels */
@@ -281,6 +283,23 @@ static void alpha_covers_samples(void **state)
     }
     alpha_covers = false;
     strip_alpha = 1.0f;
+}
+
+/* The alpha is that of the first colour, whether or not the target has it. */
+static void alpha_covers_samples_of_other_colors(void **state)
+{
+    (void)state;
+    gn_target t = sampled_target();
+
+    t.color[1] = t.color[0];
+    memset(&t.color[0], 0, sizeof t.color[0]);
+    alpha_covers = true;
+    strip_alpha = 0.375f;
+    colors_written = 2;
+    assert_int_equal(draw_strip(&t, SIDE, GN_OK), 2 * PIXELS);
+    alpha_covers = false;
+    strip_alpha = 1.0f;
+    colors_written = 0;
 }
 
 /* The sample planes in any order in memory, and rows of the samples side by side. */
@@ -423,6 +442,7 @@ int main(void)
         cmocka_unit_test(masks_are_of_samples),
         cmocka_unit_test(one_sample_has_mask_1),
         cmocka_unit_test(alpha_covers_samples),
+        cmocka_unit_test(alpha_covers_samples_of_other_colors),
         cmocka_unit_test(varyings_are_those_of_the_centre),
     };
     return cmocka_run_group_tests_name("samples", tests, NULL, NULL);
