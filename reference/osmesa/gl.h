@@ -19,8 +19,9 @@ static inline GLenum gl_comparison(gn_compare c, GLenum default_function)
 #define FRAMEBUFFER_CACHE_SIZE 16
 
 /* Variants of the vertex-colour program: each of four scalars has one of three qualifiers and one
- * of three locations; with and without point sizes; with and without reference_divides. */
-#define VERTEX_COLOR_PROGRAMS 26244
+ * of three locations; with and without point sizes; with reference_divides for all
+ * of them, for those that are not at centres, or for none. */
+#define VERTEX_COLOR_PROGRAMS 39366
 
 /* Variants of the program of inputs.h: with and without position, primitive, discard, depth, point
  * coordinates, point sizes, reading sample masks, writing them and reading the sample, and

@@ -242,7 +242,10 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
     case SCENE_VERTEX_COLOR:
     case SCENE_DERIVATIVES: {
         const bool colors = d->shader == SCENE_VERTEX_COLOR;
-        int variant = d->state.program.vertex_writes_point_size + 2 * reference_divides(d);
+        int variant = d->state.program.vertex_writes_point_size;
+
+        if (reference_divides(d))
+            variant += scene_shades_samples(&d->state) ? 4 : 2;
 
         for (int c = 0; c < 4; ++c)
             variant = 9 * variant + (int)d->state.program.interpolation[c] % 3 +
