@@ -73,6 +73,16 @@ LOOKUPS ?= 20000
 texture-accuracy: $(BUILD)/texture-accuracy ## errors of sampling against long double: SEED=1 LOOKUPS=20000
 	@$(RECORD) $(BUILD)/texture-accuracy --seed $(SEED) --lookups $(LOOKUPS)
 
+MUTANTS ?= 200
+
+.PHONY: mutants
+mutants: ## change the library in random places; the tests must notice: MUTANTS=200 SEED=1 JOBS=2
+	@tests/mutants/mutants.sh $(BUILD) --mutants $(MUTANTS) --seed $(SEED) --jobs $(JOBS)
+
+.PHONY: coverage
+coverage: ## lines, branches and conditions (MC/DC) of src/ that the tests reach: JOBS=2
+	@tests/reached/reached.sh $(BUILD) --jobs $(JOBS)
+
 .PHONY: prove
 prove: ## prove error bounds with Gappa, from the text of the C sources
 	@tests/proof/test_prove.sh

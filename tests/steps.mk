@@ -126,6 +126,7 @@ test-steps:
 		'claims=tests/assurance/assurance.sh $(BUILD) --check' \
 		'layers=tests/layers.sh $(BUILD)' \
 		'headers=tests/headers.sh' \
+		'mutations=tests/mutants/test_mutate.sh' \
 		'proofs=tests/proof/prove.sh -q' \
 		$(call unit_steps,$(BUILD),)
 

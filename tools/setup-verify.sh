@@ -5,4 +5,4 @@ set -eu
 self=setup-verify
 . "$(dirname "$0")/debian.sh"
 
-install_packages "frama-c-base why3 z3 cvc5 gappa afl++ clang-19 libclang-rt-19-dev" "$@"
+install_packages "frama-c-base why3 z3 cvc5 gappa afl++ clang-19 libclang-rt-19-dev llvm-19" "$@"

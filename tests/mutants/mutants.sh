@@ -1,0 +1,369 @@
+#!/bin/sh
+# Mutation test: changes the library's source in one random place, builds, and runs tests until one
+# fails. The mutant is then killed. A mutant that survives shows a test that is missing, or code
+# whose change no caller can notice; survivors.txt names those with the reason.
+# The library is built in plain C without optimisation in trees of their own under
+# BUILD-DIRECTORY/mutants; the working tree is not touched. mutate.c chooses places, steps.txt is
+# what runs. A mutant that does not compile, or whose object code equals the original's, is not
+# counted, and another is drawn.
+# Results are in BUILD-DIRECTORY/mutants/results-SEED.txt. A run that was ended goes on there; a run
+# after tests have changed tries the survivors again; a run after src/ or include/ has changed begins
+# anew.
+# usage: mutants.sh BUILD-DIRECTORY [--mutants N] [--seed S] [--jobs N] [--only TEXT] [--report]
+#   --only TEXT  only mutants whose file or function contains the text
+#   --report     prints the results so far, runs nothing
+# Ends with "mutants: N, N killed, N equivalent, N survived (P %)": P is the share of the killed
+# among those that are not equivalent. Exit status 0 if P is at least 95.
+set -u
+export MAKEFLAGS=
+here=tests/mutants
+goal=95
+mutants=200
+seed=1
+jobs=2
+only=""
+report=""
+
+usage() { sed -n '/^# usage/,/^# Ends/p' "$0" | sed '$d; s/^# //'; }
+fail() { echo "mutants: $*" >&2; exit 2; }
+
+[ "${1:-}" != --help ] || { usage; exit 0; }
+[ $# -ge 1 ] || { usage >&2; exit 2; }
+build=$1
+shift
+while [ $# -gt 0 ]; do
+    case $1 in
+    --mutants | --seed | --jobs)
+        case ${2:-} in '' | *[!0-9]*) fail "$1 takes a number" ;; esac
+        case $1 in --mutants) mutants=$2 ;; --seed) seed=$2 ;; *) jobs=$2 ;; esac
+        shift 2
+        ;;
+    --only) only=${2:-}; shift 2 || fail "--only takes a text" ;;
+    --report) report=yes; shift ;;
+    --help) usage; exit 0 ;;
+    *) fail "unknown argument '$1'" ;;
+    esac
+done
+
+mkdir -p "$build/mutants"
+work=$(cd "$build/mutants" && pwd)
+base=$work/base
+results=$work/results-$seed.txt
+tab=$(printf '\t')
+
+# In plain C; lanes are arrays. All symbols are visible, so that tests of inner functions link with the
+# shared library.
+library_level='-O0 -DGN_ONLY_PORTABLE -DGN_NO_VECTORS -DGN_LANES_PORTABLE='
+programs() { sed -n 's/^[^#:]*: *\(SAME \)\{0,1\}\([^ ]*\).*/\2/p' $here/steps.txt | sort -u; }
+
+# sum_of FOLDER...: one number for the contents of all their files.
+sum_of() { find "$@" -type f | LC_ALL=C sort | xargs cksum | cksum | cut -d ' ' -f 1; }
+
+sources=$(sum_of src include $here/mutate.c)
+tests=$(sum_of tests/*/*.[ch] reference tools/threads $here/steps.txt)
+
+say() { echo "mutants: $*" >&2; }
+
+# The unchanged library and the tests
+
+build_base() {
+    [ "$(cat "$base/built" 2>/dev/null)" != "$sources $tests" ] || return 0
+    say "building the library and the tests in plain C"
+    mkdir -p "$base"
+    for folder in src include tests reference tools; do
+        # Files keep their times, so that make builds what has changed; what is gone must go.
+        rm -rf "$base/$folder"
+        cp -rp $folder "$base/"
+    done
+    cp -p Makefile "$base/"
+    rm -f "$base/built"
+    programs=$(programs | sed 's,^,build/,')
+    # shellcheck disable=SC2086
+    (cd "$base" && make -s -j"$jobs" BUILD=build WARNINGS=-w CFLAGS=-O1 TEST_LEVEL= SANITIZE=-fvisibility=default \
+        LIBRARY_LEVEL="$library_level" build/libgnomon.so $programs) >"$work/build.log" 2>&1 ||
+        { tail -n 20 "$work/build.log" >&2; fail "the tests cannot be built"; }
+    # Programs find the library beside them, so that a mutant needs no new programs.
+    ln -sf libgnomon.so "$base/build/libgnomon.so.0"
+    for program in $(programs); do
+        (cd "$base" && eval "$(link_command "$program") -o build/$program") || fail "$program cannot be linked"
+    done
+    dependencies
+    rm -rf "$work"/job* "$base/passed"
+    mkdir "$base/passed"
+    echo "$sources $tests" >"$base/built"
+}
+
+link_command() { # link_command PROGRAM
+    sed "s,build/libgnomon\.a,-Lbuild -lgnomon '-Wl\,-rpath\,\$ORIGIN'," "build/$1.command"
+}
+
+# Writes for every file of src/ and include/ the objects that depend on it: FILE OBJECT.
+dependencies() {
+    (cd "$base" && find build -name '*.d' | while read -r list; do
+        tr ' \\' '\n\n' <"$list" | grep -E '^(src|include|tests|reference|tools)/.*[^:]$' |
+            awk -v object="${list%.d}.o" '
+            { while (sub(/[^\/.]+\/\.\.\//, "")); if ($0 ~ /^(src|include)\//) print $0, object }'
+    done | sort -u) >"$base/dependencies"
+}
+
+# Runs a step with the unchanged library before it first judges a mutant. It must pass; how long it
+# takes sets its limit. Leaves the seconds, and what the step prints, in files of $base/passed.
+check_step() { # check_step NAME STEP
+    while [ ! -f "$base/passed/$1" ]; do
+        if ! mkdir "$base/passed/$1.claim" 2>/dev/null; then
+            [ ! -f "$work/failed" ] || return 1
+            sleep 1
+            continue
+        fi
+        began_step=$(date +%s)
+        if ! (cd "$base" && sh -c "build/${2#SAME }") >"$base/passed/$1.output" 2>"$base/passed/$1.errors"; then
+            tail -n 5 "$base/passed/$1.output" "$base/passed/$1.errors" >&2
+            say "'$2' fails with the unchanged library"
+            : >"$work/failed"
+            return 1
+        fi
+        echo $(($(date +%s) - began_step)) >"$base/passed/$1"
+    done
+}
+
+# Prints the commands in the order for a folder of src/.
+steps() {
+    awk -v folder="$1" -F ': *' '
+        /^#/ || !NF { next }
+        {
+            n = split($1, folders, " ")
+            group = $1 == "-" ? 2 : 3
+            for (i = 1; i <= n; ++i) if (folders[i] == folder && folder != "-") group = 1
+            list[group] = list[group] substr($0, index($0, ":") + 2) "\n"
+        }
+        END { printf "%s%s%s", list[1], list[2], list[3] }' $here/steps.txt | awk '!seen[$0]++'
+}
+
+# Mutants
+
+list_mutants() {
+    list=$work/list-$seed
+    [ "$(cat "$list.of" 2>/dev/null)" != "$sources $seed" ] || return 0
+    ${CC:-cc} -std=c11 -D_POSIX_C_SOURCE=200809L -O1 -o "$work/mutate" $here/mutate.c || fail "mutate.c cannot be built"
+    # The files of which the library is made.
+    sed -n 's, build/src/.*,,p' "$base/dependencies" | sort -u >"$work/files"
+    # shellcheck disable=SC2046
+    "$work/mutate" --list "$seed" $(cat "$work/files") | LC_ALL=C sort >"$list" || fail "no list of mutations"
+    echo "$sources $seed" >"$list.of"
+}
+
+field() { printf '%s\n' "$1" | cut -f "$2"; }
+
+# Runs a command of steps.txt in this directory. Status 0: passed, 1: failed, 2: took too long.
+run_step() {
+    name=$(echo "$1" | tr -c 'a-z0-9\n' _)
+    check_step "$name" "$1" || exit 2
+    limit=$(($(cat "$base/passed/$name") * 4 + 10))
+    (
+        ulimit -c 0
+        ulimit -t $limit
+        ulimit -v 16000000
+        exec timeout -k 5 $((limit * 10)) sh -c "exec build/${1#SAME }"
+    ) >step.log 2>&1
+    case $? in
+    0) [ "${1#SAME }" = "$1" ] || cmp -s step.log "$base/passed/$name.output" || return 1 ;;
+    124 | 137 | 152) return 2 ;;
+    *) return 1 ;;
+    esac
+}
+
+# Builds everything that depends on the file; sets `changed` to the objects of the library that
+# differ, and `made` to all files that were made. Status 1: a compiler rejects the mutant.
+build_mutant() { # build_mutant FILE
+    changed=""
+    made=""
+    objects=$(awk -v file="$1" '$1 == file { print $2 }' "$base/dependencies")
+    for object in $objects; do
+        case $object in build/src/*) ;; *) continue ;; esac
+        made="$made $object"
+        eval "$(cat "$object.command") -c $(source_of "$object") -o $object" 2>/dev/null </dev/null || return 1
+        cmp -s "$object" "$base/$object" || changed="$changed $object"
+    done
+    [ -n "$changed" ] || return 0
+    made="$made build/libgnomon.so"
+    eval "$(cat build/libgnomon.so.command) -o build/libgnomon.so" 2>/dev/null || return 1
+    for object in $objects; do
+        case $object in build/src/*) continue ;; esac
+        made="$made $object"
+        eval "$(cat "$object.command") -c $(source_of "$object") -o $object" 2>/dev/null </dev/null || return 1
+        for program in $(grep -l -F " $object " build/*.command); do
+            program=${program#build/}
+            program=${program%.command}
+            [ "$program" != libgnomon.so ] && [ "$program" != libgnomon.a ] || continue
+            made="$made build/$program"
+            eval "$(link_command "$program") -o build/$program" 2>/dev/null || return 1
+        done
+    done
+}
+
+source_of() { echo "${1#build/}" | sed 's/\.o$/.c/'; }
+
+# Tells whether all changed objects are equal when they are optimised. `$1` is the mutated file.
+equal_optimised() {
+    for object in $changed; do
+        for tree in . "$base"; do
+            (cd "$tree" && eval "$(sed 's/-O0/-O2/' "$object.command") -c $(source_of "$object") -o -" \
+                2>/dev/null) >"optimised-$([ "$tree" = . ] && echo mutant || echo base)" || return 1
+        done
+        cmp -s optimised-mutant optimised-base || return 1
+    done
+}
+
+# Sets `verdict` and `by`.
+judge() { # judge FILE
+    by=-
+    if ! build_mutant "$1"; then
+        verdict=uncompilable
+        return
+    fi
+    if [ -z "$changed" ]; then
+        verdict=equal
+        return
+    fi
+    folder=${1#src/}
+    steps "${folder%%/*}" >order
+    while IFS= read -r step <&3; do
+        run_step "$step"
+        case $? in
+        1) verdict=killed; by=$step; return ;;
+        2) verdict=timeout; by=$step; return ;;
+        esac
+    done 3<order
+    if equal_optimised; then
+        verdict=equal
+    else
+        verdict=survived
+    fi
+}
+
+# The verdict that counts for each number is the last one.
+counted() {
+    awk -F '\t' -v tests="$tests" '/^#/ { next } { verdict[$1] = $2 } END {
+        for (n in verdict) count += verdict[n] != "equal" && verdict[n] != "uncompilable"
+        print count + 0 }' "$results"
+}
+
+# Prints the numbers that have a verdict. A survivor of other tests has none.
+judged() {
+    awk -F '\t' -v tests="$tests" '/^#/ { next } { verdict[$1] = $2; with[$1] = $4 } END {
+        for (n in verdict) if (verdict[n] != "survived" || with[n] == tests) print n }' "$results"
+}
+
+worker() { # worker NUMBER
+    job=$work/job$1
+    [ -d "$job" ] || cp -rp "$base" "$job"
+    cd "$job" || exit 2
+    restore
+    # Read first, because tries of this run are claimed and not in this list.
+    judged >judged
+    awk -F '\t' -v only="$only" -v judged=judged '
+        BEGIN { while ((getline n < judged) > 0) done[n] = 1 }
+        (only == "" || index($2, only) || index($4, only)) && !(NR in done) { print NR "\t" $0 }' \
+        "$work/list-$seed" >todo
+    again=$(awk -F '\t' '/^#/ { next } { print $1 }' "$results" | sort -u | wc -l)
+    while IFS= read -r line <&4; do
+        number=$(field "$line" 1)
+        # Survivors of other tests are counted already and come first.
+        if ! grep -q "^$number$tab" "$results" && [ "$(counted)" -ge "$mutants" ]; then
+            break
+        fi
+        mkdir "$work/claims/$number" 2>/dev/null || continue
+        try "$line"
+    done 4<todo
+}
+
+# restore: undoes the mutant that `undo` names.
+restore() {
+    [ -f undo ] || return 0
+    while read -r path; do
+        cp -p "$base/$path" "$path"
+    done <undo
+    rm -f undo
+}
+
+try() {
+    file=$(field "$1" 3)
+    place=$(field "$1" 6)
+    length=$(field "$1" 7)
+    began=$(date +%s)
+
+    # If this run is ended, the next one restores all that may be changed.
+    { echo "$file"; echo build/libgnomon.so; awk -v file="$file" '$1 == file { print $2 }' "$base/dependencies"
+        for object in $(awk -v file="$file" '$1 == file && $2 !~ /^build\/src/ { print $2 }' "$base/dependencies"); do
+            grep -l -F " $object " build/*.command | sed 's/\.command$//'
+        done
+    } >undo
+    "$work/mutate" --apply "$base/$file" "$place" "$length" "$(field "$1" 8)" >mutated
+    cp mutated "$file"
+    judge "$file"
+    seconds=$(($(date +%s) - began))
+    printf '%s\t%s\t%s\t%s\t%s\t%s:%s\t%s\t%s\t%s\n' "$number" "$verdict" "$by" "$tests" "$seconds" "$file" \
+        "$(field "$1" 4)" "$(field "$1" 5)" "$(field "$1" 9)" "$(field "$1" 10)" >>"$results"
+    say "$(counted) of $mutants: $verdict ($by, $seconds s): $file:$(field "$1" 4) $(field "$1" 5)"
+    restore
+}
+
+# Prints survivors without a reason, and the line of figures. The first N mutants in the order of the
+# draw count, whatever the order of jobs was.
+print_report() {
+    sort -s -t "$tab" -k 1,1n "$results" | awk -F '\t' -v wanted="$mutants" -v goal=$goal '
+        # survivors.txt: FILE FUNCTION, then "- before", "+ after", then the reason.
+        FILENAME != "-" {
+            if (/^#/ || /^$/) { next }
+            if (/^- /) { before = substr($0, 3) }
+            else if (/^\+ /) { key = place "\t" before "\t" substr($0, 3) }
+            else if (/^    /) { if (!(key in reason)) { reason[key] = $0 } }
+            else { place = $0; sub(/ /, "\t", place) }
+            next
+        }
+        /^#/ { next }
+        { line[$1] = $0; if (!($1 in known)) { known[$1] = 1; order[++count] = $1 } }
+        END {
+            for (i = 1; i <= count && total < wanted; ++i) {
+                split(line[order[i]], f, "\t")
+                if (f[2] == "equal" || f[2] == "uncompilable") continue
+                ++total
+                if (f[2] == "killed" || f[2] == "timeout") { ++killed; continue }
+                file = f[6]; sub(/:.*/, "", file)
+                key = file "\t" f[7] "\t" f[8] "\t" f[9]
+                if (key in reason) { ++equivalent; continue }
+                ++survived
+                printf "survived: %s %s\n- %s\n+ %s\n", f[6], f[7], f[8], f[9]
+            }
+            share = total > equivalent ? 100 * killed / (total - equivalent) : 0
+            printf "mutants: %d, %d killed, %d equivalent, %d survived (%.1f %%)\n", total, killed,
+                equivalent, survived, int(share * 10) / 10
+            exit share < goal || total < wanted
+        }' $here/survivors.txt -
+}
+
+if [ -n "$report" ]; then
+    [ -f "$results" ] || fail "no results of seed $seed"
+    print_report
+    exit
+fi
+say "seed $seed"
+build_base
+list_mutants
+if [ "$(head -n 1 "$results" 2>/dev/null)" != "# $sources" ]; then
+    [ ! -f "$results" ] || mv "$results" "$results.old"
+    echo "# $sources" >"$results"
+fi
+rm -rf "$work/claims" "$work/failed" "$base"/passed/*.claim
+mkdir "$work/claims"
+workers=""
+trap 'kill $workers 2>/dev/null' EXIT
+trap 'exit 1' INT TERM
+here=$(pwd)/$here
+for n in $(seq "$jobs"); do
+    worker "$n" &
+    workers="$workers $!"
+done
+wait
+[ ! -f "$work/failed" ] || exit 2
+print_report
