@@ -164,7 +164,9 @@ run_step() {
         ulimit -t $limit
         ulimit -v 16000000
         exec timeout -k 5 $((limit * 10)) sh -c "exec build/${1#SAME }"
-    ) >step.log 2>&1
+    ) >step.log 2>&1 &
+    child=$!
+    wait $child
     case $? in
     0) [ "${1#SAME }" = "$1" ] || cmp -s step.log "$base/passed/$name.output" || return 1 ;;
     124 | 137 | 152) return 2 ;;
@@ -258,6 +260,8 @@ worker() { # worker NUMBER
     job=$work/job$1
     [ -d "$job" ] || cp -rp "$base" "$job"
     cd "$job" || exit 2
+    child=""
+    trap '[ -z "$child" ] || kill $child 2>/dev/null; exit 1' TERM INT
     restore
     # Read first, because tries of this run are claimed and not in this list.
     judged >judged
@@ -357,11 +361,11 @@ fi
 rm -rf "$work/claims" "$work/failed" "$base"/passed/*.claim
 mkdir "$work/claims"
 workers=""
-trap 'kill $workers 2>/dev/null' EXIT
+trap '[ -z "$workers" ] || kill $workers 2>/dev/null' EXIT
 trap 'exit 1' INT TERM
 here=$(pwd)/$here
 for n in $(seq "$jobs"); do
-    worker "$n" &
+    worker "$n" </dev/null &
     workers="$workers $!"
 done
 wait
