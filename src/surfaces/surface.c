@@ -228,8 +228,9 @@ gn_status gn_clear_color(const gn_surface *surface, float red, float green, floa
     return GN_OK;
 }
 
-/* Returns round-half-even(depth * scale) without rounding the product: a float in (0, 1) is
- * mantissa * 2^-shift, and the product of mantissa and scale has at most 48 bits. */
+/* Returns round-half-even(depth * scale) without rounding the product: a float in 0..1 is
+ * mantissa * 2^-shift, where shift is at least 23, and the product of mantissa and scale has at
+ * most 48 bits. */
 static uint32_t scale_exactly(float depth, uint32_t scale)
 {
     uint32_t shift = 0;
@@ -244,8 +245,8 @@ static uint32_t scale_exactly(float depth, uint32_t scale)
 
     const uint64_t whole = product >> shift;
     const uint64_t rest = product - (whole << shift);
-    const uint64_t half = shift > 0 ? (uint64_t)1 << (shift - 1) : 1;
-    const bool up = shift > 0 && (rest > half || (rest == half && (whole & 1)));
+    const uint64_t half = (uint64_t)1 << (shift - 1);
+    const bool up = rest > half || (rest == half && (whole & 1));
     return (uint32_t)(whole + up);
 }
 
