@@ -75,7 +75,7 @@ build_base() {
         rm -rf "$base/$folder"
         cp -rp $folder "$base/"
     done
-    cp -p Makefile "$base/"
+    cp -p Makefile $here/steps.txt "$base/"
     rm -f "$base/built"
     programs=$(programs | sed 's,^,build/,')
     # shellcheck disable=SC2086
@@ -136,7 +136,7 @@ steps() {
             for (i = 1; i <= n; ++i) if (folders[i] == folder && folder != "-") group = 1
             list[group] = list[group] substr($0, index($0, ":") + 2) "\n"
         }
-        END { printf "%s%s%s", list[1], list[2], list[3] }' $here/steps.txt | awk '!seen[$0]++'
+        END { printf "%s%s%s", list[1], list[2], list[3] }' "$base/steps.txt" | awk '!seen[$0]++'
 }
 
 # Mutants

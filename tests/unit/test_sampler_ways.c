@@ -115,7 +115,9 @@ static void every_way_reads_the_same(void **state)
         assert_non_null(apart[n]);
     }
     for (size_t i = 0; i < sizeof texels / sizeof *texels; ++i)
-        texels[i] = noise(&seed) ^ noise(&seed) << 8;
+        texels[i] = noise(&seed);
+    for (size_t i = 0; i < sizeof texels / sizeof *texels; ++i)
+        texels[i] ^= noise(&seed) << 8;
     for (size_t size = 0; size < sizeof sizes / sizeof *sizes; ++size)
         for (int filter = 0; filter < 12; ++filter)
             for (size_t wrap = 0; wrap < 4; ++wrap) {
