@@ -127,6 +127,7 @@ test-steps:
 		'layers=tests/layers.sh $(BUILD)' \
 		'headers=tests/headers.sh' \
 		'mutations=tests/mutants/test_mutate.sh' \
+		'sums of coverage=tests/reached/test_merge.sh' \
 		'proofs=tests/proof/prove.sh -q' \
 		$(call unit_steps,$(BUILD),)
 

@@ -4,6 +4,7 @@
 # sixteen lanes; one lane; little code (GN_SMALL); few features (GN_BASIC). The last form draws scenes
 # whose hashes `tests/portability/cross.sh BUILD one-lane` compares. The lanes of processors' vectors
 # are not in them; `build/test-lanes` compares each of their operations with the plain form's.
+# A run that was ended goes on: what a test reached counts until its program is built again.
 # unreached.txt names the functions of which something is never reached, with the reason.
 # usage: reached.sh BUILD-DIRECTORY [--jobs N]   (from the root of the project)
 # Ends with "coverage: lines P %, branches P %, MC/DC P %, N places unreached, each with its reason".
@@ -80,15 +81,23 @@ measure() { # measure FORM
     make -s -j"$jobs" BUILD="$build" CC=clang-19 LINKER='clang-19 -fprofile-instr-generate' WARNINGS=-w \
         CFLAGS="$form_flags" LIBRARY_LEVEL="$form_flags $instrument" $programs >"$work/$1.log" 2>&1 ||
         { tail -n 20 "$work/$1.log" >&2; fail "$1: cannot be built"; }
-    rm -rf "$build/raw"
-    mkdir "$build/raw"
-    say "$1: running $(tests "$1" | wc -l) tests"
-    tests "$1" | xargs -P "$jobs" -I '{}' sh -c '
+    mkdir -p "$build/raw"
+    tests "$1" | while read -r program arguments; do
+        name=$(echo "$program${arguments:+ $arguments}" | tr -c 'a-z0-9\n' _)
+        # What a program has reached stays true until the program is built again.
+        [ "$build/raw/$name.profraw" -nt "$build/$program" ] || echo "$program${arguments:+ $arguments}"
+    done >"$work/$1.todo"
+    say "$1: running $(wc -l <"$work/$1.todo") of $(tests "$1" | wc -l) tests"
+    xargs -P "$jobs" -I '{}' sh -c '
         name=$(echo "{}" | tr -c "a-z0-9\n" _)
-        LLVM_PROFILE_FILE='"$build"'/raw/$name.profraw '"$build"'/{} >'"$build"'/raw/$name.log 2>&1 ||
+        rm -f '"$build"'/raw/$name.profraw
+        LLVM_PROFILE_FILE='"$build"'/raw/$name.part '"$build"'/{} >'"$build"'/raw/$name.log 2>&1 ||
             { tail -n 5 '"$build"'/raw/$name.log >&2; echo "coverage: FAILED: '"$1"': {}" >&2; exit 1; }
-        echo "coverage: '"$1"': {}" >&2' || fail "$1: a test failed"
-    llvm-profdata-19 merge -sparse "$build"/raw/*.profraw -o "$build/all.profdata" || fail "$1: no profile"
+        mv '"$build"'/raw/$name.part '"$build"'/raw/$name.profraw
+        echo "coverage: '"$1"': {}" >&2' <"$work/$1.todo" || fail "$1: a test failed"
+    tests "$1" | while read -r line; do
+        echo "$build/raw/$(echo "$line" | tr -c 'a-z0-9\n' _).profraw"
+    done | xargs llvm-profdata-19 merge -sparse -o "$build/all.profdata" || fail "$1: no profile"
     objects=$(echo "$programs" | sed 's/^/-object /')
     # shellcheck disable=SC2086
     llvm-cov-19 show -show-instantiations=false -show-branches=count -show-mcdc $objects \
@@ -97,7 +106,10 @@ measure() { # measure FORM
 }
 
 mkdir -p "$work"
+sources=$(find src include -type f | LC_ALL=C sort | xargs cksum | cksum)
 for form in plain one-lane small basic; do
     measure $form
 done
+[ "$sources" = "$(find src include -type f | LC_ALL=C sort | xargs cksum | cksum)" ] ||
+    fail "src/ or include/ has changed during the run"
 awk -v root="$(pwd)" -v list=$here/unreached.txt -f $here/merge.awk "$work"/*/shown.txt
