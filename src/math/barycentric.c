@@ -70,7 +70,7 @@ gn_status gn_barycentric_3d(gn_vec3 point, gn_vec3 a, gn_vec3 b, gn_vec3 c, gn_v
                               gn_magnitude(s.z * t.x) + gn_magnitude(s.x * t.z),
                               gn_magnitude(s.x * t.y) + gn_magnitude(s.y * t.x)};
     float terms = sum_of_magnitudes(positive), size = sum_of_magnitudes(n);
-    if (!gn_is_finite(terms) || !gn_is_finite(size))
+    if (!gn_is_finite(terms)) /* size <= terms */
         return GN_OUT_OF_RANGE;
     gn_vec3 normal;
     if (size < 0x1p-18f * terms || size < 0x1p-126f || gn_vec3_unit(n, &normal) != GN_OK)

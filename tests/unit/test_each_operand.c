@@ -157,6 +157,12 @@ static void boxes(void **state)
             m.m[row][row] = 0x1p125f;
             assert_int_equal(gn_mat4_transform_box(&m, &box, &result), GN_OUT_OF_RANGE);
         }
+        /* Only the margin for rounding overflows, above or below. */
+        for (int sign = -1; sign <= 1; sign += 2) {
+            memset(&m, 0, sizeof m);
+            m.m[3][row] = (float)sign * FLT_MAX;
+            assert_int_equal(gn_mat4_transform_box(&m, &box, &result), GN_OUT_OF_RANGE);
+        }
         bad.min = with3(box.min, row, 4);
         gn_mat4_identity(&m);
         assert_int_not_equal(gn_mat4_transform_box(&m, &bad, &result), GN_OK);
@@ -209,6 +215,24 @@ static void rays_that_overflow(void **state)
         view.inverse.m[1][row] = FLT_MAX;
         view.inverse.m[2][row] = -FLT_MAX;
         assert_int_equal(gn_ray_through_pixel_no(&projection, &view, &viewport, 60, 60, &ray),
+                         GN_OUT_OF_RANGE);
+    }
+    /* A wide view close to the eye: the origin fits, the direction does not. */
+    assert_int_equal(gn_perspective_rh_no(2.9f, 1, 0.01f, 10, &projection), GN_OK);
+    for (int row = 0; row < 3; ++row) {
+        gn_transform_identity(&view);
+        view.inverse.m[0][row] = FLT_MAX / 2;
+        assert_int_equal(gn_ray_through_pixel_no(&projection, &view, &viewport, 63, 31, &ray),
+                         GN_OUT_OF_RANGE);
+    }
+    /* So in the camera's space. */
+    for (int row = 0; row < 3; ++row) {
+        gn_transform_identity(&view);
+        gn_transform_identity(&projection);
+        projection.inverse.m[2][3] = 4;
+        projection.inverse.m[3][3] = 5;
+        projection.inverse.m[3][row] = FLT_MAX / 2;
+        assert_int_equal(gn_ray_through_pixel_no(&projection, &view, &viewport, 31, 31, &ray),
                          GN_OUT_OF_RANGE);
     }
     /* The camera's space has no point there, or an infinite one. */

@@ -13,7 +13,7 @@ typedef struct frame {
     unsigned char depth[WIDTH * HEIGHT * 8 * GN_SAMPLES];
 } frame;
 
-static frame whole, strips;
+static frame whole, strips, first;
 static float position[3 * TRIANGLES][3], color[3 * TRIANGLES][4];
 static gn_color_uniforms uniforms;
 static unsigned char memory[GN_WORKSPACE_SIZE(64, VARYINGS)];
@@ -111,6 +111,9 @@ static void compare(gn_pipeline *pipeline, gn_format color_format, gn_format dep
         }
         assert_memory_equal(&whole, &strips, sizeof whole);
         assert_int_equal(passed[0], passed[1]);
+        if (way == 0)
+            first = whole;
+        assert_memory_equal(&whole, &first, sizeof whole);
     }
 }
 
@@ -192,6 +195,9 @@ static void blends_without_a_source(void **state)
             p.color.blend[0].destination = factors[destination];
             p.color.blend_constant[3] = 0.5f;
             compare(&p, GN_FORMAT_RGBA8, GN_FORMAT_NONE, false);
+            compare(&p, GN_FORMAT_RGBA16, GN_FORMAT_NONE, false);
+            p.color.blend[0].alpha_source = factors[destination];
+            p.color.blend[0].alpha_destination = GN_FACTOR_ONE_MINUS_SOURCE_ALPHA;
             compare(&p, GN_FORMAT_RGBA16, GN_FORMAT_NONE, false);
         }
 }
