@@ -6,7 +6,7 @@
 
 #include "unit.h"
 
-enum { WIDTH = 720, HEIGHT = 11, STRIP = 40, TRIANGLES = 8, VARYINGS = 4, TALL = 8000 };
+enum { WIDTH = 400, HEIGHT = 5, STRIP = 80, TRIANGLES = 4, VARYINGS = 4, TALL = 600 };
 
 typedef struct frame {
     unsigned char color[WIDTH * HEIGHT * 16 * GN_SAMPLES];
@@ -225,7 +225,7 @@ static void depths_of_a_clamped_range(void **state)
         p.depth.range.z_far = 0.5f;
         assert_int_equal(gn_draw(&target, &p, &mesh, &workspace), GN_OK);
         memcpy(stored, whole.depth, sizeof stored);
-        assert_true(stored[5 * WIDTH + WIDTH / 2] == 0.5f);
+        assert_true(stored[HEIGHT / 2 * WIDTH + WIDTH / 2] == 0.5f);
     }
 }
 
@@ -287,7 +287,7 @@ static void many_indices_and_threads(void **state)
         workspace.parallel = NULL;
         draw_tall(one, &workspace, indices, counts[n]);
         workspace.parallel = backwards;
-        for (size_t t = 0; t < (n ? 3 : sizeof threads / sizeof *threads); ++t) {
+        for (size_t t = n ? 2 : 0; t < (n ? 3 : sizeof threads / sizeof *threads); ++t) {
             workspace.threads = threads[t];
             draw_tall(other, &workspace, indices, counts[n]);
             assert_memory_equal(one, other, 3 * TALL * sizeof *one);
