@@ -271,6 +271,36 @@ static void every_ready_made_shader_needs_uniforms(void **state)
     }
 }
 
+/* Depth 0.5 as grey: between black and white; both 0 mean 0 to 1. */
+static void depths_between_black_and_white(void **state)
+{
+    static const float ends[][3] = {
+        {0, 0, 128}, {0, 0.5f, 255}, {0.5f, 0, 0}, {1, 0, 128}, {0, 1, 128}};
+    static const float position[3][3] = {{-3, -3, 0}, {3, -3, 0}, {0, 6, 0}};
+    static unsigned char memory[GN_WORKSPACE_SIZE(16, 8)];
+    static gn_depth_color_uniforms depth;
+
+    (void)state;
+    gn_mat4_identity(&depth.clip_from_model);
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; ++i) {
+        gn_workspace workspace = {.memory = memory, .size = sizeof memory};
+        gn_mesh mesh = {.vertex_count = 3, .count = 3};
+        gn_target target;
+        gn_pipeline p;
+
+        memset(&target, 0, sizeof target);
+        memset(&p, 0, sizeof p);
+        target.color[0] = gn_surface_bottom_up(to_memory, GN_FORMAT_RGBA8, 4, 4);
+        mesh.attribute[GN_ATTRIBUTE_POSITION] =
+            (gn_attribute){.data = position[0], .components = 3};
+        depth.black = ends[i][0];
+        depth.white = ends[i][1];
+        assert_int_equal(gn_use_depth_color(&p, &depth), GN_OK);
+        assert_int_equal(gn_draw(&target, &p, &mesh, &workspace), GN_OK);
+        assert_int_equal(to_memory[5] & 255, (int)ends[i][2]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -282,6 +312,7 @@ int main(void)
         cmocka_unit_test(clears_of_almost_equal_channels),
         cmocka_unit_test(cleared_depths_round_to_even),
         cmocka_unit_test(every_ready_made_shader_needs_uniforms),
+        cmocka_unit_test(depths_between_black_and_white),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,7 +6,7 @@
 
 #include "unit.h"
 
-enum { SIZE = 36, FAR_APART = 1 << 17, WAYS = 5 };
+enum { SIZE = 20, FAR_APART = 1 << 17, WAYS = 5 };
 
 static uint32_t texels[64 * 64 * 2];
 static unsigned char *apart[GN_MAX_LEVELS];
