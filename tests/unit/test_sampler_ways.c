@@ -11,6 +11,7 @@ enum { SIZE = 20, FAR_APART = 1 << 17, WAYS = 5 };
 static uint32_t texels[64 * 64 * 2];
 static unsigned char *apart[GN_MAX_LEVELS];
 static uint32_t frames[WAYS][SIZE * SIZE];
+static uint16_t depths[SIZE * SIZE];
 
 static uint32_t noise(uint32_t *seed)
 {
@@ -68,6 +69,9 @@ static void draw(uint32_t *frame, const gn_texture *texture, const gn_sampler *s
     memset(&target, 0, sizeof target);
     memset(&p, 0, sizeof p);
     target.color[0] = gn_surface_bottom_up(frame, GN_FORMAT_RGBA8, SIZE, SIZE);
+    target.depth = gn_surface_bottom_up(depths, GN_FORMAT_D16, SIZE, SIZE);
+    p.depth.test = true;
+    p.depth.function = GN_LESS_OR_EQUAL;
     p.raster.topology = GN_TRIANGLE_STRIP;
     gn_mat4_identity(&uniforms.clip_from_model);
     uniforms.map = texture;
@@ -76,6 +80,7 @@ static void draw(uint32_t *frame, const gn_texture *texture, const gn_sampler *s
     mesh.attribute[GN_ATTRIBUTE_POSITION] = (gn_attribute){.data = position[0], .components = 4};
     mesh.attribute[GN_ATTRIBUTE_TEXCOORD] = (gn_attribute){.data = place[0], .components = 2};
     assert_int_equal(gn_clear_color(&target.color[0], 0, 0, 0, 0), GN_OK);
+    assert_int_equal(gn_clear_depth(&target.depth, 1), GN_OK);
     for (int best = 0; best < 2; ++best) {
         workspace.backend = best ? gn_backend_best() : GN_BACKEND_PORTABLE;
         assert_int_equal(gn_draw(&target, &p, &mesh, &workspace), GN_OK);
