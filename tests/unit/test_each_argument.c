@@ -118,6 +118,9 @@ static void resolved_sizes_and_depths(void **state)
     memset(to_memory, 0, sizeof to_memory);
     assert_int_equal(gn_resolve(&to, &samples), GN_OK); /* depth is not averaged */
     assert_memory_equal(to_memory, from_memory, 64);
+    memset(to_memory, 0, sizeof to_memory);
+    assert_int_equal(gn_resolve(&to, &image), GN_OK); /* one sample is copied */
+    assert_memory_equal(to_memory, from_memory, 64);
     assert_int_equal(to_memory[16], 0);
 }
 
