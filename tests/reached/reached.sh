@@ -33,7 +33,8 @@ for tool in clang-19 llvm-profdata-19 llvm-cov-19; do
 done
 
 plain='-DGN_ONLY_PORTABLE -DGN_NO_VECTORS -DGN_LANES_PORTABLE='
-instrument='-fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc'
+# Atomic counters: the ways of a branch are differences of counts, which threads must not falsify.
+instrument='-fprofile-instr-generate -fprofile-update=atomic -fcoverage-mapping -fcoverage-mcdc'
 units=$(ls tests/unit/test_*.c | sed 's,.*/,,; s,\.c$,,')
 
 # tests FORM: the form's tests, one a line. Unit tests know the plain form.
