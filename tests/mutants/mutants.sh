@@ -162,7 +162,6 @@ run_step() {
     (
         ulimit -c 0
         ulimit -t $limit
-        ulimit -v 16000000
         exec timeout -k 5 $((limit * 10)) sh -c "exec build/${1#SAME }"
     ) >step.log 2>&1 &
     child=$!
