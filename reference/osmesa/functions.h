@@ -86,6 +86,7 @@
     F(PFNGLLINEWIDTHPROC, glLineWidth) \
     F(PFNGLLINKPROGRAMPROC, glLinkProgram) \
     F(PFNGLLOGICOPPROC, glLogicOp) \
+    F(PFNGLMINSAMPLESHADINGPROC, glMinSampleShading) \
     F(PFNGLPIXELSTOREIPROC, glPixelStorei) \
     F(PFNGLPOINTPARAMETERIPROC, glPointParameteri) \
     F(PFNGLPOINTSIZEPROC, glPointSize) \

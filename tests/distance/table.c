@@ -101,6 +101,7 @@ static group group_of(scene_class c)
     case CLASS_SHADOWS:
         return LEVELS;
     case CLASS_SAMPLES:
+    case CLASS_SAMPLE_SHADING:
     case CLASS_MASKS:
         return SAMPLES;
     case CLASS_FORMATS:
