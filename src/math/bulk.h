@@ -75,6 +75,40 @@ GN_INLINE void bulk_packed_vec3(const bulk_job *job, bulk_kind kind)
     }
 }
 
+#if GN_LANES == 1
+/* One lane holds no column: vectors and columns of the right matrices are multiplied one after the
+ * other. */
+GN_INLINE void bulk_product(const bulk_matrix *m, const float *from, float *to)
+{
+    lanes_f v[4];
+
+    for (int i = 0; i < 4; ++i)
+        v[i] = lanes_load(from + i);
+    for (int i = 0; i < 4; ++i)
+        lanes_store(to + i, bulk_row(m, i, BULK_VEC4, v));
+}
+
+static void bulk_packed_vec4(const bulk_job *job)
+{
+    const bulk_matrix own = bulk_own_matrix(job);
+
+    for (size_t at = 0, end = 4 * job->count; at < end; at += 4)
+        bulk_product(&own, job->v[0] + at, job->result[0] + at);
+}
+
+static void bulk_packed_mat4(const bulk_job *job)
+{
+    for (size_t at = 0, end = 16 * job->count; at < end; at += 16) {
+        bulk_matrix left; /* the result may overwrite the matrix itself */
+
+        for (int i = 0; i < 16; ++i)
+            left.m[i / 4][i % 4] = job->left[at + (size_t)i];
+        for (size_t column = at; column < at + 16; column += 4)
+            bulk_product(&left, job->v[0] + column, job->result[0] + column);
+    }
+}
+
+#else
 /* Multiplies as many vectors as there are groups of four lanes, each by whole columns. */
 GN_INLINE lanes_f bulk_columns(lanes_f c0, lanes_f c1, lanes_f c2, lanes_f c3, lanes_f vectors)
 {
@@ -110,6 +144,8 @@ static void bulk_packed_mat4(const bulk_job *job)
         lanes_store(to + at, bulk_columns(c0, c1, c2, c3, lanes_load(from + at)));
     }
 }
+
+#endif
 
 static void run_bulk(const bulk_job *job)
 {
