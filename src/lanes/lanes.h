@@ -38,20 +38,14 @@
 #ifndef GN_LANES_LANES_H
 #define GN_LANES_LANES_H
 
-#include <float.h>
 #include <stddef.h>
 #include <stdint.h>
 
 #include <gnomon/lanes.h>
 
 #include "../config/features.h"
+#include "../config/precision.h"
 
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
-#error "The library's bits are exact only with -fno-fast-math, after all other flags."
-#endif
-#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
-#error "Floats must be floats: -msse2 -mfpmath=sse on x86, -fexcess-precision=fast on s390x."
-#endif
 #if defined(__wasm_simd128__) && defined(__clang_major__) && __clang_major__ < 16
 #error "Clang 14 moves loads past stores with -msimd128 (splats of what is loaded); 16 does not."
 #endif

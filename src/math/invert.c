@@ -10,12 +10,9 @@
 #include <float.h>
 #include <stdbool.h>
 
+#include "../config/precision.h"
 #include "../lanes/pair.h"
 #include "../scalars/bits.h"
-
-#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
-#error "Floats must be floats: -msse2 -mfpmath=sse on x86, -fexcess-precision=fast on s390x."
-#endif
 
 /* Out of line, so that the code that always runs fits the registers. */
 #if defined(__GNUC__)

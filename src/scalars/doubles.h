@@ -14,7 +14,6 @@
 #ifndef GNOMON_SCALARS_DOUBLES_H
 #define GNOMON_SCALARS_DOUBLES_H
 
-#include <float.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -29,10 +28,7 @@
 #endif
 
 #if GN_HAVE_DOUBLES
-
-#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
-#error "Doubles must be doubles: -msse2 -mfpmath=sse on x86."
-#endif
+#include "../config/precision.h"
 
 #if defined(__GNUC__)
 #define GN_LIKELY(condition) __builtin_expect(!!(condition), 1)
