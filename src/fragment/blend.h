@@ -39,13 +39,14 @@ static inline gn_blend_factor factor_without_alpha(gn_blend_factor f)
  * zero stands before one. */
 static inline mixing mixing_of(const blend_rule *r)
 {
-    const unsigned lesser = r->source < r->destination ? r->source : r->destination;
-    const unsigned greater = r->source < r->destination ? r->destination : r->source;
+    const unsigned source = (unsigned)r->source, destination = (unsigned)r->destination;
+    const unsigned lesser = source < destination ? source : destination;
+    const unsigned greater = source < destination ? destination : source;
 
     if ((lesser & 1u) == 0 || greater != lesser + 1)
         return MIXES_NOTHING;
-    return (r->source == lesser) == (lesser != GN_FACTOR_ZERO) ? MIXES_BY_SOURCE
-                                                               : MIXES_BY_DESTINATION;
+    return (source == lesser) == (lesser != GN_FACTOR_ZERO) ? MIXES_BY_SOURCE
+                                                            : MIXES_BY_DESTINATION;
 }
 
 /* Sets the blend constant, also as integers up to the largest value of the channels. */
