@@ -101,9 +101,11 @@ check-embedding: library ## the README's program, through pkg-config and CMake, 
 parity-emulated: $(BUILD)/parity-emulated ## the gate over all back ends, SIMDe emulating what the processor lacks
 	@$(RECORD) $(BUILD)/parity-emulated --scenes $(SCENES) --seed $(SEED) --keep $(BUILD)/parity-failure.scene
 
+CROSS_SCENES ?= 2200
+
 .PHONY: cross
-cross: ## the parity suite's scenes on other processors and WebAssembly must have equal hashes
-	@$(RECORD) tests/portability/cross.sh $(BUILD)
+cross: ## pictures and mathematics of every build in tests/portability/builds: one hash: CROSS_SCENES=2200
+	@$(RECORD) tests/portability/cross.sh $(BUILD) --scenes $(CROSS_SCENES) --jobs $(JOBS)
 
 .PHONY: size
 size: $(BUILD)/libgnomon.a ## bytes of the library in a microcontroller's program; runs the program

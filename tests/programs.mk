@@ -39,9 +39,14 @@ $(BUILD)/emulated/%.o: %.c $(if_changed)
 $(eval $(call program,parity-emulated,$(GATE_PARTS) $(patsubst %.c,$(BUILD)/emulated/%.o,$(EMULATED_SOURCES)) \
 	$(filter-out $(EMULATED_SOURCES),$(LIBRARY_SOURCES)),-ldl -lm -pthread))
 
-# Made of objects, not of an archive: the archiver may not know the target's objects.
-$(eval $(call program,hashes,tests/portability/hashes.c $(SCENE_SOURCES) $(LIBRARY_SOURCES) \
-	$(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)),-lm))
+# Made of objects, not of an archive: the archiver may not know the target's objects. The scenes'
+# generator may be that of another build for the same machine.
+SCENES_BUILD ?= $(BUILD)
+HASHES_SOURCES = $(addprefix tests/portability/,hashes.c basic.c mathematics.c) $(SCENE_SOURCES) \
+	$(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES))
+HASHES_LINKED = -lm
+
+$(eval $(call program,hashes,$(patsubst %.c,$(SCENES_BUILD)/%.o,$(HASHES_SOURCES)) $(LIBRARY_SOURCES),$(HASHES_LINKED)))
 
 # The contract as data: `contract` writes it with the reference; `contract-check` needs a C compiler
 # alone.

@@ -15,6 +15,6 @@ install_packages "gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-arm-linux-gnue
 libc6-dev-armhf-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross gcc-powerpc64-linux-gnu
 libc6-dev-ppc64-cross gcc-riscv64-linux-gnu libc6-dev-riscv64-cross gcc-i686-linux-gnu
 libc6-dev-i386-cross gcc-mingw-w64-x86-64 wine wine64 musl-tools tcc qemu-user clang-19 lld-19
-wasi-libc libclang-rt-19-dev-wasm32 gcc-arm-none-eabi qemu-system-arm gcc-riscv64-unknown-elf
+wasi-libc libclang-rt-19-dev-wasm32 gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm gcc-riscv64-unknown-elf
 qemu-system-misc
 libglm-dev libeigen3-dev $node" "$@"

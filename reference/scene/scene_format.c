@@ -35,7 +35,7 @@ const gn_format scene_depth_formats[SCENE_DEPTH_FORMATS] = {
 
 const scene_format *scene_format_of(gn_format format)
 {
-    const bool known = (int)format >= 0 && (int)format < SCENE_FORMATS;
+    const bool known = (unsigned)format < SCENE_FORMATS;
 
     return &rows[known ? format : GN_FORMAT_NONE];
 }

@@ -259,7 +259,7 @@ void scene_member_name(const scene_member *m, size_t line, char *name)
     const size_t before = strcspn(m->name, "[");
 
     if (m->name[before]) {
-        snprintf(name, SCENE_MEMBER_NAME, "%.*s[%zu%s", (int)before, m->name, line,
+        snprintf(name, SCENE_MEMBER_NAME, "%.*s[%d%s", (int)before, m->name, (int)line,
                  strchr(m->name, ']'));
     } else {
         snprintf(name, SCENE_MEMBER_NAME, "%s", m->name);

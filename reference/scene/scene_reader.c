@@ -41,7 +41,7 @@ const char *reader_next(reader *r)
     }
     while (c != EOF && !isspace(c) && c != '#') {
         if (length + 1 == sizeof r->token) {
-            reader_fail(r, "a word of more than %zu characters", sizeof r->token - 1);
+            reader_fail(r, "a word of more than %d characters", (int)sizeof r->token - 1);
             return "";
         }
         r->token[length++] = (char)c;

@@ -7,6 +7,22 @@
 
 #include "scene_members.h"
 
+/* Writes a finite float other than zero as C's %a does, which some C libraries lack or do
+ * otherwise: a digit 1, at most six digits of the rest, the exponent. */
+static void write_hexadecimal(FILE *out, float f)
+{
+    int exponent;
+    const double above_1 = 2.0 * fabs(frexp((double)f, &exponent)) - 1.0;
+    const char *point = ".";
+
+    fputs(f < 0.0f ? " -0x1" : " 0x1", out);
+    for (uint32_t rest = (uint32_t)(above_1 * 4294967296.0); rest != 0; rest <<= 4) {
+        fprintf(out, "%s%" PRIx32, point, rest >> 28);
+        point = "";
+    }
+    fprintf(out, "p%+d", exponent - 1);
+}
+
 static void write_float(FILE *out, float f)
 {
     uint32_t bits;
@@ -14,8 +30,10 @@ static void write_float(FILE *out, float f)
     memcpy(&bits, &f, sizeof bits);
     if (isnan(f))
         fprintf(out, " nan:%08" PRIx32, bits);
+    else if (isinf(f) || f == 0.0f)
+        fprintf(out, "%s%s", bits >> 31 ? " -" : " ", isinf(f) ? "inf" : "0x0p+0");
     else
-        fprintf(out, " %a", (double)f);
+        write_hexadecimal(out, f);
 }
 
 static void write_floats(FILE *out, const char *keyword, const float *values, size_t count)

@@ -1,120 +1,67 @@
 #!/bin/sh
-# Shows that the pictures are equal on every machine. Builds the library for other processors,
-# draws the parity suite's scenes there (hashes.c), in an emulator or under Node, and compares the
-# hashes of every back end with those of the portable one on this machine. Five targets are this
-# machine itself: `small` compiles with GN_SMALL, `one-lane` with GN_SMALL, GN_BASIC and one lane,
-# `plain` with lanes in arrays, as for targets without vector registers, `whole-program` optimises
-# across files, `memory` runs under the memory sanitizer. One lane is
-# compared with sixteen lanes of a GN_BASIC library, on scenes without what such a library lacks. If a target's tools are absent, the target is named and skipped
-# (skip.sh). If a target has its own form of lanes, the operations of that form are tested too
-# (test_lanes.c). Also checks that no library uses a fused operation, and that the library as a
-# WebAssembly module imports nothing.
-# usage: cross.sh BUILD-DIRECTORY [--scenes N] [TARGET...]   (from the root of the project)
+# Shows that the bits are equal on every machine: builds the library for every row of `builds`, runs
+# hashes.c there, in an emulator, under Node or under Wine, and compares.
+# - Every build draws the same common scenes and calls every function of the mathematics with the same
+#   arguments. The hashes of a set, of all builds and all their back ends, must be one hash. A
+#   library compiled with GN_BASIC draws what it can draw; every other library draws that too.
+# - Each build then draws more scenes, of another seed, which are compared class by class with the
+#   hashes of this machine. Slow emulators draw fewer of them, microcontrollers none.
+# - No library uses a fused operation; as a WebAssembly module it imports nothing. If a target has its
+#   own form of lanes, the operations of that form are tested too (test_lanes.c).
+# - x87 floats are refused by name.
+# If a build's tools are absent, the build is named and skipped (skip.sh).
+# usage: cross.sh BUILD-DIRECTORY [--scenes N] [--jobs N] [BUILD...]   (from the root of the project)
 set -eu
-[ $# -ge 1 ] || { echo "usage: cross.sh BUILD-DIRECTORY [--scenes N] [TARGET...]" >&2; exit 2; }
 . tests/skip.sh
 export MAKEFLAGS=
-build=$1/cross
-scenes=440
-shift
-if [ "${1:-}" = --scenes ]; then
-    scenes=$2
-    shift 2
-fi
-passed=0
-failed=0
-mkdir -p "$build"
-work=$(mktemp -d) # only of this run
-trap 'rm -rf "$work"' EXIT
+table=tests/portability/builds
+make=${MAKE:-make}
+common=110 # scenes of each set that every build draws
+rounds=64  # of the mathematics
 
-# describe TARGET: sets its compiler, flags, the program that runs its programs, its disassembler
-# and the names of fused instructions. The flags allow a careless compiler to fuse.
-describe() {
-    flags=-O2
-    forms=""
-    sixteen=""
-    setup=setup-cross
-    case $1 in
-    aarch64)
-        compiler=aarch64-linux-gnu-gcc
-        forms="portable vectors neon"
-        runner="qemu-aarch64 -L /usr/aarch64-linux-gnu"
-        disassembler=aarch64-linux-gnu-objdump
-        fused='[[:space:]]fn?m(add|sub|l[as])'
-        ;;
-    armhf)
-        compiler=arm-linux-gnueabihf-gcc
-        flags="-O2 -mfpu=neon-vfpv4"
-        runner="qemu-arm -L /usr/arm-linux-gnueabihf"
-        disassembler=arm-linux-gnueabihf-objdump
-        fused='[[:space:]]vfn?m[as]'
-        ;;
-    s390x) # big-endian; in C's standard modes compilers evaluate floats as doubles
-        compiler=s390x-linux-gnu-gcc
-        flags="-O2 -march=z14 -fexcess-precision=fast"
-        forms="portable vectors"
-        runner="qemu-s390x -L /usr/s390x-linux-gnu"
-        disassembler=s390x-linux-gnu-objdump
-        fused='[[:space:]](m[as][de]br|[vw]fn?m[as][sd]b)'
-        ;;
-    wasm | wasm-simd128)
-        compiler="clang-19 --target=wasm32-wasi"
-        runner="node --no-warnings tests/portability/wasi.mjs"
-        disassembler=""
-        [ "$1" = wasm ] || { flags="-O2 -msimd128"; forms="portable vectors wasm_simd128"; }
-        ;;
-    small) # this machine, with little code
-        setup=setup
-        compiler=${CC:-cc}
-        flags="-Os -DGN_SMALL -DGN_ONLY_PORTABLE"
-        runner="env"
-        disassembler=objdump
-        fused='[[:space:]]vfn?m(add|sub)'
-        ;;
-    one-lane) # this machine, as a library for processors without vector registers
-        setup=setup
-        compiler=${CC:-cc}
-        sixteen="-O1 -DGN_SMALL -DGN_BASIC -DGN_ONLY_PORTABLE -DGN_LANES=16"
-        flags="-O2 -DGN_SMALL -DGN_BASIC -DGN_LANES=1"
-        runner="env"
-        disassembler=objdump
-        fused='[[:space:]]vfn?m(add|sub)'
-        ;;
-    plain) # this machine, with sixteen lanes in plain arrays
-        setup=setup
-        compiler=${CC:-cc}
-        flags="-O2 -DGN_ONLY_PORTABLE -DGN_NO_VECTORS"
-        runner="env"
-        disassembler=objdump
-        fused='[[:space:]]vfn?m(add|sub)'
-        ;;
-    whole-program) # this machine, optimised across files; a cast that may break aliasing is an error
-        setup=setup
-        compiler=gcc
-        flags="-O3 -flto=auto -Wstrict-aliasing=1 -DGN_ONLY_PORTABLE"
-        runner="env"
-        disassembler=""
-        ;;
-    memory) # this machine; a result that depends on uninitialised memory is an error
-        setup=setup
-        compiler=clang
-        flags="-O0 -g1 -fno-omit-frame-pointer -DGN_SMALLEST_TASKS -DGN_ONLY_PORTABLE"
-        flags="$flags -fsanitize=memory -fno-sanitize-recover=memory"
-        runner="env"
-        disassembler=""
-        ;;
-    *)
-        echo "cross.sh: unknown target '$1'" >&2
-        exit 2
-        ;;
-    esac
+usage() {
+    echo "usage: cross.sh BUILD-DIRECTORY [--scenes N] [--jobs N] [BUILD...]"
+    echo "  --scenes N  scenes that a fast machine draws beyond the common $common (440)"
+    echo "  --jobs N    builds at a time (2)"
+    echo "  BUILD       rows of tests/portability/builds (all of them)"
+    echo "The last line is: hashes: N builds, N distinct"
 }
 
-# Tells whether the compiler finds the libraries that it links: a C library, and the sanitizer's.
-links() {
-    # shellcheck disable=SC2086
-    echo '#include <stdio.h>
-int main(void) { return puts("") < 0; }' | $compiler $flags -x c - -o "$work/links" >/dev/null 2>&1
+# row KIND NAME: the row of a machine or of a build.
+row() {
+    awk -v key="$1 $2" -F '[[:space:]]*[|][[:space:]]' '$1 == key' $table
+}
+
+# field N: prints field N of the row that is read.
+field() {
+    awk -F '[[:space:]][|]' -v n="$1" '{ gsub(/^[[:space:]]+|[[:space:]]+$/, "", $n); print $n }'
+}
+
+# describe BUILD: sets the build's columns and those of its machine.
+describe() {
+    of_build=$(row build "$1")
+    [ -n "$of_build" ] || { echo "cross.sh: unknown build '$1'; $table lists them" >&2; exit 2; }
+    machine=$(echo "$of_build" | field 2)
+    scenes=$(echo "$of_build" | field 3)
+    forms=$(echo "$of_build" | field 4)
+    compiler=$(echo "$of_build" | field 5)
+    flags=$(echo "$of_build" | field 6)
+    of_machine=$(row machine "$machine")
+    setup=$(echo "$of_machine" | field 2)
+    runner=$(echo "$of_machine" | field 3)
+    disassembler=$(echo "$of_machine" | field 4)
+    fused=$(echo "$of_machine" | field 5)
+    share=$(echo "$of_machine" | field 6)
+    linked=-lm
+    case $machine in
+    cortex-*) linked="-lm -nostartfiles -T tests/portability/board.ld" ;;
+    esac
+    # What runners start.
+    started=
+    case $machine in
+    cortex-*) started=qemu-system-arm ;;
+    windows) started=wine ;;
+    esac
 }
 
 have() { # sets `absent` to the first of the commands that is absent
@@ -124,125 +71,303 @@ have() { # sets `absent` to the first of the commands that is absent
     done
 }
 
-pass() {
-    echo "$1"
-    passed=$((passed + 1))
+# Tells whether the compiler finds the libraries that it links: a C library, and the sanitizer's.
+links() {
+    # shellcheck disable=SC2086
+    echo '#include <stdio.h>
+int main(void) { return puts("") < 0; }' >"$own/links.c"
+    # shellcheck disable=SC2086
+    $compiler $flags "$own/links.c" ${linked#-lm} -o "$own/links" >"$own/log" 2>&1 || [ -n "${linked#-lm}" ]
 }
 
-fail() {
-    echo "$1"
-    failed=$((failed + 1))
-}
-
-# drawn_share FILE: prints how many hundredths of its scenes a GN_BASIC library drew, and leaves only
-# hashes in the file.
-drawn_share() {
-    awk '$2 == "drawn" { drawn += $3; all += $5 } END { print int(100 * drawn / all) }' "$1"
-    grep -v ' drawn ' "$1" >"$work/hashes"
-    cp "$work/hashes" "$1"
-}
-
-# hashes_differ FILE [EXPECTED]: prints which hashes differ, and of which classes, from those of the
-# scenes made here and of their frames in C. Status 1 if none differs.
+# hashes_differ EXPECTED PRINTED: prints which hashes of the second file differ, or are not there, and
+# of which classes or functions, from those of this machine's portable back end. Status 1 if none.
 hashes_differ() {
     awk '
+        $2 == "drawn" { next }
+        { made = $2 == "scenes" || $2 == "inputs" }
         NR == FNR {
-            if ($2 == "scenes" || $2 == "portable")
-                here[$1, $2] = $3
+            if (made)
+                other[$1] = $3
+            else if ($2 == "portable")
+                here[$1] = $3
             next
         }
-        $2 == "scenes" && $3 != here[$1, "scenes"] { made = made " " $1; other[$1] = 1 }
-        $2 != "scenes" && $3 != here[$1, "portable"] && !other[$1] {
+        { seen[$1] = 1 }
+        made && $3 != other[$1] { made_here = made_here " " $1; skip[$1] = 1 }
+        !made && $3 != here[$1] && !skip[$1] {
             if (!($2 in drawn))
                 order[++ends] = $2
             drawn[$2] = drawn[$2] " " $1
         }
-        { seen[$1, $2] = 1 }
         END {
-            for (hash in here)
-                missing += !(hash in seen)
+            for (name in here)
+                missing += !(name in seen)
             if (missing)
                 text = "; " missing " hashes were not printed"
-            if (made)
-                text = text "; the generator made other scenes of" made
+            if (made_here)
+                text = text "; the generator made others of" made_here
             for (i = 1; i <= ends; i++)
-                text = text "; " order[i] " drew other pixels of" drawn[order[i]]
+                text = text "; " order[i] " differs in" drawn[order[i]]
             print substr(text, 3)
             exit text == ""
-        }' "${2:-$work/here}" "$1"
+        }' "$1" "$2"
 }
 
-backends() { awk '$2 != "scenes" && !($2 in seen) { seen[$2]; printf "%s%s", sep, $2; sep = " and " }' "$1"; }
+backends() { awk '$1 ~ /^basic-/ && $2 != "scenes" && !($2 in seen) { seen[$2]; printf "%s%s", sep, $2; sep = " and " }' "$1"; }
 
-${MAKE:-make} -s -j2 BUILD="$(dirname "$build")" "$(dirname "$build")/hashes" >"$work/log" 2>&1 ||
-    { cat "$work/log"; echo "cross: 0 passed, 1 failed"; exit 1; }
-"$(dirname "$build")/hashes" --scenes "$scenes" >"$work/here"
-if differences=$(hashes_differ "$work/here"); then
-    fail "here: $differences"
-else
-    pass "here: $(backends "$work/here"): $(wc -l <"$work/here") hashes of $scenes scenes"
+# sets_of FILE: prints a line of each set and back end, SET BACK-END HASH, where HASH is that of all
+# the set's hashes. A function that has one form for all back ends counts for each.
+sets_of() {
+    for set in mathematics basic pictures; do
+        grep -v -e ' scenes ' -e ' inputs ' -e ' drawn ' "$1" | awk -v set=$set '
+            (/^gn_/ ? "mathematics" : /^basic-/ ? "basic" : "pictures") == set' >"$1.$set"
+        for backend in $(cut -d ' ' -f 2 "$1.$set" | sort -u); do
+            awk -v backend="$backend" '
+                $2 == "portable" && !($1 in hash) { hash[$1] = $3; name[++n] = $1 }
+                $2 == backend { hash[$1] = $3 }
+                END { for (i = 1; i <= n; i++) print name[i], hash[name[i]] }' "$1.$set" |
+                md5sum | awk -v set=$set -v backend="$backend" '{ print set, backend, $1 }'
+        done
+    done
+}
+
+# run_hashes PROGRAM SET: runs `hashes` on the common scenes and on those of another seed.
+run_common() {
+    all=$common
+    [ "$scenes" != basic ] || all=0
+    # shellcheck disable=SC2086
+    $runner "$1" --scenes "$all" --basic $common --mathematics $rounds
+}
+
+run_more() {
+    more=$((more_scenes * share / 100))
+    all=$more
+    [ "$scenes" != basic ] || all=0
+    # shellcheck disable=SC2086
+    [ "$more" -eq 0 ] || $runner "$1" --scenes "$all" --basic "$more" --seed 2
+}
+
+# The same of this machine, for a build that draws `scenes` and this share of the scenes.
+expected() {
+    awk -v basic="$scenes" '!/^[a-z]/ || basic != "basic" || /^(basic|gn_|arguments)/' "$work/here.common" >"$own/common.expected"
+    more=$((more_scenes * share / 100))
+    all=$more
+    [ "$scenes" != basic ] || all=0
+    [ "$more" -eq 0 ] || "$top/hashes" --scenes "$all" --basic "$more" --seed 2 >"$own/more.expected"
+}
+
+fail() { echo "$1: $2"; echo failed >"$own/status"; }
+
+# Compiles every file of the library, which needs no C library.
+compile_only() {
+    for source in src/*/*.c; do
+        # shellcheck disable=SC2086
+        $compiler $flags -std=c99 -pedantic -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror \
+            -Iinclude -ffreestanding -fno-math-errno -fno-stack-protector -fno-fast-math -ffp-contract=off \
+            -c "$source" -o "$own/$(echo "$source" | tr / _).o" >"$own/log" 2>&1 ||
+            { grep error "$own/log"; fail "$1" "$source does not compile"; return; }
+    done
+    echo "$1: compiled"
+    echo compiled >"$own/status"
+}
+
+# one BUILD: makes and tests a build. Its directory then holds `status`: passed, failed, skipped or
+# compiled; and `sets`, the hashes of what it drew.
+one() {
+    describe "$1"
+    own=$top/cross/$1
+    mkdir -p "$own"
+    rm -f "$own/status" "$own/sets" "$own"/*.expected "$own"/*.printed
+    [ "$runner" = - ] || started="$started ${runner%% *}"
+    # shellcheck disable=SC2086
+    if ! have "$compiler" $started ${disassembler#-}; then
+        echo "skipped: $1: not run, since $absent is absent: 'make $setup' installs it"
+        echo skipped >"$own/status"
+        return
+    fi
+    if [ "$scenes" = compiled ]; then
+        compile_only "$1"
+        return
+    fi
+    if [ "$scenes" != shared ] && ! links; then
+        echo "skipped: $1: not run, since $compiler has no libraries to link with: 'make $setup' installs them"
+        echo skipped >"$own/status"
+        return
+    fi
+    program=$own/hashes
+    set -- "$1" "$program" ${forms:+"$own/test-lanes"}
+    name=$1
+    shift
+    with=
+    [ "$scenes" != shared ] || with="SCENES_BUILD=$top LINKER=gcc"
+    # shellcheck disable=SC2086
+    if ! $make -s BUILD="$own" CC="$compiler" CFLAGS="$flags" LANES_FORMS="$forms" HASHES_LINKED="$linked" $with \
+        "$@" >"$own/log" 2>&1; then
+        grep -v '^  [A-Z][A-Z] ' "$own/log" | tail -n 30
+        fail "$name" "does not build"
+        return
+    fi
+    expected
+    if ! run_common "$program" >"$own/common.printed" 2>"$own/log" ||
+        ! run_more "$program" >"$own/more.printed" 2>"$own/log"; then
+        tail -n 10 "$own/log"
+        fail "$name" "the program fails"
+        return
+    fi
+    sets_of "$own/common.printed" | sed "s/^/$name /" >"$own/sets"
+    if differences=$(hashes_differ "$own/common.expected" "$own/common.printed"); then
+        fail "$name" "$differences"
+    fi
+    if [ -e "$own/more.expected" ] && differences=$(hashes_differ "$own/more.expected" "$own/more.printed"); then
+        fail "$name" "more scenes: $differences"
+    fi
+    # shellcheck disable=SC2086
+    if [ -n "$forms" ] && ! $runner "$own/test-lanes" >"$own/log" 2>&1; then
+        cat "$own/log"
+        fail "$name" "the operations of lanes differ"
+    fi
+    case "$disassembler $flags" in
+    -* | *-flto*) ;; # objects without instructions
+    *)
+        count=$(find "$own/src" -name '*.o' -exec "$disassembler" -d {} + | tee "$own/disassembly" | grep -c -E "$fused") || true
+        [ -s "$own/disassembly" ] || fail "$name" "$disassembler fails"
+        rm -f "$own/disassembly"
+        [ "$count" -eq 0 ] || fail "$name" "$count fused operations"
+        ;;
+    esac
+    case $machine in
+    wasm)
+        find "$own/src" -name '*.o' -exec clang-19 --target=wasm32 -nostdlib \
+            -Wl,--no-entry,--export-dynamic,--strip-all -o "$own/gnomon.wasm" {} + &&
+            node tests/portability/imports.mjs "$own/gnomon.wasm" ||
+            fail "$name" "the library alone is no module without imports"
+        ;;
+    esac
+    [ -e "$own/status" ] || { echo "$name: $(backends "$own/common.printed"): hashes equal"; echo passed >"$own/status"; }
+}
+
+if [ "${1:-}" = --one ]; then # in a process of its own, for xargs
+    top=$2 work=$3 more_scenes=$4
+    one "$5"
+    exit 0
 fi
 
-for target in ${*:-small one-lane plain whole-program memory aarch64 armhf s390x wasm wasm-simd128}; do
-    describe "$target"
-    directory=$build/$target
-    if ! have "$compiler" "$runner" ${disassembler:+"$disassembler"}; then
-        skip "$target: not run, since $absent is absent: 'make $setup' installs it"
-        continue
+case ${1:-} in
+--help) usage; exit 0 ;;
+"" | -*) usage >&2; exit 2 ;;
+esac
+top=$1
+more_scenes=440
+jobs=2
+shift
+while [ $# -gt 0 ]; do
+    case $1 in
+    --scenes | --jobs)
+        [ $# -ge 2 ] && [ "$2" -ge 0 ] 2>/dev/null || { usage >&2; exit 2; }
+        [ "$1" = --jobs ] && jobs=$2 || more_scenes=$2
+        shift 2
+        ;;
+    --help) usage; exit 0 ;;
+    -*) usage >&2; exit 2 ;;
+    *) break ;;
+    esac
+done
+[ $# -gt 0 ] || set -- $(awk '$1 == "build" { print $2 }' $table)
+for name in "$@"; do
+    describe "$name"
+done
+passed=0
+failed=0
+mkdir -p "$top/cross"
+work=$(mktemp -d) # only of this run
+trap 'rm -rf "$work"' EXIT
+
+# A test of the mathematics for every function, so that none is forgotten.
+forgotten=$(sed -nE 's/^(GN_API|static inline) .*[ *](gn_[a-z0-9_]+)\(.*/\2/p' \
+    $(ls include/gnomon/*.h | grep -v -E \
+        '/(api|backend|blit|derivatives|draw|parallel|pipeline|sampling|shader_types|shader_loop|shader_functions|shaders|status|surface|texture)\.h$') |
+    grep -v '_$' | sort -u | while read -r function; do
+    grep -q -w "$function" tests/portability/mathematics.c || echo "$function"
+done)
+if [ -n "$forgotten" ]; then
+    echo "tests/portability/mathematics.c: does not call" $forgotten
+    failed=$((failed + 1))
+else
+    passed=$((passed + 1))
+fi
+
+if ! command -v i686-linux-gnu-gcc >/dev/null 2>&1; then
+    skip "x87: not tried, since i686-linux-gnu-gcc is absent: 'make setup-cross' installs it"
+elif i686-linux-gnu-gcc -O2 -std=c99 -ffreestanding -Iinclude -mno-sse -c src/backends/portable.c \
+    -o "$work/x87.o" 2>"$work/log"; then
+    echo "x87: compiles, although its floats have excess precision"
+    failed=$((failed + 1))
+elif grep -q '#error "x87' "$work/log"; then
+    echo "x87: refused by name"
+    passed=$((passed + 1))
+else
+    cat "$work/log"
+    echo "x87: refused, but not by name"
+    failed=$((failed + 1))
+fi
+
+$make -s -j"$jobs" BUILD="$top" "$top/hashes" >"$work/log" 2>&1 ||
+    { cat "$work/log"; echo "cross: 0 passed, 1 failed"; exit 1; }
+scenes=shared runner=env share=100
+run_common "$top/hashes" >"$work/here.common"
+run_more "$top/hashes" >"$work/here.more"
+differences=""
+for file in common more; do
+    if text=$(hashes_differ "$work/here.$file" "$work/here.$file"); then
+        differences="$differences $text"
     fi
-    if ! links; then
-        skip "$target: not run, since $compiler has no libraries to link with: 'make $setup' installs them"
-        continue
-    fi
-    if ! ${MAKE:-make} -s -j2 BUILD="$directory" CC="$compiler" CFLAGS="$flags" \
-        LANES_FORMS="$forms" "$directory/hashes" ${forms:+"$directory/test-lanes"} >"$work/log" 2>&1; then
-        cat "$work/log"
-        fail "$target: does not build"
-        continue
-    fi
-    # shellcheck disable=SC2086
-    if ! $runner "$directory/hashes" --scenes "$scenes" >"$directory/printed" 2>"$work/log"; then
-        cat "$work/log"
-        fail "$target: the program fails"
-        continue
-    fi
-    expected=$work/here
-    if [ -n "$sixteen" ]; then
-        expected=$work/sixteen
-        ${MAKE:-make} -s -j2 BUILD="$build/sixteen" CC="$compiler" CFLAGS="$sixteen" \
-            "$build/sixteen/hashes" >"$work/log" 2>&1 || { cat "$work/log"; fail "$target: sixteen lanes do not build"; continue; }
-        "$build/sixteen/hashes" --scenes "$scenes" >"$expected"
-        drawn_share "$expected" >/dev/null
-        share=$(drawn_share "$directory/printed")
-        [ "$share" -ge 75 ] || fail "$target: only $share % of the scenes are drawn"
-    fi
-    if differences=$(hashes_differ "$directory/printed" "$expected"); then
-        fail "$target: $differences"
-    else
-        pass "$target (${runner%% *}): $(backends "$directory/printed"): hashes equal"
-    fi
-    # shellcheck disable=SC2086
-    if [ -n "$forms" ] && ! $runner "$directory/test-lanes" >"$work/log" 2>&1; then
-        cat "$work/log"
-        fail "$target: the operations of lanes differ"
-    fi
-    if [ -n "$disassembler" ]; then
-        if find "$directory/src" -name '*.o' -exec "$disassembler" -d {} + >"$work/disassembly" &&
-            [ -s "$work/disassembly" ]; then
-            count=$(grep -c -E "$fused" "$work/disassembly") || true
-            [ "$count" -eq 0 ] || fail "$target: $count fused operations"
-        else
-            fail "$target: $disassembler fails"
-        fi
-    fi
-    case $target in
-    wasm*)
-        find "$directory/src" -name '*.o' -exec clang-19 --target=wasm32 -nostdlib \
-            -Wl,--no-entry,--export-dynamic,--strip-all -o "$directory/gnomon.wasm" {} + &&
-            node tests/portability/imports.mjs "$directory/gnomon.wasm" ||
-            fail "$target: the library alone is no module without imports"
+done
+if [ -n "$differences" ]; then
+    echo "here:$differences"
+    failed=$((failed + 1))
+else
+    echo "here: $(backends "$work/here.common"): $(cat "$work"/here.* | wc -l) hashes, $common scenes of each set and $more_scenes more"
+    passed=$((passed + 1))
+fi
+sets_of "$work/here.common" | sed 's/^/here /' >"$work/sets"
+
+printf '%s\n' "$@" | xargs -P "$jobs" -I NAME "$0" --one "$top" "$work" "$more_scenes" NAME
+
+compiled=""
+without=""
+for name in "$@"; do
+    own=$top/cross/$name
+    [ ! -e "$own/sets" ] || cat "$own/sets" >>"$work/sets"
+    case $(cat "$own/status" 2>/dev/null) in
+    passed) passed=$((passed + 1)) ;;
+    compiled)
+        passed=$((passed + 1))
+        compiled="$compiled $name"
+        ;;
+    skipped)
+        without="$without $name"
+        [ -z "${GN_NO_SKIP:-}" ] || failed=$((failed + 1))
+        ;;
+    *)
+        without="$without $name"
+        failed=$((failed + 1))
         ;;
     esac
 done
+
+# distinct SET: prints the builds and the hashes of a set.
+distinct() {
+    awk -v set="$1" '
+        $2 == set { builds[$1]; hashes[$4] }
+        END { for (b in builds) n++; for (h in hashes) d++; printf "%d builds, %d distinct", n, d }' "$work/sets"
+}
+[ -z "$compiled" ] || echo "compiled only:$compiled"
+[ -z "$without" ] || echo "skipped or failed:$without"
+echo "pictures: $(distinct pictures)"
+echo "pictures of what a GN_BASIC library draws: $(distinct basic)"
+echo "mathematics: $(distinct mathematics)"
 echo "cross: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+awk '{ builds[$1]; if (!(($2, $4) in seen)) { seen[$2, $4]; if (++d[$2] > most) most = d[$2] } }
+    END { for (b in builds) n++; printf "hashes: %d builds, %d distinct\n", n, most }' "$work/sets"
+[ "$failed" -eq 0 ] && [ "$(awk '{ print $2, $4 }' "$work/sets" | sort -u | wc -l)" -eq 3 ]
