@@ -140,8 +140,12 @@ GN_INLINE void fused_rows(const fragment_state *state, fused_kind kind, raster_t
     lanes_f w[SQUARE_SIZE];
     fragment_place at;
 
-    for (uint32_t n = first_attribute(kind); n < end_attribute(kind); ++n)
-        set_row_terms(&rows, n, triangle_plane(triangle, n), y, 0.0f);
+    for (uint32_t n = first_attribute(kind); n < end_attribute(kind); ++n) {
+        /* A statement of its own: tcc 0.9.27 loses arguments before a call that returns a
+         * structure. */
+        const attribute_plane plane = triangle_plane(triangle, n);
+        set_row_terms(&rows, n, plane, y, 0.0f);
+    }
     at.shape = SHAPE_ROW;
     at.whole = true;
     at.columns = &columns;

@@ -202,8 +202,12 @@ static inline void step_rest(const void *context, blocks_function *shade, raster
  * `end`. `inside` says where in their pixels the attributes are needed. */
 static inline void set_terms(block_batch *b, uint32_t first, uint32_t end, const float inside[2])
 {
-    for (uint32_t n = first; n < end; ++n)
-        set_row_terms(&b->of.terms.rows, n, triangle_plane(b->triangle, n), b->y, inside[1]);
+    for (uint32_t n = first; n < end; ++n) {
+        /* A statement of its own: tcc 0.9.27 loses arguments before a call that returns a
+         * structure. */
+        const attribute_plane plane = triangle_plane(b->triangle, n);
+        set_row_terms(&b->of.terms.rows, n, plane, b->y, inside[1]);
+    }
     for (uint32_t c = 0; c < b->columns; ++c) {
         const lanes_f places = column_places(b->x + (int32_t)(c * GN_LANES), inside[0]);
 
