@@ -8,7 +8,7 @@
 contract_verdict contract_draw(const scene *s, gn_backend backend, const contract_scene *expected)
 {
     scene_frame frame;
-    contract_hash pixels, srgb;
+    hash pixels, srgb;
     uint64_t channels = 0;
     if (!scene_frame_allocate(&frame, s))
         return CONTRACT_NO_MEMORY;

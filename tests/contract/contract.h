@@ -22,27 +22,23 @@
 #ifndef CONTRACT_H
 #define CONTRACT_H
 
+#include "../portability/hash.h"
 #include "generate.h"
 
-/* FNV-1a with 64 bits. */
-typedef uint64_t contract_hash;
-
-#define CONTRACT_EMPTY UINT64_C(0xCBF29CE484222325)
-
-void contract_add(contract_hash *h, uint64_t value);
+void contract_add(hash *h, uint64_t value);
 
 /* The hashes of a scene. */
 typedef struct contract_scene {
-    uint32_t made;        /* of the scene itself */
-    contract_hash pixels; /* of the reference's pixels and counts */
-    contract_hash srgb;   /* of the library's sRGB channels; CONTRACT_EMPTY: there are none */
+    uint32_t made; /* of the scene itself */
+    hash pixels;   /* of the reference's pixels and counts */
+    hash srgb;     /* of the library's sRGB channels; HASH_EMPTY: there are none */
 } contract_scene;
 
 typedef struct contract_class {
     scene_class class;
     uint64_t count;
     contract_scene *scenes;
-    contract_hash made, pixels, srgb;       /* of the scenes' hashes, in order */
+    hash made, pixels, srgb;                /* of the scenes' hashes, in order */
     uint64_t srgb_channels, srgb_differing; /* channels; those where the reference has another */
 } contract_class;
 
@@ -74,8 +70,8 @@ uint32_t contract_hash_scene(const scene *s);
 /* Hashes a frame: the values of its sRGB channels, and all others with the counts. In the
  * reference's frames each NaN counts as the library's. Adds to *channels the number of sRGB
  * channels. */
-void contract_hash_frame(const scene_frame *f, bool is_reference, contract_hash *pixels,
-                         contract_hash *srgb, uint64_t *channels);
+void contract_hash_frame(const scene_frame *f, bool is_reference, hash *pixels, hash *srgb,
+                         uint64_t *channels);
 
 /* Returns the number of sRGB channels in which two frames differ. */
 uint64_t contract_srgb_differing(const scene_frame *a, const scene_frame *b);

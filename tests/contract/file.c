@@ -42,12 +42,12 @@ static contract_class *add_class(contract *c, scene_class class, uint64_t count)
     added->class = class;
     added->count = count;
     added->scenes = calloc(count ? (size_t)count : 1, sizeof *added->scenes);
-    added->made = added->pixels = added->srgb = CONTRACT_EMPTY;
+    added->made = added->pixels = added->srgb = HASH_EMPTY;
     if (!added->scenes)
         return NULL;
     ++c->class_count;
     for (uint64_t i = 0; i < count; ++i)
-        added->scenes[i].pixels = added->scenes[i].srgb = CONTRACT_EMPTY;
+        added->scenes[i].pixels = added->scenes[i].srgb = HASH_EMPTY;
     return added;
 }
 
@@ -64,7 +64,7 @@ bool contract_allocate(contract *c, uint64_t seed, uint64_t scenes)
 
 void contract_sum(contract_class *c)
 {
-    c->made = c->pixels = c->srgb = CONTRACT_EMPTY;
+    c->made = c->pixels = c->srgb = HASH_EMPTY;
     for (uint64_t i = 0; i < c->count; ++i) {
         contract_add(&c->made, c->scenes[i].made);
         contract_add(&c->pixels, c->scenes[i].pixels);
@@ -75,7 +75,7 @@ void contract_sum(contract_class *c)
 static void write_scene(const contract_scene *s, FILE *out)
 {
     fprintf(out, "%08" PRIx32 " %016" PRIx64, s->made, s->pixels);
-    if (s->srgb != CONTRACT_EMPTY)
+    if (s->srgb != HASH_EMPTY)
         fprintf(out, " %016" PRIx64, s->srgb);
     fputc('\n', out);
 }

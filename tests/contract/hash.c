@@ -7,46 +7,22 @@
 #include "scene_members.h"
 #include "scene_pixel.h"
 
-static void add_byte(contract_hash *h, uint32_t byte)
-{
-    *h = (*h ^ byte) * UINT64_C(0x100000001B3);
-}
-
-static void add_word(contract_hash *h, uint32_t word)
-{
-    for (int i = 0; i < 4; ++i)
-        add_byte(h, word >> 8 * i & 255);
-}
-
-void contract_add(contract_hash *h, uint64_t value)
+void contract_add(hash *h, uint64_t value)
 {
     add_word(h, (uint32_t)value);
     add_word(h, (uint32_t)(value >> 32));
 }
 
-static void add_text(contract_hash *h, const char *text)
+static void add_text(hash *h, const char *text)
 {
     for (; *text; ++text)
         add_byte(h, (unsigned char)*text);
     add_byte(h, 0);
 }
 
-/* NaN counts as one number: compilers give the macro NAN either sign. */
-static void add_float_bits(contract_hash *h, uint32_t bits)
-{
-    add_word(h, (bits & 0x7FFFFFFF) > 0x7F800000 ? 0x7FC00000 : bits);
-}
-
-static void add_float(contract_hash *h, float value)
-{
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    add_float_bits(h, bits);
-}
-
 /* Members with default values are left out, so that a new member leaves hashes of scenes that do
  * not use it unchanged. */
-static void add_member(contract_hash *h, const scene_member *m, const scene_draw *d,
+static void add_member(hash *h, const scene_member *m, const scene_draw *d,
                        const scene_draw *by_default)
 {
     for (size_t line = 0; line < scene_member_lines(m); ++line)
@@ -65,7 +41,7 @@ static void add_member(contract_hash *h, const scene_member *m, const scene_draw
         }
 }
 
-static void add_texture(contract_hash *h, const gn_texture *t)
+static void add_texture(hash *h, const gn_texture *t)
 {
     const size_t size = scene_element_size(t->format);
     add_text(h, text_name(TEXT_TEXTURE_TARGET, (int)t->target));
@@ -87,7 +63,7 @@ static void add_texture(contract_hash *h, const gn_texture *t)
     }
 }
 
-static void add_attribute(contract_hash *h, const gn_attribute *a, uint32_t vertices)
+static void add_attribute(hash *h, const gn_attribute *a, uint32_t vertices)
 {
     const size_t stride = a->stride ? a->stride : a->components * sizeof(float);
     add_word(h, a->components);
@@ -95,11 +71,11 @@ static void add_attribute(contract_hash *h, const gn_attribute *a, uint32_t vert
         const float *const values =
             (const float *)(const void *)((const char *)a->data + v * stride);
         for (uint32_t i = 0; i < a->components; ++i)
-            add_float(h, values[i]);
+            add_floats(h, &values[i], sizeof values[i]);
     }
 }
 
-static void add_mesh(contract_hash *h, const scene_draw *d)
+static void add_mesh(hash *h, const scene_draw *d)
 {
     const gn_mesh *const mesh = &d->mesh;
     add_word(h, mesh->vertex_count);
@@ -118,7 +94,7 @@ static void add_mesh(contract_hash *h, const scene_draw *d)
     add_word(h, mesh->count);
 }
 
-static void add_draw(contract_hash *h, const scene_draw *d)
+static void add_draw(hash *h, const scene_draw *d)
 {
     scene_draw by_default;
     scene_default_draw(&by_default);
@@ -138,15 +114,15 @@ static void add_draw(contract_hash *h, const scene_draw *d)
 
 uint32_t contract_hash_scene(const scene *s)
 {
-    contract_hash h = CONTRACT_EMPTY;
+    hash h = HASH_EMPTY;
     add_word(&h, s->width);
     add_word(&h, s->height);
     for (int a = 0; a < GN_MAX_COLORS; ++a)
         add_text(&h, text_name(TEXT_FORMAT, (int)scene_color_format(s, a)));
     add_text(&h, text_name(TEXT_FORMAT, (int)s->depth_format));
     for (int c = 0; c < 4; ++c)
-        add_float(&h, s->clear_color[c]);
-    add_float(&h, s->clear_depth);
+        add_floats(&h, &s->clear_color[c], sizeof s->clear_color[c]);
+    add_floats(&h, &s->clear_depth, sizeof s->clear_depth);
     add_word(&h, s->clear_stencil);
     add_word(&h, scene_is_sampled(s) ? s->samples : 1);
     for (size_t i = 0; i < s->draw_count; ++i)
@@ -226,11 +202,11 @@ static uint32_t one_nan(gn_format format, int channel, uint32_t bits)
     }
 }
 
-void contract_hash_frame(const scene_frame *f, bool is_reference, contract_hash *pixels,
-                         contract_hash *srgb, uint64_t *channels)
+void contract_hash_frame(const scene_frame *f, bool is_reference, hash *pixels, hash *srgb,
+                         uint64_t *channels)
 {
     const size_t count = (size_t)f->width * f->height * f->images;
-    *pixels = *srgb = CONTRACT_EMPTY;
+    *pixels = *srgb = HASH_EMPTY;
     for (int b = 0; b < BUFFERS; ++b) {
         gn_format format;
         const void *const memory = frame_buffer(f, b, &format);

@@ -95,7 +95,7 @@ static void complain(maker *m, scene_class class, uint64_t number, const char *w
 static const char *hash_frames(const scene *s, const scene_frame *ours, const scene_frame *theirs,
                                contract_scene *hashes, contract_class *class)
 {
-    contract_hash of_reference, of_library;
+    hash of_reference, of_library;
     uint64_t channels = 0;
     contract_hash_frame(theirs, true, &hashes->pixels, &of_reference, &channels);
     contract_hash_frame(ours, false, &of_library, &hashes->srgb, &class->srgb_channels);

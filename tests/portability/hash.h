@@ -33,13 +33,19 @@ static inline void add_words(hash *h, const void *memory, size_t count)
     }
 }
 
+/* NaN counts as one number: compilers give the macro NAN either sign. */
+static inline void add_float_bits(hash *h, uint32_t bits)
+{
+    add_word(h, (bits & 0x7FFFFFFFu) > 0x7F800000u ? 0x7FC00000u : bits);
+}
+
 /* Hashes bytes of floats, each float by its bits, but every NaN as one. */
 static inline void add_floats(hash *h, const void *memory, size_t bytes)
 {
     for (size_t i = 0; i < bytes / 4; ++i) {
         uint32_t bits;
         memcpy(&bits, (const char *)memory + 4 * i, sizeof bits);
-        add_word(h, (bits & 0x7FFFFFFFu) > 0x7F800000u ? 0x7FC00000u : bits);
+        add_float_bits(h, bits);
     }
 }
 
