@@ -9,7 +9,8 @@
 # - No library uses a fused operation; as a WebAssembly module it imports nothing. If a target has its
 #   own form of lanes, the operations of that form are tested too (test_lanes.c).
 # - x87 floats are refused by name.
-# If a build's tools are absent, the build is named and skipped (skip.sh).
+# A tool that is absent is named, with its package and the set-up that installs it. The build is then
+# skipped if BUILDs are named, and a failure otherwise (and under GN_NO_SKIP, skip.sh).
 # usage: cross.sh BUILD-DIRECTORY [--scenes N] [--jobs N] [BUILD...]   (from the root of the project)
 set -eu
 . tests/skip.sh
@@ -47,7 +48,7 @@ describe() {
     compiler=$(echo "$of_build" | field 5)
     flags=$(echo "$of_build" | field 6)
     of_machine=$(row machine "$machine")
-    setup=$(echo "$of_machine" | field 2)
+    libraries=$(echo "$of_machine" | field 2)
     runner=$(echo "$of_machine" | field 3)
     disassembler=$(echo "$of_machine" | field 4)
     fused=$(echo "$of_machine" | field 5)
@@ -73,11 +74,21 @@ have() { # sets `absent` to the first of the commands that is absent
 
 # Tells whether the compiler finds the libraries that it links: a C library, and the sanitizer's.
 links() {
-    # shellcheck disable=SC2086
     echo '#include <stdio.h>
 int main(void) { return puts("") < 0; }' >"$own/links.c"
     # shellcheck disable=SC2086
-    $compiler $flags "$own/links.c" ${linked#-lm} -o "$own/links" >"$own/log" 2>&1 || [ -n "${linked#-lm}" ]
+    $compiler $flags "$own/links.c" $linked -o "$own/links" >"$own/log" 2>&1
+}
+
+# absent BUILD WHAT "PACKAGES" SETUP
+absent() {
+    if [ -n "${GN_NO_SKIP:-}" ]; then
+        echo "$1: $2; package $3: 'make $4' installs it"
+        echo failed >"$own/status"
+    else
+        echo "skipped: $1: not run, since $2; package $3: 'make $4' installs it"
+        echo skipped >"$own/status"
+    fi
 }
 
 # hashes_differ EXPECTED PRINTED: prints which hashes of the second file differ, or are not there, and
@@ -132,12 +143,23 @@ sets_of() {
     done
 }
 
-# run_hashes PROGRAM SET: runs `hashes` on the common scenes and on those of another seed.
+# limited COMMAND...: runs a program that a wrong compiler may have made: such programs have taken all
+# memory, or have not ended. Sanitizers and Node reserve addresses beyond all memory.
+limited() (
+    case "$runner $flags" in
+    *-fsanitize=* | node*) ;;
+    env*) ulimit -v 4000000 ;;
+    *) ulimit -v 16000000 ;;
+    esac
+    exec timeout 1800 "$@"
+)
+
+# Run `hashes` on the common scenes, and on those of another seed.
 run_common() {
     all=$common
     [ "$scenes" != basic ] || all=0
     # shellcheck disable=SC2086
-    $runner "$1" --scenes "$all" --basic $common --mathematics $rounds
+    limited $runner "$1" --scenes "$all" --basic $common --mathematics $rounds
 }
 
 run_more() {
@@ -145,7 +167,7 @@ run_more() {
     all=$more
     [ "$scenes" != basic ] || all=0
     # shellcheck disable=SC2086
-    [ "$more" -eq 0 ] || $runner "$1" --scenes "$all" --basic "$more" --seed 2
+    [ "$more" -eq 0 ] || limited $runner "$1" --scenes "$all" --basic "$more" --seed 2
 }
 
 # The same of this machine, for a build that draws `scenes` and this share of the scenes.
@@ -182,8 +204,8 @@ one() {
     [ "$runner" = - ] || started="$started ${runner%% *}"
     # shellcheck disable=SC2086
     if ! have "$compiler" $started ${disassembler#-}; then
-        echo "skipped: $1: not run, since $absent is absent: 'make $setup' installs it"
-        echo skipped >"$own/status"
+        tool=$(row tool "$absent")
+        absent "$1" "$absent is absent" "$(echo "$tool" | field 2)" "$(echo "$tool" | field 3)"
         return
     fi
     if [ "$scenes" = compiled ]; then
@@ -191,8 +213,7 @@ one() {
         return
     fi
     if [ "$scenes" != shared ] && ! links; then
-        echo "skipped: $1: not run, since $compiler has no libraries to link with: 'make $setup' installs them"
-        echo skipped >"$own/status"
+        absent "$1" "$compiler has no libraries to link with" "${libraries%, *}" "${libraries#*, }"
         return
     fi
     program=$own/hashes
@@ -223,7 +244,7 @@ one() {
         fail "$name" "more scenes: $differences"
     fi
     # shellcheck disable=SC2086
-    if [ -n "$forms" ] && ! $runner "$own/test-lanes" >"$own/log" 2>&1; then
+    if [ -n "$forms" ] && ! limited $runner "$own/test-lanes" >"$own/log" 2>&1; then
         cat "$own/log"
         fail "$name" "the operations of lanes differ"
     fi
@@ -273,7 +294,11 @@ while [ $# -gt 0 ]; do
     *) break ;;
     esac
 done
-[ $# -gt 0 ] || set -- $(awk '$1 == "build" { print $2 }' $table)
+if [ $# -eq 0 ]; then
+    export GN_NO_SKIP=1
+    # shellcheck disable=SC2046
+    set -- $(awk '$1 == "build" { print $2 }' $table)
+fi
 for name in "$@"; do
     describe "$name"
 done
@@ -297,8 +322,33 @@ else
     passed=$((passed + 1))
 fi
 
+# Every tool is in the table, and the set-up that the table names installs its package.
+forgotten=$(awk '$1 == "build" { print $2 }' $table | while read -r name; do
+    describe "$name"
+    for command in "${compiler%% *}" $started "${runner%% *}" "$disassembler"; do
+        case $command in
+        - | env | tests/*) ;;
+        *) echo "$(row tool "$command" | field 2), $(row tool "$command" | field 3), $command" ;;
+        esac
+    done
+    [ "$libraries" = - ] || echo "$libraries, $name"
+done | sort -u | while IFS=, read -r packages setup what; do
+    for package in ${packages:-none}; do
+        case $package in
+        binutils*) ;; # GCC's packages depend on them
+        *) grep -q -F -w -e "$package" "tools/${setup# }.sh" 2>/dev/null || echo "$what: $package." ;;
+        esac
+    done
+done)
+if [ -n "$forgotten" ]; then
+    echo "packages that no set-up installs:" $forgotten
+    failed=$((failed + 1))
+else
+    passed=$((passed + 1))
+fi
+
 if ! command -v i686-linux-gnu-gcc >/dev/null 2>&1; then
-    skip "x87: not tried, since i686-linux-gnu-gcc is absent: 'make setup-cross' installs it"
+    skip "x87: not tried, since i686-linux-gnu-gcc is absent; package gcc-i686-linux-gnu: 'make setup-cross' installs it"
 elif i686-linux-gnu-gcc -O2 -std=c99 -ffreestanding -Iinclude -mno-sse -c src/backends/portable.c \
     -o "$work/x87.o" 2>"$work/log"; then
     echo "x87: compiles, although its floats have excess precision"
@@ -314,7 +364,7 @@ fi
 
 $make -s -j"$jobs" BUILD="$top" "$top/hashes" >"$work/log" 2>&1 ||
     { cat "$work/log"; echo "cross: 0 passed, 1 failed"; exit 1; }
-scenes=shared runner=env share=100
+scenes=shared runner=env flags="" share=100
 run_common "$top/hashes" >"$work/here.common"
 run_more "$top/hashes" >"$work/here.more"
 differences=""
