@@ -18,7 +18,7 @@ CAMPAIGN_SCENES ?= 500000
 
 .PHONY: campaign
 campaign: $(BUILD)/parity ## 500,000 scenes of ten seeds against OSMesa; goes on where it was killed: CAMPAIGN_SEEDS= CAMPAIGN_SCENES= JOBS=2
-	@tests/parity/campaign.sh --seeds '$(CAMPAIGN_SEEDS)' --scenes $(CAMPAIGN_SCENES) --jobs $(JOBS) $(BUILD)
+	@$(RECORD) tests/parity/campaign.sh --seeds '$(CAMPAIGN_SEEDS)' --scenes $(CAMPAIGN_SCENES) --jobs $(JOBS) $(BUILD)
 
 CONTRACT = tests/contract/contract.txt
 
@@ -28,7 +28,7 @@ contract: $(BUILD)/contract ## write the hashes of the reference's pixels of 5,0
 
 .PHONY: check-contract
 check-contract: $(BUILD)/contract-check ## the library's pixels against those hashes, with a C compiler alone
-	@$(BUILD)/contract-check --keep $(BUILD)/contract-failure.scene $(CONTRACT)
+	@$(RECORD) $(BUILD)/contract-check --keep $(BUILD)/contract-failure.scene $(CONTRACT)
 
 BLITS ?= 33000
 TEXTURES ?= 200
@@ -77,11 +77,11 @@ MUTANTS ?= 200
 
 .PHONY: mutants
 mutants: ## change the library in random places; the tests must notice: MUTANTS=200 SEED=1 JOBS=2
-	@tests/mutants/mutants.sh $(BUILD) --mutants $(MUTANTS) --seed $(SEED) --jobs $(JOBS)
+	@$(RECORD) tests/mutants/mutants.sh $(BUILD) --mutants $(MUTANTS) --seed $(SEED) --jobs $(JOBS)
 
 .PHONY: coverage
 coverage: ## lines, branches and conditions (MC/DC) of src/ that the tests reach: JOBS=2
-	@tests/reached/reached.sh $(BUILD) --jobs $(JOBS)
+	@$(RECORD) tests/reached/reached.sh $(BUILD) --jobs $(JOBS)
 
 .PHONY: prove
 prove: ## prove error bounds with Gappa, from the text of the C sources
