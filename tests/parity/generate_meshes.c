@@ -223,12 +223,37 @@ void generate_piles(builder *b)
     }
 }
 
+/* A fan of four vertices without indices, which the reference draws as a quadrilateral if nothing is
+ * clipped and nothing asks for a provoking vertex. */
+static void draw_fan_of_four(builder *b)
+{
+    random_source *r = &b->random;
+    static const placement places[] = {PLACE_INSIDE, PLACE_INSIDE, PLACE_ANYWHERE, PLACE_CLIP};
+    const placement place = places[random_below(r, 4)];
+
+    b->state.raster.topology = GN_TRIANGLE_FAN;
+    b->state.raster.provoking_vertex =
+        random_chance(r, 80) ? GN_PROVOKING_FIRST : GN_PROVOKING_LAST;
+    if (random_chance(r, 30)) {
+        b->state.raster.polygon_mode_front = (gn_polygon_mode)random_below(r, 3);
+        b->state.raster.polygon_mode_back = (gn_polygon_mode)random_below(r, 3);
+    }
+    for (int i = 0; i < 4; ++i)
+        shape_place(b, builder_vertex(b), place);
+    b->index_format = GN_INDEX_NONE;
+    builder_draw(b);
+}
+
 void generate_strips(builder *b)
 {
     random_source *r = &b->random;
     builder_common_target(b);
     for (uint32_t draws = 1 + random_below(r, 3); draws > 0; --draws) {
         builder_common_state(b);
+        if (random_chance(r, 25)) {
+            draw_fan_of_four(b);
+            continue;
+        }
         const bool flat = random_chance(r, 50);
         for (int i = 0; flat && i < 4; ++i)
             b->state.program.interpolation[i] = GN_FLAT;
