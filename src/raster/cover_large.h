@@ -18,6 +18,12 @@ typedef struct large_edge {
     lanes_i offset; /* change from there to each of its pixels */
 } large_edge;
 
+/* Returns a * b, which needs 64 bits. */
+static inline int64_t wide_product(int32_t a, int32_t b)
+{
+    return (int64_t)a * b;
+}
+
 /* Sets the edge function of the edge through a point in snapped coordinates. */
 static inline void set_edge_through(large_edge *e, int32_t per_x, int32_t per_y, int32_t x,
                                     int32_t y)
@@ -26,7 +32,7 @@ static inline void set_edge_through(large_edge *e, int32_t per_x, int32_t per_y,
     const int32_t along_y = per_y * (SQUARE_SIZE - 1);
     const int32_t owns_ties = per_x < 0 || (per_x == 0 && per_y > 0);
 
-    e->constant = ((int64_t)per_x * x - (int64_t)per_y * y + owns_ties - 1) >> 8;
+    e->constant = (wide_product(per_x, x) - wide_product(per_y, y) + owns_ties - 1) >> 8;
     e->per_x = per_x;
     e->per_y = per_y;
     e->least = (along_x < 0 ? along_x : 0) + (along_y < 0 ? along_y : 0);
@@ -50,7 +56,7 @@ static inline corner_values values_at(const large_edge edge[3], int32_t x, int32
     corner_values c;
 
     for (int i = 0; i < 3; ++i)
-        c.v[i] = edge[i].constant - (int64_t)edge[i].per_x * x + (int64_t)edge[i].per_y * y;
+        c.v[i] = edge[i].constant - wide_product(edge[i].per_x, x) + wide_product(edge[i].per_y, y);
     return c;
 }
 
@@ -58,7 +64,7 @@ static inline corner_values values_at(const large_edge edge[3], int32_t x, int32
 static inline corner_values step_right(const large_edge edge[3], corner_values c, int32_t squares)
 {
     for (int i = 0; i < 3; ++i)
-        c.v[i] -= (int64_t)edge[i].per_x * (squares * SQUARE_SIZE);
+        c.v[i] -= wide_product(edge[i].per_x, squares * SQUARE_SIZE);
     return c;
 }
 
