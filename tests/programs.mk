@@ -162,3 +162,7 @@ $(eval $(call program,test_handover,tests/tools/test_handover.c $(addprefix tool
 
 $(eval $(call program,test_teapot,tests/tools/test_teapot.c \
 	$(addprefix tools/gnomon/,teapot.c teapot_maps.c image.c image_file.c files.c model.c normals.c) $(LIBRARY),-lcmocka -lstb -lm))
+
+# Fuzz targets
+
+include tests/fuzz/fuzz.mk

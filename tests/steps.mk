@@ -24,7 +24,7 @@ unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 
 .PHONY: test-programs
 test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels \
-	$(BUILD)/textures $(BUILD)/exact
+	$(BUILD)/textures $(BUILD)/exact fuzz-programs
 
 .PHONY: sanitized
 sanitized: ## the test programs under the sanitizers, in build/sanitized
@@ -86,6 +86,8 @@ test-steps:
 		'exact oracles=$(BUILD)/exact --seed $(TEST_SEED) --triangles 60000 --clip-space 6000' \
 		'pairs of states=$(BUILD)/parity --pairs --seed $(TEST_SEED)' \
 		'scenes are valid=$(BUILD)/parity --check --seed $(TEST_SEED)' \
+		'what fuzzing found=tests/fuzz/replay.sh $(BUILD)' \
+		'sanitized what fuzzing found=tests/fuzz/replay.sh $(CHECKED)' \
 		'shrinking=tests/parity/test_shrink.sh $(BUILD)/parity' \
 		'order of evaluation=tests/order/order.sh' \
 		$(call unit_steps,$(CHECKED),sanitized ) \

@@ -160,11 +160,12 @@ static void read_sample(reference *r, const scene *s, const framebuffer *f, uint
 
     for (int a = 0; a < GN_MAX_COLORS; ++a) {
         const gn_format format = scene_color_format(s, a);
-        char *const color =
-            (char *)scene_frame_color(frame, a) + pixels * sample * gn_format_size(format);
 
         if (format == GN_FORMAT_NONE)
             continue;
+        char *const color =
+            (char *)scene_frame_color(frame, a) + pixels * sample * gn_format_size(format);
+
         fetch(s, r->sample_programs[0], f->color[a], (GLint)sample, values);
         for (size_t i = 0; i < pixels; ++i)
             scene_pixel_store(color, format, i, values + 4 * i);

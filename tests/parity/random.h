@@ -13,6 +13,15 @@ typedef struct random_source {
     uint64_t state[4];
 } random_source;
 
+#if defined(PARITY_RANDOM_FROM_INPUT)
+
+/* A fuzzer chooses the numbers (tests/fuzz/fuzz.c): a seed goes back to the begin of its input, so
+ * that equal seeds are followed by equal numbers. */
+void fuzz_random_seed(uint64_t seed);
+uint64_t fuzz_random_bits(void);
+
+#endif
+
 /* Returns the next output of splitmix64, whose state is *x. */
 static inline uint64_t random_splitmix(uint64_t *x)
 {
@@ -25,6 +34,9 @@ static inline uint64_t random_splitmix(uint64_t *x)
 static inline random_source random_seed(uint64_t seed)
 {
     random_source r;
+#if defined(PARITY_RANDOM_FROM_INPUT)
+    fuzz_random_seed(seed);
+#endif
     for (int i = 0; i < 4; ++i)
         r.state[i] = random_splitmix(&seed);
     return r;
@@ -34,6 +46,16 @@ static inline uint64_t random_rotate(uint64_t x, int bits)
 {
     return x << bits | x >> (64 - bits);
 }
+
+#if defined(PARITY_RANDOM_FROM_INPUT)
+
+static inline uint64_t random_bits(random_source *r)
+{
+    (void)r;
+    return fuzz_random_bits();
+}
+
+#else
 
 static inline uint64_t random_bits(random_source *r)
 {
@@ -48,6 +70,8 @@ static inline uint64_t random_bits(random_source *r)
     s[3] = random_rotate(s[3], 45);
     return result;
 }
+
+#endif
 
 /* Returns 0 to n - 1. The bias of the multiplication, n / 2^32, does not matter here. */
 static inline uint32_t random_below(random_source *r, uint32_t n)

@@ -279,6 +279,17 @@ static enum theft_trial_res inverse_works_both_ways(struct theft *t, void *arg)
     return THEFT_TRIAL_PASS;
 }
 
+/* Whether 2^exponent m has a number that is no normal float, and so has lost bits. */
+static bool underflows(const gn_mat4 *m, int exponent)
+{
+    for (int i = 0; i < 16; ++i) {
+        const float x = fabsf(m->m[i / 4][i % 4]);
+        if (x != 0.0f && ldexpf(x, exponent) < FLT_MIN)
+            return true;
+    }
+    return false;
+}
+
 /* The inverse of 2^k m is 2^-k times the inverse of m, to the bit, and the condition is equal. */
 static enum theft_trial_res inverse_knows_no_scale(struct theft *t, void *arg)
 {
@@ -288,10 +299,14 @@ static enum theft_trial_res inverse_knows_no_scale(struct theft *t, void *arg)
     const int exponent = (int)theft_random_bits(t, 5) - 16;
     if (gn_mat4_invert(&scaled_up.m, &inverse, &condition) != GN_OK)
         return THEFT_TRIAL_FAIL;
+    if (underflows(&scaled_up.m, 0) || underflows(&scaled_up.m, exponent))
+        return THEFT_TRIAL_SKIP;
     for (int i = 0; i < 16; ++i)
         scaled_up.m.m[i / 4][i % 4] = ldexpf(scaled_up.m.m[i / 4][i % 4], exponent);
     if (gn_mat4_invert(&scaled_up.m, &other, &same) != GN_OK)
         return THEFT_TRIAL_FAIL;
+    if (underflows(&inverse, 0) || underflows(&inverse, -exponent) || underflows(&other, 0))
+        return THEFT_TRIAL_SKIP;
     for (int i = 0; i < 16; ++i)
         inverse.m[i / 4][i % 4] = ldexpf(inverse.m[i / 4][i % 4], -exponent);
     return verdict(memcmp(&inverse, &other, sizeof other) == 0 && condition == same);

@@ -1,0 +1,17 @@
+/* Every function of the mathematics: the properties of tests/property, with arguments out of the
+ * input. tests/coverage.sh sees to it that every function has one. */
+#include "property_input.h"
+
+#include "../property/properties.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    static property_suite *const suites[] = {
+        properties_math,        properties_scalar,     properties_vectors,
+        properties_linear,      properties_quaternion, properties_models,
+        properties_projections, properties_geometry,   properties_rays};
+    fuzz_input in = fuzz_begin(bytes, size);
+
+    property_run_input(&in, suites, sizeof suites / sizeof suites[0]);
+    return 0;
+}
