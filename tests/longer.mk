@@ -111,20 +111,18 @@ cross: ## pictures and mathematics of every build in tests/portability/builds: o
 size: $(BUILD)/libgnomon.a ## bytes of the library in a microcontroller's program; runs the program
 	@$(RECORD) tests/portability/size.sh $(BUILD)
 
-.PHONY: assurance
-assurance: ## run what VERIFICATION.md lacks figures for, for hours, and write VERIFICATION.md
-	@tests/assurance/assurance.sh $(BUILD)
-
-	@tests/portability/size.sh $(BUILD)
-
 FUZZ_SECONDS ?= 60
 FUZZ_ENGINES ?= asan msan afl
 FUZZ = tests/fuzz/fuzz.sh $(BUILD) --targets '$(FUZZ_TARGETS)' --jobs $(JOBS)
 
 .PHONY: fuzz
 fuzz: ## fuzzers on every target, with each engine: FUZZ_SECONDS=60 for each, FUZZ_TARGETS= FUZZ_ENGINES='asan msan afl'
-	@$(FUZZ) --seconds $(FUZZ_SECONDS) --engines '$(FUZZ_ENGINES)' --seed $(SEED)
+	@$(RECORD) $(FUZZ) --seconds $(FUZZ_SECONDS) --engines '$(FUZZ_ENGINES)' --seed $(SEED)
 
 .PHONY: fuzz-merge
 fuzz-merge: ## put what fuzzing reached into tests/fuzz/corpus, as few inputs as reach it
 	@$(FUZZ) --merge
+
+.PHONY: assurance
+assurance: ## run what VERIFICATION.md lacks figures for, for hours, and write VERIFICATION.md
+	@tests/assurance/assurance.sh $(BUILD)
