@@ -166,7 +166,7 @@ run_libfuzzer() { # run_libfuzzer ENGINE TARGET
     [ $status -eq 0 ] || [ "$findings" -gt 0 ] || findings=1
     [ "$findings" -eq 0 ] || {
         name=$(sed -n 's/.*Test unit written to //p' "$log" | tail -n 1)
-        grep -h -m 2 -e 'does not hold' -e 'ERROR: ' -e 'runtime error' "$log" >&2
+        grep -h -m 2 -e 'does not hold' -e 'ERROR: ' -e 'runtime error' -e 'WARNING: MemorySanitizer' "$log" >&2
         echo "fuzz: replay with: $work/$1/fuzz-$2 ${name:-(see $log)}" >&2
     }
     echo "${runs:-0} $findings" >"$work/log/$1-$2.result"
@@ -207,7 +207,7 @@ run_afl() { # run_afl TARGET
         "$work/asan/fuzz-$1" "$out/default/queue" -runs=0 -timeout=60 -rss_limit_mb=4096 \
             -artifact_prefix="$found/asan-$1-" >>"$log" 2>&1 || {
             findings=$((findings + 1))
-            grep -h -m 2 -e 'does not hold' -e 'ERROR: ' -e 'runtime error' "$log" >&2
+            grep -h -m 2 -e 'does not hold' -e 'ERROR: ' -e 'runtime error' -e 'WARNING: MemorySanitizer' "$log" >&2
             echo "fuzz: replay with: $work/asan/fuzz-$1 $(sed -n 's/.*Test unit written to //p' "$log" | tail -n 1)" >&2
         }
     fi
