@@ -133,7 +133,9 @@ static void make_lit(fuzz_input *in, draw_uniforms *u, const gn_texture *map)
     l->world_from_model = matrix(in);
     gn_mat3_identity(&l->normal_matrix);
     l->eye = (gn_vec3){fuzz_tame(in), 0.0f, 2.0f};
-    l->light.direction = (gn_vec3){fuzz_tame(in), fuzz_tame(in), 1.0f};
+    l->light.direction.x = fuzz_tame(in);
+    l->light.direction.y = fuzz_tame(in);
+    l->light.direction.z = 1.0f;
     l->light.diffuse = (gn_vec3){fuzz_tame(in), 1.0f, 0.5f};
     l->light.is_point = maps & 32;
     l->light.constant = fuzz_tame(in);

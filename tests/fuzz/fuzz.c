@@ -38,6 +38,13 @@ uint32_t fuzz_word(fuzz_input *in)
     return number(in, 4);
 }
 
+uint32_t fuzz_magnitude(fuzz_input *in)
+{
+    const uint32_t word = fuzz_word(in);
+
+    return word >> fuzz_below(in, 32);
+}
+
 uint32_t fuzz_below(fuzz_input *in, uint32_t n)
 {
     return number(in, n <= 256 ? 1 : n <= 65536 ? 2 : 4) % n;

@@ -28,6 +28,9 @@ fuzz_input fuzz_begin(const uint8_t *bytes, size_t size);
 uint8_t fuzz_byte(fuzz_input *in);
 uint32_t fuzz_word(fuzz_input *in);
 
+/* Returns a number that is spread over all lengths in bits. */
+uint32_t fuzz_magnitude(fuzz_input *in);
+
 /* Returns a number below n, which is above 0, from as few bytes as n needs. */
 uint32_t fuzz_below(fuzz_input *in, uint32_t n);
 

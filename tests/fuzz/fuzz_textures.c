@@ -26,8 +26,11 @@ static void fill_lanes(fuzz_input *in, float lanes[GN_LANES])
 
     for (int l = 0; l < GN_LANES; ++l)
         lanes[l] = start + step_x * (float)(l % 4 + l / 8 * 4) + step_y * (float)(l / 4 % 2);
-    for (int i = kind >> 4; i > 0; --i)
-        lanes[fuzz_below(in, GN_LANES)] = fuzz_float(in);
+    for (int i = kind >> 4; i > 0; --i) {
+        const uint32_t lane = fuzz_below(in, GN_LANES);
+
+        lanes[lane] = fuzz_float(in);
+    }
 }
 
 static void fill_numbers(fuzz_input *in, int32_t lanes[GN_LANES])

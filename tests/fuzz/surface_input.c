@@ -107,10 +107,10 @@ bool surface_make(fuzz_input *in, gn_format format, uint32_t width, uint32_t hei
 
     switch (spoilt) {
     case 1:
-        s->width = fuzz_word(in) >> fuzz_below(in, 32);
+        s->width = fuzz_magnitude(in);
         break;
     case 2:
-        s->height = fuzz_word(in) >> fuzz_below(in, 32);
+        s->height = fuzz_magnitude(in);
         break;
     case 3:
         s->samples = fuzz_byte(in);

@@ -162,16 +162,16 @@ bool texture_make(fuzz_input *in, uint32_t most, texture_input *result)
         t->format = (gn_format)fuzz_word(in);
         break;
     case 3:
-        t->width = fuzz_word(in) >> fuzz_below(in, 32);
+        t->width = fuzz_magnitude(in);
         break;
     case 4:
-        t->height = fuzz_word(in) >> fuzz_below(in, 32);
+        t->height = fuzz_magnitude(in);
         break;
     case 5:
-        t->depth = fuzz_word(in) >> fuzz_below(in, 32);
+        t->depth = fuzz_magnitude(in);
         break;
     case 6:
-        t->level_count = fuzz_word(in) >> fuzz_below(in, 32);
+        t->level_count = fuzz_magnitude(in);
         break;
     default:
         break;
