@@ -30,6 +30,7 @@ static void shade_fragments(const void *uniforms, const gn_fragment_input *input
     const draw_uniforms *const u = uniforms;
     float texel[4][GN_LANES];
 
+    FUZZ_REQUIRE(input->sample_id < GN_SAMPLES);
     memset(texel, 0, sizeof texel);
     if (u->has_texture) {
         const gn_lookup lookup = {
@@ -50,6 +51,7 @@ static void shade_fragments(const void *uniforms, const gn_fragment_input *input
                 value -= input->point_coordinate[c % 2][lane];
             if (input->front_facing)
                 value += 0.125f;
+            value += (float)input->sample_id * 0.25f + input->sample_position[c % 2];
             output->color[c][lane] = value + (float)(input->primitive_id & 7) * 0.0625f;
         }
     for (int lane = 0; lane < GN_LANES && output->sample_mask; ++lane)
@@ -192,6 +194,18 @@ static bool use_ready_made(fuzz_input *in, draw_input *d, uint8_t which)
     }
 }
 
+/* The shader runs for each sample, or varyings have the values of centroids and samples. */
+static void make_locations(fuzz_input *in, gn_pipeline *p)
+{
+    const uint8_t kind = fuzz_byte(in), locations = fuzz_byte(in);
+
+    p->program.fragment_reads_sample = kind & 1;
+    p->samples.shading = kind & 2;
+    p->samples.least_shading = (float)(kind >> 2) * (1.0f / 63.0f);
+    for (int v = 0; v < 4; ++v)
+        p->program.location[v] = (gn_varying_location)((locations >> 2 * v & 3) % 3);
+}
+
 static bool make_shaders(fuzz_input *in, draw_input *d)
 {
     const uint8_t kind = fuzz_byte(in);
@@ -207,6 +221,8 @@ static bool make_shaders(fuzz_input *in, draw_input *d)
     }
     u->colors = program->color_count ? program->color_count : 1;
     u->distances = program->clip_distance_count;
+    if (kind & 0x10)
+        make_locations(in, &d->pipeline);
     if ((kind & 0x60) == 0x60) {
         if (use_ready_made(in, d, kind % 10))
             return true;

@@ -14,8 +14,8 @@ static gn_rectangle rectangle(fuzz_input *in, const gn_surface *s)
 
     for (int i = 0; i < 4; ++i)
         if (kind >> i & 1)
-            *corner[i] = kind & 128 ? (int32_t)fuzz_magnitude(in)
-                                    : (int32_t)fuzz_below(in, 64) - 16;
+            *corner[i] =
+                kind & 128 ? (int32_t)fuzz_magnitude(in) : (int32_t)fuzz_below(in, 64) - 16;
     if (kind & 16) {
         const int32_t x = r.x0;
 
