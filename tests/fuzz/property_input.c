@@ -1,11 +1,15 @@
 /* Stands in for theft: the suites call property_run for each of their properties, and one of them,
- * which the input chooses, runs once with the input's bits. */
+ * which the input chooses, runs once with the input's bits. The bytes that it leaves choose
+ * another, so that few inputs hold many properties. */
 #include "property_input.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "../property/properties.h"
+
+/* The most properties that one input runs. */
+#define MOST_RUNS 8
 
 struct theft {
     fuzz_input *in;
@@ -104,10 +108,12 @@ void property_run_input(fuzz_input *in, property_suite *const *suites, size_t co
             suites[i](1, 1);
         properties = selection.at;
     }
-    selection.chosen = fuzz_byte(in);
-    selection.chosen = (selection.chosen | (size_t)fuzz_byte(in) << 8) % properties;
-    selection.at = 0;
-    selection.in = in;
-    for (size_t i = 0; i < count && selection.at <= selection.chosen; ++i)
-        suites[i](1, 1);
+    for (int runs = 0; runs < MOST_RUNS && (runs == 0 || in->at < in->size); ++runs) {
+        selection.chosen = fuzz_byte(in);
+        selection.chosen = (selection.chosen | (size_t)fuzz_byte(in) << 8) % properties;
+        selection.at = 0;
+        selection.in = in;
+        for (size_t i = 0; i < count && selection.at <= selection.chosen; ++i)
+            suites[i](1, 1);
+    }
 }

@@ -7,8 +7,9 @@
 /* Suites of tests/property/properties.h. */
 typedef int property_suite(uint64_t seed, size_t trials);
 
-/* Runs one property of the suites: the input's first two bytes choose which, the rest are the bits
- * from which its arguments are made. Ends the program if the property does not hold. */
+/* Runs properties of the suites, one to eight as long as the input has bytes: two bytes choose
+ * which, the next ones are the bits from which its arguments are made. Ends the program if a
+ * property does not hold. */
 void property_run_input(fuzz_input *in, property_suite *const *suites, size_t count);
 
 #endif
