@@ -14,7 +14,8 @@ usage: tests/fuzz/fuzz.sh [--seconds N] [--engines "asan msan afl"] [--targets "
        make fuzz-merge [FUZZ_TARGETS=...]
 
 Builds every target for every engine in BUILD/fuzz and runs each of them for N seconds: with all
-targets and engines it takes about 42 times N seconds, divided by the jobs.
+targets and engines it takes about 42 times N seconds, divided by the jobs. A run that was ended goes
+on where it was if it is started with the same N and seed, and with programs that have not changed.
 
   asan   libFuzzer with AddressSanitizer and UndefinedBehaviorSanitizer, which also finds casts of
          floats that do not fit and, in the library and the command, implicit conversions that
@@ -148,7 +149,7 @@ longest() {
     esac
 }
 
-# Each of the next functions runs one target and writes three lines: runs, findings, replay commands.
+# Each of the next functions runs one target and sets runs and findings.
 
 run_libfuzzer() { # run_libfuzzer ENGINE TARGET
     log=$work/log/$1-$2
@@ -169,7 +170,6 @@ run_libfuzzer() { # run_libfuzzer ENGINE TARGET
         grep -h -m 2 -e 'does not hold' -e 'ERROR: ' -e 'runtime error' -e 'WARNING: MemorySanitizer' "$log" >&2
         echo "fuzz: replay with: $work/$1/fuzz-$2 ${name:-(see $log)}" >&2
     }
-    echo "${runs:-0} $findings" >"$work/log/$1-$2.result"
 }
 
 run_afl() { # run_afl TARGET
@@ -215,15 +215,31 @@ run_afl() { # run_afl TARGET
     for input in "$out"/default/queue/id*; do
         [ ! -f "$input" ] || cp "$input" "$work/corpus/$1/$(sha1sum "$input" | cut -c1-40)"
     done
-    echo "${runs:-0} $findings" >"$work/log/afl-$1.result"
+}
+
+# A result is one line: what it is the result of, runs, findings, CPU seconds.
+key_of() { # key_of ENGINE-TARGET
+    echo "$seconds-$seed-$(sha1sum <"$work/${1%%-*}/fuzz-${1#*-}" | cut -c1-16)"
 }
 
 run_one() { # run_one ENGINE-TARGET
     engine=${1%%-*}
     target=${1#*-}
-    if [ "$engine" = afl ]; then run_afl "$target"; else run_libfuzzer "$engine" "$target"; fi
-    read -r runs findings <"$work/log/$1.result"
-    echo "fuzz: $engine $target: $runs runs, $findings findings" >&2
+    result=$work/log/$1.result
+    key=$(key_of "$1")
+    if grep -qs "^$key " "$result"; then
+        read -r key runs findings processor <"$result"
+        echo "fuzz: $engine $target: $runs runs, $findings findings, before the run was ended" >&2
+        return
+    fi
+    (
+        if [ "$engine" = afl ]; then run_afl "$target"; else run_libfuzzer "$engine" "$target"; fi
+        times >"$work/log/$1.times"
+        processor=$(sed 's/[ms]/ /g' "$work/log/$1.times" |
+            awk '{ s += 60 * $1 + $2 + 60 * $3 + $4 } END { printf "%d", s }')
+        echo "$key ${runs:-0} $findings $processor" >"$result"
+        echo "fuzz: $engine $target: ${runs:-0} runs, $findings findings, $processor CPU seconds" >&2
+    )
 }
 
 if [ -n "$merge" ]; then
@@ -263,25 +279,30 @@ done
 
 # Runs `jobs` at a time: each worker takes the next one that no other has taken.
 taken=$(mktemp -d)
-trap 'kill 0 2>/dev/null; rm -rf "$taken"' INT TERM
+trap 'trap - INT TERM; rm -rf "$taken"; kill 0' INT TERM
 work_off() {
     for one in $list; do
         ! mkdir "$taken/$one" 2>/dev/null || run_one "$one"
     done
 }
 for worker in $(seq "$jobs"); do
-    (work_off; times >"$taken/times.$worker") &
+    work_off &
 done
 wait
 
 runs=0
 findings=0
+processors=0
 for one in $list; do
-    read -r more bad <"$work/log/$one.result"
+    more=0
+    bad=0
+    processor=0
+    read -r key more bad processor <"$work/log/$one.result" || failed=1
     runs=$((runs + more))
     findings=$((findings + bad))
+    processors=$((processors + processor))
+    rm -f "$work/log/$one.result" # the next run begins anew
 done
-processors=$(tail -q -n 1 "$taken"/times.* | sed 's/[ms]/ /g' | awk '{ s += 60 * $1 + $2 + 60 * $3 + $4 } END { printf "%d", s }')
 rm -rf "$taken"
 grouped=$(echo "$runs" | sed ':a; s/\B[0-9]\{3\}\>/,&/; ta')
 echo "fuzz: $(echo $targets | wc -w) targets, $used engines, $grouped runs, $processors CPU seconds, $findings findings"
