@@ -27,8 +27,9 @@ Inputs grow in BUILD/fuzz/corpus and begin with the committed ones. An input tha
 to BUILD/fuzz/found, with the command that replays it. Exit status: 0: nothing was found; 1: there
 are findings, or a tool is absent under GN_NO_SKIP; 2: the command line is wrong.
 
-  --merge   does not fuzz: replaces tests/fuzz/corpus by a least set of the inputs in it and in
-            BUILD/fuzz/corpus that reaches every edge of the code that all of them reach
+  --merge   does not fuzz: replaces tests/fuzz/corpus by those inputs of it and of BUILD/fuzz/corpus
+            that reach the edges of the code, as few as reach all, at most 80 of a target: the first
+            ones each reach the most edges that those before them have not reached
 
 A program alone: make build/fuzz-draws && build/fuzz-draws FILE-OR-FOLDER... replays without a fuzzer.
 END
@@ -41,6 +42,7 @@ all=$targets
 jobs=2
 seed=1
 merge=
+most=80
 build=
 while [ $# -gt 0 ]; do
     case $1 in
@@ -257,8 +259,9 @@ if [ -n "$merge" ]; then
         }
         rm -rf "tests/fuzz/corpus/$target"
         mkdir -p "tests/fuzz/corpus/$target"
-        for input in "$new"/*; do
-            cp "$input" "tests/fuzz/corpus/$target/$(sha1sum "$input" | cut -c1-12)"
+        # The merge writes first what reaches most.
+        for name in $(ls -tr "$new" | head -n "$most"); do
+            cp "$new/$name" "tests/fuzz/corpus/$target/$(sha1sum "$new/$name" | cut -c1-12)"
         done
         echo "fuzz: $target: $(ls "tests/fuzz/corpus/$target" | wc -l) inputs" >&2
     done
