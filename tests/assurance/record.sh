@@ -6,12 +6,28 @@
 # "test/NAME" for a step of `make test`. The last record of a key counts.
 # usage: record.sh RECORDS KEY COMMAND...
 #        record.sh --add RECORDS KEY SECONDS held|FAILED FIGURES   (records what has run)
-#        record.sh --text    (prints the hash of the library's text: include/ and src/)
+#        record.sh --text [FOLDER...]    (prints the hash of the library's text, include/ and src/)
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 
-text() {
-    find include src -name '*.[ch]' | LC_ALL=C sort | xargs cat | sha256sum | cut -c -12
+# Comments and empty lines do not count.
+text() { # text FOLDER...
+    find "$@" -name '*.[ch]' | LC_ALL=C sort | xargs awk '
+        {
+            kept = ""
+            while ($0 != "") {
+                at = index($0, inside ? "*/" : "/*")
+                if (!inside)
+                    kept = kept (at ? substr($0, 1, at - 1) : $0)
+                if (!at)
+                    break
+                $0 = substr($0, at + 2)
+                inside = !inside
+            }
+            sub(/[ \t]+$/, "", kept)
+            if (kept != "")
+                print kept
+        }' | sha256sum | cut -c -12
 }
 
 machine() {
@@ -22,13 +38,15 @@ machine() {
 add() { # add RECORDS KEY SECONDS VERDICT FIGURES
     mkdir -p "$(dirname "$1")"
     figures=$(printf '%s' "$5" | sed 's/\x1b\[[0-9;]*m//g' | tr '\t\r' '  ')
-    printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$2" "$(date +%Y-%m-%d)" "$3" "$(machine)" "$(text)" \
+    printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$2" "$(date +%Y-%m-%d)" "$3" "$(machine)" "$(text include src)" \
         "$4" "$figures" >>"$1"
 }
 
 case "${1:-}" in
 --text)
-    text
+    shift
+    [ $# -gt 0 ] || set -- include src
+    text "$@"
     exit
     ;;
 --add)

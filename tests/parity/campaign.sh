@@ -63,8 +63,7 @@ fi
 # The state: a line with the text's hash; a line for each chunk that is done,
 # done SEED SKIP SCENES TRIANGLES PIXELS DIFFERING REFUSED end. A line that was being written when the
 # campaign was killed has no end and is dropped.
-text=$(find include src reference tests/parity tools/threads -name '*.[ch]' | LC_ALL=C sort |
-    xargs sha256sum | sha256sum | cut -c 1-16)
+text=$(tests/assurance/record.sh --text include src reference tests/parity tools/threads)
 before=$(sed -n 's/^text //p' "$state" 2>/dev/null)
 if [ -n "$before" ] && [ "$before" != "$text" ]; then
     echo "campaign: the text is $text, no longer $before: starts anew" >&2
