@@ -44,7 +44,7 @@ GN_API gn_status gn_mat4_invert_trs(const gn_mat4 *m, gn_mat4 *result);
  * and v = u + 2^-50 k. Every entry of L^-1 has a relative error of at most v (2 u up to k = 2^26):
  *   m * result   |E| <= v |L||L^-1|, and (v + 3 u) |L||L^-1||t| in the translation;
  *   result * m   |E| <= v |L^-1||L|, and 3 u |L^-1||t|.
- * GN_SINGULAR if k is above 2^48. */
+ * GN_SINGULAR if gn_mat3_invert returns it for L, which it never does while k is below 2^47. */
 GN_API gn_status gn_mat4_invert_affine(const gn_mat4 *m, gn_mat4 *result);
 
 /* Writes the inverse of a scale on the diagonal and an offset in the last column: 1 / scale and

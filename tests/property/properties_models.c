@@ -243,11 +243,11 @@ static enum theft_trial_res models_have_inverses(struct theft *t, void *arg)
 }
 
 /* The adjugate and the determinant of floats. Products of two floats are exact in double, so a
- * minor is rounded once to 53 bits. Returns |determinant| divided by the permanent of
- * magnitudes. */
-static double exact_inverse(const gn_mat3 *a, long double inverse[3][3])
+ * minor is rounded once to 53 bits. Returns |determinant| divided by the permanent of magnitudes,
+ * and in beside_terms |determinant| divided by the sum of the magnitudes of its terms. */
+static double exact_inverse(const gn_mat3 *a, long double inverse[3][3], double *beside_terms)
 {
-    long double determinant = 0.0L, permanent = 0.0L;
+    long double determinant = 0.0L, permanent = 0.0L, terms = 0.0L;
     for (int column = 0; column < 3; ++column) {
         const float *const next = a->m[(column + 1) % 3], *const last = a->m[(column + 2) % 3];
         for (int row = 0; row < 3; ++row) {
@@ -256,7 +256,9 @@ static double exact_inverse(const gn_mat3 *a, long double inverse[3][3])
             const double minus = (double)next[k] * (double)last[i];
             inverse[row][column] = (long double)(plus - minus);
             if (column == 0) {
-                determinant += (long double)a->m[0][row] * (long double)(plus - minus);
+                const long double term = (long double)a->m[0][row] * (long double)(plus - minus);
+                determinant += term;
+                terms += fabsl(term);
                 permanent += (long double)fabs((double)a->m[0][row]) *
                              (long double)(fabs(plus) + fabs(minus));
             }
@@ -264,6 +266,7 @@ static double exact_inverse(const gn_mat3 *a, long double inverse[3][3])
     }
     for (int i = 0; i < 9; ++i)
         inverse[i / 3][i % 3] /= determinant;
+    *beside_terms = (double)(fabsl(determinant) / terms);
     return (double)(fabsl(determinant) / permanent);
 }
 
@@ -281,7 +284,8 @@ static enum theft_trial_res affine_maps_have_inverses(struct theft *t, void *arg
     gn_mat4 inverse;
     gn_mat3 normal;
     (void)t;
-    const double regular = exact_inverse(l, exact);
+    double beside_terms;
+    const double regular = exact_inverse(l, exact, &beside_terms);
     const double entry = U + 0x1p-50 / regular;
     const gn_status status = gn_mat4_invert_affine(&m, &inverse);
     if (gn_affine(l, offset, &map) != status ||
@@ -290,8 +294,8 @@ static enum theft_trial_res affine_maps_have_inverses(struct theft *t, void *arg
         gn_mat4_normal_matrix(&m, &normal) != status)
         return THEFT_TRIAL_FAIL;
     if (status != GN_OK)
-        return verdict(status == GN_SINGULAR && !(regular > 0x1.1p-48));
-    if (regular < 0x0.fp-48 || memcmp(&map.inverse, &inverse, sizeof inverse) != 0 ||
+        return verdict(status == GN_SINGULAR && !(beside_terms > 0x1.1p-48));
+    if (beside_terms < 0x0.fp-48 || memcmp(&map.inverse, &inverse, sizeof inverse) != 0 ||
         memcmp(&map.matrix, &m, sizeof m) != 0 || memcmp(&frame, &map, sizeof frame) != 0)
         return THEFT_TRIAL_FAIL;
     for (int row = 0; row < 3; ++row)
