@@ -1,0 +1,212 @@
+#!/bin/sh
+# Proves properties of the library's C functions with Frama-C: by WP that functions hold to their
+# contracts, never overflow, stay in bounds and end; by Eva that no operation of a function is
+# undefined for the inputs of a driver. Both read the portable lanes in plain C99, sixteen of them.
+# usage: prove_code.sh [-q] [--quick] [--all] [--only FUNCTION] [--timeout SECONDS] [SOURCES]
+#   -q          prints failures and the last line only
+#   --quick     only what takes less than a minute of one processor: edges, shared edges, sizes
+#   --all       also Gappa's bounds (prove.sh), and what is wrong must be rejected (test_prove.sh,
+#               test_prove_code.sh)
+#   --only F    only the function F, or the driver F of Eva
+#   --timeout   seconds by the clock for each goal and prover (60)
+#   SOURCES     the directory of src/ (default: this repository's)
+#
+# Contracts are in code/contracts, a file for each source. annotate.awk inserts them into a copy of
+# the source; the script checks that nothing else differs. Comments at the start of code/wp_*.c and
+# code/eva_*.c say which functions are proved:
+#   @functions: NAMES   WP proves these
+#   @defines: OPTIONS   the library's configuration, if it is not the default
+#   @sources: FILES     Eva analyses these with the driver
+#   @options: OPTIONS   more options of Eva
+#   @reaches: NAMES     Eva must have reached these, otherwise the driver fails
+# The last line is "proved: N / N goals (WP n, Eva n functions without alarm[, Gappa n bounds, n
+# mutants rejected])". Exit status 1 if one goal is not proved, one alarm is left, or one mutant is
+# not rejected. Provers are stopped by the clock: --timeout must be longer on a machine with much load.
+set -u
+here=$(cd "$(dirname "$0")" && pwd)
+quiet=""
+quick=""
+all=""
+only=""
+timeout=60
+while [ $# -gt 0 ]; do
+    case $1 in
+    -q) quiet=yes ;;
+    --quick) quick=yes ;;
+    --all) all=yes ;;
+    --only) only=$2 && shift ;;
+    --timeout) timeout=$2 && shift ;;
+    --help) sed -n '2,/^set -u/{/^set -u/!s/^# \{0,1\}//p}' "$0" && exit 0 ;;
+    -*) echo "prove_code: unknown option $1; see --help" >&2 && exit 2 ;;
+    *) break ;;
+    esac
+    shift
+done
+sources=$(cd "${1:-$here/../../src}" && pwd) || exit 2
+for tool in frama-c why3 z3 cvc5; do
+    command -v $tool >/dev/null 2>&1 || { echo "prove_code: $tool is missing: make setup-verify" >&2; exit 1; }
+done
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM
+goals=0
+proved=0
+wp=0
+functions=0
+QUICK="wide_product set_edge_through values_at first_is_not_negative is_inside_edge count_owners eva_sizes"
+
+say() { [ -n "$quiet" ] || echo "$1"; }
+progress() { echo "prove_code: $1" >&2; }
+fail() { echo "FAILED: $1"; }
+
+# words FILE KEY: the words that the first comment of a file lists under a key.
+words() { sed -n "s|^ \* @$2: *||p" "$1" | sed 's| \*/$||' | tr '\n' ' '; }
+
+# wanted NAME: whether the function or driver is to be proved.
+wanted() {
+    [ -z "$only" ] || [ "$only" = "$1" ] || return 1
+    [ -z "$quick" ] && return 0
+    case " $QUICK " in *" $1 "*) return 0 ;; esac
+    return 1
+}
+
+# Why3 of Debian 12 does not know cvc5, which speaks the language of its predecessor.
+set_up_why3() {
+    printf 'prelude "(set-logic ALL)"\nimport "/usr/share/why3/drivers/cvc4_16.gen"\n' >"$work/cvc5.drv"
+    cat >"$work/why3.conf" <<END
+[main]
+magic = 14
+memlimit = 2000
+running_provers_max = 2
+timelimit = 10
+
+[partial_prover]
+name = "Z3"
+path = "z3"
+version = "4.8.12"
+
+[prover]
+name = "CVC5"
+command = "cvc5 --stats --tlimit=%t000 --lang=smt2 %f"
+command_steps = "cvc5 --stats --rlimit=%S --lang=smt2 %f"
+driver = "$work/cvc5.drv"
+version = "1.0.3"
+shortcut = "cvc5"
+END
+    export WHY3CONFIG="$work/why3.conf"
+}
+
+# Copies the sources and inserts the contracts.
+annotate() {
+    cp -r "$sources" "$work/src" || exit 1
+    (cd "$here/code/contracts" && find . -name '*.acsl') | sed 's|^\./||' | sort >"$work/contracts"
+    while read -r contract; do
+        source=${contract%.acsl}
+        awk -f "$here/code/annotate.awk" "$here/code/contracts/$contract" "$sources/$source" \
+            >"$work/src/$source" || { fail "contracts of $source do not fit it"; exit 1; }
+        ! diff "$sources/$source" "$work/src/$source" | grep -q '^<' ||
+            { fail "annotations changed $source"; exit 1; }
+    done <"$work/contracts"
+}
+
+# analyse SOURCES ARGUMENT...: runs Frama-C over the lanes in plain C99.
+analyse() {
+    directory=$1
+    shift
+    frama-c -machdep x86_64 -cpp-extra-args="-I$here/../../include -I$directory -I$here/code \
+-U__GNUC__ -U__SSE2__ -DGN_LANES_PORTABLE -DGN_ONLY_PORTABLE -DGN_NO_VECTORS $defines" "$@"
+}
+
+# Counts one goal, proved if the second argument is 0.
+count_goal() {
+    goals=$((goals + 1))
+    if [ "$2" -eq 0 ]; then
+        proved=$((proved + 1))
+        say "proved: $1"
+    else
+        fail "$1"
+    fi
+}
+
+prove_axioms() {
+    answers=$(z3 "$here/code/axioms.smt2" | sort -u)
+    [ "$answers" = unsat ]
+    count_goal "the axioms of machine arithmetic hold for all numbers of 64 bits" $?
+}
+
+# prove_functions FILE FUNCTIONS: WP, function by function in one run.
+prove_functions() {
+    list=$(echo $2 | tr ' ' ',')
+    progress "WP: $list"
+    defines=$(words "$1" defines)
+    # The functions called through pointers are those that `calls` names.
+    analyse "$work/src" "$1" -wp -wp-rte -rte-no-pointer-call -warn-special-float none -wp-prover z3,cvc5 -wp-timeout "$timeout" \
+        -wp-par 2 -wp-cache none -wp-fct "$list" >"$work/log" 2>&1
+    figures=$(sed -n 's|^\[wp\] Proved goals: *\([0-9]*\) / \([0-9]*\)$|\1 \2|p' "$work/log")
+    if [ -z "$figures" ]; then
+        count_goal "WP on $1 ended without figures" 1
+        tail -15 "$work/log" | sed 's/^/    /'
+        return
+    fi
+    for function in $2; do
+        grep -q "^\[rte:annot\] annotating function $function\$" "$work/log" || count_goal "WP did not find $function" 1
+    done
+    goals=$((goals + ${figures#* }))
+    proved=$((proved + ${figures% *}))
+    wp=$((wp + ${figures% *}))
+    sed -n 's/^\[wp\] \[\(Failed\|Timeout\|Unknown\|Stepout\)\] Goal \(typed_\)\{0,1\}\([^ ]*\).*/FAILED: \3/p' "$work/log"
+    say "proved: ${figures% *} of ${figures#* } goals of $2"
+}
+
+# prove_driver FILE: Eva.
+prove_driver() {
+    progress "Eva: $(basename "$1" .c)"
+    defines=$(words "$1" defines)
+    files=$(words "$1" sources)
+    analyse "$sources" "$1" $(printf "$sources/%s " $files | sed "s|$sources/ ||") $(words "$1" options) -eva -eva-precision 6 \
+        -eva-split-return auto -eva-equality-through-calls formals -warn-special-float none >"$work/log" 2>&1
+    for function in $(words "$1" reaches); do
+        grep -q "Values at end of function $function:" "$work/log"
+        reached=$?
+        count_goal "Eva: no alarm in $function" "$reached"
+        functions=$((functions + 1 - (reached > 0)))
+    done
+    grep -q '^  0 alarms generated by the analysis' "$work/log" && grep -q 'No errors or warnings raised' "$work/log"
+    clean=$?
+    count_goal "Eva: no alarm in all that $(basename "$1" .c) calls" $clean
+    [ $clean -eq 0 ] || grep -A 3 'eva:alarm\|User Error\|alarms\{0,1\} generated' "$work/log" | sed 's/^/    /'
+}
+
+set_up_why3
+annotate
+[ -n "$only" ] || prove_axioms
+for file in "$here"/code/wp_*.c; do
+    list=""
+    for function in $(words "$file" functions); do
+        ! wanted "$function" || list="$list $function"
+    done
+    [ -z "$list" ] || prove_functions "$file" "${list# }"
+done
+for file in "$here"/code/eva_*.c; do
+    ! wanted "$(basename "$file" .c)" || prove_driver "$file"
+done
+bounds=""
+if [ -n "$all" ]; then
+    progress "Gappa"
+    "$here/prove.sh" -q "$sources" >"$work/log"
+    count=$(sed -n 's/^\([0-9]*\) bounds proved.*/\1/p' "$work/log")
+    failures=$(sed -n 's/.* bounds proved, \([0-9]*\) failed$/\1/p' "$work/log")
+    grep '^FAILED' "$work/log"
+    goals=$((goals + ${count:-0} + ${failures:-1}))
+    proved=$((proved + ${count:-0}))
+    mutants=0
+    for test in test_prove.sh test_prove_code.sh; do
+        progress "$test"
+        "$here/$test" >"$work/log" || goals=$((goals + 1))
+        grep '^FAILED' "$work/log"
+        mutants=$((mutants + $(sed -n 's/.*: \([0-9]*\) rejected, [0-9]* not$/\1/p' "$work/log")))
+    done
+    bounds=", Gappa ${count:-0} bounds, $mutants mutants rejected"
+fi
+echo "proved: $proved / $goals goals (WP $wp, Eva $functions functions without alarm$bounds)"
+[ "$goals" -gt 0 ] && [ "$proved" -eq "$goals" ]

@@ -1,0 +1,92 @@
+#!/bin/sh
+# Checks that tests/proof/prove_code.sh rejects what is wrong: functions mutated in a copy of the
+# sources, and contracts that contradict themselves. What is not mutated must be proved in the same
+# time. usage: test_prove_code.sh
+set -u
+here=$(cd "$(dirname "$0")" && pwd)
+directory=$(mktemp -d) || exit 1
+trap 'rm -rf "$directory"' EXIT
+trap 'exit 1' INT TERM
+passed=0
+failed=0
+timeout=${PROOF_TIMEOUT:-20}
+
+# prove NAME: proves a function, or a driver, from the copies.
+prove() {
+    "$directory/tests/proof/prove_code.sh" -q --only "$1" --timeout "$timeout" "$directory/src" >"$directory/log" 2>&1
+}
+
+copy() {
+    rm -rf "$directory/src" "$directory/tests"
+    mkdir -p "$directory/tests"
+    cp -r "$here/../../src" "$here/../../include" "$directory/"
+    cp -r "$here" "$directory/tests/proof"
+}
+
+bad() {
+    failed=$((failed + 1))
+    echo "FAILED: $1"
+    sed 's/^/    /' "$directory/log"
+}
+
+# mutant NAME FILE EXPRESSION: changes one file by sed; the proof of NAME must then fail by a goal.
+mutant() {
+    echo "test_prove_code: $2: $3" >&2
+    copy
+    sed "$3" "$directory/$2" >"$directory/mutated"
+    if cmp -s "$directory/mutated" "$directory/$2"; then
+        : >"$directory/log"
+        bad "'$3' changes nothing in $2"
+        return
+    fi
+    cp "$directory/mutated" "$directory/$2"
+    if prove "$1" || ! grep -q '^FAILED' "$directory/log" || ! grep -q '^proved: [0-9]* / [1-9]' "$directory/log"; then
+        bad "not rejected: $2: $3"
+    else
+        passed=$((passed + 1))
+    fi
+}
+
+# Without a mutation everything here is proved.
+copy
+for name in begins_outside squares_inside make_batch_room add_square wide_product set_edge_through values_at \
+    step_right is_outside is_inside count_inside count_outside room_of eva_sizes eva_snapping eva_inverses; do
+    echo "test_prove_code: $name as it is" >&2
+    prove "$name" || bad "not proved: $name"
+done
+
+raster=src/raster
+edges=$raster/cover_large.h
+mutant set_edge_through $edges 's/owns_ties - 1) >> 8/owns_ties) >> 8/'
+mutant set_edge_through $edges 's/owns_ties = per_x < 0/owns_ties = per_x <= 0/'
+mutant set_edge_through $edges 's/per_x == 0 \&\& per_y > 0/per_x == 0 \&\& per_y < 0/'
+mutant set_edge_through $edges 's/- 1) >> 8/- 1) >> 7/'
+mutant set_edge_through $edges 's/wide_product(per_x, x) - wide/wide_product(per_x, x) + wide/'
+mutant set_edge_through $edges 's/along_x = -per_x/along_x = per_x/'
+mutant wide_product $edges 's/(int64_t)a \* b/a * b/'
+mutant values_at $edges 's/constant - wide_product/constant + wide_product/'
+mutant step_right $edges 's/squares \* SQUARE_SIZE)/squares)/'
+mutant is_outside $edges 's/greatest < 0/greatest <= 0/'
+mutant is_inside $edges 's/edge\[1\]\.least >= 0/edge[1].least > 0/'
+mutant count_inside $edges 's/count + stride <= limit \&\& is_inside/count + stride <= limit + 1 \&\& is_inside/'
+mutant count_outside $edges 's/count += stride;/count += 0;/'
+mutant begins_outside $raster/square.h 's/span\.first >= span\.count/span.first > span.count/'
+mutant squares_inside $raster/square.h 's/last = max - (SQUARE_SIZE - 1)/last = max - SQUARE_SIZE/'
+mutant make_batch_room $raster/batch.h 's/room > BATCH_BLOCKS/room > BATCH_BLOCKS + 1/'
+mutant add_square $raster/batch.h 's/block\[batch->count\]/block[batch->count + 1]/'
+mutant room_of src/geometry/clip.h 's/: CLIP_MAX_VERTICES;/: 2 * CLIP_ROOM;/'
+mutant eva_sizes src/texture/packed.c 's/return (uint64_t)(e\.width \* e\.height)/return (uint32_t)(e.width * e.height)/'
+mutant eva_sizes src/draw/prepare.c 's/const uint64_t sixteens = .*/const uint32_t sixteens = vertex_count + 15;/'
+mutant eva_sizes src/texture/texture_faults.h 's/s->width > GN_MAX_SIZE/s->width > 16 * GN_MAX_SIZE/'
+mutant eva_snapping $raster/points_and_lines.h 's/return v < SNAPPED_LIMIT \/ 256 \&\& /return /'
+mutant eva_inverses src/math/inverse.c 's/pivots\[4\] = {m->m\[0\]\[0\]/pivots[4] = {m->m[4][0]/'
+mutant eva_inverses src/math/inverse.c 's/i < 4; ++i) {/i <= 4; ++i) {/'
+
+# A contract that nothing fulfils would prove anything: the false assertion behind it must be rejected.
+mutant set_edge_through tests/proof/code/contracts/raster/cover_large.h.acsl 's/ensures edge_ok(e);/ensures \\false;/'
+mutant values_at tests/proof/code/contracts/raster/cover_large.h.acsl 's/ensures values_are(.result, edge, x, y);/ensures \\false;/'
+mutant add_square tests/proof/code/contracts/raster/batch.h.acsl 's/ensures batch->count <= BATCH_BLOCKS;/ensures \\false;/'
+mutant count_owners tests/proof/code/wp_shared_edge.c 's/ensures .result == 1;/ensures \\false;/'
+
+echo "code that is wrong: $passed rejected, $failed not"
+[ "$failed" -eq 0 ]
