@@ -84,9 +84,8 @@ coverage: ## lines, branches and conditions (MC/DC) of src/ that the tests reach
 	@$(RECORD) tests/reached/reached.sh $(BUILD) --jobs $(JOBS)
 
 .PHONY: prove
-prove: ## prove error bounds with Gappa, from the text of the C sources
-	@tests/proof/test_prove.sh
-	@$(RECORD) tests/proof/prove.sh
+prove: ## prove C functions with Frama-C, and error bounds with Gappa; reject mutated sources
+	@$(RECORD) tests/proof/prove_code.sh --all
 .PHONY: check-freestanding
 check-freestanding: library ## no undefined symbols, no writable data: every compiler and level; headers alone
 	@$(RECORD) tests/portability/freestanding.sh $(BUILD) --all

@@ -45,7 +45,8 @@ whole: ## test, then what it leaves out: all of cross, size, check-freestanding,
 ifdef WHOLE
 WHOLE_STEPS = 'other machines=tests/portability/cross.sh $(BUILD)' \
 	'microcontroller=tests/portability/size.sh $(BUILD)' \
-	'proofs of what is wrong=tests/proof/test_prove.sh'
+	'proofs of what is wrong=tests/proof/test_prove.sh' \
+	'proofs of C functions=tests/proof/prove_code.sh -q --quick'
 ALL = --all
 EMULATED_SCENES = 2200
 else

@@ -74,6 +74,7 @@ mutant begins_outside $raster/square.h 's/span\.first >= span\.count/span.first 
 mutant squares_inside $raster/square.h 's/last = max - (SQUARE_SIZE - 1)/last = max - SQUARE_SIZE/'
 mutant make_batch_room $raster/batch.h 's/room > BATCH_BLOCKS/room > BATCH_BLOCKS + 1/'
 mutant add_square $raster/batch.h 's/block\[batch->count\]/block[batch->count + 1]/'
+mutant cover_row $edges 's/^        skip = 1;/        skip = 0;/'
 mutant room_of src/geometry/clip.h 's/: CLIP_MAX_VERTICES;/: 2 * CLIP_ROOM;/'
 mutant eva_sizes src/texture/packed.c 's/return (uint64_t)(e\.width \* e\.height)/return (uint32_t)(e.width * e.height)/'
 mutant eva_sizes src/draw/prepare.c 's/const uint64_t sixteens = .*/const uint32_t sixteens = vertex_count + 15;/'

@@ -1,6 +1,6 @@
 /* Snapping of points and their sizes, for all finite window coordinates, sizes and line widths: no
- * conversion of a float and no sum overflows. NaN is left out because Eva keeps it in the branch that
- * a comparison with NaN never takes.
+ * conversion of a float and no sum overflows. NaN is left out because Eva keeps it in the branch
+ * that a comparison with NaN never takes.
  * @reaches: box_state_of snap_size round_away can_snap snap_end size_of_point point_range point_box
  * @reaches: pixels_of_box */
 #include "eva.h"
@@ -24,7 +24,8 @@ int main(void)
 {
     static gn_pipeline pipeline;
     const pixel_rectangle target = {int32_from(0, GN_MAX_SIZE), int32_from(0, GN_MAX_SIZE),
-                                    int32_from(-1, GN_MAX_SIZE - 1), int32_from(-1, GN_MAX_SIZE - 1)};
+                                    int32_from(-1, GN_MAX_SIZE - 1),
+                                    int32_from(-1, GN_MAX_SIZE - 1)};
     stored_vertex v[2];
     pixel_rectangle box;
     int32_t low[2], high[2];

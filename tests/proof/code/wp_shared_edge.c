@@ -13,15 +13,16 @@ static bool first_is_not_negative(const large_edge edge[3], int32_t px, int32_t 
 }
 
 /* Returns whether a pixel is inside the edge through (x, y). The exact edge function at its centre,
- * per_x * (x - 256 * px) - per_y * (y - 256 * py), is positive there, or it is zero and the edge owns
- * its ties. */
+ * per_x * (x - 256 * px) - per_y * (y - 256 * py), is positive there, or it is zero and the edge
+ * owns its ties. */
 /*@ requires is_difference(per_x) && is_difference(per_y) && is_snapped(x) && is_snapped(y);
     requires is_pixel(px) && is_pixel(py);
     assigns \nothing;
     ensures \result != 0 <==>
         per_x * (x - 256 * px) - per_y * (y - 256 * py) + owns(per_x, per_y) > 0;
 */
-static bool is_inside_edge(int32_t per_x, int32_t per_y, int32_t x, int32_t y, int32_t px, int32_t py)
+static bool is_inside_edge(int32_t per_x, int32_t per_y, int32_t x, int32_t y, int32_t px,
+                           int32_t py)
 {
     large_edge edge[3];
 
