@@ -11,8 +11,9 @@
 #   --timeout   seconds by the clock for each goal and prover (60)
 #   SOURCES     the directory of src/ (default: this repository's)
 #
-# Contracts are in code/contracts, a file for each source. annotate.awk inserts them into a copy of
-# the source; the script checks that nothing else differs. Comments at the start of code/wp_*.c and
+# Contracts for WP are in code/contracts, a file for each source; code/splits says at which places Eva
+# looks at ranges of values one by one. annotate.awk inserts them into a copy of the source; the
+# script checks that nothing else differs. Comments at the start of code/wp_*.c and
 # code/eva_*.c say which functions are proved:
 #   @functions: NAMES   WP proves these
 #   @defines: OPTIONS   the library's configuration, if it is not the default
@@ -96,17 +97,17 @@ END
     export WHY3CONFIG="$work/why3.conf"
 }
 
-# Copies the sources and inserts the contracts.
+# annotate FROM TO: copies the sources to $work/TO and inserts the annotations of code/FROM.
 annotate() {
-    cp -r "$sources" "$work/src" || exit 1
-    (cd "$here/code/contracts" && find . -name '*.acsl') | sed 's|^\./||' | sort >"$work/contracts"
-    while read -r contract; do
-        source=${contract%.acsl}
-        awk -f "$here/code/annotate.awk" "$here/code/contracts/$contract" "$sources/$source" \
-            >"$work/src/$source" || { fail "contracts of $source do not fit it"; exit 1; }
-        ! diff "$sources/$source" "$work/src/$source" | grep -q '^<' ||
+    cp -r "$sources" "$work/$2" || exit 1
+    (cd "$here/code/$1" && find . -name '*.acsl') | sed 's|^\./||' | sort >"$work/list"
+    while read -r annotations; do
+        source=${annotations%.acsl}
+        awk -f "$here/code/annotate.awk" "$here/code/$1/$annotations" "$sources/$source" \
+            >"$work/$2/$source" || { fail "annotations of $source do not fit it"; exit 1; }
+        ! diff "$sources/$source" "$work/$2/$source" | grep -q '^<' ||
             { fail "annotations changed $source"; exit 1; }
-    done <"$work/contracts"
+    done <"$work/list"
 }
 
 # analyse SOURCES ARGUMENT...: runs Frama-C over the lanes in plain C99.
@@ -140,7 +141,7 @@ prove_functions() {
     progress "WP: $list"
     defines=$(words "$1" defines)
     # The functions called through pointers are those that `calls` names.
-    analyse "$work/src" "$1" -wp -wp-rte -rte-no-pointer-call -warn-special-float none -wp-prover z3,cvc5 -wp-timeout "$timeout" \
+    analyse "$work/wp" "$1" -wp -wp-rte -rte-no-pointer-call -warn-special-float none -wp-prover z3,cvc5 -wp-timeout "$timeout" \
         -wp-par 2 -wp-cache none -wp-fct "$list" >"$work/log" 2>&1
     figures=$(sed -n 's|^\[wp\] Proved goals: *\([0-9]*\) / \([0-9]*\)$|\1 \2|p' "$work/log")
     if [ -z "$figures" ]; then
@@ -163,8 +164,9 @@ prove_driver() {
     progress "Eva: $(basename "$1" .c)"
     defines=$(words "$1" defines)
     files=$(words "$1" sources)
-    analyse "$sources" "$1" $(printf "$sources/%s " $files | sed "s|$sources/ ||") $(words "$1" options) -eva -eva-precision 6 \
-        -eva-split-return auto -eva-equality-through-calls formals -warn-special-float none >"$work/log" 2>&1
+    analyse "$work/eva" "$1" $(printf "$work/eva/%s " $files | sed "s|$work/eva/ ||") -eva -eva-precision 6 \
+        -eva-split-return auto -eva-equality-through-calls formals -warn-special-float none \
+        $(words "$1" options) >"$work/log" 2>&1
     for function in $(words "$1" reaches); do
         grep -q "Values at end of function $function:" "$work/log"
         reached=$?
@@ -178,7 +180,8 @@ prove_driver() {
 }
 
 set_up_why3
-annotate
+annotate contracts wp
+annotate splits eva
 [ -n "$only" ] || prove_axioms
 for file in "$here"/code/wp_*.c; do
     list=""

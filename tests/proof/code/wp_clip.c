@@ -1,3 +1,5 @@
-/* Clipping, the counts, with the contracts of contracts/geometry.
- * @functions: room_of piece_count */
+/* Clipping of polygons, with the contracts of contracts/geometry. WP takes from Eva
+ * (eva_clipping.c) that plane_distance, interpolate_vertex and place_new_vertices work: they see the
+ * workspace as vertices, which WP's model of memory cannot.
+ * @functions: room_of clip_room clip_to_plane clip_triangle piece_count take_pieces */
 #include "geometry/clip.h"
