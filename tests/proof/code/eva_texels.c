@@ -1,12 +1,29 @@
-/* Numbers of texels, for all floats as coordinates (infinities and NaN too), every wrap, and sizes
- * of which the smallest, the greatest and those about powers of two are taken one by one: they lie
- * in the level, as texture/wrap.h says. No conversion of a float overflows.
- * @options: -eva-precision 2
+/* Textures. For all floats as coordinates (infinities and NaN too), every wrap and every size, no
+ * conversion of a float overflows where texels are numbered. For every format, and all numbers of
+ * texels in a level of 5 x 3 texels and two layers, positive and negative strides, every texel and
+ * its right neighbour are read inside the level's memory, which ends with its last texel.
+ *
+ * Eva does not show that wrapped numbers lie in the level: it does not relate a select's mask to
+ * its operands, nor a coordinate to its floor. axioms.smt2 proves that a coordinate minus its floor
+ * is 0 to 1.
+ * @sources: texture/texel_layout.c texture/texel_formats.c formats/srgb.c
+ * @options: -eva-precision 2 -eva-interprocedural-splits
+ * @options: -kernel-warn-key parser:decimal-float=inactive
  * @reaches: wrap_nearest wrap_linear wrap_linear_any wrap_gathered second_texel clamped_texels
- * @reaches: mirrored fraction_of nearest_integer lanes_floor lanes_round lanes_truncate */
+ * @reaches: mirrored fraction_of nearest_integer gn_lay_out_texels fetch_texels load_one_by_one
+ * @reaches: load_by_index load_neighbours load_triples decode_texels */
 #include "eva.h"
 
+#include "formats/properties.h"
+#include "texture/texel.h"
 #include "texture/wrap.h"
+
+#define WIDTH 5
+#define HEIGHT 3
+#define LAYERS 2
+#define MOST (16 * WIDTH * HEIGHT * LAYERS)
+
+static unsigned char memory[MOST];
 
 static lanes_f any_coordinates(void)
 {
@@ -17,46 +34,80 @@ static lanes_f any_coordinates(void)
     return a;
 }
 
-static void check(lanes_i texel, int32_t size)
+static lanes_i any_numbers(int32_t below)
 {
-    for (int l = 0; l < GN_LANES; ++l) {
-        const int32_t number = texel.v[l];
+    lanes_i a;
 
-        /*@ assert 0 <= number < size; */
-        (void)number;
-    }
+    for (int l = 0; l < GN_LANES; ++l)
+        a.v[l] = int32_from(0, below - 1);
+    return a;
 }
 
-static void check_wrap(gn_wrap wrap, bool masked, uint32_t size)
+static void wrap_any(void)
 {
+    const gn_wrap wrap = (gn_wrap)uint32_from(0, GN_WRAP_MIRROR_CLAMP_TO_EDGE);
+    const uint32_t size = uint32_from(1, GN_MAX_SIZE);
+    const bool masked = is_masked(wrap, size);
     lanes_i texel[2];
 
     texel[0] = wrap_nearest(wrap, masked, any_coordinates(), size);
-    if (wrap != GN_WRAP_CLAMP_TO_BORDER)
-        check(texel[0], (int32_t)size);
     wrap_linear_any(wrap, masked, any_coordinates(), size, texel);
-    if (wrap != GN_WRAP_CLAMP_TO_BORDER) {
-        check(texel[0], (int32_t)size);
-        check(texel[1], (int32_t)size);
-    }
     wrap_gathered(wrap, masked, any_coordinates(), size, texel);
-    if (wrap != GN_WRAP_CLAMP_TO_BORDER) {
-        check(texel[0], (int32_t)size);
-        check(texel[1], (int32_t)size);
+}
+
+/* Reads texels of a level; its rows and layers may lie in the other order (`down`), and then all
+ * lanes read one row, as Eva takes a sum that wraps around for any number if its sign is open. */
+static void fetch_any_texels(gn_format format, bool down, int32_t y, int32_t z)
+{
+    const ptrdiff_t row = WIDTH * (ptrdiff_t)format_size(format);
+    const ptrdiff_t layer = HEIGHT * row;
+    const lanes_i column = any_numbers(WIDTH), first = any_numbers(WIDTH - 1);
+    const lanes_i line = down ? lanes_i_splat(y) : any_numbers(HEIGHT);
+    const lanes_i number = down ? lanes_i_splat(z) : any_numbers(LAYERS);
+    gn_texture texture = {0};
+    texel_layout layout;
+    lanes_i left[4], right[4], index;
+    lanes_f texel[4];
+
+    texture.target = GN_TEXTURE_2D_ARRAY;
+    texture.format = format;
+    texture.width = WIDTH;
+    texture.height = HEIGHT;
+    texture.depth = LAYERS;
+    texture.level[0].texels = memory + MOST - LAYERS * layer + (down ? LAYERS * layer - row : 0);
+    texture.level[0].row_stride = down ? -row : row;
+    texture.level[0].layer_stride = down ? -layer : layer;
+    fetch_texels(&texture, 0, &column, &line, &number, texel);
+    gn_lay_out_texels(&texture, 0, &layout);
+    if (layout.access != ACCESS_ONE_BY_ONE && format_size(format) != 3) {
+        index = lanes_i_add(in_units(&layout, 0, first), in_units(&layout, 1, line));
+        index = lanes_i_add(index, in_units(&layout, 2, number));
+        load_neighbours(&layout, index, left, right);
+    }
+    /* Whether eight bytes are loaded depends on all lanes: one number in all lanes at a time. */
+    if (layout.access == ACCESS_THREE_BYTES) {
+        /*@ loop unroll 24; */
+        for (int32_t n = 0; n < (WIDTH - 1) * HEIGHT * LAYERS; ++n) {
+            const int32_t along = n % (WIDTH - 1) * layout.unit[0];
+            const int32_t across = n / (WIDTH - 1) % HEIGHT * layout.unit[1];
+            const int32_t deep = n / (WIDTH - 1) / HEIGHT * layout.unit[2];
+
+            load_neighbours(&layout, lanes_i_splat(along + across + deep), left, right);
+        }
     }
 }
 
 int main(void)
 {
-    static const uint16_t size[] = {1, 2, 3, 4, 5, 7, 8, 255, 256, 257, 8191, 8192, 16383, 16384};
-
-    /*@ loop unroll 20; */
-    for (uint32_t n = 0; n < sizeof size / sizeof size[0]; ++n) {
-        /*@ loop unroll 5; */
-        for (int wrap = GN_WRAP_REPEAT; wrap <= GN_WRAP_MIRROR_CLAMP_TO_EDGE; ++wrap)
-            check_wrap((gn_wrap)wrap, false, size[n]);
-        if (is_power_of_two(size[n]))
-            check_wrap(GN_WRAP_REPEAT, true, size[n]);
+    wrap_any();
+    /*@ loop unroll 64; */
+    for (int format = GN_FORMAT_NONE + 1; format <= GN_FORMAT_R11F_G11F_B10F; ++format) {
+        if (!(format_is_color((gn_format)format) || format_has_depth((gn_format)format)))
+            continue;
+        fetch_any_texels((gn_format)format, false, 0, 0);
+        /*@ loop unroll 6; */
+        for (int32_t n = 0; n < HEIGHT * LAYERS; ++n)
+            fetch_any_texels((gn_format)format, true, n % HEIGHT, n / HEIGHT);
     }
     return 0;
 }

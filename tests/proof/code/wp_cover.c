@@ -2,5 +2,5 @@
  * @functions: square_block square_mask squares_inside begins_outside
  * @functions: start_batch shade_batch make_batch_room add_square add_run add_partial_square
  * @functions: wide_product set_edge_through values_at step_right is_outside is_inside
- * @functions: count_inside count_outside cover_row set_large_edge cover_large */
+ * @functions: count_inside count_outside cover_row set_large_edge */
 #include "raster/cover_large.h"
