@@ -2,9 +2,8 @@
 # Proves properties of the library's C functions with Frama-C: by WP that functions hold to their
 # contracts, never overflow, stay in bounds and end; by Eva that no operation of a function is
 # undefined for the inputs of a driver. Both read the portable lanes in plain C99, sixteen of them.
-# usage: prove_code.sh [-q] [--quick] [--all] [--only FUNCTION] [--timeout SECONDS] [SOURCES]
+# usage: prove_code.sh [-q] [--all] [--only FUNCTION] [--timeout SECONDS] [SOURCES]
 #   -q          prints failures and the last line only
-#   --quick     only what takes less than a minute of one processor: edges, shared edges, sizes
 #   --all       also Gappa's bounds (prove.sh), and what is wrong must be rejected (test_prove.sh,
 #               test_prove_code.sh)
 #   --only F    only the function F, or the driver F of Eva
@@ -23,17 +22,16 @@
 # The last line is "proved: N / N goals (WP n, Eva n functions without alarm[, Gappa n bounds, n
 # mutants rejected])". Exit status 1 if one goal is not proved, one alarm is left, or one mutant is
 # not rejected. Provers are stopped by the clock: --timeout must be longer on a machine with much load.
+# What is not proved, and what the proofs take for granted: code/not_proved.txt.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 quiet=""
-quick=""
 all=""
 only=""
 timeout=60
 while [ $# -gt 0 ]; do
     case $1 in
     -q) quiet=yes ;;
-    --quick) quick=yes ;;
     --all) all=yes ;;
     --only) only=$2 && shift ;;
     --timeout) timeout=$2 && shift ;;
@@ -54,7 +52,6 @@ goals=0
 proved=0
 wp=0
 functions=0
-QUICK="wide_product set_edge_through values_at first_is_not_negative is_inside_edge count_owners eva_sizes"
 
 say() { [ -n "$quiet" ] || echo "$1"; }
 progress() { echo "prove_code: $1" >&2; }
@@ -64,12 +61,7 @@ fail() { echo "FAILED: $1"; }
 words() { sed -n "s|^ \* @$2: *||p" "$1" | sed 's| \*/$||' | tr '\n' ' '; }
 
 # wanted NAME: whether the function or driver is to be proved.
-wanted() {
-    [ -z "$only" ] || [ "$only" = "$1" ] || return 1
-    [ -z "$quick" ] && return 0
-    case " $QUICK " in *" $1 "*) return 0 ;; esac
-    return 1
-}
+wanted() { [ -z "$only" ] || [ "$only" = "$1" ]; }
 
 # Why3 of Debian 12 does not know cvc5, which speaks the language of its predecessor.
 set_up_why3() {

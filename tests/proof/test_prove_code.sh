@@ -1,7 +1,7 @@
 #!/bin/sh
 # Checks that tests/proof/prove_code.sh rejects what is wrong: functions mutated in a copy of the
 # sources, and contracts that contradict themselves. What is not mutated must be proved in the same
-# time. usage: test_prove_code.sh
+# time. usage: test_prove_code.sh [NAME ...]   (default: all functions and drivers of Eva)
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 directory=$(mktemp -d) || exit 1
@@ -10,6 +10,14 @@ trap 'exit 1' INT TERM
 passed=0
 failed=0
 timeout=${PROOF_TIMEOUT:-20}
+names=$*
+
+# asked NAME: whether the function or driver is to be tested.
+asked() {
+    [ -n "$names" ] || return 0
+    case " $names " in *" $1 "*) return 0 ;; esac
+    return 1
+}
 
 # prove NAME: proves a function, or a driver, from the copies.
 prove() {
@@ -31,6 +39,7 @@ bad() {
 
 # mutant NAME FILE EXPRESSION: changes one file by sed; the proof of NAME must then fail by a goal.
 mutant() {
+    asked "$1" || return
     echo "test_prove_code: $2: $3" >&2
     copy
     sed "$3" "$directory/$2" >"$directory/mutated"
@@ -50,7 +59,9 @@ mutant() {
 # Without a mutation everything here is proved.
 copy
 for name in begins_outside squares_inside make_batch_room add_square wide_product set_edge_through values_at \
-    step_right is_outside is_inside count_inside count_outside room_of eva_sizes eva_snapping eva_inverses; do
+    step_right is_outside is_inside count_inside count_outside room_of clip_to_plane take_pieces add_halves \
+    finish_halves add_sampled_square eva_sizes eva_snapping eva_inverses eva_clipping eva_edges eva_texels; do
+    asked "$name" || continue
     echo "test_prove_code: $name as it is" >&2
     prove "$name" || bad "not proved: $name"
 done
@@ -76,12 +87,26 @@ mutant make_batch_room $raster/batch.h 's/room > BATCH_BLOCKS/room > BATCH_BLOCK
 mutant add_square $raster/batch.h 's/block\[batch->count\]/block[batch->count + 1]/'
 mutant cover_row $edges 's/^        skip = 1;/        skip = 0;/'
 mutant room_of src/geometry/clip.h 's/: CLIP_MAX_VERTICES;/: 2 * CLIP_ROOM;/'
+mutant clip_to_plane src/geometry/clip.h 's/out->count > CLIP_MAX_POLYGON - 2/out->count > CLIP_MAX_POLYGON - 1/'
+mutant clip_to_plane src/geometry/clip.h 's/ || c->used == room_of(c))/)/'
+mutant take_pieces src/geometry/clip.h 's/from + l + 2 : 2/from + l + 3 : 2/'
+mutant add_halves $raster/cover_packed.h 's/block\[count \/ 2\];$/block[count];/'
+mutant finish_halves $raster/cover_packed.h 's/= (count + 1) \/ 2;/= count + 1;/'
+mutant add_sampled_square $raster/cover_samples.h 's/batch->count == SAMPLED_SQUARES/batch->count > SAMPLED_SQUARES/'
 mutant eva_sizes src/texture/packed.c 's/return (uint64_t)(e\.width \* e\.height)/return (uint32_t)(e.width * e.height)/'
 mutant eva_sizes src/draw/prepare.c 's/const uint64_t sixteens = .*/const uint32_t sixteens = vertex_count + 15;/'
 mutant eva_sizes src/texture/texture_faults.h 's/s->width > GN_MAX_SIZE/s->width > 16 * GN_MAX_SIZE/'
 mutant eva_snapping $raster/points_and_lines.h 's/return v < SNAPPED_LIMIT \/ 256 \&\& /return /'
 mutant eva_inverses src/math/inverse.c 's/pivots\[4\] = {m->m\[0\]\[0\]/pivots[4] = {m->m[4][0]/'
 mutant eva_inverses src/math/inverse.c 's/i < 4; ++i) {/i <= 4; ++i) {/'
+mutant eva_clipping src/geometry/clip.h 's/n < c->used; ++n) {/n <= c->used + 3; ++n) {/'
+mutant eva_clipping src/lanes/lanes_portable.h 's/magnitude >= LANE_BITS_2_31);/magnitude > LANE_BITS_2_31 + 256);/'
+mutant eva_clipping src/lanes/lanes_portable.h 's/(outside & INT32_MIN);/(outside \& INT32_MIN) + (int32_t)lane_as_float(bits);/'
+mutant eva_edges $raster/setup.h 's/stored_vertex \*v =$/stored_vertex *v = list->provoking[lane] > 64 ? 0 :/'
+mutant eva_edges $edges 's/-per_x \* (SQUARE_SIZE - 1)/-per_x * (64 * SQUARE_SIZE)/'
+mutant eva_texels src/texture/texel.h 's/load_quads(words + 4/load_quads(words + 8/'
+mutant eva_texels src/texture/texel_layout.c 's/(int32_t)(end - 8)/(int32_t)(end - 4)/'
+mutant eva_texels src/texture/texel_layout.c 's/out->row_stride >> shift)/out->row_stride >> 1)/'
 
 # A contract that nothing fulfils would prove anything: the false assertion behind it must be rejected.
 mutant set_edge_through tests/proof/code/contracts/raster/cover_large.h.acsl 's/ensures edge_ok(e);/ensures \\false;/'
