@@ -62,8 +62,8 @@ int main(void)
     any_state(&pipeline);
     for (uint32_t n = 0; n < FIRST_NEW; ++n)
         any_vertex(n);
-    viewport = viewport_transform_of(&pipeline, uint32_from(1, GN_MAX_SIZE),
-                                     uint32_from(1, GN_MAX_SIZE));
+    viewport =
+        viewport_transform_of(&pipeline, uint32_from(1, GN_MAX_SIZE), uint32_from(1, GN_MAX_SIZE));
     viewport.sampled = any_bool;
     c.pipeline = &pipeline;
     c.viewport = &viewport;

@@ -73,9 +73,9 @@ int main(void)
         for (int l = 0; l < GN_LANES; ++l)
             group.made[i][l] = (uint32_t)i * STRIDE;
     }
-    used = find_bounds(&state.target, state.reach, lanes_i_splat(any_int32),
-                       lanes_i_splat(any_int32), lanes_i_splat(any_int32),
-                       lanes_i_splat(any_int32), result.bounds);
+    used =
+        find_bounds(&state.target, state.reach, lanes_i_splat(any_int32), lanes_i_splat(any_int32),
+                    lanes_i_splat(any_int32), lanes_i_splat(any_int32), result.bounds);
     cull_triangles(&state, any_bool, memory.bytes, &group, &result);
 
     list.count = uint32_from(1, GN_LANES);
