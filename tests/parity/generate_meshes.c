@@ -223,8 +223,8 @@ void generate_piles(builder *b)
     }
 }
 
-/* A fan of four vertices without indices, which the reference draws as a quadrilateral if nothing is
- * clipped and nothing asks for a provoking vertex. */
+/* A fan of four vertices without indices, which the reference draws as a quadrilateral if nothing
+ * is clipped and nothing asks for a provoking vertex. */
 static void draw_fan_of_four(builder *b)
 {
     random_source *r = &b->random;
