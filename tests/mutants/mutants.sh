@@ -59,7 +59,7 @@ programs() { sed -n 's/^[^#:]*: *\(SAME \)\{0,1\}\([^ ]*\).*/\2/p' $here/steps.t
 # sum_of FOLDER...: one number for the contents of all their files.
 sum_of() { find "$@" -type f | LC_ALL=C sort | xargs cksum | cksum | cut -d ' ' -f 1; }
 
-sources=$(sum_of src include $here/mutate.c)
+sources=$(tests/assurance/record.sh --text include src)-$(sum_of $here/mutate.c)
 tests=$(sum_of tests/*/*.[ch] reference tools/threads $here/steps.txt)
 
 say() { echo "mutants: $*" >&2; }
