@@ -19,9 +19,9 @@ asked() {
     return 1
 }
 
-# prove NAME: proves a function, or a driver, from the copies.
+# prove NAME [SECONDS]: proves a function, or a driver, from the copies.
 prove() {
-    "$directory/tests/proof/prove_code.sh" -q --only "$1" --timeout "$timeout" "$directory/src" >"$directory/log" 2>&1
+    "$directory/tests/proof/prove_code.sh" -q --only "$1" --timeout "${2:-$timeout}" "$directory/src" >"$directory/log" 2>&1
 }
 
 copy() {
@@ -63,7 +63,7 @@ for name in begins_outside squares_inside make_batch_room add_square wide_produc
     finish_halves add_sampled_square eva_sizes eva_snapping eva_inverses eva_clipping eva_edges eva_texels; do
     asked "$name" || continue
     echo "test_prove_code: $name as it is" >&2
-    prove "$name" || bad "not proved: $name"
+    prove "$name" 60 || bad "not proved: $name"
 done
 
 raster=src/raster
