@@ -86,6 +86,7 @@ coverage: ## lines, branches and conditions (MC/DC) of src/ that the tests reach
 .PHONY: prove
 prove: ## prove C functions with Frama-C, and error bounds with Gappa; reject mutated sources
 	@$(RECORD) tests/proof/prove_code.sh --all
+
 .PHONY: check-freestanding
 check-freestanding: library ## no undefined symbols, no writable data: every compiler and level; headers alone
 	@$(RECORD) tests/portability/freestanding.sh $(BUILD) --all

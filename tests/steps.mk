@@ -46,7 +46,7 @@ ifdef WHOLE
 WHOLE_STEPS = 'other machines=tests/portability/cross.sh $(BUILD)' \
 	'microcontroller=tests/portability/size.sh $(BUILD)' \
 	'proofs of what is wrong=tests/proof/test_prove.sh' \
-	'proofs of C functions=tests/proof/prove_code.sh -q'
+	'proofs of C functions=tests/proof/prove_code.sh -q --timeout 240'
 ALL = --all
 EMULATED_SCENES = 2200
 else
