@@ -81,7 +81,7 @@ test-steps:
 		'contract=$(BUILD)/contract-check --keep $(BUILD)/contract-failure.scene' \
 		'contract beside the reference=$(BUILD)/contract --compare --every 50' \
 		'contract, changes are found=tests/contract/test_contract.sh $(BUILD)' \
-		'builds$(comma) changes are found=tests/portability/test_cross.sh $(BUILD)' \
+		'builds, changes are found=tests/portability/test_cross.sh $(BUILD)' \
 		'kept scenes=tests/parity/replay.sh $(BUILD)/parity' \
 		'campaign=tests/parity/test_campaign.sh' \
 		'exact oracles=$(BUILD)/exact --seed $(TEST_SEED) --triangles 60000 --clip-space 6000' \
