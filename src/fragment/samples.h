@@ -152,6 +152,8 @@ GN_OUT_OF_LINE void shade_samples(const fragment_state *state, sampled_batch *b)
     shader_masks masks;
     shader_verdict verdict;
 
+    if (state->runs_per_sample)
+        clear_depths(state, &b->batch);
     for (uint32_t n = 0; n < b->batch.count; ++n) {
         if (state->runs_per_sample && !b->batch.coverage[n]) {
             blacken(&b->batch.color[n * colors], colors);
@@ -187,6 +189,7 @@ GN_OUT_OF_LINE void shade_sample_rows(const fragment_state *state, sampled_batch
     start_shader_calls(state, rows->triangle, &call);
     set_verdict(&verdict);
     verdict.present = present;
+    clear_depths(state, rows);
     for (uint32_t n = 0; n < square_count(rows); ++n) {
         const uint32_t any = covered_in_square(rows, rows->coverage, n);
 

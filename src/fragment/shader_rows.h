@@ -5,6 +5,14 @@
 #include "shader.h"
 #include "squares.h"
 
+/* Sets the depths that the shader is to write, as it is not called for blocks and squares without
+ * coverage. */
+static inline void clear_depths(const fragment_state *state, block_batch *b)
+{
+    for (uint32_t n = 0; state->pipeline->program.fragment_writes_depth && n < b->count; ++n)
+        lanes_store(b->of.terms.depth[n], lanes_splat(0.0f));
+}
+
 /* Computes the colours of a square by the fragment shader, after start_shader_calls. The verdict is
  * set but for `depth`. Colours are numbered as squares are. */
 GN_INLINE void shader_square(const fragment_state *state, block_batch *b, uint32_t square,
@@ -36,6 +44,7 @@ GN_OUT_OF_LINE void shader_rows(const fragment_state *state, block_batch *b)
 
     start_shader_calls(state, b->triangle, &call);
     set_verdict(&verdict);
+    clear_depths(state, b);
     for (uint32_t n = 0; n < square_count(b); ++n) {
         const uint32_t coverage = covered_in_square(b, b->coverage, n);
 

@@ -9,6 +9,8 @@ trap 'rm -rf "$directory"' EXIT
 mkdir -p "$directory/src" "$directory/tests"
 cp -r Makefile include "$directory/"
 cp tests/*.mk "$directory/tests/"
+mkdir "$directory/tests/fuzz"
+cp tests/fuzz/fuzz.mk "$directory/tests/fuzz/"
 cp -r src/config src/scalars "$directory/src/"
 cd "$directory" || exit 1
 objects=$(find src -name '*.c' | wc -l)

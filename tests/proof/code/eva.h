@@ -1,4 +1,5 @@
-/* Values that an analysis takes to be anything of their type; and what every driver includes. */
+/* Values that an analysis takes to be anything of their type; and what every driver includes.
+ * Not alone: Frama-C has the header of its built-in functions. */
 #include <float.h>
 #include <stdbool.h>
 #include <stddef.h>
