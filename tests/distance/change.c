@@ -107,7 +107,7 @@ static bool measure_change(const distance_side *a, const distance_side *b, dista
     return is_found(&there, change) && is_found(&back, change);
 }
 
-/* Gives every attachment's pixel the clear value, measures and changes it back. */
+/* Sets every attachment's pixel to the clear value, measures and changes it back. */
 static bool uncover(const distance_side *a, distance_side *b, size_t pixel)
 {
     unsigned char kept[GN_MAX_COLORS + 1][16];

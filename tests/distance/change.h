@@ -14,7 +14,7 @@ typedef enum distance_change {
 
 const char *distance_change_name(distance_change change);
 
-/* Of two sides with equal frames, changes one covered pixel of b, measures and changes it back.
+/* Changes one covered pixel of b, whose frame equals a's, measures and changes it back.
  * Returns false if the frames have no such pixel. `found` says whether the measurement found this
  * change and no other. */
 bool distance_check_change(const distance_side *a, distance_side *b, distance_change change,

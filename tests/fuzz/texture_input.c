@@ -104,7 +104,7 @@ static void fill(uint32_t seed, unsigned char *memory, size_t size, gn_format fo
     }
 }
 
-/* Gives a level memory. Returns false if nobody has as much. */
+/* Allocates the memory of a level. Returns false if nobody has as much. */
 static bool give_memory(fuzz_input *in, texture_input *result, uint32_t level, uint32_t seed)
 {
     gn_texture *const t = &result->texture;
