@@ -160,6 +160,35 @@ GN_INLINE void cover_row(const pixel_rectangle *target, const large_edge edge[3]
 /* Large triangles that are covered together. */
 #define LARGE_TOGETHER (GN_SPECIALISED ? GN_LANES : 1)
 
+/* The three edge functions of a triangle. */
+typedef struct large_edges {
+    large_edge of[3];
+} large_edges;
+
+static inline void set_large_edges(large_edges *edges, const triangle_setup *setup, uint32_t lane)
+{
+    for (int i = 0; i < 3; ++i)
+        set_large_edge(&edges->of[i], setup, i, lane);
+}
+
+/* Covers the row of squares at y for lanes `first` to `end` - 1 of a list. `edges` has those
+ * of these lanes; `planes` is that of lane 0. `others` is as in add_run. */
+GN_INLINE void cover_row_of_each(const pixel_rectangle *target, const large_edges *edges,
+                                 const float *planes, const triangle_list *list, uint32_t first,
+                                 uint32_t end, int32_t y, fragment_batch *batch, uint32_t *others)
+{
+    for (uint32_t l = first; l < end; ++l) {
+        const int32_t min_x = list->bounds[BOUNDS_MIN_X][l];
+        const raster_triangle triangle = {planes + l};
+
+        if (end - first > 1)
+            *others = batch->count;
+        if (y + SQUARE_SIZE > list->bounds[BOUNDS_MIN_Y][l] && y <= list->bounds[BOUNDS_MAX_Y][l])
+            cover_row(target, edges[l - first].of, square_start(min_x),
+                      list->bounds[BOUNDS_MAX_X][l], y, triangle, batch, others);
+    }
+}
+
 /* Covers lanes `first` to `end` - 1 of a list. Precondition: they are large, and at most
  * LARGE_TOGETHER. Each row of squares is covered for all triangles before the next row, while its
  * pixels are in the nearest cache. Within a square the triangles keep their order. */
@@ -167,32 +196,20 @@ GN_OUT_OF_LINE void cover_large(const pixel_rectangle *target, const triangle_se
                                 const triangle_list *list, uint32_t first, uint32_t end,
                                 fragment_batch *batch)
 {
-    const int32_t *const min_x = list->bounds[BOUNDS_MIN_X];
     const int32_t *const min_y = list->bounds[BOUNDS_MIN_Y];
-    const int32_t *const max_x = list->bounds[BOUNDS_MAX_X];
     const int32_t *const max_y = list->bounds[BOUNDS_MAX_Y];
-    large_edge edge[LARGE_TOGETHER][3];
+    large_edges edges[LARGE_TOGETHER];
     int32_t bottom = min_y[first];
     int32_t top = max_y[first];
     uint32_t others = batch->count;
 
     for (uint32_t l = first; l < end; ++l) {
-        for (int i = 0; i < 3; ++i)
-            set_large_edge(&edge[l - first][i], setup, i, l);
         bottom = min_y[l] < bottom ? min_y[l] : bottom;
         top = max_y[l] > top ? max_y[l] : top;
+        set_large_edges(&edges[l - first], setup, l);
     }
-    for (int32_t y = bottom & ~(SQUARE_SIZE - 1); y <= top; y += SQUARE_SIZE) {
-        for (uint32_t l = first; l < end; ++l) {
-            const raster_triangle triangle = {&setup->plane[0][0][l]};
-
-            if (end - first > 1)
-                others = batch->count;
-            if (y + SQUARE_SIZE > min_y[l] && y <= max_y[l])
-                cover_row(target, edge[l - first], min_x[l] & ~(SQUARE_SIZE - 1), max_x[l], y,
-                          triangle, batch, &others);
-        }
-    }
+    for (int32_t y = square_start(bottom); y <= top; y += SQUARE_SIZE)
+        cover_row_of_each(target, edges, setup->plane[0][0], list, first, end, y, batch, &others);
 }
 
 #endif

@@ -12,11 +12,10 @@ static inline void cover_point(const triangle_setup *setup, const triangle_list 
     const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
     uint32_t others = batch->count;
 
-    for (int32_t y = box.min_y & ~(SQUARE_SIZE - 1); y <= box.max_y; y += SQUARE_SIZE) {
+    for (int32_t y = square_start(box.min_y); y <= box.max_y; y += SQUARE_SIZE) {
         int32_t squares = 1;
 
-        for (int32_t x = box.min_x & ~(SQUARE_SIZE - 1); x <= box.max_x;
-             x += squares * SQUARE_SIZE) {
+        for (int32_t x = square_start(box.min_x); x <= box.max_x; x += squares * SQUARE_SIZE) {
             const uint32_t coverage = square_mask(&box, x, y);
 
             squares = coverage == GN_ALL_LANES ? (box.max_x + 1 - x) / SQUARE_SIZE : 1;
@@ -34,13 +33,13 @@ static inline void cover_line(const triangle_setup *setup, const triangle_list *
 {
     const raster_triangle triangle = {&setup->plane[0][0][lane]};
     const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
-    const int32_t left = box.min_x & ~(SQUARE_SIZE - 1);
+    const int32_t left = square_start(box.min_x);
     uint32_t others = batch->count;
     large_edge edge[3];
 
     for (int i = 0; i < 3; ++i)
         set_large_edge(&edge[i], setup, i, lane);
-    for (int32_t y = box.min_y & ~(SQUARE_SIZE - 1); y <= box.max_y; y += SQUARE_SIZE)
+    for (int32_t y = square_start(box.min_y); y <= box.max_y; y += SQUARE_SIZE)
         cover_row(&box, edge, left, box.max_x, y, triangle, batch, &others);
 }
 

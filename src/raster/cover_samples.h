@@ -148,45 +148,58 @@ static inline bool sample_masks(const sampled_edges *edges, int32_t x, int32_t y
     return goes_on;
 }
 
+/* Sets the edges of a list's triangle. */
+GN_INLINE void set_sampled_edges(sampled_edges *edges, const triangle_setup *setup, uint32_t lane)
+{
+    for (int i = 0; i < 3; ++i)
+        set_sampled_edge(edges, i, setup->edge[i].per_x[lane], setup->edge[i].per_y[lane],
+                         setup->corner.snapped[i][0][lane], setup->corner.snapped[i][1][lane]);
+}
+
+/* Adds the squares of one row in which samples are covered, from the square at (left, y) to the
+ * pixel max_x. */
+GN_INLINE void cover_sample_row(const pixel_rectangle *target, const sampled_edges *edges,
+                                int32_t left, int32_t max_x, int32_t y, raster_triangle triangle,
+                                sample_batch *batch)
+{
+    const int32_t squares = (max_x - left) / SQUARE_SIZE + 1;
+    int32_t x = left + skip_outside(edges, left, y, squares) * SQUARE_SIZE;
+    bool goes_on = true;
+
+    while (goes_on && x <= max_x) {
+        const uint32_t inside = square_mask(target, x, y);
+        const corner_values c = values_at(edges->least, x, y);
+        uint32_t coverage[GN_SAMPLES];
+
+        if (inside == GN_ALL_LANES && is_inside(edges->least, c)) {
+            const int32_t last = max_x < target->max_x ? max_x : target->max_x;
+            const int32_t whole = (last + 1 - x) / SQUARE_SIZE;
+            const int32_t run = count_inside(edges->least, c, whole > 1 ? whole : 1);
+
+            add_sampled_run(batch, triangle, x, y, run);
+            x += run * SQUARE_SIZE;
+            continue;
+        }
+        goes_on = sample_masks(edges, x, y, inside, coverage);
+        add_sampled_square(batch, triangle, x, y, coverage);
+        x += SQUARE_SIZE;
+    }
+}
+
 /* Adds the squares of a list's triangle in which samples are covered, from the bottom up and from
  * left to right. The triangle's bounds hold every pixel with a sample inside. */
 static inline void cover_samples(const pixel_rectangle *target, const triangle_setup *setup,
                                  const triangle_list *list, uint32_t lane, sample_batch *batch)
 {
     const raster_triangle triangle = {&setup->plane[0][0][lane]};
-    const int32_t left = list->bounds[BOUNDS_MIN_X][lane] & ~(SQUARE_SIZE - 1);
-    const int32_t bottom = list->bounds[BOUNDS_MIN_Y][lane] & ~(SQUARE_SIZE - 1);
+    const int32_t left = square_start(list->bounds[BOUNDS_MIN_X][lane]);
+    const int32_t bottom = square_start(list->bounds[BOUNDS_MIN_Y][lane]);
     const int32_t max_x = list->bounds[BOUNDS_MAX_X][lane];
     sampled_edges edges;
 
-    for (int i = 0; i < 3; ++i)
-        set_sampled_edge(&edges, i, setup->edge[i].per_x[lane], setup->edge[i].per_y[lane],
-                         setup->corner.snapped[i][0][lane], setup->corner.snapped[i][1][lane]);
-    for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += SQUARE_SIZE) {
-        const int32_t squares = (max_x - left) / SQUARE_SIZE + 1;
-        int32_t x = left + skip_outside(&edges, left, y, squares) * SQUARE_SIZE;
-        bool goes_on = true;
-
-        while (goes_on && x <= max_x) {
-            const uint32_t inside = square_mask(target, x, y);
-            const corner_values c = values_at(edges.least, x, y);
-            uint32_t coverage[GN_SAMPLES];
-
-            if (inside == GN_ALL_LANES && is_inside(edges.least, c)) {
-                const int32_t last = max_x < target->max_x ? max_x : target->max_x;
-                const int32_t whole = (last + 1 - x) / SQUARE_SIZE;
-
-                const int32_t run = count_inside(edges.least, c, whole > 1 ? whole : 1);
-
-                add_sampled_run(batch, triangle, x, y, run);
-                x += run * SQUARE_SIZE;
-                continue;
-            }
-            goes_on = sample_masks(&edges, x, y, inside, coverage);
-            add_sampled_square(batch, triangle, x, y, coverage);
-            x += SQUARE_SIZE;
-        }
-    }
+    set_sampled_edges(&edges, setup, lane);
+    for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += SQUARE_SIZE)
+        cover_sample_row(target, &edges, left, max_x, y, triangle, batch);
 }
 
 /* Covers a line between two vertices: what lies right of its first three edges and of its last
@@ -211,8 +224,8 @@ static inline void cover_line_samples(const box_state *state, const stored_verte
         if (i > 0)
             set_sampled_edge(&others, i - 1, per_x, per_y, from[0], from[1]);
     }
-    for (int32_t y = box->min_y & ~(SQUARE_SIZE - 1); y <= box->max_y; y += SQUARE_SIZE) {
-        for (int32_t x = box->min_x & ~(SQUARE_SIZE - 1); x <= box->max_x; x += SQUARE_SIZE) {
+    for (int32_t y = square_start(box->min_y); y <= box->max_y; y += SQUARE_SIZE) {
+        for (int32_t x = square_start(box->min_x); x <= box->max_x; x += SQUARE_SIZE) {
             uint32_t coverage[GN_SAMPLES], rest[GN_SAMPLES];
 
             sample_masks(&edges, x, y, square_mask(box, x, y), coverage);
@@ -254,8 +267,8 @@ static inline void cover_point_samples(const box_state *state, const stored_vert
         if (!pixels_of_box(box, from, to, &covered[s]))
             covered[s].max_y = covered[s].min_y - SQUARE_SIZE;
     }
-    for (int32_t y = box->min_y & ~(SQUARE_SIZE - 1); y <= box->max_y; y += SQUARE_SIZE) {
-        for (int32_t x = box->min_x & ~(SQUARE_SIZE - 1); x <= box->max_x; x += SQUARE_SIZE) {
+    for (int32_t y = square_start(box->min_y); y <= box->max_y; y += SQUARE_SIZE) {
+        for (int32_t x = square_start(box->min_x); x <= box->max_x; x += SQUARE_SIZE) {
             uint32_t coverage[GN_SAMPLES];
 
             for (uint32_t s = 0; s < GN_SAMPLES; ++s)

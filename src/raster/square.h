@@ -7,6 +7,13 @@
 
 #include "../lanes/lanes.h"
 
+/* Returns the coordinate at which the square around a pixel begins, with squares at multiples of
+ * their size. */
+static inline int32_t square_start(int32_t pixel)
+{
+    return (int32_t)((uint32_t)pixel / SQUARE_SIZE * SQUARE_SIZE);
+}
+
 /* Returns the pixels of the square at (x, y) inside a rectangle that reaches into the square. */
 static uint32_t square_mask(const pixel_rectangle *r, int32_t x, int32_t y)
 {
