@@ -171,6 +171,14 @@ static inline void set_large_edges(large_edges *edges, const triangle_setup *set
         set_large_edge(&edges->of[i], setup, i, lane);
 }
 
+/* Sets the edges of `count` lanes of a set-up from `first` on. */
+GN_INLINE void set_edges_of_each(large_edges *edges, const triangle_setup *setup, uint32_t first,
+                                 uint32_t count)
+{
+    for (uint32_t i = 0; i < count; ++i)
+        set_large_edges(&edges[i], setup, first + i);
+}
+
 /* Covers the row of squares at y for lanes `first` to `end` - 1 of a list. `edges` has those
  * of these lanes; `planes` is that of lane 0. `others` is as in add_run. */
 GN_INLINE void cover_row_of_each(const pixel_rectangle *target, const large_edges *edges,
@@ -189,6 +197,27 @@ GN_INLINE void cover_row_of_each(const pixel_rectangle *target, const large_edge
     }
 }
 
+/* Covers lanes `first` to `end` - 1 of a list, row by row. Parameters are those of
+ * cover_row_of_each. */
+GN_INLINE void cover_rows(const pixel_rectangle *target, const large_edges *edges,
+                          const float *planes, const triangle_list *list, uint32_t first,
+                          uint32_t end, fragment_batch *batch)
+{
+    int32_t bottom = list->bounds[BOUNDS_MIN_Y][first];
+    int32_t top = list->bounds[BOUNDS_MAX_Y][first];
+    uint32_t others = batch->count;
+
+    for (uint32_t l = first + 1; l < end; ++l) {
+        const int32_t min_y = list->bounds[BOUNDS_MIN_Y][l];
+        const int32_t max_y = list->bounds[BOUNDS_MAX_Y][l];
+
+        bottom = min_y < bottom ? min_y : bottom;
+        top = max_y > top ? max_y : top;
+    }
+    for (int32_t y = square_start(bottom); y <= top; y += SQUARE_SIZE)
+        cover_row_of_each(target, edges, planes, list, first, end, y, batch, &others);
+}
+
 /* Covers lanes `first` to `end` - 1 of a list. Precondition: they are large, and at most
  * LARGE_TOGETHER. Each row of squares is covered for all triangles before the next row, while its
  * pixels are in the nearest cache. Within a square the triangles keep their order. */
@@ -196,20 +225,10 @@ GN_OUT_OF_LINE void cover_large(const pixel_rectangle *target, const triangle_se
                                 const triangle_list *list, uint32_t first, uint32_t end,
                                 fragment_batch *batch)
 {
-    const int32_t *const min_y = list->bounds[BOUNDS_MIN_Y];
-    const int32_t *const max_y = list->bounds[BOUNDS_MAX_Y];
     large_edges edges[LARGE_TOGETHER];
-    int32_t bottom = min_y[first];
-    int32_t top = max_y[first];
-    uint32_t others = batch->count;
 
-    for (uint32_t l = first; l < end; ++l) {
-        bottom = min_y[l] < bottom ? min_y[l] : bottom;
-        top = max_y[l] > top ? max_y[l] : top;
-        set_large_edges(&edges[l - first], setup, l);
-    }
-    for (int32_t y = square_start(bottom); y <= top; y += SQUARE_SIZE)
-        cover_row_of_each(target, edges, setup->plane[0][0], list, first, end, y, batch, &others);
+    set_edges_of_each(edges, setup, first, end - first);
+    cover_rows(target, edges, setup->plane[0][0], list, first, end, batch);
 }
 
 #endif

@@ -93,6 +93,19 @@ static inline void set_small_edge(small_edges *e, const triangle_setup *setup, i
                     lanes_i_mul(lanes_i_splat(e->along[edge]), lanes_i_load(number)));
 }
 
+static inline void set_small_edges(small_edges *e, const triangle_setup *setup, uint32_t lane)
+{
+    for (int i = 0; i < 3; ++i)
+        set_small_edge(e, setup, i, lane);
+}
+
+/* Moves the edge functions to the next row of squares. */
+static inline void step_up(small_edges *e)
+{
+    for (int i = 0; i < 3; ++i)
+        e->start[i] += e->across[i];
+}
+
 /* Returns the lanes in which no edge function is negative. `term` says what lanes are: the pixels
  * of square `number` of a row (`pixel`), or that square and the next fifteen (`greatest`). Squares
  * that are met are consecutive. */
@@ -105,6 +118,47 @@ static inline uint32_t lanes_met(const small_edges *e, int32_t number, const lan
     return not_negative(value);
 }
 
+/* Covers the row of `squares` squares at y, from the one at (left, y) on. `count` is the number of
+ * halves that the batch holds; returns how many it holds then. */
+GN_INLINE uint32_t cover_packed_row(const pixel_rectangle *target, const small_edges *edges,
+                                    int32_t left, int32_t squares, int32_t y,
+                                    raster_triangle triangle, fragment_batch *batch, uint32_t count)
+{
+    const square_span columns = squares_inside(target->min_x, target->max_x);
+    const bool hangs = begins_outside(squares_inside(target->min_y, target->max_y), y);
+
+    for (int32_t from = 0; from < squares; from += GN_LANES) {
+        const uint32_t met = lanes_met(edges, from, edges->greatest);
+        const int32_t first = from + (int32_t)count_lanes(~met & (met - 1) & GN_ALL_LANES);
+        const int32_t after = first + (int32_t)count_lanes(met);
+        const int32_t end = after < squares ? after : squares;
+
+        for (int32_t n = first; n < end; n += HALVES_TOGETHER) {
+            const uint32_t size = end - n < HALVES_TOGETHER ? (uint32_t)(end - n) : HALVES_TOGETHER;
+            const int32_t x = left + n * SQUARE_SIZE;
+            uint64_t lower = 0, upper = 0;
+
+            for (uint32_t i = 0; i < size; ++i) {
+                const int32_t column = x + (int32_t)i * SQUARE_SIZE;
+                uint32_t coverage = lanes_met(edges, n + (int32_t)i, edges->pixel);
+
+                if (hangs || begins_outside(columns, column))
+                    coverage &= square_mask(target, column, y);
+                lower |= (uint64_t)(coverage & HALF_COVERED) << 8 * i;
+                upper |= (uint64_t)(coverage >> HALF_LANES) << 8 * i;
+            }
+            if (count > 2u * BATCH_BLOCKS - 1 - 2 * HALVES_TOGETHER) {
+                finish_halves(batch, count);
+                shade_batch(batch);
+                count = 0;
+            }
+            count = add_halves(batch, triangle, count, lower, size, x, y);
+            count = add_halves(batch, triangle, count, upper, size, x, y + SQUARE_SIZE / 2);
+        }
+    }
+    return count;
+}
+
 /* Covers a triangle below PACKED_EXTENT. Pixels outside the triangle's bounds are outside an edge
  * too, so only what hangs over the strip is masked. */
 GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_setup *setup,
@@ -112,50 +166,15 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_s
 {
     const raster_triangle triangle = {&setup->plane[0][0][lane]};
     const int32_t left = setup->origin[0][lane];
-    const int32_t bottom = setup->origin[1][lane];
     const int32_t squares = (list->bounds[BOUNDS_MAX_X][lane] - left) / SQUARE_SIZE + 1;
-    const square_span columns = squares_inside(target->min_x, target->max_x);
-    const square_span rows = squares_inside(target->min_y, target->max_y);
+    const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
     small_edges edges;
     uint32_t count = 2 * batch->count; /* halves */
 
-    for (int i = 0; i < 3; ++i)
-        set_small_edge(&edges, setup, i, lane);
-    for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += SQUARE_SIZE) {
-        const bool hangs = begins_outside(rows, y);
-
-        for (int32_t from = 0; from < squares; from += GN_LANES) {
-            const uint32_t met = lanes_met(&edges, from, edges.greatest);
-            const int32_t first = from + (int32_t)count_lanes(~met & (met - 1) & GN_ALL_LANES);
-            const int32_t after = first + (int32_t)count_lanes(met);
-            const int32_t end = after < squares ? after : squares;
-
-            for (int32_t n = first; n < end; n += HALVES_TOGETHER) {
-                const uint32_t size =
-                    end - n < HALVES_TOGETHER ? (uint32_t)(end - n) : HALVES_TOGETHER;
-                const int32_t x = left + n * SQUARE_SIZE;
-                uint64_t lower = 0, upper = 0;
-
-                for (uint32_t i = 0; i < size; ++i) {
-                    const int32_t column = x + (int32_t)i * SQUARE_SIZE;
-                    uint32_t coverage = lanes_met(&edges, n + (int32_t)i, edges.pixel);
-
-                    if (hangs || begins_outside(columns, column))
-                        coverage &= square_mask(target, column, y);
-                    lower |= (uint64_t)(coverage & HALF_COVERED) << 8 * i;
-                    upper |= (uint64_t)(coverage >> HALF_LANES) << 8 * i;
-                }
-                if (count > 2u * BATCH_BLOCKS - 1 - 2 * HALVES_TOGETHER) {
-                    finish_halves(batch, count);
-                    shade_batch(batch);
-                    count = 0;
-                }
-                count = add_halves(batch, triangle, count, lower, size, x, y);
-                count = add_halves(batch, triangle, count, upper, size, x, y + SQUARE_SIZE / 2);
-            }
-        }
-        for (int i = 0; i < 3; ++i)
-            edges.start[i] += edges.across[i];
+    set_small_edges(&edges, setup, lane);
+    for (int32_t y = setup->origin[1][lane]; y <= max_y; y += SQUARE_SIZE) {
+        count = cover_packed_row(target, &edges, left, squares, y, triangle, batch, count);
+        step_up(&edges);
     }
     finish_halves(batch, count);
 }

@@ -4,21 +4,20 @@
 
 #include "cover_large.h"
 
-/* Covers a point: all of its bounds. */
-static inline void cover_point(const triangle_setup *setup, const triangle_list *list,
-                               uint32_t lane, fragment_batch *batch)
+/* Covers all of a box. */
+GN_INLINE void cover_box(const pixel_rectangle *box, raster_triangle triangle,
+                         fragment_batch *batch)
 {
-    const raster_triangle triangle = {&setup->plane[0][0][lane]};
-    const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
     uint32_t others = batch->count;
 
-    for (int32_t y = square_start(box.min_y); y <= box.max_y; y += SQUARE_SIZE) {
+    for (int32_t y = square_start(box->min_y); y <= box->max_y; y += SQUARE_SIZE) {
         int32_t squares = 1;
 
-        for (int32_t x = square_start(box.min_x); x <= box.max_x; x += squares * SQUARE_SIZE) {
-            const uint32_t coverage = square_mask(&box, x, y);
+        for (int32_t x = square_start(box->min_x); x <= box->max_x; x += squares * SQUARE_SIZE) {
+            const uint32_t coverage = square_mask(box, x, y);
+            const int32_t whole = (box->max_x + 1 - x) / SQUARE_SIZE;
 
-            squares = coverage == GN_ALL_LANES ? (box.max_x + 1 - x) / SQUARE_SIZE : 1;
+            squares = coverage == GN_ALL_LANES && whole > 1 ? whole : 1;
             if (coverage == GN_ALL_LANES)
                 add_run(batch, triangle, x, y, (uint32_t)squares, &others);
             else
@@ -27,20 +26,37 @@ static inline void cover_point(const triangle_setup *setup, const triangle_list 
     }
 }
 
+/* Covers the part of a box that is inside three edges. */
+GN_INLINE void cover_between(const pixel_rectangle *box, const large_edge edge[3],
+                             raster_triangle triangle, fragment_batch *batch)
+{
+    const int32_t left = square_start(box->min_x);
+    uint32_t others = batch->count;
+
+    for (int32_t y = square_start(box->min_y); y <= box->max_y; y += SQUARE_SIZE)
+        cover_row(box, edge, left, box->max_x, y, triangle, batch, &others);
+}
+
+/* Covers a point: all of its bounds. */
+static inline void cover_point(const triangle_setup *setup, const triangle_list *list,
+                               uint32_t lane, fragment_batch *batch)
+{
+    const raster_triangle triangle = {&setup->plane[0][0][lane]};
+    const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
+
+    cover_box(&box, triangle, batch);
+}
+
 /* Covers a line: the part of its bounds between its two long edges. */
 static inline void cover_line(const triangle_setup *setup, const triangle_list *list, uint32_t lane,
                               fragment_batch *batch)
 {
     const raster_triangle triangle = {&setup->plane[0][0][lane]};
     const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
-    const int32_t left = square_start(box.min_x);
-    uint32_t others = batch->count;
-    large_edge edge[3];
+    large_edges edges;
 
-    for (int i = 0; i < 3; ++i)
-        set_large_edge(&edge[i], setup, i, lane);
-    for (int32_t y = square_start(box.min_y); y <= box.max_y; y += SQUARE_SIZE)
-        cover_row(&box, edge, left, box.max_x, y, triangle, batch, &others);
+    set_large_edges(&edges, setup, lane);
+    cover_between(&box, edges.of, triangle, batch);
 }
 
 #endif

@@ -92,17 +92,31 @@ typedef struct sampled_edges {
     large_edge least[3]; /* the least of all samples: a square inside it is inside for all */
 } sampled_edges;
 
-static void set_sampled_edge(sampled_edges *edges, int edge, int32_t per_x, int32_t per_y,
-                             int32_t x, int32_t y)
+/* Sets `least` of an edge from those of the samples, which differ in their constants alone. */
+static inline void set_least_edge(sampled_edges *edges, int edge)
+{
+    large_edge *const least = &edges->least[edge];
+
+    *least = edges->of[0][edge];
+    for (uint32_t s = 1; s < GN_SAMPLES; ++s)
+        if (edges->of[s][edge].constant < least->constant)
+            least->constant = edges->of[s][edge].constant;
+}
+
+/* Sets an edge of every sample from the edge through the point (x, y). */
+static inline void set_edge_of_samples(sampled_edges *edges, int edge, int32_t per_x, int32_t per_y,
+                                       int32_t x, int32_t y)
 {
     for (uint32_t s = 0; s < GN_SAMPLES; ++s)
         set_edge_through(&edges->of[s][edge], per_x, per_y, x - sample_offset(s, 0),
                          y - sample_offset(s, 1));
-    set_edge_through(&edges->least[edge], per_x, per_y, x - sample_offset(0, 0),
-                     y - sample_offset(0, 1));
-    for (uint32_t s = 1; s < GN_SAMPLES; ++s)
-        if (edges->of[s][edge].constant < edges->least[edge].constant)
-            edges->least[edge].constant = edges->of[s][edge].constant;
+}
+
+static void set_sampled_edge(sampled_edges *edges, int edge, int32_t per_x, int32_t per_y,
+                             int32_t x, int32_t y)
+{
+    set_edge_of_samples(edges, edge, per_x, per_y, x, y);
+    set_least_edge(edges, edge);
 }
 
 /* Returns whether every square further to the right is outside too. */
@@ -187,19 +201,65 @@ GN_INLINE void cover_sample_row(const pixel_rectangle *target, const sampled_edg
 }
 
 /* Adds the squares of a list's triangle in which samples are covered, from the bottom up and from
- * left to right. The triangle's bounds hold every pixel with a sample inside. */
+ * left to right. */
+GN_INLINE void cover_sample_rows(const pixel_rectangle *target, const sampled_edges *edges,
+                                 const triangle_list *list, uint32_t lane,
+                                 raster_triangle triangle, sample_batch *batch)
+{
+    const int32_t left = square_start(list->bounds[BOUNDS_MIN_X][lane]);
+    const int32_t bottom = square_start(list->bounds[BOUNDS_MIN_Y][lane]);
+    const int32_t max_x = list->bounds[BOUNDS_MAX_X][lane];
+    const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
+
+    for (int32_t y = bottom; y <= max_y; y += SQUARE_SIZE)
+        cover_sample_row(target, edges, left, max_x, y, triangle, batch);
+}
+
+/* Covers a list's triangle. Its bounds hold every pixel with a sample inside. */
 static inline void cover_samples(const pixel_rectangle *target, const triangle_setup *setup,
                                  const triangle_list *list, uint32_t lane, sample_batch *batch)
 {
     const raster_triangle triangle = {&setup->plane[0][0][lane]};
-    const int32_t left = square_start(list->bounds[BOUNDS_MIN_X][lane]);
-    const int32_t bottom = square_start(list->bounds[BOUNDS_MIN_Y][lane]);
-    const int32_t max_x = list->bounds[BOUNDS_MAX_X][lane];
     sampled_edges edges;
 
     set_sampled_edges(&edges, setup, lane);
-    for (int32_t y = bottom; y <= list->bounds[BOUNDS_MAX_Y][lane]; y += SQUARE_SIZE)
-        cover_sample_row(target, &edges, left, max_x, y, triangle, batch);
+    cover_sample_rows(target, &edges, list, lane, triangle, batch);
+}
+
+/* Finds the covered pixels of a square for each sample, inside all of six edges. */
+static inline void sample_masks_between(const sampled_edges *edges, const sampled_edges *others,
+                                        int32_t x, int32_t y, uint32_t inside,
+                                        uint32_t coverage[GN_SAMPLES])
+{
+    uint32_t rest[GN_SAMPLES];
+
+    sample_masks(edges, x, y, inside, coverage);
+    sample_masks(others, x, y, GN_ALL_LANES, rest);
+    for (uint32_t s = 0; s < GN_SAMPLES; ++s)
+        coverage[s] &= rest[s];
+}
+
+/* Covers the part of a row of a box's squares that is inside all of six edges. */
+static inline void cover_row_between(const pixel_rectangle *box, const sampled_edges *edges,
+                                     const sampled_edges *others, int32_t y,
+                                     raster_triangle triangle, sample_batch *batch)
+{
+    for (int32_t x = square_start(box->min_x); x <= box->max_x; x += SQUARE_SIZE) {
+        const uint32_t inside = square_mask(box, x, y);
+        uint32_t coverage[GN_SAMPLES];
+
+        sample_masks_between(edges, others, x, y, inside, coverage);
+        add_sampled_square(batch, triangle, x, y, coverage);
+    }
+}
+
+/* Covers the part of a box that is inside all of six edges. */
+static inline void cover_between_samples(const pixel_rectangle *box, const sampled_edges *edges,
+                                         const sampled_edges *others, raster_triangle triangle,
+                                         sample_batch *batch)
+{
+    for (int32_t y = square_start(box->min_y); y <= box->max_y; y += SQUARE_SIZE)
+        cover_row_between(box, edges, others, y, triangle, batch);
 }
 
 /* Covers a line between two vertices: what lies right of its first three edges and of its last
@@ -224,17 +284,7 @@ static inline void cover_line_samples(const box_state *state, const stored_verte
         if (i > 0)
             set_sampled_edge(&others, i - 1, per_x, per_y, from[0], from[1]);
     }
-    for (int32_t y = square_start(box->min_y); y <= box->max_y; y += SQUARE_SIZE) {
-        for (int32_t x = square_start(box->min_x); x <= box->max_x; x += SQUARE_SIZE) {
-            uint32_t coverage[GN_SAMPLES], rest[GN_SAMPLES];
-
-            sample_masks(&edges, x, y, square_mask(box, x, y), coverage);
-            sample_masks(&others, x, y, GN_ALL_LANES, rest);
-            for (uint32_t s = 0; s < GN_SAMPLES; ++s)
-                coverage[s] &= rest[s];
-            add_sampled_square(batch, triangle, x, y, coverage);
-        }
-    }
+    cover_between_samples(box, &edges, &others, triangle, batch);
 }
 
 /* Returns the pixels of the square at (x, y) inside a rectangle, which need not reach into the
@@ -245,6 +295,22 @@ static inline uint32_t rectangle_mask(const pixel_rectangle *r, int32_t x, int32
         r->max_y < y)
         return 0;
     return square_mask(r, x, y);
+}
+
+/* Covers the part of a box in which each sample has a rectangle of its own. */
+static inline void cover_box_samples(const pixel_rectangle *box,
+                                     const pixel_rectangle covered[GN_SAMPLES],
+                                     raster_triangle triangle, sample_batch *batch)
+{
+    for (int32_t y = square_start(box->min_y); y <= box->max_y; y += SQUARE_SIZE) {
+        for (int32_t x = square_start(box->min_x); x <= box->max_x; x += SQUARE_SIZE) {
+            uint32_t coverage[GN_SAMPLES];
+
+            for (uint32_t s = 0; s < GN_SAMPLES; ++s)
+                coverage[s] = rectangle_mask(&covered[s], x, y);
+            add_sampled_square(batch, triangle, x, y, coverage);
+        }
+    }
 }
 
 /* Covers the point of a vertex. `box` holds all pixels that the point may have. */
@@ -267,15 +333,7 @@ static inline void cover_point_samples(const box_state *state, const stored_vert
         if (!pixels_of_box(box, from, to, &covered[s]))
             covered[s].max_y = covered[s].min_y - SQUARE_SIZE;
     }
-    for (int32_t y = square_start(box->min_y); y <= box->max_y; y += SQUARE_SIZE) {
-        for (int32_t x = square_start(box->min_x); x <= box->max_x; x += SQUARE_SIZE) {
-            uint32_t coverage[GN_SAMPLES];
-
-            for (uint32_t s = 0; s < GN_SAMPLES; ++s)
-                coverage[s] = rectangle_mask(&covered[s], x, y);
-            add_sampled_square(batch, triangle, x, y, coverage);
-        }
-    }
+    cover_box_samples(box, covered, triangle, batch);
 }
 
 #endif

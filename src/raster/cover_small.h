@@ -35,6 +35,36 @@ static inline void join_squares(fragment_batch *batch, uint32_t first)
                        (square_coverage(&block[i + 1]) << 2 & RIGHT_COLUMNS));
 }
 
+/* Covers the row of squares at y, from the square at x to the pixel max_x. `row` has the edge
+ * functions in the first square, `across` their fall from square to square. */
+GN_INLINE void cover_small_row(const pixel_rectangle *target, const lanes_i row[3],
+                               const lanes_i across[3], int32_t x, int32_t max_x, int32_t y,
+                               raster_triangle triangle, fragment_batch *batch)
+{
+    const square_span columns = squares_inside(target->min_x, target->max_x);
+    const square_span rows = squares_inside(target->min_y, target->max_y);
+    lanes_i value[3] = {row[0], row[1], row[2]};
+    uint32_t first = batch->count;
+
+    for (;; x += SQUARE_SIZE) {
+        uint32_t coverage = not_negative(value);
+
+        if (begins_outside(columns, x) || begins_outside(rows, y))
+            coverage &= square_mask(target, x, y);
+        if (batch->count == BATCH_BLOCKS) {
+            shade_batch(batch);
+            first = 0;
+        }
+        add_square(batch, triangle, x, y, coverage);
+        if (x + SQUARE_SIZE > max_x)
+            break;
+        for (int i = 0; i < 3; ++i)
+            value[i] = lanes_i_sub(value[i], across[i]);
+    }
+    if (GN_SPECIALISED)
+        join_squares(batch, first);
+}
+
 /* Covers a small triangle. Pixels outside the triangle's bounds are outside an edge too, so only
  * what hangs over the strip is masked. */
 static inline void cover_small(const pixel_rectangle *target, const triangle_setup *setup,
@@ -44,40 +74,20 @@ static inline void cover_small(const pixel_rectangle *target, const triangle_set
     const int32_t left = setup->origin[0][lane];
     const int32_t max_x = list->bounds[BOUNDS_MAX_X][lane];
     const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
-    const square_span columns = squares_inside(target->min_x, target->max_x);
-    const square_span rows = squares_inside(target->min_y, target->max_y);
-    lanes_i row[3], across[3];
+    lanes_i row[3], across[3], rise[3];
 
     for (int i = 0; i < 3; ++i) {
         const edge_lanes *edge = &setup->edge[i];
         row[i] = edge_values(edge->start[lane], edge->per_x[lane], edge->per_y[lane]);
         across[i] = lanes_i_splat(SQUARE_SIZE * edge->per_x[lane]);
+        rise[i] = lanes_i_splat(SQUARE_SIZE * edge->per_y[lane]);
     }
     for (int32_t y = setup->origin[1][lane];; y += SQUARE_SIZE) {
-        lanes_i value[3] = {row[0], row[1], row[2]};
-        uint32_t first = batch->count;
-
-        for (int32_t x = left;; x += SQUARE_SIZE) {
-            uint32_t coverage = not_negative(value);
-
-            if (begins_outside(columns, x) || begins_outside(rows, y))
-                coverage &= square_mask(target, x, y);
-            if (batch->count == BATCH_BLOCKS) {
-                shade_batch(batch);
-                first = 0;
-            }
-            add_square(batch, triangle, x, y, coverage);
-            if (x + SQUARE_SIZE > max_x)
-                break;
-            for (int i = 0; i < 3; ++i)
-                value[i] = lanes_i_sub(value[i], across[i]);
-        }
-        if (GN_SPECIALISED)
-            join_squares(batch, first);
+        cover_small_row(target, row, across, left, max_x, y, triangle, batch);
         if (y + SQUARE_SIZE > max_y)
             break;
         for (int i = 0; i < 3; ++i)
-            row[i] = lanes_i_add(row[i], lanes_i_splat(SQUARE_SIZE * setup->edge[i].per_y[lane]));
+            row[i] = lanes_i_add(row[i], rise[i]);
     }
 }
 

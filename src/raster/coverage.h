@@ -7,6 +7,38 @@
 #include "cover_pixels.h"
 #include "cover_small.h"
 
+/* Covers the triangle of lane l of a list and, if it is large, the large ones that follow it.
+ * Returns the next lane. `large` has the bits of large triangles; `packs` is that of the batch's
+ * functions. */
+GN_INLINE uint32_t cover_from(const pixel_rectangle *target, const triangle_setup *setup,
+                              const triangle_list *list, uint32_t large, bool packs, uint32_t l,
+                              fragment_batch *batch)
+{
+    uint32_t end = l + 1;
+
+    if (large >> l & 1u) {
+        while (end < list->count && end - l < LARGE_TOGETHER && (large >> end & 1u))
+            ++end;
+        cover_large(target, setup, list, l, end, batch);
+    } else if (GN_LANES == 1) {
+        cover_pixels(setup, list, l, batch);
+    } else if (packs) {
+        cover_packed(target, setup, list, l, batch);
+    } else {
+        cover_small(target, setup, list, l, batch);
+    }
+    return end;
+}
+
+/* Covers the triangles of a list in order. */
+GN_INLINE void cover_each(const pixel_rectangle *target, const triangle_setup *setup,
+                          const triangle_list *list, uint32_t large, bool packs,
+                          fragment_batch *batch)
+{
+    for (uint32_t l = 0; l < list->count;)
+        l = cover_from(target, setup, list, large, packs, l, batch);
+}
+
 /* Shades the triangles of a list. Each triangle is covered from the bottom up; every pixel sees the
  * triangles in order. */
 static inline void cover_triangles(const pixel_rectangle *target, const triangle_setup *setup,
@@ -18,21 +50,7 @@ static inline void cover_triangles(const pixel_rectangle *target, const triangle
     fragment_batch batch;
 
     start_batch(&batch, shade, context);
-    for (uint32_t l = 0, end; l < list->count; l = end) {
-        end = l + 1;
-        if (!(large >> l & 1u)) {
-            if (GN_LANES == 1)
-                cover_pixels(setup, list, l, &batch);
-            else if (packs)
-                cover_packed(target, setup, list, l, &batch);
-            else
-                cover_small(target, setup, list, l, &batch);
-            continue;
-        }
-        while (end < list->count && end - l < LARGE_TOGETHER && (large >> end & 1u))
-            ++end;
-        cover_large(target, setup, list, l, end, &batch);
-    }
+    cover_each(target, setup, list, large, packs, &batch);
     shade_batch(&batch);
 }
 
