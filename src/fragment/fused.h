@@ -20,11 +20,6 @@ typedef struct fused_kind {
     bool level;      /* 1/w is the same in every column */
 } fused_kind;
 
-GN_INLINE uint32_t covered_lanes(const covered_block *block)
-{
-    return block->covered[0] | block->covered[1] << HALF_LANES;
-}
-
 /* Computes the colours of a ready-made shader. The linear filter is inlined for rows. */
 GN_INLINE void fused_color(const fragment_state *state, fused_kind kind, const fragment_place *at,
                            raster_triangle triangle, lanes_f w, lanes_f color[4])

@@ -162,24 +162,30 @@ static inline uint32_t blocks_together(const fragment_state *state, const covere
     return together;
 }
 
+/* Shades the first of `count` blocks and those after it that may take the steps together with it.
+ * Returns how many they are. `b` is memory for a batch. */
+static inline uint32_t step_together(const fragment_context *c, covered_block *blocks,
+                                     uint32_t count, block_batch *b)
+{
+    const uint32_t together = blocks_together(c->state, blocks, count);
+
+    b->shape = SHAPE_HALVES;
+    b->count = together;
+    b->blocks = blocks;
+    for (uint32_t n = 0; n < together; ++n)
+        b->coverage[n] = covered_lanes(&blocks[n]);
+    take_steps(c, blocks, b);
+    return together;
+}
+
 /* Shades blocks of any state: a blocks_function. */
 static void step_blocks(const void *context, covered_block *blocks, uint32_t count)
 {
     const fragment_context *const c = (const fragment_context *)context;
     block_batch b;
 
-    b.shape = SHAPE_HALVES;
-    for (uint32_t done = 0; done < count; done += b.count) {
-        covered_block *const first = blocks + done;
-        const uint32_t together = blocks_together(c->state, first, count - done);
-
-        b.count = together;
-        b.blocks = first;
-        for (uint32_t n = 0; n < b.count; ++n)
-            b.coverage[n] = covered_lanes(&first[n]);
-        take_steps(c, first, &b);
-        b.count = together;
-    }
+    for (uint32_t done = 0; done < count;)
+        done += step_together(c, blocks + done, count - done, &b);
 }
 
 /* Shades the squares of a run that fill no row of 16 pixels. */

@@ -203,8 +203,8 @@ GN_INLINE void cover_sample_row(const pixel_rectangle *target, const sampled_edg
 /* Adds the squares of a list's triangle in which samples are covered, from the bottom up and from
  * left to right. */
 GN_INLINE void cover_sample_rows(const pixel_rectangle *target, const sampled_edges *edges,
-                                 const triangle_list *list, uint32_t lane,
-                                 raster_triangle triangle, sample_batch *batch)
+                                 const triangle_list *list, uint32_t lane, raster_triangle triangle,
+                                 sample_batch *batch)
 {
     const int32_t left = square_start(list->bounds[BOUNDS_MIN_X][lane]);
     const int32_t bottom = square_start(list->bounds[BOUNDS_MIN_Y][lane]);

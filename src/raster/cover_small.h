@@ -8,12 +8,6 @@
 #define LEFT_COLUMNS 0x3333u
 #define RIGHT_COLUMNS 0xCCCCu
 
-/* Returns the coverage of a block that is a square. */
-static inline uint32_t square_coverage(const covered_block *block)
-{
-    return block->covered[0] | block->covered[1] << HALF_LANES;
-}
-
 /* Joins squares of one row, which the batch holds from number `first` on. If the left columns of
  * the first and the right columns of the last are empty, the squares are laid again from two
  * columns further on: this takes one square less. */
@@ -24,15 +18,15 @@ static inline void join_squares(fragment_batch *batch, uint32_t first)
     if (batch->count < first + 2)
         return;
     const uint32_t last = batch->count - 1;
-    if ((square_coverage(&block[first]) & LEFT_COLUMNS) ||
-        (square_coverage(&block[last]) & RIGHT_COLUMNS) ||
+    if ((covered_lanes(&block[first]) & LEFT_COLUMNS) ||
+        (covered_lanes(&block[last]) & RIGHT_COLUMNS) ||
         (uint32_t)(block[last].at.x[0] - block[first].at.x[0]) != (last - first) * SQUARE_SIZE)
         return;
     batch->count = first;
     for (uint32_t i = first; i < last; ++i)
         add_square(batch, block[i].triangle, block[i].at.x[0] + SQUARE_SIZE / 2, block[i].at.y[0],
-                   (square_coverage(&block[i]) >> 2 & LEFT_COLUMNS) |
-                       (square_coverage(&block[i + 1]) << 2 & RIGHT_COLUMNS));
+                   (covered_lanes(&block[i]) >> 2 & LEFT_COLUMNS) |
+                       (covered_lanes(&block[i + 1]) << 2 & RIGHT_COLUMNS));
 }
 
 /* Covers the row of squares at y, from the square at x to the pixel max_x. `row` has the edge

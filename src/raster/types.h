@@ -203,4 +203,10 @@ typedef struct covered_block {
     uint32_t covered[2];
 } covered_block;
 
+/* Returns the covered pixels of both halves. */
+static inline uint32_t covered_lanes(const covered_block *block)
+{
+    return block->covered[0] | block->covered[1] << HALF_LANES;
+}
+
 #endif

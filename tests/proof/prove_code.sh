@@ -15,10 +15,9 @@
 # script checks that nothing else differs. Comments at the start of code/wp_*.c and
 # code/eva_*.c say which functions are proved:
 #   @functions: NAMES   WP proves these
-#   @granted: NAME      but for the goals that the contracts call so (not_proved.txt)
 #   @defines: OPTIONS   the library's configuration, if it is not the default
 #   @sources: FILES     Eva analyses these with the driver
-#   @options: OPTIONS   more options of Eva
+#   @options: OPTIONS   more options of WP or Eva
 #   @reaches: NAMES     Eva must have reached these, otherwise the driver fails
 # The last line is "proved: N / N goals (WP n, Eva n functions without alarm[, Gappa n bounds, n
 # mutants rejected])". Exit status 1 if one goal is not proved, one alarm is left, or one mutant is
@@ -133,10 +132,9 @@ prove_functions() {
     list=$(echo $2 | tr ' ' ',')
     progress "WP: $list"
     defines=$(words "$1" defines)
-    granted=$(words "$1" granted | tr -d ' ')
     # The functions called through pointers are those that `calls` names.
-    analyse "$work/wp" "$1" -wp -wp-rte -rte-no-pointer-call -warn-special-float none -wp-prover z3,cvc5 -wp-timeout "$timeout" \
-        -wp-par 2 -wp-cache none ${granted:+-wp-prop=-$granted} -wp-fct "$list" >"$work/log" 2>&1
+    analyse "$work/wp" "$1" -wp -wp-rte -rte-no-pointer-call -warn-special-float none -wp-prover z3,cvc5 -wp-timeout "$timeout" $(words "$1" options) \
+        -wp-par 2 -wp-cache none -wp-fct "$list" >"$work/log" 2>&1
     figures=$(sed -n 's|^\[wp\] Proved goals: *\([0-9]*\) / \([0-9]*\)$|\1 \2|p' "$work/log")
     if [ -z "$figures" ]; then
         count_goal "WP on $1 ended without figures" 1

@@ -60,7 +60,10 @@ mutant() {
 copy
 for name in begins_outside squares_inside make_batch_room add_square wide_product set_edge_through values_at \
     step_right is_outside is_inside count_inside count_outside room_of clip_to_plane take_pieces add_halves \
-    finish_halves add_sampled_square eva_sizes eva_snapping eva_inverses eva_clipping eva_edges eva_texels; do
+    finish_halves add_sampled_square set_edges_of_each cover_row_of_each cover_rows cover_sample_rows \
+    set_edge_of_samples cover_small lanes_met cover_from cover_each cover_box cover_row_between \
+    cover_pixel_row cover_pixels compact_halves blocks_together step_blocks step_rest name_rows \
+    most_columns step_columns eva_sizes eva_snapping eva_inverses eva_clipping eva_edges eva_texels; do
     asked "$name" || continue
     echo "test_prove_code: $name as it is" >&2
     prove "$name" 60 || bad "not proved: $name"
@@ -86,10 +89,31 @@ mutant squares_inside $raster/square.h 's/last = max - (SQUARE_SIZE - 1)/last = 
 mutant make_batch_room $raster/batch.h 's/room > BATCH_BLOCKS/room > BATCH_BLOCKS + 1/'
 mutant add_square $raster/batch.h 's/block\[batch->count\]/block[batch->count + 1]/'
 mutant cover_row $edges 's/^        skip = 1;/        skip = 0;/'
-mutant cover_large $edges 's/y <= top; y += SQUARE_SIZE/y <= top; y += 0/'
-mutant cover_large $edges 's/uint32_t l = first; l < end; ++l/uint32_t l = first; l <= end; ++l/'
+mutant cover_rows $edges 's/y <= top; y += SQUARE_SIZE/y <= top; y += 0/'
 mutant cover_row_of_each $edges 's/uint32_t l = first; l < end; ++l/uint32_t l = first; l <= end; ++l/'
+mutant set_edges_of_each $edges 's/i < count; ++i/i <= count; ++i/'
+mutant set_edge_of_samples $raster/cover_samples.h 's/s = 0; s < GN_SAMPLES/s = 0; s <= GN_SAMPLES/'
 mutant cover_sample_row $raster/cover_samples.h 's/^        x += SQUARE_SIZE;/        x += 0;/'
+mutant cover_sample_rows $raster/cover_samples.h 's/y <= max_y; y += SQUARE_SIZE/y <= max_y; y += 0/'
+mutant cover_row_between $raster/cover_samples.h 's/x <= box->max_x; x += SQUARE_SIZE/x <= box->max_x; x -= SQUARE_SIZE/'
+mutant cover_small_row $raster/cover_small.h 's/batch->count == BATCH_BLOCKS/batch->count > BATCH_BLOCKS/'
+mutant cover_small $raster/cover_small.h 's/if (y + SQUARE_SIZE > max_y)/if (y > max_y)/'
+mutant lanes_met $raster/cover_packed.h 's/along\[i\] \* number/along[i] * number * 4096/'
+mutant cover_packed_row $raster/cover_packed.h 's/BATCH_BLOCKS - 1 - 2 \* HALVES_TOGETHER/BATCH_BLOCKS - 1 - HALVES_TOGETHER/'
+mutant cover_packed $raster/cover_packed.h 's/count = 2 \* batch->count/count = 4 * batch->count/'
+mutant cover_from $raster/coverage.h 's/end < list->count/end <= list->count/'
+mutant cover_each $raster/coverage.h 's/l < list->count;)/l <= list->count;)/'
+mutant cover_box $raster/cover_points_and_lines.h 's/whole > 1 ? whole : 1/whole > 1 ? whole : 0/'
+mutant cover_pixel_row $raster/cover_pixels.h 's/ \&\& x <= max_x) {/) {/'
+mutant cover_pixels $raster/cover_pixels.h 's/y <= max_y; ++y/y <= max_y; y += 0/'
+steps=src/fragment/steps.h
+mutant compact_halves $steps 's/n < b->count; ++n/n <= b->count; ++n/'
+mutant blocks_together $steps 's/ \&\& together < most/ \&\& together < most + 1/'
+mutant step_blocks $steps 's/done < count;)/done <= count;)/'
+mutant step_rest $steps 's/i < count; ++i/i <= count + 1; ++i/'
+mutant name_rows $steps 's/row < SQUARE_SIZE/row <= SQUARE_SIZE/'
+mutant most_columns $steps 's/most > STEP_COLUMNS ? STEP_COLUMNS : most/most > STEP_COLUMNS ? most : STEP_COLUMNS/'
+mutant step_columns $steps 's/columns < most ? columns : most/most/'
 mutant room_of src/geometry/clip.h 's/: CLIP_MAX_VERTICES;/: 2 * CLIP_ROOM;/'
 mutant clip_to_plane src/geometry/clip.h 's/out->count > CLIP_MAX_POLYGON - 2/out->count > CLIP_MAX_POLYGON - 1/'
 mutant clip_to_plane src/geometry/clip.h 's/ || c->used == room_of(c))/)/'
@@ -108,6 +132,7 @@ mutant eva_clipping src/lanes/lanes_portable.h 's/magnitude >= LANE_BITS_2_31);/
 mutant eva_clipping src/lanes/lanes_portable.h 's/(outside & INT32_MIN);/(outside \& INT32_MIN) + (int32_t)lane_as_float(bits);/'
 mutant eva_edges $raster/setup.h 's/stored_vertex \*v =$/stored_vertex *v = list->provoking[lane] > 64 ? 0 :/'
 mutant eva_edges $edges 's/-per_x \* (SQUARE_SIZE - 1)/-per_x * (64 * SQUARE_SIZE)/'
+mutant eva_edges src/lanes/lanes.h 's/(bits & 0x1F) + (bits >> 8)/(bits \& 0xFF) + (bits >> 8)/'
 mutant eva_texels src/texture/texel.h 's/load_quads(words + 4/load_quads(words + 8/'
 mutant eva_texels src/texture/texel_layout.c 's/(int32_t)(end - 8)/(int32_t)(end - 4)/'
 mutant eva_texels src/texture/texel_layout.c 's/out->row_stride >> shift)/out->row_stride >> 1)/'
@@ -116,6 +141,17 @@ mutant eva_texels src/texture/texel_layout.c 's/out->row_stride >> shift)/out->r
 mutant set_edge_through tests/proof/code/contracts/raster/cover_large.h.acsl 's/ensures edge_ok(e);/ensures \\false;/'
 mutant values_at tests/proof/code/contracts/raster/cover_large.h.acsl 's/ensures values_are(.result, edge, x, y);/ensures \\false;/'
 mutant add_square tests/proof/code/contracts/raster/batch.h.acsl 's/ensures batch->count <= BATCH_BLOCKS;/ensures \\false;/'
+contracts=tests/proof/code/contracts/raster
+for name in set_edges_of_each cover_rows; do
+    mutant $name $contracts/cover_large.h.acsl "/ $name(/,/^\*\//s/ensures .*/ensures \\\\false;/"
+done
+mutant cover_samples $contracts/cover_samples.h.acsl '/ cover_samples(/,/^\*\//s/ensures .*/ensures \\false;/'
+mutant cover_small $contracts/cover_small.h.acsl '/ cover_small(/,/^\*\//s/ensures .*/ensures \\false;/'
+mutant cover_packed $contracts/cover_packed.h.acsl '/ cover_packed(/,/^\*\//s/ensures .*/ensures \\false;/'
+mutant cover_triangles $contracts/coverage.h.acsl '/ cover_triangles(/,/^\*\//s/assigns .*/assigns \\nothing; ensures \\false;/'
+mutant step_rows tests/proof/code/contracts/fragment/steps.h.acsl '/ step_rows(/,/^\*\//s/assigns .*/assigns \\nothing; ensures \\false;/'
+mutant cover_line $contracts/cover_points_and_lines.h.acsl '/ cover_line(/,/^\*\//s/ensures .*/ensures \\false;/'
+mutant cover_pixels $contracts/cover_pixels.h.acsl '/ cover_pixels(/,/^\*\//s/ensures .*/ensures \\false;/'
 mutant count_owners tests/proof/code/wp_shared_edge.c 's/ensures .result == 1;/ensures \\false;/'
 
 echo "code that is wrong: $passed rejected, $failed not"
