@@ -93,11 +93,12 @@ typedef struct sampled_edges {
 } sampled_edges;
 
 /* Sets `least` of an edge from those of the samples, which differ in their constants alone. */
-static inline void set_least_edge(sampled_edges *edges, int edge)
+static inline void set_least_edge(sampled_edges *edges, int edge, int32_t per_x, int32_t per_y,
+                                  int32_t x, int32_t y)
 {
     large_edge *const least = &edges->least[edge];
 
-    *least = edges->of[0][edge];
+    set_edge_through(least, per_x, per_y, x - sample_offset(0, 0), y - sample_offset(0, 1));
     for (uint32_t s = 1; s < GN_SAMPLES; ++s)
         if (edges->of[s][edge].constant < least->constant)
             least->constant = edges->of[s][edge].constant;
@@ -116,7 +117,7 @@ static void set_sampled_edge(sampled_edges *edges, int edge, int32_t per_x, int3
                              int32_t x, int32_t y)
 {
     set_edge_of_samples(edges, edge, per_x, per_y, x, y);
-    set_least_edge(edges, edge);
+    set_least_edge(edges, edge, per_x, per_y, x, y);
 }
 
 /* Returns whether every square further to the right is outside too. */
