@@ -53,7 +53,7 @@ $(eval $(call program,hashes,$(patsubst %.c,$(SCENES_BUILD)/%.o,$(HASHES_SOURCES
 CONTRACT_SOURCES = $(addprefix tests/contract/,common.c file.c hash.c) $(SCENE_SOURCES) \
 	$(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES))
 
-$(eval $(call program,contract,tests/contract/make_contract.c $(CONTRACT_SOURCES) $(OSMESA_SOURCES) $(LIBRARY),-lOSMesa -lm))
+$(eval $(call program,contract,tests/contract/make_contract.c $(CONTRACT_SOURCES) $(OSMESA_SOURCES) $(LIBRARY),-ldl -lm))
 
 $(eval $(call program,contract-check,tests/contract/check_contract.c $(CONTRACT_SOURCES) $(LIBRARY_SOURCES),-lm))
 
