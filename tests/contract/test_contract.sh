@@ -28,6 +28,8 @@ check() {
 }
 
 check "the contract holds" 0 '0 differ (' "$build/contract-check" --every 20
+# Machines without OSMesa, or with its run-time package alone, build everything.
+check "no program is linked with OSMesa" 0 '^none' sh -c "! grep -l -e -lOSMesa $build/*.command && echo none"
 check "a contract on standard input" 0 '^contract: 1 scenes, 1 classes, 1 equal, 0 differ' \
     sh -c "$build/contract-check --class ties --every 1000 - <$contract"
 
