@@ -8,10 +8,15 @@ PKG_CONFIG ?= pkg-config
 # Line numbers only: with the places of variables, compiling takes half as long again.
 CFLAGS ?= -O3 -g1
 PREFIX ?= /usr/local
+# "0 1 0", from the public header.
+VERSION_PARTS := $(shell sed -n 's/^.define GN_VERSION_[A-Z]* \([0-9]\)/\1/p' include/gnomon/version.h)
+VERSION = $(subst $(space),.,$(VERSION_PARTS))
+SONAME = libgnomon.so.$(firstword $(VERSION_PARTS))
 BUILD ?= build
 
 MACHINE := $(firstword $(subst -, ,$(shell $(CC) -dumpmachine 2>/dev/null)))
 comma = ,
+space = $() $()
 
 # REFERENCE=osmesa or REFERENCE=egl, on the command line or in the environment, names the driver of the
 # reference to whatever make runs (reference/osmesa/driver.h). It changes nothing that is built.
@@ -131,7 +136,7 @@ $(LIBRARY): $(call objects,$(LIBRARY_SOURCES)) $(if_changed)
 	@rm -f $@ && $(COMMAND)
 	@$(record)
 
-$(eval $(call program,libgnomon.so,$(LIBRARY_SOURCES),-shared -nostdlib -Wl$(comma)-z$(comma)defs -Wl$(comma)-soname$(comma)libgnomon.so.0))
+$(eval $(call program,libgnomon.so,$(LIBRARY_SOURCES),-shared -nostdlib -Wl$(comma)-z$(comma)defs -Wl$(comma)-soname$(comma)$(SONAME)))
 
 # The command and the benchmark
 
@@ -241,9 +246,9 @@ install: library ## headers, library and pkg-config file: PREFIX=/usr/local DEST
 	@install -m 644 include/gnomon.h $(DESTDIR)$(PREFIX)/include/
 	@install -m 644 include/gnomon/*.h $(DESTDIR)$(PREFIX)/include/gnomon/
 	@install -m 644 $(BUILD)/libgnomon.a $(DESTDIR)$(PREFIX)/lib/
-	@install -m 755 $(BUILD)/libgnomon.so $(DESTDIR)$(PREFIX)/lib/libgnomon.so.0
-	@ln -sf libgnomon.so.0 $(DESTDIR)$(PREFIX)/lib/libgnomon.so
-	@printf 'prefix=%s\nName: Gnomon\nDescription: 3D mathematics and software rendering\nVersion: 0.1.0\nCflags: -I$${prefix}/include\nLibs: -L$${prefix}/lib -lgnomon\n' \
+	@install -m 755 $(BUILD)/libgnomon.so $(DESTDIR)$(PREFIX)/lib/$(SONAME)
+	@ln -sf $(SONAME) $(DESTDIR)$(PREFIX)/lib/libgnomon.so
+	@printf 'prefix=%s\nName: Gnomon\nDescription: 3D mathematics and software rendering\nVersion: $(VERSION)\nCflags: -I$${prefix}/include\nLibs: -L$${prefix}/lib -lgnomon\n' \
 		'$(PREFIX)' >$(DESTDIR)$(PREFIX)/lib/pkgconfig/gnomon.pc
 
 .PHONY: format

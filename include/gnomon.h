@@ -2,6 +2,7 @@
  *
  * This header includes all of them; each can also be included alone.
  *
+ *   version.h     the version, of headers and of the library
  *   status.h      what functions say about their input
  *   scalar.h      square roots, trigonometry, exponentials, the same on every target
  *   vec.h         vectors of two to four components
@@ -82,5 +83,6 @@
 #include "gnomon/texture.h"
 #include "gnomon/transform.h"
 #include "gnomon/vec.h"
+#include "gnomon/version.h"
 
 #endif

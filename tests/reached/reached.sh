@@ -54,7 +54,7 @@ tests() {
             echo "parity --seed $seed --scenes 735"
         done
         ;;
-    basic) echo "hashes --scenes 980" ;;
+    basic) echo "hashes --scenes 0 --basic 980" ;;
     *)
         echo "parity --seed 1 --scenes 490"
         echo "blits --blits 330"
