@@ -110,8 +110,8 @@ static gn_status run_packed(bulk_job *job, const void *v, void *result, size_t c
         return GN_BACKEND_UNAVAILABLE;
     if (count > 0) {
         job->packed = true;
-        job->v[0] = v;
-        job->result[0] = result;
+        job->v[0] = (const float *)v;
+        job->result[0] = (float *)result;
         run(backend, job, count);
     }
     return GN_OK;

@@ -8,7 +8,7 @@
 
 static gn_sampling sampling(void)
 {
-    static const gn_pipeline no_shaders;
+    static const gn_pipeline no_shaders = {0};
     shading_functions f;
 
 #define FILL_ALWAYS(name, NAME)                                                                    \

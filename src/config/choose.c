@@ -89,7 +89,8 @@ const char *gn_backend_name(gn_backend backend)
 {
     /* Fixed-width text, since a table of pointers would need relocation. */
 #define NAMED(name, NAME, have, text) [GN_BACKEND_##NAME] = text,
-    static const char names[GN_BACKEND_COUNT][16] = {"auto", GN_BACKENDS(NAMED)};
+    static const char names[GN_BACKEND_COUNT][16] = {[GN_BACKEND_AUTO] = "auto",
+                                                     GN_BACKENDS(NAMED)};
 #undef NAMED
 
     return (unsigned)backend < GN_BACKEND_COUNT ? names[backend] : "unknown";

@@ -36,9 +36,9 @@ static inline primitive_fate add_line(worker *w, const uint32_t vertex[2], uint3
         return FATE_OUTSIDE;
     if (crosses) {
         make_room(w, clip_room(first->outcode | second->outcode));
-        const bool left = clip_line(&w->clipper, ends);
+        const bool left = clip_line(&w->clipping, ends);
         ends[2] = ends[1];
-        w->clip_used += w->clipper.used;
+        w->clip_used += w->clipping.used;
         if (!left)
             return FATE_OUTSIDE;
     }

@@ -120,7 +120,7 @@ static task_range task_items(const round_state *round, uint32_t task)
 
 static void scan_task(void *context, uint32_t task)
 {
-    const round_state *round = context;
+    const round_state *round = (const round_state *)context;
     const task_range items = task_items(round, task);
 
     scan_parts(round->draw, items.first, items.count);
@@ -143,7 +143,7 @@ static void scan_in_tasks(draw_state *draw)
 
 static void shade_task(void *context, uint32_t task)
 {
-    const round_state *round = context;
+    const round_state *round = (const round_state *)context;
     const task_range items = task_items(round, task - round->strips.count);
     const uint32_t end = (items.first + items.count) * GN_LANES;
     uint32_t *outcodes = (uint32_t *)(void *)task_scratch(round->draw, task);
@@ -296,7 +296,7 @@ static inline cull_sums *task_sums(const draw_state *draw, uint32_t task)
 
 static void cull_task(void *context, uint32_t task)
 {
-    const round_state *round = context;
+    const round_state *round = (const round_state *)context;
     const task_range items = task_items(round, task);
     cull_sums *const sums = task_sums(round->draw, task);
     gn_draw_statistics *counts = NULL;
@@ -395,7 +395,7 @@ static void draw_segment_in_strip(worker *w, const segment_lists *segment,
 
 static void strip_task(void *context, uint32_t task)
 {
-    const round_state *round = context;
+    const round_state *round = (const round_state *)context;
     const draw_state *draw = round->draw;
     const draw_job *job = draw->job;
     const uint32_t step = segment_triangles(draw->pipeline->raster.topology, draw->mesh);
@@ -482,7 +482,7 @@ GN_ONCE void divide_rows(round_state *round, uint32_t segments, uint32_t tasks)
 
 static void strip_or_shade_task(void *context, uint32_t task)
 {
-    const round_state *round = context;
+    const round_state *round = (const round_state *)context;
 
     if (task < round->strips.count)
         strip_task(context, task);
@@ -504,7 +504,7 @@ static void draw_and_shade(round_state *round, uint32_t end)
     map->outcodes |= shaded_outcodes(round, tasks);
     map->shaded = slots > map->shaded ? slots : map->shaded;
     for (uint32_t i = 0; counts_samples(draw->job) && i < round->strips.count; ++i)
-        report_samples(draw->job, (const void *)task_scratch(draw, i));
+        report_samples(draw->job, (const sample_counts *)(const void *)task_scratch(draw, i));
 }
 
 /* Returns the segments in a round, or 0 if the draw does not run in tasks. */

@@ -35,14 +35,14 @@ GN_OUT_OF_LINE primitive_fate add_crossing(worker *w, const uint32_t vertex[3], 
     for (int i = 0; i < 3; ++i)
         planes |= vertex_at(memory, vertex[i])->outcode;
     make_room(w, clip_room(planes));
-    const polygon *const left = clip_triangle(&w->clipper, planes, vertex, polygons);
-    w->clip_used += w->clipper.used;
+    const polygon *const left = clip_triangle(&w->clipping, planes, vertex, polygons);
+    w->clip_used += w->clipping.used;
     if (!left)
         return FATE_OUTSIDE;
 
     /* With sixteen lanes one group holds all pieces; draws in tasks, and counts, have sixteen. */
     for (uint32_t from = 0; from < piece_count(left); from += GN_LANES) {
-        take_pieces(&w->clipper, left, from, &pieces);
+        take_pieces(&w->clipping, left, from, &pieces);
         cull_triangles(&w->cull, w->cull.asks_unsnapped, memory, &pieces, &result);
         if (!result.drawn)
             continue;

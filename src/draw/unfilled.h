@@ -178,14 +178,14 @@ static primitive_fate add_unfilled(worker *w, const uint32_t vertex[3], uint32_t
         return FATE_OUTSIDE;
     if (any) {
         make_room(w, clip_room(any) + 3);
-        const polygon *const left = clip_triangle(&w->clipper, any, vertex, polygons);
-        w->clip_used += w->clipper.used;
+        const polygon *const left = clip_triangle(&w->clipping, any, vertex, polygons);
+        w->clip_used += w->clipping.used;
         if (!left)
             return FATE_OUTSIDE;
-        take_pieces(&w->clipper, left, 0, &pieces);
+        take_pieces(&w->clipping, left, 0, &pieces);
     } else {
         make_room(w, 3);
-        w->clipper.hidden = 0;
+        w->clipping.hidden = 0;
         pieces.count = 1;
         pieces.step = 1;
         for (int i = 0; i < 3; ++i) {
@@ -199,7 +199,7 @@ static primitive_fate add_unfilled(worker *w, const uint32_t vertex[3], uint32_t
     outline.provoking = provoking;
     outline.primitive = primitive;
     outline.box = none;
-    add_pieces(&outline, &pieces, w->clipper.hidden);
+    add_pieces(&outline, &pieces, w->clipping.hidden);
     if (outline.box.min_x <= outline.box.max_x)
         append_box(w, vertex, provoking, primitive, true, &outline.box);
     return any && outline.fate == FATE_DRAWN ? FATE_CLIPPED : outline.fate;

@@ -22,8 +22,8 @@ static void call_vertex_shader(const draw_state *draw, const gn_vertex_input *in
                                gn_vertex_output *output)
 {
     const gn_pipeline *const pipeline = draw->pipeline;
-    const gn_color_uniforms *const colors = pipeline->program.uniforms;
-    const gn_unlit_uniforms *const unlit = pipeline->program.uniforms;
+    const gn_color_uniforms *const colors = (const gn_color_uniforms *)pipeline->program.uniforms;
+    const gn_unlit_uniforms *const unlit = (const gn_unlit_uniforms *)pipeline->program.uniforms;
     const bool is_unlit = pipeline->program.vertex_shader == gn_shade_unlit;
 
     if (GN_SPECIALISED && pipeline->program.vertex_shader == gn_shade_lit)

@@ -15,7 +15,7 @@ typedef struct worker {
     bool keeps;          /* full lists are kept, in consecutive memory, and not drawn */
     triangle_list *list; /* primitives are appended here */
     triangle_setup *setup;
-    clipper clipper;
+    clipper clipping;
     uint32_t clip_vertices;     /* offset of CLIP_SCRATCH vertices */
     uint32_t clip_used;         /* how many of them the list may need */
     sample_counts samples;      /* if the draw counts them */
@@ -41,12 +41,12 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
     w->keeps = false;
     w->list = (triangle_list *)(void *)scratch;
     w->setup = (triangle_setup *)(void *)(scratch + scratch_setup_offset());
-    w->clipper.pipeline = draw->pipeline;
-    w->clipper.viewport = &draw->viewport;
-    w->clipper.memory = draw->job->memory;
-    w->clipper.scratch = 0;
-    w->clipper.used = 0;
-    w->clipper.room = 0;
+    w->clipping.pipeline = draw->pipeline;
+    w->clipping.viewport = &draw->viewport;
+    w->clipping.memory = draw->job->memory;
+    w->clipping.scratch = 0;
+    w->clipping.used = 0;
+    w->clipping.room = 0;
     w->clip_vertices = (uint32_t)(scratch - draw->job->memory) + scratch_vertices_offset(values);
     w->clip_used = 0;
     w->samples.covered = 0;

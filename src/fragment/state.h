@@ -37,8 +37,8 @@ static inline void set_more_colors(fragment_state *s, const gn_target *target,
 /* Finds ready-made fragment shaders that are inlined: a colour, with or without a texture. */
 static inline void set_source(fragment_state *s, const gn_pipeline *pipeline)
 {
-    const gn_lit_uniforms *const lit = pipeline->program.uniforms;
-    const gn_unlit_uniforms *const unlit = pipeline->program.uniforms;
+    const gn_lit_uniforms *const lit = (const gn_lit_uniforms *)pipeline->program.uniforms;
+    const gn_unlit_uniforms *const unlit = (const gn_unlit_uniforms *)pipeline->program.uniforms;
     gn_fragment_shader *const shader = pipeline->program.fragment_shader;
 
     s->texture = 0;

@@ -159,7 +159,7 @@ static inline const void *setup_member(raster_triangle t, size_t member)
 /* Returns a word of a point. */
 static inline float point_word(raster_triangle t, uint32_t word)
 {
-    const float *const first = setup_member(t, offsetof(triangle_setup, corner));
+    const float *const first = (const float *)setup_member(t, offsetof(triangle_setup, corner));
 
     return first[word * GN_LANES];
 }
@@ -167,7 +167,7 @@ static inline float point_word(raster_triangle t, uint32_t word)
 /* Returns whether the triangle is solid: its depths and alpha are as setup_solid says. */
 static inline bool triangle_is_solid(raster_triangle t)
 {
-    const int32_t *const solid = setup_member(t, offsetof(triangle_setup, solid));
+    const int32_t *const solid = (const int32_t *)setup_member(t, offsetof(triangle_setup, solid));
 
     return *solid != 0;
 }
@@ -175,7 +175,7 @@ static inline bool triangle_is_solid(raster_triangle t)
 /* Returns what polygon offset adds to the triangle's depths. */
 static inline float triangle_offset(raster_triangle t)
 {
-    const float *const offset = setup_member(t, offsetof(triangle_setup, offset));
+    const float *const offset = (const float *)setup_member(t, offsetof(triangle_setup, offset));
 
     return *offset;
 }
@@ -183,7 +183,8 @@ static inline float triangle_offset(raster_triangle t)
 /* Returns the primitive's number in the instance. */
 static inline uint32_t triangle_number(raster_triangle t)
 {
-    const int32_t *const primitive = setup_member(t, offsetof(triangle_setup, primitive));
+    const int32_t *const primitive =
+        (const int32_t *)setup_member(t, offsetof(triangle_setup, primitive));
 
     return (uint32_t)*primitive;
 }
@@ -191,7 +192,7 @@ static inline uint32_t triangle_number(raster_triangle t)
 /* Returns whether a flag, one of PRIMITIVE_IS_.., is set. */
 static inline bool triangle_is(raster_triangle t, int32_t flag)
 {
-    const int32_t *const flags = setup_member(t, offsetof(triangle_setup, flags));
+    const int32_t *const flags = (const int32_t *)setup_member(t, offsetof(triangle_setup, flags));
 
     return (*flags & flag) != 0;
 }

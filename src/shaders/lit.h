@@ -35,7 +35,7 @@ static inline void face_normal(const gn_fragment_input *input, lanes_f normal[3]
 static inline void shade_flat(const void *uniforms, const gn_fragment_input *input,
                               gn_fragment_output *output)
 {
-    const gn_lit_uniforms *u = uniforms;
+    const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
     lanes_f place[3], to_light[3], normal[3], color[4], left;
 
     load_vector(&input->varying[VARYING_PLACE], place);
@@ -57,7 +57,7 @@ static inline lanes_f in_bands(lanes_f lit, uint32_t bands)
 static inline void shade_toon(const void *uniforms, const gn_fragment_input *input,
                               gn_fragment_output *output)
 {
-    const gn_lit_uniforms *u = uniforms;
+    const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
     lanes_f place[3], to_light[3], normal[3], color[4], left;
 
     load_vector(&input->varying[VARYING_PLACE], place);
@@ -169,13 +169,13 @@ GN_OUT_OF_LINE void shade_shiny(const gn_lit_uniforms *u, bool is_blinn,
 static inline void shade_phong(const void *uniforms, const gn_fragment_input *input,
                                gn_fragment_output *output)
 {
-    shade_shiny(uniforms, false, input, output);
+    shade_shiny((const gn_lit_uniforms *)uniforms, false, input, output);
 }
 
 static inline void shade_blinn_phong(const void *uniforms, const gn_fragment_input *input,
                                      gn_fragment_output *output)
 {
-    shade_shiny(uniforms, true, input, output);
+    shade_shiny((const gn_lit_uniforms *)uniforms, true, input, output);
 }
 
 #endif

@@ -33,7 +33,7 @@ static inline void shade_mapped(const gn_texture *map, const gn_sampler *sampler
 static inline void shade_unlit_texture(const void *uniforms, const gn_fragment_input *input,
                                        gn_fragment_output *output)
 {
-    const gn_unlit_uniforms *u = uniforms;
+    const gn_unlit_uniforms *u = (const gn_unlit_uniforms *)uniforms;
 
     shade_mapped(u->map, &u->sampler, input, output);
 }
@@ -42,7 +42,7 @@ static inline void shade_unlit_texture(const void *uniforms, const gn_fragment_i
 static inline void shade_lit_texture(const void *uniforms, const gn_fragment_input *input,
                                      gn_fragment_output *output)
 {
-    const gn_lit_uniforms *u = uniforms;
+    const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
 
     shade_mapped(u->material.diffuse_map, &u->material.sampler, input, output);
 }
@@ -53,7 +53,7 @@ static inline void shade_normal_color(const void *uniforms, const gn_fragment_in
     const lanes_f half = lanes_splat(0.5f);
     lanes_f color[4];
 
-    surface_normal(uniforms, input, color);
+    surface_normal((const gn_lit_uniforms *)uniforms, input, color);
     for (int c = 0; c < 3; ++c)
         color[c] = lanes_add(lanes_mul(half, color[c]), half);
     color[3] = lanes_splat(1.0f);
@@ -63,7 +63,7 @@ static inline void shade_normal_color(const void *uniforms, const gn_fragment_in
 static inline void shade_depth_color(const void *uniforms, const gn_fragment_input *input,
                                      gn_fragment_output *output)
 {
-    const gn_depth_color_uniforms *u = uniforms;
+    const gn_depth_color_uniforms *u = (const gn_depth_color_uniforms *)uniforms;
     const float white = u->black == 0.0f && u->white == 0.0f ? 1.0f : u->white;
     const lanes_f black = lanes_splat(u->black);
     const lanes_f range = lanes_splat(white - u->black);

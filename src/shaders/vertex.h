@@ -75,7 +75,7 @@ static inline void copy_texcoord(const gn_vertex_input *input, gn_vertex_output 
 static inline void shade_position(const void *uniforms, const gn_vertex_input *input,
                                   gn_vertex_output *output)
 {
-    const gn_color_uniforms *u = uniforms;
+    const gn_color_uniforms *u = (const gn_color_uniforms *)uniforms;
 
     place_vertex(&u->clip_from_model, input, output);
 }
@@ -96,7 +96,7 @@ static inline void shade_plain(const gn_mat4 *clip_from_model, const gn_texture 
 static inline void shade_vertex_color(const void *uniforms, const gn_vertex_input *input,
                                       gn_vertex_output *output)
 {
-    const gn_color_uniforms *u = uniforms;
+    const gn_color_uniforms *u = (const gn_color_uniforms *)uniforms;
 
     shade_plain(&u->clip_from_model, 0, input, output);
 }
@@ -104,7 +104,7 @@ static inline void shade_vertex_color(const void *uniforms, const gn_vertex_inpu
 static inline void shade_unlit(const void *uniforms, const gn_vertex_input *input,
                                gn_vertex_output *output)
 {
-    const gn_unlit_uniforms *u = uniforms;
+    const gn_unlit_uniforms *u = (const gn_unlit_uniforms *)uniforms;
 
     shade_plain(&u->clip_from_model, u->map, input, output);
 }
@@ -123,7 +123,7 @@ static inline void load_normal(const gn_lit_uniforms *u, const gn_vertex_input *
 static inline void shade_lit(const void *uniforms, const gn_vertex_input *input,
                              gn_vertex_output *output)
 {
-    const gn_lit_uniforms *u = uniforms;
+    const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
     lanes_f normal[3], to_light[3], color[4], left;
     lanes_f position[4], place[4];
 
@@ -147,7 +147,7 @@ static inline void shade_lit(const void *uniforms, const gn_vertex_input *input,
 static inline void shade_surface(const void *uniforms, const gn_vertex_input *input,
                                  gn_vertex_output *output)
 {
-    const gn_lit_uniforms *u = uniforms;
+    const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
     lanes_f position[4], place[4], color[4], vector[3], turned[3];
 
     place_vertex(&u->clip_from_model, input, output);

@@ -138,7 +138,7 @@ static void copy_word(stored_word *to, int32_t from, uint32_t bits)
 static void copy_run(const blit *b, unsigned char *to, uint32_t count,
                      const ptrdiff_t row[GN_LANES], const int32_t column[GN_LANES])
 {
-    const unsigned char *const pixels = b->source->pixels;
+    const unsigned char *const pixels = (const unsigned char *)b->source->pixels;
     const pixel_layout layout = format_layout(b->source->format);
 
 #define COPY(constant)                                                                             \
@@ -183,9 +183,9 @@ static void set_row_work(const blit *b, row_work *w)
     w->kind = b->mixes ? ROW_MIXES : ROW_GATHERS;
     w->read = b->source->format;
     w->written = b->destination->format;
-    w->from = b->source->pixels;
+    w->from = (const unsigned char *)b->source->pixels;
     w->dimensions = b->dimensions;
-    w->next = b->next ? b->next->pixels : 0;
+    w->next = b->next ? (const unsigned char *)b->next->pixels : 0;
     w->between = b->between;
 }
 

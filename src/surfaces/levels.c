@@ -30,7 +30,7 @@ static gn_surface surface_of(const gn_texture *t, uint32_t level, uint32_t layer
 {
     const gn_texture_level *const l = &t->level[level];
     const texel_extent e = extent_of_level(t, level);
-    const unsigned char *texels = l->texels;
+    const unsigned char *texels = (const unsigned char *)l->texels;
     gn_surface s;
 
     if (e.layers > 1)

@@ -23,7 +23,7 @@ size_t gn_packed_bytes(const gn_texture *texture, uint32_t first, uint32_t end)
 
 void gn_place_levels(gn_texture *texture, uint32_t first, uint32_t end, const void *memory)
 {
-    const unsigned char *texels = memory;
+    const unsigned char *texels = (const unsigned char *)memory;
 
     for (uint32_t n = first; n < end; ++n) {
         const texel_extent e = extent_of_level(texture, n);

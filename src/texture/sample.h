@@ -47,7 +47,7 @@ enum { CORNER_00, CORNER_10, CORNER_01, CORNER_11, CORNER_COUNT };
 GN_OUT_OF_LINE void fetch_any(const gn_texture *texture, const lanes_i *column, const lanes_i *row,
                               lanes_f texel[4])
 {
-    const unsigned char *const texels = texture->level[0].texels;
+    const unsigned char *const texels = (const unsigned char *)texture->level[0].texels;
     const int words = texture->format == GN_FORMAT_RGBA8 ? 1 : 4;
     int32_t s[GN_LANES], t[GN_LANES];
     int32_t word[4][GN_LANES];
@@ -129,7 +129,7 @@ static inline void set_masked_words(masked_words *m, const gn_texture *texture,
                   !minifies_linearly(sampler->minify) &&
                   is_masked(sampler->wrap_s, texture->width) &&
                   is_masked(sampler->wrap_t, texture->height);
-    m->words = texture->level[0].texels;
+    m->words = (const stored_word *)texture->level[0].texels;
     m->words_per_row = (int32_t)(texture->level[0].row_stride / 4);
     m->last_column = (int32_t)texture->width - 1;
     m->last_row = (int32_t)texture->height - 1;
@@ -161,7 +161,7 @@ GN_OUT_OF_LINE void fetch_at_ends(const gn_texture *texture, uint32_t level,
                                   const gn_sampler *sampler, const texel_pair *u,
                                   const texel_pair *v, lanes_i corner[CORNER_COUNT])
 {
-    const stored_word *const words = texture->level[level].texels;
+    const stored_word *const words = (const stored_word *)texture->level[level].texels;
     const uint32_t width = size_of_level(texture->width, level);
     const lanes_i row[2] = {v->first, second_texel(sampler->wrap_t, v)};
     lanes_i column[2];
@@ -191,7 +191,7 @@ GN_WIDE_INLINE void fetch_corners(const gn_texture *texture, uint32_t level,
                                   const gn_sampler *sampler, const lanes_f *s, const lanes_f *t,
                                   word_corners *out)
 {
-    const stored_word *const words = texture->level[level].texels;
+    const stored_word *const words = (const stored_word *)texture->level[level].texels;
     const texel_pair u = wrap_linear(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width),
                                      *s, size_of_level(texture->width, level));
     const texel_pair v = wrap_linear(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),

@@ -47,13 +47,19 @@
 #define COLOR_CHANNELS(w0, w1, w2, w3) (((w0) > 0) + ((w1) > 0) + ((w2) > 0) + ((w3) > 0))
 
 #define ROW(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                  \
-    [GN_FORMAT_##name] = {                                                                         \
-        ACCESS(bytes, element),                                                                    \
-        (element) == 4 || (bytes) == 8 ? 2 : 0,                                                    \
-        bytes,                                                                                     \
-        FORMAT_##kind == FORMAT_COLOR ? COLOR_CHANNELS(w0, w1, w2, w3) : 1,                        \
-        FORMAT_##kind == FORMAT_DEPTH && (w0) > 0,                                                 \
-        {CHANNEL(ENCODING_##encoding, 0, o0, w0), CHANNEL(ENCODING_##encoding, 1, o1, w1),         \
-         CHANNEL(ENCODING_##encoding, 2, o2, w2), CHANNEL(ENCODING_##encoding, 3, o3, w3)}},
+    {ACCESS(bytes, element),                                                                       \
+     (element) == 4 || (bytes) == 8 ? 2 : 0,                                                       \
+     bytes,                                                                                        \
+     FORMAT_##kind == FORMAT_COLOR ? COLOR_CHANNELS(w0, w1, w2, w3) : 1,                           \
+     FORMAT_##kind == FORMAT_DEPTH && (w0) > 0,                                                    \
+     {CHANNEL(ENCODING_##encoding, 0, o0, w0), CHANNEL(ENCODING_##encoding, 1, o1, w1),            \
+      CHANNEL(ENCODING_##encoding, 2, o2, w2), CHANNEL(ENCODING_##encoding, 3, o3, w3)}},
 
-const texel_format gn_texel_formats[] = {GN_FORMATS(ROW)};
+/* Without designated elements, which C++ lacks: the rows are in the order of gn_format. */
+#define NUMBER(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3) NUMBER_##name,
+#define IS_IN_ORDER(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)          \
+    &&(int)NUMBER_##name == (int)GN_FORMAT_##name
+enum { NUMBER_NONE, GN_FORMATS(NUMBER) };
+typedef char rows_are_in_order[1 GN_FORMATS(IS_IN_ORDER) ? 1 : -1];
+
+const texel_format gn_texel_formats[] = {{0}, GN_FORMATS(ROW)};

@@ -28,7 +28,7 @@ void gn_lay_out_texels(const gn_texture *texture, uint32_t level, texel_layout *
     const int shift = format->index_shift;
     size_t layers = 0;
 
-    out->texels = l->texels;
+    out->texels = (const unsigned char *)l->texels;
     out->has_layers = extent.layers > 1;
     out->row_stride = l->row_stride;
     out->layer_stride = 0;
