@@ -1,6 +1,8 @@
 /* The table of texel_formats.h, made from the rows of formats. */
 #include "texel_formats.h"
 
+#include "../formats/properties.h"
+
 /* Where the first element in memory is the high one, elements of less than a word are loaded one by
  * one. */
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__

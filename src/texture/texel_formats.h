@@ -3,7 +3,7 @@
 #ifndef GN_TEXTURE_TEXEL_FORMATS_H
 #define GN_TEXTURE_TEXEL_FORMATS_H
 
-#include "../formats/properties.h"
+#include <gnomon/surface.h>
 
 /* How the texels of a level are loaded: the name says how much is loaded. */
 typedef enum texel_access {

@@ -1,6 +1,8 @@
 /* The layout of texels and the texel of a border, which are there once for all back ends. */
 #include "texel_layout.h"
 
+#include "../formats/properties.h"
+
 #include "../config/features.h"
 #include "extent.h"
 
