@@ -1,9 +1,8 @@
 /* The layout of texels and the texel of a border, which are there once for all back ends. */
 #include "texel_layout.h"
 
-#include "../formats/properties.h"
-
 #include "../config/features.h"
+#include "../formats/properties.h"
 #include "extent.h"
 
 /* Returns the last index, in bytes, from which a level has eight bytes. Where strides are negative
