@@ -167,6 +167,7 @@ $(BUILD)/tools/bench/maths_cglm_best.o: EXTRA_FLAGS = -mavx2 -mfma
 endif
 
 include tests/programs.mk
+include tests/lessons.mk
 
 # Targets for people to run
 
@@ -193,6 +194,16 @@ pictures: $(BUILD)/gnomon ## the README's pictures of the shaders, compared with
 	@for shader in $(PICTURE_SHADERS); do \
 		$(PICTURE) --shader $$shader --picture tools/pictures/$$shader.png || exit 1; done
 	@$(PICTURE) --shader phong --shadows --picture tools/pictures/shadows.png
+
+.PHONY: lessons
+lessons: $(LESSON_PROGRAMS) $(LESSON_MODELS) ## run the lessons of tools/examples, which leave their pictures in build/examples
+	@for lesson in $(LESSON_PROGRAMS); do echo "  $$lesson"; $$lesson </dev/null || exit 1; done
+
+.PHONY: lesson-pictures
+lesson-pictures: lessons $(BUILD)/lesson-picture ## the pictures of the lessons' pages, halved: tools/examples/pictures/*.png
+	@mkdir -p tools/examples/pictures
+	@for picture in $(BUILD)/examples/[0-9]*.tga; do \
+		$(BUILD)/lesson-picture $$picture tools/examples/pictures/$$(basename $$picture .tga).png || exit 1; done
 
 FRAMES ?= 15
 SCALE_FRAMES ?= 5

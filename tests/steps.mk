@@ -24,7 +24,7 @@ unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 
 .PHONY: test-programs
 test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels \
-	$(BUILD)/textures $(BUILD)/exact fuzz-programs
+	$(BUILD)/textures $(BUILD)/exact fuzz-programs $(LESSON_RUNS)
 
 .PHONY: sanitized
 sanitized: ## the test programs under the sanitizers, in build/sanitized
@@ -32,7 +32,7 @@ sanitized: ## the test programs under the sanitizers, in build/sanitized
 
 .PHONY: test
 test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends with "N passed, N failed[, N skipped]"
-	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(BUILD)/theft-selftest \
+	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(LESSON_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/bench-states $(BUILD)/test-lanes $(BUILD)/hashes \
 		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/distance $(EMULATED_PARITY)
 	@$(MAKE) --no-print-directory sanitized
@@ -111,6 +111,10 @@ test-steps:
 		'command, comparison=$(BUILD)/test_comparison $(BUILD)/gnomon' \
 		'command, transform=$(BUILD)/test_transform_command $(BUILD)/gnomon' \
 		'teapot=$(BUILD)/test_teapot' \
+		'lessons=tests/examples/lessons.sh $(BUILD) $(TEST_SEED)' \
+		'lessons beside the reference=tests/examples/beside_reference.sh $(BUILD)' \
+		'lessons$(comma) files=tests/examples/files.sh $(BUILD)' \
+		'sanitized lessons$(comma) files=tests/examples/files.sh $(CHECKED)' \
 		'set-up=sh tests/tools/test_setup.sh' \
 		'steps=tests/tools/test_run.sh' \
 		'style=tests/style.sh' \

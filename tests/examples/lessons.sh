@@ -1,0 +1,156 @@
+#!/bin/sh
+# Checks the lessons of tools/examples: each compiles alone against the public headers, runs on the
+# models that the build makes, has a page in the chain of pages, and draws the picture that its page
+# shows. Then checks results: random lines beside Bresenham's, 101 frames, points beside `gnomon
+# transform`, and the shaders of lessons 12 and 15 pixel by pixel.
+# usage: lessons.sh BUILD-DIRECTORY [SEED]   (from the root of the project)
+set -u
+build=$PWD/$1
+seed=${2:-1}
+folder=tools/examples
+root=$PWD
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+passed=0
+failed=0
+
+result() { # result WHAT CONDITION...
+    what=$1
+    shift
+    if "$@" >"$work/said" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: $what"
+        head -n 5 "$work/said"
+    fi
+}
+
+# The lessons find their models in build/examples of the working directory, and write there.
+mkdir -p "$work/build/examples" "$work/frames"
+ln -s "$build"/examples/*.obj "$build"/examples/teapot_*.tga "$build"/examples/head.tga "$build"/examples/eyes.tga \
+    "$work/build/examples"
+run() { # run LESSON ARGUMENT...
+    lesson=$1
+    shift
+    (cd "$work" && "$build/examples/$lesson" "$@")
+}
+
+helper_lines=$(cat $folder/obj_tga.h $folder/obj_tga.c | grep -c .)
+result "obj_tga: $helper_lines lines, at most 150" test "$helper_lines" -le 150
+
+# The block of output in a page, and the output.
+page_output() { sed -n '/^```text$/,/^```$/p' "$1" | sed '1d;$d'; }
+
+one_to_six() { lines=$(grep -c '' "$1") && [ "$lines" -ge 1 ] && [ "$lines" -le 6 ]; }
+
+before=README
+for source in "$folder"/[0-9][0-9]_*.c; do
+    lesson=$(basename "$source" .c)
+    page=$folder/$lesson.md
+    result "$lesson: compiles in C99 against the public headers" \
+        "${CC:-cc}" -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude -fsyntax-only "$source"
+    result "$lesson: includes lesson.h and the C library alone" \
+        awk '/^#include/ && !/"lesson\.h"|<(math|stdio|stdlib|string)\.h>/ { print; bad = 1 } END { exit bad }' "$source"
+    result "$lesson: a page" test -f "$page"
+    result "$lesson: its page links to $before" grep -q "^Before: .*]($before\.md)\. Next: " "$page"
+    [ "$before" = README ] || result "$before: its page links to $lesson" \
+        grep -q "^Before: .* Next: .*]($lesson\.md)\.\$" "$folder/$before.md"
+    result "$lesson: README.md has a line" grep -q "]($lesson\.md)" $folder/README.md
+    result "$lesson: its page names the program" grep -q "]($lesson\.c)" "$page"
+    result "$lesson: its page has all parts" test "$(grep -c -x -E '## (Why|The formula|The program|Try next)' "$page")" = 4
+    run "$lesson" --help >"$work/help" 2>"$work/error"
+    result "$lesson: --help, 1 to 6 lines" test $? = 0 -a ! -s "$work/error"
+    result "$lesson: --help, 1 to 6 lines" one_to_six "$work/help"
+    run "$lesson" </dev/null >"$work/output" 2>"$work/error"
+    result "$lesson: runs" test $? = 0 -a ! -s "$work/error"
+    if [ -f "$work/build/examples/$lesson.tga" ]; then
+        result "$lesson: draws the picture of its page" \
+            "$build/lesson-picture" check "$work/build/examples/$lesson.tga" "$folder/pictures/$lesson.png"
+        result "$lesson: its page shows the picture" grep -q "](pictures/$lesson\.png)" "$page"
+    else
+        page_output "$page" >"$work/shown"
+        result "$lesson: prints what its page shows" diff "$work/shown" "$work/output"
+    fi
+    before=$lesson
+done
+result "$before: its page leads back" grep -q 'Next: \[Lessons\](README\.md)\.$' "$folder/$before.md"
+result "lessons: 21" test "$(ls "$folder"/[0-9][0-9]_*.c | wc -l)" = 21
+result "pages: as many as lessons" test "$(ls "$folder"/[0-9][0-9]_*.md | wc -l)" = 21
+result "pictures: no more than lessons draw" test "$(ls "$folder"/pictures | wc -l)" = "$(ls "$work"/build/examples/[0-9]*.tga | wc -l)"
+
+# Results of single lessons.
+run 01_line check 100000 "$seed" >"$work/output"
+result "01_line: Bresenham's lines" grep -q "^0 of 100000 random lines" "$work/output"
+cat "$work/output"
+run 03_triangles >"$work/output"
+result "03_triangles: by hand" grep -q -x '0 pixels drawn twice, 0 differ from those by hand' "$work/output"
+run 05_painter >"$work/output"
+result "05_painter: sorting helps" awk '/^wrong pixels:/ { ok = $3 > 1000 && $10 < $3 / 10 } END { exit !ok }' "$work/output"
+
+run 19_turning_triangle sheet.tga frames
+result "19_turning_triangle: 101 frames" test "$(ls "$work/frames" | wc -l)" = 101
+result "19_turning_triangle: 700x700" test "$(wc -c <"$work/frames/frame-050.tga")" = $((18 + 3 * 700 * 700))
+result "19_turning_triangle: the last frame is the first" cmp "$work/frames/frame-000.tga" "$work/frames/frame-100.tga"
+result "19_turning_triangle: others differ" test "$(cd "$work/frames" && cksum ./* | cut -d ' ' -f 1 | sort -u | wc -l)" -ge 90
+rm -r "$work/frames"
+
+# Numbers of a way, a stage a line: those of `gnomon transform` after the same setup.
+numbers() { sed -n 's/^ *\(local\|world\|view\|clip\|NDC\|pixel\) /\1 /p' | sed 's/in column.*//'; }
+equal_numbers() { # equal_numbers FILE FILE: within 2e-5 of their magnitude, or of 1
+    awk 'NR == FNR { line[NR] = $0; next }
+        {
+            n = split(line[++at], a, " ")
+            if (n != NF || a[1] != $1) { print "line " at ": " line[at] " | " $0; bad = 1 }
+            for (i = 2; i <= NF; ++i) {
+                d = a[i] - $i; if (d < 0) d = -d
+                m = $i < 0 ? -$i : $i
+                if (d > 2e-5 * (m > 1 ? m : 1)) { print line[at] " | " $0; bad = 1 }
+            }
+            count += NF - 1
+        }
+        END { exit bad || count < 130 || at != FNR }' "$1" "$2"
+}
+cat >"$work/setup" <<'END'
+screen 800 600
+scale 1 2 0.5
+rotate 0 1 0 30
+rotate 1 0 0 -40
+rotate 1 2 3 71
+translate 0.5 -0.25 -2
+position 1 2 5
+target 0 0.5 -1
+up 0 1 0
+perspective 50
+near 0.5
+far 40
+point 1 0 0
+point 0 1 0
+point -0.5 0.25 0.75
+point 3 -2 1
+point 0 0 0
+point 7 7 -7
+point 0.001 0.002 0.003
+END
+run 20_point <"$work/setup" >"$work/output"
+for convention in OpenGL Direct3D; do
+    awk -v name="$convention" '/^[A-Z]/ { on = $1 == name "," } on' "$work/output" | numbers >"$work/ours"
+    { echo "convention $(echo $convention | tr 'A-Z' 'a-z')"; cat "$work/setup"; } |
+        "$build/gnomon" transform | numbers >"$work/theirs"
+    result "20_point: $convention, beside gnomon transform" equal_numbers "$work/ours" "$work/theirs"
+done
+# Everything behind the eye in one convention.
+printf 'position 0 0 3\npoint 0 0 9\n' >"$work/behind"
+run 20_point <"$work/behind" >"$work/output"
+result "20_point: behind the eye" test "$(grep -c 'behind the eye' "$work/output")" = 2
+
+cd "$work" || exit 1
+result "12_toon: every pixel decided again" \
+    "$build/check-toon" build/examples/teapot.obj toon.tga "$seed"
+cat said
+result "15_specular_map: beside gn_use_phong" \
+    "$build/check-specular" build/examples/teapot.obj build/examples/teapot_diffuse.tga build/examples/teapot_specular.tga .
+cat said
+cd "$root" || exit 1
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]

@@ -1,0 +1,37 @@
+# The lessons of tools/examples, each a program of its own, and their tests.
+
+LESSONS = $(patsubst tools/examples/%.c,%,$(sort $(wildcard tools/examples/[0-9][0-9]_*.c)))
+LESSON_PROGRAMS = $(addprefix $(BUILD)/examples/,$(LESSONS))
+COMPARED_LESSONS = $(addprefix $(BUILD)/examples/compared/,$(LESSONS))
+LESSON_MODELS = $(BUILD)/examples/teapot.obj
+LESSON_CHECKS = $(BUILD)/check-toon $(BUILD)/check-specular
+LESSON_TESTS = $(BUILD)/lesson-picture $(COMPARED_LESSONS) $(LESSON_CHECKS)
+# What is built with the sanitizers too.
+LESSON_RUNS = $(LESSON_PROGRAMS) $(LESSON_MODELS) $(BUILD)/lesson-files
+
+$(LESSON_PROGRAMS) $(LESSON_MODELS): | $(BUILD)/examples
+$(COMPARED_LESSONS): | $(BUILD)/examples/compared
+$(BUILD)/examples $(BUILD)/examples/compared:
+	@mkdir -p $@
+
+$(foreach lesson,$(LESSONS),$(eval $(call program,examples/$(lesson),tools/examples/$(lesson).c \
+	tools/examples/obj_tga.c $(LIBRARY),)))
+
+# The same objects, with tests/examples/beside_reference.c between lesson and library.
+WRAPPED = $(foreach function,main gn_draw gn_clear_color gn_clear_depth,-Wl$(comma)--wrap=$(function))
+$(foreach lesson,$(LESSONS),$(eval $(call program,examples/compared/$(lesson),tools/examples/$(lesson).c \
+	tools/examples/obj_tga.c tests/examples/beside_reference.c $(REFERENCE_SOURCES) $(LIBRARY),$(WRAPPED) -ldl -lm)))
+
+$(eval $(call program,make-models,tools/examples/make_models.c tools/examples/obj_tga.c \
+	$(addprefix tools/gnomon/,teapot.c teapot_maps.c model.c normals.c) $(LIBRARY),-lm))
+
+$(LESSON_MODELS): $(BUILD)/make-models
+	@$(BUILD)/make-models $(BUILD)/examples
+
+$(foreach file,picture show_file check_toon check_specular,$(eval \
+	$(BUILD)/tests/examples/$(file).o: EXTRA_FLAGS = -Itools/examples))
+$(eval $(call program,lesson-picture,tests/examples/picture.c tools/examples/obj_tga.c \
+	$(addprefix tools/gnomon/,png_write.c output.c report.c image.c image_file.c files.c) $(LIBRARY),-lpng -lstb -lm))
+$(eval $(call program,lesson-files,tests/examples/show_file.c tools/examples/obj_tga.c $(LIBRARY),))
+$(eval $(call program,check-toon,tests/examples/check_toon.c tools/examples/obj_tga.c $(LIBRARY),-lm))
+$(eval $(call program,check-specular,tests/examples/check_specular.c tools/examples/obj_tga.c $(LIBRARY),))

@@ -1,0 +1,115 @@
+/* Lesson 3: filled triangles. A pixel belongs to a triangle if its centre lies on the inner side of
+ * all three edges. This lesson decides that by hand for every pixel, and Gnomon decides it too: a
+ * pentagon of five triangles, of which no pixel is drawn twice and none is left out. */
+#include "lesson.h"
+
+enum { WIDTH = 64, HEIGHT = 48, MAGNIFIED = 10, TRIANGLES = 5 };
+
+typedef struct vertex {
+    gn_vec2 position;
+    gn_vec3 color;
+} vertex;
+
+static vertex vertices[3 * TRIANGLES];
+static uint32_t color[WIDTH * HEIGHT];
+static int by_hand[WIDTH * HEIGHT];
+static uint32_t picture[WIDTH * MAGNIFIED * HEIGHT * MAGNIFIED];
+static unsigned char memory[GN_WORKSPACE_SIZE(0, GN_SHADER_VARYINGS)];
+
+static const char help[] = "usage: 03_triangles [PICTURE.tga]\n"
+                           "Fills triangles with Gnomon and by hand, and compares.\n";
+
+/* Above 0 if p lies to the left of the edge from a to b: twice the area of the triangle a, b, p.
+ * Vertices here are multiples of 1/256 pixel, as Gnomon rounds them, so that nothing is rounded. */
+static double edge(gn_vec2 a, gn_vec2 b, double x, double y)
+{
+    return ((double)b.x - a.x) * (y - a.y) - ((double)b.y - a.y) * (x - a.x);
+}
+
+/* A centre on an edge must belong to one of the two triangles beside it. It belongs to the triangle
+ * for which the edge is a left edge, which leads down, or a bottom edge, which leads to the right.
+ */
+static bool is_inside(gn_vec2 a, gn_vec2 b, double x, double y)
+{
+    const double side = edge(a, b, x, y);
+    const bool is_left_or_bottom = b.y < a.y || (b.y == a.y && b.x > a.x);
+
+    return side > 0 || (side == 0 && is_left_or_bottom);
+}
+
+/* Counts, in every pixel of the window, the triangles that own it. */
+static void fill_by_hand(const vertex v[3])
+{
+    for (int i = 0; i < WIDTH * HEIGHT; ++i) {
+        const double x = i % WIDTH + 0.5, y = i / WIDTH + 0.5;
+
+        by_hand[i] += is_inside(v[0].position, v[1].position, x, y) &&
+                      is_inside(v[1].position, v[2].position, x, y) &&
+                      is_inside(v[2].position, v[0].position, x, y);
+    }
+}
+
+static gn_vec2 corner_of_pentagon(int i)
+{
+    const float angle = ((float)i / TRIANGLES + 0.25f) * 2 * GN_PI;
+
+    return (gn_vec2){32 + gn_round(22 * 256 * gn_cos(angle)) / 256,
+                     22 + gn_round(22 * 256 * gn_sin(angle)) / 256};
+}
+
+/* Counterclockwise: the middle, one corner of the pentagon, the next. */
+static void make_pentagon(void)
+{
+    static const gn_vec3 colors[3] = {{1, 0.95f, 0.7f}, {0.9f, 0.4f, 0.1f}, {0.2f, 0.3f, 0.7f}};
+
+    for (int i = 0; i < TRIANGLES; ++i) {
+        vertices[3 * i] = (vertex){{32.5f, 22.5f}, colors[0]};
+        vertices[3 * i + 1] = (vertex){corner_of_pentagon(i), colors[1]};
+        vertices[3 * i + 2] = (vertex){corner_of_pentagon(i + 1), colors[2]};
+        fill_by_hand(&vertices[3 * i]);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    int twice = 0, differing = 0;
+
+    lesson_help(argc, argv, 1, help);
+    make_pentagon();
+
+    /* How gn_draw finds the vertices: for each attribute the first number, how many numbers there
+     * are, and how many bytes lie between one vertex and the next. */
+    gn_mesh mesh = {
+        .attribute = {[GN_ATTRIBUTE_POSITION] = {.data = &vertices[0].position.x,
+                                                 .components = 2,
+                                                 .stride = sizeof(vertex)},
+                      [GN_ATTRIBUTE_COLOR] = {.data = &vertices[0].color.x,
+                                              .components = 3,
+                                              .stride = sizeof(vertex)}},
+        .vertex_count = 3 * TRIANGLES, /* vertices in the arrays */
+        .count = 3 * TRIANGLES,        /* vertices to draw, from the first on */
+    };
+    gn_transform clip_from_window; /* positions are given in pixels */
+    lesson_check(gn_orthographic_rh_no(0, WIDTH, 0, HEIGHT, -1, 1, &clip_from_window));
+    gn_color_uniforms uniforms = {clip_from_window.matrix};
+    gn_pipeline pipeline = {.depth.test = false};
+    lesson_check(gn_use_vertex_color(&pipeline, &uniforms));
+
+    gn_target target = {{gn_surface_bottom_up(color, GN_FORMAT_RGBA8, WIDTH, HEIGHT)}, {0}};
+    gn_workspace workspace = {.memory = memory, .size = sizeof memory};
+    gn_clear_color(&target.color[0], 0, 0, 0, 0);
+    lesson_check(gn_draw(&target, &pipeline, &mesh, &workspace));
+
+    for (int i = 0; i < WIDTH * HEIGHT; ++i) {
+        twice += by_hand[i] > 1;
+        differing += (by_hand[i] > 0) != (color[i] != 0);
+    }
+    printf("%d pixels drawn twice, %d differ from those by hand\n", twice, differing);
+
+    gn_surface large =
+        gn_surface_bottom_up(picture, GN_FORMAT_RGBA8, WIDTH * MAGNIFIED, HEIGHT * MAGNIFIED);
+    lesson_check(gn_blit(&large, NULL, &target.color[0], NULL, NULL));
+    tga_write(lesson_argument(argc, argv, 1, "build/examples/03_triangles.tga"), picture,
+              WIDTH * MAGNIFIED, HEIGHT * MAGNIFIED);
+    return 0;
+}
