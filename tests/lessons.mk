@@ -4,10 +4,10 @@ LESSONS = $(patsubst tools/examples/%.c,%,$(sort $(wildcard tools/examples/[0-9]
 LESSON_PROGRAMS = $(addprefix $(BUILD)/examples/,$(LESSONS))
 COMPARED_LESSONS = $(addprefix $(BUILD)/examples/compared/,$(LESSONS))
 LESSON_MODELS = $(BUILD)/examples/teapot.obj
-LESSON_CHECKS = $(BUILD)/check-toon $(BUILD)/check-specular
+LESSON_CHECKS = $(BUILD)/check-line $(BUILD)/check-toon $(BUILD)/check-specular
 LESSON_TESTS = $(BUILD)/lesson-picture $(COMPARED_LESSONS) $(LESSON_CHECKS)
 # What is built with the sanitizers too.
-LESSON_RUNS = $(LESSON_PROGRAMS) $(LESSON_MODELS) $(BUILD)/lesson-files
+LESSON_RUNS = $(LESSON_PROGRAMS) $(LESSON_MODELS) $(BUILD)/lesson-files $(BUILD)/check-line
 
 $(LESSON_PROGRAMS) $(LESSON_MODELS): | $(BUILD)/examples
 $(COMPARED_LESSONS): | $(BUILD)/examples/compared
@@ -28,10 +28,11 @@ $(eval $(call program,make-models,tools/examples/make_models.c tools/examples/ob
 $(LESSON_MODELS): $(BUILD)/make-models
 	@$(BUILD)/make-models $(BUILD)/examples
 
-$(foreach file,picture show_file check_toon check_specular,$(eval \
+$(foreach file,picture show_file check_line check_toon check_specular,$(eval \
 	$(BUILD)/tests/examples/$(file).o: EXTRA_FLAGS = -Itools/examples))
 $(eval $(call program,lesson-picture,tests/examples/picture.c tools/examples/obj_tga.c \
 	$(addprefix tools/gnomon/,png_write.c output.c report.c image.c image_file.c files.c) $(LIBRARY),-lpng -lstb -lm))
 $(eval $(call program,lesson-files,tests/examples/show_file.c tools/examples/obj_tga.c $(LIBRARY),))
+$(eval $(call program,check-line,tests/examples/check_line.c tools/examples/obj_tga.c $(LIBRARY),))
 $(eval $(call program,check-toon,tests/examples/check_toon.c tools/examples/obj_tga.c $(LIBRARY),-lm))
 $(eval $(call program,check-specular,tests/examples/check_specular.c tools/examples/obj_tga.c $(LIBRARY),))

@@ -160,7 +160,7 @@ for statement in 'point 1 2' 'walk 1 2 3' 'rotate 0 0 0 10' 'near -1' 'screen 0 
     echo "$statement" | "$examples/20_point" >out 2>error
     result "20_point: $statement" test $? = 2 -a ! -s out -a "$(wc -l <error)" = 1
 done
-"$examples/01_line" check 5000 7 >out 2>error
-result "01_line check" grep -q '^0 of 5000 random lines' out
+"$examples/../check-line" 5000 7 >out 2>error
+result "check-line" grep -q '^0 of 5000 random lines' out
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -36,6 +36,12 @@ run() { # run LESSON ARGUMENT...
     (cd "$work" && "$build/examples/$lesson" "$@")
 }
 
+# The command that README.md gives to compile a lesson by hand.
+command=$(sed -n 's/^    cc \(-std=c99 .*\) build\/libgnomon\.a -o 07_texture$/\1/p' $folder/README.md)
+# shellcheck disable=SC2086
+result "README.md: its command compiles a lesson" "${CC:-cc}" $command "$build/libgnomon.a" -o "$work/by-hand"
+result "README.md: the lesson compiled by hand runs" sh -c 'cd "$1" && ./by-hand build/examples/head.obj build/examples/head.tga head.tga' - "$work"
+
 helper_lines=$(cat $folder/obj_tga.h $folder/obj_tga.c | grep -c .)
 result "obj_tga: $helper_lines lines, at most 150" test "$helper_lines" -le 150
 
@@ -80,7 +86,7 @@ result "pages: as many as lessons" test "$(ls "$folder"/[0-9][0-9]_*.md | wc -l)
 result "pictures: no more than lessons draw" test "$(ls "$folder"/pictures | wc -l)" = "$(ls "$work"/build/examples/[0-9]*.tga | wc -l)"
 
 # Results of single lessons.
-run 01_line check 100000 "$seed" >"$work/output"
+"$build/check-line" 100000 "$seed" >"$work/output"
 result "01_line: Bresenham's lines" grep -q "^0 of 100000 random lines" "$work/output"
 cat "$work/output"
 run 03_triangles >"$work/output"

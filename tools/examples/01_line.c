@@ -9,11 +9,9 @@ static const uint32_t background = 0xFF201C18, ink = 0xFFFFFFFF; /* alpha, blue,
 static uint32_t color[WIDTH * HEIGHT], by_hand[WIDTH * HEIGHT];
 static uint32_t picture[WIDTH * MAGNIFIED * HEIGHT * MAGNIFIED];
 static unsigned char memory[GN_WORKSPACE_SIZE(2, GN_SHADER_VARYINGS)];
-static gn_backend backend; /* found once, since that takes longer than a line */
 
 static const char help[] =
     "usage: 01_line [X0 Y0 X1 Y1 [PICTURE.tga]]  (pixels, from 0 0 to 63 47)\n"
-    "       01_line check COUNT SEED             (random lines beside Bresenham's)\n"
     "Draws a line, or a star of lines, with Gnomon and as Bresenham did.\n";
 
 typedef struct line {
@@ -63,7 +61,7 @@ static void draw_line(const gn_target *target, gn_pipeline *pipeline, line l)
     gn_mesh mesh = {.attribute[GN_ATTRIBUTE_POSITION] = {&position[0].x, 3, 0, 0},
                     .vertex_count = 2,
                     .count = 2};
-    gn_workspace workspace = {.memory = memory, .size = sizeof memory, .backend = backend};
+    gn_workspace workspace = {.memory = memory, .size = sizeof memory};
 
     pipeline->raster.topology = GN_LINES;
     lesson_check(gn_draw(target, pipeline, &mesh, &workspace));
@@ -86,37 +84,6 @@ static void clear(const gn_target *target)
     gn_clear_color(&target->color[0], 24 / 255.0f, 28 / 255.0f, 32 / 255.0f, 1);
     for (int i = 0; i < WIDTH * HEIGHT; ++i)
         by_hand[i] = background;
-}
-
-/* Returns a number from 0 to below - 1 (Marsaglia, "Xorshift RNGs", 2003). */
-static int random_below(uint32_t *state, uint32_t below)
-{
-    *state ^= *state << 13;
-    *state ^= *state >> 17;
-    *state ^= *state << 5;
-    return (int)(*state % below);
-}
-
-static int check(const gn_target *target, gn_pipeline *pipeline, int count, uint32_t seed)
-{
-    uint32_t state = seed * 2654435769u | 1;
-    int wrong = 0;
-
-    for (int i = 0; i < count; ++i) {
-        line l;
-
-        l.x0 = random_below(&state, WIDTH);
-        l.y0 = random_below(&state, HEIGHT);
-        l.x1 = random_below(&state, WIDTH);
-        l.y1 = random_below(&state, HEIGHT);
-        clear(target);
-        bresenham(l);
-        draw_line(target, pipeline, l);
-        if (different_pixels() > 0 && wrong++ == 0)
-            printf("another line: %d %d %d %d\n", l.x0, l.y0, l.x1, l.y1);
-    }
-    printf("%d of %d random lines (seed %u) differ from Bresenham's\n", wrong, count, seed);
-    return wrong > 0;
 }
 
 static void draw_both(const gn_target *target, gn_pipeline *pipeline, line l)
@@ -148,7 +115,7 @@ static void magnify(const gn_surface *from)
 
 int main(int argc, char **argv)
 {
-    lesson_help(argc, argv, 5, help);
+    lesson_help(argc, argv, argc > 1 && argc < 5 ? 0 : 5, help); /* all four numbers, or none */
     gn_target target = {{gn_surface_bottom_up(color, GN_FORMAT_RGBA8, WIDTH, HEIGHT)}, {0}};
     gn_pipeline pipeline = {.raster.topology = GN_LINES};
     gn_transform clip_from_window; /* model coordinates are window coordinates */
@@ -156,9 +123,6 @@ int main(int argc, char **argv)
     gn_color_uniforms uniforms = {clip_from_window.matrix};
     lesson_check(gn_use_vertex_color(&pipeline, &uniforms));
 
-    backend = gn_backend_best();
-    if (argc == 4 && strcmp(argv[1], "check") == 0)
-        return check(&target, &pipeline, atoi(argv[2]), (uint32_t)strtoul(argv[3], NULL, 10));
     clear(&target);
     if (argc >= 5) {
         const line l = {atoi(argv[1]), atoi(argv[2]), atoi(argv[3]), atoi(argv[4])};
