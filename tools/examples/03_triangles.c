@@ -20,7 +20,7 @@ static const char help[] = "usage: 03_triangles [PICTURE.tga]\n"
                            "Fills triangles with Gnomon and by hand, and compares.\n";
 
 /* Above 0 if p lies to the left of the edge from a to b: twice the area of the triangle a, b, p.
- * Vertices here are multiples of 1/256 pixel, as Gnomon rounds them, so that nothing is rounded. */
+ * Gnomon rounds vertices to 1/256 pixel; these are centres of pixels, which stay as they are. */
 static double edge(gn_vec2 a, gn_vec2 b, double x, double y)
 {
     return ((double)b.x - a.x) * (y - a.y) - ((double)b.y - a.y) * (x - a.x);
@@ -49,12 +49,12 @@ static void fill_by_hand(const vertex v[3])
     }
 }
 
+/* The centre of a pixel, so that edges pass through many centres. */
 static gn_vec2 corner_of_pentagon(int i)
 {
     const float angle = ((float)i / TRIANGLES + 0.25f) * 2 * GN_PI;
 
-    return (gn_vec2){32 + gn_round(22 * 256 * gn_cos(angle)) / 256,
-                     22 + gn_round(22 * 256 * gn_sin(angle)) / 256};
+    return (gn_vec2){32.5f + gn_round(22 * gn_cos(angle)), 22.5f + gn_round(22 * gn_sin(angle))};
 }
 
 /* Counterclockwise: the middle, one corner of the pentagon, the next. */

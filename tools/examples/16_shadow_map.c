@@ -34,7 +34,7 @@ static gn_transform light_camera(gn_vec3 to_light)
 
     lesson_check(
         gn_look_at_rh(gn_vec3_scale(to_light, 5), (gn_vec3){0, 0, 0}, (gn_vec3){0, 1, 0}, &view));
-    lesson_check(gn_orthographic_rh_no(-2, 2, -2, 2, 2, 8, &projection));
+    lesson_check(gn_orthographic_rh_no(-2, 2, -2, 2, 1, 12, &projection));
     lesson_check(gn_transform_compose(&projection, &view, &clip));
     return clip;
 }

@@ -118,7 +118,7 @@ static void head_color(double longitude, double latitude, double color[3])
     const double x = cos(latitude) * sin(longitude);
     const double y = sin(latitude);
     const double z = cos(latitude) * cos(longitude);
-    const double mouth = z > 0.0 ? hill(x, y + 0.43, 0.26, 0.055) : 0.0;
+    const double mouth = z > 0.0 ? hill(x, y + 0.44 - 0.5 * x * x, 0.24, 0.055) : 0.0;
     const double blush = z > 0.0 ? hill(fabs(x) - 0.48, y + 0.18, 0.2, 0.2) : 0.0;
     const double brow = z > 0.0 ? hill(fabs(x) - 0.33, y - 0.37, 0.17, 0.03) : 0.0;
     const double line = 0.55 + 0.05 * sin(23.0 * longitude) - 0.75 * (z > 0.0 ? 0.0 : -z);
