@@ -28,8 +28,6 @@ $(eval $(call program,make-models,tools/examples/make_models.c tools/examples/ob
 $(LESSON_MODELS): $(BUILD)/make-models
 	@$(BUILD)/make-models $(BUILD)/examples
 
-$(foreach file,picture show_file check_line check_toon check_specular,$(eval \
-	$(BUILD)/tests/examples/$(file).o: EXTRA_FLAGS = -Itools/examples))
 $(eval $(call program,lesson-picture,tests/examples/picture.c tools/examples/obj_tga.c \
 	$(addprefix tools/gnomon/,png_write.c output.c report.c image.c image_file.c files.c) $(LIBRARY),-lpng -lstb -lm))
 $(eval $(call program,lesson-files,tests/examples/show_file.c tools/examples/obj_tga.c $(LIBRARY),))

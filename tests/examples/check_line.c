@@ -15,7 +15,7 @@ static gn_status quick_draw(const gn_target *target, const gn_pipeline *pipeline
 
 #define main line_main
 #define gn_draw quick_draw
-#include "01_line.c"
+#include "../../tools/examples/01_line.c"
 #undef gn_draw
 #undef main
 

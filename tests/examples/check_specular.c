@@ -10,7 +10,7 @@ static gn_status checked_draw(const gn_target *target, const gn_pipeline *pipeli
 
 #define main specular_main
 #define gn_draw checked_draw
-#include "15_specular_map.c"
+#include "../../tools/examples/15_specular_map.c"
 #undef gn_draw
 #undef main
 

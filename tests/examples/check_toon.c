@@ -8,7 +8,7 @@ static gn_status checked_draw(const gn_target *target, const gn_pipeline *pipeli
 
 #define main toon_main
 #define gn_draw checked_draw
-#include "12_toon.c"
+#include "../../tools/examples/12_toon.c"
 #undef gn_draw
 #undef main
 

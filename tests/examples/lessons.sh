@@ -101,6 +101,10 @@ result "19_turning_triangle: the last frame is the first" cmp "$work/frames/fram
 result "19_turning_triangle: others differ" test "$(cd "$work/frames" && cksum ./* | cut -d ' ' -f 1 | sort -u | wc -l)" -ge 90
 rm -r "$work/frames"
 
+nm -u "$build/tools/examples/21_microcontroller.o" >"$work/symbols"
+result "21_microcontroller: symbols are listed" grep -q gn_draw "$work/symbols"
+result "21_microcontroller: no memory of the heap" sh -c '! grep -E "alloc|free" "$1"' - "$work/symbols"
+
 # Numbers of a way, a stage a line: those of `gnomon transform` after the same setup.
 numbers() { sed -n 's/^ *\(local\|world\|view\|clip\|NDC\|pixel\) /\1 /p' | sed 's/in column.*//'; }
 equal_numbers() { # equal_numbers FILE FILE: within 2e-5 of their magnitude, or of 1

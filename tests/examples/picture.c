@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "image.h"
-#include "obj_tga.h"
+#include "../../tools/examples/obj_tga.h"
 #include "png_write.h"
 
 /* The mean of a channel of four pixels, rounded. */

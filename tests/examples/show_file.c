@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "obj_tga.h"
+#include "../../tools/examples/obj_tga.h"
 
 static void show_vector(gn_vec3 v)
 {

@@ -35,7 +35,7 @@ static FILE *create(const char *directory, const char *name, char path[4096])
 
 static void finish(FILE *file, const char *path)
 {
-    if (ferror(file) | fclose(file)) {
+    if (ferror(file) || fclose(file)) {
         fprintf(stderr, "%s: cannot be written\n", path);
         exit(EXIT_FAILURE);
     }

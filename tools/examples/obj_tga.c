@@ -143,7 +143,7 @@ void tga_write(const char *path, const uint32_t *pixel, uint32_t width, uint32_t
     for (size_t i = 0; i < (size_t)width * height; ++i)
         for (int shift = 16; shift >= 0; shift -= 8)
             putc((int)(pixel[i] >> shift & 255), file);
-    if (ferror(file) | fclose(file)) {
+    if (ferror(file) || fclose(file)) {
         open_file(path, "wb"); /* an empty file rather than half a picture */
         fail("cannot be written");
     }
