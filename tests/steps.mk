@@ -113,6 +113,7 @@ test-steps:
 		'teapot=$(BUILD)/test_teapot' \
 		'lessons=tests/examples/lessons.sh $(BUILD) $(TEST_SEED)' \
 		'lessons beside the reference=tests/examples/beside_reference.sh $(BUILD)' \
+		'lesson on a microcontroller=tests/examples/microcontroller.sh $(BUILD)' \
 		'lessons$(comma) files=tests/examples/files.sh $(BUILD)' \
 		'sanitized lessons$(comma) files=tests/examples/files.sh $(CHECKED)' \
 		'set-up=sh tests/tools/test_setup.sh' \

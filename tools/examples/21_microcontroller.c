@@ -1,23 +1,24 @@
 /* Lesson 21: a scene on a microcontroller. There is no operating system, no heap and not enough
- * memory for a picture: the display has 240x240 pixels of two bytes, and only 24 rows of them fit.
- * So the scene is drawn ten times, each time into one band of rows, and each band is sent to the
- * display. */
-#include "lesson.h" /* only to write the display's contents to a file */
+ * memory for a picture: of the display's 240 rows only 16 fit. So the scene is drawn fifteen times,
+ * each time into one band of rows, and each band is sent to the display. */
+#include "lesson.h" /* only to write what the display shows to a file */
 
-enum { WIDTH = 240, HEIGHT = 240, BAND = 24 };
+enum { WIDTH = 240, HEIGHT = 240, BAND = 16 };
 enum { RINGS = 24, SECTORS = 12, VERTICES = RINGS * SECTORS, INDICES = 6 * VERTICES };
 
 /* All memory that the firmware needs, known when it is compiled. */
-static uint16_t band_color[WIDTH * BAND], band_depth[WIDTH * BAND];
+static uint32_t band_color[WIDTH * BAND];
+static uint16_t band_depth[WIDTH * BAND];
 static float position[VERTICES][3], normal[VERTICES][3];
 static uint16_t indices[INDICES];
-static unsigned char memory[GN_WORKSPACE_SIZE(0, GN_SHADER_VARYINGS)];
+static unsigned char memory[GN_WORKSPACE_SIZE(VERTICES, 4)]; /* a lit colour has 4 varyings */
 
-/* Stands for the display, which keeps what it is sent. */
-static uint32_t display[WIDTH * HEIGHT];
+/* Stands for the display, which keeps the two bytes of each pixel that it is sent. */
+static uint8_t display[WIDTH * HEIGHT][2];
+static uint32_t picture[WIDTH * HEIGHT];
 
 static const char help[] = "usage: 21_microcontroller [PICTURE.tga]\n"
-                           "Draws a torus for a display of 240x240 pixels, in bands of 24 rows.\n";
+                           "Draws a torus for a display of 240x240 pixels, in bands of 16 rows.\n";
 
 static uint16_t vertex_at(int ring, int sector)
 {
@@ -52,23 +53,25 @@ static void make_torus(void)
     }
 }
 
-/* The display's driver: sends rows first to first + BAND - 1. Displays on SPI take the higher byte
- * first; with GN_FORMAT_RGB565_SWAPPED that is how the band lies in memory. */
-static void send_to_display(const gn_surface *band, int first)
+/* The display's driver: a pixel has 5 bits of red, 6 of green and 5 of blue, and displays on SPI
+ * take the higher byte first. */
+static void send_to_display(int first)
 {
-    const gn_surface whole = gn_surface_bottom_up(display, GN_FORMAT_RGBA8, WIDTH, HEIGHT);
-    const gn_surface rows = gn_surface_rows(&whole, (uint32_t)first, BAND);
+    for (int i = 0; i < WIDTH * BAND; ++i) {
+        const uint32_t c = band_color[i];
+        const uint32_t rgb565 = (c & 0xF8) << 8 | (c >> 5 & 0x7E0) | (c >> 19 & 0x1F);
 
-    lesson_check(gn_blit(&rows, NULL, band, NULL, NULL));
+        display[first * WIDTH + i][0] = (uint8_t)(rgb565 >> 8);
+        display[first * WIDTH + i][1] = (uint8_t)rgb565;
+    }
 }
 
 /* The viewport is the whole display's, moved down so that row `first` is row 0 of the band.
  * Triangles outside the band are clipped away or have no pixels in it. */
 static void draw_band(int first, const gn_lit_uniforms *uniforms)
 {
-    const gn_target target = {
-        {gn_surface_bottom_up(band_color, GN_FORMAT_RGB565_SWAPPED, WIDTH, BAND)},
-        gn_surface_bottom_up(band_depth, GN_FORMAT_D16, WIDTH, BAND)};
+    const gn_target target = {{gn_surface_bottom_up(band_color, GN_FORMAT_RGBA8, WIDTH, BAND)},
+                              gn_surface_bottom_up(band_depth, GN_FORMAT_D16, WIDTH, BAND)};
     const gn_mesh mesh = {.attribute = {[GN_ATTRIBUTE_POSITION] = {position[0], 3, 0, 0},
                                         [GN_ATTRIBUTE_NORMAL] = {normal[0], 3, 0, 0}},
                           .vertex_count = VERTICES,
@@ -83,7 +86,19 @@ static void draw_band(int first, const gn_lit_uniforms *uniforms)
     gn_clear_color(&target.color[0], 0, 0.1f, 0.2f, 1);
     gn_clear_depth(&target.depth, 1);
     lesson_check(gn_draw(&target, &pipeline, &mesh, &workspace));
-    send_to_display(&target.color[0], first);
+    send_to_display(first);
+}
+
+/* What the display shows, as GN_FORMAT_RGBA8. */
+static void look_at_display(void)
+{
+    for (int i = 0; i < WIDTH * HEIGHT; ++i) {
+        const uint32_t c = (uint32_t)display[i][0] << 8 | display[i][1];
+        const uint32_t red = c >> 11, green = c >> 5 & 0x3F, blue = c & 0x1F;
+
+        picture[i] =
+            (red * 255 / 31) | (green * 255 / 63) << 8 | (blue * 255 / 31) << 16 | 0xFF000000u;
+    }
 }
 
 int main(int argc, char **argv)
@@ -109,7 +124,8 @@ int main(int argc, char **argv)
     printf("memory: %u bytes for bands, %u for the model, %u for the library\n",
            (unsigned)(sizeof band_color + sizeof band_depth),
            (unsigned)(sizeof position + sizeof normal + sizeof indices), (unsigned)sizeof memory);
-    tga_write(lesson_argument(argc, argv, 1, "build/examples/21_microcontroller.tga"), display,
+    look_at_display();
+    tga_write(lesson_argument(argc, argv, 1, "build/examples/21_microcontroller.tga"), picture,
               WIDTH, HEIGHT);
     return 0;
 }
