@@ -5,7 +5,7 @@
 
 enum { WIDTH = 800, HEIGHT = 400 };
 
-static uint32_t color[WIDTH * HEIGHT], right_color[WIDTH * HEIGHT], depth[WIDTH * HEIGHT];
+static uint32_t color[WIDTH * HEIGHT], true_color[WIDTH * HEIGHT], depth[WIDTH * HEIGHT];
 static unsigned char memory[GN_WORKSPACE_SIZE(0, GN_SHADER_VARYINGS)];
 
 static const char help[] = "usage: 05_painter [MODEL.obj [PICTURE.tga]]\n"
@@ -22,14 +22,15 @@ static float distance(const obj_corner triangle[3])
     return z; /* three times that of the triangle's middle; a greater z is nearer */
 }
 
+/* For qsort. At equal distances any order will do, as long as every machine takes the same one. */
 static int farthest_first(const void *a, const void *b)
 {
     const float za = distance(a), zb = distance(b);
 
-    return (za > zb) - (za < zb);
+    return za != zb ? (za > zb) - (za < zb) : memcmp(a, b, 3 * sizeof(obj_corner));
 }
 
-/* What the left and the right half draw; the left half with the order that the model has then. */
+/* Draws the model into the left (0) or right half, in the order in which its triangles are now. */
 static void draw_half(int half, const gn_target *target, gn_pipeline *pipeline,
                       const obj_model *model)
 {
@@ -45,7 +46,7 @@ static void count_wrong_pixels(void)
     unsigned wrong[2] = {0, 0};
 
     for (int i = 0; i < WIDTH * HEIGHT; ++i)
-        wrong[i % WIDTH >= WIDTH / 2] += color[i] != right_color[i];
+        wrong[i % WIDTH >= WIDTH / 2] += color[i] != true_color[i];
     printf("wrong pixels: %u in the order of the file, %u sorted\n", wrong[0], wrong[1]);
 }
 
@@ -70,7 +71,7 @@ int main(int argc, char **argv)
     lesson_check(gn_use_flat(&pipeline, &uniforms));
 
     gn_target target = {{gn_surface_bottom_up(color, GN_FORMAT_RGBA8, WIDTH, HEIGHT)}, {0}};
-    gn_target with_depth = {{gn_surface_bottom_up(right_color, GN_FORMAT_RGBA8, WIDTH, HEIGHT)},
+    gn_target with_depth = {{gn_surface_bottom_up(true_color, GN_FORMAT_RGBA8, WIDTH, HEIGHT)},
                             gn_surface_bottom_up(depth, GN_FORMAT_D24, WIDTH, HEIGHT)};
     gn_clear_color(&target.color[0], 0.1f, 0.1f, 0.12f, 1);
     gn_clear_color(&with_depth.color[0], 0.1f, 0.1f, 0.12f, 1);
@@ -79,7 +80,7 @@ int main(int argc, char **argv)
     qsort(model.corner, model.count / 3, 3 * sizeof *model.corner, farthest_first);
     draw_half(1, &target, &pipeline, &model);
 
-    /* The right picture, by the means of the next lesson, only to count. */
+    /* What is right, by the means of the next lesson, to count what is wrong. */
     pipeline.depth.test = true;
     draw_half(0, &with_depth, &pipeline, &model);
     draw_half(1, &with_depth, &pipeline, &model);

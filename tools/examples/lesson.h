@@ -1,5 +1,4 @@
-/* What most lessons begin with: arguments of the command line, and the model as gn_draw takes it.
- */
+/* What most lessons begin with: the command line, and the model as gn_draw takes it. */
 #ifndef LESSON_H
 #define LESSON_H
 
