@@ -14,8 +14,9 @@ static gn_status checked_draw(const gn_target *target, const gn_pipeline *pipeli
 
 #include <math.h>
 
-/* A brightness this near to a threshold may be on either side: normals are rounded. */
-#define NEAR 2e-6
+/* A brightness this near to a threshold may be on either side: normals are rounded to colours. Both
+ * shaders interpolate the same bits, so that even in thin triangles no more than this is lost. */
+#define NEAR 1e-6
 
 static float normals[WIDTH * HEIGHT][4];
 static uint32_t normal_depth[WIDTH * HEIGHT];
