@@ -16,19 +16,30 @@ static bool ends_with_newline(const char *text)
     return length > 0 && text[length - 1] == '\n';
 }
 
+/* What fits a screen. */
+enum { SCREEN_LINES = 45 };
+
 static void help_is_printed(void **state)
 {
-    static const char commands[][16] = {"", "render ", "compare ", "demo "};
+    static const char commands[][24] = {
+        "--help",          "render --help",     "compare --help",
+        "demo --help",     "render --help-all", "compare --help-all",
+        "transform --help"};
     static const char must_have[][3][24] = {{"render", "compare", "demo"},
                                             {"--depth", "--orthographic", "--backend NAME"},
                                             {"_compared.png", "--backend NAME", "--eye"},
-                                            {"--shader NAME", "--picture", "--tessellation"}};
+                                            {"--shader NAME", "--picture", "--tessellation"},
+                                            {"--format NAME", "--near", "--rotate AXIS"},
+                                            {"_compared.png", "--far", "--import-memory"},
+                                            {"--matrices", "convention", "Exit status"}};
     (void)state;
-    for (int i = 0; i < 4; ++i) {
-        run r = gnomon("%s--help", commands[i]);
+    for (int i = 0; i < 7; ++i) {
+        run r = gnomon("%s", commands[i]);
         assert_int_equal(r.status, 0);
         assert_string_equal(r.error, "");
         assert_true(lines(r.out) > 10);
+        if (strstr(commands[i], "all") == NULL && lines(r.out) > SCREEN_LINES)
+            fail_msg("gnomon %s has %d lines", commands[i], lines(r.out));
         for (int k = 0; k < 3; ++k)
             assert_non_null(strstr(r.out, must_have[i][k]));
         for (char *line = strtok(r.out, "\n"); line != NULL; line = strtok(NULL, "\n"))
@@ -47,7 +58,23 @@ static void usage_errors_are_status_2(void **state)
     expect(2, "paint", "'paint'", "no such command");
     expect(2, "render", "no model", "render --help");
     expect(2, "render square.obj", "no output", "-o OUT.png");
-    expect(2, "render square.obj other.obj -o a.png", "'other.obj'", "one model");
+    expect(2, "render square.obj -o a.png --rotate 90", "--rotate '90'", "AXIS,DEGREES");
+    expect(2, "render square.obj -o a.png --rotate w,90", "--rotate 'w,90'", "AXIS,DEGREES");
+    expect(2, "render square.obj -o a.png --rotate x", "--rotate", "AXIS,DEGREES");
+    expect(2, "render square.obj -o a.png --rotate x,1e99", "--rotate", "AXIS,DEGREES");
+    expect(2, "render square.obj -o a.png --scale 1,2", "--scale '1,2'", "three numbers");
+    expect(2, "render square.obj -o a.png --translate 1", "--translate '1'", "three numbers");
+    expect(2, "render square.obj -o a.png --near here", "--near 'here'", "a distance");
+    expect(2, "render square.obj -o a.png --far inf", "--far 'inf'", "finite");
+    expect(2, "render square.obj -o a.png --cull left", "--cull 'left'", "back, front or none");
+    expect(2, "render square.obj -o a.png --no-depth-test=no", "--no-depth-test", "no value");
+    expect(2, "render square.obj -o a.png --points=0", "--points '0'", "above 0");
+    expect(2, "render square.obj -o a.png --points=big", "--points 'big'", "above 0");
+    expect(2, "render square.obj -o a.png --points --wireframe", "--points", "together");
+    expect(2, "render square.obj -o - --format jpg", "--format 'jpg'", "png, tga or ppm");
+    expect(2, "render square.obj -o a.tga --format tga", "--format", "'a.tga' has one");
+    expect(2, "compare square.obj --format tga", "'--format'", "unknown option");
+    expect(2, "demo --rotate x,90", "'--rotate'", "unknown option");
     expect(2, "render square.obj -o a.png --nonsense", "'--nonsense'", "unknown option");
     expect(2, "render square.obj -o a.png -q", "'-q'", "unknown option");
     expect(2, "render square.obj -o a.png --picture b.png", "'--picture'", "unknown option");
@@ -120,6 +147,13 @@ static void impossible_values_are_status_1(void **state)
     expect(1, "render square.obj -o a.png --fov 180", "--fov", "180");
     expect(1, "render square.obj -o a.png --orthographic 0", "--orthographic", "above 0");
     expect(1, "render square.obj -o a.png --light 0,0,0", "--light", "zero");
+    expect(1, "render square.obj -o a.png --near 0", "--near", "above 0");
+    expect(1, "render square.obj -o a.png --far -1", "--far", "above 0");
+    expect(1, "render square.obj -o a.png --near 2 --far 2", "--far", "beyond --near");
+    expect(1, "render square.obj -o a.png --rotate 0,0,0,90", "--rotate", "'0,0,0,90'");
+    expect(1, "render square.obj -o a.png --scale 1,0,1", "--scale", "singular");
+    expect(1, "render square.obj -o a.png --translate 3e38,0,0 --translate 3e38,0,0", "--translate",
+           "range");
     expect(1, "render square.obj -o a.png --eye 3e38,3e38,3e38 --target -3e38,0,0", "camera",
            "impossible");
     expect(1, "compare square.obj --size 0x0", "--size", "16384");
@@ -299,7 +333,7 @@ static void every_backend_gives_the_same_picture(void **state)
 {
     (void)state;
     write_text("square.obj", square_obj);
-    const run help = gnomon("render --help");
+    const run help = gnomon("render --help-all");
     run r = gnomon("render square.obj -o auto.png --size 61x47");
     assert_int_equal(r.status, 0);
     for (int i = 0; i < GN_BACKEND_COUNT; ++i) {

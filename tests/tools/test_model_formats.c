@@ -229,7 +229,7 @@ static void other_formats_are_refused(void **state)
     expect(1, "render text.gltf -o b.png", "text.gltf", "is not a glTF file");
     write_text("text.gltf", "{\"TYPE\":\"irrEdit\", \"x\":\"<mesh xmlns irrmesh>\"}");
     expect(1, "render text.gltf -o b.png", "text.gltf", "");
-    run r = gnomon("render --help");
+    run r = gnomon("render --help-all");
     assert_non_null(
         strstr(r.out, "OBJ, PLY, STL, glTF (.gltf, .glb), Collada (.dae), FBX and 3DS"));
     assert_non_null(strstr(r.out, "PNG, JPEG, TGA or BMP"));

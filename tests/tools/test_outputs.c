@@ -10,26 +10,91 @@
 
 static void other_extensions_are_refused(void **state)
 {
-    static const char names[][8] = {"a.tga", "a.jpg", "a.PNG.gz", "a."};
+    static const char names[][8] = {"a.bmp", "a.jpg", "a.PNG.gz", "a."};
     char line[1024];
     (void)state;
     write_text("square.obj", square_obj);
     for (int i = 0; i < 4; ++i) {
         snprintf(line, sizeof line, "render square.obj -o %s", names[i]);
-        expect(1, line, names[i], "pictures are PNG files");
+        expect(1, line, names[i], "must end in .png, .tga or .ppm");
         snprintf(line, sizeof line, "render square.obj -o a.png --depth %s", names[i]);
-        expect(1, line, names[i], "pictures are PNG files");
+        expect(1, line, names[i], "name must end in .png");
         snprintf(line, sizeof line, "compare square.obj -o %s", names[i]);
-        expect(1, line, names[i], "pictures are PNG files");
+        expect(1, line, names[i], "must end in .png, .tga or .ppm");
         snprintf(line, sizeof line, "demo -o %s", names[i]);
-        expect(1, line, names[i], "pictures are PNG files");
+        expect(1, line, names[i], "must end in .png, .tga or .ppm");
         snprintf(line, sizeof line, "demo --picture %s", names[i]);
-        expect(1, line, names[i], "pictures are PNG files");
+        expect(1, line, names[i], "must end in .png, .tga or .ppm");
     }
+    expect(1, "render square.obj -o a.png --depth d.tga", "d.tga", "name must end in .png");
     run r =
         shell("mkdir a.b; for o in a.PNG plain .hidden a.b/c; do \"$GNOMON\" render square.obj -o "
               "$o --size 8x8 && head -c 4 $o | grep -q PNG || exit 9; done");
     assert_int_equal(r.status, 0);
+}
+
+/* A picture's bytes after its header, with alpha or without. */
+static void expect_pixels(const uint8_t *bytes, const picture *p, size_t channels, bool blue_first)
+{
+    for (size_t i = 0; i < (size_t)p->width * p->height; ++i) {
+        const uint8_t *pixel = bytes + channels * i;
+        const uint8_t *expected = p->rgba + 4 * i;
+        assert_int_equal(pixel[0], expected[blue_first ? 2 : 0]);
+        assert_int_equal(pixel[1], expected[1]);
+        assert_int_equal(pixel[2], expected[blue_first ? 0 : 2]);
+        if (channels == 4)
+            assert_int_equal(pixel[3], expected[3]);
+    }
+}
+
+static size_t read_file(const char *name, uint8_t *bytes, size_t size)
+{
+    FILE *file = fopen(path_of(name), "rb");
+    assert_non_null(file);
+    const size_t length = fread(bytes, 1, size, file);
+    fclose(file);
+    return length;
+}
+
+/* All formats have the PNG's pixels; the bytes of TGA and PPM are read here. */
+static void suffixes_choose_formats(void **state)
+{
+    enum { WIDTH = 300, HEIGHT = 5, PIXELS = WIDTH * HEIGHT };
+    static const char ppm_header[] = "P6\n300 5\n255\n";
+    static uint8_t bytes[8 * PIXELS];
+    const uint8_t tga_header[18] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 44, 1, 5, 0, 32, 0x28};
+    (void)state;
+    write_text("square.obj", square_obj);
+    run r = shell("for o in f.png f.TGA f.ppm; do \"$GNOMON\" render square.obj -o $o --size 300x5 "
+                  "--shader normals --rotate 1,2,3,40 --background 12345678 || exit; done");
+    assert_int_equal(r.status, 0);
+    assert_non_null(strstr(r.out, "f.ppm: 300x5"));
+    picture p = picture_read("f.png");
+    assert_int_equal(pixel(&p, 0, 0), 0x12345678);
+    assert_int_equal(read_file("f.TGA", bytes, sizeof bytes), 18 + 4 * PIXELS + 26);
+    assert_memory_equal(bytes, tga_header, sizeof tga_header);
+    expect_pixels(bytes + 18, &p, 4, true);
+    assert_memory_equal(bytes + 18 + 4 * PIXELS + 8, "TRUEVISION-XFILE.", 18);
+    assert_int_equal(read_file("f.ppm", bytes, sizeof bytes), sizeof ppm_header - 1 + 3 * PIXELS);
+    assert_memory_equal(bytes, ppm_header, sizeof ppm_header - 1);
+    expect_pixels(bytes + sizeof ppm_header - 1, &p, 3, false);
+    picture_free(&p);
+
+    r = shell("set -e; \"$GNOMON\" compare square.obj --size 100x5 -o c.tga; \"$GNOMON\" compare "
+              "square.obj --size 100x5 -o c.png");
+    assert_int_equal(r.status, 0);
+    p = picture_read("c.png");
+    assert_int_equal(read_file("c.tga", bytes, sizeof bytes), 18 + 3 * PIXELS + 26);
+    expect_pixels(bytes + 18, &p, 3, true);
+    picture_free(&p);
+
+    r = shell(
+        "set -e; for f in png tga ppm; do \"$GNOMON\" render square.obj -o - --format $f "
+        "--size 8x8 >s.$f; \"$GNOMON\" render square.obj -o t.$f --size 8x8; cmp s.$f t.$f; "
+        "done; \"$GNOMON\" render square.obj -o plain --format ppm --size 8x8; cmp plain t.ppm");
+    assert_int_equal(r.status, 0);
+    expect(1, "render square.obj -o /dev/full --format tga --size 8x8", "/dev/full", "No space");
+    expect(1, "render square.obj -o /dev/full --format ppm", "/dev/full", "No space");
 }
 
 /* The name is refused before anything is printed about the picture and before the model is read. */
@@ -129,6 +194,7 @@ int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(other_extensions_are_refused),
+        cmocka_unit_test(suffixes_choose_formats),
         cmocka_unit_test(names_are_checked_first),
         cmocka_unit_test(standard_output_is_the_picture),
         cmocka_unit_test(standard_files_may_be_closed),

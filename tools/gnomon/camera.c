@@ -49,6 +49,12 @@ static int check(const camera_options *asked)
     if (!(asked->fov_degrees > 0.0f && asked->fov_degrees < 180.0f))
         return report_fault("--fov",
                             "impossible camera: the angle must be above 0 and below 180 degrees");
+    if (!asked->orthographic && asked->near_given && !(asked->near > 0.0f))
+        return report_fault("--near", "impossible camera: the distance must be above 0");
+    if (!asked->orthographic && asked->far_given && !(asked->far > 0.0f))
+        return report_fault("--far", "impossible camera: the distance must be above 0");
+    if (asked->near_given && asked->far_given && !(asked->far > asked->near))
+        return report_fault("--far", "impossible camera: it must be beyond --near");
     if (is_zero(asked->up))
         return report_fault("--up", "impossible camera: the vector is zero");
     return 0;
@@ -61,6 +67,27 @@ static double framing_distance(double fov_degrees, double aspect)
     if (aspect < 1.0)
         half = atan(tan(half) * aspect);
     return FRAME_MARGIN / sin(half);
+}
+
+/* The distances of the clipping planes: those asked for, otherwise those around the sphere, which
+ * are passed in. A plane that is not asked for makes way for one that is. */
+static void choose_planes(const camera_options *asked, const bounding_sphere *sphere,
+                          double *z_near, double *z_far)
+{
+    const double thickness = *z_far - *z_near;
+    if (asked->far_given)
+        *z_far = (double)asked->far;
+    if (asked->near_given)
+        *z_near = (double)asked->near;
+    else if (!asked->orthographic)
+        *z_near = fmax(*z_near, fmax(sphere->radius * NEAREST_OF_RADIUS, *z_far * NEAREST_OF_FAR));
+    if (*z_far > *z_near || (asked->near_given && asked->far_given))
+        return;
+    /* Everything is behind the eye, or beyond the plane asked for. */
+    if (asked->far_given)
+        *z_near = asked->orthographic ? *z_far - thickness : *z_far * NEAREST_OF_FAR;
+    else
+        *z_far = asked->orthographic ? *z_near + thickness : *z_near * 2.0;
 }
 
 int camera_place(const camera_options *asked, const bounding_sphere *sphere, uint32_t width,
@@ -104,15 +131,13 @@ int camera_place(const camera_options *asked, const bounding_sphere *sphere, uin
     double z_near = middle - half;
     double z_far = middle + half;
     gn_transform projection;
+    choose_planes(asked, sphere, &z_near, &z_far);
     if (asked->orthographic) {
         float half_height = 0.5f * asked->orthographic_height;
         float half_width = (float)((double)half_height * aspect);
         status = gn_orthographic_rh_no(-half_width, half_width, -half_height, half_height,
                                        (float)z_near, (float)z_far, &projection);
     } else {
-        z_near = fmax(z_near, fmax(sphere->radius * NEAREST_OF_RADIUS, z_far * NEAREST_OF_FAR));
-        if (!(z_far > z_near))
-            z_far = z_near * 2.0; /* everything is behind the eye */
         status = gn_perspective_rh_no((float)((double)asked->fov_degrees * degree), (float)aspect,
                                       (float)z_near, (float)z_far, &projection);
     }

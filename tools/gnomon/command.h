@@ -3,13 +3,19 @@
 #ifndef COMMAND_H
 #define COMMAND_H
 
+#include <stdbool.h>
+
 int command_render(int argc, char **argv);
 int command_compare(int argc, char **argv);
 int command_demo(int argc, char **argv);
 int command_transform(int argc, char **argv);
 
-/* Prints the part of --help that render and compare share: camera, light, shaders, colours, back
- * end. */
-void print_picture_help(void);
+/* Prints the part of --help that the commands which draw models share, in one line an option, or
+ * that of --help-all, in full. */
+void print_picture_help(bool all);
+
+/* The last lines of --help of such a command. */
+#define HELP_ENDING(name)                                                                          \
+    "Models: OBJ, PLY, STL, glTF, Collada, FBX, 3DS. " name " --help-all says more.\n"
 
 #endif

@@ -1,4 +1,4 @@
-/* gnomon compare: the library and OSMesa draw a model. */
+/* gnomon compare: the library and OSMesa draw models. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,20 +11,32 @@
 #include "report.h"
 
 static const char usage[] =
-    "gnomon compare MODEL [-o OUT.png] [OPTION...]: draw a model with Gnomon and with OSMesa,\n"
-    "Mesa's software OpenGL, and count the pixels that differ in any bit, in colour and in\n"
-    "depth (32-bit float). Exit status 0: no pixel differs, 1: some do. If OSMesa is not\n"
-    "installed, or the environment has REFERENCE=egl, the same Mesa draws through EGL.\n"
+    "gnomon compare MODEL... [-o OUT] [OPTION...]: draw models with Gnomon and with OSMesa,\n"
+    "Mesa's software OpenGL, and count the pixels that differ in any bit of colour or depth.\n"
     "\n"
     "  gnomon compare bunny.obj\n"
     "  gnomon compare head.obj -o head_compared.png --eye 0,0.5,3 --size 512x512\n"
+    "\n";
+
+static const char brief[] =
+    "  -o, --output OUT              both pictures and the difference; default:\n"
+    "                                bunny_compared.png for models/bunny.obj\n"
+    "  --size WxH                    size in pixels, up to 16384x16384; default: 1024x1024\n";
+
+static const char ending[] =
+    HELP_ENDING("gnomon compare") "Exit status: 0: no pixel differs; 1: some do, or a file is at "
+                                  "fault; 2: wrong usage.\n";
+
+static const char in_full[] =
+    "Exit status 0: no pixel differs, 1: some do. If OSMesa is not installed, or the\n"
+    "environment has REFERENCE=egl, the same Mesa draws through EGL.\n"
     "\n"
-    "  -o, --output OUT.png    one picture, three times as wide: Gnomon's, OSMesa's and the\n"
-    "                          difference. The difference is black where both are equal,\n"
-    "                          amplified elsewhere, magenta where only alpha or depth differ.\n"
-    "                          Default: the model's name and _compared.png in the current\n"
-    "                          directory, so bunny_compared.png for models/bunny.obj. - is\n"
-    "                          standard output; messages then go to standard error\n"
+    "  -o, --output OUT        one picture (.png, .tga or .ppm), three times as wide: Gnomon's,\n"
+    "                          OSMesa's and the difference. The difference is black where both\n"
+    "                          are equal, amplified elsewhere, magenta where only alpha or\n"
+    "                          depth differ. Default: the first model's name and _compared.png\n"
+    "                          in the current directory. - is standard output; messages then\n"
+    "                          go to standard error\n"
     "  --size WxH              size in pixels, up to 16384x16384; default: 1024x1024\n"
     "\n";
 
@@ -32,15 +44,15 @@ static const char usage[] =
  * memory. */
 static char *default_output(const char *model_path)
 {
-    static const char ending[] = "_compared.png";
+    static const char suffix[] = "_compared.png";
     const char *slash = strrchr(model_path, '/');
     const char *name = slash != NULL ? slash + 1 : model_path;
     size_t length = maps_stem_length(model_path) - (size_t)(name - model_path);
-    char *path = malloc(length + sizeof ending);
+    char *path = malloc(length + sizeof suffix);
     if (path == NULL)
         return NULL;
     memcpy(path, name, length);
-    strcpy(path + length, ending);
+    strcpy(path + length, suffix);
     return path;
 }
 
@@ -48,7 +60,7 @@ static int compare(const options *o, const char *output_path)
 {
     FILE *words = output_words(output_path, NULL);
     picture p;
-    int fault = picture_check_output(o, output_path);
+    int fault = picture_check_output(o, output_path, PICTURE_ANY);
     if (fault == 0)
         fault = picture_describe(o, &p);
     if (fault != 0)
@@ -74,9 +86,12 @@ int command_compare(int argc, char **argv)
     options o;
     int status;
     options_result result = options_parse(COMMAND_COMPARE, argc, argv, &o, &status);
-    if (result == OPTIONS_HELP) {
+    if (result == OPTIONS_HELP || result == OPTIONS_HELP_ALL) {
+        const bool all = result == OPTIONS_HELP_ALL;
         fputs(usage, stdout);
-        print_picture_help();
+        fputs(all ? in_full : brief, stdout);
+        print_picture_help(all);
+        fputs(all ? "" : ending, stdout);
         return finish_output(0);
     }
     if (result == OPTIONS_WRONG)

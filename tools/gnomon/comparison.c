@@ -7,8 +7,7 @@
 
 #include "osmesa.h"
 
-#include "output.h"
-#include "png_write.h"
+#include "picture_write.h"
 #include "report.h"
 
 /* Makes differences visible: even the least difference is a clear grey. */
@@ -185,24 +184,9 @@ static void picture_row(const void *context, uint32_t y, uint8_t *row)
         put_rgb(ours[x], row + 3 * x);
 }
 
-static int write_rows(const comparison *c, const char *path, uint32_t width, png_row *row)
-{
-    output file;
-    int fault = output_open(&file, path);
-    if (fault != 0)
-        return fault;
-    fault = png_write(&file, PNG_RGB8, width, c->ours.height, row, c);
-    if (fault == 0)
-        fault = output_finish(&file);
-    if (fault == 0)
-        fault = output_rename(&file);
-    output_abandon(&file);
-    return fault;
-}
-
 int comparison_write_triptych(const comparison *c, const char *path)
 {
-    return write_rows(c, path, 3 * c->ours.width, triptych_row);
+    return picture_write_file(path, PNG_RGB8, 3 * c->ours.width, c->ours.height, triptych_row, c);
 }
 
 void comparison_name_triptych(FILE *words, const char *path)
@@ -213,7 +197,7 @@ void comparison_name_triptych(FILE *words, const char *path)
 
 int comparison_write_picture(const comparison *c, const char *path)
 {
-    return write_rows(c, path, c->ours.width, picture_row);
+    return picture_write_file(path, PNG_RGB8, c->ours.width, c->ours.height, picture_row, c);
 }
 
 void comparison_free(comparison *c)

@@ -203,9 +203,9 @@ int command_demo(int argc, char **argv)
 
     FILE *words = output_words(o.output, o.picture_output);
     picture p;
-    int fault = output_check(o.output);
+    int fault = picture_format_check(o.output, PICTURE_ANY);
     if (fault == 0 && o.picture_output != NULL)
-        fault = output_check(o.picture_output);
+        fault = picture_format_check(o.picture_output, PICTURE_ANY);
     if (fault == 0)
         fault = describe(&o, &p);
     if (fault != 0)

@@ -299,6 +299,48 @@ int import_model(const options *o, unsigned int wanted, imported *result)
     return fault;
 }
 
+/* Moves the parts and maps of a model to the end of others. Returns false if there is not enough
+ * memory; `from` must be freed either way. */
+static bool append(imported *to, imported *from)
+{
+    const size_t count = to->model.part_count, added = from->model.part_count;
+    model_part *parts = realloc(to->model.parts, (count + added) * sizeof *parts);
+    if (parts == NULL)
+        return false;
+    to->model.parts = parts;
+    part_maps *maps = realloc(to->maps, (count + added) * sizeof *maps);
+    if (maps == NULL)
+        return false;
+    to->maps = maps;
+    memcpy(parts + count, from->model.parts, added * sizeof *parts);
+    memcpy(maps + count, from->maps, added * sizeof *maps);
+    to->model.part_count += added;
+    from->model.part_count = 0;
+    return maps_told_append(&to->told, &from->told);
+}
+
+int import_models(const options *o, unsigned int wanted, imported *result)
+{
+    options one = *o;
+    int fault = 0;
+    memset(result, 0, sizeof *result);
+    for (size_t i = 0; i < o->model_count && fault == 0; ++i) {
+        imported next;
+        one.model = o->models[i].path;
+        fault = import_model(&one, wanted, &next);
+        if (fault != 0)
+            break;
+        for (size_t p = 0; p < next.model.part_count; ++p)
+            next.model.parts[p].world_from_model = o->models[i].world_from_model;
+        if (!append(result, &next))
+            fault = report_fault(one.model, "not enough memory");
+        import_free(&next);
+    }
+    if (fault != 0)
+        import_free(result);
+    return fault;
+}
+
 void import_free(imported *i)
 {
     for (size_t p = 0; i->maps != NULL && p < i->model.part_count; ++p)

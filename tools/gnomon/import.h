@@ -18,6 +18,10 @@ typedef struct imported {
  * and, if a limit was reached, the option that raises it. Call it before threads are started. */
 int import_model(const options *o, unsigned int wanted, imported *result);
 
+/* Reads all models of the options, one after another, as the parts of one model, each placed where
+ * the options say. As import_model otherwise; the limits are those of each model. */
+int import_models(const options *o, unsigned int wanted, imported *result);
+
 void import_free(imported *i);
 
 #endif

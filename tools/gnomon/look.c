@@ -115,6 +115,30 @@ static void set_shine(scene_draw *draw, const look *l, const model_part *part)
     draw->surface.bands = l->options->bands;
 }
 
+/* Whether a matrix turns right hands into left hands. */
+static bool is_mirrored(const gn_mat4 *matrix)
+{
+    const float(*m)[4] = matrix->m;
+    double sum = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        sum += (double)m[0][i] *
+               ((double)m[1][j] * (double)m[2][k] - (double)m[1][k] * (double)m[2][j]);
+    }
+    return sum < 0.0;
+}
+
+/* In a mirrored model the bitangent is on the other side of normal and tangent. */
+static void mirror_tangents(scene_draw *draw, const model_part *part)
+{
+    float *mirrored = scene_allocate(part->vertex_count, 4 * sizeof *mirrored);
+    memcpy(mirrored, part->tangents, (size_t)part->vertex_count * 4 * sizeof *mirrored);
+    for (size_t v = 0; v < part->vertex_count; ++v)
+        mirrored[4 * v + 3] = -mirrored[4 * v + 3];
+    scene_set_attribute(draw, GN_ATTRIBUTE_TANGENT, mirrored, 4, part->vertex_count);
+    free(mirrored);
+}
+
 static void set_attributes(scene_draw *draw, const model_part *part, const part_maps *maps)
 {
     const bool has_map = maps->images[MAP_DIFFUSE].texels != NULL;
@@ -127,7 +151,34 @@ static void set_attributes(scene_draw *draw, const model_part *part, const part_
         scene_set_attribute(draw, GN_ATTRIBUTE_TEXCOORD, part->texcoords, 2, count);
     if (part->has_tangents)
         scene_set_attribute(draw, GN_ATTRIBUTE_TANGENT, part->tangents, 4, count);
+    if (part->has_tangents && is_mirrored(&part->world_from_model.matrix))
+        mirror_tangents(draw, part);
     scene_set_indices(draw, part->indices, part->index_count, GN_INDEX_UINT32);
+}
+
+static void set_state(scene_draw *draw, const options *o, const gn_mat4 *world_from_model)
+{
+    gn_pipeline *state = &draw->state;
+    const gn_polygon_mode mode = o->wireframe ? GN_POLYGON_LINE
+                                 : o->points  ? GN_POLYGON_POINT
+                                              : GN_POLYGON_FILL;
+    state->depth.test = !o->depth_test_disabled;
+    state->raster.polygon_mode_front = mode;
+    state->raster.polygon_mode_back = mode;
+    state->raster.point_size = o->point_size;
+    state->raster.cull = o->cull;
+    /* A mirrored front has the opposite sense of rotation. */
+    state->raster.front_face =
+        is_mirrored(world_from_model) ? GN_FRONT_CLOCKWISE : GN_FRONT_COUNTER_CLOCKWISE;
+}
+
+void look_place(scene_draw *draw, const look *l, const gn_transform *world_from_model)
+{
+    scene_light *light = &draw->uniforms.light;
+    gn_mat4_multiply(&l->view.clip_from_world, &world_from_model->matrix, &light->clip_from_model);
+    gn_transform_normal_matrix(world_from_model, &light->normal_matrix);
+    draw->surface.world_from_model = world_from_model->matrix;
+    draw->surface.eye = l->view.eye;
 }
 
 scene_draw *look_add_part(scene *s, const look *l, const model_part *part, const part_maps *maps)
@@ -135,15 +186,8 @@ scene_draw *look_add_part(scene *s, const look *l, const model_part *part, const
     scene_draw *draw = scene_add_draw(s);
     scene_light *light = &draw->uniforms.light;
     draw->shader = shader_of(l->shading, maps->images[MAP_DIFFUSE].texels != NULL);
-    draw->state.depth.test = true;
-    if (l->options->wireframe) {
-        draw->state.raster.polygon_mode_front = GN_POLYGON_LINE;
-        draw->state.raster.polygon_mode_back = GN_POLYGON_LINE;
-    }
-    light->clip_from_model = l->view.clip_from_world;
-    gn_mat3_identity(&light->normal_matrix);
-    gn_mat4_identity(&draw->surface.world_from_model);
-    draw->surface.eye = l->view.eye;
+    set_state(draw, l->options, &part->world_from_model.matrix);
+    look_place(draw, l, &part->world_from_model);
     light->light_direction = l->light_direction;
     light->ambient = l->ambient;
     light->diffuse = l->diffuse;

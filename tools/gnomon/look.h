@@ -25,6 +25,9 @@ typedef struct look {
  * ambient light to see the rest. Returns 0, or EXIT_FAULT with the reason printed. */
 int look_choose(const options *o, const camera *view, shading which, look *result);
 
+/* Sets the matrices of a draw for a model that is placed there, as the camera sees it. */
+void look_place(scene_draw *draw, const look *l, const gn_transform *world_from_model);
+
 /* Adds a part to a scene, with copies of everything that it needs. A part with a diffuse map has
  * only its vertices' colours. */
 scene_draw *look_add_part(scene *s, const look *l, const model_part *part, const part_maps *maps);

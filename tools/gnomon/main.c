@@ -7,20 +7,23 @@
 #include <string.h>
 #include <unistd.h>
 
+#include <gnomon.h>
+
 #include "command.h"
 #include "report.h"
 
 static const char overview[] =
     "gnomon: draws 3D models with a software renderer whose every pixel is checked.\n"
     "\n"
-    "  gnomon render MODEL -o OUT.png   draw a model\n"
-    "  gnomon compare MODEL             draw a model with Gnomon and with OSMesa, and count the\n"
+    "  gnomon render MODEL... -o OUT    draw models\n"
+    "  gnomon compare MODEL...          draw models with Gnomon and with OSMesa, and count the\n"
     "                                   pixels that differ\n"
     "  gnomon demo                      compare pictures of a teapot; needs no model\n"
     "  gnomon transform < SETUP         print where points are at every stage: local, world,\n"
     "                                   view, clip, NDC and pixel coordinates\n"
     "\n"
-    "gnomon COMMAND --help explains a command and shows examples. For a first picture:\n"
+    "gnomon COMMAND --help explains a command and shows examples. gnomon --version prints the\n"
+    "version and the back end that draws. For a first picture:\n"
     "\n"
     "  gnomon demo --picture teapot.png\n"
     "\n"
@@ -49,6 +52,15 @@ static void explain_abort(int number)
     _exit(EXIT_FAULT);
 }
 
+/* The library's own number, and the back end that draws if no option names one. */
+static int print_version(void)
+{
+    const unsigned int version = gn_version();
+    printf("gnomon %u.%u.%u, back end %s\n", version / 1000000, version / 1000 % 1000,
+           version % 1000, gn_backend_name(gn_backend_best()));
+    return finish_output(0);
+}
+
 static int run(int argc, char **argv)
 {
     if (argc < 2)
@@ -66,6 +78,8 @@ static int run(int argc, char **argv)
         fputs(overview, stdout);
         return finish_output(0);
     }
+    if (strcmp(argv[1], "--version") == 0)
+        return print_version();
     return report_usage("", "'%s': no such command", argv[1]);
 }
 

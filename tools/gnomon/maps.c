@@ -234,6 +234,19 @@ void maps_free(part_maps *maps)
         image_free(maps->images + i);
 }
 
+bool maps_told_append(maps_told *to, const maps_told *from)
+{
+    if (from->text == NULL)
+        return true;
+    const size_t length = to->text != NULL ? strlen(to->text) : 0;
+    char *longer = realloc(to->text, length + strlen(from->text) + 3);
+    if (longer == NULL)
+        return false;
+    to->text = longer;
+    sprintf(longer + length, "%s%s", length > 0 ? ", " : "", from->text);
+    return true;
+}
+
 void maps_told_free(maps_told *told)
 {
     free(told->text);

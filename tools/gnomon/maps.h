@@ -26,6 +26,9 @@ int maps_read(const options *o, const model_part *part, unsigned int wanted, ima
               part_maps *result, maps_told *told);
 
 void maps_free(part_maps *maps);
+/* Adds a list to the end of another. Returns false if there is not enough memory. */
+bool maps_told_append(maps_told *to, const maps_told *from);
+
 void maps_told_free(maps_told *told);
 
 /* The length of a model's path without its extension. */

@@ -11,6 +11,7 @@ bool model_part_allocate(model_part *part, uint32_t vertex_count, uint32_t index
     size_t vertices = vertex_count;
     part->vertex_count = vertex_count;
     part->index_count = index_count;
+    gn_transform_identity(&part->world_from_model);
     part->positions = calloc(vertices + 1, 3 * sizeof(float));
     part->normals = calloc(vertices + 1, 3 * sizeof(float));
     part->colors = calloc(vertices + 1, 4 * sizeof(float));
@@ -49,6 +50,16 @@ uint64_t model_triangle_count(const model *m)
     return count;
 }
 
+/* A vertex in the world. */
+static void place_vertex(const model_part *part, uint32_t vertex, double result[3])
+{
+    const float *p = part->positions + 3 * (size_t)vertex;
+    const float(*m)[4] = part->world_from_model.matrix.m;
+    for (int c = 0; c < 3; ++c)
+        result[c] = (double)m[0][c] * (double)p[0] + (double)m[1][c] * (double)p[1] +
+                    (double)m[2][c] * (double)p[2] + (double)m[3][c];
+}
+
 bounding_sphere model_bounds(const model *m)
 {
     bounding_sphere sphere = {{0.0, 0.0, 0.0}, 0.0};
@@ -57,10 +68,11 @@ bounding_sphere model_bounds(const model *m)
     for (size_t p = 0; p < m->part_count; ++p) {
         const model_part *part = m->parts + p;
         for (size_t i = 0; i < part->index_count; ++i) {
-            const float *position = part->positions + 3 * (size_t)part->indices[i];
+            double position[3];
+            place_vertex(part, part->indices[i], position);
             for (int c = 0; c < 3; ++c) {
-                low[c] = fmin(low[c], (double)position[c]);
-                high[c] = fmax(high[c], (double)position[c]);
+                low[c] = fmin(low[c], position[c]);
+                high[c] = fmax(high[c], position[c]);
             }
         }
     }
@@ -69,10 +81,11 @@ bounding_sphere model_bounds(const model *m)
     for (size_t p = 0; p < m->part_count; ++p) {
         const model_part *part = m->parts + p;
         for (size_t i = 0; i < part->index_count; ++i) {
-            const float *position = part->positions + 3 * (size_t)part->indices[i];
+            double position[3];
+            place_vertex(part, part->indices[i], position);
             double square = 0.0;
             for (int c = 0; c < 3; ++c) {
-                double d = (double)position[c] - sphere.center[c];
+                double d = position[c] - sphere.center[c];
                 square += d * d;
             }
             sphere.radius = fmax(sphere.radius, sqrt(square));

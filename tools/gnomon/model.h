@@ -6,6 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include <gnomon.h>
+
 #include "camera.h"
 #include "shading.h"
 
@@ -40,6 +42,7 @@ typedef struct model_part {
     uint32_t *indices; /* three per triangle */
     model_shine shine;
     model_texture maps[MAP_COUNT]; /* the normals are in tangent space */
+    gn_transform world_from_model; /* where the part is drawn */
 } model_part;
 
 typedef struct model {
@@ -47,9 +50,9 @@ typedef struct model {
     model_part *parts;
 } model;
 
-/* Allocates a part's arrays; texture coordinates and tangents only if has_texcoords and
- * has_tangents ask for them. Returns false if there is not enough memory; model_free frees what was
- * allocated. */
+/* Allocates a part's arrays and places it where its model is; texture coordinates and tangents only
+ * if has_texcoords and has_tangents ask for them. Returns false if there is not enough memory;
+ * model_free frees what was allocated. */
 bool model_part_allocate(model_part *part, uint32_t vertex_count, uint32_t index_count);
 
 void model_free(model *m);
@@ -62,8 +65,8 @@ bool model_complete_normals(model *m);
 
 uint64_t model_triangle_count(const model *m);
 
-/* Returns a sphere around all vertices that triangles use; its centre is the centre of their
- * bounding box. */
+/* Returns a sphere around all vertices that triangles use, in the world; its centre is the centre
+ * of their bounding box. */
 bounding_sphere model_bounds(const model *m);
 
 #endif

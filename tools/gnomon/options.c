@@ -1,16 +1,12 @@
 /* Parses the command line. */
 #include "options.h"
 
-#include <ctype.h>
 #include <getopt.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include <gnomon/surface.h>
-
+#include "option_values.h"
 #include "report.h"
+#include "rotation.h"
 
 #define DEFAULT_FOV_DEGREES 40.0f
 #define DEFAULT_TESSELLATION 16
@@ -21,6 +17,9 @@
 #define MAX_MEBIBYTES (1 << 20)
 #define MAX_MEGAPIXELS 256
 static const import_limits default_limits = {30, 2048, 1024, 64};
+
+/* What getopt_long returns for a word that is no option: its number in RETURN_IN_ORDER. */
+#define WORD_ALONE 1
 
 enum {
     OPTION_SIZE = 256,
@@ -50,7 +49,17 @@ enum {
     OPTION_IMPORT_SECONDS,
     OPTION_IMPORT_MEMORY,
     OPTION_IMPORT_OUTPUT,
-    OPTION_MAP_PIXELS
+    OPTION_MAP_PIXELS,
+    OPTION_HELP_ALL,
+    OPTION_FORMAT,
+    OPTION_ROTATE,
+    OPTION_SCALE,
+    OPTION_TRANSLATE,
+    OPTION_NEAR,
+    OPTION_FAR,
+    OPTION_CULL,
+    OPTION_NO_DEPTH_TEST,
+    OPTION_POINTS
 };
 
 #define MODEL_COMMANDS (COMMAND_RENDER | COMMAND_COMPARE)
@@ -58,40 +67,50 @@ enum {
 
 static const struct {
     char name[20];
-    bool takes_value;
+    int takes_value; /* as for getopt_long */
     int value;
     int commands;
 } option_table[] = {
-    {"help", false, 'h', ALL_COMMANDS},
-    {"output", true, 'o', ALL_COMMANDS},
-    {"size", true, OPTION_SIZE, ALL_COMMANDS},
-    {"eye", true, OPTION_EYE, MODEL_COMMANDS},
-    {"target", true, OPTION_TARGET, MODEL_COMMANDS},
-    {"up", true, OPTION_UP, MODEL_COMMANDS},
-    {"fov", true, OPTION_FOV, MODEL_COMMANDS},
-    {"orthographic", true, OPTION_ORTHOGRAPHIC, MODEL_COMMANDS},
-    {"shader", true, OPTION_SHADER, ALL_COMMANDS},
-    {"background", true, OPTION_BACKGROUND, MODEL_COMMANDS},
-    {"light", true, OPTION_LIGHT, MODEL_COMMANDS},
-    {"texture", true, OPTION_TEXTURE, MODEL_COMMANDS},
-    {"normal-map", true, OPTION_NORMAL_MAP, ALL_COMMANDS},
-    {"specular-map", true, OPTION_SPECULAR_MAP, MODEL_COMMANDS},
-    {"glow-map", true, OPTION_GLOW_MAP, MODEL_COMMANDS},
-    {"filter", true, OPTION_FILTER, ALL_COMMANDS},
-    {"shadows", false, OPTION_SHADOWS, ALL_COMMANDS},
-    {"exponent", true, OPTION_EXPONENT, ALL_COMMANDS},
-    {"bands", true, OPTION_BANDS, ALL_COMMANDS},
-    {"backend", true, OPTION_BACKEND, MODEL_COMMANDS},
-    {"wireframe", false, OPTION_WIREFRAME, MODEL_COMMANDS},
-    {"samples", true, OPTION_SAMPLES, ALL_COMMANDS},
-    {"statistics", false, OPTION_STATISTICS, ALL_COMMANDS},
-    {"depth", true, OPTION_DEPTH, COMMAND_RENDER},
-    {"picture", true, OPTION_PICTURE, COMMAND_DEMO},
-    {"tessellation", true, OPTION_TESSELLATION, COMMAND_DEMO},
-    {"import-seconds", true, OPTION_IMPORT_SECONDS, MODEL_COMMANDS},
-    {"import-memory", true, OPTION_IMPORT_MEMORY, MODEL_COMMANDS},
-    {"import-output", true, OPTION_IMPORT_OUTPUT, MODEL_COMMANDS},
-    {"map-pixels", true, OPTION_MAP_PIXELS, MODEL_COMMANDS},
+    {"help", no_argument, 'h', ALL_COMMANDS},
+    {"help-all", no_argument, OPTION_HELP_ALL, MODEL_COMMANDS},
+    {"output", required_argument, 'o', ALL_COMMANDS},
+    {"size", required_argument, OPTION_SIZE, ALL_COMMANDS},
+    {"eye", required_argument, OPTION_EYE, MODEL_COMMANDS},
+    {"target", required_argument, OPTION_TARGET, MODEL_COMMANDS},
+    {"up", required_argument, OPTION_UP, MODEL_COMMANDS},
+    {"fov", required_argument, OPTION_FOV, MODEL_COMMANDS},
+    {"orthographic", required_argument, OPTION_ORTHOGRAPHIC, MODEL_COMMANDS},
+    {"shader", required_argument, OPTION_SHADER, ALL_COMMANDS},
+    {"background", required_argument, OPTION_BACKGROUND, MODEL_COMMANDS},
+    {"light", required_argument, OPTION_LIGHT, MODEL_COMMANDS},
+    {"texture", required_argument, OPTION_TEXTURE, MODEL_COMMANDS},
+    {"normal-map", required_argument, OPTION_NORMAL_MAP, ALL_COMMANDS},
+    {"specular-map", required_argument, OPTION_SPECULAR_MAP, MODEL_COMMANDS},
+    {"glow-map", required_argument, OPTION_GLOW_MAP, MODEL_COMMANDS},
+    {"filter", required_argument, OPTION_FILTER, ALL_COMMANDS},
+    {"shadows", no_argument, OPTION_SHADOWS, ALL_COMMANDS},
+    {"exponent", required_argument, OPTION_EXPONENT, ALL_COMMANDS},
+    {"bands", required_argument, OPTION_BANDS, ALL_COMMANDS},
+    {"backend", required_argument, OPTION_BACKEND, MODEL_COMMANDS},
+    {"wireframe", no_argument, OPTION_WIREFRAME, MODEL_COMMANDS},
+    {"samples", required_argument, OPTION_SAMPLES, ALL_COMMANDS},
+    {"statistics", no_argument, OPTION_STATISTICS, ALL_COMMANDS},
+    {"rotate", required_argument, OPTION_ROTATE, MODEL_COMMANDS},
+    {"scale", required_argument, OPTION_SCALE, MODEL_COMMANDS},
+    {"translate", required_argument, OPTION_TRANSLATE, MODEL_COMMANDS},
+    {"near", required_argument, OPTION_NEAR, MODEL_COMMANDS},
+    {"far", required_argument, OPTION_FAR, MODEL_COMMANDS},
+    {"cull", required_argument, OPTION_CULL, MODEL_COMMANDS},
+    {"no-depth-test", no_argument, OPTION_NO_DEPTH_TEST, MODEL_COMMANDS},
+    {"points", optional_argument, OPTION_POINTS, MODEL_COMMANDS},
+    {"format", required_argument, OPTION_FORMAT, COMMAND_RENDER},
+    {"depth", required_argument, OPTION_DEPTH, COMMAND_RENDER},
+    {"picture", required_argument, OPTION_PICTURE, COMMAND_DEMO},
+    {"tessellation", required_argument, OPTION_TESSELLATION, COMMAND_DEMO},
+    {"import-seconds", required_argument, OPTION_IMPORT_SECONDS, MODEL_COMMANDS},
+    {"import-memory", required_argument, OPTION_IMPORT_MEMORY, MODEL_COMMANDS},
+    {"import-output", required_argument, OPTION_IMPORT_OUTPUT, MODEL_COMMANDS},
+    {"map-pixels", required_argument, OPTION_MAP_PIXELS, MODEL_COMMANDS},
 };
 
 #define OPTION_COUNT (sizeof option_table / sizeof option_table[0])
@@ -108,105 +127,59 @@ const char *options_command_name(command which)
     }
 }
 
-/* Reads a finite float at *text and moves *text behind it. */
-static bool parse_float(const char **text, float *result)
-{
-    char *end;
-    if (isspace((unsigned char)**text))
-        return false;
-    double value = strtod(*text, &end);
-    *result = (float)value;
-    if (end == *text || !isfinite(*result))
-        return false;
-    *text = end;
-    return true;
-}
-
-/* Whether the text is a list of numbers one of which is not finite as a float. */
-static bool has_infinite(const char *text)
-{
-    char *end;
-    for (;; text = end + 1) {
-        float value = (float)strtod(text, &end);
-        if (end == text || (*end != ',' && *end != '\0'))
-            return false;
-        if (!isfinite(value))
-            return true;
-        if (*end == '\0')
-            return false;
-    }
-}
-
 /* Whether an option takes floats. */
 static bool takes_floats(int option)
 {
     return option == OPTION_EYE || option == OPTION_TARGET || option == OPTION_UP ||
-           option == OPTION_LIGHT || option == OPTION_FOV || option == OPTION_ORTHOGRAPHIC;
+           option == OPTION_LIGHT || option == OPTION_FOV || option == OPTION_ORTHOGRAPHIC ||
+           option == OPTION_ROTATE || option == OPTION_SCALE || option == OPTION_TRANSLATE ||
+           option == OPTION_NEAR || option == OPTION_FAR;
 }
 
-static bool parse_single(const char *text, float *result)
+static bool is_transformation(int option)
 {
-    return parse_float(&text, result) && *text == '\0';
+    return option == OPTION_ROTATE || option == OPTION_SCALE || option == OPTION_TRANSLATE;
 }
 
-static bool parse_vector(const char *text, gn_vec3 *result)
+/* Adds a transformation to the model in front of it; before the first model, to those of all
+ * models. Returns as take_value does; sets the status of the transformation. */
+static const char *take_transformation(int option, const char *text, options *o, gn_status *status)
 {
-    return parse_float(&text, &result->x) && *text++ == ',' && parse_float(&text, &result->y) &&
-           *text++ == ',' && parse_float(&text, &result->z) && *text == '\0';
+    gn_transform *to =
+        o->model_count > 0 ? &o->models[o->model_count - 1].world_from_model : &o->world_from_all;
+    gn_transform next;
+    gn_vec3 v;
+    float degrees;
+    switch (option) {
+    case OPTION_ROTATE:
+        if (!parse_rotation(text, &v, &degrees))
+            return "AXIS,DEGREES where AXIS is x, y, z or X,Y,Z";
+        *status = rotation_about(v, degrees, &next);
+        break;
+    case OPTION_SCALE:
+        if (!parse_scale(text, &v))
+            return "a number, or three numbers X,Y,Z";
+        *status = gn_scale(v, &next);
+        break;
+    default:
+        if (!parse_vector(text, &v))
+            return "three numbers X,Y,Z";
+        *status = gn_translate(v, &next);
+    }
+    if (*status == GN_OK)
+        *status = gn_transform_compose(&next, to, to);
+    return NULL;
 }
 
-/* Reads a whole number of digits only; numbers beyond 32 bits become UINT32_MAX. */
-static bool parse_count(const char **text, uint32_t *result)
+static bool parse_cull(const char *text, gn_cull *result)
 {
-    uint64_t value = 0;
-    if (!isdigit((unsigned char)**text))
+    static const char words[][12] = {"none", "back", "front"};
+    static const gn_cull values[] = {GN_CULL_NONE, GN_CULL_BACK, GN_CULL_FRONT};
+    int number;
+    if (!parse_word(text, words, 3, &number))
         return false;
-    for (; isdigit((unsigned char)**text); ++(*text)) {
-        value = value * 10 + (uint64_t)(**text - '0');
-        if (value > UINT32_MAX)
-            value = UINT32_MAX;
-    }
-    *result = (uint32_t)value;
+    *result = values[number];
     return true;
-}
-
-static bool parse_within(const char *text, uint32_t least, uint32_t most, uint32_t *result)
-{
-    return parse_count(&text, result) && *text == '\0' && *result >= least && *result <= most;
-}
-
-static bool parse_size(const char *text, uint32_t *width, uint32_t *height)
-{
-    return parse_count(&text, width) && (*text == 'x' || *text == 'X') && *++text != '\0' &&
-           parse_count(&text, height) && *text == '\0';
-}
-
-/* #rrggbb or #rrggbbaa. The # may be left out, since shells take it for a comment. */
-static bool parse_color(const char *text, float color[4])
-{
-    if (*text == '#')
-        ++text;
-    size_t length = strlen(text);
-    if ((length != 6 && length != 8) || strspn(text, "0123456789abcdefABCDEF") != length)
-        return false;
-    color[3] = 1.0f;
-    for (size_t i = 0; i < length / 2; ++i) {
-        char digits[3] = {text[2 * i], text[2 * i + 1], '\0'};
-        color[i] = (float)strtoul(digits, NULL, 16) / 255.0f;
-    }
-    return true;
-}
-
-/* The number of a word in a list. */
-static bool parse_word(const char *text, const char words[][12], int count, int *result)
-{
-    for (int i = 0; i < count; ++i) {
-        if (strcmp(text, words[i]) == 0) {
-            *result = i;
-            return true;
-        }
-    }
-    return false;
 }
 
 static bool parse_filter(const char *text, filter_option *result)
@@ -219,59 +192,8 @@ static bool parse_filter(const char *text, filter_option *result)
     return true;
 }
 
-static bool parse_map(const char *text, map_option *result)
-{
-    result->none = strcmp(text, "none") == 0;
-    result->file = result->none ? NULL : text;
-    return *text != '\0';
-}
-
-/* `none`, or which of the existing maps, or a file with its kind before a colon. */
-static bool parse_normal_map(const char *text, options *o)
-{
-    static const char words[][12] = {"any", "tangent", "world", "none"};
-    map_option *map = o->maps + MAP_NORMAL;
-    char word[12] = "";
-    int number;
-    size_t length = strcspn(text, ":");
-    if (length >= sizeof word)
-        return false;
-    memcpy(word, text, length);
-    if (!parse_word(word, words, 4, &number))
-        return false;
-    map->none = number == 3;
-    map->file = text[length] == ':' ? text + length + 1 : NULL;
-    o->normals = map->none ? NORMALS_ANY : (normal_option)number;
-    return map->file == NULL || (*map->file != '\0' && (number == 1 || number == 2));
-}
-
-static bool parse_backend(const char *text, gn_backend *result)
-{
-    for (int i = 0; i < GN_BACKEND_COUNT; ++i) {
-        if (strcmp(text, gn_backend_name((gn_backend)i)) == 0) {
-            *result = (gn_backend)i;
-            return true;
-        }
-    }
-    return false;
-}
-
-/* "auto, portable, .. or wasm-simd128": every back end, present here or not. */
-static const char *backend_names(void)
-{
-    static char names[GN_BACKEND_COUNT * 20];
-    size_t end = 0;
-
-    for (int i = 0; i < GN_BACKEND_COUNT; ++i)
-        end += (size_t)snprintf(names + end, sizeof names - end, "%s%s",
-                                i == 0                      ? ""
-                                : i == GN_BACKEND_COUNT - 1 ? " or "
-                                                            : ", ",
-                                gn_backend_name((gn_backend)i));
-    return names;
-}
-
-/* Reads the value of one option. Returns null, or a description of the expected value. */
+/* Reads the value of one option, null if it has none. Returns null, or a description of the
+ * expected value. */
 static const char *take_value(int option, const char *text, options *o)
 {
     static const char vector_form[] = "three numbers X,Y,Z";
@@ -308,6 +230,26 @@ static const char *take_value(int option, const char *text, options *o)
     case OPTION_WIREFRAME:
         o->wireframe = true;
         return NULL;
+    case OPTION_POINTS:
+        o->points = true;
+        o->point_size = 1.0f;
+        return text == NULL || (parse_single(text, &o->point_size) && o->point_size > 0.0f)
+                   ? NULL
+                   : "a size in pixels, above 0";
+    case OPTION_CULL:
+        return parse_cull(text, &o->cull) ? NULL : "back, front or none";
+    case OPTION_NO_DEPTH_TEST:
+        o->depth_test_disabled = true;
+        return NULL;
+    case OPTION_FORMAT:
+        o->format_given = true;
+        return picture_format_by_name(text, &o->format) ? NULL : "png, tga or ppm";
+    case OPTION_NEAR:
+        camera->near_given = true;
+        return parse_single(text, &camera->near) ? NULL : "a distance";
+    case OPTION_FAR:
+        camera->far_given = true;
+        return parse_single(text, &camera->far) ? NULL : "a distance";
     case OPTION_STATISTICS:
         o->statistics = true;
         return NULL;
@@ -342,7 +284,7 @@ static const char *take_value(int option, const char *text, options *o)
                    : "vertex-color, unlit, flat, gouraud, toon, phong, blinn-phong, normals or "
                      "depth";
     case OPTION_BACKEND:
-        return parse_backend(text, &o->backend) ? NULL : backend_names();
+        return parse_backend(text, &o->backend) ? NULL : parse_backend_names();
     case OPTION_IMPORT_SECONDS:
         return parse_within(text, 1, MAX_SECONDS, &o->limits.seconds)
                    ? NULL
@@ -362,7 +304,7 @@ static const char *take_value(int option, const char *text, options *o)
     case OPTION_BACKGROUND:
         return parse_color(text, o->background) ? NULL : "#rrggbb or #rrggbbaa";
     default:
-        return parse_count(&text, &o->tessellation) && *text == '\0' ? NULL : "a whole number";
+        return parse_whole(text, &o->tessellation) ? NULL : "a whole number";
     }
 }
 
@@ -375,6 +317,11 @@ static int check(command which, const options *o)
         return report_usage(name, "no output file; give one with -o OUT.png");
     if (o->camera.orthographic && o->camera.fov_given)
         return report_usage(name, "--fov and --orthographic cannot be used together");
+    if (o->wireframe && o->points)
+        return report_usage(name, "--wireframe and --points cannot be used together");
+    if (o->format_given && picture_has_suffix(o->output))
+        return report_usage(
+            name, "--format is for names without a suffix, such as -, and '%s' has one", o->output);
     if (which == COMMAND_COMPARE && o->wireframe && o->samples > 1)
         return report_usage(name, "--wireframe and --samples cannot be used together: "
                                   "OSMesa loses pieces of such lines");
@@ -417,70 +364,121 @@ static void set_defaults(command which, options *o)
     memcpy(o->background, background, sizeof background);
     o->tessellation = DEFAULT_TESSELLATION;
     o->limits = default_limits;
+    gn_transform_identity(&o->world_from_all);
+}
+
+/* The words after the options of getopt_long, as long options of a command. */
+static size_t list_options(command which, struct option list[OPTION_COUNT + 1])
+{
+    size_t count = 0;
+    memset(list, 0, (OPTION_COUNT + 1) * sizeof *list);
+    for (size_t i = 0; i < OPTION_COUNT; ++i) {
+        if ((option_table[i].commands & (int)which) == 0)
+            continue;
+        list[count].name = option_table[i].name;
+        list[count].has_arg = option_table[i].takes_value;
+        list[count].val = option_table[i].value;
+        ++count;
+    }
+    return count;
+}
+
+const char *options_name(command which, size_t index)
+{
+    struct option list[OPTION_COUNT + 1];
+    return index < list_options(which, list) ? list[index].name : NULL;
+}
+
+/* Prints what is wrong with the value of an option. */
+static void report_value(command which, const struct option *list, int option, const char *text,
+                         const char *expected)
+{
+    const char *option_name = "-o";
+    while (list->name != NULL && (option == 'o' || list->val != option))
+        ++list;
+    if (list->name != NULL)
+        option_name = list->name;
+    report_usage(options_command_name(which), "%s%s '%s': not %s%s", option == 'o' ? "" : "--",
+                 option_name, text,
+                 takes_floats(option) && parse_has_infinite(text) ? "finite in 32 bits; it takes "
+                                                                  : "",
+                 expected);
+}
+
+/* Takes a word that is no option. Returns 0, or EXIT_USAGE with the reason printed. */
+static int take_word(command which, char *word, options *o)
+{
+    if (which == COMMAND_DEMO)
+        return report_usage("demo", "'%s': demo takes no model", word);
+    if (o->model_count == OPTIONS_MAX_MODELS)
+        return report_usage(options_command_name(which), "'%s': more than %d models", word,
+                            OPTIONS_MAX_MODELS);
+    model_option *m = o->models + o->model_count++;
+    m->path = word;
+    m->world_from_model = o->world_from_all;
+    o->model = o->models[0].path;
+    return 0;
+}
+
+/* Takes what getopt_long has found. Returns 0, or the exit status with the reason printed. */
+static int take(command which, const struct option *list, int option, char *text, options *o)
+{
+    gn_status status = GN_OK;
+    const char *expected;
+    if (option == WORD_ALONE)
+        return take_word(which, text, o);
+    if (!is_transformation(option)) {
+        expected = take_value(option, text, o);
+    } else {
+        expected = take_transformation(option, text, o, &status);
+        if (status != GN_OK)
+            return report_fault(option == OPTION_ROTATE  ? "--rotate"
+                                : option == OPTION_SCALE ? "--scale"
+                                                         : "--translate",
+                                "impossible transformation '%s': %s", text, gn_status_text(status));
+    }
+    if (expected != NULL)
+        report_value(which, list, option, text, expected);
+    return expected == NULL ? 0 : EXIT_USAGE;
 }
 
 options_result options_parse(command which, int argc, char **argv, options *result,
                              int *exit_status)
 {
     const char *name = options_command_name(which);
-    struct option long_options[OPTION_COUNT + 1];
-    size_t count = 0;
-    memset(long_options, 0, sizeof long_options);
-    for (size_t i = 0; i < OPTION_COUNT; ++i) {
-        if ((option_table[i].commands & (int)which) == 0)
-            continue;
-        long_options[count].name = option_table[i].name;
-        long_options[count].has_arg = option_table[i].takes_value ? required_argument : no_argument;
-        long_options[count].val = option_table[i].value;
-        ++count;
-    }
-
+    struct option list[OPTION_COUNT + 1];
+    list_options(which, list);
     set_defaults(which, result);
-    *exit_status = EXIT_USAGE;
     opterr = 0;
     optind = 1;
     for (;;) {
         /* An unknown letter alone leaves optind at its word, so the word is remembered. */
         int word = optind < argc ? optind : argc - 1;
-        int option = getopt_long(argc, argv, ":ho:", long_options, NULL);
+        int option = getopt_long(argc, argv, "-:ho:", list, NULL);
         if (option == -1)
             break;
-        if (option == 'h')
-            return OPTIONS_HELP;
+        if (option == 'h' || option == OPTION_HELP_ALL)
+            return option == 'h' ? OPTIONS_HELP : OPTIONS_HELP_ALL;
         if (option == ':' || option == '?') {
             const char *why = option == ':' ? "no value after" : "unknown option";
             if (option == '?' && optopt != 0 && optopt != 'o' && optopt > 255)
                 why = "no value allowed in";
-            report_usage(name, "%s '%s'", why, argv[optind > word ? optind - 1 : word]);
+            *exit_status =
+                report_usage(name, "%s '%s'", why, argv[optind > word ? optind - 1 : word]);
             return OPTIONS_WRONG;
         }
-        const char *expected = take_value(option, optarg, result);
-        if (expected != NULL) {
-            const char *option_name = "-o";
-            for (size_t i = 0; i < count; ++i)
-                if (option != 'o' && long_options[i].val == option)
-                    option_name = long_options[i].name;
-            report_usage(
-                name, "%s%s '%s': not %s%s", option == 'o' ? "" : "--", option_name, optarg,
-                takes_floats(option) && has_infinite(optarg) ? "finite in 32 bits; it takes " : "",
-                expected);
+        *exit_status = take(which, list, option, optarg, result);
+        if (*exit_status != 0)
             return OPTIONS_WRONG;
-        }
     }
-
-    int model_count = argc - optind;
-    if (which == COMMAND_DEMO && model_count > 0) {
-        report_usage(name, "'%s': demo takes no model", argv[optind]);
-        return OPTIONS_WRONG;
+    for (; optind < argc; ++optind) { /* behind -- */
+        *exit_status = take_word(which, argv[optind], result);
+        if (*exit_status != 0)
+            return OPTIONS_WRONG;
     }
-    if (which != COMMAND_DEMO && model_count != 1) {
-        if (model_count == 0)
-            report_usage(name, "no model file");
-        else
-            report_usage(name, "'%s': one model at a time", argv[optind + 1]);
-        return OPTIONS_WRONG;
-    }
-    result->model = which == COMMAND_DEMO ? NULL : argv[optind];
-    *exit_status = check(which, result);
+    if ((which & MODEL_COMMANDS) != 0 && result->model_count == 0)
+        *exit_status = report_usage(name, "no model file");
+    else
+        *exit_status = check(which, result);
     return *exit_status == 0 ? OPTIONS_READY : OPTIONS_WRONG;
 }

@@ -3,11 +3,12 @@
 #define OPTIONS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
-#include <gnomon/backend.h>
-#include <gnomon/vec.h>
+#include <gnomon.h>
 
+#include "picture_format.h"
 #include "shading.h"
 
 typedef enum command { COMMAND_RENDER = 1, COMMAND_COMPARE = 2, COMMAND_DEMO = 4 } command;
@@ -30,6 +31,8 @@ typedef struct camera_options {
     gn_vec3 eye, target, up;
     float fov_degrees;
     float orthographic_height; /* world units from the lower to the upper edge */
+    bool near_given, far_given;
+    float near, far; /* distances from the eye */
 } camera_options;
 
 /* Limits of importing a model, all above 0. */
@@ -40,9 +43,23 @@ typedef struct import_limits {
     uint32_t megapixels; /* of one map, in units of 2^20 pixels */
 } import_limits;
 
+/* A model to draw, and its place: the transformations written before the first model, then those
+ * written after this model. */
+typedef struct model_option {
+    const char *path;
+    gn_transform world_from_model;
+} model_option;
+
+#define OPTIONS_MAX_MODELS 64
+
 typedef struct options {
-    const char *model;
+    const char *model; /* the first model; while several are imported, the one that is */
+    size_t model_count;
+    model_option models[OPTIONS_MAX_MODELS];
+    gn_transform world_from_all; /* the transformations before the first model */
     const char *output;
+    bool format_given; /* for an output without a suffix */
+    picture_format format;
     const char *depth_output;
     const char *picture_output;
     uint32_t width, height;
@@ -55,6 +72,10 @@ typedef struct options {
     uint32_t exponent; /* exponent of highlights; 0: the material's */
     uint32_t bands;    /* of the toon shader; 0: the shader's default */
     bool wireframe;
+    bool points;
+    float point_size;
+    gn_cull cull;
+    bool depth_test_disabled;
     bool statistics; /* counts of what became of the triangles are printed */
     camera_options camera;
     float background[4];
@@ -65,12 +86,21 @@ typedef struct options {
     import_limits limits;
 } options;
 
-typedef enum options_result { OPTIONS_READY, OPTIONS_HELP, OPTIONS_WRONG } options_result;
+typedef enum options_result {
+    OPTIONS_READY,
+    OPTIONS_HELP,
+    OPTIONS_HELP_ALL,
+    OPTIONS_WRONG
+} options_result;
 
 /* The command's name as typed. */
 const char *options_command_name(command which);
 
-/* Reads argv[1...]; argv[0] is the command's name. OPTIONS_HELP: --help was given. OPTIONS_WRONG:
+/* The long options of a command, from index 0 on; null after the last. */
+const char *options_name(command which, size_t index);
+
+/* Reads argv[1...]; argv[0] is the command's name. OPTIONS_HELP and
+ * OPTIONS_HELP_ALL: --help or --help-all was given. OPTIONS_WRONG:
  * the reason has been printed; *exit_status is EXIT_USAGE if the command line is not valid and
  * EXIT_FAULT if a value is impossible. Strings point into argv. */
 options_result options_parse(command which, int argc, char **argv, options *result,

@@ -6,7 +6,6 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -101,8 +100,7 @@ FILE *output_words(const char *first, const char *second)
                : stdout;
 }
 
-/* Returns null, or why a file cannot be made or replaced there. */
-static const char *place_fault(const char *path)
+const char *output_fault(const char *path)
 {
     struct stat status;
     if (output_is_standard(path))
@@ -120,16 +118,6 @@ static const char *place_fault(const char *path)
         fault = strerror(errno);
     free(directory);
     return fault;
-}
-
-int output_check(const char *path)
-{
-    const char *extension = strrchr(base_name(path), '.');
-    const char *fault = place_fault(path);
-    if (fault == NULL && extension != NULL && extension != base_name(path) &&
-        strcasecmp(extension, ".png") != 0)
-        fault = "pictures are PNG files; its name must end on .png";
-    return fault == NULL ? 0 : report_fault(path, "cannot be written: %s", fault);
 }
 
 int output_open(output *o, const char *path)

@@ -13,10 +13,9 @@ typedef struct output {
     FILE *file;
 } output;
 
-/* Checks, before anything is drawn, whether a picture can be written to this path: the name ends in
- * .png or has no extension; the directory, and the file if it exists, can be written to. Returns 0,
- * or EXIT_FAULT with the reason printed. */
-int output_check(const char *path);
+/* Returns null, or why a file cannot be made or replaced at this path. Looks at the directory, and
+ * at the file if it exists; writes nothing. */
+const char *output_fault(const char *path);
 
 /* Whether the path means standard output: "-", one of its names in /dev, or the file or pipe that
  * standard output leads to. */

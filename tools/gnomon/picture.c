@@ -26,6 +26,7 @@ static int check_found(const options *o, const model *m, const part_maps *maps)
     bool has_tangents = false;
     bool has_normals = false;
     bool files = o->normals != NORMALS_ANY;
+    const char *name = o->model_count == 1 ? o->model : "every model";
     for (size_t i = 0; i < m->part_count; ++i) {
         has_texcoords = has_texcoords || m->parts[i].has_texcoords;
         has_tangents = has_tangents || m->parts[i].has_tangents;
@@ -34,11 +35,11 @@ static int check_found(const options *o, const model *m, const part_maps *maps)
     for (int i = 0; i < MAP_COUNT; ++i)
         files = files || o->maps[i].file != NULL;
     if (files && !has_texcoords)
-        return report_fault(o->model, "has no texture coordinates, so no texture fits it");
+        return report_fault(name, "has no texture coordinates, so no texture fits it");
     if (o->normals == NORMALS_TANGENT && !has_tangents)
-        return report_fault(o->model, "has no normals, so it has no tangent space");
+        return report_fault(name, "has no normals, so it has no tangent space");
     if (o->normals != NORMALS_ANY && !has_normals)
-        return report_fault(o->model,
+        return report_fault(name,
                             "names no such normal map and there is no MODEL%s.tga, .png or .jpg"
                             " beside it; give one with --normal-map %s:FILE",
                             o->normals == NORMALS_TANGENT ? "_nm_tangent" : "_nm",
@@ -96,7 +97,7 @@ int picture_describe(const options *o, picture *result)
     camera view;
     imported from;
     memset(result, 0, sizeof *result);
-    int fault = import_model(o, shading_traits_of(o->shading)->maps, &from);
+    int fault = import_models(o, shading_traits_of(o->shading)->maps, &from);
     if (fault != 0)
         return fault;
     bounding_sphere sphere = model_bounds(&from.model);
@@ -136,14 +137,15 @@ void picture_print_summary(FILE *file, const char *name, const picture *p)
     }
 }
 
-int picture_check_output(const options *o, const char *output_path)
+int picture_check_output(const options *o, const char *output_path, unsigned int formats)
 {
     if (output_path == NULL)
         return 0;
-    if (output_same_file(output_path, o->model))
-        return report_fault(o->model, "would be overwritten by the picture");
+    for (size_t i = 0; i < o->model_count; ++i)
+        if (output_same_file(output_path, o->models[i].path))
+            return report_fault(o->models[i].path, "would be overwritten by the picture");
     for (int i = 0; i < MAP_COUNT; ++i)
         if (o->maps[i].file != NULL && output_same_file(output_path, o->maps[i].file))
             return report_fault(o->maps[i].file, "would be overwritten by the picture");
-    return output_check(output_path);
+    return picture_format_check(output_path, formats);
 }

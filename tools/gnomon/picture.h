@@ -8,6 +8,7 @@
 
 #include "maps.h"
 #include "options.h"
+#include "picture_format.h"
 #include "shadow.h"
 
 typedef struct picture {
@@ -26,8 +27,8 @@ void picture_free(picture *p);
 /* Prints "out.png: 1024x1024, 2492 triangles, Phong", and the maps on a second line. */
 void picture_print_summary(FILE *file, const char *name, const picture *p);
 
-/* Checks that no output overwrites an input and that outputs can be written. Returns EXIT_FAULT
- * with the reason printed, otherwise 0. Null names no file. */
-int picture_check_output(const options *o, const char *output_path);
+/* Checks that an output overwrites no input and can be written in one of these formats. Returns
+ * EXIT_FAULT with the reason printed, otherwise 0. Null names no file. */
+int picture_check_output(const options *o, const char *output_path, unsigned int formats);
 
 #endif

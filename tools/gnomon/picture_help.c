@@ -1,16 +1,44 @@
-/* The part of --help that render and compare share. */
+/* The part of --help and --help-all that the commands which draw models share. */
 #include <stdio.h>
 
 #include "command.h"
 #include "image.h"
 #include "model_formats.h"
 
+static const char brief[] =
+    "Camera; what is not given is chosen to show everything from the front, right and above:\n"
+    "  --eye, --target, --up X,Y,Z   where it is, what it looks at, what points up\n"
+    "  --fov DEGREES                 vertical angle of view; default: 40\n"
+    "  --orthographic HEIGHT         parallel projection of HEIGHT units of the model\n"
+    "  --near, --far DISTANCE        clipping planes; default: closely around the models\n"
+    "Place of the MODEL before it, in the order written; before the first MODEL, of all:\n"
+    "  --rotate AXIS,DEGREES         about x, y, z or X,Y,Z through the origin\n"
+    "  --scale S, --translate X,Y,Z  a factor or three; a distance\n"
+    "Look:\n"
+    "  --shader NAME                 vertex-color, unlit, flat, gouraud, toon, phong,\n"
+    "                                blinn-phong, normals or depth; default: phong with maps,\n"
+    "                                otherwise gouraud\n"
+    "  --light X,Y,Z, --shadows      direction towards the light; shadows from it\n"
+    "  --exponent N, --bands N       size of highlights, 1 to 1024; bands of toon, 2 to 256\n"
+    "  --texture, --specular-map, --glow-map FILE    maps; none: without\n"
+    "  --normal-map KIND             any, tangent, world, none, tangent:FILE or world:FILE\n"
+    "  --filter NAME                 of maps: mipmap, linear or nearest\n"
+    "  --wireframe, --points[=SIZE]  draws edges, or vertices SIZE pixels wide (default: 1)\n"
+    "  --cull SIDE                   leaves out back or front sides; default: none\n"
+    "  --no-depth-test               what is drawn later covers what is nearer\n"
+    "  --samples 4                   four samples a pixel; default: 1\n"
+    "  --background COLOR            rrggbb or rrggbbaa; default: edeeef\n"
+    "Limits, counts, speed:\n"
+    "  --import-seconds, --import-memory, --import-output, --map-pixels N    of each MODEL\n"
+    "  --statistics                  counts what became of triangles and pixels\n"
+    "  --backend NAME                the instruction set; all draw the same pixels\n";
+
 static const char picture_help[] =
-    "MODEL is a file in one of these formats, recognised by its extension:\n"
+    "Each MODEL is a file in one of these formats, recognised by its extension:\n"
     "  " MODEL_FORMATS_IN_WORDS ".\n"
     "\n"
-    "Camera. Without these options the picture shows the whole model, seen from +z, a little\n"
-    "from the right and from above. If some are given, the others are chosen to fit:\n"
+    "Camera. Without these options the picture shows everything, seen from +z, a little from\n"
+    "the right and from above. If some are given, the others are chosen to fit:\n"
     "  --eye X,Y,Z             position of the camera\n"
     "  --target X,Y,Z          point that the camera looks at; default: the middle of the model\n"
     "  --up X,Y,Z              direction that points up in the picture; default: 0,1,0.\n"
@@ -19,6 +47,17 @@ static const char picture_help[] =
     "  --fov DEGREES           vertical angle of view; default: 40\n"
     "  --orthographic HEIGHT   parallel projection; the picture is HEIGHT of the model's units\n"
     "                          high\n"
+    "  --near DISTANCE         distance of the near clipping plane from the eye, above 0 unless\n"
+    "                          the projection is parallel\n"
+    "  --far DISTANCE          distance of the far clipping plane; default for both: the planes\n"
+    "                          enclose the models closely\n"
+    "\n"
+    "Place. A transformation applies to the MODEL before it on the command line; those before\n"
+    "the first MODEL apply to all models. Transformations apply in the order written:\n"
+    "  --rotate AXIS,DEGREES   turns it about an axis through the origin: x, y, z or X,Y,Z;\n"
+    "                          counterclockwise for a viewer towards whom the axis points\n"
+    "  --scale S               multiplies its coordinates by S, or by X,Y,Z; not 0\n"
+    "  --translate X,Y,Z       moves it\n"
     "\n"
     "Shaders:\n"
     "  --shader NAME           vertex-color  the vertices' colours, without light\n"
@@ -49,18 +88,23 @@ static const char picture_help[] =
     "  --specular-map FILE     the map that scales highlights; none: no specular map\n"
     "  --glow-map FILE         the map of light that the model emits; none: no glow map\n"
     "  --filter NAME           mipmap (trilinear), linear or nearest; default: mipmap\n"
-    "\n"
-    "Look:\n"
-    "  --light X,Y,Z           direction towards the light; default: over the viewer's left\n"
-    "                          shoulder\n"
-    "  --wireframe             draws only the edges of triangles, one pixel wide\n"
-    "  --samples 4             four samples a pixel, for smooth edges; default: 1\n"
-    "  --background COLOR      #rrggbb or #rrggbbaa (the # may be left out); default: #edeeef\n"
     "\n";
 
 /* C99 compilers need not accept strings of more than 4095 characters. */
 static const char picture_help_rest[] =
-    "Limits. A child process imports the model and its maps, and reads regular files only.\n"
+    "Look:\n"
+    "  --light X,Y,Z           direction towards the light; default: over the viewer's left\n"
+    "                          shoulder\n"
+    "  --wireframe             draws only the edges of triangles, one pixel wide\n"
+    "  --points[=SIZE]         draws only the vertices of triangles, as squares SIZE pixels\n"
+    "                          wide; default: 1\n"
+    "  --cull SIDE             back: leaves out the triangles whose corners turn clockwise in\n"
+    "                          the picture; front: the others; none (default)\n"
+    "  --no-depth-test         draws every triangle over those before it; depth is not written\n"
+    "  --samples 4             four samples a pixel, for smooth edges; default: 1\n"
+    "  --background COLOR      #rrggbb or #rrggbbaa (the # may be left out); default: #edeeef\n"
+    "\n"
+    "Limits. A child process imports each MODEL and its maps, and reads regular files only.\n"
     "  --import-seconds N      the most seconds that importing may take, 1 to 86400;\n"
     "                          default: 30\n"
     "  --import-memory MIB     the most memory that importing may use, 1 to 1048576;\n"
@@ -87,8 +131,9 @@ static const char picture_help_rest[] =
     "as the file says: numbers that are not finite, missing material files, triangles without\n"
     "area.\n";
 
-void print_picture_help(void)
+void print_picture_help(bool all)
 {
-    fputs(picture_help, stdout);
-    fputs(picture_help_rest, stdout);
+    fputs(all ? picture_help : brief, stdout);
+    if (all)
+        fputs(picture_help_rest, stdout);
 }

@@ -1,4 +1,4 @@
-/* gnomon render: draws a model to a PNG. */
+/* gnomon render: draws models to a picture. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,21 +9,35 @@
 #include "counts.h"
 #include "output.h"
 #include "picture.h"
-#include "png_write.h"
+#include "picture_write.h"
 #include "report.h"
 
 static const char usage[] =
-    "gnomon render MODEL -o OUT.png [OPTION...]: draw a model.\n"
+    "gnomon render MODEL... -o OUT [OPTION...]: draw models.\n"
     "\n"
-    "  gnomon render bunny.obj -o bunny.png\n"
     "  gnomon render head.obj -o head.png --size 1920x1080 --eye 0,0.5,3 --fov 35\n"
-    "  gnomon render part.stl -o part.png --up 0,0,1 --orthographic 120 --shader flat\n"
-    "  gnomon render head.obj -o head.png --background 00000000 --depth head_depth.png\n"
-    "\n"
-    "  -o, --output OUT.png    the picture, always a PNG file with alpha. - is standard output;\n"
-    "                          messages then go to standard error\n"
+    "  gnomon render part.stl -o part.tga --up 0,0,1 --orthographic 120 --shader flat\n"
+    "  gnomon render car.glb tree.obj --scale 2 --translate 3,0,0 -o both.png\n"
+    "\n";
+
+static const char brief[] =
+    "  -o, --output OUT              .png, .tga or .ppm (without alpha); - is standard output\n"
+    "  --format NAME                 png, tga or ppm, for an OUT without a suffix; default: png\n"
+    "  --depth OUT.png               writes the depth too, as 16-bit grey\n"
+    "  --size WxH                    size in pixels, up to 16384x16384; default: 1024x1024\n";
+
+static const char ending[] =
+    HELP_ENDING("gnomon render") "Exit status: 0: drawn; 1: a model or an output is at fault; 2: "
+                                 "the command line is.\n";
+
+static const char in_full[] =
+    "  -o, --output OUT        the picture, by its suffix: .png, .tga (uncompressed) or .ppm,\n"
+    "                          which has no alpha. - is standard output; messages then go to\n"
+    "                          standard error\n"
+    "  --format NAME           png, tga or ppm, for an OUT without a suffix, such as -;\n"
+    "                          default: png\n"
     "  --depth OUT.png         writes the depth too, as 16-bit grey: 0 at the near plane, 65535\n"
-    "                          at the far plane; both planes enclose the model closely\n"
+    "                          at the far plane\n"
     "  --size WxH              size in pixels, up to 16384x16384; default: 1024x1024\n"
     "\n";
 
@@ -74,10 +88,13 @@ static int write_files(const options *o, const scene_frame *frame)
 {
     output color;
     output depth = {NULL, NULL, NULL, NULL};
+    picture_format format = o->format;
     int fault = output_open(&color, o->output);
     if (fault != 0)
         return fault;
-    fault = png_write(&color, PNG_RGBA8, o->width, o->height, color_row, frame);
+    if (!o->format_given)
+        picture_format_of(o->output, &format);
+    fault = picture_write(&color, format, PNG_RGBA8, o->width, o->height, color_row, frame);
     if (fault == 0 && o->depth_output != NULL) {
         fault = output_open(&depth, o->depth_output);
         if (fault == 0)
@@ -98,9 +115,9 @@ static int write_files(const options *o, const scene_frame *frame)
 
 static int check_names(const options *o)
 {
-    int fault = picture_check_output(o, o->output);
+    int fault = picture_check_output(o, o->output, PICTURE_ANY);
     if (fault == 0)
-        fault = picture_check_output(o, o->depth_output);
+        fault = picture_check_output(o, o->depth_output, PICTURE_PNG);
     if (fault != 0)
         return fault;
     if (o->depth_output != NULL && output_same_file(o->output, o->depth_output))
@@ -113,9 +130,12 @@ int command_render(int argc, char **argv)
     options o;
     int status;
     options_result result = options_parse(COMMAND_RENDER, argc, argv, &o, &status);
-    if (result == OPTIONS_HELP) {
+    if (result == OPTIONS_HELP || result == OPTIONS_HELP_ALL) {
+        const bool all = result == OPTIONS_HELP_ALL;
         fputs(usage, stdout);
-        print_picture_help();
+        fputs(all ? in_full : brief, stdout);
+        print_picture_help(all);
+        fputs(all ? "" : ending, stdout);
         return finish_output(0);
     }
     if (result == OPTIONS_WRONG)

@@ -44,11 +44,8 @@ static const char usage[] =
     "\n"
     "Required are convention, screen, near, far and one of perspective, frustum and\n"
     "orthographic. Pixel (i, j) is the square from (i, j) to (i + 1, j + 1), its centre at\n"
-    "+0.5; the third pixel coordinate is the depth. Numbers are printed with nine\n"
-    "digits, enough to restore the 32-bit float exactly.\n"
-    "\n"
-    "Exit status: 0, or 2 if the setup or the command line is wrong. In that case the command\n"
-    "prints only the file, the line and what is wrong.\n";
+    "+0.5; the third pixel coordinate is the depth. Exit status: 0, or 2 if the setup or the\n"
+    "command line is wrong.\n";
 
 /* Reads the setup's file name, where "-" is standard input, and whether matrices are asked for. */
 static int parse(int argc, char **argv, const char **path, bool *with_matrices, bool *help)

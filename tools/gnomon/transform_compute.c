@@ -5,8 +5,7 @@
 #include <stdlib.h>
 
 #include "report.h"
-
-#define RADIANS_PER_DEGREE 0.017453292519943295
+#include "rotation.h"
 
 typedef gn_status finite_perspective(float, float, float, float, gn_transform *);
 typedef gn_status infinite_perspective(float, float, float, gn_transform *);
@@ -40,11 +39,6 @@ static infinite_frustum *const infinite_frusta[3][2] = {
     {gn_frustum_rh_zo_infinite, gn_frustum_rh_zo_infinite_reversed},
 };
 
-static float radians(float degrees)
-{
-    return (float)((double)degrees * RADIANS_PER_DEGREE);
-}
-
 static int status_fault(const setup *s, unsigned long line, const char *what, gn_status status)
 {
     return status == GN_OK ? 0
@@ -59,46 +53,6 @@ static gn_vec3 vector(const setup *s, keyword which, float x, float y, float z)
     return s->given[which].line > 0 ? given : otherwise;
 }
 
-/* A rotation about the coordinate axis k, whose component has this sign; quarter turns are
- * exact. */
-static gn_status rotate_coordinate_axis(int k, float sign, float degrees, gn_transform *result)
-{
-    static const float quarter_sines[4] = {0.0f, 1.0f, 0.0f, -1.0f};
-    const float rest = fmodf(degrees, 360.0f), quarters = rest / 90.0f;
-    const gn_vec3 none = {0.0f, 0.0f, 0.0f};
-    float m[3][3] = {{0.0f}}, sine, cosine;
-    if (fmodf(rest, 90.0f) == 0.0f) {
-        const int quarter = ((int)quarters + 4) % 4;
-        sine = quarter_sines[quarter];
-        cosine = quarter_sines[(quarter + 1) % 4];
-    } else {
-        gn_sincos(radians(degrees), &sine, &cosine);
-    }
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    m[k][k] = 1.0f;
-    m[i][i] = m[j][j] = cosine;
-    m[i][j] = sign * sine;
-    m[j][i] = -sign * sine;
-    const gn_vec3 x = {m[0][0], m[0][1], m[0][2]}, y = {m[1][0], m[1][1], m[1][2]};
-    const gn_vec3 z = {m[2][0], m[2][1], m[2][2]};
-    return gn_frame_orthonormal(x, y, z, none, result);
-}
-
-static gn_status rotate(const float n[4], gn_transform *result)
-{
-    const gn_vec3 axis = {n[0], n[1], n[2]};
-    int last = 0, components = 0;
-    for (int k = 0; k < 3; ++k) {
-        if (n[k] != 0.0f) {
-            last = k;
-            ++components;
-        }
-    }
-    return components == 1
-               ? rotate_coordinate_axis(last, n[last] > 0.0f ? 1.0f : -1.0f, n[3], result)
-               : gn_rotate_axis(axis, radians(n[3]), result);
-}
-
 /* T R S, with the rotations one after another. */
 static int make_model(const setup *s, gn_transform *model)
 {
@@ -109,7 +63,8 @@ static int make_model(const setup *s, gn_transform *model)
     gn_transform_identity(&rotation);
     for (size_t i = 0; i < s->rotations.count; ++i) {
         const statement *r = &s->rotations.all[i];
-        gn_status status = rotate(r->number, &next);
+        const gn_vec3 axis = {r->number[0], r->number[1], r->number[2]};
+        gn_status status = rotation_about(axis, r->number[3], &next);
         if (status == GN_OK)
             status = gn_transform_compose(&next, &rotation, &rotation);
         if (status != GN_OK)
@@ -219,7 +174,7 @@ static int make_projection(const setup *s, gn_transform *projection)
         status = s->infinite ? infinite_frusta[c][r](n[0], n[1], n[2], n[3], z_near, projection)
                              : frusta[c][r](n[0], n[1], n[2], n[3], z_near, z_far, projection);
     } else {
-        const float fov = radians(n[0]);
+        const float fov = rotation_radians(n[0]);
         const float aspect = g[KEYWORD_SCREEN].number[0] / g[KEYWORD_SCREEN].number[1];
         status = s->infinite ? infinite_perspectives[c][r](fov, aspect, z_near, projection)
                              : perspectives[c][r](fov, aspect, z_near, z_far, projection);

@@ -1,0 +1,187 @@
+/* Parsers of the values of options. */
+#include "option_values.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Reads a finite float at *text and moves *text behind it. */
+static bool parse_float(const char **text, float *result)
+{
+    char *end;
+    if (isspace((unsigned char)**text))
+        return false;
+    double value = strtod(*text, &end);
+    *result = (float)value;
+    if (end == *text || !isfinite(*result))
+        return false;
+    *text = end;
+    return true;
+}
+
+bool parse_has_infinite(const char *text)
+{
+    char *end;
+    for (;; text = end + 1) {
+        float value = (float)strtod(text, &end);
+        if (end == text || (*end != ',' && *end != '\0'))
+            return false;
+        if (!isfinite(value))
+            return true;
+        if (*end == '\0')
+            return false;
+    }
+}
+
+bool parse_single(const char *text, float *result)
+{
+    return parse_float(&text, result) && *text == '\0';
+}
+
+bool parse_vector(const char *text, gn_vec3 *result)
+{
+    return parse_float(&text, &result->x) && *text++ == ',' && parse_float(&text, &result->y) &&
+           *text++ == ',' && parse_float(&text, &result->z) && *text == '\0';
+}
+
+/* An axis at *text; moves *text behind it. */
+static bool take_axis(const char **text, gn_vec3 *axis)
+{
+    const char letter = **text;
+    if (letter >= 'x' && letter <= 'z') {
+        *axis = (gn_vec3){letter == 'x', letter == 'y', letter == 'z'};
+        ++*text;
+        return true;
+    }
+    if (!parse_float(text, &axis->x) || *(*text)++ != ',' || !parse_float(text, &axis->y) ||
+        *(*text)++ != ',')
+        return false;
+    return parse_float(text, &axis->z);
+}
+
+bool parse_axis(const char *text, gn_vec3 *axis)
+{
+    return take_axis(&text, axis) && *text == '\0';
+}
+
+bool parse_rotation(const char *text, gn_vec3 *axis, float *degrees)
+{
+    return take_axis(&text, axis) && *text++ == ',' && parse_single(text, degrees);
+}
+
+bool parse_scale(const char *text, gn_vec3 *factors)
+{
+    if (!parse_single(text, &factors->x))
+        return parse_vector(text, factors);
+    factors->y = factors->z = factors->x;
+    return true;
+}
+
+/* Reads a whole number of digits only; numbers beyond 32 bits become UINT32_MAX. */
+static bool parse_count(const char **text, uint32_t *result)
+{
+    uint64_t value = 0;
+    if (!isdigit((unsigned char)**text))
+        return false;
+    for (; isdigit((unsigned char)**text); ++(*text)) {
+        value = value * 10 + (uint64_t)(**text - '0');
+        if (value > UINT32_MAX)
+            value = UINT32_MAX;
+    }
+    *result = (uint32_t)value;
+    return true;
+}
+
+bool parse_within(const char *text, uint32_t least, uint32_t most, uint32_t *result)
+{
+    return parse_count(&text, result) && *text == '\0' && *result >= least && *result <= most;
+}
+
+bool parse_whole(const char *text, uint32_t *result)
+{
+    return parse_count(&text, result) && *text == '\0';
+}
+
+bool parse_size(const char *text, uint32_t *width, uint32_t *height)
+{
+    return parse_count(&text, width) && (*text == 'x' || *text == 'X') && *++text != '\0' &&
+           parse_count(&text, height) && *text == '\0';
+}
+
+bool parse_color(const char *text, float color[4])
+{
+    if (*text == '#')
+        ++text;
+    size_t length = strlen(text);
+    if ((length != 6 && length != 8) || strspn(text, "0123456789abcdefABCDEF") != length)
+        return false;
+    color[3] = 1.0f;
+    for (size_t i = 0; i < length / 2; ++i) {
+        char digits[3] = {text[2 * i], text[2 * i + 1], '\0'};
+        color[i] = (float)strtoul(digits, NULL, 16) / 255.0f;
+    }
+    return true;
+}
+
+bool parse_word(const char *text, const char words[][12], int count, int *result)
+{
+    for (int i = 0; i < count; ++i) {
+        if (strcmp(text, words[i]) == 0) {
+            *result = i;
+            return true;
+        }
+    }
+    return false;
+}
+
+bool parse_map(const char *text, map_option *result)
+{
+    result->none = strcmp(text, "none") == 0;
+    result->file = result->none ? NULL : text;
+    return *text != '\0';
+}
+
+bool parse_normal_map(const char *text, options *o)
+{
+    static const char words[][12] = {"any", "tangent", "world", "none"};
+    map_option *map = o->maps + MAP_NORMAL;
+    char word[12] = "";
+    int number;
+    size_t length = strcspn(text, ":");
+    if (length >= sizeof word)
+        return false;
+    memcpy(word, text, length);
+    if (!parse_word(word, words, 4, &number))
+        return false;
+    map->none = number == 3;
+    map->file = text[length] == ':' ? text + length + 1 : NULL;
+    o->normals = map->none ? NORMALS_ANY : (normal_option)number;
+    return map->file == NULL || (*map->file != '\0' && (number == 1 || number == 2));
+}
+
+bool parse_backend(const char *text, gn_backend *result)
+{
+    for (int i = 0; i < GN_BACKEND_COUNT; ++i) {
+        if (strcmp(text, gn_backend_name((gn_backend)i)) == 0) {
+            *result = (gn_backend)i;
+            return true;
+        }
+    }
+    return false;
+}
+
+const char *parse_backend_names(void)
+{
+    static char names[GN_BACKEND_COUNT * 20];
+    size_t end = 0;
+
+    for (int i = 0; i < GN_BACKEND_COUNT; ++i)
+        end += (size_t)snprintf(names + end, sizeof names - end, "%s%s",
+                                i == 0                      ? ""
+                                : i == GN_BACKEND_COUNT - 1 ? " or "
+                                                            : ", ",
+                                gn_backend_name((gn_backend)i));
+    return names;
+}

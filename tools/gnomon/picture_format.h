@@ -1,0 +1,32 @@
+/* The formats of pictures that the command writes, chosen by the file's name. */
+#ifndef PICTURE_FORMAT_H
+#define PICTURE_FORMAT_H
+
+#include <stdbool.h>
+
+typedef enum picture_format {
+    PICTURE_PNG = 1,
+    PICTURE_TGA = 2, /* uncompressed */
+    PICTURE_PPM = 4  /* binary, without alpha */
+} picture_format;
+
+/* A set of formats. */
+#define PICTURE_ANY (PICTURE_PNG | PICTURE_TGA | PICTURE_PPM)
+
+#define PICTURE_SUFFIXES_IN_WORDS ".png, .tga or .ppm"
+
+/* Whether the name ends in a suffix. A file whose name only begins with a dot has none. */
+bool picture_has_suffix(const char *path);
+
+/* The format by the name's suffix. A name without one is a PNG's. Returns false for any other
+ * suffix. */
+bool picture_format_of(const char *path, picture_format *result);
+
+/* The format of this name: "png", "tga" or "ppm". Returns false for any other. */
+bool picture_format_by_name(const char *name, picture_format *result);
+
+/* Checks, before anything is drawn, that a picture of one of these formats can be written to this
+ * path. Returns 0, or EXIT_FAULT with the reason printed. */
+int picture_format_check(const char *path, unsigned int allowed);
+
+#endif
