@@ -332,6 +332,47 @@ static void matrices(void **state)
     expect_matrix(r.out, "projection", vulkan_projection);
 }
 
+/* OpenGL's camera above and a model scaled by 2 and moved by (1, 2, 3): view z is 2 z - 7, so
+ * clip = (2 x + 1, 2 y + 2, 11 - 4 z, 7 - 2 z). Inverted: 1 = (2 w' - z') / 3, z = (7 - w') / 2. */
+static void all_matrices(void **state)
+{
+    static const float model[16] = {2, 0, 0, 1, 0, 2, 0, 2, 0, 0, 2, 3, 0, 0, 0, 1};
+    static const float unmodel[16] = {.5f, 0, 0, -.5f, 0, .5f, 0, -1, 0, 0, .5f, -1.5f, 0, 0, 0, 1};
+    static const float viewport[16] = {50, 0, 0, 50, 0, 50, 0, 50, 0, 0, .5f, .5f, 0, 0, 0, 1};
+    static const float unviewport[16] = {.02f, 0, 0, -1, 0, .02f, 0, -1, 0, 0, 2, -1, 0, 0, 0, 1};
+    static const float combined[16] = {2, 0, 0, 1, 0, 2, 0, 2, 0, 0, -4, 11, 0, 0, -2, 7};
+    static const float uncombined[16] = {.5f, 0, 1 / 6.f,  -1 / 3.f, 0, .5f, 1 / 3.f,  -2 / 3.f,
+                                         0,   0, -7 / 6.f, 11 / 6.f, 0, 0,   -1 / 3.f, 2 / 3.f};
+    static const float d3d_model[16] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 1, 2, 3, 1};
+    static const float d3d_viewport[16] = {50, 0, 0, 0, 0, -50, 0, 0, 0, 0, 1, 0, 50, 50, 0, 1};
+    static const float d3d_unviewport[16] = {.02f, 0, 0, 0, 0,  -.02f, 0, 0,
+                                             0,    0, 1, 0, -1, 1,     0, 1};
+    /* View z is 2 z + 13: clip = (2 x + 1, 2 y + 2, 3 z + 18, 2 z + 13). */
+    static const float d3d_combined[16] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 3, 2, 1, 2, 18, 13};
+    (void)state;
+    run r = transform("convention opengl\nposition 0 0 10\nscale 2\ntranslate 1 2 3\n" CAMERA,
+                      "--matrices");
+    expect_good(&r);
+    expect_matrix(r.out, "model", model);
+    expect_matrix(r.out, "inverse of model", unmodel);
+    expect_matrix(r.out, "viewport", viewport);
+    expect_matrix(r.out, "inverse of viewport", unviewport);
+    expect_matrix(r.out, "combined, from local to clip", combined);
+    expect_matrix(r.out, "inverse of combined, from clip to local", uncombined);
+    r = transform("convention direct3d\nposition 0 0 -10\nscale 2\ntranslate 1 2 3\n" CAMERA,
+                  "--matrices");
+    expect_good(&r);
+    expect_matrix(r.out, "model", d3d_model);
+    expect_matrix(r.out, "viewport", d3d_viewport);
+    expect_matrix(r.out, "inverse of viewport", d3d_unviewport);
+    expect_matrix(r.out, "combined, from local to clip", d3d_combined);
+    r = transform("convention opengl\nscreen 9 9\nscale 1e30\nperspective 1e-7\nnear 1\nfar 2\n",
+                  "--matrices");
+    expect_good(&r);
+    assert_non_null(strstr(r.out, "\ncombined: a number of it or of its inverse is too large"));
+    assert_null(strstr(r.out, "inf"));
+}
+
 /* With nine digits 0.1 as a float and its neighbour differ, and columns have a space between
  * them. */
 static void numbers_give_the_float_back(void **state)
@@ -491,6 +532,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(cameras),
         cmocka_unit_test(infinite_and_reversed),
         cmocka_unit_test(matrices),
+        cmocka_unit_test(all_matrices),
         cmocka_unit_test(numbers_give_the_float_back),
         cmocka_unit_test(errors_name_the_line),
         cmocka_unit_test(bytes_of_other_kinds),

@@ -75,7 +75,9 @@ typedef struct place {
 } place;
 
 typedef struct places {
-    gn_transform view, projection;
+    gn_transform model, view, projection, viewport;
+    gn_transform combined; /* from local to clip coordinates */
+    bool has_combined;     /* false: its numbers are too large */
     place *all;
     size_t count;
 } places;

@@ -212,18 +212,17 @@ static unsigned outside(const setup *s, gn_vec4 c)
            (c.z < least ? low : 0u) | (c.z > c.w ? high : 0u);
 }
 
-static int compute_place(const setup *s, const statement *point, const places *p,
-                         const gn_transform *model, const gn_transform *viewport, place *result)
+static int compute_place(const setup *s, const statement *point, const places *p, place *result)
 {
     const gn_vec3 local = {point->number[0], point->number[1], point->number[2]};
     result->local = local;
-    result->world = gn_mat4_transform_point(&model->matrix, local);
+    result->world = gn_mat4_transform_point(&p->model.matrix, local);
     result->view = gn_mat4_transform_point(&p->view.matrix, result->world);
     const gn_vec4 view = {result->view.x, result->view.y, result->view.z, 1.0f};
     result->clip = gn_mat4_multiply_vec4(&p->projection.matrix, view);
     switch (gn_clip_to_ndc(result->clip, &result->ndc)) {
     case GN_OK:
-        result->pixel = gn_mat4_transform_point(&viewport->matrix, result->ndc);
+        result->pixel = gn_mat4_transform_point(&p->viewport.matrix, result->ndc);
         result->division =
             isfinite(result->pixel.x) && isfinite(result->pixel.y) && isfinite(result->pixel.z)
                 ? DIVIDED
@@ -242,24 +241,31 @@ static int compute_place(const setup *s, const statement *point, const places *p
     return 0;
 }
 
+static void combine(places *p)
+{
+    gn_transform *combined = &p->combined;
+    p->has_combined = gn_transform_compose(&p->view, &p->model, combined) == GN_OK &&
+                      gn_transform_compose(&p->projection, combined, combined) == GN_OK;
+}
+
 int transform_compute(const setup *s, places *result)
 {
-    gn_transform model, viewport;
-    int fault = make_model(s, &model);
+    int fault = make_model(s, &result->model);
     if (fault == 0)
         fault = make_view(s, &result->view);
     if (fault == 0)
         fault = make_projection(s, &result->projection);
     if (fault == 0)
-        fault = make_viewport(s, &viewport);
+        fault = make_viewport(s, &result->viewport);
     if (fault != 0)
         return fault;
+    combine(result);
     result->all = calloc(s->points.count + 1, sizeof *result->all);
     if (result->all == NULL)
         return report_fault(s->file, "not enough memory");
     for (; fault == 0 && result->count < s->points.count; ++result->count)
-        fault = compute_place(s, &s->points.all[result->count], result, &model, &viewport,
-                              &result->all[result->count]);
+        fault =
+            compute_place(s, &s->points.all[result->count], result, &result->all[result->count]);
     return fault;
 }
 

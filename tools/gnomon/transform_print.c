@@ -21,15 +21,27 @@ static void print_matrix(const char *name, const gn_mat4 *m, bool row_vectors)
     }
 }
 
+static void print_transform(const char *name, const char *name_of_inverse, const gn_transform *t,
+                            bool row_vectors)
+{
+    print_matrix(name, &t->matrix, row_vectors);
+    print_matrix(name_of_inverse, &t->inverse, row_vectors);
+}
+
 static void print_matrices(const setup *s, const places *p)
 {
     const bool rows = s->convention == CONVENTION_DIRECT3D;
     printf("matrices for %s\n",
            rows ? "row vectors, v * M, a row a line" : "column vectors, M * v, a row a line");
-    print_matrix("view", &p->view.matrix, rows);
-    print_matrix("inverse of view", &p->view.inverse, rows);
-    print_matrix("projection", &p->projection.matrix, rows);
-    print_matrix("inverse of projection", &p->projection.inverse, rows);
+    print_transform("model", "inverse of model", &p->model, rows);
+    print_transform("view", "inverse of view", &p->view, rows);
+    print_transform("projection", "inverse of projection", &p->projection, rows);
+    print_transform("viewport", "inverse of viewport", &p->viewport, rows);
+    if (p->has_combined)
+        print_transform("combined, from local to clip", "inverse of combined, from clip to local",
+                        &p->combined, rows);
+    else
+        printf("combined: a number of it or of its inverse is too large for 32 bits\n");
     printf("\n");
 }
 
