@@ -145,7 +145,7 @@ $(foreach test,$(notdir $(UNIT_TESTS)),$(eval $(call unit_test,$(test))))
 # Tests of the command, and of parts of it
 
 RUN_TESTS = test_faults test_pictures test_hostile_files test_odd_models test_outputs test_counts test_model_formats \
-	test_transform_command test_shading_command test_placing
+	test_transform_command test_shading_command test_placing test_files
 TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_teapot test_handover)
 
 # The tests write models of all formats with Assimp. test_faults asks the library for back ends.
@@ -161,7 +161,7 @@ $(eval $(call program,test_comparison,tests/tools/test_comparison.c tests/tools/
 $(eval $(call program,test_handover,tests/tools/test_handover.c $(addprefix tools/gnomon/,handover.c model.c) $(LIBRARY),-lcmocka -lm))
 
 $(eval $(call program,test_teapot,tests/tools/test_teapot.c \
-	$(addprefix tools/gnomon/,teapot.c teapot_maps.c image.c image_file.c files.c model.c normals.c) $(LIBRARY),-lcmocka -lstb -lm))
+	$(addprefix tools/gnomon/,teapot.c teapot_maps.c image.c image_file.c image_ppm.c files.c model.c normals.c) $(LIBRARY),-lcmocka -lstb -lm))
 
 # Fuzz targets
 

@@ -57,10 +57,10 @@ static bool receive(handover *h, imported *result)
     memset(result, 0, sizeof *result);
     while (handover_receive(h, &kind, text)) {
         FUZZ_REQUIRE(memchr(text, 0, sizeof text));
-        FUZZ_REQUIRE((int)kind >= 0 && kind <= HANDOVER_MODEL);
+        FUZZ_REQUIRE((int)kind >= 0 && kind <= HANDOVER_RESULT);
         if (kind == HANDOVER_FAULT)
             return false;
-        if (kind == HANDOVER_MODEL)
+        if (kind == HANDOVER_RESULT)
             return handover_receive_model(h, result);
     }
     return false;

@@ -20,7 +20,7 @@ static part_maps maps;
 /* A triangle with a map of one texel, which fits the memory of a pipe. */
 static imported good_model(void)
 {
-    const imported what = {{1, &part}, &maps, {NULL}};
+    const imported what = {{1, &part, 1}, &maps, {NULL}};
 
     memset(&part, 0, sizeof part);
     memset(&maps, 0, sizeof maps);

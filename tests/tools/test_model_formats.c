@@ -232,7 +232,7 @@ static void other_formats_are_refused(void **state)
     run r = gnomon("render --help-all");
     assert_non_null(
         strstr(r.out, "OBJ, PLY, STL, glTF (.gltf, .glb), Collada (.dae), FBX and 3DS"));
-    assert_non_null(strstr(r.out, "PNG, JPEG, TGA or BMP"));
+    assert_non_null(strstr(r.out, "PNG, JPEG, TGA, BMP or PPM"));
 }
 
 int main(int argc, char **argv)

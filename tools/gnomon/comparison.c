@@ -186,7 +186,10 @@ static void picture_row(const void *context, uint32_t y, uint8_t *row)
 
 int comparison_write_triptych(const comparison *c, const char *path)
 {
-    return picture_write_file(path, PNG_RGB8, 3 * c->ours.width, c->ours.height, triptych_row, c);
+    picture_format format;
+    picture_format_of(path, &format);
+    return picture_write_file(path, format, PNG_RGB8, 3 * c->ours.width, c->ours.height,
+                              triptych_row, c);
 }
 
 void comparison_name_triptych(FILE *words, const char *path)
@@ -197,7 +200,10 @@ void comparison_name_triptych(FILE *words, const char *path)
 
 int comparison_write_picture(const comparison *c, const char *path)
 {
-    return picture_write_file(path, PNG_RGB8, c->ours.width, c->ours.height, picture_row, c);
+    picture_format format;
+    picture_format_of(path, &format);
+    return picture_write_file(path, format, PNG_RGB8, c->ours.width, c->ours.height, picture_row,
+                              c);
 }
 
 void comparison_free(comparison *c)

@@ -24,7 +24,8 @@ enum {
     PART_HAS_VERTEX_COLORS = 1,
     PART_HAS_TEXCOORDS = 2,
     PART_HAS_TANGENTS = 4,
-    PART_NORMALS_IN_TANGENT_SPACE = 8
+    PART_NORMALS_IN_TANGENT_SPACE = 8,
+    PART_HAS_NORMALS = 16
 };
 
 typedef struct array {
@@ -56,7 +57,7 @@ uint64_t handover_size(const model_part *part)
     return size;
 }
 
-static bool send_bytes(int descriptor, const void *bytes, uint64_t size)
+bool handover_send_bytes(int descriptor, const void *bytes, uint64_t size)
 {
     const uint8_t *from = bytes;
     while (size > 0) {
@@ -76,7 +77,8 @@ bool handover_send_text(int descriptor, handover_record kind, const char *text)
     size_t length = strlen(text);
     uint32_t header[2] = {(uint32_t)kind, 0};
     header[1] = (uint32_t)(length < HANDOVER_TEXT_SIZE ? length : HANDOVER_TEXT_SIZE - 1);
-    return send_bytes(descriptor, header, sizeof header) && send_bytes(descriptor, text, header[1]);
+    return handover_send_bytes(descriptor, header, sizeof header) &&
+           handover_send_bytes(descriptor, text, header[1]);
 }
 
 static bool send_part(int descriptor, const model_part *part, const part_maps *maps)
@@ -89,6 +91,7 @@ static bool send_part(int descriptor, const model_part *part, const part_maps *m
     header.flags = (part->has_vertex_colors ? PART_HAS_VERTEX_COLORS : 0u) |
                    (part->has_texcoords ? PART_HAS_TEXCOORDS : 0u) |
                    (part->has_tangents ? PART_HAS_TANGENTS : 0u) |
+                   (part->has_normals ? PART_HAS_NORMALS : 0u) |
                    (maps->normals_in_tangent_space ? PART_NORMALS_IN_TANGENT_SPACE : 0u);
     header.shine = part->shine;
     for (int i = 0; i < MAP_COUNT; ++i) {
@@ -96,12 +99,13 @@ static bool send_part(int descriptor, const model_part *part, const part_maps *m
         header.heights[i] = maps->images[i].height;
     }
     list_arrays(part, list);
-    bool good = send_bytes(descriptor, &header, sizeof header);
+    bool good = handover_send_bytes(descriptor, &header, sizeof header);
     for (int i = 0; i < ARRAY_COUNT; ++i)
-        good = good && send_bytes(descriptor, list[i].data, list[i].size);
+        good = good && handover_send_bytes(descriptor, list[i].data, list[i].size);
     for (int i = 0; i < MAP_COUNT; ++i) {
         const image *map = maps->images + i;
-        good = good && send_bytes(descriptor, map->texels, (uint64_t)4 * map->width * map->height);
+        good = good &&
+               handover_send_bytes(descriptor, map->texels, (uint64_t)4 * map->width * map->height);
     }
     return good;
 }
@@ -109,9 +113,10 @@ static bool send_part(int descriptor, const model_part *part, const part_maps *m
 bool handover_send_model(int descriptor, const imported *what)
 {
     const char *told = what->told.text != NULL ? what->told.text : "";
-    uint32_t count = (uint32_t)what->model.part_count;
-    bool good = handover_send_text(descriptor, HANDOVER_MODEL, told) &&
-                send_bytes(descriptor, &count, sizeof count);
+    const uint32_t count = (uint32_t)what->model.part_count;
+    const uint32_t counts[2] = {count, what->model.material_count};
+    bool good = handover_send_text(descriptor, HANDOVER_RESULT, told) &&
+                handover_send_bytes(descriptor, counts, sizeof counts);
     for (uint32_t i = 0; i < count && good; ++i)
         good = send_part(descriptor, what->model.parts + i, what->maps + i);
     return good;
@@ -133,7 +138,7 @@ static int time_left(const handover *h)
     return left <= 0.0 ? 0 : left >= 6e4 ? 60000 : (int)ceil(left);
 }
 
-static bool receive_bytes(handover *h, void *bytes, uint64_t size)
+bool handover_receive_bytes(handover *h, void *bytes, uint64_t size)
 {
     uint8_t *to = bytes;
     if (size > h->bytes_left)
@@ -160,12 +165,12 @@ static bool receive_bytes(handover *h, void *bytes, uint64_t size)
 bool handover_receive(handover *h, handover_record *kind, char text[HANDOVER_TEXT_SIZE])
 {
     uint32_t header[2];
-    if (!receive_bytes(h, header, sizeof header))
+    if (!handover_receive_bytes(h, header, sizeof header))
         return false;
-    if (header[0] > HANDOVER_MODEL || header[1] >= HANDOVER_TEXT_SIZE)
+    if (header[0] > HANDOVER_RESULT || header[1] >= HANDOVER_TEXT_SIZE)
         return end(h, HANDOVER_WRONG);
     *kind = (handover_record)header[0];
-    if (!receive_bytes(h, text, header[1]))
+    if (!handover_receive_bytes(h, text, header[1]))
         return false;
     text[header[1]] = '\0';
     return true;
@@ -197,7 +202,7 @@ static bool receive_maps(handover *h, const part_header *header, part_maps *maps
             return end(h, HANDOVER_NO_MEMORY);
         map->width = header->widths[i];
         map->height = header->heights[i];
-        if (!receive_bytes(h, map->texels, size))
+        if (!handover_receive_bytes(h, map->texels, size))
             return false;
     }
     return true;
@@ -207,13 +212,14 @@ static bool receive_part(handover *h, model_part *part, part_maps *maps)
 {
     part_header header;
     array list[ARRAY_COUNT];
-    if (!receive_bytes(h, &header, sizeof header))
+    if (!handover_receive_bytes(h, &header, sizeof header))
         return false;
     if (!is_sound(&header))
         return end(h, HANDOVER_WRONG);
     part->has_vertex_colors = (header.flags & PART_HAS_VERTEX_COLORS) != 0;
     part->has_texcoords = (header.flags & PART_HAS_TEXCOORDS) != 0;
     part->has_tangents = (header.flags & PART_HAS_TANGENTS) != 0;
+    part->has_normals = (header.flags & PART_HAS_NORMALS) != 0;
     part->shine = header.shine;
     part->vertex_count = header.vertex_count;
     part->index_count = header.index_count;
@@ -223,7 +229,7 @@ static bool receive_part(handover *h, model_part *part, part_maps *maps)
         return end(h, HANDOVER_NO_MEMORY);
     list_arrays(part, list);
     for (int i = 0; i < ARRAY_COUNT; ++i)
-        if (!receive_bytes(h, list[i].data, list[i].size))
+        if (!handover_receive_bytes(h, list[i].data, list[i].size))
             return false;
     for (size_t i = 0; i < part->index_count; ++i)
         if (part->indices[i] >= part->vertex_count)
@@ -233,9 +239,11 @@ static bool receive_part(handover *h, model_part *part, part_maps *maps)
 
 bool handover_receive_model(handover *h, imported *result)
 {
-    uint32_t count;
-    if (!receive_bytes(h, &count, sizeof count))
+    uint32_t counts[2];
+    if (!handover_receive_bytes(h, counts, sizeof counts))
         return false;
+    const uint32_t count = counts[0];
+    result->model.material_count = counts[1];
     if (count == 0)
         return end(h, HANDOVER_WRONG);
     if (count > h->bytes_left / sizeof(part_header))

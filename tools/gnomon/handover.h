@@ -1,5 +1,5 @@
-/* The importing process sends records through a pipe: lines of text, and finally the model with its
- * maps. */
+/* The confined process sends records through a pipe: lines of text, and finally what it has read,
+ * such as a model with its maps. */
 #ifndef HANDOVER_H
 #define HANDOVER_H
 
@@ -11,7 +11,7 @@ typedef enum handover_record {
     HANDOVER_LINE,   /* a line to print */
     HANDOVER_OPENED, /* the path of a file that has been opened */
     HANDOVER_FAULT,  /* failure, the last record; the reason is among the lines */
-    HANDOVER_MODEL   /* the model and its maps, the last record */
+    HANDOVER_RESULT  /* what was asked for, the last record */
 } handover_record;
 
 /* Why receiving ended. */
@@ -34,8 +34,9 @@ typedef struct handover {
 /* Bytes in the pipe for a part without its maps: its header and its arrays. */
 uint64_t handover_size(const model_part *part);
 
-/* The child's side. Return false if the pipe is closed. */
+/* The child's side. Return false if the pipe is closed. Bytes follow the text of a result. */
 bool handover_send_text(int descriptor, handover_record kind, const char *text);
+bool handover_send_bytes(int descriptor, const void *bytes, uint64_t size);
 bool handover_send_model(int descriptor, const imported *what);
 
 /* The parent's side: receives the next record's kind, and the text of a line or a path, which is
@@ -43,8 +44,11 @@ bool handover_send_model(int descriptor, const imported *what);
 #define HANDOVER_TEXT_SIZE 16384
 bool handover_receive(handover *h, handover_record *kind, char text[HANDOVER_TEXT_SIZE]);
 
-/* Receives what follows HANDOVER_MODEL. Counts, indices and sizes are checked. Returns false with
- * the reason in `state`; free with import_free either way. */
+/* Receives this many bytes. Returns false with the reason in `state`. */
+bool handover_receive_bytes(handover *h, void *bytes, uint64_t size);
+
+/* Receives what follows the HANDOVER_RESULT of a model. Counts, indices and sizes are checked.
+ * Returns false with the reason in `state`; free with import_free either way. */
 bool handover_receive_model(handover *h, imported *result);
 
 #endif

@@ -11,6 +11,7 @@
 
 #include "files.h"
 #include "image_file.h"
+#include "image_ppm.h"
 
 /* The text that decoder_reason returns; the next call overwrites it. */
 static char reason_text[256];
@@ -37,21 +38,24 @@ static void pack(uint8_t *bytes, size_t count)
 }
 
 /* Returns null, or why an image of this size is not decoded. */
-static const char *size_fault(int width, int height, const image_budget *budget)
+static const char *size_fault(uint32_t width, uint32_t height, uint32_t bytes_per_pixel,
+                              const image_budget *budget)
 {
     if (width < 1 || height < 1 || width > GN_MAX_SIZE || height > GN_MAX_SIZE)
         return "the image is larger than 16384 pixels, or empty";
-    const uint64_t pixels = (uint64_t)width * (uint64_t)height;
+    const uint64_t pixels = (uint64_t)width * height;
+    const uint64_t size = bytes_per_pixel * pixels;
     if (pixels > (uint64_t)budget->megapixels << 20) {
         snprintf(reason_text, sizeof reason_text,
-                 "it has %dx%d pixels, more than --map-pixels %" PRIu32 " allows (times 1024x1024)",
-                 width, height, budget->megapixels);
+                 "it has %ux%u pixels, more than --map-pixels %" PRIu32 " allows (times 1024x1024)",
+                 (unsigned)width, (unsigned)height, budget->megapixels);
         return reason_text;
     }
-    if (4 * pixels > budget->bytes_left) {
+    if (size > budget->bytes_left) {
         snprintf(reason_text, sizeof reason_text,
-                 "its %dx%d pixels take %" PRIu64 " MiB, and --import-output leaves %" PRIu64,
-                 width, height, (4 * pixels + (1 << 20) - 1) >> 20, budget->bytes_left >> 20);
+                 "its %ux%u pixels take %" PRIu64 " MiB, and --import-output leaves %" PRIu64,
+                 (unsigned)width, (unsigned)height, (size + (1 << 20) - 1) >> 20,
+                 budget->bytes_left >> 20);
         return reason_text;
     }
     return NULL;
@@ -97,46 +101,106 @@ static int source_at_end(void *user)
     return s->position >= s->size;
 }
 
+static const char cut_short[] = "the file is cut short";
+
+static const stbi_io_callbacks callbacks = {source_read, source_skip, source_at_end};
+
+/* Reads size and channels of a file that stb_image reads. Returns null, or what is wrong. */
+static const char *read_header(source s, image_kind kind, image_values *result)
+{
+    const source start = s;
+    int width, height, channels;
+    if (stbi_info_from_callbacks(&callbacks, &s, &width, &height, &channels) == 0)
+        return s.ran_out || image_is_cut_short(kind, s.bytes, s.size, 0, 0) ? cut_short
+                                                                            : decoder_reason(kind);
+    result->width = width > 0 ? (uint32_t)width : 0;
+    result->height = height > 0 ? (uint32_t)height : 0;
+    result->channels = (uint32_t)channels;
+    s = start;
+    result->bits = kind == IMAGE_PNG && stbi_is_16_bit_from_callbacks(&callbacks, &s) ? 16 : 8;
+    return NULL;
+}
+
+/* Decodes a file that stb_image reads. Returns null, or what is wrong. */
+static const char *decode_pixels(source s, image_kind kind, bool bottom_first, image_values *result)
+{
+    int width, height, channels;
+    stbi_set_flip_vertically_on_load(bottom_first);
+    result->values =
+        result->bits == 16
+            ? (void *)stbi_load_16_from_callbacks(&callbacks, &s, &width, &height, &channels, 4)
+            : stbi_load_from_callbacks(&callbacks, &s, &width, &height, &channels, 4);
+    if (result->values != NULL && !s.ran_out)
+        return NULL;
+    const char *reason = s.ran_out ? cut_short : decoder_reason(kind);
+    stbi_image_free(result->values);
+    result->values = NULL;
+    return reason;
+}
+
+/* Decodes an image to at most `most_bits` a channel. Returns null, or what is wrong. */
+static const char *decode(const uint8_t *bytes, size_t size, uint32_t most_bits, bool bottom_first,
+                          image_budget *budget, image_values *result)
+{
+    const source s = {bytes, size, 0, false};
+    const image_kind kind = image_kind_of(bytes, size);
+    ppm_header header;
+    memset(result, 0, sizeof *result);
+    if (size == 0)
+        return "the file is empty";
+    if (kind == IMAGE_OTHER)
+        return "it is not a " IMAGE_FORMATS_IN_WORDS;
+    const char *reason =
+        kind == IMAGE_PPM ? image_ppm_header(bytes, size, &header) : read_header(s, kind, result);
+    if (reason != NULL)
+        return reason;
+    if (kind == IMAGE_PPM)
+        *result = (image_values){header.width, header.height, 8, header.channels, "", NULL};
+    if (result->bits > most_bits)
+        result->bits = most_bits;
+    snprintf(result->format, sizeof result->format, "%s", image_kind_name(kind));
+    reason = size_fault(result->width, result->height, result->bits / 2, budget);
+    if (reason == NULL && image_is_cut_short(kind, bytes, size, result->width, result->height))
+        reason = cut_short;
+    if (reason != NULL)
+        return reason;
+    if (kind != IMAGE_PPM) {
+        reason = decode_pixels(s, kind, bottom_first, result);
+    } else {
+        result->values = malloc((size_t)4 * result->width * result->height);
+        if (result->values == NULL)
+            return "not enough memory";
+        image_ppm_pixels(bytes, &header, bottom_first, result->values);
+    }
+    if (reason == NULL)
+        budget->bytes_left -= (uint64_t)(result->bits / 2) * result->width * result->height;
+    return reason;
+}
+
 bool image_decode(const uint8_t *bytes, size_t size, image_budget *budget, image *result,
                   const char **reason)
 {
-    static const stbi_io_callbacks callbacks = {source_read, source_skip, source_at_end};
-    static const char cut_short[] = "the file is cut short";
-    source s = {bytes, size, 0, false};
-    int width = 0;
-    int height = 0;
-    int channels;
-    const image_kind kind = image_kind_of(bytes, size);
+    image_values decoded;
     memset(result, 0, sizeof *result);
-    *reason = kind == IMAGE_OTHER ? "it is not a " IMAGE_FORMATS_IN_WORDS : NULL;
-    if (size == 0)
-        *reason = "the file is empty";
+    *reason = decode(bytes, size, 8, true, budget, &decoded);
     if (*reason != NULL)
         return false;
-    if (stbi_info_from_callbacks(&callbacks, &s, &width, &height, &channels) == 0) {
-        const bool is_short = s.ran_out || image_is_cut_short(kind, bytes, size, 0, 0);
-        *reason = is_short ? cut_short : decoder_reason(kind);
-        return false;
-    }
-    *reason = size_fault(width, height, budget);
-    if (*reason == NULL && image_is_cut_short(kind, bytes, size, (uint32_t)width, (uint32_t)height))
-        *reason = cut_short;
-    if (*reason != NULL)
-        return false;
-    s = (source){bytes, size, 0, false};
-    stbi_set_flip_vertically_on_load(1);
-    stbi_uc *pixels = stbi_load_from_callbacks(&callbacks, &s, &width, &height, &channels, 4);
-    if (pixels == NULL || s.ran_out) {
-        *reason = s.ran_out ? cut_short : decoder_reason(kind);
-        stbi_image_free(pixels);
-        return false;
-    }
-    pack(pixels, (size_t)width * (size_t)height);
-    result->width = (uint32_t)width;
-    result->height = (uint32_t)height;
-    result->texels = (uint32_t *)(void *)pixels;
-    budget->bytes_left -= (uint64_t)4 * result->width * result->height;
+    pack(decoded.values, (size_t)decoded.width * decoded.height);
+    *result = (image){decoded.width, decoded.height, decoded.values};
     return true;
+}
+
+bool image_read_values(const char *path, image_budget *budget, image_values *result,
+                       const char **reason)
+{
+    size_t size;
+    uint8_t *bytes = files_read(path, &size, reason);
+    memset(result, 0, sizeof *result);
+    if (bytes == NULL)
+        return false;
+    *reason = decode(bytes, size, 16, false, budget, result);
+    free(bytes);
+    return *reason == NULL;
 }
 
 bool image_read(const char *path, image_budget *budget, image *result, const char **reason)

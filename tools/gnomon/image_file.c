@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "image_ppm.h"
+
 /* PNG, sections 5.2 and 5.3. */
 static const uint8_t png_mark[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 #define PNG_CHUNK_OVERHEAD 12
@@ -41,12 +43,14 @@ image_kind image_kind_of(const uint8_t *bytes, size_t size)
         return IMAGE_JPEG;
     if (begins(bytes, size, "BM", 2))
         return IMAGE_BMP;
+    if (image_is_ppm(bytes, size))
+        return IMAGE_PPM;
     return is_tga(bytes, size) ? IMAGE_TGA : IMAGE_OTHER;
 }
 
 const char *image_kind_name(image_kind kind)
 {
-    static const char names[][8] = {"PNG", "JPEG", "TGA", "BMP"};
+    static const char names[][8] = {"PNG", "JPEG", "TGA", "BMP", "PPM"};
     return kind < IMAGE_OTHER ? names[kind] : "image";
 }
 
@@ -107,6 +111,12 @@ bool image_is_cut_short(image_kind kind, const uint8_t *bytes, size_t size, uint
         if (size < bits_at + 2)
             return true;
         least = ((uint64_t)width * bytes[bits_at] + 31) / 32 * 4 * height + BMP_HEADER;
+        break;
+    }
+    case IMAGE_PPM: {
+        ppm_header header;
+        if (image_ppm_header(bytes, size, &header) == NULL)
+            least = header.size + pixels * header.channels;
         break;
     }
     default:

@@ -6,7 +6,14 @@
 #include <stddef.h>
 #include <stdint.h>
 
-typedef enum image_kind { IMAGE_PNG, IMAGE_JPEG, IMAGE_TGA, IMAGE_BMP, IMAGE_OTHER } image_kind;
+typedef enum image_kind {
+    IMAGE_PNG,
+    IMAGE_JPEG,
+    IMAGE_TGA,
+    IMAGE_BMP,
+    IMAGE_PPM,
+    IMAGE_OTHER
+} image_kind;
 
 /* The format by the first bytes. A TGA has no mark and is recognised by a plausible header. */
 image_kind image_kind_of(const uint8_t *bytes, size_t size);

@@ -1,6 +1,4 @@
-/* Imports a model and its maps. Files may be hostile: they may make their readers, Assimp and
- * stb_image, crash, hang or use all memory. So a child process reads them under limits, and sends
- * the contents to this process. */
+/* Imports models and their maps, in a child process under limits (confined.h). */
 #ifndef IMPORT_H
 #define IMPORT_H
 

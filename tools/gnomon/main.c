@@ -19,6 +19,8 @@ static const char overview[] =
     "  gnomon compare MODEL...          draw models with Gnomon and with OSMesa, and count the\n"
     "                                   pixels that differ\n"
     "  gnomon demo                      compare pictures of a teapot; needs no model\n"
+    "  gnomon diff A B                  count the pixels in which pictures differ\n"
+    "  gnomon info FILE...              say what is in models and pictures\n"
     "  gnomon transform < SETUP         print where points are at every stage: local, world,\n"
     "                                   view, clip, NDC and pixel coordinates\n"
     "\n"
@@ -28,10 +30,18 @@ static const char overview[] =
     "  gnomon demo --picture teapot.png\n"
     "\n"
     "Results go to standard output; errors and warnings go to standard error, one line each,\n"
-    "which names the file or option. Exit status: 0: success (compare, demo: the pictures are\n"
-    "equal); 1: something is wrong with the input (or the pictures differ); 2: the command\n"
-    "line, or transform's text, is wrong. An output file is written completely or not at\n"
-    "all.\n";
+    "which names the file or option. An output file is written completely or not at all.\n"
+    "\n"
+    "Exit status: 0: success; 1: an input or output is at fault, or pictures that are compared\n"
+    "differ; 2: wrong usage, a wrong text for transform, or pictures that diff cannot compare.\n";
+
+static const struct {
+    char name[16];
+    int (*run)(int argc, char **argv);
+} commands[] = {
+    {"render", command_render}, {"compare", command_compare}, {"demo", command_demo},
+    {"diff", command_diff},     {"info", command_info},       {"transform", command_transform},
+};
 
 /* If memory is short, a scene's allocation calls exit, and a C++ library whose exception nobody
  * catches calls abort. The user still gets a line of the command's own, and its exit status. */
@@ -65,14 +75,9 @@ static int run(int argc, char **argv)
 {
     if (argc < 2)
         return report_usage("", "no command");
-    if (strcmp(argv[1], "render") == 0)
-        return command_render(argc - 1, argv + 1);
-    if (strcmp(argv[1], "compare") == 0)
-        return command_compare(argc - 1, argv + 1);
-    if (strcmp(argv[1], "demo") == 0)
-        return command_demo(argc - 1, argv + 1);
-    if (strcmp(argv[1], "transform") == 0)
-        return command_transform(argc - 1, argv + 1);
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; ++i)
+        if (strcmp(argv[1], commands[i].name) == 0)
+            return commands[i].run(argc - 1, argv + 1);
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
         strcmp(argv[1], "help") == 0) {
         fputs(overview, stdout);

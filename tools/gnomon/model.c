@@ -60,11 +60,12 @@ static void place_vertex(const model_part *part, uint32_t vertex, double result[
                     (double)m[2][c] * (double)p[2] + (double)m[3][c];
 }
 
-bounding_sphere model_bounds(const model *m)
+void model_box(const model *m, double low[3], double high[3])
 {
-    bounding_sphere sphere = {{0.0, 0.0, 0.0}, 0.0};
-    double low[3] = {DBL_MAX, DBL_MAX, DBL_MAX};
-    double high[3] = {-DBL_MAX, -DBL_MAX, -DBL_MAX};
+    for (int c = 0; c < 3; ++c) {
+        low[c] = DBL_MAX;
+        high[c] = -DBL_MAX;
+    }
     for (size_t p = 0; p < m->part_count; ++p) {
         const model_part *part = m->parts + p;
         for (size_t i = 0; i < part->index_count; ++i) {
@@ -76,6 +77,13 @@ bounding_sphere model_bounds(const model *m)
             }
         }
     }
+}
+
+bounding_sphere model_bounds(const model *m)
+{
+    bounding_sphere sphere = {{0.0, 0.0, 0.0}, 0.0};
+    double low[3], high[3];
+    model_box(m, low, high);
     for (int c = 0; c < 3; ++c)
         sphere.center[c] = 0.5 * (low[c] + high[c]);
     for (size_t p = 0; p < m->part_count; ++p) {

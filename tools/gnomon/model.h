@@ -30,6 +30,7 @@ typedef struct model_shine {
 typedef struct model_part {
     uint32_t vertex_count;
     float *positions; /* x, y, z */
+    bool has_normals; /* in the file; otherwise they are computed */
     float *normals;   /* x, y, z, of any length except 0 */
     float *colors;    /* red, green, blue, alpha: the vertex's, the material's, or light grey */
     bool has_vertex_colors; /* the first of these colours */
@@ -48,6 +49,7 @@ typedef struct model_part {
 typedef struct model {
     size_t part_count;
     model_part *parts;
+    uint32_t material_count; /* of the file, used by triangles */
 } model;
 
 /* Allocates a part's arrays and places it where its model is; texture coordinates and tangents only
@@ -64,6 +66,9 @@ void model_free(model *m);
 bool model_complete_normals(model *m);
 
 uint64_t model_triangle_count(const model *m);
+
+/* The bounding box of all vertices that triangles use, in the world. */
+void model_box(const model *m, double low[3], double high[3]);
 
 /* Returns a sphere around all vertices that triangles use, in the world; its centre is the centre
  * of their bounding box. */

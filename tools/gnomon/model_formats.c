@@ -47,6 +47,14 @@ static format format_of(const char *path)
     return (format)f;
 }
 
+const char *model_format_name(const char *path)
+{
+    static const char names[FORMAT_COUNT][8] = {"OBJ",  "PLY",     "STL", "glTF",
+                                                "glTF", "Collada", "FBX", "3DS"};
+    const format f = format_of(path);
+    return f != FORMAT_COUNT ? names[f] : NULL;
+}
+
 int model_format_is(const char *path, const char *importer_name)
 {
     format f = format_of(path);

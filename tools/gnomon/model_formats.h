@@ -13,6 +13,9 @@
  * EXIT_FAULT with the reason printed. */
 int model_format_check(const char *path);
 
+/* The name of the format by the path's extension; null if it is none of a model. */
+const char *model_format_name(const char *path);
+
 /* Whether Assimp's importer with this name is for the file's extension. */
 int model_format_is(const char *path, const char *importer_name);
 

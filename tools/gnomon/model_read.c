@@ -59,6 +59,7 @@ static bool belongs(const model_part *part, const struct aiMesh *mesh,
             return false;
     }
     return part->has_vertex_colors == (mesh->mColors[0] != NULL) &&
+           part->has_normals == (mesh->mNormals != NULL) &&
            part->has_texcoords == (material->texcoord_channel >= 0) &&
            part->has_tangents == has_tangents(mesh, material) &&
            memcmp(&part->shine, &material->shine, sizeof part->shine) == 0;
@@ -73,6 +74,7 @@ static model_part *find_part(model *m, const struct aiMesh *mesh, const mesh_mat
             return m->parts + i;
     model_part *part = m->parts + m->part_count++;
     part->has_vertex_colors = mesh->mColors[0] != NULL;
+    part->has_normals = mesh->mNormals != NULL;
     part->has_texcoords = material->texcoord_channel >= 0;
     part->has_tangents = has_tangents(mesh, material);
     part->shine = material->shine;
@@ -229,6 +231,25 @@ static const char *copy_embedded(const struct aiScene *file, model_texture *text
     return NULL;
 }
 
+/* Counts the materials of triangles. Returns false if there is not enough memory. */
+static bool count_materials(const struct aiScene *file, uint32_t *count)
+{
+    bool *seen = calloc((size_t)file->mNumMaterials + 1, sizeof *seen);
+    if (seen == NULL)
+        return false;
+    *count = 0;
+    for (unsigned int i = 0; i < file->mNumMeshes; ++i) {
+        const unsigned int material = file->mMeshes[i]->mMaterialIndex;
+        if (material >= file->mNumMaterials || seen[material] ||
+            count_triangles(file->mMeshes[i]) == 0)
+            continue;
+        seen[material] = true;
+        ++*count;
+    }
+    free(seen);
+    return true;
+}
+
 /* Converts Assimp's scene to parts. Returns null, or what is wrong. */
 static const char *convert(const struct aiScene *file, model *m, oddities *odd)
 {
@@ -276,6 +297,8 @@ static const char *convert(const struct aiScene *file, model *m, oddities *odd)
     }
     for (size_t i = 0; i < MAP_COUNT * m->part_count && wrong == NULL; ++i)
         wrong = copy_embedded(file, &m->parts[i / MAP_COUNT].maps[i % MAP_COUNT]);
+    if (wrong == NULL && !count_materials(file, &m->material_count))
+        wrong = no_memory;
     free(counts);
     return wrong;
 }

@@ -63,7 +63,11 @@ enum {
 };
 
 #define MODEL_COMMANDS (COMMAND_RENDER | COMMAND_COMPARE)
-#define ALL_COMMANDS (COMMAND_RENDER | COMMAND_COMPARE | COMMAND_DEMO)
+#define PICTURE_COMMANDS (MODEL_COMMANDS | COMMAND_DEMO)
+#define OUTPUT_COMMANDS (PICTURE_COMMANDS | COMMAND_DIFF)
+#define FILE_COMMANDS (COMMAND_DIFF | COMMAND_INFO)
+#define IMPORT_COMMANDS (MODEL_COMMANDS | FILE_COMMANDS)
+#define ALL_COMMANDS (PICTURE_COMMANDS | FILE_COMMANDS)
 
 static const struct {
     char name[20];
@@ -73,28 +77,28 @@ static const struct {
 } option_table[] = {
     {"help", no_argument, 'h', ALL_COMMANDS},
     {"help-all", no_argument, OPTION_HELP_ALL, MODEL_COMMANDS},
-    {"output", required_argument, 'o', ALL_COMMANDS},
-    {"size", required_argument, OPTION_SIZE, ALL_COMMANDS},
+    {"output", required_argument, 'o', OUTPUT_COMMANDS},
+    {"size", required_argument, OPTION_SIZE, PICTURE_COMMANDS},
     {"eye", required_argument, OPTION_EYE, MODEL_COMMANDS},
     {"target", required_argument, OPTION_TARGET, MODEL_COMMANDS},
     {"up", required_argument, OPTION_UP, MODEL_COMMANDS},
     {"fov", required_argument, OPTION_FOV, MODEL_COMMANDS},
     {"orthographic", required_argument, OPTION_ORTHOGRAPHIC, MODEL_COMMANDS},
-    {"shader", required_argument, OPTION_SHADER, ALL_COMMANDS},
+    {"shader", required_argument, OPTION_SHADER, PICTURE_COMMANDS},
     {"background", required_argument, OPTION_BACKGROUND, MODEL_COMMANDS},
     {"light", required_argument, OPTION_LIGHT, MODEL_COMMANDS},
     {"texture", required_argument, OPTION_TEXTURE, MODEL_COMMANDS},
-    {"normal-map", required_argument, OPTION_NORMAL_MAP, ALL_COMMANDS},
+    {"normal-map", required_argument, OPTION_NORMAL_MAP, PICTURE_COMMANDS},
     {"specular-map", required_argument, OPTION_SPECULAR_MAP, MODEL_COMMANDS},
     {"glow-map", required_argument, OPTION_GLOW_MAP, MODEL_COMMANDS},
-    {"filter", required_argument, OPTION_FILTER, ALL_COMMANDS},
-    {"shadows", no_argument, OPTION_SHADOWS, ALL_COMMANDS},
-    {"exponent", required_argument, OPTION_EXPONENT, ALL_COMMANDS},
-    {"bands", required_argument, OPTION_BANDS, ALL_COMMANDS},
+    {"filter", required_argument, OPTION_FILTER, PICTURE_COMMANDS},
+    {"shadows", no_argument, OPTION_SHADOWS, PICTURE_COMMANDS},
+    {"exponent", required_argument, OPTION_EXPONENT, PICTURE_COMMANDS},
+    {"bands", required_argument, OPTION_BANDS, PICTURE_COMMANDS},
     {"backend", required_argument, OPTION_BACKEND, MODEL_COMMANDS},
     {"wireframe", no_argument, OPTION_WIREFRAME, MODEL_COMMANDS},
-    {"samples", required_argument, OPTION_SAMPLES, ALL_COMMANDS},
-    {"statistics", no_argument, OPTION_STATISTICS, ALL_COMMANDS},
+    {"samples", required_argument, OPTION_SAMPLES, PICTURE_COMMANDS},
+    {"statistics", no_argument, OPTION_STATISTICS, PICTURE_COMMANDS},
     {"rotate", required_argument, OPTION_ROTATE, MODEL_COMMANDS},
     {"scale", required_argument, OPTION_SCALE, MODEL_COMMANDS},
     {"translate", required_argument, OPTION_TRANSLATE, MODEL_COMMANDS},
@@ -103,14 +107,14 @@ static const struct {
     {"cull", required_argument, OPTION_CULL, MODEL_COMMANDS},
     {"no-depth-test", no_argument, OPTION_NO_DEPTH_TEST, MODEL_COMMANDS},
     {"points", optional_argument, OPTION_POINTS, MODEL_COMMANDS},
-    {"format", required_argument, OPTION_FORMAT, COMMAND_RENDER},
+    {"format", required_argument, OPTION_FORMAT, COMMAND_RENDER | COMMAND_DIFF},
     {"depth", required_argument, OPTION_DEPTH, COMMAND_RENDER},
     {"picture", required_argument, OPTION_PICTURE, COMMAND_DEMO},
     {"tessellation", required_argument, OPTION_TESSELLATION, COMMAND_DEMO},
-    {"import-seconds", required_argument, OPTION_IMPORT_SECONDS, MODEL_COMMANDS},
-    {"import-memory", required_argument, OPTION_IMPORT_MEMORY, MODEL_COMMANDS},
-    {"import-output", required_argument, OPTION_IMPORT_OUTPUT, MODEL_COMMANDS},
-    {"map-pixels", required_argument, OPTION_MAP_PIXELS, MODEL_COMMANDS},
+    {"import-seconds", required_argument, OPTION_IMPORT_SECONDS, IMPORT_COMMANDS},
+    {"import-memory", required_argument, OPTION_IMPORT_MEMORY, IMPORT_COMMANDS},
+    {"import-output", required_argument, OPTION_IMPORT_OUTPUT, IMPORT_COMMANDS},
+    {"map-pixels", required_argument, OPTION_MAP_PIXELS, IMPORT_COMMANDS},
 };
 
 #define OPTION_COUNT (sizeof option_table / sizeof option_table[0])
@@ -122,6 +126,10 @@ const char *options_command_name(command which)
         return "render";
     case COMMAND_COMPARE:
         return "compare";
+    case COMMAND_DIFF:
+        return "diff";
+    case COMMAND_INFO:
+        return "info";
     default:
         return "demo";
     }
@@ -319,6 +327,8 @@ static int check(command which, const options *o)
         return report_usage(name, "--fov and --orthographic cannot be used together");
     if (o->wireframe && o->points)
         return report_usage(name, "--wireframe and --points cannot be used together");
+    if (o->format_given && o->output == NULL)
+        return report_usage(name, "--format is for the output, which -o names");
     if (o->format_given && picture_has_suffix(o->output))
         return report_usage(
             name, "--format is for names without a suffix, such as -, and '%s' has one", o->output);
@@ -367,7 +377,15 @@ static void set_defaults(command which, options *o)
     gn_transform_identity(&o->world_from_all);
 }
 
-/* The words after the options of getopt_long, as long options of a command. */
+picture_format options_format(const options *o)
+{
+    picture_format format = o->format;
+    if (!o->format_given)
+        picture_format_of(o->output, &format);
+    return format;
+}
+
+/* The long options of a command, for getopt_long. Returns how many there are. */
 static size_t list_options(command which, struct option list[OPTION_COUNT + 1])
 {
     size_t count = 0;
@@ -411,7 +429,7 @@ static int take_word(command which, char *word, options *o)
     if (which == COMMAND_DEMO)
         return report_usage("demo", "'%s': demo takes no model", word);
     if (o->model_count == OPTIONS_MAX_MODELS)
-        return report_usage(options_command_name(which), "'%s': more than %d models", word,
+        return report_usage(options_command_name(which), "'%s': more than %d files", word,
                             OPTIONS_MAX_MODELS);
     model_option *m = o->models + o->model_count++;
     m->path = word;
@@ -447,6 +465,7 @@ options_result options_parse(command which, int argc, char **argv, options *resu
 {
     const char *name = options_command_name(which);
     struct option list[OPTION_COUNT + 1];
+    const bool has_output = (which & OUTPUT_COMMANDS) != 0;
     list_options(which, list);
     set_defaults(which, result);
     opterr = 0;
@@ -454,7 +473,7 @@ options_result options_parse(command which, int argc, char **argv, options *resu
     for (;;) {
         /* An unknown letter alone leaves optind at its word, so the word is remembered. */
         int word = optind < argc ? optind : argc - 1;
-        int option = getopt_long(argc, argv, "-:ho:", list, NULL);
+        int option = getopt_long(argc, argv, has_output ? "-:ho:" : "-:h", list, NULL);
         if (option == -1)
             break;
         if (option == 'h' || option == OPTION_HELP_ALL)
@@ -478,6 +497,10 @@ options_result options_parse(command which, int argc, char **argv, options *resu
     }
     if ((which & MODEL_COMMANDS) != 0 && result->model_count == 0)
         *exit_status = report_usage(name, "no model file");
+    else if (which == COMMAND_INFO && result->model_count == 0)
+        *exit_status = report_usage(name, "no file");
+    else if (which == COMMAND_DIFF && result->model_count != 2)
+        *exit_status = report_usage(name, "it takes two pictures, not %zu", result->model_count);
     else
         *exit_status = check(which, result);
     return *exit_status == 0 ? OPTIONS_READY : OPTIONS_WRONG;

@@ -11,7 +11,13 @@
 #include "picture_format.h"
 #include "shading.h"
 
-typedef enum command { COMMAND_RENDER = 1, COMMAND_COMPARE = 2, COMMAND_DEMO = 4 } command;
+typedef enum command {
+    COMMAND_RENDER = 1,
+    COMMAND_COMPARE = 2,
+    COMMAND_DEMO = 4,
+    COMMAND_DIFF = 8,
+    COMMAND_INFO = 16
+} command;
 
 /* A map as the options name it; zeroed, the model decides. */
 typedef struct map_option {
@@ -53,7 +59,8 @@ typedef struct model_option {
 #define OPTIONS_MAX_MODELS 64
 
 typedef struct options {
-    const char *model; /* the first model; while several are imported, the one that is */
+    const char *model; /* the first model, or file of diff and info; while several are imported, the
+                          one that is */
     size_t model_count;
     model_option models[OPTIONS_MAX_MODELS];
     gn_transform world_from_all; /* the transformations before the first model */
@@ -98,6 +105,9 @@ const char *options_command_name(command which);
 
 /* The long options of a command, from index 0 on; null after the last. */
 const char *options_name(command which, size_t index);
+
+/* The format of the output: that of --format or of its name. */
+picture_format options_format(const options *o);
 
 /* Reads argv[1...]; argv[0] is the command's name. OPTIONS_HELP and
  * OPTIONS_HELP_ALL: --help or --help-all was given. OPTIONS_WRONG:

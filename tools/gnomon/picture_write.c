@@ -79,12 +79,10 @@ int picture_write(output *o, picture_format format, png_kind kind, uint32_t widt
                                  : write_plain(o, format, kind, width, height, row, context);
 }
 
-int picture_write_file(const char *path, png_kind kind, uint32_t width, uint32_t height,
-                       png_row *row, const void *context)
+int picture_write_file(const char *path, picture_format format, png_kind kind, uint32_t width,
+                       uint32_t height, png_row *row, const void *context)
 {
     output file;
-    picture_format format;
-    picture_format_of(path, &format);
     int fault = output_open(&file, path);
     if (fault != 0)
         return fault;

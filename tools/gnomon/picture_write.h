@@ -10,9 +10,9 @@
 int picture_write(output *o, picture_format format, png_kind kind, uint32_t width, uint32_t height,
                   png_row *row, const void *context);
 
-/* Opens, writes and finishes a file, in the format of its name. Returns 0, or EXIT_FAULT with the
+/* Opens, writes and finishes a file. Returns 0, or EXIT_FAULT with the
  * reason printed and nothing half-written. */
-int picture_write_file(const char *path, png_kind kind, uint32_t width, uint32_t height,
-                       png_row *row, const void *context);
+int picture_write_file(const char *path, picture_format format, png_kind kind, uint32_t width,
+                       uint32_t height, png_row *row, const void *context);
 
 #endif

@@ -88,13 +88,11 @@ static int write_files(const options *o, const scene_frame *frame)
 {
     output color;
     output depth = {NULL, NULL, NULL, NULL};
-    picture_format format = o->format;
     int fault = output_open(&color, o->output);
     if (fault != 0)
         return fault;
-    if (!o->format_given)
-        picture_format_of(o->output, &format);
-    fault = picture_write(&color, format, PNG_RGBA8, o->width, o->height, color_row, frame);
+    fault =
+        picture_write(&color, options_format(o), PNG_RGBA8, o->width, o->height, color_row, frame);
     if (fault == 0 && o->depth_output != NULL) {
         fault = output_open(&depth, o->depth_output);
         if (fault == 0)

@@ -1,0 +1,127 @@
+/* gnomon info: says what is in model files and picture files. */
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "command.h"
+#include "import.h"
+#include "model_formats.h"
+#include "options.h"
+#include "picture_file.h"
+#include "report.h"
+
+static const char usage[] =
+    "gnomon info FILE... [OPTION...]: say what is in models and pictures.\n"
+    "\n"
+    "  gnomon info head.obj head_diffuse.tga\n"
+    "\n"
+    "Of a model: triangles, vertices (those with equal attributes are one), bounds, attributes,\n"
+    "materials that triangles use, draws, and the maps that gnomon render would use. Of a\n"
+    "picture: size, channels, bits. A model is known by its extension, a picture by its\n"
+    "contents. Both are read as gnomon render reads them, in a child process under limits:\n"
+    "\n"
+    "  --import-seconds N      seconds, 1 to 86400; default: 30\n"
+    "  --import-memory MIB     memory for importing, 1 to 1048576; default: 2048\n"
+    "  --import-output MIB     memory of what is imported, 1 to 1048576; default: 1024\n"
+    "  --map-pixels N          pixels of a picture in units of 1024x1024, 1 to 256; default: 64\n"
+    "\n"
+    "Exit status: 0: all files were read; 1: a file cannot be read; 2: wrong usage.\n";
+
+typedef struct attribute_count {
+    const char *name;
+    uint64_t vertices;
+} attribute_count;
+
+static void print_attributes(const model *m, uint64_t vertices)
+{
+    attribute_count counts[] = {{"normals", 0}, {"texture coordinates", 0}, {"vertex colours", 0}};
+    for (size_t i = 0; i < m->part_count; ++i) {
+        const model_part *part = m->parts + i;
+        counts[0].vertices += part->has_normals ? part->vertex_count : 0;
+        counts[1].vertices += part->has_texcoords ? part->vertex_count : 0;
+        counts[2].vertices += part->has_vertex_colors ? part->vertex_count : 0;
+    }
+    printf("  attributes  positions");
+    for (size_t i = 0; i < sizeof counts / sizeof counts[0]; ++i) {
+        if (counts[i].vertices > 0)
+            printf(", %s", counts[i].name);
+        if (counts[i].vertices > 0 && counts[i].vertices < vertices)
+            printf(" (of %" PRIu64 " vertices)", counts[i].vertices);
+    }
+    printf("\n");
+}
+
+static void print_bounds(const model *m)
+{
+    double low[3], high[3];
+    model_box(m, low, high);
+    printf("  bounds      %.6g %.6g %.6g to %.6g %.6g %.6g\n", low[0], low[1], low[2], high[0],
+           high[1], high[2]);
+    printf("  size        %.6g %.6g %.6g\n", high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
+
+static void print_model(const char *path, const imported *from)
+{
+    const model *m = &from->model;
+    uint64_t vertices = 0;
+    for (size_t i = 0; i < m->part_count; ++i)
+        vertices += m->parts[i].vertex_count;
+    report_print(stdout, path);
+    printf(": %s model\n  triangles   %" PRIu64 "\n  vertices    %" PRIu64 "\n",
+           model_format_name(path), model_triangle_count(m), vertices);
+    print_bounds(m);
+    print_attributes(m, vertices);
+    printf("  materials   %u\n  draws       %zu\n  maps        ", (unsigned)m->material_count,
+           m->part_count);
+    report_print(stdout, from->told.text != NULL ? from->told.text : "none");
+    printf("\n");
+}
+
+static int tell_model(const options *o)
+{
+    imported from;
+    int fault = import_model(o, shading_traits_of(SHADING_AUTOMATIC)->maps, &from);
+    if (fault != 0)
+        return fault;
+    print_model(o->model, &from);
+    import_free(&from);
+    return 0;
+}
+
+static int tell_picture(const char *path, const import_limits *limits)
+{
+    static const char channels[4][32] = {"grey", "grey, alpha", "red, green, blue",
+                                         "red, green, blue, alpha"};
+    image_values v;
+    int fault = picture_file_read(path, limits, &v);
+    if (fault != 0)
+        return fault;
+    report_print(stdout, path);
+    printf(": %s picture\n  size        %ux%u\n  channels    %u: %s\n  bits        %u a channel\n",
+           v.format, (unsigned)v.width, (unsigned)v.height, (unsigned)v.channels,
+           channels[v.channels - 1], (unsigned)v.bits);
+    picture_file_free(&v);
+    return 0;
+}
+
+int command_info(int argc, char **argv)
+{
+    options o;
+    int status;
+    int fault = 0;
+    options_result result = options_parse(COMMAND_INFO, argc, argv, &o, &status);
+    if (result == OPTIONS_HELP) {
+        fputs(usage, stdout);
+        return finish_output(0);
+    }
+    if (result == OPTIONS_WRONG)
+        return status;
+    for (size_t i = 0; i < o.model_count; ++i) {
+        o.model = o.models[i].path;
+        if ((model_format_name(o.model) != NULL ? tell_model(&o)
+                                                : tell_picture(o.model, &o.limits)) != 0)
+            fault = EXIT_FAULT;
+        fflush(stdout);
+    }
+    return finish_output(fault);
+}
