@@ -142,11 +142,11 @@ $(eval $(call program,libgnomon.so,$(LIBRARY_SOURCES),-shared -nostdlib -Wl$(com
 
 REFERENCE_SOURCES = $(SCENE_SOURCES) $(OSMESA_SOURCES)
 
-$(eval $(call program,gnomon,$(COMMAND_SOURCES) $(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -ldl -lm))
+$(eval $(call program,gnomon,$(COMMAND_SOURCES) $(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm))
 
 # The benchmark reads models as the command does.
 $(eval $(call program,bench,$(BENCH_SOURCES) $(filter-out %/main.c,$(COMMAND_SOURCES)) $(THREADS_SOURCES) \
-	$(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -ldl -lm -pthread))
+	$(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm -pthread))
 
 $(eval $(call program,bench-states,$(STATES_SOURCES) $(addprefix tools/bench/,chosen.c renderer.c protocol.c median.c scenes.c \
 	plot_parts.c) $(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm))

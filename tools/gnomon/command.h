@@ -10,6 +10,7 @@ int command_compare(int argc, char **argv);
 int command_demo(int argc, char **argv);
 int command_diff(int argc, char **argv);
 int command_info(int argc, char **argv);
+int command_spin(int argc, char **argv);
 int command_transform(int argc, char **argv);
 
 /* Prints the part of --help that the commands which draw models share, in one line an option, or

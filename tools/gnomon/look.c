@@ -179,6 +179,7 @@ void look_place(scene_draw *draw, const look *l, const gn_transform *world_from_
     gn_transform_normal_matrix(world_from_model, &light->normal_matrix);
     draw->surface.world_from_model = world_from_model->matrix;
     draw->surface.eye = l->view.eye;
+    light->light_direction = l->light_direction;
 }
 
 scene_draw *look_add_part(scene *s, const look *l, const model_part *part, const part_maps *maps)
@@ -188,7 +189,6 @@ scene_draw *look_add_part(scene *s, const look *l, const model_part *part, const
     draw->shader = shader_of(l->shading, maps->images[MAP_DIFFUSE].texels != NULL);
     set_state(draw, l->options, &part->world_from_model.matrix);
     look_place(draw, l, &part->world_from_model);
-    light->light_direction = l->light_direction;
     light->ambient = l->ambient;
     light->diffuse = l->diffuse;
     set_maps(draw, l, maps);

@@ -12,6 +12,10 @@
 #define DEFAULT_TESSELLATION 16
 #define MAX_TESSELLATION 128
 
+#define DEFAULT_FRAMES 101
+#define DEFAULT_RATE 25
+#define MAX_FRAMES 100000
+
 /* A day; a TiB; the pixels of the largest possible texture. */
 #define MAX_SECONDS 86400
 #define MAX_MEBIBYTES (1 << 20)
@@ -59,10 +63,14 @@ enum {
     OPTION_FAR,
     OPTION_CULL,
     OPTION_NO_DEPTH_TEST,
-    OPTION_POINTS
+    OPTION_POINTS,
+    OPTION_AXIS,
+    OPTION_FRAMES,
+    OPTION_RATE
 };
 
-#define MODEL_COMMANDS (COMMAND_RENDER | COMMAND_COMPARE)
+#define STILL_COMMANDS (COMMAND_RENDER | COMMAND_COMPARE)
+#define MODEL_COMMANDS (STILL_COMMANDS | COMMAND_SPIN)
 #define PICTURE_COMMANDS (MODEL_COMMANDS | COMMAND_DEMO)
 #define OUTPUT_COMMANDS (PICTURE_COMMANDS | COMMAND_DIFF)
 #define FILE_COMMANDS (COMMAND_DIFF | COMMAND_INFO)
@@ -98,7 +106,7 @@ static const struct {
     {"backend", required_argument, OPTION_BACKEND, MODEL_COMMANDS},
     {"wireframe", no_argument, OPTION_WIREFRAME, MODEL_COMMANDS},
     {"samples", required_argument, OPTION_SAMPLES, PICTURE_COMMANDS},
-    {"statistics", no_argument, OPTION_STATISTICS, PICTURE_COMMANDS},
+    {"statistics", no_argument, OPTION_STATISTICS, STILL_COMMANDS | COMMAND_DEMO},
     {"rotate", required_argument, OPTION_ROTATE, MODEL_COMMANDS},
     {"scale", required_argument, OPTION_SCALE, MODEL_COMMANDS},
     {"translate", required_argument, OPTION_TRANSLATE, MODEL_COMMANDS},
@@ -107,7 +115,10 @@ static const struct {
     {"cull", required_argument, OPTION_CULL, MODEL_COMMANDS},
     {"no-depth-test", no_argument, OPTION_NO_DEPTH_TEST, MODEL_COMMANDS},
     {"points", optional_argument, OPTION_POINTS, MODEL_COMMANDS},
-    {"format", required_argument, OPTION_FORMAT, COMMAND_RENDER | COMMAND_DIFF},
+    {"format", required_argument, OPTION_FORMAT, COMMAND_RENDER | COMMAND_DIFF | COMMAND_SPIN},
+    {"axis", required_argument, OPTION_AXIS, COMMAND_SPIN},
+    {"frames", required_argument, OPTION_FRAMES, COMMAND_SPIN},
+    {"rate", required_argument, OPTION_RATE, COMMAND_SPIN},
     {"depth", required_argument, OPTION_DEPTH, COMMAND_RENDER},
     {"picture", required_argument, OPTION_PICTURE, COMMAND_DEMO},
     {"tessellation", required_argument, OPTION_TESSELLATION, COMMAND_DEMO},
@@ -130,6 +141,8 @@ const char *options_command_name(command which)
         return "diff";
     case COMMAND_INFO:
         return "info";
+    case COMMAND_SPIN:
+        return "spin";
     default:
         return "demo";
     }
@@ -244,6 +257,12 @@ static const char *take_value(int option, const char *text, options *o)
         return text == NULL || (parse_single(text, &o->point_size) && o->point_size > 0.0f)
                    ? NULL
                    : "a size in pixels, above 0";
+    case OPTION_AXIS:
+        return parse_axis(text, &o->axis) ? NULL : "x, y, z, or three numbers X,Y,Z";
+    case OPTION_FRAMES:
+        return parse_within(text, 1, MAX_FRAMES, &o->frames) ? NULL : "a whole number, 1 to 100000";
+    case OPTION_RATE:
+        return parse_within(text, 1, 1000, &o->rate) ? NULL : "a whole number, 1 to 1000";
     case OPTION_CULL:
         return parse_cull(text, &o->cull) ? NULL : "back, front or none";
     case OPTION_NO_DEPTH_TEST:
@@ -373,6 +392,9 @@ static void set_defaults(command which, options *o)
     o->camera.fov_degrees = DEFAULT_FOV_DEGREES;
     memcpy(o->background, background, sizeof background);
     o->tessellation = DEFAULT_TESSELLATION;
+    o->axis = (gn_vec3){1.0f, 1.0f, 0.0f};
+    o->frames = DEFAULT_FRAMES;
+    o->rate = DEFAULT_RATE;
     o->limits = default_limits;
     gn_transform_identity(&o->world_from_all);
 }
@@ -495,7 +517,7 @@ options_result options_parse(command which, int argc, char **argv, options *resu
         if (*exit_status != 0)
             return OPTIONS_WRONG;
     }
-    if ((which & MODEL_COMMANDS) != 0 && result->model_count == 0)
+    if ((which & STILL_COMMANDS) != 0 && result->model_count == 0)
         *exit_status = report_usage(name, "no model file");
     else if (which == COMMAND_INFO && result->model_count == 0)
         *exit_status = report_usage(name, "no file");

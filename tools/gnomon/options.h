@@ -16,7 +16,8 @@ typedef enum command {
     COMMAND_COMPARE = 2,
     COMMAND_DEMO = 4,
     COMMAND_DIFF = 8,
-    COMMAND_INFO = 16
+    COMMAND_INFO = 16,
+    COMMAND_SPIN = 32
 } command;
 
 /* A map as the options name it; zeroed, the model decides. */
@@ -89,7 +90,9 @@ typedef struct options {
     bool light_given;
     gn_vec3 light; /* towards the light, in world space, of any length except 0 */
     uint32_t tessellation;
-    gn_backend backend; /* one that is available */
+    gn_vec3 axis;          /* of spin */
+    uint32_t frames, rate; /* frames in all, and frames a second */
+    gn_backend backend;    /* one that is available */
     import_limits limits;
 } options;
 

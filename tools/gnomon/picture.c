@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "import.h"
-#include "look.h"
 #include "output.h"
 #include "report.h"
 
@@ -47,38 +45,35 @@ static int check_found(const options *o, const model *m, const part_maps *maps)
     return 0;
 }
 
-static int throw_shadows(const model *m, const bounding_sphere *bounds, const look *l,
-                         shadow_pass *result)
+static int begin_shadows(const contents *c, const look *l, shadow_pass *result)
 {
-    int fault = shadow_begin(bounds, l->light_direction, result);
-    if (fault != 0)
-        return fault;
-    for (size_t i = 0; i < m->part_count; ++i)
+    const model *m = &c->from.model;
+    int fault = shadow_begin(&c->bounds, l->light_direction, result);
+    for (size_t i = 0; i < m->part_count && fault == 0; ++i)
         shadow_add_part(result, m->parts + i);
-    return shadow_draw(result, l->options->backend);
+    return fault;
 }
 
-static int add_parts(const options *o, const camera *view, const bounding_sphere *bounds,
-                     imported *from, picture *p)
+static int add_parts(const options *o, const camera *view, contents *c, bool keep, picture *p)
 {
-    const model *m = &from->model;
+    const model *m = &c->from.model;
     bool mapped = false;
-    look l;
     for (size_t i = 0; i < m->part_count; ++i)
-        mapped = mapped || has_any(from->maps + i);
-    int fault = check_found(o, m, from->maps);
+        mapped = mapped || has_any(c->from.maps + i);
     p->shading = o->shading;
     if (p->shading == SHADING_AUTOMATIC)
         p->shading = mapped || o->shadows ? SHADING_PHONG : SHADING_GOURAUD;
-    if (fault == 0)
-        fault = look_choose(o, view, p->shading, &l);
+    int fault = look_choose(o, view, p->shading, &p->look);
     if (fault == 0 && o->shadows) {
-        fault = throw_shadows(m, bounds, &l, &p->shadow);
-        l.shadow = &p->shadow;
+        fault = begin_shadows(c, &p->look, &p->shadow);
+        if (fault == 0)
+            fault = shadow_draw(&p->shadow, o->backend);
+        p->look.shadow = &p->shadow;
     }
     for (size_t i = 0; i < m->part_count && fault == 0; ++i) {
-        look_add_part(p->scene, &l, m->parts + i, from->maps + i);
-        maps_free(from->maps + i);
+        look_add_part(p->scene, &p->look, m->parts + i, c->from.maps + i);
+        if (!keep)
+            maps_free(c->from.maps + i);
     }
     return fault;
 }
@@ -92,25 +87,75 @@ static scene *create_scene(const options *o)
     return s;
 }
 
-int picture_describe(const options *o, picture *result)
+int picture_import(const options *o, contents *result)
 {
-    camera view;
-    imported from;
-    memset(result, 0, sizeof *result);
-    int fault = import_models(o, shading_traits_of(o->shading)->maps, &from);
+    int fault = import_models(o, shading_traits_of(o->shading)->maps, &result->from);
     if (fault != 0)
         return fault;
-    bounding_sphere sphere = model_bounds(&from.model);
-    fault = camera_place(&o->camera, &sphere, o->width, o->height, &view);
-    if (fault == 0) {
-        result->scene = create_scene(o);
-        fault = add_parts(o, &view, &sphere, &from, result);
-    }
-    result->maps = from.told;
-    from.told.text = NULL;
-    import_free(&from);
+    result->bounds = model_bounds(&result->from.model);
+    fault = check_found(o, &result->from.model, result->from.maps);
+    if (fault != 0)
+        import_free(&result->from);
+    return fault;
+}
+
+int picture_build(const options *o, contents *c, bool keep, picture *result)
+{
+    camera view;
+    memset(result, 0, sizeof *result);
+    int fault = camera_place(&o->camera, &c->bounds, o->width, o->height, &view);
+    if (fault != 0)
+        return fault;
+    result->scene = create_scene(o);
+    fault = add_parts(o, &view, c, keep, result);
+    if (fault == 0 && !maps_told_append(&result->maps, &c->from.told))
+        fault = report_fault("maps", "not enough memory");
     if (fault != 0)
         picture_free(result);
+    return fault;
+}
+
+static int move_shadows(picture *p, const contents *c, const gn_transform *turn)
+{
+    gn_mat4 placed;
+    shadow_pass *pass = &p->shadow;
+    shadow_free(pass);
+    int fault = begin_shadows(c, &p->look, pass);
+    for (size_t i = 0; i < c->from.model.part_count && fault == 0; ++i) {
+        gn_mat4_multiply(&turn->matrix, &c->from.model.parts[i].world_from_model.matrix, &placed);
+        shadow_place(pass, i, &placed);
+    }
+    if (fault == 0)
+        fault = shadow_draw(pass, p->look.options->backend);
+    for (size_t i = 0; i < p->scene->draw_count && fault == 0; ++i)
+        shadow_apply(pass, p->scene->draws + i);
+    return fault;
+}
+
+int picture_place(picture *p, const options *o, const contents *c, const gn_transform *turn)
+{
+    camera view;
+    int fault = camera_place(&o->camera, &c->bounds, o->width, o->height, &view);
+    if (fault == 0)
+        fault = look_choose(o, &view, p->shading, &p->look);
+    p->look.shadow = o->shadows ? &p->shadow : NULL;
+    for (size_t i = 0; i < p->scene->draw_count && fault == 0; ++i) {
+        gn_transform placed;
+        if (gn_transform_compose(turn, &c->from.model.parts[i].world_from_model, &placed) != GN_OK)
+            return report_fault("model", "cannot be turned: its place is too far away");
+        look_place(p->scene->draws + i, &p->look, &placed);
+    }
+    return fault == 0 && o->shadows ? move_shadows(p, c, turn) : fault;
+}
+
+int picture_describe(const options *o, picture *result)
+{
+    contents c;
+    int fault = picture_import(o, &c);
+    if (fault != 0)
+        return fault;
+    fault = picture_build(o, &c, false, result);
+    import_free(&c.from);
     return fault;
 }
 

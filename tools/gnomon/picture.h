@@ -6,13 +6,21 @@
 
 #include "scene.h"
 
-#include "maps.h"
+#include "import.h"
+#include "look.h"
 #include "options.h"
 #include "picture_format.h"
 #include "shadow.h"
 
+/* What is drawn. */
+typedef struct contents {
+    imported from;
+    bounding_sphere bounds;
+} contents;
+
 typedef struct picture {
-    scene *scene; /* into GN_FORMAT_RGBA8 and GN_FORMAT_D32F */
+    scene *scene; /* into GN_FORMAT_RGBA8 and GN_FORMAT_D32F; a draw for each part */
+    look look;
     shading shading;
     maps_told maps;
     shadow_pass shadow; /* zeroed: no shadow */
@@ -21,6 +29,16 @@ typedef struct picture {
 /* Reads the model and its maps, places the camera and builds the scene to draw. Returns 0; free
  * with picture_free. Otherwise returns EXIT_FAULT with the reason printed and nothing to free. */
 int picture_describe(const options *o, picture *result);
+
+/* The two halves of picture_describe. picture_build takes the maps out of the contents unless it is
+ * to `keep` them. Both return 0, or EXIT_FAULT with the reason printed and nothing to free. */
+int picture_import(const options *o, contents *result);
+int picture_build(const options *o, contents *c, bool keep, picture *result);
+
+/* Draws the same contents, turned, from where the options' camera is. The picture must have been
+ * built from them, with options that differ in the camera alone. Returns 0, or EXIT_FAULT with the
+ * reason printed. */
+int picture_place(picture *p, const options *o, const contents *c, const gn_transform *turn);
 
 void picture_free(picture *p);
 

@@ -1,12 +1,10 @@
 /* gnomon render: draws models to a picture. */
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-
-#include <gnomon.h>
 
 #include "command.h"
 #include "counts.h"
+#include "drawing.h"
 #include "output.h"
 #include "picture.h"
 #include "picture_write.h"
@@ -41,47 +39,6 @@ static const char in_full[] =
     "  --size WxH              size in pixels, up to 16384x16384; default: 1024x1024\n"
     "\n";
 
-/* The image that is shown; with several samples, the resolved image. */
-static size_t shown_row(const scene_frame *frame, uint32_t y)
-{
-    return ((size_t)frame->images * frame->height - 1 - y) * frame->width;
-}
-
-static void color_row(const void *context, uint32_t y, uint8_t *row)
-{
-    const scene_frame *frame = context;
-    const uint32_t *pixels = (const uint32_t *)frame->color + shown_row(frame, y);
-    for (size_t x = 0; x < frame->width; ++x)
-        for (size_t channel = 0; channel < 4; ++channel)
-            row[4 * x + channel] = (uint8_t)(pixels[x] >> (8 * channel));
-}
-
-static void depth_row(const void *context, uint32_t y, uint8_t *row)
-{
-    const scene_frame *frame = context;
-    const float *pixels = (const float *)frame->depth + shown_row(frame, y);
-    for (size_t x = 0; x < frame->width; ++x) {
-        /* The surface holds 0 to 1, so this is at most 65535. */
-        uint32_t grey = (uint32_t)((double)pixels[x] * 65535.0 + 0.5);
-        row[2 * x] = (uint8_t)(grey >> 8);
-        row[2 * x + 1] = (uint8_t)grey;
-    }
-}
-
-static int draw_frame(const scene *s, gn_backend backend, scene_frame *frame)
-{
-    gn_workspace workspace = {.size = scene_workspace_size(s), .backend = backend};
-    workspace.memory = malloc(workspace.size);
-    if (workspace.memory == NULL || !scene_frame_allocate(frame, s)) {
-        free(workspace.memory);
-        return report_fault("--size", "not enough memory for %ux%u pixels", (unsigned)s->width,
-                            (unsigned)s->height);
-    }
-    gn_status status = scene_draw_in_workspace(s, frame, &workspace);
-    free(workspace.memory);
-    return status == GN_OK ? 0 : report_fault("drawing", "%s", gn_status_text(status));
-}
-
 /* Writes both files or neither: neither gets its name before both are complete on disk. An output
  * that is not a regular file has no such moment and cannot be undone. */
 static int write_files(const options *o, const scene_frame *frame)
@@ -91,12 +48,12 @@ static int write_files(const options *o, const scene_frame *frame)
     int fault = output_open(&color, o->output);
     if (fault != 0)
         return fault;
-    fault =
-        picture_write(&color, options_format(o), PNG_RGBA8, o->width, o->height, color_row, frame);
+    fault = picture_write(&color, options_format(o), PNG_RGBA8, o->width, o->height,
+                          drawing_color_row, frame);
     if (fault == 0 && o->depth_output != NULL) {
         fault = output_open(&depth, o->depth_output);
         if (fault == 0)
-            fault = png_write(&depth, PNG_GREY16, o->width, o->height, depth_row, frame);
+            fault = png_write(&depth, PNG_GREY16, o->width, o->height, drawing_depth_row, frame);
     }
     if (fault == 0)
         fault = output_finish(&color);
@@ -140,22 +97,24 @@ int command_render(int argc, char **argv)
         return status;
 
     picture p;
-    scene_frame frame;
+    drawing d;
     memset(&p, 0, sizeof p);
-    memset(&frame, 0, sizeof frame);
+    memset(&d, 0, sizeof d);
     FILE *words = output_words(o.output, o.depth_output);
     int fault = check_names(&o);
     if (fault == 0)
         fault = picture_describe(&o, &p);
     if (fault == 0)
-        fault = draw_frame(p.scene, o.backend, &frame);
+        fault = drawing_allocate(p.scene, o.backend, &d);
     if (fault == 0)
-        fault = write_files(&o, &frame);
+        fault = drawing_draw(p.scene, &d);
+    if (fault == 0)
+        fault = write_files(&o, &d.frame);
     if (fault == 0)
         picture_print_summary(words, o.output, &p);
     if (fault == 0)
-        fault = counts_report(words, o.output, o.statistics, p.scene, o.backend, &frame);
-    scene_frame_free(&frame);
+        fault = counts_report(words, o.output, o.statistics, p.scene, o.backend, &d.frame);
+    drawing_free(&d);
     picture_free(&p);
     return fault == 0 ? finish_output(0) : fault;
 }

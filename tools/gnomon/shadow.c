@@ -55,10 +55,15 @@ void shadow_add_part(shadow_pass *pass, const model_part *part)
     draw->state.raster.polygon_offset.set = true;
     draw->state.raster.polygon_offset.factor = OFFSET_FACTOR;
     draw->state.raster.polygon_offset.units = OFFSET_UNITS;
-    gn_mat4_multiply(&pass->clip_from_world, &part->world_from_model.matrix,
-                     &draw->uniforms.light.clip_from_model);
     scene_set_attribute(draw, GN_ATTRIBUTE_POSITION, part->positions, 3, part->vertex_count);
     scene_set_indices(draw, part->indices, part->index_count, GN_INDEX_UINT32);
+    shadow_place(pass, pass->scene->draw_count - 1, &part->world_from_model.matrix);
+}
+
+void shadow_place(shadow_pass *pass, size_t i, const gn_mat4 *world_from_model)
+{
+    gn_mat4_multiply(&pass->clip_from_world, world_from_model,
+                     &pass->scene->draws[i].uniforms.light.clip_from_model);
 }
 
 int shadow_draw(shadow_pass *pass, gn_backend backend)

@@ -21,6 +21,9 @@ int shadow_begin(const bounding_sphere *bounds, gn_vec3 direction, shadow_pass *
 /* Adds a part that throws shadows. */
 void shadow_add_part(shadow_pass *pass, const model_part *part);
 
+/* Places the model of draw i elsewhere. */
+void shadow_place(shadow_pass *pass, size_t i, const gn_mat4 *world_from_model);
+
 /* Draws the map. Returns 0, or EXIT_FAULT with the reason printed; free the pass either way. */
 int shadow_draw(shadow_pass *pass, gn_backend backend);
 

@@ -1,0 +1,240 @@
+/* gnomon spin: a model, or a plain triangle, turns once about an axis. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gnomon.h>
+
+#include "apng_write.h"
+#include "command.h"
+#include "drawing.h"
+#include "numbering.h"
+#include "picture.h"
+#include "picture_write.h"
+#include "progress.h"
+#include "report.h"
+#include "rotation.h"
+
+static const char usage[] =
+    "gnomon spin [MODEL...] [-o OUT] [OPTION...]: turn models, or a plain triangle, once about\n"
+    "an axis through their middle.\n"
+    "\n"
+    "  gnomon spin                                          # the triangle, to spin.png\n"
+    "  gnomon spin head.obj --axis y -o frame_%04d.png      # frame_0000.png and so on\n"
+    "\n";
+
+static const char own_options[] =
+    "  -o, --output OUT              one animated PNG, or with %04d numbered frames: .png, .tga\n"
+    "                                or .ppm; - is standard output; default: spin.png\n"
+    "  --format NAME                 png, tga or ppm, for an OUT without a suffix; default: png\n"
+    "  --axis AXIS                   x, y, z or X,Y,Z; default: 1,1,0\n"
+    "  --frames N                    frames of the turn, 1 to 100000; default: 101\n"
+    "  --rate N                      frames a second of the animated PNG; default: 25\n"
+    "  --size WxH                    size in pixels, up to 16384x16384; default: 1024x1024\n";
+
+static const char ending[] =
+    HELP_ENDING("gnomon spin") "Exit status: 0: drawn; 1: a model or an output is at fault; 2: "
+                               "wrong usage. An interrupted\n"
+                               "run leaves no incomplete file.\n";
+
+static const char in_full[] =
+    "A progress bar is shown on terminals. Frame I shows the models turned by I / N of a circle,\n"
+    "counterclockwise for a viewer towards whom the axis points. The command prints how many\n"
+    "frames it draws in a second, not counting the writing of files.\n"
+    "\n";
+
+/* Corners in red, green and blue. */
+static int make_triangle(const options *o, contents *c)
+{
+    static const float positions[9] = {-1, -1, 0, 1, -1, 0, 0, 1, 0};
+    static const float colors[12] = {1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1};
+    static const float normals[9] = {0, 0, 1, 0, 0, 1, 0, 0, 1};
+    static const uint32_t indices[3] = {0, 1, 2};
+    memset(c, 0, sizeof *c);
+    c->from.model.parts = calloc(1, sizeof *c->from.model.parts);
+    c->from.maps = calloc(1, sizeof *c->from.maps);
+    if (c->from.model.parts == NULL || c->from.maps == NULL)
+        return report_fault("triangle", "not enough memory");
+    c->from.model.part_count = 1;
+    model_part *part = c->from.model.parts;
+    part->has_vertex_colors = part->has_normals = true;
+    part->shine.exponent = 32;
+    if (!model_part_allocate(part, 3, 3))
+        return report_fault("triangle", "not enough memory");
+    memcpy(part->positions, positions, sizeof positions);
+    memcpy(part->colors, colors, sizeof colors);
+    memcpy(part->normals, normals, sizeof normals);
+    memcpy(part->indices, indices, sizeof indices);
+    part->world_from_model = o->world_from_all;
+    c->bounds = model_bounds(&c->from.model);
+    return 0;
+}
+
+/* The turn of a frame, about the middle of the contents. */
+static int find_turn(const options *o, const contents *c, uint32_t frame, gn_transform *turn)
+{
+    const double *center = c->bounds.center;
+    const gn_vec3 middle = {(float)center[0], (float)center[1], (float)center[2]};
+    const float degrees = (float)(360.0 * frame / o->frames);
+    gn_transform there, back;
+    gn_status status = rotation_about(o->axis, degrees, turn);
+    if (status != GN_OK)
+        return report_fault("--axis", "impossible axis: %s", gn_status_text(status));
+    gn_translate(gn_vec3_scale(middle, -1.0f), &back);
+    status = gn_translate(middle, &there);
+    if (status == GN_OK)
+        status = gn_transform_compose(turn, &back, turn);
+    if (status == GN_OK)
+        status = gn_transform_compose(&there, turn, turn);
+    return status == GN_OK ? 0 : report_fault("model", "%s", gn_status_text(status));
+}
+
+/* Where frames go: to one animated file, or to files of their own. */
+typedef struct frames_output {
+    const options *o;
+    output file;
+    apng *animation; /* null: numbered files */
+} frames_output;
+
+static int check_output(const options *o)
+{
+    int fault = 0;
+    if (!numbering_is_pattern(o->output)) {
+        if (options_format(o) != PICTURE_PNG)
+            return report_usage("spin",
+                                "'%s': an animation is a PNG; for frames of other formats, "
+                                "number them, as in frame_%%04d.tga",
+                                o->output);
+        return picture_check_output(o, o->output, PICTURE_PNG);
+    }
+    if (!numbering_is_valid(o->output))
+        return report_usage("spin", "'%s': a pattern has one %%d, or one such as %%04d", o->output);
+    for (uint32_t i = 0; i < o->frames && fault == 0; ++i) {
+        char *name = numbering_name(o->output, i);
+        fault = name != NULL ? picture_check_output(o, name, PICTURE_ANY)
+                             : report_fault(o->output, "not enough memory");
+        free(name);
+    }
+    return fault;
+}
+
+static int begin_output(const options *o, frames_output *f)
+{
+    memset(f, 0, sizeof *f);
+    f->o = o;
+    if (numbering_is_pattern(o->output))
+        return 0;
+    int fault = output_open(&f->file, o->output);
+    if (fault != 0)
+        return fault;
+    f->animation = apng_begin(&f->file, o->width, o->height, o->frames, o->rate);
+    return f->animation != NULL ? 0 : EXIT_FAULT;
+}
+
+static int write_frame(frames_output *f, uint32_t number, const scene_frame *frame)
+{
+    const options *o = f->o;
+    if (f->animation != NULL)
+        return apng_add(f->animation, drawing_color_row, frame);
+    char *name = numbering_name(o->output, number);
+    if (name == NULL)
+        return report_fault(o->output, "not enough memory");
+    int fault = picture_write_file(name, options_format(o), PNG_RGBA8, o->width, o->height,
+                                   drawing_color_row, frame);
+    free(name);
+    return fault;
+}
+
+static int end_output(frames_output *f, int fault)
+{
+    if (fault == 0 && f->animation != NULL) {
+        fault = output_finish(&f->file);
+        if (fault == 0)
+            fault = output_rename(&f->file);
+    }
+    apng_free(f->animation);
+    output_abandon(&f->file);
+    return fault;
+}
+
+/* Draws and writes all frames. Adds up the seconds of drawing. */
+static int draw_frames(const options *o, const contents *c, picture *p, drawing *d,
+                       double *seconds_of_drawing)
+{
+    frames_output f;
+    progress bar;
+    *seconds_of_drawing = 0.0;
+    int fault = begin_output(o, &f);
+    progress_begin(&bar);
+    for (uint32_t i = 0; i < o->frames && fault == 0; ++i) {
+        gn_transform turn;
+        const double start = progress_clock();
+        fault = find_turn(o, c, i, &turn);
+        if (fault == 0)
+            fault = picture_place(p, o, c, &turn);
+        if (fault == 0)
+            fault = drawing_draw(p->scene, d);
+        *seconds_of_drawing += progress_clock() - start;
+        if (fault == 0)
+            fault = write_frame(&f, i, &d->frame);
+        if (fault == 0)
+            progress_show(&bar, i + 1, o->frames);
+    }
+    progress_end(&bar);
+    return end_output(&f, fault);
+}
+
+static int spin(options *o)
+{
+    contents c;
+    picture p;
+    drawing d;
+    double seconds = 0.0;
+    FILE *words = output_words(o->output, NULL);
+    memset(&p, 0, sizeof p);
+    memset(&d, 0, sizeof d);
+    int fault = check_output(o);
+    if (fault != 0)
+        return fault;
+    if (o->model_count == 0 && o->shading == SHADING_AUTOMATIC && !o->shadows)
+        o->shading = SHADING_VERTEX_COLOR;
+    fault = o->model_count == 0 ? make_triangle(o, &c) : picture_import(o, &c);
+    if (fault != 0)
+        return fault;
+    fault = picture_build(o, &c, true, &p);
+    if (fault == 0)
+        fault = drawing_allocate(p.scene, o->backend, &d);
+    if (fault == 0)
+        fault = draw_frames(o, &c, &p, &d, &seconds);
+    if (fault == 0) {
+        picture_print_summary(words, o->output, &p);
+        fprintf(words, "%u frame%s, %.1f frames a second\n", (unsigned)o->frames,
+                o->frames == 1 ? "" : "s", o->frames / (seconds > 0.0 ? seconds : 1e-9));
+    }
+    drawing_free(&d);
+    picture_free(&p);
+    import_free(&c.from);
+    return fault;
+}
+
+int command_spin(int argc, char **argv)
+{
+    options o;
+    int status;
+    options_result result = options_parse(COMMAND_SPIN, argc, argv, &o, &status);
+    if (result == OPTIONS_HELP || result == OPTIONS_HELP_ALL) {
+        const bool all = result == OPTIONS_HELP_ALL;
+        fputs(usage, stdout);
+        fputs(all ? in_full : "", stdout);
+        fputs(own_options, stdout);
+        print_picture_help(all);
+        fputs(all ? "" : ending, stdout);
+        return finish_output(0);
+    }
+    if (result == OPTIONS_WRONG)
+        return status;
+    if (o.output == NULL)
+        o.output = "spin.png";
+    int fault = spin(&o);
+    return fault == 0 ? finish_output(0) : fault;
+}
