@@ -151,6 +151,8 @@ int camera_place(const camera_options *asked, const bounding_sphere *sphere, uin
     gn_vec3_normalize(gn_mat4_transform_direction(&view.inverse, light), &light);
     result->clip_from_world = clip.matrix;
     result->eye = eye;
+    result->target = target;
+    result->up = up;
     result->light_direction = light;
     return 0;
 }

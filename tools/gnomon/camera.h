@@ -14,7 +14,7 @@ typedef struct bounding_sphere {
 
 typedef struct camera {
     gn_mat4 clip_from_world;
-    gn_vec3 eye;
+    gn_vec3 eye, target, up;
     gn_vec3 light_direction; /* over the viewer's left shoulder, world space, unit length */
 } camera;
 

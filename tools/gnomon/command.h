@@ -12,6 +12,7 @@ int command_diff(int argc, char **argv);
 int command_info(int argc, char **argv);
 int command_spin(int argc, char **argv);
 int command_transform(int argc, char **argv);
+int command_view(int argc, char **argv);
 
 /* Prints the part of --help that the commands which draw models share, in one line an option, or
  * that of --help-all, in full. */

@@ -20,6 +20,7 @@ static const char overview[] =
     "                                   pixels that differ\n"
     "  gnomon demo                      compare pictures of a teapot; needs no model\n"
     "  gnomon spin [MODEL...]           turn models, or a triangle: frames or one animated PNG\n"
+    "  gnomon view MODEL...             look at models from all sides, in a window\n"
     "  gnomon diff A B                  count the pixels in which pictures differ\n"
     "  gnomon info FILE...              say what is in models and pictures\n"
     "  gnomon transform < SETUP         print where points are at every stage: local, world,\n"
@@ -40,9 +41,9 @@ static const struct {
     char name[16];
     int (*run)(int argc, char **argv);
 } commands[] = {
-    {"render", command_render},       {"compare", command_compare}, {"demo", command_demo},
-    {"diff", command_diff},           {"info", command_info},       {"spin", command_spin},
-    {"transform", command_transform},
+    {"render", command_render}, {"compare", command_compare},     {"demo", command_demo},
+    {"diff", command_diff},     {"info", command_info},           {"spin", command_spin},
+    {"view", command_view},     {"transform", command_transform},
 };
 
 /* If memory is short, a scene's allocation calls exit, and a C++ library whose exception nobody

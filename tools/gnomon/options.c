@@ -66,11 +66,12 @@ enum {
     OPTION_POINTS,
     OPTION_AXIS,
     OPTION_FRAMES,
-    OPTION_RATE
+    OPTION_RATE,
+    OPTION_SCRIPT
 };
 
 #define STILL_COMMANDS (COMMAND_RENDER | COMMAND_COMPARE)
-#define MODEL_COMMANDS (STILL_COMMANDS | COMMAND_SPIN)
+#define MODEL_COMMANDS (STILL_COMMANDS | COMMAND_SPIN | COMMAND_VIEW)
 #define PICTURE_COMMANDS (MODEL_COMMANDS | COMMAND_DEMO)
 #define OUTPUT_COMMANDS (PICTURE_COMMANDS | COMMAND_DIFF)
 #define FILE_COMMANDS (COMMAND_DIFF | COMMAND_INFO)
@@ -119,6 +120,7 @@ static const struct {
     {"axis", required_argument, OPTION_AXIS, COMMAND_SPIN},
     {"frames", required_argument, OPTION_FRAMES, COMMAND_SPIN},
     {"rate", required_argument, OPTION_RATE, COMMAND_SPIN},
+    {"script", required_argument, OPTION_SCRIPT, COMMAND_VIEW},
     {"depth", required_argument, OPTION_DEPTH, COMMAND_RENDER},
     {"picture", required_argument, OPTION_PICTURE, COMMAND_DEMO},
     {"tessellation", required_argument, OPTION_TESSELLATION, COMMAND_DEMO},
@@ -143,6 +145,8 @@ const char *options_command_name(command which)
         return "info";
     case COMMAND_SPIN:
         return "spin";
+    case COMMAND_VIEW:
+        return "view";
     default:
         return "demo";
     }
@@ -263,6 +267,9 @@ static const char *take_value(int option, const char *text, options *o)
         return parse_within(text, 1, MAX_FRAMES, &o->frames) ? NULL : "a whole number, 1 to 100000";
     case OPTION_RATE:
         return parse_within(text, 1, 1000, &o->rate) ? NULL : "a whole number, 1 to 1000";
+    case OPTION_SCRIPT:
+        o->script = text;
+        return *text != '\0' ? NULL : "a file name";
     case OPTION_CULL:
         return parse_cull(text, &o->cull) ? NULL : "back, front or none";
     case OPTION_NO_DEPTH_TEST:
@@ -385,8 +392,9 @@ static void set_defaults(command which, options *o)
 {
     static const float background[4] = {0.9294118f, 0.9333333f, 0.9372549f, 1.0f};
     memset(o, 0, sizeof *o);
-    o->width = which == COMMAND_DEMO ? 800 : 1024;
-    o->height = which == COMMAND_DEMO ? 600 : 1024;
+    const bool is_wide = which == COMMAND_DEMO || which == COMMAND_VIEW;
+    o->width = is_wide ? 800 : 1024;
+    o->height = is_wide ? 600 : 1024;
     o->samples = 1;
     o->camera.up.y = 1.0f;
     o->camera.fov_degrees = DEFAULT_FOV_DEGREES;
@@ -517,7 +525,7 @@ options_result options_parse(command which, int argc, char **argv, options *resu
         if (*exit_status != 0)
             return OPTIONS_WRONG;
     }
-    if ((which & STILL_COMMANDS) != 0 && result->model_count == 0)
+    if ((which & MODEL_COMMANDS) != 0 && which != COMMAND_SPIN && result->model_count == 0)
         *exit_status = report_usage(name, "no model file");
     else if (which == COMMAND_INFO && result->model_count == 0)
         *exit_status = report_usage(name, "no file");

@@ -17,7 +17,8 @@ typedef enum command {
     COMMAND_DEMO = 4,
     COMMAND_DIFF = 8,
     COMMAND_INFO = 16,
-    COMMAND_SPIN = 32
+    COMMAND_SPIN = 32,
+    COMMAND_VIEW = 64
 } command;
 
 /* A map as the options name it; zeroed, the model decides. */
@@ -90,6 +91,7 @@ typedef struct options {
     bool light_given;
     gn_vec3 light; /* towards the light, in world space, of any length except 0 */
     uint32_t tessellation;
+    const char *script;    /* of view; null: none */
     gn_vec3 axis;          /* of spin */
     uint32_t frames, rate; /* frames in all, and frames a second */
     gn_backend backend;    /* one that is available */

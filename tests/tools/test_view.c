@@ -1,0 +1,272 @@
+/* gnomon view: a script plays the part of the user, and what is saved is what gnomon render draws
+ * with the camera that the window prints. The tests run with SDL's driver that shows nothing, and
+ * once under Xvfb, where the screen is looked at. */
+#define _POSIX_C_SOURCE 200809L
+#include "runner.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static const char tetra_obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                                "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+#define VIEW "SDL_VIDEODRIVER=dummy timeout 60 \"$GNOMON\" view "
+
+static bool has_sdl(void)
+{
+    write_text("tetra.obj", tetra_obj);
+    write_text("end.txt", "key q\n");
+    run r = shell(VIEW "tetra.obj --script end.txt");
+    return r.status == 0 || strstr(r.error, "SDL2") == NULL;
+}
+
+static run play(const char *script, const char *options)
+{
+    char line[1024];
+    write_text("tetra.obj", tetra_obj);
+    write_text("script.txt", script);
+    snprintf(line, sizeof line, VIEW "--script script.txt %s", options);
+    return shell(line);
+}
+
+/* The options of the last "as with" line. */
+static const char *last_options(run *r)
+{
+    static const char words[] = "as with ";
+    char *found = NULL;
+    for (char *at = r->out; (at = strstr(at, words)) != NULL; ++at)
+        found = at + strlen(words);
+    if (found == NULL)
+        fail_msg("nothing was saved: %s%s", r->out, r->error);
+    found[strcspn(found, "\n")] = '\0';
+    return found;
+}
+
+/* Plays the script, whose last event saves, and draws the same picture with render. */
+static void expect_same(const char *script, const char *options)
+{
+    char line[2048];
+    remove_file("view.png");
+    run r = play(script, options);
+    if (r.status != 0 || r.error[0] != '\0')
+        fail_msg("%s: status %d, %s%s", script, r.status, r.out, r.error);
+    snprintf(line, sizeof line,
+             "\"$GNOMON\" render %s %s -o render.png && \"$GNOMON\" diff view.png render.png",
+             options, last_options(&r));
+    r = shell(line);
+    if (r.status != 0)
+        fail_msg("%s\n%s\n%s%s", script, line, r.out, r.error);
+}
+
+static void saved_pictures_are_those_of_render(void **state)
+{
+    (void)state;
+    expect_same("key s\n", "tetra.obj --size 120x90");
+    expect_same("drag 40 -25\nkey s\n", "tetra.obj --size 120x90");
+    expect_same("drag 10 2000\nkey s\n", "tetra.obj --size 120x90");
+    expect_same("pan 30 20\nwheel 4\nkey s\n", "tetra.obj --size 120x90 --up 0,0,1");
+    expect_same("pan 9 -9\nwheel -2\nkey s\n", "tetra.obj --size 90x120 --orthographic 3");
+    expect_same("key 7\nkey h\nkey m\nkey s\n", "tetra.obj --size 90x60");
+    expect_same("key h\nkey 4\nkey s\n", "tetra.obj --size 90x60");
+    expect_same("key w\nkey s\n", "tetra.obj --size 90x60");
+    expect_same("key p\nkey s\n", "tetra.obj --size 90x60");
+    expect_same("key c\nkey s\n", "tetra.obj --size 90x60 --points=4");
+    expect_same("key +\nkey -\nkey +\nkey c\nkey c\nkey s\n", "tetra.obj --size 90x60");
+    expect_same("resize 77 55\nresize 77 56\nkey s\n", "tetra.obj --size 90x60");
+}
+
+/* Draws with render as the window begins; what then happens must change the picture, or not. */
+static void expect_change(const char *script, bool changes)
+{
+    char line[256];
+    snprintf(line, sizeof line, "%skey s\n", script);
+    run r = play(line, "tetra.obj --size 120x90");
+    assert_int_equal(r.status, 0);
+    r = shell(
+        "\"$GNOMON\" render tetra.obj --size 120x90 -o first.png && cmp -s view.png first.png");
+    if (r.status != changes)
+        fail_msg("%s: status %d", script, r.status);
+}
+
+static void events_change_the_picture(void **state)
+{
+    static const char *const changes[] = {
+        "drag 40 0\n", "drag 0 40\n", "pan 20 0\n", "pan 0 20\n", "wheel 1\n",
+        "key +\n",     "key w\n",     "key p\n",    "key 9\n",    "key c\nkey c\n"};
+    (void)state;
+    expect_change("", false);
+    for (size_t i = 0; i < sizeof changes / sizeof changes[0]; ++i) {
+        char line[64];
+        expect_change(changes[i], true);
+        /* The first view comes back. */
+        if (i < 6) {
+            snprintf(line, sizeof line, "%skey r\n", changes[i]);
+            expect_change(line, false);
+        }
+    }
+    expect_change("key w\nkey w\n", false);
+    expect_change("key p\nkey p\n", false);
+    expect_change("key 9\nkey 0\n", false);
+    expect_change("key c\nkey c\nkey c\n", false);
+    expect_change("drag 0 0\nwait 10\n# nothing\n\n", false);
+}
+
+/* 225 pixels of 0.4 degrees are a quarter turn: from +z to -x. */
+static void drags_turn_around_the_target(void **state)
+{
+    (void)state;
+    run r = play("drag 225 0\nkey s\n", "tetra.obj --eye 0,0,5 --target 0,0,0 --size 40x30");
+    float x, y, z;
+    assert_int_equal(sscanf(last_options(&r), "--eye %f,%f,%f", &x, &y, &z), 3);
+    assert_true(x < -4.9999f && x > -5.0001f && y > -1e-5f && y < 1e-5f && z > -1e-5f && z < 1e-5f);
+    r = play("drag 0 100\nkey s\n", "tetra.obj --eye 0,0,5 --target 0,0,0 --size 40x30");
+    assert_int_equal(sscanf(last_options(&r), "--eye %f,%f,%f", &x, &y, &z), 3);
+    assert_true(y > 3.2139f && y < 3.2140f); /* 5 sin 40 degrees */
+    r = play("wheel 2\nkey s\n", "tetra.obj --eye 0,0,5 --target 0,0,0 --size 40x30");
+    assert_int_equal(sscanf(last_options(&r), "--eye %f,%f,%f", &x, &y, &z), 3);
+    assert_true(z > 4.0499f && z < 4.0501f);
+    /* At an angle of 90 degrees and distance 5, 30 pixels are 10 units. */
+    r = play("pan 30 -15\nkey s\n", "tetra.obj --eye 0,0,5 --target 0,0,0 --size 40x30 --fov 90");
+    assert_int_equal(sscanf(last_options(&r), "--eye %f,%f,%f", &x, &y, &z), 3);
+    assert_true(x < -9.999f && x > -10.001f && y < -4.999f && y > -5.001f && z > 4.9999f);
+}
+
+static void wrong_use_is_named(void **state)
+{
+    (void)state;
+    write_text("tetra.obj", tetra_obj);
+    write_text("wrong.txt", "key s\njump 3\n");
+    write_text("long.txt", "key sssss\n");
+    write_text("far.txt", "drag 99999999 1\n");
+    expect(2, "view", "no model", "view --help");
+    expect(2, "view tetra.obj --depth d.png", "--depth", "unknown option");
+    expect(2, "view tetra.obj --script wrong.txt", "wrong.txt:2", "not an event");
+    expect(2, "view tetra.obj --script long.txt", "long.txt:1", "not an event");
+    expect(2, "view tetra.obj --script far.txt", "far.txt:1", "not an event");
+    expect(1, "view tetra.obj --script nothing.txt", "nothing.txt", "No such file");
+    expect(1, "view nothing.obj", "nothing.obj", "No such file");
+    expect(1, "view tetra.obj -o a.jpg", "a.jpg", ".png, .tga or .ppm");
+    expect(1, "view tetra.obj -o tetra.obj", "tetra.obj", "overwritten");
+    run r = shell("unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER; \"$GNOMON\" view tetra.obj");
+    assert_int_equal(r.status, 1);
+    assert_int_equal(lines(r.error), 1);
+    assert_non_null(strstr(r.error, "gnomon: view: no window can be opened"));
+    r = shell("SDL_VIDEODRIVER=none \"$GNOMON\" view tetra.obj");
+    assert_int_equal(r.status, 1);
+    assert_non_null(strstr(r.error, "no window can be opened"));
+    /* The window goes on if a picture cannot be saved. */
+    r = play("key s\nkey ?\n", "tetra.obj -o /dev/full");
+    assert_int_equal(r.status, 0);
+    assert_non_null(strstr(r.error, "/dev/full: cannot be written: No space"));
+    assert_non_null(strstr(r.out, "left button"));
+    r = gnomon("view --help");
+    assert_int_equal(r.status, 0);
+    assert_in_range(lines(r.out), 10, 24);
+    assert_non_null(strstr(r.out, "wheel, + and -"));
+}
+
+/* A screen as Xvfb writes it to a file: X's window dump, version 7, of 32 bits a pixel. */
+typedef struct screen {
+    uint8_t *bytes, *pixels;
+    uint32_t width, height, stride;
+} screen;
+
+static uint32_t header_word(const uint8_t *bytes, int index)
+{
+    const uint8_t *b = bytes + 4 * index;
+    return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | b[3];
+}
+
+static screen screen_read(const char *name)
+{
+    screen s;
+    FILE *file = fopen(path_of(name), "rb");
+    assert_non_null(file);
+    s.bytes = malloc(16 << 20);
+    const size_t size = fread(s.bytes, 1, 16 << 20, file);
+    fclose(file);
+    assert_true(size > 100);
+    s.width = header_word(s.bytes, 4);
+    s.height = header_word(s.bytes, 5);
+    s.stride = header_word(s.bytes, 12);
+    assert_int_equal(header_word(s.bytes, 11), 32);
+    const size_t start = header_word(s.bytes, 0) + 12 * (size_t)header_word(s.bytes, 19);
+    assert_true(start + (size_t)s.stride * s.height <= size);
+    s.pixels = s.bytes + start;
+    return s;
+}
+
+static bool shows_at(const screen *s, const picture *p, uint32_t left, uint32_t top)
+{
+    for (uint32_t y = 0; y < p->height; ++y) {
+        for (uint32_t x = 0; x < p->width; ++x) {
+            const uint8_t *b = s->pixels + (size_t)s->stride * (top + y) + 4 * (size_t)(left + x);
+            const uint32_t color = (uint32_t)b[2] << 16 | (uint32_t)b[1] << 8 | b[0];
+            if (color != pixel(p, x, y) >> 8)
+                return false;
+        }
+    }
+    return true;
+}
+
+static bool shows(const screen *s, const picture *p)
+{
+    for (uint32_t top = 0; top + p->height <= s->height; ++top)
+        for (uint32_t left = 0; left + p->width <= s->width; ++left)
+            if (shows_at(s, p, left, top))
+                return true;
+    return false;
+}
+
+/* On a virtual screen, the window shows what it saves. */
+static void the_window_shows_the_picture(void **state)
+{
+    (void)state;
+    run r = shell("command -v Xvfb");
+    if (r.status != 0) {
+        print_message(
+            "skipped: the window is not looked at: Xvfb is absent: 'make setup' installs it\n");
+        return;
+    }
+    remove_file("view.png");
+    write_text("script.txt", "drag 50 30\nkey 7\nkey s\nwait 2500\n");
+    r = shell(
+        "exec 3>display; Xvfb -displayfd 3 -screen 0 640x480x24 -nolisten tcp -fbdir . & "
+        "server=$!; i=0; until test -s display || test $i = 50; do sleep 0.2; i=$((i+1)); done; "
+        "DISPLAY=:$(cat display) SDL_VIDEODRIVER=x11 timeout 60 \"$GNOMON\" view tetra.obj "
+        "--size 200x150 --script script.txt >said & viewer=$!; i=0; until test -s said || test $i "
+        "= 50; do sleep 0.2; i=$((i+1)); done; sleep 1; cp Xvfb_screen0 screen.xwd; wait $viewer; "
+        "status=$?; kill $server; wait $server; exit $status");
+    if (r.status != 0)
+        fail_msg("status %d: %s%s", r.status, r.out, r.error);
+    screen s = screen_read("screen.xwd");
+    picture p = picture_read("view.png");
+    assert_int_equal(p.width, 200);
+    assert_true(shows(&s, &p));
+    /* A picture that differs in one pixel is not found. */
+    p.rgba[4 * (75 * 200 + 100)] ^= 1;
+    assert_false(shows(&s, &p));
+    free(s.bytes);
+    picture_free(&p);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(saved_pictures_are_those_of_render),
+        cmocka_unit_test(events_change_the_picture),
+        cmocka_unit_test(drags_turn_around_the_target),
+        cmocka_unit_test(wrong_use_is_named),
+        cmocka_unit_test(the_window_shows_the_picture),
+    };
+    int failed = 0;
+    runner_start(argc, argv);
+    if (has_sdl())
+        failed = cmocka_run_group_tests_name("command, view", tests, NULL, NULL);
+    else
+        printf("skipped: gnomon view is not tested: SDL2 is absent: 'make setup' installs it\n");
+    runner_end();
+    return failed != 0;
+}

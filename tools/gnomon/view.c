@@ -1,0 +1,335 @@
+/* gnomon view: a window in which a model is looked at from all sides. */
+#define _POSIX_C_SOURCE 200809L
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include <gnomon.h>
+
+#include "command.h"
+#include "drawing.h"
+#include "orbit.h"
+#include "output.h"
+#include "picture.h"
+#include "picture_write.h"
+#include "report.h"
+#include "view_script.h"
+#include "window.h"
+
+static const char usage[] =
+    "gnomon view MODEL... [OPTION...]: look at models from all sides, in a window.\n"
+    "\n"
+    "  gnomon view head.obj --shader toon\n"
+    "\n";
+
+#define KEYS                                                                                       \
+    "  left button, arrows     turn around the target\n"                                           \
+    "  other buttons, shift    move sideways\n"                                                    \
+    "  wheel, + and -          zoom\n"                                                             \
+    "  1 to 9, 0               shaders, in the order of --shader; 0: the default\n"                \
+    "  w, p, c, h, m           wireframe, points, culling, shadows, four samples: on or off\n"     \
+    "  r, s, ?                 the first view again; save the picture; print these keys\n"         \
+    "  q, Escape               end\n"
+
+static const char own_options[] =
+    "  -o, --output OUT              where s saves: .png, .tga or .ppm; default: view.png\n"
+    "  --size WxH                    size of the window; default: 800x600\n"
+    "  --script FILE                 plays events from a text, then ends; see --help-all\n";
+
+static const char ending[] =
+    HELP_ENDING("gnomon view") "Exit status: 0: ended by the user; 1: a model or the window "
+                               "failed; 2: wrong usage.\n";
+
+static const char in_full[] =
+    "A script has one event a line: drag X Y (left button), pan X Y, wheel STEPS, key CHARACTER,\n"
+    "resize WIDTH HEIGHT, wait MILLISECONDS; # begins a comment. s also prints the options that\n"
+    "the window has changed, with which gnomon render draws what is saved.\n"
+    "\n";
+
+/* What is shown. */
+typedef struct viewer {
+    options o;     /* as the keys have changed them */
+    options begin; /* as they were at the beginning, with the camera placed */
+    contents c;
+    picture p;
+    drawing d;
+    uint8_t *rgba; /* the frame, top row first */
+    bool shadows;  /* asked for, whether or not the shader takes them */
+} viewer;
+
+/* Builds the picture anew, as a change of the state needs. */
+static int rebuild(viewer *v)
+{
+    drawing_free(&v->d);
+    picture_free(&v->p);
+    free(v->rgba);
+    v->o.shadows = v->shadows && shading_traits_of(v->o.shading)->takes_shadows;
+    v->rgba = malloc((size_t)v->o.width * v->o.height * 4);
+    if (v->rgba == NULL)
+        return report_fault("--size", "not enough memory");
+    int fault = picture_build(&v->o, &v->c, true, &v->p);
+    return fault == 0 ? drawing_allocate(v->p.scene, v->o.backend, &v->d) : fault;
+}
+
+static int show(viewer *v)
+{
+    for (uint32_t y = 0; y < v->o.height; ++y)
+        drawing_color_row(&v->d.frame, y, v->rgba + (size_t)4 * v->o.width * y);
+    return window_show(v->rgba, v->o.width, v->o.height);
+}
+
+static int redraw(viewer *v)
+{
+    gn_transform none;
+    gn_transform_identity(&none);
+    int fault = picture_place(&v->p, &v->o, &v->c, &none);
+    if (fault == 0)
+        fault = drawing_draw(v->p.scene, &v->d);
+    return fault == 0 ? show(v) : fault;
+}
+
+/* The options with which gnomon render draws the same picture. Nine digits restore a float. */
+static void print_options(FILE *words, const viewer *v)
+{
+    const options *o = &v->o;
+    const camera_options *c = &o->camera;
+    fprintf(words, "as with --eye %.9g,%.9g,%.9g --target %.9g,%.9g,%.9g --up %.9g,%.9g,%.9g",
+            (double)c->eye.x, (double)c->eye.y, (double)c->eye.z, (double)c->target.x,
+            (double)c->target.y, (double)c->target.z, (double)c->up.x, (double)c->up.y,
+            (double)c->up.z);
+    if (c->orthographic)
+        fprintf(words, " --orthographic %.9g", (double)c->orthographic_height);
+    else
+        fprintf(words, " --fov %.9g", (double)c->fov_degrees);
+    fprintf(words, " --size %ux%u --samples %u --shader %s%s%s", (unsigned)o->width,
+            (unsigned)o->height, (unsigned)o->samples, shading_traits_of(v->p.shading)->name,
+            o->shadows ? " --shadows" : "", o->wireframe ? " --wireframe" : "");
+    if (o->points)
+        fprintf(words, " --points=%.9g", (double)o->point_size);
+    fprintf(words, " --cull %s\n",
+            o->cull == GN_CULL_BACK    ? "back"
+            : o->cull == GN_CULL_FRONT ? "front"
+                                       : "none");
+}
+
+/* A picture that cannot be saved does not end the viewer. */
+static void save(viewer *v)
+{
+    const options *o = &v->o;
+    FILE *words = output_words(o->output, NULL);
+    if (picture_write_file(o->output, options_format(o), PNG_RGBA8, o->width, o->height,
+                           drawing_color_row, &v->d.frame) != 0)
+        return;
+    picture_print_summary(words, o->output, &v->p);
+    print_options(words, v);
+    fflush(words);
+}
+
+/* Changes the state. Returns whether the key means a change. */
+static bool change_state(viewer *v, int key)
+{
+    options *o = &v->o;
+    switch (key) {
+    case 'w':
+        o->wireframe = !o->wireframe;
+        o->points = false;
+        return true;
+    case 'p':
+        o->points = !o->points;
+        o->point_size = o->point_size > 0.0f ? o->point_size : 1.0f;
+        o->wireframe = false;
+        return true;
+    case 'c':
+        o->cull = o->cull == GN_CULL_NONE   ? GN_CULL_BACK
+                  : o->cull == GN_CULL_BACK ? GN_CULL_FRONT
+                                            : GN_CULL_NONE;
+        return true;
+    case 'h':
+        v->shadows = !v->shadows;
+        return true;
+    case 'm':
+        o->samples = o->samples == 1 ? GN_SAMPLES : 1;
+        return true;
+    default:
+        if (key < '0' || key > '9')
+            return false;
+        o->shading = (shading)(SHADING_AUTOMATIC + (key - '0'));
+        return true;
+    }
+}
+
+/* Moves the camera. Returns whether the event means a move. */
+static bool move_camera(viewer *v, const window_event *e)
+{
+    enum { ARROW = 12 }; /* pixels */
+    camera_options *c = &v->o.camera;
+    if (e->action == WINDOW_DRAG)
+        orbit_turn(c, e->x, e->y);
+    else if (e->action == WINDOW_DRAG_PAN)
+        orbit_pan(c, e->x, e->y, v->o.height);
+    else if (e->action == WINDOW_WHEEL)
+        orbit_zoom(c, e->y);
+    else if (e->action != WINDOW_KEY)
+        return false;
+    else if (e->key == KEY_LEFT || e->key == KEY_RIGHT)
+        orbit_turn(c, e->key == KEY_LEFT ? -ARROW : ARROW, 0);
+    else if (e->key == KEY_UP || e->key == KEY_DOWN)
+        orbit_turn(c, 0, e->key == KEY_UP ? -ARROW : ARROW);
+    else if (e->key == '+' || e->key == '=' || e->key == '-')
+        orbit_zoom(c, e->key == '-' ? -1 : 1);
+    else if (e->key == 'r')
+        *c = v->begin.camera;
+    else
+        return false;
+    return true;
+}
+
+/* Whether the event ends the viewer. */
+static bool is_end(const window_event *e)
+{
+    return e->action == WINDOW_QUIT ||
+           (e->action == WINDOW_KEY && (e->key == 'q' || e->key == KEY_ESCAPE));
+}
+
+static int react(viewer *v, const window_event *e, bool *moved)
+{
+    const bool is_key = e->action == WINDOW_KEY;
+    if (move_camera(v, e)) {
+        *moved = true;
+        return 0;
+    }
+    if (is_key && change_state(v, e->key)) {
+        *moved = true;
+        return rebuild(v);
+    }
+    if (e->action == WINDOW_RESIZE &&
+        ((uint32_t)e->x != v->o.width || (uint32_t)e->y != v->o.height) && e->x > 0 && e->y > 0 &&
+        e->x <= GN_MAX_SIZE && e->y <= GN_MAX_SIZE) {
+        v->o.width = (uint32_t)e->x;
+        v->o.height = (uint32_t)e->y;
+        *moved = true;
+        return rebuild(v);
+    }
+    if (is_key && e->key == '?') {
+        fputs(KEYS, stdout);
+        fflush(stdout);
+    }
+    return e->action == WINDOW_UNCOVERED ? show(v) : 0;
+}
+
+/* Takes all events that have come, and draws once after them. A picture is saved as it is then. */
+static int take_events(viewer *v, bool wait, bool *ended)
+{
+    window_event e;
+    bool moved = false, saves = false;
+    int fault = 0;
+    while (fault == 0 && !*ended && window_next(wait, &e)) {
+        *ended = is_end(&e);
+        saves = saves || (e.action == WINDOW_KEY && e.key == 's');
+        fault = react(v, &e, &moved);
+        wait = false;
+    }
+    if (fault == 0 && moved)
+        fault = redraw(v);
+    if (fault == 0 && saves)
+        save(v);
+    return fault;
+}
+
+static void sleep_milliseconds(int count)
+{
+    const struct timespec time = {count / 1000, count % 1000 * 1000000L};
+    nanosleep(&time, NULL);
+}
+
+/* Plays a script, event by event, or leaves the window to the user. */
+static int run(viewer *v, const view_script *script)
+{
+    bool ended = false;
+    int fault = redraw(v);
+    for (size_t i = 0; i < script->count && fault == 0 && !ended; ++i) {
+        if (script->events[i].action == WINDOW_WAIT)
+            sleep_milliseconds(script->events[i].x);
+        else
+            window_push(script->events + i);
+        fault = take_events(v, false, &ended);
+    }
+    while (script->events == NULL && fault == 0 && !ended)
+        fault = take_events(v, true, &ended);
+    return fault;
+}
+
+/* Places the camera where the options say, and from then on where the user moves it. */
+static int begin(viewer *v)
+{
+    camera placed;
+    int fault = camera_place(&v->o.camera, &v->c.bounds, v->o.width, v->o.height, &placed);
+    if (fault != 0)
+        return fault;
+    orbit_begin(&v->o.camera, &placed);
+    v->begin = v->o;
+    v->shadows = v->o.shadows;
+    return rebuild(v);
+}
+
+/* All maps are imported, since a key may choose a shader that uses them. */
+static int import_all(viewer *v)
+{
+    options all = v->o;
+    all.shading = SHADING_AUTOMATIC;
+    return picture_import(&all, &v->c);
+}
+
+static int view(viewer *v)
+{
+    view_script script;
+    memset(&script, 0, sizeof script);
+    int fault = picture_check_output(&v->o, v->o.output, PICTURE_ANY);
+    if (fault == 0 && v->o.script != NULL)
+        fault = view_script_read(v->o.script, &script);
+    if (fault == 0)
+        fault = import_all(v);
+    if (fault == 0) {
+        fault = begin(v);
+        if (fault == 0)
+            fault = window_open("gnomon", v->o.width, v->o.height);
+        if (fault == 0)
+            fault = run(v, &script);
+        window_close();
+        import_free(&v->c.from);
+    }
+    view_script_free(&script);
+    drawing_free(&v->d);
+    picture_free(&v->p);
+    free(v->rgba);
+    return fault;
+}
+
+int command_view(int argc, char **argv)
+{
+    static viewer v;
+    int status;
+    options_result result = options_parse(COMMAND_VIEW, argc, argv, &v.o, &status);
+    if (result == OPTIONS_HELP || result == OPTIONS_HELP_ALL) {
+        const bool all = result == OPTIONS_HELP_ALL;
+        fputs(usage, stdout);
+        fputs(KEYS "\n", stdout);
+        fputs(all ? in_full : "", stdout);
+        fputs(own_options, stdout);
+        if (all)
+            print_picture_help(true);
+        else
+            fputs("  --eye, --shader and the other options of gnomon render, but for --depth and\n"
+                  "  --statistics; gnomon view --help-all lists them\n",
+                  stdout);
+        fputs(all ? "" : ending, stdout);
+        return finish_output(0);
+    }
+    if (result == OPTIONS_WRONG)
+        return status;
+    if (v.o.output == NULL)
+        v.o.output = "view.png";
+    int fault = view(&v);
+    return fault == 0 ? finish_output(0) : fault;
+}
