@@ -262,6 +262,15 @@ install: library ## headers, library and pkg-config file: PREFIX=/usr/local DEST
 	@printf 'prefix=%s\nName: Gnomon\nDescription: 3D mathematics and software rendering\nVersion: $(VERSION)\nCflags: -I$${prefix}/include\nLibs: -L$${prefix}/lib -lgnomon\n' \
 		'$(PREFIX)' >$(DESTDIR)$(PREFIX)/lib/pkgconfig/gnomon.pc
 
+.PHONY: install-command
+install-command: $(BUILD)/gnomon ## the command, its man page and completions: PREFIX=/usr/local DESTDIR=
+	@install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/man/man1 \
+		$(DESTDIR)$(PREFIX)/share/bash-completion/completions $(DESTDIR)$(PREFIX)/share/zsh/site-functions
+	@install -m 755 $(BUILD)/gnomon $(DESTDIR)$(PREFIX)/bin/
+	@install -m 644 tools/gnomon/gnomon.1 $(DESTDIR)$(PREFIX)/share/man/man1/
+	@install -m 644 tools/gnomon/completion/gnomon.bash $(DESTDIR)$(PREFIX)/share/bash-completion/completions/gnomon
+	@install -m 644 tools/gnomon/completion/_gnomon $(DESTDIR)$(PREFIX)/share/zsh/site-functions/
+
 .PHONY: format
 format: ## write all C files in the project's style
 	@tests/style.sh --fix

@@ -110,6 +110,7 @@ test-steps:
 		'command, diff and info=$(BUILD)/test_files $(BUILD)/gnomon' \
 		'command, spin=$(BUILD)/test_spin $(BUILD)/gnomon' \
 		'command, view=$(BUILD)/test_view $(BUILD)/gnomon' \
+		'command, documents=$(BUILD)/test_documents $(BUILD)/gnomon' \
 		'command, placing=$(BUILD)/test_placing $(BUILD)/gnomon' \
 		'command, shaders=$(BUILD)/test_shading_command $(BUILD)/gnomon' \
 		'command, comparison=$(BUILD)/test_comparison $(BUILD)/gnomon' \

@@ -10,4 +10,4 @@ osmesa=libosmesa6
 [ "${REFERENCE:-}" != egl ] || osmesa=""
 
 install_packages "pkg-config clang clang-format libclang-rt-14-dev g++ cmake libpng-dev $osmesa libegl-dev libgl1-mesa-dri libcglm-dev libcmocka-dev
-libassimp-dev libstb-dev zlib1g-dev libsdl2-dev xvfb libgmp-dev libmpfr-dev libsimde-dev gappa" "$@"
+libassimp-dev libstb-dev zlib1g-dev libsdl2-dev xvfb mandoc zsh libgmp-dev libmpfr-dev libsimde-dev gappa" "$@"

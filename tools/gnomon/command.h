@@ -15,8 +15,8 @@ int command_transform(int argc, char **argv);
 int command_view(int argc, char **argv);
 
 /* Prints the part of --help that the commands which draw models share, in one line an option, or
- * that of --help-all, in full. */
-void print_picture_help(bool all);
+ * that of --help-all, in full. Not all of them have --statistics. */
+void print_picture_help(bool all, bool has_statistics);
 
 /* The last lines of --help of such a command. */
 #define HELP_ENDING(name)                                                                          \

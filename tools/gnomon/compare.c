@@ -90,7 +90,7 @@ int command_compare(int argc, char **argv)
         const bool all = result == OPTIONS_HELP_ALL;
         fputs(usage, stdout);
         fputs(all ? in_full : brief, stdout);
-        print_picture_help(all);
+        print_picture_help(all, true);
         fputs(all ? "" : ending, stdout);
         return finish_output(0);
     }

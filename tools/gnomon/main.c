@@ -32,7 +32,8 @@ static const char overview[] =
     "  gnomon demo --picture teapot.png\n"
     "\n"
     "Results go to standard output; errors and warnings go to standard error, one line each,\n"
-    "which names the file or option. An output file is written completely or not at all.\n"
+    "which names the file or option, in colour on terminals unless NO_COLOR is set. An output\n"
+    "file is written completely or not at all.\n"
     "\n"
     "Exit status: 0: success; 1: an input or output is at fault, or pictures that are compared\n"
     "differ; 2: wrong usage, a wrong text for transform, or pictures that diff cannot compare.\n";

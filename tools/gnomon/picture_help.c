@@ -28,10 +28,19 @@ static const char brief[] =
     "  --no-depth-test               what is drawn later covers what is nearer\n"
     "  --samples 4                   four samples a pixel; default: 1\n"
     "  --background COLOR            rrggbb or rrggbbaa; default: edeeef\n"
-    "Limits, counts, speed:\n"
+    "Limits, speed:\n"
     "  --import-seconds, --import-memory, --import-output, --map-pixels N    of each MODEL\n"
-    "  --statistics                  counts what became of triangles and pixels\n"
     "  --backend NAME                the instruction set; all draw the same pixels\n";
+
+static const char statistics_brief[] =
+    "  --statistics                  counts what became of triangles and pixels\n";
+
+static const char statistics_help[] =
+    "Counts:\n"
+    "  --statistics            prints how many triangles were drawn, clipped, outside the view\n"
+    "                          volume, culled and so on, and how many pixels they covered.\n"
+    "                          Without this option, the command says why if nothing is drawn\n"
+    "\n";
 
 static const char picture_help[] =
     "Each MODEL is a file in one of these formats, recognised by its extension:\n"
@@ -114,11 +123,6 @@ static const char picture_help_rest[] =
     "  --map-pixels N          the most pixels of one map, in units of 1024x1024, 1 to 256;\n"
     "                          default: 64\n"
     "\n"
-    "Counts:\n"
-    "  --statistics            prints how many triangles were drawn, clipped, outside the view\n"
-    "                          volume, culled and so on, and how many pixels they covered.\n"
-    "                          Without this option, the command says why if nothing is drawn\n"
-    "\n"
     "Speed:\n"
     "  --backend NAME          the instruction set to draw with: auto, portable, sse2, avx2,\n"
     "                          avx512, neon or wasm-simd128; default: auto, the fastest\n"
@@ -131,9 +135,11 @@ static const char picture_help_rest[] =
     "as the file says: numbers that are not finite, missing material files, triangles without\n"
     "area.\n";
 
-void print_picture_help(bool all)
+void print_picture_help(bool all, bool has_statistics)
 {
     fputs(all ? picture_help : brief, stdout);
+    if (has_statistics)
+        fputs(all ? statistics_help : statistics_brief, stdout);
     if (all)
         fputs(picture_help_rest, stdout);
 }

@@ -1,10 +1,14 @@
 /* Error lines on standard error, and the check that standard output took everything. */
+#define _POSIX_C_SOURCE 200809L
 #include "report.h"
 
 #include <errno.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* Longer than any path followed by a reason; longer lines are cut. */
 #define LINE_SIZE 8192
@@ -43,11 +47,23 @@ static void escape(const char *text, char *result, size_t size)
     result[used] = '\0';
 }
 
+/* Whether standard error shows colours and the user wants them (no-color.org). */
+static bool has_colors(void)
+{
+    const char *unwanted = getenv("NO_COLOR"), *terminal = getenv("TERM");
+    return isatty(STDERR_FILENO) && (unwanted == NULL || *unwanted == '\0') &&
+           (terminal == NULL || strcmp(terminal, "dumb") != 0);
+}
+
 void report_line(const char *line)
 {
+    /* Bold red, bold magenta for warnings, and back (ECMA-48, SGR). */
+    static const char error[] = "\033[1;31m", warning[] = "\033[1;35m", plain[] = "\033[0m";
+    const bool colored = has_colors();
+    const char *start = strstr(line, ": warning: ") != NULL ? warning : error;
     char escaped[8 * LINE_SIZE];
     escape(line, escaped, sizeof escaped);
-    fprintf(stderr, "%s\n", escaped);
+    fprintf(stderr, "%s%s%s\n", colored ? start : "", escaped, colored ? plain : "");
 }
 
 void report_to(report_sink *sink)

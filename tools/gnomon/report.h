@@ -8,7 +8,9 @@
 /* EXIT_SUCCESS is 0; 1 is a fault of the input, 2 a fault of the command line. */
 enum { EXIT_FAULT = 1, EXIT_USAGE = 2 };
 
-/* In every line that these functions print, bytes that cannot be printed (control characters and
+/* Lines are coloured if standard error is a terminal and NO_COLOR is not set.
+ *
+ * In every line that these functions print, bytes that cannot be printed (control characters and
  * bytes that are not UTF-8) become \xNN; lines are cut at 16 KiB. */
 
 /* Prints the line and returns EXIT_FAULT. */

@@ -227,7 +227,7 @@ int command_spin(int argc, char **argv)
         fputs(usage, stdout);
         fputs(all ? in_full : "", stdout);
         fputs(own_options, stdout);
-        print_picture_help(all);
+        print_picture_help(all, false);
         fputs(all ? "" : ending, stdout);
         return finish_output(0);
     }

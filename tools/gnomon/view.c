@@ -318,10 +318,10 @@ int command_view(int argc, char **argv)
         fputs(all ? in_full : "", stdout);
         fputs(own_options, stdout);
         if (all)
-            print_picture_help(true);
+            print_picture_help(true, false);
         else
-            fputs("  --eye, --shader and the other options of gnomon render, but for --depth and\n"
-                  "  --statistics; gnomon view --help-all lists them\n",
+            fputs("  --eye, --shader and the other options of gnomon render, but for --depth, --format\n"
+                  "  and --statistics; gnomon view --help-all lists them\n",
                   stdout);
         fputs(all ? "" : ending, stdout);
         return finish_output(0);
