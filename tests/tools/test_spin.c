@@ -29,10 +29,11 @@ static void add_chunk(FILE *file, const char *type, const uint8_t *data, uint32_
     put_big_endian(number, size);
     fwrite(number, 1, 4, file);
     fwrite(type, 1, 4, file);
-    fwrite(data, 1, size, file);
     uLong sum = crc32(0, (const Bytef *)type, 4);
-    if (size > 0)
+    if (size > 0) {
+        fwrite(data, 1, size, file);
         sum = crc32(sum, data, size);
+    }
     put_big_endian(number, (uint32_t)sum);
     fwrite(number, 1, 4, file);
 }

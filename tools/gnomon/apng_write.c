@@ -42,7 +42,7 @@ static bool write_chunk(const apng *a, const char type[4], const uint8_t *data, 
     put_32(length, size);
     put_32(sum, (uint32_t)crc);
     return fwrite(length, 1, 4, file) == 4 && fwrite(type, 1, 4, file) == 4 &&
-           fwrite(data, 1, size, file) == size && fwrite(sum, 1, 4, file) == 4;
+           (size == 0 || fwrite(data, 1, size, file) == size) && fwrite(sum, 1, 4, file) == 4;
 }
 
 static bool write_start(const apng *a)

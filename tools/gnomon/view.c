@@ -320,7 +320,8 @@ int command_view(int argc, char **argv)
         if (all)
             print_picture_help(true, false);
         else
-            fputs("  --eye, --shader and the other options of gnomon render, but for --depth, --format\n"
+            fputs("  --eye, --shader and the other options of gnomon render, but for --depth, "
+                  "--format\n"
                   "  and --statistics; gnomon view --help-all lists them\n",
                   stdout);
         fputs(all ? "" : ending, stdout);
