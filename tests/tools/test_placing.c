@@ -249,6 +249,42 @@ static void normals_turn_with_models(void **state)
         fail_msg("%s%s", r.out, r.error);
 }
 
+/* The square with each coordinate multiplied by these factors in the file. */
+static void write_scaled(const char *name, double x, double y, double z)
+{
+    FILE *file = fopen(path_of(name), "w");
+    assert_non_null(file);
+    for (int i = 0; i < 4; ++i)
+        fprintf(file, "v %g %g %g\n", x * (i == 1 || i == 2 ? 1 : -1), y * (i < 2 ? -1 : 1), z * 0);
+    fputs(strstr(square_obj, "vt"), file);
+    assert_int_equal(fclose(file), 0);
+}
+
+/* A model that is scaled in its file, by powers of two, and one that the option scales are one
+ * picture, with highlights, shadows and normals in tangent space; mirrored too. */
+static void options_do_what_files_can(void **state)
+{
+    static const uint8_t map[] = "P6 2 1 255\n\344\350\300\100\340\260";
+    static const double factors[][3] = {{2, 2, 2}, {-1, 1, 1}, {1, -2, 1}, {0.5, 4, 1}};
+    (void)state;
+    write_text("square.obj", square_obj);
+    write_bytes("map.ppm", map, sizeof map - 1);
+    for (int i = 0; i < 4; ++i) {
+        const double *f = factors[i];
+        char line[1024];
+        write_scaled("scaled.obj", f[0], f[1], f[2]);
+        snprintf(line, sizeof line,
+                 "set -e; draw() { \"$GNOMON\" render --size 48x48 --shader phong --exponent 4 "
+                 "--light 1,2,3 --shadows --normal-map tangent:map.ppm --eye 1,2,9 --target 0,0,0 "
+                 "\"$@\"; }; draw scaled.obj -o a.png; draw square.obj --scale %g,%g,%g -o b.png; "
+                 "\"$GNOMON\" diff a.png b.png",
+                 f[0], f[1], f[2]);
+        run r = shell(line);
+        if (r.status != 0)
+            fail_msg("scaled by %g, %g, %g: %s%s", f[0], f[1], f[2], r.out, r.error);
+    }
+}
+
 static void version_is_printed(void **state)
 {
     (void)state;
@@ -277,6 +313,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(vertices_are_points),
         cmocka_unit_test(lit_models_equal_the_reference),
         cmocka_unit_test(normals_turn_with_models),
+        cmocka_unit_test(options_do_what_files_can),
     };
     runner_start(argc, argv);
     int failed = cmocka_run_group_tests_name("command, placing", tests, NULL, NULL);
