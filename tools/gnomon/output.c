@@ -26,21 +26,47 @@ static void remove_pending(int number)
     raise(number);
 }
 
-static void exchange_pending(char *from, char *to)
+/* Holds the signals back. */
+static void block_signals(sigset_t *previous)
 {
     sigset_t blocked;
-    sigset_t previous;
     sigemptyset(&blocked);
     for (size_t i = 0; i < SIGNAL_COUNT; ++i)
         sigaddset(&blocked, ending_signals[i]);
-    sigprocmask(SIG_BLOCK, &blocked, &previous);
+    sigprocmask(SIG_BLOCK, &blocked, previous);
+}
+
+/* The signals are blocked. */
+static void replace_pending(char *from, char *to)
+{
     for (int i = 0; i < OUTPUT_LIMIT; ++i) {
         if (pending[i] == from) {
             pending[i] = to;
             break;
         }
     }
+}
+
+static void remove_from_pending(char *path)
+{
+    sigset_t previous;
+    block_signals(&previous);
+    replace_pending(path, NULL);
     sigprocmask(SIG_SETMASK, &previous, NULL);
+}
+
+/* mkstemp. No signal comes between the file and its place among those that are pending. */
+static int make_temporary(char *path)
+{
+    sigset_t previous;
+    block_signals(&previous);
+    const int descriptor = mkstemp(path);
+    const int reason = errno;
+    if (descriptor >= 0)
+        replace_pending(NULL, path);
+    sigprocmask(SIG_SETMASK, &previous, NULL);
+    errno = reason;
+    return descriptor;
 }
 
 static void handle_signals(void)
@@ -157,14 +183,12 @@ int output_open(output *o, const char *path)
     strcat(o->temporary, suffix);
 
     handle_signals();
-    int descriptor = mkstemp(o->temporary);
+    int descriptor = make_temporary(o->temporary);
     if (descriptor < 0) {
         int reason = errno;
         release(o);
         return report_fault(path, "cannot be written: %s", strerror(reason));
     }
-    exchange_pending(NULL, o->temporary);
-
     mode_t mask = umask(0);
     umask(mask);
     mode_t mode = exists ? (status.st_mode & 0777) : (0666 & ~mask);
@@ -204,7 +228,7 @@ int output_rename(output *o)
     if (o->temporary != NULL) {
         if (rename(o->temporary, o->final) != 0)
             return fail(o, errno);
-        exchange_pending(o->temporary, NULL);
+        remove_from_pending(o->temporary);
     }
     release(o);
     return 0;
@@ -216,7 +240,7 @@ void output_abandon(output *o)
         fclose(o->file);
     if (o->temporary != NULL) {
         unlink(o->temporary);
-        exchange_pending(o->temporary, NULL);
+        remove_from_pending(o->temporary);
     }
     release(o);
 }
