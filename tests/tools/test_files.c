@@ -190,7 +190,18 @@ static void models_are_described(void **state)
                "  attributes  positions, normals, texture coordinates (of 3 vertices)\n"
                "  materials   2\n"
                "  draws       2\n"
-               "  maps        diffuse red.ppm\n");
+               "  maps        diffuse red.ppm (3x2)\n");
+    remove_file("red.ppm");
+    r = gnomon("info two.obj");
+    expect_out(&r, 0,
+               "  maps        diffuse red.ppm (cannot be read: No such file or directory)\n");
+    write_text("red.ppm", "noise");
+    write_bytes("two_glow.png", "", 0);
+    r = gnomon("info two.obj");
+    expect_out(&r, 0,
+               "  maps        diffuse red.ppm (cannot be read: it is not a PNG, JPEG, TGA, BMP or "
+               "PPM), glow two_glow.png (cannot be read: the file is empty)\n");
+    remove_file("two_glow.png");
     write_text("bare.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
                            "property float y\nproperty float z\nproperty uchar red\n"
                            "property uchar green\nproperty uchar blue\nelement face 1\n"

@@ -118,6 +118,7 @@ int command_info(int argc, char **argv)
         return status;
     for (size_t i = 0; i < o.model_count; ++i) {
         o.model = o.models[i].path;
+        o.describes_maps = true;
         if ((model_format_name(o.model) != NULL ? tell_model(&o)
                                                 : tell_picture(o.model, &o.limits)) != 0)
             fault = EXIT_FAULT;

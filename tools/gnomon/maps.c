@@ -93,47 +93,65 @@ typedef struct reader {
     maps_told *told;
 } reader;
 
+/* Adds a map that has been read, or why it cannot be. */
+static void describe(const reader *r, const char *words, const char *name, const image *map,
+                     const char *reason)
+{
+    char text[8192];
+    if (!r->o->describes_maps)
+        snprintf(text, sizeof text, "%s", name);
+    else if (map->texels != NULL)
+        snprintf(text, sizeof text, "%s (%ux%u)", name, (unsigned)map->width,
+                 (unsigned)map->height);
+    else
+        snprintf(text, sizeof text, "%s (cannot be read: %s)", name, reason);
+    tell(r->told, words, text);
+}
+
 static int read_file(const reader *r, const char *path, const char *option, const char *words,
                      image *result)
 {
     const char *reason = NULL;
-    if (!image_read(path, r->budget, result, &reason))
+    const bool good = image_read(path, r->budget, result, &reason);
+    if (!good && !r->o->describes_maps)
         return report_fault(path, "cannot be read as a texture: %s (go on without it: %s none)",
                             reason, option);
-    tell(r->told, words, path);
+    describe(r, words, path, result, reason);
     return 0;
 }
 
-/* Reads the map that the material names. */
-static int read_named(const reader *r, const model_texture *texture, const char *option,
-                      image *result)
+/* What a list calls the map that a material names. */
+static const char *name_of(const model_texture *texture)
 {
-    const char *model_path = r->o->model;
-    const char *reason = "its texels are bare";
-    if (texture->bytes != NULL || texture->bare) {
-        if (!texture->bare &&
-            image_decode(texture->bytes, texture->size, r->budget, result, &reason))
-            return 0;
-        return report_fault(model_path,
-                            "the texture inside it cannot be read: %s"
-                            " (go on without it: %s none)",
-                            reason, option);
-    }
-    char *path = beside_model(model_path, texture->name);
-    bool good = false;
-    reason = "not enough memory";
-    if (path != NULL)
-        good = image_read(path, r->budget, result, &reason);
-    if (!good)
-        report_fault(model_path, "its texture '%s' cannot be read: %s (go on without it: %s none)",
-                     path != NULL ? path : texture->name, reason, option);
-    free(path);
-    return good ? 0 : EXIT_FAULT;
+    return texture->bytes != NULL || texture->bare ? "inside the model" : texture->name;
 }
 
-static void tell_named(const reader *r, const char *words, const model_texture *texture)
+/* Reads the map that the material names. If maps are only described, one that cannot be read is no
+ * fault; *reason says why. */
+static int read_named(const reader *r, const model_texture *texture, const char *option,
+                      image *result, const char **reason)
 {
-    tell(r->told, words, texture->bytes != NULL ? "inside the model" : texture->name);
+    const char *model_path = r->o->model;
+    const bool is_inside = texture->bytes != NULL || texture->bare;
+    char *path = is_inside ? NULL : beside_model(model_path, texture->name);
+    bool good = false;
+    int fault = 0;
+    *reason = is_inside ? "its texels are bare" : "not enough memory";
+    if (path != NULL)
+        good = image_read(path, r->budget, result, reason);
+    else if (is_inside && !texture->bare)
+        good = image_decode(texture->bytes, texture->size, r->budget, result, reason);
+    if (!good && !r->o->describes_maps)
+        fault = is_inside ? report_fault(model_path,
+                                         "the texture inside it cannot be read: %s"
+                                         " (go on without it: %s none)",
+                                         *reason, option)
+                          : report_fault(model_path,
+                                         "its texture '%s' cannot be read: %s"
+                                         " (go on without it: %s none)",
+                                         path != NULL ? path : texture->name, *reason, option);
+    free(path);
+    return fault;
 }
 
 /* Reads a file beside the model, found by its suffix; does nothing if there is none. */
@@ -158,13 +176,15 @@ static bool is_grey(const image *i)
 /* Reads the normals that the material names; does nothing if they are heights. */
 static int read_named_normals(const reader *r, const model_texture *texture, image *result)
 {
-    int fault = read_named(r, texture, kinds[MAP_NORMAL].option, result);
+    const char *reason;
+    int fault = read_named(r, texture, kinds[MAP_NORMAL].option, result, &reason);
     if (fault != 0)
         return fault;
-    bool usable = !is_grey(result);
-    if (!usable)
+    const bool has_heights = result->texels != NULL && is_grey(result);
+    describe(r, has_heights ? "(heights, not used)" : kinds[MAP_NORMAL].words, name_of(texture),
+             result, reason);
+    if (has_heights)
         image_free(result);
-    tell_named(r, usable ? kinds[MAP_NORMAL].words : "(heights, not used)", texture);
     return 0;
 }
 
@@ -203,6 +223,7 @@ int maps_read(const options *o, const model_part *part, unsigned int wanted, ima
               part_maps *result, maps_told *told)
 {
     const reader r = {o, part, budget, told};
+    const char *reason;
     int fault = 0;
     memset(result, 0, sizeof *result);
     for (int i = 0; i < MAP_COUNT && part->has_texcoords && fault == 0; ++i) {
@@ -216,9 +237,9 @@ int maps_read(const options *o, const model_part *part, unsigned int wanted, ima
         } else if (asked->file != NULL) {
             fault = read_file(&r, asked->file, option, words, result->images + i);
         } else if (part->maps[i].name != NULL) {
-            fault = read_named(&r, part->maps + i, option, result->images + i);
+            fault = read_named(&r, part->maps + i, option, result->images + i, &reason);
             if (fault == 0)
-                tell_named(&r, words, part->maps + i);
+                describe(&r, words, name_of(part->maps + i), result->images + i, reason);
         } else {
             fault = read_conventional(&r, kinds[i].suffix, option, words, result->images + i);
         }

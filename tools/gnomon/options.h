@@ -78,8 +78,9 @@ typedef struct options {
     normal_option normals;
     filter_option filter;
     bool shadows;
-    uint32_t exponent; /* exponent of highlights; 0: the material's */
-    uint32_t bands;    /* of the toon shader; 0: the shader's default */
+    uint32_t exponent;   /* exponent of highlights; 0: the material's */
+    uint32_t bands;      /* of the toon shader; 0: the shader's default */
+    bool describes_maps; /* says what is known of maps, and goes on if one cannot be read */
     bool wireframe;
     bool points;
     float point_size;

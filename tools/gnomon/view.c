@@ -215,7 +215,8 @@ static int react(viewer *v, const window_event *e, bool *moved)
         fputs(KEYS, stdout);
         fflush(stdout);
     }
-    return e->action == WINDOW_UNCOVERED ? show(v) : 0;
+    *moved = *moved || e->action == WINDOW_UNCOVERED;
+    return 0;
 }
 
 /* Takes all events that have come, and draws once after them. A picture is saved as it is then. */
