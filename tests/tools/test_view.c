@@ -167,6 +167,21 @@ static void wrong_use_is_named(void **state)
     assert_non_null(strstr(r.out, "wheel, + and -"));
 }
 
+/* A copy of the command that asks for a library which is not there. */
+static void without_sdl_the_reason_is_said(void **state)
+{
+    (void)state;
+    write_text("tetra.obj", tetra_obj);
+    run r =
+        shell("LC_ALL=C sed 's/libSDL2-2.0.so.0/libSDL2-9.9.so.9/g' \"$GNOMON\" >other && chmod +x "
+              "other && ./other view tetra.obj");
+    assert_int_equal(r.status, 1);
+    assert_string_equal(r.error, "gnomon: view: there is no window without SDL2, and "
+                                 "libSDL2-9.9.so.9 is not installed\n");
+    r = shell("./other render tetra.obj -o a.png --size 8x8");
+    assert_int_equal(r.status, 0);
+}
+
 /* A screen as Xvfb writes it to a file: X's window dump, version 7, of 32 bits a pixel. */
 typedef struct screen {
     uint8_t *bytes, *pixels;
@@ -259,6 +274,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(events_change_the_picture),
         cmocka_unit_test(drags_turn_around_the_target),
         cmocka_unit_test(wrong_use_is_named),
+        cmocka_unit_test(without_sdl_the_reason_is_said),
         cmocka_unit_test(the_window_shows_the_picture),
     };
     int failed = 0;

@@ -15,24 +15,25 @@
 #include "teapot_maps.h"
 
 static const char usage[] =
-    "gnomon demo [-o OUT.png] [OPTION...]: draw the Utah teapot, tessellated from Newell's\n"
-    "Bezier patches, with Gnomon and with OSMesa, and count the pixels that differ in any bit.\n"
-    "Exit status 0: no pixel differs, 1: some do.\n"
+    "gnomon demo [-o OUT] [OPTION...]: draw the Utah teapot, tessellated from Newell's Bezier\n"
+    "patches, with Gnomon and with OSMesa, and count the pixels that differ in any bit.\n"
     "\n"
     "  gnomon demo\n"
     "  gnomon demo --picture teapot.png --tessellation 32 --size 1600x1200\n"
     "\n"
-    "  -o, --output OUT.png    Gnomon's picture, OSMesa's and the difference, side by side;\n"
-    "                          default: gnomon-demo.png. For both options below and this one, -\n"
-    "                          is standard output; messages then go to standard error\n"
-    "  --picture OUT.png       Gnomon's picture alone\n"
+    "  -o, --output OUT        Gnomon's picture, OSMesa's and the difference, side by side; .png,\n"
+    "                          .tga or .ppm; default: gnomon-demo.png. For this option and the\n"
+    "                          next, - is standard output; messages then go to standard error\n"
+    "  --picture OUT           Gnomon's picture alone\n"
     "  --size WxH              size in pixels, up to 16384x16384; default: 800x600\n"
     "  --samples 4             four samples a pixel; default: 1\n"
     "  --tessellation N        segments along each side of a patch, 1 to 128; default: 16\n"
     "  --shader NAME           a ready-made shader (gnomon render --help lists them), with maps\n"
     "                          made for the teapot; default: Gouraud without maps\n"
     "  --normal-map KIND       tangent, world or none; default: tangent\n"
-    "  --filter, --shadows, --exponent, --bands, --statistics    as for gnomon render\n";
+    "  --filter, --shadows, --exponent, --bands, --statistics    as for gnomon render\n"
+    "\n"
+    "Exit status: 0: no pixel differs; 1: some do, or an output is at fault; 2: wrong usage.\n";
 
 static const float background[4] = {0.933f, 0.925f, 0.906f, 1.0f};
 static const model_shine shine = {{0.45f, 0.45f, 0.45f}, 40};
