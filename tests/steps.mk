@@ -111,6 +111,7 @@ test-steps:
 		'command, spin=$(BUILD)/test_spin $(BUILD)/gnomon' \
 		'command, view=$(BUILD)/test_view $(BUILD)/gnomon' \
 		'command, documents=$(BUILD)/test_documents $(BUILD)/gnomon' \
+		'command, random options=tests/tools/test_random_options.sh $(BUILD) $(or $(FRESH_SEED),$(TEST_SEED))' \
 		'command, placing=$(BUILD)/test_placing $(BUILD)/gnomon' \
 		'command, shaders=$(BUILD)/test_shading_command $(BUILD)/gnomon' \
 		'command, comparison=$(BUILD)/test_comparison $(BUILD)/gnomon' \

@@ -4,7 +4,7 @@
 
 #include "camera.h"
 
-/* Takes what camera_place has chosen, so that the options no longer depend on the model. */
+/* Takes what camera_place has chosen, so that the options do not depend on the model. */
 void orbit_begin(camera_options *o, const camera *placed);
 
 /* Turns the camera around its target by pixels to the right and down; it stops short of straight
