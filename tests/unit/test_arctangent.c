@@ -117,6 +117,7 @@ static void hardest_to_round(void **state)
     assert_same_bits(gn_atan(0x1.e00a2ep+25f), 0x1.921fb4p+0f);
     assert_same_bits(gn_atan(0x1.6afe3ap+1f), 0x1.3b5652p+0f);
     assert_same_bits(gn_atan(0x1.4f7476p-11f), 0x1.4f7474p-11f);
+    assert_same_bits(gn_atan2(0x1.836b14p+20f, 0x1.8d42aep+23f), 0x1.f0dd16p-4f);
 }
 
 /* Special values of C99, F.9.1.4. */

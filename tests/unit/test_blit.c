@@ -160,6 +160,26 @@ static void what_has_no_counterpart_is_cut_off(void **state)
             assert_int_equal(at(x, y), x >= 3 && x < 5 && y < 3 ? (y + 4) * 16 + x - 3 : 0xEE);
 }
 
+/* The source has 8 of 4,001 columns that 4,251 columns of the destination show: 8.4999 of them, so 8
+ * are written. Mirrored, these are the last 8. */
+static void cut_ends_are_rounded_to_pixels(void **state)
+{
+    (void)state;
+    enum { COLUMNS = 4251 };
+    static uint8_t row[COLUMNS];
+    const gn_surface from = numbered();
+    const gn_surface to = gn_surface_bottom_up(row, GN_FORMAT_R8, COLUMNS, 1);
+    const gn_rectangle texels = {0, 1, 4001, 2};
+    const gn_rectangle columns[2] = {{0, 0, COLUMNS, 1}, {COLUMNS, 0, 0, 1}};
+
+    for (int mirrored = 0; mirrored < 2; ++mirrored) {
+        memset(row, 0xEE, sizeof row);
+        assert_int_equal(gn_blit(&to, &columns[mirrored], &from, &texels, NULL), GN_OK);
+        for (int x = 0; x < COLUMNS; ++x)
+            assert_int_equal(row[mirrored ? COLUMNS - 1 - x : x], x < 8 ? 0x10 + x : 0xEE);
+    }
+}
+
 static void linear_mixes_halfway(void **state)
 {
     (void)state;
@@ -369,6 +389,7 @@ int main(void)
         cmocka_unit_test(empty_rectangles_are_no_fault),
         cmocka_unit_test(rectangles_move_mirror_and_scale),
         cmocka_unit_test(what_has_no_counterpart_is_cut_off),
+        cmocka_unit_test(cut_ends_are_rounded_to_pixels),
         cmocka_unit_test(linear_mixes_halfway),
         cmocka_unit_test(depth_and_stencil_are_kept_where_asked),
         cmocka_unit_test(overlap_is_refused_pixel_by_pixel_in_one_image),

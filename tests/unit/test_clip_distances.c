@@ -106,6 +106,44 @@ static bool pixel(int x, int y)
 
 static const float square[8] = {-1, -1, 1, -1, -1, 1, 1, 1};
 
+/* All eight distances make an octagon of the pixels whose centres are less than 3 pixels away from
+ * the middle along x and y, and less than 4.25 along both together. */
+static void assert_octagon(const float *positions, uint32_t vertex_count)
+{
+    int expected = 0;
+
+    reset(positions, vertex_count, GN_TRIANGLE_STRIP);
+    for (int i = 0; i < 4; ++i) {
+        const float sx = i & 1 ? 1.0f : -1.0f;
+        const float sy = i & 2 ? 1.0f : -1.0f;
+
+        add_plane(i & 1 ? sy : 0, i & 1 ? 0 : sy, 0.75f);
+        add_plane(sx, sy, 1.0625f);
+    }
+    const int drawn = draw();
+    for (int y = 0; y < SIZE; ++y) {
+        for (int x = 0; x < SIZE; ++x) {
+            const double dx = fabs(x + 0.5 - 4), dy = fabs(y + 0.5 - 4);
+            const bool inside = dx < 3 && dy < 3 && dx + dy < 4.25;
+
+            assert_int_equal(pixel(x, y), inside);
+            expected += inside;
+        }
+    }
+    assert_int_equal(drawn, expected);
+}
+
+/* All eight distances cut two triangles, or one that three sides of the view volume cut too: that
+ * makes 22 new vertices, more than there are lanes. */
+static void eight_planes_make_an_octagon(void **state)
+{
+    (void)state;
+    static const float beyond[6] = {-3, -4, 5, -4, -3, 6};
+
+    assert_octagon(square, 4);
+    assert_octagon(beyond, 3);
+}
+
 static void triangles_end_at_planes(void **state)
 {
     (void)state;
@@ -120,29 +158,6 @@ static void triangles_end_at_planes(void **state)
     add_plane(0, -1, 0.25f);
     assert_int_equal(draw(), 4);
     assert_true(pixel(4, 3) && pixel(5, 4));
-
-    /* All eight distances make an octagon of the pixels whose centres are less than 3 pixels away
-     * from the middle along x and y, and less than 4 along both together. */
-    reset(square, 4, GN_TRIANGLE_STRIP);
-    for (int i = 0; i < 4; ++i) {
-        const float sx = i & 1 ? 1.0f : -1.0f;
-        const float sy = i & 2 ? 1.0f : -1.0f;
-
-        add_plane(i & 1 ? sy : 0, i & 1 ? 0 : sy, 0.75f);
-        add_plane(sx, sy, 1.0625f);
-    }
-    int expected = 0;
-    const int drawn = draw();
-    for (int y = 0; y < SIZE; ++y) {
-        for (int x = 0; x < SIZE; ++x) {
-            const double dx = fabs(x + 0.5 - 4), dy = fabs(y + 0.5 - 4);
-            const bool inside = dx < 3 && dy < 3 && dx + dy < 4.25;
-
-            assert_int_equal(pixel(x, y), inside);
-            expected += inside;
-        }
-    }
-    assert_int_equal(drawn, expected);
 
     /* Clipping leaves the values of varyings as they are. */
     reset(square, 4, GN_TRIANGLE_STRIP);
@@ -231,6 +246,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(triangles_end_at_planes),
+        cmocka_unit_test(eight_planes_make_an_octagon),
         cmocka_unit_test(lines_end_at_planes),
         cmocka_unit_test(points_are_whole_or_not_there),
         cmocka_unit_test(what_is_not_finite_is_not_drawn),
