@@ -160,8 +160,8 @@ static void what_has_no_counterpart_is_cut_off(void **state)
             assert_int_equal(at(x, y), x >= 3 && x < 5 && y < 3 ? (y + 4) * 16 + x - 3 : 0xEE);
 }
 
-/* The source has 8 of 4,001 columns that 4,251 columns of the destination show: 8.4999 of them, so 8
- * are written. Mirrored, these are the last 8. */
+/* The source has 8 of 4,001 columns that 4,251 columns of the destination show: 8.4999 of them, so
+ * 8 are written. Mirrored, these are the last 8. */
 static void cut_ends_are_rounded_to_pixels(void **state)
 {
     (void)state;
