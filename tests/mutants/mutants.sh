@@ -7,8 +7,8 @@
 # what runs. A mutant that does not compile, or whose object code equals the original's, is not
 # counted, and another is drawn.
 # Results are in BUILD-DIRECTORY/mutants/results-SEED.txt. A run that was ended goes on there; a run
-# after tests have changed tries the survivors again; a run after src/ or include/ has changed begins
-# anew.
+# after tests have changed tries survivors without a reason again; a run after src/ or include/ has
+# changed begins anew.
 # usage: mutants.sh BUILD-DIRECTORY [--mutants N] [--seed S] [--jobs N] [--only TEXT] [--report]
 #   --only TEXT  only mutants whose file or function contains the text
 #   --report     prints the results so far, runs nothing
@@ -249,10 +249,29 @@ counted() {
         print count + 0 }' "$results"
 }
 
-# Prints the numbers that have a verdict. A survivor of other tests has none.
+# Prints the mutants for whose survival survivors.txt has a reason: FILE, function, text before, text
+# after, with tabs between.
+explained() {
+    awk '
+        /^#/ || /^$/ { next }
+        /^- /        { before = substr($0, 3); next }
+        /^\+ /       { key = place "\t" before "\t" substr($0, 3); next }
+        /^    /      { if (key != "") print key; key = ""; next }
+                     { place = $0; sub(/ /, "\t", place) }' $here/survivors.txt
+}
+
+# Prints the numbers that have a verdict. A survivor of other tests without a reason has none.
 judged() {
-    awk -F '\t' -v tests="$tests" '/^#/ { next } { verdict[$1] = $2; with[$1] = $4 } END {
-        for (n in verdict) if (verdict[n] != "survived" || with[n] == tests) print n }' "$results"
+    explained | awk -F '\t' -v tests="$tests" '
+        FILENAME == "-" { reason[$0] = 1; next }
+        /^#/            { next }
+        {
+            file = $6
+            sub(/:.*/, "", file)
+            verdict[$1] = $2
+            is_done[$1] = $2 != "survived" || $4 == tests || (file "\t" $7 "\t" $8 "\t" $9) in reason
+        }
+        END { for (n in verdict) if (is_done[n]) print n }' - "$results"
 }
 
 worker() { # worker NUMBER
@@ -314,16 +333,9 @@ try() {
 # Prints survivors without a reason, and the line of figures. The first N mutants in the order of the
 # draw count, whatever the order of jobs was.
 print_report() {
+    explained >"$work/explained"
     sort -s -t "$tab" -k 1,1n "$results" | awk -F '\t' -v wanted="$mutants" -v goal=$goal '
-        # survivors.txt: FILE FUNCTION, then "- before", "+ after", then the reason.
-        FILENAME != "-" {
-            if (/^#/ || /^$/) { next }
-            if (/^- /) { before = substr($0, 3) }
-            else if (/^\+ /) { key = place "\t" before "\t" substr($0, 3) }
-            else if (/^    /) { if (!(key in reason)) { reason[key] = $0 } }
-            else { place = $0; sub(/ /, "\t", place) }
-            next
-        }
+        FILENAME != "-" { reason[$0] = 1; next }
         /^#/ { next }
         { line[$1] = $0; if (!($1 in known)) { known[$1] = 1; order[++count] = $1 } }
         END {
@@ -342,7 +354,7 @@ print_report() {
             printf "mutants: %d, %d killed, %d equivalent, %d survived (%.1f %%)\n", total, killed,
                 equivalent, survived, int(share * 10) / 10
             exit share < goal || total < wanted
-        }' $here/survivors.txt -
+        }' "$work/explained" -
 }
 
 if [ -n "$report" ]; then
