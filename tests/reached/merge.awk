@@ -57,6 +57,8 @@ BEGIN {
 }
 !is_source { next }
 
+# llvm-cov counts empty lines in some regions.
+/^ *[0-9]+\| *[0-9.]+[kMGTPE]?\| *$/ { next }
 /^ *[0-9]+\| *[0-9.]+[kMGTPE]?\|/ {
     split($0, part, "|")
     here = part[1] + 0

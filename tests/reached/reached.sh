@@ -53,8 +53,9 @@ tests() {
             echo "property-tests --seed $seed --trials 100"
             echo "parity --seed $seed --scenes 735"
         done
+        echo "parity --class sample-shading --scenes 300"
         ;;
-    basic) echo "hashes --scenes 0 --basic 980" ;;
+    basic) echo "hashes --scenes 0 --basic 980 --mathematics 30" ;;
     *)
         echo "parity --seed 1 --scenes 490"
         echo "blits --blits 330"

@@ -21,7 +21,8 @@ int other(int a)
 }
 END
 
-# shown COUNT-OF-LINE-4 TRUE FALSE PAIR: one build, in which line 10 is a folded branch.
+# shown COUNT-OF-LINE-4 TRUE FALSE PAIR: one build, in which line 10 is a folded branch and the empty
+# line 7 has a count.
 shown() {
     cat <<END
 $work/src/math/a.c:
@@ -40,7 +41,7 @@ $work/src/math/a.c:
     4|      $1|        return 1;
     5|  1.50k|    return 2;
     6|     10|}
-    7|       |
+    7|      0|
     8|       |int other(int a)
     9|     10|{
    10|     10|    return a ? 3 : 4;

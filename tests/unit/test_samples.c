@@ -302,6 +302,36 @@ static void alpha_covers_samples_of_other_colors(void **state)
     colors_written = 0;
 }
 
+/* Without a fragment shader there is no alpha, and all samples stay. */
+static void depths_alone_have_no_alpha(void **state)
+{
+    (void)state;
+    static unsigned char memory[GN_WORKSPACE_SIZE(4, GN_SHADER_VARYINGS)];
+    static const float square[8] = {-1, -1, 1, -1, -1, 1, 1, 1};
+    const gn_mesh mesh = {
+        .attribute = {[GN_ATTRIBUTE_POSITION] = {.data = square, .components = 2}},
+        .vertex_count = 4,
+        .count = 4};
+    gn_workspace workspace = {.memory = memory, .size = sizeof memory};
+    gn_target t = sampled_target();
+    gn_color_uniforms uniforms;
+    gn_pipeline pipeline;
+
+    memset(&pipeline, 0, sizeof pipeline);
+    memset(&t.color[0], 0, sizeof t.color[0]);
+    gn_mat4_identity(&uniforms.clip_from_model);
+    assert_int_equal(gn_use_depth_only(&pipeline, &uniforms), GN_OK);
+    assert_int_equal(gn_clear_depth(&t.depth, 1.0f), GN_OK);
+    pipeline.raster.topology = GN_TRIANGLE_STRIP;
+    pipeline.depth.test = true;
+    pipeline.samples.alpha_to_coverage = true;
+    pipeline.samples.shading = true;
+    pipeline.samples.least_shading = 1.0f;
+    assert_int_equal(gn_draw(&t, &pipeline, &mesh, &workspace), GN_OK);
+    for (int i = 0; i < GN_SAMPLES * PIXELS; ++i)
+        assert_true(depths[i] == 0.5f);
+}
+
 /* The sample planes in any order in memory, and rows of the samples side by side. */
 static void strides_of_samples_are_free(void **state)
 {
@@ -437,6 +467,7 @@ int main(void)
         cmocka_unit_test(long_rows_do_not_overlap),
         cmocka_unit_test(clears_fill_every_sample),
         cmocka_unit_test(coverage_is_of_samples),
+        cmocka_unit_test(depths_alone_have_no_alpha),
         cmocka_unit_test(strides_of_samples_are_free),
         cmocka_unit_test(resolving_averages),
         cmocka_unit_test(masks_are_of_samples),
