@@ -189,9 +189,10 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  * - every line has the pixel it begins in, one pixel in each column or row, and not the pixel it
  *   ends in, so that a strip has every joint; a point of size 1 at the last vertex adds that pixel;
  * - a line that leads to the right, or up if it is longer along y, has the pixels nearest to the
- *   line between the centres (Bresenham's line); of two that are equally near it has the one on its
- *   left-hand side. A line that leads the other way has pixels at most 1/256 pixel farther away
- *   than the nearest.
+ *   line between the centres (Bresenham's line). Of two that are equally near, a line that is
+ *   longer along y has the left one; any other line has the upper one if it rises and the lower one
+ *   if it falls. A line that leads the other way has pixels at most 1/256 pixel farther away than
+ *   the nearest.
  * This placement needs window coordinates that are off by less than 1/1024 pixel, as they are with
  * gn_orthographic_rh_no(0, width, 0, height, ...) in targets of up to 4,096 pixels a side.
  *

@@ -95,15 +95,16 @@ static int steps_between(place a, place b)
     return is_x_major(a, b) ? magnitude(a.x - b.x) : magnitude(a.y - b.y);
 }
 
-/* The pixel nearest to the line after `step` steps; of two equally near, the one to the left of the
- * line. */
+/* The pixel nearest to the line after `step` steps. Of two that are equally near, a line that is
+ * longer along y has the left one; any other line has the upper one if it rises and the lower one if
+ * it falls. */
 static place nearest_pixel(place a, place b, int step)
 {
     const int n = steps_between(a, b), dx = b.x - a.x, dy = b.y - a.y;
     const bool x_major = is_x_major(a, b);
-    const int to_left = x_major && (dx > 0) == (dy > 0) ? 1 : -1;
+    const int upwards = x_major && (dx > 0) == (dy > 0) ? 1 : -1;
     const double across = (double)step * (x_major ? dy : dx) / n;
-    const int nearest = (int)(to_left > 0 ? floor(across + 0.5) : ceil(across - 0.5));
+    const int nearest = (int)(upwards > 0 ? floor(across + 0.5) : ceil(across - 0.5));
     const place p = {a.x + (x_major ? (dx > 0 ? step : -step) : nearest),
                      a.y + (x_major ? nearest : (dy > 0 ? step : -step))};
 
