@@ -21,7 +21,8 @@ failure failure_of(const comparer *c, const comparison *r)
         return (failure){FAILURE_THREADS, GN_OK, GN_BACKEND_AUTO};
     if (r->reference.counts_differ && r->reference.pixels == 1)
         return (failure){FAILURE_COUNT, GN_OK, GN_BACKEND_AUTO};
-    return (failure){FAILURE_PIXELS, GN_OK, GN_BACKEND_AUTO};
+    return (failure){r->reference.coverage_pixels > 0 ? FAILURE_COVERAGE : FAILURE_PIXELS, GN_OK,
+                     GN_BACKEND_AUTO};
 }
 
 /* The failure that a smaller scene must show. */

@@ -10,7 +10,8 @@ typedef enum failure_kind {
     FAILURE_BACKENDS, /* pixels depend on the back end or the workspace */
     FAILURE_THREADS,  /* pixels depend on threads */
     FAILURE_COUNT,    /* the reference counts differently; the pixels are equal */
-    FAILURE_PIXELS    /* pixels differ from the reference's */
+    FAILURE_COVERAGE, /* other pixels are drawn on than the reference's */
+    FAILURE_PIXELS    /* the values of pixels differ from the reference's */
 } failure_kind;
 
 /* If a scene fails in several ways, the result is the first in the order of the enumeration. */

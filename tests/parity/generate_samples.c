@@ -150,11 +150,74 @@ static void random_sample_state(random_source *r, scene_draw *d)
                               !p->program.fragment_writes_sample_mask;
 }
 
+/* Whether the position has components in all of which clip space is linear, so that w is a
+ * component of the data. */
+static bool has_own_w(const scene_draw *d)
+{
+    const gn_mat4 *const m = &d->uniforms.light.clip_from_model;
+    const gn_attribute *const position = &d->mesh.attribute[GN_ATTRIBUTE_POSITION];
+    return position->components == 4 && (position->stride == 0 || position->stride == 16) &&
+           m->m[0][3] == 0.0f && m->m[1][3] == 0.0f && m->m[2][3] == 0.0f && m->m[3][3] == 1.0f;
+}
+
+/* Whether all vertices are well inside the view volume. */
+static bool is_unclipped(const scene_draw *d)
+{
+    const gn_mat4 *const m = &d->uniforms.light.clip_from_model;
+    const gn_attribute *const a = &d->mesh.attribute[GN_ATTRIBUTE_POSITION];
+    const uint32_t stride = a->stride ? a->stride / 4 : a->components;
+    const double near = d->state.depth.clip_depth == GN_ZERO_TO_ONE ? 0.001 : -0.999;
+    bool inside = a->data && d->state.program.clip_distance_count == 0;
+    for (uint32_t v = 0; v < d->mesh.vertex_count && inside; ++v) {
+        const float *const p = a->data + (size_t)v * stride;
+        double clip[4];
+        for (int c = 0; c < 4; ++c) {
+            clip[c] = a->components < 4 ? (double)m->m[3][c] : 0.0;
+            for (uint32_t i = 0; i < a->components; ++i)
+                clip[c] += (double)m->m[i][c] * (double)p[i];
+        }
+        for (int c = 0; c < 3; ++c)
+            inside = inside && fabs(clip[c]) < 0.999 * clip[3];
+        inside = inside && clip[2] > near * clip[3];
+    }
+    return inside;
+}
+
+/* Makes all w 1, and divides by them those that are greater than 0. */
+static void level_w(scene_draw *d)
+{
+    float *p = (float *)d->mesh.attribute[GN_ATTRIBUTE_POSITION].data;
+    for (uint32_t v = 0; v < d->mesh.vertex_count; ++v, p += 4) {
+        for (int c = 0; c < 3 && p[3] > 1e-6f; ++c)
+            p[c] = p[c] / p[3];
+        p[3] = 1.0f;
+    }
+}
+
+/* Sees to it that the reference draws smooth varyings as OpenGL says (osmesa/locations.c): where it
+ * must be asked in another way, nothing may be clipped; where it cannot be asked so, or something
+ * is clipped, all w must be equal. */
+static void make_w_harmless(scene_draw *d)
+{
+    const bool has_twin = d->shader == SCENE_VERTEX_COLOR || d->shader == SCENE_DERIVATIVES ||
+                          d->shader == SCENE_INPUTS;
+    if (!scene_draw_is_located(d) || scene_draw_has_one_w(d) || (has_twin && is_unclipped(d)))
+        return;
+    if (has_own_w(d)) {
+        level_w(d);
+        return;
+    }
+    d->state.samples.least_shading = 0.0f;
+    for (int c = 0; c < 4; ++c)
+        d->state.program.location[c] = GN_AT_CENTER;
+}
+
 void make_sampled(random_source *r, scene *s)
 {
     s->samples = GN_SAMPLES;
     for (size_t i = 0; i < s->draw_count; ++i) {
         avoid_defects(r, s, &s->draws[i]);
+        make_w_harmless(&s->draws[i]); /* lines that were moved have other w */
         if (random_chance(r, 50))
             random_sample_state(r, &s->draws[i]);
     }
@@ -220,68 +283,6 @@ static bool hides_varyings(const gn_program *p)
 {
     return p->fragment_reads_point_coordinate && p->fragment_reads_position &&
            !p->fragment_discards && !p->fragment_writes_depth;
-}
-
-/* Whether the position has components in all of which clip space is linear, so that w is a
- * component of the data. */
-static bool has_own_w(const scene_draw *d)
-{
-    const gn_mat4 *const m = &d->uniforms.light.clip_from_model;
-    const gn_attribute *const position = &d->mesh.attribute[GN_ATTRIBUTE_POSITION];
-    return position->components == 4 && (position->stride == 0 || position->stride == 16) &&
-           m->m[0][3] == 0.0f && m->m[1][3] == 0.0f && m->m[2][3] == 0.0f && m->m[3][3] == 1.0f;
-}
-
-/* Whether all vertices are well inside the view volume. */
-static bool is_unclipped(const scene_draw *d)
-{
-    const gn_mat4 *const m = &d->uniforms.light.clip_from_model;
-    const gn_attribute *const a = &d->mesh.attribute[GN_ATTRIBUTE_POSITION];
-    const uint32_t stride = a->stride ? a->stride / 4 : a->components;
-    const double near = d->state.depth.clip_depth == GN_ZERO_TO_ONE ? 0.001 : -0.999;
-    bool inside = a->data && d->state.program.clip_distance_count == 0;
-    for (uint32_t v = 0; v < d->mesh.vertex_count && inside; ++v) {
-        const float *const p = a->data + (size_t)v * stride;
-        double clip[4];
-        for (int c = 0; c < 4; ++c) {
-            clip[c] = a->components < 4 ? (double)m->m[3][c] : 0.0;
-            for (uint32_t i = 0; i < a->components; ++i)
-                clip[c] += (double)m->m[i][c] * (double)p[i];
-        }
-        for (int c = 0; c < 3; ++c)
-            inside = inside && fabs(clip[c]) < 0.999 * clip[3];
-        inside = inside && clip[2] > near * clip[3];
-    }
-    return inside;
-}
-
-/* Makes all w 1, and divides by them those that are greater than 0. */
-static void level_w(scene_draw *d)
-{
-    float *p = (float *)d->mesh.attribute[GN_ATTRIBUTE_POSITION].data;
-    for (uint32_t v = 0; v < d->mesh.vertex_count; ++v, p += 4) {
-        for (int c = 0; c < 3 && p[3] > 1e-6f; ++c)
-            p[c] = p[c] / p[3];
-        p[3] = 1.0f;
-    }
-}
-
-/* Sees to it that the reference draws smooth varyings as OpenGL says (osmesa/locations.c): where it
- * must be asked in another way, nothing may be clipped; where it cannot be asked so, or something
- * is clipped, all w must be equal. */
-static void make_w_harmless(scene_draw *d)
-{
-    const bool has_twin = d->shader == SCENE_VERTEX_COLOR || d->shader == SCENE_DERIVATIVES ||
-                          d->shader == SCENE_INPUTS;
-    if (!scene_draw_is_located(d) || scene_draw_has_one_w(d) || (has_twin && is_unclipped(d)))
-        return;
-    if (has_own_w(d)) {
-        level_w(d);
-        return;
-    }
-    d->state.samples.least_shading = 0.0f;
-    for (int c = 0; c < 4; ++c)
-        d->state.program.location[c] = GN_AT_CENTER;
 }
 
 void random_sample_shading(random_source *r, scene_draw *d)
