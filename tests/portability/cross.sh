@@ -311,7 +311,7 @@ trap 'rm -rf "$work"' EXIT
 # A test of the mathematics for every function, so that none is forgotten.
 forgotten=$(sed -nE 's/^(GN_API|static inline) .*[ *](gn_[a-z0-9_]+)\(.*/\2/p' \
     $(ls include/gnomon/*.h | grep -v -E \
-        '/(api|backend|blit|derivatives|draw|parallel|pipeline|sampling|shader_types|shader_loop|shader_functions|shaders|status|surface|texture)\.h$') |
+        '/(api|backend|blit|derivatives|draw|parallel|pipeline|sampling|shader_types|shader_loop|shader_functions|shaders|status|surface|texture|version)\.h$') |
     grep -v '_$' | sort -u | while read -r function; do
     grep -q -w "$function" tests/portability/mathematics.c || echo "$function"
 done)
