@@ -118,6 +118,7 @@ test-steps:
 		'command, transform=$(BUILD)/test_transform_command $(BUILD)/gnomon' \
 		'teapot=$(BUILD)/test_teapot' \
 		'lessons=tests/examples/lessons.sh $(BUILD) $(TEST_SEED)' \
+		'from your course to Gnomon=tests/examples/course.sh $(BUILD)' \
 		'lessons beside the reference=tests/examples/beside_reference.sh $(BUILD)' \
 		'lesson on a microcontroller=tests/examples/microcontroller.sh $(BUILD)' \
 		'lessons$(comma) files=tests/examples/files.sh $(BUILD)' \
