@@ -1,5 +1,5 @@
 /* What the programs in tools/examples/from_your_course.md may use beside the library: functions
- * that print numbers as the page shows them, and a draw of one triangle. */
+ * that print numbers as the page shows them, and a draw of two triangles. */
 #ifndef COURSE_H
 #define COURSE_H
 
