@@ -88,6 +88,7 @@ failed=0
 mkdir -p "$work/corpus" "$work/log" "$found"
 # Memory that OSMesa keeps is no leak of ours.
 export LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0
+export ASAN_OPTIONS=intercept_tls_get_addr=0 # tests/steps.mk says why
 export UBSAN_OPTIONS=print_stacktrace=1
 
 # Libraries that these targets call are not instrumented, and MemorySanitizer would take what they
@@ -184,7 +185,7 @@ run_afl() { # run_afl TARGET
     for folder in $(seeds "$1") "$work/corpus/$1"; do
         [ ! -d "$folder" ] || find "$folder" -type f -size -9 -exec cp {} "$start/" \;
     done
-    env -u LSAN_OPTIONS -u UBSAN_OPTIONS AFL_SKIP_CPUFREQ=1 AFL_NO_AFFINITY=1 AFL_NO_UI=1 AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_QUIET=1 \
+    env -u ASAN_OPTIONS -u LSAN_OPTIONS -u UBSAN_OPTIONS AFL_SKIP_CPUFREQ=1 AFL_NO_AFFINITY=1 AFL_NO_UI=1 AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_QUIET=1 \
         AFL_SKIP_CRASHES=1 AFL_FORKSRV_INIT_TMOUT=60000 afl-fuzz -V "$seconds" -s "$seed" -t 20000+ -m none \
         -i "$start" -o "$out" -G "$(longest "$1")" $(dictionary '-x ' "$1") -- "$work/afl/fuzz-$1" >"$log" 2>&1
     status=$?

@@ -146,6 +146,15 @@ int new_files(void)
     return count;
 }
 
+bool little_memory_works(void)
+{
+    run r = gnomon("--version");
+    if (strstr(r.out, "--import-memory limits nothing") == NULL)
+        return true;
+    print_message("without limits of memory: %s", r.out);
+    return false;
+}
+
 int lines(const char *text)
 {
     int count = 0;

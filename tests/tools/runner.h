@@ -40,6 +40,10 @@ run shell(const char *line);
 
 int lines(const char *text);
 
+/* Returns whether the command can be tested with little memory. Says so if it cannot, because it
+ * was built with AddressSanitizer; the plain build is tested then. */
+bool little_memory_works(void);
+
 /* Runs gnomon and fails unless all of this holds: it ends with this status; it prints one line on
  * standard error that begins with gnomon and holds both texts; it prints nothing on standard
  * output; it leaves no new file. */

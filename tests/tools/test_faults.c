@@ -421,6 +421,8 @@ static void short_memory_is_said(void **state)
 {
     int least = 16;
     (void)state;
+    if (!little_memory_works())
+        return;
     for (; least < 4096; least += 16) {
         char line[160];
         snprintf(line, sizeof line, "ulimit -v %d; exec \"$GNOMON\" --help", 1024 * least);

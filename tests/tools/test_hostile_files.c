@@ -255,8 +255,10 @@ static void time_is_limited(void **state)
            "--import-seconds 1",
            "skin.obj: cannot be imported: it takes longer than --import-seconds 1",
            "over 'black.png'");
-    expect(1, "render skin.obj -o a.png --map-pixels 256 --import-output 2000 --import-memory 200",
-           "black.png", "not enough memory");
+    if (little_memory_works())
+        expect(1,
+               "render skin.obj -o a.png --map-pixels 256 --import-output 2000 --import-memory 200",
+               "black.png", "not enough memory");
 }
 
 static void write_grid(const char *name, int size)
@@ -293,7 +295,8 @@ static void limits_are_raised(void **state)
     r = gnomon("render grid.obj -o a.png --size 8x8 --import-output 3");
     assert_int_equal(r.status, 0);
     remove_file("a.png");
-    expect(1, "render grid.obj -o a.png --import-memory 4", "grid.obj", "--import-memory");
+    if (little_memory_works())
+        expect(1, "render grid.obj -o a.png --import-memory 4", "grid.obj", "--import-memory");
     r = gnomon("render grid.obj -o a.png --size 8x8 --import-memory 200");
     assert_int_equal(r.status, 0);
     remove_file("a.png");

@@ -75,6 +75,21 @@ static void handle_crashes(void)
         sigaction(numbers[i], &action, NULL);
 }
 
+bool confined_limits_memory(void)
+{
+#if defined(__SANITIZE_ADDRESS__)
+    return false;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+    return false;
+#else
+    return true;
+#endif
+#else
+    return true;
+#endif
+}
+
 /* Lowers a limit; a lower limit stays. */
 static void set_limit(int which, rlim_t most)
 {
@@ -121,7 +136,8 @@ static void confine(const import_limits *limits)
     set_limit(RLIMIT_FSIZE, 0);
     set_limit(RLIMIT_NOFILE, OPEN_FILES);
     set_limit(RLIMIT_CPU, (rlim_t)limits->seconds + 1);
-    set_limit(RLIMIT_AS, address_space() + ((rlim_t)limits->memory << 20));
+    if (confined_limits_memory())
+        set_limit(RLIMIT_AS, address_space() + ((rlim_t)limits->memory << 20));
 }
 
 /* What is read, and how much of it is allowed. */

@@ -21,4 +21,9 @@ typedef bool confined_receive(handover *h, const char *text, void *result);
 int confined_run(const char *path, const import_limits *limits, confined_work *work,
                  const void *context, confined_receive *receive, void *result);
 
+/* Whether the limit of memory holds. It does not with AddressSanitizer, which reserves terabytes of
+ * address space for itself. If it cannot map more, it ends the process or waits for ever, where
+ * malloc would return null. */
+bool confined_limits_memory(void);
+
 #endif

@@ -10,6 +10,7 @@
 #include <gnomon.h>
 
 #include "command.h"
+#include "confined.h"
 #include "report.h"
 
 static const char overview[] =
@@ -66,12 +67,15 @@ static void explain_abort(int number)
     _exit(EXIT_FAULT);
 }
 
-/* The library's own number, and the back end that draws if no option names one. */
+/* The library's own number, the back end that draws if no option names one, and what does not hold
+ * in this build. */
 static int print_version(void)
 {
     const unsigned int version = gn_version();
     printf("gnomon %u.%u.%u, back end %s\n", version / 1000000, version / 1000 % 1000,
            version % 1000, gn_backend_name(gn_backend_best()));
+    if (!confined_limits_memory())
+        puts("built with AddressSanitizer: --import-memory limits nothing");
     return finish_output(0);
 }
 
