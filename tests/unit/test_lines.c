@@ -96,8 +96,8 @@ static int steps_between(place a, place b)
 }
 
 /* The pixel nearest to the line after `step` steps. Of two that are equally near, a line that is
- * longer along y has the left one; any other line has the upper one if it rises and the lower one if
- * it falls. */
+ * longer along y has the left one; any other line has the upper one if it rises and the lower one
+ * if it falls. */
 static place nearest_pixel(place a, place b, int step)
 {
     const int n = steps_between(a, b), dx = b.x - a.x, dy = b.y - a.y;
