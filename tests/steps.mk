@@ -3,9 +3,9 @@
 # files of its own, and one processor if it can choose. Random tests run from TEST_SEED and again
 # from FRESH_SEED, the time, so that every run draws new cases. In continuous integration (CI) there
 # is no FRESH_SEED, so that what passes once passes again.
-# `make whole` also runs what compiles the back ends again: other compilers and levels of
-# optimisation, every back end through CMake, most other machines. `make parity` and
-# `make parity-emulated` draw five to forty times as many scenes.
+# `make whole` also tests the command under the sanitizers, and runs what compiles the back ends
+# again: other compilers and levels of optimisation, every back end through CMake, most other
+# machines. `make parity` and `make parity-emulated` draw five to forty times as many scenes.
 
 TEST_SEED ?= 1
 ifndef CI
@@ -45,7 +45,7 @@ test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends
 	@$(MAKE) --no-print-directory test-steps
 
 .PHONY: whole
-whole: ## test, then what it leaves out: all of cross, size, check-freestanding, check-embedding
+whole: ## test, then what it leaves out: all of cross, size, check-freestanding, check-embedding; the sanitized command
 	@$(MAKE) --no-print-directory test WHOLE=yes
 
 ifdef WHOLE
