@@ -168,6 +168,7 @@ endif
 
 include tests/programs.mk
 include tests/lessons.mk
+include tools/python/python.mk
 
 # Targets for people to run
 

@@ -40,7 +40,7 @@ sanitized: ## the test programs under the sanitizers, in build/sanitized
 test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends with "N passed, N failed[, N skipped]"
 	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(LESSON_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/bench-states $(BUILD)/test-lanes $(BUILD)/hashes \
-		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/distance $(EMULATED_PARITY)
+		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/distance $(EMULATED_PARITY) python-parts
 	@$(MAKE) --no-print-directory sanitized
 	@$(MAKE) --no-print-directory test-steps
 
@@ -82,6 +82,7 @@ test-steps:
 		'embedding=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD) $(ALL)' \
 		'C++=tests/embed/cplusplus.sh $(BUILD)' \
 		'examples of shaders=tests/embed/shader_examples.sh $(BUILD)' \
+		'Python=tests/embed/python.sh $(BUILD)' \
 		'parity through EGL=tests/parity/egl.sh $(BUILD) --seed $(TEST_SEED) --scenes 330' \
 		'blits=$(BUILD)/blits --seed $(TEST_SEED) --blits 2310' \
 		'distance$(comma) pinned beside pinned=$(BUILD)/distance --self-test --scenes 110 --seed $(TEST_SEED)' \

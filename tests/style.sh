@@ -20,7 +20,7 @@ done
 [ -n "$format" ] || skip "style: layout is not looked at, since clang-format 14 is absent: 'make setup' installs it"
 
 # Writes all files as they should be to a directory of their own.
-files=$(find include src reference tests tools -name '*.c' -o -name '*.h' -o -name '*.cpp' | sort)
+files=$(find include src reference tests tools -name '*.c' -o -name '*.h' -o -name '*.cpp' | grep -v '^tools/python/build/' | sort)
 dirname $files | sort -u | sed "s|^|$work/|" | xargs mkdir -p
 # libtheft's header may come from the system.
 own=$(printf '%s\n' $files | sed -n '/^include/d; /\/theft\.h$/d; s|.*/\(.*\.h\)$|\1|p' | sort -u | tr '\n' ' ')

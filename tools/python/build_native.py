@@ -1,0 +1,79 @@
+"""Builds the module gnomon._native: all functions of the public headers, and views.h.
+
+cffi needs the declarations as plain text. They are taken from the headers: the C compiler expands
+the macros, with empty system headers, and what remains apart from declarations is removed here.
+"""
+
+import os
+import re
+import subprocess
+import tempfile
+from pathlib import Path
+
+from cffi import FFI
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+SYSTEM_HEADERS = ("stdint.h", "stddef.h", "stdbool.h", "limits.h", "float.h", "math.h", "string.h")
+
+
+def without_bodies(text: str) -> str:
+    """Removes functions with bodies: inline functions of the headers."""
+    kept, at = [], 0
+    for start in re.finditer(r"static inline[^;{]*\{", text):
+        if start.start() < at:
+            continue
+        kept.append(text[at : start.start()])
+        depth, at = 1, start.end()
+        while depth:
+            depth += {"{": 1, "}": -1}.get(text[at], 0)
+            at += 1
+    return "".join(kept) + text[at:]
+
+
+def declarations() -> str:
+    """Returns the declarations of the public headers."""
+    with tempfile.TemporaryDirectory() as empty:
+        for name in SYSTEM_HEADERS:
+            Path(empty, name).touch()
+        text = subprocess.run(
+            [os.environ.get("CC", "cc"), "-E", "-P", "-nostdinc", f"-I{empty}"]
+            + [f"-I{ROOT / 'include'}", str(ROOT / "include/gnomon.h")],
+            check=True,
+            capture_output=True,
+            text=True,
+        ).stdout
+    text = re.sub(r"__attribute__\s*\(\((?:[^()]|\([^()]*\))*\)\)", "", text)
+    text = re.sub(r"\b_Bool\b", "bool", text)
+    text = re.sub(r"^.*\b__builtin_.*$", "", text, flags=re.MULTILINE)
+    return without_shader_arguments(without_bodies(text))
+
+
+def without_shader_arguments(text: str) -> str:
+    """Hides the members of structures with pointers to arrays, which cffi cannot write in C."""
+    structure = re.compile(r"typedef struct (\w+) \{([^{}]*)\} \1;")
+    return structure.sub(
+        lambda s: f"typedef struct {s[1]} {s[1]};" if "(*" in s[2] else s[0], text
+    )
+
+
+def views() -> str:
+    """Returns the declarations of views.h."""
+    text = (HERE / "src/gnomon/views.h").read_text()
+    return text.split("/* cffi begins */")[1].split("/* cffi ends */")[0]
+
+
+ffibuilder = FFI()
+ffibuilder.cdef(declarations() + views())
+ffibuilder.set_source(
+    "gnomon._native",
+    '#include "views.h"\n',
+    sources=[str(HERE / "src/gnomon/views.c"), str(ROOT / "tools/threads/pool.c")],
+    define_macros=[("_POSIX_C_SOURCE", "200809L")],
+    extra_compile_args=["-std=c11", "-O2", "-ffp-contract=off", "-fno-fast-math", "-pthread"],
+    extra_link_args=["-pthread"],
+    py_limited_api=True,
+)
+
+if __name__ == "__main__":
+    print(declarations() + views())
