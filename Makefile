@@ -59,7 +59,7 @@ all: library $(BUILD)/gnomon
 
 .PHONY: help
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' Makefile tests/longer.mk tests/steps.mk
+	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' Makefile tools/packaging/packaging.mk tests/longer.mk tests/steps.mk
 
 .PHONY: setup
 setup: ## install what building and testing need (Debian, as root)
@@ -251,6 +251,8 @@ include tests/longer.mk
 include tests/steps.mk
 
 # Installation
+
+include tools/packaging/packaging.mk
 
 .PHONY: install
 install: library ## headers, library and pkg-config file: PREFIX=/usr/local DESTDIR=

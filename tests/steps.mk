@@ -81,6 +81,7 @@ test-steps:
 		'freestanding=tests/portability/freestanding.sh $(BUILD) $(ALL)' \
 		'embedding=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD) $(ALL)' \
 		'C++=tests/embed/cplusplus.sh $(BUILD)' \
+		'amalgamation=tests/embed/amalgamation.sh $(BUILD) $(ALL)' \
 		'examples of shaders=tests/embed/shader_examples.sh $(BUILD)' \
 		'Python=tests/embed/python.sh $(BUILD)' \
 		'parity through EGL=tests/parity/egl.sh $(BUILD) --seed $(TEST_SEED) --scenes 330' \
