@@ -9,9 +9,10 @@ PKG_CONFIG ?= pkg-config
 CFLAGS ?= -O3 -g1
 PREFIX ?= /usr/local
 # "0 1 0", from the public header.
-VERSION_PARTS := $(shell sed -n 's/^.define GN_VERSION_[A-Z]* \([0-9]\)/\1/p' include/gnomon/version.h)
+VERSION_PARTS := $(shell sed -n 's/^.define GN_VERSION_[A-Z]* \([0-9][0-9]*\)$$/\1/p' include/gnomon/version.h)
 VERSION = $(subst $(space),.,$(VERSION_PARTS))
-SONAME = libgnomon.so.$(firstword $(VERSION_PARTS))
+# Versions with one SONAME have one interface. Before 1.0 minor versions may change it (version.h).
+SONAME = libgnomon.so.$(if $(filter 0,$(firstword $(VERSION_PARTS))),0.)$(word $(if $(filter 0,$(firstword $(VERSION_PARTS))),2,1),$(VERSION_PARTS))
 BUILD ?= build
 
 MACHINE := $(firstword $(subst -, ,$(shell $(CC) -dumpmachine 2>/dev/null)))
@@ -250,29 +251,9 @@ include tests/longer.mk
 
 include tests/steps.mk
 
-# Installation
+# Amalgamation, installation, packages
 
 include tools/packaging/packaging.mk
-
-.PHONY: install
-install: library ## headers, library and pkg-config file: PREFIX=/usr/local DESTDIR=
-	@install -d $(DESTDIR)$(PREFIX)/include/gnomon $(DESTDIR)$(PREFIX)/lib/pkgconfig
-	@install -m 644 include/gnomon.h $(DESTDIR)$(PREFIX)/include/
-	@install -m 644 include/gnomon/*.h $(DESTDIR)$(PREFIX)/include/gnomon/
-	@install -m 644 $(BUILD)/libgnomon.a $(DESTDIR)$(PREFIX)/lib/
-	@install -m 755 $(BUILD)/libgnomon.so $(DESTDIR)$(PREFIX)/lib/$(SONAME)
-	@ln -sf $(SONAME) $(DESTDIR)$(PREFIX)/lib/libgnomon.so
-	@printf 'prefix=%s\nName: Gnomon\nDescription: 3D mathematics and software rendering\nVersion: $(VERSION)\nCflags: -I$${prefix}/include\nLibs: -L$${prefix}/lib -lgnomon\n' \
-		'$(PREFIX)' >$(DESTDIR)$(PREFIX)/lib/pkgconfig/gnomon.pc
-
-.PHONY: install-command
-install-command: $(BUILD)/gnomon ## the command, its man page and completions: PREFIX=/usr/local DESTDIR=
-	@install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/man/man1 \
-		$(DESTDIR)$(PREFIX)/share/bash-completion/completions $(DESTDIR)$(PREFIX)/share/zsh/site-functions
-	@install -m 755 $(BUILD)/gnomon $(DESTDIR)$(PREFIX)/bin/
-	@install -m 644 tools/gnomon/gnomon.1 $(DESTDIR)$(PREFIX)/share/man/man1/
-	@install -m 644 tools/gnomon/completion/gnomon.bash $(DESTDIR)$(PREFIX)/share/bash-completion/completions/gnomon
-	@install -m 644 tools/gnomon/completion/_gnomon $(DESTDIR)$(PREFIX)/share/zsh/site-functions/
 
 .PHONY: format
 format: ## write all C files in the project's style

@@ -80,6 +80,7 @@ test-steps:
 		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 275 --keep $(BUILD)/sanitized-failure.scene' \
 		'freestanding=tests/portability/freestanding.sh $(BUILD) $(ALL)' \
 		'embedding=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD) $(ALL)' \
+		'installing=tests/embed/install.sh $(BUILD)' \
 		'C++=tests/embed/cplusplus.sh $(BUILD)' \
 		'amalgamation=tests/embed/amalgamation.sh $(BUILD) $(ALL)' \
 		'examples of shaders=tests/embed/shader_examples.sh $(BUILD)' \

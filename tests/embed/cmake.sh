@@ -39,6 +39,27 @@ try package "find_package(gnomon 0.1 REQUIRED)" -DCMAKE_PREFIX_PATH="$directory/
 passed=2
 failed=0
 
+# Make installs the library of the same version under the same names, and equal texts.
+MAKEFLAGS='' make -s install-library BUILD="$1" PREFIX="$directory/installed" DESTDIR="$directory/by-make"
+files() {
+    (cd "$1" && find . ! -type d ! -name libgnomon.a | LC_ALL=C sort)
+}
+texts=0
+files "$directory/installed" >"$directory/by-cmake.txt"
+if files "$directory/by-make$directory/installed" | diff "$directory/by-cmake.txt" -; then
+    passed=$((passed + 1))
+else
+    failed=$((failed + 1))
+fi
+for file in $(grep -v 'libgnomon' "$directory/by-cmake.txt"); do
+    if cmp "$directory/installed/$file" "$directory/by-make$directory/installed/$file"; then
+        texts=$((texts + 1))
+    else
+        failed=$((failed + 1))
+    fi
+done
+echo "CMake: make installs the same $(wc -l <"$directory/by-cmake.txt") files, $texts equal texts"
+
 # Checks the level of optimisation that a file is compiled with. If no one asks for a level, the
 # library is optimised, and the user's files are compiled as the user says.
 levels() { # levels NAME FILE EXPECTED SOURCE FLAGS...

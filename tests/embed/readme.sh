@@ -28,7 +28,7 @@ echo "README's program: $lines lines, \"$message\", $size bytes, $colors colours
 # Checks that a program finds the installed library through pkg-config.
 prefix=$(cd "$directory" && pwd)/installed
 rm -rf "$prefix"
-make -s install BUILD="$1" PREFIX="$prefix"
+make -s install-library BUILD="$1" PREFIX="$prefix"
 if command -v pkg-config >/dev/null; then
     flags=$(PKG_CONFIG_PATH=$prefix/lib/pkgconfig pkg-config --cflags --libs gnomon)
 else

@@ -83,7 +83,7 @@ build_base() {
         LIBRARY_LEVEL="$library_level" build/libgnomon.so $programs) >"$work/build.log" 2>&1 ||
         { tail -n 20 "$work/build.log" >&2; fail "the tests cannot be built"; }
     # Programs find the library beside them, so that a mutant needs no new programs.
-    ln -sf libgnomon.so "$base/build/libgnomon.so.0"
+    ln -sf libgnomon.so "$base/build/$(objdump -p "$base/build/libgnomon.so" | awk '$1 == "SONAME" { print $2 }')"
     for program in $(programs); do
         (cd "$base" && eval "$(link_command "$program") -o build/$program") || fail "$program cannot be linked"
     done

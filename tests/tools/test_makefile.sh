@@ -6,9 +6,10 @@ set -u
 export MAKEFLAGS= # not those of the make that runs this
 directory=$(mktemp -d)
 trap 'rm -rf "$directory"' EXIT
-mkdir -p "$directory/src" "$directory/tests"
+mkdir -p "$directory/src" "$directory/tests" "$directory/tools/packaging"
 cp -r Makefile include "$directory/"
 cp tests/*.mk "$directory/tests/"
+cp tools/packaging/*.mk "$directory/tools/packaging/"
 mkdir "$directory/tests/fuzz"
 cp tests/fuzz/fuzz.mk "$directory/tests/fuzz/"
 cp -r src/config src/scalars "$directory/src/"

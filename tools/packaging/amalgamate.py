@@ -431,6 +431,11 @@ COMPOSED = """\
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
+/* g++ warns of the undefined operands in its own header of AVX-512 (GCC's bug 105593). */
+#if defined(__GNUC__) && defined(__cplusplus) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 
 {shared}
 #if GN_HAVE_AVX2

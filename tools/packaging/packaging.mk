@@ -8,3 +8,70 @@ amalgamation: $(BUILD)/amalgamation/gnomon.c ## the library as two files, build/
 
 $(BUILD)/amalgamation/gnomon.c: tools/packaging/amalgamate.py $(AMALGAMATION_TEXTS)
 	@python3 tools/packaging/amalgamate.py $(@D)
+
+# Installation. A file is MODE:SOURCE:DESTINATION, a link TARGET:NAME. `make uninstall` removes these
+# and no others. CMakeLists.txt installs the library's files from the templates, with equal content.
+
+LIBDIR ?= $(PREFIX)/lib
+INCLUDEDIR ?= $(PREFIX)/include
+BINDIR ?= $(PREFIX)/bin
+DATADIR ?= $(PREFIX)/share
+MANDIR ?= $(DATADIR)/man
+CMAKEDIR = $(LIBDIR)/cmake/gnomon
+
+PACKAGE_FILES = $(addprefix $(BUILD)/package/,gnomon.pc gnomon-config.cmake gnomon-config-version.cmake)
+
+LIBRARY_FILES = $(foreach header,$(sort $(wildcard include/*.h include/gnomon/*.h)),644:$(header):$(INCLUDEDIR)/$(header:include/%=%)) \
+	644:$(BUILD)/libgnomon.a:$(LIBDIR)/libgnomon.a \
+	755:$(BUILD)/libgnomon.so:$(LIBDIR)/libgnomon.so.$(VERSION) \
+	644:$(BUILD)/package/gnomon.pc:$(LIBDIR)/pkgconfig/gnomon.pc \
+	644:$(BUILD)/package/gnomon-config.cmake:$(CMAKEDIR)/gnomon-config.cmake \
+	644:$(BUILD)/package/gnomon-config-version.cmake:$(CMAKEDIR)/gnomon-config-version.cmake
+LIBRARY_LINKS = libgnomon.so.$(VERSION):$(LIBDIR)/$(SONAME) $(SONAME):$(LIBDIR)/libgnomon.so
+COMMAND_FILES = 755:$(BUILD)/gnomon:$(BINDIR)/gnomon \
+	644:tools/gnomon/gnomon.1:$(MANDIR)/man1/gnomon.1 \
+	644:tools/gnomon/completion/gnomon.bash:$(DATADIR)/bash-completion/completions/gnomon \
+	644:tools/gnomon/completion/_gnomon:$(DATADIR)/zsh/site-functions/_gnomon
+INSTALLED_PLACES = $(foreach file,$(LIBRARY_FILES) $(LIBRARY_LINKS) $(COMMAND_FILES),$(lastword $(subst :, ,$(file))))
+INSTALLED_FOLDERS = $(INCLUDEDIR)/gnomon $(CMAKEDIR)
+
+# Make's lists, and so the places in them, are divided by spaces.
+CHECK_PLACES = $(foreach place,PREFIX LIBDIR INCLUDEDIR BINDIR DATADIR MANDIR,$(if \
+	$(or $(word 2,$($(place))),$(findstring :,$($(place)))),$(error $(place) must be a path without spaces and colons: '$($(place))')))
+
+# From the folder of the CMake files to the headers, so that what is installed may be moved.
+UP = $(subst $(space),/,$(patsubst %,..,$(subst /,$(space),$(CMAKEDIR:$(PREFIX)/%=%))))
+INCLUDE_FROM_CONFIG = $(if $(and $(filter $(PREFIX)/%,$(LIBDIR)),$(filter $(PREFIX)/%,$(INCLUDEDIR))),$(UP)/)$(INCLUDEDIR:$(PREFIX)/%=%)
+
+$(BUILD)/package/%: COMMAND = sed -e 's|@GN_VERSION@|$(VERSION)|' -e 's|@GN_PREFIX@|$(PREFIX)|' \
+	-e 's|@GN_LIBDIR@|$(LIBDIR:$(PREFIX)/%=$${prefix}/%)|' -e 's|@GN_INCLUDEDIR@|$(INCLUDEDIR:$(PREFIX)/%=$${prefix}/%)|' \
+	-e 's|@GN_INCLUDE_FROM_CONFIG@|$(INCLUDE_FROM_CONFIG)|' \
+	-e 's|@GN_POINTER_SIZE@|$(shell echo __SIZEOF_POINTER__ | $(CC) -E -P - | tr -d '[:space:]')|'
+$(BUILD)/package/%: tools/packaging/%.in $(if_changed)
+	@mkdir -p $(@D)
+	@$(COMMAND) $< >$@
+	@$(record)
+
+# $(call install,FILES,LINKS)
+define install
+$(CHECK_PLACES)@set -e; for file in $(1); do \
+	place='$(DESTDIR)'"$${file##*:}"; named="$${file%:*}"; \
+	mkdir -p "$${place%/*}"; install -m "$${named%%:*}" "$${named#*:}" "$$place"; done
+@set -e; for link in $(2); do ln -sf "$${link%:*}" '$(DESTDIR)'"$${link##*:}"; done
+endef
+
+.PHONY: install
+install: install-library install-command ## library, headers, pkg-config, CMake, command, man page, completions: PREFIX=/usr/local DESTDIR=
+
+.PHONY: install-library
+install-library: library $(PACKAGE_FILES) ## what of this needs a C compiler alone: no command, man page and completions
+	$(call install,$(LIBRARY_FILES),$(LIBRARY_LINKS))
+
+.PHONY: install-command
+install-command: $(BUILD)/gnomon ## the command, its man page and completions
+	$(call install,$(COMMAND_FILES))
+
+.PHONY: uninstall
+uninstall: ## remove what install puts there: PREFIX=/usr/local DESTDIR=
+	$(CHECK_PLACES)@for place in $(INSTALLED_PLACES); do rm -f '$(DESTDIR)'"$$place"; done
+	@for folder in $(INSTALLED_FOLDERS); do rmdir '$(DESTDIR)'"$$folder" 2>/dev/null || :; done

@@ -1,0 +1,148 @@
+#!/bin/sh
+# Installs into an empty tree, compares the files there with a list, moves the tree, and builds the
+# README's program as CMake, pkg-config and the linker find the library in it, shared and static: the
+# picture must be the one that libgnomon.a draws. Then uninstalls: nothing may be left but a file
+# that another project put beside the headers.
+# usage: install.sh BUILD-DIRECTORY   (from the root of the project, with library and command in it)
+set -eu
+. tests/skip.sh
+export MAKEFLAGS=
+build=$1
+directory=$(cd "$1" && pwd)/embed/install
+root=$directory/root
+passed=0
+failed=0
+rm -rf "$directory"
+mkdir -p "$directory"
+
+check() { # check WHAT COMMAND...
+    what=$1
+    shift
+    if "$@" >"$directory/log" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: install, $what"
+        sed 's/^/    /' "$directory/log"
+    fi
+}
+
+awk '/^```c$/ { inside = 1; next } /^```$/ { if (inside) exit } inside' README.md >"$directory/triangle.c"
+"${CC:-cc}" -std=c99 -Iinclude "$directory/triangle.c" "$build/libgnomon.a" -o "$directory/triangle"
+"$directory/triangle" >"$directory/triangle.rgba" 2>/dev/null
+same_picture() {
+    "$@" 2>/dev/null | cmp - "$directory/triangle.rgba"
+}
+
+installed() { # the files in the tree, without the headers in gnomon/
+    (cd "$root" && find . -type f -o -type l) | sed 's|^\./||' | grep -v '/include/gnomon/' | LC_ALL=C sort
+}
+
+# A prefix and a folder of libraries other than the usual ones.
+prefix=/opt/gnomon
+set -- BUILD="$build" DESTDIR="$root" PREFIX=$prefix LIBDIR=$prefix/lib/triplet
+make -s install "$@"
+version=$(sed -n 's/^.define GN_VERSION_[A-Z]* \([0-9]*\)$/\1/p' include/gnomon/version.h | paste -s -d .)
+series=${version%.*}
+case $series in
+0.*) ;;
+*) series=${series%.*} ;;
+esac
+cat >"$directory/expected" <<END
+opt/gnomon/bin/gnomon
+opt/gnomon/include/gnomon.h
+opt/gnomon/lib/triplet/cmake/gnomon/gnomon-config-version.cmake
+opt/gnomon/lib/triplet/cmake/gnomon/gnomon-config.cmake
+opt/gnomon/lib/triplet/libgnomon.a
+opt/gnomon/lib/triplet/libgnomon.so
+opt/gnomon/lib/triplet/libgnomon.so.$series
+opt/gnomon/lib/triplet/libgnomon.so.$version
+opt/gnomon/lib/triplet/pkgconfig/gnomon.pc
+opt/gnomon/share/bash-completion/completions/gnomon
+opt/gnomon/share/man/man1/gnomon.1
+opt/gnomon/share/zsh/site-functions/_gnomon
+END
+installed >"$directory/found"
+check "the files" diff "$directory/expected" "$directory/found"
+check "the headers" diff -r include/gnomon "$root$prefix/include/gnomon"
+check "the SONAME" sh -c "objdump -p '$root$prefix/lib/triplet/libgnomon.so' | grep 'SONAME *libgnomon.so.$series\$'"
+check "the command" sh -c "'$root$prefix/bin/gnomon' --version | grep -F '$version'"
+
+# The tree may be moved.
+mv "$root" "$directory/moved"
+moved=$directory/moved$prefix
+if command -v cmake >/dev/null; then
+    for target in gnomon static; do
+        mkdir -p "$directory/$target"
+        printf 'cmake_minimum_required(VERSION 3.16)\nproject(user C)\nfind_package(gnomon %s REQUIRED)\nadd_executable(triangle "%s")\nset_target_properties(triangle PROPERTIES C_STANDARD 99)\ntarget_link_libraries(triangle gnomon::%s)\n' \
+            "$series" "$directory/triangle.c" $target >"$directory/$target/CMakeLists.txt"
+        check "CMake configures, gnomon::$target" cmake -S "$directory/$target" -B "$directory/$target/build" \
+            -Dgnomon_DIR="$moved/lib/triplet/cmake/gnomon"
+        check "CMake builds, gnomon::$target" cmake --build "$directory/$target/build"
+        check "CMake, gnomon::$target: same picture" same_picture "$directory/$target/build/triangle"
+        linked=$(objdump -p "$directory/$target/build/triangle" | grep -c "NEEDED *libgnomon.so.$series\$") || :
+        check "CMake, gnomon::$target: linked as asked" [ "$linked" = "$([ $target = static ] && echo 0 || echo 1)" ]
+    done
+
+    suits() { # suits yes|no VERSION: whether find_package(gnomon VERSION) accepts the installed one
+        printf 'set(CMAKE_SIZEOF_VOID_P %s)\nset(PACKAGE_FIND_VERSION %s)\n%s\ninclude("%s")\nif(NOT PACKAGE_VERSION_COMPATIBLE OR PACKAGE_VERSION_UNSUITABLE)\nmessage(FATAL_ERROR no)\nendif()\n' \
+            "${4:-8}" "$2" "${3:-}" "$directory/versions/gnomon-config-version.cmake" >"$directory/suits.cmake"
+        if cmake -P "$directory/suits.cmake" 2>/dev/null; then found=yes; else found=no; fi
+        [ "$found" = "$1" ]
+    }
+    versions() { # versions VERSION: the file of that version
+        mkdir -p "$directory/versions"
+        sed -e "s|@GN_VERSION@|$1|" -e 's|@GN_POINTER_SIZE@|8|' tools/packaging/gnomon-config-version.cmake.in \
+            >"$directory/versions/gnomon-config-version.cmake"
+    }
+    range='set(PACKAGE_FIND_VERSION_RANGE x)
+set(PACKAGE_FIND_VERSION_MIN 0.1)
+set(PACKAGE_FIND_VERSION_MAX 0.3)
+set(PACKAGE_FIND_VERSION_RANGE_MAX'
+    versions 0.2.1
+    check "0.2.1 suits 0.2" suits yes 0.2
+    check "0.2.1 suits 0.2.1" suits yes 0.2.1
+    check "0.2.1 suits no 0.2.2" suits no 0.2.2
+    check "0.2.1 suits no 0.1" suits no 0.1
+    check "0.2.1 suits no 1.2" suits no 1.2
+    check "0.2.1 suits any" suits yes ""
+    check "0.2.1 suits 0.1 to 0.3" suits yes 0.1 "$range EXCLUDE)"
+    check "0.2.1 suits no program of 32 bits" suits no 0.2 "" 4
+    versions 0.3
+    check "0.3 suits 0.1 to 0.3" suits yes 0.1 "$range INCLUDE)"
+    check "0.3 suits nothing below 0.3" suits no 0.1 "$range EXCLUDE)"
+    versions 1.10.0
+    check "1.10.0 suits 1.2" suits yes 1.2
+    check "1.10.0 suits no 0.10" suits no 0.10
+    check "1.10.0 suits no 2.0" suits no 2.0
+else
+    skip "CMake: finds no installed library, since it is absent: 'make setup' installs it"
+fi
+if command -v pkg-config >/dev/null; then
+    flags=$(PKG_CONFIG_PATH=$moved/lib/triplet/pkgconfig pkg-config --define-variable=prefix="$moved" --cflags --libs gnomon)
+    # shellcheck disable=SC2086
+    check "pkg-config, compiles" "${CC:-cc}" -std=c99 "$directory/triangle.c" $flags -Wl,-rpath,"$moved/lib/triplet" -o "$directory/by-pkg-config"
+    check "pkg-config: same picture" same_picture "$directory/by-pkg-config"
+    check "pkg-config, version" [ "$(PKG_CONFIG_PATH=$moved/lib/triplet/pkgconfig pkg-config --modversion gnomon)" = "$version" ]
+else
+    skip "pkg-config: finds no installed library, since it is absent: 'make setup' installs it"
+fi
+mv "$directory/moved" "$root"
+
+touch "$root$prefix/include/gnomon/another.h"
+make -s uninstall "$@"
+check "uninstalled, but not another's file" [ "$(find "$root" -type f -o -type l)" = "$root$prefix/include/gnomon/another.h" ]
+rm "$root$prefix/include/gnomon/another.h"
+make -s uninstall "$@"
+check "uninstalled" [ -z "$(find "$root" -type f -o -type l -o -name 'gnomon?*' -o -path '*/gnomon/gnomon')" ]
+check "uninstalled, folders of its own" [ -z "$(find "$root$prefix/include" "$root$prefix/lib" -name gnomon)" ]
+
+make -s install-library "$@"
+check "the library alone" [ "$(installed)" = "$(grep -v -e /bin/ -e /share/ "$directory/expected")" ]
+
+# A place that make's lists cannot hold is refused before anything is written.
+make -s install-library BUILD="$build" DESTDIR="$directory/refused" PREFIX='/a b' >"$directory/refusal" 2>&1 && failed=$((failed + 1))
+check "spaces are refused by name" grep -q "PREFIX must be a path without spaces" "$directory/refusal"
+check "nothing was written" [ ! -e "$directory/refused" ]
+echo "install: $passed passed, $failed failed"
+[ "$failed" = 0 ]
