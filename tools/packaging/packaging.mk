@@ -75,3 +75,21 @@ install-command: $(BUILD)/gnomon ## the command, its man page and completions
 uninstall: ## remove what install puts there: PREFIX=/usr/local DESTDIR=
 	$(CHECK_PLACES)@for place in $(INSTALLED_PLACES); do rm -f '$(DESTDIR)'"$$place"; done
 	@for folder in $(INSTALLED_FOLDERS); do rmdir '$(DESTDIR)'"$$folder" 2>/dev/null || :; done
+
+# The source archive: what git tracks, or, where there is no git, all files but the build's. Its bytes
+# depend on the files alone.
+
+NAME_OF_DIST = gnomon-$(VERSION)
+DIST = $(BUILD)/$(NAME_OF_DIST).tar.gz
+LIST_FILES = if [ -e .git ] && command -v git >/dev/null; then git ls-files; else find . -path './$(BUILD:./%=%)' -prune -o ! -type d -print; fi
+# The time of the last commit, or of the archive that this tree came in.
+DIST_TIME = $(or $(SOURCE_DATE_EPOCH),$(shell if [ -e .git ]; then git log -1 --format=%ct 2>/dev/null; else stat -c %Y LICENSE; fi),0)
+
+.PHONY: dist
+dist: ## the source archive, build/gnomon-VERSION.tar.gz: equal bytes for equal files
+	@mkdir -p $(BUILD)
+	@$(LIST_FILES) | sed 's|^\./||' | LC_ALL=C sort | tar -c --no-recursion -T - --transform 's|^|$(NAME_OF_DIST)/|' \
+		--format=ustar --mtime=@$(DIST_TIME) --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX >$(DIST).new || \
+		{ rm $(DIST).new; exit 1; }
+	@gzip -9n <$(DIST).new >$(DIST).gz && rm $(DIST).new && mv $(DIST).gz $(DIST)
+	@echo '$(DIST)'
