@@ -81,6 +81,8 @@ test-steps:
 		'freestanding=tests/portability/freestanding.sh $(BUILD) $(ALL)' \
 		'embedding=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD) $(ALL)' \
 		'installing=tests/embed/install.sh $(BUILD)' \
+		'source archive=tests/embed/dist.sh $(BUILD) $(ALL)' \
+		'Meson=tests/embed/meson.sh $(BUILD) $(ALL)' \
 		'C++=tests/embed/cplusplus.sh $(BUILD)' \
 		'amalgamation=tests/embed/amalgamation.sh $(BUILD) $(ALL)' \
 		'examples of shaders=tests/embed/shader_examples.sh $(BUILD)' \

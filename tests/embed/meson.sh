@@ -24,13 +24,13 @@ if [ "${2:-}" = --all ]; then
 fi
 directory=$(cd "$1" && pwd)/embed/meson
 rm -rf "$directory"
-mkdir -p "$directory/user/subprojects/packagecache"
+mkdir -p "$directory/user/subprojects/packagefiles"
 awk '/^```c$/ { inside = 1; next } /^```$/ { if (inside) exit } inside' README.md >"$directory/user/triangle.c"
 "${CC:-cc}" -std=c99 -Iinclude "$directory/user/triangle.c" "$1/libgnomon.a" -o "$directory/triangle"
 "$directory/triangle" >"$directory/triangle.rgba" 2>/dev/null
 
 archive=$(make -s dist BUILD="$directory")
-cp "$archive" "$directory/user/subprojects/packagecache/"
+cp "$archive" "$directory/user/subprojects/packagefiles/"
 cat >"$directory/user/subprojects/gnomon.wrap" <<END
 [wrap-file]
 directory = $(basename "$archive" .tar.gz)
