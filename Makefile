@@ -11,8 +11,10 @@ PREFIX ?= /usr/local
 # "0 1 0", from the public header.
 VERSION_PARTS := $(shell sed -n 's/^.define GN_VERSION_[A-Z]* \([0-9][0-9]*\)$$/\1/p' include/gnomon/version.h)
 VERSION = $(subst $(space),.,$(VERSION_PARTS))
-# Versions with one SONAME have one interface. Before 1.0 minor versions may change it (version.h).
-SONAME = libgnomon.so.$(if $(filter 0,$(firstword $(VERSION_PARTS))),0.)$(word $(if $(filter 0,$(firstword $(VERSION_PARTS))),2,1),$(VERSION_PARTS))
+# Versions of one series have one SONAME and one interface. Before 1.0 minor versions may change the
+# interface (version.h).
+SERIES = $(patsubst 0,0.$(word 2,$(VERSION_PARTS)),$(firstword $(VERSION_PARTS)))
+SONAME = libgnomon.so.$(SERIES)
 BUILD ?= build
 
 MACHINE := $(firstword $(subst -, ,$(shell $(CC) -dumpmachine 2>/dev/null)))
@@ -108,7 +110,7 @@ $(BUILD)/%.o: %.c $(if_changed)
 
 # GCC before 13 lets programs that it links with -Ofast start with denormals flushed, whatever flags
 # follow.
-LINK_FLAGS = $(patsubst -Ofast,-O3,$(CFLAGS))
+LINK_FLAGS = $(patsubst -Ofast,-O3,$(CFLAGS)) $(LDFLAGS)
 
 # $(call program,NAME,FILES,LIBRARIES): links a program from sources, objects and archives.
 define program

@@ -93,3 +93,24 @@ dist: ## the source archive, build/gnomon-VERSION.tar.gz: equal bytes for equal 
 		{ rm $(DIST).new; exit 1; }
 	@gzip -9n <$(DIST).new >$(DIST).gz && rm $(DIST).new && mv $(DIST).gz $(DIST)
 	@echo '$(DIST)'
+
+# Debian packages, built from the source archive.
+
+DEB_TREE = $(BUILD)/deb/$(NAME_OF_DIST)
+
+.PHONY: deb
+deb: dist ## Debian packages: libgnomon$(SERIES), libgnomon-dev and gnomon, in build/deb
+	@rm -rf $(BUILD)/deb && mkdir -p $(BUILD)/deb
+	@tar -xzf $(DIST) -C $(BUILD)/deb
+	@cp -r tools/packaging/debian $(DEB_TREE)/debian
+	@mv $(DEB_TREE)/debian/libgnomon.install $(DEB_TREE)/debian/libgnomon$(SERIES).install
+	@sed -n '/^Permission/,$$ { s/^$$/./; s/^/ /; p }' LICENSE >$(BUILD)/deb/licence
+	@sed -i -e 's|@VERSION@|$(VERSION)|' -e 's|@SERIES@|$(SERIES)|' -e "s|@DATE@|$$(LC_ALL=C date -u -R -d @$(DIST_TIME))|" \
+		-e '/@LICENSE@/ { r $(BUILD)/deb/licence' -e 'd }' $(DEB_TREE)/debian/control $(DEB_TREE)/debian/changelog $(DEB_TREE)/debian/copyright
+	@cd $(DEB_TREE) && env -u MAKEFLAGS -u MAKELEVEL -u MAKEOVERRIDES dpkg-buildpackage -us -uc -b >../build.log 2>&1 || \
+		{ tail -n 30 ../build.log; exit 1; }
+	@ls $(BUILD)/deb/*.deb
+
+.PHONY: abi
+abi: ## record the interface of this version, tests/embed/abi/libgnomon-VERSION.abi
+	@tests/embed/abi.sh $(BUILD) --record
