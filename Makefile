@@ -1,5 +1,6 @@
-# Gnomon: `make help` lists the targets. The test programs are in tests/programs.mk, the steps of
-# `make test` in tests/steps.mk, longer runs in tests/longer.mk.
+# Gnomon: `make help` lists the targets. Installation and packages are in tools/packaging/packaging.mk,
+# the test programs in tests/programs.mk, the steps of `make test` in tests/steps.mk, longer runs in
+# tests/longer.mk.
 
 CC ?= gcc
 CXX ?= g++
@@ -69,7 +70,7 @@ setup: ## install what building and testing need (Debian, as root)
 	@tools/setup.sh
 
 .PHONY: setup-verify
-setup-verify: ## install what `make prove`, `make fuzz` and `make coverage` need (Debian, as root)
+setup-verify: ## install what `make prove`, `make fuzz`, `make coverage` and `make deb` need (Debian, as root)
 	@tools/setup-verify.sh
 
 .PHONY: setup-cross

@@ -51,6 +51,7 @@ whole: ## test, then what it leaves out: all of cross, size, check-freestanding,
 ifdef WHOLE
 WHOLE_STEPS = 'other machines=tests/portability/cross.sh $(BUILD)' \
 	'microcontroller=tests/portability/size.sh $(BUILD)' \
+	'Debian packages=tests/embed/deb.sh $(BUILD)' \
 	'proofs of what is wrong=tests/proof/test_prove.sh' \
 	'proofs of C functions=tests/proof/prove_code.sh -q --timeout 240' \
 	$(foreach t,$(RUN_TESTS),'sanitized command, $(t)=$(BUILD)/$(t) $(CHECKED)/gnomon') \
@@ -82,6 +83,7 @@ test-steps:
 		'embedding=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD) $(ALL)' \
 		'installing=tests/embed/install.sh $(BUILD)' \
 		'source archive=tests/embed/dist.sh $(BUILD) $(ALL)' \
+		'interface=tests/embed/abi.sh $(BUILD)' \
 		'Meson=tests/embed/meson.sh $(BUILD) $(ALL)' \
 		'C++=tests/embed/cplusplus.sh $(BUILD)' \
 		'amalgamation=tests/embed/amalgamation.sh $(BUILD) $(ALL)' \

@@ -10,5 +10,5 @@ osmesa=libosmesa6
 [ "${REFERENCE:-}" != egl ] || osmesa=""
 
 install_packages "pkg-config clang clang-format libclang-rt-14-dev g++ cmake libpng-dev $osmesa libegl-dev libgl1-mesa-dri libcglm-dev libcmocka-dev
-libassimp-dev libstb-dev zlib1g-dev libsdl2-dev xvfb mandoc zsh libgmp-dev libmpfr-dev libsimde-dev gappa
+libassimp-dev libstb-dev zlib1g-dev libsdl2-dev xvfb mandoc zsh python3 meson ninja-build abigail-tools libgmp-dev libmpfr-dev libsimde-dev gappa
 python3-cffi python3-numpy python3-setuptools python3-wheel python3-venv python3-pip python3-pytest python3-hypothesis python3-opengl mypy" "$@"

@@ -53,7 +53,7 @@ check() {
         failed=1
     }
     commands | cut -d ' ' -f 2 | sort -u >"$work/keys"
-    sed -n 's/^\([a-z][a-z-]*\):.*## .*/\1/p' Makefile tests/longer.mk tests/steps.mk | sort -u >"$work/targets"
+    sed -n 's/^\([a-z][a-z-]*\):.*## .*/\1/p' Makefile tools/packaging/packaging.mk tests/longer.mk tests/steps.mk | sort -u >"$work/targets"
     for missing in $(comm -23 "$work/keys" "$work/targets"); do
         echo "FAILED: claims.txt names 'make $missing', which is no target"
         failed=$((failed + 1))

@@ -94,8 +94,10 @@ dist: ## the source archive, build/gnomon-VERSION.tar.gz: equal bytes for equal 
 	@gzip -9n <$(DIST).new >$(DIST).gz && rm $(DIST).new && mv $(DIST).gz $(DIST)
 	@echo '$(DIST)'
 
-# Debian packages, built from the source archive.
+# Debian packages, built from the source archive. The variables name the packager, as in Debian's tools.
 
+DEBFULLNAME ?= The Gnomon authors
+DEBEMAIL ?= maintainers@gnomon.invalid
 DEB_TREE = $(BUILD)/deb/$(NAME_OF_DIST)
 
 .PHONY: deb
@@ -103,10 +105,10 @@ deb: dist ## Debian packages: libgnomon$(SERIES), libgnomon-dev and gnomon, in b
 	@rm -rf $(BUILD)/deb && mkdir -p $(BUILD)/deb
 	@tar -xzf $(DIST) -C $(BUILD)/deb
 	@cp -r tools/packaging/debian $(DEB_TREE)/debian
-	@mv $(DEB_TREE)/debian/libgnomon.install $(DEB_TREE)/debian/libgnomon$(SERIES).install
+	@cd $(DEB_TREE)/debian && for file in libgnomon.*; do mv $$file libgnomon$(SERIES).$${file#libgnomon.}; done
 	@sed -n '/^Permission/,$$ { s/^$$/./; s/^/ /; p }' LICENSE >$(BUILD)/deb/licence
-	@sed -i -e 's|@VERSION@|$(VERSION)|' -e 's|@SERIES@|$(SERIES)|' -e "s|@DATE@|$$(LC_ALL=C date -u -R -d @$(DIST_TIME))|" \
-		-e '/@LICENSE@/ { r $(BUILD)/deb/licence' -e 'd }' $(DEB_TREE)/debian/control $(DEB_TREE)/debian/changelog $(DEB_TREE)/debian/copyright
+	@sed -i -e 's|@VERSION@|$(VERSION)|' -e 's|@SERIES@|$(SERIES)|' -e 's|@MAINTAINER@|$(DEBFULLNAME) <$(DEBEMAIL)>|' \
+		-e "s|@DATE@|$$(LC_ALL=C date -u -R -d @$(DIST_TIME))|" -e '/@LICENSE@/ { r $(BUILD)/deb/licence' -e 'd }' $(DEB_TREE)/debian/control $(DEB_TREE)/debian/changelog $(DEB_TREE)/debian/copyright
 	@cd $(DEB_TREE) && env -u MAKEFLAGS -u MAKELEVEL -u MAKEOVERRIDES dpkg-buildpackage -us -uc -b >../build.log 2>&1 || \
 		{ tail -n 30 ../build.log; exit 1; }
 	@ls $(BUILD)/deb/*.deb
@@ -114,3 +116,14 @@ deb: dist ## Debian packages: libgnomon$(SERIES), libgnomon-dev and gnomon, in b
 .PHONY: abi
 abi: ## record the interface of this version, tests/embed/abi/libgnomon-VERSION.abi
 	@tests/embed/abi.sh $(BUILD) --record
+
+.PHONY: check-packaging
+check-packaging: all $(BUILD)/hashes ## what others use, complete: amalgamation, installed files, archive, Meson, Debian packages, interface
+	@tests/run.sh \
+		'amalgamation=tests/embed/amalgamation.sh $(BUILD) --all' \
+		'installing=tests/embed/install.sh $(BUILD)' \
+		'CMake=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD) --all' \
+		'source archive=tests/embed/dist.sh $(BUILD) --all' \
+		'Meson=tests/embed/meson.sh $(BUILD) --all' \
+		'Debian packages=tests/embed/deb.sh $(BUILD)' \
+		'interface=tests/embed/abi.sh $(BUILD)'

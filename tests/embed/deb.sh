@@ -1,0 +1,80 @@
+#!/bin/sh
+# Builds the Debian packages, lets lintian look at them, and installs them with dpkg in an empty root.
+# The README's program is compiled and linked with what stands there, through pkg-config and through
+# CMake, and must draw the picture that the Makefile's library draws. Removed again, the packages
+# leave no file.
+# usage: deb.sh BUILD-DIRECTORY   (from the root of the project, with the library in it)
+set -eu
+. tests/skip.sh
+export MAKEFLAGS=
+passed=0
+failed=0
+for tool in dpkg-buildpackage dh lintian fakeroot pkg-config; do
+    command -v $tool >/dev/null && continue
+    skip "Debian packages: not built, since $tool is absent: 'make setup-verify' installs it"
+    echo "Debian packages: 0 passed, $failed failed"
+    exit "$failed"
+done
+directory=$(cd "$1" && pwd)/embed/deb
+root=$directory/root
+rm -rf "$directory"
+mkdir -p "$directory"
+check() { # check WHAT COMMAND...
+    what=$1
+    shift
+    if "$@" >"$directory/log" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: Debian packages, $what"
+        tail -n 20 "$directory/log" | sed 's/^/    /'
+    fi
+}
+
+awk '/^```c$/ { inside = 1; next } /^```$/ { if (inside) exit } inside' README.md >"$directory/triangle.c"
+"${CC:-cc}" -std=c99 -Iinclude "$directory/triangle.c" "$1/libgnomon.a" -o "$directory/triangle"
+"$directory/triangle" >"$directory/triangle.rgba" 2>/dev/null
+same_picture() {
+    env LD_LIBRARY_PATH="$root/usr/lib/$triplet" "$1" 2>/dev/null | cmp - "$directory/triangle.rgba"
+}
+
+version=$(sed -n 's/^.define GN_VERSION_[A-Z]* \([0-9]*\)$/\1/p' include/gnomon/version.h | paste -s -d .)
+triplet=$(dpkg-architecture -qDEB_HOST_MULTIARCH)
+check "built" env DEB_BUILD_OPTIONS="parallel=2 noautodbgsym" make -s deb BUILD="$directory"
+soname=$(objdump -p "$1/libgnomon.so" | awk '$1 == "SONAME" { print $2 }')
+library=libgnomon${soname#libgnomon.so.}
+
+lintian --allow-root "$directory"/deb/*.changes >"$directory/lintian" 2>&1 || :
+check "lintian: no errors" sh -c "! grep '^E:' '$directory/lintian'"
+echo "lintian: $(grep -c '^E:' "$directory/lintian") errors, $(grep -c '^W:' "$directory/lintian") warnings"
+sed 's/^/    /' "$directory/lintian"
+
+# Other packages' files are not in the root, nor are the packages that these depend on.
+in_root() {
+    fakeroot dpkg --root="$root" --force-depends --force-not-root --force-script-chrootless "$@"
+}
+mkdir -p "$root/var/lib/dpkg/info" "$root/var/lib/dpkg/updates" "$root/var/log"
+: >"$root/var/lib/dpkg/status"
+for package in "$library" libgnomon-dev gnomon; do
+    check "installs $package" in_root -i "$directory/deb/${package}_${version}"_*.deb
+done
+check "the library is named after the SONAME" [ -e "$root/usr/lib/$triplet/$soname" ]
+check "man page" [ -s "$root/usr/share/man/man1/gnomon.1.gz" ]
+check "the command" sh -c "'$root/usr/bin/gnomon' --version | grep -F '$version'"
+flags=$(PKG_CONFIG_LIBDIR="$root/usr/lib/$triplet/pkgconfig" PKG_CONFIG_SYSROOT_DIR="$root" PKG_CONFIG_ALLOW_SYSTEM_CFLAGS=1 \
+    PKG_CONFIG_ALLOW_SYSTEM_LIBS=1 pkg-config --cflags --libs gnomon)
+# shellcheck disable=SC2086
+check "pkg-config, compiles" "${CC:-cc}" -std=c99 "$directory/triangle.c" $flags -o "$directory/by-pkg-config"
+check "pkg-config, same picture" same_picture "$directory/by-pkg-config"
+if command -v cmake >/dev/null; then
+    mkdir "$directory/user"
+    printf 'cmake_minimum_required(VERSION 3.16)\nproject(user C)\nfind_package(gnomon %s REQUIRED)\nadd_executable(triangle "%s")\nset_target_properties(triangle PROPERTIES C_STANDARD 99)\ntarget_link_libraries(triangle gnomon::gnomon)\n' \
+        "${version%.*}" "$directory/triangle.c" >"$directory/user/CMakeLists.txt"
+    check "CMake configures" cmake -S "$directory/user" -B "$directory/user/build" -DCMAKE_PREFIX_PATH="$root/usr"
+    check "CMake builds" cmake --build "$directory/user/build"
+    check "CMake, same picture" same_picture "$directory/user/build/triangle"
+fi
+check "removes them" in_root -r gnomon libgnomon-dev "$library"
+check "nothing is left" [ -z "$(find "$root/usr" -type f -o -type l)" ]
+echo "Debian packages: $passed passed, $failed failed"
+[ "$failed" = 0 ]
