@@ -41,6 +41,7 @@ same_picture() {
 version=$(sed -n 's/^.define GN_VERSION_[A-Z]* \([0-9]*\)$/\1/p' include/gnomon/version.h | paste -s -d .)
 triplet=$(dpkg-architecture -qDEB_HOST_MULTIARCH)
 check "built" env DEB_BUILD_OPTIONS="parallel=2 noautodbgsym" make -s deb BUILD="$directory"
+[ "$failed" = 0 ] || { echo "Debian packages: $passed passed, $failed failed"; exit 1; }
 soname=$(objdump -p "$1/libgnomon.so" | awk '$1 == "SONAME" { print $2 }')
 library=libgnomon${soname#libgnomon.so.}
 

@@ -101,7 +101,7 @@ DEBEMAIL ?= maintainers@gnomon.invalid
 DEB_TREE = $(BUILD)/deb/$(NAME_OF_DIST)
 
 .PHONY: deb
-deb: dist ## Debian packages: libgnomon$(SERIES), libgnomon-dev and gnomon, in build/deb
+deb: dist ## Debian packages of library, development files and command, in build/deb
 	@rm -rf $(BUILD)/deb && mkdir -p $(BUILD)/deb
 	@tar -xzf $(DIST) -C $(BUILD)/deb
 	@cp -r tools/packaging/debian $(DEB_TREE)/debian
