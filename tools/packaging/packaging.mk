@@ -119,7 +119,7 @@ abi: ## record the interface of this version, tests/embed/abi/libgnomon-VERSION.
 
 .PHONY: check-packaging
 check-packaging: all $(BUILD)/hashes ## what others use, complete: amalgamation, installed files, archive, Meson, Debian packages, interface
-	@tests/run.sh \
+	@$(RECORD) tests/run.sh \
 		'amalgamation=tests/embed/amalgamation.sh $(BUILD) --all' \
 		'installing=tests/embed/install.sh $(BUILD)' \
 		'CMake=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD) --all' \
