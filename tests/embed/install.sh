@@ -41,7 +41,7 @@ installed() { # the files in the tree, without the headers in gnomon/
 # A prefix and a folder of libraries other than the usual ones.
 prefix=/opt/gnomon
 set -- BUILD="$build" DESTDIR="$root" PREFIX=$prefix LIBDIR=$prefix/lib/triplet
-make -s install "$@"
+(umask 077 && make -s install "$@")
 version=$(sed -n 's/^.define GN_VERSION_[A-Z]* \([0-9]*\)$/\1/p' include/gnomon/version.h | paste -s -d .)
 series=${version%.*}
 case $series in
@@ -65,6 +65,7 @@ END
 installed >"$directory/found"
 check "the files" diff "$directory/expected" "$directory/found"
 check "the headers" diff -r include/gnomon "$root$prefix/include/gnomon"
+check "others may read it" [ -z "$(find "$root" ! -type l ! -perm -o=r)" ]
 check "the SONAME" sh -c "objdump -p '$root$prefix/lib/triplet/libgnomon.so' | grep 'SONAME *libgnomon.so.$series\$'"
 check "the command" sh -c "'$root$prefix/bin/gnomon' --version | grep -F '$version'"
 

@@ -56,7 +56,7 @@ $(BUILD)/package/%: tools/packaging/%.in $(if_changed)
 define install
 $(CHECK_PLACES)@set -e; for file in $(1); do \
 	place='$(DESTDIR)'"$${file##*:}"; named="$${file%:*}"; \
-	mkdir -p "$${place%/*}"; install -m "$${named%%:*}" "$${named#*:}" "$$place"; done
+	test -d "$${place%/*}" || install -d "$${place%/*}"; install -m "$${named%%:*}" "$${named#*:}" "$$place"; done
 @set -e; for link in $(2); do ln -sf "$${link%:*}" '$(DESTDIR)'"$${link##*:}"; done
 endef
 
