@@ -56,7 +56,7 @@ compile() {
 
 same_hashes() { # same_hashes NAME LINES
     # shellcheck disable=SC2046
-    "${CC:-cc}" -o "$directory/$1" $(cat "$directory/objects") "$directory/$1.o" -lm &&
+    "${CC:-cc}" -Wl,-z,noexecstack -o "$directory/$1" $(cat "$directory/objects") "$directory/$1.o" -lm &&
         "$directory/$1" --scenes "$scenes" --mathematics 2000 >"$directory/$1.hashes" || return 1
     [ "$(wc -l <"$directory/$1.hashes")" -ge "$2" ] && ! grep -v -x -F -f "$directory/expected" "$directory/$1.hashes"
 }
@@ -64,7 +64,7 @@ same_hashes() { # same_hashes NAME LINES
 same_picture() { # same_picture NAME COMPILER... of the program
     name=$1
     shift
-    "$@" -I"$build/amalgamation" "$directory/triangle.c" "$directory/$name.o" -o "$directory/$name-triangle" &&
+    "$@" -I"$build/amalgamation" "$directory/triangle.c" "$directory/$name.o" -Wl,-z,noexecstack -o "$directory/$name-triangle" &&
         $run "$directory/$name-triangle" 2>/dev/null | cmp - "$directory/triangle.rgba"
 }
 run=
