@@ -111,11 +111,9 @@ fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 tree() { # tree NAME: a copy
-    mkdir -p "$work/$1/src" "$work/$1/tests/fuzz" "$work/$1/tools/packaging"
+    mkdir -p "$work/$1/src"
     cp -r Makefile include "$work/$1/"
-    cp tests/*.mk "$work/$1/tests/"
-    cp tests/fuzz/fuzz.mk "$work/$1/tests/fuzz/"
-    cp tools/packaging/*.mk "$work/$1/tools/packaging/"
+    find tests tools -name '*.mk' | tar -cf - -T - | tar -xf - -C "$work/$1"
     cp -r src/config src/scalars "$work/$1/src/"
     sed -i 's/^GN_API uint32_t gn_version(void);/&\ntypedef struct gn_pair {\n    int first;\n} gn_pair;\nGN_API int gn_first(const gn_pair *p);/' \
         "$work/$1/include/gnomon/version.h"

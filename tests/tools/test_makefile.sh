@@ -6,12 +6,9 @@ set -u
 export MAKEFLAGS= # not those of the make that runs this
 directory=$(mktemp -d)
 trap 'rm -rf "$directory"' EXIT
-mkdir -p "$directory/src" "$directory/tests" "$directory/tools/packaging"
+mkdir "$directory/src"
 cp -r Makefile include "$directory/"
-cp tests/*.mk "$directory/tests/"
-cp tools/packaging/*.mk "$directory/tools/packaging/"
-mkdir "$directory/tests/fuzz"
-cp tests/fuzz/fuzz.mk "$directory/tests/fuzz/"
+find tests tools -name '*.mk' | tar -cf - -T - | tar -xf - -C "$directory"
 cp -r src/config src/scalars "$directory/src/"
 cd "$directory" || exit 1
 objects=$(find src -name '*.c' | wc -l)
