@@ -66,8 +66,8 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' Makefile tools/packaging/packaging.mk tests/longer.mk tests/steps.mk
 
 .PHONY: setup
-setup: ## install what building and testing need (Debian, as root)
-	@tools/setup.sh
+setup: ## install what building and testing need; `make setup demo`: only what the demo needs (Debian, as root)
+	@tools/setup.sh $(if $(filter demo,$(MAKECMDGOALS)),$(if $(filter-out setup demo,$(MAKECMDGOALS)),,--demo))
 
 .PHONY: setup-verify
 setup-verify: ## install what `make prove`, `make fuzz`, `make coverage` and `make deb` need (Debian, as root)
@@ -148,6 +148,9 @@ REFERENCE_SOURCES = $(SCENE_SOURCES) $(OSMESA_SOURCES)
 
 $(eval $(call program,gnomon,$(COMMAND_SOURCES) $(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm))
 
+# Whether SDL2 is there is part of the command, so that make compiles the window again if it comes.
+$(BUILD)/tools/gnomon/window.o: EXTRA_FLAGS = -DGN_HAVE_SDL=$(shell $(CC) -E -include SDL2/SDL.h -x c /dev/null >/dev/null 2>&1 && echo 1 || echo 0)
+
 # The benchmark reads models as the command does.
 $(eval $(call program,bench,$(BENCH_SOURCES) $(filter-out %/main.c,$(COMMAND_SOURCES)) $(THREADS_SOURCES) \
 	$(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm -pthread))
@@ -178,13 +181,13 @@ include tools/python/python.mk
 
 .PHONY: demo
 demo: ## draw the teapot with Gnomon and with OSMesa, and compare
-demo: all
 
 # In `make setup demo` and `make setup test`, nothing begins before the set-up is done,
 # whatever -j says.
 all demo test whole library cross size: | $(filter setup setup-cross setup-verify,$(MAKECMDGOALS))
 
 demo:
+	@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/gnomon
 	@$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png --picture $(BUILD)/teapot.png
 
 .PHONY: compare-models

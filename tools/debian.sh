@@ -23,7 +23,7 @@ install_packages() {
         echo $packages
         exit 0
         ;;
-    *) fail "unknown argument '$2'; there are none but --help" ;;
+    *) fail "unknown argument '$2'; 'tools/$self.sh --help' lists the packages" ;;
     esac
 
     for tool in dpkg-query apt-get; do

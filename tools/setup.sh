@@ -1,14 +1,21 @@
 #!/bin/sh
 # Installs the Debian packages that Gnomon's tests, reference and command need. The
 # library itself needs only a C compiler. Does nothing if everything is installed.
+# usage: setup.sh [--demo | --help]     --demo: only what `make demo` needs
 set -eu
 self=setup
 . "$(dirname "$0")/debian.sh"
 
 # `make setup REFERENCE=egl` is for systems that have no OSMesa.
-osmesa=libosmesa6
-[ "${REFERENCE:-}" != egl ] || osmesa=""
+reference=libosmesa6
+[ "${REFERENCE:-}" != egl ] || reference="libgl1-mesa-dri"
 
-install_packages "pkg-config clang clang-format libclang-rt-14-dev g++ cmake libpng-dev $osmesa libegl-dev libgl1-mesa-dri libcglm-dev libcmocka-dev
-libassimp-dev libstb-dev zlib1g-dev libsdl2-dev xvfb mandoc zsh python3 meson ninja-build abigail-tools libgmp-dev libmpfr-dev libsimde-dev gappa
-python3-cffi python3-numpy python3-setuptools python3-wheel python3-venv python3-pip python3-pytest python3-hypothesis python3-opengl mypy" "$@"
+packages="libpng-dev libassimp-dev libstb-dev zlib1g-dev libegl-dev $reference"
+if [ "${1:-}" = --demo ]; then
+    shift
+else
+    packages="$packages pkg-config clang clang-format libclang-rt-14-dev g++ cmake libgl1-mesa-dri libcglm-dev libcmocka-dev libsdl2-dev
+xvfb mandoc zsh python3 meson ninja-build abigail-tools libgmp-dev libmpfr-dev libsimde-dev gappa
+python3-cffi python3-numpy python3-setuptools python3-wheel python3-venv python3-pip python3-pytest python3-hypothesis python3-opengl mypy"
+fi
+install_packages "$packages" "$@"

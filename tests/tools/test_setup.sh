@@ -26,9 +26,12 @@ echo installed'
     stand_in id 'echo "$USER_ID"'
 }
 
-# run MISSING USER_ID: sets status, out and error.
+# run MISSING USER_ID ARGUMENT...: sets status, out and error.
 run() {
-    MISSING=$1 USER_ID=$2 PATH="$directory/bin:$PATH" sh "$setup" >"$directory/out" \
+    missing=$1
+    user=$2
+    shift 2
+    MISSING=$missing USER_ID=$user PATH="$directory/bin:$PATH" sh "$setup" "$@" >"$directory/out" \
         2>"$directory/error"
     status=$?
 }
@@ -68,6 +71,17 @@ check "root: what is missing is installed" grep -q \
     "install libpng-dev libstb-dev \[noninteractive\]" "$directory/calls"
 check "root: waits for the lock" [ "$(grep -c 'DPkg::Lock::Timeout=900' "$directory/calls")" = 2 ]
 check "root: no recommendations" grep -q -- "--no-install-recommends install" "$directory/calls"
+
+begin
+run "libassimp-dev clang libosmesa6 libsdl2-dev" 0 --demo
+check "demo: success" [ "$status" = 0 ]
+check "demo: only what it needs" grep -q "install libassimp-dev libosmesa6 \[" "$directory/calls"
+
+begin
+run "clang" 0 --demos
+check "unknown argument: status 1" [ "$status" = 1 ]
+check "unknown argument: named" grep -q -e "--demos" "$directory/error"
+check "unknown argument: nothing is called" [ ! -s "$directory/calls" ]
 
 begin
 export REFERENCE=egl

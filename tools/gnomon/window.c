@@ -3,14 +3,6 @@
 
 #include "report.h"
 
-#if !defined(__has_include)
-#define GN_HAVE_SDL 0
-#elif __has_include(<SDL2/SDL.h>)
-#define GN_HAVE_SDL 1
-#else
-#define GN_HAVE_SDL 0
-#endif
-
 #if GN_HAVE_SDL
 
 #define SDL_MAIN_HANDLED
