@@ -225,7 +225,8 @@ int window_open(const char *title, uint32_t width, uint32_t height)
     (void)title;
     (void)width;
     (void)height;
-    return report_fault("view", "this gnomon was built without SDL2 (libsdl2-dev)");
+    return report_fault(
+        "view", "this gnomon was built without SDL2: install libsdl2-dev and build it again");
 }
 
 int window_show(const uint8_t *rgba, uint32_t width, uint32_t height)
