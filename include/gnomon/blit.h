@@ -27,11 +27,13 @@ typedef struct gn_rectangle {
     int32_t x1, y1;
 } gn_rectangle;
 
+/* Which pixels of the source a pixel is made of. */
 typedef enum gn_blit_filter {
-    GN_BLIT_NEAREST = 0,
-    GN_BLIT_LINEAR /* for colours only */
+    GN_BLIT_NEAREST = 0, /* the nearest one */
+    GN_BLIT_LINEAR       /* the four around it, weighted by distance; for colours only */
 } gn_blit_filter;
 
+/* What a blit does besides copying. */
 typedef struct gn_blit_options {
     gn_blit_filter filter;
     gn_scissor scissor;

@@ -30,6 +30,7 @@
 #include "status.h"
 #include "vec.h"
 
+/* The number of vectors from which on GN_BACKEND_AUTO asks the processor. */
 #define GN_BULK_ASK 65536
 
 GN_BEGIN

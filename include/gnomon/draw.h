@@ -18,17 +18,18 @@ typedef struct gn_attribute {
     uint32_t divisor;    /* instances that share one element; 0: one element per vertex */
 } gn_attribute;
 
+/* The elements of a mesh's indices. */
 typedef enum gn_index_format {
     GN_INDEX_NONE = 0, /* vertices are drawn in order */
-    GN_INDEX_UINT8,
-    GN_INDEX_UINT16,
-    GN_INDEX_UINT32
+    GN_INDEX_UINT8,    /* uint8_t */
+    GN_INDEX_UINT16,   /* uint16_t */
+    GN_INDEX_UINT32    /* uint32_t */
 } gn_index_format;
 
 /* The index that ends a strip, fan or list and begins a new one (PRIMITIVE_RESTART). It is compared
  * before base_vertex is added. */
 typedef enum gn_restart {
-    GN_RESTART_NONE = 0,
+    GN_RESTART_NONE = 0,    /* no index does */
     GN_RESTART_FIXED_INDEX, /* the largest value of the index format */
     GN_RESTART_INDEX        /* the member restart_index */
 } gn_restart;
@@ -120,17 +121,16 @@ typedef struct gn_workspace {
 
 GN_BEGIN
 
-/* In the next two functions, clip distances count as varyings: for a pipeline that has clip
- * distances, varying_count is the sum of both. */
-
 /* Returns the workspace bytes with which the calling thread shades each vertex of a mesh of
  * vertex_count vertices once. With vertex_count 0, returns the least that a draw with that many
- * varyings needs. Returns SIZE_MAX if the size would not fit a size_t or if varying_count is above
- * GN_MAX_VARYINGS + GN_MAX_CLIP_DISTANCES. */
+ * varyings needs. Clip distances count as varyings: for a pipeline that has clip distances,
+ * varying_count is the sum of both. Returns SIZE_MAX if the size would not fit a size_t or if
+ * varying_count is above GN_MAX_VARYINGS + GN_MAX_CLIP_DISTANCES. */
 GN_API size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count);
 
 /* Returns the workspace bytes that are best for drawing a mesh on several threads. vertex_count is
- * the number of the mesh's vertices; without indices, the number of vertices drawn.
+ * the number of the mesh's vertices; without indices, the number of vertices drawn. varying_count
+ * is that of gn_workspace_size, clip distances included.
  *
  * Threads draw in rounds of some 57,000 triangles: the first step shades vertices, the second finds
  * what is visible, the third draws rows of the target, in strips of about equal work. With less

@@ -10,6 +10,7 @@
 #ifndef GNOMON_LANES_H
 #define GNOMON_LANES_H
 
+/* The number of lanes, 16 or 1. */
 #if !defined(GN_LANES)
 #if defined(GN_SMALL) && defined(GN_BASIC) && !defined(__SSE2__) && !defined(__aarch64__) &&       \
     !defined(__wasm_simd128__)

@@ -24,12 +24,12 @@
  * position, and a = 1 / ((constant + linear * d) + (quadratic * d) * d) at the distance d, or 1 if
  * constant, linear and quadratic are all 0. */
 typedef struct gn_light {
-    bool is_point;
-    gn_vec3 direction; /* towards the light, unit length, in world space */
-    gn_vec3 position;  /* in world space */
-    float constant, linear, quadratic;
-    gn_vec3 ambient; /* reaches every surface, also in shadow */
-    gn_vec3 diffuse;
+    bool is_point;                     /* false: a directional light */
+    gn_vec3 direction;                 /* towards the light, unit length, in world space */
+    gn_vec3 position;                  /* in world space */
+    float constant, linear, quadratic; /* how a point light fades with distance */
+    gn_vec3 ambient;                   /* reaches every surface, also in shadow */
+    gn_vec3 diffuse;                   /* reaches surfaces that face the light */
 } gn_light;
 
 /* The space of the vectors that a normal map holds (as 0.5 + 0.5 * component). */
@@ -42,15 +42,15 @@ typedef enum gn_normal_space {
  * A null map means: white as diffuse map, the vertices' normals as normal map, white as specular
  * map, no glow. */
 typedef struct gn_material {
-    const gn_texture *diffuse_map;
-    const gn_texture *normal_map;
-    const gn_texture *specular_map;
-    const gn_texture *glow_map;
-    gn_sampler sampler; /* for all maps */
-    gn_normal_space normal_space;
-    gn_vec3 specular;  /* colour of highlights */
-    uint32_t exponent; /* of highlights: the greater, the smaller the highlight */
-    uint32_t bands;    /* intensities of gn_use_toon, 2 to 256; 0 means 4 */
+    const gn_texture *diffuse_map;  /* times the vertex colour */
+    const gn_texture *normal_map;   /* in place of the vertices' normals */
+    const gn_texture *specular_map; /* times `specular` */
+    const gn_texture *glow_map;     /* added, also in shadow */
+    gn_sampler sampler;             /* for all maps */
+    gn_normal_space normal_space;   /* of the normal map */
+    gn_vec3 specular;               /* colour of highlights */
+    uint32_t exponent;              /* of highlights: the greater, the smaller the highlight */
+    uint32_t bands;                 /* intensities of gn_use_toon, 2 to 256; 0 means 4 */
 } gn_material;
 
 /* Shadows, if `map` is not null. The map is the depth that gn_use_depth_only draws with the light
@@ -61,7 +61,7 @@ typedef struct gn_material {
 typedef struct gn_shadow {
     const gn_texture *map; /* of a depth format; null: everything is lit */
     gn_sampler sampler;
-    gn_mat4 clip_from_world;
+    gn_mat4 clip_from_world; /* the light's, as a camera */
 } gn_shadow;
 
 #endif

@@ -12,10 +12,12 @@
 #include "status.h"
 #include "vec.h"
 
+/* A matrix of 3x3 floats, m[column][row]. */
 typedef struct gn_mat3 {
     float m[3][3];
 } gn_mat3;
 
+/* A matrix of 4x4 floats, m[column][row]. */
 typedef struct gn_mat4 {
     float m[4][4];
 } gn_mat4;

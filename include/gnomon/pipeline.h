@@ -97,13 +97,13 @@
  * for even i and (i+1, i, i+2) for odd i. Triangle i of a fan is (0, i+1, i+2). Line i of a strip
  * or a loop is (i, i+1), and the last line of a loop goes from the last vertex to the first. */
 typedef enum gn_topology {
-    GN_TRIANGLES = 0,
-    GN_TRIANGLE_STRIP,
-    GN_TRIANGLE_FAN,
-    GN_POINTS,
-    GN_LINES,
-    GN_LINE_STRIP,
-    GN_LINE_LOOP
+    GN_TRIANGLES = 0,  /* three vertices each */
+    GN_TRIANGLE_STRIP, /* each vertex after the second makes one with the two before it */
+    GN_TRIANGLE_FAN, /* each vertex after the second makes one with the first and that before it */
+    GN_POINTS,       /* one vertex each */
+    GN_LINES,        /* two vertices each */
+    GN_LINE_STRIP,   /* from each vertex to the next */
+    GN_LINE_LOOP     /* and from the last vertex to the first */
 } gn_topology;
 
 /* The largest size of a point and width of a line, in pixels. Larger values are drawn as these, and
@@ -113,26 +113,31 @@ typedef enum gn_topology {
 #define GN_MAX_POINT_SIZE 255
 #define GN_MAX_LINE_WIDTH 255
 
+/* Whose value GN_FLAT varyings have: that of a primitive's last vertex (GN_PROVOKING_LAST) or of
+ * its first (GN_PROVOKING_FIRST). */
 typedef enum gn_provoking_vertex { GN_PROVOKING_LAST = 0, GN_PROVOKING_FIRST } gn_provoking_vertex;
 
+/* Which triangles are not drawn, by the way they face. */
 typedef enum gn_cull {
-    GN_CULL_NONE = 0,
-    GN_CULL_BACK,
-    GN_CULL_FRONT,
-    GN_CULL_FRONT_AND_BACK
+    GN_CULL_NONE = 0,      /* all are drawn */
+    GN_CULL_BACK,          /* back faces are not drawn */
+    GN_CULL_FRONT,         /* front faces are not drawn */
+    GN_CULL_FRONT_AND_BACK /* no triangle is drawn; points and lines are */
 } gn_cull;
 
-/* The winding of front faces in y-up window coordinates. */
+/* The winding of front faces in y-up window coordinates, GN_FRONT_COUNTER_CLOCKWISE or
+ * GN_FRONT_CLOCKWISE. */
 typedef enum gn_front_face { GN_FRONT_COUNTER_CLOCKWISE = 0, GN_FRONT_CLOCKWISE } gn_front_face;
 
-/* How triangles are drawn: whole, their edges, or their vertices. */
+/* How triangles are drawn. */
 typedef enum gn_polygon_mode {
-    GN_POLYGON_FILL = 0,
-    GN_POLYGON_LINE,
-    GN_POLYGON_POINT
+    GN_POLYGON_FILL = 0, /* whole */
+    GN_POLYGON_LINE,     /* their edges, as lines */
+    GN_POLYGON_POINT     /* their vertices, as points */
 } gn_polygon_mode;
 
-/* Channels of a colour, as bits. */
+/* Channels of a colour, as bits: GN_CHANNEL_RED, GN_CHANNEL_GREEN, GN_CHANNEL_BLUE and
+ * GN_CHANNEL_ALPHA; GN_CHANNEL_ALL is all four. */
 typedef enum gn_channel {
     GN_CHANNEL_RED = 1,
     GN_CHANNEL_GREEN = 2,
@@ -143,32 +148,32 @@ typedef enum gn_channel {
 
 /* The factor that blending multiplies a colour by (OpenGL 4.5 table 17.2). */
 typedef enum gn_blend_factor {
-    GN_FACTOR_DEFAULT = 0, /* source: one; destination: zero; for alpha: the colour's factor */
-    GN_FACTOR_ZERO,
-    GN_FACTOR_ONE,
-    GN_FACTOR_SOURCE_COLOR,
-    GN_FACTOR_ONE_MINUS_SOURCE_COLOR,
-    GN_FACTOR_DESTINATION_COLOR,
-    GN_FACTOR_ONE_MINUS_DESTINATION_COLOR,
-    GN_FACTOR_SOURCE_ALPHA,
-    GN_FACTOR_ONE_MINUS_SOURCE_ALPHA,
-    GN_FACTOR_DESTINATION_ALPHA,
-    GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA,
-    GN_FACTOR_CONSTANT_COLOR,
-    GN_FACTOR_ONE_MINUS_CONSTANT_COLOR,
-    GN_FACTOR_CONSTANT_ALPHA,
-    GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA,
+    GN_FACTOR_DEFAULT = 0,  /* source: one; destination: zero; for alpha: the colour's factor */
+    GN_FACTOR_ZERO,         /* 0 */
+    GN_FACTOR_ONE,          /* 1 */
+    GN_FACTOR_SOURCE_COLOR, /* the source's colour */
+    GN_FACTOR_ONE_MINUS_SOURCE_COLOR,      /* 1 - the source's colour */
+    GN_FACTOR_DESTINATION_COLOR,           /* the destination's colour */
+    GN_FACTOR_ONE_MINUS_DESTINATION_COLOR, /* 1 - the destination's colour */
+    GN_FACTOR_SOURCE_ALPHA,                /* the source's alpha */
+    GN_FACTOR_ONE_MINUS_SOURCE_ALPHA,      /* 1 - the source's alpha */
+    GN_FACTOR_DESTINATION_ALPHA,           /* the destination's alpha */
+    GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA, /* 1 - the destination's alpha */
+    GN_FACTOR_CONSTANT_COLOR,              /* blend_constant */
+    GN_FACTOR_ONE_MINUS_CONSTANT_COLOR,    /* 1 - blend_constant */
+    GN_FACTOR_CONSTANT_ALPHA,              /* blend_constant's alpha */
+    GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA,    /* 1 - blend_constant's alpha */
     GN_FACTOR_SOURCE_ALPHA_SATURATE /* min(source alpha, 1 - destination alpha); for alpha: one */
 } gn_blend_factor;
 
 /* How source and destination, each times its factor, are combined (table 17.1). */
 typedef enum gn_blend_equation {
-    GN_EQUATION_DEFAULT = 0, /* GN_EQUATION_ADD; for alpha: the colour's equation */
-    GN_EQUATION_ADD,
+    GN_EQUATION_DEFAULT = 0,      /* GN_EQUATION_ADD; for alpha: the colour's equation */
+    GN_EQUATION_ADD,              /* source + destination */
     GN_EQUATION_SUBTRACT,         /* source - destination */
     GN_EQUATION_REVERSE_SUBTRACT, /* destination - source */
-    GN_EQUATION_MIN,              /* of the two colours, without factors */
-    GN_EQUATION_MAX
+    GN_EQUATION_MIN,              /* the lesser of the two colours, without factors */
+    GN_EQUATION_MAX               /* the greater of the two colours, without factors */
 } gn_blend_equation;
 
 /* Blends a fragment's colour, the source, with the surface's colour, the destination. For alpha,
@@ -177,11 +182,11 @@ typedef enum gn_blend_equation {
  * results saturate. GN_FORMAT_SRGB8_A8 is blended as linear floats within 0 to 1. If the surface
  * has no alpha, the destination's alpha is one. */
 typedef struct gn_blend {
-    bool enabled; /* false: the other fields are ignored */
-    gn_blend_equation equation;
-    gn_blend_factor source, destination;
-    gn_blend_equation alpha_equation;
-    gn_blend_factor alpha_source, alpha_destination;
+    bool enabled;                                    /* false: the other fields are ignored */
+    gn_blend_equation equation;                      /* how source and destination are combined */
+    gn_blend_factor source, destination;             /* what each is multiplied by first */
+    gn_blend_equation alpha_equation;                /* the same for alpha */
+    gn_blend_factor alpha_source, alpha_destination; /* the same for alpha */
 } gn_blend;
 
 /* How the bits s of a fragment's colour and d of the surface's colour are combined (OpenGL 4.5
@@ -205,20 +210,22 @@ typedef enum gn_logic_operation {
     GN_LOGIC_SET            /* all ones */
 } gn_logic_operation;
 
+/* What becomes of the stored stencil (OpenGL 4.5 section 17.3.3). */
 typedef enum gn_stencil_operation {
-    GN_STENCIL_KEEP = 0,
-    GN_STENCIL_ZERO,
-    GN_STENCIL_REPLACE,   /* with the reference */
-    GN_STENCIL_INCREMENT, /* up to 255 */
-    GN_STENCIL_DECREMENT, /* down to 0 */
-    GN_STENCIL_INVERT,
-    GN_STENCIL_INCREMENT_WRAP,
-    GN_STENCIL_DECREMENT_WRAP
+    GN_STENCIL_KEEP = 0,       /* it stays */
+    GN_STENCIL_ZERO,           /* it becomes 0 */
+    GN_STENCIL_REPLACE,        /* it becomes the reference */
+    GN_STENCIL_INCREMENT,      /* plus 1, up to 255 */
+    GN_STENCIL_DECREMENT,      /* minus 1, down to 0 */
+    GN_STENCIL_INVERT,         /* every bit changes */
+    GN_STENCIL_INCREMENT_WRAP, /* plus 1, from 255 to 0 */
+    GN_STENCIL_DECREMENT_WRAP  /* minus 1, from 0 to 255 */
 } gn_stencil_operation;
 
+/* The stencil test and its operations, for front faces or for back faces. */
 typedef struct gn_stencil_face {
-    gn_compare function; /* passes where `reference FUNCTION stored stencil` holds */
-    uint8_t reference;
+    gn_compare function;       /* passes where `reference FUNCTION stored stencil` holds */
+    uint8_t reference;         /* what the stored stencil is compared with, and replaced by */
     uint8_t compare_disabled;  /* bits ignored on both sides of the test: ~ of StencilFunc's mask */
     uint8_t write_disabled;    /* bits that keep their values: ~ of StencilMask */
     gn_stencil_operation fail; /* applied where the stencil test fails */
@@ -254,6 +261,7 @@ typedef enum gn_varying_location {
     GN_AT_SAMPLE /* at each sample; the fragment shader runs for each sample */
 } gn_varying_location;
 
+/* The place of the view volume in the window: x to x + width, y to y + height. */
 typedef struct gn_viewport {
     bool set; /* false: the whole target, and the other fields are ignored */
     float x, y;
@@ -275,7 +283,8 @@ typedef struct gn_depth_range {
     float z_far;  /* window depth of NDC z = 1; in 0..1 */
 } gn_depth_range;
 
-/* The z in clip space that are drawn and mapped to the depth range: -w <= z <= w or 0 <= z <= w. */
+/* The z in clip space that are drawn and mapped to the depth range: -w <= z <= w
+ * (GN_NEGATIVE_ONE_TO_ONE) or 0 <= z <= w (GN_ZERO_TO_ONE). */
 typedef enum gn_clip_depth { GN_NEGATIVE_ONE_TO_ONE = 0, GN_ZERO_TO_ONE } gn_clip_depth;
 
 /* Adds slope * factor + step * units to the depth of a triangle's fragments. slope is the greater
@@ -289,7 +298,8 @@ typedef struct gn_polygon_offset {
     float clamp; /* above 0: the most that is added; below 0: the least */
 } gn_polygon_offset;
 
-/* The corner of a point's square where gl_PointCoord is 0, 0. */
+/* The corner of a point's square where gl_PointCoord is 0, 0: GN_POINT_UPPER_LEFT or
+ * GN_POINT_LOWER_LEFT. */
 typedef enum gn_point_origin { GN_POINT_UPPER_LEFT = 0, GN_POINT_LOWER_LEFT } gn_point_origin;
 
 /* Input of a vertex shader: up to 16 vertices. Lanes beyond `count` repeat the last vertex, so that
@@ -367,10 +377,12 @@ typedef struct gn_fragment_input {
      * off. */
     const uint32_t *sample_mask;
 
-    /* gl_SampleID and gl_SamplePosition: the sample that the shader runs for, in all lanes, and its
-     * place in the pixel, from the lower left corner. 0 and 0.5, 0.5 if the shader runs for each
+    /* gl_SampleID: the sample that the shader runs for, in all lanes; 0 if the shader runs for each
      * pixel. */
     uint32_t sample_id;
+
+    /* gl_SamplePosition: the place of that sample in the pixel, from the lower left corner; 0.5,
+     * 0.5 if the shader runs for each pixel. */
     float sample_position[2];
 } gn_fragment_input;
 
@@ -439,8 +451,8 @@ typedef struct gn_raster {
     gn_provoking_vertex provoking_vertex;
     gn_cull cull;
     gn_front_face front_face;
-    gn_polygon_mode polygon_mode_front;
-    gn_polygon_mode polygon_mode_back;
+    gn_polygon_mode polygon_mode_front; /* of front faces */
+    gn_polygon_mode polygon_mode_back;  /* of back faces */
     gn_polygon_offset polygon_offset;
     gn_viewport viewport;
     gn_scissor scissor;
@@ -449,6 +461,7 @@ typedef struct gn_raster {
     float line_width; /* in pixels; 0 means 1; see GN_MAX_LINE_WIDTH */
 } gn_raster;
 
+/* The depth test, the bounds of z and the depths of the window. */
 typedef struct gn_depth {
     bool test;
     gn_compare function; /* passes where `incoming depth FUNCTION stored depth` holds */
@@ -458,6 +471,7 @@ typedef struct gn_depth {
     gn_depth_range range;
 } gn_depth;
 
+/* The stencil test. */
 typedef struct gn_stencil {
     bool test;
     gn_stencil_face front, back;
@@ -497,6 +511,7 @@ typedef struct gn_samples {
     float least_shading;    /* 0 to 1; ignored unless `shading` is set */
 } gn_samples;
 
+/* The shaders of a draw and the state that it runs under. */
 typedef struct gn_pipeline {
     gn_program program;
     gn_raster raster;

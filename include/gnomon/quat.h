@@ -23,6 +23,7 @@
 #include "status.h"
 #include "vec.h"
 
+/* The quaternion w + x i + y j + z k. */
 typedef struct gn_quat {
     float x, y, z, w;
 } gn_quat;

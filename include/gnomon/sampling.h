@@ -45,31 +45,35 @@
 
 /* How coordinates outside 0 to 1 are treated (OpenGL 4.5 table 8.20). */
 typedef enum gn_wrap {
-    GN_WRAP_REPEAT = 0,
-    GN_WRAP_CLAMP_TO_EDGE,
-    GN_WRAP_MIRRORED_REPEAT,
-    GN_WRAP_CLAMP_TO_BORDER, /* the sampler's border */
-    GN_WRAP_MIRROR_CLAMP_TO_EDGE
+    GN_WRAP_REPEAT = 0,          /* the image again and again */
+    GN_WRAP_CLAMP_TO_EDGE,       /* the texel at the edge */
+    GN_WRAP_MIRRORED_REPEAT,     /* the image again and again, every other one mirrored */
+    GN_WRAP_CLAMP_TO_BORDER,     /* the sampler's border */
+    GN_WRAP_MIRROR_CLAMP_TO_EDGE /* the image mirrored once, then the texel at the edge */
 } gn_wrap;
 
+/* The filter of magnified textures: the texels around the place mixed by distance
+ * (GN_MAGNIFY_LINEAR), or the nearest texel (GN_MAGNIFY_NEAREST). */
 typedef enum gn_magnify { GN_MAGNIFY_LINEAR = 0, GN_MAGNIFY_NEAREST } gn_magnify;
 
-/* The filter within a level, then the filter between levels. */
+/* The filter of minified textures. Names say the filter within a level, then the filter between
+ * levels: GN_MINIFY_LINEAR_MIPMAP_NEAREST mixes texels of the nearest level. */
 typedef enum gn_minify {
-    GN_MINIFY_NEAREST_MIPMAP_LINEAR = 0,
-    GN_MINIFY_NEAREST,
-    GN_MINIFY_LINEAR,
-    GN_MINIFY_NEAREST_MIPMAP_NEAREST,
-    GN_MINIFY_LINEAR_MIPMAP_NEAREST,
-    GN_MINIFY_LINEAR_MIPMAP_LINEAR
+    GN_MINIFY_NEAREST_MIPMAP_LINEAR = 0, /* the nearest texel of each of two levels, mixed */
+    GN_MINIFY_NEAREST,                   /* the nearest texel of level 0 */
+    GN_MINIFY_LINEAR,                    /* texels of level 0, mixed */
+    GN_MINIFY_NEAREST_MIPMAP_NEAREST,    /* the nearest texel of the nearest level */
+    GN_MINIFY_LINEAR_MIPMAP_NEAREST,     /* texels of the nearest level, mixed */
+    GN_MINIFY_LINEAR_MIPMAP_LINEAR       /* texels of two levels, mixed */
 } gn_minify;
 
+/* How a texture is read. */
 typedef struct gn_sampler {
-    gn_wrap wrap_s;
-    gn_wrap wrap_t;
+    gn_wrap wrap_s; /* for s outside 0 to 1 */
+    gn_wrap wrap_t; /* for t */
     gn_magnify magnify;
     gn_minify minify;
-    gn_wrap wrap_r;
+    gn_wrap wrap_r;          /* for r, in three dimensions */
     gn_compare compare;      /* a depth texel becomes 1 where `reference FUNCTION depth` holds and 0
                                 elsewhere, before filtering; GN_COMPARE_DEFAULT keeps the depth;
                                 without effect on colours */
@@ -77,7 +81,7 @@ typedef struct gn_sampler {
     bool lod_clamped;        /* false: min_lod and max_lod are ignored */
     float min_lod, max_lod;  /* min_lod <= max_lod */
     uint32_t max_anisotropy; /* at most GN_MAX_ANISOTROPY; 0 means 1 */
-    float border[4];
+    float border[4];         /* red, green, blue, alpha */
 } gn_sampler;
 
 /* Where the level of detail comes from. */
@@ -103,7 +107,7 @@ typedef struct gn_lookup {
     gn_lod_source lod_source;
     const float *lod; /* null: 0, and the nearest level comes from the exponent of the footprint */
     const float *gradient_x[3]; /* change of the coordinates to the next fragment along x */
-    const float *gradient_y[3];
+    const float *gradient_y[3]; /* and along y */
 } gn_lookup;
 
 /* The types of the functions below. A fragment shader receives these functions in the form of the
@@ -118,12 +122,13 @@ typedef void gn_gather_function(const gn_texture *texture, const gn_sampler *sam
 typedef void gn_fetch_function(const gn_texture *texture, const int32_t *const coordinate[3],
                                const int32_t *level, float texel[4][GN_LANES]);
 
-/* In a library compiled with both GN_SMALL and GN_BASIC, the last three are null. */
+/* The functions of sampling in the form of one back end. In a library compiled with both GN_SMALL
+ * and GN_BASIC, the last three are null. */
 typedef struct gn_sampling {
-    gn_sample_2d_function *sample_2d;
-    gn_sample_function *sample;
-    gn_gather_function *gather;
-    gn_fetch_function *fetch;
+    gn_sample_2d_function *sample_2d; /* gn_sample_2d */
+    gn_sample_function *sample;       /* gn_sample */
+    gn_gather_function *gather;       /* gn_gather */
+    gn_fetch_function *fetch;         /* gn_fetch */
 } gn_sampling;
 
 GN_BEGIN

@@ -8,6 +8,7 @@
 
 #include "api.h"
 
+/* pi, rounded to binary32. */
 #define GN_PI 3.14159265358979323846f
 
 GN_BEGIN

@@ -200,6 +200,7 @@
     }                                                                                              \
     struct name##_is_defined
 
+/* Defines a fragment shader, as described at GN_VERTEX_SHADER. */
 #define GN_FRAGMENT_SHADER(name, uniforms_type, varyings_type, colors, fragment)                   \
     GN_SHADER_WHOLE_ static void name(const void *gn_uniforms, const gn_fragment_input *gn_input,  \
                                       gn_fragment_output *gn_output)                               \
@@ -208,6 +209,8 @@
     }                                                                                              \
     struct name##_is_defined
 
+/* Defines a fragment shader that samples textures, as described at GN_VERTEX_SHADER; `textures` and
+ * `look_up` are those of GN_TEXTURED_SHADERS. */
 #define GN_TEXTURED_FRAGMENT_SHADER(name, uniforms_type, varyings_type, colors, textures, look_up, \
                                     fragment)                                                      \
     GN_SHADER_WHOLE_ static void name(const void *gn_uniforms, const gn_fragment_input *gn_input,  \

@@ -29,7 +29,7 @@ typedef struct gn_fragment {
     uint32_t covered_samples;              /* gl_SampleMaskIn; 0 if not switched on */
     uint32_t sample_id;                    /* gl_SampleID; 0 if not switched on */
     gn_vec2 sample_position;               /* gl_SamplePosition; 0.5, 0.5 if not switched on */
-    bool front_facing;
+    bool front_facing;                     /* gl_FrontFacing */
 
     /* Colours from the second on, beforehand 0. The first colour is the function's result. */
     gn_vec4 color[GN_MAX_COLORS];
@@ -41,13 +41,13 @@ typedef struct gn_fragment {
 /* Where a texture is sampled for one fragment; made by the functions below. All members but
  * coordinate, reference and lod must be equal in all fragments of a draw. */
 typedef struct gn_texel_lookup {
-    const gn_texture *texture;
-    const gn_sampler *sampler;
-    gn_vec3 coordinate;
-    float reference; /* what a depth texture is compared with */
-    float lod;       /* the level of detail, or a bias */
-    gn_lod_source lod_source;
-    bool is_2d, has_lod;
+    const gn_texture *texture; /* what is sampled */
+    const gn_sampler *sampler; /* how it is sampled */
+    gn_vec3 coordinate;        /* s, t, r; or a direction; or s, t and the layer's number */
+    float reference;           /* what a depth texture is compared with */
+    float lod;                 /* the level of detail, or a bias */
+    gn_lod_source lod_source;  /* what `lod` is */
+    bool is_2d, has_lod;       /* what the functions below have found out */
 } gn_texel_lookup;
 
 /* Returns the attribute of a vertex, or `other` if the mesh has none. */

@@ -28,6 +28,7 @@
 #include "mat.h"
 #include "vec.h"
 
+/* The vector of these components. */
 static inline gn_vec2 gn_make2(float x, float y)
 {
     gn_vec2 v;
@@ -64,12 +65,13 @@ static inline gn_vec4 gn_extend(gn_vec3 v, float w)
     return gn_make4(v.x, v.y, v.z, w);
 }
 
-/* The first two, or the first three, components. */
+/* The first two components. */
 static inline gn_vec2 gn_xy(gn_vec4 v)
 {
     return gn_make2(v.x, v.y);
 }
 
+/* The first three components. */
 static inline gn_vec3 gn_xyz(gn_vec4 v)
 {
     return gn_make3(v.x, v.y, v.z);
@@ -155,12 +157,13 @@ static inline gn_vec4 gn_scale4(gn_vec4 v, float factor)
     return gn_make4(v.x * factor, v.y * factor, v.z * factor, v.w * factor);
 }
 
-/* The bits of a float, and the float of such bits. */
+/* A float and its bits. */
 typedef union gn_shader_bits_ {
     float number;
     uint32_t bits;
 } gn_shader_bits_;
 
+/* The bits of a float. */
 static inline uint32_t gn_bits_of(float x)
 {
     gn_shader_bits_ value;
@@ -169,6 +172,7 @@ static inline uint32_t gn_bits_of(float x)
     return value.bits;
 }
 
+/* The float of such bits. */
 static inline float gn_float_of(uint32_t bits)
 {
     gn_shader_bits_ value;
@@ -202,13 +206,13 @@ static inline gn_vec4 gn_select4(bool which, gn_vec4 a, gn_vec4 b)
                     gn_select1(which, a.z, b.z), gn_select1(which, a.w, b.w));
 }
 
-/* The lesser, a < b ? a : b, and the greater, a > b ? a : b. For two zeros returns b. If one is
- * NaN, returns the other. */
+/* The lesser, a < b ? a : b. For two zeros returns b. If one is NaN, returns the other. */
 static inline float gn_minimum1(float a, float b)
 {
     return gn_select1((a < b) | (b != b), a, b);
 }
 
+/* The greater, a > b ? a : b. For two zeros returns b. If one is NaN, returns the other. */
 static inline float gn_maximum1(float a, float b)
 {
     return gn_select1((a > b) | (b != b), a, b);

@@ -78,14 +78,16 @@ typedef enum gn_shader_attribute {
 /* The largest number of scalar varyings of a ready-made shader, for sizing a workspace. */
 #define GN_SHADER_VARYINGS 16
 
+/* The uniforms of gn_use_vertex_color and gn_use_depth_only. */
 typedef struct gn_color_uniforms {
-    gn_mat4 clip_from_model;
+    gn_mat4 clip_from_model; /* from model space to clip space */
 } gn_color_uniforms;
 
+/* The uniforms of gn_use_unlit. */
 typedef struct gn_unlit_uniforms {
-    gn_mat4 clip_from_model;
-    const gn_texture *map; /* GN_TEXTURE_2D; null: white */
-    gn_sampler sampler;
+    gn_mat4 clip_from_model; /* from model space to clip space */
+    const gn_texture *map;   /* GN_TEXTURE_2D; null: white */
+    gn_sampler sampler;      /* for the map */
 } gn_unlit_uniforms;
 
 /* The uniforms of all lit shaders, so that one shader can be replaced by another. Each shader uses:
@@ -103,18 +105,19 @@ typedef struct gn_unlit_uniforms {
  *
  * "point" means for point lights only, "of tangents" for GN_NORMAL_OF_TANGENTS only. */
 typedef struct gn_lit_uniforms {
-    gn_mat4 clip_from_model;
-    gn_mat4 world_from_model;
-    gn_mat3 normal_matrix; /* the transposed inverse of world_from_model's upper left */
-    gn_vec3 eye;           /* in world space */
-    gn_light light;
-    gn_material material;
-    gn_shadow shadow;
+    gn_mat4 clip_from_model;  /* from model space to clip space */
+    gn_mat4 world_from_model; /* from model space to the space of the light and the eye */
+    gn_mat3 normal_matrix;    /* the transposed inverse of world_from_model's upper left */
+    gn_vec3 eye;              /* in world space */
+    gn_light light;           /* the one light */
+    gn_material material;     /* of the whole mesh */
+    gn_shadow shadow;         /* a null map: none */
 } gn_lit_uniforms;
 
+/* The uniforms of gn_use_depth_color. */
 typedef struct gn_depth_color_uniforms {
-    gn_mat4 clip_from_model;
-    float black, white; /* the window depths drawn black and white; both 0 mean 0 and 1 */
+    gn_mat4 clip_from_model; /* from model space to clip space */
+    float black, white;      /* the window depths drawn black and white; both 0 mean 0 and 1 */
 } gn_depth_color_uniforms;
 
 GN_BEGIN

@@ -6,6 +6,7 @@
 
 #include "api.h"
 
+/* GN_OK, or the fault that a function has found. */
 typedef enum gn_status {
     GN_OK = 0,
     GN_NULL_POINTER,   /* a pointer that must be given is null */

@@ -54,6 +54,7 @@
 /* The largest width or height of a surface, texture or viewport, in pixels. */
 #define GN_MAX_SIZE 16384
 
+/* The formats of pixels; the table at the top describes them. */
 typedef enum gn_format {
     GN_FORMAT_NONE = 0, /* no surface */
     GN_FORMAT_RGBA8,
@@ -82,12 +83,13 @@ typedef enum gn_format {
     GN_FORMAT_R11F_G11F_B10F
 } gn_format;
 
+/* An image in the caller's memory. */
 typedef struct gn_surface {
     void *pixels;         /* the leftmost pixel of row 0, the bottom row */
     ptrdiff_t row_stride; /* bytes from a row to the one above it */
     uint32_t width;       /* in pixels, 1 to GN_MAX_SIZE */
-    uint32_t height;
-    gn_format format; /* GN_FORMAT_NONE: no surface, the other members are ignored */
+    uint32_t height;      /* in pixels, 1 to GN_MAX_SIZE */
+    gn_format format;     /* GN_FORMAT_NONE: no surface, the other members are ignored */
 
     /* For a multisampled surface; pixels and row_stride are then those of sample 0. */
     uint32_t samples;        /* per pixel: 0 and 1 mean one, otherwise GN_SAMPLES */

@@ -34,6 +34,7 @@
 /* Levels of the largest texture, from 16384 texels down to 1. */
 #define GN_MAX_LEVELS 15
 
+/* The shapes of textures; the table at the top says which coordinates each takes. */
 typedef enum gn_texture_target {
     GN_TEXTURE_2D = 0,
     GN_TEXTURE_1D,
@@ -42,20 +43,22 @@ typedef enum gn_texture_target {
     GN_TEXTURE_CUBE
 } gn_texture_target;
 
+/* One image of a texture, or several layers of it. */
 typedef struct gn_texture_level {
     const void *texels;     /* the texel of s = 0, t = 0 in the first layer; rows grow with t */
     ptrdiff_t row_stride;   /* bytes from a row to the next (greater t); negative flips the image */
     ptrdiff_t layer_stride; /* bytes from a layer to the next; ignored with one layer */
 } gn_texture_level;
 
+/* A texture and its levels, the largest first. */
 typedef struct gn_texture {
     gn_texture_target target;
-    gn_format format;
-    uint32_t width; /* of level 0, in texels, 1 to GN_MAX_SIZE */
-    uint32_t height;
+    gn_format format;     /* of all levels */
+    uint32_t width;       /* of level 0, in texels, 1 to GN_MAX_SIZE */
+    uint32_t height;      /* of level 0, in texels, 1 to GN_MAX_SIZE */
     uint32_t depth;       /* for GN_TEXTURE_3D and GN_TEXTURE_2D_ARRAY; otherwise ignored */
     uint32_t level_count; /* 0 means 1 */
-    gn_texture_level level[GN_MAX_LEVELS];
+    gn_texture_level level[GN_MAX_LEVELS]; /* level_count of them */
 } gn_texture;
 
 GN_BEGIN

@@ -16,6 +16,7 @@
 #include "status.h"
 #include "vec.h"
 
+/* A matrix together with its inverse. */
 typedef struct gn_transform {
     gn_mat4 matrix;
     gn_mat4 inverse;

@@ -17,14 +17,17 @@
 #include "api.h"
 #include "status.h"
 
+/* A vector of two floats: x and y. */
 typedef struct gn_vec2 {
     float x, y;
 } gn_vec2;
 
+/* A vector of three floats: x, y and z. */
 typedef struct gn_vec3 {
     float x, y, z;
 } gn_vec3;
 
+/* A vector of four floats: x, y, z and w. */
 typedef struct gn_vec4 {
     float x, y, z, w;
 } gn_vec4;

@@ -11,6 +11,7 @@
 
 #include "api.h"
 
+/* The three numbers of the version. */
 #define GN_VERSION_MAJOR 0
 #define GN_VERSION_MINOR 1
 #define GN_VERSION_PATCH 0
