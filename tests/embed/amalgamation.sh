@@ -39,7 +39,7 @@ result "written again, header" cmp "$build/amalgamation/gnomon.h" "$directory/ag
 result "written again, source" cmp "$source" "$directory/again/gnomon.c"
 
 "$build/hashes" --scenes "$scenes" --mathematics 2000 >"$directory/expected"
-awk '/^```c$/ { inside = 1; next } /^```$/ { if (inside) exit } inside' README.md >"$directory/triangle.c"
+awk -v first=1 -f tests/embed/blocks.awk README.md >"$directory/triangle.c"
 "${CC:-cc}" -std=c99 -Iinclude "$directory/triangle.c" "$build/libgnomon.a" -o "$directory/triangle"
 "$directory/triangle" >"$directory/triangle.rgba" 2>/dev/null
 tr ' ' '\n' <"$build/hashes.command" | grep '\.o$' | grep -v "^$build/src/" >"$directory/objects"

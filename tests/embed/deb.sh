@@ -31,7 +31,7 @@ check() { # check WHAT COMMAND...
     fi
 }
 
-awk '/^```c$/ { inside = 1; next } /^```$/ { if (inside) exit } inside' README.md >"$directory/triangle.c"
+awk -v first=1 -f tests/embed/blocks.awk README.md >"$directory/triangle.c"
 "${CC:-cc}" -std=c99 -Iinclude "$directory/triangle.c" "$1/libgnomon.a" -o "$directory/triangle"
 "$directory/triangle" >"$directory/triangle.rgba" 2>/dev/null
 same_picture() {

@@ -58,7 +58,7 @@ fi
 check "builds a unit test" make -s build/test_draw "$@"
 check "the unit test" build/test_draw
 check "installs the library" make -s install-library PREFIX="$directory/installed" "$@"
-awk '/^```c$/ { inside = 1; next } /^```$/ { if (inside) exit } inside' README.md >"$directory/triangle.c"
+awk -v first=1 -f tests/embed/blocks.awk README.md >"$directory/triangle.c"
 check "the README's program, compiles" "${CC:-cc}" -std=c99 "$directory/triangle.c" -I"$directory/installed/include" \
     "$directory/installed/lib/libgnomon.a" -o "$directory/triangle"
 check "the README's program, draws" sh -c "'$directory/triangle' | wc -c | grep -q -x 307200"

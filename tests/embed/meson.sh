@@ -25,7 +25,7 @@ fi
 directory=$(cd "$1" && pwd)/embed/meson
 rm -rf "$directory"
 mkdir -p "$directory/user/subprojects/packagefiles"
-awk '/^```c$/ { inside = 1; next } /^```$/ { if (inside) exit } inside' README.md >"$directory/user/triangle.c"
+awk -v first=1 -f tests/embed/blocks.awk README.md >"$directory/user/triangle.c"
 "${CC:-cc}" -std=c99 -Iinclude "$directory/user/triangle.c" "$1/libgnomon.a" -o "$directory/triangle"
 "$directory/triangle" >"$directory/triangle.rgba" 2>/dev/null
 

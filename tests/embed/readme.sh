@@ -7,7 +7,7 @@ set -eu
 failed=0
 directory=$1/embed
 mkdir -p "$directory"
-awk '/^```c$/ { inside = 1; next } /^```$/ { if (inside) exit } inside' README.md >"$directory/triangle.c"
+awk -v first=1 -f tests/embed/blocks.awk README.md >"$directory/triangle.c"
 if grep -n '@[A-Z]*@' README.md; then
     echo "the README has a place that was not filled in"
     exit 1

@@ -25,7 +25,7 @@ result() { # result WHAT CONDITION...
 
 {
     printf '#include "course.h"\n#include <string.h>\nint main(void)\n{\n'
-    awk '/^```c$/ { on = 1; next } /^```/ { on = 0 } on' "$page"
+    awk -f tests/embed/blocks.awk "$page"
     printf 'return 0;\n}\n'
 } >"$work/course.c"
 result "the page compiles in C99" "${CC:-cc}" -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude -Itests/examples \

@@ -75,7 +75,7 @@ done | awk -v folder="$GN_DOCS/pages/" '/^# .* \{#source_[A-Za-z0-9_]*\}$/ {
 link() { printf '<li><a href="%s.html">%s</a></li>\n' "$1" "$2"; }
 title() { sed -n 's/^# //p' "$1" | head -n 1 | tr -d '`' | sed 's/&/\&amp;/g; s/</\&lt;/g'; }
 section() { # section TITLE PAGE FILE...
-    printf '<details><summary>%s</summary><ul>\n' "$1"
+    printf '<details open><summary>%s</summary><ul>\n' "$1"
     [ -z "$2" ] || link "$2" Contents
     shift 2
     for file; do link "$(page_id "$file")" "$(title "$file")"; done
@@ -84,7 +84,7 @@ section() { # section TITLE PAGE FILE...
 # Rows of gnomon.h's first comment: header, what it is about. A name that Doxygen gives a page has `__`
 # for `_` and `_8` for a full stop.
 reference() {
-    printf '<details><summary>Reference</summary><ul>\n'
+    printf '<details open><summary>Reference</summary><ul>\n'
     link gnomon_8h 'gnomon.h: all headers'
     sed -n '/\*\//q; s/^ \*   \([a-z_]*\.h\)  *\(.*\)/\1 \2/p' include/gnomon.h | while read -r header about; do
         link "$(echo "$header" | sed 's/_/__/g; s/\./_8/')" "<code>$header</code> $(echo "$about" | sed 's/&/\&amp;/g; s/</\&lt;/g')"
