@@ -86,6 +86,8 @@ function comment(first, last, code, opening,    i, text, before, block, item) {
         }
         if (text ~ /^- / && (item || before == "" || before ~ /([:;.]|Then)$/))
             item = 1
+        else if (text !~ /^  /)
+            item = 0
         if (text == "")
             out[i] = ""
         else if (text ~ /^  / && !item) {
