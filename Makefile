@@ -203,6 +203,10 @@ pictures: $(BUILD)/gnomon ## the README's pictures of the shaders, compared with
 		$(PICTURE) --shader $$shader --picture tools/pictures/$$shader.png || exit 1; done
 	@$(PICTURE) --shader phong --shadows --picture tools/pictures/shadows.png
 
+.PHONY: docs
+docs: ## the guide, the lessons and the reference as a site that opens from disk: build/docs/html/index.html
+	@tools/docs/site.sh $(BUILD)
+
 .PHONY: lessons
 lessons: $(LESSON_PROGRAMS) $(LESSON_MODELS) ## run the lessons of tools/examples, which leave their pictures in build/examples
 	@for lesson in $(LESSON_PROGRAMS); do echo "  $$lesson"; $$lesson </dev/null || exit 1; done

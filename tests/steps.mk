@@ -139,6 +139,8 @@ test-steps:
 		'lessons$(comma) files=tests/examples/files.sh $(BUILD)' \
 		'sanitized lessons$(comma) files=tests/examples/files.sh $(CHECKED)' \
 		'set-up=sh tests/tools/test_setup.sh' \
+		'docs=tests/docs/docs.sh $(BUILD)' \
+		'code of the guide=tests/embed/guide.sh $(BUILD)' \
 		'steps=tests/tools/test_run.sh' \
 		'style=tests/style.sh' \
 		'style checked=tests/tools/test_style.sh' \

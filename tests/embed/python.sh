@@ -53,6 +53,7 @@ if "$python" -c 'import mypy' 2>/dev/null; then
 else
     skip "Python's types: needs mypy: 'make setup' installs it"
 fi
+run "code of the documentation" tests/embed/guide.sh --python "$environment/bin/python"
 run "benchmark" "$environment/bin/python" tools/python/bench.py --views 20
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]
