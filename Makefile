@@ -198,7 +198,7 @@ PICTURE_SHADERS = vertex-color unlit flat gouraud toon phong blinn-phong normals
 PICTURE = $(BUILD)/gnomon demo --size 240x180 --samples 4 -o $(BUILD)/picture-compared.png
 
 .PHONY: pictures
-pictures: $(BUILD)/gnomon ## the README's pictures of the shaders, compared with OSMesa's: tools/pictures/*.png
+pictures: $(BUILD)/gnomon ## the guide's pictures of the shaders, compared with OSMesa's: tools/pictures/*.png
 	@for shader in $(PICTURE_SHADERS); do \
 		$(PICTURE) --shader $$shader --picture tools/pictures/$$shader.png || exit 1; done
 	@$(PICTURE) --shader phong --shadows --picture tools/pictures/shadows.png

@@ -64,11 +64,11 @@ check() {
     done >"$work/steps"
     cat "$work/steps"
     failed=$((failed + $(grep -c '' "$work/steps")))
-    # Every command that the README gives as evidence has a claim.
-    grep -o '`make [a-z-]*' README.md | cut -c 7- | sort -u >"$work/readme"
+    # Every command that the README or the guide gives as evidence has a claim.
+    grep -ho '`make [a-z-]*' README.md tools/guide/*.md | cut -c 7- | sort -u >"$work/readme"
     grep -v -x -F -f "$here/no-claims.txt" "$work/readme" | comm -23 - "$work/keys" >"$work/without"
     while IFS= read -r name; do
-        echo "FAILED: the README names 'make $name', which is in neither claims.txt nor no-claims.txt"
+        echo "FAILED: the README or the guide names 'make $name', which is in neither claims.txt nor no-claims.txt"
         failed=$((failed + 1))
     done <"$work/without"
     echo "assurance: $(grep -c '^claim: ' "$claims") claims, $failed failed"
