@@ -62,14 +62,21 @@ function link(target,    hash, file) {
     return "@ref " page[file] (hash == "" ? "" : "_" hash)
 }
 
+# Doxygen shows no span of `code` in the text of a link.
+function linked_code(text, target) {
+    if (target !~ /^@ref /)
+        return "[" text "](" target ")"
+    return "<code>" target " \"" text "\"</code>"
+}
+
 # Returns a span of code, as a link if it names something of the library.
 function code(text,    name) {
     name = text
     sub(/\(\)$/, "", name)
     if (name in known)
-        return "[`" text "`](@ref " name ")"
+        return linked_code(text, "@ref " name)
     if (text ~ /^(include\/)?(gnomon\/)?[a-z_]+\.h$/ && name_of_header(text) in known)
-        return "[`" text "`](@ref " name_of_header(text) ")"
+        return linked_code(text, "@ref " name_of_header(text))
     return "`" text "`"
 }
 
@@ -91,17 +98,31 @@ function protect(text) {
     return text
 }
 
-# Returns a line. A link around `code` stays one link; elsewhere spans of code are taken one by one.
-function line_of(text,    n, part, i, out) {
+# Returns a line.
+function line_of(text,    n, part, i, out, found, rest) {
+    out = ""
+    # A link around a span of code.
+    while (match(text, /\[`[^`]+`\]\([^() ]+\)/)) {
+        found = substr(text, RSTART, RLENGTH)
+        rest = substr(text, RSTART + RLENGTH)
+        out = out spans(substr(text, 1, RSTART - 1))
+        split(found, part, "`")
+        found = part[3]
+        gsub(/^\]\(|\)$/, "", found)
+        out = out linked_code(part[2], link(found))
+        text = rest
+    }
+    return out spans(text)
+}
+
+function spans(text,    n, part, i, out) {
     n = split(text, part, "`")
     out = ""
     for (i = 1; i <= n; ++i)
         if (i % 2)
             out = out prose(part[i])
-        else if (i == n)
-            out = out "`" prose(part[i])
-        else if (part[i + 1] ~ /^\]\(/)
-            out = out "`" part[i] "`"
+        else if (i == n || part[i] == "")
+            out = out "`" (i == n ? prose(part[i]) : "`")
         else
             out = out code(part[i])
     return out
