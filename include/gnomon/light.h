@@ -43,11 +43,11 @@ typedef enum gn_normal_space {
  * map, no glow. */
 typedef struct gn_material {
     const gn_texture *diffuse_map;  /* times the vertex colour */
-    const gn_texture *normal_map;   /* in place of the vertices' normals */
+    const gn_texture *normal_map;   /* normals in normal_space */
     const gn_texture *specular_map; /* times `specular` */
     const gn_texture *glow_map;     /* added, also in shadow */
     gn_sampler sampler;             /* for all maps */
-    gn_normal_space normal_space;   /* of the normal map */
+    gn_normal_space normal_space;   /* which the normal map has */
     gn_vec3 specular;               /* colour of highlights */
     uint32_t exponent;              /* of highlights: the greater, the smaller the highlight */
     uint32_t bands;                 /* intensities of gn_use_toon, 2 to 256; 0 means 4 */

@@ -103,7 +103,7 @@ typedef enum gn_topology {
     GN_POINTS,       /* one vertex each */
     GN_LINES,        /* two vertices each */
     GN_LINE_STRIP,   /* from each vertex to the next */
-    GN_LINE_LOOP     /* and from the last vertex to the first */
+    GN_LINE_LOOP     /* from each vertex to the next, and from the last to the first */
 } gn_topology;
 
 /* The largest size of a point and width of a line, in pixels. Larger values are drawn as these, and
@@ -185,8 +185,8 @@ typedef struct gn_blend {
     bool enabled;                                    /* false: the other fields are ignored */
     gn_blend_equation equation;                      /* how source and destination are combined */
     gn_blend_factor source, destination;             /* what each is multiplied by first */
-    gn_blend_equation alpha_equation;                /* the same for alpha */
-    gn_blend_factor alpha_source, alpha_destination; /* the same for alpha */
+    gn_blend_equation alpha_equation;                /* `equation` for alpha */
+    gn_blend_factor alpha_source, alpha_destination; /* `source` and `destination` for alpha */
 } gn_blend;
 
 /* How the bits s of a fragment's colour and d of the surface's colour are combined (OpenGL 4.5

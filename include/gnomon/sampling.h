@@ -70,10 +70,10 @@ typedef enum gn_minify {
 /* How a texture is read. */
 typedef struct gn_sampler {
     gn_wrap wrap_s; /* for s outside 0 to 1 */
-    gn_wrap wrap_t; /* for t */
+    gn_wrap wrap_t; /* for t outside 0 to 1 */
     gn_magnify magnify;
     gn_minify minify;
-    gn_wrap wrap_r;          /* for r, in three dimensions */
+    gn_wrap wrap_r;          /* for r outside 0 to 1 */
     gn_compare compare;      /* a depth texel becomes 1 where `reference FUNCTION depth` holds and 0
                                 elsewhere, before filtering; GN_COMPARE_DEFAULT keeps the depth;
                                 without effect on colours */
@@ -107,7 +107,7 @@ typedef struct gn_lookup {
     gn_lod_source lod_source;
     const float *lod; /* null: 0, and the nearest level comes from the exponent of the footprint */
     const float *gradient_x[3]; /* change of the coordinates to the next fragment along x */
-    const float *gradient_y[3]; /* and along y */
+    const float *gradient_y[3]; /* change of the coordinates to the next fragment along y */
 } gn_lookup;
 
 /* The types of the functions below. A fragment shader receives these functions in the form of the

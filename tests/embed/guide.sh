@@ -38,6 +38,7 @@ python=
 build=$1
 if [ "$1" = --python ]; then
     python=$2
+    case $python in */*) python=$(cd "$(dirname "$python")" && pwd)/${python##*/} ;; esac
     shift
 fi
 shift
