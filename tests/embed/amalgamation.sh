@@ -41,7 +41,7 @@ result "written again, source" cmp "$source" "$directory/again/gnomon.c"
 "$build/hashes" --scenes "$scenes" --mathematics 2000 >"$directory/expected"
 awk -v first=1 -f tests/embed/blocks.awk README.md >"$directory/triangle.c"
 "${CC:-cc}" -std=c99 -Iinclude "$directory/triangle.c" "$build/libgnomon.a" -o "$directory/triangle"
-"$directory/triangle" >"$directory/triangle.rgba" 2>/dev/null
+"$directory/triangle" >"$directory/triangle.ppm" 2>/dev/null
 tr ' ' '\n' <"$build/hashes.command" | grep '\.o$' | grep -v "^$build/src/" >"$directory/objects"
 
 flags="-ffreestanding -fno-math-errno -fno-stack-protector -fno-fast-math -ffp-contract=off"
@@ -65,7 +65,7 @@ same_picture() { # same_picture NAME COMPILER... of the program
     name=$1
     shift
     "$@" -I"$build/amalgamation" "$directory/triangle.c" "$directory/$name.o" -Wl,-z,noexecstack -o "$directory/$name-triangle" &&
-        $run "$directory/$name-triangle" 2>/dev/null | cmp - "$directory/triangle.rgba"
+        $run "$directory/$name-triangle" 2>/dev/null | cmp - "$directory/triangle.ppm"
 }
 run=
 

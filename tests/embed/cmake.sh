@@ -14,7 +14,7 @@ fi
 root=$(pwd)
 directory=$(cd "$1" && pwd)/embed/cmake
 program=$directory/../triangle.c
-picture=$directory/../triangle.rgba
+picture=$directory/../triangle.ppm
 rm -rf "$directory"
 mkdir -p "$directory"
 

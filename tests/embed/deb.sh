@@ -33,9 +33,9 @@ check() { # check WHAT COMMAND...
 
 awk -v first=1 -f tests/embed/blocks.awk README.md >"$directory/triangle.c"
 "${CC:-cc}" -std=c99 -Iinclude "$directory/triangle.c" "$1/libgnomon.a" -o "$directory/triangle"
-"$directory/triangle" >"$directory/triangle.rgba" 2>/dev/null
+"$directory/triangle" >"$directory/triangle.ppm" 2>/dev/null
 same_picture() {
-    env LD_LIBRARY_PATH="$root/usr/lib/$triplet" "$1" 2>/dev/null | cmp - "$directory/triangle.rgba"
+    env LD_LIBRARY_PATH="$root/usr/lib/$triplet" "$1" 2>/dev/null | cmp - "$directory/triangle.ppm"
 }
 
 version=$(sed -n 's/^.define GN_VERSION_[A-Z]* \([0-9]*\)$/\1/p' include/gnomon/version.h | paste -s -d .)

@@ -29,9 +29,9 @@ check() { # check WHAT COMMAND...
 
 awk -v first=1 -f tests/embed/blocks.awk README.md >"$directory/triangle.c"
 "${CC:-cc}" -std=c99 -Iinclude "$directory/triangle.c" "$build/libgnomon.a" -o "$directory/triangle"
-"$directory/triangle" >"$directory/triangle.rgba" 2>/dev/null
+"$directory/triangle" >"$directory/triangle.ppm" 2>/dev/null
 same_picture() {
-    "$@" 2>/dev/null | cmp - "$directory/triangle.rgba"
+    "$@" 2>/dev/null | cmp - "$directory/triangle.ppm"
 }
 
 installed() { # the files in the tree, without the headers in gnomon/

@@ -27,7 +27,7 @@ rm -rf "$directory"
 mkdir -p "$directory/user/subprojects/packagefiles"
 awk -v first=1 -f tests/embed/blocks.awk README.md >"$directory/user/triangle.c"
 "${CC:-cc}" -std=c99 -Iinclude "$directory/user/triangle.c" "$1/libgnomon.a" -o "$directory/triangle"
-"$directory/triangle" >"$directory/triangle.rgba" 2>/dev/null
+"$directory/triangle" >"$directory/triangle.ppm" 2>/dev/null
 
 archive=$(make -s dist BUILD="$directory")
 cp "$archive" "$directory/user/subprojects/packagefiles/"
@@ -53,7 +53,7 @@ for kind in $kinds; do
     quietly meson setup "$directory/$kind" "$directory/user" --wrap-mode=forcefallback -Ddefault_library=$kind \
         -Doptimization=1 -Ddebug=false -Dc_args="-ffast-math $fewer"
     quietly ninja -C "$directory/$kind" -j 2
-    "$directory/$kind/triangle" 2>/dev/null | cmp - "$directory/triangle.rgba"
+    "$directory/$kind/triangle" 2>/dev/null | cmp - "$directory/triangle.ppm"
     echo "Meson, subproject, $kind: same picture"
     passed=$((passed + 1))
 done

@@ -19,11 +19,11 @@ done
 lines=$(grep -c . "$directory/triangle.c")
 [ "$lines" -le 30 ] || { echo "the README's program has $lines lines"; exit 1; }
 "${CC:-cc}" -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude "$directory/triangle.c" "$1/libgnomon.a" -o "$directory/triangle"
-message=$("$directory/triangle" 2>&1 >"$directory/triangle.rgba")
-size=$(wc -c <"$directory/triangle.rgba")
-colors=$(od -An -v -tx4 -w4 "$directory/triangle.rgba" | sort -u | wc -l)
+message=$("$directory/triangle" 2>&1 >"$directory/triangle.ppm")
+size=$(wc -c <"$directory/triangle.ppm")
+colors=$(od -An -v -tx1 -w3 -j15 "$directory/triangle.ppm" | sort -u | wc -l)
 echo "README's program: $lines lines, \"$message\", $size bytes, $colors colours"
-[ "$message" = "no error" ] && [ "$size" -eq 307200 ] && [ "$colors" -gt 1000 ]
+[ "$message" = "no error" ] && [ "$size" -eq 230415 ] && [ "$colors" -gt 1000 ]
 
 # Checks that a program finds the installed library through pkg-config.
 prefix=$(cd "$directory" && pwd)/installed
@@ -37,7 +37,7 @@ else
 fi
 # shellcheck disable=SC2086
 "${CC:-cc}" -std=c99 "$directory/triangle.c" $flags -Wl,-rpath,"$prefix/lib" -o "$directory/installed-triangle"
-"$directory/installed-triangle" 2>/dev/null | cmp - "$directory/triangle.rgba"
+"$directory/installed-triangle" 2>/dev/null | cmp - "$directory/triangle.ppm"
 echo "installed through pkg-config: same picture"
 echo "2 passed, $failed failed"
 [ "$failed" -eq 0 ]
