@@ -7,6 +7,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#if defined(__has_include)
+#if !__has_include(<cmocka.h>)
+#error "The tests need CMocka: 'make setup' installs it."
+#endif
+#endif
 #include <cmocka.h>
 
 #include <gnomon.h>
