@@ -76,12 +76,15 @@ uninstall: ## remove what install puts there: PREFIX=/usr/local DESTDIR=
 	$(CHECK_PLACES)@for place in $(INSTALLED_PLACES); do rm -f '$(DESTDIR)'"$$place"; done
 	@for folder in $(INSTALLED_FOLDERS); do rmdir '$(DESTDIR)'"$$folder" 2>/dev/null || :; done
 
-# The source archive: what git tracks, or, where there is no git, all files but the build's. Its bytes
-# depend on the files alone.
+# The source archive: what git tracks, or, where there is no git, the project's files and folders but
+# for what builds leave in them. Its bytes depend on the files alone.
 
 NAME_OF_DIST = gnomon-$(VERSION)
 DIST = $(BUILD)/$(NAME_OF_DIST).tar.gz
-LIST_FILES = if [ -e .git ] && command -v git >/dev/null; then git ls-files; else find . -path './$(BUILD:./%=%)' -prune -o ! -type d -print; fi
+LIST_FILES = if [ -e .git ] && command -v git >/dev/null; then git ls-files; else find $(PROJECT_FILES) \
+	'(' -name build -o -name __pycache__ -o -name '*.egg-info' ')' -prune -o ! -type d -print; fi
+PROJECT_FILES = .ci .clang-format .gitignore CHANGELOG.md CMakeLists.txt CONTRIBUTING.md LICENSE Makefile README.md VERIFICATION.md \
+	include meson.build reference src tests tools
 # The time of the last commit, or of the archive that this tree came in.
 DIST_TIME = $(or $(SOURCE_DATE_EPOCH),$(shell if [ -e .git ]; then git log -1 --format=%ct 2>/dev/null; else stat -c %Y LICENSE; fi),0)
 
