@@ -60,8 +60,7 @@ ALL = --all
 EMULATED_SCENES = 2200
 else
 WHOLE_STEPS = 'other machines=tests/portability/cross.sh $(BUILD) --scenes 110 aarch64 wasm wasm-simd128' \
-	'little code=tests/portability/cross.sh $(BUILD) --scenes 330 small one-lane plain' \
-	'whole program$(comma) memory=tests/portability/cross.sh $(BUILD) --scenes 110 whole-program memory'
+	'little code=tests/portability/cross.sh $(BUILD) --scenes 330 small one-lane plain'
 EMULATED_SCENES = 550
 endif
 
