@@ -178,7 +178,8 @@ static void the_manual_is_well_formed(void **state)
     run r = in_project("mandoc -T lint -W warning \"$ROOT/" MANUAL "\"");
     if (r.status != 0)
         fail_msg("%s%s", r.out, r.error);
-    r = in_project("mandoc -T utf8 \"$ROOT/" MANUAL "\" | sed 's,.\\x08,,g' | grep -c -e --no-depth-test");
+    r = in_project("mandoc -T utf8 \"$ROOT/" MANUAL
+                   "\" | sed 's,.\\x08,,g' | grep -c -e --no-depth-test");
     assert_int_equal(r.status, 0);
 }
 
