@@ -184,7 +184,7 @@ demo: ## draw the teapot with Gnomon and with OSMesa, and compare
 
 # In `make setup demo` and `make setup test`, nothing begins before the set-up is done,
 # whatever -j says.
-all demo test whole library cross size: | $(filter setup setup-cross setup-verify,$(MAKECMDGOALS))
+all demo test whole library cross size docs: | $(filter setup setup-cross setup-verify,$(MAKECMDGOALS))
 
 demo:
 	@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/gnomon

@@ -7,23 +7,11 @@
 # filter makes of sample.h, for sample.txt
 set -u
 . tests/skip.sh
-passed=0
-failed=0
+. tests/result.sh
 internal=$(sed -n "s|.*-v 'internal=\([^']*\)'.*|\1|p" tools/docs/Doxyfile)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-result() { # result WHAT COMMAND...
-    what=$1
-    shift
-    if "$@" >"$work/said" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $what"
-        head -n 20 "$work/said"
-    fi
-}
 filter() { # filter OPTION... HEADER
     awk -v internal="$internal" "$@"
 }

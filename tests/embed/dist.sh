@@ -7,67 +7,54 @@
 # usage: dist.sh BUILD-DIRECTORY [--all]   (from the root of the project)
 set -eu
 . tests/skip.sh
+. tests/result.sh
 export MAKEFLAGS=
-directory=$(mktemp -d)
-trap 'rm -rf "$directory"' EXIT
-passed=0
-failed=0
-check() { # check WHAT COMMAND...
-    what=$1
-    shift
-    if "$@" >"$directory/log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: archive, $what"
-        tail -n 20 "$directory/log" | sed 's/^/    /'
-    fi
-}
-
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
 version=$(sed -n 's/^.define GN_VERSION_[A-Z]* \([0-9]*\)$/\1/p' include/gnomon/version.h | paste -s -d .)
 name=gnomon-$version
-make -s dist BUILD="$directory/build" >"$directory/printed"
-archive=$directory/build/$name.tar.gz
-check "prints its name" grep -q "^$archive\$" "$directory/printed"
-tar -tzf "$archive" | sed "s|^$name/||" >"$directory/listed"
+make -s dist BUILD="$work/build" >"$work/printed"
+archive=$work/build/$name.tar.gz
+result "archive, prints its name" grep -q "^$archive\$" "$work/printed"
+tar -tzf "$archive" | sed "s|^$name/||" >"$work/listed"
 if [ -e .git ] && command -v git >/dev/null; then
-    git ls-files | LC_ALL=C sort >"$directory/tracked"
-    check "the files that git tracks" diff "$directory/tracked" "$directory/listed"
+    git ls-files | LC_ALL=C sort >"$work/tracked"
+    result "archive, the files that git tracks" diff "$work/tracked" "$work/listed"
 fi
-check "owner and group" sh -c "! tar -tvzf '$archive' | grep -v ' 0/0 '"
+result "archive, owner and group" sh -c "! tar -tvzf '$archive' | grep -v ' 0/0 '"
 
-mkdir -p "$directory/unpacked" "$directory/bin"
-(umask 077 && tar -xzf "$archive" -C "$directory/unpacked")
+mkdir -p "$work/unpacked" "$work/bin"
+(umask 077 && tar -xzf "$archive" -C "$work/unpacked")
 # shellcheck disable=SC2016
-printf '#!/bin/sh\necho "git $*" >>"%s/called"\nexit 1\n' "$directory" >"$directory/bin/git"
-chmod +x "$directory/bin/git"
-PATH=$directory/bin:$PATH
+printf '#!/bin/sh\necho "git $*" >>"%s/called"\nexit 1\n' "$work" >"$work/bin/git"
+chmod +x "$work/bin/git"
+PATH=$work/bin:$PATH
 here=$(pwd)
-cd "$directory/unpacked/$name"
+cd "$work/unpacked/$name"
 touch src/*/*.c
 chmod -R go-rwx .
-check "an archive of what was unpacked" sh -c "make -s dist && cmp build/$name.tar.gz '$archive'"
+result "archive, an archive of what was unpacked" sh -c "make -s dist && cmp build/$name.tar.gz '$archive'"
 # What builds and people leave in the tree.
 mkdir -p tools/python/build tools/python/src/gnomon.egg-info
 touch a.out build/object.o tools/python/build/copy.py tools/python/src/gnomon.egg-info/PKG-INFO
-check "an archive of what was unpacked, built and tried" \
+result "archive, an archive of what was unpacked, built and tried" \
     sh -c "make -s dist BUILD=../elsewhere && cmp ../elsewhere/$name.tar.gz '$archive'"
 if [ "${2:-}" = --all ]; then
     set --
-    check "builds everything" make -s -j2 all
-    check "the command" sh -c "build/gnomon --version | grep -F '$version'"
+    result "archive, builds everything" make -s -j2 all
+    result "archive, the command" sh -c "build/gnomon --version | grep -F '$version'"
 else
     set -- CFLAGS='-O1 -DGN_ONLY_PORTABLE'
-    check "builds the library" make -s -j2 library "$@"
+    result "archive, builds the library" make -s -j2 library "$@"
 fi
-check "builds a unit test" make -s build/test_draw "$@"
-check "the unit test" build/test_draw
-check "installs the library" make -s install-library PREFIX="$directory/installed" "$@"
-awk -v first=1 -f tests/embed/blocks.awk README.md >"$directory/triangle.c"
-check "the README's program, compiles" "${CC:-cc}" -std=c99 "$directory/triangle.c" -I"$directory/installed/include" \
-    "$directory/installed/lib/libgnomon.a" -o "$directory/triangle"
-check "the README's program, draws" sh -c "'$directory/triangle' | wc -c | grep -q -x 230415"
+result "archive, builds a unit test" make -s build/test_draw "$@"
+result "archive, the unit test" build/test_draw
+result "archive, installs the library" make -s install-library PREFIX="$work/installed" "$@"
+awk -v first=1 -f tests/embed/blocks.awk README.md >"$work/triangle.c"
+result "archive, the README's program, compiles" "${CC:-cc}" -std=c99 "$work/triangle.c" -I"$work/installed/include" \
+    "$work/installed/lib/libgnomon.a" -o "$work/triangle"
+result "archive, the README's program, draws" sh -c "'$work/triangle' | wc -c | grep -q -x 230415"
 cd "$here"
-check "git is not called" [ ! -e "$directory/called" ]
+result "archive, git is not called" [ ! -e "$work/called" ]
 echo "archive: $passed passed, $failed failed"
 [ "$failed" = 0 ]

@@ -17,22 +17,9 @@
 #        guide.sh --python PYTHON [PAGE...]           only the blocks of Python
 set -u
 . tests/skip.sh
-passed=0
-failed=0
+. tests/result.sh
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-
-result() { # result WHAT COMMAND...
-    what=$1
-    shift
-    if "$@" >"$work/said" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $what"
-        grep -a -v '^cc1: all warnings' "$work/said" | head -n 12
-    fi
-}
 
 python=
 build=$1

@@ -6,32 +6,19 @@
 # usage: install.sh BUILD-DIRECTORY   (from the root of the project, with library and command in it)
 set -eu
 . tests/skip.sh
+. tests/result.sh
 export MAKEFLAGS=
 build=$1
-directory=$(cd "$1" && pwd)/embed/install
-root=$directory/root
-passed=0
-failed=0
-rm -rf "$directory"
-mkdir -p "$directory"
+work=$(cd "$1" && pwd)/embed/install
+root=$work/root
+rm -rf "$work"
+mkdir -p "$work"
 
-check() { # check WHAT COMMAND...
-    what=$1
-    shift
-    if "$@" >"$directory/log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: install, $what"
-        sed 's/^/    /' "$directory/log"
-    fi
-}
-
-awk -v first=1 -f tests/embed/blocks.awk README.md >"$directory/triangle.c"
-"${CC:-cc}" -std=c99 -Iinclude "$directory/triangle.c" "$build/libgnomon.a" -o "$directory/triangle"
-"$directory/triangle" >"$directory/triangle.ppm" 2>/dev/null
+awk -v first=1 -f tests/embed/blocks.awk README.md >"$work/triangle.c"
+"${CC:-cc}" -std=c99 -Iinclude "$work/triangle.c" "$build/libgnomon.a" -o "$work/triangle"
+"$work/triangle" >"$work/triangle.ppm" 2>/dev/null
 same_picture() {
-    "$@" 2>/dev/null | cmp - "$directory/triangle.ppm"
+    "$@" 2>/dev/null | cmp - "$work/triangle.ppm"
 }
 
 installed() { # the files in the tree, without the headers in gnomon/
@@ -48,7 +35,7 @@ case $series in
 0.*) ;;
 *) series=${series%.*} ;;
 esac
-cat >"$directory/expected" <<END
+cat >"$work/expected" <<END
 opt/gnomon/bin/gnomon
 opt/gnomon/include/gnomon.h
 opt/gnomon/lib/triplet/cmake/gnomon/gnomon-config-version.cmake
@@ -62,88 +49,88 @@ opt/gnomon/share/bash-completion/completions/gnomon
 opt/gnomon/share/man/man1/gnomon.1
 opt/gnomon/share/zsh/site-functions/_gnomon
 END
-installed >"$directory/found"
-check "the files" diff "$directory/expected" "$directory/found"
-check "the headers" diff -r include/gnomon "$root$prefix/include/gnomon"
-check "others may read it" [ -z "$(find "$root" ! -type l ! -perm -o=r)" ]
-check "the SONAME" sh -c "objdump -p '$root$prefix/lib/triplet/libgnomon.so' | grep 'SONAME *libgnomon.so.$series\$'"
-check "the command" sh -c "'$root$prefix/bin/gnomon' --version | grep -F '$version'"
+installed >"$work/found"
+result "install, the files" diff "$work/expected" "$work/found"
+result "install, the headers" diff -r include/gnomon "$root$prefix/include/gnomon"
+result "install, others may read it" [ -z "$(find "$root" ! -type l ! -perm -o=r)" ]
+result "install, the SONAME" sh -c "objdump -p '$root$prefix/lib/triplet/libgnomon.so' | grep 'SONAME *libgnomon.so.$series\$'"
+result "install, the command" sh -c "'$root$prefix/bin/gnomon' --version | grep -F '$version'"
 
 # The tree may be moved.
-mv "$root" "$directory/moved"
-moved=$directory/moved$prefix
+mv "$root" "$work/moved"
+moved=$work/moved$prefix
 if command -v cmake >/dev/null; then
     for target in gnomon static; do
-        mkdir -p "$directory/$target"
+        mkdir -p "$work/$target"
         printf 'cmake_minimum_required(VERSION 3.16)\nproject(user C)\nfind_package(gnomon %s REQUIRED)\nadd_executable(triangle "%s")\nset_target_properties(triangle PROPERTIES C_STANDARD 99)\ntarget_link_libraries(triangle gnomon::%s)\n' \
-            "$series" "$directory/triangle.c" $target >"$directory/$target/CMakeLists.txt"
-        check "CMake configures, gnomon::$target" cmake -S "$directory/$target" -B "$directory/$target/build" \
+            "$series" "$work/triangle.c" $target >"$work/$target/CMakeLists.txt"
+        result "install, CMake configures, gnomon::$target" cmake -S "$work/$target" -B "$work/$target/build" \
             -Dgnomon_DIR="$moved/lib/triplet/cmake/gnomon"
-        check "CMake builds, gnomon::$target" cmake --build "$directory/$target/build"
-        check "CMake, gnomon::$target: same picture" same_picture "$directory/$target/build/triangle"
-        linked=$(objdump -p "$directory/$target/build/triangle" | grep -c "NEEDED *libgnomon.so.$series\$") || :
-        check "CMake, gnomon::$target: linked as asked" [ "$linked" = "$([ $target = static ] && echo 0 || echo 1)" ]
+        result "install, CMake builds, gnomon::$target" cmake --build "$work/$target/build"
+        result "install, CMake, gnomon::$target: same picture" same_picture "$work/$target/build/triangle"
+        linked=$(objdump -p "$work/$target/build/triangle" | grep -c "NEEDED *libgnomon.so.$series\$") || :
+        result "install, CMake, gnomon::$target: linked as asked" [ "$linked" = "$([ $target = static ] && echo 0 || echo 1)" ]
     done
 
     suits() { # suits yes|no VERSION: whether find_package(gnomon VERSION) accepts the installed one
         printf 'set(CMAKE_SIZEOF_VOID_P %s)\nset(PACKAGE_FIND_VERSION %s)\n%s\ninclude("%s")\nif(NOT PACKAGE_VERSION_COMPATIBLE OR PACKAGE_VERSION_UNSUITABLE)\nmessage(FATAL_ERROR no)\nendif()\n' \
-            "${4:-8}" "$2" "${3:-}" "$directory/versions/gnomon-config-version.cmake" >"$directory/suits.cmake"
-        if cmake -P "$directory/suits.cmake" 2>/dev/null; then found=yes; else found=no; fi
+            "${4:-8}" "$2" "${3:-}" "$work/versions/gnomon-config-version.cmake" >"$work/suits.cmake"
+        if cmake -P "$work/suits.cmake" 2>/dev/null; then found=yes; else found=no; fi
         [ "$found" = "$1" ]
     }
     versions() { # versions VERSION: the file of that version
-        mkdir -p "$directory/versions"
+        mkdir -p "$work/versions"
         sed -e "s|@GN_VERSION@|$1|" -e 's|@GN_POINTER_SIZE@|8|' tools/packaging/gnomon-config-version.cmake.in \
-            >"$directory/versions/gnomon-config-version.cmake"
+            >"$work/versions/gnomon-config-version.cmake"
     }
     range='set(PACKAGE_FIND_VERSION_RANGE x)
 set(PACKAGE_FIND_VERSION_MIN 0.1)
 set(PACKAGE_FIND_VERSION_MAX 0.3)
 set(PACKAGE_FIND_VERSION_RANGE_MAX'
     versions 0.2.1
-    check "0.2.1 suits 0.2" suits yes 0.2
-    check "0.2.1 suits 0.2.1" suits yes 0.2.1
-    check "0.2.1 suits no 0.2.2" suits no 0.2.2
-    check "0.2.1 suits no 0.1" suits no 0.1
-    check "0.2.1 suits no 1.2" suits no 1.2
-    check "0.2.1 suits any" suits yes ""
-    check "0.2.1 suits 0.1 to 0.3" suits yes 0.1 "$range EXCLUDE)"
-    check "0.2.1 suits no program of 32 bits" suits no 0.2 "" 4
+    result "install, 0.2.1 suits 0.2" suits yes 0.2
+    result "install, 0.2.1 suits 0.2.1" suits yes 0.2.1
+    result "install, 0.2.1 suits no 0.2.2" suits no 0.2.2
+    result "install, 0.2.1 suits no 0.1" suits no 0.1
+    result "install, 0.2.1 suits no 1.2" suits no 1.2
+    result "install, 0.2.1 suits any" suits yes ""
+    result "install, 0.2.1 suits 0.1 to 0.3" suits yes 0.1 "$range EXCLUDE)"
+    result "install, 0.2.1 suits no program of 32 bits" suits no 0.2 "" 4
     versions 0.3
-    check "0.3 suits 0.1 to 0.3" suits yes 0.1 "$range INCLUDE)"
-    check "0.3 suits nothing below 0.3" suits no 0.1 "$range EXCLUDE)"
+    result "install, 0.3 suits 0.1 to 0.3" suits yes 0.1 "$range INCLUDE)"
+    result "install, 0.3 suits nothing below 0.3" suits no 0.1 "$range EXCLUDE)"
     versions 1.10.0
-    check "1.10.0 suits 1.2" suits yes 1.2
-    check "1.10.0 suits no 0.10" suits no 0.10
-    check "1.10.0 suits no 2.0" suits no 2.0
+    result "install, 1.10.0 suits 1.2" suits yes 1.2
+    result "install, 1.10.0 suits no 0.10" suits no 0.10
+    result "install, 1.10.0 suits no 2.0" suits no 2.0
 else
     skip "CMake: finds no installed library, since it is absent: 'make setup' installs it"
 fi
 if command -v pkg-config >/dev/null; then
     flags=$(PKG_CONFIG_PATH=$moved/lib/triplet/pkgconfig pkg-config --define-variable=prefix="$moved" --cflags --libs gnomon)
     # shellcheck disable=SC2086
-    check "pkg-config, compiles" "${CC:-cc}" -std=c99 "$directory/triangle.c" $flags -Wl,-rpath,"$moved/lib/triplet" -o "$directory/by-pkg-config"
-    check "pkg-config: same picture" same_picture "$directory/by-pkg-config"
-    check "pkg-config, version" [ "$(PKG_CONFIG_PATH=$moved/lib/triplet/pkgconfig pkg-config --modversion gnomon)" = "$version" ]
+    result "install, pkg-config, compiles" "${CC:-cc}" -std=c99 "$work/triangle.c" $flags -Wl,-rpath,"$moved/lib/triplet" -o "$work/by-pkg-config"
+    result "install, pkg-config: same picture" same_picture "$work/by-pkg-config"
+    result "install, pkg-config, version" [ "$(PKG_CONFIG_PATH=$moved/lib/triplet/pkgconfig pkg-config --modversion gnomon)" = "$version" ]
 else
     skip "pkg-config: finds no installed library, since it is absent: 'make setup' installs it"
 fi
-mv "$directory/moved" "$root"
+mv "$work/moved" "$root"
 
 touch "$root$prefix/include/gnomon/another.h"
 make -s uninstall "$@"
-check "uninstalled, but not another's file" [ "$(find "$root" -type f -o -type l)" = "$root$prefix/include/gnomon/another.h" ]
+result "install, uninstalled, but not another's file" [ "$(find "$root" -type f -o -type l)" = "$root$prefix/include/gnomon/another.h" ]
 rm "$root$prefix/include/gnomon/another.h"
 make -s uninstall "$@"
-check "uninstalled" [ -z "$(find "$root" -type f -o -type l -o -name 'gnomon?*' -o -path '*/gnomon/gnomon')" ]
-check "uninstalled, folders of its own" [ -z "$(find "$root$prefix/include" "$root$prefix/lib" -name gnomon)" ]
+result "install, uninstalled" [ -z "$(find "$root" -type f -o -type l -o -name 'gnomon?*' -o -path '*/gnomon/gnomon')" ]
+result "install, uninstalled, folders of its own" [ -z "$(find "$root$prefix/include" "$root$prefix/lib" -name gnomon)" ]
 
 make -s install-library "$@"
-check "the library alone" [ "$(installed)" = "$(grep -v -e /bin/ -e /share/ "$directory/expected")" ]
+result "install, the library alone" [ "$(installed)" = "$(grep -v -e /bin/ -e /share/ "$work/expected")" ]
 
 # A place that make's lists cannot hold is refused before anything is written.
-make -s install-library BUILD="$build" DESTDIR="$directory/refused" PREFIX='/a b' >"$directory/refusal" 2>&1 && failed=$((failed + 1))
-check "spaces are refused by name" grep -q "PREFIX must be a path without spaces" "$directory/refusal"
-check "nothing was written" [ ! -e "$directory/refused" ]
+make -s install-library BUILD="$build" DESTDIR="$work/refused" PREFIX='/a b' >"$work/refusal" 2>&1 && failed=$((failed + 1))
+result "install, spaces are refused by name" grep -q "PREFIX must be a path without spaces" "$work/refusal"
+result "install, nothing was written" [ ! -e "$work/refused" ]
 echo "install: $passed passed, $failed failed"
 [ "$failed" = 0 ]

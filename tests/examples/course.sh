@@ -5,23 +5,10 @@
 # usage: course.sh BUILD-DIRECTORY [--print]   (from the root of the project); --print prints the page with
 # what its program prints
 set -u
+. tests/result.sh
 page=tools/examples/from_your_course.md
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-passed=0
-failed=0
-
-result() { # result WHAT CONDITION...
-    what=$1
-    shift
-    if "$@" >"$work/said" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $what"
-        head -n 20 "$work/said"
-    fi
-}
 
 {
     printf '#include "course.h"\n#include <string.h>\nint main(void)\n{\n'

@@ -5,26 +5,13 @@
 # transform`, and the shaders of lessons 12 and 15 pixel by pixel.
 # usage: lessons.sh BUILD-DIRECTORY [SEED]   (from the root of the project)
 set -u
+. tests/result.sh
 build=$PWD/$1
 seed=${2:-1}
 folder=tools/examples
 root=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-passed=0
-failed=0
-
-result() { # result WHAT CONDITION...
-    what=$1
-    shift
-    if "$@" >"$work/said" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $what"
-        head -n 5 "$work/said"
-    fi
-}
 
 # The lessons find their models in build/examples of the working directory, and write there.
 mkdir -p "$work/build/examples" "$work/frames"

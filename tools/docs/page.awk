@@ -34,7 +34,7 @@ function anchor(text) {
     return text
 }
 
-function name_of_header(text) {
+function last_part(text) {
     sub(/^.*\//, "", text)
     return text
 }
@@ -50,9 +50,9 @@ function link(target,    hash, file) {
     }
     file = target == "" ? path : from_root(target)
     if (file ~ /\.(png|svg)$/)
-        return name_of_header(file)
+        return last_part(file)
     if (file ~ /^include\/.*\.h$/)
-        return "@ref " name_of_header(file)
+        return "@ref " last_part(file)
     if (!(file in page) && (file "/README.md") in page)
         file = file "/README.md"
     if (!(file in page)) {
@@ -75,8 +75,8 @@ function code(text,    name) {
     sub(/\(\)$/, "", name)
     if (name in known)
         return linked_code(text, "@ref " name)
-    if (text ~ /^(include\/)?(gnomon\/)?[a-z_]+\.h$/ && name_of_header(text) in known)
-        return linked_code(text, "@ref " name_of_header(text))
+    if (text ~ /^(include\/)?(gnomon\/)?[a-z_]+\.h$/ && last_part(text) in known)
+        return linked_code(text, "@ref " last_part(text))
     return "`" text "`"
 }
 
@@ -99,7 +99,7 @@ function protect(text) {
 }
 
 # Returns a line.
-function line_of(text,    n, part, i, out, found, rest) {
+function line_of(text,    part, out, found, rest) {
     out = ""
     # A link around a span of code.
     while (match(text, /\[`[^`]+`\]\([^() ]+\)/)) {

@@ -16,9 +16,9 @@ mkdir -p "$GN_DOCS/pages"
 # The files of a folder in the order in which its contents page links to them, then the others.
 in_order() { # in_order FOLDER
     {
-        grep -o '](\([a-z0-9_-]*\.md\))' "$1/README.md" 2>/dev/null | sed "s|](\(.*\))|$1/\1|"
-        ls "$1"/*.md 2>/dev/null
-    } | grep -v '/README\.md$' | awk '!seen[$0]++' | while read -r file; do [ ! -e "$file" ] || echo "$file"; done
+        grep -o '](\([a-z0-9_-]*\.md\))' "$1/README.md" | sed "s|](\(.*\))|$1/\1|"
+        ls "$1"/*.md
+    } | grep -v '/README\.md$' | awk '!seen[$0]++'
 }
 
 # page_id FILE: the name of its page, without .html.
@@ -37,7 +37,7 @@ page_id() {
 
 guide=$(in_order tools/guide)
 lessons=$(in_order tools/examples)
-documents="README.md $(ls tools/guide/README.md 2>/dev/null || :) $guide tools/examples/README.md $lessons
+documents="README.md tools/guide/README.md $guide tools/examples/README.md $lessons
     tools/python/README.md tools/gnomon/TRANSFORM.md reference/RULES.md VERIFICATION.md CONTRIBUTING.md CHANGELOG.md"
 
 # Source texts that documents link to, as paths from the root.
@@ -49,7 +49,6 @@ done | grep -v '^include/' | sort -u)
 for file in $documents $sources; do
     echo "$file $(page_id "$file")"
 done >"$GN_DOCS/pages.txt"
-# shellcheck disable=SC2046
 internal=$(sed -n "s|.*-v 'internal=\([^']*\)'.*|\1|p" $tools/Doxyfile)
 headers="include/gnomon.h $(ls include/gnomon/*.h)"
 # shellcheck disable=SC2086
@@ -98,7 +97,7 @@ reference() {
     sed '/@MENU@/,$d' $tools/header.html
     link index Gnomon | sed 's/<.\?li>//g'
     # shellcheck disable=SC2086
-    [ -z "$guide" ] || section Guide "$([ ! -e tools/guide/README.md ] || echo guide)" $guide
+    section Guide guide $guide
     # shellcheck disable=SC2086
     section Lessons lessons $lessons
     reference
@@ -108,7 +107,7 @@ reference() {
 
 {
     cat $tools/Doxyfile
-    printf 'INPUT = %s include %s\n' "$GN_DOCS/pages" ""
+    printf 'INPUT = %s include\n' "$GN_DOCS/pages"
     printf 'RECURSIVE = YES\nFILE_PATTERNS = *.h *.md\nOUTPUT_DIRECTORY = %s\n' "$GN_DOCS"
     printf 'STRIP_FROM_PATH = include\nSTRIP_FROM_INC_PATH = include\n'
 } >"$GN_DOCS/Doxyfile"
