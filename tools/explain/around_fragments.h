@@ -176,7 +176,7 @@ static void set_sample(const fragment_state *state)
 
 static bool is_covered(const block_batch *b)
 {
-    return b->count && (b->coverage[0] >> pixel_lane & 1u);
+    return pixel_lane >= 0 && b->count && (b->coverage[0] >> pixel_lane & 1u);
 }
 
 static void test_batch(const fragment_state *state, const depth_state *test, block_batch *b)

@@ -17,6 +17,7 @@ static primitive_kind traced_kind;
 /* The plane whose terms were fetched last, and the nodes of its terms. */
 static attribute_plane last_plane;
 static node_id last_terms[PLANE_TERMS];
+static node_id nodes_at_last; /* how many nodes there were */
 
 static void term_nodes(raster_triangle t, uint32_t n, node_id term[PLANE_TERMS])
 {
@@ -30,6 +31,7 @@ static attribute_plane triangle_plane(raster_triangle t, uint32_t n)
 {
     last_plane = library_triangle_plane(t, n);
     term_nodes(t, n, last_terms);
+    nodes_at_last = trace.count;
     return last_plane;
 }
 
@@ -44,10 +46,14 @@ static void link_terms(node_id value)
     graph_relink(columns, 1, last_terms[PLANE_ORIGIN]);
 }
 
-/* Returns the term that a number is, 0 if it is none: a flat varying is an origin. */
-static node_id term_of(float f)
+/* Returns the origin of the plane that was fetched last if a number is that origin and nothing was
+ * recorded since: then it is a flat varying. Otherwise returns 0. */
+static node_id flat_origin(float f)
 {
-    return bits_of_float(f) == bits_of_float(last_plane.origin) ? last_terms[PLANE_ORIGIN] : 0;
+    return nodes_at_last == trace.count &&
+                   bits_of_float(f) == graph_bits(last_terms[PLANE_ORIGIN])
+               ? last_terms[PLANE_ORIGIN]
+               : 0;
 }
 
 #define setup_triangles library_setup_triangles

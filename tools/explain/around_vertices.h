@@ -83,8 +83,16 @@ static void name_viewport(node_id window, int axis)
     static const char scale[3][17] = {"viewport.scale.x", "viewport.scale.y", "viewport.scale.z"};
     static const char shift[3][17] = {"viewport.shift.x", "viewport.shift.y", "viewport.shift.z"};
 
-    graph_name(graph_operand(graph_operand(window, 0), 1), scale[axis]);
-    graph_name(graph_operand(window, 1), shift[axis]);
+    static const char what[3][44] = {"half the viewport's width", "half the viewport's height",
+                                     "half the depth range, or all of it"};
+
+    if (pixel.labels > 1) {
+        graph_name(graph_operand(graph_operand(window, 0), 1), scale[axis]);
+        graph_name(graph_operand(window, 1), shift[axis]);
+        return;
+    }
+    report_given(scale[axis], graph_operand(graph_operand(window, 0), 1), what[axis]);
+    report_given(shift[axis], graph_operand(window, 1), "where NDC 0 lies in the window");
 }
 
 /* Tells NDC, window and snapped coordinates of a vertex, which its record holds. */
@@ -104,7 +112,7 @@ static void tell_window(const char *label, const stored_vertex *v)
 
 static void tell_outside(uint32_t outcode)
 {
-    static const char plane[6][14] = {"x > w (right)", "x < -w (left)",  "y > w (top)",
+    static const char plane[6][16] = {"x > w (right)", "x < -w (left)",  "y > w (top)",
                                       "y < -w (below)", "z < near plane", "z > w (far)"};
     text words = {0};
 

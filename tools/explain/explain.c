@@ -18,6 +18,9 @@ static const char *fault_of(const scene *s, uint32_t x, uint32_t y)
     if (s->depth_format != GN_FORMAT_D32F && s->depth_format != GN_FORMAT_D24 &&
         s->depth_format != GN_FORMAT_NONE)
         return "only depths of 24 and 32 bits are explained";
+    for (size_t i = 0; i < s->draw_count; ++i)
+        if (s->draws[i].shader >= SCENE_PHONG && s->draws[i].shader <= SCENE_SAMPLED)
+            return "only pictures that the library's own shaders draw are explained";
     return NULL;
 }
 

@@ -36,6 +36,13 @@ void graph_free(void)
     memset(&trace, 0, sizeof trace);
 }
 
+/* Returns a node, 0 for a number that is none: a stage may pass lanes on that it has not set, if
+ * they are not chosen. */
+static node_id known(node_id node)
+{
+    return node < trace.count ? node : 0;
+}
+
 node_id graph_add(graph_operation operation, uint32_t bits, node_id a, node_id b, node_id c,
                   node_id d)
 {
@@ -56,10 +63,10 @@ node_id graph_add(graph_operation operation, uint32_t bits, node_id a, node_id b
     graph_node *const n = &trace.nodes[trace.count];
 
     n->bits = bits;
-    n->operand[0] = a;
-    n->operand[1] = b;
-    n->operand[2] = c;
-    n->operand[3] = d;
+    n->operand[0] = known(a);
+    n->operand[1] = graph_has_count(operation) ? b : known(b);
+    n->operand[2] = known(c);
+    n->operand[3] = known(d);
     n->name = 0;
     n->operation = (uint8_t)operation;
     n->is_printed = false;
@@ -84,7 +91,7 @@ node_id graph_compute(graph_operation operation, node_id a, node_id b)
 
 node_id graph_operand(node_id node, int n)
 {
-    return n < graph_traits_of[trace.nodes ? trace.nodes[node].operation : 0].operands && node
+    return known(node) && n < graph_traits_of[trace.nodes[node].operation].operands
                ? trace.nodes[node].operand[n]
                : 0;
 }
@@ -109,7 +116,7 @@ bool graph_is(node_id node, graph_operation operation)
 
 void graph_name(node_id node, const char *name)
 {
-    if (!node)
+    if (!node || name == graph_name_of(node)) /* growing would move the name */
         return;
     trace.nodes[node].name = (uint32_t)trace.names.length;
     text_put(&trace.names, name);
@@ -184,9 +191,8 @@ bool graph_reaches(node_id from, node_id to)
         const int operands = graph_traits_of[trace.nodes[node].operation].operands;
 
         for (int n = 0; n < operands && marks[node - to]; ++n) {
-            const bool is_count = n == 1 && (graph_is(node, OP_I_SHIFT_LEFT) ||
-                                             graph_is(node, OP_I_SHIFT_RIGHT) ||
-                                             graph_is(node, OP_UNPACK_BYTE));
+            const bool is_count =
+                n == 1 && graph_has_count((graph_operation)trace.nodes[node].operation);
 
             if (!is_count && trace.nodes[node].operand[n] >= to)
                 marks[trace.nodes[node].operand[n] - to] = 1;

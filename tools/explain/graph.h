@@ -110,6 +110,13 @@ typedef struct graph {
 /* The graph of the draw that is being traced. */
 extern graph trace;
 
+/* Whether operand b of an operation is a number and no node. */
+static inline bool graph_has_count(graph_operation operation)
+{
+    return operation == OP_I_SHIFT_LEFT || operation == OP_I_SHIFT_RIGHT ||
+           operation == OP_UNPACK_BYTE;
+}
+
 /* Forgets all nodes. */
 void graph_clear(void);
 void graph_free(void);

@@ -205,11 +205,17 @@ static bool is_nan(uint32_t bits)
     return (bits & 0x7FFFFFFF) > 0x7F800000;
 }
 
-/* Whether operand b is a number itself and no node. */
-static bool has_count(graph_operation operation)
+/* Whether the operands that the result depends on were recorded. A choice depends on one of two. */
+static bool has_operands(const graph_node *n)
 {
-    return operation == OP_I_SHIFT_LEFT || operation == OP_I_SHIFT_RIGHT ||
-           operation == OP_UNPACK_BYTE;
+    const graph_traits *const traits = &graph_traits_of[n->operation];
+
+    if (traits->notation == NOTATION_CHOICE)
+        return n->operand[0] && n->operand[graph_bits(n->operand[0]) ? 1 : 2];
+    for (int i = 0; i < traits->operands; ++i)
+        if (n->operand[i] == 0 && !(i == 1 && graph_has_count((graph_operation)n->operation)))
+            return false;
+    return true;
 }
 
 bool graph_check(node_id node, uint32_t *found)
@@ -217,16 +223,15 @@ bool graph_check(node_id node, uint32_t *found)
     const graph_node *const n = &trace.nodes[node];
     const graph_operation operation = (graph_operation)n->operation;
     const uint32_t a = graph_bits(n->operand[0]);
-    const uint32_t b = has_count(operation) ? n->operand[1] : graph_bits(n->operand[1]);
+    const uint32_t b = graph_has_count(operation) ? n->operand[1] : graph_bits(n->operand[1]);
     const uint32_t c = graph_bits(n->operand[2]);
     const char type = graph_traits_of[operation].type;
 
     *found = n->bits;
     if (graph_traits_of[operation].notation == NOTATION_LEAF)
         return true;
-    for (int i = 0; i < graph_traits_of[operation].operands; ++i)
-        if (n->operand[i] == 0 && !(i == 1 && has_count(operation)))
-            return false; /* an operand that nobody recorded */
+    if (!has_operands(n))
+        return false;
     *found = type == 'm'   ? (truth_of(n, a, b) ? UINT32_MAX : 0)
              : type == 'f' ? float_result(n, a, b, c)
                            : integer_result(n, a, b, c);

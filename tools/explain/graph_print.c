@@ -23,8 +23,7 @@ static const graph_traits *traits(node_id node)
 /* Whether an operand is a number and no node. */
 static bool is_number(node_id node, int operand)
 {
-    return operand == 1 && (graph_is(node, OP_I_SHIFT_LEFT) || graph_is(node, OP_I_SHIFT_RIGHT) ||
-                            graph_is(node, OP_UNPACK_BYTE));
+    return operand == 1 && graph_has_count((graph_operation)trace.nodes[node].operation);
 }
 
 static node_id operand_of(node_id node, int n)
@@ -58,7 +57,12 @@ static void print_node(text *t, node_id node)
 
     switch (how->notation) {
     case NOTATION_LEAF:
-        graph_print_value(t, node);
+        if (how->type == 'i' && graph_bits(node) + 0x10000u > 0x20000u) { /* a mask of bits */
+            text_put(t, "0x");
+            text_hexadecimal(t, graph_bits(node), 8);
+        } else {
+            graph_print_value(t, node);
+        }
         break;
     case NOTATION_CHOICE:
         print_operand(t, node, 0, binds + 1);
@@ -79,6 +83,15 @@ static void print_node(text *t, node_id node)
             print_operand(t, node, n, 0);
         }
         text_character(t, ')');
+        break;
+    case NOTATION_BITS:
+    case NOTATION_SHIFT:
+        /* Few know how these bind among each other, so everything in them is in parentheses. */
+        print_operand(t, node, 0, NOTATION_PREFIX);
+        text_character(t, ' ');
+        text_put(t, how->symbol);
+        text_character(t, ' ');
+        print_operand(t, node, 1, NOTATION_PREFIX);
         break;
     default:
         print_operand(t, node, 0, binds);

@@ -48,6 +48,11 @@ static void add_matrix(const char *name, const float *m, int size)
     }
 }
 
+void names_add_matrix(const char *name, const gn_mat4 *m)
+{
+    add_matrix(name, &m->m[0][0], 4);
+}
+
 static void add_vector(const char *name, gn_vec3 v, bool is_color)
 {
     const float part[3] = {v.x, v.y, v.z};

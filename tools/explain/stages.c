@@ -47,7 +47,7 @@ static node_id record_leaf(const void *address, uint32_t bits, graph_operation t
 
 static node_id record_constant(float f)
 {
-    const node_id term = pixel_lane >= 0 ? term_of(f) : 0;
+    const node_id term = pixel_lane >= 0 ? flat_origin(f) : 0;
 
     return term ? term : graph_number(f);
 }
@@ -99,5 +99,8 @@ gn_status stages_draw(const gn_target *target, const gn_pipeline *pipeline, cons
         traced_shader != program->fragment_shader ? traced_fragment_shader : traced_shader;
     traced_varyings = program->varying_count;
     pixel.labels = 0;
+    pixel_lane = -1;
+    nodes_at_last = 0;
+    memset(last_terms, 0, sizeof last_terms);
     return draw_mesh(&job);
 }

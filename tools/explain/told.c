@@ -107,9 +107,12 @@ static void tell_node(const char *name, node_id node, const char *expression)
     text_free(&bits);
 }
 
-static void tell_named(const char *name, node_id node, bool is_word)
+static void tell_named(const char *given_name, node_id node, bool is_word)
 {
     text expression = {0};
+    char name[96] = ""; /* the given one may be joined, and steps join words too */
+
+    strncat(name, given_name, sizeof name - 1);
 
     if (!node) {
         told_fault("a value that was not recorded: ", name);
