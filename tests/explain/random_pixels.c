@@ -60,7 +60,6 @@ static const char *missing(const scene *s, const report_fragment *f)
                                             "one_over_area"};
     const scene_draw *const d = &s->draws[f->draw];
     const bool is_triangle = strcmp(f->kind, "triangle") == 0;
-    const bool is_users = d->shader >= SCENE_PHONG && d->shader <= SCENE_SAMPLED;
     const bool is_written = strcmp(report_words(f->result), "written") == 0;
 
     for (size_t i = 0; i < sizeof always / sizeof always[0]; ++i)
@@ -73,9 +72,9 @@ static const char *missing(const scene *s, const report_fragment *f)
         return "barycentric";
     if (!is_written || d->shader == SCENE_DEPTH_ONLY)
         return NULL;
-    if (!is_users && !has_value(f, "shaded.red", true))
+    if (!has_value(f, "shaded.red", true))
         return "shaded.red";
-    return d->state.color.write_disabled[0] == 0 && !has_value(f, "word", true) ? "word" : NULL;
+    return has_value(f, "word", true) ? NULL : "word";
 }
 
 static unsigned passed, failed, fragments, skipped;

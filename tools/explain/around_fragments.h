@@ -9,6 +9,9 @@ static int step_sample = -1;
 static const struct fragment_state *first_state;
 static node_id stored_before;
 
+/* What became of the fragment: whether a sample of it reached the test, passed it, and was stored. */
+static bool was_tested, has_passed, was_stored;
+
 /* Returns a name, with the sample's number behind it if there are samples. */
 static const char *of_sample(const char *name)
 {
@@ -141,6 +144,7 @@ static void store_pixels(pixel_layout layout, const block_pixels *m, uint32_t co
             if ((uint32_t)*at != graph_bits(word[0].node[pixel_lane]))
                 told_fault("the stored word is not the last one that was told", "");
             report_word(of_sample("word"), word[0].node[pixel_lane]);
+            was_stored = true;
         }
     }
 }
@@ -194,6 +198,8 @@ static void test_batch(const fragment_state *state, const depth_state *test, blo
     stored_before = 0;
     library_test_batch(state, test, b);
     pixel_lane = lane;
+    was_tested |= tells;
+    has_passed |= tells && is_covered(b);
     if (tells && stored_before) {
         const node_id passes = comparison_from(first);
 

@@ -45,6 +45,7 @@ static void begin_fragment(const gn_pipeline *pipeline, raster_triangle t,
         pixel.shared_end = told.stage_count;
     pixel.fragment_is_told = true;
     told_place[0] = told_place[1] = 0;
+    was_tested = has_passed = was_stored = false;
     report_begin(traced_kind == KIND_TRIANGLE
                      ? "Edges: is the pixel's centre inside? All numbers are integers, in 1/256 pixel"
                      : "The primitive");
@@ -95,11 +96,12 @@ static void begin_fragment(const gn_pipeline *pipeline, raster_triangle t,
     tell_planes(pipeline, t);
 }
 
-static const char *result_of(const fragment_context *c, uint64_t passed_before, bool stored)
+static const char *result_of(void)
 {
-    return c->counts->passed == passed_before ? "failed the depth test"
-           : stored                           ? "written"
-                                              : "written to the depth alone";
+    return was_stored                   ? "written"
+           : was_tested && !has_passed ? "failed the depth test"
+           : was_tested                ? "written to the depth alone"
+                                       : "not written";
 }
 
 /* A blocks_function. */
@@ -110,7 +112,6 @@ static void traced_blocks(const void *context, covered_block *blocks, uint32_t c
     for (uint32_t n = 0; n < count; ++n) {
         const raster_triangle t = blocks[n].triangle;
         const uint32_t coverage = covered_lanes(&blocks[n]);
-        const uint64_t passed = c->counts ? c->counts->passed : 0;
         const int lane = lane_in_block(&blocks[n].at);
         const bool has_pixel = lane >= 0 && (coverage >> lane & 1u);
 
@@ -123,7 +124,7 @@ static void traced_blocks(const void *context, covered_block *blocks, uint32_t c
             begin_fragment(c->state->pipeline, t, &coverage, 1);
         step_blocks(context, &blocks[n], 1);
         if (tells_fragment())
-            report_end(result_of(c, passed, has_colors(c->state)));
+            report_end(result_of());
         pixel_lane = -1;
     }
 }
@@ -151,7 +152,6 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
 
     for (uint32_t n = 0; n < count; ++n) {
         const pixel_block block = square_block(squares[n].x, squares[n].y);
-        const uint64_t passed = c->counts->passed;
         const int lane = lane_in_block(&block);
         uint32_t any = 0;
 
@@ -168,7 +168,7 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
                            GN_SAMPLES);
         library_shade_sampled_squares(context, &squares[n], 1);
         if (tells_fragment())
-            report_end(result_of(c, passed, has_colors(c->state)));
+            report_end(result_of());
         pixel_lane = -1;
     }
 }

@@ -124,6 +124,13 @@ static void tell_named(const char *given_name, node_id node, bool is_word)
         as_bytes = false;
         return;
     }
+    if (graph_traits_of[trace.nodes[node].operation].notation == NOTATION_LEAF) {
+        /* A constant, which other values may share, so it gets no name. */
+        graph_print(&expression, node);
+        tell_node(name, node, text_of(&expression));
+        text_free(&expression);
+        return;
+    }
     for (node_id step; (step = graph_next_step(node)) != 0;) {
         const char *const label = joined_number("t", ++told.steps, "");
 

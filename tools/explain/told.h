@@ -49,7 +49,8 @@ const char *report_words(uint32_t offset);
 void report_begin(const char *title);
 
 /* Tells a node's value, names the node, and tells the expression that made it, after steps of its
- * own where it is long. A node that is named already is told as the other name. */
+ * own where it is long. A node that is named already is told as the other name. A constant is told
+ * as a number and gets no name. */
 void report_node(const char *name, node_id node);
 
 /* Tells a pixel's word as its four bytes. */

@@ -100,7 +100,6 @@ gn_status traced_draw(const gn_target *target, const gn_pipeline *pipeline, cons
                              : pipeline->raster.topology == GN_POINTS  ? 1
                                                                        : 0;
     uint64_t *const counter = workspace->samples_passed;
-    uint64_t passed = 0;
     gn_pipeline confined = *pipeline;
     pixel_words color, depth;
 
@@ -117,7 +116,7 @@ gn_status traced_draw(const gn_target *target, const gn_pipeline *pipeline, cons
     pixel.found_count = 0;
     pixel.is_finding = true;
     trace.is_recording = false;
-    workspace->samples_passed = &passed; /* the fates of fragments follow from this count */
+    workspace->samples_passed = 0;
     gn_status status = stages_draw(target, &confined, mesh, workspace);
 
     pixel.is_finding = false;
