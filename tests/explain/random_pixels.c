@@ -102,7 +102,7 @@ static void check_pixel(const scene *s, scene_class c, uint64_t number, uint32_t
         return;
     }
     if (e.faults || e.word != e.drawn_word) {
-        fail(c, number, x, y, text_of(&told.fault), e.faults ? "" : "another word");
+        fail(c, number, x, y, prose_of(&told.fault), e.faults ? "" : "another word");
         return;
     }
     for (uint32_t i = 0; i < told.fragment_count; ++i) {

@@ -146,15 +146,15 @@ static bool holds_place(const edge_here *e)
     return e->value > 0 || (e->value == 0 && e->owns_ties);
 }
 
-static void put_product(text *t, int64_t a, int64_t b)
+static void put_product(prose *t, int64_t a, int64_t b)
 {
     const int64_t factor[2] = {a, b};
 
     for (int i = 0; i < 2; ++i) {
-        text_put(t, i ? " * " : "");
-        text_put(t, factor[i] < 0 ? "(" : "");
-        text_integer(t, factor[i]);
-        text_put(t, factor[i] < 0 ? ")" : "");
+        prose_put(t, i ? " * " : "");
+        prose_put(t, factor[i] < 0 ? "(" : "");
+        prose_integer(t, factor[i]);
+        prose_put(t, factor[i] < 0 ? ")" : "");
     }
 }
 
@@ -164,19 +164,19 @@ static void tell_edge(int i, uint32_t lane, int64_t x, int64_t y)
     const stored_vertex *const b = corner_of((uint32_t)(i + 1) % 3, lane);
     const edge_here e = edge_at(a, b, x, y);
     const char *const name = joined(joined("edge.", label_of(a), "_"), label_of(b), "");
-    text words = {0};
+    prose words = {0};
 
     put_product(&words, e.dx, a->snapped[0] - x);
-    text_put(&words, " - ");
+    prose_put(&words, " - ");
     put_product(&words, e.dy, a->snapped[1] - y);
-    text_put(&words, e.value > 0   ? "; above 0: inside"
+    prose_put(&words, e.value > 0   ? "; above 0: inside"
                      : e.value < 0 ? "; below 0: outside"
                      : e.owns_ties ? "; a tie, and the edge is a left or a horizontal bottom edge: "
                                      "inside"
                                    : "; a tie, and the edge is neither a left nor a horizontal "
                                      "bottom edge: outside");
-    report_integer(name, e.value, text_of(&words));
-    text_free(&words);
+    report_integer(name, e.value, prose_of(&words));
+    prose_free(&words);
 }
 
 /* Tells the edge functions of a triangle at a place and checks that they decide as the library did.
@@ -200,17 +200,17 @@ static void tell_edges(uint32_t lane, int64_t x, int64_t y, bool is_covered)
     report_integer("twice_the_area", area, "the sum of the three, whatever the place");
     for (int i = 0; i < 3 && inside && area > 0; ++i) {
         const int opposite = (i + 2) % 3;
-        text number = {0}, words = {0};
+        prose number = {0}, words = {0};
 
-        text_fraction(&number, value[i], area, 6);
-        text_integer(&words, value[i]);
-        text_put(&words, " / ");
-        text_integer(&words, area);
-        text_put(&words, ": the edge opposite the vertex, over twice the area");
+        prose_fraction(&number, value[i], area, 6);
+        prose_integer(&words, value[i]);
+        prose_put(&words, " / ");
+        prose_integer(&words, area);
+        prose_put(&words, ": the edge opposite the vertex, over twice the area");
         report_tell(joined("barycentric.", label_of(corner_of((uint32_t)opposite, lane)), ""),
-                    text_of(&number), "", text_of(&words));
-        text_free(&number);
-        text_free(&words);
+                    prose_of(&number), "", prose_of(&words));
+        prose_free(&number);
+        prose_free(&words);
     }
 }
 

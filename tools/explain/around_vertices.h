@@ -114,17 +114,17 @@ static void tell_outside(uint32_t outcode)
 {
     static const char plane[6][16] = {"x > w (right)", "x < -w (left)",  "y > w (top)",
                                       "y < -w (below)", "z < near plane", "z > w (far)"};
-    text words = {0};
+    prose words = {0};
 
     for (int n = 0; n < 6; ++n) {
         if (outcode >> n & 1u) {
-            text_put(&words, words.length ? ", " : "");
-            text_put(&words, plane[n]);
+            prose_put(&words, words.length ? ", " : "");
+            prose_put(&words, plane[n]);
         }
     }
     if (words.length)
-        report_tell("outside", text_of(&words), "", "the vertex is not in the view volume");
-    text_free(&words);
+        report_tell("outside", prose_of(&words), "", "the vertex is not in the view volume");
+    prose_free(&words);
 }
 
 /* Tells a matrix times (x, y, z, 1), computed here from left to right as gnomon transform does:
@@ -172,10 +172,10 @@ static void tell_vertex(uint32_t corner, const stored_vertex *v)
                                                         : "the mesh");
         }
     }
-    if (pixel.has_world)
+    if (pixel.has_view) {
         tell_product(label, ".world", "world_from_model", &pixel.world_from_model, place);
-    if (pixel.has_world && pixel.has_view)
         tell_product(label, ".view", "view_from_world", &pixel.view_from_world, place);
+    }
     for (int c = 0; c < 4; ++c)
         report_node(joined(label, ".clip", axis_of[c]), node_at(&v->clip[c]));
     for (uint32_t n = 0; n < traced_varyings; ++n)

@@ -7,6 +7,9 @@
 /* How the distance to a plane is computed: sign * coordinate + w, or the coordinate alone. */
 static node_id distance_node(const clipper *c, const stored_vertex *v, uint32_t plane)
 {
+    if (plane >= CLIP_DISTANCE)
+        return node_at(&v->varying[traced_varyings + (plane - CLIP_DISTANCE)]);
+
     const node_id coordinate = node_at(&v->clip[plane / 2]), w = node_at(&v->clip[3]);
     const bool low = plane == CLIP_LEFT || plane == CLIP_BOTTOM || plane == CLIP_NEAR;
 
@@ -31,9 +34,10 @@ static uint32_t plane_of(const clipper *c, const stored_vertex *from, const stor
                          const stored_vertex *made)
 {
     const uint32_t count = trace.count;
+    const uint32_t planes = CLIP_DISTANCE + distance_count(c->pipeline);
     uint32_t plane = 0;
 
-    for (; plane < CLIP_DISTANCE; ++plane) {
+    for (; plane < planes; ++plane) {
         const node_id d = distance_node(c, from, plane);
         const node_id span = graph_compute(OP_SUB, d, distance_node(c, to, plane));
         const node_id t = graph_compute(OP_DIV, d, span);
@@ -55,15 +59,18 @@ static void tell_new_vertex(const clipper *c, const stored_vertex *from, const s
     static const char plane_name[CLIP_DISTANCE][21] = {
         "right plane x = w", "left plane x = -w",   "top plane y = w",
         "bottom plane y = -w", "near plane", "far plane z = w"};
+    const uint32_t planes = CLIP_DISTANCE + distance_count(c->pipeline);
     const uint32_t plane = plane_of(c, from, to, made);
     const char *const label =
         add_label(made, joined_number("n", pixel.labels - (int)pixel.corners + 1, ""));
 
-    if (plane == CLIP_DISTANCE) {
+    if (plane == planes) {
         told_fault("a new vertex of clipping is not where the formula says: ", label);
         return;
     }
-    report_begin(joined("Clipping at the ", plane_name[plane], joined(": new vertex ", label, "")));
+    report_begin(joined("Clipping at the ",
+                        plane < CLIP_DISTANCE ? plane_name[plane] : "plane of a clip distance",
+                        joined(": new vertex ", label, "")));
     const node_id d = distance_node(c, from, plane), other = distance_node(c, to, plane);
 
     report_node(joined(label, ".distance.", label_of(from)), d);
@@ -79,7 +86,7 @@ static void tell_new_vertex(const clipper *c, const stored_vertex *from, const s
         graph_store(&made->clip[n], node);
         report_node(joined(label, ".clip", axis_of[n]), node);
     }
-    for (uint32_t n = 0; n < traced_varyings; ++n) {
+    for (uint32_t n = 0; n < stored_values(c->pipeline); ++n) {
         const node_id node = between(node_at(&from->varying[n]), node_at(&to->varying[n]), t);
 
         if (!agrees(&made->varying[n], node))

@@ -81,24 +81,17 @@ static gn_status draw_traced(const scene *s, scene_frame *frame)
     return status;
 }
 
-static void find_world(const scene *s)
-{
-    pixel.has_world = s->draw_count > 0;
-    if (s->draw_count)
-        pixel.world_from_model = s->draws[0].surface.world_from_model;
-}
-
 /* Compares the traced words with those of the ordinary drawing. */
 static void compare(const scene_frame *drawn, const scene_frame *traced, explained *out)
 {
-    out->word = shown_word(traced, out->x, out->y);
-    out->drawn_word = shown_word(drawn, out->x, out->y);
+    out->word = shown_word(traced, out->x, out->row);
+    out->drawn_word = shown_word(drawn, out->x, out->row);
     for (uint32_t image = 0; image < drawn->images; ++image) {
-        const uint32_t word = image_word(traced, image, out->x, out->y);
+        const uint32_t word = image_word(traced, image, out->x, out->row);
 
         if (image < GN_SAMPLES)
             out->sample_word[image] = word;
-        if (word != image_word(drawn, image, out->x, out->y))
+        if (word != image_word(drawn, image, out->x, out->row))
             told_fault("the traced word is not the one that gn_draw stores", "");
     }
 }
@@ -134,14 +127,15 @@ const char *explain_pixel(const scene *s, uint32_t x, uint32_t y, const explain_
     if (fault)
         return fault;
     out->x = pixel.x = x;
-    out->y = pixel.y = y;
+    out->y = y;
+    out->row = pixel.y = view && view->y_down ? s->height - 1 - y : y;
     out->width = s->width;
     out->height = s->height;
     out->samples = scene_is_sampled(s) ? GN_SAMPLES : 1;
     pixel.has_view = view && view->is_known;
     if (pixel.has_view)
         pixel.view_from_world = view->view_from_world;
-    find_world(s);
+    pixel.scene = s;
     report_clear();
     memset(&drawn, 0, sizeof drawn);
     memset(&traced, 0, sizeof traced);

@@ -57,18 +57,18 @@ static void begin_fragment(const gn_pipeline *pipeline, raster_triangle t,
     f->primitive = pixel.primitive;
     f->kind = kind[traced_kind];
     f->corner_count = corners;
-    text words = {0};
+    prose words = {0};
     for (uint32_t i = 0; i < corners; ++i) {
         const stored_vertex *const v = corner_of(i, lane);
 
         f->corner[i][0] = v->snapped[0];
         f->corner[i][1] = v->snapped[1];
-        text_put(&words, i ? ", " : "");
-        text_put(&words, label_of(v));
+        prose_put(&words, i ? ", " : "");
+        prose_put(&words, label_of(v));
     }
-    report_tell("corners", text_of(&words), "",
-                traced_kind == KIND_TRIANGLE ? "clockwise on the screen, y upwards" : "");
-    text_free(&words);
+    report_tell("corners", prose_of(&words), "",
+                traced_kind == KIND_TRIANGLE ? "in the order in which the three numbers below are above 0 inside" : "");
+    prose_free(&words);
     if (corners == 3) {
         report_tell("edge.a_b", "", "",
                     "(a.snapped.y - b.snapped.y) * (a.snapped.x - place.x) - (a.snapped.x - "

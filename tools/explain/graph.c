@@ -21,8 +21,8 @@ typedef struct stored_node {
 void graph_clear(void)
 {
     trace.count = 1;
-    text_clear(&trace.names);
-    text_character(&trace.names, ' '); /* so that no name has offset 0 */
+    prose_clear(&trace.names);
+    prose_character(&trace.names, ' '); /* so that no name has offset 0 */
     trace.stored_count = 0;
     if (trace.stored)
         memset(trace.stored, 0, trace.stored_room * sizeof *trace.stored);
@@ -32,7 +32,7 @@ void graph_free(void)
 {
     free(trace.nodes);
     free(trace.stored);
-    text_free(&trace.names);
+    prose_free(&trace.names);
     memset(&trace, 0, sizeof trace);
 }
 
@@ -119,8 +119,8 @@ void graph_name(node_id node, const char *name)
     if (!node || name == graph_name_of(node)) /* growing would move the name */
         return;
     trace.nodes[node].name = (uint32_t)trace.names.length;
-    text_put(&trace.names, name);
-    text_character(&trace.names, 0);
+    prose_put(&trace.names, name);
+    prose_character(&trace.names, 0);
     trace.failed |= trace.names.failed;
 }
 

@@ -4,7 +4,7 @@
 #ifndef EXPLAIN_GRAPH_H
 #define EXPLAIN_GRAPH_H
 
-#include "text.h"
+#include "prose.h"
 
 /* X(NAME, symbol, operands, how it is written, type of the result). Operations are those of
  * src/lanes/lanes.h for one lane; `binary` ones are written between their operands. Types: f is a
@@ -100,7 +100,7 @@ typedef struct graph_node {
 typedef struct graph {
     graph_node *nodes; /* nodes[0] is not used */
     uint32_t count, room;
-    text names;
+    prose names;
     struct stored_node *stored; /* a hash table by address */
     uint32_t stored_count, stored_room;
     bool is_recording;
@@ -160,7 +160,7 @@ bool graph_check(node_id node, uint32_t *found);
 uint32_t graph_check_all(node_id *first);
 
 /* Writes a node's expression down to named nodes and leaves, for a reader of C. */
-void graph_print(text *t, node_id node);
+void graph_print(prose *t, node_id node);
 
 /* Returns the node whose expression is to be printed in a step of its own before that of `root`: it
  * has no name, and is used twice in the expression, or the expression is too long without. Returns
@@ -168,6 +168,6 @@ void graph_print(text *t, node_id node);
 node_id graph_next_step(node_id root);
 
 /* Writes a node's value: a float, an integer, or true or false. */
-void graph_print_value(text *t, node_id node);
+void graph_print_value(prose *t, node_id node);
 
 #endif

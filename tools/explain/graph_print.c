@@ -36,21 +36,21 @@ static bool is_inner(node_id node)
     return node && !*graph_name_of(node) && traits(node)->notation != NOTATION_LEAF;
 }
 
-void graph_print_value(text *t, node_id node)
+void graph_print_value(prose *t, node_id node)
 {
     const char type = node ? traits(node)->type : 'i';
 
     if (type == 'f')
-        text_float(t, float_of_bits(graph_bits(node)));
+        prose_float(t, float_of_bits(graph_bits(node)));
     else if (type == 'm')
-        text_put(t, graph_bits(node) ? "true" : "false");
+        prose_put(t, graph_bits(node) ? "true" : "false");
     else
-        text_integer(t, (int32_t)graph_bits(node));
+        prose_integer(t, (int32_t)graph_bits(node));
 }
 
-static void print_operand(text *t, node_id node, int n, int least);
+static void print_operand(prose *t, node_id node, int n, int least);
 
-static void print_node(text *t, node_id node)
+static void print_node(prose *t, node_id node)
 {
     const graph_traits *const how = traits(node);
     const int binds = how->notation;
@@ -58,79 +58,79 @@ static void print_node(text *t, node_id node)
     switch (how->notation) {
     case NOTATION_LEAF:
         if (how->type == 'i' && graph_bits(node) + 0x10000u > 0x20000u) { /* a mask of bits */
-            text_put(t, "0x");
-            text_hexadecimal(t, graph_bits(node), 8);
+            prose_put(t, "0x");
+            prose_hexadecimal(t, graph_bits(node), 8);
         } else {
             graph_print_value(t, node);
         }
         break;
     case NOTATION_CHOICE:
         print_operand(t, node, 0, binds + 1);
-        text_put(t, " ? ");
+        prose_put(t, " ? ");
         print_operand(t, node, 1, binds + 1);
-        text_put(t, " : ");
+        prose_put(t, " : ");
         print_operand(t, node, 2, binds);
         break;
     case NOTATION_PREFIX:
-        text_put(t, how->symbol);
+        prose_put(t, how->symbol);
         print_operand(t, node, 0, binds);
         break;
     case NOTATION_CALL:
-        text_put(t, how->symbol);
-        text_character(t, '(');
+        prose_put(t, how->symbol);
+        prose_character(t, '(');
         for (int n = 0; n < how->operands; ++n) {
-            text_put(t, n ? ", " : "");
+            prose_put(t, n ? ", " : "");
             print_operand(t, node, n, 0);
         }
-        text_character(t, ')');
+        prose_character(t, ')');
         break;
     case NOTATION_BITS:
     case NOTATION_SHIFT:
         /* Few know how these bind among each other, so everything in them is in parentheses. */
         print_operand(t, node, 0, NOTATION_PREFIX);
-        text_character(t, ' ');
-        text_put(t, how->symbol);
-        text_character(t, ' ');
+        prose_character(t, ' ');
+        prose_put(t, how->symbol);
+        prose_character(t, ' ');
         print_operand(t, node, 1, NOTATION_PREFIX);
         break;
     default:
         print_operand(t, node, 0, binds);
-        text_character(t, ' ');
-        text_put(t, how->symbol);
-        text_character(t, ' ');
+        prose_character(t, ' ');
+        prose_put(t, how->symbol);
+        prose_character(t, ' ');
         print_operand(t, node, 1, binds + 1);
         break;
     }
 }
 
 /* Prints an operand, in parentheses if it binds less than `least`. */
-static void print_operand(text *t, node_id node, int n, int least)
+static void print_operand(prose *t, node_id node, int n, int least)
 {
     const node_id operand = operand_of(node, n);
 
     if (is_number(node, n)) {
-        text_integer(t, trace.nodes[node].operand[n]);
+        prose_integer(t, trace.nodes[node].operand[n]);
     } else if (!operand) {
-        text_character(t, '?');
+        prose_character(t, '?');
     } else if (*graph_name_of(operand)) {
-        text_put(t, graph_name_of(operand));
+        prose_put(t, graph_name_of(operand));
     } else {
         const bool encloses = traits(operand)->notation < least;
 
-        text_put(t, encloses ? "(" : "");
+        prose_put(t, encloses ? "(" : "");
         print_node(t, operand);
-        text_put(t, encloses ? ")" : "");
+        prose_put(t, encloses ? ")" : "");
     }
 }
 
-void graph_print(text *t, node_id node)
+void graph_print(prose *t, node_id node)
 {
     const node_id shown = chosen(node);
 
     if (!node)
         return;
     if (shown != node && *graph_name_of(shown))
-        text_put(t, graph_name_of(shown));
+        prose_put(t, graph_name_of(shown));
     else
         print_node(t, shown);
 }

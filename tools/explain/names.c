@@ -1,6 +1,8 @@
 /* Names of what the stages read. */
 #include "names.h"
 
+#include <string.h>
+
 #include "../../src/shaders/shaders.h"
 #include "told.h"
 
@@ -32,59 +34,65 @@ static void add_matrix(const char *name, const float *m, int size)
     known.matrix[known.matrices].name = name;
     known.matrix[known.matrices++].at = m;
     for (int row = 0; row < size; ++row) {
-        text value = {0}, bits = {0};
+        prose value = {0}, bits = {0};
 
         for (int column = 0; column < size; ++column) {
-            text_put(&value, column ? "  " : "");
-            text_put(&bits, column ? " " : "");
-            text_float(&value, m[size * column + row]);
-            text_hexadecimal(&bits, bits_of_float(m[size * column + row]), 8);
+            prose_put(&value, column ? "  " : "");
+            prose_put(&bits, column ? " " : "");
+            prose_float(&value, m[size * column + row]);
+            prose_hexadecimal(&bits, bits_of_float(m[size * column + row]), 8);
         }
-        report_tell(joined(name, " row ", axis[row]), text_of(&value), text_of(&bits),
+        report_tell(joined(name, " row ", axis[row]), prose_of(&value), prose_of(&bits),
                     row ? ""
                         : joined(name, "[column][row]: both are counted from 0 on", ""));
-        text_free(&value);
-        text_free(&bits);
+        prose_free(&value);
+        prose_free(&bits);
     }
 }
 
-void names_add_matrix(const char *name, const gn_mat4 *m)
+void names_add_world(const gn_mat4 *world_from_model, const gn_mat4 *view_from_world)
 {
-    add_matrix(name, &m->m[0][0], 4);
+    bool is_known = false;
+
+    for (int i = 0; i < known.matrices; ++i)
+        is_known = is_known || strcmp(known.matrix[i].name, "world_from_model") == 0;
+    if (!is_known)
+        add_matrix("world_from_model", &world_from_model->m[0][0], 4);
+    add_matrix("view_from_world", &view_from_world->m[0][0], 4);
 }
 
 static void add_vector(const char *name, gn_vec3 v, bool is_color)
 {
     const float part[3] = {v.x, v.y, v.z};
-    text value = {0}, bits = {0};
+    prose value = {0}, bits = {0};
 
     for (int i = 0; i < 3; ++i) {
-        text_put(&value, i ? "  " : "");
-        text_put(&bits, i ? " " : "");
-        text_float(&value, part[i]);
-        text_hexadecimal(&bits, bits_of_float(part[i]), 8);
+        prose_put(&value, i ? "  " : "");
+        prose_put(&bits, i ? " " : "");
+        prose_float(&value, part[i]);
+        prose_hexadecimal(&bits, bits_of_float(part[i]), 8);
     }
-    report_tell(name, text_of(&value), text_of(&bits),
+    report_tell(name, prose_of(&value), prose_of(&bits),
                 is_color ? "red, green, blue" : "x, y, z in world space");
     known.vector[known.vectors].name = name;
     known.vector[known.vectors++].v = v;
-    text_free(&value);
-    text_free(&bits);
+    prose_free(&value);
+    prose_free(&bits);
 }
 
 static void add_map(const char *name, const gn_texture *map)
 {
-    text size = {0};
+    prose size = {0};
 
     if (!map)
         return;
-    text_integer(&size, map->width);
-    text_put(&size, " x ");
-    text_integer(&size, map->height);
-    text_put(&size, " texels");
-    report_tell(name, text_of(&size), "",
+    prose_integer(&size, map->width);
+    prose_put(&size, " x ");
+    prose_integer(&size, map->height);
+    prose_put(&size, " texels");
+    report_tell(name, prose_of(&size), "",
                 map->level_count > 1 ? joined_number("", map->level_count, " levels") : "one level");
-    text_free(&size);
+    prose_free(&size);
     known.map[known.maps].name = name;
     known.map[known.maps++].map = map;
 }

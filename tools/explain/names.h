@@ -10,8 +10,8 @@
  * known. Tells them as a stage of the report. */
 void names_of_draw(const gn_pipeline *pipeline);
 
-/* Tells a matrix row by row; the uniforms' ones are told by names_of_draw. */
-void names_add_matrix(const char *name, const gn_mat4 *m);
+/* Tells the matrix to world coordinates, unless names_of_draw has, and that to view coordinates. */
+void names_add_world(const gn_mat4 *world_from_model, const gn_mat4 *view_from_world);
 
 /* Returns the name of attribute a, component c: "position.x". */
 const char *names_attribute(uint32_t a, uint32_t c);

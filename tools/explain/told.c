@@ -9,7 +9,7 @@ report told;
 void report_clear(void)
 {
     report_free();
-    text_character(&told.strings, 0); /* offset 0 is "" */
+    prose_character(&told.strings, 0); /* offset 0 is "" */
 }
 
 void report_free(void)
@@ -17,8 +17,8 @@ void report_free(void)
     free(told.values);
     free(told.stages);
     free(told.fragments);
-    text_free(&told.strings);
-    text_free(&told.fault);
+    prose_free(&told.strings);
+    prose_free(&told.fault);
     memset(&told, 0, sizeof told);
 }
 
@@ -52,8 +52,8 @@ static uint32_t keep(const char *words)
 
     if (!*words)
         return 0;
-    text_put(&told.strings, words);
-    text_character(&told.strings, 0);
+    prose_put(&told.strings, words);
+    prose_character(&told.strings, 0);
     told.failed |= told.strings.failed;
     return told.strings.failed ? 0 : offset;
 }
@@ -80,11 +80,11 @@ void report_tell(const char *name, const char *value, const char *bits, const ch
 
 void report_integer(const char *name, int64_t value, const char *expression)
 {
-    text number = {0};
+    prose number = {0};
 
-    text_integer(&number, value);
-    report_tell(name, text_of(&number), "", expression);
-    text_free(&number);
+    prose_integer(&number, value);
+    report_tell(name, prose_of(&number), "", expression);
+    prose_free(&number);
 }
 
 /* Whether the next value is told as four bytes. */
@@ -92,24 +92,24 @@ static bool as_bytes;
 
 static void tell_node(const char *name, node_id node, const char *expression)
 {
-    text value = {0}, bits = {0};
+    prose value = {0}, bits = {0};
 
     for (int n = 0; as_bytes && n < 4; ++n) {
-        text_put(&value, n ? " " : "");
-        text_integer(&value, graph_bits(node) >> 8 * n & 255);
+        prose_put(&value, n ? " " : "");
+        prose_integer(&value, graph_bits(node) >> 8 * n & 255);
     }
     if (!as_bytes)
         graph_print_value(&value, node);
     if (graph_traits_of[trace.nodes[node].operation].type != 'm')
-        text_hexadecimal(&bits, graph_bits(node), 8);
-    report_tell(name, text_of(&value), text_of(&bits), expression);
-    text_free(&value);
-    text_free(&bits);
+        prose_hexadecimal(&bits, graph_bits(node), 8);
+    report_tell(name, prose_of(&value), prose_of(&bits), expression);
+    prose_free(&value);
+    prose_free(&bits);
 }
 
 static void tell_named(const char *given_name, node_id node, bool is_word)
 {
-    text expression = {0};
+    prose expression = {0};
     char name[96] = ""; /* the given one may be joined, and steps join words too */
 
     strncat(name, given_name, sizeof name - 1);
@@ -127,25 +127,25 @@ static void tell_named(const char *given_name, node_id node, bool is_word)
     if (graph_traits_of[trace.nodes[node].operation].notation == NOTATION_LEAF) {
         /* A constant, which other values may share, so it gets no name. */
         graph_print(&expression, node);
-        tell_node(name, node, text_of(&expression));
-        text_free(&expression);
+        tell_node(name, node, prose_of(&expression));
+        prose_free(&expression);
         return;
     }
     for (node_id step; (step = graph_next_step(node)) != 0;) {
         const char *const label = joined_number("t", ++told.steps, "");
 
-        text_clear(&expression);
+        prose_clear(&expression);
         graph_print(&expression, step);
-        tell_node(label, step, text_of(&expression));
+        tell_node(label, step, prose_of(&expression));
         graph_name(step, label);
     }
-    text_clear(&expression);
+    prose_clear(&expression);
     graph_print(&expression, node);
     as_bytes = is_word;
-    tell_node(name, node, text_of(&expression));
+    tell_node(name, node, prose_of(&expression));
     as_bytes = false;
     graph_name(node, name);
-    text_free(&expression);
+    prose_free(&expression);
 }
 
 void report_node(const char *name, node_id node)
@@ -183,8 +183,8 @@ void report_given_word(const char *name, node_id node, const char *where)
 void told_fault(const char *what, const char *more)
 {
     if (told.faults++ == 0) {
-        text_put(&told.fault, what);
-        text_put(&told.fault, more);
+        prose_put(&told.fault, what);
+        prose_put(&told.fault, more);
     }
 }
 
@@ -197,18 +197,18 @@ void report_check_nodes(void)
     told.nodes += trace.count ? trace.count - 1 : 0;
     if (!wrong)
         return;
-    text words = {0};
+    prose words = {0};
 
     graph_check(first, &found);
-    text_put(&words, graph_traits_of[trace.nodes[first].operation].symbol);
-    text_character(&words, ' ');
-    text_hexadecimal(&words, graph_bits(first), 8);
-    text_put(&words, " is ");
-    text_hexadecimal(&words, found, 8);
-    text_put(&words, " here");
-    told_fault("a step that was evaluated anew has another result: ", text_of(&words));
+    prose_put(&words, graph_traits_of[trace.nodes[first].operation].symbol);
+    prose_character(&words, ' ');
+    prose_hexadecimal(&words, graph_bits(first), 8);
+    prose_put(&words, " is ");
+    prose_hexadecimal(&words, found, 8);
+    prose_put(&words, " here");
+    told_fault("a step that was evaluated anew has another result: ", prose_of(&words));
     told.faults += wrong - 1;
-    text_free(&words);
+    prose_free(&words);
 }
 
 report_fragment *report_add_fragment(uint32_t shared, uint32_t shared_end)
@@ -262,10 +262,10 @@ const char *joined(const char *a, const char *b, const char *c)
 
 const char *joined_number(const char *a, int64_t n, const char *c)
 {
-    text number = {0};
+    prose number = {0};
 
-    text_integer(&number, n);
-    const char *const result = joined(a, text_of(&number), c);
-    text_free(&number);
+    prose_integer(&number, n);
+    const char *const result = joined(a, prose_of(&number), c);
+    prose_free(&number);
     return result;
 }

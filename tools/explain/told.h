@@ -26,7 +26,7 @@ typedef struct report_fragment {
 } report_fragment;
 
 typedef struct report {
-    text strings;
+    prose strings;
     report_value *values;
     report_stage *stages;
     report_fragment *fragments;
@@ -34,7 +34,7 @@ typedef struct report {
     uint32_t steps;      /* t1, t2, ... in the fragment so far */
     uint32_t nodes;      /* that were evaluated anew */
     uint32_t faults;     /* checks that failed; the first one is told in `fault` */
-    text fault;
+    prose fault;
     bool failed;         /* memory ran out */
 } report;
 

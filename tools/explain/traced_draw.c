@@ -81,8 +81,10 @@ static gn_status trace_primitive(const gn_target *target, const gn_pipeline *pip
     pixel.fragment_is_told = false;
     told.steps = 0;
     names_of_draw(pipeline);
-    if (pixel.has_view)
-        names_add_matrix("view_from_world", &pixel.view_from_world);
+    if (pixel.has_view) {
+        pixel.world_from_model = pixel.scene->draws[pixel.draw].surface.world_from_model;
+        names_add_world(&pixel.world_from_model, &pixel.view_from_world);
+    }
     const gn_status status = stages_draw(target, pipeline, &one, workspace);
 
     if (!pixel.fragment_is_told)

@@ -6,6 +6,7 @@
 #include "explain.h"
 #include "options.h"
 #include "output.h"
+#include "page.h"
 #include "picture.h"
 #include "report.h"
 
@@ -36,7 +37,7 @@ static const char ending[] =
 static int explain(const scene *s, const explain_view *view, uint32_t x, uint32_t y, bool json)
 {
     explained e;
-    text words = {0};
+    prose words = {0};
 
     if (x >= s->width || y >= s->height)
         return report_fault("--pixel", "%u,%u lies outside the picture, which is %ux%u",
@@ -45,9 +46,9 @@ static int explain(const scene *s, const explain_view *view, uint32_t x, uint32_
     if (fault != NULL)
         return report_fault("--pixel", "%s", fault);
     (json ? explain_json : explain_text)(&e, &words);
-    fputs(text_of(&words), stdout);
+    fputs(prose_of(&words), stdout);
     const bool failed = words.failed;
-    text_free(&words);
+    prose_free(&words);
     explain_free();
     if (failed)
         return report_fault("--pixel", "not enough memory");
@@ -56,12 +57,20 @@ static int explain(const scene *s, const explain_view *view, uint32_t x, uint32_
 
 static explain_view view_of(const camera *c)
 {
-    explain_view view;
-    gn_transform transform;
+    const explain_view view = {true, c->y_down, c->view_from_world};
 
-    view.is_known = gn_look_at_rh(c->eye, c->target, c->up, &transform) == GN_OK;
-    view.view_from_world = transform.matrix;
     return view;
+}
+
+/* Explains the picture of a state of the web page. */
+static int explain_state(const options *o)
+{
+    page_use_backend(o->backend != GN_BACKEND_AUTO ? o->backend : gn_backend_best());
+    if (page_set_state(o->state) != 0 || page_build() != 0)
+        return report_fault("--state", "%s", page_message());
+    const explain_view view = view_of(page_camera());
+
+    return explain(page_scene(), &view, o->pixel_x, o->pixel_y, o->json);
 }
 
 static int explain_models(const options *o)
@@ -95,6 +104,6 @@ int command_explain(int argc, char **argv)
     }
     if (result == OPTIONS_WRONG)
         return status;
-    const int fault = explain_models(&o);
+    const int fault = o.state != NULL ? explain_state(&o) : explain_models(&o);
     return fault == 0 ? finish_output(0) : fault;
 }

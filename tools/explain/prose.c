@@ -1,28 +1,28 @@
 /* Text that grows, and numbers as text. */
-#include "text.h"
+#include "prose.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-const char *text_of(const text *t)
+const char *prose_of(const prose *t)
 {
     return t->at ? t->at : "";
 }
 
-void text_free(text *t)
+void prose_free(prose *t)
 {
     free(t->at);
     memset(t, 0, sizeof *t);
 }
 
-void text_clear(text *t)
+void prose_clear(prose *t)
 {
     t->length = 0;
     if (t->at)
         t->at[0] = 0;
 }
 
-static bool make_room(text *t, size_t more)
+static bool make_room(prose *t, size_t more)
 {
     if (t->failed)
         return false;
@@ -40,7 +40,7 @@ static bool make_room(text *t, size_t more)
     return true;
 }
 
-static void put_some(text *t, const char *words, size_t count)
+static void put_some(prose *t, const char *words, size_t count)
 {
     if (!make_room(t, count))
         return;
@@ -49,26 +49,26 @@ static void put_some(text *t, const char *words, size_t count)
     t->at[t->length] = 0;
 }
 
-void text_character(text *t, char c)
+void prose_character(prose *t, char c)
 {
     put_some(t, &c, 1);
 }
 
-void text_put(text *t, const char *words)
+void prose_put(prose *t, const char *words)
 {
     put_some(t, words, strlen(words));
 }
 
-void text_padded(text *t, const char *words, size_t width)
+void prose_padded(prose *t, const char *words, size_t width)
 {
     size_t length = strlen(words);
 
-    text_put(t, words);
+    prose_put(t, words);
     for (; length < width; ++length)
-        text_character(t, ' ');
+        prose_character(t, ' ');
 }
 
-static void put_unsigned(text *t, uint64_t n)
+static void put_unsigned(prose *t, uint64_t n)
 {
     char digit[20];
     int first = 20;
@@ -80,20 +80,20 @@ static void put_unsigned(text *t, uint64_t n)
     put_some(t, digit + first, (size_t)(20 - first));
 }
 
-void text_integer(text *t, int64_t n)
+void prose_integer(prose *t, int64_t n)
 {
     if (n < 0)
-        text_character(t, '-');
+        prose_character(t, '-');
     put_unsigned(t, n < 0 ? 0 - (uint64_t)n : (uint64_t)n);
 }
 
-void text_hexadecimal(text *t, uint32_t n, int digits)
+void prose_hexadecimal(prose *t, uint32_t n, int digits)
 {
     while (digits-- > 0)
-        text_character(t, "0123456789abcdef"[n >> 4 * digits & 15]);
+        prose_character(t, "0123456789abcdef"[n >> 4 * digits & 15]);
 }
 
-void text_fraction(text *t, int64_t numerator, int64_t denominator, int places)
+void prose_fraction(prose *t, int64_t numerator, int64_t denominator, int places)
 {
     uint64_t scale = 1;
     const uint64_t magnitude = (uint64_t)(numerator < 0 ? -numerator : numerator);
@@ -104,12 +104,12 @@ void text_fraction(text *t, int64_t numerator, int64_t denominator, int places)
     const uint64_t n = (magnitude * scale + d / 2) / d;
 
     if (numerator < 0 && n)
-        text_character(t, '-');
+        prose_character(t, '-');
     put_unsigned(t, n / scale);
     if (places > 0)
-        text_character(t, '.');
+        prose_character(t, '.');
     for (uint64_t place = scale / 10; place; place /= 10)
-        text_character(t, (char)('0' + n / place % 10));
+        prose_character(t, (char)('0' + n / place % 10));
 }
 
 /* Natural numbers of 320 bits, enough for every product below: floats have 24 bits times 2^127, and
@@ -243,7 +243,7 @@ static int shortest_digits(uint32_t mantissa, int exponent, char digits[12], int
     }
 }
 
-void text_float(text *t, float f)
+void prose_float(prose *t, float f)
 {
     const uint32_t bits = bits_of_float(f);
     const uint32_t field = bits >> 23 & 255, fraction = bits & 0x7FFFFF;
@@ -251,58 +251,58 @@ void text_float(text *t, float f)
     int count;
 
     if (field == 255) {
-        text_put(t, fraction ? "nan" : bits >> 31 ? "-inf" : "inf");
+        prose_put(t, fraction ? "nan" : bits >> 31 ? "-inf" : "inf");
         return;
     }
     if (bits >> 31)
-        text_character(t, '-');
+        prose_character(t, '-');
     if (!field && !fraction) {
-        text_character(t, '0');
+        prose_character(t, '0');
         return;
     }
     const int power = shortest_digits(field ? fraction | 1u << 23 : fraction,
                                       field ? (int)field - 150 : -149, digits, &count);
 
     if (power < -5 || power > 8) {
-        text_character(t, digits[0]);
+        prose_character(t, digits[0]);
         if (count > 1)
-            text_character(t, '.');
+            prose_character(t, '.');
         put_some(t, digits + 1, (size_t)count - 1);
-        text_character(t, 'e');
-        text_integer(t, power);
+        prose_character(t, 'e');
+        prose_integer(t, power);
         return;
     }
     if (power < 0) {
-        text_put(t, "0.");
+        prose_put(t, "0.");
         for (int i = -1; i > power; --i)
-            text_character(t, '0');
+            prose_character(t, '0');
         put_some(t, digits, (size_t)count);
         return;
     }
     for (int i = 0; i <= power || i < count; ++i) {
         if (i == power + 1)
-            text_character(t, '.');
-        text_character(t, i < count ? digits[i] : '0');
+            prose_character(t, '.');
+        prose_character(t, i < count ? digits[i] : '0');
     }
 }
 
-void text_json(text *t, const char *words)
+void prose_json(prose *t, const char *words)
 {
-    text_character(t, '"');
+    prose_character(t, '"');
     for (; *words; ++words) {
         const unsigned char c = (unsigned char)*words;
 
         if (c == '"' || c == '\\') {
-            text_character(t, '\\');
-            text_character(t, (char)c);
+            prose_character(t, '\\');
+            prose_character(t, (char)c);
         } else if (c == '\n') {
-            text_put(t, "\\n");
+            prose_put(t, "\\n");
         } else if (c < 32) {
-            text_put(t, "\\u");
-            text_hexadecimal(t, c, 4);
+            prose_put(t, "\\u");
+            prose_hexadecimal(t, c, 4);
         } else {
-            text_character(t, (char)c);
+            prose_character(t, (char)c);
         }
     }
-    text_character(t, '"');
+    prose_character(t, '"');
 }
